@@ -1,0 +1,13 @@
+#pragma once
+#include <string_view>
+
+/// Messages for people, on stderr. One line each. Any thread.
+namespace velum::log {
+
+void setVerbose(bool verbose);
+/// Shown with --verbose only.
+void info(std::string_view message);
+/// Always shown, prefixed with "warning: ".
+void warning(std::string_view message);
+
+}  // namespace velum::log

@@ -1,0 +1,17 @@
+#pragma once
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+
+namespace velum {
+
+/// Triangles in world space (mm, LPS). Normals are per vertex, unit; empty when the file has none.
+struct Mesh {
+  std::vector<glm::vec3> positions;
+  std::vector<glm::vec3> normals;
+  std::vector<std::uint32_t> indices;  ///< Three per triangle.
+  std::string name;
+};
+
+}  // namespace velum

@@ -1,0 +1,33 @@
+#pragma once
+#include <filesystem>
+#include <string>
+
+#include "velum/core/Image.h"
+
+namespace velum::io {
+
+/// Writes a picture: .png (8 bit sRGB as given; channels R,G,B[,A] only), .tif (as PNG, or float with `float32`), .exr (all channels, float).
+/// `description` (a scene as JSON) rides along: PNG iTXt/tEXt "velum:scene", EXR and TIFF attribute "velum:scene".
+/// Written to a temporary, then renamed. A path of "-" writes PNG to stdout.
+/// @param image  channels R,G,B,A are display-referred sRGB in 0..1 with straight (not premultiplied) alpha; EXR stores them linear and premultiplied
+/// @throw InputError when the extension is unknown or the disk refuses
+void writeImage(const Image& image, const std::filesystem::path& path, const std::string& description = {});
+
+/// Reads a picture back, the counterpart of writeImage (8-bit formats give 0..1). @throw InputError
+Image readImage(const std::filesystem::path& path);
+
+/// The scene text inside a picture of ours; empty when there is none. @throw InputError when it is no picture
+std::string readImageDescription(const std::filesystem::path& path);
+
+/// How far two pictures differ, channel-wise in 0..255 for display-referred values.
+struct ImageDifference {
+  double maxDifference = 0;     ///< 0..255
+  double rms = 0;               ///< 0..255
+  double failingFraction = 0;   ///< Share of pixels with a channel over the threshold, 0..1.
+};
+/// @param threshold  0..255. @throw InputError when sizes or channel counts differ
+ImageDifference compareImages(const Image& a, const Image& b, double threshold);
+/// Absolute difference, scaled so that `threshold` is mid grey.
+Image differenceImage(const Image& a, const Image& b, double threshold);
+
+}  // namespace velum::io

@@ -1,0 +1,31 @@
+#pragma once
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "velum/core/LabelVolume.h"
+#include "velum/core/Task.h"
+#include "velum/core/Volume.h"
+
+namespace velum::io {
+
+/// A phantom with its ground truth, on one grid.
+struct Sample {
+  Volume volume;
+  LabelVolume labels;
+};
+
+/// One phantom that we can make.
+struct SampleInfo {
+  std::string_view name;  ///< "torso"
+  std::string_view doc;
+};
+/// two-spheres, vessels, torso, seismic, neurons, ultrasound.
+std::span<const SampleInfo> samples();
+
+/// Makes a phantom. Deterministic: the same name and size give the same bytes.
+/// @param size  voxels along the longest axis, 16..1024; 0 takes the phantom's own default
+/// @throw ArgumentError for an unknown name or size; Cancelled
+Sample makeSample(std::string_view name, int size, Progress& progress);
+
+}  // namespace velum::io

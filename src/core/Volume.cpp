@@ -1,0 +1,141 @@
+#include "velum/core/Volume.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <type_traits>
+
+namespace velum {
+
+namespace {
+
+struct MinMax {
+  double min = std::numeric_limits<double>::infinity();
+  double max = -std::numeric_limits<double>::infinity();
+};
+
+MinMax merge(const MinMax& a, const MinMax& b) { return {std::min(a.min, b.min), std::max(a.max, b.max)}; }
+
+/// Smallest and largest finite sample. Written so that the compiler vectorises it: a NaN fails both comparisons, and an
+/// infinity is masked by the finite limits.
+template <class T>
+MinMax minMaxOf(const T* begin, const T* end) {
+  using Limits = std::numeric_limits<T>;
+  T low = Limits::max();
+  T high = Limits::lowest();
+  for (const T* p = begin; p != end; ++p) {
+    T value = *p;
+    if constexpr (std::is_floating_point_v<T>) {
+      bool finite = value >= Limits::lowest() && value <= Limits::max();
+      low = finite && value < low ? value : low;
+      high = finite && value > high ? value : high;
+    } else {
+      low = value < low ? value : low;
+      high = value > high ? value : high;
+    }
+  }
+  if (low > high) return {};
+  return {double(low), double(high)};
+}
+
+}  // namespace
+
+std::size_t sampleSize(SampleType type) {
+  constexpr std::size_t kSizes[] = {1, 1, 2, 2, 4, 4, 4, 8};
+  return kSizes[static_cast<int>(type)];
+}
+
+std::size_t voxelCount(const Volume& volume) {
+  return std::size_t(volume.dims.x) * std::size_t(volume.dims.y) * std::size_t(volume.dims.z);
+}
+
+std::size_t frameBytes(const Volume& volume) {
+  return voxelCount(volume) * std::size_t(volume.channels) * sampleSize(volume.type);
+}
+
+glm::dvec3 spacingMm(const Volume& volume) {
+  const auto& m = volume.worldFromVoxel;
+  return {glm::length(glm::dvec3(m[0])), glm::length(glm::dvec3(m[1])), glm::length(glm::dvec3(m[2]))};
+}
+
+glm::dmat3 direction(const Volume& volume) {
+  const auto& m = volume.worldFromVoxel;
+  return {glm::normalize(glm::dvec3(m[0])), glm::normalize(glm::dvec3(m[1])), glm::normalize(glm::dvec3(m[2]))};
+}
+
+double valueAt(const Volume& volume, glm::ivec3 voxel, int channel, int frame) {
+  std::size_t index = (std::size_t(voxel.z) * std::size_t(volume.dims.y) + std::size_t(voxel.y)) * std::size_t(volume.dims.x) + std::size_t(voxel.x);
+  index = (index + std::size_t(frame) * voxelCount(volume)) * std::size_t(volume.channels) + std::size_t(channel);
+  return visitSamples(volume, [&](auto* p) { return double(p[index]) * volume.scale + volume.offset; });
+}
+
+void computeRange(Volume& volume) {
+  std::size_t count = voxelCount(volume) * std::size_t(volume.channels) * std::size_t(volume.frames);
+  MinMax raw = visitSamples(volume, [&](auto* p) {
+    return tbb::parallel_reduce(
+        tbb::blocked_range<std::size_t>(0, count, 1 << 18), MinMax{},
+        [p](const auto& r, const MinMax& sofar) { return merge(sofar, minMaxOf(p + r.begin(), p + r.end())); }, merge);
+  });
+  if (raw.min > raw.max) raw = {0.0, 0.0};
+  double a = raw.min * volume.scale + volume.offset;
+  double b = raw.max * volume.scale + volume.offset;
+  volume.range = {std::min(a, b), std::max(a, b)};
+}
+
+Histogram computeHistogram(const Volume& volume, int bins, int channel, int frame) {
+  Histogram histogram{std::vector<std::uint64_t>(std::size_t(bins)), volume.range};
+  double width = volume.range.y - volume.range.x;
+  if (!(width > 0)) return histogram;
+  double factor = bins / width * volume.scale;
+  double base = (volume.offset - volume.range.x) * bins / width;
+  std::size_t count = voxelCount(volume);
+  std::size_t stride = std::size_t(volume.channels);
+  std::size_t first = std::size_t(frame) * count * stride + std::size_t(channel);
+  // A hundred million voxels say no more about the shape of a histogram than every few of them; the odd step keeps
+  // rows from being met at the same column.
+  std::size_t skip = std::max<std::size_t>(1, count / 16'000'000) | 1;
+  visitSamples(volume, [&](auto* p) {
+    using T = std::remove_cvref_t<decltype(*p)>;
+    for (std::size_t i = 0; i < count; i += skip) {
+      T raw = p[first + i * stride];
+      if constexpr (std::is_floating_point_v<T>) {
+        if (!std::isfinite(raw)) continue;
+      }
+      int bin = std::clamp(int(double(raw) * factor + base), 0, bins - 1);
+      ++histogram.counts[std::size_t(bin)];
+    }
+  });
+  return histogram;
+}
+
+double quantile(const Histogram& histogram, double fraction) {
+  std::uint64_t total = 0;
+  for (auto c : histogram.counts) total += c;
+  double wanted = fraction * double(total);
+  std::uint64_t below = 0;
+  double binWidth = (histogram.range.y - histogram.range.x) / double(std::max<std::size_t>(1, histogram.counts.size()));
+  for (std::size_t i = 0; i < histogram.counts.size(); ++i) {
+    below += histogram.counts[i];
+    if (double(below) >= wanted) return histogram.range.x + binWidth * (double(i) + 0.5);
+  }
+  return histogram.range.y;
+}
+
+glm::dvec3 centreMm(const Volume& volume) {
+  return glm::dvec3(volume.worldFromVoxel * glm::dvec4((glm::dvec3(volume.dims) - 1.0) * 0.5, 1.0));
+}
+
+double radiusMm(const Volume& volume) {
+  double radius = 0;
+  glm::dmat3 m(volume.worldFromVoxel);
+  for (int corner = 0; corner < 4; ++corner) {
+    glm::dvec3 sign(1.0, corner & 1 ? -1.0 : 1.0, corner & 2 ? -1.0 : 1.0);
+    radius = std::max(radius, glm::length(m * (sign * glm::dvec3(volume.dims) * 0.5)));
+  }
+  return radius;
+}
+
+}  // namespace velum

@@ -1,0 +1,63 @@
+#include "velum/core/LabelVolume.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "velum/core/Error.h"
+
+namespace velum {
+namespace {
+
+TEST(LabelVolume, WhatIsWrittenIsRead) {
+  glm::ivec3 dims(70, 33, 40);
+  LabelVolume labels(dims, glm::dmat4(1.0));
+  std::vector<std::uint16_t> plain(std::size_t(dims.x * dims.y * dims.z), 0);
+  std::mt19937 random(7);
+  for (int turn = 0; turn < 40; ++turn) {
+    glm::ivec3 origin(int(random() % 70), int(random() % 33), int(random() % 40));
+    glm::ivec3 size = glm::min(dims - origin, glm::ivec3(1 + int(random() % 40)));
+    std::vector<std::uint16_t> box(std::size_t(size.x * size.y * size.z));
+    bool uniform = turn % 2;
+    for (auto& id : box) id = uniform ? std::uint16_t(turn) : std::uint16_t(random() % 65536);
+    labels.write(origin, size, box);
+    for (int z = 0; z < size.z; ++z)
+      for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x)
+          plain[std::size_t(((origin.z + z) * dims.y + origin.y + y) * dims.x + origin.x + x)] = box[std::size_t((z * size.y + y) * size.x + x)];
+  }
+  std::vector<std::uint16_t> back(plain.size());
+  labels.read(glm::ivec3(0), dims, back);
+  EXPECT_EQ(back, plain);
+  EXPECT_EQ(labels.at({69, 32, 39}), plain.back());
+  EXPECT_EQ(labels.at({70, 0, 0}), 0);
+}
+
+TEST(LabelVolume, AnEditCostsTheBricksItTouches) {
+  LabelVolume before(glm::ivec3(256), glm::dmat4(1.0));
+  EXPECT_EQ(before.storedBytes(), 0u);
+  LabelVolume after = before;
+  std::uint16_t id = 9;
+  after.write({100, 100, 100}, {1, 1, 1}, {&id, 1});
+  EXPECT_EQ(before.at({100, 100, 100}), 0);
+  EXPECT_EQ(after.at({100, 100, 100}), 9);
+  EXPECT_EQ(after.storedBytes(), 32u * 32u * 32u * 2u);
+}
+
+TEST(LabelVolume, AFilledBrickFolds) {
+  LabelVolume labels(glm::ivec3(40), glm::dmat4(1.0));
+  std::vector<std::uint16_t> ids(40 * 40 * 40, 65535);
+  labels.write(glm::ivec3(0), glm::ivec3(40), ids);
+  EXPECT_EQ(labels.storedBytes(), 0u);
+  EXPECT_EQ(labels.idsInUse(), std::vector<std::uint16_t>{65535});
+}
+
+TEST(LabelVolume, ABoxOutsideIsRefused) {
+  LabelVolume labels(glm::ivec3(8), glm::dmat4(1.0));
+  std::vector<std::uint16_t> ids(27);
+  EXPECT_THROW(labels.write({6, 0, 0}, {3, 3, 3}, ids), ArgumentError);
+  EXPECT_THROW(labels.write({-1, 0, 0}, {3, 3, 3}, ids), ArgumentError);
+}
+
+}  // namespace
+}  // namespace velum

@@ -1,0 +1,60 @@
+#pragma once
+#include <cstddef>
+#include <memory>
+#include <string>
+
+namespace velum::gpu {
+
+enum class ContextKind { Auto, Egl, OsMesa };
+
+/// What the driver offers, read once.
+struct Limits {
+  std::string renderer;           ///< GL_RENDERER
+  std::string version;            ///< GL_VERSION
+  int texture3d = 0;              ///< Largest side of a 3D texture, texels.
+  int texture2d = 0;              ///< Largest side of a 2D texture, texels.
+  std::size_t memoryBytes = 0;    ///< What textures may take: the card's free memory, or half of the machine's where the
+                                  ///< driver is software or does not say. VELUM_GPU_MEMORY_MB overrides.
+  bool isSoftware = false;        ///< llvmpipe and the like: the processor draws.
+};
+
+/// An OpenGL 4.5 core context and its table of functions.
+///
+/// A context belongs to one thread at a time: makeCurrent() binds it, and every object of this module works on the
+/// thread's current context.
+class Context {
+ public:
+  /// Resolves a GL function by name in the context that is current.
+  using ProcAddress = void* (*)(const char* name);
+
+  /// EGL without a window system (surfaceless, then device platform). @throw GpuError
+  static std::unique_ptr<Context> createEgl();
+  /// Mesa's off-screen software renderer. @throw GpuError
+  static std::unique_ptr<Context> createOsMesa();
+  /// Auto: EGL, else OSMesa. The context is current on return. @throw GpuError saying what each of them said
+  static std::unique_ptr<Context> create(ContextKind kind);
+  /// Takes over a context that a window made and that is current now; does not destroy it. @throw GpuError
+  static std::unique_ptr<Context> adopt(ProcAddress procAddress);
+
+  virtual ~Context();
+  Context(const Context&) = delete;
+  Context& operator=(const Context&) = delete;
+
+  /// Binds context and function table to this thread. For an adopted context the window must have made it current.
+  virtual void makeCurrent();
+  const Limits& limits() const { return mLimits; }
+  /// GL errors of high severity that the driver has reported so far; tests want 0.
+  int errorCount() const;
+
+ protected:
+  Context();
+  /// Fills the function table and the limits. @throw GpuError when a function is missing or the version is below 4.5
+  void load(ProcAddress procAddress);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> mImpl;
+  Limits mLimits;
+};
+
+}  // namespace velum::gpu

@@ -1,0 +1,57 @@
+#pragma once
+#include <glm/glm.hpp>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "velum/gpu/Handle.h"
+
+namespace velum::gpu {
+
+void deleteProgram(unsigned id);
+
+/// Words that a shader is compiled with: {"MODE", "2"} becomes `#define MODE 2`.
+using Defines = std::vector<std::pair<std::string, std::string>>;
+
+/// A linked program from entry points under shaders/ (`render/ray_cast.comp`). Compile errors name file and line of the
+/// included text. GL thread.
+class Program : public Handle<deleteProgram> {
+ public:
+  Program() = default;
+  /// @param files  one .comp, or a .vert and a .frag
+  /// @throw GpuError with the driver's message, `file:line: text`
+  Program(std::initializer_list<std::string_view> files, const Defines& defines = {});
+  /// Offset of a uniform block's member in bytes, -1 when there is none; for the layout tests.
+  int memberOffset(const std::string& block, const std::string& member) const;
+  void use() const;
+  void set(int location, int value) const;
+  void set(int location, glm::ivec2 value) const;
+  void set(int location, glm::ivec4 value) const;
+  void set(int location, glm::vec4 value) const;
+};
+
+/// Runs a compute program. Group counts, not threads.
+void dispatch(const Program& program, glm::ivec3 groups);
+/// Draws vertices that the vertex shader makes from gl_VertexID.
+enum class Primitive { Triangles, Lines };
+struct DrawState {
+  bool depthTest = true;
+  bool depthWrite = true;
+  bool blend = false;
+};
+void draw(const Program& program, Primitive primitive, int vertexCount, const DrawState& state = {});
+/// What shaders have written becomes visible to later reads of any kind.
+void barrier();
+/// Hands the commands over and waits until they are done.
+void finish();
+/// Hands the commands over.
+void flush();
+
+/// Every entry point under shaders/, for the test that compiles them all.
+std::vector<std::string> shaderEntryPoints();
+/// The text of an entry point with its includes, as the driver sees it; for tests. @throw GpuError
+std::string expandedShader(std::string_view file, const Defines& defines = {});
+
+}  // namespace velum::gpu

@@ -1,0 +1,34 @@
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "velum/scene/Scene.h"
+
+namespace velum::scene {
+
+constexpr int kSceneVersion = 1;
+
+/// The scene as JSON text (version, then every field of every saved struct). The same scene gives the same bytes.
+std::string toJson(const Scene& scene);
+
+/// The counterpart of toJson. Fields that are missing keep their defaults; fields that are unknown are left alone with a
+/// warning. Payloads (`data`) are empty.
+/// @throw InputError for text that is no scene, is from a newer version, or has a value of the wrong kind or out of range
+Scene fromJson(std::string_view text);
+
+/// Changes one field by its path: "rayCast.stepVoxels", "cuts.0.centreMm", "cuts.+" appends one.
+/// @param value  JSON, or a bare word or comma list: 0.5, true, mip, 1,2,3, "[{...}]"
+/// @throw ArgumentError naming the part of the path, or the value, that does not fit
+void setField(Scene& scene, std::string_view path, std::string_view value);
+
+/// One row a field, for the documentation: path, type, unit, range, meaning, default.
+struct FieldRow {
+  std::string path, type, unit, range, doc, defaultValue;
+};
+std::vector<FieldRow> fieldTable();
+
+/// The JSON schema of scene files, made from the same field lists.
+std::string jsonSchema();
+
+}  // namespace velum::scene

@@ -1,0 +1,119 @@
+#pragma once
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+
+#include "velum/core/LabelVolume.h"
+#include "velum/core/Mesh.h"
+#include "velum/core/Shared.h"
+#include "velum/core/Volume.h"
+#include "velum/scene/Camera.h"
+#include "velum/scene/Cut.h"
+#include "velum/scene/Lighting.h"
+#include "velum/scene/RayCast.h"
+#include "velum/scene/Source.h"
+#include "velum/scene/Structure.h"
+#include "velum/scene/TransferFunction.h"
+
+namespace velum::scene {
+
+/// A volume and how it is shown.
+struct VolumeLayer {
+  Source source;
+  Shared<Volume> data;            ///< not saved: read from `source`
+  bool visible = true;
+  int frame = 0;                  ///< time step, 0..frames-1
+  int channel = 0;                ///< 0..channels-1; colour volumes show their colours
+  TransferFunction transfer;
+  double windowLevel = 0.0;       ///< middle of the grey window of slices and MIP, the volume's unit
+  double windowWidth = 0.0;       ///< its width; 0: the whole range
+  bool operator==(const VolumeLayer&) const = default;
+  static void fields(auto& o, auto& visit) {
+    visit("source", o.source, FieldInfo{"", {}, "Where the volume comes from."});
+    visit("visible", o.visible, FieldInfo{"", {}, "Off: the volume is not drawn."});
+    visit("frame", o.frame, FieldInfo{"", {0, 1e9}, "Time step."});
+    visit("channel", o.channel, FieldInfo{"", {0, 1e9}, "Channel that is shown."});
+    visit("transfer", o.transfer, FieldInfo{"", {}, "Colour and opacity by value."});
+    visit("windowLevel", o.windowLevel, FieldInfo{"", {}, "Middle of the grey window of slices and MIP."});
+    visit("windowWidth", o.windowWidth, FieldInfo{"", {0, 1e300}, "Width of the grey window; 0: the whole range."});
+  }
+};
+
+/// Labelled structures beside the volume (same grid or another, overlaid by world position), or alone.
+struct LabelLayer {
+  Source source;
+  Shared<LabelVolume> data;       ///< not saved
+  bool visible = true;
+  double tint = 1.0;              ///< how far structures take their own colour rather than the transfer function's, 0..1
+  double unlabelled = 1.0;        ///< factor on the opacity of what has no label, 0..1
+  std::vector<Structure> structures;  ///< ascending by id; filled from the data's table where empty
+  bool operator==(const LabelLayer&) const = default;
+  static void fields(auto& o, auto& visit) {
+    visit("source", o.source, FieldInfo{"", {}, "Where the labels come from."});
+    visit("visible", o.visible, FieldInfo{"", {}, "Off: labels change nothing."});
+    visit("tint", o.tint, FieldInfo{"", {0, 1}, "How far structures take their own colour."});
+    visit("unlabelled", o.unlabelled, FieldInfo{"", {0, 1}, "Factor on the opacity of what has no label."});
+    visit("structures", o.structures, FieldInfo{"", {}, "Name, colour, opacity of each structure."});
+  }
+};
+
+/// An opaque surface in the scene: an implant, a segmentation's mesh.
+struct Surface {
+  Source source;
+  Shared<Mesh> data;              ///< not saved
+  glm::vec3 color{0.8f};          ///< sRGB
+  bool visible = true;
+  bool operator==(const Surface&) const = default;
+  static void fields(auto& o, auto& visit) {
+    visit("source", o.source, FieldInfo{"", {}, "Where the surface comes from."});
+    visit("color", o.color, FieldInfo{"", {0, 1}, "sRGB colour."});
+    visit("visible", o.visible, FieldInfo{"", {}, "Off: the surface is not drawn."});
+  }
+};
+
+/// Everything that changes the picture or is saved.
+struct Scene {
+  VolumeLayer volume;
+  LabelLayer labels;
+  std::vector<Surface> surfaces;
+  std::vector<Cut> cuts;
+  Camera camera;
+  RayCast rayCast;
+  Lighting lighting;
+  Background background;
+  bool showBounds = false;        ///< thin outlines of the volume's box and of the cuts
+  bool operator==(const Scene&) const = default;
+  static void fields(auto& o, auto& visit) {
+    visit("volume", o.volume, FieldInfo{"", {}, "The volume and how it is shown."});
+    visit("labels", o.labels, FieldInfo{"", {}, "Labelled structures."});
+    visit("surfaces", o.surfaces, FieldInfo{"", {}, "Opaque surfaces."});
+    visit("cuts", o.cuts, FieldInfo{"", {}, "What removes material, in order."});
+    visit("camera", o.camera, FieldInfo{"", {}, "Where the eye is."});
+    visit("rayCast", o.rayCast, FieldInfo{"", {}, "How rays are cast."});
+    visit("lighting", o.lighting, FieldInfo{"", {}, "Light and shadow."});
+    visit("background", o.background, FieldInfo{"", {}, "What is behind everything."});
+    visit("showBounds", o.showBounds, FieldInfo{"", {}, "Thin outlines of the volume's box and of the cuts."});
+  }
+};
+
+/// The box of everything visible, world frame (mm).
+struct Bounds {
+  glm::dvec3 min{0.0}, max{0.0};
+};
+/// The box around volume, labels and surfaces; {0,0} when the scene is empty.
+Bounds computeBounds(const Scene& scene);
+
+/// A camera that sees all of the scene from one of the patient's sides. Keeps projection and field of view.
+/// @param aspect  width / height of the picture
+Camera frameCamera(const Scene& scene, StandardView view, double aspect);
+
+/// The rigid frame of a cut: local z is its axis. World from local, mm.
+glm::dmat4 worldFromCut(const Cut& cut);
+
+/// Reads the structures' names and colours out of the label data for every id that the scene does not list yet.
+void completeStructures(LabelLayer& labels);
+
+/// The grey window in force: level and width, the volume's unit.
+glm::dvec2 effectiveWindow(const VolumeLayer& layer);
+
+}  // namespace velum::scene

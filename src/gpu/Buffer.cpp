@@ -1,0 +1,34 @@
+#include "velum/gpu/Buffer.h"
+
+#include "Gl.h"
+
+namespace velum::gpu {
+
+void deleteBuffer(unsigned id) {
+  if (hasGl()) gl().DeleteBuffers(1, &id);
+}
+
+namespace {
+unsigned createBuffer() {
+  unsigned id = 0;
+  gl().CreateBuffers(1, &id);
+  return id;
+}
+}  // namespace
+
+Buffer::Buffer(std::string_view label, std::size_t bytes, const void* data) : Handle(createBuffer()), mBytes(bytes) {
+  gl().NamedBufferStorage(id(), GLsizeiptr(bytes ? bytes : 16), data, GL_DYNAMIC_STORAGE_BIT);
+  gl().ObjectLabel(GL_BUFFER, id(), GLsizei(label.size()), label.data());
+}
+
+void Buffer::write(std::size_t offset, std::size_t bytes, const void* data) {
+  gl().NamedBufferSubData(id(), GLintptr(offset), GLsizeiptr(bytes), data);
+}
+void Buffer::read(std::size_t offset, std::size_t bytes, void* data) const {
+  gl().GetNamedBufferSubData(id(), GLintptr(offset), GLsizeiptr(bytes), data);
+}
+void Buffer::clear() { gl().ClearNamedBufferData(id(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr); }
+void Buffer::bindStorage(unsigned binding) const { gl().BindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, id()); }
+void Buffer::bindUniform(unsigned binding) const { gl().BindBufferBase(GL_UNIFORM_BUFFER, binding, id()); }
+
+}  // namespace velum::gpu

@@ -1,0 +1,123 @@
+#include "velum/gpu/Context.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <cstring>
+
+#include "Gl.h"
+#include "velum/core/Log.h"
+#include "velum/gpu/GpuError.h"
+
+namespace velum::gpu {
+
+namespace {
+
+thread_local const GlTable* tGl = nullptr;
+
+constexpr GLenum kMemoryFreeNvx = 0x9049;  // GL_GPU_MEMORY_INFO_CURRENT_AVAILABLE_VIDMEM_NVX, kibibytes
+
+void APIENTRY onMessage(GLenum, GLenum type, GLuint, GLenum severity, GLsizei length, const GLchar* text, const void* user) {
+  if (type != GL_DEBUG_TYPE_ERROR && severity != GL_DEBUG_SEVERITY_HIGH) return;
+  ++*static_cast<std::atomic<int>*>(const_cast<void*>(user));
+  log::warning(fmt::format("OpenGL: {}", std::string_view(text, length < 0 ? std::strlen(text) : std::size_t(length))));
+}
+
+std::string glString(const GlTable& table, GLenum name) {
+  const auto* text = table.GetString(name);
+  return text ? reinterpret_cast<const char*>(text) : "";
+}
+
+std::size_t memoryFor(const GlTable& table, bool isSoftware) {
+  if (const char* text = std::getenv("VELUM_GPU_MEMORY_MB")) return std::size_t(std::strtoull(text, nullptr, 10)) << 20;
+  if (!isSoftware) {
+    GLint kibibytes = 0;
+    table.GetIntegerv(kMemoryFreeNvx, &kibibytes);
+    bool known = table.GetError() == GL_NO_ERROR && kibibytes > 0;
+    if (known) return std::size_t(kibibytes) * 1024 * 3 / 4;
+  }
+  std::size_t machine = std::size_t(sysconf(_SC_PHYS_PAGES)) * std::size_t(sysconf(_SC_PAGESIZE));
+  return isSoftware ? machine / 2 : std::size_t(2) << 30;
+}
+
+}  // namespace
+
+const GlTable& gl() { return *tGl; }
+bool hasGl() { return tGl != nullptr; }
+void setGl(const GlTable* table) { tGl = table; }
+
+struct Context::Impl {
+  GlTable table;
+  std::atomic<int> errors{0};
+};
+
+Context::Context() : mImpl(std::make_unique<Impl>()) {}
+
+Context::~Context() {
+  if (tGl == &mImpl->table) tGl = nullptr;
+}
+
+void Context::makeCurrent() { setGl(&mImpl->table); }
+
+int Context::errorCount() const { return mImpl->errors; }
+
+void Context::load(ProcAddress procAddress) {
+  GlTable& table = mImpl->table;
+#define VELUM_GL_LOAD(type, name)                                                \
+  table.name = reinterpret_cast<type>(procAddress("gl" #name));                  \
+  if (!table.name) throw GpuError("the driver lacks gl" #name "; OpenGL 4.5 is needed: update the graphics driver");
+  VELUM_GL_FUNCTIONS(VELUM_GL_LOAD)
+#undef VELUM_GL_LOAD
+  GLint major = 0, minor = 0;
+  table.GetIntegerv(GL_MAJOR_VERSION, &major);
+  table.GetIntegerv(GL_MINOR_VERSION, &minor);
+  mLimits.renderer = glString(table, GL_RENDERER);
+  mLimits.version = glString(table, GL_VERSION);
+  if (major * 10 + minor < 45)
+    throw GpuError(fmt::format("{} offers OpenGL {}.{}; 4.5 is needed: update the graphics driver", mLimits.renderer, major, minor));
+  mLimits.isSoftware = mLimits.renderer.find("llvmpipe") != std::string::npos || mLimits.renderer.find("softpipe") != std::string::npos;
+  table.GetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &mLimits.texture3d);
+  table.GetIntegerv(GL_MAX_TEXTURE_SIZE, &mLimits.texture2d);
+  if (const char* text = std::getenv("VELUM_MAX_TEXTURE_3D")) mLimits.texture3d = std::max(16, std::atoi(text));
+  mLimits.memoryBytes = memoryFor(table, mLimits.isSoftware);
+  table.Enable(GL_DEBUG_OUTPUT);
+  table.Enable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
+  table.DebugMessageCallback(onMessage, &mImpl->errors);
+  table.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  table.PixelStorei(GL_PACK_ALIGNMENT, 1);
+  table.CreateVertexArrays(1, &table.emptyVertexArray);
+  setGl(&table);
+  log::info(fmt::format("OpenGL: {} ({})", mLimits.renderer, mLimits.version));
+}
+
+std::unique_ptr<Context> Context::create(ContextKind kind) {
+  if (kind == ContextKind::Egl) return createEgl();
+  if (kind == ContextKind::OsMesa) return createOsMesa();
+  std::string eglSays;
+  try {
+    return createEgl();
+  } catch (const GpuError& error) {
+    eglSays = error.what();
+  }
+  try {
+    log::info(eglSays);
+    return createOsMesa();
+  } catch (const GpuError& error) {
+    throw GpuError(fmt::format("no way to draw without a display: {}; {}", eglSays, error.what()));
+  }
+}
+
+namespace {
+
+class AdoptedContext : public Context {
+ public:
+  explicit AdoptedContext(ProcAddress procAddress) { load(procAddress); }
+};
+
+}  // namespace
+
+std::unique_ptr<Context> Context::adopt(ProcAddress procAddress) { return std::make_unique<AdoptedContext>(procAddress); }
+
+}  // namespace velum::gpu

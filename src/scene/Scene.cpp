@@ -1,0 +1,93 @@
+#include "velum/scene/Scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace velum::scene {
+
+namespace {
+
+void addBox(Bounds& bounds, glm::ivec3 dims, const glm::dmat4& worldFromVoxel) {
+  for (int corner = 0; corner < 8; ++corner) {
+    glm::dvec3 voxel;
+    for (int axis = 0; axis < 3; ++axis) voxel[axis] = corner >> axis & 1 ? dims[axis] - 0.5 : -0.5;
+    glm::dvec3 world(worldFromVoxel * glm::dvec4(voxel, 1.0));
+    bounds.min = glm::min(bounds.min, world);
+    bounds.max = glm::max(bounds.max, world);
+  }
+}
+
+/// Unit vector, or the fallback when there is no direction in it.
+glm::dvec3 unitOr(glm::dvec3 v, glm::dvec3 fallback) {
+  double length = glm::length(v);
+  return length > 1e-12 && std::isfinite(length) ? v / length : fallback;
+}
+
+}  // namespace
+
+Bounds computeBounds(const Scene& scene) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  Bounds bounds{glm::dvec3(kInfinity), glm::dvec3(-kInfinity)};
+  if (scene.volume.data) addBox(bounds, scene.volume.data->dims, scene.volume.data->worldFromVoxel);
+  else if (scene.labels.data) addBox(bounds, scene.labels.data->dims(), scene.labels.data->worldFromVoxel());
+  for (const auto& surface : scene.surfaces) {
+    if (!surface.data) continue;
+    for (const auto& p : surface.data->positions) {
+      bounds.min = glm::min(bounds.min, glm::dvec3(p));
+      bounds.max = glm::max(bounds.max, glm::dvec3(p));
+    }
+  }
+  return bounds.min.x <= bounds.max.x ? bounds : Bounds{};
+}
+
+Camera frameCamera(const Scene& scene, StandardView view, double aspect) {
+  struct Side {
+    glm::dvec3 toEye, up;
+  };
+  static const Side kSides[] = {{{0, -1, 0}, {0, 0, 1}}, {{0, 1, 0}, {0, 0, 1}}, {{1, 0, 0}, {0, 0, 1}},       {{-1, 0, 0}, {0, 0, 1}},
+                                {{0, 0, 1}, {0, -1, 0}}, {{0, 0, -1}, {0, -1, 0}}, {{-0.55, -1, 0.35}, {0, 0, 1}}};
+  const Side& side = kSides[static_cast<int>(view)];
+  Bounds bounds = computeBounds(scene);
+  Camera camera = scene.camera;
+  camera.targetMm = (bounds.min + bounds.max) * 0.5;
+  camera.up = side.up;
+  // Fit the box as it is seen: half its extent along the picture's right and up, at the depth of its nearest corner.
+  glm::dvec3 toEye = glm::normalize(side.toEye);
+  glm::dvec3 right = glm::normalize(glm::cross(side.up, toEye));
+  glm::dvec3 up = glm::cross(toEye, right);
+  glm::dvec3 half = glm::max((bounds.max - bounds.min) * 0.5, glm::dvec3(1e-6));
+  auto extent = [&](glm::dvec3 axis) { return glm::dot(glm::abs(axis), half); };
+  constexpr double kMargin = 1.06;
+  double halfHeight = std::max(extent(up), extent(right) / aspect) * kMargin;
+  camera.heightMm = 2.0 * halfHeight;
+  double distance = halfHeight / std::tan(glm::radians(camera.fieldOfViewDeg) * 0.5) + extent(toEye);
+  camera.eyeMm = camera.targetMm + toEye * distance;
+  return camera;
+}
+
+glm::dmat4 worldFromCut(const Cut& cut) {
+  glm::dvec3 z = unitOr(cut.axis, {0, 0, 1});
+  glm::dvec3 helper = std::abs(z.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0);
+  glm::dvec3 x = glm::normalize(glm::cross(helper, z));
+  glm::dvec3 y = glm::cross(z, x);
+  double c = std::cos(glm::radians(cut.spinDeg)), s = std::sin(glm::radians(cut.spinDeg));
+  return {glm::dvec4(c * x + s * y, 0), glm::dvec4(c * y - s * x, 0), glm::dvec4(z, 0), glm::dvec4(cut.centreMm, 1)};
+}
+
+void completeStructures(LabelLayer& labels) {
+  if (!labels.data) return;
+  for (const auto& info : labels.data->table) {
+    bool known = std::any_of(labels.structures.begin(), labels.structures.end(), [&](const Structure& s) { return s.id == info.id; });
+    if (!known) labels.structures.push_back({info.id, info.name, info.color, info.opacity, true});
+  }
+  std::sort(labels.structures.begin(), labels.structures.end(), [](const Structure& a, const Structure& b) { return a.id < b.id; });
+}
+
+glm::dvec2 effectiveWindow(const VolumeLayer& layer) {
+  if (layer.windowWidth > 0 || !layer.data) return {layer.windowLevel, std::max(layer.windowWidth, 1e-300)};
+  glm::dvec2 range = layer.data->range;
+  return {(range.x + range.y) * 0.5, std::max(range.y - range.x, 1e-12)};
+}
+
+}  // namespace velum::scene

@@ -36,7 +36,7 @@ class Buffer : public Handle<deleteBuffer> {
 template <class T>
 class UniformBuffer {
  public:
-  static_assert(std::is_trivially_copyable_v<T> && sizeof(T) % 16 == 0);
+  static_assert(sizeof(T) % 16 == 0, "std140 blocks are whole vec4s");
   explicit UniformBuffer(std::string_view label) : mBuffer(label, sizeof(T)) {}
   void set(const T& value) { mBuffer.write(0, sizeof(T), &value); }
   void bind(unsigned binding) const { mBuffer.bindUniform(binding); }

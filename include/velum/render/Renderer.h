@@ -1,0 +1,85 @@
+#pragma once
+#include <functional>
+#include <glm/glm.hpp>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "velum/core/Image.h"
+#include "velum/core/Task.h"
+#include "velum/gpu/Context.h"
+#include "velum/render/Frame.h"
+
+namespace velum::render {
+
+/// What happened while drawing.
+struct Stats {
+  std::string renderer;                    ///< GL_RENDERER
+  double frameMs = 0;                      ///< Time of the last complete frame, all samples, without uploads.
+  double uploadMs = 0;                     ///< Time of the last upload of data.
+  double longestStepMs = 0;                ///< Longest single piece of GL work so far.
+  int samples = 0;                         ///< Samples per pixel that are complete.
+  std::map<std::string, double> passesMs;  ///< By pass, of the last complete frame.
+  std::string reduction;                   ///< In words, when the data is shown at a lower level than it has; else empty.
+};
+
+/// What is under a pixel.
+struct Pick {
+  bool hit = false;
+  glm::dvec3 worldMm{0.0};
+  glm::vec3 normal{0.0f};   ///< World frame, unit.
+  int structure = 0;        ///< Label id, 0 when there is none.
+  double value = 0;         ///< Data value there (nearest voxel).
+};
+
+/// Which layers to read back.
+struct Layers {
+  bool position = false;
+  bool normal = false;
+  bool depth = false;
+  bool structure = false;
+};
+
+/// Draws scenes. A frame is a queue of small pieces of work (uploads, tables, light, tiles, sample by sample), so that
+/// the caller decides how long to work at a time. Holds no truth: everything here can be made again from the frame.
+/// GL thread of its context.
+class Renderer {
+ public:
+  explicit Renderer(gpu::Context& context);
+  ~Renderer();
+
+  /// Works on a frame for about `budgetMs`, at least one piece. A frame that differs from the last one starts anew.
+  /// @return true when the frame is complete
+  /// @throw gpu::GpuError when the driver runs out of memory
+  bool work(const Frame& frame, double budgetMs);
+
+  /// Works until the frame is complete. @throw Cancelled
+  void render(const Frame& frame, Progress& progress);
+
+  /// Shows what there is of the last frame in a window's framebuffer (GL name), upright, scaled to its size.
+  void present(unsigned framebuffer, glm::ivec2 size);
+
+  /// The last frame's window: R, G, B, A display-referred with straight alpha, then the layers asked for: "position.X/Y/Z"
+  /// (world mm), "normal.X/Y/Z" (world), "Z" (mm from the eye, along the ray; infinity where nothing is), "id".
+  Image read(const Layers& layers = {});
+
+  /// What the last frame shows at a pixel of its window. From the drawn layers, so it agrees with the picture.
+  Pick pick(glm::ivec2 pixel) const;
+
+  const Stats& stats() const;
+  /// Draws a frame's share of progress, 0..1.
+  double fractionDone() const;
+  /// Forgets everything on the GPU. The next work() makes it again.
+  void clear();
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> mImpl;
+};
+
+/// Draws a picture of any size, window by window where it is larger than the driver's textures; seamless, as each ray
+/// depends on its place in the whole picture only.
+Image renderPicture(Renderer& renderer, const Frame& frame, const Layers& layers, int largestWindow, Progress& progress);
+
+}  // namespace velum::render

@@ -1,0 +1,73 @@
+// Samples of the volume and of its labels.
+#include "common/frame.glsl"
+
+layout(binding = kVolumeUnit) uniform sampler3D volumeTexture;
+layout(binding = kLabelUnit) uniform usampler3D labelTexture;
+layout(binding = kTransferUnit) uniform sampler2D transferTexture;  // row 0: colour*sigma, sigma; row 1: their running sums
+layout(std430, binding = kStructureBinding) readonly buffer StructureBlock { StructureRow structures[]; };
+
+#if COLOR
+vec3 volumeColorAt(vec3 tex) { return textureLod(volumeTexture, tex, 0.0).rgb; }
+float texelAt(vec3 tex) { return textureLod(volumeTexture, tex, 0.0).a; }
+#else
+float texelAt(vec3 tex) { return textureLod(volumeTexture, tex, 0.0).r; }
+#endif
+
+/// Position in the transfer table, 0..kTransferSize-1.
+float tableAt(vec3 tex) { return clamp(texelAt(tex) * frame.valueFromTexel.x + frame.valueFromTexel.y, 0.0, 1.0) * float(kTransferSize - 1); }
+
+uint labelAt(vec3 scenePoint) {
+  ivec3 voxel = ivec3(floor((frame.labelFromScene * vec4(scenePoint, 1.0)).xyz + 0.5));
+  if (any(lessThan(voxel, ivec3(0))) || any(greaterThanEqual(voxel, textureSize(labelTexture, 0)))) return 0u;
+  return texelFetch(labelTexture, voxel, 0).r;
+}
+
+vec4 structureRow(uint label) {
+  return label < uint(frame.counts.z) ? structures[label].color : vec4(0.6, 0.6, 0.6, 1.0);
+}
+
+vec4 transferRow(float x, int row) {
+  float i = min(floor(x), float(kTransferSize - 2));
+  return mix(texelFetch(transferTexture, ivec2(int(i), row), 0), texelFetch(transferTexture, ivec2(int(i) + 1, row), 0), x - i);
+}
+
+/// Mean colour*sigma and sigma of the material between two table positions: the value is taken to run evenly from one to
+/// the other, so a thin peak of the transfer function is never stepped over (pre-integration by running sums).
+vec4 materialBetween(float a, float b) {
+  float low = min(a, b);
+  float high = max(a, b);
+  if (high - low <= 4.0) return transferRow(0.5 * (low + high), 0);
+  return max((transferRow(high, 1) - transferRow(low, 1)) / (high - low), vec4(0.0));
+}
+
+#if LABELS == 2
+// A scene of labels alone: opacity and colour are the structures', weighted over the eight voxels around.
+vec4 labelMaterial(vec3 scenePoint) {
+  vec3 p = (frame.labelFromScene * vec4(scenePoint, 1.0)).xyz;
+  ivec3 size = textureSize(labelTexture, 0);
+  vec3 base = floor(p);
+  vec3 f = p - base;
+  vec4 sum = vec4(0.0);
+  for (int corner = 0; corner < 8; ++corner) {
+    ivec3 step3 = ivec3(corner & 1, corner >> 1 & 1, corner >> 2);
+    ivec3 voxel = ivec3(base) + step3;
+    if (any(lessThan(voxel, ivec3(0))) || any(greaterThanEqual(voxel, size))) continue;
+    uint label = texelFetch(labelTexture, voxel, 0).r;
+    if (label == 0u) continue;
+    vec4 row = structureRow(label);
+    vec3 w = mix(1.0 - f, f, vec3(step3));
+    float weight = w.x * w.y * w.z * row.a;
+    sum += vec4(row.rgb * weight, weight);
+  }
+  return sum;
+}
+#endif
+
+/// Gradient of the data value per mm, scene frame, by central differences of one voxel.
+vec3 gradientAt(vec3 tex) {
+  vec3 h = 1.0 / frame.volumeSize.xyz;
+  vec3 g = vec3(texelAt(tex + vec3(h.x, 0, 0)) - texelAt(tex - vec3(h.x, 0, 0)),
+                texelAt(tex + vec3(0, h.y, 0)) - texelAt(tex - vec3(0, h.y, 0)),
+                texelAt(tex + vec3(0, 0, h.z)) - texelAt(tex - vec3(0, 0, h.z)));
+  return vec3(dot(frame.normalX.xyz, g), dot(frame.normalY.xyz, g), dot(frame.normalZ.xyz, g));
+}

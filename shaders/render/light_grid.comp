@@ -1,0 +1,59 @@
+// The light grid's second step: for each cell near material, how much of the key light reaches it (r) and how open its
+// surroundings are (g). Cells far from any material are not looked at: nobody shades there.
+layout(local_size_x = 4, local_size_y = 4, local_size_z = 4) in;
+
+#include "common/frame.glsl"
+
+layout(binding = kLightUnit) uniform sampler3D extinctionTexture;
+layout(binding = 0, rg8) uniform writeonly image3D lightImage;
+
+layout(location = 0) uniform ivec4 slice;      // x: first z
+layout(location = 1) uniform vec4 keyTex;      // xyz: step of one cell size towards the key light, in grid texture coordinates
+layout(location = 2) uniform vec4 reach;       // x: cells of occlusion reach; y: cell size mm
+layout(location = 3) uniform vec4 cellTex;     // xyz: one cell size along each texture axis, in grid texture coordinates
+
+float extinctionAt(vec3 tex) {
+  if (any(lessThan(tex, vec3(0.0))) || any(greaterThan(tex, vec3(1.0)))) return 0.0;
+  return textureLod(extinctionTexture, tex, 0.0).r;
+}
+
+/// Transmittance towards the key light; steps grow, so that a far blocker costs no more than a near one.
+float shadowAt(vec3 tex) {
+  float depth = 0.0;
+  float at = 1.5;
+  float step_ = 1.0;
+  for (int i = 0; i < 40; ++i) {
+    vec3 p = tex + at * keyTex.xyz;
+    if (any(lessThan(p, vec3(0.0))) || any(greaterThan(p, vec3(1.0))) || depth > 5.0) break;
+    depth += extinctionAt(p) * step_ * reach.y;
+    at += step_;
+    step_ = min(step_ * 1.12, 4.0);
+  }
+  return exp(-depth);
+}
+
+/// Mean transmittance to the occlusion reach over 14 directions (faces and corners of a cube).
+float opennessAt(vec3 tex) {
+  float sum = 0.0;
+  for (int i = 0; i < 14; ++i) {
+    vec3 d = i < 6 ? vec3(i >> 1 == 0, i >> 1 == 1, i >> 1 == 2) * ((i & 1) == 0 ? 1.0 : -1.0)
+                   : (vec3((i - 6) & 1, (i - 6) >> 1 & 1, (i - 6) >> 2) * 2.0 - 1.0) * 0.57735;
+    float depth = 0.0;
+    float stride = reach.x / 4.0;
+    for (int k = 0; k < 4; ++k) depth += extinctionAt(tex + d * cellTex.xyz * (stride * (float(k) + 0.6) + 0.7));
+    sum += exp(-depth * stride * reach.y);
+  }
+  return clamp(sum / 14.0 * 1.6, 0.0, 1.0);
+}
+
+void main() {
+  ivec3 cell = ivec3(gl_GlobalInvocationID) + ivec3(0, 0, slice.x);
+  ivec3 grid = ivec3(frame.lightGrid.xyz);
+  if (any(greaterThanEqual(cell, grid))) return;
+  vec3 tex = (vec3(cell) + 0.5) / vec3(grid);
+  float near = 0.0;
+  for (int i = 0; i < 8; ++i) near += extinctionAt(tex + (vec3(i & 1, i >> 1 & 1, i >> 2) * 2.0 - 1.0) * 1.6 / vec3(grid));
+  vec2 light = vec2(1.0);
+  if (near > 0.0) light = vec2(frame.key.w > 0.0 ? shadowAt(tex) : 1.0, frame.hemisphere.w > 0.0 ? opennessAt(tex) : 1.0);
+  imageStore(lightImage, cell, vec4(light, 0.0, 0.0));
+}

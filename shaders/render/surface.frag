@@ -1,0 +1,21 @@
+// Opaque surfaces, cut like everything else.
+#include "common/frame.glsl"
+#include "common/cuts.glsl"
+#include "common/shade.glsl"
+
+layout(location = 0) in vec3 scenePoint;
+layout(location = 1) in vec3 sceneNormal;
+layout(location = 0) out vec4 color;
+layout(location = 1) out vec4 aux;  // normal, distance along the ray
+
+layout(location = 0) uniform vec4 albedo;  // a: 0 draws it unlit (outlines)
+
+void main() {
+  if (albedo.a > 0.0 && !cutsKeep(scenePoint, 0u)) discard;
+  vec3 toPoint = hasFlag(kFlagOrthographic) ? frame.forward.xyz : normalize(scenePoint - frame.eye.xyz);
+  vec3 normal = length(sceneNormal) > 0.0 ? normalize(sceneNormal) : normalize(cross(dFdx(scenePoint), dFdy(scenePoint)));
+  if (dot(normal, toPoint) > 0.0) normal = -normal;
+  vec3 tex = (frame.texFromScene * vec4(scenePoint + normal * frame.lightGrid.w, 1.0)).xyz;
+  color = vec4(albedo.a > 0.0 ? shadeSurface(albedo.rgb, normal, -toPoint, tex) : albedo.rgb, 1.0);
+  aux = vec4(normal, dot(scenePoint - frame.eye.xyz, toPoint));
+}

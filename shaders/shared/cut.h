@@ -1,0 +1,128 @@
+// The one function that says what a cut removes. C++ and GLSL compile this text.
+#ifndef VELUM_SHARED_CUT_H
+#define VELUM_SHARED_CUT_H
+#include "shared/types.h"
+SHARED_BEGIN
+
+SHARED_CONST int kCutPlane = 0;
+SHARED_CONST int kCutBox = 1;
+SHARED_CONST int kCutSphere = 2;
+SHARED_CONST int kCutCylinder = 3;
+SHARED_CONST int kCutCone = 4;
+SHARED_CONST float kCutFar = 1e30f;
+
+/// One enabled cut. Frame: scene-local millimetres (world minus the frame's origin).
+struct CutData {
+  mat4 localFromScene;  ///< rigid
+  vec4 half_;           ///< xyz: half edges, radius in x; w: 1 removes the inside, -1 the outside
+  ivec4 kind;           ///< x: kCut*; y: 1 shows the slice on its face; z: 1 when some structure is exempt
+  vec4 face;            ///< x: opacity of the slice face
+};
+
+/// Signed distance from a point in the cut's local frame to the shape, mm: < 0 inside. Exact for every shape.
+SHARED_FN float cutShapeDistance(int kind, vec3 half_, vec3 p) {
+  if (kind == kCutPlane) return -p.z;
+  if (kind == kCutSphere) return length(p) - half_.x;
+  if (kind == kCutBox) {
+    vec3 q = abs(p) - half_;
+    return length(max(q, vec3(0.0f))) + min(max(q.x, max(q.y, q.z)), 0.0f);
+  }
+  float r = sqrt(p.x * p.x + p.y * p.y);
+  if (kind == kCutCylinder) {
+    float dr = r - half_.x;
+    float dz = abs(p.z) - half_.z;
+    float ox = max(dr, 0.0f);
+    float oz = max(dz, 0.0f);
+    return sqrt(ox * ox + oz * oz) + min(max(dr, dz), 0.0f);
+  }
+  // Cone: apex at the origin, opening along +z to radius half_.x at height 2 half_.z. In the (r, z) half plane it is a
+  // triangle: distance to the slanted side and to the base disc.
+  float h = 2.0f * half_.z;
+  float len = sqrt(half_.x * half_.x + h * h);
+  float along = clamp((r * half_.x + p.z * h) / (len * len), 0.0f, 1.0f);
+  float sx = r - along * half_.x;
+  float sz = p.z - along * h;
+  float toSide = sqrt(sx * sx + sz * sz);
+  float bx = max(r - half_.x, 0.0f);
+  float bz = p.z - h;
+  float toBase = sqrt(bx * bx + bz * bz);
+  float away = (r * h - p.z * half_.x) / len;
+  bool inside = away < 0.0f && p.z < h;
+  return (inside ? -1.0f : 1.0f) * min(toSide, toBase);
+}
+
+/// Signed distance to what the cut removes, mm: < 0 is removed.
+SHARED_FN float cutDistance(CutData cut, vec3 scenePoint) {
+  vec4 local = cut.localFromScene * vec4(scenePoint, 1.0f);
+  return cut.half_.w * cutShapeDistance(cut.kind.x, vec3(cut.half_.x, cut.half_.y, cut.half_.z), vec3(local.x, local.y, local.z));
+}
+
+/// A coordinate that is never zero, so that slab tests do not divide by it.
+SHARED_FN float cutNonZero(float x) { return abs(x) < 1e-12f ? (x < 0.0f ? -1e-12f : 1e-12f) : x; }
+
+/// Part of the line o + t d that lies between two planes at +-h on one axis.
+SHARED_FN vec2 cutSlab(float o, float d, float h) {
+  float inv = 1.0f / cutNonZero(d);
+  float a = (-h - o) * inv;
+  float b = (h - o) * inv;
+  return vec2(min(a, b), max(a, b));
+}
+
+/// Roots of a t^2 + 2 b t + c = 0 as an interval, empty (1, -1) where there are none.
+SHARED_FN vec2 cutQuadric(float a, float b, float c) {
+  float discriminant = b * b - a * c;
+  if (discriminant < 0.0f) return vec2(1.0f, -1.0f);
+  float root = sqrt(discriminant);
+  return vec2((-b - root) / a, (-b + root) / a);
+}
+
+/// The stretch of the line o + t d inside the shape (local frame, every shape is convex): x > y when it misses.
+SHARED_FN vec2 cutShapeInterval(int kind, vec3 half_, vec3 o, vec3 d) {
+  if (kind == kCutPlane) {
+    float t = -o.z / cutNonZero(d.z);
+    return d.z > 0.0f ? vec2(t, kCutFar) : vec2(-kCutFar, t);
+  }
+  if (kind == kCutSphere) return cutQuadric(dot(d, d), dot(o, d), dot(o, o) - half_.x * half_.x);
+  if (kind == kCutBox) {
+    vec2 x = cutSlab(o.x, d.x, half_.x);
+    vec2 y = cutSlab(o.y, d.y, half_.y);
+    vec2 z = cutSlab(o.z, d.z, half_.z);
+    return vec2(max(x.x, max(y.x, z.x)), min(x.y, min(y.y, z.y)));
+  }
+  if (kind == kCutCylinder) {
+    vec2 z = cutSlab(o.z, d.z, half_.z);
+    float a = d.x * d.x + d.y * d.y;
+    float c = o.x * o.x + o.y * o.y - half_.x * half_.x;
+    if (a < 1e-12f) return c <= 0.0f ? z : vec2(1.0f, -1.0f);
+    vec2 side = cutQuadric(a, o.x * d.x + o.y * d.y, c);
+    return vec2(max(side.x, z.x), min(side.y, z.y));
+  }
+  // Cone: x^2 + y^2 <= k^2 z^2, 0 <= z <= h.
+  float h = 2.0f * half_.z;
+  float k2 = half_.x * half_.x / max(h * h, 1e-24f);
+  vec2 z = cutSlab(o.z - half_.z, d.z, half_.z);
+  float a = d.x * d.x + d.y * d.y - k2 * d.z * d.z;
+  float b = o.x * d.x + o.y * d.y - k2 * o.z * d.z;
+  float c = o.x * o.x + o.y * o.y - k2 * o.z * o.z;
+  if (abs(a) < 1e-9f) a = a < 0.0f ? -1e-9f : 1e-9f;
+  float discriminant = b * b - a * c;
+  if (discriminant < 0.0f) return a < 0.0f ? z : vec2(1.0f, -1.0f);
+  float root = sqrt(discriminant);
+  float t0 = (-b - root) / a;
+  float t1 = (-b + root) / a;
+  float low = min(t0, t1);
+  float high = max(t0, t1);
+  if (a > 0.0f) return vec2(max(low, z.x), min(high, z.y));
+  // The line runs inside the double cone before `low` and after `high`; the slab keeps the upper nappe.
+  return d.z > 0.0f ? vec2(max(high, z.x), z.y) : vec2(z.x, min(low, z.y));
+}
+
+/// The stretch of a scene-local ray that the cut's shape holds inside it.
+SHARED_FN vec2 cutInterval(CutData cut, vec3 origin, vec3 direction) {
+  vec4 o = cut.localFromScene * vec4(origin, 1.0f);
+  vec4 d = cut.localFromScene * vec4(direction, 0.0f);
+  return cutShapeInterval(cut.kind.x, vec3(cut.half_.x, cut.half_.y, cut.half_.z), vec3(o.x, o.y, o.z), vec3(d.x, d.y, d.z));
+}
+
+SHARED_END
+#endif

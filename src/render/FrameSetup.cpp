@@ -1,0 +1,197 @@
+#include "FrameSetup.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace velum::render {
+
+namespace {
+
+glm::dvec3 unitOr(glm::dvec3 v, glm::dvec3 fallback) {
+  double length = glm::length(v);
+  return length > 1e-12 ? v / length : fallback;
+}
+
+/// The camera's frame: right, up and the way it looks, orthonormal whatever the scene says.
+struct Basis {
+  glm::dvec3 right, up, forward;
+};
+
+Basis basisOf(const scene::Camera& camera) {
+  Basis basis;
+  basis.forward = unitOr(camera.targetMm - camera.eyeMm, {0, 1, 0});
+  glm::dvec3 wanted = unitOr(camera.up, {0, 0, 1});
+  glm::dvec3 helper = std::abs(basis.forward.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(0, -1, 0);
+  glm::dvec3 right = glm::cross(basis.forward, wanted);
+  basis.right = glm::length(right) > 1e-6 ? glm::normalize(right) : glm::normalize(glm::cross(basis.forward, helper));
+  basis.up = glm::cross(basis.right, basis.forward);
+  return basis;
+}
+
+double sceneRadius(const FrameGrid& grid) {
+  glm::dmat3 m(grid.worldFromTex);
+  return 0.5 * (glm::length(m[0]) + glm::length(m[1]) + glm::length(m[2]));
+}
+
+glm::vec4 v4(glm::dvec3 v, double w = 0.0) { return glm::vec4(glm::vec3(v), float(w)); }
+
+/// Half the picture's extent at distance 1 (perspective) or at the target, mm (orthographic).
+double halfHeight(const scene::Camera& camera) {
+  return camera.projection == scene::Projection::Perspective ? std::tan(glm::radians(camera.fieldOfViewDeg) * 0.5) : camera.heightMm * 0.5;
+}
+
+/// A projection with the rays of rayThrough(): rows run downwards, depth covers the scene's sphere.
+glm::dmat4 clipFromScene(const Frame& frame, const FrameGrid& grid, const Basis& basis, glm::dvec3 eye, glm::dvec2 shift) {
+  const auto& camera = frame.scene.camera;
+  glm::dmat4 viewFromScene(1.0);
+  for (int i = 0; i < 3; ++i) {
+    viewFromScene[i][0] = basis.right[i];
+    viewFromScene[i][1] = basis.up[i];
+    viewFromScene[i][2] = basis.forward[i];
+  }
+  viewFromScene[3] = glm::dvec4(-glm::dot(basis.right, eye), -glm::dot(basis.up, eye), -glm::dot(basis.forward, eye), 1.0);
+  double tall = halfHeight(camera), wide = tall * frame.pictureSize.x / frame.pictureSize.y;
+  double reach = 4.0 * sceneRadius(grid) + glm::length(eye);
+  double nearMm = reach * 1e-4, farMm = 2.0 * reach;
+  glm::dmat4 p(0.0);
+  p[0][0] = 1.0 / wide;
+  p[1][1] = -1.0 / tall;  // picture rows run downwards
+  if (camera.projection == scene::Projection::Perspective) {
+    p[2][2] = (farMm + nearMm) / (farMm - nearMm);
+    p[2][3] = 1.0;
+    p[3][2] = -2.0 * farMm * nearMm / (farMm - nearMm);
+  } else {
+    p[2][2] = 1.0 / farMm;
+    p[3][3] = 1.0;
+  }
+  // The window out of the whole picture, moved by the sample's place in its pixel.
+  glm::dvec2 whole(frame.pictureSize), origin(frame.windowOrigin), size(frame.windowSize);
+  glm::dmat4 window(1.0);
+  window[0][0] = whole.x / size.x;
+  window[1][1] = whole.y / size.y;
+  window[3][0] = (whole.x - 2.0 * (origin.x + shift.x)) / size.x - 1.0;
+  window[3][1] = (whole.y - 2.0 * (origin.y + shift.y)) / size.y - 1.0;
+  return window * p * viewFromScene;
+}
+
+}  // namespace
+
+glm::dvec3 sceneOrigin(const FrameGrid& grid) { return glm::dvec3(grid.worldFromTex * glm::dvec4(0.5, 0.5, 0.5, 1.0)); }
+
+shared::FrameParams makeFrameParams(const Frame& frame, const FrameGrid& grid, const TransferTable& table) {
+  const scene::Scene& scene = frame.scene;
+  shared::FrameParams params{};
+  glm::dvec3 origin = sceneOrigin(grid);
+  glm::dmat4 sceneFromTex = grid.worldFromTex;
+  sceneFromTex[3] -= glm::dvec4(origin, 0.0);
+  glm::dmat4 texFromScene = glm::inverse(sceneFromTex);
+  params.texFromScene = glm::mat4(texFromScene);
+  if (scene.labels.data) {
+    glm::dmat4 toWorld(1.0);
+    toWorld[3] = glm::dvec4(origin, 1.0);
+    params.labelFromScene = glm::mat4(glm::inverse(scene.labels.data->worldFromVoxel()) * toWorld);
+  }
+  // Rays.
+  Basis basis = basisOf(scene.camera);
+  double tall = halfHeight(scene.camera), wide = tall * frame.pictureSize.x / std::max(1, frame.pictureSize.y);
+  params.right = v4(basis.right * wide);
+  params.up = v4(basis.up * tall);
+  params.forward = v4(basis.forward);
+  bool orthographic = scene.camera.projection == scene::Projection::Orthographic;
+  glm::dvec3 eye = scene.camera.eyeMm - origin;
+  if (orthographic) {
+    // The picture plane stands in front of everything, wherever the eye is said to be.
+    glm::dvec3 target = scene.camera.targetMm - origin;
+    eye = target - basis.forward * (glm::length(target) + 2.0 * sceneRadius(grid));
+  }
+  params.eye = v4(eye);
+  // Grid and values.
+  glm::dmat3 edges(sceneFromTex);
+  glm::dvec3 spacing(glm::length(edges[0]) / grid.dims.x, glm::length(edges[1]) / grid.dims.y, glm::length(edges[2]) / grid.dims.z);
+  double smallest = std::min(spacing.x, std::min(spacing.y, spacing.z));
+  params.volumeSize = v4(glm::dvec3(grid.dims), grid.cells.edge);
+  params.cellGrid = v4(glm::dvec3(grid.cells.size), 1.0 / smallest);
+  double width = table.domain.y - table.domain.x;
+  params.valueFromTexel = {float(grid.valueScale / width), float((grid.valueOffset - table.domain.x) / width), float(1.0 / width), 0.0f};
+  double isoTable = (scene.rayCast.isoValue - table.domain.x) / width;
+  params.step = {float(scene.rayCast.stepVoxels * smallest * std::max(1.0, frame.stepFactor)), 0.998f, float(isoTable), 0.0f};
+  params.gradientScale = {0, 0, 0, float(1.0 / table.gradientMax)};
+  // A difference over two voxels along texture axis i is 2/dims[i] of that axis; gradients transform by the inverse transpose.
+  glm::dmat3 gradient = glm::transpose(glm::dmat3(texFromScene));
+  glm::dvec3 perDifference = grid.valueScale * glm::dvec3(grid.dims) * 0.5;
+  glm::vec4* rows[] = {&params.normalX, &params.normalY, &params.normalZ};
+  for (int i = 0; i < 3; ++i) *rows[i] = v4(glm::dvec3(gradient[0][i], gradient[1][i], gradient[2][i]) * perDifference);
+  glm::dvec2 grey = scene::effectiveWindow(scene.volume);
+  params.window = {float(width / grey.y), float((table.domain.x - (grey.x - 0.5 * grey.y)) / grey.y), float(scene.labels.tint), float(scene.labels.unlabelled)};
+  // Light.
+  const auto& light = scene.lighting;
+  params.light = {float(light.ambient), float(light.diffuse), float(light.specular), float(light.shininess)};
+  glm::dvec3 key = unitOr(light.keyDirection, {0, 0, 1});
+  params.key = v4(glm::normalize(key.x * basis.right + key.y * basis.up - key.z * basis.forward), light.shadow);
+  params.hemisphere = v4(basis.up, light.occlusion);
+  // Switches.
+  auto flag = [&](bool on, std::uint32_t bit) { params.flags.x |= on ? bit : 0u; };
+  flag(orthographic, shared::kFlagOrthographic);
+  flag(light.shaded, shared::kFlagShaded);
+  flag(scene.rayCast.skipEmpty, shared::kFlagSkipEmpty);
+  flag(scene.rayCast.stopOpaque, shared::kFlagStopOpaque);
+  flag(scene.rayCast.jitter, shared::kFlagJitter);
+  flag(!scene.volume.transfer.gradientOpacities.empty(), shared::kFlagGradientOpacity);
+  setSample(params, frame, 0);
+  return params;
+}
+
+void setSample(shared::FrameParams& params, const Frame& frame, int sample) {
+  // R2: a well-spread sequence for any count. Sample 0 goes through the pixel's middle.
+  double x = sample == 0 ? 0.5 : std::fmod(0.5 + 0.7548776662466927 * sample, 1.0);
+  double y = sample == 0 ? 0.5 : std::fmod(0.5 + 0.5698402909980532 * sample, 1.0);
+  glm::dvec2 shift(x - 0.5, y - 0.5);
+  params.picture = {float(frame.pictureSize.x), float(frame.pictureSize.y), float(shift.x), float(shift.y)};
+  params.step.w = float(std::fmod(0.6180339887498949 * sample, 1.0));
+  params.counts.w = sample;
+  FrameGrid grid;
+  grid.worldFromTex = glm::inverse(glm::dmat4(params.texFromScene));
+  params.clipFromScene = glm::mat4(clipFromScene(frame, grid, basisOf(frame.scene.camera), glm::dvec3(glm::vec3(params.eye)), shift));
+}
+
+std::vector<shared::CutData> makeCutData(const scene::Scene& scene, glm::dvec3 origin) {
+  std::vector<shared::CutData> out;
+  for (const auto& cut : scene.cuts) {
+    if (!cut.enabled) continue;
+    glm::dmat4 sceneFromCut = scene::worldFromCut(cut);
+    sceneFromCut[3] -= glm::dvec4(origin, 0.0);
+    shared::CutData data{};
+    data.localFromScene = glm::mat4(glm::inverse(sceneFromCut));
+    glm::dvec3 half = glm::max(cut.sizeMm, glm::dvec3(1e-9)) * 0.5;
+    data.half_ = v4(half, cut.invert ? -1.0 : 1.0);
+    data.kind = {static_cast<int>(cut.shape), cut.face == scene::CutFace::Slice ? 1 : 0, cut.exempt.empty() ? 0 : 1, 0};
+    data.face = {float(cut.faceOpacity), 0, 0, 0};
+    out.push_back(data);
+  }
+  return out;
+}
+
+std::vector<shared::StructureRow> makeStructureRows(const scene::LabelLayer& labels) {
+  int largest = 0;
+  for (const auto& s : labels.structures) largest = std::max(largest, s.id);
+  std::vector<shared::StructureRow> rows(std::size_t(largest) + 1, {glm::vec4(0.6f, 0.6f, 0.6f, 1.0f)});
+  for (const auto& s : labels.structures) rows[std::size_t(s.id)].color = glm::vec4(s.color, s.visible ? float(s.opacity) : 0.0f);
+  return rows;
+}
+
+std::vector<std::uint32_t> makeExemptMask(const scene::Scene& scene, std::size_t structureRows, int& words) {
+  std::vector<const scene::Cut*> cuts;
+  for (const auto& cut : scene.cuts)
+    if (cut.enabled) cuts.push_back(&cut);
+  words = int(cuts.size() + 31) / 32;
+  std::vector<std::uint32_t> mask;
+  for (std::size_t i = 0; i < cuts.size(); ++i)
+    for (int id : cuts[i]->exempt) {
+      if (std::size_t(id) >= structureRows) continue;
+      mask.resize(structureRows * std::size_t(words), 0);
+      mask[std::size_t(id) * std::size_t(words) + i / 32] |= 1u << (i % 32);
+    }
+  return mask;
+}
+
+}  // namespace velum::render

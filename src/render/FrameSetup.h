@@ -1,0 +1,39 @@
+#pragma once
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "TransferTable.h"
+#include "VolumeUpload.h"
+#include "shared/cut.h"
+#include "shared/frame.h"
+#include "velum/render/Frame.h"
+
+namespace velum::render {
+
+/// What a frame's data is, whether a volume or labels alone.
+struct FrameGrid {
+  glm::ivec3 dims{1};
+  CellGrid cells;
+  glm::dmat4 worldFromTex{1.0};
+  double valueScale = 1, valueOffset = 0;
+};
+
+/// The frame's origin: scene frame = world minus it, so that floats are enough far from the world's origin.
+glm::dvec3 sceneOrigin(const FrameGrid& grid);
+
+/// Everything of FrameParams that does not change from sample to sample.
+shared::FrameParams makeFrameParams(const Frame& frame, const FrameGrid& grid, const TransferTable& table);
+
+/// Moves the rays of sample n within their pixel and along themselves: the R2 sequence and the golden ratio.
+void setSample(shared::FrameParams& params, const Frame& frame, int sample);
+
+/// The enabled cuts as the shaders read them, in the scene frame.
+std::vector<shared::CutData> makeCutData(const scene::Scene& scene, glm::dvec3 origin);
+
+/// Colour and opacity by label id, [largest id + 1]; row 0 unused.
+std::vector<shared::StructureRow> makeStructureRows(const scene::LabelLayer& labels);
+
+/// Bit i % 32 of word i / 32 of each structure's words: enabled cut i spares it. Empty when no cut spares any.
+std::vector<std::uint32_t> makeExemptMask(const scene::Scene& scene, std::size_t structureRows, int& wordsPerStructure);
+
+}  // namespace velum::render

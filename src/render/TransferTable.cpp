@@ -1,0 +1,76 @@
+#include "TransferTable.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "shared/frame.h"
+
+namespace velum::render {
+
+namespace {
+
+/// Interpolates a list of points by value; `get` picks the quantity.
+template <class Point, class Get>
+auto interpolate(const std::vector<Point>& points, double value, Get get) -> decltype(get(points[0])) {
+  auto after = std::upper_bound(points.begin(), points.end(), value, [](double v, const Point& p) { return v < p.value; });
+  if (after == points.begin()) return get(points.front());
+  if (after == points.end()) return get(points.back());
+  const Point& a = *(after - 1);
+  const Point& b = *after;
+  double f = (value - a.value) / (b.value - a.value);
+  return get(a) * (1.0 - f) + get(b) * f;
+}
+
+/// Extinction, 1/mm, of a material that covers `opacity` of what is behind `unitMm` of it. Fully opaque is 0.999, as
+/// infinity has no sums.
+double extinction(double opacity, double unitMm) { return -std::log(1.0 - std::clamp(opacity, 0.0, 0.999)) / unitMm; }
+
+}  // namespace
+
+double opacityAt(const std::vector<scene::OpacityPoint>& points, double value) {
+  return points.empty() ? 0.0 : interpolate(points, value, [](const auto& p) { return p.opacity; });
+}
+
+glm::dvec3 colorAt(const std::vector<scene::ColorPoint>& points, double value) {
+  return points.empty() ? glm::dvec3(1.0) : interpolate(points, value, [](const auto& p) { return glm::dvec3(p.color); });
+}
+
+TransferTable makeTransferTable(const scene::Scene& scene) {
+  const auto& transfer = scene.volume.transfer;
+  TransferTable table;
+  glm::dvec2 window = scene::effectiveWindow(scene.volume);
+  double low = window.x - 0.5 * window.y, high = window.x + 0.5 * window.y;
+  auto include = [&](double value) { low = std::min(low, value), high = std::max(high, value); };
+  for (const auto& p : transfer.opacities) include(p.value);
+  for (const auto& p : transfer.colors) include(p.value);
+  if (scene.rayCast.mode == scene::RenderMode::Iso) include(scene.rayCast.isoValue);
+  // Nothing of the table is spent on values that the data does not have.
+  if (scene.volume.data) {
+    glm::dvec2 range = scene.volume.data->range;
+    double margin = 0.01 * (range.y - range.x);
+    if (low < range.x - margin && high > range.x) low = range.x - margin;
+    if (high > range.y + margin && low < range.y) high = range.y + margin;
+  }
+  if (!(high > low)) high = low + 1.0;
+  table.domain = {low, high};
+  if (!transfer.gradientOpacities.empty()) table.gradientMax = std::max(1e-12, transfer.gradientOpacities.back().value);
+
+  constexpr int n = shared::kTransferSize;
+  table.rows.resize(std::size_t(3) * n);
+  glm::dvec4 sum(0.0), before(0.0);
+  for (int i = 0; i < n; ++i) {
+    double f = double(i) / (n - 1);
+    double value = low + f * (high - low);
+    double sigma = extinction(opacityAt(transfer.opacities, value), transfer.unitDistanceMm);
+    glm::dvec4 here(colorAt(transfer.colors, value) * sigma, sigma);
+    if (i > 0) sum += 0.5 * (before + here);
+    before = here;
+    table.rows[std::size_t(i)] = glm::vec4(here);
+    table.rows[std::size_t(n + i)] = glm::vec4(sum);
+    double factor = transfer.gradientOpacities.empty() ? 1.0 : opacityAt(transfer.gradientOpacities, f * table.gradientMax);
+    table.rows[std::size_t(2 * n + i)] = glm::vec4(0, 0, 0, factor);
+  }
+  return table;
+}
+
+}  // namespace velum::render

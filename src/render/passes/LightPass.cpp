@@ -1,0 +1,43 @@
+#include "LightPass.h"
+
+#include <algorithm>
+#include <string>
+
+#include "shared/frame.h"
+
+namespace velum::render {
+
+LightPass::LightPass(int labels, int color, int mode)
+    : mExtinctionProgram({"render/light_extinction.comp"}, {{"LABELS", std::to_string(labels)}, {"COLOR", std::to_string(color)}, {"MODE", std::to_string(mode)}}),
+      mLightProgram({"render/light_grid.comp"}) {}
+
+void LightPass::resize(glm::dvec3 edges, int longest) {
+  mCellMm = std::max(edges.x, std::max(edges.y, edges.z)) / longest;
+  glm::ivec3 size = glm::clamp(glm::ivec3(edges / mCellMm + 0.5), glm::ivec3(1), glm::ivec3(longest));
+  if (size == mSize) return;
+  mSize = size;
+  mExtinction = gpu::Texture::make3d("light extinction", gpu::Format::R16f, size);
+  mLight = gpu::Texture::make3d("light grid", gpu::Format::Rg8, size);
+}
+
+void LightPass::extinction(int z0, int z1, const glm::mat4& sceneFromTex) {
+  mExtinctionProgram.set(0, glm::ivec4(z0, 0, 0, 0));
+  for (int axis = 0; axis < 3; ++axis) mExtinctionProgram.set(2 + axis, sceneFromTex[axis]);
+  mExtinctionProgram.set(5, sceneFromTex[3]);
+  mExtinction.bindImage(0, gpu::Access::Write);
+  gpu::dispatch(mExtinctionProgram, (glm::ivec3(mSize.x, mSize.y, z1 - z0) + 3) / 4);
+  gpu::barrier();
+}
+
+void LightPass::light(int z0, int z1, glm::vec3 keyTex, glm::vec3 cellTex, double reachCells) {
+  mLightProgram.set(0, glm::ivec4(z0, 0, 0, 0));
+  mLightProgram.set(1, glm::vec4(keyTex, 0.0f));
+  mLightProgram.set(2, glm::vec4(float(reachCells), float(mCellMm), 0.0f, 0.0f));
+  mLightProgram.set(3, glm::vec4(cellTex, 0.0f));
+  mExtinction.bindSampler(shared::kLightUnit);
+  mLight.bindImage(0, gpu::Access::Write);
+  gpu::dispatch(mLightProgram, (glm::ivec3(mSize.x, mSize.y, z1 - z0) + 3) / 4);
+  gpu::barrier();
+}
+
+}  // namespace velum::render

@@ -1,0 +1,24 @@
+#pragma once
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "velum/core/LabelVolume.h"
+
+namespace velum::io {
+
+/// The label table of a CaretExtension (XML); empty when the text is none.
+std::vector<LabelInfo> parseCaretLabels(std::string_view xml);
+/// A segment of a 3D Slicer .seg.nrrd: the voxels of one layer (channel) that have one value.
+struct SlicerSegment {
+  int layer = 0;
+  std::uint16_t value = 0;
+  LabelInfo label;  ///< The id is the value, or a number of its own where layers use a value twice.
+};
+/// The segments among the key/value pairs of a NRRD; empty when there are none.
+std::vector<SlicerSegment> parseSlicerSegments(const std::map<std::string, std::string>& keyValues);
+/// Sorts by id, drops 0 and repeated ids, and makes up what @p inUse lacks.
+std::vector<LabelInfo> completeTable(std::vector<LabelInfo> table, const std::vector<std::uint16_t>& inUse);
+
+}  // namespace velum::io

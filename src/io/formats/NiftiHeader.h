@@ -1,0 +1,43 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <glm/glm.hpp>
+#include <string_view>
+#include <vector>
+
+#include "velum/core/LabelVolume.h"
+
+namespace velum::io {
+
+/// What our writer puts into the description of a volume that has axes but no patient.
+inline constexpr std::string_view kOrientationUnknown = "velum: orientation unknown";
+
+/// The fields of a NIfTI-1, NIfTI-2 or Analyze 7.5 header that matter to us, in machine byte order, as the file has
+/// them.
+struct NiftiHeader {
+  std::filesystem::path file;   ///< Where the header stands.
+  std::filesystem::path image;  ///< Where the voxels stand: the same file, or the .img of a pair.
+  bool bigEndian = false;
+  bool saysUnknown = false;    ///< Its description is kOrientationUnknown.
+  bool hasOrientation = true;  ///< False for Analyze 7.5.
+  std::size_t headerBytes = 348;
+  std::array<std::int64_t, 8> dim{};
+  std::array<double, 8> pixdim{};
+  int intent = 0;
+  int datatype = 0;
+  double dataOffset = 0;  ///< Bytes before the voxels, after inflating.
+  double slope = 0, intercept = 0;
+  int units = 0;
+  int qformCode = 0, sformCode = 0;
+  glm::dvec3 quaternion{0.0}, qoffset{0.0};
+  std::array<glm::dvec3, 4> sform{};  ///< Columns.
+};
+
+/// @param file  .nii, .nii.gz, or either half of a pair. @throw InputError when it is none, or the other half is
+/// missing
+NiftiHeader readNiftiHeader(const std::filesystem::path& file);
+/// Names and colours in a Caret extension, as TotalSegmentator writes them; empty when there is none.
+std::vector<LabelInfo> readNiftiLabelNames(const NiftiHeader& header);
+
+}  // namespace velum::io

@@ -1,0 +1,40 @@
+#pragma once
+#include <cstdint>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace velum::io {
+
+/// What one page (image file directory) of a TIFF says about itself.
+struct TiffPage {
+  std::uint64_t width = 0, height = 0;
+  std::uint64_t bits = 1;                   ///< Per sample.
+  std::uint64_t samples = 1;                ///< Per pixel.
+  std::uint64_t sampleFormat = 1;           ///< 1 unsigned, 2 signed, 3 float.
+  std::uint64_t compression = 1;            ///< 1: none.
+  bool isReduced = false;                   ///< A thumbnail or a coarser level of the page before.
+  std::uint64_t firstStrip = 0;             ///< Byte offset of the first strip or tile.
+  std::uint64_t dataBytes = 0;              ///< Stored bytes of all strips or tiles.
+  bool isDataInside = true;                 ///< All strips lie inside the file.
+  double xResolution = 0, yResolution = 0;  ///< Pixels per unit; 0 when not given.
+  std::uint64_t resolutionUnit = 2;         ///< 1 none, 2 inch, 3 cm.
+};
+
+/// The pages of a TIFF, as its directories tell; no pixel is read.
+struct TiffPages {
+  bool isBigEndian = false;
+  bool isTruncated = false;  ///< The chain of pages, or a page, leads out of the file.
+  std::vector<TiffPage> pages;
+  std::string description;  ///< ImageDescription of the first page, at most 64 MiB.
+};
+
+/// Walks the directories of a classic or big TIFF. OpenImageIO cannot tell the end of a file from a damaged one, has
+/// no count of pages and cuts descriptions at 64 KiB; so this looks first, and nothing is allocated on the header's
+/// word.
+/// @param file  positioned anywhere, seekable
+/// @param name  for the message
+/// @throw InputError when it is no TIFF, or no page can be read
+TiffPages scanTiff(std::istream& file, const std::string& name);
+
+}  // namespace velum::io

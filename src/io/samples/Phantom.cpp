@@ -72,7 +72,7 @@ void cover(const Slice& slice, const Layer& layer, const Rect& rect, float edgeM
       if (!layer.onto.empty() && std::find(layer.onto.begin(), layer.onto.end(), label) == layer.onto.end()) continue;
       float value = layer.value + (layer.texture ? layer.texture(grid.at(x, y, slice.z)) : 0.0f);
       slice.values[i] += (value - slice.values[i]) * std::min(coverage, 1.0f);
-      if (coverage >= 0.5f) label = layer.label;
+      if (coverage >= 0.5f && layer.label != kKeepLabel) label = layer.label;
     }
 }
 
@@ -149,6 +149,13 @@ float ellipsoid(Vec p, Vec centre, Vec radii) {
   Vec q = (p - centre) / radii;
   float k0 = glm::length(q), k1 = glm::length(q / radii);
   float deepest = -std::min({radii.x, radii.y, radii.z});
+  return k1 > 0.0f ? std::max(k0 * (k0 - 1.0f) / k1, deepest) : deepest;
+}
+
+float ellipse(glm::vec2 p, glm::vec2 centre, glm::vec2 radii) {
+  glm::vec2 q = (p - centre) / radii;
+  float k0 = glm::length(q), k1 = glm::length(q / radii);
+  float deepest = -std::min(radii.x, radii.y);
   return k1 > 0.0f ? std::max(k0 * (k0 - 1.0f) / k1, deepest) : deepest;
 }
 

@@ -60,6 +60,8 @@ inline float roughNoise(Vec p, std::uint64_t seed) {
 inline float sphere(Vec p, Vec centre, float radius) { return glm::length(p - centre) - radius; }
 /// First-order distance, never deeper than the smallest radius.
 float ellipsoid(Vec p, Vec centre, Vec radii);
+/// The same for an ellipse in a plane, for columns that change slowly along the third axis.
+float ellipse(glm::vec2 p, glm::vec2 centre, glm::vec2 radii);
 /// A box with rounded edges.
 float roundBox(Vec p, Vec centre, Vec halfSize, float radius);
 /// Polynomial smooth union and intersection; k is the width of the fillet in mm.
@@ -97,6 +99,8 @@ struct Solid {
   Box box;
   Distance distance;
 };
+
+constexpr std::uint16_t kKeepLabel = 0xffff;  ///< A layer with this label changes values only.
 
 /// The union of shapes of one material. Later layers cover earlier ones; edges are mixed by coverage.
 struct Layer {

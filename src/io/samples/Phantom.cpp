@@ -25,7 +25,7 @@ Rect clip(const Grid& grid, int z, const Box& box, float marginMm) {
   float zMm = grid.at(0, 0, z).z;
   if (zMm < box.low.z - marginMm || zMm > box.high.z + marginMm) return {};
   Vec half = 0.5f * Vec(grid.dims - 1);
-  Vec low = (box.low - marginMm) / grid.spacingMm + half, high = (box.high + marginMm) / grid.spacingMm + half;
+  Vec low = (box.low - marginMm) / grid.spacing + half, high = (box.high + marginMm) / grid.spacing + half;
   Vec end = Vec(grid.dims);
   low = glm::clamp(low, Vec(0.0f), end), high = glm::clamp(high, Vec(-1.0f), end);
   return {int(low.x), int(low.y), std::min(int(high.x) + 1, grid.dims.x), std::min(int(high.y) + 1, grid.dims.y)};
@@ -44,7 +44,7 @@ void addSolid(const Slice& slice, const Solid& solid, const Rect& rect, float ed
     float* row = nearest.data() + std::size_t(y) * std::size_t(grid.dims.x);
     for (int x = rect.x0; x < rect.x1;) {
       float d = solid.distance(grid.at(x, y, slice.z));
-      int run = 1 + int(std::max(0.0f, std::abs(d) - edgeMm) * 0.5f / grid.spacingMm.x);
+      int run = 1 + int(std::max(0.0f, std::abs(d) - edgeMm) * 0.5f / grid.spacing.x);
       for (int end = std::min(rect.x1, x + run); x < end; ++x) row[x] = std::min(row[x], d);
     }
   }
@@ -78,7 +78,7 @@ void cover(const Slice& slice, const Layer& layer, const Rect& rect, float edgeM
 
 void paintLayer(const Slice& slice, const Layer& layer, std::vector<float>& nearest) {
   const Grid& grid = slice.grid;
-  float edgeMm = layer.edge * (grid.spacingMm.x + grid.spacingMm.y + grid.spacingMm.z) / 3.0f;
+  float edgeMm = layer.edge * (grid.spacing.x + grid.spacing.y + grid.spacing.z) / 3.0f;
   auto rectOf = [&](const Box& box) { return clip(grid, slice.z, box, edgeMm); };
   // Find what the layer may touch, and clear that.
   Rect all;
@@ -208,9 +208,10 @@ std::vector<Segment> tube(std::span<const glm::vec4> points, int steps) {
 void append(std::vector<Segment>& to, std::span<const Segment> from) { to.insert(to.end(), from.begin(), from.end()); }
 
 glm::dmat4 Grid::worldFromVoxel() const {
-  glm::dvec3 origin = -0.5 * glm::dvec3(dims - 1) * glm::dvec3(spacingMm);
+  glm::dvec3 step = glm::dvec3(spacing) * unitMm;
+  glm::dvec3 origin = -0.5 * glm::dvec3(dims - 1) * step;
   glm::dmat4 m(1.0);
-  for (int axis = 0; axis < 3; ++axis) m[axis][axis] = double(spacingMm[axis]);
+  for (int axis = 0; axis < 3; ++axis) m[axis][axis] = step[axis];
   m[3] = glm::dvec4(origin, 1.0);
   return m;
 }

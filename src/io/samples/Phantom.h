@@ -117,8 +117,9 @@ struct Layer {
 /// An axis-aligned grid around the world's origin.
 struct Grid {
   glm::ivec3 dims;
-  Vec spacingMm;
-  Vec at(int x, int y, int z) const { return (Vec(x, y, z) - 0.5f * Vec(dims - 1)) * spacingMm; }
+  Vec spacing;
+  double unitMm = 1.0;  ///< Length of a unit: phantoms far from a hand's size count in micrometres or metres.
+  Vec at(int x, int y, int z) const { return (Vec(x, y, z) - 0.5f * Vec(dims - 1)) * spacing; }
   std::uint64_t index(int x, int y, int z) const {
     return (std::uint64_t(z) * std::uint64_t(dims.y) + std::uint64_t(y)) * std::uint64_t(dims.x) + std::uint64_t(x);
   }

@@ -118,7 +118,9 @@ float cavityDistance(Vec p) {
 
 float diaphragmZ(float x, float y) {
   auto dome = [&](float side, float top) {
-    float u = (x - side * 62.0f) / 74.0f, v = (y + 4.0f) / 86.0f, q = std::min(u * u + v * v, 2.0f);
+    // Steep towards the chest wall, gentle towards the central tendon.
+    float u = (x - side * 62.0f) / (side * x < 62.0f ? 125.0f : 74.0f), v = (y + 4.0f) / 86.0f,
+          q = std::min(u * u + v * v, 2.0f);
     return top - 24.0f * q - 32.0f * q * q;
   };
   return -smoothMin(-dome(-1.0f, 16.0f), -dome(1.0f, 4.0f), 22.0f);

@@ -41,7 +41,7 @@ std::vector<Segment> makeSmallBowel() {
     for (float y = -56.0f; y < 16.0f; y += 25.0f, ++row)
       for (int k = 0; k < 5; ++k) {
         float x = (row % 2 ? 2 - k : k - 2) * 29.0f * (1.0f - 0.10f * float(-z - 92.0f) / 100.0f);
-        Vec p = Vec(x, y, z) + 8.0f * Vec(random.normal(), 0.8f * random.normal(), random.normal());
+        Vec p = Vec(x, y, z) + Vec(9.0f * random.normal(), 8.0f * random.normal(), 11.0f * random.normal());
         // Leave room for spine, psoas and great vessels.
         if (p.y > -6.0f && std::abs(p.x) < 48.0f) continue;
         if (bellyDistance(p) < -13.0f) path.emplace_back(p, 10.0f + random.uniform(-1.2f, 1.8f));
@@ -128,6 +128,8 @@ void addLiver(std::vector<Layer>& layers, float spacingMm) {
   }));
 }
 
+const Vec kKidneyLeftAt(58, 36, -46);
+
 /// A bean: an ellipsoid, tilted so that the upper pole is nearer to the spine, with a dent at the hilum.
 float kidney(Vec p, Vec centre, float side, float growMm) {
   Vec q = (p - centre) * Vec(side, 1.0f, 1.0f);
@@ -162,12 +164,13 @@ void addKidney(std::vector<Layer>& layers, std::uint16_t label, Vec centre, floa
 
 float spleen(Vec p) {
   float body = ellipsoid(p, Vec(92, 30, -16), Vec(34, 46, 50));
+  body = smoothMax(body, 5.0f - kidney(p, kKidneyLeftAt, 1.0f, 0.0f), 6.0f);
   float hollow = 44.0f - glm::length((p - Vec(44, 8, -18)) * Vec(1, 1, 0.75f));
   return smoothMax(smoothMax(body, hollow, 9.0f), bellyDistance(p) + 3.5f, 7.0f);
 }
 
 void addStomach(std::vector<Layer>& layers) {
-  glm::vec4 path[] = {{52, 8, -22, 27},   {56, -6, -34, 29},  {58, -28, -50, 25}, {46, -44, -70, 20},
+  glm::vec4 path[] = {{56, -10, -14, 23}, {58, -18, -34, 25}, {58, -32, -52, 23}, {46, -44, -70, 20},
                       {20, -48, -82, 17}, {-6, -44, -78, 14}, {-24, -36, -70, 10}};
   addHollow(layers, kStomach, tube(path, 6), 4.0f, 18.0f, 89, [](Vec p) { return p.y + 26.0f; });
   glm::vec4 duodenum[] = {{-24, -36, -70, 10},  {-40, -20, -66, 12}, {-44, -6, -84, 12}, {-36, -2, -112, 12},
@@ -187,7 +190,7 @@ void addBowel(std::vector<Layer>& layers) {
 
 void addBellyOrgans(std::vector<Layer>& layers, float spacingMm) {
   addKidney(layers, kKidneyRight, Vec(-58, 36, -60), -1.0f);
-  addKidney(layers, kKidneyLeft, Vec(60, 36, -46), 1.0f);
+  addKidney(layers, kKidneyLeft, kKidneyLeftAt, 1.0f);
   addStomach(layers);
   layers.push_back(solidLayer(kSpleen, 120.0f, {Vec(50, -30, -75), Vec(135, 85, 20)}, spleen));
   layers.back().texture = [](Vec p) { return 4.0f * noise(p / 6.0f, 109); };

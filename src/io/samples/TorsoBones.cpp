@@ -208,7 +208,7 @@ void addSternum(std::vector<Layer>& layers) {
 
 void addShoulders(std::vector<Layer>& layers) {
   std::vector<Segment> clavicles, humeri, spines;
-  std::vector<Solid> blades, heads;
+  std::vector<Solid> blades;
   for (float side : {-1.0f, 1.0f}) {
     glm::vec4 clavicle[] = {{side * 20, -62, 168, 7.5f},
                             {side * 45, -62, 180, 6},
@@ -240,7 +240,7 @@ void addShoulders(std::vector<Layer>& layers) {
   }
   addBone(layers, kScapulae, blades, spines, 1.5f);
   addBone(layers, kClavicles, {}, clavicles, 1.9f);
-  addBone(layers, kHumeri, heads, humeri, 2.6f);
+  addBone(layers, kHumeri, {}, humeri, 2.6f);
 }
 
 void addPelvis(std::vector<Layer>& layers) {

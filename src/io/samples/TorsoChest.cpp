@@ -100,13 +100,10 @@ glm::vec4 beforeSpine(float dx, float z, float gapMm, float radius) {
 
 void addLungs(std::vector<Layer>& layers, float spacingMm) {
   for (float side : {-1.0f, 1.0f}) {
-    Layer lung = solidLayer(side > 0 ? kLungLeft : kLungRight, -850.0f, kEverywhere, [side](Vec p) {
-      // The oblique fissure: a thin sheet that falls forward.
-      return std::max(lungDistance(p, side),
-                      0.0f - (std::abs(p.z - 62.0f - 0.85f * p.y + 0.12f * std::abs(p.x)) - 0.25f));
-    });
-    lung.solids[0].distance = [side](Vec p) { return lungDistance(p, side); };
+    Layer lung = solidLayer(side > 0 ? kLungLeft : kLungRight, -850.0f, kEverywhere,
+                            [side](Vec p) { return lungDistance(p, side); });
     // Denser towards the back, where a lying patient's lung is pressed by its own weight.
+    // The oblique fissure is a thin sheet that falls forward.
     lung.texture = [](Vec p) {
       float fissure = std::abs(p.z - 62.0f - 0.85f * p.y + 5.0f * noise(p / 40.0f, 71));
       return 0.35f * p.y + 14.0f * roughNoise(p / 5.0f, 67) + 110.0f * smoothStep(1.6f, 0.4f, fissure * 0.75f);
@@ -223,7 +220,7 @@ void addGreatVessels(std::vector<Layer>& layers) {
         {114, -6, 214, 4.2f}},                         // left subclavian
        {root(-24), {7, 0, -22, 4}, {5, -12, -20, 4}},  // coeliac
        {{5, -11, -20, 3.4f}, {-12, -14, -26, 3.2f}, {-28, -14, -26, 3}, {-44, -16, -20, 2.6f}},
-       {{5, -11, -20, 3.6f}, {24, -2, -14, 3.4f}, {44, 10, -24, 3.2f}, {62, 14, -12, 3.1f}, {82, 26, -10, 2.6f}},
+       {{5, -11, -20, 3.6f}, {24, 4, -14, 3.4f}, {42, 15, -3, 3.2f}, {60, 19, 2, 3.1f}, {80, 26, -6, 2.6f}},
        {root(-40),
         {6, -7, -44, 4},
         {4, -17, -60, 4},

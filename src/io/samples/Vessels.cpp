@@ -54,7 +54,7 @@ Sample makeVessels(int size, Progress& progress) {
                           Modality::Angiography,
                           "",
                           {{1, "arterial tree", {0.84f, 0.16f, 0.15f}}, {2, "venous tree", {0.20f, 0.38f, 0.80f}}}};
-  std::vector<Layer> layers = buildScene(grid.spacingMm.x);
+  std::vector<Layer> layers = buildScene(grid.spacing.x);
   return fill(description, grid, progress, [&](const Slice& slice) {
     std::fill(slice.values.begin(), slice.values.end(), 140.0f);
     paint(slice, layers);

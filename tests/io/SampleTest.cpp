@@ -1,0 +1,225 @@
+#include "velum/io/Sample.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+
+#include "velum/core/Error.h"
+
+namespace velum {
+namespace {
+
+constexpr int kSize = 96;
+
+io::Sample make(std::string_view name, int size = kSize) {
+  Progress progress;
+  return io::makeSample(name, size, progress);
+}
+
+/// Each phantom is made once for all cases.
+const io::Sample& cached(const std::string& name) {
+  static std::map<std::string, io::Sample> made;
+  auto found = made.find(name);
+  if (found == made.end()) found = made.emplace(name, make(name)).first;
+  return found->second;
+}
+
+std::vector<std::uint16_t> idsOf(const LabelVolume& labels) {
+  glm::ivec3 dims = labels.dims();
+  std::vector<std::uint16_t> ids(std::size_t(dims.x) * std::size_t(dims.y) * std::size_t(dims.z));
+  labels.read(glm::ivec3(0), dims, ids);
+  return ids;
+}
+
+std::uint16_t idOf(const io::Sample& sample, std::string_view name) {
+  for (const auto& info : sample.labels.table)
+    if (info.name == name) return info.id;
+  ADD_FAILURE() << "no label " << name;
+  return 0;
+}
+
+/// Calls body(voxel) for every voxel of a label that is at least `margin` voxels away from other labels.
+template <class Body>
+void forEachVoxel(const io::Sample& sample, std::uint16_t id, int margin, Body body) {
+  glm::ivec3 dims = sample.volume.dims;
+  auto isDeep = [&](glm::ivec3 v) {
+    for (int z = -margin; z <= margin; ++z)
+      for (int y = -margin; y <= margin; ++y)
+        for (int x = -margin; x <= margin; ++x)
+          if (sample.labels.at(v + glm::ivec3(x, y, z)) != id) return false;
+    return true;
+  };
+  for (int z = 0; z < dims.z; ++z)
+    for (int y = 0; y < dims.y; ++y)
+      for (int x = 0; x < dims.x; ++x)
+        if (sample.labels.at({x, y, z}) == id && isDeep({x, y, z})) body(glm::ivec3(x, y, z));
+}
+
+struct LabelStatistics {
+  std::size_t count = 0;
+  double mean = 0.0;
+  glm::dvec3 centreMm{0.0};
+};
+
+LabelStatistics measure(const io::Sample& sample, std::string_view name, int margin = 0) {
+  LabelStatistics s;
+  forEachVoxel(sample, idOf(sample, name), margin, [&](glm::ivec3 v) {
+    ++s.count;
+    s.mean += valueAt(sample.volume, v);
+    s.centreMm += glm::dvec3(sample.volume.worldFromVoxel * glm::dvec4(v, 1.0));
+  });
+  if (s.count) s.mean /= double(s.count), s.centreMm /= double(s.count);
+  return s;
+}
+
+class EverySample : public testing::TestWithParam<std::string> {};
+
+TEST_P(EverySample, TheSameNameGivesTheSameBytes) {
+  // 40 voxels: the law does not depend on the size.
+  io::Sample a = make(GetParam(), 40), b = make(GetParam(), 40);
+  EXPECT_TRUE(a.volume.voxels == b.volume.voxels);
+  EXPECT_TRUE(idsOf(a.labels) == idsOf(b.labels));
+  EXPECT_EQ(a.volume.range, b.volume.range);
+}
+
+TEST_P(EverySample, VolumeAndLabelsShareTheGrid) {
+  const io::Sample& s = cached(GetParam());
+  EXPECT_EQ(s.labels.dims(), s.volume.dims);
+  EXPECT_EQ(s.labels.worldFromVoxel(), s.volume.worldFromVoxel);
+  EXPECT_EQ(std::max({s.volume.dims.x, s.volume.dims.y, s.volume.dims.z}), kSize);
+  EXPECT_EQ(s.volume.voxels.size(), frameBytes(s.volume));
+  EXPECT_EQ(s.volume.name, GetParam());
+  EXPECT_LT(s.volume.range.x, s.volume.range.y);
+  // The grid stands around the world's origin; a billionth of its size is rounding.
+  EXPECT_LT(glm::length(centreMm(s.volume)), 1e-9 * radiusMm(s.volume));
+}
+
+TEST_P(EverySample, TheTableListsExactlyTheLabelsInUse) {
+  const io::Sample& s = cached(GetParam());
+  std::vector<std::uint16_t> listed;
+  for (const auto& info : s.labels.table) {
+    listed.push_back(info.id);
+    EXPECT_FALSE(info.name.empty());
+  }
+  EXPECT_EQ(listed, s.labels.idsInUse());
+}
+
+TEST_P(EverySample, CancellingStopsIt) {
+  Progress* running = nullptr;
+  Progress progress([&](double fraction, const std::string&) {
+    if (fraction > 0.0) running->cancel();
+  });
+  running = &progress;
+  EXPECT_THROW(io::makeSample(GetParam(), 64, progress), Cancelled);
+}
+
+std::vector<std::string> names() {
+  std::vector<std::string> out;
+  for (const auto& info : io::samples()) out.emplace_back(info.name);
+  return out;
+}
+INSTANTIATE_TEST_SUITE_P(All, EverySample, testing::ValuesIn(names()), [](const auto& info) {
+  std::string name = info.param;
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+});
+
+TEST(Sample, UnknownNamesAndSizesAreRefused) {
+  Progress progress;
+  EXPECT_THROW(io::makeSample("teapot", 64, progress), ArgumentError);
+  EXPECT_THROW(io::makeSample("torso", 15, progress), ArgumentError);
+  EXPECT_THROW(io::makeSample("torso", 1025, progress), ArgumentError);
+  EXPECT_THROW(io::makeSample("torso", -1, progress), ArgumentError);
+}
+
+TEST(TwoSpheres, HaveTheVolumeOfASphere) {
+  const io::Sample& s = cached("two-spheres");
+  double voxel = 128.0 / kSize, radius = 26.0, pi = 3.14159265358979;
+  // The count of lattice points in a sphere differs from its volume by far less than a shell one voxel thick.
+  double shell = 4.0 * pi * radius * radius * voxel;
+  for (const char* name : {"upper sphere", "lower sphere"}) {
+    double volume = double(measure(s, name).count) * voxel * voxel * voxel;
+    EXPECT_NEAR(volume, 4.0 / 3.0 * pi * radius * radius * radius, 0.1 * shell);
+  }
+  EXPECT_NEAR(measure(s, "upper sphere").centreMm.z, 14.0, voxel);
+  EXPECT_NEAR(measure(s, "lower sphere").centreMm.z, -14.0, voxel);
+}
+
+/// The part of a label that hangs together with its lowest voxel, over faces, edges and corners.
+double connectedPart(const io::Sample& sample, std::string_view name) {
+  std::uint16_t id = idOf(sample, name);
+  glm::ivec3 dims = sample.volume.dims;
+  std::vector<std::uint16_t> ids = idsOf(sample.labels);
+  auto indexOf = [&](glm::ivec3 v) { return std::size_t((v.z * dims.y + v.y) * dims.x + v.x); };
+  auto total = std::count(ids.begin(), ids.end(), id);
+  auto root = int(std::find(ids.begin(), ids.end(), id) - ids.begin());
+  std::vector<glm::ivec3> open{{root % dims.x, root / dims.x % dims.y, root / dims.x / dims.y}};
+  ids[std::size_t(root)] = 0;
+  double reached = 0;
+  while (!open.empty()) {
+    glm::ivec3 v = open.back();
+    open.pop_back();
+    ++reached;
+    for (int n = 0; n < 27; ++n) {
+      glm::ivec3 w = v + glm::ivec3(n % 3, n / 3 % 3, n / 9) - 1;
+      if (glm::any(glm::lessThan(w, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(w, dims))) continue;
+      if (ids[indexOf(w)] != id) continue;
+      ids[indexOf(w)] = 0;
+      open.push_back(w);
+    }
+  }
+  return reached / double(total);
+}
+
+TEST(Vessels, EachTreeHangsTogether) {
+  EXPECT_GE(connectedPart(cached("vessels"), "arterial tree"), 0.99);
+  EXPECT_GE(connectedPart(cached("vessels"), "venous tree"), 0.99);
+}
+
+TEST(Torso, PartsHaveTheirHounsfieldUnits) {
+  const io::Sample& s = cached("torso");
+  EXPECT_EQ(s.volume.unit, "HU");
+  EXPECT_EQ(s.volume.modality, Modality::CT);
+  struct Expected {
+    const char* name;
+    double hu;
+  };
+  // Deep inside a part only its texture (under 10 HU on average) and the noise's mean error are left.
+  const Expected parts[] = {{"liver", 110},       {"spleen", 120},       {"aorta", 350},
+                            {"muscle", 55},       {"heart muscle", 100}, {"left ventricle", 340},
+                            {"vena cava", 180},   {"visceral fat", -95}, {"gas", -980},
+                            {"left atrium", 340}, {"right atrium", 260}, {"colon", 32}};
+  for (const auto& part : parts) {
+    LabelStatistics inside = measure(s, part.name, 1);
+    EXPECT_GT(inside.count, 5u) << part.name;
+    EXPECT_NEAR(inside.mean, part.hu, 15.0) << part.name;
+  }
+  // Lungs hold vessel walls and fissures besides air.
+  EXPECT_NEAR(measure(s, "lung left", 1).mean, -850.0, 40.0);
+}
+
+TEST(Torso, PartsLieWhereTheyBelong) {
+  // World: x to the patient's left, y to the back, z to the head.
+  const io::Sample& s = cached("torso");
+  auto centre = [&](const char* name) { return measure(s, name).centreMm; };
+  EXPECT_LT(centre("liver").x, -20.0);
+  EXPECT_GT(centre("spleen").x, 50.0);
+  EXPECT_GT(centre("stomach").x, 10.0);
+  EXPECT_LT(centre("aorta").y, centre("vertebrae").y - 15.0);
+  EXPECT_GT(centre("aorta").x, 2.0);
+  EXPECT_GT(centre("aorta").x, centre("vena cava").x);
+  EXPECT_GT(centre("left ventricle").x, 10.0);
+  EXPECT_LT(centre("right atrium").x, centre("left ventricle").x);
+  EXPECT_LT(centre("right ventricle").y, centre("left atrium").y);
+  EXPECT_GT(centre("kidney left").x, 30.0);
+  EXPECT_LT(centre("kidney right").x, -30.0);
+  EXPECT_LT(centre("kidney right").z, centre("kidney left").z);
+  EXPECT_GT(centre("kidney left").y, centre("stomach").y);
+  EXPECT_GT(centre("lung left").z, centre("liver").z);
+  EXPECT_LT(centre("sternum").y, centre("left ventricle").y);
+  EXPECT_LT(centre("hip bones").z, centre("ribs left").z);
+}
+
+}  // namespace
+}  // namespace velum

@@ -1,0 +1,19 @@
+#pragma once
+#include "velum/scene/Camera.h"
+
+namespace velum::scene {
+
+/// Turns the eye about the target: a drag of the whole picture height is half a turn. Turning about the screen's axes,
+/// so there is no pole at which it sticks. @param drag  fraction of the picture's height, x right, y down
+Camera orbit(const Camera& camera, glm::dvec2 drag);
+
+/// Moves eye and target so that the target follows the drag.
+Camera pan(const Camera& camera, glm::dvec2 drag);
+
+/// Changes the distance (perspective) or the height (orthographic) by a factor; < 1 is nearer.
+Camera zoom(const Camera& camera, double factor);
+
+/// Turns the picture about the line of sight, radians, clockwise.
+Camera roll(const Camera& camera, double angleRad);
+
+}  // namespace velum::scene

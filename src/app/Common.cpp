@@ -1,0 +1,137 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdio>
+
+#include "Verbs.h"
+#include "velum/core/Error.h"
+#include "velum/scene/Json.h"
+#include "velum/scene/Presets.h"
+#include "velum/session/Open.h"
+
+namespace velum::app {
+
+void addCommon(CLI::App& verb, Common& common) {
+  verb.add_flag("--json", common.json, "report as JSON on stdout");
+  verb.add_flag("--verbose", common.verbose, "say what is being done, on stderr");
+  static const std::map<std::string, gpu::ContextKind> kKinds{{"auto", gpu::ContextKind::Auto}, {"egl", gpu::ContextKind::Egl}, {"osmesa", gpu::ContextKind::OsMesa}};
+  verb.add_option("--context", common.context, "how to draw without a display: auto, egl, osmesa")->transform(CLI::CheckedTransformer(kKinds, CLI::ignore_case));
+}
+
+void addInput(CLI::App& verb, InputOptions& input, bool withScene) {
+  verb.add_option("input", input.inputs, "data file, DICOM folder, scene or picture of ours; then labels and surfaces")->required();
+  verb.add_option("--series", input.series, "DICOM series UID, when a folder holds several");
+  verb.add_option("--spacing", input.spacing, "voxel spacing x,y,z in mm, over the file's own")->delimiter(',')->expected(3);
+  verb.add_option("--raw", input.raw, "layout of a file without a header: 256x256x128:uint16[:be][:rgb][:+512]");
+  if (!withScene) return;
+  verb.add_option("--set", input.sets, "change a scene field: path=value, e.g. rayCast.mode=mip; repeatable");
+  verb.add_option("--preset", input.preset, "look by name, e.g. ct-bone");
+  verb.add_option("--view", input.view, "camera: anterior, posterior, left, right, superior, inferior, oblique");
+}
+
+namespace {
+
+/// "256x256x128:uint16:be:rgb:+512", the parts after the dimensions in any order.
+scene::RawLayout parseRaw(const std::string& text) {
+  scene::RawLayout raw;
+  auto fail = [&](const std::string& what) { throw ArgumentError(fmt::format("--raw {}: {}; expected e.g. 256x256x128:uint16:be:+512", text, what)); };
+  std::size_t colon = text.find(':');
+  std::string dims = text.substr(0, colon);
+  int read = 0;
+  if (std::sscanf(dims.c_str(), "%dx%dx%d%n", &raw.dims.x, &raw.dims.y, &raw.dims.z, &read) != 3 || std::size_t(read) != dims.size()) fail("the dimensions are not XxYxZ");
+  if (raw.dims.x < 1 || raw.dims.y < 1 || raw.dims.z < 1) fail("the dimensions are not positive");
+  while (colon != std::string::npos) {
+    std::size_t next = text.find(':', colon + 1);
+    std::string part = text.substr(colon + 1, next == std::string::npos ? next : next - colon - 1);
+    colon = next;
+    bool known = false;
+    for (int i = 0; std::string_view name : EnumNames<SampleType>::kNames) {
+      if (part == name) raw.type = SampleType(i), known = true;
+      ++i;
+    }
+    if (part == "be" || part == "le") raw.bigEndian = part == "be", known = true;
+    if (part == "rgb" || part == "rgba") raw.channels = part == "rgb" ? 3 : 4, known = true;
+    if (part.size() > 1 && part[0] == '+') raw.headerBytes = std::atoi(part.c_str() + 1), known = raw.headerBytes >= 0;
+    if (!known) fail(fmt::format("'{}' is neither a type, be, le, rgb, rgba nor +bytes", part));
+  }
+  return raw;
+}
+
+bool isTerminal() {
+  static bool terminal = isatty(STDERR_FILENO) != 0;
+  return terminal;
+}
+
+Progress* gProgress = nullptr;  // for the signal handler alone
+
+void onInterrupt(int) {
+  if (gProgress) gProgress->cancel();
+}
+
+}  // namespace
+
+Progress& consoleProgress() {
+  static Progress progress([](double fraction, const std::string& what) {
+    if (!isTerminal()) return;
+    std::fprintf(stderr, "\r%s %3.0f %%\x1b[K", what.c_str(), fraction * 100.0);
+    if (fraction >= 1.0) std::fprintf(stderr, "\r\x1b[K");
+    std::fflush(stderr);
+  });
+  if (!gProgress) {
+    gProgress = &progress;
+    std::signal(SIGINT, onInterrupt);
+  }
+  return progress;
+}
+
+scene::Source firstSource(const InputOptions& input) {
+  scene::Source source;
+  source.path = input.inputs.front();
+  source.series = input.series;
+  if (!input.raw.empty()) source.raw = parseRaw(input.raw);
+  if (!input.spacing.empty()) source.spacingMm = {input.spacing[0], input.spacing[1], input.spacing[2]};
+  if (source.spacingMm.x < 0 || source.spacingMm.y < 0 || source.spacingMm.z < 0) throw ArgumentError("--spacing: millimetres must be positive");
+  return source;
+}
+
+scene::Scene openScene(const InputOptions& input, double aspect) {
+  Progress& progress = consoleProgress();
+  scene::Scene scene = session::open(firstSource(input), progress);
+  for (std::size_t i = 1; i < input.inputs.size(); ++i) {
+    scene::Source source;
+    source.path = input.inputs[i];
+    session::add(scene, source, progress);
+  }
+  progress.report(1.0, "");
+  bool isScene = input.inputs.front().ends_with(".json") || input.inputs.front().ends_with(".png") || input.inputs.front().ends_with(".exr");
+  if (!input.preset.empty()) scene::applyPreset(scene, input.preset);
+  if (!input.view.empty() || !isScene) {
+    scene::StandardView view = scene::StandardView::Anterior;
+    bool known = input.view.empty();
+    for (int i = 0; std::string_view name : EnumNames<scene::StandardView>::kNames) {
+      if (input.view == name) view = scene::StandardView(i), known = true;
+      ++i;
+    }
+    if (!known) throw ArgumentError(fmt::format("--view {}: not one of anterior, posterior, left, right, superior, inferior, oblique", input.view));
+    scene.camera = scene::frameCamera(scene, view, aspect);
+  }
+  for (const auto& set : input.sets) {
+    std::size_t equals = set.find('=');
+    if (equals == std::string::npos) throw ArgumentError(fmt::format("--set {}: expected path=value", set));
+    scene::setField(scene, set.substr(0, equals), set.substr(equals + 1));
+  }
+  return scene;
+}
+
+glm::ivec2 parseSize(const std::string& text) {
+  glm::ivec2 size(0);
+  int read = 0;
+  if (std::sscanf(text.c_str(), "%dx%d%n", &size.x, &size.y, &read) != 2 || std::size_t(read) != text.size() || size.x < 1 || size.y < 1 || size.x > 65536 || size.y > 65536)
+    throw ArgumentError(fmt::format("--size {}: expected WIDTHxHEIGHT in pixels, 1 to 65536, e.g. 1280x720", text));
+  return size;
+}
+
+void printJson(const Json& json) { std::printf("%s\n", json.dump(2, ' ', false, Json::error_handler_t::replace).c_str()); }
+
+}  // namespace velum::app

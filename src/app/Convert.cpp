@@ -1,0 +1,50 @@
+#include <fmt/format.h>
+
+#include "Verbs.h"
+#include "velum/io/ReadVolume.h"
+#include "velum/io/WriteVolume.h"
+
+namespace velum::app {
+
+namespace {
+
+struct ConvertOptions {
+  Common common;
+  InputOptions input;
+  std::string output;
+  bool labels = false;
+};
+
+int run(const ConvertOptions& options) {
+  Progress& progress = consoleProgress();
+  scene::Source source = firstSource(options.input);
+  Json json = {{"output", options.output}};
+  if (options.labels || (source.raw.dims.x == 0 && io::looksLikeLabels(source.path))) {
+    LabelVolume labels = io::readLabels(source, progress);
+    io::writeLabels(labels, options.output, progress);
+    json["structures"] = labels.table.size();
+  } else {
+    Volume volume = io::readVolume(source, progress);
+    for (const auto& warning : volume.warnings) fmt::print(stderr, "warning: {}\n", warning);
+    io::writeVolume(volume, options.output, progress);
+    json["dims"] = {volume.dims.x, volume.dims.y, volume.dims.z};
+    json["type"] = std::string(enumName(volume.type));
+  }
+  progress.report(1.0, "");
+  if (options.common.json) printJson(json);
+  return 0;
+}
+
+}  // namespace
+
+Run registerConvert(CLI::App& verb) {
+  auto options = std::make_shared<ConvertOptions>();
+  addCommon(verb, options->common);
+  addInput(verb, options->input, false);
+  verb.get_option("input")->expected(1);
+  verb.add_option("output", options->output, "file to write: .nrrd, .nii, .nii.gz, .vti, .vdb")->required();
+  verb.add_flag("--labels", options->labels, "the input is labels");
+  return [options] { return run(*options); };
+}
+
+}  // namespace velum::app

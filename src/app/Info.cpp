@@ -1,0 +1,119 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "Verbs.h"
+#include "velum/core/Error.h"
+#include "velum/io/Formats.h"
+#include "velum/io/ReadVolume.h"
+#include "velum/scene/Presets.h"
+
+namespace velum::app {
+
+namespace {
+
+struct InfoOptions {
+  Common common;
+  InputOptions input;
+  bool formats = false, presets = false, labels = false;
+};
+
+template <class V>
+Json list(const V& v, int n) {
+  Json out = Json::array();
+  for (int i = 0; i < n; ++i) out.push_back(v[i]);
+  return out;
+}
+
+/// LPS world, so columns of the direction are where voxel axes point; row by row here.
+Json directionRows(const glm::dmat3& d) {
+  Json out = Json::array();
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 3; ++column) out.push_back(d[column][row]);
+  return out;
+}
+
+Json describe(const Volume& v) {
+  Json json = {{"kind", "volume"}, {"name", v.name}, {"dims", list(v.dims, 3)}, {"type", std::string(enumName(v.type))}, {"spacingMm", list(spacingMm(v), 3)},
+               {"originMm", list(glm::dvec3(v.worldFromVoxel[3]), 3)}, {"direction", directionRows(direction(v))}, {"range", list(v.range, 2)},
+               {"channels", v.channels}, {"frames", v.frames}, {"frameSeconds", v.frameSeconds}, {"unit", v.unit}, {"modality", std::string(enumName(v.modality))},
+               {"color", v.isColor}, {"scale", v.scale}, {"offset", v.offset}, {"spacingKnown", v.isSpacingKnown}, {"orientationKnown", v.isOrientationKnown},
+               {"channelNames", v.channelNames}, {"preset", std::string(scene::choosePreset(v))}, {"warnings", v.warnings}};
+  return json;
+}
+
+Json describe(const LabelVolume& labels) {
+  Json structures = Json::array();
+  for (const auto& info : labels.table)
+    structures.push_back({{"id", info.id}, {"name", info.name}, {"color", list(info.color, 3)}, {"opacity", info.opacity}});
+  glm::dmat3 m(labels.worldFromVoxel());
+  glm::dvec3 spacing(glm::length(m[0]), glm::length(m[1]), glm::length(m[2]));
+  glm::dmat3 unit(m[0] / spacing.x, m[1] / spacing.y, m[2] / spacing.z);
+  return {{"kind", "labels"}, {"name", labels.name}, {"dims", list(labels.dims(), 3)}, {"spacingMm", list(spacing, 3)},
+          {"originMm", list(glm::dvec3(labels.worldFromVoxel()[3]), 3)}, {"direction", directionRows(unit)}, {"storedBytes", labels.storedBytes()},
+          {"structures", structures}, {"warnings", labels.warnings}};
+}
+
+Json describe(const Mesh& mesh) {
+  return {{"kind", "surface"}, {"name", mesh.name}, {"vertices", mesh.positions.size()}, {"triangles", mesh.indices.size() / 3}};
+}
+
+void printForPeople(const Json& json) {
+  for (const auto& [key, value] : json.items()) {
+    if (value.is_array() && !value.empty() && value[0].is_object()) {
+      fmt::print("{}:\n", key);
+      for (const auto& item : value) fmt::print("  {}\n", item.dump());
+    } else {
+      fmt::print("{:<17} {}\n", key + ":", value.is_string() ? value.get<std::string>() : value.dump());
+    }
+  }
+}
+
+Json listTables(const InfoOptions& options) {
+  Json json = Json::object();
+  if (options.formats)
+    for (const auto& format : io::formats())
+      json["formats"].push_back({{"name", std::string(format.name)}, {"extensions", std::string(format.extensions)}, {"read", format.canRead}, {"write", format.canWrite}});
+  if (options.presets)
+    for (const auto& preset : scene::presets()) json["presets"].push_back({{"name", std::string(preset.name)}, {"title", std::string(preset.title)}, {"modality", std::string(enumName(preset.modality))}});
+  return json;
+}
+
+int run(const InfoOptions& options) {
+  Json json;
+  if (options.formats || options.presets) {
+    json = listTables(options);
+  } else {
+    if (options.input.inputs.empty()) throw ArgumentError("info: name a file, or --formats, or --presets");
+    scene::Source source = firstSource(options.input);
+    Progress& progress = consoleProgress();
+    std::filesystem::path path(source.path);
+    if (!std::filesystem::exists(path)) throw InputError(fmt::format("{}: there is no such file or folder", source.path));
+    std::string extension = path.extension().string();
+    if (extension == ".stl" || extension == ".ply" || extension == ".obj" || extension == ".vtp") json = describe(io::readMesh(path, progress));
+    else if (source.raw.dims.x == 0 && (options.labels || io::looksLikeLabels(path))) json = describe(io::readLabels(source, progress));
+    else json = describe(io::readVolume(source, progress));
+    auto series = io::listSeries(path, progress);
+    progress.report(1.0, "");
+    for (const auto& s : series)
+      json["series"].push_back({{"uid", s.uid}, {"description", s.description}, {"modality", s.modality}, {"images", s.imageCount}, {"size", list(s.size, 2)}});
+  }
+  if (options.common.json) printJson(json);
+  else printForPeople(json);
+  return 0;
+}
+
+}  // namespace
+
+Run registerInfo(CLI::App& verb) {
+  auto options = std::make_shared<InfoOptions>();
+  addCommon(verb, options->common);
+  addInput(verb, options->input, false);
+  verb.get_option("input")->required(false);
+  verb.add_flag("--labels", options->labels, "read it as labels");
+  verb.add_flag("--formats", options->formats, "list the file formats");
+  verb.add_flag("--presets", options->presets, "list the presets");
+  return [options] { return run(*options); };
+}
+
+}  // namespace velum::app

@@ -1,0 +1,54 @@
+#include "velum/io/Sample.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "Verbs.h"
+#include "velum/core/Error.h"
+#include "velum/io/WriteVolume.h"
+
+namespace velum::app {
+
+namespace {
+
+struct SampleOptions {
+  Common common;
+  std::string name, output;
+  int size = 0;
+};
+
+int run(const SampleOptions& options) {
+  namespace fs = std::filesystem;
+  Progress& progress = consoleProgress();
+  io::Sample sample = io::makeSample(options.name, options.size, progress);
+  fs::path path(options.output);
+  if (!path.has_extension()) path = path / (options.name + ".nrrd");
+  if (path.has_parent_path()) fs::create_directories(path.parent_path());
+  io::writeVolume(sample.volume, path, progress);
+  fs::path labels = path;
+  std::string stem = path.filename().string();
+  stem = stem.substr(0, stem.find('.'));
+  std::string extension = path.filename().string().substr(stem.size());
+  labels.replace_filename(stem + "_labels" + (extension == ".nii" || extension == ".nii.gz" ? extension : ".seg.nrrd"));
+  io::writeLabels(sample.labels, labels, progress);
+  progress.report(1.0, "");
+  if (options.common.json) printJson({{"name", options.name}, {"files", {path.string(), labels.string()}}});
+  else fmt::print("{}\n{}\n", path.string(), labels.string());
+  return 0;
+}
+
+}  // namespace
+
+Run registerSample(CLI::App& verb) {
+  auto options = std::make_shared<SampleOptions>();
+  addCommon(verb, options->common);
+  std::string names;
+  for (const auto& sample : io::samples()) names += fmt::format("{}{}", names.empty() ? "" : ", ", sample.name);
+  verb.add_option("name", options->name, names)->required();
+  verb.add_option("-o,--output", options->output, "volume file (labels go beside it), or a folder")->required();
+  verb.add_option("--voxels", options->size, "voxels along the longest axis, 16 to 1024; default: the phantom's own");
+  return [options] { return run(*options); };
+}
+
+}  // namespace velum::app

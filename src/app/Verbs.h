@@ -1,0 +1,55 @@
+#pragma once
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "velum/core/Task.h"
+#include "velum/gpu/Context.h"
+#include "velum/scene/Scene.h"
+
+/// The verbs of velum-batch, one file each. A verb registers its options and returns what it does.
+namespace velum::app {
+
+using Json = nlohmann::ordered_json;
+
+/// What every verb takes.
+struct Common {
+  bool json = false;
+  bool verbose = false;
+  gpu::ContextKind context = gpu::ContextKind::Auto;
+};
+
+/// What verbs that open data take.
+struct InputOptions {
+  std::vector<std::string> inputs;
+  std::vector<std::string> sets;      ///< path=value
+  std::string series, preset, view;
+  std::vector<double> spacing;
+  std::string raw;                    ///< "XxYxZ:type[:be][:+header]"
+};
+
+void addCommon(CLI::App& verb, Common& common);
+void addInput(CLI::App& verb, InputOptions& input, bool withScene);
+/// The first input's source, with the reading options applied.
+scene::Source firstSource(const InputOptions& input);
+/// Opens all inputs and applies preset, view and --set, in this order. Shows progress on a terminal.
+scene::Scene openScene(const InputOptions& input, double aspect);
+/// "1280x720". @throw ArgumentError
+glm::ivec2 parseSize(const std::string& text);
+/// A progress that writes one line to a terminal's stderr, and listens for Ctrl+C.
+Progress& consoleProgress();
+void printJson(const Json& json);
+
+/// Exit code.
+using Run = std::function<int()>;
+Run registerInfo(CLI::App& verb);
+Run registerRender(CLI::App& verb);
+Run registerBench(CLI::App& verb);
+Run registerCompare(CLI::App& verb);
+Run registerSample(CLI::App& verb);
+Run registerConvert(CLI::App& verb);
+Run registerView(CLI::App& verb);
+
+}  // namespace velum::app

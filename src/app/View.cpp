@@ -1,0 +1,147 @@
+#include <GLFW/glfw3.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "Verbs.h"
+#include "velum/gpu/GpuError.h"
+#include "velum/render/Renderer.h"
+#include "velum/scene/Navigate.h"
+
+namespace velum::app {
+
+namespace {
+
+struct ViewOptions {
+  Common common;
+  InputOptions input;
+  std::string size = "1280x800";
+};
+
+/// The window's state, reached from GLFW's callbacks.
+struct Viewer {
+  scene::Scene scene;
+  glm::dvec2 last{0.0};
+  bool moved = true;
+};
+
+Viewer& viewerOf(GLFWwindow* window) { return *static_cast<Viewer*>(glfwGetWindowUserPointer(window)); }
+
+void onCursor(GLFWwindow* window, double x, double y) {
+  Viewer& viewer = viewerOf(window);
+  int width = 1, height = 1;
+  glfwGetWindowSize(window, &width, &height);
+  glm::dvec2 delta = (glm::dvec2(x, y) - viewer.last) / double(height);
+  viewer.last = {x, y};
+  bool left = glfwGetMouseButton(window, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS;
+  bool shift = glfwGetKey(window, GLFW_KEY_LEFT_SHIFT) == GLFW_PRESS;
+  bool middle = glfwGetMouseButton(window, GLFW_MOUSE_BUTTON_MIDDLE) == GLFW_PRESS;
+  bool right = glfwGetMouseButton(window, GLFW_MOUSE_BUTTON_RIGHT) == GLFW_PRESS;
+  auto& camera = viewer.scene.camera;
+  if (middle || (left && shift)) camera = scene::pan(camera, delta);
+  else if (left) camera = scene::orbit(camera, delta);
+  else if (right) camera = scene::zoom(camera, std::exp(2.0 * delta.y));
+  else return;
+  viewer.moved = true;
+}
+
+void onScroll(GLFWwindow* window, double, double y) {
+  Viewer& viewer = viewerOf(window);
+  viewer.scene.camera = scene::zoom(viewer.scene.camera, std::pow(0.9, y));
+  viewer.moved = true;
+}
+
+void onKey(GLFWwindow* window, int key, int, int action, int) {
+  if (action != GLFW_PRESS) return;
+  Viewer& viewer = viewerOf(window);
+  auto view = [&](scene::StandardView side) { viewer.scene.camera = scene::frameCamera(viewer.scene, side, 1.6); };
+  switch (key) {
+    case GLFW_KEY_ESCAPE:
+    case GLFW_KEY_Q: glfwSetWindowShouldClose(window, GLFW_TRUE); break;
+    case GLFW_KEY_1: view(scene::StandardView::Anterior); break;
+    case GLFW_KEY_2: view(scene::StandardView::Posterior); break;
+    case GLFW_KEY_3: view(scene::StandardView::Left); break;
+    case GLFW_KEY_4: view(scene::StandardView::Right); break;
+    case GLFW_KEY_5: view(scene::StandardView::Superior); break;
+    case GLFW_KEY_6: view(scene::StandardView::Inferior); break;
+    case GLFW_KEY_M: {
+      auto& mode = viewer.scene.rayCast.mode;
+      mode = mode == scene::RenderMode::Volume ? scene::RenderMode::Mip : scene::RenderMode::Volume;
+      break;
+    }
+    case GLFW_KEY_P: {
+      auto& projection = viewer.scene.camera.projection;
+      projection = projection == scene::Projection::Perspective ? scene::Projection::Orthographic : scene::Projection::Perspective;
+      break;
+    }
+    default: return;
+  }
+  viewer.moved = true;
+}
+
+struct Glfw {
+  Glfw() {
+    if (!glfwInit()) throw gpu::GpuError("view: there is no display; use velum-batch render");
+  }
+  ~Glfw() { glfwTerminate(); }
+};
+
+int run(const ViewOptions& options) {
+  glm::ivec2 size = parseSize(options.size);
+  Viewer viewer;
+  viewer.scene = openScene(options.input, double(size.x) / size.y);
+  consoleProgress().report(1.0, "");
+  Glfw glfw;
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
+  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+  GLFWwindow* window = glfwCreateWindow(size.x, size.y, fmt::format("Velum - {}", options.input.inputs.front()).c_str(), nullptr, nullptr);
+  if (!window) throw gpu::GpuError("view: the display offers no OpenGL 4.5 core context; use velum-batch render");
+  glfwMakeContextCurrent(window);
+  {
+    auto context = gpu::Context::adopt([](const char* name) { return reinterpret_cast<void*>(glfwGetProcAddress(name)); });
+    render::Renderer fine(*context), coarse(*context);
+    glfwSetWindowUserPointer(window, &viewer);
+    glfwSetCursorPosCallback(window, onCursor);
+    glfwSetScrollCallback(window, onScroll);
+    glfwSetKeyCallback(window, onKey);
+    bool done = false;
+    while (!glfwWindowShouldClose(window)) {
+      if (done && !viewer.moved) glfwWaitEvents();
+      else glfwPollEvents();
+      render::Frame frame;
+      frame.scene = viewer.scene;
+      glfwGetFramebufferSize(window, &frame.pictureSize.x, &frame.pictureSize.y);
+      glm::ivec2 windowSize = frame.pictureSize;
+      if (viewer.moved) {
+        // A quarter of the size while something moves; the full picture once it rests.
+        viewer.moved = false;
+        done = false;
+        frame.pictureSize /= 4;
+        frame.stepFactor = 2.0;
+        frame.scene.rayCast.samplesPerPixel = 1;
+        coarse.render(frame, consoleProgress());
+        coarse.present(0, windowSize);
+      } else {
+        done = fine.work(frame, 30.0);
+        if (fine.stats().samples < 1) continue;
+        fine.present(0, windowSize);
+      }
+      glfwSwapBuffers(window);
+    }
+  }
+  return 0;
+}
+
+}  // namespace
+
+Run registerView(CLI::App& verb) {
+  auto options = std::make_shared<ViewOptions>();
+  addCommon(verb, options->common);
+  addInput(verb, options->input, true);
+  verb.add_option("--size", options->size, "WIDTHxHEIGHT of the window")->capture_default_str();
+  return [options] { return run(*options); };
+}
+
+}  // namespace velum::app

@@ -1,0 +1,60 @@
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "Verbs.h"
+#include "velum/core/Error.h"
+#include "velum/core/Log.h"
+
+/// velum-batch: every verb of Velum without a display. Errors are one line on stderr; exit codes are those of ExitCode.
+int main(int argc, char** argv) {
+  using namespace velum;
+  CLI::App program("velum-batch: volumes, cut open. Not a medical device.");
+  program.set_version_flag("--version", VELUM_VERSION);
+  program.require_subcommand(1);
+  struct Row {
+    const char* name;
+    const char* doc;
+    app::Run (*registerVerb)(CLI::App&);
+  };
+  static constexpr Row kVerbs[] = {{"info", "say what a file is", app::registerInfo},
+                                   {"render", "make a picture", app::registerRender},
+                                   {"bench", "turn the camera and time frames", app::registerBench},
+                                   {"compare", "picture against picture", app::registerCompare},
+                                   {"sample", "make a phantom with ground truth", app::registerSample},
+                                   {"convert", "between volume formats", app::registerConvert},
+                                   {"view", "a bare window", app::registerView}};
+  std::vector<std::pair<CLI::App*, app::Run>> verbs;
+  for (const Row& row : kVerbs) {
+    CLI::App* verb = program.add_subcommand(row.name, row.doc);
+    verbs.emplace_back(verb, row.registerVerb(*verb));
+  }
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return program.exit(error);
+    std::string what = error.what();
+    fmt::print(stderr, "velum-batch: {}; see velum-batch --help\n", what.substr(0, what.find('\n')));
+    return static_cast<int>(ExitCode::Usage);
+  }
+  try {
+    for (auto& [verb, run] : verbs) {
+      if (!verb->parsed()) continue;
+      if (auto* verbose = verb->get_option_no_throw("--verbose"); verbose && verbose->count() > 0) log::setVerbose(true);
+      return run();
+    }
+  } catch (const Cancelled&) {
+    fmt::print(stderr, "velum-batch: stopped\n");
+    return 130;
+  } catch (const Error& error) {
+    fmt::print(stderr, "velum-batch: {}\n", error.what());
+    return static_cast<int>(error.exitCode());
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "velum-batch: the machine has no memory left for this; use a smaller volume or picture\n");
+    return static_cast<int>(ExitCode::Input);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "velum-batch: {}\n", error.what());
+    return static_cast<int>(ExitCode::Input);
+  }
+  return 0;
+}

@@ -1,0 +1,66 @@
+#include "velum/scene/Navigate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace velum::scene {
+
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+struct Basis {
+  glm::dvec3 right, up, toEye;
+};
+
+Basis basisOf(const Camera& camera) {
+  glm::dvec3 toEye = camera.eyeMm - camera.targetMm;
+  toEye = glm::length(toEye) > 1e-12 ? glm::normalize(toEye) : glm::dvec3(0, -1, 0);
+  glm::dvec3 right = glm::cross(camera.up, toEye);
+  if (glm::length(right) < 1e-9) right = glm::cross(std::abs(toEye.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0), toEye);
+  right = glm::normalize(right);
+  return {right, glm::cross(toEye, right), toEye};
+}
+
+glm::dvec3 turn(glm::dvec3 v, double angle, glm::dvec3 axis) { return glm::dvec3(glm::rotate(glm::dmat4(1.0), angle, axis) * glm::dvec4(v, 0.0)); }
+
+}  // namespace
+
+Camera orbit(const Camera& camera, glm::dvec2 drag) {
+  Basis basis = basisOf(camera);
+  glm::dvec3 arm = camera.eyeMm - camera.targetMm;
+  arm = turn(turn(arm, -drag.x * kPi, basis.up), -drag.y * kPi, basis.right);
+  Camera out = camera;
+  out.eyeMm = camera.targetMm + arm;
+  out.up = turn(basis.up, -drag.y * kPi, basis.right);
+  return out;
+}
+
+Camera pan(const Camera& camera, glm::dvec2 drag) {
+  Basis basis = basisOf(camera);
+  double height = camera.projection == Projection::Orthographic ? camera.heightMm
+                                                                : 2.0 * glm::length(camera.eyeMm - camera.targetMm) * std::tan(glm::radians(camera.fieldOfViewDeg) * 0.5);
+  glm::dvec3 move = (-drag.x * basis.right + drag.y * basis.up) * height;
+  Camera out = camera;
+  out.eyeMm += move;
+  out.targetMm += move;
+  return out;
+}
+
+Camera zoom(const Camera& camera, double factor) {
+  factor = std::clamp(factor, 0.05, 20.0);
+  Camera out = camera;
+  out.eyeMm = camera.targetMm + (camera.eyeMm - camera.targetMm) * factor;
+  out.heightMm = std::clamp(camera.heightMm * factor, 1e-9, 1e9);
+  return out;
+}
+
+Camera roll(const Camera& camera, double angleRad) {
+  Basis basis = basisOf(camera);
+  Camera out = camera;
+  out.up = turn(basis.up, angleRad, basis.toEye);
+  return out;
+}
+
+}  // namespace velum::scene

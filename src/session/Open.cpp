@@ -1,0 +1,179 @@
+#include "velum/session/Open.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "velum/core/Log.h"
+#include "velum/io/ImageFile.h"
+#include "velum/io/ReadVolume.h"
+#include "velum/scene/Json.h"
+#include "velum/scene/Presets.h"
+
+namespace velum::session {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::uintmax_t kLargestSceneFile = 64u << 20;
+
+std::string lowerExtension(const fs::path& path) {
+  std::string text = path.extension().string();
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+  return text;
+}
+
+std::string readText(const fs::path& path) {
+  std::error_code error;
+  auto size = fs::file_size(path, error);
+  if (error) throw InputError(fmt::format("{}: {}", path.string(), error.message()));
+  if (size > kLargestSceneFile) throw InputError(fmt::format("{}: {} MiB is too much for a scene file", path.string(), size >> 20));
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+bool isPicture(const fs::path& path) {
+  std::string extension = lowerExtension(path);
+  return extension == ".png" || extension == ".exr";
+}
+
+bool isMesh(const fs::path& path) {
+  std::string extension = lowerExtension(path);
+  return extension == ".stl" || extension == ".ply" || extension == ".obj" || extension == ".vtp";
+}
+
+void warnAll(const std::string& path, const std::vector<std::string>& warnings) {
+  for (const auto& warning : warnings) log::warning(fmt::format("{}: {}", path, warning));
+}
+
+scene::Source atFolder(scene::Source source, const fs::path& folder) {
+  fs::path path(source.path);
+  if (path.is_relative() && !folder.empty()) source.path = (folder / path).string();
+  return source;
+}
+
+void readVolumeInto(scene::VolumeLayer& layer, const scene::Source& where, Progress& progress) {
+  Volume volume = io::readVolume(where, progress);
+  warnAll(where.path, volume.warnings);
+  layer.data = Shared<Volume>(std::move(volume));
+}
+
+void readLabelsInto(scene::LabelLayer& layer, const scene::Source& where, Progress& progress) {
+  LabelVolume labels = io::readLabels(where, progress);
+  warnAll(where.path, labels.warnings);
+  layer.data = Shared<LabelVolume>(std::move(labels));
+  scene::completeStructures(layer);
+}
+
+/// A scene around labels alone: their colours, calm light.
+void addLabels(scene::Scene& scene, const scene::Source& source, Progress& progress) {
+  scene.labels = {};
+  scene.labels.source = source;
+  readLabelsInto(scene.labels, source, progress);
+}
+
+scene::Scene fromText(const std::string& text, const fs::path& file, Progress& progress) {
+  scene::Scene scene;
+  try {
+    scene = scene::fromJson(text);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", file.string(), error.what()));
+  }
+  loadData(scene, file.parent_path(), progress);
+  return scene;
+}
+
+fs::path relativeTo(const std::string& path, const fs::path& folder) {
+  if (path.empty()) return {};
+  std::error_code error;
+  fs::path relative = fs::relative(fs::absolute(path), fs::absolute(folder), error);
+  return error || relative.empty() ? fs::absolute(path) : relative;
+}
+
+scene::Scene withRelativePaths(scene::Scene scene, const fs::path& folder) {
+  scene.volume.source.path = relativeTo(scene.volume.source.path, folder).string();
+  scene.labels.source.path = relativeTo(scene.labels.source.path, folder).string();
+  for (auto& surface : scene.surfaces) surface.source.path = relativeTo(surface.source.path, folder).string();
+  return scene;
+}
+
+}  // namespace
+
+scene::Scene open(const scene::Source& source, Progress& progress) {
+  fs::path path(source.path);
+  if (!fs::exists(path)) throw InputError(fmt::format("{}: there is no such file or folder", source.path));
+  if (lowerExtension(path) == ".json") return fromText(readText(path), path, progress);
+  if (!fs::is_directory(path) && isPicture(path)) {
+    std::string text = io::readImageDescription(path);
+    if (text.empty()) throw InputError(fmt::format("{}: the picture holds no scene of ours", source.path));
+    return fromText(text, path, progress);
+  }
+  scene::Scene scene;
+  add(scene, source, progress);
+  scene.camera = scene::frameCamera(scene, scene::StandardView::Anterior, 4.0 / 3.0);
+  return scene;
+}
+
+void add(scene::Scene& scene, const scene::Source& source, Progress& progress) {
+  fs::path path(source.path);
+  if (!fs::exists(path)) throw InputError(fmt::format("{}: there is no such file or folder", source.path));
+  if (isMesh(path)) {
+    scene::Surface surface;
+    surface.source = source;
+    surface.data = Shared<Mesh>(io::readMesh(path, progress));
+    scene.surfaces.push_back(std::move(surface));
+    return;
+  }
+  bool hasLayout = source.raw.dims.x > 0;
+  if (!hasLayout && io::looksLikeLabels(path)) return addLabels(scene, source, progress);
+  if (scene.volume.data) return addLabels(scene, source, progress);
+  scene.volume.source = source;
+  readVolumeInto(scene.volume, source, progress);
+  if (!(scene.volume.data->range.x < scene.volume.data->range.y))
+    log::warning(fmt::format("{}: every voxel has the same value; there is nothing to see", source.path));
+  scene::applyPreset(scene, scene::choosePreset(*scene.volume.data));
+}
+
+void loadData(scene::Scene& scene, const fs::path& folder, Progress& progress) {
+  auto place = [&](scene::Source& source) { source = atFolder(source, folder); };
+  if (!scene.volume.source.path.empty() && !scene.volume.data) {
+    place(scene.volume.source);
+    readVolumeInto(scene.volume, scene.volume.source, progress);
+    if (scene.volume.transfer.opacities.empty()) scene::applyPreset(scene, scene::choosePreset(*scene.volume.data));
+  }
+  if (!scene.labels.source.path.empty() && !scene.labels.data) {
+    place(scene.labels.source);
+    readLabelsInto(scene.labels, scene.labels.source, progress);
+  }
+  for (auto& surface : scene.surfaces) {
+    if (surface.source.path.empty() || surface.data) continue;
+    place(surface.source);
+    surface.data = Shared<Mesh>(io::readMesh(surface.source.path, progress));
+  }
+}
+
+std::string sceneTextFor(const scene::Scene& scene, const fs::path& path) {
+  return scene::toJson(withRelativePaths(scene, fs::absolute(path).parent_path()));
+}
+
+void saveScene(const scene::Scene& scene, const fs::path& path) {
+  std::string text = sceneTextFor(scene, path);
+  fs::path temporary = path;
+  temporary += fmt::format(".{}.tmp", getpid());
+  int file = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+  bool ok = file >= 0 && ::write(file, text.data(), text.size()) == ssize_t(text.size()) && ::fsync(file) == 0;
+  if (file >= 0) ok = ::close(file) == 0 && ok;
+  std::error_code error;
+  if (ok) fs::rename(temporary, path, error);
+  if (!ok || error) {
+    std::error_code ignored;
+    fs::remove(temporary, ignored);
+    throw InputError(fmt::format("{}: the scene cannot be written there: check the folder and the free space", path.string()));
+  }
+}
+
+}  // namespace velum::session

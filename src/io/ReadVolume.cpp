@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "formats/DicomFile.h"
 #include "formats/FormatTable.h"
 #include "formats/Payload.h"
 
@@ -25,7 +26,7 @@ bool holdsFiles(const Path& folder, std::initializer_list<std::string_view> exte
 
 Volume readFolder(const scene::Source& source, Progress& progress) {
   Path folder = source.path;
-  if (!hasRawLayout(source) && !listSeries(folder, progress).empty()) return readDicom(source, progress);
+  if (!hasRawLayout(source) && holdsDicom(folder)) return readDicom(source, progress);
   if (!hasRawLayout(source) && holdsFiles(folder, {".tif", ".tiff", ".png"})) return readTiff(source, progress);
   if (hasRawLayout(source)) return readRaw(source, progress);
   failInput(

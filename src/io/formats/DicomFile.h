@@ -1,8 +1,49 @@
 #pragma once
 #include <filesystem>
+#include <glm/glm.hpp>
+#include <optional>
+#include <string>
+#include <vector>
 
+#include "velum/core/Task.h"
+
+/// What the DICOM readers know of files before pixels are decoded.
 namespace velum::io {
 
+/// One plane: a file of its own, or a frame of a multi-frame file.
+struct DicomFrame {
+  std::size_t file = 0;                       ///< Index of its file in the series.
+  int index = 0;                              ///< Which frame of that file.
+  bool hasPlace = false;                      ///< Position and orientation are in the file.
+  glm::dvec3 position{0.0};                   ///< Centre of the first voxel, mm, LPS.
+  glm::dvec3 rowDirection{1.0, 0.0, 0.0};     ///< Along a row: with growing column index.
+  glm::dvec3 columnDirection{0.0, 1.0, 0.0};  ///< Down a column: with growing row index.
+  glm::dvec2 spacing{0.0};                    ///< mm between columns (x) and rows (y); 0 when unknown.
+  double sliceSpacing = 0;                    ///< mm, as the file claims; 0 when unknown. The positions are the truth.
+  double slope = 1, intercept = 0;
+  int instance = 0;
+  int segment = 0;  ///< Segment number, in segmentations.
+  std::vector<double>
+      timeKey;  ///< What tells frames at one place apart: temporal position, trigger, acquisition, echo.
+};
+
+struct DicomFile {
+  std::filesystem::path path;
+  std::string seriesUid, instanceUid, description, modality, sopClass, photometric, unit;
+  int rows = 0, columns = 0, samplesPerPixel = 1, bitsAllocated = 0;
+  bool isSigned = false;
+  double frameSeconds = 0;  ///< Temporal resolution; 0 when unknown.
+  std::vector<DicomFrame> frames;
+  bool isSegmentation() const { return modality == "SEG" || sopClass == "1.2.840.10008.5.1.4.1.1.66.4"; }
+  bool hasImage() const { return rows > 0 && columns > 0 && bitsAllocated > 0; }
+};
+
+/// Header of a DICOM file, without pixels; nothing when the file is no DICOM file or too damaged to read.
+std::optional<DicomFile> readDicomHeader(const std::filesystem::path& path);
+/// Headers of all images in a folder, not below it, by path. @throw InputError, Cancelled
+std::vector<DicomFile> scanDicomFolder(const std::filesystem::path& folder, Progress& progress);
+/// True when the folder holds a DICOM image; stops at the first.
+bool holdsDicom(const std::filesystem::path& folder);
 /// True when the file is a DICOM segmentation. Reads its header only; false for what is no DICOM file.
 bool isDicomSeg(const std::filesystem::path& path);
 

@@ -60,7 +60,7 @@ MetaHeader parseHeader(const Path& file) {
     if (equals == std::string::npos) {
       if (trimmed(line).empty()) continue;
       // Samples where a header line should be: the key that ends the header is missing.
-      if (std::any_of(line.begin(), line.end(), [](char c) { return c >= 0 && c < 9; })) break;
+      if (std::any_of(line.begin(), line.end(), [](char byte) { return byte >= 0 && byte < 9; })) break;
       failInput(file, fmt::format("its header has a line {} without '='", inQuotes(line)));
     }
     std::string key = trimmed(line.substr(0, equals));

@@ -1,0 +1,38 @@
+#pragma once
+#include <filesystem>
+#include <span>
+
+#include "velum/core/Volume.h"
+
+namespace velum::io {
+
+/// What one sample of a DICOM file is after decoding.
+struct DicomPixelType {
+  SampleType type = SampleType::UInt8;
+  int channels = 1;
+  int columns = 0, rows = 0, frames = 0;
+  bool isInverted = false;  ///< MONOCHROME1: the samples were turned round.
+  bool operator==(const DicomPixelType&) const = default;
+};
+
+/// The decoded samples of a file, all frames. Colour comes as interleaved RGB.
+class DicomPixels {
+ public:
+  /// @throw InputError when the pixels are missing, cut off, or in a form that is not supported
+  explicit DicomPixels(const std::filesystem::path& path);
+  ~DicomPixels();
+  DicomPixels(const DicomPixels&) = delete;
+  DicomPixels& operator=(const DicomPixels&) = delete;
+
+  const DicomPixelType& type() const;
+  std::size_t byteCount() const;
+  /// Decodes into @p to, which has byteCount() bytes, and releases the compressed data. Bits outside the stored ones
+  /// are cleared and signs extended, whatever the codec left there.
+  void decode(std::span<std::byte> to);
+
+ private:
+  struct State;
+  std::unique_ptr<State> mState;
+};
+
+}  // namespace velum::io

@@ -1,0 +1,68 @@
+#pragma once
+#include <gdcmDataSet.h>
+#include <gdcmSequenceOfItems.h>
+
+#include <cstring>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// Values out of a GDCM data set. Only the DICOM readers include this.
+namespace velum::io {
+
+/// Text without its padding; empty when the element is missing or empty.
+inline std::string textOf(const gdcm::DataSet& set, gdcm::Tag tag) {
+  if (!set.FindDataElement(tag)) return {};
+  const gdcm::ByteValue* bytes = set.GetDataElement(tag).GetByteValue();
+  if (!bytes || bytes->GetLength() == 0 || bytes->GetLength() > (1u << 20)) return {};
+  std::string text(bytes->GetPointer(), bytes->GetLength());
+  while (!text.empty() && (text.back() == ' ' || text.back() == '\0')) text.pop_back();
+  text.erase(0, text.find_first_not_of(' '));
+  return text;
+}
+
+/// Decimal or integer strings, separated by backslashes. What is no number ends the list.
+inline std::vector<double> numbersOf(const gdcm::DataSet& set, gdcm::Tag tag) {
+  std::vector<double> numbers;
+  std::string text = textOf(set, tag);
+  for (const char* at = text.c_str(); *at;) {
+    char* end = nullptr;
+    double value = std::strtod(at, &end);
+    if (end == at) break;
+    numbers.push_back(value);
+    while (*end == ' ') ++end;
+    if (*end != '\\') break;
+    at = end + 1;
+  }
+  return numbers;
+}
+
+inline double numberOf(const gdcm::DataSet& set, gdcm::Tag tag, double otherwise) {
+  auto numbers = numbersOf(set, tag);
+  return numbers.empty() ? otherwise : numbers[0];
+}
+
+/// A binary value (US, UL, FD, ...); GDCM has put it into machine order.
+template <class T>
+T binaryOf(const gdcm::DataSet& set, gdcm::Tag tag, T otherwise) {
+  if (!set.FindDataElement(tag)) return otherwise;
+  const gdcm::ByteValue* bytes = set.GetDataElement(tag).GetByteValue();
+  if (!bytes || bytes->GetLength() < sizeof(T)) return otherwise;
+  T value;
+  std::memcpy(&value, bytes->GetPointer(), sizeof(T));
+  return value;
+}
+
+inline gdcm::SmartPointer<gdcm::SequenceOfItems> sequenceOf(const gdcm::DataSet& set, gdcm::Tag tag) {
+  if (!set.FindDataElement(tag)) return nullptr;
+  return set.GetDataElement(tag).GetValueAsSQ();
+}
+
+/// The data set of a sequence's first item. A copy, for it may have been parsed for us alone.
+inline std::optional<gdcm::DataSet> firstItem(const gdcm::DataSet& set, gdcm::Tag tag) {
+  auto sequence = sequenceOf(set, tag);
+  if (!sequence || sequence->GetNumberOfItems() == 0) return std::nullopt;
+  return sequence->GetItem(1).GetNestedDataSet();
+}
+
+}  // namespace velum::io

@@ -60,18 +60,59 @@ TEST_P(RealData, IsWhatItsTableSays) {
 INSTANTIATE_TEST_SUITE_P(
     Table, RealData,
     testing::Values(
-        Row{"ct_torso_contrast_lidc2.vti", readVti, {256, 256, 133}, SampleType::UInt8, {1.40625, 1.40625, 2.5}, {0, 255}},
+        Row{"ct_torso_contrast_lidc2.vti",
+            readVti,
+            {256, 256, 133},
+            SampleType::UInt8,
+            {1.40625, 1.40625, 2.5},
+            {0, 255}},
         Row{"ct_engine.vti", readVti, {256, 256, 128}, SampleType::UInt8, {1, 1, 1}, {0, 255}},
         Row{"xa_aneurism.vti", readVti, {256, 256, 256}, SampleType::UInt8, {1, 1, 1}, {0, 255}},
         Row{"micro_mousebrain_100um.tiff", readTiff, {108, 77, 135}, SampleType::UInt16, {1, 1, 1}, {0, 65535}, false},
-        Row{"micro_mousebrain_100um_hemispheres.tiff", readTiff, {108, 77, 135}, SampleType::UInt8, {1, 1, 1}, {0, 2}, false},
-        Row{"micro_lightsheet_brain_10planes.tif", readTiff, {351, 416, 10}, SampleType::UInt16, {1, 1, 1}, {46, 60167}, false},
+        Row{"micro_mousebrain_100um_hemispheres.tiff",
+            readTiff,
+            {108, 77, 135},
+            SampleType::UInt8,
+            {1, 1, 1},
+            {0, 2},
+            false},
+        Row{"micro_lightsheet_brain_10planes.tif",
+            readTiff,
+            {351, 416, 10},
+            SampleType::UInt16,
+            {1, 1, 1},
+            {46, 60167},
+            false},
         Row{"seis_f3_crop.sgy", readSegy, {23, 18, 75}, SampleType::Int16, {25000, 25000, 4000}, {-10239, 10827}},
         // Every fourth line of 12.5 m, and 20 m of depth.
-        Row{"seis_volve_velocity.sgy", readSegy, {18, 52, 226}, SampleType::Float32, {50000, 50000, 20000}, {1480, 4706.09}},
-        Row{"seis_volve_inline.sgy", readSegy, {1, 202, 1125}, SampleType::Float32, {12500, 12500, 4000}, {-32.68, 24.36}},
-        Row{"tooth.raw", readRaw, {103, 94, 161}, SampleType::UInt16, {1, 1, 1}, {0, 1300}, false, {{103, 94, 161}, SampleType::UInt16, 1, true, 0}},
-        Row{"raw_mr_brainsmall.den.gz", readRaw, {128, 128, 84}, SampleType::UInt8, {1, 1, 1}, {0, 202}, false, {{128, 128, 84}, SampleType::UInt8, 1, false, 62}}),
+        Row{"seis_volve_velocity.sgy",
+            readSegy,
+            {18, 52, 226},
+            SampleType::Float32,
+            {50000, 50000, 20000},
+            {1480, 4706.09}},
+        Row{"seis_volve_inline.sgy",
+            readSegy,
+            {1, 202, 1125},
+            SampleType::Float32,
+            {12500, 12500, 4000},
+            {-32.68, 24.36}},
+        Row{"tooth.raw",
+            readRaw,
+            {103, 94, 161},
+            SampleType::UInt16,
+            {1, 1, 1},
+            {0, 1300},
+            false,
+            {{103, 94, 161}, SampleType::UInt16, 1, true, 0}},
+        Row{"raw_mr_brainsmall.den.gz",
+            readRaw,
+            {128, 128, 84},
+            SampleType::UInt8,
+            {1, 1, 1},
+            {0, 202},
+            false,
+            {{128, 128, 84}, SampleType::UInt8, 1, false, 62}}),
     [](const auto& row) {
       std::string name = row.param.file;
       for (char& c : name)
@@ -86,7 +127,8 @@ bool unzip(const std::filesystem::path& zip, const std::filesystem::path& into) 
 
 TEST(RealFolders, NumberedHeaderlessSlicesAreInNaturalOrder) {
   TempFolder folder;
-  if (dataFolder().empty() || !unzip(dataFolder() / "volumes/raw_ct_headsq_slices.zip", folder.path())) GTEST_SKIP() << "no data or no unzip";
+  if (dataFolder().empty() || !unzip(dataFolder() / "volumes/raw_ct_headsq_slices.zip", folder.path()))
+    GTEST_SKIP() << "no data or no unzip";
   Volume v = readWith(readRaw, folder / "headsq", {{64, 64, 93}, SampleType::UInt16, 1, false, 0});
   EXPECT_EQ(v.range, glm::dvec2(0, 3926));
   // Neighbours in a scan are alike; in the order of names quarter.1 would stand beside quarter.10.
@@ -103,7 +145,8 @@ TEST(RealFolders, NumberedHeaderlessSlicesAreInNaturalOrder) {
 
 TEST(RealFolders, TiffPlanes) {
   TempFolder folder;
-  if (dataFolder().empty() || !unzip(dataFolder() / "volumes/micro_mousebrain_tiff_stack.zip", folder.path())) GTEST_SKIP() << "no data or no unzip";
+  if (dataFolder().empty() || !unzip(dataFolder() / "volumes/micro_mousebrain_tiff_stack.zip", folder.path()))
+    GTEST_SKIP() << "no data or no unzip";
   std::filesystem::path planes;
   for (const auto& entry : std::filesystem::directory_iterator(folder.path())) planes = entry.path();
   Progress progress;
@@ -153,9 +196,9 @@ TEST(RealData, ACraniumStandsUprightAndLooksForward) {
     for (int x = 0; x < 256; ++x) count += valueAt(v, {x, y, z}) > -200;
     return count;
   };
-  EXPECT_GT(tissueAt(0.957 * 25, 30), 0);       // 231 of 255: the tip of the nose, anterior
-  EXPECT_LT(tissueAt(0.957 * 25, 30), 30);      // and it is narrow
-  EXPECT_EQ(tissueAt(0.957 * 25, 80), 0);       // no nose at the forehead
+  EXPECT_GT(tissueAt(0.957 * 25, 30), 0);   // 231 of 255: the tip of the nose, anterior
+  EXPECT_LT(tissueAt(0.957 * 25, 30), 30);  // and it is narrow
+  EXPECT_EQ(tissueAt(0.957 * 25, 80), 0);   // no nose at the forehead
 }
 
 struct Bad {
@@ -182,20 +225,21 @@ TEST_P(Malformed, IsRefusedWithItsNameAndAReason) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Files, Malformed,
-                         testing::Values(Bad{"vti_truncated.vti", readVti, false}, Bad{"tiff_truncated.tif", readTiff, false},
-                                         Bad{"tiff_mismatched_dims", readTiff, false}, Bad{"segy_text_header_only.sgy", readSegy, false},
-                                         Bad{"segy_git_lfs_pointer.sgy", readSegy, false}, Bad{"segy_prestack_offsets.sgy", readSegy, true},
-                                         Bad{"segy_little_endian.sgy", readSegy, true}, Bad{"segy_1x1.sgy", readSegy, true},
-                                         Bad{"\xe5\xb0\x8f\xe6\x96\x87\xe4\xbb\xb6.sgy", readSegy, true},
-                                         Bad{"BallBinary30x30x30.raw", readRaw, true, {{30, 30, 30}, SampleType::Int16, 1, false, 0}},
-                                         Bad{"BallBinary30x30x30.raw", readRaw, false, {{30, 30, 31}, SampleType::Int16, 1, false, 0}},
-                                         Bad{"BallBinary30x30x30.raw", readRaw, false}, Bad{"png_named_nii.nii", readVti, false},
-                                         Bad{"png_named_nii.nii", readVtkLegacy, false}, Bad{"nifti_empty.nii", readSegy, false},
-                                         Bad{"nifti_empty.nii", readVti, false}, Bad{"nifti_empty.nii", readTiff, false},
-                                         Bad{"nifti_empty.nii", readVdb, false}, Bad{"nifti_empty.nii", readInvesalius, false},
-                                         Bad{"nifti_empty.nii", readVtkLegacy, false}, Bad{"png_named_nii.nii", readVdb, false},
-                                         Bad{"nifti_oblique.nii", readInvesalius, false}, Bad{"nifti_oblique.nii", readSegy, false}));
+INSTANTIATE_TEST_SUITE_P(
+    Files, Malformed,
+    testing::Values(Bad{"vti_truncated.vti", readVti, false}, Bad{"tiff_truncated.tif", readTiff, false},
+                    Bad{"tiff_mismatched_dims", readTiff, false}, Bad{"segy_text_header_only.sgy", readSegy, false},
+                    Bad{"segy_git_lfs_pointer.sgy", readSegy, false}, Bad{"segy_prestack_offsets.sgy", readSegy, true},
+                    Bad{"segy_little_endian.sgy", readSegy, true}, Bad{"segy_1x1.sgy", readSegy, true},
+                    Bad{"\xe5\xb0\x8f\xe6\x96\x87\xe4\xbb\xb6.sgy", readSegy, true},
+                    Bad{"BallBinary30x30x30.raw", readRaw, true, {{30, 30, 30}, SampleType::Int16, 1, false, 0}},
+                    Bad{"BallBinary30x30x30.raw", readRaw, false, {{30, 30, 31}, SampleType::Int16, 1, false, 0}},
+                    Bad{"BallBinary30x30x30.raw", readRaw, false}, Bad{"png_named_nii.nii", readVti, false},
+                    Bad{"png_named_nii.nii", readVtkLegacy, false}, Bad{"nifti_empty.nii", readSegy, false},
+                    Bad{"nifti_empty.nii", readVti, false}, Bad{"nifti_empty.nii", readTiff, false},
+                    Bad{"nifti_empty.nii", readVdb, false}, Bad{"nifti_empty.nii", readInvesalius, false},
+                    Bad{"nifti_empty.nii", readVtkLegacy, false}, Bad{"png_named_nii.nii", readVdb, false},
+                    Bad{"nifti_oblique.nii", readInvesalius, false}, Bad{"nifti_oblique.nii", readSegy, false}));
 
 TEST(Malformed, LittleEndianIsTheSameCube) {
   if (dataFolder().empty()) GTEST_SKIP() << "VELUM_TEST_DATA is not set";

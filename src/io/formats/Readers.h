@@ -35,5 +35,6 @@ Volume readTiff(const scene::Source& source, Progress& progress);
 Volume readVdb(const scene::Source& source, Progress& progress);
 void writeVdb(const Volume& volume, const Path& path, Progress& progress);
 Volume readRaw(const scene::Source& source, Progress& progress);
+Volume readInvesalius(const scene::Source& source, Progress& progress);  // .inv3
 
 }  // namespace velum::io

@@ -1,0 +1,35 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+
+namespace velum::io {
+
+/// A grid may have this many cells for each trace that is there, so that odd line numbers cannot make us allocate.
+constexpr int kMostCellsPerTrace = 4;
+
+/// What one trace header says of the trace's place.
+struct SegyTrace {
+  struct Lines {
+    std::int32_t inlineNumber = 0, crosslineNumber = 0;
+    auto operator<=>(const Lines&) const = default;
+  };
+  std::array<Lines, 2> lines;  ///< Bytes 189/193, and 9/21 of older files.
+  std::int32_t offset = 0;     ///< Source to receiver; differs within a cell before stacking.
+  glm::dvec2 position{0.0};    ///< CDP X and Y, in the file's unit, scaled.
+};
+
+/// The traces on a regular grid.
+struct SegyGrid {
+  glm::ivec2 size{0};                 ///< Inlines, crosslines.
+  std::vector<std::int64_t> traceAt;  ///< [crossline][inline] -> trace, -1: none.
+  glm::dvec2 spacing{0.0};            ///< Between inlines and between crosslines, file's unit; 0: not known.
+  std::vector<std::string> warnings;
+};
+
+/// @throw InputError when the traces make no grid
+SegyGrid arrangeTraces(const std::vector<SegyTrace>& traces, const std::string& name);
+
+}  // namespace velum::io

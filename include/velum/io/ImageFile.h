@@ -6,10 +6,13 @@
 
 namespace velum::io {
 
-/// Writes a picture: .png (8 bit sRGB as given; channels R,G,B[,A] only), .tif (as PNG, or float with `float32`), .exr (all channels, float).
-/// `description` (a scene as JSON) rides along: PNG iTXt/tEXt "velum:scene", EXR and TIFF attribute "velum:scene".
+/// Writes a picture: .png (8 bit sRGB as given; channels R, G, B[, A] only, or one as grey), .tif (8 bit as PNG; all
+/// channels in float as soon as there are others than colour), .exr (all channels, float).
+/// `description` (a scene as JSON) rides along: PNG tEXt "velum:scene", EXR attribute "velum:scene", TIFF
+/// ImageDescription behind the line "velum:scene". The same picture and description give the same bytes.
 /// Written to a temporary, then renamed. A path of "-" writes PNG to stdout.
-/// @param image  channels R,G,B,A are display-referred sRGB in 0..1 with straight (not premultiplied) alpha; EXR stores them linear and premultiplied
+/// @param image  channels R, G, B, A are display-referred sRGB in 0..1 with straight (not premultiplied) alpha; EXR
+///               stores them linear and premultiplied
 /// @throw InputError when the extension is unknown or the disk refuses
 void writeImage(const Image& image, const std::filesystem::path& path, const std::string& description = {});
 

@@ -119,8 +119,8 @@ std::vector<std::string> names() {
   for (const auto& info : io::samples()) out.emplace_back(info.name);
   return out;
 }
-INSTANTIATE_TEST_SUITE_P(All, EverySample, testing::ValuesIn(names()), [](const auto& info) {
-  std::string name = info.param;
+INSTANTIATE_TEST_SUITE_P(All, EverySample, testing::ValuesIn(names()), [](const auto& instance) {
+  std::string name = instance.param;
   std::replace(name.begin(), name.end(), '-', '_');
   return name;
 });

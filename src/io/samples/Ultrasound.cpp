@@ -100,10 +100,10 @@ Tissue tissueAt(Vec p) {
   float wall = womb(p);
   if (wall > 0.0f) {
     // Skin, fat and muscle above the womb, in bands that follow it.
-    float bands = std::sin(wall * 0.9f + 2.0f * noise(p / 18.0f, 11));
-    return {kMother, 0.26f + 0.13f * bands, 0.002f};
+    float bands = std::sin(wall * 0.55f + 3.5f * noise(p / 18.0f, 11));
+    return {kMother, 0.14f + 0.05f * bands, 0.002f};
   }
-  if (wall > -5.0f) return {kWomb, 0.55f, 0.002f};
+  if (wall > -5.0f) return {kWomb, 0.36f, 0.002f};
   float body = glm::length(p - Vec(2, 2, 0)) < 75.0f ? flesh(p) : 1e3f;
   if (body < 0.0f) return inFetus(p, -body);
   if (cord(p) < 0.0f) return {kCord, 0.5f, 0.002f};
@@ -160,9 +160,9 @@ void scanBeam(const Fan& fan, int a, int s, float* samples) {
     Vec grain =
         Vec(float(a) / float(fan.count.x), float(s) / float(fan.count.y), float(k) / float(fan.count.z)) * grains;
     float echo = gain * ((tissue.echo + edge) * speckle(grain, 23)) + 0.006f * speckle(grain * 1.7f, 29);
-    constexpr float kRangeDb = 48.0f;
+    constexpr float kRangeDb = 44.0f;
     samples[k] =
-        255.0f * std::clamp(1.0f + (8.685890f * std::log(std::max(echo, 1e-6f)) - 6.0f) / kRangeDb, 0.0f, 1.0f);
+        255.0f * std::clamp(1.0f + (8.685890f * std::log(std::max(echo, 1e-6f)) - 9.0f) / kRangeDb, 0.0f, 1.0f);
   }
 }
 

@@ -105,6 +105,8 @@ TEST_P(EverySample, TheTableListsExactlyTheLabelsInUse) {
   EXPECT_EQ(listed, s.labels.idsInUse());
 }
 
+TEST(Torso, EveryPartIsFoundFromSixtyFourVoxelsOn) { EXPECT_EQ(make("torso", 64).labels.table.size(), 42u); }
+
 TEST_P(EverySample, CancellingStopsIt) {
   Progress* running = nullptr;
   Progress progress([&](double fraction, const std::string&) {

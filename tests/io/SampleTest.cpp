@@ -105,6 +105,8 @@ TEST_P(EverySample, TheTableListsExactlyTheLabelsInUse) {
   EXPECT_EQ(listed, s.labels.idsInUse());
 }
 
+TEST(Torso, EveryPartIsFoundFromSixtyFourVoxelsOn) { EXPECT_EQ(make("torso", 64).labels.table.size(), 42u); }
+
 TEST_P(EverySample, CancellingStopsIt) {
   Progress* running = nullptr;
   Progress progress([&](double fraction, const std::string&) {
@@ -119,8 +121,8 @@ std::vector<std::string> names() {
   for (const auto& info : io::samples()) out.emplace_back(info.name);
   return out;
 }
-INSTANTIATE_TEST_SUITE_P(All, EverySample, testing::ValuesIn(names()), [](const auto& info) {
-  std::string name = info.param;
+INSTANTIATE_TEST_SUITE_P(All, EverySample, testing::ValuesIn(names()), [](const auto& instance) {
+  std::string name = instance.param;
   std::replace(name.begin(), name.end(), '-', '_');
   return name;
 });

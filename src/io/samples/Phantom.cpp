@@ -252,6 +252,10 @@ Sample fill(const Description& description, const Grid& grid, Progress& progress
     sample.labels.write({0, 0, first}, {grid.dims.x, grid.dims.y, end - first}, ids);
     progress.report(double(end) / double(grid.dims.z), "making " + description.name);
   }
+  // A coarse grid may miss the smallest structures; then the table must not promise them.
+  auto used = sample.labels.idsInUse();
+  std::erase_if(sample.labels.table,
+                [&](const LabelInfo& info) { return !std::binary_search(used.begin(), used.end(), info.id); });
   computeRange(volume);
   return sample;
 }

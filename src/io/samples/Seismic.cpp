@@ -53,10 +53,10 @@ class Trace {
 /// To the salt: a mushroom with a rough skin.
 float saltDistance(Vec p) {
   Vec q = p - Vec(-720.0f, 260.0f, 1000.0f);
-  float head = ellipsoid(q, Vec(0.0f), Vec(430.0f, 380.0f, 250.0f));
-  float stem = glm::length(glm::vec2(q.x, q.y)) - 240.0f - 0.25f * std::max(q.z - 250.0f, 0.0f);
+  float head = ellipsoid(q, Vec(0.0f), Vec(560.0f, 500.0f, 300.0f));
+  float stem = glm::length(glm::vec2(q.x, q.y)) - 330.0f - 0.25f * std::max(q.z - 250.0f, 0.0f);
   stem = std::max(stem, -q.z);
-  return smoothMin(head, stem, 180.0f) + 26.0f * roughNoise(p / 210.0f, 17);
+  return smoothMin(head, stem, 180.0f) + 34.0f * roughNoise(p / 240.0f, 17);
 }
 
 /// Horizontal distance to the fault; positive in the block that has slipped down. It flattens with depth.
@@ -74,8 +74,8 @@ float stratigraphicDepth(Vec p) {
   if (faultDistance(p) > 0.0f) p.z -= slip;
   float strength = smoothStep(150.0f, 1100.0f, p.z);
   float fold = 95.0f * std::sin((p.x + 0.45f * p.y) / 330.0f + 0.6f) + 60.0f * noise(Vec(p.x, p.y, 0.0f) / 620.0f, 43);
-  glm::vec2 fromSalt = (glm::vec2(p) - glm::vec2(-720.0f, 260.0f)) / 560.0f;
-  float push = 260.0f * std::exp(-glm::dot(fromSalt, fromSalt)) * smoothStep(100.0f, 1000.0f, p.z);
+  glm::vec2 fromSalt = (glm::vec2(p) - glm::vec2(-720.0f, 260.0f)) / 760.0f;
+  float push = 330.0f * std::exp(-glm::dot(fromSalt, fromSalt)) * smoothStep(100.0f, 1000.0f, p.z);
   return p.z + fold * (0.35f + 0.65f * strength) + push + 0.13f * p.x - 0.06f * p.y;
 }
 

@@ -131,7 +131,9 @@ float bellyDistance(Vec p) { return smoothMax(cavityDistance(p), 0.7f * (p.z - d
 float lungDistance(Vec p, float side) {
   // The mediastinum: a pillar from breastbone to spine, widest where the great vessels leave the heart.
   static constexpr Knots kHalfWidth = {{-60, 24}, {40, 24}, {90, 30}, {135, 32}, {165, 30}, {200, 34}};
-  float pillar = ellipse({p.x, p.y}, {2.0f, -8.0f}, {curve(kHalfWidth, p.z), 78.0f});
+  float pillar = ellipse({p.x, p.y}, {2.0f, 4.0f}, {curve(kHalfWidth, p.z), 48.0f});
+  float septum = std::max(std::abs(p.x - 3.0f) - 6.0f, p.y);
+  pillar = smoothMin(pillar, septum, 22.0f);
   float spine = glm::length(glm::vec2(p.x, p.y - spineY(p.z) - 4.0f)) - 25.0f;
   float inside = smoothMax(cavityDistance(p) + 3.0f, 0.7f * (diaphragmZ(p.x, p.y) + 3.0f - p.z), 5.0f);
   inside = smoothMax(inside, -smoothMin(pillar, spine, 14.0f), 7.0f);

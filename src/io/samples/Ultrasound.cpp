@@ -29,10 +29,10 @@ const Segment kLimbs[] = {
     {{9, 6, -16}, {-8, -4, -23}, 6.5f, 5.2f},
     {{-8, -4, -23}, {8, -20, -20}, 5.0f, 3.8f},
     {{8, -20, -20}, {14, -26, -16}, 3.8f, 4.0f}};
-const Segment kFace[] = {{{36, -14, 0}, {37, -21.5f, 0}, 5.0f, 2.6f},  // nose
-                         {{26, -12, 0}, {25, -17.5f, 0}, 7.0f, 4.5f},  // chin
-                         {{31, -15, 0}, {31, -18, 0}, 5.5f, 3.6f},     // lips
-                         {{42, -15, 0}, {52, -11, 0}, 8.0f, 10.0f}};   // brow
+const Segment kFace[] = {{{38, -13, 0}, {35.5f, -23, 0}, 4.5f, 2.8f},  // nose
+                         {{26, -10, 0}, {24, -18, 0}, 7.5f, 4.6f},     // chin
+                         {{30, -14, 0}, {30, -18.5f, 0}, 5.5f, 3.4f},  // lips
+                         {{44, -12, 0}, {53, -7, 0}, 7.0f, 8.0f}};     // brow
 const Vec kHead(40, 4, 0), kHeadRadii(25, 21, 19);
 
 float flesh(Vec p) {
@@ -100,10 +100,10 @@ Tissue tissueAt(Vec p) {
   float wall = womb(p);
   if (wall > 0.0f) {
     // Skin, fat and muscle above the womb, in bands that follow it.
-    float bands = std::sin(wall * 0.9f + 2.0f * noise(p / 18.0f, 11));
-    return {kMother, 0.26f + 0.13f * bands, 0.002f};
+    float bands = std::sin(wall * 0.55f + 3.5f * noise(p / 18.0f, 11));
+    return {kMother, 0.14f + 0.05f * bands, 0.002f};
   }
-  if (wall > -5.0f) return {kWomb, 0.55f, 0.002f};
+  if (wall > -5.0f) return {kWomb, 0.36f, 0.002f};
   float body = glm::length(p - Vec(2, 2, 0)) < 75.0f ? flesh(p) : 1e3f;
   if (body < 0.0f) return inFetus(p, -body);
   if (cord(p) < 0.0f) return {kCord, 0.5f, 0.002f};
@@ -160,9 +160,9 @@ void scanBeam(const Fan& fan, int a, int s, float* samples) {
     Vec grain =
         Vec(float(a) / float(fan.count.x), float(s) / float(fan.count.y), float(k) / float(fan.count.z)) * grains;
     float echo = gain * ((tissue.echo + edge) * speckle(grain, 23)) + 0.006f * speckle(grain * 1.7f, 29);
-    constexpr float kRangeDb = 48.0f;
+    constexpr float kRangeDb = 44.0f;
     samples[k] =
-        255.0f * std::clamp(1.0f + (8.685890f * std::log(std::max(echo, 1e-6f)) - 6.0f) / kRangeDb, 0.0f, 1.0f);
+        255.0f * std::clamp(1.0f + (8.685890f * std::log(std::max(echo, 1e-6f)) - 9.0f) / kRangeDb, 0.0f, 1.0f);
   }
 }
 

@@ -31,6 +31,8 @@ void silenceGdcm() {
     gdcm::Trace::DebugOff();
     gdcm::Trace::WarningOff();
     gdcm::Trace::ErrorOff();
+    static std::ostream nowhere(nullptr);
+    gdcm::Trace::SetStream(nowhere);
   });
 }
 
@@ -161,6 +163,7 @@ DicomFile fileOf(const DataSet& set, const gdcm::FileMetaInformation& meta, cons
   file.columns = binaryOf<std::uint16_t>(set, Tag(0x0028, 0x0011), 0);
   file.samplesPerPixel = binaryOf<std::uint16_t>(set, Tag(0x0028, 0x0002), 1);
   file.bitsAllocated = binaryOf<std::uint16_t>(set, Tag(0x0028, 0x0100), 0);
+  file.bitsStored = binaryOf<std::uint16_t>(set, Tag(0x0028, 0x0101), std::uint16_t(file.bitsAllocated));
   file.isSigned = binaryOf<std::uint16_t>(set, Tag(0x0028, 0x0103), 0) == 1;
   file.frameSeconds = std::max(0.0, numberOf(set, Tag(0x0020, 0x0110), 0) * 1e-3);
   double count = numberOf(set, Tag(0x0028, 0x0008), 1);
@@ -180,8 +183,9 @@ bool mayBeDicom(const Path& path) {
 std::vector<Path> filesOf(const Path& folder) {
   std::vector<Path> files;
   std::error_code error;
-  for (const auto& entry : std::filesystem::directory_iterator(folder, error))
-    if (entry.is_regular_file(error)) files.push_back(entry.path());
+  // An empty folder is the parent of a bare file name; its files keep bare names in messages.
+  for (const auto& entry : std::filesystem::directory_iterator(folder.empty() ? Path(".") : folder, error))
+    if (entry.is_regular_file(error)) files.push_back(folder.empty() ? entry.path().filename() : entry.path());
   if (error) failInput(folder, error.message());
   std::sort(files.begin(), files.end());  // so that equal slices are met in the same order on every disk
   return files;
@@ -233,9 +237,7 @@ bool isDicomSeg(const std::filesystem::path& path) {
 
 std::vector<SeriesInfo> listSeries(const std::filesystem::path& path, Progress& progress) {
   if (!std::filesystem::exists(path)) failInput(path, "there is no such file or folder");
-  Path folder = std::filesystem::is_directory(path) ? path
-                : path.parent_path().empty()        ? Path(".")
-                                                    : path.parent_path();
+  Path folder = std::filesystem::is_directory(path) ? path : path.parent_path();
   std::vector<SeriesInfo> series;
   for (const DicomFile& file : scanDicomFolder(folder, progress)) {
     auto at = std::find_if(series.begin(), series.end(), [&](const SeriesInfo& s) { return s.uid == file.seriesUid; });

@@ -30,7 +30,7 @@ struct DicomFrame {
 struct DicomFile {
   std::filesystem::path path;
   std::string seriesUid, instanceUid, description, modality, sopClass, photometric, unit;
-  int rows = 0, columns = 0, samplesPerPixel = 1, bitsAllocated = 0;
+  int rows = 0, columns = 0, samplesPerPixel = 1, bitsAllocated = 0, bitsStored = 0;
   bool isSigned = false;
   double frameSeconds = 0;  ///< Temporal resolution; 0 when unknown.
   std::vector<DicomFrame> frames;

@@ -123,7 +123,7 @@ std::vector<DicomFrame> framesOf(const DataSet& set, int count) {
   takeRescale(base, set);
   base.instance = int(std::clamp(numberOf(set, Tag(0x0020, 0x0013), 0), -2e9, 2e9));
   const Tag kTimeTags[] = {Tag(0x0020, 0x0100), Tag(0x0018, 0x1060), Tag(0x0020, 0x0012), Tag(0x0018, 0x0081),
-                               Tag(0x0008, 0x0032)};
+                           Tag(0x0008, 0x0032)};
   for (Tag tag : kTimeTags) base.timeKey.push_back(numberOf(set, tag, 0));
   auto shared = firstItem(set, Tag(0x5200, 0x9229));
   if (shared) takeFunctionalGroups(base, *shared, hasPosition, hasOrientation);
@@ -165,6 +165,7 @@ DicomFile fileOf(const DataSet& set, const gdcm::FileMetaInformation& meta, cons
   file.bitsAllocated = binaryOf<std::uint16_t>(set, Tag(0x0028, 0x0100), 0);
   file.bitsStored = binaryOf<std::uint16_t>(set, Tag(0x0028, 0x0101), std::uint16_t(file.bitsAllocated));
   file.isSigned = binaryOf<std::uint16_t>(set, Tag(0x0028, 0x0103), 0) == 1;
+  file.isFloat = set.FindDataElement(Tag(0x7fe0, 0x0008)) || set.FindDataElement(Tag(0x7fe0, 0x0009));
   file.frameSeconds = std::max(0.0, numberOf(set, Tag(0x0020, 0x0110), 0) * 1e-3);
   double count = numberOf(set, Tag(0x0028, 0x0008), 1);
   if (count >= 1 && count <= kMostFrames) file.frames = framesOf(set, int(count));

@@ -9,7 +9,7 @@
 #include <fstream>
 #include <mutex>
 
-#include "DicomLengths.h"
+#include "DicomSoundness.h"
 #include "DicomTags.h"
 #include "Payload.h"
 #include "velum/io/ReadVolume.h"
@@ -165,6 +165,7 @@ DicomFile fileOf(const DataSet& set, const gdcm::FileMetaInformation& meta, cons
   file.bitsAllocated = binaryOf<std::uint16_t>(set, Tag(0x0028, 0x0100), 0);
   file.bitsStored = binaryOf<std::uint16_t>(set, Tag(0x0028, 0x0101), std::uint16_t(file.bitsAllocated));
   file.isSigned = binaryOf<std::uint16_t>(set, Tag(0x0028, 0x0103), 0) == 1;
+  file.isJpeg = textOf(meta, Tag(0x0002, 0x0010)).starts_with("1.2.840.10008.1.2.4");
   file.isFloat = set.FindDataElement(Tag(0x7fe0, 0x0008)) || set.FindDataElement(Tag(0x7fe0, 0x0009));
   file.frameSeconds = std::max(0.0, numberOf(set, Tag(0x0020, 0x0110), 0) * 1e-3);
   double count = numberOf(set, Tag(0x0028, 0x0008), 1);
@@ -196,7 +197,7 @@ std::vector<Path> filesOf(const Path& folder) {
 
 std::optional<DicomFile> readDicomHeader(const std::filesystem::path& path) {
   silenceGdcm();
-  if (!mayBeDicom(path) || !dicomLengthsFit(path)) return std::nullopt;
+  if (!mayBeDicom(path) || !isSoundDicom(path)) return std::nullopt;
   try {
     std::ifstream stream(path, std::ios::binary);
     gdcm::Reader reader;

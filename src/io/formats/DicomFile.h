@@ -32,6 +32,7 @@ struct DicomFile {
   std::string seriesUid, instanceUid, description, modality, sopClass, photometric, unit;
   int rows = 0, columns = 0, samplesPerPixel = 1, bitsAllocated = 0, bitsStored = 0;
   bool isSigned = false;
+  bool isJpeg = false;      ///< Some kind of JPEG: its codecs know 16 bits at most.
   bool isFloat = false;     ///< Float or Double Float Pixel Data instead of Pixel Data.
   double frameSeconds = 0;  ///< Temporal resolution; 0 when unknown.
   std::vector<DicomFrame> frames;

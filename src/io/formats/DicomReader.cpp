@@ -8,8 +8,8 @@
 #include <mutex>
 
 #include "DicomFile.h"
-#include "DicomLengths.h"
 #include "DicomPixels.h"
+#include "DicomSoundness.h"
 #include "DicomStack.h"
 #include "Payload.h"
 #include "Readers.h"
@@ -38,7 +38,7 @@ Modality modalityOf(const std::string& code) {
 /// The file that the user named, with words for each way in which it is no image.
 DicomFile namedFile(const Path& path) {
   if (isGzip(path)) failInput(path, "is DICOM compressed by gzip; unpack it first");
-  if (!dicomLengthsFit(path)) failInput(path, "is cut off or damaged: an element is longer than the file");
+  if (!isSoundDicom(path)) failInput(path, "is no DICOM file, or cut off or damaged: its elements do not fit together");
   auto file = readDicomHeader(path);
   if (!file) failInput(path, "is damaged, or no DICOM file");
   if (file->sopClass == "1.2.840.10008.1.3.10")
@@ -146,7 +146,7 @@ class Decoder {
   /// Values become int16 where that is exact (CT as a rule); else raw samples are kept where one scale and type serve
   /// all slices; else values become floats.
   void run(Volume& v, Progress& progress) {
-    DicomPixelType type = DicomPixels(mSeries.files[mFirst->file].path).type();
+    DicomPixelType type = DicomPixels(mSeries.files[mFirst->file]).type();
     mResult = type.channels == 1 && fitsInt16() ? Result::Int16 : isUniform() ? Result::Raw : Result::Float;
     v.type = mResult == Result::Float ? SampleType::Float32 : mResult == Result::Int16 ? SampleType::Int16 : type.type;
     v.channels = type.channels;
@@ -204,7 +204,7 @@ class Decoder {
   void decodeFile(std::size_t file, const DicomPixelType& reference, Volume& v) const {
     const std::vector<std::size_t>& members = mByFile.at(file);
     const Path& path = mSeries.files[file].path;
-    DicomPixels pixels(path);
+    DicomPixels pixels(mSeries.files[file]);
     DicomPixelType type = pixels.type();
     bool isSame =
         type.columns == reference.columns && type.rows == reference.rows && type.channels == reference.channels;

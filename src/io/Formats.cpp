@@ -15,16 +15,6 @@ bool holds(const FileHead& head, std::size_t at, std::string_view text) {
 }
 bool contains(const FileHead& head, std::string_view text) { return head.bytes.find(text) != std::string::npos; }
 
-/// With its preamble, or, as some old files, starting with an element of group 2 or 8.
-bool isDicom(const FileHead& head) {
-  if (holds(head, 128, "DICM")) return true;
-  if (head.bytes.size() < 16 || head.bytes[1] != 0 || (head.bytes[0] != 2 && head.bytes[0] != 8)) return false;
-  auto b = [&](std::size_t i) { return static_cast<unsigned char>(head.bytes[i]); };
-  bool isElement = b(3) == 0 && b(2) <= 0x70;
-  bool isExplicit = b(4) >= 'A' && b(4) <= 'Z' && b(5) >= 'A' && b(5) <= 'Z';
-  bool isShortImplicit = b(5) == 0 && b(6) == 0 && b(7) == 0 && b(4) <= 64;
-  return isElement && (isExplicit || isShortImplicit);
-}
 bool isNifti(const FileHead& h) {
   return holds(h, 344, std::string_view("n+1\0", 4)) || holds(h, 344, std::string_view("ni1\0", 4)) ||
          holds(h, 4, std::string_view("n+2\0", 4)) || holds(h, 4, std::string_view("ni2\0", 4));
@@ -41,6 +31,18 @@ bool isTiff(const FileHead& h) {
          holds(h, 0, std::string_view("II+\0", 4)) || holds(h, 0, std::string_view("MM\0+", 4));
 }
 bool isVdb(const FileHead& h) { return holds(h, 0, " BDV"); }
+/// With its preamble, or, as some old files, starting with an element of group 2 or 8. The sizes at the start of other
+/// binary headers may look like such an element.
+bool isDicom(const FileHead& head) {
+  if (holds(head, 128, "DICM")) return true;
+  if (isNifti(head) || isMrc(head) || isTiff(head)) return false;
+  if (head.bytes.size() < 16) return false;
+  auto b = [&](std::size_t i) { return static_cast<unsigned char>(head.bytes[i]); };
+  bool isElement = (b(0) == 2 || b(0) == 8) && b(1) == 0 && b(2) <= 0x70 && b(3) == 0;
+  bool isExplicit = b(4) >= 'A' && b(4) <= 'Z' && b(5) >= 'A' && b(5) <= 'Z';
+  bool isShortImplicit = b(0) == 8 && b(5) == 0 && b(6) == 0 && b(7) == 0 && b(4) <= 64 && b(4) % 2 == 0;
+  return isElement && (isExplicit || isShortImplicit);
+}
 
 // The order is that of trial. A new format is one row.
 constexpr FormatRow kTable[] = {
@@ -54,6 +56,7 @@ constexpr FormatRow kTable[] = {
     {{"SEG-Y", ".sgy .segy", true, false}, nullptr, readSegy, nullptr},
     {{"TIFF", ".tif .tiff", true, false}, isTiff, readTiff, nullptr},
     {{"OpenVDB", ".vdb", true, true}, isVdb, readVdb, writeVdb},
+    {{"InVesalius project", ".inv3", true, false}, nullptr, readInvesalius, nullptr},
     {{"Raw", ".raw .bin .img .den", true, false}, nullptr, readRaw, nullptr},
 };
 

@@ -1,260 +1,108 @@
-#include <gtest/gtest.h>
+#include "TestFiles.h"
 
-#include <cstdio>
-#include <cstdlib>
-#include <filesystem>
-
-#include "TempFolder.h"
-#include "formats/Readers.h"
-#include "velum/core/Error.h"
-#include "velum/io/ReadVolume.h"
-
-/// Against the tables in data/volumes/README.md and data/malformed/README.md; skipped where the data is not.
 namespace velum::io {
 namespace {
 
-using Reader = Volume (*)(const scene::Source&, Progress&);
-
-std::filesystem::path dataFolder() {
-  const char* folder = std::getenv("VELUM_TEST_DATA");
-  return folder ? folder : "";
-}
-
-Volume readWith(Reader reader, const std::filesystem::path& path, scene::RawLayout raw = {}) {
-  Progress progress;
-  scene::Source source;
-  source.path = path.string();
-  source.raw = raw;
-  Volume v = reader(source, progress);
-  computeRange(v);
-  EXPECT_EQ(v.voxels.size(), frameBytes(v) * std::size_t(v.frames));
-  EXPECT_NE(glm::determinant(v.worldFromVoxel), 0.0);
-  return v;
-}
-
-struct Row {
-  const char* file;
-  Reader reader;
+struct Case {
+  const char* name;
   glm::ivec3 dims;
   SampleType type;
   glm::dvec3 spacing;
   glm::dvec2 range;
-  bool isSpacingKnown = true;
-  scene::RawLayout raw = {};
 };
 
-class RealData : public testing::TestWithParam<Row> {};
-
-TEST_P(RealData, IsWhatItsTableSays) {
-  if (dataFolder().empty()) GTEST_SKIP() << "VELUM_TEST_DATA is not set";
-  const Row& row = GetParam();
-  Volume v = readWith(row.reader, dataFolder() / "volumes" / row.file, row.raw);
-  EXPECT_EQ(v.dims, row.dims);
-  EXPECT_EQ(v.type, row.type);
-  EXPECT_EQ(v.isSpacingKnown, row.isSpacingKnown);
-  for (int i = 0; i < 3; ++i) EXPECT_NEAR(spacingMm(v)[i], row.spacing[i], 1e-3 * row.spacing[i]) << i;
-  EXPECT_NEAR(v.range.x, row.range.x, 0.006);
-  EXPECT_NEAR(v.range.y, row.range.y, 0.006);
-}
-
-INSTANTIATE_TEST_SUITE_P(
-    Table, RealData,
-    testing::Values(
-        Row{"ct_torso_contrast_lidc2.vti",
-            readVti,
-            {256, 256, 133},
-            SampleType::UInt8,
-            {1.40625, 1.40625, 2.5},
-            {0, 255}},
-        Row{"ct_engine.vti", readVti, {256, 256, 128}, SampleType::UInt8, {1, 1, 1}, {0, 255}},
-        Row{"xa_aneurism.vti", readVti, {256, 256, 256}, SampleType::UInt8, {1, 1, 1}, {0, 255}},
-        Row{"micro_mousebrain_100um.tiff", readTiff, {108, 77, 135}, SampleType::UInt16, {1, 1, 1}, {0, 65535}, false},
-        Row{"micro_mousebrain_100um_hemispheres.tiff",
-            readTiff,
-            {108, 77, 135},
-            SampleType::UInt8,
-            {1, 1, 1},
-            {0, 2},
-            false},
-        Row{"micro_lightsheet_brain_10planes.tif",
-            readTiff,
-            {351, 416, 10},
-            SampleType::UInt16,
-            {1, 1, 1},
-            {46, 60167},
-            false},
-        Row{"seis_f3_crop.sgy", readSegy, {23, 18, 75}, SampleType::Int16, {25000, 25000, 4000}, {-10239, 10827}},
-        // Every fourth line of 12.5 m, and 20 m of depth.
-        Row{"seis_volve_velocity.sgy",
-            readSegy,
-            {18, 52, 226},
-            SampleType::Float32,
-            {50000, 50000, 20000},
-            {1480, 4706.09}},
-        Row{"seis_volve_inline.sgy",
-            readSegy,
-            {1, 202, 1125},
-            SampleType::Float32,
-            {12500, 12500, 4000},
-            {-32.68, 24.36}},
-        Row{"tooth.raw",
-            readRaw,
-            {103, 94, 161},
-            SampleType::UInt16,
-            {1, 1, 1},
-            {0, 1300},
-            false,
-            {{103, 94, 161}, SampleType::UInt16, 1, true, 0}},
-        Row{"raw_mr_brainsmall.den.gz",
-            readRaw,
-            {128, 128, 84},
-            SampleType::UInt8,
-            {1, 1, 1},
-            {0, 202},
-            false,
-            {{128, 128, 84}, SampleType::UInt8, 1, false, 62}}),
-    [](const auto& row) {
-      std::string name = row.param.file;
-      for (char& c : name)
-        if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
-      return name;
-    });
-
-/// Unpacks a zip with the system's own tool; false where there is none.
-bool unzip(const std::filesystem::path& zip, const std::filesystem::path& into) {
-  return std::system(("unzip -qo '" + zip.string() + "' -d '" + into.string() + "' 2>/dev/null").c_str()) == 0;
-}
-
-TEST(RealFolders, NumberedHeaderlessSlicesAreInNaturalOrder) {
-  TempFolder folder;
-  if (dataFolder().empty() || !unzip(dataFolder() / "volumes/raw_ct_headsq_slices.zip", folder.path()))
-    GTEST_SKIP() << "no data or no unzip";
-  Volume v = readWith(readRaw, folder / "headsq", {{64, 64, 93}, SampleType::UInt16, 1, false, 0});
-  EXPECT_EQ(v.range, glm::dvec2(0, 3926));
-  // Neighbours in a scan are alike; in the order of names quarter.1 would stand beside quarter.10.
-  auto jump = [&](int z) {
-    double sum = 0;
-    for (int y = 0; y < 64; ++y)
-      for (int x = 0; x < 64; ++x) sum += std::abs(valueAt(v, {x, y, z}) - valueAt(v, {x, y, z + 1}));
-    return sum / 4096;
-  };
-  for (int z = 1; z < 91; ++z) EXPECT_LT(jump(z), 220.0) << z;
-  EXPECT_THROW(readWith(readRaw, folder / "headsq", {{64, 64, 92}, SampleType::UInt16, 1, false, 0}), InputError);
-  EXPECT_THROW(readWith(readRaw, folder / "headsq", {{64, 65, 93}, SampleType::UInt16, 1, false, 0}), InputError);
-}
-
-TEST(RealFolders, TiffPlanes) {
-  TempFolder folder;
-  if (dataFolder().empty() || !unzip(dataFolder() / "volumes/micro_mousebrain_tiff_stack.zip", folder.path()))
-    GTEST_SKIP() << "no data or no unzip";
-  std::filesystem::path planes;
-  for (const auto& entry : std::filesystem::directory_iterator(folder.path())) planes = entry.path();
-  Progress progress;
-  scene::Source source;
-  source.path = planes.string();
-  source.spacingMm = {0.04, 0.04, 0.05};
-  Volume v = readTiff(source, progress);
-  computeRange(v);
-  EXPECT_EQ(v.dims, glm::ivec3(271, 193, 270));
-  EXPECT_EQ(v.range, glm::dvec2(0, 14580));
-  EXPECT_NEAR(spacingMm(v).z, 0.05, 1e-12);
-  EXPECT_TRUE(v.isSpacingKnown);
-  EXPECT_TRUE(v.warnings.empty());
-}
-
-TEST(RealData, TheSameScanInTwoFormatsHasTheSameSpacing) {
-  if (dataFolder().empty()) GTEST_SKIP() << "VELUM_TEST_DATA is not set";
-  Volume v = readWith(readVti, dataFolder() / "volumes/ct_torso_contrast_lidc2.vti");
-  EXPECT_FALSE(v.isOrientationKnown);
-}
-
-TEST(RealData, SeismicPointsDown) {
-  if (dataFolder().empty()) GTEST_SKIP() << "VELUM_TEST_DATA is not set";
-  Volume v = readWith(readSegy, dataFolder() / "volumes/seis_volve_velocity.sgy");
-  EXPECT_LT(v.worldFromVoxel[2].z, 0.0);
-  EXPECT_EQ(v.modality, Modality::Seismic);
-  // Faster below 2500 m than at the top.
-  EXPECT_LT(valueAt(v, {9, 26, 5}), 2000.0);
-  EXPECT_GT(valueAt(v, {9, 26, 135}), 4000.0);
-}
-
-TEST(RealData, ACraniumStandsUprightAndLooksForward) {
-  std::filesystem::path path = "/usr/share/doc/invesalius-examples/examples/Cranium.inv3";
-  if (!std::filesystem::exists(path)) GTEST_SKIP() << "invesalius-examples is not installed";
-  Volume v = readWith(readInvesalius, path);
-  EXPECT_EQ(v.dims, glm::ivec3(256, 256, 108));
-  EXPECT_NEAR(spacingMm(v).x, 0.957032, 1e-6);
-  EXPECT_NEAR(spacingMm(v).z, 1.5, 1e-9);
-  EXPECT_EQ(v.unit, "HU");
-  EXPECT_LT(v.range.x, -1000.0);
-  EXPECT_GT(v.range.y, 2900.0);
-  EXPECT_LT(v.worldFromVoxel[1].y, 0.0);
-  // The nose is the most anterior tissue of the lower slices, and bone gets less toward the vertex.
-  auto tissueAt = [&](double yLps, int z) {
-    auto y = int(std::lround((yLps - v.worldFromVoxel[3].y) / v.worldFromVoxel[1].y));
-    int count = 0;
-    for (int x = 0; x < 256; ++x) count += valueAt(v, {x, y, z}) > -200;
-    return count;
-  };
-  EXPECT_GT(tissueAt(0.957 * 25, 30), 0);   // 231 of 255: the tip of the nose, anterior
-  EXPECT_LT(tissueAt(0.957 * 25, 30), 30);  // and it is narrow
-  EXPECT_EQ(tissueAt(0.957 * 25, 80), 0);   // no nose at the forehead
-}
-
-struct Bad {
-  const char* file;
-  Reader reader;
-  bool mayOpen;
-  scene::RawLayout raw = {};
+// From data/volumes/README.md.
+const Case kCases[] = {
+    {"ct_torso_contrast_lidc2.mha", {256, 256, 133}, SampleType::UInt8, {1.406, 1.406, 2.5}, {0, 255}},
+    {"ct_heart_aorta_cta.nii.gz", {120, 126, 164}, SampleType::Int16, {1.5, 1.5, 1.5}, {-1078, 3343}},
+    {"ct_heart_aorta_cta_labels.nii.gz", {120, 126, 164}, SampleType::UInt8, {1.5, 1.5, 1.5}, {0, 10}},
+    {"ct_abdomen_3mm.nii.gz", {122, 101, 112}, SampleType::Int32, {3, 3, 3}, {-1207, 3382}},
+    {"ct_abdomen_3mm_vertebrae.nii.gz", {122, 101, 112}, SampleType::UInt8, {3, 3, 3}, {0, 33}},
+    {"ct_abdomen_3mm_crop.nii.gz", {122, 101, 30}, SampleType::Int16, {3, 3, 3}, {-1100, 1207}},
+    {"ct_abdomen_3mm_crop_organs.nii.gz", {122, 101, 30}, SampleType::UInt8, {3, 3, 3}, {0, 117}},
+    {"ct_head_pitch_oblique.nii.gz", {175, 248, 58}, SampleType::UInt8, {0.8125, 0.8125, 2.397}, {0, 255}},
+    {"ct_head_avm_angio.nii.gz", {256, 242, 154}, SampleType::UInt8, {0.7199, 0.7209, 1}, {0, 563.2}},
+    {"ct_iguana_head.nii.gz", {210, 256, 179}, SampleType::UInt8, {0.1018, 0.1018, 0.1018}, {0, 229}},
+    {"tooth.nhdr", {103, 94, 161}, SampleType::UInt16, {1, 1, 1}, {0, 1300}},
+    {"ct_tooth_u8.nrrd", {103, 94, 161}, SampleType::UInt8, {1, 1, 1}, {0, 255}},
+    {"ct_mouse_head.nii.gz", {130, 206, 114}, SampleType::UInt8, {0.1411, 0.1411, 0.1411}, {0, 87}},
+    {"ct_mouse_head_labels.nii.gz", {130, 206, 114}, SampleType::UInt8, {0.1411, 0.1411, 0.1411}, {0, 21}},
+    {"ct_mouse_head_35um_labels.seg.nrrd", {349, 640, 338}, SampleType::Int16, {0.0353, 0.0353, 0.0353}, {0, 21}},
+    {"frogtissue.mhd", {500, 470, 136}, SampleType::UInt8, {1, 1, 1.5}, {0, 29}},
+    {"mr_head_ch2.nii.gz", {181, 217, 181}, SampleType::UInt8, {1, 1, 1}, {0, 254}},
+    {"mr_head_ch2_aal_labels.nii.gz", {181, 217, 181}, SampleType::UInt8, {1, 1, 1}, {0, 116}},
+    {"mr_fetal_brain_template.nrrd", {117, 159, 126}, SampleType::Float32, {0.8594, 0.8594, 0.8594}, {0, 710.68}},
+    {"embryo_mouse.nrrd", {256, 256, 256}, SampleType::UInt8, {1, 1, 1}, {0, 197}},
+    {"us_spine_phantom_3d.mha", {147, 106, 104}, SampleType::UInt8, {0.5, 0.5, 0.5}, {0, 251}},
+    {"us_spine_phantom_sweep.igs.mha", {820, 616, 21}, SampleType::UInt8, {1, 1, 1}, {0, 251}},
 };
-class Malformed : public testing::TestWithParam<Bad> {};
 
-TEST_P(Malformed, IsRefusedWithItsNameAndAReason) {
-  if (dataFolder().empty()) GTEST_SKIP() << "VELUM_TEST_DATA is not set";
-  const Bad& bad = GetParam();
-  try {
-    Volume v = readWith(bad.reader, dataFolder() / "malformed" / bad.file, bad.raw);
-    EXPECT_TRUE(bad.mayOpen) << "opened as " << v.dims.x << " x " << v.dims.y << " x " << v.dims.z;
-  } catch (const InputError& error) {
-    std::string words = error.what();
-    EXPECT_NE(words.find(std::filesystem::path(bad.file).filename().string().substr(0, 4)), words.npos) << words;
-    EXPECT_EQ(words.find('\n'), words.npos) << words;
-    EXPECT_FALSE(bad.mayOpen) << words;
-    RecordProperty("message", words);
-    std::printf("  %s\n", words.c_str());
-  }
+class RealVolume : public testing::TestWithParam<Case> {};
+
+TEST_P(RealVolume, IsAsItsDescriptionSays) {
+  VELUM_NEED_TEST_DATA();
+  const Case& c = GetParam();
+  Volume v = read(testData() / "volumes" / c.name);
+  EXPECT_EQ(v.dims, c.dims);
+  EXPECT_EQ(v.type, c.type);
+  for (int i = 0; i < 3; ++i) EXPECT_NEAR(spacingMm(v)[i], c.spacing[i], 1e-3 * c.spacing[i]);  // four digits are given
+  EXPECT_NEAR(v.range.x, c.range.x, 0.05);
+  EXPECT_NEAR(v.range.y, c.range.y, 0.05);
+}
+INSTANTIATE_TEST_SUITE_P(Volumes, RealVolume, testing::ValuesIn(kCases), [](const auto& test) {
+  std::string name = test.param.name;
+  for (char& c : name)
+    if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
+  return name;
+});
+
+TEST(RealVolumes, GantryPitchTurnsTheAxes) {
+  VELUM_NEED_TEST_DATA();
+  Volume v = read(testData() / "volumes/ct_head_pitch_oblique.nii.gz");
+  double tilt = glm::degrees(std::acos(std::abs(direction(v)[1].y)));
+  EXPECT_NEAR(tilt, 16.0, 1.0);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Files, Malformed,
-    testing::Values(Bad{"vti_truncated.vti", readVti, false}, Bad{"tiff_truncated.tif", readTiff, false},
-                    Bad{"tiff_mismatched_dims", readTiff, false}, Bad{"segy_text_header_only.sgy", readSegy, false},
-                    Bad{"segy_git_lfs_pointer.sgy", readSegy, false}, Bad{"segy_prestack_offsets.sgy", readSegy, true},
-                    Bad{"segy_little_endian.sgy", readSegy, true}, Bad{"segy_1x1.sgy", readSegy, true},
-                    Bad{"\xe5\xb0\x8f\xe6\x96\x87\xe4\xbb\xb6.sgy", readSegy, true},
-                    Bad{"BallBinary30x30x30.raw", readRaw, true, {{30, 30, 30}, SampleType::Int16, 1, false, 0}},
-                    Bad{"BallBinary30x30x30.raw", readRaw, false, {{30, 30, 31}, SampleType::Int16, 1, false, 0}},
-                    Bad{"BallBinary30x30x30.raw", readRaw, false}, Bad{"png_named_nii.nii", readVti, false},
-                    Bad{"png_named_nii.nii", readVtkLegacy, false}, Bad{"nifti_empty.nii", readSegy, false},
-                    Bad{"nifti_empty.nii", readVti, false}, Bad{"nifti_empty.nii", readTiff, false},
-                    Bad{"nifti_empty.nii", readVdb, false}, Bad{"nifti_empty.nii", readInvesalius, false},
-                    Bad{"nifti_empty.nii", readVtkLegacy, false}, Bad{"png_named_nii.nii", readVdb, false},
-                    Bad{"nifti_oblique.nii", readInvesalius, false}, Bad{"nifti_oblique.nii", readSegy, false}));
-
-TEST(Malformed, LittleEndianIsTheSameCube) {
-  if (dataFolder().empty()) GTEST_SKIP() << "VELUM_TEST_DATA is not set";
-  Volume little = readWith(readSegy, dataFolder() / "malformed/segy_little_endian.sgy");
-  Volume big = readWith(readSegy, dataFolder() / "malformed/\xe5\xb0\x8f\xe6\x96\x87\xe4\xbb\xb6.sgy");
-  EXPECT_EQ(little.dims, glm::ivec3(5, 5, 50));
-  EXPECT_TRUE(little.voxels == big.voxels);
-  EXPECT_NEAR(valueAt(big, {0, 0, 0}), 1.2, 1e-3);  // value = inline + crossline / 100, as segyio makes it
+TEST(RealVolumes, RpsAxesReachTheMatrix) {
+  VELUM_NEED_TEST_DATA();
+  glm::dmat3 d = direction(read(testData() / "volumes/ct_torso_contrast_lidc2.mha"));
+  EXPECT_NEAR(d[0].x, 1.0, 1e-12);
+  EXPECT_NEAR(d[1].y, -1.0, 1e-12);
+  EXPECT_NEAR(d[2].z, -1.0, 1e-12);
 }
 
-TEST(Malformed, PrestackShowsTheFirstOffset) {
-  if (dataFolder().empty()) GTEST_SKIP() << "VELUM_TEST_DATA is not set";
-  Volume v = readWith(readSegy, dataFolder() / "malformed/segy_prestack_offsets.sgy");
-  EXPECT_EQ(v.dims, glm::ivec3(4, 3, 10));
-  EXPECT_FALSE(v.warnings.empty());
+std::string nameOf(const LabelVolume& labels, int id) {
+  for (const LabelInfo& label : labels.table)
+    if (label.id == id) return label.name;
+  return {};
+}
+
+TEST(RealLabels, TotalSegmentatorNamesComeFromTheExtension) {
+  VELUM_NEED_TEST_DATA();
+  LabelVolume organs = readLabelsOf(testData() / "volumes/ct_abdomen_3mm_crop_organs.nii.gz");
+  EXPECT_EQ(organs.idsInUse().size(), 41u);
+  EXPECT_EQ(nameOf(organs, 1), "spleen");
+  EXPECT_EQ(nameOf(organs, 5), "liver");
+  EXPECT_EQ(nameOf(organs, 52), "aorta");
+  LabelVolume bones = readLabelsOf(testData() / "volumes/ct_abdomen_3mm_vertebrae.nii.gz");
+  EXPECT_EQ(nameOf(bones, 26), "vertebrae_S1");
+  EXPECT_TRUE(looksLikeLabels(testData() / "volumes/ct_abdomen_3mm_crop_organs.nii.gz"));
+  EXPECT_FALSE(looksLikeLabels(testData() / "volumes/ct_abdomen_3mm_crop.nii.gz"));
+}
+
+TEST(RealLabels, AalNamesComeFromTheTableBeside) {
+  VELUM_NEED_TEST_DATA();
+  LabelVolume labels = readLabelsOf(testData() / "volumes/mr_head_ch2_aal_labels.nii.gz");
+  EXPECT_EQ(labels.table.size(), 116u);
+  EXPECT_EQ(nameOf(labels, 1), "Precentral_L");
+}
+
+TEST(RealLabels, SlicerSegmentsKeepTheirColours) {
+  VELUM_NEED_TEST_DATA();
+  LabelVolume labels = readLabelsOf(testData() / "volumes/ct_mouse_head_35um_labels.seg.nrrd");
+  ASSERT_EQ(labels.table.size(), 5u);
+  EXPECT_EQ(labels.table[0].name, "1");
+  EXPECT_NEAR(labels.table[0].color.g, 0.682353f, 1e-6f);
 }
 
 }  // namespace

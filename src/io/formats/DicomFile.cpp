@@ -9,7 +9,7 @@
 #include <fstream>
 #include <mutex>
 
-#include "DicomLengths.h"
+#include "DicomSoundness.h"
 #include "DicomTags.h"
 #include "Payload.h"
 #include "velum/io/ReadVolume.h"
@@ -31,6 +31,8 @@ void silenceGdcm() {
     gdcm::Trace::DebugOff();
     gdcm::Trace::WarningOff();
     gdcm::Trace::ErrorOff();
+    static std::ostream nowhere(nullptr);
+    gdcm::Trace::SetStream(nowhere);
   });
 }
 
@@ -121,7 +123,7 @@ std::vector<DicomFrame> framesOf(const DataSet& set, int count) {
   takeRescale(base, set);
   base.instance = int(std::clamp(numberOf(set, Tag(0x0020, 0x0013), 0), -2e9, 2e9));
   const Tag kTimeTags[] = {Tag(0x0020, 0x0100), Tag(0x0018, 0x1060), Tag(0x0020, 0x0012), Tag(0x0018, 0x0081),
-                               Tag(0x0008, 0x0032)};
+                           Tag(0x0008, 0x0032)};
   for (Tag tag : kTimeTags) base.timeKey.push_back(numberOf(set, tag, 0));
   auto shared = firstItem(set, Tag(0x5200, 0x9229));
   if (shared) takeFunctionalGroups(base, *shared, hasPosition, hasOrientation);
@@ -161,7 +163,10 @@ DicomFile fileOf(const DataSet& set, const gdcm::FileMetaInformation& meta, cons
   file.columns = binaryOf<std::uint16_t>(set, Tag(0x0028, 0x0011), 0);
   file.samplesPerPixel = binaryOf<std::uint16_t>(set, Tag(0x0028, 0x0002), 1);
   file.bitsAllocated = binaryOf<std::uint16_t>(set, Tag(0x0028, 0x0100), 0);
+  file.bitsStored = binaryOf<std::uint16_t>(set, Tag(0x0028, 0x0101), std::uint16_t(file.bitsAllocated));
   file.isSigned = binaryOf<std::uint16_t>(set, Tag(0x0028, 0x0103), 0) == 1;
+  file.isJpeg = textOf(meta, Tag(0x0002, 0x0010)).starts_with("1.2.840.10008.1.2.4");
+  file.isFloat = set.FindDataElement(Tag(0x7fe0, 0x0008)) || set.FindDataElement(Tag(0x7fe0, 0x0009));
   file.frameSeconds = std::max(0.0, numberOf(set, Tag(0x0020, 0x0110), 0) * 1e-3);
   double count = numberOf(set, Tag(0x0028, 0x0008), 1);
   if (count >= 1 && count <= kMostFrames) file.frames = framesOf(set, int(count));
@@ -180,8 +185,9 @@ bool mayBeDicom(const Path& path) {
 std::vector<Path> filesOf(const Path& folder) {
   std::vector<Path> files;
   std::error_code error;
-  for (const auto& entry : std::filesystem::directory_iterator(folder, error))
-    if (entry.is_regular_file(error)) files.push_back(entry.path());
+  // An empty folder is the parent of a bare file name; its files keep bare names in messages.
+  for (const auto& entry : std::filesystem::directory_iterator(folder.empty() ? Path(".") : folder, error))
+    if (entry.is_regular_file(error)) files.push_back(folder.empty() ? entry.path().filename() : entry.path());
   if (error) failInput(folder, error.message());
   std::sort(files.begin(), files.end());  // so that equal slices are met in the same order on every disk
   return files;
@@ -191,7 +197,7 @@ std::vector<Path> filesOf(const Path& folder) {
 
 std::optional<DicomFile> readDicomHeader(const std::filesystem::path& path) {
   silenceGdcm();
-  if (!mayBeDicom(path) || !dicomLengthsFit(path)) return std::nullopt;
+  if (!mayBeDicom(path) || !isSoundDicom(path)) return std::nullopt;
   try {
     std::ifstream stream(path, std::ios::binary);
     gdcm::Reader reader;
@@ -233,9 +239,7 @@ bool isDicomSeg(const std::filesystem::path& path) {
 
 std::vector<SeriesInfo> listSeries(const std::filesystem::path& path, Progress& progress) {
   if (!std::filesystem::exists(path)) failInput(path, "there is no such file or folder");
-  Path folder = std::filesystem::is_directory(path) ? path
-                : path.parent_path().empty()        ? Path(".")
-                                                    : path.parent_path();
+  Path folder = std::filesystem::is_directory(path) ? path : path.parent_path();
   std::vector<SeriesInfo> series;
   for (const DicomFile& file : scanDicomFolder(folder, progress)) {
     auto at = std::find_if(series.begin(), series.end(), [&](const SeriesInfo& s) { return s.uid == file.seriesUid; });

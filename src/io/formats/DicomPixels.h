@@ -1,7 +1,8 @@
 #pragma once
-#include <filesystem>
+#include <memory>
 #include <span>
 
+#include "DicomFile.h"
 #include "velum/core/Volume.h"
 
 namespace velum::io {
@@ -19,7 +20,7 @@ struct DicomPixelType {
 class DicomPixels {
  public:
   /// @throw InputError when the pixels are missing, cut off, or in a form that is not supported
-  explicit DicomPixels(const std::filesystem::path& path);
+  explicit DicomPixels(const DicomFile& file);
   ~DicomPixels();
   DicomPixels(const DicomPixels&) = delete;
   DicomPixels& operator=(const DicomPixels&) = delete;

@@ -8,8 +8,8 @@
 #include <mutex>
 
 #include "DicomFile.h"
-#include "DicomLengths.h"
 #include "DicomPixels.h"
+#include "DicomSoundness.h"
 #include "DicomStack.h"
 #include "Payload.h"
 #include "Readers.h"
@@ -38,7 +38,7 @@ Modality modalityOf(const std::string& code) {
 /// The file that the user named, with words for each way in which it is no image.
 DicomFile namedFile(const Path& path) {
   if (isGzip(path)) failInput(path, "is DICOM compressed by gzip; unpack it first");
-  if (!dicomLengthsFit(path)) failInput(path, "is cut off or damaged: an element is longer than the file");
+  if (!isSoundDicom(path)) failInput(path, "is no DICOM file, or cut off or damaged: its elements do not fit together");
   auto file = readDicomHeader(path);
   if (!file) failInput(path, "is damaged, or no DICOM file");
   if (file->sopClass == "1.2.840.10008.1.3.10")
@@ -57,7 +57,7 @@ Series seriesOfFile(const Path& path, Progress& progress) {
     series.files = {std::move(named)};
     return series;
   }
-  for (DicomFile& file : scanDicomFolder(path.parent_path().empty() ? Path(".") : path.parent_path(), progress)) {
+  for (DicomFile& file : scanDicomFolder(path.parent_path(), progress)) {
     bool isNamed = file.path.filename() == path.filename();
     // Files of the series that differ from the named one in kind (scouts, dose pictures) are not of its stack.
     if (file.seriesUid != named.seriesUid || file.frames.size() > 1 || file.isSegmentation()) continue;
@@ -143,16 +143,17 @@ class Decoder {
     for (const auto& [file, members] : mByFile) mFileOrder.push_back(file);
   }
 
-  /// Keeps raw samples where one scale and type serve all slices; else values become floats.
+  /// Values become int16 where that is exact (CT as a rule); else raw samples are kept where one scale and type serve
+  /// all slices; else values become floats.
   void run(Volume& v, Progress& progress) {
-    DicomPixelType type = DicomPixels(mSeries.files[mFirst->file].path).type();
-    mToFloat = !isUniform();
-    v.type = mToFloat ? SampleType::Float32 : type.type;
+    DicomPixelType type = DicomPixels(mSeries.files[mFirst->file]).type();
+    mResult = type.channels == 1 && fitsInt16() ? Result::Int16 : isUniform() ? Result::Raw : Result::Float;
+    v.type = mResult == Result::Float ? SampleType::Float32 : mResult == Result::Int16 ? SampleType::Int16 : type.type;
     v.channels = type.channels;
     v.isColor = type.channels == 3;
     v.dims = {type.columns, type.rows, mStack.planes};
     v.frames = mStack.timeFrames;
-    if (!mToFloat && !v.isColor) {
+    if (mResult == Result::Raw && !v.isColor) {
       v.scale = mFirst->slope;
       v.offset = mFirst->intercept;
     }
@@ -171,6 +172,24 @@ class Decoder {
   }
 
  private:
+  enum class Result { Raw, Int16, Float };
+
+  /// Slope 1 and whole intercepts that keep all that the stored bits can hold within int16.
+  bool fitsInt16() const {
+    for (const auto& [index, members] : mByFile) {
+      const DicomFile& file = mSeries.files[index];
+      if (file.bitsAllocated != 16 || file.bitsStored < 1 || file.bitsStored > 16) return false;
+      double low = file.isSigned ? -std::exp2(file.bitsStored - 1) : 0.0;
+      double high = std::exp2(file.bitsStored - (file.isSigned ? 1 : 0)) - 1;
+      for (std::size_t i : members) {
+        double intercept = mFrames[i].intercept;
+        if (mFrames[i].slope != 1.0 || intercept != std::round(intercept)) return false;
+        if (low + intercept < -32768 || high + intercept > 32767) return false;
+      }
+    }
+    return true;
+  }
+
   bool isUniform() const {
     const DicomFile& reference = mSeries.files[mFirst->file];
     for (const auto& [index, members] : mByFile) {
@@ -185,29 +204,50 @@ class Decoder {
   void decodeFile(std::size_t file, const DicomPixelType& reference, Volume& v) const {
     const std::vector<std::size_t>& members = mByFile.at(file);
     const Path& path = mSeries.files[file].path;
-    DicomPixels pixels(path);
+    DicomPixels pixels(mSeries.files[file]);
     DicomPixelType type = pixels.type();
     bool isSame =
         type.columns == reference.columns && type.rows == reference.rows && type.channels == reference.channels;
-    if (!isSame || (!mToFloat && type.type != reference.type))
+    if (!isSame || (mResult == Result::Raw && type.type != reference.type))
       failInput(path, "the slice differs from its series in size or pixel type");
     for (std::size_t i : members)
       if (mFrames[i].index >= type.frames)
         failInput(path, fmt::format("frame {} of {} is missing", mFrames[i].index + 1, type.frames));
     // Frames that lie in the volume as they lie in the file are decoded in place.
-    bool inPlace = !mToFloat && int(members.size()) == type.frames;
+    bool inPlace = mResult != Result::Float && int(members.size()) == type.frames;
     for (std::size_t i : members) inPlace = inPlace && mStack.slots[i] - mStack.slots[members[0]] == mFrames[i].index;
-    if (inPlace)
-      return pixels.decode(
-          std::span(v.voxels).subspan(mSliceBytes * std::size_t(mStack.slots[members[0]]), pixels.byteCount()));
+    if (inPlace) {
+      auto to = std::span(v.voxels).subspan(mSliceBytes * std::size_t(mStack.slots[members[0]]), pixels.byteCount());
+      pixels.decode(to);
+      if (mResult == Result::Int16)
+        for (std::size_t i : members) addIntercept(mFrames[i], slotOf(v, i));
+      return;
+    }
     Bytes scratch(pixels.byteCount());
     pixels.decode(scratch);
     std::size_t each = scratch.size() / std::size_t(type.frames);
     for (std::size_t i : members) {
       auto from = std::span(scratch).subspan(each * std::size_t(mFrames[i].index), each);
-      auto to = std::span(v.voxels).subspan(mSliceBytes * std::size_t(mStack.slots[i]), mSliceBytes);
-      mToFloat ? toFloat(from, type.type, mFrames[i], to) : void(std::memcpy(to.data(), from.data(), each));
+      auto to = slotOf(v, i);
+      if (mResult == Result::Float) {
+        toFloat(from, type.type, mFrames[i], to);
+      } else {
+        std::memcpy(to.data(), from.data(), each);
+        if (mResult == Result::Int16) addIntercept(mFrames[i], to);
+      }
     }
+  }
+
+  std::span<std::byte> slotOf(Volume& v, std::size_t frame) const {
+    return std::span(v.voxels).subspan(mSliceBytes * std::size_t(mStack.slots[frame]), mSliceBytes);
+  }
+
+  /// Modulo 2^16, which is exact whether the raw samples are signed or not, for the sums are known to fit.
+  static void addIntercept(const DicomFrame& frame, std::span<std::byte> samples) {
+    auto intercept = std::uint16_t(std::int32_t(frame.intercept));
+    if (intercept == 0) return;
+    auto* at = reinterpret_cast<std::uint16_t*>(samples.data());
+    for (std::size_t i = 0; i < samples.size() / 2; ++i) at[i] = std::uint16_t(at[i] + intercept);
   }
 
   static void toFloat(std::span<const std::byte> from, SampleType type, const DicomFrame& frame,
@@ -232,7 +272,7 @@ class Decoder {
   std::vector<std::size_t> mFileOrder;
   const DicomFrame* mFirst = nullptr;
   std::size_t mSliceBytes = 0;
-  bool mToFloat = false;
+  Result mResult = Result::Raw;
 };
 
 template <class T>

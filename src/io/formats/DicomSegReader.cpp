@@ -7,7 +7,7 @@
 #include <map>
 
 #include "DicomFile.h"
-#include "DicomLengths.h"
+#include "DicomSoundness.h"
 #include "DicomStack.h"
 #include "DicomTags.h"
 #include "LabelTables.h"

@@ -176,12 +176,6 @@ std::vector<std::filesystem::path> filesInOrder(const std::filesystem::path& fol
   return files;
 }
 
-std::string lowerExtension(const std::filesystem::path& path) {
-  std::string e = path.extension().string();
-  for (char& c : e) c = char(std::tolower(static_cast<unsigned char>(c)));
-  return e;
-}
-
 std::string titleOf(const std::filesystem::path& path) {
   auto name = path.has_filename() ? path.stem() : path.parent_path().stem();
   return name.string();

@@ -79,9 +79,6 @@ bool naturalLess(std::string_view a, std::string_view b);
 /// Regular files of a folder that are not hidden, in natural order of their names.
 std::vector<std::filesystem::path> filesInOrder(const std::filesystem::path& folder);
 
-/// Extension in lower case, with the dot.
-std::string lowerExtension(const std::filesystem::path& path);
-
 /// Name for people: the file's, without extension.
 std::string titleOf(const std::filesystem::path& path);
 

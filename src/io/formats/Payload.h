@@ -14,6 +14,10 @@
 /// What the readers of headers with samples behind them (NIfTI, NRRD, MetaImage, MRC) share: bytes out of plain or
 /// deflated files, and voxels out of those bytes. Samples go straight into the volume, piece by piece, so that a load
 /// can be cancelled, a cut or damaged stream is noticed, and nothing is held twice.
+///
+/// ITK could read these files, but not so: its NIfTI reader turns scaled samples into floats, NaN into 0, holds all
+/// twice and knows no NIfTI-2; its NRRD reader puts time before space; sheared matrices are refused; none can be
+/// cancelled. The headers had to be checked before ITK in any case, and behind a header there is only zlib.
 namespace velum::io {
 
 using Path = std::filesystem::path;

@@ -8,14 +8,14 @@
 #include "velum/core/Volume.h"
 #include "velum/scene/Source.h"
 
-/// The readers and writers, one file each (NiftiReader.cpp, ...). The table in Formats.cpp names them and chooses.
+/// The readers and writers, one file each. The table in Formats.cpp names them and chooses.
 /// Each reader checks the header against the file's size before it allocates, throws InputError with the file's name
 /// and the reason, reports progress, and leaves `range` to its caller.
 namespace velum::io {
 
 using Path = std::filesystem::path;
 
-// ITK: NIfTI, NRRD, MetaImage, MRC (ItkReader.cpp)
+// One file each: NiftiReader.cpp, NrrdReader.cpp, MetaImageReader.cpp, MrcReader.cpp, NiftiWriter.cpp, NrrdWriter.cpp
 Volume readNifti(const scene::Source& source, Progress& progress);
 Volume readNrrd(const scene::Source& source, Progress& progress);
 Volume readMetaImage(const scene::Source& source, Progress& progress);

@@ -1,0 +1,12 @@
+#pragma once
+#include <filesystem>
+
+namespace velum::io {
+
+/// Walks over the elements of a DICOM file, up to its pixels, and checks that it is built as the standard says: known
+/// value representations, lengths within their surroundings, delimiters where they belong. GDCM must see no other
+/// file: it allocates what an element claims before it reads, so that four bytes ask for four gigabytes, and Debian
+/// builds it with assertions, so that a misplaced delimiter ends the program.
+bool isSoundDicom(const std::filesystem::path& path);
+
+}  // namespace velum::io

@@ -1,0 +1,375 @@
+#include <gdcmAttribute.h>
+#include <gdcmImageWriter.h>
+#include <gdcmUIDGenerator.h>
+#include <gdcmWriter.h>
+
+#include "TestFiles.h"
+
+namespace velum::io {
+namespace {
+
+/// One synthetic CT slice.
+struct Slice {
+  std::string name;
+  std::string series = "1.2.3.4";
+  glm::dvec3 position{0.0};
+  int size = 8;
+  std::int16_t value = 0;  ///< All pixels, stored.
+  double slope = 1, intercept = -1024;
+  std::string photometric = "MONOCHROME2";
+  std::string temporal;      ///< Temporal position identifier.
+  bool acrossStack = false;  ///< A scout: sagittal instead of axial.
+};
+
+void putText(gdcm::DataSet& set, gdcm::Tag tag, gdcm::VR vr, std::string text) {
+  if (text.size() % 2) text += vr == gdcm::VR::UI ? '\0' : ' ';
+  gdcm::DataElement element(tag);
+  element.SetVR(vr);
+  element.SetByteValue(text.data(), std::uint32_t(text.size()));
+  set.Replace(element);
+}
+
+void writeSlice(const TempFolder& folder, const Slice& slice) {
+  gdcm::ImageWriter writer;
+  gdcm::Image& image = writer.GetImage();
+  image.SetNumberOfDimensions(2);
+  unsigned int dims[2] = {unsigned(slice.size), 8};
+  image.SetDimensions(dims);
+  image.SetPixelFormat(gdcm::PixelFormat(1, 16, 12, 11, 0));
+  image.SetPhotometricInterpretation(slice.photometric == "MONOCHROME1" ? gdcm::PhotometricInterpretation::MONOCHROME1
+                                                                        : gdcm::PhotometricInterpretation::MONOCHROME2);
+  image.SetTransferSyntax(gdcm::TransferSyntax::ExplicitVRLittleEndian);
+  std::vector<std::uint16_t> pixels(std::size_t(slice.size) * 8, std::uint16_t(slice.value));
+  gdcm::DataElement data(gdcm::Tag(0x7fe0, 0x0010));
+  data.SetByteValue(reinterpret_cast<const char*>(pixels.data()), std::uint32_t(pixels.size() * 2));
+  image.SetDataElement(data);
+  image.SetSlope(slice.slope);
+  image.SetIntercept(slice.intercept);
+  image.SetSpacing(0, 0.5);
+  image.SetSpacing(1, 0.75);
+  for (unsigned i = 0; i < 3; ++i) image.SetOrigin(i, slice.position[int(i)]);
+  double axial[] = {1, 0, 0, 0, 1, 0}, sagittal[] = {0, 1, 0, 0, 0, -1};
+  image.SetDirectionCosines(slice.acrossStack ? sagittal : axial);
+  gdcm::DataSet& set = writer.GetFile().GetDataSet();
+  gdcm::UIDGenerator uids;
+  putText(set, gdcm::Tag(0x0008, 0x0016), gdcm::VR::UI, "1.2.840.10008.5.1.4.1.1.2");
+  putText(set, gdcm::Tag(0x0008, 0x0018), gdcm::VR::UI, uids.Generate());
+  putText(set, gdcm::Tag(0x0008, 0x0060), gdcm::VR::CS, "CT");
+  putText(set, gdcm::Tag(0x0008, 0x103e), gdcm::VR::LO, "series " + slice.series);
+  putText(set, gdcm::Tag(0x0020, 0x000e), gdcm::VR::UI, slice.series);
+  if (!slice.temporal.empty()) putText(set, gdcm::Tag(0x0020, 0x0100), gdcm::VR::IS, slice.temporal);
+  writer.SetFileName((folder / slice.name).c_str());
+  ASSERT_TRUE(writer.Write());
+}
+
+/// Slices at z = 0, 2.5, 5, ... with value 1024 + 10 z, named against their order.
+void writeSeries(const TempFolder& folder, std::initializer_list<int> planes, glm::dvec3 step = {0, 0, 2.5}) {
+  for (int plane : planes) {
+    Slice s;
+    s.name = "s" + std::to_string(plane * 7 % 11) + "_" + std::to_string(plane) + ".dcm";
+    s.position = glm::dvec3(10, 20, 30) + step * double(plane);
+    s.value = std::int16_t(1024 + 10 * plane);
+    writeSlice(folder, s);
+  }
+}
+
+bool warns(const Volume& v, const std::string& word) {
+  for (const std::string& w : v.warnings)
+    if (w.find(word) != std::string::npos) return true;
+  return false;
+}
+
+TEST(Dicom, SlicesAreOrderedByPositionNotByName) {
+  TempFolder folder;
+  writeSeries(folder, {0, 1, 2, 3, 4, 5});
+  Volume v = read(folder.path());
+  EXPECT_EQ(v.dims, glm::ivec3(8, 8, 6));
+  EXPECT_EQ(v.type, SampleType::Int16);
+  for (int z = 0; z < 6; ++z) EXPECT_EQ(valueAt(v, {3, 3, z}), 10 * z);
+  EXPECT_EQ(v.worldFromVoxel[2], glm::dvec4(0, 0, 2.5, 0));
+  EXPECT_EQ(v.worldFromVoxel[3], glm::dvec4(10, 20, 30, 1));
+  EXPECT_EQ(v.modality, Modality::CT);
+  EXPECT_EQ(v.unit, "HU");
+  EXPECT_EQ(v.name, "series 1.2.3.4");
+  EXPECT_TRUE(v.warnings.empty()) << v.warnings[0];
+}
+
+TEST(Dicom, AnyFileOfTheSeriesGivesTheSameVolume) {
+  TempFolder folder;
+  writeSeries(folder, {0, 1, 2, 3});
+  Volume whole = read(folder.path());
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
+    EXPECT_TRUE(read(entry.path()).voxels == whole.voxels);
+}
+
+TEST(Dicom, MissingSliceIsFilledInWithAWarning) {
+  TempFolder folder;
+  writeSeries(folder, {0, 1, 2, 4, 5});
+  Volume v = read(folder.path());
+  EXPECT_EQ(v.dims.z, 6);
+  for (int z = 0; z < 6; ++z) EXPECT_EQ(valueAt(v, {0, 0, z}), 10 * z);
+  EXPECT_TRUE(warns(v, "1 missing"));
+}
+
+TEST(Dicom, MoreThanHalfMissingIsRefused) {
+  TempFolder folder;
+  writeSeries(folder, {0, 1, 2, 40});
+  EXPECT_THROW(read(folder.path()), InputError);
+}
+
+TEST(Dicom, GantryTiltShearsTheMatrix) {
+  TempFolder folder;
+  writeSeries(folder, {0, 1, 2, 3}, {0, 0.7, 2.5});
+  Volume v = read(folder.path());
+  EXPECT_NEAR(v.worldFromVoxel[2].y, 0.7, 1e-9);
+  EXPECT_NEAR(v.worldFromVoxel[2].z, 2.5, 1e-9);
+  EXPECT_TRUE(warns(v, "tilt"));
+}
+
+TEST(Dicom, OddSliceIsRefusedByName) {
+  TempFolder folder;
+  writeSeries(folder, {0, 1, 2});
+  Slice odd;
+  odd.name = "odd.dcm";
+  odd.size = 6;
+  odd.position = {10, 20, 37.5};
+  writeSlice(folder, odd);
+  try {
+    read(folder.path());
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("odd.dcm"), std::string::npos) << error.what();
+  }
+}
+
+TEST(Dicom, TwoSeriesAreListedAndChosen) {
+  TempFolder folder;
+  writeSeries(folder, {0, 1, 2});
+  Slice other;
+  other.series = "1.2.3.5";
+  other.value = 500;
+  for (int z = 0; z < 2; ++z) {
+    other.name = "b" + std::to_string(z);
+    other.position = {0, 0, double(z)};
+    writeSlice(folder, other);
+  }
+  Progress progress;
+  auto series = listSeries(folder.path(), progress);
+  ASSERT_EQ(series.size(), 2u);
+  EXPECT_EQ(series[0].uid, "1.2.3.4");
+  EXPECT_EQ(series[0].imageCount, 3);
+  EXPECT_EQ(series[0].size, glm::ivec2(8, 8));
+  EXPECT_EQ(series[1].description, "series 1.2.3.5");
+  EXPECT_EQ(read(folder.path()).dims.z, 3);
+  scene::Source source;
+  source.path = folder.path().string();
+  source.series = "1.2.3.5";
+  EXPECT_EQ(readVolume(source, progress).dims.z, 2);
+  EXPECT_EQ(read(folder / "b0").dims.z, 2);
+}
+
+TEST(Dicom, RepeatsAreLeftOutAndTimesBecomeFrames) {
+  TempFolder folder;
+  writeSeries(folder, {0, 1});
+  Slice again;
+  again.name = "again";
+  again.position = {10, 20, 30};
+  writeSlice(folder, again);
+  Volume v = read(folder.path());
+  EXPECT_EQ(v.dims.z, 2);
+  EXPECT_TRUE(warns(v, "repeat"));
+
+  TempFolder times;
+  for (int t = 0; t < 3; ++t)
+    for (int z = 0; z < 2; ++z) {
+      Slice s;
+      s.name = std::to_string(9 - t) + std::to_string(z);
+      s.position = {0, 0, double(z)};
+      s.temporal = std::to_string(t + 1);
+      s.value = std::int16_t(1024 + 10 * t + z);
+      writeSlice(times, s);
+    }
+  Volume movie = read(times.path());
+  EXPECT_EQ(movie.frames, 3);
+  EXPECT_EQ(movie.dims.z, 2);
+  for (int t = 0; t < 3; ++t)
+    for (int z = 0; z < 2; ++z) EXPECT_EQ(valueAt(movie, {0, 0, z}, 0, t), 10 * t + z);
+}
+
+TEST(Dicom, ScoutAcrossTheStackIsLeftOut) {
+  TempFolder folder;
+  writeSeries(folder, {0, 1, 2});
+  Slice scout;
+  scout.name = "scout";
+  scout.acrossStack = true;
+  writeSlice(folder, scout);
+  Volume v = read(folder.path());
+  EXPECT_EQ(v.dims.z, 3);
+  EXPECT_TRUE(warns(v, "orientation"));
+}
+
+TEST(Dicom, RescaleOfEachSliceIsApplied) {
+  TempFolder folder;
+  for (int z = 0; z < 3; ++z) {
+    Slice s;
+    s.name = std::to_string(z);
+    s.position = {0, 0, double(z)};
+    s.value = 100;
+    s.slope = 0.5 + z;
+    s.intercept = 0;
+    writeSlice(folder, s);
+  }
+  Volume v = read(folder.path());
+  EXPECT_EQ(v.type, SampleType::Float32);
+  for (int z = 0; z < 3; ++z) EXPECT_FLOAT_EQ(float(valueAt(v, {0, 0, z})), float(100 * (0.5 + z)));
+}
+
+TEST(Dicom, Monochrome1IsTurnedRound) {
+  TempFolder folder;
+  for (int z = 0; z < 2; ++z) {
+    Slice s;
+    s.name = std::to_string(z);
+    s.position = {0, 0, double(z)};
+    s.value = std::int16_t(z);
+    s.intercept = 0;
+    s.photometric = "MONOCHROME1";
+    writeSlice(folder, s);
+  }
+  Volume v = read(folder.path());
+  EXPECT_GT(valueAt(v, {0, 0, 0}), valueAt(v, {0, 0, 1}));
+  EXPECT_TRUE(warns(v, "MONOCHROME1"));
+}
+
+gdcm::SmartPointer<gdcm::SequenceOfItems> sequenceWith(const gdcm::DataSet& set) {
+  auto sequence = gdcm::SequenceOfItems::New();
+  gdcm::Item item;
+  item.SetNestedDataSet(set);
+  item.SetVLToUndefined();
+  sequence->SetLengthToUndefined();
+  sequence->AddItem(item);
+  return sequence;
+}
+
+void putSequence(gdcm::DataSet& set, gdcm::Tag tag, gdcm::SmartPointer<gdcm::SequenceOfItems> sequence) {
+  gdcm::DataElement element(tag);
+  element.SetVR(gdcm::VR::SQ);
+  element.SetValue(*sequence);
+  element.SetVLToUndefined();
+  set.Replace(element);
+}
+
+void putShort(gdcm::DataSet& set, gdcm::Tag tag, std::uint16_t value) {
+  gdcm::DataElement element(tag);
+  element.SetVR(gdcm::VR::US);
+  element.SetByteValue(reinterpret_cast<const char*>(&value), 2);
+  set.Replace(element);
+}
+
+/// Functional groups of frames at the given places, downwards along x: rows run along y, columns along -z.
+void putGroups(gdcm::DataSet& set, const std::vector<double>& places, const std::vector<std::uint16_t>& segments = {}) {
+  gdcm::DataSet shared, orientation, measures;
+  putText(orientation, gdcm::Tag(0x0020, 0x0037), gdcm::VR::DS, "0\\1\\0\\0\\0\\-1");
+  putText(measures, gdcm::Tag(0x0028, 0x0030), gdcm::VR::DS, "0.75\\0.5");
+  putSequence(shared, gdcm::Tag(0x0020, 0x9116), sequenceWith(orientation));
+  putSequence(shared, gdcm::Tag(0x0028, 0x9110), sequenceWith(measures));
+  putSequence(set, gdcm::Tag(0x5200, 0x9229), sequenceWith(shared));
+  auto perFrame = gdcm::SequenceOfItems::New();
+  perFrame->SetLengthToUndefined();
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    gdcm::DataSet frame, position, segment, rescale;
+    putText(position, gdcm::Tag(0x0020, 0x0032), gdcm::VR::DS, std::to_string(places[i]) + "\\5\\6");
+    putSequence(frame, gdcm::Tag(0x0020, 0x9113), sequenceWith(position));
+    putText(rescale, gdcm::Tag(0x0028, 0x1052), gdcm::VR::DS, "-100");
+    putText(rescale, gdcm::Tag(0x0028, 0x1053), gdcm::VR::DS, "1");
+    if (segments.empty()) {
+      putSequence(frame, gdcm::Tag(0x0028, 0x9145), sequenceWith(rescale));
+    } else {
+      putShort(segment, gdcm::Tag(0x0062, 0x000b), segments[i]);
+      putSequence(frame, gdcm::Tag(0x0062, 0x000a), sequenceWith(segment));
+    }
+    gdcm::Item item;
+    item.SetNestedDataSet(frame);
+    item.SetVLToUndefined();
+    perFrame->AddItem(item);
+  }
+  putSequence(set, gdcm::Tag(0x5200, 0x9230), perFrame);
+}
+
+/// A multi-frame file written by hand, for the image writer of GDCM would mend what we want to see.
+void writeMultiFrame(const std::filesystem::path& path, gdcm::DataSet set, const char* sopClass, const char* modality,
+                     int bits, int frames, const std::string& pixels) {
+  gdcm::Writer writer;
+  putText(set, gdcm::Tag(0x0008, 0x0016), gdcm::VR::UI, sopClass);
+  putText(set, gdcm::Tag(0x0008, 0x0018), gdcm::VR::UI, "1.2.3.9");
+  putText(set, gdcm::Tag(0x0008, 0x0060), gdcm::VR::CS, modality);
+  putText(set, gdcm::Tag(0x0020, 0x000e), gdcm::VR::UI, "1.2.3.8");
+  putText(set, gdcm::Tag(0x0028, 0x0004), gdcm::VR::CS, "MONOCHROME2");
+  putText(set, gdcm::Tag(0x0028, 0x0008), gdcm::VR::IS, std::to_string(frames));
+  putShort(set, gdcm::Tag(0x0028, 0x0002), 1);
+  putShort(set, gdcm::Tag(0x0028, 0x0010), 2);
+  putShort(set, gdcm::Tag(0x0028, 0x0011), 4);
+  putShort(set, gdcm::Tag(0x0028, 0x0100), std::uint16_t(bits));
+  putShort(set, gdcm::Tag(0x0028, 0x0101), std::uint16_t(bits == 16 ? 12 : bits));
+  putShort(set, gdcm::Tag(0x0028, 0x0102), std::uint16_t(bits == 16 ? 11 : bits - 1));
+  putShort(set, gdcm::Tag(0x0028, 0x0103), 0);
+  gdcm::DataElement data(gdcm::Tag(0x7fe0, 0x0010));
+  data.SetVR(bits == 16 ? gdcm::VR::OW : gdcm::VR::OB);
+  data.SetByteValue(pixels.data(), std::uint32_t(pixels.size()));
+  set.Replace(data);
+  writer.GetFile().SetDataSet(set);
+  writer.GetFile().GetHeader().SetDataSetTransferSyntax(gdcm::TransferSyntax::ExplicitVRLittleEndian);
+  writer.SetFileName(path.c_str());
+  ASSERT_TRUE(writer.Write());
+}
+
+TEST(Dicom, FramesOfAnEnhancedFileAreOrderedByTheirPlace) {
+  TempFolder folder;
+  gdcm::DataSet set;
+  // The normal is y x -z = -x: the largest x comes first.
+  putGroups(set, {10, 30, 20});
+  std::string pixels;
+  for (std::uint16_t value : {110, 130, 120})
+    for (int i = 0; i < 8; ++i) pixels.append(reinterpret_cast<const char*>(&value), 2);
+  writeMultiFrame(folder / "e.dcm", set, "1.2.840.10008.5.1.4.1.1.4.1", "MR", 16, 3, pixels);
+  Volume v = read(folder / "e.dcm");
+  EXPECT_EQ(v.dims, glm::ivec3(4, 2, 3));
+  for (int z = 0; z < 3; ++z) EXPECT_EQ(valueAt(v, {1, 1, z}), 30 - 10 * z);
+  EXPECT_EQ(v.worldFromVoxel[0], glm::dvec4(0, 0.5, 0, 0));
+  EXPECT_EQ(v.worldFromVoxel[1], glm::dvec4(0, 0, -0.75, 0));
+  EXPECT_EQ(v.worldFromVoxel[2], glm::dvec4(-10, 0, 0, 0));
+  EXPECT_EQ(v.worldFromVoxel[3], glm::dvec4(30, 5, 6, 1));
+  EXPECT_EQ(v.modality, Modality::MR);
+}
+
+TEST(DicomSeg, BitsArePackedOverFramesAndSegmentsFindTheirPlanes) {
+  TempFolder folder;
+  gdcm::DataSet set;
+  putGroups(set, {10, 10, 30}, {1, 2, 2});
+  putText(set, gdcm::Tag(0x0062, 0x0001), gdcm::VR::CS, "BINARY");
+  // Frames of eight voxels: the first voxel of each, and the last of the third.
+  writeMultiFrame(folder / "s.dcm", set, "1.2.840.10008.5.1.4.1.1.66.4", "SEG", 1, 3, std::string("\x01\x02\x81\0", 4));
+  EXPECT_TRUE(looksLikeLabels(folder / "s.dcm"));
+  LabelVolume labels = readLabelsOf(folder / "s.dcm");
+  EXPECT_EQ(labels.dims(), glm::ivec3(4, 2, 2));
+  EXPECT_EQ(labels.at({0, 0, 1}), 1);
+  EXPECT_EQ(labels.at({1, 0, 1}), 2);
+  EXPECT_EQ(labels.at({0, 0, 0}), 2);
+  EXPECT_EQ(labels.at({3, 1, 0}), 2);
+  EXPECT_EQ(labels.worldFromVoxel()[3], glm::dvec4(30, 5, 6, 1));
+}
+
+TEST(Dicom, ALyingLengthAllocatesNothing) {
+  TempFolder folder;
+  writeSeries(folder, {0});
+  std::filesystem::path file = std::filesystem::directory_iterator(folder.path())->path();
+  std::string bytes(std::filesystem::file_size(file), '\0');
+  std::ifstream(file, std::ios::binary).read(bytes.data(), std::streamsize(bytes.size()));
+  auto at = bytes.rfind(std::string("\xe0\x7f\x10\x00OW", 6));
+  ASSERT_NE(at, std::string::npos);
+  bytes.replace(at + 8, 4, "\xfe\xff\xff\xef", 4);
+  writeText(file, bytes);
+  expectClearError(file);
+}
+
+}  // namespace
+}  // namespace velum::io

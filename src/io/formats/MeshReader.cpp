@@ -20,6 +20,7 @@
 #include <new>
 
 #include "FileTools.h"
+#include "Payload.h"
 #include "Readers.h"
 #include "VtkQuiet.h"
 #include "velum/core/Error.h"

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "FileTools.h"
+#include "Payload.h"
 #include "Readers.h"
 #include "velum/core/Error.h"
 
@@ -84,7 +85,7 @@ Volume readRaw(const scene::Source& source, Progress& progress) {
   Volume volume = emptyVolume(source);
   if (std::filesystem::is_directory(source.path))
     readSlices(source, volume, progress);
-  else if (lowerExtension(source.path) == ".gz")
+  else if (lowerCase(std::filesystem::path(source.path).extension().string()) == ".gz")
     readGzip(source, volume);
   else
     readPlain(source, volume);

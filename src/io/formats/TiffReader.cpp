@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "FileTools.h"
+#include "Payload.h"
 #include "Readers.h"
 #include "TiffDescription.h"
 #include "TiffPages.h"

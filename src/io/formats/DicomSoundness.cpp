@@ -102,7 +102,8 @@ Walker::Element Walker::elementAt(std::size_t at, Coding coding) const {
   e.vr = mBytes.substr(at + 4, 2);
   constexpr std::string_view kKnown =
       "AE AS AT CS DA DS DT FD FL IS LO LT OB OD OF OL OV OW PN SH SL SQ SS ST SV TM UC UI UL UN UR US UT UV";
-  e.isClear = e.vr.find(' ') == std::string_view::npos && kKnown.find(e.vr) % 3 == 0;
+  auto found = kKnown.find(e.vr);
+  e.isClear = found != std::string_view::npos && found % 3 == 0;
   constexpr std::string_view kLong = "OB OW OF OD OL OV SQ UC UR UT UN SV UV";
   if (kLong.find(e.vr) == std::string_view::npos) {
     e.length = number16(at + 6, coding.isBig);
@@ -118,14 +119,16 @@ Walker::Element Walker::elementAt(std::size_t at, Coding coding) const {
 bool Walker::walkElements(std::size_t& at, Stretch stretch, Coding coding, int depth) {
   if (depth > kDeepest) return false;
   while (at < stretch.end) {
-    // Padding behind the last element is common, and no harm.
-    if (stretch.end - at < 8) return depth == 0;
+    if (stretch.end - at < 8) return false;
     Element e = elementAt(at, coding);
     at = e.value;
     if (e.tag == kItemEnd) return stretch.isOpen && e.length == 0;
     if (!e.isClear || e.tag >> 16 == 0xfffe || at > stretch.end) return false;
     if (!walkValue(at, e, stretch.end, coding, depth)) return false;
-    if (e.tag == kPixels && depth == 0 && e.length != kUndefined) return true;
+    // Zeros behind the pixels are common, and GDCM stops at them unless they are half an element.
+    bool isZero = mBytes.find_first_not_of('\0', at) == std::string_view::npos;
+    std::size_t left = stretch.end - at;
+    if (e.tag == kPixels && depth == 0 && isZero && (left < 3 || left >= 8)) return true;
   }
   return !stretch.isOpen;
 }

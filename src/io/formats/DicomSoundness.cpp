@@ -57,7 +57,7 @@ struct Stretch {
 
 class Walker {
  public:
-  explicit Walker(std::string_view bytes) : mBytes(bytes) {}
+  explicit Walker(std::string_view bytes, bool isRle = false) : mBytes(bytes), mIsRle(isRle) {}
 
   /// Walks over elements from @p at. @return false at the first thing that the standard does not allow
   bool walkElements(std::size_t& at, Stretch stretch, Coding coding, int depth);
@@ -77,7 +77,11 @@ class Walker {
   std::uint16_t number16(std::size_t at, bool big) const;
   std::uint32_t number32(std::size_t at, bool big) const;
 
+  /// GDCM trusts the header of a run-length fragment: how many segments, and where.
+  bool isSoundRle(std::size_t at, std::uint32_t length) const;
+
   std::string_view mBytes;
+  bool mIsRle;
 };
 
 std::uint16_t Walker::number16(std::size_t at, bool big) const {
@@ -156,6 +160,7 @@ bool Walker::walkValue(std::size_t& at, const Element& e, std::size_t end, Codin
 
 bool Walker::walkItems(std::size_t& at, Stretch stretch, Coding coding, int depth, bool areFragments) {
   if (depth > kDeepest) return false;
+  bool isTable = true;
   while (at < stretch.end) {
     if (stretch.end - at < 8) return false;
     Element e = elementAt(at, coding);
@@ -166,12 +171,27 @@ bool Walker::walkItems(std::size_t& at, Stretch stretch, Coding coding, int dept
     if (!isOpen && e.length > stretch.end - at) return false;
     if (areFragments && isOpen) return false;
     if (areFragments) {
+      // The first item is the table of offsets.
+      if (mIsRle && !isTable && !isSoundRle(at, e.length)) return false;
+      isTable = false;
       at += e.length;
     } else if (isOpen || e.length > 0) {
       if (!walkElements(at, {isOpen ? stretch.end : at + e.length, isOpen}, coding, depth + 1)) return false;
     }
   }
   return !stretch.isOpen;
+}
+
+bool Walker::isSoundRle(std::size_t at, std::uint32_t length) const {
+  if (length < 64) return false;
+  std::uint32_t count = number32(at, false), last = 63;
+  if (count < 1 || count > 15) return false;
+  for (std::uint32_t i = 1; i <= count; ++i) {
+    std::uint32_t offset = number32(at + 4 * i, false);
+    if (offset <= last || offset >= length) return false;
+    last = offset;
+  }
+  return true;
 }
 
 bool Walker::takeMeta(std::size_t& at, std::string& syntax) {
@@ -227,7 +247,7 @@ bool isSoundDicom(const std::filesystem::path& path) {
     coding.isExplicit = isCapital(bytes[at + 4]) && isCapital(bytes[at + 5]);
     coding.isBig = bytes[at] == 0;
   }
-  return Walker(bytes).walkElements(at, {bytes.size(), false}, coding, 0);
+  return Walker(bytes, syntax == "1.2.840.10008.1.2.5").walkElements(at, {bytes.size(), false}, coding, 0);
 }
 
 }  // namespace velum::io

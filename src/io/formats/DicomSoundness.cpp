@@ -6,6 +6,7 @@
 #include <unistd.h>
 #include <zlib.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <string>
@@ -77,6 +78,8 @@ class Walker {
   std::uint16_t number16(std::size_t at, bool big) const;
   std::uint32_t number32(std::size_t at, bool big) const;
 
+  /// The numbers that describe pixels must be numbers, and flags 0 or 1.
+  bool isSoundPixelModule(const Element& e, Coding coding) const;
   /// GDCM trusts the header of a run-length fragment: how many segments, and where.
   bool isSoundRle(std::size_t at, std::uint32_t length) const;
 
@@ -128,6 +131,7 @@ bool Walker::walkElements(std::size_t& at, Stretch stretch, Coding coding, int d
     at = e.value;
     if (e.tag == kItemEnd) return stretch.isOpen && e.length == 0;
     if (!e.isClear || e.tag >> 16 == 0xfffe || at > stretch.end) return false;
+    if (depth == 0 && !isSoundPixelModule(e, coding)) return false;
     if (!walkValue(at, e, stretch.end, coding, depth)) return false;
     // Zeros behind the pixels are common, and GDCM stops at them unless they are half an element.
     bool isZero = mBytes.find_first_not_of('\0', at) == std::string_view::npos;
@@ -180,6 +184,17 @@ bool Walker::walkItems(std::size_t& at, Stretch stretch, Coding coding, int dept
     }
   }
   return !stretch.isOpen;
+}
+
+bool Walker::isSoundPixelModule(const Element& e, Coding coding) const {
+  constexpr std::uint32_t kNumbers[] = {0x00280002, 0x00280006, 0x00280010, 0x00280011,
+                                        0x00280100, 0x00280101, 0x00280102, 0x00280103};
+  constexpr std::uint32_t kPlanar = 0x00280006, kSign = 0x00280103;
+  if (std::find(std::begin(kNumbers), std::end(kNumbers), e.tag) == std::end(kNumbers)) return true;
+  if (coding.isExplicit && e.vr != "US") return false;
+  if (e.length == 0) return true;  // some writers leave them empty where there is no image
+  if (e.length != 2 || e.value + 2 > mBytes.size()) return false;
+  return (e.tag != kPlanar && e.tag != kSign) || number16(e.value, coding.isBig) <= 1;
 }
 
 bool Walker::isSoundRle(std::size_t at, std::uint32_t length) const {

@@ -166,6 +166,9 @@ DicomFile fileOf(const DataSet& set, const gdcm::FileMetaInformation& meta, cons
   file.bitsStored = binaryOf<std::uint16_t>(set, Tag(0x0028, 0x0101), std::uint16_t(file.bitsAllocated));
   file.isSigned = binaryOf<std::uint16_t>(set, Tag(0x0028, 0x0103), 0) == 1;
   file.isJpeg = textOf(meta, Tag(0x0002, 0x0010)).starts_with("1.2.840.10008.1.2.4");
+  constexpr std::uint16_t kDose = 0x3004, kGridFrameOffsets = 0x000c;
+  file.hasBadOffsets =
+      set.FindDataElement(Tag(kDose, kGridFrameOffsets)) && numbersOf(set, Tag(kDose, kGridFrameOffsets)).size() < 2;
   file.isFloat = set.FindDataElement(Tag(0x7fe0, 0x0008)) || set.FindDataElement(Tag(0x7fe0, 0x0009));
   file.frameSeconds = std::max(0.0, numberOf(set, Tag(0x0020, 0x0110), 0) * 1e-3);
   double count = numberOf(set, Tag(0x0028, 0x0008), 1);

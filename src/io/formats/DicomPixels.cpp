@@ -104,6 +104,7 @@ void checkDescription(const DicomFile& file) {
   if (!file.hasImage() || !allocated || !stored || (isWide && file.isJpeg))
     failInput(file.path, fmt::format("pixels of {} bits, {} of them stored, are not supported", file.bitsAllocated,
                                      file.bitsStored));
+  if (file.hasBadOffsets) failInput(file.path, "its grid frame offsets are damaged");
   if (file.samplesPerPixel != 1 && file.samplesPerPixel != 3)
     failInput(file.path, fmt::format("{} samples per pixel are not supported", file.samplesPerPixel));
 }

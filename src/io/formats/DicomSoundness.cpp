@@ -6,6 +6,7 @@
 #include <unistd.h>
 #include <zlib.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <string>
@@ -57,7 +58,7 @@ struct Stretch {
 
 class Walker {
  public:
-  explicit Walker(std::string_view bytes) : mBytes(bytes) {}
+  explicit Walker(std::string_view bytes, bool isRle = false) : mBytes(bytes), mIsRle(isRle) {}
 
   /// Walks over elements from @p at. @return false at the first thing that the standard does not allow
   bool walkElements(std::size_t& at, Stretch stretch, Coding coding, int depth);
@@ -77,7 +78,13 @@ class Walker {
   std::uint16_t number16(std::size_t at, bool big) const;
   std::uint32_t number32(std::size_t at, bool big) const;
 
+  /// The numbers that describe pixels must be numbers, and flags 0 or 1.
+  bool isSoundPixelModule(const Element& e, Coding coding) const;
+  /// GDCM trusts the header of a run-length fragment: how many segments, and where.
+  bool isSoundRle(std::size_t at, std::uint32_t length) const;
+
   std::string_view mBytes;
+  bool mIsRle;
 };
 
 std::uint16_t Walker::number16(std::size_t at, bool big) const {
@@ -102,7 +109,8 @@ Walker::Element Walker::elementAt(std::size_t at, Coding coding) const {
   e.vr = mBytes.substr(at + 4, 2);
   constexpr std::string_view kKnown =
       "AE AS AT CS DA DS DT FD FL IS LO LT OB OD OF OL OV OW PN SH SL SQ SS ST SV TM UC UI UL UN UR US UT UV";
-  e.isClear = e.vr.find(' ') == std::string_view::npos && kKnown.find(e.vr) % 3 == 0;
+  auto found = kKnown.find(e.vr);
+  e.isClear = found != std::string_view::npos && found % 3 == 0;
   constexpr std::string_view kLong = "OB OW OF OD OL OV SQ UC UR UT UN SV UV";
   if (kLong.find(e.vr) == std::string_view::npos) {
     e.length = number16(at + 6, coding.isBig);
@@ -118,14 +126,17 @@ Walker::Element Walker::elementAt(std::size_t at, Coding coding) const {
 bool Walker::walkElements(std::size_t& at, Stretch stretch, Coding coding, int depth) {
   if (depth > kDeepest) return false;
   while (at < stretch.end) {
-    // Padding behind the last element is common, and no harm.
-    if (stretch.end - at < 8) return depth == 0;
+    if (stretch.end - at < 8) return false;
     Element e = elementAt(at, coding);
     at = e.value;
     if (e.tag == kItemEnd) return stretch.isOpen && e.length == 0;
     if (!e.isClear || e.tag >> 16 == 0xfffe || at > stretch.end) return false;
+    if (depth == 0 && !isSoundPixelModule(e, coding)) return false;
     if (!walkValue(at, e, stretch.end, coding, depth)) return false;
-    if (e.tag == kPixels && depth == 0 && e.length != kUndefined) return true;
+    // Zeros behind the pixels are common, and GDCM stops at them unless they are half an element.
+    bool isZero = mBytes.find_first_not_of('\0', at) == std::string_view::npos;
+    std::size_t left = stretch.end - at;
+    if (e.tag == kPixels && depth == 0 && isZero && (left < 3 || left >= 8)) return true;
   }
   return !stretch.isOpen;
 }
@@ -153,6 +164,7 @@ bool Walker::walkValue(std::size_t& at, const Element& e, std::size_t end, Codin
 
 bool Walker::walkItems(std::size_t& at, Stretch stretch, Coding coding, int depth, bool areFragments) {
   if (depth > kDeepest) return false;
+  bool isTable = true;
   while (at < stretch.end) {
     if (stretch.end - at < 8) return false;
     Element e = elementAt(at, coding);
@@ -163,12 +175,38 @@ bool Walker::walkItems(std::size_t& at, Stretch stretch, Coding coding, int dept
     if (!isOpen && e.length > stretch.end - at) return false;
     if (areFragments && isOpen) return false;
     if (areFragments) {
+      // The first item is the table of offsets.
+      if (mIsRle && !isTable && !isSoundRle(at, e.length)) return false;
+      isTable = false;
       at += e.length;
     } else if (isOpen || e.length > 0) {
       if (!walkElements(at, {isOpen ? stretch.end : at + e.length, isOpen}, coding, depth + 1)) return false;
     }
   }
   return !stretch.isOpen;
+}
+
+bool Walker::isSoundPixelModule(const Element& e, Coding coding) const {
+  constexpr std::uint32_t kNumbers[] = {0x00280002, 0x00280006, 0x00280010, 0x00280011,
+                                        0x00280100, 0x00280101, 0x00280102, 0x00280103};
+  constexpr std::uint32_t kPlanar = 0x00280006, kSign = 0x00280103;
+  if (std::find(std::begin(kNumbers), std::end(kNumbers), e.tag) == std::end(kNumbers)) return true;
+  if (coding.isExplicit && e.vr != "US") return false;
+  if (e.length == 0) return true;  // some writers leave them empty where there is no image
+  if (e.length != 2 || e.value + 2 > mBytes.size()) return false;
+  return (e.tag != kPlanar && e.tag != kSign) || number16(e.value, coding.isBig) <= 1;
+}
+
+bool Walker::isSoundRle(std::size_t at, std::uint32_t length) const {
+  if (length < 64) return false;
+  std::uint32_t count = number32(at, false), last = 63;
+  if (count < 1 || count > 15) return false;
+  for (std::uint32_t i = 1; i <= count; ++i) {
+    std::uint32_t offset = number32(at + 4 * i, false);
+    if (offset <= last || offset >= length) return false;
+    last = offset;
+  }
+  return true;
 }
 
 bool Walker::takeMeta(std::size_t& at, std::string& syntax) {
@@ -224,7 +262,7 @@ bool isSoundDicom(const std::filesystem::path& path) {
     coding.isExplicit = isCapital(bytes[at + 4]) && isCapital(bytes[at + 5]);
     coding.isBig = bytes[at] == 0;
   }
-  return Walker(bytes).walkElements(at, {bytes.size(), false}, coding, 0);
+  return Walker(bytes, syntax == "1.2.840.10008.1.2.5").walkElements(at, {bytes.size(), false}, coding, 0);
 }
 
 }  // namespace velum::io

@@ -2,8 +2,14 @@
 #include "common/frame.glsl"
 
 layout(binding = kVolumeUnit) uniform sampler3D volumeTexture;
+#if GRADIENTS
+layout(binding = kGradientUnit) uniform sampler3D gradientTexture;  // xyz: direction, w: root of the magnitude
+#endif
 layout(binding = kLabelUnit) uniform usampler3D labelTexture;
-layout(binding = kTransferUnit) uniform sampler2D transferTexture;  // row 0: colour*sigma, sigma; row 1: their running sums
+// Running sums of the transfer table in fixed point: differences of unsigned sums are exact, however long the sum.
+layout(binding = kTransferUnit) uniform usampler2D transferTexture;  // rgb: colour*sigma, a: sigma
+layout(binding = kExtinctionUnit) uniform usampler2D extinctionTexture;  // sigma alone, for the search
+layout(binding = kGradientTableUnit) uniform sampler2D gradientTable;  // factor by gradient magnitude
 layout(std430, binding = kStructureBinding) readonly buffer StructureBlock { StructureRow structures[]; };
 
 #if COLOR
@@ -26,18 +32,27 @@ vec4 structureRow(uint label) {
   return label < uint(frame.counts.z) ? structures[label].color : vec4(0.6, 0.6, 0.6, 1.0);
 }
 
-vec4 transferRow(float x, int row) {
-  float i = min(floor(x), float(kTransferSize - 2));
-  return mix(texelFetch(transferTexture, ivec2(int(i), row), 0), texelFetch(transferTexture, ivec2(int(i) + 1, row), 0), x - i);
+/// The table entries that the values between two table positions touch, at least one apart.
+ivec2 entriesBetween(float a, float b) { return ivec2(int(min(a, b)), int(max(a, b)) + 1); }
+
+/// Mean extinction, 1/mm, of the material between two table positions: the value is taken to run evenly from one to the
+/// other, so a thin peak of the transfer function is never stepped over (pre-integration by running sums).
+float extinctionBetween(float a, float b) {
+  ivec2 e = entriesBetween(a, b);
+  uint sum = texelFetch(extinctionTexture, ivec2(e.y, 0), 0).r - texelFetch(extinctionTexture, ivec2(e.x, 0), 0).r;
+  return float(sum) * frame.tableScale.x / float(e.y - e.x);
 }
 
-/// Mean colour*sigma and sigma of the material between two table positions: the value is taken to run evenly from one to
-/// the other, so a thin peak of the transfer function is never stepped over (pre-integration by running sums).
-vec4 materialBetween(float a, float b) {
-  float low = min(a, b);
-  float high = max(a, b);
-  if (high - low <= 4.0) return transferRow(0.5 * (low + high), 0);
-  return max((transferRow(high, 1) - transferRow(low, 1)) / (high - low), vec4(0.0));
+/// Its mean colour, weighted by extinction.
+vec3 colorBetween(float a, float b) {
+  ivec2 e = entriesBetween(a, b);
+  uvec4 sum = texelFetch(transferTexture, ivec2(e.y, 0), 0) - texelFetch(transferTexture, ivec2(e.x, 0), 0);
+  return vec3(sum.rgb) / max(float(sum.a), 1.0);
+}
+
+float gradientFactor(vec3 gradient) {
+  float x = clamp(length(gradient) * frame.gradientScale.w, 0.0, 1.0) * float(kTransferSize - 1);
+  return texelFetch(gradientTable, ivec2(int(x), 0), 0).r;
 }
 
 #if LABELS == 2
@@ -63,11 +78,17 @@ vec4 labelMaterial(vec3 scenePoint) {
 }
 #endif
 
-/// Gradient of the data value per mm, scene frame, by central differences of one voxel.
+/// Gradient of the data value per mm, scene frame, by central differences of one voxel. Software drivers look it up in a
+/// texture of the same differences (a fetch for six); others take them on demand.
 vec3 gradientAt(vec3 tex) {
+#if GRADIENTS
+  vec4 texel = textureLod(gradientTexture, tex, 0.0);
+  vec3 g = (texel.xyz - 128.0 / 255.0) * (texel.w * texel.w * frame.gradientScale.x);
+#else
   vec3 h = 1.0 / frame.volumeSize.xyz;
   vec3 g = vec3(texelAt(tex + vec3(h.x, 0, 0)) - texelAt(tex - vec3(h.x, 0, 0)),
                 texelAt(tex + vec3(0, h.y, 0)) - texelAt(tex - vec3(0, h.y, 0)),
                 texelAt(tex + vec3(0, 0, h.z)) - texelAt(tex - vec3(0, 0, h.z)));
+#endif
   return vec3(dot(frame.normalX.xyz, g), dot(frame.normalY.xyz, g), dot(frame.normalZ.xyz, g));
 }

@@ -31,7 +31,8 @@ float extinctionAt(vec3 tex) {
 #if MODE == 2
   return tableAt(tex) >= frame.step.z * float(kTransferSize - 1) ? 4.0 * frame.cellGrid.w : 0.0;
 #else
-  return transferRow(tableAt(tex), 0).a * factor;
+  float x = tableAt(tex);
+  return extinctionBetween(x, x) * factor;
 #endif
 #endif
 }

@@ -4,7 +4,7 @@ layout(local_size_x = 4, local_size_y = 4, local_size_z = 4) in;
 
 #include "common/frame.glsl"
 
-layout(binding = kTransferUnit) uniform sampler2D transferTexture;
+layout(binding = kExtinctionUnit) uniform usampler2D extinctionTexture;
 layout(std430, binding = kCellBinding) readonly buffer CellBlock { vec2 cellRange[]; };
 layout(std430, binding = kCellLabelBinding) readonly buffer CellLabelBlock { uvec2 cellLabels[]; };  // 64-bit set of id % 64; bit 0: none
 
@@ -15,13 +15,10 @@ layout(location = 1) uniform ivec4 visibleSet;    // xy: ids (mod 64) that are v
 
 /// True when the transfer function is not zero somewhere between two table positions: its running sum differs.
 bool hasOpacity(vec2 range) {
-  float low = floor(clamp(range.x, 0.0, 1.0) * float(kTransferSize - 1) - 0.01);
-  float high = ceil(clamp(range.y, 0.0, 1.0) * float(kTransferSize - 1) + 0.01);
-  int a = clamp(int(low), 0, kTransferSize - 1);
-  int b = clamp(int(high), 0, kTransferSize - 1);
-  // Running sums tell of material between entries, the entries themselves of material at the ends.
-  return texelFetch(transferTexture, ivec2(b, 1), 0).a > texelFetch(transferTexture, ivec2(a, 1), 0).a ||
-         texelFetch(transferTexture, ivec2(a, 0), 0).a > 0.0 || texelFetch(transferTexture, ivec2(b, 0), 0).a > 0.0;
+  vec2 x = clamp(range, 0.0, 1.0) * float(kTransferSize - 1);
+  int a = max(int(x.x - 0.01), 0);
+  int b = min(int(x.y + 0.01) + 1, kTransferSize);
+  return texelFetch(extinctionTexture, ivec2(a, 0), 0).r != texelFetch(extinctionTexture, ivec2(b, 0), 0).r;
 }
 
 void main() {

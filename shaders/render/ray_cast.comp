@@ -1,7 +1,8 @@
 // One ray a pixel through the volume, from stretch to stretch between the cuts, from segment to segment between the
 // samples, leaping over cells that the transfer function leaves empty. The only ray march in the program.
 //
-// MODE 0 volume, 1 maximum, 2 isosurface; LABELS 0 none, 1 over a volume, 2 alone; COLOR 1 for colour volumes.
+// MODE 0 volume, 1 maximum, 2 isosurface; LABELS 0 none, 1 over a volume, 2 alone; COLOR 1 for colour volumes;
+// GRADIENTS 1 looks gradients up in a texture.
 layout(local_size_x = 8, local_size_y = 8) in;
 
 #include "common/frame.glsl"
@@ -54,8 +55,7 @@ struct Walk {
 vec3 texAt(Walk walk, float t) { return walk.tex0 + t * walk.texPerMm; }
 
 ivec3 cellAt(vec3 tex) {
-  vec3 voxel = tex * frame.volumeSize.xyz;
-  return clamp(ivec3(voxel / frame.volumeSize.w), ivec3(0), ivec3(frame.cellGrid.xyz) - 1);
+  return clamp(ivec3(tex * frame.cellsPerTex.xyz), ivec3(0), ivec3(frame.cellGrid.xyz) - 1);
 }
 
 /// Distance, in cells, to the next cell with content; 0 in one.
@@ -66,7 +66,7 @@ uint cellsToContent(ivec3 cell, bool exemptOnly) {
 
 /// Where the ray leaves the cube of empty cells around a cell.
 float leaveEmpty(Walk walk, float t, ivec3 cell, uint reach) {
-  vec3 edge = frame.volumeSize.w / frame.volumeSize.xyz;
+  vec3 edge = 1.0 / frame.cellsPerTex.xyz;
   vec3 low = (vec3(cell) - float(reach) + 1.0) * edge;
   vec3 high = (vec3(cell) + float(reach)) * edge;
   vec3 target = mix(low, high, greaterThan(walk.texPerMm, vec3(0.0)));
@@ -128,82 +128,80 @@ void addSliceFace(inout Hit hit, Ray ray, float t, int cut) {
   if (alpha > 0.0) addSample(hit, vec4(grey * alpha, alpha), t, cutNormal(cut, p), structure);
 }
 
-/// One segment of material from t0 to t1 (values x0, x1 in table entries; unused for labels alone).
-void addSegment(inout Hit hit, Ray ray, Walk walk, float t0, float t1, float x0, float x1, float faceT, vec3 faceNormal, bool exemptOnly) {
-  float tm = 0.5 * (t0 + t1);
+/// A segment of material and what the search already knows of it.
+struct Segment {
+  float t0;
+  float t1;
+  float x0;     // values at its ends, table positions
+  float x1;
+  float sigma;  // mean extinction by the transfer function
+};
+
+/// Shades and composites one segment.
+void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, float faceT, vec3 faceNormal, bool exemptOnly) {
+  float tm = 0.5 * (segment.t0 + segment.t1);
   vec3 p = ray.origin + tm * ray.direction;
   vec3 tex = texAt(walk, tm);
   uint structure = 0u;
+  float sigma = segment.sigma;
 #if LABELS == 2
-  vec4 material = labelMaterial(p);
   structure = labelAt(p);
   if (exemptOnly && !cutsKeep(p, structure)) return;
-  if (material.a <= 0.0) return;
-  vec3 albedo = material.rgb / material.a;
-  // Half coverage is the surface; a narrow ramp keeps it smooth.
-  float sigma = smoothstep(0.35, 0.65, material.a) * material.a * 6.0 * frame.cellGrid.w;
-  if (sigma <= 0.0) return;
+  vec4 material = labelMaterial(p);
+  vec3 albedo = material.rgb / max(material.a, 1e-6);
 #else
-  vec4 material = materialBetween(x0, x1);
-  if (material.a <= 0.0) return;
-  float sigma = material.a;
 #if COLOR
   vec3 albedo = volumeColorAt(tex);
 #else
-  vec3 albedo = material.rgb / material.a;
+  vec3 albedo = colorBetween(segment.x0, segment.x1);
 #endif
 #if LABELS == 1
   structure = labelAt(p);
   if (exemptOnly && !cutsKeep(p, structure)) return;
-  if (structure == 0u) {
-    sigma *= frame.window.w;
-  } else {
-    vec4 row = structureRow(structure);
-    sigma *= row.a;
-    albedo = mix(albedo, row.rgb, frame.window.z);
-  }
+  vec4 row = structureRow(structure);
+  sigma *= structure == 0u ? frame.window.w : row.a;
+  if (structure != 0u) albedo = mix(albedo, row.rgb, frame.window.z);
   if (sigma <= 0.0) return;
 #endif
 #endif
-  vec3 gradient = vec3(0.0);
-  bool haveGradient = false;
-#if LABELS != 2
-  if (hasFlag(kFlagGradientOpacity)) {
-    gradient = gradientAt(tex);
-    haveGradient = true;
-    float x = clamp(length(gradient) * frame.gradientScale.w, 0.0, 1.0) * float(kTransferSize - 1);
-    sigma *= transferRow(x, 2).a;
-    if (sigma <= 0.0) return;
-  }
-#endif
-  float alpha = 1.0 - exp(-sigma * (t1 - t0));
-  // What adds less than half a grey level in all of its segments together is not worth six fetches.
   vec3 normal = -ray.direction;
   vec3 color = albedo;
-  if (hasFlag(kFlagShaded) && alpha * (1.0 - hit.color.a) > 0.0005) {
+  if (hasFlag(kFlagShaded) || hasFlag(kFlagGradientOpacity)) {
 #if LABELS == 2
-    vec3 h = vec3(0.9 / frame.cellGrid.w);
-    gradient = vec3(labelMaterial(p + vec3(h.x, 0, 0)).a - labelMaterial(p - vec3(h.x, 0, 0)).a,
-                    labelMaterial(p + vec3(0, h.y, 0)).a - labelMaterial(p - vec3(0, h.y, 0)).a,
-                    labelMaterial(p + vec3(0, 0, h.z)).a - labelMaterial(p - vec3(0, 0, h.z)).a);
+    float h = 0.9 / frame.cellGrid.w;
+    vec3 gradient = vec3(labelMaterial(p + vec3(h, 0, 0)).a - labelMaterial(p - vec3(h, 0, 0)).a,
+                         labelMaterial(p + vec3(0, h, 0)).a - labelMaterial(p - vec3(0, h, 0)).a,
+                         labelMaterial(p + vec3(0, 0, h)).a - labelMaterial(p - vec3(0, 0, h)).a);
     float steepness = 1.0;
 #else
-    if (!haveGradient) gradient = gradientAt(tex);
+    vec3 gradient = gradientAt(tex);
+    if (hasFlag(kFlagGradientOpacity)) sigma *= gradientFactor(gradient);
     // Where the value hardly changes the gradient is noise: less of it counts.
     float steepness = smoothstep(0.0, 1.0, length(gradient) * frame.valueFromTexel.z * 60.0 / frame.cellGrid.w);
 #endif
     float len = length(gradient);
-    // Out of the material is where opacity falls; for the usual rising curve that is against the gradient.
     vec3 out_ = len > 0.0 ? -gradient / len : -ray.direction;
     if (dot(out_, ray.direction) > 0.0) out_ = -out_;
     normal = normalize(mix(-ray.direction, out_, steepness) + 1e-6);
+    // On a cut the surface is the cut's; a voxel and a half behind it the data's own again.
     if (faceT >= 0.0) normal = normalize(mix(faceNormal, normal, smoothstep(0.25, 1.5, (tm - faceT) * frame.cellGrid.w * -dot(faceNormal, ray.direction))) + 1e-6);
     color = shadeSurface(albedo, normal, -ray.direction, lightTexAt(p, normal));
   }
+  float alpha = 1.0 - exp(-sigma * (segment.t1 - segment.t0));
   addSample(hit, vec4(color * alpha, alpha), tm, normal, structure);
 }
 
-/// Composites one stretch, front to back.
+#if LABELS == 2
+/// Extinction of a segment by the structures around its middle. Half coverage is the surface; a narrow ramp keeps it smooth.
+float labelExtinction(vec3 scenePoint) {
+  float coverage = labelMaterial(scenePoint).a;
+  return smoothstep(0.35, 0.65, coverage) * coverage * 6.0 * frame.cellGrid.w;
+}
+#endif
+
+/// Composites one stretch, front to back. Rays of a SIMD group go in step, and a software driver runs both sides of every
+/// branch, so each kind of work has a loop of its own in which all rays have something to do: leaping over empty cells;
+/// fetching a block of samples and marking the segments with material; shading the marked ones.
 void marchStretch(inout Hit hit, Ray ray, Walk walk, float a, float b, int face, bool exemptOnly) {
   vec3 faceNormal = vec3(0.0);
   float faceT = -1.0;
@@ -212,39 +210,52 @@ void marchStretch(inout Hit hit, Ray ray, Walk walk, float a, float b, int face,
     faceNormal = cutNormal(face, ray.origin + a * ray.direction);
     if (cuts[face].kind.y == 1) addSliceFace(hit, ray, a, face);
   }
+  const int kBlock = 16;
   bool skipping = hasFlag(kFlagSkipEmpty);
   float cutoff = hasFlag(kFlagStopOpaque) ? frame.step.y : 2.0;
-  float t0 = a;
-  bool known = false;  // x0 holds the value at t0
-  float x0 = 0.0;
-  while (t0 < b && hit.color.a < cutoff) {
-    if (skipping) {
-      ivec3 cell = cellAt(texAt(walk, t0));
+  float perStep = 1.0 / walk.dt;
+  float values[kBlock + 1];   // of the block's lattice points, table positions
+  float sigmas[kBlock];
+  float t = a;
+  while (t < b && hit.color.a < cutoff) {
+    bool leaping = skipping;
+    while (leaping) {
+      ivec3 cell = cellAt(texAt(walk, t));
       uint reach = cellsToContent(cell, exemptOnly);
-      if (reach > 0u) {
-        // Leap to the last lattice point inside the empty cube: the segment that leaves it is still looked at.
-        float leave = min(leaveEmpty(walk, t0, cell, reach), b);
-        float target = walk.first + floor((leave - walk.first) / walk.dt - 1e-4) * walk.dt;
-        if (leave >= b) break;
-        if (target > t0) {
-          t0 = target;
-          known = false;
-        }
-      }
+      // To the last lattice point inside the empty cube: the segment that leaves it is still looked at.
+      float leave = leaveEmpty(walk, t, cell, reach);
+      float target = leave >= b ? b : walk.first + floor((leave - walk.first) * perStep - 1e-4) * walk.dt;
+      leaping = reach > 0u && target > t;
+      t = leaping ? target : t;
+      leaping = leaping && t < b;
     }
-    float t1 = min(nextSample(walk, t0), b);
-    if (t1 <= t0) t1 = min(t0 + walk.dt, b);
-    if (t1 <= t0) break;
-#if LABELS == 2
-    addSegment(hit, ray, walk, t0, t1, 0.0, 0.0, faceT, faceNormal, exemptOnly);
-#else
-    if (!known) x0 = tableAt(texAt(walk, t0));
-    float x1 = tableAt(texAt(walk, t1));
-    addSegment(hit, ray, walk, t0, t1, x0, x1, faceT, faceNormal, exemptOnly);
-    x0 = x1;
-    known = true;
+    float start = t;
+    float lattice = walk.first + floor((t - walk.first) * perStep + 1e-4) * walk.dt;
+    uint marks = 0u;
+#if LABELS != 2
+    values[0] = tableAt(texAt(walk, t));
 #endif
-    t0 = t1;
+    for (int n = 0; n < kBlock && t < b; ++n) {
+      float next = min(lattice + float(n + 1) * walk.dt, b);
+#if LABELS == 2
+      float value = 0.0;
+      float sigma = labelExtinction(ray.origin + 0.5 * (t + next) * ray.direction);
+#else
+      float value = tableAt(texAt(walk, next));
+      float sigma = extinctionBetween(values[n], value);
+#endif
+      values[n + 1] = value;
+      sigmas[n] = sigma;
+      marks |= sigma > 0.0 ? 1u << n : 0u;
+      t = next;
+    }
+    while (marks != 0u && hit.color.a < cutoff) {
+      int n = findLSB(marks);
+      marks &= marks - 1u;
+      float t0 = n == 0 ? start : lattice + float(n) * walk.dt;
+      float t1 = min(lattice + float(n + 1) * walk.dt, b);
+      addSegment(hit, ray, walk, Segment(t0, t1, values[n], values[n + 1], sigmas[n]), faceT, faceNormal, exemptOnly);
+    }
   }
 }
 
@@ -345,8 +356,7 @@ void marchStretch(inout Hit hit, Ray ray, Walk walk, float a, float b, int face,
         vec3 normal = len > 0.0 ? -gradient / len : -ray.direction;
         if (dot(normal, ray.direction) > 0.0) normal = -normal;
         if (onFace) normal = cutNormal(face, p);
-        vec4 row = transferRow(iso, 0);
-        vec3 albedo = row.a > 0.0 ? row.rgb / row.a : vec3(0.9, 0.85, 0.78);
+        vec3 albedo = extinctionBetween(iso, iso) > 0.0 ? colorBetween(iso, iso) : vec3(0.9, 0.85, 0.78);
 #if COLOR
         albedo = volumeColorAt(texAt(walk, t));
 #endif
@@ -404,7 +414,10 @@ Hit castRay(Ray ray, float jitter, float stop) {
 }
 
 void main() {
-  ivec2 inTile = ivec2(gl_GlobalInvocationID.xy);
+  // Neighbours in a SIMD group are neighbours in the picture: runs of eight are blocks of four by two.
+  int i = int(gl_LocalInvocationIndex);
+  ivec2 inGroup = ivec2(i & 3 | i >> 1 & 4, i >> 2 & 1 | i >> 3 & 6);
+  ivec2 inTile = ivec2(gl_WorkGroupID.xy) * kTileGroup + inGroup;
   if (inTile.x >= tile.z || inTile.y >= tile.w) return;
   ivec2 pixel = tile.xy + inTile;
   ivec2 inPicture = pixel + window_.xy;

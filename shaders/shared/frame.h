@@ -14,6 +14,9 @@ SHARED_CONST uint kNoiseUnit = 4u;
 SHARED_CONST uint kSurfaceColorUnit = 5u;
 SHARED_CONST uint kSurfaceAuxUnit = 6u;
 SHARED_CONST uint kTransferUnit = 7u;
+SHARED_CONST uint kExtinctionUnit = 8u;
+SHARED_CONST uint kGradientTableUnit = 9u;
+SHARED_CONST uint kGradientUnit = 10u;
 SHARED_CONST uint kCutBinding = 1u;
 SHARED_CONST uint kStructureBinding = 2u;
 SHARED_CONST uint kCellBinding = 3u;
@@ -21,7 +24,7 @@ SHARED_CONST uint kCellLabelBinding = 4u;
 SHARED_CONST uint kMeshBinding = 5u;
 SHARED_CONST uint kExemptBinding = 6u;
 
-SHARED_CONST int kTransferSize = 4096;     // entries of the transfer table
+SHARED_CONST int kTransferSize = 4096;     // table positions 0 .. kTransferSize - 1; the sums have one entry more
 SHARED_CONST int kTileGroup = 8;           // threads along x and y of a ray-cast group
 SHARED_CONST float kFar = 1e30f;
 
@@ -46,10 +49,12 @@ struct FrameParams {
   vec4 forward;           ///< unit
   vec4 picture;           ///< width, height of the whole picture in pixels; subpixel offset x, y
   vec4 volumeSize;        ///< voxels x, y, z of the texture; w: voxels of the cell edge
+  vec4 cellsPerTex;       ///< xyz: cells in a unit of texture coordinates
   vec4 cellGrid;          ///< cells x, y, z; w: reciprocal of the smallest spacing, 1/mm
   vec4 valueFromTexel;    ///< x: scale, y: offset from texels to the table 0..1; z: table 0..1 per data value
   vec4 step;              ///< x: step mm, y: opaque cutoff alpha, z: iso value (table 0..1), w: noise offset 0..1
-  vec4 gradientScale;     ///< w: reciprocal of the largest gradient in its table, mm per data value
+  vec4 tableScale;        ///< x: extinction 1/mm of one unit of the running sums
+  vec4 gradientScale;     ///< x: texel difference of a gradient texel's full length; w: reciprocal of the largest gradient in its table, mm per data value
   vec4 window;            ///< x: scale, y: offset from table 0..1 to grey 0..1; z: label tint, w: opacity of the unlabelled
   vec4 light;             ///< ambient, diffuse, specular, shininess
   vec4 key;               ///< unit, towards the key light, scene frame; w: shadow strength
@@ -60,11 +65,6 @@ struct FrameParams {
   vec4 lightGrid;         ///< cells x, y, z of the light grid; w: cell size mm
   ivec4 counts;           ///< x: cuts, y: words of the exemption mask a structure, z: number of structure rows, w: pass sample index
   uvec4 flags;            ///< x: kFlag*
-};
-
-/// One row of the transfer table: running sums over the table up to its entry. Sigma is extinction 1/mm.
-struct TransferRow {
-  vec4 sum;   ///< rgb: sum of colour * sigma, a: sum of sigma
 };
 
 /// One structure: index by label id.

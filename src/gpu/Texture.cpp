@@ -21,12 +21,12 @@ const FormatRow& row(Format format) {
       {GL_R16F, GL_RED, GL_HALF_FLOAT, 2},        {GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT, 8},
       {GL_R32F, GL_RED, GL_FLOAT, 4},             {GL_RG32F, GL_RG, GL_FLOAT, 8},
       {GL_RGBA32F, GL_RGBA, GL_FLOAT, 16},        {GL_R8UI, GL_RED_INTEGER, GL_UNSIGNED_BYTE, 1}, {GL_RG8UI, GL_RG_INTEGER, GL_UNSIGNED_BYTE, 2},
-      {GL_R16UI, GL_RED_INTEGER, GL_UNSIGNED_SHORT, 2}, {GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, 4},
+      {GL_R16UI, GL_RED_INTEGER, GL_UNSIGNED_SHORT, 2}, {GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, 4}, {GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT, 16},
       {GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT, 4}};
   return kRows[static_cast<int>(format)];
 }
 
-bool isInteger(Format f) { return f == Format::R8ui || f == Format::Rg8ui || f == Format::R16ui || f == Format::R32ui; }
+bool isInteger(Format f) { return f == Format::R8ui || f == Format::Rg8ui || f == Format::R16ui || f == Format::R32ui || f == Format::Rgba32ui; }
 
 unsigned createTexture(GLenum target, std::string_view label, Filter filter) {
   unsigned id = 0;

@@ -115,7 +115,9 @@ shared::FrameParams makeFrameParams(const Frame& frame, const FrameGrid& grid, c
   params.valueFromTexel = {float(grid.valueScale / width), float((grid.valueOffset - table.domain.x) / width), float(1.0 / width), 0.0f};
   double isoTable = (scene.rayCast.isoValue - table.domain.x) / width;
   params.step = {float(scene.rayCast.stepVoxels * smallest * std::max(1.0, frame.stepFactor)), 0.998f, float(isoTable), 0.0f};
-  params.gradientScale = {0, 0, 0, float(1.0 / table.gradientMax)};
+  params.tableScale = {float(table.extinctionUnit), 0, 0, 0};
+  params.gradientScale = {float(grid.gradientScale), 0, 0, float(1.0 / table.gradientMax)};
+  params.cellsPerTex = v4(glm::dvec3(grid.dims) / double(grid.cells.edge));
   // A difference over two voxels along texture axis i is 2/dims[i] of that axis; gradients transform by the inverse transpose.
   glm::dmat3 gradient = glm::transpose(glm::dmat3(texFromScene));
   glm::dvec3 perDifference = grid.valueScale * glm::dvec3(grid.dims) * 0.5;

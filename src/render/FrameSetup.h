@@ -16,6 +16,7 @@ struct FrameGrid {
   CellGrid cells;
   glm::dmat4 worldFromTex{1.0};
   double valueScale = 1, valueOffset = 0;
+  double gradientScale = 0;  ///< As GpuVolume.
 };
 
 /// The frame's origin: scene frame = world minus it, so that floats are enough far from the world's origin.

@@ -91,7 +91,7 @@ struct Renderer::Impl {
   gpu::UniformBuffer<shared::FrameParams> frameBlock;
   FrameGrid grid;
   shared::FrameParams params{};
-  gpu::Texture transferTexture, noise, emptyVolume, emptyLabels;
+  gpu::Texture transferTexture, extinctionTexture, gradientTable, noise, emptyVolume, emptyLabels;
   gpu::Buffer cutBuffer, structureBuffer, exemptBuffer, emptyCells;
   gpu::Program* rayProgram = nullptr;
   // Pictures.
@@ -190,7 +190,7 @@ void Renderer::Impl::setup() {
   int mode = labelsMode(scene);
   grid = FrameGrid{};
   if (hasVolume) {
-    grid = {volume->dims, volume->cells, volume->worldFromTex, volume->valueScale, volume->valueOffset};
+    grid = {volume->dims, volume->cells, volume->worldFromTex, volume->valueScale, volume->valueOffset, volume->gradientScale};
     stats.reduction = volume->reduction;
   } else if (mode == 2) {
     grid.dims = scene.labels.data->dims();
@@ -213,8 +213,14 @@ void Renderer::Impl::setup() {
   }
   // Tables.
   TransferTable table = makeTransferTable(scene);
-  if (!transferTexture) transferTexture = gpu::Texture::make2d("transfer table", gpu::Format::Rgba32f, {shared::kTransferSize, 3});
-  transferTexture.write({0, 0, 0}, {shared::kTransferSize, 3, 1}, table.rows.data());
+  if (!transferTexture) {
+    transferTexture = gpu::Texture::make2d("transfer table", gpu::Format::Rgba32ui, {shared::kTransferSize + 1, 1});
+    extinctionTexture = gpu::Texture::make2d("extinction table", gpu::Format::R32ui, {shared::kTransferSize + 1, 1});
+    gradientTable = gpu::Texture::make2d("gradient factors", gpu::Format::R32f, {shared::kTransferSize, 1});
+  }
+  transferTexture.write({0, 0, 0}, transferTexture.size(), table.sums.data());
+  extinctionTexture.write({0, 0, 0}, extinctionTexture.size(), table.extinctionSums.data());
+  gradientTable.write({0, 0, 0}, gradientTable.size(), table.gradientFactors.data());
   if (!noise) {
     noise = gpu::Texture::make2d("blue noise", gpu::Format::R32f, {kBlueNoiseSize, kBlueNoiseSize});
     auto values = makeBlueNoise();
@@ -243,8 +249,9 @@ void Renderer::Impl::setup() {
   // Light grid size, needed by the parameters.
   int color = hasVolume && volume->isColor ? 1 : 0;
   int rayMode = hasVolume ? static_cast<int>(scene.rayCast.mode) : 0;
-  std::string variant = fmt::format("{}{}{}", rayMode, mode, color);
-  gpu::Defines defines{{"MODE", std::to_string(rayMode)}, {"LABELS", std::to_string(mode)}, {"COLOR", std::to_string(color)}};
+  int gradients = hasVolume && volume->gradient ? 1 : 0;
+  std::string variant = fmt::format("{}{}{}{}", rayMode, mode, color, gradients);
+  gpu::Defines defines{{"MODE", std::to_string(rayMode)}, {"LABELS", std::to_string(mode)}, {"COLOR", std::to_string(color)}, {"GRADIENTS", std::to_string(gradients)}};
   if (!rayPrograms.contains(variant)) {
     rayPrograms.emplace(variant, gpu::Program({"render/ray_cast.comp"}, defines));
     lightPasses.emplace(std::piecewise_construct, std::forward_as_tuple(variant), std::forward_as_tuple(mode, color, rayMode));
@@ -284,6 +291,9 @@ void Renderer::Impl::bindAll() {
   frameBlock.bind(shared::kFrameBinding);
   (hasVolume ? volume->texture : emptyVolume).bindSampler(shared::kVolumeUnit);
   transferTexture.bindSampler(shared::kTransferUnit);
+  extinctionTexture.bindSampler(shared::kExtinctionUnit);
+  gradientTable.bindSampler(shared::kGradientTableUnit);
+  if (hasVolume && volume->gradient) volume->gradient.bindSampler(shared::kGradientUnit);
   int mode = labelsMode(scene);
   (mode != 0 ? labels->texture : emptyLabels).bindSampler(shared::kLabelUnit);
   noise.bindSampler(shared::kNoiseUnit);

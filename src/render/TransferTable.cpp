@@ -56,20 +56,31 @@ TransferTable makeTransferTable(const scene::Scene& scene) {
   if (!transfer.gradientOpacities.empty()) table.gradientMax = std::max(1e-12, transfer.gradientOpacities.back().value);
 
   constexpr int n = shared::kTransferSize;
-  table.rows.resize(std::size_t(3) * n);
-  glm::dvec4 sum(0.0), before(0.0);
-  for (int i = 0; i < n; ++i) {
-    double f = double(i) / (n - 1);
-    double value = low + f * (high - low);
+  std::vector<glm::dvec4> entries;
+  glm::dvec4 before(0.0);
+  double total = 0;
+  for (int i = 0; i <= n; ++i) {
+    double value = low + std::min(1.0, double(i) / (n - 1)) * (high - low);
     double sigma = extinction(opacityAt(transfer.opacities, value), transfer.unitDistanceMm);
     glm::dvec4 here(colorAt(transfer.colors, value) * sigma, sigma);
-    if (i > 0) sum += 0.5 * (before + here);
+    if (i > 0) entries.push_back(0.5 * (before + here));
+    if (i > 0) total += entries.back().w;
     before = here;
-    table.rows[std::size_t(i)] = glm::vec4(here);
-    table.rows[std::size_t(n + i)] = glm::vec4(sum);
-    double factor = transfer.gradientOpacities.empty() ? 1.0 : opacityAt(transfer.gradientOpacities, f * table.gradientMax);
-    table.rows[std::size_t(2 * n + i)] = glm::vec4(0, 0, 0, factor);
   }
+  // Fixed point: the whole sum is half of what 32 bits hold, and material that is there at all counts at least one.
+  table.extinctionUnit = std::max(total, 1e-300) / 2147483648.0;
+  glm::uvec4 sum(0);
+  table.sums.push_back(sum);
+  for (const auto& entry : entries) {
+    glm::dvec4 units = glm::floor(entry / table.extinctionUnit + 0.5);
+    if (entry.w > 0) units.w = std::max(units.w, 1.0);
+    sum += glm::uvec4(units);
+    table.sums.push_back(sum);
+  }
+  for (const auto& s : table.sums) table.extinctionSums.push_back(s.w);
+  for (int i = 0; i < n; ++i)
+    table.gradientFactors.push_back(
+        transfer.gradientOpacities.empty() ? 1.0f : float(opacityAt(transfer.gradientOpacities, double(i) / (n - 1) * table.gradientMax)));
   return table;
 }
 

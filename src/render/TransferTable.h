@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <glm/glm.hpp>
 #include <vector>
 
@@ -10,7 +11,11 @@ namespace velum::render {
 struct TransferTable {
   glm::dvec2 domain{0.0, 1.0};        ///< Data values of table positions 0 and 1.
   double gradientMax = 1.0;           ///< Gradient magnitude of position 1 of the third row, value per mm.
-  std::vector<glm::vec4> rows;        ///< [3][kTransferSize]: (colour*sigma, sigma) 1/mm; their running sums; gradient factor in a
+  double extinctionUnit = 1.0;        ///< Extinction, 1/mm, of one unit of the sums.
+  std::vector<glm::uvec4> sums;       ///< [kTransferSize + 1] running sums of (colour*sigma, sigma), modulo 2^32: the mean over entries
+                                      ///< i..j is (sums[j] - sums[i]) / (j - i) * extinctionUnit, exact and never negative
+  std::vector<std::uint32_t> extinctionSums;  ///< [kTransferSize + 1] their last component alone
+  std::vector<float> gradientFactors; ///< [kTransferSize] over 0..gradientMax
 };
 
 /// @param scene  its volume layer's transfer function, window and iso value

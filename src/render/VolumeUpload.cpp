@@ -107,11 +107,14 @@ struct VolumeUpload::Impl {
   std::vector<glm::vec2> ranges;
   int nextCellZ = 0;
   int cellLayersPerStep = 1;
+  double longestGradient = 1;  ///< Texels.
 
   template <class Texel, class Raw>
   void convertPlanes(const Raw* frameStart, int z0, int z1, std::vector<Texel>& texels) const;
   template <class Texel>
   const Texel* planes(int z0, int z1, std::vector<Texel>& scratch) const;
+  template <class Texel>
+  void uploadGradients(const Texel* texels, int firstPlane, int z0, int z1);
   template <class Texel>
   void stepAs();
 };
@@ -124,7 +127,8 @@ VolumeUpload::VolumeUpload(Shared<Volume> volume, int channel, int frame, const 
   m.plan = planFor(*volume);
   // Take the best level whose sides and bytes the driver can hold beside pictures and tables.
   auto dimsAt = [&](int factor) { return (volume->dims + factor - 1) / factor; };
-  auto bytesAt = [&](int factor) { return product(dimsAt(factor)) * gpu::texelBytes(m.plan.format); };
+  bool wantsGradients = limits.isSoftware && !volume->isColor;
+  auto bytesAt = [&](int factor) { return product(dimsAt(factor)) * (gpu::texelBytes(m.plan.format) + (wantsGradients ? 4 : 0)); };
   while (maxOf(dimsAt(m.factor)) > limits.texture3d || double(bytesAt(m.factor)) > 0.7 * double(limits.memoryBytes)) ++m.factor;
   GpuVolume& out = m.out;
   out.dims = dimsAt(m.factor);
@@ -146,6 +150,12 @@ VolumeUpload::VolumeUpload(Shared<Volume> volume, int channel, int frame, const 
   }
   out.worldFromTex = volume->worldFromVoxel * voxelFromTex;
   out.texture = gpu::Texture::make3d("volume", m.plan.format, out.dims);
+  if (wantsGradients) {
+    out.gradient = gpu::Texture::make3d("gradients", Format::Rgba8, out.dims);
+    // No difference is longer than the data's whole range along all three axes.
+    m.longestGradient = std::sqrt(3.0) * std::max(1e-30, (volume->range.y - volume->range.x) / std::abs(out.valueScale));
+    out.gradientScale = m.longestGradient * 255.0 / 127.0;
+  }
   std::size_t layerBytes = std::size_t(out.dims.x) * std::size_t(out.dims.y) * std::size_t(out.cells.edge) * gpu::texelBytes(m.plan.format) * std::size_t(m.factor);
   constexpr std::size_t kStepBytes = 16u << 20;
   m.cellLayersPerStep = int(std::max<std::size_t>(1, kStepBytes / std::max<std::size_t>(1, layerBytes)));
@@ -204,6 +214,33 @@ const Texel* VolumeUpload::Impl::planes(int z0, int z1, std::vector<Texel>& scra
   });
 }
 
+/// Central differences of planes z0..z1, as the shader would take them: beyond the border a voxel repeats.
+template <class Texel>
+void VolumeUpload::Impl::uploadGradients(const Texel* texels, int firstPlane, int z0, int z1) {
+  glm::ivec3 dims = out.dims;
+  std::vector<glm::u8vec4> gradients(std::size_t(dims.x) * std::size_t(dims.y) * std::size_t(z1 - z0));
+  auto rowAt = [&](int y, int z) {
+    y = std::clamp(y, 0, dims.y - 1), z = std::clamp(z, 0, dims.z - 1);
+    return texels + (std::size_t(z - firstPlane) * std::size_t(dims.y) + std::size_t(y)) * std::size_t(dims.x);
+  };
+  float toShare = float(1.0 / (longestGradient * (std::is_same_v<Texel, float> ? 1.0 : double(std::numeric_limits<Texel>::max()))));
+  tbb::parallel_for(0, (z1 - z0) * dims.y, [&](int job) {
+    int z = z0 + job / dims.y, y = job % dims.y;
+    const Texel *here = rowAt(y, z), *y0 = rowAt(y - 1, z), *y1 = rowAt(y + 1, z), *below = rowAt(y, z - 1), *above = rowAt(y, z + 1);
+    glm::u8vec4* row = &gradients[std::size_t(job) * std::size_t(dims.x)];
+    for (int x = 0; x < dims.x; ++x) {
+      float gx = float(here[std::min(x + 1, dims.x - 1)]) - float(here[std::max(x - 1, 0)]);
+      float gy = float(y1[x]) - float(y0[x]);
+      float gz = float(above[x]) - float(below[x]);
+      float length = std::sqrt(gx * gx + gy * gy + gz * gz);
+      float toByte = length > 0 ? 127.0f / length : 0.0f;
+      row[x] = {std::uint8_t(gx * toByte + 128.5f), std::uint8_t(gy * toByte + 128.5f), std::uint8_t(gz * toByte + 128.5f),
+                std::uint8_t(255.0f * std::sqrt(std::min(1.0f, length * toShare)) + 0.5f)};
+    }
+  });
+  out.gradient.write({0, 0, z0}, {dims.x, dims.y, z1 - z0}, gradients.data());
+}
+
 template <class Texel>
 void VolumeUpload::Impl::stepAs() {
   int cz0 = nextCellZ, cz1 = std::min(out.cells.size.z, cz0 + cellLayersPerStep);
@@ -220,6 +257,7 @@ void VolumeUpload::Impl::stepAs() {
     layerRanges = computeCellRanges(grey.data(), out.dims, out.cells, cz0, cz1, halo0);
   } else {
     layerRanges = computeCellRanges(texels, out.dims, out.cells, cz0, cz1, halo0);
+    if (out.gradient) uploadGradients(texels, halo0, z0, z1);
   }
   ranges.insert(ranges.end(), layerRanges.begin(), layerRanges.end());
   nextCellZ = cz1;

@@ -23,6 +23,8 @@ CellGrid cellGridFor(glm::ivec3 dims);
 /// One channel and time step of a volume on the GPU, at the best level that fits.
 struct GpuVolume {
   gpu::Texture texture;
+  gpu::Texture gradient;             ///< Software drivers: differences over two voxels, direction in xyz (128 is 0), root of the length in w
+  double gradientScale = 0;          ///< Length of a full-length gradient texel, texels times 255/127.
   gpu::Buffer cellRange;             ///< vec2 a cell: smallest and largest texel, with a halo of one voxel.
   CellGrid cells;
   glm::ivec3 dims{0};                ///< Voxels of the texture.

@@ -7,7 +7,7 @@
 
 namespace velum::gpu {
 
-enum class Format { R8, Rg8, Rgba8, R16, R16f, Rgba16f, R32f, Rg32f, Rgba32f, R8ui, Rg8ui, R16ui, R32ui, Depth32f };
+enum class Format { R8, Rg8, Rgba8, R16, R16f, Rgba16f, R32f, Rg32f, Rgba32f, R8ui, Rg8ui, R16ui, R32ui, Rgba32ui, Depth32f };
 enum class Filter { Nearest, Linear };
 enum class Access { Read, Write, ReadWrite };
 

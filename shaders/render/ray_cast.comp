@@ -134,7 +134,7 @@ struct Segment {
   float t1;
   float x0;     // values at its ends, table positions
   float x1;
-  float sigma;  // mean extinction by the transfer function
+  float depth;  // optical depth by the transfer function
 };
 
 /// Shades and composites one segment.
@@ -143,7 +143,7 @@ void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, float faceT,
   vec3 p = ray.origin + tm * ray.direction;
   vec3 tex = texAt(walk, tm);
   uint structure = 0u;
-  float sigma = segment.sigma;
+  float depth = segment.depth;
 #if LABELS == 2
   structure = labelAt(p);
   if (exemptOnly && !cutsKeep(p, structure)) return;
@@ -159,9 +159,9 @@ void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, float faceT,
   structure = labelAt(p);
   if (exemptOnly && !cutsKeep(p, structure)) return;
   vec4 row = structureRow(structure);
-  sigma *= structure == 0u ? frame.window.w : row.a;
+  depth *= structure == 0u ? frame.window.w : row.a;
   if (structure != 0u) albedo = mix(albedo, row.rgb, frame.window.z);
-  if (sigma <= 0.0) return;
+  if (depth <= 0.0) return;
 #endif
 #endif
   vec3 normal = -ray.direction;
@@ -175,7 +175,7 @@ void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, float faceT,
     float steepness = 1.0;
 #else
     vec3 gradient = gradientAt(tex);
-    if (hasFlag(kFlagGradientOpacity)) sigma *= gradientFactor(gradient);
+    if (hasFlag(kFlagGradientOpacity)) depth *= gradientFactor(gradient);
     // Where the value hardly changes the gradient is noise: less of it counts.
     float steepness = smoothstep(0.0, 1.0, length(gradient) * frame.valueFromTexel.z * 60.0 / frame.cellGrid.w);
 #endif
@@ -187,7 +187,7 @@ void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, float faceT,
     if (faceT >= 0.0) normal = normalize(mix(faceNormal, normal, smoothstep(0.25, 1.5, (tm - faceT) * frame.cellGrid.w * -dot(faceNormal, ray.direction))) + 1e-6);
     color = shadeSurface(albedo, normal, -ray.direction, lightTexAt(p, normal));
   }
-  float alpha = 1.0 - exp(-sigma * (segment.t1 - segment.t0));
+  float alpha = 1.0 - exp(-depth);
   addSample(hit, vec4(color * alpha, alpha), tm, normal, structure);
 }
 
@@ -201,7 +201,9 @@ float labelExtinction(vec3 scenePoint) {
 
 /// Composites one stretch, front to back. Rays of a SIMD group go in step, and a software driver runs both sides of every
 /// branch, so each kind of work has a loop of its own in which all rays have something to do: leaping over empty cells;
-/// fetching a block of samples and marking the segments with material; shading the marked ones.
+/// fetching a block of samples and marking the segments with material; shading the marked ones. Thin material is shaded a
+/// group of segments at a time: what hides less than a tenth of what is behind it needs no gradient at every half voxel.
+/// Groups and leaps keep to the same lattice, so leaping changes no picture.
 void marchStretch(inout Hit hit, Ray ray, Walk walk, float a, float b, int face, bool exemptOnly) {
   vec3 faceNormal = vec3(0.0);
   float faceT = -1.0;
@@ -211,11 +213,13 @@ void marchStretch(inout Hit hit, Ray ray, Walk walk, float a, float b, int face,
     if (cuts[face].kind.y == 1) addSliceFace(hit, ray, a, face);
   }
   const int kBlock = 16;
+  const int kGroup = 4;
   bool skipping = hasFlag(kFlagSkipEmpty);
   float cutoff = hasFlag(kFlagStopOpaque) ? frame.step.y : 2.0;
-  float perStep = 1.0 / walk.dt;
+  float perGroupMm = float(kGroup) * walk.dt;
+  float perGroup = 1.0 / perGroupMm;
   float values[kBlock + 1];   // of the block's lattice points, table positions
-  float sigmas[kBlock];
+  float depths[kBlock];       // optical depth of its segments
   float t = a;
   while (t < b && hit.color.a < cutoff) {
     bool leaping = skipping;
@@ -224,18 +228,20 @@ void marchStretch(inout Hit hit, Ray ray, Walk walk, float a, float b, int face,
       uint reach = cellsToContent(cell, exemptOnly);
       // To the last lattice point inside the empty cube: the segment that leaves it is still looked at.
       float leave = leaveEmpty(walk, t, cell, reach);
-      float target = leave >= b ? b : walk.first + floor((leave - walk.first) * perStep - 1e-4) * walk.dt;
+      float target = leave >= b ? b : walk.first + floor((leave - walk.first) * perGroup - 1e-4) * perGroupMm;
       leaping = reach > 0u && target > t;
       t = leaping ? target : t;
       leaping = leaping && t < b;
     }
     float start = t;
-    float lattice = walk.first + floor((t - walk.first) * perStep + 1e-4) * walk.dt;
+    float lattice = walk.first + floor((t - walk.first) * perGroup + 1e-4) * perGroupMm;
+    int first = clamp(int((t - lattice) / walk.dt + 1e-3), 0, kGroup - 1);
+    int last = first;  // one past the block's last segment
     uint marks = 0u;
 #if LABELS != 2
-    values[0] = tableAt(texAt(walk, t));
+    values[first] = tableAt(texAt(walk, t));
 #endif
-    for (int n = 0; n < kBlock && t < b; ++n) {
+    for (int n = first; n < kBlock && t < b; ++n) {
       float next = min(lattice + float(n + 1) * walk.dt, b);
 #if LABELS == 2
       float value = 0.0;
@@ -245,16 +251,29 @@ void marchStretch(inout Hit hit, Ray ray, Walk walk, float a, float b, int face,
       float sigma = extinctionBetween(values[n], value);
 #endif
       values[n + 1] = value;
-      sigmas[n] = sigma;
+      depths[n] = sigma * (next - t);
       marks |= sigma > 0.0 ? 1u << n : 0u;
+      last = n + 1;
       t = next;
     }
     while (marks != 0u && hit.color.a < cutoff) {
       int n = findLSB(marks);
-      marks &= marks - 1u;
-      float t0 = n == 0 ? start : lattice + float(n) * walk.dt;
-      float t1 = min(lattice + float(n + 1) * walk.dt, b);
-      addSegment(hit, ray, walk, Segment(t0, t1, values[n], values[n + 1], sigmas[n]), faceT, faceNormal, exemptOnly);
+      int end = n + 1;
+      float depth = depths[n];
+#if LABELS == 0
+      int group = max(n & ~(kGroup - 1), first);
+      int groupEnd = min((n | (kGroup - 1)) + 1, last);
+      float together = 0.0;
+      for (int i = group; i < groupEnd; ++i) together += depths[i];
+      bool merge = together < 0.1;
+      n = merge ? group : n;
+      end = merge ? groupEnd : end;
+      depth = merge ? together : depth;
+#endif
+      marks &= ~0u << end;
+      float t0 = n == first ? start : lattice + float(n) * walk.dt;
+      float t1 = min(lattice + float(end) * walk.dt, b);
+      addSegment(hit, ray, walk, Segment(t0, t1, values[n], values[end], depth), faceT, faceNormal, exemptOnly);
     }
   }
 }

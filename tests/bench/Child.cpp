@@ -1,7 +1,6 @@
 #include "Child.h"
 
 #include <fmt/format.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -28,14 +27,13 @@ namespace {
 
 }  // namespace
 
-ChildResult runChild(const std::vector<std::string>& arguments,
-                     const std::vector<std::pair<std::string, std::string>>& environment) {
-  ChildResult result;
+nlohmann::json runChild(const std::vector<std::string>& arguments,
+                        const std::vector<std::pair<std::string, std::string>>& environment) {
   int pipes[2];
   std::fflush(nullptr);
-  if (pipe(pipes) != 0) return result;
+  if (pipe(pipes) != 0) return nullptr;
   pid_t child = fork();
-  if (child < 0) return result;
+  if (child < 0) return nullptr;
   if (child == 0) become(arguments, environment, pipes[1]);
   close(pipes[1]);
   std::string text;
@@ -43,13 +41,10 @@ ChildResult runChild(const std::vector<std::string>& arguments,
   for (ssize_t n; (n = read(pipes[0], buffer, sizeof buffer)) > 0;) text.append(buffer, std::size_t(n));
   close(pipes[0]);
   int status = 0;
-  rusage usage{};
-  wait4(child, &status, 0, &usage);
-  result.peakMb = double(usage.ru_maxrss) / 1024.0;
-  if (WIFEXITED(status) && WEXITSTATUS(status) == 0)
-    result.figures = nlohmann::json::parse(text, nullptr, /*allow_exceptions=*/false);
-  if (result.figures.is_discarded()) result.figures = nullptr;
-  return result;
+  waitpid(child, &status, 0);
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) return nullptr;
+  auto figures = nlohmann::json::parse(text, nullptr, /*allow_exceptions=*/false);
+  return figures.is_discarded() ? nullptr : figures;
 }
 
 int childMain(const std::vector<std::string>& arguments) {

@@ -6,20 +6,15 @@
 
 namespace velum::bench {
 
-/// What a process of its own had to say.
-struct ChildResult {
-  nlohmann::json figures;  ///< What it printed; null when it failed.
-  double peakMb = 0;       ///< Largest resident size.
-};
-
 /// Runs this program anew as `velum-bench --child <arguments>`, so that memory and caches are its own.
-ChildResult runChild(const std::vector<std::string>& arguments,
-                     const std::vector<std::pair<std::string, std::string>>& environment = {});
+/// @return what it printed; null when it failed
+nlohmann::json runChild(const std::vector<std::string>& arguments,
+                        const std::vector<std::pair<std::string, std::string>>& environment = {});
 
 /// What children do; by their first argument. @return the exit status
 int childMain(const std::vector<std::string>& arguments);
 
-/// Reads a file and prints {ms, megabytes}. @param reader  velum, itk, vtk, or none
+/// Reads a file and says {ms, peakMb}: time, and growth of the largest resident size. @param reader  velum, itk, vtk
 nlohmann::json childRead(const std::string& reader, const std::string& path);
 /// The first picture of a fresh process. @param size  voxels along each axis
 nlohmann::json childFirstPicture(int size);

@@ -66,9 +66,8 @@ void measureFirstPicture(const Options& options, Report& report) {
   for (int n : options.quick ? std::vector{128} : std::vector{256, 512}) {
     std::filesystem::remove_all(cache);
     for (const char* state : {"driver's cache empty", "driver's cache full"}) {
-      auto child = runChild({"first-picture", std::to_string(n)}, {{"MESA_SHADER_CACHE_DIR", cache}});
-      if (child.figures.is_null()) continue;
-      const auto& f = child.figures;
+      auto f = runChild({"first-picture", std::to_string(n)}, {{"MESA_SHADER_CACHE_DIR", cache}});
+      if (f.is_null()) continue;
       rows.push_back({fmt::format("{}^3 uint8", n), fmt::format("new process, {}", state), formatMs(f["contextMs"]),
                       formatMs(f["uploadMs"]), formatMs(f["drawMs"]), formatMs(f["totalMs"]),
                       formatMs(f["longestStepMs"])});

@@ -7,7 +7,6 @@
 #include <vtkLight.h>
 #include <vtkNew.h>
 #include <vtkOpenGLGPUVolumeRayCastMapper.h>
-#include <vtkOpenGLRenderWindow.h>
 #include <vtkPiecewiseFunction.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
@@ -22,6 +21,8 @@
 #include <cstring>
 #include <sstream>
 #include <thread>
+
+#include "Worker.h"
 
 namespace velum::bench {
 
@@ -118,76 +119,90 @@ struct VtkScene::Impl {
   vtkNew<vtkLight> light;
   vtkNew<vtkVolume> volume;
 
-  vtkOpenGLRenderWindow& gl() { return *static_cast<vtkOpenGLRenderWindow*>(window.Get()); }
+  Impl(const scene::Scene& scene, Mapper kind, glm::ivec2 size);
+  double render(const scene::Camera& camera);
+  Image read();
+  std::string glRenderer() const;
 };
 
-VtkScene::VtkScene(const scene::Scene& scene, Mapper mapper, glm::ivec2 size) : mImpl(std::make_unique<Impl>()) {
-  Impl& m = *mImpl;
-  m.window->SetOffScreenRendering(1);
-  m.window->SetMultiSamples(0);
-  m.window->SetSize(size.x, size.y);
-  m.window->AddRenderer(m.renderer);
-  m.renderer->SetBackground(0, 0, 0);
-  m.renderer->AutomaticLightCreationOff();
-  m.light->SetLightTypeToHeadlight();
-  m.renderer->AddLight(m.light);
+VtkScene::Impl::Impl(const scene::Scene& scene, Mapper kind, glm::ivec2 size) {
+  window->SetOffScreenRendering(1);
+  window->SetMultiSamples(0);
+  window->SetSize(size.x, size.y);
+  window->AddRenderer(renderer);
+  renderer->SetBackground(0, 0, 0);
+  renderer->AutomaticLightCreationOff();
+  light->SetLightTypeToHeadlight();
+  renderer->AddLight(light);
   glm::dvec3 spacing = spacingMm(*scene.volume.data);
-  auto vtkMapper = makeMapper(mapper, scene.rayCast.stepVoxels * std::min({spacing.x, spacing.y, spacing.z}));
-  vtkMapper->SetInputDataObject(makeImage(*scene.volume.data));
-  m.volume->SetMapper(vtkMapper);
-  setProperty(*m.volume->GetProperty(), scene);
-  m.renderer->AddVolume(m.volume);
+  auto mapper = makeMapper(kind, scene.rayCast.stepVoxels * std::min({spacing.x, spacing.y, spacing.z}));
+  mapper->SetInputDataObject(makeImage(*scene.volume.data));
+  volume->SetMapper(mapper);
+  setProperty(*volume->GetProperty(), scene);
+  renderer->AddVolume(volume);
 }
 
-VtkScene::~VtkScene() {
-  mImpl->gl().MakeCurrent();
-  mImpl->window->Finalize();
-}
-
-double VtkScene::render(const scene::Camera& camera) {
-  Impl& m = *mImpl;
-  vtkCamera& eye = *m.renderer->GetActiveCamera();
+double VtkScene::Impl::render(const scene::Camera& camera) {
+  vtkCamera& eye = *renderer->GetActiveCamera();
   eye.SetPosition(camera.eyeMm.x, camera.eyeMm.y, camera.eyeMm.z);
   eye.SetFocalPoint(camera.targetMm.x, camera.targetMm.y, camera.targetMm.z);
   eye.SetViewUp(camera.up.x, camera.up.y, camera.up.z);
   eye.SetParallelProjection(camera.projection == scene::Projection::Orthographic);
   eye.SetViewAngle(camera.fieldOfViewDeg);
   eye.SetParallelScale(0.5 * camera.heightMm);
-  m.renderer->ResetCameraClippingRange();
+  renderer->ResetCameraClippingRange();
   auto start = std::chrono::steady_clock::now();
-  m.window->Render();
-  m.window->WaitForCompletion();
-  double ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-  m.gl().ReleaseCurrent();
-  return ms;
+  window->Render();
+  window->WaitForCompletion();
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
-Image VtkScene::read() {
-  Impl& m = *mImpl;
-  m.gl().MakeCurrent();
-  const int* size = m.window->GetSize();
+Image VtkScene::Impl::read() {
+  const int* size = window->GetSize();
   Image image{size[0], size[1], {"R", "G", "B"}, {}};
   vtkNew<vtkUnsignedCharArray> bytes;
-  m.window->GetPixelData(0, 0, image.width - 1, image.height - 1, /*front=*/0, bytes);
+  window->GetPixelData(0, 0, image.width - 1, image.height - 1, /*front=*/0, bytes);
   image.pixels.resize(std::size_t(bytes->GetNumberOfValues()));
-  std::size_t row = std::size_t(image.width) * 3;
-  for (std::size_t y = 0; y < std::size_t(image.height); ++y)
+  std::size_t row = std::size_t(image.width) * 3, height = std::size_t(image.height);
+  for (std::size_t y = 0; y < height; ++y)
     for (std::size_t i = 0; i < row; ++i)
-      image.pixels[(std::size_t(image.height) - 1 - y) * row + i] =
-          float(bytes->GetValue(vtkIdType(y * row + i))) / 255.0f;
-  m.gl().ReleaseCurrent();
+      image.pixels[(height - 1 - y) * row + i] = float(bytes->GetValue(vtkIdType(y * row + i))) / 255.0f;
   return image;
 }
 
-std::string VtkScene::renderer() {
-  mImpl->gl().MakeCurrent();
-  std::istringstream text(mImpl->window->ReportCapabilities());
-  mImpl->gl().ReleaseCurrent();
+std::string VtkScene::Impl::glRenderer() const {
+  std::istringstream text(window->ReportCapabilities());
   constexpr std::string_view kKey = "OpenGL renderer string:";
   for (std::string line; std::getline(text, line);)
     if (auto at = line.find(kKey); at != std::string::npos)
       return line.substr(line.find_first_not_of(' ', at + kKey.size()));
   return "unknown";
+}
+
+VtkScene::VtkScene(const scene::Scene& scene, Mapper mapper, glm::ivec2 size) : mWorker(std::make_unique<Worker>()) {
+  mWorker->run([&] { mImpl = std::make_unique<Impl>(scene, mapper, size); });
+}
+
+VtkScene::~VtkScene() {
+  mWorker->run([this] { mImpl.reset(); });
+}
+
+double VtkScene::render(const scene::Camera& camera) {
+  double ms = 0;
+  mWorker->run([&] { ms = mImpl->render(camera); });
+  return ms;
+}
+
+Image VtkScene::read() {
+  Image image;
+  mWorker->run([&] { image = mImpl->read(); });
+  return image;
+}
+
+std::string VtkScene::renderer() {
+  std::string name;
+  mWorker->run([&] { name = mImpl->glRenderer(); });
+  return name;
 }
 
 }  // namespace velum::bench

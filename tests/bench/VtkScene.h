@@ -8,6 +8,8 @@
 
 namespace velum::bench {
 
+class Worker;
+
 /// A scene of ours drawn by one of VTK's volume mappers: same data, points of the transfer function, camera, step,
 /// light. VTK 9.1 of Debian opens its windows through X, so a display must be there.
 class VtkScene {
@@ -17,7 +19,7 @@ class VtkScene {
   VtkScene(const scene::Scene& scene, Mapper mapper, glm::ivec2 size);
   ~VtkScene();
 
-  /// Draws and waits. Leaves no context current. @return milliseconds
+  /// Draws and waits. @return milliseconds
   double render(const scene::Camera& camera);
   /// The last picture: R, G, B, top row first.
   Image read();
@@ -26,6 +28,7 @@ class VtkScene {
 
  private:
   struct Impl;
+  std::unique_ptr<Worker> mWorker;  ///< VTK's context lives on this thread.
   std::unique_ptr<Impl> mImpl;
 };
 

@@ -1,0 +1,148 @@
+#include <fmt/format.h>
+#include <stdlib.h>
+
+#include <chrono>
+#include <filesystem>
+
+#include "Child.h"
+#include "Data.h"
+#include "Sections.h"
+#include "velum/render/Renderer.h"
+
+namespace velum::bench {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+double msSince(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+constexpr glm::ivec2 kSize(1280, 720);
+constexpr int kCoarseDivisor = 4;  // along each side of the picture
+constexpr double kCoarseStepFactor = 2.0;
+
+/// What a window shows first while something moves.
+render::Frame coarseFrame(const scene::Scene& scene, int divisor = kCoarseDivisor) {
+  render::Frame frame{scene, kSize / divisor};
+  frame.scene.rayCast.samplesPerPixel = 1;
+  frame.stepFactor = kCoarseStepFactor;
+  return frame;
+}
+
+/// Draws and reads the picture, as a window would show it. @return milliseconds
+double show(render::Renderer& renderer, const render::Frame& frame) {
+  Progress progress;
+  auto start = Clock::now();
+  renderer.render(frame, progress);
+  renderer.read();
+  return msSince(start);
+}
+
+/// Median time of coarse pictures from a camera that moves.
+double movingMs(render::Renderer& renderer, render::Frame frame, int positions) {
+  std::vector<double> times;
+  scene::Camera start = frame.scene.camera;
+  for (int i = 0; i < positions; ++i) {
+    frame.scene.camera = turned(start, i, 3 * positions);
+    times.push_back(show(renderer, frame));
+  }
+  return median(times);
+}
+
+/// Median time from an edit of the transfer function to its picture.
+double editMs(render::Renderer& renderer, render::Frame frame, int edits) {
+  std::vector<double> times;
+  for (int i = 0; i < edits; ++i) {
+    for (auto& point : frame.scene.volume.transfer.opacities) point.value += 0.7;
+    times.push_back(show(renderer, frame));
+  }
+  return median(times);
+}
+
+void measureFirstPicture(const Options& options, Report& report) {
+  std::vector<std::vector<std::string>> rows;
+  std::string cache = (std::filesystem::temp_directory_path() / fmt::format("velum-bench-{}", getpid())).string();
+  for (int n : options.quick ? std::vector{128} : std::vector{256, 512}) {
+    std::filesystem::remove_all(cache);
+    for (const char* state : {"driver's cache empty", "driver's cache full"}) {
+      auto f = runChild({"first-picture", std::to_string(n)}, {{"MESA_SHADER_CACHE_DIR", cache}});
+      if (f.is_null()) continue;
+      rows.push_back({fmt::format("{}^3 uint8", n), fmt::format("new process, {}", state), formatMs(f["contextMs"]),
+                      formatMs(f["uploadMs"]), formatMs(f["drawMs"]), formatMs(f["totalMs"]),
+                      formatMs(f["longestStepMs"])});
+      report.figure(fmt::format("first/{}/{}", n, state[15] == 'e' ? "cold" : "cached"), f);
+    }
+    std::filesystem::remove_all(cache);
+    render::Renderer renderer(sharedContext());
+    double aspect = double(kSize.x) / kSize.y;
+    show(renderer, coarseFrame(makeShellScene(Shared<Volume>(makeShells(64)), Opacity::SkinOverBone, aspect)));
+    auto frame = coarseFrame(makeShellScene(Shared<Volume>(makeShells(n)), Opacity::SkinOverBone, aspect));
+    double total = show(renderer, frame);
+    rows.push_back({fmt::format("{}^3 uint8", n), "next volume of a process", "0", formatMs(renderer.stats().uploadMs),
+                    formatMs(total - renderer.stats().uploadMs), formatMs(total), "-"});
+    report.figure(fmt::format("first/{}/warm", n), {{"uploadMs", renderer.stats().uploadMs}, {"totalMs", total}});
+  }
+  report.note(
+      "First coarse picture (320 x 180 of 1280 x 720, double steps, shadows and occlusion on) once the data is in "
+      "memory, ms.");
+  report.table(
+      {"volume", "when", "context", "upload", "programs, tables, light, picture", "sum", "longest piece of work"},
+      rows);
+}
+
+void measureMoving(const Options& options, Report& report) {
+  std::vector<std::vector<std::string>> rows;
+  double aspect = double(kSize.x) / kSize.y;
+  int positions = options.quick ? 3 : 9;
+  for (int n : options.quick ? std::vector{128} : std::vector{256, 512}) {
+    Shared<Volume> volume(makeShells(n));
+    for (Opacity opacity : {Opacity::Opaque, Opacity::SkinOverBone}) {
+      scene::Scene lit = makeShellScene(volume, opacity, aspect);
+      for (bool everything : {false, true}) {
+        scene::Scene scene = everything ? lit : plain(lit);
+        render::Renderer renderer(sharedContext());
+        show(renderer, coarseFrame(scene));
+        double quarter = movingMs(renderer, coarseFrame(scene), positions);
+        double half = movingMs(renderer, coarseFrame(scene, 2), positions);
+        double edit = editMs(renderer, coarseFrame(scene), positions);
+        double longest = renderer.stats().longestStepMs;
+        std::string name{kOpacityNames[static_cast<int>(opacity)]};
+        rows.push_back({fmt::format("{}^3 uint8, {}", n, name), everything ? "on" : "off",
+                        fmt::format("{:.1f}", 1000.0 / quarter), fmt::format("{:.1f}", 1000.0 / half), formatMs(edit),
+                        formatMs(longest)});
+        report.figure(fmt::format("moving/{}/{}/{}", n, name, everything ? "lit" : "plain"),
+                      {{"coarseMs", quarter}, {"halfMs", half}, {"editMs", edit}, {"longestStepMs", longest}});
+      }
+    }
+  }
+  report.note(
+      "While the camera moves, and from an edit of the opacity curve to its coarse picture. The longest piece of work "
+      "includes "
+      "uploading and compiling.");
+  report.table({"volume", "shadows and occlusion", "pictures/s at 320 x 180", "pictures/s at 640 x 360",
+                "edit to picture, ms", "longest piece of work, ms"},
+               rows);
+}
+
+}  // namespace
+
+nlohmann::json childFirstPicture(int size) {
+  auto scene = makeShellScene(Shared<Volume>(makeShells(size)), Opacity::SkinOverBone, double(kSize.x) / kSize.y);
+  auto start = Clock::now();
+  gpu::Context& context = sharedContext();
+  double contextMs = msSince(start);
+  render::Renderer renderer(context);
+  double total = show(renderer, coarseFrame(scene));
+  const auto& stats = renderer.stats();
+  return {{"contextMs", contextMs},       {"uploadMs", stats.uploadMs},           {"drawMs", total - stats.uploadMs},
+          {"totalMs", contextMs + total}, {"longestStepMs", stats.longestStepMs}, {"passesMs", stats.passesMs}};
+}
+
+void measureInteraction(const Options& options, Report& report) {
+  report.section("interaction", "Answering the user");
+  measureFirstPicture(options, report);
+  measureMoving(options, report);
+}
+
+}  // namespace velum::bench

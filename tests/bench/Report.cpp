@@ -1,0 +1,49 @@
+#include "Report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace velum::bench {
+
+void Report::print(const std::string& text) {
+  mMarkdown += text;
+  std::fputs(text.c_str(), stdout);
+  std::fflush(stdout);
+}
+
+void Report::section(const std::string& name, std::string_view title) {
+  mSection = name;
+  print(fmt::format("\n## {}\n\n", title));
+}
+
+void Report::note(std::string_view text) { print(fmt::format("{}\n\n", text)); }
+
+void Report::table(const std::vector<std::string>& columns, const std::vector<std::vector<std::string>>& rows) {
+  auto line = [](const std::vector<std::string>& cells) {
+    std::string text = "|";
+    for (const auto& cell : cells) text += fmt::format(" {} |", cell);
+    return text + "\n";
+  };
+  std::string rule = "|---|";
+  for (std::size_t i = 1; i < columns.size(); ++i) rule += "---:|";
+  std::string text = line(columns) + rule + "\n";
+  for (const auto& row : rows) text += line(row);
+  print(text + "\n");
+}
+
+void Report::figure(const std::string& path, const nlohmann::json& value) {
+  std::string pointer = "/" + mSection + (path.empty() ? "" : "/" + path);
+  mFigures[nlohmann::json::json_pointer(pointer)] = value;
+}
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  std::size_t n = values.size();
+  return n % 2 ? values[n / 2] : 0.5 * (values[n / 2 - 1] + values[n / 2]);
+}
+
+std::string formatMs(double ms) { return ms < 10 ? fmt::format("{:.1f}", ms) : fmt::format("{:.0f}", ms); }
+
+}  // namespace velum::bench

@@ -1,0 +1,33 @@
+#pragma once
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace velum::bench {
+
+/// What was measured: Markdown for people, printed as it comes, and figures for programs.
+class Report {
+ public:
+  /// @param name  key of the figures that follow
+  void section(const std::string& name, std::string_view title);
+  void note(std::string_view text);
+  void table(const std::vector<std::string>& columns, const std::vector<std::vector<std::string>>& rows);
+  /// @param path  under the section, levels divided by '/'
+  void figure(const std::string& path, const nlohmann::json& value);
+
+  const std::string& markdown() const { return mMarkdown; }
+  const nlohmann::json& figures() const { return mFigures; }
+
+ private:
+  void print(const std::string& text);
+  std::string mMarkdown, mSection;
+  nlohmann::json mFigures = nlohmann::json::object();
+};
+
+/// The middle one. @param values  not empty
+double median(std::vector<double> values);
+/// Milliseconds with as many digits as they deserve.
+std::string formatMs(double ms);
+
+}  // namespace velum::bench

@@ -1,0 +1,24 @@
+#pragma once
+#include <string>
+
+#include "Report.h"
+
+namespace velum::bench {
+
+struct Options {
+  bool quick = false;    ///< Fewer positions and sizes: a look, not a measurement.
+  std::string pictures;  ///< Folder for the pictures that were compared; empty: none.
+};
+
+/// The same scenes by VTK's mappers and by ours, pictures compared. Needs an X display for VTK.
+void measureAgainstVtk(const Options& options, Report& report);
+/// First coarse picture, moving camera, edits, longest piece of work.
+void measureInteraction(const Options& options, Report& report);
+/// Frame time against voxels, pixels, opacity, cuts and structures.
+void measureScaling(const Options& options, Report& report);
+/// Trilinear fetches: what the driver can do and what our frames ask of it.
+void measureFetches(const Options& options, Report& report);
+/// Our readers against ITK's and VTK's, time and memory.
+void measureLoading(const Options& options, Report& report);
+
+}  // namespace velum::bench

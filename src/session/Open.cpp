@@ -6,10 +6,14 @@
 
 #include <algorithm>
 #include <fstream>
+#include <sstream>
 
 #include "velum/core/Log.h"
+#include "velum/io/Formats.h"
 #include "velum/io/ImageFile.h"
 #include "velum/io/ReadVolume.h"
+#include "velum/io/Sample.h"
+#include "velum/io/WriteVolume.h"
 #include "velum/scene/Json.h"
 #include "velum/scene/Presets.h"
 
@@ -138,6 +142,25 @@ void add(scene::Scene& scene, const scene::Source& source, Progress& progress) {
   scene::applyPreset(scene, scene::choosePreset(*scene.volume.data));
 }
 
+scene::Scene openAll(std::vector<std::string> paths, Progress& progress) {
+  if (paths.empty()) throw ArgumentError("nothing was named to open");
+  std::stable_partition(paths.begin(), paths.end(), [](const std::string& path) {
+    if (isMesh(path)) return false;
+    bool isScene = lowerExtension(path) == ".json" || isPicture(path);
+    return isScene || !fs::exists(path) || fs::is_directory(path) || !io::looksLikeLabels(path);
+  });
+  scene::Source source;
+  source.path = paths.front();
+  scene::Scene scene = open(source, progress);
+  for (std::size_t i = 1; i < paths.size(); ++i) {
+    source.path = paths[i];
+    add(scene, source, progress);
+  }
+  if (paths.size() > 1 && scene.surfaces.size() > 0)
+    scene.camera = scene::frameCamera(scene, scene::StandardView::Anterior, 4.0 / 3.0);
+  return scene;
+}
+
 void loadData(scene::Scene& scene, const fs::path& folder, Progress& progress) {
   auto place = [&](scene::Source& source) { source = atFolder(source, folder); };
   if (!scene.volume.source.path.empty() && !scene.volume.data) {
@@ -174,6 +197,34 @@ void saveScene(const scene::Scene& scene, const fs::path& path) {
     fs::remove(temporary, ignored);
     throw InputError(fmt::format("{}: the scene cannot be written there: check the folder and the free space", path.string()));
   }
+}
+
+std::vector<FileKind> readableKinds() {
+  std::vector<FileKind> kinds{{"Velum scene", {"*.json"}}};
+  for (const auto& format : io::formats()) {
+    if (!format.canRead) continue;
+    FileKind kind{std::string(format.name), {}};
+    std::istringstream words{std::string(format.extensions)};
+    for (std::string word; words >> word;)
+      if (word[0] == '.') kind.patterns.push_back("*" + word);
+    if (!kind.patterns.empty()) kinds.push_back(std::move(kind));
+  }
+  kinds.push_back({"Surface", {"*.stl", "*.ply", "*.obj", "*.vtp"}});
+  kinds.push_back({"Picture with a scene", {"*.png", "*.exr"}});
+  return kinds;
+}
+
+scene::Scene openSample(const std::string& name, int size, const fs::path& folder, Progress& progress) {
+  io::Sample sample = io::makeSample(name, size, progress);
+  fs::create_directories(folder);
+  scene::Source volume, labels;
+  volume.path = (folder / (name + ".nrrd")).string();
+  labels.path = (folder / (name + "_labels.seg.nrrd")).string();
+  io::writeVolume(sample.volume, volume.path, progress);
+  io::writeLabels(sample.labels, labels.path, progress);
+  scene::Scene scene = open(volume, progress);
+  add(scene, labels, progress);
+  return scene;
 }
 
 }  // namespace velum::session

@@ -17,6 +17,10 @@ scene::Scene open(const scene::Source& source, Progress& progress);
 /// Adds another input to a scene: labels beside the volume, a surface, or, where the scene has no volume yet, a volume.
 void add(scene::Scene& scene, const scene::Source& source, Progress& progress);
 
+/// Opens several inputs as one scene: what carries the voxels first, then labels and surfaces, in whatever order they
+/// were named. @throw ArgumentError when there is none
+scene::Scene openAll(std::vector<std::string> paths, Progress& progress);
+
 /// Reads the data that the scene names and does not hold yet. Paths are taken relative to `folder`.
 void loadData(scene::Scene& scene, const std::filesystem::path& folder, Progress& progress);
 
@@ -26,5 +30,19 @@ void saveScene(const scene::Scene& scene, const std::filesystem::path& path);
 
 /// The scene's text as it rides in a picture that is written to `path`.
 std::string sceneTextFor(const scene::Scene& scene, const std::filesystem::path& path);
+
+/// A kind of file that can be opened, for dialogs and help.
+struct FileKind {
+  std::string name;                   ///< "NIfTI"
+  std::vector<std::string> patterns;  ///< "*.nii", "*.nii.gz"
+};
+/// Scenes, volumes, surfaces, pictures of ours, in the order of menus.
+std::vector<FileKind> readableKinds();
+
+/// Writes a phantom and its labels into a folder and opens both, so that the scene can be saved like any other.
+/// @param name  two-spheres, vessels, torso, seismic, neurons, ultrasound
+/// @param size  voxels along the longest axis, 16..1024; 0: the phantom's own
+/// @throw ArgumentError for an unknown name or size; InputError when the disk refuses; Cancelled
+scene::Scene openSample(const std::string& name, int size, const std::filesystem::path& folder, Progress& progress);
 
 }  // namespace velum::session

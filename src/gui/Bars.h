@@ -1,0 +1,52 @@
+#pragma once
+#include <QFrame>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+
+namespace velum::gui {
+
+/// One line at the top that says what went wrong, or what to know; it waits to be closed and stops nothing.
+class MessageBar : public QFrame {
+  Q_OBJECT
+ public:
+  explicit MessageBar(QWidget* parent);
+  void showError(const QString& text) { showText("error", text); }
+  void showNote(const QString& text) { showText("note", text); }
+  QString text() const { return mText->text(); }
+
+ private:
+  void showText(const char* kind, const QString& text);
+  QLabel* mText;
+};
+
+/// What is being done, how far it is, and a way out.
+class ProgressStrip : public QFrame {
+  Q_OBJECT
+ public:
+  explicit ProgressStrip(QWidget* parent);
+  void begin(const QString& what);
+  void setProgress(double fraction, const QString& what);
+
+ signals:
+  void cancelled();
+
+ private:
+  QString mTask;
+  QLabel* mText;
+  QProgressBar* mBar;
+};
+
+/// What the window shows before there is data: what it takes, and three ways to begin.
+class EmptyState : public QFrame {
+  Q_OBJECT
+ public:
+  explicit EmptyState(QWidget* parent);
+
+ signals:
+  void openFiles();
+  void openFolder();
+  void makePhantom();
+};
+
+}  // namespace velum::gui

@@ -1,0 +1,237 @@
+#include "LookPanel.h"
+
+#include <QGridLayout>
+#include <QSignalBlocker>
+#include <QStandardItemModel>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "velum/scene/Presets.h"
+
+namespace velum::gui {
+
+namespace {
+
+/// The modality as people say it.
+QString modalityTitle(Modality modality) {
+  switch (modality) {
+    case Modality::CT: return LookPanel::tr("Computed tomography");
+    case Modality::MR: return LookPanel::tr("Magnetic resonance");
+    case Modality::Angiography: return LookPanel::tr("Angiography");
+    case Modality::Ultrasound: return LookPanel::tr("Ultrasound");
+    case Modality::Microscopy: return LookPanel::tr("Microscopy");
+    case Modality::Seismic: return LookPanel::tr("Seismic");
+    case Modality::PET: return LookPanel::tr("PET");
+    case Modality::Unknown: break;
+  }
+  return LookPanel::tr("Any data");
+}
+
+/// Without the modality in front, which the group says already.
+QString shortTitle(std::string_view title) {
+  QString text = QString::fromUtf8(title.data(), int(title.size()));
+  int colon = text.indexOf(": ");
+  if (colon < 0 || text.startsWith("Micro")) return text;
+  text = text.mid(colon + 2);
+  return text.left(1).toUpper() + text.mid(1);
+}
+
+/// A first surface that shows something: where the material becomes visible in the volume picture.
+double firstIsoValue(const scene::VolumeLayer& layer) {
+  for (const auto& point : layer.transfer.opacities)
+    if (point.opacity >= 0.2) return point.value;
+  return layer.data ? 0.5 * (layer.data->range.x + layer.data->range.y) : 0.0;
+}
+
+/// Decimals with which a thousandth of a span can be told.
+int decimalsFor(double span) { return std::clamp(int(std::ceil(2.0 - std::log10(std::max(span, 1e-9)))), 0, 6); }
+
+QVBoxLayout* makeSection(QWidget* section, const QString& title) {
+  auto* layout = new QVBoxLayout(section);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(8);
+  layout->addWidget(makeTitle(title, section));
+  return layout;
+}
+
+QGridLayout* makeRows(QVBoxLayout* parent) {
+  auto* grid = new QGridLayout;
+  grid->setHorizontalSpacing(10);
+  grid->setVerticalSpacing(8);
+  grid->setColumnMinimumWidth(0, 72);
+  grid->setColumnStretch(1, 1);
+  parent->addLayout(grid);
+  return grid;
+}
+
+}  // namespace
+
+LookPanel::LookPanel(session::Document& document, QWidget* parent) : QWidget(parent), mDocument(document) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(14);
+  layout->addWidget(makeLook());
+  layout->addWidget(makeLine(this));
+  layout->addWidget(makeLight());
+  layout->addWidget(makeLine(this));
+  layout->addWidget(makeBackground());
+}
+
+QWidget* LookPanel::makeLook() {
+  auto* section = new QWidget(this);
+  QGridLayout* rows = makeRows(makeSection(section, tr("Look")));
+  mPreset = new QComboBox(section);
+  mPreset->setObjectName("preset");
+  mPreset->setMaxVisibleItems(30);
+  mPreset->setMinimumContentsLength(16);
+  mPreset->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  mPreset->setToolTip(tr("Colours, opacity and light made for a kind of data; those for this data come first"));
+  mMode = new QComboBox(section);
+  mMode->setObjectName("mode");
+  mMode->addItems({tr("Volume"), tr("Maximum (MIP)"), tr("Surface (iso)")});
+  mMode->setToolTip(tr("Volume: lit, with opacity. Maximum: the brightest value along each ray. Surface: one value"));
+  mIso = new NumberRow(0, 1, 2, {}, section);
+  mIso->setObjectName("iso");
+  mIsoLabel = new QLabel(tr("Value"), section);
+  rows->addWidget(new QLabel(tr("Preset"), section), 0, 0);
+  rows->addWidget(mPreset, 0, 1);
+  rows->addWidget(new QLabel(tr("Render"), section), 1, 0);
+  rows->addWidget(mMode, 1, 1);
+  rows->addWidget(mIsoLabel, 2, 0);
+  rows->addWidget(mIso, 2, 1);
+  connect(mPreset, &QComboBox::activated, this, &LookPanel::choosePreset);
+  connect(mMode, &QComboBox::activated, this, &LookPanel::chooseMode);
+  connect(mIso, &NumberRow::changed, this, [this](double value) {
+    mDocument.edit("Change surface value", [&](scene::Scene& scene) { scene.rayCast.isoValue = value; }, true);
+  });
+  connect(mIso, &NumberRow::settled, this, [this] { mDocument.endMerge(); });
+  return section;
+}
+
+QWidget* LookPanel::makeLight() {
+  auto* section = new QWidget(this);
+  QGridLayout* rows = makeRows(makeSection(section, tr("Light")));
+  mShadow = new NumberRow(0, 100, 0, " %", section);
+  mShadow->setToolTip(tr("Strength of the shadows that the key light casts, %"));
+  mOcclusion = new NumberRow(0, 100, 0, " %", section);
+  mOcclusion->setToolTip(tr("Darkening of hollows and grooves (ambient occlusion), %"));
+  rows->addWidget(new QLabel(tr("Shadows"), section), 0, 0);
+  rows->addWidget(mShadow, 0, 1);
+  rows->addWidget(new QLabel(tr("Occlusion"), section), 1, 0);
+  rows->addWidget(mOcclusion, 1, 1);
+  auto drive = [this](NumberRow* row, const char* label, double scene::Lighting::* field) {
+    connect(row, &NumberRow::changed, this, [this, label, field](double value) {
+      mDocument.edit(label, [&](scene::Scene& scene) { scene.lighting.*field = value / 100.0; }, true);
+    });
+    connect(row, &NumberRow::settled, this, [this] { mDocument.endMerge(); });
+  };
+  drive(mShadow, "Change shadows", &scene::Lighting::shadow);
+  drive(mOcclusion, "Change occlusion", &scene::Lighting::occlusion);
+  return section;
+}
+
+QWidget* LookPanel::makeBackground() {
+  auto* section = new QWidget(this);
+  auto* layout = makeSection(section, tr("Background"));
+  auto* row = new QHBoxLayout;
+  row->setSpacing(8);
+  mTop = new ColorButton(tr("Top"), section);
+  mTop->setText(tr("Top"));
+  mBottom = new ColorButton(tr("Bottom"), section);
+  mBottom->setText(tr("Bottom"));
+  row->addWidget(mTop, 1);
+  row->addWidget(mBottom, 1);
+  struct Ready {
+    QString name;
+    glm::vec3 top, bottom;
+  };
+  const scene::Background studio;
+  for (const Ready& ready : {Ready{tr("Studio"), studio.top, studio.bottom},
+                             Ready{tr("White"), glm::vec3(1), glm::vec3(1)}, Ready{tr("Black"), glm::vec3(0), glm::vec3(0)}}) {
+    auto* button = new QPushButton(ready.name, section);
+    button->setProperty("role", "quiet");
+    button->setToolTip(tr("Background for %1").arg(ready.name == tr("White") ? tr("print") : ready.name.toLower()));
+    connect(button, &QPushButton::clicked, this, [this, ready] { setBackground(ready.top, ready.bottom); });
+    row->addWidget(button);
+  }
+  layout->addLayout(row);
+  connect(mTop, &ColorButton::picked, this,
+          [this](glm::vec3 color) { setBackground(color, mDocument.scene().background.bottom); });
+  connect(mBottom, &ColorButton::picked, this,
+          [this](glm::vec3 color) { setBackground(mDocument.scene().background.top, color); });
+  return section;
+}
+
+void LookPanel::setBackground(glm::vec3 top, glm::vec3 bottom) {
+  mDocument.edit("Change background", [&](scene::Scene& scene) {
+    scene.background.top = top;
+    scene.background.bottom = bottom;
+  });
+}
+
+void LookPanel::fillPresets(Modality first) {
+  std::vector<Modality> groups{first};
+  for (const auto& preset : scene::presets())
+    if (std::find(groups.begin(), groups.end(), preset.modality) == groups.end()) groups.push_back(preset.modality);
+  mPreset->clear();
+  auto* model = qobject_cast<QStandardItemModel*>(mPreset->model());
+  for (Modality group : groups) {
+    bool any = std::any_of(scene::presets().begin(), scene::presets().end(),
+                           [&](const scene::Preset& preset) { return preset.modality == group; });
+    if (!any) continue;
+    mPreset->addItem(modalityTitle(group).toUpper());
+    QStandardItem* header = model->item(mPreset->count() - 1);
+    header->setFlags(Qt::NoItemFlags);
+    QFont small = mPreset->font();
+    small.setPointSizeF(small.pointSizeF() * 0.8);
+    header->setFont(small);
+    for (const auto& preset : scene::presets())
+      if (preset.modality == group)
+        mPreset->addItem(shortTitle(preset.title), QString::fromUtf8(preset.name.data(), int(preset.name.size())));
+  }
+}
+
+void LookPanel::choosePreset(int index) {
+  QString name = mPreset->itemData(index).toString();
+  if (name.isEmpty()) return;
+  mDocument.edit("Choose preset", [&](scene::Scene& scene) { scene::applyPreset(scene, name.toStdString()); });
+}
+
+void LookPanel::chooseMode(int index) {
+  mDocument.edit("Change rendering", [&](scene::Scene& scene) {
+    auto& rayCast = scene.rayCast;
+    rayCast.mode = static_cast<scene::RenderMode>(index);
+    if (rayCast.mode == scene::RenderMode::Iso && rayCast.isoValue == 0.0) rayCast.isoValue = firstIsoValue(scene.volume);
+  });
+}
+
+void LookPanel::refresh() {
+  const scene::Scene& scene = mDocument.scene();
+  const auto& volume = scene.volume.data;
+  if (mFilledFor != volume.id()) {
+    mFilledFor = volume.id();
+    fillPresets(volume ? volume->modality : Modality::Unknown);
+  }
+  mPreset->setCurrentIndex(mPreset->findData(QString::fromStdString(scene.volume.transfer.preset)));
+  mPreset->setEnabled(bool(volume));
+  mMode->setCurrentIndex(static_cast<int>(scene.rayCast.mode));
+  mMode->setEnabled(bool(volume));
+  bool iso = scene.rayCast.mode == scene::RenderMode::Iso && volume;
+  mIsoLabel->setVisible(iso);
+  mIso->setVisible(iso);
+  if (volume) {
+    mIso->setDecimals(decimalsFor(volume->range.y - volume->range.x));
+    mIso->setRange(volume->range.x, volume->range.y);
+    mIso->setSuffix(volume->unit.empty() ? QString() : " " + QString::fromStdString(volume->unit));
+    mIso->setToolTip(tr("Value at which the surface lies%1").arg(volume->unit.empty() ? QString() : ", " + QString::fromStdString(volume->unit)));
+  }
+  mIso->setValue(scene.rayCast.isoValue);
+  mShadow->setValue(scene.lighting.shadow * 100.0);
+  mOcclusion->setValue(scene.lighting.occlusion * 100.0);
+  mTop->setColor(scene.background.top);
+  mBottom->setColor(scene.background.bottom);
+}
+
+}  // namespace velum::gui

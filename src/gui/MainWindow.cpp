@@ -1,0 +1,322 @@
+#include "MainWindow.h"
+
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QFileInfo>
+#include <QLocale>
+#include <QMimeData>
+#include <QScrollArea>
+#include <QStandardPaths>
+#include <QStatusBar>
+#include <QVBoxLayout>
+#include <cmath>
+
+#include "CutPanel.h"
+#include "LookPanel.h"
+#include "velum/session/Open.h"
+
+namespace velum::gui {
+
+namespace {
+
+constexpr int kPanelWidth = 348;
+
+QString pathName(const QString& path) { return QFileInfo(path).fileName(); }
+
+/// Millimetres with the digits that matter.
+QString shortNumber(double value) { return QString::number(value, 'g', 4); }
+
+}  // namespace
+
+MainWindow::MainWindow() {
+  setAcceptDrops(true);
+  buildCentre();
+  buildPanel();
+  buildStatus();
+  buildActions();
+  mDocument.setListener([this] { documentChanged(); });
+  documentChanged();
+  resize(1440, 900);
+}
+
+MainWindow::~MainWindow() {
+  mDocument.setListener({});
+  mJob.reset();  // cancels and waits
+}
+
+void MainWindow::buildCentre() {
+  auto* centre = new QWidget(this);
+  auto* layout = new QVBoxLayout(centre);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  mMessages = new MessageBar(centre);
+  mPages = new QStackedWidget(centre);
+  mProgress = new ProgressStrip(centre);
+  auto* empty = new EmptyState(mPages);
+  mViewport = new Viewport(mDocument, mPages);
+  mPages->addWidget(empty);
+  mPages->addWidget(mViewport);
+  layout->addWidget(mMessages);
+  layout->addWidget(mPages, 1);
+  layout->addWidget(mProgress);
+  setCentralWidget(centre);
+  connect(empty, &EmptyState::openFiles, this, [this] { askOpen(false); });
+  connect(empty, &EmptyState::openFolder, this, &MainWindow::askOpenFolder);
+  connect(empty, &EmptyState::makePhantom, this, [this] { openPhantom("torso", 0); });
+  connect(mProgress, &ProgressStrip::cancelled, this, &MainWindow::cancelJob);
+  connect(mViewport, &Viewport::failed, mMessages, &MessageBar::showError);
+}
+
+void MainWindow::buildPanel() {
+  auto* dock = new QDockWidget(this);
+  dock->setObjectName("sideDock");
+  dock->setFeatures(QDockWidget::NoDockWidgetFeatures);
+  dock->setTitleBarWidget(new QWidget(dock));
+  mSide = new QWidget(dock);
+  mSide->setObjectName("sidePanel");
+  mSide->setFixedWidth(kPanelWidth);
+  auto* outer = new QVBoxLayout(mSide);
+  outer->setContentsMargins(0, 0, 0, 0);
+  auto* scroll = new QScrollArea(mSide);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setWidgetResizable(true);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  auto* contents = new QWidget(scroll);
+  contents->setObjectName("sideContents");
+  auto* layout = new QVBoxLayout(contents);
+  layout->setContentsMargins(16, 14, 16, 14);
+  layout->setSpacing(14);
+  mLook = new LookPanel(mDocument, contents);
+  mCuts = new CutPanel(mDocument, contents);
+  layout->addWidget(mLook);
+  layout->addWidget(makeLine(contents));
+  layout->addWidget(mCuts);
+  layout->addStretch(1);
+  scroll->setWidget(contents);
+  outer->addWidget(scroll);
+  dock->setWidget(mSide);
+  addDockWidget(Qt::RightDockWidgetArea, dock);
+  connect(mCuts, &CutPanel::selectionChanged, mViewport, &Viewport::selectCut);
+}
+
+void MainWindow::buildStatus() {
+  statusBar()->setSizeGripEnabled(false);
+  mDataLabel = new QLabel(tr("Nothing is open"), this);
+  mReductionLabel = new QLabel(this);
+  mReductionLabel->setStyleSheet("color: #ffb85c;");
+  mPickLabel = new QLabel(this);
+  mRefineLabel = new QLabel(this);
+  mDriverLabel = new QLabel(this);
+  mRefineLabel->setToolTip(tr("How far the picture is refined"));
+  mPickLabel->setToolTip(tr("Under the pointer: value, position in patient coordinates (L, P, S), structure"));
+  statusBar()->addWidget(mDataLabel);
+  statusBar()->addWidget(mReductionLabel);
+  statusBar()->addPermanentWidget(mPickLabel);
+  statusBar()->addPermanentWidget(mRefineLabel);
+  statusBar()->addPermanentWidget(mDriverLabel);
+  connect(mViewport, &Viewport::pointedAt, this, &MainWindow::showPick);
+  connect(mViewport, &Viewport::pointedAtNothing, mPickLabel, &QLabel::clear);
+  connect(mViewport, &Viewport::refined, this, [this](double fraction, const QString& stage) {
+    mRefineLabel->setText(stage.isEmpty() ? tr("Complete") : fraction > 0 ? QString("%1 %2 %").arg(stage).arg(int(100 * fraction)) : stage);
+    render::Stats stats = mViewport->stats();
+    QString driver = QString::fromStdString(stats.renderer);
+    mDriverLabel->setText(driver.section(" (", 0, 0).section('/', 0, 0));
+    mDriverLabel->setToolTip(tr("Drawn by %1").arg(driver));
+    QString reduction = QString::fromStdString(stats.reduction);
+    mReductionLabel->setText(reduction.isEmpty() ? QString() : tr("Reduced"));
+    mReductionLabel->setToolTip(reduction);
+  });
+}
+
+// Jobs.
+
+void MainWindow::startJob(const QString& what, Job::Work work, std::function<void()> whenDone) {
+  if (mJob) return mMessages->showNote(tr("Still busy: wait, or cancel what is running first."));
+  mMessages->hide();
+  mJob = std::make_unique<Job>(std::move(work), nullptr);
+  mProgress->begin(what);
+  mCancel->setEnabled(true);
+  connect(mJob.get(), &Job::progressed, mProgress, &ProgressStrip::setProgress);
+  connect(mJob.get(), &Job::finished, this, [this, whenDone = std::move(whenDone)](bool done, const QString& error) {
+    mProgress->hide();
+    mCancel->setEnabled(false);
+    mJob.release()->deleteLater();
+    if (!error.isEmpty()) mMessages->showError(error);
+    if (done) whenDone();
+    emit jobEnded();
+  });
+  mJob->start();
+}
+
+void MainWindow::cancelJob() {
+  if (!mJob) return;
+  mJob->cancel();
+  mProgress->setProgress(0.0, tr("stopping"));
+}
+
+void MainWindow::startLoad(const QString& what, std::function<void(scene::Scene&, Progress&)> read, bool add, const QString& path) {
+  auto result = std::make_shared<scene::Scene>(add ? mDocument.scene() : scene::Scene());
+  startJob(
+      what, [result, read = std::move(read)](Progress& progress) { read(*result, progress); },
+      [this, result, add, path] { takeScene(std::move(*result), add, path); });
+}
+
+void MainWindow::openPaths(const QStringList& paths, bool add) {
+  if (paths.isEmpty()) return;
+  std::vector<std::string> names;
+  for (const auto& path : paths) names.push_back(QFileInfo(path).absoluteFilePath().toStdString());
+  bool beside = add && mPages->currentIndex() == 1;
+  auto read = [names, beside](scene::Scene& scene, Progress& progress) {
+    if (!beside) {
+      scene = session::openAll(names, progress);
+      return;
+    }
+    for (const auto& name : names) {
+      scene::Source source;
+      source.path = name;
+      session::add(scene, source, progress);
+    }
+  };
+  startLoad(tr("Opening %1").arg(pathName(paths.first())), read, beside, paths.first());
+}
+
+void MainWindow::openPhantom(const QString& name, int voxels) {
+  std::filesystem::path folder(QStandardPaths::writableLocation(QStandardPaths::CacheLocation).toStdString());
+  auto read = [name = name.toStdString(), voxels, folder](scene::Scene& scene, Progress& progress) {
+    scene = session::openSample(name, voxels, folder / "phantoms", progress);
+  };
+  startLoad(tr("Making a phantom"), read, false, name);
+}
+
+void MainWindow::takeScene(scene::Scene scene, bool add, const QString& path) {
+  QString suffix = QFileInfo(path).suffix().toLower();
+  bool isScene = !add && (suffix == "json" || suffix == "png" || suffix == "exr");
+  if (add) {
+    // The look may have been changed while the file was read: take over only what was added.
+    mDocument.edit("Add data", [&](scene::Scene& now) {
+      now.labels = scene.labels;
+      now.surfaces = scene.surfaces;
+      if (!now.volume.data) now.volume = scene.volume;
+    });
+    return;
+  }
+  mPath = path;
+  mScenePath = suffix == "json" ? path : QString();
+  mPages->setCurrentIndex(1);
+  mCuts->setEnabled(true);
+  QString warning;
+  if (scene.volume.data)
+    for (const auto& line : scene.volume.data->warnings) warning += (warning.isEmpty() ? "" : "; ") + QString::fromStdString(line);
+  mDocument.replace(std::move(scene));
+  if (!isScene) mViewport->lookFrom(scene::StandardView::Anterior);
+  mViewport->setFocus();
+  if (!warning.isEmpty()) mMessages->showNote(tr("%1: %2").arg(pathName(path), warning));
+}
+
+void MainWindow::savePictureTo(const QString& path, const session::PictureOptions& options) {
+  startJob(
+      tr("Drawing %1").arg(pathName(path)),
+      [scene = mDocument.scene(), options, path = path.toStdString()](Progress& progress) {
+        session::renderPictureFile(scene, options, path, progress);
+      },
+      [this, path] { mMessages->showNote(tr("Saved %1").arg(path)); });
+}
+
+void MainWindow::saveSceneTo(const QString& path) {
+  try {
+    session::saveScene(mDocument.scene(), path.toStdString());
+    mScenePath = mPath = path;
+    mDocument.markSaved();
+    documentChanged();
+  } catch (const Error& error) {
+    mMessages->showError(QString::fromUtf8(error.what()));
+  }
+}
+
+// What is shown.
+
+void MainWindow::documentChanged() {
+  mViewport->sceneChanged();
+  mLook->refresh();
+  mCuts->refresh();
+  bool open = mPages->currentIndex() == 1;
+  mSide->setEnabled(open);
+  for (QAction* action : mNeedScene) action->setEnabled(open);
+  auto name = [](const QString& verb, const std::string& label) {
+    return label.empty() ? verb : QString("%1 \"%2\"").arg(verb, QString::fromStdString(label));
+  };
+  if (mUndo) {
+    mUndo->setEnabled(mDocument.canUndo());
+    mUndo->setText(name(tr("&Undo"), mDocument.undoLabel()));
+    mRedo->setEnabled(mDocument.canRedo());
+    mRedo->setText(name(tr("&Redo"), mDocument.redoLabel()));
+    mProjection->setChecked(mDocument.scene().camera.projection == scene::Projection::Orthographic);
+  }
+  setWindowTitle(mPath.isEmpty() ? "Velum" : QString("%1[*] - Velum").arg(pathName(mPath)));
+  setWindowModified(mDocument.isModified() && !mPath.isEmpty());
+  showData();
+}
+
+void MainWindow::showData() {
+  const auto& scene = mDocument.scene();
+  if (const auto& v = scene.volume.data) {
+    glm::dvec3 mm = spacingMm(*v);
+    QString times = QString::fromUtf8(" \u00d7 ");
+    QString unit = v->unit.empty() ? QString() : " " + QString::fromStdString(v->unit);
+    auto type = enumName(v->type);
+    QString text = QString("%1%4%2%4%3").arg(v->dims.x).arg(v->dims.y).arg(v->dims.z).arg(times);
+    text += v->isSpacingKnown ? QString("    %1%4%2%4%3 mm").arg(shortNumber(mm.x), shortNumber(mm.y), shortNumber(mm.z), times)
+                              : tr("    spacing unknown");
+    text += QString("    %1    %2 to %3%4").arg(QString::fromUtf8(type.data(), int(type.size())), shortNumber(v->range.x), shortNumber(v->range.y), unit);
+    mDataLabel->setText(text);
+    mDataLabel->setToolTip(tr("Voxels, spacing, sample type and range of values of %1").arg(QString::fromStdString(v->name)));
+  } else if (scene.labels.data) {
+    mDataLabel->setText(tr("%n structure(s)", nullptr, int(scene.labels.structures.size())));
+  } else {
+    mDataLabel->setText(scene.surfaces.empty() ? tr("Nothing is open") : tr("%n surface(s)", nullptr, int(scene.surfaces.size())));
+  }
+}
+
+void MainWindow::showPick(const render::Pick& pick) {
+  const auto& scene = mDocument.scene();
+  QString text;
+  if (const auto& v = scene.volume.data) text = QString("%1 %2    ").arg(shortNumber(pick.value), QString::fromStdString(v->unit));
+  // Letters only where the file says how the patient lay.
+  bool letters = !scene.volume.data || scene.volume.data->isOrientationKnown;
+  static constexpr const char* kPlus[] = {"L", "P", "S"};
+  static constexpr const char* kMinus[] = {"R", "A", "I"};
+  for (int i = 0; i < 3; ++i) {
+    double mm = pick.worldMm[i];
+    text += letters ? QString("%1 %2  ").arg(mm < 0 ? kMinus[i] : kPlus[i]).arg(std::abs(mm), 0, 'f', 1) : QString("%1  ").arg(mm, 0, 'f', 1);
+  }
+  text += "mm";
+  for (const auto& structure : scene.labels.structures)
+    if (structure.id == pick.structure) text += "    " + QString::fromStdString(structure.name);
+  mPickLabel->setText(text);
+}
+
+// Events.
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  for (const QUrl& url : event->mimeData()->urls())
+    if (url.isLocalFile()) return event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  QStringList paths;
+  for (const QUrl& url : event->mimeData()->urls())
+    if (url.isLocalFile()) paths << url.toLocalFile();
+  event->acceptProposedAction();
+  openPaths(paths, event->modifiers() & Qt::ControlModifier);
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  if (mJob) {
+    mJob->disconnect(this);
+    mJob.reset();  // cancels and waits
+    mProgress->hide();
+  }
+  event->accept();
+}
+
+}  // namespace velum::gui

@@ -1,0 +1,253 @@
+#include "Viewport.h"
+
+#include <QMouseEvent>
+#include <QOpenGLContext>
+#include <algorithm>
+#include <cmath>
+
+#include "GizmoOverlay.h"
+#include "velum/core/Error.h"
+#include "velum/scene/Project.h"
+
+namespace velum::gui {
+
+namespace {
+
+constexpr double kSliceMs = 25.0;        // a third of what is felt as a stutter
+constexpr int kRestMs = 140;             // a hand that pauses in a drag for less does not start a full picture
+constexpr double kCoarseTargetMs = 50.0; // leaves room for tables and light under 80 ms
+constexpr double kLargestScale = 12.0;
+constexpr int kShowMs = 150;             // how often a growing picture is shown: showing costs a pass over it
+
+}  // namespace
+
+Viewport::Viewport(session::Document& document, QWidget* parent)
+    : QOpenGLWidget(parent), mDocument(document), mOverlay(new GizmoOverlay(document, this)) {
+  setFocusPolicy(Qt::StrongFocus);
+  setMouseTracking(true);
+  setMinimumSize(240, 180);
+  mSliceTimer.setInterval(0);
+  connect(&mSliceTimer, &QTimer::timeout, this, &Viewport::slice);
+  mRestTimer.setSingleShot(true);
+  mRestTimer.setInterval(kRestMs);
+  connect(&mRestTimer, &QTimer::timeout, this, [this] {
+    begin(mCoarseScale > 2.5 ? Stage::Half : Stage::Full);
+    mSliceTimer.start();
+  });
+  mPickTimer.setSingleShot(true);
+  mPickTimer.setInterval(80);
+  connect(&mPickTimer, &QTimer::timeout, this, &Viewport::pickUnderPointer);
+}
+
+Viewport::~Viewport() { release(); }
+
+void Viewport::initializeGL() {
+  connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &Viewport::release, Qt::DirectConnection);
+  try {
+    mContext = gpu::Context::adopt([](const char* name) {
+      return reinterpret_cast<void*>(QOpenGLContext::currentContext()->getProcAddress(name));
+    });
+    mRenderer = std::make_unique<render::Renderer>(*mContext);
+    if (mCoarseScale == 0) mCoarseScale = mContext->limits().isSoftware ? 6.0 : 1.5;
+    sceneChanged();
+  } catch (const Error& error) {
+    mContext.reset();
+    QMetaObject::invokeMethod(
+        this, [this, text = QString::fromUtf8(error.what())] { emit failed(text); }, Qt::QueuedConnection);
+  }
+}
+
+/// Gives everything on the GPU back, while its context still lives: the widget goes, or moves to another window.
+void Viewport::release() {
+  mSliceTimer.stop();
+  mRestTimer.stop();
+  mPickTimer.stop();
+  if (!mContext) return;
+  makeCurrent();
+  mContext->makeCurrent();
+  mShown.reset();
+  mRenderer.reset();
+  mContext.reset();
+  mHasPicture = false;
+  mStage = Stage::Idle;
+  doneCurrent();
+}
+
+bool Viewport::bindContext() {
+  if (!mContext) return false;
+  makeCurrent();
+  mContext->makeCurrent();
+  return true;
+}
+
+glm::ivec2 Viewport::deviceSize() const {
+  double ratio = devicePixelRatioF();
+  return glm::max(glm::ivec2(std::lround(width() * ratio), std::lround(height() * ratio)), glm::ivec2(1));
+}
+
+void Viewport::resizeGL(int, int) {
+  mOverlay->resize(size());
+  if (!mContext) return;
+  // The old picture stands in, stretched, until the new one is there.
+  glm::ivec2 size = deviceSize();
+  auto old = std::move(mShown);
+  mShown = std::make_unique<QOpenGLFramebufferObject>(size.x, size.y);
+  QSize now(size.x, size.y);
+  if (old)
+    QOpenGLFramebufferObject::blitFramebuffer(mShown.get(), QRect(QPoint(), now), old.get(), QRect(QPoint(), old->size()),
+                                              GL_COLOR_BUFFER_BIT, GL_LINEAR);
+  sceneChanged();
+}
+
+void Viewport::paintGL() {
+  if (!mShown) return;
+  QRect all(QPoint(), mShown->size());
+  QOpenGLFramebufferObject::blitFramebuffer(nullptr, all, mShown.get(), all);
+}
+
+void Viewport::sceneChanged() {
+  mPending = true;
+  mRestTimer.stop();
+  mOverlay->update();
+  if (mRenderer && !mSliceTimer.isActive()) mSliceTimer.start();
+}
+
+void Viewport::begin(Stage stage) {
+  mStage = stage;
+  if (stage == Stage::Idle) return;
+  mPending = false;
+  mHasPicture = false;
+  mFrame = {};
+  mFrame.scene = mDocument.scene();
+  mFrame.scene.background.transparent = false;  // a window has something behind; pictures need not
+  glm::dvec2 size(deviceSize());
+  double scale = stage == Stage::Coarse ? mCoarseScale : stage == Stage::Half ? 2.0 : 1.0;
+  mFrame.pictureSize = glm::max(glm::ivec2(glm::round(size / scale)), glm::ivec2(1));
+  if (stage != Stage::Full) mFrame.scene.rayCast.samplesPerPixel = 1;
+  if (stage == Stage::Coarse) mFrame.stepFactor = 2.0;
+  restLight(mFrame.scene, stage);
+}
+
+/// The key light goes with the camera, and its shadows are costly. So while something moves it stays where it was in the
+/// world when the picture last rested, and the light grid of that picture serves on.
+void Viewport::restLight(scene::Scene& scene, Stage stage) {
+  scene::CameraBasis basis = scene::cameraBasis(scene.camera);
+  glm::dmat3 worldFromCamera(basis.right, basis.up, -basis.forward);
+  if (stage != Stage::Coarse || !mRestLight) {
+    mRestLight = worldFromCamera * scene.lighting.keyDirection;
+    return;
+  }
+  scene.lighting.keyDirection = glm::transpose(worldFromCamera) * *mRestLight;
+  if (!mCoarseLight && mDrag == Drag::Cut) scene.lighting.shadow = scene.lighting.occlusion = 0;
+}
+
+void Viewport::slice() {
+  if (!bindContext()) return mSliceTimer.stop();
+  bool otherData = mFrame.scene.volume.data != mDocument.scene().volume.data;
+  // A coarse picture on its way is finished first: a steady drag would otherwise never show one.
+  if (mPending && (mStage != Stage::Coarse || otherData)) {
+    if (otherData) mRestLight.reset();
+    begin(Stage::Coarse);
+  }
+  if (mStage == Stage::Idle) return mSliceTimer.stop();
+  try {
+    bool done = mRenderer->work(mFrame, kSliceMs);
+    bool grown = mStage == Stage::Full && mRenderer->stats().samples > 0 && mSinceShown.elapsed() > kShowMs;
+    if (done || grown) show();
+    if (done) finishStage();
+  } catch (const Error& error) {
+    mStage = Stage::Idle;
+    mPending = false;
+    mSliceTimer.stop();
+    emit failed(QString::fromUtf8(error.what()));
+  }
+  tellProgress();
+}
+
+void Viewport::show() {
+  if (!mShown) return;
+  mHasPicture = true;
+  mRenderer->present(mShown->handle(), {mShown->width(), mShown->height()});
+  mSinceShown.restart();
+  update();
+}
+
+void Viewport::finishStage() {
+  if (mStage == Stage::Coarse) adaptCoarseScale();
+  if (mPending) return begin(Stage::Coarse);
+  if (mStage == Stage::Half) return begin(Stage::Full);
+  mSliceTimer.stop();
+  if (mStage == Stage::Coarse) {
+    mRestTimer.start();
+    return;
+  }
+  mStage = Stage::Idle;
+  pickUnderPointer();
+}
+
+void Viewport::adaptCoarseScale() {
+  const auto& passes = mRenderer->stats().passesMs;
+  auto msOf = [&](const char* pass) {
+    auto found = passes.find(pass);
+    return found == passes.end() ? 0.0 : found->second;
+  };
+  double ms = msOf("RayCast");
+  double wanted = mCoarseScale * std::sqrt(ms / kCoarseTargetMs);
+  if (ms > 1.4 * kCoarseTargetMs || ms < 0.6 * kCoarseTargetMs)
+    mCoarseScale = std::clamp(0.5 * (mCoarseScale + wanted), 1.0, kLargestScale);
+  // A light grid that is slow to renew stays out of coarse pictures of scenes that change (a cut that is dragged).
+  if (msOf("Light") > kCoarseTargetMs && mDrag == Drag::Cut) mCoarseLight = false;
+}
+
+void Viewport::tellProgress() {
+  switch (mStage) {
+    case Stage::Idle: emit refined(1.0, {}); break;
+    case Stage::Coarse: emit refined(0.0, mRenderer->fractionDone() < 1.0 ? tr("Preparing") : tr("Preview")); break;
+    case Stage::Half: emit refined(0.0, tr("Preview")); break;
+    case Stage::Full: emit refined(mRenderer->fractionDone(), tr("Refining")); break;
+  }
+}
+
+const scene::Cut* Viewport::cut() const {
+  const auto& cuts = mDocument.scene().cuts;
+  return mSelectedCut >= 0 && mSelectedCut < int(cuts.size()) ? &cuts[std::size_t(mSelectedCut)] : nullptr;
+}
+
+void Viewport::selectCut(int index) {
+  mSelectedCut = index;
+  mOverlay->showCut(index);
+}
+
+void Viewport::lookFrom(scene::StandardView view) {
+  double aspect = logicalSize().x / logicalSize().y;
+  mDocument.amend([&, camera = scene::frameCamera(mDocument.scene(), view, aspect)](scene::Scene& scene) {
+    scene.camera = camera;
+  });
+}
+
+void Viewport::toggleProjection() {
+  scene::Camera camera = mDocument.scene().camera;
+  bool perspective = camera.projection == scene::Projection::Perspective;
+  // What is in the middle keeps its size.
+  double tangent = std::tan(glm::radians(camera.fieldOfViewDeg) * 0.5);
+  glm::dvec3 arm = camera.eyeMm - camera.targetMm;
+  if (perspective) camera.heightMm = 2.0 * glm::length(arm) * tangent;
+  else camera.eyeMm = camera.targetMm + glm::normalize(arm) * (camera.heightMm * 0.5 / tangent);
+  camera.projection = perspective ? scene::Projection::Orthographic : scene::Projection::Perspective;
+  mDocument.amend([camera](scene::Scene& scene) { scene.camera = camera; });
+}
+
+std::optional<render::Pick> Viewport::pickAt(QPointF place) {
+  if (!mHasPicture || !bindContext()) return std::nullopt;
+  glm::dvec2 share = glm::dvec2(place.x(), place.y()) / logicalSize();
+  return mRenderer->pick(glm::ivec2(glm::floor(share * glm::dvec2(mFrame.pictureSize))));
+}
+
+void Viewport::pickUnderPointer() {
+  if (!underMouse() || mDrag != Drag::None) return;
+  auto pick = pickAt(mPointer);
+  if (pick && pick->hit) emit pointedAt(*pick);
+  else if (pick) emit pointedAtNothing();
+}
+
+}  // namespace velum::gui

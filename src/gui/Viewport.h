@@ -1,0 +1,105 @@
+#pragma once
+#include <QElapsedTimer>
+#include <QOpenGLFramebufferObject>
+#include <QOpenGLWidget>
+#include <QTimer>
+#include <memory>
+#include <optional>
+
+#include "velum/gpu/Context.h"
+#include "velum/render/Renderer.h"
+#include "velum/session/CutTool.h"
+#include "velum/session/Document.h"
+
+namespace velum::gui {
+
+class GizmoOverlay;
+
+/// The progressive 3D view. While the scene changes it shows coarse pictures, sized so that each is ready at once; when
+/// the scene rests it refines in short slices between events, and when the picture is complete it does no work at all.
+class Viewport : public QOpenGLWidget {
+  Q_OBJECT
+ public:
+  Viewport(session::Document& document, QWidget* parent);
+  ~Viewport() override;
+
+  /// To be called after every change of the document.
+  void sceneChanged();
+  /// Shows the handles of a cut; -1: of none.
+  void selectCut(int index);
+  int selectedCut() const { return mSelectedCut; }
+
+  void lookFrom(scene::StandardView view);
+  void toggleProjection();
+
+  bool isConverged() const { return mStage == Stage::Idle && !mPending; }
+  /// Empty before the driver is known.
+  render::Stats stats() const { return mRenderer ? mRenderer->stats() : render::Stats{}; }
+  /// What the picture shows at a place of the widget; nothing while there is no picture.
+  std::optional<render::Pick> pickAt(QPointF place);
+
+ signals:
+  /// How far the picture is refined. @param stage  in words; empty when complete
+  void refined(double fraction, const QString& stage);
+  void pointedAt(const velum::render::Pick& pick);
+  void pointedAtNothing();
+  void failed(const QString& message);
+
+ protected:
+  void initializeGL() override;
+  void resizeGL(int width, int height) override;
+  void paintGL() override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+
+ private:
+  /// What is being drawn: a coarse picture, then (after a rest) one of half the size, then all samples of the full one.
+  enum class Stage { Idle, Coarse, Half, Full };
+  enum class Drag { None, Orbit, Pan, Zoom, Roll, Cut };
+
+  void release();
+  bool bindContext();
+  void slice();
+  void begin(Stage stage);
+  void finishStage();
+  void show();
+  void adaptCoarseScale();
+  void restLight(scene::Scene& scene, Stage stage);
+  void tellProgress();
+  void pickUnderPointer();
+  void dragCamera(glm::dvec2 from, glm::dvec2 to);
+  void beginDrag(QMouseEvent* event);
+  void setHover(session::CutHandle handle);
+  const scene::Cut* cut() const;
+  glm::dvec2 logicalSize() const { return {std::max(1, width()), std::max(1, height())}; }
+  glm::ivec2 deviceSize() const;
+
+  session::Document& mDocument;
+  GizmoOverlay* mOverlay;
+  std::unique_ptr<gpu::Context> mContext;
+  std::unique_ptr<render::Renderer> mRenderer;
+  std::unique_ptr<QOpenGLFramebufferObject> mShown;  ///< The picture on the screen, kept while the next one is made.
+  render::Frame mFrame;
+  Stage mStage = Stage::Idle;
+  bool mPending = true;        ///< The scene has changed since mFrame was made.
+  bool mHasPicture = false;    ///< mFrame has a complete sample, so that it can be picked from.
+  bool mCoarseLight = true;    ///< Coarse pictures renew the light grid; off where that takes too long.
+  double mCoarseScale = 0;     ///< Device pixels to one pixel of a coarse picture; 0: not known yet.
+  std::optional<glm::dvec3> mRestLight;  ///< World direction of the key light of the last picture at rest.
+  QTimer mSliceTimer, mRestTimer, mPickTimer;
+  QElapsedTimer mSinceShown;
+  // Pointer.
+  Drag mDrag = Drag::None;
+  glm::dvec2 mDragStart{0.0}, mDragLast{0.0};
+  int mSelectedCut = -1;
+  session::CutHandle mHandle = session::CutHandle::None;
+  scene::Cut mStartCut;
+  session::CutGizmo mStartGizmo;
+  QPointF mPointer;
+};
+
+}  // namespace velum::gui

@@ -1,0 +1,112 @@
+#include "Widgets.h"
+
+#include <QColorDialog>
+#include <QHBoxLayout>
+#include <QPainter>
+#include <QSignalBlocker>
+#include <algorithm>
+#include <cmath>
+
+namespace velum::gui {
+
+namespace {
+constexpr int kSliderSteps = 1000;
+}
+
+NumberRow::NumberRow(double min, double max, int decimals, const QString& suffix, QWidget* parent)
+    : QWidget(parent), mSlider(new QSlider(Qt::Horizontal, this)), mSpin(new QDoubleSpinBox(this)) {
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(10);
+  layout->addWidget(mSlider, 1);
+  layout->addWidget(mSpin);
+  mSlider->setRange(0, kSliderSteps);
+  mSlider->setMinimumWidth(60);
+  mSpin->setFixedWidth(92);
+  mSpin->setAlignment(Qt::AlignRight);
+  mSpin->setKeyboardTracking(false);
+  mSpin->setSuffix(suffix);
+  setDecimals(decimals);
+  setRange(min, max);
+  setFocusProxy(mSpin);
+  connect(mSlider, &QSlider::valueChanged, this, [this](int step) {
+    double value = mSpin->minimum() + (mSpin->maximum() - mSpin->minimum()) * step / kSliderSteps;
+    const QSignalBlocker quiet(mSpin);
+    mSpin->setValue(value);
+    emit changed(mSpin->value());
+    if (!mSlider->isSliderDown()) emit settled();
+  });
+  connect(mSlider, &QSlider::sliderReleased, this, &NumberRow::settled);
+  connect(mSpin, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+    placeSlider();
+    emit changed(value);
+    emit settled();
+  });
+}
+
+void NumberRow::setDecimals(int decimals) {
+  const QSignalBlocker quiet(mSpin);
+  mSpin->setDecimals(decimals);
+  mSpin->setSingleStep(std::pow(10.0, -decimals) * (decimals > 1 ? 5 : 1));
+}
+
+void NumberRow::setRange(double min, double max) {
+  const QSignalBlocker quiet(mSpin);
+  mSpin->setRange(min, max);
+  placeSlider();
+}
+
+void NumberRow::setValue(double value) {
+  const QSignalBlocker quiet(mSpin);
+  mSpin->setValue(value);
+  placeSlider();
+}
+
+void NumberRow::placeSlider() {
+  if (mSlider->isSliderDown()) return;  // the hand holds it
+  const QSignalBlocker quiet(mSlider);
+  double span = mSpin->maximum() - mSpin->minimum();
+  mSlider->setValue(span > 0 ? int(std::lround((mSpin->value() - mSpin->minimum()) / span * kSliderSteps)) : 0);
+}
+
+ColorButton::ColorButton(const QString& title, QWidget* parent) : QPushButton(parent), mTitle(title) {
+  setFixedHeight(28);
+  setToolTip(tr("%1: click to choose another colour").arg(title));
+  setAccessibleName(title);
+  connect(this, &QPushButton::clicked, this, &ColorButton::choose);
+}
+
+void ColorButton::setColor(glm::vec3 color) {
+  color = glm::clamp(color, 0.0f, 1.0f);
+  mColor = QColor::fromRgbF(color.r, color.g, color.b);
+  update();
+}
+
+void ColorButton::choose() {
+  QColor color = QColorDialog::getColor(mColor, window(), mTitle);
+  if (color.isValid()) emit picked({color.redF(), color.greenF(), color.blueF()});
+}
+
+void ColorButton::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(hasFocus() || underMouse() ? QColor(0x5f, 0xb0, 0xea) : QColor(0x4a, 0x52, 0x5d), 1.0));
+  painter.setBrush(mColor);
+  painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 5, 5);
+  painter.setPen(qGray(mColor.rgb()) > 140 ? QColor(0x16, 0x18, 0x1c) : QColor(0xe3, 0xe7, 0xec));
+  painter.drawText(rect(), Qt::AlignCenter, text());
+}
+
+QLabel* makeTitle(const QString& text, QWidget* parent) {
+  auto* label = new QLabel(text, parent);
+  label->setProperty("role", "title");
+  return label;
+}
+
+QFrame* makeLine(QWidget* parent) {
+  auto* line = new QFrame(parent);
+  line->setProperty("role", "line");
+  return line;
+}
+
+}  // namespace velum::gui

@@ -1,0 +1,58 @@
+#pragma once
+#include <QColor>
+#include <QDoubleSpinBox>
+#include <QFrame>
+#include <QLabel>
+#include <QPushButton>
+#include <QSlider>
+#include <QWidget>
+#include <glm/glm.hpp>
+
+namespace velum::gui {
+
+/// A slider with its number. It tells only what the user changes, never what the program sets.
+class NumberRow : public QWidget {
+  Q_OBJECT
+ public:
+  NumberRow(double min, double max, int decimals, const QString& suffix, QWidget* parent = nullptr);
+  void setRange(double min, double max);
+  void setSuffix(const QString& suffix) { mSpin->setSuffix(suffix); }
+  void setDecimals(int decimals);
+  void setValue(double value);
+  double value() const { return mSpin->value(); }
+  QDoubleSpinBox* spin() const { return mSpin; }
+
+ signals:
+  void changed(double value);
+  /// The slider was let go, or the number is entered: one undo step ends.
+  void settled();
+
+ private:
+  void placeSlider();
+  QSlider* mSlider;
+  QDoubleSpinBox* mSpin;
+};
+
+/// A colour that opens the system's colour dialog.
+class ColorButton : public QPushButton {
+  Q_OBJECT
+ public:
+  explicit ColorButton(const QString& title, QWidget* parent = nullptr);
+  void setColor(glm::vec3 color);
+
+ signals:
+  void picked(glm::vec3 color);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  void choose();
+  QString mTitle;
+  QColor mColor;
+};
+
+QLabel* makeTitle(const QString& text, QWidget* parent);
+QFrame* makeLine(QWidget* parent);
+
+}  // namespace velum::gui

@@ -1,0 +1,93 @@
+#include <fmt/format.h>
+
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QElapsedTimer>
+#include <QFileInfo>
+#include <QIcon>
+#include <QPixmap>
+#include <QSurfaceFormat>
+#include <QTimer>
+#include <cstdio>
+
+#include "MainWindow.h"
+#include "Theme.h"
+#include "velum/core/Error.h"
+
+namespace {
+
+constexpr int kScreenshotWaitMs = 60'000;
+
+/// Saves the whole window once its picture is complete, then leaves.
+void takeScreenshot(velum::gui::MainWindow& window, const QString& path) {
+  auto* timer = new QTimer(&window);
+  auto clock = std::make_shared<QElapsedTimer>();
+  clock->start();
+  QObject::connect(timer, &QTimer::timeout, &window, [&window, path, clock] {
+    bool ready = !window.isBusy() && window.viewport().isConverged();
+    if (!ready && clock->elapsed() < kScreenshotWaitMs) return;
+    bool saved = window.grab().save(path);
+    if (!saved) fmt::print(stderr, "velum: {}: the picture cannot be written there\n", path.toStdString());
+    else if (window.messages().isVisible()) fmt::print(stderr, "velum: {}\n", window.messages().text().toStdString());
+    QCoreApplication::exit(saved ? 0 : static_cast<int>(velum::ExitCode::Input));
+  });
+  timer->start(100);
+}
+
+int run(int argc, char** argv) {
+  QSurfaceFormat format;
+  format.setVersion(4, 5);
+  format.setProfile(QSurfaceFormat::CoreProfile);
+  QSurfaceFormat::setDefaultFormat(format);
+  QApplication application(argc, argv);
+  QApplication::setApplicationName("velum");
+  QApplication::setApplicationDisplayName("Velum");
+  QApplication::setApplicationVersion(VELUM_VERSION);
+  QApplication::setDesktopFileName("io.github.velum.Velum");
+  QApplication::setWindowIcon(QIcon(":/velum/velum.svg"));
+  velum::gui::applyTheme(application);
+
+  QCommandLineParser parser;
+  parser.setApplicationDescription("Volumes, cut open the way illustrators do. Not a medical device.");
+  parser.addHelpOption();
+  parser.addVersionOption();
+  QCommandLineOption screenshot("screenshot", "Save a picture of the window once it is complete, and leave.", "file");
+  parser.addOption(screenshot);
+  parser.addPositionalArgument("files", "What to open: a volume, then labels and surfaces; a folder; a scene.", "[files...]");
+  if (!parser.parse(QApplication::arguments())) {
+    fmt::print(stderr, "velum: {}; see velum --help\n", parser.errorText().toStdString());
+    return static_cast<int>(velum::ExitCode::Usage);
+  }
+  if (parser.isSet("help")) parser.showHelp();
+  for (const QString& path : parser.positionalArguments())
+    if (!QFileInfo::exists(path)) {
+      fmt::print(stderr, "velum: {}: there is no such file or folder\n", path.toStdString());
+      return static_cast<int>(velum::ExitCode::Input);
+    }
+
+  velum::gui::MainWindow window;
+  window.show();
+  window.openPaths(parser.positionalArguments());
+  if (parser.isSet(screenshot)) takeScreenshot(window, parser.value(screenshot));
+  return QApplication::exec();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  // The version needs no display.
+  for (int i = 1; i < argc; ++i)
+    if (std::string_view(argv[i]) == "--version") {
+      fmt::print("velum {} (not a medical device)\n", VELUM_VERSION);
+      return 0;
+    }
+  try {
+    return run(argc, argv);
+  } catch (const velum::Error& error) {
+    fmt::print(stderr, "velum: {}\n", error.what());
+    return static_cast<int>(error.exitCode());
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "velum: {}\n", error.what());
+    return static_cast<int>(velum::ExitCode::Input);
+  }
+}

@@ -1,0 +1,66 @@
+#include "velum/scene/Project.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace velum::scene {
+
+namespace {
+
+glm::dvec3 unitOr(glm::dvec3 v, glm::dvec3 fallback) {
+  double length = glm::length(v);
+  return length > 1e-12 ? v / length : fallback;
+}
+
+/// Half the picture's height at distance 1 (perspective) or anywhere, mm (orthographic).
+double halfHeight(const Camera& camera) {
+  bool perspective = camera.projection == Projection::Perspective;
+  return perspective ? std::tan(glm::radians(camera.fieldOfViewDeg) * 0.5) : camera.heightMm * 0.5;
+}
+
+}  // namespace
+
+CameraBasis cameraBasis(const Camera& camera) {
+  CameraBasis basis;
+  basis.forward = unitOr(camera.targetMm - camera.eyeMm, {0, 1, 0});
+  glm::dvec3 helper = std::abs(basis.forward.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(0, -1, 0);
+  glm::dvec3 right = glm::cross(basis.forward, unitOr(camera.up, {0, 0, 1}));
+  basis.right = glm::length(right) > 1e-6 ? glm::normalize(right) : glm::normalize(glm::cross(basis.forward, helper));
+  basis.up = glm::cross(basis.right, basis.forward);
+  return basis;
+}
+
+PictureRay rayFromPixel(const Camera& camera, glm::dvec2 size, glm::dvec2 pixel) {
+  CameraBasis basis = cameraBasis(camera);
+  double tall = halfHeight(camera), wide = tall * size.x / size.y;
+  glm::dvec2 ndc = pixel / size * 2.0 - 1.0;
+  glm::dvec3 across = basis.right * (ndc.x * wide) - basis.up * (ndc.y * tall);
+  if (camera.projection == Projection::Perspective)
+    return {camera.eyeMm, glm::normalize(basis.forward + across)};
+  return {camera.eyeMm + across, basis.forward};
+}
+
+std::optional<glm::dvec2> pixelFromWorld(const Camera& camera, glm::dvec2 size, glm::dvec3 worldMm) {
+  CameraBasis basis = cameraBasis(camera);
+  glm::dvec3 arm = worldMm - camera.eyeMm;
+  double depth = glm::dot(arm, basis.forward);
+  double scale = 1.0;
+  if (camera.projection == Projection::Perspective) {
+    if (depth <= 1e-9) return std::nullopt;
+    scale = 1.0 / depth;
+  }
+  double tall = halfHeight(camera), wide = tall * size.x / size.y;
+  glm::dvec2 ndc(glm::dot(arm, basis.right) * scale / wide, -glm::dot(arm, basis.up) * scale / tall);
+  return (ndc + 1.0) * 0.5 * size;
+}
+
+double mmPerPixel(const Camera& camera, glm::dvec2 size, glm::dvec3 worldMm) {
+  double height = 2.0 * halfHeight(camera);
+  if (camera.projection == Projection::Perspective) {
+    double depth = glm::dot(worldMm - camera.eyeMm, cameraBasis(camera).forward);
+    height *= std::max(depth, 1e-9);
+  }
+  return height / size.y;
+}
+
+}  // namespace velum::scene

@@ -1,0 +1,103 @@
+#include "velum/session/Picture.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "velum/gpu/Context.h"
+#include "velum/io/ImageFile.h"
+#include "velum/session/Open.h"
+
+namespace velum::session {
+
+namespace {
+
+/// Keeps some channels of a picture.
+Image channelsOf(const Image& image, const std::vector<std::string>& names) {
+  Image out{image.width, image.height, names, {}};
+  std::vector<std::size_t> columns;
+  for (const auto& name : names)
+    for (std::size_t c = 0; c < image.channels.size(); ++c)
+      if (image.channels[c] == name) columns.push_back(c);
+  std::size_t count = std::size_t(image.width) * std::size_t(image.height);
+  out.pixels.reserve(count * columns.size());
+  for (std::size_t i = 0; i < count; ++i)
+    for (auto c : columns) out.pixels.push_back(image.pixels[i * image.channels.size() + c]);
+  return out;
+}
+
+/// Layers as PNGs beside the picture, each mapped into 0..1: normals and ids by the usual colour codes, depth from near to far.
+void writeLayerPictures(const Image& image, const std::filesystem::path& output) {
+  auto beside = [&](const char* what) {
+    auto path = output;
+    return path.replace_filename(fmt::format("{}.{}{}", output.stem().string(), what, output.extension().string()));
+  };
+  std::size_t count = std::size_t(image.width) * std::size_t(image.height);
+  auto rgb = [&](Image source) {
+    source.channels = {"R", "G", "B"};
+    return source;
+  };
+  Image normal = rgb(channelsOf(image, {"normal.X", "normal.Y", "normal.Z"}));
+  for (auto& v : normal.pixels) v = 0.5f + 0.5f * v;
+  io::writeImage(normal, beside("normal"));
+  Image alpha = channelsOf(image, {"A", "A", "A"}), depth = channelsOf(image, {"Z", "Z", "Z"}), id = channelsOf(image, {"id", "id", "id"});
+  Image position = channelsOf(image, {"position.X", "position.Y", "position.Z"});
+  io::writeImage(rgb(alpha), beside("alpha"));
+  float nearest = 1e30f, farthest = 0.0f;
+  for (auto z : depth.pixels)
+    if (z < 1e30f) nearest = std::min(nearest, z), farthest = std::max(farthest, z);
+  for (auto& z : depth.pixels) z = z < 1e30f ? 1.0f - 0.9f * (z - nearest) / std::max(1e-6f, farthest - nearest) : 0.0f;
+  io::writeImage(rgb(depth), beside("depth"));
+  for (std::size_t i = 0; i < count; ++i) {
+    int value = int(id.pixels[i * 3]);
+    glm::vec3 color = value ? defaultLabelColor(std::uint16_t(value)) : glm::vec3(0.0f);
+    for (int c = 0; c < 3; ++c) id.pixels[i * 3 + std::size_t(c)] = color[c];
+  }
+  io::writeImage(rgb(id), beside("id"));
+  float low[3] = {1e30f, 1e30f, 1e30f}, high[3] = {-1e30f, -1e30f, -1e30f};
+  for (std::size_t i = 0; i < count * 3; ++i)
+    if (depth.pixels[i] > 0) low[i % 3] = std::min(low[i % 3], position.pixels[i]), high[i % 3] = std::max(high[i % 3], position.pixels[i]);
+  for (std::size_t i = 0; i < count * 3; ++i)
+    position.pixels[i] = depth.pixels[i] > 0 ? (position.pixels[i] - low[i % 3]) / std::max(1e-6f, high[i % 3] - low[i % 3]) : 0.0f;
+  io::writeImage(rgb(position), beside("position"));
+}
+
+}  // namespace
+
+scene::Scene sceneForPicture(const scene::Scene& scene, const PictureOptions& options) {
+  scene::Scene out = scene;
+  if (options.samples > 0) out.rayCast.samplesPerPixel = options.samples;
+  if (options.transparent) out.background.transparent = true;
+  return out;
+}
+
+Image drawPicture(render::Renderer& renderer, const scene::Scene& scene, const PictureOptions& options,
+                  const gpu::Limits& limits, Progress& progress) {
+  render::Frame frame;
+  frame.scene = sceneForPicture(scene, options);
+  frame.pictureSize = options.size;
+  render::Layers layers;
+  if (options.layers) layers = {true, true, true, true};
+  return render::renderPicture(renderer, frame, layers, std::min(4096, limits.texture2d), progress);
+}
+
+void savePicture(const Image& image, const scene::Scene& scene, const PictureOptions& options,
+                 const std::filesystem::path& path) {
+  scene::Scene drawn = sceneForPicture(scene, options);
+  std::string text = sceneTextFor(drawn, path == "-" ? "." : path);
+  bool isExr = path.extension() == ".exr";
+  if (options.layers && !isExr && path != "-") writeLayerPictures(image, path);
+  std::vector<std::string> color{"R", "G", "B"};
+  if (drawn.background.transparent) color.push_back("A");
+  io::writeImage(options.layers && isExr ? image : channelsOf(image, color), path, text);
+}
+
+void renderPictureFile(const scene::Scene& scene, const PictureOptions& options, const std::filesystem::path& path,
+                       Progress& progress) {
+  auto context = gpu::Context::create(gpu::ContextKind::Auto);
+  render::Renderer renderer(*context);
+  Image image = drawPicture(renderer, scene, options, context->limits(), progress);
+  savePicture(image, scene, options, path);
+}
+
+}  // namespace velum::session

@@ -173,8 +173,9 @@ std::string messageOfBroken(const std::string& file, const std::string& broken, 
 }
 
 TEST_F(ShaderGL, ACompileErrorNamesTheIncludedFileAndLine) {
-  std::string message = messageOfBroken("render/ray_cast.comp", "common/volume.glsl", 10, "int broken = notDeclared;");
-  EXPECT_NE(message.find("common/volume.glsl:10"), std::string::npos) << message;
+  expectDriverErrors();
+  std::string message = messageOfBroken("render/ray_cast.comp", "common/volume.glsl", 8, "int broken = notDeclared;");
+  EXPECT_NE(message.find("common/volume.glsl:8"), std::string::npos) << message;
   EXPECT_NE(message.find("notDeclared"), std::string::npos) << message;
   message = messageOfBroken("render/ray_cast.comp", "render/ray_cast.comp", 5, "int broken = alsoNotDeclared;");
   EXPECT_NE(message.find("render/ray_cast.comp:5"), std::string::npos) << message;
@@ -195,6 +196,7 @@ TEST_F(ShaderGL, AnUnknownEntryPointIsNamed) {
 }
 
 TEST_F(ShaderGL, AfterACompileErrorTheContextStillWorks) {
+  expectDriverErrors();
   EXPECT_NE(messageOfBroken("render/resolve.comp", "render/resolve.comp", 3, "syntax error here"), "");
   EXPECT_NO_THROW(Program({"render/resolve.comp"}));
 }

@@ -216,6 +216,9 @@ TEST_F(CutsGL, TheFaceOfAPlaneHasItsNormal) {
         glm::dvec3 p(vectorOf(image, {x, y}, "position"));
         // The layers are those of the first sample, up to half a step behind the face.
         if (std::abs(glm::dot(p - scene.cuts[0].centreMm, unit)) > 0.3) continue;
+        // At the sides of the box it is the box that is seen.
+        glm::dvec3 inside = 0.5 * glm::dvec3(kDims) * glm::dvec3(1, 1.1, 0.9) - glm::abs(p);
+        if (std::min(inside.x, std::min(inside.y, inside.z)) < 1.0) continue;
         ++onFace;
         EXPECT_GT(glm::dot(glm::dvec3(vectorOf(image, {x, y}, "normal")), unit), 0.999) << x << ", " << y;
       }

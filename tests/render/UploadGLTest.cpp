@@ -22,23 +22,28 @@ class UploadGL : public RenderTest {
 TEST_F(UploadGL, EverySampleTypeShowsTheSameValuesAlike) {
   for (int mode = 0; mode < 3; ++mode)
     for (bool shaded : {false, true}) {
-      std::optional<Image> first;
+      if (shaded && mode == 1) continue;  // the maximum has no light
+      std::optional<Image> bytes, wide;
       for (int type = 0; type < 8; ++type) {
         SampleType sample = SampleType(type);
+        bool isByte = sample == SampleType::Int8 || sample == SampleType::UInt8;
         // int8 holds 0..200 only with an offset; the others get a scale that must not matter.
         double offset = sample == SampleType::Int8 ? 100.0 : sample == SampleType::UInt8 ? 0.0 : -50.0;
-        double scale = sample == SampleType::Int8 || sample == SampleType::UInt8 ? 1.0 : 0.5;
-        scene::Scene scene = sceneOf(makeVolume(kDims, sample, valueOf, centredFrame(kDims), scale, offset));
+        scene::Scene scene = sceneOf(makeVolume(kDims, sample, valueOf, centredFrame(kDims), isByte ? 1.0 : 0.5, offset));
         style(scene);
         scene.lighting.shaded = shaded;
+        scene.lighting.shadow = scene.lighting.occlusion = 0;
         scene.rayCast.mode = scene::RenderMode(mode);
         scene.rayCast.isoValue = 150;
-        Image image = draw(scene, {72, 72});
-        if (!first) first = image;
+        Image image = draw(scene, {56, 56});
         EXPECT_GT(coverageOf(image), 0.1);
+        auto& first = isByte ? bytes : wide;
+        if (!first) first = image;
         // Shading may turn a grey level on the rounding of a gradient.
         expectSame(image, *first, shaded ? 2.0 : 1.0, std::string(enumName(sample)) + ", mode " + std::to_string(mode));
       }
+      // Software drivers interpolate bytes in steps of a byte, which turns the value between voxels by up to half a unit.
+      EXPECT_LT(differenceOf(*bytes, *wide).mean, 1.5) << "mode " << mode;
     }
 }
 

@@ -91,7 +91,7 @@ TEST(SetField, AnUnknownPartNamesTheKnownFields) {
 TEST(SetField, AnItemThatIsNotThereIsRefused) {
   Scene two;
   two.cuts.resize(2);
-  for (const char* path : {"cuts.3", "cuts.-1", "cuts.x", "cuts.", "cuts.1e0", "cuts.18446744073709551616.name", "cuts.4294967296.name"})
+  for (const char* path : {"cuts.3", "cuts.-1", "cuts.x", "cuts..name", "cuts.1e0", "cuts.18446744073709551616.name", "cuts.4294967296.name"})
     expectMentions(messageOf(path, "{}", two), {"cuts", "2 items"});
 }
 

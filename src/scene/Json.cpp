@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <type_traits>
@@ -229,8 +230,8 @@ void assign(auto& target, std::string_view rest, std::string_view text, const st
     std::size_t index = target.size();
     if (head != "+") {
       index = 0;
-      for (char c : head) index = c >= '0' && c <= '9' ? index * 10 + std::size_t(c - '0') : kMostItems;
-      if (index > target.size() || index >= kMostItems)
+      for (char c : head) index = c >= '0' && c <= '9' ? std::min(kMostItems, index * 10 + std::size_t(c - '0')) : kMostItems;
+      if (head.empty() || index > target.size() || index >= kMostItems)
         throw ArgumentError(fmt::format("{} has {} items; '{}' is none of them (use + to append)", path, target.size(), head));
     }
     if (index == target.size()) target.emplace_back();
@@ -329,7 +330,8 @@ std::string toJson(const Scene& scene) {
   Json out = Json::object();
   out["velum"] = kSceneVersion;
   out.update(writeStruct(scene));
-  return out.dump(2) + "\n";
+  // A path may hold bytes that are no UTF-8; JSON cannot.
+  return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 Scene fromJson(std::string_view text) {

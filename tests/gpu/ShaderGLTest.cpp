@@ -1,0 +1,205 @@
+#include <algorithm>
+#include <cstddef>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "GlFixture.h"
+#include "TempFolder.h"
+#include "shared/cut.h"
+#include "shared/frame.h"
+#include "velum/gpu/Buffer.h"
+#include "velum/gpu/GpuError.h"
+#include "velum/gpu/Program.h"
+
+namespace velum::gpu {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ShaderGL : public GlTest {};
+
+/// The variants of an entry point: those that its text asks about.
+std::vector<Defines> variantsOf(const std::string& file) {
+  std::string text = expandedShader(file);
+  auto values = [&](const char* name, int count) { return text.find(name) == std::string::npos ? 1 : count; };
+  std::vector<Defines> variants;
+  for (int mode = 0; mode < values("MODE", 3); ++mode)
+    for (int labels = 0; labels < values("LABELS", 3); ++labels)
+      for (int color = 0; color < values("COLOR", 2); ++color)
+        variants.push_back({{"MODE", std::to_string(mode)}, {"LABELS", std::to_string(labels)}, {"COLOR", std::to_string(color)}});
+  return variants;
+}
+
+std::string textOf(const Defines& defines) {
+  std::string text;
+  for (const auto& [name, value] : defines) text += " " + name + "=" + value;
+  return text;
+}
+
+TEST_F(ShaderGL, EveryEntryPointCompilesInEveryVariant) {
+  auto files = shaderEntryPoints();
+  ASSERT_GE(files.size(), 7u);
+  int programs = 0;
+  for (const std::string& file : files)
+    for (const Defines& defines : variantsOf(file)) {
+      SCOPED_TRACE(file + textOf(defines));
+      if (file.ends_with(".comp")) {
+        EXPECT_NO_THROW(Program({file}, defines));
+        ++programs;
+      } else if (file.ends_with(".vert")) {
+        std::string fragment = file.substr(0, file.size() - 5) + ".frag";
+        ASSERT_NE(std::find(files.begin(), files.end(), fragment), files.end()) << "a vertex shader without its fragment shader";
+        EXPECT_NO_THROW(Program({file, fragment}, defines));
+        ++programs;
+      }
+    }
+  EXPECT_GE(programs, 18 + 18 + 5);
+}
+
+TEST_F(ShaderGL, TheRayCasterHasEighteenVariants) {
+  EXPECT_EQ(variantsOf("render/ray_cast.comp").size(), 18u);
+  EXPECT_EQ(variantsOf("render/light_extinction.comp").size(), 18u);
+}
+
+/// The members of a struct in shaders/shared, in order, as its text lists them.
+std::vector<std::string> membersOf(const std::string& header, const std::string& structName) {
+  std::ifstream in(std::string(VELUM_SOURCE_DIR) + "/shaders/shared/" + header);
+  std::vector<std::string> members;
+  bool inside = false;
+  for (std::string line; std::getline(in, line);) {
+    if (line.starts_with("struct " + structName + " {")) inside = true;
+    else if (inside && line.starts_with("};")) break;
+    else if (std::size_t end = line.find(';'); inside && end != std::string::npos) {
+      std::size_t start = line.rfind(' ', end) + 1;
+      members.push_back(line.substr(start, end - start));
+    }
+  }
+  return members;
+}
+
+struct Offset {
+  const char* member;
+  std::size_t bytes;
+};
+#define VELUM_OFFSET(type, member) {#member, offsetof(shared::type, member)}
+
+const Offset kFrameOffsets[] = {
+    VELUM_OFFSET(FrameParams, texFromScene),  VELUM_OFFSET(FrameParams, labelFromScene), VELUM_OFFSET(FrameParams, clipFromScene),
+    VELUM_OFFSET(FrameParams, eye),           VELUM_OFFSET(FrameParams, right),          VELUM_OFFSET(FrameParams, up),
+    VELUM_OFFSET(FrameParams, forward),       VELUM_OFFSET(FrameParams, picture),        VELUM_OFFSET(FrameParams, volumeSize),
+    VELUM_OFFSET(FrameParams, cellGrid),      VELUM_OFFSET(FrameParams, valueFromTexel), VELUM_OFFSET(FrameParams, step),
+    VELUM_OFFSET(FrameParams, gradientScale), VELUM_OFFSET(FrameParams, window),         VELUM_OFFSET(FrameParams, light),
+    VELUM_OFFSET(FrameParams, key),           VELUM_OFFSET(FrameParams, hemisphere),     VELUM_OFFSET(FrameParams, normalX),
+    VELUM_OFFSET(FrameParams, normalY),       VELUM_OFFSET(FrameParams, normalZ),        VELUM_OFFSET(FrameParams, lightGrid),
+    VELUM_OFFSET(FrameParams, counts),        VELUM_OFFSET(FrameParams, flags)};
+const Offset kCutOffsets[] = {VELUM_OFFSET(CutData, localFromScene), VELUM_OFFSET(CutData, half_), VELUM_OFFSET(CutData, kind),
+                              VELUM_OFFSET(CutData, face)};
+
+TEST_F(ShaderGL, FrameParamsLieWhereTheDriverPutsThem) {
+  // A member that this list lacks would go unchecked.
+  auto members = membersOf("frame.h", "FrameParams");
+  ASSERT_EQ(members.size(), std::size(kFrameOffsets)) << "shaders/shared/frame.h has changed: list its members here, too";
+  Program program({"render/ray_cast.comp"}, {{"MODE", "0"}, {"LABELS", "1"}, {"COLOR", "0"}});
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    EXPECT_EQ(members[i], kFrameOffsets[i].member);
+    int offset = program.memberOffset("FrameBlock", "frame." + members[i]);
+    if (offset < 0) offset = program.memberOffset("FrameBlock", members[i]);
+    EXPECT_EQ(offset, int(kFrameOffsets[i].bytes)) << members[i];
+  }
+  EXPECT_EQ(sizeof(shared::FrameParams), kFrameOffsets[std::size(kFrameOffsets) - 1].bytes + 16);
+}
+
+/// Offsets in storage blocks, asked of the shader itself: it writes what it reads from each member.
+TEST_F(ShaderGL, CutDataLiesWhereTheDriverPutsIt) {
+  ASSERT_EQ(membersOf("cut.h", "CutData").size(), std::size(kCutOffsets)) << "list the members of CutData here, too";
+  TempFolder folder;
+  fs::copy(fs::path(VELUM_SOURCE_DIR) / "shaders", folder.path(), fs::copy_options::recursive);
+  std::ofstream(folder / "probe.comp") << R"(layout(local_size_x = 1) in;
+#include "shared/cut.h"
+layout(std430, binding = 1) readonly buffer CutBlock { CutData cuts[]; };
+layout(std430, binding = 2) buffer OutBlock { float seen[]; };
+void main() {
+  for (int c = 0; c < 2; ++c) {
+    int at = c * 28;
+    for (int i = 0; i < 16; ++i) seen[at + i] = cuts[c].localFromScene[i / 4][i % 4];
+    for (int i = 0; i < 4; ++i) seen[at + 16 + i] = cuts[c].half_[i];
+    for (int i = 0; i < 4; ++i) seen[at + 20 + i] = float(cuts[c].kind[i]);
+    for (int i = 0; i < 4; ++i) seen[at + 24 + i] = cuts[c].face[i];
+  }
+}
+)";
+  ::setenv("VELUM_SHADER_DIR", folder.path().c_str(), 1);
+  Program probe({"probe.comp"});
+  ::unsetenv("VELUM_SHADER_DIR");
+  shared::CutData cuts[2];
+  std::vector<float> expected;
+  float next = 1;
+  for (auto& cut : cuts) {
+    for (int i = 0; i < 16; ++i) expected.push_back(cut.localFromScene[i / 4][i % 4] = next++);
+    for (int i = 0; i < 4; ++i) expected.push_back(cut.half_[i] = next++);
+    for (int i = 0; i < 4; ++i) expected.push_back(float(cut.kind[i] = int(next++)));
+    for (int i = 0; i < 4; ++i) expected.push_back(cut.face[i] = next++);
+  }
+  Buffer in("cuts", std::span<const shared::CutData>(cuts)), out("seen", expected.size() * sizeof(float));
+  in.bindStorage(1);
+  out.bindStorage(2);
+  dispatch(probe, {1, 1, 1});
+  barrier();
+  std::vector<float> seen(expected.size());
+  out.read(0, seen.size() * sizeof(float), seen.data());
+  EXPECT_EQ(seen, expected);
+  EXPECT_EQ(sizeof(shared::CutData) % 16, 0u);
+}
+
+/// The message of compiling `file` from a copy of the shaders in which one line was added to `broken`.
+std::string messageOfBroken(const std::string& file, const std::string& broken, int line, const std::string& text) {
+  TempFolder folder;
+  fs::copy(fs::path(VELUM_SOURCE_DIR) / "shaders", folder.path(), fs::copy_options::recursive);
+  std::ifstream in(folder / broken);
+  std::string before, all;
+  for (int number = 1; std::getline(in, before); ++number) all += (number == line ? text + "\n" : "") + before + "\n";
+  in.close();
+  std::ofstream(folder / broken) << all;
+  ::setenv("VELUM_SHADER_DIR", folder.path().c_str(), 1);
+  std::string message;
+  try {
+    Program({file}, {{"MODE", "0"}, {"LABELS", "0"}, {"COLOR", "0"}});
+  } catch (const GpuError& error) {
+    message = error.what();
+  }
+  ::unsetenv("VELUM_SHADER_DIR");
+  return message;
+}
+
+TEST_F(ShaderGL, ACompileErrorNamesTheIncludedFileAndLine) {
+  expectDriverErrors();
+  std::string message = messageOfBroken("render/ray_cast.comp", "common/volume.glsl", 8, "int broken = notDeclared;");
+  EXPECT_NE(message.find("common/volume.glsl:8"), std::string::npos) << message;
+  EXPECT_NE(message.find("notDeclared"), std::string::npos) << message;
+  message = messageOfBroken("render/ray_cast.comp", "render/ray_cast.comp", 5, "int broken = alsoNotDeclared;");
+  EXPECT_NE(message.find("render/ray_cast.comp:5"), std::string::npos) << message;
+}
+
+TEST_F(ShaderGL, AMissingIncludeIsNamed) {
+  std::string message = messageOfBroken("render/ray_cast.comp", "common/volume.glsl", 2, "#include \"common/none.glsl\"");
+  EXPECT_NE(message.find("common/none.glsl"), std::string::npos) << message;
+}
+
+TEST_F(ShaderGL, AnUnknownEntryPointIsNamed) {
+  try {
+    Program({"render/none.comp"});
+    FAIL() << "there is no render/none.comp";
+  } catch (const GpuError& error) {
+    EXPECT_NE(std::string(error.what()).find("render/none.comp"), std::string::npos) << error.what();
+  }
+}
+
+TEST_F(ShaderGL, AfterACompileErrorTheContextStillWorks) {
+  expectDriverErrors();
+  EXPECT_NE(messageOfBroken("render/resolve.comp", "render/resolve.comp", 3, "syntax error here"), "");
+  EXPECT_NO_THROW(Program({"render/resolve.comp"}));
+}
+
+}  // namespace
+}  // namespace velum::gpu

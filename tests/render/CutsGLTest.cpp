@@ -1,0 +1,285 @@
+// What the shaders cut away is what shaders/shared/cut.h says on the processor.
+#include "RenderFixture.h"
+#include "shared/cut.h"
+
+namespace velum {
+namespace {
+
+constexpr glm::ivec3 kDims(40, 36, 44);
+constexpr glm::ivec2 kSize(72, 72);
+
+shared::CutData cutDataOf(const scene::Cut& cut) {
+  shared::CutData data{};
+  data.localFromScene = glm::mat4(glm::inverse(scene::worldFromCut(cut)));
+  data.half_ = glm::vec4(glm::vec3(cut.sizeMm * 0.5), cut.invert ? -1.0f : 1.0f);
+  data.kind.x = static_cast<int>(cut.shape);
+  return data;
+}
+
+/// Millimetres of a stretch of a ray that no cut removes, from the intervals of cut.h.
+double keptLength(const std::vector<scene::Cut>& cuts, const TestRay& ray, glm::dvec2 stretch) {
+  std::vector<glm::dvec2> kept{stretch};
+  for (const auto& cut : cuts) {
+    glm::vec2 inside = shared::cutInterval(cutDataOf(cut), glm::vec3(ray.origin), glm::vec3(ray.direction));
+    std::vector<glm::dvec2> next;
+    auto add = [&](double a, double b) {
+      if (b > a) next.emplace_back(a, b);
+    };
+    for (glm::dvec2 k : kept) {
+      bool isEmpty = inside.x >= inside.y;
+      if (cut.invert) {
+        if (!isEmpty) add(std::max(k.x, double(inside.x)), std::min(k.y, double(inside.y)));
+      } else if (isEmpty) {
+        next.push_back(k);
+      } else {
+        add(k.x, std::min(k.y, double(inside.x)));
+        add(std::max(k.x, double(inside.y)), k.y);
+      }
+    }
+    kept = next;
+  }
+  double length = 0;
+  for (glm::dvec2 k : kept) length += k.y - k.x;
+  return length;
+}
+
+scene::Cut cutOf(scene::CutShape shape, glm::dvec3 centre, glm::dvec3 axis, glm::dvec3 size, bool invert = false) {
+  scene::Cut cut;
+  cut.shape = shape;
+  cut.centreMm = centre;
+  cut.axis = axis;
+  cut.sizeMm = size;
+  cut.spinDeg = 25;
+  cut.invert = invert;
+  return cut;
+}
+
+class CutsGL : public RenderTest {
+ protected:
+  static scene::Scene solidScene(double turnRad = 0.3) {
+    scene::Scene scene = sceneOf(makeVolume(kDims, SampleType::UInt8, [](glm::ivec3) { return 100.0; }, centredFrame(kDims, {1, 1.1, 0.9}, turnRad)));
+    makeSolid(scene);
+    return scene;
+  }
+
+  /// A pixel shows something exactly where the intervals leave something, and never at a removed position.
+  void expectAgrees(const scene::Scene& scene, const std::string& what) {
+    Image image = draw(scene, kSize, kAllLayers);
+    int doubtful = 0, wrong = 0;
+    for (int y = 0; y < kSize.y && wrong < 3; ++y)
+      for (int x = 0; x < kSize.x && wrong < 3; ++x) {
+        // Rays a hundredth of a pixel beside tell where rounding may decide.
+        double least = 1e9, most = 0;
+        for (int k = 0; k < 5; ++k) {
+          glm::dvec2 shift(k == 1 ? 0.01 : k == 2 ? -0.01 : 0.0, k == 3 ? 0.01 : k == 4 ? -0.01 : 0.0);
+          TestRay ray = rayThrough(scene.camera, kSize, glm::dvec2(x + 0.5, y + 0.5) + shift);
+          double length = keptLength(scene.cuts, ray, boxInterval(*scene.volume.data, ray));
+          least = std::min(least, length), most = std::max(most, length);
+        }
+        float alpha = sampleOf(image, {x, y}, "A");
+        std::string where = what + ", pixel " + std::to_string(x) + ", " + std::to_string(y) + ", kept " + std::to_string(most) + " mm, alpha " + std::to_string(alpha);
+        if (most == 0.0) {
+          EXPECT_EQ(alpha, 0.0f) << where << ": shown, but everything is cut away";
+          wrong += alpha != 0.0f;
+        } else if (least > 0.05) {
+          EXPECT_GT(alpha, 0.9f) << where << ": empty, but something is kept";
+          wrong += alpha <= 0.9f;
+        } else {
+          ++doubtful;
+        }
+        if (alpha == 0.0f) continue;
+        glm::vec3 p = vectorOf(image, {x, y}, "position");
+        for (const auto& cut : scene.cuts) {
+          float distance = shared::cutDistance(cutDataOf(cut), p);
+          EXPECT_GE(distance, -0.01f) << where << ": the position lies in what is removed";
+          wrong += distance < -0.01f;
+        }
+      }
+    EXPECT_LT(doubtful, kSize.x * kSize.y / 12) << what << ": the test has decided too little";
+  }
+};
+
+const scene::Cut kShapes[] = {
+    cutOf(scene::CutShape::Plane, {2, 1, 3}, {0.3, -1, 0.2}, {10, 10, 10}),
+    cutOf(scene::CutShape::Box, {3, -14, 2}, {0.2, -1, 0.5}, {22, 14, 26}),
+    cutOf(scene::CutShape::Sphere, {-4, -12, 5}, {0, -1, 0}, {30, 30, 30}),
+    cutOf(scene::CutShape::Cylinder, {4, -6, -3}, {0.4, -1, 0.3}, {18, 1, 34}),
+    cutOf(scene::CutShape::Cone, {0, 6, 0}, {0.1, -1, 0.2}, {26, 1, 40}),
+};
+
+TEST_F(CutsGL, EveryShapeRemovesWhatTheProcessorSays) {
+  for (const auto& shape : kShapes)
+    for (bool invert : {false, true})
+      for (auto projection : {scene::Projection::Perspective, scene::Projection::Orthographic}) {
+        scene::Scene scene = solidScene();
+        scene.camera.projection = projection;
+        scene.camera.heightMm = 55;
+        lookAlong(scene, {0.35, -1, 0.3}, 100);
+        scene.cuts = {shape};
+        scene.cuts[0].invert = invert;
+        expectAgrees(scene, std::string(enumName(shape.shape)) + (invert ? " inverted" : "") + (projection == scene::Projection::Perspective ? "" : " orthographic"));
+      }
+}
+
+TEST_F(CutsGL, RaysAlongTheAxesOfTheCutAreNoException) {
+  const glm::dvec3 kAxes[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}};
+  for (auto shape : {scene::CutShape::Plane, scene::CutShape::Box, scene::CutShape::Sphere, scene::CutShape::Cylinder, scene::CutShape::Cone})
+    for (glm::dvec3 axis : kAxes) {
+      scene::Scene scene = solidScene(0.0);
+      scene.camera.projection = scene::Projection::Orthographic;
+      scene.camera.heightMm = 55;
+      lookAlong(scene, {0, -1, 0});
+      scene.cuts = {cutOf(shape, {1, 0.5, 2}, axis, {20, 16, 24})};
+      scene.cuts[0].spinDeg = 0;
+      Image image = draw(scene, kSize, kAllLayers);
+      int shown = 0, wrong = 0;
+      for (int y = 0; y < kSize.y && wrong < 3; ++y)
+        for (int x = 0; x < kSize.x && wrong < 3; ++x) {
+          // Told by points along the ray, not by intervals: nothing of the box may be left where all points are removed.
+          TestRay ray = rayThrough(scene.camera, kSize, {x + 0.5, y + 0.5});
+          glm::dvec2 t = boxInterval(*scene.volume.data, ray);
+          float furthest = -1.0f;  // largest distance to what is removed
+          for (double s = t.x + 0.05; s < t.y; s += 0.1) furthest = std::max(furthest, shared::cutDistance(cutDataOf(scene.cuts[0]), glm::vec3(ray.at(s))));
+          float alpha = sampleOf(image, {x, y}, "A");
+          std::string where = std::string(enumName(shape)) + " axis " + std::to_string(axis.x) + " " + std::to_string(axis.y) + " " + std::to_string(axis.z) + ", pixel " + std::to_string(x) + ", " + std::to_string(y);
+          if (t.x + 0.05 < t.y && furthest > 0.1f) {
+            EXPECT_GT(alpha, 0.9f) << where;
+            wrong += alpha <= 0.9f;
+          } else if (furthest < -0.1f) {
+            EXPECT_EQ(alpha, 0.0f) << where;
+            wrong += alpha != 0.0f;
+          }
+          if (alpha == 0.0f) continue;
+          ++shown;
+          EXPECT_GE(shared::cutDistance(cutDataOf(scene.cuts[0]), vectorOf(image, {x, y}, "position")), -0.01f) << where;
+        }
+      EXPECT_GT(shown, 100);
+    }
+}
+
+TEST_F(CutsGL, AnEyeInsideTheVolumeOrInsideTheCutSeesTheSame) {
+  for (const auto& shape : kShapes)
+    for (bool invert : {false, true}) {
+      scene::Scene scene = solidScene();
+      scene.camera.fieldOfViewDeg = 90;
+      scene.cuts = {shape};
+      scene.cuts[0].invert = invert;
+      // In the middle of what the shape holds, then just beside it.
+      scene.camera.eyeMm = shape.centreMm + (shape.shape == scene::CutShape::Cone ? 25.0 : 1.0) * glm::normalize(shape.axis);
+      scene.camera.targetMm = scene.camera.eyeMm + glm::dvec3(-3, 10, 2);
+      expectAgrees(scene, std::string("eye in the ") + std::string(enumName(shape.shape)) + (invert ? " inverted" : ""));
+    }
+}
+
+TEST_F(CutsGL, ManyCutsTogether) {
+  scene::Scene scene = solidScene();
+  lookAlong(scene, {0.4, -1, 0.5}, 100);
+  scene.cuts.assign(std::begin(kShapes) + 1, std::end(kShapes));
+  expectAgrees(scene, "four shapes");
+  scene::Cut away = kShapes[2];
+  away.invert = true;
+  away.sizeMm = glm::dvec3(38);
+  away.centreMm = {0, 0, 0};
+  scene.cuts.push_back(away);
+  expectAgrees(scene, "four shapes within a ball");
+  // Forty small balls: more than one word of the exemption mask.
+  scene.cuts.clear();
+  for (int i = 0; i < 40; ++i) {
+    glm::dvec3 at(hashNoise({i, 0, 0}) * 36 - 18, hashNoise({i, 1, 0}) * 20 - 22, hashNoise({i, 2, 0}) * 36 - 18);
+    scene.cuts.push_back(cutOf(scene::CutShape::Sphere, at, {0, 0, 1}, glm::dvec3(9)));
+  }
+  expectAgrees(scene, "forty balls");
+}
+
+TEST_F(CutsGL, ACutThatIsOffRemovesNothing) {
+  scene::Scene scene = solidScene();
+  Image whole = draw(scene);
+  for (const auto& shape : kShapes) {
+    scene.cuts.push_back(shape);
+    scene.cuts.back().enabled = false;
+  }
+  Image off = draw(scene);
+  EXPECT_EQ(off.pixels, whole.pixels);
+}
+
+TEST_F(CutsGL, TheFaceOfAPlaneHasItsNormal) {
+  scene::Scene scene = solidScene(0.0);
+  scene.lighting.shaded = true;
+  for (glm::dvec3 axis : {glm::dvec3(0, -1, 0), glm::dvec3(0.4, -1, 0.3), glm::dvec3(-0.7, -1, -0.2)}) {
+    scene.cuts = {cutOf(scene::CutShape::Plane, {0, -4, 0}, axis, {1, 1, 1})};
+    Image image = draw(scene, kSize, kAllLayers);
+    glm::dvec3 unit = glm::normalize(axis);
+    int onFace = 0;
+    for (int y = 0; y < kSize.y; ++y)
+      for (int x = 0; x < kSize.x; ++x) {
+        if (sampleOf(image, {x, y}, "A") == 0.0f) continue;
+        glm::dvec3 p(vectorOf(image, {x, y}, "position"));
+        // The layers are those of the first sample, up to half a step behind the face.
+        if (std::abs(glm::dot(p - scene.cuts[0].centreMm, unit)) > 0.3) continue;
+        // At the sides of the box it is the box that is seen.
+        glm::dvec3 inside = 0.5 * glm::dvec3(kDims) * glm::dvec3(1, 1.1, 0.9) - glm::abs(p);
+        if (std::min(inside.x, std::min(inside.y, inside.z)) < 1.0) continue;
+        ++onFace;
+        EXPECT_GT(glm::dot(glm::dvec3(vectorOf(image, {x, y}, "normal")), unit), 0.999) << x << ", " << y;
+      }
+    EXPECT_GT(onFace, 400);
+  }
+}
+
+TEST_F(CutsGL, ASliceFaceShowsTheGreyOfItsVoxels) {
+  // Values that change along x and z only, so that the slice's depth does not matter.
+  Volume v = makeVolume(kDims, SampleType::Int16, [](glm::ivec3 p) { return -200.0 + 20 * p.x + 10 * p.z; }, centredFrame(kDims));
+  glm::dmat4 voxelFromWorld = glm::inverse(v.worldFromVoxel);
+  scene::Scene scene = sceneOf(std::move(v));
+  scene.volume.transfer.colors = {{0, {1, 0, 0}}};
+  scene.volume.transfer.opacities = {{-200, 0}, {2000, 0}};
+  scene.volume.windowLevel = 350;
+  scene.volume.windowWidth = 700;
+  scene.cuts = {cutOf(scene::CutShape::Plane, {0, -3, 0}, {0.1, -1, 0}, {1, 1, 1})};
+  scene.cuts[0].face = scene::CutFace::Slice;
+  for (double opacity : {1.0, 0.5}) {
+    scene.cuts[0].faceOpacity = opacity;
+    Image image = draw(scene, kSize, kAllLayers);
+    int checked = 0;
+    for (int y = 0; y < kSize.y; ++y)
+      for (int x = 0; x < kSize.x; ++x) {
+        if (sampleOf(image, {x, y}, "A") == 0.0f) continue;
+        glm::dvec3 p(vectorOf(image, {x, y}, "position"));
+        EXPECT_LT(std::abs(glm::dot(p - scene.cuts[0].centreMm, glm::normalize(scene.cuts[0].axis))), 1e-3);
+        glm::dvec3 voxel(voxelFromWorld * glm::dvec4(p, 1.0));
+        glm::dvec3 last = glm::dvec3(kDims) - 1.0;
+        if (glm::any(glm::lessThan(voxel, glm::dvec3(0.0))) || glm::any(glm::greaterThan(voxel, last))) continue;
+        double grey = glm::clamp((-200.0 + 20 * voxel.x + 10 * voxel.z) / 700.0, 0.0, 1.0);
+        if (grey < 0.05) continue;  // black fades out
+        ++checked;
+        EXPECT_NEAR(sampleOf(image, {x, y}, "R") * 255, grey * 255, 1.5 / opacity) << x << ", " << y;
+        EXPECT_NEAR(sampleOf(image, {x, y}, "A"), opacity, 1.01 / 255);
+      }
+    EXPECT_GT(checked, 800);
+  }
+}
+
+TEST_F(CutsGL, WhatACutSparesStaysWhole) {
+  scene::Scene scene = solidScene(0.0);
+  auto inBall = [](glm::ivec3 p) { return glm::length(glm::dvec3(p) - glm::dvec3(20, 10, 22)) < 7; };
+  LabelVolume labels = makeLabels(kDims, [&](glm::ivec3 p) { return inBall(p) ? 4 : 0; }, scene.volume.data->worldFromVoxel);
+  scene.labels.data = Shared<LabelVolume>(std::move(labels));
+  scene::completeStructures(scene.labels);
+  scene.cuts = {cutOf(scene::CutShape::Plane, {0, 4, 0}, {0, -1, 0}, {1, 1, 1})};
+  scene.cuts[0].exempt = {4};
+  Image image = draw(scene, kSize, kAllLayers);
+  int spared = 0, removedShown = 0;
+  for (int y = 0; y < kSize.y; ++y)
+    for (int x = 0; x < kSize.x; ++x) {
+      if (sampleOf(image, {x, y}, "A") == 0.0f) continue;
+      bool inFront = vectorOf(image, {x, y}, "position").y < 3.9f;
+      bool isBall = std::lround(sampleOf(image, {x, y}, "id")) == 4;
+      spared += inFront && isBall;
+      removedShown += inFront && !isBall;
+    }
+  EXPECT_GT(spared, 150);
+  EXPECT_EQ(removedShown, 0);
+}
+
+}  // namespace
+}  // namespace velum

@@ -1,0 +1,155 @@
+// Surfaces and volumes hide each other by depth, and cuts take from both.
+#include "RenderFixture.h"
+
+namespace velum {
+namespace {
+
+constexpr glm::ivec3 kDims(48, 48, 40);
+
+/// A square of two triangles at depth y, from (-half, -half) to (half, half) in x and z.
+Mesh square(float y, float half) {
+  Mesh mesh;
+  mesh.positions = {{-half, y, -half}, {half, y, -half}, {half, y, half}, {-half, y, half}};
+  mesh.indices = {0, 1, 2, 0, 2, 3};
+  return mesh;
+}
+
+class DepthGL : public RenderTest {
+ protected:
+  /// A ball in front on the left, one behind on the right, and a square between them. Seen from the front.
+  static scene::Scene ballsAndSquare() {
+    glm::dmat4 frame = centredFrame(kDims);
+    scene::Scene scene = sceneOf(makeVolume(kDims, SampleType::UInt8, [&](glm::ivec3 p) {
+      glm::dvec3 world(frame * glm::dvec4(p, 1.0));
+      bool front = glm::length(world - glm::dvec3(-11, -13, 0)) < 7.5, back = glm::length(world - glm::dvec3(11, 13, 0)) < 7.5;
+      return front || back ? 200.0 : 0.0;
+    }, frame));
+    scene.volume.transfer.colors = {{0, {1, 0, 0}}};
+    scene.volume.transfer.opacities = {{80, 0}, {120, 0.999}};
+    scene.volume.transfer.unitDistanceMm = 0.1;
+    scene::Surface surface;
+    surface.data = Shared<Mesh>(square(0, 21));
+    surface.color = {0, 1, 0};
+    scene.surfaces = {surface};
+    scene.camera.projection = scene::Projection::Orthographic;
+    scene.camera.heightMm = 48;
+    lookAlong(scene, {0, -1, 0});
+    return scene;
+  }
+  static constexpr glm::ivec2 kSize{96, 96};  // two pixels a millimetre
+  static constexpr glm::ivec2 kFront{48 - 22, 48}, kBack{48 + 22, 48}, kSquareOnly{48, 80}, kNothing{2, 2};
+  static constexpr double kField = 13.69;  ///< 48 mm at 200 mm, degrees
+};
+
+TEST_F(DepthGL, ASurfaceHidesWhatIsBehindAndNotWhatIsInFront) {
+  for (auto projection : {scene::Projection::Orthographic, scene::Projection::Perspective}) {
+    scene::Scene scene = ballsAndSquare();
+    scene.camera.projection = projection;
+    scene.camera.fieldOfViewDeg = kField;
+    Image image = draw(scene, kSize, kAllLayers);
+    EXPECT_GT(colorOf(image, kFront).r, 0.9f) << "the front ball";
+    EXPECT_NEAR(vectorOf(image, kFront, "position").y, -13 - 7.5, 0.8);
+    EXPECT_GT(colorOf(image, kBack).g, 0.9f) << "the square hides the ball behind";
+    EXPECT_LT(colorOf(image, kBack).r, 0.02f);
+    EXPECT_NEAR(vectorOf(image, kBack, "position").y, 0, 2e-3);
+    EXPECT_GT(colorOf(image, kSquareOnly).g, 0.9f);
+    EXPECT_NEAR(vectorOf(image, kSquareOnly, "position").y, 0, 2e-3);
+    EXPECT_GT(-vectorOf(image, kSquareOnly, "normal").y, 0.999f) << "the normal looks to the eye";
+    EXPECT_LT(sampleOf(image, kFront, "Z"), sampleOf(image, kBack, "Z"));
+    EXPECT_EQ(colorOf(image, kNothing).a, 0.0f);
+    EXPECT_TRUE(std::isinf(sampleOf(image, kNothing, "Z")));
+    render::Pick pick = renderer().pick(kBack);
+    EXPECT_TRUE(pick.hit);
+    EXPECT_NEAR(pick.worldMm.y, 0, 2e-3);
+    EXPECT_EQ(pick.structure, 0);
+  }
+}
+
+TEST_F(DepthGL, AHiddenSurfaceHidesNothing) {
+  scene::Scene scene = ballsAndSquare();
+  scene.surfaces[0].visible = false;
+  Image image = draw(scene, kSize, kAllLayers);
+  EXPECT_GT(colorOf(image, kBack).r, 0.9f);
+  EXPECT_NEAR(vectorOf(image, kBack, "position").y, 13 - 7.5, 0.8);
+  EXPECT_EQ(colorOf(image, kSquareOnly).a, 0.0f);
+}
+
+TEST_F(DepthGL, AVeilInFrontOfASurfaceBlendsWithIt) {
+  scene::Scene scene = ballsAndSquare();
+  scene.volume.transfer.opacities = {{0, 0.02}, {255, 0.02}};
+  scene.volume.transfer.unitDistanceMm = 1.0;
+  Image image = draw(scene, kSize, kAllLayers);
+  // 24 mm of veil lie before the square.
+  double veil = 1.0 - std::pow(0.98, 24.0);
+  EXPECT_NEAR(colorOf(image, kSquareOnly).r, veil, 2.0 / 255);
+  EXPECT_NEAR(colorOf(image, kSquareOnly).g, 1.0 - veil, 2.0 / 255);
+  EXPECT_EQ(colorOf(image, kSquareOnly).a, 1.0f);
+  EXPECT_NEAR(vectorOf(image, kSquareOnly, "position").y, 0, 2e-3) << "the square is what makes the ray half opaque";
+}
+
+TEST_F(DepthGL, TheMaximumBehindASurfaceDoesNotShow) {
+  scene::Scene scene = ballsAndSquare();
+  scene.rayCast.mode = scene::RenderMode::Mip;
+  Image image = draw(scene, kSize, kAllLayers);
+  EXPECT_GT(colorOf(image, kBack).g, 0.9f);
+  EXPECT_LT(colorOf(image, kBack).r, 0.1f);
+  EXPECT_NEAR(colorOf(image, kFront).r, 1.0f, 0.02f);
+  scene.rayCast.mode = scene::RenderMode::Iso;
+  scene.rayCast.isoValue = 100;
+  image = draw(scene, kSize, kAllLayers);
+  EXPECT_GT(colorOf(image, kBack).g, 0.9f);
+  EXPECT_LT(vectorOf(image, kFront, "position").y, -19.0f);
+}
+
+TEST_F(DepthGL, CutsClipSurfacesToo) {
+  scene::Scene scene = ballsAndSquare();
+  scene::Cut cut;
+  cut.axis = {1, 0, 0};  // removes x > 0
+  for (bool invert : {false, true}) {
+    cut.invert = invert;
+    scene.cuts = {cut};
+    Image image = draw(scene, kSize, kAllLayers);
+    for (int x = 8; x < 88; ++x) {
+      if (x >= 47 && x <= 48) continue;  // the pixels at the cut
+      bool removed = (x >= 48) != invert;
+      EXPECT_EQ(colorOf(image, {x, 80}).a, removed ? 0.0f : 1.0f) << "column " << x << (invert ? " inverted" : "");
+    }
+    EXPECT_EQ(colorOf(image, kFront).a > 0, !invert);
+  }
+}
+
+TEST_F(DepthGL, AnotherMeshInItsPlaceIsDrawn) {
+  scene::Scene scene = ballsAndSquare();
+  draw(scene, kSize);
+  scene.surfaces[0].data = Shared<Mesh>(square(-22, 21));
+  Image image = draw(scene, kSize, kAllLayers);
+  EXPECT_NEAR(vectorOf(image, kFront, "position").y, -22, 2e-3);
+}
+
+TEST_F(DepthGL, ASurfaceAloneIsSeen) {
+  scene::Scene scene = ballsAndSquare();
+  scene.volume.data = {};
+  for (bool shaded : {false, true}) {
+    scene.lighting.shaded = shaded;
+    Image image = draw(scene, kSize, kAllLayers);
+    EXPECT_EQ(colorOf(image, kFront).a, 1.0f);
+    EXPECT_GT(colorOf(image, kFront).g, 0.2f);
+    EXPECT_NEAR(vectorOf(image, kFront, "position").y, 0, 2e-3);
+  }
+}
+
+TEST_F(DepthGL, AMeshOutsideTheVolumesBoxIsDrawn) {
+  scene::Scene scene = ballsAndSquare();
+  for (float y : {-60.0f, 60.0f}) {
+    scene.surfaces[0].data = Shared<Mesh>(square(y, 21));
+    for (auto projection : {scene::Projection::Orthographic, scene::Projection::Perspective}) {
+      scene.camera.projection = projection;
+      scene.camera.fieldOfViewDeg = kField;
+      Image image = draw(scene, kSize, kAllLayers);
+      EXPECT_GT(colorOf(image, {48, 70}).g, 0.9f) << "at depth " << y;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace velum

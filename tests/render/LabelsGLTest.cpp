@@ -1,0 +1,148 @@
+// What labels do to a picture.
+#include "RenderFixture.h"
+
+namespace velum {
+namespace {
+
+constexpr glm::ivec3 kDims(32, 32, 32);
+constexpr glm::ivec2 kSize(64, 64);
+constexpr glm::ivec2 kLeft(16, 32), kRight(48, 32);
+
+class LabelsGL : public RenderTest {
+ protected:
+  /// A solid block, red by the transfer function; label 1 where x < 0, label 300 elsewhere. Orthographic from the front.
+  static scene::Scene halves(const glm::dmat4& labelFrame, glm::ivec3 labelDims) {
+    scene::Scene scene = sceneOf(makeVolume(kDims, SampleType::UInt8, [](glm::ivec3) { return 100.0; }, centredFrame(kDims)));
+    makeSolid(scene, {1, 0, 0});
+    LabelVolume labels = makeLabels(labelDims, [&](glm::ivec3 p) { return (labelFrame * glm::dvec4(p, 1.0)).x < 0 ? 1 : 300; }, labelFrame);
+    labels.table = {{1, "left", {0, 1, 0}, 1.0f}, {300, "right", {0, 0, 1}, 1.0f}};
+    scene.labels.data = Shared<LabelVolume>(std::move(labels));
+    scene::completeStructures(scene.labels);
+    scene.camera.projection = scene::Projection::Orthographic;
+    scene.camera.heightMm = 32;
+    return scene;
+  }
+  static scene::Scene halves() { return halves(centredFrame(kDims), kDims); }
+};
+
+TEST_F(LabelsGL, TintTurnsTheColourIntoTheStructures) {
+  scene::Scene scene = halves();
+  for (double tint : {0.0, 0.5, 1.0}) {
+    scene.labels.tint = tint;
+    Image image = draw(scene, kSize, kAllLayers);
+    glm::vec4 left = colorOf(image, kLeft), right = colorOf(image, kRight);
+    EXPECT_NEAR(left.r, 1 - tint, 0.01);
+    EXPECT_NEAR(left.g, tint, 0.01);
+    EXPECT_NEAR(right.r, 1 - tint, 0.01);
+    EXPECT_NEAR(right.b, tint, 0.01);
+    EXPECT_EQ(sampleOf(image, kLeft, "id"), 1.0f);
+    EXPECT_EQ(sampleOf(image, kRight, "id"), 300.0f);
+    EXPECT_EQ(renderer().pick(kRight).structure, 300);
+  }
+}
+
+TEST_F(LabelsGL, AStructureWithoutOpacityIsHidden) {
+  for (bool byOpacity : {true, false})
+    for (int mode = 0; mode < 3; ++mode) {
+      scene::Scene scene = halves();
+      scene.rayCast.mode = scene::RenderMode(mode);
+      scene.rayCast.isoValue = 50;
+      scene.volume.windowLevel = 50;
+      scene.volume.windowWidth = 100;
+      if (mode == 2) {
+        // An isosurface needs a crossing: a block within air.
+        scene.volume.data = Shared<Volume>(makeVolume(kDims, SampleType::UInt8, [](glm::ivec3 p) { return p.y > 4 && p.y < 28 ? 100.0 : 0.0; }, centredFrame(kDims)));
+      }
+      EXPECT_GT(colorOf(draw(scene, kSize), kRight).a, 0.9f) << "mode " << mode;
+      if (byOpacity) scene.labels.structures[1].opacity = 0;
+      else scene.labels.structures[1].visible = false;
+      Image image = draw(scene, kSize);
+      EXPECT_EQ(colorOf(image, kRight).a, 0.0f) << "mode " << mode;
+      EXPECT_GT(colorOf(image, kLeft).a, 0.9f) << "mode " << mode;
+      scene.labels.visible = false;
+      EXPECT_GT(colorOf(draw(scene, kSize), kRight).a, 0.9f) << "labels that are off hide nothing, mode " << mode;
+    }
+}
+
+TEST_F(LabelsGL, OpacityOfAStructureScalesItsExtinction) {
+  scene::Scene scene = halves();
+  scene.volume.transfer.opacities = {{0, 0.05}, {255, 0.05}};
+  scene.volume.transfer.unitDistanceMm = 1;
+  scene.labels.structures[1].opacity = 0.5;
+  Image image = draw(scene, kSize);
+  EXPECT_NEAR(colorOf(image, kLeft).a, 1 - std::pow(0.95, 32), 1.01 / 255);
+  EXPECT_NEAR(colorOf(image, kRight).a, 1 - std::pow(0.95, 16), 1.01 / 255);
+}
+
+TEST_F(LabelsGL, UnlabelledMaterialHasItsOwnFactor) {
+  scene::Scene scene = halves();
+  scene.labels.data = Shared<LabelVolume>(makeLabels(kDims, [](glm::ivec3 p) { return p.x < 16 ? 7 : 0; }, centredFrame(kDims)));
+  scene.labels.structures.clear();
+  scene::completeStructures(scene.labels);
+  EXPECT_GT(colorOf(draw(scene, kSize), kRight).a, 0.9f);
+  scene.labels.unlabelled = 0;
+  Image image = draw(scene, kSize);
+  EXPECT_EQ(colorOf(image, kRight).a, 0.0f);
+  EXPECT_GT(colorOf(image, kLeft).a, 0.9f);
+}
+
+TEST_F(LabelsGL, LabelsOnAnotherGridLieByWorldPosition) {
+  Image own = draw(halves(), kSize, kAllLayers);
+  const std::pair<glm::dmat4, glm::ivec3> kGrids[] = {
+      {centredFrame({64, 16, 20}, {0.5, 2, 1.6}), {64, 16, 20}},
+      {centredFrame({40, 40, 40}, {-1, 1, -1}), {40, 40, 40}},
+      {centredFrame({80, 80, 80}, {1, 1, 1}, 0.4), {80, 80, 80}},
+  };
+  for (const auto& [frame, dims] : kGrids) {
+    Image other = draw(halves(frame, dims), kSize, kAllLayers);
+    for (int x = 0; x < kSize.x; ++x) {
+      if (std::abs(x - 32) < 5) continue;  // voxels of the turned grid at the border
+      EXPECT_EQ(sampleOf(other, {x, 32}, "id"), sampleOf(own, {x, 32}, "id")) << "column " << x;
+    }
+  }
+}
+
+TEST_F(LabelsGL, OutsideTheLabelsThereIsNoStructure) {
+  scene::Scene scene = halves(centredFrame({8, 32, 32}), {8, 32, 32});
+  Image image = draw(scene, kSize, kAllLayers);
+  EXPECT_EQ(sampleOf(image, kLeft, "id"), 0.0f);
+  EXPECT_EQ(sampleOf(image, {30, 32}, "id"), 1.0f);
+  EXPECT_EQ(sampleOf(image, {34, 32}, "id"), 300.0f);
+  EXPECT_GT(colorOf(image, kLeft).r, 0.99f);
+}
+
+TEST_F(LabelsGL, LabelsAloneShowTheirStructures) {
+  for (bool shaded : {false, true}) {
+    scene::Scene scene = halves();
+    scene.volume.data = {};
+    scene.lighting.shaded = shaded;
+    Image image = draw(scene, kSize, kAllLayers);
+    EXPECT_GT(colorOf(image, kLeft).a, 0.95f);
+    EXPECT_GT(colorOf(image, kLeft).g, 5 * colorOf(image, kLeft).r);
+    EXPECT_GT(colorOf(image, kRight).b, 5 * colorOf(image, kRight).r);
+    EXPECT_EQ(sampleOf(image, kLeft, "id"), 1.0f);
+    EXPECT_NEAR(vectorOf(image, kLeft, "position").y, -16, 1.2);
+    scene.labels.structures[0].visible = false;
+    image = draw(scene, kSize);
+    EXPECT_EQ(colorOf(image, kLeft).a, 0.0f);
+    EXPECT_GT(colorOf(image, kRight).a, 0.95f);
+  }
+}
+
+TEST_F(LabelsGL, ASmallBallOfLabelsAloneIsABall) {
+  scene::Scene scene = sceneOf(makeVolume(kDims, SampleType::UInt8, [](glm::ivec3) { return 0.0; }, centredFrame(kDims)));
+  scene.labels.data = Shared<LabelVolume>(
+      makeLabels(kDims, [](glm::ivec3 p) { return glm::length(glm::dvec3(p) - 15.5) < 9 ? 5 : 0; }, centredFrame(kDims)));
+  scene::completeStructures(scene.labels);
+  scene.volume.data = {};
+  scene.camera.projection = scene::Projection::Orthographic;
+  scene.camera.heightMm = 32;
+  Image image = draw(scene, kSize, kAllLayers);
+  int count = 0;
+  for (int y = 0; y < 64; ++y)
+    for (int x = 0; x < 64; ++x) count += sampleOf(image, {x, y}, "A") > 0.5f;
+  EXPECT_NEAR(count, M_PI * 18 * 18, 0.08 * M_PI * 18 * 18);
+}
+
+}  // namespace
+}  // namespace velum

@@ -1,0 +1,174 @@
+#include "velum/scene/Presets.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "makeVolume.h"
+#include "velum/core/Error.h"
+
+namespace velum::scene {
+namespace {
+
+double opacityAt(const Scene& scene, double value) {
+  const auto& points = scene.volume.transfer.opacities;
+  if (value <= points.front().value) return points.front().opacity;
+  for (std::size_t i = 1; i < points.size(); ++i)
+    if (value <= points[i].value) {
+      double f = (value - points[i - 1].value) / (points[i].value - points[i - 1].value);
+      return glm::mix(points[i - 1].opacity, points[i].opacity, f);
+    }
+  return points.back().opacity;
+}
+
+double radius(glm::ivec3 v, int n) { return glm::length(glm::dvec3(v) - (n - 1) * 0.5) / (0.5 * n); }
+
+constexpr int kSize = 40;
+
+/// Air, fat, muscle, contrast and bone in shells, with a lung inside.
+Volume ctPhantom() {
+  Volume v = makeVolume({kSize, kSize, kSize}, SampleType::Int16, [](glm::ivec3 p) {
+    double r = radius(p, kSize), noise = 10.0 * hashNoise(p);
+    return noise + (r > 0.9 ? -1000 : r > 0.8 ? -100 : r > 0.6 ? 50 : r > 0.5 ? 1200 : r > 0.4 ? 350 : -850);
+  });
+  v.modality = Modality::CT;
+  return v;
+}
+
+/// A dark background and a bright object of a tenth of the volume; values of any size.
+Volume relativePhantom(double dark, double bright) {
+  return makeVolume({kSize, kSize, kSize}, SampleType::Float32, [=](glm::ivec3 p) {
+    double r = radius(p, kSize);
+    double v = r < 0.35 ? 1.0 : r < 0.6 ? 0.5 : 0.0;
+    return dark + (bright - dark) * (v + 0.02 * hashNoise(p));
+  });
+}
+
+/// Layers of both signs round zero, as a seismic cube has them.
+Volume seismicPhantom() {
+  return makeVolume({kSize, kSize, kSize}, SampleType::Float32, [](glm::ivec3 p) {
+    double wave = std::sin(p.z * 0.9);
+    return 3000.0 * wave * wave * wave * (0.5 + 0.5 * hashNoise(p));
+  });
+}
+
+Volume phantomFor(const Preset& preset, double scale) {
+  if (preset.isAbsolute) return ctPhantom();
+  if (preset.name == "seismic") return seismicPhantom();
+  return relativePhantom(0.03 * scale, scale);
+}
+
+struct Shares {
+  double seen = 0, dense = 0;
+};
+Shares sharesOf(const Scene& scene) {
+  const Volume& v = *scene.volume.data;
+  Shares shares;
+  for (int z = 0; z < v.dims.z; ++z)
+    for (int y = 0; y < v.dims.y; ++y)
+      for (int x = 0; x < v.dims.x; ++x) {
+        double opacity = opacityAt(scene, valueAt(v, {x, y, z}));
+        shares.seen += opacity > 0.1;
+        shares.dense += opacity > 0.5;
+      }
+  double count = double(voxelCount(v));
+  return {shares.seen / count, shares.dense / count};
+}
+
+TEST(Presets, NoneIsEmptyOrSolid) {
+  for (const Preset& preset : presets())
+    for (double scale : {1.0, 255.0, 40000.0}) {
+      Scene scene;
+      scene.volume.data = Shared<Volume>(phantomFor(preset, scale));
+      applyPreset(scene, preset.name);
+      Shares shares = sharesOf(scene);
+      EXPECT_GT(shares.seen, 0.005) << preset.name << " shows nothing at scale " << scale;
+      EXPECT_LT(shares.dense, 0.7) << preset.name << " is a block at scale " << scale;
+      EXPECT_GT(scene.volume.transfer.unitDistanceMm, 0.0);
+      EXPECT_GT(scene.volume.windowWidth, 0.0) << preset.name;
+    }
+}
+
+TEST(Presets, TheBackgroundIsClear) {
+  for (const Preset& preset : presets()) {
+    Scene scene;
+    scene.volume.data = Shared<Volume>(phantomFor(preset, 255.0));
+    applyPreset(scene, preset.name);
+    // Air, the darkest value, or for amplitudes zero: there a thin veil is the look.
+    double background = preset.isAbsolute ? -1000.0 : preset.name == "seismic" ? 0.0 : 0.03 * 255.0;
+    EXPECT_LE(opacityAt(scene, background), preset.name == "seismic" ? 0.03 : 0.0) << preset.name;
+  }
+}
+
+TEST(Presets, PointsAscendAndAreInRange) {
+  for (const Preset& preset : presets()) {
+    Scene scene;
+    applyPreset(scene, preset.name);
+    const auto& transfer = scene.volume.transfer;
+    ASSERT_FALSE(transfer.opacities.empty()) << preset.name;
+    ASSERT_FALSE(transfer.colors.empty()) << preset.name;
+    for (std::size_t i = 1; i < transfer.opacities.size(); ++i)
+      EXPECT_LT(transfer.opacities[i - 1].value, transfer.opacities[i].value) << preset.name;
+    for (std::size_t i = 1; i < transfer.colors.size(); ++i)
+      EXPECT_LT(transfer.colors[i - 1].value, transfer.colors[i].value) << preset.name;
+    for (const auto& point : transfer.opacities) EXPECT_TRUE(point.opacity >= 0 && point.opacity <= 1) << preset.name;
+    EXPECT_EQ(transfer.preset, preset.name);
+  }
+}
+
+TEST(Presets, NamesAreUniqueAndAnUnknownOneListsThem) {
+  Scene scene;
+  Scene before = scene;
+  try {
+    applyPreset(scene, "ct-bones");
+    FAIL() << "ct-bones is no preset";
+  } catch (const ArgumentError& error) {
+    std::string message = error.what();
+    EXPECT_NE(message.find("ct-bones"), std::string::npos) << message;
+    for (const Preset& preset : presets()) EXPECT_NE(message.find(preset.name), std::string::npos) << preset.name;
+  }
+  EXPECT_TRUE(scene == before);
+  for (const Preset& a : presets())
+    EXPECT_EQ(std::count_if(presets().begin(), presets().end(), [&](const Preset& b) { return a.name == b.name; }), 1) << a.name;
+}
+
+TEST(ChoosePreset, ShowsSomethingOfEveryKindOfVolume) {
+  std::vector<Volume> volumes;
+  for (double scale : {1e-6, 1.0, 255.0, 65535.0, 1e9}) volumes.push_back(relativePhantom(0.0, scale));
+  volumes.push_back(relativePhantom(500, 1500));
+  volumes.push_back(seismicPhantom());
+  volumes.push_back(ctPhantom());
+  volumes.push_back(ctPhantom());
+  volumes.back().modality = Modality::Unknown;
+  // Two values; one bright voxel in a thousand; mostly noise.
+  volumes.push_back(makeVolume({kSize, kSize, kSize}, SampleType::UInt8, [](glm::ivec3 p) { return radius(p, kSize) < 0.5 ? 1.0 : 0.0; }));
+  volumes.push_back(makeVolume({kSize, kSize, kSize}, SampleType::UInt8, [](glm::ivec3 p) { return p.x == 20 && p.y == 20 ? 255.0 : 4.0 * hashNoise(p); }));
+  for (std::size_t i = 0, own = volumes.size(); i < own; ++i)
+    for (int modality = 1; modality < 8; ++modality)
+      if (i < 6 || modality == 0) {
+        volumes.push_back(volumes[i]);
+        volumes.back().modality = Modality(modality);
+      }
+  for (std::size_t i = 0; i < volumes.size(); ++i) {
+    Scene scene;
+    scene.volume.data = Shared<Volume>(volumes[i]);
+    std::string_view name = choosePreset(volumes[i]);
+    applyPreset(scene, name);
+    Shares shares = sharesOf(scene);
+    EXPECT_GT(shares.seen, 0.0002) << "volume " << i << " as " << name << ", range " << volumes[i].range.x << " .. " << volumes[i].range.y;
+    EXPECT_LT(shares.dense, 0.7) << "volume " << i << " as " << name;
+  }
+}
+
+TEST(ChoosePreset, AConstantVolumeDoesNoHarm) {
+  for (double value : {0.0, -1000.0, 5.0}) {
+    Scene scene;
+    scene.volume.data = Shared<Volume>(makeVolume({8, 8, 8}, SampleType::Int16, [=](glm::ivec3) { return value; }));
+    applyPreset(scene, choosePreset(*scene.volume.data));
+    for (const auto& point : scene.volume.transfer.opacities) EXPECT_TRUE(std::isfinite(point.value));
+  }
+}
+
+}  // namespace
+}  // namespace velum::scene

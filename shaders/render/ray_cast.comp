@@ -290,107 +290,114 @@ float largestIn(vec2 texels) {
 
 /// Keeps the largest value of one stretch. A cell whose largest value is not above it is left out.
 void marchStretch(inout Hit hit, Ray ray, Walk walk, float a, float b, int face, bool exemptOnly) {
-  bool skipping = hasFlag(kFlagSkipEmpty);
+  const int kBlock = 16;
+  bool skipping = hasFlag(kFlagSkipEmpty) && !exemptOnly;
+  float perStep = 1.0 / walk.dt;
   float t = a;
-  for (;;) {
-    vec3 tex = texAt(walk, t);
-    ivec3 cell = cellAt(tex);
-    uint index = uint((cell.z * int(frame.cellGrid.y) + cell.y) * int(frame.cellGrid.x) + cell.x);
-    if (skipping && !exemptOnly && largestIn(cellRange[index]) <= gBest) {
+  bool more = true;
+  while (more) {
+    bool leaping = skipping && t < b;
+    while (leaping) {
+      ivec3 cell = cellAt(texAt(walk, t));
+      float largest = largestIn(cellRange[(cell.z * int(frame.cellGrid.y) + cell.y) * int(frame.cellGrid.x) + cell.x]);
       float leave = leaveEmpty(walk, t, cell, 1u);
-      if (leave >= b && t >= b) break;
-      float next = nextSample(walk, leave - 1e-4 * walk.dt);
-      if (t >= b) break;
-      t = min(max(next, nextSample(walk, t)), b);
-      if (leave >= b) t = b;
-      continue;
+      float target = min(walk.first + floor((leave - walk.first) * perStep + 1.0 - 1e-4) * walk.dt, b);
+      leaping = largest <= gBest && target > t;
+      t = leaping ? target : t;
+      leaping = leaping && t < b;
     }
-    float x = tableAt(tex);
-    vec3 p = ray.origin + t * ray.direction;
-    uint structure = 0u;
-    bool shown = true;
+    for (int n = 0; n < kBlock && more; ++n) {
+      float value = tableAt(texAt(walk, t)) / float(kTransferSize - 1);
+      bool shown = true;
+      uint structure = 0u;
 #if LABELS == 1
-    structure = labelAt(p);
-    shown = structure == 0u ? frame.window.w > 0.0 : structureRow(structure).a > 0.0;
-    if (exemptOnly) shown = shown && cutsKeep(p, structure);
+      vec3 p = ray.origin + t * ray.direction;
+      structure = labelAt(p);
+      shown = structure == 0u ? frame.window.w > 0.0 : structureRow(structure).a > 0.0;
+      if (exemptOnly) shown = shown && cutsKeep(p, structure);
 #endif
-    float value = x / float(kTransferSize - 1);
-    if (shown && value > gBest) {
-      gBest = value;
-      hit.distance = t;
-      hit.structure = structure;
+      bool better = shown && value > gBest;
+      gBest = better ? value : gBest;
+      hit.distance = better ? t : hit.distance;
+      hit.structure = better ? structure : hit.structure;
+      more = t < b;
+      t = min(nextSample(walk, t), b);
     }
-    if (t >= b) break;
-    t = min(nextSample(walk, t), b);
   }
 }
 
 #else
 
-/// Stops at the first crossing of the iso value, found by bisection of the segment.
+/// What the surface looks like where the ray meets it; nothing when its structure is not shown.
+void addSurface(inout Hit hit, Ray ray, Walk walk, float t, int face, bool exemptOnly) {
+  float iso = frame.step.z * float(kTransferSize - 1);
+  vec3 p = ray.origin + t * ray.direction;
+  vec3 tex = texAt(walk, t);
+  uint structure = 0u;
+#if LABELS == 1
+  structure = labelAt(p);
+  bool shown = structure == 0u ? frame.window.w > 0.0 : structureRow(structure).a > 0.0;
+  if (!shown || (exemptOnly && !cutsKeep(p, structure))) return;
+#endif
+  vec3 gradient = gradientAt(tex);
+  float len = length(gradient);
+  vec3 normal = len > 0.0 ? -gradient / len : -ray.direction;
+  if (dot(normal, ray.direction) > 0.0) normal = -normal;
+  if (face >= 0) normal = cutNormal(face, p);
+  vec3 albedo = extinctionBetween(iso, iso) > 0.0 ? colorBetween(iso, iso) : vec3(0.9, 0.85, 0.78);
+#if COLOR
+  albedo = volumeColorAt(tex);
+#endif
+#if LABELS == 1
+  if (structure != 0u) albedo = mix(albedo, structureRow(structure).rgb, frame.window.z);
+#endif
+  vec3 color = shadeSurface(albedo, normal, -ray.direction, lightTexAt(p, normal));
+  if (face >= 0 && cuts[face].kind.y == 1) color = vec3(greyAt(tableAt(tex)));
+  hit = Hit(vec4(color, 1.0), t, normal, structure);
+}
+
+/// Stops at the first crossing of the iso value, found by bisection of its segment, or at once on a cut's face inside.
 void marchStretch(inout Hit hit, Ray ray, Walk walk, float a, float b, int face, bool exemptOnly) {
+  const int kBlock = 16;
   float iso = frame.step.z * float(kTransferSize - 1);
   bool skipping = hasFlag(kFlagSkipEmpty);
-  float t0 = a;
-  float x0 = tableAt(texAt(walk, t0));
-  bool onFace = face >= 0 && x0 >= iso;
-  while (hit.distance == kFar && (t0 < b || onFace)) {
-    if (skipping && !onFace) {
-      ivec3 cell = cellAt(texAt(walk, t0));
+  float perStep = 1.0 / walk.dt;
+  float t = a;
+  float x = tableAt(texAt(walk, t));
+  bool onFace = face >= 0 && x >= iso;
+  if (onFace) addSurface(hit, ray, walk, a, face, exemptOnly);
+  while (hit.distance == kFar && t < b) {
+    bool leaping = skipping;
+    while (leaping) {
+      ivec3 cell = cellAt(texAt(walk, t));
       uint reach = cellsToContent(cell, exemptOnly);
-      if (reach > 0u) {
-        float leave = min(leaveEmpty(walk, t0, cell, reach), b);
-        float target = walk.first + floor((leave - walk.first) / walk.dt - 1e-4) * walk.dt;
-        if (leave >= b) break;
-        if (target > t0) {
-          t0 = target;
-          x0 = tableAt(texAt(walk, t0));
-        }
-      }
+      float leave = leaveEmpty(walk, t, cell, reach);
+      float target = leave >= b ? b : walk.first + floor((leave - walk.first) * perStep - 1e-4) * walk.dt;
+      leaping = reach > 0u && target > t;
+      t = leaping ? target : t;
+      leaping = leaping && t < b;
     }
-    float t1 = min(nextSample(walk, t0), b);
-    if (t1 <= t0) t1 = min(t0 + walk.dt, b);
-    float x1 = tableAt(texAt(walk, t1));
-    bool crosses = x0 < iso != x1 < iso;
-    if (onFace || crosses) {
-      float low = t0;
-      float high = t1;
-      for (int i = 0; crosses && !onFace && i < 12; ++i) {
-        float mid = 0.5 * (low + high);
-        if (tableAt(texAt(walk, mid)) < iso == x0 < iso) low = mid;
-        else high = mid;
-      }
-      float t = onFace ? a : 0.5 * (low + high);
-      vec3 p = ray.origin + t * ray.direction;
-      uint structure = 0u;
-      bool shown = true;
-#if LABELS == 1
-      structure = labelAt(p);
-      shown = structure == 0u ? frame.window.w > 0.0 : structureRow(structure).a > 0.0;
-      if (exemptOnly) shown = shown && cutsKeep(p, structure);
-#endif
-      if (shown) {
-        vec3 gradient = gradientAt(texAt(walk, t));
-        float len = length(gradient);
-        vec3 normal = len > 0.0 ? -gradient / len : -ray.direction;
-        if (dot(normal, ray.direction) > 0.0) normal = -normal;
-        if (onFace) normal = cutNormal(face, p);
-        vec3 albedo = extinctionBetween(iso, iso) > 0.0 ? colorBetween(iso, iso) : vec3(0.9, 0.85, 0.78);
-#if COLOR
-        albedo = volumeColorAt(texAt(walk, t));
-#endif
-#if LABELS == 1
-        if (structure != 0u) albedo = mix(albedo, structureRow(structure).rgb, frame.window.z);
-#endif
-        vec3 color = shadeSurface(albedo, normal, -ray.direction, lightTexAt(p, normal));
-        if (onFace && cuts[face].kind.y == 1) color = vec3(greyAt(x0));
-        hit = Hit(vec4(color, 1.0), t, normal, structure);
-        return;
-      }
+    x = tableAt(texAt(walk, t));
+    bool crosses = false;
+    float low = t;
+    float high = t;
+    for (int n = 0; n < kBlock && t < b && !crosses; ++n) {
+      float next = nextSample(walk, t);
+      next = min(next > t ? next : t + walk.dt, b);
+      float value = tableAt(texAt(walk, next));
+      crosses = (x < iso) != (value < iso);
+      low = t;
+      high = next;
+      x = crosses ? x : value;
+      t = next;
     }
-    onFace = false;
-    t0 = t1;
-    x0 = x1;
+    for (int i = 0; crosses && i < 12; ++i) {
+      float mid = 0.5 * (low + high);
+      bool sameSide = (tableAt(texAt(walk, mid)) < iso) == (x < iso);
+      low = sameSide ? mid : low;
+      high = sameSide ? high : mid;
+    }
+    if (crosses) addSurface(hit, ray, walk, 0.5 * (low + high), -1, exemptOnly);
   }
 }
 #endif

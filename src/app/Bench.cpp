@@ -7,6 +7,7 @@
 
 #include "Verbs.h"
 #include "velum/render/Renderer.h"
+#include "velum/scene/Navigate.h"
 
 namespace velum::app {
 
@@ -18,14 +19,6 @@ struct BenchOptions {
   std::string size = "800x600";
   int frames = 10;
 };
-
-/// The camera, turned about the patient's long axis.
-scene::Camera turned(scene::Camera camera, double angle) {
-  glm::dvec3 v = camera.eyeMm - camera.targetMm;
-  double c = std::cos(angle), s = std::sin(angle);
-  camera.eyeMm = camera.targetMm + glm::dvec3(c * v.x - s * v.y, s * v.x + c * v.y, v.z);
-  return camera;
-}
 
 int run(const BenchOptions& options) {
   glm::ivec2 size = parseSize(options.size);
@@ -42,7 +35,7 @@ int run(const BenchOptions& options) {
   std::map<std::string, double> passes;
   scene::Camera start = frame.scene.camera;
   for (int i = 0; i < options.frames; ++i) {
-    frame.scene.camera = turned(start, 2.0 * 3.14159265358979 * (i + 0.37) / options.frames);
+    frame.scene.camera = scene::turntable(start, 2.0 * 3.14159265358979 * (i + 0.37) / options.frames);
     renderer.render(frame, progress);
     times.push_back(renderer.stats().frameMs);
     for (const auto& [name, ms] : renderer.stats().passesMs) passes[name] += ms / options.frames;

@@ -26,6 +26,8 @@ void addInput(CLI::App& verb, InputOptions& input, bool withScene) {
   verb.add_option("--raw", input.raw, "layout of a file without a header: 256x256x128:uint16[:be][:rgb][:+512]");
   if (!withScene) return;
   verb.add_option("--set", input.sets, "change a scene field: path=value, e.g. rayCast.mode=mip; repeatable");
+  verb.add_option("--labels", input.labels, "read this file as labels, whatever it looks like; with no other input, alone");
+  verb.get_option("input")->required(false);
   verb.add_option("--preset", input.preset, "look by name, e.g. ct-bone");
   verb.add_option("--view", input.view, "camera: anterior, posterior, left, right, superior, inferior, oblique");
 }
@@ -97,17 +99,24 @@ scene::Source firstSource(const InputOptions& input) {
 
 scene::Scene openScene(const InputOptions& input, double aspect) {
   Progress& progress = consoleProgress();
-  scene::Scene scene = session::open(firstSource(input), progress);
+  if (input.inputs.empty() && input.labels.empty()) throw ArgumentError("name a file, folder or scene to open");
+  scene::Scene scene;
+  if (!input.inputs.empty()) scene = session::open(firstSource(input), progress);
+  scene::Source source;
   for (std::size_t i = 1; i < input.inputs.size(); ++i) {
-    scene::Source source;
     source.path = input.inputs[i];
     session::add(scene, source, progress);
   }
+  if (!input.labels.empty()) {
+    source.path = input.labels;
+    session::addLabels(scene, source, progress);
+  }
   progress.report(1.0, "");
-  bool isScene = input.inputs.front().ends_with(".json") || input.inputs.front().ends_with(".png") || input.inputs.front().ends_with(".exr");
+  std::string first = input.inputs.empty() ? "" : input.inputs.front();
+  bool isScene = first.ends_with(".json") || first.ends_with(".png") || first.ends_with(".exr");
   if (!input.preset.empty()) scene::applyPreset(scene, input.preset);
   if (!input.view.empty() || !isScene) {
-    scene::StandardView view = scene::StandardView::Anterior;
+    scene::StandardView view = scene::defaultView(scene);
     bool known = input.view.empty();
     for (int i = 0; std::string_view name : EnumNames<scene::StandardView>::kNames) {
       if (input.view == name) view = scene::StandardView(i), known = true;

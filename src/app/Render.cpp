@@ -1,10 +1,12 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <filesystem>
 
 #include "Verbs.h"
 #include "velum/core/Error.h"
 #include "velum/render/Renderer.h"
+#include "velum/scene/Navigate.h"
 #include "velum/session/Open.h"
 #include "velum/session/Picture.h"
 
@@ -16,9 +18,30 @@ struct RenderOptions {
   Common common;
   InputOptions input;
   std::string output, size = "1280x720", saveScene;
-  int samples = 0;
+  int samples = 0, frames = 0;
   bool layers = false, transparent = false, bruteForce = false;
 };
+
+/// name.png, or name-0000.png ... for an animation.
+std::vector<std::string> outputNames(const RenderOptions& options) {
+  if (options.frames == 0) return {options.output};
+  if (options.output == "-") throw ArgumentError("--frames writes several files; name one with -o, e.g. turn.png");
+  std::vector<std::string> names;
+  std::filesystem::path path(options.output);
+  for (int i = 0; i < options.frames; ++i)
+    names.push_back((path.parent_path() / fmt::format("{}-{:04}{}", path.stem().string(), i, path.extension().string())).string());
+  return names;
+}
+
+/// One step of an animation: through time where the volume has time steps, else once round the data.
+scene::Scene frameOf(const scene::Scene& scene, int frame, int frames) {
+  scene::Scene out = scene;
+  if (scene.volume.data && scene.volume.data->frames > 1)
+    out.volume.frame = frame * scene.volume.data->frames / frames;
+  else
+    out.camera = scene::turntable(scene.camera, 2.0 * 3.14159265358979323846 * frame / frames);
+  return out;
+}
 
 int run(const RenderOptions& options) {
   glm::ivec2 size = parseSize(options.size);
@@ -29,11 +52,14 @@ int run(const RenderOptions& options) {
   session::PictureOptions picture{size, options.samples, options.transparent, options.layers};
 
   auto start = std::chrono::steady_clock::now();
-  Image image = session::drawPicture(renderer, scene, picture, context->limits(), consoleProgress());
+  std::vector<std::string> outputs = outputNames(options);
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    scene::Scene step = options.frames > 0 ? frameOf(scene, int(i), options.frames) : scene;
+    Image image = session::drawPicture(renderer, step, picture, context->limits(), consoleProgress());
+    consoleProgress().report(1.0, "");
+    session::savePicture(image, step, picture, outputs[i]);
+  }
   double ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-  consoleProgress().report(1.0, "");
-
-  session::savePicture(image, scene, picture, options.output);
   if (!options.saveScene.empty()) session::saveScene(session::sceneForPicture(scene, picture), options.saveScene);
 
   const render::Stats& stats = renderer.stats();
@@ -41,6 +67,7 @@ int run(const RenderOptions& options) {
   if (options.common.json) {
     Json json = {{"renderer", stats.renderer}, {"size", {size.x, size.y}}, {"frameMs", stats.frameMs}, {"uploadMs", stats.uploadMs}, {"totalMs", ms},
                  {"samples", stats.samples}, {"longestStepMs", stats.longestStepMs}, {"passes", stats.passesMs}, {"reduction", stats.reduction}, {"output", options.output}};
+    if (options.frames > 0) json["outputs"] = outputs;
     if (options.output != "-") printJson(json);
     else fmt::print(stderr, "{}\n", json.dump());
   }
@@ -56,6 +83,7 @@ Run registerRender(CLI::App& verb) {
   verb.add_option("-o,--output", options->output, "picture to write: .png, .tif, .exr; - writes PNG to stdout")->required();
   verb.add_option("--size", options->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
   verb.add_option("--samples", options->samples, "pictures that are averaged, 1 to 256; default: as the scene says")->check(CLI::Range(1, 256));
+  verb.add_option("--frames", options->frames, "an animation: NAME-0000 ..., through the time steps or once round")->check(CLI::Range(1, 9999));
   verb.add_flag("--layers", options->layers, "also alpha, normal, depth, structure id, position: in the EXR, or as PNGs beside");
   verb.add_flag("--transparent", options->transparent, "no background, with alpha");
   verb.add_flag("--brute-force", options->bruteForce, "without skipping and early ends: the reference for every acceleration");

@@ -25,7 +25,7 @@ struct Common {
 struct InputOptions {
   std::vector<std::string> inputs;
   std::vector<std::string> sets;      ///< path=value
-  std::string series, preset, view;
+  std::string series, preset, view, labels;
   std::vector<double> spacing;
   std::string raw;                    ///< "XxYxZ:type[:be][:+header]"
 };

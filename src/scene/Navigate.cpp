@@ -56,6 +56,13 @@ Camera zoom(const Camera& camera, double factor) {
   return out;
 }
 
+Camera turntable(const Camera& camera, double angleRad) {
+  Camera out = camera;
+  out.eyeMm = camera.targetMm + turn(camera.eyeMm - camera.targetMm, angleRad, {0, 0, 1});
+  out.up = turn(camera.up, angleRad, {0, 0, 1});
+  return out;
+}
+
 Camera roll(const Camera& camera, double angleRad) {
   Basis basis = basisOf(camera);
   Camera out = camera;

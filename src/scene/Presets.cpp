@@ -110,7 +110,8 @@ Look lookOf(std::string_view name) {
 }
 
 /// Where fractions 0 and 1 of a relative preset lie in this volume.
-glm::dvec2 relativeRange(const Volume& volume, bool isSigned) {
+/// @param brightShare  share of what is not background that counts as fully bright
+glm::dvec2 relativeRange(const Volume& volume, bool isSigned, double brightShare) {
   Histogram histogram = computeHistogram(volume);
   if (isSigned) return {quantile(histogram, 0.004), quantile(histogram, 0.996)};
   // The background is the highest peak of the lower half; without a peak, the lowest hundredth.
@@ -129,7 +130,7 @@ glm::dvec2 relativeRange(const Volume& volume, bool isSigned) {
   std::uint64_t seen = 0;
   for (std::size_t i = histogram.counts.size(); i-- > first;) {
     seen += histogram.counts[i];
-    if (double(seen) >= 0.01 * double(above)) {
+    if (double(seen) >= brightShare * double(above)) {
       high = histogram.range.x + width * double(i + 1);
       break;
     }
@@ -160,7 +161,7 @@ void applyPreset(Scene& scene, std::string_view name) {
   glm::dvec2 range(0, 1);
   double unitMm = 1.0;
   if (layer.data && !preset.isAbsolute) {
-    range = relativeRange(*layer.data, isSigned(name));
+    range = relativeRange(*layer.data, isSigned(name), name == "microscopy" ? 0.04 : 0.01);
     glm::dvec3 spacing = spacingMm(*layer.data);
     unitMm = (spacing.x + spacing.y + spacing.z) / 3.0;
   }
@@ -186,6 +187,8 @@ std::string_view choosePreset(const Volume& volume) {
     case Modality::Seismic: return volume.range.x < 0 ? "seismic" : "seismic-velocity";
     default: break;
   }
+  // Optical sections: 16 bits without a sign, in files that know neither patient nor spacing.
+  if (volume.type == SampleType::UInt16 && !volume.isOrientationKnown && volume.range.x >= 0 && volume.range.y > 4095) return "microscopy";
   // Hounsfield units give themselves away: much air at -1000 and nothing far below it.
   if (volume.range.x <= -900 && volume.range.x >= -4100 && volume.range.y > 300 && volume.range.y < 35000) return "ct-bone";
   if (volume.range.x < 0 && volume.range.y > 0 && -volume.range.x > 0.3 * volume.range.y) return "seismic";

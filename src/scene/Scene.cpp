@@ -66,6 +66,15 @@ Camera frameCamera(const Scene& scene, StandardView view, double aspect) {
   return camera;
 }
 
+StandardView defaultView(const Scene& scene) {
+  Bounds bounds = computeBounds(scene);
+  glm::dvec3 edges = bounds.max - bounds.min;
+  if (edges.z < 0.2 * std::min(edges.x, edges.y)) return StandardView::Superior;
+  if (edges.x < 0.2 * std::min(edges.y, edges.z)) return StandardView::Left;
+  bool isPatient = !scene.volume.data || scene.volume.data->isOrientationKnown;
+  return isPatient ? StandardView::Anterior : StandardView::Oblique;
+}
+
 glm::dmat4 worldFromCut(const Cut& cut) {
   glm::dvec3 z = unitOr(cut.axis, {0, 0, 1});
   glm::dvec3 helper = std::abs(z.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0);

@@ -73,13 +73,6 @@ void readLabelsInto(scene::LabelLayer& layer, const scene::Source& where, Progre
   scene::completeStructures(layer);
 }
 
-/// A scene around labels alone: their colours, calm light.
-void addLabels(scene::Scene& scene, const scene::Source& source, Progress& progress) {
-  scene.labels = {};
-  scene.labels.source = source;
-  readLabelsInto(scene.labels, source, progress);
-}
-
 scene::Scene fromText(const std::string& text, const fs::path& file, Progress& progress) {
   scene::Scene scene;
   try {
@@ -118,8 +111,14 @@ scene::Scene open(const scene::Source& source, Progress& progress) {
   }
   scene::Scene scene;
   add(scene, source, progress);
-  scene.camera = scene::frameCamera(scene, scene::StandardView::Anterior, 4.0 / 3.0);
+  scene.camera = scene::frameCamera(scene, scene::defaultView(scene), 4.0 / 3.0);
   return scene;
+}
+
+void addLabels(scene::Scene& scene, const scene::Source& source, Progress& progress) {
+  scene.labels = {};
+  scene.labels.source = source;
+  readLabelsInto(scene.labels, source, progress);
 }
 
 void add(scene::Scene& scene, const scene::Source& source, Progress& progress) {
@@ -157,7 +156,7 @@ scene::Scene openAll(std::vector<std::string> paths, Progress& progress) {
     add(scene, source, progress);
   }
   if (paths.size() > 1 && scene.surfaces.size() > 0)
-    scene.camera = scene::frameCamera(scene, scene::StandardView::Anterior, 4.0 / 3.0);
+    scene.camera = scene::frameCamera(scene, scene::defaultView(scene), 4.0 / 3.0);
   return scene;
 }
 

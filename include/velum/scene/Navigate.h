@@ -13,6 +13,9 @@ Camera pan(const Camera& camera, glm::dvec2 drag);
 /// Changes the distance (perspective) or the height (orthographic) by a factor; < 1 is nearer.
 Camera zoom(const Camera& camera, double factor);
 
+/// Turns the eye about the vertical axis of the world through the target, radians; for turntables.
+Camera turntable(const Camera& camera, double angleRad);
+
 /// Turns the picture about the line of sight, radians, clockwise.
 Camera roll(const Camera& camera, double angleRad);
 

@@ -107,6 +107,10 @@ Bounds computeBounds(const Scene& scene);
 /// @param aspect  width / height of the picture
 Camera frameCamera(const Scene& scene, StandardView view, double aspect);
 
+/// The side from which new data is first seen: from the front, where the patient's axes are known; on its face, where it
+/// is a thin slab; else obliquely.
+StandardView defaultView(const Scene& scene);
+
 /// The rigid frame of a cut: local z is its axis. World from local, mm.
 glm::dmat4 worldFromCut(const Cut& cut);
 

@@ -13,11 +13,11 @@ namespace velum::gui {
 
 namespace {
 
-constexpr double kSliceMs = 25.0;        // a third of what is felt as a stutter
-constexpr int kRestMs = 140;             // a hand that pauses in a drag for less does not start a full picture
-constexpr double kCoarseTargetMs = 50.0; // leaves room for tables and light under 80 ms
+constexpr double kSliceMs = 25.0;         // a third of what is felt as a stutter
+constexpr int kRestMs = 140;              // a hand that pauses in a drag for less does not start a full picture
+constexpr double kCoarseTargetMs = 50.0;  // leaves room for tables and light under 80 ms
 constexpr double kLargestScale = 12.0;
-constexpr int kShowMs = 150;             // how often a growing picture is shown: showing costs a pass over it
+constexpr int kShowMs = 150;  // how often a growing picture is shown: showing costs a pass over it
 
 }  // namespace
 
@@ -94,8 +94,8 @@ void Viewport::resizeGL(int, int) {
   mShown = std::make_unique<QOpenGLFramebufferObject>(size.x, size.y);
   QSize now(size.x, size.y);
   if (old)
-    QOpenGLFramebufferObject::blitFramebuffer(mShown.get(), QRect(QPoint(), now), old.get(), QRect(QPoint(), old->size()),
-                                              GL_COLOR_BUFFER_BIT, GL_LINEAR);
+    QOpenGLFramebufferObject::blitFramebuffer(mShown.get(), QRect(QPoint(), now), old.get(),
+                                              QRect(QPoint(), old->size()), GL_COLOR_BUFFER_BIT, GL_LINEAR);
   sceneChanged();
 }
 
@@ -128,8 +128,8 @@ void Viewport::begin(Stage stage) {
   restLight(mFrame.scene, stage);
 }
 
-/// The key light goes with the camera, and its shadows are costly. So while something moves it stays where it was in the
-/// world when the picture last rested, and the light grid of that picture serves on.
+/// The key light goes with the camera, and its shadows are costly. So while something moves it stays where it was in
+/// the world when the picture last rested, and the light grid of that picture serves on.
 void Viewport::restLight(scene::Scene& scene, Stage stage) {
   scene::CameraBasis basis = scene::cameraBasis(scene.camera);
   glm::dmat3 worldFromCamera(basis.right, basis.up, -basis.forward);
@@ -201,10 +201,18 @@ void Viewport::adaptCoarseScale() {
 
 void Viewport::tellProgress() {
   switch (mStage) {
-    case Stage::Idle: emit refined(1.0, {}); break;
-    case Stage::Coarse: emit refined(0.0, mRenderer->fractionDone() < 1.0 ? tr("Preparing") : tr("Preview")); break;
-    case Stage::Half: emit refined(0.0, tr("Preview")); break;
-    case Stage::Full: emit refined(mRenderer->fractionDone(), tr("Refining")); break;
+    case Stage::Idle:
+      emit refined(1.0, {});
+      break;
+    case Stage::Coarse:
+      emit refined(0.0, mRenderer->fractionDone() < 1.0 ? tr("Preparing") : tr("Preview"));
+      break;
+    case Stage::Half:
+      emit refined(0.0, tr("Preview"));
+      break;
+    case Stage::Full:
+      emit refined(mRenderer->fractionDone(), tr("Refining"));
+      break;
   }
 }
 
@@ -231,8 +239,10 @@ void Viewport::toggleProjection() {
   // What is in the middle keeps its size.
   double tangent = std::tan(glm::radians(camera.fieldOfViewDeg) * 0.5);
   glm::dvec3 arm = camera.eyeMm - camera.targetMm;
-  if (perspective) camera.heightMm = 2.0 * glm::length(arm) * tangent;
-  else camera.eyeMm = camera.targetMm + glm::normalize(arm) * (camera.heightMm * 0.5 / tangent);
+  if (perspective)
+    camera.heightMm = 2.0 * glm::length(arm) * tangent;
+  else
+    camera.eyeMm = camera.targetMm + glm::normalize(arm) * (camera.heightMm * 0.5 / tangent);
   camera.projection = perspective ? scene::Projection::Orthographic : scene::Projection::Perspective;
   mDocument.amend([camera](scene::Scene& scene) { scene.camera = camera; });
 }
@@ -246,8 +256,10 @@ std::optional<render::Pick> Viewport::pickAt(QPointF place) {
 void Viewport::pickUnderPointer() {
   if (!underMouse() || mDrag != Drag::None) return;
   auto pick = pickAt(mPointer);
-  if (pick && pick->hit) emit pointedAt(*pick);
-  else if (pick) emit pointedAtNothing();
+  if (pick && pick->hit)
+    emit pointedAt(*pick);
+  else if (pick)
+    emit pointedAtNothing();
 }
 
 }  // namespace velum::gui

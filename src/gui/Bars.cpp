@@ -75,7 +75,8 @@ EmptyState::EmptyState(QWidget* parent) : QFrame(parent) {
   title->setProperty("role", "empty");
   layout->addWidget(title, 0, Qt::AlignHCenter);
   auto* text = new QLabel(tr("A folder of DICOM slices, NIfTI, NRRD, MetaImage, MRC, TIFF, VTI, SEG-Y or OpenVDB;\n"
-                             "labels and surfaces beside it; a Velum scene, or a picture that was saved from one."), this);
+                             "labels and surfaces beside it; a Velum scene, or a picture that was saved from one."),
+                          this);
   text->setProperty("role", "muted");
   text->setAlignment(Qt::AlignCenter);
   layout->addWidget(text, 0, Qt::AlignHCenter);
@@ -86,14 +87,15 @@ EmptyState::EmptyState(QWidget* parent) : QFrame(parent) {
     auto* button = new QPushButton(name, this);
     button->setToolTip(tip);
     if (isMain) button->setProperty("role", "main");
-    else button->setMinimumHeight(36);
+    button->setFixedHeight(36);
     connect(button, &QPushButton::clicked, this, signal);
     row->addWidget(button);
   };
   row->addStretch(1);
   add(tr("Open files..."), tr("Choose files (Ctrl+O)"), &EmptyState::openFiles, true);
   add(tr("Open DICOM folder..."), tr("Choose a folder of slices (Ctrl+Shift+O)"), &EmptyState::openFolder, false);
-  add(tr("Make a phantom"), tr("Nothing at hand? Computes a torso with ribs, heart and lungs"), &EmptyState::makePhantom, false);
+  add(tr("Make a phantom"), tr("Nothing at hand? Computes a torso with ribs, heart and lungs"),
+      &EmptyState::makePhantom, false);
   row->addStretch(1);
   layout->addLayout(row);
   layout->addStretch(6);

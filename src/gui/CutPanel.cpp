@@ -80,7 +80,8 @@ void CutPanel::buildControls() {
   grid->addWidget(new QLabel(tr("Face"), mControls), 2, 0);
   grid->addLayout(row, 2, 1);
   connect(mPosition, &NumberRow::changed, this, [this](double mm) {
-    editSelected("Move cut", [&](scene::Cut& cut) { cut = session::withOffset(mDocument.scene(), cut, mm); }, true);
+    editSelected(
+        "Move cut", [&](scene::Cut& cut) { cut = session::withOffset(mDocument.scene(), cut, mm); }, true);
   });
   connect(mPosition, &NumberRow::settled, this, [this] { mDocument.endMerge(); });
   connect(mFace, &QComboBox::activated, this, [this](int index) {

@@ -17,14 +17,22 @@ namespace {
 /// The modality as people say it.
 QString modalityTitle(Modality modality) {
   switch (modality) {
-    case Modality::CT: return LookPanel::tr("Computed tomography");
-    case Modality::MR: return LookPanel::tr("Magnetic resonance");
-    case Modality::Angiography: return LookPanel::tr("Angiography");
-    case Modality::Ultrasound: return LookPanel::tr("Ultrasound");
-    case Modality::Microscopy: return LookPanel::tr("Microscopy");
-    case Modality::Seismic: return LookPanel::tr("Seismic");
-    case Modality::PET: return LookPanel::tr("PET");
-    case Modality::Unknown: break;
+    case Modality::CT:
+      return LookPanel::tr("Computed tomography");
+    case Modality::MR:
+      return LookPanel::tr("Magnetic resonance");
+    case Modality::Angiography:
+      return LookPanel::tr("Angiography");
+    case Modality::Ultrasound:
+      return LookPanel::tr("Ultrasound");
+    case Modality::Microscopy:
+      return LookPanel::tr("Microscopy");
+    case Modality::Seismic:
+      return LookPanel::tr("Seismic");
+    case Modality::PET:
+      return LookPanel::tr("PET");
+    case Modality::Unknown:
+      break;
   }
   return LookPanel::tr("Any data");
 }
@@ -104,7 +112,8 @@ QWidget* LookPanel::makeLook() {
   connect(mPreset, &QComboBox::activated, this, &LookPanel::choosePreset);
   connect(mMode, &QComboBox::activated, this, &LookPanel::chooseMode);
   connect(mIso, &NumberRow::changed, this, [this](double value) {
-    mDocument.edit("Change surface value", [&](scene::Scene& scene) { scene.rayCast.isoValue = value; }, true);
+    mDocument.edit(
+        "Change surface value", [&](scene::Scene& scene) { scene.rayCast.isoValue = value; }, true);
   });
   connect(mIso, &NumberRow::settled, this, [this] { mDocument.endMerge(); });
   return section;
@@ -121,9 +130,10 @@ QWidget* LookPanel::makeLight() {
   rows->addWidget(mShadow, 0, 1);
   rows->addWidget(new QLabel(tr("Occlusion"), section), 1, 0);
   rows->addWidget(mOcclusion, 1, 1);
-  auto drive = [this](NumberRow* row, const char* label, double scene::Lighting::* field) {
+  auto drive = [this](NumberRow* row, const char* label, double scene::Lighting::*field) {
     connect(row, &NumberRow::changed, this, [this, label, field](double value) {
-      mDocument.edit(label, [&](scene::Scene& scene) { scene.lighting.*field = value / 100.0; }, true);
+      mDocument.edit(
+          label, [&](scene::Scene& scene) { scene.lighting.*field = value / 100.0; }, true);
     });
     connect(row, &NumberRow::settled, this, [this] { mDocument.endMerge(); });
   };
@@ -148,8 +158,9 @@ QWidget* LookPanel::makeBackground() {
     glm::vec3 top, bottom;
   };
   const scene::Background studio;
-  for (const Ready& ready : {Ready{tr("Studio"), studio.top, studio.bottom},
-                             Ready{tr("White"), glm::vec3(1), glm::vec3(1)}, Ready{tr("Black"), glm::vec3(0), glm::vec3(0)}}) {
+  for (const Ready& ready :
+       {Ready{tr("Studio"), studio.top, studio.bottom}, Ready{tr("White"), glm::vec3(1), glm::vec3(1)},
+        Ready{tr("Black"), glm::vec3(0), glm::vec3(0)}}) {
     auto* button = new QPushButton(ready.name, section);
     button->setProperty("role", "quiet");
     button->setToolTip(tr("Background for %1").arg(ready.name == tr("White") ? tr("print") : ready.name.toLower()));
@@ -203,7 +214,8 @@ void LookPanel::chooseMode(int index) {
   mDocument.edit("Change rendering", [&](scene::Scene& scene) {
     auto& rayCast = scene.rayCast;
     rayCast.mode = static_cast<scene::RenderMode>(index);
-    if (rayCast.mode == scene::RenderMode::Iso && rayCast.isoValue == 0.0) rayCast.isoValue = firstIsoValue(scene.volume);
+    if (rayCast.mode == scene::RenderMode::Iso && rayCast.isoValue == 0.0)
+      rayCast.isoValue = firstIsoValue(scene.volume);
   });
 }
 
@@ -225,7 +237,8 @@ void LookPanel::refresh() {
     mIso->setDecimals(decimalsFor(volume->range.y - volume->range.x));
     mIso->setRange(volume->range.x, volume->range.y);
     mIso->setSuffix(volume->unit.empty() ? QString() : " " + QString::fromStdString(volume->unit));
-    mIso->setToolTip(tr("Value at which the surface lies%1").arg(volume->unit.empty() ? QString() : ", " + QString::fromStdString(volume->unit)));
+    mIso->setToolTip(tr("Value at which the surface lies%1")
+                         .arg(volume->unit.empty() ? QString() : ", " + QString::fromStdString(volume->unit)));
   }
   mIso->setValue(scene.rayCast.isoValue);
   mShadow->setValue(scene.lighting.shadow * 100.0);

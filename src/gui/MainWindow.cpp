@@ -117,7 +117,9 @@ void MainWindow::buildStatus() {
   connect(mViewport, &Viewport::pointedAt, this, &MainWindow::showPick);
   connect(mViewport, &Viewport::pointedAtNothing, mPickLabel, &QLabel::clear);
   connect(mViewport, &Viewport::refined, this, [this](double fraction, const QString& stage) {
-    mRefineLabel->setText(stage.isEmpty() ? tr("Complete") : fraction > 0 ? QString("%1 %2 %").arg(stage).arg(int(100 * fraction)) : stage);
+    mRefineLabel->setText(stage.isEmpty() ? tr("Complete")
+                          : fraction > 0  ? QString("%1 %2 %").arg(stage).arg(int(100 * fraction))
+                                          : stage);
     render::Stats stats = mViewport->stats();
     QString driver = QString::fromStdString(stats.renderer);
     mDriverLabel->setText(driver.section(" (", 0, 0).section('/', 0, 0));
@@ -154,7 +156,8 @@ void MainWindow::cancelJob() {
   mProgress->setProgress(0.0, tr("stopping"));
 }
 
-void MainWindow::startLoad(const QString& what, std::function<void(scene::Scene&, Progress&)> read, bool add, const QString& path) {
+void MainWindow::startLoad(const QString& what, std::function<void(scene::Scene&, Progress&)> read, bool add,
+                           const QString& path) {
   auto result = std::make_shared<scene::Scene>(add ? mDocument.scene() : scene::Scene());
   startJob(
       what, [result, read = std::move(read)](Progress& progress) { read(*result, progress); },
@@ -206,7 +209,8 @@ void MainWindow::takeScene(scene::Scene scene, bool add, const QString& path) {
   mCuts->setEnabled(true);
   QString warning;
   if (scene.volume.data)
-    for (const auto& line : scene.volume.data->warnings) warning += (warning.isEmpty() ? "" : "; ") + QString::fromStdString(line);
+    for (const auto& line : scene.volume.data->warnings)
+      warning += (warning.isEmpty() ? "" : "; ") + QString::fromStdString(line);
   mDocument.replace(std::move(scene));
   if (!isScene) mViewport->lookFrom(scene::StandardView::Anterior);
   mViewport->setFocus();
@@ -264,30 +268,40 @@ void MainWindow::showData() {
     QString times = QString::fromUtf8(" \u00d7 ");
     QString unit = v->unit.empty() ? QString() : " " + QString::fromStdString(v->unit);
     auto type = enumName(v->type);
-    QString text = QString("%1%4%2%4%3").arg(v->dims.x).arg(v->dims.y).arg(v->dims.z).arg(times);
-    text += v->isSpacingKnown ? QString("    %1%4%2%4%3 mm").arg(shortNumber(mm.x), shortNumber(mm.y), shortNumber(mm.z), times)
-                              : tr("    spacing unknown");
-    text += QString("    %1    %2 to %3%4").arg(QString::fromUtf8(type.data(), int(type.size())), shortNumber(v->range.x), shortNumber(v->range.y), unit);
+    QStringList dims, spacing;
+    for (int i = 0; i < 3; ++i) {
+      dims << QString::number(v->dims[i]);
+      spacing << shortNumber(mm[i]);
+    }
+    QString text = dims.join(times) + "    ";
+    text += v->isSpacingKnown ? spacing.join(times) + " mm" : tr("spacing unknown");
+    text += QString("    %1    %2 to %3%4")
+                .arg(QString::fromUtf8(type.data(), int(type.size())), shortNumber(v->range.x), shortNumber(v->range.y),
+                     unit);
     mDataLabel->setText(text);
-    mDataLabel->setToolTip(tr("Voxels, spacing, sample type and range of values of %1").arg(QString::fromStdString(v->name)));
+    mDataLabel->setToolTip(
+        tr("Voxels, spacing, sample type and range of values of %1").arg(QString::fromStdString(v->name)));
   } else if (scene.labels.data) {
     mDataLabel->setText(tr("%n structure(s)", nullptr, int(scene.labels.structures.size())));
   } else {
-    mDataLabel->setText(scene.surfaces.empty() ? tr("Nothing is open") : tr("%n surface(s)", nullptr, int(scene.surfaces.size())));
+    mDataLabel->setText(scene.surfaces.empty() ? tr("Nothing is open")
+                                               : tr("%n surface(s)", nullptr, int(scene.surfaces.size())));
   }
 }
 
 void MainWindow::showPick(const render::Pick& pick) {
   const auto& scene = mDocument.scene();
   QString text;
-  if (const auto& v = scene.volume.data) text = QString("%1 %2    ").arg(shortNumber(pick.value), QString::fromStdString(v->unit));
+  if (const auto& v = scene.volume.data)
+    text = QString("%1 %2    ").arg(shortNumber(pick.value), QString::fromStdString(v->unit));
   // Letters only where the file says how the patient lay.
   bool letters = !scene.volume.data || scene.volume.data->isOrientationKnown;
   static constexpr const char* kPlus[] = {"L", "P", "S"};
   static constexpr const char* kMinus[] = {"R", "A", "I"};
   for (int i = 0; i < 3; ++i) {
     double mm = pick.worldMm[i];
-    text += letters ? QString("%1 %2  ").arg(mm < 0 ? kMinus[i] : kPlus[i]).arg(std::abs(mm), 0, 'f', 1) : QString("%1  ").arg(mm, 0, 'f', 1);
+    text += letters ? QString("%1 %2  ").arg(mm < 0 ? kMinus[i] : kPlus[i]).arg(std::abs(mm), 0, 'f', 1)
+                    : QString("%1  ").arg(mm, 0, 'f', 1);
   }
   text += "mm";
   for (const auto& structure : scene.labels.structures)

@@ -36,6 +36,8 @@ class MainWindow : public QMainWindow {
   Viewport& viewport() { return *mViewport; }
   MessageBar& messages() { return *mMessages; }
   bool isBusy() const { return mJob != nullptr; }
+  /// Nothing is running, and what is shown is complete.
+  bool isSettled() const { return !isBusy() && (mPages->currentIndex() == 0 || mViewport->isConverged()); }
 
  signals:
   /// A job has ended, was cancelled or has failed.
@@ -53,7 +55,8 @@ class MainWindow : public QMainWindow {
   void buildViewActions(QMenu* menu, QToolBar* bar);
   void buildStatus();
   void startJob(const QString& what, Job::Work work, std::function<void()> whenDone);
-  void startLoad(const QString& what, std::function<void(scene::Scene&, Progress&)> read, bool add, const QString& path);
+  void startLoad(const QString& what, std::function<void(scene::Scene&, Progress&)> read, bool add,
+                 const QString& path);
   void takeScene(scene::Scene scene, bool add, const QString& path);
   void documentChanged();
   void showData();
@@ -73,7 +76,8 @@ class MainWindow : public QMainWindow {
   LookPanel* mLook = nullptr;
   CutPanel* mCuts = nullptr;
   QWidget* mSide = nullptr;
-  QLabel *mDataLabel = nullptr, *mPickLabel = nullptr, *mReductionLabel = nullptr, *mRefineLabel = nullptr, *mDriverLabel = nullptr;
+  QLabel *mDataLabel = nullptr, *mPickLabel = nullptr, *mReductionLabel = nullptr, *mRefineLabel = nullptr,
+         *mDriverLabel = nullptr;
   QAction *mUndo = nullptr, *mRedo = nullptr, *mCancel = nullptr, *mProjection = nullptr;
   QList<QAction*> mNeedScene;
   QString mPath;       ///< What is open: file, folder or scene.

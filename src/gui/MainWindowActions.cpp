@@ -25,7 +25,8 @@ QString openFilter() {
   QString all, single;
   for (const auto& kind : session::readableKinds()) {
     QString patterns;
-    for (const auto& pattern : kind.patterns) patterns += (patterns.isEmpty() ? "" : " ") + QString::fromStdString(pattern);
+    for (const auto& pattern : kind.patterns)
+      patterns += (patterns.isEmpty() ? "" : " ") + QString::fromStdString(pattern);
     all += (all.isEmpty() ? "" : " ") + patterns;
     single += QString(";;%1 (%2)").arg(QString::fromStdString(kind.name), patterns);
   }
@@ -49,18 +50,26 @@ void MainWindow::buildActions() {
   };
 
   QMenu* file = menuBar()->addMenu(tr("&File"));
-  QAction* open = add(file, tr("&Open..."), QKeySequence::Open, tr("Open a volume, labels, surfaces or a scene"), [this] { askOpen(false); });
-  add(file, tr("Open &folder..."), QKeySequence("Ctrl+Shift+O"), tr("Open a folder of DICOM slices"), [this] { askOpenFolder(); });
-  QAction* beside = add(file, tr("&Add labels or surfaces..."), QKeySequence("Ctrl+Alt+O"), tr("Open beside what is open"), [this] { askOpen(true); });
+  QAction* open = add(file, tr("&Open..."), QKeySequence::Open, tr("Open a volume, labels, surfaces or a scene"),
+                      [this] { askOpen(false); });
+  add(file, tr("Open &folder..."), QKeySequence("Ctrl+Shift+O"), tr("Open a folder of DICOM slices"),
+      [this] { askOpenFolder(); });
+  QAction* beside = add(file, tr("&Add labels or surfaces..."), QKeySequence("Ctrl+Alt+O"),
+                        tr("Open beside what is open"), [this] { askOpen(true); });
   QMenu* phantoms = file->addMenu(tr("Make a &phantom"));
   for (const char* name : {"torso", "vessels", "two-spheres", "neurons", "ultrasound", "seismic"})
-    connect(phantoms->addAction(QString(name).replace('-', ' ')), &QAction::triggered, this, [this, name] { openPhantom(name, 0); });
+    connect(phantoms->addAction(QString(name).replace('-', ' ')), &QAction::triggered, this,
+            [this, name] { openPhantom(name, 0); });
   file->addSeparator();
-  QAction* saveScene = add(file, tr("&Save scene"), QKeySequence::Save, tr("Save the scene"), [this] { askSaveScene(false); });
-  QAction* saveAs = add(file, tr("Save scene &as..."), QKeySequence("Ctrl+Shift+S"), tr("Save the scene under another name"), [this] { askSaveScene(true); });
-  QAction* picture = add(file, tr("Save p&icture..."), QKeySequence("Ctrl+E"), tr("Draw and save a picture of any size"), [this] { askSavePicture(); });
+  QAction* saveScene =
+      add(file, tr("&Save scene"), QKeySequence::Save, tr("Save the scene"), [this] { askSaveScene(false); });
+  QAction* saveAs = add(file, tr("Save scene &as..."), QKeySequence("Ctrl+Shift+S"),
+                        tr("Save the scene under another name"), [this] { askSaveScene(true); });
+  QAction* picture = add(file, tr("Save p&icture..."), QKeySequence("Ctrl+E"),
+                         tr("Draw and save a picture of any size"), [this] { askSavePicture(); });
   file->addSeparator();
-  mCancel = add(file, tr("&Cancel what is running"), QKeySequence(Qt::Key_Escape), tr("Stop the load or the picture"), [this] { cancelJob(); });
+  mCancel = add(file, tr("&Cancel what is running"), QKeySequence(Qt::Key_Escape), tr("Stop the load or the picture"),
+                [this] { cancelJob(); });
   mCancel->setEnabled(false);
   add(file, tr("&Quit"), QKeySequence::Quit, tr("Leave Velum"), [this] { close(); });
 
@@ -81,9 +90,12 @@ void MainWindow::buildActions() {
   buildViewActions(menuBar()->addMenu(tr("&View")), bar);
 
   QMenu* cut = menuBar()->addMenu(tr("&Cut"));
-  QAction* addCut = add(cut, tr("&Add plane"), QKeySequence("C"), tr("Cut away the half that faces you"), [this] { mCuts->addPlane(); });
-  QAction* flip = add(cut, tr("&Flip"), QKeySequence("X"), tr("Take away the other side"), [this] { mCuts->flipSelected(); });
-  QAction* remove = add(cut, tr("&Remove"), QKeySequence::Delete, tr("Remove the selected cut"), [this] { mCuts->removeSelected(); });
+  QAction* addCut = add(cut, tr("&Add plane"), QKeySequence("C"), tr("Cut away the half that faces you"),
+                        [this] { mCuts->addPlane(); });
+  QAction* flip =
+      add(cut, tr("&Flip"), QKeySequence("X"), tr("Take away the other side"), [this] { mCuts->flipSelected(); });
+  QAction* remove =
+      add(cut, tr("&Remove"), QKeySequence::Delete, tr("Remove the selected cut"), [this] { mCuts->removeSelected(); });
   addCut->setIconText(tr("Add cut"));
   bar->addSeparator();
   bar->addAction(addCut);
@@ -136,12 +148,14 @@ void MainWindow::buildViewActions(QMenu* menu, QToolBar* bar) {
 }
 
 void MainWindow::askOpen(bool add) {
-  QStringList paths = QFileDialog::getOpenFileNames(this, tr("Open"), mPath.isEmpty() ? QString() : QFileInfo(mPath).path(), openFilter());
+  QStringList paths = QFileDialog::getOpenFileNames(
+      this, tr("Open"), mPath.isEmpty() ? QString() : QFileInfo(mPath).path(), openFilter());
   openPaths(paths, add);
 }
 
 void MainWindow::askOpenFolder() {
-  QString path = QFileDialog::getExistingDirectory(this, tr("Open a folder of DICOM slices"), mPath.isEmpty() ? QString() : QFileInfo(mPath).path());
+  QString path = QFileDialog::getExistingDirectory(this, tr("Open a folder of DICOM slices"),
+                                                   mPath.isEmpty() ? QString() : QFileInfo(mPath).path());
   if (!path.isEmpty()) openPaths({path});
 }
 
@@ -152,10 +166,12 @@ QString MainWindow::pictureFolder() const {
 
 void MainWindow::askSavePicture() {
   double ratio = mViewport->devicePixelRatioF();
-  SavePictureDialog dialog({int(mViewport->width() * ratio), int(mViewport->height() * ratio)}, mDocument.scene(), this);
+  SavePictureDialog dialog({int(mViewport->width() * ratio), int(mViewport->height() * ratio)}, mDocument.scene(),
+                           this);
   if (dialog.exec() != QDialog::Accepted) return;
   QString start = pictureFolder() + QFileInfo(mPath).baseName() + (dialog.options().layers ? ".exr" : ".png");
-  QString path = QFileDialog::getSaveFileName(this, tr("Save picture"), start, tr("PNG (*.png);;OpenEXR (*.exr);;TIFF (*.tif)"));
+  QString path =
+      QFileDialog::getSaveFileName(this, tr("Save picture"), start, tr("PNG (*.png);;OpenEXR (*.exr);;TIFF (*.tif)"));
   if (path.isEmpty()) return;
   if (QFileInfo(path).suffix().isEmpty()) path += ".png";
   savePictureTo(path, dialog.options());

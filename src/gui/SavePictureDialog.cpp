@@ -22,7 +22,8 @@ QSpinBox* makeSpin(QWidget* parent, int min, int max, int value, const QString& 
 
 }  // namespace
 
-SavePictureDialog::SavePictureDialog(glm::ivec2 viewSize, const scene::Scene& scene, QWidget* parent) : QDialog(parent) {
+SavePictureDialog::SavePictureDialog(glm::ivec2 viewSize, const scene::Scene& scene, QWidget* parent)
+    : QDialog(parent) {
   setWindowTitle(tr("Save picture"));
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(20, 18, 20, 16);

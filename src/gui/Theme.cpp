@@ -3,6 +3,9 @@
 #include <QPalette>
 #include <QStyleFactory>
 
+/// Outside of namespaces, as the macro wants it: the linker would drop the resources of a static library otherwise.
+static void useResources() { Q_INIT_RESOURCE(velum); }
+
 namespace velum::gui {
 
 namespace {
@@ -36,7 +39,7 @@ QPushButton { background: #353b44; border: 1px solid #444c57; border-radius: 5px
 QPushButton:hover { background: #3e4650; }
 QPushButton:pressed, QPushButton:checked { background: #3b6f96; border-color: #4f8ab5; }
 QPushButton:disabled { color: #6d7681; background: #2b3037; border-color: #363c45; }
-QPushButton[role="main"] { background: #3b79a8; border-color: #5698c8; padding: 8px 20px; font-weight: 600; }
+QPushButton[role="main"] { background: #3b79a8; border-color: #5698c8; padding: 5px 20px; font-weight: 600; }
 QPushButton[role="main"]:hover { background: #4689bb; }
 QPushButton[role="quiet"] { background: transparent; border: none; padding: 3px 8px; }
 QPushButton[role="quiet"]:hover { background: #4a525d; }
@@ -72,6 +75,7 @@ QScrollBar::add-line, QScrollBar::sub-line { height: 0; }
 }  // namespace
 
 void applyTheme(QApplication& application) {
+  useResources();
   application.setStyle(QStyleFactory::create("Fusion"));
   QPalette palette;
   palette.setColor(QPalette::Window, kPanel);

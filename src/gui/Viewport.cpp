@@ -13,11 +13,23 @@ namespace velum::gui {
 
 namespace {
 
-constexpr double kSliceMs = 25.0;        // a third of what is felt as a stutter
-constexpr int kRestMs = 140;             // a hand that pauses in a drag for less does not start a full picture
-constexpr double kCoarseTargetMs = 50.0; // leaves room for tables and light under 80 ms
+constexpr double kSliceMs = 25.0;         // a third of what is felt as a stutter
+constexpr int kRestMs = 140;              // a hand that pauses in a drag for less does not start a full picture
+constexpr double kCoarseTargetMs = 50.0;  // leaves room for tables and light under 80 ms
 constexpr double kLargestScale = 12.0;
-constexpr int kShowMs = 150;             // how often a growing picture is shown: showing costs a pass over it
+constexpr int kShowMs = 150;  // how often a growing picture is shown: showing costs a pass over it
+
+glm::dmat3 worldFromCamera(const scene::Camera& camera) {
+  scene::CameraBasis basis = scene::cameraBasis(camera);
+  return {basis.right, basis.up, -basis.forward};
+}
+
+/// True when the light grid of one scene serves the other. The cameras are the caller's business.
+bool sameLitContent(scene::Scene a, const scene::Scene& b) {
+  a.background = b.background;
+  a.rayCast.samplesPerPixel = b.rayCast.samplesPerPixel;
+  return a == b;
+}
 
 }  // namespace
 
@@ -48,7 +60,9 @@ void Viewport::initializeGL() {
       return reinterpret_cast<void*>(QOpenGLContext::currentContext()->getProcAddress(name));
     });
     mRenderer = std::make_unique<render::Renderer>(*mContext);
-    if (mCoarseScale == 0) mCoarseScale = mContext->limits().isSoftware ? 6.0 : 1.5;
+    bool isSoftware = mContext->limits().isSoftware;
+    if (mCoarseScale == 0) mCoarseScale = isSoftware ? 6.0 : 1.5;
+    if (isSoftware) mLightMs = 1000.0;  // until it is measured
     sceneChanged();
   } catch (const Error& error) {
     mContext.reset();
@@ -94,8 +108,8 @@ void Viewport::resizeGL(int, int) {
   mShown = std::make_unique<QOpenGLFramebufferObject>(size.x, size.y);
   QSize now(size.x, size.y);
   if (old)
-    QOpenGLFramebufferObject::blitFramebuffer(mShown.get(), QRect(QPoint(), now), old.get(), QRect(QPoint(), old->size()),
-                                              GL_COLOR_BUFFER_BIT, GL_LINEAR);
+    QOpenGLFramebufferObject::blitFramebuffer(mShown.get(), QRect(QPoint(), now), old.get(),
+                                              QRect(QPoint(), old->size()), GL_COLOR_BUFFER_BIT, GL_LINEAR);
   sceneChanged();
 }
 
@@ -124,31 +138,34 @@ void Viewport::begin(Stage stage) {
   double scale = stage == Stage::Coarse ? mCoarseScale : stage == Stage::Half ? 2.0 : 1.0;
   mFrame.pictureSize = glm::max(glm::ivec2(glm::round(size / scale)), glm::ivec2(1));
   if (stage != Stage::Full) mFrame.scene.rayCast.samplesPerPixel = 1;
-  if (stage == Stage::Coarse) mFrame.stepFactor = 2.0;
-  restLight(mFrame.scene, stage);
+  if (stage == Stage::Coarse) {
+    mFrame.stepFactor = 2.0;
+    lightCoarsely(mFrame.scene);
+  } else {
+    mRest.reset();  // its grid is on the way out until this stage has shown something
+  }
 }
 
-/// The key light goes with the camera, and its shadows are costly. So while something moves it stays where it was in the
-/// world when the picture last rested, and the light grid of that picture serves on.
-void Viewport::restLight(scene::Scene& scene, Stage stage) {
-  scene::CameraBasis basis = scene::cameraBasis(scene.camera);
-  glm::dmat3 worldFromCamera(basis.right, basis.up, -basis.forward);
-  if (stage != Stage::Coarse || !mRestLight) {
-    mRestLight = worldFromCamera * scene.lighting.keyDirection;
-    return;
+/// Shadows and occlusion come from a light grid, which is costly to renew, and the key light goes with the camera. So
+/// while only the camera moves the light stays where it was in the world when the picture last rested, and that grid
+/// serves on; where the grid would have to be renewed and that is slow, the coarse picture does without.
+void Viewport::lightCoarsely(scene::Scene& scene) const {
+  scene::Scene rest = mRest.value_or(scene::Scene());
+  scene::Camera restCamera = rest.camera;
+  rest.camera = scene.camera;
+  if (mRest && sameLitContent(rest, scene)) {
+    glm::dvec3 world = worldFromCamera(restCamera) * scene.lighting.keyDirection;
+    scene.lighting.keyDirection = glm::transpose(worldFromCamera(scene.camera)) * world;
+  } else if (mLightMs > kCoarseTargetMs) {
+    scene.lighting.shadow = scene.lighting.occlusion = 0;
   }
-  scene.lighting.keyDirection = glm::transpose(worldFromCamera) * *mRestLight;
-  if (!mCoarseLight && mDrag == Drag::Cut) scene.lighting.shadow = scene.lighting.occlusion = 0;
 }
 
 void Viewport::slice() {
   if (!bindContext()) return mSliceTimer.stop();
   bool otherData = mFrame.scene.volume.data != mDocument.scene().volume.data;
   // A coarse picture on its way is finished first: a steady drag would otherwise never show one.
-  if (mPending && (mStage != Stage::Coarse || otherData)) {
-    if (otherData) mRestLight.reset();
-    begin(Stage::Coarse);
-  }
+  if (mPending && (mStage != Stage::Coarse || otherData)) begin(Stage::Coarse);
   if (mStage == Stage::Idle) return mSliceTimer.stop();
   try {
     bool done = mRenderer->work(mFrame, kSliceMs);
@@ -167,13 +184,14 @@ void Viewport::slice() {
 void Viewport::show() {
   if (!mShown) return;
   mHasPicture = true;
+  if (mStage != Stage::Coarse) mRest = mFrame.scene;
   mRenderer->present(mShown->handle(), {mShown->width(), mShown->height()});
   mSinceShown.restart();
   update();
 }
 
 void Viewport::finishStage() {
-  if (mStage == Stage::Coarse) adaptCoarseScale();
+  learnCosts();
   if (mPending) return begin(Stage::Coarse);
   if (mStage == Stage::Half) return begin(Stage::Full);
   mSliceTimer.stop();
@@ -185,26 +203,31 @@ void Viewport::finishStage() {
   pickUnderPointer();
 }
 
-void Viewport::adaptCoarseScale() {
+void Viewport::learnCosts() {
   const auto& passes = mRenderer->stats().passesMs;
-  auto msOf = [&](const char* pass) {
-    auto found = passes.find(pass);
-    return found == passes.end() ? 0.0 : found->second;
-  };
-  double ms = msOf("RayCast");
+  if (auto light = passes.find("Light"); light != passes.end()) mLightMs = light->second;
+  auto found = passes.find("RayCast");
+  if (mStage != Stage::Coarse || found == passes.end()) return;
+  double ms = found->second;
   double wanted = mCoarseScale * std::sqrt(ms / kCoarseTargetMs);
   if (ms > 1.4 * kCoarseTargetMs || ms < 0.6 * kCoarseTargetMs)
     mCoarseScale = std::clamp(0.5 * (mCoarseScale + wanted), 1.0, kLargestScale);
-  // A light grid that is slow to renew stays out of coarse pictures of scenes that change (a cut that is dragged).
-  if (msOf("Light") > kCoarseTargetMs && mDrag == Drag::Cut) mCoarseLight = false;
 }
 
 void Viewport::tellProgress() {
   switch (mStage) {
-    case Stage::Idle: emit refined(1.0, {}); break;
-    case Stage::Coarse: emit refined(0.0, mRenderer->fractionDone() < 1.0 ? tr("Preparing") : tr("Preview")); break;
-    case Stage::Half: emit refined(0.0, tr("Preview")); break;
-    case Stage::Full: emit refined(mRenderer->fractionDone(), tr("Refining")); break;
+    case Stage::Idle:
+      emit refined(1.0, {});
+      break;
+    case Stage::Coarse:
+      emit refined(0.0, mRenderer->fractionDone() < 1.0 ? tr("Preparing") : tr("Preview"));
+      break;
+    case Stage::Half:
+      emit refined(0.0, tr("Preview"));
+      break;
+    case Stage::Full:
+      emit refined(mRenderer->fractionDone(), tr("Refining"));
+      break;
   }
 }
 
@@ -231,8 +254,10 @@ void Viewport::toggleProjection() {
   // What is in the middle keeps its size.
   double tangent = std::tan(glm::radians(camera.fieldOfViewDeg) * 0.5);
   glm::dvec3 arm = camera.eyeMm - camera.targetMm;
-  if (perspective) camera.heightMm = 2.0 * glm::length(arm) * tangent;
-  else camera.eyeMm = camera.targetMm + glm::normalize(arm) * (camera.heightMm * 0.5 / tangent);
+  if (perspective)
+    camera.heightMm = 2.0 * glm::length(arm) * tangent;
+  else
+    camera.eyeMm = camera.targetMm + glm::normalize(arm) * (camera.heightMm * 0.5 / tangent);
   camera.projection = perspective ? scene::Projection::Orthographic : scene::Projection::Perspective;
   mDocument.amend([camera](scene::Scene& scene) { scene.camera = camera; });
 }
@@ -246,8 +271,10 @@ std::optional<render::Pick> Viewport::pickAt(QPointF place) {
 void Viewport::pickUnderPointer() {
   if (!underMouse() || mDrag != Drag::None) return;
   auto pick = pickAt(mPointer);
-  if (pick && pick->hit) emit pointedAt(*pick);
-  else if (pick) emit pointedAtNothing();
+  if (pick && pick->hit)
+    emit pointedAt(*pick);
+  else if (pick)
+    emit pointedAtNothing();
 }
 
 }  // namespace velum::gui

@@ -35,6 +35,8 @@ class Viewport : public QOpenGLWidget {
   bool isConverged() const { return mStage == Stage::Idle && !mPending; }
   /// Empty before the driver is known.
   render::Stats stats() const { return mRenderer ? mRenderer->stats() : render::Stats{}; }
+  /// GL errors that the driver has reported in this view so far; tests want 0.
+  int glErrorCount() const { return mContext ? mContext->errorCount() : 0; }
   /// What the picture shows at a place of the widget; nothing while there is no picture.
   std::optional<render::Pick> pickAt(QPointF place);
 
@@ -67,8 +69,8 @@ class Viewport : public QOpenGLWidget {
   void begin(Stage stage);
   void finishStage();
   void show();
-  void adaptCoarseScale();
-  void restLight(scene::Scene& scene, Stage stage);
+  void learnCosts();
+  void lightCoarsely(scene::Scene& scene) const;
   void tellProgress();
   void pickUnderPointer();
   void dragCamera(glm::dvec2 from, glm::dvec2 to);
@@ -85,11 +87,11 @@ class Viewport : public QOpenGLWidget {
   std::unique_ptr<QOpenGLFramebufferObject> mShown;  ///< The picture on the screen, kept while the next one is made.
   render::Frame mFrame;
   Stage mStage = Stage::Idle;
-  bool mPending = true;        ///< The scene has changed since mFrame was made.
-  bool mHasPicture = false;    ///< mFrame has a complete sample, so that it can be picked from.
-  bool mCoarseLight = true;    ///< Coarse pictures renew the light grid; off where that takes too long.
-  double mCoarseScale = 0;     ///< Device pixels to one pixel of a coarse picture; 0: not known yet.
-  std::optional<glm::dvec3> mRestLight;  ///< World direction of the key light of the last picture at rest.
+  bool mPending = true;               ///< The scene has changed since mFrame was made.
+  bool mHasPicture = false;           ///< mFrame has a complete sample, so that it can be picked from.
+  double mLightMs = 0;                ///< What it cost to renew the light grid last.
+  double mCoarseScale = 0;            ///< Device pixels to one pixel of a coarse picture; 0: not known yet.
+  std::optional<scene::Scene> mRest;  ///< The scene that the light grid was made for; nothing while it is unfinished.
   QTimer mSliceTimer, mRestTimer, mPickTimer;
   QElapsedTimer mSinceShown;
   // Pointer.

@@ -26,9 +26,12 @@ void Viewport::setHover(session::CutHandle handle) {
 
 void Viewport::beginDrag(QMouseEvent* event) {
   bool shift = event->modifiers() & Qt::ShiftModifier, control = event->modifiers() & Qt::ControlModifier;
-  if (event->button() == Qt::MiddleButton || (event->button() == Qt::LeftButton && shift)) mDrag = Drag::Pan;
-  else if (event->button() == Qt::RightButton) mDrag = Drag::Zoom;
-  else if (event->button() == Qt::LeftButton) mDrag = control ? Drag::Roll : Drag::Orbit;
+  if (event->button() == Qt::MiddleButton || (event->button() == Qt::LeftButton && shift))
+    mDrag = Drag::Pan;
+  else if (event->button() == Qt::RightButton)
+    mDrag = Drag::Zoom;
+  else if (event->button() == Qt::LeftButton)
+    mDrag = control ? Drag::Roll : Drag::Orbit;
 }
 
 void Viewport::mousePressEvent(QMouseEvent* event) {
@@ -64,8 +67,8 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
   glm::dvec2 place = toVec(event->position());
   mPointer = event->position();
   if (mDrag == Drag::Cut) {
-    scene::Cut moved = session::dragCut(mStartCut, mStartGizmo, mHandle, mDocument.scene().camera, logicalSize(),
-                                        mDragStart, place);
+    scene::Cut moved =
+        session::dragCut(mStartCut, mStartGizmo, mHandle, mDocument.scene().camera, logicalSize(), mDragStart, place);
     const char* label = mHandle == session::CutHandle::Arrow ? "Move cut" : "Tilt cut";
     std::size_t index = std::size_t(mSelectedCut);
     mDocument.edit(

@@ -90,6 +90,7 @@ void ColorButton::choose() {
 void ColorButton::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
+  if (!isEnabled()) painter.setOpacity(0.4);
   painter.setPen(QPen(hasFocus() || underMouse() ? QColor(0x5f, 0xb0, 0xea) : QColor(0x4a, 0x52, 0x5d), 1.0));
   painter.setBrush(mColor);
   painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 5, 5);

@@ -24,11 +24,13 @@ void takeScreenshot(velum::gui::MainWindow& window, const QString& path) {
   auto clock = std::make_shared<QElapsedTimer>();
   clock->start();
   QObject::connect(timer, &QTimer::timeout, &window, [&window, path, clock] {
-    bool ready = !window.isBusy() && window.viewport().isConverged();
+    bool ready = window.isSettled();
     if (!ready && clock->elapsed() < kScreenshotWaitMs) return;
     bool saved = window.grab().save(path);
-    if (!saved) fmt::print(stderr, "velum: {}: the picture cannot be written there\n", path.toStdString());
-    else if (window.messages().isVisible()) fmt::print(stderr, "velum: {}\n", window.messages().text().toStdString());
+    if (!saved)
+      fmt::print(stderr, "velum: {}: the picture cannot be written there\n", path.toStdString());
+    else if (window.messages().isVisible())
+      fmt::print(stderr, "velum: {}\n", window.messages().text().toStdString());
     QCoreApplication::exit(saved ? 0 : static_cast<int>(velum::ExitCode::Input));
   });
   timer->start(100);
@@ -53,7 +55,8 @@ int run(int argc, char** argv) {
   parser.addVersionOption();
   QCommandLineOption screenshot("screenshot", "Save a picture of the window once it is complete, and leave.", "file");
   parser.addOption(screenshot);
-  parser.addPositionalArgument("files", "What to open: a volume, then labels and surfaces; a folder; a scene.", "[files...]");
+  parser.addPositionalArgument("files", "What to open: a volume, then labels and surfaces; a folder; a scene.",
+                               "[files...]");
   if (!parser.parse(QApplication::arguments())) {
     fmt::print(stderr, "velum: {}; see velum --help\n", parser.errorText().toStdString());
     return static_cast<int>(velum::ExitCode::Usage);

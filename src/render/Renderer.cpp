@@ -315,6 +315,7 @@ void Renderer::Impl::addLightSteps() {
   bool sameMaterial = extinctionScene && *extinctionScene == key;
   bool sameLight = sameMaterial && glm::length(direction - lightDirection) < 1e-6 && options == lightOptions;
   if (sameLight) return;
+  lightDirection = glm::dvec3(0.0);  // a frame that is given up half way leaves a grid that serves no direction
   constexpr int kLayers = 4;
   glm::mat4 fromTex = sceneFromTex();
   if (!sameMaterial) {

@@ -35,8 +35,7 @@ PictureRay rayFromPixel(const Camera& camera, glm::dvec2 size, glm::dvec2 pixel)
   double tall = halfHeight(camera), wide = tall * size.x / size.y;
   glm::dvec2 ndc = pixel / size * 2.0 - 1.0;
   glm::dvec3 across = basis.right * (ndc.x * wide) - basis.up * (ndc.y * tall);
-  if (camera.projection == Projection::Perspective)
-    return {camera.eyeMm, glm::normalize(basis.forward + across)};
+  if (camera.projection == Projection::Perspective) return {camera.eyeMm, glm::normalize(basis.forward + across)};
   return {camera.eyeMm + across, basis.forward};
 }
 

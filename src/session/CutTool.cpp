@@ -90,7 +90,8 @@ double tiltAngle(const CutGizmo& gizmo, glm::dvec3 knob, const scene::Camera& ca
                  glm::dvec2 to) {
   bool nearSide = glm::dot(knob, scene::cameraBasis(camera).forward) <= 0.05;
   auto angleAt = [&](glm::dvec2 pixel) {
-    glm::dvec3 d = directionOnSphere(gizmo.centreMm, gizmo.radiusMm, scene::rayFromPixel(camera, size, pixel), nearSide);
+    glm::dvec3 d =
+        directionOnSphere(gizmo.centreMm, gizmo.radiusMm, scene::rayFromPixel(camera, size, pixel), nearSide);
     return std::atan2(glm::dot(d, gizmo.normal), glm::dot(d, knob));
   };
   return angleAt(to) - angleAt(from);
@@ -122,12 +123,18 @@ CutGizmo makeCutGizmo(const scene::Scene& scene, const scene::Cut& cut, glm::dve
 
 glm::dvec3 handlePlaceMm(const CutGizmo& gizmo, CutHandle handle) {
   switch (handle) {
-    case CutHandle::Arrow: return gizmo.arrowTipMm;
-    case CutHandle::KnobRight: return gizmo.centreMm + gizmo.right * gizmo.radiusMm;
-    case CutHandle::KnobTop: return gizmo.centreMm + gizmo.top * gizmo.radiusMm;
-    case CutHandle::KnobLeft: return gizmo.centreMm - gizmo.right * gizmo.radiusMm;
-    case CutHandle::KnobBottom: return gizmo.centreMm - gizmo.top * gizmo.radiusMm;
-    case CutHandle::None: break;
+    case CutHandle::Arrow:
+      return gizmo.arrowTipMm;
+    case CutHandle::KnobRight:
+      return gizmo.centreMm + gizmo.right * gizmo.radiusMm;
+    case CutHandle::KnobTop:
+      return gizmo.centreMm + gizmo.top * gizmo.radiusMm;
+    case CutHandle::KnobLeft:
+      return gizmo.centreMm - gizmo.right * gizmo.radiusMm;
+    case CutHandle::KnobBottom:
+      return gizmo.centreMm - gizmo.top * gizmo.radiusMm;
+    case CutHandle::None:
+      break;
   }
   return gizmo.centreMm;
 }

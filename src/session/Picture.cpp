@@ -26,7 +26,8 @@ Image channelsOf(const Image& image, const std::vector<std::string>& names) {
   return out;
 }
 
-/// Layers as PNGs beside the picture, each mapped into 0..1: normals and ids by the usual colour codes, depth from near to far.
+/// Layers as PNGs beside the picture, each mapped into 0..1: normals and ids by the usual colour codes, depth from near
+/// to far.
 void writeLayerPictures(const Image& image, const std::filesystem::path& output) {
   auto beside = [&](const char* what) {
     auto path = output;
@@ -40,7 +41,8 @@ void writeLayerPictures(const Image& image, const std::filesystem::path& output)
   Image normal = rgb(channelsOf(image, {"normal.X", "normal.Y", "normal.Z"}));
   for (auto& v : normal.pixels) v = 0.5f + 0.5f * v;
   io::writeImage(normal, beside("normal"));
-  Image alpha = channelsOf(image, {"A", "A", "A"}), depth = channelsOf(image, {"Z", "Z", "Z"}), id = channelsOf(image, {"id", "id", "id"});
+  Image alpha = channelsOf(image, {"A", "A", "A"}), depth = channelsOf(image, {"Z", "Z", "Z"}),
+        id = channelsOf(image, {"id", "id", "id"});
   Image position = channelsOf(image, {"position.X", "position.Y", "position.Z"});
   io::writeImage(rgb(alpha), beside("alpha"));
   float nearest = 1e30f, farthest = 0.0f;
@@ -56,9 +58,11 @@ void writeLayerPictures(const Image& image, const std::filesystem::path& output)
   io::writeImage(rgb(id), beside("id"));
   float low[3] = {1e30f, 1e30f, 1e30f}, high[3] = {-1e30f, -1e30f, -1e30f};
   for (std::size_t i = 0; i < count * 3; ++i)
-    if (depth.pixels[i] > 0) low[i % 3] = std::min(low[i % 3], position.pixels[i]), high[i % 3] = std::max(high[i % 3], position.pixels[i]);
+    if (depth.pixels[i] > 0)
+      low[i % 3] = std::min(low[i % 3], position.pixels[i]), high[i % 3] = std::max(high[i % 3], position.pixels[i]);
   for (std::size_t i = 0; i < count * 3; ++i)
-    position.pixels[i] = depth.pixels[i] > 0 ? (position.pixels[i] - low[i % 3]) / std::max(1e-6f, high[i % 3] - low[i % 3]) : 0.0f;
+    position.pixels[i] =
+        depth.pixels[i] > 0 ? (position.pixels[i] - low[i % 3]) / std::max(1e-6f, high[i % 3] - low[i % 3]) : 0.0f;
   io::writeImage(rgb(position), beside("position"));
 }
 

@@ -52,7 +52,8 @@ TEST(CutTool, EveryHandleIsFoundWhereItIs) {
   cut.centreMm = {45, 95, 145};
   cut.axis = {1, 0, 0};
   CutGizmo gizmo = makeCutGizmo(scene, cut, kSize);
-  for (auto handle : {CutHandle::Arrow, CutHandle::KnobRight, CutHandle::KnobTop, CutHandle::KnobLeft, CutHandle::KnobBottom})
+  for (auto handle :
+       {CutHandle::Arrow, CutHandle::KnobRight, CutHandle::KnobTop, CutHandle::KnobLeft, CutHandle::KnobBottom})
     EXPECT_EQ(handleAt(gizmo, scene.camera, kSize, pixelOf(scene, gizmo, handle), 4.0), handle);
   EXPECT_EQ(handleAt(gizmo, scene.camera, kSize, {1, 1}, 4.0), CutHandle::None);
 }
@@ -65,7 +66,8 @@ TEST(CutTool, ArrowFollowsThePointerAlongTheNormal) {
   CutGizmo gizmo = makeCutGizmo(scene, cut, kSize);
   glm::dvec3 wanted = gizmo.arrowTipMm + gizmo.normal * 17.0;
   glm::dvec2 to = scene::pixelFromWorld(scene.camera, kSize, wanted).value();
-  scene::Cut moved = dragCut(cut, gizmo, CutHandle::Arrow, scene.camera, kSize, pixelOf(scene, gizmo, CutHandle::Arrow), to);
+  scene::Cut moved =
+      dragCut(cut, gizmo, CutHandle::Arrow, scene.camera, kSize, pixelOf(scene, gizmo, CutHandle::Arrow), to);
   EXPECT_NEAR(glm::length(moved.centreMm - cut.centreMm - glm::dvec3(17, 0, 0)), 0.0, 1e-6);
   EXPECT_EQ(moved.axis, cut.axis);
 }

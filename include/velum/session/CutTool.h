@@ -14,8 +14,8 @@ enum class CutHandle { None, Arrow, KnobRight, KnobTop, KnobLeft, KnobBottom };
 
 /// A plane cut as it is drawn over a picture. World, mm; sizes are constant in pixels.
 struct CutGizmo {
-  glm::dvec3 centreMm{0.0};           ///< middle of the outline, where the arrow stands
-  glm::dvec3 normal{0.0};             ///< unit, towards what is removed
+  glm::dvec3 centreMm{0.0};  ///< middle of the outline, where the arrow stands
+  glm::dvec3 normal{0.0};    ///< unit, towards what is removed
   glm::dvec3 arrowTipMm{0.0};
   double radiusMm = 0;                ///< of the ring that the knobs sit on
   glm::dvec3 right{0.0}, top{0.0};    ///< unit, in the plane, towards the first two knobs

@@ -8,8 +8,8 @@
 
 namespace velum::session {
 
-/// A scene with its undo history: the only place where a scene changes. Old scenes are kept whole; voxels and models are
-/// shared between them, so a step costs little. One thread.
+/// A scene with its undo history: the only place where a scene changes. Old scenes are kept whole; voxels and models
+/// are shared between them, so a step costs little. One thread.
 class Document {
  public:
   using Change = std::function<void(scene::Scene&)>;

@@ -1,0 +1,285 @@
+// Drives the real window with real events, under a display.
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QComboBox>
+#include <QDropEvent>
+#include <QFile>
+#include <QMimeData>
+#include <QProcess>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QStandardPaths>
+#include <QSurfaceFormat>
+#include <QTest>
+#include <fstream>
+
+#include "MainWindow.h"
+#include "TempFolder.h"
+#include "Theme.h"
+#include "velum/io/Sample.h"
+#include "velum/io/WriteVolume.h"
+#include "velum/scene/Project.h"
+
+namespace velum::gui {
+
+namespace {
+
+QStringList& warnings() {
+  static QStringList lines;
+  return lines;
+}
+
+void onMessage(QtMsgType type, const QMessageLogContext&, const QString& text) {
+  if (type != QtDebugMsg && type != QtInfoMsg) warnings() << text;
+}
+
+QByteArray bytesOf(const QString& path) {
+  QFile file(path);
+  return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+}  // namespace
+
+class Window : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    sFolder = new TempFolder;
+    Progress progress;
+    io::Sample sample = io::makeSample("two-spheres", 32, progress);
+    io::writeVolume(sample.volume, *sFolder / "phantom.nrrd", progress);
+    io::writeLabels(sample.labels, *sFolder / "phantom_labels.seg.nrrd", progress);
+  }
+  static void TearDownTestSuite() { delete sFolder; }
+
+  void SetUp() override {
+    warnings().clear();
+    mWindow = std::make_unique<MainWindow>();
+    mWindow->resize(760, 520);
+    mWindow->show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(mWindow.get()));
+    // Without a window manager nobody else gives it the keyboard.
+    mWindow->activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(mWindow.get()));
+  }
+  void TearDown() override {
+    if (mWindow) {
+      EXPECT_EQ(mWindow->viewport().glErrorCount(), 0);
+    }
+    mWindow.reset();
+    EXPECT_TRUE(warnings().isEmpty()) << warnings().join("\n").toStdString();
+  }
+
+  static QString path(const char* name) { return QString::fromStdString((*sFolder / name).string()); }
+  const scene::Scene& scene() { return mWindow->document().scene(); }
+  Viewport& viewport() { return mWindow->viewport(); }
+  glm::dvec2 size() { return {viewport().width(), viewport().height()}; }
+  bool waitForJob() {
+    return QTest::qWaitFor([&] { return !mWindow->isBusy(); }, 60000);
+  }
+  bool settle() {
+    return QTest::qWaitFor([&] { return mWindow->isSettled(); }, 90000);
+  }
+  void openPhantom() {
+    mWindow->openPaths({path("phantom.nrrd")});
+    ASSERT_TRUE(waitForJob());
+    ASSERT_TRUE(scene().volume.data);
+  }
+  void drag(QPoint from, QPoint to, Qt::MouseButton button = Qt::LeftButton, Qt::KeyboardModifiers keys = {}) {
+    QTest::mousePress(&viewport(), button, keys, from);
+    for (int i = 1; i <= 5; ++i) QTest::mouseMove(&viewport(), from + (to - from) * i / 5);
+    QTest::mouseRelease(&viewport(), button, keys, to);
+  }
+  template <class T>
+  T* child(const char* name) {
+    return mWindow->findChild<T*>(name);
+  }
+
+  static TempFolder* sFolder;
+  std::unique_ptr<MainWindow> mWindow;
+};
+
+TempFolder* Window::sFolder = nullptr;
+
+TEST_F(Window, RefinesUntilCompleteAndThenRests) {
+  openPhantom();
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(viewport().stats().samples, scene().rayCast.samplesPerPixel);
+  double ms = viewport().stats().frameMs;
+  QTest::qWait(200);
+  EXPECT_EQ(viewport().stats().frameMs, ms);
+  EXPECT_TRUE(mWindow->windowTitle().contains("phantom"));
+}
+
+TEST_F(Window, WhatIsPickedProjectsBackToItsPixel) {
+  openPhantom();
+  ASSERT_TRUE(settle());
+  int hits = 0;
+  for (QPointF place : {QPointF(0.5, 0.5), QPointF(0.4, 0.5), QPointF(0.6, 0.5), QPointF(0.5, 0.4)}) {
+    QPointF pixel(place.x() * size().x, place.y() * size().y);
+    auto pick = viewport().pickAt(pixel);
+    ASSERT_TRUE(pick);
+    if (!pick->hit) continue;
+    ++hits;
+    auto back = scene::pixelFromWorld(scene().camera, size(), pick->worldMm);
+    ASSERT_TRUE(back);
+    EXPECT_NEAR(back->x, pixel.x(), 1.5);
+    EXPECT_NEAR(back->y, pixel.y(), 1.5);
+  }
+  EXPECT_GT(hits, 0);
+}
+
+TEST_F(Window, MouseTurnsMovesAndNears) {
+  openPhantom();
+  scene::Camera start = scene().camera;
+  drag({200, 200}, {280, 220});
+  scene::Camera turned = scene().camera;
+  EXPECT_NE(turned.eyeMm, start.eyeMm);
+  EXPECT_EQ(turned.targetMm, start.targetMm);
+  drag({200, 200}, {240, 200}, Qt::MiddleButton);
+  EXPECT_NE(scene().camera.targetMm, start.targetMm);
+  double distance = glm::length(scene().camera.eyeMm - scene().camera.targetMm);
+  drag({200, 200}, {200, 160}, Qt::RightButton);
+  EXPECT_LT(glm::length(scene().camera.eyeMm - scene().camera.targetMm), distance);
+  EXPECT_FALSE(mWindow->document().canUndo());
+  viewport().setFocus();
+  QTest::keyClick(&viewport(), Qt::Key_R);
+  EXPECT_EQ(scene().camera.targetMm, start.targetMm);
+  QTest::keyClick(&viewport(), Qt::Key_5);
+  EXPECT_EQ(scene().camera.projection, scene::Projection::Orthographic);
+  EXPECT_TRUE(settle());
+}
+
+TEST_F(Window, GizmoMovesTheCutAlongItsNormalInOneStep) {
+  openPhantom();
+  viewport().lookFrom(scene::StandardView::Oblique);
+  QTest::mouseClick(child<QPushButton>("addPlane"), Qt::LeftButton);
+  ASSERT_EQ(scene().cuts.size(), 1u);
+  EXPECT_EQ(viewport().selectedCut(), 0);
+  viewport().lookFrom(scene::StandardView::Left);  // so that the arrow lies across the view
+  scene::Cut before = scene().cuts[0];
+  auto gizmo = session::makeCutGizmo(scene(), before, size());
+  auto tip = scene::pixelFromWorld(scene().camera, size(), gizmo.arrowTipMm);
+  auto foot = scene::pixelFromWorld(scene().camera, size(), gizmo.centreMm);
+  ASSERT_TRUE(tip && foot);
+  glm::dvec2 to = *tip + (*tip - *foot) * 0.4;
+  drag(QPoint(int(tip->x), int(tip->y)), QPoint(int(to.x), int(to.y)));
+  glm::dvec3 moved = scene().cuts[0].centreMm - before.centreMm;
+  EXPECT_GT(glm::dot(moved, gizmo.normal), 1.0);
+  EXPECT_LT(glm::length(glm::cross(moved, gizmo.normal)), 1e-6);
+  EXPECT_EQ(mWindow->document().undoLabel(), "Move cut");
+  QTest::keyClick(mWindow.get(), Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(scene().cuts[0], before);
+  EXPECT_EQ(mWindow->document().undoLabel(), "Add cut");
+  mWindow->document().undo();
+  EXPECT_TRUE(scene().cuts.empty());
+  EXPECT_EQ(viewport().selectedCut(), -1);
+}
+
+TEST_F(Window, KnobTiltsTheCut) {
+  openPhantom();
+  mWindow->document().edit("Add cut", [](scene::Scene& s) { s.cuts.push_back(session::cutFacingCamera(s)); });
+  scene::Cut before = scene().cuts[0];
+  auto gizmo = session::makeCutGizmo(scene(), before, size());
+  auto knob = scene::pixelFromWorld(scene().camera, size(), handlePlaceMm(gizmo, session::CutHandle::KnobRight));
+  ASSERT_TRUE(knob);
+  drag(QPoint(int(knob->x), int(knob->y)), QPoint(int(knob->x) - 30, int(knob->y)));
+  EXPECT_LT(glm::dot(scene().cuts[0].axis, before.axis), 0.99);
+  EXPECT_EQ(mWindow->document().undoLabel(), "Tilt cut");
+}
+
+TEST_F(Window, PresetIsOneUndoStep) {
+  openPhantom();
+  auto* presets = child<QComboBox>("preset");
+  std::string before = scene().volume.transfer.preset;
+  int index = presets->findData("ct-skin");
+  ASSERT_GE(index, 0);
+  presets->setCurrentIndex(index);
+  emit presets->activated(index);
+  EXPECT_EQ(scene().volume.transfer.preset, "ct-skin");
+  mWindow->document().undo();
+  EXPECT_EQ(scene().volume.transfer.preset, before);
+  EXPECT_EQ(presets->currentData().toString().toStdString(), before);
+}
+
+TEST_F(Window, SavedPictureEqualsTheHeadlessOne) {
+  openPhantom();
+  mWindow->document().edit("Add cut", [](scene::Scene& s) { s.cuts.push_back(session::cutFacingCamera(s)); });
+  drag({200, 200}, {260, 180});
+  mWindow->saveSceneTo(path("scene.json"));
+  mWindow->savePictureTo(path("window.png"), {{160, 120}, 2, false, false});
+  ASSERT_TRUE(waitForJob());
+  QProcess batch;
+  batch.start(VELUM_BATCH,
+              {"render", path("scene.json"), "-o", path("batch.png"), "--size", "160x120", "--samples", "2"});
+  ASSERT_TRUE(batch.waitForFinished(60000));
+  ASSERT_EQ(batch.exitCode(), 0) << batch.readAllStandardError().toStdString();
+  ASSERT_FALSE(bytesOf(path("window.png")).isEmpty());
+  EXPECT_EQ(bytesOf(path("window.png")), bytesOf(path("batch.png")));
+  // The picture opens as its scene.
+  scene::Scene before = scene();
+  mWindow->openPaths({path("window.png")});
+  ASSERT_TRUE(waitForJob());
+  EXPECT_EQ(scene().cuts, before.cuts);
+  EXPECT_EQ(scene().camera, before.camera);
+}
+
+TEST_F(Window, BadFileIsNamedInTheMessageBar) {
+  std::ofstream(path("bad.nrrd").toStdString()) << "NRRD0004\nthis is no header\n";
+  mWindow->openPaths({path("bad.nrrd")});
+  ASSERT_TRUE(waitForJob());
+  EXPECT_TRUE(mWindow->messages().isVisible());
+  EXPECT_TRUE(mWindow->messages().text().contains("bad.nrrd")) << mWindow->messages().text().toStdString();
+  EXPECT_FALSE(scene().volume.data);
+}
+
+TEST_F(Window, LoadCanBeCancelledAndWhatWasOpenStays) {
+  openPhantom();
+  scene::Scene before = scene();
+  mWindow->openPhantom("torso", 256);
+  EXPECT_TRUE(mWindow->isBusy());
+  QTest::qWait(150);
+  QTest::keyClick(mWindow.get(), Qt::Key_Escape);
+  ASSERT_TRUE(waitForJob());
+  EXPECT_EQ(scene(), before);
+  EXPECT_FALSE(mWindow->messages().isVisible());
+}
+
+TEST_F(Window, DroppedFilesOpenWithTheVolumeFirst) {
+  QMimeData mime;
+  mime.setUrls({QUrl::fromLocalFile(path("phantom_labels.seg.nrrd")), QUrl::fromLocalFile(path("phantom.nrrd"))});
+  QDragEnterEvent enter({50, 50}, Qt::CopyAction, &mime, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(mWindow.get(), &enter);
+  EXPECT_TRUE(enter.isAccepted());
+  QDropEvent drop({50, 50}, Qt::CopyAction, &mime, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(mWindow.get(), &drop);
+  ASSERT_TRUE(waitForJob());
+  EXPECT_TRUE(scene().volume.data);
+  EXPECT_TRUE(scene().labels.data);
+}
+
+TEST_F(Window, ClosesWhileLoading) {
+  mWindow->openPhantom("torso", 256);
+  QTest::qWait(50);
+  mWindow->close();
+  EXPECT_FALSE(mWindow->isBusy());
+  mWindow.reset();
+}
+
+}  // namespace velum::gui
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  velum::TempFolder runtime;
+  qputenv("XDG_RUNTIME_DIR", runtime.path().c_str());
+  QFile::setPermissions(QString::fromStdString(runtime.path()), QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
+  QStandardPaths::setTestModeEnabled(true);
+  QSurfaceFormat format;
+  format.setVersion(4, 5);
+  format.setProfile(QSurfaceFormat::CoreProfile);
+  QSurfaceFormat::setDefaultFormat(format);
+  qInstallMessageHandler(velum::gui::onMessage);
+  QApplication application(argc, argv);
+  velum::gui::applyTheme(application);
+  return RUN_ALL_TESTS();
+}

@@ -158,8 +158,8 @@ std::vector<Case> makeCases(int n, double aspect, bool withRealData) {
   cases.push_back(makeCase("skin-bone", "skin over bone (trunk phantom)", torso, "ct-skin-bone", aspect));
   cases.push_back(makeCase("vessels", "thin vessels (phantom)", makeCube("vessels", n), "angiography", aspect));
   if (!withRealData) return cases;
-  addRealCase(cases, "/usr/share/invesalius/samples/Cranium.inv3", "cranium", "opaque bone (CT head)", "ct-bone", n,
-              aspect);
+  addRealCase(cases, "/usr/share/doc/invesalius-examples/examples/Cranium.inv3", "cranium", "opaque bone (CT head)",
+              "ct-bone", n, aspect);
   if (const char* folder = std::getenv("VELUM_TEST_DATA"))
     addRealCase(cases, std::filesystem::path(folder) / "volumes/xa_aneurism.vti", "aneurism",
                 "thin vessels (X-ray angiography)", "angiography", n, aspect);

@@ -7,9 +7,9 @@ from velum_cli import CliTest
 class Compare(CliTest):
     def test_equal_different_and_not_comparable(self):
         path = self.sample()
-        self.run_batch("render", path, "-o", "a.png", "--size", "48x48")
-        self.run_batch("render", path, "-o", "b.png", "--size", "48x48", "--view", "superior", "--set", "background.top=1,0,0")
-        self.run_batch("render", path, "-o", "c.png", "--size", "32x48")
+        self.run_batch("render", path, "-o", "a.png", "--size", "48x48", "--set", "lighting.shaded=false")
+        self.run_batch("render", path, "-o", "b.png", "--size", "48x48", "--view", "superior", "--set", "background.top=1,0,0", "--set", "lighting.shaded=false")
+        self.run_batch("render", path, "-o", "c.png", "--size", "32x48", "--set", "lighting.shaded=false")
         report = self.report("compare", "a.png", "a.png")
         self.assertKeys(report, "maxDiff", "failingFraction", "rms")
         self.assertEqual((report["maxDiff"], report["failingFraction"], report["rms"]), (0, 0, 0))

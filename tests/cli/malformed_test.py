@@ -43,7 +43,7 @@ class Malformed(CliTest):
                     lines = [line for line in said.splitlines() if not line.startswith("warning: ")]
                     self.assertEqual(len(lines), 1, said)
                     self.assertTrue(lines[0].startswith("velum-batch: "), said)
-                    self.assertIn(path.name, lines[0])
+                    self.assertIn(str(path.parent), lines[0])  # a file of a DICOM series may fail for another of it
                 self.assertLess(seconds, MOST_SECONDS)
                 self.assertLess(memory, MOST_BYTES)
 

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <charconv>
 #include <csignal>
 #include <cstdio>
 
@@ -54,7 +55,10 @@ scene::RawLayout parseRaw(const std::string& text) {
     }
     if (part == "be" || part == "le") raw.bigEndian = part == "be", known = true;
     if (part == "rgb" || part == "rgba") raw.channels = part == "rgb" ? 3 : 4, known = true;
-    if (part.size() > 1 && part[0] == '+') raw.headerBytes = std::atoi(part.c_str() + 1), known = raw.headerBytes >= 0;
+    if (part.size() > 1 && part[0] == '+') {
+      auto [end, error] = std::from_chars(part.data() + 1, part.data() + part.size(), raw.headerBytes);
+      known = error == std::errc() && end == part.data() + part.size() && raw.headerBytes >= 0;
+    }
     if (!known) fail(fmt::format("'{}' is neither a type, be, le, rgb, rgba nor +bytes", part));
   }
   return raw;

@@ -41,7 +41,7 @@ Run registerConvert(CLI::App& verb) {
   auto options = std::make_shared<ConvertOptions>();
   addCommon(verb, options->common);
   addInput(verb, options->input, false);
-  verb.get_option("input")->expected(1);
+  verb.get_option("input")->expected(1)->allow_extra_args(false);  // the second word is the output
   verb.add_option("output", options->output, "file to write: .nrrd, .nii, .nii.gz, .vti, .vdb")->required();
   verb.add_flag("--labels", options->labels, "the input is labels");
   return [options] { return run(*options); };

@@ -205,6 +205,7 @@ TEST_F(CutsGL, ACutThatIsOffRemovesNothing) {
 TEST_F(CutsGL, TheFaceOfAPlaneHasItsNormal) {
   scene::Scene scene = solidScene(0.0);
   scene.lighting.shaded = true;
+  scene.lighting.shadow = scene.lighting.occlusion = 0;
   for (glm::dvec3 axis : {glm::dvec3(0, -1, 0), glm::dvec3(0.4, -1, 0.3), glm::dvec3(-0.7, -1, -0.2)}) {
     scene.cuts = {cutOf(scene::CutShape::Plane, {0, -4, 0}, axis, {1, 1, 1})};
     Image image = draw(scene, kSize, kAllLayers);

@@ -116,6 +116,7 @@ TEST_F(LabelsGL, LabelsAloneShowTheirStructures) {
     scene::Scene scene = halves();
     scene.volume.data = {};
     scene.lighting.shaded = shaded;
+    scene.lighting.shadow = scene.lighting.occlusion = 0;
     Image image = draw(scene, kSize, kAllLayers);
     EXPECT_GT(colorOf(image, kLeft).a, 0.95f);
     EXPECT_GT(colorOf(image, kLeft).g, 5 * colorOf(image, kLeft).r);

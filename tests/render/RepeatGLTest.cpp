@@ -98,6 +98,7 @@ TEST_F(RepeatGL, WindowsTogetherAreTheWholePicture) {
       scene.rayCast.mode = scene::RenderMode(mode);
       scene.rayCast.isoValue = 400;
       scene.rayCast.samplesPerPixel = 2;
+      scene.lighting.shadow = scene.lighting.occlusion = 0;
       scene.background.transparent = mode == 1;
       // The outlines are drawn lines, whose pixels a driver may choose by the window.
       scene.showBounds = false;
@@ -186,6 +187,7 @@ TEST_F(RepeatGL, AnEmptySceneIsItsBackground) {
 
 TEST_F(RepeatGL, StrangeFramesDrawSomethingOrNothingButDoNotFail) {
   scene::Scene scene = richScene();
+  scene.lighting.shadow = scene.lighting.occlusion = 0;
   scene.rayCast.samplesPerPixel = 1;
   EXPECT_EQ(draw(scene, {1, 1}).pixels.size(), 4u);
   EXPECT_EQ(draw(scene, {300, 1}).width, 300);

@@ -21,6 +21,7 @@ class TransformGL : public RenderTest {
   static scene::Scene bodyScene(Volume volume) {
     scene::Scene scene = sceneOf(std::move(volume));
     scene.lighting.shaded = true;
+    scene.lighting.shadow = scene.lighting.occlusion = 0;  // their grid costs more than the picture
     scene.volume.transfer.colors = {{0, {0.4f, 0.1f, 0.1f}}, {22000, {1, 0.9f, 0.7f}}};
     scene.volume.transfer.opacities = {{4000, 0}, {9000, 0.5}, {20000, 0.9}};
     scene.volume.transfer.unitDistanceMm = 1;
@@ -48,6 +49,7 @@ class TransformGL : public RenderTest {
 
 TEST_F(TransformGL, TurningDataAndCameraTogetherChangesNothing) {
   scene::Scene scene = bodyScene(bodyVolume(kDims, centredFrame(kDims, {0.8, 1, 0.9})));
+  scene.lighting.shadow = scene.lighting.occlusion = 0.6;
   scene::Cut ball;
   ball.shape = scene::CutShape::Sphere;
   ball.centreMm = {3, -12, 3};
@@ -55,8 +57,8 @@ TEST_F(TransformGL, TurningDataAndCameraTogetherChangesNothing) {
   scene.cuts = {ball};
   Image image = draw(scene);
   EXPECT_GT(coverageOf(image), 0.1);
-  for (double angle : {0.5, 1.7, 3.1})
-    for (glm::dvec3 axis : {glm::dvec3(0, 0, 1), glm::dvec3(1, 2, -1)}) {
+  for (double angle : {0.5, 3.1})
+    for (glm::dvec3 axis : {glm::dvec3(1, 2, -1)}) {
       glm::dmat4 turn = glm::rotate(glm::dmat4(1.0), angle, glm::normalize(axis));
       expectSame(draw(moved(scene, turn)), image, 2.0, "angle " + std::to_string(angle));
     }

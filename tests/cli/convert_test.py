@@ -1,0 +1,65 @@
+"""velum-batch convert: what goes in comes out."""
+import unittest
+
+from velum_cli import CliTest
+
+KEPT = ["dims", "type", "spacingMm", "direction", "originMm", "range", "scale", "offset"]
+
+
+class Convert(CliTest):
+    def close(self, a, b, what):
+        if isinstance(a, list):
+            for x, y in zip(a, b, strict=True):
+                self.close(x, y, what)
+        elif isinstance(a, float) or isinstance(b, float):
+            self.assertAlmostEqual(a, b, delta=1e-4 * max(1.0, abs(a)), msg=what)
+        else:
+            self.assertEqual(a, b, what)
+
+    def test_every_writable_format_keeps_the_volume(self):
+        path = self.sample("torso", 32)
+        before = self.report("info", path)
+        for extension in ("nrrd", "nii", "nii.gz", "vti"):
+            with self.subTest(extension=extension):
+                self.run_batch("convert", path, f"b.{extension}")
+                after = self.report("info", f"b.{extension}")
+                for key in KEPT:
+                    self.close(before[key], after[key], f"{key} in {extension}")
+                self.run_batch("convert", f"b.{extension}", "c.nrrd")
+                self.close(before["range"], self.report("info", "c.nrrd")["range"], "there and back")
+
+    def test_there_and_back_draws_the_same_picture(self):
+        path = self.sample("vessels", 32)
+        self.run_batch("convert", path, "b.nii.gz")
+        self.run_batch("convert", "b.nii.gz", "c.nrrd")
+        look = ["--size", "40x40", "--preset", "angiography", "--samples", "1", "--set", "lighting.shaded=false"]
+        self.run_batch("render", path, "-o", "x.png", *look)
+        self.run_batch("render", "c.nrrd", "-o", "y.png", *look)
+        self.run_batch("compare", "x.png", "y.png", "--max-diff", "1", "--max-fraction", "0")
+
+    def test_vdb_keeps_values_and_place(self):
+        path = self.sample("two-spheres", 32)
+        self.run_batch("convert", path, "b.vdb")
+        before, after = self.report("info", path), self.report("info", "b.vdb")
+        self.assertEqual(after["type"], "float32")
+        self.close(before["spacingMm"], after["spacingMm"], "spacing")
+        self.close(before["range"][1], after["range"][1], "range")
+
+    def test_labels_keep_their_names(self):
+        self.sample("torso", 32)
+        before = self.report("info", "torso_labels.seg.nrrd")
+        for name in ("b_labels.nii.gz", "b.seg.nrrd"):
+            self.run_batch("convert", "torso_labels.seg.nrrd", name)
+            after = self.report("info", name)
+            self.assertEqual(after["kind"], "labels", name)
+            self.assertEqual([s["name"] for s in before["structures"]], [s["name"] for s in after["structures"]], name)
+
+    def test_formats_that_are_not_written_exit_2(self):
+        path = self.sample()
+        for name in ("b.dcm", "b", "b.txt", "none/b.nrrd"):
+            with self.subTest(name=name):
+                self.refuse("convert", path, name, code=2, words=[name.split("/")[0]])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,62 @@
+"""velum-batch info."""
+import json
+import struct
+import unittest
+
+from velum_cli import CliTest
+
+
+class Info(CliTest):
+    def test_says_what_a_volume_is(self):
+        report = self.report("info", self.sample("torso", 48))
+        self.assertKeys(report, "kind", "dims", "type", "spacingMm", "originMm", "direction", "range", "channels", "frames")
+        self.assertEqual(report["kind"], "volume")
+        self.assertEqual(max(report["dims"]), 48)
+        self.assertEqual(len(report["direction"]), 9)
+        self.assertLess(report["range"][0], report["range"][1])
+
+    def test_a_raw_file_is_what_its_layout_says(self):
+        (self.folder / "a.raw").write_bytes(bytes(7) + struct.pack(">24H", *range(24)))
+        report = self.report("info", "a.raw", "--raw", "2x3x4:uint16:be:+7", "--spacing", "0.5,1,2")
+        self.assertEqual(report["dims"], [2, 3, 4])
+        self.assertEqual(report["type"], "uint16")
+        self.assertEqual(report["range"], [0, 23])
+        self.assertEqual(report["spacingMm"], [0.5, 1, 2])
+
+    def test_labels_and_their_names(self):
+        self.sample("torso", 48)
+        report = self.report("info", "torso_labels.seg.nrrd")
+        self.assertEqual(report["kind"], "labels")
+        self.assertGreater(len(report["structures"]), 5)
+        self.assertKeys(report["structures"][0], "id", "name", "color", "opacity")
+
+    def test_a_surface(self):
+        (self.folder / "a.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+        report = self.report("info", "a.obj")
+        self.assertEqual((report["kind"], report["triangles"]), ("surface", 1))
+
+    def test_formats_and_presets(self):
+        report = self.report("info", "--formats", "--presets")
+        self.assertTrue(any(row["name"] == "NIfTI" for row in report["formats"]))
+        self.assertTrue(any(row["name"] == "ct-bone" for row in report["presets"]))
+
+    def test_for_people_it_is_text(self):
+        said = self.run_batch("info", self.sample()).stdout.decode()
+        self.assertIn("dims", said)
+        with self.assertRaises(ValueError):
+            json.loads(said)
+
+    def test_a_name_that_is_no_utf8_still_gives_json(self):
+        path = self.sample()
+        strange = bytes(self.folder) + b"/caf\xe9.nrrd"
+        with open(path, "rb") as a, open(strange, "wb") as b:
+            b.write(a.read())
+        import subprocess
+        from velum_cli import PROGRAM
+        done = subprocess.run([PROGRAM.encode(), b"info", strange, b"--json"], capture_output=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        json.loads(done.stdout)
+
+
+if __name__ == "__main__":
+    unittest.main()

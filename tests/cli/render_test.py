@@ -1,0 +1,117 @@
+"""velum-batch render and bench."""
+import json
+import pathlib
+import struct
+import unittest
+
+from velum_cli import CliTest
+
+# Light costs seconds on a software driver and most tests here are not about it.
+FAST = ["--samples", "1", "--set", "lighting.shaded=false"]
+PNG = b"\x89PNG\r\n\x1a\n"
+
+
+class Render(CliTest):
+    def test_report_and_picture(self):
+        report = self.report("render", self.sample(), "-o", "x.png", "--size", "60x40", *FAST)
+        self.assertKeys(report, "renderer", "size", "frameMs", "samples")
+        self.assertEqual(report["size"], [60, 40])
+        data = (self.folder / "x.png").read_bytes()
+        self.assertTrue(data.startswith(PNG))
+        self.assertEqual(struct.unpack(">II", data[16:24]), (60, 40))
+
+    def test_stdout_is_the_same_picture(self):
+        path = self.sample()
+        done = self.run_batch("render", path, "-o", "-", "--size", "48x48", *FAST)
+        self.assertTrue(done.stdout.startswith(PNG))
+        self.run_batch("render", path, "-o", "x.png", "--size", "48x48", *FAST)
+        (self.folder / "y.png").write_bytes(done.stdout)
+        self.run_batch("compare", "x.png", "y.png", "--max-diff", "0", "--max-fraction", "0")
+        with_report = self.run_batch("render", path, "-o", "-", "--size", "48x48", "--json", *FAST)
+        self.assertTrue(with_report.stdout.startswith(PNG))
+        self.assertKeys(json.loads(with_report.stderr), "renderer", "samples")
+
+    def test_the_same_command_gives_the_same_bytes(self):
+        path = self.sample()
+        for name in ("a.png", "b.png"):
+            self.run_batch("render", path, "-o", name, "--size", "64x48", *FAST)
+        self.assertEqual((self.folder / "a.png").read_bytes(), (self.folder / "b.png").read_bytes())
+
+    def test_a_picture_opens_as_its_scene(self):
+        path = self.sample("torso", 40)
+        for first, second in (("x.png", "y.png"), ("x.exr", "y.exr")):
+            with self.subTest(first=first):
+                self.run_batch("render", path, "-o", first, "--size", "64x64", "--preset", "ct-skin", "--view", "oblique", *FAST,
+                               "--set", "cuts.+.axis=0.3,-1,0", "--set", "rayCast.samplesPerPixel=2")
+                self.run_batch("render", first, "-o", second, "--size", "64x64")
+                self.run_batch("compare", first, second, "--max-diff", "0", "--max-fraction", "0")
+                self.assertEqual((self.folder / first).read_bytes(), (self.folder / second).read_bytes())
+
+    def test_a_saved_scene_travels_with_its_data(self):
+        data = self.folder / "a"
+        data.mkdir()
+        self.sample(file="a/two-spheres.nrrd")
+        self.run_batch("render", "a/two-spheres.nrrd", "-o", "x.png", "--size", "48x48", "--save-scene", "a/scene.json", *FAST)
+        scene = json.loads((data / "scene.json").read_text())
+        self.assertEqual(scene["volume"]["source"]["path"], "two-spheres.nrrd")
+        data.rename(self.folder / "b")
+        self.run_batch("render", "b/scene.json", "-o", "y.png", "--size", "48x48")
+        self.run_batch("compare", "x.png", "y.png", "--max-diff", "0", "--max-fraction", "0")
+
+    def test_brute_force_is_the_same_picture(self):
+        path = self.sample("vessels", 48)
+        self.run_batch("render", path, "-o", "fast.png", "--size", "64x64", *FAST)
+        self.run_batch("render", path, "-o", "slow.png", "--size", "64x64", "--brute-force", *FAST)
+        self.run_batch("compare", "fast.png", "slow.png", "--max-diff", "1", "--max-fraction", "0")
+
+    def test_layers_lie_beside_or_in_the_exr(self):
+        path = self.sample()
+        self.run_batch("render", path, "-o", "x.png", "--size", "32x32", "--layers", *FAST)
+        for layer in ("alpha", "normal", "depth", "id", "position"):
+            self.assertTrue((self.folder / f"x.{layer}.png").exists(), layer)
+        self.run_batch("render", path, "-o", "x.exr", "--size", "32x32", "--layers", *FAST)
+        data = (self.folder / "x.exr").read_bytes()
+        for channel in (b"position.X", b"normal.Z", b"id", b"Z"):
+            self.assertIn(channel, data[:4000])
+
+    def test_labels_and_surfaces_join_the_volume(self):
+        path = self.sample("torso", 40)
+        (self.folder / "a.obj").write_text("v -40 0 -40\nv 40 0 -40\nv 0 0 40\nf 1 2 3\n")
+        self.run_batch("render", path, "torso_labels.seg.nrrd", "a.obj", "-o", "x.png", "--size", "48x48", *FAST)
+        self.run_batch("render", path, "-o", "y.png", "--size", "48x48", *FAST)
+        self.run_batch("compare", "x.png", "y.png", code=4)
+
+    def test_transparent_has_an_alpha_channel(self):
+        self.run_batch("render", self.sample(), "-o", "x.png", "--size", "32x32", "--transparent", *FAST)
+        self.assertEqual((self.folder / "x.png").read_bytes()[25], 6, "PNG colour type RGBA")
+
+    def test_an_output_that_cannot_be_written_exits_2(self):
+        path = self.sample()
+        self.refuse("render", path, "-o", "none/x.png", "--size", "16x16", code=2, words=["none"])
+        self.refuse("render", path, "-o", "x.gif", "--size", "16x16", code=2, words=["x.gif"])
+
+    def test_a_picture_without_a_scene_exits_2(self):
+        self.run_batch("render", self.sample(), "-o", "x.png", "--size", "16x16", *FAST)
+        self.run_batch("compare", "x.png", "x.png", "--diff", "d.png")
+        self.refuse("render", "d.png", "-o", "y.png", code=2, words=["d.png", "scene"])
+
+    def test_a_scene_file_that_is_none_exits_2(self):
+        for name, text in (("a.json", "{"), ("b.json", "{}"), ("c.json", '{"velum": 99}'), ("d.json", '{"velum": 1, "camera": 5}'),
+                           ("e.json", '{"velum": 1, "volume": {"source": {"path": "none.nrrd"}}}')):
+            pathlib.Path(self.folder / name).write_text(text)
+            self.refuse("render", name, "-o", "x.png", code=2)
+
+    def test_bench_reports_times(self):
+        report = self.report("bench", self.sample(), "--frames", "2", "--size", "48x32", "--set", "lighting.shaded=false")
+        self.assertKeys(report, "renderer", "frameMs", "passes")
+        self.assertKeys(report["frameMs"], "min", "median", "max")
+        self.assertLessEqual(report["frameMs"]["min"], report["frameMs"]["max"])
+
+    def test_a_reduced_volume_says_so(self):
+        path = self.sample("two-spheres", 64)
+        done = self.run_batch("render", path, "-o", "x.png", "--size", "32x32", *FAST, env={"VELUM_MAX_TEXTURE_3D": "20"})
+        self.assertIn(b"resolution", done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,40 @@
+"""velum-batch sample."""
+import re
+import unittest
+
+from velum_cli import CliTest
+
+
+class Sample(CliTest):
+    def names(self):
+        said = self.run_batch("sample", "--help").stdout.decode()
+        found = re.search(r"((?:[a-z-]+, )+[a-z-]+)", said[said.index("Positionals"):].replace("\n", " "))
+        return re.split(r",\s+", found.group(1))
+
+    def test_every_name_makes_a_volume_with_labels(self):
+        names = self.names()
+        self.assertGreaterEqual(len(names), 6)
+        for name in names:
+            with self.subTest(name=name):
+                report = self.report("sample", name, "-o", f"out/{name}.nrrd", "--voxels", "32")
+                self.assertEqual(report["name"], name)
+                self.assertEqual(len(report["files"]), 2)
+                volume, labels = (self.report("info", file) for file in report["files"])
+                self.assertEqual(volume["kind"], "volume")
+                self.assertEqual(labels["kind"], "labels")
+                self.assertEqual(volume["dims"], labels["dims"])
+                self.assertGreater(len(labels["structures"]), 0)
+
+    def test_the_same_name_and_size_give_the_same_bytes(self):
+        for name in ("a.nrrd", "b.nrrd"):
+            self.run_batch("sample", "vessels", "-o", name, "--voxels", "40")
+        self.assertEqual((self.folder / "a.nrrd").read_bytes(), (self.folder / "b.nrrd").read_bytes())
+
+    def test_unknown_names_and_sizes_exit_1(self):
+        self.assertIn("torso", self.refuse("sample", "nothing", "-o", "x.nrrd", code=1, words=["nothing"]))
+        for voxels in ("3", "-1", "100000"):
+            self.refuse("sample", "torso", "-o", "x.nrrd", "--voxels", voxels, code=1, words=[voxels])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,54 @@
+"""Exit codes and errors of the command line itself."""
+import unittest
+
+from velum_cli import CliTest
+
+VERBS = ["info", "render", "bench", "compare", "sample", "convert", "view"]
+
+
+class Usage(CliTest):
+    def test_wrong_command_lines_exit_1_with_one_line(self):
+        for arguments in ([], ["paint"], ["info", "--no-such-option"], ["render", "a.nrrd"], ["compare", "one.png"], ["sample"],
+                          ["render", "a.nrrd", "-o", "x.png", "--samples", "0"], ["render", "a.nrrd", "-o", "x.png", "--samples", "many"],
+                          ["bench", "a.nrrd", "--frames", "0"], ["compare", "a", "b", "--max-diff", "300"],
+                          ["render", "a.nrrd", "-o", "x.png", "--context", "vulkan"], ["info"]):
+            with self.subTest(arguments=arguments):
+                self.refuse(*arguments, code=1)
+
+    def test_help_and_version_exit_0(self):
+        self.assertIn(b"render", self.run_batch("--help").stdout)
+        self.assertRegex(self.run_batch("--version").stdout, rb"\d+\.\d+\.\d+")
+        for verb in VERBS:
+            self.assertIn(b"--json", self.run_batch(verb, "--help").stdout, verb)
+
+    def test_a_missing_input_exits_2_and_is_named(self):
+        for verb in (["info"], ["render", "-o", "x.png"], ["bench"], ["convert"]):
+            with self.subTest(verb=verb):
+                more = ["out.nrrd"] if verb == ["convert"] else []
+                self.refuse(verb[0], "none.nrrd", *more, *verb[1:], code=2, words=["none.nrrd"])
+
+    def test_sizes_views_and_presets_that_are_none_exit_1(self):
+        path = self.sample()
+        for size in ("0x0", "10", "axb", "-5x5", "10x10x10", "99999x2", "10x"):
+            self.refuse("render", path, "-o", "x.png", "--size", size, code=1, words=[size, "WIDTHxHEIGHT"])
+        self.refuse("render", path, "-o", "x.png", "--view", "front", code=1, words=["front", "anterior"])
+        self.refuse("render", path, "-o", "x.png", "--preset", "bones", code=1, words=["bones", "ct-bone"])
+
+    def test_set_errors_name_path_value_and_choices(self):
+        path = self.sample()
+        for change, words in (("rayCast.mode=cube", ["rayCast.mode", "cube", "mip"]), ("rayCats.mode=mip", ["rayCats", "rayCast"]),
+                              ("rayCast.stepVoxels=99", ["rayCast.stepVoxels", "99"]), ("rayCast", ["rayCast", "path=value"]),
+                              ("camera.eyeMm=1,2", ["camera.eyeMm"]), ("=5", ["camera"]), ("cuts.7.shape=box", ["cuts", "7"])):
+            with self.subTest(change=change):
+                self.refuse("render", path, "-o", "x.png", "--set", change, code=1, words=words)
+        self.assertFalse((self.folder / "x.png").exists())
+
+    def test_a_wrong_raw_layout_exits_1(self):
+        (self.folder / "a.raw").write_bytes(bytes(64))
+        for raw in ("4x4", "4x4x4:float16", "0x4x4:uint8", "4x4x4:uint8:+x"):
+            with self.subTest(raw=raw):
+                self.refuse("info", "a.raw", "--raw", raw, code=1, words=["--raw"])
+
+
+if __name__ == "__main__":
+    unittest.main()

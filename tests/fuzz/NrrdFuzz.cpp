@@ -1,0 +1,5 @@
+#include "FuzzReader.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  return velum::io::fuzzReader(velum::io::readNrrd, data, size);
+}

@@ -22,10 +22,12 @@ float texelAt(vec3 tex) { return textureLod(volumeTexture, tex, 0.0).r; }
 /// Position in the transfer table, 0..kTransferSize-1.
 float tableAt(vec3 tex) { return clamp(texelAt(tex) * frame.valueFromTexel.x + frame.valueFromTexel.y, 0.0, 1.0) * float(kTransferSize - 1); }
 
+/// The label of a position; 0 outside the grid. A ray enters and leaves exactly on the grid's faces: they belong to it.
 uint labelAt(vec3 scenePoint) {
-  ivec3 voxel = ivec3(floor((frame.labelFromScene * vec4(scenePoint, 1.0)).xyz + 0.5));
-  if (any(lessThan(voxel, ivec3(0))) || any(greaterThanEqual(voxel, textureSize(labelTexture, 0)))) return 0u;
-  return texelFetch(labelTexture, voxel, 0).r;
+  vec3 p = (frame.labelFromScene * vec4(scenePoint, 1.0)).xyz + 0.5;
+  ivec3 size = textureSize(labelTexture, 0);
+  if (any(lessThan(p, vec3(-1e-3))) || any(greaterThan(p, vec3(size) + 1e-3))) return 0u;
+  return texelFetch(labelTexture, clamp(ivec3(p), ivec3(0), size - 1), 0).r;
 }
 
 vec4 structureRow(uint label) {

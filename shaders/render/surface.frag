@@ -13,7 +13,8 @@ layout(location = 0) uniform vec4 albedo;  // a: 0 draws it unlit (outlines)
 void main() {
   if (albedo.a > 0.0 && !cutsKeep(scenePoint, 0u)) discard;
   vec3 toPoint = hasFlag(kFlagOrthographic) ? frame.forward.xyz : normalize(scenePoint - frame.eye.xyz);
-  vec3 normal = length(sceneNormal) > 0.0 ? normalize(sceneNormal) : normalize(cross(dFdx(scenePoint), dFdy(scenePoint)));
+  vec3 normal = length(sceneNormal) > 0.0 ? sceneNormal : cross(dFdx(scenePoint), dFdy(scenePoint));
+  normal = length(normal) > 0.0 ? normalize(normal) : -toPoint;  // a line has none
   if (dot(normal, toPoint) > 0.0) normal = -normal;
   vec3 tex = (frame.texFromScene * vec4(scenePoint + normal * frame.lightGrid.w, 1.0)).xyz;
   color = vec4(albedo.a > 0.0 ? shadeSurface(albedo.rgb, normal, -toPoint, tex) : albedo.rgb, 1.0);

@@ -68,19 +68,23 @@ SHARED_FN vec2 cutSlab(float o, float d, float h) {
   return vec2(min(a, b), max(a, b));
 }
 
-/// Roots of a t^2 + 2 b t + c = 0 as an interval, empty (1, -1) where there are none.
+/// Roots of a t^2 + 2 b t + c = 0 in order, empty (1, -1) where there are none. Neither root loses its digits when a is
+/// small, and when a vanishes one of them goes off to the far end of the line, as it should.
 SHARED_FN vec2 cutQuadric(float a, float b, float c) {
   float discriminant = b * b - a * c;
   if (discriminant < 0.0f) return vec2(1.0f, -1.0f);
-  float root = sqrt(discriminant);
-  return vec2((-b - root) / a, (-b + root) / a);
+  float q = -(b + (b < 0.0f ? -1.0f : 1.0f) * sqrt(discriminant));
+  float t0 = q / cutNonZero(a);
+  float t1 = c / cutNonZero(q);
+  return vec2(min(t0, t1), max(t0, t1));
 }
 
 /// The stretch of the line o + t d inside the shape (local frame, every shape is convex): x > y when it misses.
 SHARED_FN vec2 cutShapeInterval(int kind, vec3 half_, vec3 o, vec3 d) {
   if (kind == kCutPlane) {
-    float t = -o.z / cutNonZero(d.z);
-    return d.z > 0.0f ? vec2(t, kCutFar) : vec2(-kCutFar, t);
+    float dz = cutNonZero(d.z);
+    float t = -o.z / dz;
+    return dz > 0.0f ? vec2(t, kCutFar) : vec2(-kCutFar, t);
   }
   if (kind == kCutSphere) return cutQuadric(dot(d, d), dot(o, d), dot(o, o) - half_.x * half_.x);
   if (kind == kCutBox) {
@@ -101,20 +105,14 @@ SHARED_FN vec2 cutShapeInterval(int kind, vec3 half_, vec3 o, vec3 d) {
   float h = 2.0f * half_.z;
   float k2 = half_.x * half_.x / max(h * h, 1e-24f);
   vec2 z = cutSlab(o.z - half_.z, d.z, half_.z);
-  float a = d.x * d.x + d.y * d.y - k2 * d.z * d.z;
+  float a = cutNonZero(d.x * d.x + d.y * d.y - k2 * d.z * d.z);
   float b = o.x * d.x + o.y * d.y - k2 * o.z * d.z;
   float c = o.x * o.x + o.y * o.y - k2 * o.z * o.z;
-  if (abs(a) < 1e-9f) a = a < 0.0f ? -1e-9f : 1e-9f;
-  float discriminant = b * b - a * c;
-  if (discriminant < 0.0f) return a < 0.0f ? z : vec2(1.0f, -1.0f);
-  float root = sqrt(discriminant);
-  float t0 = (-b - root) / a;
-  float t1 = (-b + root) / a;
-  float low = min(t0, t1);
-  float high = max(t0, t1);
-  if (a > 0.0f) return vec2(max(low, z.x), min(high, z.y));
-  // The line runs inside the double cone before `low` and after `high`; the slab keeps the upper nappe.
-  return d.z > 0.0f ? vec2(max(high, z.x), z.y) : vec2(z.x, min(low, z.y));
+  vec2 sides = cutQuadric(a, b, c);
+  if (sides.x > sides.y) return a < 0.0f ? z : sides;
+  if (a > 0.0f) return vec2(max(sides.x, z.x), min(sides.y, z.y));
+  // The line runs inside the double cone before and after its two crossings; the slab keeps the upper nappe.
+  return d.z > 0.0f ? vec2(max(sides.y, z.x), z.y) : vec2(z.x, min(sides.x, z.y));
 }
 
 /// The stretch of a scene-local ray that the cut's shape holds inside it.

@@ -21,6 +21,7 @@
 
 #include "FileTools.h"
 #include "Payload.h"
+#include "PlySoundness.h"
 #include "Readers.h"
 #include "VtkQuiet.h"
 #include "velum/core/Error.h"
@@ -46,12 +47,6 @@ void checkCounts(const Path& path, std::string_view extension) {
     std::from_chars(head.data() + at, head.data() + head.size(), value);
     return value;
   };
-  if (extension == ".ply") {
-    if (!head.starts_with("ply")) refuse(path, "is not a PLY file");
-    for (std::string_view key : {"element vertex", "element face"})
-      if (auto at = head.find(key); at != head.npos && numberAfter(at + key.size()) > double(file.size()))
-        refuseCount(numberAfter(at + key.size()));
-  }
   if (extension == ".stl" && !head.starts_with("solid")) {
     std::uint32_t triangles = 0;
     if (head.size() < 84) refuse(path, "is cut short");
@@ -82,6 +77,7 @@ vtkSmartPointer<vtkPolyData> readWith(const Path& path, Progress& progress) {
 vtkSmartPointer<vtkPolyData> readSurface(const Path& path, Progress& progress) {
   std::string extension = lowerExtension(path);
   checkCounts(path, extension);
+  if (extension == ".ply") checkPly(path);
   if (extension == ".stl") return readWith<vtkSTLReader>(path, progress);
   if (extension == ".ply") return readWith<vtkPLYReader>(path, progress);
   if (extension == ".obj") return readWith<vtkOBJReader>(path, progress);

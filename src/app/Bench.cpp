@@ -44,10 +44,16 @@ int run(const BenchOptions& options) {
   std::sort(times.begin(), times.end());
   double median = times[times.size() / 2];
   if (options.common.json)
-    printJson({{"renderer", renderer.stats().renderer}, {"size", {size.x, size.y}}, {"frames", options.frames}, {"uploadMs", uploadMs},
-               {"frameMs", {{"min", times.front()}, {"median", median}, {"max", times.back()}}}, {"longestStepMs", renderer.stats().longestStepMs}, {"passes", passes}});
+    printJson({{"renderer", renderer.stats().renderer},
+               {"size", {size.x, size.y}},
+               {"frames", options.frames},
+               {"uploadMs", uploadMs},
+               {"frameMs", {{"min", times.front()}, {"median", median}, {"max", times.back()}}},
+               {"longestStepMs", renderer.stats().longestStepMs},
+               {"passes", passes}});
   else
-    fmt::print("{}\n{} frames of {} x {}: {:.1f} ms (min {:.1f}, max {:.1f})\n", renderer.stats().renderer, options.frames, size.x, size.y, median, times.front(), times.back());
+    fmt::print("{}\n{} frames of {} x {}: {:.1f} ms (min {:.1f}, max {:.1f})\n", renderer.stats().renderer,
+               options.frames, size.x, size.y, median, times.front(), times.back());
   return 0;
 }
 
@@ -58,7 +64,9 @@ Run registerBench(CLI::App& verb) {
   addCommon(verb, options->common);
   addInput(verb, options->input, true);
   verb.add_option("--size", options->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
-  verb.add_option("--frames", options->frames, "camera positions round the scene")->check(CLI::Range(1, 10000))->capture_default_str();
+  verb.add_option("--frames", options->frames, "camera positions round the scene")
+      ->check(CLI::Range(1, 10000))
+      ->capture_default_str();
   return [options] { return run(*options); };
 }
 

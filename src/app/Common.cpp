@@ -16,18 +16,24 @@ namespace velum::app {
 void addCommon(CLI::App& verb, Common& common) {
   verb.add_flag("--json", common.json, "report as JSON on stdout");
   verb.add_flag("--verbose", common.verbose, "say what is being done, on stderr");
-  static const std::map<std::string, gpu::ContextKind> kKinds{{"auto", gpu::ContextKind::Auto}, {"egl", gpu::ContextKind::Egl}, {"osmesa", gpu::ContextKind::OsMesa}};
-  verb.add_option("--context", common.context, "how to draw without a display: auto, egl, osmesa")->transform(CLI::CheckedTransformer(kKinds, CLI::ignore_case));
+  static const std::map<std::string, gpu::ContextKind> kKinds{
+      {"auto", gpu::ContextKind::Auto}, {"egl", gpu::ContextKind::Egl}, {"osmesa", gpu::ContextKind::OsMesa}};
+  verb.add_option("--context", common.context, "how to draw without a display: auto, egl, osmesa")
+      ->transform(CLI::CheckedTransformer(kKinds, CLI::ignore_case));
 }
 
 void addInput(CLI::App& verb, InputOptions& input, bool withScene) {
-  verb.add_option("input", input.inputs, "data file, DICOM folder, scene or picture of ours; then labels and surfaces")->required();
+  verb.add_option("input", input.inputs, "data file, DICOM folder, scene or picture of ours; then labels and surfaces")
+      ->required();
   verb.add_option("--series", input.series, "DICOM series UID, when a folder holds several");
-  verb.add_option("--spacing", input.spacing, "voxel spacing x,y,z in mm, over the file's own")->delimiter(',')->expected(3);
+  verb.add_option("--spacing", input.spacing, "voxel spacing x,y,z in mm, over the file's own")
+      ->delimiter(',')
+      ->expected(3);
   verb.add_option("--raw", input.raw, "layout of a file without a header: 256x256x128:uint16[:be][:rgb][:+512]");
   if (!withScene) return;
   verb.add_option("--set", input.sets, "change a scene field: path=value, e.g. rayCast.mode=mip; repeatable");
-  verb.add_option("--labels", input.labels, "read this file as labels, whatever it looks like; with no other input, alone");
+  verb.add_option("--labels", input.labels,
+                  "read this file as labels, whatever it looks like; with no other input, alone");
   verb.get_option("input")->required(false);
   verb.add_option("--preset", input.preset, "look by name, e.g. ct-bone");
   verb.add_option("--view", input.view, "camera: anterior, posterior, left, right, superior, inferior, oblique");
@@ -38,11 +44,15 @@ namespace {
 /// "256x256x128:uint16:be:rgb:+512", the parts after the dimensions in any order.
 scene::RawLayout parseRaw(const std::string& text) {
   scene::RawLayout raw;
-  auto fail = [&](const std::string& what) { throw ArgumentError(fmt::format("--raw {}: {}; expected e.g. 256x256x128:uint16:be:+512", text, what)); };
+  auto fail = [&](const std::string& what) {
+    throw ArgumentError(fmt::format("--raw {}: {}; expected e.g. 256x256x128:uint16:be:+512", text, what));
+  };
   std::size_t colon = text.find(':');
   std::string dims = text.substr(0, colon);
   int read = 0;
-  if (std::sscanf(dims.c_str(), "%dx%dx%d%n", &raw.dims.x, &raw.dims.y, &raw.dims.z, &read) != 3 || std::size_t(read) != dims.size()) fail("the dimensions are not XxYxZ");
+  if (std::sscanf(dims.c_str(), "%dx%dx%d%n", &raw.dims.x, &raw.dims.y, &raw.dims.z, &read) != 3 ||
+      std::size_t(read) != dims.size())
+    fail("the dimensions are not XxYxZ");
   if (raw.dims.x < 1 || raw.dims.y < 1 || raw.dims.z < 1) fail("the dimensions are not positive");
   while (colon != std::string::npos) {
     std::size_t next = text.find(':', colon + 1);
@@ -97,7 +107,8 @@ scene::Source firstSource(const InputOptions& input) {
   source.series = input.series;
   if (!input.raw.empty()) source.raw = parseRaw(input.raw);
   if (!input.spacing.empty()) source.spacingMm = {input.spacing[0], input.spacing[1], input.spacing[2]};
-  if (source.spacingMm.x < 0 || source.spacingMm.y < 0 || source.spacingMm.z < 0) throw ArgumentError("--spacing: millimetres must be positive");
+  if (source.spacingMm.x < 0 || source.spacingMm.y < 0 || source.spacingMm.z < 0)
+    throw ArgumentError("--spacing: millimetres must be positive");
   return source;
 }
 
@@ -126,7 +137,9 @@ scene::Scene openScene(const InputOptions& input, double aspect) {
       if (input.view == name) view = scene::StandardView(i), known = true;
       ++i;
     }
-    if (!known) throw ArgumentError(fmt::format("--view {}: not one of anterior, posterior, left, right, superior, inferior, oblique", input.view));
+    if (!known)
+      throw ArgumentError(fmt::format(
+          "--view {}: not one of anterior, posterior, left, right, superior, inferior, oblique", input.view));
     scene.camera = scene::frameCamera(scene, view, aspect);
   }
   for (const auto& set : input.sets) {
@@ -140,11 +153,14 @@ scene::Scene openScene(const InputOptions& input, double aspect) {
 glm::ivec2 parseSize(const std::string& text) {
   glm::ivec2 size(0);
   int read = 0;
-  if (std::sscanf(text.c_str(), "%dx%d%n", &size.x, &size.y, &read) != 2 || std::size_t(read) != text.size() || size.x < 1 || size.y < 1 || size.x > 65536 || size.y > 65536)
+  if (std::sscanf(text.c_str(), "%dx%d%n", &size.x, &size.y, &read) != 2 || std::size_t(read) != text.size() ||
+      size.x < 1 || size.y < 1 || size.x > 65536 || size.y > 65536)
     throw ArgumentError(fmt::format("--size {}: expected WIDTHxHEIGHT in pixels, 1 to 65536, e.g. 1280x720", text));
   return size;
 }
 
-void printJson(const Json& json) { std::printf("%s\n", json.dump(2, ' ', false, Json::error_handler_t::replace).c_str()); }
+void printJson(const Json& json) {
+  std::printf("%s\n", json.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
+}
 
 }  // namespace velum::app

@@ -20,10 +20,14 @@ int run(const CompareOptions& options) {
   if (!options.diff.empty()) io::writeImage(io::differenceImage(a, b, options.maxDiff), options.diff);
   bool ok = difference.failingFraction <= options.maxFraction;
   if (options.common.json)
-    printJson({{"maxDiff", difference.maxDifference}, {"failingFraction", difference.failingFraction}, {"rms", difference.rms}, {"equal", ok}});
+    printJson({{"maxDiff", difference.maxDifference},
+               {"failingFraction", difference.failingFraction},
+               {"rms", difference.rms},
+               {"equal", ok}});
   else
-    fmt::print("largest difference {:.1f} of 255, {:.4f} % of pixels over {:.1f}, rms {:.3f}: {}\n", difference.maxDifference, difference.failingFraction * 100.0,
-               options.maxDiff, difference.rms, ok ? "equal" : "different");
+    fmt::print("largest difference {:.1f} of 255, {:.4f} % of pixels over {:.1f}, rms {:.3f}: {}\n",
+               difference.maxDifference, difference.failingFraction * 100.0, options.maxDiff, difference.rms,
+               ok ? "equal" : "different");
   return ok ? 0 : static_cast<int>(ExitCode::CompareFailed);
 }
 
@@ -35,8 +39,12 @@ Run registerCompare(CLI::App& verb) {
   verb.add_option("a", options->a, "picture")->required();
   verb.add_option("b", options->b, "picture")->required();
   verb.add_option("--diff", options->diff, "write where they differ as a picture");
-  verb.add_option("--max-diff", options->maxDiff, "difference of a channel that counts as failing, 0 to 255")->check(CLI::Range(0.0, 255.0))->capture_default_str();
-  verb.add_option("--max-fraction", options->maxFraction, "share of failing pixels that is still equal, 0 to 1")->check(CLI::Range(0.0, 1.0))->capture_default_str();
+  verb.add_option("--max-diff", options->maxDiff, "difference of a channel that counts as failing, 0 to 255")
+      ->check(CLI::Range(0.0, 255.0))
+      ->capture_default_str();
+  verb.add_option("--max-fraction", options->maxFraction, "share of failing pixels that is still equal, 0 to 1")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
   return [options] { return run(*options); };
 }
 

@@ -34,28 +34,54 @@ Json directionRows(const glm::dmat3& d) {
 }
 
 Json describe(const Volume& v) {
-  Json json = {{"kind", "volume"}, {"name", v.name}, {"dims", list(v.dims, 3)}, {"type", std::string(enumName(v.type))}, {"spacingMm", list(spacingMm(v), 3)},
-               {"originMm", list(glm::dvec3(v.worldFromVoxel[3]), 3)}, {"direction", directionRows(direction(v))}, {"range", list(v.range, 2)},
-               {"channels", v.channels}, {"frames", v.frames}, {"frameSeconds", v.frameSeconds}, {"unit", v.unit}, {"modality", std::string(enumName(v.modality))},
-               {"color", v.isColor}, {"scale", v.scale}, {"offset", v.offset}, {"spacingKnown", v.isSpacingKnown}, {"orientationKnown", v.isOrientationKnown},
-               {"channelNames", v.channelNames}, {"preset", std::string(scene::choosePreset(v))}, {"warnings", v.warnings}};
+  Json json = {{"kind", "volume"},
+               {"name", v.name},
+               {"dims", list(v.dims, 3)},
+               {"type", std::string(enumName(v.type))},
+               {"spacingMm", list(spacingMm(v), 3)},
+               {"originMm", list(glm::dvec3(v.worldFromVoxel[3]), 3)},
+               {"direction", directionRows(direction(v))},
+               {"range", list(v.range, 2)},
+               {"channels", v.channels},
+               {"frames", v.frames},
+               {"frameSeconds", v.frameSeconds},
+               {"unit", v.unit},
+               {"modality", std::string(enumName(v.modality))},
+               {"color", v.isColor},
+               {"scale", v.scale},
+               {"offset", v.offset},
+               {"spacingKnown", v.isSpacingKnown},
+               {"orientationKnown", v.isOrientationKnown},
+               {"channelNames", v.channelNames},
+               {"preset", std::string(scene::choosePreset(v))},
+               {"warnings", v.warnings}};
   return json;
 }
 
 Json describe(const LabelVolume& labels) {
   Json structures = Json::array();
   for (const auto& info : labels.table)
-    structures.push_back({{"id", info.id}, {"name", info.name}, {"color", list(info.color, 3)}, {"opacity", info.opacity}});
+    structures.push_back(
+        {{"id", info.id}, {"name", info.name}, {"color", list(info.color, 3)}, {"opacity", info.opacity}});
   glm::dmat3 m(labels.worldFromVoxel());
   glm::dvec3 spacing(glm::length(m[0]), glm::length(m[1]), glm::length(m[2]));
   glm::dmat3 unit(m[0] / spacing.x, m[1] / spacing.y, m[2] / spacing.z);
-  return {{"kind", "labels"}, {"name", labels.name}, {"dims", list(labels.dims(), 3)}, {"spacingMm", list(spacing, 3)},
-          {"originMm", list(glm::dvec3(labels.worldFromVoxel()[3]), 3)}, {"direction", directionRows(unit)}, {"storedBytes", labels.storedBytes()},
-          {"structures", structures}, {"warnings", labels.warnings}};
+  return {{"kind", "labels"},
+          {"name", labels.name},
+          {"dims", list(labels.dims(), 3)},
+          {"spacingMm", list(spacing, 3)},
+          {"originMm", list(glm::dvec3(labels.worldFromVoxel()[3]), 3)},
+          {"direction", directionRows(unit)},
+          {"storedBytes", labels.storedBytes()},
+          {"structures", structures},
+          {"warnings", labels.warnings}};
 }
 
 Json describe(const Mesh& mesh) {
-  return {{"kind", "surface"}, {"name", mesh.name}, {"vertices", mesh.positions.size()}, {"triangles", mesh.indices.size() / 3}};
+  return {{"kind", "surface"},
+          {"name", mesh.name},
+          {"vertices", mesh.positions.size()},
+          {"triangles", mesh.indices.size() / 3}};
 }
 
 void printForPeople(const Json& json) {
@@ -73,9 +99,15 @@ Json listTables(const InfoOptions& options) {
   Json json = Json::object();
   if (options.formats)
     for (const auto& format : io::formats())
-      json["formats"].push_back({{"name", std::string(format.name)}, {"extensions", std::string(format.extensions)}, {"read", format.canRead}, {"write", format.canWrite}});
+      json["formats"].push_back({{"name", std::string(format.name)},
+                                 {"extensions", std::string(format.extensions)},
+                                 {"read", format.canRead},
+                                 {"write", format.canWrite}});
   if (options.presets)
-    for (const auto& preset : scene::presets()) json["presets"].push_back({{"name", std::string(preset.name)}, {"title", std::string(preset.title)}, {"modality", std::string(enumName(preset.modality))}});
+    for (const auto& preset : scene::presets())
+      json["presets"].push_back({{"name", std::string(preset.name)},
+                                 {"title", std::string(preset.title)},
+                                 {"modality", std::string(enumName(preset.modality))}});
   return json;
 }
 
@@ -88,18 +120,28 @@ int run(const InfoOptions& options) {
     scene::Source source = firstSource(options.input);
     Progress& progress = consoleProgress();
     std::filesystem::path path(source.path);
-    if (!std::filesystem::exists(path)) throw InputError(fmt::format("{}: there is no such file or folder", source.path));
+    if (!std::filesystem::exists(path))
+      throw InputError(fmt::format("{}: there is no such file or folder", source.path));
     std::string extension = path.extension().string();
-    if (extension == ".stl" || extension == ".ply" || extension == ".obj" || extension == ".vtp") json = describe(io::readMesh(path, progress));
-    else if (source.raw.dims.x == 0 && (options.labels || io::looksLikeLabels(path))) json = describe(io::readLabels(source, progress));
-    else json = describe(io::readVolume(source, progress));
+    if (extension == ".stl" || extension == ".ply" || extension == ".obj" || extension == ".vtp")
+      json = describe(io::readMesh(path, progress));
+    else if (source.raw.dims.x == 0 && (options.labels || io::looksLikeLabels(path)))
+      json = describe(io::readLabels(source, progress));
+    else
+      json = describe(io::readVolume(source, progress));
     auto series = io::listSeries(path, progress);
     progress.report(1.0, "");
     for (const auto& s : series)
-      json["series"].push_back({{"uid", s.uid}, {"description", s.description}, {"modality", s.modality}, {"images", s.imageCount}, {"size", list(s.size, 2)}});
+      json["series"].push_back({{"uid", s.uid},
+                                {"description", s.description},
+                                {"modality", s.modality},
+                                {"images", s.imageCount},
+                                {"size", list(s.size, 2)}});
   }
-  if (options.common.json) printJson(json);
-  else printForPeople(json);
+  if (options.common.json)
+    printJson(json);
+  else
+    printForPeople(json);
   return 0;
 }
 

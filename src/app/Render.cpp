@@ -29,7 +29,8 @@ std::vector<std::string> outputNames(const RenderOptions& options) {
   std::vector<std::string> names;
   std::filesystem::path path(options.output);
   for (int i = 0; i < options.frames; ++i)
-    names.push_back((path.parent_path() / fmt::format("{}-{:04}{}", path.stem().string(), i, path.extension().string())).string());
+    names.push_back(
+        (path.parent_path() / fmt::format("{}-{:04}{}", path.stem().string(), i, path.extension().string())).string());
   return names;
 }
 
@@ -65,11 +66,21 @@ int run(const RenderOptions& options) {
   const render::Stats& stats = renderer.stats();
   if (!stats.reduction.empty()) fmt::print(stderr, "note: {}\n", stats.reduction);
   if (options.common.json) {
-    Json json = {{"renderer", stats.renderer}, {"size", {size.x, size.y}}, {"frameMs", stats.frameMs}, {"uploadMs", stats.uploadMs}, {"totalMs", ms},
-                 {"samples", stats.samples}, {"longestStepMs", stats.longestStepMs}, {"passes", stats.passesMs}, {"reduction", stats.reduction}, {"output", options.output}};
+    Json json = {{"renderer", stats.renderer},
+                 {"size", {size.x, size.y}},
+                 {"frameMs", stats.frameMs},
+                 {"uploadMs", stats.uploadMs},
+                 {"totalMs", ms},
+                 {"samples", stats.samples},
+                 {"longestStepMs", stats.longestStepMs},
+                 {"passes", stats.passesMs},
+                 {"reduction", stats.reduction},
+                 {"output", options.output}};
     if (options.frames > 0) json["outputs"] = outputs;
-    if (options.output != "-") printJson(json);
-    else fmt::print(stderr, "{}\n", json.dump());
+    if (options.output != "-")
+      printJson(json);
+    else
+      fmt::print(stderr, "{}\n", json.dump());
   }
   return 0;
 }
@@ -80,13 +91,18 @@ Run registerRender(CLI::App& verb) {
   auto options = std::make_shared<RenderOptions>();
   addCommon(verb, options->common);
   addInput(verb, options->input, true);
-  verb.add_option("-o,--output", options->output, "picture to write: .png, .tif, .exr; - writes PNG to stdout")->required();
+  verb.add_option("-o,--output", options->output, "picture to write: .png, .tif, .exr; - writes PNG to stdout")
+      ->required();
   verb.add_option("--size", options->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
-  verb.add_option("--samples", options->samples, "pictures that are averaged, 1 to 256; default: as the scene says")->check(CLI::Range(1, 256));
-  verb.add_option("--frames", options->frames, "an animation: NAME-0000 ..., through the time steps or once round")->check(CLI::Range(1, 9999));
-  verb.add_flag("--layers", options->layers, "also alpha, normal, depth, structure id, position: in the EXR, or as PNGs beside");
+  verb.add_option("--samples", options->samples, "pictures that are averaged, 1 to 256; default: as the scene says")
+      ->check(CLI::Range(1, 256));
+  verb.add_option("--frames", options->frames, "an animation: NAME-0000 ..., through the time steps or once round")
+      ->check(CLI::Range(1, 9999));
+  verb.add_flag("--layers", options->layers,
+                "also alpha, normal, depth, structure id, position: in the EXR, or as PNGs beside");
   verb.add_flag("--transparent", options->transparent, "no background, with alpha");
-  verb.add_flag("--brute-force", options->bruteForce, "without skipping and early ends: the reference for every acceleration");
+  verb.add_flag("--brute-force", options->bruteForce,
+                "without skipping and early ends: the reference for every acceleration");
   verb.add_option("--save-scene", options->saveScene, "write the scene as JSON, too");
   return [options] { return run(*options); };
 }

@@ -33,8 +33,10 @@ int run(const SampleOptions& options) {
   labels.replace_filename(stem + "_labels" + (extension == ".nii" || extension == ".nii.gz" ? extension : ".seg.nrrd"));
   io::writeLabels(sample.labels, labels, progress);
   progress.report(1.0, "");
-  if (options.common.json) printJson({{"name", options.name}, {"files", {path.string(), labels.string()}}});
-  else fmt::print("{}\n{}\n", path.string(), labels.string());
+  if (options.common.json)
+    printJson({{"name", options.name}, {"files", {path.string(), labels.string()}}});
+  else
+    fmt::print("{}\n{}\n", path.string(), labels.string());
   return 0;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -24,10 +24,10 @@ struct Common {
 /// What verbs that open data take.
 struct InputOptions {
   std::vector<std::string> inputs;
-  std::vector<std::string> sets;      ///< path=value
+  std::vector<std::string> sets;  ///< path=value
   std::string series, preset, view, labels;
   std::vector<double> spacing;
-  std::string raw;                    ///< "XxYxZ:type[:be][:+header]"
+  std::string raw;  ///< "XxYxZ:type[:be][:+header]"
 };
 
 void addCommon(CLI::App& verb, Common& common);

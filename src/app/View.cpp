@@ -39,10 +39,14 @@ void onCursor(GLFWwindow* window, double x, double y) {
   bool middle = glfwGetMouseButton(window, GLFW_MOUSE_BUTTON_MIDDLE) == GLFW_PRESS;
   bool right = glfwGetMouseButton(window, GLFW_MOUSE_BUTTON_RIGHT) == GLFW_PRESS;
   auto& camera = viewer.scene.camera;
-  if (middle || (left && shift)) camera = scene::pan(camera, delta);
-  else if (left) camera = scene::orbit(camera, delta);
-  else if (right) camera = scene::zoom(camera, std::exp(2.0 * delta.y));
-  else return;
+  if (middle || (left && shift))
+    camera = scene::pan(camera, delta);
+  else if (left)
+    camera = scene::orbit(camera, delta);
+  else if (right)
+    camera = scene::zoom(camera, std::exp(2.0 * delta.y));
+  else
+    return;
   viewer.moved = true;
 }
 
@@ -58,13 +62,27 @@ void onKey(GLFWwindow* window, int key, int, int action, int) {
   auto view = [&](scene::StandardView side) { viewer.scene.camera = scene::frameCamera(viewer.scene, side, 1.6); };
   switch (key) {
     case GLFW_KEY_ESCAPE:
-    case GLFW_KEY_Q: glfwSetWindowShouldClose(window, GLFW_TRUE); break;
-    case GLFW_KEY_1: view(scene::StandardView::Anterior); break;
-    case GLFW_KEY_2: view(scene::StandardView::Posterior); break;
-    case GLFW_KEY_3: view(scene::StandardView::Left); break;
-    case GLFW_KEY_4: view(scene::StandardView::Right); break;
-    case GLFW_KEY_5: view(scene::StandardView::Superior); break;
-    case GLFW_KEY_6: view(scene::StandardView::Inferior); break;
+    case GLFW_KEY_Q:
+      glfwSetWindowShouldClose(window, GLFW_TRUE);
+      break;
+    case GLFW_KEY_1:
+      view(scene::StandardView::Anterior);
+      break;
+    case GLFW_KEY_2:
+      view(scene::StandardView::Posterior);
+      break;
+    case GLFW_KEY_3:
+      view(scene::StandardView::Left);
+      break;
+    case GLFW_KEY_4:
+      view(scene::StandardView::Right);
+      break;
+    case GLFW_KEY_5:
+      view(scene::StandardView::Superior);
+      break;
+    case GLFW_KEY_6:
+      view(scene::StandardView::Inferior);
+      break;
     case GLFW_KEY_M: {
       auto& mode = viewer.scene.rayCast.mode;
       mode = mode == scene::RenderMode::Volume ? scene::RenderMode::Mip : scene::RenderMode::Volume;
@@ -72,10 +90,12 @@ void onKey(GLFWwindow* window, int key, int, int action, int) {
     }
     case GLFW_KEY_P: {
       auto& projection = viewer.scene.camera.projection;
-      projection = projection == scene::Projection::Perspective ? scene::Projection::Orthographic : scene::Projection::Perspective;
+      projection = projection == scene::Projection::Perspective ? scene::Projection::Orthographic
+                                                                : scene::Projection::Perspective;
       break;
     }
-    default: return;
+    default:
+      return;
   }
   viewer.moved = true;
 }
@@ -96,11 +116,13 @@ int run(const ViewOptions& options) {
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-  GLFWwindow* window = glfwCreateWindow(size.x, size.y, fmt::format("Velum - {}", options.input.inputs.front()).c_str(), nullptr, nullptr);
+  GLFWwindow* window = glfwCreateWindow(size.x, size.y, fmt::format("Velum - {}", options.input.inputs.front()).c_str(),
+                                        nullptr, nullptr);
   if (!window) throw gpu::GpuError("view: the display offers no OpenGL 4.5 core context; use velum-batch render");
   glfwMakeContextCurrent(window);
   {
-    auto context = gpu::Context::adopt([](const char* name) { return reinterpret_cast<void*>(glfwGetProcAddress(name)); });
+    auto context =
+        gpu::Context::adopt([](const char* name) { return reinterpret_cast<void*>(glfwGetProcAddress(name)); });
     render::Renderer fine(*context), coarse(*context);
     glfwSetWindowUserPointer(window, &viewer);
     glfwSetCursorPosCallback(window, onCursor);
@@ -108,8 +130,10 @@ int run(const ViewOptions& options) {
     glfwSetKeyCallback(window, onKey);
     bool done = false;
     while (!glfwWindowShouldClose(window)) {
-      if (done && !viewer.moved) glfwWaitEvents();
-      else glfwPollEvents();
+      if (done && !viewer.moved)
+        glfwWaitEvents();
+      else
+        glfwPollEvents();
       render::Frame frame;
       frame.scene = viewer.scene;
       glfwGetFramebufferSize(window, &frame.pictureSize.x, &frame.pictureSize.y);

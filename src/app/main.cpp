@@ -40,7 +40,8 @@ int main(int argc, char** argv) {
   try {
     for (auto& [verb, run] : verbs) {
       if (!verb->parsed()) continue;
-      if (auto* verbose = verb->get_option_no_throw("--verbose"); verbose && verbose->count() > 0) log::setVerbose(true);
+      if (auto* verbose = verb->get_option_no_throw("--verbose"); verbose && verbose->count() > 0)
+        log::setVerbose(true);
       return run();
     }
   } catch (const Cancelled&) {

@@ -17,15 +17,18 @@ std::size_t inBrick(glm::ivec3 v) { return (std::size_t(v.z) * kSize + std::size
 
 }  // namespace
 
-LabelVolume::LabelVolume(glm::ivec3 dims, const glm::dmat4& worldFromVoxel) : mDims(dims), mWorldFromVoxel(worldFromVoxel) {
-  if (dims.x < 1 || dims.y < 1 || dims.z < 1) throw ArgumentError("a label volume needs at least one voxel along each axis");
+LabelVolume::LabelVolume(glm::ivec3 dims, const glm::dmat4& worldFromVoxel)
+    : mDims(dims), mWorldFromVoxel(worldFromVoxel) {
+  if (dims.x < 1 || dims.y < 1 || dims.z < 1)
+    throw ArgumentError("a label volume needs at least one voxel along each axis");
   mBrickGrid = (dims + kSize - 1) / kSize;
   Shared<Brick> zero(Brick{0});
   mBricks.assign(std::size_t(mBrickGrid.x) * std::size_t(mBrickGrid.y) * std::size_t(mBrickGrid.z), zero);
 }
 
 std::size_t LabelVolume::brickIndex(glm::ivec3 i) const {
-  return (std::size_t(i.z) * std::size_t(mBrickGrid.y) + std::size_t(i.y)) * std::size_t(mBrickGrid.x) + std::size_t(i.x);
+  return (std::size_t(i.z) * std::size_t(mBrickGrid.y) + std::size_t(i.y)) * std::size_t(mBrickGrid.x) +
+         std::size_t(i.x);
 }
 
 const LabelVolume::Brick& LabelVolume::brick(glm::ivec3 index) const { return *mBricks[brickIndex(index)]; }
@@ -54,10 +57,14 @@ void LabelVolume::write(glm::ivec3 origin, glm::ivec3 size, std::span<const std:
         glm::ivec3 low = glm::max(origin, corner), high = glm::min(end, corner + kSize);
         for (int z = low.z; z < high.z; ++z)
           for (int y = low.y; y < high.y; ++y) {
-            std::size_t from = (std::size_t(z - origin.z) * std::size_t(size.y) + std::size_t(y - origin.y)) * std::size_t(size.x) + std::size_t(low.x - origin.x);
-            std::copy_n(ids.data() + from, high.x - low.x, b.begin() + std::ptrdiff_t(inBrick(glm::ivec3(low.x, y, z) - corner)));
+            std::size_t from =
+                (std::size_t(z - origin.z) * std::size_t(size.y) + std::size_t(y - origin.y)) * std::size_t(size.x) +
+                std::size_t(low.x - origin.x);
+            std::copy_n(ids.data() + from, high.x - low.x,
+                        b.begin() + std::ptrdiff_t(inBrick(glm::ivec3(low.x, y, z) - corner)));
           }
-        // Voxels of an edge brick that lie outside the grid take the brick's first id, so that they never keep it unfolded.
+        // Voxels of an edge brick that lie outside the grid take the brick's first id, so that they never keep it
+        // unfolded.
         glm::ivec3 inside = glm::min(mDims - corner, glm::ivec3(kSize));
         bool uniform = true;
         for (int z = 0; z < inside.z && uniform; ++z)
@@ -78,7 +85,8 @@ void LabelVolume::read(glm::ivec3 origin, glm::ivec3 size, std::span<std::uint16
     throw ArgumentError("too little room for the box to read");
   for (int z = origin.z; z < end.z; ++z)
     for (int y = origin.y; y < end.y; ++y) {
-      std::size_t to = (std::size_t(z - origin.z) * std::size_t(size.y) + std::size_t(y - origin.y)) * std::size_t(size.x);
+      std::size_t to =
+          (std::size_t(z - origin.z) * std::size_t(size.y) + std::size_t(y - origin.y)) * std::size_t(size.x);
       for (int x = origin.x; x < end.x;) {
         glm::ivec3 index = glm::ivec3(x, y, z) / kSize;
         int run = std::min(end.x, (index.x + 1) * kSize) - x;
@@ -86,7 +94,8 @@ void LabelVolume::read(glm::ivec3 origin, glm::ivec3 size, std::span<std::uint16
         if (b.size() == 1)
           std::fill_n(ids.begin() + std::ptrdiff_t(to), run, b[0]);
         else
-          std::copy_n(b.begin() + std::ptrdiff_t(inBrick(glm::ivec3(x, y, z) - index * kSize)), run, ids.begin() + std::ptrdiff_t(to));
+          std::copy_n(b.begin() + std::ptrdiff_t(inBrick(glm::ivec3(x, y, z) - index * kSize)), run,
+                      ids.begin() + std::ptrdiff_t(to));
         to += std::size_t(run);
         x += run;
       }
@@ -106,7 +115,8 @@ std::vector<std::uint16_t> LabelVolume::idsInUse() const {
     for (int by = 0; by < mBrickGrid.y; ++by)
       for (int bx = 0; bx < mBrickGrid.x; ++bx) {
         const Brick& b = brick({bx, by, bz});
-        glm::ivec3 inside = b.size() == 1 ? glm::ivec3(1) : glm::min(mDims - glm::ivec3(bx, by, bz) * kSize, glm::ivec3(kSize));
+        glm::ivec3 inside =
+            b.size() == 1 ? glm::ivec3(1) : glm::min(mDims - glm::ivec3(bx, by, bz) * kSize, glm::ivec3(kSize));
         for (int z = 0; z < inside.z; ++z)
           for (int y = 0; y < inside.y; ++y)
             for (int x = 0; x < inside.x; ++x) used->set(b.size() == 1 ? b[0] : b[inBrick({x, y, z})]);
@@ -119,8 +129,9 @@ std::vector<std::uint16_t> LabelVolume::idsInUse() const {
 
 glm::vec3 defaultLabelColor(std::uint16_t id) {
   // Okabe and Ito's eight without black, then the same hues lightened or darkened by the turn.
-  static constexpr float kBase[][3] = {{0.90f, 0.62f, 0.00f}, {0.34f, 0.71f, 0.91f}, {0.00f, 0.62f, 0.45f}, {0.94f, 0.89f, 0.26f},
-                                       {0.00f, 0.45f, 0.70f}, {0.84f, 0.37f, 0.00f}, {0.80f, 0.47f, 0.65f}};
+  static constexpr float kBase[][3] = {{0.90f, 0.62f, 0.00f}, {0.34f, 0.71f, 0.91f}, {0.00f, 0.62f, 0.45f},
+                                       {0.94f, 0.89f, 0.26f}, {0.00f, 0.45f, 0.70f}, {0.84f, 0.37f, 0.00f},
+                                       {0.80f, 0.47f, 0.65f}};
   constexpr int kCount = 7;
   if (id == 0) return glm::vec3(0.0f);
   const float* base = kBase[(id - 1) % kCount];

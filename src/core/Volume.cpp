@@ -67,7 +67,9 @@ glm::dmat3 direction(const Volume& volume) {
 }
 
 double valueAt(const Volume& volume, glm::ivec3 voxel, int channel, int frame) {
-  std::size_t index = (std::size_t(voxel.z) * std::size_t(volume.dims.y) + std::size_t(voxel.y)) * std::size_t(volume.dims.x) + std::size_t(voxel.x);
+  std::size_t index =
+      (std::size_t(voxel.z) * std::size_t(volume.dims.y) + std::size_t(voxel.y)) * std::size_t(volume.dims.x) +
+      std::size_t(voxel.x);
   index = (index + std::size_t(frame) * voxelCount(volume)) * std::size_t(volume.channels) + std::size_t(channel);
   return visitSamples(volume, [&](auto* p) { return double(p[index]) * volume.scale + volume.offset; });
 }

@@ -51,7 +51,8 @@ void Framebuffer::bind() const {
 }
 
 void present(const Framebuffer& source, unsigned target, glm::ivec2 size) {
-  gl().BlitNamedFramebuffer(source.id(), target, 0, 0, source.size().x, source.size().y, 0, size.y, size.x, 0, GL_COLOR_BUFFER_BIT, GL_LINEAR);
+  gl().BlitNamedFramebuffer(source.id(), target, 0, 0, source.size().x, source.size().y, 0, size.y, size.x, 0,
+                            GL_COLOR_BUFFER_BIT, GL_LINEAR);
 }
 
 }  // namespace velum::gpu

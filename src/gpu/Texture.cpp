@@ -15,18 +15,27 @@ struct FormatRow {
 };
 
 const FormatRow& row(Format format) {
-  static constexpr FormatRow kRows[] = {
-      {GL_R8, GL_RED, GL_UNSIGNED_BYTE, 1},       {GL_RG8, GL_RG, GL_UNSIGNED_BYTE, 2},
-      {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 4},   {GL_R16, GL_RED, GL_UNSIGNED_SHORT, 2},
-      {GL_R16F, GL_RED, GL_HALF_FLOAT, 2},        {GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT, 8},
-      {GL_R32F, GL_RED, GL_FLOAT, 4},             {GL_RG32F, GL_RG, GL_FLOAT, 8},
-      {GL_RGBA32F, GL_RGBA, GL_FLOAT, 16},        {GL_R8UI, GL_RED_INTEGER, GL_UNSIGNED_BYTE, 1}, {GL_RG8UI, GL_RG_INTEGER, GL_UNSIGNED_BYTE, 2},
-      {GL_R16UI, GL_RED_INTEGER, GL_UNSIGNED_SHORT, 2}, {GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, 4}, {GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT, 16},
-      {GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT, 4}};
+  static constexpr FormatRow kRows[] = {{GL_R8, GL_RED, GL_UNSIGNED_BYTE, 1},
+                                        {GL_RG8, GL_RG, GL_UNSIGNED_BYTE, 2},
+                                        {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 4},
+                                        {GL_R16, GL_RED, GL_UNSIGNED_SHORT, 2},
+                                        {GL_R16F, GL_RED, GL_HALF_FLOAT, 2},
+                                        {GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT, 8},
+                                        {GL_R32F, GL_RED, GL_FLOAT, 4},
+                                        {GL_RG32F, GL_RG, GL_FLOAT, 8},
+                                        {GL_RGBA32F, GL_RGBA, GL_FLOAT, 16},
+                                        {GL_R8UI, GL_RED_INTEGER, GL_UNSIGNED_BYTE, 1},
+                                        {GL_RG8UI, GL_RG_INTEGER, GL_UNSIGNED_BYTE, 2},
+                                        {GL_R16UI, GL_RED_INTEGER, GL_UNSIGNED_SHORT, 2},
+                                        {GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, 4},
+                                        {GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT, 16},
+                                        {GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT, 4}};
   return kRows[static_cast<int>(format)];
 }
 
-bool isInteger(Format f) { return f == Format::R8ui || f == Format::Rg8ui || f == Format::R16ui || f == Format::R32ui || f == Format::Rgba32ui; }
+bool isInteger(Format f) {
+  return f == Format::R8ui || f == Format::Rg8ui || f == Format::R16ui || f == Format::R32ui || f == Format::Rgba32ui;
+}
 
 unsigned createTexture(GLenum target, std::string_view label, Filter filter) {
   unsigned id = 0;
@@ -35,7 +44,8 @@ unsigned createTexture(GLenum target, std::string_view label, Filter filter) {
   int mode = filter == Filter::Linear ? GL_LINEAR : GL_NEAREST;
   gl().TextureParameteri(id, GL_TEXTURE_MIN_FILTER, mode);
   gl().TextureParameteri(id, GL_TEXTURE_MAG_FILTER, mode);
-  for (GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R}) gl().TextureParameteri(id, axis, GL_CLAMP_TO_EDGE);
+  for (GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
+    gl().TextureParameteri(id, axis, GL_CLAMP_TO_EDGE);
   return id;
 }
 
@@ -46,8 +56,9 @@ void drainErrors() {
 
 void checkMemory(std::string_view label, glm::ivec3 size, std::size_t bytes) {
   if (gl().GetError() == GL_NO_ERROR) return;
-  throw GpuError(fmt::format("the driver has no memory for {} ({} x {} x {}, {} MiB): lower VELUM_GPU_MEMORY_MB or use a smaller picture", label,
-                             size.x, size.y, size.z, bytes >> 20));
+  throw GpuError(fmt::format(
+      "the driver has no memory for {} ({} x {} x {}, {} MiB): lower VELUM_GPU_MEMORY_MB or use a smaller picture",
+      label, size.x, size.y, size.z, bytes >> 20));
 }
 
 }  // namespace
@@ -59,7 +70,8 @@ void deleteTexture(unsigned id) {
 }
 
 Texture Texture::make2d(std::string_view label, Format format, glm::ivec2 size, Filter filter) {
-  Texture texture(createTexture(GL_TEXTURE_2D, label, isInteger(format) ? Filter::Nearest : filter), format, {size, 1}, false);
+  Texture texture(createTexture(GL_TEXTURE_2D, label, isInteger(format) ? Filter::Nearest : filter), format, {size, 1},
+                  false);
   drainErrors();
   gl().TextureStorage2D(texture.id(), 1, row(format).internal, size.x, size.y);
   checkMemory(label, texture.mSize, std::size_t(size.x) * std::size_t(size.y) * row(format).bytes);
@@ -67,7 +79,8 @@ Texture Texture::make2d(std::string_view label, Format format, glm::ivec2 size, 
 }
 
 Texture Texture::make3d(std::string_view label, Format format, glm::ivec3 size, Filter filter) {
-  Texture texture(createTexture(GL_TEXTURE_3D, label, isInteger(format) ? Filter::Nearest : filter), format, size, true);
+  Texture texture(createTexture(GL_TEXTURE_3D, label, isInteger(format) ? Filter::Nearest : filter), format, size,
+                  true);
   drainErrors();
   gl().TextureStorage3D(texture.id(), 1, row(format).internal, size.x, size.y, size.z);
   checkMemory(label, size, std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z) * row(format).bytes);
@@ -101,7 +114,8 @@ void Texture::bindSampler(unsigned unit) const { gl().BindTextureUnit(unit, id()
 
 void Texture::bindImage(unsigned unit, Access access) const {
   static constexpr GLenum kAccess[] = {GL_READ_ONLY, GL_WRITE_ONLY, GL_READ_WRITE};
-  gl().BindImageTexture(unit, id(), 0, mIs3d ? GL_TRUE : GL_FALSE, 0, kAccess[static_cast<int>(access)], row(mFormat).internal);
+  gl().BindImageTexture(unit, id(), 0, mIs3d ? GL_TRUE : GL_FALSE, 0, kAccess[static_cast<int>(access)],
+                        row(mFormat).internal);
 }
 
 }  // namespace velum::gpu

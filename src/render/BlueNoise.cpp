@@ -39,7 +39,9 @@ class Crowd {
     int best = -1;
     for (int i = 0; i < kCount; ++i) {
       if (mOn[std::size_t(i)] != on) continue;
-      if (best < 0 || (on ? mEnergy[std::size_t(i)] > mEnergy[std::size_t(best)] : mEnergy[std::size_t(i)] < mEnergy[std::size_t(best)])) best = i;
+      if (best < 0 || (on ? mEnergy[std::size_t(i)] > mEnergy[std::size_t(best)]
+                          : mEnergy[std::size_t(i)] < mEnergy[std::size_t(best)]))
+        best = i;
     }
     return best;
   }

@@ -5,8 +5,8 @@ namespace velum::render {
 
 constexpr int kBlueNoiseSize = 64;
 
-/// A tile of blue noise, kBlueNoiseSize^2 ranks mapped to 0..1, by void and cluster (Ulichney 1993). Deterministic; about
-/// 50 ms.
+/// A tile of blue noise, kBlueNoiseSize^2 ranks mapped to 0..1, by void and cluster (Ulichney 1993). Deterministic;
+/// about 50 ms.
 std::vector<float> makeBlueNoise();
 
 }  // namespace velum::render

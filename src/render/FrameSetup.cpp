@@ -37,11 +37,13 @@ glm::vec4 v4(glm::dvec3 v, double w = 0.0) { return glm::vec4(glm::vec3(v), floa
 
 /// Half the picture's extent at distance 1 (perspective) or at the target, mm (orthographic).
 double halfHeight(const scene::Camera& camera) {
-  return camera.projection == scene::Projection::Perspective ? std::tan(glm::radians(camera.fieldOfViewDeg) * 0.5) : camera.heightMm * 0.5;
+  return camera.projection == scene::Projection::Perspective ? std::tan(glm::radians(camera.fieldOfViewDeg) * 0.5)
+                                                             : camera.heightMm * 0.5;
 }
 
 /// A projection with the rays of rayThrough(): rows run downwards, depth covers the scene's sphere.
-glm::dmat4 clipFromScene(const Frame& frame, const FrameGrid& grid, const Basis& basis, glm::dvec3 eye, glm::dvec2 shift) {
+glm::dmat4 clipFromScene(const Frame& frame, const FrameGrid& grid, const Basis& basis, glm::dvec3 eye,
+                         glm::dvec2 shift) {
   const auto& camera = frame.scene.camera;
   glm::dmat4 viewFromScene(1.0);
   for (int i = 0; i < 3; ++i) {
@@ -49,7 +51,8 @@ glm::dmat4 clipFromScene(const Frame& frame, const FrameGrid& grid, const Basis&
     viewFromScene[i][1] = basis.up[i];
     viewFromScene[i][2] = basis.forward[i];
   }
-  viewFromScene[3] = glm::dvec4(-glm::dot(basis.right, eye), -glm::dot(basis.up, eye), -glm::dot(basis.forward, eye), 1.0);
+  viewFromScene[3] =
+      glm::dvec4(-glm::dot(basis.right, eye), -glm::dot(basis.up, eye), -glm::dot(basis.forward, eye), 1.0);
   double tall = halfHeight(camera), wide = tall * frame.pictureSize.x / frame.pictureSize.y;
   double reach = 4.0 * sceneRadius(grid) + glm::length(eye);
   double nearMm = reach * 1e-4, farMm = 2.0 * reach;
@@ -107,24 +110,29 @@ shared::FrameParams makeFrameParams(const Frame& frame, const FrameGrid& grid, c
   params.eye = v4(eye);
   // Grid and values.
   glm::dmat3 edges(sceneFromTex);
-  glm::dvec3 spacing(glm::length(edges[0]) / grid.dims.x, glm::length(edges[1]) / grid.dims.y, glm::length(edges[2]) / grid.dims.z);
+  glm::dvec3 spacing(glm::length(edges[0]) / grid.dims.x, glm::length(edges[1]) / grid.dims.y,
+                     glm::length(edges[2]) / grid.dims.z);
   double smallest = std::min(spacing.x, std::min(spacing.y, spacing.z));
   params.volumeSize = v4(glm::dvec3(grid.dims), grid.cells.edge);
   params.cellGrid = v4(glm::dvec3(grid.cells.size), 1.0 / smallest);
   double width = table.domain.y - table.domain.x;
-  params.valueFromTexel = {float(grid.valueScale / width), float((grid.valueOffset - table.domain.x) / width), float(1.0 / width), 0.0f};
+  params.valueFromTexel = {float(grid.valueScale / width), float((grid.valueOffset - table.domain.x) / width),
+                           float(1.0 / width), 0.0f};
   double isoTable = (scene.rayCast.isoValue - table.domain.x) / width;
-  params.step = {float(scene.rayCast.stepVoxels * smallest * std::max(1.0, frame.stepFactor)), 0.998f, float(isoTable), 0.0f};
+  params.step = {float(scene.rayCast.stepVoxels * smallest * std::max(1.0, frame.stepFactor)), 0.998f, float(isoTable),
+                 0.0f};
   params.tableScale = {float(table.extinctionUnit), 0, 0, 0};
   params.gradientScale = {float(grid.gradientScale), 0, 0, float(1.0 / table.gradientMax)};
   params.cellsPerTex = v4(glm::dvec3(grid.dims) / double(grid.cells.edge));
-  // A difference over two voxels along texture axis i is 2/dims[i] of that axis; gradients transform by the inverse transpose.
+  // A difference over two voxels along texture axis i is 2/dims[i] of that axis; gradients transform by the inverse
+  // transpose.
   glm::dmat3 gradient = glm::transpose(glm::dmat3(texFromScene));
   glm::dvec3 perDifference = grid.valueScale * glm::dvec3(grid.dims) * 0.5;
   glm::vec4* rows[] = {&params.normalX, &params.normalY, &params.normalZ};
   for (int i = 0; i < 3; ++i) *rows[i] = v4(glm::dvec3(gradient[0][i], gradient[1][i], gradient[2][i]) * perDifference);
   glm::dvec2 grey = scene::effectiveWindow(scene.volume);
-  params.window = {float(width / grey.y), float((table.domain.x - (grey.x - 0.5 * grey.y)) / grey.y), float(scene.labels.tint), float(scene.labels.unlabelled)};
+  params.window = {float(width / grey.y), float((table.domain.x - (grey.x - 0.5 * grey.y)) / grey.y),
+                   float(scene.labels.tint), float(scene.labels.unlabelled)};
   // Light.
   const auto& light = scene.lighting;
   params.light = {float(light.ambient), float(light.diffuse), float(light.specular), float(light.shininess)};
@@ -153,7 +161,8 @@ void setSample(shared::FrameParams& params, const Frame& frame, int sample) {
   params.counts.w = sample;
   FrameGrid grid;
   grid.worldFromTex = glm::inverse(glm::dmat4(params.texFromScene));
-  params.clipFromScene = glm::mat4(clipFromScene(frame, grid, basisOf(frame.scene.camera), glm::dvec3(glm::vec3(params.eye)), shift));
+  params.clipFromScene =
+      glm::mat4(clipFromScene(frame, grid, basisOf(frame.scene.camera), glm::dvec3(glm::vec3(params.eye)), shift));
 }
 
 std::vector<shared::CutData> makeCutData(const scene::Scene& scene, glm::dvec3 origin) {
@@ -177,7 +186,8 @@ std::vector<shared::StructureRow> makeStructureRows(const scene::LabelLayer& lab
   int largest = 0;
   for (const auto& s : labels.structures) largest = std::max(largest, s.id);
   std::vector<shared::StructureRow> rows(std::size_t(largest) + 1, {glm::vec4(0.6f, 0.6f, 0.6f, 1.0f)});
-  for (const auto& s : labels.structures) rows[std::size_t(s.id)].color = glm::vec4(s.color, s.visible ? float(s.opacity) : 0.0f);
+  for (const auto& s : labels.structures)
+    rows[std::size_t(s.id)].color = glm::vec4(s.color, s.visible ? float(s.opacity) : 0.0f);
   return rows;
 }
 

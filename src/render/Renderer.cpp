@@ -24,7 +24,9 @@ namespace velum::render {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-double msSince(Clock::time_point start) { return std::chrono::duration<double, std::milli>(Clock::now() - start).count(); }
+double msSince(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
 
 /// One piece of a frame's work, meant to take well under 50 ms; returns false when it wants to be called again.
 struct Step {
@@ -97,8 +99,8 @@ struct Renderer::Impl {
   // Pictures.
   gpu::Texture sum, place, normal, picture;
   gpu::Framebuffer pictureTarget;
-  int currentSample = 0;   ///< The sample being drawn.
-  int rowsDone = 0;        ///< Rows of it that are complete.
+  int currentSample = 0;  ///< The sample being drawn.
+  int rowsDone = 0;       ///< Rows of it that are complete.
   // What was shown before this frame had anything to show.
   gpu::Texture stale;
   gpu::Framebuffer staleTarget;
@@ -119,7 +121,9 @@ struct Renderer::Impl {
   }
 };
 
-Renderer::Renderer(gpu::Context& context) : mImpl(std::make_unique<Impl>(context)) { mImpl->stats.renderer = context.limits().renderer; }
+Renderer::Renderer(gpu::Context& context) : mImpl(std::make_unique<Impl>(context)) {
+  mImpl->stats.renderer = context.limits().renderer;
+}
 Renderer::~Renderer() = default;
 
 const Stats& Renderer::stats() const { return mImpl->stats; }
@@ -190,7 +194,8 @@ void Renderer::Impl::setup() {
   int mode = labelsMode(scene);
   grid = FrameGrid{};
   if (hasVolume) {
-    grid = {volume->dims, volume->cells, volume->worldFromTex, volume->valueScale, volume->valueOffset, volume->gradientScale};
+    grid = {volume->dims,       volume->cells,       volume->worldFromTex,
+            volume->valueScale, volume->valueOffset, volume->gradientScale};
     stats.reduction = volume->reduction;
   } else if (mode == 2) {
     grid.dims = scene.labels.data->dims();
@@ -201,7 +206,9 @@ void Renderer::Impl::setup() {
   } else {
     grid.cells = {4, glm::ivec3(1)};
     scene::Bounds bounds = scene::computeBounds(scene);
-    for (int axis = 0; axis < 3; ++axis) grid.worldFromTex[axis][axis] = std::max(1e-6, bounds.max[axis] - bounds.min[axis]), grid.worldFromTex[3][axis] = bounds.min[axis];
+    for (int axis = 0; axis < 3; ++axis)
+      grid.worldFromTex[axis][axis] = std::max(1e-6, bounds.max[axis] - bounds.min[axis]),
+      grid.worldFromTex[3][axis] = bounds.min[axis];
   }
   if (mode != 0) {
     std::pair<std::uint64_t, std::uint64_t> key{scene.labels.data.id(), hasVolume ? scene.volume.data.id() : 0};
@@ -251,10 +258,14 @@ void Renderer::Impl::setup() {
   int rayMode = hasVolume ? static_cast<int>(scene.rayCast.mode) : 0;
   int gradients = hasVolume && volume->gradient ? 1 : 0;
   std::string variant = fmt::format("{}{}{}{}", rayMode, mode, color, gradients);
-  gpu::Defines defines{{"MODE", std::to_string(rayMode)}, {"LABELS", std::to_string(mode)}, {"COLOR", std::to_string(color)}, {"GRADIENTS", std::to_string(gradients)}};
+  gpu::Defines defines{{"MODE", std::to_string(rayMode)},
+                       {"LABELS", std::to_string(mode)},
+                       {"COLOR", std::to_string(color)},
+                       {"GRADIENTS", std::to_string(gradients)}};
   if (!rayPrograms.contains(variant)) {
     rayPrograms.emplace(variant, gpu::Program({"render/ray_cast.comp"}, defines));
-    lightPasses.emplace(std::piecewise_construct, std::forward_as_tuple(variant), std::forward_as_tuple(mode, color, rayMode));
+    lightPasses.emplace(std::piecewise_construct, std::forward_as_tuple(variant),
+                        std::forward_as_tuple(mode, color, rayMode));
   }
   rayProgram = &rayPrograms.at(variant);
   if (light != &lightPasses.at(variant)) extinctionScene.reset();
@@ -271,7 +282,9 @@ void Renderer::Impl::setup() {
   bindAll();
   // Empty space.
   SkipOptions options;
-  options.content = mode == 2 ? SkipOptions::Content::Labels : rayMode == 2 ? SkipOptions::Content::Iso : SkipOptions::Content::Opacity;
+  options.content = mode == 2      ? SkipOptions::Content::Labels
+                    : rayMode == 2 ? SkipOptions::Content::Iso
+                                   : SkipOptions::Content::Opacity;
   options.hasLabels = mode != 0;
   auto add = [](glm::uvec2& set, int id) { (id % 64 < 32 ? set.x : set.y) |= 1u << (id % 32); };
   if (mode == 1 && scene.labels.unlabelled > 0) add(options.visible, 0);
@@ -413,8 +426,10 @@ bool Renderer::work(const Frame& frame, double budgetMs) {
     gpu::finish();
     double ms = msSince(stepStart);
     m.passMs[step.pass] += ms;
-    if (std::string_view(step.pass) == "Upload") m.stats.uploadMs += ms;
-    else m.stats.frameMs += ms;
+    if (std::string_view(step.pass) == "Upload")
+      m.stats.uploadMs += ms;
+    else
+      m.stats.frameMs += ms;
     m.stats.longestStepMs = std::max(m.stats.longestStepMs, ms);
     if (done) m.steps.pop_front();
   } while (!m.steps.empty() && msSince(start) < budgetMs);
@@ -433,7 +448,8 @@ void Renderer::Impl::resolve() {
   sum.bindImage(0, gpu::Access::Read);
   picture.bindImage(1, gpu::Access::Write);
   bool complete = steps.empty();
-  resolveProgram->set(0, glm::ivec4(frame.windowOrigin, complete ? stats.samples : currentSample, complete ? 0 : rowsDone));
+  resolveProgram->set(
+      0, glm::ivec4(frame.windowOrigin, complete ? stats.samples : currentSample, complete ? 0 : rowsDone));
   float backdrop = background.transparent ? 0.0f : 1.0f;
   resolveProgram->set(1, glm::vec4(background.top, backdrop));
   resolveProgram->set(2, glm::vec4(background.bottom, backdrop));
@@ -490,7 +506,8 @@ Image Renderer::read(const Layers& layers) {
 Pick Renderer::pick(glm::ivec2 pixel) const {
   const Impl& m = *mImpl;
   Pick pick;
-  if (!m.place || pixel.x < 0 || pixel.y < 0 || pixel.x >= m.frame.windowSize.x || pixel.y >= m.frame.windowSize.y) return pick;
+  if (!m.place || pixel.x < 0 || pixel.y < 0 || pixel.x >= m.frame.windowSize.x || pixel.y >= m.frame.windowSize.y)
+    return pick;
   glm::vec4 place, normal;
   m.place.read({pixel, 0}, {1, 1, 1}, &place, sizeof(place));
   m.normal.read({pixel, 0}, {1, 1, 1}, &normal, sizeof(normal));
@@ -507,7 +524,8 @@ Pick Renderer::pick(glm::ivec2 pixel) const {
   return pick;
 }
 
-Image renderPicture(Renderer& renderer, const Frame& frame, const Layers& layers, int largestWindow, Progress& progress) {
+Image renderPicture(Renderer& renderer, const Frame& frame, const Layers& layers, int largestWindow,
+                    Progress& progress) {
   Image whole;
   glm::ivec2 size = frame.pictureSize;
   int columns = (size.x + largestWindow - 1) / largestWindow, rows = (size.y + largestWindow - 1) / largestWindow;
@@ -526,7 +544,9 @@ Image renderPicture(Renderer& renderer, const Frame& frame, const Layers& layers
       std::size_t rowFloats = std::size_t(image.width) * image.channels.size();
       for (int y = 0; y < image.height; ++y)
         std::copy_n(image.pixels.begin() + std::ptrdiff_t(std::size_t(y) * rowFloats), rowFloats,
-                    whole.pixels.begin() + std::ptrdiff_t((std::size_t(y + part.windowOrigin.y) * std::size_t(size.x) + std::size_t(part.windowOrigin.x)) * image.channels.size()));
+                    whole.pixels.begin() + std::ptrdiff_t((std::size_t(y + part.windowOrigin.y) * std::size_t(size.x) +
+                                                           std::size_t(part.windowOrigin.x)) *
+                                                          image.channels.size()));
     }
   return whole;
 }

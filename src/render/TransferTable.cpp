@@ -12,7 +12,8 @@ namespace {
 /// Interpolates a list of points by value; `get` picks the quantity.
 template <class Point, class Get>
 auto interpolate(const std::vector<Point>& points, double value, Get get) -> decltype(get(points[0])) {
-  auto after = std::upper_bound(points.begin(), points.end(), value, [](double v, const Point& p) { return v < p.value; });
+  auto after =
+      std::upper_bound(points.begin(), points.end(), value, [](double v, const Point& p) { return v < p.value; });
   if (after == points.begin()) return get(points.front());
   if (after == points.end()) return get(points.back());
   const Point& a = *(after - 1);
@@ -32,7 +33,8 @@ double opacityAt(const std::vector<scene::OpacityPoint>& points, double value) {
 }
 
 glm::dvec3 colorAt(const std::vector<scene::ColorPoint>& points, double value) {
-  return points.empty() ? glm::dvec3(1.0) : interpolate(points, value, [](const auto& p) { return glm::dvec3(p.color); });
+  return points.empty() ? glm::dvec3(1.0)
+                        : interpolate(points, value, [](const auto& p) { return glm::dvec3(p.color); });
 }
 
 TransferTable makeTransferTable(const scene::Scene& scene) {
@@ -80,7 +82,9 @@ TransferTable makeTransferTable(const scene::Scene& scene) {
   for (const auto& s : table.sums) table.extinctionSums.push_back(s.w);
   for (int i = 0; i < n; ++i)
     table.gradientFactors.push_back(
-        transfer.gradientOpacities.empty() ? 1.0f : float(opacityAt(transfer.gradientOpacities, double(i) / (n - 1) * table.gradientMax)));
+        transfer.gradientOpacities.empty()
+            ? 1.0f
+            : float(opacityAt(transfer.gradientOpacities, double(i) / (n - 1) * table.gradientMax)));
   return table;
 }
 

@@ -7,15 +7,17 @@
 
 namespace velum::render {
 
-/// The transfer function as the shaders read it, over the stretch of data values in which it, or the grey window, changes.
+/// The transfer function as the shaders read it, over the stretch of data values in which it, or the grey window,
+/// changes.
 struct TransferTable {
-  glm::dvec2 domain{0.0, 1.0};        ///< Data values of table positions 0 and 1.
-  double gradientMax = 1.0;           ///< Gradient magnitude of position 1 of the third row, value per mm.
-  double extinctionUnit = 1.0;        ///< Extinction, 1/mm, of one unit of the sums.
-  std::vector<glm::uvec4> sums;       ///< [kTransferSize + 1] running sums of (colour*sigma, sigma), modulo 2^32: the mean over entries
-                                      ///< i..j is (sums[j] - sums[i]) / (j - i) * extinctionUnit, exact and never negative
+  glm::dvec2 domain{0.0, 1.0};  ///< Data values of table positions 0 and 1.
+  double gradientMax = 1.0;     ///< Gradient magnitude of position 1 of the third row, value per mm.
+  double extinctionUnit = 1.0;  ///< Extinction, 1/mm, of one unit of the sums.
+  std::vector<glm::uvec4>
+      sums;  ///< [kTransferSize + 1] running sums of (colour*sigma, sigma), modulo 2^32: the mean over entries
+             ///< i..j is (sums[j] - sums[i]) / (j - i) * extinctionUnit, exact and never negative
   std::vector<std::uint32_t> extinctionSums;  ///< [kTransferSize + 1] their last component alone
-  std::vector<float> gradientFactors; ///< [kTransferSize] over 0..gradientMax
+  std::vector<float> gradientFactors;         ///< [kTransferSize] over 0..gradientMax
 };
 
 /// @param scene  its volume layer's transfer function, window and iso value

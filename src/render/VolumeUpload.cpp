@@ -20,7 +20,8 @@ using gpu::Format;
 int maxOf(glm::ivec3 v) { return std::max(v.x, std::max(v.y, v.z)); }
 std::size_t product(glm::ivec3 v) { return std::size_t(v.x) * std::size_t(v.y) * std::size_t(v.z); }
 
-/// How a sample type is kept on the GPU: integers of 8 and 16 bits as they are (signed ones shifted), all else as float.
+/// How a sample type is kept on the GPU: integers of 8 and 16 bits as they are (signed ones shifted), all else as
+/// float.
 struct TexelPlan {
   Format format = Format::R8;
   double scale = 1, offset = 0;  ///< raw = texel * scale + offset
@@ -29,11 +30,16 @@ struct TexelPlan {
 TexelPlan planFor(const Volume& volume) {
   if (volume.isColor) return {Format::Rgba8, 255.0, 0.0};
   switch (volume.type) {
-    case SampleType::UInt8: return {Format::R8, 255.0, 0.0};
-    case SampleType::Int8: return {Format::R8, 255.0, -128.0};
-    case SampleType::UInt16: return {Format::R16, 65535.0, 0.0};
-    case SampleType::Int16: return {Format::R16, 65535.0, -32768.0};
-    default: return {Format::R32f, 1.0, 0.0};
+    case SampleType::UInt8:
+      return {Format::R8, 255.0, 0.0};
+    case SampleType::Int8:
+      return {Format::R8, 255.0, -128.0};
+    case SampleType::UInt16:
+      return {Format::R16, 65535.0, 0.0};
+    case SampleType::Int16:
+      return {Format::R16, 65535.0, -32768.0};
+    default:
+      return {Format::R32f, 1.0, 0.0};
   }
 }
 
@@ -63,8 +69,10 @@ CellGrid cellGridFor(glm::ivec3 dims) {
 }
 
 template <class T>
-std::vector<glm::vec2> computeCellRanges(const T* planes, glm::ivec3 dims, const CellGrid& cells, int firstCellZ, int lastCellZ, int firstPlane) {
-  std::vector<glm::vec2> ranges(std::size_t(cells.size.x) * std::size_t(cells.size.y) * std::size_t(lastCellZ - firstCellZ));
+std::vector<glm::vec2> computeCellRanges(const T* planes, glm::ivec3 dims, const CellGrid& cells, int firstCellZ,
+                                         int lastCellZ, int firstPlane) {
+  std::vector<glm::vec2> ranges(std::size_t(cells.size.x) * std::size_t(cells.size.y) *
+                                std::size_t(lastCellZ - firstCellZ));
   std::size_t planeSize = std::size_t(dims.x) * std::size_t(dims.y);
   // Rows of cells are independent: reduce along z and y into one row of voxels, then along x into cells.
   tbb::parallel_for(0, (lastCellZ - firstCellZ) * cells.size.y, [&](int job) {
@@ -85,10 +93,12 @@ std::vector<glm::vec2> computeCellRanges(const T* planes, glm::ivec3 dims, const
           hi[x] = row[x] > hi[x] ? row[x] : hi[x];
         }
       }
-    glm::vec2* out = &ranges[(std::size_t(cz - firstCellZ) * std::size_t(cells.size.y) + std::size_t(cy)) * std::size_t(cells.size.x)];
+    glm::vec2* out = &ranges[(std::size_t(cz - firstCellZ) * std::size_t(cells.size.y) + std::size_t(cy)) *
+                             std::size_t(cells.size.x)];
     for (int cx = 0; cx < cells.size.x; ++cx) {
       int x0 = std::max(0, cx * cells.edge - 1), x1 = std::min(dims.x, (cx + 1) * cells.edge + 1);
-      out[cx] = {texelValue(*std::min_element(low.begin() + x0, low.begin() + x1)), texelValue(*std::max_element(high.begin() + x0, high.begin() + x1))};
+      out[cx] = {texelValue(*std::min_element(low.begin() + x0, low.begin() + x1)),
+                 texelValue(*std::max_element(high.begin() + x0, high.begin() + x1))};
     }
   });
   return ranges;
@@ -119,7 +129,8 @@ struct VolumeUpload::Impl {
   void stepAs();
 };
 
-VolumeUpload::VolumeUpload(Shared<Volume> volume, int channel, int frame, const gpu::Limits& limits) : mImpl(std::make_unique<Impl>()) {
+VolumeUpload::VolumeUpload(Shared<Volume> volume, int channel, int frame, const gpu::Limits& limits)
+    : mImpl(std::make_unique<Impl>()) {
   Impl& m = *mImpl;
   m.volume = volume;
   m.channel = std::clamp(channel, 0, volume->channels - 1);
@@ -128,16 +139,20 @@ VolumeUpload::VolumeUpload(Shared<Volume> volume, int channel, int frame, const 
   // Take the best level whose sides and bytes the driver can hold beside pictures and tables.
   auto dimsAt = [&](int factor) { return (volume->dims + factor - 1) / factor; };
   bool wantsGradients = limits.isSoftware && !volume->isColor;
-  auto bytesAt = [&](int factor) { return product(dimsAt(factor)) * (gpu::texelBytes(m.plan.format) + (wantsGradients ? 4 : 0)); };
-  while (maxOf(dimsAt(m.factor)) > limits.texture3d || double(bytesAt(m.factor)) > 0.7 * double(limits.memoryBytes)) ++m.factor;
+  auto bytesAt = [&](int factor) {
+    return product(dimsAt(factor)) * (gpu::texelBytes(m.plan.format) + (wantsGradients ? 4 : 0));
+  };
+  while (maxOf(dimsAt(m.factor)) > limits.texture3d || double(bytesAt(m.factor)) > 0.7 * double(limits.memoryBytes))
+    ++m.factor;
   GpuVolume& out = m.out;
   out.dims = dimsAt(m.factor);
   if (m.factor > 1) {
     bool tooLong = maxOf(volume->dims) > limits.texture3d;
-    out.reduction = fmt::format("shown at 1/{} of its resolution ({} x {} x {} of {} x {} x {} voxels): {}", m.factor, out.dims.x, out.dims.y, out.dims.z,
-                                volume->dims.x, volume->dims.y, volume->dims.z,
+    out.reduction = fmt::format("shown at 1/{} of its resolution ({} x {} x {} of {} x {} x {} voxels): {}", m.factor,
+                                out.dims.x, out.dims.y, out.dims.z, volume->dims.x, volume->dims.y, volume->dims.z,
                                 tooLong ? fmt::format("the driver's 3D textures end at {} texels", limits.texture3d)
-                                        : fmt::format("it needs {} MiB of the {} MiB that the driver has", bytesAt(1) >> 20, limits.memoryBytes >> 20));
+                                        : fmt::format("it needs {} MiB of the {} MiB that the driver has",
+                                                      bytesAt(1) >> 20, limits.memoryBytes >> 20));
   }
   out.cells = cellGridFor(out.dims);
   out.isColor = volume->isColor;
@@ -153,10 +168,12 @@ VolumeUpload::VolumeUpload(Shared<Volume> volume, int channel, int frame, const 
   if (wantsGradients) {
     out.gradient = gpu::Texture::make3d("gradients", Format::Rgba8, out.dims);
     // No difference is longer than the data's whole range along all three axes.
-    m.longestGradient = std::sqrt(3.0) * std::max(1e-30, (volume->range.y - volume->range.x) / std::abs(out.valueScale));
+    m.longestGradient =
+        std::sqrt(3.0) * std::max(1e-30, (volume->range.y - volume->range.x) / std::abs(out.valueScale));
     out.gradientScale = m.longestGradient * 255.0 / 127.0;
   }
-  std::size_t layerBytes = std::size_t(out.dims.x) * std::size_t(out.dims.y) * std::size_t(out.cells.edge) * gpu::texelBytes(m.plan.format) * std::size_t(m.factor);
+  std::size_t layerBytes = std::size_t(out.dims.x) * std::size_t(out.dims.y) * std::size_t(out.cells.edge) *
+                           gpu::texelBytes(m.plan.format) * std::size_t(m.factor);
   constexpr std::size_t kStepBytes = 16u << 20;
   m.cellLayersPerStep = int(std::max<std::size_t>(1, kStepBytes / std::max<std::size_t>(1, layerBytes)));
   m.ranges.reserve(product(out.cells.size));
@@ -172,14 +189,19 @@ void VolumeUpload::Impl::convertPlanes(const Raw* frameStart, int z0, int z1, st
   texels.resize(std::size_t(dims.x) * std::size_t(dims.y) * std::size_t(z1 - z0));
   float fallback = float((v.range.x - v.offset) / (v.scale == 0 ? 1 : v.scale));
   std::size_t stride = std::size_t(v.channels);
-  auto rawAt = [&](int x, int y, int z) { return frameStart + ((std::size_t(z) * std::size_t(v.dims.y) + std::size_t(y)) * std::size_t(v.dims.x) + std::size_t(x)) * stride; };
+  auto rawAt = [&](int x, int y, int z) {
+    return frameStart +
+           ((std::size_t(z) * std::size_t(v.dims.y) + std::size_t(y)) * std::size_t(v.dims.x) + std::size_t(x)) *
+               stride;
+  };
   double colorScale = v.range.y > 255 ? 255.0 / v.range.y : 1.0;
   tbb::parallel_for(0, (z1 - z0) * dims.y, [&](int job) {
     int z = z0 + job / dims.y, y = job % dims.y;
     Texel* row = &texels[(std::size_t(z - z0) * std::size_t(dims.y) + std::size_t(y)) * std::size_t(dims.x)];
     for (int x = 0; x < dims.x; ++x) {
       if constexpr (std::is_same_v<Texel, glm::u8vec4>) {
-        const Raw* p = rawAt(std::min(x * factor, v.dims.x - 1), std::min(y * factor, v.dims.y - 1), std::min(z * factor, v.dims.z - 1));
+        const Raw* p = rawAt(std::min(x * factor, v.dims.x - 1), std::min(y * factor, v.dims.y - 1),
+                             std::min(z * factor, v.dims.z - 1));
         glm::dvec3 rgb = glm::clamp(glm::dvec3(double(p[0]), double(p[1]), double(p[2])) * colorScale, 0.0, 255.0);
         double grey = 0.2126 * rgb.r + 0.7152 * rgb.g + 0.0722 * rgb.b;
         row[x] = glm::u8vec4(glm::dvec4(rgb, grey) + 0.5);
@@ -190,7 +212,8 @@ void VolumeUpload::Impl::convertPlanes(const Raw* frameStart, int z0, int z1, st
         int count = 0;
         for (int c = z * factor; c < std::min((z + 1) * factor, v.dims.z); ++c)
           for (int b = y * factor; b < std::min((y + 1) * factor, v.dims.y); ++b)
-            for (int a = x * factor; a < std::min((x + 1) * factor, v.dims.x); ++a, ++count) sum += double(texelOf<Texel>(rawAt(a, b, c)[channel], fallback));
+            for (int a = x * factor; a < std::min((x + 1) * factor, v.dims.x); ++a, ++count)
+              sum += double(texelOf<Texel>(rawAt(a, b, c)[channel], fallback));
         row[x] = std::is_same_v<Texel, float> ? Texel(sum / count) : Texel(sum / count + 0.5);
       }
     }
@@ -223,10 +246,12 @@ void VolumeUpload::Impl::uploadGradients(const Texel* texels, int firstPlane, in
     y = std::clamp(y, 0, dims.y - 1), z = std::clamp(z, 0, dims.z - 1);
     return texels + (std::size_t(z - firstPlane) * std::size_t(dims.y) + std::size_t(y)) * std::size_t(dims.x);
   };
-  float toShare = float(1.0 / (longestGradient * (std::is_same_v<Texel, float> ? 1.0 : double(std::numeric_limits<Texel>::max()))));
+  float toShare =
+      float(1.0 / (longestGradient * (std::is_same_v<Texel, float> ? 1.0 : double(std::numeric_limits<Texel>::max()))));
   tbb::parallel_for(0, (z1 - z0) * dims.y, [&](int job) {
     int z = z0 + job / dims.y, y = job % dims.y;
-    const Texel *here = rowAt(y, z), *y0 = rowAt(y - 1, z), *y1 = rowAt(y + 1, z), *below = rowAt(y, z - 1), *above = rowAt(y, z + 1);
+    const Texel *here = rowAt(y, z), *y0 = rowAt(y - 1, z), *y1 = rowAt(y + 1, z), *below = rowAt(y, z - 1),
+                *above = rowAt(y, z + 1);
     glm::u8vec4* row = &gradients[std::size_t(job) * std::size_t(dims.x)];
     for (int x = 0; x < dims.x; ++x) {
       float gx = float(here[std::min(x + 1, dims.x - 1)]) - float(here[std::max(x - 1, 0)]);
@@ -234,7 +259,8 @@ void VolumeUpload::Impl::uploadGradients(const Texel* texels, int firstPlane, in
       float gz = float(above[x]) - float(below[x]);
       float length = std::sqrt(gx * gx + gy * gy + gz * gz);
       float toByte = length > 0 ? 127.0f / length : 0.0f;
-      row[x] = {std::uint8_t(gx * toByte + 128.5f), std::uint8_t(gy * toByte + 128.5f), std::uint8_t(gz * toByte + 128.5f),
+      row[x] = {std::uint8_t(gx * toByte + 128.5f), std::uint8_t(gy * toByte + 128.5f),
+                std::uint8_t(gz * toByte + 128.5f),
                 std::uint8_t(255.0f * std::sqrt(std::min(1.0f, length * toShare)) + 0.5f)};
     }
   });
@@ -266,10 +292,18 @@ void VolumeUpload::Impl::stepAs() {
 bool VolumeUpload::step() {
   Impl& m = *mImpl;
   switch (m.plan.format) {
-    case Format::R8: m.stepAs<std::uint8_t>(); break;
-    case Format::R16: m.stepAs<std::uint16_t>(); break;
-    case Format::Rgba8: m.stepAs<glm::u8vec4>(); break;
-    default: m.stepAs<float>(); break;
+    case Format::R8:
+      m.stepAs<std::uint8_t>();
+      break;
+    case Format::R16:
+      m.stepAs<std::uint16_t>();
+      break;
+    case Format::Rgba8:
+      m.stepAs<glm::u8vec4>();
+      break;
+    default:
+      m.stepAs<float>();
+      break;
   }
   if (m.nextCellZ < m.out.cells.size.z) return false;
   m.out.cellRange = gpu::Buffer("cell ranges", std::span<const glm::vec2>(m.ranges));
@@ -286,7 +320,9 @@ struct BlockSets {
   static constexpr int kEdge = 8;
   glm::ivec3 size{0};
   std::vector<std::uint64_t> sets;
-  std::uint64_t at(glm::ivec3 b) const { return sets[(std::size_t(b.z) * std::size_t(size.y) + std::size_t(b.y)) * std::size_t(size.x) + std::size_t(b.x)]; }
+  std::uint64_t at(glm::ivec3 b) const {
+    return sets[(std::size_t(b.z) * std::size_t(size.y) + std::size_t(b.y)) * std::size_t(size.x) + std::size_t(b.x)];
+  }
 };
 
 BlockSets collectSets(const LabelVolume& labels) {
@@ -308,18 +344,23 @@ BlockSets collectSets(const LabelVolume& labels) {
       } else {
         for (int z = 0; z < BlockSets::kEdge; ++z)
           for (int y = 0; y < BlockSets::kEdge; ++y) {
-            const auto* row = &brick[((std::size_t(inner.z * BlockSets::kEdge + z)) * LabelVolume::kBrickSize + std::size_t(inner.y * BlockSets::kEdge + y)) * LabelVolume::kBrickSize + std::size_t(inner.x * BlockSets::kEdge)];
+            const auto* row = &brick[((std::size_t(inner.z * BlockSets::kEdge + z)) * LabelVolume::kBrickSize +
+                                      std::size_t(inner.y * BlockSets::kEdge + y)) *
+                                         LabelVolume::kBrickSize +
+                                     std::size_t(inner.x * BlockSets::kEdge)];
             for (int x = 0; x < BlockSets::kEdge; ++x) set |= std::uint64_t(1) << (row[x] % 64);
           }
       }
-      blocks.sets[(std::size_t(at.z) * std::size_t(blocks.size.y) + std::size_t(at.y)) * std::size_t(blocks.size.x) + std::size_t(at.x)] = set;
+      blocks.sets[(std::size_t(at.z) * std::size_t(blocks.size.y) + std::size_t(at.y)) * std::size_t(blocks.size.x) +
+                  std::size_t(at.x)] = set;
     }
   });
   return blocks;
 }
 
 /// For each cell, the union of the blocks that its box (with the halo) touches in the labels' grid.
-std::vector<glm::uvec2> setsOfCells(const LabelVolume& labels, const CellGrid& cells, glm::ivec3 dims, const glm::dmat4& worldFromTex) {
+std::vector<glm::uvec2> setsOfCells(const LabelVolume& labels, const CellGrid& cells, glm::ivec3 dims,
+                                    const glm::dmat4& worldFromTex) {
   BlockSets blocks = collectSets(labels);
   glm::dmat4 labelFromTex = glm::inverse(labels.worldFromVoxel()) * worldFromTex;
   std::vector<glm::uvec2> sets(product(cells.size));
@@ -342,7 +383,8 @@ std::vector<glm::uvec2> setsOfCells(const LabelVolume& labels, const CellGrid& c
       for (int z = b0.z; z <= b1.z; ++z)
         for (int y = b0.y; y <= b1.y; ++y)
           for (int x = b0.x; x <= b1.x; ++x) set |= blocks.at({x, y, z});
-      sets[std::size_t(job) * std::size_t(cells.size.x) + std::size_t(cx)] = {std::uint32_t(set), std::uint32_t(set >> 32)};
+      sets[std::size_t(job) * std::size_t(cells.size.x) + std::size_t(cx)] = {std::uint32_t(set),
+                                                                              std::uint32_t(set >> 32)};
     }
   });
   return sets;
@@ -350,13 +392,17 @@ std::vector<glm::uvec2> setsOfCells(const LabelVolume& labels, const CellGrid& c
 
 }  // namespace
 
-GpuLabels uploadLabels(const LabelVolume& labels, const CellGrid& cells, glm::ivec3 dims, const glm::dmat4& worldFromTex, const gpu::Limits& limits) {
-  if (maxOf(labels.dims()) > limits.texture3d || double(product(labels.dims())) * 2.0 > 0.7 * double(limits.memoryBytes))
-    throw gpu::GpuError(fmt::format("the labels ({} x {} x {}) are larger than the driver's 3D textures ({}) or memory; crop or reduce them", labels.dims().x,
-                                    labels.dims().y, labels.dims().z, limits.texture3d));
+GpuLabels uploadLabels(const LabelVolume& labels, const CellGrid& cells, glm::ivec3 dims,
+                       const glm::dmat4& worldFromTex, const gpu::Limits& limits) {
+  if (maxOf(labels.dims()) > limits.texture3d ||
+      double(product(labels.dims())) * 2.0 > 0.7 * double(limits.memoryBytes))
+    throw gpu::GpuError(fmt::format(
+        "the labels ({} x {} x {}) are larger than the driver's 3D textures ({}) or memory; crop or reduce them",
+        labels.dims().x, labels.dims().y, labels.dims().z, limits.texture3d));
   GpuLabels out;
   out.dims = labels.dims();
-  bool small = std::all_of(labels.table.begin(), labels.table.end(), [](const LabelInfo& info) { return info.id < 256; });
+  bool small =
+      std::all_of(labels.table.begin(), labels.table.end(), [](const LabelInfo& info) { return info.id < 256; });
   out.texture = gpu::Texture::make3d("labels", small ? Format::R8ui : Format::R16ui, out.dims);
   glm::ivec3 slab(out.dims.x, out.dims.y, 0);
   std::vector<std::uint16_t> ids;
@@ -368,7 +414,8 @@ GpuLabels uploadLabels(const LabelVolume& labels, const CellGrid& cells, glm::iv
     if (small) bytes.assign(ids.begin(), ids.end());
     out.texture.write({0, 0, z}, slab, small ? static_cast<const void*>(bytes.data()) : ids.data());
   }
-  out.cellLabels = gpu::Buffer("cell labels", std::span<const glm::uvec2>(setsOfCells(labels, cells, dims, worldFromTex)));
+  out.cellLabels =
+      gpu::Buffer("cell labels", std::span<const glm::uvec2>(setsOfCells(labels, cells, dims, worldFromTex)));
   return out;
 }
 

@@ -14,24 +14,26 @@ namespace velum::render {
 
 /// The cells by which empty space is leapt over.
 struct CellGrid {
-  int edge = 4;             ///< Voxels along a cell's edge.
-  glm::ivec3 size{0};       ///< Cells.
+  int edge = 4;        ///< Voxels along a cell's edge.
+  glm::ivec3 size{0};  ///< Cells.
 };
-/// About 64 cells along the longest axis: fine enough to leap, few enough to rebuild while a transfer function is dragged.
+/// About 64 cells along the longest axis: fine enough to leap, few enough to rebuild while a transfer function is
+/// dragged.
 CellGrid cellGridFor(glm::ivec3 dims);
 
 /// One channel and time step of a volume on the GPU, at the best level that fits.
 struct GpuVolume {
   gpu::Texture texture;
-  gpu::Texture gradient;             ///< Software drivers: differences over two voxels, direction in xyz (128 is 0), root of the length in w
-  double gradientScale = 0;          ///< Length of a full-length gradient texel, texels times 255/127.
-  gpu::Buffer cellRange;             ///< vec2 a cell: smallest and largest texel, with a halo of one voxel.
+  gpu::Texture gradient;  ///< Software drivers: differences over two voxels, direction in xyz (128 is 0), root of the
+                          ///< length in w
+  double gradientScale = 0;  ///< Length of a full-length gradient texel, texels times 255/127.
+  gpu::Buffer cellRange;     ///< vec2 a cell: smallest and largest texel, with a halo of one voxel.
   CellGrid cells;
-  glm::ivec3 dims{0};                ///< Voxels of the texture.
-  glm::dmat4 worldFromTex{1.0};      ///< From texture coordinates 0..1.
+  glm::ivec3 dims{0};                      ///< Voxels of the texture.
+  glm::dmat4 worldFromTex{1.0};            ///< From texture coordinates 0..1.
   double valueScale = 1, valueOffset = 0;  ///< value = texel * scale + offset, texel as a sampler returns it
   bool isColor = false;
-  std::string reduction;             ///< In words, when level > 0.
+  std::string reduction;  ///< In words, when level > 0.
 };
 
 /// Brings a volume to the GPU slab by slab, so that the caller can stop in between.
@@ -53,18 +55,21 @@ class VolumeUpload {
 
 /// Labels on the GPU and, cell by cell of the volume's grid, which ids are there.
 struct GpuLabels {
-  gpu::Texture texture;              ///< R8ui or R16ui
-  gpu::Buffer cellLabels;            ///< uvec2 a cell: 64-bit set of id % 64
+  gpu::Texture texture;    ///< R8ui or R16ui
+  gpu::Buffer cellLabels;  ///< uvec2 a cell: 64-bit set of id % 64
   glm::ivec3 dims{0};
   std::string reduction;
 };
 
 /// @param cells, dims, worldFromTex  the grid over which sets of labels are wanted (the volume's, or the labels' own)
-GpuLabels uploadLabels(const LabelVolume& labels, const CellGrid& cells, glm::ivec3 dims, const glm::dmat4& worldFromTex, const gpu::Limits& limits);
+GpuLabels uploadLabels(const LabelVolume& labels, const CellGrid& cells, glm::ivec3 dims,
+                       const glm::dmat4& worldFromTex, const gpu::Limits& limits);
 
-/// Smallest and largest texel of each cell with a halo of one voxel. Plain loops over native samples; exported for tests.
+/// Smallest and largest texel of each cell with a halo of one voxel. Plain loops over native samples; exported for
+/// tests.
 /// @param planes  [dims.z][dims.y][dims.x]
 template <class T>
-std::vector<glm::vec2> computeCellRanges(const T* planes, glm::ivec3 dims, const CellGrid& cells, int firstCellZ, int lastCellZ, int firstPlane);
+std::vector<glm::vec2> computeCellRanges(const T* planes, glm::ivec3 dims, const CellGrid& cells, int firstCellZ,
+                                         int lastCellZ, int firstPlane);
 
 }  // namespace velum::render

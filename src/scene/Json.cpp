@@ -16,7 +16,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// What a field can be: a leaf (bool, number, string, enumeration, vector of numbers), a list, or a struct with fields().
+// What a field can be: a leaf (bool, number, string, enumeration, vector of numbers), a list, or a struct with
+// fields().
 template <class T>
 concept Enumeration = std::is_enum_v<T>;
 template <class T>
@@ -42,7 +43,9 @@ struct AnyVisitor {
   void operator()(auto&&...) const {}
 };
 template <class T>
-concept Fielded = requires(T& t, AnyVisitor& v) { T::fields(t, v); };
+concept Fielded = requires(T& t, AnyVisitor& v) {
+  T::fields(t, v);
+};
 
 // ---- writing
 
@@ -51,7 +54,9 @@ Json write(const auto& value);
 template <Fielded T>
 Json writeStruct(const T& value) {
   Json out = Json::object();
-  auto visit = [&](std::string_view name, const auto& member, const FieldInfo&) { out[std::string(name)] = write(member); };
+  auto visit = [&](std::string_view name, const auto& member, const FieldInfo&) {
+    out[std::string(name)] = write(member);
+  };
   T::fields(value, visit);
   return out;
 }
@@ -84,7 +89,9 @@ Json write(const auto& value) {
 
 // ---- reading
 
-[[noreturn]] void fail(const std::string& path, const std::string& what) { throw InputError(fmt::format("scene: {}: {}", path, what)); }
+[[noreturn]] void fail(const std::string& path, const std::string& what) {
+  throw InputError(fmt::format("scene: {}: {}", path, what));
+}
 
 constexpr std::size_t kMostItems = 70000;  ///< Longer than any list we write; keeps hostile files small in memory.
 
@@ -96,9 +103,11 @@ void readNumber(T& target, const Json& json, const std::string& path, const Fiel
   double value = json.get<double>();
   if (!std::isfinite(value)) fail(path, "the number is not finite");
   if (value < info.range.min || value > info.range.max)
-    fail(path, fmt::format("{} is outside {} .. {}{}{}", value, info.range.min, info.range.max, info.unit.empty() ? "" : " ", info.unit));
+    fail(path, fmt::format("{} is outside {} .. {}{}{}", value, info.range.min, info.range.max,
+                           info.unit.empty() ? "" : " ", info.unit));
   if constexpr (std::is_integral_v<T>) {
-    if (value != std::floor(value) || std::abs(value) > 2147483647.0) fail(path, fmt::format("{} is not a whole number", value));
+    if (value != std::floor(value) || std::abs(value) > 2147483647.0)
+      fail(path, fmt::format("{} is not a whole number", value));
   }
   target = T(value);
 }
@@ -115,7 +124,8 @@ void readStruct(T& target, const Json& json, const std::string& path) {
   };
   T::fields(target, visit);
   if (known + (json.contains("velum") ? 1 : 0) < json.size())
-    log::warning(fmt::format("scene: {} has fields that this version does not know; they are left out", path.empty() ? "the file" : path));
+    log::warning(fmt::format("scene: {} has fields that this version does not know; they are left out",
+                             path.empty() ? "the file" : path));
 }
 
 void read(auto& target, const Json& json, const std::string& path, const FieldInfo& info) {
@@ -145,7 +155,8 @@ void read(auto& target, const Json& json, const std::string& path, const FieldIn
     for (int i = 0; i < kSize; ++i) readNumber(target[i], json[std::size_t(i)], fmt::format("{}.{}", path, i), info);
   } else if constexpr (List<T>) {
     if (!json.is_array()) fail(path, "expected a list");
-    if (json.size() > kMostItems) fail(path, fmt::format("the list has {} items; {} is the most", json.size(), kMostItems));
+    if (json.size() > kMostItems)
+      fail(path, fmt::format("the list has {} items; {} is the most", json.size(), kMostItems));
     T items;
     for (std::size_t i = 0; i < json.size(); ++i) {
       items.emplace_back();
@@ -204,10 +215,12 @@ void assignMember(T& target, std::string_view rest, std::string_view text, const
     assign(member, tail, text, path.empty() ? std::string(name) : fmt::format("{}.{}", path, name), info);
   };
   T::fields(target, visit);
-  if (!found) throw ArgumentError(fmt::format("no field '{}' in {}; there are {}", head, path.empty() ? "a scene" : path, known));
+  if (!found)
+    throw ArgumentError(fmt::format("no field '{}' in {}; there are {}", head, path.empty() ? "a scene" : path, known));
 }
 
-void assign(auto& target, std::string_view rest, std::string_view text, const std::string& path, const FieldInfo& info) {
+void assign(auto& target, std::string_view rest, std::string_view text, const std::string& path,
+            const FieldInfo& info) {
   using T = std::remove_cvref_t<decltype(target)>;
   if (rest.empty()) {
     try {
@@ -230,9 +243,11 @@ void assign(auto& target, std::string_view rest, std::string_view text, const st
     std::size_t index = target.size();
     if (head != "+") {
       index = 0;
-      for (char c : head) index = c >= '0' && c <= '9' ? std::min(kMostItems, index * 10 + std::size_t(c - '0')) : kMostItems;
+      for (char c : head)
+        index = c >= '0' && c <= '9' ? std::min(kMostItems, index * 10 + std::size_t(c - '0')) : kMostItems;
       if (head.empty() || index > target.size() || index >= kMostItems)
-        throw ArgumentError(fmt::format("{} has {} items; '{}' is none of them (use + to append)", path, target.size(), head));
+        throw ArgumentError(
+            fmt::format("{} has {} items; '{}' is none of them (use + to append)", path, target.size(), head));
     }
     if (index == target.size()) target.emplace_back();
     assign(target[index], tail, text, fmt::format("{}.{}", path, index), info);
@@ -247,17 +262,24 @@ void assign(auto& target, std::string_view rest, std::string_view text, const st
 
 template <class T>
 std::string typeName() {
-  if constexpr (std::is_same_v<T, bool>) return "true or false";
-  else if constexpr (std::is_integral_v<T>) return "whole number";
-  else if constexpr (Number<T>) return "number";
-  else if constexpr (std::is_same_v<T, std::string>) return "text";
-  else if constexpr (GlmVector<T>) return fmt::format("{} numbers", GlmTraits<T>::kSize);
-  else if constexpr (List<T>) return fmt::format("list of {}", typeName<typename ListTraits<T>::Item>());
+  if constexpr (std::is_same_v<T, bool>)
+    return "true or false";
+  else if constexpr (std::is_integral_v<T>)
+    return "whole number";
+  else if constexpr (Number<T>)
+    return "number";
+  else if constexpr (std::is_same_v<T, std::string>)
+    return "text";
+  else if constexpr (GlmVector<T>)
+    return fmt::format("{} numbers", GlmTraits<T>::kSize);
+  else if constexpr (List<T>)
+    return fmt::format("list of {}", typeName<typename ListTraits<T>::Item>());
   else if constexpr (Enumeration<T>) {
     std::string names;
     for (auto name : EnumNames<T>::kNames) names += fmt::format("{}`{}`", names.empty() ? "" : ", ", name);
     return names;
-  } else return "object";
+  } else
+    return "object";
 }
 
 std::string rangeText(const Range& range) {
@@ -273,7 +295,8 @@ void addRows(const T& defaults, const std::string& path, std::vector<FieldRow>& 
     if constexpr (Fielded<M>) {
       addRows(member, here, rows);
     } else {
-      rows.push_back({here, typeName<M>(), std::string(info.unit), rangeText(info.range), std::string(info.doc), write(member).dump()});
+      rows.push_back({here, typeName<M>(), std::string(info.unit), rangeText(info.range), std::string(info.doc),
+                      write(member).dump()});
       if constexpr (List<M>) {
         if constexpr (Fielded<typename ListTraits<M>::Item>) addRows(typename ListTraits<M>::Item{}, here + ".N", rows);
       }
@@ -285,7 +308,8 @@ void addRows(const T& defaults, const std::string& path, std::vector<FieldRow>& 
 template <class T>
 Json schemaOf(const T& defaults, const FieldInfo& info) {
   Json out = Json::object();
-  if (!info.doc.empty()) out["description"] = info.unit.empty() ? std::string(info.doc) : fmt::format("{} Unit: {}.", info.doc, info.unit);
+  if (!info.doc.empty())
+    out["description"] = info.unit.empty() ? std::string(info.doc) : fmt::format("{} Unit: {}.", info.doc, info.unit);
   auto addRange = [&](Json& node) {
     if (!std::isinf(info.range.min)) node["minimum"] = info.range.min;
     if (!std::isinf(info.range.max)) node["maximum"] = info.range.max;
@@ -337,11 +361,15 @@ std::string toJson(const Scene& scene) {
 Scene fromJson(std::string_view text) {
   checkDepth(text);
   Json json = Json::parse(text, nullptr, false);
-  if (json.is_discarded() || !json.is_object()) throw InputError("scene: the text is not a JSON object; the file is damaged or of another kind");
+  if (json.is_discarded() || !json.is_object())
+    throw InputError("scene: the text is not a JSON object; the file is damaged or of another kind");
   auto version = json.find("velum");
-  if (version == json.end() || !version->is_number_integer()) throw InputError("scene: no \"velum\" version number; this is not a scene of ours");
+  if (version == json.end() || !version->is_number_integer())
+    throw InputError("scene: no \"velum\" version number; this is not a scene of ours");
   if (version->get<double>() > kSceneVersion || version->get<double>() < 1)
-    throw InputError(fmt::format("scene: written by a newer Velum (scene version {}, this one reads up to {}); update Velum", version->get<double>(), kSceneVersion));
+    throw InputError(
+        fmt::format("scene: written by a newer Velum (scene version {}, this one reads up to {}); update Velum",
+                    version->get<double>(), kSceneVersion));
   Scene scene;
   readStruct(scene, json, "");
   return scene;
@@ -362,7 +390,8 @@ std::vector<FieldRow> fieldTable() {
 std::string jsonSchema() {
   Json out = {{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", "Velum scene"}};
   out.update(schemaOf(Scene{}, {}));
-  out["properties"]["velum"] = {{"type", "integer"}, {"minimum", 1}, {"maximum", kSceneVersion}, {"description", "Version of the scene format."}};
+  out["properties"]["velum"] = {
+      {"type", "integer"}, {"minimum", 1}, {"maximum", kSceneVersion}, {"description", "Version of the scene format."}};
   out["required"] = {"velum"};
   return out.dump(2) + "\n";
 }

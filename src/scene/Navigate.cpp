@@ -18,12 +18,15 @@ Basis basisOf(const Camera& camera) {
   glm::dvec3 toEye = camera.eyeMm - camera.targetMm;
   toEye = glm::length(toEye) > 1e-12 ? glm::normalize(toEye) : glm::dvec3(0, -1, 0);
   glm::dvec3 right = glm::cross(camera.up, toEye);
-  if (glm::length(right) < 1e-9) right = glm::cross(std::abs(toEye.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0), toEye);
+  if (glm::length(right) < 1e-9)
+    right = glm::cross(std::abs(toEye.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0), toEye);
   right = glm::normalize(right);
   return {right, glm::cross(toEye, right), toEye};
 }
 
-glm::dvec3 turn(glm::dvec3 v, double angle, glm::dvec3 axis) { return glm::dvec3(glm::rotate(glm::dmat4(1.0), angle, axis) * glm::dvec4(v, 0.0)); }
+glm::dvec3 turn(glm::dvec3 v, double angle, glm::dvec3 axis) {
+  return glm::dvec3(glm::rotate(glm::dmat4(1.0), angle, axis) * glm::dvec4(v, 0.0));
+}
 
 }  // namespace
 
@@ -39,8 +42,10 @@ Camera orbit(const Camera& camera, glm::dvec2 drag) {
 
 Camera pan(const Camera& camera, glm::dvec2 drag) {
   Basis basis = basisOf(camera);
-  double height = camera.projection == Projection::Orthographic ? camera.heightMm
-                                                                : 2.0 * glm::length(camera.eyeMm - camera.targetMm) * std::tan(glm::radians(camera.fieldOfViewDeg) * 0.5);
+  double height =
+      camera.projection == Projection::Orthographic
+          ? camera.heightMm
+          : 2.0 * glm::length(camera.eyeMm - camera.targetMm) * std::tan(glm::radians(camera.fieldOfViewDeg) * 0.5);
   glm::dvec3 move = (-drag.x * basis.right + drag.y * basis.up) * height;
   Camera out = camera;
   out.eyeMm += move;

@@ -40,8 +40,8 @@ constexpr Preset kPresets[] = {
     {"grey", "First guess", Modality::Unknown, false},
 };
 
-const glm::vec3 kIvory(0.96f, 0.91f, 0.80f), kBone(0.98f, 0.95f, 0.88f), kSkin(0.90f, 0.70f, 0.58f), kFlesh(0.74f, 0.32f, 0.26f),
-    kDark(0.42f, 0.12f, 0.10f), kFat(0.93f, 0.80f, 0.55f), kBlood(0.78f, 0.13f, 0.10f);
+const glm::vec3 kIvory(0.96f, 0.91f, 0.80f), kBone(0.98f, 0.95f, 0.88f), kSkin(0.90f, 0.70f, 0.58f),
+    kFlesh(0.74f, 0.32f, 0.26f), kDark(0.42f, 0.12f, 0.10f), kFat(0.93f, 0.80f, 0.55f), kBlood(0.78f, 0.13f, 0.10f);
 
 Look lookOf(std::string_view name) {
   Look look;
@@ -54,56 +54,97 @@ Look lookOf(std::string_view name) {
     look.opacities = {{-550, 0}, {-350, 0.55}, {-150, 0.9}, {3000, 0.95}};
     look.windowLevel = 40, look.windowWidth = 400, look.specular = 0.18;
   } else if (name == "ct-skin-bone") {
-    look.colors = {{-600, kSkin}, {-100, kSkin}, {90, kFlesh}, {190, {0.80f, 0.58f, 0.42f}}, {320, kIvory}, {1200, kBone}};
+    look.colors = {{-600, kSkin}, {-100, kSkin}, {90, kFlesh}, {190, {0.80f, 0.58f, 0.42f}},
+                   {320, kIvory}, {1200, kBone}};
     look.opacities = {{-560, 0}, {-420, 0.035}, {-250, 0.012}, {100, 0.006}, {170, 0.02}, {280, 0.5}, {500, 0.9}};
     look.windowLevel = 40, look.windowWidth = 400;
   } else if (name == "ct-muscle") {
-    look.colors = {{-150, kFat}, {-60, kFat}, {-10, {0.85f, 0.55f, 0.42f}}, {35, kFlesh}, {90, {0.70f, 0.22f, 0.18f}}, {150, {0.86f, 0.48f, 0.36f}}, {260, kIvory}, {1000, kBone}};
+    look.colors = {{-150, kFat},
+                   {-60, kFat},
+                   {-10, {0.85f, 0.55f, 0.42f}},
+                   {35, kFlesh},
+                   {90, {0.70f, 0.22f, 0.18f}},
+                   {150, {0.86f, 0.48f, 0.36f}},
+                   {260, kIvory},
+                   {1000, kBone}};
     look.opacities = {{-30, 0}, {5, 0.12}, {40, 0.5}, {100, 0.75}, {300, 0.95}};
     look.windowLevel = 40, look.windowWidth = 350;
   } else if (name == "ct-lung") {
-    look.colors = {{-950, {0.55f, 0.68f, 0.80f}}, {-750, {0.86f, 0.62f, 0.55f}}, {-400, {0.90f, 0.50f, 0.42f}}, {0, kFlesh}, {200, kIvory}, {900, kBone}};
-    look.opacities = {{-960, 0}, {-880, 0.006}, {-760, 0.012}, {-600, 0.10}, {-400, 0.30}, {-250, 0.05}, {-200, 0.0}, {140, 0.0}, {260, 0.35}, {500, 0.8}};
+    look.colors = {{-950, {0.55f, 0.68f, 0.80f}},
+                   {-750, {0.86f, 0.62f, 0.55f}},
+                   {-400, {0.90f, 0.50f, 0.42f}},
+                   {0, kFlesh},
+                   {200, kIvory},
+                   {900, kBone}};
+    look.opacities = {{-960, 0},    {-880, 0.006}, {-760, 0.012}, {-600, 0.10}, {-400, 0.30},
+                      {-250, 0.05}, {-200, 0.0},   {140, 0.0},    {260, 0.35},  {500, 0.8}};
     look.windowLevel = -500, look.windowWidth = 1500;
   } else if (name == "ct-vessels") {
-    look.colors = {{80, kDark}, {150, kBlood}, {280, {0.87f, 0.25f, 0.16f}}, {420, {0.92f, 0.45f, 0.30f}}, {600, kIvory}, {1500, kBone}};
+    look.colors = {{80, kDark},   {150, kBlood}, {280, {0.87f, 0.25f, 0.16f}}, {420, {0.92f, 0.45f, 0.30f}},
+                   {600, kIvory}, {1500, kBone}};
     look.opacities = {{110, 0}, {170, 0.10}, {240, 0.55}, {400, 0.85}, {800, 0.95}};
     look.windowLevel = 200, look.windowWidth = 700, look.specular = 0.4;
   } else if (name == "mr-head") {
-    look.colors = {{0.05, kDark}, {0.2, {0.72f, 0.46f, 0.38f}}, {0.42, kSkin}, {0.62, {0.93f, 0.82f, 0.72f}}, {0.85, {0.98f, 0.93f, 0.84f}}, {1, {1, 1, 1}}};
+    look.colors = {{0.05, kDark},
+                   {0.2, {0.72f, 0.46f, 0.38f}},
+                   {0.42, kSkin},
+                   {0.62, {0.93f, 0.82f, 0.72f}},
+                   {0.85, {0.98f, 0.93f, 0.84f}},
+                   {1, {1, 1, 1}}};
     look.opacities = {{0.12, 0}, {0.2, 0.12}, {0.32, 0.5}, {0.6, 0.75}, {1, 0.85}};
   } else if (name == "mr-brain") {
-    look.colors = {{0.1, kDark}, {0.35, {0.78f, 0.52f, 0.46f}}, {0.6, {0.92f, 0.76f, 0.68f}}, {0.85, {0.98f, 0.93f, 0.88f}}};
+    look.colors = {
+        {0.1, kDark}, {0.35, {0.78f, 0.52f, 0.46f}}, {0.6, {0.92f, 0.76f, 0.68f}}, {0.85, {0.98f, 0.93f, 0.88f}}};
     look.opacities = {{0.30, 0}, {0.42, 0.35}, {0.6, 0.7}, {1, 0.9}};
   } else if (name == "angiography") {
-    look.colors = {{0.1, {0.35f, 0.05f, 0.05f}}, {0.35, kBlood}, {0.65, {0.88f, 0.32f, 0.20f}}, {1, {1.0f, 0.80f, 0.62f}}};
+    look.colors = {
+        {0.1, {0.35f, 0.05f, 0.05f}}, {0.35, kBlood}, {0.65, {0.88f, 0.32f, 0.20f}}, {1, {1.0f, 0.80f, 0.62f}}};
     look.opacities = {{0.15, 0}, {0.28, 0.30}, {0.45, 0.8}, {1, 0.95}};
     look.specular = 0.45;
   } else if (name == "ultrasound") {
-    look.colors = {{0.1, {0.16f, 0.10f, 0.08f}}, {0.4, {0.62f, 0.40f, 0.28f}}, {0.7, {0.90f, 0.72f, 0.54f}}, {1, {1.0f, 0.95f, 0.86f}}};
+    look.colors = {{0.1, {0.16f, 0.10f, 0.08f}},
+                   {0.4, {0.62f, 0.40f, 0.28f}},
+                   {0.7, {0.90f, 0.72f, 0.54f}},
+                   {1, {1.0f, 0.95f, 0.86f}}};
     look.opacities = {{0.18, 0}, {0.35, 0.04}, {0.6, 0.28}, {0.85, 0.7}, {1, 0.9}};
     look.specular = 0.12;
   } else if (name == "microscopy") {
-    look.colors = {{0.02, {0.30f, 0.16f, 0.12f}}, {0.2, {0.70f, 0.42f, 0.30f}}, {0.5, {0.92f, 0.74f, 0.54f}}, {1, {1.0f, 0.97f, 0.90f}}};
+    look.colors = {{0.02, {0.30f, 0.16f, 0.12f}},
+                   {0.2, {0.70f, 0.42f, 0.30f}},
+                   {0.5, {0.92f, 0.74f, 0.54f}},
+                   {1, {1.0f, 0.97f, 0.90f}}};
     look.opacities = {{0.04, 0}, {0.12, 0.10}, {0.3, 0.45}, {1, 0.8}};
     look.specular = 0.2;
   } else if (name == "fluorescence") {
-    look.colors = {{0.05, {0.02f, 0.08f, 0.20f}}, {0.3, {0.05f, 0.45f, 0.55f}}, {0.6, {0.35f, 0.85f, 0.55f}}, {1, {1.0f, 1.0f, 0.85f}}};
+    look.colors = {{0.05, {0.02f, 0.08f, 0.20f}},
+                   {0.3, {0.05f, 0.45f, 0.55f}},
+                   {0.6, {0.35f, 0.85f, 0.55f}},
+                   {1, {1.0f, 1.0f, 0.85f}}};
     look.opacities = {{0.12, 0}, {0.3, 0.10}, {0.6, 0.6}, {1, 0.9}};
     look.specular = 0.3;
   } else if (name == "micro-ct") {
-    look.colors = {{0.05, kDark}, {0.25, {0.76f, 0.50f, 0.40f}}, {0.45, {0.90f, 0.72f, 0.55f}}, {0.65, kIvory}, {1, {1, 1, 1}}};
+    look.colors = {
+        {0.05, kDark}, {0.25, {0.76f, 0.50f, 0.40f}}, {0.45, {0.90f, 0.72f, 0.55f}}, {0.65, kIvory}, {1, {1, 1, 1}}};
     look.opacities = {{0.18, 0}, {0.28, 0.015}, {0.42, 0.04}, {0.55, 0.5}, {0.75, 0.9}};
   } else if (name == "seismic") {
-    look.colors = {{0, {0.12f, 0.25f, 0.55f}}, {0.3, {0.45f, 0.62f, 0.80f}}, {0.5, {0.93f, 0.91f, 0.87f}}, {0.7, {0.85f, 0.50f, 0.32f}}, {1, {0.55f, 0.10f, 0.08f}}};
+    look.colors = {{0, {0.12f, 0.25f, 0.55f}},
+                   {0.3, {0.45f, 0.62f, 0.80f}},
+                   {0.5, {0.93f, 0.91f, 0.87f}},
+                   {0.7, {0.85f, 0.50f, 0.32f}},
+                   {1, {0.55f, 0.10f, 0.08f}}};
     look.opacities = {{0.0, 0.9}, {0.25, 0.55}, {0.42, 0.02}, {0.58, 0.02}, {0.75, 0.55}, {1.0, 0.9}};
     look.specular = 0.1;
   } else if (name == "seismic-velocity") {
-    look.colors = {{0, {0.18f, 0.22f, 0.45f}}, {0.3, {0.25f, 0.55f, 0.60f}}, {0.55, {0.80f, 0.80f, 0.58f}}, {0.8, {0.86f, 0.52f, 0.30f}}, {1, {0.62f, 0.18f, 0.14f}}};
+    look.colors = {{0, {0.18f, 0.22f, 0.45f}},
+                   {0.3, {0.25f, 0.55f, 0.60f}},
+                   {0.55, {0.80f, 0.80f, 0.58f}},
+                   {0.8, {0.86f, 0.52f, 0.30f}},
+                   {1, {0.62f, 0.18f, 0.14f}}};
     look.opacities = {{0.0, 0.0}, {0.15, 0.03}, {0.45, 0.06}, {0.62, 0.3}, {0.8, 0.75}, {1, 0.9}};
     look.specular = 0.1;
   } else {
-    look.colors = {{0.05, {0.25f, 0.20f, 0.20f}}, {0.3, {0.66f, 0.52f, 0.44f}}, {0.6, {0.90f, 0.82f, 0.70f}}, {1, {1, 1, 1}}};
+    look.colors = {
+        {0.05, {0.25f, 0.20f, 0.20f}}, {0.3, {0.66f, 0.52f, 0.44f}}, {0.6, {0.90f, 0.82f, 0.70f}}, {1, {1, 1, 1}}};
     look.opacities = {{0.15, 0}, {0.3, 0.06}, {0.5, 0.4}, {0.8, 0.85}};
   }
   return look;
@@ -116,7 +157,9 @@ glm::dvec2 relativeRange(const Volume& volume, bool isSigned, double brightShare
   if (isSigned) return {quantile(histogram, 0.004), quantile(histogram, 0.996)};
   // The background is the highest peak of the lower half; without a peak, the lowest hundredth.
   std::size_t half = histogram.counts.size() / 2;
-  std::size_t peak = std::size_t(std::max_element(histogram.counts.begin(), histogram.counts.begin() + std::ptrdiff_t(half)) - histogram.counts.begin());
+  std::size_t peak =
+      std::size_t(std::max_element(histogram.counts.begin(), histogram.counts.begin() + std::ptrdiff_t(half)) -
+                  histogram.counts.begin());
   double width = (histogram.range.y - histogram.range.x) / double(histogram.counts.size());
   std::uint64_t total = 0;
   for (auto count : histogram.counts) total += count;
@@ -179,18 +222,27 @@ void applyPreset(Scene& scene, std::string_view name) {
 
 std::string_view choosePreset(const Volume& volume) {
   switch (volume.modality) {
-    case Modality::CT: return volume.range.x < -200 ? "ct-bone" : "micro-ct";
-    case Modality::MR: return "mr-head";
-    case Modality::Angiography: return "angiography";
-    case Modality::Ultrasound: return "ultrasound";
-    case Modality::Microscopy: return "microscopy";
-    case Modality::Seismic: return volume.range.x < 0 ? "seismic" : "seismic-velocity";
-    default: break;
+    case Modality::CT:
+      return volume.range.x < -200 ? "ct-bone" : "micro-ct";
+    case Modality::MR:
+      return "mr-head";
+    case Modality::Angiography:
+      return "angiography";
+    case Modality::Ultrasound:
+      return "ultrasound";
+    case Modality::Microscopy:
+      return "microscopy";
+    case Modality::Seismic:
+      return volume.range.x < 0 ? "seismic" : "seismic-velocity";
+    default:
+      break;
   }
   // Optical sections: 16 bits without a sign, in files that know neither patient nor spacing.
-  if (volume.type == SampleType::UInt16 && !volume.isOrientationKnown && volume.range.x >= 0 && volume.range.y > 4095) return "microscopy";
+  if (volume.type == SampleType::UInt16 && !volume.isOrientationKnown && volume.range.x >= 0 && volume.range.y > 4095)
+    return "microscopy";
   // Hounsfield units give themselves away: much air at -1000 and nothing far below it.
-  if (volume.range.x <= -900 && volume.range.x >= -4100 && volume.range.y > 300 && volume.range.y < 35000) return "ct-bone";
+  if (volume.range.x <= -900 && volume.range.x >= -4100 && volume.range.y > 300 && volume.range.y < 35000)
+    return "ct-bone";
   if (volume.range.x < 0 && volume.range.y > 0 && -volume.range.x > 0.3 * volume.range.y) return "seismic";
   return "grey";
 }

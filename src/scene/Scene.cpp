@@ -29,8 +29,10 @@ glm::dvec3 unitOr(glm::dvec3 v, glm::dvec3 fallback) {
 Bounds computeBounds(const Scene& scene) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   Bounds bounds{glm::dvec3(kInfinity), glm::dvec3(-kInfinity)};
-  if (scene.volume.data) addBox(bounds, scene.volume.data->dims, scene.volume.data->worldFromVoxel);
-  else if (scene.labels.data) addBox(bounds, scene.labels.data->dims(), scene.labels.data->worldFromVoxel());
+  if (scene.volume.data)
+    addBox(bounds, scene.volume.data->dims, scene.volume.data->worldFromVoxel);
+  else if (scene.labels.data)
+    addBox(bounds, scene.labels.data->dims(), scene.labels.data->worldFromVoxel());
   for (const auto& surface : scene.surfaces) {
     if (!surface.data) continue;
     for (const auto& p : surface.data->positions) {
@@ -45,8 +47,9 @@ Camera frameCamera(const Scene& scene, StandardView view, double aspect) {
   struct Side {
     glm::dvec3 toEye, up;
   };
-  static const Side kSides[] = {{{0, -1, 0}, {0, 0, 1}}, {{0, 1, 0}, {0, 0, 1}}, {{1, 0, 0}, {0, 0, 1}},       {{-1, 0, 0}, {0, 0, 1}},
-                                {{0, 0, 1}, {0, -1, 0}}, {{0, 0, -1}, {0, -1, 0}}, {{-0.55, -1, 0.35}, {0, 0, 1}}};
+  static const Side kSides[] = {{{0, -1, 0}, {0, 0, 1}},       {{0, 1, 0}, {0, 0, 1}},  {{1, 0, 0}, {0, 0, 1}},
+                                {{-1, 0, 0}, {0, 0, 1}},       {{0, 0, 1}, {0, -1, 0}}, {{0, 0, -1}, {0, -1, 0}},
+                                {{-0.55, -1, 0.35}, {0, 0, 1}}};
   const Side& side = kSides[static_cast<int>(view)];
   Bounds bounds = computeBounds(scene);
   Camera camera = scene.camera;
@@ -87,10 +90,12 @@ glm::dmat4 worldFromCut(const Cut& cut) {
 void completeStructures(LabelLayer& labels) {
   if (!labels.data) return;
   for (const auto& info : labels.data->table) {
-    bool known = std::any_of(labels.structures.begin(), labels.structures.end(), [&](const Structure& s) { return s.id == info.id; });
+    bool known = std::any_of(labels.structures.begin(), labels.structures.end(),
+                             [&](const Structure& s) { return s.id == info.id; });
     if (!known) labels.structures.push_back({info.id, info.name, info.color, info.opacity, true});
   }
-  std::sort(labels.structures.begin(), labels.structures.end(), [](const Structure& a, const Structure& b) { return a.id < b.id; });
+  std::sort(labels.structures.begin(), labels.structures.end(),
+            [](const Structure& a, const Structure& b) { return a.id < b.id; });
 }
 
 glm::dvec2 effectiveWindow(const VolumeLayer& layer) {

@@ -35,7 +35,8 @@ std::string readText(const fs::path& path) {
   std::error_code error;
   auto size = fs::file_size(path, error);
   if (error) throw InputError(fmt::format("{}: {}", path.string(), error.message()));
-  if (size > kLargestSceneFile) throw InputError(fmt::format("{}: {} MiB is too much for a scene file", path.string(), size >> 20));
+  if (size > kLargestSceneFile)
+    throw InputError(fmt::format("{}: {} MiB is too much for a scene file", path.string(), size >> 20));
   std::ifstream in(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
 }
@@ -194,7 +195,8 @@ void saveScene(const scene::Scene& scene, const fs::path& path) {
   if (!ok || error) {
     std::error_code ignored;
     fs::remove(temporary, ignored);
-    throw InputError(fmt::format("{}: the scene cannot be written there: check the folder and the free space", path.string()));
+    throw InputError(
+        fmt::format("{}: the scene cannot be written there: check the folder and the free space", path.string()));
   }
 }
 

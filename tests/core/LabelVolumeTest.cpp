@@ -24,7 +24,8 @@ TEST(LabelVolume, WhatIsWrittenIsRead) {
     for (int z = 0; z < size.z; ++z)
       for (int y = 0; y < size.y; ++y)
         for (int x = 0; x < size.x; ++x)
-          plain[std::size_t(((origin.z + z) * dims.y + origin.y + y) * dims.x + origin.x + x)] = box[std::size_t((z * size.y + y) * size.x + x)];
+          plain[std::size_t(((origin.z + z) * dims.y + origin.y + y) * dims.x + origin.x + x)] =
+              box[std::size_t((z * size.y + y) * size.x + x)];
   }
   std::vector<std::uint16_t> back(plain.size());
   labels.read(glm::ivec3(0), dims, back);

@@ -27,7 +27,8 @@ std::vector<Defines> variantsOf(const std::string& file) {
   for (int mode = 0; mode < values("MODE", 3); ++mode)
     for (int labels = 0; labels < values("LABELS", 3); ++labels)
       for (int color = 0; color < values("COLOR", 2); ++color)
-        variants.push_back({{"MODE", std::to_string(mode)}, {"LABELS", std::to_string(labels)}, {"COLOR", std::to_string(color)}});
+        variants.push_back(
+            {{"MODE", std::to_string(mode)}, {"LABELS", std::to_string(labels)}, {"COLOR", std::to_string(color)}});
   return variants;
 }
 
@@ -49,7 +50,8 @@ TEST_F(ShaderGL, EveryEntryPointCompilesInEveryVariant) {
         ++programs;
       } else if (file.ends_with(".vert")) {
         std::string fragment = file.substr(0, file.size() - 5) + ".frag";
-        ASSERT_NE(std::find(files.begin(), files.end(), fragment), files.end()) << "a vertex shader without its fragment shader";
+        ASSERT_NE(std::find(files.begin(), files.end(), fragment), files.end())
+            << "a vertex shader without its fragment shader";
         EXPECT_NO_THROW(Program({file, fragment}, defines));
         ++programs;
       }
@@ -68,8 +70,10 @@ std::vector<std::string> membersOf(const std::string& header, const std::string&
   std::vector<std::string> members;
   bool inside = false;
   for (std::string line; std::getline(in, line);) {
-    if (line.starts_with("struct " + structName + " {")) inside = true;
-    else if (inside && line.starts_with("};")) break;
+    if (line.starts_with("struct " + structName + " {"))
+      inside = true;
+    else if (inside && line.starts_with("};"))
+      break;
     else if (std::size_t end = line.find(';'); inside && end != std::string::npos) {
       std::size_t start = line.rfind(' ', end) + 1;
       members.push_back(line.substr(start, end - start));
@@ -82,25 +86,30 @@ struct Offset {
   const char* member;
   std::size_t bytes;
 };
-#define VELUM_OFFSET(type, member) {#member, offsetof(shared::type, member)}
+#define VELUM_OFFSET(type, member) \
+  { #member, offsetof(shared::type, member) }
 
-const Offset kFrameOffsets[] = {
-    VELUM_OFFSET(FrameParams, texFromScene),  VELUM_OFFSET(FrameParams, labelFromScene), VELUM_OFFSET(FrameParams, clipFromScene),
-    VELUM_OFFSET(FrameParams, eye),           VELUM_OFFSET(FrameParams, right),          VELUM_OFFSET(FrameParams, up),
-    VELUM_OFFSET(FrameParams, forward),       VELUM_OFFSET(FrameParams, picture),        VELUM_OFFSET(FrameParams, volumeSize),
-    VELUM_OFFSET(FrameParams, cellsPerTex),   VELUM_OFFSET(FrameParams, cellGrid),       VELUM_OFFSET(FrameParams, valueFromTexel),
-    VELUM_OFFSET(FrameParams, step),          VELUM_OFFSET(FrameParams, tableScale),
-    VELUM_OFFSET(FrameParams, gradientScale), VELUM_OFFSET(FrameParams, window),         VELUM_OFFSET(FrameParams, light),
-    VELUM_OFFSET(FrameParams, key),           VELUM_OFFSET(FrameParams, hemisphere),     VELUM_OFFSET(FrameParams, normalX),
-    VELUM_OFFSET(FrameParams, normalY),       VELUM_OFFSET(FrameParams, normalZ),        VELUM_OFFSET(FrameParams, lightGrid),
-    VELUM_OFFSET(FrameParams, counts),        VELUM_OFFSET(FrameParams, flags)};
-const Offset kCutOffsets[] = {VELUM_OFFSET(CutData, localFromScene), VELUM_OFFSET(CutData, half_), VELUM_OFFSET(CutData, kind),
-                              VELUM_OFFSET(CutData, face)};
+const Offset kFrameOffsets[] = {VELUM_OFFSET(FrameParams, texFromScene),  VELUM_OFFSET(FrameParams, labelFromScene),
+                                VELUM_OFFSET(FrameParams, clipFromScene), VELUM_OFFSET(FrameParams, eye),
+                                VELUM_OFFSET(FrameParams, right),         VELUM_OFFSET(FrameParams, up),
+                                VELUM_OFFSET(FrameParams, forward),       VELUM_OFFSET(FrameParams, picture),
+                                VELUM_OFFSET(FrameParams, volumeSize),    VELUM_OFFSET(FrameParams, cellsPerTex),
+                                VELUM_OFFSET(FrameParams, cellGrid),      VELUM_OFFSET(FrameParams, valueFromTexel),
+                                VELUM_OFFSET(FrameParams, step),          VELUM_OFFSET(FrameParams, tableScale),
+                                VELUM_OFFSET(FrameParams, gradientScale), VELUM_OFFSET(FrameParams, window),
+                                VELUM_OFFSET(FrameParams, light),         VELUM_OFFSET(FrameParams, key),
+                                VELUM_OFFSET(FrameParams, hemisphere),    VELUM_OFFSET(FrameParams, normalX),
+                                VELUM_OFFSET(FrameParams, normalY),       VELUM_OFFSET(FrameParams, normalZ),
+                                VELUM_OFFSET(FrameParams, lightGrid),     VELUM_OFFSET(FrameParams, counts),
+                                VELUM_OFFSET(FrameParams, flags)};
+const Offset kCutOffsets[] = {VELUM_OFFSET(CutData, localFromScene), VELUM_OFFSET(CutData, half_),
+                              VELUM_OFFSET(CutData, kind), VELUM_OFFSET(CutData, face)};
 
 TEST_F(ShaderGL, FrameParamsLieWhereTheDriverPutsThem) {
   // A member that this list lacks would go unchecked.
   auto members = membersOf("frame.h", "FrameParams");
-  ASSERT_EQ(members.size(), std::size(kFrameOffsets)) << "shaders/shared/frame.h has changed: list its members here, too";
+  ASSERT_EQ(members.size(), std::size(kFrameOffsets))
+      << "shaders/shared/frame.h has changed: list its members here, too";
   Program program({"render/ray_cast.comp"}, {{"MODE", "0"}, {"LABELS", "1"}, {"COLOR", "0"}});
   for (std::size_t i = 0; i < members.size(); ++i) {
     EXPECT_EQ(members[i], kFrameOffsets[i].member);
@@ -183,7 +192,8 @@ TEST_F(ShaderGL, ACompileErrorNamesTheIncludedFileAndLine) {
 }
 
 TEST_F(ShaderGL, AMissingIncludeIsNamed) {
-  std::string message = messageOfBroken("render/ray_cast.comp", "common/volume.glsl", 2, "#include \"common/none.glsl\"");
+  std::string message =
+      messageOfBroken("render/ray_cast.comp", "common/volume.glsl", 2, "#include \"common/none.glsl\"");
   EXPECT_NE(message.find("common/none.glsl"), std::string::npos) << message;
 }
 

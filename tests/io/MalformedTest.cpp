@@ -8,6 +8,7 @@ namespace {
 struct Case {
   const char* name;
   bool opens;
+  friend void PrintTo(const Case& value, std::ostream* out) { *out << value.name; }
 };
 
 // What data/malformed/README.md asks for; where it leaves a choice, the one that was made.

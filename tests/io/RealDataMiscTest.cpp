@@ -40,8 +40,10 @@ struct Row {
   glm::dvec3 spacing;
   glm::dvec2 range;
   bool isSpacingKnown = true;
-  scene::RawLayout raw = {};
-};
+  scene::RawLayout raw = {friend void PrintTo(const Row& value, std::ostream* out){*out << value.file;
+}
+};  // namespace
+};  // namespace velum::io
 
 class RealData : public testing::TestWithParam<Row> {};
 
@@ -205,8 +207,12 @@ struct Bad {
   const char* file;
   Reader reader;
   bool mayOpen;
-  scene::RawLayout raw = {};
-};
+  scene::RawLayout raw = {friend void PrintTo(const Bad& value, std::ostream* out){*out << value.file;
+}
+}
+;
+}
+;
 class Malformed : public testing::TestWithParam<Bad> {};
 
 TEST_P(Malformed, IsRefusedWithItsNameAndAReason) {

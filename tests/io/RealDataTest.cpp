@@ -9,6 +9,7 @@ struct Case {
   SampleType type;
   glm::dvec3 spacing;
   glm::dvec2 range;
+  friend void PrintTo(const Case& value, std::ostream* out) { *out << value.name; }
 };
 
 // From data/volumes/README.md.

@@ -26,17 +26,21 @@ void expectEqualsPlainLoop(glm::ivec3 dims, double scale, double texelScale) {
         for (int z = low.z; z < high.z; ++z)
           for (int y = low.y; y < high.y; ++y)
             for (int x = low.x; x < high.x; ++x) {
-              double v = double(samples[(std::size_t(z) * std::size_t(dims.y) + std::size_t(y)) * std::size_t(dims.x) + std::size_t(x)]);
+              double v = double(samples[(std::size_t(z) * std::size_t(dims.y) + std::size_t(y)) * std::size_t(dims.x) +
+                                        std::size_t(x)]);
               smallest = std::min(smallest, v), largest = std::max(largest, v);
             }
-        glm::vec2 range = ranges[(std::size_t(cz) * std::size_t(cells.size.y) + std::size_t(cy)) * std::size_t(cells.size.x) + std::size_t(cx)];
+        glm::vec2 range =
+            ranges[(std::size_t(cz) * std::size_t(cells.size.y) + std::size_t(cy)) * std::size_t(cells.size.x) +
+                   std::size_t(cx)];
         EXPECT_FLOAT_EQ(range.x, float(smallest / texelScale));
         EXPECT_FLOAT_EQ(range.y, float(largest / texelScale));
       }
 }
 
 TEST(CellRanges, EqualAPlainLoop) {
-  for (glm::ivec3 dims : {glm::ivec3(17, 9, 13), glm::ivec3(1, 1, 1), glm::ivec3(4, 8, 12), glm::ivec3(300, 5, 3), glm::ivec3(33, 1, 70)}) {
+  for (glm::ivec3 dims : {glm::ivec3(17, 9, 13), glm::ivec3(1, 1, 1), glm::ivec3(4, 8, 12), glm::ivec3(300, 5, 3),
+                          glm::ivec3(33, 1, 70)}) {
     SCOPED_TRACE(dims.x);
     expectEqualsPlainLoop<std::uint8_t>(dims, 255, 255);
     expectEqualsPlainLoop<std::uint16_t>(dims, 65535, 65535);
@@ -60,7 +64,8 @@ TEST(CellRanges, SlabsTogetherEqualTheWhole) {
 }
 
 TEST(CellGrid, CoversTheVolumeWithAtMost64Cells) {
-  for (glm::ivec3 dims : {glm::ivec3(1), glm::ivec3(256), glm::ivec3(257), glm::ivec3(2048, 3, 700), glm::ivec3(5000, 1, 1)}) {
+  for (glm::ivec3 dims :
+       {glm::ivec3(1), glm::ivec3(256), glm::ivec3(257), glm::ivec3(2048, 3, 700), glm::ivec3(5000, 1, 1)}) {
     CellGrid cells = cellGridFor(dims);
     for (int axis = 0; axis < 3; ++axis) {
       EXPECT_GE(cells.size[axis] * cells.edge, dims[axis]);

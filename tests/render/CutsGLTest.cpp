@@ -57,7 +57,8 @@ scene::Cut cutOf(scene::CutShape shape, glm::dvec3 centre, glm::dvec3 axis, glm:
 class CutsGL : public RenderTest {
  protected:
   static scene::Scene solidScene(double turnRad = 0.3) {
-    scene::Scene scene = sceneOf(makeVolume(kDims, SampleType::UInt8, [](glm::ivec3) { return 100.0; }, centredFrame(kDims, {1, 1.1, 0.9}, turnRad)));
+    scene::Scene scene = sceneOf(makeVolume(
+        kDims, SampleType::UInt8, [](glm::ivec3) { return 100.0; }, centredFrame(kDims, {1, 1.1, 0.9}, turnRad)));
     makeSolid(scene);
     return scene;
   }
@@ -77,7 +78,8 @@ class CutsGL : public RenderTest {
           least = std::min(least, length), most = std::max(most, length);
         }
         float alpha = sampleOf(image, {x, y}, "A");
-        std::string where = what + ", pixel " + std::to_string(x) + ", " + std::to_string(y) + ", kept " + std::to_string(most) + " mm, alpha " + std::to_string(alpha);
+        std::string where = what + ", pixel " + std::to_string(x) + ", " + std::to_string(y) + ", kept " +
+                            std::to_string(most) + " mm, alpha " + std::to_string(alpha);
         if (most == 0.0) {
           EXPECT_EQ(alpha, 0.0f) << where << ": shown, but everything is cut away";
           wrong += alpha != 0.0f;
@@ -117,13 +119,15 @@ TEST_F(CutsGL, EveryShapeRemovesWhatTheProcessorSays) {
         lookAlong(scene, {0.35, -1, 0.3}, 100);
         scene.cuts = {shape};
         scene.cuts[0].invert = invert;
-        expectAgrees(scene, std::string(enumName(shape.shape)) + (invert ? " inverted" : "") + (projection == scene::Projection::Perspective ? "" : " orthographic"));
+        expectAgrees(scene, std::string(enumName(shape.shape)) + (invert ? " inverted" : "") +
+                                (projection == scene::Projection::Perspective ? "" : " orthographic"));
       }
 }
 
 TEST_F(CutsGL, RaysAlongTheAxesOfTheCutAreNoException) {
   const glm::dvec3 kAxes[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}};
-  for (auto shape : {scene::CutShape::Plane, scene::CutShape::Box, scene::CutShape::Sphere, scene::CutShape::Cylinder, scene::CutShape::Cone})
+  for (auto shape : {scene::CutShape::Plane, scene::CutShape::Box, scene::CutShape::Sphere, scene::CutShape::Cylinder,
+                     scene::CutShape::Cone})
     for (glm::dvec3 axis : kAxes) {
       scene::Scene scene = solidScene(0.0);
       scene.camera.projection = scene::Projection::Orthographic;
@@ -135,13 +139,17 @@ TEST_F(CutsGL, RaysAlongTheAxesOfTheCutAreNoException) {
       int shown = 0, wrong = 0;
       for (int y = 0; y < kSize.y && wrong < 3; ++y)
         for (int x = 0; x < kSize.x && wrong < 3; ++x) {
-          // Told by points along the ray, not by intervals: nothing of the box may be left where all points are removed.
+          // Told by points along the ray, not by intervals: nothing of the box may be left where all points are
+          // removed.
           TestRay ray = rayThrough(scene.camera, kSize, {x + 0.5, y + 0.5});
           glm::dvec2 t = boxInterval(*scene.volume.data, ray);
           float furthest = -1.0f;  // largest distance to what is removed
-          for (double s = t.x + 0.05; s < t.y; s += 0.1) furthest = std::max(furthest, shared::cutDistance(cutDataOf(scene.cuts[0]), glm::vec3(ray.at(s))));
+          for (double s = t.x + 0.05; s < t.y; s += 0.1)
+            furthest = std::max(furthest, shared::cutDistance(cutDataOf(scene.cuts[0]), glm::vec3(ray.at(s))));
           float alpha = sampleOf(image, {x, y}, "A");
-          std::string where = std::string(enumName(shape)) + " axis " + std::to_string(axis.x) + " " + std::to_string(axis.y) + " " + std::to_string(axis.z) + ", pixel " + std::to_string(x) + ", " + std::to_string(y);
+          std::string where = std::string(enumName(shape)) + " axis " + std::to_string(axis.x) + " " +
+                              std::to_string(axis.y) + " " + std::to_string(axis.z) + ", pixel " + std::to_string(x) +
+                              ", " + std::to_string(y);
           if (t.x + 0.05 < t.y && furthest > 0.1f) {
             EXPECT_GT(alpha, 0.9f) << where;
             wrong += alpha <= 0.9f;
@@ -151,7 +159,8 @@ TEST_F(CutsGL, RaysAlongTheAxesOfTheCutAreNoException) {
           }
           if (alpha == 0.0f) continue;
           ++shown;
-          EXPECT_GE(shared::cutDistance(cutDataOf(scene.cuts[0]), vectorOf(image, {x, y}, "position")), -0.01f) << where;
+          EXPECT_GE(shared::cutDistance(cutDataOf(scene.cuts[0]), vectorOf(image, {x, y}, "position")), -0.01f)
+              << where;
         }
       EXPECT_GT(shown, 100);
     }
@@ -165,9 +174,11 @@ TEST_F(CutsGL, AnEyeInsideTheVolumeOrInsideTheCutSeesTheSame) {
       scene.cuts = {shape};
       scene.cuts[0].invert = invert;
       // In the middle of what the shape holds, then just beside it.
-      scene.camera.eyeMm = shape.centreMm + (shape.shape == scene::CutShape::Cone ? 25.0 : 1.0) * glm::normalize(shape.axis);
+      scene.camera.eyeMm =
+          shape.centreMm + (shape.shape == scene::CutShape::Cone ? 25.0 : 1.0) * glm::normalize(shape.axis);
       scene.camera.targetMm = scene.camera.eyeMm + glm::dvec3(-3, 10, 2);
-      expectAgrees(scene, std::string("eye in the ") + std::string(enumName(shape.shape)) + (invert ? " inverted" : ""));
+      expectAgrees(scene,
+                   std::string("eye in the ") + std::string(enumName(shape.shape)) + (invert ? " inverted" : ""));
     }
 }
 
@@ -229,7 +240,8 @@ TEST_F(CutsGL, TheFaceOfAPlaneHasItsNormal) {
 
 TEST_F(CutsGL, ASliceFaceShowsTheGreyOfItsVoxels) {
   // Values that change along x and z only, so that the slice's depth does not matter.
-  Volume v = makeVolume(kDims, SampleType::Int16, [](glm::ivec3 p) { return -200.0 + 20 * p.x + 10 * p.z; }, centredFrame(kDims));
+  Volume v = makeVolume(
+      kDims, SampleType::Int16, [](glm::ivec3 p) { return -200.0 + 20 * p.x + 10 * p.z; }, centredFrame(kDims));
   glm::dmat4 voxelFromWorld = glm::inverse(v.worldFromVoxel);
   scene::Scene scene = sceneOf(std::move(v));
   scene.volume.transfer.colors = {{0, {1, 0, 0}}};
@@ -263,7 +275,8 @@ TEST_F(CutsGL, ASliceFaceShowsTheGreyOfItsVoxels) {
 TEST_F(CutsGL, WhatACutSparesStaysWhole) {
   scene::Scene scene = solidScene(0.0);
   auto inBall = [](glm::ivec3 p) { return glm::length(glm::dvec3(p) - glm::dvec3(20, 10, 22)) < 7; };
-  LabelVolume labels = makeLabels(kDims, [&](glm::ivec3 p) { return inBall(p) ? 4 : 0; }, scene.volume.data->worldFromVoxel);
+  LabelVolume labels = makeLabels(
+      kDims, [&](glm::ivec3 p) { return inBall(p) ? 4 : 0; }, scene.volume.data->worldFromVoxel);
   scene.labels.data = Shared<LabelVolume>(std::move(labels));
   scene::completeStructures(scene.labels);
   scene.cuts = {cutOf(scene::CutShape::Plane, {0, 4, 0}, {0, -1, 0}, {1, 1, 1})};

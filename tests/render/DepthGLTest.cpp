@@ -19,11 +19,15 @@ class DepthGL : public RenderTest {
   /// A ball in front on the left, one behind on the right, and a square between them. Seen from the front.
   static scene::Scene ballsAndSquare() {
     glm::dmat4 frame = centredFrame(kDims);
-    scene::Scene scene = sceneOf(makeVolume(kDims, SampleType::UInt8, [&](glm::ivec3 p) {
-      glm::dvec3 world(frame * glm::dvec4(p, 1.0));
-      bool front = glm::length(world - glm::dvec3(-11, -13, 0)) < 7.5, back = glm::length(world - glm::dvec3(11, 13, 0)) < 7.5;
-      return front || back ? 200.0 : 0.0;
-    }, frame));
+    scene::Scene scene = sceneOf(makeVolume(
+        kDims, SampleType::UInt8,
+        [&](glm::ivec3 p) {
+          glm::dvec3 world(frame * glm::dvec4(p, 1.0));
+          bool front = glm::length(world - glm::dvec3(-11, -13, 0)) < 7.5,
+               back = glm::length(world - glm::dvec3(11, 13, 0)) < 7.5;
+          return front || back ? 200.0 : 0.0;
+        },
+        frame));
     scene.volume.transfer.colors = {{0, {1, 0, 0}}};
     scene.volume.transfer.opacities = {{80, 0}, {120, 0.999}};
     scene.volume.transfer.unitDistanceMm = 0.1;

@@ -10,7 +10,8 @@ class ExactGL : public RenderTest {
  protected:
   /// A block of one value whose opacity is `opacity` a millimetre.
   static scene::Scene fogScene(double opacity, const glm::dmat4& frame, glm::ivec3 dims = {24, 40, 16}) {
-    scene::Scene scene = sceneOf(makeVolume(dims, SampleType::UInt8, [](glm::ivec3) { return 100.0; }, frame));
+    scene::Scene scene = sceneOf(makeVolume(
+        dims, SampleType::UInt8, [](glm::ivec3) { return 100.0; }, frame));
     scene.volume.transfer.colors = {{0, {1.0f, 0.5f, 0.25f}}};
     scene.volume.transfer.opacities = {{0, opacity}, {200, opacity}};
     return scene;
@@ -21,7 +22,8 @@ TEST_F(ExactGL, FogAttenuatesByBeersLaw) {
   glm::ivec2 size(64, 64);
   const glm::dvec3 kSides[] = {{0, -1, 0}, {1, 0, 0}, {0, 0, 1}, {-0.5, -1, 0.4}};
   for (auto projection : {scene::Projection::Orthographic, scene::Projection::Perspective})
-    for (const auto& frame : {centredFrame({24, 40, 16}), centredFrame({24, 40, 16}, {0.7, 0.5, 2.5}, 0.6, {30, -20, 5})})
+    for (const auto& frame :
+         {centredFrame({24, 40, 16}), centredFrame({24, 40, 16}, {0.7, 0.5, 2.5}, 0.6, {30, -20, 5})})
       for (glm::dvec3 side : kSides) {
         scene::Scene scene = fogScene(0.02, frame);
         scene.camera.projection = projection;
@@ -37,7 +39,8 @@ TEST_F(ExactGL, FogAttenuatesByBeersLaw) {
             glm::dvec2 t = boxInterval(*scene.volume.data, ray);
             double d = std::max(0.0, t.y - t.x);
             double expected = 1.0 - std::exp(-sigma * d);
-            EXPECT_NEAR(sampleOf(image, {x, y}, "A") * 255.0, expected * 255.0, 1.0) << "pixel " << x << ", " << y << ", " << d << " mm";
+            EXPECT_NEAR(sampleOf(image, {x, y}, "A") * 255.0, expected * 255.0, 1.0)
+                << "pixel " << x << ", " << y << ", " << d << " mm";
             inside += d > 1.0;
             if (d > 10.0) {
               EXPECT_NEAR(sampleOf(image, {x, y}, "G"), 0.5, 0.03) << "colour of the fog";
@@ -67,9 +70,10 @@ TEST_F(ExactGL, UnitDistanceScalesTheFog) {
 }
 
 TEST_F(ExactGL, HalvingTheStepConverges) {
-  scene::Scene scene = sceneOf(makeVolume({32, 32, 32}, SampleType::UInt8, [](glm::ivec3 p) {
-    return 120 + 100 * std::sin(p.x * 0.5) * std::cos(p.y * 0.4) * std::sin(p.z * 0.6 + 1);
-  }, centredFrame({32, 32, 32})));
+  scene::Scene scene = sceneOf(makeVolume(
+      {32, 32, 32}, SampleType::UInt8,
+      [](glm::ivec3 p) { return 120 + 100 * std::sin(p.x * 0.5) * std::cos(p.y * 0.4) * std::sin(p.z * 0.6 + 1); },
+      centredFrame({32, 32, 32})));
   scene.volume.transfer.colors = {{0, {0, 0, 1}}, {120, {0, 1, 0}}, {255, {1, 0, 0}}};
   scene.volume.transfer.opacities = {{100, 0}, {180, 0.3}, {200, 0.05}, {255, 0.8}};
   lookAlong(scene, {0.4, -1, 0.3}, 120);
@@ -108,8 +112,10 @@ TEST_F(ExactGL, TheMaximumOfAConstantIsTheConstant) {
 
 TEST_F(ExactGL, TheMaximumIsThatOfTheBrightestVoxel) {
   // Dark noise with one bright voxel a ray can only miss by a step.
-  Volume v = makeVolume({25, 25, 25}, SampleType::UInt16, [](glm::ivec3 p) { return p == glm::ivec3(12, 5, 12) ? 4000.0 : 300 * hashNoise(p); },
-                        centredFrame({25, 25, 25}));
+  Volume v = makeVolume(
+      {25, 25, 25}, SampleType::UInt16,
+      [](glm::ivec3 p) { return p == glm::ivec3(12, 5, 12) ? 4000.0 : 300 * hashNoise(p); },
+      centredFrame({25, 25, 25}));
   scene::Scene scene = sceneOf(std::move(v));
   scene.rayCast.mode = scene::RenderMode::Mip;
   scene.rayCast.stepVoxels = 0.1;
@@ -125,7 +131,8 @@ TEST_F(ExactGL, TheMaximumIsThatOfTheBrightestVoxel) {
 TEST_F(ExactGL, TheIsosurfaceOfARampIsItsPlane) {
   for (auto type : {SampleType::Float32, SampleType::UInt16}) {
     glm::dmat4 frame = centredFrame({30, 40, 30}, {1, 0.5, 1});
-    scene::Scene scene = sceneOf(makeVolume({30, 40, 30}, type, [](glm::ivec3 p) { return 1000.0 * p.y; }, frame));
+    scene::Scene scene = sceneOf(makeVolume(
+        {30, 40, 30}, type, [](glm::ivec3 p) { return 1000.0 * p.y; }, frame));
     scene.rayCast.mode = scene::RenderMode::Iso;
     for (double voxel : {7.0, 12.25, 20.5, 33.9}) {
       scene.rayCast.isoValue = 1000.0 * voxel;
@@ -176,7 +183,8 @@ TEST_F(ExactGL, PositionAndDepthLieOnThePixelsRay) {
 }
 
 TEST_F(ExactGL, PickSaysWhatTheLayersSay) {
-  scene::Scene scene = sceneOf(makeVolume({20, 20, 20}, SampleType::UInt8, [](glm::ivec3 p) { return 10.0 * p.y; }, centredFrame({20, 20, 20})));
+  scene::Scene scene = sceneOf(makeVolume(
+      {20, 20, 20}, SampleType::UInt8, [](glm::ivec3 p) { return 10.0 * p.y; }, centredFrame({20, 20, 20})));
   makeSolid(scene);
   scene.volume.transfer.opacities = {{95, 0}, {100, 0.999}};
   Image image = draw(scene, {40, 40}, kAllLayers);

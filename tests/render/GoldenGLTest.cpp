@@ -23,7 +23,8 @@ scene::StandardView viewNamed(const std::string& name) {
   throw ArgumentError("no view " + name);
 }
 
-/// Keys: sample, voxels, labels (true: shown), preset, view, size [w, h], set {path: value}, maxDifference, maxFraction.
+/// Keys: sample, voxels, labels (true: shown), preset, view, size [w, h], set {path: value}, maxDifference,
+/// maxFraction.
 render::Frame frameOf(const nlohmann::json& what) {
   Progress progress;
   io::Sample sample = io::makeSample(what.at("sample").get<std::string>(), what.at("voxels"), progress);
@@ -36,15 +37,18 @@ render::Frame frameOf(const nlohmann::json& what) {
     scene.labels.data = Shared<LabelVolume>(std::move(sample.labels));
     scene::completeStructures(scene.labels);
   }
-  scene.camera = scene::frameCamera(scene, viewNamed(what.at("view")), double(frame.pictureSize.x) / frame.pictureSize.y);
-  for (const auto& [path, value] : what.at("set").items()) scene::setField(scene, path, value.is_string() ? value.get<std::string>() : value.dump());
+  scene.camera =
+      scene::frameCamera(scene, viewNamed(what.at("view")), double(frame.pictureSize.x) / frame.pictureSize.y);
+  for (const auto& [path, value] : what.at("set").items())
+    scene::setField(scene, path, value.is_string() ? value.get<std::string>() : value.dump());
   return frame;
 }
 
 TEST_P(GoldenGL, LooksAsAccepted) {
   fs::path folder = fs::path(VELUM_SOURCE_DIR) / "tests" / "golden" / GetParam();
   std::ifstream in(folder / "case.json");
-  ASSERT_TRUE(in) << folder / "case.json" << " is missing";
+  ASSERT_TRUE(in) << folder / "case.json"
+                  << " is missing";
   nlohmann::json what = nlohmann::json::parse(in);
   render::Renderer renderer(context());
   Progress progress;
@@ -67,8 +71,9 @@ TEST_P(GoldenGL, LooksAsAccepted) {
   if (difference.failingFraction <= fraction) return;
   io::writeImage(rgb, beside);
   io::writeImage(io::differenceImage(known, rgb, threshold), folder / "case.diff.png");
-  FAIL() << difference.failingFraction * 100 << " % of the pixels differ by more than " << threshold << " (the largest by " << difference.maxDifference
-         << "); the new picture is " << beside << ": if it is right, " << how;
+  FAIL() << difference.failingFraction * 100 << " % of the pixels differ by more than " << threshold
+         << " (the largest by " << difference.maxDifference << "); the new picture is " << beside
+         << ": if it is right, " << how;
 }
 
 std::vector<std::string> goldenCases() {

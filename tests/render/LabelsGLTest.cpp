@@ -10,11 +10,14 @@ constexpr glm::ivec2 kLeft(16, 32), kRight(48, 32);
 
 class LabelsGL : public RenderTest {
  protected:
-  /// A solid block, red by the transfer function; label 1 where x < 0, label 300 elsewhere. Orthographic from the front.
+  /// A solid block, red by the transfer function; label 1 where x < 0, label 300 elsewhere. Orthographic from the
+  /// front.
   static scene::Scene halves(const glm::dmat4& labelFrame, glm::ivec3 labelDims) {
-    scene::Scene scene = sceneOf(makeVolume(kDims, SampleType::UInt8, [](glm::ivec3) { return 100.0; }, centredFrame(kDims)));
+    scene::Scene scene = sceneOf(makeVolume(
+        kDims, SampleType::UInt8, [](glm::ivec3) { return 100.0; }, centredFrame(kDims)));
     makeSolid(scene, {1, 0, 0});
-    LabelVolume labels = makeLabels(labelDims, [&](glm::ivec3 p) { return (labelFrame * glm::dvec4(p, 1.0)).x < 0 ? 1 : 300; }, labelFrame);
+    LabelVolume labels = makeLabels(
+        labelDims, [&](glm::ivec3 p) { return (labelFrame * glm::dvec4(p, 1.0)).x < 0 ? 1 : 300; }, labelFrame);
     labels.table = {{1, "left", {0, 1, 0}, 1.0f}, {300, "right", {0, 0, 1}, 1.0f}};
     scene.labels.data = Shared<LabelVolume>(std::move(labels));
     scene::completeStructures(scene.labels);
@@ -51,11 +54,15 @@ TEST_F(LabelsGL, AStructureWithoutOpacityIsHidden) {
       scene.volume.windowWidth = 100;
       if (mode == 2) {
         // An isosurface needs a crossing: a block within air.
-        scene.volume.data = Shared<Volume>(makeVolume(kDims, SampleType::UInt8, [](glm::ivec3 p) { return p.y > 4 && p.y < 28 ? 100.0 : 0.0; }, centredFrame(kDims)));
+        scene.volume.data = Shared<Volume>(makeVolume(
+            kDims, SampleType::UInt8, [](glm::ivec3 p) { return p.y > 4 && p.y < 28 ? 100.0 : 0.0; },
+            centredFrame(kDims)));
       }
       EXPECT_GT(colorOf(draw(scene, kSize), kRight).a, 0.9f) << "mode " << mode;
-      if (byOpacity) scene.labels.structures[1].opacity = 0;
-      else scene.labels.structures[1].visible = false;
+      if (byOpacity)
+        scene.labels.structures[1].opacity = 0;
+      else
+        scene.labels.structures[1].visible = false;
       Image image = draw(scene, kSize);
       EXPECT_EQ(colorOf(image, kRight).a, 0.0f) << "mode " << mode;
       EXPECT_GT(colorOf(image, kLeft).a, 0.9f) << "mode " << mode;
@@ -76,7 +83,8 @@ TEST_F(LabelsGL, OpacityOfAStructureScalesItsExtinction) {
 
 TEST_F(LabelsGL, UnlabelledMaterialHasItsOwnFactor) {
   scene::Scene scene = halves();
-  scene.labels.data = Shared<LabelVolume>(makeLabels(kDims, [](glm::ivec3 p) { return p.x < 16 ? 7 : 0; }, centredFrame(kDims)));
+  scene.labels.data = Shared<LabelVolume>(makeLabels(
+      kDims, [](glm::ivec3 p) { return p.x < 16 ? 7 : 0; }, centredFrame(kDims)));
   scene.labels.structures.clear();
   scene::completeStructures(scene.labels);
   EXPECT_GT(colorOf(draw(scene, kSize), kRight).a, 0.9f);
@@ -131,9 +139,10 @@ TEST_F(LabelsGL, LabelsAloneShowTheirStructures) {
 }
 
 TEST_F(LabelsGL, ASmallBallOfLabelsAloneIsABall) {
-  scene::Scene scene = sceneOf(makeVolume(kDims, SampleType::UInt8, [](glm::ivec3) { return 0.0; }, centredFrame(kDims)));
-  scene.labels.data = Shared<LabelVolume>(
-      makeLabels(kDims, [](glm::ivec3 p) { return glm::length(glm::dvec3(p) - 15.5) < 9 ? 5 : 0; }, centredFrame(kDims)));
+  scene::Scene scene = sceneOf(makeVolume(
+      kDims, SampleType::UInt8, [](glm::ivec3) { return 0.0; }, centredFrame(kDims)));
+  scene.labels.data = Shared<LabelVolume>(makeLabels(
+      kDims, [](glm::ivec3 p) { return glm::length(glm::dvec3(p) - 15.5) < 9 ? 5 : 0; }, centredFrame(kDims)));
   scene::completeStructures(scene.labels);
   scene.volume.data = {};
   scene.camera.projection = scene::Projection::Orthographic;

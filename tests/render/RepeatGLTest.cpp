@@ -22,23 +22,30 @@ class RepeatGL : public RenderTest {
       if (std::bit_cast<std::uint32_t>(a.pixels[i]) == std::bit_cast<std::uint32_t>(b.pixels[i])) continue;
       ++shown;
       std::size_t pixel = i / a.channels.size();
-      ADD_FAILURE() << what << ": pixel " << pixel % std::size_t(a.width) << ", " << pixel / std::size_t(a.width) << " channel " << a.channels[i % a.channels.size()]
-                    << ": " << a.pixels[i] << " and " << b.pixels[i];
+      ADD_FAILURE() << what << ": pixel " << pixel % std::size_t(a.width) << ", " << pixel / std::size_t(a.width)
+                    << " channel " << a.channels[i % a.channels.size()] << ": " << a.pixels[i] << " and "
+                    << b.pixels[i];
     }
   }
   /// A scene that uses all that can differ: light, jitter, several samples, labels, a cut, a mesh, a background.
   static scene::Scene richScene() {
-    scene::Scene scene = sceneOf(makeVolume(kDims, SampleType::Int16, [](glm::ivec3 p) {
-      double r = glm::length(glm::dvec3(p) - glm::dvec3(18, 20, 16));
-      return 900.0 - 60 * r + 150 * hashNoise(p);
-    }, centredFrame(kDims)));
+    scene::Scene scene = sceneOf(makeVolume(
+        kDims, SampleType::Int16,
+        [](glm::ivec3 p) {
+          double r = glm::length(glm::dvec3(p) - glm::dvec3(18, 20, 16));
+          return 900.0 - 60 * r + 150 * hashNoise(p);
+        },
+        centredFrame(kDims)));
     scene.lighting.shaded = true;
     scene.rayCast.jitter = true;
     scene.rayCast.samplesPerPixel = 3;
     scene.background.transparent = false;
     scene.volume.transfer.colors = {{0, {0.5f, 0.2f, 0.1f}}, {900, {1, 0.9f, 0.8f}}};
     scene.volume.transfer.opacities = {{150, 0}, {300, 0.2}, {700, 0.9}};
-    scene.labels.data = Shared<LabelVolume>(makeLabels(kDims, [](glm::ivec3 p) { return p.x > 20 ? 2 : p.z > 20 ? 3 : 0; }, scene.volume.data->worldFromVoxel));
+    scene.labels.data = Shared<LabelVolume>(makeLabels(
+        kDims, [](glm::ivec3 p) { return p.x > 20   ? 2
+                                         : p.z > 20 ? 3
+                                                    : 0; }, scene.volume.data->worldFromVoxel));
     scene::completeStructures(scene.labels);
     scene::Cut cut;
     cut.axis = {0.3, -1, 0.4};
@@ -110,8 +117,10 @@ TEST_F(RepeatGL, WindowsTogetherAreTheWholePicture) {
       ASSERT_EQ(parts.width, 101);
       ASSERT_EQ(parts.height, 75);
       // Triangles are set up in window coordinates: their depth may differ in its last bits.
-      if (withSurface) expectSame(parts, whole, 1.0, "mode " + std::to_string(mode));
-      else expectIdentical(parts, whole, "mode " + std::to_string(mode));
+      if (withSurface)
+        expectSame(parts, whole, 1.0, "mode " + std::to_string(mode));
+      else
+        expectIdentical(parts, whole, "mode " + std::to_string(mode));
     }
 }
 
@@ -157,7 +166,8 @@ TEST_F(RepeatGL, NoLayerHoldsANumberThatIsNone) {
     for (std::size_t i = 0; i < image.pixels.size() && bad < 3; ++i) {
       bool isDepth = image.channels[i % image.channels.size()] == "Z";
       bool isFine = std::isfinite(image.pixels[i]) || (isDepth && image.pixels[i] > 0);
-      EXPECT_TRUE(isFine) << image.channels[i % image.channels.size()] << " of pixel " << i / image.channels.size() << (bounds ? " with outlines" : "");
+      EXPECT_TRUE(isFine) << image.channels[i % image.channels.size()] << " of pixel " << i / image.channels.size()
+                          << (bounds ? " with outlines" : "");
       bad += !isFine;
     }
   }

@@ -22,7 +22,9 @@ class SkippingGL : public RenderTest {
         Image fast = draw(scene, {80, 80});
         scene.rayCast.skipEmpty = scene.rayCast.stopOpaque = false;
         Image slow = draw(scene, {80, 80});
-        expectSame(fast, slow, 1.0, std::string(what) + " from " + std::to_string(side.x) + " " + std::to_string(side.y) + " " + std::to_string(side.z));
+        expectSame(fast, slow, 1.0,
+                   std::string(what) + " from " + std::to_string(side.x) + " " + std::to_string(side.y) + " " +
+                       std::to_string(side.z));
         EXPECT_GT(coverageOf(slow), shown) << what;
       }
   }
@@ -38,14 +40,18 @@ TEST_F(SkippingGL, SheetsLinesAndPointsOneVoxelThin) {
   expectSameAsBruteForce(sceneWith([](glm::ivec3 p) { return p.y == 17 ? 220.0 : 0.0; }), "a sheet");
   expectSameAsBruteForce(sceneWith([](glm::ivec3 p) { return p.x + p.y == 40 ? 255.0 : 0.0; }), "a slanted sheet");
   expectSameAsBruteForce(sceneWith([](glm::ivec3 p) { return p.x % 11 == 3 && p.z % 13 == 8 ? 255.0 : 0.0; }), "lines");
-  expectSameAsBruteForce(sceneWith([](glm::ivec3 p) { return p.x % 8 == 7 && p.y % 8 == 0 && p.z % 8 == 3 ? 255.0 : 0.0; }), "points");
-  expectSameAsBruteForce(sceneWith([](glm::ivec3 p) { return p.x == 0 || p.z == kDims.z - 1 ? 255.0 : 0.0; }), "sheets on the border");
+  expectSameAsBruteForce(
+      sceneWith([](glm::ivec3 p) { return p.x % 8 == 7 && p.y % 8 == 0 && p.z % 8 == 3 ? 255.0 : 0.0; }), "points");
+  expectSameAsBruteForce(sceneWith([](glm::ivec3 p) { return p.x == 0 || p.z == kDims.z - 1 ? 255.0 : 0.0; }),
+                         "sheets on the border");
 }
 
 TEST_F(SkippingGL, Noise) {
   expectSameAsBruteForce(sceneWith([](glm::ivec3 p) { return 255.0 * hashNoise(p); }), "dense noise");
-  expectSameAsBruteForce(sceneWith([](glm::ivec3 p) { return hashNoise(p) > 0.995 ? 255.0 : 10 * hashNoise(p, 2); }), "sparse noise");
-  expectSameAsBruteForce(sceneWith([](glm::ivec3 p) { return 3000 * hashNoise(p) - 1000; }, SampleType::Float32), "noise of floats");
+  expectSameAsBruteForce(sceneWith([](glm::ivec3 p) { return hashNoise(p) > 0.995 ? 255.0 : 10 * hashNoise(p, 2); }),
+                         "sparse noise");
+  expectSameAsBruteForce(sceneWith([](glm::ivec3 p) { return 3000 * hashNoise(p) - 1000; }, SampleType::Float32),
+                         "noise of floats");
 }
 
 TEST_F(SkippingGL, ASteepPeakBetweenTwoValues) {
@@ -65,14 +71,17 @@ TEST_F(SkippingGL, OpacityByGradient) {
 }
 
 TEST_F(SkippingGL, Shaded) {
-  scene::Scene scene = sceneWith([](glm::ivec3 p) { return glm::length(glm::dvec3(p) - glm::dvec3(22, 18, 25)) < 13 ? 220.0 : p.z == 5 ? 190.0 : 0.0; });
+  scene::Scene scene = sceneWith([](glm::ivec3 p) {
+    return glm::length(glm::dvec3(p) - glm::dvec3(22, 18, 25)) < 13 ? 220.0 : p.z == 5 ? 190.0 : 0.0;
+  });
   scene.lighting.shaded = true;
   expectSameAsBruteForce(scene, "shaded");
 }
 
 TEST_F(SkippingGL, LabelsWithHiddenOnes) {
   scene::Scene scene = sceneWith([](glm::ivec3 p) { return 100 + 100 * hashNoise(p); });
-  LabelVolume labels = makeLabels(kDims, [](glm::ivec3 p) { return p.x / 9 + 8 * (p.z / 11); }, scene.volume.data->worldFromVoxel);
+  LabelVolume labels = makeLabels(
+      kDims, [](glm::ivec3 p) { return p.x / 9 + 8 * (p.z / 11); }, scene.volume.data->worldFromVoxel);
   scene.labels.data = Shared<LabelVolume>(std::move(labels));
   scene::completeStructures(scene.labels);
   for (auto& structure : scene.labels.structures) structure.visible = structure.id % 3 == 0;
@@ -82,7 +91,8 @@ TEST_F(SkippingGL, LabelsWithHiddenOnes) {
   for (auto& structure : scene.labels.structures) structure.opacity = structure.id % 2 ? 0.0 : 0.4;
   expectSameAsBruteForce(scene, "faint structures");
   // Ids 64 apart share a bit of the cells' sets.
-  LabelVolume shared = makeLabels(kDims, [](glm::ivec3 p) { return p.y < 19 ? 1 : 65; }, scene.volume.data->worldFromVoxel);
+  LabelVolume shared = makeLabels(
+      kDims, [](glm::ivec3 p) { return p.y < 19 ? 1 : 65; }, scene.volume.data->worldFromVoxel);
   scene.labels = {};
   scene.labels.data = Shared<LabelVolume>(std::move(shared));
   scene::completeStructures(scene.labels);
@@ -92,7 +102,11 @@ TEST_F(SkippingGL, LabelsWithHiddenOnes) {
 
 TEST_F(SkippingGL, LabelsAlone) {
   scene::Scene scene = sceneWith([](glm::ivec3) { return 0.0; });
-  LabelVolume labels = makeLabels(kDims, [](glm::ivec3 p) { return glm::length(glm::dvec3(p) - 20.0) < 11 ? 3 : p.z == 40 ? 7 : 0; }, scene.volume.data->worldFromVoxel);
+  LabelVolume labels = makeLabels(
+      kDims, [](glm::ivec3 p) { return glm::length(glm::dvec3(p) - 20.0) < 11 ? 3
+                                       : p.z == 40                            ? 7
+                                                                              : 0; },
+      scene.volume.data->worldFromVoxel);
   scene.labels.data = Shared<LabelVolume>(std::move(labels));
   scene.volume.data = {};
   scene::completeStructures(scene.labels);
@@ -101,8 +115,12 @@ TEST_F(SkippingGL, LabelsAlone) {
 
 TEST_F(SkippingGL, CutsWithExemptions) {
   scene::Scene scene = sceneWith([](glm::ivec3 p) { return p.y > 6 && p.y < 30 ? 120 + 80 * hashNoise(p) : 0.0; });
-  LabelVolume labels = makeLabels(kDims, [](glm::ivec3 p) { return glm::length(glm::dvec3(p) - glm::dvec3(20, 12, 25)) < 8 ? 5 : p.x == 30 ? 6 : 0; },
-                                  scene.volume.data->worldFromVoxel);
+  LabelVolume labels = makeLabels(
+      kDims,
+      [](glm::ivec3 p) { return glm::length(glm::dvec3(p) - glm::dvec3(20, 12, 25)) < 8 ? 5
+                                : p.x == 30                                             ? 6
+                                                                                        : 0; },
+      scene.volume.data->worldFromVoxel);
   scene.labels.data = Shared<LabelVolume>(std::move(labels));
   scene::completeStructures(scene.labels);
   scene::Cut plane, ball;
@@ -143,7 +161,8 @@ TEST_F(SkippingGL, SlicesOfVoxels) {
   for (int axis = 0; axis < 3; ++axis) {
     glm::ivec3 dims(40);
     dims[axis] = 1;
-    scene::Scene scene = sceneOf(makeVolume(dims, SampleType::UInt8, [](glm::ivec3 p) { return 255 * hashNoise(p); }, centredFrame(dims)));
+    scene::Scene scene = sceneOf(makeVolume(
+        dims, SampleType::UInt8, [](glm::ivec3 p) { return 255 * hashNoise(p); }, centredFrame(dims)));
     scene.volume.transfer.opacities = {{100, 0}, {200, 0.9}};
     expectSameAsBruteForce(scene, "a slice", 0.0);
   }

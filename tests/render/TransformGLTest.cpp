@@ -8,12 +8,15 @@ constexpr glm::ivec3 kDims(40, 36, 44);
 
 /// A lopsided body in world millimetres that fades out before the border of the grid: 0..220.
 double bodyAt(glm::dvec3 p) {
-  double a = glm::length(p - glm::dvec3(3, -2, 1)), b = glm::length((p - glm::dvec3(-7, 3, 6)) * glm::dvec3(1, 1.5, 0.8));
+  double a = glm::length(p - glm::dvec3(3, -2, 1)),
+         b = glm::length((p - glm::dvec3(-7, 3, 6)) * glm::dvec3(1, 1.5, 0.8));
   return 220.0 * std::max(glm::clamp((11.0 - a) / 5.0, 0.0, 1.0), 0.7 * glm::clamp((8.0 - b) / 4.0, 0.0, 1.0));
 }
 
 Volume bodyVolume(glm::ivec3 dims, const glm::dmat4& frame) {
-  return makeVolume(dims, SampleType::UInt16, [&](glm::ivec3 p) { return 100.0 * bodyAt(glm::dvec3(frame * glm::dvec4(p, 1.0))); }, frame, 0.5);
+  return makeVolume(
+      dims, SampleType::UInt16, [&](glm::ivec3 p) { return 100.0 * bodyAt(glm::dvec3(frame * glm::dvec4(p, 1.0))); },
+      frame, 0.5);
 }
 
 class TransformGL : public RenderTest {
@@ -107,9 +110,9 @@ TEST_F(TransformGL, NormalsOfShearedVoxelsPointOutOfTheBody) {
   glm::dmat4 frame = centredFrame(kDims);
   frame[2] += 0.3 * frame[0];
   frame[3] = -glm::dvec4(glm::dvec3(glm::dmat3(frame) * (0.5 * (glm::dvec3(kDims) - 1.0))), -1.0);
-  Volume v = makeVolume(kDims, SampleType::Float32, [&](glm::ivec3 p) {
-    return 100.0 - 5.0 * glm::length(glm::dvec3(frame * glm::dvec4(p, 1.0)));
-  }, frame);
+  Volume v = makeVolume(
+      kDims, SampleType::Float32,
+      [&](glm::ivec3 p) { return 100.0 - 5.0 * glm::length(glm::dvec3(frame * glm::dvec4(p, 1.0))); }, frame);
   scene::Scene scene = sceneOf(std::move(v));
   scene.rayCast.mode = scene::RenderMode::Iso;
   scene.rayCast.isoValue = 50;  // a ball of 10 mm

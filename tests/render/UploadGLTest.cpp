@@ -8,7 +8,9 @@ namespace {
 
 constexpr glm::ivec3 kDims(36, 33, 38);
 
-double valueOf(glm::ivec3 p) { return 100.0 + std::floor(90.0 * std::sin(p.x * 0.3) * std::cos(p.y * 0.25 + 1) * std::sin(p.z * 0.2 + 2)); }
+double valueOf(glm::ivec3 p) {
+  return 100.0 + std::floor(90.0 * std::sin(p.x * 0.3) * std::cos(p.y * 0.25 + 1) * std::sin(p.z * 0.2 + 2));
+}
 
 class UploadGL : public RenderTest {
  protected:
@@ -29,7 +31,8 @@ TEST_F(UploadGL, EverySampleTypeShowsTheSameValuesAlike) {
         bool isByte = sample == SampleType::Int8 || sample == SampleType::UInt8;
         // int8 holds 0..200 only with an offset; the others get a scale that must not matter.
         double offset = sample == SampleType::Int8 ? 100.0 : sample == SampleType::UInt8 ? 0.0 : -50.0;
-        scene::Scene scene = sceneOf(makeVolume(kDims, sample, valueOf, centredFrame(kDims), isByte ? 1.0 : 0.5, offset));
+        scene::Scene scene =
+            sceneOf(makeVolume(kDims, sample, valueOf, centredFrame(kDims), isByte ? 1.0 : 0.5, offset));
         style(scene);
         scene.lighting.shaded = shaded;
         scene.lighting.shadow = scene.lighting.occlusion = 0;
@@ -42,7 +45,8 @@ TEST_F(UploadGL, EverySampleTypeShowsTheSameValuesAlike) {
         // Shading may turn a grey level on the rounding of a gradient.
         expectSame(image, *first, shaded ? 2.0 : 1.0, std::string(enumName(sample)) + ", mode " + std::to_string(mode));
       }
-      // Software drivers interpolate bytes in steps of a byte, which turns the value between voxels by up to half a unit.
+      // Software drivers interpolate bytes in steps of a byte, which turns the value between voxels by up to half a
+      // unit.
       EXPECT_LT(differenceOf(*bytes, *wide).mean, 1.5) << "mode " << mode;
     }
 }
@@ -55,7 +59,8 @@ TEST_F(UploadGL, ANegativeScaleShowsTheSameValues) {
       style(*scene);
       scene->rayCast.mode = scene::RenderMode(mode);
       scene->rayCast.isoValue = 150;
-      if (scene == &turned) expectSame(draw(turned, {72, 72}), draw(plain, {72, 72}), 1.0, "mode " + std::to_string(mode));
+      if (scene == &turned)
+        expectSame(draw(turned, {72, 72}), draw(plain, {72, 72}), 1.0, "mode " + std::to_string(mode));
     }
 }
 
@@ -69,7 +74,9 @@ TEST_F(UploadGL, ChannelAndFrameAreTheOnesThatTheSceneNames) {
   v.worldFromVoxel = centredFrame(kDims);
   v.voxels.resize(frameBytes(v) * 3);
   auto* out = reinterpret_cast<std::uint16_t*>(v.voxels.data());
-  auto at = [](glm::ivec3 p, int channel, int frame) { return std::round(valueOf(p) * (1.0 - 0.2 * channel) * (1.0 - 0.15 * frame)); };
+  auto at = [](glm::ivec3 p, int channel, int frame) {
+    return std::round(valueOf(p) * (1.0 - 0.2 * channel) * (1.0 - 0.15 * frame));
+  };
   for (int frame = 0; frame < 3; ++frame)
     for (int z = 0; z < kDims.z; ++z)
       for (int y = 0; y < kDims.y; ++y)
@@ -82,13 +89,15 @@ TEST_F(UploadGL, ChannelAndFrameAreTheOnesThatTheSceneNames) {
   all.volume.windowWidth = 200;
   for (int frame = 0; frame < 3; ++frame)
     for (int channel = 0; channel < 2; ++channel) {
-      scene::Scene one = sceneOf(makeVolume(kDims, SampleType::UInt16, [&](glm::ivec3 p) { return at(p, channel, frame); }, centredFrame(kDims)));
+      scene::Scene one = sceneOf(makeVolume(
+          kDims, SampleType::UInt16, [&](glm::ivec3 p) { return at(p, channel, frame); }, centredFrame(kDims)));
       style(one);
       one.volume.windowLevel = 100;
       one.volume.windowWidth = 200;
       all.volume.frame = frame;
       all.volume.channel = channel;
-      expectSame(draw(all, {64, 64}), draw(one, {64, 64}), 1.0, "channel " + std::to_string(channel) + " of frame " + std::to_string(frame));
+      expectSame(draw(all, {64, 64}), draw(one, {64, 64}), 1.0,
+                 "channel " + std::to_string(channel) + " of frame " + std::to_string(frame));
     }
 }
 
@@ -136,7 +145,9 @@ TEST_F(UploadGL, ADriverWithSmallTexturesShowsLessDetailAndSaysSo) {
 
 TEST_F(UploadGL, ADriverWithLittleMemoryShowsLessDetailAndSaysSo) {
   glm::ivec3 dims(128, 128, 128);  // 8 MiB as float
-  scene::Scene scene = sceneOf(makeVolume(dims, SampleType::Float32, [](glm::ivec3 p) { return 50 + 50 * std::sin(p.x * 0.1) * std::sin(p.y * 0.1); }, centredFrame(dims)));
+  scene::Scene scene = sceneOf(makeVolume(
+      dims, SampleType::Float32, [](glm::ivec3 p) { return 50 + 50 * std::sin(p.x * 0.1) * std::sin(p.y * 0.1); },
+      centredFrame(dims)));
   scene.volume.transfer.opacities = {{60, 0}, {90, 0.5}};
   ::setenv("VELUM_GPU_MEMORY_MB", "4", 1);
   auto small = gpu::Context::createEgl();
@@ -151,9 +162,12 @@ TEST_F(UploadGL, ADriverWithLittleMemoryShowsLessDetailAndSaysSo) {
 
 TEST_F(UploadGL, NotANumberHurtsNoNeighbourhood) {
   float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
-  scene::Scene scene = sceneOf(makeVolume(kDims, SampleType::Float32, [&](glm::ivec3 p) {
-    return p == glm::ivec3(10, 10, 10) ? double(nan) : p == glm::ivec3(20, 20, 20) ? double(inf) : valueOf(p);
-  }, centredFrame(kDims)));
+  scene::Scene scene = sceneOf(makeVolume(
+      kDims, SampleType::Float32,
+      [&](glm::ivec3 p) {
+        return p == glm::ivec3(10, 10, 10) ? double(nan) : p == glm::ivec3(20, 20, 20) ? double(inf) : valueOf(p);
+      },
+      centredFrame(kDims)));
   style(scene);
   for (int mode = 0; mode < 3; ++mode) {
     scene.rayCast.mode = scene::RenderMode(mode);

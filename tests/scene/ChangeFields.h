@@ -17,7 +17,9 @@ struct NoVisitor {
   void operator()(auto&&...) const {}
 };
 template <class T>
-concept HasFields = requires(T& t, NoVisitor& v) { T::fields(t, v); };
+concept HasFields = requires(T& t, NoVisitor& v) {
+  T::fields(t, v);
+};
 template <class T>
 struct IsVector : std::false_type {};
 template <class T>

@@ -21,11 +21,16 @@ const char* const kNames[] = {"plane", "box", "sphere", "cylinder", "cone"};
 bool isInside(int kind, glm::dvec3 half, glm::dvec3 p) {
   double r = std::hypot(p.x, p.y);
   switch (kind) {
-    case kCutPlane: return p.z > 0;
-    case kCutBox: return std::abs(p.x) < half.x && std::abs(p.y) < half.y && std::abs(p.z) < half.z;
-    case kCutSphere: return glm::length(p) < half.x;
-    case kCutCylinder: return r < half.x && std::abs(p.z) < half.z;
-    default: return p.z > 0 && p.z < 2 * half.z && r < half.x * p.z / (2 * half.z);
+    case kCutPlane:
+      return p.z > 0;
+    case kCutBox:
+      return std::abs(p.x) < half.x && std::abs(p.y) < half.y && std::abs(p.z) < half.z;
+    case kCutSphere:
+      return glm::length(p) < half.x;
+    case kCutCylinder:
+      return r < half.x && std::abs(p.z) < half.z;
+    default:
+      return p.z > 0 && p.z < 2 * half.z && r < half.x * p.z / (2 * half.z);
   }
 }
 
@@ -36,7 +41,8 @@ std::vector<vec3> surfaceOf(int kind, vec3 half, float gap) {
     for (float r = 0; r <= radius + 0.5f * gap; r += gap) {
       float here = std::min(r, radius);
       int n = std::max(1, int(6.3f * here / gap));
-      for (int i = 0; i < n; ++i) points.emplace_back(here * std::cos(6.2831853f * i / n), here * std::sin(6.2831853f * i / n), z);
+      for (int i = 0; i < n; ++i)
+        points.emplace_back(here * std::cos(6.2831853f * i / n), here * std::sin(6.2831853f * i / n), z);
     }
   };
   auto side = [&](float r0, float z0, float r1, float z1) {
@@ -44,7 +50,8 @@ std::vector<vec3> surfaceOf(int kind, vec3 half, float gap) {
     for (int k = 0; k <= steps; ++k) {
       float f = float(k) / float(steps), r = r0 + f * (r1 - r0), z = z0 + f * (z1 - z0);
       int n = std::max(1, int(6.3f * r / gap));
-      for (int i = 0; i < n; ++i) points.emplace_back(r * std::cos(6.2831853f * i / n), r * std::sin(6.2831853f * i / n), z);
+      for (int i = 0; i < n; ++i)
+        points.emplace_back(r * std::cos(6.2831853f * i / n), r * std::sin(6.2831853f * i / n), z);
     }
   };
   switch (kind) {
@@ -73,7 +80,8 @@ std::vector<vec3> surfaceOf(int kind, vec3 half, float gap) {
         float latitude = 3.1415927f * k / rings, r = half.x * std::sin(latitude);
         int n = std::max(1, int(6.3f * r / gap));
         for (int i = 0; i < n; ++i)
-          points.emplace_back(r * std::cos(6.2831853f * i / n), r * std::sin(6.2831853f * i / n), half.x * std::cos(latitude));
+          points.emplace_back(r * std::cos(6.2831853f * i / n), r * std::sin(6.2831853f * i / n),
+                              half.x * std::cos(latitude));
       }
       break;
     }
@@ -108,8 +116,7 @@ TEST(CutShapeDistance, IsTheDistanceToTheSurface) {
         float distance = std::abs(shared::cutShapeDistance(kind, half, p));
         // The sampled surface is never nearer than the true one, and further by half the gap's diagonal at most.
         EXPECT_LE(distance, nearest + 1e-3f) << kNames[kind] << " at " << p.x << " " << p.y << " " << p.z;
-        EXPECT_GE(distance, nearest - 0.75f * kGap)
-            << kNames[kind] << " at " << p.x << " " << p.y << " " << p.z;
+        EXPECT_GE(distance, nearest - 0.75f * kGap) << kNames[kind] << " at " << p.x << " " << p.y << " " << p.z;
       }
     }
 }
@@ -122,7 +129,8 @@ TEST(CutShapeDistance, IsNegativeInsideOnly) {
         vec3 p = randomPoint(random, 45.0f);
         float distance = shared::cutShapeDistance(kind, half, p);
         if (std::abs(distance) < 1e-4f) continue;  // on the surface, as far as floats tell
-        EXPECT_EQ(distance < 0.0f, isInside(kind, half, p)) << kNames[kind] << " at " << p.x << " " << p.y << " " << p.z;
+        EXPECT_EQ(distance < 0.0f, isInside(kind, half, p))
+            << kNames[kind] << " at " << p.x << " " << p.y << " " << p.z;
       }
 }
 
@@ -203,10 +211,11 @@ TEST(CutShapeInterval, HoldsExactlyWhatLiesInside) {
           bool expected = isInside(kind, half, p), found = t > inside.x && t < inside.y;
           if (expected == found) continue;
           ++wrong;
-          ADD_FAILURE() << kNames[kind] << ", half " << half.x << " " << half.y << " " << half.z << ": a ray " << line.what << " from "
-                        << line.origin.x << " " << line.origin.y << " " << line.origin.z << " along " << line.direction.x << " "
-                        << line.direction.y << " " << line.direction.z << " at t = " << t << " is " << (expected ? "inside" : "outside")
-                        << " but the interval is " << inside.x << " .. " << inside.y;
+          ADD_FAILURE() << kNames[kind] << ", half " << half.x << " " << half.y << " " << half.z << ": a ray "
+                        << line.what << " from " << line.origin.x << " " << line.origin.y << " " << line.origin.z
+                        << " along " << line.direction.x << " " << line.direction.y << " " << line.direction.z
+                        << " at t = " << t << " is " << (expected ? "inside" : "outside") << " but the interval is "
+                        << inside.x << " .. " << inside.y;
           break;
         }
       }

@@ -130,7 +130,8 @@ TEST(Presets, NamesAreUniqueAndAnUnknownOneListsThem) {
   }
   EXPECT_TRUE(scene == before);
   for (const Preset& a : presets())
-    EXPECT_EQ(std::count_if(presets().begin(), presets().end(), [&](const Preset& b) { return a.name == b.name; }), 1) << a.name;
+    EXPECT_EQ(std::count_if(presets().begin(), presets().end(), [&](const Preset& b) { return a.name == b.name; }), 1)
+        << a.name;
 }
 
 TEST(ChoosePreset, ShowsSomethingOfEveryKindOfVolume) {
@@ -142,8 +143,10 @@ TEST(ChoosePreset, ShowsSomethingOfEveryKindOfVolume) {
   volumes.push_back(ctPhantom());
   volumes.back().modality = Modality::Unknown;
   // Two values; one bright voxel in a thousand; mostly noise.
-  volumes.push_back(makeVolume({kSize, kSize, kSize}, SampleType::UInt8, [](glm::ivec3 p) { return radius(p, kSize) < 0.5 ? 1.0 : 0.0; }));
-  volumes.push_back(makeVolume({kSize, kSize, kSize}, SampleType::UInt8, [](glm::ivec3 p) { return p.x == 20 && p.y == 20 ? 255.0 : 4.0 * hashNoise(p); }));
+  volumes.push_back(makeVolume({kSize, kSize, kSize}, SampleType::UInt8,
+                               [](glm::ivec3 p) { return radius(p, kSize) < 0.5 ? 1.0 : 0.0; }));
+  volumes.push_back(makeVolume({kSize, kSize, kSize}, SampleType::UInt8,
+                               [](glm::ivec3 p) { return p.x == 20 && p.y == 20 ? 255.0 : 4.0 * hashNoise(p); }));
   for (std::size_t i = 0, own = volumes.size(); i < own; ++i)
     for (int modality = 1; modality < 8; ++modality)
       if (i < 6 || modality == 0) {
@@ -156,7 +159,8 @@ TEST(ChoosePreset, ShowsSomethingOfEveryKindOfVolume) {
     std::string_view name = choosePreset(volumes[i]);
     applyPreset(scene, name);
     Shares shares = sharesOf(scene);
-    EXPECT_GT(shares.seen, 0.0002) << "volume " << i << " as " << name << ", range " << volumes[i].range.x << " .. " << volumes[i].range.y;
+    EXPECT_GT(shares.seen, 0.0002) << "volume " << i << " as " << name << ", range " << volumes[i].range.x << " .. "
+                                   << volumes[i].range.y;
     EXPECT_LT(shares.dense, 0.7) << "volume " << i << " as " << name;
   }
 }

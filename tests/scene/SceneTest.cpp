@@ -12,7 +12,8 @@ namespace {
 
 Scene sceneOf(const glm::dmat4& worldFromVoxel, glm::ivec3 dims = {20, 30, 50}) {
   Scene scene;
-  scene.volume.data = Shared<Volume>(makeVolume(dims, SampleType::UInt8, [](glm::ivec3) { return 1.0; }, worldFromVoxel));
+  scene.volume.data = Shared<Volume>(makeVolume(
+      dims, SampleType::UInt8, [](glm::ivec3) { return 1.0; }, worldFromVoxel));
   return scene;
 }
 
@@ -27,8 +28,9 @@ double furthestCorner(const Scene& scene, double aspect) {
     glm::dvec3 voxel;
     for (int axis = 0; axis < 3; ++axis) voxel[axis] = corner >> axis & 1 ? scene.volume.data->dims[axis] - 0.5 : -0.5;
     glm::dvec3 p = glm::dvec3(scene.volume.data->worldFromVoxel * glm::dvec4(voxel, 1.0)) - c.eyeMm;
-    double half = c.projection == Projection::Orthographic ? c.heightMm * 0.5
-                                                           : glm::dot(p, forward) * std::tan(glm::radians(c.fieldOfViewDeg) * 0.5);
+    double half = c.projection == Projection::Orthographic
+                      ? c.heightMm * 0.5
+                      : glm::dot(p, forward) * std::tan(glm::radians(c.fieldOfViewDeg) * 0.5);
     if (half <= 0) return 1e9;  // behind the eye
     furthest = std::max({furthest, std::abs(glm::dot(p, right)) / (half * aspect), std::abs(glm::dot(p, up)) / half});
   }
@@ -36,7 +38,8 @@ double furthestCorner(const Scene& scene, double aspect) {
 }
 
 TEST(FrameCamera, SeesTheWholeBoxFromEverySide) {
-  const glm::dmat4 kFrames[] = {centredFrame({20, 30, 50}, {1, 1, 1}), centredFrame({20, 30, 50}, {0.3, 2, 5}, 0.7, {1000, -50, 3}),
+  const glm::dmat4 kFrames[] = {centredFrame({20, 30, 50}, {1, 1, 1}),
+                                centredFrame({20, 30, 50}, {0.3, 2, 5}, 0.7, {1000, -50, 3}),
                                 centredFrame({20, 30, 50}, {1, -1, 1e-3})};
   for (const auto& frame : kFrames)
     for (double aspect : {0.4, 1.0, 16.0 / 9.0})
@@ -48,7 +51,8 @@ TEST(FrameCamera, SeesTheWholeBoxFromEverySide) {
             scene.camera.fieldOfViewDeg = field;
             scene.camera = frameCamera(scene, StandardView(view), aspect);
             double furthest = furthestCorner(scene, aspect);
-            std::string what = std::string(enumName(StandardView(view))) + ", field " + std::to_string(field) + ", aspect " + std::to_string(aspect);
+            std::string what = std::string(enumName(StandardView(view))) + ", field " + std::to_string(field) +
+                               ", aspect " + std::to_string(aspect);
             EXPECT_LE(furthest, 1.0) << what;
             EXPECT_GT(furthest, 0.2) << what << ": the scene is a dot";
             EXPECT_EQ(scene.camera.projection, projection);
@@ -83,7 +87,8 @@ TEST(WorldFromCut, IsRigidAndStandsOnItsAxis) {
   std::uniform_real_distribution<double> any(-5, 5), turn(-360, 360);
   for (int i = 0; i < 300; ++i) {
     Cut cut;
-    cut.axis = i < 6 ? glm::dvec3((i % 3 == 0) * (i < 3 ? 1 : -1), (i % 3 == 1) * (i < 3 ? 1 : -1), (i % 3 == 2) * (i < 3 ? 1 : -1))
+    cut.axis = i < 6 ? glm::dvec3((i % 3 == 0) * (i < 3 ? 1 : -1), (i % 3 == 1) * (i < 3 ? 1 : -1),
+                                  (i % 3 == 2) * (i < 3 ? 1 : -1))
                      : glm::dvec3(any(random), any(random), any(random));
     cut.spinDeg = turn(random);
     cut.centreMm = {any(random) * 100, any(random), any(random)};
@@ -130,7 +135,8 @@ TEST(CompleteStructures, KeepsWhatTheSceneSaysAndAddsTheRest) {
 
 TEST(EffectiveWindow, IsTheWholeRangeUntilOneIsSet) {
   Scene scene;
-  scene.volume.data = Shared<Volume>(makeVolume({4, 4, 4}, SampleType::Int16, [](glm::ivec3 v) { return v.x * 100.0 - 100.0; }));
+  scene.volume.data =
+      Shared<Volume>(makeVolume({4, 4, 4}, SampleType::Int16, [](glm::ivec3 v) { return v.x * 100.0 - 100.0; }));
   EXPECT_EQ(effectiveWindow(scene.volume), glm::dvec2(50, 300));
   scene.volume.windowLevel = 7;
   scene.volume.windowWidth = 20;

@@ -21,7 +21,8 @@ std::string messageOf(std::string_view path, std::string_view value, Scene scene
 }
 
 void expectMentions(const std::string& message, std::initializer_list<const char*> words) {
-  for (const char* word : words) EXPECT_NE(message.find(word), std::string::npos) << "no '" << word << "' in: " << message;
+  for (const char* word : words)
+    EXPECT_NE(message.find(word), std::string::npos) << "no '" << word << "' in: " << message;
   EXPECT_EQ(message.find('\n'), std::string::npos) << message;
 }
 
@@ -91,7 +92,8 @@ TEST(SetField, AnUnknownPartNamesTheKnownFields) {
 TEST(SetField, AnItemThatIsNotThereIsRefused) {
   Scene two;
   two.cuts.resize(2);
-  for (const char* path : {"cuts.3", "cuts.-1", "cuts.x", "cuts..name", "cuts.1e0", "cuts.18446744073709551616.name", "cuts.4294967296.name"})
+  for (const char* path : {"cuts.3", "cuts.-1", "cuts.x", "cuts..name", "cuts.1e0", "cuts.18446744073709551616.name",
+                           "cuts.4294967296.name"})
     expectMentions(messageOf(path, "{}", two), {"cuts", "2 items"});
 }
 

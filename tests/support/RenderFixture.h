@@ -16,7 +16,8 @@ struct TestRay {
   glm::dvec3 at(double t) const { return origin + t * direction; }
 };
 
-/// The ray through a pixel, from what Camera.h says; pixel middles at .5. Written anew, in doubles, to check the shaders.
+/// The ray through a pixel, from what Camera.h says; pixel middles at .5. Written anew, in doubles, to check the
+/// shaders.
 inline TestRay rayThrough(const scene::Camera& camera, glm::ivec2 size, glm::dvec2 pixel) {
   glm::dvec3 forward = glm::normalize(camera.targetMm - camera.eyeMm);
   glm::dvec3 right = glm::normalize(glm::cross(forward, camera.up));
@@ -55,10 +56,12 @@ inline float sampleOf(const Image& image, glm::ivec2 pixel, std::string_view cha
 }
 inline glm::vec3 vectorOf(const Image& image, glm::ivec2 pixel, std::string_view layer) {
   std::string name(layer);
-  return {sampleOf(image, pixel, name + ".X"), sampleOf(image, pixel, name + ".Y"), sampleOf(image, pixel, name + ".Z")};
+  return {sampleOf(image, pixel, name + ".X"), sampleOf(image, pixel, name + ".Y"),
+          sampleOf(image, pixel, name + ".Z")};
 }
 inline glm::vec4 colorOf(const Image& image, glm::ivec2 pixel) {
-  return {sampleOf(image, pixel, "R"), sampleOf(image, pixel, "G"), sampleOf(image, pixel, "B"), sampleOf(image, pixel, "A")};
+  return {sampleOf(image, pixel, "R"), sampleOf(image, pixel, "G"), sampleOf(image, pixel, "B"),
+          sampleOf(image, pixel, "A")};
 }
 
 /// How two pictures differ. Premultiplied, so that a pixel that is hardly there hardly counts. 0..255.
@@ -134,7 +137,8 @@ class RenderTest : public GlTest {
   Image draw(const scene::Scene& scene, glm::ivec2 size = {96, 96}, const render::Layers& layers = {}) {
     return drawWith(renderer(), scene, size, layers);
   }
-  static Image drawWith(render::Renderer& renderer, const scene::Scene& scene, glm::ivec2 size, const render::Layers& layers = {}) {
+  static Image drawWith(render::Renderer& renderer, const scene::Scene& scene, glm::ivec2 size,
+                        const render::Layers& layers = {}) {
     Progress progress;
     return render::renderPicture(renderer, frameOf(scene, size), layers, 4096, progress);
   }
@@ -142,8 +146,8 @@ class RenderTest : public GlTest {
   static void expectSame(const Image& a, const Image& b, double largest, std::string_view what = {}) {
     Difference difference = differenceOf(a, b);
     // Half a hundredth: pictures are multiples of 1/255 turned into floats.
-    EXPECT_LE(difference.largest, largest + 0.005)
-        << what << ": at pixel " << difference.where.x << ", " << difference.where.y << "; mean difference " << difference.mean;
+    EXPECT_LE(difference.largest, largest + 0.005) << what << ": at pixel " << difference.where.x << ", "
+                                                   << difference.where.y << "; mean difference " << difference.mean;
   }
 
  private:

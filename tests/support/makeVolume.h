@@ -54,13 +54,15 @@ LabelVolume makeLabels(glm::ivec3 dims, IdOf idOf, const glm::dmat4& worldFromVo
     for (int y = 0; y < dims.y; ++y)
       for (int x = 0; x < dims.x; ++x) ids.push_back(std::uint16_t(idOf(glm::ivec3(x, y, z))));
   labels.write({0, 0, 0}, dims, ids);
-  for (auto id : labels.idsInUse()) labels.table.push_back({id, "structure " + std::to_string(id), defaultLabelColor(id), 1.0f});
+  for (auto id : labels.idsInUse())
+    labels.table.push_back({id, "structure " + std::to_string(id), defaultLabelColor(id), 1.0f});
   return labels;
 }
 
 /// 0..1, the same for the same voxel and seed.
 inline double hashNoise(glm::ivec3 v, std::uint32_t seed = 1) {
-  std::uint32_t h = std::uint32_t(v.x) * 73856093u ^ std::uint32_t(v.y) * 19349663u ^ std::uint32_t(v.z) * 83492791u ^ seed * 2654435761u;
+  std::uint32_t h = std::uint32_t(v.x) * 73856093u ^ std::uint32_t(v.y) * 19349663u ^ std::uint32_t(v.z) * 83492791u ^
+                    seed * 2654435761u;
   h ^= h >> 16, h *= 2246822519u, h ^= h >> 13, h *= 3266489917u, h ^= h >> 16;
   return double(h) / 4294967295.0;
 }

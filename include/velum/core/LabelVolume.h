@@ -49,7 +49,7 @@ class LabelVolume {
   /// Ids in use, ascending, without 0. O(voxels of the bricks that are not uniform).
   std::vector<std::uint16_t> idsInUse() const;
 
-  std::vector<LabelInfo> table;       ///< Names and colours, ascending by id; made up where the file has none.
+  std::vector<LabelInfo> table;  ///< Names and colours, ascending by id; made up where the file has none.
   std::string name;
   std::vector<std::string> warnings;
 

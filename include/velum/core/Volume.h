@@ -16,7 +16,8 @@ namespace velum {
 enum class SampleType { UInt8, Int8, UInt16, Int16, UInt32, Int32, Float32, Float64 };
 template <>
 struct EnumNames<SampleType> {
-  static constexpr std::string_view kNames[] = {"uint8", "int8", "uint16", "int16", "uint32", "int32", "float32", "float64"};
+  static constexpr std::string_view kNames[] = {"uint8",  "int8",  "uint16",  "int16",
+                                                "uint32", "int32", "float32", "float64"};
 };
 
 /// Bytes of one sample.
@@ -26,7 +27,8 @@ std::size_t sampleSize(SampleType type);
 enum class Modality { Unknown, CT, MR, Angiography, Ultrasound, Microscopy, Seismic, PET };
 template <>
 struct EnumNames<Modality> {
-  static constexpr std::string_view kNames[] = {"unknown", "CT", "MR", "angiography", "ultrasound", "microscopy", "seismic", "PET"};
+  static constexpr std::string_view kNames[] = {"unknown",    "CT",         "MR",      "angiography",
+                                                "ultrasound", "microscopy", "seismic", "PET"};
 };
 
 /// An allocator that leaves new bytes unset, so that a gigabyte is not written twice.
@@ -53,17 +55,17 @@ using Bytes = std::vector<std::byte, UnsetAllocator<std::byte>>;
 /// integer indices. `value = raw * scale + offset`, in `unit`. Written once by a reader, then held as
 /// `Shared<Volume>` and never changed.
 struct Volume {
-  glm::ivec3 dims{0};                     ///< Voxels along x (fastest), y, z.
-  SampleType type = SampleType::UInt8;    ///< Type of one raw sample, machine byte order.
-  int channels = 1;                       ///< Samples per voxel, interleaved.
-  int frames = 1;                         ///< Time steps, slowest axis.
-  bool isColor = false;                   ///< The channels are RGB or RGBA.
-  Bytes voxels;                           ///< Raw samples, shape [frames][z][y][x][channels].
-  glm::dmat4 worldFromVoxel{1.0};         ///< mm; rigid or not, left-handed allowed, never singular.
-  double scale = 1.0;                     ///< See `value` above.
+  glm::ivec3 dims{0};                   ///< Voxels along x (fastest), y, z.
+  SampleType type = SampleType::UInt8;  ///< Type of one raw sample, machine byte order.
+  int channels = 1;                     ///< Samples per voxel, interleaved.
+  int frames = 1;                       ///< Time steps, slowest axis.
+  bool isColor = false;                 ///< The channels are RGB or RGBA.
+  Bytes voxels;                         ///< Raw samples, shape [frames][z][y][x][channels].
+  glm::dmat4 worldFromVoxel{1.0};       ///< mm; rigid or not, left-handed allowed, never singular.
+  double scale = 1.0;                   ///< See `value` above.
   double offset = 0.0;
-  glm::dvec2 range{0.0, 0.0};             ///< Smallest and largest finite value, over all frames and channels.
-  std::string unit;                       ///< "HU", "m/s", empty when unknown.
+  glm::dvec2 range{0.0, 0.0};  ///< Smallest and largest finite value, over all frames and channels.
+  std::string unit;            ///< "HU", "m/s", empty when unknown.
   Modality modality = Modality::Unknown;
   bool isSpacingKnown = true;             ///< False: the file had none and 1 mm was taken.
   bool isOrientationKnown = true;         ///< False: patient letters must not be shown.
@@ -92,14 +94,22 @@ template <class Body>
 decltype(auto) visitSamples(const Volume& volume, Body&& body) {
   const void* p = volume.voxels.data();
   switch (volume.type) {
-    case SampleType::UInt8: return body(static_cast<const std::uint8_t*>(p));
-    case SampleType::Int8: return body(static_cast<const std::int8_t*>(p));
-    case SampleType::UInt16: return body(static_cast<const std::uint16_t*>(p));
-    case SampleType::Int16: return body(static_cast<const std::int16_t*>(p));
-    case SampleType::UInt32: return body(static_cast<const std::uint32_t*>(p));
-    case SampleType::Int32: return body(static_cast<const std::int32_t*>(p));
-    case SampleType::Float32: return body(static_cast<const float*>(p));
-    case SampleType::Float64: break;
+    case SampleType::UInt8:
+      return body(static_cast<const std::uint8_t*>(p));
+    case SampleType::Int8:
+      return body(static_cast<const std::int8_t*>(p));
+    case SampleType::UInt16:
+      return body(static_cast<const std::uint16_t*>(p));
+    case SampleType::Int16:
+      return body(static_cast<const std::int16_t*>(p));
+    case SampleType::UInt32:
+      return body(static_cast<const std::uint32_t*>(p));
+    case SampleType::Int32:
+      return body(static_cast<const std::int32_t*>(p));
+    case SampleType::Float32:
+      return body(static_cast<const float*>(p));
+    case SampleType::Float64:
+      break;
   }
   return body(static_cast<const double*>(p));
 }

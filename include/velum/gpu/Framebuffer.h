@@ -25,8 +25,8 @@ class Framebuffer : public Handle<deleteFramebuffer> {
   int mColorCount = 0;
 };
 
-/// Copies a texture's colours into a framebuffer by GL name (0 is the window), scaled linearly to its size; flips rows so
-/// that a top-row-first texture stands upright.
+/// Copies a texture's colours into a framebuffer by GL name (0 is the window), scaled linearly to its size; flips rows
+/// so that a top-row-first texture stands upright.
 void present(const Framebuffer& source, unsigned targetFramebuffer, glm::ivec2 targetSize);
 
 }  // namespace velum::gpu

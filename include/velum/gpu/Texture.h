@@ -7,7 +7,23 @@
 
 namespace velum::gpu {
 
-enum class Format { R8, Rg8, Rgba8, R16, R16f, Rgba16f, R32f, Rg32f, Rgba32f, R8ui, Rg8ui, R16ui, R32ui, Rgba32ui, Depth32f };
+enum class Format {
+  R8,
+  Rg8,
+  Rgba8,
+  R16,
+  R16f,
+  Rgba16f,
+  R32f,
+  Rg32f,
+  Rgba32f,
+  R8ui,
+  Rg8ui,
+  R16ui,
+  R32ui,
+  Rgba32ui,
+  Depth32f
+};
 enum class Filter { Nearest, Linear };
 enum class Access { Read, Write, ReadWrite };
 
@@ -37,7 +53,8 @@ class Texture : public Handle<deleteTexture> {
   void bindImage(unsigned unit, Access access) const;
 
  private:
-  Texture(unsigned id, Format format, glm::ivec3 size, bool is3d) : Handle(id), mFormat(format), mSize(size), mIs3d(is3d) {}
+  Texture(unsigned id, Format format, glm::ivec3 size, bool is3d)
+      : Handle(id), mFormat(format), mSize(size), mIs3d(is3d) {}
   Format mFormat = Format::R8;
   glm::ivec3 mSize{0};
   bool mIs3d = false;

@@ -15,9 +15,9 @@ namespace velum::io {
 struct SeriesInfo {
   std::string uid;
   std::string description;
-  std::string modality;    ///< DICOM code: "CT", "MR", "SEG", ...
-  int imageCount = 0;      ///< Slices, or frames of a multi-frame file.
-  glm::ivec2 size{0};      ///< Columns, rows.
+  std::string modality;  ///< DICOM code: "CT", "MR", "SEG", ...
+  int imageCount = 0;    ///< Slices, or frames of a multi-frame file.
+  glm::ivec2 size{0};    ///< Columns, rows.
   bool operator==(const SeriesInfo&) const = default;
 };
 

@@ -21,16 +21,16 @@ struct Stats {
   double longestStepMs = 0;                ///< Longest single piece of GL work so far.
   int samples = 0;                         ///< Samples per pixel that are complete.
   std::map<std::string, double> passesMs;  ///< By pass, of the last complete frame.
-  std::string reduction;                   ///< In words, when the data is shown at a lower level than it has; else empty.
+  std::string reduction;  ///< In words, when the data is shown at a lower level than it has; else empty.
 };
 
 /// What is under a pixel.
 struct Pick {
   bool hit = false;
   glm::dvec3 worldMm{0.0};
-  glm::vec3 normal{0.0f};   ///< World frame, unit.
-  int structure = 0;        ///< Label id, 0 when there is none.
-  double value = 0;         ///< Data value there (nearest voxel).
+  glm::vec3 normal{0.0f};  ///< World frame, unit.
+  int structure = 0;       ///< Label id, 0 when there is none.
+  double value = 0;        ///< Data value there (nearest voxel).
 };
 
 /// Which layers to read back.
@@ -60,8 +60,9 @@ class Renderer {
   /// Shows what there is of the last frame in a window's framebuffer (GL name), upright, scaled to its size.
   void present(unsigned framebuffer, glm::ivec2 size);
 
-  /// The last frame's window: R, G, B, A display-referred with straight alpha, then the layers asked for: "position.X/Y/Z"
-  /// (world mm), "normal.X/Y/Z" (world), "Z" (mm from the eye, along the ray; infinity where nothing is), "id".
+  /// The last frame's window: R, G, B, A display-referred with straight alpha, then the layers asked for:
+  /// "position.X/Y/Z" (world mm), "normal.X/Y/Z" (world), "Z" (mm from the eye, along the ray; infinity where nothing
+  /// is), "id".
   Image read(const Layers& layers = {});
 
   /// What the last frame shows at a pixel of its window. From the drawn layers, so it agrees with the picture.
@@ -80,6 +81,7 @@ class Renderer {
 
 /// Draws a picture of any size, window by window where it is larger than the driver's textures; seamless, as each ray
 /// depends on its place in the whole picture only.
-Image renderPicture(Renderer& renderer, const Frame& frame, const Layers& layers, int largestWindow, Progress& progress);
+Image renderPicture(Renderer& renderer, const Frame& frame, const Layers& layers, int largestWindow,
+                    Progress& progress);
 
 }  // namespace velum::render

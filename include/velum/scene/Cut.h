@@ -10,30 +10,34 @@ namespace velum::scene {
 enum class CutShape { Plane, Box, Sphere, Cylinder, Cone };
 enum class CutFace { Shaded, Slice };
 
-/// One thing that removes material. What it removes: a plane, the side that `axis` points to; a closed shape, its inside;
-/// with `invert`, the other side. A position is kept when no enabled cut removes it. World frame (mm, LPS).
+/// One thing that removes material. What it removes: a plane, the side that `axis` points to; a closed shape, its
+/// inside; with `invert`, the other side. A position is kept when no enabled cut removes it. World frame (mm, LPS).
 struct Cut {
   std::string name;
   CutShape shape = CutShape::Plane;
   bool enabled = true;
   bool invert = false;
-  glm::dvec3 centreMm{0.0};          ///< a point of the plane; middle of box, sphere, cylinder; apex of the cone
-  glm::dvec3 axis{0.0, -1.0, 0.0};   ///< normal of the plane; local z of the others; the cone opens along it; any length
-  double spinDeg = 0.0;              ///< turn of a box about its axis
-  glm::dvec3 sizeMm{100.0};          ///< box: edges along local x, y, z; sphere: diameter x; cylinder, cone: diameter x, length z
-  CutFace face = CutFace::Shaded;    ///< how the cut surface looks
-  double faceOpacity = 1.0;          ///< slice faces: 0..1
-  std::vector<int> exempt;           ///< ids of structures that this cut leaves whole
+  glm::dvec3 centreMm{0.0};         ///< a point of the plane; middle of box, sphere, cylinder; apex of the cone
+  glm::dvec3 axis{0.0, -1.0, 0.0};  ///< normal of the plane; local z of the others; the cone opens along it; any length
+  double spinDeg = 0.0;             ///< turn of a box about its axis
+  glm::dvec3 sizeMm{
+      100.0};  ///< box: edges along local x, y, z; sphere: diameter x; cylinder, cone: diameter x, length z
+  CutFace face = CutFace::Shaded;  ///< how the cut surface looks
+  double faceOpacity = 1.0;        ///< slice faces: 0..1
+  std::vector<int> exempt;         ///< ids of structures that this cut leaves whole
   bool operator==(const Cut&) const = default;
   static void fields(auto& o, auto& visit) {
     visit("name", o.name, FieldInfo{"", {}, "Name for people."});
     visit("shape", o.shape, FieldInfo{"", {}, "Plane, box, sphere, cylinder or cone."});
     visit("enabled", o.enabled, FieldInfo{"", {}, "Off: the cut removes nothing."});
     visit("invert", o.invert, FieldInfo{"", {}, "Removes the other side."});
-    visit("centreMm", o.centreMm, FieldInfo{"mm", {}, "A point of the plane; middle of box, sphere, cylinder; apex of the cone."});
+    visit("centreMm", o.centreMm,
+          FieldInfo{"mm", {}, "A point of the plane; middle of box, sphere, cylinder; apex of the cone."});
     visit("axis", o.axis, FieldInfo{"", {}, "Normal of the plane (towards what is removed); axis of the others."});
     visit("spinDeg", o.spinDeg, FieldInfo{"deg", {-360, 360}, "Turn of a box about its axis."});
-    visit("sizeMm", o.sizeMm, FieldInfo{"mm", {0, 1e9}, "Box: edges; sphere: diameter first; cylinder, cone: diameter first, length third."});
+    visit(
+        "sizeMm", o.sizeMm,
+        FieldInfo{"mm", {0, 1e9}, "Box: edges; sphere: diameter first; cylinder, cone: diameter first, length third."});
     visit("face", o.face, FieldInfo{"", {}, "Shaded: the cut material; slice: the data's grey values, as on a slice."});
     visit("faceOpacity", o.faceOpacity, FieldInfo{"", {0, 1}, "Opacity of a slice face."});
     visit("exempt", o.exempt, FieldInfo{"", {0, 65535}, "Structures (label ids) that this cut leaves whole."});

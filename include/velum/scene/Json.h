@@ -12,9 +12,10 @@ constexpr int kSceneVersion = 1;
 /// The scene as JSON text (version, then every field of every saved struct). The same scene gives the same bytes.
 std::string toJson(const Scene& scene);
 
-/// The counterpart of toJson. Fields that are missing keep their defaults; fields that are unknown are left alone with a
-/// warning. Payloads (`data`) are empty.
-/// @throw InputError for text that is no scene, is from a newer version, or has a value of the wrong kind or out of range
+/// The counterpart of toJson. Fields that are missing keep their defaults; fields that are unknown are left alone with
+/// a warning. Payloads (`data`) are empty.
+/// @throw InputError for text that is no scene, is from a newer version, or has a value of the wrong kind or out of
+/// range
 Scene fromJson(std::string_view text);
 
 /// Changes one field by its path: "rayCast.stepVoxels", "cuts.0.centreMm", "cuts.+" appends one.

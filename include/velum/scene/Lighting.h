@@ -7,15 +7,15 @@ namespace velum::scene {
 
 /// Phong with a soft hemisphere, one key light that casts shadows, and local ambient occlusion.
 struct Lighting {
-  bool shaded = true;                            ///< off: the transfer function's colours as they are
-  double ambient = 0.35;                         ///< light from everywhere, brighter from above, 0..2
-  double diffuse = 0.75;                         ///< key light, 0..2
-  double specular = 0.25;                        ///< highlight of the key light, 0..2
-  double shininess = 40.0;                       ///< Phong exponent of the highlight, 1..500
-  glm::dvec3 keyDirection{-0.5, 0.6, 0.7};       ///< towards the key light, camera frame (x right, y up, z to the eye)
-  double shadow = 0.6;                           ///< strength of shadows, 0..1
-  double occlusion = 0.7;                        ///< strength of local ambient occlusion, 0..1
-  double occlusionRadius = 0.06;                 ///< reach of the occlusion, fraction of the volume's diameter, 0.005..0.3
+  bool shaded = true;                       ///< off: the transfer function's colours as they are
+  double ambient = 0.35;                    ///< light from everywhere, brighter from above, 0..2
+  double diffuse = 0.75;                    ///< key light, 0..2
+  double specular = 0.25;                   ///< highlight of the key light, 0..2
+  double shininess = 40.0;                  ///< Phong exponent of the highlight, 1..500
+  glm::dvec3 keyDirection{-0.5, 0.6, 0.7};  ///< towards the key light, camera frame (x right, y up, z to the eye)
+  double shadow = 0.6;                      ///< strength of shadows, 0..1
+  double occlusion = 0.7;                   ///< strength of local ambient occlusion, 0..1
+  double occlusionRadius = 0.06;            ///< reach of the occlusion, fraction of the volume's diameter, 0.005..0.3
   bool operator==(const Lighting&) const = default;
   static void fields(auto& o, auto& visit) {
     visit("shaded", o.shaded, FieldInfo{"", {}, "Off: the transfer function's colours as they are."});
@@ -26,15 +26,16 @@ struct Lighting {
     visit("keyDirection", o.keyDirection, FieldInfo{"", {}, "Towards the key light: x right, y up, z to the eye."});
     visit("shadow", o.shadow, FieldInfo{"", {0, 1}, "Strength of the shadows."});
     visit("occlusion", o.occlusion, FieldInfo{"", {0, 1}, "Strength of local ambient occlusion."});
-    visit("occlusionRadius", o.occlusionRadius, FieldInfo{"", {0.005, 0.3}, "Reach of the occlusion, fraction of the volume's diameter."});
+    visit("occlusionRadius", o.occlusionRadius,
+          FieldInfo{"", {0.005, 0.3}, "Reach of the occlusion, fraction of the volume's diameter."});
   }
 };
 
 /// What is behind everything.
 struct Background {
-  glm::vec3 top{0.16f, 0.18f, 0.21f};     ///< sRGB
+  glm::vec3 top{0.16f, 0.18f, 0.21f};  ///< sRGB
   glm::vec3 bottom{0.05f, 0.055f, 0.065f};
-  bool transparent = false;               ///< pictures get an alpha channel and no background
+  bool transparent = false;  ///< pictures get an alpha channel and no background
   bool operator==(const Background&) const = default;
   static void fields(auto& o, auto& visit) {
     visit("top", o.top, FieldInfo{"", {0, 1}, "sRGB colour at the top."});

@@ -10,8 +10,8 @@ namespace velum::scene {
 /// A named look. Values are data values (Hounsfield units) when `isAbsolute`, else fractions of the way from the
 /// background of this volume (0) to its brightest thousandth (1).
 struct Preset {
-  std::string_view name;      ///< "ct-bone"
-  std::string_view title;     ///< "CT: bone"
+  std::string_view name;   ///< "ct-bone"
+  std::string_view title;  ///< "CT: bone"
   Modality modality;
   bool isAbsolute;
 };

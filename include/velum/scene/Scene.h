@@ -20,13 +20,13 @@ namespace velum::scene {
 /// A volume and how it is shown.
 struct VolumeLayer {
   Source source;
-  Shared<Volume> data;            ///< not saved: read from `source`
+  Shared<Volume> data;  ///< not saved: read from `source`
   bool visible = true;
-  int frame = 0;                  ///< time step, 0..frames-1
-  int channel = 0;                ///< 0..channels-1; colour volumes show their colours
+  int frame = 0;    ///< time step, 0..frames-1
+  int channel = 0;  ///< 0..channels-1; colour volumes show their colours
   TransferFunction transfer;
-  double windowLevel = 0.0;       ///< middle of the grey window of slices and MIP, the volume's unit
-  double windowWidth = 0.0;       ///< its width; 0: the whole range
+  double windowLevel = 0.0;  ///< middle of the grey window of slices and MIP, the volume's unit
+  double windowWidth = 0.0;  ///< its width; 0: the whole range
   bool operator==(const VolumeLayer&) const = default;
   static void fields(auto& o, auto& visit) {
     visit("source", o.source, FieldInfo{"", {}, "Where the volume comes from."});
@@ -42,10 +42,10 @@ struct VolumeLayer {
 /// Labelled structures beside the volume (same grid or another, overlaid by world position), or alone.
 struct LabelLayer {
   Source source;
-  Shared<LabelVolume> data;       ///< not saved
+  Shared<LabelVolume> data;  ///< not saved
   bool visible = true;
-  double tint = 1.0;              ///< how far structures take their own colour rather than the transfer function's, 0..1
-  double unlabelled = 1.0;        ///< factor on the opacity of what has no label, 0..1
+  double tint = 1.0;        ///< how far structures take their own colour rather than the transfer function's, 0..1
+  double unlabelled = 1.0;  ///< factor on the opacity of what has no label, 0..1
   std::vector<Structure> structures;  ///< ascending by id; filled from the data's table where empty
   bool operator==(const LabelLayer&) const = default;
   static void fields(auto& o, auto& visit) {
@@ -60,8 +60,8 @@ struct LabelLayer {
 /// An opaque surface in the scene: an implant, a segmentation's mesh.
 struct Surface {
   Source source;
-  Shared<Mesh> data;              ///< not saved
-  glm::vec3 color{0.8f};          ///< sRGB
+  Shared<Mesh> data;      ///< not saved
+  glm::vec3 color{0.8f};  ///< sRGB
   bool visible = true;
   bool operator==(const Surface&) const = default;
   static void fields(auto& o, auto& visit) {
@@ -81,7 +81,7 @@ struct Scene {
   RayCast rayCast;
   Lighting lighting;
   Background background;
-  bool showBounds = false;        ///< thin outlines of the volume's box and of the cuts
+  bool showBounds = false;  ///< thin outlines of the volume's box and of the cuts
   bool operator==(const Scene&) const = default;
   static void fields(auto& o, auto& visit) {
     visit("volume", o.volume, FieldInfo{"", {}, "The volume and how it is shown."});
@@ -107,8 +107,8 @@ Bounds computeBounds(const Scene& scene);
 /// @param aspect  width / height of the picture
 Camera frameCamera(const Scene& scene, StandardView view, double aspect);
 
-/// The side from which new data is first seen: from the front, where the patient's axes are known; on its face, where it
-/// is a thin slab; else obliquely.
+/// The side from which new data is first seen: from the front, where the patient's axes are known; on its face, where
+/// it is a thin slab; else obliquely.
 StandardView defaultView(const Scene& scene);
 
 /// The rigid frame of a cut: local z is its axis. World from local, mm.

@@ -25,10 +25,10 @@ struct RawLayout {
 
 /// Where data comes from and how it is to be read. A saved path is relative to the scene file.
 struct Source {
-  std::string path;               ///< file, or folder of slices
-  std::string series;             ///< DICOM SeriesInstanceUID when the folder holds several; empty: the largest
-  RawLayout raw;                  ///< for files without a header
-  glm::dvec3 spacingMm{0.0};      ///< overrides the file's spacing where positive
+  std::string path;           ///< file, or folder of slices
+  std::string series;         ///< DICOM SeriesInstanceUID when the folder holds several; empty: the largest
+  RawLayout raw;              ///< for files without a header
+  glm::dvec3 spacingMm{0.0};  ///< overrides the file's spacing where positive
   bool operator==(const Source&) const = default;
   static void fields(auto& o, auto& visit) {
     visit("path", o.path, FieldInfo{"", {}, "File or folder, relative to the scene file."});

@@ -8,10 +8,10 @@ namespace velum::scene {
 
 /// How one labelled structure is shown.
 struct Structure {
-  int id = 0;               ///< label, 1..65535
+  int id = 0;  ///< label, 1..65535
   std::string name;
-  glm::vec3 color{1.0f};    ///< sRGB
-  double opacity = 1.0;     ///< multiplies the transfer function's; alone, in a scene without a volume
+  glm::vec3 color{1.0f};  ///< sRGB
+  double opacity = 1.0;   ///< multiplies the transfer function's; alone, in a scene without a volume
   bool visible = true;
   bool operator==(const Structure&) const = default;
   static void fields(auto& o, auto& visit) {

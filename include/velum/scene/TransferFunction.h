@@ -9,8 +9,8 @@ namespace velum::scene {
 
 /// A stop of the colour curve.
 struct ColorPoint {
-  double value = 0;         ///< data value, the volume's unit
-  glm::vec3 color{1.0f};    ///< sRGB, 0..1
+  double value = 0;       ///< data value, the volume's unit
+  glm::vec3 color{1.0f};  ///< sRGB, 0..1
   bool operator==(const ColorPoint&) const = default;
   static void fields(auto& o, auto& visit) {
     visit("value", o.value, FieldInfo{"", {}, "Data value."});
@@ -20,8 +20,8 @@ struct ColorPoint {
 
 /// A point of an opacity curve; between points it is linear, beyond the ends it stays.
 struct OpacityPoint {
-  double value = 0;     ///< data value, or gradient magnitude (value per mm)
-  double opacity = 0;   ///< 0..1 for `unitDistanceMm` of material
+  double value = 0;    ///< data value, or gradient magnitude (value per mm)
+  double opacity = 0;  ///< 0..1 for `unitDistanceMm` of material
   bool operator==(const OpacityPoint&) const = default;
   static void fields(auto& o, auto& visit) {
     visit("value", o.value, FieldInfo{"", {}, "Data value, or gradient magnitude (value per mm)."});
@@ -31,18 +31,20 @@ struct OpacityPoint {
 
 /// What data looks like: colour and opacity by value, opacity also by gradient magnitude.
 struct TransferFunction {
-  std::string preset;                             ///< name of the preset that it was made from, for people
-  std::vector<ColorPoint> colors;                 ///< ascending by value
-  std::vector<OpacityPoint> opacities;            ///< ascending by value
-  std::vector<OpacityPoint> gradientOpacities;    ///< ascending; multiplies; empty: 1 everywhere
-  double unitDistanceMm = 1.0;                    ///< thickness to which the opacities apply, > 0
+  std::string preset;                           ///< name of the preset that it was made from, for people
+  std::vector<ColorPoint> colors;               ///< ascending by value
+  std::vector<OpacityPoint> opacities;          ///< ascending by value
+  std::vector<OpacityPoint> gradientOpacities;  ///< ascending; multiplies; empty: 1 everywhere
+  double unitDistanceMm = 1.0;                  ///< thickness to which the opacities apply, > 0
   bool operator==(const TransferFunction&) const = default;
   static void fields(auto& o, auto& visit) {
     visit("preset", o.preset, FieldInfo{"", {}, "Preset that it was made from."});
     visit("colors", o.colors, FieldInfo{"", {}, "Colour by data value."});
     visit("opacities", o.opacities, FieldInfo{"", {}, "Opacity by data value."});
-    visit("gradientOpacities", o.gradientOpacities, FieldInfo{"", {}, "Factor by gradient magnitude; empty: 1 everywhere."});
-    visit("unitDistanceMm", o.unitDistanceMm, FieldInfo{"mm", {1e-9, 1e9}, "Thickness of material to which the opacities apply."});
+    visit("gradientOpacities", o.gradientOpacities,
+          FieldInfo{"", {}, "Factor by gradient magnitude; empty: 1 everywhere."});
+    visit("unitDistanceMm", o.unitDistanceMm,
+          FieldInfo{"mm", {1e-9, 1e9}, "Thickness of material to which the opacities apply."});
   }
 };
 

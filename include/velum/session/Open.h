@@ -17,7 +17,8 @@ scene::Scene open(const scene::Source& source, Progress& progress);
 /// Adds another input to a scene: labels beside the volume, a surface, or, where the scene has no volume yet, a volume.
 void add(scene::Scene& scene, const scene::Source& source, Progress& progress);
 
-/// Reads a file as labels, whatever it looks like, and puts them beside the scene's volume. @throw InputError, Cancelled
+/// Reads a file as labels, whatever it looks like, and puts them beside the scene's volume. @throw InputError,
+/// Cancelled
 void addLabels(scene::Scene& scene, const scene::Source& source, Progress& progress);
 
 /// Opens several inputs as one scene: what carries the voxels first, then labels and surfaces, in whatever order they

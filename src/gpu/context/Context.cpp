@@ -19,7 +19,8 @@ thread_local const GlTable* tGl = nullptr;
 
 constexpr GLenum kMemoryFreeNvx = 0x9049;  // GL_GPU_MEMORY_INFO_CURRENT_AVAILABLE_VIDMEM_NVX, kibibytes
 
-void APIENTRY onMessage(GLenum, GLenum type, GLuint, GLenum severity, GLsizei length, const GLchar* text, const void* user) {
+void APIENTRY onMessage(GLenum, GLenum type, GLuint, GLenum severity, GLsizei length, const GLchar* text,
+                        const void* user) {
   if (type != GL_DEBUG_TYPE_ERROR && severity != GL_DEBUG_SEVERITY_HIGH) return;
   ++*static_cast<std::atomic<int>*>(const_cast<void*>(user));
   log::warning(fmt::format("OpenGL: {}", std::string_view(text, length < 0 ? std::strlen(text) : std::size_t(length))));
@@ -65,8 +66,8 @@ int Context::errorCount() const { return mImpl->errors; }
 
 void Context::load(ProcAddress procAddress) {
   GlTable& table = mImpl->table;
-#define VELUM_GL_LOAD(type, name)                                                \
-  table.name = reinterpret_cast<type>(procAddress("gl" #name));                  \
+#define VELUM_GL_LOAD(type, name)                               \
+  table.name = reinterpret_cast<type>(procAddress("gl" #name)); \
   if (!table.name) throw GpuError("the driver lacks gl" #name "; OpenGL 4.5 is needed: update the graphics driver");
   VELUM_GL_FUNCTIONS(VELUM_GL_LOAD)
 #undef VELUM_GL_LOAD
@@ -76,8 +77,10 @@ void Context::load(ProcAddress procAddress) {
   mLimits.renderer = glString(table, GL_RENDERER);
   mLimits.version = glString(table, GL_VERSION);
   if (major * 10 + minor < 45)
-    throw GpuError(fmt::format("{} offers OpenGL {}.{}; 4.5 is needed: update the graphics driver", mLimits.renderer, major, minor));
-  mLimits.isSoftware = mLimits.renderer.find("llvmpipe") != std::string::npos || mLimits.renderer.find("softpipe") != std::string::npos;
+    throw GpuError(fmt::format("{} offers OpenGL {}.{}; 4.5 is needed: update the graphics driver", mLimits.renderer,
+                               major, minor));
+  mLimits.isSoftware =
+      mLimits.renderer.find("llvmpipe") != std::string::npos || mLimits.renderer.find("softpipe") != std::string::npos;
   table.GetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &mLimits.texture3d);
   table.GetIntegerv(GL_MAX_TEXTURE_SIZE, &mLimits.texture2d);
   if (const char* text = std::getenv("VELUM_MAX_TEXTURE_3D")) mLimits.texture3d = std::max(16, std::atoi(text));
@@ -118,6 +121,8 @@ class AdoptedContext : public Context {
 
 }  // namespace
 
-std::unique_ptr<Context> Context::adopt(ProcAddress procAddress) { return std::make_unique<AdoptedContext>(procAddress); }
+std::unique_ptr<Context> Context::adopt(ProcAddress procAddress) {
+  return std::make_unique<AdoptedContext>(procAddress);
+}
 
 }  // namespace velum::gpu

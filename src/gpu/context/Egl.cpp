@@ -15,7 +15,8 @@ namespace {
 /// libEGL, opened at run time, so that a machine without it can still use OSMesa.
 struct EglLibrary {
   void* handle = dlopen("libEGL.so.1", RTLD_NOW | RTLD_LOCAL);
-  PFNEGLGETPROCADDRESSPROC getProcAddress = handle ? reinterpret_cast<PFNEGLGETPROCADDRESSPROC>(dlsym(handle, "eglGetProcAddress")) : nullptr;
+  PFNEGLGETPROCADDRESSPROC getProcAddress =
+      handle ? reinterpret_cast<PFNEGLGETPROCADDRESSPROC>(dlsym(handle, "eglGetProcAddress")) : nullptr;
   template <class F>
   F find(const char* name) const {
     void* symbol = dlsym(handle, name);
@@ -47,7 +48,9 @@ EglContext::EglContext() {
   if (!library().getProcAddress) throw GpuError("EGL: libEGL.so.1 is not installed (Debian package libegl1)");
   for (EGLDisplay display : displays())
     if (open(display)) break;
-  if (mContext == EGL_NO_CONTEXT) throw GpuError("EGL: no display offers an OpenGL 4.5 core context (Debian package libgl1-mesa-dri has a software one)");
+  if (mContext == EGL_NO_CONTEXT)
+    throw GpuError(
+        "EGL: no display offers an OpenGL 4.5 core context (Debian package libgl1-mesa-dri has a software one)");
   EglContext::makeCurrent();
   load(procAddress);
 }
@@ -62,7 +65,8 @@ EglContext::~EglContext() {
 
 void EglContext::makeCurrent() {
   auto makeCurrentFn = library().find<PFNEGLMAKECURRENTPROC>("eglMakeCurrent");
-  if (!makeCurrentFn(mDisplay, EGL_NO_SURFACE, EGL_NO_SURFACE, mContext)) throw GpuError("EGL: the context cannot be made current");
+  if (!makeCurrentFn(mDisplay, EGL_NO_SURFACE, EGL_NO_SURFACE, mContext))
+    throw GpuError("EGL: the context cannot be made current");
   Context::makeCurrent();
 }
 
@@ -77,25 +81,31 @@ std::vector<EGLDisplay> EglContext::displays() const {
   if (getPlatformDisplay && queryDevices && queryDeviceString && queryDevices(16, devices, &count)) {
     for (int i = 0; i < count; ++i) {
       const char* extensions = queryDeviceString(devices[i], EGL_EXTENSIONS);
-      bool software = extensions && std::string_view(extensions).find("EGL_MESA_device_software") != std::string_view::npos;
+      bool software =
+          extensions && std::string_view(extensions).find("EGL_MESA_device_software") != std::string_view::npos;
       if (!software) found.push_back(getPlatformDisplay(EGL_PLATFORM_DEVICE_EXT, devices[i], nullptr));
     }
   }
-  if (getPlatformDisplay) found.push_back(getPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr));
+  if (getPlatformDisplay)
+    found.push_back(getPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr));
   for (int i = 0; i < count; ++i) found.push_back(getPlatformDisplay(EGL_PLATFORM_DEVICE_EXT, devices[i], nullptr));
   return found;
 }
 
 bool EglContext::open(EGLDisplay display) {
   const auto& egl = library();
-  if (display == EGL_NO_DISPLAY || !egl.find<PFNEGLINITIALIZEPROC>("eglInitialize")(display, nullptr, nullptr)) return false;
+  if (display == EGL_NO_DISPLAY || !egl.find<PFNEGLINITIALIZEPROC>("eglInitialize")(display, nullptr, nullptr))
+    return false;
   const EGLint configAttributes[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
   EGLConfig config = nullptr;
   EGLint configCount = 0;
-  if (!egl.find<PFNEGLCHOOSECONFIGPROC>("eglChooseConfig")(display, configAttributes, &config, 1, &configCount) || configCount < 1) return false;
+  if (!egl.find<PFNEGLCHOOSECONFIGPROC>("eglChooseConfig")(display, configAttributes, &config, 1, &configCount) ||
+      configCount < 1)
+    return false;
   if (!egl.find<PFNEGLBINDAPIPROC>("eglBindAPI")(EGL_OPENGL_API)) return false;
-  const EGLint contextAttributes[] = {EGL_CONTEXT_MAJOR_VERSION, 4, EGL_CONTEXT_MINOR_VERSION, 5, EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                      EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+  const EGLint contextAttributes[] = {
+      EGL_CONTEXT_MAJOR_VERSION,           4,       EGL_CONTEXT_MINOR_VERSION, 5, EGL_CONTEXT_OPENGL_PROFILE_MASK,
+      EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
   mContext = egl.find<PFNEGLCREATECONTEXTPROC>("eglCreateContext")(display, config, EGL_NO_CONTEXT, contextAttributes);
   mDisplay = display;
   return mContext != EGL_NO_CONTEXT;

@@ -34,8 +34,17 @@ class OsMesaContext : public Context {
   OsMesaContext() : mPixels(16 * 16 * 4) {
     auto create = library().find<::OSMesaContext (*)(const int*, ::OSMesaContext)>("OSMesaCreateContextAttribs");
     if (!create) throw GpuError("OSMesa: libOSMesa.so.8 is not installed (Debian package libosmesa6)");
-    const int attributes[] = {OSMESA_FORMAT, OSMESA_RGBA, OSMESA_DEPTH_BITS, 24, OSMESA_PROFILE, OSMESA_CORE_PROFILE,
-                              OSMESA_CONTEXT_MAJOR_VERSION, 4, OSMESA_CONTEXT_MINOR_VERSION, 5, 0};
+    const int attributes[] = {OSMESA_FORMAT,
+                              OSMESA_RGBA,
+                              OSMESA_DEPTH_BITS,
+                              24,
+                              OSMESA_PROFILE,
+                              OSMESA_CORE_PROFILE,
+                              OSMESA_CONTEXT_MAJOR_VERSION,
+                              4,
+                              OSMESA_CONTEXT_MINOR_VERSION,
+                              5,
+                              0};
     mContext = create(attributes, nullptr);
     if (!mContext) throw GpuError("OSMesa: it offers no OpenGL 4.5 core context");
     OsMesaContext::makeCurrent();
@@ -46,7 +55,8 @@ class OsMesaContext : public Context {
   }
   void makeCurrent() override {
     auto make = library().find<GLboolean (*)(::OSMesaContext, void*, GLenum, GLsizei, GLsizei)>("OSMesaMakeCurrent");
-    if (!make(mContext, mPixels.data(), GL_UNSIGNED_BYTE, 16, 16)) throw GpuError("OSMesa: the context cannot be made current");
+    if (!make(mContext, mPixels.data(), GL_UNSIGNED_BYTE, 16, 16))
+      throw GpuError("OSMesa: the context cannot be made current");
     Context::makeCurrent();
   }
 

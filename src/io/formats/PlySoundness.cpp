@@ -43,7 +43,8 @@ struct Header {
 int bytesOf(std::string_view type) {
   if (type == "char" || type == "uchar" || type == "int8" || type == "uint8") return 1;
   if (type == "short" || type == "ushort" || type == "int16" || type == "uint16") return 2;
-  if (type == "int" || type == "uint" || type == "int32" || type == "uint32" || type == "float" || type == "float32") return 4;
+  if (type == "int" || type == "uint" || type == "int32" || type == "uint32" || type == "float" || type == "float32")
+    return 4;
   return type == "double" || type == "float64" ? 8 : 0;
 }
 
@@ -69,7 +70,9 @@ Header readHeader(std::istream& in, const Path& path) {
     if (key == "end_header") return header;
     if (key == "format") {
       words >> value;
-      header.coding = value == "ascii" ? Coding::Ascii : value == "binary_big_endian" ? Coding::BigEndian : Coding::LittleEndian;
+      header.coding = value == "ascii"               ? Coding::Ascii
+                      : value == "binary_big_endian" ? Coding::BigEndian
+                                                     : Coding::LittleEndian;
     } else if (key == "element") {
       Element element;
       words >> element.name >> element.count;
@@ -101,7 +104,8 @@ class Body {
       char bytes[8] = {};
       int count = bytesOf(type);
       mIn.read(bytes, count);
-      if ((mCoding == Coding::BigEndian) == (std::endian::native == std::endian::little)) std::reverse(bytes, bytes + count);
+      if ((mCoding == Coding::BigEndian) == (std::endian::native == std::endian::little))
+        std::reverse(bytes, bytes + count);
       value = decode(type, bytes);
     }
     if (!mIn) refuse(mPath, "is cut short");
@@ -114,9 +118,12 @@ class Body {
     if (type.starts_with("float")) return as<float>(bytes);
     bool isUnsigned = type.starts_with("u");
     switch (bytesOf(type)) {
-      case 1: return isUnsigned ? as<std::uint8_t>(bytes) : as<std::int8_t>(bytes);
-      case 2: return isUnsigned ? as<std::uint16_t>(bytes) : as<std::int16_t>(bytes);
-      default: return isUnsigned ? as<std::uint32_t>(bytes) : as<std::int32_t>(bytes);
+      case 1:
+        return isUnsigned ? as<std::uint8_t>(bytes) : as<std::int8_t>(bytes);
+      case 2:
+        return isUnsigned ? as<std::uint16_t>(bytes) : as<std::int16_t>(bytes);
+      default:
+        return isUnsigned ? as<std::uint32_t>(bytes) : as<std::int32_t>(bytes);
     }
   }
 
@@ -144,7 +151,8 @@ void checkPly(const Path& path) {
           continue;
         }
         double items = body.next(property.countType);
-        if (!(items >= 0) || items > size) refuse(path, fmt::format("has a list of {:.0f} items, more than the file can hold", items));
+        if (!(items >= 0) || items > size)
+          refuse(path, fmt::format("has a list of {:.0f} items, more than the file can hold", items));
         bool areIndices = property.name == "vertex_indices" || property.name == "vertex_index";
         for (double item = 0; item < items; ++item)
           if (double index = body.next(property.type); areIndices && !(index >= 0 && index < vertices))

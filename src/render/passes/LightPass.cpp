@@ -8,7 +8,10 @@
 namespace velum::render {
 
 LightPass::LightPass(int labels, int color, int mode)
-    : mExtinctionProgram({"render/light_extinction.comp"}, {{"LABELS", std::to_string(labels)}, {"COLOR", std::to_string(color)}, {"MODE", std::to_string(mode)}, {"GRADIENTS", "0"}}),
+    : mExtinctionProgram({"render/light_extinction.comp"}, {{"LABELS", std::to_string(labels)},
+                                                            {"COLOR", std::to_string(color)},
+                                                            {"MODE", std::to_string(mode)},
+                                                            {"GRADIENTS", "0"}}),
       mLightProgram({"render/light_grid.comp"}) {}
 
 void LightPass::resize(glm::dvec3 edges, int longest) {

@@ -6,8 +6,8 @@
 
 namespace velum::render {
 
-/// The light grid: how much key light reaches each place and how open its surroundings are, computed once for a scene and
-/// a direction of the light, then looked up once a shaded sample. Cuts and hidden structures count as not there.
+/// The light grid: how much key light reaches each place and how open its surroundings are, computed once for a scene
+/// and a direction of the light, then looked up once a shaded sample. Cuts and hidden structures count as not there.
 /// Cost: grid cells (at most ~96^3 in software), not voxels or pixels; sliced along z.
 class LightPass {
  public:

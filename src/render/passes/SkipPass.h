@@ -10,12 +10,12 @@ namespace velum::render {
 struct SkipOptions {
   enum class Content { Opacity = 0, Iso = 1, Labels = 2 } content = Content::Opacity;
   bool hasLabels = false;
-  glm::uvec2 visible{0};   ///< 64-bit set of visible ids, mod 64
-  glm::uvec2 spared{0};    ///< 64-bit set of ids that some cut spares
+  glm::uvec2 visible{0};  ///< 64-bit set of visible ids, mod 64
+  glm::uvec2 spared{0};   ///< 64-bit set of ids that some cut spares
 };
 
-/// The map of empty space: for each cell the Chebyshev distance, in cells, to the nearest cell with content (r) and to the
-/// nearest with content that some cut spares (g). Conservative: a cell without content adds nothing to any picture.
+/// The map of empty space: for each cell the Chebyshev distance, in cells, to the nearest cell with content (r) and to
+/// the nearest with content that some cut spares (g). Conservative: a cell without content adds nothing to any picture.
 /// Cost: cells (at most 64^3) x 4 small passes, whatever the volume's size.
 class SkipPass {
  public:

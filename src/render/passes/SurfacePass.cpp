@@ -60,7 +60,9 @@ void addCut(std::vector<glm::dvec3>& lines, const scene::Cut& cut, const glm::dm
   glm::dvec3 half = cut.sizeMm * 0.5;
   glm::dvec3 x(half.x, 0, 0), y(0, half.x, 0), z(0, 0, half.z);
   switch (cut.shape) {
-    case scene::CutShape::Plane: addPlane(lines, cut, worldFromTex); break;
+    case scene::CutShape::Plane:
+      addPlane(lines, cut, worldFromTex);
+      break;
     case scene::CutShape::Box: {
       glm::dmat4 unit(1.0);
       for (int i = 0; i < 3; ++i) unit[i][i] = cut.sizeMm[i], unit[3][i] = -half[i];
@@ -79,7 +81,8 @@ void addCut(std::vector<glm::dvec3>& lines, const scene::Cut& cut, const glm::dm
       addCircle(lines, frame, top, x, y);
       if (!cone) addCircle(lines, frame, bottom, x, y);
       for (auto side : {x, -x, y, -y})
-        addLine(lines, glm::dvec3(frame * glm::dvec4(top + side, 1)), glm::dvec3(frame * glm::dvec4(cone ? bottom : bottom + side, 1)));
+        addLine(lines, glm::dvec3(frame * glm::dvec4(top + side, 1)),
+                glm::dvec3(frame * glm::dvec4(cone ? bottom : bottom + side, 1)));
       break;
     }
   }
@@ -113,7 +116,8 @@ const gpu::Buffer& SurfacePass::meshBuffer(const Shared<Mesh>& mesh, glm::dvec3 
   vertices.reserve(mesh->indices.size());
   for (auto index : mesh->indices) {
     glm::vec3 normal = index < mesh->normals.size() ? mesh->normals[index] : glm::vec3(0.0f);
-    vertices.push_back({glm::vec4(glm::vec3(glm::dvec3(mesh->positions[index]) - origin), 1.0f), glm::vec4(normal, 0.0f)});
+    vertices.push_back(
+        {glm::vec4(glm::vec3(glm::dvec3(mesh->positions[index]) - origin), 1.0f), glm::vec4(normal, 0.0f)});
   }
   buffer = gpu::Buffer("mesh", std::span<const Vertex>(vertices));
   return buffer;
@@ -134,7 +138,8 @@ void SurfacePass::draw(const scene::Scene& scene, glm::dvec3 origin, const glm::
   }
   if (scene.showBounds) {
     std::vector<Vertex> vertices;
-    for (const auto& p : outlines(scene, worldFromTex)) vertices.push_back({glm::vec4(glm::vec3(p - origin), 1.0f), glm::vec4(0.0f)});
+    for (const auto& p : outlines(scene, worldFromTex))
+      vertices.push_back({glm::vec4(glm::vec3(p - origin), 1.0f), glm::vec4(0.0f)});
     gpu::Buffer lines("outlines", std::span<const Vertex>(vertices));
     lines.bindStorage(shared::kMeshBinding);
     mProgram.set(0, glm::vec4(0.62f, 0.66f, 0.70f, 0.0f));

@@ -1,6 +1,6 @@
 #pragma once
-#include <glm/glm.hpp>
 #include <array>
+#include <glm/glm.hpp>
 #include <map>
 #include <vector>
 

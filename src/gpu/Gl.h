@@ -6,9 +6,9 @@ namespace velum::gpu {
 
 #define VELUM_GL_FUNCTIONS(X)                                                                                          \
   X(PFNGLATTACHSHADERPROC, AttachShader)                                                                               \
-  X(PFNGLBINDBUFFERBASEPROC, BindBufferBase) X(PFNGLBINDFRAMEBUFFERPROC, BindFramebuffer) X(                           \
-      PFNGLBINDIMAGETEXTUREPROC, BindImageTexture) X(PFNGLBINDTEXTUREUNITPROC,                                         \
-                                                     BindTextureUnit) X(PFNGLBINDVERTEXARRAYPROC, BindVertexArray)     \
+  X(PFNGLBINDBUFFERBASEPROC, BindBufferBase)                                                                           \
+  X(PFNGLBINDFRAMEBUFFERPROC, BindFramebuffer) X(PFNGLBINDIMAGETEXTUREPROC, BindImageTexture) X(                       \
+      PFNGLBINDTEXTUREUNITPROC, BindTextureUnit) X(PFNGLBINDVERTEXARRAYPROC, BindVertexArray)                          \
       X(PFNGLBLENDFUNCSEPARATEPROC, BlendFuncSeparate) X(PFNGLBLITNAMEDFRAMEBUFFERPROC, BlitNamedFramebuffer) X(       \
           PFNGLCHECKNAMEDFRAMEBUFFERSTATUSPROC,                                                                        \
           CheckNamedFramebufferStatus) X(PFNGLCLEARNAMEDBUFFERDATAPROC,                                                \
@@ -29,9 +29,8 @@ namespace velum::gpu {
                           PFNGLDEPTHMASKPROC, DepthMask) X(PFNGLDISABLEPROC, Disable) X(PFNGLDISPATCHCOMPUTEPROC,      \
                                                                                         DispatchCompute)               \
                           X(PFNGLDRAWARRAYSPROC, DrawArrays) X(PFNGLENABLEPROC, Enable) X(PFNGLFINISHPROC, Finish) X(  \
-                              PFNGLFLUSHPROC,                                                                          \
-                              Flush) X(PFNGLGETERRORPROC,                                                              \
-                                       GetError) X(PFNGLGETINTEGERVPROC, GetIntegerv)                                  \
+                              PFNGLFLUSHPROC, Flush) X(PFNGLGETERRORPROC, GetError) X(PFNGLGETINTEGERVPROC,            \
+                                                                                      GetIntegerv)                     \
                               X(PFNGLGETNAMEDBUFFERSUBDATAPROC, GetNamedBufferSubData) X(                              \
                                   PFNGLGETPROGRAMINFOLOGPROC,                                                          \
                                   GetProgramInfoLog) X(PFNGLGETPROGRAMIVPROC,                                          \

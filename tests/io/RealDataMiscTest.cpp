@@ -40,10 +40,9 @@ struct Row {
   glm::dvec3 spacing;
   glm::dvec2 range;
   bool isSpacingKnown = true;
-  scene::RawLayout raw = {friend void PrintTo(const Row& value, std::ostream* out){*out << value.file;
-}
-};  // namespace
-};  // namespace velum::io
+  scene::RawLayout raw = {};
+  friend void PrintTo(const Row& value, std::ostream* out) { *out << value.file; }
+};
 
 class RealData : public testing::TestWithParam<Row> {};
 
@@ -207,12 +206,9 @@ struct Bad {
   const char* file;
   Reader reader;
   bool mayOpen;
-  scene::RawLayout raw = {friend void PrintTo(const Bad& value, std::ostream* out){*out << value.file;
-}
-}
-;
-}
-;
+  scene::RawLayout raw = {};
+  friend void PrintTo(const Bad& value, std::ostream* out) { *out << value.file; }
+};
 class Malformed : public testing::TestWithParam<Bad> {};
 
 TEST_P(Malformed, IsRefusedWithItsNameAndAReason) {

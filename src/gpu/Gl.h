@@ -4,68 +4,81 @@
 /// The GL functions in use, filled from any getProcAddress, so that EGL, OSMesa, Qt and GLFW are all alike.
 namespace velum::gpu {
 
-#define VELUM_GL_FUNCTIONS(X)                                                                                          \
-  X(PFNGLATTACHSHADERPROC, AttachShader)                                                                               \
-  X(PFNGLBINDBUFFERBASEPROC, BindBufferBase)                                                                           \
-  X(PFNGLBINDFRAMEBUFFERPROC, BindFramebuffer) X(PFNGLBINDIMAGETEXTUREPROC, BindImageTexture) X(                       \
-      PFNGLBINDTEXTUREUNITPROC, BindTextureUnit) X(PFNGLBINDVERTEXARRAYPROC, BindVertexArray)                          \
-      X(PFNGLBLENDFUNCSEPARATEPROC, BlendFuncSeparate) X(PFNGLBLITNAMEDFRAMEBUFFERPROC, BlitNamedFramebuffer) X(       \
-          PFNGLCHECKNAMEDFRAMEBUFFERSTATUSPROC,                                                                        \
-          CheckNamedFramebufferStatus) X(PFNGLCLEARNAMEDBUFFERDATAPROC,                                                \
-                                         ClearNamedBufferData) X(PFNGLCLEARNAMEDFRAMEBUFFERFVPROC,                     \
-                                                                 ClearNamedFramebufferfv) X(PFNGLCLEARTEXIMAGEPROC,    \
-                                                                                            ClearTexImage)             \
-          X(PFNGLCOMPILESHADERPROC, CompileShader) X(PFNGLCREATEBUFFERSPROC, CreateBuffers) X(                         \
-              PFNGLCREATEFRAMEBUFFERSPROC,                                                                             \
-              CreateFramebuffers) X(PFNGLCREATEPROGRAMPROC, CreateProgram) X(PFNGLCREATEQUERIESPROC, CreateQueries)    \
-              X(PFNGLCREATESHADERPROC, CreateShader) X(PFNGLCREATETEXTURESPROC, CreateTextures) X(                     \
-                  PFNGLCREATEVERTEXARRAYSPROC, CreateVertexArrays) X(PFNGLDEBUGMESSAGECALLBACKPROC,                    \
-                                                                     DebugMessageCallback) X(PFNGLDELETEBUFFERSPROC,   \
-                                                                                             DeleteBuffers)            \
-                  X(PFNGLDELETEFRAMEBUFFERSPROC, DeleteFramebuffers) X(PFNGLDELETEPROGRAMPROC, DeleteProgram) X(       \
-                      PFNGLDELETEQUERIESPROC,                                                                          \
-                      DeleteQueries) X(PFNGLDELETESHADERPROC, DeleteShader) X(PFNGLDELETETEXTURESPROC, DeleteTextures) \
-                      X(PFNGLDELETEVERTEXARRAYSPROC, DeleteVertexArrays) X(PFNGLDEPTHFUNCPROC, DepthFunc) X(           \
-                          PFNGLDEPTHMASKPROC, DepthMask) X(PFNGLDISABLEPROC, Disable) X(PFNGLDISPATCHCOMPUTEPROC,      \
-                                                                                        DispatchCompute)               \
-                          X(PFNGLDRAWARRAYSPROC, DrawArrays) X(PFNGLENABLEPROC, Enable) X(PFNGLFINISHPROC, Finish) X(  \
-                              PFNGLFLUSHPROC, Flush) X(PFNGLGETERRORPROC, GetError) X(PFNGLGETINTEGERVPROC,            \
-                                                                                      GetIntegerv)                     \
-                              X(PFNGLGETNAMEDBUFFERSUBDATAPROC, GetNamedBufferSubData) X(                              \
-                                  PFNGLGETPROGRAMINFOLOGPROC,                                                          \
-                                  GetProgramInfoLog) X(PFNGLGETPROGRAMIVPROC,                                          \
-                                                       GetProgramiv) X(PFNGLGETPROGRAMRESOURCEINDEXPROC,               \
-                                                                       GetProgramResourceIndex)                        \
-                                  X(PFNGLGETPROGRAMRESOURCEIVPROC, GetProgramResourceiv) X(                            \
-                                      PFNGLGETQUERYOBJECTUI64VPROC,                                                    \
-                                      GetQueryObjectui64v) X(PFNGLGETSHADERINFOLOGPROC,                                \
-                                                             GetShaderInfoLog) X(PFNGLGETSHADERIVPROC, GetShaderiv)    \
-                                      X(PFNGLGETSTRINGPROC, GetString) X(PFNGLGETTEXTUREIMAGEPROC, GetTextureImage) X( \
-                                          PFNGLGETTEXTURESUBIMAGEPROC,                                                 \
-                                          GetTextureSubImage) X(PFNGLLINKPROGRAMPROC, LinkProgram)                     \
-                                          X(PFNGLMEMORYBARRIERPROC, MemoryBarrier) X(                                  \
-                                              PFNGLNAMEDBUFFERSTORAGEPROC,                                             \
-                                              NamedBufferStorage) X(PFNGLNAMEDBUFFERSUBDATAPROC, NamedBufferSubData)   \
-                                              X(PFNGLNAMEDFRAMEBUFFERDRAWBUFFERSPROC, NamedFramebufferDrawBuffers) X(  \
-                                                  PFNGLNAMEDFRAMEBUFFERTEXTUREPROC,                                    \
-                                                  NamedFramebufferTexture) X(PFNGLOBJECTLABELPROC, ObjectLabel)        \
-                                                  X(PFNGLPIXELSTOREIPROC, PixelStorei) X(                              \
-                                                      PFNGLPOPDEBUGGROUPPROC,                                          \
-                                                      PopDebugGroup) X(PFNGLPROGRAMUNIFORM1IPROC, ProgramUniform1i)    \
-                                                      X(PFNGLPROGRAMUNIFORM2IPROC, ProgramUniform2i) X(                \
-                                                          PFNGLPROGRAMUNIFORM4FPROC, ProgramUniform4f)                 \
-                                                          X(PFNGLPROGRAMUNIFORM4IPROC, ProgramUniform4i) X(            \
-                                                              PFNGLPUSHDEBUGGROUPPROC,                                 \
-                                                              PushDebugGroup) X(PFNGLQUERYCOUNTERPROC, QueryCounter)   \
-                                                              X(PFNGLSHADERSOURCEPROC, ShaderSource) X(                \
-                                                                  PFNGLTEXTUREPARAMETERIPROC, TextureParameteri)       \
-                                                                  X(PFNGLTEXTURESTORAGE2DPROC, TextureStorage2D) X(    \
-                                                                      PFNGLTEXTURESTORAGE3DPROC, TextureStorage3D)     \
-                                                                      X(PFNGLTEXTURESUBIMAGE2DPROC, TextureSubImage2D) \
-                                                                          X(PFNGLTEXTURESUBIMAGE3DPROC,                \
-                                                                            TextureSubImage3D)                         \
-                                                                              X(PFNGLUSEPROGRAMPROC, UseProgram)       \
-                                                                                  X(PFNGLVIEWPORTPROC, Viewport)
+// clang-format off
+#define VELUM_GL_FUNCTIONS(X) \
+  X(PFNGLATTACHSHADERPROC, AttachShader) \
+  X(PFNGLBINDBUFFERBASEPROC, BindBufferBase) \
+  X(PFNGLBINDFRAMEBUFFERPROC, BindFramebuffer) \
+  X(PFNGLBINDIMAGETEXTUREPROC, BindImageTexture) \
+  X(PFNGLBINDTEXTUREUNITPROC, BindTextureUnit) \
+  X(PFNGLBINDVERTEXARRAYPROC, BindVertexArray) \
+  X(PFNGLBLENDFUNCSEPARATEPROC, BlendFuncSeparate) \
+  X(PFNGLBLITNAMEDFRAMEBUFFERPROC, BlitNamedFramebuffer) \
+  X(PFNGLCHECKNAMEDFRAMEBUFFERSTATUSPROC, CheckNamedFramebufferStatus) \
+  X(PFNGLCLEARNAMEDBUFFERDATAPROC, ClearNamedBufferData) \
+  X(PFNGLCLEARNAMEDFRAMEBUFFERFVPROC, ClearNamedFramebufferfv) \
+  X(PFNGLCLEARTEXIMAGEPROC, ClearTexImage) \
+  X(PFNGLCOMPILESHADERPROC, CompileShader) \
+  X(PFNGLCREATEBUFFERSPROC, CreateBuffers) \
+  X(PFNGLCREATEFRAMEBUFFERSPROC, CreateFramebuffers) \
+  X(PFNGLCREATEPROGRAMPROC, CreateProgram) \
+  X(PFNGLCREATEQUERIESPROC, CreateQueries) \
+  X(PFNGLCREATESHADERPROC, CreateShader) \
+  X(PFNGLCREATETEXTURESPROC, CreateTextures) \
+  X(PFNGLCREATEVERTEXARRAYSPROC, CreateVertexArrays) \
+  X(PFNGLDEBUGMESSAGECALLBACKPROC, DebugMessageCallback) \
+  X(PFNGLDELETEBUFFERSPROC, DeleteBuffers) \
+  X(PFNGLDELETEFRAMEBUFFERSPROC, DeleteFramebuffers) \
+  X(PFNGLDELETEPROGRAMPROC, DeleteProgram) \
+  X(PFNGLDELETEQUERIESPROC, DeleteQueries) \
+  X(PFNGLDELETESHADERPROC, DeleteShader) \
+  X(PFNGLDELETETEXTURESPROC, DeleteTextures) \
+  X(PFNGLDELETEVERTEXARRAYSPROC, DeleteVertexArrays) \
+  X(PFNGLDEPTHFUNCPROC, DepthFunc) \
+  X(PFNGLDEPTHMASKPROC, DepthMask) \
+  X(PFNGLDISABLEPROC, Disable) \
+  X(PFNGLDISPATCHCOMPUTEPROC, DispatchCompute) \
+  X(PFNGLDRAWARRAYSPROC, DrawArrays) \
+  X(PFNGLENABLEPROC, Enable) \
+  X(PFNGLFINISHPROC, Finish) \
+  X(PFNGLFLUSHPROC, Flush) \
+  X(PFNGLGETERRORPROC, GetError) \
+  X(PFNGLGETINTEGERVPROC, GetIntegerv) \
+  X(PFNGLGETNAMEDBUFFERSUBDATAPROC, GetNamedBufferSubData) \
+  X(PFNGLGETPROGRAMINFOLOGPROC, GetProgramInfoLog) \
+  X(PFNGLGETPROGRAMIVPROC, GetProgramiv) \
+  X(PFNGLGETPROGRAMRESOURCEINDEXPROC, GetProgramResourceIndex) \
+  X(PFNGLGETPROGRAMRESOURCEIVPROC, GetProgramResourceiv) \
+  X(PFNGLGETQUERYOBJECTUI64VPROC, GetQueryObjectui64v) \
+  X(PFNGLGETSHADERINFOLOGPROC, GetShaderInfoLog) \
+  X(PFNGLGETSHADERIVPROC, GetShaderiv) \
+  X(PFNGLGETSTRINGPROC, GetString) \
+  X(PFNGLGETTEXTUREIMAGEPROC, GetTextureImage) \
+  X(PFNGLGETTEXTURESUBIMAGEPROC, GetTextureSubImage) \
+  X(PFNGLLINKPROGRAMPROC, LinkProgram) \
+  X(PFNGLMEMORYBARRIERPROC, MemoryBarrier) \
+  X(PFNGLNAMEDBUFFERSTORAGEPROC, NamedBufferStorage) \
+  X(PFNGLNAMEDBUFFERSUBDATAPROC, NamedBufferSubData) \
+  X(PFNGLNAMEDFRAMEBUFFERDRAWBUFFERSPROC, NamedFramebufferDrawBuffers) \
+  X(PFNGLNAMEDFRAMEBUFFERTEXTUREPROC, NamedFramebufferTexture) \
+  X(PFNGLOBJECTLABELPROC, ObjectLabel) \
+  X(PFNGLPIXELSTOREIPROC, PixelStorei) \
+  X(PFNGLPOPDEBUGGROUPPROC, PopDebugGroup) \
+  X(PFNGLPROGRAMUNIFORM1IPROC, ProgramUniform1i) \
+  X(PFNGLPROGRAMUNIFORM2IPROC, ProgramUniform2i) \
+  X(PFNGLPROGRAMUNIFORM4FPROC, ProgramUniform4f) \
+  X(PFNGLPROGRAMUNIFORM4IPROC, ProgramUniform4i) \
+  X(PFNGLPUSHDEBUGGROUPPROC, PushDebugGroup) \
+  X(PFNGLQUERYCOUNTERPROC, QueryCounter) \
+  X(PFNGLSHADERSOURCEPROC, ShaderSource) \
+  X(PFNGLTEXTUREPARAMETERIPROC, TextureParameteri) \
+  X(PFNGLTEXTURESTORAGE2DPROC, TextureStorage2D) \
+  X(PFNGLTEXTURESTORAGE3DPROC, TextureStorage3D) \
+  X(PFNGLTEXTURESUBIMAGE2DPROC, TextureSubImage2D) \
+  X(PFNGLTEXTURESUBIMAGE3DPROC, TextureSubImage3D) \
+  X(PFNGLUSEPROGRAMPROC, UseProgram) \
+  X(PFNGLVIEWPORTPROC, Viewport)
+// clang-format on
 
 struct GlTable {
 #define VELUM_GL_MEMBER(type, name) type name = nullptr;

@@ -3,7 +3,12 @@
 
 layout(std140, binding = kFrameBinding) uniform FrameBlock { FrameParams frame; };
 
+// A software driver runs both sides of a branch: its programs are compiled for their frame's flags.
+#ifdef FLAGS
+bool hasFlag(uint bit) { return (FLAGS & bit) != 0u; }
+#else
 bool hasFlag(uint bit) { return (frame.flags.x & bit) != 0u; }
+#endif
 
 struct Ray {
   vec3 origin;

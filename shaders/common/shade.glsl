@@ -6,9 +6,13 @@ layout(binding = kLightUnit) uniform sampler3D lightTexture;  // r: light that r
 /// @param normal  unit, out of the material; towardsEye unit; tex 0..1 in the light grid, already off the surface
 vec3 shadeSurface(vec3 albedo, vec3 normal, vec3 towardsEye, vec3 tex) {
   if (!hasFlag(kFlagShaded)) return albedo;
-  vec2 grid = textureLod(lightTexture, tex, 0.0).rg;
-  float shadow = mix(1.0, grid.r, frame.key.w);
-  float openness = mix(1.0, grid.g, frame.hemisphere.w);
+  float shadow = 1.0;
+  float openness = 1.0;
+  if (hasFlag(kFlagLightGrid)) {
+    vec2 grid = textureLod(lightTexture, tex, 0.0).rg;
+    shadow = mix(1.0, grid.r, frame.key.w);
+    openness = mix(1.0, grid.g, frame.hemisphere.w);
+  }
   float sky = 0.7 + 0.3 * dot(normal, frame.hemisphere.xyz);
   float lambert = max(dot(normal, frame.key.xyz), 0.0);
   vec3 halfway = normalize(frame.key.xyz + towardsEye);

@@ -17,11 +17,10 @@ layout(binding = kSurfaceAuxUnit) uniform sampler2D surfaceAuxTexture;  // xyz n
 layout(std430, binding = kCellBinding) readonly buffer CellBlock { vec2 cellRange[]; };
 
 layout(binding = 0, rgba32f) uniform image2D sumImage;          // premultiplied colour, averaged over the samples so far
-layout(binding = 1, rgba32f) uniform writeonly image2D placeImage;   // scene position, distance along the ray
-layout(binding = 2, rgba32f) uniform writeonly image2D normalImage;  // normal, structure id
+layout(binding = 1, rgba32f) uniform writeonly image2D hitImage;  // distance along the ray, mm; normal, octahedral; structure id + 1, 0: no hit
 
 layout(location = 0) uniform ivec4 tile;     // x, y: corner in the image; z, w: its size
-layout(location = 1) uniform ivec4 window_;  // x, y: the image's corner in the whole picture
+layout(location = 1) uniform ivec4 window_;  // x, y: the image's corner in the whole picture; z: stride of the groups
 
 struct Hit {
   vec4 color;      // premultiplied
@@ -44,18 +43,36 @@ vec2 boxInterval(Ray ray) {
   return vec2(max(max(low.x, low.y), max(low.z, 0.0)), min(min(high.x, high.y), high.z));
 }
 
-/// Walks the lattice of samples t_k = start + (k + jitter) dt and says which of them may be left out.
+/// Walks the lattice of samples t_k = first + k dt and says which of them may be left out.
 struct Walk {
-  vec3 tex0;        // texture coordinates at t = 0
+  vec3 tex0;       // texture coordinates at t = 0
   vec3 texPerMm;
-  float first;      // t of lattice point 0
+  vec3 cell0;      // the same in cells
+  vec3 cellPerMm;  // never 0
+  vec3 mmPerCell;
+  vec3 forward;    // signs of the ray's way through the cells, half of 1
+  float first;     // t of lattice point 0
   float dt;
 };
 
+Walk walkAlong(Ray ray, float first) {
+  Walk walk;
+  walk.tex0 = texFrom(ray.origin);
+  walk.texPerMm = (frame.texFromScene * vec4(ray.direction, 0.0)).xyz;
+  walk.cell0 = walk.tex0 * frame.cellsPerTex.xyz;
+  walk.cellPerMm = walk.texPerMm * frame.cellsPerTex.xyz;
+  walk.cellPerMm = mix(walk.cellPerMm, vec3(1e-12), lessThan(abs(walk.cellPerMm), vec3(1e-12)));
+  walk.mmPerCell = 1.0 / walk.cellPerMm;
+  walk.forward = mix(vec3(-0.5), vec3(0.5), greaterThan(walk.cellPerMm, vec3(0.0)));
+  walk.first = first;
+  walk.dt = frame.step.x;
+  return walk;
+}
+
 vec3 texAt(Walk walk, float t) { return walk.tex0 + t * walk.texPerMm; }
 
-ivec3 cellAt(vec3 tex) {
-  return clamp(ivec3(tex * frame.cellsPerTex.xyz), ivec3(0), ivec3(frame.cellGrid.xyz) - 1);
+ivec3 cellAt(Walk walk, float t) {
+  return ivec3(clamp(walk.cell0 + t * walk.cellPerMm, vec3(0.0), frame.cellGrid.xyz - 0.5));
 }
 
 /// Distance, in cells, to the next cell with content; 0 in one.
@@ -66,13 +83,8 @@ uint cellsToContent(ivec3 cell, bool exemptOnly) {
 
 /// Where the ray leaves the cube of empty cells around a cell.
 float leaveEmpty(Walk walk, float t, ivec3 cell, uint reach) {
-  vec3 edge = 1.0 / frame.cellsPerTex.xyz;
-  vec3 low = (vec3(cell) - float(reach) + 1.0) * edge;
-  vec3 high = (vec3(cell) + float(reach)) * edge;
-  vec3 target = mix(low, high, greaterThan(walk.texPerMm, vec3(0.0)));
-  vec3 d = mix(walk.texPerMm, vec3(1e-20), lessThan(abs(walk.texPerMm), vec3(1e-20)));
-  vec3 exit = (target - walk.tex0) / d;
-  exit = mix(exit, vec3(kFar), lessThan(abs(walk.texPerMm), vec3(1e-20)));
+  vec3 target = vec3(cell) + 0.5 + walk.forward * (2.0 * float(reach) - 1.0);
+  vec3 exit = (target - walk.cell0) * walk.mmPerCell;
   return max(min(exit.x, min(exit.y, exit.z)), t);
 }
 
@@ -128,7 +140,7 @@ void addSliceFace(inout Hit hit, Ray ray, float t, int cut) {
   if (alpha > 0.0) addSample(hit, vec4(grey * alpha, alpha), t, cutNormal(cut, p), structure);
 }
 
-/// A segment of material and what the search already knows of it.
+/// A stretch of one ray between two samples, or between the first and the last of a group.
 struct Segment {
   float t0;
   float t1;
@@ -161,7 +173,6 @@ void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, float faceT,
   vec4 row = structureRow(structure);
   depth *= structure == 0u ? frame.window.w : row.a;
   if (structure != 0u) albedo = mix(albedo, row.rgb, frame.window.z);
-  if (depth <= 0.0) return;
 #endif
 #endif
   vec3 normal = -ray.direction;
@@ -174,7 +185,9 @@ void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, float faceT,
                          labelMaterial(p + vec3(0, 0, h)).a - labelMaterial(p - vec3(0, 0, h)).a);
     float steepness = 1.0;
 #else
-    vec3 gradient = gradientAt(tex);
+    // What is seen of opaque material is its front, and just within a thin plate the gradient already turns round.
+    float front = 0.75 * (1.0 - exp(-depth)) / frame.cellGrid.w;
+    vec3 gradient = gradientAt(texAt(walk, tm - front));
     if (hasFlag(kFlagGradientOpacity)) depth *= gradientFactor(gradient);
     // Where the value hardly changes the gradient is noise: less of it counts.
     float steepness = smoothstep(0.0, 1.0, length(gradient) * frame.valueFromTexel.z * 60.0 / frame.cellGrid.w);
@@ -184,98 +197,120 @@ void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, float faceT,
     if (dot(out_, ray.direction) > 0.0) out_ = -out_;
     normal = normalize(mix(-ray.direction, out_, steepness) + 1e-6);
     // On a cut the surface is the cut's; a voxel and a half behind it the data's own again.
-    if (faceT >= 0.0) normal = normalize(mix(faceNormal, normal, smoothstep(0.25, 1.5, (tm - faceT) * frame.cellGrid.w * -dot(faceNormal, ray.direction))) + 1e-6);
+    if (hasFlag(kFlagCuts) && faceT >= 0.0)
+      normal = normalize(mix(faceNormal, normal, smoothstep(0.25, 1.5, (tm - faceT) * frame.cellGrid.w * -dot(faceNormal, ray.direction))) + 1e-6);
     color = shadeSurface(albedo, normal, -ray.direction, lightTexAt(p, normal));
   }
   float alpha = 1.0 - exp(-depth);
-  addSample(hit, vec4(color * alpha, alpha), tm, normal, structure);
+  if (alpha > 0.0) addSample(hit, vec4(color * alpha, alpha), tm, normal, structure);
 }
 
 #if LABELS == 2
-/// Extinction of a segment by the structures around its middle. Half coverage is the surface; a narrow ramp keeps it smooth.
+/// Extinction by the structures around a position. Half coverage is the surface; a narrow ramp keeps it smooth.
 float labelExtinction(vec3 scenePoint) {
   float coverage = labelMaterial(scenePoint).a;
   return smoothstep(0.35, 0.65, coverage) * coverage * 6.0 * frame.cellGrid.w;
 }
 #endif
 
-/// Composites one stretch, front to back. Rays of a SIMD group go in step, and a software driver runs both sides of every
-/// branch, so each kind of work has a loop of its own in which all rays have something to do: leaping over empty cells;
-/// fetching a block of samples and marking the segments with material; shading the marked ones. Thin material is shaded a
-/// group of segments at a time: what hides less than a tenth of what is behind it needs no gradient at every half voxel.
-/// Groups and leaps keep to the same lattice, so leaping changes no picture.
+/// Four segments between five samples, and what is between them.
+struct Group {
+  float t[5];
+  float x[5];   // values, table positions
+};
+
+Group groupAt(Walk walk, float lattice, float from, float to) {
+  Group group;
+  for (int i = 0; i < 5; ++i) {
+    group.t[i] = clamp(lattice + float(i) * walk.dt, from, to);
+#if LABELS == 2
+    group.x[i] = 0.0;
+#else
+    group.x[i] = tableAt(texAt(walk, group.t[i]));
+#endif
+  }
+  return group;
+}
+
+/// False when the group holds no material. May err on the other side.
+bool mayShow(Group group, Ray ray) {
+#if LABELS == 2
+  bool shows = false;
+  for (int i = 0; i < 4; ++i) shows = shows || labelMaterial(ray.origin + 0.5 * (group.t[i] + group.t[i + 1]) * ray.direction).a > 0.35;
+  return shows;
+#else
+  float low = min(min(min(group.x[0], group.x[1]), min(group.x[2], group.x[3])), group.x[4]);
+  float high = max(max(max(group.x[0], group.x[1]), max(group.x[2], group.x[3])), group.x[4]);
+  return high >= frame.tableScale.y && low < frame.tableScale.z;
+#endif
+}
+
+float depthOf(Group group, int i, Ray ray) {
+#if LABELS == 2
+  float sigma = labelExtinction(ray.origin + 0.5 * (group.t[i] + group.t[i + 1]) * ray.direction);
+#else
+  float sigma = extinctionBetween(group.x[i], group.x[i + 1]);
+#endif
+  return sigma * (group.t[i + 1] - group.t[i]);
+}
+
+/// Composites one stretch, front to back; a < b. Rays of a SIMD group go in step, and a software driver runs both sides of
+/// every branch and every loop once more than it is needed when the condition stands at its head. So each kind of work has
+/// a loop of its own, with the condition at its foot, in which nearly all rays have something to do: leaping over empty
+/// cells; fetching groups of samples until one holds material; shading its segments. Thin material is shaded a group at a
+/// time: what hides less than a tenth of what is behind it needs no gradient at every half voxel. Groups and leaps keep to
+/// the same lattice, so leaping changes no picture.
 void marchStretch(inout Hit hit, Ray ray, Walk walk, float a, float b, int face, bool exemptOnly) {
   vec3 faceNormal = vec3(0.0);
   float faceT = -1.0;
-  if (face >= 0) {
+  if (hasFlag(kFlagCuts) && face >= 0) {
     faceT = a;
     faceNormal = cutNormal(face, ray.origin + a * ray.direction);
     if (cuts[face].kind.y == 1) addSliceFace(hit, ray, a, face);
   }
-  const int kBlock = 16;
-  const int kGroup = 4;
-  bool skipping = hasFlag(kFlagSkipEmpty);
   float cutoff = hasFlag(kFlagStopOpaque) ? frame.step.y : 2.0;
-  float perGroupMm = float(kGroup) * walk.dt;
-  float perGroup = 1.0 / perGroupMm;
-  float values[kBlock + 1];   // of the block's lattice points, table positions
-  float depths[kBlock];       // optical depth of its segments
+  float groupMm = 4.0 * walk.dt;
+  float perGroup = 1.0 / groupMm;
   float t = a;
-  while (t < b && hit.color.a < cutoff) {
-    bool leaping = skipping;
-    while (leaping) {
-      ivec3 cell = cellAt(texAt(walk, t));
-      uint reach = cellsToContent(cell, exemptOnly);
-      // To the last lattice point inside the empty cube: the segment that leaves it is still looked at.
-      float leave = leaveEmpty(walk, t, cell, reach);
-      float target = leave >= b ? b : walk.first + floor((leave - walk.first) * perGroup - 1e-4) * perGroupMm;
-      leaping = reach > 0u && target > t;
-      t = leaping ? target : t;
-      leaping = leaping && t < b;
-    }
-    float start = t;
-    float lattice = walk.first + floor((t - walk.first) * perGroup + 1e-4) * perGroupMm;
-    int first = clamp(int((t - lattice) / walk.dt + 1e-3), 0, kGroup - 1);
-    int last = first;  // one past the block's last segment
-    uint marks = 0u;
-#if LABELS != 2
-    values[first] = tableAt(texAt(walk, t));
-#endif
-    for (int n = first; n < kBlock && t < b; ++n) {
-      float next = min(lattice + float(n + 1) * walk.dt, b);
-#if LABELS == 2
-      float value = 0.0;
-      float sigma = labelExtinction(ray.origin + 0.5 * (t + next) * ray.direction);
-#else
-      float value = tableAt(texAt(walk, next));
-      float sigma = extinctionBetween(values[n], value);
-#endif
-      values[n + 1] = value;
-      depths[n] = sigma * (next - t);
-      marks |= sigma > 0.0 ? 1u << n : 0u;
-      last = n + 1;
-      t = next;
-    }
-    while (marks != 0u && hit.color.a < cutoff) {
-      int n = findLSB(marks);
-      int end = n + 1;
-      float depth = depths[n];
-#if LABELS == 0
-      int group = max(n & ~(kGroup - 1), first);
-      int groupEnd = min((n | (kGroup - 1)) + 1, last);
-      float together = 0.0;
-      for (int i = group; i < groupEnd; ++i) together += depths[i];
-      bool merge = together < 0.1;
-      n = merge ? group : n;
-      end = merge ? groupEnd : end;
-      depth = merge ? together : depth;
-#endif
-      marks &= ~0u << end;
-      float t0 = n == first ? start : lattice + float(n) * walk.dt;
-      float t1 = min(lattice + float(end) * walk.dt, b);
-      addSegment(hit, ray, walk, Segment(t0, t1, values[n], values[end], depth), faceT, faceNormal, exemptOnly);
-    }
-  }
+  do {
+    Group group;
+    bool found;
+    do {
+      if (hasFlag(kFlagSkipEmpty)) {
+        bool leaping;
+        do {
+          ivec3 cell = cellAt(walk, t);
+          uint reach = cellsToContent(cell, exemptOnly);
+          // To the last group that begins inside the empty cube: the segment that leaves it is still looked at.
+          float leave = leaveEmpty(walk, t, cell, reach);
+          float target = leave >= b ? b : walk.first + floor((leave - walk.first) * perGroup - 1e-4) * groupMm;
+          leaping = reach > 0u && target > t;
+          t = leaping ? target : t;
+        } while (leaping && t < b);
+      }
+      float lattice = walk.first + floor((t - walk.first) * perGroup + 1e-4) * groupMm;
+      group = groupAt(walk, lattice, t, b);
+      found = mayShow(group, ray);
+      t = max(group.t[4], t + 1e-5 * walk.dt);
+    } while (!found && t < b);
+    float d0 = depthOf(group, 0, ray);
+    float d1 = depthOf(group, 1, ray);
+    float d2 = depthOf(group, 2, ray);
+    float d3 = depthOf(group, 3, ray);
+    float together = d0 + d1 + d2 + d3;
+    bool merge = LABELS == 0 && together < 0.1;
+    uint marks = (d0 > 0.0 ? 1u : 0u) | (d1 > 0.0 ? 2u : 0u) | (d2 > 0.0 ? 4u : 0u) | (d3 > 0.0 ? 8u : 0u);
+    marks = found ? merge && marks != 0u ? 1u : marks : 0u;
+    do {
+      Segment segment = Segment(group.t[0], group.t[1], group.x[0], group.x[1], d0);
+      if ((marks & 1u) == 0u) segment = Segment(group.t[1], group.t[2], group.x[1], group.x[2], d1);
+      if ((marks & 3u) == 0u) segment = Segment(group.t[2], group.t[3], group.x[2], group.x[3], d2);
+      if ((marks & 7u) == 0u) segment = Segment(group.t[3], group.t[4], group.x[3], group.x[4], d3);
+      if (merge) segment = Segment(group.t[0], group.t[4], group.x[0], group.x[4], together);
+      if (marks != 0u) addSegment(hit, ray, walk, segment, faceT, faceNormal, exemptOnly);
+      marks &= marks - 1u;
+    } while (marks != 0u && hit.color.a < cutoff);
+  } while (t < b && hit.color.a < cutoff);
 }
 
 #elif MODE == 1
@@ -288,25 +323,25 @@ float largestIn(vec2 texels) {
   return clamp(max(mapped.x, mapped.y), 0.0, 1.0);
 }
 
-/// Keeps the largest value of one stretch. A cell whose largest value is not above it is left out.
+/// Keeps the largest value of one stretch; a < b. A cell whose largest value is not above it is left out.
 void marchStretch(inout Hit hit, Ray ray, Walk walk, float a, float b, int face, bool exemptOnly) {
   const int kBlock = 16;
-  bool skipping = hasFlag(kFlagSkipEmpty) && !exemptOnly;
-  float perStep = 1.0 / walk.dt;
   float t = a;
-  bool more = true;
-  while (more) {
-    bool leaping = skipping && t < b;
-    while (leaping) {
-      ivec3 cell = cellAt(texAt(walk, t));
-      float largest = largestIn(cellRange[(cell.z * int(frame.cellGrid.y) + cell.y) * int(frame.cellGrid.x) + cell.x]);
-      float leave = leaveEmpty(walk, t, cell, 1u);
-      float target = min(walk.first + floor((leave - walk.first) * perStep + 1.0 - 1e-4) * walk.dt, b);
-      leaping = largest <= gBest && target > t;
-      t = leaping ? target : t;
-      leaping = leaping && t < b;
+  bool more;
+  do {
+    if (hasFlag(kFlagSkipEmpty) && !exemptOnly) {
+      bool leaping;
+      do {
+        ivec3 cell = cellAt(walk, t);
+        float largest = largestIn(cellRange[(cell.z * int(frame.cellGrid.y) + cell.y) * int(frame.cellGrid.x) + cell.x]);
+        float leave = leaveEmpty(walk, t, cell, 1u);
+        float target = min(walk.first + floor((leave - walk.first) / walk.dt + 1.0 - 1e-4) * walk.dt, b);
+        leaping = largest <= gBest && target > t;
+        t = leaping ? target : t;
+      } while (leaping && t < b);
     }
-    for (int n = 0; n < kBlock && more; ++n) {
+    int n = 0;
+    do {
       float value = tableAt(texAt(walk, t)) / float(kTransferSize - 1);
       bool shown = true;
       uint structure = 0u;
@@ -322,8 +357,8 @@ void marchStretch(inout Hit hit, Ray ray, Walk walk, float a, float b, int face,
       hit.structure = better ? structure : hit.structure;
       more = t < b;
       t = min(nextSample(walk, t), b);
-    }
-  }
+    } while (more && ++n < kBlock);
+  } while (more);
 }
 
 #else
@@ -343,7 +378,7 @@ void addSurface(inout Hit hit, Ray ray, Walk walk, float t, int face, bool exemp
   float len = length(gradient);
   vec3 normal = len > 0.0 ? -gradient / len : -ray.direction;
   if (dot(normal, ray.direction) > 0.0) normal = -normal;
-  if (face >= 0) normal = cutNormal(face, p);
+  if (hasFlag(kFlagCuts) && face >= 0) normal = cutNormal(face, p);
   vec3 albedo = extinctionBetween(iso, iso) > 0.0 ? colorBetween(iso, iso) : vec3(0.9, 0.85, 0.78);
 #if COLOR
   albedo = volumeColorAt(tex);
@@ -352,55 +387,66 @@ void addSurface(inout Hit hit, Ray ray, Walk walk, float t, int face, bool exemp
   if (structure != 0u) albedo = mix(albedo, structureRow(structure).rgb, frame.window.z);
 #endif
   vec3 color = shadeSurface(albedo, normal, -ray.direction, lightTexAt(p, normal));
-  if (face >= 0 && cuts[face].kind.y == 1) color = vec3(greyAt(tableAt(tex)));
+  if (hasFlag(kFlagCuts) && face >= 0 && cuts[face].kind.y == 1) color = vec3(greyAt(tableAt(tex)));
   hit = Hit(vec4(color, 1.0), t, normal, structure);
 }
 
-/// Stops at the first crossing of the iso value, found by bisection of its segment, or at once on a cut's face inside.
+/// Stops at the first crossing of the iso value, found by bisection of its segment, or at once on a cut's face inside;
+/// a < b.
 void marchStretch(inout Hit hit, Ray ray, Walk walk, float a, float b, int face, bool exemptOnly) {
-  const int kBlock = 16;
+  const int kBlock = 8;
   float iso = frame.step.z * float(kTransferSize - 1);
-  bool skipping = hasFlag(kFlagSkipEmpty);
-  float perStep = 1.0 / walk.dt;
+  if (hasFlag(kFlagCuts) && face >= 0 && tableAt(texAt(walk, a)) >= iso) addSurface(hit, ray, walk, a, face, exemptOnly);
   float t = a;
-  float x = tableAt(texAt(walk, t));
-  bool onFace = face >= 0 && x >= iso;
-  if (onFace) addSurface(hit, ray, walk, a, face, exemptOnly);
-  while (hit.distance == kFar && t < b) {
-    bool leaping = skipping;
-    while (leaping) {
-      ivec3 cell = cellAt(texAt(walk, t));
-      uint reach = cellsToContent(cell, exemptOnly);
-      float leave = leaveEmpty(walk, t, cell, reach);
-      float target = leave >= b ? b : walk.first + floor((leave - walk.first) * perStep - 1e-4) * walk.dt;
-      leaping = reach > 0u && target > t;
-      t = leaping ? target : t;
-      leaping = leaping && t < b;
-    }
-    x = tableAt(texAt(walk, t));
-    bool crosses = false;
-    float low = t;
-    float high = t;
-    for (int n = 0; n < kBlock && t < b && !crosses; ++n) {
-      float next = nextSample(walk, t);
-      next = min(next > t ? next : t + walk.dt, b);
-      float value = tableAt(texAt(walk, next));
-      crosses = (x < iso) != (value < iso);
-      low = t;
-      high = next;
-      x = crosses ? x : value;
-      t = next;
-    }
-    for (int i = 0; crosses && i < 12; ++i) {
+  float low;
+  float high;
+  float x;
+  bool crosses = false;
+  do {
+    do {
+      if (hasFlag(kFlagSkipEmpty)) {
+        bool leaping;
+        do {
+          ivec3 cell = cellAt(walk, t);
+          uint reach = cellsToContent(cell, exemptOnly);
+          float leave = leaveEmpty(walk, t, cell, reach);
+          float target = leave >= b ? b : walk.first + floor((leave - walk.first) / walk.dt - 1e-4) * walk.dt;
+          leaping = reach > 0u && target > t;
+          t = leaping ? target : t;
+        } while (leaping && t < b);
+      }
+      x = tableAt(texAt(walk, t));
+      int n = 0;
+      do {
+        float next = nextSample(walk, t);
+        next = min(next > t ? next : t + walk.dt, b);
+        float value = tableAt(texAt(walk, next));
+        crosses = (x < iso) != (value < iso);
+        low = t;
+        high = next;
+        x = crosses ? x : value;
+        t = next;
+      } while (!crosses && t < b && ++n < kBlock);
+    } while (!crosses && t < b);
+    for (int i = 0; i < 12; ++i) {
       float mid = 0.5 * (low + high);
       bool sameSide = (tableAt(texAt(walk, mid)) < iso) == (x < iso);
       low = sameSide ? mid : low;
       high = sameSide ? high : mid;
     }
-    if (crosses) addSurface(hit, ray, walk, 0.5 * (low + high), -1, exemptOnly);
-  }
+    if (crosses && hit.distance == kFar) addSurface(hit, ray, walk, 0.5 * (low + high), -1, exemptOnly);
+  } while (hit.distance == kFar && t < b);
 }
 #endif
+
+/// True when nothing further along the ray can show.
+bool isDone(Hit hit) {
+#if MODE == 0
+  return hasFlag(kFlagStopOpaque) && hit.color.a >= frame.step.y;
+#else
+  return MODE == 2 && hit.distance < kFar;
+#endif
+}
 
 /// Everything along one ray, up to an opaque surface at `stop`.
 Hit castRay(Ray ray, float jitter, float stop) {
@@ -408,23 +454,22 @@ Hit castRay(Ray ray, float jitter, float stop) {
   vec2 box = boxInterval(ray);
   float tEnd = min(box.y, stop);
   if (box.x >= tEnd) return hit;
-  Walk walk = Walk(texFrom(ray.origin), (frame.texFromScene * vec4(ray.direction, 0.0)).xyz, box.x + jitter * frame.step.x, frame.step.x);
-  float t = box.x;
-  int remover = -1;
-  // Each stretch ends at a face of some cut, and a ray meets each convex face at most twice.
-  for (int guard = 0; guard < 4 * frame.counts.x + 2 && t < tEnd; ++guard) {
-    Stretch stretch = stretchFrom(ray, t, tEnd, remover);
-    if (stretch.end > t) {
-      if (stretch.kept) marchStretch(hit, ray, walk, t, stretch.end, remover, false);
-      else if (hasFlag(kFlagExemptions)) marchStretch(hit, ray, walk, t, stretch.end, -1, true);
-    }
-    remover = stretch.kept ? -1 : stretch.face;
-    t = stretch.kept ? stretch.end : max(stretch.end, t + 1e-6);
-#if MODE == 0
-    if (hasFlag(kFlagStopOpaque) && hit.color.a >= frame.step.y) break;
-#elif MODE == 2
-    if (hit.distance < kFar) break;
-#endif
+  Walk walk = walkAlong(ray, box.x + jitter * frame.step.x);
+  if (!hasFlag(kFlagCuts)) {
+    marchStretch(hit, ray, walk, box.x, tEnd, -1, false);
+  } else {
+    float t = box.x;
+    int remover = -1;
+    int guard = 4 * frame.counts.x + 2;  // each stretch ends at a face of some cut, and a ray meets each at most twice
+    do {
+      Stretch stretch = stretchFrom(ray, t, tEnd, remover);
+      if (stretch.end > t) {
+        if (stretch.kept) marchStretch(hit, ray, walk, t, stretch.end, remover, false);
+        else if (hasFlag(kFlagExemptions)) marchStretch(hit, ray, walk, t, stretch.end, -1, true);
+      }
+      remover = stretch.kept ? -1 : stretch.face;
+      t = stretch.kept ? stretch.end : max(stretch.end, t + 1e-6);
+    } while (t < tEnd && --guard > 0 && !isDone(hit));
   }
 #if MODE == 1
   if (gBest >= 0.0) {
@@ -439,11 +484,21 @@ Hit castRay(Ray ray, float jitter, float stop) {
   return hit;
 }
 
+/// A unit vector on the square -1..1: octahedral mapping.
+vec2 octahedral(vec3 n) {
+  n /= abs(n.x) + abs(n.y) + abs(n.z);
+  vec2 folded = (1.0 - abs(n.yx)) * mix(vec2(-1.0), vec2(1.0), greaterThanEqual(n.xy, vec2(0.0)));
+  return n.z >= 0.0 ? n.xy : folded;
+}
+
 void main() {
   // Neighbours in a SIMD group are neighbours in the picture: runs of eight are blocks of four by two.
   int i = int(gl_LocalInvocationIndex);
   ivec2 inGroup = ivec2(i & 3 | i >> 1 & 4, i >> 2 & 1 | i >> 3 & 6);
-  ivec2 inTile = ivec2(gl_WorkGroupID.xy) * kTileGroup + inGroup;
+  // A software driver gives each of its threads a run of groups: strides spread each run over the tile.
+  ivec2 groups = ivec2(gl_NumWorkGroups.xy);
+  int group = (int(gl_WorkGroupID.y) * groups.x + int(gl_WorkGroupID.x)) * window_.z % (groups.x * groups.y);
+  ivec2 inTile = ivec2(group % groups.x, group / groups.x) * kTileGroup + inGroup;
   if (inTile.x >= tile.z || inTile.y >= tile.w) return;
   ivec2 pixel = tile.xy + inTile;
   ivec2 inPicture = pixel + window_.xy;
@@ -465,9 +520,7 @@ void main() {
   }
   if (frame.counts.w == 0) {
     bool found = hit.distance < kFar && hit.color.a > 0.0;
-    vec3 place = ray.origin + (found ? hit.distance : 0.0) * ray.direction;
-    imageStore(placeImage, pixel, found ? vec4(place, hit.distance) : vec4(0.0, 0.0, 0.0, -1.0));
-    imageStore(normalImage, pixel, found ? vec4(hit.normal, float(hit.structure)) : vec4(0.0));
+    imageStore(hitImage, pixel, found ? vec4(hit.distance, octahedral(hit.normal), float(hit.structure) + 1.0) : vec4(0.0));
   }
   vec4 before = frame.counts.w == 0 ? vec4(0.0) : imageLoad(sumImage, pixel);
   imageStore(sumImage, pixel, before + hit.color);

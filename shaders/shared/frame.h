@@ -36,7 +36,8 @@ SHARED_CONST uint kFlagStopOpaque = 8u;
 SHARED_CONST uint kFlagGradientOpacity = 16u;
 SHARED_CONST uint kFlagExemptions = 32u;   // some cut spares some structure
 SHARED_CONST uint kFlagJitter = 64u;
-SHARED_CONST uint kFlagLabels = 128u;
+SHARED_CONST uint kFlagCuts = 128u;
+SHARED_CONST uint kFlagLightGrid = 256u;   // shadows or occlusion
 
 /// Scene-local frame: world millimetres minus an origin near the scene, so that floats are enough anywhere.
 struct FrameParams {
@@ -53,7 +54,7 @@ struct FrameParams {
   vec4 cellGrid;          ///< cells x, y, z; w: reciprocal of the smallest spacing, 1/mm
   vec4 valueFromTexel;    ///< x: scale, y: offset from texels to the table 0..1; z: table 0..1 per data value
   vec4 step;              ///< x: step mm, y: opaque cutoff alpha, z: iso value (table 0..1), w: noise offset 0..1
-  vec4 tableScale;        ///< x: extinction 1/mm of one unit of the running sums
+  vec4 tableScale;        ///< x: extinction 1/mm of one unit of the running sums; y, z: from the first table entry with any to past the last
   vec4 gradientScale;     ///< x: texel difference of a gradient texel's full length; w: reciprocal of the largest gradient in its table, mm per data value
   vec4 window;            ///< x: scale, y: offset from table 0..1 to grey 0..1; z: label tint, w: opacity of the unlabelled
   vec4 light;             ///< ambient, diffuse, specular, shininess

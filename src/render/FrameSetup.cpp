@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace velum::render {
 
@@ -121,7 +122,7 @@ shared::FrameParams makeFrameParams(const Frame& frame, const FrameGrid& grid, c
   double isoTable = (scene.rayCast.isoValue - table.domain.x) / width;
   params.step = {float(scene.rayCast.stepVoxels * smallest * std::max(1.0, frame.stepFactor)), 0.998f, float(isoTable),
                  0.0f};
-  params.tableScale = {float(table.extinctionUnit), 0, 0, 0};
+  params.tableScale = {float(table.extinctionUnit), float(table.shownFrom), float(table.shownTo), 0};
   params.gradientScale = {float(grid.gradientScale), 0, 0, float(1.0 / table.gradientMax)};
   params.cellsPerTex = v4(glm::dvec3(grid.dims) / double(grid.cells.edge));
   // A difference over two voxels along texture axis i is 2/dims[i] of that axis; gradients transform by the inverse
@@ -147,6 +148,7 @@ shared::FrameParams makeFrameParams(const Frame& frame, const FrameGrid& grid, c
   flag(scene.rayCast.stopOpaque, shared::kFlagStopOpaque);
   flag(scene.rayCast.jitter, shared::kFlagJitter);
   flag(!scene.volume.transfer.gradientOpacities.empty(), shared::kFlagGradientOpacity);
+  flag(light.shaded && (light.shadow > 0 || light.occlusion > 0), shared::kFlagLightGrid);
   setSample(params, frame, 0);
   return params;
 }
@@ -163,6 +165,36 @@ void setSample(shared::FrameParams& params, const Frame& frame, int sample) {
   grid.worldFromTex = glm::inverse(glm::dmat4(params.texFromScene));
   params.clipFromScene =
       glm::mat4(clipFromScene(frame, grid, basisOf(frame.scene.camera), glm::dvec3(glm::vec3(params.eye)), shift));
+}
+
+glm::vec3 pointOnRay(const shared::FrameParams& params, glm::ivec2 pixel, float distance) {
+  glm::vec2 at = glm::vec2(2, -2) * (glm::vec2(pixel) + 0.5f) / glm::vec2(params.picture) + glm::vec2(-1, 1);
+  glm::vec3 across = at.x * glm::vec3(params.right) + at.y * glm::vec3(params.up);
+  glm::vec3 eye(params.eye), forward(params.forward);
+  if (params.flags.x & shared::kFlagOrthographic) return eye + across + distance * forward;
+  return eye + distance * glm::normalize(forward + across);
+}
+
+glm::ivec4 coveredRect(const shared::FrameParams& params, const Frame& frame) {
+  glm::mat4 sceneFromTex = glm::inverse(params.texFromScene);
+  glm::vec3 eye(params.eye), forward(params.forward), right(params.right), up(params.up);
+  glm::vec2 low(std::numeric_limits<float>::max()), high(std::numeric_limits<float>::lowest());
+  for (int corner = 0; corner < 8; ++corner) {
+    glm::vec3 d = glm::vec3(sceneFromTex * glm::vec4(corner & 1, corner >> 1 & 1, corner >> 2, 1)) - eye;
+    float depth = glm::dot(d, forward);
+    // A box around or behind the eye may show anywhere.
+    if (!(depth > 1e-3f * glm::length(d))) return {0, 0, frame.windowSize};
+    if (params.flags.x & shared::kFlagOrthographic) depth = 1;
+    glm::vec2 at = glm::vec2(glm::dot(d, right) / glm::dot(right, right), glm::dot(d, up) / glm::dot(up, up)) / depth;
+    glm::vec2 pixel = (at * glm::vec2(0.5f, -0.5f) + 0.5f) * glm::vec2(params.picture);
+    low = glm::min(low, pixel);
+    high = glm::max(high, pixel);
+  }
+  // Samples lie up to half a pixel aside, outlines are a pixel wide.
+  glm::vec2 window(frame.windowOrigin), size(frame.windowSize);
+  glm::ivec2 from(glm::clamp(glm::floor(low - window) - 2.0f, glm::vec2(0), size));
+  glm::ivec2 to(glm::clamp(glm::ceil(high - window) + 2.0f, glm::vec2(0), size));
+  return {from, glm::max(to - from, glm::ivec2(0))};
 }
 
 std::vector<shared::CutData> makeCutData(const scene::Scene& scene, glm::dvec3 origin) {

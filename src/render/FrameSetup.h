@@ -28,6 +28,12 @@ shared::FrameParams makeFrameParams(const Frame& frame, const FrameGrid& grid, c
 /// Moves the rays of sample n within their pixel and along themselves: the R2 sequence and the golden ratio.
 void setSample(shared::FrameParams& params, const Frame& frame, int sample);
 
+/// Where sample 0 of a pixel of the whole picture meets the scene at a distance, mm along its ray; scene frame.
+glm::vec3 pointOnRay(const shared::FrameParams& params, glm::ivec2 pixel, float distance);
+
+/// The part of the window that a grid's box can cover: x, y of its corner, width, height; may be empty.
+glm::ivec4 coveredRect(const shared::FrameParams& params, const Frame& frame);
+
 /// The enabled cuts as the shaders read them, in the scene frame.
 std::vector<shared::CutData> makeCutData(const scene::Scene& scene, glm::dvec3 origin);
 

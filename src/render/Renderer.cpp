@@ -7,6 +7,7 @@
 #include <cmath>
 #include <deque>
 #include <limits>
+#include <numeric>
 #include <optional>
 
 #include "BlueNoise.h"
@@ -34,14 +35,22 @@ struct Step {
   std::function<bool()> run;
 };
 
+/// What one ray met, from the texel that the ray caster writes.
+struct Hit {
+  bool found = false;
+  glm::vec3 scenePoint{0.0f}, normal{0.0f};
+  float distance = std::numeric_limits<float>::infinity();  ///< mm along the ray
+  int structure = 0;
+};
+
 /// Which label shading a scene needs: the LABELS switch of the shaders.
 int labelsMode(const scene::Scene& scene) {
   if (!scene.labels.data || !scene.labels.visible) return 0;
   return scene.volume.data && scene.volume.visible ? 1 : 2;
 }
 
-/// A scene reduced to what its light grid depends on.
-scene::Scene lightKey(const scene::Scene& scene) {
+/// A scene reduced to what its material depends on, colours left out.
+scene::Scene materialKey(const scene::Scene& scene) {
   scene::Scene key = scene;
   key.camera = {};
   key.background = {};
@@ -54,6 +63,18 @@ scene::Scene lightKey(const scene::Scene& scene) {
   for (auto& point : key.volume.transfer.colors) point.color = {};
   for (auto& structure : key.labels.structures) structure.color = {};
   for (auto& cut : key.cuts) cut.name.clear();
+  return key;
+}
+
+/// A scene reduced to what its skip map depends on: of the cuts, only which structures they spare.
+scene::Scene skipKey(const scene::Scene& scene) {
+  scene::Scene key = materialKey(scene);
+  for (auto& cut : key.cuts) {
+    scene::Cut spares;
+    spares.enabled = cut.enabled;
+    spares.exempt = cut.exempt;
+    cut = spares;
+  }
   return key;
 }
 
@@ -86,7 +107,8 @@ struct Renderer::Impl {
   std::optional<SurfacePass> surfaces;
   std::optional<gpu::Program> resolveProgram;
   LightPass* light = nullptr;
-  std::optional<scene::Scene> extinctionScene;
+  std::optional<scene::Scene> skipScene;        ///< What the skip map was made for.
+  std::optional<scene::Scene> extinctionScene;  ///< What the light grid's material was made for.
   glm::dvec3 lightDirection{0.0};
   glm::dvec4 lightOptions{0.0};
   // What a frame binds.
@@ -97,7 +119,7 @@ struct Renderer::Impl {
   gpu::Buffer cutBuffer, structureBuffer, exemptBuffer, emptyCells;
   gpu::Program* rayProgram = nullptr;
   // Pictures.
-  gpu::Texture sum, place, normal, picture;
+  gpu::Texture sum, hits, picture;
   gpu::Framebuffer pictureTarget;
   int currentSample = 0;  ///< The sample being drawn.
   int rowsDone = 0;       ///< Rows of it that are complete.
@@ -109,6 +131,8 @@ struct Renderer::Impl {
   void addUploadSteps();
   void addLightSteps();
   void addTileSteps();
+  void castTile(glm::ivec4 rect);
+  Hit hitAt(glm::ivec2 pixel, glm::vec4 texel) const;
   void setup();
   void bindAll();
   void resizePictures(glm::ivec2 size);
@@ -245,6 +269,7 @@ void Renderer::Impl::setup() {
   auto mask = makeExemptMask(scene, rows.size(), words);
   params = makeFrameParams(frame, grid, table);
   params.counts.x = int(cutData.size());
+  if (!cutData.empty()) params.flags.x |= shared::kFlagCuts;
   params.counts.y = words;
   params.counts.z = int(rows.size());
   if (!mask.empty() && mode != 0) params.flags.x |= shared::kFlagExemptions;
@@ -257,19 +282,23 @@ void Renderer::Impl::setup() {
   int color = hasVolume && volume->isColor ? 1 : 0;
   int rayMode = hasVolume ? static_cast<int>(scene.rayCast.mode) : 0;
   int gradients = hasVolume && volume->gradient ? 1 : 0;
-  std::string variant = fmt::format("{}{}{}{}", rayMode, mode, color, gradients);
+  std::string lightVariant = fmt::format("{}{}{}", rayMode, mode, color);
+  std::string variant = fmt::format("{}{}", lightVariant, gradients);
   gpu::Defines defines{{"MODE", std::to_string(rayMode)},
                        {"LABELS", std::to_string(mode)},
                        {"COLOR", std::to_string(color)},
                        {"GRADIENTS", std::to_string(gradients)}};
-  if (!rayPrograms.contains(variant)) {
-    rayPrograms.emplace(variant, gpu::Program({"render/ray_cast.comp"}, defines));
-    lightPasses.emplace(std::piecewise_construct, std::forward_as_tuple(variant),
-                        std::forward_as_tuple(mode, color, rayMode));
+  if (context.limits().isSoftware) {
+    variant += fmt::format(" {}", params.flags.x);
+    defines.push_back({"FLAGS", fmt::format("{}u", params.flags.x)});
   }
+  if (!rayPrograms.contains(variant)) rayPrograms.emplace(variant, gpu::Program({"render/ray_cast.comp"}, defines));
   rayProgram = &rayPrograms.at(variant);
-  if (light != &lightPasses.at(variant)) extinctionScene.reset();
-  light = &lightPasses.at(variant);
+  if (!lightPasses.contains(lightVariant))
+    lightPasses.emplace(std::piecewise_construct, std::forward_as_tuple(lightVariant),
+                        std::forward_as_tuple(mode, color, rayMode));
+  if (light != &lightPasses.at(lightVariant)) extinctionScene.reset();
+  light = &lightPasses.at(lightVariant);
   glm::dmat3 edges(grid.worldFromTex);
   glm::ivec3 before = light->size();
   light->resize({glm::length(edges[0]), glm::length(edges[1]), glm::length(edges[2])}, lightCells());
@@ -294,7 +323,9 @@ void Renderer::Impl::setup() {
   for (const auto& cut : scene.cuts)
     for (int id : cut.exempt)
       if (cut.enabled) add(options.spared, id);
-  skip->run(options, grid.cells.size);
+  scene::Scene key = skipKey(scene);
+  if (!skipScene || !(*skipScene == key)) skip->run(options, grid.cells.size);
+  skipScene = std::move(key);
   skip->map().bindSampler(shared::kSkipUnit);
 }
 
@@ -322,7 +353,7 @@ void Renderer::Impl::bindAll() {
 void Renderer::Impl::addLightSteps() {
   const auto& lighting = frame.scene.lighting;
   if (!lighting.shaded || (lighting.shadow <= 0 && lighting.occlusion <= 0)) return;
-  scene::Scene key = lightKey(frame.scene);
+  scene::Scene key = materialKey(frame.scene);
   glm::dvec3 direction(glm::vec3(params.key));
   glm::dvec4 options(lighting.shadow > 0, lighting.occlusion > 0, lighting.occlusionRadius, 0);
   bool sameMaterial = extinctionScene && *extinctionScene == key;
@@ -363,31 +394,41 @@ void Renderer::Impl::addLightSteps() {
                    }});
 }
 
+void Renderer::Impl::castTile(glm::ivec4 rect) {
+  sum.bindImage(0, gpu::Access::ReadWrite);
+  hits.bindImage(1, gpu::Access::Write);
+  glm::ivec2 groups = (glm::ivec2(rect.z, rect.w) + shared::kTileGroup - 1) / shared::kTileGroup;
+  // Near the golden section of their number, and with no common factor: any run of groups is spread over the tile.
+  int count = groups.x * groups.y, stride = std::max(1, int(0.618 * count));
+  while (std::gcd(stride, count) != 1) ++stride;
+  rayProgram->set(0, rect);
+  rayProgram->set(1, glm::ivec4(frame.windowOrigin, stride, 0));
+  gpu::dispatch(*rayProgram, glm::ivec3(groups, 1));
+  gpu::barrier();
+}
+
 void Renderer::Impl::addTileSteps() {
   const int tile = context.limits().isSoftware ? 64 : 512;
   glm::ivec2 size = frame.windowSize;
+  // Where neither the volume's box nor a surface can be, rays have nothing to do.
+  glm::ivec4 covered = frame.scene.surfaces.empty() ? coveredRect(params, frame) : glm::ivec4(0, 0, size);
   for (int sample = 0; sample < std::max(1, frame.scene.rayCast.samplesPerPixel); ++sample) {
     steps.push_back({"Surfaces", [this, sample, size] {
                        currentSample = sample;
                        rowsDone = 0;
+                       if (sample == 0) sum.clear(), hits.clear();
                        setSample(params, frame, sample);
                        frameBlock.set(params);
                        surfaces->draw(frame.scene, sceneOrigin(grid), grid.worldFromTex, size);
                        surfaces->bind();
                        return true;
                      }});
-    for (int y = 0; y < size.y; y += tile)
-      for (int x = 0; x < size.x; x += tile) {
-        glm::ivec4 rect(x, y, std::min(tile, size.x - x), std::min(tile, size.y - y));
-        bool lastOfRow = x + tile >= size.x;
+    for (int y = covered.y; y < covered.y + covered.w; y += tile)
+      for (int x = covered.x; x < covered.x + covered.z; x += tile) {
+        glm::ivec4 rect(x, y, std::min(tile, covered.x + covered.z - x), std::min(tile, covered.y + covered.w - y));
+        bool lastOfRow = x + tile >= covered.x + covered.z;
         steps.push_back({"RayCast", [this, rect, lastOfRow] {
-                           sum.bindImage(0, gpu::Access::ReadWrite);
-                           place.bindImage(1, gpu::Access::Write);
-                           normal.bindImage(2, gpu::Access::Write);
-                           rayProgram->set(0, rect);
-                           rayProgram->set(1, glm::ivec4(frame.windowOrigin, 0, 0));
-                           gpu::dispatch(*rayProgram, glm::ivec3((rect.z + 7) / 8, (rect.w + 7) / 8, 1));
-                           gpu::barrier();
+                           castTile(rect);
                            if (lastOfRow) rowsDone = rect.y + rect.w;
                            return true;
                          }});
@@ -402,8 +443,7 @@ void Renderer::Impl::addTileSteps() {
 void Renderer::Impl::resizePictures(glm::ivec2 size) {
   if (sum && glm::ivec2(sum.size()) == size) return;
   sum = gpu::Texture::make2d("sum of samples", gpu::Format::Rgba32f, size);
-  place = gpu::Texture::make2d("position, distance", gpu::Format::Rgba32f, size);
-  normal = gpu::Texture::make2d("normal, structure", gpu::Format::Rgba32f, size);
+  hits = gpu::Texture::make2d("distance, normal, structure", gpu::Format::Rgba32f, size);
   picture = gpu::Texture::make2d("picture", gpu::Format::Rgba8, size, gpu::Filter::Linear);
   pictureTarget = gpu::Framebuffer("picture", {&picture});
   sum.clear();
@@ -464,6 +504,25 @@ void Renderer::present(unsigned framebuffer, glm::ivec2 size) {
   gpu::present(m.pictureTarget, framebuffer, size);
 }
 
+/// @param pixel  of the window
+Hit Renderer::Impl::hitAt(glm::ivec2 pixel, glm::vec4 texel) const {
+  Hit hit;
+  if (texel.w < 0.5f) return hit;
+  hit.found = true;
+  hit.distance = texel.x;
+  hit.scenePoint = pointOnRay(params, pixel + frame.windowOrigin, hit.distance);
+  // Octahedral: the square's corners are the lower half, folded out.
+  glm::vec3 n(texel.y, texel.z, 1.0f - std::abs(texel.y) - std::abs(texel.z));
+  if (n.z < 0) {
+    glm::vec2 folded = 1.0f - glm::abs(glm::vec2(n.y, n.x));
+    n.x = std::copysign(folded.x, n.x);
+    n.y = std::copysign(folded.y, n.y);
+  }
+  hit.normal = glm::normalize(n);
+  hit.structure = int(texel.w - 0.5f);
+  return hit;
+}
+
 Image Renderer::read(const Layers& layers) {
   Impl& m = *mImpl;
   Image image;
@@ -480,25 +539,23 @@ Image Renderer::read(const Layers& layers) {
   std::size_t count = std::size_t(size.x) * std::size_t(size.y), channels = image.channels.size();
   image.pixels.resize(count * channels);
   std::vector<glm::u8vec4> color(count);
-  std::vector<glm::vec4> place(count), normal(count);
+  std::vector<glm::vec4> hits(count);
   m.picture.read(color.data(), count * sizeof(color[0]));
-  if (channels > 4) {
-    m.place.read(place.data(), count * sizeof(place[0]));
-    m.normal.read(normal.data(), count * sizeof(normal[0]));
-  }
+  if (channels > 4) m.hits.read(hits.data(), count * sizeof(hits[0]));
   glm::dvec3 origin = sceneOrigin(m.grid);
   for (std::size_t i = 0; i < count; ++i) {
     float* out = &image.pixels[i * channels];
     float alpha = float(color[i].a) / 255.0f;
-    bool hit = place[i].w >= 0.0f;
     for (int c = 0; c < 3; ++c) *out++ = alpha > 0.0f ? std::min(1.0f, float(color[i][c]) / 255.0f / alpha) : 0.0f;
     *out++ = alpha;
+    if (channels == 4) continue;
+    Hit hit = m.hitAt({int(i) % size.x, int(i) / size.x}, hits[i]);
     if (layers.position)
-      for (int c = 0; c < 3; ++c) *out++ = hit ? float(double(place[i][c]) + origin[c]) : 0.0f;
+      for (int c = 0; c < 3; ++c) *out++ = hit.found ? float(double(hit.scenePoint[c]) + origin[c]) : 0.0f;
     if (layers.normal)
-      for (int c = 0; c < 3; ++c) *out++ = normal[i][c];
-    if (layers.depth) *out++ = hit ? place[i].w : std::numeric_limits<float>::infinity();
-    if (layers.structure) *out++ = normal[i].w;
+      for (int c = 0; c < 3; ++c) *out++ = hit.normal[c];
+    if (layers.depth) *out++ = hit.distance;
+    if (layers.structure) *out++ = float(hit.structure);
   }
   return image;
 }
@@ -506,16 +563,16 @@ Image Renderer::read(const Layers& layers) {
 Pick Renderer::pick(glm::ivec2 pixel) const {
   const Impl& m = *mImpl;
   Pick pick;
-  if (!m.place || pixel.x < 0 || pixel.y < 0 || pixel.x >= m.frame.windowSize.x || pixel.y >= m.frame.windowSize.y)
+  if (!m.hits || pixel.x < 0 || pixel.y < 0 || pixel.x >= m.frame.windowSize.x || pixel.y >= m.frame.windowSize.y)
     return pick;
-  glm::vec4 place, normal;
-  m.place.read({pixel, 0}, {1, 1, 1}, &place, sizeof(place));
-  m.normal.read({pixel, 0}, {1, 1, 1}, &normal, sizeof(normal));
-  if (place.w < 0.0f) return pick;
+  glm::vec4 texel;
+  m.hits.read({pixel, 0}, {1, 1, 1}, &texel, sizeof(texel));
+  Hit hit = m.hitAt(pixel, texel);
+  if (!hit.found) return pick;
   pick.hit = true;
-  pick.worldMm = glm::dvec3(glm::vec3(place)) + sceneOrigin(m.grid);
-  pick.normal = glm::vec3(normal);
-  pick.structure = int(normal.w + 0.5f);
+  pick.worldMm = glm::dvec3(hit.scenePoint) + sceneOrigin(m.grid);
+  pick.normal = hit.normal;
+  pick.structure = hit.structure;
   if (const auto& data = m.frame.scene.volume.data) {
     glm::dvec3 voxel(glm::inverse(data->worldFromVoxel) * glm::dvec4(pick.worldMm, 1.0));
     glm::ivec3 nearest = glm::clamp(glm::ivec3(glm::floor(voxel + 0.5)), glm::ivec3(0), data->dims - 1);

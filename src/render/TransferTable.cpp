@@ -80,6 +80,12 @@ TransferTable makeTransferTable(const scene::Scene& scene) {
     table.sums.push_back(sum);
   }
   for (const auto& s : table.sums) table.extinctionSums.push_back(s.w);
+  table.shownFrom = shared::kTransferSize;
+  for (int i = 0; i < shared::kTransferSize; ++i) {
+    if (table.extinctionSums[std::size_t(i)] == table.extinctionSums[std::size_t(i) + 1]) continue;
+    table.shownFrom = std::min(table.shownFrom, i);
+    table.shownTo = i + 1;
+  }
   for (int i = 0; i < n; ++i)
     table.gradientFactors.push_back(
         transfer.gradientOpacities.empty()

@@ -26,6 +26,7 @@ struct TexelPlan {
   Format format = Format::R8;
   double scale = 1, offset = 0;  ///< raw = texel * scale + offset
 };
+constexpr TexelPlan kAsFloats{Format::R32f, 1.0, 0.0};
 
 TexelPlan planFor(const Volume& volume) {
   if (volume.isColor) return {Format::Rgba8, 255.0, 0.0};
@@ -39,7 +40,7 @@ TexelPlan planFor(const Volume& volume) {
     case SampleType::Int16:
       return {Format::R16, 65535.0, -32768.0};
     default:
-      return {Format::R32f, 1.0, 0.0};
+      return kAsFloats;
   }
 }
 
@@ -142,8 +143,13 @@ VolumeUpload::VolumeUpload(Shared<Volume> volume, int channel, int frame, const 
   auto bytesAt = [&](int factor) {
     return product(dimsAt(factor)) * (gpu::texelBytes(m.plan.format) + (wantsGradients ? 4 : 0));
   };
-  while (maxOf(dimsAt(m.factor)) > limits.texture3d || double(bytesAt(m.factor)) > 0.7 * double(limits.memoryBytes))
-    ++m.factor;
+  double mostBytes = 0.7 * double(limits.memoryBytes);
+  while (maxOf(dimsAt(m.factor)) > limits.texture3d || double(bytesAt(m.factor)) > mostBytes) ++m.factor;
+  // A software driver unpacks the eight texels of each fetch: floats are fetched nearly twice as fast as bytes.
+  if (TexelPlan narrow = m.plan; limits.isSoftware && !volume->isColor) {
+    m.plan = kAsFloats;
+    if (double(bytesAt(m.factor)) > mostBytes) m.plan = narrow;
+  }
   GpuVolume& out = m.out;
   out.dims = dimsAt(m.factor);
   if (m.factor > 1) {
@@ -237,32 +243,55 @@ const Texel* VolumeUpload::Impl::planes(int z0, int z1, std::vector<Texel>& scra
   });
 }
 
-/// Central differences of planes z0..z1, as the shader would take them: beyond the border a voxel repeats.
+/// Central differences of planes z0..z1, as the shader would take them: beyond the border a voxel repeats. They are kept
+/// relative to the longest of their 27 neighbours, whose length changes slowly, so that directions between two voxels
+/// are weighted by the lengths there: else the noise of a flat place would turn the normals of the edge beside it.
+/// @param texels  planes z0 - 2 .. z1 + 2 of the level, as far as there are any, the first of them being firstPlane
 template <class Texel>
 void VolumeUpload::Impl::uploadGradients(const Texel* texels, int firstPlane, int z0, int z1) {
   glm::ivec3 dims = out.dims;
-  std::vector<glm::u8vec4> gradients(std::size_t(dims.x) * std::size_t(dims.y) * std::size_t(z1 - z0));
+  auto width = std::size_t(dims.x), height = std::size_t(dims.y);
   auto rowAt = [&](int y, int z) {
     y = std::clamp(y, 0, dims.y - 1), z = std::clamp(z, 0, dims.z - 1);
-    return texels + (std::size_t(z - firstPlane) * std::size_t(dims.y) + std::size_t(y)) * std::size_t(dims.x);
+    return texels + (std::size_t(z - firstPlane) * height + std::size_t(y)) * width;
   };
+  auto visitRow = [&](int y, int z, auto&& visit) {
+    const Texel *here = rowAt(y, z), *y0 = rowAt(y - 1, z), *y1 = rowAt(y + 1, z), *below = rowAt(y, z - 1),
+                *above = rowAt(y, z + 1);
+    auto at = [&](int x, int x0, int x1) {
+      visit(x, glm::vec3(float(here[x1]) - float(here[x0]), float(y1[x]) - float(y0[x]),
+                         float(above[x]) - float(below[x])));
+    };
+    at(0, 0, std::min(1, dims.x - 1));
+    for (int x = 1; x < dims.x - 1; ++x) at(x, x - 1, x + 1);
+    if (dims.x > 1) at(dims.x - 1, dims.x - 2, dims.x - 1);
+  };
+  int low = std::max(0, z0 - 1), high = std::min(dims.z, z1 + 1);
+  std::vector<float> squares(width * height * std::size_t(high - low));
+  tbb::parallel_for(0, (high - low) * dims.y, [&](int job) {
+    float* row = &squares[std::size_t(job) * width];
+    visitRow(job % dims.y, low + job / dims.y, [&](int x, glm::vec3 g) { row[x] = glm::dot(g, g); });
+  });
+  std::vector<glm::u8vec4> gradients(width * height * std::size_t(z1 - z0));
   float toShare =
       float(1.0 / (longestGradient * (std::is_same_v<Texel, float> ? 1.0 : double(std::numeric_limits<Texel>::max()))));
   tbb::parallel_for(0, (z1 - z0) * dims.y, [&](int job) {
     int z = z0 + job / dims.y, y = job % dims.y;
-    const Texel *here = rowAt(y, z), *y0 = rowAt(y - 1, z), *y1 = rowAt(y + 1, z), *below = rowAt(y, z - 1),
-                *above = rowAt(y, z + 1);
-    glm::u8vec4* row = &gradients[std::size_t(job) * std::size_t(dims.x)];
-    for (int x = 0; x < dims.x; ++x) {
-      float gx = float(here[std::min(x + 1, dims.x - 1)]) - float(here[std::max(x - 1, 0)]);
-      float gy = float(y1[x]) - float(y0[x]);
-      float gz = float(above[x]) - float(below[x]);
-      float length = std::sqrt(gx * gx + gy * gy + gz * gz);
-      float toByte = length > 0 ? 127.0f / length : 0.0f;
-      row[x] = {std::uint8_t(gx * toByte + 128.5f), std::uint8_t(gy * toByte + 128.5f),
-                std::uint8_t(gz * toByte + 128.5f),
-                std::uint8_t(255.0f * std::sqrt(std::min(1.0f, length * toShare)) + 0.5f)};
-    }
+    std::vector<float> largest(width + 2, 0.0f);  // of the nine rows around; one more at each end
+    for (int c = std::max(low, z - 1); c < std::min(high, z + 2); ++c)
+      for (int b = std::max(0, y - 1); b < std::min(dims.y, y + 2); ++b) {
+        const float* row = &squares[(std::size_t(c - low) * height + std::size_t(b)) * width];
+        for (std::size_t x = 0; x < width; ++x) largest[x + 1] = std::max(largest[x + 1], row[x]);
+      }
+    glm::u8vec4* row = &gradients[std::size_t(job) * width];
+    visitRow(y, z, [&](int x, glm::vec3 g) {
+      const float* around = &largest[std::size_t(x)];
+      float longest = std::sqrt(std::max(around[0], std::max(around[1], around[2])));
+      float toByte = longest > 0 ? 127.0f / longest : 0.0f;
+      row[x] = {std::uint8_t(g.x * toByte + 128.5f), std::uint8_t(g.y * toByte + 128.5f),
+                std::uint8_t(g.z * toByte + 128.5f),
+                std::uint8_t(255.0f * std::sqrt(std::min(1.0f, longest * toShare)) + 0.5f)};
+    });
   });
   out.gradient.write({0, 0, z0}, {dims.x, dims.y, z1 - z0}, gradients.data());
 }
@@ -271,7 +300,8 @@ template <class Texel>
 void VolumeUpload::Impl::stepAs() {
   int cz0 = nextCellZ, cz1 = std::min(out.cells.size.z, cz0 + cellLayersPerStep);
   int z0 = cz0 * out.cells.edge, z1 = std::min(out.dims.z, cz1 * out.cells.edge);
-  int halo0 = std::max(0, z0 - 1), halo1 = std::min(out.dims.z, z1 + 1);
+  int halo = out.gradient ? 2 : 1;
+  int halo0 = std::max(0, z0 - halo), halo1 = std::min(out.dims.z, z1 + halo);
   std::vector<Texel> scratch;
   const Texel* texels = planes<Texel>(halo0, halo1, scratch);
   std::size_t planeSize = std::size_t(out.dims.x) * std::size_t(out.dims.y);

@@ -259,7 +259,9 @@ float depthOf(Group group, int i, Ray ray) {
 /// a loop of its own, with the condition at its foot, in which nearly all rays have something to do: leaping over empty
 /// cells; fetching groups of samples until one holds material; shading its segments. Thin material is shaded a group at a
 /// time: what hides less than a tenth of what is behind it needs no gradient at every half voxel. Groups and leaps keep to
-/// the same lattice, so leaping changes no picture.
+/// the same lattice, so leaping changes no picture. A ray that has left a loop is still computed, though not stored, while
+/// others go on, and Mesa 22 takes what it computes last as the value after the loop: so nothing that is used after a loop
+/// may change when its last turn is repeated.
 void marchStretch(inout Hit hit, Ray ray, Walk walk, float a, float b, int face, bool exemptOnly) {
   vec3 faceNormal = vec3(0.0);
   float faceT = -1.0;
@@ -275,6 +277,7 @@ void marchStretch(inout Hit hit, Ray ray, Walk walk, float a, float b, int face,
   do {
     Group group;
     bool found;
+    float end;
     do {
       if (hasFlag(kFlagSkipEmpty)) {
         bool leaping;
@@ -291,8 +294,10 @@ void marchStretch(inout Hit hit, Ray ray, Walk walk, float a, float b, int face,
       float lattice = walk.first + floor((t - walk.first) * perGroup + 1e-4) * groupMm;
       group = groupAt(walk, lattice, t, b);
       found = mayShow(group, ray);
-      t = max(group.t[4], t + 1e-5 * walk.dt);
+      end = max(group.t[4], t + 1e-5 * walk.dt);
+      t = found ? t : end;
     } while (!found && t < b);
+    t = end;
     float d0 = depthOf(group, 0, ray);
     float d1 = depthOf(group, 1, ray);
     float d2 = depthOf(group, 2, ray);
@@ -327,7 +332,7 @@ float largestIn(vec2 texels) {
 void marchStretch(inout Hit hit, Ray ray, Walk walk, float a, float b, int face, bool exemptOnly) {
   const int kBlock = 16;
   float t = a;
-  bool more;
+  bool more = true;
   do {
     if (hasFlag(kFlagSkipEmpty) && !exemptOnly) {
       bool leaping;
@@ -355,7 +360,7 @@ void marchStretch(inout Hit hit, Ray ray, Walk walk, float a, float b, int face,
       gBest = better ? value : gBest;
       hit.distance = better ? t : hit.distance;
       hit.structure = better ? structure : hit.structure;
-      more = t < b;
+      more = more && t < b;
       t = min(nextSample(walk, t), b);
     } while (more && ++n < kBlock);
   } while (more);
@@ -425,9 +430,10 @@ void marchStretch(inout Hit hit, Ray ray, Walk walk, float a, float b, int face,
         low = t;
         high = next;
         x = crosses ? x : value;
-        t = next;
+        t = crosses ? t : next;
       } while (!crosses && t < b && ++n < kBlock);
     } while (!crosses && t < b);
+    t = high;
     for (int i = 0; i < 12; ++i) {
       float mid = 0.5 * (low + high);
       bool sameSide = (tableAt(texAt(walk, mid)) < iso) == (x < iso);

@@ -156,6 +156,7 @@ void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, float faceT,
   vec3 tex = texAt(walk, tm);
   uint structure = 0u;
   float depth = segment.depth;
+  float alpha = 1.0 - exp(-depth);
 #if LABELS == 2
   structure = labelAt(p);
   if (exemptOnly && !cutsKeep(p, structure)) return;
@@ -186,7 +187,7 @@ void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, float faceT,
     float steepness = 1.0;
 #else
     // What is seen of opaque material is its front, and just within a thin plate the gradient already turns round.
-    float front = 0.75 * (1.0 - exp(-depth)) / frame.cellGrid.w;
+    float front = 0.75 * alpha / frame.cellGrid.w;
     vec3 gradient = gradientAt(texAt(walk, tm - front));
     if (hasFlag(kFlagGradientOpacity)) depth *= gradientFactor(gradient);
     // Where the value hardly changes the gradient is noise: less of it counts.
@@ -201,7 +202,7 @@ void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, float faceT,
       normal = normalize(mix(faceNormal, normal, smoothstep(0.25, 1.5, (tm - faceT) * frame.cellGrid.w * -dot(faceNormal, ray.direction))) + 1e-6);
     color = shadeSurface(albedo, normal, -ray.direction, lightTexAt(p, normal));
   }
-  float alpha = 1.0 - exp(-depth);
+  if (hasFlag(kFlagGradientOpacity) || LABELS == 1) alpha = 1.0 - exp(-depth);
   if (alpha > 0.0) addSample(hit, vec4(color * alpha, alpha), tm, normal, structure);
 }
 
@@ -213,52 +214,80 @@ float labelExtinction(vec3 scenePoint) {
 }
 #endif
 
-/// Four segments between five samples, and what is between them.
+/// Segments between neighbouring samples of the lattice, cut off at a stretch's ends.
+const int kGroup = 8;
 struct Group {
-  float t[5];
-  float x[5];   // values, table positions
+  float lattice;  // t of its first lattice point
+  float from;
+  float to;
+  float x[kGroup + 1];  // values, table positions
 };
+
+float timeIn(Group group, Walk walk, int i) { return clamp(group.lattice + float(i) * walk.dt, group.from, group.to); }
 
 Group groupAt(Walk walk, float lattice, float from, float to) {
   Group group;
-  for (int i = 0; i < 5; ++i) {
-    group.t[i] = clamp(lattice + float(i) * walk.dt, from, to);
-#if LABELS == 2
-    group.x[i] = 0.0;
-#else
-    group.x[i] = tableAt(texAt(walk, group.t[i]));
+  group.lattice = lattice;
+  group.from = from;
+  group.to = to;
+#if LABELS != 2
+  for (int i = 0; i <= kGroup; ++i) group.x[i] = tableAt(texAt(walk, timeIn(group, walk, i)));
 #endif
-  }
   return group;
 }
 
 /// False when the group holds no material. May err on the other side.
-bool mayShow(Group group, Ray ray) {
+bool mayShow(Group group, Walk walk, Ray ray) {
 #if LABELS == 2
   bool shows = false;
-  for (int i = 0; i < 4; ++i) shows = shows || labelMaterial(ray.origin + 0.5 * (group.t[i] + group.t[i + 1]) * ray.direction).a > 0.35;
+  for (int i = 0; i < kGroup; ++i) {
+    float middle = 0.5 * (timeIn(group, walk, i) + timeIn(group, walk, i + 1));
+    shows = shows || labelMaterial(ray.origin + middle * ray.direction).a > 0.35;
+  }
   return shows;
 #else
-  float low = min(min(min(group.x[0], group.x[1]), min(group.x[2], group.x[3])), group.x[4]);
-  float high = max(max(max(group.x[0], group.x[1]), max(group.x[2], group.x[3])), group.x[4]);
+  float low = group.x[0];
+  float high = group.x[0];
+  for (int i = 1; i <= kGroup; ++i) {
+    low = min(low, group.x[i]);
+    high = max(high, group.x[i]);
+  }
   return high >= frame.tableScale.y && low < frame.tableScale.z;
 #endif
 }
 
-float depthOf(Group group, int i, Ray ray) {
+float depthOf(Group group, int i, Walk walk, Ray ray) {
+  float t0 = timeIn(group, walk, i);
+  float t1 = timeIn(group, walk, i + 1);
 #if LABELS == 2
-  float sigma = labelExtinction(ray.origin + 0.5 * (group.t[i] + group.t[i + 1]) * ray.direction);
+  return labelExtinction(ray.origin + 0.5 * (t0 + t1) * ray.direction) * (t1 - t0);
 #else
-  float sigma = extinctionBetween(group.x[i], group.x[i + 1]);
+  return extinctionBetween(group.x[i], group.x[i + 1]) * (t1 - t0);
 #endif
-  return sigma * (group.t[i + 1] - group.t[i]);
 }
+
+/// One of eight by selections: what is indexed by a variable would have to lie in memory.
+float oneOf(float v0, float v1, float v2, float v3, float v4, float v5, float v6, float v7, int i) {
+  bool odd = (i & 1) != 0;
+  float a = odd ? v1 : v0;
+  float b = odd ? v3 : v2;
+  float c = odd ? v5 : v4;
+  float d = odd ? v7 : v6;
+  bool second = (i & 2) != 0;
+  a = second ? b : a;
+  c = second ? d : c;
+  return (i & 4) != 0 ? c : a;
+}
+
+/// Optical depth below which segments are shaded together: what hides less than this share of what is behind it needs no
+/// gradient at every half voxel.
+const float kThin = 0.08;
 
 /// Composites one stretch, front to back; a < b. Rays of a SIMD group go in step, and a software driver runs both sides of
 /// every branch and every loop once more than it is needed when the condition stands at its head. So each kind of work has
 /// a loop of its own, with the condition at its foot, in which nearly all rays have something to do: leaping over empty
-/// cells; fetching groups of samples until one holds material; shading its segments. Thin material is shaded a group at a
-/// time: what hides less than a tenth of what is behind it needs no gradient at every half voxel. Groups and leaps keep to
+/// cells; fetching groups of samples until one holds material; shading its segments, thin ones by
+/// the half group or the whole. Groups and leaps keep to
 /// the same lattice, so leaping changes no picture. A ray that has left a loop is still computed, though not stored, while
 /// others go on, and Mesa 22 takes what it computes last as the value after the loop: so nothing that is used after a loop
 /// may change when its last turn is repeated.
@@ -271,7 +300,7 @@ void marchStretch(inout Hit hit, Ray ray, Walk walk, float a, float b, int face,
     if (cuts[face].kind.y == 1) addSliceFace(hit, ray, a, face);
   }
   float cutoff = hasFlag(kFlagStopOpaque) ? frame.step.y : 2.0;
-  float groupMm = 4.0 * walk.dt;
+  float groupMm = float(kGroup) * walk.dt;
   float perGroup = 1.0 / groupMm;
   float t = a;
   do {
@@ -291,27 +320,37 @@ void marchStretch(inout Hit hit, Ray ray, Walk walk, float a, float b, int face,
           t = leaping ? target : t;
         } while (leaping && t < b);
       }
-      float lattice = walk.first + floor((t - walk.first) * perGroup + 1e-4) * groupMm;
-      group = groupAt(walk, lattice, t, b);
-      found = mayShow(group, ray);
-      end = max(group.t[4], t + 1e-5 * walk.dt);
+      group = groupAt(walk, walk.first + floor((t - walk.first) * perGroup + 1e-4) * groupMm, t, b);
+      found = mayShow(group, walk, ray);
+      end = max(timeIn(group, walk, kGroup), t + 1e-5 * walk.dt);
       t = found ? t : end;
     } while (!found && t < b);
     t = end;
-    float d0 = depthOf(group, 0, ray);
-    float d1 = depthOf(group, 1, ray);
-    float d2 = depthOf(group, 2, ray);
-    float d3 = depthOf(group, 3, ray);
-    float together = d0 + d1 + d2 + d3;
-    bool merge = LABELS == 0 && together < 0.1;
-    uint marks = (d0 > 0.0 ? 1u : 0u) | (d1 > 0.0 ? 2u : 0u) | (d2 > 0.0 ? 4u : 0u) | (d3 > 0.0 ? 8u : 0u);
-    marks = found ? merge && marks != 0u ? 1u : marks : 0u;
+    float d[kGroup];
+    uint marks = 0u;
+    for (int i = 0; i < kGroup; ++i) {
+      d[i] = depthOf(group, i, walk, ray);
+      marks |= found && d[i] > 0.0 ? 1u << i : 0u;
+    }
+    float nearHalf = d[0] + d[1] + d[2] + d[3];
+    float farHalf = d[4] + d[5] + d[6] + d[7];
+    bool isThin = LABELS == 0 && nearHalf + farHalf < kThin;
+    bool isNearThin = LABELS == 0 && nearHalf < kThin;
+    bool isFarThin = LABELS == 0 && farHalf < kThin;
+    marks = isNearThin && (marks & 15u) != 0u ? marks & ~15u | 1u : marks;
+    marks = isFarThin && (marks & 240u) != 0u ? marks & ~240u | 16u : marks;
+    marks = isThin && marks != 0u ? 1u : marks;
     do {
-      Segment segment = Segment(group.t[0], group.t[1], group.x[0], group.x[1], d0);
-      if ((marks & 1u) == 0u) segment = Segment(group.t[1], group.t[2], group.x[1], group.x[2], d1);
-      if ((marks & 3u) == 0u) segment = Segment(group.t[2], group.t[3], group.x[2], group.x[3], d2);
-      if ((marks & 7u) == 0u) segment = Segment(group.t[3], group.t[4], group.x[3], group.x[4], d3);
-      if (merge) segment = Segment(group.t[0], group.t[4], group.x[0], group.x[4], together);
+      int n = max(findLSB(marks), 0);
+      bool isHalf = n < 4 ? isNearThin : isFarThin;
+      int count = isThin ? kGroup : isHalf ? 4 : 1;
+      float depth = oneOf(d[0], d[1], d[2], d[3], d[4], d[5], d[6], d[7], n);
+      depth = isHalf ? n < 4 ? nearHalf : farHalf : depth;
+      depth = isThin ? nearHalf + farHalf : depth;
+      int m = n + count - 1;
+      float x0 = oneOf(group.x[0], group.x[1], group.x[2], group.x[3], group.x[4], group.x[5], group.x[6], group.x[7], n);
+      float x1 = oneOf(group.x[1], group.x[2], group.x[3], group.x[4], group.x[5], group.x[6], group.x[7], group.x[8], m);
+      Segment segment = Segment(timeIn(group, walk, n), timeIn(group, walk, m + 1), x0, x1, depth);
       if (marks != 0u) addSegment(hit, ray, walk, segment, faceT, faceNormal, exemptOnly);
       marks &= marks - 1u;
     } while (marks != 0u && hit.color.a < cutoff);

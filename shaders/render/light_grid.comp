@@ -5,9 +5,9 @@ layout(local_size_x = 4, local_size_y = 4, local_size_z = 4) in;
 #include "common/frame.glsl"
 
 layout(binding = kLightUnit) uniform sampler3D extinctionTexture;
-layout(binding = 0, rg8) uniform writeonly image3D lightImage;
+layout(binding = 0, rg8) uniform image3D lightImage;
 
-layout(location = 0) uniform ivec4 slice;      // x: first z
+layout(location = 0) uniform ivec4 slice;      // x: first z; y: 1 keeps the openness, which no turn of the light changes
 layout(location = 1) uniform vec4 keyTex;      // xyz: step of one cell size towards the key light, in grid texture coordinates
 layout(location = 2) uniform vec4 reach;       // x: cells of occlusion reach; y: cell size mm
 layout(location = 3) uniform vec4 cellTex;     // xyz: one cell size along each texture axis, in grid texture coordinates
@@ -18,11 +18,11 @@ float extinctionAt(vec3 tex) {
 }
 
 /// Transmittance towards the key light; steps grow, so that a far blocker costs no more than a near one.
-float shadowAt(vec3 tex) {
+float shadowAt(vec3 tex, int steps) {
   float depth = 0.0;
   float at = 1.5;
   float step_ = 1.0;
-  for (int i = 0; i < 40; ++i) {
+  for (int i = 0; i < steps; ++i) {
     vec3 p = tex + at * keyTex.xyz;
     if (any(lessThan(p, vec3(0.0))) || any(greaterThan(p, vec3(1.0))) || depth > 5.0) break;
     depth += extinctionAt(p) * step_ * reach.y;
@@ -33,9 +33,9 @@ float shadowAt(vec3 tex) {
 }
 
 /// Mean transmittance to the occlusion reach over 14 directions (faces and corners of a cube).
-float opennessAt(vec3 tex) {
+float opennessAt(vec3 tex, int directions) {
   float sum = 0.0;
-  for (int i = 0; i < 14; ++i) {
+  for (int i = 0; i < directions; ++i) {
     vec3 d = i < 6 ? vec3(i >> 1 == 0, i >> 1 == 1, i >> 1 == 2) * ((i & 1) == 0 ? 1.0 : -1.0)
                    : (vec3((i - 6) & 1, (i - 6) >> 1 & 1, (i - 6) >> 2) * 2.0 - 1.0) * 0.57735;
     float depth = 0.0;
@@ -53,7 +53,12 @@ void main() {
   vec3 tex = (vec3(cell) + 0.5) / vec3(grid);
   float near = 0.0;
   for (int i = 0; i < 8; ++i) near += extinctionAt(tex + (vec3(i & 1, i >> 1 & 1, i >> 2) * 2.0 - 1.0) * 1.6 / vec3(grid));
-  vec2 light = vec2(1.0);
-  if (near > 0.0) light = vec2(frame.key.w > 0.0 ? shadowAt(tex) : 1.0, frame.hemisphere.w > 0.0 ? opennessAt(tex) : 1.0);
-  imageStore(lightImage, cell, vec4(light, 0.0, 0.0));
+  // Counts of 0 instead of branches: a software driver runs both sides of a branch, but leaves a loop early.
+  bool isShadowed = near > 0.0 && frame.key.w > 0.0;
+  bool isOccluded = near > 0.0 && frame.hemisphere.w > 0.0;
+  bool isKept = slice.y != 0;
+  float shadow = shadowAt(tex, isShadowed ? 40 : 0);
+  float openness = opennessAt(tex, isOccluded && !isKept ? 14 : 0);
+  openness = isKept ? imageLoad(lightImage, cell).g : isOccluded ? openness : 1.0;
+  imageStore(lightImage, cell, vec4(shadow, openness, 0.0, 0.0));
 }

@@ -335,8 +335,8 @@ void marchStretch(inout Hit hit, Ray ray, Walk walk, float a, float b, int face,
     float nearHalf = d[0] + d[1] + d[2] + d[3];
     float farHalf = d[4] + d[5] + d[6] + d[7];
     bool isThin = LABELS == 0 && nearHalf + farHalf < kThin;
-    bool isNearThin = LABELS == 0 && nearHalf < kThin;
-    bool isFarThin = LABELS == 0 && farHalf < kThin;
+    bool isNearThin = LABELS == 0 && nearHalf < 2.0 * kThin;
+    bool isFarThin = LABELS == 0 && farHalf < 2.0 * kThin;
     marks = isNearThin && (marks & 15u) != 0u ? marks & ~15u | 1u : marks;
     marks = isFarThin && (marks & 240u) != 0u ? marks & ~240u | 16u : marks;
     marks = isThin && marks != 0u ? 1u : marks;

@@ -111,6 +111,7 @@ struct Renderer::Impl {
   std::optional<scene::Scene> extinctionScene;  ///< What the light grid's material was made for.
   glm::dvec3 lightDirection{0.0};
   glm::dvec4 lightOptions{0.0};
+  bool hasOpenness = false;  ///< The light grid's openness is complete for extinctionScene and lightOptions.
   // What a frame binds.
   gpu::UniformBuffer<shared::FrameParams> frameBlock;
   FrameGrid grid;
@@ -359,6 +360,8 @@ void Renderer::Impl::addLightSteps() {
   bool sameMaterial = extinctionScene && *extinctionScene == key;
   bool sameLight = sameMaterial && glm::length(direction - lightDirection) < 1e-6 && options == lightOptions;
   if (sameLight) return;
+  bool keepOpenness = sameMaterial && hasOpenness && options == lightOptions;
+  hasOpenness = keepOpenness;
   lightDirection = glm::dvec3(0.0);  // a frame that is given up half way leaves a grid that serves no direction
   constexpr int kLayers = 4;
   glm::mat4 fromTex = sceneFromTex();
@@ -381,13 +384,14 @@ void Renderer::Impl::addLightSteps() {
   }
   double reach = lighting.occlusionRadius * diameter / light->cellMm();
   for (int z = 0; z < light->size().z; z += kLayers)
-    steps.push_back({"Light", [this, z, keyTex, cellTex, reach] {
-                       light->light(z, std::min(light->size().z, z + kLayers), keyTex, cellTex, reach);
+    steps.push_back({"Light", [this, z, keyTex, cellTex, reach, keepOpenness] {
+                       light->light(z, std::min(light->size().z, z + kLayers), keyTex, cellTex, reach, keepOpenness);
                        light->map().bindSampler(shared::kLightUnit);
                        return true;
                      }});
   steps.push_back({"Light", [this, key, direction, options] {
                      extinctionScene = key;
+                     hasOpenness = true;
                      lightDirection = direction;
                      lightOptions = options;
                      return true;

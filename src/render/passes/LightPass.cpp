@@ -19,7 +19,7 @@ void LightPass::resize(glm::dvec3 edges, int longest) {
   glm::ivec3 size = glm::clamp(glm::ivec3(edges / mCellMm + 0.5), glm::ivec3(1), glm::ivec3(longest));
   if (size == mSize) return;
   mSize = size;
-  mExtinction = gpu::Texture::make3d("light extinction", gpu::Format::R16f, size);
+  mExtinction = gpu::Texture::make3d("light extinction", gpu::Format::R32f, size);
   mLight = gpu::Texture::make3d("light grid", gpu::Format::Rg8, size);
 }
 
@@ -32,13 +32,13 @@ void LightPass::extinction(int z0, int z1, const glm::mat4& sceneFromTex) {
   gpu::barrier();
 }
 
-void LightPass::light(int z0, int z1, glm::vec3 keyTex, glm::vec3 cellTex, double reachCells) {
-  mLightProgram.set(0, glm::ivec4(z0, 0, 0, 0));
+void LightPass::light(int z0, int z1, glm::vec3 keyTex, glm::vec3 cellTex, double reachCells, bool keepOpenness) {
+  mLightProgram.set(0, glm::ivec4(z0, keepOpenness ? 1 : 0, 0, 0));
   mLightProgram.set(1, glm::vec4(keyTex, 0.0f));
   mLightProgram.set(2, glm::vec4(float(reachCells), float(mCellMm), 0.0f, 0.0f));
   mLightProgram.set(3, glm::vec4(cellTex, 0.0f));
   mExtinction.bindSampler(shared::kLightUnit);
-  mLight.bindImage(0, gpu::Access::Write);
+  mLight.bindImage(0, gpu::Access::ReadWrite);
   gpu::dispatch(mLightProgram, (glm::ivec3(mSize.x, mSize.y, z1 - z0) + 3) / 4);
   gpu::barrier();
 }

@@ -18,8 +18,9 @@ class LightPass {
   double cellMm() const { return mCellMm; }
   /// @param sceneFromTex  for the cells' positions. Layers z0..z1
   void extinction(int z0, int z1, const glm::mat4& sceneFromTex);
-  /// @param keyTex  one cell size towards the light in grid texture coordinates; reachCells: occlusion reach
-  void light(int z0, int z1, glm::vec3 keyTex, glm::vec3 cellTex, double reachCells);
+  /// @param keyTex  one cell size towards the light in grid texture coordinates; reachCells: occlusion reach;
+  ///                keepOpenness: the light alone has turned
+  void light(int z0, int z1, glm::vec3 keyTex, glm::vec3 cellTex, double reachCells, bool keepOpenness);
   const gpu::Texture& map() const { return mLight; }
 
  private:

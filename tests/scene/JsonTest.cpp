@@ -250,5 +250,32 @@ TEST(FieldTable, CoversEveryLeafOnce) {
   EXPECT_EQ(rows, leaves);
 }
 
+/// The table of docs/SCENE-FORMAT.md, a row a field.
+std::string markdownTable() {
+  std::string table = "| field | type | unit | range | default | meaning |\n|---|---|---|---|---|---|\n";
+  for (const FieldRow& row : fieldTable())
+    table += "| `" + row.path + "` | " + row.type + " | " + row.unit + " | " + row.range + " | `" + row.defaultValue +
+             "` | " + row.doc + " |\n";
+  return table;
+}
+
+TEST(FieldTable, TheTableInTheDocsIsThisOne) {
+  std::filesystem::path path = std::filesystem::path(VELUM_SOURCE_DIR) / "docs" / "SCENE-FORMAT.md";
+  std::ifstream in(path, std::ios::binary);
+  std::string known((std::istreambuf_iterator<char>(in)), {});
+  const std::string begin = "<!-- fields -->\n", end = "<!-- end of fields -->\n";
+  std::size_t first = known.find(begin), last = known.find(end);
+  ASSERT_NE(first, std::string::npos) << path << " has no line " << begin;
+  ASSERT_NE(last, std::string::npos) << path << " has no line " << end;
+  first += begin.size();
+  ASSERT_LE(first, last) << path;
+  std::string now = known.substr(0, first) + markdownTable() + known.substr(last);
+  if (known == now) return;
+  std::string beside = path.string() + ".new";
+  std::ofstream(beside, std::ios::binary) << now;
+  FAIL() << "the scene format has changed; look at the difference, then accept it with\n  mv " << beside << " "
+         << path.string();
+}
+
 }  // namespace
 }  // namespace velum::scene

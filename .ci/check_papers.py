@@ -1,0 +1,30 @@
+#!/usr/bin/env python3
+"""Fails when a comment cites a paper, as in "[IMC] fig. 5", that the table in docs/PAPERS.md does not define."""
+import pathlib
+import re
+import sys
+
+KEY = r"\[([A-Z][A-Z0-9-]+)\]"
+SOURCES = {"include": "h", "src": "h cpp", "shaders": "h glsl comp vert frag", "tests": "h cpp"}  # folder: endings
+
+
+def defined(root):
+    text = (root / "docs/PAPERS.md").read_text()
+    return set(re.findall(r"^\|\s*" + KEY + r"\s*\|", text, re.MULTILINE))
+
+
+def violations(root):
+    known = defined(root)
+    files = [f for folder, ends in SOURCES.items() for end in ends.split() for f in root.glob(f"{folder}/**/*.{end}")]
+    for path in sorted(files):
+        for number, line in enumerate(path.read_text(errors="replace").splitlines(), 1):
+            comment = re.search(r"//.*", line)
+            for key in re.findall(r"(?<!\w)" + KEY, comment[0] if comment else ""):
+                if key not in known:
+                    yield f"{path}:{number}: [{key}] is not in docs/PAPERS.md"
+
+
+if __name__ == "__main__":
+    found = list(violations(pathlib.Path(sys.argv[1])))
+    print("\n".join(found) or "papers ok")
+    sys.exit(bool(found))

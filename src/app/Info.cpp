@@ -7,6 +7,7 @@
 #include "velum/io/Formats.h"
 #include "velum/io/ReadVolume.h"
 #include "velum/scene/Presets.h"
+#include "velum/session/Open.h"
 
 namespace velum::app {
 
@@ -122,6 +123,12 @@ int run(const InfoOptions& options) {
     std::filesystem::path path(source.path);
     if (!std::filesystem::exists(path))
       throw InputError(fmt::format("{}: there is no such file or folder", source.path));
+    if (auto scene = session::readSceneText(path)) {
+      progress.report(1.0, "");
+      json = {{"kind", "scene"}, {"scene", Json::parse(*scene)}};
+      fmt::print("{}\n", json.dump(2));
+      return 0;
+    }
     std::string extension = path.extension().string();
     if (extension == ".stl" || extension == ".ply" || extension == ".obj" || extension == ".vtp")
       json = describe(io::readMesh(path, progress));

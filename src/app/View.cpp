@@ -116,8 +116,8 @@ int run(const ViewOptions& options) {
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-  GLFWwindow* window = glfwCreateWindow(size.x, size.y, fmt::format("Velum - {}", options.input.inputs.front()).c_str(),
-                                        nullptr, nullptr);
+  const auto& named = options.input.inputs.empty() ? options.input.labels : options.input.inputs.front();
+  GLFWwindow* window = glfwCreateWindow(size.x, size.y, fmt::format("Velum - {}", named).c_str(), nullptr, nullptr);
   if (!window) throw gpu::GpuError("view: the display offers no OpenGL 4.5 core context; use velum-batch render");
   glfwMakeContextCurrent(window);
   {

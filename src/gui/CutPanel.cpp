@@ -130,7 +130,7 @@ void CutPanel::snapTo(glm::dvec3 axis) {
   editSelected("Align cut", [&](scene::Cut& cut) {
     cut.centreMm = session::makeCutGizmo(scene, cut, {100, 100}).centreMm;
     cut.axis = axis;
-    cut.invert = false;
+    if (cut.shape == scene::CutShape::Plane) cut.invert = false;
   });
 }
 

@@ -114,7 +114,6 @@ void GizmoOverlay::paintEvent(QPaintEvent*) {
   const scene::Scene& scene = mDocument.scene();
   if (mCut < 0 || mCut >= int(scene.cuts.size())) return;
   const scene::Cut& cut = scene.cuts[std::size_t(mCut)];
-  if (cut.shape != scene::CutShape::Plane) return;
   glm::dvec2 size(std::max(1, width()), std::max(1, height()));
   session::CutGizmo gizmo = session::makeCutGizmo(scene, cut, size);
   Projector project(scene.camera, size);
@@ -125,6 +124,9 @@ void GizmoOverlay::paintEvent(QPaintEvent*) {
     painter.fillPath(outline, QColor(kHandle.red(), kHandle.green(), kHandle.blue(), 14));
     strokeTwice(painter, outline, QColor(kHandle.red(), kHandle.green(), kHandle.blue(), 200), 1.3);
   }
+  for (const auto& edge : gizmo.edgesMm)
+    if (QPainterPath line = project.ring(edge); !line.isEmpty())
+      strokeTwice(painter, line, QColor(kHandle.red(), kHandle.green(), kHandle.blue(), 200), 1.3);
   if (QPainterPath ring = project.ring(circlePoints(gizmo)); !ring.isEmpty())
     strokeTwice(painter, ring, QColor(255, 236, 210, 210), 1.6);
   auto foot = project(gizmo.centreMm), tip = project(gizmo.arrowTipMm);

@@ -212,7 +212,7 @@ void MainWindow::takeScene(scene::Scene scene, bool add, const QString& path) {
     for (const auto& line : scene.volume.data->warnings)
       warning += (warning.isEmpty() ? "" : "; ") + QString::fromStdString(line);
   mDocument.replace(std::move(scene));
-  if (!isScene) mViewport->lookFrom(scene::StandardView::Anterior);
+  if (!isScene) mViewport->lookFrom(scene::defaultView(mDocument.scene()));
   mViewport->setFocus();
   if (!warning.isEmpty()) mMessages->showNote(tr("%1: %2").arg(pathName(path), warning));
 }

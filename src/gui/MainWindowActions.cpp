@@ -57,9 +57,11 @@ void MainWindow::buildActions() {
   QAction* beside = add(file, tr("&Add labels or surfaces..."), QKeySequence("Ctrl+Alt+O"),
                         tr("Open beside what is open"), [this] { askOpen(true); });
   QMenu* phantoms = file->addMenu(tr("Make a &phantom"));
-  for (const char* name : {"torso", "vessels", "two-spheres", "neurons", "ultrasound", "seismic"})
+  for (const auto& sample : session::sampleNames()) {
+    auto name = QString::fromStdString(sample);
     connect(phantoms->addAction(QString(name).replace('-', ' ')), &QAction::triggered, this,
             [this, name] { openPhantom(name, 0); });
+  }
   file->addSeparator();
   QAction* saveScene =
       add(file, tr("&Save scene"), QKeySequence::Save, tr("Save the scene"), [this] { askSaveScene(false); });
@@ -141,7 +143,7 @@ void MainWindow::buildViewActions(QMenu* menu, QToolBar* bar) {
   reset->setIconText(tr("Reset"));
   reset->setShortcut(QKeySequence("R"));
   setTip(reset, tr("See all of it from the front"));
-  connect(reset, &QAction::triggered, this, [this] { mViewport->lookFrom(scene::StandardView::Anterior); });
+  connect(reset, &QAction::triggered, this, [this] { mViewport->lookFrom(scene::defaultView(mDocument.scene())); });
   bar->addAction(mProjection);
   bar->addAction(reset);
   mNeedScene += {mProjection, reset};
@@ -190,7 +192,7 @@ void MainWindow::askSaveScene(bool asNew) {
 
 void MainWindow::showAbout() {
   QMessageBox::about(this, tr("About Velum"),
-                     tr("<h3>Velum %1</h3><p>Volumes and cell models, cut open the way illustrators do.</p>"
+                     tr("<h3>Velum %1</h3><p>Volumes, cut open the way illustrators do.</p>"
                         "<p><b>Not a medical device.</b> Do not use it for diagnosis or treatment.</p>")
                          .arg(VELUM_VERSION));
 }

@@ -65,7 +65,7 @@ SavePictureDialog::SavePictureDialog(glm::ivec2 viewSize, const scene::Scene& sc
   grid->addWidget(mSamples, 2, 1, Qt::AlignLeft);
   grid->addWidget(mTransparent, 3, 1);
   grid->addWidget(mLayers, 4, 1);
-  auto* note = new QLabel(tr("The scene rides inside the picture: open the picture to go on with it."), this);
+  auto* note = new QLabel(tr("PNG and EXR pictures carry the scene: open one to go on with it."), this);
   note->setProperty("role", "muted");
   grid->addWidget(note, 5, 0, 1, 2);
   auto* buttons = new QDialogButtonBox(this);

@@ -36,6 +36,16 @@ void takeScreenshot(velum::gui::MainWindow& window, const QString& path) {
   timer->start(100);
 }
 
+void describeOptions(QCommandLineParser& parser) {
+  parser.setApplicationDescription("Volumes, cut open the way illustrators do. Not a medical device.");
+  parser.addHelpOption();
+  parser.addVersionOption();
+  parser.addOption(
+      {"screenshot", "Save a picture of the window once it is complete, and leave.", "file"});
+  parser.addPositionalArgument("files", "What to open: a volume, then labels and surfaces; a folder; a scene.",
+                               "[files...]");
+}
+
 int run(int argc, char** argv) {
   QSurfaceFormat format;
   format.setVersion(4, 5);
@@ -50,18 +60,11 @@ int run(int argc, char** argv) {
   velum::gui::applyTheme(application);
 
   QCommandLineParser parser;
-  parser.setApplicationDescription("Volumes, cut open the way illustrators do. Not a medical device.");
-  parser.addHelpOption();
-  parser.addVersionOption();
-  QCommandLineOption screenshot("screenshot", "Save a picture of the window once it is complete, and leave.", "file");
-  parser.addOption(screenshot);
-  parser.addPositionalArgument("files", "What to open: a volume, then labels and surfaces; a folder; a scene.",
-                               "[files...]");
+  describeOptions(parser);
   if (!parser.parse(QApplication::arguments())) {
     fmt::print(stderr, "velum: {}; see velum --help\n", parser.errorText().toStdString());
     return static_cast<int>(velum::ExitCode::Usage);
   }
-  if (parser.isSet("help")) parser.showHelp();
   for (const QString& path : parser.positionalArguments())
     if (!QFileInfo::exists(path)) {
       fmt::print(stderr, "velum: {}: there is no such file or folder\n", path.toStdString());
@@ -71,19 +74,28 @@ int run(int argc, char** argv) {
   velum::gui::MainWindow window;
   window.show();
   window.openPaths(parser.positionalArguments());
-  if (parser.isSet(screenshot)) takeScreenshot(window, parser.value(screenshot));
+  if (parser.isSet("screenshot")) takeScreenshot(window, parser.value("screenshot"));
   return QApplication::exec();
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  // The version needs no display.
-  for (int i = 1; i < argc; ++i)
-    if (std::string_view(argv[i]) == "--version") {
+  // Version and help need no display.
+  for (int i = 1; i < argc; ++i) {
+    std::string_view word = argv[i];
+    if (word == "--version" || word == "-v") {
       fmt::print("velum {} (not a medical device)\n", VELUM_VERSION);
       return 0;
     }
+    if (word == "--help" || word == "-h") {
+      QCoreApplication application(argc, argv);
+      QCommandLineParser parser;
+      describeOptions(parser);
+      fmt::print("{}", parser.helpText().toStdString());
+      return 0;
+    }
+  }
   try {
     return run(argc, argv);
   } catch (const velum::Error& error) {

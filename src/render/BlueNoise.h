@@ -5,7 +5,7 @@ namespace velum::render {
 
 constexpr int kBlueNoiseSize = 64;
 
-/// A tile of blue noise, kBlueNoiseSize^2 ranks mapped to 0..1, by void and cluster (Ulichney 1993). Deterministic;
+/// A tile of blue noise, kBlueNoiseSize^2 ranks mapped to 0..1, by void and cluster [ULICHNEY]. Deterministic;
 /// about 50 ms.
 std::vector<float> makeBlueNoise();
 

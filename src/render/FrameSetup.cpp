@@ -154,7 +154,7 @@ shared::FrameParams makeFrameParams(const Frame& frame, const FrameGrid& grid, c
 }
 
 void setSample(shared::FrameParams& params, const Frame& frame, int sample) {
-  // R2: a well-spread sequence for any count. Sample 0 goes through the pixel's middle.
+  // [R2]: a well-spread sequence for any count. Sample 0 goes through the pixel's middle.
   double x = sample == 0 ? 0.5 : std::fmod(0.5 + 0.7548776662466927 * sample, 1.0);
   double y = sample == 0 ? 0.5 : std::fmod(0.5 + 0.5698402909980532 * sample, 1.0);
   glm::dvec2 shift(x - 0.5, y - 0.5);

@@ -50,7 +50,7 @@ Look lookOf(std::string_view name) {
     look.opacities = {{130, 0}, {220, 0.25}, {360, 0.75}, {700, 0.95}};
     look.windowLevel = 400, look.windowWidth = 1800;
   } else if (name == "ct-skin") {
-    look.colors = {{-600, kSkin}, {-150, kSkin}, {50, kFlesh}, {250, kIvory}, {1000, kBone}};
+    look.colors = {{-600, kSkin}, {120, kSkin}, {260, kIvory}, {1000, kBone}};
     look.opacities = {{-550, 0}, {-350, 0.55}, {-150, 0.9}, {3000, 0.95}};
     look.windowLevel = 40, look.windowWidth = 400, look.specular = 0.18;
   } else if (name == "ct-skin-bone") {

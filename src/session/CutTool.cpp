@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+#include <numbers>
 
 #include "velum/scene/Project.h"
 
@@ -48,6 +49,54 @@ std::vector<glm::dvec3> planeInBox(const scene::Bounds& bounds, glm::dvec3 point
     return angle(p) < angle(q);
   });
   return points;
+}
+
+/// Edges of a box, rims and sides of a round shape, as closed lines.
+std::vector<std::vector<glm::dvec3>> edgesOf(const scene::Cut& cut) {
+  constexpr int kCorners = 48;
+  glm::dmat4 worldFromCut = scene::worldFromCut(cut);
+  glm::dvec3 half = cut.sizeMm * 0.5;
+  std::vector<std::vector<glm::dvec3>> edges;
+  auto add = [&](const std::vector<glm::dvec3>& local) {
+    auto& line = edges.emplace_back();
+    for (const auto& p : local) line.emplace_back(worldFromCut * glm::dvec4(p, 1.0));
+  };
+  auto circle = [&](int axis, double along, double radius) {
+    std::vector<glm::dvec3> points(kCorners);
+    for (int i = 0; i < kCorners; ++i) {
+      double a = 2.0 * std::numbers::pi * i / kCorners;
+      points[std::size_t(i)][axis] = along;
+      points[std::size_t(i)][(axis + 1) % 3] = radius * std::cos(a);
+      points[std::size_t(i)][(axis + 2) % 3] = radius * std::sin(a);
+    }
+    return points;
+  };
+  constexpr glm::dvec2 kSides[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+  constexpr glm::dvec2 kBoxSides[] = {{1, 1}, {-1, 1}, {-1, -1}, {1, -1}};
+  switch (cut.shape) {
+    case scene::CutShape::Plane:
+      break;
+    case scene::CutShape::Box:
+      for (double z : {-half.z, half.z}) {
+        std::vector<glm::dvec3> rim;
+        for (glm::dvec2 s : kBoxSides) rim.emplace_back(s * glm::dvec2(half), z);
+        add(rim);
+      }
+      for (glm::dvec2 s : kBoxSides) add({{s * glm::dvec2(half), -half.z}, {s * glm::dvec2(half), half.z}});
+      break;
+    case scene::CutShape::Sphere:
+      for (int axis = 0; axis < 3; ++axis) add(circle(axis, 0, half.x));
+      break;
+    case scene::CutShape::Cylinder:
+      for (double z : {-half.z, half.z}) add(circle(2, z, half.x));
+      for (glm::dvec2 s : kSides) add({{s * half.x, -half.z}, {s * half.x, half.z}});
+      break;
+    case scene::CutShape::Cone:
+      add(circle(2, 2.0 * half.z, half.x));
+      for (glm::dvec2 s : kSides) add({glm::dvec3(0.0), {s * half.x, 2.0 * half.z}});
+      break;
+  }
+  return edges;
 }
 
 double distanceToSegment(glm::dvec2 p, glm::dvec2 a, glm::dvec2 b) {
@@ -101,7 +150,8 @@ double tiltAngle(const CutGizmo& gizmo, glm::dvec3 knob, const scene::Camera& ca
 
 CutGizmo makeCutGizmo(const scene::Scene& scene, const scene::Cut& cut, glm::dvec2 pictureSize) {
   CutGizmo gizmo;
-  gizmo.normal = unitAxis(cut) * (cut.invert ? -1.0 : 1.0);
+  bool isPlane = cut.shape == scene::CutShape::Plane;
+  gizmo.normal = unitAxis(cut) * (isPlane && cut.invert ? -1.0 : 1.0);
   scene::CameraBasis basis = scene::cameraBasis(scene.camera);
   // The knobs stand to the right and to the top as far as the plane allows.
   glm::dvec3 right = basis.right - gizmo.normal * glm::dot(basis.right, gizmo.normal);
@@ -109,7 +159,9 @@ CutGizmo makeCutGizmo(const scene::Scene& scene, const scene::Cut& cut, glm::dve
   gizmo.right = glm::normalize(right);
   gizmo.top = glm::cross(gizmo.normal, gizmo.right);
   if (glm::dot(gizmo.top, basis.up) < 0) gizmo.top = -gizmo.top;
-  gizmo.outlineMm = planeInBox(scene::computeBounds(scene), cut.centreMm, gizmo.normal, gizmo.right, gizmo.top);
+  if (isPlane)
+    gizmo.outlineMm = planeInBox(scene::computeBounds(scene), cut.centreMm, gizmo.normal, gizmo.right, gizmo.top);
+  gizmo.edgesMm = edgesOf(cut);
   gizmo.centreMm = cut.centreMm;
   if (!gizmo.outlineMm.empty()) {
     gizmo.centreMm = glm::dvec3(0.0);

@@ -87,9 +87,12 @@ scene::Scene fromText(const std::string& text, const fs::path& file, Progress& p
 
 fs::path relativeTo(const std::string& path, const fs::path& folder) {
   if (path.empty()) return {};
+  fs::path whole = fs::absolute(path).lexically_normal(), base = fs::absolute(folder).lexically_normal();
+  // With nothing but the root in common the two do not travel together.
+  bool isNear = whole.has_parent_path() && *std::next(whole.begin()) == *std::next(base.begin());
   std::error_code error;
-  fs::path relative = fs::relative(fs::absolute(path), fs::absolute(folder), error);
-  return error || relative.empty() ? fs::absolute(path) : relative;
+  fs::path relative = isNear ? fs::relative(whole, base, error) : whole;
+  return error || relative.empty() ? whole : relative;
 }
 
 scene::Scene withRelativePaths(scene::Scene scene, const fs::path& folder) {
@@ -101,15 +104,19 @@ scene::Scene withRelativePaths(scene::Scene scene, const fs::path& folder) {
 
 }  // namespace
 
+std::optional<std::string> readSceneText(const fs::path& path) {
+  if (fs::is_directory(path)) return std::nullopt;
+  if (lowerExtension(path) == ".json") return readText(path);
+  if (!isPicture(path)) return std::nullopt;
+  std::string text = io::readImageDescription(path);
+  if (text.empty()) throw InputError(fmt::format("{}: the picture holds no scene of ours", path.string()));
+  return text;
+}
+
 scene::Scene open(const scene::Source& source, Progress& progress) {
   fs::path path(source.path);
   if (!fs::exists(path)) throw InputError(fmt::format("{}: there is no such file or folder", source.path));
-  if (lowerExtension(path) == ".json") return fromText(readText(path), path, progress);
-  if (!fs::is_directory(path) && isPicture(path)) {
-    std::string text = io::readImageDescription(path);
-    if (text.empty()) throw InputError(fmt::format("{}: the picture holds no scene of ours", source.path));
-    return fromText(text, path, progress);
-  }
+  if (auto text = readSceneText(path)) return fromText(*text, path, progress);
   scene::Scene scene;
   add(scene, source, progress);
   scene.camera = scene::frameCamera(scene, scene::defaultView(scene), 4.0 / 3.0);
@@ -213,6 +220,12 @@ std::vector<FileKind> readableKinds() {
   kinds.push_back({"Surface", {"*.stl", "*.ply", "*.obj", "*.vtp"}});
   kinds.push_back({"Picture with a scene", {"*.png", "*.exr"}});
   return kinds;
+}
+
+std::vector<std::string> sampleNames() {
+  std::vector<std::string> names;
+  for (const auto& sample : io::samples()) names.emplace_back(sample.name);
+  return names;
 }
 
 scene::Scene openSample(const std::string& name, int size, const fs::path& folder, Progress& progress) {

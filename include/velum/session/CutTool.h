@@ -9,17 +9,18 @@
 
 namespace velum::session {
 
-/// What can be taken hold of on a plane cut: its arrow moves it along the normal, a knob tilts it.
+/// What can be taken hold of on a cut: its arrow moves it along its axis, a knob tilts it.
 enum class CutHandle { None, Arrow, KnobRight, KnobTop, KnobLeft, KnobBottom };
 
-/// A plane cut as it is drawn over a picture. World, mm; sizes are constant in pixels.
+/// A cut as it is drawn over a picture. World, mm; sizes are constant in pixels.
 struct CutGizmo {
-  glm::dvec3 centreMm{0.0};  ///< middle of the outline, where the arrow stands
-  glm::dvec3 normal{0.0};    ///< unit, towards what is removed
+  glm::dvec3 centreMm{0.0};  ///< where the arrow stands: middle of a plane's outline, a shape's own centre
+  glm::dvec3 normal{0.0};    ///< unit; of a plane: towards what is removed
   glm::dvec3 arrowTipMm{0.0};
   double radiusMm = 0;                ///< of the ring that the knobs sit on
   glm::dvec3 right{0.0}, top{0.0};    ///< unit, in the plane, towards the first two knobs
-  std::vector<glm::dvec3> outlineMm;  ///< the plane inside the scene's box: a convex polygon, empty when it misses
+  std::vector<glm::dvec3> outlineMm;  ///< a plane inside the scene's box: a convex polygon, empty when it misses
+  std::vector<std::vector<glm::dvec3>> edgesMm;  ///< closed lines of a shape that is no plane
 };
 
 CutGizmo makeCutGizmo(const scene::Scene& scene, const scene::Cut& cut, glm::dvec2 pictureSize);

@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,10 @@ namespace velum::session {
 /// @param source  first input: path and how to read it
 /// @throw InputError, Cancelled. Any thread.
 scene::Scene open(const scene::Source& source, Progress& progress);
+
+/// The scene in a scene file or in a picture of ours, as text without its data; nothing for other files.
+/// @throw InputError when it is damaged
+std::optional<std::string> readSceneText(const std::filesystem::path& path);
 
 /// Adds another input to a scene: labels beside the volume, a surface, or, where the scene has no volume yet, a volume.
 void add(scene::Scene& scene, const scene::Source& source, Progress& progress);
@@ -28,7 +33,8 @@ scene::Scene openAll(std::vector<std::string> paths, Progress& progress);
 /// Reads the data that the scene names and does not hold yet. Paths are taken relative to `folder`.
 void loadData(scene::Scene& scene, const std::filesystem::path& folder, Progress& progress);
 
-/// Writes a scene file: to a temporary beside it, synced, then renamed. Paths become relative to the file's folder.
+/// Writes a scene file: to a temporary beside it, synced, then renamed. Paths become relative to the file's folder,
+/// except where nothing but the root is common to both.
 /// @throw InputError when the disk refuses
 void saveScene(const scene::Scene& scene, const std::filesystem::path& path);
 
@@ -42,6 +48,9 @@ struct FileKind {
 };
 /// Scenes, volumes, surfaces, pictures of ours, in the order of menus.
 std::vector<FileKind> readableKinds();
+
+/// The phantoms that openSample() makes.
+std::vector<std::string> sampleNames();
 
 /// Writes a phantom and its labels into a folder and opens both, so that the scene can be saved like any other.
 /// @param name  two-spheres, vessels, torso, seismic, neurons, ultrasound

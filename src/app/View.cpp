@@ -123,7 +123,7 @@ int run(const ViewOptions& options) {
   {
     auto context =
         gpu::Context::adopt([](const char* name) { return reinterpret_cast<void*>(glfwGetProcAddress(name)); });
-    render::Renderer fine(*context), coarse(*context);
+    render::Renderer renderer(*context);
     glfwSetWindowUserPointer(window, &viewer);
     glfwSetCursorPosCallback(window, onCursor);
     glfwSetScrollCallback(window, onScroll);
@@ -144,13 +144,14 @@ int run(const ViewOptions& options) {
         done = false;
         frame.pictureSize /= 4;
         frame.stepFactor = 2.0;
+        frame.isPreview = true;
         frame.scene.rayCast.samplesPerPixel = 1;
-        coarse.render(frame, consoleProgress());
-        coarse.present(0, windowSize);
+        renderer.render(frame, consoleProgress());
+        renderer.present(0, windowSize);
       } else {
-        done = fine.work(frame, 30.0);
-        if (fine.stats().samples < 1) continue;
-        fine.present(0, windowSize);
+        done = renderer.work(frame, 30.0);
+        if (renderer.stats().samples < 1) continue;
+        renderer.present(0, windowSize);
       }
       glfwSwapBuffers(window);
     }

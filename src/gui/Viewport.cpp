@@ -19,18 +19,6 @@ constexpr double kCoarseTargetMs = 50.0;  // leaves room for tables and light un
 constexpr double kLargestScale = 12.0;
 constexpr int kShowMs = 150;  // how often a growing picture is shown: showing costs a pass over it
 
-glm::dmat3 worldFromCamera(const scene::Camera& camera) {
-  scene::CameraBasis basis = scene::cameraBasis(camera);
-  return {basis.right, basis.up, -basis.forward};
-}
-
-/// True when the light grid of one scene serves the other. The cameras are the caller's business.
-bool sameLitContent(scene::Scene a, const scene::Scene& b) {
-  a.background = b.background;
-  a.rayCast.samplesPerPixel = b.rayCast.samplesPerPixel;
-  return a == b;
-}
-
 }  // namespace
 
 Viewport::Viewport(session::Document& document, QWidget* parent)
@@ -62,7 +50,6 @@ void Viewport::initializeGL() {
     mRenderer = std::make_unique<render::Renderer>(*mContext);
     bool isSoftware = mContext->limits().isSoftware;
     if (mCoarseScale == 0) mCoarseScale = isSoftware ? 6.0 : 1.5;
-    if (isSoftware) mLightMs = 1000.0;  // until it is measured
     sceneChanged();
   } catch (const Error& error) {
     mContext.reset();
@@ -140,24 +127,7 @@ void Viewport::begin(Stage stage) {
   if (stage != Stage::Full) mFrame.scene.rayCast.samplesPerPixel = 1;
   if (stage == Stage::Coarse) {
     mFrame.stepFactor = 2.0;
-    lightCoarsely(mFrame.scene);
-  } else {
-    mRest.reset();  // its grid is on the way out until this stage has shown something
-  }
-}
-
-/// Shadows and occlusion come from a light grid, which is costly to renew, and the key light goes with the camera. So
-/// while only the camera moves the light stays where it was in the world when the picture last rested, and that grid
-/// serves on; where the grid would have to be renewed and that is slow, the coarse picture does without.
-void Viewport::lightCoarsely(scene::Scene& scene) const {
-  scene::Scene rest = mRest.value_or(scene::Scene());
-  scene::Camera restCamera = rest.camera;
-  rest.camera = scene.camera;
-  if (mRest && sameLitContent(rest, scene)) {
-    glm::dvec3 world = worldFromCamera(restCamera) * scene.lighting.keyDirection;
-    scene.lighting.keyDirection = glm::transpose(worldFromCamera(scene.camera)) * world;
-  } else if (mLightMs > kCoarseTargetMs) {
-    scene.lighting.shadow = scene.lighting.occlusion = 0;
+    mFrame.isPreview = true;
   }
 }
 
@@ -184,14 +154,13 @@ void Viewport::slice() {
 void Viewport::show() {
   if (!mShown) return;
   mHasPicture = true;
-  if (mStage != Stage::Coarse) mRest = mFrame.scene;
   mRenderer->present(mShown->handle(), {mShown->width(), mShown->height()});
   mSinceShown.restart();
   update();
 }
 
 void Viewport::finishStage() {
-  learnCosts();
+  adaptCoarseScale();
   if (mPending) return begin(Stage::Coarse);
   if (mStage == Stage::Half) return begin(Stage::Full);
   mSliceTimer.stop();
@@ -203,9 +172,8 @@ void Viewport::finishStage() {
   pickUnderPointer();
 }
 
-void Viewport::learnCosts() {
+void Viewport::adaptCoarseScale() {
   const auto& passes = mRenderer->stats().passesMs;
-  if (auto light = passes.find("Light"); light != passes.end()) mLightMs = light->second;
   auto found = passes.find("RayCast");
   if (mStage != Stage::Coarse || found == passes.end()) return;
   double ms = found->second;

@@ -69,8 +69,7 @@ class Viewport : public QOpenGLWidget {
   void begin(Stage stage);
   void finishStage();
   void show();
-  void learnCosts();
-  void lightCoarsely(scene::Scene& scene) const;
+  void adaptCoarseScale();
   void tellProgress();
   void pickUnderPointer();
   void dragCamera(glm::dvec2 from, glm::dvec2 to);
@@ -89,9 +88,7 @@ class Viewport : public QOpenGLWidget {
   Stage mStage = Stage::Idle;
   bool mPending = true;               ///< The scene has changed since mFrame was made.
   bool mHasPicture = false;           ///< mFrame has a complete sample, so that it can be picked from.
-  double mLightMs = 0;                ///< What it cost to renew the light grid last.
   double mCoarseScale = 0;            ///< Device pixels to one pixel of a coarse picture; 0: not known yet.
-  std::optional<scene::Scene> mRest;  ///< The scene that the light grid was made for; nothing while it is unfinished.
   QTimer mSliceTimer, mRestTimer, mPickTimer;
   QElapsedTimer mSinceShown;
   // Pointer.

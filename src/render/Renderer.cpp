@@ -29,6 +29,8 @@ double msSince(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
+constexpr int kQuickTexels = 96;  // along the longest side: under 30 ms on two cores
+
 /// One piece of a frame's work, meant to take well under 50 ms; returns false when it wants to be called again.
 struct Step {
   const char* pass;
@@ -97,9 +99,16 @@ struct Renderer::Impl {
     int channel = 0, frame = 0;
     bool operator==(const VolumeKey&) const = default;
   } volumeKey, uploadKey;
-  std::optional<GpuVolume> volume;
+  std::optional<GpuVolume> whole;
   std::unique_ptr<VolumeUpload> upload;
-  std::pair<std::uint64_t, std::uint64_t> labelKey{0, 0};
+  VolumeKey quickKey;
+  std::optional<GpuVolume> quick;  ///< A small copy of a volume, for previews until the whole is there.
+  GpuVolume* volume = nullptr;     ///< The one that the frame draws.
+  struct LabelKey {
+    std::uint64_t id = 0, volume = 0;
+    glm::ivec3 dims{0};  ///< of the grid
+    bool operator==(const LabelKey&) const = default;
+  } labelKey;
   std::optional<GpuLabels> labels;
   std::map<std::string, gpu::Program> rayPrograms;
   std::map<std::string, LightPass> lightPasses;
@@ -131,6 +140,8 @@ struct Renderer::Impl {
   void begin(const Frame& next);
   void addUploadSteps();
   void addLightSteps();
+  void keepLight();
+  GpuVolume* drawnVolume();
   void addTileSteps();
   void castTile(glm::ivec4 rect);
   Hit hitAt(glm::ivec2 pixel, glm::vec4 texel) const;
@@ -174,6 +185,7 @@ void Renderer::Impl::begin(const Frame& next) {
   steps.clear();
   passMs.clear();
   stats.frameMs = 0;
+  stats.longestStepMs = 0;
   stats.samples = 0;
   currentSample = 0;
   rowsDone = 0;
@@ -193,9 +205,24 @@ void Renderer::Impl::addUploadSteps() {
   stats.reduction.clear();
   if (layer.data && layer.visible) {
     VolumeKey key{layer.data.id(), layer.channel, layer.frame};
-    if (!volume || !(key == volumeKey)) {
+    bool hasWhole = whole && key == volumeKey;
+    if (!hasWhole && frame.isPreview) {
+      if (quick && key == quickKey) return;
+      volume = nullptr;
+      quick.reset();
+      steps.push_back({"Upload", [this, key] {
+                         const auto& shown = frame.scene.volume;
+                         VolumeUpload copy(shown.data, shown.channel, shown.frame, context.limits(), kQuickTexels);
+                         while (!copy.step()) {
+                         }
+                         quick = copy.take();
+                         quickKey = key;
+                         return true;
+                       }});
+    } else if (!hasWhole) {
       if (!upload || !(key == uploadKey)) {
-        volume.reset();
+        volume = nullptr;
+        whole.reset();
         upload.reset();
         upload = std::make_unique<VolumeUpload>(layer.data, layer.channel, layer.frame, context.limits());
         uploadKey = key;
@@ -203,7 +230,7 @@ void Renderer::Impl::addUploadSteps() {
       stats.uploadMs = 0;
       steps.push_back({"Upload", [this] {
                          if (!upload->step()) return false;
-                         volume = upload->take();
+                         whole = upload->take();
                          volumeKey = uploadKey;
                          upload.reset();
                          return true;
@@ -215,13 +242,16 @@ void Renderer::Impl::addUploadSteps() {
 /// Fills everything small that the passes read: grid, tables, cuts, structures, frame parameters, skip map.
 void Renderer::Impl::setup() {
   const scene::Scene& scene = frame.scene;
-  bool hasVolume = scene.volume.data && scene.volume.visible && volume;
+  GpuVolume* drawn = drawnVolume();
+  if (drawn != volume) skipScene.reset();
+  volume = drawn;
+  bool hasVolume = volume != nullptr;
   int mode = labelsMode(scene);
   grid = FrameGrid{};
   if (hasVolume) {
     grid = {volume->dims,       volume->cells,       volume->worldFromTex,
             volume->valueScale, volume->valueOffset, volume->gradientScale};
-    stats.reduction = volume->reduction;
+    if (volume == &*whole) stats.reduction = volume->reduction;
   } else if (mode == 2) {
     grid.dims = scene.labels.data->dims();
     grid.cells = cellGridFor(grid.dims);
@@ -236,8 +266,8 @@ void Renderer::Impl::setup() {
       grid.worldFromTex[3][axis] = bounds.min[axis];
   }
   if (mode != 0) {
-    std::pair<std::uint64_t, std::uint64_t> key{scene.labels.data.id(), hasVolume ? scene.volume.data.id() : 0};
-    if (!labels || key != labelKey) {
+    LabelKey key{scene.labels.data.id(), hasVolume ? scene.volume.data.id() : 0, grid.dims};
+    if (!labels || !(key == labelKey)) {
       labels.reset();
       labels = uploadLabels(*scene.labels.data, grid.cells, grid.dims, grid.worldFromTex, context.limits());
       labelKey = key;
@@ -271,6 +301,7 @@ void Renderer::Impl::setup() {
   params = makeFrameParams(frame, grid, table);
   params.counts.x = int(cutData.size());
   if (!cutData.empty()) params.flags.x |= shared::kFlagCuts;
+  if (frame.isPreview && (params.flags.x & shared::kFlagLightGrid)) keepLight();
   params.counts.y = words;
   params.counts.z = int(rows.size());
   if (!mask.empty() && mode != 0) params.flags.x |= shared::kFlagExemptions;
@@ -332,7 +363,7 @@ void Renderer::Impl::setup() {
 
 void Renderer::Impl::bindAll() {
   const scene::Scene& scene = frame.scene;
-  bool hasVolume = scene.volume.data && scene.volume.visible && volume;
+  bool hasVolume = volume != nullptr;
   frameBlock.bind(shared::kFrameBinding);
   (hasVolume ? volume->texture : emptyVolume).bindSampler(shared::kVolumeUnit);
   transferTexture.bindSampler(shared::kTransferUnit);
@@ -351,9 +382,26 @@ void Renderer::Impl::bindAll() {
   (mode != 0 ? labels->cellLabels : emptyCells).bindStorage(shared::kCellLabelBinding);
 }
 
+/// The light stays where it stood in the world when the light grid was made; without a grid that fits there is none.
+void Renderer::Impl::keepLight() {
+  bool fits = extinctionScene && lightDirection != glm::dvec3(0.0) && *extinctionScene == materialKey(frame.scene);
+  if (fits)
+    params.key = glm::vec4(glm::vec3(lightDirection), params.key.w);
+  else
+    params.flags.x &= ~shared::kFlagLightGrid;
+}
+
+GpuVolume* Renderer::Impl::drawnVolume() {
+  const auto& layer = frame.scene.volume;
+  if (!layer.data || !layer.visible) return nullptr;
+  VolumeKey key{layer.data.id(), layer.channel, layer.frame};
+  if (whole && key == volumeKey) return &*whole;
+  return quick && key == quickKey ? &*quick : nullptr;
+}
+
 void Renderer::Impl::addLightSteps() {
   const auto& lighting = frame.scene.lighting;
-  if (!lighting.shaded || (lighting.shadow <= 0 && lighting.occlusion <= 0)) return;
+  if (!lighting.shaded || (lighting.shadow <= 0 && lighting.occlusion <= 0) || frame.isPreview) return;
   scene::Scene key = materialKey(frame.scene);
   glm::dvec3 direction(glm::vec3(params.key));
   glm::dvec4 options(lighting.shadow > 0, lighting.occlusion > 0, lighting.occlusionRadius, 0);

@@ -113,6 +113,7 @@ struct VolumeUpload::Impl {
   Shared<Volume> volume;
   int channel = 0, frame = 0;
   int factor = 1;  ///< Voxels of the volume along the edge of one of the texture.
+  bool isQuick = false;
   TexelPlan plan;
   GpuVolume out;
   std::vector<glm::vec2> ranges;
@@ -130,7 +131,7 @@ struct VolumeUpload::Impl {
   void stepAs();
 };
 
-VolumeUpload::VolumeUpload(Shared<Volume> volume, int channel, int frame, const gpu::Limits& limits)
+VolumeUpload::VolumeUpload(Shared<Volume> volume, int channel, int frame, const gpu::Limits& limits, int mostAlong)
     : mImpl(std::make_unique<Impl>()) {
   Impl& m = *mImpl;
   m.volume = volume;
@@ -143,6 +144,8 @@ VolumeUpload::VolumeUpload(Shared<Volume> volume, int channel, int frame, const 
   auto bytesAt = [&](int factor) {
     return product(dimsAt(factor)) * (gpu::texelBytes(m.plan.format) + (wantsGradients ? 4 : 0));
   };
+  m.isQuick = mostAlong > 0;
+  if (m.isQuick) m.factor = std::max(1, (maxOf(volume->dims) + mostAlong - 1) / mostAlong);
   double mostBytes = 0.7 * double(limits.memoryBytes);
   while (maxOf(dimsAt(m.factor)) > limits.texture3d || double(bytesAt(m.factor)) > mostBytes) ++m.factor;
   // A software driver unpacks the eight texels of each fetch: floats are fetched nearly twice as fast as bytes.
@@ -179,8 +182,8 @@ VolumeUpload::VolumeUpload(Shared<Volume> volume, int channel, int frame, const 
     out.gradientScale = m.longestGradient * 255.0 / 127.0;
   }
   std::size_t layerBytes = std::size_t(out.dims.x) * std::size_t(out.dims.y) * std::size_t(out.cells.edge) *
-                           gpu::texelBytes(m.plan.format) * std::size_t(m.factor);
-  constexpr std::size_t kStepBytes = 16u << 20;
+                           gpu::texelBytes(m.plan.format) * (m.isQuick ? 1 : std::size_t(m.factor));
+  constexpr std::size_t kStepBytes = 4u << 20;
   m.cellLayersPerStep = int(std::max<std::size_t>(1, kStepBytes / std::max<std::size_t>(1, layerBytes)));
   m.ranges.reserve(product(out.cells.size));
 }
@@ -211,8 +214,9 @@ void VolumeUpload::Impl::convertPlanes(const Raw* frameStart, int z0, int z1, st
         glm::dvec3 rgb = glm::clamp(glm::dvec3(double(p[0]), double(p[1]), double(p[2])) * colorScale, 0.0, 255.0);
         double grey = 0.2126 * rgb.r + 0.7152 * rgb.g + 0.0722 * rgb.b;
         row[x] = glm::u8vec4(glm::dvec4(rgb, grey) + 0.5);
-      } else if (factor == 1) {
-        row[x] = texelOf<Texel>(rawAt(x, y, z)[channel], fallback);
+      } else if (factor == 1 || isQuick) {
+        auto at = [&](int i, int most) { return std::min(i * factor + factor / 2, most - 1); };
+        row[x] = texelOf<Texel>(rawAt(at(x, v.dims.x), at(y, v.dims.y), at(z, v.dims.z))[channel], fallback);
       } else {
         double sum = 0;
         int count = 0;

@@ -40,9 +40,11 @@ struct GpuVolume {
 class VolumeUpload {
  public:
   /// Chooses the level and allocates. @throw gpu::GpuError
-  VolumeUpload(Shared<Volume> volume, int channel, int frame, const gpu::Limits& limits);
+  /// @param mostAlong  texels along the longest side of a quick copy, whose texels are single voxels of the volume;
+  ///                   0: all that fits, whose texels are means where it is reduced
+  VolumeUpload(Shared<Volume> volume, int channel, int frame, const gpu::Limits& limits, int mostAlong = 0);
   ~VolumeUpload();
-  /// Converts and uploads one slab of about 16 MB. @return true when it was the last
+  /// Converts and uploads one slab of about 4 MB. @return true when it was the last
   bool step();
   double fractionDone() const;
   /// The finished volume; only after step() returned true.

@@ -18,7 +18,7 @@ struct Stats {
   std::string renderer;                    ///< GL_RENDERER
   double frameMs = 0;                      ///< Time of the last complete frame, all samples, without uploads.
   double uploadMs = 0;                     ///< Time of the last upload of data.
-  double longestStepMs = 0;                ///< Longest single piece of GL work so far.
+  double longestStepMs = 0;                ///< Longest single piece of GL work of this frame.
   int samples = 0;                         ///< Samples per pixel that are complete.
   std::map<std::string, double> passesMs;  ///< By pass, of the last complete frame.
   std::string reduction;  ///< In words, when the data is shown at a lower level than it has; else empty.

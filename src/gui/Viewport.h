@@ -86,9 +86,9 @@ class Viewport : public QOpenGLWidget {
   std::unique_ptr<QOpenGLFramebufferObject> mShown;  ///< The picture on the screen, kept while the next one is made.
   render::Frame mFrame;
   Stage mStage = Stage::Idle;
-  bool mPending = true;               ///< The scene has changed since mFrame was made.
-  bool mHasPicture = false;           ///< mFrame has a complete sample, so that it can be picked from.
-  double mCoarseScale = 0;            ///< Device pixels to one pixel of a coarse picture; 0: not known yet.
+  bool mPending = true;      ///< The scene has changed since mFrame was made.
+  bool mHasPicture = false;  ///< mFrame has a complete sample, so that it can be picked from.
+  double mCoarseScale = 0;   ///< Device pixels to one pixel of a coarse picture; 0: not known yet.
   QTimer mSliceTimer, mRestTimer, mPickTimer;
   QElapsedTimer mSinceShown;
   // Pointer.

@@ -40,8 +40,7 @@ void describeOptions(QCommandLineParser& parser) {
   parser.setApplicationDescription("Volumes, cut open the way illustrators do. Not a medical device.");
   parser.addHelpOption();
   parser.addVersionOption();
-  parser.addOption(
-      {"screenshot", "Save a picture of the window once it is complete, and leave.", "file"});
+  parser.addOption({"screenshot", "Save a picture of the window once it is complete, and leave.", "file"});
   parser.addPositionalArgument("files", "What to open: a volume, then labels and surfaces; a folder; a scene.",
                                "[files...]");
 }

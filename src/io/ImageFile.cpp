@@ -13,6 +13,7 @@
 #include <fstream>
 
 #include "ReplaceFile.h"
+#include "formats/StderrQuiet.h"
 #include "formats/TiffPages.h"
 #include "velum/core/Error.h"
 
@@ -205,6 +206,7 @@ void writeImage(const Image& image, const Path& path, const std::string& descrip
 }
 
 Image readImage(const Path& path) {
+  StderrQuiet quiet;
   auto in = openPicture(path);
   const auto& spec = in->spec();
   if (std::string_view(in->format_name()) == "tiff") refuseTruncatedTiff(path);

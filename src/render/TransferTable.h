@@ -10,9 +10,9 @@ namespace velum::render {
 /// The transfer function as the shaders read it, over the stretch of data values in which it, or the grey window,
 /// changes.
 struct TransferTable {
-  glm::dvec2 domain{0.0, 1.0};  ///< Data values of table positions 0 and 1.
-  double gradientMax = 1.0;     ///< Gradient magnitude of position 1 of the third row, value per mm.
-  double extinctionUnit = 1.0;  ///< Extinction, 1/mm, of one unit of the sums.
+  glm::dvec2 domain{0.0, 1.0};     ///< Data values of table positions 0 and 1.
+  double gradientMax = 1.0;        ///< Gradient magnitude of position 1 of the third row, value per mm.
+  double extinctionUnit = 1.0;     ///< Extinction, 1/mm, of one unit of the sums.
   int shownFrom = 0, shownTo = 0;  ///< First entry with any extinction, and one past the last.
   std::vector<glm::uvec4>
       sums;  ///< [kTransferSize + 1] running sums of (colour*sigma, sigma), modulo 2^32: the mean over entries

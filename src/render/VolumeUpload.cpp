@@ -247,9 +247,10 @@ const Texel* VolumeUpload::Impl::planes(int z0, int z1, std::vector<Texel>& scra
   });
 }
 
-/// Central differences of planes z0..z1, as the shader would take them: beyond the border a voxel repeats. They are kept
-/// relative to the longest of their 27 neighbours, whose length changes slowly, so that directions between two voxels
-/// are weighted by the lengths there: else the noise of a flat place would turn the normals of the edge beside it.
+/// Central differences of planes z0..z1, as the shader would take them: beyond the border a voxel repeats. They are
+/// kept relative to the longest of their 27 neighbours, whose length changes slowly, so that directions between two
+/// voxels are weighted by the lengths there: else the noise of a flat place would turn the normals of the edge beside
+/// it.
 /// @param texels  planes z0 - 2 .. z1 + 2 of the level, as far as there are any, the first of them being firstPlane
 template <class Texel>
 void VolumeUpload::Impl::uploadGradients(const Texel* texels, int firstPlane, int z0, int z1) {

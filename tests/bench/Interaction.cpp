@@ -125,7 +125,8 @@ void measureMoving(const Options& options, Report& report) {
     }
   }
   report.note(
-      "While the camera moves, with the light of the last picture at rest, and from an edit of the opacity curve to its "
+      "While the camera moves, with the light of the last picture at rest, and from an edit of the opacity curve to "
+      "its "
       "coarse picture, as the window shows them. The longest piece of work is that of a whole "
       "picture of 1280 x 720: a dispatch and the wait for it.");
   report.table({"volume", "shadows and occlusion", "pictures/s at 320 x 180", "pictures/s at 640 x 360",

@@ -12,8 +12,8 @@ struct Frame {
   glm::ivec2 windowOrigin{0};  ///< Top left corner of the part that is drawn, pixels of the whole.
   glm::ivec2 windowSize{0};    ///< Size of that part; {0,0}: all of it.
   double stepFactor = 1.0;     ///< Coarse pictures take longer steps, >= 1.
-  /// A picture at once, for while something moves: shadows and occlusion as they stand in the last full frame of the same
-  /// material, or none; a smaller copy of a volume that is not on the GPU yet.
+  /// A picture at once, for while something moves: shadows and occlusion as they stand in the last full frame of the
+  /// same material, or none; a smaller copy of a volume that is not on the GPU yet.
   bool isPreview = false;
   bool operator==(const Frame&) const = default;
 };

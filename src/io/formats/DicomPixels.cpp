@@ -11,6 +11,7 @@
 
 #include "DicomTags.h"
 #include "Payload.h"
+#include "StderrQuiet.h"
 
 namespace velum::io {
 
@@ -116,6 +117,7 @@ DicomPixels::DicomPixels(const DicomFile& file) : mState(std::make_unique<State>
   const Path& path = file.path;
   State& s = *mState;
   s.path = path;
+  StderrQuiet quiet;
   try {
     std::ifstream stream(path, std::ios::binary);
     s.reader->SetStream(stream);
@@ -175,6 +177,7 @@ void DicomPixels::decode(std::span<std::byte> to) {
   State& s = *mState;
   bool ok = false;
   try {
+    StderrQuiet quiet;
     ok = s.image->GetBufferLength() == to.size() && s.image->GetBuffer(reinterpret_cast<char*>(to.data()));
   } catch (const std::exception&) {
     ok = false;

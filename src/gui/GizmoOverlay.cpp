@@ -126,7 +126,7 @@ void GizmoOverlay::paintEvent(QPaintEvent*) {
   }
   for (const auto& edge : gizmo.edgesMm)
     if (QPainterPath line = project.ring(edge); !line.isEmpty())
-      strokeTwice(painter, line, QColor(kHandle.red(), kHandle.green(), kHandle.blue(), 200), 1.3);
+      strokeTwice(painter, line, QColor(kHandle.red(), kHandle.green(), kHandle.blue(), 120), 1.0);
   if (QPainterPath ring = project.ring(circlePoints(gizmo)); !ring.isEmpty())
     strokeTwice(painter, ring, QColor(255, 236, 210, 210), 1.6);
   auto foot = project(gizmo.centreMm), tip = project(gizmo.arrowTipMm);

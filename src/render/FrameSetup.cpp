@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "velum/scene/Project.h"
+
 namespace velum::render {
 
 namespace {
@@ -13,22 +15,6 @@ glm::dvec3 unitOr(glm::dvec3 v, glm::dvec3 fallback) {
   return length > 1e-12 ? v / length : fallback;
 }
 
-/// The camera's frame: right, up and the way it looks, orthonormal whatever the scene says.
-struct Basis {
-  glm::dvec3 right, up, forward;
-};
-
-Basis basisOf(const scene::Camera& camera) {
-  Basis basis;
-  basis.forward = unitOr(camera.targetMm - camera.eyeMm, {0, 1, 0});
-  glm::dvec3 wanted = unitOr(camera.up, {0, 0, 1});
-  glm::dvec3 helper = std::abs(basis.forward.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(0, -1, 0);
-  glm::dvec3 right = glm::cross(basis.forward, wanted);
-  basis.right = glm::length(right) > 1e-6 ? glm::normalize(right) : glm::normalize(glm::cross(basis.forward, helper));
-  basis.up = glm::cross(basis.right, basis.forward);
-  return basis;
-}
-
 double sceneRadius(const FrameGrid& grid) {
   glm::dmat3 m(grid.worldFromTex);
   return 0.5 * (glm::length(m[0]) + glm::length(m[1]) + glm::length(m[2]));
@@ -36,14 +22,8 @@ double sceneRadius(const FrameGrid& grid) {
 
 glm::vec4 v4(glm::dvec3 v, double w = 0.0) { return glm::vec4(glm::vec3(v), float(w)); }
 
-/// Half the picture's extent at distance 1 (perspective) or at the target, mm (orthographic).
-double halfHeight(const scene::Camera& camera) {
-  return camera.projection == scene::Projection::Perspective ? std::tan(glm::radians(camera.fieldOfViewDeg) * 0.5)
-                                                             : camera.heightMm * 0.5;
-}
-
 /// A projection with the rays of rayThrough(): rows run downwards, depth covers the scene's sphere.
-glm::dmat4 clipFromScene(const Frame& frame, const FrameGrid& grid, const Basis& basis, glm::dvec3 eye,
+glm::dmat4 clipFromScene(const Frame& frame, const FrameGrid& grid, const scene::CameraBasis& basis, glm::dvec3 eye,
                          glm::dvec2 shift) {
   const auto& camera = frame.scene.camera;
   glm::dmat4 viewFromScene(1.0);
@@ -54,7 +34,7 @@ glm::dmat4 clipFromScene(const Frame& frame, const FrameGrid& grid, const Basis&
   }
   viewFromScene[3] =
       glm::dvec4(-glm::dot(basis.right, eye), -glm::dot(basis.up, eye), -glm::dot(basis.forward, eye), 1.0);
-  double tall = halfHeight(camera), wide = tall * frame.pictureSize.x / frame.pictureSize.y;
+  double tall = scene::halfPictureHeight(camera), wide = tall * frame.pictureSize.x / frame.pictureSize.y;
   double reach = 4.0 * sceneRadius(grid) + glm::length(eye);
   double nearMm = reach * 1e-4, farMm = 2.0 * reach;
   glm::dmat4 p(0.0);
@@ -96,8 +76,9 @@ shared::FrameParams makeFrameParams(const Frame& frame, const FrameGrid& grid, c
     params.labelFromScene = glm::mat4(glm::inverse(scene.labels.data->worldFromVoxel()) * toWorld);
   }
   // Rays.
-  Basis basis = basisOf(scene.camera);
-  double tall = halfHeight(scene.camera), wide = tall * frame.pictureSize.x / std::max(1, frame.pictureSize.y);
+  scene::CameraBasis basis = scene::cameraBasis(scene.camera);
+  double tall = scene::halfPictureHeight(scene.camera),
+         wide = tall * frame.pictureSize.x / std::max(1, frame.pictureSize.y);
   params.right = v4(basis.right * wide);
   params.up = v4(basis.up * tall);
   params.forward = v4(basis.forward);
@@ -163,8 +144,8 @@ void setSample(shared::FrameParams& params, const Frame& frame, int sample) {
   params.counts.w = sample;
   FrameGrid grid;
   grid.worldFromTex = glm::inverse(glm::dmat4(params.texFromScene));
-  params.clipFromScene =
-      glm::mat4(clipFromScene(frame, grid, basisOf(frame.scene.camera), glm::dvec3(glm::vec3(params.eye)), shift));
+  params.clipFromScene = glm::mat4(
+      clipFromScene(frame, grid, scene::cameraBasis(frame.scene.camera), glm::dvec3(glm::vec3(params.eye)), shift));
 }
 
 glm::vec3 pointOnRay(const shared::FrameParams& params, glm::ivec2 pixel, float distance) {

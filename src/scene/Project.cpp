@@ -12,13 +12,12 @@ glm::dvec3 unitOr(glm::dvec3 v, glm::dvec3 fallback) {
   return length > 1e-12 ? v / length : fallback;
 }
 
-/// Half the picture's height at distance 1 (perspective) or anywhere, mm (orthographic).
-double halfHeight(const Camera& camera) {
+}  // namespace
+
+double halfPictureHeight(const Camera& camera) {
   bool perspective = camera.projection == Projection::Perspective;
   return perspective ? std::tan(glm::radians(camera.fieldOfViewDeg) * 0.5) : camera.heightMm * 0.5;
 }
-
-}  // namespace
 
 CameraBasis cameraBasis(const Camera& camera) {
   CameraBasis basis;
@@ -32,7 +31,7 @@ CameraBasis cameraBasis(const Camera& camera) {
 
 PictureRay rayFromPixel(const Camera& camera, glm::dvec2 size, glm::dvec2 pixel) {
   CameraBasis basis = cameraBasis(camera);
-  double tall = halfHeight(camera), wide = tall * size.x / size.y;
+  double tall = halfPictureHeight(camera), wide = tall * size.x / size.y;
   glm::dvec2 ndc = pixel / size * 2.0 - 1.0;
   glm::dvec3 across = basis.right * (ndc.x * wide) - basis.up * (ndc.y * tall);
   if (camera.projection == Projection::Perspective) return {camera.eyeMm, glm::normalize(basis.forward + across)};
@@ -48,13 +47,13 @@ std::optional<glm::dvec2> pixelFromWorld(const Camera& camera, glm::dvec2 size, 
     if (depth <= 1e-9) return std::nullopt;
     scale = 1.0 / depth;
   }
-  double tall = halfHeight(camera), wide = tall * size.x / size.y;
+  double tall = halfPictureHeight(camera), wide = tall * size.x / size.y;
   glm::dvec2 ndc(glm::dot(arm, basis.right) * scale / wide, -glm::dot(arm, basis.up) * scale / tall);
   return (ndc + 1.0) * 0.5 * size;
 }
 
 double mmPerPixel(const Camera& camera, glm::dvec2 size, glm::dvec3 worldMm) {
-  double height = 2.0 * halfHeight(camera);
+  double height = 2.0 * halfPictureHeight(camera);
   if (camera.projection == Projection::Perspective) {
     double depth = glm::dot(worldMm - camera.eyeMm, cameraBasis(camera).forward);
     height *= std::max(depth, 1e-9);

@@ -12,6 +12,9 @@ struct CameraBasis {
 };
 CameraBasis cameraBasis(const Camera& camera);
 
+/// Half the picture's height: at distance 1 (perspective), or anywhere, mm (orthographic).
+double halfPictureHeight(const Camera& camera);
+
 /// A ray into the picture: origin at the eye (orthographic: in the eye's plane), unit direction. World, mm.
 struct PictureRay {
   glm::dvec3 originMm, direction;

@@ -1,0 +1,117 @@
+#pragma once
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <limits>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "FrameSetup.h"
+#include "VolumeUpload.h"
+#include "passes/LightPass.h"
+#include "passes/SkipPass.h"
+#include "passes/SurfacePass.h"
+#include "velum/gpu/Framebuffer.h"
+#include "velum/render/Renderer.h"
+
+namespace velum::render {
+
+/// One piece of a frame's work, meant to take well under 50 ms; returns false when it wants to be called again.
+struct Step {
+  const char* pass;
+  std::function<bool()> run;
+};
+
+/// What one ray met, from the texel that the ray caster writes.
+struct Hit {
+  bool found = false;
+  glm::vec3 scenePoint{0.0f}, normal{0.0f};
+  float distance = std::numeric_limits<float>::infinity();  ///< mm along the ray
+  int structure = 0;
+};
+
+/// What the renderer keeps between frames, and the work of the frame in hand. RendererSetup.cpp fills it for a frame,
+/// Renderer.cpp draws and reads.
+struct Renderer::Impl {
+  explicit Impl(gpu::Context& c) : context(c), frameBlock("frame") {}
+
+  gpu::Context& context;
+  // The frame and its work.
+  std::optional<Frame> wanted;  ///< As the caller gave it.
+  Frame frame;                  ///< With the window filled in.
+  std::deque<Step> steps;
+  std::size_t stepCount = 0;
+  Stats stats;
+  std::map<std::string, double> passMs;
+  // What frames are made from, kept while it fits.
+  struct VolumeKey {
+    std::uint64_t id = 0;
+    int channel = 0, frame = 0;
+    bool operator==(const VolumeKey&) const = default;
+  } volumeKey, uploadKey;
+  std::optional<GpuVolume> whole;
+  std::unique_ptr<VolumeUpload> upload;
+  VolumeKey quickKey;
+  std::optional<GpuVolume> quick;  ///< A small copy of a volume, for previews until the whole is there.
+  GpuVolume* volume = nullptr;     ///< The one that the frame draws.
+  struct LabelKey {
+    std::uint64_t id = 0, volume = 0;
+    glm::ivec3 dims{0};  ///< of the grid
+    bool operator==(const LabelKey&) const = default;
+  } labelKey;
+  std::optional<GpuLabels> labels;
+  std::map<std::string, gpu::Program> rayPrograms;
+  std::map<std::string, LightPass> lightPasses;
+  std::optional<SkipPass> skip;
+  std::optional<SurfacePass> surfaces;
+  std::optional<gpu::Program> resolveProgram;
+  LightPass* light = nullptr;
+  std::optional<scene::Scene> skipScene;        ///< What the skip map was made for.
+  std::optional<scene::Scene> extinctionScene;  ///< What the light grid's material was made for.
+  glm::dvec3 lightDirection{0.0};
+  glm::dvec4 lightOptions{0.0};
+  bool hasOpenness = false;  ///< The light grid's openness is complete for extinctionScene and lightOptions.
+  // What a frame binds.
+  gpu::UniformBuffer<shared::FrameParams> frameBlock;
+  FrameGrid grid;
+  shared::FrameParams params{};
+  gpu::Texture transferTexture, extinctionTexture, gradientTable, noise, emptyVolume, emptyLabels;
+  gpu::Buffer cutBuffer, structureBuffer, exemptBuffer, emptyCells;
+  gpu::Program* rayProgram = nullptr;
+  // Pictures.
+  gpu::Texture sum, hits, picture;
+  gpu::Framebuffer pictureTarget;
+  int currentSample = 0;  ///< The sample being drawn.
+  int rowsDone = 0;       ///< Rows of it that are complete.
+  // What was shown before this frame had anything to show.
+  gpu::Texture stale;
+  gpu::Framebuffer staleTarget;
+
+  void begin(const Frame& next);
+  void addUploadSteps();
+  void addLightSteps();
+  void keepLight();
+  GpuVolume* drawnVolume();
+  void addTileSteps();
+  void castTile(glm::ivec4 rect);
+  Hit hitAt(glm::ivec2 pixel, glm::vec4 texel) const;
+  void setup();
+  void prepareGrid();
+  void writeTables(const TransferTable& table);
+  void prepareParams(const TransferTable& table);
+  void choosePrograms();
+  void updateSkipMap();
+  void bindAll();
+  void resizePictures(glm::ivec2 size);
+  void resolve();
+  int lightCells() const { return context.limits().isSoftware ? 96 : 160; }
+  glm::mat4 sceneFromTex() const {
+    glm::dmat4 m = grid.worldFromTex;
+    m[3] -= glm::dvec4(sceneOrigin(grid), 0.0);
+    return glm::mat4(m);
+  }
+};
+
+}  // namespace velum::render

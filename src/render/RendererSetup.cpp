@@ -1,0 +1,323 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "BlueNoise.h"
+#include "RendererImpl.h"
+#include "TransferTable.h"
+
+namespace velum::render {
+
+namespace {
+
+constexpr int kQuickTexels = 96;  // along the longest side: under 30 ms on two cores
+
+/// Which label shading a scene needs: the LABELS switch of the shaders.
+int labelsMode(const scene::Scene& scene) {
+  if (!scene.labels.data || !scene.labels.visible) return 0;
+  return scene.volume.data && scene.volume.visible ? 1 : 2;
+}
+
+/// A scene reduced to what its material depends on, colours left out.
+scene::Scene materialKey(const scene::Scene& scene) {
+  scene::Scene key = scene;
+  key.camera = {};
+  key.background = {};
+  key.surfaces.clear();
+  key.showBounds = false;
+  key.rayCast = {};
+  key.rayCast.mode = scene.rayCast.mode;
+  key.rayCast.isoValue = scene.rayCast.isoValue;
+  key.lighting = {};
+  for (auto& point : key.volume.transfer.colors) point.color = {};
+  for (auto& structure : key.labels.structures) structure.color = {};
+  for (auto& cut : key.cuts) cut.name.clear();
+  return key;
+}
+
+/// A scene reduced to what its skip map depends on: of the cuts, only which structures they spare.
+scene::Scene skipKey(const scene::Scene& scene) {
+  scene::Scene key = materialKey(scene);
+  for (auto& cut : key.cuts) {
+    scene::Cut spares;
+    spares.enabled = cut.enabled;
+    spares.exempt = cut.exempt;
+    cut = spares;
+  }
+  return key;
+}
+
+}  // namespace
+
+void Renderer::Impl::addUploadSteps() {
+  const auto& layer = frame.scene.volume;
+  stats.reduction.clear();
+  if (layer.data && layer.visible) {
+    VolumeKey key{layer.data.id(), layer.channel, layer.frame};
+    bool hasWhole = whole && key == volumeKey;
+    if (!hasWhole && frame.isPreview) {
+      if (quick && key == quickKey) return;
+      volume = nullptr;
+      quick.reset();
+      steps.push_back({"Upload", [this, key] {
+                         const auto& shown = frame.scene.volume;
+                         VolumeUpload copy(shown.data, shown.channel, shown.frame, context.limits(), kQuickTexels);
+                         while (!copy.step()) {
+                         }
+                         quick = copy.take();
+                         quickKey = key;
+                         return true;
+                       }});
+    } else if (!hasWhole) {
+      if (!upload || !(key == uploadKey)) {
+        volume = nullptr;
+        whole.reset();
+        upload.reset();
+        upload = std::make_unique<VolumeUpload>(layer.data, layer.channel, layer.frame, context.limits());
+        uploadKey = key;
+      }
+      stats.uploadMs = 0;
+      steps.push_back({"Upload", [this] {
+                         if (!upload->step()) return false;
+                         whole = upload->take();
+                         volumeKey = uploadKey;
+                         upload.reset();
+                         return true;
+                       }});
+    }
+  }
+}
+
+/// Which volume is drawn, the grid that stands for it, and its labels over that grid.
+void Renderer::Impl::prepareGrid() {
+  const scene::Scene& scene = frame.scene;
+  GpuVolume* drawn = drawnVolume();
+  if (drawn != volume) skipScene.reset();
+  volume = drawn;
+  bool hasVolume = volume != nullptr;
+  int mode = labelsMode(scene);
+  grid = FrameGrid{};
+  if (hasVolume) {
+    grid = {volume->dims,       volume->cells,       volume->worldFromTex,
+            volume->valueScale, volume->valueOffset, volume->gradientScale};
+    if (volume == &*whole) stats.reduction = volume->reduction;
+  } else if (mode == 2) {
+    grid.dims = scene.labels.data->dims();
+    grid.cells = cellGridFor(grid.dims);
+    glm::dmat4 voxelFromTex(1.0);
+    for (int axis = 0; axis < 3; ++axis) voxelFromTex[axis][axis] = grid.dims[axis], voxelFromTex[3][axis] = -0.5;
+    grid.worldFromTex = scene.labels.data->worldFromVoxel() * voxelFromTex;
+  } else {
+    grid.cells = {4, glm::ivec3(1)};
+    scene::Bounds bounds = scene::computeBounds(scene);
+    for (int axis = 0; axis < 3; ++axis)
+      grid.worldFromTex[axis][axis] = std::max(1e-6, bounds.max[axis] - bounds.min[axis]),
+      grid.worldFromTex[3][axis] = bounds.min[axis];
+  }
+  if (mode != 0) {
+    LabelKey key{scene.labels.data.id(), hasVolume ? scene.volume.data.id() : 0, grid.dims};
+    if (!labels || !(key == labelKey)) {
+      labels.reset();
+      labels = uploadLabels(*scene.labels.data, grid.cells, grid.dims, grid.worldFromTex, context.limits());
+      labelKey = key;
+    }
+  }
+}
+
+void Renderer::Impl::writeTables(const TransferTable& table) {
+  if (!transferTexture) {
+    transferTexture = gpu::Texture::make2d("transfer table", gpu::Format::Rgba32ui, {shared::kTransferSize + 1, 1});
+    extinctionTexture = gpu::Texture::make2d("extinction table", gpu::Format::R32ui, {shared::kTransferSize + 1, 1});
+    gradientTable = gpu::Texture::make2d("gradient factors", gpu::Format::R32f, {shared::kTransferSize, 1});
+  }
+  transferTexture.write({0, 0, 0}, transferTexture.size(), table.sums.data());
+  extinctionTexture.write({0, 0, 0}, extinctionTexture.size(), table.extinctionSums.data());
+  gradientTable.write({0, 0, 0}, gradientTable.size(), table.gradientFactors.data());
+  if (!noise) {
+    noise = gpu::Texture::make2d("blue noise", gpu::Format::R32f, {kBlueNoiseSize, kBlueNoiseSize});
+    auto values = makeBlueNoise();
+    noise.write({0, 0, 0}, {kBlueNoiseSize, kBlueNoiseSize, 1}, values.data());
+    emptyVolume = gpu::Texture::make3d("no volume", gpu::Format::R8, glm::ivec3(1));
+    emptyVolume.clear();
+    emptyLabels = gpu::Texture::make3d("no labels", gpu::Format::R8ui, glm::ivec3(1));
+    emptyLabels.clear();
+    emptyCells = gpu::Buffer("no cells", 16);
+    emptyCells.clear();
+  }
+}
+
+/// Cuts, structures and the parameters of the frame.
+void Renderer::Impl::prepareParams(const TransferTable& table) {
+  const scene::Scene& scene = frame.scene;
+  auto cutData = makeCutData(scene, sceneOrigin(grid));
+  auto rows = makeStructureRows(scene.labels);
+  int words = 0;
+  auto mask = makeExemptMask(scene, rows.size(), words);
+  params = makeFrameParams(frame, grid, table);
+  params.counts.x = int(cutData.size());
+  if (!cutData.empty()) params.flags.x |= shared::kFlagCuts;
+  if (frame.isPreview && (params.flags.x & shared::kFlagLightGrid)) keepLight();
+  params.counts.y = words;
+  params.counts.z = int(rows.size());
+  if (!mask.empty() && labelsMode(scene) != 0) params.flags.x |= shared::kFlagExemptions;
+  if (cutData.empty()) cutData.emplace_back();
+  if (mask.empty()) mask.push_back(0);
+  cutBuffer = gpu::Buffer("cuts", std::span<const shared::CutData>(cutData));
+  structureBuffer = gpu::Buffer("structures", std::span<const shared::StructureRow>(rows));
+  exemptBuffer = gpu::Buffer("exemptions", std::span<const std::uint32_t>(mask));
+}
+
+/// The programs for what the frame shows, and a light grid of the box's size.
+void Renderer::Impl::choosePrograms() {
+  int mode = labelsMode(frame.scene);
+  int color = volume && volume->isColor ? 1 : 0;
+  int rayMode = volume ? static_cast<int>(frame.scene.rayCast.mode) : 0;
+  int gradients = volume && volume->gradient ? 1 : 0;
+  std::string lightVariant = fmt::format("{}{}{}", rayMode, mode, color);
+  std::string variant = fmt::format("{}{}", lightVariant, gradients);
+  gpu::Defines defines{{"MODE", std::to_string(rayMode)},
+                       {"LABELS", std::to_string(mode)},
+                       {"COLOR", std::to_string(color)},
+                       {"GRADIENTS", std::to_string(gradients)}};
+  if (context.limits().isSoftware) {
+    variant += fmt::format(" {}", params.flags.x);
+    defines.push_back({"FLAGS", fmt::format("{}u", params.flags.x)});
+  }
+  if (!rayPrograms.contains(variant)) rayPrograms.emplace(variant, gpu::Program({"render/ray_cast.comp"}, defines));
+  rayProgram = &rayPrograms.at(variant);
+  if (!lightPasses.contains(lightVariant))
+    lightPasses.emplace(std::piecewise_construct, std::forward_as_tuple(lightVariant),
+                        std::forward_as_tuple(mode, color, rayMode));
+  if (light != &lightPasses.at(lightVariant)) extinctionScene.reset();
+  light = &lightPasses.at(lightVariant);
+  glm::dmat3 edges(grid.worldFromTex);
+  glm::ivec3 before = light->size();
+  light->resize({glm::length(edges[0]), glm::length(edges[1]), glm::length(edges[2])}, lightCells());
+  if (light->size() != before) extinctionScene.reset();
+  params.lightGrid = glm::vec4(glm::vec3(light->size()), float(light->cellMm()));
+}
+
+void Renderer::Impl::updateSkipMap() {
+  const scene::Scene& scene = frame.scene;
+  int mode = labelsMode(scene);
+  SkipOptions options;
+  options.content = mode == 2                                                ? SkipOptions::Content::Labels
+                    : volume && scene.rayCast.mode == scene::RenderMode::Iso ? SkipOptions::Content::Iso
+                                                                             : SkipOptions::Content::Opacity;
+  options.hasLabels = mode != 0;
+  auto rows = makeStructureRows(scene.labels);
+  auto add = [](glm::uvec2& set, int id) { (id % 64 < 32 ? set.x : set.y) |= 1u << (id % 32); };
+  if (mode == 1 && scene.labels.unlabelled > 0) add(options.visible, 0);
+  if (mode != 0)
+    for (const auto& info : scene.labels.data->table)
+      if (std::size_t(info.id) >= rows.size() || rows[info.id].color.a > 0.0f) add(options.visible, info.id);
+  for (const auto& cut : scene.cuts)
+    for (int id : cut.exempt)
+      if (cut.enabled) add(options.spared, id);
+  scene::Scene key = skipKey(scene);
+  if (!skipScene || !(*skipScene == key)) skip->run(options, grid.cells.size);
+  skipScene = std::move(key);
+  skip->map().bindSampler(shared::kSkipUnit);
+}
+
+/// Fills everything small that the passes read: grid, tables, cuts, structures, frame parameters, skip map.
+void Renderer::Impl::setup() {
+  prepareGrid();
+  TransferTable table = makeTransferTable(frame.scene);
+  writeTables(table);
+  prepareParams(table);
+  choosePrograms();
+  resizePictures(frame.windowSize);
+  if (!skip) skip.emplace();
+  if (!surfaces) surfaces.emplace();
+  frameBlock.set(params);
+  bindAll();
+  updateSkipMap();
+}
+
+void Renderer::Impl::bindAll() {
+  const scene::Scene& scene = frame.scene;
+  bool hasVolume = volume != nullptr;
+  frameBlock.bind(shared::kFrameBinding);
+  (hasVolume ? volume->texture : emptyVolume).bindSampler(shared::kVolumeUnit);
+  transferTexture.bindSampler(shared::kTransferUnit);
+  extinctionTexture.bindSampler(shared::kExtinctionUnit);
+  gradientTable.bindSampler(shared::kGradientTableUnit);
+  if (hasVolume && volume->gradient) volume->gradient.bindSampler(shared::kGradientUnit);
+  int mode = labelsMode(scene);
+  (mode != 0 ? labels->texture : emptyLabels).bindSampler(shared::kLabelUnit);
+  noise.bindSampler(shared::kNoiseUnit);
+  light->map().bindSampler(shared::kLightUnit);
+  if (skip->map()) skip->map().bindSampler(shared::kSkipUnit);
+  cutBuffer.bindStorage(shared::kCutBinding);
+  structureBuffer.bindStorage(shared::kStructureBinding);
+  exemptBuffer.bindStorage(shared::kExemptBinding);
+  (hasVolume ? volume->cellRange : emptyCells).bindStorage(shared::kCellBinding);
+  (mode != 0 ? labels->cellLabels : emptyCells).bindStorage(shared::kCellLabelBinding);
+}
+
+/// The light stays where it stood in the world when the light grid was made; without a grid that fits there is none.
+void Renderer::Impl::keepLight() {
+  bool fits = extinctionScene && lightDirection != glm::dvec3(0.0) && *extinctionScene == materialKey(frame.scene);
+  if (fits)
+    params.key = glm::vec4(glm::vec3(lightDirection), params.key.w);
+  else
+    params.flags.x &= ~shared::kFlagLightGrid;
+}
+
+GpuVolume* Renderer::Impl::drawnVolume() {
+  const auto& layer = frame.scene.volume;
+  if (!layer.data || !layer.visible) return nullptr;
+  VolumeKey key{layer.data.id(), layer.channel, layer.frame};
+  if (whole && key == volumeKey) return &*whole;
+  return quick && key == quickKey ? &*quick : nullptr;
+}
+
+void Renderer::Impl::addLightSteps() {
+  const auto& lighting = frame.scene.lighting;
+  if (!lighting.shaded || (lighting.shadow <= 0 && lighting.occlusion <= 0) || frame.isPreview) return;
+  scene::Scene key = materialKey(frame.scene);
+  glm::dvec3 direction(glm::vec3(params.key));
+  glm::dvec4 options(lighting.shadow > 0, lighting.occlusion > 0, lighting.occlusionRadius, 0);
+  bool sameMaterial = extinctionScene && *extinctionScene == key;
+  bool sameLight = sameMaterial && glm::length(direction - lightDirection) < 1e-6 && options == lightOptions;
+  if (sameLight) return;
+  bool keepOpenness = sameMaterial && hasOpenness && options == lightOptions;
+  hasOpenness = keepOpenness;
+  lightDirection = glm::dvec3(0.0);  // a frame that is given up half way leaves a grid that serves no direction
+  constexpr int kLayers = 4;
+  glm::mat4 fromTex = sceneFromTex();
+  if (!sameMaterial) {
+    extinctionScene.reset();
+    for (int z = 0; z < light->size().z; z += kLayers)
+      steps.push_back({"Light", [this, z, fromTex] {
+                         light->extinction(z, std::min(light->size().z, z + kLayers), fromTex);
+                         return true;
+                       }});
+  }
+  glm::dmat3 texFromDirection(glm::inverse(glm::dmat3(glm::mat3(fromTex))));
+  glm::vec3 keyTex(texFromDirection * direction * light->cellMm());
+  glm::dmat3 edges(grid.worldFromTex);
+  glm::vec3 cellTex;
+  double diameter = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    cellTex[axis] = float(light->cellMm() / glm::length(edges[axis]));
+    diameter = std::max(diameter, glm::length(edges[axis]));
+  }
+  double reach = lighting.occlusionRadius * diameter / light->cellMm();
+  for (int z = 0; z < light->size().z; z += kLayers)
+    steps.push_back({"Light", [this, z, keyTex, cellTex, reach, keepOpenness] {
+                       light->light(z, std::min(light->size().z, z + kLayers), keyTex, cellTex, reach, keepOpenness);
+                       light->map().bindSampler(shared::kLightUnit);
+                       return true;
+                     }});
+  steps.push_back({"Light", [this, key, direction, options] {
+                     extinctionScene = key;
+                     hasOpenness = true;
+                     lightDirection = direction;
+                     lightOptions = options;
+                     return true;
+                   }});
+}
+
+}  // namespace velum::render

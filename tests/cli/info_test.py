@@ -30,6 +30,14 @@ class Info(CliTest):
         self.assertGreater(len(report["structures"]), 5)
         self.assertKeys(report["structures"][0], "id", "name", "color", "opacity")
 
+    def test_a_scene_and_a_picture_give_their_scene(self):
+        path = self.sample()
+        self.run_batch("render", path, "-o", "a.png", "--size", "40x30", "--save-scene", "a.json")
+        for name in ("a.png", "a.json"):
+            report = self.report("info", name)
+            self.assertEqual(report["kind"], "scene")
+            self.assertIn("two-spheres", report["scene"]["volume"]["source"]["path"])
+
     def test_a_surface(self):
         (self.folder / "a.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
         report = self.report("info", "a.obj")

@@ -1,4 +1,6 @@
 """Exit codes and errors of the command line itself."""
+import os
+import subprocess
 import unittest
 
 from velum_cli import CliTest
@@ -20,6 +22,13 @@ class Usage(CliTest):
         self.assertRegex(self.run_batch("--version").stdout, rb"\d+\.\d+\.\d+")
         for verb in VERBS:
             self.assertIn(b"--json", self.run_batch(verb, "--help").stdout, verb)
+
+    def test_the_window_says_its_options_without_a_display(self):
+        away = {"DISPLAY": "", "WAYLAND_DISPLAY": "", "QT_QPA_PLATFORM": "xcb"}
+        for option, word in (("--help", b"--screenshot"), ("--version", b"velum")):
+            done = subprocess.run([os.environ["VELUM"], option], capture_output=True, timeout=60, env={**os.environ, **away})
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertIn(word, done.stdout)
 
     def test_a_missing_input_exits_2_and_is_named(self):
         for verb in (["info"], ["render", "-o", "x.png"], ["bench"], ["convert"]):

@@ -13,20 +13,6 @@ constexpr glm::ivec3 kDims(36, 40, 33);
 
 class RepeatGL : public RenderTest {
  protected:
-  /// Every float of every channel, infinities included; says where the first difference is.
-  static void expectIdentical(const Image& a, const Image& b, std::string_view what) {
-    ASSERT_EQ(a.channels, b.channels);
-    ASSERT_EQ(a.pixels.size(), b.pixels.size());
-    int shown = 0;
-    for (std::size_t i = 0; i < a.pixels.size() && shown < 4; ++i) {
-      if (std::bit_cast<std::uint32_t>(a.pixels[i]) == std::bit_cast<std::uint32_t>(b.pixels[i])) continue;
-      ++shown;
-      std::size_t pixel = i / a.channels.size();
-      ADD_FAILURE() << what << ": pixel " << pixel % std::size_t(a.width) << ", " << pixel / std::size_t(a.width)
-                    << " channel " << a.channels[i % a.channels.size()] << ": " << a.pixels[i] << " and "
-                    << b.pixels[i];
-    }
-  }
   /// A scene that uses all that can differ: light, jitter, several samples, labels, a cut, a mesh, a background.
   static scene::Scene richScene() {
     scene::Scene scene = sceneOf(makeVolume(

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "shared/cut.h"
 #include "velum/scene/Navigate.h"
 #include "velum/scene/Project.h"
 
@@ -43,6 +44,27 @@ TEST(CutTool, OutlineLiesInThePlaneAndInTheBox) {
       EXPECT_GE(p[i], bounds.min[i] - 1e-9);
       EXPECT_LE(p[i], bounds.max[i] + 1e-9);
     }
+  }
+}
+
+TEST(CutTool, EdgesLieOnTheShape) {
+  scene::Scene scene = boxScene();
+  for (auto shape : {scene::CutShape::Box, scene::CutShape::Sphere, scene::CutShape::Cylinder, scene::CutShape::Cone}) {
+    scene::Cut cut;
+    cut.shape = shape;
+    cut.centreMm = {45, 95, 145};
+    cut.axis = {1, 2, -3};
+    cut.sizeMm = {30, 20, 50};
+    CutGizmo gizmo = makeCutGizmo(scene, cut, kSize);
+    EXPECT_TRUE(gizmo.outlineMm.empty());
+    ASSERT_GE(gizmo.edgesMm.size(), 3u);
+    glm::dmat4 cutFromWorld = glm::inverse(scene::worldFromCut(cut));
+    glm::vec3 half = glm::vec3(cut.sizeMm) * 0.5f;
+    for (const auto& edge : gizmo.edgesMm)
+      for (const auto& p : edge) {
+        glm::vec3 local(cutFromWorld * glm::dvec4(p, 1.0));
+        EXPECT_NEAR(shared::cutShapeDistance(static_cast<int>(shape), half, local), 0.0f, 1e-4f) << enumName(shape);
+      }
   }
 }
 

@@ -142,6 +142,20 @@ class RenderTest : public GlTest {
     Progress progress;
     return render::renderPicture(renderer, frameOf(scene, size), layers, 4096, progress);
   }
+  /// Every float of every channel, infinities included; says where the first difference is.
+  static void expectIdentical(const Image& a, const Image& b, std::string_view what) {
+    ASSERT_EQ(a.channels, b.channels);
+    ASSERT_EQ(a.pixels.size(), b.pixels.size());
+    int shown = 0;
+    for (std::size_t i = 0; i < a.pixels.size() && shown < 4; ++i) {
+      if (std::bit_cast<std::uint32_t>(a.pixels[i]) == std::bit_cast<std::uint32_t>(b.pixels[i])) continue;
+      ++shown;
+      std::size_t pixel = i / a.channels.size();
+      ADD_FAILURE() << what << ": pixel " << pixel % std::size_t(a.width) << ", " << pixel / std::size_t(a.width)
+                    << " channel " << a.channels[i % a.channels.size()] << ": " << a.pixels[i] << " and "
+                    << b.pixels[i];
+    }
+  }
   /// @param largest  0..255, of the largest difference of any channel of any pixel
   static void expectSame(const Image& a, const Image& b, double largest, std::string_view what = {}) {
     Difference difference = differenceOf(a, b);

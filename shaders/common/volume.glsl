@@ -13,7 +13,11 @@ layout(binding = kGradientTableUnit) uniform sampler2D gradientTable;  // factor
 layout(std430, binding = kStructureBinding) readonly buffer StructureBlock { StructureRow structures[]; };
 
 #if COLOR
-vec3 volumeColorAt(vec3 tex) { return textureLod(volumeTexture, tex, 0.0).rgb; }
+/// COLOR 1: the colours of the data. COLOR 2: of mixed channels, which are kept multiplied by alpha.
+vec3 volumeColorAt(vec3 tex) {
+  vec4 texel = textureLod(volumeTexture, tex, 0.0);
+  return COLOR == 2 ? texel.rgb / max(texel.a, 1.0 / 255.0) : texel.rgb;
+}
 float texelAt(vec3 tex) { return textureLod(volumeTexture, tex, 0.0).a; }
 #else
 float texelAt(vec3 tex) { return textureLod(volumeTexture, tex, 0.0).r; }

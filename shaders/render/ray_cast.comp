@@ -1,7 +1,8 @@
 // One ray a pixel through the volume, from stretch to stretch between the cuts, from segment to segment between the
 // samples, leaping over cells that the transfer function leaves empty. The only ray march in the program.
 //
-// MODE 0 volume, 1 maximum, 2 isosurface; LABELS 0 none, 1 over a volume, 2 alone; COLOR 1 for colour volumes;
+// MODE 0 volume, 1 maximum, 2 isosurface; LABELS 0 none, 1 over a volume, 2 alone; COLOR 1 for colour volumes, 2 for mixed
+// channels;
 // GRADIENTS 1 looks gradients up in a texture.
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -117,7 +118,7 @@ void addSliceFace(inout Hit hit, Ray ray, float t, int cut) {
   vec3 p = ray.origin + t * ray.direction;
   vec3 tex = texFrom(p);
 #if COLOR
-  vec3 grey = volumeColorAt(tex);
+  vec3 grey = volumeColorAt(tex) * (COLOR == 2 ? texelAt(tex) : 1.0);
   float present = texelAt(tex) > 0.02 ? 1.0 : 0.0;
 #elif LABELS == 2
   vec3 grey = vec3(0.0);
@@ -520,6 +521,9 @@ Hit castRay(Ray ray, float jitter, float stop) {
   if (gBest >= 0.0) {
     float grey = greyAt(gBest * float(kTransferSize - 1));
     hit.color = vec4(vec3(grey), 1.0);
+#if COLOR
+    hit.color.rgb = volumeColorAt(texAt(walk, hit.distance)) * (COLOR == 2 ? grey : 1.0);
+#endif
 #if LABELS == 1
     if (hit.structure != 0u) hit.color.rgb = mix(vec3(grey), structureRow(hit.structure).rgb * grey, frame.window.z);
 #endif

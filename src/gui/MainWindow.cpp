@@ -8,6 +8,7 @@
 #include <QScrollArea>
 #include <QStandardPaths>
 #include <QStatusBar>
+#include <QTabBar>
 #include <QVBoxLayout>
 #include <cmath>
 
@@ -28,7 +29,7 @@ QString shortNumber(double value) { return QString::number(value, 'g', 4); }
 
 }  // namespace
 
-MainWindow::MainWindow() {
+MainWindow::MainWindow() : mActions(new ActionTable(this)) {
   setAcceptDrops(true);
   buildCentre();
   buildPanel();
@@ -77,7 +78,23 @@ void MainWindow::buildPanel() {
   mSide->setFixedWidth(kPanelWidth);
   auto* outer = new QVBoxLayout(mSide);
   outer->setContentsMargins(0, 0, 0, 0);
-  auto* scroll = new QScrollArea(mSide);
+  mTabs = new QTabWidget(mSide);
+  mTabs->setObjectName("sideTabs");
+  mTabs->setDocumentMode(true);
+  mTabs->tabBar()->setExpanding(true);
+  outer->addWidget(mTabs);
+  mLook = new LookPanel(mDocument, mTabs);
+  mCuts = new CutPanel(mDocument, mTabs);
+  addTab(mLook, tr("Look"), tr("Preset, rendering, light and background"));
+  addTab(mCuts, tr("Cuts"), tr("What is cut away"));
+  dock->setWidget(mSide);
+  addDockWidget(Qt::RightDockWidgetArea, dock);
+  connect(mCuts, &CutPanel::selectionChanged, mViewport, &Viewport::selectCut);
+}
+
+/// A page of the side panel, which scrolls where the window is low.
+void MainWindow::addTab(QWidget* panel, const QString& title, const QString& tip) {
+  auto* scroll = new QScrollArea(mTabs);
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setWidgetResizable(true);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -86,17 +103,10 @@ void MainWindow::buildPanel() {
   auto* layout = new QVBoxLayout(contents);
   layout->setContentsMargins(16, 14, 16, 14);
   layout->setSpacing(14);
-  mLook = new LookPanel(mDocument, contents);
-  mCuts = new CutPanel(mDocument, contents);
-  layout->addWidget(mLook);
-  layout->addWidget(makeLine(contents));
-  layout->addWidget(mCuts);
+  layout->addWidget(panel);
   layout->addStretch(1);
   scroll->setWidget(contents);
-  outer->addWidget(scroll);
-  dock->setWidget(mSide);
-  addDockWidget(Qt::RightDockWidgetArea, dock);
-  connect(mCuts, &CutPanel::selectionChanged, mViewport, &Viewport::selectCut);
+  mTabs->setTabToolTip(mTabs->addTab(scroll, title), tip);
 }
 
 void MainWindow::buildStatus() {
@@ -245,7 +255,7 @@ void MainWindow::documentChanged() {
   mCuts->refresh();
   bool open = mPages->currentIndex() == 1;
   mSide->setEnabled(open);
-  for (QAction* action : mNeedScene) action->setEnabled(open);
+  mActions->setSceneOpen(open);
   auto name = [](const QString& verb, const std::string& label) {
     return label.empty() ? verb : QString("%1 \"%2\"").arg(verb, QString::fromStdString(label));
   };

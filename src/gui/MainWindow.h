@@ -1,10 +1,12 @@
 #pragma once
 #include <QMainWindow>
 #include <QStackedWidget>
+#include <QTabWidget>
 #include <filesystem>
 #include <functional>
 #include <memory>
 
+#include "ActionTable.h"
 #include "Bars.h"
 #include "Job.h"
 #include "Viewport.h"
@@ -35,6 +37,7 @@ class MainWindow : public QMainWindow {
   session::Document& document() { return mDocument; }
   Viewport& viewport() { return *mViewport; }
   MessageBar& messages() { return *mMessages; }
+  ActionTable& actions() { return *mActions; }
   bool isBusy() const { return mJob != nullptr; }
   /// Nothing is running, and what is shown is complete.
   bool isSettled() const { return !isBusy() && (mPages->currentIndex() == 0 || mViewport->isConverged()); }
@@ -52,7 +55,11 @@ class MainWindow : public QMainWindow {
   void buildCentre();
   void buildPanel();
   void buildActions();
+  void buildFileActions(QMenu* menu, QToolBar* bar);
+  void buildEditActions(QMenu* menu, QToolBar* bar);
   void buildViewActions(QMenu* menu, QToolBar* bar);
+  void buildCutActions(QMenu* menu, QToolBar* bar);
+  void addTab(QWidget* panel, const QString& title, const QString& tip);
   void buildStatus();
   void startJob(const QString& what, Job::Work work, std::function<void()> whenDone);
   void startLoad(const QString& what, std::function<void(scene::Scene&, Progress&)> read, bool add,
@@ -69,6 +76,7 @@ class MainWindow : public QMainWindow {
   QString pictureFolder() const;
 
   session::Document mDocument;
+  ActionTable* mActions = nullptr;
   Viewport* mViewport = nullptr;
   QStackedWidget* mPages = nullptr;
   MessageBar* mMessages = nullptr;
@@ -76,10 +84,10 @@ class MainWindow : public QMainWindow {
   LookPanel* mLook = nullptr;
   CutPanel* mCuts = nullptr;
   QWidget* mSide = nullptr;
+  QTabWidget* mTabs = nullptr;
   QLabel *mDataLabel = nullptr, *mPickLabel = nullptr, *mReductionLabel = nullptr, *mRefineLabel = nullptr,
          *mDriverLabel = nullptr;
   QAction *mUndo = nullptr, *mRedo = nullptr, *mCancel = nullptr, *mProjection = nullptr;
-  QList<QAction*> mNeedScene;
   QString mPath;       ///< What is open: file, folder or scene.
   QString mScenePath;  ///< Where the scene is saved; empty: not yet.
   std::unique_ptr<Job> mJob;

@@ -15,12 +15,6 @@ namespace velum::gui {
 
 namespace {
 
-/// A tooltip that names the shortcut, too.
-void setTip(QAction* action, const QString& tip) {
-  QString keys = action->shortcut().toString(QKeySequence::NativeText);
-  action->setToolTip(keys.isEmpty() ? tip : QString("%1 (%2)").arg(tip, keys));
-}
-
 QString openFilter() {
   QString all, single;
   for (const auto& kind : session::readableKinds()) {
@@ -41,112 +35,98 @@ void MainWindow::buildActions() {
   bar->setMovable(false);
   bar->setContextMenuPolicy(Qt::PreventContextMenu);
   addToolBar(bar);
-  auto add = [this](QMenu* menu, const QString& text, const QKeySequence& keys, const QString& tip, auto&& slot) {
-    QAction* action = menu->addAction(text);
-    action->setShortcut(keys);
-    setTip(action, tip);
-    connect(action, &QAction::triggered, this, slot);
-    return action;
-  };
+  buildFileActions(menuBar()->addMenu(tr("&File")), bar);
+  bar->addSeparator();
+  buildEditActions(menuBar()->addMenu(tr("&Edit")), bar);
+  bar->addSeparator();
+  buildViewActions(menuBar()->addMenu(tr("&View")), bar);
+  bar->addSeparator();
+  buildCutActions(menuBar()->addMenu(tr("&Cut")), bar);
+  QMenu* help = menuBar()->addMenu(tr("&Help"));
+  mActions->add(help, "help.about", tr("&About Velum"), tr("Say what Velum is"), [this] { showAbout(); });
+}
 
-  QMenu* file = menuBar()->addMenu(tr("&File"));
-  QAction* open = add(file, tr("&Open..."), QKeySequence::Open, tr("Open a volume, labels, surfaces or a scene"),
-                      [this] { askOpen(false); });
-  add(file, tr("Open &folder..."), QKeySequence("Ctrl+Shift+O"), tr("Open a folder of DICOM slices"),
-      [this] { askOpenFolder(); });
-  QAction* beside = add(file, tr("&Add labels or surfaces..."), QKeySequence("Ctrl+Alt+O"),
-                        tr("Open beside what is open"), [this] { askOpen(true); });
-  QMenu* phantoms = file->addMenu(tr("Make a &phantom"));
+void MainWindow::buildFileActions(QMenu* menu, QToolBar* bar) {
+  QAction* open = mActions->add(menu, "file.open", tr("&Open..."), tr("Open a volume, labels, surfaces or a scene"),
+                                [this] { askOpen(false); });
+  mActions->add(menu, "file.openFolder", tr("Open &folder..."), tr("Open a folder of DICOM slices"),
+                [this] { askOpenFolder(); });
+  mActions->addForScene(menu, "file.add", tr("&Add labels or surfaces..."), tr("Open beside what is open"),
+                        [this] { askOpen(true); });
+  QMenu* phantoms = menu->addMenu(tr("Make a &phantom"));
   for (const auto& sample : session::sampleNames()) {
-    auto name = QString::fromStdString(sample);
-    connect(phantoms->addAction(QString(name).replace('-', ' ')), &QAction::triggered, this,
-            [this, name] { openPhantom(name, 0); });
+    QString name = QString::fromStdString(sample);
+    mActions->add(phantoms, "file.phantom." + name, name, tr("Compute the phantom %1 and its labels").arg(name),
+                  [this, name] { openPhantom(name, 0); });
   }
-  file->addSeparator();
-  QAction* saveScene =
-      add(file, tr("&Save scene"), QKeySequence::Save, tr("Save the scene"), [this] { askSaveScene(false); });
-  QAction* saveAs = add(file, tr("Save scene &as..."), QKeySequence("Ctrl+Shift+S"),
-                        tr("Save the scene under another name"), [this] { askSaveScene(true); });
-  QAction* picture = add(file, tr("Save p&icture..."), QKeySequence("Ctrl+E"),
-                         tr("Draw and save a picture of any size"), [this] { askSavePicture(); });
-  file->addSeparator();
-  mCancel = add(file, tr("&Cancel what is running"), QKeySequence(Qt::Key_Escape), tr("Stop the load or the picture"),
-                [this] { cancelJob(); });
+  menu->addSeparator();
+  mActions->addForScene(menu, "file.saveScene", tr("&Save scene"), tr("Save the scene"), [this] { askSaveScene(false); });
+  mActions->addForScene(menu, "file.saveSceneAs", tr("Save scene &as..."), tr("Save the scene under another name"),
+                        [this] { askSaveScene(true); });
+  QAction* picture = mActions->addForScene(menu, "file.savePicture", tr("Save p&icture..."),
+                                           tr("Draw and save a picture of any size"), [this] { askSavePicture(); });
+  menu->addSeparator();
+  mCancel = mActions->add(menu, "file.cancel", tr("&Cancel what is running"), tr("Stop the load or the picture"),
+                          [this] { cancelJob(); });
   mCancel->setEnabled(false);
-  add(file, tr("&Quit"), QKeySequence::Quit, tr("Leave Velum"), [this] { close(); });
-
-  QMenu* edit = menuBar()->addMenu(tr("&Edit"));
-  mUndo = add(edit, tr("&Undo"), QKeySequence::Undo, tr("Take the last change back"), [this] { mDocument.undo(); });
-  mRedo = add(edit, tr("&Redo"), QKeySequence::Redo, tr("Do it again"), [this] { mDocument.redo(); });
-  mUndo->setIconText(tr("Undo"));
-  mRedo->setIconText(tr("Redo"));
-
+  mActions->add(menu, "file.quit", tr("&Quit"), tr("Leave Velum"), [this] { close(); });
   open->setIconText(tr("Open"));
   picture->setIconText(tr("Save picture"));
   bar->addAction(open);
   bar->addAction(picture);
-  bar->addSeparator();
+}
+
+void MainWindow::buildEditActions(QMenu* menu, QToolBar* bar) {
+  mUndo = mActions->add(menu, "edit.undo", tr("&Undo"), tr("Take the last change back"), [this] { mDocument.undo(); });
+  mRedo = mActions->add(menu, "edit.redo", tr("&Redo"), tr("Do it again"), [this] { mDocument.redo(); });
+  mUndo->setIconText(tr("Undo"));
+  mRedo->setIconText(tr("Redo"));
   bar->addAction(mUndo);
   bar->addAction(mRedo);
-  bar->addSeparator();
-  buildViewActions(menuBar()->addMenu(tr("&View")), bar);
-
-  QMenu* cut = menuBar()->addMenu(tr("&Cut"));
-  QAction* addCut = add(cut, tr("&Add plane"), QKeySequence("C"), tr("Cut away the half that faces you"),
-                        [this] { mCuts->addPlane(); });
-  QAction* flip =
-      add(cut, tr("&Flip"), QKeySequence("X"), tr("Take away the other side"), [this] { mCuts->flipSelected(); });
-  QAction* remove =
-      add(cut, tr("&Remove"), QKeySequence::Delete, tr("Remove the selected cut"), [this] { mCuts->removeSelected(); });
-  addCut->setIconText(tr("Add cut"));
-  bar->addSeparator();
-  bar->addAction(addCut);
-
-  QMenu* help = menuBar()->addMenu(tr("&Help"));
-  connect(help->addAction(tr("&About Velum")), &QAction::triggered, this, &MainWindow::showAbout);
-  mNeedScene += {beside, saveScene, saveAs, picture, addCut, flip, remove};
 }
 
 void MainWindow::buildViewActions(QMenu* menu, QToolBar* bar) {
   using scene::StandardView;
   struct Row {
-    const char *name, *letter, *keys, *alternative;
+    const char *id, *name, *letter;
     StandardView view;
-    bool inBar;
   };
-  static constexpr Row kRows[] = {{"&Anterior", "A", "1", "", StandardView::Anterior, true},
-                                  {"&Posterior", "P", "Shift+1", "Ctrl+1", StandardView::Posterior, true},
-                                  {"&Left", "L", "3", "", StandardView::Left, true},
-                                  {"&Right", "R", "Shift+3", "Ctrl+3", StandardView::Right, true},
-                                  {"&Superior", "S", "7", "", StandardView::Superior, true},
-                                  {"&Inferior", "I", "Shift+7", "Ctrl+7", StandardView::Inferior, true},
-                                  {"&Oblique", "", "0", "", StandardView::Oblique, false}};
+  static constexpr Row kRows[] = {{"view.anterior", "&Anterior", "A", StandardView::Anterior},
+                                  {"view.posterior", "&Posterior", "P", StandardView::Posterior},
+                                  {"view.left", "&Left", "L", StandardView::Left},
+                                  {"view.right", "&Right", "R", StandardView::Right},
+                                  {"view.superior", "&Superior", "S", StandardView::Superior},
+                                  {"view.inferior", "&Inferior", "I", StandardView::Inferior},
+                                  {"view.oblique", "&Oblique", "", StandardView::Oblique}};
   for (const Row& row : kRows) {
-    QAction* action = menu->addAction(tr(row.name));
-    action->setShortcuts(*row.alternative ? QList<QKeySequence>{QKeySequence(row.keys), QKeySequence(row.alternative)}
-                                          : QList<QKeySequence>{QKeySequence(row.keys)});
-    setTip(action, tr("Look from: %1").arg(tr(row.name).remove('&').toLower()));
-    connect(action, &QAction::triggered, this, [this, view = row.view] { mViewport->lookFrom(view); });
-    mNeedScene << action;
-    if (!row.inBar) continue;
+    QAction* action = mActions->addForScene(menu, row.id, tr(row.name),
+                                            tr("Look from: %1").arg(tr(row.name).remove('&').toLower()),
+                                            [this, view = row.view] { mViewport->lookFrom(view); });
+    if (!*row.letter) continue;
     action->setIconText(row.letter);
     bar->addAction(action);
   }
   menu->addSeparator();
-  mProjection = menu->addAction(tr("&Parallel projection"));
+  mProjection = mActions->addForScene(menu, "view.parallel", tr("&Parallel projection"),
+                                      tr("Parallel (orthographic) instead of perspective"),
+                                      [this] { mViewport->toggleProjection(); });
   mProjection->setIconText(tr("Parallel"));
   mProjection->setCheckable(true);
-  mProjection->setShortcut(QKeySequence("5"));
-  setTip(mProjection, tr("Parallel (orthographic) instead of perspective"));
-  connect(mProjection, &QAction::triggered, this, [this] { mViewport->toggleProjection(); });
-  QAction* reset = menu->addAction(tr("&Reset view"));
+  QAction* reset = mActions->addForScene(menu, "view.reset", tr("&Reset view"), tr("See all of it from the front"),
+                                         [this] { mViewport->lookFrom(scene::defaultView(mDocument.scene())); });
   reset->setIconText(tr("Reset"));
-  reset->setShortcut(QKeySequence("R"));
-  setTip(reset, tr("See all of it from the front"));
-  connect(reset, &QAction::triggered, this, [this] { mViewport->lookFrom(scene::defaultView(mDocument.scene())); });
   bar->addAction(mProjection);
   bar->addAction(reset);
-  mNeedScene += {mProjection, reset};
+}
+
+void MainWindow::buildCutActions(QMenu* menu, QToolBar* bar) {
+  QAction* add = mActions->addForScene(menu, "cut.addPlane", tr("&Add plane"), tr("Cut away the half that faces you"),
+                                       [this] { mCuts->addPlane(); });
+  mActions->addForScene(menu, "cut.flip", tr("&Flip"), tr("Take away the other side"), [this] { mCuts->flipSelected(); });
+  mActions->addForScene(menu, "cut.remove", tr("&Remove"), tr("Remove the selected cut"),
+                        [this] { mCuts->removeSelected(); });
+  add->setIconText(tr("Add cut"));
+  bar->addAction(add);
 }
 
 void MainWindow::askOpen(bool add) {

@@ -31,6 +31,11 @@ QStatusBar { background: #1d2025; border-top: 1px solid #16181c; }
 QStatusBar::item { border: none; }
 QStatusBar QLabel { color: #b4bdc8; padding: 2px 6px; }
 #sidePanel, #sidePanel QScrollArea, #sideContents { background: #25292f; }
+QTabWidget::pane { border: none; }
+QTabBar { background: #1d2025; qproperty-drawBase: 0; }
+QTabBar::tab { background: #1d2025; color: #9ba5b1; padding: 8px 12px; border: none; border-bottom: 2px solid transparent; }
+QTabBar::tab:hover { color: #e3e7ec; }
+QTabBar::tab:selected { background: #25292f; color: #e3e7ec; border-bottom: 2px solid #5fb0ea; }
 QLabel[role="title"] { color: #e3e7ec; font-weight: 600; }
 QLabel[role="muted"] { color: #9ba5b1; }
 QLabel[role="empty"] { font-size: 17pt; font-weight: 500; color: #e3e7ec; }

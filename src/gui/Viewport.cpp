@@ -50,7 +50,7 @@ void Viewport::initializeGL() {
     mRenderer = std::make_unique<render::Renderer>(*mContext);
     bool isSoftware = mContext->limits().isSoftware;
     if (mCoarseScale == 0) mCoarseScale = isSoftware ? 6.0 : 1.5;
-    sceneChanged();
+    startAnew();
   } catch (const Error& error) {
     mContext.reset();
     QMetaObject::invokeMethod(
@@ -97,7 +97,7 @@ void Viewport::resizeGL(int, int) {
   if (old)
     QOpenGLFramebufferObject::blitFramebuffer(mShown.get(), QRect(QPoint(), now), old.get(),
                                               QRect(QPoint(), old->size()), GL_COLOR_BUFFER_BIT, GL_LINEAR);
-  sceneChanged();
+  startAnew();
 }
 
 void Viewport::paintGL() {
@@ -107,6 +107,13 @@ void Viewport::paintGL() {
 }
 
 void Viewport::sceneChanged() {
+  scene::Scene wanted = scene::pictureScene(mDocument.scene());
+  if (wanted == mWanted && mShown && mShown->size() == QSize(deviceSize().x, deviceSize().y)) return;
+  mWanted = std::move(wanted);
+  startAnew();
+}
+
+void Viewport::startAnew() {
   mPending = true;
   mRestTimer.stop();
   mOverlay->update();
@@ -119,7 +126,7 @@ void Viewport::begin(Stage stage) {
   mPending = false;
   mHasPicture = false;
   mFrame = {};
-  mFrame.scene = mDocument.scene();
+  mFrame.scene = scene::pictureScene(mDocument.scene());
   mFrame.scene.background.transparent = false;  // a window has something behind; pictures need not
   glm::dvec2 size(deviceSize());
   double scale = stage == Stage::Coarse ? mCoarseScale : stage == Stage::Half ? 2.0 : 1.0;

@@ -63,6 +63,7 @@ class Viewport : public QOpenGLWidget {
   enum class Stage { Idle, Coarse, Half, Full };
   enum class Drag { None, Orbit, Pan, Zoom, Roll, Cut };
 
+  void startAnew();
   void release();
   bool bindContext();
   void slice();
@@ -85,6 +86,7 @@ class Viewport : public QOpenGLWidget {
   std::unique_ptr<render::Renderer> mRenderer;
   std::unique_ptr<QOpenGLFramebufferObject> mShown;  ///< The picture on the screen, kept while the next one is made.
   render::Frame mFrame;
+  scene::Scene mWanted;  ///< What the 3D view last heard that it should show.
   Stage mStage = Stage::Idle;
   bool mPending = true;      ///< The scene has changed since mFrame was made.
   bool mHasPicture = false;  ///< mFrame has a complete sample, so that it can be picked from.

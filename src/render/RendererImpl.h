@@ -49,6 +49,7 @@ struct Renderer::Impl {
   struct VolumeKey {
     std::uint64_t id = 0;
     int channel = 0, frame = 0;
+    std::vector<scene::ChannelLook> looks;  ///< Of the channels that are mixed: then their looks are in the texels.
     bool operator==(const VolumeKey&) const = default;
   } volumeKey, uploadKey;
   std::optional<GpuVolume> whole;
@@ -89,6 +90,7 @@ struct Renderer::Impl {
   gpu::Texture stale;
   gpu::Framebuffer staleTarget;
 
+  VolumeKey volumeKeyOf(const scene::VolumeLayer& layer) const;
   void begin(const Frame& next);
   void addUploadSteps();
   void addLightSteps();

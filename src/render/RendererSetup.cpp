@@ -29,6 +29,7 @@ scene::Scene materialKey(const scene::Scene& scene) {
   key.rayCast.mode = scene.rayCast.mode;
   key.rayCast.isoValue = scene.rayCast.isoValue;
   key.lighting = {};
+  key.slices = {};
   for (auto& point : key.volume.transfer.colors) point.color = {};
   for (auto& structure : key.labels.structures) structure.color = {};
   for (auto& cut : key.cuts) cut.name.clear();
@@ -49,19 +50,32 @@ scene::Scene skipKey(const scene::Scene& scene) {
 
 }  // namespace
 
+Renderer::Impl::VolumeKey Renderer::Impl::volumeKeyOf(const scene::VolumeLayer& layer) const {
+  VolumeKey key{layer.data.id(), layer.channel, layer.frame, {}};
+  if (!scene::mixesChannels(layer)) return key;
+  key.channel = 0;
+  key.looks = layer.channels;
+  for (auto& look : key.looks) {
+    look.name.clear();
+    look.color = {};
+    look.windowLevel = look.windowWidth = 0;
+    if (!look.visible) look.transfer = {};
+  }
+  return key;
+}
+
 void Renderer::Impl::addUploadSteps() {
   const auto& layer = frame.scene.volume;
   stats.reduction.clear();
   if (layer.data && layer.visible) {
-    VolumeKey key{layer.data.id(), layer.channel, layer.frame};
+    VolumeKey key = volumeKeyOf(layer);
     bool hasWhole = whole && key == volumeKey;
     if (!hasWhole && frame.isPreview) {
       if (quick && key == quickKey) return;
       volume = nullptr;
       quick.reset();
       steps.push_back({"Upload", [this, key] {
-                         const auto& shown = frame.scene.volume;
-                         VolumeUpload copy(shown.data, shown.channel, shown.frame, context.limits(), kQuickTexels);
+                         VolumeUpload copy(frame.scene.volume, context.limits(), kQuickTexels);
                          while (!copy.step()) {
                          }
                          quick = copy.take();
@@ -73,7 +87,7 @@ void Renderer::Impl::addUploadSteps() {
         volume = nullptr;
         whole.reset();
         upload.reset();
-        upload = std::make_unique<VolumeUpload>(layer.data, layer.channel, layer.frame, context.limits());
+        upload = std::make_unique<VolumeUpload>(layer, context.limits());
         uploadKey = key;
       }
       stats.uploadMs = 0;
@@ -170,7 +184,7 @@ void Renderer::Impl::prepareParams(const TransferTable& table) {
 /// The programs for what the frame shows, and a light grid of the box's size.
 void Renderer::Impl::choosePrograms() {
   int mode = labelsMode(frame.scene);
-  int color = volume && volume->isColor ? 1 : 0;
+  int color = volume && volume->isMixed ? 2 : volume && volume->isColor ? 1 : 0;
   int rayMode = volume ? static_cast<int>(frame.scene.rayCast.mode) : 0;
   int gradients = volume && volume->gradient ? 1 : 0;
   std::string lightVariant = fmt::format("{}{}{}", rayMode, mode, color);
@@ -268,7 +282,7 @@ void Renderer::Impl::keepLight() {
 GpuVolume* Renderer::Impl::drawnVolume() {
   const auto& layer = frame.scene.volume;
   if (!layer.data || !layer.visible) return nullptr;
-  VolumeKey key{layer.data.id(), layer.channel, layer.frame};
+  VolumeKey key = volumeKeyOf(layer);
   if (whole && key == volumeKey) return &*whole;
   return quick && key == quickKey ? &*quick : nullptr;
 }

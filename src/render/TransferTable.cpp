@@ -37,8 +37,38 @@ glm::dvec3 colorAt(const std::vector<scene::ColorPoint>& points, double value) {
                         : interpolate(points, value, [](const auto& p) { return glm::dvec3(p.color); });
 }
 
+MixTable makeMixTable(const scene::VolumeLayer& layer) {
+  MixTable table;
+  table.domain = layer.data->range;
+  if (!(table.domain.y > table.domain.x)) table.domain.y = table.domain.x + 1.0;
+  for (const auto& look : layer.channels) {
+    auto& entries = table.channels.emplace_back(MixTable::kSize, glm::vec4(0.0f));
+    if (!look.visible) continue;
+    double largest = 0;
+    for (int i = 0; i < MixTable::kSize; ++i) {
+      double value = glm::mix(table.domain.x, table.domain.y, double(i) / (MixTable::kSize - 1));
+      double sigma = extinction(opacityAt(look.transfer.opacities, value), look.transfer.unitDistanceMm);
+      entries[std::size_t(i)] = glm::vec4(glm::dvec4(colorAt(look.transfer.colors, value) * sigma, sigma));
+      largest = std::max(largest, sigma);
+    }
+    table.largestExtinction += largest;
+  }
+  for (auto& entries : table.channels)
+    for (auto& entry : entries) entry /= float(std::max(table.largestExtinction, 1e-12));
+  return table;
+}
+
+namespace {
+
+/// Extinction by table position 0..1, for volumes whose channels are mixed.
+double mixedExtinction(double alpha, double largest) { return alpha * alpha * largest; }
+
+}  // namespace
+
 TransferTable makeTransferTable(const scene::Scene& scene) {
   const auto& transfer = scene.volume.transfer;
+  bool mixes = scene::mixesChannels(scene.volume);
+  double largest = mixes ? makeMixTable(scene.volume).largestExtinction : 0.0;
   TransferTable table;
   glm::dvec2 window = scene::effectiveWindow(scene.volume);
   double low = window.x - 0.5 * window.y, high = window.x + 0.5 * window.y;
@@ -53,9 +83,10 @@ TransferTable makeTransferTable(const scene::Scene& scene) {
     if (low < range.x - margin && high > range.x) low = range.x - margin;
     if (high > range.y + margin && low < range.y) high = range.y + margin;
   }
+  if (mixes) low = 0, high = 1;
   if (!(high > low)) high = low + 1.0;
   table.domain = {low, high};
-  if (!transfer.gradientOpacities.empty()) table.gradientMax = std::max(1e-12, transfer.gradientOpacities.back().value);
+  if (!mixes && !transfer.gradientOpacities.empty()) table.gradientMax = std::max(1e-12, transfer.gradientOpacities.back().value);
 
   constexpr int n = shared::kTransferSize;
   std::vector<glm::dvec4> entries;
@@ -63,8 +94,9 @@ TransferTable makeTransferTable(const scene::Scene& scene) {
   double total = 0;
   for (int i = 0; i <= n; ++i) {
     double value = low + std::min(1.0, double(i) / (n - 1)) * (high - low);
-    double sigma = extinction(opacityAt(transfer.opacities, value), transfer.unitDistanceMm);
-    glm::dvec4 here(colorAt(transfer.colors, value) * sigma, sigma);
+    double sigma = mixes ? mixedExtinction(value, largest)
+                         : extinction(opacityAt(transfer.opacities, value), transfer.unitDistanceMm);
+    glm::dvec4 here((mixes ? glm::dvec3(1.0) : colorAt(transfer.colors, value)) * sigma, sigma);
     if (i > 0) entries.push_back(0.5 * (before + here));
     if (i > 0) total += entries.back().w;
     before = here;
@@ -88,7 +120,7 @@ TransferTable makeTransferTable(const scene::Scene& scene) {
   }
   for (int i = 0; i < n; ++i)
     table.gradientFactors.push_back(
-        transfer.gradientOpacities.empty()
+        mixes || transfer.gradientOpacities.empty()
             ? 1.0f
             : float(opacityAt(transfer.gradientOpacities, double(i) / (n - 1) * table.gradientMax)));
   return table;

@@ -21,8 +21,20 @@ struct TransferTable {
   std::vector<float> gradientFactors;         ///< [kTransferSize] over 0..gradientMax
 };
 
-/// @param scene  its volume layer's transfer function, window and iso value
+/// @param scene  its volume layer's transfer function, window and iso value; where channels are mixed, what the alpha
+///               of a mixed texel stands for
 TransferTable makeTransferTable(const scene::Scene& scene);
+
+/// How the channels of a volume are mixed into texels: the mixture's extinction is the sum of the channels', its colour
+/// their mean by extinction. A texel's alpha is the root of the extinction's share of the largest one, its colour is
+/// multiplied by that.
+struct MixTable {
+  static constexpr int kSize = 4096;
+  glm::dvec2 domain{0.0, 1.0};      ///< Values of the first and the last entry.
+  double largestExtinction = 0;     ///< 1/mm
+  std::vector<std::vector<glm::vec4>> channels;  ///< [channel][kSize] (colour*sigma, sigma) over the largest one
+};
+MixTable makeMixTable(const scene::VolumeLayer& layer);
 
 /// Opacity at a value, 0..1: linear between points, constant beyond them, 0 without any.
 double opacityAt(const std::vector<scene::OpacityPoint>& points, double value);

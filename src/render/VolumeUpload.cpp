@@ -9,6 +9,7 @@
 #include <limits>
 #include <type_traits>
 
+#include "TransferTable.h"
 #include "velum/gpu/GpuError.h"
 
 namespace velum::render {
@@ -28,7 +29,8 @@ struct TexelPlan {
 };
 constexpr TexelPlan kAsFloats{Format::R32f, 1.0, 0.0};
 
-TexelPlan planFor(const Volume& volume) {
+TexelPlan planFor(const Volume& volume, bool isMixed) {
+  if (isMixed) return {Format::Rgba8, 1.0, 0.0};
   if (volume.isColor) return {Format::Rgba8, 255.0, 0.0};
   switch (volume.type) {
     case SampleType::UInt8:
@@ -112,6 +114,7 @@ template std::vector<glm::vec2> computeCellRanges(const float*, glm::ivec3, cons
 struct VolumeUpload::Impl {
   Shared<Volume> volume;
   int channel = 0, frame = 0;
+  MixTable mix;    ///< Channels that are mixed; else empty.
   int factor = 1;  ///< Voxels of the volume along the edge of one of the texture.
   bool isQuick = false;
   TexelPlan plan;
@@ -121,6 +124,8 @@ struct VolumeUpload::Impl {
   int cellLayersPerStep = 1;
   double longestGradient = 1;  ///< Texels.
 
+  template <class Raw>
+  void mixPlanes(const Raw* frameStart, int z0, int z1, std::vector<glm::u8vec4>& texels) const;
   template <class Texel, class Raw>
   void convertPlanes(const Raw* frameStart, int z0, int z1, std::vector<Texel>& texels) const;
   template <class Texel>
@@ -131,16 +136,19 @@ struct VolumeUpload::Impl {
   void stepAs();
 };
 
-VolumeUpload::VolumeUpload(Shared<Volume> volume, int channel, int frame, const gpu::Limits& limits, int mostAlong)
+VolumeUpload::VolumeUpload(const scene::VolumeLayer& layer, const gpu::Limits& limits, int mostAlong)
     : mImpl(std::make_unique<Impl>()) {
   Impl& m = *mImpl;
+  const Shared<Volume>& volume = layer.data;
   m.volume = volume;
-  m.channel = std::clamp(channel, 0, volume->channels - 1);
-  m.frame = std::clamp(frame, 0, volume->frames - 1);
-  m.plan = planFor(*volume);
+  m.channel = std::clamp(layer.channel, 0, volume->channels - 1);
+  m.frame = std::clamp(layer.frame, 0, volume->frames - 1);
+  bool isMixed = scene::mixesChannels(layer), isColor = volume->isColor || isMixed;
+  if (isMixed) m.mix = makeMixTable(layer);
+  m.plan = planFor(*volume, isMixed);
   // Take the best level whose sides and bytes the driver can hold beside pictures and tables.
   auto dimsAt = [&](int factor) { return (volume->dims + factor - 1) / factor; };
-  bool wantsGradients = limits.isSoftware && !volume->isColor;
+  bool wantsGradients = limits.isSoftware && !isColor;
   auto bytesAt = [&](int factor) {
     return product(dimsAt(factor)) * (gpu::texelBytes(m.plan.format) + (wantsGradients ? 4 : 0));
   };
@@ -149,7 +157,7 @@ VolumeUpload::VolumeUpload(Shared<Volume> volume, int channel, int frame, const 
   double mostBytes = 0.7 * double(limits.memoryBytes);
   while (maxOf(dimsAt(m.factor)) > limits.texture3d || double(bytesAt(m.factor)) > mostBytes) ++m.factor;
   // A software driver unpacks the eight texels of each fetch: floats are fetched nearly twice as fast as bytes.
-  if (TexelPlan narrow = m.plan; limits.isSoftware && !volume->isColor) {
+  if (TexelPlan narrow = m.plan; limits.isSoftware && !isColor) {
     m.plan = kAsFloats;
     if (double(bytesAt(m.factor)) > mostBytes) m.plan = narrow;
   }
@@ -165,8 +173,9 @@ VolumeUpload::VolumeUpload(Shared<Volume> volume, int channel, int frame, const 
   }
   out.cells = cellGridFor(out.dims);
   out.isColor = volume->isColor;
-  out.valueScale = m.plan.scale * volume->scale;
-  out.valueOffset = m.plan.offset * volume->scale + volume->offset;
+  out.isMixed = isMixed;
+  out.valueScale = isMixed ? 1.0 : m.plan.scale * volume->scale;
+  out.valueOffset = isMixed ? 0.0 : m.plan.offset * volume->scale + volume->offset;
   glm::dmat4 voxelFromTex(1.0);
   for (int axis = 0; axis < 3; ++axis) {
     voxelFromTex[axis][axis] = double(out.dims[axis]) * m.factor;
@@ -189,6 +198,42 @@ VolumeUpload::VolumeUpload(Shared<Volume> volume, int channel, int frame, const 
 }
 
 VolumeUpload::~VolumeUpload() = default;
+
+/// Texels of mixed channels: the extinctions of a block's voxels are averaged, as those of the channels are added.
+template <class Raw>
+void VolumeUpload::Impl::mixPlanes(const Raw* frameStart, int z0, int z1, std::vector<glm::u8vec4>& texels) const {
+  const Volume& v = *volume;
+  glm::ivec3 dims = out.dims;
+  texels.resize(std::size_t(dims.x) * std::size_t(dims.y) * std::size_t(z1 - z0));
+  double perValue = (MixTable::kSize - 1) / (mix.domain.y - mix.domain.x);
+  float scale = float(v.scale * perValue), offset = float((v.offset - mix.domain.x) * perValue + 0.5);
+  int block = isQuick ? 1 : factor, middle = isQuick ? factor / 2 : 0;
+  tbb::parallel_for(0, (z1 - z0) * dims.y, [&](int job) {
+    glm::ivec3 at(0, job % dims.y, z0 + job / dims.y);
+    glm::u8vec4* row = &texels[std::size_t(job) * std::size_t(dims.x)];
+    for (at.x = 0; at.x < dims.x; ++at.x) {
+      glm::ivec3 first = glm::min(at * factor + middle, v.dims - 1), last = glm::min(first + block, v.dims);
+      glm::vec4 sum(0.0f);
+      for (int z = first.z; z < last.z; ++z)
+        for (int y = first.y; y < last.y; ++y)
+          for (int x = first.x; x < last.x; ++x) {
+            auto index = (std::size_t(z) * std::size_t(v.dims.y) + std::size_t(y)) * std::size_t(v.dims.x) +
+                         std::size_t(x);
+            const Raw* raw = frameStart + index * std::size_t(v.channels);
+            for (std::size_t c = 0; c < mix.channels.size(); ++c) {
+              float entry = float(raw[c]) * scale + offset;
+              entry = entry > 0.0f ? std::min(entry, float(MixTable::kSize - 1)) : 0.0f;  // not a number: 0
+              sum += mix.channels[c][std::size_t(entry)];
+            }
+          }
+      glm::ivec3 extent = last - first;
+      sum /= float(extent.x * extent.y * extent.z);
+      float alpha = std::sqrt(std::min(sum.w, 1.0f));
+      glm::vec3 color = sum.w > 0.0f ? glm::vec3(sum) * (alpha / sum.w) : glm::vec3(0.0f);
+      row[at.x] = glm::u8vec4(glm::clamp(glm::vec4(color, alpha), 0.0f, 1.0f) * 255.0f + 0.5f);
+    }
+  });
+}
 
 /// Texels of the level's planes z0..z1: the mean of each block of `factor`^3 samples, or the sample itself.
 template <class Texel, class Raw>
@@ -241,6 +286,12 @@ const Texel* VolumeUpload::Impl::planes(int z0, int z1, std::vector<Texel>& scra
     const Raw* start = samples + frameSamples * std::size_t(frame);
     if constexpr (std::is_same_v<Raw, Texel> && !std::is_same_v<Texel, float>) {
       if (factor == 1 && v.channels == 1) return start + planeSize * std::size_t(z0);
+    }
+    if constexpr (std::is_same_v<Texel, glm::u8vec4>) {
+      if (out.isMixed) {
+        mixPlanes(start, z0, z1, scratch);
+        return scratch.data();
+      }
     }
     convertPlanes<Texel>(start, z0, z1, scratch);
     return scratch.data();

@@ -9,6 +9,7 @@
 #include "velum/gpu/Buffer.h"
 #include "velum/gpu/Context.h"
 #include "velum/gpu/Texture.h"
+#include "velum/scene/Scene.h"
 
 namespace velum::render {
 
@@ -21,7 +22,7 @@ struct CellGrid {
 /// dragged.
 CellGrid cellGridFor(glm::ivec3 dims);
 
-/// One channel and time step of a volume on the GPU, at the best level that fits.
+/// One time step of a volume on the GPU, one channel or all of them mixed, at the best level that fits.
 struct GpuVolume {
   gpu::Texture texture;
   gpu::Texture gradient;  ///< Software drivers: differences over two voxels, direction in xyz (128 is 0), root of the
@@ -32,7 +33,8 @@ struct GpuVolume {
   glm::ivec3 dims{0};                      ///< Voxels of the texture.
   glm::dmat4 worldFromTex{1.0};            ///< From texture coordinates 0..1.
   double valueScale = 1, valueOffset = 0;  ///< value = texel * scale + offset, texel as a sampler returns it
-  bool isColor = false;
+  bool isColor = false;  ///< rgb holds colours, alpha the value
+  bool isMixed = false;  ///< rgb and alpha as MixTable says
   std::string reduction;  ///< In words, when level > 0.
 };
 
@@ -42,7 +44,7 @@ class VolumeUpload {
   /// Chooses the level and allocates. @throw gpu::GpuError
   /// @param mostAlong  texels along the longest side of a quick copy, whose texels are single voxels of the volume;
   ///                   0: all that fits, whose texels are means where it is reduced
-  VolumeUpload(Shared<Volume> volume, int channel, int frame, const gpu::Limits& limits, int mostAlong = 0);
+  VolumeUpload(const scene::VolumeLayer& layer, const gpu::Limits& limits, int mostAlong = 0);
   ~VolumeUpload();
   /// Converts and uploads one slab of about 4 MB. @return true when it was the last
   bool step();

@@ -152,8 +152,8 @@ Look lookOf(std::string_view name) {
 
 /// Where fractions 0 and 1 of a relative preset lie in this volume.
 /// @param brightShare  share of what is not background that counts as fully bright
-glm::dvec2 relativeRange(const Volume& volume, bool isSigned, double brightShare) {
-  Histogram histogram = computeHistogram(volume);
+glm::dvec2 relativeRange(const Volume& volume, int channel, bool isSigned, double brightShare) {
+  Histogram histogram = computeHistogram(volume, 4096, channel);
   if (isSigned) return {quantile(histogram, 0.004), quantile(histogram, 0.996)};
   // The background is the highest peak of the lower half; without a peak, the lowest hundredth.
   std::size_t half = histogram.counts.size() / 2;
@@ -204,20 +204,56 @@ void applyPreset(Scene& scene, std::string_view name) {
   glm::dvec2 range(0, 1);
   double unitMm = 1.0;
   if (layer.data && !preset.isAbsolute) {
-    range = relativeRange(*layer.data, isSigned(name), name == "microscopy" ? 0.04 : 0.01);
+    int channel = mixesChannels(layer) ? layer.channel : 0;
+    range = relativeRange(*layer.data, channel, isSigned(name), name == "microscopy" ? 0.04 : 0.01);
     glm::dvec3 spacing = spacingMm(*layer.data);
     unitMm = (spacing.x + spacing.y + spacing.z) / 3.0;
   }
   auto place = [&](double value) { return preset.isAbsolute ? value : range.x + value * (range.y - range.x); };
   for (auto& point : look.colors) point.value = place(point.value);
   for (auto& point : look.opacities) point.value = place(point.value);
-  layer.transfer = {std::string(name), look.colors, look.opacities, {}, look.unit * unitMm};
-  layer.windowLevel = place(look.windowLevel);
-  layer.windowWidth = preset.isAbsolute ? look.windowWidth : look.windowWidth * (range.y - range.x);
+  currentTransfer(layer) = {std::string(name), look.colors, look.opacities, {}, look.unit * unitMm};
+  setWindow(layer, place(look.windowLevel),
+            preset.isAbsolute ? look.windowWidth : look.windowWidth * (range.y - range.x));
+  if (mixesChannels(layer)) {
+    ChannelLook& current = layer.channels[std::size_t(layer.channel)];
+    colorChannel(current, current.color);
+  }
   scene.lighting.specular = look.specular;
   scene.lighting.occlusion = look.occlusion;
   scene.lighting.shadow = look.shadow;
   scene.lighting.ambient = look.ambient;
+}
+
+void colorChannel(ChannelLook& look, glm::vec3 color) {
+  look.color = color;
+  auto& points = look.transfer.opacities;
+  double low = points.empty() ? 0.0 : points.front().value, high = points.empty() ? 1.0 : points.back().value;
+  // From its dark tone to itself: shape shows by shading, density by saturation.
+  look.transfer.colors = {{low, color * 0.45f}, {high, color}};
+}
+
+void completeChannels(VolumeLayer& layer) {
+  if (!layer.data || layer.data->isColor || layer.data->channels < 2) return layer.channels.clear();
+  if (int(layer.channels.size()) == layer.data->channels) return;
+  static const glm::vec3 kColors[] = {{0.25f, 0.85f, 0.35f}, {0.95f, 0.30f, 0.85f}, {0.25f, 0.75f, 1.0f},
+                                      {1.0f, 0.80f, 0.20f},  {1.0f, 0.45f, 0.25f},  {0.85f, 0.85f, 0.85f}};
+  const Volume& volume = *layer.data;
+  glm::dvec3 spacing = spacingMm(volume);
+  layer.channels.clear();
+  for (int c = 0; c < volume.channels; ++c) {
+    ChannelLook& look = layer.channels.emplace_back();
+    look.name = std::size_t(c) < volume.channelNames.size() && !volume.channelNames[std::size_t(c)].empty()
+                    ? volume.channelNames[std::size_t(c)]
+                    : fmt::format("Channel {}", c + 1);
+    glm::dvec2 range = relativeRange(volume, c, false, 0.01);
+    auto place = [&](double share) { return range.x + share * (range.y - range.x); };
+    look.transfer.opacities = {{place(0.12), 0}, {place(0.35), 0.02}, {place(0.7), 0.12}, {place(1.0), 0.4}};
+    look.transfer.unitDistanceMm = (spacing.x + spacing.y + spacing.z) / 3.0;
+    look.windowLevel = place(0.5);
+    look.windowWidth = range.y - range.x;
+    colorChannel(look, kColors[std::size_t(c) % std::size(kColors)]);
+  }
 }
 
 std::string_view choosePreset(const Volume& volume) {

@@ -98,10 +98,60 @@ void completeStructures(LabelLayer& labels) {
             [](const Structure& a, const Structure& b) { return a.id < b.id; });
 }
 
-glm::dvec2 effectiveWindow(const VolumeLayer& layer) {
-  if (layer.windowWidth > 0 || !layer.data) return {layer.windowLevel, std::max(layer.windowWidth, 1e-300)};
+bool mixesChannels(const VolumeLayer& layer) {
+  return layer.data && !layer.data->isColor && layer.channels.size() > 1 &&
+         int(layer.channels.size()) == layer.data->channels;
+}
+
+TransferFunction& currentTransfer(VolumeLayer& layer) {
+  if (!mixesChannels(layer)) return layer.transfer;
+  return layer.channels[std::size_t(std::clamp(layer.channel, 0, int(layer.channels.size()) - 1))].transfer;
+}
+
+const TransferFunction& currentTransfer(const VolumeLayer& layer) {
+  return currentTransfer(const_cast<VolumeLayer&>(layer));
+}
+
+namespace {
+glm::dvec2 windowOr(const VolumeLayer& layer, double level, double width) {
+  if (width > 0 || !layer.data) return {level, std::max(width, 1e-300)};
   glm::dvec2 range = layer.data->range;
   return {(range.x + range.y) * 0.5, std::max(range.y - range.x, 1e-12)};
+}
+}  // namespace
+
+glm::dvec2 effectiveWindow(const VolumeLayer& layer, const ChannelLook& look) {
+  return windowOr(layer, look.windowLevel, look.windowWidth);
+}
+
+glm::dvec2 effectiveWindow(const VolumeLayer& layer) {
+  if (mixesChannels(layer))
+    return effectiveWindow(layer,
+                           layer.channels[std::size_t(std::clamp(layer.channel, 0, int(layer.channels.size()) - 1))]);
+  return windowOr(layer, layer.windowLevel, layer.windowWidth);
+}
+
+void setWindow(VolumeLayer& layer, double level, double width) {
+  bool mixes = mixesChannels(layer);
+  ChannelLook* look =
+      mixes ? &layer.channels[std::size_t(std::clamp(layer.channel, 0, int(layer.channels.size()) - 1))] : nullptr;
+  (look ? look->windowLevel : layer.windowLevel) = level;
+  (look ? look->windowWidth : layer.windowWidth) = width;
+}
+
+Scene pictureScene(Scene scene) {
+  scene.slices = {};
+  for (auto& cut : scene.cuts) cut.name.clear();
+  for (auto& structure : scene.labels.structures) structure.name.clear();
+  for (auto& look : scene.volume.channels) look.name.clear();
+  return scene;
+}
+
+void placeSlices(Scene& scene) {
+  if (scene.slices.isPlaced) return;
+  Bounds bounds = computeBounds(scene);
+  scene.slices.crosshairMm = (bounds.min + bounds.max) * 0.5;
+  scene.slices.isPlaced = true;
 }
 
 }  // namespace velum::scene

@@ -82,6 +82,7 @@ scene::Scene fromText(const std::string& text, const fs::path& file, Progress& p
     throw InputError(fmt::format("{}: {}", file.string(), error.what()));
   }
   loadData(scene, file.parent_path(), progress);
+  scene::placeSlices(scene);
   return scene;
 }
 
@@ -120,6 +121,7 @@ scene::Scene open(const scene::Source& source, Progress& progress) {
   scene::Scene scene;
   add(scene, source, progress);
   scene.camera = scene::frameCamera(scene, scene::defaultView(scene), 4.0 / 3.0);
+  scene::placeSlices(scene);
   return scene;
 }
 
@@ -147,6 +149,7 @@ void add(scene::Scene& scene, const scene::Source& source, Progress& progress) {
   if (!(scene.volume.data->range.x < scene.volume.data->range.y))
     log::warning(fmt::format("{}: every voxel has the same value; there is nothing to see", source.path));
   scene::applyPreset(scene, scene::choosePreset(*scene.volume.data));
+  scene::completeChannels(scene.volume);
 }
 
 scene::Scene openAll(std::vector<std::string> paths, Progress& progress) {
@@ -173,7 +176,10 @@ void loadData(scene::Scene& scene, const fs::path& folder, Progress& progress) {
   if (!scene.volume.source.path.empty() && !scene.volume.data) {
     place(scene.volume.source);
     readVolumeInto(scene.volume, scene.volume.source, progress);
-    if (scene.volume.transfer.opacities.empty()) scene::applyPreset(scene, scene::choosePreset(*scene.volume.data));
+    if (scene.volume.transfer.opacities.empty()) {
+      scene::applyPreset(scene, scene::choosePreset(*scene.volume.data));
+      scene::completeChannels(scene.volume);
+    }
   }
   if (!scene.labels.source.path.empty() && !scene.labels.data) {
     place(scene.labels.source);

@@ -19,12 +19,20 @@ struct Preset {
 /// Every preset, in the order of menus.
 std::span<const Preset> presets();
 
-/// Gives a layer and the lighting the look of a preset, fitted to the layer's volume.
+/// Gives a layer and the lighting the look of a preset, fitted to the layer's volume; where channels are mixed, the
+/// current one, which keeps its colour.
 /// @throw ArgumentError for an unknown name, listing the known ones
 void applyPreset(Scene& scene, std::string_view name);
 
 /// The preset that fits what the volume says of itself and, where it says nothing, its histogram. Never leaves the
 /// picture empty or solid.
 std::string_view choosePreset(const Volume& volume);
+
+/// Gives each channel of a volume with several a look of its own, fitted to its values, where the layer has none yet.
+/// Colours that the colour-blind can tell apart come first.
+void completeChannels(VolumeLayer& layer);
+
+/// Gives a channel a colour: on slices, and the ramp from dark to it in the 3D picture.
+void colorChannel(ChannelLook& look, glm::vec3 color);
 
 }  // namespace velum::scene

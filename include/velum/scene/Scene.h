@@ -11,6 +11,7 @@
 #include "velum/scene/Cut.h"
 #include "velum/scene/Lighting.h"
 #include "velum/scene/RayCast.h"
+#include "velum/scene/Slices.h"
 #include "velum/scene/Source.h"
 #include "velum/scene/Structure.h"
 #include "velum/scene/TransferFunction.h"
@@ -23,8 +24,9 @@ struct VolumeLayer {
   Shared<Volume> data;  ///< not saved: read from `source`
   bool visible = true;
   int frame = 0;    ///< time step, 0..frames-1
-  int channel = 0;  ///< 0..channels-1; colour volumes show their colours
+  int channel = 0;  ///< 0..channels-1; colour volumes show their colours. The one that is edited where several are mixed
   TransferFunction transfer;
+  std::vector<ChannelLook> channels;  ///< one per channel where several are mixed; empty: `channel` by `transfer`
   double windowLevel = 0.0;  ///< middle of the grey window of slices and MIP, the volume's unit
   double windowWidth = 0.0;  ///< its width; 0: the whole range
   bool operator==(const VolumeLayer&) const = default;
@@ -34,6 +36,7 @@ struct VolumeLayer {
     visit("frame", o.frame, FieldInfo{"", {0, 1e9}, "Time step."});
     visit("channel", o.channel, FieldInfo{"", {0, 1e9}, "Channel that is shown."});
     visit("transfer", o.transfer, FieldInfo{"", {}, "Colour and opacity by value."});
+    visit("channels", o.channels, FieldInfo{"", {}, "Looks of the channels that are mixed; empty: one channel."});
     visit("windowLevel", o.windowLevel, FieldInfo{"", {}, "Middle of the grey window of slices and MIP."});
     visit("windowWidth", o.windowWidth, FieldInfo{"", {0, 1e300}, "Width of the grey window; 0: the whole range."});
   }
@@ -78,6 +81,7 @@ struct Scene {
   std::vector<Surface> surfaces;
   std::vector<Cut> cuts;
   Camera camera;
+  Slices slices;
   RayCast rayCast;
   Lighting lighting;
   Background background;
@@ -89,6 +93,7 @@ struct Scene {
     visit("surfaces", o.surfaces, FieldInfo{"", {}, "Opaque surfaces."});
     visit("cuts", o.cuts, FieldInfo{"", {}, "What removes material, in order."});
     visit("camera", o.camera, FieldInfo{"", {}, "Where the eye is."});
+    visit("slices", o.slices, FieldInfo{"", {}, "The slice views."});
     visit("rayCast", o.rayCast, FieldInfo{"", {}, "How rays are cast."});
     visit("lighting", o.lighting, FieldInfo{"", {}, "Light and shadow."});
     visit("background", o.background, FieldInfo{"", {}, "What is behind everything."});
@@ -117,7 +122,24 @@ glm::dmat4 worldFromCut(const Cut& cut);
 /// Reads the structures' names and colours out of the label data for every id that the scene does not list yet.
 void completeStructures(LabelLayer& labels);
 
-/// The grey window in force: level and width, the volume's unit.
+/// True when the volume's channels are mixed, each by its own look.
+bool mixesChannels(const VolumeLayer& layer);
+
+/// The transfer function that is edited: of the current channel where several are mixed, else the layer's own.
+TransferFunction& currentTransfer(VolumeLayer& layer);
+const TransferFunction& currentTransfer(const VolumeLayer& layer);
+
+/// The grey window in force, of the current channel where several are mixed: level and width, the volume's unit.
 glm::dvec2 effectiveWindow(const VolumeLayer& layer);
+/// The same for one channel. @param look  of a channel of the layer
+glm::dvec2 effectiveWindow(const VolumeLayer& layer, const ChannelLook& look);
+/// Sets the window of the current channel, or of the layer.
+void setWindow(VolumeLayer& layer, double level, double width);
+
+/// The scene reduced to what the 3D picture depends on: without slices and names.
+Scene pictureScene(Scene scene);
+
+/// Puts the crosshair into the middle of the data where it has no place yet.
+void placeSlices(Scene& scene);
 
 }  // namespace velum::scene

@@ -48,4 +48,23 @@ struct TransferFunction {
   }
 };
 
+/// One channel of a volume that has several (fluorescence dyes): all that are visible are mixed in one picture.
+struct ChannelLook {
+  std::string name;
+  bool visible = true;
+  glm::vec3 color{1.0f};      ///< sRGB; its colour on slices and in lists
+  TransferFunction transfer;  ///< its colour and opacity in the 3D picture
+  double windowLevel = 0.0;   ///< middle of its grey window on slices, the volume's unit
+  double windowWidth = 0.0;   ///< its width; 0: the whole range
+  bool operator==(const ChannelLook&) const = default;
+  static void fields(auto& o, auto& visit) {
+    visit("name", o.name, FieldInfo{"", {}, "Name for people: the dye."});
+    visit("visible", o.visible, FieldInfo{"", {}, "Off: the channel is not mixed in."});
+    visit("color", o.color, FieldInfo{"", {0, 1}, "sRGB colour on slices and in lists."});
+    visit("transfer", o.transfer, FieldInfo{"", {}, "Colour and opacity by value in the 3D picture."});
+    visit("windowLevel", o.windowLevel, FieldInfo{"", {}, "Middle of the window on slices."});
+    visit("windowWidth", o.windowWidth, FieldInfo{"", {0, 1e300}, "Width of the window; 0: the whole range."});
+  }
+};
+
 }  // namespace velum::scene

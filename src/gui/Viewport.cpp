@@ -218,7 +218,7 @@ void Viewport::selectCut(int index) {
 
 void Viewport::lookFrom(scene::StandardView view) {
   double aspect = logicalSize().x / logicalSize().y;
-  mDocument.amend([&, camera = scene::frameCamera(mDocument.scene(), view, aspect)](scene::Scene& scene) {
+  mDocument.view([&, camera = scene::frameCamera(mDocument.scene(), view, aspect)](scene::Scene& scene) {
     scene.camera = camera;
   });
 }
@@ -234,7 +234,7 @@ void Viewport::toggleProjection() {
   else
     camera.eyeMm = camera.targetMm + glm::normalize(arm) * (camera.heightMm * 0.5 / tangent);
   camera.projection = perspective ? scene::Projection::Orthographic : scene::Projection::Perspective;
-  mDocument.amend([camera](scene::Scene& scene) { scene.camera = camera; });
+  mDocument.view([camera](scene::Scene& scene) { scene.camera = camera; });
 }
 
 std::optional<render::Pick> Viewport::pickAt(QPointF place) {

@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "JournalFiles.h"
+#include "Syncer.h"
 #include "velum/core/Error.h"
 #include "velum/scene/ChangeLog.h"
 
@@ -22,8 +23,6 @@ using Clock = std::chrono::steady_clock;
 
 namespace {
 
-constexpr auto kSyncPause = std::chrono::seconds(1);
-
 /// A name that sorts by time and that no other process, or document of this one, has.
 std::string newFolderName() {
   static std::atomic<int> turn{0};
@@ -33,94 +32,6 @@ std::string newFolderName() {
 }
 
 }  // namespace
-
-/// Brings files to the disk in a thread of its own: a slow disk must not hold up the lines.
-class Syncer {
- public:
-  using Listener = std::function<void(const std::string&)>;
-  explicit Syncer(Listener onError) : mOnError(std::move(onError)), mThread([this] { run(); }) {}
-  ~Syncer() {
-    {
-      std::lock_guard guard(mMutex);
-      mStop = true;
-    }
-    mWake.notify_all();
-    mThread.join();
-  }
-
-  /// The journal has grown. It may be closed meanwhile.
-  void want(int file) {
-    std::lock_guard guard(mMutex);
-    // Of an older file that is still due nothing is lost: the next one begins with the whole scene.
-    if (mFile >= 0) ::close(mFile);
-    mFile = ::fcntl(file, F_DUPFD_CLOEXEC, 0);
-    mWake.notify_all();
-  }
-  /// A generation has begun: its autosave is written, then what is older than the one before is deleted.
-  void wantAutosave(fs::path folder, int generation, std::string text) {
-    std::lock_guard guard(mMutex);
-    mAutosave = Autosave{std::move(folder), generation, std::move(text)};
-    mWake.notify_all();
-  }
-  /// Until nothing is under way and nothing is due.
-  void wait() {
-    std::unique_lock guard(mMutex);
-    mHurry = true;
-    mWake.notify_all();
-    mIdle.wait(guard, [this] { return !mBusy && mFile < 0 && !mAutosave; });
-    mHurry = false;
-  }
-
- private:
-  struct Autosave {
-    fs::path folder;
-    int generation;
-    std::string text;
-  };
-
-  void run() {
-    std::unique_lock guard(mMutex);
-    while (true) {
-      mWake.wait(guard, [this] { return mStop || mFile >= 0 || mAutosave; });
-      if (mFile < 0 && !mAutosave) return;  // stopping, with nothing due
-      auto autosave = std::exchange(mAutosave, std::nullopt);
-      int file = std::exchange(mFile, -1);
-      mBusy = true;
-      guard.unlock();
-      if (autosave) write(*autosave);
-      if (file >= 0) {
-        ::fdatasync(file);
-        ::close(file);
-      }
-      guard.lock();
-      mBusy = false;
-      mIdle.notify_all();
-      mWake.wait_for(guard, kSyncPause, [this] { return mStop || mHurry; });
-    }
-  }
-
-  void write(const Autosave& autosave) {
-    try {
-      writeSynced(autosavePath(autosave.folder, autosave.generation), autosave.text);
-      for (int generation : generationsIn(autosave.folder)) {
-        if (generation >= autosave.generation - 1) continue;
-        std::error_code ignored;
-        fs::remove(journalPath(autosave.folder, generation), ignored);
-        fs::remove(autosavePath(autosave.folder, generation), ignored);
-      }
-    } catch (const Error& error) {
-      mOnError(error.what());
-    }
-  }
-
-  Listener mOnError;
-  std::mutex mMutex;
-  std::condition_variable mWake, mIdle;
-  std::optional<Autosave> mAutosave;
-  int mFile = -1;
-  bool mBusy = false, mStop = false, mHurry = false;
-  std::thread mThread;  // last: it uses the others
-};
 
 struct Journal::Impl {
   explicit Impl(Options given) : options(std::move(given)), thread([this] { run(); }) {}

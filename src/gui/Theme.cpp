@@ -73,6 +73,7 @@ QScrollBar::handle:vertical { background: #444c57; border-radius: 4px; min-heigh
 QScrollBar::add-line, QScrollBar::sub-line { height: 0; }
 #messageBar[kind="error"] { background: #4a2a2a; border-bottom: 1px solid #7d4540; }
 #messageBar[kind="note"] { background: #2c3a46; border-bottom: 1px solid #44637a; }
+#recoveryBar { background: #2c3a46; border-bottom: 1px solid #44637a; }
 #progressStrip { background: #25292f; border-top: 1px solid #16181c; }
 #emptyState { background: qlineargradient(x1:0, y1:0, x2:0, y2:1, stop:0 #292e35, stop:1 #141619); }
 )";

@@ -216,11 +216,12 @@ void Viewport::selectCut(int index) {
   mOverlay->showCut(index);
 }
 
+scene::Camera Viewport::frame(const scene::Scene& scene, scene::StandardView view) const {
+  return scene::frameCamera(scene, view, logicalSize().x / logicalSize().y);
+}
+
 void Viewport::lookFrom(scene::StandardView view) {
-  double aspect = logicalSize().x / logicalSize().y;
-  mDocument.view([&, camera = scene::frameCamera(mDocument.scene(), view, aspect)](scene::Scene& scene) {
-    scene.camera = camera;
-  });
+  mDocument.view([camera = frame(mDocument.scene(), view)](scene::Scene& scene) { scene.camera = camera; });
 }
 
 void Viewport::toggleProjection() {

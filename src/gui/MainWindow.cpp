@@ -16,6 +16,7 @@
 #include "LookPanel.h"
 #include "RecentFiles.h"
 #include "RecoveryBar.h"
+#include "TimeBar.h"
 #include "velum/session/Open.h"
 
 namespace velum::gui {
@@ -39,6 +40,7 @@ MainWindow::MainWindow() : mActions(new ActionTable(this)) {
   buildActions();
   mDocument.setListener([this] { documentChanged(); });
   documentChanged();
+  if (!mActions->warning().isEmpty()) mMessages->showNote(mActions->warning());
   resize(1440, 900);
 }
 
@@ -57,6 +59,7 @@ void MainWindow::buildCentre() {
   mMessages = new MessageBar(centre);
   mPages = new QStackedWidget(centre);
   mProgress = new ProgressStrip(centre);
+  mTime = new TimeBar(mDocument, centre);
   auto* empty = new EmptyState(mPages);
   mViewport = new Viewport(mDocument, mPages);
   mPages->addWidget(empty);
@@ -64,6 +67,7 @@ void MainWindow::buildCentre() {
   layout->addWidget(mRecovery);
   layout->addWidget(mMessages);
   layout->addWidget(mPages, 1);
+  layout->addWidget(mTime);
   layout->addWidget(mProgress);
   setCentralWidget(centre);
   connect(empty, &EmptyState::openFiles, this, [this] { askOpen(false); });
@@ -72,6 +76,7 @@ void MainWindow::buildCentre() {
   mRecent = empty->recent();
   connect(mRecent, &RecentRow::chosen, this, [this](const QString& path) { openAsked({path}); });
   connect(mProgress, &ProgressStrip::cancelled, this, &MainWindow::cancelJob);
+  connect(mTime, &TimeBar::askReady, this, [this](bool& ready) { ready = mViewport->isCurrent(); });
   connect(mViewport, &Viewport::failed, mMessages, &MessageBar::showError);
 }
 
@@ -153,6 +158,7 @@ void MainWindow::buildStatus() {
 void MainWindow::startJob(const QString& what, Job::Work work, std::function<void()> whenDone) {
   if (mJob) return mMessages->showNote(tr("Still busy: wait, or cancel what is running first."));
   mMessages->hide();
+  mLastError.clear();
   mJob = std::make_unique<Job>(std::move(work), nullptr);
   mProgress->begin(what);
   mCancel->setEnabled(true);
@@ -239,10 +245,10 @@ void MainWindow::takeScene(Loaded& loaded, bool add, const QString& path) {
   if (!notes.isEmpty()) mMessages->showNote(tr("%1: %2").arg(pathName(path), notes.join("; ")));
 }
 
-void MainWindow::savePictureTo(const QString& path, const session::PictureOptions& options) {
+void MainWindow::savePictureTo(const QString& path, const session::PictureOptions& options, const scene::Scene& scene) {
   startJob(
       tr("Drawing %1").arg(pathName(path)),
-      [scene = mDocument.scene(), options, path = path.toStdString()](Progress& progress) {
+      [scene, options, path = path.toStdString()](Progress& progress) {
         session::renderPictureFile(scene, options, path, progress);
       },
       [this, path] { mMessages->showNote(tr("Saved %1").arg(path)); });
@@ -270,6 +276,7 @@ void MainWindow::documentChanged() {
   journalChange();
   mViewport->sceneChanged();
   mLook->refresh();
+  mTime->refresh();
   mCuts->refresh();
   bool open = mPages->currentIndex() == 1;
   mSide->setEnabled(open);

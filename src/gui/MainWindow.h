@@ -19,9 +19,11 @@
 namespace velum::gui {
 
 class CutPanel;
+class HelpWindow;
 class LookPanel;
 class RecentRow;
 class RecoveryBar;
+class TimeBar;
 
 /// The window: the 3D view, the side panel, the bars, and the actions. Everything it does to the scene goes through the
 /// document; everything long goes through a job.
@@ -34,15 +36,15 @@ class MainWindow : public QMainWindow {
   /// Reads files or folders in the background. @param add  beside what is open, instead of in its place
   void openPaths(const QStringList& paths, bool add = false);
   void openPhantom(const QString& name, int voxels);
-  void savePictureTo(const QString& path, const session::PictureOptions& options);
+  void savePictureTo(const QString& path, const session::PictureOptions& options, const scene::Scene& scene);
   void saveSceneTo(const QString& path);
   /// Stops the load or the picture that is running; what is open stays.
   void cancelJob();
   /// Back to the empty window.
   void newScene();
 
-  /// Journals every change from now on, in a folder under this one, and offers what dead sessions left there.
-  void protectWork(const std::filesystem::path& root);
+  /// Journals every change from now on, in a folder under this one. @param offers  what dead sessions left there, too
+  void protectWork(const std::filesystem::path& root, bool offers = true);
   /// Opens the work that is offered, as modified. False when nothing is offered.
   bool restoreWork();
   /// A script runs: nothing is asked. Unsaved changes are given up; data that is missing is an error.
@@ -79,13 +81,15 @@ class MainWindow : public QMainWindow {
   void buildEditActions(QMenu* menu, QToolBar* bar);
   void buildViewActions(QMenu* menu, QToolBar* bar);
   void buildCutActions(QMenu* menu, QToolBar* bar);
+  void buildTimeActions(QMenu* menu);
+  void buildHelpActions(QMenu* menu);
   void addTab(QWidget* panel, const QString& title, const QString& tip);
   void buildStatus();
   void startJob(const QString& what, Job::Work work, std::function<void()> whenDone);
   /// What a load gives.
   struct Loaded {
     scene::Scene scene;
-    std::vector<std::string> notes;           ///< for the user
+    std::vector<std::string> notes;            ///< for the user
     std::unique_ptr<session::WorkClaim> lost;  ///< recovered work, until it is journaled anew
   };
   void startLoad(const QString& what, std::function<void(Loaded&, Progress&)> read, bool add, const QString& path);
@@ -104,6 +108,7 @@ class MainWindow : public QMainWindow {
   void rememberPicture();
   void buildDocumentActions(QMenu* file);
   void buildHistory(QMenu* edit);
+  void lookForWork();
   void askDiscardWork();
   void adoptLostWork(session::WorkClaim& lost);
   void documentChanged();
@@ -114,6 +119,9 @@ class MainWindow : public QMainWindow {
   void askSavePicture();
   void askSaveScene(bool asNew);
   void showAbout();
+  void showHelp();
+  void showPreferences();
+  void findCommand();
   QString pictureFolder() const;
 
   session::Document mDocument;
@@ -124,6 +132,8 @@ class MainWindow : public QMainWindow {
   ProgressStrip* mProgress = nullptr;
   LookPanel* mLook = nullptr;
   CutPanel* mCuts = nullptr;
+  TimeBar* mTime = nullptr;
+  HelpWindow* mHelp = nullptr;
   QWidget* mSide = nullptr;
   QTabWidget* mTabs = nullptr;
   QLabel *mDataLabel = nullptr, *mPickLabel = nullptr, *mReductionLabel = nullptr, *mRefineLabel = nullptr,
@@ -135,9 +145,10 @@ class MainWindow : public QMainWindow {
   RecoveryBar* mRecovery = nullptr;
   RecentRow* mRecent = nullptr;
   bool mUnattended = false;
-  bool mIsReplacing = false;          ///< Another scene is coming in: that is no change to journal.
-  bool mWantsPicture = false;         ///< The recent file that is open has no picture of this session yet.
+  bool mIsReplacing = false;           ///< Another scene is coming in: that is no change to journal.
+  bool mWantsPicture = false;          ///< The recent file that is open has no picture of this session yet.
   std::uint64_t mJournaledChange = 0;  ///< The document's change that the journal heard of last.
+  std::filesystem::path mRecoveryRoot;
   std::unique_ptr<session::Journal> mJournal;
   std::unique_ptr<Job> mScan;  ///< Looks for dead sessions' work.
   std::unique_ptr<Job> mJob;

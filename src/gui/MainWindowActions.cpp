@@ -6,9 +6,13 @@
 #include <QStandardPaths>
 #include <QToolBar>
 
+#include "CommandFinder.h"
 #include "CutPanel.h"
+#include "HelpWindow.h"
 #include "MainWindow.h"
+#include "Preferences.h"
 #include "SavePictureDialog.h"
+#include "TimeBar.h"
 #include "velum/session/Open.h"
 
 namespace velum::gui {
@@ -42,8 +46,42 @@ void MainWindow::buildActions() {
   buildViewActions(menuBar()->addMenu(tr("&View")), bar);
   bar->addSeparator();
   buildCutActions(menuBar()->addMenu(tr("&Cut")), bar);
-  QMenu* help = menuBar()->addMenu(tr("&Help"));
-  mActions->add(help, "help.about", tr("&About Velum"), tr("Say what Velum is"), [this] { showAbout(); });
+  buildTimeActions(menuBar()->addMenu(tr("&Time")));
+  buildHelpActions(menuBar()->addMenu(tr("&Help")));
+}
+
+void MainWindow::buildTimeActions(QMenu* menu) {
+  mActions->addForScene(menu, "time.play", tr("&Play or pause"), tr("Play the time steps round and round"),
+                        [this] { mTime->setPlaying(!mTime->isPlaying()); });
+  mActions->addForScene(menu, "time.next", tr("&Next step"), tr("The next time step"), [this] { mTime->step(1); });
+  mActions->addForScene(menu, "time.previous", tr("&Step before"), tr("The time step before"),
+                        [this] { mTime->step(-1); });
+}
+
+void MainWindow::buildHelpActions(QMenu* menu) {
+  mActions->add(menu, "help.guide", tr("User &guide"), tr("Read the guide; no network is needed"),
+                [this] { showHelp(); });
+  mActions->add(menu, "help.find", tr("&Find a command..."), tr("Find any command by a few letters and do it"),
+                [this] { findCommand(); });
+  menu->addSeparator();
+  mActions->add(menu, "help.about", tr("&About Velum"), tr("Say what Velum is"), [this] { showAbout(); });
+}
+
+void MainWindow::showHelp() {
+  if (!mHelp) mHelp = new HelpWindow(this);
+  mHelp->show();
+  mHelp->raise();
+  mHelp->activateWindow();
+}
+
+void MainWindow::findCommand() {
+  CommandFinder finder(*mActions, this);
+  finder.exec();
+}
+
+void MainWindow::showPreferences() {
+  PreferencesDialog dialog(this);
+  dialog.exec();
 }
 
 void MainWindow::buildFileActions(QMenu* menu, QToolBar* bar) {
@@ -66,12 +104,19 @@ void MainWindow::buildFileActions(QMenu* menu, QToolBar* bar) {
                   });
   }
   menu->addSeparator();
-  mActions->addForScene(menu, "file.saveScene", tr("&Save scene"), tr("Save the scene"), [this] { askSaveScene(false); });
+  mActions->addForScene(menu, "file.saveScene", tr("&Save scene"), tr("Save the scene"),
+                        [this] { askSaveScene(false); });
   mActions->addForScene(menu, "file.saveSceneAs", tr("Save scene &as..."), tr("Save the scene under another name"),
                         [this] { askSaveScene(true); });
   QAction* picture = mActions->addForScene(menu, "file.savePicture", tr("Save p&icture..."),
                                            tr("Draw and save a picture of any size"), [this] { askSavePicture(); });
   menu->addSeparator();
+  mActions->add(menu, "file.newWindow", tr("New &window"), tr("Open a second window with a scene of its own"), [this] {
+    auto* window = new MainWindow;
+    window->setAttribute(Qt::WA_DeleteOnClose);
+    if (mJournal) window->protectWork(mRecoveryRoot, false);
+    window->show();
+  });
   mCancel = mActions->add(menu, "file.cancel", tr("&Cancel what is running"), tr("Stop the load or the picture"),
                           [this] { cancelJob(); });
   mCancel->setEnabled(false);
@@ -88,6 +133,9 @@ void MainWindow::buildEditActions(QMenu* menu, QToolBar* bar) {
   buildHistory(menu);
   mUndo->setIconText(tr("Undo"));
   mRedo->setIconText(tr("Redo"));
+  menu->addSeparator();
+  mActions->add(menu, "edit.preferences", tr("&Preferences..."), tr("Appearance, and where settings are stored"),
+                [this] { showPreferences(); });
   bar->addAction(mUndo);
   bar->addAction(mRedo);
 }
@@ -106,9 +154,9 @@ void MainWindow::buildViewActions(QMenu* menu, QToolBar* bar) {
                                   {"view.inferior", "&Inferior", "I", StandardView::Inferior},
                                   {"view.oblique", "&Oblique", "", StandardView::Oblique}};
   for (const Row& row : kRows) {
-    QAction* action = mActions->addForScene(menu, row.id, tr(row.name),
-                                            tr("Look from: %1").arg(tr(row.name).remove('&').toLower()),
-                                            [this, view = row.view] { mViewport->lookFrom(view); });
+    QAction* action =
+        mActions->addForScene(menu, row.id, tr(row.name), tr("Look from: %1").arg(tr(row.name).remove('&').toLower()),
+                              [this, view = row.view] { mViewport->lookFrom(view); });
     if (!*row.letter) continue;
     action->setIconText(row.letter);
     bar->addAction(action);
@@ -129,7 +177,8 @@ void MainWindow::buildViewActions(QMenu* menu, QToolBar* bar) {
 void MainWindow::buildCutActions(QMenu* menu, QToolBar* bar) {
   QAction* add = mActions->addForScene(menu, "cut.addPlane", tr("&Add plane"), tr("Cut away the half that faces you"),
                                        [this] { mCuts->addPlane(); });
-  mActions->addForScene(menu, "cut.flip", tr("&Flip"), tr("Take away the other side"), [this] { mCuts->flipSelected(); });
+  mActions->addForScene(menu, "cut.flip", tr("&Flip"), tr("Take away the other side"),
+                        [this] { mCuts->flipSelected(); });
   mActions->addForScene(menu, "cut.remove", tr("&Remove"), tr("Remove the selected cut"),
                         [this] { mCuts->removeSelected(); });
   add->setIconText(tr("Add cut"));
@@ -163,7 +212,7 @@ void MainWindow::askSavePicture() {
       QFileDialog::getSaveFileName(this, tr("Save picture"), start, tr("PNG (*.png);;OpenEXR (*.exr);;TIFF (*.tif)"));
   if (path.isEmpty()) return;
   if (QFileInfo(path).suffix().isEmpty()) path += ".png";
-  savePictureTo(path, dialog.options());
+  savePictureTo(path, dialog.options(), dialog.pictureScene());
 }
 
 void MainWindow::askSaveScene(bool asNew) {

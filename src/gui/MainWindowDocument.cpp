@@ -33,6 +33,8 @@ bool MainWindow::mayLeaveScene() {
   QMessageBox box(QMessageBox::Warning, tr("Unsaved changes"), tr("Save the changes of %1?").arg(name),
                   QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
   box.setInformativeText(tr("What is not saved is lost."));
+  box.button(QMessageBox::Save)->setText(tr("&Save"));
+  box.button(QMessageBox::Discard)->setText(tr("&Don't save"));
   box.setDefaultButton(QMessageBox::Save);
   box.setEscapeButton(QMessageBox::Cancel);
   int answer = box.exec();
@@ -97,8 +99,7 @@ bool MainWindow::locateMissing(Loaded& loaded) {
     if (box.clickedButton() == locate)
       path = QFileDialog::getOpenFileName(this, tr("Where is %1?").arg(file.fileName()), file.path());
     if (path.isEmpty()) {
-      loaded.notes.push_back(
-          tr("opened without its %1 (%2)").arg(toText(missing.what), file.filePath()).toStdString());
+      loaded.notes.push_back(tr("opened without its %1 (%2)").arg(toText(missing.what), file.filePath()).toStdString());
       continue;
     }
     found = true;
@@ -119,14 +120,22 @@ void MainWindow::replaceScene(scene::Scene scene, const QString& path) {
 
 // The journal.
 
-void MainWindow::protectWork(const std::filesystem::path& root) {
+void MainWindow::protectWork(const std::filesystem::path& root, bool offers) {
+  mRecoveryRoot = root;
   mJournal = std::make_unique<session::Journal>(session::Journal::Options{root});
   mJournaledChange = mDocument.changeCount();
   mJournal->setErrorListener([this](const std::string& text) {
-    QMetaObject::invokeMethod(this, [this, text] { mMessages->showError(toText(text)); }, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(
+        this, [this, text] { mMessages->showError(toText(text)); }, Qt::QueuedConnection);
   });
+  mRecent->refresh();
+  if (offers) lookForWork();
+}
+
+void MainWindow::lookForWork() {
   auto found = std::make_shared<std::vector<session::LostWork>>();
-  mScan = std::make_unique<Job>([found, root](Progress&) { *found = session::findLostWork(root); }, nullptr);
+  mScan = std::make_unique<Job>([found, root = mRecoveryRoot](Progress&) { *found = session::findLostWork(root); },
+                                nullptr);
   connect(mScan.get(), &Job::finished, this, [this, found] {
     mScan.release()->deleteLater();
     mRecovery->offer(std::move(*found));
@@ -179,6 +188,7 @@ void MainWindow::askDiscardWork() {
   QMessageBox box(QMessageBox::Warning, tr("Discard unsaved work"),
                   tr("Delete the unsaved work of %1 for good?").arg(toText(work->title)),
                   QMessageBox::Discard | QMessageBox::Cancel, this);
+  box.button(QMessageBox::Discard)->setText(tr("&Delete"));
   box.setDefaultButton(QMessageBox::Cancel);
   if (box.exec() != QMessageBox::Discard) return;
   try {

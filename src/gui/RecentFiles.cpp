@@ -59,9 +59,7 @@ void saveRecentPicture(const std::filesystem::path& file, const QImage& image) {
 // A card.
 
 RecentCard::RecentCard(const session::RecentFile& file, QWidget* parent)
-    : QAbstractButton(parent),
-      mFile(file),
-      mPixmap(recentPixmap(file.path, kPicture, parent->devicePixelRatioF())) {
+    : QAbstractButton(parent), mFile(file), mPixmap(recentPixmap(file.path, kPicture, parent->devicePixelRatioF())) {
   setFocusPolicy(Qt::StrongFocus);
   setCursor(Qt::PointingHandCursor);
   setText(nameOf(file));
@@ -110,6 +108,7 @@ void RecentCard::paintEvent(QPaintEvent*) {
 
 RecentRow::RecentRow(QWidget* parent) : QWidget(parent), mRow(new QWidget(this)) {
   setObjectName("recentRow");
+  setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // what does not fit is not shown
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(24, 26, 24, 0);
   layout->setSpacing(10);

@@ -9,7 +9,7 @@ namespace velum::gui {
 
 QString sayTime(std::chrono::system_clock::time_point when) {
   QDateTime time = QDateTime::fromSecsSinceEpoch(std::chrono::system_clock::to_time_t(when));
-  QString clock = QLocale().toString(time.time(), QLocale::ShortFormat);
+  QString clock = QLocale().toString(time.time(), QLocale().timeFormat(QLocale::ShortFormat).remove(":ss"));
   qint64 days = time.date().daysTo(QDate::currentDate());
   if (days == 0) return RecoveryBar::tr("today %1").arg(clock);
   if (days == 1) return RecoveryBar::tr("yesterday %1").arg(clock);
@@ -28,6 +28,8 @@ RecoveryBar::RecoveryBar(QWidget* parent) : QFrame(parent), mTitle(new QLabel(th
   mTitle->setTextFormat(Qt::PlainText);
   mText->setProperty("role", "muted");
   mText->setTextFormat(Qt::PlainText);
+  // A long path is cut rather than making the window wide.
+  for (QLabel* label : {mTitle, mText}) label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   texts->addWidget(mTitle);
   texts->addWidget(mText);
   layout->addLayout(texts, 1);

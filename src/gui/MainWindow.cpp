@@ -217,8 +217,11 @@ void MainWindow::openPhantom(const QString& name, int voxels) {
   startLoad(tr("Making a phantom"), read, false, name);
 }
 
-void MainWindow::takeScene(Loaded& loaded, bool add, const QString& path) {
+void MainWindow::takeScene(Loaded& loaded, bool add, QString path) {
   scene::Scene& scene = loaded.scene;
+  // Recovered work that was never saved goes by the name of its data.
+  if (loaded.lost && !QFileInfo(path).isAbsolute() && !scene.volume.source.path.empty())
+    path = QString::fromStdString(scene.volume.source.path);
   if (add) {
     // The look may have been changed while the file was read: take over only what was added.
     mDocument.edit("Add data", [&](scene::Scene& now) {

@@ -95,7 +95,7 @@ class MainWindow : public QMainWindow {
   void startLoad(const QString& what, std::function<void(Loaded&, Progress&)> read, bool add, const QString& path);
   void finishLoad(std::shared_ptr<Loaded> loaded, bool add, const QString& path);
   bool locateMissing(Loaded& loaded);
-  void takeScene(Loaded& loaded, bool add, const QString& path);
+  void takeScene(Loaded& loaded, bool add, QString path);
   void replaceScene(scene::Scene scene, const QString& path);
   session::DataPolicy dataPolicy() const;
   // The document: what is asked, journaled, remembered (MainWindowDocument.cpp).

@@ -163,7 +163,7 @@ void MainWindow::discardWork() {
 
 bool MainWindow::restoreWork() {
   const session::LostWork* work = mRecovery->current();
-  if (!work || mJob) return false;
+  if (!work) return false;
   QString path = toText(work->scenePath.empty() ? work->title : work->scenePath);
   auto read = [folder = work->folder, policy = dataPolicy()](Loaded& loaded, Progress& progress) {
     loaded.lost = std::make_unique<session::WorkClaim>(folder);

@@ -7,8 +7,8 @@
 #include <QLabel>
 #include <QPainter>
 #include <QPainterPath>
+#include <QProxyStyle>
 #include <QSaveFile>
-#include <QStyleOption>
 #include <QVBoxLayout>
 
 #include "RecoveryBar.h"
@@ -18,7 +18,7 @@ namespace velum::gui {
 namespace {
 
 constexpr int kMostCards = 6, kMenuRows = 12, kGap = 14, kPadding = 7, kRadius = 7;
-constexpr QSize kStored{416, 260}, kMenuPicture{64, 40};
+constexpr QSize kStored{416, 260}, kMenuPicture{44, 44};
 
 QString toText(const std::filesystem::path& path) { return QString::fromStdString(path.string()); }
 
@@ -36,6 +36,15 @@ QImage cutTo(const QImage& image, QSize size) {
   QPoint corner((scaled.width() - size.width()) / 2, (scaled.height() - size.height()) / 2);
   return scaled.copy(QRect(corner, size));
 }
+
+/// A menu's icons as large as its pictures; a style sheet cannot say it.
+class PictureMenuStyle : public QProxyStyle {
+ public:
+  PictureMenuStyle() : QProxyStyle("Fusion") {}
+  int pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const override {
+    return metric == PM_SmallIconSize ? kMenuPicture.width() : QProxyStyle::pixelMetric(metric, option, widget);
+  }
+};
 
 }  // namespace
 
@@ -167,7 +176,9 @@ void RecentRow::showEvent(QShowEvent* event) {
 }
 
 void keepRecentMenu(QMenu* menu, std::function<void(const QString&)> open) {
-  menu->setStyleSheet(QString("QMenu { icon-size: %1px; }").arg(kMenuPicture.width()));
+  auto* style = new PictureMenuStyle;
+  style->setParent(menu);
+  menu->setStyle(style);
   menu->setToolTipsVisible(true);
   QObject::connect(menu, &QMenu::aboutToShow, menu, [menu, open = std::move(open)] {
     menu->clear();

@@ -67,11 +67,23 @@ void RecoveryBar::refresh() {
   const session::LostWork& work = mWork.front();
   QString title = work.title.empty() ? tr("a scene") : QString::fromStdString(work.title);
   QString more = mWork.size() > 1 ? tr("   (%n more)", nullptr, int(mWork.size()) - 1) : QString();
-  mTitle->setText(tr("Unsaved work was found: %1").arg(title) + more);
+  mWholeTitle = tr("Unsaved work: %1").arg(title) + more;
   QString last = work.label.empty() ? QString() : tr(", last change: %1").arg(QString::fromStdString(work.label));
-  QString where = work.scenePath.empty() ? tr("never saved") : QString::fromStdString(work.scenePath);
-  mText->setText(tr("From %1%2. %3").arg(sayTime(work.when), last, where));
-  mText->setToolTip(QString::fromStdString(work.folder.string()));
+  QString where = work.scenePath.empty() ? tr("Never saved") : QString::fromStdString(work.scenePath);
+  mWholeText = tr("From %1%2. %3").arg(sayTime(work.when), last, where);
+  mText->setToolTip(mWholeText + "\n" + QString::fromStdString(work.folder.string()));
+  elide();
+}
+
+void RecoveryBar::elide() {
+  mTitle->setText(mTitle->fontMetrics().elidedText(mWholeTitle, Qt::ElideMiddle, mTitle->width()));
+  mText->setText(mText->fontMetrics().elidedText(mWholeText, Qt::ElideRight, mText->width()));
+}
+
+void RecoveryBar::resizeEvent(QResizeEvent* event) {
+  QFrame::resizeEvent(event);
+  // The labels have their new width once the layout is done.
+  QMetaObject::invokeMethod(this, &RecoveryBar::elide, Qt::QueuedConnection);
 }
 
 }  // namespace velum::gui

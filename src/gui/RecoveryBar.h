@@ -25,12 +25,17 @@ class RecoveryBar : public QFrame {
   void restoreWanted();
   void discardWanted();
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
+  void elide();
   QPushButton* addButton(const QString& text, const QString& tip, const char* role);
   void refresh();
 
   std::vector<session::LostWork> mWork;
   QLabel *mTitle, *mText;
+  QString mWholeTitle, mWholeText;
   QPushButton* mLater = nullptr;
 };
 

@@ -91,7 +91,7 @@ int run(int argc, char** argv) {
 
   velum::gui::MainWindow window;
   window.show();
-  window.protectWork(velum::session::recoveryFolder());
+  window.protectWork(velum::session::recoveryFolder(), !parser.isSet("screenshot"));
   window.openPaths(parser.positionalArguments());
   if (parser.isSet("script")) runScript(window, parser.value("script"), parser.isSet("echo"));
   if (parser.isSet("screenshot")) takeScreenshot(window, parser.value("screenshot"));

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <QFile>
-#include <QFileDialog>
+#include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QTest>
@@ -190,9 +190,35 @@ TEST_F(DocumentWindow, RecentFilesHavePicturesAndOpenByAClick) {
   ASSERT_EQ(cards.size(), 2);
   EXPECT_EQ(QString::fromStdString(cards[0]->path().string()), path("c.json"));
   for (auto* card : cards) EXPECT_FALSE(recentPixmap(card->path(), RecentCard::kPicture, 1).isNull());
+  QMenu* menu = nullptr;
+  for (auto* one : mWindow->findChildren<QMenu*>())
+    if (one->title() == "Open &recent") menu = one;
+  ASSERT_TRUE(menu);
+  emit menu->aboutToShow();
+  ASSERT_EQ(menu->actions().size(), 2);
+  EXPECT_TRUE(menu->actions()[0]->text().startsWith("c.json"));
+  EXPECT_FALSE(menu->actions()[0]->icon().isNull());
+  takeShot(*menu, "recent-menu");
+  takeShot(*mWindow, "recent");
   QTest::mouseClick(cards[0], Qt::LeftButton);
   ASSERT_TRUE(waitForJob());
   EXPECT_TRUE(mWindow->document().scene().volume.data);
+}
+
+TEST_F(DocumentWindow, HistoryGoesToAnyStep) {
+  ASSERT_TRUE(open("phantom.nrrd"));
+  for (int i = 1; i <= 4; ++i) edit(i);
+  QMenu* menu = nullptr;
+  for (auto* one : mWindow->findChildren<QMenu*>())
+    if (one->title() == "&History") menu = one;
+  ASSERT_TRUE(menu);
+  emit menu->aboutToShow();
+  ASSERT_EQ(menu->actions().size(), 4);
+  menu->actions()[2]->trigger();
+  EXPECT_EQ(mWindow->document().scene().volume.windowLevel, 1);
+  emit menu->aboutToShow();
+  menu->actions()[0]->trigger();
+  EXPECT_EQ(mWindow->document().scene().volume.windowLevel, 4);
 }
 
 TEST_F(DocumentWindow, SkippedDataLeavesTheSceneAndSaysSo) {

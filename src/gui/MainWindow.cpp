@@ -14,6 +14,7 @@
 
 #include "CutPanel.h"
 #include "LookPanel.h"
+#include "StructurePanel.h"
 #include "velum/session/Open.h"
 
 namespace velum::gui {
@@ -84,12 +85,14 @@ void MainWindow::buildPanel() {
   mTabs->tabBar()->setExpanding(true);
   outer->addWidget(mTabs);
   mLook = new LookPanel(mDocument, mTabs);
-  mCuts = new CutPanel(mDocument, mTabs);
+  mSelection = new Selection(this);
+  mCuts = new CutPanel(mDocument, *mSelection, mTabs);
   addTab(mLook, tr("Look"), tr("Preset, rendering, light and background"));
+  buildStructures();
   addTab(mCuts, tr("Cuts"), tr("What is cut away"));
   dock->setWidget(mSide);
   addDockWidget(Qt::RightDockWidgetArea, dock);
-  connect(mCuts, &CutPanel::selectionChanged, mViewport, &Viewport::selectCut);
+  connect(mSelection, &Selection::cutChanged, mViewport, &Viewport::selectCut);
 }
 
 /// A page of the side panel, which scrolls where the window is low.
@@ -104,7 +107,8 @@ void MainWindow::addTab(QWidget* panel, const QString& title, const QString& tip
   layout->setContentsMargins(16, 14, 16, 14);
   layout->setSpacing(14);
   layout->addWidget(panel);
-  layout->addStretch(1);
+  // A panel with a list takes all of the height.
+  if (panel->sizePolicy().verticalPolicy() != QSizePolicy::Expanding) layout->addStretch(1);
   scroll->setWidget(contents);
   mTabs->setTabToolTip(mTabs->addTab(scroll, title), tip);
 }
@@ -253,6 +257,7 @@ void MainWindow::documentChanged() {
   mViewport->sceneChanged();
   mLook->refresh();
   mCuts->refresh();
+  mStructures->refresh();
   bool open = mPages->currentIndex() == 1;
   mSide->setEnabled(open);
   mActions->setSceneOpen(open);

@@ -9,6 +9,7 @@
 #include "ActionTable.h"
 #include "Bars.h"
 #include "Job.h"
+#include "Selection.h"
 #include "Viewport.h"
 #include "velum/session/Document.h"
 #include "velum/session/Picture.h"
@@ -17,6 +18,9 @@ namespace velum::gui {
 
 class CutPanel;
 class LookPanel;
+class StructureCommands;
+class StructurePanel;
+class ThreePointTool;
 
 /// The window: the 3D view, the side panel, the bars, and the actions. Everything it does to the scene goes through the
 /// document; everything long goes through a job.
@@ -38,6 +42,11 @@ class MainWindow : public QMainWindow {
   Viewport& viewport() { return *mViewport; }
   MessageBar& messages() { return *mMessages; }
   ActionTable& actions() { return *mActions; }
+  Selection& selection() { return *mSelection; }
+  StructureCommands& structures() { return *mStructureCommands; }
+  ThreePointTool& threePoints() { return *mThreePoints; }
+  /// Reads a file as labels of what is open, whatever it looks like.
+  void openLabels(const QString& path);
   bool isBusy() const { return mJob != nullptr; }
   /// Nothing is running, and what is shown is complete.
   bool isSettled() const { return !isBusy() && (mPages->currentIndex() == 0 || mViewport->isConverged()); }
@@ -59,6 +68,8 @@ class MainWindow : public QMainWindow {
   void buildEditActions(QMenu* menu, QToolBar* bar);
   void buildViewActions(QMenu* menu, QToolBar* bar);
   void buildCutActions(QMenu* menu, QToolBar* bar);
+  void buildStructures();
+  void buildStructureActions(QMenu* menu);
   void addTab(QWidget* panel, const QString& title, const QString& tip);
   void buildStatus();
   void startJob(const QString& what, Job::Work work, std::function<void()> whenDone);
@@ -70,6 +81,7 @@ class MainWindow : public QMainWindow {
   void showPick(const render::Pick& pick);
   void askOpen(bool add);
   void askOpenFolder();
+  void askOpenLabels();
   void askSavePicture();
   void askSaveScene(bool asNew);
   void showAbout();
@@ -83,6 +95,10 @@ class MainWindow : public QMainWindow {
   ProgressStrip* mProgress = nullptr;
   LookPanel* mLook = nullptr;
   CutPanel* mCuts = nullptr;
+  Selection* mSelection = nullptr;
+  StructureCommands* mStructureCommands = nullptr;
+  StructurePanel* mStructures = nullptr;
+  ThreePointTool* mThreePoints = nullptr;
   QWidget* mSide = nullptr;
   QTabWidget* mTabs = nullptr;
   QLabel *mDataLabel = nullptr, *mPickLabel = nullptr, *mReductionLabel = nullptr, *mRefineLabel = nullptr,

@@ -63,6 +63,14 @@ QSlider::sub-page:horizontal:disabled { background: #3a4049; }
 QSlider::handle:horizontal { background: #e3e7ec; width: 14px; height: 14px; margin: -5px 0; border-radius: 7px; }
 QSlider::handle:horizontal:hover { background: #ffffff; }
 QSlider::handle:horizontal:disabled { background: #5c6570; }
+QPushButton[role="small"] { padding: 4px 2px; }
+#sidePanel QToolButton { background: #353b44; border: 1px solid #444c57; border-radius: 5px; padding: 5px 9px; color: #e3e7ec; }
+#sidePanel QToolButton:hover { background: #3e4650; }
+#sidePanel QToolButton:checked { background: #3b6f96; border-color: #4f8ab5; }
+#sidePanel QToolButton::menu-indicator { image: url(:/velum/chevron.svg); width: 9px; height: 9px; subcontrol-position: right center; right: 6px; }
+#sidePanel QToolButton[popupMode="2"] { padding-right: 21px; }
+QTreeView, QListView { background: #1d2025; border: 1px solid #3f4650; border-radius: 5px; outline: 0; padding: 2px; }
+QTreeView QLineEdit, QListView QLineEdit { padding: 0 4px; min-height: 0; }
 QListWidget { background: #1d2025; border: 1px solid #3f4650; border-radius: 5px; outline: 0; padding: 2px; }
 QListWidget::item { padding: 4px 4px; border-radius: 4px; color: #e3e7ec; }
 QListWidget::item:selected { background: #3b6f96; }

@@ -170,6 +170,11 @@ SliceHandle sliceHandleAt(const SliceFrame& frame, const scene::Cut& cut, glm::d
     found = handle;
   }
   if (found.kind != SliceHandleKind::None) return found;
+  if (cut.shape == CutShape::Plane)
+    for (const auto& handle : sliceHandles(frame, cut))
+      if (handle.kind == SliceHandleKind::Move &&
+          distanceToSegment(pixel, handle.place, handle.place + handle.outwards * kSliceArrowPixels) <= reach)
+        return handle;
   SliceOutline outline = sliceOutline(frame, cut);
   std::size_t count = outline.points.size();
   for (std::size_t i = 0; i + (outline.isClosed ? 0 : 1) < count; ++i)

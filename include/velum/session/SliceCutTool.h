@@ -16,6 +16,9 @@ struct SliceOutline {
 };
 SliceOutline sliceOutline(const scene::SliceFrame& frame, const scene::Cut& cut);
 
+/// Length of the arrow that stands on a plane's line, towards what is removed.
+constexpr double kSliceArrowPixels = 34.0;
+
 /// What can be taken hold of on a slice.
 enum class SliceHandleKind {
   None,

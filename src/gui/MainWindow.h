@@ -17,10 +17,12 @@
 namespace velum::gui {
 
 class CutPanel;
+class HelpWindow;
 class LookPanel;
 class StructureCommands;
 class StructurePanel;
 class ThreePointTool;
+class TimeBar;
 
 /// The window: the 3D view, the side panel, the bars, and the actions. Everything it does to the scene goes through the
 /// document; everything long goes through a job.
@@ -33,7 +35,7 @@ class MainWindow : public QMainWindow {
   /// Reads files or folders in the background. @param add  beside what is open, instead of in its place
   void openPaths(const QStringList& paths, bool add = false);
   void openPhantom(const QString& name, int voxels);
-  void savePictureTo(const QString& path, const session::PictureOptions& options);
+  void savePictureTo(const QString& path, const session::PictureOptions& options, const scene::Scene& scene);
   void saveSceneTo(const QString& path);
   /// Stops the load or the picture that is running; what is open stays.
   void cancelJob();
@@ -70,6 +72,8 @@ class MainWindow : public QMainWindow {
   void buildCutActions(QMenu* menu, QToolBar* bar);
   void buildStructures();
   void buildStructureActions(QMenu* menu);
+  void buildTimeActions(QMenu* menu);
+  void buildHelpActions(QMenu* menu);
   void addTab(QWidget* panel, const QString& title, const QString& tip);
   void buildStatus();
   void startJob(const QString& what, Job::Work work, std::function<void()> whenDone);
@@ -85,6 +89,9 @@ class MainWindow : public QMainWindow {
   void askSavePicture();
   void askSaveScene(bool asNew);
   void showAbout();
+  void showHelp();
+  void showPreferences();
+  void findCommand();
   QString pictureFolder() const;
 
   session::Document mDocument;
@@ -99,6 +106,8 @@ class MainWindow : public QMainWindow {
   StructureCommands* mStructureCommands = nullptr;
   StructurePanel* mStructures = nullptr;
   ThreePointTool* mThreePoints = nullptr;
+  TimeBar* mTime = nullptr;
+  HelpWindow* mHelp = nullptr;
   QWidget* mSide = nullptr;
   QTabWidget* mTabs = nullptr;
   QLabel *mDataLabel = nullptr, *mPickLabel = nullptr, *mReductionLabel = nullptr, *mRefineLabel = nullptr,

@@ -45,7 +45,8 @@ void StructureModel::setRows(const std::vector<scene::Structure>& rows, std::opt
 }
 
 void StructureModel::sizesChanged() {
-  if (!mRows.empty()) emit dataChanged(index(0, 0), index(int(mRows.size()) - 1, kColumns - 1));
+  // Only that column: a name that is being typed must not be set back.
+  if (!mRows.empty()) emit dataChanged(index(0, Size), index(int(mRows.size()) - 1, Size));
 }
 
 int StructureModel::rowOf(int id) const {

@@ -59,7 +59,7 @@ StructurePanel::StructurePanel(StructureCommands& commands, Selection& selection
   });
   connect(&mCommands.meter(), &StructureMeter::measured, this, [this] {
     mList->rows().sizesChanged();
-    showSelected();
+    if (mList->order().key() == StructureOrder::Key::Size) mList->order().invalidate();
   });
   refresh();
 }

@@ -35,7 +35,8 @@ CutForm::CutForm(session::Document& document, Selection& selection, QWidget* par
   mGrid->setColumnStretch(1, 1);
   makePlace();
   makeDirection();
-  addRow(tr("Align to"), makeAlign());
+  mAlignRow = makeAlign();
+  mAlignLabel = addRow(tr("Align to"), mAlignRow);
   makeSize();
   makeFace();
 }
@@ -128,7 +129,9 @@ void CutForm::makeDirection() {
   mAzimuth->setWrapping(true);
   mElevation = add(90, tr("el "), tr("Elevation of the axis, degrees: 90 superior, -90 inferior"), "cutElevation");
   mSpin = add(360, tr("turn "), tr("Turn of the box about its axis, degrees"), "cutSpin");
-  addRow(tr("Axis"), row)->setToolTip(tr("Where the plane's normal or the shape's axis points"));
+  mAxisRow = row;
+  mAxisLabel = addRow(tr("Axis"), row);
+  mAxisLabel->setToolTip(tr("Where the plane's normal or the shape's axis points"));
   auto turn = [this] {
     session::AxisAngles angles{mAzimuth->value(), mElevation->value()};
     editCut("Turn cut", [&](scene::Cut& cut) { cut.axis = session::axisFromAngles(angles); });

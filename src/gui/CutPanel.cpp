@@ -11,6 +11,8 @@ namespace velum::gui {
 
 namespace {
 
+constexpr int kButtonHeight = 28;
+
 QString shapeTitle(scene::CutShape shape) {
   switch (shape) {
     case scene::CutShape::Plane:
@@ -49,7 +51,9 @@ CutPanel::CutPanel(session::Document& document, Selection& selection, QWidget* p
   layout->addWidget(mTools = buildTools());
   layout->addWidget(mForm);
   layout->addWidget(mLine = makeLine(this));
-  layout->addWidget(mKeepWhole);
+  layout->addWidget(mKeepWhole, 1000);
+  layout->addStretch(1);  // holds all up where there is no list to fill the height
+  setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Expanding);
   connect(mList, &QListWidget::currentRowChanged, this, [this](int row) { mSelection.setCut(row); });
   connect(&mSelection, &Selection::cutChanged, this, &CutPanel::refresh);
   connect(mList, &CutList::moveAsked, this, &CutPanel::moveSelected);
@@ -91,6 +95,8 @@ void CutPanel::buildHead() {
   menu->addAction(tr("Cut along the view"), this, &CutPanel::addAlongView);
   menu->addAction(tr("Plane through three points..."), this, &CutPanel::threePointsAsked);
   more->setMenu(menu);
+  for (QWidget* button : {static_cast<QWidget*>(add), static_cast<QWidget*>(more)})
+    button->setFixedHeight(kButtonHeight);
   head->addWidget(add);
   head->addWidget(more);
   static_cast<QVBoxLayout*>(layout())->addLayout(head);

@@ -12,7 +12,7 @@ namespace velum::gui {
 namespace {
 
 constexpr int kIdRole = Qt::UserRole;
-constexpr int kListHeight = 168;
+constexpr int kLeastHeight = 140, kSwatch = 13;
 
 }  // namespace
 
@@ -101,8 +101,10 @@ KeepWholeList::KeepWholeList(QWidget* parent)
   mList->setToolTip(tr("Ticked structures are left whole by the selected cut"));
   mList->setModel(mFound);
   mList->setUniformItemSizes(true);
-  mList->setFixedHeight(kListHeight);
-  layout->addWidget(mList);
+  mList->setIconSize({kSwatch, kSwatch});
+  mList->setSpacing(1);
+  mList->setMinimumHeight(kLeastHeight);
+  layout->addWidget(mList, 1);
   connect(mSearch, &QLineEdit::textChanged, mFound, &QSortFilterProxyModel::setFilterFixedString);
   connect(mModel, &KeepWholeModel::ticked, this, [this](int id, bool whole) { emit changed({id}, whole); });
 }

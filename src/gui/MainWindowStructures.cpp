@@ -22,6 +22,8 @@ void MainWindow::buildStructures() {
   mThreePoints = new ThreePointTool(mDocument, *mViewport);
   connect(mStructures, &StructurePanel::openLabelsAsked, this, &MainWindow::askOpenLabels);
   connect(mCuts, &CutPanel::threePointsAsked, mThreePoints, &ThreePointTool::start);
+  connect(mThreePoints, &ThreePointTool::ended, this, [this] { mViewport->selectCut(mSelection->cut()); });
+  connect(mSelection, &Selection::cutChanged, mThreePoints, &ThreePointTool::cancel);
   connect(mThreePoints, &ThreePointTool::made, this,
           [this](const scene::Cut& cut) { mCuts->addCut(cut, "Plane through three points"); });
   connect(mViewport, &Viewport::clickedAt, this, [this](const render::Pick& pick) {

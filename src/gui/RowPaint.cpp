@@ -80,6 +80,24 @@ void paintRowGround(QPainter& painter, const QStyleOptionViewItem& option, bool 
   painter.restore();
 }
 
+EyeButton::EyeButton(QWidget* parent) : QToolButton(parent) {
+  setCheckable(true);
+  setFixedSize(28, 26);
+}
+
+void EyeButton::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  if (hasFocus() || underMouse()) {
+    QColor ground = palette().color(QPalette::Highlight);
+    ground.setAlphaF(0.25);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(ground);
+    painter.drawRoundedRect(rect(), 4, 4);
+  }
+  paintEye(painter, rect(), palette().color(isChecked() ? QPalette::Text : QPalette::PlaceholderText), isChecked());
+}
+
 QColor rowTextColor(const QStyleOptionViewItem& option, bool isStrong) {
   bool selected = option.state & QStyle::State_Selected;
   QColor color = option.palette.color(selected ? QPalette::HighlightedText : QPalette::Text);

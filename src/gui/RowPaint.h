@@ -1,6 +1,7 @@
 #pragma once
 #include <QPainter>
 #include <QStyledItemDelegate>
+#include <QToolButton>
 
 #include "velum/scene/Cut.h"
 
@@ -15,6 +16,16 @@ void paintShape(QPainter& painter, const QRectF& box, const QColor& color, scene
 void paintSwatch(QPainter& painter, const QRectF& box, const QColor& color, const QColor& line);
 /// The ground of a row: selected, under the pointer, or nothing.
 void paintRowGround(QPainter& painter, const QStyleOptionViewItem& option, bool isFirst, bool isLast);
+
+/// A checkable button that is an eye.
+class EyeButton : public QToolButton {
+  Q_OBJECT
+ public:
+  explicit EyeButton(QWidget* parent);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+};
 
 /// Text colour of a row. @param isStrong  false: what is hidden or of less weight
 QColor rowTextColor(const QStyleOptionViewItem& option, bool isStrong);

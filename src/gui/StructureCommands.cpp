@@ -131,8 +131,10 @@ void StructureCommands::fillMenu(QMenu& menu, const Ids& ids) {
   if (!first) return;
   bool one = ids.size() == 1;
   menu.setToolTipsVisible(true);
-  menu.addSection(one ? QString::fromStdString(session::structureName(mDocument.scene(), ids[0]))
-                      : tr("%n structure(s)", nullptr, int(ids.size())));
+  QAction* title = menu.addAction(one ? QString::fromStdString(session::structureName(mDocument.scene(), ids[0]))
+                                      : tr("%n structures", nullptr, int(ids.size())));
+  title->setEnabled(false);
+  menu.addSeparator();
   bool visible = first->visible;
   menu.addAction(visible ? tr("Hide") : tr("Show"), this, [this, ids, visible] { setVisible(ids, !visible); });
   if (one) {

@@ -57,7 +57,8 @@ class Delegate : public QStyledItemDelegate {
   static void paintText(QPainter& painter, const QStyleOptionViewItem& option, const QModelIndex& index, bool strong,
                         Qt::Alignment alignment) {
     QRect box = option.rect.adjusted(4, 0, -4, 0);
-    QString text = option.fontMetrics.elidedText(index.data().toString(), Qt::ElideRight, box.width());
+    // Names of structures differ at their ends: left and right, upper and lower.
+    QString text = option.fontMetrics.elidedText(index.data().toString(), Qt::ElideMiddle, box.width());
     painter.setPen(rowTextColor(option, strong));
     painter.drawText(box, alignment | Qt::AlignVCenter, text);
   }

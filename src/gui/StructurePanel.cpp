@@ -4,11 +4,15 @@
 #include <QGridLayout>
 #include <QMenu>
 #include <QSignalBlocker>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 namespace velum::gui {
 
 namespace {
+
+constexpr int kFieldHeight = 28;
+constexpr int kNamePixels = 170;  // what eye and button leave of the panel
 
 QPushButton* makeQuiet(const QString& text, const QString& tip, QWidget* parent) {
   auto* button = new QPushButton(text, parent);
@@ -91,14 +95,13 @@ QWidget* StructurePanel::makeHead() {
   row->setSpacing(6);
   mName = makeTitle({}, head);
   mName->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-  mShown = new QToolButton(head);
+  mShown = new EyeButton(head);
   mShown->setObjectName("labelsShown");
-  mShown->setCheckable(true);
-  mShown->setText(tr("Shown"));
+  mShown->setAccessibleName(tr("Labels shown"));
   mShown->setToolTip(tr("Whether the labels change anything at all"));
   auto* open = makeQuiet(tr("Open others..."), tr("Open labels beside what is open, in place of these"), head);
-  row->addWidget(mName, 1);
   row->addWidget(mShown);
+  row->addWidget(mName, 1);
   row->addWidget(open);
   layout->addLayout(row);
   auto* grid = new QGridLayout;
@@ -124,7 +127,7 @@ QWidget* StructurePanel::makeHead() {
   driveShare(mUnlabelled, "Fade what has no label", [](scene::Scene& s) -> double& { return s.labels.unlabelled; });
   driveShare(mOnSlices, "Labels on slices", [](scene::Scene& s) -> double& { return s.slices.labelOpacity; });
   connect(open, &QPushButton::clicked, this, &StructurePanel::openLabelsAsked);
-  connect(mShown, &QToolButton::clicked, this, [this](bool on) {
+  connect(mShown, &EyeButton::clicked, this, [this](bool on) {
     mDocument.edit(on ? "Show labels" : "Hide labels", [on](scene::Scene& scene) { scene.labels.visible = on; });
   });
   return head;
@@ -166,6 +169,8 @@ QWidget* StructurePanel::makeSearch() {
     connect(action, &QAction::triggered, this, [this, key = key] { mList->order().setKey(key); });
   }
   sort->setMenu(menu);
+  for (QWidget* part : {static_cast<QWidget*>(mSearch), static_cast<QWidget*>(sort)})
+    part->setFixedHeight(kFieldHeight);
   row->addWidget(mSearch, 1);
   row->addWidget(sort);
   connect(mSearch, &QLineEdit::textChanged, this, &StructurePanel::setSearch);
@@ -272,7 +277,7 @@ void StructurePanel::refresh() {
   mFull->setVisible(any);
   mCommands.meter().measure(labels.data);
   QString name = labels.data ? QString::fromStdString(labels.data->name) : tr("Labels");
-  mName->setText(mName->fontMetrics().elidedText(name.isEmpty() ? tr("Labels") : name, Qt::ElideMiddle, 150));
+  mName->setText(mName->fontMetrics().elidedText(name.isEmpty() ? tr("Labels") : name, Qt::ElideMiddle, kNamePixels));
   mName->setToolTip(QString::fromStdString(labels.source.path));
   mShown->setChecked(labels.visible);
   mTint->setValue(labels.tint * 100.0);

@@ -1,9 +1,9 @@
 #pragma once
 #include <QLabel>
 #include <QLineEdit>
-#include <QToolButton>
 #include <QWidget>
 
+#include "RowPaint.h"
 #include "StructureCommands.h"
 #include "StructureList.h"
 #include "Widgets.h"
@@ -43,7 +43,7 @@ class StructurePanel : public QWidget {
   StructureList* mList = nullptr;
   QWidget *mEmpty = nullptr, *mFull = nullptr, *mDetail = nullptr;
   QLabel *mName = nullptr, *mCount = nullptr, *mDetailName = nullptr;
-  QToolButton* mShown = nullptr;
+  EyeButton* mShown = nullptr;
   QLineEdit* mSearch = nullptr;
   NumberRow *mTint = nullptr, *mUnlabelled = nullptr, *mOnSlices = nullptr, *mOpacity = nullptr;
   ColorButton* mColor = nullptr;

@@ -143,10 +143,12 @@ void addGrips(CutGizmo& gizmo, const scene::Cut& cut, const scene::CameraBasis& 
   bool isSphere = cut.shape == scene::CutShape::Sphere;
   auto add = [&](CutHandle handle, glm::dvec3 off) { gizmo.grips.push_back({handle, gizmo.centreMm + off, {}}); };
   if (!isSphere) {
-    add(CutHandle::KnobRight, gizmo.right * gizmo.radiusMm);
-    add(CutHandle::KnobTop, gizmo.top * gizmo.radiusMm);
-    add(CutHandle::KnobLeft, -gizmo.right * gizmo.radiusMm);
-    add(CutHandle::KnobBottom, -gizmo.top * gizmo.radiusMm);
+    // Of a ring that is seen edge on, two knobs would lie over the middle.
+    auto isAside = [&](glm::dvec3 out) { return glm::length(glm::cross(out, basis.forward)) > kLeastSlant; };
+    if (isAside(gizmo.right)) add(CutHandle::KnobRight, gizmo.right * gizmo.radiusMm);
+    if (isAside(gizmo.top)) add(CutHandle::KnobTop, gizmo.top * gizmo.radiusMm);
+    if (isAside(gizmo.right)) add(CutHandle::KnobLeft, -gizmo.right * gizmo.radiusMm);
+    if (isAside(gizmo.top)) add(CutHandle::KnobBottom, -gizmo.top * gizmo.radiusMm);
   }
   gizmo.hasRing = !isSphere;
   gizmo.grips.push_back({CutHandle::Arrow, gizmo.arrowTipMm, gizmo.normal});

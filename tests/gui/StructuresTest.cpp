@@ -85,7 +85,8 @@ class StructureWindow : public testing::Test {
   std::optional<QPoint> placeOf(int id) {
     for (int y = 10; y < viewport().height(); y += 12)
       for (int x = 10; x < viewport().width(); x += 12)
-        if (auto pick = viewport().pickAt(QPointF(x, y)); pick && pick->hit && pick->structure == id) return QPoint(x, y);
+        if (auto pick = viewport().pickAt(QPointF(x, y)); pick && pick->hit && pick->structure == id)
+          return QPoint(x, y);
     return std::nullopt;
   }
 
@@ -199,8 +200,7 @@ TEST_F(StructureWindow, ThousandsOfRowsCostNothingWhileTheCameraMoves) {
   int resets = 0, changes = 0;
   QObject::connect(&list().rows(), &QAbstractItemModel::modelReset, [&] { ++resets; });
   QObject::connect(&list().rows(), &QAbstractItemModel::dataChanged, [&] { ++changes; });
-  for (int i = 0; i < 50; ++i)
-    document().amend([i](scene::Scene& scene) { scene.camera.eyeMm.x = i; });
+  for (int i = 0; i < 50; ++i) document().amend([i](scene::Scene& scene) { scene.camera.eyeMm.x = i; });
   EXPECT_EQ(resets + changes, 0);
   clickCell(3, StructureModel::Eye);
   EXPECT_EQ(resets, 0);

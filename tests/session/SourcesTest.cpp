@@ -139,4 +139,24 @@ TEST_F(Sources, TheSearchIsBounded) {
   EXPECT_THROW(openScene(folder / "study/scene.json"), InputError);
 }
 
+TEST_F(Sources, ASceneFileThatIsTooLargeIsRefusedUnread) {
+  write(folder / "large.json", "{");
+  fs::resize_file(folder / "large.json", std::uintmax_t(3) << 30);  // a hole, no disk
+  try {
+    openScene(folder / "large.json");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("MiB is too much"), std::string::npos) << error.what();
+  }
+}
+
+TEST_F(Sources, HostilePathsOfASceneEndInWords) {
+  for (const char* path :
+       {"/dev/zero", "/dev/null", "/proc/self/mem", "../../../../../../etc/shadow", "\\u0000", "/"}) {
+    write(folder / "hostile.json",
+          std::string("{\"velum\": 1, \"volume\": {\"source\": {\"path\": \"") + path + "\"}}}");
+    EXPECT_THROW(openScene(folder / "hostile.json"), Error) << path;
+  }
+}
+
 }  // namespace velum::session

@@ -1,179 +1,202 @@
 #include "CutPanel.h"
 
-#include <QGridLayout>
-#include <QSignalBlocker>
+#include <QMenu>
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "velum/session/CutTool.h"
+#include "velum/session/CutEdit.h"
+#include "velum/session/StructureEdit.h"
 
 namespace velum::gui {
 
-CutPanel::CutPanel(session::Document& document, QWidget* parent)
-    : QWidget(parent), mDocument(document), mList(new QListWidget(this)), mControls(new QWidget(this)) {
+namespace {
+
+constexpr int kButtonHeight = 28;
+
+QString shapeTitle(scene::CutShape shape) {
+  switch (shape) {
+    case scene::CutShape::Plane:
+      break;
+    case scene::CutShape::Box:
+      return CutPanel::tr("Box");
+    case scene::CutShape::Sphere:
+      return CutPanel::tr("Sphere");
+    case scene::CutShape::Cylinder:
+      return CutPanel::tr("Cylinder");
+    case scene::CutShape::Cone:
+      return CutPanel::tr("Cone");
+  }
+  return CutPanel::tr("Plane");
+}
+
+}  // namespace
+
+CutPanel::CutPanel(session::Document& document, Selection& selection, QWidget* parent)
+    : QWidget(parent),
+      mDocument(document),
+      mSelection(selection),
+      mList(new CutList(this)),
+      mForm(new CutForm(document, selection, this)),
+      mKeepWhole(new KeepWholeList(this)) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(8);
+  layout->setSpacing(10);
+  buildHead();
+  mEmpty = new QLabel(
+      tr("Nothing is cut away. Add a plane (C), a box or a round shape; drag its handles in the picture."), this);
+  mEmpty->setWordWrap(true);
+  mEmpty->setProperty("role", "muted");
+  layout->addWidget(mEmpty);
+  layout->addWidget(mList);
+  layout->addWidget(mTools = buildTools());
+  layout->addWidget(mForm);
+  layout->addWidget(mLine = makeLine(this));
+  layout->addWidget(mKeepWhole, 1000);
+  layout->addStretch(1);  // holds all up where there is no list to fill the height
+  setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Expanding);
+  connect(mList, &QListWidget::currentRowChanged, this, [this](int row) { mSelection.setCut(row); });
+  connect(&mSelection, &Selection::cutChanged, this, &CutPanel::refresh);
+  connect(mList, &CutList::moveAsked, this, &CutPanel::moveSelected);
+  connect(mList, &CutList::toggled, this, [this](int row, bool on) {
+    mDocument.edit(on ? "Turn cut on" : "Turn cut off", [&](scene::Scene& scene) {
+      if (row < int(scene.cuts.size())) scene.cuts[std::size_t(row)].enabled = on;
+    });
+  });
+  connect(mList, &CutList::renamed, this, [this](int row, const QString& name) {
+    mDocument.edit("Rename cut", [&](scene::Scene& scene) {
+      if (row < int(scene.cuts.size())) scene.cuts[std::size_t(row)].name = name.trimmed().toStdString();
+    });
+  });
+  connect(mKeepWhole, &KeepWholeList::changed, this, [this](const std::vector<int>& ids, bool whole) {
+    std::string label = session::structureLabel(mDocument.scene(), whole ? "Keep whole" : "Cut", ids);
+    mForm->editCut(label.c_str(), [&](scene::Cut& cut) {
+      for (int id : ids) session::setExempt(cut, id, whole);
+    });
+  });
+  refresh();
+}
+
+void CutPanel::buildHead() {
   auto* head = new QHBoxLayout;
+  head->setSpacing(6);
   head->addWidget(makeTitle(tr("Cuts"), this), 1);
   auto* add = new QPushButton(tr("Add plane"), this);
   add->setObjectName("addPlane");
-  add->setToolTip(tr("Cut away the half that faces you (C)"));
-  mRemove = new QPushButton(tr("Remove"), this);
-  mRemove->setToolTip(tr("Remove the selected cut (Del)"));
+  add->setToolTip(tr("Cut away what lies before the crosshair, across the body's axis that faces you (C)"));
+  auto* more = new QToolButton(this);
+  more->setObjectName("addMore");
+  more->setText(tr("Add other"));
+  more->setToolTip(tr("Another shape, or a plane that is placed another way"));
+  more->setPopupMode(QToolButton::InstantPopup);
+  auto* menu = new QMenu(more);
+  for (auto shape : {scene::CutShape::Box, scene::CutShape::Sphere, scene::CutShape::Cylinder, scene::CutShape::Cone})
+    menu->addAction(shapeTitle(shape), this, [this, shape] { addShape(shape); });
+  menu->addSeparator();
+  menu->addAction(tr("Cut along the view"), this, &CutPanel::addAlongView);
+  menu->addAction(tr("Plane through three points..."), this, &CutPanel::threePointsAsked);
+  more->setMenu(menu);
+  for (QWidget* button : {static_cast<QWidget*>(add), static_cast<QWidget*>(more)})
+    button->setFixedHeight(kButtonHeight);
   head->addWidget(add);
-  head->addWidget(mRemove);
-  layout->addLayout(head);
-  mList->setToolTip(tr("Cuts of this scene; the tick turns one on and off"));
-  mList->setFixedHeight(76);
-  layout->addWidget(mList);
-  layout->addWidget(mControls);
-  buildControls();
+  head->addWidget(more);
+  static_cast<QVBoxLayout*>(layout())->addLayout(head);
   connect(add, &QPushButton::clicked, this, &CutPanel::addPlane);
-  connect(mRemove, &QPushButton::clicked, this, &CutPanel::removeSelected);
-  connect(mList, &QListWidget::currentRowChanged, this, &CutPanel::select);
-  connect(mList, &QListWidget::itemChanged, this, [this](QListWidgetItem* item) {
-    std::size_t row = std::size_t(mList->row(item));
-    bool on = item->checkState() == Qt::Checked;
-    mDocument.edit(on ? "Turn cut on" : "Turn cut off", [&](scene::Scene& scene) {
-      if (row < scene.cuts.size()) scene.cuts[row].enabled = on;
-    });
-  });
 }
 
-void CutPanel::buildControls() {
-  auto* grid = new QGridLayout(mControls);
-  grid->setContentsMargins(0, 0, 0, 0);
-  grid->setHorizontalSpacing(10);
-  grid->setVerticalSpacing(8);
-  grid->setColumnMinimumWidth(0, 72);
-  grid->setColumnStretch(1, 1);
-  mPosition = new NumberRow(-1, 1, 1, " mm", mControls);
-  mPosition->setObjectName("cutPosition");
-  mPosition->setToolTip(tr("Distance of the plane from the middle of the data, along its normal, mm"));
-  auto* snap = new QHBoxLayout;
-  snap->setSpacing(6);
-  auto addSnap = [&](const QString& text, const QString& tip, glm::dvec3 axis) {
-    auto* button = new QPushButton(text, mControls);
+QWidget* CutPanel::buildTools() {
+  auto* tools = new QWidget(this);
+  auto* row = new QHBoxLayout(tools);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(2);
+  auto add = [&](const QString& text, const QString& name, const QString& tip) {
+    auto* button = new QPushButton(text, tools);
+    button->setObjectName(name);
+    button->setProperty("role", "quiet");
     button->setToolTip(tip);
-    connect(button, &QPushButton::clicked, this, [this, axis] { snapTo(axis); });
-    snap->addWidget(button, 1);
+    row->addWidget(button);
+    return button;
   };
-  addSnap(tr("Axial"), tr("Turn the plane across the body (its normal along inferior to superior)"), {0, 0, 1});
-  addSnap(tr("Coronal"), tr("Turn the plane into front and back (its normal along anterior to posterior)"), {0, 1, 0});
-  addSnap(tr("Sagittal"), tr("Turn the plane into left and right"), {1, 0, 0});
-  auto* row = new QHBoxLayout;
-  row->setSpacing(6);
-  mFace = new QComboBox(mControls);
-  mFace->setObjectName("cutFace");
-  mFace->addItems({tr("Shaded"), tr("Slice (grey values)")});
-  mFace->setToolTip(tr("How the cut surface looks: lit material, or the data's grey values as on a slice"));
-  mFlip = new QPushButton(tr("Flip"), mControls);
-  mFlip->setCheckable(true);
-  mFlip->setToolTip(tr("Take away the other side (X)"));
-  row->addWidget(mFace, 1);
-  row->addWidget(mFlip);
-  grid->addWidget(new QLabel(tr("Position"), mControls), 0, 0);
-  grid->addWidget(mPosition, 0, 1);
-  grid->addWidget(new QLabel(tr("Align"), mControls), 1, 0);
-  grid->addLayout(snap, 1, 1);
-  grid->addWidget(new QLabel(tr("Face"), mControls), 2, 0);
-  grid->addLayout(row, 2, 1);
-  connect(mPosition, &NumberRow::changed, this, [this](double mm) {
-    editSelected(
-        "Move cut", [&](scene::Cut& cut) { cut = session::withOffset(mDocument.scene(), cut, mm); }, true);
-  });
-  connect(mPosition, &NumberRow::settled, this, [this] { mDocument.endMerge(); });
-  connect(mFace, &QComboBox::activated, this, [this](int index) {
-    editSelected("Change cut face", [&](scene::Cut& cut) { cut.face = static_cast<scene::CutFace>(index); });
-  });
-  connect(mFlip, &QPushButton::clicked, this, &CutPanel::flipSelected);
+  auto* twice = add(tr("Duplicate"), "cutDuplicate", tr("Add a copy of the selected cut"));
+  mUp = add(tr("Up"), "cutUp", tr("Move the cut up in the list (Alt+Up)"));
+  mDown = add(tr("Down"), "cutDown", tr("Move the cut down in the list (Alt+Down)"));
+  row->addStretch(1);
+  auto* remove = add(tr("Remove"), "cutRemove", tr("Remove the selected cut (Del)"));
+  connect(twice, &QPushButton::clicked, this, &CutPanel::duplicateSelected);
+  connect(mUp, &QPushButton::clicked, this, [this] { moveSelected(-1); });
+  connect(mDown, &QPushButton::clicked, this, [this] { moveSelected(1); });
+  connect(remove, &QPushButton::clicked, this, &CutPanel::removeSelected);
+  return tools;
 }
 
-void CutPanel::editSelected(const char* label, const std::function<void(scene::Cut&)>& change, bool merge) {
-  if (mSelected < 0) return;
-  std::size_t index = std::size_t(mSelected);
-  mDocument.edit(
-      label,
-      [&](scene::Scene& scene) {
-        if (index < scene.cuts.size()) change(scene.cuts[index]);
-      },
-      merge);
-}
-
-void CutPanel::addPlane() {
+bool CutPanel::hasData() const {
   const scene::Scene& scene = mDocument.scene();
-  if (!scene.volume.data && !scene.labels.data && scene.surfaces.empty()) return;
-  scene::Cut cut = session::cutFacingCamera(scene);
-  cut.name = tr("Plane %1").arg(scene.cuts.size() + 1).toStdString();
-  mSelected = int(scene.cuts.size());
-  mDocument.edit("Add cut", [&](scene::Scene& s) { s.cuts.push_back(cut); });
-  emit selectionChanged(mSelected);
+  return scene.volume.data || scene.labels.data || !scene.surfaces.empty();
 }
+
+void CutPanel::addCut(scene::Cut cut, const char* label) {
+  if (!hasData()) return;
+  int index = int(mDocument.scene().cuts.size());
+  if (cut.name.empty()) cut.name = QString("%1 %2").arg(shapeTitle(cut.shape)).arg(index + 1).toStdString();
+  mDocument.edit(label, [&](scene::Scene& scene) { scene.cuts.push_back(cut); });
+  mSelection.setCut(index);
+}
+
+void CutPanel::addShape(scene::CutShape shape) { addCut(session::makeCut(mDocument.scene(), shape)); }
+
+void CutPanel::addAlongView() { addCut(session::cutFacingCamera(mDocument.scene()), "Cut along the view"); }
 
 void CutPanel::removeSelected() {
-  if (mSelected < 0) return;
-  std::size_t index = std::size_t(mSelected);
+  if (selected() < 0) return;
+  std::size_t index = std::size_t(selected());
   mDocument.edit("Remove cut", [&](scene::Scene& scene) {
     if (index < scene.cuts.size()) scene.cuts.erase(scene.cuts.begin() + std::ptrdiff_t(index));
   });
 }
 
 void CutPanel::flipSelected() {
-  editSelected("Flip cut", [](scene::Cut& cut) { cut.invert = !cut.invert; });
+  mForm->editCut("Flip cut", [](scene::Cut& cut) { cut.invert = !cut.invert; });
 }
 
-/// Keeps the plane where it crosses the middle of what it showed, and takes away the side that faces the eye.
-void CutPanel::snapTo(glm::dvec3 axis) {
-  const scene::Scene& scene = mDocument.scene();
-  if (glm::dot(axis, scene.camera.eyeMm - scene.camera.targetMm) < 0) axis = -axis;
-  editSelected("Align cut", [&](scene::Cut& cut) {
-    cut.centreMm = session::makeCutGizmo(scene, cut, {100, 100}).centreMm;
-    cut.axis = axis;
-    if (cut.shape == scene::CutShape::Plane) cut.invert = false;
-  });
+void CutPanel::duplicateSelected() {
+  const auto& cuts = mDocument.scene().cuts;
+  if (selected() < 0 || selected() >= int(cuts.size())) return;
+  std::size_t index = std::size_t(selected());
+  scene::Cut copy = cuts[index];
+  copy.name = tr("%1 copy").arg(cutTitle(copy, selected())).toStdString();
+  mDocument.edit("Duplicate cut",
+                 [&](scene::Scene& scene) { scene.cuts.insert(scene.cuts.begin() + std::ptrdiff_t(index) + 1, copy); });
+  mSelection.setCut(int(index) + 1);
 }
 
-void CutPanel::select(int index) {
-  if (mSelected == index) return;
-  mSelected = index;
-  refresh();
-  emit selectionChanged(index);
+void CutPanel::moveSelected(int by) {
+  int from = selected(), to = from + by;
+  if (from < 0 || to < 0 || to >= int(mDocument.scene().cuts.size())) return;
+  mDocument.edit("Move cut in the list",
+                 [&](scene::Scene& scene) { std::swap(scene.cuts[std::size_t(from)], scene.cuts[std::size_t(to)]); });
+  mSelection.setCut(to);
 }
 
 void CutPanel::refresh() {
-  const auto& cuts = mDocument.scene().cuts;
-  int before = mSelected;
-  mSelected = std::clamp(mSelected, -1, int(cuts.size()) - 1);
-  if (mSelected < 0 && !cuts.empty()) mSelected = 0;
-  {
-    const QSignalBlocker quiet(mList);
-    while (mList->count() > int(cuts.size())) delete mList->takeItem(mList->count() - 1);
-    for (int i = 0; i < int(cuts.size()); ++i) {
-      const scene::Cut& cut = cuts[std::size_t(i)];
-      QListWidgetItem* item = mList->item(i);
-      if (!item) item = new QListWidgetItem(mList);
-      QString name = QString::fromStdString(cut.name);
-      if (name.isEmpty()) name = tr("Cut %1").arg(i + 1);
-      item->setText(name);
-      item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
-      item->setCheckState(cut.enabled ? Qt::Checked : Qt::Unchecked);
-    }
-    mList->setCurrentRow(mSelected);
-  }
-  bool any = mSelected >= 0;
-  mRemove->setEnabled(any);
-  mControls->setVisible(any);
-  mList->setVisible(any);
-  if (any) {
-    const scene::Cut& cut = cuts[std::size_t(mSelected)];
-    auto [offset, reach] = session::cutPosition(mDocument.scene(), cut);
-    mPosition->setRange(std::min(-reach, offset), std::max(reach, offset));
-    mPosition->setValue(offset);
-    mFace->setCurrentIndex(static_cast<int>(cut.face));
-    mFlip->setChecked(cut.invert);
-  }
-  if (before != mSelected) emit selectionChanged(mSelected);
+  const scene::Scene& scene = mDocument.scene();
+  int count = int(scene.cuts.size());
+  int index = std::clamp(selected(), -1, count - 1);
+  if (index < 0 && count > 0) index = 0;
+  if (index != selected()) return mSelection.setCut(index);  // comes back here
+  Shown now{scene.cuts, scene.labels.structures, scene.volume.data.id(), scene.labels.data.id(), index};
+  if (now == mShown) return;
+  mShown = std::move(now);
+  bool any = index >= 0;
+  mList->setCuts(scene.cuts, index);
+  for (QWidget* part : {static_cast<QWidget*>(mList), mTools, static_cast<QWidget*>(mForm)}) part->setVisible(any);
+  mEmpty->setVisible(!any);
+  mLine->setVisible(any && !scene.labels.structures.empty());
+  mKeepWhole->setVisible(any);
+  if (!any) return;
+  mUp->setEnabled(index > 0);
+  mDown->setEnabled(index + 1 < count);
+  const scene::Cut& cut = scene.cuts[std::size_t(index)];
+  mForm->showCut(cut);
+  mKeepWhole->showCut(scene.labels.structures, cut);
 }
 
 }  // namespace velum::gui

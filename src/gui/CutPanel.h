@@ -1,44 +1,65 @@
 #pragma once
-#include <QComboBox>
-#include <QListWidget>
+#include <QLabel>
 #include <QPushButton>
+#include <QToolButton>
 #include <QWidget>
 
-#include "Widgets.h"
+#include "CutForm.h"
+#include "CutList.h"
+#include "KeepWholeList.h"
+#include "Selection.h"
 #include "velum/session/Document.h"
 
 namespace velum::gui {
 
-/// The list of cuts, and what can be done to the selected one.
+/// The list of cuts, and all that can be done to the selected one.
 class CutPanel : public QWidget {
   Q_OBJECT
  public:
-  CutPanel(session::Document& document, QWidget* parent);
+  CutPanel(session::Document& document, Selection& selection, QWidget* parent);
   void refresh();
-  int selected() const { return mSelected; }
+  int selected() const { return mSelection.cut(); }
+
+  /// A cut of a shape, placed where it is of use.
+  void addShape(scene::CutShape shape);
+  /// Adds a cut that somebody else has placed. @param label  of the undo step
+  void addCut(scene::Cut cut, const char* label = "Add cut");
 
  public slots:
-  void addPlane();
+  void addPlane() { addShape(scene::CutShape::Plane); }
+  /// A plane through the middle that faces the camera.
+  void addAlongView();
   void removeSelected();
   void flipSelected();
+  void duplicateSelected();
+  /// Moves the selected cut in the list. @param by  -1: up, 1: down
+  void moveSelected(int by);
 
  signals:
-  void selectionChanged(int index);
+  void threePointsAsked();
 
  private:
-  void buildControls();
-  void select(int index);
-  void editSelected(const char* label, const std::function<void(scene::Cut&)>& change, bool merge = false);
-  void snapTo(glm::dvec3 axis);
+  void buildHead();
+  QWidget* buildTools();
+  bool hasData() const;
 
   session::Document& mDocument;
-  QListWidget* mList;
-  QPushButton* mRemove;
-  QWidget* mControls;
-  NumberRow* mPosition = nullptr;
-  QComboBox* mFace = nullptr;
-  QPushButton* mFlip = nullptr;
-  int mSelected = -1;
+  Selection& mSelection;
+  CutList* mList;
+  CutForm* mForm;
+  KeepWholeList* mKeepWhole;
+  QWidget *mTools = nullptr, *mLine = nullptr;
+  QLabel* mEmpty = nullptr;
+  QPushButton *mUp = nullptr, *mDown = nullptr;
+  /// What was last shown, so that a camera that moves costs nothing here.
+  struct Shown {
+    std::vector<scene::Cut> cuts;
+    std::vector<scene::Structure> structures;
+    std::uint64_t volume = 0, labels = 0;
+    int index = -2;
+    bool operator==(const Shown&) const = default;
+  };
+  Shown mShown;
 };
 
 }  // namespace velum::gui

@@ -16,6 +16,7 @@
 #include "LookPanel.h"
 #include "RecentFiles.h"
 #include "RecoveryBar.h"
+#include "StructurePanel.h"
 #include "TimeBar.h"
 #include "velum/session/Open.h"
 
@@ -47,6 +48,7 @@ MainWindow::MainWindow() : mActions(new ActionTable(this)) {
 MainWindow::~MainWindow() {
   mDocument.setListener({});
   mScan.reset();
+  delete mSide;  // a field that is being edited hands its text over as it goes: while there is a document
   mJob.reset();  // cancels and waits
 }
 
@@ -96,12 +98,14 @@ void MainWindow::buildPanel() {
   mTabs->tabBar()->setExpanding(true);
   outer->addWidget(mTabs);
   mLook = new LookPanel(mDocument, mTabs);
-  mCuts = new CutPanel(mDocument, mTabs);
+  mSelection = new Selection(this);
+  mCuts = new CutPanel(mDocument, *mSelection, mTabs);
   addTab(mLook, tr("Look"), tr("Preset, rendering, light and background"));
+  buildStructures();
   addTab(mCuts, tr("Cuts"), tr("What is cut away"));
   dock->setWidget(mSide);
   addDockWidget(Qt::RightDockWidgetArea, dock);
-  connect(mCuts, &CutPanel::selectionChanged, mViewport, &Viewport::selectCut);
+  connect(mSelection, &Selection::cutChanged, mViewport, &Viewport::selectCut);
 }
 
 /// A page of the side panel, which scrolls where the window is low.
@@ -116,7 +120,8 @@ void MainWindow::addTab(QWidget* panel, const QString& title, const QString& tip
   layout->setContentsMargins(16, 14, 16, 14);
   layout->setSpacing(14);
   layout->addWidget(panel);
-  layout->addStretch(1);
+  // A panel with a list takes all of the height.
+  if (panel->sizePolicy().verticalPolicy() != QSizePolicy::Expanding) layout->addStretch(1);
   scroll->setWidget(contents);
   mTabs->setTabToolTip(mTabs->addTab(scroll, title), tip);
 }
@@ -281,6 +286,7 @@ void MainWindow::documentChanged() {
   mLook->refresh();
   mTime->refresh();
   mCuts->refresh();
+  mStructures->refresh();
   bool open = mPages->currentIndex() == 1;
   mSide->setEnabled(open);
   mActions->setSceneOpen(open);

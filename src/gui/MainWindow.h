@@ -9,6 +9,7 @@
 #include "ActionTable.h"
 #include "Bars.h"
 #include "Job.h"
+#include "Selection.h"
 #include "Viewport.h"
 #include "velum/session/Document.h"
 #include "velum/session/Journal.h"
@@ -23,6 +24,9 @@ class HelpWindow;
 class LookPanel;
 class RecentRow;
 class RecoveryBar;
+class StructureCommands;
+class StructurePanel;
+class ThreePointTool;
 class TimeBar;
 
 /// The window: the 3D view, the side panel, the bars, and the actions. Everything it does to the scene goes through the
@@ -56,6 +60,11 @@ class MainWindow : public QMainWindow {
   Viewport& viewport() { return *mViewport; }
   MessageBar& messages() { return *mMessages; }
   ActionTable& actions() { return *mActions; }
+  Selection& selection() { return *mSelection; }
+  StructureCommands& structures() { return *mStructureCommands; }
+  ThreePointTool& threePoints() { return *mThreePoints; }
+  /// Reads a file as labels of what is open, whatever it looks like.
+  void openLabels(const QString& path);
   bool isBusy() const { return mJob != nullptr; }
   /// What went wrong in the last job or while saving; empty when nothing did.
   QString lastError() const { return mLastError; }
@@ -81,6 +90,8 @@ class MainWindow : public QMainWindow {
   void buildEditActions(QMenu* menu, QToolBar* bar);
   void buildViewActions(QMenu* menu, QToolBar* bar);
   void buildCutActions(QMenu* menu, QToolBar* bar);
+  void buildStructures();
+  void buildStructureActions(QMenu* menu);
   void buildTimeActions(QMenu* menu);
   void buildHelpActions(QMenu* menu);
   void addTab(QWidget* panel, const QString& title, const QString& tip);
@@ -116,6 +127,7 @@ class MainWindow : public QMainWindow {
   void showPick(const render::Pick& pick);
   void askOpen(bool add);
   void askOpenFolder();
+  void askOpenLabels();
   void askSavePicture();
   void askSaveScene(bool asNew);
   void showAbout();
@@ -132,6 +144,10 @@ class MainWindow : public QMainWindow {
   ProgressStrip* mProgress = nullptr;
   LookPanel* mLook = nullptr;
   CutPanel* mCuts = nullptr;
+  Selection* mSelection = nullptr;
+  StructureCommands* mStructureCommands = nullptr;
+  StructurePanel* mStructures = nullptr;
+  ThreePointTool* mThreePoints = nullptr;
   TimeBar* mTime = nullptr;
   HelpWindow* mHelp = nullptr;
   QWidget* mSide = nullptr;

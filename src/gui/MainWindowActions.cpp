@@ -12,6 +12,7 @@
 #include "MainWindow.h"
 #include "Preferences.h"
 #include "SavePictureDialog.h"
+#include "ThreePointTool.h"
 #include "TimeBar.h"
 #include "velum/session/Open.h"
 
@@ -46,6 +47,7 @@ void MainWindow::buildActions() {
   buildViewActions(menuBar()->addMenu(tr("&View")), bar);
   bar->addSeparator();
   buildCutActions(menuBar()->addMenu(tr("&Cut")), bar);
+  buildStructureActions(menuBar()->addMenu(tr("S&tructures")));
   buildTimeActions(menuBar()->addMenu(tr("&Time")));
   buildHelpActions(menuBar()->addMenu(tr("&Help")));
 }
@@ -177,8 +179,26 @@ void MainWindow::buildViewActions(QMenu* menu, QToolBar* bar) {
 void MainWindow::buildCutActions(QMenu* menu, QToolBar* bar) {
   QAction* add = mActions->addForScene(menu, "cut.addPlane", tr("&Add plane"), tr("Cut away the half that faces you"),
                                        [this] { mCuts->addPlane(); });
+  mActions->addForScene(menu, "cut.alongView", tr("Cut along the &view"),
+                        tr("A plane through the middle that faces you exactly"), [this] { mCuts->addAlongView(); });
+  mActions->addForScene(menu, "cut.threePoints", tr("Plane through three &points"),
+                        tr("Click three points in the picture"), [this] { mThreePoints->start(); });
+  struct Row {
+    const char *id, *name;
+    scene::CutShape shape;
+  };
+  static constexpr Row kRows[] = {{"cut.addBox", "Add &box", scene::CutShape::Box},
+                                  {"cut.addSphere", "Add &sphere", scene::CutShape::Sphere},
+                                  {"cut.addCylinder", "Add c&ylinder", scene::CutShape::Cylinder},
+                                  {"cut.addCone", "Add co&ne", scene::CutShape::Cone}};
+  for (const Row& row : kRows)
+    mActions->addForScene(menu, row.id, tr(row.name), tr("A third of the data in size, where it opens what you see"),
+                          [this, shape = row.shape] { mCuts->addShape(shape); });
+  menu->addSeparator();
   mActions->addForScene(menu, "cut.flip", tr("&Flip"), tr("Take away the other side"),
                         [this] { mCuts->flipSelected(); });
+  mActions->addForScene(menu, "cut.duplicate", tr("&Duplicate"), tr("Add a copy of the selected cut"),
+                        [this] { mCuts->duplicateSelected(); });
   mActions->addForScene(menu, "cut.remove", tr("&Remove"), tr("Remove the selected cut"),
                         [this] { mCuts->removeSelected(); });
   add->setIconText(tr("Add cut"));

@@ -90,6 +90,14 @@ QSlider::sub-page:horizontal:disabled { background: @line; }
 QSlider::handle:horizontal { background: @text; width: 14px; height: 14px; margin: -5px 0; border-radius: 7px; }
 QSlider::handle:horizontal:hover { background: @white; }
 QSlider::handle:horizontal:disabled { background: @faint; }
+QPushButton[role="small"] { padding: 4px 2px; }
+#sidePanel QToolButton { background: @button; border: 1px solid @edge; border-radius: 5px; padding: 5px 9px; color: @text; }
+#sidePanel QToolButton:hover { background: @buttonHover; }
+#sidePanel QToolButton:checked { background: @chosen; border-color: @chosenEdge; color: @onChosen; }
+#sidePanel QToolButton::menu-indicator { image: url(:/velum/@chevron); width: 9px; height: 9px; subcontrol-position: right center; right: 6px; }
+#sidePanel QToolButton[popupMode="2"] { padding-right: 21px; }
+QTreeView, QListView { background: @ground; border: 1px solid @edge; border-radius: 5px; outline: 0; padding: 2px; }
+QTreeView QLineEdit, QListView QLineEdit { padding: 0 4px; min-height: 0; }
 QListWidget { background: @ground; border: 1px solid @edge; border-radius: 5px; outline: 0; padding: 2px; }
 QListWidget::item { padding: 4px 4px; border-radius: 4px; color: @text; }
 QListWidget::item:selected { background: @chosen; color: @onChosen; }

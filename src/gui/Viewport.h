@@ -51,6 +51,10 @@ class Viewport : public QOpenGLWidget {
   void refined(double fraction, const QString& stage);
   void pointedAt(const velum::render::Pick& pick);
   void pointedAtNothing();
+  /// A click that was no drag: what it hit; nothing hit, too.
+  void clickedAt(const velum::render::Pick& pick);
+  /// The same with the right button.
+  void menuAskedAt(const velum::render::Pick& pick, QPoint globalPlace);
   void failed(const QString& message);
 
  protected:
@@ -81,6 +85,9 @@ class Viewport : public QOpenGLWidget {
   void pickUnderPointer();
   void dragCamera(glm::dvec2 from, glm::dvec2 to);
   void beginDrag(QMouseEvent* event);
+  bool takeHandle(QMouseEvent* event);
+  void dragSelectedCut(glm::dvec2 place, bool snap);
+  void tellClick(QMouseEvent* event);
   void setHover(session::CutHandle handle);
   const scene::Cut* cut() const;
   glm::dvec2 logicalSize() const { return {std::max(1, width()), std::max(1, height())}; }

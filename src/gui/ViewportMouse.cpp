@@ -12,6 +12,8 @@ namespace velum::gui {
 namespace {
 
 constexpr double kReachPixels = 9.0;
+/// A press and a release nearer together than this are a click.
+constexpr double kClickPixels = 4.0;
 
 glm::dvec2 toVec(QPointF p) { return {p.x(), p.y()}; }
 
@@ -20,8 +22,29 @@ double angleAbout(glm::dvec2 centre, glm::dvec2 p) { return std::atan2(p.y - cen
 }  // namespace
 
 void Viewport::setHover(session::CutHandle handle) {
-  mOverlay->setHover(handle);
-  if (mDrag == Drag::None) setCursor(handle == session::CutHandle::None ? Qt::ArrowCursor : Qt::OpenHandCursor);
+  bool left = mOverlay->setHover(handle) && handle == session::CutHandle::None;
+  if (mDrag != Drag::None) return;
+  const scene::Cut* selected = cut();
+  if (handle != session::CutHandle::None && selected)
+    setCursor(GizmoOverlay::cursorFor(session::makeCutGizmo(mDocument.scene(), *selected, logicalSize()), handle,
+                                      mDocument.scene().camera, logicalSize()));
+  else if (left)
+    setCursor(Qt::ArrowCursor);
+}
+
+/// True when the press was on a handle of the selected cut. Shift belongs to the handle: it keeps to steps.
+bool Viewport::takeHandle(QMouseEvent* event) {
+  const scene::Cut* selected = cut();
+  bool plain = event->modifiers() == Qt::NoModifier || event->modifiers() == Qt::ShiftModifier;
+  if (event->button() != Qt::LeftButton || !plain || !selected) return false;
+  mStartGizmo = session::makeCutGizmo(mDocument.scene(), *selected, logicalSize());
+  mHandle = session::handleAt(mStartGizmo, mDocument.scene().camera, logicalSize(), mDragStart, kReachPixels);
+  if (mHandle == session::CutHandle::None) return false;
+  mStartCut = *selected;
+  mDrag = Drag::Cut;
+  if (mHandle >= session::CutHandle::KnobRight && mHandle <= session::CutHandle::Ring) setCursor(Qt::ClosedHandCursor);
+  mOverlay->setHover(mHandle);
+  return true;
 }
 
 void Viewport::beginDrag(QMouseEvent* event) {
@@ -37,19 +60,7 @@ void Viewport::beginDrag(QMouseEvent* event) {
 void Viewport::mousePressEvent(QMouseEvent* event) {
   if (mDrag != Drag::None) return;
   mDragStart = mDragLast = toVec(event->position());
-  const scene::Cut* selected = cut();
-  if (event->button() == Qt::LeftButton && event->modifiers() == Qt::NoModifier && selected) {
-    mStartGizmo = session::makeCutGizmo(mDocument.scene(), *selected, logicalSize());
-    mHandle = session::handleAt(mStartGizmo, mDocument.scene().camera, logicalSize(), mDragStart, kReachPixels);
-    if (mHandle != session::CutHandle::None) {
-      mStartCut = *selected;
-      mDrag = Drag::Cut;
-      setCursor(Qt::ClosedHandCursor);
-      mOverlay->setHover(mHandle);
-      return;
-    }
-  }
-  beginDrag(event);
+  if (!takeHandle(event)) beginDrag(event);
 }
 
 void Viewport::dragCamera(glm::dvec2 from, glm::dvec2 to) {
@@ -63,20 +74,24 @@ void Viewport::dragCamera(glm::dvec2 from, glm::dvec2 to) {
   mDocument.view([camera](scene::Scene& scene) { scene.camera = camera; });
 }
 
+void Viewport::dragSelectedCut(glm::dvec2 place, bool snap) {
+  scene::Cut moved = session::dragCut(mStartCut, mStartGizmo, mHandle, mDocument.scene().camera, logicalSize(),
+                                      mDragStart, place, session::makeCutSnap(mDocument.scene(), snap));
+  mOverlay->setTag(mPointer, QString::fromStdString(session::dragText(mStartCut, moved, mHandle)));
+  std::size_t index = std::size_t(mSelectedCut);
+  mDocument.edit(
+      session::dragLabel(mStartCut, mHandle),
+      [&](scene::Scene& scene) {
+        if (index < scene.cuts.size()) scene.cuts[index] = moved;
+      },
+      true);
+}
+
 void Viewport::mouseMoveEvent(QMouseEvent* event) {
   glm::dvec2 place = toVec(event->position());
   mPointer = event->position();
   if (mDrag == Drag::Cut) {
-    scene::Cut moved =
-        session::dragCut(mStartCut, mStartGizmo, mHandle, mDocument.scene().camera, logicalSize(), mDragStart, place);
-    const char* label = mHandle == session::CutHandle::Arrow ? "Move cut" : "Tilt cut";
-    std::size_t index = std::size_t(mSelectedCut);
-    mDocument.edit(
-        label,
-        [&](scene::Scene& scene) {
-          if (index < scene.cuts.size()) scene.cuts[index] = moved;
-        },
-        true);
+    dragSelectedCut(place, event->modifiers() & Qt::ShiftModifier);
   } else if (mDrag != Drag::None) {
     dragCamera(mDragLast, place);
   } else {
@@ -89,13 +104,28 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
   mDragLast = place;
 }
 
+/// A button that went down and up at one place has turned nothing: it asks what is there.
+void Viewport::tellClick(QMouseEvent* event) {
+  if (glm::length(toVec(event->position()) - mDragStart) > kClickPixels) return;
+  auto pick = pickAt(event->position());
+  if (!pick) return;
+  if (event->button() == Qt::LeftButton && event->modifiers() == Qt::NoModifier) emit clickedAt(*pick);
+  if (event->button() == Qt::RightButton) emit menuAskedAt(*pick, event->globalPosition().toPoint());
+}
+
 void Viewport::mouseReleaseEvent(QMouseEvent* event) {
   if (event->buttons() != Qt::NoButton || mDrag == Drag::None) return;
-  if (mDrag == Drag::Cut) mDocument.endMerge();
+  bool wasCut = mDrag == Drag::Cut;
+  if (wasCut) mDocument.endMerge();
   mDrag = Drag::None;
   mHandle = session::CutHandle::None;
-  setCursor(Qt::ArrowCursor);
-  mOverlay->setHover(session::CutHandle::None);
+  mOverlay->setTag({}, {});
+  if (wasCut) {
+    setCursor(Qt::ArrowCursor);
+    mOverlay->setHover(session::CutHandle::None);
+  } else {
+    tellClick(event);
+  }
 }
 
 void Viewport::mouseDoubleClickEvent(QMouseEvent* event) { mousePressEvent(event); }

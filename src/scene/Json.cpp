@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "JsonText.h"
+#include "PathKey.h"
 #include "velum/core/Error.h"
 #include "velum/core/Log.h"
 
@@ -186,8 +187,9 @@ void assign(auto& target, std::string_view rest, std::string_view text, const st
 
 template <Fielded T>
 void assignMember(T& target, std::string_view rest, std::string_view text, const std::string& path) {
-  std::string_view head = rest.substr(0, rest.find('.'));
-  std::string_view tail = head.size() == rest.size() ? "" : rest.substr(head.size() + 1);
+  std::string_view head = rest.substr(0, rest.find_first_of(".["));
+  std::string_view tail = rest.substr(head.size());
+  if (tail.starts_with('.')) tail.remove_prefix(1);
   bool found = false;
   std::string known;
   auto visit = [&](std::string_view name, auto& member, const FieldInfo& info) {
@@ -220,6 +222,11 @@ void assign(auto& target, std::string_view rest, std::string_view text, const st
     return;
   }
   if constexpr (List<T>) {
+    if (rest.starts_with('[')) {
+      detail::PathKey key = detail::takeKey(rest, path);
+      std::size_t found = detail::findByKey(target, key.name, path);
+      return assign(target[found], key.rest, text, fmt::format("{}[{}]", path, key.name), info);
+    }
     std::string_view head = rest.substr(0, rest.find('.'));
     std::string_view tail = head.size() == rest.size() ? "" : rest.substr(head.size() + 1);
     std::size_t index = target.size();

@@ -1,4 +1,7 @@
+// What a drag of a handle makes of a cut.
 #include "velum/session/CutTool.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,100 +14,18 @@ namespace velum::session {
 
 namespace {
 
-// Pixels at which arrow and ring could be held and did not hide the picture, tried at 1100 x 800.
-constexpr double kArrowPixels = 96.0, kRingPixels = 64.0;
-/// An arrow shorter than this on screen points at the eye: then the drag's height moves the plane.
-constexpr double kShortArrowPixels = 24.0;
+/// An arrow shorter than this on screen points at the eye: then the drag's height moves along it.
+constexpr double kShortArrowPixels = 24.0, kArrowPixels = 96.0;
+/// What resizing leaves, pixels: enough to take hold of again.
+constexpr double kSmallestPixels = 4.0;
+constexpr double kSnapAngleRad = std::numbers::pi / 12.0;
 
-glm::dvec3 unitAxis(const scene::Cut& cut) {
-  double length = glm::length(cut.axis);
-  return length > 1e-12 ? cut.axis / length : glm::dvec3(0, -1, 0);
-}
-
-glm::dvec3 middleOf(const scene::Scene& scene) {
-  scene::Bounds bounds = scene::computeBounds(scene);
-  return (bounds.min + bounds.max) * 0.5;
-}
-
-/// The plane inside the scene's box: where it crosses the twelve edges, in order around the middle.
-std::vector<glm::dvec3> planeInBox(const scene::Bounds& bounds, glm::dvec3 point, glm::dvec3 normal, glm::dvec3 u,
-                                   glm::dvec3 v) {
-  auto corner = [&](int i) {
-    return glm::dvec3(i & 1 ? bounds.max.x : bounds.min.x, i & 2 ? bounds.max.y : bounds.min.y,
-                      i & 4 ? bounds.max.z : bounds.min.z);
-  };
-  std::vector<glm::dvec3> points;
-  for (int a = 0; a < 8; ++a)
-    for (int axis = 1; axis < 8; axis *= 2) {
-      if (a & axis) continue;
-      glm::dvec3 p = corner(a), q = corner(a | axis);
-      double dp = glm::dot(p - point, normal), dq = glm::dot(q - point, normal);
-      if ((dp < 0) == (dq < 0)) continue;
-      points.push_back(p + (q - p) * (dp / (dp - dq)));
-    }
-  glm::dvec3 middle(0.0);
-  for (const auto& p : points) middle += p / double(points.size());
-  std::sort(points.begin(), points.end(), [&](const glm::dvec3& p, const glm::dvec3& q) {
-    auto angle = [&](const glm::dvec3& x) { return std::atan2(glm::dot(x - middle, v), glm::dot(x - middle, u)); };
-    return angle(p) < angle(q);
-  });
-  return points;
-}
-
-/// Edges of a box, rims and sides of a round shape, as closed lines.
-std::vector<std::vector<glm::dvec3>> edgesOf(const scene::Cut& cut) {
-  constexpr int kCorners = 48;
-  glm::dmat4 worldFromCut = scene::worldFromCut(cut);
-  glm::dvec3 half = cut.sizeMm * 0.5;
-  std::vector<std::vector<glm::dvec3>> edges;
-  auto add = [&](const std::vector<glm::dvec3>& local) {
-    auto& line = edges.emplace_back();
-    for (const auto& p : local) line.emplace_back(worldFromCut * glm::dvec4(p, 1.0));
-  };
-  auto circle = [&](int axis, double along, double radius) {
-    std::vector<glm::dvec3> points(kCorners);
-    for (int i = 0; i < kCorners; ++i) {
-      double a = 2.0 * std::numbers::pi * i / kCorners;
-      points[std::size_t(i)][axis] = along;
-      points[std::size_t(i)][(axis + 1) % 3] = radius * std::cos(a);
-      points[std::size_t(i)][(axis + 2) % 3] = radius * std::sin(a);
-    }
-    return points;
-  };
-  constexpr glm::dvec2 kSides[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
-  constexpr glm::dvec2 kBoxSides[] = {{1, 1}, {-1, 1}, {-1, -1}, {1, -1}};
-  switch (cut.shape) {
-    case scene::CutShape::Plane:
-      break;
-    case scene::CutShape::Box:
-      for (double z : {-half.z, half.z}) {
-        std::vector<glm::dvec3> rim;
-        for (glm::dvec2 s : kBoxSides) rim.emplace_back(s * glm::dvec2(half), z);
-        add(rim);
-      }
-      for (glm::dvec2 s : kBoxSides) add({{s * glm::dvec2(half), -half.z}, {s * glm::dvec2(half), half.z}});
-      break;
-    case scene::CutShape::Sphere:
-      for (int axis = 0; axis < 3; ++axis) add(circle(axis, 0, half.x));
-      break;
-    case scene::CutShape::Cylinder:
-      for (double z : {-half.z, half.z}) add(circle(2, z, half.x));
-      for (glm::dvec2 s : kSides) add({{s * half.x, -half.z}, {s * half.x, half.z}});
-      break;
-    case scene::CutShape::Cone:
-      add(circle(2, 2.0 * half.z, half.x));
-      for (glm::dvec2 s : kSides) add({glm::dvec3(0.0), {s * half.x, 2.0 * half.z}});
-      break;
-  }
-  return edges;
-}
-
-double distanceToSegment(glm::dvec2 p, glm::dvec2 a, glm::dvec2 b) {
-  glm::dvec2 ab = b - a;
-  double length2 = glm::dot(ab, ab);
-  double t = length2 > 0 ? std::clamp(glm::dot(p - a, ab) / length2, 0.0, 1.0) : 0.0;
-  return glm::length(p - a - ab * t);
-}
+struct Drag {
+  const CutGizmo& gizmo;
+  const scene::Camera& camera;
+  glm::dvec2 size, from, to;
+  scene::PictureRay rayAt(glm::dvec2 pixel) const { return scene::rayFromPixel(camera, size, pixel); }
+};
 
 /// How far along a line the point nearest to a ray lies, mm.
 double alongLine(glm::dvec3 point, glm::dvec3 direction, const scene::PictureRay& ray) {
@@ -114,132 +35,213 @@ double alongLine(glm::dvec3 point, glm::dvec3 direction, const scene::PictureRay
   return (b * glm::dot(ray.direction, w) - glm::dot(direction, w)) / denominator;
 }
 
-/// The point of a sphere under a ray, on its near side or on its far side; beside the sphere, the nearest point of it.
-glm::dvec3 directionOnSphere(glm::dvec3 centre, double radius, const scene::PictureRay& ray, bool nearSide) {
-  glm::dvec3 w = ray.originMm - centre;
+/// How far a drag goes along a line through a point of the world, mm.
+double dragAlong(const Drag& drag, glm::dvec3 place, glm::dvec3 direction) {
+  auto foot = scene::pixelFromWorld(drag.camera, drag.size, place);
+  auto tip = scene::pixelFromWorld(drag.camera, drag.size, place + direction * (kArrowPixels * drag.gizmo.pixelMm));
+  if (foot && tip && glm::length(*tip - *foot) >= kShortArrowPixels)
+    return alongLine(place, direction, drag.rayAt(drag.to)) - alongLine(place, direction, drag.rayAt(drag.from));
+  // Seen end on: pulling down pulls towards the eye.
+  bool towardsEye = glm::dot(direction, scene::cameraBasis(drag.camera).forward) < 0;
+  return (drag.to.y - drag.from.y) * scene::mmPerPixel(drag.camera, drag.size, place) * (towardsEye ? 1.0 : -1.0);
+}
+
+/// Where a ray meets a plane; nothing when it runs beside it.
+std::optional<glm::dvec3> meet(const scene::PictureRay& ray, glm::dvec3 point, glm::dvec3 normal) {
+  double slant = glm::dot(ray.direction, normal);
+  if (std::abs(slant) < 1e-3) return std::nullopt;
+  return ray.originMm + ray.direction * (glm::dot(point - ray.originMm, normal) / slant);
+}
+
+glm::dvec3 dragInPlane(const Drag& drag, glm::dvec3 normal) {
+  auto a = meet(drag.rayAt(drag.from), drag.gizmo.centreMm, normal);
+  auto b = meet(drag.rayAt(drag.to), drag.gizmo.centreMm, normal);
+  return a && b ? *b - *a : glm::dvec3(0.0);
+}
+
+/// The point of the gizmo's sphere under a pixel, on its near side or on its far side; beside the sphere, the nearest
+/// point of it. Unit, from the centre.
+glm::dvec3 directionOnSphere(const Drag& drag, glm::dvec2 pixel, bool nearSide) {
+  scene::PictureRay ray = drag.rayAt(pixel);
+  glm::dvec3 w = ray.originMm - drag.gizmo.centreMm;
+  double radius = drag.gizmo.radiusMm;
   double b = glm::dot(w, ray.direction), c = glm::dot(w, w) - radius * radius;
   double discriminant = b * b - c;
   double root = discriminant > 0 ? std::sqrt(discriminant) : 0.0;
   return glm::normalize(w + ray.direction * (nearSide ? -b - root : -b + root));
 }
 
-double moveAlongNormal(const CutGizmo& gizmo, const scene::Camera& camera, glm::dvec2 size, glm::dvec2 from,
-                       glm::dvec2 to) {
-  auto foot = scene::pixelFromWorld(camera, size, gizmo.centreMm);
-  auto tip = scene::pixelFromWorld(camera, size, gizmo.arrowTipMm);
-  if (foot && tip && glm::length(*tip - *foot) >= kShortArrowPixels)
-    return alongLine(gizmo.centreMm, gizmo.normal, scene::rayFromPixel(camera, size, to)) -
-           alongLine(gizmo.centreMm, gizmo.normal, scene::rayFromPixel(camera, size, from));
-  // Seen end on: pulling down pulls the plane towards the eye.
-  bool towardsEye = glm::dot(gizmo.normal, scene::cameraBasis(camera).forward) < 0;
-  return (to.y - from.y) * scene::mmPerPixel(camera, size, gizmo.centreMm) * (towardsEye ? 1.0 : -1.0);
-}
-
-double tiltAngle(const CutGizmo& gizmo, glm::dvec3 knob, const scene::Camera& camera, glm::dvec2 size, glm::dvec2 from,
-                 glm::dvec2 to) {
-  bool nearSide = glm::dot(knob, scene::cameraBasis(camera).forward) <= 0.05;
+scene::Cut tilt(const scene::Cut& start, const Drag& drag, CutHandle handle, const CutSnap& snap) {
+  const CutGizmo& gizmo = drag.gizmo;
+  glm::dvec3 knob = (handlePlaceMm(gizmo, handle) - gizmo.centreMm) / gizmo.radiusMm;
+  bool nearSide = glm::dot(knob, scene::cameraBasis(drag.camera).forward) <= 0.05;
   auto angleAt = [&](glm::dvec2 pixel) {
-    glm::dvec3 d =
-        directionOnSphere(gizmo.centreMm, gizmo.radiusMm, scene::rayFromPixel(camera, size, pixel), nearSide);
+    glm::dvec3 d = directionOnSphere(drag, pixel, nearSide);
     return std::atan2(glm::dot(d, gizmo.normal), glm::dot(d, knob));
   };
-  return angleAt(to) - angleAt(from);
+  // Turning the knob towards the normal turns the normal away from the knob.
+  double angle = snappedAngle(angleAt(drag.to) - angleAt(drag.from), snap);
+  return withTurn(start, gizmo.centreMm, glm::cross(knob, gizmo.normal), angle);
 }
+
+/// The ring of a box: a turn about its axis.
+scene::Cut spin(const scene::Cut& start, const Drag& drag, const CutSnap& snap) {
+  const CutGizmo& gizmo = drag.gizmo;
+  auto angleAt = [&](glm::dvec2 pixel) {
+    scene::PictureRay ray = drag.rayAt(pixel);
+    bool isFlat = std::abs(glm::dot(ray.direction, gizmo.normal)) < 0.2;
+    glm::dvec3 arm = isFlat ? directionOnSphere(drag, pixel, true)
+                            : meet(ray, gizmo.centreMm, gizmo.normal).value_or(gizmo.centreMm) - gizmo.centreMm;
+    return std::atan2(glm::dot(arm, gizmo.top), glm::dot(arm, gizmo.right));
+  };
+  double angle = angleAt(drag.to) - angleAt(drag.from);
+  glm::dvec3 axis = glm::cross(gizmo.right, gizmo.top);
+  return withTurn(start, gizmo.centreMm, axis, snappedAngle(std::remainder(angle, 2.0 * std::numbers::pi), snap));
+}
+
+/// The ring of the others: its point under the pointer follows it.
+scene::Cut tiltFreely(const scene::Cut& start, const Drag& drag, const CutSnap& snap) {
+  glm::dvec3 forward = scene::cameraBasis(drag.camera).forward;
+  // Of the near and the far point under the pointer, the one that lies on the ring.
+  auto offRing = [&](bool nearSide) {
+    return std::abs(glm::dot(directionOnSphere(drag, drag.from, nearSide), drag.gizmo.normal));
+  };
+  bool nearSide = std::abs(glm::dot(forward, drag.gizmo.normal)) > 0.98 || offRing(true) <= offRing(false);
+  glm::dvec3 a = directionOnSphere(drag, drag.from, nearSide), b = directionOnSphere(drag, drag.to, nearSide);
+  glm::dvec3 axis = glm::cross(a, b);
+  double sine = glm::length(axis);
+  if (sine < 1e-12) return start;
+  return withTurn(start, drag.gizmo.centreMm, axis / sine, snappedAngle(std::atan2(sine, glm::dot(a, b)), snap));
+}
+
+scene::Cut resize(scene::Cut cut, const Drag& drag, CutHandle handle, const CutSnap& snap) {
+  auto grip = std::find_if(drag.gizmo.grips.begin(), drag.gizmo.grips.end(),
+                           [&](const CutGrip& g) { return g.handle == handle; });
+  if (grip == drag.gizmo.grips.end()) return cut;
+  double mm = snappedLength(dragAlong(drag, grip->placeMm, grip->direction), grip->direction, snap);
+  double smallest = kSmallestPixels * drag.gizmo.pixelMm;
+  if (handle == CutHandle::Radius) {
+    cut.sizeMm.x = std::max(cut.sizeMm.x + 2.0 * mm, std::min(smallest, cut.sizeMm.x));
+    return cut;
+  }
+  int face = static_cast<int>(handle) - static_cast<int>(CutHandle::FaceXMin);
+  return withFaceMoved(cut, face / 2, face % 2 ? 1 : -1, mm, smallest);
+}
+
+bool turns(CutHandle handle) { return handle >= CutHandle::KnobRight && handle <= CutHandle::Ring; }
 
 }  // namespace
 
-CutGizmo makeCutGizmo(const scene::Scene& scene, const scene::Cut& cut, glm::dvec2 pictureSize) {
-  CutGizmo gizmo;
-  bool isPlane = cut.shape == scene::CutShape::Plane;
-  gizmo.normal = unitAxis(cut) * (isPlane && cut.invert ? -1.0 : 1.0);
-  scene::CameraBasis basis = scene::cameraBasis(scene.camera);
-  // The knobs stand to the right and to the top as far as the plane allows.
-  glm::dvec3 right = basis.right - gizmo.normal * glm::dot(basis.right, gizmo.normal);
-  if (glm::length(right) < 0.2) right = basis.forward - gizmo.normal * glm::dot(basis.forward, gizmo.normal);
-  gizmo.right = glm::normalize(right);
-  gizmo.top = glm::cross(gizmo.normal, gizmo.right);
-  if (glm::dot(gizmo.top, basis.up) < 0) gizmo.top = -gizmo.top;
-  if (isPlane)
-    gizmo.outlineMm = planeInBox(scene::computeBounds(scene), cut.centreMm, gizmo.normal, gizmo.right, gizmo.top);
-  gizmo.edgesMm = edgesOf(cut);
-  gizmo.centreMm = cut.centreMm;
-  if (!gizmo.outlineMm.empty()) {
-    gizmo.centreMm = glm::dvec3(0.0);
-    for (const auto& p : gizmo.outlineMm) gizmo.centreMm += p / double(gizmo.outlineMm.size());
-  }
-  double pixelMm = scene::mmPerPixel(scene.camera, pictureSize, gizmo.centreMm);
-  gizmo.radiusMm = kRingPixels * pixelMm;
-  gizmo.arrowTipMm = gizmo.centreMm + gizmo.normal * (kArrowPixels * pixelMm);
-  return gizmo;
+CutSnap makeCutSnap(const scene::Scene& scene, bool on) {
+  CutSnap snap{on};
+  if (scene.volume.data)
+    snap.worldFromVoxel = glm::dmat3(scene.volume.data->worldFromVoxel);
+  else if (scene.labels.data)
+    snap.worldFromVoxel = glm::dmat3(scene.labels.data->worldFromVoxel());
+  return snap;
 }
 
-glm::dvec3 handlePlaceMm(const CutGizmo& gizmo, CutHandle handle) {
-  switch (handle) {
-    case CutHandle::Arrow:
-      return gizmo.arrowTipMm;
-    case CutHandle::KnobRight:
-      return gizmo.centreMm + gizmo.right * gizmo.radiusMm;
-    case CutHandle::KnobTop:
-      return gizmo.centreMm + gizmo.top * gizmo.radiusMm;
-    case CutHandle::KnobLeft:
-      return gizmo.centreMm - gizmo.right * gizmo.radiusMm;
-    case CutHandle::KnobBottom:
-      return gizmo.centreMm - gizmo.top * gizmo.radiusMm;
-    case CutHandle::None:
-      break;
-  }
-  return gizmo.centreMm;
+double snappedLength(double mm, glm::dvec3 direction, const CutSnap& snap) {
+  if (!snap.on) return mm;
+  // The step that crosses one voxel along the voxel axis nearest to the direction.
+  glm::dvec3 voxels = glm::abs(glm::inverse(snap.worldFromVoxel) * direction);
+  double step = 1.0 / std::max(voxels.x, std::max(voxels.y, voxels.z));
+  return std::isfinite(step) ? std::round(mm / step) * step : mm;
 }
 
-CutHandle handleAt(const CutGizmo& gizmo, const scene::Camera& camera, glm::dvec2 pictureSize, glm::dvec2 pixel,
-                   double reach) {
-  auto foot = scene::pixelFromWorld(camera, pictureSize, gizmo.centreMm);
-  auto tip = scene::pixelFromWorld(camera, pictureSize, gizmo.arrowTipMm);
-  for (auto handle : {CutHandle::KnobRight, CutHandle::KnobTop, CutHandle::KnobLeft, CutHandle::KnobBottom}) {
-    auto place = scene::pixelFromWorld(camera, pictureSize, handlePlaceMm(gizmo, handle));
-    if (place && glm::length(*place - pixel) <= reach) return handle;
-  }
-  if (foot && tip && distanceToSegment(pixel, *foot, *tip) <= reach) return CutHandle::Arrow;
-  return CutHandle::None;
+glm::dvec3 snappedShift(glm::dvec3 shiftMm, const CutSnap& snap) {
+  return snap.on ? snap.worldFromVoxel * glm::round(glm::inverse(snap.worldFromVoxel) * shiftMm) : shiftMm;
+}
+
+double snappedAngle(double rad, const CutSnap& snap) {
+  return snap.on ? std::round(rad / kSnapAngleRad) * kSnapAngleRad : rad;
+}
+
+scene::Cut withFaceMoved(scene::Cut cut, int axis, int sign, double mm, double smallest) {
+  double before = cut.sizeMm[axis];
+  cut.sizeMm[axis] = std::max(before + mm, std::min(smallest, before));
+  double moved = cut.sizeMm[axis] - before;
+  // The cone hangs on its apex: its base moves alone, and its apex takes all of the move.
+  double share = cut.shape != scene::CutShape::Cone ? 0.5 : sign < 0 ? 1.0 : 0.0;
+  cut.centreMm += cutFrame(cut)[axis] * (sign * moved * share);
+  return cut;
+}
+
+scene::Cut withTurn(scene::Cut cut, glm::dvec3 pivotMm, glm::dvec3 axis, double rad) {
+  glm::dmat3 turn(glm::rotate(glm::dmat4(1.0), rad, axis));
+  cut.centreMm = pivotMm + turn * (cut.centreMm - pivotMm);
+  if (cut.shape == scene::CutShape::Box)
+    setCutFrame(cut, turn * cutFrame(cut));
+  else
+    cut.axis = glm::normalize(turn * cutFrame(cut)[2]);
+  return cut;
 }
 
 scene::Cut dragCut(const scene::Cut& start, const CutGizmo& gizmo, CutHandle handle, const scene::Camera& camera,
-                   glm::dvec2 pictureSize, glm::dvec2 from, glm::dvec2 to) {
+                   glm::dvec2 pictureSize, glm::dvec2 from, glm::dvec2 to, const CutSnap& snap) {
   scene::Cut cut = start;
   if (handle == CutHandle::None || from == to) return cut;
-  if (handle == CutHandle::Arrow) {
-    cut.centreMm += gizmo.normal * moveAlongNormal(gizmo, camera, pictureSize, from, to);
-    return cut;
+  Drag drag{gizmo, camera, pictureSize, from, to};
+  switch (handle) {
+    case CutHandle::None:
+      break;
+    case CutHandle::Arrow:
+      cut.centreMm += gizmo.normal * snappedLength(dragAlong(drag, gizmo.centreMm, gizmo.normal), gizmo.normal, snap);
+      break;
+    case CutHandle::Centre:
+      cut.centreMm += snappedShift(dragInPlane(drag, scene::cameraBasis(camera).forward), snap);
+      break;
+    case CutHandle::Square: {
+      glm::dvec3 shift = dragInPlane(drag, gizmo.normal);
+      for (glm::dvec3 axis : {gizmo.right, gizmo.top})
+        cut.centreMm += axis * snappedLength(glm::dot(shift, axis), axis, snap);
+      break;
+    }
+    case CutHandle::KnobRight:
+    case CutHandle::KnobTop:
+    case CutHandle::KnobLeft:
+    case CutHandle::KnobBottom:
+      // A plane turns about the middle of what is seen of it, and is said to lie there from then on.
+      if (cut.shape == scene::CutShape::Plane) cut.centreMm = gizmo.centreMm;
+      return tilt(cut, drag, handle, snap);
+    case CutHandle::Ring:
+      if (cut.shape == scene::CutShape::Plane) cut.centreMm = gizmo.centreMm;
+      return cut.shape == scene::CutShape::Box ? spin(cut, drag, snap) : tiltFreely(cut, drag, snap);
+    default:
+      return resize(cut, drag, handle, snap);
   }
-  glm::dvec3 knob = (handlePlaceMm(gizmo, handle) - gizmo.centreMm) / gizmo.radiusMm;
-  double angle = tiltAngle(gizmo, knob, camera, pictureSize, from, to);
-  // Turning the knob towards the normal turns the normal away from the knob.
-  glm::dmat3 turn(glm::rotate(glm::dmat4(1.0), angle, glm::cross(knob, gizmo.normal)));
-  cut.axis = glm::normalize(turn * unitAxis(start));
-  cut.centreMm = gizmo.centreMm;
   return cut;
 }
 
-scene::Cut cutFacingCamera(const scene::Scene& scene) {
-  scene::Cut cut;
-  cut.centreMm = middleOf(scene);
-  cut.axis = -scene::cameraBasis(scene.camera).forward;
-  // A view along an axis gives a cut along it, without the noise of the sines.
-  for (int i = 0; i < 3; ++i)
-    if (std::abs(cut.axis[i]) < 1e-9) cut.axis[i] = 0.0;
-  return cut;
+const char* dragLabel(const scene::Cut& cut, CutHandle handle) {
+  if (handle == CutHandle::Ring && cut.shape == scene::CutShape::Box) return "Turn cut";
+  if (turns(handle)) return "Tilt cut";
+  return handle >= CutHandle::FaceXMin ? "Resize cut" : "Move cut";
 }
 
-CutPosition cutPosition(const scene::Scene& scene, const scene::Cut& cut) {
-  scene::Bounds bounds = scene::computeBounds(scene);
-  glm::dvec3 axis = unitAxis(cut);
-  return {glm::dot(cut.centreMm - (bounds.min + bounds.max) * 0.5, axis),
-          glm::dot((bounds.max - bounds.min) * 0.5, glm::abs(axis))};
-}
-
-scene::Cut withOffset(const scene::Scene& scene, scene::Cut cut, double offsetMm) {
-  cut.centreMm += unitAxis(cut) * (offsetMm - cutPosition(scene, cut).offsetMm);
-  return cut;
+std::string dragText(const scene::Cut& start, const scene::Cut& now, CutHandle handle) {
+  if (turns(handle)) {
+    // The angle of the turn from one frame to the other.
+    glm::dmat3 turn = cutFrame(now) * glm::transpose(cutFrame(start));
+    if (start.shape != scene::CutShape::Box)
+      return fmt::format(
+          "{:.1f}\u00b0",
+          glm::degrees(std::acos(std::clamp(glm::dot(cutFrame(start)[2], cutFrame(now)[2]), -1.0, 1.0))));
+    double trace = turn[0][0] + turn[1][1] + turn[2][2];
+    return fmt::format("{:.1f}\u00b0", glm::degrees(std::acos(std::clamp((trace - 1.0) * 0.5, -1.0, 1.0))));
+  }
+  if (handle == CutHandle::Radius) return fmt::format("\u2300 {:.1f} mm", now.sizeMm.x);
+  if (handle >= CutHandle::FaceXMin) {
+    int axis = (static_cast<int>(handle) - static_cast<int>(CutHandle::FaceXMin)) / 2;
+    return fmt::format("{:.1f} mm", now.sizeMm[axis]);
+  }
+  glm::dvec3 shift = now.centreMm - start.centreMm;
+  if (handle == CutHandle::Arrow) {
+    // Signed as the arrow points, which for an inverted plane is against its axis.
+    bool isFlipped = start.shape == scene::CutShape::Plane && start.invert;
+    return fmt::format("{:+.1f} mm", glm::dot(shift, cutFrame(start)[2]) * (isFlipped ? -1.0 : 1.0));
+  }
+  return fmt::format("{:.1f} mm", glm::length(shift));
 }
 
 }  // namespace velum::session

@@ -74,6 +74,19 @@ class Render(CliTest):
         for channel in (b"position.X", b"normal.Z", b"id", b"Z"):
             self.assertIn(channel, data[:4000])
 
+    def test_a_structure_is_called_by_its_name_or_id(self):
+        path = self.sample()
+        self.run_batch("render", path, "two-spheres_labels.seg.nrrd", "-o", "x.png", "--size", "24x24", "--save-scene", "s.json",
+                       *FAST, "--set", "labels.structures[lower sphere].visible=false", "--set", "labels.structures[1].opacity=0.5",
+                       "--set", "cuts.+.name=my cut", "--set", "cuts[my cut].exempt=2")
+        scene = json.loads((self.folder / "s.json").read_text())
+        by_name = {row["name"]: row for row in scene["labels"]["structures"]}
+        self.assertFalse(by_name["lower sphere"]["visible"])
+        self.assertEqual([row["opacity"] for row in by_name.values() if row["id"] == 1], [0.5])
+        self.assertEqual(scene["cuts"][0]["exempt"], [2])
+        self.refuse("render", path, "two-spheres_labels.seg.nrrd", "-o", "x.png", "--set", "labels.structures[liver].visible=false",
+                    code=1, words=["labels.structures", "liver", "lower sphere"])
+
     def test_labels_and_surfaces_join_the_volume(self):
         path = self.sample("torso", 40)
         (self.folder / "a.obj").write_text("v -40 0 -40\nv 40 0 -40\nv 0 0 40\nf 1 2 3\n")

@@ -1,0 +1,58 @@
+#pragma once
+#include <glm/glm.hpp>
+#include <optional>
+
+#include "velum/scene/Cut.h"
+#include "velum/scene/Scene.h"
+
+namespace velum::session {
+
+/// The rigid frame of a cut as three unit columns; the third is its axis.
+glm::dmat3 cutFrame(const scene::Cut& cut);
+/// The counterpart: turns a cut so that this is its frame. @param frame  orthonormal, right-handed
+void setCutFrame(scene::Cut& cut, const glm::dmat3& frame);
+
+/// A new cut where it is of use at once, a third of the data in size. A plane goes through the crosshair, across the
+/// patient's axis that points to the eye most, and takes what lies before it; a cylinder is bored along the view; a
+/// cone opens towards the eye; a box and a sphere lie about the crosshair, or, where that was not moved out of the
+/// middle of the data, are brought towards the eye until they open its side.
+scene::Cut makeCut(const scene::Scene& scene, scene::CutShape shape);
+
+/// A plane through the middle of the scene that takes away the half before it, as the camera sees it.
+scene::Cut cutFacingCamera(const scene::Scene& scene);
+
+/// The plane through three points that takes away the side of the eye; nothing when they lie on a line.
+std::optional<scene::Cut> cutThrough(const scene::Scene& scene, glm::dvec3 a, glm::dvec3 b, glm::dvec3 c);
+
+/// The one of the six directions of the patient's axes that is nearest. @param direction  any length; 0 gives +z
+glm::dvec3 nearestAxis(glm::dvec3 direction);
+
+/// The cut with its axis along a direction. A plane stays where it crosses the middle of what it showed, and what it
+/// takes away lies on the side of the direction; the edges of a box come to lie along the patient's.
+scene::Cut alignedCut(const scene::Scene& scene, scene::Cut cut, glm::dvec3 axis);
+
+/// A direction as two angles, degrees: azimuth about the body's long axis from anterior (0) over left (90) to right
+/// (-90), elevation towards superior (90).
+struct AxisAngles {
+  double azimuthDeg = 0;
+  double elevationDeg = 0;
+};
+AxisAngles anglesFromAxis(glm::dvec3 axis);
+/// The counterpart, a unit vector without the noise of the sines.
+glm::dvec3 axisFromAngles(AxisAngles angles);
+
+/// How far the plane stands from the middle of the scene along its normal, mm, and how far it can go while it meets the
+/// scene's box (minus that to plus that).
+struct CutPosition {
+  double offsetMm = 0;
+  double reachMm = 0;
+};
+CutPosition cutPosition(const scene::Scene& scene, const scene::Cut& cut);
+/// The counterpart: the cut moved along its normal to an offset.
+scene::Cut withOffset(const scene::Scene& scene, scene::Cut cut, double offsetMm);
+
+/// Lists a structure among those that the cut leaves whole, or takes it off; the list stays ascending.
+void setExempt(scene::Cut& cut, int structure, bool exempt);
+bool isExempt(const scene::Cut& cut, int structure);
+
+}  // namespace velum::session

@@ -1,0 +1,34 @@
+#pragma once
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <map>
+
+#include "velum/core/LabelVolume.h"
+#include "velum/core/Task.h"
+#include "velum/scene/Camera.h"
+
+namespace velum::session {
+
+/// How large a structure is and where.
+struct StructureSize {
+  std::uint64_t voxels = 0;
+  double ml = 0;
+  glm::dvec3 centroid{0.0};     ///< of its voxels, voxel space; may lie outside of it
+  glm::ivec3 low{0}, high{-1};  ///< its box, voxels, both ends included
+};
+
+/// Sizes of all structures that have voxels, by id. O(voxels of the bricks that are not uniform).
+/// @throw Cancelled. Any thread.
+std::map<int, StructureSize> measureStructures(const LabelVolume& labels, Progress& progress);
+
+/// The voxel of a structure that is nearest to its centroid, world mm: a place inside it, whatever its form.
+/// @param size  as measured, with at least one voxel
+glm::dvec3 middleOfStructure(const LabelVolume& labels, int structure, const StructureSize& size);
+
+/// Radius of the ball about the structure's box, mm.
+double radiusOfStructure(const LabelVolume& labels, const StructureSize& size);
+
+/// The camera brought near to a ball, from the side on which it is. @param aspect  width / height of the picture
+scene::Camera closeUp(scene::Camera camera, glm::dvec3 middleMm, double radiusMm, double aspect);
+
+}  // namespace velum::session

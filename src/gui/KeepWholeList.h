@@ -1,0 +1,55 @@
+#pragma once
+#include <QAbstractListModel>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListView>
+#include <QSortFilterProxyModel>
+#include <QWidget>
+#include <vector>
+
+#include "velum/scene/Cut.h"
+#include "velum/scene/Structure.h"
+
+namespace velum::gui {
+
+/// Structures with a tick for those that a cut leaves whole.
+class KeepWholeModel : public QAbstractListModel {
+  Q_OBJECT
+ public:
+  using QAbstractListModel::QAbstractListModel;
+  void setRows(const std::vector<scene::Structure>& structures, const std::vector<int>& exempt);
+  int rowCount(const QModelIndex& parent = {}) const override;
+  QVariant data(const QModelIndex& index, int role) const override;
+  bool setData(const QModelIndex& index, const QVariant& value, int role) override;
+  Qt::ItemFlags flags(const QModelIndex& index) const override;
+  bool isKept(int row) const;
+
+ signals:
+  void ticked(int id, bool whole);
+
+ private:
+  std::vector<scene::Structure> mStructures;
+  std::vector<int> mExempt;  ///< ascending
+};
+
+/// The searchable list of them.
+class KeepWholeList : public QWidget {
+  Q_OBJECT
+ public:
+  explicit KeepWholeList(QWidget* parent);
+  void showCut(const std::vector<scene::Structure>& structures, const scene::Cut& cut);
+
+ signals:
+  void changed(const std::vector<int>& ids, bool whole);
+
+ private:
+  std::vector<int> listedIds() const;
+
+  KeepWholeModel* mModel;
+  QSortFilterProxyModel* mFound;
+  QLabel* mTitle;
+  QLineEdit* mSearch;
+  QListView* mList;
+};
+
+}  // namespace velum::gui

@@ -1,0 +1,180 @@
+#include "SliceCutOverlay.h"
+
+#include <QPainterPath>
+
+#include "GizmoPaint.h"
+#include "Theme.h"
+
+namespace velum::gui {
+
+namespace {
+
+constexpr double kReachPixels = 9.0;
+const QColor kRemoved(0, 0, 0, 110);
+
+using session::SliceHandleKind;
+
+glm::dvec2 toVec(QPointF p) { return {p.x(), p.y()}; }
+QPointF toPoint(glm::dvec2 p) { return {p.x, p.y}; }
+
+QPainterPath pathOf(const session::SliceOutline& outline) {
+  QPolygonF polygon;
+  for (const auto& p : outline.points) polygon << toPoint(p);
+  QPainterPath path;
+  path.addPolygon(polygon);
+  if (outline.isClosed) path.closeSubpath();
+  return path;
+}
+
+/// What the cut takes away of the view; empty: nothing.
+QPainterPath removedPath(const scene::SliceFrame& frame, const scene::Cut& cut, const session::SliceOutline& outline) {
+  QPainterPath view;
+  view.addRect(QRectF(0, 0, frame.size.x, frame.size.y));
+  if (cut.shape != scene::CutShape::Plane) {
+    QPainterPath inside = pathOf(outline);
+    return cut.invert ? view.subtracted(inside) : inside;
+  }
+  if (outline.points.size() < 2) {
+    // Beside the view, or along it: all of it is on one side.
+    glm::dvec3 normal = session::cutFrame(cut)[2] * (cut.invert ? -1.0 : 1.0);
+    bool gone = glm::dot(frame.centreMm - cut.centreMm, normal) > 0;
+    return gone ? view : QPainterPath();
+  }
+  glm::dvec2 out = outline.removedSide * glm::length(frame.size);
+  QPolygonF half;
+  half << toPoint(outline.points[0]) << toPoint(outline.points[1]) << toPoint(outline.points[1] + out)
+       << toPoint(outline.points[0] + out);
+  QPainterPath path;
+  path.addPolygon(half);
+  path.closeSubpath();
+  return path;
+}
+
+}  // namespace
+
+SliceCutOverlay::SliceCutOverlay(session::Document& document, Selection& selection)
+    : mDocument(document), mSelection(selection) {}
+
+const scene::Cut* SliceCutOverlay::selected() const {
+  const auto& cuts = mDocument.scene().cuts;
+  int index = mSelection.cut();
+  return index >= 0 && index < int(cuts.size()) ? &cuts[std::size_t(index)] : nullptr;
+}
+
+void SliceCutOverlay::paintCut(QPainter& painter, const scene::SliceFrame& frame, const scene::Cut& cut,
+                               bool isSelected) const {
+  auto outline = session::sliceOutline(frame, cut);
+  if (cut.enabled) painter.fillPath(removedPath(frame, cut, outline), kRemoved);
+  QColor color = kHandle;
+  color.setAlpha(!cut.enabled ? 90 : isSelected ? 255 : 150);
+  if (!outline.points.empty()) strokeTwice(painter, pathOf(outline), color, isSelected ? 1.6 : 1.1);
+}
+
+void SliceCutOverlay::paintHandles(QPainter& painter, const scene::SliceFrame& frame, const scene::Cut& cut) const {
+  for (const auto& handle : session::sliceHandles(frame, cut)) {
+    bool hot = mHandle.kind == handle.kind && mHandle.axis == handle.axis && mHandle.sign == handle.sign &&
+               (mDragging || glm::length(mHandle.place - handle.place) < 1.0);
+    if (handle.kind == SliceHandleKind::Turn) {
+      QPainterPath arm(toPoint(handle.pivot));
+      arm.lineTo(toPoint(handle.place));
+      if (cut.shape != scene::CutShape::Plane) strokeTwice(painter, arm, QColor(255, 236, 210, 140), 1.0);
+    }
+    bool isGrip = handle.kind == SliceHandleKind::Face || handle.kind == SliceHandleKind::Side;
+    if (isGrip)
+      drawGrip(painter, toPoint(handle.place), toPoint(handle.outwards), hot);
+    else if (handle.kind == SliceHandleKind::Move && cut.shape == scene::CutShape::Plane)
+      drawArrow(painter, toPoint(handle.place), toPoint(handle.place + handle.outwards * session::kSliceArrowPixels),
+                hot);
+    else
+      drawKnob(painter, toPoint(handle.place), hot);
+  }
+}
+
+void SliceCutOverlay::paint(QPainter& painter, const scene::SliceFrame& frame) const {
+  const auto& cuts = mDocument.scene().cuts;
+  if (!mDocument.scene().slices.showCuts) return;
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setClipRect(QRectF(0, 0, frame.size.x, frame.size.y));
+  for (const auto& cut : cuts) paintCut(painter, frame, cut, &cut == selected());
+  if (const scene::Cut* cut = selected()) {
+    painter.setOpacity(cut->enabled ? 1.0 : 0.5);
+    paintHandles(painter, frame, *cut);
+    painter.setOpacity(1.0);
+  }
+  drawTag(painter, mPointer, QSize(int(frame.size.x), int(frame.size.y)), mTag);
+  painter.restore();
+}
+
+bool SliceCutOverlay::press(QPointF place, const scene::SliceFrame& frame) {
+  const auto& scene = mDocument.scene();
+  if (!scene.slices.showCuts) return false;
+  const scene::Cut* cut = selected();
+  mHandle = cut ? session::sliceHandleAt(frame, *cut, toVec(place), kReachPixels) : session::SliceHandle{};
+  if (mHandle.kind == SliceHandleKind::None) {
+    for (int i = 0; i < int(scene.cuts.size()); ++i)
+      if (auto handle = session::sliceHandleAt(frame, scene.cuts[std::size_t(i)], toVec(place), 0.5 * kReachPixels);
+          handle.kind == SliceHandleKind::Move && i != mSelection.cut()) {
+        mSelection.setCut(i);
+        mHandle = handle;
+        break;
+      }
+    cut = selected();
+  }
+  if (mHandle.kind == SliceHandleKind::None || !cut) return false;
+  mStart = *cut;
+  mStartFrame = frame;
+  mFrom = toVec(place);
+  mDragging = true;
+  return true;
+}
+
+bool SliceCutOverlay::move(QPointF place, const scene::SliceFrame& frame, bool snap) {
+  mPointer = place;
+  const scene::Cut* cut = selected();
+  if (!mDragging) {
+    bool shown = cut && mDocument.scene().slices.showCuts;
+    mHandle = shown ? session::sliceHandleAt(frame, *cut, toVec(place), kReachPixels) : session::SliceHandle{};
+    return mHandle.kind != SliceHandleKind::None;
+  }
+  if (!cut) return true;
+  // By the frame in which it was taken: a cut that is dragged must not run away when the view follows.
+  scene::Cut now = session::dragSliceCut(mStart, mStartFrame, mHandle, mFrom, toVec(place),
+                                         session::makeCutSnap(mDocument.scene(), snap));
+  auto like = session::likeInPicture(mStart, mHandle);
+  mTag = QString::fromStdString(session::dragText(mStart, now, like));
+  std::size_t index = std::size_t(mSelection.cut());
+  mDocument.edit(
+      session::dragLabel(mStart, like), [&](scene::Scene& scene) { scene.cuts[index] = now; }, true);
+  return true;
+}
+
+bool SliceCutOverlay::release() {
+  if (!mDragging) return false;
+  mDragging = false;
+  mTag.clear();
+  mHandle = {};
+  mDocument.endMerge();
+  return true;
+}
+
+void SliceCutOverlay::leave() {
+  if (!mDragging) mHandle = {};
+}
+
+Qt::CursorShape SliceCutOverlay::cursor() const {
+  switch (mHandle.kind) {
+    case SliceHandleKind::None:
+      return Qt::ArrowCursor;
+    case SliceHandleKind::Turn:
+      return mDragging ? Qt::ClosedHandCursor : Qt::OpenHandCursor;
+    case SliceHandleKind::Move:
+      if (mHandle.outwards == glm::dvec2(0.0)) return Qt::SizeAllCursor;
+      break;
+    default:
+      break;
+  }
+  return cursorAlong(toPoint(mHandle.outwards));
+}
+
+}  // namespace velum::gui

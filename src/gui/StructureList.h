@@ -1,0 +1,56 @@
+#pragma once
+#include <QTreeView>
+
+#include "StructureModel.h"
+
+namespace velum::gui {
+
+class StructureCommands;
+
+/// The list of structures: an eye, a colour, the name, the size, an opacity that is dragged, and S for solo. What is
+/// done to a selected row is done to all that are selected.
+class StructureList : public QTreeView {
+  Q_OBJECT
+ public:
+  StructureList(StructureCommands& commands, QWidget* parent);
+
+  StructureModel& rows() { return *mModel; }
+  StructureOrder& order() { return *mOrder; }
+  /// Ids of the rows that are selected, in their order.
+  std::vector<int> selectedIds() const;
+  /// Ids of the rows that the search leaves.
+  std::vector<int> listedIds() const;
+  /// Selects a structure's row and brings it into view; 0 selects nothing.
+  void selectId(int id);
+  void editName(int id);
+  /// Where a column of a structure's row is, for tests.
+  QRect cellOf(int id, StructureModel::Column column) const;
+
+ signals:
+  /// The user has selected another structure; 0: none.
+  void picked(int id);
+
+ protected:
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void contextMenuEvent(QContextMenuEvent* event) override;
+  void currentChanged(const QModelIndex& current, const QModelIndex& previous) override;
+
+ private:
+  std::vector<int> idsFor(int id) const;
+  bool pressCell(const QModelIndex& index, QMouseEvent* event);
+  void dragOpacity(int x);
+  void chooseColor(int id);
+
+  StructureCommands& mCommands;
+  StructureModel* mModel;
+  StructureOrder* mOrder;
+  int mOpacityId = 0;    ///< Whose opacity is dragged; 0: none's.
+  bool mIsHeld = false;  ///< A press was taken by a cell: what follows is not for the selection.
+  bool mIsQuiet = false;
+};
+
+}  // namespace velum::gui

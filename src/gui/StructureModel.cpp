@@ -1,0 +1,177 @@
+#include "StructureModel.h"
+
+#include <QColor>
+#include <QLocale>
+#include <algorithm>
+#include <cmath>
+
+namespace velum::gui {
+
+namespace {
+
+/// Three digits that matter; nothing smaller than a microlitre.
+QString mlText(double ml) {
+  if (ml >= 100.0) return QString::number(ml, 'f', 0);
+  if (ml >= 10.0) return QString::number(ml, 'f', 1);
+  return QString::number(ml, 'f', ml >= 0.095 ? 2 : 3);
+}
+
+}  // namespace
+
+StructureModel::StructureModel(const StructureMeter& meter, QObject* parent)
+    : QAbstractTableModel(parent), mMeter(meter) {}
+
+void StructureModel::setRows(const std::vector<scene::Structure>& rows, std::optional<int> solo) {
+  bool sameIds = std::equal(rows.begin(), rows.end(), mRows.begin(), mRows.end(),
+                            [](const auto& a, const auto& b) { return a.id == b.id; });
+  if (!sameIds) {
+    beginResetModel();
+    mRows = rows;
+    mSolo = solo;
+    endResetModel();
+    return;
+  }
+  int first = -1, last = -1;
+  for (int i = 0; i < int(rows.size()); ++i) {
+    const scene::Structure& now = rows[std::size_t(i)];
+    bool soloChanged = solo != mSolo && (solo == now.id || mSolo == now.id);
+    if (!soloChanged && now == mRows[std::size_t(i)]) continue;
+    mRows[std::size_t(i)] = now;
+    if (first < 0) first = i;
+    last = i;
+  }
+  mSolo = solo;
+  if (first >= 0) emit dataChanged(index(first, 0), index(last, kColumns - 1));
+}
+
+void StructureModel::sizesChanged() {
+  // Only that column: a name that is being typed must not be set back.
+  if (!mRows.empty()) emit dataChanged(index(0, Size), index(int(mRows.size()) - 1, Size));
+}
+
+int StructureModel::rowOf(int id) const {
+  auto found = std::find_if(mRows.begin(), mRows.end(), [id](const auto& row) { return row.id == id; });
+  return found == mRows.end() ? -1 : int(found - mRows.begin());
+}
+
+int StructureModel::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : int(mRows.size()); }
+int StructureModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : kColumns; }
+
+QString StructureModel::sizeText(int id) const {
+  const session::StructureSize* size = mMeter.find(id);
+  return size ? mlText(size->ml) : mMeter.isMeasuring() ? QString() : QString::fromUtf8("\u2013");
+}
+
+QString StructureModel::tipOf(const scene::Structure& structure, int column) const {
+  switch (column) {
+    case Eye:
+      return structure.visible ? tr("Shown: click to hide, Alt+click to show it alone")
+                               : tr("Hidden: click to show, Alt+click to show it alone");
+    case Swatch:
+      return tr("Click to choose another colour");
+    case Opacity:
+      return tr("Opacity %1 %: drag to change").arg(std::lround(structure.opacity * 100.0));
+    case Solo:
+      return mSolo == structure.id ? tr("Shown alone: click to show what was shown before") : tr("Show it alone");
+    default:
+      break;
+  }
+  QString tip = QString("%1\n%2").arg(data(index(rowOf(structure.id), Name), Qt::DisplayRole).toString(),
+                                      tr("Number %1").arg(structure.id));
+  if (const session::StructureSize* size = mMeter.find(structure.id))
+    tip += "\n" + tr("%1 voxels, %2 ml").arg(QLocale().toString(qulonglong(size->voxels)), mlText(size->ml));
+  else if (!mMeter.isMeasuring())
+    tip += "\n" + tr("No voxel has this number");
+  return tip + "\n" + tr("Double click: go there. F2: rename");
+}
+
+QVariant StructureModel::data(const QModelIndex& index, int role) const {
+  const scene::Structure& row = mRows[std::size_t(index.row())];
+  switch (role) {
+    case Qt::DisplayRole:
+    case Qt::EditRole:
+      if (index.column() == Size) return sizeText(row.id);
+      if (index.column() != Name) return {};
+      if (row.name.empty() && role == Qt::DisplayRole) return tr("structure %1").arg(row.id);
+      return QString::fromStdString(row.name);
+    case Qt::ToolTipRole:
+      return tipOf(row, index.column());
+    case Qt::AccessibleTextRole:
+      return tr("%1, %2").arg(data(this->index(index.row(), Name), Qt::DisplayRole).toString(),
+                              row.visible ? tr("shown") : tr("hidden"));
+    case IdRole:
+      return row.id;
+    case VisibleRole:
+      return row.visible;
+    case ColorRole:
+      return QColor::fromRgbF(std::clamp(row.color.r, 0.0f, 1.0f), std::clamp(row.color.g, 0.0f, 1.0f),
+                              std::clamp(row.color.b, 0.0f, 1.0f));
+    case OpacityRole:
+      return row.opacity;
+    case SoloRole:
+      return mSolo == row.id;
+    case VoxelsRole: {
+      const session::StructureSize* size = mMeter.find(row.id);
+      return qulonglong(size ? size->voxels : 0);
+    }
+    default:
+      return {};
+  }
+}
+
+QVariant StructureModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
+  const QString names[kColumns] = {tr("Shown"), tr("Colour"), tr("Name"), tr("Size, ml"), tr("Opacity"), tr("Solo")};
+  return names[section];
+}
+
+bool StructureModel::setData(const QModelIndex& index, const QVariant& value, int role) {
+  if (role != Qt::EditRole || index.column() != Name) return false;
+  emit renamed(mRows[std::size_t(index.row())].id, value.toString());
+  return true;
+}
+
+Qt::ItemFlags StructureModel::flags(const QModelIndex& index) const {
+  Qt::ItemFlags flags = Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemNeverHasChildren;
+  return index.column() == Name ? flags | Qt::ItemIsEditable : flags;
+}
+
+StructureOrder::StructureOrder(QObject* parent) : QSortFilterProxyModel(parent) {
+  mCollator.setNumericMode(true);
+  mCollator.setCaseSensitivity(Qt::CaseInsensitive);
+  sort(0);
+}
+
+void StructureOrder::setKey(Key key) {
+  if (mKey == key) return;
+  mKey = key;
+  invalidate();
+}
+
+void StructureOrder::setSearch(const QString& text) {
+  mWords = text.simplified().split(' ', Qt::SkipEmptyParts);
+  invalidateFilter();
+}
+
+bool StructureOrder::filterAcceptsRow(int row, const QModelIndex& parent) const {
+  if (mWords.isEmpty()) return true;
+  QModelIndex index = sourceModel()->index(row, StructureModel::Name, parent);
+  if (mWords.size() == 1 && QString::number(index.data(StructureModel::IdRole).toInt()) == mWords[0]) return true;
+  QString name = index.data().toString();
+  return std::all_of(mWords.begin(), mWords.end(),
+                     [&](const QString& word) { return name.contains(word, Qt::CaseInsensitive); });
+}
+
+bool StructureOrder::lessThan(const QModelIndex& left, const QModelIndex& right) const {
+  if (mKey == Key::Name) {
+    auto name = [](const QModelIndex& index) { return index.siblingAtColumn(StructureModel::Name).data().toString(); };
+    if (int order = mCollator.compare(name(left), name(right)); order != 0) return order < 0;
+  }
+  if (mKey == Key::Size) {
+    auto voxels = [](const QModelIndex& index) { return index.data(StructureModel::VoxelsRole).toULongLong(); };
+    if (voxels(left) != voxels(right)) return voxels(left) > voxels(right);  // the largest first
+  }
+  return left.data(StructureModel::IdRole).toInt() < right.data(StructureModel::IdRole).toInt();
+}
+
+}  // namespace velum::gui

@@ -1,0 +1,293 @@
+#include "StructurePanel.h"
+
+#include <QActionGroup>
+#include <QGridLayout>
+#include <QMenu>
+#include <QSignalBlocker>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace velum::gui {
+
+namespace {
+
+constexpr int kFieldHeight = 28;
+constexpr int kNamePixels = 170;  // what eye and button leave of the panel
+
+QPushButton* makeQuiet(const QString& text, const QString& tip, QWidget* parent) {
+  auto* button = new QPushButton(text, parent);
+  button->setProperty("role", "quiet");
+  button->setToolTip(tip);
+  return button;
+}
+
+QVBoxLayout* makeColumn(QWidget* widget, int spacing) {
+  auto* layout = new QVBoxLayout(widget);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(spacing);
+  return layout;
+}
+
+}  // namespace
+
+StructurePanel::StructurePanel(StructureCommands& commands, Selection& selection, QWidget* parent)
+    : QWidget(parent), mCommands(commands), mDocument(commands.document()), mSelection(selection) {
+  setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Expanding);
+  auto* layout = makeColumn(this, 0);
+  mEmpty = makeEmpty();
+  mFull = new QWidget(this);
+  auto* full = makeColumn(mFull, 12);
+  full->addWidget(makeHead());
+  full->addWidget(makeLine(mFull));
+  auto* list = new QWidget(mFull);
+  auto* rows = makeColumn(list, 6);
+  mList = new StructureList(commands, list);
+  rows->addWidget(makeSearch());
+  rows->addWidget(mList, 1);
+  rows->addWidget(makeFoot());
+  full->addWidget(list, 1);
+  full->addWidget(makeDetail());
+  layout->addWidget(mEmpty);
+  layout->addWidget(mFull, 1);
+  connect(mList, &StructureList::picked, &mSelection, &Selection::setStructure);
+  connect(mList->selectionModel(), &QItemSelectionModel::selectionChanged, this, &StructurePanel::showSelected);
+  connect(&mSelection, &Selection::structureChanged, this, [this](int id) {
+    // What was clicked in a view is shown, even if the search would hide it.
+    int row = mList->rows().rowOf(id);
+    if (row >= 0 && !mList->order().mapFromSource(mList->rows().index(row, 0)).isValid()) mSearch->clear();
+    mList->selectId(id);
+  });
+  connect(&mCommands, &StructureCommands::renameAsked, this, [this](int id) {
+    mList->setFocus();
+    mList->editName(id);
+  });
+  connect(&mCommands.meter(), &StructureMeter::measured, this, [this] {
+    mList->rows().sizesChanged();
+    if (mList->order().key() == StructureOrder::Key::Size) mList->order().invalidate();
+  });
+  refresh();
+}
+
+QWidget* StructurePanel::makeEmpty() {
+  auto* empty = new QWidget(this);
+  auto* layout = makeColumn(empty, 10);
+  layout->addWidget(makeTitle(tr("No structures yet"), empty));
+  auto* text =
+      new QLabel(tr("Open a label volume beside the scan: a segmentation in NIfTI, NRRD, MetaImage or DICOM SEG. "
+                    "Each structure can then be coloured, hidden, and left whole by a cut."),
+                 empty);
+  text->setWordWrap(true);
+  text->setProperty("role", "muted");
+  layout->addWidget(text);
+  auto* open = new QPushButton(tr("Open labels beside..."), empty);
+  open->setProperty("role", "main");
+  open->setToolTip(tr("Choose a file of labels for what is open"));
+  layout->addWidget(open, 0, Qt::AlignLeft);
+  connect(open, &QPushButton::clicked, this, &StructurePanel::openLabelsAsked);
+  layout->addStretch(1);
+  return empty;
+}
+
+QWidget* StructurePanel::makeHead() {
+  auto* head = new QWidget(mFull);
+  auto* layout = makeColumn(head, 8);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(6);
+  mName = makeTitle({}, head);
+  mName->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  mShown = new EyeButton(head);
+  mShown->setObjectName("labelsShown");
+  mShown->setAccessibleName(tr("Labels shown"));
+  mShown->setToolTip(tr("Whether the labels change anything at all"));
+  auto* open = makeQuiet(tr("Open others..."), tr("Open labels beside what is open, in place of these"), head);
+  row->addWidget(mShown);
+  row->addWidget(mName, 1);
+  row->addWidget(open);
+  layout->addLayout(row);
+  auto* grid = new QGridLayout;
+  grid->setHorizontalSpacing(10);
+  grid->setVerticalSpacing(8);
+  grid->setColumnMinimumWidth(0, 72);
+  grid->setColumnStretch(1, 1);
+  auto add = [&](const QString& name, const QString& objectName, const QString& tip) {
+    auto* number = new NumberRow(0, 100, 0, " %", head);
+    number->setObjectName(objectName);
+    number->setToolTip(tip);
+    number->spin()->setAccessibleName(name);
+    int line = grid->rowCount();
+    grid->addWidget(new QLabel(name, head), line, 0);
+    grid->addWidget(number, line, 1);
+    return number;
+  };
+  mTint = add(tr("Tint"), "labelTint", tr("How far structures take their own colour rather than the volume's, %"));
+  mUnlabelled = add(tr("Unlabelled"), "labelUnlabelled", tr("Opacity of all that belongs to no structure, %"));
+  mOnSlices = add(tr("On slices"), "labelOnSlices", tr("Opacity of the structures' colours on the slices, %"));
+  layout->addLayout(grid);
+  driveShare(mTint, "Change tint", [](scene::Scene& s) -> double& { return s.labels.tint; });
+  driveShare(mUnlabelled, "Fade what has no label", [](scene::Scene& s) -> double& { return s.labels.unlabelled; });
+  driveShare(mOnSlices, "Labels on slices", [](scene::Scene& s) -> double& { return s.slices.labelOpacity; });
+  connect(open, &QPushButton::clicked, this, &StructurePanel::openLabelsAsked);
+  connect(mShown, &EyeButton::clicked, this, [this](bool on) {
+    mDocument.edit(on ? "Show labels" : "Hide labels", [on](scene::Scene& scene) { scene.labels.visible = on; });
+  });
+  return head;
+}
+
+void StructurePanel::driveShare(NumberRow* row, const char* label, std::function<double&(scene::Scene&)> field) {
+  connect(row, &NumberRow::changed, this, [this, label, field](double percent) {
+    mDocument.edit(
+        label, [&](scene::Scene& scene) { field(scene) = percent / 100.0; }, true);
+  });
+  connect(row, &NumberRow::settled, this, [this] { mDocument.endMerge(); });
+}
+
+QWidget* StructurePanel::makeSearch() {
+  auto* bar = new QWidget(mFull);
+  auto* row = new QHBoxLayout(bar);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(6);
+  mSearch = new QLineEdit(bar);
+  mSearch->setObjectName("structureSearch");
+  mSearch->setPlaceholderText(tr("Search name or number"));
+  mSearch->setClearButtonEnabled(true);
+  mSearch->setToolTip(tr("Lists the structures whose name holds these words, or that have this number (Ctrl+F)"));
+  mSearch->setAccessibleName(tr("Search structures"));
+  auto* sort = new QToolButton(bar);
+  sort->setObjectName("structureSort");
+  sort->setText(tr("Sort"));
+  sort->setToolTip(tr("The order of the list"));
+  sort->setPopupMode(QToolButton::InstantPopup);
+  auto* menu = new QMenu(sort);
+  auto* group = new QActionGroup(menu);
+  using Key = StructureOrder::Key;
+  for (auto [name, key] :
+       {std::pair(tr("By number"), Key::Number), {tr("By name"), Key::Name}, {tr("By size"), Key::Size}}) {
+    QAction* action = menu->addAction(name);
+    action->setCheckable(true);
+    action->setChecked(key == Key::Number);
+    group->addAction(action);
+    connect(action, &QAction::triggered, this, [this, key = key] { mList->order().setKey(key); });
+  }
+  sort->setMenu(menu);
+  for (QWidget* part : {static_cast<QWidget*>(mSearch), static_cast<QWidget*>(sort)})
+    part->setFixedHeight(kFieldHeight);
+  row->addWidget(mSearch, 1);
+  row->addWidget(sort);
+  connect(mSearch, &QLineEdit::textChanged, this, &StructurePanel::setSearch);
+  connect(mSearch, &QLineEdit::returnPressed, this, [this] { mList->setFocus(); });
+  return bar;
+}
+
+QWidget* StructurePanel::makeFoot() {
+  auto* foot = new QWidget(mFull);
+  auto* row = new QHBoxLayout(foot);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(2);
+  auto* all = makeQuiet(tr("Show all"), tr("Show all that are listed"), foot);
+  all->setObjectName("showAll");
+  auto* none = makeQuiet(tr("Hide all"), tr("Hide all that are listed"), foot);
+  none->setObjectName("hideAll");
+  auto* invert =
+      makeQuiet(tr("Invert"), tr("Show what is hidden and hide what is shown, of all that are listed"), foot);
+  invert->setObjectName("invertShown");
+  mCount = new QLabel(foot);
+  mCount->setProperty("role", "muted");
+  mCount->setToolTip(tr("Structures that are shown, of those that are listed"));
+  row->addWidget(all);
+  row->addWidget(none);
+  row->addWidget(invert);
+  row->addStretch(1);
+  row->addWidget(mCount);
+  connect(all, &QPushButton::clicked, this, [this] { mCommands.setVisible(mList->listedIds(), true); });
+  connect(none, &QPushButton::clicked, this, [this] { mCommands.setVisible(mList->listedIds(), false); });
+  connect(invert, &QPushButton::clicked, this, [this] { mCommands.invertVisible(mList->listedIds()); });
+  return foot;
+}
+
+QWidget* StructurePanel::makeDetail() {
+  mDetail = new QWidget(mFull);
+  auto* layout = makeColumn(mDetail, 8);
+  layout->addWidget(makeLine(mDetail));
+  mDetailName = makeTitle({}, mDetail);
+  mDetailName->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  layout->addWidget(mDetailName);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(10);
+  mColor = new ColorButton(tr("Colour of the structure"), mDetail);
+  mColor->setObjectName("structureColor");
+  mColor->setFixedSize(40, 26);
+  mOpacity = new NumberRow(0, 100, 0, " %", mDetail);
+  mOpacity->setObjectName("structureOpacity");
+  mOpacity->setToolTip(tr("Opacity of the selected structures, %"));
+  mOpacity->spin()->setAccessibleName(tr("Opacity"));
+  row->addWidget(mColor);
+  row->addWidget(mOpacity, 1);
+  layout->addLayout(row);
+  connect(mColor, &ColorButton::picked, this,
+          [this](glm::vec3 color) { mCommands.setColor(mList->selectedIds(), color); });
+  connect(mOpacity, &NumberRow::changed, this,
+          [this](double percent) { mCommands.dragOpacity(mList->selectedIds(), percent / 100.0); });
+  connect(mOpacity, &NumberRow::settled, this, [this] { mDocument.endMerge(); });
+  return mDetail;
+}
+
+void StructurePanel::startSearch() {
+  mSearch->setFocus(Qt::ShortcutFocusReason);
+  mSearch->selectAll();
+}
+
+void StructurePanel::setSearch(const QString& text) {
+  mList->order().setSearch(text);
+  mList->selectId(mSelection.structure());
+  showCount();
+}
+
+void StructurePanel::showCount() {
+  std::size_t shown = 0;
+  auto ids = mList->listedIds();
+  std::sort(ids.begin(), ids.end());
+  for (const auto& structure : mDocument.scene().labels.structures)
+    shown += structure.visible && std::binary_search(ids.begin(), ids.end(), structure.id);
+  mCount->setText(tr("%1 of %2").arg(shown).arg(ids.size()));
+}
+
+void StructurePanel::showSelected() {
+  auto ids = mList->selectedIds();
+  const scene::Scene& scene = mDocument.scene();
+  const scene::Structure* first = ids.empty() ? nullptr : session::findStructure(scene, ids[0]);
+  mDetail->setEnabled(first);
+  QString name = tr("Select a structure");
+  if (first && ids.size() > 1) name = tr("%n structures", nullptr, int(ids.size()));
+  if (first && ids.size() == 1) name = QString::fromStdString(session::structureName(scene, ids[0]));
+  mDetailName->setText(mDetailName->fontMetrics().elidedText(name, Qt::ElideRight, std::max(120, width())));
+  mDetailName->setToolTip(name);
+  mColor->setColor(first ? first->color : glm::vec3(0.5f));
+  mOpacity->setValue(first ? first->opacity * 100.0 : 100.0);
+}
+
+void StructurePanel::refresh() {
+  const scene::Scene& scene = mDocument.scene();
+  const scene::LabelLayer& labels = scene.labels;
+  if (mIsMade && labels == mShownLabels && scene.slices.labelOpacity == mShownOnSlices) return;
+  mIsMade = true;
+  mShownLabels = labels;
+  mShownOnSlices = scene.slices.labelOpacity;
+  bool any = bool(labels.data) || !labels.structures.empty();
+  mEmpty->setVisible(!any);
+  mFull->setVisible(any);
+  mCommands.meter().measure(labels.data);
+  QString name = labels.data ? QString::fromStdString(labels.data->name) : tr("Labels");
+  mName->setText(mName->fontMetrics().elidedText(name.isEmpty() ? tr("Labels") : name, Qt::ElideMiddle, kNamePixels));
+  mName->setToolTip(QString::fromStdString(labels.source.path));
+  mShown->setChecked(labels.visible);
+  mTint->setValue(labels.tint * 100.0);
+  mUnlabelled->setValue(labels.unlabelled * 100.0);
+  mOnSlices->setValue(scene.slices.labelOpacity * 100.0);
+  mList->rows().setRows(labels.structures, session::soloStructure(scene));
+  if (!session::findStructure(scene, mSelection.structure())) mSelection.setStructure(0);
+  mList->selectId(mSelection.structure());
+  showSelected();
+  showCount();
+}
+
+}  // namespace velum::gui

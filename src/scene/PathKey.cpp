@@ -1,0 +1,69 @@
+#include "PathKey.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "velum/core/Error.h"
+
+namespace velum::scene::detail {
+
+namespace {
+
+constexpr std::size_t kNamesInMessage = 8;
+
+bool equalsLoosely(std::string_view a, std::string_view b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
+}
+
+std::string callsOf(const std::vector<NamedItem>& items, const std::vector<std::size_t>& which) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(which.size(), kNamesInMessage); ++i) {
+    const NamedItem& item = items[which[i]];
+    text += text.empty() ? "" : ", ";
+    text += item.id < 0         ? item.name
+            : item.name.empty() ? fmt::format("{}", item.id)
+                                : fmt::format("{} ({})", item.name, item.id);
+  }
+  if (which.size() > kNamesInMessage) text += fmt::format(" and {} more", which.size() - kNamesInMessage);
+  return text;
+}
+
+template <class Is>
+std::vector<std::size_t> where(const std::vector<NamedItem>& items, Is&& is) {
+  std::vector<std::size_t> found;
+  for (std::size_t i = 0; i < items.size(); ++i)
+    if (is(items[i])) found.push_back(i);
+  return found;
+}
+
+}  // namespace
+
+PathKey takeKey(std::string_view path, const std::string& list) {
+  // Names may hold brackets and dots: the key ends at a bracket after which the path ends or goes on.
+  for (std::size_t end = path.find(']'); end != path.npos; end = path.find(']', end + 1)) {
+    std::string_view rest = path.substr(end + 1);
+    if (rest.empty()) return {path.substr(1, end - 1), rest};
+    if (rest.starts_with('.') && rest.size() > 1) return {path.substr(1, end - 1), rest.substr(1)};
+  }
+  throw ArgumentError(fmt::format("{}{}: expected {}[NAME] or {}[NAME].FIELD", list, path, list, list));
+}
+
+std::size_t findNamed(const std::vector<NamedItem>& items, std::string_view name, const std::string& list) {
+  auto found = where(items, [&](const NamedItem& item) { return item.name == name && !name.empty(); });
+  if (found.empty())
+    found = where(items, [&](const NamedItem& item) { return item.id >= 0 && fmt::format("{}", item.id) == name; });
+  if (found.empty())
+    found = where(items, [&](const NamedItem& item) { return !name.empty() && equalsLoosely(item.name, name); });
+  if (found.size() == 1) return found[0];
+  if (found.size() > 1)
+    throw ArgumentError(fmt::format("{}: {} items are called '{}': {}; say which by its id or its place", list,
+                                    found.size(), name, callsOf(items, found)));
+  auto all = where(items, [](const NamedItem& item) { return item.id >= 0 || !item.name.empty(); });
+  throw ArgumentError(fmt::format("{} has nothing that is called '{}'; there {} {}", list, name,
+                                  all.size() == 1 ? "is" : "are", all.empty() ? "none" : callsOf(items, all)));
+}
+
+}  // namespace velum::scene::detail

@@ -1,0 +1,84 @@
+#include <gtest/gtest.h>
+
+#include "velum/core/Error.h"
+#include "velum/scene/Json.h"
+
+namespace velum::scene {
+namespace {
+
+Scene organs() {
+  Scene scene;
+  scene.labels.structures = {{2, "aorta"}, {5, "V. cava [inf]"}, {12, "7"},  {40, ""},
+                             {41, "rib"},  {42, "rib"},          {43, "Rib"}};
+  scene.cuts.resize(2);
+  scene.cuts[1].name = "Plane 2";
+  return scene;
+}
+
+std::string messageOf(const char* path) {
+  Scene scene = organs();
+  try {
+    setField(scene, path, "false");
+  } catch (const ArgumentError& error) {
+    EXPECT_TRUE(scene == organs());
+    return error.what();
+  }
+  return {};
+}
+
+void expectMentions(const std::string& message, std::initializer_list<const char*> words) {
+  for (const char* word : words)
+    EXPECT_NE(message.find(word), std::string::npos) << "no '" << word << "' in: " << message;
+}
+
+TEST(NamedField, AStructureIsReachedByNameOrId) {
+  Scene scene = organs();
+  setField(scene, "labels.structures[aorta].visible", "false");
+  setField(scene, "labels.structures[V. cava [inf]].opacity", "0.5");
+  setField(scene, "labels.structures[40].color", "1,0,0");
+  setField(scene, "labels.structures[AORTA].opacity", "0.25");
+  setField(scene, "cuts[Plane 2].enabled", "false");
+  EXPECT_FALSE(scene.labels.structures[0].visible);
+  EXPECT_EQ(scene.labels.structures[0].opacity, 0.25);
+  EXPECT_EQ(scene.labels.structures[1].opacity, 0.5);
+  EXPECT_EQ(scene.labels.structures[3].color, glm::vec3(1, 0, 0));
+  EXPECT_TRUE(scene.cuts[0].enabled);
+  EXPECT_FALSE(scene.cuts[1].enabled);
+  setField(scene, "cuts[Plane 2].exempt.+", "5");
+  EXPECT_EQ(scene.cuts[1].exempt, std::vector<int>{5});
+  setField(scene, "labels.structures[2]", R"({"name": "Aorta"})");
+  EXPECT_EQ(scene.labels.structures[0].name, "Aorta");
+}
+
+TEST(NamedField, ANameThatIsANumberGoesBeforeTheId) {
+  Scene scene = organs();
+  scene.labels.structures[4].id = 7;
+  setField(scene, "labels.structures[7].opacity", "0.5");
+  EXPECT_EQ(scene.labels.structures[2].opacity, 0.5);
+  EXPECT_EQ(scene.labels.structures[4].opacity, 1.0);
+}
+
+TEST(NamedField, TheExactCaseGoesBeforeAnother) {
+  Scene scene = organs();
+  setField(scene, "labels.structures[Rib].opacity", "0.5");
+  EXPECT_EQ(scene.labels.structures[6].opacity, 0.5);
+}
+
+TEST(NamedField, AnUnknownOrSharedNameIsRefusedWithWhatThereIs) {
+  expectMentions(messageOf("labels.structures[liver].visible"), {"labels.structures", "liver", "aorta (2)"});
+  expectMentions(messageOf("labels.structures[rib].visible"), {"rib", "2 items", "41", "42"});
+  expectMentions(messageOf("labels.structures[99].visible"), {"99"});
+  expectMentions(messageOf("labels.structures[].visible"), {"labels.structures"});
+  expectMentions(messageOf("cuts[0].enabled"), {"cuts", "Plane 2"});
+  expectMentions(messageOf("cuts.0.exempt[3]"), {"cuts.0.exempt"});
+}
+
+TEST(NamedField, ABracketThatDoesNotCloseIsRefused) {
+  for (const char* path :
+       {"labels.structures[aorta", "labels.structures[aorta]x", "labels.structures[aorta].", "labels.structures["})
+    expectMentions(messageOf(path), {"labels.structures", "[NAME]"});
+  expectMentions(messageOf("camera[eyeMm]"), {"camera", "eyeMm"});
+}
+
+}  // namespace
+}  // namespace velum::scene

@@ -1,0 +1,106 @@
+#include "velum/session/CutEdit.h"
+
+#include <gtest/gtest.h>
+
+#include "CutScene.h"
+
+namespace velum::session {
+
+namespace {
+const glm::dvec2 kSize(800, 600);
+}
+
+TEST(CutEdit, AFrameComesBack) {
+  for (glm::dvec3 axis : {glm::dvec3(1, 2, -3), glm::dvec3(0, 0, 1), glm::dvec3(0, 0, -1), glm::dvec3(0, 1, 0)})
+    for (double spin : {0.0, 25.0, -170.0}) {
+      scene::Cut cut, copy;
+      cut.axis = axis;
+      cut.spinDeg = spin;
+      setCutFrame(copy, cutFrame(cut));
+      EXPECT_NEAR(copy.spinDeg, spin, 1e-9);
+      EXPECT_LT(glm::length(copy.axis - glm::normalize(axis)), 1e-9);
+    }
+}
+
+TEST(CutEdit, ANewCutIsAThirdOfTheDataAndOpensWhatTheEyeSees) {
+  scene::Scene scene = boxScene(kSize);
+  scene::placeSlices(scene);
+  scene::Bounds bounds = scene::computeBounds(scene);
+  glm::dvec3 edges = bounds.max - bounds.min;
+  for (auto view : {scene::StandardView::Anterior, scene::StandardView::Left, scene::StandardView::Oblique}) {
+    scene.camera = scene::frameCamera(scene, view, 4.0 / 3.0);
+    scene::Cut box = makeCut(scene, scene::CutShape::Box);
+    EXPECT_LT(glm::length(box.sizeMm - edges / 3.0), 1e-9);
+    glm::dvec3 toEye = glm::normalize(scene.camera.eyeMm - scene.camera.targetMm);
+    // Some of the box lies outside of the data on the eye's side, some of it inside.
+    glm::dvec3 out = (box.centreMm - scene.camera.targetMm) / edges;
+    double furthest = std::max({std::abs(out.x), std::abs(out.y), std::abs(out.z)});
+    EXPECT_GT(furthest + 1.0 / 6.0, 0.5);
+    EXPECT_LT(furthest - 1.0 / 6.0, 0.5);
+    EXPECT_GT(glm::dot(box.centreMm - scene.camera.targetMm, toEye), 0.0);
+    EXPECT_LT(glm::length(glm::normalize(makeCut(scene, scene::CutShape::Cylinder).axis) - toEye), 1e-6);
+  }
+}
+
+TEST(CutEdit, ANewCutLiesAboutTheCrosshair) {
+  scene::Scene scene = boxScene(kSize);
+  scene::placeSlices(scene);
+  scene.slices.crosshairMm += glm::dvec3(20, -30, 40);
+  for (auto shape : kShapes) EXPECT_EQ(makeCut(scene, shape).centreMm, scene.slices.crosshairMm);
+}
+
+TEST(CutEdit, ANewPlaneGoesAcrossAnAxisAndTakesTheSideOfTheEye) {
+  scene::Scene scene = boxScene(kSize);
+  scene::Cut plane = makeCut(scene, scene::CutShape::Plane);
+  EXPECT_EQ(plane.axis, nearestAxis(plane.axis));
+  EXPECT_GT(glm::dot(plane.axis, scene.camera.eyeMm - plane.centreMm), 0.0);
+}
+
+TEST(CutEdit, APlaneThroughThreePointsHoldsThemAndTakesTheSideOfTheEye) {
+  scene::Scene scene = boxScene(kSize);
+  glm::dvec3 a(10, 20, 30), b(80, 40, 60), c(30, 150, 200);
+  for (bool other : {false, true}) {
+    auto cut = other ? cutThrough(scene, a, c, b) : cutThrough(scene, a, b, c);
+    ASSERT_TRUE(cut);
+    for (glm::dvec3 p : {a, b, c}) EXPECT_NEAR(glm::dot(p - cut->centreMm, cut->axis), 0.0, 1e-9);
+    EXPECT_GT(glm::dot(cut->axis, scene.camera.eyeMm - scene.camera.targetMm), 0.0);
+  }
+  EXPECT_FALSE(cutThrough(scene, a, b, a + (b - a) * 0.5));
+  EXPECT_FALSE(cutThrough(scene, a, a, b));
+}
+
+TEST(CutEdit, AnglesComeBack) {
+  for (glm::dvec3 axis : {glm::dvec3(1, 2, -3), glm::dvec3(0, -1, 0), glm::dvec3(-1, 0, 0), glm::dvec3(0, 0, -1)})
+    EXPECT_LT(glm::length(axisFromAngles(anglesFromAxis(axis)) - glm::normalize(axis)), 1e-9);
+  EXPECT_EQ(axisFromAngles({0, 0}), glm::dvec3(0, -1, 0));
+  EXPECT_EQ(axisFromAngles({90, 0}), glm::dvec3(1, 0, 0));
+  EXPECT_EQ(axisFromAngles({0, 90}), glm::dvec3(0, 0, 1));
+  EXPECT_EQ(anglesFromAxis({0, 0, 5}).elevationDeg, 90.0);
+}
+
+TEST(CutEdit, AligningKeepsThePlaneOverTheMiddleOfTheData) {
+  scene::Scene scene = boxScene(kSize);
+  scene::Cut plane = tiltedCut(scene::CutShape::Plane);
+  plane.invert = true;
+  scene::Cut aligned = alignedCut(scene, plane, {-1, 0, 0});
+  EXPECT_EQ(aligned.axis, glm::dvec3(-1, 0, 0));
+  EXPECT_FALSE(aligned.invert);
+  // The point that stays is the foot of the data's middle on the plane that was.
+  EXPECT_NEAR(cutPosition(scene, plane).offsetMm,
+              glm::dot(aligned.centreMm - glm::dvec3(45, 95, 145), glm::normalize(plane.axis)), 1e-9);
+}
+
+TEST(CutEdit, ExemptStaysAscendingAndWithoutRepeats) {
+  scene::Cut cut;
+  cut.exempt = {9, 3};
+  setExempt(cut, 5, true);
+  setExempt(cut, 5, true);
+  EXPECT_EQ(cut.exempt, (std::vector<int>{3, 5, 9}));
+  setExempt(cut, 3, false);
+  setExempt(cut, 4, false);
+  EXPECT_EQ(cut.exempt, (std::vector<int>{5, 9}));
+  EXPECT_TRUE(isExempt(cut, 9));
+  EXPECT_FALSE(isExempt(cut, 3));
+}
+
+}  // namespace velum::session

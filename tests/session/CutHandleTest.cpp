@@ -1,0 +1,212 @@
+// Handles of closed shapes: every one of them, in both projections, from several sides.
+#include <gtest/gtest.h>
+
+#include "CutScene.h"
+#include "velum/scene/Navigate.h"
+#include "velum/scene/Project.h"
+#include "velum/session/CutTool.h"
+
+namespace velum::session {
+
+namespace {
+
+const glm::dvec2 kSize(800, 600);
+
+std::vector<scene::Scene> manyViews() {
+  std::vector<scene::Scene> scenes;
+  for (auto view : {scene::StandardView::Anterior, scene::StandardView::Oblique, scene::StandardView::Inferior})
+    for (auto projection : {scene::Projection::Perspective, scene::Projection::Orthographic}) {
+      scene::Scene scene = boxScene(kSize);
+      scene.camera = scene::frameCamera(scene, view, kSize.x / kSize.y);
+      scene.camera.projection = projection;
+      scene.camera = scene::roll(scene::orbit(scene.camera, {0.07, -0.04}), 0.3);
+      scenes.push_back(scene);
+    }
+  return scenes;
+}
+
+glm::dvec2 pixelOf(const scene::Scene& scene, glm::dvec3 world) {
+  return scene::pixelFromWorld(scene.camera, kSize, world).value();
+}
+
+bool isResize(CutHandle handle) { return handle >= CutHandle::FaceXMin; }
+
+double frameDifference(const scene::Cut& a, const scene::Cut& b) {
+  glm::dmat3 difference = cutFrame(a) - cutFrame(b);
+  double most = 0;
+  for (int i = 0; i < 3; ++i) most = std::max(most, glm::length(difference[i]));
+  return most;
+}
+
+}  // namespace
+
+TEST(CutHandle, EveryGripIsFoundWhereItIs) {
+  for (const auto& scene : manyViews())
+    for (auto shape : kShapes) {
+      CutGizmo gizmo = makeCutGizmo(scene, tiltedCut(shape), kSize);
+      for (const auto& grip : gizmo.grips)
+        EXPECT_EQ(handleAt(gizmo, scene.camera, kSize, pixelOf(scene, grip.placeMm), 0.5), grip.handle)
+            << enumName(shape);
+    }
+}
+
+TEST(CutHandle, AHandleStaysUnderThePointer) {
+  for (const auto& scene : manyViews())
+    for (auto shape : kShapes) {
+      scene::Cut start = tiltedCut(shape);
+      CutGizmo gizmo = makeCutGizmo(scene, start, kSize);
+      for (const auto& grip : gizmo.grips) {
+        bool isArrow = grip.handle == CutHandle::Arrow;
+        bool isFree = grip.handle == CutHandle::Centre || grip.handle == CutHandle::Square;
+        if (!isArrow && !isFree && !isResize(grip.handle)) continue;
+        // Along its line where it has one; anywhere where it is free.
+        glm::dvec2 from = pixelOf(scene, grip.placeMm);
+        glm::dvec2 to = isFree ? from + glm::dvec2(31, -17) : pixelOf(scene, grip.placeMm + grip.direction * 11.0);
+        scene::Cut now = dragCut(start, gizmo, grip.handle, scene.camera, kSize, from, to);
+        glm::dvec3 place = isResize(grip.handle) ? handlePlaceMm(makeCutGizmo(scene, now, kSize), grip.handle)
+                                                 : grip.placeMm + (now.centreMm - start.centreMm);
+        EXPECT_LT(glm::length(pixelOf(scene, place) - to), 0.01)
+            << enumName(shape) << " handle " << static_cast<int>(grip.handle);
+      }
+    }
+}
+
+TEST(CutHandle, GoingBackGivesTheCutThatWas) {
+  for (const auto& scene : manyViews())
+    for (auto shape : kShapes) {
+      scene::Cut start = tiltedCut(shape);
+      CutGizmo gizmo = makeCutGizmo(scene, start, kSize);
+      for (const auto& grip : gizmo.grips) {
+        glm::dvec2 from = pixelOf(scene, grip.placeMm), to = from + glm::dvec2(23, 14);
+        scene::Cut moved = dragCut(start, gizmo, grip.handle, scene.camera, kSize, from, to);
+        EXPECT_NE(moved, start) << enumName(shape) << " handle " << static_cast<int>(grip.handle);
+        EXPECT_EQ(dragCut(start, gizmo, grip.handle, scene.camera, kSize, from, from), start);
+      }
+    }
+}
+
+TEST(CutHandle, ASecondDragTakesAResizeBack) {
+  for (const auto& scene : manyViews())
+    for (auto shape : kShapes) {
+      scene::Cut start = tiltedCut(shape);
+      CutGizmo gizmo = makeCutGizmo(scene, start, kSize);
+      for (const auto& grip : gizmo.grips) {
+        if (!isResize(grip.handle)) continue;
+        glm::dvec2 from = pixelOf(scene, grip.placeMm), to = pixelOf(scene, grip.placeMm + grip.direction * 8.0);
+        scene::Cut larger = dragCut(start, gizmo, grip.handle, scene.camera, kSize, from, to);
+        CutGizmo second = makeCutGizmo(scene, larger, kSize);
+        scene::Cut back = dragCut(larger, second, grip.handle, scene.camera, kSize, to, from);
+        EXPECT_LT(glm::length(back.sizeMm - start.sizeMm), 1e-6) << enumName(shape);
+        EXPECT_LT(glm::length(back.centreMm - start.centreMm), 1e-6) << enumName(shape);
+      }
+    }
+}
+
+TEST(CutHandle, ResizingAFaceLeavesTheOppositeOneWhereItIs) {
+  scene::Scene scene = boxScene(kSize);
+  for (auto shape : {scene::CutShape::Box, scene::CutShape::Cylinder, scene::CutShape::Cone}) {
+    scene::Cut start = tiltedCut(shape);
+    auto faceMm = [&](const scene::Cut& cut, int axis, int sign) {
+      glm::dvec3 out = cutFrame(cut)[axis];
+      if (shape == scene::CutShape::Cone) return cut.centreMm + out * (sign > 0 ? cut.sizeMm.z : 0.0);
+      return cut.centreMm + out * (sign * cut.sizeMm[axis] * 0.5);
+    };
+    for (int axis = shape == scene::CutShape::Box ? 0 : 2; axis < 3; ++axis)
+      for (int sign : {-1, 1})
+        for (double mm : {12.0, -12.0, -1000.0}) {
+          scene::Cut now = withFaceMoved(start, axis, sign, mm, 1.0);
+          EXPECT_LT(glm::length(faceMm(now, axis, -sign) - faceMm(start, axis, -sign)), 1e-9);
+          double moved = glm::dot(faceMm(now, axis, sign) - faceMm(start, axis, sign), cutFrame(start)[axis]) * sign;
+          EXPECT_NEAR(moved, std::max(mm, 1.0 - start.sizeMm[axis]), 1e-9);
+          EXPECT_LT(frameDifference(now, start), 1e-12);
+        }
+  }
+}
+
+TEST(CutHandle, ATurnOfABoxIsRigid) {
+  // A tilt carries the box's edges along, whatever the frame's own rule makes of the new axis.
+  scene::Cut box = tiltedCut(scene::CutShape::Box);
+  glm::dvec3 pivot(10, 20, 30), axis = glm::normalize(glm::dvec3(3, -1, 2));
+  scene::Cut turned = withTurn(box, pivot, axis, 1.1);
+  scene::Cut back = withTurn(turned, pivot, axis, -1.1);
+  EXPECT_LT(frameDifference(back, box), 1e-9);
+  EXPECT_LT(glm::length(back.centreMm - box.centreMm), 1e-9);
+  EXPECT_NEAR(glm::length(turned.centreMm - pivot), glm::length(box.centreMm - pivot), 1e-9);
+  glm::dmat3 relative = cutFrame(turned) * glm::transpose(cutFrame(box));
+  EXPECT_LT(glm::length(relative * axis - axis), 1e-9);
+}
+
+TEST(CutHandle, TheRingTurnsABoxAboutItsAxisWithThePointer) {
+  scene::Scene scene = boxScene(kSize);
+  scene.camera = scene::frameCamera(scene, scene::StandardView::Anterior, kSize.x / kSize.y);
+  scene::Cut box;
+  box.shape = scene::CutShape::Box;
+  box.centreMm = scene.camera.targetMm;
+  box.axis = {0, -1, 0};
+  CutGizmo gizmo = makeCutGizmo(scene, box, kSize);
+  glm::dvec2 centre = pixelOf(scene, gizmo.centreMm);
+  double r = gizmo.radiusMm / gizmo.pixelMm;
+  auto onRing = [&](double deg) {
+    return centre + r * glm::dvec2(std::cos(glm::radians(deg)), -std::sin(glm::radians(deg)));
+  };
+  ASSERT_EQ(handleAt(gizmo, scene.camera, kSize, onRing(45), 8.0), CutHandle::Ring);
+  scene::Cut turned = dragCut(box, gizmo, CutHandle::Ring, scene.camera, kSize, onRing(45), onRing(82));
+  EXPECT_LT(glm::length(turned.axis - box.axis), 1e-9);
+  // Seen from the front, the world's up of the box turns with the pointer, anticlockwise.
+  glm::dmat3 relative = cutFrame(turned) * glm::transpose(cutFrame(box));
+  glm::dvec3 up = relative * glm::dvec3(0, 0, 1);
+  EXPECT_NEAR(glm::degrees(std::atan2(-up.x, up.z)), 37.0, 0.01);
+  CutSnap snap = makeCutSnap(scene, true);
+  scene::Cut stepped = dragCut(box, gizmo, CutHandle::Ring, scene.camera, kSize, onRing(45), onRing(82), snap);
+  up = cutFrame(stepped) * glm::transpose(cutFrame(box)) * glm::dvec3(0, 0, 1);
+  EXPECT_NEAR(glm::degrees(std::atan2(-up.x, up.z)), 30.0, 1e-6);
+}
+
+TEST(CutHandle, TheRingOfTheOthersFollowsThePointer) {
+  for (const auto& scene : manyViews()) {
+    scene::Cut cut = tiltedCut(scene::CutShape::Cylinder);
+    CutGizmo gizmo = makeCutGizmo(scene, cut, kSize);
+    glm::dvec3 held = ringPointsMm(gizmo)[9];
+    glm::dvec2 from = pixelOf(scene, held), to = from + (pixelOf(scene, gizmo.centreMm) - from) * 0.3;
+    scene::Cut now = dragCut(cut, gizmo, CutHandle::Ring, scene.camera, kSize, from, to);
+    // The pointer goes to the middle: the axis tilts by the angle between the two places on the ball.
+    double tilt = std::acos(glm::dot(glm::normalize(cut.axis), now.axis));
+    EXPECT_GT(tilt, 0.01);
+    EXPECT_LT(tilt, 1.2);
+  }
+}
+
+TEST(CutHandle, ShiftKeepsToWholeVoxels) {
+  for (const auto& scene : manyViews()) {
+    CutSnap snap = makeCutSnap(scene, true);
+    scene::Cut box = tiltedCut(scene::CutShape::Box);
+    box.axis = {0, 0, 1};
+    box.spinDeg = 0;
+    CutGizmo gizmo = makeCutGizmo(scene, box, kSize);
+    for (const auto& grip : gizmo.grips) {
+      if (grip.handle >= CutHandle::KnobRight && grip.handle <= CutHandle::Ring) continue;
+      if (grip.handle == CutHandle::Square) continue;  // keeps to the gizmo's own axes
+      glm::dvec2 from = pixelOf(scene, grip.placeMm);
+      scene::Cut now = dragCut(box, gizmo, grip.handle, scene.camera, kSize, from, from + glm::dvec2(14, 11), snap);
+      glm::dvec3 moved = isResize(grip.handle) ? now.sizeMm - box.sizeMm : now.centreMm - box.centreMm;
+      for (int i = 0; i < 3; ++i) EXPECT_NEAR(std::remainder(moved[i], 10.0), 0.0, 1e-9);
+    }
+  }
+}
+
+TEST(CutHandle, NumbersSayWhatTheDragDid) {
+  scene::Cut start = tiltedCut(scene::CutShape::Box), now = start;
+  now.centreMm += cutFrame(start)[2] * 12.5;
+  EXPECT_EQ(dragText(start, now, CutHandle::Arrow), "+12.5 mm");
+  EXPECT_EQ(dragText(start, now, CutHandle::Centre), "12.5 mm");
+  now = withFaceMoved(start, 1, 1, 2.0, 1.0);
+  EXPECT_EQ(dragText(start, now, CutHandle::FaceYMax), "42.0 mm");
+  now = withTurn(start, start.centreMm, cutFrame(start)[2], glm::radians(30.0));
+  EXPECT_EQ(dragText(start, now, CutHandle::Ring), "30.0\u00b0");
+  EXPECT_EQ(std::string(dragLabel(start, CutHandle::Ring)), "Turn cut");
+  EXPECT_EQ(std::string(dragLabel(start, CutHandle::KnobTop)), "Tilt cut");
+  EXPECT_EQ(std::string(dragLabel(start, CutHandle::Radius)), "Resize cut");
+  EXPECT_EQ(std::string(dragLabel(start, CutHandle::Square)), "Move cut");
+}
+
+}  // namespace velum::session

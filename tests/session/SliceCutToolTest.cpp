@@ -1,0 +1,183 @@
+#include "velum/session/SliceCutTool.h"
+
+#include <gtest/gtest.h>
+
+#include "CutScene.h"
+#include "shared/cut.h"
+
+namespace velum::session {
+
+namespace {
+
+const glm::dvec2 kSize(500, 400);
+
+/// Slices along the axes and a turned one, through the middle and off it.
+std::vector<scene::SliceFrame> manySlices() {
+  std::vector<scene::SliceFrame> frames;
+  scene::Scene scene = boxScene(kSize);
+  scene::placeSlices(scene);
+  for (double turn : {0.0, 0.5}) {
+    scene::turnSlices(scene, scene::SliceKind::Axial, turn);
+    scene::turnSlices(scene, scene::SliceKind::Sagittal, turn * 0.7);
+    for (auto kind : {scene::SliceKind::Axial, scene::SliceKind::Coronal, scene::SliceKind::Sagittal})
+      frames.push_back(scene::makeSliceFrame(scene, kind, kSize));
+  }
+  return frames;
+}
+
+double distanceMm(const scene::Cut& cut, glm::dvec3 world) {
+  glm::dvec3 local(glm::inverse(scene::worldFromCut(cut)) * glm::dvec4(world, 1.0));
+  return shared::cutShapeDistance(static_cast<int>(cut.shape), glm::vec3(cut.sizeMm * 0.5), glm::vec3(local));
+}
+
+std::vector<scene::Cut> manyCuts() {
+  std::vector<scene::Cut> cuts;
+  for (auto shape : kShapes) cuts.push_back(tiltedCut(shape));
+  for (auto shape : kShapes) {
+    scene::Cut cut = tiltedCut(shape);
+    cut.axis = {0, 0, 1};
+    cut.spinDeg = 0;
+    if (shape == scene::CutShape::Cone) cut.centreMm.z -= 20;
+    cuts.push_back(cut);
+  }
+  return cuts;
+}
+
+}  // namespace
+
+TEST(SliceCutTool, TheOutlineLiesOnTheShapeAndOnTheSlice) {
+  int lines = 0;
+  for (const auto& frame : manySlices())
+    for (const auto& cut : manyCuts()) {
+      SliceOutline outline = sliceOutline(frame, cut);
+      lines += !outline.points.empty();
+      // A rim of 180 corners leaves the curve by 1.6e-4 of its radius; floats add a little.
+      for (const auto& p : outline.points)
+        EXPECT_NEAR(distanceMm(cut, scene::worldFromSlicePixel(frame, p)), 0.0, 0.02) << enumName(cut.shape);
+    }
+  EXPECT_GT(lines, 45);
+}
+
+TEST(SliceCutTool, TheOutlineGoesRoundTheWholeShape) {
+  // Every point inside the shape lies inside the outline, and the other way round.
+  for (const auto& frame : manySlices())
+    for (const auto& cut : manyCuts()) {
+      SliceOutline outline = sliceOutline(frame, cut);
+      if (!outline.isClosed) continue;
+      for (int y = 5; y < 400; y += 13)
+        for (int x = 5; x < 500; x += 13) {
+          glm::dvec2 p(x, y);
+          double mm = distanceMm(cut, scene::worldFromSlicePixel(frame, p));
+          if (std::abs(mm) < 0.1) continue;
+          bool inside = false;
+          std::size_t n = outline.points.size();
+          for (std::size_t i = 0; i < n; ++i) {
+            glm::dvec2 a = outline.points[i], b = outline.points[(i + 1) % n];
+            if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (b.x - a.x) * (p.y - a.y) / (b.y - a.y)) inside = !inside;
+          }
+          EXPECT_EQ(inside, mm < 0) << enumName(cut.shape) << " at " << x << ", " << y;
+        }
+    }
+}
+
+TEST(SliceCutTool, ThePlanesLineEndsAtTheViewAndKnowsItsRemovedSide) {
+  for (const auto& frame : manySlices()) {
+    scene::Cut plane = tiltedCut(scene::CutShape::Plane);
+    for (bool invert : {false, true}) {
+      plane.invert = invert;
+      SliceOutline outline = sliceOutline(frame, plane);
+      ASSERT_EQ(outline.points.size(), 2u);
+      for (glm::dvec2 p : outline.points) {
+        EXPECT_GE(std::min(p.x, p.y), -1e-6);
+        EXPECT_LE(p.x, kSize.x + 1e-6);
+        EXPECT_LE(p.y, kSize.y + 1e-6);
+      }
+      glm::dvec2 beside = (outline.points[0] + outline.points[1]) * 0.5 + outline.removedSide * 5.0;
+      bool removed = (distanceMm(plane, scene::worldFromSlicePixel(frame, beside)) < 0) != invert;
+      EXPECT_TRUE(removed);
+    }
+  }
+}
+
+TEST(SliceCutTool, ACutBesideTheSliceHasNeitherLineNorHandles) {
+  auto frame = manySlices()[0];
+  for (auto shape : {scene::CutShape::Box, scene::CutShape::Sphere, scene::CutShape::Cylinder, scene::CutShape::Cone}) {
+    scene::Cut cut = tiltedCut(shape);
+    cut.centreMm += frame.normal * 500.0;
+    EXPECT_TRUE(sliceOutline(frame, cut).points.empty());
+    EXPECT_TRUE(sliceHandles(frame, cut).empty());
+  }
+  scene::Cut along = tiltedCut(scene::CutShape::Plane);
+  along.axis = frame.normal;
+  EXPECT_TRUE(sliceHandles(frame, along).empty());
+}
+
+TEST(SliceCutTool, EveryHandleIsFoundWhereItIs) {
+  for (const auto& frame : manySlices())
+    for (const auto& cut : manyCuts()) {
+      auto handles = sliceHandles(frame, cut);
+      if (cut.shape != scene::CutShape::Plane && handles.empty()) continue;
+      for (const auto& handle : handles) EXPECT_EQ(sliceHandleAt(frame, cut, handle.place, 0.25).kind, handle.kind);
+    }
+}
+
+TEST(SliceCutTool, AHandleStaysUnderThePointer) {
+  for (const auto& frame : manySlices())
+    for (const auto& cut : manyCuts())
+      for (const auto& handle : sliceHandles(frame, cut)) {
+        glm::dvec2 to = handle.place + handle.outwards * 9.0;
+        if (handle.kind == SliceHandleKind::Turn || handle.outwards == glm::dvec2(0.0))
+          to = handle.place + glm::dvec2(6, 4);
+        scene::Cut now = dragSliceCut(cut, frame, handle, handle.place, to);
+        EXPECT_NE(now, cut);
+        glm::dvec3 world = scene::worldFromSlicePixel(frame, to);
+        if (handle.kind == SliceHandleKind::Face) {
+          // In the plane of the face that it holds; it may have left the disc of a slanted end.
+          double reach = cut.shape == scene::CutShape::Cone ? now.sizeMm.z : now.sizeMm[handle.axis] * 0.5;
+          EXPECT_NEAR(glm::dot(world - now.centreMm, cutFrame(now)[handle.axis]) * handle.sign, reach, 1e-6);
+        } else if (handle.kind == SliceHandleKind::Side) {
+          // The held piece of a round shape is a chord of its rim: a hundredth of a millimetre inside.
+          double before = distanceMm(cut, scene::worldFromSlicePixel(frame, handle.place));
+          EXPECT_NEAR(distanceMm(now, world), before, 0.02) << enumName(cut.shape);
+        } else if (handle.kind == SliceHandleKind::Move && cut.shape == scene::CutShape::Plane) {
+          EXPECT_NEAR(distanceMm(now, world), 0.0, 1e-3);
+        } else if (handle.kind == SliceHandleKind::Move) {
+          glm::dvec3 shift = world - scene::worldFromSlicePixel(frame, handle.place);
+          EXPECT_LT(glm::length(now.centreMm - cut.centreMm - shift), 1e-9);
+        } else if (cut.shape == scene::CutShape::Plane) {
+          EXPECT_NEAR(distanceMm(now, world), 0.0, 1e-3);
+        }
+        EXPECT_EQ(dragSliceCut(cut, frame, handle, handle.place, handle.place), cut);
+      }
+}
+
+TEST(SliceCutTool, ResizingAFaceLeavesTheOppositeOneWhereItIs) {
+  for (const auto& frame : manySlices())
+    for (const auto& cut : manyCuts())
+      for (const auto& handle : sliceHandles(frame, cut)) {
+        if (handle.kind != SliceHandleKind::Face || cut.shape != scene::CutShape::Box) continue;
+        scene::Cut now = dragSliceCut(cut, frame, handle, handle.place, handle.place + glm::dvec2(7, -5));
+        glm::dvec3 out = cutFrame(cut)[handle.axis] * double(handle.sign);
+        double before = glm::dot(cut.centreMm, out) - cut.sizeMm[handle.axis] * 0.5;
+        EXPECT_NEAR(glm::dot(now.centreMm, out) - now.sizeMm[handle.axis] * 0.5, before, 1e-9);
+      }
+}
+
+TEST(SliceCutTool, ShiftTurnsBySteps) {
+  auto frame = manySlices()[1];
+  scene::Cut plane = tiltedCut(scene::CutShape::Plane);
+  CutSnap snap{true, glm::dmat3(10.0)};
+  auto handle = sliceHandles(frame, plane)[0];
+  ASSERT_EQ(handle.kind, SliceHandleKind::Turn);
+  glm::dvec2 arm = handle.place - handle.pivot;
+  glm::dvec2 to = handle.pivot + glm::dvec2(arm.x * std::cos(0.6) - arm.y * std::sin(0.6),
+                                            arm.x * std::sin(0.6) + arm.y * std::cos(0.6));
+  scene::Cut now = dragSliceCut(plane, frame, handle, handle.place, to, snap);
+  // 0.6 rad are 34 degrees: 30 are kept to, about the slice's normal.
+  glm::dvec3 n = frame.normal, a = glm::normalize(plane.axis), b = now.axis;
+  a -= n * glm::dot(a, n);
+  b -= n * glm::dot(b, n);
+  EXPECT_NEAR(glm::degrees(std::acos(glm::dot(glm::normalize(a), glm::normalize(b)))), 30.0, 1e-6);
+}
+
+}  // namespace velum::session

@@ -151,6 +151,11 @@ void placeSlices(Scene& scene) {
   if (scene.slices.isPlaced) return;
   Bounds bounds = computeBounds(scene);
   scene.slices.crosshairMm = (bounds.min + bounds.max) * 0.5;
+  if (const auto& volume = scene.volume.data) {
+    // Onto a voxel, so that the first slices show voxels as they are rather than the mean of two.
+    glm::dvec3 voxel(glm::inverse(volume->worldFromVoxel) * glm::dvec4(scene.slices.crosshairMm, 1.0));
+    scene.slices.crosshairMm = glm::dvec3(volume->worldFromVoxel * glm::dvec4(glm::floor(voxel + 0.5), 1.0));
+  }
   scene.slices.isPlaced = true;
 }
 

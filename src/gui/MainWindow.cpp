@@ -54,9 +54,10 @@ void MainWindow::buildCentre() {
   mPages = new QStackedWidget(centre);
   mProgress = new ProgressStrip(centre);
   auto* empty = new EmptyState(mPages);
-  mViewport = new Viewport(mDocument, mPages);
+  mViews = new ViewGrid(mDocument, mPages);
+  mViewport = &mViews->viewport();
   mPages->addWidget(empty);
-  mPages->addWidget(mViewport);
+  mPages->addWidget(mViews);
   layout->addWidget(mMessages);
   layout->addWidget(mPages, 1);
   layout->addWidget(mProgress);
@@ -124,8 +125,8 @@ void MainWindow::buildStatus() {
   statusBar()->addPermanentWidget(mPickLabel);
   statusBar()->addPermanentWidget(mRefineLabel);
   statusBar()->addPermanentWidget(mDriverLabel);
-  connect(mViewport, &Viewport::pointedAt, this, &MainWindow::showPick);
-  connect(mViewport, &Viewport::pointedAtNothing, mPickLabel, &QLabel::clear);
+  connect(mViews, &ViewGrid::pointedAt, this, &MainWindow::showPick);
+  connect(mViews, &ViewGrid::pointedAtNothing, mPickLabel, &QLabel::clear);
   connect(mViewport, &Viewport::refined, this, [this](double fraction, const QString& stage) {
     mRefineLabel->setText(stage.isEmpty() ? tr("Complete")
                           : fraction > 0  ? QString("%1 %2 %").arg(stage).arg(int(100 * fraction))
@@ -221,6 +222,7 @@ void MainWindow::takeScene(scene::Scene scene, bool add, const QString& path) {
   if (scene.volume.data)
     for (const auto& line : scene.volume.data->warnings)
       warning += (warning.isEmpty() ? "" : "; ") + QString::fromStdString(line);
+  if (!isScene) scene.slices.layout = ViewGrid::layoutFor(scene);
   mDocument.replace(std::move(scene));
   if (!isScene) mViewport->lookFrom(scene::defaultView(mDocument.scene()));
   mViewport->setFocus();
@@ -250,7 +252,8 @@ void MainWindow::saveSceneTo(const QString& path) {
 // What is shown.
 
 void MainWindow::documentChanged() {
-  mViewport->sceneChanged();
+  mViews->refresh();
+  if (mLayouts) mLayouts->actions()[int(mDocument.scene().slices.layout)]->setChecked(true);
   mLook->refresh();
   mCuts->refresh();
   bool open = mPages->currentIndex() == 1;
@@ -302,8 +305,10 @@ void MainWindow::showData() {
 void MainWindow::showPick(const render::Pick& pick) {
   const auto& scene = mDocument.scene();
   QString text;
-  if (const auto& v = scene.volume.data)
-    text = QString("%1 %2    ").arg(shortNumber(pick.value), QString::fromStdString(v->unit));
+  QStringList values;
+  for (double value : render::probe(scene, pick.worldMm).values) values << shortNumber(value);
+  if (const auto& v = scene.volume.data; v && !values.isEmpty())
+    text = QString("%1 %2    ").arg(values.join(", "), QString::fromStdString(v->unit));
   // Letters only where the file says how the patient lay.
   bool letters = !scene.volume.data || scene.volume.data->isOrientationKnown;
   static constexpr const char* kPlus[] = {"L", "P", "S"};

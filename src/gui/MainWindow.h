@@ -1,4 +1,5 @@
 #pragma once
+#include <QActionGroup>
 #include <QMainWindow>
 #include <QStackedWidget>
 #include <QTabWidget>
@@ -9,7 +10,7 @@
 #include "ActionTable.h"
 #include "Bars.h"
 #include "Job.h"
-#include "Viewport.h"
+#include "ViewGrid.h"
 #include "velum/session/Document.h"
 #include "velum/session/Picture.h"
 
@@ -29,18 +30,21 @@ class MainWindow : public QMainWindow {
   /// Reads files or folders in the background. @param add  beside what is open, instead of in its place
   void openPaths(const QStringList& paths, bool add = false);
   void openPhantom(const QString& name, int voxels);
+  /// Shows a scene whose data is in memory. @param path  what it is called; a scene file's is where it is saved
+  void takeScene(scene::Scene scene, bool add, const QString& path);
   void savePictureTo(const QString& path, const session::PictureOptions& options);
   void saveSceneTo(const QString& path);
   /// Stops the load or the picture that is running; what is open stays.
   void cancelJob();
 
   session::Document& document() { return mDocument; }
-  Viewport& viewport() { return *mViewport; }
+  ViewGrid& views() { return *mViews; }
+  Viewport& viewport() { return mViews->viewport(); }
   MessageBar& messages() { return *mMessages; }
   ActionTable& actions() { return *mActions; }
   bool isBusy() const { return mJob != nullptr; }
   /// Nothing is running, and what is shown is complete.
-  bool isSettled() const { return !isBusy() && (mPages->currentIndex() == 0 || mViewport->isConverged()); }
+  bool isSettled() const { return !isBusy() && (mPages->currentIndex() == 0 || mViews->isComplete()); }
 
  signals:
   /// A job has ended, was cancelled or has failed.
@@ -59,12 +63,12 @@ class MainWindow : public QMainWindow {
   void buildEditActions(QMenu* menu, QToolBar* bar);
   void buildViewActions(QMenu* menu, QToolBar* bar);
   void buildCutActions(QMenu* menu, QToolBar* bar);
+  void buildLayoutActions(QMenu* menu, QToolBar* bar);
   void addTab(QWidget* panel, const QString& title, const QString& tip);
   void buildStatus();
   void startJob(const QString& what, Job::Work work, std::function<void()> whenDone);
   void startLoad(const QString& what, std::function<void(scene::Scene&, Progress&)> read, bool add,
                  const QString& path);
-  void takeScene(scene::Scene scene, bool add, const QString& path);
   void documentChanged();
   void showData();
   void showPick(const render::Pick& pick);
@@ -77,7 +81,9 @@ class MainWindow : public QMainWindow {
 
   session::Document mDocument;
   ActionTable* mActions = nullptr;
-  Viewport* mViewport = nullptr;
+  ViewGrid* mViews = nullptr;
+  Viewport* mViewport = nullptr;  ///< Of the views.
+  QActionGroup* mLayouts = nullptr;
   QStackedWidget* mPages = nullptr;
   MessageBar* mMessages = nullptr;
   ProgressStrip* mProgress = nullptr;

@@ -32,8 +32,10 @@ Viewport::Viewport(session::Document& document, QWidget* parent)
   mRestTimer.setInterval(kRestMs);
   connect(&mRestTimer, &QTimer::timeout, this, [this] {
     begin(mCoarseScale > 2.5 ? Stage::Half : Stage::Full);
-    mSliceTimer.start();
+    if (!mPauseTimer.isActive()) mSliceTimer.start();
   });
+  mPauseTimer.setSingleShot(true);
+  connect(&mPauseTimer, &QTimer::timeout, this, [this] { mSliceTimer.start(); });
   mPickTimer.setSingleShot(true);
   mPickTimer.setInterval(80);
   connect(&mPickTimer, &QTimer::timeout, this, &Viewport::pickUnderPointer);
@@ -63,6 +65,7 @@ void Viewport::release() {
   mSliceTimer.stop();
   mRestTimer.stop();
   mPickTimer.stop();
+  mPauseTimer.stop();
   if (!mContext) return;
   makeCurrent();
   mContext->makeCurrent();
@@ -72,6 +75,16 @@ void Viewport::release() {
   mHasPicture = false;
   mStage = Stage::Idle;
   doneCurrent();
+}
+
+void Viewport::pause(int ms) {
+  mSliceTimer.stop();
+  mPauseTimer.start(ms);
+}
+
+void Viewport::showEvent(QShowEvent* event) {
+  QOpenGLWidget::showEvent(event);
+  if (mRenderer) mSliceTimer.start();  // what stood still while nobody saw it
 }
 
 bool Viewport::bindContext() {
@@ -117,7 +130,7 @@ void Viewport::startAnew() {
   mPending = true;
   mRestTimer.stop();
   mOverlay->update();
-  if (mRenderer && !mSliceTimer.isActive()) mSliceTimer.start();
+  if (mRenderer && !mSliceTimer.isActive() && !mPauseTimer.isActive()) mSliceTimer.start();
 }
 
 void Viewport::begin(Stage stage) {
@@ -139,7 +152,7 @@ void Viewport::begin(Stage stage) {
 }
 
 void Viewport::slice() {
-  if (!bindContext()) return mSliceTimer.stop();
+  if (!isVisible() || !bindContext()) return mSliceTimer.stop();
   bool otherData = mFrame.scene.volume.data != mDocument.scene().volume.data;
   // A coarse picture on its way is finished first: a steady drag would otherwise never show one.
   if (mPending && (mStage != Stage::Coarse || otherData)) begin(Stage::Coarse);

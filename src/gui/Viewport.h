@@ -25,6 +25,8 @@ class Viewport : public QOpenGLWidget {
 
   /// To be called after every change of the document.
   void sceneChanged();
+  /// Leaves the machine to another view: no work on the picture until nobody has asked for so long.
+  void pause(int ms);
   /// Shows the handles of a cut; -1: of none.
   void selectCut(int index);
   int selectedCut() const { return mSelectedCut; }
@@ -46,6 +48,10 @@ class Viewport : public QOpenGLWidget {
   void pointedAt(const velum::render::Pick& pick);
   void pointedAtNothing();
   void failed(const QString& message);
+  /// A double click beside the handles.
+  void maximiseWanted();
+  /// The crosshair of the slices is to go to a point of the world: Ctrl+click on what the picture shows.
+  void placeWanted(glm::dvec3 worldMm);
 
  protected:
   void initializeGL() override;
@@ -57,6 +63,7 @@ class Viewport : public QOpenGLWidget {
   void mouseDoubleClickEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
   void leaveEvent(QEvent* event) override;
+  void showEvent(QShowEvent* event) override;
 
  private:
   /// What is being drawn: a coarse picture, then (after a rest) one of half the size, then all samples of the full one.
@@ -91,7 +98,7 @@ class Viewport : public QOpenGLWidget {
   bool mPending = true;      ///< The scene has changed since mFrame was made.
   bool mHasPicture = false;  ///< mFrame has a complete sample, so that it can be picked from.
   double mCoarseScale = 0;   ///< Device pixels to one pixel of a coarse picture; 0: not known yet.
-  QTimer mSliceTimer, mRestTimer, mPickTimer;
+  QTimer mSliceTimer, mRestTimer, mPickTimer, mPauseTimer;
   QElapsedTimer mSinceShown;
   // Pointer.
   Drag mDrag = Drag::None;

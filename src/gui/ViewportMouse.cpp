@@ -1,5 +1,5 @@
-// The pointer in the 3D view: left turns, middle or shift+left moves, right and wheel come nearer, ctrl+left rolls; the
-// handles of the selected cut come first.
+// The pointer in the 3D view: left turns, middle or shift+left moves, right and wheel come nearer, ctrl+left rolls, and
+// a click with ctrl puts the crosshair there; the handles of the selected cut come first.
 #include <QMouseEvent>
 #include <cmath>
 
@@ -12,6 +12,7 @@ namespace velum::gui {
 namespace {
 
 constexpr double kReachPixels = 9.0;
+constexpr double kStillPixels = 3.0;  // a hand that clicks moves less
 
 glm::dvec2 toVec(QPointF p) { return {p.x(), p.y()}; }
 
@@ -92,13 +93,21 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
 void Viewport::mouseReleaseEvent(QMouseEvent* event) {
   if (event->buttons() != Qt::NoButton || mDrag == Drag::None) return;
   if (mDrag == Drag::Cut) mDocument.endMerge();
+  bool isClick = glm::length(toVec(event->position()) - mDragStart) < kStillPixels;
+  if (mDrag == Drag::Roll && isClick)
+    if (auto pick = pickAt(event->position()); pick && pick->hit) emit placeWanted(pick->worldMm);
   mDrag = Drag::None;
   mHandle = session::CutHandle::None;
   setCursor(Qt::ArrowCursor);
   mOverlay->setHover(session::CutHandle::None);
 }
 
-void Viewport::mouseDoubleClickEvent(QMouseEvent* event) { mousePressEvent(event); }
+void Viewport::mouseDoubleClickEvent(QMouseEvent* event) {
+  mousePressEvent(event);
+  if (mDrag != Drag::Orbit) return;
+  mDrag = Drag::None;
+  emit maximiseWanted();
+}
 
 void Viewport::wheelEvent(QWheelEvent* event) {
   double notches = event->angleDelta().y() / 120.0;

@@ -203,7 +203,8 @@ std::uint32_t packed(glm::vec3 color) {
 
 void SliceDrawing::drawRow(int y, Row& colors, std::vector<float>& samples, std::uint32_t* out) const {
   const auto& behind = mScene.background;
-  glm::vec3 ground = glm::mix(behind.top, behind.bottom, (float(y) + 0.5f) / float(mSize.y));
+  // One colour, the darker end of the usual gradient: a slice is flat, and air in it is black.
+  glm::vec3 ground = behind.bottom;
   std::fill(colors.begin(), colors.end(), ground);
   GridRow row = addVolume(y, colors, samples);
   std::vector<char> covered(std::size_t(mSize.x), 0);

@@ -14,6 +14,7 @@ struct SliceFrame {
   glm::dvec3 right{1, 0, 0}, up{0, 1, 0}, normal{0, 0, 1};  ///< orthonormal; normal towards the viewer
   glm::dvec2 size{1.0};                                    ///< pixels
   double mmPerPixel = 1.0;
+  bool operator==(const SliceFrame&) const = default;
 };
 
 /// @param size  of the view, pixels, positive

@@ -62,7 +62,8 @@ void MainWindow::buildFileActions(QMenu* menu, QToolBar* bar) {
                   [this, name] { openPhantom(name, 0); });
   }
   menu->addSeparator();
-  mActions->addForScene(menu, "file.saveScene", tr("&Save scene"), tr("Save the scene"), [this] { askSaveScene(false); });
+  mActions->addForScene(menu, "file.saveScene", tr("&Save scene"), tr("Save the scene"),
+                        [this] { askSaveScene(false); });
   mActions->addForScene(menu, "file.saveSceneAs", tr("Save scene &as..."), tr("Save the scene under another name"),
                         [this] { askSaveScene(true); });
   QAction* picture = mActions->addForScene(menu, "file.savePicture", tr("Save p&icture..."),
@@ -101,9 +102,9 @@ void MainWindow::buildViewActions(QMenu* menu, QToolBar* bar) {
                                   {"view.inferior", "&Inferior", "I", StandardView::Inferior},
                                   {"view.oblique", "&Oblique", "", StandardView::Oblique}};
   for (const Row& row : kRows) {
-    QAction* action = mActions->addForScene(menu, row.id, tr(row.name),
-                                            tr("Look from: %1").arg(tr(row.name).remove('&').toLower()),
-                                            [this, view = row.view] { mViewport->lookFrom(view); });
+    QAction* action =
+        mActions->addForScene(menu, row.id, tr(row.name), tr("Look from: %1").arg(tr(row.name).remove('&').toLower()),
+                              [this, view = row.view] { mViewport->lookFrom(view); });
     if (!*row.letter) continue;
     action->setIconText(row.letter);
     bar->addAction(action);
@@ -160,7 +161,8 @@ void MainWindow::buildLayoutActions(QMenu* menu, QToolBar* bar) {
 void MainWindow::buildCutActions(QMenu* menu, QToolBar* bar) {
   QAction* add = mActions->addForScene(menu, "cut.addPlane", tr("&Add plane"), tr("Cut away the half that faces you"),
                                        [this] { mCuts->addPlane(); });
-  mActions->addForScene(menu, "cut.flip", tr("&Flip"), tr("Take away the other side"), [this] { mCuts->flipSelected(); });
+  mActions->addForScene(menu, "cut.flip", tr("&Flip"), tr("Take away the other side"),
+                        [this] { mCuts->flipSelected(); });
   mActions->addForScene(menu, "cut.remove", tr("&Remove"), tr("Remove the selected cut"),
                         [this] { mCuts->removeSelected(); });
   add->setIconText(tr("Add cut"));

@@ -107,7 +107,8 @@ void drawRuler(QPainter& painter, const scene::SliceFrame& frame, double bottom)
   path.lineTo(kMargin + width, bottom);
   path.lineTo(kMargin + width, bottom - 5);
   drawTwice(painter, path, QColor(240, 243, 247, 225), 1.3);
-  drawText(painter, QRectF(kMargin + width + 7, bottom - 13, 120, 18), Qt::AlignLeft | Qt::AlignVCenter, lengthText(mm));
+  drawText(painter, QRectF(kMargin + width + 7, bottom - 13, 120, 18), Qt::AlignLeft | Qt::AlignVCenter,
+           lengthText(mm));
 }
 
 QString positionText(const scene::Scene& scene, scene::SliceKind kind, const scene::SliceFrame& frame, bool letters) {

@@ -103,7 +103,8 @@ void SliceView::paintEvent(QPaintEvent*) {
   if (mStale) drawImage();
   QPainter painter(this);
   double ratio = devicePixelRatioF();
-  QImage image(reinterpret_cast<const uchar*>(mImage.pixels.data()), mImage.size.x, mImage.size.y, QImage::Format_RGB32);
+  QImage image(reinterpret_cast<const uchar*>(mImage.pixels.data()), mImage.size.x, mImage.size.y,
+               QImage::Format_RGB32);
   QSizeF shown = QSizeF(image.size()) * (mDrawnCoarse / ratio);
   painter.setRenderHint(QPainter::SmoothPixmapTransform, mDrawnCoarse > 1);
   painter.drawImage(QRectF(QPointF(), shown), image);
@@ -141,14 +142,13 @@ void SliceView::showMenu(QPoint globalPlace) {
   const scene::Slices& slices = mDocument.scene().slices;
   QMenu menu(this);
   menu.setToolTipsVisible(true);
-  auto addTick = [&](const QString& text, const QString& tip, bool scene::Slices::* field) {
+  auto addTick = [&](const QString& text, const QString& tip, bool scene::Slices::*field) {
     QAction* action = menu.addAction(text);
     action->setToolTip(tip);
     action->setCheckable(true);
     action->setChecked(slices.*field);
-    connect(action, &QAction::toggled, this, [this, field](bool on) {
-      change([field, on](scene::Scene& scene) { scene.slices.*field = on; });
-    });
+    connect(action, &QAction::toggled, this,
+            [this, field](bool on) { change([field, on](scene::Scene& scene) { scene.slices.*field = on; }); });
   };
   addTick(tr("&Interpolate"), tr("Off: voxels as blocks"), &scene::Slices::interpolate);
   addTick(tr("&Crosshair"), tr("Lines where the other slices cross"), &scene::Slices::showCrosshair);

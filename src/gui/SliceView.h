@@ -81,8 +81,8 @@ class SliceView : public QWidget {
   scene::Slices mSlices;           ///< As the lines over the picture show them.
   render::SliceImage mImage;
   bool mStale = true;
-  int mDrawnCoarse = 1;   ///< Device pixels along the edge of one of mImage.
-  double mFullMs = 0.0;   ///< Time that the last full picture took.
+  int mDrawnCoarse = 1;  ///< Device pixels along the edge of one of mImage.
+  double mFullMs = 0.0;  ///< Time that the last full picture took.
   QTimer mRestTimer;
   int mPaintCount = 0;
   // Pointer.

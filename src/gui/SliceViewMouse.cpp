@@ -106,15 +106,16 @@ void SliceView::mouseReleaseEvent(QMouseEvent* event) {
 
 void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton || event->modifiers() != Qt::NoModifier) return mousePressEvent(event);
-  change([this](scene::Scene& scene) { scene.slices.crosshairMm = mCrosshairBefore; });
+  if (mSincePress.isValid() && !mSincePress.hasExpired(QApplication::doubleClickInterval()))
+    change([this](scene::Scene& scene) { scene.slices.crosshairMm = mCrosshairBefore; });
   emit maximiseWanted();
 }
 
 /// Says what is under the pointer, and lights the knobs.
 void SliceView::hover(QPointF place) {
-  bool onKnob = mDrag == Drag::Turn ||
-                (mDrag == Drag::None && mDocument.scene().slices.showCrosshair &&
-                 session::isOnKnob(session::crosshairLines(mDocument.scene(), mKind, frame()), toVec(place), kReachPixels));
+  bool onKnob = mDrag == Drag::Turn || (mDrag == Drag::None && mDocument.scene().slices.showCrosshair &&
+                                        session::isOnKnob(session::crosshairLines(mDocument.scene(), mKind, frame()),
+                                                          toVec(place), kReachPixels));
   if (onKnob != mHints.hotKnob) {
     mHints.hotKnob = onKnob;
     update();
@@ -138,9 +139,7 @@ void SliceView::wheelEvent(QWheelEvent* event) {
   if (notches == 0.0) return;
   glm::dvec2 place = toVec(event->position());
   if (event->modifiers() & Qt::ControlModifier) {
-    change([&](scene::Scene& scene) {
-      scene::zoomSlice(scene, mKind, logicalSize(), place, std::pow(0.88, notches));
-    });
+    change([&](scene::Scene& scene) { scene::zoomSlice(scene, mKind, logicalSize(), place, std::pow(0.88, notches)); });
   } else {
     // Whole planes: a fine wheel, or a touch pad, adds up to one.
     mWheelRest += notches;

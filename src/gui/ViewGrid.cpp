@@ -15,10 +15,10 @@ using scene::SliceKind;
 
 namespace {
 
-constexpr int kGap = 4;            // as wide as a hand can hold, and no wider
-constexpr int kReach = 3;          // beside it
-constexpr double kLeast = 0.12;    // of the window for each side
-constexpr int kPauseMs = 180;      // the 3D view works on when nothing has been done elsewhere for so long
+constexpr int kGap = 4;          // as wide as a hand can hold, and no wider
+constexpr int kReach = 3;        // beside it
+constexpr double kLeast = 0.12;  // of the window for each side
+constexpr int kPauseMs = 180;    // the 3D view works on when nothing has been done elsewhere for so long
 constexpr const char* kLayoutKey = "view/layout";
 
 QSettings settings() {

@@ -4,6 +4,7 @@
 #include <QOpenGLContext>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "GizmoOverlay.h"
 #include "velum/core/Error.h"
@@ -13,9 +14,9 @@ namespace velum::gui {
 
 namespace {
 
-constexpr double kSliceMs = 25.0;         // a third of what is felt as a stutter
+constexpr double kSliceMs = 15.0;         // a third of the 50 ms in which every view answers
 constexpr int kRestMs = 140;              // a hand that pauses in a drag for less does not start a full picture
-constexpr double kCoarseTargetMs = 50.0;  // leaves room for tables and light under 80 ms
+constexpr double kCoarseTargetMs = 28.0;  // leaves room for tables, light and the window's composition under 50 ms
 constexpr double kLargestScale = 12.0;
 constexpr int kShowMs = 150;  // how often a growing picture is shown: showing costs a pass over it
 
@@ -117,6 +118,7 @@ void Viewport::paintGL() {
   if (!mShown) return;
   QRect all(QPoint(), mShown->size());
   QOpenGLFramebufferObject::blitFramebuffer(nullptr, all, mShown.get(), all);
+  mShownCount += std::exchange(mIsFresh, false) ? 1 : 0;
 }
 
 void Viewport::sceneChanged() {
@@ -173,7 +175,7 @@ void Viewport::slice() {
 
 void Viewport::show() {
   if (!mShown) return;
-  mHasPicture = true;
+  mHasPicture = mIsFresh = true;
   mRenderer->present(mShown->handle(), {mShown->width(), mShown->height()});
   mSinceShown.restart();
   update();

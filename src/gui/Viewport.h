@@ -37,6 +37,8 @@ class Viewport : public QOpenGLWidget {
   bool isConverged() const { return mStage == Stage::Idle && !mPending; }
   /// Empty before the driver is known.
   render::Stats stats() const { return mRenderer ? mRenderer->stats() : render::Stats{}; }
+  /// How many pictures it has painted; for tests and measurements.
+  int shownCount() const { return mShownCount; }
   /// GL errors that the driver has reported in this view so far; tests want 0.
   int glErrorCount() const { return mContext ? mContext->errorCount() : 0; }
   /// What the picture shows at a place of the widget; nothing while there is no picture.
@@ -100,6 +102,8 @@ class Viewport : public QOpenGLWidget {
   double mCoarseScale = 0;   ///< Device pixels to one pixel of a coarse picture; 0: not known yet.
   QTimer mSliceTimer, mRestTimer, mPickTimer, mPauseTimer;
   QElapsedTimer mSinceShown;
+  bool mIsFresh = false;  ///< The picture on its way to the screen is a new one.
+  int mShownCount = 0;
   // Pointer.
   Drag mDrag = Drag::None;
   glm::dvec2 mDragStart{0.0}, mDragLast{0.0};

@@ -31,8 +31,8 @@ struct Between {
 template <class R>
 Between<R> between(std::int64_t at, int count, std::ptrdiff_t stride) {
   std::ptrdiff_t i = at >> 32;
-  return {std::clamp<std::ptrdiff_t>(i, 0, count - 1) * stride, std::clamp<std::ptrdiff_t>(i + 1, 0, count - 1) * stride,
-          fraction<R>(at)};
+  return {std::clamp<std::ptrdiff_t>(i, 0, count - 1) * stride,
+          std::clamp<std::ptrdiff_t>(i + 1, 0, count - 1) * stride, fraction<R>(at)};
 }
 
 /// One grid's samples of one channel.

@@ -8,8 +8,8 @@
 
 namespace velum::render {
 
-/// The pixels of one row of a slice that lie in a grid's box, and their voxel coordinates in fixed point (32 bits behind
-/// the point), so that a step along the row is three additions and has no drift.
+/// The pixels of one row of a slice that lie in a grid's box, and their voxel coordinates in fixed point (32 bits
+/// behind the point), so that a step along the row is three additions and has no drift.
 struct GridRow {
   int first = 0, last = 0;  ///< Pixels first..last-1.
   std::array<std::int64_t, 3> at{}, step{};

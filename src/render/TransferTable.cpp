@@ -86,7 +86,8 @@ TransferTable makeTransferTable(const scene::Scene& scene) {
   if (mixes) low = 0, high = 1;
   if (!(high > low)) high = low + 1.0;
   table.domain = {low, high};
-  if (!mixes && !transfer.gradientOpacities.empty()) table.gradientMax = std::max(1e-12, transfer.gradientOpacities.back().value);
+  if (!mixes && !transfer.gradientOpacities.empty())
+    table.gradientMax = std::max(1e-12, transfer.gradientOpacities.back().value);
 
   constexpr int n = shared::kTransferSize;
   std::vector<glm::dvec4> entries;

@@ -122,6 +122,8 @@ TEST_F(Slices, KeysMoveAndScroll) {
 TEST_F(Slices, DoubleClickFillsTheWindowAndBackAndLeavesTheCrosshair) {
   glm::dvec3 before = slices().crosshairMm;
   for (auto kind : {SliceKind::Axial, SliceKind::Coronal, SliceKind::Sagittal}) {
+    QTest::mouseClick(&slice(kind), Qt::LeftButton, {}, {30, 60});
+    EXPECT_NE(slices().crosshairMm, before);
     QTest::mouseDClick(&slice(kind), Qt::LeftButton, {}, {30, 60});
     EXPECT_EQ(slices().layout, Layout::Slice);
     EXPECT_EQ(slice(kind).size(), views().size());
@@ -139,8 +141,10 @@ TEST_F(Slices, DoubleClickFillsTheWindowAndBackAndLeavesTheCrosshair) {
 
 TEST_F(Slices, LayoutsKeepTheOne3dViewAndAreRemembered) {
   Viewport* view = &viewport();
-  for (auto [key, layout] : {std::pair{Qt::Key_F3, Layout::Volume}, {Qt::Key_F4, Layout::VolumeAndSlice},
-                             {Qt::Key_F5, Layout::Slice}, {Qt::Key_F2, Layout::FourUp}}) {
+  for (auto [key, layout] : {std::pair{Qt::Key_F3, Layout::Volume},
+                             {Qt::Key_F4, Layout::VolumeAndSlice},
+                             {Qt::Key_F5, Layout::Slice},
+                             {Qt::Key_F2, Layout::FourUp}}) {
     QTest::keyClick(mWindow.get(), key);
     EXPECT_EQ(slices().layout, layout);
     EXPECT_EQ(&viewport(), view);
@@ -192,8 +196,7 @@ TEST_F(Slices, TheWindowShowsWhatTheBatchDraws) {
   QTest::qWait(300);
   ASSERT_TRUE(axial.isComplete());
   QImage shown = axial.grab().toImage();
-  render::SliceImage drawn =
-      render::drawSlice(scene(), SliceKind::Axial, {axial.width(), axial.height()});
+  render::SliceImage drawn = render::drawSlice(scene(), SliceKind::Axial, {axial.width(), axial.height()});
   // Between the words at the sides.
   int differing = 0;
   for (int y = axial.height() / 4; y < axial.height() * 3 / 4; ++y)

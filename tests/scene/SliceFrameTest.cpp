@@ -15,8 +15,8 @@ constexpr glm::dvec2 kSize(320, 200);
 
 Scene sceneOf(glm::ivec3 dims, const glm::dmat4& worldFromVoxel) {
   Scene scene;
-  scene.volume.data =
-      Shared<Volume>(makeVolume(dims, SampleType::UInt8, [](glm::ivec3 v) { return v.x + v.y; }, worldFromVoxel));
+  scene.volume.data = Shared<Volume>(makeVolume(
+      dims, SampleType::UInt8, [](glm::ivec3 v) { return v.x + v.y; }, worldFromVoxel));
   placeSlices(scene);
   return scene;
 }

@@ -16,8 +16,8 @@ constexpr glm::dvec2 kSize(400, 300);
 scene::Scene boxScene() {
   scene::Scene scene;
   glm::ivec3 dims(20, 20, 20);
-  scene.volume.data = Shared<Volume>(
-      makeVolume(dims, SampleType::UInt8, [](glm::ivec3 v) { return v.x; }, centredFrame(dims)));
+  scene.volume.data = Shared<Volume>(makeVolume(
+      dims, SampleType::UInt8, [](glm::ivec3 v) { return v.x; }, centredFrame(dims)));
   scene::placeSlices(scene);
   return scene;
 }
@@ -64,7 +64,8 @@ TEST(SliceTool, TheLineFollowsTheKnob) {
 TEST(SliceTool, AViewThatDoesNotSeeTheCrosshairHasNoKnobs) {
   scene::Scene scene = boxScene();
   scene.slices.axial.panMm = {15, 0};
-  for (const auto& line : crosshairLines(scene, SliceKind::Axial, scene::makeSliceFrame(scene, SliceKind::Axial, kSize)))
+  for (const auto& line :
+       crosshairLines(scene, SliceKind::Axial, scene::makeSliceFrame(scene, SliceKind::Axial, kSize)))
     EXPECT_FALSE(line.hasKnobs);
   scene.slices.axial.panMm = {1000, 1000};
   auto frame = scene::makeSliceFrame(scene, SliceKind::Axial, kSize);

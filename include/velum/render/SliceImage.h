@@ -15,8 +15,8 @@ struct SliceImage {
 
 /// Draws a slice on the processor, all cores, no GL. Any thread.
 ///
-/// Where the data ends the scene's background (its lower colour) shows. Voxels are interpolated or blocks, as the scene says; structures
-/// lie where their own grid has them in the world, nearest label, with an outline one pixel wide.
+/// Where the data ends the scene's background (its lower colour) shows. Voxels are interpolated or blocks, as the scene
+/// says; structures lie where their own grid has them in the world, nearest label, with an outline one pixel wide.
 /// @param frame  what part of the world; its size is rounded up to whole pixels
 SliceImage drawSlice(const scene::Scene& scene, const scene::SliceFrame& frame);
 /// The same for a view of the scene. @param size  pixels, positive

@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 #include <QPainterPath>
+#include <algorithm>
 #include <cmath>
 
 #include "Theme.h"
@@ -111,20 +112,24 @@ void drawRuler(QPainter& painter, const scene::SliceFrame& frame, double bottom)
            lengthText(mm));
 }
 
-QString positionText(const scene::Scene& scene, scene::SliceKind kind, const scene::SliceFrame& frame, bool letters) {
+/// Where the slice lies along its normal, then which plane of the data it is.
+QStringList positionTexts(const scene::Scene& scene, scene::SliceKind kind, const scene::SliceFrame& frame,
+                          bool letters) {
   QStringList parts;
+  auto number = [](double mm) { return QString::number(std::abs(mm) < 0.05 ? 0.0 : mm, 'f', 1); };
   if (scene::isOblique(scene.slices, kind)) {
-    parts << tr("oblique");
+    scene::Bounds bounds = scene::computeBounds(scene);
+    double mm = -scene::heightOverSlice(frame, (bounds.min + bounds.max) * 0.5);
+    parts << tr("%1 mm off the middle").arg(number(mm));
   } else {
     int axis = std::abs(frame.normal.x) > 0.9 ? 0 : std::abs(frame.normal.y) > 0.9 ? 1 : 2;
     double mm = scene.slices.crosshairMm[axis];
-    if (std::abs(mm) < 0.05) mm = 0.0;
     static constexpr const char *kPlus[] = {"L", "P", "S"}, *kMinus[] = {"R", "A", "I"};
-    parts << (letters ? QString("%1 %2 mm").arg(mm < 0 ? kMinus[axis] : kPlus[axis]).arg(std::abs(mm), 0, 'f', 1)
-                      : QString("%1 mm").arg(mm, 0, 'f', 1));
+    parts << (letters ? QString("%1 %2 mm").arg(mm < -0.05 ? kMinus[axis] : kPlus[axis], number(std::abs(mm)))
+                      : QString("%1 mm").arg(number(mm)));
   }
   if (auto index = scene::sliceIndex(scene, kind)) parts << QString("%1 / %2").arg(index->index + 1).arg(index->count);
-  return parts.join("    ");
+  return parts;
 }
 
 QString windowText(const scene::Scene& scene) {
@@ -132,12 +137,21 @@ QString windowText(const scene::Scene& scene) {
   if (!volume.data || volume.data->isColor) return {};
   glm::dvec2 window = scene::effectiveWindow(volume);
   QString unit = volume.data->unit.empty() ? QString() : " " + QString::fromStdString(volume.data->unit);
-  return QString("W %1  L %2%3").arg(window.y, 0, 'g', 4).arg(window.x, 0, 'g', 4).arg(unit);
+  // Three digits of the width, and as many behind the point of the level.
+  int decimals = int(std::clamp(2.0 - std::floor(std::log10(window.y)), 0.0, 12.0));
+  auto number = [decimals](double value) {
+    QString text = QString::number(value, 'f', decimals);
+    while (decimals > 0 && text.contains('.') && (text.endsWith('0') || text.endsWith('.'))) text.chop(1);
+    return text;
+  };
+  return QString("W %1  L %2%3").arg(number(window.y), number(window.x), unit);
 }
 
 void drawTitle(QPainter& painter, const scene::Scene& scene, scene::SliceKind kind, bool hasFocus) {
   QColor color = kSliceColors[static_cast<int>(kind)];
-  QString name = sliceName(kind);
+  static constexpr const char* kAxes[] = {"XY", "XZ", "YZ"};
+  bool known = !scene.volume.data || scene.volume.data->isOrientationKnown;
+  QString name = known ? sliceName(kind) : QString(kAxes[static_cast<int>(kind)]);
   if (scene::isOblique(scene.slices, kind)) name += tr(" (turned)");
   double width = painter.fontMetrics().horizontalAdvance(name) + 30.0;
   QRectF chip(kMargin - 2, kMargin - 2, width, painter.fontMetrics().height() + 6.0);
@@ -172,12 +186,15 @@ void paintSliceOverlay(QPainter& painter, const scene::Scene& scene, scene::Slic
   if (frame.size.x < kSmallWidth || frame.size.y < kSmallHeight) return;
   double line = painter.fontMetrics().height() + 2.0;
   QRectF box = QRectF(0, 0, frame.size.x, frame.size.y).adjusted(kMargin, kMargin, -kMargin, -kMargin);
-  drawText(painter, box, Qt::AlignLeft | Qt::AlignBottom, positionText(scene, kind, frame, letters));
+  // The letter in the middle of the lowest line keeps its room.
+  double room = 0.5 * frame.size.x - kMargin - 12.0;
+  auto fits = [&](const QString& text) { return painter.fontMetrics().horizontalAdvance(text) < room; };
+  QStringList parts = positionTexts(scene, kind, frame, letters);
+  QString position = parts.join("    ");
+  drawText(painter, box, Qt::AlignLeft | Qt::AlignBottom, fits(position) ? position : parts.first());
   if (lengths) drawRuler(painter, frame, box.bottom() - line - 6.0);
-  QRectF right = box;
-  // Where the view is narrow the letter in the middle needs the room.
-  if (frame.size.x < 1.6 * kSmallWidth) right.adjust(0, 0, 0, -line);
-  drawText(painter, right, Qt::AlignRight | Qt::AlignBottom, windowText(scene));
+  if (QString window = windowText(scene); fits(window))
+    drawText(painter, box, Qt::AlignRight | Qt::AlignBottom, window);
 }
 
 }  // namespace velum::gui

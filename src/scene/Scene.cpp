@@ -139,8 +139,18 @@ void setWindow(VolumeLayer& layer, double level, double width) {
   (look ? look->windowWidth : layer.windowWidth) = width;
 }
 
+bool usesWindow(const Scene& scene) {
+  bool hasSlice = std::any_of(scene.cuts.begin(), scene.cuts.end(),
+                              [](const Cut& cut) { return cut.enabled && cut.face == CutFace::Slice; });
+  return hasSlice || scene.rayCast.mode == RenderMode::Mip;
+}
+
 Scene pictureScene(Scene scene) {
   scene.slices = {};
+  if (!usesWindow(scene)) {
+    scene.volume.windowLevel = scene.volume.windowWidth = 0.0;
+    for (auto& look : scene.volume.channels) look.windowLevel = look.windowWidth = 0.0;
+  }
   for (auto& cut : scene.cuts) cut.name.clear();
   for (auto& structure : scene.labels.structures) structure.name.clear();
   for (auto& look : scene.volume.channels) look.name.clear();

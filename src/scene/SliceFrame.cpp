@@ -135,14 +135,15 @@ Scene sliceScene(Scene scene) {
   kept.labelOpacity = scene.slices.labelOpacity;
   kept.interpolate = scene.slices.interpolate;
   kept.showCuts = scene.slices.showCuts;
-  scene = pictureScene(std::move(scene));
   scene.slices = kept;
+  for (auto& cut : scene.cuts) cut.name.clear();
+  for (auto& structure : scene.labels.structures) structure.name.clear();
   scene.camera = {};
   scene.lighting = {};
   scene.rayCast = {};
   scene.surfaces.clear();
   scene.volume.transfer = {};
-  for (auto& look : scene.volume.channels) look.transfer = {};
+  for (auto& look : scene.volume.channels) look.transfer = {}, look.name.clear();
   for (auto& cut : scene.cuts) cut.face = {}, cut.faceOpacity = 1.0;
   return scene;
 }

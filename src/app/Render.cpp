@@ -19,6 +19,7 @@ struct RenderOptions {
   InputOptions input;
   std::string output, size = "1280x720", saveScene, slice;
   int samples = 0, frames = 0;
+  double dpi = 0;
   bool layers = false, transparent = false, bruteForce = false;
 };
 
@@ -55,12 +56,12 @@ scene::SliceKind sliceKind(const std::string& name) {
 /// A slice view instead of the 3D picture; needs no graphics driver.
 int runSlice(const RenderOptions& options) {
   scene::SliceKind kind = sliceKind(options.slice);
-  glm::ivec2 size = parseSize(options.size);
+  glm::ivec2 size = session::parsePictureSize(options.size, options.dpi);
   if (options.layers) throw ArgumentError("--layers: a slice has none; leave it out with --slice");
   scene::Scene scene = openScene(options.input, double(size.x) / size.y);
   if (options.frames > 0 && (!scene.volume.data || scene.volume.data->frames < 2))
     throw ArgumentError("--frames with --slice goes through time steps, and this volume has none");
-  session::PictureOptions picture{size, 0, options.transparent, false};
+  session::PictureOptions picture{size, 0, options.transparent, false, options.dpi};
   std::vector<std::string> outputs = outputNames(options);
   double ms = 0;
   for (std::size_t i = 0; i < outputs.size(); ++i) {
@@ -88,12 +89,12 @@ int runSlice(const RenderOptions& options) {
 
 int run(const RenderOptions& options) {
   if (!options.slice.empty()) return runSlice(options);
-  glm::ivec2 size = parseSize(options.size);
+  glm::ivec2 size = session::parsePictureSize(options.size, options.dpi);
   auto context = gpu::Context::create(options.common.context);
   render::Renderer renderer(*context);
   scene::Scene scene = openScene(options.input, double(size.x) / size.y);
   if (options.bruteForce) scene.rayCast.skipEmpty = scene.rayCast.stopOpaque = false;
-  session::PictureOptions picture{size, options.samples, options.transparent, options.layers};
+  session::PictureOptions picture{size, options.samples, options.transparent, options.layers, options.dpi};
 
   auto start = std::chrono::steady_clock::now();
   std::vector<std::string> outputs = outputNames(options);
@@ -136,7 +137,11 @@ Run registerRender(CLI::App& verb) {
   addInput(verb, options->input, true);
   verb.add_option("-o,--output", options->output, "picture to write: .png, .tif, .exr; - writes PNG to stdout")
       ->required();
-  verb.add_option("--size", options->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
+  verb.add_option("--size", options->size, "WIDTHxHEIGHT in pixels, or with a unit: 12x8cm, 120x80mm, 5x3in")
+      ->capture_default_str();
+  verb.add_option("--dpi", options->dpi,
+                  "pixels an inch in print: for sizes with a unit (else 300), and told in the file")
+      ->check(CLI::Range(1.0, 10000.0));
   verb.add_option("--slice", options->slice, "a slice view instead of the 3D picture: axial, coronal, sagittal");
   verb.add_option("--samples", options->samples, "pictures that are averaged, 1 to 256; default: as the scene says")
       ->check(CLI::Range(1, 256));

@@ -14,6 +14,7 @@
 
 #include "CutPanel.h"
 #include "LookPanel.h"
+#include "TimeBar.h"
 #include "velum/session/Open.h"
 
 namespace velum::gui {
@@ -37,6 +38,7 @@ MainWindow::MainWindow() : mActions(new ActionTable(this)) {
   buildActions();
   mDocument.setListener([this] { documentChanged(); });
   documentChanged();
+  if (!mActions->warning().isEmpty()) mMessages->showNote(mActions->warning());
   resize(1440, 900);
 }
 
@@ -53,6 +55,7 @@ void MainWindow::buildCentre() {
   mMessages = new MessageBar(centre);
   mPages = new QStackedWidget(centre);
   mProgress = new ProgressStrip(centre);
+  mTime = new TimeBar(mDocument, centre);
   auto* empty = new EmptyState(mPages);
   mViews = new ViewGrid(mDocument, mPages);
   mViewport = &mViews->viewport();
@@ -60,12 +63,14 @@ void MainWindow::buildCentre() {
   mPages->addWidget(mViews);
   layout->addWidget(mMessages);
   layout->addWidget(mPages, 1);
+  layout->addWidget(mTime);
   layout->addWidget(mProgress);
   setCentralWidget(centre);
   connect(empty, &EmptyState::openFiles, this, [this] { askOpen(false); });
   connect(empty, &EmptyState::openFolder, this, &MainWindow::askOpenFolder);
   connect(empty, &EmptyState::makePhantom, this, [this] { openPhantom("torso", 0); });
   connect(mProgress, &ProgressStrip::cancelled, this, &MainWindow::cancelJob);
+  connect(mTime, &TimeBar::askReady, this, [this](bool& ready) { ready = mViews->isCurrent(); });
   connect(mViewport, &Viewport::failed, mMessages, &MessageBar::showError);
 }
 
@@ -229,10 +234,10 @@ void MainWindow::takeScene(scene::Scene scene, bool add, const QString& path) {
   if (!warning.isEmpty()) mMessages->showNote(tr("%1: %2").arg(pathName(path), warning));
 }
 
-void MainWindow::savePictureTo(const QString& path, const session::PictureOptions& options) {
+void MainWindow::savePictureTo(const QString& path, const session::PictureOptions& options, const scene::Scene& scene) {
   startJob(
       tr("Drawing %1").arg(pathName(path)),
-      [scene = mDocument.scene(), options, path = path.toStdString()](Progress& progress) {
+      [scene, options, path = path.toStdString()](Progress& progress) {
         session::renderPictureFile(scene, options, path, progress);
       },
       [this, path] { mMessages->showNote(tr("Saved %1").arg(path)); });
@@ -255,6 +260,7 @@ void MainWindow::documentChanged() {
   mViews->refresh();
   if (mLayouts) mLayouts->actions()[int(mDocument.scene().slices.layout)]->setChecked(true);
   mLook->refresh();
+  mTime->refresh();
   mCuts->refresh();
   bool open = mPages->currentIndex() == 1;
   mSide->setEnabled(open);

@@ -17,7 +17,9 @@
 namespace velum::gui {
 
 class CutPanel;
+class HelpWindow;
 class LookPanel;
+class TimeBar;
 
 /// The window: the 3D view, the side panel, the bars, and the actions. Everything it does to the scene goes through the
 /// document; everything long goes through a job.
@@ -32,7 +34,7 @@ class MainWindow : public QMainWindow {
   void openPhantom(const QString& name, int voxels);
   /// Shows a scene whose data is in memory. @param path  what it is called; a scene file's is where it is saved
   void takeScene(scene::Scene scene, bool add, const QString& path);
-  void savePictureTo(const QString& path, const session::PictureOptions& options);
+  void savePictureTo(const QString& path, const session::PictureOptions& options, const scene::Scene& scene);
   void saveSceneTo(const QString& path);
   /// Stops the load or the picture that is running; what is open stays.
   void cancelJob();
@@ -64,6 +66,8 @@ class MainWindow : public QMainWindow {
   void buildViewActions(QMenu* menu, QToolBar* bar);
   void buildCutActions(QMenu* menu, QToolBar* bar);
   void buildLayoutActions(QMenu* menu, QToolBar* bar);
+  void buildTimeActions(QMenu* menu);
+  void buildHelpActions(QMenu* menu);
   void addTab(QWidget* panel, const QString& title, const QString& tip);
   void buildStatus();
   void startJob(const QString& what, Job::Work work, std::function<void()> whenDone);
@@ -77,6 +81,9 @@ class MainWindow : public QMainWindow {
   void askSavePicture();
   void askSaveScene(bool asNew);
   void showAbout();
+  void showHelp();
+  void showPreferences();
+  void findCommand();
   QString pictureFolder() const;
 
   session::Document mDocument;
@@ -89,6 +96,8 @@ class MainWindow : public QMainWindow {
   ProgressStrip* mProgress = nullptr;
   LookPanel* mLook = nullptr;
   CutPanel* mCuts = nullptr;
+  TimeBar* mTime = nullptr;
+  HelpWindow* mHelp = nullptr;
   QWidget* mSide = nullptr;
   QTabWidget* mTabs = nullptr;
   QLabel *mDataLabel = nullptr, *mPickLabel = nullptr, *mReductionLabel = nullptr, *mRefineLabel = nullptr,

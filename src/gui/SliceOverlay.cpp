@@ -26,7 +26,9 @@ void drawText(QPainter& painter, const QRectF& box, int flags, const QString& te
   painter.setPen(QColor(0, 0, 0, alpha * 3 / 5));
   for (QPointF off : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)})
     painter.drawText(box.translated(off), flags, text);
-  painter.setPen(QColor(240, 243, 247, alpha));
+  QColor light = kOverPicture;
+  light.setAlpha(alpha);
+  painter.setPen(light);
   painter.drawText(box, flags, text);
 }
 
@@ -107,7 +109,7 @@ void drawRuler(QPainter& painter, const scene::SliceFrame& frame, double bottom)
   path.lineTo(kMargin, bottom);
   path.lineTo(kMargin + width, bottom);
   path.lineTo(kMargin + width, bottom - 5);
-  drawTwice(painter, path, QColor(240, 243, 247, 225), 1.3);
+  drawTwice(painter, path, kOverPicture, 1.3);
   drawText(painter, QRectF(kMargin + width + 7, bottom - 13, 120, 18), Qt::AlignLeft | Qt::AlignVCenter,
            lengthText(mm));
 }
@@ -161,7 +163,7 @@ void drawTitle(QPainter& painter, const scene::Scene& scene, scene::SliceKind ki
   painter.setPen(Qt::NoPen);
   painter.setBrush(color);
   painter.drawEllipse(QPointF(chip.left() + 11, chip.center().y()), 4.0, 4.0);
-  painter.setPen(QColor(240, 243, 247, 235));
+  painter.setPen(kOverPicture);
   painter.drawText(chip.adjusted(21, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter, name);
 }
 

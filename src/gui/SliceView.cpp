@@ -6,6 +6,7 @@
 #include <QWidgetAction>
 #include <cmath>
 
+#include "Theme.h"
 #include "ViewChange.h"
 #include "ViewIcons.h"
 #include "Widgets.h"
@@ -30,7 +31,7 @@ SliceView::SliceView(session::Document& document, scene::SliceKind kind, QWidget
   setMinimumSize(120, 90);
   setAttribute(Qt::WA_OpaquePaintEvent);
   mMenuButton = addButton("menu", tr("Interpolation, structures, crosshair, reset (right click)"), 1);
-  mMenuButton->setIcon(makeViewIcon(ViewIcon::Menu));
+  mMenuButton->setIcon(makeViewIcon(ViewIcon::Menu, kOverPicture));
   mMaximise = addButton("maximise", QString(), 2);
   setMaximised(false);
   connect(mMenuButton, &QToolButton::clicked, this,
@@ -60,7 +61,7 @@ QToolButton* SliceView::addButton(const char* name, const QString& tip, int from
 }
 
 void SliceView::setMaximised(bool maximised) {
-  mMaximise->setIcon(makeViewIcon(maximised ? ViewIcon::Restore : ViewIcon::Maximise));
+  mMaximise->setIcon(makeViewIcon(maximised ? ViewIcon::Restore : ViewIcon::Maximise, kOverPicture));
   QString tip = maximised ? tr("Show the other views again (double click)") : tr("Fill the window (double click)");
   mMaximise->setToolTip(tip);
   mMaximise->setAccessibleName(tip);

@@ -23,6 +23,8 @@ class SliceView : public QWidget {
   scene::SliceKind kind() const { return mKind; }
   /// What part of the world the widget's (logical) pixels show.
   scene::SliceFrame frame() const;
+  /// A picture of the scene as it is, if only a coarse one, is on the screen, or the view is hidden.
+  bool isCurrent() const { return !isVisible() || !mStale; }
   /// The full picture of the scene is on the screen, or the view is hidden.
   bool isComplete() const { return !isVisible() || (!mStale && mDrawnCoarse == 1); }
   /// How often it has been painted; for tests and measurements.

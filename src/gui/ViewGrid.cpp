@@ -2,10 +2,9 @@
 
 #include <QMouseEvent>
 #include <QPainter>
-#include <QSettings>
-#include <QStandardPaths>
 #include <cmath>
 
+#include "Preferences.h"
 #include "ViewChange.h"
 
 namespace velum::gui {
@@ -20,10 +19,6 @@ constexpr int kReach = 3;        // beside it
 constexpr double kLeast = 0.12;  // of the window for each side
 constexpr int kPauseMs = 180;    // the 3D view works on when nothing has been done elsewhere for so long
 constexpr const char* kLayoutKey = "view/layout";
-
-QSettings settings() {
-  return {QStandardPaths::writableLocation(QStandardPaths::AppConfigLocation) + "/views.ini", QSettings::IniFormat};
-}
 
 }  // namespace
 
@@ -53,7 +48,7 @@ Layout ViewGrid::layoutFor(const scene::Scene& scene) {
   glm::ivec3 dims = volume ? volume->dims : scene.labels.data ? scene.labels.data->dims() : glm::ivec3(0);
   if (dims == glm::ivec3(0)) return Layout::Volume;  // surfaces alone
   if (std::min(dims.x, std::min(dims.y, dims.z)) < 2) return Layout::Slice;
-  QString last = settings().value(kLayoutKey).toString();
+  QString last = Preferences().value(kLayoutKey).toString();
   for (int i = 0; std::string_view name : EnumNames<Layout>::kNames) {
     if (last.toStdString() == name) return Layout(i);
     ++i;
@@ -69,7 +64,7 @@ SliceView& ViewGrid::currentSlice() {
 
 void ViewGrid::setLayout(Layout layout) {
   auto name = enumName(layout);
-  settings().setValue(kLayoutKey, QString::fromUtf8(name.data(), int(name.size())));
+  Preferences().setValue(kLayoutKey, QString::fromUtf8(name.data(), int(name.size())));
   SliceKind beside = currentSlice().kind();
   changeSlices(mDocument, [layout, beside](scene::Scene& scene) {
     scene.slices.layout = layout;
@@ -93,6 +88,12 @@ bool ViewGrid::isComplete() const {
   for (const auto* view : mSlices)
     if (!view->isComplete()) return false;
   return !mViewport->isVisible() || mViewport->isConverged();
+}
+
+bool ViewGrid::isCurrent() const {
+  for (const auto* view : mSlices)
+    if (!view->isCurrent()) return false;
+  return !mViewport->isVisible() || mViewport->isCurrent();
 }
 
 void ViewGrid::refresh() {

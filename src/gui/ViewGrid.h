@@ -25,6 +25,8 @@ class ViewGrid : public QWidget {
   void setLayout(scene::Layout layout);
   /// Fills the window with a view, or shows the others again where it fills it already. Nothing: the 3D view.
   void maximise(std::optional<scene::SliceKind> kind);
+  /// All views that are shown show the scene as it is, if only coarsely.
+  bool isCurrent() const;
   /// All views that are shown are complete.
   bool isComplete() const;
 

@@ -11,7 +11,7 @@ namespace {
 
 class ViewIconEngine : public QIconEngine {
  public:
-  explicit ViewIconEngine(ViewIcon icon) : mIcon(icon) {}
+  ViewIconEngine(ViewIcon icon, const QColor& color) : mIcon(icon), mColor(color) {}
 
   QIconEngine* clone() const override { return new ViewIconEngine(*this); }
   QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
@@ -23,7 +23,7 @@ class ViewIconEngine : public QIconEngine {
   }
   void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State) override {
     auto group = mode == QIcon::Disabled ? QPalette::Disabled : QPalette::Active;
-    QColor color = QApplication::palette().color(group, QPalette::ButtonText);
+    QColor color = mColor.isValid() ? mColor : QApplication::palette().color(group, QPalette::ButtonText);
     painter->save();
     painter->setRenderHint(QPainter::Antialiasing);
     painter->translate(rect.topLeft());
@@ -81,10 +81,11 @@ class ViewIconEngine : public QIconEngine {
   }
 
   ViewIcon mIcon;
+  QColor mColor;
 };
 
 }  // namespace
 
-QIcon makeViewIcon(ViewIcon icon) { return QIcon(new ViewIconEngine(icon)); }
+QIcon makeViewIcon(ViewIcon icon, const QColor& color) { return QIcon(new ViewIconEngine(icon, color)); }
 
 }  // namespace velum::gui

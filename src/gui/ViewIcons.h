@@ -5,7 +5,8 @@ namespace velum::gui {
 
 enum class ViewIcon { FourUp, Volume, VolumeAndSlice, Slice, Maximise, Restore, Menu };
 
-/// Small pictures of layouts, painted in the palette's text colour so that they suit every theme and pixel density.
-QIcon makeViewIcon(ViewIcon icon);
+/// Small pictures of layouts, for every pixel density.
+/// @param color  what they are painted in; an invalid one: the palette's text colour, so that they suit every theme
+QIcon makeViewIcon(ViewIcon icon, const QColor& color = {});
 
 }  // namespace velum::gui

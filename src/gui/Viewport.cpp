@@ -74,6 +74,7 @@ void Viewport::release() {
   mRenderer.reset();
   mContext.reset();
   mHasPicture = false;
+  mPending = true;
   mStage = Stage::Idle;
   doneCurrent();
 }
@@ -86,6 +87,15 @@ void Viewport::pause(int ms) {
 void Viewport::showEvent(QShowEvent* event) {
   QOpenGLWidget::showEvent(event);
   if (mRenderer) mSliceTimer.start();  // what stood still while nobody saw it
+}
+
+void Viewport::loseContext() {
+  release();
+  if (!context()) return;
+  makeCurrent();
+  initializeGL();
+  resizeGL(width(), height());
+  doneCurrent();
 }
 
 bool Viewport::bindContext() {

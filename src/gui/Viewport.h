@@ -34,6 +34,8 @@ class Viewport : public QOpenGLWidget {
   void lookFrom(scene::StandardView view);
   void toggleProjection();
 
+  /// What is on the screen is the scene as it is, if only a coarse picture of it.
+  bool isCurrent() const { return !mPending && mHasPicture; }
   bool isConverged() const { return mStage == Stage::Idle && !mPending; }
   /// Empty before the driver is known.
   render::Stats stats() const { return mRenderer ? mRenderer->stats() : render::Stats{}; }
@@ -41,6 +43,8 @@ class Viewport : public QOpenGLWidget {
   int shownCount() const { return mShownCount; }
   /// GL errors that the driver has reported in this view so far; tests want 0.
   int glErrorCount() const { return mContext ? mContext->errorCount() : 0; }
+  /// Gives up everything on the GPU and makes it again, as after the driver has lost it.
+  void loseContext();
   /// What the picture shows at a place of the widget; nothing while there is no picture.
   std::optional<render::Pick> pickAt(QPointF place);
 

@@ -128,7 +128,7 @@ TEST_F(Window, SavedPictureEqualsTheHeadlessOne) {
   mWindow->document().edit("Add cut", [](scene::Scene& s) { s.cuts.push_back(session::cutFacingCamera(s)); });
   drag({200, 200}, {260, 180});
   mWindow->saveSceneTo(path("scene.json"));
-  mWindow->savePictureTo(path("window.png"), {{160, 120}, 2, false, false});
+  mWindow->savePictureTo(path("window.png"), {{160, 120}, 2, false, false}, scene());
   ASSERT_TRUE(waitForJob());
   QProcess batch;
   batch.start(VELUM_BATCH,
@@ -201,6 +201,7 @@ int main(int argc, char** argv) {
   QSurfaceFormat::setDefaultFormat(format);
   qInstallMessageHandler(velum::gui::onMessage);
   QApplication application(argc, argv);
+  QApplication::setApplicationName("velum");
   velum::gui::applyTheme(application);
   return RUN_ALL_TESTS();
 }

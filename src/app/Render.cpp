@@ -17,7 +17,7 @@ namespace {
 struct RenderOptions {
   Common common;
   InputOptions input;
-  std::string output, size = "1280x720", saveScene;
+  std::string output, size = "1280x720", saveScene, slice;
   int samples = 0, frames = 0;
   double dpi = 0;
   bool layers = false, transparent = false, bruteForce = false;
@@ -45,7 +45,50 @@ scene::Scene frameOf(const scene::Scene& scene, int frame, int frames) {
   return out;
 }
 
+scene::SliceKind sliceKind(const std::string& name) {
+  for (int i = 0; std::string_view known : EnumNames<scene::SliceKind>::kNames) {
+    if (name == known) return scene::SliceKind(i);
+    ++i;
+  }
+  throw ArgumentError(fmt::format("--slice {}: not one of axial, coronal, sagittal", name));
+}
+
+/// A slice view instead of the 3D picture; needs no graphics driver.
+int runSlice(const RenderOptions& options) {
+  scene::SliceKind kind = sliceKind(options.slice);
+  glm::ivec2 size = session::parsePictureSize(options.size, options.dpi);
+  if (options.layers) throw ArgumentError("--layers: a slice has none; leave it out with --slice");
+  scene::Scene scene = openScene(options.input, double(size.x) / size.y);
+  if (options.frames > 0 && (!scene.volume.data || scene.volume.data->frames < 2))
+    throw ArgumentError("--frames with --slice goes through time steps, and this volume has none");
+  session::PictureOptions picture{size, 0, options.transparent, false, options.dpi};
+  std::vector<std::string> outputs = outputNames(options);
+  double ms = 0;
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    scene::Scene step = options.frames > 0 ? frameOf(scene, int(i), options.frames) : scene;
+    auto start = std::chrono::steady_clock::now();
+    Image image = session::drawSlicePicture(step, kind, picture);
+    ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    session::savePicture(image, step, picture, outputs[i]);
+  }
+  if (!options.saveScene.empty()) session::saveScene(session::sceneForPicture(scene, picture), options.saveScene);
+  if (!options.common.json) return 0;
+  glm::dvec3 at = scene.slices.crosshairMm;
+  Json json = {{"slice", options.slice},
+               {"crosshairMm", {at.x, at.y, at.z}},
+               {"size", {size.x, size.y}},
+               {"frameMs", ms},
+               {"output", options.output}};
+  if (options.frames > 0) json["outputs"] = outputs;
+  if (options.output != "-")
+    printJson(json);
+  else
+    fmt::print(stderr, "{}\n", json.dump());
+  return 0;
+}
+
 int run(const RenderOptions& options) {
+  if (!options.slice.empty()) return runSlice(options);
   glm::ivec2 size = session::parsePictureSize(options.size, options.dpi);
   auto context = gpu::Context::create(options.common.context);
   render::Renderer renderer(*context);
@@ -99,6 +142,7 @@ Run registerRender(CLI::App& verb) {
   verb.add_option("--dpi", options->dpi,
                   "pixels an inch in print: for sizes with a unit (else 300), and told in the file")
       ->check(CLI::Range(1.0, 10000.0));
+  verb.add_option("--slice", options->slice, "a slice view instead of the 3D picture: axial, coronal, sagittal");
   verb.add_option("--samples", options->samples, "pictures that are averaged, 1 to 256; default: as the scene says")
       ->check(CLI::Range(1, 256));
   verb.add_option("--frames", options->frames, "an animation: NAME-0000 ..., through the time steps or once round")

@@ -63,9 +63,10 @@ void MainWindow::buildCentre() {
   mProgress = new ProgressStrip(centre);
   mTime = new TimeBar(mDocument, centre);
   auto* empty = new EmptyState(mPages);
-  mViewport = new Viewport(mDocument, mPages);
+  mViews = new ViewGrid(mDocument, mPages);
+  mViewport = &mViews->viewport();
   mPages->addWidget(empty);
-  mPages->addWidget(mViewport);
+  mPages->addWidget(mViews);
   layout->addWidget(mRecovery);
   layout->addWidget(mMessages);
   layout->addWidget(mPages, 1);
@@ -78,7 +79,7 @@ void MainWindow::buildCentre() {
   mRecent = empty->recent();
   connect(mRecent, &RecentRow::chosen, this, [this](const QString& path) { openAsked({path}); });
   connect(mProgress, &ProgressStrip::cancelled, this, &MainWindow::cancelJob);
-  connect(mTime, &TimeBar::askReady, this, [this](bool& ready) { ready = mViewport->isCurrent(); });
+  connect(mTime, &TimeBar::askReady, this, [this](bool& ready) { ready = mViews->isCurrent(); });
   connect(mViewport, &Viewport::failed, mMessages, &MessageBar::showError);
 }
 
@@ -141,8 +142,8 @@ void MainWindow::buildStatus() {
   statusBar()->addPermanentWidget(mPickLabel);
   statusBar()->addPermanentWidget(mRefineLabel);
   statusBar()->addPermanentWidget(mDriverLabel);
-  connect(mViewport, &Viewport::pointedAt, this, &MainWindow::showPick);
-  connect(mViewport, &Viewport::pointedAtNothing, mPickLabel, &QLabel::clear);
+  connect(mViews, &ViewGrid::pointedAt, this, &MainWindow::showPick);
+  connect(mViews, &ViewGrid::pointedAtNothing, mPickLabel, &QLabel::clear);
   connect(mViewport, &Viewport::refined, this, [this](double fraction, const QString& stage) {
     if (stage.isEmpty() && mWantsPicture) rememberPicture();
     mRefineLabel->setText(stage.isEmpty() ? tr("Complete")
@@ -244,7 +245,10 @@ void MainWindow::takeScene(Loaded& loaded, bool add, QString path) {
     for (const auto& line : scene.volume.data->warnings) loaded.notes.push_back(line);
   mPages->setCurrentIndex(1);
   mCuts->setEnabled(true);
-  if (!isScene) scene.camera = mViewport->frame(scene, scene::defaultView(scene));
+  if (!isScene) {
+    scene.slices.layout = ViewGrid::layoutFor(scene);
+    scene.camera = mViewport->frame(scene, scene::defaultView(scene));
+  }
   replaceScene(std::move(scene), path);
   if (loaded.lost) adoptLostWork(*loaded.lost);
   mViewport->setFocus();
@@ -282,7 +286,8 @@ void MainWindow::saveSceneTo(const QString& path) {
 
 void MainWindow::documentChanged() {
   journalChange();
-  mViewport->sceneChanged();
+  mViews->refresh();
+  if (mLayouts) mLayouts->actions()[int(mDocument.scene().slices.layout)]->setChecked(true);
   mLook->refresh();
   mTime->refresh();
   mCuts->refresh();
@@ -336,8 +341,10 @@ void MainWindow::showData() {
 void MainWindow::showPick(const render::Pick& pick) {
   const auto& scene = mDocument.scene();
   QString text;
-  if (const auto& v = scene.volume.data)
-    text = QString("%1 %2    ").arg(shortNumber(pick.value), QString::fromStdString(v->unit));
+  QStringList values;
+  for (double value : render::probe(scene, pick.worldMm).values) values << shortNumber(value);
+  if (const auto& v = scene.volume.data; v && !values.isEmpty())
+    text = QString("%1 %2    ").arg(values.join(", "), QString::fromStdString(v->unit));
   // Letters only where the file says how the patient lay.
   bool letters = !scene.volume.data || scene.volume.data->isOrientationKnown;
   static constexpr const char* kPlus[] = {"L", "P", "S"};

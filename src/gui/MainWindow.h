@@ -1,4 +1,5 @@
 #pragma once
+#include <QActionGroup>
 #include <QMainWindow>
 #include <QStackedWidget>
 #include <QTabWidget>
@@ -10,7 +11,7 @@
 #include "Bars.h"
 #include "Job.h"
 #include "Selection.h"
-#include "Viewport.h"
+#include "ViewGrid.h"
 #include "velum/session/Document.h"
 #include "velum/session/Journal.h"
 #include "velum/session/Picture.h"
@@ -40,6 +41,8 @@ class MainWindow : public QMainWindow {
   /// Reads files or folders in the background. @param add  beside what is open, instead of in its place
   void openPaths(const QStringList& paths, bool add = false);
   void openPhantom(const QString& name, int voxels);
+  /// Shows a scene whose data is in memory. @param path  what it is called; a scene file's is where it is saved
+  void takeScene(scene::Scene scene, bool add, const QString& path);
   void savePictureTo(const QString& path, const session::PictureOptions& options, const scene::Scene& scene);
   void saveSceneTo(const QString& path);
   /// Stops the load or the picture that is running; what is open stays.
@@ -57,7 +60,8 @@ class MainWindow : public QMainWindow {
   void leave(int exitCode);
 
   session::Document& document() { return mDocument; }
-  Viewport& viewport() { return *mViewport; }
+  ViewGrid& views() { return *mViews; }
+  Viewport& viewport() { return mViews->viewport(); }
   MessageBar& messages() { return *mMessages; }
   ActionTable& actions() { return *mActions; }
   Selection& selection() { return *mSelection; }
@@ -71,7 +75,7 @@ class MainWindow : public QMainWindow {
   /// Dead sessions' work is still being looked for.
   bool isLookingForWork() const { return mScan != nullptr; }
   /// Nothing is running, and what is shown is complete.
-  bool isSettled() const { return !isBusy() && (mPages->currentIndex() == 0 || mViewport->isConverged()); }
+  bool isSettled() const { return !isBusy() && (mPages->currentIndex() == 0 || mViews->isComplete()); }
 
  signals:
   /// A job has ended, was cancelled or has failed.
@@ -92,6 +96,7 @@ class MainWindow : public QMainWindow {
   void buildCutActions(QMenu* menu, QToolBar* bar);
   void buildStructures();
   void buildStructureActions(QMenu* menu);
+  void buildLayoutActions(QMenu* menu, QToolBar* bar);
   void buildTimeActions(QMenu* menu);
   void buildHelpActions(QMenu* menu);
   void addTab(QWidget* panel, const QString& title, const QString& tip);
@@ -138,7 +143,9 @@ class MainWindow : public QMainWindow {
 
   session::Document mDocument;
   ActionTable* mActions = nullptr;
-  Viewport* mViewport = nullptr;
+  ViewGrid* mViews = nullptr;
+  Viewport* mViewport = nullptr;  ///< Of the views.
+  QActionGroup* mLayouts = nullptr;
   QStackedWidget* mPages = nullptr;
   MessageBar* mMessages = nullptr;
   ProgressStrip* mProgress = nullptr;

@@ -14,6 +14,8 @@
 #include "SavePictureDialog.h"
 #include "ThreePointTool.h"
 #include "TimeBar.h"
+#include "ViewChange.h"
+#include "ViewIcons.h"
 #include "velum/session/Open.h"
 
 namespace velum::gui {
@@ -174,6 +176,42 @@ void MainWindow::buildViewActions(QMenu* menu, QToolBar* bar) {
   reset->setIconText(tr("Reset"));
   bar->addAction(mProjection);
   bar->addAction(reset);
+  bar->addSeparator();
+  menu->addSeparator();
+  buildLayoutActions(menu, bar);
+}
+
+void MainWindow::buildLayoutActions(QMenu* menu, QToolBar* bar) {
+  using scene::Layout;
+  struct Row {
+    const char *id, *name, *tip;
+    ViewIcon icon;
+  };
+  // In the order of scene::Layout.
+  static constexpr Row kRows[] = {
+      {"layout.four", "&Four views", "Axial, coronal, sagittal and 3D", ViewIcon::FourUp},
+      {"layout.volume", "3D &only", "The 3D view alone", ViewIcon::Volume},
+      {"layout.beside", "3D and one &slice", "The 3D view and the current slice", ViewIcon::VolumeAndSlice},
+      {"layout.slice", "One s&lice", "The current slice alone", ViewIcon::Slice}};
+  mLayouts = new QActionGroup(this);
+  for (int i = 0; i < 4; ++i) {
+    const Row& row = kRows[i];
+    QAction* action = mActions->addForScene(menu, row.id, tr(row.name), tr(row.tip),
+                                            [this, i] { mViews->setLayout(static_cast<Layout>(i)); });
+    action->setIcon(makeViewIcon(row.icon));
+    action->setIconVisibleInMenu(false);
+    action->setCheckable(true);
+    mLayouts->addAction(action);
+    bar->addAction(action);
+  }
+  menu->addSeparator();
+  mActions->addForScene(menu, "slices.next", tr("&Next slice"), tr("Show the plane nearer to you"),
+                        [this] { mViews->currentSlice().scroll(1); });
+  mActions->addForScene(menu, "slices.previous", tr("Pre&vious slice"), tr("Show the plane further away"),
+                        [this] { mViews->currentSlice().scroll(-1); });
+  mActions->addForScene(menu, "slices.reset", tr("Slices along the patient's a&xes"),
+                        tr("Axial, coronal and sagittal again, crosshair in the middle"),
+                        [this] { changeSlices(mDocument, scene::resetSlices); });
 }
 
 void MainWindow::buildCutActions(QMenu* menu, QToolBar* bar) {

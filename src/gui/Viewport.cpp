@@ -4,6 +4,7 @@
 #include <QOpenGLContext>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "GizmoOverlay.h"
 #include "velum/core/Error.h"
@@ -13,9 +14,9 @@ namespace velum::gui {
 
 namespace {
 
-constexpr double kSliceMs = 25.0;         // a third of what is felt as a stutter
+constexpr double kSliceMs = 15.0;         // a third of the 50 ms in which every view answers
 constexpr int kRestMs = 140;              // a hand that pauses in a drag for less does not start a full picture
-constexpr double kCoarseTargetMs = 50.0;  // leaves room for tables and light under 80 ms
+constexpr double kCoarseTargetMs = 28.0;  // leaves room for tables, light and the window's composition under 50 ms
 constexpr double kLargestScale = 12.0;
 constexpr int kShowMs = 150;  // how often a growing picture is shown: showing costs a pass over it
 
@@ -32,8 +33,10 @@ Viewport::Viewport(session::Document& document, QWidget* parent)
   mRestTimer.setInterval(kRestMs);
   connect(&mRestTimer, &QTimer::timeout, this, [this] {
     begin(mCoarseScale > 2.5 ? Stage::Half : Stage::Full);
-    mSliceTimer.start();
+    if (!mPauseTimer.isActive()) mSliceTimer.start();
   });
+  mPauseTimer.setSingleShot(true);
+  connect(&mPauseTimer, &QTimer::timeout, this, [this] { mSliceTimer.start(); });
   mPickTimer.setSingleShot(true);
   mPickTimer.setInterval(80);
   connect(&mPickTimer, &QTimer::timeout, this, &Viewport::pickUnderPointer);
@@ -63,6 +66,7 @@ void Viewport::release() {
   mSliceTimer.stop();
   mRestTimer.stop();
   mPickTimer.stop();
+  mPauseTimer.stop();
   if (!mContext) return;
   makeCurrent();
   mContext->makeCurrent();
@@ -73,6 +77,16 @@ void Viewport::release() {
   mPending = true;
   mStage = Stage::Idle;
   doneCurrent();
+}
+
+void Viewport::pause(int ms) {
+  mSliceTimer.stop();
+  mPauseTimer.start(ms);
+}
+
+void Viewport::showEvent(QShowEvent* event) {
+  QOpenGLWidget::showEvent(event);
+  if (mRenderer) mSliceTimer.start();  // what stood still while nobody saw it
 }
 
 void Viewport::loseContext() {
@@ -114,6 +128,7 @@ void Viewport::paintGL() {
   if (!mShown) return;
   QRect all(QPoint(), mShown->size());
   QOpenGLFramebufferObject::blitFramebuffer(nullptr, all, mShown.get(), all);
+  mShownCount += std::exchange(mIsFresh, false) ? 1 : 0;
 }
 
 void Viewport::sceneChanged() {
@@ -127,7 +142,7 @@ void Viewport::startAnew() {
   mPending = true;
   mRestTimer.stop();
   mOverlay->update();
-  if (mRenderer && !mSliceTimer.isActive()) mSliceTimer.start();
+  if (mRenderer && !mSliceTimer.isActive() && !mPauseTimer.isActive()) mSliceTimer.start();
 }
 
 void Viewport::begin(Stage stage) {
@@ -149,7 +164,7 @@ void Viewport::begin(Stage stage) {
 }
 
 void Viewport::slice() {
-  if (!bindContext()) return mSliceTimer.stop();
+  if (!isVisible() || !bindContext()) return mSliceTimer.stop();
   bool otherData = mFrame.scene.volume.data != mDocument.scene().volume.data;
   // A coarse picture on its way is finished first: a steady drag would otherwise never show one.
   if (mPending && (mStage != Stage::Coarse || otherData)) begin(Stage::Coarse);
@@ -170,7 +185,7 @@ void Viewport::slice() {
 
 void Viewport::show() {
   if (!mShown) return;
-  mHasPicture = true;
+  mHasPicture = mIsFresh = true;
   mRenderer->present(mShown->handle(), {mShown->width(), mShown->height()});
   mSinceShown.restart();
   update();

@@ -25,6 +25,8 @@ class Viewport : public QOpenGLWidget {
 
   /// To be called after every change of the document.
   void sceneChanged();
+  /// Leaves the machine to another view: no work on the picture until nobody has asked for so long.
+  void pause(int ms);
   /// Shows the handles of a cut; -1: of none.
   void selectCut(int index);
   int selectedCut() const { return mSelectedCut; }
@@ -39,6 +41,8 @@ class Viewport : public QOpenGLWidget {
   bool isConverged() const { return mStage == Stage::Idle && !mPending; }
   /// Empty before the driver is known.
   render::Stats stats() const { return mRenderer ? mRenderer->stats() : render::Stats{}; }
+  /// How many pictures it has painted; for tests and measurements.
+  int shownCount() const { return mShownCount; }
   /// GL errors that the driver has reported in this view so far; tests want 0.
   int glErrorCount() const { return mContext ? mContext->errorCount() : 0; }
   /// Gives up everything on the GPU and makes it again, as after the driver has lost it.
@@ -56,6 +60,10 @@ class Viewport : public QOpenGLWidget {
   /// The same with the right button.
   void menuAskedAt(const velum::render::Pick& pick, QPoint globalPlace);
   void failed(const QString& message);
+  /// A double click beside the handles.
+  void maximiseWanted();
+  /// The crosshair of the slices is to go to a point of the world: Ctrl+click on what the picture shows.
+  void placeWanted(glm::dvec3 worldMm);
 
  protected:
   void initializeGL() override;
@@ -67,6 +75,7 @@ class Viewport : public QOpenGLWidget {
   void mouseDoubleClickEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
   void leaveEvent(QEvent* event) override;
+  void showEvent(QShowEvent* event) override;
 
  private:
   /// What is being drawn: a coarse picture, then (after a rest) one of half the size, then all samples of the full one.
@@ -104,8 +113,10 @@ class Viewport : public QOpenGLWidget {
   bool mPending = true;      ///< The scene has changed since mFrame was made.
   bool mHasPicture = false;  ///< mFrame has a complete sample, so that it can be picked from.
   double mCoarseScale = 0;   ///< Device pixels to one pixel of a coarse picture; 0: not known yet.
-  QTimer mSliceTimer, mRestTimer, mPickTimer;
+  QTimer mSliceTimer, mRestTimer, mPickTimer, mPauseTimer;
   QElapsedTimer mSinceShown;
+  bool mIsFresh = false;  ///< The picture on its way to the screen is a new one.
+  int mShownCount = 0;
   // Pointer.
   Drag mDrag = Drag::None;
   glm::dvec2 mDragStart{0.0}, mDragLast{0.0};

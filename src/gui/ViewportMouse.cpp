@@ -1,5 +1,5 @@
-// The pointer in the 3D view: left turns, middle or shift+left moves, right and wheel come nearer, ctrl+left rolls; the
-// handles of the selected cut come first.
+// The pointer in the 3D view: left turns, middle or shift+left moves, right and wheel come nearer, ctrl+left rolls, and
+// a click with ctrl puts the crosshair there; the handles of the selected cut come first.
 #include <QMouseEvent>
 #include <cmath>
 
@@ -115,8 +115,10 @@ void Viewport::tellClick(QMouseEvent* event) {
 
 void Viewport::mouseReleaseEvent(QMouseEvent* event) {
   if (event->buttons() != Qt::NoButton || mDrag == Drag::None) return;
-  bool wasCut = mDrag == Drag::Cut;
+  bool wasCut = mDrag == Drag::Cut, wasRoll = mDrag == Drag::Roll;
   if (wasCut) mDocument.endMerge();
+  if (wasRoll && glm::length(toVec(event->position()) - mDragStart) <= kClickPixels)
+    if (auto pick = pickAt(event->position()); pick && pick->hit) emit placeWanted(pick->worldMm);
   mDrag = Drag::None;
   mHandle = session::CutHandle::None;
   mOverlay->setTag({}, {});
@@ -128,7 +130,12 @@ void Viewport::mouseReleaseEvent(QMouseEvent* event) {
   }
 }
 
-void Viewport::mouseDoubleClickEvent(QMouseEvent* event) { mousePressEvent(event); }
+void Viewport::mouseDoubleClickEvent(QMouseEvent* event) {
+  mousePressEvent(event);
+  if (mDrag != Drag::Orbit) return;
+  mDrag = Drag::None;
+  emit maximiseWanted();
+}
 
 void Viewport::wheelEvent(QWheelEvent* event) {
   double notches = event->angleDelta().y() / 120.0;

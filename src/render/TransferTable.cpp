@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "shared/frame.h"
 
@@ -71,8 +72,10 @@ TransferTable makeTransferTable(const scene::Scene& scene) {
   double largest = mixes ? makeMixTable(scene.volume).largestExtinction : 0.0;
   TransferTable table;
   glm::dvec2 window = scene::effectiveWindow(scene.volume);
-  double low = window.x - 0.5 * window.y, high = window.x + 0.5 * window.y;
+  bool showsPoints = !scene::usesWindow(scene) && !(transfer.opacities.empty() && transfer.colors.empty());
+  double low = std::numeric_limits<double>::infinity(), high = -low;
   auto include = [&](double value) { low = std::min(low, value), high = std::max(high, value); };
+  if (!showsPoints) include(window.x - 0.5 * window.y), include(window.x + 0.5 * window.y);
   for (const auto& p : transfer.opacities) include(p.value);
   for (const auto& p : transfer.colors) include(p.value);
   if (scene.rayCast.mode == scene::RenderMode::Iso) include(scene.rayCast.isoValue);

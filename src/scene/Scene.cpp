@@ -139,8 +139,18 @@ void setWindow(VolumeLayer& layer, double level, double width) {
   (look ? look->windowWidth : layer.windowWidth) = width;
 }
 
+bool usesWindow(const Scene& scene) {
+  bool hasSlice = std::any_of(scene.cuts.begin(), scene.cuts.end(),
+                              [](const Cut& cut) { return cut.enabled && cut.face == CutFace::Slice; });
+  return hasSlice || scene.rayCast.mode == RenderMode::Mip;
+}
+
 Scene pictureScene(Scene scene) {
   scene.slices = {};
+  if (!usesWindow(scene)) {
+    scene.volume.windowLevel = scene.volume.windowWidth = 0.0;
+    for (auto& look : scene.volume.channels) look.windowLevel = look.windowWidth = 0.0;
+  }
   for (auto& cut : scene.cuts) cut.name.clear();
   for (auto& structure : scene.labels.structures) structure.name.clear();
   for (auto& look : scene.volume.channels) look.name.clear();
@@ -151,6 +161,11 @@ void placeSlices(Scene& scene) {
   if (scene.slices.isPlaced) return;
   Bounds bounds = computeBounds(scene);
   scene.slices.crosshairMm = (bounds.min + bounds.max) * 0.5;
+  if (const auto& volume = scene.volume.data) {
+    // Onto a voxel, so that the first slices show voxels as they are rather than the mean of two.
+    glm::dvec3 voxel(glm::inverse(volume->worldFromVoxel) * glm::dvec4(scene.slices.crosshairMm, 1.0));
+    scene.slices.crosshairMm = glm::dvec3(volume->worldFromVoxel * glm::dvec4(glm::floor(voxel + 0.5), 1.0));
+  }
   scene.slices.isPlaced = true;
 }
 

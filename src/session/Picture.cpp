@@ -9,6 +9,7 @@
 
 #include "velum/gpu/Context.h"
 #include "velum/io/ImageFile.h"
+#include "velum/render/SliceImage.h"
 #include "velum/session/Open.h"
 
 namespace velum::session {
@@ -135,6 +136,15 @@ Image drawPicture(render::Renderer& renderer, const scene::Scene& scene, const P
   render::Layers layers;
   if (options.layers) layers = {true, true, true, true};
   return render::renderPicture(renderer, frame, layers, std::min(4096, limits.texture2d), progress);
+}
+
+Image drawSlicePicture(const scene::Scene& scene, scene::SliceKind kind, const PictureOptions& options) {
+  render::SliceImage slice = render::drawSlice(sceneForPicture(scene, options), kind, options.size);
+  Image image{slice.size.x, slice.size.y, {"R", "G", "B", "A"}, {}};
+  image.pixels.reserve(slice.pixels.size() * 4);
+  for (std::uint32_t pixel : slice.pixels)
+    for (int shift : {16, 8, 0, 24}) image.pixels.push_back(float(pixel >> shift & 255u) / 255.0f);
+  return image;
 }
 
 void savePicture(const Image& image, const scene::Scene& scene, const PictureOptions& options,

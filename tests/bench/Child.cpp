@@ -53,6 +53,8 @@ int childMain(const std::vector<std::string>& arguments) {
     figures = childRead(arguments[1], arguments[2]);
   else if (arguments.size() == 2 && arguments[0] == "first-picture")
     figures = childFirstPicture(std::stoi(arguments[1]));
+  else if (arguments.size() == 2 && arguments[0] == "answers")
+    figures = childAnswers(std::stoi(arguments[1]));
   else
     return 1;
   fmt::print("{}\n", figures.dump());

@@ -37,6 +37,16 @@ class Render(CliTest):
             self.run_batch("render", path, "-o", name, "--size", "64x48", *FAST)
         self.assertEqual((self.folder / "a.png").read_bytes(), (self.folder / "b.png").read_bytes())
 
+    def test_a_slice_view_is_a_picture_of_its_scene(self):
+        path = self.sample()
+        slice_options = ["--slice", "coronal", "--size", "70x50", "--set", "cuts.+.axis=0,0,1"]
+        report = self.report("render", path, "-o", "x.png", *slice_options)
+        self.assertKeys(report, "slice", "crosshairMm", "size", "frameMs")
+        self.run_batch("render", "x.png", "-o", "y.png", "--slice", "coronal", "--size", "70x50")
+        self.assertEqual((self.folder / "x.png").read_bytes(), (self.folder / "y.png").read_bytes())
+        self.run_batch("render", path, "-o", "z.png", *slice_options, "--set", "slices.crosshairMm=0,20,0")
+        self.run_batch("compare", "x.png", "z.png", code=4)
+
     def test_a_picture_opens_as_its_scene(self):
         path = self.sample("torso", 40)
         for first, second in (("x.png", "y.png"), ("x.exr", "y.exr")):

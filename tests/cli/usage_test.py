@@ -40,6 +40,9 @@ class Usage(CliTest):
         path = self.sample()
         for size in ("0x0", "10", "axb", "-5x5", "10x10x10", "99999x2", "10x"):
             self.refuse("render", path, "-o", "x.png", "--size", size, code=1, words=[size, "WIDTHxHEIGHT"])
+        self.refuse("render", path, "-o", "x.png", "--slice", "oblique", code=1, words=["oblique", "coronal"])
+        self.refuse("render", path, "-o", "x.png", "--slice", "axial", "--layers", code=1, words=["--layers"])
+        self.refuse("render", path, "-o", "x.png", "--slice", "axial", "--frames", "3", code=1, words=["--frames"])
         self.refuse("render", path, "-o", "x.png", "--view", "front", code=1, words=["front", "anterior"])
         self.refuse("render", path, "-o", "x.png", "--preset", "bones", code=1, words=["bones", "ct-bone"])
 

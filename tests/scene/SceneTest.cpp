@@ -143,5 +143,22 @@ TEST(EffectiveWindow, IsTheWholeRangeUntilOneIsSet) {
   EXPECT_EQ(effectiveWindow(scene.volume), glm::dvec2(7, 20));
 }
 
+TEST(PictureScene, AWindowCountsOnlyWhereThePictureShowsGreyValues) {
+  Scene scene, other;
+  setWindow(other.volume, 40, 400);
+  other.volume.channels = scene.volume.channels = {{"a"}, {"b"}};
+  other.volume.channels[1].windowWidth = 7;
+  EXPECT_EQ(pictureScene(scene), pictureScene(other));
+  scene.rayCast.mode = other.rayCast.mode = RenderMode::Mip;
+  EXPECT_NE(pictureScene(scene), pictureScene(other));
+  scene.rayCast.mode = other.rayCast.mode = RenderMode::Volume;
+  Cut cut;
+  cut.face = CutFace::Slice;
+  scene.cuts = other.cuts = {cut};
+  EXPECT_NE(pictureScene(scene), pictureScene(other));
+  scene.cuts[0].enabled = other.cuts[0].enabled = false;
+  EXPECT_EQ(pictureScene(scene), pictureScene(other));
+}
+
 }  // namespace
 }  // namespace velum::scene

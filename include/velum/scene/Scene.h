@@ -137,7 +137,11 @@ glm::dvec2 effectiveWindow(const VolumeLayer& layer, const ChannelLook& look);
 /// Sets the window of the current channel, or of the layer.
 void setWindow(VolumeLayer& layer, double level, double width);
 
-/// The scene reduced to what the 3D picture depends on: without slices and names.
+/// True when the 3D picture shows grey values by the window: a maximum, or slices on the faces of cuts.
+bool usesWindow(const Scene& scene);
+
+/// The scene reduced to what the 3D picture depends on: without slices and names, and without a window that it does not
+/// use.
 Scene pictureScene(Scene scene);
 
 /// Puts the crosshair into the middle of the data where it has no place yet.

@@ -35,8 +35,11 @@ scene::Scene sceneForPicture(const scene::Scene& scene, const PictureOptions& op
 Image drawPicture(render::Renderer& renderer, const scene::Scene& scene, const PictureOptions& options,
                   const gpu::Limits& limits, Progress& progress);
 
-/// Writes what drawPicture gave, with the scene inside: colour (and alpha where the background is transparent) to
-/// .png, .tif or .exr; layers into the .exr or as pictures beside ("name.depth.png").
+/// A slice view as a picture: R, G, B, A. Without a graphics context. Any thread.
+Image drawSlicePicture(const scene::Scene& scene, scene::SliceKind kind, const PictureOptions& options);
+
+/// Writes what drawPicture or drawSlicePicture gave, with the scene inside: colour (and alpha where the background is
+/// transparent) to .png, .tif or .exr; layers into the .exr or as pictures beside ("name.depth.png").
 /// @param path  "-" writes PNG to stdout, without layers
 /// @throw InputError when the disk refuses
 void savePicture(const Image& image, const scene::Scene& scene, const PictureOptions& options,

@@ -1,0 +1,44 @@
+#pragma once
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "velum/scene/SliceFrame.h"
+
+namespace velum::render {
+
+/// A slice as it is shown: grey values by the window (or colours), structures over them, what is cut away dimmed.
+struct SliceImage {
+  glm::ivec2 size{0};
+  std::vector<std::uint32_t> pixels;  ///< 0xAARRGGBB, sRGB, straight alpha, top row first
+};
+
+/// Draws a slice on the processor, all cores, no GL. Any thread.
+///
+/// Where the data ends the scene's background (its lower colour) shows. Voxels are interpolated or blocks, as the scene
+/// says; structures lie where their own grid has them in the world, nearest label, with an outline one pixel wide.
+/// @param frame  what part of the world; its size is rounded up to whole pixels
+SliceImage drawSlice(const scene::Scene& scene, const scene::SliceFrame& frame);
+/// The same for a view of the scene. @param size  pixels, positive
+SliceImage drawSlice(const scene::Scene& scene, scene::SliceKind kind, glm::ivec2 size);
+
+/// The same rectangle of the world in pixels n times as large, for while something moves.
+scene::SliceFrame coarserFrame(scene::SliceFrame frame, int n);
+
+/// What there is at a point of the world.
+struct Probe {
+  bool inside = false;         ///< in the box of the volume, or of the labels where there is no volume
+  std::vector<double> values;  ///< of the nearest voxel: one, or one a channel of a colour or of a mixture
+  int structure = 0;           ///< label id where labels are shown; 0 for none
+};
+Probe probe(const scene::Scene& scene, glm::dvec3 worldMm);
+
+/// Where an enabled cut's surface crosses a slice: pixels of the frame.
+struct CutLine {
+  std::size_t cut = 0;  ///< index in the scene
+  bool closed = true;   ///< false: an open line, of a plane
+  std::vector<glm::dvec2> points;
+};
+std::vector<CutLine> cutLines(const scene::Scene& scene, const scene::SliceFrame& frame);
+
+}  // namespace velum::render

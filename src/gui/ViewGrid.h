@@ -1,0 +1,63 @@
+#pragma once
+#include <QWidget>
+#include <array>
+#include <optional>
+
+#include "SliceView.h"
+#include "Viewport.h"
+
+namespace velum::gui {
+
+/// The centre of the window: the 3D view and the three slices in one of four layouts, with gaps that can be dragged.
+/// The layout is the scene's. Views are moved and hidden, never made anew, so that the 3D view keeps its GL context.
+class ViewGrid : public QWidget {
+  Q_OBJECT
+ public:
+  ViewGrid(session::Document& document, QWidget* parent);
+
+  /// To be called after every change of the document.
+  void refresh();
+  Viewport& viewport() { return *mViewport; }
+  SliceView& slice(scene::SliceKind kind) { return *mSlices[std::size_t(kind)]; }
+  /// The slice that commands mean: the one with the keyboard, else the one shown beside the 3D view.
+  SliceView& currentSlice();
+
+  void setLayout(scene::Layout layout);
+  /// Fills the window with a view, or shows the others again where it fills it already. Nothing: the 3D view.
+  void maximise(std::optional<scene::SliceKind> kind);
+  /// All views that are shown show the scene as it is, if only coarsely.
+  bool isCurrent() const;
+  /// All views that are shown are complete.
+  bool isComplete() const;
+
+  /// The layout for data that is newly opened: what the user had last, where the data has depth.
+  static scene::Layout layoutFor(const scene::Scene& scene);
+
+ signals:
+  void pointedAt(const velum::render::Pick& pick);
+  void pointedAtNothing();
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+
+ private:
+  void place();
+  bool isOnGap(QPoint place, int axis) const;
+
+  session::Document& mDocument;
+  Viewport* mViewport;
+  std::array<SliceView*, 3> mSlices;
+  std::optional<scene::Layout> mPlaced;  ///< The layout that the views stand in.
+  scene::SliceKind mBeside = scene::SliceKind::Axial;
+  scene::Layout mBefore = scene::Layout::FourUp;  ///< To which a maximised view gives way again.
+  glm::dvec2 mFourSplit{0.5, 0.5};                ///< Where the gaps are, shares of the size.
+  double mBesideSplit = 0.6;
+  bool mDragX = false, mDragY = false;
+};
+
+}  // namespace velum::gui

@@ -1,0 +1,52 @@
+// The law of fifty milliseconds: whatever computes, a view answers the hand at once.
+#include "DragSlice.h"
+#include "WindowFixture.h"
+
+namespace velum::gui {
+
+class Answers : public Window {
+ protected:
+  static void SetUpTestSuite() {
+    Window::SetUpTestSuite();
+    sVolume = makeNestedShells(512);
+  }
+  static void TearDownTestSuite() {
+    sVolume = {};
+    Window::TearDownTestSuite();
+  }
+  void SetUp() override {
+    Window::SetUp();
+    showFourViews(*mWindow, sVolume);
+  }
+
+  /// The law is a median below 50 ms on a machine of our own, and `./dev bench --only interaction` measures it there.
+  /// Other programs may hold a test's machine as long as they like, so that the bounds here are three times as wide,
+  /// and for the worst of forty-five moves ten times: they fail when a view waits for work, not for the processor.
+  void expectAtOnce(const char* what) {
+    AnswerTimes times = dragCrosshair(*mWindow, 45);
+    std::printf("%s: median %.1f ms, worst %.1f ms\n", what, times.median(), times.worst());
+    EXPECT_LT(times.median(), 150.0) << what;
+    EXPECT_LT(times.worst(), 500.0) << what;
+  }
+
+  inline static Shared<Volume> sVolume;
+};
+
+TEST_F(Answers, WhileTheVolumeGoesToTheDriver) { expectAtOnce("while uploading"); }
+
+TEST_F(Answers, WhileThe3dViewRefines) {
+  ASSERT_TRUE(QTest::qWaitFor([&] { return viewport().stats().samples > 0; }, 120000));
+  EXPECT_FALSE(viewport().isConverged());
+  expectAtOnce("while refining");
+  AnswerTimes camera = dragCamera(*mWindow, 30);
+  std::printf("the 3D view itself: median %.1f ms, worst %.1f ms\n", camera.median(), camera.worst());
+  EXPECT_LT(camera.median(), 250.0);
+}
+
+TEST_F(Answers, WhileAJobHoldsEveryCore) {
+  Job job(holdEveryCore(), nullptr);
+  job.start();
+  expectAtOnce("while a job holds every core");
+}
+
+}  // namespace velum::gui

@@ -92,7 +92,7 @@ void MainWindow::openLabels(const QString& path) {
   source.path = QFileInfo(path).absoluteFilePath().toStdString();
   startLoad(
       tr("Opening %1").arg(QFileInfo(path).fileName()),
-      [source](scene::Scene& scene, Progress& progress) { session::addLabels(scene, source, progress); }, true, path);
+      [source](Loaded& loaded, Progress& progress) { session::addLabels(loaded.scene, source, progress); }, true, path);
 }
 
 }  // namespace velum::gui

@@ -31,7 +31,7 @@ StructureCommands::StructureCommands(session::Document& document, Selection& sel
       camera.heightMm = std::exp(glm::mix(std::log(mFrom.heightMm), std::log(mTo.heightMm), t));
     }
     mLast = camera;
-    mDocument.amend([camera](scene::Scene& scene) { scene.camera = camera; });
+    mDocument.view([camera](scene::Scene& scene) { scene.camera = camera; });
   });
 }
 
@@ -111,7 +111,7 @@ void StructureCommands::goTo(int id) {
   mGoTo = 0;
   const LabelVolume& labels = *mMeter.labels();
   glm::dvec3 middle = session::middleOfStructure(labels, id, *size);
-  mDocument.amend([middle](scene::Scene& scene) {
+  mDocument.view([middle](scene::Scene& scene) {
     scene.slices.crosshairMm = middle;
     scene.slices.isPlaced = true;
   });

@@ -104,6 +104,15 @@ void CutList::setCuts(const std::vector<scene::Cut>& cuts, int selected) {
   setCurrentRow(selected);
 }
 
+bool CutList::event(QEvent* event) {
+  // The list's own keys go before commands of the window that have the same.
+  if (event->type() == QEvent::ShortcutOverride) {
+    int key = static_cast<QKeyEvent*>(event)->key();
+    if (key == Qt::Key_Space || key == Qt::Key_F2) event->accept();
+  }
+  return QListWidget::event(event);
+}
+
 void CutList::keyPressEvent(QKeyEvent* event) {
   bool up = event->key() == Qt::Key_Up, down = event->key() == Qt::Key_Down;
   if ((event->modifiers() & Qt::AltModifier) && (up || down)) {

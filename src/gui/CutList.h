@@ -21,6 +21,7 @@ class CutList : public QListWidget {
   void moveAsked(int by);
 
  protected:
+  bool event(QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
 };
 

@@ -236,6 +236,17 @@ void StructureList::chooseColor(int id) {
   if (color.isValid()) mCommands.setColor(idsFor(id), {color.redF(), color.greenF(), color.blueF()});
 }
 
+bool StructureList::event(QEvent* event) {
+  // The list's own keys go before commands of the window that have the same.
+  if (event->type() == QEvent::ShortcutOverride) {
+    int key = static_cast<QKeyEvent*>(event)->key();
+    constexpr int kOwn[] = {Qt::Key_Space, Qt::Key_F2, Qt::Key_Return, Qt::Key_Enter,
+                            Qt::Key_Delete};  // Del would remove a cut that nobody thinks of here
+    if (std::find(std::begin(kOwn), std::end(kOwn), key) != std::end(kOwn)) event->accept();
+  }
+  return QTreeView::event(event);
+}
+
 void StructureList::keyPressEvent(QKeyEvent* event) {
   std::vector<int> ids = selectedIds();
   if (!ids.empty() && event->key() == Qt::Key_Space) {

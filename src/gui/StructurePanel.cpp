@@ -104,6 +104,15 @@ QWidget* StructurePanel::makeHead() {
   row->addWidget(mName, 1);
   row->addWidget(open);
   layout->addLayout(row);
+  layout->addLayout(makeShares(head));
+  connect(open, &QPushButton::clicked, this, &StructurePanel::openLabelsAsked);
+  connect(mShown, &EyeButton::clicked, this, [this](bool on) {
+    mDocument.edit(on ? "Show labels" : "Hide labels", [on](scene::Scene& scene) { scene.labels.visible = on; });
+  });
+  return head;
+}
+
+QGridLayout* StructurePanel::makeShares(QWidget* head) {
   auto* grid = new QGridLayout;
   grid->setHorizontalSpacing(10);
   grid->setVerticalSpacing(8);
@@ -122,15 +131,10 @@ QWidget* StructurePanel::makeHead() {
   mTint = add(tr("Tint"), "labelTint", tr("How far structures take their own colour rather than the volume's, %"));
   mUnlabelled = add(tr("Unlabelled"), "labelUnlabelled", tr("Opacity of all that belongs to no structure, %"));
   mOnSlices = add(tr("On slices"), "labelOnSlices", tr("Opacity of the structures' colours on the slices, %"));
-  layout->addLayout(grid);
   driveShare(mTint, "Change tint", [](scene::Scene& s) -> double& { return s.labels.tint; });
   driveShare(mUnlabelled, "Fade what has no label", [](scene::Scene& s) -> double& { return s.labels.unlabelled; });
   driveShare(mOnSlices, "Labels on slices", [](scene::Scene& s) -> double& { return s.slices.labelOpacity; });
-  connect(open, &QPushButton::clicked, this, &StructurePanel::openLabelsAsked);
-  connect(mShown, &EyeButton::clicked, this, [this](bool on) {
-    mDocument.edit(on ? "Show labels" : "Hide labels", [on](scene::Scene& scene) { scene.labels.visible = on; });
-  });
-  return head;
+  return grid;
 }
 
 void StructurePanel::driveShare(NumberRow* row, const char* label, std::function<double&(scene::Scene&)> field) {

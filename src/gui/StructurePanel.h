@@ -1,4 +1,5 @@
 #pragma once
+#include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QWidget>
@@ -29,6 +30,7 @@ class StructurePanel : public QWidget {
  private:
   QWidget* makeEmpty();
   QWidget* makeHead();
+  QGridLayout* makeShares(QWidget* head);
   QWidget* makeSearch();
   QWidget* makeFoot();
   QWidget* makeDetail();

@@ -1,0 +1,158 @@
+// Cuts in the real window: the list and its numbers, handles, three points, slices, what is left whole.
+#include <QImage>
+#include <QListView>
+#include <QListWidget>
+#include <QMenu>
+#include <QPainter>
+#include <QPushButton>
+
+#include "CutPanel.h"
+#include "Shots.h"
+#include "SliceCutOverlay.h"
+#include "StructureFixture.h"
+#include "ThreePointTool.h"
+#include "velum/scene/Project.h"
+#include "velum/scene/SliceFrame.h"
+
+namespace velum::gui {
+
+class CutWindow : public StructureWindow {};
+
+TEST_F(CutWindow, ACutKeepsAStructureWholeFromListAndMenu) {
+  openWithLabels();
+  mWindow->actions().find("cut.addPlane")->trigger();
+  ASSERT_EQ(scene().cuts.size(), 1u);
+  int first = structures()[0].id, second = structures()[1].id;
+  auto* kept = child<QListView>("keepWholeList");
+  ASSERT_TRUE(kept);
+  kept->model()->setData(kept->model()->index(0, 0), Qt::Checked, Qt::CheckStateRole);
+  EXPECT_EQ(scene().cuts[0].exempt, std::vector<int>{first});
+  EXPECT_EQ(document().undoLabel(), "Keep whole " + structures()[0].name);
+  QMenu menu;
+  mWindow->structures().fillMenu(menu, {second});
+  QStringList texts;
+  for (QAction* action : menu.actions()) {
+    texts << action->text();
+    if (action->text().startsWith("Keep whole")) action->trigger();
+  }
+  EXPECT_TRUE(texts.contains("Hide")) << texts.join(", ").toStdString();
+  EXPECT_TRUE(texts.contains("Solo"));
+  EXPECT_EQ(scene().cuts[0].exempt, (std::vector<int>{first, second}));
+  EXPECT_EQ(kept->model()->index(1, 0).data(Qt::CheckStateRole).toInt(), int(Qt::Checked));
+}
+
+TEST_F(CutWindow, EveryShapeIsAddedNamedEditedAndMoved) {
+  openWithLabels();
+  for (const char* id : {"cut.addBox", "cut.addSphere", "cut.addCylinder", "cut.addCone", "cut.alongView"})
+    mWindow->actions().find(id)->trigger();
+  ASSERT_EQ(scene().cuts.size(), 5u);
+  EXPECT_EQ(scene().cuts[1].shape, scene::CutShape::Sphere);
+  EXPECT_EQ(scene().cuts[1].name, "Sphere 2");
+  EXPECT_EQ(mWindow->selection().cut(), 4);
+  auto* cuts = child<QListWidget>("cutList");
+  cuts->setCurrentRow(0);
+  EXPECT_EQ(mWindow->selection().cut(), 0);
+  EXPECT_EQ(viewport().selectedCut(), 0);
+  child<QDoubleSpinBox>("cutSize1")->setValue(12.5);
+  child<QDoubleSpinBox>("cutCentre2")->setValue(-3.5);
+  child<QDoubleSpinBox>("cutAzimuth")->setValue(90.0);
+  EXPECT_EQ(scene().cuts[0].sizeMm.y, 12.5);
+  EXPECT_EQ(scene().cuts[0].centreMm.z, -3.5);
+  QTest::mouseClick(child<QPushButton>("alignL"), Qt::LeftButton);
+  EXPECT_EQ(scene().cuts[0].axis, glm::dvec3(1, 0, 0));
+  cuts->item(0)->setText("window");
+  EXPECT_EQ(scene().cuts[0].name, "window");
+  cuts->item(0)->setCheckState(Qt::Unchecked);
+  EXPECT_FALSE(scene().cuts[0].enabled);
+  QTest::mouseClick(child<QPushButton>("cutDown"), Qt::LeftButton);
+  EXPECT_EQ(scene().cuts[1].name, "window");
+  EXPECT_EQ(mWindow->selection().cut(), 1);
+  QTest::mouseClick(child<QPushButton>("cutDuplicate"), Qt::LeftButton);
+  EXPECT_EQ(scene().cuts[2].name, "window copy");
+  QTest::mouseClick(child<QPushButton>("cutRemove"), Qt::LeftButton);
+  EXPECT_EQ(scene().cuts.size(), 5u);
+}
+
+TEST_F(CutWindow, AFaceIsDraggedWithItsHandle) {
+  openWithLabels();
+  mWindow->actions().find("cut.addBox")->trigger();
+  viewport().lookFrom(scene::StandardView::Left);
+  scene::Cut before = scene().cuts[0];
+  glm::dvec2 size(viewport().width(), viewport().height());
+  auto gizmo = session::makeCutGizmo(scene(), before, size);
+  glm::dvec3 face = session::handlePlaceMm(gizmo, session::CutHandle::FaceZMax);
+  auto from = scene::pixelFromWorld(scene().camera, size, face);
+  auto to = scene::pixelFromWorld(scene().camera, size, face + glm::dvec3(0, 0, 4));
+  ASSERT_TRUE(from && to);
+  QPoint a(int(from->x), int(from->y)), b(int(to->x), int(to->y));
+  QTest::mousePress(&viewport(), Qt::LeftButton, {}, a);
+  QTest::mouseMove(&viewport(), (a + b) / 2);
+  QTest::mouseMove(&viewport(), b);
+  QTest::mouseRelease(&viewport(), Qt::LeftButton, {}, b);
+  const scene::Cut& now = scene().cuts[0];
+  EXPECT_GT(now.sizeMm.z, before.sizeMm.z + 1.0);
+  EXPECT_NEAR(now.centreMm.z - now.sizeMm.z * 0.5, before.centreMm.z - before.sizeMm.z * 0.5, 1e-9);
+  EXPECT_EQ(document().undoLabel(), "Resize cut");
+  document().undo();
+  EXPECT_EQ(scene().cuts[0], before);
+}
+
+TEST_F(CutWindow, ThreeClicksMakeAPlaneThroughWhatWasClickedAndEscGivesUp) {
+  openWithLabels();
+  ASSERT_TRUE(settle());
+  ThreePointTool& tool = mWindow->threePoints();
+  mWindow->actions().find("cut.threePoints")->trigger();
+  EXPECT_TRUE(tool.isActive());
+  QPoint middle = viewport().rect().center();
+  QTest::mouseClick(&viewport(), Qt::LeftButton, {}, middle);
+  EXPECT_EQ(tool.points().size(), 1u);
+  QTest::keyClick(&viewport(), Qt::Key_Escape);
+  EXPECT_FALSE(tool.isActive());
+  EXPECT_TRUE(scene().cuts.empty());
+  mWindow->actions().find("cut.threePoints")->trigger();
+  std::vector<glm::dvec3> places;
+  for (QPoint off : {QPoint(0, -10), QPoint(-14, 8), QPoint(14, 10)}) {
+    auto pick = viewport().pickAt(QPointF(middle + off));
+    ASSERT_TRUE(pick && pick->hit);
+    places.push_back(pick->worldMm);
+    if (places.size() == 3) takeShot(*mWindow, "three-points");
+    QTest::mouseClick(&viewport(), Qt::LeftButton, {}, middle + off);
+  }
+  ASSERT_EQ(scene().cuts.size(), 1u);
+  for (glm::dvec3 p : places) EXPECT_NEAR(glm::dot(p - scene().cuts[0].centreMm, scene().cuts[0].axis), 0.0, 1e-3);
+  EXPECT_EQ(document().undoLabel(), "Plane through three points");
+  EXPECT_FALSE(tool.isActive());
+}
+
+TEST_F(CutWindow, OnASliceACutIsDraggedByItsLine) {
+  openWithLabels();
+  mWindow->actions().find("cut.addPlane")->trigger();
+  SliceCutOverlay overlay(document(), mWindow->selection());
+  scene::SliceFrame frame = scene::makeSliceFrame(scene(), scene::SliceKind::Axial, {300, 300});
+  scene::Cut before = scene().cuts[0];
+  auto handles = session::sliceHandles(frame, before);
+  ASSERT_FALSE(handles.empty());
+  glm::dvec2 place = handles.back().place, out = handles.back().outwards;
+  QPointF from(place.x, place.y), to = from + QPointF(out.x, out.y) * 20.0;
+  EXPECT_TRUE(overlay.move(from, frame, false));
+  EXPECT_NE(overlay.cursor(), Qt::ArrowCursor);
+  EXPECT_TRUE(overlay.press(from, frame));
+  EXPECT_TRUE(overlay.move(to, frame, false));
+  EXPECT_TRUE(overlay.release());
+  glm::dvec3 moved = scene().cuts[0].centreMm - before.centreMm;
+  EXPECT_NEAR(glm::dot(moved, before.axis), 20.0 * frame.mmPerPixel, 1e-9);
+  EXPECT_EQ(document().undoLabel(), "Move cut");
+  EXPECT_FALSE(overlay.press({2, 2}, frame));
+  // What is removed is darker, what is kept is as it was.
+  QImage image(300, 300, QImage::Format_RGB32);
+  image.fill(Qt::gray);
+  QPainter painter(&image);
+  overlay.paint(painter, frame);
+  painter.end();
+  glm::dvec2 line = session::sliceOutline(frame, scene().cuts[0]).points[0];
+  QPointF gone = QPointF(150, line.y) + QPointF(60, 0) + QPointF(out.x, out.y) * 60;
+  QPointF kept = QPointF(150, line.y) + QPointF(60, 0) - QPointF(out.x, out.y) * 60;
+  EXPECT_LT(qGray(image.pixel(gone.toPoint())), qGray(image.pixel(kept.toPoint())));
+}
+
+}  // namespace velum::gui

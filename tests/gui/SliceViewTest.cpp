@@ -174,7 +174,7 @@ TEST_F(Slices, ThePointerSaysValueAndStructure) {
   for (int i = 0; i < dims.x * dims.y * dims.z; ++i)
     if (glm::ivec3 v(i % dims.x, i / dims.x % dims.y, i / dims.x / dims.y); labels.at(v))
       world = glm::dvec3(labels.worldFromVoxel() * glm::dvec4(v, 1));
-  mWindow->document().amend([&](scene::Scene& s) { scene::moveCrosshair(s, world); });
+  mWindow->document().view([&](scene::Scene& s) { scene::moveCrosshair(s, world); });
   SliceView& coronal = slice(SliceKind::Coronal);
   QPointF place = placeOf(SliceKind::Coronal, world);
   spy.clear();
@@ -197,7 +197,7 @@ TEST_F(Slices, CtrlClickIn3dMovesTheCrosshairThere) {
 
 TEST_F(Slices, TheWindowShowsWhatTheBatchDraws) {
   SliceView& axial = slice(SliceKind::Axial);
-  mWindow->document().amend([](scene::Scene& s) { s.slices.showCrosshair = false; });
+  mWindow->document().view([](scene::Scene& s) { s.slices.showCrosshair = false; });
   QTest::qWait(300);
   ASSERT_TRUE(axial.isComplete());
   QImage shown = axial.grab().toImage();

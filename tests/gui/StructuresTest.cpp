@@ -109,7 +109,7 @@ TEST_F(StructureWindow, ThousandsOfRowsCostNothingWhileTheCameraMoves) {
   int resets = 0, changes = 0;
   QObject::connect(&list().rows(), &QAbstractItemModel::modelReset, [&] { ++resets; });
   QObject::connect(&list().rows(), &QAbstractItemModel::dataChanged, [&] { ++changes; });
-  for (int i = 0; i < 50; ++i) document().amend([i](scene::Scene& scene) { scene.camera.eyeMm.x = i; });
+  for (int i = 0; i < 50; ++i) document().view([i](scene::Scene& scene) { scene.camera.eyeMm.x = i; });
   EXPECT_EQ(resets + changes, 0);
   clickCell(3, StructureModel::Eye);
   EXPECT_EQ(resets, 0);

@@ -16,6 +16,7 @@
 namespace velum::gui {
 
 class CutPanel;
+class LookCommands;
 class LookPanel;
 
 /// The window: the 3D view, the side panel, the bars, and the actions. Everything it does to the scene goes through the
@@ -36,6 +37,7 @@ class MainWindow : public QMainWindow {
 
   session::Document& document() { return mDocument; }
   Viewport& viewport() { return *mViewport; }
+  LookCommands& look() { return *mLookCommands; }
   MessageBar& messages() { return *mMessages; }
   ActionTable& actions() { return *mActions; }
   bool isBusy() const { return mJob != nullptr; }
@@ -83,6 +85,7 @@ class MainWindow : public QMainWindow {
   ProgressStrip* mProgress = nullptr;
   LookPanel* mLook = nullptr;
   CutPanel* mCuts = nullptr;
+  LookCommands* mLookCommands = nullptr;
   QWidget* mSide = nullptr;
   QTabWidget* mTabs = nullptr;
   QLabel *mDataLabel = nullptr, *mPickLabel = nullptr, *mReductionLabel = nullptr, *mRefineLabel = nullptr,

@@ -7,6 +7,7 @@
 #include <QToolBar>
 
 #include "CutPanel.h"
+#include "LookCommands.h"
 #include "MainWindow.h"
 #include "SavePictureDialog.h"
 #include "velum/session/Open.h"
@@ -41,6 +42,9 @@ void MainWindow::buildActions() {
   bar->addSeparator();
   buildViewActions(menuBar()->addMenu(tr("&View")), bar);
   bar->addSeparator();
+  mLookCommands = new LookCommands(mDocument, *mViewport, *mMessages, this);
+  mLookCommands->build(*mActions, menuBar()->addMenu(tr("&Look")), bar);
+  bar->addSeparator();
   buildCutActions(menuBar()->addMenu(tr("&Cut")), bar);
   QMenu* help = menuBar()->addMenu(tr("&Help"));
   mActions->add(help, "help.about", tr("&About Velum"), tr("Say what Velum is"), [this] { showAbout(); });
@@ -60,7 +64,8 @@ void MainWindow::buildFileActions(QMenu* menu, QToolBar* bar) {
                   [this, name] { openPhantom(name, 0); });
   }
   menu->addSeparator();
-  mActions->addForScene(menu, "file.saveScene", tr("&Save scene"), tr("Save the scene"), [this] { askSaveScene(false); });
+  mActions->addForScene(menu, "file.saveScene", tr("&Save scene"), tr("Save the scene"),
+                        [this] { askSaveScene(false); });
   mActions->addForScene(menu, "file.saveSceneAs", tr("Save scene &as..."), tr("Save the scene under another name"),
                         [this] { askSaveScene(true); });
   QAction* picture = mActions->addForScene(menu, "file.savePicture", tr("Save p&icture..."),
@@ -99,9 +104,9 @@ void MainWindow::buildViewActions(QMenu* menu, QToolBar* bar) {
                                   {"view.inferior", "&Inferior", "I", StandardView::Inferior},
                                   {"view.oblique", "&Oblique", "", StandardView::Oblique}};
   for (const Row& row : kRows) {
-    QAction* action = mActions->addForScene(menu, row.id, tr(row.name),
-                                            tr("Look from: %1").arg(tr(row.name).remove('&').toLower()),
-                                            [this, view = row.view] { mViewport->lookFrom(view); });
+    QAction* action =
+        mActions->addForScene(menu, row.id, tr(row.name), tr("Look from: %1").arg(tr(row.name).remove('&').toLower()),
+                              [this, view = row.view] { mViewport->lookFrom(view); });
     if (!*row.letter) continue;
     action->setIconText(row.letter);
     bar->addAction(action);
@@ -122,7 +127,8 @@ void MainWindow::buildViewActions(QMenu* menu, QToolBar* bar) {
 void MainWindow::buildCutActions(QMenu* menu, QToolBar* bar) {
   QAction* add = mActions->addForScene(menu, "cut.addPlane", tr("&Add plane"), tr("Cut away the half that faces you"),
                                        [this] { mCuts->addPlane(); });
-  mActions->addForScene(menu, "cut.flip", tr("&Flip"), tr("Take away the other side"), [this] { mCuts->flipSelected(); });
+  mActions->addForScene(menu, "cut.flip", tr("&Flip"), tr("Take away the other side"),
+                        [this] { mCuts->flipSelected(); });
   mActions->addForScene(menu, "cut.remove", tr("&Remove"), tr("Remove the selected cut"),
                         [this] { mCuts->removeSelected(); });
   add->setIconText(tr("Add cut"));

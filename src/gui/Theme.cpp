@@ -47,6 +47,10 @@ QPushButton:disabled { color: #6d7681; background: #2b3037; border-color: #363c4
 QPushButton[role="main"] { background: #3b79a8; border-color: #5698c8; padding: 5px 20px; font-weight: 600; }
 QPushButton[role="main"]:hover { background: #4689bb; }
 QPushButton[role="quiet"] { background: transparent; border: none; padding: 3px 8px; }
+QPushButton[role="quiet"]:checked { background: #343a43; }
+QPushButton[role="row"] { background: transparent; border: 1px solid transparent; padding: 4px 8px; text-align: left; }
+QPushButton[role="row"]:hover { background: #2f343c; }
+QPushButton[role="row"]:checked { background: #343a43; border-color: #4f8ab5; }
 QPushButton[role="quiet"]:hover { background: #4a525d; }
 QComboBox, QDoubleSpinBox, QSpinBox, QLineEdit {
   background: #1d2025; border: 1px solid #3f4650; border-radius: 5px; padding: 4px 7px; color: #e3e7ec;
@@ -66,6 +70,9 @@ QSlider::handle:horizontal:disabled { background: #5c6570; }
 QListWidget { background: #1d2025; border: 1px solid #3f4650; border-radius: 5px; outline: 0; padding: 2px; }
 QListWidget::item { padding: 4px 4px; border-radius: 4px; color: #e3e7ec; }
 QListWidget::item:selected { background: #3b6f96; }
+#preset { background: transparent; border: none; border-radius: 0; padding: 0; }
+#preset::item { padding: 0; }
+QCheckBox { spacing: 7px; }
 QProgressBar { background: #14161a; border: none; border-radius: 3px; max-height: 6px; min-height: 6px; }
 QProgressBar::chunk { background: #5fb0ea; border-radius: 3px; }
 QScrollBar:vertical { background: transparent; width: 10px; margin: 0; }

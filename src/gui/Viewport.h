@@ -32,6 +32,9 @@ class Viewport : public QOpenGLWidget {
   void lookFrom(scene::StandardView view);
   void toggleProjection();
 
+  /// While it is on, the pointer is a cross: clicks mean places of the picture.
+  void setPointing(bool pointing);
+
   bool isConverged() const { return mStage == Stage::Idle && !mPending; }
   /// Empty before the driver is known.
   render::Stats stats() const { return mRenderer ? mRenderer->stats() : render::Stats{}; }
@@ -46,6 +49,8 @@ class Viewport : public QOpenGLWidget {
   void pointedAt(const velum::render::Pick& pick);
   void pointedAtNothing();
   void failed(const QString& message);
+  /// The left button was pressed and let go in one place, beside the handles.
+  void clicked(QPointF place, Qt::KeyboardModifiers keys);
 
  protected:
   void initializeGL() override;
@@ -76,6 +81,7 @@ class Viewport : public QOpenGLWidget {
   void dragCamera(glm::dvec2 from, glm::dvec2 to);
   void beginDrag(QMouseEvent* event);
   void setHover(session::CutHandle handle);
+  Qt::CursorShape restCursor() const;
   const scene::Cut* cut() const;
   glm::dvec2 logicalSize() const { return {std::max(1, width()), std::max(1, height())}; }
   glm::ivec2 deviceSize() const;
@@ -101,6 +107,7 @@ class Viewport : public QOpenGLWidget {
   scene::Cut mStartCut;
   session::CutGizmo mStartGizmo;
   QPointF mPointer;
+  bool mPointing = false;
 };
 
 }  // namespace velum::gui

@@ -12,6 +12,7 @@ namespace velum::gui {
 namespace {
 
 constexpr double kReachPixels = 9.0;
+constexpr double kStillPixels = 3.0;  // a hand that clicks moves less
 
 glm::dvec2 toVec(QPointF p) { return {p.x(), p.y()}; }
 
@@ -21,7 +22,14 @@ double angleAbout(glm::dvec2 centre, glm::dvec2 p) { return std::atan2(p.y - cen
 
 void Viewport::setHover(session::CutHandle handle) {
   mOverlay->setHover(handle);
-  if (mDrag == Drag::None) setCursor(handle == session::CutHandle::None ? Qt::ArrowCursor : Qt::OpenHandCursor);
+  if (mDrag == Drag::None) setCursor(handle == session::CutHandle::None ? restCursor() : Qt::OpenHandCursor);
+}
+
+Qt::CursorShape Viewport::restCursor() const { return mPointing ? Qt::CrossCursor : Qt::ArrowCursor; }
+
+void Viewport::setPointing(bool pointing) {
+  mPointing = pointing;
+  setCursor(restCursor());
 }
 
 void Viewport::beginDrag(QMouseEvent* event) {
@@ -92,10 +100,12 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
 void Viewport::mouseReleaseEvent(QMouseEvent* event) {
   if (event->buttons() != Qt::NoButton || mDrag == Drag::None) return;
   if (mDrag == Drag::Cut) mDocument.endMerge();
+  bool isClick = mDrag != Drag::Cut && glm::length(toVec(event->position()) - mDragStart) < kStillPixels;
   mDrag = Drag::None;
   mHandle = session::CutHandle::None;
-  setCursor(Qt::ArrowCursor);
+  setCursor(restCursor());
   mOverlay->setHover(session::CutHandle::None);
+  if (isClick && event->button() == Qt::LeftButton) emit clicked(event->position(), event->modifiers());
 }
 
 void Viewport::mouseDoubleClickEvent(QMouseEvent* event) { mousePressEvent(event); }

@@ -30,14 +30,10 @@ TransferTable makeTransferTable(const scene::Scene& scene);
 /// multiplied by that.
 struct MixTable {
   static constexpr int kSize = 4096;
-  glm::dvec2 domain{0.0, 1.0};      ///< Values of the first and the last entry.
-  double largestExtinction = 0;     ///< 1/mm
+  glm::dvec2 domain{0.0, 1.0};                   ///< Values of the first and the last entry.
+  double largestExtinction = 0;                  ///< 1/mm
   std::vector<std::vector<glm::vec4>> channels;  ///< [channel][kSize] (colour*sigma, sigma) over the largest one
 };
 MixTable makeMixTable(const scene::VolumeLayer& layer);
-
-/// Opacity at a value, 0..1: linear between points, constant beyond them, 0 without any.
-double opacityAt(const std::vector<scene::OpacityPoint>& points, double value);
-glm::dvec3 colorAt(const std::vector<scene::ColorPoint>& points, double value);
 
 }  // namespace velum::render

@@ -217,8 +217,8 @@ void VolumeUpload::Impl::mixPlanes(const Raw* frameStart, int z0, int z1, std::v
       for (int z = first.z; z < last.z; ++z)
         for (int y = first.y; y < last.y; ++y)
           for (int x = first.x; x < last.x; ++x) {
-            auto index = (std::size_t(z) * std::size_t(v.dims.y) + std::size_t(y)) * std::size_t(v.dims.x) +
-                         std::size_t(x);
+            auto index =
+                (std::size_t(z) * std::size_t(v.dims.y) + std::size_t(y)) * std::size_t(v.dims.x) + std::size_t(x);
             const Raw* raw = frameStart + index * std::size_t(v.channels);
             for (std::size_t c = 0; c < mix.channels.size(); ++c) {
               float entry = float(raw[c]) * scale + offset;

@@ -33,9 +33,9 @@ struct GpuVolume {
   glm::ivec3 dims{0};                      ///< Voxels of the texture.
   glm::dmat4 worldFromTex{1.0};            ///< From texture coordinates 0..1.
   double valueScale = 1, valueOffset = 0;  ///< value = texel * scale + offset, texel as a sampler returns it
-  bool isColor = false;  ///< rgb holds colours, alpha the value
-  bool isMixed = false;  ///< rgb and alpha as MixTable says
-  std::string reduction;  ///< In words, when level > 0.
+  bool isColor = false;                    ///< rgb holds colours, alpha the value
+  bool isMixed = false;                    ///< rgb and alpha as MixTable says
+  std::string reduction;                   ///< In words, when level > 0.
 };
 
 /// Brings a volume to the GPU slab by slab, so that the caller can stop in between.

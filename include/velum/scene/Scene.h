@@ -23,12 +23,13 @@ struct VolumeLayer {
   Source source;
   Shared<Volume> data;  ///< not saved: read from `source`
   bool visible = true;
-  int frame = 0;    ///< time step, 0..frames-1
-  int channel = 0;  ///< 0..channels-1; colour volumes show their colours. The one that is edited where several are mixed
+  int frame = 0;  ///< time step, 0..frames-1
+  int channel =
+      0;  ///< 0..channels-1; colour volumes show their colours. The one that is edited where several are mixed
   TransferFunction transfer;
   std::vector<ChannelLook> channels;  ///< one per channel where several are mixed; empty: `channel` by `transfer`
-  double windowLevel = 0.0;  ///< middle of the grey window of slices and MIP, the volume's unit
-  double windowWidth = 0.0;  ///< its width; 0: the whole range
+  double windowLevel = 0.0;           ///< middle of the grey window of slices and MIP, the volume's unit
+  double windowWidth = 0.0;           ///< its width; 0: the whole range
   bool operator==(const VolumeLayer&) const = default;
   static void fields(auto& o, auto& visit) {
     visit("source", o.source, FieldInfo{"", {}, "Where the volume comes from."});

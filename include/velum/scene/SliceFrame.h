@@ -8,9 +8,9 @@ namespace velum::scene {
 /// Where a slice view looks: a rectangle of the world. World frame (mm, LPS); pixels from the top left corner, centres
 /// at halves.
 struct SliceFrame {
-  glm::dvec3 centreMm{0.0};                                ///< middle of the view, in the slice's plane
+  glm::dvec3 centreMm{0.0};                                 ///< middle of the view, in the slice's plane
   glm::dvec3 right{1, 0, 0}, up{0, 1, 0}, normal{0, 0, 1};  ///< orthonormal; normal towards the viewer
-  glm::dvec2 size{1.0};                                    ///< pixels
+  glm::dvec2 size{1.0};                                     ///< pixels
   double mmPerPixel = 1.0;
 };
 

@@ -15,8 +15,8 @@ enum class SliceKind { Axial, Coronal, Sagittal };
 struct Slice {
   glm::dvec3 normal{0.0, 0.0, -1.0};  ///< towards the viewer, any length
   glm::dvec3 up{0.0, -1.0, 0.0};      ///< what is up on the screen; its part across the normal counts
-  glm::dvec2 panMm{0.0};              ///< middle of the view off the middle of the data, along right and up of the screen
-  double heightMm = 0.0;              ///< height of the view; 0: all of the data fits
+  glm::dvec2 panMm{0.0};  ///< middle of the view off the middle of the data, along right and up of the screen
+  double heightMm = 0.0;  ///< height of the view; 0: all of the data fits
   bool operator==(const Slice&) const = default;
   static void fields(auto& o, auto& visit) {
     visit("normal", o.normal, FieldInfo{"", {}, "Towards the viewer."});
@@ -32,9 +32,9 @@ struct Slices {
   SliceKind beside = SliceKind::Axial;  ///< the slice of the layouts that show one
   bool isPlaced = false;                ///< false: the crosshair goes to the middle of the data when it is opened
   glm::dvec3 crosshairMm{0.0};
-  Slice axial{{0, 0, -1}, {0, -1, 0}};    ///< seen from the feet, the patient's right on the left (radiological)
-  Slice coronal{{0, -1, 0}, {0, 0, 1}};   ///< seen from the front
-  Slice sagittal{{1, 0, 0}, {0, 0, 1}};   ///< seen from the patient's left
+  Slice axial{{0, 0, -1}, {0, -1, 0}};   ///< seen from the feet, the patient's right on the left (radiological)
+  Slice coronal{{0, -1, 0}, {0, 0, 1}};  ///< seen from the front
+  Slice sagittal{{1, 0, 0}, {0, 0, 1}};  ///< seen from the patient's left
   bool showCrosshair = true;
   bool showCuts = true;        ///< cuts drawn as lines, what they remove dimmed
   double labelOpacity = 0.35;  ///< of the structures' colours over the grey values, 0..1

@@ -8,6 +8,7 @@
 #include "Verbs.h"
 #include "velum/render/Renderer.h"
 #include "velum/scene/Navigate.h"
+#include "velum/session/Picture.h"
 
 namespace velum::app {
 
@@ -21,7 +22,7 @@ struct BenchOptions {
 };
 
 int run(const BenchOptions& options) {
-  glm::ivec2 size = parseSize(options.size);
+  glm::ivec2 size = session::parsePictureSize(options.size, 0);
   auto context = gpu::Context::create(options.common.context);
   render::Renderer renderer(*context);
   render::Frame frame;

@@ -154,15 +154,6 @@ scene::Scene openScene(const InputOptions& input, double aspect) {
   return scene;
 }
 
-glm::ivec2 parseSize(const std::string& text) {
-  glm::ivec2 size(0);
-  int read = 0;
-  if (std::sscanf(text.c_str(), "%dx%d%n", &size.x, &size.y, &read) != 2 || std::size_t(read) != text.size() ||
-      size.x < 1 || size.y < 1 || size.x > 65536 || size.y > 65536)
-    throw ArgumentError(fmt::format("--size {}: expected WIDTHxHEIGHT in pixels, 1 to 65536, e.g. 1280x720", text));
-  return size;
-}
-
 void printJson(const Json& json) {
   std::printf("%s\n", json.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
 }

@@ -19,6 +19,7 @@ struct RenderOptions {
   InputOptions input;
   std::string output, size = "1280x720", saveScene;
   int samples = 0, frames = 0;
+  double dpi = 0;
   bool layers = false, transparent = false, bruteForce = false;
 };
 
@@ -45,12 +46,12 @@ scene::Scene frameOf(const scene::Scene& scene, int frame, int frames) {
 }
 
 int run(const RenderOptions& options) {
-  glm::ivec2 size = parseSize(options.size);
+  glm::ivec2 size = session::parsePictureSize(options.size, options.dpi);
   auto context = gpu::Context::create(options.common.context);
   render::Renderer renderer(*context);
   scene::Scene scene = openScene(options.input, double(size.x) / size.y);
   if (options.bruteForce) scene.rayCast.skipEmpty = scene.rayCast.stopOpaque = false;
-  session::PictureOptions picture{size, options.samples, options.transparent, options.layers};
+  session::PictureOptions picture{size, options.samples, options.transparent, options.layers, options.dpi};
 
   auto start = std::chrono::steady_clock::now();
   std::vector<std::string> outputs = outputNames(options);
@@ -93,7 +94,11 @@ Run registerRender(CLI::App& verb) {
   addInput(verb, options->input, true);
   verb.add_option("-o,--output", options->output, "picture to write: .png, .tif, .exr; - writes PNG to stdout")
       ->required();
-  verb.add_option("--size", options->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
+  verb.add_option("--size", options->size, "WIDTHxHEIGHT in pixels, or with a unit: 12x8cm, 120x80mm, 5x3in")
+      ->capture_default_str();
+  verb.add_option("--dpi", options->dpi,
+                  "pixels an inch in print: for sizes with a unit (else 300), and told in the file")
+      ->check(CLI::Range(1.0, 10000.0));
   verb.add_option("--samples", options->samples, "pictures that are averaged, 1 to 256; default: as the scene says")
       ->check(CLI::Range(1, 256));
   verb.add_option("--frames", options->frames, "an animation: NAME-0000 ..., through the time steps or once round")

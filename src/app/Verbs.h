@@ -36,8 +36,6 @@ void addInput(CLI::App& verb, InputOptions& input, bool withScene);
 scene::Source firstSource(const InputOptions& input);
 /// Opens all inputs and applies preset, transfer function, view and --set, in this order. Shows progress on a terminal.
 scene::Scene openScene(const InputOptions& input, double aspect);
-/// "1280x720". @throw ArgumentError
-glm::ivec2 parseSize(const std::string& text);
 /// A progress that writes one line to a terminal's stderr, and listens for Ctrl+C.
 Progress& consoleProgress();
 void printJson(const Json& json);

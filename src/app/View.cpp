@@ -8,6 +8,7 @@
 #include "velum/gpu/GpuError.h"
 #include "velum/render/Renderer.h"
 #include "velum/scene/Navigate.h"
+#include "velum/session/Picture.h"
 
 namespace velum::app {
 
@@ -108,7 +109,7 @@ struct Glfw {
 };
 
 int run(const ViewOptions& options) {
-  glm::ivec2 size = parseSize(options.size);
+  glm::ivec2 size = session::parsePictureSize(options.size, 0);
   Viewer viewer;
   viewer.scene = openScene(options.input, double(size.x) / size.y);
   consoleProgress().report(1.0, "");

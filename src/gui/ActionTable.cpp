@@ -10,18 +10,18 @@
 namespace velum::gui {
 
 ActionTable::ActionTable(QWidget* window) : QObject(window), mWindow(window) {
-  readKeys(":/velum/keys.json", true);
-  readKeys(QStandardPaths::writableLocation(QStandardPaths::AppConfigLocation) + "/keys.json", false);
+  readKeys(":/velum/keys.json");
+  readKeys(QStandardPaths::writableLocation(QStandardPaths::AppConfigLocation) + "/keys.json");
 }
 
 /// An object of id: list of key sequences; an empty list takes a key away.
-void ActionTable::readKeys(const QString& path, bool isOurs) {
+void ActionTable::readKeys(const QString& path) {
   QFile file(path);
   if (!file.open(QIODevice::ReadOnly)) return;
   QJsonParseError error;
   QJsonDocument document = QJsonDocument::fromJson(file.readAll(), &error);
   if (!document.isObject()) {
-    mWarning = tr("%1: %2; the usual keys are in force").arg(path, isOurs ? QString() : error.errorString());
+    mWarning = tr("%1: %2; the usual keys are in force").arg(path, error.errorString());
     return;
   }
   QJsonObject table = document.object();

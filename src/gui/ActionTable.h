@@ -30,7 +30,7 @@ class ActionTable : public QObject {
   QString warning() const { return mWarning; }
 
  private:
-  void readKeys(const QString& path, bool isOurs);
+  void readKeys(const QString& path);
 
   QWidget* mWindow;
   QHash<QString, QAction*> mActions;

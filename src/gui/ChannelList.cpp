@@ -25,6 +25,13 @@ void EyeButton::mouseReleaseEvent(QMouseEvent* event) {
     emit pressedWith(event->modifiers() & Qt::AltModifier);
 }
 
+/// The window has another use for Space.
+bool EyeButton::event(QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Space)
+    event->accept();
+  return QToolButton::event(event);
+}
+
 void EyeButton::keyPressEvent(QKeyEvent* event) {
   if (event->key() == Qt::Key_Space || event->key() == Qt::Key_Return)
     emit pressedWith(event->modifiers() & Qt::AltModifier);

@@ -22,6 +22,7 @@ class EyeButton : public QToolButton {
   void paintEvent(QPaintEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
+  bool event(QEvent* event) override;
 };
 
 /// The channels of a volume that are mixed: shown or not, colour, name; the chosen one is what the editor edits. Hidden

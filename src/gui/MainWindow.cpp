@@ -15,6 +15,7 @@
 #include "CutPanel.h"
 #include "LookCommands.h"
 #include "LookPanel.h"
+#include "TimeBar.h"
 #include "velum/session/Look.h"
 #include "velum/session/Open.h"
 
@@ -39,6 +40,7 @@ MainWindow::MainWindow() : mActions(new ActionTable(this)) {
   buildActions();
   mDocument.setListener([this] { documentChanged(); });
   documentChanged();
+  if (!mActions->warning().isEmpty()) mMessages->showNote(mActions->warning());
   resize(1440, 900);
 }
 
@@ -55,18 +57,21 @@ void MainWindow::buildCentre() {
   mMessages = new MessageBar(centre);
   mPages = new QStackedWidget(centre);
   mProgress = new ProgressStrip(centre);
+  mTime = new TimeBar(mDocument, centre);
   auto* empty = new EmptyState(mPages);
   mViewport = new Viewport(mDocument, mPages);
   mPages->addWidget(empty);
   mPages->addWidget(mViewport);
   layout->addWidget(mMessages);
   layout->addWidget(mPages, 1);
+  layout->addWidget(mTime);
   layout->addWidget(mProgress);
   setCentralWidget(centre);
   connect(empty, &EmptyState::openFiles, this, [this] { askOpen(false); });
   connect(empty, &EmptyState::openFolder, this, &MainWindow::askOpenFolder);
   connect(empty, &EmptyState::makePhantom, this, [this] { openPhantom("torso", 0); });
   connect(mProgress, &ProgressStrip::cancelled, this, &MainWindow::cancelJob);
+  connect(mTime, &TimeBar::askReady, this, [this](bool& ready) { ready = mViewport->isCurrent(); });
   connect(mViewport, &Viewport::failed, mMessages, &MessageBar::showError);
 }
 
@@ -236,10 +241,10 @@ void MainWindow::takeScene(scene::Scene scene, bool add, const QString& path) {
   if (!warning.isEmpty()) mMessages->showNote(tr("%1: %2").arg(pathName(path), warning));
 }
 
-void MainWindow::savePictureTo(const QString& path, const session::PictureOptions& options) {
+void MainWindow::savePictureTo(const QString& path, const session::PictureOptions& options, const scene::Scene& scene) {
   startJob(
       tr("Drawing %1").arg(pathName(path)),
-      [scene = mDocument.scene(), options, path = path.toStdString()](Progress& progress) {
+      [scene, options, path = path.toStdString()](Progress& progress) {
         session::renderPictureFile(scene, options, path, progress);
       },
       [this, path] { mMessages->showNote(tr("Saved %1").arg(path)); });
@@ -261,6 +266,7 @@ void MainWindow::saveSceneTo(const QString& path) {
 void MainWindow::documentChanged() {
   mViewport->sceneChanged();
   mLook->refresh();
+  mTime->refresh();
   mCuts->refresh();
   bool open = mPages->currentIndex() == 1;
   mSide->setEnabled(open);

@@ -17,7 +17,9 @@ namespace velum::gui {
 
 class CutPanel;
 class LookCommands;
+class HelpWindow;
 class LookPanel;
+class TimeBar;
 
 /// The window: the 3D view, the side panel, the bars, and the actions. Everything it does to the scene goes through the
 /// document; everything long goes through a job.
@@ -30,7 +32,7 @@ class MainWindow : public QMainWindow {
   /// Reads files or folders in the background. @param add  beside what is open, instead of in its place
   void openPaths(const QStringList& paths, bool add = false);
   void openPhantom(const QString& name, int voxels);
-  void savePictureTo(const QString& path, const session::PictureOptions& options);
+  void savePictureTo(const QString& path, const session::PictureOptions& options, const scene::Scene& scene);
   void saveSceneTo(const QString& path);
   /// Stops the load or the picture that is running; what is open stays.
   void cancelJob();
@@ -61,6 +63,8 @@ class MainWindow : public QMainWindow {
   void buildEditActions(QMenu* menu, QToolBar* bar);
   void buildViewActions(QMenu* menu, QToolBar* bar);
   void buildCutActions(QMenu* menu, QToolBar* bar);
+  void buildTimeActions(QMenu* menu);
+  void buildHelpActions(QMenu* menu);
   void addTab(QWidget* panel, const QString& title, const QString& tip);
   void buildStatus();
   void startJob(const QString& what, Job::Work work, std::function<void()> whenDone);
@@ -75,6 +79,9 @@ class MainWindow : public QMainWindow {
   void askSavePicture();
   void askSaveScene(bool asNew);
   void showAbout();
+  void showHelp();
+  void showPreferences();
+  void findCommand();
   QString pictureFolder() const;
 
   session::Document mDocument;
@@ -86,6 +93,8 @@ class MainWindow : public QMainWindow {
   LookPanel* mLook = nullptr;
   CutPanel* mCuts = nullptr;
   LookCommands* mLookCommands = nullptr;
+  TimeBar* mTime = nullptr;
+  HelpWindow* mHelp = nullptr;
   QWidget* mSide = nullptr;
   QTabWidget* mTabs = nullptr;
   QLabel *mDataLabel = nullptr, *mPickLabel = nullptr, *mReductionLabel = nullptr, *mRefineLabel = nullptr,

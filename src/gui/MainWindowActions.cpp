@@ -6,10 +6,14 @@
 #include <QStandardPaths>
 #include <QToolBar>
 
+#include "CommandFinder.h"
 #include "CutPanel.h"
+#include "HelpWindow.h"
 #include "LookCommands.h"
 #include "MainWindow.h"
+#include "Preferences.h"
 #include "SavePictureDialog.h"
+#include "TimeBar.h"
 #include "velum/session/Open.h"
 
 namespace velum::gui {
@@ -46,8 +50,42 @@ void MainWindow::buildActions() {
   mLookCommands->build(*mActions, menuBar()->addMenu(tr("&Look")), bar);
   bar->addSeparator();
   buildCutActions(menuBar()->addMenu(tr("&Cut")), bar);
-  QMenu* help = menuBar()->addMenu(tr("&Help"));
-  mActions->add(help, "help.about", tr("&About Velum"), tr("Say what Velum is"), [this] { showAbout(); });
+  buildTimeActions(menuBar()->addMenu(tr("&Time")));
+  buildHelpActions(menuBar()->addMenu(tr("&Help")));
+}
+
+void MainWindow::buildTimeActions(QMenu* menu) {
+  mActions->addForScene(menu, "time.play", tr("&Play or pause"), tr("Play the time steps round and round"),
+                        [this] { mTime->setPlaying(!mTime->isPlaying()); });
+  mActions->addForScene(menu, "time.next", tr("&Next step"), tr("The next time step"), [this] { mTime->step(1); });
+  mActions->addForScene(menu, "time.previous", tr("&Step before"), tr("The time step before"),
+                        [this] { mTime->step(-1); });
+}
+
+void MainWindow::buildHelpActions(QMenu* menu) {
+  mActions->add(menu, "help.guide", tr("User &guide"), tr("Read the guide; no network is needed"),
+                [this] { showHelp(); });
+  mActions->add(menu, "help.find", tr("&Find a command..."), tr("Find any command by a few letters and do it"),
+                [this] { findCommand(); });
+  menu->addSeparator();
+  mActions->add(menu, "help.about", tr("&About Velum"), tr("Say what Velum is"), [this] { showAbout(); });
+}
+
+void MainWindow::showHelp() {
+  if (!mHelp) mHelp = new HelpWindow(this);
+  mHelp->show();
+  mHelp->raise();
+  mHelp->activateWindow();
+}
+
+void MainWindow::findCommand() {
+  CommandFinder finder(*mActions, this);
+  finder.exec();
+}
+
+void MainWindow::showPreferences() {
+  PreferencesDialog dialog(this);
+  dialog.exec();
 }
 
 void MainWindow::buildFileActions(QMenu* menu, QToolBar* bar) {
@@ -71,6 +109,11 @@ void MainWindow::buildFileActions(QMenu* menu, QToolBar* bar) {
   QAction* picture = mActions->addForScene(menu, "file.savePicture", tr("Save p&icture..."),
                                            tr("Draw and save a picture of any size"), [this] { askSavePicture(); });
   menu->addSeparator();
+  mActions->add(menu, "file.newWindow", tr("New &window"), tr("Open a second window with a scene of its own"), [] {
+    auto* window = new MainWindow;
+    window->setAttribute(Qt::WA_DeleteOnClose);
+    window->show();
+  });
   mCancel = mActions->add(menu, "file.cancel", tr("&Cancel what is running"), tr("Stop the load or the picture"),
                           [this] { cancelJob(); });
   mCancel->setEnabled(false);
@@ -86,6 +129,9 @@ void MainWindow::buildEditActions(QMenu* menu, QToolBar* bar) {
   mRedo = mActions->add(menu, "edit.redo", tr("&Redo"), tr("Do it again"), [this] { mDocument.redo(); });
   mUndo->setIconText(tr("Undo"));
   mRedo->setIconText(tr("Redo"));
+  menu->addSeparator();
+  mActions->add(menu, "edit.preferences", tr("&Preferences..."), tr("Appearance, and where settings are stored"),
+                [this] { showPreferences(); });
   bar->addAction(mUndo);
   bar->addAction(mRedo);
 }
@@ -162,7 +208,7 @@ void MainWindow::askSavePicture() {
       QFileDialog::getSaveFileName(this, tr("Save picture"), start, tr("PNG (*.png);;OpenEXR (*.exr);;TIFF (*.tif)"));
   if (path.isEmpty()) return;
   if (QFileInfo(path).suffix().isEmpty()) path += ".png";
-  savePictureTo(path, dialog.options());
+  savePictureTo(path, dialog.options(), dialog.pictureScene());
 }
 
 void MainWindow::askSaveScene(bool asNew) {

@@ -32,10 +32,8 @@ QString titleOf(const scene::Preset& preset, bool withModality) {
 
 class PresetDelegate : public QStyledItemDelegate {
  public:
-  using QStyledItemDelegate::QStyledItemDelegate;
-  QSize sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const override {
-    return {10, kPictureHeight + kNameHeight};
-  }
+  explicit PresetDelegate(QListView* list) : QStyledItemDelegate(list), mList(list) {}
+  QSize sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const override { return mList->gridSize(); }
   void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
     painter->save();
     painter->setRenderHints(QPainter::Antialiasing | QPainter::SmoothPixmapTransform);
@@ -66,6 +64,9 @@ class PresetDelegate : public QStyledItemDelegate {
     painter->drawText(text, Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap, index.data().toString());
     painter->restore();
   }
+
+ private:
+  QListView* mList;
 };
 
 /// Chooses by Enter and Space as by a click.
@@ -74,6 +75,12 @@ class PresetList : public QListWidget {
   using QListWidget::QListWidget;
 
  protected:
+  bool event(QEvent* event) override {
+    // The window has another use for Space.
+    if (event->type() == QEvent::ShortcutOverride && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Space)
+      event->accept();
+    return QListWidget::event(event);
+  }
   void keyPressEvent(QKeyEvent* event) override {
     if (event->key() == Qt::Key_Space && currentItem()) {
       emit itemActivated(currentItem());
@@ -83,6 +90,15 @@ class PresetList : public QListWidget {
   }
   void wheelEvent(QWheelEvent* event) override { event->ignore(); }  // the panel scrolls
 };
+
+/// What the data seems to be where the file does not say.
+Modality kindOf(const Volume& volume) {
+  if (volume.modality != Modality::Unknown) return volume.modality;
+  std::string_view fitting = scene::choosePreset(volume);
+  for (const auto& preset : scene::presets())
+    if (preset.name == fitting) return preset.modality;
+  return Modality::Unknown;
+}
 
 QImage toQImage(const Image& image) {
   QImage out(image.width, image.height, QImage::Format_RGB888);
@@ -142,9 +158,9 @@ void PresetGrid::choose(const QString& name) {
   mDocument.edit("Choose preset", [&](scene::Scene& scene) { scene::applyPreset(scene, name.toStdString()); });
 }
 
-/// The presets for this kind of data, "first guess", and, where they are wanted, all others.
+/// The presets for this kind of data and the one that is chosen; where they are wanted, all others.
 void PresetGrid::fill() {
-  Modality first = mVolume ? mVolume->modality : Modality::Unknown;
+  Modality first = mVolume ? kindOf(*mVolume) : Modality::Unknown;
   std::string current = scene::currentTransfer(mDocument.scene().volume).preset;
   mList->clear();
   for (bool others : {false, true})

@@ -4,12 +4,14 @@
 
 namespace velum::gui {
 
-/// The colours that widgets which paint themselves share with the style sheet.
-inline const QColor kGround(0x1d, 0x20, 0x25), kPanel(0x25, 0x29, 0x2f), kLine(0x3a, 0x40, 0x49),
-    kText(0xe3, 0xe7, 0xec), kMuted(0x9b, 0xa5, 0xb1), kAccent(0x5f, 0xb0, 0xea), kHandle(0xff, 0xb8, 0x5c),
-    kAlarm(0xf0, 0x7a, 0x6a);
+enum class ThemeKind { Dark, Light };
 
-/// Calm and dark, so that the picture is the brightest thing on the screen.
-void applyTheme(QApplication& application);
+/// Colours of what is drawn over pictures; the same in both themes. Widgets take theirs from the palette: Base the
+/// ground of fields, Window of panels, Mid thin lines, Dark edges, PlaceholderText what is said quietly, Link the
+/// accent.
+inline const QColor kAccent(0x5f, 0xb0, 0xea), kHandle(0xff, 0xb8, 0x5c), kAlarm(0xf0, 0x7a, 0x6a);
+
+/// Calm, so that the picture is what the eye goes to: dark, or light for bright rooms.
+void applyTheme(QApplication& application, ThemeKind kind = ThemeKind::Dark);
 
 }  // namespace velum::gui

@@ -156,7 +156,7 @@ void TransferCanvas::paintHistogram(QPainter& painter) const {
     painter.setPen(faded(palette().color(QPalette::Text), 0.10));
     painter.drawLine(QPointF(f.topLeft.x - 3, y), QPointF(f.topLeft.x + f.size.x + 3, y));
     painter.setPen(faded(palette().color(QPalette::Text), 0.35));
-    painter.drawText(QRectF(f.topLeft.x, y - 15, f.size.x - 2, 14), Qt::AlignRight | Qt::AlignBottom,
+    painter.drawText(QRectF(f.topLeft.x + 1, y - 15, f.size.x - 2, 14), Qt::AlignLeft | Qt::AlignBottom,
                      QString("%1 %").arg(int(100 * opacity)));
   }
 }
@@ -228,7 +228,7 @@ void TransferCanvas::paintAxis(QPainter& painter) const {
   painter.setPen(palette().color(QPalette::PlaceholderText));
   QString unit = mUnit.isEmpty() ? QString() : " " + mUnit;
   QFontMetricsF metrics(painter.font());
-  auto ticks = session::axisTicks(mView, std::clamp(int(f.size.x / 62), 2, 8));
+  auto ticks = session::axisTicks(mView, std::clamp(int(f.size.x / 50), 2, 8));
   double free = -1e9;
   for (std::size_t i = 0; i < ticks.size(); ++i) {
     QString text = QString::fromStdString(session::axisNumber(ticks[i], mView)) + (i + 1 == ticks.size() ? unit : "");

@@ -70,7 +70,17 @@ void Viewport::release() {
   mRenderer.reset();
   mContext.reset();
   mHasPicture = false;
+  mPending = true;
   mStage = Stage::Idle;
+  doneCurrent();
+}
+
+void Viewport::loseContext() {
+  release();
+  if (!context()) return;
+  makeCurrent();
+  initializeGL();
+  resizeGL(width(), height());
   doneCurrent();
 }
 

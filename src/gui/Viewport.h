@@ -35,11 +35,15 @@ class Viewport : public QOpenGLWidget {
   /// While it is on, the pointer is a cross: clicks mean places of the picture.
   void setPointing(bool pointing);
 
+  /// What is on the screen is the scene as it is, if only a coarse picture of it.
+  bool isCurrent() const { return !mPending && mHasPicture; }
   bool isConverged() const { return mStage == Stage::Idle && !mPending; }
   /// Empty before the driver is known.
   render::Stats stats() const { return mRenderer ? mRenderer->stats() : render::Stats{}; }
   /// GL errors that the driver has reported in this view so far; tests want 0.
   int glErrorCount() const { return mContext ? mContext->errorCount() : 0; }
+  /// Gives up everything on the GPU and makes it again, as after the driver has lost it.
+  void loseContext();
   /// What the picture shows at a place of the widget; nothing while there is no picture.
   std::optional<render::Pick> pickAt(QPointF place);
 

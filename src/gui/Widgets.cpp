@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "Theme.h"
+
 namespace velum::gui {
 
 namespace {
@@ -91,7 +93,7 @@ void ColorButton::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   if (!isEnabled()) painter.setOpacity(0.4);
-  painter.setPen(QPen(hasFocus() || underMouse() ? QColor(0x5f, 0xb0, 0xea) : QColor(0x4a, 0x52, 0x5d), 1.0));
+  painter.setPen(QPen(hasFocus() || underMouse() ? kAccent : palette().color(QPalette::Dark), 1.0));
   painter.setBrush(mColor);
   painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 5, 5);
   painter.setPen(qGray(mColor.rgb()) > 140 ? QColor(0x16, 0x18, 0x1c) : QColor(0xe3, 0xe7, 0xec));

@@ -12,7 +12,7 @@
 
 #include "LookPanel.h"
 #include "MainWindow.h"
-#include "Theme.h"
+#include "Preferences.h"
 #include "velum/core/Error.h"
 
 namespace {
@@ -58,7 +58,7 @@ int run(int argc, char** argv) {
   QApplication::setApplicationVersion(VELUM_VERSION);
   QApplication::setDesktopFileName("io.github.velum.Velum");
   QApplication::setWindowIcon(QIcon(":/velum/velum.svg"));
-  velum::gui::applyTheme(application);
+  velum::gui::applyTheme(application, velum::gui::Preferences().theme());
 
   QCommandLineParser parser;
   describeOptions(parser);

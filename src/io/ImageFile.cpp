@@ -120,7 +120,7 @@ void convertColor(Image& image, bool toLinear) {
 
 /// Everything in the file follows from the picture: no clock, no program version.
 OIIO::ImageSpec specFor(const Image& image, const std::string& format, OIIO::TypeDesc type,
-                        const std::string& description) {
+                        const std::string& description, double dpi) {
   OIIO::ImageSpec spec(image.width, image.height, int(image.channels.size()), type);
   spec.channelnames = image.channels;
   spec.alpha_channel = int(channelIndex(image, "A"));
@@ -130,6 +130,11 @@ OIIO::ImageSpec specFor(const Image& image, const std::string& format, OIIO::Typ
   if (format != "png") spec.attribute("DateTime", "");
   if (format == "png") spec.attribute("oiio:ColorSpace", "sRGB");
   if (format == "openexr") spec.attribute("compression", "zip");
+  if (dpi > 0) {
+    spec.attribute("XResolution", float(dpi));
+    spec.attribute("YResolution", float(dpi));
+    spec.attribute("ResolutionUnit", "in");
+  }
   if (description.empty()) return spec;
   if (format == "tiff")
     spec.attribute("ImageDescription", std::string(kTiffPrefix) + description);
@@ -181,7 +186,7 @@ void refuseTruncatedTiff(const Path& path) {
 
 }  // namespace
 
-void writeImage(const Image& image, const Path& path, const std::string& description) {
+void writeImage(const Image& image, const Path& path, const std::string& description, double dpi) {
   check(image, path);
   std::string format = formatOf(path);
   auto out = OIIO::ImageOutput::create(format);
@@ -197,7 +202,7 @@ void writeImage(const Image& image, const Path& path, const std::string& descrip
   if (format == "openexr") convertColor(shown, true);
   auto bytes = isFloat ? std::vector<std::uint8_t>{} : quantize(shown.pixels);
   const void* pixels = isFloat ? static_cast<const void*>(shown.pixels.data()) : bytes.data();
-  auto spec = specFor(shown, format, isFloat ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8, description);
+  auto spec = specFor(shown, format, isFloat ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8, description, dpi);
 
   if (path == "-") return writeToStdout(*out, spec, pixels);
   ReplaceFile file(path);

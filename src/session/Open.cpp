@@ -46,6 +46,11 @@ bool isPicture(const fs::path& path) {
   return extension == ".png" || extension == ".exr";
 }
 
+bool isTiff(const fs::path& path) {
+  std::string extension = lowerExtension(path);
+  return extension == ".tif" || extension == ".tiff";
+}
+
 bool isMesh(const fs::path& path) {
   std::string extension = lowerExtension(path);
   return extension == ".stl" || extension == ".ply" || extension == ".obj" || extension == ".vtp";
@@ -108,6 +113,15 @@ scene::Scene withRelativePaths(scene::Scene scene, const fs::path& folder) {
 std::optional<std::string> readSceneText(const fs::path& path) {
   if (fs::is_directory(path)) return std::nullopt;
   if (lowerExtension(path) == ".json") return readText(path);
+  if (isTiff(path)) {
+    // A volume, unless it carries a scene of ours.
+    try {
+      std::string text = io::readImageDescription(path);
+      return text.empty() ? std::nullopt : std::optional(text);
+    } catch (const InputError&) {
+      return std::nullopt;  // what is wrong with it the volume's reader says
+    }
+  }
   if (!isPicture(path)) return std::nullopt;
   std::string text = io::readImageDescription(path);
   if (text.empty()) throw InputError(fmt::format("{}: the picture holds no scene of ours", path.string()));

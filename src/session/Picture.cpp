@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdio>
 
 #include "velum/gpu/Context.h"
 #include "velum/io/ImageFile.h"
@@ -68,6 +71,55 @@ void writeLayerPictures(const Image& image, const std::filesystem::path& output)
 
 }  // namespace
 
+glm::ivec2 parsePictureSize(const std::string& text, double dpi) {
+  double width = 0, height = 0;
+  char unit[3] = "";
+  int read = 0;
+  bool ok = std::sscanf(text.c_str(), "%lfx%lf%n", &width, &height, &read) == 2;
+  if (ok && std::size_t(read) < text.size()) {
+    int more = 0;
+    ok = std::sscanf(text.c_str() + read, "%2[a-z]%n", unit, &more) == 1 && std::size_t(read + more) == text.size();
+  }
+  std::string name(unit);
+  double inches = name == "cm" ? 1 / 2.54 : name == "mm" ? 1 / 25.4 : name == "in" ? 1.0 : 0.0;
+  bool isPixels = name.empty() || name == "px";
+  ok = ok && (isPixels || inches > 0) && std::isfinite(width) && std::isfinite(height);
+  double scale = isPixels ? 1.0 : inches * (dpi > 0 ? dpi : 300.0);
+  glm::dvec2 pixels = glm::round(glm::dvec2(width, height) * scale);
+  if (!ok || !(pixels.x >= 1 && pixels.y >= 1 && pixels.x <= 65536 && pixels.y <= 65536) ||
+      (isPixels && (pixels.x != width || pixels.y != height)))
+    throw ArgumentError(fmt::format(
+        "size {}: expected WIDTHxHEIGHT in pixels, 1 to 65536, or with a unit: 1280x720, 12x8cm, 120x80mm, 5x3in",
+        text));
+  return glm::ivec2(pixels);
+}
+
+namespace {
+
+/// As a shell takes it back unchanged.
+std::string quoted(const std::string& text) {
+  bool isPlain = !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char c) {
+    return std::isalnum(c) || std::string_view("/._-+,=:@%").find(char(c)) != std::string_view::npos;
+  });
+  if (isPlain) return text;
+  std::string out = "'";
+  for (char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return out + "'";
+}
+
+}  // namespace
+
+std::string pictureCommand(const std::filesystem::path& scene, const PictureOptions& options,
+                           const std::filesystem::path& output) {
+  std::string command = fmt::format("velum-batch render {} -o {} --size {}x{}", quoted(scene.string()),
+                                    quoted(output.string()), options.size.x, options.size.y);
+  if (options.samples > 0) command += fmt::format(" --samples {}", options.samples);
+  if (options.dpi > 0) command += fmt::format(" --dpi {:g}", options.dpi);
+  if (options.transparent) command += " --transparent";
+  if (options.layers) command += " --layers";
+  return command;
+}
+
 scene::Scene sceneForPicture(const scene::Scene& scene, const PictureOptions& options) {
   scene::Scene out = scene;
   if (options.samples > 0) out.rayCast.samplesPerPixel = options.samples;
@@ -93,15 +145,18 @@ void savePicture(const Image& image, const scene::Scene& scene, const PictureOpt
   if (options.layers && !isExr && path != "-") writeLayerPictures(image, path);
   std::vector<std::string> color{"R", "G", "B"};
   if (drawn.background.transparent) color.push_back("A");
-  io::writeImage(options.layers && isExr ? image : channelsOf(image, color), path, text);
+  io::writeImage(options.layers && isExr ? image : channelsOf(image, color), path, text, options.dpi);
+}
+
+Image drawPictureHeadless(const scene::Scene& scene, const PictureOptions& options, Progress& progress) {
+  auto context = gpu::Context::create(gpu::ContextKind::Auto);
+  render::Renderer renderer(*context);
+  return drawPicture(renderer, scene, options, context->limits(), progress);
 }
 
 void renderPictureFile(const scene::Scene& scene, const PictureOptions& options, const std::filesystem::path& path,
                        Progress& progress) {
-  auto context = gpu::Context::create(gpu::ContextKind::Auto);
-  render::Renderer renderer(*context);
-  Image image = drawPicture(renderer, scene, options, context->limits(), progress);
-  savePicture(image, scene, options, path);
+  savePicture(drawPictureHeadless(scene, options, progress), scene, options, path);
 }
 
 }  // namespace velum::session

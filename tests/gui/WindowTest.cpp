@@ -5,6 +5,7 @@
 #include <QComboBox>
 #include <QDropEvent>
 #include <QFile>
+#include <QListWidget>
 #include <QMimeData>
 #include <QProcess>
 #include <QPushButton>
@@ -190,16 +191,19 @@ TEST_F(Window, KnobTiltsTheCut) {
 
 TEST_F(Window, PresetIsOneUndoStep) {
   openPhantom();
-  auto* presets = child<QComboBox>("preset");
+  auto* presets = child<QListWidget>("preset");
   std::string before = scene().volume.transfer.preset;
-  int index = presets->findData("ct-skin");
-  ASSERT_GE(index, 0);
-  presets->setCurrentIndex(index);
-  emit presets->activated(index);
+  child<QPushButton>("morePresets")->click();
+  QListWidgetItem* skin = nullptr;
+  for (int i = 0; i < presets->count(); ++i)
+    if (presets->item(i)->data(Qt::UserRole).toString() == "ct-skin") skin = presets->item(i);
+  ASSERT_TRUE(skin);
+  presets->setCurrentItem(skin);
+  QTest::keyClick(presets, Qt::Key_Return);
   EXPECT_EQ(scene().volume.transfer.preset, "ct-skin");
   mWindow->document().undo();
   EXPECT_EQ(scene().volume.transfer.preset, before);
-  EXPECT_EQ(presets->currentData().toString().toStdString(), before);
+  EXPECT_EQ(presets->currentItem()->data(Qt::UserRole).toString().toStdString(), before);
 }
 
 TEST_F(Window, SavedPictureEqualsTheHeadlessOne) {
@@ -207,7 +211,7 @@ TEST_F(Window, SavedPictureEqualsTheHeadlessOne) {
   mWindow->document().edit("Add cut", [](scene::Scene& s) { s.cuts.push_back(session::cutFacingCamera(s)); });
   drag({200, 200}, {260, 180});
   mWindow->saveSceneTo(path("scene.json"));
-  mWindow->savePictureTo(path("window.png"), {{160, 120}, 2, false, false});
+  mWindow->savePictureTo(path("window.png"), {{160, 120}, 2, false, false}, scene());
   ASSERT_TRUE(waitForJob());
   QProcess batch;
   batch.start(VELUM_BATCH,
@@ -280,6 +284,7 @@ int main(int argc, char** argv) {
   QSurfaceFormat::setDefaultFormat(format);
   qInstallMessageHandler(velum::gui::onMessage);
   QApplication application(argc, argv);
+  QApplication::setApplicationName("velum");
   velum::gui::applyTheme(application);
   return RUN_ALL_TESTS();
 }

@@ -60,7 +60,8 @@ TEST(TransferFile, TheNewSlicerFormComesBackButForTheName) {
 }
 
 TEST(TransferFile, TheOldSlicerFormKeepsTheMaterial) {
-  TransferFile file = parseTransfer(transferText(sample(), TransferKind::SlicerText, {}, 1.0), TransferKind::SlicerText);
+  TransferFile file =
+      parseTransfer(transferText(sample(), TransferKind::SlicerText, {}, 1.0), TransferKind::SlicerText);
   EXPECT_EQ(file.transfer.unitDistanceMm, 1.0);
   ASSERT_EQ(file.transfer.opacities.size(), sample().opacities.size());
   for (std::size_t i = 0; i < file.transfer.opacities.size(); ++i) {
@@ -90,9 +91,9 @@ TEST(TransferFile, SlicersStepsAndDenormalsAreRead) {
 }
 
 TEST(TransferFile, PointsComeOutAscendingAndInRange) {
-  auto file = parseTransfer(
-      R"({"velumTransfer": 1, "opacities": [{"value": 5, "opacity": 1}, {"value": -5, "opacity": 0}]})",
-      TransferKind::Velum);
+  auto file =
+      parseTransfer(R"({"velumTransfer": 1, "opacities": [{"value": 5, "opacity": 1}, {"value": -5, "opacity": 0}]})",
+                    TransferKind::Velum);
   EXPECT_EQ(file.transfer.opacities[0].value, -5);
   std::string text(kSlicerText);
   text.replace(text.find("0.616071"), 8, "1.700000");
@@ -105,18 +106,18 @@ std::string slicerJsonWith(const std::string& component) {
 
 TEST(TransferFile, BentSegmentsBecomeShortStraightOnes) {
   // A sharp step at three tenths of the way: VTK's midpoint and sharpness.
-  auto file = parseTransfer(
-      slicerJsonWith(R"({"scalarOpacity": {"points": [{"x": 0, "y": 0.2, "midpoint": 0.3, "sharpness": 1},
+  auto file =
+      parseTransfer(slicerJsonWith(R"({"scalarOpacity": {"points": [{"x": 0, "y": 0.2, "midpoint": 0.3, "sharpness": 1},
                          {"x": 100, "y": 0.8, "midpoint": 0.5, "sharpness": 0}]}})"),
-      TransferKind::SlicerJson);
+                    TransferKind::SlicerJson);
   const auto& curve = file.transfer.opacities;
   EXPECT_NEAR(scene::opacityAt(curve, 20), 0.2, 1e-9);
   EXPECT_NEAR(scene::opacityAt(curve, 50), 0.8, 1e-9);
   // Without sharpness: half the way at the midpoint, straight on both sides.
-  file = parseTransfer(
-      slicerJsonWith(R"({"scalarOpacity": {"points": [{"x": 0, "y": 0, "midpoint": 0.25, "sharpness": 0},
+  file =
+      parseTransfer(slicerJsonWith(R"({"scalarOpacity": {"points": [{"x": 0, "y": 0, "midpoint": 0.25, "sharpness": 0},
                          {"x": 120, "y": 1, "midpoint": 0.5, "sharpness": 0}]}, "scalarOpacityUnitDistance": 0.7})"),
-      TransferKind::SlicerJson);
+                    TransferKind::SlicerJson);
   EXPECT_NEAR(scene::opacityAt(file.transfer.opacities, 30), 0.5, 1e-9);
   EXPECT_NEAR(scene::opacityAt(file.transfer.opacities, 75), 0.75, 1e-9);
   EXPECT_EQ(file.transfer.unitDistanceMm, 0.7);
@@ -145,7 +146,8 @@ TEST(TransferFile, DamagedFilesAreRefusedInOneLine) {
   expectRefused("[]", TransferKind::Velum, "velumTransfer");
   expectRefused(R"({"velum": 1})", TransferKind::Velum, "velumTransfer");
   expectRefused(R"({"velumTransfer": 99})", TransferKind::Velum, "newer");
-  expectRefused(R"({"velumTransfer": 1, "opacities": [{"value": 1, "opacity": 7}]})", TransferKind::Velum, "7 is outside");
+  expectRefused(R"({"velumTransfer": 1, "opacities": [{"value": 1, "opacity": 7}]})", TransferKind::Velum,
+                "7 is outside");
 }
 
 TEST(TransferFile, FilesAreKnownByTheirNames) {

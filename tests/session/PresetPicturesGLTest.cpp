@@ -13,8 +13,8 @@ scene::Scene ball() {
   glm::ivec3 dims(40);
   scene::Scene scene;
   scene.volume.data = Shared<Volume>(makeVolume(
-      dims, SampleType::Int16,
-      [](glm::ivec3 p) { return glm::length(glm::dvec3(p) - 19.5) < 14 ? 800.0 : -1000.0; }, centredFrame(dims)));
+      dims, SampleType::Int16, [](glm::ivec3 p) { return glm::length(glm::dvec3(p) - 19.5) < 14 ? 800.0 : -1000.0; },
+      centredFrame(dims)));
   return scene;
 }
 

@@ -138,14 +138,15 @@ TEST(HideThis, TakesTheTissueAwayAndNothingElse) {
   scene::Scene scene = organs(), before = scene;
   ASSERT_TRUE(hideThis(scene, kRightMm));
   EXPECT_LT(opacityOf(scene, 130), 1e-9);
-  for (double other : {20.0, 900.0, -60.0}) EXPECT_NEAR(opacityOf(scene, other), opacityOf(before, other), 1e-3) << other;
+  for (double other : {20.0, 900.0, -60.0})
+    EXPECT_NEAR(opacityOf(scene, other), opacityOf(before, other), 1e-3) << other;
 }
 
 TEST(ReduceVolume, KeepsPlaceMeanAndRange) {
   glm::ivec3 dims(70, 41, 23);
   Volume v = makeVolume(
-      dims, SampleType::UInt16, [](glm::ivec3 p) { return 3.0 * p.x + p.y + 500; }, centredFrame(dims, {1, 2, 3}, 0.4), 0.5,
-      -10);
+      dims, SampleType::UInt16, [](glm::ivec3 p) { return 3.0 * p.x + p.y + 500; }, centredFrame(dims, {1, 2, 3}, 0.4),
+      0.5, -10);
   Progress progress;
   Volume small = reduceVolume(v, 0, 0, 24, progress);
   EXPECT_LE(std::max(small.dims.x, std::max(small.dims.y, small.dims.z)), 24);

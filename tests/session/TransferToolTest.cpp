@@ -184,9 +184,8 @@ TEST(ValueHistogram, AHugePeakDoesNotFlattenTheRest) {
 }
 
 TEST(ValueHistogram, TheFirstViewLeavesOutStrayVoxels) {
-  Volume v = makeVolume({40, 40, 40}, SampleType::Float32, [](glm::ivec3 p) {
-    return p == glm::ivec3(3) ? 1e5 : 100.0 * hashNoise(p);
-  });
+  Volume v = makeVolume({40, 40, 40}, SampleType::Float32,
+                        [](glm::ivec3 p) { return p == glm::ivec3(3) ? 1e5 : 100.0 * hashNoise(p); });
   scene::TransferFunction transfer;
   transfer.opacities = {{-500, 0}, {150, 1}};
   AxisView view = defaultView(valueHistogram(v, 0, 0), transfer);

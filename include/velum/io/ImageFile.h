@@ -13,8 +13,10 @@ namespace velum::io {
 /// Written to a temporary, then renamed. A path of "-" writes PNG to stdout.
 /// @param image  channels R, G, B, A are display-referred sRGB in 0..1 with straight (not premultiplied) alpha; EXR
 ///               stores them linear and premultiplied
+/// @param dpi  pixels an inch when it is printed, for programs that lay pages out; 0: says nothing
 /// @throw InputError when the extension is unknown or the disk refuses
-void writeImage(const Image& image, const std::filesystem::path& path, const std::string& description = {});
+void writeImage(const Image& image, const std::filesystem::path& path, const std::string& description = {},
+                double dpi = 0.0);
 
 /// Reads a picture back, the counterpart of writeImage (8-bit formats give 0..1). @throw InputError
 Image readImage(const std::filesystem::path& path);

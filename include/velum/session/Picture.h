@@ -1,6 +1,7 @@
 #pragma once
 #include <filesystem>
 #include <glm/glm.hpp>
+#include <string>
 
 #include "velum/core/Image.h"
 #include "velum/core/Task.h"
@@ -15,7 +16,16 @@ struct PictureOptions {
   int samples = 0;             ///< pictures that are averaged; 0: as the scene says
   bool transparent = false;    ///< no background, with alpha
   bool layers = false;         ///< also alpha, depth, normal, structure id, position: in the EXR, or as files beside
+  double dpi = 0;              ///< pixels an inch in print, which the file says; 0: nothing is said
 };
+
+/// A size as people write it: "1280x720" (pixels), "12x8cm", "120x80mm", "5x3in" (at `dpi`; 0 counts as 300).
+/// @throw ArgumentError for anything else, and outside 1..65536 pixels
+glm::ivec2 parsePictureSize(const std::string& text, double dpi);
+
+/// The command line that makes a picture of a scene file without a window: the same bytes on the same driver.
+std::string pictureCommand(const std::filesystem::path& scene, const PictureOptions& options,
+                           const std::filesystem::path& output);
 
 /// The scene as it is drawn, and as it rides in the picture: with the options applied.
 scene::Scene sceneForPicture(const scene::Scene& scene, const PictureOptions& options);
@@ -32,7 +42,11 @@ Image drawPicture(render::Renderer& renderer, const scene::Scene& scene, const P
 void savePicture(const Image& image, const scene::Scene& scene, const PictureOptions& options,
                  const std::filesystem::path& path);
 
-/// Both, on a headless context of its own. Any thread that has no current context of ours.
+/// Draws it on a headless context of its own. Any thread that has no current context of ours. @throw Cancelled,
+/// gpu::GpuError
+Image drawPictureHeadless(const scene::Scene& scene, const PictureOptions& options, Progress& progress);
+
+/// Draws and saves on a headless context of its own. Any thread that has no current context of ours.
 void renderPictureFile(const scene::Scene& scene, const PictureOptions& options, const std::filesystem::path& path,
                        Progress& progress);
 

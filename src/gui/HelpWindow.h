@@ -1,0 +1,21 @@
+#pragma once
+#include <QLineEdit>
+#include <QTextBrowser>
+#include <QWidget>
+
+namespace velum::gui {
+
+/// The user guide, which rides in the program: no network, no browser.
+class HelpWindow : public QWidget {
+  Q_OBJECT
+ public:
+  explicit HelpWindow(QWidget* parent);
+  const QTextBrowser& page() const { return *mPage; }
+
+ private:
+  void find();
+  QTextBrowser* mPage;
+  QLineEdit* mWords;
+};
+
+}  // namespace velum::gui

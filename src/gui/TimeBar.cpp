@@ -1,0 +1,90 @@
+#include "TimeBar.h"
+
+#include <QHBoxLayout>
+#include <QSignalBlocker>
+
+namespace velum::gui {
+
+namespace {
+constexpr int kStepMs = 100;  // ten steps a second, where the views keep up
+}
+
+TimeBar::TimeBar(session::Document& document, QWidget* parent)
+    : QFrame(parent),
+      mDocument(document),
+      mPlay(new QPushButton(tr("Play"), this)),
+      mSlider(new QSlider(Qt::Horizontal, this)),
+      mText(new QLabel(this)) {
+  setObjectName("timeBar");
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(14, 5, 14, 5);
+  layout->setSpacing(12);
+  mPlay->setCheckable(true);
+  mPlay->setFixedWidth(74);
+  mPlay->setToolTip(tr("Play the time steps round and round (Space)"));
+  mSlider->setToolTip(tr("Time step"));
+  mSlider->setAccessibleName(tr("Time step"));
+  mSlider->setObjectName("timeSlider");
+  mText->setMinimumWidth(150);
+  layout->addWidget(mPlay);
+  layout->addWidget(mSlider, 1);
+  layout->addWidget(mText);
+  mTimer.setInterval(kStepMs);
+  connect(mPlay, &QPushButton::toggled, this, &TimeBar::setPlaying);
+  connect(mSlider, &QSlider::valueChanged, this, [this](int frame) {
+    mDocument.edit(
+        "Change time step", [frame](scene::Scene& scene) { scene.volume.frame = frame; }, true);
+    if (!mSlider->isSliderDown()) mDocument.endMerge();
+  });
+  connect(mSlider, &QSlider::sliderReleased, this, [this] { mDocument.endMerge(); });
+  connect(&mTimer, &QTimer::timeout, this, [this] {
+    bool ready = true;
+    emit askReady(ready);
+    if (ready) step(1);
+  });
+  hide();
+}
+
+int TimeBar::frames() const {
+  const auto& volume = mDocument.scene().volume.data;
+  return volume ? volume->frames : 0;
+}
+
+void TimeBar::setPlaying(bool playing) {
+  playing = playing && frames() > 1;
+  if (playing == mTimer.isActive()) return;
+  if (playing)
+    mTimer.start();
+  else
+    mTimer.stop();
+  if (!playing) mDocument.endMerge();
+  const QSignalBlocker quiet(mPlay);
+  mPlay->setChecked(playing);
+  mPlay->setText(playing ? tr("Pause") : tr("Play"));
+}
+
+void TimeBar::step(int steps) {
+  int count = frames();
+  if (count < 2) return;
+  int next = ((mDocument.scene().volume.frame + steps) % count + count) % count;
+  // All of a play is one step to undo.
+  mDocument.edit(
+      "Change time step", [next](scene::Scene& scene) { scene.volume.frame = next; }, true);
+  if (!isPlaying()) mDocument.endMerge();
+}
+
+void TimeBar::refresh() {
+  int count = frames();
+  setVisible(count > 1);
+  if (count < 2) return setPlaying(false);
+  const QSignalBlocker quiet(mSlider);
+  mSlider->setRange(0, count - 1);
+  int frame = mDocument.scene().volume.frame;
+  mSlider->setValue(frame);
+  double seconds = mDocument.scene().volume.data->frameSeconds;
+  QString text = tr("%1 of %2").arg(frame + 1).arg(count);
+  if (seconds > 0) text += tr("    %1 s").arg(frame * seconds, 0, 'f', seconds < 0.1 ? 3 : 2);
+  mText->setText(text);
+}
+
+}  // namespace velum::gui

@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "Widgets.h"
 #include "velum/scene/Presets.h"
 #include "velum/session/PresetPictures.h"
 
@@ -15,7 +16,7 @@ namespace velum::gui {
 
 namespace {
 
-constexpr int kColumns = 3, kPictureHeight = 68, kNameHeight = 32, kGap = 6;
+constexpr int kColumns = 3, kPictureHeight = 64, kNameHeight = 30, kGap = 6;
 constexpr int kPatienceMs = 4000;  // a view that is busy for longer does not keep the pictures away
 
 enum Role { kName = Qt::UserRole, kPicture };
@@ -42,7 +43,8 @@ class PresetDelegate : public QStyledItemDelegate {
     QRectF frame(option.rect.x() + kGap / 2.0, option.rect.y() + 2, option.rect.width() - kGap, kPictureHeight);
     QPainterPath shape;
     shape.addRoundedRect(frame, 5, 5);
-    painter->fillPath(shape, option.palette.color(QPalette::Base));
+    // Not of the list, whose own ground the style sheet makes clear.
+    painter->fillPath(shape, mList->parentWidget()->palette().color(QPalette::Base));
     auto picture = index.data(kPicture).value<QPixmap>();
     if (!picture.isNull()) {
       painter->setClipPath(shape);
@@ -117,9 +119,12 @@ PresetGrid::PresetGrid(session::Document& document, QWidget* parent)
     : QWidget(parent), mDocument(document), mList(new PresetList(this)), mMore(new QPushButton(tr("More"), this)) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(2);
+  layout->setSpacing(4);
+  auto* header = new QHBoxLayout;
+  header->addWidget(makeTitle(tr("Preset"), this), 1);
+  header->addWidget(mMore);
+  layout->addLayout(header);
   layout->addWidget(mList);
-  layout->addWidget(mMore, 0, Qt::AlignRight);
   mList->setObjectName("preset");
   mList->setAccessibleName(tr("Preset"));
   mList->setToolTip(tr("Colours, opacity and light made for a kind of data"));
@@ -160,12 +165,16 @@ void PresetGrid::choose(const QString& name) {
 
 /// The presets for this kind of data and the one that is chosen; where they are wanted, all others.
 void PresetGrid::fill() {
-  Modality first = mVolume ? kindOf(*mVolume) : Modality::Unknown;
+  bool mixes = scene::mixesChannels(mDocument.scene().volume);
+  Modality first = mixes ? Modality::Microscopy : mVolume ? kindOf(*mVolume) : Modality::Unknown;
+  // A patient's scan of which nothing is known is an MR more often than anything else.
+  bool isPatient = mVolume && mVolume->isOrientationKnown;
+  Modality second = first == Modality::Unknown && isPatient ? Modality::MR : first;
   std::string current = scene::currentTransfer(mDocument.scene().volume).preset;
   mList->clear();
   for (bool others : {false, true})
     for (const auto& preset : scene::presets()) {
-      bool isFirst = preset.modality == first || preset.name == current;
+      bool isFirst = preset.modality == first || preset.modality == second || preset.name == current;
       if (isFirst == others || (others && !mMore->isChecked())) continue;
       auto* item = new QListWidgetItem(titleOf(preset, preset.modality != first), mList);
       QString name = QString::fromUtf8(preset.name.data(), int(preset.name.size()));

@@ -27,16 +27,12 @@ QString percent(double share) {
   return QString::number(value, 'f', value > 0 && value < 9.95 ? 1 : 0) + " %";
 }
 
-/// The colours along the axis, left to right.
-QLinearGradient colorsAlong(const session::CurveFrame& frame, const session::Stops& stops, double alpha) {
-  QLinearGradient gradient(frame.topLeft.x, 0, frame.topLeft.x + frame.size.x, 0);
-  constexpr int kSteps = 96;
-  for (int i = 0; i <= kSteps; ++i) {
-    double share = double(i) / kSteps;
-    double value = frame.view.low + share * (frame.view.high - frame.view.low);
-    gradient.setColorAt(share, faded(qColor(scene::colorAt(stops, value)), alpha));
-  }
-  return gradient;
+/// The colours along the axis, a pixel each, left to right: gradients of Qt have bands.
+QImage colorsAlong(const session::CurveFrame& frame, const session::Stops& stops) {
+  QImage image(std::max(1, int(frame.size.x)), 1, QImage::Format_RGB32);
+  for (int i = 0; i < image.width(); ++i)
+    image.setPixelColor(i, 0, qColor(scene::colorAt(stops, session::valueAtX(frame, frame.topLeft.x + i + 0.5))));
+  return image;
 }
 
 QPainterPath pathOf(const std::vector<glm::dvec2>& points) {
@@ -87,10 +83,13 @@ void TransferCanvas::setTransfer(const scene::TransferFunction& transfer) {
   emit selectionChanged();  // its numbers may have changed
 }
 
-void TransferCanvas::setHistogram(const Histogram& histogram, session::AxisView whole) {
+void TransferCanvas::setHistogram(const Histogram& histogram) {
   mHistogram = histogram;
+  update();
+}
+
+void TransferCanvas::setWhole(session::AxisView whole) {
   mWhole = whole.high > whole.low ? whole : session::AxisView{whole.low, whole.low + 1.0};
-  setView(mWhole);
 }
 
 void TransferCanvas::setView(session::AxisView view) {
@@ -169,10 +168,15 @@ void TransferCanvas::paintCurve(QPainter& painter) const {
   area.lineTo(f.topLeft.x + f.size.x, f.topLeft.y + f.size.y + 3);
   area.lineTo(f.topLeft.x, f.topLeft.y + f.size.y + 3);
   area.closeSubpath();
-  if (hasColors())
-    painter.fillPath(area, QBrush(colorsAlong(f, mTransfer.colors, 0.62)));
-  else
+  if (hasColors()) {
+    painter.save();
+    painter.setClipPath(area, Qt::IntersectClip);
+    painter.setOpacity(0.62 * painter.opacity());
+    painter.drawImage(QRectF(f.topLeft.x, 0, f.size.x, height()), colorsAlong(f, mTransfer.colors));
+    painter.restore();
+  } else {
     painter.fillPath(area, faded(palette().color(QPalette::Link), 0.20));
+  }
   painter.setPen(QPen(palette().color(QPalette::Text), 1.4, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   painter.setBrush(Qt::NoBrush);
   painter.drawPath(line);
@@ -202,7 +206,10 @@ void TransferCanvas::paintColors(QPainter& painter) const {
   QRectF bar = barRect();
   QPainterPath shape;
   shape.addRoundedRect(bar, 3, 3);
-  painter.fillPath(shape, QBrush(colorsAlong(f, mTransfer.colors, 1.0)));
+  painter.save();
+  painter.setClipPath(shape, Qt::IntersectClip);
+  painter.drawImage(bar, colorsAlong(f, mTransfer.colors));
+  painter.restore();
   for (std::size_t i = 0; i < mTransfer.colors.size(); ++i) {
     const auto& stop = mTransfer.colors[i];
     if (stop.value < mView.low || stop.value > mView.high) continue;

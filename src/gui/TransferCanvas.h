@@ -23,8 +23,9 @@ class TransferCanvas : public QWidget {
 
   void setTransfer(const scene::TransferFunction& transfer);
   const scene::TransferFunction& transfer() const { return mTransfer; }
-  /// @param whole  all that the axis can show
-  void setHistogram(const Histogram& histogram, session::AxisView whole);
+  void setHistogram(const Histogram& histogram);
+  /// All that the axis can show.
+  void setWhole(session::AxisView whole);
   /// What the axis shows; until then all.
   void setView(session::AxisView view);
   session::AxisView view() const { return mView; }

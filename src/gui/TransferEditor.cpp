@@ -22,9 +22,9 @@ QDoubleSpinBox* makeSpin(QWidget* parent, const QString& name, const QString& ti
   return spin;
 }
 
-/// Decimals with which a pixel of an axis can be told.
+/// Decimals with which a tenth of a pixel of an axis can be told.
 int decimalsFor(session::AxisView view) {
-  return std::clamp(int(std::ceil(2.5 - std::log10(std::max(view.high - view.low, 1e-9)))), 0, 6);
+  return std::clamp(int(std::ceil(3.5 - std::log10(std::max(view.high - view.low, 1e-9)))), 0, 6);
 }
 
 }  // namespace
@@ -95,7 +95,13 @@ QWidget* TransferEditor::makeHeader() {
 }
 
 QWidget* TransferEditor::makeNumbers() {
-  auto* numbers = new QWidget(this);
+  mNumbers = new QStackedWidget(this);
+  mNumbers->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+  auto* hint = new QLabel(tr("Click the line to add a point, drag to move it"), mNumbers);
+  hint->setProperty("role", "muted");
+  mNumbers->addWidget(hint);
+  auto* numbers = new QWidget(mNumbers);
+  mNumbers->addWidget(numbers);
   auto* row = new QHBoxLayout(numbers);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(8);
@@ -127,7 +133,7 @@ QWidget* TransferEditor::makeNumbers() {
   connect(mOpacity, &QDoubleSpinBox::valueChanged, this, move);
   connect(mColor, &ColorButton::picked, this, [this](glm::vec3 color) { selected()->colorSelected(color); });
   connect(mRemove, &QPushButton::clicked, this, [this] { selected()->removeSelected(); });
-  return numbers;
+  return mNumbers;
 }
 
 void TransferEditor::connectCanvas(TransferCanvas* canvas) {
@@ -178,10 +184,22 @@ void TransferEditor::refresh() {
   mUsesGradients->setVisible(!mixes);  // mixed channels have one gradient, that of their sum
   mUsesGradients->setChecked(!transfer.gradientOpacities.empty());
   mGradients->setVisible(!mixes && !transfer.gradientOpacities.empty());
+  if (layer.data) mCanvas->setWhole(wholeAxis());
   if (!layer.data || shownKey() == mShown) return;
   auto found = mCache.find(shownKey());
   if (found != mCache.end()) return showHistograms(found->second);
   countHistograms();
+}
+
+/// The data's range, and what points lie beyond it, so that they can be reached.
+session::AxisView TransferEditor::wholeAxis() const {
+  const scene::VolumeLayer& layer = mDocument.scene().volume;
+  session::AxisView whole{layer.data->range.x, layer.data->range.y};
+  for (const auto& point : scene::currentTransfer(layer).opacities) {
+    whole.low = std::min(whole.low, point.value);
+    whole.high = std::max(whole.high, point.value);
+  }
+  return whole;
 }
 
 void TransferEditor::countHistograms() {
@@ -211,14 +229,9 @@ void TransferEditor::showHistograms(const Histograms& histograms) {
   bool isOtherData = std::get<0>(mShown) != std::get<0>(shownKey());
   session::AxisView before = mCanvas->view(), gradientsBefore = mGradients->view();
   mShown = shownKey();
-  // Points that lie beyond the data can be reached, too.
-  session::AxisView whole{layer.data->range.x, layer.data->range.y};
-  for (const auto& point : transfer.opacities) {
-    whole.low = std::min(whole.low, point.value);
-    whole.high = std::max(whole.high, point.value);
-  }
-  mCanvas->setHistogram(histograms.values, whole);
-  mGradients->setHistogram(histograms.gradients, {0.0, 2.0 * histograms.gradients.range.y});
+  mCanvas->setHistogram(histograms.values);
+  mGradients->setHistogram(histograms.gradients);
+  mGradients->setWhole({0.0, 2.0 * histograms.gradients.range.y});
   if (isOtherData || mIsFitted) {
     mCanvas->setView(session::defaultView(histograms.values, transfer));
     mGradients->setView({0.0, histograms.gradients.range.y});
@@ -233,17 +246,14 @@ void TransferEditor::showHistograms(const Histograms& histograms) {
   showNumbers();
 }
 
-/// The numbers of what is selected; nothing is selected: they rest.
+/// The numbers of what is selected; else what can be done.
 void TransferEditor::showNumbers() {
   using Part = TransferCanvas::Selection::Part;
   TransferCanvas* canvas = selected();
   auto [part, index] = canvas->selection();
   const scene::TransferFunction& transfer = canvas->transfer();
   const QSignalBlocker quietValue(mValue), quietOpacity(mOpacity);
-  bool any = part != Part::None;
-  for (QWidget* widget :
-       {static_cast<QWidget*>(mValue), static_cast<QWidget*>(mSecond), static_cast<QWidget*>(mRemove)})
-    widget->setEnabled(any);
+  mNumbers->setCurrentIndex(part == Part::None ? 0 : 1);
   mValue->setRange(-1e300, 1e300);
   mValue->setDecimals(decimalsFor(canvas->view()));
   mValue->setSingleStep(std::pow(10.0, -decimalsFor(canvas->view())));

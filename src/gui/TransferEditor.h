@@ -47,6 +47,7 @@ class TransferEditor : public QWidget {
   void useGradients(bool use);
   TransferCanvas* selected() const;
   Key shownKey() const;
+  session::AxisView wholeAxis() const;
 
   session::Document& mDocument;
   TransferCanvas *mCanvas, *mGradients;
@@ -54,7 +55,7 @@ class TransferEditor : public QWidget {
   QPushButton *mLogarithmic = nullptr, *mFit = nullptr, *mRemove = nullptr;
   QDoubleSpinBox *mValue = nullptr, *mOpacity = nullptr;
   ColorButton* mColor = nullptr;
-  QStackedWidget* mSecond = nullptr;
+  QStackedWidget *mSecond = nullptr, *mNumbers = nullptr;
   bool mGradientsActive = false;  ///< The numbers are those of the gradient curve.
   Key mShown{0, -1, -1};          ///< Whose histogram is in the canvas.
   bool mIsFitted = false;         ///< The axis has not been touched since the data came.

@@ -30,6 +30,7 @@ MixTable makeMixTable(const scene::VolumeLayer& layer) {
       largest = std::max(largest, sigma);
     }
     table.largestExtinction += largest;
+    table.largestOfOne = std::max(table.largestOfOne, largest);
   }
   for (auto& entries : table.channels)
     for (auto& entry : entries) entry /= float(std::max(table.largestExtinction, 1e-12));
@@ -47,8 +48,13 @@ double mixedExtinction(double alpha, double largest) { return alpha < 0.5 / 255.
 TransferTable makeTransferTable(const scene::Scene& scene) {
   const auto& transfer = scene.volume.transfer;
   bool mixes = scene::mixesChannels(scene.volume);
-  double largest = mixes ? makeMixTable(scene.volume).largestExtinction : 0.0;
   TransferTable table;
+  double largest = 0;
+  if (mixes) {
+    MixTable mix = makeMixTable(scene.volume);
+    largest = mix.largestExtinction;
+    if (largest > 0) table.mixedWhite = std::sqrt(mix.largestOfOne / largest);
+  }
   glm::dvec2 window = scene::effectiveWindow(scene.volume);
   double low = window.x - 0.5 * window.y, high = window.x + 0.5 * window.y;
   auto include = [&](double value) { low = std::min(low, value), high = std::max(high, value); };

@@ -77,7 +77,11 @@ scene::Scene presetScene(const scene::Scene& scene, const Shared<Volume>& small,
   shown.background = scene.background;
   shown.background.transparent = false;
   shown.rayCast.samplesPerPixel = 1;
-  shown.camera = scene::frameCamera(shown, scene::defaultView(shown), aspect);
+  // What is flat fills a small picture better from aside.
+  scene::Bounds bounds = scene::computeBounds(shown);
+  glm::dvec3 edges = bounds.max - bounds.min;
+  bool isFlat = edges.z < 0.5 * edges.x;
+  shown.camera = scene::frameCamera(shown, isFlat ? scene::StandardView::Oblique : scene::defaultView(shown), aspect);
   return shown;
 }
 

@@ -9,20 +9,25 @@ namespace velum::session {
 
 namespace {
 
-/// The largest of 1, 2 and 5 times a power of ten with which at most `most` steps fit.
-double roundStep(double width, int most) {
-  double raw = width / std::max(1, most);
-  double power = std::pow(10.0, std::floor(std::log10(raw)));
-  for (double factor : {1.0, 2.0, 5.0})
-    if (raw <= power * factor * (1.0 + 1e-9)) return power * factor;
-  return power * 10.0;
+int tickCount(AxisView view, double step) {
+  return int(std::floor(view.high / step + 1e-9) - std::ceil(view.low / step - 1e-9)) + 1;
+}
+
+/// The smallest of 1, 2 and 5 times a power of ten of which at most `most` multiples lie on the axis.
+double roundStep(AxisView view, int most) {
+  double power = std::pow(10.0, std::floor(std::log10((view.high - view.low) / std::max(1, most))));
+  for (double factor : {1.0, 2.0, 5.0, 10.0})
+    if (tickCount(view, power * factor) <= most) return power * factor;
+  return power * 20.0;
 }
 
 template <class Point>
 int insertSorted(std::vector<Point>& points, const Point& point) {
   auto place =
       std::upper_bound(points.begin(), points.end(), point.value, [](double v, const Point& p) { return v < p.value; });
-  return int(points.insert(place, point) - points.begin());
+  auto index = place - points.begin();
+  points.insert(place, point);
+  return int(index);
 }
 
 template <class Point>
@@ -64,10 +69,11 @@ AxisView panAxis(AxisView view, double by, AxisView whole) {
 
 std::vector<double> axisTicks(AxisView view, int most) {
   std::vector<double> ticks;
-  double step = roundStep(view.high - view.low, std::max(1, most - 1));
+  double step = roundStep(view, most);
   if (!(step > 0) || !std::isfinite(step)) return ticks;
-  for (double i = std::ceil(view.low / step - 1e-9); i * step <= view.high + 1e-9 * step; ++i)
-    ticks.push_back(i == 0 ? 0.0 : i * step);
+  double first = std::ceil(view.low / step - 1e-9);
+  for (int i = 0; i < std::min(most, tickCount(view, step)); ++i)
+    ticks.push_back(first + i == 0 ? 0.0 : (first + i) * step);
   return ticks;
 }
 

@@ -65,7 +65,7 @@ TEST(TransferFile, TheOldSlicerFormKeepsTheMaterial) {
   EXPECT_EQ(file.transfer.unitDistanceMm, 1.0);
   ASSERT_EQ(file.transfer.opacities.size(), sample().opacities.size());
   for (std::size_t i = 0; i < file.transfer.opacities.size(); ++i) {
-    const auto &ours = sample().opacities[i], &theirs = file.transfer.opacities[i];
+    auto ours = sample().opacities[i], theirs = file.transfer.opacities[i];
     EXPECT_NEAR(theirs.value, ours.value, 1e-3);
     // What covers so much in 2 mm covers less in one: the extinction is the same.
     EXPECT_NEAR(-std::log(1 - theirs.opacity) / 1.0, -std::log(1 - ours.opacity) / 2.0, 1e-4);

@@ -8,12 +8,12 @@ namespace velum::session {
 
 /// The values of the material at a place.
 struct Tissue {
-  double value = 0;   ///< its median, the volume's unit
-  double spread = 0;  ///< standard deviation of its noise, robustly; never less than a 400th of the data's range
+  double value = 0;   ///< the middle of its values, the volume's unit
+  double spread = 0;  ///< standard deviation of its noise, robustly; never less than a 300th of the data's range
 };
 
-/// Measures the 5^3 voxels around a place. Of them the half with the smaller gradients counts, so that a border nearby
-/// does not mix two materials. Nothing outside the volume.
+/// Measures the 5^3 voxels around a place, then those of 13^3 that are like them. Of both the half with the smaller
+/// gradients counts, so that a border nearby does not mix two materials. Nothing outside the volume.
 std::optional<Tissue> measureTissue(const scene::VolumeLayer& layer, glm::dvec3 worldMm);
 
 /// Makes the material at a place opaque: a bump of opacity over its values, in the colour that the colour map has there

@@ -65,7 +65,8 @@ class Convert(CliTest):
         for name in ("b.vp", "c.vp.json", "d.velum-transfer.json", "e.velum-transfer.json"):
             with self.subTest(name=name):
                 self.run_batch("render", path, "-o", "x.png", *draw, "--preset", "ct-skin", "--transfer", name)
-                self.run_batch("compare", "a.png", "x.png", "--max-diff", "1", "--max-fraction", "0")
+                # The presets' grey windows differ, and with them where the steps of the table lie.
+                self.run_batch("compare", "a.png", "x.png", "--max-diff", "2", "--max-fraction", "0")
 
     def test_formats_that_are_not_written_exit_2(self):
         path = self.sample()

@@ -51,9 +51,15 @@ class Transfer : public testing::Test {
     v.modality = Modality::CT;
     openVolume("ball.nrrd", v);
     mWindow->document().edit("Prepare", [](scene::Scene& scene) {
+      drawPlainly(scene);
       scene.volume.transfer.opacities = {{0, 0}, {200, 0.5}, {280, 1}};
       scene.volume.transfer.colors = {{-200, {1, 0, 0}}, {250, {0, 0, 1}}};
     });
+  }
+  /// What these tests look at needs no fine picture.
+  static void drawPlainly(scene::Scene& scene) {
+    scene.rayCast.samplesPerPixel = 1;
+    scene.lighting.shaded = false;
   }
   void openVolume(const char* name, const Volume& v) {
     Progress progress;
@@ -94,6 +100,7 @@ TEST_F(Transfer, APointMovesInOneUndoStep) {
   EXPECT_NEAR(transfer().opacities[1].opacity, 0.2, 0.02);
   EXPECT_EQ(undoLabel(), "Move opacity point");
   drag(placeOf(150, 0.2), placeOf(100, 0.2));
+  QTest::qWait(20);
   takeShot(*mWindow, "transfer");
   mWindow->document().undo();
   EXPECT_NEAR(transfer().opacities[1].value, 150, 2 * pixelValue());
@@ -209,6 +216,7 @@ TEST_F(Transfer, TheGradientCurveBeginsWithoutChange) {
   QTest::mouseRelease(gradients, Qt::LeftButton, {}, first + QPoint(0, 40));
   EXPECT_LT(transfer().gradientOpacities[0].opacity, 0.5);
   EXPECT_EQ(undoLabel(), "Move gradient point");
+  QTest::qWait(20);
   takeShot(*mWindow, "gradient");
   uses->click();
   EXPECT_TRUE(transfer().gradientOpacities.empty());
@@ -287,6 +295,7 @@ TEST_F(Transfer, ChannelsAreShownColouredAndEditedOneByOne) {
   wide.worldFromVoxel = centredFrame(dims);
   openVolume("two.nrrd", wide);
   ASSERT_TRUE(scene::mixesChannels(scene().volume));
+  mWindow->document().edit("Prepare", [](scene::Scene& scene) { drawPlainly(scene); });
   auto* list = mWindow->findChild<ChannelList*>();
   EXPECT_TRUE(list->isVisible());
   auto first = scene().volume.channels[0].transfer;
@@ -312,7 +321,6 @@ TEST_F(Transfer, ChannelsAreShownColouredAndEditedOneByOne) {
 
 TEST_F(Transfer, AnEditIsCheap) {
   openBall();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return mWindow->isSettled(); }, 60000));
   QPoint from = placeOf(200, 0.5);
   QTest::mousePress(&canvas(), Qt::LeftButton, {}, from);
   QElapsedTimer clock;

@@ -62,6 +62,27 @@ Volume reduceVolume(const Volume& volume, int channel, int frame, int mostAlong,
   return out;
 }
 
+namespace {
+
+/// The part of a volume whose opacity counts, without voxels; all of it where nothing is visible.
+Volume visibleBox(const Volume& volume, const std::vector<scene::OpacityPoint>& opacities) {
+  constexpr double kVisible = 0.08;
+  glm::ivec3 low = volume.dims, high(-1), p(0);
+  for (p.z = 0; p.z < volume.dims.z; ++p.z)
+    for (p.y = 0; p.y < volume.dims.y; ++p.y)
+      for (p.x = 0; p.x < volume.dims.x; ++p.x)
+        if (scene::opacityAt(opacities, valueAt(volume, p)) > kVisible)
+          low = glm::min(low, p), high = glm::max(high, p);
+  if (high.x < 0) low = glm::ivec3(0), high = volume.dims - 1;
+  Volume box;
+  box.dims = high - low + 1;
+  box.worldFromVoxel = volume.worldFromVoxel;
+  box.worldFromVoxel[3] = volume.worldFromVoxel * glm::dvec4(glm::dvec3(low), 1.0);
+  return box;
+}
+
+}  // namespace
+
 scene::Scene presetScene(const scene::Scene& scene, const Shared<Volume>& small, const std::string& preset,
                          double aspect) {
   scene::Scene fitted;
@@ -77,11 +98,13 @@ scene::Scene presetScene(const scene::Scene& scene, const Shared<Volume>& small,
   shown.background = scene.background;
   shown.background.transparent = false;
   shown.rayCast.samplesPerPixel = 1;
-  // What is flat fills a small picture better from aside.
-  scene::Bounds bounds = scene::computeBounds(shown);
+  // The box of what is visible fills the picture; a flat one does so better from aside.
+  scene::Scene box;
+  box.volume.data = Shared<Volume>(visibleBox(*small, shown.volume.transfer.opacities));
+  scene::Bounds bounds = scene::computeBounds(box);
   glm::dvec3 edges = bounds.max - bounds.min;
   bool isFlat = edges.z < 0.5 * edges.x;
-  shown.camera = scene::frameCamera(shown, isFlat ? scene::StandardView::Oblique : scene::defaultView(shown), aspect);
+  shown.camera = scene::frameCamera(box, isFlat ? scene::StandardView::Oblique : scene::defaultView(shown), aspect);
   return shown;
 }
 

@@ -10,6 +10,7 @@
 #include "velum/core/Error.h"
 #include "velum/scene/Json.h"
 #include "velum/scene/Presets.h"
+#include "velum/session/Look.h"
 #include "velum/session/Open.h"
 
 namespace velum::app {
@@ -37,6 +38,8 @@ void addInput(CLI::App& verb, InputOptions& input, bool withScene) {
                   "read this file as labels, whatever it looks like; with no other input, alone");
   verb.get_option("input")->required(false);
   verb.add_option("--preset", input.preset, "look by name, e.g. ct-bone");
+  verb.add_option("--transfer", input.transfer,
+                  "transfer function from a file: .velum-transfer.json, or 3D Slicer's .vp.json or .vp");
   verb.add_option("--view", input.view, "camera: anterior, posterior, left, right, superior, inferior, oblique");
 }
 
@@ -153,6 +156,7 @@ scene::Scene openScene(const InputOptions& input, double aspect) {
   std::string first = input.inputs.empty() ? "" : input.inputs.front();
   bool isScene = first.ends_with(".json") || first.ends_with(".png") || first.ends_with(".exr");
   if (!input.preset.empty()) scene::applyPreset(scene, input.preset);
+  if (!input.transfer.empty()) session::importLook(scene, input.transfer);
   if (!input.view.empty() || !isScene) {
     scene::StandardView view = scene::defaultView(scene);
     bool known = input.view.empty();

@@ -3,6 +3,7 @@
 #include "Verbs.h"
 #include "velum/io/ReadVolume.h"
 #include "velum/io/WriteVolume.h"
+#include "velum/session/Look.h"
 
 namespace velum::app {
 
@@ -19,7 +20,9 @@ int run(const ConvertOptions& options) {
   Progress& progress = consoleProgress();
   scene::Source source = firstSource(options.input);
   Json json = {{"output", options.output}};
-  if (options.labels || (source.raw.dims.x == 0 && io::looksLikeLabels(source.path))) {
+  if (session::isLookFile(options.output)) {
+    session::convertLook(source.path, options.output);
+  } else if (options.labels || (source.raw.dims.x == 0 && io::looksLikeLabels(source.path))) {
     LabelVolume labels = io::readLabels(source, progress);
     io::writeLabels(labels, options.output, progress);
     json["structures"] = labels.table.size();
@@ -42,7 +45,10 @@ Run registerConvert(CLI::App& verb) {
   addCommon(verb, options->common);
   addInput(verb, options->input, false);
   verb.get_option("input")->expected(1)->allow_extra_args(false);  // the second word is the output
-  verb.add_option("output", options->output, "file to write: .nrrd, .nii, .nii.gz, .vti, .vdb")->required();
+  verb.add_option("output", options->output,
+                  "file to write: .nrrd, .nii, .nii.gz, .vti, .vdb; the transfer function of a scene or another file: "
+                  ".velum-transfer.json, .vp.json, .vp")
+      ->required();
   verb.add_flag("--labels", options->labels, "the input is labels");
   return [options] { return run(*options); };
 }

@@ -2,49 +2,13 @@
 
 #include <QGridLayout>
 #include <QSignalBlocker>
-#include <QStandardItemModel>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
-#include <vector>
-
-#include "velum/scene/Presets.h"
 
 namespace velum::gui {
 
 namespace {
-
-/// The modality as people say it.
-QString modalityTitle(Modality modality) {
-  switch (modality) {
-    case Modality::CT:
-      return LookPanel::tr("Computed tomography");
-    case Modality::MR:
-      return LookPanel::tr("Magnetic resonance");
-    case Modality::Angiography:
-      return LookPanel::tr("Angiography");
-    case Modality::Ultrasound:
-      return LookPanel::tr("Ultrasound");
-    case Modality::Microscopy:
-      return LookPanel::tr("Microscopy");
-    case Modality::Seismic:
-      return LookPanel::tr("Seismic");
-    case Modality::PET:
-      return LookPanel::tr("PET");
-    case Modality::Unknown:
-      break;
-  }
-  return LookPanel::tr("Any data");
-}
-
-/// Without the modality in front, which the group says already.
-QString shortTitle(std::string_view title) {
-  QString text = QString::fromUtf8(title.data(), int(title.size()));
-  int colon = text.indexOf(": ");
-  if (colon < 0 || text.startsWith("Micro")) return text;
-  text = text.mid(colon + 2);
-  return text.left(1).toUpper() + text.mid(1);
-}
 
 /// A first surface that shows something: where the material becomes visible in the volume picture.
 double firstIsoValue(const scene::VolumeLayer& layer) {
@@ -76,10 +40,19 @@ QGridLayout* makeRows(QVBoxLayout* parent) {
 
 }  // namespace
 
-LookPanel::LookPanel(session::Document& document, QWidget* parent) : QWidget(parent), mDocument(document) {
+LookPanel::LookPanel(session::Document& document, QWidget* parent)
+    : QWidget(parent),
+      mDocument(document),
+      mChannels(new ChannelList(document, this)),
+      mPresets(new PresetGrid(document, this)),
+      mEditor(new TransferEditor(document, this)) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(14);
+  layout->addWidget(mChannels);
+  layout->addWidget(mPresets);
+  layout->addWidget(mEditor);
+  layout->addWidget(makeLine(this));
   layout->addWidget(makeLook());
   layout->addWidget(makeLine(this));
   layout->addWidget(makeLight());
@@ -89,13 +62,7 @@ LookPanel::LookPanel(session::Document& document, QWidget* parent) : QWidget(par
 
 QWidget* LookPanel::makeLook() {
   auto* section = new QWidget(this);
-  QGridLayout* rows = makeRows(makeSection(section, tr("Look")));
-  mPreset = new QComboBox(section);
-  mPreset->setObjectName("preset");
-  mPreset->setMaxVisibleItems(30);
-  mPreset->setMinimumContentsLength(16);
-  mPreset->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  mPreset->setToolTip(tr("Colours, opacity and light made for a kind of data; those for this data come first"));
+  QGridLayout* rows = makeRows(makeSection(section, tr("Rendering")));
   mMode = new QComboBox(section);
   mMode->setObjectName("mode");
   mMode->addItems({tr("Volume"), tr("Maximum (MIP)"), tr("Surface (iso)")});
@@ -103,13 +70,10 @@ QWidget* LookPanel::makeLook() {
   mIso = new NumberRow(0, 1, 2, {}, section);
   mIso->setObjectName("iso");
   mIsoLabel = new QLabel(tr("Value"), section);
-  rows->addWidget(new QLabel(tr("Preset"), section), 0, 0);
-  rows->addWidget(mPreset, 0, 1);
-  rows->addWidget(new QLabel(tr("Render"), section), 1, 0);
-  rows->addWidget(mMode, 1, 1);
-  rows->addWidget(mIsoLabel, 2, 0);
-  rows->addWidget(mIso, 2, 1);
-  connect(mPreset, &QComboBox::activated, this, &LookPanel::choosePreset);
+  rows->addWidget(new QLabel(tr("Render"), section), 0, 0);
+  rows->addWidget(mMode, 0, 1);
+  rows->addWidget(mIsoLabel, 1, 0);
+  rows->addWidget(mIso, 1, 1);
   connect(mMode, &QComboBox::activated, this, &LookPanel::chooseMode);
   connect(mIso, &NumberRow::changed, this, [this](double value) {
     mDocument.edit(
@@ -182,34 +146,6 @@ void LookPanel::setBackground(glm::vec3 top, glm::vec3 bottom) {
   });
 }
 
-void LookPanel::fillPresets(Modality first) {
-  std::vector<Modality> groups{first};
-  for (const auto& preset : scene::presets())
-    if (std::find(groups.begin(), groups.end(), preset.modality) == groups.end()) groups.push_back(preset.modality);
-  mPreset->clear();
-  auto* model = qobject_cast<QStandardItemModel*>(mPreset->model());
-  for (Modality group : groups) {
-    bool any = std::any_of(scene::presets().begin(), scene::presets().end(),
-                           [&](const scene::Preset& preset) { return preset.modality == group; });
-    if (!any) continue;
-    mPreset->addItem(modalityTitle(group).toUpper());
-    QStandardItem* header = model->item(mPreset->count() - 1);
-    header->setFlags(Qt::NoItemFlags);
-    QFont small = mPreset->font();
-    small.setPointSizeF(small.pointSizeF() * 0.8);
-    header->setFont(small);
-    for (const auto& preset : scene::presets())
-      if (preset.modality == group)
-        mPreset->addItem(shortTitle(preset.title), QString::fromUtf8(preset.name.data(), int(preset.name.size())));
-  }
-}
-
-void LookPanel::choosePreset(int index) {
-  QString name = mPreset->itemData(index).toString();
-  if (name.isEmpty()) return;
-  mDocument.edit("Choose preset", [&](scene::Scene& scene) { scene::applyPreset(scene, name.toStdString()); });
-}
-
 void LookPanel::chooseMode(int index) {
   mDocument.edit("Change rendering", [&](scene::Scene& scene) {
     auto& rayCast = scene.rayCast;
@@ -222,12 +158,9 @@ void LookPanel::chooseMode(int index) {
 void LookPanel::refresh() {
   const scene::Scene& scene = mDocument.scene();
   const auto& volume = scene.volume.data;
-  if (mFilledFor != volume.id()) {
-    mFilledFor = volume.id();
-    fillPresets(volume ? volume->modality : Modality::Unknown);
-  }
-  mPreset->setCurrentIndex(mPreset->findData(QString::fromStdString(scene.volume.transfer.preset)));
-  mPreset->setEnabled(bool(volume));
+  mChannels->refresh();
+  mPresets->refresh();
+  mEditor->refresh();
   mMode->setCurrentIndex(static_cast<int>(scene.rayCast.mode));
   mMode->setEnabled(bool(volume));
   bool iso = scene.rayCast.mode == scene::RenderMode::Iso && volume;

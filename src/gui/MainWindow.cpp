@@ -13,11 +13,13 @@
 #include <cmath>
 
 #include "CutPanel.h"
+#include "LookCommands.h"
 #include "LookPanel.h"
 #include "RecentFiles.h"
 #include "RecoveryBar.h"
 #include "StructurePanel.h"
 #include "TimeBar.h"
+#include "velum/session/Look.h"
 #include "velum/session/Open.h"
 
 namespace velum::gui {
@@ -107,6 +109,11 @@ void MainWindow::buildPanel() {
   dock->setWidget(mSide);
   addDockWidget(Qt::RightDockWidgetArea, dock);
   connect(mSelection, &Selection::cutChanged, mViewport, &Viewport::selectCut);
+  connect(mViewport, &Viewport::refined, mLook, [this](double, const QString& stage) {
+    if (stage.isEmpty()) mLook->viewIsComplete();
+  });
+  connect(mViews, &ViewGrid::pointedAt, mLook, [this](const render::Pick& pick) { mLook->setProbe(pick.value); });
+  connect(mViews, &ViewGrid::pointedAtNothing, mLook, &LookPanel::clearProbe);
 }
 
 /// A page of the side panel, which scrolls where the window is low.
@@ -198,6 +205,8 @@ void MainWindow::startLoad(const QString& what, std::function<void(Loaded&, Prog
 
 void MainWindow::openPaths(const QStringList& paths, bool add) {
   if (paths.isEmpty()) return;
+  if (paths.size() == 1 && session::isLookFile(paths.first().toStdString()))
+    return mLookCommands->importFrom(paths.first());
   std::vector<std::string> names;
   for (const auto& path : paths) names.push_back(QFileInfo(path).absoluteFilePath().toStdString());
   bool beside = add && mPages->currentIndex() == 1;

@@ -21,6 +21,7 @@
 namespace velum::gui {
 
 class CutPanel;
+class LookCommands;
 class HelpWindow;
 class LookPanel;
 class RecentRow;
@@ -62,6 +63,7 @@ class MainWindow : public QMainWindow {
   session::Document& document() { return mDocument; }
   ViewGrid& views() { return *mViews; }
   Viewport& viewport() { return mViews->viewport(); }
+  LookCommands& look() { return *mLookCommands; }
   MessageBar& messages() { return *mMessages; }
   ActionTable& actions() { return *mActions; }
   Selection& selection() { return *mSelection; }
@@ -155,6 +157,7 @@ class MainWindow : public QMainWindow {
   StructureCommands* mStructureCommands = nullptr;
   StructurePanel* mStructures = nullptr;
   ThreePointTool* mThreePoints = nullptr;
+  LookCommands* mLookCommands = nullptr;
   TimeBar* mTime = nullptr;
   HelpWindow* mHelp = nullptr;
   QWidget* mSide = nullptr;

@@ -9,6 +9,7 @@
 #include "CommandFinder.h"
 #include "CutPanel.h"
 #include "HelpWindow.h"
+#include "LookCommands.h"
 #include "MainWindow.h"
 #include "Preferences.h"
 #include "SavePictureDialog.h"
@@ -47,6 +48,9 @@ void MainWindow::buildActions() {
   buildEditActions(menuBar()->addMenu(tr("&Edit")), bar);
   bar->addSeparator();
   buildViewActions(menuBar()->addMenu(tr("&View")), bar);
+  bar->addSeparator();
+  mLookCommands = new LookCommands(mDocument, *mViewport, *mMessages, this);
+  mLookCommands->build(*mActions, menuBar()->addMenu(tr("&Look")), bar);
   bar->addSeparator();
   buildCutActions(menuBar()->addMenu(tr("&Cut")), bar);
   buildStructureActions(menuBar()->addMenu(tr("S&tructures")));

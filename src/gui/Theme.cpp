@@ -74,7 +74,11 @@ QPushButton:disabled { color: @faint; background: @buttonOff; border-color: @lin
 QPushButton[role="main"] { background: @main; border-color: @chosenEdge; color: @onChosen; padding: 5px 20px; font-weight: 600; }
 QPushButton[role="main"]:hover { background: @mainHover; }
 QPushButton[role="quiet"] { background: transparent; border: none; padding: 3px 8px; }
+QPushButton[role="quiet"]:checked { background: @hover; color: @text; }
 QPushButton[role="quiet"]:hover { background: @edge; }
+QPushButton[role="row"] { background: transparent; border: 1px solid transparent; padding: 4px 8px; text-align: left; }
+QPushButton[role="row"]:hover { background: @hover; }
+QPushButton[role="row"]:checked { background: @hover; border-color: @chosenEdge; color: @text; }
 QComboBox, QDoubleSpinBox, QSpinBox, QLineEdit {
   background: @ground; border: 1px solid @edge; border-radius: 5px; padding: 4px 7px; color: @text;
   selection-background-color: @chosen; min-height: 17px; }
@@ -101,6 +105,8 @@ QTreeView QLineEdit, QListView QLineEdit { padding: 0 4px; min-height: 0; }
 QListWidget { background: @ground; border: 1px solid @edge; border-radius: 5px; outline: 0; padding: 2px; }
 QListWidget::item { padding: 4px 4px; border-radius: 4px; color: @text; }
 QListWidget::item:selected { background: @chosen; color: @onChosen; }
+#preset { background: transparent; border: none; border-radius: 0; padding: 0; }
+#preset::item { padding: 0; }
 QCheckBox::indicator, QListView::indicator, QTreeView::indicator { width: 13px; height: 13px; border: 1px solid @edge; border-radius: 3px; background: @ground; }
 QCheckBox::indicator:checked, QListView::indicator:checked, QTreeView::indicator:checked { background: @chosen; border-color: @chosenEdge; image: url(:/velum/check.svg); }
 QCheckBox::indicator:focus { border-color: @accent; }

@@ -36,6 +36,9 @@ class Viewport : public QOpenGLWidget {
   scene::Camera frame(const scene::Scene& scene, scene::StandardView view) const;
   void toggleProjection();
 
+  /// While it is on, the pointer is a cross: clicks mean places of the picture.
+  void setPointing(bool pointing);
+
   /// What is on the screen is the scene as it is, if only a coarse picture of it.
   bool isCurrent() const { return !mPending && mHasPicture; }
   bool isConverged() const { return mStage == Stage::Idle && !mPending; }
@@ -64,6 +67,8 @@ class Viewport : public QOpenGLWidget {
   void maximiseWanted();
   /// The crosshair of the slices is to go to a point of the world: Ctrl+click on what the picture shows.
   void placeWanted(glm::dvec3 worldMm);
+  /// The left button was pressed and let go in one place, beside the handles.
+  void clicked(QPointF place, Qt::KeyboardModifiers keys);
 
  protected:
   void initializeGL() override;
@@ -96,8 +101,9 @@ class Viewport : public QOpenGLWidget {
   void beginDrag(QMouseEvent* event);
   bool takeHandle(QMouseEvent* event);
   void dragSelectedCut(glm::dvec2 place, bool snap);
-  void tellClick(QMouseEvent* event);
+  void tellClick(QMouseEvent* event, bool isRoll);
   void setHover(session::CutHandle handle);
+  Qt::CursorShape restCursor() const;
   const scene::Cut* cut() const;
   glm::dvec2 logicalSize() const { return {std::max(1, width()), std::max(1, height())}; }
   glm::ivec2 deviceSize() const;
@@ -125,6 +131,7 @@ class Viewport : public QOpenGLWidget {
   scene::Cut mStartCut;
   session::CutGizmo mStartGizmo;
   QPointF mPointer;
+  bool mPointing = false;
 };
 
 }  // namespace velum::gui

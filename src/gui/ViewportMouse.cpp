@@ -29,7 +29,14 @@ void Viewport::setHover(session::CutHandle handle) {
     setCursor(GizmoOverlay::cursorFor(session::makeCutGizmo(mDocument.scene(), *selected, logicalSize()), handle,
                                       mDocument.scene().camera, logicalSize()));
   else if (left)
-    setCursor(Qt::ArrowCursor);
+    setCursor(restCursor());
+}
+
+Qt::CursorShape Viewport::restCursor() const { return mPointing ? Qt::CrossCursor : Qt::ArrowCursor; }
+
+void Viewport::setPointing(bool pointing) {
+  mPointing = pointing;
+  setCursor(restCursor());
 }
 
 /// True when the press was on a handle of the selected cut. Shift belongs to the handle: it keeps to steps.
@@ -105,11 +112,18 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
 }
 
 /// A button that went down and up at one place has turned nothing: it asks what is there.
-void Viewport::tellClick(QMouseEvent* event) {
+void Viewport::tellClick(QMouseEvent* event, bool isRoll) {
   if (glm::length(toVec(event->position()) - mDragStart) > kClickPixels) return;
+  bool isLeft = event->button() == Qt::LeftButton;
+  // While a tool points, clicks are its own.
+  if (mPointing && isLeft) {
+    emit clicked(event->position(), event->modifiers());
+    return;
+  }
   auto pick = pickAt(event->position());
   if (!pick) return;
-  if (event->button() == Qt::LeftButton && event->modifiers() == Qt::NoModifier) emit clickedAt(*pick);
+  if (isRoll && pick->hit) emit placeWanted(pick->worldMm);
+  if (isLeft && event->modifiers() == Qt::NoModifier) emit clickedAt(*pick);
   if (event->button() == Qt::RightButton) emit menuAskedAt(*pick, event->globalPosition().toPoint());
 }
 
@@ -117,16 +131,14 @@ void Viewport::mouseReleaseEvent(QMouseEvent* event) {
   if (event->buttons() != Qt::NoButton || mDrag == Drag::None) return;
   bool wasCut = mDrag == Drag::Cut, wasRoll = mDrag == Drag::Roll;
   if (wasCut) mDocument.endMerge();
-  if (wasRoll && glm::length(toVec(event->position()) - mDragStart) <= kClickPixels)
-    if (auto pick = pickAt(event->position()); pick && pick->hit) emit placeWanted(pick->worldMm);
   mDrag = Drag::None;
   mHandle = session::CutHandle::None;
   mOverlay->setTag({}, {});
   if (wasCut) {
-    setCursor(Qt::ArrowCursor);
+    setCursor(restCursor());
     mOverlay->setHover(session::CutHandle::None);
   } else {
-    tellClick(event);
+    tellClick(event, wasRoll);
   }
 }
 

@@ -11,6 +11,7 @@
 #include <QTimer>
 #include <cstdio>
 
+#include "LookPanel.h"
 #include "MainWindow.h"
 #include "Preferences.h"
 #include "Script.h"
@@ -27,7 +28,8 @@ void takeScreenshot(velum::gui::MainWindow& window, const QString& path) {
   auto clock = std::make_shared<QElapsedTimer>();
   clock->start();
   QObject::connect(timer, &QTimer::timeout, &window, [&window, path, clock] {
-    bool ready = window.isSettled();
+    auto* look = window.findChild<velum::gui::LookPanel*>();
+    bool ready = window.isSettled() && look->isComplete();
     if (!ready && clock->elapsed() < kScreenshotWaitMs) return;
     bool saved = window.grab().save(path);
     if (!saved)

@@ -112,7 +112,8 @@ shared::FrameParams makeFrameParams(const Frame& frame, const FrameGrid& grid, c
   glm::dvec3 perDifference = grid.valueScale * glm::dvec3(grid.dims) * 0.5;
   glm::vec4* rows[] = {&params.normalX, &params.normalY, &params.normalZ};
   for (int i = 0; i < 3; ++i) *rows[i] = v4(glm::dvec3(gradient[0][i], gradient[1][i], gradient[2][i]) * perDifference);
-  glm::dvec2 grey = scene::mixesChannels(scene.volume) ? glm::dvec2(0.5, 1.0) : scene::effectiveWindow(scene.volume);
+  glm::dvec2 grey = scene::mixesChannels(scene.volume) ? glm::dvec2(0.5, 1.0) * table.mixedWhite
+                                                       : scene::effectiveWindow(scene.volume);
   params.window = {float(width / grey.y), float((table.domain.x - (grey.x - 0.5 * grey.y)) / grey.y),
                    float(scene.labels.tint), float(scene.labels.unlabelled)};
   // Light.

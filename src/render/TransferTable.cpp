@@ -10,33 +10,11 @@ namespace velum::render {
 
 namespace {
 
-/// Interpolates a list of points by value; `get` picks the quantity.
-template <class Point, class Get>
-auto interpolate(const std::vector<Point>& points, double value, Get get) -> decltype(get(points[0])) {
-  auto after =
-      std::upper_bound(points.begin(), points.end(), value, [](double v, const Point& p) { return v < p.value; });
-  if (after == points.begin()) return get(points.front());
-  if (after == points.end()) return get(points.back());
-  const Point& a = *(after - 1);
-  const Point& b = *after;
-  double f = (value - a.value) / (b.value - a.value);
-  return get(a) * (1.0 - f) + get(b) * f;
-}
-
 /// Extinction, 1/mm, of a material that covers `opacity` of what is behind `unitMm` of it. Fully opaque is 0.999, as
 /// infinity has no sums.
 double extinction(double opacity, double unitMm) { return -std::log(1.0 - std::clamp(opacity, 0.0, 0.999)) / unitMm; }
 
 }  // namespace
-
-double opacityAt(const std::vector<scene::OpacityPoint>& points, double value) {
-  return points.empty() ? 0.0 : interpolate(points, value, [](const auto& p) { return p.opacity; });
-}
-
-glm::dvec3 colorAt(const std::vector<scene::ColorPoint>& points, double value) {
-  return points.empty() ? glm::dvec3(1.0)
-                        : interpolate(points, value, [](const auto& p) { return glm::dvec3(p.color); });
-}
 
 MixTable makeMixTable(const scene::VolumeLayer& layer) {
   MixTable table;
@@ -48,11 +26,12 @@ MixTable makeMixTable(const scene::VolumeLayer& layer) {
     double largest = 0;
     for (int i = 0; i < MixTable::kSize; ++i) {
       double value = glm::mix(table.domain.x, table.domain.y, double(i) / (MixTable::kSize - 1));
-      double sigma = extinction(opacityAt(look.transfer.opacities, value), look.transfer.unitDistanceMm);
-      entries[std::size_t(i)] = glm::vec4(glm::dvec4(colorAt(look.transfer.colors, value) * sigma, sigma));
+      double sigma = extinction(scene::opacityAt(look.transfer.opacities, value), look.transfer.unitDistanceMm);
+      entries[std::size_t(i)] = glm::vec4(glm::dvec4(scene::colorAt(look.transfer.colors, value) * sigma, sigma));
       largest = std::max(largest, sigma);
     }
     table.largestExtinction += largest;
+    table.largestOfOne = std::max(table.largestOfOne, largest);
   }
   for (auto& entries : table.channels)
     for (auto& entry : entries) entry /= float(std::max(table.largestExtinction, 1e-12));
@@ -62,15 +41,21 @@ MixTable makeMixTable(const scene::VolumeLayer& layer) {
 namespace {
 
 /// Extinction by table position 0..1, for volumes whose channels are mixed.
-double mixedExtinction(double alpha, double largest) { return alpha * alpha * largest; }
+/// Nothing below half a step of the texels' eight bits: else no cell of a mixed volume would be empty.
+double mixedExtinction(double alpha, double largest) { return alpha < 0.5 / 255.0 ? 0.0 : alpha * alpha * largest; }
 
 }  // namespace
 
 TransferTable makeTransferTable(const scene::Scene& scene) {
   const auto& transfer = scene.volume.transfer;
   bool mixes = scene::mixesChannels(scene.volume);
-  double largest = mixes ? makeMixTable(scene.volume).largestExtinction : 0.0;
   TransferTable table;
+  double largest = 0;
+  if (mixes) {
+    MixTable mix = makeMixTable(scene.volume);
+    largest = mix.largestExtinction;
+    if (largest > 0) table.mixedWhite = std::sqrt(mix.largestOfOne / largest);
+  }
   glm::dvec2 window = scene::effectiveWindow(scene.volume);
   bool showsPoints = !scene::usesWindow(scene) && !(transfer.opacities.empty() && transfer.colors.empty());
   double low = std::numeric_limits<double>::infinity(), high = -low;
@@ -99,8 +84,8 @@ TransferTable makeTransferTable(const scene::Scene& scene) {
   for (int i = 0; i <= n; ++i) {
     double value = low + std::min(1.0, double(i) / (n - 1)) * (high - low);
     double sigma = mixes ? mixedExtinction(value, largest)
-                         : extinction(opacityAt(transfer.opacities, value), transfer.unitDistanceMm);
-    glm::dvec4 here((mixes ? glm::dvec3(1.0) : colorAt(transfer.colors, value)) * sigma, sigma);
+                         : extinction(scene::opacityAt(transfer.opacities, value), transfer.unitDistanceMm);
+    glm::dvec4 here((mixes ? glm::dvec3(1.0) : scene::colorAt(transfer.colors, value)) * sigma, sigma);
     if (i > 0) entries.push_back(0.5 * (before + here));
     if (i > 0) total += entries.back().w;
     before = here;
@@ -126,7 +111,7 @@ TransferTable makeTransferTable(const scene::Scene& scene) {
     table.gradientFactors.push_back(
         mixes || transfer.gradientOpacities.empty()
             ? 1.0f
-            : float(opacityAt(transfer.gradientOpacities, double(i) / (n - 1) * table.gradientMax)));
+            : float(scene::opacityAt(transfer.gradientOpacities, double(i) / (n - 1) * table.gradientMax)));
   return table;
 }
 

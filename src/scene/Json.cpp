@@ -364,6 +364,29 @@ Scene fromJson(std::string_view text) {
   return scene;
 }
 
+std::string transferToJson(const TransferFunction& transfer) {
+  Json out = Json::object();
+  out["velumTransfer"] = kTransferVersion;
+  out.update(writeStruct(transfer));
+  return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+TransferFunction transferFromJson(std::string_view text) {
+  checkDepth(text);
+  Json json = Json::parse(text, nullptr, false);
+  auto version = json.is_object() ? json.find("velumTransfer") : json.end();
+  if (!json.is_object() || version == json.end() || !version->is_number_integer())
+    throw InputError("no \"velumTransfer\" version number; this is not a transfer function of ours, or it is damaged");
+  if (version->get<double>() > kTransferVersion || version->get<double>() < 1)
+    throw InputError(
+        fmt::format("written by a newer Velum (transfer version {}, this one reads up to {}); update Velum",
+                    version->get<double>(), kTransferVersion));
+  json.erase("velumTransfer");
+  TransferFunction transfer;
+  readStruct(transfer, json, "transfer");
+  return transfer;
+}
+
 void setField(Scene& scene, std::string_view path, std::string_view value) {
   Scene next = scene;
   assignMember(next, path, value, "");

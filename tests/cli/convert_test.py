@@ -54,6 +54,20 @@ class Convert(CliTest):
             self.assertEqual(after["kind"], "labels", name)
             self.assertEqual([s["name"] for s in before["structures"]], [s["name"] for s in after["structures"]], name)
 
+    def test_a_look_goes_through_every_kind_of_file_and_draws_the_same(self):
+        path = self.sample("torso", 32)
+        draw = ["--size", "40x40", "--samples", "1", "--set", "lighting.shaded=false"]
+        self.run_batch("render", path, "-o", "a.png", *draw, "--preset", "ct-bone", "--save-scene", "a.json")
+        self.run_batch("convert", "a.json", "b.vp")  # from the scene, the data is not read
+        self.run_batch("convert", "b.vp", "c.vp.json")
+        self.run_batch("convert", "c.vp.json", "d.velum-transfer.json")
+        self.run_batch("convert", "a.png", "e.velum-transfer.json")
+        for name in ("b.vp", "c.vp.json", "d.velum-transfer.json", "e.velum-transfer.json"):
+            with self.subTest(name=name):
+                self.run_batch("render", path, "-o", "x.png", *draw, "--preset", "ct-skin", "--transfer", name)
+                # The presets' grey windows differ, and with them where the steps of the table lie.
+                self.run_batch("compare", "a.png", "x.png", "--max-diff", "2", "--max-fraction", "0")
+
     def test_formats_that_are_not_written_exit_2(self):
         path = self.sample()
         for name in ("b.dcm", "b", "b.txt", "none/b.nrrd"):

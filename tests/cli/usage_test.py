@@ -46,6 +46,18 @@ class Usage(CliTest):
         self.refuse("render", path, "-o", "x.png", "--view", "front", code=1, words=["front", "anterior"])
         self.refuse("render", path, "-o", "x.png", "--preset", "bones", code=1, words=["bones", "ct-bone"])
 
+    def test_wrong_transfer_files_exit_2_and_are_named(self):
+        path = self.sample()
+        (self.folder / "bad.vp").write_text("1\n2\n")
+        (self.folder / "bad.velum-transfer.json").write_text('{"velumTransfer": 1, "opacities": 5}')
+        for name, word in (("bad.vp", "9 lines"), ("bad.velum-transfer.json", "opacities"), ("none.vp.json", "No such file"),
+                           ("two-spheres.nrrd", ".vp")):
+            with self.subTest(name=name):
+                self.refuse("render", path, "-o", "x.png", "--transfer", name, code=2, words=[name, word])
+        self.refuse("convert", path, "out.vp", code=2, words=["two-spheres.nrrd", "neither a scene"])
+        self.refuse("convert", "bad.vp", "out.vp.json", code=2, words=["bad.vp"])
+        self.assertFalse((self.folder / "out.vp").exists())
+
     def test_set_errors_name_path_value_and_choices(self):
         path = self.sample()
         for change, words in (("rayCast.mode=cube", ["rayCast.mode", "cube", "mip"]), ("rayCats.mode=mip", ["rayCats", "rayCast"]),

@@ -52,7 +52,7 @@ class StructureWindow : public testing::Test {
     mWindow->openPaths({path("phantom.nrrd"), path("phantom_labels.seg.nrrd")});
     ASSERT_TRUE(wait([&] { return !mWindow->isBusy(); }));
     ASSERT_GE(structures().size(), 2u);
-    document().amend([](scene::Scene& scene) { scene.rayCast.samplesPerPixel = 1; });  // enough to pick from
+    document().view([](scene::Scene& scene) { scene.rayCast.samplesPerPixel = 1; });  // enough to pick from
     mWindow->actions().find("structure.list")->trigger();
     ASSERT_TRUE(wait([&] { return list().isVisible(); }));
   }

@@ -1,6 +1,8 @@
 // Drives the real window with real events, under a display.
-#include <QComboBox>
+#include <QApplication>
 #include <QDropEvent>
+#include <QFile>
+#include <QListWidget>
 #include <QMimeData>
 #include <QProcess>
 #include <QPushButton>
@@ -113,16 +115,19 @@ TEST_F(Window, KnobTiltsTheCut) {
 
 TEST_F(Window, PresetIsOneUndoStep) {
   openPhantom();
-  auto* presets = child<QComboBox>("preset");
+  auto* presets = child<QListWidget>("preset");
   std::string before = scene().volume.transfer.preset;
-  int index = presets->findData("ct-skin");
-  ASSERT_GE(index, 0);
-  presets->setCurrentIndex(index);
-  emit presets->activated(index);
+  child<QPushButton>("morePresets")->click();
+  QListWidgetItem* skin = nullptr;
+  for (int i = 0; i < presets->count(); ++i)
+    if (presets->item(i)->data(Qt::UserRole).toString() == "ct-skin") skin = presets->item(i);
+  ASSERT_TRUE(skin);
+  presets->setCurrentItem(skin);
+  QTest::keyClick(presets, Qt::Key_Return);
   EXPECT_EQ(scene().volume.transfer.preset, "ct-skin");
   mWindow->document().undo();
   EXPECT_EQ(scene().volume.transfer.preset, before);
-  EXPECT_EQ(presets->currentData().toString().toStdString(), before);
+  EXPECT_EQ(presets->currentItem()->data(Qt::UserRole).toString().toStdString(), before);
 }
 
 TEST_F(Window, SavedPictureEqualsTheHeadlessOne) {

@@ -18,6 +18,15 @@ std::string toJson(const Scene& scene);
 /// range
 Scene fromJson(std::string_view text);
 
+constexpr int kTransferVersion = 1;
+
+/// A transfer function alone as JSON text, by the same field list: {"velumTransfer": 1, "colors": ...}.
+std::string transferToJson(const TransferFunction& transfer);
+
+/// The counterpart. @throw InputError for text that is no transfer function of ours, is from a newer version, or has a
+/// value of the wrong kind or out of range
+TransferFunction transferFromJson(std::string_view text);
+
 /// Changes one field by its path: "rayCast.stepVoxels", "cuts.0.centreMm", "cuts.+" appends one.
 /// @param value  JSON, or a bare word or comma list: 0.5, true, mip, 1,2,3, "[{...}]"
 /// @throw ArgumentError naming the part of the path, or the value, that does not fit

@@ -67,4 +67,9 @@ struct ChannelLook {
   }
 };
 
+/// Opacity at a value, 0..1: linear between points, constant beyond them, 0 without any.
+double opacityAt(const std::vector<OpacityPoint>& points, double value);
+/// Colour at a value in the same way; white without any.
+glm::dvec3 colorAt(const std::vector<ColorPoint>& points, double value);
+
 }  // namespace velum::scene

@@ -1,0 +1,23 @@
+#pragma once
+#include <filesystem>
+
+#include "velum/scene/Scene.h"
+
+namespace velum::session {
+
+/// True for files that importLook() reads, by name: .velum-transfer.json, and 3D Slicer's .vp.json and .vp.
+bool isLookFile(const std::filesystem::path& path);
+
+/// Gives the scene the transfer function of a file: the current channel where several are mixed, which keeps its colour
+/// where the file has none. Light and window stay. The scene is drawn as a volume.
+/// @throw InputError for a file that is missing, damaged or of another kind; the scene is then unchanged
+void importLook(scene::Scene& scene, const std::filesystem::path& path);
+
+/// Writes the transfer function that is edited, in the kind that the name says. @throw InputError
+void exportLook(const scene::Scene& scene, const std::filesystem::path& path);
+
+/// The transfer function of a scene file, a picture of ours or another such file, as `output`; data is not read.
+/// @throw InputError
+void convertLook(const std::filesystem::path& input, const std::filesystem::path& output);
+
+}  // namespace velum::session

@@ -1,0 +1,143 @@
+#include "ChannelList.h"
+
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QPainterPath>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "velum/scene/Presets.h"
+
+namespace velum::gui {
+
+EyeButton::EyeButton(QWidget* parent) : QToolButton(parent) {
+  setCheckable(true);
+  setFixedSize(30, 28);
+  setFocusPolicy(Qt::StrongFocus);
+}
+
+/// What the eye shows comes from the document: a click asks, and changes nothing by itself.
+void EyeButton::mouseReleaseEvent(QMouseEvent* event) {
+  setDown(false);
+  if (event->button() == Qt::LeftButton && rect().contains(event->position().toPoint()))
+    emit pressedWith(event->modifiers() & Qt::AltModifier);
+}
+
+/// The window has another use for Space.
+bool EyeButton::event(QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Space)
+    event->accept();
+  return QToolButton::event(event);
+}
+
+void EyeButton::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Space || event->key() == Qt::Key_Return)
+    emit pressedWith(event->modifiers() & Qt::AltModifier);
+  else
+    QToolButton::keyPressEvent(event);
+}
+
+void EyeButton::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  bool lively = isEnabled() && (underMouse() || hasFocus());
+  QColor color = palette().color(isChecked() || lively ? QPalette::Text : QPalette::PlaceholderText);
+  if (!isChecked()) color.setAlphaF(lively ? 0.9f : 0.5f);
+  painter.setPen(QPen(color, 1.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  QPointF c = QRectF(rect()).center();
+  QPainterPath lid(c + QPointF(-8, 0));
+  lid.quadTo(c + QPointF(0, -9), c + QPointF(8, 0));
+  lid.quadTo(c + QPointF(0, 9), c + QPointF(-8, 0));
+  painter.drawPath(lid);
+  if (isChecked()) {
+    painter.setBrush(color);
+    painter.drawEllipse(c, 2.3, 2.3);
+  } else {
+    painter.drawLine(c + QPointF(-6, 6), c + QPointF(6, -6));
+  }
+}
+
+ChannelList::ChannelList(session::Document& document, QWidget* parent) : QWidget(parent), mDocument(document) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(3);
+  layout->addWidget(makeTitle(tr("Channels"), this));
+}
+
+void ChannelList::addRow() {
+  int channel = int(mRows.size());
+  Row row{new QWidget(this), nullptr, nullptr, nullptr};
+  auto* line = new QHBoxLayout(row.widget);
+  line->setContentsMargins(0, 0, 0, 0);
+  line->setSpacing(6);
+  row.eye = new EyeButton(row.widget);
+  row.eye->setObjectName(QString("channelEye%1").arg(channel));
+  row.eye->setToolTip(tr("Show or hide this channel; Alt+click: show it alone, or all again"));
+  row.color = new ColorButton(tr("Colour of the channel"), row.widget);
+  row.color->setFixedSize(28, 22);
+  row.name = new QPushButton(row.widget);
+  row.name->setObjectName(QString("channelName%1").arg(channel));
+  row.name->setProperty("role", "row");
+  row.name->setCheckable(true);
+  row.name->setToolTip(tr("Edit the colour and opacity of this channel"));
+  line->addWidget(row.eye);
+  line->addWidget(row.color);
+  line->addWidget(row.name, 1);
+  layout()->addWidget(row.widget);
+  connect(row.eye, &EyeButton::pressedWith, this, [this, channel](bool alone) { show(channel, alone); });
+  connect(row.color, &ColorButton::picked, this, [this, channel](glm::vec3 color) { recolor(channel, color); });
+  connect(row.name, &QPushButton::clicked, this, [this, channel] { choose(channel); });
+  mRows.push_back(row);
+}
+
+void ChannelList::show(int channel, bool alone) {
+  mDocument.edit(alone ? "Show channel alone" : "Show or hide channel", [&](scene::Scene& scene) {
+    auto& looks = scene.volume.channels;
+    auto index = std::size_t(channel);
+    if (index >= looks.size()) return;
+    bool isAlone = looks[index].visible &&
+                   std::count_if(looks.begin(), looks.end(), [](const auto& look) { return look.visible; }) == 1;
+    if (!alone) {
+      looks[index].visible = !looks[index].visible;
+      return;
+    }
+    for (std::size_t i = 0; i < looks.size(); ++i) looks[i].visible = isAlone || i == index;
+  });
+}
+
+void ChannelList::recolor(int channel, glm::vec3 color) {
+  mDocument.edit("Change channel's colour", [&](scene::Scene& scene) {
+    if (std::size_t(channel) < scene.volume.channels.size())
+      scene::colorChannel(scene.volume.channels[std::size_t(channel)], color);
+  });
+}
+
+void ChannelList::choose(int channel) {
+  mDocument.edit("Choose channel", [channel](scene::Scene& scene) { scene.volume.channel = channel; });
+  refresh();  // the chosen one stays pressed
+}
+
+void ChannelList::refresh() {
+  const scene::VolumeLayer& layer = mDocument.scene().volume;
+  bool mixes = scene::mixesChannels(layer);
+  setVisible(mixes);
+  if (!mixes) return;
+  while (mRows.size() < layer.channels.size()) addRow();
+  for (std::size_t i = 0; i < mRows.size(); ++i) {
+    const Row& row = mRows[i];
+    row.widget->setVisible(i < layer.channels.size());
+    if (i >= layer.channels.size()) continue;
+    const scene::ChannelLook& look = layer.channels[i];
+    QString name = QString::fromStdString(look.name);
+    row.eye->setChecked(look.visible);
+    row.eye->setAccessibleName(tr("Show %1").arg(name));
+    row.color->setColor(look.color);
+    row.color->setAccessibleName(tr("Colour of %1").arg(name));
+    row.name->setText(row.name->fontMetrics().elidedText(name, Qt::ElideRight, 220));
+    row.name->setChecked(int(i) == std::clamp(layer.channel, 0, int(layer.channels.size()) - 1));
+  }
+}
+
+}  // namespace velum::gui

@@ -12,51 +12,24 @@
 
 namespace velum::gui {
 
-EyeButton::EyeButton(QWidget* parent) : QToolButton(parent) {
-  setCheckable(true);
-  setFixedSize(30, 28);
-  setFocusPolicy(Qt::StrongFocus);
-}
-
-/// What the eye shows comes from the document: a click asks, and changes nothing by itself.
-void EyeButton::mouseReleaseEvent(QMouseEvent* event) {
+void ChannelEye::mouseReleaseEvent(QMouseEvent* event) {
   setDown(false);
   if (event->button() == Qt::LeftButton && rect().contains(event->position().toPoint()))
     emit pressedWith(event->modifiers() & Qt::AltModifier);
 }
 
 /// The window has another use for Space.
-bool EyeButton::event(QEvent* event) {
+bool ChannelEye::event(QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Space)
     event->accept();
   return QToolButton::event(event);
 }
 
-void EyeButton::keyPressEvent(QKeyEvent* event) {
+void ChannelEye::keyPressEvent(QKeyEvent* event) {
   if (event->key() == Qt::Key_Space || event->key() == Qt::Key_Return)
     emit pressedWith(event->modifiers() & Qt::AltModifier);
   else
     QToolButton::keyPressEvent(event);
-}
-
-void EyeButton::paintEvent(QPaintEvent*) {
-  QPainter painter(this);
-  painter.setRenderHint(QPainter::Antialiasing);
-  bool lively = isEnabled() && (underMouse() || hasFocus());
-  QColor color = palette().color(isChecked() || lively ? QPalette::Text : QPalette::PlaceholderText);
-  if (!isChecked()) color.setAlphaF(lively ? 0.9f : 0.5f);
-  painter.setPen(QPen(color, 1.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-  QPointF c = QRectF(rect()).center();
-  QPainterPath lid(c + QPointF(-8, 0));
-  lid.quadTo(c + QPointF(0, -9), c + QPointF(8, 0));
-  lid.quadTo(c + QPointF(0, 9), c + QPointF(-8, 0));
-  painter.drawPath(lid);
-  if (isChecked()) {
-    painter.setBrush(color);
-    painter.drawEllipse(c, 2.3, 2.3);
-  } else {
-    painter.drawLine(c + QPointF(-6, 6), c + QPointF(6, -6));
-  }
 }
 
 ChannelList::ChannelList(session::Document& document, QWidget* parent) : QWidget(parent), mDocument(document) {
@@ -72,7 +45,7 @@ void ChannelList::addRow() {
   auto* line = new QHBoxLayout(row.widget);
   line->setContentsMargins(0, 0, 0, 0);
   line->setSpacing(6);
-  row.eye = new EyeButton(row.widget);
+  row.eye = new ChannelEye(row.widget);
   row.eye->setObjectName(QString("channelEye%1").arg(channel));
   row.eye->setToolTip(tr("Show or hide this channel; Alt+click: show it alone, or all again"));
   row.color = new ColorButton(tr("Colour of the channel"), row.widget);
@@ -86,7 +59,7 @@ void ChannelList::addRow() {
   line->addWidget(row.color);
   line->addWidget(row.name, 1);
   layout()->addWidget(row.widget);
-  connect(row.eye, &EyeButton::pressedWith, this, [this, channel](bool alone) { show(channel, alone); });
+  connect(row.eye, &ChannelEye::pressedWith, this, [this, channel](bool alone) { show(channel, alone); });
   connect(row.color, &ColorButton::picked, this, [this, channel](glm::vec3 color) { recolor(channel, color); });
   connect(row.name, &QPushButton::clicked, this, [this, channel] { choose(channel); });
   mRows.push_back(row);

@@ -1,25 +1,24 @@
 #pragma once
-#include <QToolButton>
 #include <QWidget>
 #include <vector>
 
+#include "RowPaint.h"
 #include "Widgets.h"
 #include "velum/session/Document.h"
 
 namespace velum::gui {
 
-/// An eye that is open while something is shown.
-class EyeButton : public QToolButton {
+/// The eye of a channel: a click asks, and changes nothing by itself.
+class ChannelEye : public EyeButton {
   Q_OBJECT
  public:
-  explicit EyeButton(QWidget* parent);
+  using EyeButton::EyeButton;
 
  signals:
   /// @param alone  with Alt: this one and no other
   void pressedWith(bool alone);
 
  protected:
-  void paintEvent(QPaintEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   bool event(QEvent* event) override;
@@ -36,7 +35,7 @@ class ChannelList : public QWidget {
  private:
   struct Row {
     QWidget* widget;
-    EyeButton* eye;
+    ChannelEye* eye;
     ColorButton* color;
     QPushButton* name;
   };

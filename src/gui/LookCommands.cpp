@@ -10,9 +10,10 @@
 
 namespace velum::gui {
 
-LookCommands::LookCommands(session::Document& document, Viewport& viewport, MessageBar& messages, QWidget* window)
-    : QObject(window), mDocument(document), mViewport(viewport), mMessages(messages), mWindow(window) {
-  connect(&viewport, &Viewport::clicked, this, &LookCommands::clickedInPicture);
+LookCommands::LookCommands(session::Document& document, ViewGrid& views, MessageBar& messages, QWidget* window)
+    : QObject(window), mDocument(document), mViews(views), mMessages(messages), mWindow(window) {
+  connect(&views.viewport(), &Viewport::clicked, this, &LookCommands::clickedInPicture);
+  connect(&views, &ViewGrid::clickedSlice, this, &LookCommands::showAt);
 }
 
 void LookCommands::build(ActionTable& actions, QMenu* menu, QToolBar* bar) {
@@ -22,7 +23,7 @@ void LookCommands::build(ActionTable& actions, QMenu* menu, QToolBar* bar) {
   mShowThis->setCheckable(true);
   mShowThis->setIconText(tr("Show this"));
   connect(mShowThis, &QAction::toggled, this, [this](bool on) {
-    mViewport.setPointing(on);
+    mViews.setPointing(on);
     emit showingChanged(on);
   });
   menu->addSeparator();
@@ -36,7 +37,7 @@ void LookCommands::build(ActionTable& actions, QMenu* menu, QToolBar* bar) {
 /// The picture's point lies on the material's border: what is meant is behind it.
 void LookCommands::clickedInPicture(QPointF place, Qt::KeyboardModifiers keys) {
   if (!isShowing()) return;
-  auto pick = mViewport.pickAt(place);
+  auto pick = mViews.viewport().pickAt(place);
   const auto& volume = mDocument.scene().volume.data;
   if (!pick || !pick->hit || !volume) return;
   glm::dvec3 spacing = spacingMm(*volume);

@@ -4,7 +4,7 @@
 
 #include "ActionTable.h"
 #include "Bars.h"
-#include "Viewport.h"
+#include "ViewGrid.h"
 #include "velum/session/Document.h"
 
 namespace velum::gui {
@@ -13,7 +13,7 @@ namespace velum::gui {
 class LookCommands : public QObject {
   Q_OBJECT
  public:
-  LookCommands(session::Document& document, Viewport& viewport, MessageBar& messages, QWidget* window);
+  LookCommands(session::Document& document, ViewGrid& views, MessageBar& messages, QWidget* window);
   /// Adds the commands to a menu, and "show this" to the tool bar.
   void build(ActionTable& actions, QMenu* menu, QToolBar* bar);
 
@@ -37,7 +37,7 @@ class LookCommands : public QObject {
   void askExport();
 
   session::Document& mDocument;
-  Viewport& mViewport;
+  ViewGrid& mViews;
   MessageBar& mMessages;
   QWidget* mWindow;
   QAction* mShowThis = nullptr;

@@ -65,7 +65,8 @@ void MainWindow::buildCentre() {
   mProgress = new ProgressStrip(centre);
   mTime = new TimeBar(mDocument, centre);
   auto* empty = new EmptyState(mPages);
-  mViews = new ViewGrid(mDocument, mPages);
+  mSelection = new Selection(this);
+  mViews = new ViewGrid(mDocument, *mSelection, mPages);
   mViewport = &mViews->viewport();
   mPages->addWidget(empty);
   mPages->addWidget(mViews);
@@ -101,7 +102,6 @@ void MainWindow::buildPanel() {
   mTabs->tabBar()->setExpanding(true);
   outer->addWidget(mTabs);
   mLook = new LookPanel(mDocument, mTabs);
-  mSelection = new Selection(this);
   mCuts = new CutPanel(mDocument, *mSelection, mTabs);
   addTab(mLook, tr("Look"), tr("Preset, rendering, light and background"));
   buildStructures();
@@ -213,6 +213,7 @@ void MainWindow::openPaths(const QStringList& paths, bool add) {
   auto read = [names, beside, policy = dataPolicy()](Loaded& loaded, Progress& progress) {
     if (!beside) {
       loaded.scene = session::openAll(names, progress, policy, &loaded.notes);
+      loaded.isScene = session::readSceneText(names.front()).has_value();
       return;
     }
     for (const auto& name : names) {
@@ -232,6 +233,12 @@ void MainWindow::openPhantom(const QString& name, int voxels) {
   startLoad(tr("Making a phantom"), read, false, name);
 }
 
+void MainWindow::showScene(scene::Scene scene, const QString& name) {
+  Loaded loaded;
+  loaded.scene = std::move(scene);
+  takeScene(loaded, false, name);
+}
+
 void MainWindow::takeScene(Loaded& loaded, bool add, QString path) {
   scene::Scene& scene = loaded.scene;
   // Recovered work that was never saved goes by the name of its data.
@@ -247,15 +254,15 @@ void MainWindow::takeScene(Loaded& loaded, bool add, QString path) {
     return;
   }
   QString suffix = QFileInfo(path).suffix().toLower();
-  bool isScene = loaded.lost || suffix == "json" || suffix == "png" || suffix == "exr";
   mPath = path;
   mScenePath = suffix == "json" ? QFileInfo(path).absoluteFilePath() : QString();
   if (scene.volume.data)
     for (const auto& line : scene.volume.data->warnings) loaded.notes.push_back(line);
   mPages->setCurrentIndex(1);
   mCuts->setEnabled(true);
-  if (!isScene) {
+  if (!loaded.isScene && !loaded.lost) {
     scene.slices.layout = ViewGrid::layoutFor(scene);
+    mViews->place(scene.slices);  // so that the camera fits the view as it will be
     scene.camera = mViewport->frame(scene, scene::defaultView(scene));
   }
   replaceScene(std::move(scene), path);

@@ -42,8 +42,8 @@ class MainWindow : public QMainWindow {
   /// Reads files or folders in the background. @param add  beside what is open, instead of in its place
   void openPaths(const QStringList& paths, bool add = false);
   void openPhantom(const QString& name, int voxels);
-  /// Shows a scene whose data is in memory. @param path  what it is called; a scene file's is where it is saved
-  void takeScene(scene::Scene scene, bool add, const QString& path);
+  /// Shows a scene whose data is in memory. @param name  what it is called
+  void showScene(scene::Scene scene, const QString& name);
   void savePictureTo(const QString& path, const session::PictureOptions& options, const scene::Scene& scene);
   void saveSceneTo(const QString& path);
   /// Stops the load or the picture that is running; what is open stays.
@@ -107,6 +107,7 @@ class MainWindow : public QMainWindow {
   /// What a load gives.
   struct Loaded {
     scene::Scene scene;
+    bool isScene = false;                      ///< camera and layout are its own
     std::vector<std::string> notes;            ///< for the user
     std::unique_ptr<session::WorkClaim> lost;  ///< recovered work, until it is journaled anew
   };

@@ -49,7 +49,7 @@ void MainWindow::buildActions() {
   bar->addSeparator();
   buildViewActions(menuBar()->addMenu(tr("&View")), bar);
   bar->addSeparator();
-  mLookCommands = new LookCommands(mDocument, *mViewport, *mMessages, this);
+  mLookCommands = new LookCommands(mDocument, *mViews, *mMessages, this);
   mLookCommands->build(*mActions, menuBar()->addMenu(tr("&Look")), bar);
   bar->addSeparator();
   buildCutActions(menuBar()->addMenu(tr("&Cut")), bar);

@@ -29,13 +29,16 @@ void MainWindow::buildStructures() {
   connect(mViewport, &Viewport::clickedAt, this, [this](const render::Pick& pick) {
     if (!mThreePoints->isActive()) mSelection->setStructure(pick.hit ? pick.structure : 0);
   });
-  connect(mViewport, &Viewport::menuAskedAt, this, [this](const render::Pick& pick, QPoint place) {
-    if (!pick.hit || pick.structure == 0) return;
-    mSelection->setStructure(pick.structure);
+  auto showMenu = [this](int structure, QPoint place) {
+    mSelection->setStructure(structure);
     QMenu menu(this);
-    mStructureCommands->fillMenu(menu, {pick.structure});
+    mStructureCommands->fillMenu(menu, {structure});
     menu.exec(place);
+  };
+  connect(mViewport, &Viewport::menuAskedAt, this, [showMenu](const render::Pick& pick, QPoint place) {
+    if (pick.hit && pick.structure != 0) showMenu(pick.structure, place);
   });
+  connect(mViews, &ViewGrid::structureMenuAsked, this, showMenu);
 }
 
 void MainWindow::buildStructureActions(QMenu* menu) {

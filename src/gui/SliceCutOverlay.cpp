@@ -10,7 +10,6 @@ namespace velum::gui {
 namespace {
 
 constexpr double kReachPixels = 9.0;
-const QColor kRemoved(0, 0, 0, 110);
 
 using session::SliceHandleKind;
 
@@ -23,30 +22,6 @@ QPainterPath pathOf(const session::SliceOutline& outline) {
   QPainterPath path;
   path.addPolygon(polygon);
   if (outline.isClosed) path.closeSubpath();
-  return path;
-}
-
-/// What the cut takes away of the view; empty: nothing.
-QPainterPath removedPath(const scene::SliceFrame& frame, const scene::Cut& cut, const session::SliceOutline& outline) {
-  QPainterPath view;
-  view.addRect(QRectF(0, 0, frame.size.x, frame.size.y));
-  if (cut.shape != scene::CutShape::Plane) {
-    QPainterPath inside = pathOf(outline);
-    return cut.invert ? view.subtracted(inside) : inside;
-  }
-  if (outline.points.size() < 2) {
-    // Beside the view, or along it: all of it is on one side.
-    glm::dvec3 normal = session::cutFrame(cut)[2] * (cut.invert ? -1.0 : 1.0);
-    bool gone = glm::dot(frame.centreMm - cut.centreMm, normal) > 0;
-    return gone ? view : QPainterPath();
-  }
-  glm::dvec2 out = outline.removedSide * glm::length(frame.size);
-  QPolygonF half;
-  half << toPoint(outline.points[0]) << toPoint(outline.points[1]) << toPoint(outline.points[1] + out)
-       << toPoint(outline.points[0] + out);
-  QPainterPath path;
-  path.addPolygon(half);
-  path.closeSubpath();
   return path;
 }
 
@@ -64,7 +39,6 @@ const scene::Cut* SliceCutOverlay::selected() const {
 void SliceCutOverlay::paintCut(QPainter& painter, const scene::SliceFrame& frame, const scene::Cut& cut,
                                bool isSelected) const {
   auto outline = session::sliceOutline(frame, cut);
-  if (cut.enabled) painter.fillPath(removedPath(frame, cut, outline), kRemoved);
   QColor color = kHandle;
   color.setAlpha(!cut.enabled ? 90 : isSelected ? 255 : 150);
   if (!outline.points.empty()) strokeTwice(painter, pathOf(outline), color, isSelected ? 1.6 : 1.1);

@@ -9,7 +9,7 @@
 
 namespace velum::gui {
 
-/// The cuts on a slice: their lines, what they remove dimmed, the handles of the selected one. A slice view calls
+/// The cuts on a slice: their lines, and the handles of the selected one. A slice view calls
 /// paint() last in its paintEvent, and press(), move() and release() first in its mouse events, with the frame that it
 /// draws by; where they answer true the event was for the cut.
 class SliceCutOverlay {

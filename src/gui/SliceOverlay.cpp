@@ -42,19 +42,6 @@ void drawTwice(QPainter& painter, const QPainterPath& path, QColor color, double
 
 QPointF toPoint(glm::dvec2 p) { return {p.x, p.y}; }
 
-void drawCuts(QPainter& painter, const scene::Scene& scene, const scene::SliceFrame& frame) {
-  QColor color = kHandle;
-  color.setAlpha(215);
-  for (const auto& line : render::cutLines(scene, frame)) {
-    QPolygonF polygon;
-    for (auto p : line.points) polygon << toPoint(p);
-    QPainterPath path;
-    path.addPolygon(polygon);
-    if (line.closed) path.closeSubpath();
-    drawTwice(painter, path, color, 1.4);
-  }
-}
-
 void drawCrosshair(QPainter& painter, const scene::Scene& scene, scene::SliceKind kind, const scene::SliceFrame& frame,
                    const SliceHints& hints) {
   glm::dvec2 cross = scene::slicePixelFromWorld(frame, scene.slices.crosshairMm);
@@ -181,7 +168,6 @@ void paintSliceOverlay(QPainter& painter, const scene::Scene& scene, scene::Slic
   painter.setRenderHint(QPainter::Antialiasing);
   const auto& volume = scene.volume.data;
   bool letters = !volume || volume->isOrientationKnown, lengths = !volume || volume->isSpacingKnown;
-  if (scene.slices.showCuts) drawCuts(painter, scene, frame);
   if (scene.slices.showCrosshair) drawCrosshair(painter, scene, kind, frame, hints);
   if (letters) drawLetters(painter, frame);
   drawTitle(painter, scene, kind, hints.hasFocus);

@@ -22,8 +22,8 @@ constexpr int kButton = 24;
 
 }  // namespace
 
-SliceView::SliceView(session::Document& document, scene::SliceKind kind, QWidget* parent)
-    : QWidget(parent), mDocument(document), mKind(kind) {
+SliceView::SliceView(session::Document& document, Selection& selection, scene::SliceKind kind, QWidget* parent)
+    : QWidget(parent), mDocument(document), mKind(kind), mCuts(document, selection), mSelection(selection) {
   setObjectName(QString("slice.%1").arg(sliceName(kind).toLower()));
   setAccessibleName(tr("%1 slice").arg(sliceName(kind)));
   setFocusPolicy(Qt::StrongFocus);
@@ -37,6 +37,7 @@ SliceView::SliceView(session::Document& document, scene::SliceKind kind, QWidget
   connect(mMenuButton, &QToolButton::clicked, this,
           [this] { showMenu(mMenuButton->mapToGlobal(QPoint(0, mMenuButton->height()))); });
   connect(mMaximise, &QToolButton::clicked, this, &SliceView::maximiseWanted);
+  connect(&selection, &Selection::cutChanged, this, qOverload<>(&QWidget::update));
   mRestTimer.setSingleShot(true);
   mRestTimer.setInterval(kRestMs);
   connect(&mRestTimer, &QTimer::timeout, this, [this] {
@@ -76,8 +77,9 @@ void SliceView::refresh() {
   wanted.background.transparent = false;  // a window has something behind
   auto wantedFrame = scene::makeSliceFrame(scene, mKind, glm::round(logicalSize() * devicePixelRatioF()));
   bool stale = wantedFrame != mWantedFrame || wanted != mWanted;
-  if (!stale && mSlices == scene.slices) return;
+  if (!stale && mSlices == scene.slices && mCutsShown == scene.cuts) return;
   mSlices = scene.slices;
+  mCutsShown = scene.cuts;
   mWanted = std::move(wanted);
   mWantedFrame = wantedFrame;
   mStale = mStale || stale;
@@ -111,6 +113,7 @@ void SliceView::paintEvent(QPaintEvent*) {
   painter.drawImage(QRectF(QPointF(), shown), image);
   mHints.hasFocus = hasFocus();
   paintSliceOverlay(painter, mDocument.scene(), mKind, frame(), mHints);
+  mCuts.paint(painter, frame());
   ++mPaintCount;
 }
 

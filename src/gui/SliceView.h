@@ -4,6 +4,8 @@
 #include <QToolButton>
 #include <QWidget>
 
+#include "Selection.h"
+#include "SliceCutOverlay.h"
 #include "SliceOverlay.h"
 #include "velum/render/Renderer.h"
 #include "velum/render/SliceImage.h"
@@ -16,7 +18,7 @@ namespace velum::gui {
 class SliceView : public QWidget {
   Q_OBJECT
  public:
-  SliceView(session::Document& document, scene::SliceKind kind, QWidget* parent);
+  SliceView(session::Document& document, Selection& selection, scene::SliceKind kind, QWidget* parent);
 
   /// To be called after every change of the document.
   void refresh();
@@ -29,6 +31,8 @@ class SliceView : public QWidget {
   bool isComplete() const { return !isVisible() || (!mStale && mDrawnCoarse == 1); }
   /// How often it has been painted; for tests and measurements.
   int paintCount() const { return mPaintCount; }
+  /// While it is on, a click means a place of the world and moves nothing.
+  void setPointing(bool pointing) { mPointing = pointing; }
   /// Shows in its button whether the view fills the window.
   void setMaximised(bool maximised);
   /// All of the data, in the middle.
@@ -42,6 +46,10 @@ class SliceView : public QWidget {
   /// The user does something here: other views are to leave it the machine.
   void touched();
   void maximiseWanted();
+  /// While a tool points: where was clicked, world mm.
+  void clicked(glm::dvec3 worldMm, Qt::KeyboardModifiers keys);
+  /// The right button was clicked over a structure, which is selected now.
+  void structureMenuAsked(int structure, QPoint globalPlace);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -61,7 +69,7 @@ class SliceView : public QWidget {
   bool event(QEvent* event) override;
 
  private:
-  enum class Drag { None, Crosshair, Turn, Pan, Window };
+  enum class Drag { None, Crosshair, Turn, Pan, Window, Cut };
 
   QToolButton* addButton(const char* name, const QString& tip, int fromRight);
   void drawImage();
@@ -71,6 +79,7 @@ class SliceView : public QWidget {
   void endDrag();
   void hover(QPointF place);
   void change(const session::Document::Change& change);
+  void pickStructure(QPointF place);
   void showMenu(QPoint globalPlace);
   glm::dvec2 logicalSize() const { return {std::max(1, width()), std::max(1, height())}; }
 
@@ -81,7 +90,12 @@ class SliceView : public QWidget {
   scene::Scene mWanted;
   scene::SliceFrame mWantedFrame;  ///< In device pixels.
   scene::Slices mSlices;           ///< As the lines over the picture show them.
+  std::vector<scene::Cut> mCutsShown;
   render::SliceImage mImage;
+  SliceCutOverlay mCuts;
+  Selection& mSelection;
+  bool mPointing = false;
+  bool mOnCut = false;  ///< The pointer is on a handle of a cut.
   bool mStale = true;
   int mDrawnCoarse = 1;  ///< Device pixels along the edge of one of mImage.
   double mFullMs = 0.0;  ///< Time that the last full picture took.

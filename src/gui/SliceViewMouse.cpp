@@ -41,7 +41,13 @@ SliceView::Drag SliceView::dragFor(const QMouseEvent& event) const {
 void SliceView::mousePressEvent(QMouseEvent* event) {
   if (mDrag != Drag::None) return;
   emit touched();
-  mDrag = dragFor(*event);
+  bool isLeft = event->button() == Qt::LeftButton;
+  if (mPointing && isLeft) {
+    emit clicked(scene::worldFromSlicePixel(frame(), toVec(event->position())), event->modifiers());
+    return;
+  }
+  bool takesCut = isLeft && !(event->modifiers() & Qt::ControlModifier) && mCuts.press(event->position(), frame());
+  mDrag = takesCut ? Drag::Cut : dragFor(*event);
   mDragStart = mDragLast = toVec(event->position());
   mDragScene = mDocument.scene();
   mDragFrame = frame();
@@ -78,6 +84,7 @@ void SliceView::dragTo(glm::dvec2 place) {
           "Change window", [&](scene::Scene& scene) { scene::setWindow(scene.volume, window.x, window.y); }, true);
       break;
     }
+    case Drag::Cut:
     case Drag::None:
       break;
   }
@@ -85,12 +92,18 @@ void SliceView::dragTo(glm::dvec2 place) {
 }
 
 void SliceView::mouseMoveEvent(QMouseEvent* event) {
+  if (mDrag == Drag::None || mDrag == Drag::Cut) {
+    bool onCut = mCuts.move(event->position(), frame(), event->modifiers() & Qt::ShiftModifier);
+    if (onCut != mOnCut || mDrag == Drag::Cut) update();
+    mOnCut = onCut;
+  }
   if (mDrag != Drag::None) dragTo(toVec(event->position()));
   hover(event->position());
 }
 
 void SliceView::endDrag() {
   if (mDrag == Drag::Window) mDocument.endMerge();
+  if (mDrag == Drag::Cut) mCuts.release();
   mDrag = Drag::None;
   mDragScene = {};
   unsetCursor();
@@ -99,9 +112,14 @@ void SliceView::endDrag() {
 void SliceView::mouseReleaseEvent(QMouseEvent* event) {
   if (event->buttons() != Qt::NoButton || mDrag == Drag::None) return;
   bool wantsMenu = mDrag == Drag::Window && !mHasMoved;
+  bool isClick = mDrag == Drag::Crosshair && !mHasMoved;
   endDrag();
   hover(event->position());
-  if (wantsMenu) showMenu(event->globalPosition().toPoint());
+  if (isClick || wantsMenu) pickStructure(event->position());
+  if (wantsMenu && mSelection.structure() != 0)
+    emit structureMenuAsked(mSelection.structure(), event->globalPosition().toPoint());
+  else if (wantsMenu)
+    showMenu(event->globalPosition().toPoint());
 }
 
 void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {
@@ -109,6 +127,12 @@ void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {
   if (mSincePress.isValid() && !mSincePress.hasExpired(QApplication::doubleClickInterval()))
     change([this](scene::Scene& scene) { scene.slices.crosshairMm = mCrosshairBefore; });
   emit maximiseWanted();
+}
+
+/// A click selects the structure that it meets.
+void SliceView::pickStructure(QPointF place) {
+  glm::dvec3 world = scene::worldFromSlicePixel(frame(), toVec(place));
+  if (mDocument.scene().labels.data) mSelection.setStructure(render::probe(mDocument.scene(), world).structure);
 }
 
 /// Says what is under the pointer, and lights the knobs.
@@ -120,7 +144,7 @@ void SliceView::hover(QPointF place) {
     mHints.hotKnob = onKnob;
     update();
   }
-  if (mDrag == Drag::None) setCursor(onKnob ? Qt::OpenHandCursor : Qt::CrossCursor);
+  if (mDrag == Drag::None) setCursor(mOnCut ? mCuts.cursor() : onKnob ? Qt::OpenHandCursor : Qt::CrossCursor);
   render::Pick pick;
   pick.worldMm = scene::worldFromSlicePixel(frame(), toVec(place));
   render::Probe probe = render::probe(mDocument.scene(), pick.worldMm);
@@ -202,7 +226,8 @@ void SliceView::enterEvent(QEnterEvent*) {
 }
 
 void SliceView::leaveEvent(QEvent*) {
-  mHints.showKnobs = mHints.hotKnob = false;
+  mHints.showKnobs = mHints.hotKnob = mOnCut = false;
+  mCuts.leave();
   for (auto* button : {mMenuButton, mMaximise}) button->hide();
   emit pointedAtNothing();
   update();

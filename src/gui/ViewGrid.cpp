@@ -22,18 +22,20 @@ constexpr const char* kLayoutKey = "view/layout";
 
 }  // namespace
 
-ViewGrid::ViewGrid(session::Document& document, QWidget* parent)
+ViewGrid::ViewGrid(session::Document& document, Selection& selection, QWidget* parent)
     : QWidget(parent), mDocument(document), mViewport(new Viewport(document, this)) {
   setObjectName("viewGrid");
   setMouseTracking(true);
   for (auto kind : {SliceKind::Axial, SliceKind::Coronal, SliceKind::Sagittal}) {
-    auto* view = new SliceView(document, kind, this);
+    auto* view = new SliceView(document, selection, kind, this);
     mSlices[std::size_t(kind)] = view;
     view->hide();
     connect(view, &SliceView::touched, this, [this] { mViewport->pause(kPauseMs); });
     connect(view, &SliceView::maximiseWanted, this, [this, kind] { maximise(kind); });
     connect(view, &SliceView::pointedAt, this, &ViewGrid::pointedAt);
     connect(view, &SliceView::pointedAtNothing, this, &ViewGrid::pointedAtNothing);
+    connect(view, &SliceView::clicked, this, &ViewGrid::clickedSlice);
+    connect(view, &SliceView::structureMenuAsked, this, &ViewGrid::structureMenuAsked);
   }
   connect(mViewport, &Viewport::pointedAt, this, &ViewGrid::pointedAt);
   connect(mViewport, &Viewport::pointedAtNothing, this, &ViewGrid::pointedAtNothing);
@@ -41,6 +43,11 @@ ViewGrid::ViewGrid(session::Document& document, QWidget* parent)
   connect(mViewport, &Viewport::placeWanted, this, [this](glm::dvec3 worldMm) {
     changeSlices(mDocument, [worldMm](scene::Scene& scene) { scene::moveCrosshair(scene, worldMm); });
   });
+}
+
+void ViewGrid::setPointing(bool pointing) {
+  mViewport->setPointing(pointing);
+  for (auto* view : mSlices) view->setPointing(pointing);
 }
 
 Layout ViewGrid::layoutFor(const scene::Scene& scene) {
@@ -98,14 +105,12 @@ bool ViewGrid::isCurrent() const {
 
 void ViewGrid::refresh() {
   const auto& slices = mDocument.scene().slices;
-  if (mPlaced != slices.layout || mBeside != slices.beside) place();
+  if (mPlaced != slices.layout || mBeside != slices.beside) place(slices);
   mViewport->sceneChanged();
   for (auto* view : mSlices) view->refresh();
 }
 
-/// Puts the views where the layout has them.
-void ViewGrid::place() {
-  const auto& slices = mDocument.scene().slices;
+void ViewGrid::place(const scene::Slices& slices) {
   QWidget* focus = focusWidget();
   mPlaced = slices.layout;
   mBeside = slices.beside;
@@ -147,7 +152,7 @@ void ViewGrid::place() {
   update();
 }
 
-void ViewGrid::resizeEvent(QResizeEvent*) { place(); }
+void ViewGrid::resizeEvent(QResizeEvent*) { place(mDocument.scene().slices); }
 
 void ViewGrid::paintEvent(QPaintEvent*) { QPainter(this).fillRect(rect(), palette().color(QPalette::Base)); }
 
@@ -178,7 +183,7 @@ void ViewGrid::mouseMoveEvent(QMouseEvent* event) {
   if (mDragX) (mPlaced == Layout::VolumeAndSlice ? mBesideSplit : mFourSplit.x) = share.x;
   if (mDragY) mFourSplit.y = share.y;
   mViewport->pause(kPauseMs);
-  place();
+  place(mDocument.scene().slices);
 }
 
 void ViewGrid::mouseReleaseEvent(QMouseEvent*) { mDragX = mDragY = false; }
@@ -186,7 +191,7 @@ void ViewGrid::mouseReleaseEvent(QMouseEvent*) { mDragX = mDragY = false; }
 void ViewGrid::mouseDoubleClickEvent(QMouseEvent*) {
   mFourSplit = glm::dvec2(0.5);
   mBesideSplit = 0.6;
-  place();
+  place(mDocument.scene().slices);
 }
 
 }  // namespace velum::gui

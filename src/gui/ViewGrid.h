@@ -13,10 +13,14 @@ namespace velum::gui {
 class ViewGrid : public QWidget {
   Q_OBJECT
  public:
-  ViewGrid(session::Document& document, QWidget* parent);
+  ViewGrid(session::Document& document, Selection& selection, QWidget* parent);
+  /// While it is on, clicks in the views mean places: see Viewport and SliceView.
+  void setPointing(bool pointing);
 
   /// To be called after every change of the document.
   void refresh();
+  /// Puts the views where a layout has them.
+  void place(const scene::Slices& slices);
   Viewport& viewport() { return *mViewport; }
   SliceView& slice(scene::SliceKind kind) { return *mSlices[std::size_t(kind)]; }
   /// The slice that commands mean: the one with the keyboard, else the one shown beside the 3D view.
@@ -36,6 +40,9 @@ class ViewGrid : public QWidget {
  signals:
   void pointedAt(const velum::render::Pick& pick);
   void pointedAtNothing();
+  /// While a tool points: a click on a slice, world mm.
+  void clickedSlice(glm::dvec3 worldMm, Qt::KeyboardModifiers keys);
+  void structureMenuAsked(int structure, QPoint globalPlace);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -46,7 +53,6 @@ class ViewGrid : public QWidget {
   void mouseDoubleClickEvent(QMouseEvent* event) override;
 
  private:
-  void place();
   bool isOnGap(QPoint place, int axis) const;
 
   session::Document& mDocument;

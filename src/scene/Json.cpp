@@ -372,7 +372,7 @@ std::string transferToJson(const TransferFunction& transfer) {
 }
 
 TransferFunction transferFromJson(std::string_view text) {
-  checkDepth(text);
+  if (nestsTooDeep(text)) throw InputError("transfer function: lists nest too deeply; the file is damaged");
   Json json = Json::parse(text, nullptr, false);
   auto version = json.is_object() ? json.find("velumTransfer") : json.end();
   if (!json.is_object() || version == json.end() || !version->is_number_integer())

@@ -309,7 +309,7 @@ TEST_F(Transfer, ChannelsAreShownColouredAndEditedOneByOne) {
   drag(last, last + QPoint(-8, 12));
   EXPECT_EQ(scene().volume.channels[0].transfer, first);
   EXPECT_EQ(undoLabel(), "Move opacity point");
-  auto* eye = child<EyeButton>("channelEye0");
+  auto* eye = child<ChannelEye>("channelEye0");
   QTest::mouseClick(eye, Qt::LeftButton);
   EXPECT_FALSE(scene().volume.channels[0].visible);
   QTest::mouseClick(eye, Qt::LeftButton, Qt::AltModifier);  // alone

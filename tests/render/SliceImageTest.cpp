@@ -276,33 +276,6 @@ TEST_F(SliceLabels, WhatACutSparesIsNotDimmed) {
   expectColor(kInOne, glm::ivec3(44));
 }
 
-TEST(CutLines, RunAlongTheCutsSurface) {
-  scene::Scene scene = sceneOf(grid(SampleType::UInt8, [](glm::ivec3) { return 1; }));
-  scene::turnSlices(scene, SliceKind::Axial, 0.3);
-  for (auto shape : {scene::CutShape::Plane, scene::CutShape::Box, scene::CutShape::Sphere, scene::CutShape::Cylinder,
-                     scene::CutShape::Cone}) {
-    scene::Cut cut;
-    cut.shape = shape;
-    cut.axis = {0.2, -0.8, 0.3};
-    cut.spinDeg = 20;
-    cut.centreMm = scene.slices.crosshairMm + glm::dvec3(1, 2, 0);
-    cut.sizeMm = {12, 15, 18};
-    scene.cuts = {cut};
-    auto frame = scene::makeSliceFrame(scene, SliceKind::Coronal, glm::dvec2(400, 300));
-    auto lines = cutLines(scene, frame);
-    ASSERT_EQ(lines.size(), 1u) << int(shape);
-    EXPECT_EQ(lines[0].closed, shape != scene::CutShape::Plane);
-    auto data = makeCutData(scene, scene.slices.crosshairMm);
-    for (auto point : lines[0].points) {
-      glm::dvec3 world = scene::worldFromSlicePixel(frame, point) - scene.slices.crosshairMm;
-      // Ends of the outline were found by halving a pixel twenty times.
-      EXPECT_NEAR(shared::cutDistance(data[0], glm::vec3(world)), 0.0f, 2e-3f) << int(shape);
-    }
-  }
-  scene.cuts[0].enabled = false;
-  EXPECT_TRUE(cutLines(scene, scene::makeSliceFrame(scene, SliceKind::Coronal, {400, 300})).empty());
-}
-
 TEST(SliceImage, CoarserPicturesShowTheSameRectangle) {
   scene::Scene scene = sceneOf(grid(SampleType::UInt8, [](glm::ivec3 v) { return v.x; }));
   auto fine = scene::makeSliceFrame(scene, SliceKind::Axial, {101, 77});

@@ -33,12 +33,4 @@ struct Probe {
 };
 Probe probe(const scene::Scene& scene, glm::dvec3 worldMm);
 
-/// Where an enabled cut's surface crosses a slice: pixels of the frame.
-struct CutLine {
-  std::size_t cut = 0;  ///< index in the scene
-  bool closed = true;   ///< false: an open line, of a plane
-  std::vector<glm::dvec2> points;
-};
-std::vector<CutLine> cutLines(const scene::Scene& scene, const scene::SliceFrame& frame);
-
 }  // namespace velum::render

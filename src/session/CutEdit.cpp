@@ -27,9 +27,19 @@ Data dataOf(const scene::Scene& scene) {
 
 glm::dvec3 towardsEye(const scene::Scene& scene) { return cleaned(-scene::cameraBasis(scene.camera).forward); }
 
-/// Where a box or sphere of a third of the data opens the side that faces the eye, about half of it outside.
-glm::dvec3 placeOfClosed(const Data& data, glm::dvec3 crosshair, glm::dvec3 toEye) {
-  if (glm::length(crosshair - data.middle) > 1e-3 * glm::length(data.edges)) return crosshair;
+/// True while nobody has moved the crosshair from where data is opened with it.
+bool isCrosshairAtRest(const scene::Scene& scene) {
+  if (!scene.slices.isPlaced) return true;
+  scene::Scene opened = scene;
+  opened.slices.isPlaced = false;
+  scene::placeSlices(opened);
+  return glm::length(opened.slices.crosshairMm - scene.slices.crosshairMm) < 1e-6;
+}
+
+/// The crosshair, where it was put somewhere; else where a box or sphere of a third of the data opens the side that
+/// faces the eye, about half of it outside.
+glm::dvec3 placeOfClosed(const scene::Scene& scene, const Data& data, glm::dvec3 toEye) {
+  if (!isCrosshairAtRest(scene)) return scene.slices.crosshairMm;
   glm::dvec3 reach = glm::abs(toEye) / data.edges;
   double toSide = 0.5 / std::max(reach.x, std::max(reach.y, reach.z));
   return data.middle + toEye * (toSide * 0.75);
@@ -63,12 +73,12 @@ scene::Cut makeCut(const scene::Scene& scene, scene::CutShape shape) {
     case scene::CutShape::Box:
       cut.axis = {0, 0, 1};
       cut.sizeMm = data.edges / 3.0;
-      cut.centreMm = placeOfClosed(data, crosshair, toEye);
+      cut.centreMm = placeOfClosed(scene, data, toEye);
       break;
     case scene::CutShape::Sphere:
       cut.axis = {0, 0, 1};
       cut.sizeMm = glm::dvec3(third);
-      cut.centreMm = placeOfClosed(data, crosshair, toEye);
+      cut.centreMm = placeOfClosed(scene, data, toEye);
       break;
     case scene::CutShape::Cylinder:
       cut.axis = toEye;

@@ -8,7 +8,7 @@ namespace velum::gui {
 inline void changeSlices(session::Document& document, const session::Document::Change& change) {
   scene::Scene next = document.scene();
   change(next);
-  document.amend([slices = next.slices](scene::Scene& scene) { scene.slices = slices; });
+  document.view([slices = next.slices](scene::Scene& scene) { scene.slices = slices; });
 }
 
 }  // namespace velum::gui

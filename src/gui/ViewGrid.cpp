@@ -98,14 +98,12 @@ bool ViewGrid::isCurrent() const {
 
 void ViewGrid::refresh() {
   const auto& slices = mDocument.scene().slices;
-  if (mPlaced != slices.layout || mBeside != slices.beside) place();
+  if (mPlaced != slices.layout || mBeside != slices.beside) place(slices);
   mViewport->sceneChanged();
   for (auto* view : mSlices) view->refresh();
 }
 
-/// Puts the views where the layout has them.
-void ViewGrid::place() {
-  const auto& slices = mDocument.scene().slices;
+void ViewGrid::place(const scene::Slices& slices) {
   QWidget* focus = focusWidget();
   mPlaced = slices.layout;
   mBeside = slices.beside;
@@ -147,7 +145,7 @@ void ViewGrid::place() {
   update();
 }
 
-void ViewGrid::resizeEvent(QResizeEvent*) { place(); }
+void ViewGrid::resizeEvent(QResizeEvent*) { place(mDocument.scene().slices); }
 
 void ViewGrid::paintEvent(QPaintEvent*) { QPainter(this).fillRect(rect(), palette().color(QPalette::Base)); }
 
@@ -178,7 +176,7 @@ void ViewGrid::mouseMoveEvent(QMouseEvent* event) {
   if (mDragX) (mPlaced == Layout::VolumeAndSlice ? mBesideSplit : mFourSplit.x) = share.x;
   if (mDragY) mFourSplit.y = share.y;
   mViewport->pause(kPauseMs);
-  place();
+  place(mDocument.scene().slices);
 }
 
 void ViewGrid::mouseReleaseEvent(QMouseEvent*) { mDragX = mDragY = false; }
@@ -186,7 +184,7 @@ void ViewGrid::mouseReleaseEvent(QMouseEvent*) { mDragX = mDragY = false; }
 void ViewGrid::mouseDoubleClickEvent(QMouseEvent*) {
   mFourSplit = glm::dvec2(0.5);
   mBesideSplit = 0.6;
-  place();
+  place(mDocument.scene().slices);
 }
 
 }  // namespace velum::gui

@@ -17,6 +17,8 @@ class ViewGrid : public QWidget {
 
   /// To be called after every change of the document.
   void refresh();
+  /// Puts the views where a layout has them.
+  void place(const scene::Slices& slices);
   Viewport& viewport() { return *mViewport; }
   SliceView& slice(scene::SliceKind kind) { return *mSlices[std::size_t(kind)]; }
   /// The slice that commands mean: the one with the keyboard, else the one shown beside the 3D view.
@@ -46,7 +48,6 @@ class ViewGrid : public QWidget {
   void mouseDoubleClickEvent(QMouseEvent* event) override;
 
  private:
-  void place();
   bool isOnGap(QPoint place, int axis) const;
 
   session::Document& mDocument;

@@ -32,6 +32,8 @@ class Viewport : public QOpenGLWidget {
   int selectedCut() const { return mSelectedCut; }
 
   void lookFrom(scene::StandardView view);
+  /// A camera that sees all of a scene in this view.
+  scene::Camera frame(const scene::Scene& scene, scene::StandardView view) const;
   void toggleProjection();
 
   /// What is on the screen is the scene as it is, if only a coarse picture of it.

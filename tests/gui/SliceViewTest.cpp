@@ -44,7 +44,8 @@ TEST_F(Slices, ADragMovesTheCrosshairInTheOthersToo) {
   EXPECT_EQ(slices().crosshairMm.z, before.z);
   QTest::qWait(50);
   EXPECT_GT(slice(SliceKind::Sagittal).paintCount(), painted);
-  EXPECT_FALSE(mWindow->document().canUndo());
+  EXPECT_EQ(mWindow->document().undoLabels(), std::vector<std::string>{"Move view"});
+  EXPECT_FALSE(mWindow->document().isModified());
 }
 
 TEST_F(Slices, MovingTheCrosshairLeavesThe3dPictureAlone) {
@@ -81,7 +82,7 @@ TEST_F(Slices, RightDragSetsTheWindowInOneUndoStep) {
   EXPECT_EQ(mWindow->document().undoLabel(), "Change window");
   mWindow->document().undo();
   EXPECT_EQ(scene::effectiveWindow(scene().volume), before);
-  EXPECT_FALSE(mWindow->document().canUndo());
+  EXPECT_EQ(mWindow->document().undoLabel(), "Move view");  // the layout of this test
 }
 
 TEST_F(Slices, MiddleDragPansAndAKnobTurnsTheOthers) {
@@ -174,7 +175,7 @@ TEST_F(Slices, ThePointerSaysValueAndStructure) {
   for (int i = 0; i < dims.x * dims.y * dims.z; ++i)
     if (glm::ivec3 v(i % dims.x, i / dims.x % dims.y, i / dims.x / dims.y); labels.at(v))
       world = glm::dvec3(labels.worldFromVoxel() * glm::dvec4(v, 1));
-  mWindow->document().amend([&](scene::Scene& s) { scene::moveCrosshair(s, world); });
+  mWindow->document().view([&](scene::Scene& s) { scene::moveCrosshair(s, world); });
   SliceView& coronal = slice(SliceKind::Coronal);
   QPointF place = placeOf(SliceKind::Coronal, world);
   spy.clear();
@@ -197,7 +198,7 @@ TEST_F(Slices, CtrlClickIn3dMovesTheCrosshairThere) {
 
 TEST_F(Slices, TheWindowShowsWhatTheBatchDraws) {
   SliceView& axial = slice(SliceKind::Axial);
-  mWindow->document().amend([](scene::Scene& s) { s.slices.showCrosshair = false; });
+  mWindow->document().view([](scene::Scene& s) { s.slices.showCrosshair = false; });
   QTest::qWait(300);
   ASSERT_TRUE(axial.isComplete());
   QImage shown = axial.grab().toImage();

@@ -44,7 +44,7 @@ inline void showFourViews(MainWindow& window, const Shared<Volume>& volume) {
   scene.volume.data = volume;
   scene::applyPreset(scene, scene::choosePreset(*volume));
   scene::placeSlices(scene);
-  window.takeScene(scene, false, "nested shells");
+  window.showScene(scene, "nested shells");
 }
 
 /// A job that holds every core until it is cancelled.

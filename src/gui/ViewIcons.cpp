@@ -23,7 +23,9 @@ class ViewIconEngine : public QIconEngine {
   }
   void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State state) override {
     auto group = mode == QIcon::Disabled ? QPalette::Disabled : QPalette::Active;
-    QColor color = mColor.isValid() ? mColor : QApplication::palette().color(group, state == QIcon::On ? QPalette::HighlightedText : QPalette::ButtonText);
+    QColor color = mColor.isValid() ? mColor
+                                    : QApplication::palette().color(
+                                          group, state == QIcon::On ? QPalette::HighlightedText : QPalette::ButtonText);
     painter->save();
     painter->setRenderHint(QPainter::Antialiasing);
     painter->translate(rect.topLeft());

@@ -154,7 +154,7 @@ void ViewGrid::place(const scene::Slices& slices) {
 
 void ViewGrid::resizeEvent(QResizeEvent*) { place(mDocument.scene().slices); }
 
-void ViewGrid::paintEvent(QPaintEvent*) { QPainter(this).fillRect(rect(), palette().color(QPalette::Base)); }
+void ViewGrid::paintEvent(QPaintEvent*) { QPainter(this).fillRect(rect(), palette().color(QPalette::Mid)); }
 
 /// @param axis  0: the gap between left and right; 1: between top and bottom
 bool ViewGrid::isOnGap(QPoint place, int axis) const {

@@ -21,9 +21,11 @@ class ViewIconEngine : public QIconEngine {
     paint(&painter, QRect(QPoint(), size), mode, state);
     return pixmap;
   }
-  void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State) override {
+  void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State state) override {
     auto group = mode == QIcon::Disabled ? QPalette::Disabled : QPalette::Active;
-    QColor color = mColor.isValid() ? mColor : QApplication::palette().color(group, QPalette::ButtonText);
+    QColor color = mColor.isValid() ? mColor
+                                    : QApplication::palette().color(
+                                          group, state == QIcon::On ? QPalette::HighlightedText : QPalette::ButtonText);
     painter->save();
     painter->setRenderHint(QPainter::Antialiasing);
     painter->translate(rect.topLeft());

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <csignal>
 #include <cstdio>
+#include <filesystem>
 
 #include "Verbs.h"
 #include "velum/core/Error.h"
@@ -77,6 +78,21 @@ scene::RawLayout parseRaw(const std::string& text) {
   return raw;
 }
 
+bool isSourceField(const std::string& path) { return path.find(".source.") != std::string::npos; }
+
+/// "path=value" in two; a path of a file is one from here, not from the scene's folder.
+std::vector<std::pair<std::string, std::string>> splitSets(const std::vector<std::string>& sets) {
+  std::vector<std::pair<std::string, std::string>> out;
+  for (const auto& set : sets) {
+    std::size_t equals = set.find('=');
+    if (equals == std::string::npos) throw ArgumentError(fmt::format("--set {}: expected path=value", set));
+    std::string path = set.substr(0, equals), value = set.substr(equals + 1);
+    if (path.ends_with(".source.path") && !value.empty()) value = std::filesystem::absolute(value).string();
+    out.emplace_back(std::move(path), std::move(value));
+  }
+  return out;
+}
+
 bool isTerminal() {
   static bool terminal = isatty(STDERR_FILENO) != 0;
   return terminal;
@@ -119,7 +135,14 @@ scene::Scene openScene(const InputOptions& input, double aspect) {
   Progress& progress = consoleProgress();
   if (input.inputs.empty() && input.labels.empty()) throw ArgumentError("name a file, folder or scene to open");
   scene::Scene scene;
-  if (!input.inputs.empty()) scene = session::open(firstSource(input), progress);
+  auto sets = splitSets(input.sets);
+  session::DataPolicy policy;
+  // Where data lies must be known before it is read.
+  policy.beforeData = [&](scene::Scene& opened) {
+    for (const auto& [path, value] : sets)
+      if (isSourceField(path)) scene::setField(opened, path, value);
+  };
+  if (!input.inputs.empty()) scene = session::open(firstSource(input), progress, policy);
   scene::Source source;
   for (std::size_t i = 1; i < input.inputs.size(); ++i) {
     source.path = input.inputs[i];
@@ -146,11 +169,7 @@ scene::Scene openScene(const InputOptions& input, double aspect) {
           "--view {}: not one of anterior, posterior, left, right, superior, inferior, oblique", input.view));
     scene.camera = scene::frameCamera(scene, view, aspect);
   }
-  for (const auto& set : input.sets) {
-    std::size_t equals = set.find('=');
-    if (equals == std::string::npos) throw ArgumentError(fmt::format("--set {}: expected path=value", set));
-    scene::setField(scene, set.substr(0, equals), set.substr(equals + 1));
-  }
+  for (const auto& [path, value] : sets) scene::setField(scene, path, value);
   return scene;
 }
 

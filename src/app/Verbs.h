@@ -48,6 +48,7 @@ Run registerBench(CLI::App& verb);
 Run registerCompare(CLI::App& verb);
 Run registerSample(CLI::App& verb);
 Run registerConvert(CLI::App& verb);
+Run registerRecover(CLI::App& verb);
 Run registerView(CLI::App& verb);
 
 }  // namespace velum::app

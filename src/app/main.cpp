@@ -23,6 +23,7 @@ int main(int argc, char** argv) {
                                    {"compare", "picture against picture", app::registerCompare},
                                    {"sample", "make a phantom with ground truth", app::registerSample},
                                    {"convert", "between volume formats", app::registerConvert},
+                                   {"recover", "unsaved work of sessions that have died", app::registerRecover},
                                    {"view", "a bare window", app::registerView}};
   std::vector<std::pair<CLI::App*, app::Run>> verbs;
   for (const Row& row : kVerbs) {

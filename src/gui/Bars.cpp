@@ -6,6 +6,8 @@
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "RecentFiles.h"
+
 namespace velum::gui {
 
 MessageBar::MessageBar(QWidget* parent) : QFrame(parent), mText(new QLabel(this)) {
@@ -63,7 +65,7 @@ void ProgressStrip::setProgress(double fraction, const QString& what) {
   mBar->setValue(int(std::lround(fraction * 1000.0)));
 }
 
-EmptyState::EmptyState(QWidget* parent) : QFrame(parent) {
+EmptyState::EmptyState(QWidget* parent) : QFrame(parent), mRecent(new RecentRow(this)) {
   setObjectName("emptyState");
   auto* layout = new QVBoxLayout(this);
   layout->setSpacing(14);
@@ -98,6 +100,7 @@ EmptyState::EmptyState(QWidget* parent) : QFrame(parent) {
       &EmptyState::makePhantom, false);
   row->addStretch(1);
   layout->addLayout(row);
+  layout->addWidget(mRecent);
   layout->addStretch(6);
   auto* note = new QLabel(tr("Not a medical device."), this);
   note->setProperty("role", "muted");

@@ -37,16 +37,22 @@ class ProgressStrip : public QFrame {
   QProgressBar* mBar;
 };
 
-/// What the window shows before there is data: what it takes, and three ways to begin.
+class RecentRow;
+
+/// What the window shows before there is data: what it takes, three ways to begin, and the recent files.
 class EmptyState : public QFrame {
   Q_OBJECT
  public:
   explicit EmptyState(QWidget* parent);
+  RecentRow* recent() const { return mRecent; }
 
  signals:
   void openFiles();
   void openFolder();
   void makePhantom();
+
+ private:
+  RecentRow* mRecent;
 };
 
 }  // namespace velum::gui

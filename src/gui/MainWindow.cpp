@@ -15,6 +15,8 @@
 #include "CutPanel.h"
 #include "LookCommands.h"
 #include "LookPanel.h"
+#include "RecentFiles.h"
+#include "RecoveryBar.h"
 #include "TimeBar.h"
 #include "velum/session/Look.h"
 #include "velum/session/Open.h"
@@ -46,6 +48,7 @@ MainWindow::MainWindow() : mActions(new ActionTable(this)) {
 
 MainWindow::~MainWindow() {
   mDocument.setListener({});
+  mScan.reset();
   mJob.reset();  // cancels and waits
 }
 
@@ -54,6 +57,7 @@ void MainWindow::buildCentre() {
   auto* layout = new QVBoxLayout(centre);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
+  mRecovery = new RecoveryBar(centre);
   mMessages = new MessageBar(centre);
   mPages = new QStackedWidget(centre);
   mProgress = new ProgressStrip(centre);
@@ -62,6 +66,7 @@ void MainWindow::buildCentre() {
   mViewport = new Viewport(mDocument, mPages);
   mPages->addWidget(empty);
   mPages->addWidget(mViewport);
+  layout->addWidget(mRecovery);
   layout->addWidget(mMessages);
   layout->addWidget(mPages, 1);
   layout->addWidget(mTime);
@@ -70,6 +75,8 @@ void MainWindow::buildCentre() {
   connect(empty, &EmptyState::openFiles, this, [this] { askOpen(false); });
   connect(empty, &EmptyState::openFolder, this, &MainWindow::askOpenFolder);
   connect(empty, &EmptyState::makePhantom, this, [this] { openPhantom("torso", 0); });
+  mRecent = empty->recent();
+  connect(mRecent, &RecentRow::chosen, this, [this](const QString& path) { openAsked({path}); });
   connect(mProgress, &ProgressStrip::cancelled, this, &MainWindow::cancelJob);
   connect(mTime, &TimeBar::askReady, this, [this](bool& ready) { ready = mViewport->isCurrent(); });
   connect(mViewport, &Viewport::failed, mMessages, &MessageBar::showError);
@@ -139,6 +146,7 @@ void MainWindow::buildStatus() {
   connect(mViewport, &Viewport::pointedAt, this, &MainWindow::showPick);
   connect(mViewport, &Viewport::pointedAtNothing, mPickLabel, &QLabel::clear);
   connect(mViewport, &Viewport::refined, this, [this](double fraction, const QString& stage) {
+    if (stage.isEmpty() && mWantsPicture) rememberPicture();
     mRefineLabel->setText(stage.isEmpty() ? tr("Complete")
                           : fraction > 0  ? QString("%1 %2 %").arg(stage).arg(int(100 * fraction))
                                           : stage);
@@ -157,6 +165,7 @@ void MainWindow::buildStatus() {
 void MainWindow::startJob(const QString& what, Job::Work work, std::function<void()> whenDone) {
   if (mJob) return mMessages->showNote(tr("Still busy: wait, or cancel what is running first."));
   mMessages->hide();
+  mLastError.clear();
   mJob = std::make_unique<Job>(std::move(work), nullptr);
   mProgress->begin(what);
   mCancel->setEnabled(true);
@@ -165,6 +174,7 @@ void MainWindow::startJob(const QString& what, Job::Work work, std::function<voi
     mProgress->hide();
     mCancel->setEnabled(false);
     mJob.release()->deleteLater();
+    mLastError = error;
     if (!error.isEmpty()) mMessages->showError(error);
     if (done) whenDone();
     emit jobEnded();
@@ -178,12 +188,13 @@ void MainWindow::cancelJob() {
   mProgress->setProgress(0.0, tr("stopping"));
 }
 
-void MainWindow::startLoad(const QString& what, std::function<void(scene::Scene&, Progress&)> read, bool add,
+void MainWindow::startLoad(const QString& what, std::function<void(Loaded&, Progress&)> read, bool add,
                            const QString& path) {
-  auto result = std::make_shared<scene::Scene>(add ? mDocument.scene() : scene::Scene());
+  auto loaded = std::make_shared<Loaded>();
+  if (add) loaded->scene = mDocument.scene();
   startJob(
-      what, [result, read = std::move(read)](Progress& progress) { read(*result, progress); },
-      [this, result, add, path] { takeScene(std::move(*result), add, path); });
+      what, [loaded, read = std::move(read)](Progress& progress) { read(*loaded, progress); },
+      [this, loaded, add, path] { finishLoad(loaded, add, path); });
 }
 
 void MainWindow::openPaths(const QStringList& paths, bool add) {
@@ -193,15 +204,15 @@ void MainWindow::openPaths(const QStringList& paths, bool add) {
   std::vector<std::string> names;
   for (const auto& path : paths) names.push_back(QFileInfo(path).absoluteFilePath().toStdString());
   bool beside = add && mPages->currentIndex() == 1;
-  auto read = [names, beside](scene::Scene& scene, Progress& progress) {
+  auto read = [names, beside, policy = dataPolicy()](Loaded& loaded, Progress& progress) {
     if (!beside) {
-      scene = session::openAll(names, progress);
+      loaded.scene = session::openAll(names, progress, policy, &loaded.notes);
       return;
     }
     for (const auto& name : names) {
       scene::Source source;
       source.path = name;
-      session::add(scene, source, progress);
+      session::add(loaded.scene, source, progress);
     }
   };
   startLoad(tr("Opening %1").arg(pathName(paths.first())), read, beside, paths.first());
@@ -209,15 +220,14 @@ void MainWindow::openPaths(const QStringList& paths, bool add) {
 
 void MainWindow::openPhantom(const QString& name, int voxels) {
   std::filesystem::path folder(QStandardPaths::writableLocation(QStandardPaths::CacheLocation).toStdString());
-  auto read = [name = name.toStdString(), voxels, folder](scene::Scene& scene, Progress& progress) {
-    scene = session::openSample(name, voxels, folder / "phantoms", progress);
+  auto read = [name = name.toStdString(), voxels, folder](Loaded& loaded, Progress& progress) {
+    loaded.scene = session::openSample(name, voxels, folder / "phantoms", progress);
   };
   startLoad(tr("Making a phantom"), read, false, name);
 }
 
-void MainWindow::takeScene(scene::Scene scene, bool add, const QString& path) {
-  QString suffix = QFileInfo(path).suffix().toLower();
-  bool isScene = !add && (suffix == "json" || suffix == "png" || suffix == "exr");
+void MainWindow::takeScene(Loaded& loaded, bool add, const QString& path) {
+  scene::Scene& scene = loaded.scene;
   if (add) {
     // The look may have been changed while the file was read: take over only what was added.
     mDocument.edit("Add data", [&](scene::Scene& now) {
@@ -227,18 +237,21 @@ void MainWindow::takeScene(scene::Scene scene, bool add, const QString& path) {
     });
     return;
   }
+  QString suffix = QFileInfo(path).suffix().toLower();
+  bool isScene = loaded.lost || suffix == "json" || suffix == "png" || suffix == "exr";
   mPath = path;
-  mScenePath = suffix == "json" ? path : QString();
+  mScenePath = suffix == "json" ? QFileInfo(path).absoluteFilePath() : QString();
+  if (scene.volume.data)
+    for (const auto& line : scene.volume.data->warnings) loaded.notes.push_back(line);
   mPages->setCurrentIndex(1);
   mCuts->setEnabled(true);
-  QString warning;
-  if (scene.volume.data)
-    for (const auto& line : scene.volume.data->warnings)
-      warning += (warning.isEmpty() ? "" : "; ") + QString::fromStdString(line);
-  mDocument.replace(std::move(scene));
-  if (!isScene) mViewport->lookFrom(scene::defaultView(mDocument.scene()));
+  if (!isScene) scene.camera = mViewport->frame(scene, scene::defaultView(scene));
+  replaceScene(std::move(scene), path);
+  if (loaded.lost) adoptLostWork(*loaded.lost);
   mViewport->setFocus();
-  if (!warning.isEmpty()) mMessages->showNote(tr("%1: %2").arg(pathName(path), warning));
+  QStringList notes;
+  for (const auto& note : loaded.notes) notes << QString::fromStdString(note);
+  if (!notes.isEmpty()) mMessages->showNote(tr("%1: %2").arg(pathName(path), notes.join("; ")));
 }
 
 void MainWindow::savePictureTo(const QString& path, const session::PictureOptions& options, const scene::Scene& scene) {
@@ -253,17 +266,23 @@ void MainWindow::savePictureTo(const QString& path, const session::PictureOption
 void MainWindow::saveSceneTo(const QString& path) {
   try {
     session::saveScene(mDocument.scene(), path.toStdString());
-    mScenePath = mPath = path;
+    mScenePath = mPath = QFileInfo(path).absoluteFilePath();
+    mLastError.clear();
     mDocument.markSaved();
-    documentChanged();
+    discardWork();
+    describeWork();
+    rememberFile(mPath);
+    rememberPicture();
   } catch (const Error& error) {
-    mMessages->showError(QString::fromUtf8(error.what()));
+    mLastError = QString::fromUtf8(error.what());
+    mMessages->showError(mLastError);
   }
 }
 
 // What is shown.
 
 void MainWindow::documentChanged() {
+  journalChange();
   mViewport->sceneChanged();
   mLook->refresh();
   mTime->refresh();
@@ -346,10 +365,13 @@ void MainWindow::dropEvent(QDropEvent* event) {
   for (const QUrl& url : event->mimeData()->urls())
     if (url.isLocalFile()) paths << url.toLocalFile();
   event->acceptProposedAction();
-  openPaths(paths, event->modifiers() & Qt::ControlModifier);
+  openAsked(paths, event->modifiers() & Qt::ControlModifier);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+  if (!mayLeaveScene()) return event->ignore();
+  rememberPicture();
+  discardWork();
   if (mJob) {
     mJob->disconnect(this);
     mJob.reset();  // cancels and waits

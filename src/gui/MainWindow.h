@@ -11,7 +11,10 @@
 #include "Job.h"
 #include "Viewport.h"
 #include "velum/session/Document.h"
+#include "velum/session/Journal.h"
 #include "velum/session/Picture.h"
+#include "velum/session/Recovery.h"
+#include "velum/session/Sources.h"
 
 namespace velum::gui {
 
@@ -19,6 +22,8 @@ class CutPanel;
 class LookCommands;
 class HelpWindow;
 class LookPanel;
+class RecentRow;
+class RecoveryBar;
 class TimeBar;
 
 /// The window: the 3D view, the side panel, the bars, and the actions. Everything it does to the scene goes through the
@@ -36,6 +41,17 @@ class MainWindow : public QMainWindow {
   void saveSceneTo(const QString& path);
   /// Stops the load or the picture that is running; what is open stays.
   void cancelJob();
+  /// Back to the empty window.
+  void newScene();
+
+  /// Journals every change from now on, in a folder under this one. @param offers  what dead sessions left there, too
+  void protectWork(const std::filesystem::path& root, bool offers = true);
+  /// Opens the work that is offered, as modified. False when nothing is offered.
+  bool restoreWork();
+  /// A script runs: nothing is asked. Unsaved changes are given up; data that is missing is an error.
+  void setUnattended(bool unattended) { mUnattended = unattended; }
+  /// Leaves without asking, whatever is unsaved.
+  void leave(int exitCode);
 
   session::Document& document() { return mDocument; }
   Viewport& viewport() { return *mViewport; }
@@ -43,6 +59,10 @@ class MainWindow : public QMainWindow {
   MessageBar& messages() { return *mMessages; }
   ActionTable& actions() { return *mActions; }
   bool isBusy() const { return mJob != nullptr; }
+  /// What went wrong in the last job or while saving; empty when nothing did.
+  QString lastError() const { return mLastError; }
+  /// Dead sessions' work is still being looked for.
+  bool isLookingForWork() const { return mScan != nullptr; }
   /// Nothing is running, and what is shown is complete.
   bool isSettled() const { return !isBusy() && (mPages->currentIndex() == 0 || mViewport->isConverged()); }
 
@@ -68,9 +88,31 @@ class MainWindow : public QMainWindow {
   void addTab(QWidget* panel, const QString& title, const QString& tip);
   void buildStatus();
   void startJob(const QString& what, Job::Work work, std::function<void()> whenDone);
-  void startLoad(const QString& what, std::function<void(scene::Scene&, Progress&)> read, bool add,
-                 const QString& path);
-  void takeScene(scene::Scene scene, bool add, const QString& path);
+  /// What a load gives.
+  struct Loaded {
+    scene::Scene scene;
+    std::vector<std::string> notes;            ///< for the user
+    std::unique_ptr<session::WorkClaim> lost;  ///< recovered work, until it is journaled anew
+  };
+  void startLoad(const QString& what, std::function<void(Loaded&, Progress&)> read, bool add, const QString& path);
+  void finishLoad(std::shared_ptr<Loaded> loaded, bool add, const QString& path);
+  bool locateMissing(Loaded& loaded);
+  void takeScene(Loaded& loaded, bool add, const QString& path);
+  void replaceScene(scene::Scene scene, const QString& path);
+  session::DataPolicy dataPolicy() const;
+  // The document: what is asked, journaled, remembered (MainWindowDocument.cpp).
+  bool mayLeaveScene();
+  void openAsked(const QStringList& paths, bool add = false);
+  void journalChange();
+  void describeWork();
+  void discardWork();
+  void rememberFile(const QString& path);
+  void rememberPicture();
+  void buildDocumentActions(QMenu* file);
+  void buildHistory(QMenu* edit);
+  void lookForWork();
+  void askDiscardWork();
+  void adoptLostWork(session::WorkClaim& lost);
   void documentChanged();
   void showData();
   void showPick(const render::Pick& pick);
@@ -102,6 +144,16 @@ class MainWindow : public QMainWindow {
   QAction *mUndo = nullptr, *mRedo = nullptr, *mCancel = nullptr, *mProjection = nullptr;
   QString mPath;       ///< What is open: file, folder or scene.
   QString mScenePath;  ///< Where the scene is saved; empty: not yet.
+  QString mLastError;
+  RecoveryBar* mRecovery = nullptr;
+  RecentRow* mRecent = nullptr;
+  bool mUnattended = false;
+  bool mIsReplacing = false;           ///< Another scene is coming in: that is no change to journal.
+  bool mWantsPicture = false;          ///< The recent file that is open has no picture of this session yet.
+  std::uint64_t mJournaledChange = 0;  ///< The document's change that the journal heard of last.
+  std::filesystem::path mRecoveryRoot;
+  std::unique_ptr<session::Journal> mJournal;
+  std::unique_ptr<Job> mScan;  ///< Looks for dead sessions' work.
   std::unique_ptr<Job> mJob;
 };
 

@@ -89,17 +89,23 @@ void MainWindow::showPreferences() {
 }
 
 void MainWindow::buildFileActions(QMenu* menu, QToolBar* bar) {
+  mActions->add(menu, "file.new", tr("&New"), tr("Close what is open"), [this] {
+    if (mayLeaveScene()) newScene();
+  });
   QAction* open = mActions->add(menu, "file.open", tr("&Open..."), tr("Open a volume, labels, surfaces or a scene"),
                                 [this] { askOpen(false); });
   mActions->add(menu, "file.openFolder", tr("Open &folder..."), tr("Open a folder of DICOM slices"),
                 [this] { askOpenFolder(); });
+  buildDocumentActions(menu);
   mActions->addForScene(menu, "file.add", tr("&Add labels or surfaces..."), tr("Open beside what is open"),
                         [this] { askOpen(true); });
   QMenu* phantoms = menu->addMenu(tr("Make a &phantom"));
   for (const auto& sample : session::sampleNames()) {
     QString name = QString::fromStdString(sample);
     mActions->add(phantoms, "file.phantom." + name, name, tr("Compute the phantom %1 and its labels").arg(name),
-                  [this, name] { openPhantom(name, 0); });
+                  [this, name] {
+                    if (mayLeaveScene()) openPhantom(name, 0);
+                  });
   }
   menu->addSeparator();
   mActions->addForScene(menu, "file.saveScene", tr("&Save scene"), tr("Save the scene"),
@@ -109,9 +115,10 @@ void MainWindow::buildFileActions(QMenu* menu, QToolBar* bar) {
   QAction* picture = mActions->addForScene(menu, "file.savePicture", tr("Save p&icture..."),
                                            tr("Draw and save a picture of any size"), [this] { askSavePicture(); });
   menu->addSeparator();
-  mActions->add(menu, "file.newWindow", tr("New &window"), tr("Open a second window with a scene of its own"), [] {
+  mActions->add(menu, "file.newWindow", tr("New &window"), tr("Open a second window with a scene of its own"), [this] {
     auto* window = new MainWindow;
     window->setAttribute(Qt::WA_DeleteOnClose);
+    if (mJournal) window->protectWork(mRecoveryRoot, false);
     window->show();
   });
   mCancel = mActions->add(menu, "file.cancel", tr("&Cancel what is running"), tr("Stop the load or the picture"),
@@ -127,6 +134,7 @@ void MainWindow::buildFileActions(QMenu* menu, QToolBar* bar) {
 void MainWindow::buildEditActions(QMenu* menu, QToolBar* bar) {
   mUndo = mActions->add(menu, "edit.undo", tr("&Undo"), tr("Take the last change back"), [this] { mDocument.undo(); });
   mRedo = mActions->add(menu, "edit.redo", tr("&Redo"), tr("Do it again"), [this] { mDocument.redo(); });
+  buildHistory(menu);
   mUndo->setIconText(tr("Undo"));
   mRedo->setIconText(tr("Redo"));
   menu->addSeparator();
@@ -184,13 +192,13 @@ void MainWindow::buildCutActions(QMenu* menu, QToolBar* bar) {
 void MainWindow::askOpen(bool add) {
   QStringList paths = QFileDialog::getOpenFileNames(
       this, tr("Open"), mPath.isEmpty() ? QString() : QFileInfo(mPath).path(), openFilter());
-  openPaths(paths, add);
+  openAsked(paths, add);
 }
 
 void MainWindow::askOpenFolder() {
   QString path = QFileDialog::getExistingDirectory(this, tr("Open a folder of DICOM slices"),
                                                    mPath.isEmpty() ? QString() : QFileInfo(mPath).path());
-  if (!path.isEmpty()) openPaths({path});
+  if (!path.isEmpty()) openAsked({path});
 }
 
 QString MainWindow::pictureFolder() const {

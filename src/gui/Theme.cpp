@@ -110,6 +110,7 @@ QScrollBar::handle:vertical { background: @edge; border-radius: 4px; min-height:
 QScrollBar::add-line, QScrollBar::sub-line { height: 0; }
 #messageBar[kind="error"] { background: @errorFill; border-bottom: 1px solid @errorEdge; }
 #messageBar[kind="note"] { background: @noteFill; border-bottom: 1px solid @noteEdge; }
+#recoveryBar { background: @noteFill; border-bottom: 1px solid @noteEdge; }
 #timeBar { background: @panel; border-top: 1px solid @deep; }
 #commandFinder { background: @popup; border: 1px solid @edge; }
 #commandFinder QLineEdit { font-size: 13pt; padding: 8px 10px; }

@@ -226,11 +226,12 @@ void Viewport::selectCut(int index) {
   mOverlay->showCut(index);
 }
 
+scene::Camera Viewport::frame(const scene::Scene& scene, scene::StandardView view) const {
+  return scene::frameCamera(scene, view, logicalSize().x / logicalSize().y);
+}
+
 void Viewport::lookFrom(scene::StandardView view) {
-  double aspect = logicalSize().x / logicalSize().y;
-  mDocument.amend([&, camera = scene::frameCamera(mDocument.scene(), view, aspect)](scene::Scene& scene) {
-    scene.camera = camera;
-  });
+  mDocument.view([camera = frame(mDocument.scene(), view)](scene::Scene& scene) { scene.camera = camera; });
 }
 
 void Viewport::toggleProjection() {
@@ -244,7 +245,7 @@ void Viewport::toggleProjection() {
   else
     camera.eyeMm = camera.targetMm + glm::normalize(arm) * (camera.heightMm * 0.5 / tangent);
   camera.projection = perspective ? scene::Projection::Orthographic : scene::Projection::Perspective;
-  mDocument.amend([camera](scene::Scene& scene) { scene.camera = camera; });
+  mDocument.view([camera](scene::Scene& scene) { scene.camera = camera; });
 }
 
 std::optional<render::Pick> Viewport::pickAt(QPointF place) {

@@ -30,6 +30,8 @@ class Viewport : public QOpenGLWidget {
   int selectedCut() const { return mSelectedCut; }
 
   void lookFrom(scene::StandardView view);
+  /// A camera that sees all of a scene in this view.
+  scene::Camera frame(const scene::Scene& scene, scene::StandardView view) const;
   void toggleProjection();
 
   /// While it is on, the pointer is a cross: clicks mean places of the picture.

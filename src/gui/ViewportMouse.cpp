@@ -68,7 +68,7 @@ void Viewport::dragCamera(glm::dvec2 from, glm::dvec2 to) {
   if (mDrag == Drag::Zoom) camera = scene::zoom(camera, std::exp(2.0 * delta.y));
   glm::dvec2 centre = logicalSize() * 0.5;
   if (mDrag == Drag::Roll) camera = scene::roll(camera, angleAbout(centre, to) - angleAbout(centre, from));
-  mDocument.amend([camera](scene::Scene& scene) { scene.camera = camera; });
+  mDocument.view([camera](scene::Scene& scene) { scene.camera = camera; });
 }
 
 void Viewport::mouseMoveEvent(QMouseEvent* event) {
@@ -114,7 +114,7 @@ void Viewport::wheelEvent(QWheelEvent* event) {
   double notches = event->angleDelta().y() / 120.0;
   if (notches == 0.0) return;
   scene::Camera camera = scene::zoom(mDocument.scene().camera, std::pow(0.9, notches));
-  mDocument.amend([camera](scene::Scene& scene) { scene.camera = camera; });
+  mDocument.view([camera](scene::Scene& scene) { scene.camera = camera; });
   event->accept();
 }
 

@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QElapsedTimer>
+#include <QFile>
 #include <QFileInfo>
 #include <QIcon>
 #include <QPixmap>
@@ -13,7 +14,9 @@
 #include "LookPanel.h"
 #include "MainWindow.h"
 #include "Preferences.h"
+#include "Script.h"
 #include "velum/core/Error.h"
+#include "velum/session/Folders.h"
 
 namespace {
 
@@ -38,11 +41,27 @@ void takeScreenshot(velum::gui::MainWindow& window, const QString& path) {
   timer->start(100);
 }
 
+/// @throw InputError when there is no such file
+void runScript(velum::gui::MainWindow& window, const QString& path, bool echo) {
+  QFile file(path);
+  if (!file.open(QIODevice::ReadOnly))
+    throw velum::InputError(fmt::format("{}: {}", path.toStdString(), file.errorString().toStdString()));
+  auto* script = new velum::gui::Script(window, path, QString::fromUtf8(file.readAll()));
+  script->setEcho(echo);
+  QObject::connect(script, &velum::gui::Script::failed, &window, [&window](const QString& error, int code) {
+    fmt::print(stderr, "velum: {}\n", error.toStdString());
+    window.leave(code);
+  });
+  script->start();
+}
+
 void describeOptions(QCommandLineParser& parser) {
   parser.setApplicationDescription("Volumes, cut open the way illustrators do. Not a medical device.");
   parser.addHelpOption();
   parser.addVersionOption();
   parser.addOption({"screenshot", "Save a picture of the window once it is complete, and leave.", "file"});
+  parser.addOption({"script", "Run the commands of a file, one a line; the user guide lists them.", "file"});
+  parser.addOption({"echo", "With --script: say each line when it is done, with the time."});
   parser.addPositionalArgument("files", "What to open: a volume, then labels and surfaces; a folder; a scene.",
                                "[files...]");
 }
@@ -74,7 +93,9 @@ int run(int argc, char** argv) {
 
   velum::gui::MainWindow window;
   window.show();
+  window.protectWork(velum::session::recoveryFolder());
   window.openPaths(parser.positionalArguments());
+  if (parser.isSet("script")) runScript(window, parser.value("script"), parser.isSet("echo"));
   if (parser.isSet("screenshot")) takeScreenshot(window, parser.value("screenshot"));
   return QApplication::exec();
 }

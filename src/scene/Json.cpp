@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <type_traits>
 
+#include "JsonText.h"
 #include "velum/core/Error.h"
 #include "velum/core/Log.h"
 
@@ -165,25 +166,6 @@ void read(auto& target, const Json& json, const std::string& path, const FieldIn
     target = std::move(items);
   } else {
     readStruct(target, json, path);
-  }
-}
-
-/// Rejects texts that nest deeper than any scene, before the parser recurses into them.
-void checkDepth(std::string_view text) {
-  int depth = 0;
-  bool inString = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    char c = text[i];
-    if (inString) {
-      if (c == '\\') ++i;
-      if (c == '"') inString = false;
-    } else if (c == '"') {
-      inString = true;
-    } else if (c == '[' || c == '{') {
-      if (++depth > 64) throw InputError("scene: brackets are nested deeper than in any scene");
-    } else if (c == ']' || c == '}') {
-      --depth;
-    }
   }
 }
 
@@ -359,7 +341,7 @@ std::string toJson(const Scene& scene) {
 }
 
 Scene fromJson(std::string_view text) {
-  checkDepth(text);
+  if (nestsTooDeep(text)) throw InputError("scene: brackets are nested deeper than in any scene");
   Json json = Json::parse(text, nullptr, false);
   if (json.is_discarded() || !json.is_object())
     throw InputError("scene: the text is not a JSON object; the file is damaged or of another kind");
@@ -383,7 +365,7 @@ std::string transferToJson(const TransferFunction& transfer) {
 }
 
 TransferFunction transferFromJson(std::string_view text) {
-  checkDepth(text);
+  if (nestsTooDeep(text)) throw InputError("brackets are nested deeper than in any transfer function");
   Json json = Json::parse(text, nullptr, false);
   auto version = json.is_object() ? json.find("velumTransfer") : json.end();
   if (!json.is_object() || version == json.end() || !version->is_number_integer())

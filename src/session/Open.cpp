@@ -60,33 +60,61 @@ void warnAll(const std::string& path, const std::vector<std::string>& warnings) 
   for (const auto& warning : warnings) log::warning(fmt::format("{}: {}", path, warning));
 }
 
-scene::Source atFolder(scene::Source source, const fs::path& folder) {
+/// The notes of one opening.
+struct Notes {
+  std::vector<std::string>* list;
+  void add(const std::string& note) const { list ? list->push_back(note) : log::warning(note); }
+};
+
+/// Makes a saved source one that can be read: its path whole, found again where it has moved.
+/// @return false when it is not to be found and the policy goes on without it
+bool placeSource(scene::Source& source, const MissingData& missing, const fs::path& folder, Progress& progress,
+                 const DataPolicy& policy, const Notes& notes) {
   fs::path path(source.path);
-  if (path.is_relative() && !folder.empty()) source.path = (folder / path).string();
-  return source;
+  if (path.is_relative() && !folder.empty()) source.path = (folder / path).lexically_normal().string();
+  std::error_code error;
+  if (!fs::exists(source.path, error)) {
+    auto found = findMoved(source, folder, policy.folders, progress);
+    if (!found && policy.keepsWithoutData) return false;
+    if (!found) throw InputError(sayMissing({missing.field, missing.what, source.path}));
+    notes.add(fmt::format("{} has moved; it was found as {}", path.filename().string(), found->string()));
+    source.path = fs::absolute(*found).lexically_normal().string();
+  } else if (!source.fingerprint.empty() && fingerprintOf(source.path) != source.fingerprint) {
+    notes.add(fmt::format("{} has changed since the scene was saved", path.filename().string()));
+  }
+  return true;
 }
 
 void readVolumeInto(scene::VolumeLayer& layer, const scene::Source& where, Progress& progress) {
   Volume volume = io::readVolume(where, progress);
+  layer.source.fingerprint = fingerprintOf(where.path);
   warnAll(where.path, volume.warnings);
   layer.data = Shared<Volume>(std::move(volume));
 }
 
 void readLabelsInto(scene::LabelLayer& layer, const scene::Source& where, Progress& progress) {
   LabelVolume labels = io::readLabels(where, progress);
+  layer.source.fingerprint = fingerprintOf(where.path);
   warnAll(where.path, labels.warnings);
   layer.data = Shared<LabelVolume>(std::move(labels));
   scene::completeStructures(layer);
 }
 
-scene::Scene fromText(const std::string& text, const fs::path& file, Progress& progress) {
+void readSurfaceInto(scene::Surface& surface, Progress& progress) {
+  surface.data = Shared<Mesh>(io::readMesh(surface.source.path, progress));
+  surface.source.fingerprint = fingerprintOf(surface.source.path);
+}
+
+scene::Scene fromText(const std::string& text, const fs::path& file, Progress& progress, const DataPolicy& policy,
+                      std::vector<std::string>* notes) {
   scene::Scene scene;
   try {
     scene = scene::fromJson(text);
+    if (policy.beforeData) policy.beforeData(scene);
+    loadData(scene, file.parent_path(), progress, policy, notes);
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}: {}", file.string(), error.what()));
   }
-  loadData(scene, file.parent_path(), progress);
   scene::placeSlices(scene);
   return scene;
 }
@@ -128,10 +156,11 @@ std::optional<std::string> readSceneText(const fs::path& path) {
   return text;
 }
 
-scene::Scene open(const scene::Source& source, Progress& progress) {
+scene::Scene open(const scene::Source& source, Progress& progress, const DataPolicy& policy,
+                  std::vector<std::string>* notes) {
   fs::path path(source.path);
   if (!fs::exists(path)) throw InputError(fmt::format("{}: there is no such file or folder", source.path));
-  if (auto text = readSceneText(path)) return fromText(*text, path, progress);
+  if (auto text = readSceneText(path)) return fromText(*text, path, progress, policy, notes);
   scene::Scene scene;
   add(scene, source, progress);
   scene.camera = scene::frameCamera(scene, scene::defaultView(scene), 4.0 / 3.0);
@@ -151,7 +180,7 @@ void add(scene::Scene& scene, const scene::Source& source, Progress& progress) {
   if (isMesh(path)) {
     scene::Surface surface;
     surface.source = source;
-    surface.data = Shared<Mesh>(io::readMesh(path, progress));
+    readSurfaceInto(surface, progress);
     scene.surfaces.push_back(std::move(surface));
     return;
   }
@@ -166,7 +195,8 @@ void add(scene::Scene& scene, const scene::Source& source, Progress& progress) {
   scene::completeChannels(scene.volume);
 }
 
-scene::Scene openAll(std::vector<std::string> paths, Progress& progress) {
+scene::Scene openAll(std::vector<std::string> paths, Progress& progress, const DataPolicy& policy,
+                     std::vector<std::string>* notes) {
   if (paths.empty()) throw ArgumentError("nothing was named to open");
   std::stable_partition(paths.begin(), paths.end(), [](const std::string& path) {
     if (isMesh(path)) return false;
@@ -175,7 +205,7 @@ scene::Scene openAll(std::vector<std::string> paths, Progress& progress) {
   });
   scene::Source source;
   source.path = paths.front();
-  scene::Scene scene = open(source, progress);
+  scene::Scene scene = open(source, progress, policy, notes);
   for (std::size_t i = 1; i < paths.size(); ++i) {
     source.path = paths[i];
     add(scene, source, progress);
@@ -185,24 +215,25 @@ scene::Scene openAll(std::vector<std::string> paths, Progress& progress) {
   return scene;
 }
 
-void loadData(scene::Scene& scene, const fs::path& folder, Progress& progress) {
-  auto place = [&](scene::Source& source) { source = atFolder(source, folder); };
-  if (!scene.volume.source.path.empty() && !scene.volume.data) {
-    place(scene.volume.source);
+void loadData(scene::Scene& scene, const fs::path& folder, Progress& progress, const DataPolicy& policy,
+              std::vector<std::string>* notes) {
+  auto isPlaced = [&](scene::Source& source, bool hasData, std::string part, std::string what) {
+    MissingData missing{part + ".source.path", std::move(what), source.path};
+    return !source.path.empty() && !hasData && placeSource(source, missing, folder, progress, policy, Notes{notes});
+  };
+  if (isPlaced(scene.volume.source, bool(scene.volume.data), "volume", "volume")) {
     readVolumeInto(scene.volume, scene.volume.source, progress);
     if (scene.volume.transfer.opacities.empty()) {
       scene::applyPreset(scene, scene::choosePreset(*scene.volume.data));
       scene::completeChannels(scene.volume);
     }
   }
-  if (!scene.labels.source.path.empty() && !scene.labels.data) {
-    place(scene.labels.source);
+  if (isPlaced(scene.labels.source, bool(scene.labels.data), "labels", "labels"))
     readLabelsInto(scene.labels, scene.labels.source, progress);
-  }
-  for (auto& surface : scene.surfaces) {
-    if (surface.source.path.empty() || surface.data) continue;
-    place(surface.source);
-    surface.data = Shared<Mesh>(io::readMesh(surface.source.path, progress));
+  for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
+    auto& surface = scene.surfaces[i];
+    if (isPlaced(surface.source, bool(surface.data), fmt::format("surfaces.{}", i), "surface"))
+      readSurfaceInto(surface, progress);
   }
 }
 

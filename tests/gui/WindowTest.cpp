@@ -141,7 +141,8 @@ TEST_F(Window, MouseTurnsMovesAndNears) {
   double distance = glm::length(scene().camera.eyeMm - scene().camera.targetMm);
   drag({200, 200}, {200, 160}, Qt::RightButton);
   EXPECT_LT(glm::length(scene().camera.eyeMm - scene().camera.targetMm), distance);
-  EXPECT_FALSE(mWindow->document().canUndo());
+  EXPECT_EQ(mWindow->document().undoLabels(), std::vector<std::string>{"Move view"});
+  EXPECT_FALSE(mWindow->document().isModified());
   viewport().setFocus();
   QTest::keyClick(&viewport(), Qt::Key_R);
   EXPECT_EQ(scene().camera.targetMm, start.targetMm);
@@ -170,7 +171,8 @@ TEST_F(Window, GizmoMovesTheCutAlongItsNormalInOneStep) {
   EXPECT_EQ(mWindow->document().undoLabel(), "Move cut");
   QTest::keyClick(mWindow.get(), Qt::Key_Z, Qt::ControlModifier);
   EXPECT_EQ(scene().cuts[0], before);
-  EXPECT_EQ(mWindow->document().undoLabel(), "Add cut");
+  EXPECT_EQ(mWindow->document().undoLabels(), (std::vector<std::string>{"Move view", "Add cut", "Move view"}));
+  mWindow->document().undo();
   mWindow->document().undo();
   EXPECT_TRUE(scene().cuts.empty());
   EXPECT_EQ(viewport().selectedCut(), -1);
@@ -276,6 +278,8 @@ int main(int argc, char** argv) {
   velum::TempFolder runtime;
   qputenv("XDG_RUNTIME_DIR", runtime.path().c_str());
   QFile::setPermissions(QString::fromStdString(runtime.path()), QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
+  for (const char* name : {"XDG_STATE_HOME", "XDG_CACHE_HOME", "XDG_CONFIG_HOME"})
+    qputenv(name, (runtime / name).c_str());
   QStandardPaths::setTestModeEnabled(true);
   QSurfaceFormat format;
   format.setVersion(4, 5);

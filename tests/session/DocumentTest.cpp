@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <stdexcept>
+#include <utility>
 
 namespace velum::session {
 
@@ -13,6 +14,10 @@ auto moveCut(double y) {
     if (scene.cuts.empty()) scene.cuts.emplace_back();
     scene.cuts[0].centreMm.y = y;
   };
+}
+
+auto moveEye(double x) {
+  return [x](scene::Scene& scene) { scene.camera.eyeMm.x = x; };
 }
 
 }  // namespace
@@ -87,14 +92,118 @@ TEST(Document, RedoRestoresWhatUndoTook) {
   EXPECT_EQ(document.undoLabel(), "B");
 }
 
-TEST(Document, AmendmentOutlivesUndo) {
+TEST(Document, ViewMovesAreOneStepHoweverManyDrags) {
   Document document;
-  document.edit("A", moveCut(1));
-  document.amend([](scene::Scene& scene) { scene.camera.eyeMm.x = 7.0; });
-  EXPECT_EQ(document.undoLabel(), "A");
+  document.edit("Add cut", moveCut(1));
+  scene::Camera before = document.scene().camera;
+  for (int i = 1; i <= 50; ++i) {
+    document.view(moveEye(i));
+    document.endMerge();
+  }
+  document.view([](scene::Scene& scene) { scene.slices.crosshairMm.z = 3; });
+  EXPECT_EQ(document.undoLabels(), (std::vector<std::string>{"Move view", "Add cut"}));
+  document.undo();
+  EXPECT_EQ(document.scene().camera, before);
+  EXPECT_EQ(document.scene().slices.crosshairMm.z, 0);
+  EXPECT_EQ(document.scene().cuts.size(), 1u);
   document.undo();
   EXPECT_TRUE(document.scene().cuts.empty());
-  EXPECT_EQ(document.scene().camera.eyeMm.x, 7.0);
+  document.redo();
+  document.redo();
+  EXPECT_EQ(document.scene().camera.eyeMm.x, 50.0);
+}
+
+TEST(Document, UndoOfAnEditKeepsTheViewBeforeIt) {
+  Document document;
+  document.view(moveEye(1));
+  document.edit("A", moveCut(1));
+  document.view(moveEye(2));
+  document.edit("B", moveCut(2));
+  EXPECT_EQ(document.undoLabels(), (std::vector<std::string>{"B", "Move view", "A", "Move view"}));
+  document.undo();
+  EXPECT_EQ(document.scene().camera.eyeMm.x, 2.0);
+  EXPECT_EQ(document.scene().cuts[0].centreMm.y, 1.0);
+}
+
+TEST(Document, AViewThatComesBackLeavesNoStep) {
+  Document document;
+  double start = document.scene().camera.eyeMm.x;
+  document.view(moveEye(7));
+  document.view(moveEye(start));
+  EXPECT_FALSE(document.canUndo());
+}
+
+TEST(Document, LookingAroundKeepsWhatCanBeRedone) {
+  Document document;
+  document.edit("A", moveCut(1));
+  document.edit("B", moveCut(2));
+  document.undo();
+  document.undo();
+  document.view(moveEye(9));
+  EXPECT_EQ(document.redoLabels(), (std::vector<std::string>{"A", "B"}));
+  document.redo();
+  document.redo();
+  EXPECT_EQ(document.scene().cuts[0].centreMm.y, 2.0);
+  EXPECT_EQ(document.scene().camera.eyeMm.x, 9.0);
+  for (int i = 0; i < 3; ++i) document.undo();
+  EXPECT_EQ(document.scene(), scene::Scene());
+}
+
+TEST(Document, AnotherViewReplacesTheOneThatWasTakenBack) {
+  Document document;
+  document.view(moveEye(1));
+  document.edit("A", moveCut(1));
+  document.undo();
+  document.undo();
+  document.view(moveEye(5));
+  EXPECT_EQ(document.redoLabels(), std::vector<std::string>{"A"});
+  document.redo();
+  EXPECT_EQ(document.scene().camera.eyeMm.x, 5.0);
+}
+
+TEST(Document, OnlyEditsCountAsModified) {
+  Document document;
+  document.view(moveEye(1));
+  EXPECT_FALSE(document.isModified());
+  document.undo();
+  EXPECT_FALSE(document.isModified());
+  document.edit("A", moveCut(1));
+  EXPECT_TRUE(document.isModified());
+  document.markSaved();
+  document.view(moveEye(2));
+  EXPECT_FALSE(document.isModified());
+  document.undo();
+  document.undo();
+  EXPECT_TRUE(document.isModified());
+  document.redo();
+  EXPECT_FALSE(document.isModified());
+  document.markModified();
+  EXPECT_TRUE(document.isModified());
+}
+
+TEST(Document, WhatWasSavedInTheMiddleOfADragCanBeComeBackTo) {
+  Document document;
+  document.edit("Move cut", moveCut(1), true);
+  document.markSaved();
+  document.edit("Move cut", moveCut(2), true);
+  EXPECT_TRUE(document.isModified());
+  document.undo();
+  EXPECT_FALSE(document.isModified());
+  EXPECT_EQ(document.scene().cuts[0].centreMm.y, 1.0);
+}
+
+TEST(Document, EveryChangeHasAnotherNumber) {
+  Document document;
+  std::uint64_t last = document.changeCount();
+  auto hasMoved = [&] { return std::exchange(last, document.changeCount()) != document.changeCount(); };
+  document.edit("A", moveCut(1));
+  EXPECT_TRUE(hasMoved());
+  document.view(moveEye(1));
+  EXPECT_TRUE(hasMoved());
+  document.undo();
+  EXPECT_TRUE(hasMoved());
+  document.edit("Nothing", [](scene::Scene&) {});
+  EXPECT_FALSE(hasMoved());
 }
 
 TEST(Document, HistoryIsBounded) {

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -27,9 +28,11 @@ class Document {
   /// The next merging edit begins a step of its own: a drag is over.
   void endMerge() { mMerging = false; }
 
-  /// Changes the scene without an undo step (the camera). It holds for the whole history: undo does not take it back.
+  /// Changes the view: camera, layout, crosshair, a slice's place. Consecutive changes, however many drags, are one
+  /// step named "Move view"; a view that comes back to where it was leaves none. What was undone can still be redone,
+  /// and is then seen from the new view. It does not count as a modification.
   /// @param change  must set the same whatever else the scene holds
-  void amend(const Change& change);
+  void view(const Change& change);
 
   /// One step back or forth; nothing when there is none.
   void undo();
@@ -39,13 +42,21 @@ class Document {
   /// What undo() would take back, redo() would do again; empty when there is nothing.
   std::string undoLabel() const { return canUndo() ? mUndo.back().label : std::string(); }
   std::string redoLabel() const { return canRedo() ? mRedo.back().label : std::string(); }
+  /// All of them, the nearest first.
+  std::vector<std::string> undoLabels() const { return labelsOf(mUndo); }
+  std::vector<std::string> redoLabels() const { return labelsOf(mRedo); }
 
   /// Takes another scene and forgets the history: a file was opened.
   void replace(scene::Scene scene);
 
-  /// True when edits have been made since replace() or markSaved(); the camera does not count.
-  bool isModified() const { return mModified; }
+  /// True when the scene is not the one of replace() or markSaved(); undoing to that one makes it false again. The view
+  /// does not count.
+  bool isModified() const { return mEdit != mSavedEdit; }
   void markSaved();
+  /// What is open is work that is saved nowhere: it was recovered.
+  void markModified();
+  /// Another number after every change of the scene.
+  std::uint64_t changeCount() const { return mChangeCount; }
 
   /// Called after every change, from the thread that made it.
   void setListener(std::function<void()> listener) { mListener = std::move(listener); }
@@ -55,16 +66,22 @@ class Document {
   struct Step {
     std::string label;
     scene::Scene scene;
+    std::uint64_t edit = 0;  ///< names the state of what counts as modified
+    bool isView = false;
   };
+  static std::vector<std::string> labelsOf(const std::vector<Step>& steps);
+  void push(Step step);
   void step(std::vector<Step>& from, std::vector<Step>& to);
+  void moveRedoView(const Change& change);
+  void changed();
   void notify() const {
     if (mListener) mListener();
   }
 
   scene::Scene mScene;
   std::vector<Step> mUndo, mRedo;
+  std::uint64_t mEdit = 0, mSavedEdit = 0, mLastEdit = 0, mChangeCount = 0;
   bool mMerging = false;
-  bool mModified = false;
   std::function<void()> mListener;
 };
 

@@ -6,14 +6,18 @@
 
 #include "velum/core/Task.h"
 #include "velum/scene/Scene.h"
+#include "velum/session/Sources.h"
 
 namespace velum::session {
 
 /// Makes a scene from whatever a user names: a scene file, a picture of ours with a scene inside, a volume, a folder, a
 /// surface, labels. Data is read; a new volume gets the preset that fits it and a camera that sees it all.
 /// @param source  first input: path and how to read it
+/// @param policy  of a scene file: what to do about data that has moved
+/// @param notes   what the user should know of it, one line each; null: they are warnings on stderr
 /// @throw InputError, Cancelled. Any thread.
-scene::Scene open(const scene::Source& source, Progress& progress);
+scene::Scene open(const scene::Source& source, Progress& progress, const DataPolicy& policy = {},
+                  std::vector<std::string>* notes = nullptr);
 
 /// The scene in a scene file or in a picture of ours, as text without its data; nothing for other files.
 /// @throw InputError when it is damaged
@@ -28,10 +32,13 @@ void addLabels(scene::Scene& scene, const scene::Source& source, Progress& progr
 
 /// Opens several inputs as one scene: what carries the voxels first, then labels and surfaces, in whatever order they
 /// were named. @throw ArgumentError when there is none
-scene::Scene openAll(std::vector<std::string> paths, Progress& progress);
+scene::Scene openAll(std::vector<std::string> paths, Progress& progress, const DataPolicy& policy = {},
+                     std::vector<std::string>* notes = nullptr);
 
-/// Reads the data that the scene names and does not hold yet. Paths are taken relative to `folder`.
-void loadData(scene::Scene& scene, const std::filesystem::path& folder, Progress& progress);
+/// Reads the data that the scene names and does not hold yet. Paths are taken relative to `folder`; what is not there
+/// is looked for; what is not found is an error, or is left out (missingData() then names it), as the policy says.
+void loadData(scene::Scene& scene, const std::filesystem::path& folder, Progress& progress,
+              const DataPolicy& policy = {}, std::vector<std::string>* notes = nullptr);
 
 /// Writes a scene file: to a temporary beside it, synced, then renamed. Paths become relative to the file's folder,
 /// except where nothing but the root is common to both.

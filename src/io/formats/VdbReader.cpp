@@ -1,11 +1,13 @@
 #include <fmt/format.h>
 #include <openvdb/io/File.h>
+#include <openvdb/io/Stream.h>
 #include <openvdb/openvdb.h>
 #include <openvdb/tools/Dense.h>
 #include <openvdb/tools/Prune.h>
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <new>
 
 #include "../ReplaceFile.h"
@@ -33,16 +35,15 @@ openvdb::FloatGrid::Ptr firstFloatGrid(const Path& path) {
   if (head.size() < 16 || !std::equal(std::begin(kMagic), std::end(kMagic), head.begin(),
                                       [](unsigned char a, char b) { return a == static_cast<unsigned char>(b); }))
     refuse(path, "is not an OpenVDB file");
-  openvdb::io::File file(path.string());
-  // Voxels are read at once: a file mapped for later would have to stay beside us.
-  file.open(false);
-  auto names = file.readAllGridMetadata();
-  for (const auto& grid : *names) {
-    if (!grid || grid->valueType() != "float") continue;
-    return openvdb::gridPtrCast<openvdb::FloatGrid>(file.readGrid(grid->getName()));
-  }
+  // OpenVDB does not look whether its reads succeed, and allocates by sizes that it never got: the stream throws.
+  std::ifstream bytes(path, std::ios::binary);
+  bytes.exceptions(std::ios::eofbit | std::ios::failbit | std::ios::badbit);
+  openvdb::io::Stream stream(bytes, false);
+  auto grids = stream.getGrids();
+  for (const auto& grid : *grids)
+    if (auto floats = openvdb::gridPtrCast<openvdb::FloatGrid>(grid)) return floats;
   std::string types;
-  for (const auto& grid : *names) types += (types.empty() ? "" : ", ") + grid->valueType();
+  for (const auto& grid : *grids) types += (types.empty() ? "" : ", ") + grid->valueType();
   refuse(path, fmt::format("has no grid of floats (it has: {})", types.empty() ? "nothing" : types));
 }
 

@@ -1,0 +1,83 @@
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "Verbs.h"
+#include "velum/core/Error.h"
+#include "velum/session/Folders.h"
+#include "velum/session/Open.h"
+#include "velum/session/Recovery.h"
+
+namespace velum::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct RecoverOptions {
+  Common common;
+  std::string name, output;
+  bool list = false, discard = false;
+};
+
+std::string localTime(std::chrono::system_clock::time_point when) {
+  return fmt::format("{:%Y-%m-%d %H:%M:%S}", fmt::localtime(std::chrono::system_clock::to_time_t(when)));
+}
+
+void printList(const std::vector<session::LostWork>& lost, bool json) {
+  Json rows = Json::array();
+  for (const auto& work : lost) {
+    std::string name = work.folder.filename().string();
+    rows.push_back({{"name", name},
+                    {"title", work.title},
+                    {"scene", work.scenePath},
+                    {"lastChange", work.label},
+                    {"time", localTime(work.when)},
+                    {"readable", work.isReadable}});
+    if (!json)
+      fmt::print("{}  {}  {}{}\n", name, localTime(work.when), work.isReadable ? work.title : "damaged",
+                 work.label.empty() ? "" : fmt::format(" ({})", work.label));
+  }
+  if (json)
+    printJson({{"work", rows}});
+  else if (lost.empty())
+    fmt::print("no unsaved work was left behind\n");
+}
+
+const session::LostWork& choose(const std::vector<session::LostWork>& lost, const std::string& name) {
+  for (const auto& work : lost)
+    if (name.empty() ? work.isReadable : work.folder.filename() == name) return work;
+  if (name.empty()) throw InputError("recover: no unsaved work was left behind");
+  throw InputError(fmt::format("recover: there is no unsaved work '{}'; see velum-batch recover --list", name));
+}
+
+int run(const RecoverOptions& options) {
+  if (!options.list && !options.discard && options.output.empty())
+    throw ArgumentError("recover: give --list, -o FILE or --discard");
+  if (options.discard && options.name.empty())
+    throw ArgumentError("recover: name what to discard; see velum-batch recover --list");
+  auto lost = session::findLostWork(session::recoveryFolder());
+  if (options.list) {
+    printList(lost, options.common.json);
+    return 0;
+  }
+  session::WorkClaim claim(choose(lost, options.name).folder);
+  if (!options.output.empty()) session::saveScene(claim.readScene(), options.output);
+  if (options.discard) claim.remove();
+  return 0;
+}
+
+}  // namespace
+
+Run registerRecover(CLI::App& verb) {
+  auto options = std::make_shared<RecoverOptions>();
+  addCommon(verb, options->common);
+  verb.add_option("name", options->name, "which work, as --list names it; default: the newest");
+  verb.add_flag("--list", options->list, "list the unsaved work of sessions that have died");
+  verb.add_option("-o,--output", options->output, "scene file to write it to; the work stays until --discard");
+  verb.add_flag("--discard", options->discard, "delete the named work (with -o: once it is written)");
+  return [options] { return run(*options); };
+}
+
+}  // namespace velum::app

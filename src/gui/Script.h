@@ -1,0 +1,53 @@
+#pragma once
+#include <QElapsedTimer>
+#include <QObject>
+#include <QStringList>
+#include <QTimer>
+#include <functional>
+
+namespace velum::gui {
+
+class MainWindow;
+
+/// Drives a window by a text, one command a line; the user guide lists them. Nothing is asked while it runs. The
+/// window's thread; events go on between lines.
+class Script : public QObject {
+  Q_OBJECT
+ public:
+  /// @param name  of the text, for errors
+  Script(MainWindow& window, QString name, const QString& text);
+
+  void start();
+  /// Each line is said on stdout when it is done, after the time of the monotonic clock in seconds.
+  void setEcho(bool echo) { mEcho = echo; }
+
+ signals:
+  /// The last line is done.
+  void finished();
+  /// Nothing more is run. @param error  one line with file and line number @param exitCode  1 usage, 2 input
+  void failed(const QString& error, int exitCode);
+
+ private:
+  void next();
+  void run(const QString& command, const QString& rest);
+  bool runEdit(const QString& command, const QString& rest);
+  bool runFile(const QString& command, const QString& rest);
+  void waitFor(std::function<bool()> ready, int mostMs, const QString& what);
+  void check();
+  void say() const;
+  void stop();
+
+  MainWindow& mWindow;
+  QString mName;
+  QStringList mLines;
+  int mLine = 0;  ///< that runs, from 1
+  bool mEcho = false;
+  bool mIsSaid = false;
+  std::function<bool()> mReady;  ///< what the line waits for; empty: nothing
+  int mMostMs = 0;
+  QString mWhat;
+  QElapsedTimer mWaited;
+  QTimer mTimer;
+};
+
+}  // namespace velum::gui

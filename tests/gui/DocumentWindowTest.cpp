@@ -1,0 +1,227 @@
+// What becomes of the user's work: undo of views, asking before it is lost, recovery, recent files, data that is
+// missing.
+#include <gtest/gtest.h>
+
+#include <QFile>
+#include <QFileDialog>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QTest>
+#include <QTimer>
+
+#include "MainWindow.h"
+#include "RecentFiles.h"
+#include "RecoveryBar.h"
+#include "Shots.h"
+#include "TempFolder.h"
+#include "velum/io/Sample.h"
+#include "velum/io/WriteVolume.h"
+#include "velum/session/Folders.h"
+#include "velum/session/Open.h"
+
+namespace velum::gui {
+namespace {
+
+class DocumentWindow : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::filesystem::remove_all(session::stateFolder());
+    Progress progress;
+    io::writeVolume(io::makeSample("two-spheres", 16, progress).volume, mFolder / "phantom.nrrd", progress);
+    mWindow = makeWindow();
+  }
+  std::unique_ptr<MainWindow> makeWindow() {
+    auto window = std::make_unique<MainWindow>();
+    window->resize(760, 520);
+    window->show();
+    window->protectWork(mFolder / "recovery");
+    EXPECT_TRUE(QTest::qWaitForWindowExposed(window.get()));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !window->isLookingForWork(); }, 10000));
+    return window;
+  }
+  QString path(const char* name) const { return QString::fromStdString((mFolder / name).string()); }
+  bool open(const char* name) {
+    mWindow->openPaths({path(name)});
+    return waitForJob();
+  }
+  bool waitForJob() {
+    return QTest::qWaitFor([&] { return !mWindow->isBusy(); }, 60000);
+  }
+  void edit(double level) {
+    mWindow->document().edit("Window", [level](scene::Scene& scene) { scene.volume.windowLevel = level; });
+  }
+  /// Presses a button of the next question that is asked. @return whether one was, later
+  std::shared_ptr<bool> answer(const QString& button) {
+    auto asked = std::make_shared<bool>(false);
+    auto* timer = new QTimer(mWindow.get());
+    QObject::connect(timer, &QTimer::timeout, mWindow.get(), [asked, button, timer] {
+      auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+      if (!box) return;
+      timer->deleteLater();
+      takeShot(*box, "ask-" + button.section(' ', 0, 0).toLower());
+      for (auto* one : box->buttons())
+        if (one->text().remove('&') == button) {
+          *asked = true;
+          one->click();
+          return;
+        }
+      ADD_FAILURE() << "no button " << button.toStdString();
+      box->reject();
+    });
+    timer->start(20);
+    return asked;
+  }
+  /// As a crash leaves it: the journal stays.
+  void crash() { mWindow.reset(); }
+  RecoveryBar& bar() { return *mWindow->findChild<RecoveryBar*>(); }
+
+  TempFolder mFolder;
+  std::unique_ptr<MainWindow> mWindow;
+};
+
+TEST_F(DocumentWindow, OneUndoTakesTheViewBackAndTheNextTheEdit) {
+  ASSERT_TRUE(open("phantom.nrrd"));
+  EXPECT_FALSE(mWindow->document().canUndo());
+  scene::Camera start = mWindow->document().scene().camera;
+  edit(5);
+  auto& view = mWindow->viewport();
+  for (int i = 0; i < 3; ++i) {
+    QTest::mousePress(&view, Qt::LeftButton, {}, {100, 100});
+    QTest::mouseMove(&view, {130 + 9 * i, 100});
+    QTest::mouseRelease(&view, Qt::LeftButton, {}, {130 + 9 * i, 100});
+  }
+  mWindow->actions().find("view.left")->trigger();
+  EXPECT_TRUE(mWindow->actions().find("edit.undo")->text().contains("Move view"));
+  mWindow->actions().find("edit.undo")->trigger();
+  EXPECT_EQ(mWindow->document().scene().camera, start);
+  EXPECT_EQ(mWindow->document().scene().volume.windowLevel, 5);
+  mWindow->actions().find("edit.undo")->trigger();
+  EXPECT_NE(mWindow->document().scene().volume.windowLevel, 5);
+}
+
+TEST_F(DocumentWindow, ClosingAsksOnlyAboutEdits) {
+  ASSERT_TRUE(open("phantom.nrrd"));
+  mWindow->viewport().lookFrom(scene::StandardView::Left);
+  EXPECT_TRUE(mWindow->close());
+  mWindow = makeWindow();
+  EXPECT_FALSE(bar().isVisible());
+  ASSERT_TRUE(open("phantom.nrrd"));
+  edit(5);
+  auto asked = answer("Cancel");
+  EXPECT_FALSE(mWindow->close());
+  EXPECT_TRUE(*asked);
+  EXPECT_TRUE(mWindow->isVisible());
+  asked = answer("Don't save");
+  mWindow->actions().find("file.new")->trigger();
+  EXPECT_TRUE(*asked);
+  EXPECT_FALSE(mWindow->document().scene().volume.data);
+  EXPECT_TRUE(mWindow->close());
+  mWindow = makeWindow();
+  EXPECT_FALSE(bar().isVisible());
+}
+
+TEST_F(DocumentWindow, SaveInTheQuestionSaves) {
+  ASSERT_TRUE(open("phantom.nrrd"));
+  mWindow->saveSceneTo(path("a.json"));
+  edit(7);
+  auto asked = answer("Save");
+  EXPECT_TRUE(mWindow->close());
+  EXPECT_TRUE(*asked);
+  Progress progress;
+  scene::Source source;
+  source.path = path("a.json").toStdString();
+  EXPECT_EQ(session::open(source, progress).volume.windowLevel, 7);
+}
+
+TEST_F(DocumentWindow, WorkOfADeadWindowIsOfferedAndRestoredAsModified) {
+  ASSERT_TRUE(open("phantom.nrrd"));
+  edit(11);
+  mWindow->viewport().lookFrom(scene::StandardView::Left);
+  scene::Scene before = mWindow->document().scene();
+  crash();
+  mWindow = makeWindow();
+  ASSERT_TRUE(bar().isVisible());
+  ASSERT_TRUE(bar().current());
+  EXPECT_EQ(bar().current()->title, "phantom.nrrd");
+  EXPECT_EQ(bar().current()->label, "Move view");
+  takeShot(*mWindow, "recovery");
+  for (auto* button : bar().findChildren<QPushButton*>())
+    if (button->text() == "&Restore") QTest::mouseClick(button, Qt::LeftButton);
+  ASSERT_TRUE(waitForJob());
+  EXPECT_FALSE(bar().isVisible());
+  scene::Scene after = mWindow->document().scene();
+  EXPECT_TRUE(after.volume.data);
+  after.volume.data = before.volume.data = {};
+  EXPECT_EQ(after, before);
+  EXPECT_TRUE(mWindow->document().isModified());
+  // It is safe again, in one place.
+  crash();
+  EXPECT_EQ(session::findLostWork(mFolder / "recovery").size(), 1u);
+}
+
+TEST_F(DocumentWindow, DiscardedWorkIsAskedAboutAndGone) {
+  ASSERT_TRUE(open("phantom.nrrd"));
+  edit(11);
+  crash();
+  mWindow = makeWindow();
+  auto asked = answer("Delete");
+  emit bar().discardWanted();
+  EXPECT_TRUE(*asked);
+  EXPECT_FALSE(bar().isVisible());
+  EXPECT_TRUE(session::findLostWork(mFolder / "recovery").empty());
+}
+
+TEST_F(DocumentWindow, SavedWorkIsNotOffered) {
+  ASSERT_TRUE(open("phantom.nrrd"));
+  edit(3);
+  mWindow->saveSceneTo(path("b.json"));
+  EXPECT_FALSE(mWindow->document().isModified());
+  crash();
+  mWindow = makeWindow();
+  EXPECT_FALSE(bar().isVisible());
+}
+
+TEST_F(DocumentWindow, RecentFilesHavePicturesAndOpenByAClick) {
+  ASSERT_TRUE(open("phantom.nrrd"));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return mWindow->isSettled(); }, 60000));
+  mWindow->saveSceneTo(path("c.json"));
+  mWindow->actions().find("file.new")->trigger();
+  auto cards = mWindow->findChildren<RecentCard*>();
+  ASSERT_EQ(cards.size(), 2);
+  EXPECT_EQ(QString::fromStdString(cards[0]->path().string()), path("c.json"));
+  for (auto* card : cards) EXPECT_FALSE(recentPixmap(card->path(), RecentCard::kPicture, 1).isNull());
+  QTest::mouseClick(cards[0], Qt::LeftButton);
+  ASSERT_TRUE(waitForJob());
+  EXPECT_TRUE(mWindow->document().scene().volume.data);
+}
+
+TEST_F(DocumentWindow, SkippedDataLeavesTheSceneAndSaysSo) {
+  ASSERT_TRUE(open("phantom.nrrd"));
+  edit(9);
+  mWindow->saveSceneTo(path("d.json"));
+  QFile::remove(path("phantom.nrrd"));
+  auto asked = answer("Skip");
+  ASSERT_TRUE(open("d.json"));
+  EXPECT_TRUE(*asked);
+  EXPECT_FALSE(mWindow->document().scene().volume.data);
+  EXPECT_EQ(mWindow->document().scene().volume.windowLevel, 9);
+  EXPECT_TRUE(mWindow->messages().text().contains("opened without its volume"))
+      << mWindow->messages().text().toStdString();
+  // What is saved then still names the data.
+  mWindow->saveSceneTo(path("e.json"));
+  QFile saved(path("e.json"));
+  ASSERT_TRUE(saved.open(QIODevice::ReadOnly));
+  EXPECT_TRUE(saved.readAll().contains("\"path\": \"phantom.nrrd\""));
+}
+
+TEST_F(DocumentWindow, ARenamedFileIsFoundAndSaid) {
+  ASSERT_TRUE(open("phantom.nrrd"));
+  mWindow->saveSceneTo(path("f.json"));
+  QFile::rename(path("phantom.nrrd"), path("other.nrrd"));
+  ASSERT_TRUE(open("f.json"));
+  EXPECT_TRUE(mWindow->document().scene().volume.data);
+  EXPECT_TRUE(mWindow->messages().text().contains("other.nrrd")) << mWindow->messages().text().toStdString();
+}
+
+}  // namespace
+}  // namespace velum::gui

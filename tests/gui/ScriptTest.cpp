@@ -1,0 +1,94 @@
+#include "Script.h"
+
+#include <gtest/gtest.h>
+
+#include <QFile>
+#include <QTest>
+
+#include "MainWindow.h"
+#include "TempFolder.h"
+#include "velum/io/Sample.h"
+#include "velum/io/WriteVolume.h"
+
+namespace velum::gui {
+namespace {
+
+class ScriptTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    Progress progress;
+    io::writeVolume(io::makeSample("two-spheres", 16, progress).volume, mFolder / "phantom.nrrd", progress);
+    mWindow.resize(600, 420);
+    mWindow.show();
+    EXPECT_TRUE(QTest::qWaitForWindowExposed(&mWindow));
+  }
+  QString path(const char* name) const { return QString::fromStdString((mFolder / name).string()); }
+  /// @return the error; empty when all lines were done
+  QString run(const QString& text) {
+    bool done = false;
+    QString said;
+    Script script(mWindow, "test", text);
+    QObject::connect(&script, &Script::finished, [&] { done = true; });
+    QObject::connect(&script, &Script::failed, [&](const QString& error, int code) {
+      done = true;
+      said = QString("%1 (%2)").arg(error).arg(code);
+    });
+    script.start();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return done; }, 60000)) << text.toStdString();
+    return said;
+  }
+  const scene::Scene& scene() { return mWindow.document().scene(); }
+
+  TempFolder mFolder;
+  MainWindow mWindow;
+};
+
+TEST_F(ScriptTest, DoesWhatEachLineSays) {
+  QString said = run(QString("# a comment\n\nopen %1\nset volume.windowLevel 17\ndo cut.addPlane\nundo\nredo\nwait 10\n"
+                             "settle\nsave %2\nscreenshot %3\n")
+                         .arg(path("phantom.nrrd"), path("a.json"), path("a.png")));
+  EXPECT_EQ(said, "");
+  EXPECT_EQ(scene().volume.windowLevel, 17);
+  EXPECT_EQ(scene().cuts.size(), 1u);
+  EXPECT_EQ(mWindow.document().undoLabel(), "Add cut");
+  EXPECT_TRUE(QFile::exists(path("a.json")));
+  EXPECT_TRUE(QFile::exists(path("a.png")));
+  EXPECT_FALSE(mWindow.document().isModified());
+}
+
+TEST_F(ScriptTest, ErrorsNameTheLineAndTheKind) {
+  struct Row {
+    QString text, part;
+    int code;
+  };
+  QString open = "open " + path("phantom.nrrd") + "\n";
+  for (const Row& row :
+       {Row{"\nsing", "test:2: 'sing' is no command", 1}, Row{"open /nowhere/a.nrrd", "/nowhere/a.nrrd", 2},
+        Row{"open", "a path is missing", 1}, Row{"set camera", "a field and a value", 1},
+        Row{"set camera.eye 4", "eye", 1}, Row{"set camera.fieldOfViewDeg 900", "outside", 1},
+        Row{"do sing.loud", "sing.loud", 1}, Row{"do cut.addPlane", "cannot be done now", 2},
+        Row{"undo", "nothing to undo", 2}, Row{"wait long", "whole number", 1}, Row{"wait -5", "whole number", 1},
+        Row{"recover", "no unsaved work", 2}, Row{"screenshot /nowhere/a.png", "/nowhere/a.png", 2},
+        Row{open + "save /nowhere/a.json", "test:2: /nowhere/a.json", 2}}) {
+    QString said = run(row.text);
+    EXPECT_TRUE(said.contains(row.part)) << row.text.toStdString() << " gives " << said.toStdString();
+    EXPECT_TRUE(said.endsWith(QString("(%1)").arg(row.code))) << said.toStdString();
+    EXPECT_FALSE(said.contains('\n')) << said.toStdString();
+  }
+}
+
+TEST_F(ScriptTest, MissingDataIsAnErrorAndAsksNothing) {
+  ASSERT_EQ(run(QString("open %1\nsave %2").arg(path("phantom.nrrd"), path("b.json"))), "");
+  QFile::remove(path("phantom.nrrd"));
+  QString said = run("open " + path("b.json"));
+  EXPECT_TRUE(said.contains("phantom.nrrd") && said.endsWith("(2)")) << said.toStdString();
+}
+
+TEST_F(ScriptTest, UnsavedChangesAreNotAskedAboutWhileItRuns) {
+  QString open = "open " + path("phantom.nrrd") + "\n";
+  EXPECT_EQ(run(open + "set volume.windowLevel 4\ndo file.new\n" + open), "");
+  EXPECT_FALSE(mWindow.document().isModified());
+}
+
+}  // namespace
+}  // namespace velum::gui

@@ -1,0 +1,276 @@
+#include "velum/session/Journal.h"
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <random>
+
+#include "TempFolder.h"
+#include "velum/core/Error.h"
+#include "velum/session/Document.h"
+#include "velum/session/Folders.h"
+#include "velum/session/Recovery.h"
+
+namespace velum::session {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+Journal::Options quick(const TempFolder& folder, std::size_t compactBytes = 256 << 10) {
+  return {folder.path(), std::chrono::milliseconds(0), compactBytes};
+}
+
+scene::Scene withLevel(double level) {
+  scene::Scene scene;
+  scene.volume.windowLevel = level;
+  return scene;
+}
+
+std::vector<fs::path> filesIn(const fs::path& folder, const std::string& part) {
+  std::vector<fs::path> found;
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (entry.path().filename().string().find(part) != std::string::npos) found.push_back(entry.path());
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+scene::Scene recovered(const TempFolder& folder) {
+  auto lost = findLostWork(folder.path());
+  if (lost.size() != 1) throw std::runtime_error(std::to_string(lost.size()) + " sessions have died");
+  return WorkClaim(lost[0].folder).readScene();
+}
+
+void overwrite(const fs::path& path, const std::string& text) {
+  std::ofstream(path, std::ios::binary | std::ios::trunc) << text;
+}
+
+}  // namespace
+
+TEST(Journal, RandomEditsAreRecoveredExactly) {
+  for (unsigned seed = 1; seed <= 3; ++seed) {
+    TempFolder folder;
+    std::mt19937 random(seed);
+    Document document;
+    {
+      Journal journal(quick(folder, 2000));  // several generations
+      document.setListener([&] { journal.record(document.scene(), document.undoLabel()); });
+      for (int i = 0; i < 300; ++i) {
+        double value = double(random() % 1000);
+        switch (random() % 6) {
+          case 0:
+            document.undo();
+            break;
+          case 1:
+            document.redo();
+            break;
+          case 2:
+            document.view([&](scene::Scene& s) { s.camera.eyeMm.x = value; });
+            break;
+          case 3:
+            document.edit("Add cut", [&](scene::Scene& s) { s.cuts.emplace_back().centreMm.y = value; });
+            break;
+          default:
+            document.edit(
+                "Window", [&](scene::Scene& s) { s.volume.windowLevel = value; }, true);
+        }
+        if (random() % 3 == 0) journal.flush();
+      }
+      document.setListener({});
+    }
+    EXPECT_EQ(recovered(folder), document.scene());
+  }
+}
+
+TEST(Journal, NothingIsWrittenBeforeTheFirstChangeOrKeptAfterDiscard) {
+  TempFolder folder;
+  Journal journal(quick(folder));
+  journal.describe("head", "");
+  journal.flush();
+  EXPECT_TRUE(fs::is_empty(folder.path()));
+  journal.record(withLevel(1), "Window");
+  journal.flush();
+  EXPECT_FALSE(fs::is_empty(folder.path()));
+  journal.discard();
+  journal.flush();
+  EXPECT_TRUE(fs::is_empty(folder.path()));
+  journal.record(withLevel(2), "Window");
+  journal.flush();
+  EXPECT_FALSE(fs::is_empty(folder.path()));
+}
+
+TEST(Journal, LostWorkSaysWhatItWas) {
+  TempFolder folder;
+  {
+    Journal journal(quick(folder));
+    journal.describe("head.nrrd", "/scenes/head.json");
+    journal.record(withLevel(1), "Window");
+    journal.record(withLevel(2), "Move cut");
+  }
+  auto lost = findLostWork(folder.path());
+  ASSERT_EQ(lost.size(), 1u);
+  EXPECT_EQ(lost[0].title, "head.nrrd");
+  EXPECT_EQ(lost[0].scenePath, "/scenes/head.json");
+  EXPECT_EQ(lost[0].label, "Move cut");
+  EXPECT_LT(std::chrono::abs(lost[0].when - std::chrono::system_clock::now()), std::chrono::minutes(1));
+}
+
+TEST(Journal, ALivingSessionIsNotOffered) {
+  TempFolder folder;
+  Journal journal(quick(folder));
+  journal.record(withLevel(1), "Window");
+  journal.flush();
+  EXPECT_TRUE(findLostWork(folder.path()).empty());
+  for (const auto& entry : fs::directory_iterator(folder.path())) EXPECT_THROW(WorkClaim{entry.path()}, InputError);
+}
+
+TEST(Journal, DeadWorkIsTakenByOne) {
+  TempFolder folder;
+  { Journal(quick(folder)).record(withLevel(1), "Window"); }
+  auto lost = findLostWork(folder.path());
+  ASSERT_EQ(lost.size(), 1u);
+  {
+    WorkClaim claim(lost[0].folder);
+    EXPECT_THROW(WorkClaim{lost[0].folder}, InputError);
+    EXPECT_TRUE(findLostWork(folder.path()).empty());
+  }
+  EXPECT_EQ(findLostWork(folder.path()).size(), 1u);
+  WorkClaim(lost[0].folder).remove();
+  EXPECT_TRUE(findLostWork(folder.path()).empty());
+  EXPECT_THROW(WorkClaim{lost[0].folder}, InputError);
+}
+
+TEST(Journal, AKilledProcessLosesNothingThatWasFlushed) {
+  TempFolder folder;
+  pid_t child = ::fork();
+  if (child == 0) {
+    Journal journal(quick(folder));
+    for (int i = 1; i <= 20; ++i) {
+      journal.record(withLevel(i), "Window");
+      journal.flush();
+    }
+    ::kill(::getpid(), SIGKILL);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  ASSERT_TRUE(WIFSIGNALED(status));
+  EXPECT_EQ(recovered(folder).volume.windowLevel, 20);
+}
+
+TEST(Journal, ATornLastLineGivesTheChangeBefore) {
+  TempFolder folder;
+  {
+    Journal journal(quick(folder));
+    for (int i = 1; i <= 5; ++i) {
+      journal.record(withLevel(i), "Window");
+      journal.flush();
+    }
+  }
+  auto journals = filesIn(folder.path(), ".jsonl");
+  ASSERT_EQ(journals.size(), 1u);
+  auto size = fs::file_size(journals[0]);
+  fs::resize_file(journals[0], size - 1);
+  EXPECT_EQ(recovered(folder).volume.windowLevel, 4);
+}
+
+TEST(Journal, AGrownJournalBeginsAnewAndOneBeforeIsKept) {
+  TempFolder folder;
+  {
+    Journal journal(quick(folder, 1));  // four times the whole scene then decides
+    for (int i = 1; i <= 400; ++i) {
+      journal.record(withLevel(i), "Window");
+      journal.flush();
+    }
+  }
+  auto journals = filesIn(folder.path(), ".jsonl");
+  EXPECT_EQ(journals.size(), 2u);
+  EXPECT_EQ(filesIn(folder.path(), "autosave-").size(), 2u);
+  for (const auto& path : journals) EXPECT_LT(fs::file_size(path), 100'000u);
+  EXPECT_EQ(recovered(folder).volume.windowLevel, 400);
+}
+
+TEST(Journal, DamageFallsBackToTheGenerationBefore) {
+  TempFolder folder;
+  {
+    Journal journal(quick(folder, 1));
+    for (int i = 1; i <= 400; ++i) {
+      journal.record(withLevel(i), "Window");
+      journal.flush();
+    }
+  }
+  auto lost = findLostWork(folder.path());
+  ASSERT_EQ(lost.size(), 1u);
+  std::vector<fs::path> journals = filesIn(folder.path(), ".jsonl"), autosaves = filesIn(folder.path(), "autosave-");
+  ASSERT_EQ(journals.size(), 2u);
+  auto newest = fs::last_write_time(journals[0]) > fs::last_write_time(journals[1]) ? 0 : 1;
+  // The journal alone: the autosave knows how it began. Both: the generation before.
+  overwrite(journals[std::size_t(newest)], "not a journal\n");
+  double fromAutosave = recovered(folder).volume.windowLevel;
+  overwrite(autosaves[std::size_t(newest)], "{");
+  double fromBefore = recovered(folder).volume.windowLevel;
+  EXPECT_LT(fromAutosave, 400);
+  EXPECT_EQ(fromBefore, fromAutosave - 1);
+  for (const auto& path : {journals[0], journals[1], autosaves[0], autosaves[1]}) overwrite(path, "");
+  EXPECT_FALSE(findLostWork(folder.path()).at(0).isReadable);
+  EXPECT_THROW(WorkClaim(lost[0].folder).readScene(), InputError);
+}
+
+TEST(Journal, AFolderThatWasTidiedAwayIsMadeAgain) {
+  TempFolder folder;
+  {
+    Journal journal(quick(folder));
+    journal.record(withLevel(1), "Window");
+    journal.flush();
+    for (const auto& entry : fs::directory_iterator(folder.path())) fs::remove_all(entry.path());
+    journal.record(withLevel(2), "Window");
+  }
+  EXPECT_EQ(recovered(folder).volume.windowLevel, 2);
+}
+
+TEST(Journal, ADiskThatRefusesIsToldOnceAndDoesNotThrow) {
+  TempFolder folder;
+  overwrite(folder / "file", "");
+  std::vector<std::string> said;
+  {
+    Journal journal({folder / "file", std::chrono::milliseconds(0)});
+    journal.setErrorListener([&](const std::string& text) { said.push_back(text); });
+    for (int i = 1; i <= 3; ++i) {
+      journal.record(withLevel(i), "Window");
+      journal.flush();
+    }
+  }
+  ASSERT_EQ(said.size(), 1u);
+  EXPECT_NE(said[0].find("file"), std::string::npos) << said[0];
+}
+
+TEST(Journal, ADragIsAFewLines) {
+  TempFolder folder;
+  {
+    Journal journal({folder.path(), std::chrono::milliseconds(50)});
+    for (int i = 1; i <= 200; ++i) {
+      journal.record(withLevel(i), "Window");
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+  }
+  std::ifstream in(filesIn(folder.path(), ".jsonl").at(0));
+  std::string line;
+  int lines = 0;
+  while (std::getline(in, line)) ++lines;
+  EXPECT_LT(lines, 30);
+  EXPECT_GT(lines, 2);
+  EXPECT_EQ(recovered(folder).volume.windowLevel, 200);
+}
+
+TEST(Folders, FollowXdgAndIgnoreWhatIsRelative) {
+  std::string before = std::getenv("XDG_STATE_HOME") ? std::getenv("XDG_STATE_HOME") : "";
+  ::setenv("XDG_STATE_HOME", "/somewhere", 1);
+  EXPECT_EQ(recoveryFolder(), "/somewhere/velum/recovery");
+  ::setenv("XDG_STATE_HOME", "relative", 1);
+  EXPECT_TRUE(stateFolder().is_absolute());
+  EXPECT_EQ(stateFolder().parent_path().filename(), "state");
+  before.empty() ? ::unsetenv("XDG_STATE_HOME") : ::setenv("XDG_STATE_HOME", before.c_str(), 1);
+}
+
+}  // namespace velum::session

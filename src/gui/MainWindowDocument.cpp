@@ -10,6 +10,7 @@
 #include "RecentFiles.h"
 #include "RecoveryBar.h"
 #include "velum/scene/Json.h"
+#include "velum/session/Look.h"
 #include "velum/session/Open.h"
 
 namespace velum::gui {
@@ -44,7 +45,9 @@ bool MainWindow::mayLeaveScene() {
 
 void MainWindow::openAsked(const QStringList& paths, bool add) {
   if (paths.isEmpty()) return;
-  if (add || mayLeaveScene()) openPaths(paths, add);
+  // A look is for the scene that is open, which stays.
+  bool isLook = paths.size() == 1 && session::isLookFile(paths.first().toStdString());
+  if (add || isLook || mayLeaveScene()) openPaths(paths, add);
 }
 
 void MainWindow::newScene() {

@@ -17,6 +17,9 @@ QDoubleSpinBox* makeSpin(QWidget* parent, const QString& name, const QString& ti
   auto* spin = new QDoubleSpinBox(parent);
   spin->setKeyboardTracking(false);
   spin->setAlignment(Qt::AlignRight);
+  // Its own wish is the width of its largest number, wider than the panel.
+  spin->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  spin->setMinimumWidth(70);
   spin->setAccessibleName(name);
   spin->setToolTip(tip);
   return spin;

@@ -160,6 +160,11 @@ TEST_F(Transfer, ArrowsAndNumbersMoveTheSelectedPoint) {
   auto* value = child<QDoubleSpinBox>("pointValue");
   EXPECT_TRUE(value->isVisible());
   EXPECT_TRUE(value->suffix().contains("HU"));
+  // Nothing is cut off at the panel's edge.
+  QTest::qWait(20);
+  auto* panel = mWindow->findChild<QWidget*>("sidePanel");
+  QPushButton* remove = child<QPushButton>("removePoint");
+  EXPECT_LT(remove->mapTo(panel, QPoint(remove->width(), 0)).x(), panel->width());
   value->setValue(-37.5);
   EXPECT_NEAR(transfer().opacities[0].value, -37.5, 0.01);
   child<QDoubleSpinBox>("pointOpacity")->setValue(0.25);

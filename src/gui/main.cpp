@@ -1,7 +1,10 @@
 #include <fmt/format.h>
 
+#include <unistd.h>
+
 #include <QApplication>
 #include <QCommandLineParser>
+#include <QDir>
 #include <QElapsedTimer>
 #include <QFile>
 #include <QFileInfo>
@@ -66,7 +69,17 @@ void describeOptions(QCommandLineParser& parser) {
                                "[files...]");
 }
 
+/// Qt says so on the console where there is none.
+void provideRuntimeFolder() {
+  if (qEnvironmentVariableIsSet("XDG_RUNTIME_DIR")) return;
+  QString folder = QDir::temp().filePath(QString("runtime-%1").arg(getuid()));
+  QDir().mkpath(folder);
+  QFile::setPermissions(folder, QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
+  qputenv("XDG_RUNTIME_DIR", folder.toUtf8());
+}
+
 int run(int argc, char** argv) {
+  provideRuntimeFolder();
   QSurfaceFormat format;
   format.setVersion(4, 5);
   format.setProfile(QSurfaceFormat::CoreProfile);

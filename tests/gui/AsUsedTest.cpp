@@ -24,11 +24,15 @@
 namespace velum::gui {
 namespace {
 
+bool wantsPictures() {
+  return qEnvironmentVariableIsSet("VELUM_SHOTS") || qEnvironmentVariableIsSet("VELUM_GUIDE");
+}
+
 class AsUsed : public testing::Test {
  protected:
   void SetUp() override {
     Progress progress;
-    io::Sample sample = io::makeSample("torso", qEnvironmentVariableIsSet("VELUM_SHOTS") ? 256 : 48, progress);
+    io::Sample sample = io::makeSample("torso", wantsPictures() ? 256 : 48, progress);
     ASSERT_TRUE(writeDicomSeries(sample.volume, mFolder / "ct"));
     io::writeLabels(sample.labels, mFolder / "organs.seg.nrrd", progress);
     mWindow = makeWindow();
@@ -52,12 +56,14 @@ class AsUsed : public testing::Test {
   bool waitForJob(MainWindow& window) {
     return QTest::qWaitFor([&] { return !window.isBusy(); }, 60000);
   }
-  /// The step is done: keeps a picture of it where they are wanted.
-  void shot(const char* name) {
-    if (!qEnvironmentVariableIsSet("VELUM_SHOTS")) return;
+  /// The step is done: keeps a picture of it where they are wanted. @param guideName  as the guide shows it
+  void shot(const char* name, const char* guideName = nullptr) {
+    if (!wantsPictures()) return;
     QTest::qWait(300);
     EXPECT_TRUE(QTest::qWaitFor([&] { return mWindow->isSettled(); }, 120000));
     takeShot(*mWindow, name);
+    if (QString guide = qEnvironmentVariable("VELUM_GUIDE"); !guide.isEmpty() && guideName)
+      mWindow->grab().save(guide + "/" + guideName + ".jpg", "jpg", 82);
   }
   void showTab(const char* name) {
     auto* tabs = child<QTabWidget>("sideTabs");
@@ -97,7 +103,7 @@ class AsUsed : public testing::Test {
     drag(*canvas, from, from + QPoint(-6, 14));
     EXPECT_NE(scene().volume.transfer, before);
     EXPECT_EQ(mWindow->document().undoLabel(), "Move opacity point");
-    shot("used-2-curve");
+    shot("used-2-curve", "curve");
   }
   void cutAndSpare() {
     showTab("Cuts");
@@ -113,7 +119,7 @@ class AsUsed : public testing::Test {
     mWindow->viewport().setFocus();
     QTest::keyClick(mWindow.get(), Qt::Key_K);
     EXPECT_EQ(scene().cuts[0].exempt, std::vector<int>{id});
-    shot("used-4-spared");
+    shot("used-4-spared", "spared");
   }
   TempFolder mFolder;
   std::unique_ptr<MainWindow> mWindow;

@@ -9,12 +9,14 @@ layout(binding = 1, rgba8) uniform writeonly image2D pictureImage;
 layout(location = 0) uniform ivec4 window_;   // x, y: the image's corner in the whole picture; z: complete samples, w: rows that have one more
 layout(location = 1) uniform vec4 top;        // rgb; a: 0 leaves the background out
 layout(location = 2) uniform vec4 bottom;
+layout(location = 3) uniform ivec4 part;      // x, y: rows of the strip that is being drawn; z: its columns to the left of this have one more sample, too
 
 void main() {
   ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
   ivec2 size = imageSize(pictureImage);
   if (any(greaterThanEqual(pixel, size))) return;
-  int samples = window_.z + (pixel.y < window_.w ? 1 : 0);
+  bool inPart = pixel.y >= part.x && pixel.y < part.y && pixel.x < part.z;
+  int samples = window_.z + (pixel.y < window_.w || inPart ? 1 : 0);
   vec4 color = samples > 0 ? imageLoad(sumImage, pixel) / float(samples) : vec4(0.0);
   float v = (float(pixel.y + window_.y) + 0.5) / frame.picture.y;
   vec3 behind = mix(top.rgb, bottom.rgb, v);

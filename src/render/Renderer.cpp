@@ -51,6 +51,7 @@ void Renderer::Impl::begin(const Frame& next) {
   stats.samples = 0;
   currentSample = 0;
   rowsDone = 0;
+  part = glm::ivec3(0);
   addUploadSteps();
   steps.push_back({"Setup", [this] {
                      setup();
@@ -84,6 +85,7 @@ void Renderer::Impl::addTileSteps() {
     steps.push_back({"Surfaces", [this, sample, size] {
                        currentSample = sample;
                        rowsDone = 0;
+                       part = glm::ivec3(0);
                        if (sample == 0) sum.clear(), hits.clear();
                        setSample(params, frame, sample);
                        frameBlock.set(params);
@@ -97,6 +99,7 @@ void Renderer::Impl::addTileSteps() {
         bool lastOfRow = x + tile >= covered.x + covered.z;
         steps.push_back({"RayCast", [this, rect, lastOfRow] {
                            castTile(rect);
+                           part = {rect.y, rect.y + rect.w, rect.x + rect.z};
                            if (lastOfRow) rowsDone = rect.y + rect.w;
                            return true;
                          }});
@@ -158,6 +161,7 @@ void Renderer::Impl::resolve() {
   bool complete = steps.empty();
   resolveProgram->set(
       0, glm::ivec4(frame.windowOrigin, complete ? stats.samples : currentSample, complete ? 0 : rowsDone));
+  resolveProgram->set(3, complete ? glm::ivec4(0) : glm::ivec4(part, 0));
   float backdrop = background.transparent ? 0.0f : 1.0f;
   resolveProgram->set(1, glm::vec4(background.top, backdrop));
   resolveProgram->set(2, glm::vec4(background.bottom, backdrop));

@@ -86,6 +86,7 @@ struct Renderer::Impl {
   gpu::Framebuffer pictureTarget;
   int currentSample = 0;  ///< The sample being drawn.
   int rowsDone = 0;       ///< Rows of it that are complete.
+  glm::ivec3 part{0};     ///< First and past the last row of the strip of tiles in work, and the columns done of it.
   // What was shown before this frame had anything to show.
   gpu::Texture stale;
   gpu::Framebuffer staleTarget;

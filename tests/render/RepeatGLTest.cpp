@@ -84,6 +84,25 @@ TEST_F(RepeatGL, SmallPiecesOfWorkGiveTheSameBytes) {
   EXPECT_EQ(pieces.stats().samples, 3);
 }
 
+TEST_F(RepeatGL, APictureInWorkIsTheMeanOfWhatItHas) {
+  scene::Scene scene = richScene();
+  scene.showBounds = false;
+  Image whole = draw(scene, {150, 130});
+  render::Renderer pieces(context());
+  render::Frame frame = frameOf(scene, {150, 130});
+  int looks = 0;
+  while (!pieces.work(frame, 0.0)) {
+    if (pieces.stats().samples < 1) continue;
+    ++looks;
+    // One sample and three differ at edges, here and there; a tile that is divided by too few is bright all over.
+    Image now = pieces.read();
+    double difference = 0;
+    for (std::size_t i = 0; i < now.pixels.size(); ++i) difference += std::abs(now.pixels[i] - whole.pixels[i]);
+    EXPECT_LT(difference / double(now.pixels.size()), 0.01) << "look " << looks;
+  }
+  EXPECT_GT(looks, 8);
+}
+
 TEST_F(RepeatGL, WindowsTogetherAreTheWholePicture) {
   for (int mode = 0; mode < 3; ++mode)
     for (bool withSurface : {false, true}) {

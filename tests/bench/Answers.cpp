@@ -1,4 +1,7 @@
 // How soon the window's slice views answer while it computes. In a child: a window wants an application of its own.
+// Before Qt, whose word `emit` it would stumble over.
+#include <tbb/parallel_for.h>
+
 #include <QApplication>
 #include <QStandardPaths>
 #include <QSurfaceFormat>

@@ -34,15 +34,6 @@ struct Field {
   }
 };
 
-double opacityAt(const std::vector<scene::OpacityPoint>& points, double value) {
-  if (value <= points.front().value) return points.front().opacity;
-  for (std::size_t i = 1; i < points.size(); ++i)
-    if (value < points[i].value)
-      return glm::mix(points[i - 1].opacity, points[i].opacity,
-                      (value - points[i - 1].value) / (points[i].value - points[i - 1].value));
-  return points.back().opacity;
-}
-
 Field makeField(const scene::Scene& scene) {
   Field field;
   field.volume = scene.volume.data.operator->();
@@ -52,7 +43,7 @@ Field makeField(const scene::Scene& scene) {
   field.high = std::max(volume.range.y, volume.range.x + 1e-9);
   field.opaqueBelow.push_back(0);
   for (int i = 0; i < kTable; ++i) {
-    double opacity = opacityAt(transfer.opacities, glm::mix(field.low, field.high, double(i) / (kTable - 1)));
+    double opacity = scene::opacityAt(transfer.opacities, glm::mix(field.low, field.high, double(i) / (kTable - 1)));
     field.sigma.push_back(-std::log(1.0 - std::min(opacity, 0.999)) / transfer.unitDistanceMm);
     field.opaqueBelow.push_back(field.opaqueBelow.back() + (opacity > 0 ? 1 : 0));
   }

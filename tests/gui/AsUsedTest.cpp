@@ -24,9 +24,7 @@
 namespace velum::gui {
 namespace {
 
-bool wantsPictures() {
-  return qEnvironmentVariableIsSet("VELUM_SHOTS") || qEnvironmentVariableIsSet("VELUM_GUIDE");
-}
+bool wantsPictures() { return qEnvironmentVariableIsSet("VELUM_SHOTS") || qEnvironmentVariableIsSet("VELUM_GUIDE"); }
 
 class AsUsed : public testing::Test {
  protected:

@@ -9,10 +9,11 @@ MAY_USE = {  # module: modules it may include (its own is implied)
     "scene": "core",
     "gpu": "core",
     "io": "core scene",
-    "render": "core scene gpu",
-    "session": "core scene gpu io render",
-    "app": "core scene gpu io render session",
-    "gui": "core scene gpu render session",
+    "membrane": "core scene gpu",
+    "render": "core scene gpu membrane",
+    "session": "core scene gpu io membrane render",
+    "app": "core scene gpu io membrane render session",
+    "gui": "core scene gpu membrane render session",
 }
 ONLY_IN = {  # library header: modules that may name it
     r"<Q[A-Z]": "gui",

@@ -108,7 +108,8 @@ void Renderer::Impl::addTileSteps() {
                      }});
     for (int y = covered.y; y < covered.y + covered.w; y += tileSize)
       for (int x = covered.x; x < covered.x + covered.z; x += tileSize) {
-        glm::ivec4 rect(x, y, std::min(tileSize, covered.x + covered.z - x), std::min(tileSize, covered.y + covered.w - y));
+        glm::ivec4 rect(x, y, std::min(tileSize, covered.x + covered.z - x),
+                        std::min(tileSize, covered.y + covered.w - y));
         bool lastOfRow = x + tileSize >= covered.x + covered.z;
         steps.push_back({"RayCast", [this, rect, lastOfRow] {
                            castTile(rect);
@@ -138,7 +139,8 @@ bool Renderer::work(const Frame& frame, double budgetMs) {
   auto start = Clock::now();
   if (!m.wanted || !(*m.wanted == frame)) m.begin(frame);
   if (m.steps.empty()) return true;
-  if (m.rayProgram && m.steps.front().pass[0] != 'U' && m.steps.front().pass[0] != 'S') {
+  std::string_view first = m.steps.front().pass;
+  if (m.rayProgram && first != "Upload" && first != "Setup") {
     m.bindAll();
     m.surfaces->bind();
   }

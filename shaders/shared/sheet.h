@@ -230,7 +230,6 @@ SHARED_FN SheetHit sheetNearest(SheetPlan plan, vec4 cell, bool look, SheetLine 
   return best;
 }
 
-// The loops keep to what docs/ARCHITECTURE.md says about SIMD: a turn too many changes nothing.
 /// The first crossing of the line o + t d (frame-local, d unit) with the sheet between two t, exclusive; kSheetFar when
 /// there is none. Walks the cells under the line, and looks into those whose meshes are as high as the line.
 SHARED_FN SheetHit sheetCrossing(SheetPlan plan, vec3 o, vec3 d, float from, float to SHARED_SHEETS) {
@@ -260,13 +259,15 @@ SHARED_FN SheetHit sheetCrossing(SheetPlan plan, vec3 o, vec3 d, float from, flo
   int y = sheetCellIndex(at.y, plan.rows.z);
   float t = 0.0f;
   int guard = plan.rows.y + plan.rows.z;
-  bool more;
-  do {
-    vec4 cell;
-    float next;
-    bool looks;
-    bool leaps;
-    do {
+  // Conditions stand at the head: of a loop with one at its foot Mesa 22 keeps what a turn too many makes of rays that
+  // have left it.
+  bool more = true;
+  while (more) {
+    vec4 cell = vec4(0.0f);
+    float next = 0.0f;
+    bool looks = false;
+    bool leaps = true;
+    while (leaps) {
       float nextX = (float(x + (stepX > 0 ? 1 : 0)) - at.x) * mmPer.x;
       float nextY = (float(y + (stepY > 0 ? 1 : 0)) - at.y) * mmPer.y;
       bool isX = nextX < nextY;
@@ -283,7 +284,7 @@ SHARED_FN SheetHit sheetCrossing(SheetPlan plan, vec3 o, vec3 d, float from, flo
       x = leaps ? nextCellX : x;
       y = leaps ? nextCellY : y;
       t = leaps ? max(next, t) : t;
-    } while (leaps);
+    }
     best = sheetNearest(plan, cell, looks, line, from - start, best SHARED_PASS_SHEETS);
     float edgeX = (float(x + (stepX > 0 ? 1 : 0)) - at.x) * mmPer.x;
     float edgeY = (float(y + (stepY > 0 ? 1 : 0)) - at.y) * mmPer.y;
@@ -295,7 +296,7 @@ SHARED_FN SheetHit sheetCrossing(SheetPlan plan, vec3 o, vec3 d, float from, flo
     x = more ? afterX : x;
     y = more ? afterY : y;
     t = more ? max(next, t) : t;
-  } while (more);
+  }
   best.t = best.t < last ? best.t + start : kSheetFar;
   best.triangle = best.t < kSheetFar ? best.triangle : -1;
   return best;

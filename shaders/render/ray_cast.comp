@@ -627,7 +627,7 @@ void addSheet(inout Hit hit, Ray ray, Mark mark) {
     float pixelMm = 2.0 * length(frame.up.xyz) / frame.picture.y * depth;
     vec3 local = (cut.localFromScene * vec4(p, 1.0)).xyz;
     SheetPlace place = sheetPlaceAt(mark.cut, mark.triangle, local, mat3(cut.localFromScene) * ray.direction, pixelMm);
-    alpha = 0.85 * gridCover(cutSheet(cut), place);
+    alpha = 0.7 * gridCover(cutSheet(cut), place);
   }
   vec3 color = shadeSurface(albedo, normal, -ray.direction, lightTexAt(p, normal));
 #if MODE == 1

@@ -9,8 +9,9 @@ MAY_USE = {  # module: modules it may include (its own is implied)
     "scene": "core",
     "gpu": "core",
     "io": "core scene",
-    "render": "core scene gpu",
-    "session": "core scene gpu io render",
+    "membrane": "core scene gpu",
+    "render": "core scene gpu membrane",
+    "session": "core scene gpu io membrane render",
     "app": "core scene gpu io render session",
     "gui": "core scene gpu render session",
 }

@@ -13,6 +13,7 @@
 #include <cmath>
 
 #include "CutPanel.h"
+#include "KeyboardFocus.h"
 #include "LookCommands.h"
 #include "LookPanel.h"
 #include "RecentFiles.h"
@@ -41,6 +42,7 @@ MainWindow::MainWindow() : mActions(new ActionTable(this)) {
   buildPanel();
   buildStatus();
   buildActions();
+  new KeyboardFocus(*this, [this] { return mPages->currentIndex() == 1 ? &mViews->keyboardView() : nullptr; });
   mDocument.setListener([this] { documentChanged(); });
   documentChanged();
   if (!mActions->warning().isEmpty()) mMessages->showNote(mActions->warning());

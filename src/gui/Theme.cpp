@@ -148,6 +148,11 @@ QString sheetOf(const Colors& colors, ThemeKind kind) {
 
 }  // namespace
 
+QColor themeColor(ThemeKind kind, const QString& name) {
+  QString text = colorsOf(kind).value(name);
+  return text.isEmpty() ? QColor() : QColor(text);
+}
+
 void applyTheme(QApplication& application, ThemeKind kind) {
   useResources();
   application.setStyle(QStyleFactory::create("Fusion"));

@@ -34,9 +34,11 @@ CommandFinder::CommandFinder(const ActionTable& actions, QWidget* parent)
   layout->setSpacing(8);
   mLetters->setPlaceholderText(tr("What do you want to do?"));
   mLetters->setAccessibleName(tr("Letters of the command"));
+  mLetters->setToolTip(tr("A few letters of its name; Up and Down choose, Enter does it, Esc leaves"));
   mLetters->installEventFilter(this);
   mList->setAccessibleName(tr("Commands"));
   mList->setFocusPolicy(Qt::NoFocus);
+  mList->setFocusProxy(mLetters);  // whose arrow keys choose
   layout->addWidget(mLetters);
   layout->addWidget(mList);
   resize(560, 380);

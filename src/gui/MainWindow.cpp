@@ -20,6 +20,7 @@
 #include "RecoveryBar.h"
 #include "StructurePanel.h"
 #include "TimeBar.h"
+#include "Widgets.h"
 #include "velum/session/Look.h"
 #include "velum/session/Open.h"
 
@@ -122,6 +123,7 @@ void MainWindow::buildPanel() {
 void MainWindow::addTab(QWidget* panel, const QString& title, const QString& tip) {
   auto* scroll = new QScrollArea(mTabs);
   scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setFocusPolicy(Qt::NoFocus);  // it scrolls to what has the keyboard
   scroll->setWidgetResizable(true);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   auto* contents = new QWidget(scroll);
@@ -133,6 +135,7 @@ void MainWindow::addTab(QWidget* panel, const QString& title, const QString& tip
   // A panel with a list takes all of the height.
   if (panel->sizePolicy().verticalPolicy() != QSizePolicy::Expanding) layout->addStretch(1);
   scroll->setWidget(contents);
+  tabInLayoutOrder(panel);
   mTabs->setTabToolTip(mTabs->addTab(scroll, title), tip);
 }
 
@@ -140,7 +143,7 @@ void MainWindow::buildStatus() {
   statusBar()->setSizeGripEnabled(false);
   mDataLabel = new QLabel(tr("Nothing is open"), this);
   mReductionLabel = new QLabel(this);
-  mReductionLabel->setStyleSheet("color: #ffb85c;");
+  mReductionLabel->setProperty("role", "alarm");
   mPickLabel = new QLabel(this);
   mRefineLabel = new QLabel(this);
   mDriverLabel = new QLabel(this);

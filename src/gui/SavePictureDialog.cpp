@@ -105,9 +105,11 @@ QWidget* SavePictureDialog::makeSize(glm::ivec2 viewSize) {
   mWidth = new QDoubleSpinBox(box);
   mWidth->setObjectName("pictureWidth");
   mWidth->setAccessibleName(tr("Width"));
+  mWidth->setToolTip(tr("Width of the picture, in the unit beside"));
   mHeight = new QDoubleSpinBox(box);
   mHeight->setObjectName("pictureHeight");
   mHeight->setAccessibleName(tr("Height"));
+  mHeight->setToolTip(tr("Height of the picture, in the unit beside"));
   for (auto* spin : {mWidth, mHeight}) {
     spin->setAlignment(Qt::AlignRight);
     spin->setKeyboardTracking(false);
@@ -115,10 +117,12 @@ QWidget* SavePictureDialog::makeSize(glm::ivec2 viewSize) {
   }
   mUnit = new QComboBox(box);
   mUnit->setObjectName("pictureUnit");
+  mUnit->setAccessibleName(tr("Unit"));
   mUnit->addItems({tr("px"), tr("cm"), tr("in")});
   mUnit->setToolTip(tr("Pixels, or a size on paper at the resolution below"));
   mDpi = new QSpinBox(box);
   mDpi->setObjectName("pictureDpi");
+  mDpi->setAccessibleName(tr("Resolution"));
   mDpi->setRange(1, 10000);
   mDpi->setValue(300);
   mDpi->setSuffix(tr(" dpi"));
@@ -167,16 +171,19 @@ QWidget* SavePictureDialog::makeQuality() {
   grid->setHorizontalSpacing(10);
   mBackground = new QComboBox(box);
   mBackground->setObjectName("pictureBackground");
+  mBackground->setAccessibleName(tr("Background"));
   mBackground->addItems({tr("As in the view"), tr("Transparent"), tr("White"), tr("Black")});
   mBackground->setToolTip(tr("Transparent pictures have an alpha channel: for layouts"));
   if (mScene.background.transparent) mBackground->setCurrentIndex(1);
   mQuality = new QComboBox(box);
   mQuality->setObjectName("pictureQuality");
+  mQuality->setAccessibleName(tr("Quality"));
   mQuality->addItems({tr("Draft (1 sample)"), tr("Good (4 samples)"), tr("Fine (16 samples)"),
                       tr("Finest (64 samples)"), tr("Samples:")});
   mQuality->setToolTip(tr("Pictures that are averaged: more are smoother and take longer"));
   mSamples = new QSpinBox(box);
   mSamples->setObjectName("pictureSamples");
+  mSamples->setAccessibleName(tr("Samples a pixel"));
   mSamples->setRange(1, 256);
   mSamples->setValue(std::max(4, mScene.rayCast.samplesPerPixel));
   mSamples->setToolTip(tr("Samples a pixel, 1 to 256"));

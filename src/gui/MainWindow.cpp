@@ -90,11 +90,11 @@ void MainWindow::buildCentre() {
 }
 
 void MainWindow::buildPanel() {
-  auto* dock = new QDockWidget(this);
-  dock->setObjectName("sideDock");
-  dock->setFeatures(QDockWidget::NoDockWidgetFeatures);
-  dock->setTitleBarWidget(new QWidget(dock));
-  mSide = new QWidget(dock);
+  mDock = new QDockWidget(this);
+  mDock->setObjectName("sideDock");
+  mDock->setFeatures(QDockWidget::NoDockWidgetFeatures);
+  mDock->setTitleBarWidget(new QWidget(mDock));
+  mSide = new QWidget(mDock);
   mSide->setObjectName("sidePanel");
   mSide->setFixedWidth(kPanelWidth);
   auto* outer = new QVBoxLayout(mSide);
@@ -109,8 +109,8 @@ void MainWindow::buildPanel() {
   addTab(mLook, tr("Look"), tr("Preset, rendering, light and background"));
   buildStructures();
   addTab(mCuts, tr("Cuts"), tr("What is cut away"));
-  dock->setWidget(mSide);
-  addDockWidget(Qt::RightDockWidgetArea, dock);
+  mDock->setWidget(mSide);
+  addDockWidget(Qt::RightDockWidgetArea, mDock);
   connect(mSelection, &Selection::cutChanged, mViewport, &Viewport::selectCut);
   connect(mViewport, &Viewport::refined, mLook, [this](double, const QString& stage) {
     if (stage.isEmpty()) mLook->viewIsComplete();
@@ -264,7 +264,8 @@ void MainWindow::takeScene(Loaded& loaded, bool add, QString path) {
   if (scene.volume.data)
     for (const auto& line : scene.volume.data->warnings) loaded.notes.push_back(line);
   mPages->setCurrentIndex(1);
-  mCuts->setEnabled(true);
+  mDock->show();
+  layout()->activate();  // so that the views have the size that they will have
   if (!loaded.isScene && !loaded.lost) {
     scene.slices.layout = ViewGrid::layoutFor(scene);
     mViews->place(scene.slices);  // so that the camera fits the view as it will be
@@ -314,7 +315,7 @@ void MainWindow::documentChanged() {
   mCuts->refresh();
   mStructures->refresh();
   bool open = mPages->currentIndex() == 1;
-  mSide->setEnabled(open);
+  mDock->setVisible(open);
   mActions->setSceneOpen(open);
   auto name = [](const QString& verb, const std::string& label) {
     return label.empty() ? verb : QString("%1 \"%2\"").arg(verb, QString::fromStdString(label));

@@ -21,6 +21,7 @@ namespace {
 
 constexpr int kPreviewWidth = 420, kPreviewHeight = 320;
 constexpr int kMostPixels = 65536;
+constexpr int kNameWidth = 82;     // of what stands before the fields, in both parts
 constexpr int kDrawDelayMs = 250;  // while numbers are being typed
 enum Unit { Pixels, Centimetres, Inches };
 
@@ -78,9 +79,11 @@ SavePictureDialog::SavePictureDialog(glm::ivec2 viewSize, const scene::Scene& sc
   layout->setSpacing(14);
   layout->addLayout(outer);
   auto* buttons = new QDialogButtonBox(this);
-  auto* save = buttons->addButton(tr("Choose file..."), QDialogButtonBox::AcceptRole);
+  auto* save = new QPushButton(tr("Choose file..."), buttons);
+  save->setProperty("role", "main");  // before the box shows it: the style is chosen then
+  save->setToolTip(tr("Choose where the picture goes, and draw it"));
+  buttons->addButton(save, QDialogButtonBox::AcceptRole);
   save->setDefault(true);
-  save->setProperty("role", "main");
   auto* copy = buttons->addButton(tr("Copy as command"), QDialogButtonBox::ActionRole);
   copy->setObjectName("copyCommand");
   copy->setToolTip(tr("Copy the command line that draws this picture without a window: the same bytes, for scripts"));
@@ -102,6 +105,7 @@ QWidget* SavePictureDialog::makeSize(glm::ivec2 viewSize) {
   auto* grid = new QGridLayout(box);
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setHorizontalSpacing(10);
+  grid->setColumnMinimumWidth(0, kNameWidth);
   mWidth = new QDoubleSpinBox(box);
   mWidth->setObjectName("pictureWidth");
   mWidth->setAccessibleName(tr("Width"));
@@ -169,6 +173,7 @@ QWidget* SavePictureDialog::makeQuality() {
   auto* grid = new QGridLayout(box);
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setHorizontalSpacing(10);
+  grid->setColumnMinimumWidth(0, kNameWidth);
   mBackground = new QComboBox(box);
   mBackground->setObjectName("pictureBackground");
   mBackground->setAccessibleName(tr("Background"));
@@ -194,6 +199,7 @@ QWidget* SavePictureDialog::makeQuality() {
   grid->addWidget(mBackground, 0, 1);
   grid->addWidget(new QLabel(tr("Quality"), box), 1, 0);
   auto* quality = new QHBoxLayout;
+  quality->setSpacing(8);
   quality->addWidget(mQuality, 1);
   quality->addWidget(mSamples);
   grid->addLayout(quality, 1, 1);

@@ -54,6 +54,7 @@ QToolBar QToolButton { padding: 5px 10px; border: none; border-radius: 5px; colo
 QToolBar QToolButton:hover { background: @hover; }
 QToolBar QToolButton:pressed, QToolBar QToolButton:checked { background: @chosen; color: @onChosen; }
 QToolBar QToolButton:disabled { color: @faint; }
+QToolBar QToolButton:checked:disabled { background: @hover; }
 QStatusBar { background: @ground; border-top: 1px solid @deep; }
 QStatusBar::item { border: none; }
 QStatusBar QLabel { color: @soft; padding: 2px 6px; }

@@ -30,6 +30,7 @@
 #include "Shots.h"
 #include "TempFolder.h"
 #include "Theme.h"
+#include "TransferCanvas.h"
 #include "velum/io/Sample.h"
 #include "velum/io/WriteVolume.h"
 
@@ -325,6 +326,28 @@ TEST_P(KeyboardUse, SpaceIsTheButtonsAndOtherwisePlays) {
   EXPECT_EQ(mWindow->document().scene().volume.frame, 0);
   QTest::keyClick(&mWindow->viewport(), Qt::Key_Space);
   EXPECT_TRUE(QTest::qWaitFor([&] { return mWindow->document().scene().volume.frame == 1; }, 20000));
+}
+
+TEST_P(KeyboardUse, ACurveIsMadeWithoutAMouse) {
+  open({"phantom.nrrd"});
+  auto* canvas = mWindow->findChild<TransferCanvas*>("transferCanvas");
+  auto transfer = [&]() -> const scene::TransferFunction& { return mWindow->document().scene().volume.transfer; };
+  std::size_t points = transfer().opacities.size(), stops = transfer().colors.size();
+  canvas->setFocus(Qt::TabFocusReason);
+  QTest::keyClick(canvas, Qt::Key_PageDown);
+  EXPECT_EQ(canvas->selection(), (TransferCanvas::Selection{TransferCanvas::Selection::Part::Point, 0}));
+  QTest::keyClick(canvas, Qt::Key_Insert);
+  EXPECT_EQ(transfer().opacities.size(), points + 1);
+  double before = transfer().opacities[1].opacity;
+  QTest::keyClick(canvas, Qt::Key_Up, Qt::ShiftModifier);
+  EXPECT_NEAR(transfer().opacities[1].opacity, std::min(1.0, before + 0.1), 1e-6);
+  for (std::size_t i = 0; i < points + stops + 1; ++i) QTest::keyClick(canvas, Qt::Key_PageDown);
+  EXPECT_EQ(canvas->selection().part, TransferCanvas::Selection::Part::Stop);
+  EXPECT_EQ(canvas->selection().index, int(stops) - 1);
+  QTest::keyClick(canvas, Qt::Key_Insert);
+  EXPECT_EQ(transfer().colors.size(), stops + 1);
+  QTest::keyClick(canvas, Qt::Key_Delete);
+  EXPECT_EQ(transfer().colors.size(), stops);
 }
 
 TEST_P(KeyboardUse, TheMouseMakesNoRing) {

@@ -242,6 +242,11 @@ void CutForm::showSize(const scene::Cut& cut) {
       parts[0] = {diameter, tr("Diameter of the base, mm")};
       parts[2] = {tr("high "), tr("Height from apex to base, mm")};
       break;
+    case scene::CutShape::Membrane:
+      parts[0] = {"x ", tr("Width of the frame, mm")};
+      parts[1] = {"y ", tr("Height of the frame, mm")};
+      parts[2] = {tr("reach "), tr("How far the sheet may go, both sides together, mm")};
+      break;
   }
   bool any = false;
   for (int i = 0; i < 3; ++i) {
@@ -270,7 +275,7 @@ void CutForm::showCut(const scene::Cut& cut) {
   setQuietly(mAzimuth, angles.azimuthDeg);
   setQuietly(mElevation, angles.elevationDeg);
   setQuietly(mSpin, cut.spinDeg);
-  mSpin->setVisible(cut.shape == scene::CutShape::Box);
+  mSpin->setVisible(scene::hasEdges(cut.shape));
   for (QWidget* spin : {static_cast<QWidget*>(mAzimuth), static_cast<QWidget*>(mElevation)})
     spin->setEnabled(!isSphere);
   showSize(cut);

@@ -25,6 +25,8 @@ QString shapeTitle(scene::CutShape shape) {
       return CutPanel::tr("Cylinder");
     case scene::CutShape::Cone:
       return CutPanel::tr("Cone");
+    case scene::CutShape::Membrane:
+      return CutPanel::tr("Membrane");
   }
   return CutPanel::tr("Plane");
 }

@@ -2,6 +2,7 @@
 
 #include <chrono>
 
+#include "Courtesy.h"
 #include "velum/core/Error.h"
 
 namespace velum::gui {
@@ -31,6 +32,7 @@ Job::~Job() {
 void Job::start() { mThread = std::thread(&Job::run, this); }
 
 void Job::run() {
+  giveWay();
   try {
     mWork(mProgress);
     emit finished(true, {});

@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "Courtesy.h"
 #include "CutPanel.h"
 #include "KeyboardFocus.h"
 #include "LookCommands.h"
@@ -38,6 +39,7 @@ QString shortNumber(double value) { return QString::number(value, 'g', 4); }
 }  // namespace
 
 MainWindow::MainWindow() : mActions(new ActionTable(this)) {
+  giveWayToTheWindow();
   setAcceptDrops(true);
   buildCentre();
   buildPanel();

@@ -56,6 +56,14 @@ void paintShape(QPainter& painter, const QRectF& box, const QColor& color, scene
       painter.drawEllipse(c + QPointF(0, -4), 5, 2);
       painter.drawPolyline(QPolygonF{c + QPointF(-5, -4), c + QPointF(0, 6), c + QPointF(5, -4)});
       break;
+    case scene::CutShape::Membrane: {  // a sheet that goes up around something and down again
+      QPainterPath wave(c + QPointF(-6.5, 2.5));
+      wave.cubicTo(c + QPointF(-2.5, 2.5), c + QPointF(-3.5, -5), c + QPointF(0, -5));
+      wave.cubicTo(c + QPointF(3.5, -5), c + QPointF(2.5, 2.5), c + QPointF(6.5, 2.5));
+      painter.drawPath(wave);
+      painter.drawEllipse(c + QPointF(0, 0.5), 2, 2);
+      break;
+    }
   }
 }
 

@@ -14,10 +14,12 @@ namespace velum::gui {
 
 namespace {
 
-constexpr double kSliceMs = 15.0;         // a third of the 50 ms in which every view answers
+constexpr double kSliceMs = 8.0;          // a sixth of the 50 ms in which every view answers
+constexpr double kCoarseSliceMs = 28.0;   // a coarse picture in one piece: what waits is that picture
 constexpr int kRestMs = 140;              // a hand that pauses in a drag for less does not start a full picture
-constexpr double kCoarseTargetMs = 28.0;  // leaves room for tables, light and the window's composition under 50 ms
+constexpr double kCoarseTargetMs = 15.0;  // leaves room for tables, light and the window's composition under 50 ms
 constexpr double kLargestScale = 12.0;
+constexpr int kTellMs = 250;              // how often the status line is told: the window is composed anew for each word
 constexpr int kShowMs = 150;  // how often a growing picture is shown: showing costs a pass over it
 
 }  // namespace
@@ -171,7 +173,7 @@ void Viewport::slice() {
   if (mPending && (mStage != Stage::Coarse || otherData)) begin(Stage::Coarse);
   if (mStage == Stage::Idle) return mSliceTimer.stop();
   try {
-    bool done = mRenderer->work(mFrame, kSliceMs);
+    bool done = mRenderer->work(mFrame, mStage == Stage::Coarse ? kCoarseSliceMs : kSliceMs);
     bool grown = mStage == Stage::Full && mRenderer->stats().samples > 0 && mSinceShown.elapsed() > kShowMs;
     if (done || grown) show();
     if (done) finishStage();
@@ -211,11 +213,14 @@ void Viewport::adaptCoarseScale() {
   if (mStage != Stage::Coarse || found == passes.end()) return;
   double ms = found->second;
   double wanted = mCoarseScale * std::sqrt(ms / kCoarseTargetMs);
-  if (ms > 1.4 * kCoarseTargetMs || ms < 0.6 * kCoarseTargetMs)
+  if (ms > 1.2 * kCoarseTargetMs || ms < 0.6 * kCoarseTargetMs)
     mCoarseScale = std::clamp(0.5 * (mCoarseScale + wanted), 1.0, kLargestScale);
 }
 
 void Viewport::tellProgress() {
+  if (mToldStage == mStage && mStage != Stage::Idle && mSinceTold.elapsed() < kTellMs) return;
+  mToldStage = mStage;
+  mSinceTold.start();
   switch (mStage) {
     case Stage::Idle:
       emit refined(1.0, {});

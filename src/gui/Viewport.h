@@ -120,7 +120,8 @@ class Viewport : public QOpenGLWidget {
   bool mHasPicture = false;  ///< mFrame has a complete sample, so that it can be picked from.
   double mCoarseScale = 0;   ///< Device pixels to one pixel of a coarse picture; 0: not known yet.
   QTimer mSliceTimer, mRestTimer, mPickTimer, mPauseTimer;
-  QElapsedTimer mSinceShown;
+  QElapsedTimer mSinceShown, mSinceTold;
+  Stage mToldStage = Stage::Idle;
   bool mIsFresh = false;  ///< The picture on its way to the screen is a new one.
   int mShownCount = 0;
   // Pointer.

@@ -17,6 +17,9 @@ double msSince(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
+constexpr double kLongestTileMs = 8.0;
+constexpr int kSmallestTile = 16;
+
 }  // namespace
 
 Renderer::Renderer(gpu::Context& context) : mImpl(std::make_unique<Impl>(context)) {
@@ -76,8 +79,18 @@ void Renderer::Impl::castTile(glm::ivec4 rect) {
   gpu::barrier();
 }
 
+/// Tiles of the next picture are such that none of them keeps the window waiting; no pixel depends on their size.
+void Renderer::Impl::adaptTileSize() {
+  if (frame.isPreview) return;
+  if (longestTileMs > kLongestTileMs)
+    tileSize = std::max(kSmallestTile, tileSize / 2);
+  else if (longestTileMs < 0.2 * kLongestTileMs)
+    tileSize = std::min(firstTileSize(), tileSize * 2);
+  longestTileMs = 0;
+}
+
 void Renderer::Impl::addTileSteps() {
-  const int tile = context.limits().isSoftware ? 64 : 512;
+  adaptTileSize();
   glm::ivec2 size = frame.windowSize;
   // Where neither the volume's box nor a surface can be, rays have nothing to do.
   glm::ivec4 covered = frame.scene.surfaces.empty() ? coveredRect(params, frame) : glm::ivec4(0, 0, size);
@@ -93,10 +106,10 @@ void Renderer::Impl::addTileSteps() {
                        surfaces->bind();
                        return true;
                      }});
-    for (int y = covered.y; y < covered.y + covered.w; y += tile)
-      for (int x = covered.x; x < covered.x + covered.z; x += tile) {
-        glm::ivec4 rect(x, y, std::min(tile, covered.x + covered.z - x), std::min(tile, covered.y + covered.w - y));
-        bool lastOfRow = x + tile >= covered.x + covered.z;
+    for (int y = covered.y; y < covered.y + covered.w; y += tileSize)
+      for (int x = covered.x; x < covered.x + covered.z; x += tileSize) {
+        glm::ivec4 rect(x, y, std::min(tileSize, covered.x + covered.z - x), std::min(tileSize, covered.y + covered.w - y));
+        bool lastOfRow = x + tileSize >= covered.x + covered.z;
         steps.push_back({"RayCast", [this, rect, lastOfRow] {
                            castTile(rect);
                            part = {rect.y, rect.y + rect.w, rect.x + rect.z};
@@ -142,6 +155,7 @@ bool Renderer::work(const Frame& frame, double budgetMs) {
     else
       m.stats.frameMs += ms;
     m.stats.longestStepMs = std::max(m.stats.longestStepMs, ms);
+    if (std::string_view(step.pass) == "RayCast" && !frame.isPreview) m.longestTileMs = std::max(m.longestTileMs, ms);
     if (done) m.steps.pop_front();
   } while (!m.steps.empty() && msSince(start) < budgetMs);
   if (m.steps.empty()) m.stats.passesMs = m.passMs;

@@ -87,6 +87,8 @@ struct Renderer::Impl {
   int currentSample = 0;  ///< The sample being drawn.
   int rowsDone = 0;       ///< Rows of it that are complete.
   glm::ivec3 part{0};     ///< First and past the last row of the strip of tiles in work, and the columns done of it.
+  int tileSize = firstTileSize();  ///< Pixels along an edge.
+  double longestTileMs = 0;        ///< Of the pictures since it was chosen.
   // What was shown before this frame had anything to show.
   gpu::Texture stale;
   gpu::Framebuffer staleTarget;
@@ -97,6 +99,8 @@ struct Renderer::Impl {
   void addLightSteps();
   void keepLight();
   GpuVolume* drawnVolume();
+  int firstTileSize() const { return context.limits().isSoftware ? 64 : 512; }
+  void adaptTileSize();
   void addTileSteps();
   void castTile(glm::ivec4 rect);
   Hit hitAt(glm::ivec2 pixel, glm::vec4 texel) const;

@@ -56,7 +56,8 @@ Json write(const auto& value);
 template <Fielded T>
 Json writeStruct(const T& value) {
   Json out = Json::object();
-  auto visit = [&](std::string_view name, const auto& member, const FieldInfo&) {
+  auto visit = [&](std::string_view name, const auto& member, const FieldInfo& info) {
+    if (info.leftOutByDefault && member == std::remove_cvref_t<decltype(member)>{}) return;
     out[std::string(name)] = write(member);
   };
   T::fields(value, visit);

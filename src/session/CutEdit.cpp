@@ -45,6 +45,25 @@ glm::dvec3 placeOfClosed(const scene::Scene& scene, const Data& data, glm::dvec3
   return data.middle + toEye * (toSide * 0.75);
 }
 
+/// A frame as wide and high as the data, along those of its axes that face the eye; through the crosshair.
+void hangMembrane(scene::Cut& cut, const scene::Scene& scene, const Data& data, glm::dvec3 toEye) {
+  glm::dmat3 axes(1.0);
+  glm::dvec3 edges = data.edges, middle = data.middle;
+  if (scene.volume.data) {
+    const Volume& volume = *scene.volume.data;
+    axes = direction(volume);
+    edges = spacingMm(volume) * glm::dvec3(volume.dims);
+    middle = centreMm(volume);
+  }
+  glm::dvec3 along = glm::transpose(axes) * toEye, size = glm::abs(along);
+  int k = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+  glm::dvec3 z = cleaned(axes[k] * (along[k] < 0 ? -1.0 : 1.0));
+  glm::dvec3 x = cleaned(axes[(k + 1) % 3]);
+  setCutFrame(cut, glm::dmat3(x, glm::cross(z, x), z));
+  cut.centreMm = middle + z * glm::dot(cut.centreMm - middle, z);
+  cut.sizeMm = {edges[(k + 1) % 3], edges[(k + 2) % 3], 0.22 * std::sqrt(edges[(k + 1) % 3] * edges[(k + 2) % 3])};
+}
+
 }  // namespace
 
 glm::dmat3 cutFrame(const scene::Cut& cut) { return glm::dmat3(scene::worldFromCut(cut)); }
@@ -87,6 +106,9 @@ scene::Cut makeCut(const scene::Scene& scene, scene::CutShape shape) {
     case scene::CutShape::Cone:
       cut.axis = toEye;
       cut.sizeMm = {2.0 * third, 2.0 * third, through * 0.5};
+      break;
+    case scene::CutShape::Membrane:
+      hangMembrane(cut, scene, data, toEye);
       break;
   }
   return cut;

@@ -68,6 +68,12 @@ std::vector<std::vector<glm::dvec3>> edgesOf(const scene::Cut& cut) {
   switch (cut.shape) {
     case scene::CutShape::Plane:
       break;
+    case scene::CutShape::Membrane: {  // its frame
+      std::vector<glm::dvec3> rim;
+      for (glm::dvec2 s : kBoxSides) rim.emplace_back(s * glm::dvec2(half), 0.0);
+      add(rim);
+      break;
+    }
     case scene::CutShape::Box:
       for (double z : {-half.z, half.z}) {
         std::vector<glm::dvec3> rim;
@@ -106,6 +112,7 @@ std::vector<double> faceReaches(const scene::Cut& cut) {
     case scene::CutShape::Plane:
       return {};
     case scene::CutShape::Box:
+    case scene::CutShape::Membrane:
       return {half.x, half.y, half.z};
     case scene::CutShape::Sphere:
       return {half.x};
@@ -120,7 +127,7 @@ void addFaceGrips(CutGizmo& gizmo, const scene::Cut& cut, glm::dvec3 forward) {
   constexpr CutHandle kFaces[] = {CutHandle::FaceXMin, CutHandle::FaceXMax, CutHandle::FaceYMin,
                                   CutHandle::FaceYMax, CutHandle::FaceZMin, CutHandle::FaceZMax};
   glm::dmat3 frame = cutFrame(cut);
-  bool isBox = cut.shape == scene::CutShape::Box, isCone = cut.shape == scene::CutShape::Cone;
+  bool isBox = scene::hasEdges(cut.shape), isCone = cut.shape == scene::CutShape::Cone;
   for (int face = isBox ? 0 : 4; face < 6; ++face) {
     double sign = face % 2 ? 1.0 : -1.0;
     glm::dvec3 out = frame[face / 2] * sign;
@@ -154,7 +161,7 @@ void addGrips(CutGizmo& gizmo, const scene::Cut& cut, const scene::CameraBasis& 
   gizmo.grips.push_back({CutHandle::Arrow, gizmo.arrowTipMm, gizmo.normal});
   if (cut.shape == scene::CutShape::Plane) return;
   if (!isSphere) addFaceGrips(gizmo, cut, basis.forward);
-  if (cut.shape != scene::CutShape::Box) addRadiusGrip(gizmo, cut, basis);
+  if (!scene::hasEdges(cut.shape)) addRadiusGrip(gizmo, cut, basis);
   if (std::abs(glm::dot(basis.forward, gizmo.normal)) > kLeastSlant)
     add(CutHandle::Square, (gizmo.right + gizmo.top) * (0.4 * gizmo.radiusMm));
   add(CutHandle::Centre, glm::dvec3(0.0));

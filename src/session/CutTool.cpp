@@ -170,7 +170,7 @@ scene::Cut withFaceMoved(scene::Cut cut, int axis, int sign, double mm, double s
 scene::Cut withTurn(scene::Cut cut, glm::dvec3 pivotMm, glm::dvec3 axis, double rad) {
   glm::dmat3 turn(glm::rotate(glm::dmat4(1.0), rad, axis));
   cut.centreMm = pivotMm + turn * (cut.centreMm - pivotMm);
-  if (cut.shape == scene::CutShape::Box)
+  if (scene::hasEdges(cut.shape))
     setCutFrame(cut, turn * cutFrame(cut));
   else
     cut.axis = glm::normalize(turn * cutFrame(cut)[2]);
@@ -206,7 +206,7 @@ scene::Cut dragCut(const scene::Cut& start, const CutGizmo& gizmo, CutHandle han
       return tilt(cut, drag, handle, snap);
     case CutHandle::Ring:
       if (cut.shape == scene::CutShape::Plane) cut.centreMm = gizmo.centreMm;
-      return cut.shape == scene::CutShape::Box ? spin(cut, drag, snap) : tiltFreely(cut, drag, snap);
+      return scene::hasEdges(cut.shape) ? spin(cut, drag, snap) : tiltFreely(cut, drag, snap);
     default:
       return resize(cut, drag, handle, snap);
   }
@@ -214,7 +214,7 @@ scene::Cut dragCut(const scene::Cut& start, const CutGizmo& gizmo, CutHandle han
 }
 
 const char* dragLabel(const scene::Cut& cut, CutHandle handle) {
-  if (handle == CutHandle::Ring && cut.shape == scene::CutShape::Box) return "Turn cut";
+  if (handle == CutHandle::Ring && scene::hasEdges(cut.shape)) return "Turn cut";
   if (turns(handle)) return "Tilt cut";
   return handle >= CutHandle::FaceXMin ? "Resize cut" : "Move cut";
 }
@@ -223,7 +223,7 @@ std::string dragText(const scene::Cut& start, const scene::Cut& now, CutHandle h
   if (turns(handle)) {
     // The angle of the turn from one frame to the other.
     glm::dmat3 turn = cutFrame(now) * glm::transpose(cutFrame(start));
-    if (start.shape != scene::CutShape::Box)
+    if (!scene::hasEdges(start.shape))
       return fmt::format(
           "{:.1f}\u00b0",
           glm::degrees(std::acos(std::clamp(glm::dot(cutFrame(start)[2], cutFrame(now)[2]), -1.0, 1.0))));

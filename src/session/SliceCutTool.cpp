@@ -56,7 +56,7 @@ double radiusAt(const scene::Cut& cut, double z) {
 /// Which face or side a piece of the outline lies on, by its middle in the cut's frame.
 SliceHandle handleOnShape(const scene::Cut& cut, glm::dvec3 q) {
   glm::dvec3 half = cut.sizeMm * 0.5;
-  if (cut.shape == CutShape::Box) {
+  if (scene::hasEdges(cut.shape)) {
     SliceHandle best{SliceHandleKind::Face};
     double least = 1e300;
     for (int axis = 0; axis < 3; ++axis)
@@ -119,7 +119,7 @@ std::optional<SliceHandle> turnHandle(const SliceFrame& frame, const scene::Cut&
   if (cut.shape == CutShape::Sphere) return std::nullopt;
   glm::dmat3 axes = cutFrame(cut);
   glm::dvec2 along = onScreen(frame, axes[2]);
-  if (glm::length(along) < 0.05 && cut.shape == CutShape::Box) along = onScreen(frame, axes[1]);
+  if (glm::length(along) < 0.05 && scene::hasEdges(cut.shape)) along = onScreen(frame, axes[1]);
   if (glm::length(along) < 0.05) return std::nullopt;
   along = glm::normalize(along);
   glm::dvec2 middle = centroid(outline);

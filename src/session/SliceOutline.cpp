@@ -139,6 +139,7 @@ SliceOutline sliceOutline(const SliceFrame& frame, const scene::Cut& cut) {
       }
       break;
     case CutShape::Box:
+    case CutShape::Membrane:  // the box within which the sheet stays
       outline.points = crossWire(frame, cut, boxWire(half));
       break;
     case CutShape::Sphere:

@@ -17,6 +17,7 @@ struct FieldInfo {
   std::string_view unit = "";
   Range range = {};
   std::string_view doc = "";
+  bool leftOutByDefault = false;  ///< A value like that of a new object is not written.
 };
 
 /// Names of an enumeration's values, in order. Specialise `kNames` as a constexpr array of string_view.

@@ -4,14 +4,19 @@
 #include <vector>
 
 #include "velum/core/Fields.h"
+#include "velum/scene/Membrane.h"
 
 namespace velum::scene {
 
-enum class CutShape { Plane, Box, Sphere, Cylinder, Cone };
+enum class CutShape { Plane, Box, Sphere, Cylinder, Cone, Membrane };
 enum class CutFace { Shaded, Slice };
 
+/// True for shapes with a width, a height and a depth of their own, which a turn about their axis changes.
+constexpr bool hasEdges(CutShape shape) { return shape == CutShape::Box || shape == CutShape::Membrane; }
+
 /// One thing that removes material. What it removes: a plane, the side that `axis` points to; a closed shape, its
-/// inside; with `invert`, the other side. A position is kept when no enabled cut removes it. World frame (mm, LPS).
+/// inside; a membrane, the side of its sheet that `axis` points to (beyond its frame, of the frame's plane); with
+/// `invert`, the other side. A position is kept when no enabled cut removes it. World frame (mm, LPS).
 struct Cut {
   std::string name;
   CutShape shape = CutShape::Plane;
@@ -21,14 +26,16 @@ struct Cut {
   glm::dvec3 axis{0.0, -1.0, 0.0};  ///< normal of the plane; local z of the others; the cone opens along it; any length
   double spinDeg = 0.0;             ///< turn of a box about its axis
   glm::dvec3 sizeMm{
-      100.0};  ///< box: edges along local x, y, z; sphere: diameter x; cylinder, cone: diameter x, length z
+      100.0};  ///< box: edges along local x, y, z; sphere: diameter x; cylinder, cone: diameter x, length z; membrane:
+                ///< its frame's width x, height y, and reach to both sides z
   CutFace face = CutFace::Shaded;  ///< how the cut surface looks
   double faceOpacity = 1.0;        ///< slice faces: 0..1
   std::vector<int> exempt;         ///< ids of structures that this cut leaves whole
+  Membrane membrane;               ///< what a membrane is beside its frame
   bool operator==(const Cut&) const = default;
   static void fields(auto& o, auto& visit) {
     visit("name", o.name, FieldInfo{"", {}, "Name for people."});
-    visit("shape", o.shape, FieldInfo{"", {}, "Plane, box, sphere, cylinder or cone."});
+    visit("shape", o.shape, FieldInfo{"", {}, "Plane, box, sphere, cylinder, cone or membrane."});
     visit("enabled", o.enabled, FieldInfo{"", {}, "Off: the cut removes nothing."});
     visit("invert", o.invert, FieldInfo{"", {}, "Removes the other side."});
     visit("centreMm", o.centreMm,
@@ -37,10 +44,11 @@ struct Cut {
     visit("spinDeg", o.spinDeg, FieldInfo{"deg", {-360, 360}, "Turn of a box about its axis."});
     visit(
         "sizeMm", o.sizeMm,
-        FieldInfo{"mm", {0, 1e9}, "Box: edges; sphere: diameter first; cylinder, cone: diameter first, length third."});
+        FieldInfo{"mm", {0, 1e9}, "Box: edges; sphere: diameter first; cylinder, cone: diameter first, length third; membrane: width, height, reach to both sides."});
     visit("face", o.face, FieldInfo{"", {}, "Shaded: the cut material; slice: the data's grey values, as on a slice."});
     visit("faceOpacity", o.faceOpacity, FieldInfo{"", {0, 1}, "Opacity of a slice face."});
     visit("exempt", o.exempt, FieldInfo{"", {0, 65535}, "Structures (label ids) that this cut leaves whole."});
+    visit("membrane", o.membrane, FieldInfo{"", {}, "The sheet of a membrane.", true});
   }
 };
 
@@ -48,7 +56,7 @@ struct Cut {
 
 template <>
 struct velum::EnumNames<velum::scene::CutShape> {
-  static constexpr std::string_view kNames[] = {"plane", "box", "sphere", "cylinder", "cone"};
+  static constexpr std::string_view kNames[] = {"plane", "box", "sphere", "cylinder", "cone", "membrane"};
 };
 template <>
 struct velum::EnumNames<velum::scene::CutFace> {

@@ -63,6 +63,13 @@ void addCut(std::vector<glm::dvec3>& lines, const scene::Cut& cut, const glm::dm
     case scene::CutShape::Plane:
       addPlane(lines, cut, worldFromTex);
       break;
+    case scene::CutShape::Membrane: {
+      glm::dvec3 across(0, half.y, 0), corners[] = {-x - across, x - across, x + across, across - x};
+      for (int i = 0; i < 4; ++i)
+        addLine(lines, glm::dvec3(frame * glm::dvec4(corners[i], 1)),
+                glm::dvec3(frame * glm::dvec4(corners[(i + 1) % 4], 1)));
+      break;
+    }
     case scene::CutShape::Box: {
       glm::dmat4 unit(1.0);
       for (int i = 0; i < 3; ++i) unit[i][i] = cut.sizeMm[i], unit[3][i] = -half[i];

@@ -42,9 +42,8 @@ struct ClothKernel {
 };
 
 /// Which side of a kernel's centre: -1 to 1. Differs: the sign of IMC eq. 3 would jump at the centre, where a sheet then
-/// never comes to rest; here it turns round over a quarter of the half-width. At the centre itself it points a little to the
-/// positive side, so that a sheet that starts there moves at all.
-SHARED_FN float kernelSide(float share) { return clamp(4.0f * share + 0.1f, -1.0f, 1.0f); }
+/// never comes to rest; here it turns round over a quarter of the half-width.
+SHARED_FN float kernelSide(float share) { return clamp(4.0f * share, -1.0f, 1.0f); }
 
 /// IMC eq. 3 along one axis: a force that falls from 1 to 0 over the half-width.
 SHARED_FN float kernelForce(float delta, float halfWidth) {

@@ -16,6 +16,7 @@ namespace {
 
 constexpr double kReferenceMeshes = 49.0;  ///< stiffness is meant for a sheet of 50 particles along its mean edge
 constexpr double kUnitsPerEdge = 128.0;
+constexpr double kBelow = 0.05;  ///< of its half-width a placed kernel stands below its place
 
 glm::dvec2 meshMm(const SheetSetup& setup) { return 2.0 * glm::dvec2(setup.halfMm) / glm::dvec2(setup.particles - 1); }
 
@@ -123,15 +124,18 @@ void Solver::setField(const PushField& field) {
   if (strengths.empty()) strengths.emplace_back(0.0f);
   mKernels = gpu::Buffer("kernels", std::span<const glm::vec2>(strengths));
   std::vector<shared::ClothKernel> placed;
-  for (const auto& kernel : field.placed)
-    placed.push_back({glm::vec4(kernel.centreMm, kernel.halfWidthMm), {float(kernel.push), float(kernel.pull), 0, 0}});
+  for (const auto& kernel : field.placed) {
+    // People put them on the slice, where a flat sheet would hang between both sides: a little lower, and it moves.
+    glm::dvec3 centre = kernel.centreMm - glm::dvec3(0, 0, kBelow * kernel.halfWidthMm);
+    placed.push_back({glm::vec4(centre, kernel.halfWidthMm), {float(kernel.push), float(kernel.pull), 0, 0}});
+  }
   if (placed.empty()) placed.emplace_back();
   mPlacedKernels = gpu::Buffer("placed kernels", std::span<const shared::ClothKernel>(placed));
 }
 
-/// Of an iteration at each stride. For one shape of the sheet the corrections of a stretch constraint grow with the square
-/// of its length, those of a bending constraint with the fourth power: the sum over the strides is made equal to that of
-/// the reference sheet.
+/// Of an iteration at each stride. For one shape of the sheet the corrections of a stretch constraint grow with the
+/// square of its length, those of a bending constraint with the fourth power: the sum over the strides is made equal to
+/// that of the reference sheet.
 void Solver::fillStiffness() {
   auto& p = mPrograms->values;
   glm::dvec2 mesh = meshMm(mSetup);

@@ -34,7 +34,8 @@ class ReferenceSolver {
     auto each = [&](double k) { return 1.0 - std::pow(1.0 - k, 1.0 / setup.cloth.iterations); };
     for (int i = 0; i < strides; ++i) {
       double stretch = std::min(each(setup.cloth.stretch) * finer * finer / sum2, 1.0 / strides);
-      double bend = std::min(each(setup.cloth.bend) * std::min(4, setup.cloth.iterations) * std::pow(finer, 4.0) / sum4, 1.0 / strides);
+      double bend = std::min(each(setup.cloth.bend) * std::min(4, setup.cloth.iterations) * std::pow(finer, 4.0) / sum4,
+                             1.0 / strides);
       addStretch(1 << i, stretch);
       addBend(1 << i, bend);
     }
@@ -110,7 +111,7 @@ class ReferenceSolver {
     mBends.push_back({at, {c03 + c04, c01 + c02, -c01 - c03, -c02 - c04}, stiffness});
   }
 
-  static double sideOf(double share) { return std::clamp(4.0 * share + 0.1, -1.0, 1.0); }
+  static double sideOf(double share) { return std::clamp(4.0 * share, -1.0, 1.0); }
   static double along(double delta, double width) {
     double share = delta / width;
     return std::abs(share) < 1 ? sideOf(share) * (1 - std::abs(share)) : 0;
@@ -140,12 +141,11 @@ class ReferenceSolver {
             sum.z += weight * (strength.x + sideOf((place.z - kernel.z) / (mField.areaOfEffect * pitch)) * strength.y);
           } else {
             for (int j = 0; j < 3; ++j)
-              sum += strength.y * along(delta[j], mField.areaOfEffect) *
-                     glm::normalize(glm::dvec3(localFromKernel[j]));
+              sum += strength.y * along(delta[j], mField.areaOfEffect) * glm::normalize(glm::dvec3(localFromKernel[j]));
           }
         }
     for (const auto& kernel : mField.placed) {
-      glm::dvec3 delta = place - kernel.centreMm;
+      glm::dvec3 delta = place - kernel.centreMm + glm::dvec3(0, 0, 0.05 * kernel.halfWidthMm);
       double weight = tent(delta, kernel.halfWidthMm);
       if (weight <= 0) continue;
       if (mSetup.isAlongNormal)
@@ -186,14 +186,14 @@ class ReferenceSolver {
       if (mWeights[a] == 0) continue;
       glm::dvec3 d = places[b] - places[a];
       double length = glm::length(d);
-      if (length > 1e-12)
-        ways[a] += s.stiffness / 8.0 * d * ((length - s.rest) / length / (mWeights[a] + mWeights[b]));
+      if (length > 1e-12) ways[a] += s.stiffness / 8.0 * d * ((length - s.rest) / length / (mWeights[a] + mWeights[b]));
     }
     for (const auto& bend : mBends) {
       if (!bends) break;
       glm::dvec3 c(0.0);
       double square = 0;
-      for (std::size_t j = 0; j < 4; ++j) c += bend.k[j] * places[std::size_t(bend.at[j])], square += bend.k[j] * bend.k[j];
+      for (std::size_t j = 0; j < 4; ++j)
+        c += bend.k[j] * places[std::size_t(bend.at[j])], square += bend.k[j] * bend.k[j];
       for (std::size_t j = 0; j < 4; ++j)
         if (mWeights[std::size_t(bend.at[j])] > 0)
           ways[std::size_t(bend.at[j])] -= bend.stiffness / 24.0 * bend.k[j] / square * c;

@@ -12,8 +12,8 @@ namespace velum::membrane {
 /// The sheet to be solved: a rectangle of particles in a frame.
 struct SheetSetup {
   glm::ivec2 particles{50};
-  glm::dvec3 halfMm{50.0};   ///< half of the frame's width and height, and how far the sheet may go along the normal
-  scene::Cloth cloth;        ///< its `particles` and `finest` do not count
+  glm::dvec3 halfMm{50.0};    ///< half of the frame's width and height, and how far the sheet may go along the normal
+  scene::Cloth cloth;         ///< its `particles` and `finest` do not count
   bool isAlongNormal = true;  ///< particles move along z only, and so do forces (the sided rule)
   bool operator==(const SheetSetup&) const = default;
 };
@@ -28,23 +28,22 @@ struct PlacedKernel {
 
 /// What acts on the sheet: kernels on a regular lattice, by the rule they were prepared for.
 struct PushField {
-  glm::ivec3 dims{0};                 ///< kernels along the lattice's axes, x fastest
-  std::vector<glm::vec2> strengths;   ///< push along the normal (signed by side), pull (> 0 away from the kernel)
-  glm::dmat4 kernelFromLocal{1.0};    ///< kernels at integers
-  double areaOfEffect = 2.0;          ///< half-width, kernels
+  glm::ivec3 dims{0};                ///< kernels along the lattice's axes, x fastest
+  std::vector<glm::vec2> strengths;  ///< push along the normal (signed by side), pull (> 0 away from the kernel)
+  glm::dmat4 kernelFromLocal{1.0};   ///< kernels at integers
+  double areaOfEffect = 2.0;         ///< half-width, kernels
   std::vector<PlacedKernel> placed;
 };
 
 /// The elastic sheet on the GPU: position based dynamics [PBD] in compute shaders, in the frame's local millimetres.
 ///
-/// Differs: Jacobi passes that gather per particle instead of Gauss-Seidel, so that the result does not depend on the order
-/// of threads; bending by the quadratic model of [IBM], whose stiffness is that of dihedral angles near rest and
+/// Differs: Jacobi passes that gather per particle instead of Gauss-Seidel, so that the result does not depend on the
+/// order of threads; bending by the quadratic model of [IBM], whose stiffness is that of dihedral angles near rest and
 /// which has no singularity when flat; constraints over strides of 2, 4, ... particles, so that stiffness does not
-/// depend on the resolution; the longest way in a step is bounded; once a sheet has had time to settle, a step goes only
-/// a share of the way, less and less, as the force of IMC eq. 3 jumps at the faces of a kernel's box and would keep it
-/// trembling for ever. The same setup, field and number of
-/// steps give the same places, bit for bit on one driver. A step costs O(particles); the number of kernels does not
-/// count. GL thread of the current context.
+/// depend on the resolution; the longest way in a step is bounded; once a sheet has had time to settle, a step goes
+/// only a share of the way, less and less, as the force of IMC eq. 3 jumps at the faces of a kernel's box and would
+/// keep it trembling for ever. The same setup, field and number of steps give the same places, bit for bit on one
+/// driver. A step costs O(particles); the number of kernels does not count. GL thread of the current context.
 class Solver {
  public:
   Solver();
@@ -56,7 +55,8 @@ class Solver {
   void setField(const PushField& field);
   /// The lowest and highest z of each particle, mm; empty: the reach.
   void setRoom(std::span<const glm::vec2> room);
-  /// Puts the particles somewhere, without speed. @param places  frame-local mm, one a particle; the border does not move
+  /// Puts the particles somewhere, without speed. @param places  frame-local mm, one a particle; the border does not
+  /// move
   void setPlaces(std::span<const glm::vec3> places);
   /// Holds particles in places from now on; those that were held before are free. The border stays.
   struct Held {

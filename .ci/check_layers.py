@@ -9,6 +9,7 @@ MAY_USE = {  # module: modules it may include (its own is implied)
     "scene": "core",
     "gpu": "core",
     "io": "core scene",
+    "membrane": "core scene gpu",
     "render": "core scene gpu",
     "session": "core scene gpu io render",
     "app": "core scene gpu io render session",

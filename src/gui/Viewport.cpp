@@ -19,7 +19,7 @@ constexpr double kCoarseSliceMs = 28.0;   // a coarse picture in one piece: what
 constexpr int kRestMs = 140;              // a hand that pauses in a drag for less does not start a full picture
 constexpr double kCoarseTargetMs = 15.0;  // leaves room for tables, light and the window's composition under 50 ms
 constexpr double kLargestScale = 12.0;
-constexpr int kTellMs = 250;              // how often the status line is told: the window is composed anew for each word
+constexpr int kTellMs = 250;  // how often the status line is told: the window is composed anew for each word
 constexpr int kShowMs = 150;  // how often a growing picture is shown: showing costs a pass over it
 
 }  // namespace

@@ -92,8 +92,10 @@ void GridFlow::run(const std::function<void()>& onPhase) {
     }
     grow(tree);
   };
+  // By turns, so that both trees stay shallow: of one large tree far more would lose its way at each path (two to four
+  // times as long on lattices of tubes).
   while (!mFront[kSource].empty() && !mFront[kSink].empty())
-    growCounted(mFront[kSource].size() <= mFront[kSink].size() ? kSource : kSink);
+    growCounted(mDistance[kSource] <= mDistance[kSink] ? kSource : kSink);
   // The flow is full. What the source still reaches is the lowest of the least cuts.
   while (!mFront[kSource].empty()) growCounted(kSource);
 }

@@ -24,8 +24,8 @@ struct Nodes {
 /// any case.
 Nodes nodesWithin(double anchor, double step, double reach, glm::dvec2 extent) {
   constexpr double kSlack = 1e-6;
-  double low = std::min(std::max(-reach, extent.x - step), 0.0);
-  double high = std::max(std::min(reach, extent.y + step), 0.0);
+  double low = std::min(std::max(-reach, extent.x - 0.5 * step), 0.0);
+  double high = std::max(std::min(reach, extent.y + 0.5 * step), 0.0);
   double first = std::ceil((low - anchor) / step - kSlack), last = std::floor((high - anchor) / step + kSlack);
   return {anchor + (first - 1.0) * step, step, int(std::max(last - first, -1.0)) + 3};
 }

@@ -108,7 +108,8 @@ void Renderer::Impl::addTileSteps() {
                      }});
     for (int y = covered.y; y < covered.y + covered.w; y += tileSize)
       for (int x = covered.x; x < covered.x + covered.z; x += tileSize) {
-        glm::ivec4 rect(x, y, std::min(tileSize, covered.x + covered.z - x), std::min(tileSize, covered.y + covered.w - y));
+        glm::ivec4 rect(x, y, std::min(tileSize, covered.x + covered.z - x),
+                        std::min(tileSize, covered.y + covered.w - y));
         bool lastOfRow = x + tileSize >= covered.x + covered.z;
         steps.push_back({"RayCast", [this, rect, lastOfRow] {
                            castTile(rect);

@@ -128,15 +128,15 @@ TEST(LeastCut, FastIsNeverBetterAndSeldomMuchWorse) {
   LeastCutOptions fast;
   fast.fast = true;
   double sumExact = 0.0, sumFast = 0.0;
-  for (unsigned seed = 1; seed <= 6; ++seed) {
-    glm::ivec3 dims(48, 40, 16);
-    CutLattice lattice = latticeFromMask(dims, 7.5, tubes(dims, 14, 1.7, seed));
+  for (unsigned seed = 1; seed <= 3; ++seed) {
+    glm::ivec3 dims(72, 64, 20);
+    CutLattice lattice = latticeFromMask(dims, 9.5, tubes(dims, 20, 2.2, seed));
     double best = exact(lattice).cost, banded = exact(lattice, fast).cost;
     EXPECT_GE(banded, best);
     sumExact += best;
     sumFast += banded;
   }
-  EXPECT_LE(sumFast, 1.3 * sumExact);
+  EXPECT_LE(sumFast, 1.1 * sumExact);
 }
 
 TEST(LeastCut, StopsWhenCancelled) {

@@ -25,9 +25,8 @@ struct Cut {
   glm::dvec3 centreMm{0.0};         ///< a point of the plane; middle of box, sphere, cylinder; apex of the cone
   glm::dvec3 axis{0.0, -1.0, 0.0};  ///< normal of the plane; local z of the others; the cone opens along it; any length
   double spinDeg = 0.0;             ///< turn of a box about its axis
-  glm::dvec3 sizeMm{
-      100.0};  ///< box: edges along local x, y, z; sphere: diameter x; cylinder, cone: diameter x, length z; membrane:
-                ///< its frame's width x, height y, and reach to both sides z
+  glm::dvec3 sizeMm{100.0};  ///< box: edges along local x, y, z; sphere: diameter x; cylinder, cone: diameter x, length
+                             ///< z; membrane: its frame's width x, height y, and reach to both sides z
   CutFace face = CutFace::Shaded;  ///< how the cut surface looks
   double faceOpacity = 1.0;        ///< slice faces: 0..1
   std::vector<int> exempt;         ///< ids of structures that this cut leaves whole
@@ -42,9 +41,11 @@ struct Cut {
           FieldInfo{"mm", {}, "A point of the plane; middle of box, sphere, cylinder; apex of the cone."});
     visit("axis", o.axis, FieldInfo{"", {}, "Normal of the plane (towards what is removed); axis of the others."});
     visit("spinDeg", o.spinDeg, FieldInfo{"deg", {-360, 360}, "Turn of a box about its axis."});
-    visit(
-        "sizeMm", o.sizeMm,
-        FieldInfo{"mm", {0, 1e9}, "Box: edges; sphere: diameter first; cylinder, cone: diameter first, length third; membrane: width, height, reach to both sides."});
+    visit("sizeMm", o.sizeMm,
+          FieldInfo{"mm",
+                    {0, 1e9},
+                    "Box: edges; sphere: diameter first; cylinder, cone: diameter first, length third; membrane: "
+                    "width, height, reach to both sides."});
     visit("face", o.face, FieldInfo{"", {}, "Shaded: the cut material; slice: the data's grey values, as on a slice."});
     visit("faceOpacity", o.faceOpacity, FieldInfo{"", {0, 1}, "Opacity of a slice face."});
     visit("exempt", o.exempt, FieldInfo{"", {0, 65535}, "Structures (label ids) that this cut leaves whole."});

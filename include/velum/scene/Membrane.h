@@ -55,7 +55,7 @@ struct UserKernel {
 
 /// A particle of the sheet that is held in a place (IMC 3.3).
 struct Pin {
-  glm::dvec2 sheet{0.5};     ///< which particle: share of the frame's width and height, 0..1
+  glm::dvec2 sheet{0.5};    ///< which particle: share of the frame's width and height, 0..1
   glm::dvec3 placeMm{0.0};  ///< where it is held, world
   bool operator==(const Pin&) const = default;
   static void fields(auto& o, auto& visit) {
@@ -112,7 +112,7 @@ struct Cloth {
   double restoring = 20.0;       ///< pull back to the slice, 1/s^2
   double damping = 6.0;          ///< 1/s
   double timeStepS = 0.02;
-  int iterations = 8;            ///< of the constraints in a step
+  int iterations = 8;  ///< of the constraints in a step
   bool operator==(const Cloth&) const = default;
   static void fields(auto& o, auto& visit) {
     visit("particles", o.particles, FieldInfo{"", {3, 260}, "Particles along the frame's width and height."});
@@ -135,10 +135,10 @@ struct Membrane {
   std::vector<Pin> pins;
   MembraneUse use = MembraneUse::Clip;
   SheetLook look = SheetLook::Hidden;
-  double sliceOpacity = 0.9;     ///< of the slice's image, 0..1; use slice
-  double emphasis = 0.0;         ///< -1 only what is behind the slice, 1 only what is in front, 0 both alike
-  double falloffMm = 0.0;        ///< distance from the slice at which structures have faded; 0: the reach
-  SheetShape shape;              ///< where an active sheet has come to rest; empty: it hangs flat at first
+  double sliceOpacity = 0.9;  ///< of the slice's image, 0..1; use slice
+  double emphasis = 0.0;      ///< -1 only what is behind the slice, 1 only what is in front, 0 both alike
+  double falloffMm = 0.0;     ///< distance from the slice at which structures have faded; 0: the reach
+  SheetShape shape;           ///< where an active sheet has come to rest; empty: it hangs flat at first
   bool operator==(const Membrane&) const = default;
   static void fields(auto& o, auto& visit) {
     visit("field", o.field, FieldInfo{"", {}, "Forces: the potential field transfer function and its kernels."});
@@ -150,7 +150,8 @@ struct Membrane {
     visit("look", o.look, FieldInfo{"", {}, "How the sheet itself is shown: hidden, grid, surface."});
     visit("sliceOpacity", o.sliceOpacity, FieldInfo{"", {0, 1}, "Opacity of the slice's image."});
     visit("emphasis", o.emphasis, FieldInfo{"", {-1, 1}, "-1: only behind the slice; 1: only in front; 0: both."});
-    visit("falloffMm", o.falloffMm, FieldInfo{"mm", {0, 1e9}, "Distance at which structures have faded; 0: the reach."});
+    visit("falloffMm", o.falloffMm,
+          FieldInfo{"mm", {0, 1e9}, "Distance at which structures have faded; 0: the reach."});
     visit("shape", o.shape, FieldInfo{"", {}, "Where an active sheet rests.", true});
   }
 };

@@ -1,10 +1,13 @@
 #include "velum/membrane/Kernels.h"
 
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <mutex>
 #include <optional>
 
@@ -91,11 +94,17 @@ KernelGrid toKernels(std::vector<float> means, glm::ivec3 dims, int level, const
   glm::dmat4 voxelFromKernel(size);
   voxelFromKernel[3] = glm::dvec4(glm::dvec3((size - 1.0) * 0.5), 1.0);
   grid.worldFromKernel = worldFromVoxel * voxelFromKernel;
-  for (float& c : means) {
-    bool has = c != 0.0f && std::abs(double(c)) >= threshold;
-    c = has ? c : 0.0f;
-    grid.count += has;
-  }
+  grid.count = tbb::parallel_reduce(
+      tbb::blocked_range<std::size_t>(0, means.size(), 1 << 16), std::size_t(0),
+      [&](const tbb::blocked_range<std::size_t>& part, std::size_t count) {
+        for (std::size_t i = part.begin(); i < part.end(); ++i) {
+          bool has = means[i] != 0.0f && std::abs(double(means[i])) >= threshold;
+          means[i] = has ? means[i] : 0.0f;
+          count += has;
+        }
+        return count;
+      },
+      std::plus<>());
   grid.strengths = std::move(means);
   return grid;
 }

@@ -10,8 +10,8 @@ MAY_USE = {  # module: modules it may include (its own is implied)
     "gpu": "core",
     "io": "core scene",
     "membrane": "core scene gpu",
-    "render": "core scene gpu",
-    "session": "core scene gpu io render",
+    "render": "core scene gpu membrane",
+    "session": "core scene gpu io membrane render",
     "app": "core scene gpu io render session",
     "gui": "core scene gpu render session",
 }

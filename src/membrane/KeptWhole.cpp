@@ -7,19 +7,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "FrameBox.h"
+
 namespace velum::membrane {
 
 namespace {
 
-glm::dmat4 localFromVoxel(const scene::Cut& cut, const glm::dmat4& worldFromVoxel) {
-  return glm::inverse(scene::worldFromCut(cut)) * worldFromVoxel;
-}
-
 /// What is known of a voxel while pairs are counted.
 constexpr std::uint8_t kProtected = 1, kAbovePlane = 2, kAboveSheet = 4, kInFrame = 8;
-
-/// Voxels are taken so much lower, in voxels: those on the slice must not change sides with their last digits.
-constexpr double kHair = 1e-4;
 
 /// Sides of the protected voxels of a box.
 struct Sides {
@@ -35,18 +30,14 @@ struct Sides {
 class RowOfSides {
  public:
   RowOfSides(const ProtectedVoxels& voxels, const scene::Cut& cut, const SideOfPoints& side)
-      : mVoxels(voxels),
-        mLocalFromVoxel(localFromVoxel(cut, voxels.worldFromVoxel)),
-        mHalf(cut.sizeMm * 0.5),
-        mHairMm(kHair * glm::length(glm::dvec3(mLocalFromVoxel[0]))),
-        mSide(side) {}
+      : mVoxels(voxels), mFrame(cut, voxels.worldFromVoxel), mSide(side) {}
 
   void fill(const Sides& sides, int y, int z, std::uint8_t* flags) const {
     glm::ivec3 from = sides.box.min - mVoxels.box.min, size = mVoxels.box.end - mVoxels.box.min;
     const std::uint8_t* mask =
         mVoxels.mask.data() + (std::ptrdiff_t(z + from.z) * size.y + y + from.y) * size.x + from.x;
-    glm::dvec3 start(mLocalFromVoxel * glm::dvec4(glm::dvec3(sides.box.min) + glm::dvec3(0, y, z), 1.0));
-    glm::dvec3 step(mLocalFromVoxel[0]);
+    glm::dvec3 start = mFrame.local(glm::dvec3(sides.box.min + glm::ivec3(0, y, z)));
+    glm::dvec3 step(mFrame.localFromVoxel[0]);
     thread_local std::vector<glm::vec3> points;
     thread_local std::vector<std::uint8_t> above;
     points.clear();
@@ -54,9 +45,9 @@ class RowOfSides {
       flags[x] = mask[x] ? kProtected : 0;
       if (!mask[x]) continue;
       glm::dvec3 p = start + double(x) * step;
-      p.z -= mHairMm;
+      if (mFrame.holds(p)) flags[x] |= kInFrame;
+      p.z -= mFrame.hairMm;
       if (p.z > 0.0) flags[x] |= kAbovePlane;
-      if (glm::all(glm::lessThanEqual(glm::abs(p), mHalf))) flags[x] |= kInFrame;
       points.push_back(glm::vec3(p));
     }
     if (points.empty()) return;
@@ -69,9 +60,7 @@ class RowOfSides {
 
  private:
   const ProtectedVoxels& mVoxels;
-  glm::dmat4 mLocalFromVoxel;
-  glm::dvec3 mHalf;
-  double mHairMm;
+  FrameBox mFrame;
   const SideOfPoints& mSide;
 };
 
@@ -110,7 +99,7 @@ Areas countPairs(const Sides& sides) {
 
 /// The voxels of a grid whose positions can lie in the frame's box, and their neighbours.
 VoxelBox boxInReach(glm::ivec3 dims, const glm::dmat4& worldFromVoxel, const scene::Cut& cut) {
-  glm::dmat4 voxelFromLocal = glm::inverse(localFromVoxel(cut, worldFromVoxel));
+  glm::dmat4 voxelFromLocal = glm::inverse(FrameBox(cut, worldFromVoxel).localFromVoxel);
   glm::dvec3 middle(voxelFromLocal[3]), half(0.0);
   for (int axis = 0; axis < 3; ++axis) half += glm::abs(glm::dvec3(voxelFromLocal[axis])) * cut.sizeMm[axis] * 0.5;
   // Clamped before they become integers: a frame may be far larger than the data.

@@ -1,10 +1,13 @@
 #include "velum/membrane/Kernels.h"
 
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <mutex>
 #include <optional>
 
@@ -56,6 +59,21 @@ void averageRow(const StrengthRows& rows, glm::ivec3 dims, int level, int ky, in
     means[k] = float(sums[std::size_t(k)] / (double(heldAlong(k, level, dims.x)) * ny * nz));
 }
 
+/// Calls body(index of the row's first voxel in the box, strengths) for each row of a box, on all cores.
+template <class Body>
+void forRows(const StrengthRows& rows, VoxelBox box, const Progress& progress, Body body) {
+  glm::ivec3 size = box.end - box.min;
+  if (size.x <= 0) return;
+  tbb::parallel_for(0, size.y * size.z, [&](int row) {
+    if (progress.isCancelled()) return;
+    thread_local std::vector<float> strengths;
+    strengths.resize(std::size_t(size.x));
+    rows.fill(box.min.x, box.end.x, box.min.y + row % size.y, box.min.z + row / size.y, strengths.data());
+    body(std::size_t(row) * std::size_t(size.x), strengths);
+  });
+  progress.throwIfCancelled();
+}
+
 /// The next coarser means, weighted by the voxels that each super-voxel holds.
 std::vector<float> coarsen(const std::vector<float>& fine, glm::ivec3 dims, int level) {
   glm::ivec3 from = dimsOfLevel(dims, level), to = dimsOfLevel(dims, level + 1);
@@ -91,11 +109,17 @@ KernelGrid toKernels(std::vector<float> means, glm::ivec3 dims, int level, const
   glm::dmat4 voxelFromKernel(size);
   voxelFromKernel[3] = glm::dvec4(glm::dvec3((size - 1.0) * 0.5), 1.0);
   grid.worldFromKernel = worldFromVoxel * voxelFromKernel;
-  for (float& c : means) {
-    bool has = c != 0.0f && std::abs(double(c)) >= threshold;
-    c = has ? c : 0.0f;
-    grid.count += has;
-  }
+  grid.count = tbb::parallel_reduce(
+      tbb::blocked_range<std::size_t>(0, means.size(), 1 << 16), std::size_t(0),
+      [&](const tbb::blocked_range<std::size_t>& part, std::size_t count) {
+        for (std::size_t i = part.begin(); i < part.end(); ++i) {
+          bool has = means[i] != 0.0f && std::abs(double(means[i])) >= threshold;
+          means[i] = has ? means[i] : 0.0f;
+          count += has;
+        }
+        return count;
+      },
+      std::plus<>());
   grid.strengths = std::move(means);
   return grid;
 }
@@ -194,9 +218,8 @@ std::vector<float> Potential::computeStrengths(const scene::ForceField& field, V
   StrengthRows rows = mData->rowsFor(field, progress);
   glm::ivec3 size = box.end - box.min;
   std::vector<float> strengths(nodeCount(size));
-  tbb::parallel_for(0, size.y * size.z, [&](int row) {
-    rows.fill(box.min.x, box.end.x, box.min.y + row % size.y, box.min.z + row / size.y,
-              strengths.data() + std::size_t(row) * std::size_t(size.x));
+  forRows(rows, box, progress, [&](std::size_t first, const std::vector<float>& row) {
+    std::copy(row.begin(), row.end(), &strengths[first]);
   });
   return strengths;
 }
@@ -204,14 +227,9 @@ std::vector<float> Potential::computeStrengths(const scene::ForceField& field, V
 ProtectedVoxels Potential::computeProtected(const scene::ForceField& field, VoxelBox box, Progress& progress) const {
   mData->checkBox(box);
   StrengthRows rows = mData->rowsFor(field, progress);
-  glm::ivec3 size = box.end - box.min;
-  ProtectedVoxels voxels{box, std::vector<std::uint8_t>(nodeCount(size)), worldFromVoxel()};
-  tbb::parallel_for(0, size.y * size.z, [&](int row) {
-    thread_local std::vector<float> strengths;
-    strengths.resize(std::size_t(size.x));
-    rows.fill(box.min.x, box.end.x, box.min.y + row % size.y, box.min.z + row / size.y, strengths.data());
-    std::uint8_t* out = voxels.mask.data() + std::size_t(row) * std::size_t(size.x);
-    for (int x = 0; x < size.x; ++x) out[x] = strengths[std::size_t(x)] > 0.0f;
+  ProtectedVoxels voxels{box, std::vector<std::uint8_t>(nodeCount(box.end - box.min)), worldFromVoxel()};
+  forRows(rows, box, progress, [&](std::size_t first, const std::vector<float>& row) {
+    for (std::size_t x = 0; x < row.size(); ++x) voxels.mask[first + x] = row[x] > 0.0f;
   });
   return voxels;
 }

@@ -3,14 +3,15 @@
 #include <cmath>
 #include <memory>
 
+#include "FrameBox.h"
 #include "velum/membrane/KeptWhole.h"
 
 namespace velum::membrane {
 
 namespace {
 
-/// Voxels that lie so near above the slice, in voxels, count as on it, i.e. below.
-constexpr double kOnSlice = 1e-4;
+/// So large that the sheet takes any way round, however long, to separate one pair less: then it is a limit.
+constexpr double kLimitWeight = 16384.0;
 /// Nodes of the limit's lattice: three quarters of a gigabyte while it is solved.
 constexpr double kMostNodes = 1 << 24;
 
@@ -89,38 +90,35 @@ class PairSpreader {
   CutLattice& mLattice;
 };
 
-void gatherPairs(const ProtectedVoxels& voxels, const glm::dmat4& localFromVoxel, CutLattice& lattice) {
-  glm::dmat4 latticeFromLocal(1.0);
-  for (int axis = 0; axis < 3; ++axis) {
-    latticeFromLocal[axis][axis] = 1.0 / lattice.stepMm[axis];
-    latticeFromLocal[3][axis] = -lattice.originMm[axis] / lattice.stepMm[axis];
-  }
-  glm::dmat4 latticeFromVoxel = latticeFromLocal * localFromVoxel;
+void gatherPairs(const ProtectedVoxels& voxels, const FrameBox& frame, CutLattice& lattice) {
   glm::ivec3 size = voxels.box.end - voxels.box.min;
   std::ptrdiff_t step[3] = {1, size.x, std::ptrdiff_t(size.x) * size.y};
   PairSpreader spreader(lattice);
   const std::uint8_t* mask = voxels.mask.data();
-  auto nodeOf = [&](glm::dvec3 p) { return glm::ivec3(glm::floor(p + 0.5)); };
+  auto nodeOf = [&](glm::dvec3 local) {
+    return glm::ivec3(glm::floor((local - lattice.originMm) / lattice.stepMm + 0.5));
+  };
   for (int z = 0; z < size.z; ++z)
     for (int y = 0; y < size.y; ++y)
       for (int x = 0; x < size.x; ++x, ++mask) {
         if (!*mask) continue;
         glm::ivec3 at(x, y, z);
-        glm::dvec3 p(latticeFromVoxel * glm::dvec4(glm::dvec3(voxels.box.min + at), 1.0));
-        glm::ivec3 node = nodeOf(p);
-        for (int axis = 0; axis < 3; ++axis)
-          if (at[axis] + 1 < size[axis] && mask[step[axis]])
-            spreader.add(node, nodeOf(p + glm::dvec3(latticeFromVoxel[axis])));
+        glm::dvec3 p = frame.local(glm::dvec3(voxels.box.min + at));
+        for (int axis = 0; axis < 3; ++axis) {
+          if (at[axis] + 1 >= size[axis] || !mask[step[axis]]) continue;
+          glm::dvec3 next = p + glm::dvec3(frame.localFromVoxel[axis]);
+          if (frame.holds(p) || frame.holds(next)) spreader.add(nodeOf(p), nodeOf(next));
+        }
       }
 }
 
 }  // namespace
 
 CutLattice gatherLattice(const ProtectedVoxels& voxels, const scene::Cut& cut, double coarsening) {
-  glm::dmat4 localFromVoxel = glm::inverse(scene::worldFromCut(cut)) * voxels.worldFromVoxel;
-  glm::dmat4 voxelFromLocal = glm::inverse(localFromVoxel);
+  FrameBox frame(cut, voxels.worldFromVoxel);
+  glm::dmat4 voxelFromLocal = glm::inverse(frame.localFromVoxel);
   glm::dvec3 low, high, half = cut.sizeMm * 0.5;
-  extentOf(voxels.box, localFromVoxel, low, high);
+  extentOf(voxels.box, frame.localFromVoxel, low, high);
   Nodes nodes[3];
   for (int axis = 0; axis < 3; ++axis) {
     // Voxels along a direction are as far apart as the ellipsoid of their spacing says: right along the axes.
@@ -133,12 +131,12 @@ CutLattice gatherLattice(const ProtectedVoxels& voxels, const scene::Cut& cut, d
   glm::ivec3 dims(nodes[0].count, nodes[1].count, nodes[2].count);
   // A slice through the middles of voxels is to lie on their layer, whatever the last digits say.
   double sliceLayer = -nodes[2].first / nodes[2].step, layer = std::round(sliceLayer);
-  CutLattice lattice = makeLattice(dims, std::abs(sliceLayer - layer) < kOnSlice ? layer : sliceLayer);
+  CutLattice lattice = makeLattice(dims, std::abs(sliceLayer - layer) < kHair ? layer : sliceLayer);
   for (int axis = 0; axis < 3; ++axis) {
     lattice.originMm[axis] = nodes[axis].first;
     lattice.stepMm[axis] = nodes[axis].step;
   }
-  gatherPairs(voxels, localFromVoxel, lattice);
+  gatherPairs(voxels, frame, lattice);
   return lattice;
 }
 
@@ -177,7 +175,9 @@ KeptWholeLimit computeLimit(const ProtectedVoxels& voxels, const scene::Cut& cut
   double nodes = double(voxels.mask.size());
   limit.coarsening = std::max(1.0, std::ceil(std::cbrt(nodes / kMostNodes)));
   limit.lattice = gatherLattice(voxels, cut, limit.coarsening);
-  limit.least = computeLeastCut(limit.lattice, LeastCutOptions(), progress);
+  LeastCutOptions options;
+  options.protectedWeight = kLimitWeight;
+  limit.least = computeLeastCut(limit.lattice, options, progress);
   limit.figure = measureKeptWhole(voxels, cut, sideOfLeastCut(limit.lattice, limit.least),
                                   meanDistanceMm(limit.lattice, limit.least, cut), progress);
   return limit;

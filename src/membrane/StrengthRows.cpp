@@ -80,6 +80,14 @@ void StrengthRows::tabulateValues(const Curve& curve) {
   }
 }
 
+void StrengthRows::selectPiece(const Piece& piece, const double* values, int count, double* strengths) {
+  for (int i = 0; i < count; ++i) {
+    double strength = piece.at + piece.slope * values[i];
+    bool holds = (values[i] >= piece.from) & (values[i] < piece.end);
+    strengths[i] = holds ? strength : strengths[i];
+  }
+}
+
 void StrengthRows::fillValues(std::ptrdiff_t first, int count, float* out) const {
   const Volume& volume = *mSource.volume;
   std::ptrdiff_t stride = volume.channels;
@@ -91,13 +99,12 @@ void StrengthRows::fillValues(std::ptrdiff_t first, int count, float* out) const
       for (int i = 0; i < count; ++i) out[i] = byRaw[p[i * stride]];
     } else {
       // Piece by piece over the whole row: selects instead of a search, which the compiler vectorises.
-      std::fill_n(out, count, 0.0f);
-      for (const Piece& piece : mPieces)
-        for (int i = 0; i < count; ++i) {
-          double value = double(p[i * stride]) * volume.scale + volume.offset;
-          double strength = piece.at + piece.slope * value;
-          out[i] = value >= piece.from && value < piece.end ? float(strength) : out[i];
-        }
+      thread_local std::vector<double> values, strengths;
+      values.resize(std::size_t(count));
+      strengths.assign(std::size_t(count), 0.0);
+      for (int i = 0; i < count; ++i) values[std::size_t(i)] = double(p[i * stride]) * volume.scale + volume.offset;
+      for (const Piece& piece : mPieces) selectPiece(piece, values.data(), count, strengths.data());
+      for (int i = 0; i < count; ++i) out[i] = float(strengths[std::size_t(i)]);
     }
   });
 }
@@ -111,8 +118,38 @@ void StrengthRows::addLabels(int x, int end, int y, int z, float* out) const {
     for (std::size_t i = 0; i < ids.size(); ++i) out[i] += mById[ids[i]];
     return;
   }
-  glm::dvec3 start(mLabelFromVoxel * glm::dvec4(0.0, y, z, 1.0)), step(mLabelFromVoxel[0]);
-  for (int i = x; i < end; ++i) out[i - x] += mById[labels.at(glm::ivec3(glm::floor(start + double(i) * step + 0.5)))];
+  addNearestLabels(x, end, y, z, out);
+}
+
+void StrengthRows::addNearestLabels(int x, int end, int y, int z, float* out) const {
+  constexpr double kOne = 4294967296.0;  // places are walked in fixed point, 32 bits after the point
+  constexpr double kFar = 1e9;
+  constexpr int kBrick = LabelVolume::kBrickSize;
+  const LabelVolume& labels = *mSource.labels;
+  glm::dvec3 start(mLabelFromVoxel * glm::dvec4(x, y, z, 1.0)), step(mLabelFromVoxel[0]);
+  if (glm::any(glm::greaterThan(glm::abs(start) + glm::abs(step) * double(end - x), glm::dvec3(kFar)))) return;
+  std::int64_t at[3], by[3];
+  for (int axis = 0; axis < 3; ++axis) {
+    at[axis] = std::llround((start[axis] + 0.5) * kOne);
+    by[axis] = std::llround(step[axis] * kOne);
+  }
+  glm::ivec3 current(-1);
+  const LabelVolume::Brick* brick = nullptr;
+  for (int i = 0; i < end - x; ++i, at[0] += by[0], at[1] += by[1], at[2] += by[2]) {
+    glm::ivec3 voxel(int(at[0] >> 32), int(at[1] >> 32), int(at[2] >> 32));
+    bool inside = unsigned(voxel.x) < unsigned(labels.dims().x) && unsigned(voxel.y) < unsigned(labels.dims().y) &&
+                  unsigned(voxel.z) < unsigned(labels.dims().z);
+    if (!inside) {
+      out[i] += mById[0];
+      continue;
+    }
+    if (glm::ivec3 index = voxel / kBrick; index != current) {
+      current = index;
+      brick = &labels.brick(index);
+    }
+    glm::ivec3 in = voxel - current * kBrick;
+    out[i] += mById[brick->size() == 1 ? (*brick)[0] : (*brick)[std::size_t((in.z * kBrick + in.y) * kBrick + in.x)]];
+  }
 }
 
 void StrengthRows::fill(int x, int end, int y, int z, float* out) const {

@@ -28,14 +28,16 @@ class StrengthRows {
   void fill(int x, int end, int y, int z, float* out) const;
 
  private:
-  /// One piece of a curve over raw samples: where from <= raw < end, at + slope * raw.
+  /// One piece of a curve: where from <= value < end, at + slope * value.
   struct Piece {
     double from, end, at, slope;
   };
 
   void tabulateValues(const std::vector<scene::StrengthPoint>& curve);
   void fillValues(std::ptrdiff_t first, int count, float* out) const;
+  static void selectPiece(const Piece& piece, const double* values, int count, double* strengths);
   void addLabels(int x, int end, int y, int z, float* out) const;
+  void addNearestLabels(int x, int end, int y, int z, float* out) const;
 
   const PotentialSource& mSource;
   const Gradients* mGradients = nullptr;

@@ -155,11 +155,11 @@ TEST(KeptWhole, CountOfAnAlignedLeastCutIsItsOwn) {
   auto scene = sceneOf(
       dims, [](glm::ivec3 v) { return hashNoise(v / 3) > 0.6; }, frame);
   for (int axis = 0; axis < 3; ++axis) {
-    auto cut = cutAlong(*scene.volume.data, axis, axis == 1, {100, 100, 9});
+    auto cut = cutAlong(*scene.volume.data, axis, axis == 1, {axis == 0 ? 100 : 11, 13, 9});
     cut.centreMm += 0.2 * glm::normalize(cut.axis);
     Progress progress;
     KeptWholeLimit limit = computeLimit(protectedOf(scene, cut), cut, progress);
-    EXPECT_GT(limit.figure.cutAreaPlane, 40);
+    EXPECT_GT(limit.figure.cutAreaPlane, 20);
     EXPECT_LT(limit.figure.ratio, 1.0);
     EXPECT_EQ(double(limit.figure.cutAreaMembrane), limit.least.cutPairs);
     EXPECT_LE(limit.figure.meanDistanceMm, 4.5 + 0.75);

@@ -43,8 +43,8 @@ double meanDistanceMm(const scene::SheetShape& shape);
 
 /// A lattice over a membrane's frame and reach with a ring of columns outside the frame, and a layer outside the reach
 /// at both ends. Where the frame's axes are the volume's, nodes are the voxels; else they are as far apart along each
-/// axis as voxels are along it. Each protected pair of voxels is counted between the nodes that they are nearest to;
-/// pairs that step along several axes at once are shared out to the paths between their nodes.
+/// axis as voxels are along it. Each protected pair with a voxel in the frame's box is counted between the nodes that
+/// they are nearest to; pairs that step along several axes at once are shared out to the paths between their nodes.
 /// @param coarsening  nodes are so many voxels apart along each axis, >= 1
 CutLattice gatherLattice(const ProtectedVoxels& voxels, const scene::Cut& cut, double coarsening = 1.0);
 

@@ -18,8 +18,10 @@ double msSince(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
+/// Whatever way round a structure is shorter than this, in nodes, is taken rather than to cut one pair of its voxels.
+constexpr double kProtectedWeight = 16384.0;
 /// Most nodes of the lattice on which sides are decided: a few hundred milliseconds.
-constexpr double kMostNodes = 1.2e6;
+constexpr double kMostNodes = 6e6;
 
 /// What the kernels depend on, without rule and reach.
 scene::ForceField kernelPart(scene::ForceField field) {
@@ -161,7 +163,7 @@ Forces ForceMaker::compute(const scene::Cut& cut, const HeightOver& current, Pro
     below = belowSheet(lattice, current);
   } else {
     LeastCutOptions options;
-    options.fast = true;
+    options.protectedWeight = kProtectedWeight;
     below = computeLeastCut(lattice, options, progress).below;
   }
   forces.corridor = corridorAround(lattice, below);

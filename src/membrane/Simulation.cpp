@@ -10,7 +10,7 @@ namespace {
 /// Even a sheet that trembles rests after so many steps without a change, see Solver.
 constexpr int kLongestCoarse = 400;
 /// What is left to do at the finest resolution is local.
-constexpr int kLongestFine = 160;
+constexpr int kLongestFine = 40;
 
 glm::dvec3 halfOf(const scene::Cut& cut) { return glm::max(cut.sizeMm, glm::dvec3(1e-6)) * 0.5; }
 
@@ -135,11 +135,10 @@ void Simulation::refine() {
   glm::ivec2 particles(int(xs.size()), int(ys.size()));
   scene::SheetShape coarse = shape();
   if (particles.x <= coarse.particles.x && particles.y <= coarse.particles.y) return void(mPhase = Phase::Rest);
-  HeightOver height = heightOf(coarse);
   mSolver->setSheet({particles, half, mCut.membrane.cloth, true});
   std::vector<glm::vec3> places;
   for (float y : ys)
-    for (float x : xs) places.emplace_back(x, y, float(height({x, y})));
+    for (float x : xs) places.emplace_back(x, y, 0.0f);
   mSolver->setPlaces(places);
   applyForces();
   mPhase = Phase::Fine;

@@ -6,3 +6,8 @@ if(VELUM_ASAN)
   add_compile_options(-fsanitize=address,undefined -fno-omit-frame-pointer -fno-sanitize-recover=undefined)
   add_link_options(-fsanitize=address,undefined)
 endif()
+# Texts that shaders share rely on sums that come out alike wherever they are written (shaders/shared/sheet.h). Plain
+# x86-64 has no fused operations to contract them to.
+if(NOT CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+  add_compile_options(-ffp-contract=off)
+endif()

@@ -14,14 +14,24 @@ layout(location = 3) uniform vec4 sceneY;
 layout(location = 4) uniform vec4 sceneZ;
 layout(location = 5) uniform vec4 scene0;  // scene position of tex 0
 
+/// Slices let less of the material show, which then throws less of a shadow.
+float shownExtinction(float extinction, vec3 p, uint structure) {
+#ifdef MEMBRANES
+  float length_ = 1.0 / frame.cellGrid.w;
+  if (hasFlag(kFlagSlices)) return fadedDepth(extinction * length_, length_, sliceShare(p, structure)) / length_;
+#endif
+  return extinction;
+}
+
 float extinctionAt(vec3 tex) {
   vec3 p = scene0.xyz + tex.x * sceneX.xyz + tex.y * sceneY.xyz + tex.z * sceneZ.xyz;
   uint structure = 0u;
   float factor = 1.0;
 #if LABELS == 2
   vec4 material = labelMaterial(p);
-  if (frame.counts.x > 0 && !cutsKeep(p, labelAt(p))) return 0.0;
-  return smoothstep(0.35, 0.65, material.a) * material.a * 6.0 * frame.cellGrid.w;
+  structure = labelAt(p);
+  if (frame.counts.x > 0 && !cutsKeep(p, structure)) return 0.0;
+  return shownExtinction(smoothstep(0.35, 0.65, material.a) * material.a * 6.0 * frame.cellGrid.w, p, structure);
 #else
 #if LABELS == 1
   structure = labelAt(p);
@@ -29,10 +39,10 @@ float extinctionAt(vec3 tex) {
 #endif
   if (frame.counts.x > 0 && !cutsKeep(p, structure)) return 0.0;
 #if MODE == 2
-  return tableAt(tex) >= frame.step.z * float(kTransferSize - 1) ? 4.0 * frame.cellGrid.w : 0.0;
+  return tableAt(tex) >= frame.step.z * float(kTransferSize - 1) ? shownExtinction(4.0 * frame.cellGrid.w, p, structure) : 0.0;
 #else
   float x = tableAt(tex);
-  return extinctionBetween(x, x) * factor;
+  return shownExtinction(extinctionBetween(x, x) * factor, p, structure);
 #endif
 #endif
 }

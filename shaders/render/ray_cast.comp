@@ -3,7 +3,7 @@
 //
 // MODE 0 volume, 1 maximum, 2 isosurface; LABELS 0 none, 1 over a volume, 2 alone; COLOR 1 for colour volumes, 2 for mixed
 // channels;
-// GRADIENTS 1 looks gradients up in a texture.
+// GRADIENTS 1 looks gradients up in a texture; MEMBRANES is there when some cut is a membrane.
 layout(local_size_x = 8, local_size_y = 8) in;
 
 #include "common/frame.glsl"
@@ -101,8 +101,7 @@ vec3 lightTexAt(vec3 p, vec3 normal) { return texFrom(p + normal * frame.lightGr
 
 float greyAt(float table) { return clamp(table / float(kTransferSize - 1) * frame.window.x + frame.window.y, 0.0, 1.0); }
 
-#if MODE == 0
-
+#if MODE == 0 || defined(MEMBRANES)
 void addSample(inout Hit hit, vec4 premultiplied, float t, vec3 normal, uint structure) {
   float left = 1.0 - hit.color.a;
   // The layers (position, normal, id) are those of the sample that makes the ray half opaque, or of the first one.
@@ -115,32 +114,56 @@ void addSample(inout Hit hit, vec4 premultiplied, float t, vec3 normal, uint str
   hit.color += left * premultiplied;
 }
 
-/// The slice's grey values on a cut face, over everything behind it.
-void addSliceFace(inout Hit hit, Ray ray, float t, int cut) {
-  vec3 p = ray.origin + t * ray.direction;
+
+/// How the data looks on a slice: grey values by the window, or colours, tinted by structures. a: 0 where it is black.
+vec4 sliceColor(vec3 p, uint structure) {
   vec3 tex = texFrom(p);
 #if COLOR
-  vec3 grey = volumeColorAt(tex) * (COLOR == 2 ? texelAt(tex) : 1.0);
-  float present = texelAt(tex) > 0.02 ? 1.0 : 0.0;
+  vec4 color = vec4(volumeColorAt(tex) * (COLOR == 2 ? texelAt(tex) : 1.0), texelAt(tex) > 0.02 ? 1.0 : 0.0);
 #elif LABELS == 2
-  vec3 grey = vec3(0.0);
-  float present = 0.0;
+  vec4 color = vec4(0.0);
 #else
   float value = greyAt(tableAt(tex));
-  vec3 grey = vec3(value);
-  float present = smoothstep(0.0, 0.02, value);
+  vec4 color = vec4(vec3(value), smoothstep(0.0, 0.02, value));
 #endif
-  uint structure = 0u;
 #if LABELS != 0
-  structure = labelAt(p);
   vec4 row = structureRow(structure);
-  if (structure != 0u && row.a > 0.0) {
-    grey = mix(grey, row.rgb * (0.35 + 0.65 * grey), 0.6 * frame.window.z);
-    present = 1.0;
-  }
+  if (structure != 0u && row.a > 0.0) color = vec4(mix(color.rgb, row.rgb * (0.35 + 0.65 * color.rgb), 0.6 * frame.window.z), 1.0);
 #endif
-  float alpha = present * cuts[cut].face.x;
-  if (alpha > 0.0) addSample(hit, vec4(grey * alpha, alpha), t, cutNormal(cut, p), structure);
+  return color;
+}
+
+uint structureAt(vec3 p) {
+#if LABELS != 0
+  return labelAt(p);
+#else
+  return 0u;
+#endif
+}
+#endif
+
+/// A face that a stretch begins on.
+struct Face {
+  int cut;       // -1: none
+  int triangle;  // of a membrane; -1: the plane around it
+};
+
+vec3 faceNormalAt(Face face, vec3 p, vec3 direction) {
+#ifdef MEMBRANES
+  if (cuts[face.cut].kind.x == kCutMembrane) return sheetNormalAt(face.cut, face.triangle, p, direction);
+#endif
+  return cutNormal(face.cut, p);
+}
+
+#if MODE == 0
+
+/// The slice's grey values on a cut face, over everything behind it.
+void addSliceFace(inout Hit hit, Ray ray, float t, int cut, vec3 normal) {
+  vec3 p = ray.origin + t * ray.direction;
+  uint structure = structureAt(p);
+  vec4 color = sliceColor(p, structure);
+  float alpha = color.a * cuts[cut].face.x;
+  if (alpha > 0.0) addSample(hit, vec4(color.rgb * alpha, alpha), t, normal, structure);
 }
 
 /// A stretch of one ray between two samples, or between the first and the last of a group.
@@ -179,6 +202,9 @@ void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, float faceT,
   if (structure != 0u) albedo = mix(albedo, row.rgb, frame.window.z);
 #endif
 #endif
+#ifdef MEMBRANES
+  if (hasFlag(kFlagSlices)) depth = fadedDepth(depth, segment.t1 - segment.t0, sliceShare(p, structure));
+#endif
   vec3 normal = -ray.direction;
   vec3 color = albedo;
   if (hasFlag(kFlagShaded) || hasFlag(kFlagGradientOpacity)) {
@@ -205,7 +231,7 @@ void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, float faceT,
       normal = normalize(mix(faceNormal, normal, smoothstep(0.25, 1.5, (tm - faceT) * frame.cellGrid.w * -dot(faceNormal, ray.direction))) + 1e-6);
     color = shadeSurface(albedo, normal, -ray.direction, lightTexAt(p, normal));
   }
-  if (hasFlag(kFlagGradientOpacity) || LABELS == 1) alpha = 1.0 - exp(-depth);
+  if (hasFlag(kFlagGradientOpacity) || hasFlag(kFlagSlices) || LABELS == 1) alpha = 1.0 - exp(-depth);
   if (alpha > 0.0) addSample(hit, vec4(color * alpha, alpha), tm, normal, structure);
 }
 
@@ -294,13 +320,13 @@ const float kThin = 0.08;
 /// the same lattice, so leaping changes no picture. A ray that has left a loop is still computed, though not stored, while
 /// others go on, and Mesa 22 takes what it computes last as the value after the loop: so nothing that is used after a loop
 /// may change when its last turn is repeated.
-void marchStretch(inout Hit hit, Ray ray, Walk walk, float a, float b, int face, bool exemptOnly) {
+void marchStretch(inout Hit hit, Ray ray, Walk walk, float a, float b, Face face, bool exemptOnly) {
   vec3 faceNormal = vec3(0.0);
   float faceT = -1.0;
-  if (hasFlag(kFlagCuts) && face >= 0) {
+  if (hasFlag(kFlagCuts) && face.cut >= 0) {
     faceT = a;
-    faceNormal = cutNormal(face, ray.origin + a * ray.direction);
-    if (cuts[face].kind.y == 1) addSliceFace(hit, ray, a, face);
+    faceNormal = faceNormalAt(face, ray.origin + a * ray.direction, ray.direction);
+    if (cuts[face.cut].kind.y == 1) addSliceFace(hit, ray, a, face.cut, faceNormal);
   }
   float cutoff = hasFlag(kFlagStopOpaque) ? frame.step.y : 2.0;
   float groupMm = float(kGroup) * walk.dt;
@@ -362,7 +388,23 @@ void marchStretch(inout Hit hit, Ray ray, Walk walk, float a, float b, int face,
 
 #elif MODE == 1
 
-float gBest = -1.0;
+float gBest = -1.0;  // the largest value, table positions 0..1; of slices how it shows, see gBehind
+
+#ifdef MEMBRANES
+/// How a grey value behind the slices so far shows: x times it, and y. In front of a slice the larger of it and the value
+/// shows, so that what stands out is seen on it, and what is behind an opaque one is not.
+vec2 gBehind = vec2(1.0, 0.0);
+vec4 gSlices = vec4(vec3(0.0), kFar);  // the images of slices; a: where the first is
+vec4 gSheets = vec4(0.0);              // sheets, which are drawn over all that
+#endif
+
+/// A value as it is compared. Table positions 0..1, or what shows of their grey.
+float shownAs(float value, float share) {
+#ifdef MEMBRANES
+  if (hasFlag(kFlagSlices)) return gBehind.x * greyAt(value * float(kTransferSize - 1)) * share + gBehind.y;
+#endif
+  return value;
+}
 
 /// Largest table position, 0..1, that a cell's texel values reach.
 float largestIn(vec2 texels) {
@@ -371,7 +413,7 @@ float largestIn(vec2 texels) {
 }
 
 /// Keeps the largest value of one stretch; a < b. A cell whose largest value is not above it is left out.
-void marchStretch(inout Hit hit, Ray ray, Walk walk, float a, float b, int face, bool exemptOnly) {
+void marchStretch(inout Hit hit, Ray ray, Walk walk, float a, float b, Face face, bool exemptOnly) {
   const int kBlock = 16;
   float t = a;
   bool more = true;
@@ -383,7 +425,7 @@ void marchStretch(inout Hit hit, Ray ray, Walk walk, float a, float b, int face,
         float largest = largestIn(cellRange[(cell.z * int(frame.cellGrid.y) + cell.y) * int(frame.cellGrid.x) + cell.x]);
         float leave = leaveEmpty(walk, t, cell, 1u);
         float target = min(walk.first + floor((leave - walk.first) / walk.dt + 1.0 - 1e-4) * walk.dt, b);
-        leaping = largest <= gBest && target > t;
+        leaping = shownAs(largest, 1.0) <= gBest && target > t;
         t = leaping ? target : t;
       } while (leaping && t < b);
     }
@@ -392,12 +434,17 @@ void marchStretch(inout Hit hit, Ray ray, Walk walk, float a, float b, int face,
       float value = tableAt(texAt(walk, t)) / float(kTransferSize - 1);
       bool shown = true;
       uint structure = 0u;
-#if LABELS == 1
+      float share = 1.0;
       vec3 p = ray.origin + t * ray.direction;
+#if LABELS == 1
       structure = labelAt(p);
       shown = structure == 0u ? frame.window.w > 0.0 : structureRow(structure).a > 0.0;
       if (exemptOnly) shown = shown && cutsKeep(p, structure);
 #endif
+#ifdef MEMBRANES
+      if (hasFlag(kFlagSlices)) share = sliceShare(p, structure);
+#endif
+      value = shownAs(value, share);
       bool better = shown && value > gBest;
       gBest = better ? value : gBest;
       hit.distance = better ? t : hit.distance;
@@ -411,7 +458,7 @@ void marchStretch(inout Hit hit, Ray ray, Walk walk, float a, float b, int face,
 #else
 
 /// What the surface looks like where the ray meets it; nothing when its structure is not shown.
-void addSurface(inout Hit hit, Ray ray, Walk walk, float t, int face, bool exemptOnly) {
+void addSurface(inout Hit hit, Ray ray, Walk walk, float t, Face face, bool exemptOnly) {
   float iso = frame.step.z * float(kTransferSize - 1);
   vec3 p = ray.origin + t * ray.direction;
   vec3 tex = texAt(walk, t);
@@ -425,7 +472,7 @@ void addSurface(inout Hit hit, Ray ray, Walk walk, float t, int face, bool exemp
   float len = length(gradient);
   vec3 normal = len > 0.0 ? -gradient / len : -ray.direction;
   if (dot(normal, ray.direction) > 0.0) normal = -normal;
-  if (hasFlag(kFlagCuts) && face >= 0) normal = cutNormal(face, p);
+  if (hasFlag(kFlagCuts) && face.cut >= 0) normal = faceNormalAt(face, p, ray.direction);
   vec3 albedo = extinctionBetween(iso, iso) > 0.0 ? colorBetween(iso, iso) : vec3(0.9, 0.85, 0.78);
 #if COLOR
   albedo = volumeColorAt(tex);
@@ -434,16 +481,29 @@ void addSurface(inout Hit hit, Ray ray, Walk walk, float t, int face, bool exemp
   if (structure != 0u) albedo = mix(albedo, structureRow(structure).rgb, frame.window.z);
 #endif
   vec3 color = shadeSurface(albedo, normal, -ray.direction, lightTexAt(p, normal));
-  if (hasFlag(kFlagCuts) && face >= 0 && cuts[face].kind.y == 1) color = vec3(greyAt(tableAt(tex)));
+  if (hasFlag(kFlagCuts) && face.cut >= 0 && cuts[face.cut].kind.y == 1) color = vec3(greyAt(tableAt(tex)));
+#ifdef MEMBRANES
+  float share = hasFlag(kFlagSlices) ? sliceShare(p, structure) : 1.0;
+  if (share > 0.0) addSample(hit, vec4(color, 1.0) * share, t, normal, structure);
+#else
   hit = Hit(vec4(color, 1.0), t, normal, structure);
+#endif
+}
+
+bool isCovered(Hit hit) {
+#ifdef MEMBRANES
+  return hit.color.a >= frame.step.y;
+#else
+  return hit.distance < kFar;
+#endif
 }
 
 /// Stops at the first crossing of the iso value, found by bisection of its segment, or at once on a cut's face inside;
 /// a < b.
-void marchStretch(inout Hit hit, Ray ray, Walk walk, float a, float b, int face, bool exemptOnly) {
+void marchStretch(inout Hit hit, Ray ray, Walk walk, float a, float b, Face face, bool exemptOnly) {
   const int kBlock = 8;
   float iso = frame.step.z * float(kTransferSize - 1);
-  if (hasFlag(kFlagCuts) && face >= 0 && tableAt(texAt(walk, a)) >= iso) addSurface(hit, ray, walk, a, face, exemptOnly);
+  if (hasFlag(kFlagCuts) && face.cut >= 0 && tableAt(texAt(walk, a)) >= iso) addSurface(hit, ray, walk, a, face, exemptOnly);
   float t = a;
   float low;
   float high;
@@ -482,8 +542,8 @@ void marchStretch(inout Hit hit, Ray ray, Walk walk, float a, float b, int face,
       low = sameSide ? mid : low;
       high = sameSide ? high : mid;
     }
-    if (crosses && hit.distance == kFar) addSurface(hit, ray, walk, 0.5 * (low + high), -1, exemptOnly);
-  } while (hit.distance == kFar && t < b);
+    if (crosses && !isCovered(hit)) addSurface(hit, ray, walk, 0.5 * (low + high), Face(-1, -1), exemptOnly);
+  } while (!isCovered(hit) && t < b);
 }
 #endif
 
@@ -491,9 +551,149 @@ void marchStretch(inout Hit hit, Ray ray, Walk walk, float a, float b, int face,
 bool isDone(Hit hit) {
 #if MODE == 0
   return hasFlag(kFlagStopOpaque) && hit.color.a >= frame.step.y;
+#elif MODE == 2
+  return isCovered(hit);
 #else
-  return MODE == 2 && hit.distance < kFar;
+  return false;
 #endif
+}
+
+#ifdef MEMBRANES
+
+/// The image of a slice.
+void addSlice(inout Hit hit, Ray ray, Mark mark) {
+  vec3 p = ray.origin + mark.t * ray.direction;
+  uint structure = structureAt(p);
+  if (!sliceShows(p, structure)) return;
+  float alpha = cuts[mark.cut].slice.x;
+  vec3 color = sliceColor(p, structure).rgb;
+#if MODE == 1
+  gSlices = vec4(gSlices.rgb + gBehind.x * alpha * color, min(gSlices.a, mark.t));
+  gBehind = vec2(gBehind.x * (1.0 - alpha), max(gSlices.r, max(gSlices.g, gSlices.b)));
+#else
+  if (alpha > 0.0) addSample(hit, vec4(color * alpha, alpha), mark.t, sheetNormalAt(mark.cut, -1, p, ray.direction), structure);
+#endif
+}
+
+/// How a place on a sheet runs through the picture.
+struct SheetPlace {
+  vec2 at;        // in meshes
+  vec2 perPixel;  // meshes a pixel, at most
+};
+
+SheetPlace sheetPlaceAt(int cut, int triangle, vec3 p, vec3 direction, float pixelMm) {
+  SheetPlan plan = cutSheet(cuts[cut]);
+  ivec3 corner = sheetCorners(plan, triangle);
+  vec3 a = sheetPlace(plan, corner.x);
+  vec3 b = sheetPlace(plan, corner.y);
+  vec3 c = sheetPlace(plan, corner.z);
+  vec3 w = sheetShares(plan, triangle, p);
+  bool isLower = (triangle & 1) == 0;
+  vec2 base = vec2(corner.x % plan.rows.y, corner.x / plan.rows.y);
+  vec3 alongX = isLower ? b - a : b - c;
+  vec3 alongY = isLower ? c - b : c - a;
+  vec3 n = cross(alongX, alongY);
+  float nn = max(dot(n, n), 1e-20);
+  // Gradients on the triangle, then of what a step across the ray does to the place that it meets.
+  vec3 gx = cross(alongY, n) / nn;
+  vec3 gy = cross(n, alongX) / nn;
+  float nd = sheetNonZero(dot(n, direction));
+  gx -= n * (dot(gx, direction) / nd);
+  gy -= n * (dot(gy, direction) / nd);
+  return SheetPlace(base + (isLower ? vec2(w.y + w.z, w.z) : vec2(w.y, w.y + w.z)), pixelMm * vec2(length(gx), length(gy)));
+}
+
+/// Cover of a pixel by the lines of the mesh, about 50 across the frame.
+float gridCover(SheetPlan plan, SheetPlace place) {
+  vec2 meshes = vec2(plan.rows.yz - 1);
+  vec2 every = max(floor(meshes / 50.0 + 0.5), 1.0);
+  vec2 off = abs(place.at - every * floor(place.at / every + 0.5));
+  off = min(off, abs(meshes - place.at));  // the rim has a line, whatever the number of meshes
+  vec2 lines = clamp(vec2(1.15) - off / place.perPixel, 0.0, 1.0);
+  // Lines closer than three pixels are grey together.
+  lines = mix(min(1.3 * place.perPixel / every, 1.0), lines, smoothstep(1.0, 3.0, every / place.perPixel));
+  return max(lines.x, lines.y);
+}
+
+/// The sheet of a membrane, as a grid or as a surface.
+void addSheet(inout Hit hit, Ray ray, Mark mark) {
+  vec3 p = ray.origin + mark.t * ray.direction;
+  CutData cut = cuts[mark.cut];
+  vec3 normal = sheetNormalAt(mark.cut, mark.triangle, p, ray.direction);
+  float facing = -dot(normal, ray.direction);
+  bool isGrid = cut.sheet.w == 1;
+  vec3 albedo = isGrid ? vec3(0.97, 0.86, 0.55) : vec3(0.42, 0.66, 0.92);
+  float alpha = 0.28 + 0.45 * pow(1.0 - facing, 3.0);
+  if (isGrid) {
+    float depth = hasFlag(kFlagOrthographic) ? 1.0 : mark.t * dot(ray.direction, frame.forward.xyz);
+    float pixelMm = 2.0 * length(frame.up.xyz) / frame.picture.y * depth;
+    vec3 local = (cut.localFromScene * vec4(p, 1.0)).xyz;
+    SheetPlace place = sheetPlaceAt(mark.cut, mark.triangle, local, mat3(cut.localFromScene) * ray.direction, pixelMm);
+    alpha = 0.85 * gridCover(cutSheet(cut), place);
+  }
+  vec3 color = shadeSurface(albedo, normal, -ray.direction, lightTexAt(p, normal));
+#if MODE == 1
+  gSheets += (1.0 - gSheets.a) * vec4(color, 1.0) * alpha;
+#else
+  if (alpha > 0.0) addSample(hit, vec4(color, 1.0) * alpha, mark.t, normal, 0u);
+#endif
+}
+
+/// Everything along one ray, stretch by stretch, and what is drawn in places on it.
+void castMarked(inout Hit hit, Ray ray, Walk walk, float from, float tEnd) {
+  float t = from;
+  Face face = Face(-1, -1);
+  Stretch stretch = Stretch(t, true, -1, -1);
+  Mark none = Mark(kFar, -1, -1);
+  Mark slice = hasFlag(kFlagSlices) ? nextSlice(ray, Mark(t, -1, -1)) : none;
+  Mark sheet = hasFlag(kFlagSheets) ? nextSheet(ray, t, tEnd) : none;
+  int guard = 256 + 8 * frame.counts.x;
+  do {
+    bool wasRemoved = !stretch.kept;
+    if (t >= stretch.end) {
+      face = wasRemoved ? Face(stretch.face, stretch.triangle) : Face(-1, -1);
+      stretch = stretchFrom(ray, t, tEnd);
+    }
+    float e = 1e-5 * max(1.0, abs(t));
+    bool sliceIsNext = slice.t <= sheet.t;
+    float mark = min(slice.t, sheet.t);
+    if (mark <= t + e) {
+      if (sliceIsNext) {
+        addSlice(hit, ray, slice);
+        slice = nextSlice(ray, slice);
+      } else {
+        addSheet(hit, ray, sheet);
+        sheet = nextSheet(ray, sheet.t + e, tEnd);
+      }
+    } else {
+      float end = min(stretch.end, mark);
+      bool exemptOnly = !stretch.kept;
+      if (end > t && (stretch.kept || hasFlag(kFlagExemptions)))
+        marchStretch(hit, ray, walk, t, end, exemptOnly ? Face(-1, -1) : face, exemptOnly);
+      face = Face(-1, -1);
+      t = max(end, t + 1e-6);
+    }
+  } while (t < tEnd && --guard > 0 && !isDone(hit));
+}
+#endif
+
+/// Everything along one ray, stretch by stretch.
+void castStretches(inout Hit hit, Ray ray, Walk walk, float from, float tEnd) {
+  float t = from;
+  Face face = Face(-1, -1);
+  int guard = 4 * frame.counts.x + 2;  // each stretch ends at a face of some cut, and a ray meets each at most twice
+#ifdef MEMBRANES
+  guard += 256;  // but a folded sheet more often
+#endif
+  do {
+    Stretch stretch = stretchFrom(ray, t, tEnd);
+    if (stretch.end > t) {
+      if (stretch.kept) marchStretch(hit, ray, walk, t, stretch.end, face, false);
+      else if (hasFlag(kFlagExemptions)) marchStretch(hit, ray, walk, t, stretch.end, Face(-1, -1), true);
+    }
+    face = stretch.kept ? Face(-1, -1) : Face(stretch.face, stretch.triangle);
+    t = stretch.kept ? stretch.end : max(stretch.end, t + 1e-6);
+  } while (t < tEnd && --guard > 0 && !isDone(hit));
 }
 
 /// Everything along one ray, up to an opaque surface at `stop`.
@@ -504,24 +704,17 @@ Hit castRay(Ray ray, float jitter, float stop) {
   if (box.x >= tEnd) return hit;
   Walk walk = walkAlong(ray, box.x + jitter * frame.step.x);
   if (!hasFlag(kFlagCuts)) {
-    marchStretch(hit, ray, walk, box.x, tEnd, -1, false);
+    marchStretch(hit, ray, walk, box.x, tEnd, Face(-1, -1), false);
+#ifdef MEMBRANES
+  } else if (hasFlag(kFlagSlices) || hasFlag(kFlagSheets)) {
+    castMarked(hit, ray, walk, box.x, tEnd);
+#endif
   } else {
-    float t = box.x;
-    int remover = -1;
-    int guard = 4 * frame.counts.x + 2;  // each stretch ends at a face of some cut, and a ray meets each at most twice
-    do {
-      Stretch stretch = stretchFrom(ray, t, tEnd, remover);
-      if (stretch.end > t) {
-        if (stretch.kept) marchStretch(hit, ray, walk, t, stretch.end, remover, false);
-        else if (hasFlag(kFlagExemptions)) marchStretch(hit, ray, walk, t, stretch.end, -1, true);
-      }
-      remover = stretch.kept ? -1 : stretch.face;
-      t = stretch.kept ? stretch.end : max(stretch.end, t + 1e-6);
-    } while (t < tEnd && --guard > 0 && !isDone(hit));
+    castStretches(hit, ray, walk, box.x, tEnd);
   }
 #if MODE == 1
   if (gBest >= 0.0) {
-    float grey = greyAt(gBest * float(kTransferSize - 1));
+    float grey = hasFlag(kFlagSlices) ? gBest : greyAt(gBest * float(kTransferSize - 1));
     hit.color = vec4(vec3(grey), 1.0);
 #if COLOR
     hit.color.rgb = volumeColorAt(texAt(walk, hit.distance)) * (COLOR == 2 ? grey : 1.0);
@@ -531,6 +724,14 @@ Hit castRay(Ray ray, float jitter, float stop) {
 #endif
     hit.color *= smoothstep(0.0, 0.02, grey);
   }
+#ifdef MEMBRANES
+  if (hasFlag(kFlagSlices) && gBest <= gBehind.y && gSlices.a < kFar) {
+    hit.color = vec4(gSlices.rgb, 1.0 - gBehind.x);
+    hit.distance = gSlices.a;
+    hit.structure = structureAt(ray.origin + hit.distance * ray.direction);
+  }
+  hit.color = gSheets + (1.0 - gSheets.a) * hit.color;
+#endif
 #endif
   return hit;
 }

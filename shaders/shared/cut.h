@@ -1,6 +1,7 @@
 // The one function that says what a cut removes. C++ and GLSL compile this text.
 #ifndef VELUM_SHARED_CUT_H
 #define VELUM_SHARED_CUT_H
+#include "shared/sheet.h"
 #include "shared/types.h"
 SHARED_BEGIN
 
@@ -9,14 +10,19 @@ SHARED_CONST int kCutBox = 1;
 SHARED_CONST int kCutSphere = 2;
 SHARED_CONST int kCutCylinder = 3;
 SHARED_CONST int kCutCone = 4;
+SHARED_CONST int kCutMembrane = 5;
+SHARED_CONST int kMembraneClip = 0;   // removes what is above its sheet
+SHARED_CONST int kMembraneSlice = 1;  // removes all but what lies between its sheet and the plane z = 0
 SHARED_CONST float kCutFar = 1e30f;
 
 /// One enabled cut. Frame: scene-local millimetres (world minus the frame's origin).
 struct CutData {
   mat4 localFromScene;  ///< rigid
   vec4 half_;           ///< xyz: half edges, radius in x; w: 1 removes the inside, -1 the outside
-  ivec4 kind;           ///< x: kCut*; y: 1 shows the slice on its face; z: 1 when some structure is exempt
+  ivec4 kind;           ///< x: kCut*; y: 1 shows the slice on its face; z: 1 when some structure is exempt; w: kMembrane*
   vec4 face;            ///< x: opacity of the slice face
+  ivec4 sheet;          ///< membranes: x: first row; y, z: particles across, up; w: 1 shown as lines, 2 as a surface
+  vec4 slice;           ///< membranes: x: opacity of the slice's image; y: 1/mm of the fall-off; z, w: factors above, below
 };
 
 /// Signed distance from a point in the cut's local frame to the shape, mm: < 0 inside. Exact for every shape.
@@ -51,10 +57,80 @@ SHARED_FN float cutShapeDistance(int kind, vec3 half_, vec3 p) {
   return (inside ? -1.0f : 1.0f) * min(toSide, toBase);
 }
 
+#if SHARED_HAS_SHEETS
+SHARED_FN SheetPlan cutSheet(CutData cut) {
+  SheetPlan plan;
+  plan.rows = cut.sheet;
+  plan.half_ = vec3(cut.half_);
+  return plan;
+}
+
+/// Whether a membrane removes a point of its frame: what is above the sheet (inverted: below it), or, as a slice,
+/// everything but what lies between the sheet and the slice.
+SHARED_FN bool membraneRemoves(CutData cut, vec3 p SHARED_SHEETS) {
+  SheetPlan plan = cutSheet(cut);
+  bool isAbove = sheetIsAbove(plan, p SHARED_PASS_SHEETS);
+  if (cut.kind.w == kMembraneSlice) return isAbove == (p.z > 0.0f) || !sheetHolds(plan, p);
+  return isAbove == (cut.half_.w > 0.0f);
+}
+
+/// Its distance to what is removed, mm: < 0 is removed. As exact as sheetDistance().
+SHARED_FN float membraneDistance(CutData cut, vec3 p SHARED_SHEETS) {
+  SheetPlan plan = cutSheet(cut);
+  float toSheet = sheetDistance(plan, p SHARED_PASS_SHEETS);
+  if (cut.kind.w != kMembraneSlice) return cut.half_.w * toSheet;
+  bool removes = (toSheet < 0.0f) == (p.z > 0.0f) || !sheetHolds(plan, p);
+  float nearest = min(abs(toSheet), abs(p.z));
+  return removes ? -nearest : nearest;
+}
+
+/// The first place between two t, exclusive, at which what a membrane removes of a scene-local ray may change: a crossing
+/// with its sheet or with the plane z = 0, which goes on beyond a frame and lies in that of a slice.
+SHARED_FN SheetHit membraneCrossing(CutData cut, vec3 origin, vec3 direction, float from, float to SHARED_SHEETS) {
+  vec3 o = vec3(cut.localFromScene * vec4(origin, 1.0f));
+  vec3 d = vec3(cut.localFromScene * vec4(direction, 0.0f));
+  SheetPlan plan = cutSheet(cut);
+  SheetHit hit = sheetCrossing(plan, o, d, from, to SHARED_PASS_SHEETS);
+  float t = -o.z / sheetNonZero(d.z);
+  bool isFace = sheetHolds(plan, o + t * d) == (cut.kind.w == kMembraneSlice);
+  if (isFace && t > from && t < min(to, hit.t)) {
+    hit.t = t;
+    hit.triangle = -1;
+  }
+  return hit;
+}
+
+/// Unit normal of a membrane's face at a crossing, in its frame, against the ray: the sheet's, or that of the plane.
+SHARED_FN vec3 membraneNormal(CutData cut, int triangle, vec3 p, vec3 direction SHARED_SHEETS) {
+  vec3 n = vec3(0.0f, 0.0f, 1.0f);
+  if (triangle >= 0) n = sheetNormal(cutSheet(cut), triangle, p SHARED_PASS_SHEETS);
+  n = n / max(length(n), 1e-12f);
+  return dot(n, direction) > 0.0f ? -n : n;
+}
+
+/// Share of its opacity that material keeps at a height over a slice: it fades with the distance, and the two sides
+/// differ by the emphasis.
+SHARED_FN float membraneShare(CutData cut, float z) {
+  return (1.0f - smoothstep(0.0f, 1.0f, abs(z) * cut.slice.y)) * (z > 0.0f ? cut.slice.z : cut.slice.w);
+}
+#endif
+
+/// Whether a cut removes a point.
+SHARED_FN bool cutRemoves(CutData cut, vec3 scenePoint SHARED_SHEETS) {
+  vec3 p = vec3(cut.localFromScene * vec4(scenePoint, 1.0f));
+#if SHARED_HAS_SHEETS
+  if (cut.kind.x == kCutMembrane) return membraneRemoves(cut, p SHARED_PASS_SHEETS);
+#endif
+  return cut.half_.w * cutShapeDistance(cut.kind.x, vec3(cut.half_), p) < 0.0f;
+}
+
 /// Signed distance to what the cut removes, mm: < 0 is removed.
-SHARED_FN float cutDistance(CutData cut, vec3 scenePoint) {
-  vec4 local = cut.localFromScene * vec4(scenePoint, 1.0f);
-  return cut.half_.w * cutShapeDistance(cut.kind.x, vec3(cut.half_.x, cut.half_.y, cut.half_.z), vec3(local.x, local.y, local.z));
+SHARED_FN float cutDistance(CutData cut, vec3 scenePoint SHARED_SHEETS) {
+  vec3 p = vec3(cut.localFromScene * vec4(scenePoint, 1.0f));
+#if SHARED_HAS_SHEETS
+  if (cut.kind.x == kCutMembrane) return membraneDistance(cut, p SHARED_PASS_SHEETS);
+#endif
+  return cut.half_.w * cutShapeDistance(cut.kind.x, vec3(cut.half_), p);
 }
 
 /// A coordinate that is never zero, so that slab tests do not divide by it.
@@ -115,7 +191,8 @@ SHARED_FN vec2 cutShapeInterval(int kind, vec3 half_, vec3 o, vec3 d) {
   return d.z > 0.0f ? vec2(max(sides.y, z.x), z.y) : vec2(z.x, min(sides.x, z.y));
 }
 
-/// The stretch of a scene-local ray that the cut's shape holds inside it.
+/// The stretch of a scene-local ray that the cut's shape holds inside it. Of convex shapes: a membrane's is not, see
+/// membraneCrossing().
 SHARED_FN vec2 cutInterval(CutData cut, vec3 origin, vec3 direction) {
   vec4 o = cut.localFromScene * vec4(origin, 1.0f);
   vec4 d = cut.localFromScene * vec4(direction, 0.0f);

@@ -23,6 +23,7 @@ SHARED_CONST uint kCellBinding = 3u;
 SHARED_CONST uint kCellLabelBinding = 4u;
 SHARED_CONST uint kMeshBinding = 5u;
 SHARED_CONST uint kExemptBinding = 6u;
+// 7: kSheetBinding, see sheet.h
 
 SHARED_CONST int kTransferSize = 4096;     // table positions 0 .. kTransferSize - 1; the sums have one entry more
 SHARED_CONST int kTileGroup = 8;           // threads along x and y of a ray-cast group
@@ -38,6 +39,9 @@ SHARED_CONST uint kFlagExemptions = 32u;   // some cut spares some structure
 SHARED_CONST uint kFlagJitter = 64u;
 SHARED_CONST uint kFlagCuts = 128u;
 SHARED_CONST uint kFlagLightGrid = 256u;   // shadows or occlusion
+SHARED_CONST uint kFlagMembranes = 512u;   // some cut is a membrane
+SHARED_CONST uint kFlagSlices = 1024u;     // some membrane is a slice with what lies next to it
+SHARED_CONST uint kFlagSheets = 2048u;     // some sheet is shown
 
 /// Scene-local frame: world millimetres minus an origin near the scene, so that floats are enough anywhere.
 struct FrameParams {

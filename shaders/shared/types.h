@@ -8,15 +8,38 @@
 #define SHARED_END }
 #define SHARED_CONST inline constexpr
 #define SHARED_FN inline
+// Sums that must come out alike wherever they are written: shaders must say so (C++ is built with -ffp-contract=off).
+#define SHARED_EXACT
+// The rows of all sheets: C++ is handed them as a last parameter, shaders have them as the storage block `sheets`.
+#define SHARED_SHEETS , const velum::shared::SheetRows& sheets
+#define SHARED_PASS_SHEETS , sheets
+#define SHARED_HAS_SHEETS 1
+#define SHARED_SHEET_BLOCK(place)
 namespace velum::shared {
-using glm::ivec4, glm::mat4, glm::uvec4, glm::vec2, glm::vec3, glm::vec4, glm::ivec3;
-using glm::abs, glm::clamp, glm::dot, glm::length, glm::max, glm::min, glm::mix, glm::normalize, glm::sqrt;
+using glm::ivec2, glm::ivec3, glm::ivec4, glm::mat4, glm::uvec4, glm::vec2, glm::vec3, glm::vec4;
+using glm::abs, glm::clamp, glm::cross, glm::dot, glm::floor, glm::length, glm::max, glm::min, glm::mix;
+using glm::normalize, glm::smoothstep, glm::sqrt;
 using uint = std::uint32_t;
+struct SheetRows {
+  const vec4* rows = nullptr;
+};
 }
 #else
 #define SHARED_BEGIN
 #define SHARED_END
 #define SHARED_CONST const
 #define SHARED_FN
+#define SHARED_EXACT precise
+#define SHARED_SHEETS
+#define SHARED_PASS_SHEETS
+#ifndef SHEET_ACCESS
+#define SHEET_ACCESS readonly
+#endif
+#define SHARED_SHEET_BLOCK(place) layout(std430, binding = place) SHEET_ACCESS buffer SheetBlock { vec4 rows[]; } sheets;
+#ifdef MEMBRANES
+#define SHARED_HAS_SHEETS 1
+#else
+#define SHARED_HAS_SHEETS 0
+#endif
 #endif
 #endif

@@ -27,6 +27,9 @@ void Buffer::write(std::size_t offset, std::size_t bytes, const void* data) {
 void Buffer::read(std::size_t offset, std::size_t bytes, void* data) const {
   gl().GetNamedBufferSubData(id(), GLintptr(offset), GLsizeiptr(bytes), data);
 }
+void Buffer::copyTo(Buffer& target, std::size_t offset) const {
+  gl().CopyNamedBufferSubData(id(), target.id(), 0, GLintptr(offset), GLsizeiptr(mBytes));
+}
 void Buffer::clear() { gl().ClearNamedBufferData(id(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr); }
 void Buffer::bindStorage(unsigned binding) const { gl().BindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, id()); }
 void Buffer::bindUniform(unsigned binding) const { gl().BindBufferBase(GL_UNIFORM_BUFFER, binding, id()); }

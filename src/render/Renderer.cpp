@@ -139,7 +139,8 @@ bool Renderer::work(const Frame& frame, double budgetMs) {
   auto start = Clock::now();
   if (!m.wanted || !(*m.wanted == frame)) m.begin(frame);
   if (m.steps.empty()) return true;
-  if (m.rayProgram && m.steps.front().pass[0] != 'U' && m.steps.front().pass[0] != 'S') {
+  std::string_view first = m.steps.front().pass;
+  if (m.rayProgram && first != "Upload" && first != "Setup") {
     m.bindAll();
     m.surfaces->bind();
   }

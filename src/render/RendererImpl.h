@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "CutSheets.h"
 #include "FrameSetup.h"
 #include "VolumeUpload.h"
 #include "passes/LightPass.h"
@@ -69,17 +70,24 @@ struct Renderer::Impl {
   std::optional<SurfacePass> surfaces;
   std::optional<gpu::Program> resolveProgram;
   LightPass* light = nullptr;
-  std::optional<scene::Scene> skipScene;        ///< What the skip map was made for.
-  std::optional<scene::Scene> extinctionScene;  ///< What the light grid's material was made for.
+  std::optional<scene::Scene> skipScene;  ///< What the skip map was made for.
+  /// All that the light grid's material depends on.
+  struct MaterialKey {
+    scene::Scene scene;
+    std::vector<FrameSheet> sheets;
+    bool operator==(const MaterialKey&) const = default;
+  };
+  std::optional<MaterialKey> extinctionKey;  ///< What the light grid's material was made for.
   glm::dvec3 lightDirection{0.0};
   glm::dvec4 lightOptions{0.0};
-  bool hasOpenness = false;  ///< The light grid's openness is complete for extinctionScene and lightOptions.
+  bool hasOpenness = false;  ///< The light grid's openness is complete for extinctionKey and lightOptions.
   // What a frame binds.
   gpu::UniformBuffer<shared::FrameParams> frameBlock;
   FrameGrid grid;
   shared::FrameParams params{};
   gpu::Texture transferTexture, extinctionTexture, gradientTable, noise, emptyVolume, emptyLabels;
   gpu::Buffer cutBuffer, structureBuffer, exemptBuffer, emptyCells;
+  CutSheets sheets;
   gpu::Program* rayProgram = nullptr;
   // Pictures.
   gpu::Texture sum, hits, picture;
@@ -98,6 +106,7 @@ struct Renderer::Impl {
   void addUploadSteps();
   void addLightSteps();
   void keepLight();
+  MaterialKey materialKeyOf(const Frame& frame) const;
   GpuVolume* drawnVolume();
   int firstTileSize() const { return context.limits().isSoftware ? 64 : 512; }
   void adaptTileSize();

@@ -32,7 +32,12 @@ scene::Scene materialKey(const scene::Scene& scene) {
   key.slices = {};
   for (auto& point : key.volume.transfer.colors) point.color = {};
   for (auto& structure : key.labels.structures) structure.color = {};
-  for (auto& cut : key.cuts) cut.name.clear();
+  for (auto& cut : key.cuts) {
+    cut.name.clear();
+    cut.membrane = scene::drawnMembrane(std::move(cut.membrane));
+    cut.membrane.look = {};
+    cut.membrane.sliceOpacity = 0;
+  }
   return key;
 }
 
@@ -163,13 +168,19 @@ void Renderer::Impl::writeTables(const TransferTable& table) {
 /// Cuts, structures and the parameters of the frame.
 void Renderer::Impl::prepareParams(const TransferTable& table) {
   const scene::Scene& scene = frame.scene;
-  auto cutData = makeCutData(scene, sceneOrigin(grid));
+  sheets.prepare(frame);
+  auto cutData = makeCutData(scene, sceneOrigin(grid), sheets.plans());
   auto rows = makeStructureRows(scene.labels);
   int words = 0;
   auto mask = makeExemptMask(scene, rows.size(), words);
   params = makeFrameParams(frame, grid, table);
   params.counts.x = int(cutData.size());
   if (!cutData.empty()) params.flags.x |= shared::kFlagCuts;
+  for (const scene::Cut* cut : membranesOf(scene)) {
+    params.flags.x |= shared::kFlagMembranes;
+    if (cut->membrane.use == scene::MembraneUse::Slice) params.flags.x |= shared::kFlagSlices;
+    if (cut->membrane.look != scene::SheetLook::Hidden) params.flags.x |= shared::kFlagSheets;
+  }
   if (frame.isPreview && (params.flags.x & shared::kFlagLightGrid)) keepLight();
   params.counts.y = words;
   params.counts.z = int(rows.size());
@@ -187,12 +198,14 @@ void Renderer::Impl::choosePrograms() {
   int color = volume && volume->isMixed ? 2 : volume && volume->isColor ? 1 : 0;
   int rayMode = volume ? static_cast<int>(frame.scene.rayCast.mode) : 0;
   int gradients = volume && volume->gradient ? 1 : 0;
-  std::string lightVariant = fmt::format("{}{}{}", rayMode, mode, color);
+  bool hasMembranes = params.flags.x & shared::kFlagMembranes;
+  std::string lightVariant = fmt::format("{}{}{}{}", rayMode, mode, color, hasMembranes ? "m" : "");
   std::string variant = fmt::format("{}{}", lightVariant, gradients);
   gpu::Defines defines{{"MODE", std::to_string(rayMode)},
                        {"LABELS", std::to_string(mode)},
                        {"COLOR", std::to_string(color)},
                        {"GRADIENTS", std::to_string(gradients)}};
+  if (hasMembranes) defines.push_back({"MEMBRANES", "1"});
   if (context.limits().isSoftware) {
     variant += fmt::format(" {}", params.flags.x);
     defines.push_back({"FLAGS", fmt::format("{}u", params.flags.x)});
@@ -201,13 +214,13 @@ void Renderer::Impl::choosePrograms() {
   rayProgram = &rayPrograms.at(variant);
   if (!lightPasses.contains(lightVariant))
     lightPasses.emplace(std::piecewise_construct, std::forward_as_tuple(lightVariant),
-                        std::forward_as_tuple(mode, color, rayMode));
-  if (light != &lightPasses.at(lightVariant)) extinctionScene.reset();
+                        std::forward_as_tuple(mode, color, rayMode, hasMembranes));
+  if (light != &lightPasses.at(lightVariant)) extinctionKey.reset();
   light = &lightPasses.at(lightVariant);
   glm::dmat3 edges(grid.worldFromTex);
   glm::ivec3 before = light->size();
   light->resize({glm::length(edges[0]), glm::length(edges[1]), glm::length(edges[2])}, lightCells());
-  if (light->size() != before) extinctionScene.reset();
+  if (light->size() != before) extinctionKey.reset();
   params.lightGrid = glm::vec4(glm::vec3(light->size()), float(light->cellMm()));
 }
 
@@ -244,6 +257,7 @@ void Renderer::Impl::setup() {
   resizePictures(frame.windowSize);
   if (!skip) skip.emplace();
   if (!surfaces) surfaces.emplace();
+  surfaces->useMembranes(params.flags.x & shared::kFlagMembranes);
   frameBlock.set(params);
   bindAll();
   updateSkipMap();
@@ -266,13 +280,24 @@ void Renderer::Impl::bindAll() {
   cutBuffer.bindStorage(shared::kCutBinding);
   structureBuffer.bindStorage(shared::kStructureBinding);
   exemptBuffer.bindStorage(shared::kExemptBinding);
+  sheets.bind();
   (hasVolume ? volume->cellRange : emptyCells).bindStorage(shared::kCellBinding);
   (mode != 0 ? labels->cellLabels : emptyCells).bindStorage(shared::kCellLabelBinding);
 }
 
+Renderer::Impl::MaterialKey Renderer::Impl::materialKeyOf(const Frame& of) const {
+  MaterialKey key{materialKey(of.scene), of.sheets};
+  // What a live sheet stands for is not looked at.
+  std::size_t membrane = 0;
+  for (auto& cut : key.scene.cuts)
+    if (cut.enabled && cut.shape == scene::CutShape::Membrane && liveSheet(of, membrane++, cut))
+      cut.membrane.shape = {};
+  return key;
+}
+
 /// The light stays where it stood in the world when the light grid was made; without a grid that fits there is none.
 void Renderer::Impl::keepLight() {
-  bool fits = extinctionScene && lightDirection != glm::dvec3(0.0) && *extinctionScene == materialKey(frame.scene);
+  bool fits = extinctionKey && lightDirection != glm::dvec3(0.0) && *extinctionKey == materialKeyOf(frame);
   if (fits)
     params.key = glm::vec4(glm::vec3(lightDirection), params.key.w);
   else
@@ -290,10 +315,10 @@ GpuVolume* Renderer::Impl::drawnVolume() {
 void Renderer::Impl::addLightSteps() {
   const auto& lighting = frame.scene.lighting;
   if (!lighting.shaded || (lighting.shadow <= 0 && lighting.occlusion <= 0) || frame.isPreview) return;
-  scene::Scene key = materialKey(frame.scene);
+  MaterialKey key = materialKeyOf(frame);
   glm::dvec3 direction(glm::vec3(params.key));
   glm::dvec4 options(lighting.shadow > 0, lighting.occlusion > 0, lighting.occlusionRadius, 0);
-  bool sameMaterial = extinctionScene && *extinctionScene == key;
+  bool sameMaterial = extinctionKey && *extinctionKey == key;
   bool sameLight = sameMaterial && glm::length(direction - lightDirection) < 1e-6 && options == lightOptions;
   if (sameLight) return;
   bool keepOpenness = sameMaterial && hasOpenness && options == lightOptions;
@@ -302,7 +327,7 @@ void Renderer::Impl::addLightSteps() {
   constexpr int kLayers = 4;
   glm::mat4 fromTex = sceneFromTex();
   if (!sameMaterial) {
-    extinctionScene.reset();
+    extinctionKey.reset();
     for (int z = 0; z < light->size().z; z += kLayers)
       steps.push_back({"Light", [this, z, fromTex] {
                          light->extinction(z, std::min(light->size().z, z + kLayers), fromTex);
@@ -326,7 +351,7 @@ void Renderer::Impl::addLightSteps() {
                        return true;
                      }});
   steps.push_back({"Light", [this, key, direction, options] {
-                     extinctionScene = key;
+                     extinctionKey = key;
                      hasOpenness = true;
                      lightDirection = direction;
                      lightOptions = options;

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "FrameSetup.h"
+#include "SliceCuts.h"
 #include "SliceRow.h"
 
 namespace velum::render {
@@ -19,36 +20,15 @@ constexpr float kDimmed = 0.34f;
 /// Outlines are this much more opaque than the areas that they go round.
 constexpr float kOutlineGain = 2.5f;
 
-/// A cut, and which structures it spares.
-struct SliceCut {
-  shared::CutData data;
-  std::vector<bool> spares;  ///< By label id; empty: none.
-  bool removes(std::uint16_t id) const { return id >= spares.size() || !spares[id]; }
-};
-
-std::vector<SliceCut> sliceCuts(const scene::Scene& scene, glm::dvec3 origin) {
-  std::vector<SliceCut> cuts;
-  for (const auto& data : makeCutData(scene, origin)) cuts.push_back({data, {}});
-  std::size_t next = 0;
-  for (const auto& cut : scene.cuts) {
-    if (!cut.enabled) continue;
-    auto& spares = cuts[next++].spares;
-    if (!cut.exempt.empty() && scene.labels.data && scene.labels.visible) spares.resize(65536);
-    for (int id : cut.exempt)
-      if (!spares.empty() && id > 0 && id < 65536) spares[std::size_t(id)] = true;
-  }
-  return cuts;
-}
-
 /// Draws one slice row by row. Everything that rows share is made once.
 class SliceDrawing {
  public:
-  SliceDrawing(const scene::Scene& scene, const scene::SliceFrame& frame)
+  SliceDrawing(const scene::Scene& scene, const scene::SliceFrame& frame, SliceSheets sheets)
       : mScene(scene), mFrame(frame), mSize(glm::max(glm::ivec2(glm::ceil(frame.size)), glm::ivec2(1))) {
     const auto& volume = scene.volume;
     if (volume.data && volume.visible) mVolumePath.emplace(frame, volume.data->dims, volume.data->worldFromVoxel);
     if (scene.labels.data) prepareLabels();
-    if (scene.slices.showCuts) mCuts = sliceCuts(scene, frame.centreMm);
+    if (scene.slices.showCuts) mCuts.emplace(scene, frame, sheets);
   }
   SliceImage draw();
 
@@ -72,7 +52,7 @@ class SliceDrawing {
   std::vector<std::uint16_t> mIds;     ///< Label of each pixel.
   std::vector<glm::vec4> mStructures;  ///< Colour and opacity on the slice by id; nothing where it is not shown.
   bool mShowsLabels = false;
-  std::vector<SliceCut> mCuts;
+  std::optional<SliceCuts> mCuts;
 };
 
 void SliceDrawing::prepareLabels() {
@@ -167,30 +147,10 @@ void SliceDrawing::addLabels(int y, Row& colors, std::vector<char>& covered) con
   }
 }
 
-/// Every shape is convex: a cut removes one stretch of a row, or all but one.
 void SliceDrawing::dimRemoved(int y, Row& colors) const {
-  std::vector<char> removed(std::size_t(mSize.x), 0);
-  glm::vec3 start(scene::worldFromSlicePixel(mFrame, {0.5, y + 0.5}) - mFrame.centreMm), along(mFrame.right);
-  float pixelsPerMm = float(1.0 / mFrame.mmPerPixel);
-  for (const auto& cut : mCuts) {
-    glm::vec2 inside = shared::cutInterval(cut.data, start, along) * pixelsPerMm;
-    int from = 0, to = 0;
-    if (inside.x <= inside.y) {
-      from = int(std::clamp(std::ceil(inside.x), 0.0f, float(mSize.x)));
-      to = int(std::clamp(std::floor(inside.y) + 1.0f, float(from), float(mSize.x)));
-    }
-    bool takesInside = cut.data.half_.w > 0;
-    auto take = [&](int begin, int end) {
-      for (int x = begin; x < end; ++x)
-        if (cut.spares.empty() || cut.removes(idAt(x, y))) removed[std::size_t(x)] = 1;
-    };
-    if (takesInside) {
-      take(from, to);
-    } else {
-      take(0, from);
-      take(to, mSize.x);
-    }
-  }
+  std::span<const std::uint16_t> ids;
+  if (!mIds.empty()) ids = std::span(mIds).subspan(std::size_t(y) * std::size_t(mSize.x), std::size_t(mSize.x));
+  std::vector<char> removed = mCuts->removedOf(y, mSize.x, ids);
   for (std::size_t x = 0; x < removed.size(); ++x)
     if (removed[x]) colors[x] = glm::clamp(colors[x], 0.0f, 1.0f) * kDimmed;
 }
@@ -210,7 +170,7 @@ void SliceDrawing::drawRow(int y, Row& colors, std::vector<float>& samples, std:
   std::vector<char> covered(std::size_t(mSize.x), 0);
   std::fill(covered.begin() + row.first, covered.begin() + row.last, 1);
   addLabels(y, colors, covered);
-  if (!mCuts.empty()) dimRemoved(y, colors);
+  if (mCuts && !mCuts->isEmpty()) dimRemoved(y, colors);
   std::uint32_t empty = behind.transparent ? packed(ground) & 0xffffffu : packed(ground);
   for (std::size_t x = 0; x < colors.size(); ++x) out[x] = covered[x] ? packed(colors[x]) : empty;
 }
@@ -230,8 +190,8 @@ SliceImage SliceDrawing::draw() {
 
 }  // namespace
 
-SliceImage drawSlice(const scene::Scene& scene, const scene::SliceFrame& frame) {
-  return SliceDrawing(scene, frame).draw();
+SliceImage drawSlice(const scene::Scene& scene, const scene::SliceFrame& frame, SliceSheets sheets) {
+  return SliceDrawing(scene, frame, sheets).draw();
 }
 
 SliceImage drawSlice(const scene::Scene& scene, scene::SliceKind kind, glm::ivec2 size) {

@@ -139,14 +139,32 @@ void setWindow(VolumeLayer& layer, double level, double width) {
   (look ? look->windowWidth : layer.windowWidth) = width;
 }
 
+namespace {
+bool showsSlice(const Cut& cut) {
+  bool isSlice = cut.shape == CutShape::Membrane && cut.membrane.use == MembraneUse::Slice;
+  return isSlice || cut.face == CutFace::Slice;
+}
+}  // namespace
+
 bool usesWindow(const Scene& scene) {
-  bool hasSlice = std::any_of(scene.cuts.begin(), scene.cuts.end(),
-                              [](const Cut& cut) { return cut.enabled && cut.face == CutFace::Slice; });
+  bool hasSlice =
+      std::any_of(scene.cuts.begin(), scene.cuts.end(), [](const Cut& cut) { return cut.enabled && showsSlice(cut); });
   return hasSlice || scene.rayCast.mode == RenderMode::Mip;
+}
+
+Membrane drawnMembrane(Membrane membrane) {
+  membrane.field = {};
+  Cloth flat;
+  flat.particles = membrane.cloth.particles;
+  membrane.cloth = flat;
+  membrane.repositioning = {};
+  membrane.pins.clear();
+  return membrane;
 }
 
 Scene pictureScene(Scene scene) {
   scene.slices = {};
+  for (auto& cut : scene.cuts) cut.membrane = drawnMembrane(std::move(cut.membrane));
   if (!usesWindow(scene)) {
     scene.volume.windowLevel = scene.volume.windowWidth = 0.0;
     for (auto& look : scene.volume.channels) look.windowLevel = look.windowWidth = 0.0;

@@ -144,7 +144,15 @@ Scene sliceScene(Scene scene) {
   scene.surfaces.clear();
   scene.volume.transfer = {};
   for (auto& look : scene.volume.channels) look.transfer = {}, look.name.clear();
-  for (auto& cut : scene.cuts) cut.face = {}, cut.faceOpacity = 1.0;
+  for (auto& cut : scene.cuts) {
+    cut.face = {};
+    cut.faceOpacity = 1.0;
+    Membrane membrane = drawnMembrane(std::move(cut.membrane)), shown;
+    shown.use = membrane.use;
+    shown.shape = std::move(membrane.shape);
+    shown.cloth = membrane.cloth;
+    cut.membrane = std::move(shown);
+  }
   return scene;
 }
 

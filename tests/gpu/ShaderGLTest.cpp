@@ -27,8 +27,11 @@ std::vector<Defines> variantsOf(const std::string& file) {
   for (int mode = 0; mode < values("MODE", 3); ++mode)
     for (int labels = 0; labels < values("LABELS", 3); ++labels)
       for (int color = 0; color < values("COLOR", 2); ++color)
-        variants.push_back(
-            {{"MODE", std::to_string(mode)}, {"LABELS", std::to_string(labels)}, {"COLOR", std::to_string(color)}});
+        for (int membranes = 0; membranes < values("cutsKeep", 2); ++membranes) {
+          variants.push_back(
+              {{"MODE", std::to_string(mode)}, {"LABELS", std::to_string(labels)}, {"COLOR", std::to_string(color)}});
+          if (membranes) variants.back().push_back({"MEMBRANES", "1"});
+        }
   return variants;
 }
 
@@ -56,12 +59,12 @@ TEST_F(ShaderGL, EveryEntryPointCompilesInEveryVariant) {
         ++programs;
       }
     }
-  EXPECT_GE(programs, 18 + 18 + 5);
+  EXPECT_GE(programs, 36 + 36 + 10);
 }
 
-TEST_F(ShaderGL, TheRayCasterHasEighteenVariants) {
-  EXPECT_EQ(variantsOf("render/ray_cast.comp").size(), 18u);
-  EXPECT_EQ(variantsOf("render/light_extinction.comp").size(), 18u);
+TEST_F(ShaderGL, TheRayCasterHasThirtySixVariants) {
+  EXPECT_EQ(variantsOf("render/ray_cast.comp").size(), 36u);
+  EXPECT_EQ(variantsOf("render/light_extinction.comp").size(), 36u);
 }
 
 /// The members of a struct in shaders/shared, in order, as its text lists them.
@@ -103,7 +106,8 @@ const Offset kFrameOffsets[] = {VELUM_OFFSET(FrameParams, texFromScene),  VELUM_
                                 VELUM_OFFSET(FrameParams, lightGrid),     VELUM_OFFSET(FrameParams, counts),
                                 VELUM_OFFSET(FrameParams, flags)};
 const Offset kCutOffsets[] = {VELUM_OFFSET(CutData, localFromScene), VELUM_OFFSET(CutData, half_),
-                              VELUM_OFFSET(CutData, kind), VELUM_OFFSET(CutData, face)};
+                              VELUM_OFFSET(CutData, kind),           VELUM_OFFSET(CutData, face),
+                              VELUM_OFFSET(CutData, sheet),          VELUM_OFFSET(CutData, slice)};
 
 TEST_F(ShaderGL, FrameParamsLieWhereTheDriverPutsThem) {
   // A member that this list lacks would go unchecked.
@@ -131,11 +135,13 @@ layout(std430, binding = 1) readonly buffer CutBlock { CutData cuts[]; };
 layout(std430, binding = 2) buffer OutBlock { float seen[]; };
 void main() {
   for (int c = 0; c < 2; ++c) {
-    int at = c * 28;
+    int at = c * 36;
     for (int i = 0; i < 16; ++i) seen[at + i] = cuts[c].localFromScene[i / 4][i % 4];
     for (int i = 0; i < 4; ++i) seen[at + 16 + i] = cuts[c].half_[i];
     for (int i = 0; i < 4; ++i) seen[at + 20 + i] = float(cuts[c].kind[i]);
     for (int i = 0; i < 4; ++i) seen[at + 24 + i] = cuts[c].face[i];
+    for (int i = 0; i < 4; ++i) seen[at + 28 + i] = float(cuts[c].sheet[i]);
+    for (int i = 0; i < 4; ++i) seen[at + 32 + i] = cuts[c].slice[i];
   }
 }
 )";
@@ -150,6 +156,8 @@ void main() {
     for (int i = 0; i < 4; ++i) expected.push_back(cut.half_[i] = next++);
     for (int i = 0; i < 4; ++i) expected.push_back(float(cut.kind[i] = int(next++)));
     for (int i = 0; i < 4; ++i) expected.push_back(cut.face[i] = next++);
+    for (int i = 0; i < 4; ++i) expected.push_back(float(cut.sheet[i] = int(next++)));
+    for (int i = 0; i < 4; ++i) expected.push_back(cut.slice[i] = next++);
   }
   Buffer in("cuts", std::span<const shared::CutData>(cuts)), out("seen", expected.size() * sizeof(float));
   in.bindStorage(1);

@@ -92,7 +92,7 @@ class CutsGL : public RenderTest {
         if (alpha == 0.0f) continue;
         glm::vec3 p = vectorOf(image, {x, y}, "position");
         for (const auto& cut : scene.cuts) {
-          float distance = shared::cutDistance(cutDataOf(cut), p);
+          float distance = shared::cutDistance(cutDataOf(cut), p, {});
           EXPECT_GE(distance, -0.01f) << where << ": the position lies in what is removed";
           wrong += distance < -0.01f;
         }
@@ -145,7 +145,7 @@ TEST_F(CutsGL, RaysAlongTheAxesOfTheCutAreNoException) {
           glm::dvec2 t = boxInterval(*scene.volume.data, ray);
           float furthest = -1.0f;  // largest distance to what is removed
           for (double s = t.x + 0.05; s < t.y; s += 0.1)
-            furthest = std::max(furthest, shared::cutDistance(cutDataOf(scene.cuts[0]), glm::vec3(ray.at(s))));
+            furthest = std::max(furthest, shared::cutDistance(cutDataOf(scene.cuts[0]), glm::vec3(ray.at(s)), {}));
           float alpha = sampleOf(image, {x, y}, "A");
           std::string where = std::string(enumName(shape)) + " axis " + std::to_string(axis.x) + " " +
                               std::to_string(axis.y) + " " + std::to_string(axis.z) + ", pixel " + std::to_string(x) +
@@ -159,7 +159,7 @@ TEST_F(CutsGL, RaysAlongTheAxesOfTheCutAreNoException) {
           }
           if (alpha == 0.0f) continue;
           ++shown;
-          EXPECT_GE(shared::cutDistance(cutDataOf(scene.cuts[0]), vectorOf(image, {x, y}, "position")), -0.01f)
+          EXPECT_GE(shared::cutDistance(cutDataOf(scene.cuts[0]), vectorOf(image, {x, y}, "position"), {}), -0.01f)
               << where;
         }
       EXPECT_GT(shown, 100);

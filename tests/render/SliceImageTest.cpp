@@ -245,12 +245,12 @@ TEST_F(SliceLabels, CutsDimWhatTheyRemoveAsTheirFunctionSays) {
       cut.sizeMm = {22, 16, 25};
       mScene.cuts = {cut};
       SliceImage image = drawSlice(mScene, mFrame);
-      auto data = makeCutData(mScene, {0, 0, 0});
+      auto data = makeCutData(mScene, {0, 0, 0}, {});
       int dim = 0, kept = 0;
       for (int y = 0; y < kSize.y; ++y)
         for (int x = 0; x < kSize.x; ++x) {
           glm::dvec3 world = scene::worldFromSlicePixel(mFrame, {x + 0.5, y + 0.5});
-          float distance = shared::cutDistance(data[0], glm::vec3(world));
+          float distance = shared::cutDistance(data[0], glm::vec3(world), {});
           if (!probe(mScene, world).inside || std::abs(distance) < 1e-3f) continue;
           int wanted = distance < 0 ? 44 : 128;  // kDimmed of 128
           EXPECT_NEAR(rgbOf(image, x, y).r, wanted, 1) << int(shape) << invert << " " << x << " " << y;

@@ -237,9 +237,9 @@ TEST(CutDistance, InvertTurnsTheSignAndAMovedCutMovesItsRegion) {
   for (int kind = 0; kind < 5; ++kind)
     for (int i = 0; i < 500; ++i) {
       vec3 p = randomPoint(random, 60.0f);
-      float plain = shared::cutDistance(cutOf(kind, kHalves[0], false, glm::mat4(1.0f)), p);
-      EXPECT_EQ(shared::cutDistance(cutOf(kind, kHalves[0], true, glm::mat4(1.0f)), p), -plain);
-      EXPECT_NEAR(shared::cutDistance(cutOf(kind, kHalves[0], false, move), p + vec3(10, -20, 30)), plain, 2e-5f);
+      float plain = shared::cutDistance(cutOf(kind, kHalves[0], false, glm::mat4(1.0f)), p, {});
+      EXPECT_EQ(shared::cutDistance(cutOf(kind, kHalves[0], true, glm::mat4(1.0f)), p, {}), -plain);
+      EXPECT_NEAR(shared::cutDistance(cutOf(kind, kHalves[0], false, move), p + vec3(10, -20, 30), {}), plain, 2e-5f);
     }
 }
 

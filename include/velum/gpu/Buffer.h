@@ -24,6 +24,8 @@ class Buffer : public Handle<deleteBuffer> {
   void write(std::size_t offset, std::size_t bytes, const void* data);
   /// Waits for the GPU.
   void read(std::size_t offset, std::size_t bytes, void* data) const;
+  /// All of it into a larger buffer, on the GPU. @param offset  bytes from that one's beginning
+  void copyTo(Buffer& target, std::size_t offset) const;
   void clear();
   void bindStorage(unsigned binding) const;
   void bindUniform(unsigned binding) const;

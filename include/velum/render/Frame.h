@@ -1,9 +1,20 @@
 #pragma once
+#include <cstdint>
 #include <glm/glm.hpp>
+#include <memory>
+#include <vector>
 
+#include "velum/membrane/Sheet.h"
 #include "velum/scene/Scene.h"
 
 namespace velum::render {
+
+/// A sheet as a solver has it on the GPU, at one moment.
+struct FrameSheet {
+  std::shared_ptr<const membrane::Sheet> sheet;
+  std::uint64_t revision = 0;  ///< Of the sheet: frames that show it at different moments differ.
+  bool operator==(const FrameSheet&) const = default;
+};
 
 /// What is to be drawn. A value: the same frame gives the same picture, and a changed one starts it anew.
 struct Frame {
@@ -15,6 +26,9 @@ struct Frame {
   /// A picture at once, for while something moves: shadows and occlusion as they stand in the last full frame of the
   /// same material, or none; a smaller copy of a volume that is not on the GPU yet.
   bool isPreview = false;
+  /// Of the enabled membranes, in the order of the cuts. One that is missing, empty, or made for a frame of another
+  /// size is drawn as `Cut::membrane.shape` says, or flat.
+  std::vector<FrameSheet> sheets;
   bool operator==(const Frame&) const = default;
 };
 

@@ -140,8 +140,11 @@ void setWindow(VolumeLayer& layer, double level, double width);
 /// True when the 3D picture shows grey values by the window: a maximum, or slices on the faces of cuts.
 bool usesWindow(const Scene& scene);
 
-/// The scene reduced to what the 3D picture depends on: without slices and names, and without a window that it does not
-/// use.
+/// A membrane reduced to what pictures of its sheet depend on: without what moves the sheet.
+Membrane drawnMembrane(Membrane membrane);
+
+/// The scene reduced to what the 3D picture depends on: without slices and names, without a window that it does not
+/// use, and without what moves the sheets of membranes.
 Scene pictureScene(Scene scene);
 
 /// Puts the crosshair into the middle of the data where it has no place yet.

@@ -7,12 +7,14 @@
 
 namespace velum::render {
 
-LightPass::LightPass(int labels, int color, int mode)
-    : mExtinctionProgram({"render/light_extinction.comp"}, {{"LABELS", std::to_string(labels)},
-                                                            {"COLOR", std::to_string(color)},
-                                                            {"MODE", std::to_string(mode)},
-                                                            {"GRADIENTS", "0"}}),
-      mLightProgram({"render/light_grid.comp"}) {}
+LightPass::LightPass(int labels, int color, int mode, bool hasMembranes) : mLightProgram({"render/light_grid.comp"}) {
+  gpu::Defines defines{{"LABELS", std::to_string(labels)},
+                       {"COLOR", std::to_string(color)},
+                       {"MODE", std::to_string(mode)},
+                       {"GRADIENTS", "0"}};
+  if (hasMembranes) defines.push_back({"MEMBRANES", "1"});
+  mExtinctionProgram = gpu::Program({"render/light_extinction.comp"}, defines);
+}
 
 void LightPass::resize(glm::dvec3 edges, int longest) {
   mCellMm = std::max(edges.x, std::max(edges.y, edges.z)) / longest;

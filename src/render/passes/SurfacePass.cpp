@@ -107,6 +107,13 @@ std::vector<glm::dvec3> outlines(const scene::Scene& scene, const glm::dmat4& wo
 
 SurfacePass::SurfacePass() : mProgram({"render/surface.vert", "render/surface.frag"}) { resize({1, 1}); }
 
+void SurfacePass::useMembranes(bool on) {
+  if (on == mHasMembranes) return;
+  mHasMembranes = on;
+  mProgram = gpu::Program({"render/surface.vert", "render/surface.frag"},
+                          on ? gpu::Defines{{"MEMBRANES", "1"}} : gpu::Defines{});
+}
+
 void SurfacePass::resize(glm::ivec2 size) {
   if (mColor && glm::ivec2(mColor.size()) == size) return;
   mColor = gpu::Texture::make2d("surface colour", gpu::Format::Rgba16f, size);

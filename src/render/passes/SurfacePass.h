@@ -16,6 +16,8 @@ namespace velum::render {
 class SurfacePass {
  public:
   SurfacePass();
+  /// Whether some cut is a membrane.
+  void useMembranes(bool on);
   /// @param origin  the scene frame's origin, world mm
   /// @param bounds  the twelve edges of the data's box come from here: world from 0..1
   void draw(const scene::Scene& scene, glm::dvec3 origin, const glm::dmat4& worldFromTex, glm::ivec2 size);
@@ -30,6 +32,7 @@ class SurfacePass {
   void resize(glm::ivec2 size);
   const gpu::Buffer& meshBuffer(const Shared<Mesh>& mesh, glm::dvec3 origin);
   gpu::Program mProgram;
+  bool mHasMembranes = false;
   gpu::Texture mColor, mAux, mDepth;
   gpu::Framebuffer mTarget;
   std::map<std::pair<std::uint64_t, std::array<double, 3>>, gpu::Buffer> mMeshes;

@@ -1,0 +1,35 @@
+#pragma once
+#include <cstddef>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "velum/scene/SheetShape.h"
+
+namespace velum::membrane {
+
+/// A shape that hangs in a frame: scaled across to the frame where it was made for another, its rim on the frame at
+/// z = 0, its inside in the frame's box. Flat when the shape is empty or makes no sense.
+/// @param flat    particles of the flat one, each at least 2
+/// @param sizeMm  the frame's width, height and reach
+scene::SheetShape fitShape(const scene::SheetShape& shape, glm::ivec2 flat, glm::dvec3 sizeMm);
+
+/// A sheet with what makes queries cheap, as shaders/shared/sheet.h lays it out: places, normals, cells, lists.
+struct SheetIndex {
+  glm::ivec2 particles{0};
+  glm::dvec3 sizeMm{0.0};
+  std::vector<glm::vec4> rows;
+};
+
+/// Any thread. About 0.4 ms for 50 x 50 particles.
+SheetIndex makeSheetIndex(const scene::SheetShape& shape, glm::ivec2 flat, glm::dvec3 sizeMm);
+
+/// True where the sheet, or the plane z = 0 beyond its frame, lies below the place: what a clipping membrane removes.
+/// @param placeMm  in the frame
+bool isAbove(const SheetIndex& index, glm::vec3 placeMm);
+
+/// Rows of a sheet before the lists of its cells.
+constexpr std::size_t fixedRows(glm::ivec2 particles) {
+  return 3 * std::size_t(particles.x) * std::size_t(particles.y);
+}
+
+}  // namespace velum::membrane

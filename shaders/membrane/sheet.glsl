@@ -1,0 +1,32 @@
+// What the programs that index a sheet have in common.
+#define MEMBRANES 1
+#define SHEET_ACCESS
+#include "shared/sheet.h"
+
+layout(std430, binding = kSheetCountsBinding) buffer CountBlock { uint counts[]; };
+
+layout(location = 0) uniform ivec4 particles;  // x, y: along the frame's width and height; z: room in the lists
+layout(location = 1) uniform vec4 half_;       // half edges of the frame's box, mm
+
+SheetPlan thePlan() { return SheetPlan(ivec4(0, particles.xy, 0), half_.xyz); }
+
+/// The particle, or the lower left one of a mesh, that this invocation works on; -1: none.
+int theParticle(bool isMesh) {
+  int v = int(gl_GlobalInvocationID.x);
+  if (v >= particles.x * particles.y) return -1;
+  return isMesh && (v % particles.x == particles.x - 1 || v >= particles.x * (particles.y - 1)) ? -1 : v;
+}
+
+/// Two corners of the box around a mesh.
+struct MeshBox {
+  vec3 low;
+  vec3 high;
+};
+
+MeshBox boxOf(int v) {
+  vec3 a = sheets.rows[v].xyz;
+  vec3 b = sheets.rows[v + 1].xyz;
+  vec3 c = sheets.rows[v + particles.x].xyz;
+  vec3 d = sheets.rows[v + particles.x + 1].xyz;
+  return MeshBox(min(min(a, b), min(c, d)), max(max(a, b), max(c, d)));
+}

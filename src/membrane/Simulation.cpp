@@ -10,7 +10,7 @@ namespace {
 /// Even a sheet that trembles rests after so many steps without a change, see Solver.
 constexpr int kLongestCoarse = 400;
 /// What is left to do at the finest resolution is local.
-constexpr int kLongestFine = 40;
+constexpr int kLongestFine = 24;
 
 glm::dvec3 halfOf(const scene::Cut& cut) { return glm::max(cut.sizeMm, glm::dvec3(1e-6)) * 0.5; }
 

@@ -1,9 +1,12 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <filesystem>
 
 #include "Verbs.h"
 #include "velum/core/Error.h"
+#include "velum/io/WriteMesh.h"
+#include "velum/io/WriteVolume.h"
 #include "velum/scene/Project.h"
 #include "velum/session/CutEdit.h"
 #include "velum/session/MembraneEdit.h"
@@ -20,7 +23,7 @@ struct MembraneOptions {
   std::vector<double> protect, axis, at;
   std::vector<int> structures;
   double position = 0.5;
-  std::string rule, saveScene;
+  std::string rule, saveScene, sheet, clipped;
   bool limit = false;
 };
 
@@ -105,6 +108,20 @@ void printReport(const session::MembraneReport& report) {
                report.limit->figure.ratio, report.limit->figure.meanDistanceMm);
 }
 
+/// name.ply, or name-0.ply ... where there are several membranes.
+void exportWhatIsAsked(const scene::Scene& settled, const std::vector<session::MembraneReport>& reports,
+                       const MembraneOptions& options) {
+  for (std::size_t i = 0; !options.sheet.empty() && i < reports.size(); ++i) {
+    std::filesystem::path path(options.sheet);
+    if (reports.size() > 1)
+      path.replace_filename(fmt::format("{}-{}{}", path.stem().string(), i, path.extension().string()));
+    io::writeMesh(session::sheetMesh(settled.cuts[std::size_t(reports[i].cut)]), path);
+  }
+  if (options.clipped.empty()) return;
+  io::writeVolume(session::clippedVolume(settled, consoleProgress()), options.clipped, consoleProgress());
+  consoleProgress().report(1.0, "");
+}
+
 int run(const MembraneOptions& options) {
   auto context = gpu::Context::create(options.common.context);
   scene::Scene scene = openScene(options.input, 16.0 / 9.0);
@@ -122,6 +139,7 @@ int run(const MembraneOptions& options) {
   auto reports = session::settleMembranes(settled, {true, options.limit}, consoleProgress());
   consoleProgress().report(1.0, "");
   if (!options.saveScene.empty()) session::saveScene(scene, options.saveScene);
+  exportWhatIsAsked(settled, reports, options);
   Json list = Json::array();
   for (const auto& report : reports) {
     if (options.common.json)
@@ -155,6 +173,9 @@ Run registerMembrane(CLI::App& verb) {
   verb.add_option("--rule", options->rule, "how kernels push: sided, paper; default: as the scene says")
       ->check(CLI::IsMember({"sided", "paper"}));
   verb.add_flag("--limit", options->limit, "also the least that any sheet in this frame must cut; takes seconds");
+  verb.add_option("--sheet", options->sheet, "write the sheet as a surface: .obj, .ply, .vtp, .stl");
+  verb.add_option("--clipped", options->clipped,
+                  "write the volume with what the cuts remove emptied: .nrrd, .nii, .nii.gz, .vti, .vdb");
   verb.add_option("--save-scene", options->saveScene, "write the scene with its membranes as JSON");
   return [options] { return run(*options); };
 }

@@ -2,9 +2,14 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <cstring>
+#include <type_traits>
 
+#include "velum/core/Error.h"
 #include "velum/membrane/SheetIndex.h"
 #include "velum/membrane/Simulation.h"
+#include "velum/render/KeptVoxels.h"
 
 namespace velum::session {
 
@@ -54,6 +59,49 @@ MembraneReport settle(membrane::ForceMaker& maker, scene::Cut& cut, Progress& pr
 }
 
 }  // namespace
+
+Mesh sheetMesh(const scene::Cut& cut) {
+  membrane::SheetIndex index = membrane::makeSheetIndex(cut.membrane.shape, cut.membrane.cloth.particles, cut.sizeMm);
+  glm::dmat4 worldFromLocal = scene::worldFromCut(cut);
+  glm::ivec2 n = index.particles;
+  Mesh mesh;
+  mesh.name = cut.name.empty() ? "membrane" : cut.name;
+  std::size_t count = std::size_t(n.x) * std::size_t(n.y);
+  for (std::size_t i = 0; i < count; ++i) {
+    mesh.positions.emplace_back(worldFromLocal * glm::dvec4(glm::dvec3(index.rows[i]), 1.0));
+    mesh.normals.emplace_back(worldFromLocal * glm::dvec4(glm::dvec3(index.rows[count + i]), 0.0));
+  }
+  for (int y = 0; y + 1 < n.y; ++y)
+    for (int x = 0; x + 1 < n.x; ++x) {
+      auto a = std::uint32_t(y * n.x + x), b = a + 1, d = a + std::uint32_t(n.x), c = d + 1;
+      for (std::uint32_t corner : {a, b, c, a, c, d}) mesh.indices.push_back(corner);
+    }
+  return mesh;
+}
+
+Volume clippedVolume(const scene::Scene& scene, Progress& progress) {
+  if (!scene.volume.data) throw ArgumentError("there is no volume to clip");
+  const Volume& volume = *scene.volume.data;
+  Volume out = volume;
+  out.frames = 1;
+  std::size_t bytes = frameBytes(volume), sample = sampleSize(volume.type) * std::size_t(volume.channels);
+  auto first = std::ptrdiff_t(bytes * std::size_t(std::clamp(scene.volume.frame, 0, volume.frames - 1)));
+  out.voxels.assign(volume.voxels.begin() + first, volume.voxels.begin() + first + std::ptrdiff_t(bytes));
+  std::vector<std::uint8_t> kept = render::keptVoxels(scene, volume.dims, volume.worldFromVoxel, progress);
+  // A voxel with the smallest value, as raw bytes: colours become black.
+  double raw = volume.isColor ? 0.0 : (volume.range.x - volume.offset) / volume.scale;
+  std::vector<std::byte> empty(sample);
+  visitSamples(out, [&]<class T>(const T*) {
+    for (int c = 0; c < out.channels; ++c) {
+      T value = T(std::is_integral_v<T> ? std::round(raw) : raw);
+      std::memcpy(empty.data() + std::size_t(c) * sizeof(T), &value, sizeof(T));
+    }
+  });
+  for (std::size_t i = 0; i < kept.size(); ++i)
+    if (!kept[i]) std::memcpy(out.voxels.data() + i * sample, empty.data(), sample);
+  computeRange(out);
+  return out;
+}
 
 bool hasMembranes(const scene::Scene& scene) { return std::any_of(scene.cuts.begin(), scene.cuts.end(), isLive); }
 

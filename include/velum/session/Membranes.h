@@ -3,7 +3,9 @@
 #include <string>
 #include <vector>
 
+#include "velum/core/Mesh.h"
 #include "velum/core/Task.h"
+#include "velum/core/Volume.h"
 #include "velum/membrane/KeptWhole.h"
 #include "velum/scene/Scene.h"
 
@@ -37,6 +39,13 @@ std::vector<MembraneReport> settleMembranes(scene::Scene& scene, MembraneQuestio
 
 /// True when a picture of the scene needs settleMembranes() first.
 bool hasMembranes(const scene::Scene& scene);
+
+/// The sheet of a membrane as a surface, world mm: of its shape, flat when that is empty. Any thread.
+Mesh sheetMesh(const scene::Cut& cut);
+
+/// The scene's volume (its current time step) with everything that the cuts remove set to the smallest value of its
+/// data, membranes as their shapes are. Any thread. @throw Cancelled, ArgumentError without a volume
+Volume clippedVolume(const scene::Scene& scene, Progress& progress);
 
 /// How much of what a membrane protects its sheet keeps whole. Any thread. @throw Cancelled
 membrane::KeptWhole measureMembrane(const membrane::Potential& potential, const scene::Cut& cut,

@@ -12,8 +12,8 @@ MAY_USE = {  # module: modules it may include (its own is implied)
     "membrane": "core scene gpu",
     "render": "core scene gpu membrane",
     "session": "core scene gpu io membrane render",
-    "app": "core scene gpu io membrane render session",
-    "gui": "core scene gpu membrane render session",
+    "app": "core scene gpu io render session",
+    "gui": "core scene gpu render session",
 }
 ONLY_IN = {  # library header: modules that may name it
     r"<Q[A-Z]": "gui",

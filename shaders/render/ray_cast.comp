@@ -89,10 +89,12 @@ float leaveEmpty(Walk walk, float t, ivec3 cell, uint reach) {
   return max(min(exit.x, min(exit.y, exit.z)), t);
 }
 
-/// The first lattice point after t.
+/// The first lattice point after t. From afar t is so coarse that rounding would give t itself again, and the ray would
+/// never end.
 float nextSample(Walk walk, float t) {
   float k = floor((t - walk.first) / walk.dt + 1.0 + 1e-4);
-  return walk.first + k * walk.dt;
+  float next = walk.first + k * walk.dt;
+  return next > t ? next : next + walk.dt;
 }
 
 vec3 lightTexAt(vec3 p, vec3 normal) { return texFrom(p + normal * frame.lightGrid.w); }

@@ -97,7 +97,9 @@ void ChannelList::refresh() {
   bool mixes = scene::mixesChannels(layer);
   setVisible(mixes);
   if (!mixes) return;
+  bool grows = mRows.size() < layer.channels.size();
   while (mRows.size() < layer.channels.size()) addRow();
+  if (grows) tabInLayoutOrder(parentWidget());  // before what stands below
   for (std::size_t i = 0; i < mRows.size(); ++i) {
     const Row& row = mRows[i];
     row.widget->setVisible(i < layer.channels.size());

@@ -2,14 +2,55 @@
 
 #include <QKeyEvent>
 #include <QMenu>
+#include <QPainter>
+#include <QStyledItemDelegate>
 #include <QVBoxLayout>
 #include <algorithm>
+
+#include "RowPaint.h"
 
 namespace velum::gui {
 
 namespace {
 
 constexpr int kMostShown = 200;
+constexpr int kKeysRole = Qt::UserRole + 1;
+
+/// A row: the menus on the way said quietly, the command, its keys at the right.
+class Delegate : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+
+  QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex&) const override {
+    return {60, option.fontMetrics.height() + 10};
+  }
+
+  void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    painter->save();
+    painter->setRenderHint(QPainter::Antialiasing);
+    paintRowGround(*painter, option, true, true);
+    bool isOn = option.state & QStyle::State_Enabled;
+    QColor quiet = rowTextColor(option, false), strong = isOn ? rowTextColor(option, true) : quiet;
+    if (!isOn) painter->setOpacity(0.6);
+    QRect box = option.rect.adjusted(10, 0, -10, 0);
+    QString name = index.data().toString(), way = name.left(name.lastIndexOf(kArrow) + 1);
+    QString keys = index.data(kKeysRole).toString();
+    painter->setPen(quiet);
+    painter->drawText(box, Qt::AlignVCenter | Qt::AlignRight, keys);
+    box.setRight(box.right() - option.fontMetrics.horizontalAdvance(keys) - 12);
+    if (!way.isEmpty()) {
+      way += "  ";
+      painter->drawText(box, Qt::AlignVCenter | Qt::AlignLeft, way);
+      box.setLeft(box.left() + option.fontMetrics.horizontalAdvance(way));
+    }
+    painter->setPen(strong);
+    painter->drawText(box, Qt::AlignVCenter | Qt::AlignLeft, name.mid(name.lastIndexOf(kArrow) + 1).trimmed());
+    painter->restore();
+  }
+
+ private:
+  static constexpr QChar kArrow = '>';
+};
 
 /// "Cut > Add plane": the menus on the way, without mnemonics.
 QString fullName(const QAction& action) {
@@ -34,9 +75,13 @@ CommandFinder::CommandFinder(const ActionTable& actions, QWidget* parent)
   layout->setSpacing(8);
   mLetters->setPlaceholderText(tr("What do you want to do?"));
   mLetters->setAccessibleName(tr("Letters of the command"));
+  mLetters->setToolTip(tr("A few letters of its name; Up and Down choose, Enter does it, Esc leaves"));
   mLetters->installEventFilter(this);
   mList->setAccessibleName(tr("Commands"));
+  mList->setItemDelegate(new Delegate(mList));
+  mList->setMouseTracking(true);
   mList->setFocusPolicy(Qt::NoFocus);
+  mList->setFocusProxy(mLetters);  // whose arrow keys choose
   layout->addWidget(mLetters);
   layout->addWidget(mList);
   resize(560, 380);
@@ -83,7 +128,9 @@ void CommandFinder::fill(const QString& letters) {
   for (std::size_t i = 0; i < std::min<std::size_t>(rows.size(), kMostShown); ++i) {
     const Row& row = rows[i];
     QString keys = row.action->shortcut().toString(QKeySequence::NativeText);
-    auto* item = new QListWidgetItem(keys.isEmpty() ? row.name : QString("%1    %2").arg(row.name, keys), mList);
+    auto* item = new QListWidgetItem(row.name, mList);
+    item->setData(kKeysRole, keys);
+    item->setData(Qt::AccessibleTextRole, keys.isEmpty() ? row.name : QString("%1, %2").arg(row.name, keys));
     item->setData(Qt::UserRole, row.action->objectName());
     item->setToolTip(row.action->toolTip());
     if (!row.action->isEnabled()) item->setFlags(Qt::NoItemFlags);

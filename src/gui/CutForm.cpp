@@ -90,7 +90,7 @@ void CutForm::makePlace() {
   mPosition = new NumberRow(-1, 1, 1, " mm", this);
   mPosition->setObjectName("cutPosition");
   mPosition->setToolTip(tr("Distance of the plane from the middle of the data, along its normal, mm"));
-  mPosition->spin()->setAccessibleName(tr("Position"));
+  mPosition->setName(tr("Position"));
   mPositionLabel = addRow(tr("Position"), mPosition);
   connect(mPosition, &NumberRow::changed, this, [this](double mm) {
     editCut(
@@ -202,7 +202,7 @@ void CutForm::makeFace() {
   mFaceOpacity = new NumberRow(0, 100, 0, " %", this);
   mFaceOpacity->setObjectName("cutFaceOpacity");
   mFaceOpacity->setToolTip(tr("Opacity of the grey slice on the cut's face, %"));
-  mFaceOpacity->spin()->setAccessibleName(tr("Opacity of the face"));
+  mFaceOpacity->setName(tr("Opacity of the face"));
   mFaceOpacityLabel = addRow(tr("Opacity"), mFaceOpacity);
   connect(mFace, &QComboBox::activated, this, [this](int index) {
     editCut("Change cut face", [&](scene::Cut& cut) { cut.face = static_cast<scene::CutFace>(index); });

@@ -41,6 +41,8 @@ HelpWindow::HelpWindow(QWidget* parent)
   back->setToolTip(tr("To the page before (Alt+Left)"));
   mWords->setPlaceholderText(tr("Find in the guide"));
   mWords->setAccessibleName(tr("Words to find"));
+  mWords->setToolTip(tr("Enter finds the next place (Ctrl+F)"));
+  mPage->setAccessibleName(tr("User guide"));
   row->addWidget(home);
   row->addWidget(back);
   row->addStretch(1);

@@ -93,6 +93,7 @@ KeepWholeList::KeepWholeList(QWidget* parent)
   mSearch->setPlaceholderText(tr("Search structures"));
   mSearch->setClearButtonEnabled(true);
   mSearch->setAccessibleName(tr("Search structures to leave whole"));
+  mSearch->setToolTip(tr("Lists the structures whose name holds these letters"));
   layout->addWidget(mSearch);
   mFound->setSourceModel(mModel);
   mFound->setFilterCaseSensitivity(Qt::CaseInsensitive);

@@ -65,10 +65,12 @@ QWidget* LookPanel::makeLook() {
   QGridLayout* rows = makeRows(makeSection(section, tr("Rendering")));
   mMode = new QComboBox(section);
   mMode->setObjectName("mode");
+  mMode->setAccessibleName(tr("Rendering"));
   mMode->addItems({tr("Volume"), tr("Maximum (MIP)"), tr("Surface (iso)")});
   mMode->setToolTip(tr("Volume: lit, with opacity. Maximum: the brightest value along each ray. Surface: one value"));
   mIso = new NumberRow(0, 1, 2, {}, section);
   mIso->setObjectName("iso");
+  mIso->setName(tr("Value of the surface"));
   mIsoLabel = new QLabel(tr("Value"), section);
   rows->addWidget(new QLabel(tr("Render"), section), 0, 0);
   rows->addWidget(mMode, 0, 1);
@@ -88,7 +90,9 @@ QWidget* LookPanel::makeLight() {
   QGridLayout* rows = makeRows(makeSection(section, tr("Light")));
   mShadow = new NumberRow(0, 100, 0, " %", section);
   mShadow->setToolTip(tr("Strength of the shadows that the key light casts, %"));
+  mShadow->setName(tr("Shadows"));
   mOcclusion = new NumberRow(0, 100, 0, " %", section);
+  mOcclusion->setName(tr("Occlusion"));
   mOcclusion->setToolTip(tr("Darkening of hollows and grooves (ambient occlusion), %"));
   rows->addWidget(new QLabel(tr("Shadows"), section), 0, 0);
   rows->addWidget(mShadow, 0, 1);

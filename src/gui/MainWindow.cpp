@@ -14,12 +14,14 @@
 
 #include "Courtesy.h"
 #include "CutPanel.h"
+#include "KeyboardFocus.h"
 #include "LookCommands.h"
 #include "LookPanel.h"
 #include "RecentFiles.h"
 #include "RecoveryBar.h"
 #include "StructurePanel.h"
 #include "TimeBar.h"
+#include "Widgets.h"
 #include "velum/session/Look.h"
 #include "velum/session/Open.h"
 
@@ -43,6 +45,7 @@ MainWindow::MainWindow() : mActions(new ActionTable(this)) {
   buildPanel();
   buildStatus();
   buildActions();
+  new KeyboardFocus(*this, [this] { return mPages->currentIndex() == 1 ? &mViews->keyboardView() : nullptr; });
   mDocument.setListener([this] { documentChanged(); });
   documentChanged();
   if (!mActions->warning().isEmpty()) mMessages->showNote(mActions->warning());
@@ -89,11 +92,11 @@ void MainWindow::buildCentre() {
 }
 
 void MainWindow::buildPanel() {
-  auto* dock = new QDockWidget(this);
-  dock->setObjectName("sideDock");
-  dock->setFeatures(QDockWidget::NoDockWidgetFeatures);
-  dock->setTitleBarWidget(new QWidget(dock));
-  mSide = new QWidget(dock);
+  mDock = new QDockWidget(this);
+  mDock->setObjectName("sideDock");
+  mDock->setFeatures(QDockWidget::NoDockWidgetFeatures);
+  mDock->setTitleBarWidget(new QWidget(mDock));
+  mSide = new QWidget(mDock);
   mSide->setObjectName("sidePanel");
   mSide->setFixedWidth(kPanelWidth);
   auto* outer = new QVBoxLayout(mSide);
@@ -108,8 +111,8 @@ void MainWindow::buildPanel() {
   addTab(mLook, tr("Look"), tr("Preset, rendering, light and background"));
   buildStructures();
   addTab(mCuts, tr("Cuts"), tr("What is cut away"));
-  dock->setWidget(mSide);
-  addDockWidget(Qt::RightDockWidgetArea, dock);
+  mDock->setWidget(mSide);
+  addDockWidget(Qt::RightDockWidgetArea, mDock);
   connect(mSelection, &Selection::cutChanged, mViewport, &Viewport::selectCut);
   connect(mViewport, &Viewport::refined, mLook, [this](double, const QString& stage) {
     if (stage.isEmpty()) mLook->viewIsComplete();
@@ -122,6 +125,7 @@ void MainWindow::buildPanel() {
 void MainWindow::addTab(QWidget* panel, const QString& title, const QString& tip) {
   auto* scroll = new QScrollArea(mTabs);
   scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setFocusPolicy(Qt::NoFocus);  // it scrolls to what has the keyboard
   scroll->setWidgetResizable(true);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   auto* contents = new QWidget(scroll);
@@ -133,6 +137,7 @@ void MainWindow::addTab(QWidget* panel, const QString& title, const QString& tip
   // A panel with a list takes all of the height.
   if (panel->sizePolicy().verticalPolicy() != QSizePolicy::Expanding) layout->addStretch(1);
   scroll->setWidget(contents);
+  tabInLayoutOrder(panel);
   mTabs->setTabToolTip(mTabs->addTab(scroll, title), tip);
 }
 
@@ -140,7 +145,7 @@ void MainWindow::buildStatus() {
   statusBar()->setSizeGripEnabled(false);
   mDataLabel = new QLabel(tr("Nothing is open"), this);
   mReductionLabel = new QLabel(this);
-  mReductionLabel->setStyleSheet("color: #ffb85c;");
+  mReductionLabel->setProperty("role", "alarm");
   mPickLabel = new QLabel(this);
   mRefineLabel = new QLabel(this);
   mDriverLabel = new QLabel(this);
@@ -261,7 +266,8 @@ void MainWindow::takeScene(Loaded& loaded, bool add, QString path) {
   if (scene.volume.data)
     for (const auto& line : scene.volume.data->warnings) loaded.notes.push_back(line);
   mPages->setCurrentIndex(1);
-  mCuts->setEnabled(true);
+  mDock->show();
+  layout()->activate();  // so that the views have the size that they will have
   if (!loaded.isScene && !loaded.lost) {
     scene.slices.layout = ViewGrid::layoutFor(scene);
     mViews->place(scene.slices);  // so that the camera fits the view as it will be
@@ -311,7 +317,7 @@ void MainWindow::documentChanged() {
   mCuts->refresh();
   mStructures->refresh();
   bool open = mPages->currentIndex() == 1;
-  mSide->setEnabled(open);
+  mDock->setVisible(open);
   mActions->setSceneOpen(open);
   auto name = [](const QString& verb, const std::string& label) {
     return label.empty() ? verb : QString("%1 \"%2\"").arg(verb, QString::fromStdString(label));

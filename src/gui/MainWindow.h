@@ -161,6 +161,7 @@ class MainWindow : public QMainWindow {
   LookCommands* mLookCommands = nullptr;
   TimeBar* mTime = nullptr;
   HelpWindow* mHelp = nullptr;
+  QDockWidget* mDock = nullptr;  ///< Holds the side panel; away while nothing is open.
   QWidget* mSide = nullptr;
   QTabWidget* mTabs = nullptr;
   QLabel *mDataLabel = nullptr, *mPickLabel = nullptr, *mReductionLabel = nullptr, *mRefineLabel = nullptr,

@@ -21,6 +21,7 @@ namespace {
 
 constexpr int kPreviewWidth = 420, kPreviewHeight = 320;
 constexpr int kMostPixels = 65536;
+constexpr int kNameWidth = 82;     // of what stands before the fields, in both parts
 constexpr int kDrawDelayMs = 250;  // while numbers are being typed
 enum Unit { Pixels, Centimetres, Inches };
 
@@ -78,9 +79,11 @@ SavePictureDialog::SavePictureDialog(glm::ivec2 viewSize, const scene::Scene& sc
   layout->setSpacing(14);
   layout->addLayout(outer);
   auto* buttons = new QDialogButtonBox(this);
-  auto* save = buttons->addButton(tr("Choose file..."), QDialogButtonBox::AcceptRole);
+  auto* save = new QPushButton(tr("Choose file..."), buttons);
+  save->setProperty("role", "main");  // before the box shows it: the style is chosen then
+  save->setToolTip(tr("Choose where the picture goes, and draw it"));
+  buttons->addButton(save, QDialogButtonBox::AcceptRole);
   save->setDefault(true);
-  save->setProperty("role", "main");
   auto* copy = buttons->addButton(tr("Copy as command"), QDialogButtonBox::ActionRole);
   copy->setObjectName("copyCommand");
   copy->setToolTip(tr("Copy the command line that draws this picture without a window: the same bytes, for scripts"));
@@ -102,12 +105,15 @@ QWidget* SavePictureDialog::makeSize(glm::ivec2 viewSize) {
   auto* grid = new QGridLayout(box);
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setHorizontalSpacing(10);
+  grid->setColumnMinimumWidth(0, kNameWidth);
   mWidth = new QDoubleSpinBox(box);
   mWidth->setObjectName("pictureWidth");
   mWidth->setAccessibleName(tr("Width"));
+  mWidth->setToolTip(tr("Width of the picture, in the unit beside"));
   mHeight = new QDoubleSpinBox(box);
   mHeight->setObjectName("pictureHeight");
   mHeight->setAccessibleName(tr("Height"));
+  mHeight->setToolTip(tr("Height of the picture, in the unit beside"));
   for (auto* spin : {mWidth, mHeight}) {
     spin->setAlignment(Qt::AlignRight);
     spin->setKeyboardTracking(false);
@@ -115,10 +121,12 @@ QWidget* SavePictureDialog::makeSize(glm::ivec2 viewSize) {
   }
   mUnit = new QComboBox(box);
   mUnit->setObjectName("pictureUnit");
+  mUnit->setAccessibleName(tr("Unit"));
   mUnit->addItems({tr("px"), tr("cm"), tr("in")});
   mUnit->setToolTip(tr("Pixels, or a size on paper at the resolution below"));
   mDpi = new QSpinBox(box);
   mDpi->setObjectName("pictureDpi");
+  mDpi->setAccessibleName(tr("Resolution"));
   mDpi->setRange(1, 10000);
   mDpi->setValue(300);
   mDpi->setSuffix(tr(" dpi"));
@@ -165,18 +173,22 @@ QWidget* SavePictureDialog::makeQuality() {
   auto* grid = new QGridLayout(box);
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setHorizontalSpacing(10);
+  grid->setColumnMinimumWidth(0, kNameWidth);
   mBackground = new QComboBox(box);
   mBackground->setObjectName("pictureBackground");
+  mBackground->setAccessibleName(tr("Background"));
   mBackground->addItems({tr("As in the view"), tr("Transparent"), tr("White"), tr("Black")});
   mBackground->setToolTip(tr("Transparent pictures have an alpha channel: for layouts"));
   if (mScene.background.transparent) mBackground->setCurrentIndex(1);
   mQuality = new QComboBox(box);
   mQuality->setObjectName("pictureQuality");
+  mQuality->setAccessibleName(tr("Quality"));
   mQuality->addItems({tr("Draft (1 sample)"), tr("Good (4 samples)"), tr("Fine (16 samples)"),
                       tr("Finest (64 samples)"), tr("Samples:")});
   mQuality->setToolTip(tr("Pictures that are averaged: more are smoother and take longer"));
   mSamples = new QSpinBox(box);
   mSamples->setObjectName("pictureSamples");
+  mSamples->setAccessibleName(tr("Samples a pixel"));
   mSamples->setRange(1, 256);
   mSamples->setValue(std::max(4, mScene.rayCast.samplesPerPixel));
   mSamples->setToolTip(tr("Samples a pixel, 1 to 256"));
@@ -187,6 +199,7 @@ QWidget* SavePictureDialog::makeQuality() {
   grid->addWidget(mBackground, 0, 1);
   grid->addWidget(new QLabel(tr("Quality"), box), 1, 0);
   auto* quality = new QHBoxLayout;
+  quality->setSpacing(8);
   quality->addWidget(mQuality, 1);
   quality->addWidget(mSamples);
   grid->addLayout(quality, 1, 1);

@@ -122,7 +122,7 @@ QGridLayout* StructurePanel::makeShares(QWidget* head) {
     auto* number = new NumberRow(0, 100, 0, " %", head);
     number->setObjectName(objectName);
     number->setToolTip(tip);
-    number->spin()->setAccessibleName(name);
+    number->setName(name);
     int line = grid->rowCount();
     grid->addWidget(new QLabel(name, head), line, 0);
     grid->addWidget(number, line, 1);
@@ -223,7 +223,7 @@ QWidget* StructurePanel::makeDetail() {
   mOpacity = new NumberRow(0, 100, 0, " %", mDetail);
   mOpacity->setObjectName("structureOpacity");
   mOpacity->setToolTip(tr("Opacity of the selected structures, %"));
-  mOpacity->spin()->setAccessibleName(tr("Opacity"));
+  mOpacity->setName(tr("Opacity"));
   row->addWidget(mColor);
   row->addWidget(mOpacity, 1);
   layout->addLayout(row);

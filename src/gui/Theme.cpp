@@ -19,22 +19,22 @@ using Colors = QHash<QString, QString>;
 /// What the style sheet's @names stand for.
 Colors colorsOf(ThemeKind kind) {
   if (kind == ThemeKind::Light)
-    return {{"ground", "#ffffff"},     {"panel", "#f3f4f6"},       {"deep", "#d3d7dd"},      {"popup", "#ffffff"},
-            {"tip", "#ffffff"},        {"line", "#d5d9df"},        {"edge", "#b9c0c9"},      {"hover", "#e4e8ed"},
-            {"text", "#1f242b"},       {"soft", "#454d57"},        {"muted", "#626c78"},     {"faint", "#9aa3ae"},
-            {"button", "#ffffff"},     {"buttonHover", "#eef1f5"}, {"buttonOff", "#eceef1"}, {"chosen", "#2f78b0"},
-            {"chosenEdge", "#2a6b9e"}, {"onChosen", "#ffffff"},    {"main", "#2f78b0"},      {"mainHover", "#3a86c0"},
-            {"accent", "#1f74b5"},     {"groove", "#cdd3da"},      {"white", "#2b3037"},     {"errorFill", "#fbe4e1"},
-            {"errorEdge", "#e0a39b"},  {"noteFill", "#e1edf7"},    {"noteEdge", "#a9c7df"},  {"emptyTop", "#f7f8fa"},
-            {"emptyBottom", "#dfe3e8"}};
-  return {{"ground", "#1d2025"},     {"panel", "#25292f"},       {"deep", "#16181c"},      {"popup", "#282c33"},
-          {"tip", "#30363e"},        {"line", "#3a4049"},        {"edge", "#444c57"},      {"hover", "#343a43"},
-          {"text", "#e3e7ec"},       {"soft", "#b4bdc8"},        {"muted", "#9ba5b1"},     {"faint", "#6d7681"},
-          {"button", "#353b44"},     {"buttonHover", "#3e4650"}, {"buttonOff", "#2b3037"}, {"chosen", "#3b6f96"},
-          {"chosenEdge", "#4f8ab5"}, {"onChosen", "#ffffff"},    {"main", "#3b79a8"},      {"mainHover", "#4689bb"},
-          {"accent", "#5fb0ea"},     {"groove", "#14161a"},      {"white", "#ffffff"},     {"errorFill", "#4a2a2a"},
-          {"errorEdge", "#7d4540"},  {"noteFill", "#2c3a46"},    {"noteEdge", "#44637a"},  {"emptyTop", "#292e35"},
-          {"emptyBottom", "#141619"}};
+    return {{"ground", "#ffffff"},      {"panel", "#f3f4f6"},       {"deep", "#d3d7dd"},      {"popup", "#ffffff"},
+            {"tip", "#ffffff"},         {"line", "#d5d9df"},        {"edge", "#b9c0c9"},      {"hover", "#e4e8ed"},
+            {"text", "#1f242b"},        {"soft", "#454d57"},        {"muted", "#565f6b"},     {"faint", "#8b95a1"},
+            {"button", "#ffffff"},      {"buttonHover", "#eef1f5"}, {"buttonOff", "#eceef1"}, {"chosen", "#2f78b0"},
+            {"chosenEdge", "#2a6b9e"},  {"onChosen", "#ffffff"},    {"main", "#2f78b0"},      {"mainHover", "#28699c"},
+            {"accent", "#1f74b5"},      {"groove", "#cdd3da"},      {"white", "#2b3037"},     {"errorFill", "#fbe4e1"},
+            {"errorEdge", "#e0a39b"},   {"noteFill", "#e1edf7"},    {"noteEdge", "#a9c7df"},  {"emptyTop", "#f7f8fa"},
+            {"emptyBottom", "#dfe3e8"}, {"alarm", "#8a5a00"},       {"control", "#828b97"}};
+  return {{"ground", "#1d2025"},      {"panel", "#25292f"},       {"deep", "#16181c"},      {"popup", "#282c33"},
+          {"tip", "#30363e"},         {"line", "#3a4049"},        {"edge", "#444c57"},      {"hover", "#343a43"},
+          {"text", "#e3e7ec"},        {"soft", "#b4bdc8"},        {"muted", "#9ba5b1"},     {"faint", "#6d7681"},
+          {"button", "#353b44"},      {"buttonHover", "#3e4650"}, {"buttonOff", "#2b3037"}, {"chosen", "#3b6f96"},
+          {"chosenEdge", "#4f8ab5"},  {"onChosen", "#ffffff"},    {"main", "#34719f"},      {"mainHover", "#3b79a8"},
+          {"accent", "#5fb0ea"},      {"groove", "#14161a"},      {"white", "#ffffff"},     {"errorFill", "#4a2a2a"},
+          {"errorEdge", "#7d4540"},   {"noteFill", "#2c3a46"},    {"noteEdge", "#44637a"},  {"emptyTop", "#292e35"},
+          {"emptyBottom", "#141619"}, {"alarm", "#ffb85c"},       {"control", "#6d7681"}};
 }
 
 constexpr const char* kSheet = R"(
@@ -54,6 +54,7 @@ QToolBar QToolButton { padding: 5px 10px; border: none; border-radius: 5px; colo
 QToolBar QToolButton:hover { background: @hover; }
 QToolBar QToolButton:pressed, QToolBar QToolButton:checked { background: @chosen; color: @onChosen; }
 QToolBar QToolButton:disabled { color: @faint; }
+QToolBar QToolButton:checked:disabled { background: @hover; }
 QStatusBar { background: @ground; border-top: 1px solid @deep; }
 QStatusBar::item { border: none; }
 QStatusBar QLabel { color: @soft; padding: 2px 6px; }
@@ -65,6 +66,7 @@ QTabBar::tab:hover { color: @text; }
 QTabBar::tab:selected { background: @panel; color: @text; border-bottom: 2px solid @accent; }
 QLabel[role="title"] { color: @text; font-weight: 600; }
 QLabel[role="muted"] { color: @muted; }
+QLabel[role="alarm"] { color: @alarm; }
 QLabel[role="empty"] { font-size: 17pt; font-weight: 500; color: @text; }
 QFrame[role="line"] { background: @line; border: none; max-height: 1px; min-height: 1px; }
 QPushButton { background: @button; border: 1px solid @edge; border-radius: 5px; padding: 5px 10px; color: @text; }
@@ -107,7 +109,7 @@ QListWidget::item { padding: 4px 4px; border-radius: 4px; color: @text; }
 QListWidget::item:selected { background: @chosen; color: @onChosen; }
 #preset { background: transparent; border: none; border-radius: 0; padding: 0; }
 #preset::item { padding: 0; }
-QCheckBox::indicator, QListView::indicator, QTreeView::indicator { width: 13px; height: 13px; border: 1px solid @edge; border-radius: 3px; background: @ground; }
+QCheckBox::indicator, QListView::indicator, QTreeView::indicator { width: 13px; height: 13px; border: 1px solid @control; border-radius: 3px; background: @ground; }
 QCheckBox::indicator:checked, QListView::indicator:checked, QTreeView::indicator:checked { background: @chosen; border-color: @chosenEdge; image: url(:/velum/check.svg); }
 QCheckBox::indicator:focus { border-color: @accent; }
 QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
@@ -147,6 +149,11 @@ QString sheetOf(const Colors& colors, ThemeKind kind) {
 }
 
 }  // namespace
+
+QColor themeColor(ThemeKind kind, const QString& name) {
+  QString text = colorsOf(kind).value(name);
+  return text.isEmpty() ? QColor() : QColor(text);
+}
 
 void applyTheme(QApplication& application, ThemeKind kind) {
   useResources();

@@ -87,6 +87,7 @@ class TransferCanvas : public QWidget {
   void chooseCursor(QPointF place, Qt::KeyboardModifiers keys);
   void step(int sideways, int up, bool wide);
   void selectNext(int by);
+  void addBeside();
   void zoom(double about, double factor);
 
   void paintHistogram(QPainter& painter) const;

@@ -50,22 +50,40 @@ void TransferCanvas::zoom(double about, double factor) {
   emit viewChanged();
 }
 
-/// Keys that the window has other uses for are the canvas' while something in it is selected.
+/// Keys that the window has other uses for are the canvas' while it has the keyboard; those that change what is
+/// selected, while something is.
 bool TransferCanvas::event(QEvent* event) {
-  if (event->type() == QEvent::ShortcutOverride && mSelection.part != Selection::Part::None) {
+  if (event->type() == QEvent::ShortcutOverride) {
     int key = static_cast<QKeyEvent*>(event)->key();
-    for (int ours :
-         {Qt::Key_Delete, Qt::Key_Left, Qt::Key_Right, Qt::Key_Up, Qt::Key_Down, Qt::Key_PageUp, Qt::Key_PageDown})
-      if (key == ours) event->accept();
+    bool selects = key == Qt::Key_PageUp || key == Qt::Key_PageDown || key == Qt::Key_Insert;
+    bool changes = key == Qt::Key_Delete || key == Qt::Key_Backspace || (key >= Qt::Key_Left && key <= Qt::Key_Down);
+    if (selects || (changes && mSelection.part != Selection::Part::None)) event->accept();
   }
   return QWidget::event(event);
 }
 
+/// All points, then all colours.
 void TransferCanvas::selectNext(int by) {
-  bool isStop = mSelection.part == Selection::Part::Stop;
-  int count = int(isStop ? mTransfer.colors.size() : curve().size());
+  int points = int(curve().size()), count = points + (hasColors() ? int(mTransfer.colors.size()) : 0);
   if (count == 0) return;
-  int index = mSelection.index < 0 ? (by > 0 ? 0 : count - 1) : std::clamp(mSelection.index + by, 0, count - 1);
+  bool isNone = mSelection.part == Selection::Part::None;
+  int now = mSelection.index + (mSelection.part == Selection::Part::Stop ? points : 0);
+  int next = isNone ? (by > 0 ? 0 : count - 1) : std::clamp(now + by, 0, count - 1);
+  select(next < points ? Selection{Selection::Part::Point, next} : Selection{Selection::Part::Stop, next - points});
+}
+
+/// A point on the line, or a colour in the bar, half way from the selected one to the next.
+void TransferCanvas::addBeside() {
+  bool isStop = mSelection.part == Selection::Part::Stop;
+  if (mSelection.part == Selection::Part::None) selectNext(1);
+  int count = int(isStop ? mTransfer.colors.size() : curve().size()), from = std::min(mSelection.index, count - 2);
+  if (from < 0) return;
+  auto valueOf = [&](int i) { return isStop ? mTransfer.colors[std::size_t(i)].value : curve()[std::size_t(i)].value; };
+  double value = 0.5 * (valueOf(from) + valueOf(from + 1));
+  scene::TransferFunction next = mTransfer;
+  int index = isStop ? session::addStop(next.colors, value)
+                     : session::addPoint(curveOf(next), value, scene::opacityAt(curve(), value));
+  emit edited(isStop ? tr("Add colour") : named("Add"), next, false);
   select({isStop ? Selection::Part::Stop : Selection::Part::Point, index});
 }
 
@@ -95,6 +113,12 @@ void TransferCanvas::keyPressEvent(QKeyEvent* event) {
       return selectNext(-1);
     case Qt::Key_PageDown:
       return selectNext(1);
+    case Qt::Key_Insert:
+      return addBeside();
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+      if (mSelection.part == Selection::Part::Stop) emit colorWanted();
+      return;
     case Qt::Key_Delete:
     case Qt::Key_Backspace:
       return removeSelected();

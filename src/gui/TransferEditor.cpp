@@ -52,7 +52,8 @@ TransferEditor::TransferEditor(session::Document& document, QWidget* parent)
       tr("Click the line: add a point. Drag a point: move it. Drag between points: move all, or scale "
          "all opacities.\nShift+drag: move all. Alt+drag: stretch. Right or double click a point, or "
          "Del: remove it.\nIn the colours: click adds, double click changes, right click removes. "
-         "Wheel: zoom. Double click the axis: whole range."));
+         "Wheel: zoom. Double click the axis: whole range.\nKeys: PgUp and PgDn go from one to the next, Ins adds, "
+         "arrows move, Enter changes a colour, + and - zoom."));
   mGradients->setObjectName("gradientCanvas");
   mGradients->setAccessibleName(tr("Opacity by gradient"));
   mGradients->setToolTip(

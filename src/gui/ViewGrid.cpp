@@ -69,6 +69,12 @@ SliceView& ViewGrid::currentSlice() {
   return slice(mDocument.scene().slices.beside);
 }
 
+QWidget& ViewGrid::keyboardView() {
+  if (QWidget* last = focusWidget(); last && last->isVisible()) return *last;
+  if (mViewport->isVisible()) return *mViewport;
+  return currentSlice();
+}
+
 void ViewGrid::setLayout(Layout layout) {
   auto name = enumName(layout);
   Preferences().setValue(kLayoutKey, QString::fromUtf8(name.data(), int(name.size())));

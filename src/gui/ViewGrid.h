@@ -25,6 +25,8 @@ class ViewGrid : public QWidget {
   SliceView& slice(scene::SliceKind kind) { return *mSlices[std::size_t(kind)]; }
   /// The slice that commands mean: the one with the keyboard, else the one shown beside the 3D view.
   SliceView& currentSlice();
+  /// The view that had the keyboard last, of those that are shown.
+  QWidget& keyboardView();
 
   void setLayout(scene::Layout layout);
   /// Fills the window with a view, or shows the others again where it fills it already. Nothing: the 3D view.

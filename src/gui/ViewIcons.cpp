@@ -24,8 +24,9 @@ class ViewIconEngine : public QIconEngine {
   void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State state) override {
     auto group = mode == QIcon::Disabled ? QPalette::Disabled : QPalette::Active;
     QColor color = mColor.isValid() ? mColor
-                                    : QApplication::palette().color(
-                                          group, state == QIcon::On ? QPalette::HighlightedText : QPalette::ButtonText);
+                                    : QApplication::palette().color(group, state == QIcon::On && mode != QIcon::Disabled
+                                                                               ? QPalette::HighlightedText
+                                                                               : QPalette::ButtonText);
     painter->save();
     painter->setRenderHint(QPainter::Antialiasing);
     painter->translate(rect.topLeft());

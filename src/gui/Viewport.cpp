@@ -26,6 +26,7 @@ constexpr int kShowMs = 150;  // how often a growing picture is shown: showing c
 
 Viewport::Viewport(session::Document& document, QWidget* parent)
     : QOpenGLWidget(parent), mDocument(document), mOverlay(new GizmoOverlay(document, this)) {
+  setAccessibleName(tr("3D view"));
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
   setMinimumSize(240, 180);

@@ -2,6 +2,7 @@
 
 #include <QColorDialog>
 #include <QHBoxLayout>
+#include <QList>
 #include <QPainter>
 #include <QSignalBlocker>
 #include <algorithm>
@@ -30,7 +31,7 @@ NumberRow::NumberRow(double min, double max, int decimals, const QString& suffix
   mSpin->setSuffix(suffix);
   setDecimals(decimals);
   setRange(min, max);
-  setFocusProxy(mSpin);
+  mSlider->setFocusPolicy(Qt::ClickFocus);  // one stop for Tab: the number
   connect(mSlider, &QSlider::valueChanged, this, [this](int step) {
     double value = mSpin->minimum() + (mSpin->maximum() - mSpin->minimum()) * step / kSliderSteps;
     const QSignalBlocker quiet(mSpin);
@@ -62,6 +63,11 @@ void NumberRow::setValue(double value) {
   const QSignalBlocker quiet(mSpin);
   mSpin->setValue(value);
   placeSlider();
+}
+
+void NumberRow::setName(const QString& name) {
+  mSpin->setAccessibleName(name);
+  mSlider->setAccessibleName(name);
 }
 
 void NumberRow::placeSlider() {
@@ -98,6 +104,31 @@ void ColorButton::paintEvent(QPaintEvent*) {
   painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 5, 5);
   painter.setPen(qGray(mColor.rgb()) > 140 ? QColor(0x16, 0x18, 0x1c) : QColor(0xe3, 0xe7, 0xec));
   painter.drawText(rect(), Qt::AlignCenter, text());
+}
+
+namespace {
+
+void collectTabs(QWidget* widget, QList<QWidget*>& found);
+
+void collectTabs(const QLayout& layout, QList<QWidget*>& found) {
+  for (int i = 0; i < layout.count(); ++i) {
+    QLayoutItem* item = layout.itemAt(i);
+    if (item->widget()) collectTabs(item->widget(), found);
+    if (item->layout()) collectTabs(*item->layout(), found);
+  }
+}
+
+void collectTabs(QWidget* widget, QList<QWidget*>& found) {
+  if (widget->focusPolicy() & Qt::TabFocus) found << widget;
+  if (widget->layout()) collectTabs(*widget->layout(), found);
+}
+
+}  // namespace
+
+void tabInLayoutOrder(QWidget* panel) {
+  QList<QWidget*> widgets;
+  collectTabs(panel, widgets);
+  for (int i = 1; i < widgets.size(); ++i) QWidget::setTabOrder(widgets[i - 1], widgets[i]);
 }
 
 QLabel* makeTitle(const QString& text, QWidget* parent) {

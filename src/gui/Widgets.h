@@ -19,6 +19,8 @@ class NumberRow : public QWidget {
   void setSuffix(const QString& suffix) { mSpin->setSuffix(suffix); }
   void setDecimals(int decimals);
   void setValue(double value);
+  /// What is read out of slider and number.
+  void setName(const QString& name);
   double value() const { return mSpin->value(); }
   QDoubleSpinBox* spin() const { return mSpin; }
 
@@ -51,6 +53,9 @@ class ColorButton : public QPushButton {
   QString mTitle;
   QColor mColor;
 };
+
+/// Tab goes through a panel as its layouts have it, which is the order of reading, rather than as it was built.
+void tabInLayoutOrder(QWidget* panel);
 
 QLabel* makeTitle(const QString& text, QWidget* parent);
 QFrame* makeLine(QWidget* parent);

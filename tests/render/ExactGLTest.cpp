@@ -110,6 +110,23 @@ TEST_F(ExactGL, TheMaximumOfAConstantIsTheConstant) {
   }
 }
 
+TEST_F(ExactGL, FineStepsEndFromAfarToo) {
+  // Distances that are coarse beside a step.
+  scene::Scene scene = sceneOf(makeVolume(
+      {25, 60, 25}, SampleType::UInt16, [](glm::ivec3 p) { return p.y > 55 ? 4000.0 : 300 * hashNoise(p); },
+      centredFrame({25, 60, 25}, {0.957, 0.957, 0.957})));
+  scene.rayCast.stepVoxels = 0.25;
+  for (auto mode : {scene::RenderMode::Mip, scene::RenderMode::Iso}) {
+    scene.rayCast.mode = mode;
+    scene.rayCast.isoValue = 2000;
+    lookAlong(scene, {0.02, -1, 0.01}, 2000);
+    scene.camera.fieldOfViewDeg = 0.5;  // 17 mm
+    Image image = draw(scene, {32, 32});
+    for (int y = 0; y < 32; ++y)
+      for (int x = 0; x < 32; ++x) EXPECT_GT(sampleOf(image, {x, y}, "R"), 0.3f) << enumName(mode) << x << ", " << y;
+  }
+}
+
 TEST_F(ExactGL, TheMaximumIsThatOfTheBrightestVoxel) {
   // Dark noise with one bright voxel a ray can only miss by a step.
   Volume v = makeVolume(

@@ -106,11 +106,11 @@ struct ForceField {
 /// size and resolution: strength 1 is an acceleration of 1/128 of the frame's mean edge per s^2.
 struct Cloth {
   glm::ivec2 particles{50, 50};  ///< along the frame's width and height
-  int finest = 200;              ///< the sheet is refined at rest up to so many along an edge, where the data is finer
-  double stretch = 0.8;          ///< stiffness 0..1 of the mesh edges
+  int finest = 260;              ///< the sheet is refined at rest up to so many along an edge, where the data is finer
+  double stretch = 0.3;          ///< stiffness 0..1 of the mesh edges
   double bend = 0.1;             ///< stiffness 0..1 against folding
-  double restoring = 20.0;       ///< pull back to the slice, 1/s^2
-  double damping = 6.0;          ///< 1/s
+  double restoring = 400.0;      ///< pull back to the slice, 1/s^2
+  double damping = 12.0;         ///< 1/s
   double timeStepS = 0.02;
   int iterations = 8;  ///< of the constraints in a step
   bool operator==(const Cloth&) const = default;
@@ -119,7 +119,7 @@ struct Cloth {
     visit("finest", o.finest, FieldInfo{"", {3, 260}, "At rest the sheet is refined up to so many along an edge."});
     visit("stretch", o.stretch, FieldInfo{"", {0, 1}, "Stiffness against stretching."});
     visit("bend", o.bend, FieldInfo{"", {0, 1}, "Stiffness against bending."});
-    visit("restoring", o.restoring, FieldInfo{"1/s^2", {0, 1000}, "Pull back to the slice."});
+    visit("restoring", o.restoring, FieldInfo{"1/s^2", {0, 2000}, "Pull back to the slice."});
     visit("damping", o.damping, FieldInfo{"1/s", {0.1, 100}, "How fast motion dies away."});
     visit("timeStepS", o.timeStepS, FieldInfo{"s", {0.001, 0.05}, "Time of one step."});
     visit("iterations", o.iterations, FieldInfo{"", {1, 64}, "Passes over the constraints in a step."});

@@ -1,0 +1,175 @@
+#!/usr/bin/env python3
+"""Draws the pictures of the guide and of the README that show volumes; `./dev guide` calls it.
+
+Each picture is a plate of panels, each panel one call of `velum-batch render`, mounted by oiiotool (Debian package
+openimageio-tools). The scans are those of the Debian packages invesalius-examples and mricron-data; all else is
+phantoms. usage: pictures.py BATCH FOLDER [NAME...]
+"""
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+HEAD = "/usr/share/doc/invesalius-examples/examples/Cranium.inv3"
+TEMPLATES = "/usr/share/mricron/templates/"
+WELCOME = str(pathlib.Path(__file__).parent.parent / "resources" / "welcome.json")
+MOST_BYTES = 250_000
+GAP = 4  # pixels between panels
+DARK, WHITE = "0.035,0.04,0.045", "1,1,1"
+
+OBLIQUE = ["--view", "oblique"]
+SAMPLES = 16
+
+
+def sets(*assignments):
+    """--set for each."""
+    return [word for one in assignments for word in ("--set", one)]
+
+
+def ids(first, last):
+    return "[" + ",".join(str(i) for i in range(first, last + 1)) + "]"
+
+
+def near(degrees):
+    """How near the camera comes: its field of view."""
+    return sets(f"camera.fieldOfViewDeg={degrees}")
+
+
+def cut(index, *assignments):
+    """A cut more, the one with this number."""
+    return sets(f"cuts.+.{assignments[0]}", *(f"cuts.{index}.{one}" for one in assignments[1:]))
+
+
+# The head of the first scene, closed, without the headrest that two cuts of the scene hide.
+BARE_HEAD = [WELCOME, *sets("cuts.0.enabled=false")]
+SKULL = [*BARE_HEAD, "--preset", "ct-bone"]
+XRAY = sets("rayCast.mode=mip", "volume.windowLevel=900", "volume.windowWidth=2200")
+REGIONS = [TEMPLATES + "ch2.nii.gz", TEMPLATES + "aal.nii.gz", *OBLIQUE, *near(21), *sets("camera.targetMm=0,17,4")]
+OPENED = cut(0, "axis=-0.55,-0.2,0.8", "centreMm=0,15,10")
+SPARED = [*OPENED, *sets("cuts.0.exempt=" + ids(1, 116))]
+MACAQUE = [TEMPLATES + "inia19-t1-brain.nii.gz", TEMPLATES + "inia19-NeuroMaps.nii.gz"]
+TRACTS = [TEMPLATES + "ch2better.nii.gz", TEMPLATES + "JHU-WhiteMatter-labels-1mm.nii.gz"]
+HIDDEN = ("skin", "subcutaneous fat", "visceral fat", "muscle")
+
+
+def phantom(folder, name, *labels):
+    """A phantom, and its labels if they are to be shown."""
+    return [folder / f"{name}.nrrd", *[folder / f"{name}_labels.seg.nrrd" for _ in labels]]
+
+
+def presets(_):
+    return [
+        SKULL,
+        [*BARE_HEAD, "--preset", "ct-skin"],
+        [*BARE_HEAD, "--preset", "ct-skin-bone"],
+        [*BARE_HEAD, "--preset", "ct-muscle"],
+        [*SKULL, *XRAY],
+        [*SKULL, *sets("rayCast.mode=iso", "rayCast.isoValue=300")],
+    ]
+
+
+def cuts(_):
+    return [
+        [*SKULL, *cut(3, "axis=-1,0,0", "centreMm=100,120,80")],
+        [*SKULL, *cut(3, "axis=-1,0,0", "centreMm=100,120,80", "face=slice")],
+        [*SKULL, *cut(3, "shape=sphere", "centreMm=62,76,124", "sizeMm=112,112,112")],
+    ]
+
+
+def labels(_):
+    return [[*REGIONS, *OPENED], [*REGIONS, *SPARED], [*REGIONS, *SPARED, *sets("labels.tint=0")]]
+
+
+def layers(_):
+    """One render, and what lies beside its picture."""
+    return [([*REGIONS, *SPARED, "--transparent", "--layers"], ("", ".normal", ".depth", ".id"))]
+
+
+def turn(_):
+    return [([WELCOME, *near(24), "--frames", "4"], ("-0000", "-0001", "-0002", "-0003"))]
+
+
+def sheet(folder):
+    seen = sets(*(f"labels.structures[{name}].visible=false" for name in HIDDEN), "labels.unlabelled=0")
+    return [
+        [WELCOME],
+        [*REGIONS, *SPARED],
+        [*TRACTS, *OBLIQUE, *near(17.5), *cut(0, "axis=-1,-0.25,0.6", "centreMm=4,10,12", "exempt=" + ids(1, 50))],
+        [*MACAQUE, *OBLIQUE, *near(15), *cut(0, "shape=box", "centreMm=-25,-25,25", "sizeMm=50,50,40")],
+        [TEMPLATES + "ch2better.nii.gz", *OBLIQUE, *near(17.5),
+         *cut(0, "shape=box", "centreMm=-50,-60,60", "sizeMm=100,120,100", "face=slice")],
+        [*phantom(folder, "torso", "labels"), *OBLIQUE, *near(20), "--preset", "ct-muscle", *seen],
+        [*phantom(folder, "vessels", "labels"), *OBLIQUE, *near(19),
+         *sets("labels.unlabelled=0", "lighting.shadow=0.3", "lighting.ambient=0.5")],
+        [*phantom(folder, "neurons", "labels"), *OBLIQUE, *near(23), *sets("labels.unlabelled=0")],
+        [*phantom(folder, "seismic"), *OBLIQUE, *near(24),
+         *cut(0, "shape=box", "axis=0,0,1", "centreMm=-850000,-850000,450000", "sizeMm=1700000,1700000,900000", "face=slice")],
+    ]
+
+
+# name: (columns, size of a panel, colour of the gaps, what gives the panels: the arguments of `velum-batch render`, or
+# these and the endings of the pictures that one render gives).
+PLATES = {
+    "presets": (3, (480, 400), DARK, presets),
+    "cuts": (3, (480, 400), DARK, cuts),
+    "labels": (3, (480, 400), DARK, labels),
+    "layers": (4, (400, 340), WHITE, layers),
+    "turn": (4, (360, 300), DARK, turn),
+    "sheet": (3, (480, 400), DARK, sheet),
+}
+PHANTOMS = {"sheet": ("torso", "vessels", "neurons", "seismic")}
+
+
+def run(*command):
+    subprocess.run([str(word) for word in command], check=True, stdout=subprocess.DEVNULL)
+
+
+def put_on_white(panel, size):
+    area = f"{size[0]}x{size[1]}"
+    run("oiiotool", panel, "--create", area, 4, "--fill:color=1,1,1,1", area, "--over", "-o", panel)
+
+
+def mount(panels, columns, size, ground, out):
+    """Panels side by side, as a JPEG that is as good as its size allows."""
+    rows = -(-len(panels) // columns)
+    whole = "x".join(str(count * (length + GAP) - GAP) for count, length in zip((columns, rows), size))
+    plate = ["--create", whole, 3, f"--fill:color={ground}", whole]
+    for i, panel in enumerate(panels):
+        x, y = (i % columns) * (size[0] + GAP), (i // columns) * (size[1] + GAP)
+        plate += [panel, "--ch", "R,G,B", "--swap", "--paste", f"+{x}+{y}"]
+    for quality in (90, 86, 82, 78, 74, 70):
+        run("oiiotool", *plate, "--eraseattrib", ".*", "--compression", f"jpeg:{quality}", "-o", out)
+        if out.stat().st_size <= MOST_BYTES:
+            return
+    sys.exit(f"pictures: {out} is larger than {MOST_BYTES} bytes: make its panels smaller")
+
+
+def draw_plate(batch, name, folder, out):
+    columns, size, ground, describe = PLATES[name]
+    panels = []
+    for i, panel in enumerate(describe(folder)):
+        arguments, endings = panel if isinstance(panel, tuple) else (panel, ("",))
+        run(batch, "render", *arguments, "-o", folder / f"{name}{i}.png", "--size", f"{size[0]}x{size[1]}", "--samples", SAMPLES)
+        panels += [folder / f"{name}{i}{ending}.png" for ending in endings]
+        if "--transparent" in arguments:
+            put_on_white(panels[-len(endings)], size)
+    mount(panels, columns, size, ground, out / f"{name}.jpg")
+
+
+def main():
+    if len(sys.argv) < 3:
+        sys.exit(__doc__)
+    batch, out = sys.argv[1], pathlib.Path(sys.argv[2])
+    names = sys.argv[3:] or list(PLATES)
+    if unknown := set(names) - set(PLATES):
+        sys.exit(f"pictures: no picture is called {', '.join(unknown)}; there are {', '.join(PLATES)}")
+    with tempfile.TemporaryDirectory() as place:
+        folder = pathlib.Path(place)
+        for name in names:
+            for phantom_name in PHANTOMS.get(name, ()):
+                run(batch, "sample", phantom_name, "-o", folder / f"{phantom_name}.nrrd")
+            draw_plate(batch, name, folder, out)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,78 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "velum/core/Task.h"
+#include "velum/scene/Scene.h"
+
+namespace velum::membrane {
+
+/// The kernels of one level of the octree (IMC 3.2): the mean strength of each super-voxel of 2^level voxels per axis.
+struct KernelGrid {
+  glm::ivec3 dims{0};               ///< super-voxels along x (fastest), y, z; those at the end may hold fewer voxels
+  int level = 0;                    ///< 0..6
+  std::vector<float> strengths;     ///< [z][y][x]; 0 where there is no kernel, i.e. below the field's threshold
+  glm::dmat4 worldFromKernel{1.0};  ///< mm; kernels, the middles of whole super-voxels, are at integers
+  std::size_t count = 0;            ///< how many have a strength
+};
+
+/// A box of voxels, without those at `end`.
+struct VoxelBox {
+  glm::ivec3 min{0}, end{0};
+  bool operator==(const VoxelBox&) const = default;
+};
+
+/// Which voxels of a box the sheet is to leave whole: those with a strength above 0.
+struct ProtectedVoxels {
+  VoxelBox box;
+  std::vector<std::uint8_t> mask;  ///< 0 or 1, [z][y][x] of the box
+  glm::dmat4 worldFromVoxel{1.0};  ///< of the whole grid: voxel (0, 0, 0) need not lie in the box
+};
+
+/// Piecewise linear curve: 0 before the first point and after the last; where two points share a value, the later one
+/// holds there. @param curve  ascending
+double strengthAt(std::span<const scene::StrengthPoint> curve, double value);
+
+/// The potential field transfer function (PFTF) over a scene's data: strengths by value, by gradient magnitude and by
+/// structure, which add up (IMC 3.2). Its grid is the volume's; of the labels where there is no volume.
+///
+/// It keeps the data, and gradient magnitudes once they have been asked for (16 bit a voxel), so that an edited curve
+/// is evaluated anew in a few tens of milliseconds. Samples of 8 and 16 bits go through a table over the raw values;
+/// others are interpolated one by one, in double. Values that are not numbers have no strength. Any thread.
+class Potential {
+ public:
+  /// Of the volume's current time step and channel, and of the labels, which may lie on another grid.
+  explicit Potential(const scene::Scene& scene);
+  ~Potential();
+  Potential(Potential&&) noexcept;
+  Potential& operator=(Potential&&) noexcept;
+
+  /// True when it was made from the same data, time step and channel.
+  bool matches(const scene::Scene& scene) const;
+  glm::ivec3 dims() const;  ///< 0 when the scene has no data
+  const glm::dmat4& worldFromVoxel() const;
+
+  /// The kernels of the field's level, all cores. The mean is taken over strengths, never the strength of a mean.
+  /// @throw Cancelled
+  KernelGrid computeKernels(const scene::ForceField& field, Progress& progress) const;
+  /// Kernels of several levels: the finest from the voxels in one pass, coarser ones from it, weighted by the voxels
+  /// held.
+  /// @param finest, coarsest  0..6
+  std::vector<KernelGrid> computeLevels(const scene::ForceField& field, int finest, int coarsest,
+                                        Progress& progress) const;
+
+  /// Strength of each voxel of a box, [z][y][x]. @throw ArgumentError when the box leaves the grid
+  std::vector<float> computeStrengths(const scene::ForceField& field, VoxelBox box, Progress& progress) const;
+  /// Which voxels of a box are protected. @throw ArgumentError when the box leaves the grid
+  ProtectedVoxels computeProtected(const scene::ForceField& field, VoxelBox box, Progress& progress) const;
+
+ private:
+  struct Data;
+  std::unique_ptr<Data> mData;
+};
+
+}  // namespace velum::membrane

@@ -1,0 +1,115 @@
+#include "Corridor.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace velum::membrane {
+
+namespace {
+
+/// How far the sheet keeps from the middle of a node that it must not pass, in layers, where there is room: the surface
+/// of what is protected lies about half a voxel beyond its outermost voxels.
+constexpr double kClearance = 0.75;
+/// And where there is none: this share of the gap to either side.
+constexpr double kShareOfGap = 0.4;
+
+/// Where the sheet must pass through what is protected it may leave the least cut by so many layers, so that it is
+/// smooth there, rather than made of boxes: areas of a lattice are shortest along its axes.
+constexpr int kSmoothing = 2;
+
+/// What a column's sheet separates, its neighbours' sheets being where they are. Neighbours that themselves cut through
+/// what is protected at about the same height do not count.
+class ColumnCost {
+ public:
+  ColumnCost(const CutLattice& lattice, std::span<const int> below, glm::ivec2 at)
+      : mLattice(lattice), mBelow(below), mAt(at), mHeight(below[std::size_t(at.y * lattice.dims.x + at.x)]) {
+    mIsCutting = pair(2, at, mHeight - 1) > 0.0;
+  }
+
+  double separated(int b) const {
+    double sum = pair(2, mAt, b - 1);
+    for (int side = 0; side < 4; ++side) {
+      int axis = side / 2;
+      glm::ivec2 other = mAt, low = mAt;
+      other[axis] += side % 2 ? 1 : -1;
+      if (other[axis] < 0 || other[axis] >= mLattice.dims[axis]) continue;
+      low[axis] = std::min(mAt[axis], other[axis]);
+      int there = mBelow[std::size_t(other.y * mLattice.dims.x + other.x)];
+      if (mIsCutting && std::abs(there - mHeight) <= 2 * kSmoothing && pair(2, other, there - 1) > 0.0) continue;
+      for (int z = std::min(b, there); z < std::max(b, there); ++z) sum += pair(axis, low, z);
+    }
+    return sum;
+  }
+
+  /// The last height in a direction that separates no more than the one it starts from.
+  int freeTo(int from, int step) const {
+    double now = separated(from);
+    int b = from, last = mIsCutting ? from + kSmoothing * step : from + mLattice.dims.z * step;
+    while (b != last && b + step >= 1 && b + step < mLattice.dims.z && separated(b + step) <= now) b += step;
+    return b;
+  }
+
+ private:
+  double pair(int axis, glm::ivec2 at, int z) const {
+    if (z < 0 || z >= mLattice.dims.z) return 0.0;
+    return double(mLattice.pairs[axis][(std::size_t(z) * std::size_t(mLattice.dims.y) + std::size_t(at.y)) *
+                                           std::size_t(mLattice.dims.x) +
+                                       std::size_t(at.x)]);
+  }
+  const CutLattice& mLattice;
+  std::span<const int> mBelow;
+  glm::ivec2 mAt;
+  int mHeight = 0;
+  bool mIsCutting = false;  ///< its sheet passes through what is protected
+};
+
+}  // namespace
+
+Corridor corridorAround(const CutLattice& lattice, std::span<const int> below) {
+  Corridor corridor;
+  corridor.dims = glm::ivec2(lattice.dims);
+  corridor.originMm = glm::dvec2(lattice.originMm);
+  corridor.stepMm = glm::dvec2(lattice.stepMm);
+  corridor.room.resize(below.size());
+  corridor.height.resize(below.size());
+  double step = lattice.stepMm.z;
+  tbb::parallel_for(0, lattice.dims.y, [&](int y) {
+    for (int x = 0; x < lattice.dims.x; ++x) {
+      std::size_t i = std::size_t(y * lattice.dims.x + x);
+      int b = std::clamp(below[i], 1, std::max(1, lattice.dims.z - 1));
+      ColumnCost cost(lattice, below, {x, y});
+      double low = lattice.originMm.z + (cost.freeTo(b, -1) - 1) * step;
+      double high = lattice.originMm.z + cost.freeTo(b, 1) * step;
+      double clear = std::min(kClearance * step, kShareOfGap * (high - low));
+      corridor.room[i] = {float(low + clear), float(high - clear)};
+      corridor.height[i] = float(lattice.originMm.z + (b - 0.5) * step);
+    }
+  });
+  return corridor;
+}
+
+std::vector<glm::vec2> roomOf(const Corridor& corridor, std::span<const glm::vec3> places, glm::dvec2 pitchMm) {
+  std::vector<glm::vec2> room;
+  if (corridor.dims.x == 0) return room;
+  glm::dvec2 own = glm::max(0.5 * (pitchMm / corridor.stepMm - 1.0), 0.0);
+  for (glm::vec3 place : places) {
+    glm::dvec2 at = (glm::dvec2(place) - corridor.originMm) / corridor.stepMm;
+    auto column = [&](glm::dvec2 p) {
+      return glm::clamp(glm::ivec2(glm::floor(p + 0.5)), glm::ivec2(0), corridor.dims - 1);
+    };
+    glm::ivec2 low = column(at - own), high = column(at + own), nearest = column(at);
+    glm::vec2 all(-1e30f, 1e30f);
+    for (int y = low.y; y <= high.y; ++y)
+      for (int x = low.x; x <= high.x; ++x) {
+        glm::vec2 one = corridor.room[std::size_t(y * corridor.dims.x + x)];
+        all = {std::max(all.x, one.x), std::min(all.y, one.y)};
+      }
+    bool suitsAll = all.x <= all.y;
+    room.push_back(suitsAll ? all : corridor.room[std::size_t(nearest.y * corridor.dims.x + nearest.x)]);
+  }
+  return room;
+}
+
+}  // namespace velum::membrane

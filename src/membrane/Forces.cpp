@@ -1,0 +1,175 @@
+#include "velum/membrane/Forces.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "Corridor.h"
+#include "velum/membrane/KeptWhole.h"
+
+namespace velum::membrane {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+double msSince(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+/// Whatever way round a structure is shorter than this, in nodes, is taken rather than to cut one pair of its voxels.
+constexpr double kProtectedWeight = 16384.0;
+/// Most nodes of the lattice on which sides are decided: a few hundred milliseconds.
+constexpr double kMostNodes = 6e6;
+
+/// What the kernels depend on, without rule and reach.
+scene::ForceField kernelPart(scene::ForceField field) {
+  field.rule = {};
+  field.areaOfEffect = {};
+  field.kernels.clear();
+  field.strokes.clear();
+  return field;
+}
+
+/// The kernels that can reach the frame's box, in a lattice of their own.
+PushField cropKernels(const KernelGrid& grid, const scene::Cut& cut) {
+  PushField field;
+  field.areaOfEffect = cut.membrane.field.areaOfEffect;
+  glm::dmat4 kernelFromLocal = glm::inverse(grid.worldFromKernel) * scene::worldFromCut(cut);
+  glm::dvec3 middle(kernelFromLocal[3]), half(field.areaOfEffect);
+  for (int axis = 0; axis < 3; ++axis) half += glm::abs(glm::dvec3(kernelFromLocal[axis])) * cut.sizeMm[axis] * 0.5;
+  glm::ivec3 low(glm::clamp(glm::ceil(middle - half), glm::dvec3(0.0), glm::dvec3(grid.dims)));
+  glm::ivec3 high(glm::clamp(glm::floor(middle + half) + 1.0, glm::dvec3(low), glm::dvec3(grid.dims)));
+  field.dims = high - low;
+  glm::dmat4 shift(1.0);
+  shift[3] = glm::dvec4(-glm::dvec3(low), 1.0);
+  field.kernelFromLocal = shift * kernelFromLocal;
+  for (int z = low.z; z < high.z; ++z)
+    for (int y = low.y; y < high.y; ++y) {
+      const float* row =
+          &grid.strengths[(std::size_t(z) * std::size_t(grid.dims.y) + std::size_t(y)) * std::size_t(grid.dims.x)];
+      for (int x = low.x; x < high.x; ++x) field.strengths.emplace_back(0.0f, row[x]);
+    }
+  return field;
+}
+
+std::vector<PlacedKernel> placeKernels(const scene::Cut& cut) {
+  std::vector<PlacedKernel> placed;
+  glm::dmat4 localFromWorld = glm::inverse(scene::worldFromCut(cut));
+  for (const auto& kernel : cut.membrane.field.kernels) {
+    glm::dvec3 centre(localFromWorld * glm::dvec4(kernel.centreMm, 1.0));
+    placed.push_back({centre, std::max(kernel.radiusMm, 1e-6), 0.0, kernel.strength});
+  }
+  return placed;
+}
+
+/// Balls that were put in to repel are protected like the data's own structures.
+void protectPlaced(ProtectedVoxels& voxels, const scene::ForceField& field) {
+  glm::dmat4 worldFromVoxel = voxels.worldFromVoxel;
+  glm::ivec3 size = voxels.box.end - voxels.box.min;
+  for (const auto& kernel : field.kernels) {
+    if (kernel.strength <= 0.0) continue;
+    tbb::parallel_for(0, size.z, [&](int z) {
+      std::size_t i = std::size_t(z) * std::size_t(size.y) * std::size_t(size.x);
+      for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x, ++i) {
+          glm::dvec4 voxel(glm::dvec3(voxels.box.min + glm::ivec3(x, y, z)), 1.0);
+          if (glm::length(glm::dvec3(worldFromVoxel * voxel) - kernel.centreMm) < kernel.radiusMm) voxels.mask[i] = 1;
+        }
+    });
+  }
+}
+
+std::vector<int> belowSheet(const CutLattice& lattice, const HeightOver& height) {
+  std::vector<int> below;
+  for (int y = 0; y < lattice.dims.y; ++y)
+    for (int x = 0; x < lattice.dims.x; ++x) {
+      glm::dvec2 place = glm::dvec2(lattice.originMm) + glm::dvec2(x, y) * glm::dvec2(lattice.stepMm);
+      double layers = (height(place) - lattice.originMm.z) / lattice.stepMm.z;
+      below.push_back(std::clamp(int(std::floor(layers)) + 1, 1, std::max(1, lattice.dims.z - 1)));
+    }
+  return below;
+}
+
+/// -1 for what belongs above the sheet, 1 for what belongs below, in between for a kernel through which it passes.
+class Sides {
+ public:
+  explicit Sides(const Corridor& corridor, double smearMm) : mCorridor(corridor), mSmearMm(std::max(smearMm, 1e-9)) {}
+  double at(glm::dvec3 local) const {
+    glm::dvec2 p = glm::floor((glm::dvec2(local) - mCorridor.originMm) / mCorridor.stepMm + 0.5);
+    glm::ivec2 column = glm::clamp(glm::ivec2(p), glm::ivec2(0), mCorridor.dims - 1);
+    double height = double(mCorridor.height[std::size_t(column.y * mCorridor.dims.x + column.x)]);
+    return std::clamp((height - local.z) / mSmearMm, -1.0, 1.0);
+  }
+
+ private:
+  const Corridor& mCorridor;
+  double mSmearMm;
+};
+
+/// What repels pushes along the normal, away from the side that it is on; what attracts stays as it is.
+void turnToSides(PushField& field, const Corridor& corridor) {
+  glm::dmat4 localFromKernel = glm::inverse(field.kernelFromLocal);
+  glm::dmat3 axes(localFromKernel);
+  double thick = std::abs(axes[0].z) + std::abs(axes[1].z) + std::abs(axes[2].z);
+  Sides sides(corridor, 0.5 * thick);
+  tbb::parallel_for(0, field.dims.z, [&](int z) {
+    std::size_t i = std::size_t(z) * std::size_t(field.dims.y) * std::size_t(field.dims.x);
+    for (int y = 0; y < field.dims.y; ++y)
+      for (int x = 0; x < field.dims.x; ++x, ++i) {
+        float strength = field.strengths[i].y;
+        if (strength <= 0.0f) continue;
+        double side = sides.at(glm::dvec3(localFromKernel * glm::dvec4(x, y, z, 1.0)));
+        field.strengths[i] = {float(side) * strength, 0.0f};
+      }
+  });
+  for (auto& kernel : field.placed) {
+    if (kernel.pull <= 0.0) continue;
+    kernel.push = Sides(corridor, 0.25 * kernel.halfWidthMm).at(kernel.centreMm) * kernel.pull;
+    kernel.pull = 0.0;
+  }
+}
+
+}  // namespace
+
+const KernelGrid& ForceMaker::kernelsOf(const scene::ForceField& field, Progress& progress) {
+  scene::ForceField part = kernelPart(field);
+  if (!mField || !(*mField == part)) {
+    mKernels = mPotential.computeKernels(part, progress);
+    mField = part;
+  }
+  return mKernels;
+}
+
+Forces ForceMaker::compute(const scene::Cut& cut, const HeightOver& current, Progress& progress) {
+  const auto& field = cut.membrane.field;
+  Forces forces;
+  if (mPotential.dims().x == 0) return forces;
+  auto start = Clock::now();
+  const KernelGrid& kernels = kernelsOf(field, progress);
+  forces.kernelsMs = msSince(start);
+  forces.kernels = kernels.count;
+  forces.field = cropKernels(kernels, cut);
+  forces.field.placed = placeKernels(cut);
+  if (field.rule == scene::KernelRule::Paper) return forces;
+  start = Clock::now();
+  ProtectedVoxels voxels = mPotential.computeProtected(field, voxelsInReach(mPotential, cut), progress);
+  protectPlaced(voxels, field);
+  double coarsening = std::max(1.0, std::ceil(std::cbrt(double(voxels.mask.size()) / kMostNodes)));
+  CutLattice lattice = gatherLattice(voxels, cut, coarsening);
+  std::vector<int> below;
+  if (current) {
+    below = belowSheet(lattice, current);
+  } else {
+    LeastCutOptions options;
+    options.protectedWeight = kProtectedWeight;
+    below = computeLeastCut(lattice, options, progress).below;
+  }
+  forces.corridor = corridorAround(lattice, below);
+  turnToSides(forces.field, forces.corridor);
+  forces.leastCutMs = msSince(start);
+  return forces;
+}
+
+}  // namespace velum::membrane

@@ -1,0 +1,27 @@
+#pragma once
+#include <glm/glm.hpp>
+
+#include "velum/scene/Scene.h"
+
+namespace velum::membrane {
+
+/// Lengths so short, in voxels, that they decide nothing: a voxel on the slice, or on the frame's edge, must not change
+/// sides with its last digits.
+constexpr double kHair = 1e-4;
+
+/// The box of a membrane's frame and reach, for voxels of a grid.
+struct FrameBox {
+  glm::dmat4 localFromVoxel{1.0};
+  glm::dvec3 half{0.0};  ///< mm, a hair more than the frame's, so that voxels on its edge are inside
+  double hairMm = 0.0;
+
+  FrameBox(const scene::Cut& cut, const glm::dmat4& worldFromVoxel)
+      : localFromVoxel(glm::inverse(scene::worldFromCut(cut)) * worldFromVoxel),
+        hairMm(kHair * glm::length(glm::dvec3(localFromVoxel[0]))) {
+    half = cut.sizeMm * 0.5 + hairMm;
+  }
+  glm::dvec3 local(glm::dvec3 voxel) const { return glm::dvec3(localFromVoxel * glm::dvec4(voxel, 1.0)); }
+  bool holds(glm::dvec3 localMm) const { return glm::all(glm::lessThanEqual(glm::abs(localMm), half)); }
+};
+
+}  // namespace velum::membrane

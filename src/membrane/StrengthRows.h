@@ -1,0 +1,53 @@
+#pragma once
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "Gradients.h"
+#include "velum/core/LabelVolume.h"
+#include "velum/core/Volume.h"
+#include "velum/scene/Membrane.h"
+
+namespace velum::membrane {
+
+/// What a potential is made of: the data on one grid, and labels that may have another.
+struct PotentialSource {
+  Shared<Volume> volume;
+  int frame = 0, channel = 0;
+  Shared<LabelVolume> labels;
+  glm::ivec3 dims{0};
+  glm::dmat4 worldFromVoxel{1.0};
+};
+
+/// Strengths of rows of voxels for one field: tables made once, then read by all threads.
+class StrengthRows {
+ public:
+  /// @param gradients  needed where the field has a curve over them, else null
+  StrengthRows(const PotentialSource& source, const Gradients* gradients, const scene::ForceField& field);
+  /// Writes strengths of voxels (min x .. end x, y, z).
+  void fill(int x, int end, int y, int z, float* out) const;
+
+ private:
+  /// One piece of a curve: where from <= value < end, at + slope * value.
+  struct Piece {
+    double from, end, at, slope;
+  };
+
+  void tabulateValues(const std::vector<scene::StrengthPoint>& curve);
+  void fillValues(std::ptrdiff_t first, int count, float* out) const;
+  static void selectPiece(const Piece& piece, const double* values, int count, double* strengths);
+  void addLabels(int x, int end, int y, int z, float* out) const;
+  void addNearestLabels(int x, int end, int y, int z, float* out) const;
+
+  const PotentialSource& mSource;
+  const Gradients* mGradients = nullptr;
+  bool mHasValues = false;
+  std::vector<float> mByRaw;   ///< of types with 8 and 16 bits, from the smallest raw value
+  std::vector<Piece> mPieces;  ///< of the other types
+  std::vector<float> mByCode;  ///< of gradients
+  std::vector<float> mById;    ///< of labels
+  bool mSameGrid = false;      ///< labels lie on the voxels
+  glm::dmat4 mLabelFromVoxel{1.0};
+};
+
+}  // namespace velum::membrane

@@ -1,0 +1,367 @@
+// The window without a mouse: whatever can be clicked can be reached, is named, and shows that it has the keyboard.
+#include <gtest/gtest.h>
+
+#include <QAbstractButton>
+#include <QAbstractItemView>
+#include <QAbstractSlider>
+#include <QAbstractSpinBox>
+#include <QAccessible>
+#include <QApplication>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLineEdit>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QSet>
+#include <QSlider>
+#include <QTabWidget>
+#include <QTest>
+#include <QTextEdit>
+#include <QToolBar>
+#include <QToolButton>
+
+#include "CommandFinder.h"
+#include "HelpWindow.h"
+#include "MainWindow.h"
+#include "Preferences.h"
+#include "RecoveryBar.h"
+#include "SavePictureDialog.h"
+#include "Shots.h"
+#include "TempFolder.h"
+#include "Theme.h"
+#include "TransferCanvas.h"
+#include "velum/io/Sample.h"
+#include "velum/io/WriteVolume.h"
+
+namespace velum::gui {
+namespace {
+
+constexpr int kMostSteps = 200;
+
+std::string nameOf(const QWidget* widget) {
+  QString name =
+      QString("%1 '%2' '%3'").arg(widget->metaObject()->className(), widget->objectName(), widget->accessibleName());
+  if (auto* button = qobject_cast<const QAbstractButton*>(widget)) name += " " + button->text();
+  return name.toStdString();
+}
+
+/// The inside of another control, which has its own way to be worked.
+bool isPart(const QWidget* widget) {
+  const QWidget* parent = widget->parentWidget();
+  return widget->objectName().startsWith("qt_") || qobject_cast<const QScrollBar*>(widget) ||
+         qobject_cast<const QAbstractSpinBox*>(parent) || qobject_cast<const QComboBox*>(parent) ||
+         qobject_cast<const QLineEdit*>(parent) || qobject_cast<const QTabBar*>(parent);
+}
+
+bool isControl(const QWidget* widget) {
+  return qobject_cast<const QAbstractButton*>(widget) || qobject_cast<const QComboBox*>(widget) ||
+         qobject_cast<const QAbstractSpinBox*>(widget) || qobject_cast<const QLineEdit*>(widget) ||
+         qobject_cast<const QAbstractSlider*>(widget) || qobject_cast<const QAbstractItemView*>(widget) ||
+         qobject_cast<const QTabBar*>(widget) || ((widget->focusPolicy() & Qt::TabFocus) && !widget->focusProxy());
+}
+
+/// A picture of a command that menus and keys have, too.
+bool isCommand(const QWidget* widget, const MainWindow& window) {
+  auto* button = qobject_cast<const QToolButton*>(widget);
+  return button && qobject_cast<QToolBar*>(button->parentWidget()) && button->defaultAction() &&
+         window.findChildren<QAction*>().contains(button->defaultAction());
+}
+
+/// What can be worked in a window now.
+QList<QWidget*> controlsOf(QWidget& window) {
+  QList<QWidget*> controls;
+  for (QWidget* widget : window.findChildren<QWidget*>())
+    if (widget->window() == &window && widget->isVisible() && widget->isEnabled() && isControl(widget) &&
+        !isPart(widget) && !qobject_cast<QScrollArea*>(widget))
+      controls << widget;
+  return controls;
+}
+
+/// Where Tab (or Shift+Tab) goes, once round, from what has the keyboard.
+QList<QWidget*> walk(QWidget& window, bool back) {
+  QList<QWidget*> places;
+  for (int i = 0; i < kMostSteps; ++i) {
+    QTest::keyClick(window.focusWidget() ? window.focusWidget() : &window, Qt::Key_Tab,
+                    back ? Qt::ShiftModifier : Qt::NoModifier);
+    QWidget* now = window.focusWidget();
+    if (!now || (places.size() > 1 && now == places.first())) return places;
+    // A page goes through its links first.
+    if (places.isEmpty() || now != places.last()) places << now;
+  }
+  EXPECT_EQ(places.size(), 1) << "Tab never comes back to " << nameOf(places.first());
+  return places;
+}
+
+QString tipOf(const QWidget* widget) {
+  // A row of slider and number has one tip for both.
+  if (!widget->toolTip().isEmpty()) return widget->toolTip();
+  if (auto* list = qobject_cast<const QAbstractItemView*>(widget))
+    return list->model()->index(0, 0).data(Qt::ToolTipRole).toString();  // a tip for each
+  return widget->parentWidget()->toolTip();
+}
+
+void expectNamed(const QWidget* widget) {
+  QAccessibleInterface* face = QAccessible::queryAccessibleInterface(const_cast<QWidget*>(widget));
+  ASSERT_TRUE(face) << nameOf(widget);
+  EXPECT_FALSE(face->text(QAccessible::Name).isEmpty()) << "no accessible name: " << nameOf(widget);
+  auto* button = qobject_cast<const QAbstractButton*>(widget);
+  bool says = button && !button->text().isEmpty() && qobject_cast<const QDialog*>(widget->window());
+  bool isView = widget->inherits("velum::gui::Viewport") || widget->inherits("velum::gui::SliceView");
+  bool tips = !tipOf(widget).isEmpty() || says || isView || qobject_cast<const QTabBar*>(widget) ||
+              qobject_cast<const QTextEdit*>(widget) || widget->inherits("QColorDialog");
+  EXPECT_TRUE(tips) << "no tooltip: " << nameOf(widget);
+}
+
+/// From above to below, and from left to right in a row.
+void expectReadingOrder(const QList<QWidget*>& places, const QWidget& panel) {
+  const QWidget* last = nullptr;
+  for (const QWidget* widget : places) {
+    if (!panel.isAncestorOf(widget)) continue;
+    if (last) {
+      QRect a(last->mapTo(&panel, QPoint()), last->size()), b(widget->mapTo(&panel, QPoint()), widget->size());
+      bool isAbove = b.bottom() <= a.top();
+      bool isBefore = b.top() < a.bottom() && a.top() < b.bottom() && b.right() <= a.left();
+      EXPECT_FALSE(isAbove || isBefore) << nameOf(last) << " comes before " << nameOf(widget);
+    }
+    last = widget;
+  }
+}
+
+class Keyboard : public testing::TestWithParam<ThemeKind> {
+ protected:
+  static void SetUpTestSuite() {
+    sFolder = new TempFolder;
+    Progress progress;
+    io::Sample sample = io::makeSample("two-spheres", 24, progress);
+    io::writeVolume(sample.volume, *sFolder / "phantom.nrrd", progress);
+    io::writeLabels(sample.labels, *sFolder / "phantom_labels.seg.nrrd", progress);
+    Volume series = sample.volume;
+    series.frames = 2;
+    series.frameSeconds = 0.5;
+    Bytes one = series.voxels;
+    series.voxels.insert(series.voxels.end(), one.begin(), one.end());
+    io::writeVolume(series, *sFolder / "series.nii", progress);
+  }
+  static void TearDownTestSuite() { delete sFolder; }
+  void SetUp() override {
+    applyTheme(*qApp, GetParam());
+    mWindow = std::make_unique<MainWindow>();
+    mWindow->resize(1440, 960);
+    mWindow->show();
+    activate(*mWindow);
+  }
+  void TearDown() override {
+    mWindow.reset();
+    applyTheme(*qApp, ThemeKind::Dark);
+  }
+  static void activate(QWidget& window) {
+    window.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+    // Without a window manager nobody else gives it the keyboard.
+    window.activateWindow();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window.isActiveWindow(); }, 5000));
+  }
+  void open(const QStringList& names) {
+    QStringList paths;
+    for (const auto& name : names) paths << QString::fromStdString((*sFolder / name.toStdString()).string());
+    mWindow->openPaths(paths);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !mWindow->isBusy(); }, 60000));
+    mWindow->document().view([](scene::Scene& scene) { scene.rayCast.samplesPerPixel = 1; });
+    ASSERT_TRUE(QTest::qWaitFor([&] { return mWindow->isSettled(); }, 60000));
+  }
+  QTabWidget& tabs() { return *mWindow->findChild<QTabWidget*>("sideTabs"); }
+  QWidget& side() { return *mWindow->findChild<QWidget*>("sidePanel"); }
+  QWidget& panel() { return *qobject_cast<QScrollArea*>(tabs().currentWidget())->widget(); }
+
+  /// All of the laws for what a window shows now.
+  void expectKeysReachAll(QWidget& window) {
+    QList<QWidget*> places = walk(window, false);
+    ASSERT_FALSE(places.isEmpty());
+    for (QWidget* widget : controlsOf(window)) {
+      if (!isCommand(widget, *mWindow)) expectNamed(widget);
+      QWidget* proxy = widget->focusProxy();
+      // A slider beside its number: Tab stops once.
+      auto* number = qobject_cast<QSlider*>(widget) ? widget->parentWidget()->findChild<QDoubleSpinBox*>() : nullptr;
+      bool reached = places.contains(widget) || places.contains(number) || (proxy && places.contains(proxy)) ||
+                     isCommand(widget, *mWindow);
+      bool isOnView = widget->parentWidget() && widget->parentWidget()->inherits("velum::gui::SliceView");
+      EXPECT_TRUE(reached || isOnView) << "Tab never comes to " << nameOf(widget);
+    }
+    for (QWidget* place : places) expectFocusIsSeen(*place);
+    if (!window.isActiveWindow()) activate(window);
+    places.first()->setFocus(Qt::TabFocusReason);
+    QList<QWidget*> back = walk(window, true);
+    std::reverse(back.begin(), back.end());
+    back.prepend(back.takeLast());
+    EXPECT_EQ(QSet<QWidget*>(back.begin(), back.end()), QSet<QWidget*>(places.begin(), places.end()));
+  }
+  /// A picture of it differs from one without the keyboard in as many pixels as a frame has, about.
+  void expectFocusIsSeen(QWidget& widget) {
+    QWidget* window = widget.window();
+    QRect place(widget.mapTo(window, QPoint()), widget.size());
+    place = place.adjusted(-4, -4, 4, 4) & window->rect();
+    if (widget.visibleRegion().isEmpty()) return;  // beyond what the panel shows; it scrolls when the keyboard comes
+    if (!window->isActiveWindow()) activate(*window);
+    widget.setFocus(Qt::TabFocusReason);
+    ASSERT_TRUE(widget.hasFocus()) << nameOf(&widget);
+    QCoreApplication::processEvents();
+    place = QRect(widget.mapTo(window, QPoint()), widget.size()).adjusted(-4, -4, 4, 4) & window->rect();
+    QImage with = window->grab(place).toImage();
+    widget.clearFocus();
+    QCoreApplication::processEvents();
+    QImage without = window->grab(place).toImage();
+    widget.setFocus(Qt::TabFocusReason);
+    int changed = 0;
+    for (int y = 0; y < with.height(); ++y)
+      for (int x = 0; x < with.width(); ++x)
+        changed += std::abs(qGray(with.pixel(x, y)) - qGray(without.pixel(x, y))) > 25;
+    int least = std::min(place.width(), place.height());
+    EXPECT_GE(changed, least) << "nobody sees that it has the keyboard: " << nameOf(&widget);
+  }
+
+  inline static TempFolder* sFolder = nullptr;
+  std::unique_ptr<MainWindow> mWindow;
+};
+
+TEST_P(Keyboard, ReachesTheEmptyWindow) { expectKeysReachAll(*mWindow); }
+
+TEST_P(Keyboard, ReachesAllOfTheLook) {
+  open({"series.nii"});
+  mWindow->document().edit("Look", [](scene::Scene& scene) {
+    scene.rayCast.mode = scene::RenderMode::Iso;
+    scene.volume.transfer.gradientOpacities = {{0.0, 1.0}, {100.0, 1.0}};
+  });
+  tabs().setCurrentIndex(0);
+  mWindow->viewport().setFocus();
+  expectKeysReachAll(*mWindow);
+  expectReadingOrder(walk(*mWindow, false), panel());
+}
+
+TEST_P(Keyboard, ReachesAllOfTheStructures) {
+  open({"phantom.nrrd", "phantom_labels.seg.nrrd"});
+  tabs().setCurrentIndex(1);
+  mWindow->selection().setStructure(1);
+  mWindow->viewport().setFocus();
+  expectKeysReachAll(*mWindow);
+  expectReadingOrder(walk(*mWindow, false), panel());
+}
+
+TEST_P(Keyboard, ReachesAllOfTheCuts) {
+  open({"phantom.nrrd", "phantom_labels.seg.nrrd"});
+  for (auto shape : {scene::CutShape::Plane, scene::CutShape::Box})
+    mWindow->document().edit("Add cut", [&](scene::Scene& scene) {
+      scene.cuts.emplace_back();
+      scene.cuts.back().shape = shape;
+      scene.cuts.back().face = scene::CutFace::Slice;
+    });
+  tabs().setCurrentIndex(2);
+  for (int cut : {0, 1}) {
+    mWindow->selection().setCut(cut);
+    mWindow->viewport().setFocus();
+    expectKeysReachAll(*mWindow);
+    expectReadingOrder(walk(*mWindow, false), panel());
+  }
+}
+
+TEST_P(Keyboard, ReachesTheBars) {
+  auto* bar = mWindow->findChild<RecoveryBar*>();
+  session::LostWork work;
+  work.title = "head";
+  work.isReadable = true;
+  bar->offer({work, work});
+  mWindow->messages().showNote("A note");
+  ASSERT_TRUE(bar->isVisible());
+  expectKeysReachAll(*mWindow);
+}
+
+TEST_P(Keyboard, ReachesAllOfTheDialogs) {
+  open({"phantom.nrrd"});
+  SavePictureDialog picture({640, 480}, mWindow->document().scene(), mWindow.get());
+  PreferencesDialog preferences(mWindow.get());
+  CommandFinder finder(mWindow->actions(), mWindow.get());
+  for (QDialog* dialog :
+       {static_cast<QDialog*>(&picture), static_cast<QDialog*>(&preferences), static_cast<QDialog*>(&finder)}) {
+    activate(*dialog);
+    expectKeysReachAll(*dialog);
+    QTest::keyClick(dialog->focusWidget(), Qt::Key_Escape);
+    EXPECT_FALSE(dialog->isVisible()) << "Esc leaves " << dialog->windowTitle().toStdString();
+  }
+}
+
+TEST_P(Keyboard, ReachesTheGuide) {
+  HelpWindow guide(mWindow.get());
+  activate(guide);
+  expectKeysReachAll(guide);
+  QTest::keyClick(&guide, Qt::Key_Escape);
+  EXPECT_FALSE(guide.isVisible());
+}
+
+INSTANTIATE_TEST_SUITE_P(Themes, Keyboard, testing::Values(ThemeKind::Dark, ThemeKind::Light),
+                         [](const auto& one) { return one.param == ThemeKind::Dark ? "Dark" : "Light"; });
+
+class KeyboardUse : public Keyboard {};
+INSTANTIATE_TEST_SUITE_P(Window, KeyboardUse, testing::Values(ThemeKind::Dark));
+
+TEST_P(KeyboardUse, EscGoesFromAPanelToTheViews) {
+  open({"phantom.nrrd", "phantom_labels.seg.nrrd"});
+  for (int tab = 0; tab < 3; ++tab) {
+    tabs().setCurrentIndex(tab);
+    for (QWidget* control : controlsOf(*mWindow)) {
+      if (!side().isAncestorOf(control) || !(control->focusPolicy() & Qt::TabFocus)) continue;
+      control->setFocus(Qt::TabFocusReason);
+      QTest::keyClick(mWindow->focusWidget(), Qt::Key_Escape);
+      EXPECT_TRUE(mWindow->views().isAncestorOf(mWindow->focusWidget())) << nameOf(control);
+    }
+  }
+}
+
+TEST_P(KeyboardUse, SpaceIsTheButtonsAndOtherwisePlays) {
+  open({"series.nii"});
+  tabs().setCurrentIndex(0);
+  auto* gradients = mWindow->findChild<QCheckBox*>("usesGradients");
+  gradients->setFocus(Qt::TabFocusReason);
+  QTest::keyClick(gradients, Qt::Key_Space);
+  EXPECT_FALSE(mWindow->document().scene().volume.transfer.gradientOpacities.empty());
+  EXPECT_EQ(mWindow->document().scene().volume.frame, 0);
+  QTest::keyClick(&mWindow->viewport(), Qt::Key_Space);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return mWindow->document().scene().volume.frame == 1; }, 20000));
+}
+
+TEST_P(KeyboardUse, ACurveIsMadeWithoutAMouse) {
+  open({"phantom.nrrd"});
+  auto* canvas = mWindow->findChild<TransferCanvas*>("transferCanvas");
+  auto transfer = [&]() -> const scene::TransferFunction& { return mWindow->document().scene().volume.transfer; };
+  std::size_t points = transfer().opacities.size(), stops = transfer().colors.size();
+  canvas->setFocus(Qt::TabFocusReason);
+  QTest::keyClick(canvas, Qt::Key_PageDown);
+  EXPECT_EQ(canvas->selection(), (TransferCanvas::Selection{TransferCanvas::Selection::Part::Point, 0}));
+  QTest::keyClick(canvas, Qt::Key_Insert);
+  EXPECT_EQ(transfer().opacities.size(), points + 1);
+  double before = transfer().opacities[1].opacity;
+  QTest::keyClick(canvas, Qt::Key_Up, Qt::ShiftModifier);
+  EXPECT_NEAR(transfer().opacities[1].opacity, std::min(1.0, before + 0.1), 1e-6);
+  for (std::size_t i = 0; i < points + stops + 1; ++i) QTest::keyClick(canvas, Qt::Key_PageDown);
+  EXPECT_EQ(canvas->selection().part, TransferCanvas::Selection::Part::Stop);
+  EXPECT_EQ(canvas->selection().index, int(stops) - 1);
+  QTest::keyClick(canvas, Qt::Key_Insert);
+  EXPECT_EQ(transfer().colors.size(), stops + 1);
+  QTest::keyClick(canvas, Qt::Key_Delete);
+  EXPECT_EQ(transfer().colors.size(), stops);
+}
+
+TEST_P(KeyboardUse, TheMouseMakesNoRing) {
+  open({"phantom.nrrd"});
+  auto* gradients = mWindow->findChild<QCheckBox*>("usesGradients");
+  auto isRinged = [&] {
+    auto* ring = mWindow->findChild<QWidget*>("focusRing");
+    return ring && ring->isVisible();
+  };
+  QTest::mouseClick(gradients, Qt::LeftButton);
+  EXPECT_FALSE(isRinged());
+  QTest::keyClick(gradients, Qt::Key_Tab);
+  EXPECT_TRUE(isRinged());
+}
+
+}  // namespace
+}  // namespace velum::gui

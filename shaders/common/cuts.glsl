@@ -33,6 +33,30 @@ bool cutsKeep(vec3 scenePoint, uint structure) {
   return inSlice || !hasSlice;
 }
 
+#ifdef MEMBRANES
+/// The cuts against a position, 1 kept, 0 removed, 2 where meshes of a sheet must be looked at. As a software driver looks at
+/// them whether it needs to or not, this is for those who ask for many positions.
+int cutsGuess(vec3 scenePoint, uint structure) {
+  bool removed = false;
+  bool isNear = false;
+  bool hasSlice = false;
+  bool inSlice = false;
+  bool nearSlice = false;
+  for (int i = 0; i < frame.counts.x; ++i) {
+    int guess = convexDistance(cuts[i], scenePoint) < 0.0 ? kCutRemoves : kCutKeeps;
+    if (cuts[i].kind.x == kCutMembrane) guess = membraneGuess(cuts[i], (cuts[i].localFromScene * vec4(scenePoint, 1.0)).xyz);
+    if (isExempt(structure, i)) guess = kCutKeeps;
+    hasSlice = hasSlice || isSlice(i);
+    inSlice = inSlice || (isSlice(i) && guess == kCutKeeps);
+    nearSlice = nearSlice || (isSlice(i) && guess == kCutNear);
+    removed = removed || (!isSlice(i) && guess == kCutRemoves);
+    isNear = isNear || (!isSlice(i) && guess == kCutNear);
+  }
+  if (removed || (hasSlice && !inSlice && !nearSlice)) return 0;
+  return isNear || (hasSlice && !inSlice) ? 2 : 1;
+}
+#endif
+
 /// The unit normal of the face of a cut of convex shape, out of the material.
 vec3 convexNormal(int cut, vec3 p) {
   float e = 0.01 * frame.step.x;

@@ -23,38 +23,66 @@ float shownExtinction(float extinction, vec3 p, uint structure) {
   return extinction;
 }
 
-float extinctionAt(vec3 tex) {
-  vec3 p = scene0.xyz + tex.x * sceneX.xyz + tex.y * sceneY.xyz + tex.z * sceneZ.xyz;
-  uint structure = 0u;
-  float factor = 1.0;
+/// What is at a position, uncut.
+struct Place {
+  vec3 point;  // scene
+  uint structure;
+  float extinction;  // 1/mm
+};
+
+Place placeAt(vec3 tex) {
+  Place place;
+  place.point = scene0.xyz + tex.x * sceneX.xyz + tex.y * sceneY.xyz + tex.z * sceneZ.xyz;
+  place.structure = 0u;
 #if LABELS == 2
-  vec4 material = labelMaterial(p);
-  structure = labelAt(p);
-  if (frame.counts.x > 0 && !cutsKeep(p, structure)) return 0.0;
-  return shownExtinction(smoothstep(0.35, 0.65, material.a) * material.a * 6.0 * frame.cellGrid.w, p, structure);
+  vec4 material = labelMaterial(place.point);
+  place.structure = labelAt(place.point);
+  place.extinction = smoothstep(0.35, 0.65, material.a) * material.a * 6.0 * frame.cellGrid.w;
 #else
+  float factor = 1.0;
 #if LABELS == 1
-  structure = labelAt(p);
-  factor = structure == 0u ? frame.window.w : structureRow(structure).a;
+  place.structure = labelAt(place.point);
+  factor = place.structure == 0u ? frame.window.w : structureRow(place.structure).a;
 #endif
-  if (frame.counts.x > 0 && !cutsKeep(p, structure)) return 0.0;
 #if MODE == 2
-  return tableAt(tex) >= frame.step.z * float(kTransferSize - 1) ? shownExtinction(4.0 * frame.cellGrid.w, p, structure) : 0.0;
+  place.extinction = tableAt(tex) >= frame.step.z * float(kTransferSize - 1) ? 4.0 * frame.cellGrid.w : 0.0;
 #else
   float x = tableAt(tex);
-  return shownExtinction(extinctionBetween(x, x) * factor, p, structure);
+  place.extinction = extinctionBetween(x, x) * factor;
 #endif
 #endif
+  place.extinction = shownExtinction(place.extinction, place.point, place.structure);
+  return place;
+}
+
+vec3 sampleTex(ivec3 cell, int i) {
+  return (vec3(cell) + 0.25 + 0.5 * vec3(i & 1, i >> 1 & 1, i >> 2)) / frame.lightGrid.xyz;
 }
 
 void main() {
   ivec3 cell = ivec3(gl_GlobalInvocationID) + ivec3(0, 0, slice.x);
-  ivec3 grid = ivec3(frame.lightGrid.xyz);
-  if (any(greaterThanEqual(cell, grid))) return;
+  if (any(greaterThanEqual(cell, ivec3(frame.lightGrid.xyz)))) return;
   float sum = 0.0;
+#ifdef MEMBRANES
+  // Samples with material next to a sheet are few: they have a loop of their own.
+  uint near = 0u;
   for (int i = 0; i < 8; ++i) {
-    vec3 at = vec3(cell) + 0.25 + 0.5 * vec3(i & 1, i >> 1 & 1, i >> 2);
-    sum += extinctionAt(at / vec3(grid));
+    Place place = placeAt(sampleTex(cell, i));
+    int guess = cutsGuess(place.point, place.structure);
+    sum += guess == 1 ? place.extinction : 0.0;
+    near |= guess == 2 && place.extinction > 0.0 ? 1u << i : 0u;
   }
+  do {
+    Place place = placeAt(sampleTex(cell, max(findLSB(near), 0)));
+    bool counts_ = near != 0u && cutsKeep(place.point, place.structure);
+    sum += counts_ ? place.extinction : 0.0;
+    near &= near - 1u;
+  } while (near != 0u);
+#else
+  for (int i = 0; i < 8; ++i) {
+    Place place = placeAt(sampleTex(cell, i));
+    sum += frame.counts.x == 0 || cutsKeep(place.point, place.structure) ? place.extinction : 0.0;
+  }
+#endif
   imageStore(extinctionImage, cell, vec4(sum * 0.125));
 }

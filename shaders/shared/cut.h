@@ -65,13 +65,27 @@ SHARED_FN SheetPlan cutSheet(CutData cut) {
   return plan;
 }
 
+SHARED_CONST int kCutKeeps = 0;
+SHARED_CONST int kCutRemoves = 1;
+SHARED_CONST int kCutNear = 2;  // only the meshes of a sheet tell
+
+SHARED_FN bool membraneRemovesSide(CutData cut, vec3 p, bool isAbove) {
+  if (cut.kind.w == kMembraneSlice) return isAbove == (p.z > 0.0f) || !sheetHolds(cutSheet(cut), p);
+  return isAbove == (cut.half_.w > 0.0f);
+}
+
+/// What membraneRemoves() says, as far as one fetch tells.
+SHARED_FN int membraneGuess(CutData cut, vec3 p SHARED_SHEETS) {
+  SheetPlan plan = cutSheet(cut);
+  int side = sheetSide(plan, p, sheetCellOf(plan, p SHARED_PASS_SHEETS));
+  if (side == kSheetNear) return kCutNear;
+  return membraneRemovesSide(cut, p, side == kSheetAbove) ? kCutRemoves : kCutKeeps;
+}
+
 /// Whether a membrane removes a point of its frame: what is above the sheet (inverted: below it), or, as a slice,
 /// everything but what lies between the sheet and the slice.
 SHARED_FN bool membraneRemoves(CutData cut, vec3 p SHARED_SHEETS) {
-  SheetPlan plan = cutSheet(cut);
-  bool isAbove = sheetIsAbove(plan, p SHARED_PASS_SHEETS);
-  if (cut.kind.w == kMembraneSlice) return isAbove == (p.z > 0.0f) || !sheetHolds(plan, p);
-  return isAbove == (cut.half_.w > 0.0f);
+  return membraneRemovesSide(cut, p, sheetIsAbove(cutSheet(cut), p SHARED_PASS_SHEETS));
 }
 
 /// Its distance to what is removed, mm: < 0 is removed. As exact as sheetDistance().

@@ -167,13 +167,22 @@ SHARED_FN bool sheetColumnIsAbove(SheetColumn column, vec3 p) {
   return (column.all & 1) == 0 ? p.z > 0.0f : (column.over & 1) == 0;
 }
 
+SHARED_CONST int kSheetBelow = 0;
+SHARED_CONST int kSheetAbove = 1;
+SHARED_CONST int kSheetNear = 2;  // only the meshes tell
+
+/// Which side of the sheet a point is on, as far as one fetch tells.
+SHARED_FN int sheetSide(SheetPlan plan, vec3 p, vec4 cell) {
+  if (!sheetHolds(plan, p)) return p.z > 0.0f ? kSheetAbove : kSheetBelow;
+  return p.z > cell.w ? kSheetAbove : p.z < cell.z ? kSheetBelow : kSheetNear;
+}
+
 /// True where a line from the point along +z meets the sheet an even number of times; beyond the frame the plane z = 0
 /// goes on. Cost: a few fetches away from the sheet, the meshes of one cell near it.
 SHARED_FN bool sheetIsAbove(SheetPlan plan, vec3 p SHARED_SHEETS) {
-  if (!sheetHolds(plan, p)) return p.z > 0.0f;
   vec4 cell = sheetCellOf(plan, p SHARED_PASS_SHEETS);
-  if (p.z > cell.w) return true;
-  if (p.z < cell.z) return false;
+  int side = sheetSide(plan, p, cell);
+  if (side != kSheetNear) return side == kSheetAbove;
   return sheetColumnIsAbove(sheetColumn(plan, p, cell SHARED_PASS_SHEETS), p);
 }
 

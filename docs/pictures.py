@@ -80,7 +80,7 @@ def membrane(folder):
     """The same frame as a plane, as a membrane, as an illustrative slice; and the sheet itself."""
     bones = '[{"value":250,"strength":100},{"value":1000,"strength":100}]'
     def trunk(*more):
-        return [*phantom(folder, "torso"), "--view", "anterior", *near(21), "--preset", "ct-bone", *cut(0, *more)]
+        return [*phantom(folder, "torso"), "--view", "anterior", *near(27), "--preset", "ct-bone", *cut(0, *more)]
     frame = ["axis=0,-1,0", "centreMm=0,0,0", "sizeMm=384,384,84", f"membrane.field.byValue={bones}"]
     sheet_seen = ["shape=membrane", *frame, "membrane.look=grid"]
     return [

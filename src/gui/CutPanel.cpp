@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "velum/session/CutEdit.h"
+#include "velum/session/DefaultField.h"
 #include "velum/session/StructureEdit.h"
 
 namespace velum::gui {
@@ -94,6 +95,9 @@ void CutPanel::buildHead() {
   for (auto shape : {scene::CutShape::Box, scene::CutShape::Sphere, scene::CutShape::Cylinder, scene::CutShape::Cone})
     menu->addAction(shapeTitle(shape), this, [this, shape] { addShape(shape); });
   menu->addSeparator();
+  QAction* sheet = menu->addAction(shapeTitle(scene::CutShape::Membrane), this, &CutPanel::addMembrane);
+  sheet->setToolTip(tr("An elastic sheet that cuts around what matters instead of through it (M)"));
+  menu->setToolTipsVisible(true);
   menu->addAction(tr("Cut along the view"), this, &CutPanel::addAlongView);
   menu->addAction(tr("Plane through three points..."), this, &CutPanel::threePointsAsked);
   more->setMenu(menu);
@@ -143,7 +147,12 @@ void CutPanel::addCut(scene::Cut cut, const char* label) {
   mSelection.setCut(index);
 }
 
-void CutPanel::addShape(scene::CutShape shape) { addCut(session::makeCut(mDocument.scene(), shape)); }
+void CutPanel::addShape(scene::CutShape shape) {
+  scene::Cut cut = session::makeCut(mDocument.scene(), shape);
+  bool isMembrane = shape == scene::CutShape::Membrane;
+  if (isMembrane) cut.membrane.field = session::defaultField(mDocument.scene());
+  addCut(std::move(cut), isMembrane ? "Add membrane" : "Add cut");
+}
 
 void CutPanel::addAlongView() { addCut(session::cutFacingCamera(mDocument.scene()), "Cut along the view"); }
 

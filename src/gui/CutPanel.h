@@ -27,6 +27,8 @@ class CutPanel : public QWidget {
 
  public slots:
   void addPlane() { addShape(scene::CutShape::Plane); }
+  /// A sheet that keeps whole what the scene shows most.
+  void addMembrane() { addShape(scene::CutShape::Membrane); }
   /// A plane through the middle that faces the camera.
   void addAlongView();
   void removeSelected();

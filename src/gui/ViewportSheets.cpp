@@ -25,9 +25,7 @@ bool Viewport::driveSheets() {
     mPending = true;
     mRestTimer.stop();
   }
-  // A drag goes on from how the cut was when it began: where it rests meanwhile is not yet worth keeping.
-  auto rests = mDrag == Drag::Cut ? std::vector<session::MembranePlayer::Rest>() : mPlayer.takeRests();
-  if (!rests.empty())
+  if (auto rests = mPlayer.takeRests(); !rests.empty())
     mDocument.complete([&](scene::Scene& scene) {
       for (auto& rest : rests)
         if (rest.cut < scene.cuts.size()) scene.cuts[rest.cut].membrane.shape = rest.shape;

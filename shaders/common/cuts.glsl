@@ -33,12 +33,12 @@ bool cutsKeep(vec3 scenePoint, uint structure) {
   return inSlice || !hasSlice;
 }
 
-/// The unit normal of a cut's face, out of the material.
-vec3 cutNormal(int cut, vec3 p) {
+/// The unit normal of the face of a cut of convex shape, out of the material.
+vec3 convexNormal(int cut, vec3 p) {
   float e = 0.01 * frame.step.x;
-  vec3 gradient = vec3(cutDistance(cuts[cut], p + vec3(e, 0, 0)) - cutDistance(cuts[cut], p - vec3(e, 0, 0)),
-                       cutDistance(cuts[cut], p + vec3(0, e, 0)) - cutDistance(cuts[cut], p - vec3(0, e, 0)),
-                       cutDistance(cuts[cut], p + vec3(0, 0, e)) - cutDistance(cuts[cut], p - vec3(0, 0, e)));
+  vec3 gradient = vec3(convexDistance(cuts[cut], p + vec3(e, 0, 0)) - convexDistance(cuts[cut], p - vec3(e, 0, 0)),
+                       convexDistance(cuts[cut], p + vec3(0, e, 0)) - convexDistance(cuts[cut], p - vec3(0, e, 0)),
+                       convexDistance(cuts[cut], p + vec3(0, 0, e)) - convexDistance(cuts[cut], p - vec3(0, 0, e)));
   float len = length(gradient);
   return len > 0.0 ? -gradient / len : vec3(0.0, 0.0, 1.0);
 }

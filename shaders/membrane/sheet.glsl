@@ -1,6 +1,6 @@
 // What the programs that index a sheet have in common.
 #define MEMBRANES 1
-#define SHEET_ACCESS
+#define WRITES_SHEET 1
 #include "shared/sheet.h"
 
 layout(std430, binding = kSheetCountsBinding) buffer CountBlock { uint counts[]; };
@@ -24,9 +24,9 @@ struct MeshBox {
 };
 
 MeshBox boxOf(int v) {
-  vec3 a = sheets.rows[v].xyz;
-  vec3 b = sheets.rows[v + 1].xyz;
-  vec3 c = sheets.rows[v + particles.x].xyz;
-  vec3 d = sheets.rows[v + particles.x + 1].xyz;
+  vec3 a = sheetRows[v].xyz;
+  vec3 b = sheetRows[v + 1].xyz;
+  vec3 c = sheetRows[v + particles.x].xyz;
+  vec3 d = sheetRows[v + particles.x + 1].xyz;
   return MeshBox(min(min(a, b), min(c, d)), max(max(a, b), max(c, d)));
 }

@@ -11,7 +11,7 @@ void main() {
   if (v < 0) return;
   SheetPlan plan = thePlan();
   int row = 2 * sheetParticles(plan) + v;
-  vec4 cell = sheets.rows[row];
+  vec4 cell = sheetRows[row];
   int first = 4 * sheetLists(plan) + int(cell.x);
   int count = int(cell.y);
   for (int i = 1; i < count; ++i) {
@@ -30,5 +30,5 @@ void main() {
     low = min(low, box.low.z);
     high = max(high, box.high.z);
   }
-  sheets.rows[row] = vec4(cell.xy, low - sheetSlack(plan), high + sheetSlack(plan));
+  sheetRows[row] = vec4(cell.xy, low - sheetSlack(plan), high + sheetSlack(plan));
 }

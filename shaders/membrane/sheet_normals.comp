@@ -8,8 +8,8 @@ vec3 areaOf(ivec2 a, ivec2 b, ivec2 c) {
   ivec2 low = min(a, min(b, c));
   ivec2 high = max(a, max(b, c));
   if (any(lessThan(low, ivec2(0))) || any(greaterThanEqual(high, particles.xy))) return vec3(0.0);
-  vec3 p = sheets.rows[a.y * particles.x + a.x].xyz;
-  return cross(sheets.rows[b.y * particles.x + b.x].xyz - p, sheets.rows[c.y * particles.x + c.x].xyz - p);
+  vec3 p = sheetRows[a.y * particles.x + a.x].xyz;
+  return cross(sheetRows[b.y * particles.x + b.x].xyz - p, sheetRows[c.y * particles.x + c.x].xyz - p);
 }
 
 void main() {
@@ -21,7 +21,7 @@ void main() {
              areaOf(at, at + ivec2(0, 1), at + ivec2(-1, 0)) + areaOf(at, at + ivec2(-1, 0), at + ivec2(-1, -1)) +
              areaOf(at, at + ivec2(-1, -1), at + ivec2(0, -1)) + areaOf(at, at + ivec2(0, -1), at + ivec2(1, 0));
   float len = length(sum);
-  sheets.rows[particles.x * particles.y + v] = vec4(len > 0.0 ? sum / len : vec3(0.0, 0.0, 1.0), 0.0);
+  sheetRows[particles.x * particles.y + v] = vec4(len > 0.0 ? sum / len : vec3(0.0, 0.0, 1.0), 0.0);
   counts[v] = 0u;
   if (v == 0) counts[particles.x * particles.y] = 0u;
 }

@@ -22,7 +22,7 @@ void main() {
     uint count = counts[i];
     uint kept = first >= room ? 0u : min(count, room - first);
     if (kept < count) counts[n] = 1u;
-    sheets.rows[2 * n + i] = vec4(float(first), float(kept), 0.0, 0.0);
+    sheetRows[2 * n + i] = vec4(float(first), float(kept), 0.0, 0.0);
     counts[i] = 0u;
     first += count;
   }

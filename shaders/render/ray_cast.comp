@@ -152,7 +152,7 @@ vec3 faceNormalAt(Face face, vec3 p, vec3 direction) {
 #ifdef MEMBRANES
   if (cuts[face.cut].kind.x == kCutMembrane) return sheetNormalAt(face.cut, face.triangle, p, direction);
 #endif
-  return cutNormal(face.cut, p);
+  return convexNormal(face.cut, p);
 }
 
 #if MODE == 0
@@ -629,7 +629,7 @@ void addSheet(inout Hit hit, Ray ray, Mark mark) {
     float pixelMm = 2.0 * length(frame.up.xyz) / frame.picture.y * depth;
     vec3 local = (cut.localFromScene * vec4(p, 1.0)).xyz;
     SheetPlace place = sheetPlaceAt(mark.cut, mark.triangle, local, mat3(cut.localFromScene) * ray.direction, pixelMm);
-    alpha = 0.85 * gridCover(cutSheet(cut), place);
+    alpha = 0.7 * gridCover(cutSheet(cut), place);
   }
   vec3 color = shadeSurface(albedo, normal, -ray.direction, lightTexAt(p, normal));
 #if MODE == 1
@@ -644,9 +644,11 @@ void castMarked(inout Hit hit, Ray ray, Walk walk, float from, float tEnd) {
   float t = from;
   Face face = Face(-1, -1);
   Stretch stretch = Stretch(t, true, -1, -1);
-  Mark none = Mark(kFar, -1, -1);
-  Mark slice = hasFlag(kFlagSlices) ? nextSlice(ray, Mark(t, -1, -1)) : none;
-  Mark sheet = hasFlag(kFlagSheets) ? nextSheet(ray, t, tEnd) : none;
+  // The marks ahead are looked for at one place of the loop: what is called twice is compiled twice.
+  Mark slice = Mark(t, -1, -1);
+  Mark sheet = Mark(t, -1, -1);
+  bool seeksSlice = true;
+  bool seeksSheet = true;
   int guard = 256 + 8 * frame.counts.x;
   do {
     bool wasRemoved = !stretch.kept;
@@ -655,15 +657,19 @@ void castMarked(inout Hit hit, Ray ray, Walk walk, float from, float tEnd) {
       stretch = stretchFrom(ray, t, tEnd);
     }
     float e = 1e-5 * max(1.0, abs(t));
+    if (seeksSlice) slice = hasFlag(kFlagSlices) ? nextSlice(ray, slice) : Mark(kFar, -1, -1);
+    if (seeksSheet) sheet = hasFlag(kFlagSheets) ? nextSheet(ray, sheet.t + (sheet.cut < 0 ? 0.0 : e), tEnd) : Mark(kFar, -1, -1);
+    seeksSlice = false;
+    seeksSheet = false;
     bool sliceIsNext = slice.t <= sheet.t;
     float mark = min(slice.t, sheet.t);
     if (mark <= t + e) {
       if (sliceIsNext) {
         addSlice(hit, ray, slice);
-        slice = nextSlice(ray, slice);
+        seeksSlice = true;
       } else {
         addSheet(hit, ray, sheet);
-        sheet = nextSheet(ray, sheet.t + e, tEnd);
+        seeksSheet = true;
       }
     } else {
       float end = min(stretch.end, mark);

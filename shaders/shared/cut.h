@@ -115,22 +115,28 @@ SHARED_FN float membraneShare(CutData cut, float z) {
 }
 #endif
 
+/// Signed distance to what a cut of convex shape removes, mm: < 0 is removed.
+SHARED_FN float convexDistance(CutData cut, vec3 scenePoint) {
+  vec3 p = vec3(cut.localFromScene * vec4(scenePoint, 1.0f));
+  return cut.half_.w * cutShapeDistance(cut.kind.x, vec3(cut.half_), p);
+}
+
 /// Whether a cut removes a point.
 SHARED_FN bool cutRemoves(CutData cut, vec3 scenePoint SHARED_SHEETS) {
-  vec3 p = vec3(cut.localFromScene * vec4(scenePoint, 1.0f));
 #if SHARED_HAS_SHEETS
-  if (cut.kind.x == kCutMembrane) return membraneRemoves(cut, p SHARED_PASS_SHEETS);
+  if (cut.kind.x == kCutMembrane)
+    return membraneRemoves(cut, vec3(cut.localFromScene * vec4(scenePoint, 1.0f)) SHARED_PASS_SHEETS);
 #endif
-  return cut.half_.w * cutShapeDistance(cut.kind.x, vec3(cut.half_), p) < 0.0f;
+  return convexDistance(cut, scenePoint) < 0.0f;
 }
 
 /// Signed distance to what the cut removes, mm: < 0 is removed.
 SHARED_FN float cutDistance(CutData cut, vec3 scenePoint SHARED_SHEETS) {
-  vec3 p = vec3(cut.localFromScene * vec4(scenePoint, 1.0f));
 #if SHARED_HAS_SHEETS
-  if (cut.kind.x == kCutMembrane) return membraneDistance(cut, p SHARED_PASS_SHEETS);
+  if (cut.kind.x == kCutMembrane)
+    return membraneDistance(cut, vec3(cut.localFromScene * vec4(scenePoint, 1.0f)) SHARED_PASS_SHEETS);
 #endif
-  return cut.half_.w * cutShapeDistance(cut.kind.x, vec3(cut.half_), p);
+  return convexDistance(cut, scenePoint);
 }
 
 /// A coordinate that is never zero, so that slab tests do not divide by it.

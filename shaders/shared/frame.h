@@ -16,14 +16,13 @@ SHARED_CONST uint kSurfaceAuxUnit = 6u;
 SHARED_CONST uint kTransferUnit = 7u;
 SHARED_CONST uint kExtinctionUnit = 8u;
 SHARED_CONST uint kGradientTableUnit = 9u;
-SHARED_CONST uint kGradientUnit = 10u;
+SHARED_CONST uint kGradientUnit = 10u;     // 11: kSheetUnit
 SHARED_CONST uint kCutBinding = 1u;
 SHARED_CONST uint kStructureBinding = 2u;
 SHARED_CONST uint kCellBinding = 3u;
 SHARED_CONST uint kCellLabelBinding = 4u;
 SHARED_CONST uint kMeshBinding = 5u;
 SHARED_CONST uint kExemptBinding = 6u;
-// 7: kSheetBinding, see sheet.h
 
 SHARED_CONST int kTransferSize = 4096;     // table positions 0 .. kTransferSize - 1; the sums have one entry more
 SHARED_CONST int kTileGroup = 8;           // threads along x and y of a ray-cast group

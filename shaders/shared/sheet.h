@@ -16,9 +16,10 @@ SHARED_CONST float kSheetFar = 1e30f;
 SHARED_CONST int kSheetGroup = 64;           // threads of the groups that index a sheet
 SHARED_CONST int kSheetScanGroup = 64;       // of the one that sums up
 SHARED_CONST int kSheetEntriesPerCell = 16;  // room in the lists on the GPU; a sheet that hangs flat needs four
-SHARED_CONST uint kSheetBinding = 7u;        // storage block of the rows of all sheets; while one is indexed,
-SHARED_CONST uint kSheetValuesBinding = 8u;  // the same as single floats,
-SHARED_CONST uint kSheetCountsBinding = 9u;  // and a count a cell, then 1 when the lists had no room for all
+SHARED_CONST uint kSheetUnit = 11u;          // sampler of the rows of all sheets
+SHARED_CONST uint kSheetBinding = 0u;        // while one is indexed, the storage block of its rows (SHARED_SHEET_BLOCK),
+SHARED_CONST uint kSheetValuesBinding = 1u;  // the same as single floats,
+SHARED_CONST uint kSheetCountsBinding = 2u;  // and a count a cell, then 1 when the lists had no room for all
 SHARED_CONST float kSheetMargin = 1e-5f;     // of the frame's edges: how far rounding may take a line from its cell
 
 /// Which rows, and the frame that the sheet hangs in.
@@ -97,17 +98,17 @@ SHARED_FN vec2 sheetMeets(vec3 a, vec3 b, vec3 c, vec3 d) {
 }
 
 #if SHARED_HAS_SHEETS
-SHARED_SHEET_BLOCK(kSheetBinding)
+SHARED_SHEET_BLOCK(kSheetUnit)
 
-SHARED_FN vec3 sheetPlace(SheetPlan plan, int particle SHARED_SHEETS) { return vec3(sheets.rows[plan.rows.x + particle]); }
+SHARED_FN vec3 sheetPlace(SheetPlan plan, int particle SHARED_SHEETS) { return vec3(SHARED_SHEET_ROW(plan.rows.x + particle)); }
 
 SHARED_FN vec4 sheetCell(SheetPlan plan, int x, int y SHARED_SHEETS) {
-  return sheets.rows[plan.rows.x + 2 * sheetParticles(plan) + y * plan.rows.y + x];
+  return SHARED_SHEET_ROW(plan.rows.x + 2 * sheetParticles(plan) + y * plan.rows.y + x);
 }
 
 /// An entry of the cells' lists: the lower left particle of a mesh.
 SHARED_FN int sheetEntry(SheetPlan plan, int entry SHARED_SHEETS) {
-  return int(sheets.rows[sheetLists(plan) + (entry >> 2)][entry & 3]);
+  return int(SHARED_SHEET_ROW(sheetLists(plan) + (entry >> 2))[entry & 3]);
 }
 
 /// Cosine between a triangle's normal and z.
@@ -214,19 +215,20 @@ SHARED_FN float sheetNonZero(float x) { return abs(x) < 1e-12f ? (x < 0.0f ? -1e
 SHARED_FN SheetHit sheetNearest(SheetPlan plan, vec4 cell, bool look, SheetLine line, float from, SheetHit best SHARED_SHEETS) {
   int first = int(cell.x);
   int count = look ? int(cell.y) : 0;
-  for (int i = 0; i < count; ++i) {
-    int v = sheetEntry(plan, first + i SHARED_PASS_SHEETS);
+  int i = 0;
+  do {
+    int v = sheetEntry(plan, first + max(min(i, count - 1), 0) SHARED_PASS_SHEETS);
     vec2 t = sheetMeets(sheetFromLine(line, sheetPlace(plan, v SHARED_PASS_SHEETS)),
                         sheetFromLine(line, sheetPlace(plan, v + 1 SHARED_PASS_SHEETS)),
                         sheetFromLine(line, sheetPlace(plan, v + plan.rows.y + 1 SHARED_PASS_SHEETS)),
                         sheetFromLine(line, sheetPlace(plan, v + plan.rows.y SHARED_PASS_SHEETS)));
-    bool lower = t.x > from && t.x < best.t;
+    bool lower = count > 0 && t.x > from && t.x < best.t;
     best.triangle = lower ? 2 * v : best.triangle;
     best.t = lower ? t.x : best.t;
-    bool upper = t.y > from && t.y < best.t;
+    bool upper = count > 0 && t.y > from && t.y < best.t;
     best.triangle = upper ? 2 * v + 1 : best.triangle;
     best.t = upper ? t.y : best.t;
-  }
+  } while (++i < count);
   return best;
 }
 
@@ -259,15 +261,14 @@ SHARED_FN SheetHit sheetCrossing(SheetPlan plan, vec3 o, vec3 d, float from, flo
   int y = sheetCellIndex(at.y, plan.rows.z);
   float t = 0.0f;
   int guard = plan.rows.y + plan.rows.z;
-  // Conditions stand at the head: of a loop with one at its foot Mesa 22 keeps what a turn too many makes of rays that
-  // have left it.
-  bool more = true;
-  while (more) {
-    vec4 cell = vec4(0.0f);
-    float next = 0.0f;
-    bool looks = false;
-    bool leaps = true;
-    while (leaps) {
+  // As in the ray march, conditions stand at the foot, and a turn too many changes nothing.
+  bool more;
+  do {
+    vec4 cell;
+    float next;
+    bool looks;
+    bool leaps;
+    do {
       float nextX = (float(x + (stepX > 0 ? 1 : 0)) - at.x) * mmPer.x;
       float nextY = (float(y + (stepY > 0 ? 1 : 0)) - at.y) * mmPer.y;
       bool isX = nextX < nextY;
@@ -284,7 +285,7 @@ SHARED_FN SheetHit sheetCrossing(SheetPlan plan, vec3 o, vec3 d, float from, flo
       x = leaps ? nextCellX : x;
       y = leaps ? nextCellY : y;
       t = leaps ? max(next, t) : t;
-    }
+    } while (leaps);
     best = sheetNearest(plan, cell, looks, line, from - start, best SHARED_PASS_SHEETS);
     float edgeX = (float(x + (stepX > 0 ? 1 : 0)) - at.x) * mmPer.x;
     float edgeY = (float(y + (stepY > 0 ? 1 : 0)) - at.y) * mmPer.y;
@@ -296,7 +297,7 @@ SHARED_FN SheetHit sheetCrossing(SheetPlan plan, vec3 o, vec3 d, float from, flo
     x = more ? afterX : x;
     y = more ? afterY : y;
     t = more ? max(next, t) : t;
-  }
+  } while (more);
   best.t = best.t < last ? best.t + start : kSheetFar;
   best.triangle = best.t < kSheetFar ? best.triangle : -1;
   return best;
@@ -326,7 +327,7 @@ SHARED_FN vec3 sheetShares(SheetPlan plan, int triangle, vec3 p SHARED_SHEETS) {
 SHARED_FN vec3 sheetNormal(SheetPlan plan, int triangle, vec3 p SHARED_SHEETS) {
   ivec3 corner = sheetCorners(plan, triangle) + plan.rows.x + sheetParticles(plan);
   vec3 w = sheetShares(plan, triangle, p SHARED_PASS_SHEETS);
-  return w.x * vec3(sheets.rows[corner.x]) + w.y * vec3(sheets.rows[corner.y]) + w.z * vec3(sheets.rows[corner.z]);
+  return w.x * vec3(SHARED_SHEET_ROW(corner.x)) + w.y * vec3(SHARED_SHEET_ROW(corner.y)) + w.z * vec3(SHARED_SHEET_ROW(corner.z));
 }
 
 #endif

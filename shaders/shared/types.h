@@ -10,11 +10,13 @@
 #define SHARED_FN inline
 // Sums that must come out alike wherever they are written: shaders must say so (C++ is built with -ffp-contract=off).
 #define SHARED_EXACT
-// The rows of all sheets: C++ is handed them as a last parameter, shaders have them as the storage block `sheets`.
+// The rows of all sheets: C++ is handed them as a last parameter; shaders have them as a buffer texture, which software
+// drivers fetch from far faster than from a storage block, or, where they write them, as a block.
 #define SHARED_SHEETS , const velum::shared::SheetRows& sheets
 #define SHARED_PASS_SHEETS , sheets
 #define SHARED_HAS_SHEETS 1
-#define SHARED_SHEET_BLOCK(place)
+#define SHARED_SHEET_BLOCK(unit)
+#define SHARED_SHEET_ROW(i) sheets.rows[i]
 namespace velum::shared {
 using glm::ivec2, glm::ivec3, glm::ivec4, glm::mat4, glm::uvec4, glm::vec2, glm::vec3, glm::vec4;
 using glm::abs, glm::clamp, glm::cross, glm::dot, glm::floor, glm::length, glm::max, glm::min, glm::mix;
@@ -32,10 +34,13 @@ struct SheetRows {
 #define SHARED_EXACT precise
 #define SHARED_SHEETS
 #define SHARED_PASS_SHEETS
-#ifndef SHEET_ACCESS
-#define SHEET_ACCESS readonly
+#ifdef WRITES_SHEET
+#define SHARED_SHEET_BLOCK(unit) layout(std430, binding = 0) buffer SheetBlock { vec4 sheetRows[]; };
+#define SHARED_SHEET_ROW(i) sheetRows[i]
+#else
+#define SHARED_SHEET_BLOCK(unit) layout(binding = unit) uniform samplerBuffer sheetRows;
+#define SHARED_SHEET_ROW(i) texelFetch(sheetRows, i)
 #endif
-#define SHARED_SHEET_BLOCK(place) layout(std430, binding = place) SHEET_ACCESS buffer SheetBlock { vec4 rows[]; } sheets;
 #ifdef MEMBRANES
 #define SHARED_HAS_SHEETS 1
 #else

@@ -2,11 +2,13 @@
 
 #include <chrono>
 #include <filesystem>
+#include <optional>
 
 #include "Verbs.h"
 #include "velum/core/Error.h"
 #include "velum/render/Renderer.h"
 #include "velum/scene/Navigate.h"
+#include "velum/session/Membranes.h"
 #include "velum/session/Open.h"
 #include "velum/session/Picture.h"
 
@@ -45,6 +47,33 @@ scene::Scene frameOf(const scene::Scene& scene, int frame, int frames) {
   return out;
 }
 
+/// Brings the sheets of membranes to rest: anew where the data or a cut is another one than in the picture before, and
+/// active ones from where they were in it. On the current context.
+class Sheets {
+ public:
+  scene::Scene settle(const scene::Scene& step) {
+    scene::Scene wanted = step;
+    wanted.camera = {};
+    if (mWanted == wanted) return withShapes(step);
+    mWanted = wanted;
+    scene::Scene settled = step;
+    for (std::size_t i = 0; i < mShapes.size() && i < settled.cuts.size(); ++i)
+      settled.cuts[i].membrane.shape = mShapes[i];
+    session::settleMembranes(settled, {}, consoleProgress());
+    mShapes.clear();
+    for (const auto& cut : settled.cuts) mShapes.push_back(cut.membrane.shape);
+    return settled;
+  }
+
+ private:
+  scene::Scene withShapes(scene::Scene step) const {
+    for (std::size_t i = 0; i < mShapes.size(); ++i) step.cuts[i].membrane.shape = mShapes[i];
+    return step;
+  }
+  std::optional<scene::Scene> mWanted;
+  std::vector<scene::SheetShape> mShapes;
+};
+
 scene::SliceKind sliceKind(const std::string& name) {
   for (int i = 0; std::string_view known : EnumNames<scene::SliceKind>::kNames) {
     if (name == known) return scene::SliceKind(i);
@@ -53,7 +82,7 @@ scene::SliceKind sliceKind(const std::string& name) {
   throw ArgumentError(fmt::format("--slice {}: not one of axial, coronal, sagittal", name));
 }
 
-/// A slice view instead of the 3D picture; needs no graphics driver.
+/// A slice view instead of the 3D picture; needs no graphics driver, unless there are membranes.
 int runSlice(const RenderOptions& options) {
   scene::SliceKind kind = sliceKind(options.slice);
   glm::ivec2 size = session::parsePictureSize(options.size, options.dpi);
@@ -63,11 +92,14 @@ int runSlice(const RenderOptions& options) {
     throw ArgumentError("--frames with --slice goes through time steps, and this volume has none");
   session::PictureOptions picture{size, 0, options.transparent, false, options.dpi};
   std::vector<std::string> outputs = outputNames(options);
+  std::unique_ptr<gpu::Context> context;
+  if (session::hasMembranes(scene)) context = gpu::Context::create(options.common.context);
+  Sheets sheets;
   double ms = 0;
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     scene::Scene step = options.frames > 0 ? frameOf(scene, int(i), options.frames) : scene;
     auto start = std::chrono::steady_clock::now();
-    Image image = session::drawSlicePicture(step, kind, picture);
+    Image image = session::drawSlicePicture(context ? sheets.settle(step) : step, kind, picture);
     ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     session::savePicture(image, step, picture, outputs[i]);
   }
@@ -98,9 +130,10 @@ int run(const RenderOptions& options) {
 
   auto start = std::chrono::steady_clock::now();
   std::vector<std::string> outputs = outputNames(options);
+  Sheets sheets;
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     scene::Scene step = options.frames > 0 ? frameOf(scene, int(i), options.frames) : scene;
-    Image image = session::drawPicture(renderer, step, picture, context->limits(), consoleProgress());
+    Image image = session::drawPicture(renderer, sheets.settle(step), picture, context->limits(), consoleProgress());
     consoleProgress().report(1.0, "");
     session::savePicture(image, step, picture, outputs[i]);
   }

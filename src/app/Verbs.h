@@ -44,6 +44,7 @@ void printJson(const Json& json);
 using Run = std::function<int()>;
 Run registerInfo(CLI::App& verb);
 Run registerRender(CLI::App& verb);
+Run registerMembrane(CLI::App& verb);
 Run registerBench(CLI::App& verb);
 Run registerCompare(CLI::App& verb);
 Run registerSample(CLI::App& verb);

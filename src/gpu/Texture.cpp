@@ -69,6 +69,14 @@ void deleteTexture(unsigned id) {
   if (hasGl()) gl().DeleteTextures(1, &id);
 }
 
+Texture Texture::makeOfBuffer(std::string_view label, Format format, const Buffer& buffer) {
+  unsigned id = 0;
+  gl().CreateTextures(GL_TEXTURE_BUFFER, 1, &id);
+  gl().ObjectLabel(GL_TEXTURE, id, GLsizei(label.size()), label.data());
+  gl().TextureBuffer(id, row(format).internal, buffer.id());
+  return Texture(id, format, {int(buffer.bytes() / row(format).bytes), 1, 1}, false);
+}
+
 Texture Texture::make2d(std::string_view label, Format format, glm::ivec2 size, Filter filter) {
   Texture texture(createTexture(GL_TEXTURE_2D, label, isInteger(format) ? Filter::Nearest : filter), format, {size, 1},
                   false);

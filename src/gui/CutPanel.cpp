@@ -40,6 +40,7 @@ CutPanel::CutPanel(session::Document& document, Selection& selection, QWidget* p
       mSelection(selection),
       mList(new CutList(this)),
       mForm(new CutForm(document, selection, this)),
+      mMembrane(new MembraneForm(document, *mForm, this)),
       mKeepWhole(new KeepWholeList(this)) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -53,6 +54,7 @@ CutPanel::CutPanel(session::Document& document, Selection& selection, QWidget* p
   layout->addWidget(mList);
   layout->addWidget(mTools = buildTools());
   layout->addWidget(mForm);
+  layout->addWidget(mMembrane);
   layout->addWidget(mLine = makeLine(this));
   layout->addWidget(mKeepWhole, 1000);
   layout->addStretch(1);  // holds all up where there is no list to fill the height
@@ -200,9 +202,12 @@ void CutPanel::refresh() {
   mList->setCuts(scene.cuts, index);
   for (QWidget* part : {static_cast<QWidget*>(mList), mTools, static_cast<QWidget*>(mForm)}) part->setVisible(any);
   mEmpty->setVisible(!any);
+  bool isMembrane = any && scene.cuts[std::size_t(index)].shape == scene::CutShape::Membrane;
+  mMembrane->setVisible(isMembrane);
   mLine->setVisible(any && !scene.labels.structures.empty());
   mKeepWhole->setVisible(any);
   if (!any) return;
+  if (isMembrane) mMembrane->showCut(scene.cuts[std::size_t(index)]);
   mUp->setEnabled(index > 0);
   mDown->setEnabled(index + 1 < count);
   const scene::Cut& cut = scene.cuts[std::size_t(index)];

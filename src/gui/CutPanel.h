@@ -7,6 +7,7 @@
 #include "CutForm.h"
 #include "CutList.h"
 #include "KeepWholeList.h"
+#include "MembraneForm.h"
 #include "Selection.h"
 #include "velum/session/Document.h"
 
@@ -19,6 +20,9 @@ class CutPanel : public QWidget {
   CutPanel(session::Document& document, Selection& selection, QWidget* parent);
   void refresh();
   int selected() const { return mSelection.cut(); }
+
+  /// What belongs to the selected membrane; hidden for other cuts.
+  MembraneForm& membraneForm() { return *mMembrane; }
 
   /// A cut of a shape, placed where it is of use.
   void addShape(scene::CutShape shape);
@@ -49,6 +53,7 @@ class CutPanel : public QWidget {
   Selection& mSelection;
   CutList* mList;
   CutForm* mForm;
+  MembraneForm* mMembrane;
   KeepWholeList* mKeepWhole;
   QWidget *mTools = nullptr, *mLine = nullptr;
   QLabel* mEmpty = nullptr;

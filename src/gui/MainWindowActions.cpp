@@ -227,7 +227,11 @@ void MainWindow::buildCutActions(QMenu* menu, QToolBar* bar) {
                         tr("Click three points in the picture"), [this] { mThreePoints->start(); });
   QAction* sheet = mActions->addForScene(menu, "cut.addMembrane", tr("Add &membrane"),
                                          tr("An elastic sheet that cuts around what matters instead of through it"),
-                                         [this] { mCuts->addMembrane(); });
+                                         [this] {
+                                           mCuts->addMembrane();
+                                           for (int i = 0; i < mTabs->count(); ++i)
+                                             if (mTabs->widget(i)->isAncestorOf(mCuts)) mTabs->setCurrentIndex(i);
+                                         });
   struct Row {
     const char *id, *name;
     scene::CutShape shape;

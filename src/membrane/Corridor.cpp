@@ -9,17 +9,24 @@ namespace velum::membrane {
 
 namespace {
 
-/// How far the sheet keeps from the middle of a node that it must not pass, in layers, where there is room: the surface of
-/// what is protected lies about half a voxel beyond its outermost voxels.
+/// How far the sheet keeps from the middle of a node that it must not pass, in layers, where there is room: the surface
+/// of what is protected lies about half a voxel beyond its outermost voxels.
 constexpr double kClearance = 0.75;
 /// And where there is none: this share of the gap to either side.
 constexpr double kShareOfGap = 0.4;
 
-/// What a column's sheet separates, its neighbours' sheets being where they are.
+/// Where the sheet must pass through what is protected it may leave the least cut by so many layers, so that it is
+/// smooth there, rather than made of boxes: areas of a lattice are shortest along its axes.
+constexpr int kSmoothing = 2;
+
+/// What a column's sheet separates, its neighbours' sheets being where they are. Neighbours that themselves cut through
+/// what is protected at about the same height do not count.
 class ColumnCost {
  public:
   ColumnCost(const CutLattice& lattice, std::span<const int> below, glm::ivec2 at)
-      : mLattice(lattice), mBelow(below), mAt(at) {}
+      : mLattice(lattice), mBelow(below), mAt(at), mHeight(below[std::size_t(at.y * lattice.dims.x + at.x)]) {
+    mIsCutting = pair(2, at, mHeight - 1) > 0.0;
+  }
 
   double separated(int b) const {
     double sum = pair(2, mAt, b - 1);
@@ -30,6 +37,7 @@ class ColumnCost {
       if (other[axis] < 0 || other[axis] >= mLattice.dims[axis]) continue;
       low[axis] = std::min(mAt[axis], other[axis]);
       int there = mBelow[std::size_t(other.y * mLattice.dims.x + other.x)];
+      if (mIsCutting && std::abs(there - mHeight) <= 2 * kSmoothing && pair(2, other, there - 1) > 0.0) continue;
       for (int z = std::min(b, there); z < std::max(b, there); ++z) sum += pair(axis, low, z);
     }
     return sum;
@@ -38,8 +46,8 @@ class ColumnCost {
   /// The last height in a direction that separates no more than the one it starts from.
   int freeTo(int from, int step) const {
     double now = separated(from);
-    int b = from;
-    while (b + step >= 1 && b + step < mLattice.dims.z && separated(b + step) <= now) b += step;
+    int b = from, last = mIsCutting ? from + kSmoothing * step : from + mLattice.dims.z * step;
+    while (b != last && b + step >= 1 && b + step < mLattice.dims.z && separated(b + step) <= now) b += step;
     return b;
   }
 
@@ -53,6 +61,8 @@ class ColumnCost {
   const CutLattice& mLattice;
   std::span<const int> mBelow;
   glm::ivec2 mAt;
+  int mHeight = 0;
+  bool mIsCutting = false;  ///< its sheet passes through what is protected
 };
 
 }  // namespace

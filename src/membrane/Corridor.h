@@ -3,7 +3,8 @@
 
 namespace velum::membrane {
 
-/// The room that a sheet has without cutting more than it does. @param below  [y][x] nodes of each column below the sheet
+/// The room that a sheet has without cutting more than it does. @param below  [y][x] nodes of each column below the
+/// sheet
 Corridor corridorAround(const CutLattice& lattice, std::span<const int> below);
 
 }  // namespace velum::membrane

@@ -46,7 +46,11 @@ void CutSheets::prepare(const Frame& frame) {
     total += live ? live->rowCount() : indices[i].rows.size();
   }
   std::size_t bytes = std::max<std::size_t>(total, 1) * sizeof(glm::vec4);
-  if (!mRows || mRows.bytes() != bytes) mRows = gpu::Buffer("sheets", bytes);
+  if (!mRows || mRows.bytes() != bytes) {
+    mTexels = {};
+    mRows = gpu::Buffer("sheets", bytes);
+    mTexels = gpu::Texture::makeOfBuffer("sheets", gpu::Format::Rgba32f, mRows);
+  }
   for (std::size_t i = 0; i < sources.size(); ++i) {
     std::size_t offset = std::size_t(mPlans[i].x) * sizeof(glm::vec4);
     if (sources[i].live.sheet)
@@ -58,7 +62,7 @@ void CutSheets::prepare(const Frame& frame) {
 }
 
 void CutSheets::bind() const {
-  if (mRows) mRows.bindStorage(shared::kSheetBinding);
+  if (mTexels) mTexels.bindSampler(shared::kSheetUnit);
 }
 
 CpuSheets makeCpuSheets(const scene::Scene& scene,

@@ -6,6 +6,7 @@
 
 #include "shared/types.h"
 #include "velum/gpu/Buffer.h"
+#include "velum/gpu/Texture.h"
 #include "velum/membrane/SheetIndex.h"
 #include "velum/render/Frame.h"
 
@@ -38,6 +39,7 @@ class CutSheets {
   std::vector<Source> mSources;
   std::vector<glm::ivec4> mPlans;
   gpu::Buffer mRows;
+  gpu::Texture mTexels;  ///< the rows, as shaders fetch them
 };
 
 /// The same on the processor.

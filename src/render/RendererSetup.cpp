@@ -198,23 +198,25 @@ void Renderer::Impl::choosePrograms() {
   int color = volume && volume->isMixed ? 2 : volume && volume->isColor ? 1 : 0;
   int rayMode = volume ? static_cast<int>(frame.scene.rayCast.mode) : 0;
   int gradients = volume && volume->gradient ? 1 : 0;
-  bool hasMembranes = params.flags.x & shared::kFlagMembranes;
-  std::string lightVariant = fmt::format("{}{}{}{}", rayMode, mode, color, hasMembranes ? "m" : "");
+  std::uint32_t flags = params.flags.x;
+  gpu::Defines defines{
+      {"MODE", std::to_string(rayMode)}, {"LABELS", std::to_string(mode)}, {"COLOR", std::to_string(color)}};
+  if (flags & shared::kFlagMembranes) defines.push_back({"MEMBRANES", "1"});
+  std::string lightVariant = fmt::format("{}{}{}{}", rayMode, mode, color, flags & shared::kFlagMembranes ? "m" : "");
   std::string variant = fmt::format("{}{}", lightVariant, gradients);
-  gpu::Defines defines{{"MODE", std::to_string(rayMode)},
-                       {"LABELS", std::to_string(mode)},
-                       {"COLOR", std::to_string(color)},
-                       {"GRADIENTS", std::to_string(gradients)}};
-  if (hasMembranes) defines.push_back({"MEMBRANES", "1"});
+  gpu::Defines lightDefines = defines;
+  defines.push_back({"GRADIENTS", std::to_string(gradients)});
   if (context.limits().isSoftware) {
-    variant += fmt::format(" {}", params.flags.x);
-    defines.push_back({"FLAGS", fmt::format("{}u", params.flags.x)});
+    // Of the light grid's, those that its shaders ask about.
+    std::uint32_t lightFlags = flags & (shared::kFlagExemptions | shared::kFlagSlices);
+    lightVariant += fmt::format(" {}", lightFlags);
+    lightDefines.push_back({"FLAGS", fmt::format("{}u", lightFlags)});
+    variant += fmt::format(" {}", flags);
+    defines.push_back({"FLAGS", fmt::format("{}u", flags)});
   }
   if (!rayPrograms.contains(variant)) rayPrograms.emplace(variant, gpu::Program({"render/ray_cast.comp"}, defines));
   rayProgram = &rayPrograms.at(variant);
-  if (!lightPasses.contains(lightVariant))
-    lightPasses.emplace(std::piecewise_construct, std::forward_as_tuple(lightVariant),
-                        std::forward_as_tuple(mode, color, rayMode, hasMembranes));
+  if (!lightPasses.contains(lightVariant)) lightPasses.emplace(lightVariant, lightDefines);
   if (light != &lightPasses.at(lightVariant)) extinctionKey.reset();
   light = &lightPasses.at(lightVariant);
   glm::dmat3 edges(grid.worldFromTex);

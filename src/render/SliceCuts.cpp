@@ -24,7 +24,7 @@ SliceCuts::SliceCuts(const scene::Scene& scene, const scene::SliceFrame& frame,
 
 /// A convex cut removes one stretch of a row, or all but one.
 void SliceCuts::markConvex(const SliceCut& cut, const Row& row, std::vector<char>& removed) const {
-  glm::vec2 inside = shared::cutInterval(cut.data, row.start, row.along) * float(1.0 / mFrame.mmPerPixel);
+  glm::vec2 inside = shared::cutInterval(cut.data, row.start, row.along) * float(1.0 / row.mmPerPixel);
   int from = 0, to = 0;
   if (inside.x <= inside.y) {
     from = int(std::clamp(std::ceil(inside.x), 0.0f, float(row.width)));
@@ -37,7 +37,7 @@ void SliceCuts::markConvex(const SliceCut& cut, const Row& row, std::vector<char
 
 /// From crossing to crossing; each run is asked in its middle.
 void SliceCuts::markMembrane(const SliceCut& cut, const Row& row, std::vector<char>& removed) const {
-  float mm = float(mFrame.mmPerPixel), end = mm * float(row.width), t = -0.5f * mm;
+  float mm = float(row.mmPerPixel), end = mm * float(row.width), t = -0.5f * mm;
   for (int x = 0; x < row.width;) {
     float next = shared::membraneCrossing(cut.data, row.start, row.along, t + 1e-5f * std::max(1.0f, std::abs(t)), end,
                                           mSheets.view())
@@ -53,8 +53,12 @@ void SliceCuts::markMembrane(const SliceCut& cut, const Row& row, std::vector<ch
 
 std::vector<char> SliceCuts::removedOf(int y, int width, std::span<const std::uint16_t> ids) const {
   Row row{glm::vec3(scene::worldFromSlicePixel(mFrame, {0.5, y + 0.5}) - mFrame.centreMm), glm::vec3(mFrame.right),
-          width};
-  auto count = std::size_t(width);
+          width, mFrame.mmPerPixel};
+  return removedOf(row, ids);
+}
+
+std::vector<char> SliceCuts::removedOf(const Row& row, std::span<const std::uint16_t> ids) const {
+  auto count = std::size_t(row.width);
   std::vector<char> removed(count, 0), one(count, 0), outOfSlices(count, 1);
   bool hasSlices = false;
   for (const auto& cut : mCuts) {

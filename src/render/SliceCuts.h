@@ -22,17 +22,20 @@ class SliceCuts {
   /// @param ids  label of each pixel; may be empty when nothing is spared
   std::vector<char> removedOf(int y, int width, std::span<const std::uint16_t> ids) const;
 
+  /// A row as a ray: the middle of pixel x is at start + x * mmPerPixel * along, from the frame's centre.
+  struct Row {
+    glm::vec3 start, along;
+    int width = 0;
+    double mmPerPixel = 1.0;
+  };
+  std::vector<char> removedOf(const Row& row, std::span<const std::uint16_t> ids) const;
+
  private:
   /// A cut, and which structures it spares.
   struct SliceCut {
     shared::CutData data;
     std::vector<bool> spares;  ///< By label id; empty: none.
     bool isSlice = false;
-  };
-  /// A row as a ray: the middle of pixel x is at start + x * mmPerPixel * along.
-  struct Row {
-    glm::vec3 start, along;
-    int width = 0;
   };
   void markConvex(const SliceCut& cut, const Row& row, std::vector<char>& removed) const;
   void markMembrane(const SliceCut& cut, const Row& row, std::vector<char>& removed) const;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "velum/session/MembraneEdit.h"
 #include "velum/session/StructureSizes.h"
 #include "velum/session/ValueHistogram.h"
 
@@ -11,8 +12,6 @@ namespace velum::session {
 
 namespace {
 
-/// Strong against the cloth's own forces, far below what the solver bears.
-constexpr double kStrength = 400.0;
 /// Of what protects most of the data a sheet can keep nothing whole. Tried on head, chest and abdomen, angiograms and
 /// phantoms: bones are 4 to 8 % of a body's voxels, vessels 1 to 3 %.
 constexpr double kLargestShare = 0.12;
@@ -58,8 +57,8 @@ double opacityFrom(const std::vector<Bin>& bins) {
 /// A trapezoid over the values from one to another.
 void protect(std::vector<scene::StrengthPoint>& curve, double low, double high, double ramp) {
   curve.push_back({low - ramp, 0.0});
-  curve.push_back({low, kStrength});
-  curve.push_back({high, kStrength});
+  curve.push_back({low, kProtectStrength});
+  curve.push_back({high, kProtectStrength});
   curve.push_back({high + ramp, 0.0});
 }
 
@@ -72,7 +71,7 @@ void protectBrightest(scene::ForceField& field, const std::vector<Bin>& bins) {
   protect(field.byValue, bins[first].value, bins.back().value, 0.0);
 }
 
-void protectValues(scene::ForceField& field, const scene::VolumeLayer& layer) {
+void protectOpaque(scene::ForceField& field, const scene::VolumeLayer& layer) {
   std::vector<Bin> bins = binsOf(layer);
   if (bins.empty()) return;
   double from = opacityFrom(bins), width = bins.size() > 1 ? bins[1].value - bins[0].value : 1.0;
@@ -101,7 +100,7 @@ void protectStructures(scene::ForceField& field, const scene::LabelLayer& labels
   for (auto [voxels, id] : shown) {
     sum += voxels;
     if (sum > kLargestLabelledShare * total && !field.byLabel.empty()) break;
-    field.byLabel.push_back({id, kStrength});
+    field.byLabel.push_back({id, kProtectStrength});
   }
   std::sort(field.byLabel.begin(), field.byLabel.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
 }
@@ -111,7 +110,7 @@ void protectStructures(scene::ForceField& field, const scene::LabelLayer& labels
 scene::ForceField defaultField(const scene::Scene& scene) {
   scene::ForceField field;
   if (scene.labels.data && scene.labels.visible) protectStructures(field, scene.labels);
-  if (field.byLabel.empty() && scene.volume.data) protectValues(field, scene.volume);
+  if (field.byLabel.empty() && scene.volume.data) protectOpaque(field, scene.volume);
   return field;
 }
 

@@ -4,7 +4,7 @@
 #include <chrono>
 
 #include "LiveSheet.h"
-#include "velum/membrane/KeptWhole.h"
+#include "velum/session/Membranes.h"
 
 namespace velum::session {
 
@@ -97,19 +97,12 @@ MembranePlayer::Work MembranePlayer::forcesWork(LiveSheet& sheet) {
 
 MembranePlayer::Work MembranePlayer::measureWork(LiveSheet& sheet) {
   mOut = {sheet.id(), sheet.dataChange(), sheet.wish(), true};
-  return [this, out = mOut, scene = forcesScene(mScene), cut = sheet.cut(), index = sheet.index(),
-          shape = sheet.shape(), maker = sheet.maker](Progress& progress) mutable -> Finish {
+  return [this, out = mOut, scene = forcesScene(mScene), cut = sheet.cut(), shape = sheet.shape(),
+           maker = sheet.maker](Progress& progress) mutable -> Finish {
     if (!maker || !maker->matches(scene)) maker = std::make_shared<membrane::ForceMaker>(scene);
     const membrane::Potential& potential = maker->potential();
     membrane::KeptWhole figures;
-    if (potential.dims().x > 0) {
-      auto voxels =
-          potential.computeProtected(cut.membrane.field, membrane::voxelsInReach(potential, cut), progress);
-      auto side = [&index](std::span<const glm::vec3> local, std::span<std::uint8_t> above) {
-        for (std::size_t i = 0; i < local.size(); ++i) above[i] = membrane::isAbove(*index, local[i]);
-      };
-      figures = membrane::measureKeptWhole(voxels, cut, side, membrane::meanDistanceMm(shape), progress);
-    }
+    if (potential.dims().x > 0) figures = measureMembrane(potential, cut, shape, progress);
     return [this, out, maker, figures] {
       LiveSheet* found = find(out.id);
       if (!found) return;

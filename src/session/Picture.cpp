@@ -10,6 +10,7 @@
 #include "velum/gpu/Context.h"
 #include "velum/io/ImageFile.h"
 #include "velum/render/SliceImage.h"
+#include "velum/session/Membranes.h"
 #include "velum/session/Open.h"
 
 namespace velum::session {
@@ -161,7 +162,9 @@ void savePicture(const Image& image, const scene::Scene& scene, const PictureOpt
 Image drawPictureHeadless(const scene::Scene& scene, const PictureOptions& options, Progress& progress) {
   auto context = gpu::Context::create(gpu::ContextKind::Auto);
   render::Renderer renderer(*context);
-  return drawPicture(renderer, scene, options, context->limits(), progress);
+  scene::Scene settled = scene;
+  settleMembranes(settled, {}, progress);
+  return drawPicture(renderer, settled, options, context->limits(), progress);
 }
 
 void renderPictureFile(const scene::Scene& scene, const PictureOptions& options, const std::filesystem::path& path,

@@ -21,4 +21,7 @@ void measureFetches(const Options& options, Report& report);
 /// Our readers against ITK's and VTK's, time and memory.
 void measureLoading(const Options& options, Report& report);
 
+/// The membrane: how much it keeps whole against the limit, the time of a step and of an edit.
+void measureMembrane(const Options& options, Report& report);
+
 }  // namespace velum::bench

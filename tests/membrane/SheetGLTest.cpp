@@ -12,6 +12,7 @@
 #include "shared/sheet.h"
 #include "sheetShapes.h"
 #include "velum/gpu/Program.h"
+#include "velum/gpu/Texture.h"
 #include "velum/membrane/SheetIndex.h"
 
 namespace velum {
@@ -125,7 +126,8 @@ void main() {
       sheet.grow();
       membrane::SheetIndex index = membrane::makeSheetIndex(shape, kParticles, kSize);
       gpu::Buffer in("rays", std::span<const glm::vec4>(rays)), out("found", kRays * sizeof(glm::vec4));
-      sheet.rows().bindStorage(shared::kSheetBinding);
+      gpu::Texture texels = gpu::Texture::makeOfBuffer("rows", gpu::Format::Rgba32f, sheet.rows());
+      texels.bindSampler(shared::kSheetUnit);
       in.bindStorage(1);
       out.bindStorage(2);
       probe.set(0, glm::ivec4(index.particles, 0, 0));

@@ -5,8 +5,10 @@
 #include <chrono>
 #include <cmath>
 
+#include "CutSheets.h"
 #include "FrameSetup.h"
 #include "makeVolume.h"
+#include "sheetShapes.h"
 #include "velum/scene/Presets.h"
 
 namespace velum::render {
@@ -261,6 +263,51 @@ TEST_F(SliceLabels, CutsDimWhatTheyRemoveAsTheirFunctionSays) {
     }
   mScene.slices.showCuts = false;
   expectColor(kInNone, glm::ivec3(128));
+}
+
+TEST_F(SliceLabels, MembranesDimWhatTheyRemoveAsTheirFunctionSays) {
+  mScene.slices.labelOpacity = 0;
+  for (auto use : {scene::MembraneUse::Clip, scene::MembraneUse::Slice})
+    for (const auto& [name, shape] : allSheets({20, 20}, {22, 18, 14})) {
+      scene::Cut cut;
+      cut.shape = scene::CutShape::Membrane;
+      cut.axis = {0.5, -0.3, 0.6};
+      cut.centreMm = {2, 1, -3};
+      cut.sizeMm = {22, 18, 14};
+      cut.membrane.shape = shape;
+      cut.membrane.use = use;
+      mScene.cuts = {cut};
+      SliceImage image = drawSlice(mScene, mFrame);
+      CpuSheets sheets = makeCpuSheets(mScene, {});
+      auto data = makeCutData(mScene, {0, 0, 0}, sheets.plans);
+      int dim = 0, kept = 0;
+      for (int y = 0; y < kSize.y; ++y)
+        for (int x = 0; x < kSize.x; ++x) {
+          glm::dvec3 world = scene::worldFromSlicePixel(mFrame, {x + 0.5, y + 0.5});
+          float distance = shared::cutDistance(data[0], glm::vec3(world), sheets.view());
+          if (!probe(mScene, world).inside || std::abs(distance) < 1e-3f) continue;
+          int wanted = distance < 0 ? 44 : 128;  // kDimmed of 128
+          EXPECT_NEAR(rgbOf(image, x, y).r, wanted, 1) << name << int(use) << " " << x << " " << y;
+          ++(distance < 0 ? dim : kept);
+        }
+      EXPECT_GT(dim, 20) << name;
+      EXPECT_GT(kept, name == "flat" && use == scene::MembraneUse::Slice ? -1 : 20) << name;
+    }
+}
+
+TEST_F(SliceLabels, ALiveSheetTakesThePlaceOfTheSavedOne) {
+  scene::Cut cut;
+  cut.shape = scene::CutShape::Membrane;
+  cut.axis = {0.5, -0.3, 0.6};
+  cut.sizeMm = {22, 18, 14};
+  mScene.cuts = {cut};
+  auto live = std::make_shared<const membrane::SheetIndex>(
+      membrane::makeSheetIndex(domeSheet({20, 20}, cut.sizeMm), {20, 20}, cut.sizeMm));
+  std::shared_ptr<const membrane::SheetIndex> sheets[] = {live};
+  SliceImage flat = drawSlice(mScene, mFrame), drawn = drawSlice(mScene, mFrame, sheets);
+  mScene.cuts[0].membrane.shape = domeSheet({20, 20}, cut.sizeMm);
+  EXPECT_EQ(drawn.pixels, drawSlice(mScene, mFrame).pixels);
+  EXPECT_NE(drawn.pixels, flat.pixels);
 }
 
 TEST_F(SliceLabels, WhatACutSparesIsNotDimmed) {

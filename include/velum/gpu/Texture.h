@@ -3,6 +3,7 @@
 #include <glm/glm.hpp>
 #include <string_view>
 
+#include "velum/gpu/Buffer.h"
 #include "velum/gpu/Handle.h"
 
 namespace velum::gpu {
@@ -38,6 +39,8 @@ class Texture : public Handle<deleteTexture> {
   Texture() = default;
   /// @throw GpuError when the driver has no memory for it
   static Texture make2d(std::string_view label, Format format, glm::ivec2 size, Filter filter = Filter::Nearest);
+  /// The values of a buffer, for texelFetch from a samplerBuffer. Lives no longer than the buffer.
+  static Texture makeOfBuffer(std::string_view label, Format format, const Buffer& buffer);
   static Texture make3d(std::string_view label, Format format, glm::ivec3 size, Filter filter = Filter::Linear);
 
   glm::ivec3 size() const { return mSize; }

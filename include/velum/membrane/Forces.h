@@ -14,14 +14,14 @@
 
 namespace velum::membrane {
 
-/// Where the sheet may hang so that it cuts nothing more than it must, column by column over the frame: between what belongs
-/// below it and what belongs above it. Frame-local mm.
+/// Where the sheet may hang so that it cuts nothing more than it must, column by column over the frame: between what
+/// belongs below it and what belongs above it. Frame-local mm.
 struct Corridor {
-  glm::ivec2 dims{0};             ///< columns; {0, 0}: the sheet may hang anywhere
-  glm::dvec2 originMm{0.0};       ///< middle of column (0, 0)
+  glm::ivec2 dims{0};        ///< columns; {0, 0}: the sheet may hang anywhere
+  glm::dvec2 originMm{0.0};  ///< middle of column (0, 0)
   glm::dvec2 stepMm{1.0};
-  std::vector<glm::vec2> room;    ///< [y][x]: lowest, highest z
-  std::vector<float> height;      ///< [y][x]: z of the least cut itself
+  std::vector<glm::vec2> room;  ///< [y][x]: lowest, highest z
+  std::vector<float> height;    ///< [y][x]: z of the least cut itself
 };
 
 /// Everything that acts on the sheet of one membrane in one place.
@@ -36,8 +36,8 @@ struct Forces {
 /// z of a sheet over a place of its frame, mm.
 using HeightOver = std::function<double(glm::dvec2 local)>;
 
-/// Makes forces from a scene's data; keeps what can be kept between edits and between places of the frame. One thread at a
-/// time.
+/// Makes forces from a scene's data; keeps what can be kept between edits and between places of the frame. One thread
+/// at a time.
 class ForceMaker {
  public:
   explicit ForceMaker(const scene::Scene& scene) : mPotential(scene) {}
@@ -45,9 +45,9 @@ class ForceMaker {
   const Potential& potential() const { return mPotential; }
   bool matches(const scene::Scene& scene) const { return mPotential.matches(scene); }
 
-  /// By the paper's rule: kernels that push away from their centres (IMC eq. 2, 3). By the sided rule (Differs: not in the
-  /// paper): the least cut over the frame says which protected material belongs below the sheet and which above; kernels
-  /// push along the normal to the other side, and the corridor is what lies between.
+  /// By the paper's rule: kernels that push away from their centres (IMC eq. 2, 3). By the sided rule (Differs: not in
+  /// the paper): the least cut over the frame says which protected material belongs below the sheet and which above;
+  /// kernels push along the normal to the other side, and the corridor is what lies between.
   /// @param current  active repositioning: material stays on the side of this sheet instead; empty: the least cut
   /// @throw Cancelled
   Forces compute(const scene::Cut& cut, const HeightOver& current, Progress& progress);
@@ -60,8 +60,8 @@ class ForceMaker {
   KernelGrid mKernels;
 };
 
-/// Room for each particle of a sheet: of the columns that are nearer to it than to others. Where no height suits them all,
-/// that of its nearest column. Empty without a corridor.
+/// Room for each particle of a sheet: of the columns that are nearer to it than to others. Where no height suits them
+/// all, that of its nearest column. Empty without a corridor.
 /// @param places  the particles of a sheet, frame-local mm
 /// @param pitchMm  between particles
 std::vector<glm::vec2> roomOf(const Corridor& corridor, std::span<const glm::vec3> places, glm::dvec2 pitchMm);

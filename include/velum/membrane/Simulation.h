@@ -9,8 +9,8 @@
 namespace velum::membrane {
 
 /// A sheet on its way to rest: first at the resolution that was asked for, which moves like cloth and is shown while
-/// it does; then, by the sided rule, refined until each column of the corridor has a particle, so that what the least cut
-/// keeps whole the sheet keeps whole. GL thread of the current context.
+/// it does; then, by the sided rule, refined until each column of the corridor has a particle, so that what the least
+/// cut keeps whole the sheet keeps whole. GL thread of the current context.
 class Simulation {
  public:
   Simulation() = default;
@@ -30,7 +30,7 @@ class Simulation {
   const Solver& solver() const { return *mSolver; }
   const Forces& forces() const { return mForces; }
   int steps() const { return mSteps; }
-  /// Largest speed when it was last looked at (every tenth step), mm/s.
+  /// Largest speed when it was last looked at (every eighth step), mm/s.
   double speed() const { return mSpeed; }
   /// Where the particles are. Waits for the GPU.
   scene::SheetShape shape() const;
@@ -54,8 +54,8 @@ class Simulation {
 scene::SheetShape flatShape(const scene::Cut& cut, glm::ivec2 particles);
 /// z over places of the frame, for a sheet whose particles stand in rows and columns (as they do by the sided rule).
 HeightOver heightOf(const scene::SheetShape& shape);
-/// The same sheet in another frame, its particles where they were in the world; what left the new frame's box is put back to
-/// its faces, and the border to its rim (active repositioning).
+/// The same sheet in another frame, its particles where they were in the world; what left the new frame's box is put
+/// back to its faces, and the border to its rim (active repositioning).
 scene::SheetShape carryOver(const scene::SheetShape& shape, const scene::Cut& from, const scene::Cut& to);
 
 }  // namespace velum::membrane

@@ -30,7 +30,8 @@ std::string pictureCommand(const std::filesystem::path& scene, const PictureOpti
 /// The scene as it is drawn, and as it rides in the picture: with the options applied.
 scene::Scene sceneForPicture(const scene::Scene& scene, const PictureOptions& options);
 
-/// Draws it on the context that is current: the same scene, options and driver give the same samples everywhere.
+/// Draws it on the context that is current, membranes as their shapes are (see settleMembranes): the same scene,
+/// options and driver give the same samples everywhere.
 /// @throw Cancelled, gpu::GpuError
 Image drawPicture(render::Renderer& renderer, const scene::Scene& scene, const PictureOptions& options,
                   const gpu::Limits& limits, Progress& progress);
@@ -45,8 +46,8 @@ Image drawSlicePicture(const scene::Scene& scene, scene::SliceKind kind, const P
 void savePicture(const Image& image, const scene::Scene& scene, const PictureOptions& options,
                  const std::filesystem::path& path);
 
-/// Draws it on a headless context of its own. Any thread that has no current context of ours. @throw Cancelled,
-/// gpu::GpuError
+/// Draws it on a headless context of its own, membranes at rest. Any thread that has no current context of ours. @throw
+/// Cancelled, gpu::GpuError
 Image drawPictureHeadless(const scene::Scene& scene, const PictureOptions& options, Progress& progress);
 
 /// Draws and saves on a headless context of its own. Any thread that has no current context of ours.

@@ -1,18 +1,13 @@
 #include "LightPass.h"
 
 #include <algorithm>
-#include <string>
 
 #include "shared/frame.h"
 
 namespace velum::render {
 
-LightPass::LightPass(int labels, int color, int mode, bool hasMembranes) : mLightProgram({"render/light_grid.comp"}) {
-  gpu::Defines defines{{"LABELS", std::to_string(labels)},
-                       {"COLOR", std::to_string(color)},
-                       {"MODE", std::to_string(mode)},
-                       {"GRADIENTS", "0"}};
-  if (hasMembranes) defines.push_back({"MEMBRANES", "1"});
+LightPass::LightPass(gpu::Defines defines) : mLightProgram({"render/light_grid.comp"}) {
+  defines.push_back({"GRADIENTS", "0"});
   mExtinctionProgram = gpu::Program({"render/light_extinction.comp"}, defines);
 }
 

@@ -11,7 +11,8 @@ namespace velum::render {
 /// Cost: grid cells (at most ~96^3 in software), not voxels or pixels; sliced along z.
 class LightPass {
  public:
-  LightPass(int labels, int color, int mode, bool hasMembranes);
+  /// @param defines  the variant of the shaders: LABELS, COLOR, MODE, and MEMBRANES where there are any
+  explicit LightPass(gpu::Defines defines);
   /// Cells for a box of the given edges (mm), `longest` along the longest.
   void resize(glm::dvec3 edgesMm, int longest);
   glm::ivec3 size() const { return mSize; }

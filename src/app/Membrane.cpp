@@ -1,0 +1,183 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "Verbs.h"
+#include "velum/core/Error.h"
+#include "velum/io/WriteMesh.h"
+#include "velum/io/WriteVolume.h"
+#include "velum/scene/Project.h"
+#include "velum/session/CutEdit.h"
+#include "velum/session/MembraneEdit.h"
+#include "velum/session/Membranes.h"
+#include "velum/session/Open.h"
+
+namespace velum::app {
+
+namespace {
+
+struct MembraneOptions {
+  Common common;
+  InputOptions input;
+  std::vector<double> protect, axis, at;
+  std::vector<int> structures;
+  double position = 0.5;
+  std::string rule, saveScene, sheet, clipped;
+  bool limit = false;
+};
+
+glm::dvec3 vectorOf(const std::vector<double>& v) { return {v[0], v[1], v[2]}; }
+
+/// The frame as the window would hang it, its axis and its place as asked for.
+scene::Cut newMembrane(const scene::Scene& scene, const MembraneOptions& options) {
+  scene::Scene seen = scene;
+  if (!options.axis.empty()) {
+    // The frame hangs across the direction in which one looks.
+    seen.camera = scene::frameCamera(scene, scene::StandardView::Anterior, 1.0);
+    seen.camera.eyeMm = seen.camera.targetMm + vectorOf(options.axis) * 1000.0;
+  }
+  scene::Cut cut = session::makeCut(seen, scene::CutShape::Membrane);
+  cut.name = "Membrane";
+  scene::Bounds bounds = scene::computeBounds(scene);
+  glm::dvec3 middle = (bounds.min + bounds.max) * 0.5, z(scene::worldFromCut(cut)[2]);
+  double deep = glm::dot(glm::abs(z), bounds.max - bounds.min);
+  cut.centreMm = middle + z * (deep * (options.position - 0.5));
+  return cut;
+}
+
+void protectWhatIsAsked(scene::Scene& scene, scene::Cut& cut, const MembraneOptions& options) {
+  auto& membrane = cut.membrane;
+  if (!options.protect.empty()) {
+    if (options.protect[0] >= options.protect[1]) throw ArgumentError("--protect A,B: A must be less than B");
+    session::protectValues(membrane, options.protect[0], options.protect[1]);
+  }
+  for (int id : options.structures) session::protectStructure(membrane, id);
+  if (options.at.empty()) return;
+  if (!session::protectTissue(membrane, scene.volume, vectorOf(options.at)))
+    throw ArgumentError(
+        fmt::format("--protect-at {},{},{}: that is outside the volume", options.at[0], options.at[1], options.at[2]));
+}
+
+bool asksForMembrane(const MembraneOptions& options) {
+  return !options.protect.empty() || !options.structures.empty() || !options.at.empty();
+}
+
+void applyRule(scene::Scene& scene, const std::string& rule) {
+  if (rule.empty()) return;
+  for (auto& cut : scene.cuts)
+    session::setRule(cut.membrane, rule == "paper" ? scene::KernelRule::Paper : scene::KernelRule::Sided);
+}
+
+Json jsonOf(const session::MembraneReport& report, const scene::Cut& cut) {
+  Json json = {{"cut", report.cut},
+               {"name", report.name},
+               {"rule", std::string(enumName(cut.membrane.field.rule))},
+               {"kernels", report.kernels},
+               {"particles", {report.particles.x, report.particles.y}},
+               {"steps", report.steps},
+               {"atRest", report.atRest},
+               {"stepMs", report.stepMs},
+               {"kernelsMs", report.kernelsMs},
+               {"leastCutMs", report.leastCutMs},
+               {"totalMs", report.totalMs}};
+  if (report.kept) {
+    json["cutAreaPlane"] = report.kept->cutAreaPlane;
+    json["cutAreaMembrane"] = report.kept->cutAreaMembrane;
+    json["ratio"] = report.kept->ratio;
+    json["meanDistance"] = report.kept->meanDistanceMm;
+  }
+  if (report.limit) {
+    json["limit"] = report.limit->figure.ratio;
+    json["limitMeanDistance"] = report.limit->figure.meanDistanceMm;
+  }
+  return json;
+}
+
+void printReport(const session::MembraneReport& report) {
+  fmt::print("{}: {} kernels, {} x {} particles, {} after {} steps, {:.1f} ms a step\n",
+             report.name.empty() ? "membrane" : report.name, report.kernels, report.particles.x, report.particles.y,
+             report.atRest ? "at rest" : "still moving", report.steps, report.stepMs);
+  if (!report.kept) return;
+  fmt::print(
+      "cuts {} of the {} pairs of protected voxels that the plane cuts (ratio {:.3f}), {:.2f} mm from the slice on "
+      "average\n",
+      report.kept->cutAreaMembrane, report.kept->cutAreaPlane, report.kept->ratio, report.kept->meanDistanceMm);
+  if (report.limit)
+    fmt::print("no sheet with this frame and reach can do better than {:.3f}, at {:.2f} mm\n",
+               report.limit->figure.ratio, report.limit->figure.meanDistanceMm);
+}
+
+/// name.ply, or name-0.ply ... where there are several membranes.
+void exportWhatIsAsked(const scene::Scene& settled, const std::vector<session::MembraneReport>& reports,
+                       const MembraneOptions& options) {
+  for (std::size_t i = 0; !options.sheet.empty() && i < reports.size(); ++i) {
+    std::filesystem::path path(options.sheet);
+    if (reports.size() > 1)
+      path.replace_filename(fmt::format("{}-{}{}", path.stem().string(), i, path.extension().string()));
+    io::writeMesh(session::sheetMesh(settled.cuts[std::size_t(reports[i].cut)]), path);
+  }
+  if (options.clipped.empty()) return;
+  io::writeVolume(session::clippedVolume(settled, consoleProgress()), options.clipped, consoleProgress());
+  consoleProgress().report(1.0, "");
+}
+
+int run(const MembraneOptions& options) {
+  auto context = gpu::Context::create(options.common.context);
+  scene::Scene scene = openScene(options.input, 16.0 / 9.0);
+  if (asksForMembrane(options)) {
+    scene::Cut cut = newMembrane(scene, options);
+    protectWhatIsAsked(scene, cut, options);
+    scene.cuts.push_back(cut);
+  }
+  applyRule(scene, options.rule);
+  if (!session::hasMembranes(scene))
+    throw ArgumentError(
+        "the scene has no membrane; say what one is to keep whole: --protect A,B (values), --protect-at x,y,z (mm), "
+        "--protect-structure ID");
+  scene::Scene settled = scene;
+  auto reports = session::settleMembranes(settled, {true, options.limit}, consoleProgress());
+  consoleProgress().report(1.0, "");
+  if (!options.saveScene.empty()) session::saveScene(scene, options.saveScene);
+  exportWhatIsAsked(settled, reports, options);
+  Json list = Json::array();
+  for (const auto& report : reports) {
+    if (options.common.json)
+      list.push_back(jsonOf(report, settled.cuts[std::size_t(report.cut)]));
+    else
+      printReport(report);
+  }
+  if (!options.common.json) return 0;
+  Json json = list.size() == 1 ? list[0] : Json{{"membranes", list}};
+  printJson(json);
+  return 0;
+}
+
+}  // namespace
+
+Run registerMembrane(CLI::App& verb) {
+  auto options = std::make_shared<MembraneOptions>();
+  addCommon(verb, options->common);
+  addInput(verb, options->input, true);
+  auto numbers = [&](const char* name, std::vector<double>& out, int count, const char* text) {
+    verb.add_option(name, out, text)->delimiter(',')->expected(count);
+  };
+  numbers("--protect", options->protect, 2, "add a membrane that keeps values from A to B whole: A,B");
+  numbers("--protect-at", options->at, 3, "the same for the material at a place, x,y,z in mm: what a click does");
+  verb.add_option("--protect-structure", options->structures, "the same for a structure, by label id; repeatable");
+  numbers("--axis", options->axis, 3,
+          "normal of the new membrane's frame, towards what is removed; default: to the eye");
+  verb.add_option("--position", options->position, "where along its axis the frame hangs, 0 to 1")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
+  verb.add_option("--rule", options->rule, "how kernels push: sided, paper; default: as the scene says")
+      ->check(CLI::IsMember({"sided", "paper"}));
+  verb.add_flag("--limit", options->limit, "also the least that any sheet in this frame must cut; takes seconds");
+  verb.add_option("--sheet", options->sheet, "write the sheet as a surface: .obj, .ply, .vtp, .stl");
+  verb.add_option("--clipped", options->clipped,
+                  "write the volume with what the cuts remove emptied: .nrrd, .nii, .nii.gz, .vti, .vdb");
+  verb.add_option("--save-scene", options->saveScene, "write the scene with its membranes as JSON");
+  return [options] { return run(*options); };
+}
+
+}  // namespace velum::app

@@ -48,18 +48,19 @@ MembraneForm::MembraneForm(session::Document& document, CutForm& form, QWidget* 
   layout->addWidget(makeLine(this));
   mFigure->setObjectName("membraneFigure");
   mFigure->setWordWrap(true);
-  mFigure->setToolTip(tr("Cut area: pairs of neighbouring protected voxels that the sheet separates, by those that the "
-                         "plane separates. 100 % is a plane, 0 % cuts nothing."));
+  mFigure->setToolTip(
+      tr("Cut area: pairs of neighbouring protected voxels that the sheet separates, by those that the "
+         "plane separates. 100 % is a plane, 0 % cuts nothing."));
   mDoing->setProperty("role", "muted");
   mDoing->setWordWrap(true);
   layout->addWidget(makeFieldHead());
   layout->addWidget(mCanvas);
   mCanvas->setObjectName("strengthCanvas");
   mCanvas->setAccessibleName(tr("Force by value: above the line what the sheet keeps whole"));
-  mCanvas->setToolTip(
-      tr("Force of each value, -1000 to 1000. Above the line: the sheet keeps it whole; below: the sheet is drawn to it.\n"
-         "Click: add a point. Drag: move it. Right click or Del: remove it.\nKeys: PgUp and PgDn go from one to the next, "
-         "arrows move, Ins adds."));
+  mCanvas->setToolTip(tr(
+      "Force of each value, -1000 to 1000. Above the line: the sheet keeps it whole; below: the sheet is drawn to it.\n"
+      "Click: add a point. Drag: move it. Right click or Del: remove it.\nKeys: PgUp and PgDn go from one to the next, "
+      "arrows move, Ins adds."));
   mStructures->setProperty("role", "muted");
   mStructures->setWordWrap(true);
   layout->addWidget(mStructures);
@@ -181,15 +182,16 @@ QComboBox* MembraneForm::addChoice(QGridLayout* grid, const QString& name, const
 }
 
 void MembraneForm::makePicture(QGridLayout* grid) {
-  mUse = addChoice(grid, tr("Use"), tr("Clip: takes away what lies before the sheet; slice: a grey image, and what lies "
-                                       "between it and the sheet"),
+  mUse = addChoice(grid, tr("Use"),
+                   tr("Clip: takes away what lies before the sheet; slice: a grey image, and what lies "
+                      "between it and the sheet"),
                    {tr("Clip"), tr("Slice")}, [](auto& m, int i) { m.use = static_cast<scene::MembraneUse>(i); });
   mUse->setObjectName("membraneUse");
   int first = grid->rowCount();
   mSliceOpacity = addNumber(grid, tr("Image"), tr("Opacity of the slice's image, %"), 0, 100, 0, " %",
                             [](auto& m, double v) { m.sliceOpacity = v / 100.0; });
-  mEmphasis = addNumber(grid, tr("Emphasis"), tr("-1: only what lies behind the slice; 1: only what lies before it"), -1,
-                        1, 2, {}, [](auto& m, double v) { m.emphasis = v; });
+  mEmphasis = addNumber(grid, tr("Emphasis"), tr("-1: only what lies behind the slice; 1: only what lies before it"),
+                        -1, 1, 2, {}, [](auto& m, double v) { m.emphasis = v; });
   mFalloff = addNumber(grid, tr("Fade"), tr("Distance from the slice at which structures have faded, mm; 0: the reach"),
                        0, 200, 1, " mm", [](auto& m, double v) { m.falloffMm = v; });
   for (int line = first; line < grid->rowCount(); ++line)
@@ -214,8 +216,9 @@ void MembraneForm::makeCloth(QGridLayout* grid) {
                     {tr("Sided"), tr("Paper")},
                     [](auto& m, int i) { session::setRule(m, static_cast<scene::KernelRule>(i)); });
   mRule->setObjectName("membraneRule");
-  mLevel = addNumber(grid, tr("Kernels"), tr("A kernel for so many times two voxels along each axis: 0 every voxel, 1 "
-                                             "every second, 2 every fourth"),
+  mLevel = addNumber(grid, tr("Kernels"),
+                     tr("A kernel for so many times two voxels along each axis: 0 every voxel, 1 "
+                        "every second, 2 every fourth"),
                      0, 6, 0, {}, [](auto& m, double v) { m.field.level = int(std::lround(v)); });
   mLevel->setObjectName("membraneLevel");
   mReach = addNumber(grid, tr("Area"), tr("Half-width of a kernel, in kernels"), 1, 4, 1, {},
@@ -288,7 +291,8 @@ void MembraneForm::countHistogram() {
   auto values = std::make_shared<Histogram>(), gradients = std::make_shared<Histogram>();
   Shared<Volume> volume = mDocument.scene().volume.data;
   const auto& layer = mDocument.scene().volume;
-  int channel = std::clamp(layer.channel, 0, volume->channels - 1), frame = std::clamp(layer.frame, 0, volume->frames - 1);
+  int channel = std::clamp(layer.channel, 0, volume->channels - 1),
+      frame = std::clamp(layer.frame, 0, volume->frames - 1);
   mJob = std::make_unique<Job>(
       [=](Progress&) {
         *values = session::valueHistogram(*volume, channel, frame);
@@ -332,7 +336,8 @@ void MembraneForm::showStatus(const std::optional<session::MembraneStatus>& stat
                   : status->phase == Phase::Computing ? tr("Computing forces")
                   : status->phase == Phase::Paused    ? tr("Paused at step %1").arg(status->steps)
                                                       : tr("Settling, step %1").arg(status->steps);
-  mDoing->setText(status->error.empty() ? QString("%1. %2.").arg(doing, kernels) : QString::fromStdString(status->error));
+  mDoing->setText(status->error.empty() ? QString("%1. %2.").arg(doing, kernels)
+                                        : QString::fromStdString(status->error));
   mDoing->setToolTip(tr("Forces took %1 ms, a step takes %2 ms; largest speed %3 mm/s")
                          .arg(status->forcesMs, 0, 'f', 0)
                          .arg(status->stepMs, 0, 'f', 1)

@@ -74,8 +74,7 @@ void ProtectTool::protectAt(glm::dvec3 worldMm, int structure, Qt::KeyboardModif
     what = QString::fromStdString(session::structureName(mDocument.scene(), structure));
   else if (tissue)
     what = tr("values around %1").arg(tissue->value, 0, 'g', 4);
-  if (!what.isEmpty())
-    mMessages.showNote((mLetThrough ? tr("Let through: %1") : tr("Kept whole: %1")).arg(what));
+  if (!what.isEmpty()) mMessages.showNote((mLetThrough ? tr("Let through: %1") : tr("Kept whole: %1")).arg(what));
   if (!(keys & Qt::ShiftModifier)) stop();
 }
 

@@ -36,7 +36,9 @@ StrengthCanvas::StrengthCanvas(QWidget* parent) : QWidget(parent) {
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
 
-QRectF StrengthCanvas::plot() const { return QRectF(kMargin, kMargin, std::max(1, width() - 2 * kMargin), kPlotHeight); }
+QRectF StrengthCanvas::plot() const {
+  return QRectF(kMargin, kMargin, std::max(1, width() - 2 * kMargin), kPlotHeight);
+}
 
 void StrengthCanvas::setCurve(const StrengthCurve& curve) {
   if (curve == mCurve) return;
@@ -59,7 +61,8 @@ void StrengthCanvas::setUnit(const QString& unit) {
 QPointF StrengthCanvas::placeOf(scene::StrengthPoint point) const {
   QRectF p = plot();
   double share = (point.value - mView.low) / (mView.high - mView.low);
-  return {p.left() + std::clamp(share, 0.0, 1.0) * p.width(), p.center().y() - heightOf(point.strength) * p.height() / 2};
+  return {p.left() + std::clamp(share, 0.0, 1.0) * p.width(),
+          p.center().y() - heightOf(point.strength) * p.height() / 2};
 }
 
 scene::StrengthPoint StrengthCanvas::pointAt(QPointF place) const {
@@ -146,6 +149,16 @@ void StrengthCanvas::leaveEvent(QEvent*) {
   update();
 }
 
+/// Its keys come before commands that have the same.
+bool StrengthCanvas::event(QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride) {
+    constexpr int kKeys[] = {Qt::Key_PageDown, Qt::Key_PageUp, Qt::Key_Insert, Qt::Key_Delete};
+    int key = static_cast<QKeyEvent*>(event)->key();
+    if (std::find(std::begin(kKeys), std::end(kKeys), key) != std::end(kKeys)) event->accept();
+  }
+  return QWidget::event(event);
+}
+
 /// PgUp and PgDn go from point to point, arrows move it, Ins adds one, Del removes it.
 void StrengthCanvas::keyPressEvent(QKeyEvent* event) {
   int count = int(mCurve.size());
@@ -159,7 +172,8 @@ void StrengthCanvas::keyPressEvent(QKeyEvent* event) {
   switch (event->key()) {
     case Qt::Key_PageDown:
     case Qt::Key_PageUp:
-      if (count > 0) mSelected = ((mSelected < 0 ? 0 : mSelected + (event->key() == Qt::Key_PageDown ? 1 : -1)) + count) % count;
+      if (count > 0)
+        mSelected = ((mSelected < 0 ? 0 : mSelected + (event->key() == Qt::Key_PageDown ? 1 : -1)) + count) % count;
       break;
     case Qt::Key_Left:
       move(-step, 0);
@@ -208,9 +222,7 @@ void StrengthCanvas::paintEvent(QPaintEvent*) {
       painter.drawEllipse(place, 7.5, 7.5);
     }
     painter.setPen(QPen(palette().color(QPalette::Text), 1.3));
-    painter.setBrush(mCurve[i].strength > 0   ? kKeep
-                     : mCurve[i].strength < 0 ? kDraw
-                                              : palette().color(QPalette::Base));
+    painter.setBrush(mCurve[i].strength > 0 ? kKeep : mCurve[i].strength < 0 ? kDraw : palette().color(QPalette::Base));
     painter.drawEllipse(place, 4.5, 4.5);
   }
   paintAxis(painter);
@@ -222,7 +234,8 @@ void StrengthCanvas::paintPlot(QPainter& painter) const {
   int columns = std::max(1, int(p.width()));
   auto heights = session::histogramHeights(mHistogram, mView, columns, true);
   QPainterPath bars(QPointF(p.left(), bottom));
-  for (int i = 0; i < columns; ++i) bars.lineTo(p.left() + i + 0.5, bottom - heights[std::size_t(i)] * 0.9 * p.height());
+  for (int i = 0; i < columns; ++i)
+    bars.lineTo(p.left() + i + 0.5, bottom - heights[std::size_t(i)] * 0.9 * p.height());
   bars.lineTo(p.right(), bottom);
   painter.fillPath(bars, faded(palette().color(QPalette::PlaceholderText), 0.30));
   painter.setPen(faded(palette().color(QPalette::Text), 0.45));
@@ -252,7 +265,8 @@ void StrengthCanvas::paintPlot(QPainter& painter) const {
   if (!shown) return;
   painter.setPen(palette().color(QPalette::Text));
   painter.drawText(p, Qt::AlignRight | Qt::AlignTop,
-                   QString("%1 %2   %3").arg(QString::fromStdString(session::axisNumber(shown->value, mView)), mUnit)
+                   QString("%1 %2   %3")
+                       .arg(QString::fromStdString(session::axisNumber(shown->value, mView)), mUnit)
                        .arg(shown->strength, 0, 'f', 0));
 }
 

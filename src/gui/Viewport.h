@@ -43,7 +43,7 @@ class Viewport : public QOpenGLWidget {
 
   /// What is on the screen is the scene as it is, if only a coarse picture of it.
   bool isCurrent() const { return !mPending && mHasPicture; }
-  bool isConverged() const { return mStage == Stage::Idle && !mPending && mPlayer.isSettled(); }
+  bool isConverged() const { return mStage == Stage::Idle && !mPending && mPlayer.isSettled() && !mPlayer.hasRests(); }
   /// Empty before the driver is known.
   render::Stats stats() const { return mRenderer ? mRenderer->stats() : render::Stats{}; }
   /// How many pictures it has painted; for tests and measurements.
@@ -132,8 +132,8 @@ class Viewport : public QOpenGLWidget {
   std::unique_ptr<QOpenGLFramebufferObject> mShown;  ///< The picture on the screen, kept while the next one is made.
   render::Frame mFrame;
   session::MembranePlayer mPlayer;
-  std::unique_ptr<Job> mSheetJob;        ///< What the player wants computed.
-  std::uint64_t mSheetsShown = 0;        ///< Of the player, in the frame on its way.
+  std::unique_ptr<Job> mSheetJob;  ///< What the player wants computed.
+  std::uint64_t mSheetsShown = 0;  ///< Of the player, in the frame on its way.
   std::vector<std::shared_ptr<const membrane::SheetIndex>> mIndicesTold;
   QElapsedTimer mSinceSheetsTold;
   bool mSheetsWereSettled = true;

@@ -13,7 +13,8 @@ constexpr int kTellMs = 200;
 
 /// Something may be due that no picture waits for.
 void Viewport::wakeSheets() {
-  bool isDue = !mPlayer.isSettled() || mPlayer.indices() != mIndicesTold || mPlayer.shownCount() != mSheetsShown;
+  bool isDue = !mPlayer.isSettled() || mPlayer.hasRests() || mPlayer.indices() != mIndicesTold ||
+               mPlayer.shownCount() != mSheetsShown;
   if (mRenderer && isDue && !mSliceTimer.isActive() && !mPauseTimer.isActive()) mSliceTimer.start();
 }
 

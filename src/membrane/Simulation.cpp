@@ -11,8 +11,8 @@ namespace {
 constexpr int kLongestCoarse = 400;
 /// What is left to do at the finest resolution is local.
 constexpr int kLongestFine = 24;
-/// So often it is asked whether the sheet rests: asking waits for the GPU. At ages of the sheet rather than at calls, so
-/// that where it rests does not depend on how many steps at a time somebody has time for. Divides both of the above.
+/// So often it is asked whether the sheet rests: asking waits for the GPU. At ages of the sheet rather than at calls,
+/// so that where it rests does not depend on how many steps at a time somebody has time for. Divides both of the above.
 constexpr int kLookEvery = 8;
 
 glm::dvec3 halfOf(const scene::Cut& cut) { return glm::max(cut.sizeMm, glm::dvec3(1e-6)) * 0.5; }

@@ -25,7 +25,8 @@ struct Bin {
 
 std::vector<Bin> binsOf(const scene::VolumeLayer& layer) {
   const Volume& volume = *layer.data;
-  int channel = std::clamp(layer.channel, 0, volume.channels - 1), frame = std::clamp(layer.frame, 0, volume.frames - 1);
+  int channel = std::clamp(layer.channel, 0, volume.channels - 1),
+      frame = std::clamp(layer.frame, 0, volume.frames - 1);
   Histogram histogram = valueHistogram(volume, channel, frame);
   const scene::TransferFunction& transfer = scene::currentTransfer(layer);
   double total = 0;

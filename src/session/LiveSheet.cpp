@@ -9,7 +9,8 @@ namespace velum::session {
 
 namespace {
 
-/// A passive sheet that starts anew is shown from this step on: until then it lies nearly flat, and a drag would flicker.
+/// A passive sheet that starts anew is shown from this step on: until then it lies nearly flat, and a drag would
+/// flicker.
 constexpr int kWarmSteps = 40;
 /// Most steps of a slice: without asking the GPU nobody knows how long it takes.
 constexpr int kMostSteps = 20;
@@ -224,9 +225,13 @@ void LiveSheet::makeIndex() {
   mIndexed = mShown;
 }
 
+bool LiveSheet::hasRest() const {
+  if (!isActive() || !mCut.enabled || mNeedsForces || isMoving() || mKept.places.empty()) return false;
+  return haveSameFrame(mKeptCut, mCut) && mKept != mWritten;
+}
+
 std::optional<scene::SheetShape> LiveSheet::takeRest() {
-  if (!isActive() || !mCut.enabled || mNeedsForces || isMoving() || mKept.places.empty()) return std::nullopt;
-  if (!haveSameFrame(mKeptCut, mCut) || mKept == mWritten) return std::nullopt;
+  if (!hasRest()) return std::nullopt;
   mWritten = mKept;
   return mWritten;
 }

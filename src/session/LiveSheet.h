@@ -70,6 +70,7 @@ class LiveSheet {
   void makeIndex();
   /// The shape to be written into the scene, once.
   std::optional<scene::SheetShape> takeRest();
+  bool hasRest() const;
   void releaseGpu();
 
  private:

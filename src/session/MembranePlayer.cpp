@@ -98,7 +98,7 @@ MembranePlayer::Work MembranePlayer::forcesWork(LiveSheet& sheet) {
 MembranePlayer::Work MembranePlayer::measureWork(LiveSheet& sheet) {
   mOut = {sheet.id(), sheet.dataChange(), sheet.wish(), true};
   return [this, out = mOut, scene = forcesScene(mScene), cut = sheet.cut(), shape = sheet.shape(),
-           maker = sheet.maker](Progress& progress) mutable -> Finish {
+          maker = sheet.maker](Progress& progress) mutable -> Finish {
     if (!maker || !maker->matches(scene)) maker = std::make_shared<membrane::ForceMaker>(scene);
     const membrane::Potential& potential = maker->potential();
     membrane::KeptWhole figures;
@@ -128,9 +128,8 @@ void MembranePlayer::endWork(const Finish& finish, const std::string& error) {
 }
 
 bool MembranePlayer::isMoving() const {
-  return std::any_of(mSheets.begin(), mSheets.end(), [this](const auto& sheet) {
-    return (mPlaying && sheet->isMoving()) || sheet->isIndexStale();
-  });
+  return std::any_of(mSheets.begin(), mSheets.end(),
+                     [this](const auto& sheet) { return (mPlaying && sheet->isMoving()) || sheet->isIndexStale(); });
 }
 
 bool MembranePlayer::isSettled() const {
@@ -204,6 +203,10 @@ std::vector<MembranePlayer::Rest> MembranePlayer::takeRests() {
       mScene.cuts[sheet->place()].membrane.shape = rests.back().shape;
     }
   return rests;
+}
+
+bool MembranePlayer::hasRests() const {
+  return std::any_of(mSheets.begin(), mSheets.end(), [](const auto& sheet) { return sheet->hasRest(); });
 }
 
 scene::Scene MembranePlayer::withShapes(scene::Scene scene) const {

@@ -39,8 +39,8 @@ struct MembraneStatus {
 
 class LiveSheet;
 
-/// Runs the membranes of a scene: decides what work is due, computes forces beside, steps the sheets in slices, and hands
-/// them to pictures. At rest there is nothing to do. Without a window, so that laws can be told of it.
+/// Runs the membranes of a scene: decides what work is due, computes forces beside, steps the sheets in slices, and
+/// hands them to pictures. At rest there is nothing to do. Without a window, so that laws can be told of it.
 ///
 /// What a scene asks for is always answered: until the new forces are there, the sheet stays in the world where the
 /// material holds it while its frame moves, and its rim goes with the frame. Passive sheets (IMC 3.3) then start from
@@ -61,8 +61,8 @@ class MembranePlayer {
   using Work = std::function<Finish(Progress&)>;
   /// What is to be computed; nothing while something is, or when nothing is due. Each is answered by endWork().
   Work nextWork();
-  /// What is being computed is of no use any more. Not because a frame has moved on: a steady drag would otherwise never
-  /// see any forces.
+  /// What is being computed is of no use any more. Not because a frame has moved on: a steady drag would otherwise
+  /// never see any forces.
   bool wantsCancel() const;
   /// @param finish  what the work gave; empty when it was cancelled or failed
   /// @param error   one line; empty when it was cancelled
@@ -98,11 +98,12 @@ class MembranePlayer {
     scene::SheetShape shape;
   };
   std::vector<Rest> takeRests();
+  bool hasRests() const;
   /// The scene with the shape of each sheet in its cut, for a picture that is made elsewhere.
   scene::Scene withShapes(scene::Scene scene) const;
 
-  /// Gives up everything on the GPU, whose context still lives. What was at rest comes back as it was; what moved starts
-  /// anew.
+  /// Gives up everything on the GPU, whose context still lives. What was at rest comes back as it was; what moved
+  /// starts anew.
   void releaseGpu();
 
  private:

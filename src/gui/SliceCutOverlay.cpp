@@ -25,6 +25,16 @@ QPainterPath pathOf(const session::SliceOutline& outline) {
   return path;
 }
 
+QPainterPath pathOf(const std::vector<std::vector<glm::dvec2>>& curves) {
+  QPainterPath path;
+  for (const auto& curve : curves) {
+    QPolygonF polygon;
+    for (const auto& p : curve) polygon << toPoint(p);
+    path.addPolygon(polygon);
+  }
+  return path;
+}
+
 }  // namespace
 
 SliceCutOverlay::SliceCutOverlay(session::Document& document, Selection& selection)
@@ -41,7 +51,15 @@ void SliceCutOverlay::paintCut(QPainter& painter, const scene::SliceFrame& frame
   auto outline = session::sliceOutline(frame, cut);
   QColor color = kHandle;
   color.setAlpha(!cut.enabled ? 90 : isSelected ? 255 : 150);
-  if (!outline.points.empty()) strokeTwice(painter, pathOf(outline), color, isSelected ? 1.6 : 1.1);
+  double width = isSelected ? 1.6 : 1.1;
+  if (cut.shape == scene::CutShape::Membrane) {
+    strokeTwice(painter, pathOf(outline.curves), color, width);
+    // The box within which the sheet stays is for its handles only.
+    if (!isSelected) return;
+    color.setAlpha(color.alpha() / 3);
+    width = 1.0;
+  }
+  if (!outline.points.empty()) strokeTwice(painter, pathOf(outline), color, width);
 }
 
 void SliceCutOverlay::paintHandles(QPainter& painter, const scene::SliceFrame& frame, const scene::Cut& cut) const {

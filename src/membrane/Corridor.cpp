@@ -17,7 +17,7 @@ constexpr double kShareOfGap = 0.4;
 
 /// Where the sheet must pass through what is protected it may leave the least cut by so many layers, so that it is
 /// smooth there, rather than made of boxes: areas of a lattice are shortest along its axes.
-constexpr int kSmoothing = 2;
+constexpr int kSmoothing = 1;
 
 /// What a column's sheet separates, its neighbours' sheets being where they are. Neighbours that themselves cut through
 /// what is protected at about the same height do not count.

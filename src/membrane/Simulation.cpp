@@ -86,6 +86,22 @@ scene::SheetShape carryOver(const scene::SheetShape& shape, const scene::Cut& fr
   return out;
 }
 
+scene::SheetShape carryOver(const scene::SheetShape& shape, const scene::Cut& to) {
+  scene::Cut from = to;
+  if (glm::length(shape.axis) > 0.0) {
+    from.centreMm = shape.centreMm;
+    from.axis = shape.axis;
+    from.spinDeg = shape.spinDeg;
+  }
+  return carryOver(shape, from, to);
+}
+
+void anchor(scene::SheetShape& shape, const scene::Cut& cut) {
+  shape.centreMm = cut.centreMm;
+  shape.axis = cut.axis;
+  shape.spinDeg = cut.spinDeg;
+}
+
 void Simulation::begin(const scene::Cut& cut, Forces forces, const scene::SheetShape& start) {
   mCut = cut;
   mForces = std::move(forces);

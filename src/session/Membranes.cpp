@@ -36,7 +36,10 @@ MembraneReport settle(membrane::ForceMaker& maker, scene::Cut& cut, Progress& pr
   auto& membrane = cut.membrane;
   bool isActive = membrane.repositioning == scene::Repositioning::Active && membrane.shape.particles.x > 1;
   scene::SheetShape first;
-  if (isActive) first = membrane::fitShape(membrane.shape, membrane.shape.particles, cut.sizeMm);
+  if (isActive) {
+    first = membrane::carryOver(membrane.shape, cut);
+    first = membrane::fitShape(first, first.particles, cut.sizeMm);
+  }
   bool isSided = membrane.field.rule == scene::KernelRule::Sided;
   membrane::HeightOver current;
   if (isActive && isSided) current = membrane::heightOf(first);
@@ -53,6 +56,7 @@ MembraneReport settle(membrane::ForceMaker& maker, scene::Cut& cut, Progress& pr
   report.atRest = simulation.isAtRest();
   report.speedMmS = simulation.speed();
   membrane.shape = simulation.shape();
+  if (membrane.repositioning == scene::Repositioning::Active) membrane::anchor(membrane.shape, cut);
   report.particles = membrane.shape.particles;
   report.totalMs = msSince(start);
   return report;

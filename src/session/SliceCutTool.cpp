@@ -180,6 +180,10 @@ SliceHandle sliceHandleAt(const SliceFrame& frame, const scene::Cut& cut, glm::d
   for (std::size_t i = 0; i + (outline.isClosed ? 0 : 1) < count; ++i)
     if (distanceToSegment(pixel, outline.points[i], outline.points[(i + 1) % count]) <= reach * 0.7)
       return {SliceHandleKind::Move, 0, 0, pixel, pixel, outline.removedSide};
+  for (const auto& curve : outline.curves)
+    for (std::size_t i = 1; i < curve.size(); ++i)
+      if (distanceToSegment(pixel, curve[i - 1], curve[i]) <= reach * 0.7)
+        return {SliceHandleKind::Move, 0, 0, pixel, pixel, {}};
   return {};
 }
 

@@ -4,6 +4,8 @@
 
 #include "CutScene.h"
 #include "shared/cut.h"
+#include "sheetShapes.h"
+#include "velum/membrane/SheetIndex.h"
 
 namespace velum::session {
 
@@ -56,6 +58,28 @@ TEST(SliceCutTool, TheOutlineLiesOnTheShapeAndOnTheSlice) {
         EXPECT_NEAR(distanceMm(cut, scene::worldFromSlicePixel(frame, p)), 0.0, 0.02) << enumName(cut.shape);
     }
   EXPECT_GT(lines, 45);
+}
+
+TEST(SliceCutTool, TheCurvesOfAMembraneLieOnItsSheetAndAreTakenHoldOf) {
+  scene::Cut cut = tiltedCut(scene::CutShape::Membrane);
+  cut.membrane.shape = wavySheet({30, 30}, cut.sizeMm);
+  membrane::SheetIndex index = membrane::makeSheetIndex(cut.membrane.shape, {30, 30}, cut.sizeMm);
+  shared::SheetPlan plan{{0, 30, 30, 0}, glm::vec3(cut.sizeMm * 0.5)};
+  int corners = 0, held = 0;
+  for (const auto& frame : manySlices()) {
+    SliceOutline outline = sliceOutline(frame, cut);
+    EXPECT_EQ(outline.curves.empty(), outline.points.empty()) << "the frame goes through the whole box";
+    for (const auto& curve : outline.curves)
+      for (const auto& p : curve) {
+        glm::dvec3 world = scene::worldFromSlicePixel(frame, p);
+        glm::vec3 local(glm::dvec3(glm::inverse(scene::worldFromCut(cut)) * glm::dvec4(world, 1.0)));
+        EXPECT_NEAR(shared::sheetDistance(plan, local, {index.rows.data()}), 0.0f, 0.02f);
+        ++corners;
+        held += sliceHandleAt(frame, cut, p, 9.0).kind != SliceHandleKind::None;
+      }
+  }
+  EXPECT_GT(corners, 100);
+  EXPECT_EQ(held, corners);
 }
 
 TEST(SliceCutTool, TheOutlineGoesRoundTheWholeShape) {

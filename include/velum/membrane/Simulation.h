@@ -57,5 +57,9 @@ HeightOver heightOf(const scene::SheetShape& shape);
 /// The same sheet in another frame, its particles where they were in the world; what left the new frame's box is put
 /// back to its faces, and the border to its rim (active repositioning).
 scene::SheetShape carryOver(const scene::SheetShape& shape, const scene::Cut& from, const scene::Cut& to);
+/// The same for a shape that says in which frame it came to rest; one that does not is in the frame of `to`.
+scene::SheetShape carryOver(const scene::SheetShape& shape, const scene::Cut& to);
+/// Notes in a shape that it has come to rest in the frame of a cut.
+void anchor(scene::SheetShape& shape, const scene::Cut& cut);
 
 }  // namespace velum::membrane

@@ -12,10 +12,16 @@ namespace velum::scene {
 struct SheetShape {
   glm::ivec2 particles{0};
   std::vector<glm::vec3> places;
+  // The frame in which it came to rest, as Cut has it. An axis of length 0: that of the cut itself.
+  glm::dvec3 centreMm{0.0}, axis{0.0};
+  double spinDeg = 0.0;
   bool operator==(const SheetShape&) const = default;
   static void fields(auto& o, auto& visit) {
     visit("particles", o.particles, FieldInfo{"", {0, 260}, "Particles along the frame's width and height."});
     visit("places", o.places, FieldInfo{"mm", {}, "Frame-local x, y, z of each particle, row by row."});
+    visit("centreMm", o.centreMm, FieldInfo{"mm", {}, "Middle of the frame in which it came to rest."});
+    visit("axis", o.axis, FieldInfo{"", {}, "Normal of that frame; 0, 0, 0: that of the cut itself."});
+    visit("spinDeg", o.spinDeg, FieldInfo{"deg", {-360, 360}, "Turn of that frame about its axis."});
   }
 };
 

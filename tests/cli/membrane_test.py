@@ -1,0 +1,51 @@
+"""velum-batch membrane: what it reports, what it writes, what it refuses."""
+import unittest
+
+from velum_cli import CliTest
+
+
+class Membrane(CliTest):
+    def test_reports_what_it_did(self):
+        path = self.sample("two-spheres", 64)
+        report = self.report("membrane", path, "--protect", "500,2000", "--axis", "0,0,1", "--limit")
+        self.assertKeys(report, "rule", "kernels", "particles", "steps", "atRest", "stepMs", "cutAreaPlane", "cutAreaMembrane",
+                        "ratio", "meanDistance", "limit", "limitMeanDistance")
+        self.assertEqual(report["rule"], "sided")
+        self.assertTrue(report["atRest"])
+        self.assertGreater(report["cutAreaPlane"], 100)
+        self.assertEqual(report["ratio"], 0)
+
+    def test_either_rule(self):
+        path = self.sample("two-spheres", 64)
+        report = self.report("membrane", path, "--protect", "500,2000", "--axis", "0,0,1", "--rule", "paper")
+        self.assertEqual(report["rule"], "paper")
+        self.assertEqual(report["particles"], [50, 50])
+        self.assertLess(report["ratio"], 0.2)
+
+    def test_writes_sheet_volume_and_scene(self):
+        path = self.sample("two-spheres", 48)
+        self.run_batch("membrane", path, "--protect", "500,2000", "--axis", "0,0,1", "--sheet", "s.ply", "--clipped", "c.nrrd",
+                       "--save-scene", "m.json")
+        before, after = self.report("info", path), self.report("info", "c.nrrd")
+        self.assertEqual(before["dims"], after["dims"])
+        self.assertTrue((self.folder / "s.ply").stat().st_size > 1000)
+        again = self.report("membrane", "m.json")
+        self.assertEqual(again["ratio"], 0)
+        look = ["--size", "60x60", "--samples", "1"]
+        self.run_batch("render", "m.json", "-o", "a.png", *look)
+        self.run_batch("render", "m.json", "-o", "b.png", *look)
+        self.assertEqual((self.folder / "a.png").read_bytes(), (self.folder / "b.png").read_bytes())
+        self.run_batch("render", "m.json", "-o", "plane.png", "--set", "cuts[Membrane].shape=plane", *look)
+        self.run_batch("compare", "a.png", "plane.png", code=4)
+
+    def test_refuses_with_words(self):
+        path = self.sample("two-spheres", 32)
+        self.refuse("membrane", path, code=1, words=["--protect"])
+        self.refuse("membrane", path, "--protect", "9,3", code=1, words=["--protect"])
+        self.refuse("membrane", path, "--protect-at", "1000,0,0", code=1, words=["outside"])
+        self.refuse("membrane", path, "--protect", "500,2000", "--sheet", "s.xyz", code=2, words=["s.xyz", ".ply"])
+        self.refuse("membrane", "missing.nrrd", code=2, words=["missing.nrrd"])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,164 @@
+// Membranes from a scene to a sheet at rest: what they keep whole, and what is made of them.
+#include "GlFixture.h"
+#include "TempFolder.h"
+#include "velum/io/ReadVolume.h"
+#include "velum/io/Sample.h"
+#include "velum/io/WriteMesh.h"
+#include "velum/membrane/SheetIndex.h"
+#include "velum/render/KeptVoxels.h"
+#include "velum/session/CutEdit.h"
+#include "velum/session/MembraneEdit.h"
+#include "velum/session/Membranes.h"
+
+namespace velum::session {
+
+namespace {
+
+class MembranesGL : public GlTest {
+ protected:
+  /// A phantom with a membrane across z, as a click on the phantom's bright parts would protect them.
+  static scene::Scene phantom(std::string_view name, int size, double low, glm::dvec3 axis = {0, 0, 1}) {
+    scene::Scene scene;
+    scene.volume.data = Shared<Volume>(io::makeSample(name, size, sProgress).volume);
+    scene.camera.targetMm = centreMm(*scene.volume.data);
+    scene.camera.eyeMm = scene.camera.targetMm + axis * 1000.0;
+    scene.cuts = {makeCut(scene, scene::CutShape::Membrane)};
+    scene.cuts[0].centreMm = centreMm(*scene.volume.data);
+    protectValues(scene.cuts[0].membrane, low, 4000);
+    return scene;
+  }
+  inline static Progress sProgress;
+};
+
+TEST_F(MembranesGL, TwoSpheresStayWholeByEitherRule) {
+  for (auto rule : {scene::KernelRule::Sided, scene::KernelRule::Paper}) {
+    scene::Scene scene = phantom("two-spheres", 96, 500);
+    setRule(scene.cuts[0].membrane, rule);
+    auto reports = settleMembranes(scene, {true, false}, sProgress);
+    ASSERT_EQ(reports.size(), 1u);
+    EXPECT_TRUE(reports[0].atRest);
+    EXPECT_GT(reports[0].kernels, 100u);
+    EXPECT_GT(reports[0].kept->cutAreaPlane, 500) << enumName(rule);
+    EXPECT_EQ(reports[0].kept->cutAreaMembrane, 0) << enumName(rule);
+    EXPECT_GT(reports[0].kept->meanDistanceMm, 0.1);
+  }
+}
+
+TEST_F(MembranesGL, VesselsAreCutHardlyMoreThanTheyMustBe) {
+  for (glm::dvec3 axis : {glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)}) {
+    scene::Scene scene = phantom("vessels", 96, 700, axis);
+    auto report = settleMembranes(scene, {true, true}, sProgress).at(0);
+    ASSERT_TRUE(report.kept && report.limit);
+    EXPECT_LT(report.kept->ratio, 0.9);
+    EXPECT_LE(report.kept->ratio, 1.25 * report.limit->figure.ratio + 0.02);
+    EXPECT_GE(report.kept->ratio, report.limit->figure.ratio - 1e-9) << "better than the limit";
+    EXPECT_LE(report.kept->meanDistanceMm, 1.6 * report.limit->figure.meanDistanceMm + 0.2);
+  }
+}
+
+TEST_F(MembranesGL, TheSameSceneGivesTheSameSheet) {
+  scene::Scene a = phantom("vessels", 64, 700), b = a;
+  settleMembranes(a, {}, sProgress);
+  settleMembranes(b, {}, sProgress);
+  EXPECT_EQ(a.cuts[0].membrane.shape, b.cuts[0].membrane.shape);
+  EXPECT_GT(a.cuts[0].membrane.shape.places.size(), 100u);
+}
+
+TEST_F(MembranesGL, WhatRepelsNothingHangsFlat) {
+  scene::Scene scene = phantom("two-spheres", 64, 5000);
+  scene.cuts[0].membrane.field.byValue.clear();
+  settleMembranes(scene, {}, sProgress);
+  for (glm::vec3 place : scene.cuts[0].membrane.shape.places) EXPECT_EQ(place.z, 0.0f);
+}
+
+TEST_F(MembranesGL, AnActiveSheetStaysOnTheSideOfWhatHoldsIt) {
+  // The frame comes down from above both spheres until it is a little below the middle of the upper one, whose way
+  // under is then the shorter one: a passive sheet takes it, an active one is held above.
+  float lowest[2], highest[2];
+  for (auto repositioning : {scene::Repositioning::Passive, scene::Repositioning::Active}) {
+    scene::Scene scene = phantom("two-spheres", 96, 500);
+    auto& cut = scene.cuts[0];
+    cut.sizeMm.z = 80;
+    cut.membrane.repositioning = repositioning;
+    cut.centreMm.z += 46;
+    settleMembranes(scene, {}, sProgress);
+    cut.centreMm.z -= 38;
+    settleMembranes(scene, {}, sProgress);
+    auto i = std::size_t(repositioning);
+    lowest[i] = highest[i] = 0;
+    for (glm::vec3 place : cut.membrane.shape.places) {
+      lowest[i] = std::min(lowest[i], place.z);
+      highest[i] = std::max(highest[i], place.z);
+    }
+  }
+  EXPECT_LT(lowest[0], -12.0f);
+  EXPECT_LT(highest[0], 12.0f);
+  EXPECT_GT(lowest[1], -3.0f) << "the sheet has let go of what it was above of";
+  EXPECT_GT(highest[1], 28.0f);
+}
+
+TEST_F(MembranesGL, ASheetAsASurfaceLiesWhereTheCutIs) {
+  scene::Scene scene = phantom("two-spheres", 64, 500);
+  settleMembranes(scene, {}, sProgress);
+  const scene::Cut& cut = scene.cuts[0];
+  Mesh mesh = sheetMesh(cut);
+  EXPECT_EQ(mesh.indices.size() / 6,
+            std::size_t(cut.membrane.shape.particles.x - 1) * std::size_t(cut.membrane.shape.particles.y - 1));
+  membrane::SheetIndex index = membrane::makeSheetIndex(cut.membrane.shape, glm::ivec2(2), cut.sizeMm);
+  glm::dmat4 localFromWorld = glm::inverse(scene::worldFromCut(cut));
+  for (std::size_t i = 0; i < mesh.positions.size(); i += 7) {
+    glm::vec3 local(localFromWorld * glm::dvec4(glm::dvec3(mesh.positions[i]), 1.0));
+    if (std::abs(local.x) > 0.98 * cut.sizeMm.x / 2 || std::abs(local.y) > 0.98 * cut.sizeMm.y / 2) continue;
+    EXPECT_TRUE(membrane::isAbove(index, local + glm::vec3(0, 0, 0.01f)));
+    EXPECT_FALSE(membrane::isAbove(index, local - glm::vec3(0, 0, 0.01f)));
+  }
+  TempFolder folder;
+  for (const char* name : {"sheet.obj", "sheet.ply", "sheet.vtp", "sheet.stl"}) {
+    io::writeMesh(mesh, folder.path() / name);
+    Mesh back = io::readMesh(folder.path() / name, sProgress);
+    EXPECT_EQ(back.indices.size(), mesh.indices.size()) << name;
+  }
+  EXPECT_THROW(io::writeMesh(mesh, folder.path() / "sheet.xyz"), InputError);
+  EXPECT_THROW(io::writeMesh(Mesh(), folder.path() / "sheet.ply"), InputError);
+}
+
+TEST_F(MembranesGL, AClippedVolumeIsEmptyWhereTheCutRemoves) {
+  scene::Scene scene = phantom("two-spheres", 64, 500);
+  settleMembranes(scene, {}, sProgress);
+  const Volume& volume = *scene.volume.data;
+  Volume clipped = clippedVolume(scene, sProgress);
+  membrane::SheetIndex index =
+      membrane::makeSheetIndex(scene.cuts[0].membrane.shape, glm::ivec2(2), scene.cuts[0].sizeMm);
+  glm::dmat4 localFromVoxel = glm::inverse(scene::worldFromCut(scene.cuts[0])) * volume.worldFromVoxel;
+  int removed = 0, wrong = 0;
+  for (int z = 0; z < volume.dims.z; z += 3)
+    for (int y = 0; y < volume.dims.y; y += 3)
+      for (int x = 0; x < volume.dims.x; x += 3) {
+        bool above = membrane::isAbove(index, glm::vec3(localFromVoxel * glm::dvec4(x, y, z, 1)));
+        double wanted = above ? volume.range.x : valueAt(volume, {x, y, z});
+        removed += above;
+        wrong += std::abs(valueAt(clipped, {x, y, z}) - wanted) > 0.5;
+      }
+  EXPECT_GT(removed, 1000);
+  EXPECT_LE(wrong, 2) << "but for voxels within rounding of the sheet";
+}
+
+TEST_F(MembranesGL, ProtectingTheBrightestProtectsAllThatIsBrighter) {
+  scene::Scene scene = phantom("two-spheres", 64, 5000);
+  auto& membrane = scene.cuts[0].membrane;
+  membrane.field.byValue.clear();
+  const Volume& volume = *scene.volume.data;
+  glm::ivec3 bright(0);
+  for (int z = 0; z < volume.dims.z; ++z)
+    for (int y = 0; y < volume.dims.y; ++y)
+      for (int x = 0; x < volume.dims.x; ++x)
+        if (valueAt(volume, {x, y, z}) > valueAt(volume, bright)) bright = {x, y, z};
+  glm::dvec3 place(volume.worldFromVoxel * glm::dvec4(glm::dvec3(bright), 1.0));
+  ASSERT_TRUE(protectTissue(membrane, scene.volume, place));
+  EXPECT_GT(membrane::strengthAt(membrane.field.byValue, volume.range.y), 0.0);
+  EXPECT_EQ(membrane::strengthAt(membrane.field.byValue, 0.0), 0.0);
+  EXPECT_FALSE(protectTissue(membrane, scene.volume, place + glm::dvec3(1e4)));
+}
+
+}  // namespace
+}  // namespace velum::session

@@ -52,7 +52,14 @@ void LiveSheet::adopt(const scene::SheetShape& shape) {
   mWritten = shape;
   mKept = membrane::fitShape(shape, mCut.membrane.cloth.particles, mCut.sizeMm);
   mKeptCut = mCut;
-  mNeedsForces = mBegin = mHasSimulation = mIsWarm = false;
+  if (glm::length(shape.axis) > 0.0) {
+    mKeptCut.centreMm = mKept.centreMm = shape.centreMm;
+    mKeptCut.axis = mKept.axis = shape.axis;
+    mKeptCut.spinDeg = mKept.spinDeg = shape.spinDeg;
+  }
+  mBegin = mHasSimulation = mIsWarm = false;
+  // Saved before it had come to rest: it goes on.
+  mNeedsForces = mKeepSides = !haveSameFrame(mKeptCut, mCut);
   mForces.reset();
   mFigures.reset();
   ++mWish;  // what is on its way is not for this
@@ -62,12 +69,19 @@ void LiveSheet::adopt(const scene::SheetShape& shape) {
 void LiveSheet::follow(const scene::Cut& cut, DataKey data) {
   scene::Cut before = std::exchange(mCut, cut);
   const scene::Membrane &was = before.membrane, &now = mCut.membrane;
+  bool isOtherVolume = mData.volume != data.volume;
   bool sameData = std::exchange(mData, data) == data, sameFrame = haveSameFrame(before, mCut);
   bool wasActive = was.repositioning == scene::Repositioning::Active;
   if (!sameData) ++mDataChange;
-  // An undone step brings the shape back in which the sheet rested then.
-  if (isActive() && sameData && now.shape != was.shape && now.shape != mWritten && !now.shape.places.empty())
-    return adopt(now.shape);
+  bool isUndone = sameData && now.shape != was.shape && now.shape != mWritten;
+  // An undone step brings the shape back in which the sheet rested then; another document its own.
+  if (isActive() && !now.shape.places.empty() && (isUndone || isOtherVolume)) return adopt(now.shape);
+  if (isOtherVolume) {
+    mKept = {};
+    mForces.reset();
+    mBegin = mHasSimulation = mIsWarm = false;
+    ++mShown;
+  }
   if (!sameFrame) ++mShown;
   if (!sameData || !sameFrame || was.field != now.field) {
     // Another curve protects other material: sides are found anew.
@@ -116,6 +130,7 @@ scene::SheetShape LiveSheet::shape() const {
 void LiveSheet::keepShape() {
   // As drawing would fit it, so that a shape that has been written down is the one that was drawn.
   mKept = membrane::fitShape(mSimulation->shape(), mMovingCut.membrane.cloth.particles, mMovingCut.sizeMm);
+  if (isActive()) membrane::anchor(mKept, mMovingCut);
   mKeptCut = mMovingCut;
 }
 

@@ -76,6 +76,21 @@ def cuts(_):
     ]
 
 
+def membrane(folder):
+    """The same frame as a plane, as a membrane, as an illustrative slice; and the sheet itself."""
+    bones = '[{"value":250,"strength":100},{"value":1000,"strength":100}]'
+    def trunk(*more):
+        return [*phantom(folder, "torso"), "--view", "anterior", *near(27), "--preset", "ct-bone", *cut(0, *more)]
+    frame = ["axis=0,-1,0", "centreMm=0,0,0", "sizeMm=384,384,84", f"membrane.field.byValue={bones}"]
+    sheet_seen = ["shape=membrane", *frame, "membrane.look=grid"]
+    return [
+        trunk("shape=plane", *frame[:2]),
+        trunk("shape=membrane", *frame),
+        trunk("shape=membrane", *frame, "membrane.use=slice"),
+        [*phantom(folder, "torso"), "--view", "oblique", *near(23), "--preset", "ct-bone", *cut(0, *sheet_seen)],
+    ]
+
+
 def labels(_):
     return [[*REGIONS, *OPENED], [*REGIONS, *SPARED], [*REGIONS, *SPARED, *sets("labels.tint=0")]]
 
@@ -113,11 +128,12 @@ PLATES = {
     "presets": (3, (480, 400), DARK, presets),
     "cuts": (3, (480, 400), DARK, cuts),
     "labels": (3, (480, 400), DARK, labels),
+    "membrane": (4, (400, 460), DARK, membrane),
     "layers": (4, (400, 340), WHITE, layers),
     "turn": (4, (360, 300), DARK, turn),
     "sheet": (3, (480, 400), DARK, sheet),
 }
-PHANTOMS = {"sheet": ("torso", "vessels", "neurons", "seismic")}
+PHANTOMS = {"membrane": ("torso",), "sheet": ("torso", "vessels", "neurons", "seismic")}
 
 
 def run(*command):

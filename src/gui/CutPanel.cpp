@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "velum/session/CutEdit.h"
+#include "velum/session/DefaultField.h"
 #include "velum/session/StructureEdit.h"
 
 namespace velum::gui {
@@ -39,6 +40,7 @@ CutPanel::CutPanel(session::Document& document, Selection& selection, QWidget* p
       mSelection(selection),
       mList(new CutList(this)),
       mForm(new CutForm(document, selection, this)),
+      mMembrane(new MembraneForm(document, *mForm, this)),
       mKeepWhole(new KeepWholeList(this)) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -52,6 +54,7 @@ CutPanel::CutPanel(session::Document& document, Selection& selection, QWidget* p
   layout->addWidget(mList);
   layout->addWidget(mTools = buildTools());
   layout->addWidget(mForm);
+  layout->addWidget(mMembrane);
   layout->addWidget(mLine = makeLine(this));
   layout->addWidget(mKeepWhole, 1000);
   layout->addStretch(1);  // holds all up where there is no list to fill the height
@@ -94,6 +97,9 @@ void CutPanel::buildHead() {
   for (auto shape : {scene::CutShape::Box, scene::CutShape::Sphere, scene::CutShape::Cylinder, scene::CutShape::Cone})
     menu->addAction(shapeTitle(shape), this, [this, shape] { addShape(shape); });
   menu->addSeparator();
+  QAction* sheet = menu->addAction(shapeTitle(scene::CutShape::Membrane), this, &CutPanel::addMembrane);
+  sheet->setToolTip(tr("An elastic sheet that cuts around what matters instead of through it (M)"));
+  menu->setToolTipsVisible(true);
   menu->addAction(tr("Cut along the view"), this, &CutPanel::addAlongView);
   menu->addAction(tr("Plane through three points..."), this, &CutPanel::threePointsAsked);
   more->setMenu(menu);
@@ -143,7 +149,12 @@ void CutPanel::addCut(scene::Cut cut, const char* label) {
   mSelection.setCut(index);
 }
 
-void CutPanel::addShape(scene::CutShape shape) { addCut(session::makeCut(mDocument.scene(), shape)); }
+void CutPanel::addShape(scene::CutShape shape) {
+  scene::Cut cut = session::makeCut(mDocument.scene(), shape);
+  bool isMembrane = shape == scene::CutShape::Membrane;
+  if (isMembrane) cut.membrane.field = session::defaultField(mDocument.scene());
+  addCut(std::move(cut), isMembrane ? "Add membrane" : "Add cut");
+}
 
 void CutPanel::addAlongView() { addCut(session::cutFacingCamera(mDocument.scene()), "Cut along the view"); }
 
@@ -191,9 +202,12 @@ void CutPanel::refresh() {
   mList->setCuts(scene.cuts, index);
   for (QWidget* part : {static_cast<QWidget*>(mList), mTools, static_cast<QWidget*>(mForm)}) part->setVisible(any);
   mEmpty->setVisible(!any);
+  bool isMembrane = any && scene.cuts[std::size_t(index)].shape == scene::CutShape::Membrane;
+  mMembrane->setVisible(isMembrane);
   mLine->setVisible(any && !scene.labels.structures.empty());
   mKeepWhole->setVisible(any);
   if (!any) return;
+  if (isMembrane) mMembrane->showCut(scene.cuts[std::size_t(index)]);
   mUp->setEnabled(index > 0);
   mDown->setEnabled(index + 1 < count);
   const scene::Cut& cut = scene.cuts[std::size_t(index)];

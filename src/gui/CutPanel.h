@@ -7,6 +7,7 @@
 #include "CutForm.h"
 #include "CutList.h"
 #include "KeepWholeList.h"
+#include "MembraneForm.h"
 #include "Selection.h"
 #include "velum/session/Document.h"
 
@@ -20,6 +21,9 @@ class CutPanel : public QWidget {
   void refresh();
   int selected() const { return mSelection.cut(); }
 
+  /// What belongs to the selected membrane; hidden for other cuts.
+  MembraneForm& membraneForm() { return *mMembrane; }
+
   /// A cut of a shape, placed where it is of use.
   void addShape(scene::CutShape shape);
   /// Adds a cut that somebody else has placed. @param label  of the undo step
@@ -27,6 +31,8 @@ class CutPanel : public QWidget {
 
  public slots:
   void addPlane() { addShape(scene::CutShape::Plane); }
+  /// A sheet that keeps whole what the scene shows most.
+  void addMembrane() { addShape(scene::CutShape::Membrane); }
   /// A plane through the middle that faces the camera.
   void addAlongView();
   void removeSelected();
@@ -47,6 +53,7 @@ class CutPanel : public QWidget {
   Selection& mSelection;
   CutList* mList;
   CutForm* mForm;
+  MembraneForm* mMembrane;
   KeepWholeList* mKeepWhole;
   QWidget *mTools = nullptr, *mLine = nullptr;
   QLabel* mEmpty = nullptr;

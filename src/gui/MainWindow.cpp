@@ -17,6 +17,7 @@
 #include "KeyboardFocus.h"
 #include "LookCommands.h"
 #include "LookPanel.h"
+#include "ProtectTool.h"
 #include "RecentFiles.h"
 #include "RecoveryBar.h"
 #include "StructurePanel.h"
@@ -111,6 +112,7 @@ void MainWindow::buildPanel() {
   addTab(mLook, tr("Look"), tr("Preset, rendering, light and background"));
   buildStructures();
   addTab(mCuts, tr("Cuts"), tr("What is cut away"));
+  buildMembrane();
   mDock->setWidget(mSide);
   addDockWidget(Qt::RightDockWidgetArea, mDock);
   connect(mSelection, &Selection::cutChanged, mViewport, &Viewport::selectCut);
@@ -119,6 +121,25 @@ void MainWindow::buildPanel() {
   });
   connect(mViews, &ViewGrid::pointedAt, mLook, [this](const render::Pick& pick) { mLook->setProbe(pick.value); });
   connect(mViews, &ViewGrid::pointedAtNothing, mLook, &LookPanel::clearProbe);
+}
+
+/// What the panel of a membrane says to the views, and they to it.
+void MainWindow::buildMembrane() {
+  mProtect = new ProtectTool(mDocument, *mViews, *mSelection, *mMessages, this);
+  MembraneForm& form = mCuts->membraneForm();
+  auto tell = [this, &form] {
+    int cut = mSelection->cut();
+    if (cut >= 0) form.showStatus(mViewport->membranes().status(std::size_t(cut)), mViewport->membranes().isPlaying());
+  };
+  connect(mViewport, &Viewport::sheetsTold, &form, tell);
+  connect(mSelection, &Selection::cutChanged, &form, tell);
+  connect(mSelection, &Selection::cutChanged, mProtect, &ProtectTool::stop);
+  connect(&form, &MembraneForm::playAsked, mViewport, &Viewport::playMembranes);
+  connect(&form, &MembraneForm::stepAsked, mViewport, &Viewport::stepMembranes);
+  connect(&form, &MembraneForm::flatAsked, mViewport, [this] { mViewport->resetMembrane(mSelection->cut()); });
+  connect(&form, &MembraneForm::protectAsked, mProtect,
+          [this](bool on, bool letThrough) { on ? mProtect->start(letThrough) : mProtect->stop(); });
+  connect(mProtect, &ProtectTool::ended, &form, &MembraneForm::pointingEnded);
 }
 
 /// A page of the side panel, which scrolls where the window is low.

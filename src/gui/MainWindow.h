@@ -24,6 +24,7 @@ class CutPanel;
 class LookCommands;
 class HelpWindow;
 class LookPanel;
+class ProtectTool;
 class RecentRow;
 class RecoveryBar;
 class StructureCommands;
@@ -97,6 +98,7 @@ class MainWindow : public QMainWindow {
   void buildViewActions(QMenu* menu, QToolBar* bar);
   void buildCutActions(QMenu* menu, QToolBar* bar);
   void buildStructures();
+  void buildMembrane();
   void buildStructureActions(QMenu* menu);
   void buildLayoutActions(QMenu* menu, QToolBar* bar);
   void buildTimeActions(QMenu* menu);
@@ -154,6 +156,7 @@ class MainWindow : public QMainWindow {
   ProgressStrip* mProgress = nullptr;
   LookPanel* mLook = nullptr;
   CutPanel* mCuts = nullptr;
+  ProtectTool* mProtect = nullptr;
   Selection* mSelection = nullptr;
   StructureCommands* mStructureCommands = nullptr;
   StructurePanel* mStructures = nullptr;

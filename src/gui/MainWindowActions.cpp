@@ -225,6 +225,13 @@ void MainWindow::buildCutActions(QMenu* menu, QToolBar* bar) {
                         tr("A plane through the middle that faces you exactly"), [this] { mCuts->addAlongView(); });
   mActions->addForScene(menu, "cut.threePoints", tr("Plane through three &points"),
                         tr("Click three points in the picture"), [this] { mThreePoints->start(); });
+  QAction* sheet =
+      mActions->addForScene(menu, "cut.addMembrane", tr("Add &membrane"),
+                            tr("An elastic sheet that cuts around what matters instead of through it"), [this] {
+                              mCuts->addMembrane();
+                              for (int i = 0; i < mTabs->count(); ++i)
+                                if (mTabs->widget(i)->isAncestorOf(mCuts)) mTabs->setCurrentIndex(i);
+                            });
   struct Row {
     const char *id, *name;
     scene::CutShape shape;
@@ -244,7 +251,9 @@ void MainWindow::buildCutActions(QMenu* menu, QToolBar* bar) {
   mActions->addForScene(menu, "cut.remove", tr("&Remove"), tr("Remove the selected cut"),
                         [this] { mCuts->removeSelected(); });
   add->setIconText(tr("Add cut"));
+  sheet->setIconText(tr("Membrane"));
   bar->addAction(add);
+  bar->addAction(sheet);
 }
 
 void MainWindow::askOpen(bool add) {

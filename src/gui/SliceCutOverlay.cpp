@@ -137,7 +137,12 @@ bool SliceCutOverlay::move(QPointF place, const scene::SliceFrame& frame, bool s
   mTag = QString::fromStdString(session::dragText(mStart, now, like));
   std::size_t index = std::size_t(mSelection.cut());
   mDocument.edit(
-      session::dragLabel(mStart, like), [&](scene::Scene& scene) { scene.cuts[index] = now; }, true);
+      session::dragLabel(mStart, like),
+      [&](scene::Scene& scene) {
+        now.membrane.shape = scene.cuts[index].membrane.shape;  // as in the 3D view
+        scene.cuts[index] = now;
+      },
+      true);
   return true;
 }
 

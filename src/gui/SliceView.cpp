@@ -87,6 +87,12 @@ void SliceView::refresh() {
   update();
 }
 
+void SliceView::setSheets(std::vector<std::shared_ptr<const membrane::SheetIndex>> sheets) {
+  mSheets = std::move(sheets);
+  mStale = true;
+  update();
+}
+
 /// How coarse a picture is drawn: what the last full one took says what can be drawn at once.
 int SliceView::coarseness() const {
   if (!mRestTimer.isActive() || mFullMs <= kAtOnceMs) return 1;
@@ -97,7 +103,7 @@ void SliceView::drawImage() {
   QElapsedTimer clock;
   clock.start();
   mDrawnCoarse = coarseness();
-  mImage = render::drawSlice(mWanted, render::coarserFrame(mWantedFrame, mDrawnCoarse));
+  mImage = render::drawSlice(mWanted, render::coarserFrame(mWantedFrame, mDrawnCoarse), mSheets);
   if (mDrawnCoarse == 1) mFullMs = double(clock.nsecsElapsed()) * 1e-6;
   mStale = false;
 }

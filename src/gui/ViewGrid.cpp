@@ -39,6 +39,9 @@ ViewGrid::ViewGrid(session::Document& document, Selection& selection, QWidget* p
   }
   connect(mViewport, &Viewport::pointedAt, this, &ViewGrid::pointedAt);
   connect(mViewport, &Viewport::pointedAtNothing, this, &ViewGrid::pointedAtNothing);
+  connect(mViewport, &Viewport::sheetsMoved, this, [this] {
+    for (auto* view : mSlices) view->setSheets(mViewport->membranes().indices());
+  });
   connect(mViewport, &Viewport::maximiseWanted, this, [this] { maximise(std::nullopt); });
   connect(mViewport, &Viewport::placeWanted, this, [this](glm::dvec3 worldMm) {
     changeSlices(mDocument, [worldMm](scene::Scene& scene) { scene::moveCrosshair(scene, worldMm); });

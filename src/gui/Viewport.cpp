@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "GizmoOverlay.h"
+#include "Job.h"
 #include "velum/core/Error.h"
 #include "velum/scene/Project.h"
 
@@ -45,7 +46,10 @@ Viewport::Viewport(session::Document& document, QWidget* parent)
   connect(&mPickTimer, &QTimer::timeout, this, &Viewport::pickUnderPointer);
 }
 
-Viewport::~Viewport() { release(); }
+Viewport::~Viewport() {
+  mSheetJob.reset();  // cancels and waits: it knows the player
+  release();
+}
 
 void Viewport::initializeGL() {
   connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &Viewport::release, Qt::DirectConnection);
@@ -74,6 +78,8 @@ void Viewport::release() {
   makeCurrent();
   mContext->makeCurrent();
   mShown.reset();
+  mFrame = {};  // it holds sheets
+  mPlayer.releaseGpu();
   mRenderer.reset();
   mContext.reset();
   mHasPicture = false;
@@ -135,10 +141,19 @@ void Viewport::paintGL() {
 }
 
 void Viewport::sceneChanged() {
-  scene::Scene wanted = scene::pictureScene(mDocument.scene());
+  mPlayer.follow(mDocument.scene());
+  wakeSheets();
+  scene::Scene wanted = drawnScene();
   if (wanted == mWanted && mShown && mShown->size() == QSize(deviceSize().x, deviceSize().y)) return;
   mWanted = std::move(wanted);
   startAnew();
+}
+
+/// What is drawn of the scene. Where sheets rest is told by the sheets themselves.
+scene::Scene Viewport::drawnScene() const {
+  scene::Scene scene = scene::pictureScene(mDocument.scene());
+  for (auto& cut : scene.cuts) cut.membrane.shape = {};
+  return scene;
 }
 
 void Viewport::startAnew() {
@@ -154,7 +169,9 @@ void Viewport::begin(Stage stage) {
   mPending = false;
   mHasPicture = false;
   mFrame = {};
-  mFrame.scene = scene::pictureScene(mDocument.scene());
+  mFrame.scene = drawnScene();
+  mFrame.sheets = mPlayer.sheets();
+  mSheetsShown = mPlayer.shownCount();
   mFrame.scene.background.transparent = false;  // a window has something behind; pictures need not
   glm::dvec2 size(deviceSize());
   double scale = stage == Stage::Coarse ? mCoarseScale : stage == Stage::Half ? 2.0 : 1.0;
@@ -167,16 +184,11 @@ void Viewport::begin(Stage stage) {
 }
 
 void Viewport::slice() {
-  if (!isVisible() || !bindContext()) return mSliceTimer.stop();
-  bool otherData = mFrame.scene.volume.data != mDocument.scene().volume.data;
-  // A coarse picture on its way is finished first: a steady drag would otherwise never show one.
-  if (mPending && (mStage != Stage::Coarse || otherData)) begin(Stage::Coarse);
-  if (mStage == Stage::Idle) return mSliceTimer.stop();
+  if (!bindContext()) return mSliceTimer.stop();
   try {
-    bool done = mRenderer->work(mFrame, mStage == Stage::Coarse ? kCoarseSliceMs : kSliceMs);
-    bool grown = mStage == Stage::Full && mRenderer->stats().samples > 0 && mSinceShown.elapsed() > kShowMs;
-    if (done || grown) show();
-    if (done) finishStage();
+    bool moving = driveSheets();
+    bool drawing = isVisible() && drawSome();
+    if (!moving && !drawing) mSliceTimer.stop();
   } catch (const Error& error) {
     mStage = Stage::Idle;
     mPending = false;
@@ -184,6 +196,18 @@ void Viewport::slice() {
     emit failed(QString::fromUtf8(error.what()));
   }
   tellProgress();
+}
+
+/// Works on the picture for a while. @return false when there is nothing to do until something happens
+bool Viewport::drawSome() {
+  bool otherData = mFrame.scene.volume.data != mDocument.scene().volume.data;
+  // A coarse picture on its way is finished first: a steady drag would otherwise never show one.
+  if (mPending && (mStage != Stage::Coarse || otherData)) begin(Stage::Coarse);
+  if (mStage == Stage::Idle || mRestTimer.isActive()) return false;
+  bool done = mRenderer->work(mFrame, mStage == Stage::Coarse ? kCoarseSliceMs : kSliceMs);
+  bool grown = mStage == Stage::Full && mRenderer->stats().samples > 0 && mSinceShown.elapsed() > kShowMs;
+  if (done || grown) show();
+  return !done || finishStage();
 }
 
 void Viewport::show() {
@@ -194,17 +218,20 @@ void Viewport::show() {
   update();
 }
 
-void Viewport::finishStage() {
+/// @return true when the next stage has begun; a coarse picture is looked at for a while first
+bool Viewport::finishStage() {
   adaptCoarseScale();
-  if (mPending) return begin(Stage::Coarse);
-  if (mStage == Stage::Half) return begin(Stage::Full);
-  mSliceTimer.stop();
+  if (mPending || mStage == Stage::Half) {
+    begin(mPending ? Stage::Coarse : Stage::Full);
+    return true;
+  }
   if (mStage == Stage::Coarse) {
     mRestTimer.start();
-    return;
+    return false;
   }
   mStage = Stage::Idle;
   pickUnderPointer();
+  return false;
 }
 
 void Viewport::adaptCoarseScale() {

@@ -10,10 +10,12 @@
 #include "velum/render/Renderer.h"
 #include "velum/session/CutTool.h"
 #include "velum/session/Document.h"
+#include "velum/session/MembranePlayer.h"
 
 namespace velum::gui {
 
 class GizmoOverlay;
+class Job;
 
 /// The progressive 3D view. While the scene changes it shows coarse pictures, sized so that each is ready at once; when
 /// the scene rests it refines in short slices between events, and when the picture is complete it does no work at all.
@@ -41,7 +43,7 @@ class Viewport : public QOpenGLWidget {
 
   /// What is on the screen is the scene as it is, if only a coarse picture of it.
   bool isCurrent() const { return !mPending && mHasPicture; }
-  bool isConverged() const { return mStage == Stage::Idle && !mPending; }
+  bool isConverged() const { return mStage == Stage::Idle && !mPending && mPlayer.isSettled() && !mPlayer.hasRests(); }
   /// Empty before the driver is known.
   render::Stats stats() const { return mRenderer ? mRenderer->stats() : render::Stats{}; }
   /// How many pictures it has painted; for tests and measurements.
@@ -50,10 +52,19 @@ class Viewport : public QOpenGLWidget {
   int glErrorCount() const { return mContext ? mContext->errorCount() : 0; }
   /// Gives up everything on the GPU and makes it again, as after the driver has lost it.
   void loseContext();
+  /// The sheets of the scene's membranes: they move while nothing else does, in slices of their own.
+  const session::MembranePlayer& membranes() const { return mPlayer; }
+  void playMembranes(bool play);
+  void stepMembranes();
+  void resetMembrane(int cut);
   /// What the picture shows at a place of the widget; nothing while there is no picture.
   std::optional<render::Pick> pickAt(QPointF place);
 
  signals:
+  /// The sheets' indices are others: slices are to be drawn anew.
+  void sheetsMoved();
+  /// What membranes().status() says has changed; a few times a second at most.
+  void sheetsTold();
   /// How far the picture is refined. @param stage  in words; empty when complete
   void refined(double fraction, const QString& stage);
   void pointedAt(const velum::render::Pick& pick);
@@ -88,11 +99,17 @@ class Viewport : public QOpenGLWidget {
   enum class Drag { None, Orbit, Pan, Zoom, Roll, Cut };
 
   void startAnew();
+  void wakeSheets();
+  bool driveSheets();
+  void startSheetWork();
+  void tellSheets();
   void release();
   bool bindContext();
   void slice();
+  bool drawSome();
+  scene::Scene drawnScene() const;
   void begin(Stage stage);
-  void finishStage();
+  bool finishStage();
   void show();
   void adaptCoarseScale();
   void tellProgress();
@@ -114,6 +131,12 @@ class Viewport : public QOpenGLWidget {
   std::unique_ptr<render::Renderer> mRenderer;
   std::unique_ptr<QOpenGLFramebufferObject> mShown;  ///< The picture on the screen, kept while the next one is made.
   render::Frame mFrame;
+  session::MembranePlayer mPlayer;
+  std::unique_ptr<Job> mSheetJob;  ///< What the player wants computed.
+  std::uint64_t mSheetsShown = 0;  ///< Of the player, in the frame on its way.
+  std::vector<std::shared_ptr<const membrane::SheetIndex>> mIndicesTold;
+  QElapsedTimer mSinceSheetsTold;
+  bool mSheetsWereSettled = true;
   scene::Scene mWanted;  ///< What the 3D view last heard that it should show.
   Stage mStage = Stage::Idle;
   bool mPending = true;      ///< The scene has changed since mFrame was made.

@@ -89,7 +89,9 @@ void Viewport::dragSelectedCut(glm::dvec2 place, bool snap) {
   mDocument.edit(
       session::dragLabel(mStartCut, mHandle),
       [&](scene::Scene& scene) {
-        if (index < scene.cuts.size()) scene.cuts[index] = moved;
+        if (index >= scene.cuts.size()) return;
+        moved.membrane.shape = scene.cuts[index].membrane.shape;  // where it rests is the sheet's own affair
+        scene.cuts[index] = moved;
       },
       true);
 }

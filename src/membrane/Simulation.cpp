@@ -11,6 +11,9 @@ namespace {
 constexpr int kLongestCoarse = 400;
 /// What is left to do at the finest resolution is local.
 constexpr int kLongestFine = 24;
+/// So often it is asked whether the sheet rests: asking waits for the GPU. At ages of the sheet rather than at calls,
+/// so that where it rests does not depend on how many steps at a time somebody has time for. Divides both of the above.
+constexpr int kLookEvery = 8;
 
 glm::dvec3 halfOf(const scene::Cut& cut) { return glm::max(cut.sizeMm, glm::dvec3(1e-6)) * 0.5; }
 
@@ -162,16 +165,25 @@ void Simulation::refine() {
 
 bool Simulation::advance(int steps) {
   if (mPhase == Phase::Rest || !mSolver) return false;
-  mSolver->step(steps);
-  mSteps += steps;
+  while (steps > 0 && mPhase != Phase::Rest) {
+    int count = std::min(steps, kLookEvery - mSolver->age() % kLookEvery);
+    mSolver->step(count);
+    mSteps += count;
+    steps -= count;
+    if (mSolver->age() % kLookEvery == 0) look();
+  }
+  return true;
+}
+
+/// Goes on to the next phase where this one has come to its end.
+void Simulation::look() {
   mSpeed = mSolver->speed();
   int longest = mPhase == Phase::Coarse ? kLongestCoarse : kLongestFine;
-  if (mSpeed > mSolver->restSpeed() && mSolver->age() < longest) return true;
+  if (mSpeed > mSolver->restSpeed() && mSolver->age() < longest) return;
   if (mPhase == Phase::Coarse && mForces.corridor.dims.x > 0)
     refine();
   else
     mPhase = Phase::Rest;
-  return true;
 }
 
 scene::SheetShape Simulation::shape() const {

@@ -111,8 +111,9 @@ std::vector<double> faceReaches(const scene::Cut& cut) {
   switch (cut.shape) {
     case scene::CutShape::Plane:
       return {};
-    case scene::CutShape::Box:
     case scene::CutShape::Membrane:
+      return {half.x, half.y};
+    case scene::CutShape::Box:
       return {half.x, half.y, half.z};
     case scene::CutShape::Sphere:
       return {half.x};
@@ -128,7 +129,8 @@ void addFaceGrips(CutGizmo& gizmo, const scene::Cut& cut, glm::dvec3 forward) {
                                   CutHandle::FaceYMax, CutHandle::FaceZMin, CutHandle::FaceZMax};
   glm::dmat3 frame = cutFrame(cut);
   bool isBox = scene::hasEdges(cut.shape), isCone = cut.shape == scene::CutShape::Cone;
-  for (int face = isBox ? 0 : 4; face < 6; ++face) {
+  int end = cut.shape == scene::CutShape::Membrane ? 4 : 6;  // the frame is flat: its reach is a number
+  for (int face = isBox ? 0 : 4; face < end; ++face) {
     double sign = face % 2 ? 1.0 : -1.0;
     glm::dvec3 out = frame[face / 2] * sign;
     if (glm::length(glm::cross(out, forward)) < kLeastSlant) continue;  // seen end on

@@ -36,6 +36,14 @@ void Document::view(const Change& change) {
   changed();
 }
 
+void Document::complete(const Change& change) {
+  scene::Scene next = mScene;
+  change(next);
+  if (next == mScene) return;
+  mScene = std::move(next);
+  changed();
+}
+
 /// Takes the view along to what can be redone, up to the next step that is a view itself.
 void Document::moveRedoView(const Change& change) {
   while (canRedo() && mRedo.back().isView) mRedo.pop_back();  // this one is in its place

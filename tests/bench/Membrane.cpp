@@ -42,7 +42,7 @@ constexpr Protected kScans[] = {{"aneurysm", "xa_aneurism.vti", 60, 256},
                                 {"arteriovenous malformation", "ct_head_avm_angio.nii.gz", 250, 1000},
                                 {"abdomen bones", "ct_abdomen_3mm.nii.gz", 200, 4000},
                                 {"mouse embryo", "embryo_mouse.nrrd", 110, 256},
-                                {"mouse brain", "micro_mousebrain_100um.tiff", 26000, 65536},
+                                {"mouse brain", "micro_mousebrain_100um.tiff", 2000, 65536},
                                 {"thorax", "ct_torso_contrast_lidc2.mha", 170, 256}};
 
 /// Fewer pairs than this make no ratio.

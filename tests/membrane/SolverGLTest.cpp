@@ -19,6 +19,10 @@ class SolverGL : public GlTest {
     setup.particles = {particles, particles};
     setup.halfMm = {64, 64, 20};
     setup.isAlongNormal = alongNormal;
+    // As stiff as the paper's rule wants it, so that domes are wide.
+    setup.cloth.stretch = 0.8;
+    setup.cloth.restoring = 20.0;
+    setup.cloth.damping = 6.0;
     return setup;
   }
   /// A lattice of kernels over the frame's box.

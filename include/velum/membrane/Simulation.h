@@ -20,7 +20,8 @@ class Simulation {
   void begin(const scene::Cut& cut, Forces forces, const scene::SheetShape& start);
   /// The same sheet under other forces: goes on from where it is.
   void change(const scene::Cut& cut, Forces forces);
-  /// Some steps. @return false when it has come to rest: then nothing happened
+  /// At most so many steps. Where the sheet comes to rest does not depend on how they are shared out to calls.
+  /// @return false when it has come to rest: then nothing happened
   bool advance(int steps);
   bool isAtRest() const { return mPhase == Phase::Rest; }
   /// True once it has the resolution that it will rest at.
@@ -29,7 +30,7 @@ class Simulation {
   const Solver& solver() const { return *mSolver; }
   const Forces& forces() const { return mForces; }
   int steps() const { return mSteps; }
-  /// Largest speed at the end of the last advance(), mm/s.
+  /// Largest speed when it was last looked at (every eighth step), mm/s.
   double speed() const { return mSpeed; }
   /// Where the particles are. Waits for the GPU.
   scene::SheetShape shape() const;
@@ -37,6 +38,7 @@ class Simulation {
  private:
   enum class Phase { Coarse, Fine, Rest };
   void hang(glm::ivec2 particles, const scene::SheetShape& start);
+  void look();
   void refine();
   void applyForces();
 

@@ -34,6 +34,10 @@ class Document {
   /// @param change  must set the same whatever else the scene holds
   void view(const Change& change);
 
+  /// Writes down what follows from the scene by itself, such as where a sheet has come to rest: part of the step that
+  /// led to it. What was undone can still be redone, a drag goes on, and it does not count as a modification.
+  void complete(const Change& change);
+
   /// One step back or forth; nothing when there is none.
   void undo();
   void redo();

@@ -1,0 +1,264 @@
+#include "LiveSheet.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "velum/gpu/Program.h"
+
+namespace velum::session {
+
+namespace {
+
+/// A passive sheet that starts anew is shown from this step on: until then it lies nearly flat, and a drag would
+/// flicker.
+constexpr int kWarmSteps = 40;
+/// Most steps of a slice: without asking the GPU nobody knows how long it takes.
+constexpr int kMostSteps = 20;
+
+using Clock = std::chrono::steady_clock;
+double msSince(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+scene::Cut withFrameOf(scene::Cut cut, const scene::Cut& frame) {
+  cut.centreMm = frame.centreMm;
+  cut.axis = frame.axis;
+  cut.spinDeg = frame.spinDeg;
+  cut.sizeMm = frame.sizeMm;
+  return cut;
+}
+
+scene::SheetShape carried(const scene::SheetShape& shape, const scene::Cut& from, const scene::Cut& to) {
+  if (shape.places.empty() || haveSameFrame(from, to)) return shape;
+  return membrane::fitShape(membrane::carryOver(shape, from, to), shape.particles, to.sizeMm);
+}
+
+}  // namespace
+
+DataKey dataKeyOf(const scene::Scene& scene) {
+  return {scene.volume.data.id(), scene.labels.data.id(), scene.volume.frame, scene.volume.channel};
+}
+
+bool haveSameFrame(const scene::Cut& a, const scene::Cut& b) {
+  return a.centreMm == b.centreMm && a.axis == b.axis && a.spinDeg == b.spinDeg && a.sizeMm == b.sizeMm;
+}
+
+LiveSheet::LiveSheet(std::uint64_t id, const scene::Cut& cut, DataKey data) : mId(id), mCut(cut), mData(data) {
+  if (isActive() && !cut.membrane.shape.places.empty()) adopt(cut.membrane.shape);
+}
+
+/// Takes a shape as where the sheet rests.
+void LiveSheet::adopt(const scene::SheetShape& shape) {
+  mWritten = shape;
+  mKept = membrane::fitShape(shape, mCut.membrane.cloth.particles, mCut.sizeMm);
+  mKeptCut = mCut;
+  if (glm::length(shape.axis) > 0.0) {
+    mKeptCut.centreMm = mKept.centreMm = shape.centreMm;
+    mKeptCut.axis = mKept.axis = shape.axis;
+    mKeptCut.spinDeg = mKept.spinDeg = shape.spinDeg;
+  }
+  mBegin = mHasSimulation = mIsWarm = false;
+  // Saved before it had come to rest: it goes on.
+  mNeedsForces = mKeepSides = !haveSameFrame(mKeptCut, mCut);
+  mForces.reset();
+  mFigures.reset();
+  ++mWish;  // what is on its way is not for this
+  ++mShown;
+}
+
+void LiveSheet::follow(const scene::Cut& cut, DataKey data) {
+  scene::Cut before = std::exchange(mCut, cut);
+  const scene::Membrane &was = before.membrane, &now = mCut.membrane;
+  bool isOtherVolume = mData.volume != data.volume;
+  bool sameData = std::exchange(mData, data) == data, sameFrame = haveSameFrame(before, mCut);
+  bool wasActive = was.repositioning == scene::Repositioning::Active;
+  if (!sameData) ++mDataChange;
+  bool isUndone = sameData && now.shape != was.shape && now.shape != mWritten;
+  // An undone step brings the shape back in which the sheet rested then; another document its own.
+  if (isActive() && !now.shape.places.empty() && (isUndone || isOtherVolume)) return adopt(now.shape);
+  if (isOtherVolume) {
+    mKept = {};
+    mForces.reset();
+    mBegin = mHasSimulation = mIsWarm = false;
+    ++mShown;
+  }
+  if (!sameFrame) ++mShown;
+  if (!sameData || !sameFrame || was.field != now.field) {
+    // Another curve protects other material: sides are found anew.
+    mKeepSides = isActive() && was.field == now.field && (mKeepSides || !mNeedsForces);
+    mNeedsForces = true;
+    ++mWish;
+    mFigures.reset();
+    return;
+  }
+  bool isOther = was.cloth != now.cloth || was.pins != now.pins || (wasActive && !isActive());
+  if (!isOther) return;
+  mFigures.reset();
+  if (mForces)
+    mBegin = true;
+  else
+    mNeedsForces = true;
+}
+
+membrane::HeightOver LiveSheet::current() const {
+  if (!mKeepSides || mCut.membrane.field.rule != scene::KernelRule::Sided) return {};
+  scene::SheetShape now = shape();
+  return now.places.empty() ? membrane::HeightOver() : membrane::heightOf(now);
+}
+
+void LiveSheet::takeForces(std::shared_ptr<const MadeForces> made, std::uint64_t wish) {
+  mForces = std::move(made);
+  mBegin = true;
+  mError.clear();
+  if (wish == mWish) mNeedsForces = false;
+}
+
+void LiveSheet::failForces(const std::string& error) {
+  mError = error;
+  mNeedsForces = false;
+}
+
+bool LiveSheet::isMoving() const { return mCut.enabled && (mBegin || !isAtRest()); }
+
+/// Where the sheet was when it was last looked at; asks the GPU where it moves.
+scene::SheetShape LiveSheet::known() const { return mIsWarm && !isAtRest() ? mSimulation->shape() : mKept; }
+
+scene::SheetShape LiveSheet::shape() const {
+  return carried(known(), mIsWarm && !isAtRest() ? mMovingCut : mKeptCut, mCut);
+}
+
+void LiveSheet::keepShape() {
+  // As drawing would fit it, so that a shape that has been written down is the one that was drawn.
+  mKept = membrane::fitShape(mSimulation->shape(), mMovingCut.membrane.cloth.particles, mMovingCut.sizeMm);
+  if (isActive()) membrane::anchor(mKept, mMovingCut);
+  mKeptCut = mMovingCut;
+}
+
+void LiveSheet::begin() {
+  mBegin = false;
+  if (mIsWarm && !isAtRest()) keepShape();
+  scene::Cut moving = withFrameOf(mCut, mForces->cut);
+  moving.membrane.field.rule = mForces->cut.membrane.field.rule;
+  scene::SheetShape start;
+  if (isActive()) start = carried(mKept, mKeptCut, moving);
+  mSimulation->begin(moving, mForces->forces, start);
+  mHasSimulation = true;
+  mMovingCut = moving;
+  mIsWarm = isActive() || mKept.places.empty();
+}
+
+bool LiveSheet::advance(double budgetMs) {
+  if (!isMoving()) return false;
+  if (mBegin) begin();
+  auto start = Clock::now();
+  int steps = 0;
+  do mSimulation->advance(1);
+  while (++steps < kMostSteps && !mSimulation->isAtRest() && msSince(start) < budgetMs);
+  gpu::finish();
+  double stepMs = msSince(start) / steps;
+  mStepMs = mStepMs > 0 ? 0.8 * mStepMs + 0.2 * stepMs : stepMs;
+  mIsWarm = mIsWarm || mSimulation->steps() >= kWarmSteps || mSimulation->isAtRest();
+  if (mIsWarm) ++mShown;
+  if (mSimulation->isAtRest()) keepShape();
+  return true;
+}
+
+void LiveSheet::reset() {
+  mKept = {};
+  mFigures.reset();
+  ++mShown;
+  mHasSimulation = mIsWarm = false;
+  mKeepSides = false;
+  if (mForces && !isActive())
+    mBegin = true;
+  else
+    mNeedsForces = true, ++mWish;
+}
+
+bool LiveSheet::needsFigures() const {
+  return mCut.enabled && !mNeedsForces && !isMoving() && !mFigures && mError.empty() && mIndexed == mShown;
+}
+
+void LiveSheet::takeFigures(const membrane::KeptWhole& figures, std::uint64_t wish) {
+  if (wish == mWish && !isMoving()) mFigures = figures;
+}
+
+MembraneStatus LiveSheet::status(bool isPlaying, bool isComputing) const {
+  using Phase = MembraneStatus::Phase;
+  MembraneStatus status;
+  if (mNeedsForces || isComputing)
+    status.phase = Phase::Computing;
+  else if (isMoving())
+    status.phase = isPlaying ? Phase::Settling : Phase::Paused;
+  if (mForces) {
+    status.kernels = mForces->forces.kernels;
+    status.forcesMs = mForces->forces.kernelsMs + mForces->forces.leastCutMs;
+  }
+  status.particles = mCut.membrane.cloth.particles;
+  if (!mKept.places.empty()) status.particles = mKept.particles;
+  if (mHasSimulation) {
+    status.particles = mSimulation->solver().sheet().particles;
+    status.steps = mSimulation->steps();
+    status.speedMm = mSimulation->speed();
+  }
+  status.stepMs = mStepMs;
+  status.error = mError;
+  if (!mFigures) return status;
+  status.isMeasured = true;
+  status.keptWhole = mFigures->ratio;
+  status.planePairs = mFigures->cutAreaPlane;
+  status.sheetPairs = mFigures->cutAreaMembrane;
+  status.meanDistanceMm = mFigures->meanDistanceMm;
+  return status;
+}
+
+render::FrameSheet LiveSheet::frameSheet() {
+  bool isLive = mIsWarm && mHasSimulation && haveSameFrame(mMovingCut, mCut) && !isAtRest();
+  if (mUploaded != mShown || !mSheet) {
+    glm::ivec2 flat = glm::max(mCut.membrane.cloth.particles, glm::ivec2(3));
+    glm::ivec2 count = isLive ? mSimulation->solver().sheet().particles : glm::ivec2(0);
+    bool fits = mSheet && mSheet->particles() == count && mSheet->sizeMm() == mCut.sizeMm;
+    if (isLive && fits) {
+      // From the solver to the picture without a detour.
+      mSimulation->solver().places().copyTo(mSheet->rows(), 0);
+      gpu::barrier();
+      mSheet->index();
+    } else if (mSheet) {
+      mSheet->setShape(shape(), flat, mCut.sizeMm);
+    } else {
+      mSheet = std::make_shared<membrane::Sheet>(shape(), flat, mCut.sizeMm);
+    }
+    if (isAtRest()) mSheet->grow();
+    mUploaded = mShown;
+  }
+  return {mSheet, mSheet->revision()};
+}
+
+void LiveSheet::makeIndex() {
+  glm::ivec2 flat = glm::max(mCut.membrane.cloth.particles, glm::ivec2(3));
+  mIndex = std::make_shared<const membrane::SheetIndex>(membrane::makeSheetIndex(shape(), flat, mCut.sizeMm));
+  mIndexed = mShown;
+}
+
+bool LiveSheet::hasRest() const {
+  if (!isActive() || !mCut.enabled || mNeedsForces || isMoving() || mKept.places.empty()) return false;
+  return haveSameFrame(mKeptCut, mCut) && mKept != mWritten;
+}
+
+std::optional<scene::SheetShape> LiveSheet::takeRest() {
+  if (!hasRest()) return std::nullopt;
+  mWritten = mKept;
+  return mWritten;
+}
+
+void LiveSheet::releaseGpu() {
+  bool wasMoving = isMoving();
+  if (mIsWarm && !isAtRest()) keepShape();
+  mSimulation.emplace();
+  mHasSimulation = false;
+  mBegin = wasMoving && mForces;
+  mSheet.reset();
+  mUploaded = 0;
+}
+
+}  // namespace velum::session

@@ -1,0 +1,175 @@
+// Membranes in the real window: one is added, settles, rests, is dragged, undone, saved and opened again.
+#include <QComboBox>
+#include <QLabel>
+#include <QPushButton>
+
+#include "MembraneForm.h"
+#include "Shots.h"
+#include "StrengthCanvas.h"
+#include "WindowFixture.h"
+
+namespace velum::gui {
+
+class MembraneWindow : public Window {
+ protected:
+  void SetUp() override {
+    Window::SetUp();
+    mWindow->resize(640, 700);  // the panel is seen; a small picture is soon complete
+  }
+  session::Document& document() { return mWindow->document(); }
+  void openWithLabels() {
+    mWindow->openPaths({path("phantom.nrrd"), path("phantom_labels.seg.nrrd")});
+    ASSERT_TRUE(waitForJob());
+    ASSERT_TRUE(scene().labels.data);
+    document().view([](scene::Scene& scene) { scene.rayCast.samplesPerPixel = 1; });
+  }
+  void addMembrane() {
+    openPhantom();
+    document().view([](scene::Scene& scene) { scene.rayCast.samplesPerPixel = 1; });
+    mWindow->actions().find("cut.addMembrane")->trigger();
+    ASSERT_EQ(scene().cuts.size(), 1u);
+    ASSERT_TRUE(settle());
+  }
+  session::MembraneStatus status() { return *viewport().membranes().status(0); }
+  QImage picture() { return viewport().grabFramebuffer(); }
+  scene::SheetShape shape() { return viewport().membranes().withShapes(scene()).cuts[0].membrane.shape; }
+};
+
+TEST_F(MembraneWindow, ANewOneKeepsWholeWhatIsShownMost) {
+  addMembrane();
+  EXPECT_EQ(scene().cuts[0].shape, scene::CutShape::Membrane);
+  EXPECT_EQ(document().undoLabel(), "Add membrane");
+  EXPECT_FALSE(scene().cuts[0].membrane.field.byValue.empty());
+  ASSERT_TRUE(status().isMeasured);
+  EXPECT_GT(status().planePairs, 0);
+  EXPECT_LT(status().keptWhole, 1.0);  // one ball fills the middle: no sheet in reach goes around it
+  auto* figure = child<QLabel>("membraneFigure");
+  ASSERT_TRUE(figure && figure->isVisible());
+  EXPECT_TRUE(figure->text().contains("of what the plane cuts")) << figure->text().toStdString();
+  takeShot(*mWindow, "membrane-new");
+  document().undo();
+  EXPECT_TRUE(scene().cuts.empty());
+  EXPECT_TRUE(settle());
+}
+
+TEST_F(MembraneWindow, AtRestNothingIsSteppedAndNothingIsDrawn) {
+  addMembrane();
+  QTest::qWait(400);
+  int steps = status().steps, shown = viewport().shownCount();
+  QTest::qWait(600);
+  EXPECT_TRUE(mWindow->isSettled());
+  EXPECT_EQ(status().steps, steps);
+  EXPECT_EQ(viewport().shownCount(), shown);
+}
+
+TEST_F(MembraneWindow, DraggingTheFrameIsOneStepAndTheSheetFollows) {
+  addMembrane();
+  viewport().lookFrom(scene::StandardView::Oblique);
+  ASSERT_TRUE(settle());
+  scene::Cut before = scene().cuts[0];
+  scene::SheetShape rest = shape();
+  QImage still = picture();
+  auto gizmo = session::makeCutGizmo(scene(), before, size());
+  auto tip = scene::pixelFromWorld(scene().camera, size(), gizmo.arrowTipMm);
+  auto foot = scene::pixelFromWorld(scene().camera, size(), gizmo.centreMm);
+  ASSERT_TRUE(tip && foot);
+  QPoint from(int(tip->x), int(tip->y));
+  glm::dvec2 along = glm::normalize(*tip - *foot) * 24.0;
+  drag(from, from + QPoint(int(along.x), int(along.y)));
+  EXPECT_NE(scene().cuts[0].centreMm, before.centreMm);
+  EXPECT_EQ(document().undoLabel(), "Move cut");
+  ASSERT_TRUE(settle());
+  EXPECT_NE(shape(), rest);
+  EXPECT_NE(picture(), still);
+  document().undo();
+  EXPECT_EQ(scene().cuts[0], before);
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(shape(), rest) << "a passive sheet rests where it did";
+  EXPECT_EQ(picture(), still);
+}
+
+TEST_F(MembraneWindow, SavedAndOpenedAgainItGivesTheSamePicture) {
+  addMembrane();
+  QImage before = picture();
+  mWindow->saveSceneTo(path("membrane.json"));
+  mWindow->openPaths({path("membrane.json")});
+  ASSERT_TRUE(waitForJob());
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(picture(), before);
+  viewport().loseContext();
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(picture(), before);
+}
+
+TEST_F(MembraneWindow, AnActiveOneIsWrittenIntoTheSceneWithoutAStepOfItsOwn) {
+  addMembrane();
+  auto* moving = child<QComboBox>("membraneMoving");
+  ASSERT_TRUE(moving);
+  moving->setCurrentIndex(1);
+  emit moving->activated(1);
+  ASSERT_TRUE(settle());
+  EXPECT_FALSE(scene().cuts[0].membrane.shape.places.empty());
+  auto steps = document().undoLabels();
+  ASSERT_GE(steps.size(), 2u);
+  EXPECT_EQ(steps[0], "Change membrane: moving");
+  EXPECT_EQ(steps[1], "Add membrane");
+  QImage before = picture();
+  mWindow->saveSceneTo(path("active.json"));
+  mWindow->openPaths({path("active.json")});
+  ASSERT_TRUE(waitForJob());
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(picture(), before);
+}
+
+TEST_F(MembraneWindow, TheCurveIsDraggedAsOneStep) {
+  addMembrane();
+  auto* canvas = child<StrengthCanvas>("strengthCanvas");
+  ASSERT_TRUE(canvas && canvas->isVisible());
+  auto curve = scene().cuts[0].membrane.field.byValue;
+  ASSERT_FALSE(curve.empty());
+  std::size_t at = 1;
+  QPoint from = canvas->placeOf(curve[at]).toPoint();
+  drag(*canvas, from, from + QPoint(0, -20));
+  EXPECT_EQ(document().undoLabel(), "Move force point");
+  EXPECT_GT(scene().cuts[0].membrane.field.byValue[at].strength, curve[at].strength);
+  document().undo();
+  EXPECT_EQ(scene().cuts[0].membrane.field.byValue, curve);
+  EXPECT_EQ(document().undoLabel(), "Add membrane");
+  canvas->setFocus();
+  QTest::keyClick(canvas, Qt::Key_PageDown);
+  QTest::keyClick(canvas, Qt::Key_Delete);
+  EXPECT_EQ(scene().cuts[0].membrane.field.byValue.size(), curve.size() - 1);
+  ASSERT_TRUE(settle());
+}
+
+TEST_F(MembraneWindow, AClickProtectsAStructureOrLetsTheSheetThrough) {
+  openWithLabels();
+  mWindow->actions().find("cut.addMembrane")->trigger();
+  ASSERT_TRUE(settle());
+  document().edit("Clear", [](scene::Scene& scene) { scene.cuts[0].membrane.field = {}; });
+  ASSERT_TRUE(settle());
+  QTest::mouseClick(child<QPushButton>("protectThis"), Qt::LeftButton);
+  // Whatever is under the middle, or beside it.
+  for (int x = 0; x < viewport().width() && scene().cuts[0].membrane.field == scene::ForceField(); x += 15)
+    QTest::mouseClick(&viewport(), Qt::LeftButton, {}, QPoint(x, viewport().height() / 2));
+  EXPECT_FALSE(scene().cuts[0].membrane.field == scene::ForceField());
+  EXPECT_EQ(document().undoLabel(), "Protect from sheet");
+  EXPECT_FALSE(child<QPushButton>("protectThis")->isChecked());
+  ASSERT_TRUE(settle());
+}
+
+TEST_F(MembraneWindow, PausedTheWindowIsSettledAndStepsByHand) {
+  addMembrane();
+  QTest::mouseClick(child<QPushButton>("membranePlay"), Qt::LeftButton);
+  QTest::mouseClick(child<QPushButton>("membraneFlat"), Qt::LeftButton);
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(status().phase, session::MembraneStatus::Phase::Paused);
+  int steps = status().steps;
+  QTest::mouseClick(child<QPushButton>("membraneStep"), Qt::LeftButton);
+  EXPECT_NE(status().steps, steps);
+  QTest::mouseClick(child<QPushButton>("membranePlay"), Qt::LeftButton);
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(status().phase, session::MembraneStatus::Phase::Resting);
+}
+
+}  // namespace velum::gui

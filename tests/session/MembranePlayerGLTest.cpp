@@ -1,0 +1,273 @@
+#include "velum/session/MembranePlayer.h"
+
+#include "GlFixture.h"
+#include "makeVolume.h"
+#include "velum/session/CutEdit.h"
+#include "velum/session/DefaultField.h"
+
+namespace velum::session {
+namespace {
+
+/// Balls in a row, a little off the middle of the data, across which the membrane hangs.
+scene::Scene ballScene() {
+  glm::ivec3 dims(40, 40, 32);
+  scene::Scene scene;
+  scene.volume.data = Shared<Volume>(makeVolume(
+      dims, SampleType::Int16,
+      [](glm::ivec3 p) {
+        double ball = std::min(glm::length(glm::dvec3(p) - glm::dvec3(12, 20, 18)),
+                               glm::length(glm::dvec3(p) - glm::dvec3(28, 20, 13)));
+        return ball < 5 ? 800.0 : -1000.0;
+      },
+      centredFrame(dims)));
+  scene::Cut cut;
+  cut.shape = scene::CutShape::Membrane;
+  cut.axis = {0, 0, 1};
+  cut.sizeMm = {40, 40, 24};
+  cut.membrane.cloth.particles = {20, 20};
+  cut.membrane.field.byValue = {{0, 400}, {1000, 400}};
+  scene.cuts = {cut};
+  return scene;
+}
+
+class MembranePlayerGL : public GlTest {
+ protected:
+  void work() {
+    Progress progress;
+    if (auto work = mPlayer.nextWork()) mPlayer.endWork(work(progress));
+  }
+  void settle(double budgetMs = 8.0) { settle(mPlayer, budgetMs); }
+  static void settle(MembranePlayer& player, double budgetMs) {
+    Progress progress;
+    for (int i = 0; i < 3000 && !player.isSettled(); ++i) {
+      if (auto work = player.nextWork()) player.endWork(work(progress));
+      player.advance(budgetMs);
+    }
+    ASSERT_TRUE(player.isSettled());
+  }
+  static scene::SheetShape shapeOf(const MembranePlayer& player, const scene::Scene& scene) {
+    return player.withShapes(scene).cuts[0].membrane.shape;
+  }
+  void TearDown() override {
+    mPlayer.releaseGpu();
+    GlTest::TearDown();
+  }
+  MembranePlayer mPlayer;
+};
+
+TEST_F(MembranePlayerGL, ComesToRestAndKeepsWholeWhatThePlaneCuts) {
+  mPlayer.follow(ballScene());
+  settle();
+  MembraneStatus status = *mPlayer.status(0);
+  EXPECT_EQ(status.phase, MembraneStatus::Phase::Resting);
+  EXPECT_GT(status.kernels, 0u);
+  ASSERT_TRUE(status.isMeasured);
+  EXPECT_GT(status.planePairs, 50);
+  EXPECT_LT(status.keptWhole, 0.3);
+  EXPECT_GT(status.meanDistanceMm, 0.1);
+}
+
+TEST_F(MembranePlayerGL, AtRestThereIsNothingToDo) {
+  scene::Scene scene = ballScene();
+  mPlayer.follow(scene);
+  settle();
+  auto sheets = mPlayer.sheets();
+  int steps = mPlayer.status(0)->steps;
+  auto shown = mPlayer.shownCount();
+  for (int i = 0; i < 5; ++i) {
+    scene.camera.eyeMm.x += 1.0;  // looking from elsewhere moves no sheet
+    scene.cuts[0].name += "x";
+    scene.cuts[0].membrane.sliceOpacity *= 0.9;
+    mPlayer.follow(scene);
+    EXPECT_FALSE(mPlayer.isMoving());
+    EXPECT_FALSE(mPlayer.nextWork());
+    EXPECT_FALSE(mPlayer.advance(8.0));
+    EXPECT_TRUE(mPlayer.isSettled());
+  }
+  EXPECT_EQ(mPlayer.status(0)->steps, steps);
+  EXPECT_EQ(mPlayer.shownCount(), shown);
+  EXPECT_EQ(mPlayer.sheets(), sheets);
+}
+
+TEST_F(MembranePlayerGL, WhereItRestsDoesNotDependOnHowLongASliceIs) {
+  scene::Scene scene = ballScene();
+  mPlayer.follow(scene);
+  settle(0.0);
+  MembranePlayer other;
+  other.follow(scene);
+  settle(other, 100.0);
+  EXPECT_EQ(shapeOf(mPlayer, scene), shapeOf(other, scene));
+  other.releaseGpu();
+}
+
+TEST_F(MembranePlayerGL, APassiveSheetRestsWhereItWouldHaveFromTheStart) {
+  scene::Scene scene = ballScene();
+  mPlayer.follow(scene);
+  settle();
+  scene::SheetShape before = shapeOf(mPlayer, scene);
+  scene.cuts[0].centreMm.z += 2.0;
+  mPlayer.follow(scene);
+  // Until the new forces are there it stays in the world where it was, with its rim on the frame.
+  scene::SheetShape between = shapeOf(mPlayer, scene);
+  std::size_t middle = before.places.size() / 2 + std::size_t(before.particles.x) / 2;
+  EXPECT_NEAR(between.places[middle].z, before.places[middle].z - 2.0, 0.3);
+  EXPECT_EQ(between.places[0].z, 0.0f);
+  settle();
+  MembranePlayer fresh;
+  fresh.follow(scene);
+  settle(fresh, 8.0);
+  EXPECT_EQ(shapeOf(mPlayer, scene), shapeOf(fresh, scene));
+  fresh.releaseGpu();
+}
+
+TEST_F(MembranePlayerGL, ASteadyDragSeesTheForcesOfPlacesOnItsWay) {
+  scene::Scene scene = ballScene();
+  mPlayer.follow(scene);
+  settle();
+  Progress progress;
+  auto arrived = mPlayer.nextWork();
+  EXPECT_FALSE(arrived);
+  scene.cuts[0].centreMm.z += 1.0;
+  mPlayer.follow(scene);
+  auto work = mPlayer.nextWork();
+  ASSERT_TRUE(work);
+  auto finish = work(progress);
+  scene.cuts[0].centreMm.z += 1.0;
+  mPlayer.follow(scene);
+  EXPECT_FALSE(mPlayer.wantsCancel());
+  EXPECT_FALSE(mPlayer.nextWork()) << "one at a time";
+  mPlayer.endWork(finish);
+  EXPECT_TRUE(mPlayer.isMoving());
+  EXPECT_TRUE(mPlayer.nextWork()) << "and the newest next";
+}
+
+TEST_F(MembranePlayerGL, WorkForDataThatIsGoneIsCancelled) {
+  scene::Scene scene = ballScene();
+  mPlayer.follow(scene);
+  ASSERT_TRUE(mPlayer.nextWork());
+  EXPECT_FALSE(mPlayer.wantsCancel());
+  scene::Scene other = ballScene();  // the same voxels under another id
+  mPlayer.follow(other);
+  EXPECT_TRUE(mPlayer.wantsCancel());
+  mPlayer.endWork({});
+  EXPECT_TRUE(mPlayer.nextWork());
+  mPlayer.follow(scene::Scene());
+  EXPECT_TRUE(mPlayer.wantsCancel());
+}
+
+TEST_F(MembranePlayerGL, AnActiveSheetIsWrittenDownOnceAndComesBackWithoutWork) {
+  scene::Scene scene = ballScene();
+  scene.cuts[0].membrane.repositioning = scene::Repositioning::Active;
+  mPlayer.follow(scene);
+  EXPECT_TRUE(mPlayer.takeRests().empty());
+  settle();
+  auto rests = mPlayer.takeRests();
+  ASSERT_EQ(rests.size(), 1u);
+  EXPECT_TRUE(mPlayer.takeRests().empty());
+  scene.cuts[0].membrane.shape = rests[0].shape;
+  mPlayer.follow(scene);
+  EXPECT_TRUE(mPlayer.isSettled());
+  MembranePlayer reopened;
+  reopened.follow(scene);
+  EXPECT_FALSE(reopened.advance(8.0));
+  EXPECT_FALSE(reopened.isMoving());
+  EXPECT_EQ(reopened.status(0)->steps, 0);
+  EXPECT_EQ(shapeOf(reopened, scene), rests[0].shape);
+  reopened.releaseGpu();
+}
+
+TEST_F(MembranePlayerGL, AnActiveSheetStaysBehindOnWhatHoldsIt) {
+  scene::Scene scene = ballScene();
+  scene.cuts[0].membrane.repositioning = scene::Repositioning::Active;
+  mPlayer.follow(scene);
+  settle();
+  scene::Scene old = mPlayer.withShapes(scene);
+  mPlayer.takeRests();
+  scene = old;
+  mPlayer.follow(scene);
+  for (int i = 0; i < 4; ++i) {
+    scene.cuts[0].centreMm.z += 1.0;
+    mPlayer.follow(scene);
+    settle();
+    for (auto& rest : mPlayer.takeRests()) scene.cuts[0].membrane.shape = rest.shape;
+    mPlayer.follow(scene);
+  }
+  EXPECT_LT(mPlayer.status(0)->keptWhole, 0.5);
+  // What is undone comes back as it rested.
+  mPlayer.follow(old);
+  EXPECT_EQ(shapeOf(mPlayer, old), old.cuts[0].membrane.shape);
+  EXPECT_FALSE(mPlayer.status(0)->phase == MembraneStatus::Phase::Settling);
+}
+
+TEST_F(MembranePlayerGL, PausedItStandsAndStepsByHand) {
+  mPlayer.follow(ballScene());
+  work();
+  mPlayer.setPlaying(false);
+  mPlayer.advance(8.0);
+  int steps = mPlayer.status(0)->steps;
+  EXPECT_EQ(mPlayer.status(0)->phase, MembraneStatus::Phase::Paused);
+  EXPECT_TRUE(mPlayer.stepOnce());
+  EXPECT_GT(mPlayer.status(0)->steps, steps);
+  mPlayer.setPlaying(true);
+  settle();
+  mPlayer.reset(0);
+  EXPECT_FALSE(mPlayer.isSettled());
+  settle();
+}
+
+TEST_F(MembranePlayerGL, WhatTheDriverLosesIsMadeAgain) {
+  scene::Scene scene = ballScene();
+  mPlayer.follow(scene);
+  settle();
+  auto before = shapeOf(mPlayer, scene);
+  auto sheet = mPlayer.sheets();
+  ASSERT_EQ(sheet.size(), 1u);
+  ASSERT_TRUE(sheet[0].sheet);
+  sheet.clear();
+  mPlayer.releaseGpu();
+  EXPECT_TRUE(mPlayer.isSettled());
+  EXPECT_EQ(mPlayer.sheets()[0].sheet->shape(), before);
+  // In the middle of the way it goes on from there.
+  scene.cuts[0].centreMm.z += 1.0;
+  mPlayer.follow(scene);
+  work();
+  mPlayer.advance(1.0);
+  mPlayer.releaseGpu();
+  settle();
+  EXPECT_LT(mPlayer.status(0)->keptWhole, 0.5);
+}
+
+TEST_F(MembranePlayerGL, SheetsAreOfTheEnabledMembranesInTheOrderOfTheCuts) {
+  scene::Scene scene = ballScene();
+  scene::Cut plane, flat = scene.cuts[0];
+  flat.membrane.field = {};
+  flat.sizeMm.x = 30;
+  scene.cuts = {plane, flat, scene.cuts[0]};
+  mPlayer.follow(scene);
+  settle();
+  EXPECT_FALSE(mPlayer.status(0));
+  auto sheets = mPlayer.sheets();
+  ASSERT_EQ(sheets.size(), 2u);
+  EXPECT_EQ(sheets[0].sheet->sizeMm().x, 30.0);
+  int steps = mPlayer.status(2)->steps;
+  std::swap(scene.cuts[1], scene.cuts[2]);
+  mPlayer.follow(scene);
+  EXPECT_TRUE(mPlayer.isSettled()) << "moving a cut in the list moves no sheet";
+  EXPECT_EQ(mPlayer.status(1)->steps, steps);
+  scene.cuts[1].enabled = false;
+  mPlayer.follow(scene);
+  EXPECT_EQ(mPlayer.sheets().size(), 1u);
+}
+
+TEST(DefaultField, ProtectsWhatIsShownMostOpaque) {
+  scene::Scene scene = ballScene();
+  scene.volume.transfer.opacities = {{-1000, 0.0}, {-500, 0.01}, {0, 0.05}, {500, 0.9}, {800, 1.0}};
+  auto field = defaultField(scene);
+  ASSERT_FALSE(field.byValue.empty());
+  EXPECT_LE(field.byValue.front().value, 800.0);
+  EXPECT_GT(field.byValue.front().value, -900.0);
+  EXPECT_TRUE(defaultField(scene::Scene()).byValue.empty());
+}
+
+}  // namespace
+}  // namespace velum::session

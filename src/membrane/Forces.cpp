@@ -23,6 +23,11 @@ constexpr double kProtectedWeight = 16384.0;
 /// Most nodes of the lattice on which sides are decided: a few hundred milliseconds.
 constexpr double kMostNodes = 6e6;
 
+/// Strength of a kernel that draws the sheet half of the way to its centre.
+constexpr double kHalfLift = 100.0;
+/// A ball lets go of the sheet over the last quarter of its radius.
+constexpr double kLetGo = 4.0;
+
 /// What the kernels depend on, without rule and reach.
 scene::ForceField kernelPart(scene::ForceField field) {
   field.rule = {};
@@ -108,6 +113,14 @@ class Sides {
   double mSmearMm;
 };
 
+/// Differs: not in the paper. The loose cloth of the sided rule is pulled back to the slice so strongly that a force
+/// would hardly move it: what attracts lifts the slice itself towards its centre instead, as long as its ball reaches
+/// the slice.
+double liftOf(const PlacedKernel& kernel) {
+  double reaches = (1.0 - std::abs(kernel.centreMm.z) / kernel.halfWidthMm) * kLetGo;
+  return kernel.centreMm.z * std::clamp(reaches, 0.0, 1.0) * kernel.pull / (kernel.pull - kHalfLift);
+}
+
 /// What repels pushes along the normal, away from the side that it is on; what attracts stays as it is.
 void turnToSides(PushField& field, const Corridor& corridor) {
   glm::dmat4 localFromKernel = glm::inverse(field.kernelFromLocal);
@@ -125,7 +138,10 @@ void turnToSides(PushField& field, const Corridor& corridor) {
       }
   });
   for (auto& kernel : field.placed) {
-    if (kernel.pull <= 0.0) continue;
+    if (kernel.pull <= 0.0) {
+      kernel.liftMm = liftOf(kernel);
+      continue;
+    }
     kernel.push = Sides(corridor, 0.25 * kernel.halfWidthMm).at(kernel.centreMm) * kernel.pull;
     kernel.pull = 0.0;
   }

@@ -37,6 +37,21 @@ scene::ForceField kernelPart(scene::ForceField field) {
   return field;
 }
 
+/// What the sides depend on: the frame, what is protected, and the kernels put in to repel. A pin, or a kernel that
+/// attracts, is dragged about without another least cut.
+scene::Cut sidesPart(const scene::Cut& cut) {
+  scene::Cut part;
+  part.centreMm = cut.centreMm;
+  part.axis = cut.axis;
+  part.spinDeg = cut.spinDeg;
+  part.sizeMm = cut.sizeMm;
+  part.membrane.field = kernelPart(cut.membrane.field);
+  part.membrane.field.kernels = cut.membrane.field.kernels;
+  std::erase_if(part.membrane.field.kernels, [](const auto& kernel) { return kernel.strength <= 0.0; });
+  for (auto& kernel : part.membrane.field.kernels) kernel.strength = 1.0;  // what repels is protected, however weakly
+  return part;
+}
+
 /// The kernels that can reach the frame's box, in a lattice of their own.
 PushField cropKernels(const KernelGrid& grid, const scene::Cut& cut) {
   PushField field;
@@ -158,6 +173,36 @@ const KernelGrid& ForceMaker::kernelsOf(const scene::ForceField& field, Progress
   return mKernels;
 }
 
+const ProtectedVoxels& ForceMaker::voxelsOf(const scene::Cut& cut, Progress& progress) {
+  scene::Cut asked = sidesPart(cut);
+  asked.membrane.field.kernels.clear();
+  if (!mVoxelsCut || !(*mVoxelsCut == asked)) {
+    mVoxels = mPotential.computeProtected(asked.membrane.field, voxelsInReach(mPotential, cut), progress);
+    mVoxelsCut = asked;
+  }
+  return mVoxels;
+}
+
+Corridor ForceMaker::corridorOf(const scene::Cut& cut, const HeightOver& current, Progress& progress) {
+  scene::Cut asked = sidesPart(cut);
+  if (!current && mCorridorCut && *mCorridorCut == asked) return mCorridor;
+  const ProtectedVoxels& data = voxelsOf(cut, progress);
+  std::optional<ProtectedVoxels> withPlaced;
+  if (!asked.membrane.field.kernels.empty()) {
+    withPlaced = data;
+    protectPlaced(*withPlaced, asked.membrane.field);
+  }
+  const ProtectedVoxels& voxels = withPlaced ? *withPlaced : data;
+  double coarsening = std::max(1.0, std::ceil(std::cbrt(double(voxels.mask.size()) / kMostNodes)));
+  CutLattice lattice = gatherLattice(voxels, cut, coarsening);
+  if (current) return corridorAround(lattice, belowSheet(lattice, current));
+  LeastCutOptions options;
+  options.protectedWeight = kProtectedWeight;
+  mCorridor = corridorAround(lattice, computeLeastCut(lattice, options, progress).below);
+  mCorridorCut = asked;
+  return mCorridor;
+}
+
 Forces ForceMaker::compute(const scene::Cut& cut, const HeightOver& current, Progress& progress) {
   const auto& field = cut.membrane.field;
   Forces forces;
@@ -170,19 +215,7 @@ Forces ForceMaker::compute(const scene::Cut& cut, const HeightOver& current, Pro
   forces.field.placed = placeKernels(cut);
   if (field.rule == scene::KernelRule::Paper) return forces;
   start = Clock::now();
-  ProtectedVoxels voxels = mPotential.computeProtected(field, voxelsInReach(mPotential, cut), progress);
-  protectPlaced(voxels, field);
-  double coarsening = std::max(1.0, std::ceil(std::cbrt(double(voxels.mask.size()) / kMostNodes)));
-  CutLattice lattice = gatherLattice(voxels, cut, coarsening);
-  std::vector<int> below;
-  if (current) {
-    below = belowSheet(lattice, current);
-  } else {
-    LeastCutOptions options;
-    options.protectedWeight = kProtectedWeight;
-    below = computeLeastCut(lattice, options, progress).below;
-  }
-  forces.corridor = corridorAround(lattice, below);
+  forces.corridor = corridorOf(cut, current, progress);
   turnToSides(forces.field, forces.corridor);
   forces.leastCutMs = msSince(start);
   return forces;

@@ -78,6 +78,7 @@ class LiveSheet {
   bool isAtRest() const { return !mHasSimulation || mSimulation->isAtRest(); }
   void adopt(const scene::SheetShape& shape);
   void begin();
+  void beginAgain();
   void keepShape();
   scene::SheetShape known() const;
 
@@ -90,12 +91,13 @@ class LiveSheet {
   std::string mError;
   std::shared_ptr<const MadeForces> mForces;
   bool mBegin = false;      ///< the simulation is to begin with mForces
-  bool mFromFlat = true;    ///< and from a flat sheet
+  bool mGoesOn = false;     ///< from where the sheet is: hands drag something, and see what comes of it at once
   bool mKeepSides = false;  ///< the next forces leave material on its side of the sheet
   // What moves.
   std::optional<membrane::Simulation> mSimulation{std::in_place};
   bool mHasSimulation = false;
-  bool mIsWarm = false;  ///< the simulation is what is shown; until then it is mKept
+  bool mIsWarm = false;   ///< the simulation is what is shown; until then it is mKept
+  bool mHasPast = false;  ///< where it rests depends on how it came there: a passive sheet starts from flat once more
   scene::Cut mMovingCut;
   double mStepMs = 0;
   // What is known of it here, where it last was, in the frame of mKeptCut. Empty: flat.

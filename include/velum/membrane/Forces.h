@@ -55,9 +55,15 @@ class ForceMaker {
  private:
   const KernelGrid& kernelsOf(const scene::ForceField& field, Progress& progress);
 
+  const ProtectedVoxels& voxelsOf(const scene::Cut& cut, Progress& progress);
+  Corridor corridorOf(const scene::Cut& cut, const HeightOver& current, Progress& progress);
+
   Potential mPotential;
   std::optional<scene::ForceField> mField;  ///< that mKernels are of
   KernelGrid mKernels;
+  std::optional<scene::Cut> mVoxelsCut, mCorridorCut;  ///< what they are of, see sidesPart()
+  ProtectedVoxels mVoxels;                             ///< of the data alone
+  Corridor mCorridor;
 };
 
 /// Room for each particle of a sheet: of the columns that are nearer to it than to others. Where no height suits them

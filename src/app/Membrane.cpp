@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
+#include <sstream>
 
 #include "Verbs.h"
 #include "velum/core/Error.h"
@@ -12,6 +14,7 @@
 #include "velum/session/MembraneEdit.h"
 #include "velum/session/Membranes.h"
 #include "velum/session/Open.h"
+#include "velum/session/SheetHands.h"
 
 namespace velum::app {
 
@@ -23,6 +26,7 @@ struct MembraneOptions {
   std::vector<double> protect, axis, at;
   std::vector<int> structures;
   double position = 0.5;
+  std::vector<std::string> kernels, pins;
   std::string rule, saveScene, sheet, clipped;
   bool limit = false;
 };
@@ -59,8 +63,42 @@ void protectWhatIsAsked(scene::Scene& scene, scene::Cut& cut, const MembraneOpti
         fmt::format("--protect-at {},{},{}: that is outside the volume", options.at[0], options.at[1], options.at[2]));
 }
 
-bool asksForMembrane(const MembraneOptions& options) {
-  return !options.protect.empty() || !options.structures.empty() || !options.at.empty();
+/// So many numbers with commas between them. @throw ArgumentError
+std::vector<double> numbersOf(const char* option, const std::string& text, std::size_t count, const char* form) {
+  std::vector<double> numbers;
+  std::istringstream in(text);
+  for (std::string part; std::getline(in, part, ',');) {
+    char* end = nullptr;
+    numbers.push_back(std::strtod(part.c_str(), &end));
+    if (end == part.c_str() || *end != 0 || !std::isfinite(numbers.back())) numbers.resize(count + 1);
+  }
+  if (numbers.size() != count) throw ArgumentError(fmt::format("{} {}: give {}", option, text, form));
+  return numbers;
+}
+
+/// Pins and kernels, on every membrane of the scene whose frame is there.
+void putHandsOn(scene::Scene& scene, const MembraneOptions& options) {
+  for (auto& cut : scene.cuts) {
+    if (cut.shape != scene::CutShape::Membrane) continue;
+    for (const auto& text : options.kernels) {
+      auto n = numbersOf("--kernel", text, 5, "x,y,z,radius,strength");
+      if (!(n[3] > 0.0) || !(std::abs(n[4]) <= 1000.0))
+        throw ArgumentError(
+            fmt::format("--kernel {}: the radius must be more than 0, the strength within -1000 to 1000", text));
+      session::addKernel(cut.membrane, vectorOf(n), n[3], n[4]);
+    }
+    for (const auto& text : options.pins) {
+      auto pin = session::pinOver(cut, vectorOf(numbersOf("--pin", text, 3, "x,y,z")));
+      if (!pin) throw ArgumentError(fmt::format("--pin {}: that is beside the frame of the membrane", text));
+      cut.membrane.pins.push_back(*pin);
+    }
+  }
+}
+
+bool asksForMembrane(const scene::Scene& scene, const MembraneOptions& options) {
+  bool hasHands = !options.kernels.empty() || !options.pins.empty();
+  return !options.protect.empty() || !options.structures.empty() || !options.at.empty() ||
+         (hasHands && !session::hasMembranes(scene));
 }
 
 void applyRule(scene::Scene& scene, const std::string& rule) {
@@ -125,11 +163,12 @@ void exportWhatIsAsked(const scene::Scene& settled, const std::vector<session::M
 int run(const MembraneOptions& options) {
   auto context = gpu::Context::create(options.common.context);
   scene::Scene scene = openScene(options.input, 16.0 / 9.0);
-  if (asksForMembrane(options)) {
+  if (asksForMembrane(scene, options)) {
     scene::Cut cut = newMembrane(scene, options);
     protectWhatIsAsked(scene, cut, options);
     scene.cuts.push_back(cut);
   }
+  putHandsOn(scene, options);
   applyRule(scene, options.rule);
   if (!session::hasMembranes(scene))
     throw ArgumentError(
@@ -165,6 +204,14 @@ Run registerMembrane(CLI::App& verb) {
   numbers("--protect", options->protect, 2, "add a membrane that keeps values from A to B whole: A,B");
   numbers("--protect-at", options->at, 3, "the same for the material at a place, x,y,z in mm: what a click does");
   verb.add_option("--protect-structure", options->structures, "the same for a structure, by label id; repeatable");
+  auto repeated = [&](const char* name, std::vector<std::string>& out, const char* text) {
+    verb.add_option(name, out, text)->allow_extra_args(false);
+  };
+  repeated("--kernel", options->kernels,
+           "put a ball in that pushes the sheet away (strength up to 1000) or draws it to its middle (down to -1000): "
+           "x,y,z,radius,strength in mm; repeatable");
+  repeated("--pin", options->pins,
+           "hold the sheet in a place, by its point that lies there when it hangs flat: x,y,z in mm; repeatable");
   numbers("--axis", options->axis, 3,
           "normal of the new membrane's frame, towards what is removed; default: to the eye");
   verb.add_option("--position", options->position, "where along its axis the frame hangs, 0 to 1")

@@ -25,6 +25,7 @@ class LookCommands;
 class HelpWindow;
 class LookPanel;
 class ProtectTool;
+class SheetTool;
 class RecentRow;
 class RecoveryBar;
 class StructureCommands;
@@ -157,6 +158,7 @@ class MainWindow : public QMainWindow {
   LookPanel* mLook = nullptr;
   CutPanel* mCuts = nullptr;
   ProtectTool* mProtect = nullptr;
+  SheetTool* mSheetTool = nullptr;
   Selection* mSelection = nullptr;
   StructureCommands* mStructureCommands = nullptr;
   StructurePanel* mStructures = nullptr;

@@ -65,6 +65,8 @@ MembraneForm::MembraneForm(session::Document& document, CutForm& form, QWidget* 
   mStructures->setWordWrap(true);
   layout->addWidget(mStructures);
   layout->addWidget(makeProtect());
+  mHands = new SheetHandsForm(document, form, this);
+  layout->addWidget(mHands);
   layout->addWidget(mFigure);
   layout->addWidget(mDoing);
   layout->addWidget(makePlayer());
@@ -240,6 +242,7 @@ void MembraneForm::showCut(const scene::Cut& cut) {
   mShown = cut.membrane;
   const scene::Membrane& m = mShown;
   showCurve();
+  mHands->showCut(cut);
   QStringList kept, drawn;
   for (const auto& one : m.field.byLabel)
     (one.strength > 0 ? kept : drawn) << QString::fromStdString(session::structureName(mDocument.scene(), one.id));

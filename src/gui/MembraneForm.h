@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 
+#include "SheetHandsForm.h"
 #include "StrengthCanvas.h"
 #include "Widgets.h"
 #include "velum/session/Document.h"
@@ -27,6 +28,7 @@ class MembraneForm : public QWidget {
   ~MembraneForm() override;
   void showCut(const scene::Cut& cut);
   void showStatus(const std::optional<session::MembraneStatus>& status, bool isPlaying);
+  SheetHandsForm& hands() { return *mHands; }
   /// In words: "cuts 12 % of what the plane cuts; 1.3 mm from the slice on average".
   static QString figureText(const session::MembraneStatus& status);
 
@@ -64,6 +66,7 @@ class MembraneForm : public QWidget {
   QLabel *mFigure, *mDoing;
   QComboBox* mAttribute = nullptr;
   StrengthCanvas* mCanvas;
+  SheetHandsForm* mHands = nullptr;
   QLabel* mStructures;
   QPushButton *mProtect = nullptr, *mLetThrough = nullptr, *mPlay = nullptr, *mStep = nullptr, *mMore = nullptr;
   QWidget* mCloth = nullptr;

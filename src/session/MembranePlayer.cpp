@@ -178,6 +178,15 @@ std::vector<std::shared_ptr<const membrane::SheetIndex>> MembranePlayer::indices
   return indices;
 }
 
+std::shared_ptr<const membrane::SheetIndex> MembranePlayer::index(std::size_t cut) const {
+  for (const auto& sheet : mSheets)
+    if (sheet->place() == cut) {
+      if (!sheet->index()) sheet->makeIndex();
+      return sheet->index();
+    }
+  return nullptr;
+}
+
 std::uint64_t MembranePlayer::shownCount() const {
   std::uint64_t count = mGoneCount;
   for (const auto& sheet : mSheets) count += sheet->shownCount();

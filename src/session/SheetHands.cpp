@@ -131,6 +131,16 @@ void turnKernel(scene::Membrane& membrane, Hand hand) {
   strength = -strength;
 }
 
+double pinHeight(const scene::Cut& cut, Hand hand) {
+  if (hand.kind != HandKind::Pin || !holds(cut.membrane, hand)) return 0.0;
+  return glm::dot(cut.membrane.pins[std::size_t(hand.index)].placeMm - cut.centreMm, cutFrame(cut)[2]);
+}
+
+void setPinHeight(scene::Cut& cut, Hand hand, double mm) {
+  if (hand.kind != HandKind::Pin || !holds(cut.membrane, hand)) return;
+  cut.membrane.pins[std::size_t(hand.index)].placeMm += cutFrame(cut)[2] * (mm - pinHeight(cut, hand));
+}
+
 double defaultRadiusMm(const scene::Cut& cut) { return std::sqrt(cut.sizeMm.x * cut.sizeMm.y) / 12.0; }
 
 Hand handAt(const scene::Membrane& membrane, const scene::Camera& camera, glm::dvec2 size, glm::dvec2 pixel,

@@ -57,6 +57,10 @@ void removeHand(scene::Membrane& membrane, Hand hand);
 /// Makes what repels attract, and the other way round.
 void turnKernel(scene::Membrane& membrane, Hand hand);
 
+/// How far a pin is from the frame's plane, along its normal, mm; 0 when the membrane does not have it.
+double pinHeight(const scene::Cut& cut, Hand hand);
+void setPinHeight(scene::Cut& cut, Hand hand, double mm);
+
 /// Radius of a kernel that is put in by a click: a twelfth of the frame's mean edge, mm.
 double defaultRadiusMm(const scene::Cut& cut);
 

@@ -16,6 +16,8 @@ using scene::SliceFrame;
 /// The knobs stand at most this far from the middle of what is seen of the line; ends nearer together have none.
 constexpr double kKnobPixels = 110.0, kLeastLinePixels = 60.0;
 constexpr double kViewMargin = 14.0;
+/// A sheet so near to a slice that runs along it, in pixels, does not cross it.
+constexpr double kFlatPixels = 0.2;
 
 glm::dvec3 localOf(const scene::Cut& cut, glm::dvec3 world) {
   return glm::dvec3(glm::inverse(scene::worldFromCut(cut)) * glm::dvec4(world, 1.0));
@@ -40,6 +42,8 @@ std::vector<std::vector<glm::dvec2>> sheetCurves(const SliceFrame& frame, const 
   glm::dmat4 worldFromCut = scene::worldFromCut(cut);
   glm::dvec3 normal = glm::transpose(glm::dmat3(worldFromCut)) * frame.normal;
   double distance = -scene::heightOverSlice(frame, cut.centreMm);
+  // A slice along the frame would show where a sheet that hangs flat trembles by a rounding error.
+  if (glm::length(glm::dvec2(normal)) < 1e-6) distance += kFlatPixels * frame.mmPerPixel;
   std::vector<std::vector<glm::dvec2>> curves;
   for (const auto& curve : membrane::crossPlane(shape, glm::vec3(normal), float(distance))) {
     auto& points = curves.emplace_back();

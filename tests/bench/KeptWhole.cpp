@@ -159,6 +159,7 @@ void measureKeptWhole(const Options& options, Report& report) {
   std::vector<std::vector<std::string>> rows;
   std::vector<Plane> all;
   auto add = [&](const Protected& what, bool isPhantom) {
+    fmt::print(stderr, "{}\n", what.name);
     std::vector<Plane> planes = sweep(what, isPhantom, options.quick ? 3 : 10);
     all.insert(all.end(), planes.begin(), planes.end());
     rows.push_back(rowOf(what.name, planes));

@@ -11,6 +11,7 @@
 #include "velum/io/WriteVolume.h"
 #include "velum/scene/Project.h"
 #include "velum/session/CutEdit.h"
+#include "velum/session/DefaultField.h"
 #include "velum/session/MembraneEdit.h"
 #include "velum/session/Membranes.h"
 #include "velum/session/Open.h"
@@ -95,10 +96,8 @@ void putHandsOn(scene::Scene& scene, const MembraneOptions& options) {
   }
 }
 
-bool asksForMembrane(const scene::Scene& scene, const MembraneOptions& options) {
-  bool hasHands = !options.kernels.empty() || !options.pins.empty();
-  return !options.protect.empty() || !options.structures.empty() || !options.at.empty() ||
-         (hasHands && !session::hasMembranes(scene));
+bool asksForMembrane(const MembraneOptions& options) {
+  return !options.protect.empty() || !options.structures.empty() || !options.at.empty();
 }
 
 void applyRule(scene::Scene& scene, const std::string& rule) {
@@ -163,17 +162,15 @@ void exportWhatIsAsked(const scene::Scene& settled, const std::vector<session::M
 int run(const MembraneOptions& options) {
   auto context = gpu::Context::create(options.common.context);
   scene::Scene scene = openScene(options.input, 16.0 / 9.0);
-  if (asksForMembrane(scene, options)) {
+  bool isAsked = asksForMembrane(options);
+  if (isAsked || !session::hasMembranes(scene)) {
     scene::Cut cut = newMembrane(scene, options);
+    if (!isAsked) cut.membrane.field = session::defaultField(scene);
     protectWhatIsAsked(scene, cut, options);
     scene.cuts.push_back(cut);
   }
   putHandsOn(scene, options);
   applyRule(scene, options.rule);
-  if (!session::hasMembranes(scene))
-    throw ArgumentError(
-        "the scene has no membrane; say what one is to keep whole: --protect A,B (values), --protect-at x,y,z (mm), "
-        "--protect-structure ID");
   scene::Scene settled = scene;
   auto reports = session::settleMembranes(settled, {true, options.limit}, consoleProgress());
   consoleProgress().report(1.0, "");
@@ -201,7 +198,9 @@ Run registerMembrane(CLI::App& verb) {
   auto numbers = [&](const char* name, std::vector<double>& out, int count, const char* text) {
     verb.add_option(name, out, text)->delimiter(',')->expected(count);
   };
-  numbers("--protect", options->protect, 2, "add a membrane that keeps values from A to B whole: A,B");
+  numbers(
+      "--protect", options->protect, 2,
+      "add a membrane that keeps values from A to B whole: A,B; default, where the scene has none: what it shows most");
   numbers("--protect-at", options->at, 3, "the same for the material at a place, x,y,z in mm: what a click does");
   verb.add_option("--protect-structure", options->structures, "the same for a structure, by label id; repeatable");
   auto repeated = [&](const char* name, std::vector<std::string>& out, const char* text) {

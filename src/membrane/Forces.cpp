@@ -102,6 +102,32 @@ void protectPlaced(ProtectedVoxels& voxels, const scene::ForceField& field) {
   }
 }
 
+/// Leads a corridor around a ball, on the side on which its middle lies not, or on which there is room for it.
+void passBy(Corridor& corridor, const PlacedKernel& ball, double reach) {
+  double radius = ball.halfWidthMm;
+  glm::dvec3 c = ball.centreMm;
+  glm::ivec2 low(glm::ceil((glm::dvec2(c) - radius - corridor.originMm) / corridor.stepMm));
+  glm::ivec2 high(glm::floor((glm::dvec2(c) + radius - corridor.originMm) / corridor.stepMm));
+  low = glm::max(low, glm::ivec2(0));
+  high = glm::min(high, corridor.dims - 1);
+  glm::ivec2 at((glm::dvec2(c) - corridor.originMm) / corridor.stepMm + 0.5);
+  at = glm::clamp(at, glm::ivec2(0), corridor.dims - 1);
+  bool over = c.z <= double(corridor.height[std::size_t(at.y * corridor.dims.x + at.x)]);
+  if (over ? c.z + radius > reach && c.z - radius >= -reach : c.z - radius < -reach && c.z + radius <= reach)
+    over = !over;
+  for (int y = low.y; y <= high.y; ++y)
+    for (int x = low.x; x <= high.x; ++x) {
+      glm::dvec2 away = corridor.originMm + glm::dvec2(x, y) * corridor.stepMm - glm::dvec2(c);
+      double rest = radius * radius - glm::dot(away, away);
+      if (rest <= 0.0) continue;
+      auto i = std::size_t(y * corridor.dims.x + x);
+      auto face = float(std::clamp(c.z + (over ? 1.0 : -1.0) * std::sqrt(rest), -reach, reach));
+      auto past = [&](float z) { return over ? std::max(z, face) : std::min(z, face); };
+      corridor.room[i] = {past(corridor.room[i].x), past(corridor.room[i].y)};
+      corridor.height[i] = past(corridor.height[i]);
+    }
+}
+
 std::vector<int> belowSheet(const CutLattice& lattice, const HeightOver& height) {
   std::vector<int> below;
   for (int y = 0; y < lattice.dims.y; ++y)
@@ -186,7 +212,8 @@ const ProtectedVoxels& ForceMaker::voxelsOf(const scene::Cut& cut, Progress& pro
 
 Corridor ForceMaker::corridorOf(const scene::Cut& cut, const HeightOver& current, Progress& progress) {
   scene::Cut asked = sidesPart(cut);
-  if (!current && mCorridorCut && *mCorridorCut == asked) return mCorridor;
+  Sides& known = asked.membrane.field.kernels.empty() ? mDataSides : mSides;
+  if (!current && known.cut && *known.cut == asked) return known.corridor;
   const ProtectedVoxels& data = voxelsOf(cut, progress);
   std::optional<ProtectedVoxels> withPlaced;
   if (!asked.membrane.field.kernels.empty()) {
@@ -199,24 +226,46 @@ Corridor ForceMaker::corridorOf(const scene::Cut& cut, const HeightOver& current
   if (current) return corridorAround(lattice, belowSheet(lattice, current));
   LeastCutOptions options;
   options.protectedWeight = kProtectedWeight;
-  mCorridor = corridorAround(lattice, computeLeastCut(lattice, options, progress).below);
-  mCorridorCut = asked;
-  return mCorridor;
+  known.corridor = corridorAround(lattice, computeLeastCut(lattice, options, progress).below);
+  known.cut = asked;
+  return known.corridor;
 }
 
-Forces ForceMaker::compute(const scene::Cut& cut, const HeightOver& current, Progress& progress) {
-  const auto& field = cut.membrane.field;
+Forces ForceMaker::kernelForces(const scene::Cut& cut, Progress& progress) {
   Forces forces;
-  if (mPotential.dims().x == 0) return forces;
   auto start = Clock::now();
-  const KernelGrid& kernels = kernelsOf(field, progress);
+  const KernelGrid& kernels = kernelsOf(cut.membrane.field, progress);
   forces.kernelsMs = msSince(start);
   forces.kernels = kernels.count;
   forces.field = cropKernels(kernels, cut);
   forces.field.placed = placeKernels(cut);
-  if (field.rule == scene::KernelRule::Paper) return forces;
-  start = Clock::now();
+  return forces;
+}
+
+Forces ForceMaker::compute(const scene::Cut& cut, const HeightOver& current, Progress& progress) {
+  if (mPotential.dims().x == 0) return {};
+  Forces forces = kernelForces(cut, progress);
+  if (cut.membrane.field.rule == scene::KernelRule::Paper) return forces;
+  auto start = Clock::now();
   forces.corridor = corridorOf(cut, current, progress);
+  turnToSides(forces.field, forces.corridor);
+  forces.leastCutMs = msSince(start);
+  return forces;
+}
+
+Forces ForceMaker::preview(const scene::Cut& cut, Progress& progress) {
+  if (mPotential.dims().x == 0 || cut.membrane.field.rule == scene::KernelRule::Paper)
+    return compute(cut, {}, progress);
+  Forces forces = kernelForces(cut, progress);
+  auto start = Clock::now();
+  scene::Cut data = cut;
+  data.membrane.field.kernels.clear();
+  forces.corridor = corridorOf(data, {}, progress);
+  for (const auto& kernel : forces.field.placed)
+    if (kernel.pull > 0.0) {
+      passBy(forces.corridor, kernel, cut.sizeMm.z * 0.5);
+      forces.isPreview = true;
+    }
   turnToSides(forces.field, forces.corridor);
   forces.leastCutMs = msSince(start);
   return forces;

@@ -157,13 +157,16 @@ void LiveSheet::begin() {
   mHasSimulation = true;
   mMovingCut = moving;
   mIsWarm = isActive() || mGoesOn || mKept.places.empty();
-  mHasPast = mGoesOn && !start.places.empty();
+  mHasPast = mGoesOn && (!start.places.empty() || mForces->forces.isPreview);
 }
 
 /// From flat, unseen at first: a passive sheet rests where its scene says, whatever was dragged about before.
 void LiveSheet::beginAgain() {
   keepShape();
-  mGoesOn = mHasPast = mHasSimulation = mIsWarm = false;
+  mGoesOn = mHasPast = false;
+  mNeedsForces = mForces->forces.isPreview;
+  if (mNeedsForces) return;  // it stays as it is until exact ones are there
+  mHasSimulation = mIsWarm = false;
   mBegin = true;
 }
 

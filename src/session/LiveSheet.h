@@ -41,6 +41,8 @@ class LiveSheet {
   void follow(const scene::Cut& cut, DataKey data);
 
   bool needsForces() const { return mCut.enabled && mNeedsForces; }
+  /// Hands drag: forces are to come soon rather than exactly, see ForceMaker::preview().
+  bool wantsPreview() const { return mGoesOn; }
   /// Another number with every change of what forces depend on; and of the data alone.
   std::uint64_t wish() const { return mWish; }
   std::uint64_t dataChange() const { return mDataChange; }

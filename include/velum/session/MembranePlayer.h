@@ -121,7 +121,7 @@ class MembranePlayer {
   struct Out {
     std::uint64_t id = 0;  ///< of the sheet; 0: nothing is
     std::uint64_t data = 0, wish = 0;
-    bool isMeasure = false;
+    bool isMeasure = false, isPreview = false;
   };
   Out mOut;
   bool mPlaying = true;

@@ -56,6 +56,9 @@ class Membrane(CliTest):
         self.assertGreater(highest("--kernel", f"{below},{0.1 * edge},500", "--pin", below), -0.02 * edge)
         self.assertEqual(self.report("membrane", "h.json", "--pin", place)["name"], "Membrane")
 
+    def test_without_a_word_it_protects_what_is_shown_most(self):
+        self.assertGreater(self.report("membrane", self.sample("two-spheres", 32))["kernels"], 0)
+
     def test_refuses_with_words(self):
         path = self.sample("two-spheres", 32)
         self.refuse("membrane", path, "--pin", "1,2", code=1, words=["--pin", "x,y,z"])
@@ -63,7 +66,6 @@ class Membrane(CliTest):
         self.refuse("membrane", path, "--pin", "9999,0,0", "--axis", "0,0,1", code=1, words=["--pin", "frame"])
         self.refuse("membrane", path, "--kernel", "1,2,3,0,5", code=1, words=["--kernel", "radius"])
         self.refuse("membrane", path, "--kernel", "1,2,3", code=1, words=["--kernel", "strength"])
-        self.refuse("membrane", path, code=1, words=["--protect"])
         self.refuse("membrane", path, "--protect", "9,3", code=1, words=["--protect"])
         self.refuse("membrane", path, "--protect-at", "1000,0,0", code=1, words=["outside"])
         self.refuse("membrane", path, "--protect", "500,2000", "--sheet", "s.xyz", code=2, words=["s.xyz", ".ply"])

@@ -7,6 +7,7 @@
 #include "velum/core/Error.h"
 #include "velum/scene/Project.h"
 #include "velum/session/CutEdit.h"
+#include "velum/session/DefaultField.h"
 #include "velum/session/Export.h"
 #include "velum/session/MembraneEdit.h"
 #include "velum/session/Membranes.h"
@@ -91,7 +92,7 @@ void sketchWhatIsAsked(const scene::VolumeLayer& layer, scene::ForceField& field
   if (strokes.empty()) return;
   if (!layer.data) throw ArgumentError("--sketch, --avoid: there is no volume under the strokes, only labels");
   session::setStrokes(field, strokes, layer, session::wholeHistogram(layer));
-  if (field.byValue.empty())
+  if (field.byValue.empty() && !options.sketch.empty())
     throw ArgumentError(
         "--sketch: the strokes lie outside the volume, or nothing under them differs from the rest by its values");
 }
@@ -113,9 +114,6 @@ bool asksForMembrane(const MembraneOptions& options) {
   bool byCurve = !options.protect.empty() || !options.at.empty();
   if (byCurve && !options.sketch.empty())
     throw ArgumentError("--sketch fits the curve to its strokes: leave --protect and --protect-at out");
-  if (!options.avoid.empty() && !byCurve && options.sketch.empty())
-    throw ArgumentError(
-        "--avoid takes from what --sketch, --protect or --protect-at keep whole: give one of them, too");
   return byCurve || !options.structures.empty() || !options.sketch.empty();
 }
 
@@ -177,16 +175,18 @@ void exportWhatIsAsked(const scene::Scene& settled, const std::vector<session::M
 int run(const MembraneOptions& options) {
   auto context = gpu::Context::create(options.common.context);
   scene::Scene scene = openScene(options.input, 16.0 / 9.0);
-  if (asksForMembrane(options)) {
+  bool isAsked = asksForMembrane(options);
+  if (!isAsked && !options.avoid.empty() && session::hasMembranes(scene))
+    throw ArgumentError(
+        "--avoid takes from what a new membrane keeps whole, and the scene has one: say what another is to keep with "
+        "--sketch or --protect");
+  if (isAsked || !session::hasMembranes(scene)) {
     scene::Cut cut = newMembrane(scene, options);
+    if (!isAsked) cut.membrane.field = session::defaultField(scene);
     protectWhatIsAsked(scene, cut, options);
     scene.cuts.push_back(cut);
   }
   applyRule(scene, options.rule);
-  if (!session::hasMembranes(scene))
-    throw ArgumentError(
-        "the scene has no membrane; say what one is to keep whole: --protect A,B (values), --protect-at x,y,z (mm), "
-        "--sketch x,y,z:x,y,z@radius (mm), --protect-structure ID");
   scene::Scene settled = scene;
   auto reports = session::settleMembranes(settled, {true, options.limit}, consoleProgress());
   consoleProgress().report(1.0, "");
@@ -214,7 +214,9 @@ Run registerMembrane(CLI::App& verb) {
   auto numbers = [&](const char* name, std::vector<double>& out, int count, const char* text) {
     verb.add_option(name, out, text)->delimiter(',')->expected(count);
   };
-  numbers("--protect", options->protect, 2, "add a membrane that keeps values from A to B whole: A,B");
+  numbers(
+      "--protect", options->protect, 2,
+      "add a membrane that keeps values from A to B whole: A,B; default, where the scene has none: what it shows most");
   numbers("--protect-at", options->at, 3, "the same for the material at a place, x,y,z in mm: what a click does");
   verb.add_option("--protect-structure", options->structures, "the same for a structure, by label id; repeatable");
   verb.add_option("--sketch", options->sketch,

@@ -58,6 +58,7 @@ class Membrane(CliTest):
         whole = self.report("membrane", path, "--protect", "500,2000", "--axis", "0,0,1")
         rest = self.report("membrane", path, "--protect", "500,2000", "--avoid", stroke, "--axis", "0,0,1")
         self.assertLess(rest["cutAreaPlane"], 0.5 * whole["cutAreaPlane"])
+        self.refuse("membrane", "s.json", "--avoid", stroke, code=1, words=["--avoid", "--sketch"])
 
     def test_refuses_with_words(self):
         path = self.sample("two-spheres", 32)
@@ -67,7 +68,6 @@ class Membrane(CliTest):
         self.refuse("membrane", path, "--sketch", "1,2", code=1, words=["--sketch", "1,2", "x,y,z"])
         self.refuse("membrane", path, "--sketch", "1,2,3@0", code=1, words=["radius"])
         self.refuse("membrane", path, "--sketch", "1000,0,0@2", code=1, words=["outside"])
-        self.refuse("membrane", path, "--avoid", "1,2,3@2", code=1, words=["--avoid"])
         self.refuse("membrane", path, "--protect", "9,30", "--sketch", "1,2,3@2", code=1, words=["--protect"])
         self.refuse("membrane", path, "--protect", "500,2000", "--sheet", "s.xyz", code=2, words=["s.xyz", ".ply"])
         self.refuse("membrane", "missing.nrrd", code=2, words=["missing.nrrd"])

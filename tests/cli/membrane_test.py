@@ -16,6 +16,10 @@ class Membrane(CliTest):
         self.assertGreater(report["cutAreaPlane"], 100)
         self.assertEqual(report["ratio"], 0)
 
+    def test_told_nothing_it_keeps_what_the_scene_shows_most(self):
+        report = self.report("membrane", self.sample("two-spheres", 32), "--axis", "0,0,1")
+        self.assertGreater(report["cutAreaPlane"], 0)
+
     def test_either_rule(self):
         path = self.sample("two-spheres", 64)
         report = self.report("membrane", path, "--protect", "500,2000", "--axis", "0,0,1", "--rule", "paper")
@@ -62,7 +66,6 @@ class Membrane(CliTest):
 
     def test_refuses_with_words(self):
         path = self.sample("two-spheres", 32)
-        self.refuse("membrane", path, code=1, words=["--protect"])
         self.refuse("membrane", path, "--protect", "9,3", code=1, words=["--protect"])
         self.refuse("membrane", path, "--protect-at", "1000,0,0", code=1, words=["outside"])
         self.refuse("membrane", path, "--sketch", "1,2", code=1, words=["--sketch", "1,2", "x,y,z"])

@@ -21,6 +21,7 @@
 #include "RecentFiles.h"
 #include "RecoveryBar.h"
 #include "SheetTool.h"
+#include "SketchTool.h"
 #include "StructurePanel.h"
 #include "TimeBar.h"
 #include "Widgets.h"
@@ -141,18 +142,8 @@ void MainWindow::buildMembrane() {
   connect(&form, &MembraneForm::protectAsked, mProtect,
           [this](bool on, bool letThrough) { on ? mProtect->start(letThrough) : mProtect->stop(); });
   connect(mProtect, &ProtectTool::ended, &form, &MembraneForm::pointingEnded);
-  mSheetTool = new SheetTool(mDocument, *mViews, *mSelection, *mMessages, this);
-  SheetHandsForm& hands = form.hands();
-  connect(&hands, &SheetHandsForm::modeAsked, mSheetTool, &SheetTool::start);
-  connect(&hands, &SheetHandsForm::selectAsked, mSheetTool, &SheetTool::select);
-  connect(mSheetTool, &SheetTool::selectedChanged, &hands, &SheetHandsForm::showSelected);
-  connect(&form, &MembraneForm::protectAsked, mSheetTool, &SheetTool::stop);
-  connect(mSheetTool, &SheetTool::modeChanged, &hands, [this, &hands](SheetTool::Mode mode) {
-    hands.showMode(mode);
-    if (mode == SheetTool::Mode::None) return;
-    mProtect->stop();
-    mViews->setPointing(true);
-  });
+  buildSketch();
+  buildHands();
 }
 
 /// A page of the side panel, which scrolls where the window is low.
@@ -350,6 +341,7 @@ void MainWindow::documentChanged() {
   mTime->refresh();
   mCuts->refresh();
   mSheetTool->refresh();
+  mSketch->refresh();
   mStructures->refresh();
   bool open = mPages->currentIndex() == 1;
   mDock->setVisible(open);

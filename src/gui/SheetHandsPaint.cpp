@@ -3,6 +3,7 @@
 #include <QPainterPath>
 
 #include "GizmoPaint.h"
+#include "StrengthCanvas.h"
 #include "Theme.h"
 #include "velum/session/CutEdit.h"
 
@@ -32,7 +33,7 @@ QColor ringColor(double strength, bool isMarked) {
 
 }  // namespace
 
-QColor strengthColor(double strength) { return strength < 0 ? kAttract : kRepel; }
+QColor strengthColor(double strength) { return strength < 0 ? kDrawColor : kKeepColor; }
 
 void drawPin(QPainter& painter, QPointF point, bool hot, bool selected) {
   QPointF head = point + kNeedle;

@@ -222,8 +222,8 @@ void StrengthCanvas::paintEvent(QPaintEvent*) {
       painter.drawEllipse(place, 7.5, 7.5);
     }
     painter.setPen(QPen(palette().color(QPalette::Text), 1.3));
-    painter.setBrush(mCurve[i].strength > 0   ? kRepel
-                     : mCurve[i].strength < 0 ? kAttract
+    painter.setBrush(mCurve[i].strength > 0   ? kKeepColor
+                     : mCurve[i].strength < 0 ? kDrawColor
                                               : palette().color(QPalette::Base));
     painter.drawEllipse(place, 4.5, 4.5);
   }
@@ -249,7 +249,7 @@ void StrengthCanvas::paintPlot(QPainter& painter) const {
     for (bool above : {true, false}) {
       painter.save();
       painter.setClipRect(above ? QRectF(0, 0, width(), zero) : QRectF(0, zero, width(), height()), Qt::IntersectClip);
-      painter.fillPath(line, faded(above ? kRepel : kAttract, 0.28));
+      painter.fillPath(line, faded(above ? kKeepColor : kDrawColor, 0.28));
       painter.restore();
     }
     painter.setPen(QPen(palette().color(QPalette::Text), 1.4));

@@ -35,6 +35,7 @@ scene::ForceField kernelPart(scene::ForceField field) {
   field.areaOfEffect = {};
   field.kernels.clear();
   field.strokes.clear();
+  field.byValueBefore.clear();
   return field;
 }
 

@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "Theme.h"
-
 namespace velum::gui {
 
 namespace {

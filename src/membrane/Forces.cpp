@@ -22,6 +22,10 @@ double msSince(Clock::time_point start) {
 constexpr double kProtectedWeight = 16384.0;
 /// Most nodes of the lattice on which sides are decided: a few hundred milliseconds.
 constexpr double kMostNodes = 6e6;
+/// So far the sheet may go from one time step to the next to follow what moves, in mean edges of the frame: 10 mm over
+/// a heart, whose walls move up to 7 mm in an eighth of a beat; with half of it the sheet lost them.
+constexpr double kFollowShare = 1.0 / 16.0;
+constexpr int kMostStepsFollowed = 4;
 
 /// What the kernels depend on, without rule and reach.
 scene::ForceField kernelPart(scene::ForceField field) {
@@ -92,6 +96,12 @@ std::vector<int> belowSheet(const CutLattice& lattice, const HeightOver& height)
   return below;
 }
 
+LeastCutOptions leastCutOptions() {
+  LeastCutOptions options;
+  options.protectedWeight = kProtectedWeight;
+  return options;
+}
+
 /// -1 for what belongs above the sheet, 1 for what belongs below, in between for a kernel through which it passes.
 class Sides {
  public:
@@ -133,6 +143,24 @@ void turnToSides(PushField& field, const Corridor& corridor) {
 
 }  // namespace
 
+ForceMaker::ForceMaker(const scene::Scene& scene) : mPotential(scene) {
+  if (!scene.volume.data) return;
+  mTimeSteps = std::max(1, scene.volume.data->frames);
+  mTimeStep = std::clamp(scene.volume.frame, 0, mTimeSteps - 1);
+}
+
+/// The sides of a sheet that is there. From another time step it is looked for near where it was; time may go round.
+std::vector<int> ForceMaker::belowCurrent(const CutLattice& lattice, const scene::Cut& cut, const CurrentSheet& current,
+                                          Progress& progress) const {
+  std::vector<int> below = belowSheet(lattice, current.height);
+  int apart = current.timeStep < 0 ? 0 : std::abs(mTimeStep - current.timeStep) % mTimeSteps;
+  apart = std::min({apart, mTimeSteps - apart, kMostStepsFollowed});
+  if (apart == 0) return below;
+  double followMm = kFollowShare * 0.5 * (cut.sizeMm.x + cut.sizeMm.y) * apart;
+  int band = std::max(2, int(std::ceil(followMm / lattice.stepMm.z)));
+  return computeLeastCutNear(lattice, leastCutOptions(), below, band, progress).below;
+}
+
 const KernelGrid& ForceMaker::kernelsOf(const scene::ForceField& field, Progress& progress) {
   scene::ForceField part = kernelPart(field);
   if (!mField || !(*mField == part)) {
@@ -142,7 +170,7 @@ const KernelGrid& ForceMaker::kernelsOf(const scene::ForceField& field, Progress
   return mKernels;
 }
 
-Forces ForceMaker::compute(const scene::Cut& cut, const HeightOver& current, Progress& progress) {
+Forces ForceMaker::compute(const scene::Cut& cut, const CurrentSheet& current, Progress& progress) {
   const auto& field = cut.membrane.field;
   Forces forces;
   if (mPotential.dims().x == 0) return forces;
@@ -159,13 +187,10 @@ Forces ForceMaker::compute(const scene::Cut& cut, const HeightOver& current, Pro
   double coarsening = std::max(1.0, std::ceil(std::cbrt(double(voxels.mask.size()) / kMostNodes)));
   CutLattice lattice = gatherLattice(voxels, cut, coarsening);
   std::vector<int> below;
-  if (current) {
-    below = belowSheet(lattice, current);
-  } else {
-    LeastCutOptions options;
-    options.protectedWeight = kProtectedWeight;
-    below = computeLeastCut(lattice, options, progress).below;
-  }
+  if (current.height)
+    below = belowCurrent(lattice, cut, current, progress);
+  else
+    below = computeLeastCut(lattice, leastCutOptions(), progress).below;
   forces.corridor = corridorAround(lattice, below);
   turnToSides(forces.field, forces.corridor);
   forces.leastCutMs = msSince(start);

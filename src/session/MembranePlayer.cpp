@@ -85,7 +85,8 @@ MembranePlayer::Work MembranePlayer::forcesWork(LiveSheet& sheet) {
   return [this, out = mOut, scene = forcesScene(mScene), cut = sheet.cut(), current = sheet.current(),
           maker = sheet.maker](Progress& progress) mutable -> Finish {
     if (!maker || !maker->matches(scene)) maker = std::make_shared<membrane::ForceMaker>(scene);
-    auto made = std::make_shared<const MadeForces>(MadeForces{maker->compute(cut, current, progress), cut});
+    auto made =
+        std::make_shared<const MadeForces>(MadeForces{maker->compute(cut, current, progress), cut, scene.volume.frame});
     return [this, out, maker, made] {
       LiveSheet* found = find(out.id);
       if (!found || found->dataChange() != out.data) return;
@@ -130,6 +131,11 @@ void MembranePlayer::endWork(const Finish& finish, const std::string& error) {
 bool MembranePlayer::isMoving() const {
   return std::any_of(mSheets.begin(), mSheets.end(),
                      [this](const auto& sheet) { return (mPlaying && sheet->isMoving()) || sheet->isIndexStale(); });
+}
+
+bool MembranePlayer::isOnItsWay() const {
+  return std::any_of(mSheets.begin(), mSheets.end(),
+                     [this](const auto& sheet) { return mPlaying && (sheet->needsForces() || sheet->isMoving()); });
 }
 
 bool MembranePlayer::isSettled() const {

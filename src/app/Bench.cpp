@@ -8,6 +8,7 @@
 #include "Verbs.h"
 #include "velum/render/Renderer.h"
 #include "velum/scene/Navigate.h"
+#include "velum/session/Membranes.h"
 #include "velum/session/Picture.h"
 
 namespace velum::app {
@@ -30,6 +31,7 @@ int run(const BenchOptions& options) {
   frame.scene.rayCast.samplesPerPixel = 1;
   frame.pictureSize = size;
   Progress& progress = consoleProgress();
+  session::settleMembranes(frame.scene, {}, progress);
   renderer.render(frame, progress);  // uploads, shaders
   double uploadMs = renderer.stats().uploadMs;
   std::vector<double> times;

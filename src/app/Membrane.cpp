@@ -9,6 +9,7 @@
 #include "velum/io/WriteVolume.h"
 #include "velum/scene/Project.h"
 #include "velum/session/CutEdit.h"
+#include "velum/session/DefaultField.h"
 #include "velum/session/MembraneEdit.h"
 #include "velum/session/Membranes.h"
 #include "velum/session/Open.h"
@@ -125,16 +126,14 @@ void exportWhatIsAsked(const scene::Scene& settled, const std::vector<session::M
 int run(const MembraneOptions& options) {
   auto context = gpu::Context::create(options.common.context);
   scene::Scene scene = openScene(options.input, 16.0 / 9.0);
-  if (asksForMembrane(options)) {
+  bool isAsked = asksForMembrane(options);
+  if (isAsked || !session::hasMembranes(scene)) {
     scene::Cut cut = newMembrane(scene, options);
+    if (!isAsked) cut.membrane.field = session::defaultField(scene);
     protectWhatIsAsked(scene, cut, options);
     scene.cuts.push_back(cut);
   }
   applyRule(scene, options.rule);
-  if (!session::hasMembranes(scene))
-    throw ArgumentError(
-        "the scene has no membrane; say what one is to keep whole: --protect A,B (values), --protect-at x,y,z (mm), "
-        "--protect-structure ID");
   scene::Scene settled = scene;
   auto reports = session::settleMembranes(settled, {true, options.limit}, consoleProgress());
   consoleProgress().report(1.0, "");
@@ -162,7 +161,9 @@ Run registerMembrane(CLI::App& verb) {
   auto numbers = [&](const char* name, std::vector<double>& out, int count, const char* text) {
     verb.add_option(name, out, text)->delimiter(',')->expected(count);
   };
-  numbers("--protect", options->protect, 2, "add a membrane that keeps values from A to B whole: A,B");
+  numbers(
+      "--protect", options->protect, 2,
+      "add a membrane that keeps values from A to B whole: A,B; default, where the scene has none: what it shows most");
   numbers("--protect-at", options->at, 3, "the same for the material at a place, x,y,z in mm: what a click does");
   verb.add_option("--protect-structure", options->structures, "the same for a structure, by label id; repeatable");
   numbers("--axis", options->axis, 3,

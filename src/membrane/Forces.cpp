@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "Corridor.h"
+#include "FrameBox.h"
 #include "velum/membrane/KeptWhole.h"
 
 namespace velum::membrane {
@@ -107,7 +108,7 @@ class Sides {
  public:
   explicit Sides(const Corridor& corridor, double smearMm) : mCorridor(corridor), mSmearMm(std::max(smearMm, 1e-9)) {}
   double at(glm::dvec3 local) const {
-    glm::dvec2 p = glm::floor((glm::dvec2(local) - mCorridor.originMm) / mCorridor.stepMm + 0.5);
+    glm::dvec2 p = glm::floor((glm::dvec2(local) - mCorridor.originMm) / mCorridor.stepMm + 0.5 + kHair);
     glm::ivec2 column = glm::clamp(glm::ivec2(p), glm::ivec2(0), mCorridor.dims - 1);
     double height = double(mCorridor.height[std::size_t(column.y * mCorridor.dims.x + column.x)]);
     return std::clamp((height - local.z) / mSmearMm, -1.0, 1.0);

@@ -39,24 +39,25 @@ double sampleAt(const T* voxels, glm::ivec3 dims, glm::dvec3 p) {
   return glm::mix(glm::mix(row(a.y, a.z), row(b.y, a.z), f.y), glm::mix(row(a.y, b.z), row(b.y, b.z), f.y), f.z);
 }
 
-/// The first channel and time step of a volume on an n^3 grid of the same box.
-Volume resample(const Volume& from, int n) {
+/// The first channel and time step of a volume on a grid of so many voxels over the same box.
+Volume resample(const Volume& from, glm::ivec3 dims) {
   Volume to = from;
   to.channels = 1;
   to.frames = 1;
-  setFrame(to, glm::ivec3(n), spacingMm(from) * glm::dvec3(from.dims) / double(n));
+  setFrame(to, dims, spacingMm(from) * glm::dvec3(from.dims) / glm::dvec3(dims));
   if (from.dims == to.dims && from.channels == 1 && from.frames == 1) return to;
-  to.voxels = Bytes(std::size_t(n) * std::size_t(n) * std::size_t(n) * sampleSize(from.type));
+  to.voxels = Bytes(frameBytes(to));
   visitSamples(from, [&](auto* voxels) {
     using T = std::remove_cv_t<std::remove_pointer_t<decltype(voxels)>>;
     auto* out = reinterpret_cast<T*>(to.voxels.data());
-    glm::dvec3 scale = glm::dvec3(from.dims) / double(n);
-    tbb::parallel_for(0, n, [&](int z) {
-      for (int y = 0; y < n; ++y)
-        for (int x = 0; x < n; ++x) {
+    glm::dvec3 scale = glm::dvec3(from.dims) / glm::dvec3(dims);
+    tbb::parallel_for(0, dims.z, [&](int z) {
+      for (int y = 0; y < dims.y; ++y)
+        for (int x = 0; x < dims.x; ++x) {
           double value = sampleAt(voxels, from.dims, (glm::dvec3(x, y, z) + 0.5) * scale - 0.5);
           if constexpr (std::is_integral_v<T>) value = std::round(value);
-          out[(std::size_t(z) * std::size_t(n) + std::size_t(y)) * std::size_t(n) + std::size_t(x)] = T(value);
+          out[(std::size_t(z) * std::size_t(dims.y) + std::size_t(y)) * std::size_t(dims.x) + std::size_t(x)] =
+              T(value);
         }
     });
   });
@@ -78,7 +79,7 @@ void addRealCase(std::vector<Case>& cases, const std::filesystem::path& path, st
   if (!std::filesystem::exists(path)) return;
   Progress progress;
   Volume volume = io::readVolume({path.string()}, progress);
-  cases.push_back(makeCase(std::move(key), std::move(title), resample(volume, n), preset, aspect));
+  cases.push_back(makeCase(std::move(key), std::move(title), resample(volume, glm::ivec3(n)), preset, aspect));
 }
 
 }  // namespace
@@ -89,10 +90,13 @@ gpu::Context& sharedContext() {
   return *context;
 }
 
-Volume makeCube(std::string_view phantom, int n) {
+Volume makePhantom(std::string_view name, glm::ivec3 dims) {
   Progress progress;
-  return resample(io::makeSample(phantom, n, progress).volume, n);
+  int longest = std::max(dims.x, std::max(dims.y, dims.z));
+  return resample(io::makeSample(name, longest, progress).volume, dims);
 }
+
+Volume makeCube(std::string_view phantom, int n) { return makePhantom(phantom, glm::ivec3(n)); }
 
 Volume makeShells(int n) {
   Volume volume;

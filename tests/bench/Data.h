@@ -14,7 +14,9 @@ namespace velum::bench {
 /// The one context of this process that draws without a window. GL thread.
 gpu::Context& sharedContext();
 
-/// A phantom brought to n^3 voxels of the same box by linear interpolation, its box axis-aligned about the origin.
+/// A phantom brought to so many voxels by linear interpolation, its box axis-aligned about the origin.
+Volume makePhantom(std::string_view name, glm::ivec3 dims);
+/// The same with as many voxels along each axis.
 Volume makeCube(std::string_view phantom, int n);
 
 /// A volume of any size at once, uint8: a wavy double shell (skin and skull) about a gyroid; about a third is empty.

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <thread>
 
 #include "Child.h"
@@ -21,8 +22,9 @@ struct Section {
   void (*measure)(const Options& options, Report& report);
 };
 constexpr Section kSections[] = {{"vtk", measureAgainstVtk},    {"interaction", measureInteraction},
-                                 {"membrane", measureMembrane}, {"scaling", measureScaling},
-                                 {"fetches", measureFetches},   {"loading", measureLoading}};
+                                 {"membrane", measureMembrane}, {"kept-whole", measureKeptWhole},
+                                 {"scaling", measureScaling},   {"fetches", measureFetches},
+                                 {"loading", measureLoading}};
 
 double load() {
   double averages[1] = {0};
@@ -41,6 +43,15 @@ void write(const std::string& path, const std::string& text) {
   if (!out.flush()) throw InputError(fmt::format("{} cannot be written", path));
 }
 
+constexpr const char* kHead = "<!-- Made by `./dev bench --markdown`; not to be edited by hand. -->\n";
+
+/// What a file of tables holds from before; the head of a new one when it is not there.
+std::string tablesSoFar(const std::string& path) {
+  std::ifstream in(path);
+  std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+  return text.empty() ? kHead : text;
+}
+
 int run(const Options& options, const std::vector<std::string>& only, const Outputs& outputs) {
   if (!options.pictures.empty()) std::filesystem::create_directories(options.pictures);
   Report report;
@@ -57,7 +68,7 @@ int run(const Options& options, const std::vector<std::string>& only, const Outp
     report.note(fmt::format("Load of the machine over the last minute: {:.1f}.", load()));
   }
   write(outputs.json, report.figures().dump(2) + "\n");
-  write(outputs.markdown, "<!-- Made by `./dev bench --markdown`; not to be edited by hand. -->\n" + report.markdown());
+  write(outputs.markdown, report.markdownInto(tablesSoFar(outputs.markdown)));
   return 0;
 }
 
@@ -67,13 +78,15 @@ int parseAndRun(int argc, char** argv) {
   Outputs outputs;
   std::vector<std::string> only, names;
   for (const Section& section : kSections) names.push_back(section.name);
-  app.add_option("--only", only, "sections to measure: vtk, interaction, membrane, scaling, fetches, loading")
+  app.add_option("--only", only,
+                 "sections to measure: vtk, interaction, membrane, kept-whole, scaling, fetches, loading")
       ->check(CLI::IsMember(names));
   app.add_flag("--quick", options.quick, "smaller data, fewer positions: a look, not a measurement");
   app.add_option("--pictures", options.pictures,
                  "folder for pictures side by side: VTK GPU, VTK CPU, Velum, Velum with everything on");
   app.add_option("--json", outputs.json, "file for the figures");
-  app.add_option("--markdown", outputs.markdown, "file for the tables");
+  app.add_option("--markdown", outputs.markdown,
+                 "file for the tables: those of the sections measured are put in the place of older ones");
   CLI11_PARSE(app, argc, argv);
   return run(options, only, outputs);
 }

@@ -7,18 +7,30 @@
 
 namespace velum::bench {
 
-void Report::print(const std::string& text) {
-  mMarkdown += text;
+void Report::add(const std::string& text) {
+  mChapters.back().text += text;
   std::fputs(text.c_str(), stdout);
   std::fflush(stdout);
 }
 
 void Report::section(const std::string& name, std::string_view title) {
   mSection = name;
-  print(fmt::format("\n## {}\n\n", title));
+  mChapters.push_back({std::string(title), {}});
+  add(fmt::format("\n## {}\n\n", title));
 }
 
-void Report::note(std::string_view text) { print(fmt::format("{}\n\n", text)); }
+void Report::note(std::string_view text) { add(fmt::format("{}\n\n", text)); }
+
+std::string Report::markdownInto(const std::string& old) const {
+  std::string out = old;
+  for (const Chapter& chapter : mChapters) {
+    std::size_t from = out.find(fmt::format("\n## {}\n", chapter.title));
+    if (from == std::string::npos) from = out.size();
+    std::size_t to = std::min(out.find("\n## ", from + 1), out.size());
+    out.replace(from, to - from, chapter.text);
+  }
+  return out;
+}
 
 void Report::table(const std::vector<std::string>& columns, const std::vector<std::vector<std::string>>& rows) {
   auto line = [](const std::vector<std::string>& cells) {
@@ -30,7 +42,7 @@ void Report::table(const std::vector<std::string>& columns, const std::vector<st
   for (std::size_t i = 1; i < columns.size(); ++i) rule += "---:|";
   std::string text = line(columns) + rule + "\n";
   for (const auto& row : rows) text += line(row);
-  print(text + "\n");
+  add(text + "\n");
 }
 
 void Report::figure(const std::string& path, const nlohmann::json& value) {

@@ -16,12 +16,17 @@ class Report {
   /// @param path  under the section, levels divided by '/'
   void figure(const std::string& path, const nlohmann::json& value);
 
-  const std::string& markdown() const { return mMarkdown; }
+  /// A document with the sections that were measured in the place of those of the same title; new ones at its end.
+  std::string markdownInto(const std::string& old) const;
   const nlohmann::json& figures() const { return mFigures; }
 
  private:
-  void print(const std::string& text);
-  std::string mMarkdown, mSection;
+  void add(const std::string& text);
+  struct Chapter {
+    std::string title, text;
+  };
+  std::vector<Chapter> mChapters;
+  std::string mSection;
   nlohmann::json mFigures = nlohmann::json::object();
 };
 

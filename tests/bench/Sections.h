@@ -21,7 +21,11 @@ void measureFetches(const Options& options, Report& report);
 /// Our readers against ITK's and VTK's, time and memory.
 void measureLoading(const Options& options, Report& report);
 
-/// The membrane: how much it keeps whole against the limit, the time of a step and of an edit.
+/// The membrane: the time of a step and of an edit, and the table that follows.
 void measureMembrane(const Options& options, Report& report);
+/// Pictures a second with volumes, kernels and sheet as large as in the paper's Table 1.
+void measureMembraneTable(const Options& options, Report& report);
+/// How much of what is protected the sheets keep whole, against the limit.
+void measureKeptWhole(const Options& options, Report& report);
 
 }  // namespace velum::bench

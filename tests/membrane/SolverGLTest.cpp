@@ -6,6 +6,7 @@
 
 #include "GlFixture.h"
 #include "ReferenceSolver.h"
+#include "makeVolume.h"
 #include "velum/gpu/Program.h"
 
 namespace velum::membrane {
@@ -182,6 +183,75 @@ TEST_F(SolverGL, IsEquallyStiffAtEveryResolution) {
     EXPECT_NEAR(heights[0], heights[1], 0.1f * heights[1]);
     EXPECT_NEAR(heights[2], heights[1], 0.1f * heights[1]);
   }
+}
+
+/// IMC eq. 2 and 3 over every kernel there is; the sign goes over from one side to the other within a quarter of the
+/// half-width, as Solver.h says. In units of strength, frame-local.
+glm::dvec3 sumOverAllKernels(const PushField& field, glm::dvec3 place, bool alongNormal) {
+  glm::dmat4 localFromKernel = glm::inverse(field.kernelFromLocal);
+  glm::dvec3 q(field.kernelFromLocal * glm::dvec4(place, 1.0)), sum(0.0);
+  double width = field.areaOfEffect;
+  for (std::size_t i = 0; i < field.strengths.size(); ++i) {
+    auto x = int(i) % field.dims.x, y = int(i) / field.dims.x % field.dims.y,
+         z = int(i) / (field.dims.x * field.dims.y);
+    glm::dvec3 share = (q - glm::dvec3(x, y, z)) / width, left = 1.0 - glm::abs(share);
+    if (std::min({left.x, left.y, left.z}) <= 0) continue;
+    if (alongNormal)
+      sum.z += field.strengths[i].x * left.x * left.y * left.z;
+    else
+      for (int j = 0; j < 3; ++j)
+        sum += field.strengths[i].y * std::clamp(4.0 * share[j], -1.0, 1.0) * left[j] *
+               glm::normalize(glm::dvec3(localFromKernel[j]));
+  }
+  return sum;
+}
+
+TEST_F(SolverGL, TheForceIsTheSumOverAllKernels) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  for (double area : {1.0, 1.5, 2.0, 3.2, 4.0})
+    for (bool along : {true, false}) {
+      // Turned against the frame, and longer along one axis than along the others.
+      PushField field;
+      field.dims = {23, 17, 9};
+      field.areaOfEffect = area;
+      glm::dvec3 spacing(5, 7, 4);
+      field.kernelFromLocal = glm::inverse(centredFrame(field.dims, spacing, 0.7));
+      for (int i = 0; i < field.dims.x * field.dims.y * field.dims.z; ++i) {
+        auto c = float(0.1 * unit(random));
+        field.strengths.emplace_back(along ? c : 0.0f, along ? 0.0f : c);
+      }
+      SheetSetup setup = sheetOf(40, along);
+      setup.cloth.stretch = setup.cloth.bend = setup.cloth.restoring = 0.0;
+      Solver solver;
+      solver.setSheet(setup);
+      auto places = solver.readPlaces();
+      for (auto& place : places) place.z = float(12.0 * unit(random));
+      solver.setPlaces(places);
+      places = solver.readPlaces();
+      std::vector<glm::dvec3> sums;
+      double largest = 0;
+      for (const auto& place : places) {
+        sums.push_back(sumOverAllKernels(field, glm::dvec3(place), along));
+        largest = std::max(largest, glm::length(sums.back()));
+      }
+      // From rest, without constraints: force x time step x damping. As far in a step as its bound allows, so that a
+      // float's last digit is little.
+      double perForce = setup.cloth.timeStepS * std::exp(-setup.cloth.damping * setup.cloth.timeStepS);
+      double scale = 1.5 / (largest * perForce * setup.cloth.timeStepS);
+      for (auto& strength : field.strengths) strength *= float(scale);
+      solver.setField(field);
+      solver.step(1);
+      auto velocities = solver.readVelocities();
+      double worst = 0;
+      for (int y = 1; y + 1 < 40; ++y)
+        for (int x = 1; x + 1 < 40; ++x) {
+          auto i = std::size_t(y * 40 + x);
+          worst = std::max(worst, glm::length(glm::dvec3(velocities[i]) / (perForce * scale) - sums[i]));
+        }
+      EXPECT_GT(largest, 0.05) << area;
+      EXPECT_LT(worst, 1e-5 * largest) << "half-width " << area << (along ? ", along the normal" : ", free");
+    }
 }
 
 TEST_F(SolverGL, AgreesWithAPlainSolverAfter200Steps) {

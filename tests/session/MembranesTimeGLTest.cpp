@@ -5,6 +5,7 @@
 #include "GlFixture.h"
 #include "makeVolume.h"
 #include "velum/io/Sample.h"
+#include "velum/membrane/SheetIndex.h"
 #include "velum/membrane/Simulation.h"
 #include "velum/session/CutEdit.h"
 #include "velum/session/MembraneEdit.h"
@@ -144,8 +145,14 @@ TEST_F(MembranesTimeGL, WindowsFollowAsPicturesDo) {
         player.advance(20.0);
       }
       for (const auto& rest : player.takeRests()) window.cuts[rest.cut].membrane.shape = rest.shape;
-      EXPECT_EQ(player.withShapes(window).cuts[0].membrane.shape.places, picture.cuts[0].membrane.shape.places)
-          << enumName(repositioning) << " at step " << step;
+      // A window fits what it keeps to the frame's rim, as drawing does; what is left is rounding.
+      const scene::Cut& cut = picture.cuts[0];
+      scene::SheetShape a = membrane::fitShape(cut.membrane.shape, cut.membrane.cloth.particles, cut.sizeMm);
+      scene::SheetShape b = player.withShapes(window).cuts[0].membrane.shape;
+      ASSERT_EQ(a.places.size(), b.places.size());
+      float most = 0;
+      for (std::size_t i = 0; i < a.places.size(); ++i) most = std::max(most, glm::length(a.places[i] - b.places[i]));
+      EXPECT_LT(most, 0.01f) << enumName(repositioning) << " at step " << step;
     }
     player.releaseGpu();
   }

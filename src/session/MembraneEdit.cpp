@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "velum/membrane/Kernels.h"
+#include "velum/session/ValueHistogram.h"
 
 namespace velum::session {
 
@@ -13,7 +14,7 @@ namespace {
 using Curve = std::vector<scene::StrengthPoint>;
 
 constexpr double kSpreads = 3.0;  ///< of noise to either side of a tissue's middle
-constexpr double kRare = 0.02;    ///< share of the data beyond which there is nothing else worth telling apart
+constexpr double kEnd = 0.1;      ///< share of the data beyond which there is nothing else worth telling apart
 
 /// The curve with a stretch of one strength, its ends as steep as can be.
 Curve withStretch(const Curve& old, double low, double high, double strength) {
@@ -46,9 +47,18 @@ std::optional<Tissue> protectTissue(scene::Membrane& membrane, const scene::Volu
   double low = tissue->value - kSpreads * tissue->spread, high = tissue->value + kSpreads * tissue->spread;
   const Volume& volume = *layer.data;
   int channel = std::clamp(layer.channel, 0, volume.channels - 1);
-  Histogram histogram = computeHistogram(volume, 1024, channel, std::clamp(layer.frame, 0, volume.frames - 1));
-  if (high > quantile(histogram, 1.0 - kRare)) high = volume.range.y;
-  if (low < quantile(histogram, kRare)) low = volume.range.x;
+  Histogram histogram = valueHistogram(volume, channel, std::clamp(layer.frame, 0, volume.frames - 1));
+  // At an end of the data's values thin and blurred parts count too, as far as halfway to what is beside.
+  if (tissue->value > quantile(histogram, 1.0 - kEnd)) {
+    high = volume.range.y;
+    low = tissue->low.value_or(low);
+  } else if (tissue->value < quantile(histogram, kEnd)) {
+    low = volume.range.x;
+    high = tissue->high.value_or(high);
+  } else {
+    low = std::max(low, tissue->low.value_or(low));
+    high = std::min(high, tissue->high.value_or(high));
+  }
   protectValues(membrane, low, high, strength);
   return tissue;
 }

@@ -5,6 +5,8 @@
 #include <functional>
 #include <vector>
 
+#include "velum/session/ValueHistogram.h"
+
 namespace velum::session {
 
 namespace {
@@ -15,6 +17,9 @@ constexpr double kShoulder = 1.5, kFoot = 3.0;  // of the bump, spreads from its
 constexpr double kOpacity = 0.6;                // a unit of material: solid, with soft edges
 constexpr double kDark = 0.3;                   // luminance below which a colour is lost in shadows
 constexpr int kNear = 2, kWide = 6;             // voxels around the place: what is meant, and more of the same
+constexpr int kBeside = 8;                      // voxels within which another material is beside the place
+constexpr double kOther = 0.12;                 // of the data's range: by so much other materials differ
+constexpr int kFewest = 4;                      // of 26 directions: fewer are noise
 constexpr double kTolerance = 4e-4;             // of a simplified curve: a tenth of the faintest veil in a preset
 
 /// The value as the transfer function sees it: of colour volumes, the brightness.
@@ -76,6 +81,49 @@ Tissue tissueOf(std::vector<double> values, double wanted) {
     if (cost(i) < cost(best)) best = i;
   // Half of a normal distribution lies within 0.6745 standard deviations of its middle.
   return {values[best + half / 2], length(best) / (2.0 * 0.6745)};
+}
+
+/// Values along a line of voxels from a place, without the place itself.
+std::vector<double> valuesAlong(const scene::VolumeLayer& layer, glm::ivec3 from, glm::dvec3 direction) {
+  const Volume& volume = *layer.data;
+  int channel = std::clamp(layer.channel, 0, volume.channels - 1);
+  int frame = std::clamp(layer.frame, 0, volume.frames - 1);
+  std::vector<double> values;
+  for (int i = 1; i <= kBeside; ++i) {
+    glm::ivec3 at(glm::floor(glm::dvec3(from) + direction * double(i) + 0.5));
+    if (glm::any(glm::lessThan(at, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(at, volume.dims))) break;
+    double value = shownValue(volume, at, channel, frame);
+    if (!std::isfinite(value)) break;
+    values.push_back(value);
+  }
+  return values;
+}
+
+/// The share of a list's values from the smallest on; nothing of a list that is too short to mean anything.
+std::optional<double> shareOf(std::vector<double> values, double share) {
+  if (int(values.size()) < kFewest) return std::nullopt;
+  std::sort(values.begin(), values.end());
+  return values[std::size_t(share * double(values.size() - 1))];
+}
+
+/// Goes out in 26 directions to the first material that is another, and takes the middle between it and the place: of
+/// several materials on one side, rather that which is nearer in value.
+void findBorders(const scene::VolumeLayer& layer, glm::ivec3 place, double here, double range, Tissue& tissue) {
+  std::vector<double> darker, brighter;
+  for (int i = 0; i < 27; ++i) {
+    glm::dvec3 way(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+    if (i == 13) continue;
+    std::vector<double> values = valuesAlong(layer, place, glm::normalize(way));
+    auto other = std::find_if(values.begin(), values.end(),
+                              [&](double value) { return std::abs(value - here) > kOther * range; });
+    if (other == values.end()) continue;
+    double sign = *other < here ? -1.0 : 1.0;
+    // On to where the step ends.
+    while (other + 1 != values.end() && sign * (other[1] - other[0]) > 0.02 * range) ++other;
+    (sign < 0 ? darker : brighter).push_back(0.5 * (here + *other));
+  }
+  tissue.low = shareOf(std::move(darker), 0.6);
+  tissue.high = shareOf(std::move(brighter), 0.4);
 }
 
 /// 1 on the shoulders, 0 from the feet on.
@@ -165,12 +213,25 @@ std::optional<Tissue> measureTissue(const scene::VolumeLayer& layer, glm::dvec3 
   glm::ivec3 middle = glm::clamp(glm::ivec3(glm::floor(place + 0.5)), glm::ivec3(0), last);
   auto here = voxelsAround(layer, middle, 0);
   if (here.empty()) return std::nullopt;
-  Tissue tissue = tissueOf(evenHalf(voxelsAround(layer, middle, kNear)), here.front().value);
+  Histogram histogram = valueHistogram(volume, std::clamp(layer.channel, 0, volume.channels - 1),
+                                       std::clamp(layer.frame, 0, volume.frames - 1));
+  Tissue borders;
+  findBorders(layer, middle, here.front().value, quantile(histogram, 0.999) - quantile(histogram, 0.001), borders);
+  auto withinBorders = [&](int radius) {
+    auto samples = voxelsAround(layer, middle, radius);
+    std::erase_if(samples, [&](const Sample& sample) {
+      return (borders.low && sample.value < *borders.low) || (borders.high && sample.value > *borders.high);
+    });
+    return samples;
+  };
+  Tissue tissue = tissueOf(evenHalf(withinBorders(kNear)), here.front().value);
   // The same material a little farther off varies more than the noise here: as far as its values are like these.
   double range = volume.range.y - volume.range.x, like = std::max(4.0 * tissue.spread, range / 50.0);
-  auto wide = voxelsAround(layer, middle, kWide);
+  auto wide = withinBorders(kWide);
   std::erase_if(wide, [&](const Sample& sample) { return std::abs(sample.value - tissue.value) > like; });
   if (wide.size() > 1) tissue = tissueOf(evenHalf(std::move(wide)), tissue.value);
+  tissue.low = borders.low;
+  tissue.high = borders.high;
   tissue.spread = std::max(tissue.spread, range / 300.0);
   if (!(tissue.spread > 0)) tissue.spread = 1.0;
   return tissue;

@@ -54,6 +54,30 @@ TEST(MeasureTissue, ABorderNearbyDoesNotMix) {
   EXPECT_LT(tissue->spread, 40);
 }
 
+/// A vessel so thin that more blurred voxels than whole ones belong to it, beside a bone, in noise.
+double vesselValue(glm::ivec3 p) {
+  glm::dvec3 mm = glm::dvec3(p) - 0.5 * (glm::dvec3(kDims) - 1.0);
+  double noise = 20.0 * (hashNoise(p, 1) + hashNoise(p, 2) - 1.0);
+  double vessel = std::clamp(2.6 - glm::length(glm::dvec2(mm.x + 5, mm.y)), 0.0, 1.0);
+  double bone = std::clamp(8.0 - glm::length(mm - glm::dvec3(14, 0, 0)), 0.0, 1.0);
+  return 40.0 + 360.0 * vessel + 900.0 * bone + noise;
+}
+
+TEST(MeasureTissue, AThinVesselIsNotTakenForWhatIsAroundIt) {
+  scene::Scene scene;
+  scene.volume.data = Shared<Volume>(makeVolume(kDims, SampleType::Int16, vesselValue, centredFrame(kDims)));
+  for (double z : {-9.5, 0.5, 12.5}) {
+    auto tissue = measureTissue(scene.volume, {-4.5, 0.5, z});
+    ASSERT_TRUE(tissue);
+    EXPECT_NEAR(tissue->value, 400, 60);
+    ASSERT_TRUE(tissue->low);
+    EXPECT_NEAR(*tissue->low, 220, 40) << "halfway to what is around it";
+  }
+  auto around = measureTissue(scene.volume, {-10.5, 8.5, 0.5});
+  ASSERT_TRUE(around);
+  EXPECT_NEAR(around->value, 40, 10);
+}
+
 TEST(MeasureTissue, NothingOutsideTheVolume) {
   scene::Scene scene = organs();
   EXPECT_FALSE(measureTissue(scene.volume, {100, 0, 0}));

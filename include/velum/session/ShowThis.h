@@ -10,10 +10,13 @@ namespace velum::session {
 struct Tissue {
   double value = 0;   ///< the middle of its values, the volume's unit
   double spread = 0;  ///< standard deviation of its noise, robustly; never less than a 300th of the data's range
+  std::optional<double> low, high;  ///< halfway to the darker, to the brighter material beside it, where there is one
 };
 
 /// Measures the 5^3 voxels around a place, then those of 13^3 that are like them. Of both the half with the smaller
-/// gradients counts, so that a border nearby does not mix two materials. Nothing outside the volume.
+/// gradients counts, so that a border nearby does not mix two materials; what lies beyond halfway to the materials
+/// beside it does not count at all, so that a thin vessel is not taken for what is around it. Nothing outside the
+/// volume.
 std::optional<Tissue> measureTissue(const scene::VolumeLayer& layer, glm::dvec3 worldMm);
 
 /// Makes the material at a place opaque: a bump of opacity over its values, in the colour that the colour map has there

@@ -15,6 +15,11 @@ class Membrane(CliTest):
         self.assertGreater(report["cutAreaPlane"], 100)
         self.assertEqual(report["ratio"], 0)
 
+    def test_protects_what_the_scene_shows_where_nothing_is_asked_for(self):
+        report = self.report("membrane", self.sample("two-spheres", 48))
+        self.assertGreater(report["kernels"], 0)
+        self.assertTrue(report["atRest"])
+
     def test_either_rule(self):
         path = self.sample("two-spheres", 64)
         report = self.report("membrane", path, "--protect", "500,2000", "--axis", "0,0,1", "--rule", "paper")
@@ -40,7 +45,6 @@ class Membrane(CliTest):
 
     def test_refuses_with_words(self):
         path = self.sample("two-spheres", 32)
-        self.refuse("membrane", path, code=1, words=["--protect"])
         self.refuse("membrane", path, "--protect", "9,3", code=1, words=["--protect"])
         self.refuse("membrane", path, "--protect-at", "1000,0,0", code=1, words=["outside"])
         self.refuse("membrane", path, "--protect", "500,2000", "--sheet", "s.xyz", code=2, words=["s.xyz", ".ply"])

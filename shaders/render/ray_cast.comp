@@ -639,6 +639,9 @@ void addSheet(inout Hit hit, Ray ray, Mark mark) {
 #endif
 }
 
+/// A picture of parts is without this one.
+bool isHidden(bool isBehind) { return isBehind ? hasFlag(kFlagHideBehind) : hasFlag(kFlagHideFront); }
+
 /// Everything along one ray, stretch by stretch, and what is drawn in places on it.
 void castMarked(inout Hit hit, Ray ray, Walk walk, float from, float tEnd) {
   float t = from;
@@ -649,6 +652,7 @@ void castMarked(inout Hit hit, Ray ray, Walk walk, float from, float tEnd) {
   Mark sheet = Mark(t, -1, -1);
   bool seeksSlice = true;
   bool seeksSheet = true;
+  bool isBehind = false;
   int guard = 256 + 8 * frame.counts.x;
   do {
     bool wasRemoved = !stretch.kept;
@@ -665,16 +669,17 @@ void castMarked(inout Hit hit, Ray ray, Walk walk, float from, float tEnd) {
     float mark = min(slice.t, sheet.t);
     if (mark <= t + e) {
       if (sliceIsNext) {
-        addSlice(hit, ray, slice);
+        if (!hasFlag(kFlagHideSlice)) addSlice(hit, ray, slice);
+        isBehind = true;
         seeksSlice = true;
       } else {
-        addSheet(hit, ray, sheet);
+        if (!isHidden(isBehind)) addSheet(hit, ray, sheet);
         seeksSheet = true;
       }
     } else {
       float end = min(stretch.end, mark);
       bool exemptOnly = !stretch.kept;
-      if (end > t && (stretch.kept || hasFlag(kFlagExemptions)))
+      if (end > t && (stretch.kept || hasFlag(kFlagExemptions)) && !isHidden(isBehind))
         marchStretch(hit, ray, walk, t, end, exemptOnly ? Face(-1, -1) : face, exemptOnly);
       face = Face(-1, -1);
       t = max(end, t + 1e-6);
@@ -768,7 +773,7 @@ void main() {
   float jitter = hasFlag(kFlagJitter) ? fract(texelFetch(noiseTexture, inPicture & (textureSize(noiseTexture, 0) - 1), 0).r + frame.step.w) : 0.5;
 
   Hit hit = castRay(ray, jitter, stop);
-  if (surface.a > 0.0) {
+  if (surface.a > 0.0 && !hasFlag(kFlagHideBehind)) {
     if (hit.color.a < 0.5) {
       hit.distance = surfaceAux.w;
       hit.normal = surfaceAux.xyz;

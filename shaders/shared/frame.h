@@ -41,6 +41,9 @@ SHARED_CONST uint kFlagLightGrid = 256u;   // shadows or occlusion
 SHARED_CONST uint kFlagMembranes = 512u;   // some cut is a membrane
 SHARED_CONST uint kFlagSlices = 1024u;     // some membrane is a slice with what lies next to it
 SHARED_CONST uint kFlagSheets = 2048u;     // some sheet is shown
+SHARED_CONST uint kFlagHideFront = 4096u;  // of a scene with slices, for pictures of its parts: what lies before them
+SHARED_CONST uint kFlagHideSlice = 8192u;  // their images
+SHARED_CONST uint kFlagHideBehind = 16384u; // and what lies behind the first one
 
 /// Scene-local frame: world millimetres minus an origin near the scene, so that floats are enough anywhere.
 struct FrameParams {

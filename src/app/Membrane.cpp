@@ -1,18 +1,18 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <filesystem>
+#include <cstdlib>
 
 #include "Verbs.h"
 #include "velum/core/Error.h"
-#include "velum/io/WriteMesh.h"
-#include "velum/io/WriteVolume.h"
 #include "velum/scene/Project.h"
 #include "velum/session/CutEdit.h"
 #include "velum/session/DefaultField.h"
+#include "velum/session/Export.h"
 #include "velum/session/MembraneEdit.h"
 #include "velum/session/Membranes.h"
 #include "velum/session/Open.h"
+#include "velum/session/Sketch.h"
 
 namespace velum::app {
 
@@ -23,6 +23,7 @@ struct MembraneOptions {
   InputOptions input;
   std::vector<double> protect, axis, at;
   std::vector<int> structures;
+  std::vector<std::string> sketch, avoid;
   double position = 0.5;
   std::string rule, saveScene, sheet, clipped;
   bool limit = false;
@@ -47,6 +48,55 @@ scene::Cut newMembrane(const scene::Scene& scene, const MembraneOptions& options
   return cut;
 }
 
+/// "x,y,z:x,y,z@radius": the points of a path, mm. @param name  of the option
+scene::Stroke parseStroke(const std::string& text, const char* name) {
+  auto refuse = [&](const char* why) {
+    throw ArgumentError(
+        fmt::format("{} {}: {}; expected points in mm and a radius, x,y,z:x,y,z@radius", name, text, why));
+  };
+  scene::Stroke stroke;
+  const char* at = text.c_str();
+  auto number = [&] {
+    char* end = nullptr;
+    double value = std::strtod(at, &end);
+    if (end == at || !std::isfinite(value)) refuse("a number is missing");
+    at = end;
+    return value;
+  };
+  do {
+    if (!stroke.pathMm.empty()) ++at;
+    glm::dvec3 point(0.0);
+    for (int axis = 0; axis < 3; ++axis) {
+      if (axis > 0 && *at++ != ',') refuse("a point has three numbers");
+      point[axis] = number();
+    }
+    stroke.pathMm.push_back(point);
+  } while (*at == ':');
+  if (*at == '@') {
+    ++at;
+    stroke.radiusMm = number();
+    if (!(stroke.radiusMm > 0)) refuse("the radius must be more than 0");
+  }
+  if (*at != 0) refuse("it goes on after its end");
+  return stroke;
+}
+
+/// Fits the curve to the strokes, as the window does.
+void sketchWhatIsAsked(const scene::VolumeLayer& layer, scene::ForceField& field, const MembraneOptions& options) {
+  std::vector<scene::Stroke> strokes;
+  for (const auto& text : options.sketch) strokes.push_back(parseStroke(text, "--sketch"));
+  for (const auto& text : options.avoid) {
+    strokes.push_back(parseStroke(text, "--avoid"));
+    strokes.back().avoid = true;
+  }
+  if (strokes.empty()) return;
+  if (!layer.data) throw ArgumentError("--sketch, --avoid: there is no volume under the strokes, only labels");
+  session::setStrokes(field, strokes, layer, session::wholeHistogram(layer));
+  if (field.byValue.empty() && !options.sketch.empty())
+    throw ArgumentError(
+        "--sketch: the strokes lie outside the volume, or nothing under them differs from the rest by its values");
+}
+
 void protectWhatIsAsked(scene::Scene& scene, scene::Cut& cut, const MembraneOptions& options) {
   auto& membrane = cut.membrane;
   if (!options.protect.empty()) {
@@ -54,14 +104,17 @@ void protectWhatIsAsked(scene::Scene& scene, scene::Cut& cut, const MembraneOpti
     session::protectValues(membrane, options.protect[0], options.protect[1]);
   }
   for (int id : options.structures) session::protectStructure(membrane, id);
-  if (options.at.empty()) return;
-  if (!session::protectTissue(membrane, scene.volume, vectorOf(options.at)))
+  if (!options.at.empty() && !session::protectTissue(membrane, scene.volume, vectorOf(options.at)))
     throw ArgumentError(
         fmt::format("--protect-at {},{},{}: that is outside the volume", options.at[0], options.at[1], options.at[2]));
+  sketchWhatIsAsked(scene.volume, membrane.field, options);
 }
 
 bool asksForMembrane(const MembraneOptions& options) {
-  return !options.protect.empty() || !options.structures.empty() || !options.at.empty();
+  bool byCurve = !options.protect.empty() || !options.at.empty();
+  if (byCurve && !options.sketch.empty())
+    throw ArgumentError("--sketch fits the curve to its strokes: leave --protect and --protect-at out");
+  return byCurve || !options.structures.empty() || !options.sketch.empty();
 }
 
 void applyRule(scene::Scene& scene, const std::string& rule) {
@@ -109,17 +162,13 @@ void printReport(const session::MembraneReport& report) {
                report.limit->figure.ratio, report.limit->figure.meanDistanceMm);
 }
 
-/// name.ply, or name-0.ply ... where there are several membranes.
 void exportWhatIsAsked(const scene::Scene& settled, const std::vector<session::MembraneReport>& reports,
                        const MembraneOptions& options) {
-  for (std::size_t i = 0; !options.sheet.empty() && i < reports.size(); ++i) {
-    std::filesystem::path path(options.sheet);
-    if (reports.size() > 1)
-      path.replace_filename(fmt::format("{}-{}{}", path.stem().string(), i, path.extension().string()));
-    io::writeMesh(session::sheetMesh(settled.cuts[std::size_t(reports[i].cut)]), path);
-  }
+  std::vector<int> cuts;
+  for (const auto& report : reports) cuts.push_back(report.cut);
+  if (!options.sheet.empty()) session::exportSheets(settled, cuts, options.sheet);
   if (options.clipped.empty()) return;
-  io::writeVolume(session::clippedVolume(settled, consoleProgress()), options.clipped, consoleProgress());
+  session::exportClippedVolume(settled, options.clipped, consoleProgress());
   consoleProgress().report(1.0, "");
 }
 
@@ -127,6 +176,10 @@ int run(const MembraneOptions& options) {
   auto context = gpu::Context::create(options.common.context);
   scene::Scene scene = openScene(options.input, 16.0 / 9.0);
   bool isAsked = asksForMembrane(options);
+  if (!isAsked && !options.avoid.empty() && session::hasMembranes(scene))
+    throw ArgumentError(
+        "--avoid takes from what a new membrane keeps whole, and the scene has one: say what another is to keep with "
+        "--sketch or --protect");
   if (isAsked || !session::hasMembranes(scene)) {
     scene::Cut cut = newMembrane(scene, options);
     if (!isAsked) cut.membrane.field = session::defaultField(scene);
@@ -166,6 +219,9 @@ Run registerMembrane(CLI::App& verb) {
       "add a membrane that keeps values from A to B whole: A,B; default, where the scene has none: what it shows most");
   numbers("--protect-at", options->at, 3, "the same for the material at a place, x,y,z in mm: what a click does");
   verb.add_option("--protect-structure", options->structures, "the same for a structure, by label id; repeatable");
+  verb.add_option("--sketch", options->sketch,
+                  "the same for what lies under a stroke, x,y,z:x,y,z@radius in mm (radius 3 if left out); repeatable");
+  verb.add_option("--avoid", options->avoid, "a stroke over what the sheet may cut; repeatable");
   numbers("--axis", options->axis, 3,
           "normal of the new membrane's frame, towards what is removed; default: to the eye");
   verb.add_option("--position", options->position, "where along its axis the frame hangs, 0 to 1")

@@ -180,8 +180,10 @@ Run registerRender(CLI::App& verb) {
       ->check(CLI::Range(1, 256));
   verb.add_option("--frames", options->frames, "an animation: NAME-0000 ..., through the time steps or once round")
       ->check(CLI::Range(1, 9999));
-  verb.add_flag("--layers", options->layers,
-                "also alpha, normal, depth, structure id, position: in the EXR, or as PNGs beside");
+  verb.add_flag(
+      "--layers", options->layers,
+      "also alpha, normal, depth, structure id, position, and of illustrative slices front, slice and behind: "
+      "in the EXR, or as PNGs beside");
   verb.add_flag("--transparent", options->transparent, "no background, with alpha");
   verb.add_flag("--brute-force", options->bruteForce,
                 "without skipping and early ends: the reference for every acceleration");

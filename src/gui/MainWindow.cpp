@@ -20,6 +20,7 @@
 #include "ProtectTool.h"
 #include "RecentFiles.h"
 #include "RecoveryBar.h"
+#include "SketchTool.h"
 #include "StructurePanel.h"
 #include "TimeBar.h"
 #include "Widgets.h"
@@ -140,6 +141,7 @@ void MainWindow::buildMembrane() {
   connect(&form, &MembraneForm::protectAsked, mProtect,
           [this](bool on, bool letThrough) { on ? mProtect->start(letThrough) : mProtect->stop(); });
   connect(mProtect, &ProtectTool::ended, &form, &MembraneForm::pointingEnded);
+  buildSketch();
 }
 
 /// A page of the side panel, which scrolls where the window is low.
@@ -336,6 +338,7 @@ void MainWindow::documentChanged() {
   mLook->refresh();
   mTime->refresh();
   mCuts->refresh();
+  mSketch->refresh();
   mStructures->refresh();
   bool open = mPages->currentIndex() == 1;
   mDock->setVisible(open);

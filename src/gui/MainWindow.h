@@ -27,6 +27,7 @@ class LookPanel;
 class ProtectTool;
 class RecentRow;
 class RecoveryBar;
+class SketchTool;
 class StructureCommands;
 class StructurePanel;
 class ThreePointTool;
@@ -47,6 +48,9 @@ class MainWindow : public QMainWindow {
   void showScene(scene::Scene scene, const QString& name);
   void savePictureTo(const QString& path, const session::PictureOptions& options, const scene::Scene& scene);
   void saveSceneTo(const QString& path);
+  /// The sheet of the selected membrane, or of the first, as it rests; the volume without what the cuts take away.
+  void exportSheetTo(const QString& path);
+  void exportClippedTo(const QString& path);
   /// Stops the load or the picture that is running; what is open stays.
   void cancelJob();
   /// Back to the empty window.
@@ -68,6 +72,7 @@ class MainWindow : public QMainWindow {
   MessageBar& messages() { return *mMessages; }
   ActionTable& actions() { return *mActions; }
   Selection& selection() { return *mSelection; }
+  SketchTool& sketch() { return *mSketch; }
   StructureCommands& structures() { return *mStructureCommands; }
   ThreePointTool& threePoints() { return *mThreePoints; }
   /// Reads a file as labels of what is open, whatever it looks like.
@@ -99,6 +104,8 @@ class MainWindow : public QMainWindow {
   void buildCutActions(QMenu* menu, QToolBar* bar);
   void buildStructures();
   void buildMembrane();
+  void buildSketch();
+  void buildExportActions(QMenu* menu);
   void buildStructureActions(QMenu* menu);
   void buildLayoutActions(QMenu* menu, QToolBar* bar);
   void buildTimeActions(QMenu* menu);
@@ -140,6 +147,10 @@ class MainWindow : public QMainWindow {
   void askOpenLabels();
   void askSavePicture();
   void askSaveScene(bool asNew);
+  void askExportSheet();
+  void askExportClipped();
+  int membraneToExport() const;
+  std::function<scene::Scene(Progress&)> sceneAtRest() const;
   void showAbout();
   void showHelp();
   void showPreferences();
@@ -157,6 +168,7 @@ class MainWindow : public QMainWindow {
   LookPanel* mLook = nullptr;
   CutPanel* mCuts = nullptr;
   ProtectTool* mProtect = nullptr;
+  SketchTool* mSketch = nullptr;
   Selection* mSelection = nullptr;
   StructureCommands* mStructureCommands = nullptr;
   StructurePanel* mStructures = nullptr;

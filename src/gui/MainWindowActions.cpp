@@ -118,6 +118,7 @@ void MainWindow::buildFileActions(QMenu* menu, QToolBar* bar) {
                         [this] { askSaveScene(true); });
   QAction* picture = mActions->addForScene(menu, "file.savePicture", tr("Save p&icture..."),
                                            tr("Draw and save a picture of any size"), [this] { askSavePicture(); });
+  buildExportActions(menu);
   menu->addSeparator();
   mActions->add(menu, "file.newWindow", tr("New &window"), tr("Open a second window with a scene of its own"), [this] {
     auto* window = new MainWindow;

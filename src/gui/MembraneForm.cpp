@@ -1,6 +1,7 @@
 #include "MembraneForm.h"
 
 #include <QHBoxLayout>
+#include <QMenu>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -41,7 +42,8 @@ MembraneForm::MembraneForm(session::Document& document, CutForm& form, QWidget* 
       mFigure(new QLabel(this)),
       mDoing(new QLabel(this)),
       mCanvas(new StrengthCanvas(this)),
-      mStructures(new QLabel(this)) {
+      mStructures(new StrengthTable(this)),
+      mSketch(new SketchForm(this)) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(8);
@@ -61,27 +63,25 @@ MembraneForm::MembraneForm(session::Document& document, CutForm& form, QWidget* 
       "Force of each value, -1000 to 1000. Above the line: the sheet keeps it whole; below: the sheet is drawn to it.\n"
       "Click: add a point. Drag: move it. Right click or Del: remove it.\nKeys: PgUp and PgDn go from one to the next, "
       "arrows move, Ins adds."));
-  mStructures->setProperty("role", "muted");
-  mStructures->setWordWrap(true);
   layout->addWidget(mStructures);
   layout->addWidget(makeProtect());
+  layout->addWidget(mSketch);
   layout->addWidget(mFigure);
   layout->addWidget(mDoing);
   layout->addWidget(makePlayer());
   auto* picture = new QWidget(this);
   makePicture(makeGrid(picture));
   layout->addWidget(picture);
-  mMore = new QPushButton(tr("Cloth and kernels"), this);
-  mMore->setObjectName("membraneMore");
-  mMore->setProperty("role", "quiet");
-  mMore->setCheckable(true);
-  mMore->setToolTip(tr("Show the numbers of the cloth and of the forces"));
-  layout->addWidget(mMore);
+  layout->addWidget(makeLast());
   mCloth = new QWidget(this);
   makeCloth(makeGrid(mCloth));
   mCloth->hide();
   layout->addWidget(mCloth);
   connect(mMore, &QPushButton::toggled, mCloth, &QWidget::setVisible);
+  connect(mStructures, &StrengthTable::strengthAsked, this, [this](int id, double strength) {
+    std::string label = session::structureLabel(mDocument.scene(), strength != 0 ? "Force of" : "No force of", {id});
+    edit(QString::fromStdString(label), [&](scene::Membrane& m) { session::protectStructure(m, id, strength); });
+  });
   connect(mCanvas, &StrengthCanvas::settled, this, [this] { mDocument.endMerge(); });
   connect(mCanvas, &StrengthCanvas::edited, this, [this](const QString& label, const StrengthCurve& next, bool merge) {
     bool gradient = byGradient();
@@ -146,6 +146,28 @@ QWidget* MembraneForm::makePlayer() {
   connect(mPlay, &QPushButton::clicked, this, [this](bool pause) { emit playAsked(!pause); });
   connect(mStep, &QPushButton::clicked, this, &MembraneForm::stepAsked);
   connect(flat, &QPushButton::clicked, this, &MembraneForm::flatAsked);
+  return tools;
+}
+
+/// What shows the numbers, and what writes files.
+QWidget* MembraneForm::makeLast() {
+  auto* tools = new QWidget(this);
+  auto* row = new QHBoxLayout(tools);
+  row->setContentsMargins(0, 0, 0, 0);
+  mMore =
+      addButton(row, "membraneMore", tr("Cloth and kernels"), tr("Show the numbers of the cloth and of the forces"));
+  mMore->setProperty("role", "quiet");
+  mMore->setCheckable(true);
+  auto* files =
+      addButton(row, "membraneExport", tr("Export"), tr("Write the sheet, or what it leaves, for other programs"));
+  files->setProperty("role", "quiet");
+  auto* menu = new QMenu(files);
+  menu->setToolTipsVisible(true);
+  menu->addAction(tr("Sheet as a surface..."), this, &MembraneForm::exportSheetAsked)
+      ->setToolTip(tr("OBJ, PLY, VTP or STL"));
+  menu->addAction(tr("Clipped volume..."), this, &MembraneForm::exportClippedAsked)
+      ->setToolTip(tr("NRRD, NIfTI, VTI or OpenVDB: what the cuts take away is empty"));
+  files->setMenu(menu);
   return tools;
 }
 
@@ -240,18 +262,8 @@ void MembraneForm::showCut(const scene::Cut& cut) {
   mShown = cut.membrane;
   const scene::Membrane& m = mShown;
   showCurve();
-  QStringList kept, drawn;
-  for (const auto& one : m.field.byLabel)
-    (one.strength > 0 ? kept : drawn) << QString::fromStdString(session::structureName(mDocument.scene(), one.id));
-  auto list = [](QStringList names) {
-    if (names.size() > 6) names = names.mid(0, 5) + QStringList(tr("%1 more").arg(names.size() - 5));
-    return names.join(", ");
-  };
-  QStringList lines;
-  if (!kept.isEmpty()) lines << tr("Whole: %1").arg(list(kept));
-  if (!drawn.isEmpty()) lines << tr("Followed: %1").arg(list(drawn));
-  mStructures->setText(lines.join("\n"));
-  mStructures->setVisible(!lines.isEmpty());
+  mStructures->showStrengths(mDocument.scene().labels.structures, m.field.byLabel);
+  mSketch->showStrokes(m.field.strokes);
   mUse->setCurrentIndex(int(m.use));
   for (auto [label, control] : mSliceRows) {
     label->setVisible(m.use == scene::MembraneUse::Slice);

@@ -8,7 +8,9 @@
 #include <memory>
 #include <optional>
 
+#include "SketchForm.h"
 #include "StrengthCanvas.h"
+#include "StrengthTable.h"
 #include "Widgets.h"
 #include "velum/session/Document.h"
 #include "velum/session/MembranePlayer.h"
@@ -29,6 +31,8 @@ class MembraneForm : public QWidget {
   void showStatus(const std::optional<session::MembraneStatus>& status, bool isPlaying);
   /// In words: "cuts 12 % of what the plane cuts; 1.3 mm from the slice on average".
   static QString figureText(const session::MembraneStatus& status);
+  /// Its brushes and strokes.
+  SketchForm& sketch() { return *mSketch; }
 
  signals:
   void playAsked(bool play);
@@ -36,6 +40,8 @@ class MembraneForm : public QWidget {
   void flatAsked();
   /// The next click in a view says what is to be kept whole, or let through.
   void protectAsked(bool on, bool letThrough);
+  void exportSheetAsked();
+  void exportClippedAsked();
 
  public slots:
   /// The tool that the protect buttons stand for has ended.
@@ -46,6 +52,7 @@ class MembraneForm : public QWidget {
   QWidget* makeFieldHead();
   QWidget* makeProtect();
   QWidget* makePlayer();
+  QWidget* makeLast();
   void makePicture(QGridLayout* grid);
   void makeCloth(QGridLayout* grid);
   NumberRow* addNumber(QGridLayout* grid, const QString& name, const QString& tip, double min, double max, int decimals,
@@ -64,7 +71,8 @@ class MembraneForm : public QWidget {
   QLabel *mFigure, *mDoing;
   QComboBox* mAttribute = nullptr;
   StrengthCanvas* mCanvas;
-  QLabel* mStructures;
+  StrengthTable* mStructures;
+  SketchForm* mSketch;
   QPushButton *mProtect = nullptr, *mLetThrough = nullptr, *mPlay = nullptr, *mStep = nullptr, *mMore = nullptr;
   QWidget* mCloth = nullptr;
   QComboBox *mUse = nullptr, *mLook = nullptr, *mRule = nullptr, *mRepositioning = nullptr;

@@ -24,8 +24,6 @@ QColor faded(QColor color, double alpha) {
 double heightOf(double strength) { return std::copysign(std::sqrt(std::abs(strength) / kMost), strength); }
 double strengthOf(double height) { return std::clamp(std::copysign(height * height, height), -1.0, 1.0) * kMost; }
 
-const QColor kKeep(120, 200, 140), kDraw(220, 130, 110);
-
 }  // namespace
 
 StrengthCanvas::StrengthCanvas(QWidget* parent) : QWidget(parent) {
@@ -222,7 +220,9 @@ void StrengthCanvas::paintEvent(QPaintEvent*) {
       painter.drawEllipse(place, 7.5, 7.5);
     }
     painter.setPen(QPen(palette().color(QPalette::Text), 1.3));
-    painter.setBrush(mCurve[i].strength > 0 ? kKeep : mCurve[i].strength < 0 ? kDraw : palette().color(QPalette::Base));
+    painter.setBrush(mCurve[i].strength > 0   ? kKeepColor
+                     : mCurve[i].strength < 0 ? kDrawColor
+                                              : palette().color(QPalette::Base));
     painter.drawEllipse(place, 4.5, 4.5);
   }
   paintAxis(painter);
@@ -247,7 +247,7 @@ void StrengthCanvas::paintPlot(QPainter& painter) const {
     for (bool above : {true, false}) {
       painter.save();
       painter.setClipRect(above ? QRectF(0, 0, width(), zero) : QRectF(0, zero, width(), height()), Qt::IntersectClip);
-      painter.fillPath(line, faded(above ? kKeep : kDraw, 0.28));
+      painter.fillPath(line, faded(above ? kKeepColor : kDrawColor, 0.28));
       painter.restore();
     }
     painter.setPen(QPen(palette().color(QPalette::Text), 1.4));

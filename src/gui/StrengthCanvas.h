@@ -1,4 +1,5 @@
 #pragma once
+#include <QColor>
 #include <QWidget>
 #include <optional>
 
@@ -6,6 +7,9 @@
 #include "velum/session/ValueHistogram.h"
 
 namespace velum::gui {
+
+/// The signs of forces wherever they are drawn: what the sheet keeps whole, what draws it, what it is let through.
+inline const QColor kKeepColor(0xf0, 0x86, 0x5c), kDrawColor(0x6c, 0xa6, 0xe4), kAvoidColor(0x9c, 0xae, 0xc2);
 
 using StrengthCurve = std::vector<scene::StrengthPoint>;
 

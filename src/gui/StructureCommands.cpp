@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "velum/session/CutEdit.h"
+#include "velum/session/MembraneEdit.h"
 
 namespace velum::gui {
 
@@ -104,6 +105,28 @@ void StructureCommands::setKeptWhole(const Ids& ids, bool whole) {
                  });
 }
 
+const scene::Membrane* StructureCommands::membrane() const {
+  const scene::Cut* selected = cut();
+  return selected && selected->shape == scene::CutShape::Membrane ? &selected->membrane : nullptr;
+}
+
+double StructureCommands::strengthOf(int id) const {
+  const scene::Membrane* sheet = membrane();
+  if (!sheet) return 0.0;
+  for (const auto& one : sheet->field.byLabel)
+    if (one.id == id) return one.strength;
+  return 0.0;
+}
+
+void StructureCommands::setStrength(const Ids& ids, double strength) {
+  if (!membrane()) return;
+  std::size_t index = std::size_t(mSelection.cut());
+  const char* verb = strength > 0 ? "Keep whole by membrane:" : strength < 0 ? "Draw membrane to" : "No force of";
+  mDocument.edit(session::structureLabel(mDocument.scene(), verb, ids), [&](scene::Scene& scene) {
+    for (int id : ids) session::protectStructure(scene.cuts[index].membrane, id, strength);
+  });
+}
+
 void StructureCommands::goTo(int id) {
   mGoTo = mMeter.isMeasuring() ? id : 0;
   const session::StructureSize* size = mMeter.find(id);
@@ -123,6 +146,21 @@ void StructureCommands::flyTo(const scene::Camera& camera) {
   mFrom = mLast = mDocument.scene().camera;
   mTo = camera;
   mFlight.start();
+}
+
+/// What the selected membrane does with structures; nothing where another cut is selected.
+void StructureCommands::fillMembraneMenu(QMenu& menu, const Ids& ids) {
+  if (!membrane()) return;
+  auto add = [&](const QString& text, const QString& tip, double sign) {
+    QAction* action = menu.addAction(text);
+    action->setToolTip(tip);
+    action->setCheckable(true);
+    action->setChecked(std::all_of(ids.begin(), ids.end(), [&](int id) { return strengthOf(id) * sign > 0; }));
+    connect(action, &QAction::triggered, this,
+            [this, ids, sign](bool on) { setStrength(ids, on ? sign * session::kProtectStrength : 0.0); });
+  };
+  add(tr("Keep whole by membrane"), tr("The selected membrane's sheet goes around it"), 1.0);
+  add(tr("Draw membrane to it"), tr("The selected membrane's sheet is drawn to it"), -1.0);
 }
 
 void StructureCommands::fillMenu(QMenu& menu, const Ids& ids) {
@@ -154,6 +192,7 @@ void StructureCommands::fillMenu(QMenu& menu, const Ids& ids) {
   whole->setToolTip(name.isEmpty() ? tr("Add or select a cut first")
                                    : tr("The selected cut goes round it and leaves it whole"));
   connect(whole, &QAction::triggered, this, [this, ids](bool on) { setKeptWhole(ids, on); });
+  fillMembraneMenu(menu, ids);
 }
 
 }  // namespace velum::gui

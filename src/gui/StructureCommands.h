@@ -31,6 +31,9 @@ class StructureCommands : public QObject {
   /// Whether the selected cut leaves structures whole; nothing without a cut.
   void setKeptWhole(const Ids& ids, bool whole);
   bool isKeptWhole(int id) const;
+  /// The force of structures on the sheet of the selected membrane; nothing without one.
+  /// @param strength  > 0 keeps them whole, < 0 draws the sheet to them, 0 takes them off
+  void setStrength(const Ids& ids, double strength);
   /// Brings the camera near and the crosshair into the structure's middle, at once or when its size is known.
   void goTo(int id);
 
@@ -48,6 +51,9 @@ class StructureCommands : public QObject {
 
  private:
   const scene::Cut* cut() const;
+  const scene::Membrane* membrane() const;
+  double strengthOf(int id) const;
+  void fillMembraneMenu(QMenu& menu, const Ids& ids);
   void flyTo(const scene::Camera& camera);
 
   session::Document& mDocument;

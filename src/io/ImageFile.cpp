@@ -101,19 +101,25 @@ std::vector<std::uint8_t> quantize(const std::vector<float>& pixels) {
   return out;
 }
 
-/// Turns display-referred straight colour into OpenEXR's linear premultiplied one, or back.
+/// Turns display-referred straight colour into OpenEXR's linear premultiplied one, or back: of the picture, and of each
+/// of its layers that has colour ("slice.R" ...).
 void convertColor(Image& image, bool toLinear) {
-  std::array<std::ptrdiff_t, 3> color{channelIndex(image, "R"), channelIndex(image, "G"), channelIndex(image, "B")};
-  std::ptrdiff_t alpha = channelIndex(image, "A");
-  if (color[0] < 0 || color[1] < 0 || color[2] < 0) return;
-  for (std::size_t at = 0; at < image.pixels.size(); at += image.channels.size()) {
-    float a = alpha < 0 ? 1.0f : image.pixels[at + std::size_t(alpha)];
-    for (auto c : color) {
-      float& v = image.pixels[at + std::size_t(c)];
-      if (toLinear)
-        v = linearFromSrgb(v) * a;
-      else
-        v = srgbFromLinear(a > 0.0f ? v / a : v);
+  for (const std::string& red : image.channels) {
+    std::string layer = red.substr(0, red.size() - 1);
+    if (red != layer + "R" || !(layer.empty() || layer.back() == '.')) continue;
+    std::array<std::ptrdiff_t, 3> color{channelIndex(image, red), channelIndex(image, layer + "G"),
+                                        channelIndex(image, layer + "B")};
+    std::ptrdiff_t alpha = channelIndex(image, layer + "A");
+    if (color[1] < 0 || color[2] < 0) continue;
+    for (std::size_t at = 0; at < image.pixels.size(); at += image.channels.size()) {
+      float a = alpha < 0 ? 1.0f : image.pixels[at + std::size_t(alpha)];
+      for (auto c : color) {
+        float& v = image.pixels[at + std::size_t(c)];
+        if (toLinear)
+          v = linearFromSrgb(v) * a;
+        else
+          v = srgbFromLinear(a > 0.0f ? v / a : v);
+      }
     }
   }
 }

@@ -34,6 +34,7 @@ scene::ForceField kernelPart(scene::ForceField field) {
   field.areaOfEffect = {};
   field.kernels.clear();
   field.strokes.clear();
+  field.byValueBefore.clear();
   return field;
 }
 

@@ -181,6 +181,11 @@ void Renderer::Impl::prepareParams(const TransferTable& table) {
     if (cut->membrane.use == scene::MembraneUse::Slice) params.flags.x |= shared::kFlagSlices;
     if (cut->membrane.look != scene::SheetLook::Hidden) params.flags.x |= shared::kFlagSheets;
   }
+  if (params.flags.x & shared::kFlagSlices) {
+    if (!frame.parts.front) params.flags.x |= shared::kFlagHideFront;
+    if (!frame.parts.slice) params.flags.x |= shared::kFlagHideSlice;
+    if (!frame.parts.behind) params.flags.x |= shared::kFlagHideBehind;
+  }
   if (frame.isPreview && (params.flags.x & shared::kFlagLightGrid)) keepLight();
   params.counts.y = words;
   params.counts.z = int(rows.size());

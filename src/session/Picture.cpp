@@ -31,6 +31,41 @@ Image channelsOf(const Image& image, const std::vector<std::string>& names) {
   return out;
 }
 
+/// Layers of a scene with slices, from front to back: each of them alone.
+struct SliceLayer {
+  const char* name;
+  render::SliceParts parts;
+};
+constexpr SliceLayer kSliceLayers[] = {
+    {"front", {true, false, false}}, {"slice", {false, true, false}}, {"behind", {false, false, true}}};
+
+/// Maxima cannot be put together from layers.
+bool hasSliceLayers(const scene::Scene& scene) {
+  return scene.rayCast.mode != scene::RenderMode::Mip &&
+         std::any_of(scene.cuts.begin(), scene.cuts.end(), [](const scene::Cut& cut) {
+           return cut.enabled && cut.shape == scene::CutShape::Membrane &&
+                  cut.membrane.use == scene::MembraneUse::Slice;
+         });
+}
+
+std::vector<std::string> colorNames(const std::string& layer) {
+  return {layer + ".R", layer + ".G", layer + ".B", layer + ".A"};
+}
+
+/// The image with the channels of another one of its size behind its own.
+Image withChannels(const Image& image, const Image& more, const std::vector<std::string>& names) {
+  Image out{image.width, image.height, image.channels, {}};
+  out.channels.insert(out.channels.end(), names.begin(), names.end());
+  std::size_t count = std::size_t(image.width) * std::size_t(image.height), n = image.channels.size(),
+              k = more.channels.size();
+  out.pixels.reserve(image.pixels.size() + more.pixels.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    out.pixels.insert(out.pixels.end(), &image.pixels[i * n], &image.pixels[i * n] + n);
+    out.pixels.insert(out.pixels.end(), &more.pixels[i * k], &more.pixels[i * k] + k);
+  }
+  return out;
+}
+
 /// Layers as PNGs beside the picture, each mapped into 0..1: normals and ids by the usual colour codes, depth from near
 /// to far.
 void writeLayerPictures(const Image& image, const std::filesystem::path& output) {
@@ -38,6 +73,12 @@ void writeLayerPictures(const Image& image, const std::filesystem::path& output)
     auto path = output;
     return path.replace_filename(fmt::format("{}.{}{}", output.stem().string(), what, output.extension().string()));
   };
+  for (const SliceLayer& layer : kSliceLayers) {
+    Image color = channelsOf(image, colorNames(layer.name));
+    if (color.channels.size() * std::size_t(image.width) * std::size_t(image.height) != color.pixels.size()) continue;
+    color.channels = {"R", "G", "B", "A"};
+    io::writeImage(color, beside(layer.name));
+  }
   std::size_t count = std::size_t(image.width) * std::size_t(image.height);
   auto rgb = [&](Image source) {
     source.channels = {"R", "G", "B"};
@@ -136,7 +177,15 @@ Image drawPicture(render::Renderer& renderer, const scene::Scene& scene, const P
   frame.pictureSize = options.size;
   render::Layers layers;
   if (options.layers) layers = {true, true, true, true};
-  return render::renderPicture(renderer, frame, layers, std::min(4096, limits.texture2d), progress);
+  int window = std::min(4096, limits.texture2d);
+  Image image = render::renderPicture(renderer, frame, layers, window, progress);
+  if (!options.layers || !hasSliceLayers(frame.scene)) return image;
+  frame.scene.background.transparent = true;
+  for (const SliceLayer& layer : kSliceLayers) {
+    frame.parts = layer.parts;
+    image = withChannels(image, render::renderPicture(renderer, frame, {}, window, progress), colorNames(layer.name));
+  }
+  return image;
 }
 
 Image drawSlicePicture(const scene::Scene& scene, scene::SliceKind kind, const PictureOptions& options) {

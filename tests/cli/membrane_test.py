@@ -1,4 +1,5 @@
 """velum-batch membrane: what it reports, what it writes, what it refuses."""
+import json
 import unittest
 
 from velum_cli import CliTest
@@ -15,10 +16,9 @@ class Membrane(CliTest):
         self.assertGreater(report["cutAreaPlane"], 100)
         self.assertEqual(report["ratio"], 0)
 
-    def test_protects_what_the_scene_shows_where_nothing_is_asked_for(self):
-        report = self.report("membrane", self.sample("two-spheres", 48))
-        self.assertGreater(report["kernels"], 0)
-        self.assertTrue(report["atRest"])
+    def test_told_nothing_it_keeps_what_the_scene_shows_most(self):
+        report = self.report("membrane", self.sample("two-spheres", 32), "--axis", "0,0,1")
+        self.assertGreater(report["cutAreaPlane"], 0)
 
     def test_either_rule(self):
         path = self.sample("two-spheres", 64)
@@ -43,10 +43,35 @@ class Membrane(CliTest):
         self.run_batch("render", "m.json", "-o", "plane.png", "--set", "cuts[Membrane].shape=plane", *look)
         self.run_batch("compare", "a.png", "plane.png", code=4)
 
+    def test_strokes_protect_what_lies_under_them(self):
+        path = self.sample("two-spheres", 64)
+        info = self.report("info", path)
+        # Along the middle of the volume, through both spheres; the brush spills into what is around them.
+        middle = [o + 0.5 * (n - 1) * s for o, n, s in zip(info["originMm"], info["dims"], info["spacingMm"])]
+        step = 0.4 * info["dims"][0] * info["spacingMm"][0]
+        stroke = ":".join(f"{middle[0] + k * step / 4},{middle[1]},{middle[2]}" for k in range(-4, 5)) + "@3"
+        report = self.report("membrane", path, "--sketch", stroke, "--axis", "0,0,1", "--save-scene", "s.json")
+        self.assertGreater(report["cutAreaPlane"], 100)
+        self.assertEqual(report["ratio"], 0)
+        field = json.loads((self.folder / "s.json").read_text())["cuts"][0]["membrane"]["field"]
+        self.assertEqual(len(field["strokes"]), 1)
+        self.assertEqual(len(field["strokes"][0]["pathMm"]), 9)
+        self.assertEqual(field["strokes"][0]["radiusMm"], 3)
+        self.assertGreater(len(field["byValue"]), 1)
+        # The same stroke avoids: of what the curve protects only blurred borders are left.
+        whole = self.report("membrane", path, "--protect", "500,2000", "--axis", "0,0,1")
+        rest = self.report("membrane", path, "--protect", "500,2000", "--avoid", stroke, "--axis", "0,0,1")
+        self.assertLess(rest["cutAreaPlane"], 0.5 * whole["cutAreaPlane"])
+        self.refuse("membrane", "s.json", "--avoid", stroke, code=1, words=["--avoid", "--sketch"])
+
     def test_refuses_with_words(self):
         path = self.sample("two-spheres", 32)
         self.refuse("membrane", path, "--protect", "9,3", code=1, words=["--protect"])
         self.refuse("membrane", path, "--protect-at", "1000,0,0", code=1, words=["outside"])
+        self.refuse("membrane", path, "--sketch", "1,2", code=1, words=["--sketch", "1,2", "x,y,z"])
+        self.refuse("membrane", path, "--sketch", "1,2,3@0", code=1, words=["radius"])
+        self.refuse("membrane", path, "--sketch", "1000,0,0@2", code=1, words=["outside"])
+        self.refuse("membrane", path, "--protect", "9,30", "--sketch", "1,2,3@2", code=1, words=["--protect"])
         self.refuse("membrane", path, "--protect", "500,2000", "--sheet", "s.xyz", code=2, words=["s.xyz", ".ply"])
         self.refuse("membrane", "missing.nrrd", code=2, words=["missing.nrrd"])
 

@@ -84,6 +84,16 @@ class Render(CliTest):
         for channel in (b"position.X", b"normal.Z", b"id", b"Z"):
             self.assertIn(channel, data[:4000])
 
+    def test_a_slice_has_layers_to_put_together(self):
+        self.sample("two-spheres", 32)
+        self.run_batch("membrane", "two-spheres.nrrd", "--protect", "500,2000", "--axis", "0,0,1", "--save-scene", "m.json")
+        look = ["--size", "32x32", "--layers", "--set", "cuts[Membrane].membrane.use=slice", *FAST]
+        self.run_batch("render", "m.json", "-o", "x.png", *look)
+        for layer in ("front", "slice", "behind"):
+            self.assertEqual((self.folder / f"x.{layer}.png").read_bytes()[25], 6, f"{layer}: PNG colour type RGBA")
+        self.run_batch("render", "m.json", "-o", "x.exr", *look)
+        self.assertIn(b"slice.A", (self.folder / "x.exr").read_bytes()[:4000])
+
     def test_a_structure_is_called_by_its_name_or_id(self):
         path = self.sample()
         self.run_batch("render", path, "two-spheres_labels.seg.nrrd", "-o", "x.png", "--size", "24x24", "--save-scene", "s.json",

@@ -16,6 +16,15 @@ struct FrameSheet {
   bool operator==(const FrameSheet&) const = default;
 };
 
+/// Which parts of a scene with slices (scene::MembraneUse::Slice) are drawn, for pictures that are put together
+/// elsewhere: front over slice over behind is the picture. Of scenes without slices all of it is drawn. Not for maxima.
+struct SliceParts {
+  bool front = true;   ///< what lies before the image of the first slice on a ray, and where there is none
+  bool slice = true;   ///< the images
+  bool behind = true;  ///< what lies behind the first; surfaces of meshes
+  bool operator==(const SliceParts&) const = default;
+};
+
 /// What is to be drawn. A value: the same frame gives the same picture, and a changed one starts it anew.
 struct Frame {
   scene::Scene scene;
@@ -29,6 +38,7 @@ struct Frame {
   /// Of the enabled membranes, in the order of the cuts. One that is missing, empty, or made for a frame of another
   /// size is drawn as `Cut::membrane.shape` says, or flat.
   std::vector<FrameSheet> sheets;
+  SliceParts parts;
   bool operator==(const Frame&) const = default;
 };
 

@@ -88,6 +88,7 @@ struct ForceField {
   KernelRule rule = KernelRule::Sided;
   std::vector<UserKernel> kernels;
   std::vector<Stroke> strokes;
+  std::vector<StrengthPoint> byValueBefore;  ///< where there are strokes: byValue as it was before the first
   bool operator==(const ForceField&) const = default;
   static void fields(auto& o, auto& visit) {
     visit("byValue", o.byValue, FieldInfo{"", {}, "Strength by value of the data: points of a curve."});
@@ -99,6 +100,7 @@ struct ForceField {
     visit("rule", o.rule, FieldInfo{"", {}, "Sided: along the normal, by the least cut; paper: away from the centre."});
     visit("kernels", o.kernels, FieldInfo{"", {}, "Kernels put in by hand."});
     visit("strokes", o.strokes, FieldInfo{"", {}, "Strokes from which the curve was fitted."});
+    visit("byValueBefore", o.byValueBefore, FieldInfo{"", {}, "The curve before the first stroke."});
   }
 };
 

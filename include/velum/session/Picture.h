@@ -15,8 +15,10 @@ struct PictureOptions {
   glm::ivec2 size{1280, 720};  ///< pixels, 1..65536
   int samples = 0;             ///< pictures that are averaged; 0: as the scene says
   bool transparent = false;    ///< no background, with alpha
-  bool layers = false;         ///< also alpha, depth, normal, structure id, position: in the EXR, or as files beside
-  double dpi = 0;              ///< pixels an inch in print, which the file says; 0: nothing is said
+  /// Also alpha, depth, normal, structure id, position: in the EXR, or as files beside. Of a scene with slices also
+  /// what lies before them, their images, what lies behind: front over slice over behind is the picture.
+  bool layers = false;
+  double dpi = 0;  ///< pixels an inch in print, which the file says; 0: nothing is said
 };
 
 /// A size as people write it: "1280x720" (pixels), "12x8cm", "120x80mm", "5x3in" (at `dpi`; 0 counts as 300).

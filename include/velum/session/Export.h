@@ -1,0 +1,23 @@
+#pragma once
+#include <filesystem>
+
+#include "velum/core/Task.h"
+#include "velum/scene/Scene.h"
+
+namespace velum::session {
+
+/// Files of a scene whose membranes are at rest, their shapes in it (see settleMembranes), for other programs.
+
+/// Writes the sheets of cuts as surfaces: .obj, .ply, .vtp or .stl, by extension. One to the path, several to
+/// NAME-0.ply, NAME-1.ply. @param cuts  places in the scene. @throw InputError as io::writeMesh
+void exportSheets(const scene::Scene& settled, const std::vector<int>& cuts, const std::filesystem::path& path);
+
+/// Writes the volume with what the cuts remove emptied: .nrrd, .nii, .nii.gz, .vti or .vdb. @throw Cancelled,
+/// InputError as io::writeVolume, ArgumentError without a volume
+void exportClippedVolume(const scene::Scene& settled, const std::filesystem::path& path, Progress& progress);
+
+/// The scene with its membranes at rest, settled on a headless context of its own where there are any. Any thread that
+/// has no current context of ours. @throw Cancelled, gpu::GpuError
+scene::Scene settledHeadless(const scene::Scene& scene, Progress& progress);
+
+}  // namespace velum::session

@@ -1,0 +1,148 @@
+#include "SketchForm.h"
+
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QPainter>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "StrengthCanvas.h"
+
+namespace velum::gui {
+
+namespace {
+
+constexpr int kMostRows = 4, kSwatch = 12;
+
+QPushButton* makeButton(QWidget* parent, const char* name, const QString& text, const QString& tip) {
+  auto* button = new QPushButton(text, parent);
+  button->setObjectName(name);
+  button->setToolTip(tip);
+  return button;
+}
+
+QIcon swatchOf(const QColor& color) {
+  QPixmap pixmap(2 * kSwatch, 2 * kSwatch);
+  pixmap.setDevicePixelRatio(2.0);
+  pixmap.fill(Qt::transparent);
+  QPainter painter(&pixmap);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(color, 5.0, Qt::SolidLine, Qt::RoundCap));
+  painter.drawLine(QPointF(3, kSwatch - 3.5), QPointF(kSwatch - 3, 3.5));
+  return pixmap;
+}
+
+}  // namespace
+
+SketchForm::SketchForm(QWidget* parent)
+    : QWidget(parent),
+      mKeep(makeButton(this, "sketchKeep", tr("Keep"),
+                       tr("Stroke over what the sheet is to keep whole, on a slice or in the picture;\n"
+                          "[ and ] or Alt and the wheel change the radius, Esc ends"))),
+      mAvoid(makeButton(this, "sketchAvoid", tr("Avoid"),
+                        tr("Stroke over what the sheet may cut: its values are taken out of the curve"))),
+      mRemove(makeButton(this, "sketchRemove", tr("Remove stroke"), tr("Remove the selected stroke (Del)"))),
+      mRadius(new NumberRow(0.0, 0.0, 1, tr(" mm"), this)),
+      mList(new QListWidget(this)) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(8);
+  auto* head = new QHBoxLayout;
+  head->addWidget(makeTitle(tr("Sketch"), this), 1);
+  head->addWidget(mRemove);
+  layout->addLayout(head);
+  auto* brushes = new QHBoxLayout;
+  for (auto* button : {mKeep, mAvoid}) {
+    button->setCheckable(true);
+    brushes->addWidget(button, 1);
+    connect(button, &QPushButton::clicked, this, [this, button](bool on) {
+      (button == mKeep ? mAvoid : mKeep)->setChecked(false);
+      emit brushAsked(on, button == mAvoid);
+    });
+  }
+  layout->addLayout(brushes);
+  auto* radius = new QHBoxLayout;
+  auto* name = new QLabel(tr("Radius"), this);
+  name->setMinimumWidth(62);
+  radius->addWidget(name);
+  radius->addWidget(mRadius, 1);
+  mRadius->setObjectName("sketchRadius");
+  mRadius->setName(tr("Radius of the brush"));
+  mRadius->setToolTip(tr("Radius of the brush, and of the selected stroke ([ and ] in the views)"));
+  layout->addLayout(radius);
+  mList->setObjectName("sketchList");
+  mList->setAccessibleName(tr("Strokes"));
+  mList->setToolTip(tr("The strokes to which the curve is fitted; Del removes one"));
+  mList->setIconSize(QSize(kSwatch, kSwatch));
+  mList->installEventFilter(this);
+  layout->addWidget(mList);
+  mRemove->setProperty("role", "quiet");
+  connect(mRadius, &NumberRow::changed, this, &SketchForm::radiusAsked);
+  connect(mRadius, &NumberRow::settled, this, &SketchForm::radiusSettled);
+  connect(mRemove, &QPushButton::clicked, this, [this] { emit removeAsked(mList->currentRow()); });
+  connect(mList, &QListWidget::currentRowChanged, this, [this](int row) {
+    mRemove->setEnabled(row >= 0);
+    emit strokeSelected(row);
+  });
+  fillList();
+}
+
+void SketchForm::showStrokes(const std::vector<scene::Stroke>& strokes) {
+  if (strokes == mStrokes) return;
+  mStrokes = strokes;
+  fillList();
+}
+
+void SketchForm::fillList() {
+  int row = mList->currentRow();
+  const QSignalBlocker quiet(mList);
+  mList->clear();
+  for (const auto& stroke : mStrokes)
+    mList->addItem(new QListWidgetItem(
+        swatchOf(stroke.avoid ? kAvoidColor : kKeepColor),
+        tr("%1, radius %2 mm").arg(stroke.avoid ? tr("Avoid") : tr("Keep")).arg(stroke.radiusMm, 0, 'g', 3)));
+  int rows = int(mStrokes.size());
+  if (row < rows) mList->setCurrentRow(row);
+  int height = rows > 0 ? mList->sizeHintForRow(0) + 2 * mList->spacing() : 0;
+  mList->setFixedHeight(std::min(rows, kMostRows) * height + 2 * mList->frameWidth() + 6);
+  mList->setVisible(rows > 0);
+  mRemove->setVisible(rows > 0);
+  mRemove->setEnabled(mList->currentRow() >= 0);
+}
+
+void SketchForm::brushEnded() {
+  mKeep->setChecked(false);
+  mAvoid->setChecked(false);
+}
+
+/// The slider reaches some times further than the brush that suits the data.
+void SketchForm::showRadius(double mm) {
+  double power = std::floor(std::log10(std::max(mm, 1e-6)));
+  mRadius->setDecimals(std::clamp(1 - int(power), 1, 6));
+  const auto* spin = mRadius->spin();
+  if (mm > spin->maximum() || mm < spin->minimum()) mRadius->setRange(mm / 25.0, 8.0 * mm);
+  mRadius->setValue(mm);
+}
+
+void SketchForm::showSelected(int index) {
+  const QSignalBlocker quiet(mList);
+  mList->setCurrentRow(index);
+  if (index < 0) mList->clearSelection();
+  mRemove->setEnabled(index >= 0);
+}
+
+/// Del comes before the command that has the same key.
+bool SketchForm::eventFilter(QObject* watched, QEvent* event) {
+  bool isKey = event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride;
+  if (watched == mList && isKey && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Delete &&
+      mList->currentRow() >= 0) {
+    event->accept();
+    if (event->type() == QEvent::KeyPress) emit removeAsked(mList->currentRow());
+    return true;
+  }
+  return QWidget::eventFilter(watched, event);
+}
+
+}  // namespace velum::gui

@@ -1,0 +1,126 @@
+// The illustrative slice as a picture with layers: put together again they are the picture.
+#include "GlFixture.h"
+#include "TempFolder.h"
+#include "velum/core/Mesh.h"
+#include "velum/io/ImageFile.h"
+#include "velum/io/Sample.h"
+#include "velum/scene/Navigate.h"
+#include "velum/scene/Presets.h"
+#include "velum/session/CutEdit.h"
+#include "velum/session/MembraneEdit.h"
+#include "velum/session/Membranes.h"
+#include "velum/session/Picture.h"
+
+namespace velum::session {
+
+namespace {
+
+class PictureLayersGL : public GlTest {
+ protected:
+  static void SetUpTestSuite() {
+    context().makeCurrent();
+    sRenderer = new render::Renderer(context());
+    sScene = new scene::Scene(makeSlicedVessels());
+  }
+  static void TearDownTestSuite() {
+    context().makeCurrent();
+    delete sRenderer;
+    delete sScene;
+  }
+  /// Vessels beside a slice across z, seen obliquely, the sheet at rest.
+  static scene::Scene makeSlicedVessels() {
+    scene::Scene scene;
+    scene.volume.data = Shared<Volume>(io::makeSample("vessels", 48, sProgress).volume);
+    scene::applyPreset(scene, scene::choosePreset(*scene.volume.data));
+    scene.camera = scene::frameCamera(scene, scene::StandardView::Superior, 1.0);
+    scene.cuts = {makeCut(scene, scene::CutShape::Membrane)};
+    scene.cuts[0].centreMm = centreMm(*scene.volume.data);
+    auto& membrane = scene.cuts[0].membrane;
+    protectValues(membrane, 700, 4000);
+    membrane.use = scene::MembraneUse::Slice;
+    membrane.sliceOpacity = 0.6;
+    scene.camera = scene::frameCamera(scene, scene::StandardView::Oblique, 1.0);
+    settleMembranes(scene, {}, sProgress);
+    return scene;
+  }
+  static Image draw(const scene::Scene& scene) {
+    return drawPicture(*sRenderer, scene, {{64, 64}, 1, true, true, 0}, context().limits(), sProgress);
+  }
+  static std::size_t column(const Image& image, const std::string& name) {
+    return std::size_t(std::find(image.channels.begin(), image.channels.end(), name) - image.channels.begin());
+  }
+  /// Premultiplied.
+  static glm::vec4 colorAt(const Image& image, std::size_t pixel, const std::string& layer) {
+    const float* at = &image.pixels[pixel * image.channels.size()];
+    float a = at[column(image, layer + "A")];
+    return {at[column(image, layer + "R")] * a, at[column(image, layer + "G")] * a, at[column(image, layer + "B")] * a,
+            a};
+  }
+  /// Largest difference between the picture and front over slice over behind.
+  static float differenceFromLayers(const Image& image) {
+    float largest = 0;
+    for (std::size_t i = 0; i < std::size_t(image.width) * std::size_t(image.height); ++i) {
+      glm::vec4 front = colorAt(image, i, "front."), slice = colorAt(image, i, "slice."),
+                behind = colorAt(image, i, "behind.");
+      glm::vec4 together = front + (1.0f - front.a) * (slice + (1.0f - slice.a) * behind);
+      glm::vec4 away = glm::abs(together - colorAt(image, i, ""));
+      largest = std::max({largest, away.r, away.g, away.b, away.a});
+    }
+    return largest;
+  }
+  static double coverOf(const Image& image, const std::string& layer) {
+    double sum = 0;
+    for (std::size_t i = 0; i < std::size_t(image.width) * std::size_t(image.height); ++i)
+      sum += double(colorAt(image, i, layer).a);
+    return sum;
+  }
+  inline static Progress sProgress;
+  inline static render::Renderer* sRenderer = nullptr;
+  inline static scene::Scene* sScene = nullptr;
+};
+
+TEST_F(PictureLayersGL, FrontOverSliceOverBehindIsThePicture) {
+  scene::Scene scene = *sScene;
+  Image image = draw(scene);
+  for (const char* layer : {"front.", "slice.", "behind."}) {
+    ASSERT_LT(column(image, std::string(layer) + "A"), image.channels.size()) << layer;
+    EXPECT_GT(coverOf(image, layer), 20.0) << layer;
+  }
+  // Rays end early where they are nearly opaque.
+  EXPECT_LT(differenceFromLayers(image), 2.5f / 255.0f);
+}
+
+TEST_F(PictureLayersGL, SheetsAndSurfacesHaveTheirPlaceInThem) {
+  scene::Scene scene = *sScene;
+  scene.cuts[0].membrane.look = scene::SheetLook::Surface;
+  Mesh mesh;
+  glm::vec3 middle(scene.cuts[0].centreMm);
+  mesh.positions = {middle + glm::vec3(-9, -9, -9), middle + glm::vec3(9, -9, -9), middle + glm::vec3(0, 9, 9)};
+  mesh.normals.assign(3, glm::vec3(0, 0, 1));
+  mesh.indices = {0, 1, 2};
+  scene.surfaces.emplace_back().data = Shared<Mesh>(std::move(mesh));
+  EXPECT_LT(differenceFromLayers(draw(scene)), 2.5f / 255.0f);
+}
+
+TEST_F(PictureLayersGL, WithoutASliceThereAreNone) {
+  scene::Scene scene = *sScene;
+  scene.cuts[0].membrane.use = scene::MembraneUse::Clip;
+  Image image = draw(scene);
+  EXPECT_EQ(column(image, "slice.R"), image.channels.size());
+  scene.cuts[0].membrane.use = scene::MembraneUse::Slice;
+  scene.rayCast.mode = scene::RenderMode::Mip;
+  image = draw(scene);
+  EXPECT_EQ(column(image, "slice.R"), image.channels.size());
+}
+
+TEST_F(PictureLayersGL, AnExrHoldsThemAsItHoldsThePicture) {
+  Image image = draw(*sScene);
+  TempFolder folder;
+  io::writeImage(image, folder / "x.exr");
+  Image back = io::readImage(folder / "x.exr");
+  EXPECT_LT(differenceFromLayers(back), 3.0f / 255.0f);
+  EXPECT_NEAR(coverOf(back, "slice."), coverOf(image, "slice."), 1.0);
+}
+
+}  // namespace
+}  // namespace velum::session

@@ -77,17 +77,18 @@ def cuts(_):
 
 
 def membrane(folder):
-    """The same frame as a plane, as a membrane, as an illustrative slice; and the sheet itself."""
-    bones = '[{"value":250,"strength":100},{"value":1000,"strength":100}]'
-    def trunk(*more):
-        return [*phantom(folder, "torso"), "--view", "anterior", *near(27), "--preset", "ct-bone", *cut(0, *more)]
-    frame = ["axis=0,-1,0", "centreMm=0,0,0", "sizeMm=384,384,84", f"membrane.field.byValue={bones}"]
-    sheet_seen = ["shape=membrane", *frame, "membrane.look=grid"]
+    """Above a plane, a membrane in the same place, the same as illustrative slice; below the like for a beating heart."""
+    def protect(low, high):
+        return f'membrane.field.byValue=[{{"value":{low},"strength":100}},{{"value":{high},"strength":100}}]'
+    def three(data, *frame):
+        return [[*data, *cut(0, f"shape={shape}", *frame, *use)] for shape, use in
+                (("plane", ["face=slice"]), ("membrane", []), ("membrane", ["membrane.use=slice"]))]
+    trunk = [*phantom(folder, "torso"), "--view", "anterior", *near(21), "--preset", "ct-bone"]
+    heart = [*phantom(folder, "heart"), "--view", "anterior", *near(24), "--preset", "ct-muscle",
+             *sets("volume.windowLevel=120", "volume.windowWidth=700")]
     return [
-        trunk("shape=plane", *frame[:2]),
-        trunk("shape=membrane", *frame),
-        trunk("shape=membrane", *frame, "membrane.use=slice"),
-        [*phantom(folder, "torso"), "--view", "oblique", *near(23), "--preset", "ct-bone", *cut(0, *sheet_seen)],
+        *three(trunk, "axis=0,-1,0", "centreMm=0,-40,0", "sizeMm=384,384,120", protect(200, 2000)),
+        *three(heart, "axis=0,-1,0", "centreMm=5,-30,-10", "sizeMm=166,166,80", protect(200, 600)),
     ]
 
 
@@ -128,12 +129,12 @@ PLATES = {
     "presets": (3, (480, 400), DARK, presets),
     "cuts": (3, (480, 400), DARK, cuts),
     "labels": (3, (480, 400), DARK, labels),
-    "membrane": (4, (400, 460), DARK, membrane),
+    "membrane": (3, (480, 400), DARK, membrane),
     "layers": (4, (400, 340), WHITE, layers),
     "turn": (4, (360, 300), DARK, turn),
     "sheet": (3, (480, 400), DARK, sheet),
 }
-PHANTOMS = {"membrane": ("torso",), "sheet": ("torso", "vessels", "neurons", "seismic")}
+PHANTOMS = {"membrane": ("torso", "heart"), "sheet": ("torso", "vessels", "neurons", "seismic")}
 
 
 def run(*command):

@@ -41,8 +41,8 @@ class Viewport : public QOpenGLWidget {
   /// While it is on, the pointer is a cross: clicks mean places of the picture.
   void setPointing(bool pointing);
 
-  /// What is on the screen is the scene as it is, if only a coarse picture of it.
-  bool isCurrent() const { return !mPending && mHasPicture; }
+  /// What is on the screen is the scene as it is, its sheets at rest, if only a coarse picture of it.
+  bool isCurrent() const { return !mPending && mHasPicture && !mPlayer.isOnItsWay(); }
   bool isConverged() const { return mStage == Stage::Idle && !mPending && mPlayer.isSettled() && !mPlayer.hasRests(); }
   /// Empty before the driver is known.
   render::Stats stats() const { return mRenderer ? mRenderer->stats() : render::Stats{}; }

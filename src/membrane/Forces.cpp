@@ -23,6 +23,10 @@ double msSince(Clock::time_point start) {
 constexpr double kProtectedWeight = 16384.0;
 /// Most nodes of the lattice on which sides are decided: a few hundred milliseconds.
 constexpr double kMostNodes = 6e6;
+/// So far the sheet may go from one time step to the next to follow what moves, in mean edges of the frame: 10 mm over
+/// a heart, whose walls move up to 7 mm in an eighth of a beat; with half of it the sheet lost them.
+constexpr double kFollowShare = 1.0 / 16.0;
+constexpr int kMostStepsFollowed = 4;
 
 /// Strength of a kernel that draws the sheet half of the way to its centre.
 constexpr double kHalfLift = 100.0;
@@ -140,6 +144,12 @@ std::vector<int> belowSheet(const CutLattice& lattice, const HeightOver& height)
   return below;
 }
 
+LeastCutOptions leastCutOptions() {
+  LeastCutOptions options;
+  options.protectedWeight = kProtectedWeight;
+  return options;
+}
+
 /// -1 for what belongs above the sheet, 1 for what belongs below, in between for a kernel through which it passes.
 class Sides {
  public:
@@ -192,6 +202,24 @@ void turnToSides(PushField& field, const Corridor& corridor) {
 
 }  // namespace
 
+ForceMaker::ForceMaker(const scene::Scene& scene) : mPotential(scene) {
+  if (!scene.volume.data) return;
+  mTimeSteps = std::max(1, scene.volume.data->frames);
+  mTimeStep = std::clamp(scene.volume.frame, 0, mTimeSteps - 1);
+}
+
+/// The sides of a sheet that is there. From another time step it is looked for near where it was; time may go round.
+std::vector<int> ForceMaker::belowCurrent(const CutLattice& lattice, const scene::Cut& cut, const CurrentSheet& current,
+                                          Progress& progress) const {
+  std::vector<int> below = belowSheet(lattice, current.height);
+  int apart = current.timeStep < 0 ? 0 : std::abs(mTimeStep - current.timeStep) % mTimeSteps;
+  apart = std::min({apart, mTimeSteps - apart, kMostStepsFollowed});
+  if (apart == 0) return below;
+  double followMm = kFollowShare * 0.5 * (cut.sizeMm.x + cut.sizeMm.y) * apart;
+  int band = std::max(2, int(std::ceil(followMm / lattice.stepMm.z)));
+  return computeLeastCutNear(lattice, leastCutOptions(), below, band, progress).below;
+}
+
 const KernelGrid& ForceMaker::kernelsOf(const scene::ForceField& field, Progress& progress) {
   scene::ForceField part = kernelPart(field);
   if (!mField || !(*mField == part)) {
@@ -211,10 +239,10 @@ const ProtectedVoxels& ForceMaker::voxelsOf(const scene::Cut& cut, Progress& pro
   return mVoxels;
 }
 
-Corridor ForceMaker::corridorOf(const scene::Cut& cut, const HeightOver& current, Progress& progress) {
+Corridor ForceMaker::corridorOf(const scene::Cut& cut, const CurrentSheet& current, Progress& progress) {
   scene::Cut asked = sidesPart(cut);
   Sides& known = asked.membrane.field.kernels.empty() ? mDataSides : mSides;
-  if (!current && known.cut && *known.cut == asked) return known.corridor;
+  if (!current.height && known.cut && *known.cut == asked) return known.corridor;
   const ProtectedVoxels& data = voxelsOf(cut, progress);
   std::optional<ProtectedVoxels> withPlaced;
   if (!asked.membrane.field.kernels.empty()) {
@@ -224,10 +252,8 @@ Corridor ForceMaker::corridorOf(const scene::Cut& cut, const HeightOver& current
   const ProtectedVoxels& voxels = withPlaced ? *withPlaced : data;
   double coarsening = std::max(1.0, std::ceil(std::cbrt(double(voxels.mask.size()) / kMostNodes)));
   CutLattice lattice = gatherLattice(voxels, cut, coarsening);
-  if (current) return corridorAround(lattice, belowSheet(lattice, current));
-  LeastCutOptions options;
-  options.protectedWeight = kProtectedWeight;
-  known.corridor = corridorAround(lattice, computeLeastCut(lattice, options, progress).below);
+  if (current.height) return corridorAround(lattice, belowCurrent(lattice, cut, current, progress));
+  known.corridor = corridorAround(lattice, computeLeastCut(lattice, leastCutOptions(), progress).below);
   known.cut = asked;
   return known.corridor;
 }
@@ -243,7 +269,7 @@ Forces ForceMaker::kernelForces(const scene::Cut& cut, Progress& progress) {
   return forces;
 }
 
-Forces ForceMaker::compute(const scene::Cut& cut, const HeightOver& current, Progress& progress) {
+Forces ForceMaker::compute(const scene::Cut& cut, const CurrentSheet& current, Progress& progress) {
   if (mPotential.dims().x == 0) return {};
   Forces forces = kernelForces(cut, progress);
   if (cut.membrane.field.rule == scene::KernelRule::Paper) return forces;

@@ -242,6 +242,22 @@ LeastCut computeLeastCut(const CutLattice& lattice, const LeastCutOptions& optio
   return evaluateSheet(lattice, options, solve(lattice, options, progress));
 }
 
+LeastCut computeLeastCutNear(const CutLattice& lattice, const LeastCutOptions& options, std::span<const int> near,
+                             int band, Progress& progress) {
+  check(lattice, options);
+  if (near.size() != columnCount(lattice)) throw ArgumentError("a sheet's columns do not match the lattice");
+  progress.report(0.0, "following the material");
+  int flat = flatCount(lattice), highest = lattice.dims.z - 1;
+  FreeRange range{std::vector<int>(near.size(), flat), std::vector<int>(near.size(), flat)};
+  for (int y = 1; y < lattice.dims.y - 1; ++y)
+    for (int x = 1; x < lattice.dims.x - 1; ++x) {
+      std::size_t c = std::size_t(y) * std::size_t(lattice.dims.x) + std::size_t(x);
+      range.low[c] = std::clamp(near[c] - band, 1, highest);
+      range.high[c] = std::clamp(near[c] + band, 1, highest);
+    }
+  return evaluateSheet(lattice, options, Problem(lattice, options, range).solve(progress));
+}
+
 LeastCut evaluateSheet(const CutLattice& lattice, const LeastCutOptions& options, std::span<const int> below) {
   check(lattice, options);
   if (below.size() != columnCount(lattice)) throw ArgumentError("a sheet's columns do not match the lattice");

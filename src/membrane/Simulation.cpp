@@ -98,10 +98,11 @@ scene::SheetShape carryOver(const scene::SheetShape& shape, const scene::Cut& to
   return carryOver(shape, from, to);
 }
 
-void anchor(scene::SheetShape& shape, const scene::Cut& cut) {
+void anchor(scene::SheetShape& shape, const scene::Cut& cut, int timeStep) {
   shape.centreMm = cut.centreMm;
   shape.axis = cut.axis;
   shape.spinDeg = cut.spinDeg;
+  shape.timeStep = timeStep;
 }
 
 void Simulation::begin(const scene::Cut& cut, Forces forces, const scene::SheetShape& start) {

@@ -70,7 +70,9 @@ void LiveSheet::adopt(const scene::SheetShape& shape) {
   }
   mBegin = mHasSimulation = mIsWarm = false;
   // Saved before it had come to rest: it goes on.
-  mNeedsForces = mKeepSides = !haveSameFrame(mKeptCut, mCut);
+  bool isOfNow = shape.timeStep < 0 || shape.timeStep == mData.frame;
+  mKept.timeStep = mKeptStep = shape.timeStep;
+  mNeedsForces = mKeepSides = !haveSameFrame(mKeptCut, mCut) || !isOfNow;
   mForces.reset();
   mFigures.reset();
   ++mWish;  // what is on its way is not for this
@@ -112,10 +114,11 @@ void LiveSheet::follow(const scene::Cut& cut, DataKey data) {
     mNeedsForces = true;
 }
 
-membrane::HeightOver LiveSheet::current() const {
+membrane::CurrentSheet LiveSheet::current() const {
   if (!mKeepSides || mCut.membrane.field.rule != scene::KernelRule::Sided) return {};
   scene::SheetShape now = shape();
-  return now.places.empty() ? membrane::HeightOver() : membrane::heightOf(now);
+  if (now.places.empty()) return {};
+  return {membrane::heightOf(now), mIsWarm && !isAtRest() ? mMovingStep : mKeptStep};
 }
 
 void LiveSheet::takeForces(std::shared_ptr<const MadeForces> made, std::uint64_t wish) {
@@ -142,7 +145,8 @@ scene::SheetShape LiveSheet::shape() const {
 void LiveSheet::keepShape() {
   // As drawing would fit it, so that a shape that has been written down is the one that was drawn.
   mKept = membrane::fitShape(mSimulation->shape(), mMovingCut.membrane.cloth.particles, mMovingCut.sizeMm);
-  if (isActive()) membrane::anchor(mKept, mMovingCut);
+  mKeptStep = mMovingStep;
+  if (isActive()) membrane::anchor(mKept, mMovingCut, mMovingStep);
   mKeptCut = mMovingCut;
 }
 
@@ -156,6 +160,7 @@ void LiveSheet::begin() {
   mSimulation->begin(moving, mForces->forces, start);
   mHasSimulation = true;
   mMovingCut = moving;
+  mMovingStep = mForces->timeStep;
   mIsWarm = isActive() || mGoesOn || mKept.places.empty();
   mHasPast = mGoesOn && (!start.places.empty() || mForces->forces.isPreview);
 }

@@ -21,10 +21,11 @@ struct DataKey {
 };
 DataKey dataKeyOf(const scene::Scene& scene);
 
-/// Forces, and the cut for whose frame they were made.
+/// Forces, the cut for whose frame they were made, and the time step whose data they are of.
 struct MadeForces {
   membrane::Forces forces;
   scene::Cut cut;
+  int timeStep = 0;
 };
 
 /// One membrane of a MembranePlayer: what is wanted of it, its forces, its simulation, what is shown of it.
@@ -47,7 +48,7 @@ class LiveSheet {
   std::uint64_t wish() const { return mWish; }
   std::uint64_t dataChange() const { return mDataChange; }
   /// The sheet whose sides are kept, in the frame that is wanted; nothing: by the least cut.
-  membrane::HeightOver current() const;
+  membrane::CurrentSheet current() const;
   void takeForces(std::shared_ptr<const MadeForces> made, std::uint64_t wish);
   void failForces(const std::string& error);
   std::shared_ptr<membrane::ForceMaker> maker;  ///< is with the worker while that works
@@ -101,10 +102,12 @@ class LiveSheet {
   bool mIsWarm = false;   ///< the simulation is what is shown; until then it is mKept
   bool mHasPast = false;  ///< where it rests depends on how it came there: a passive sheet starts from flat once more
   scene::Cut mMovingCut;
+  int mMovingStep = 0;  ///< time step of its forces
   double mStepMs = 0;
   // What is known of it here, where it last was, in the frame of mKeptCut. Empty: flat.
   scene::SheetShape mKept;
   scene::Cut mKeptCut;
+  int mKeptStep = -1;          ///< time step of its forces; -1: not known
   scene::SheetShape mWritten;  ///< that the scene holds
   std::optional<membrane::KeptWhole> mFigures;
   // What is shown.

@@ -86,7 +86,7 @@ MembranePlayer::Work MembranePlayer::forcesWork(LiveSheet& sheet) {
           maker = sheet.maker](Progress& progress) mutable -> Finish {
     if (!maker || !maker->matches(scene)) maker = std::make_shared<membrane::ForceMaker>(scene);
     auto forces = out.isPreview ? maker->preview(cut, progress) : maker->compute(cut, current, progress);
-    auto made = std::make_shared<const MadeForces>(MadeForces{std::move(forces), cut});
+    auto made = std::make_shared<const MadeForces>(MadeForces{std::move(forces), cut, scene.volume.frame});
     return [this, out, maker, made] {
       LiveSheet* found = find(out.id);
       if (!found || found->dataChange() != out.data) return;
@@ -133,6 +133,11 @@ void MembranePlayer::endWork(const Finish& finish, const std::string& error) {
 bool MembranePlayer::isMoving() const {
   return std::any_of(mSheets.begin(), mSheets.end(),
                      [this](const auto& sheet) { return (mPlaying && sheet->isMoving()) || sheet->isIndexStale(); });
+}
+
+bool MembranePlayer::isOnItsWay() const {
+  return std::any_of(mSheets.begin(), mSheets.end(),
+                     [this](const auto& sheet) { return mPlaying && (sheet->needsForces() || sheet->isMoving()); });
 }
 
 bool MembranePlayer::isSettled() const {

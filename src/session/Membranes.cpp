@@ -29,7 +29,7 @@ membrane::ProtectedVoxels protectedVoxels(const membrane::Potential& potential, 
   return potential.computeProtected(cut.membrane.field, membrane::voxelsInReach(potential, cut), progress);
 }
 
-MembraneReport settle(membrane::ForceMaker& maker, scene::Cut& cut, Progress& progress) {
+MembraneReport settle(membrane::ForceMaker& maker, int timeStep, scene::Cut& cut, Progress& progress) {
   MembraneReport report;
   report.name = cut.name;
   auto start = Clock::now();
@@ -41,8 +41,8 @@ MembraneReport settle(membrane::ForceMaker& maker, scene::Cut& cut, Progress& pr
     first = membrane::fitShape(first, first.particles, cut.sizeMm);
   }
   bool isSided = membrane.field.rule == scene::KernelRule::Sided;
-  membrane::HeightOver current;
-  if (isActive && isSided) current = membrane::heightOf(first);
+  membrane::CurrentSheet current;
+  if (isActive && isSided) current = {membrane::heightOf(first), membrane.shape.timeStep};
   membrane::Forces forces = maker.compute(cut, current, progress);
   report.kernels = forces.kernels;
   report.kernelsMs = forces.kernelsMs;
@@ -56,7 +56,7 @@ MembraneReport settle(membrane::ForceMaker& maker, scene::Cut& cut, Progress& pr
   report.atRest = simulation.isAtRest();
   report.speedMmS = simulation.speed();
   membrane.shape = simulation.shape();
-  if (membrane.repositioning == scene::Repositioning::Active) membrane::anchor(membrane.shape, cut);
+  if (membrane.repositioning == scene::Repositioning::Active) membrane::anchor(membrane.shape, cut, timeStep);
   report.particles = membrane.shape.particles;
   report.totalMs = msSince(start);
   return report;
@@ -126,7 +126,7 @@ std::vector<MembraneReport> settleMembranes(scene::Scene& scene, MembraneQuestio
   for (std::size_t i = 0; i < scene.cuts.size(); ++i) {
     scene::Cut& cut = scene.cuts[i];
     if (!isLive(cut)) continue;
-    MembraneReport report = settle(maker, cut, progress);
+    MembraneReport report = settle(maker, scene.volume.frame, cut, progress);
     report.cut = int(i);
     if (maker.potential().dims().x > 0) {
       if (questions.kept || questions.limit)

@@ -288,7 +288,8 @@ scene::Scene openSample(const std::string& name, int size, const fs::path& folde
   io::writeVolume(sample.volume, volume.path, progress);
   io::writeLabels(sample.labels, labels.path, progress);
   scene::Scene scene = open(volume, progress);
-  add(scene, labels, progress);
+  // Labels have no time: over what moves they would lie wrong.
+  if (sample.volume.frames == 1) add(scene, labels, progress);
   return scene;
 }
 

@@ -134,6 +134,18 @@ class Render(CliTest):
             pathlib.Path(self.folder / name).write_text(text)
             self.refuse("render", name, "-o", "x.png", code=2)
 
+    def test_a_membrane_follows_through_time_steps(self):
+        self.run_batch("sample", "heart", "-o", "heart.nrrd", "--voxels", "40", "--frames", "4")
+        self.run_batch("membrane", "heart.nrrd", "--protect", "200,600", "--axis", "0,-1,0", "--position", "0.4",
+                       "--save-scene", "m.json")
+        active = ["--set", "cuts[Membrane].membrane.repositioning=active"]
+        report = self.report("render", "m.json", "-o", "beat.png", "--frames", "4", "--size", "64x64", *active, *FAST)
+        pictures = {(self.folder / name).read_bytes() for name in report["outputs"]}
+        self.assertEqual(len(pictures), 4)
+        # The first step is that of a passive sheet, later ones go on from it.
+        self.run_batch("render", "m.json", "-o", "first.png", "--size", "64x64", *FAST)
+        self.run_batch("compare", "first.png", report["outputs"][0])
+
     def test_bench_reports_times(self):
         report = self.report("bench", self.sample(), "--frames", "2", "--size", "48x32", "--set", "lighting.shaded=false")
         self.assertKeys(report, "renderer", "frameMs", "passes")

@@ -13,7 +13,7 @@ class Sample(CliTest):
 
     def test_every_name_makes_a_volume_with_labels(self):
         names = self.names()
-        self.assertGreaterEqual(len(names), 6)
+        self.assertGreaterEqual(len(names), 7)
         for name in names:
             with self.subTest(name=name):
                 report = self.report("sample", name, "-o", f"out/{name}.nrrd", "--voxels", "32")
@@ -29,6 +29,17 @@ class Sample(CliTest):
         for name in ("a.nrrd", "b.nrrd"):
             self.run_batch("sample", "vessels", "-o", name, "--voxels", "40")
         self.assertEqual((self.folder / "a.nrrd").read_bytes(), (self.folder / "b.nrrd").read_bytes())
+
+    def test_a_heart_has_as_many_time_steps_as_asked_for(self):
+        for suffix in (".nrrd", ".nii.gz"):
+            report = self.report("sample", "heart", "-o", "beat" + suffix, "--voxels", "24", "--frames", "3")
+            volume, labels = (self.report("info", file) for file in report["files"])
+            self.assertEqual(volume["frames"], 3)
+            self.assertAlmostEqual(volume["frameSeconds"], 0.28, places=5)
+            self.assertEqual(volume["dims"], labels["dims"])
+        self.refuse("sample", "torso", "-o", "x.nrrd", "--voxels", "24", "--frames", "3", code=1, words=["torso", "3"])
+        self.refuse("sample", "heart", "-o", "x.nrrd", "--frames", "1000", code=1, words=["1000"])
+        self.refuse("sample", "heart", "-o", "x.vti", "--voxels", "24", code=2, words=["time step"])
 
     def test_unknown_names_and_sizes_exit_1(self):
         self.assertIn("torso", self.refuse("sample", "nothing", "-o", "x.nrrd", code=1, words=["nothing"]))

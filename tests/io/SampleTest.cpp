@@ -88,7 +88,7 @@ TEST_P(EverySample, VolumeAndLabelsShareTheGrid) {
   EXPECT_EQ(s.labels.dims(), s.volume.dims);
   EXPECT_EQ(s.labels.worldFromVoxel(), s.volume.worldFromVoxel);
   EXPECT_EQ(std::max({s.volume.dims.x, s.volume.dims.y, s.volume.dims.z}), kSize);
-  EXPECT_EQ(s.volume.voxels.size(), frameBytes(s.volume));
+  EXPECT_EQ(s.volume.voxels.size(), frameBytes(s.volume) * std::size_t(s.volume.frames));
   EXPECT_EQ(s.volume.name, GetParam());
   EXPECT_LT(s.volume.range.x, s.volume.range.y);
   // The grid stands around the world's origin; a billionth of its size is rounding.
@@ -133,6 +133,9 @@ TEST(Sample, UnknownNamesAndSizesAreRefused) {
   EXPECT_THROW(io::makeSample("torso", 15, progress), ArgumentError);
   EXPECT_THROW(io::makeSample("torso", 1025, progress), ArgumentError);
   EXPECT_THROW(io::makeSample("torso", -1, progress), ArgumentError);
+  EXPECT_THROW(io::makeSample("torso", 32, progress, 2), ArgumentError) << "it does not move";
+  EXPECT_THROW(io::makeSample("heart", 32, progress, 101), ArgumentError);
+  EXPECT_THROW(io::makeSample("heart", 32, progress, -1), ArgumentError);
 }
 
 TEST(TwoSpheres, HaveTheVolumeOfASphere) {
@@ -221,6 +224,80 @@ TEST(Torso, PartsLieWhereTheyBelong) {
   EXPECT_GT(centre("lung left").z, centre("liver").z);
   EXPECT_LT(centre("sternum").y, centre("left ventricle").y);
   EXPECT_LT(centre("hip bones").z, centre("ribs left").z);
+}
+
+/// Voxels of the left half of the heart that hold as much contrast as its ventricle, in one time step.
+std::vector<glm::ivec3> cavity(const io::Sample& sample, int frame) {
+  std::vector<glm::ivec3> voxels;
+  forEachVoxel(sample, idOf(sample, "left ventricle"), 0, [&](glm::ivec3 v) {
+    if (valueAt(sample.volume, v, 0, frame) > 230.0) voxels.push_back(v);
+  });
+  return voxels;
+}
+
+/// Mean difference of two time steps, HU.
+double difference(const Volume& volume, int a, int b) {
+  double sum = 0;
+  for (int z = 0; z < volume.dims.z; ++z)
+    for (int y = 0; y < volume.dims.y; ++y)
+      for (int x = 0; x < volume.dims.x; ++x)
+        sum += std::abs(valueAt(volume, {x, y, z}, 0, a) - valueAt(volume, {x, y, z}, 0, b));
+  return sum / double(voxelCount(volume));
+}
+
+TEST(Heart, PartsHaveTheirHounsfieldUnits) {
+  const io::Sample& s = cached("heart");
+  EXPECT_EQ(s.volume.unit, "HU");
+  EXPECT_EQ(s.volume.frames, 12);
+  EXPECT_NEAR(s.volume.frameSeconds * s.volume.frames, 0.84, 1e-9);
+  for (auto [name, hu] : {std::pair("heart muscle", 105.0),
+                          {"left ventricle", 350.0},
+                          {"right ventricle", 270.0},
+                          {"left atrium", 350.0},
+                          {"right atrium", 250.0},
+                          {"aorta", 370.0}}) {
+    LabelStatistics inside = measure(s, name, 1);
+    EXPECT_GT(inside.count, 300u) << name;
+    EXPECT_NEAR(inside.mean, hu, 15.0) << name;
+  }
+}
+
+TEST(Heart, ChambersLieWhereTheyBelong) {
+  const io::Sample& s = cached("heart");
+  auto centre = [&](const char* name) { return measure(s, name).centreMm; };
+  EXPECT_LT(centre("right atrium").x, centre("left ventricle").x);
+  EXPECT_LT(centre("right ventricle").y, centre("left atrium").y);
+  EXPECT_GT(centre("aorta").z, centre("left ventricle").z);
+  EXPECT_GT(centre("left atrium").y, centre("left ventricle").y);
+}
+
+TEST(Heart, TheVentricleThrowsOutMoreThanHalfOfItsBlood) {
+  const io::Sample& s = cached("heart");
+  auto full = double(cavity(s, 0).size()), least = full;
+  for (int frame = 1; frame < s.volume.frames; ++frame) least = std::min(least, double(cavity(s, frame).size()));
+  EXPECT_LT(least / full, 0.5);
+  EXPECT_GT(least / full, 0.2);
+}
+
+TEST(Heart, TheBeatGoesRound) {
+  // From the last step to the first it is no further than from one to the next elsewhere.
+  const Volume& volume = cached("heart").volume;
+  double most = 0;
+  for (int frame = 1; frame < volume.frames; ++frame) most = std::max(most, difference(volume, frame - 1, frame));
+  EXPECT_LE(difference(volume, volume.frames - 1, 0), most);
+  EXPECT_GT(difference(volume, 4, 0), 1.5 * difference(volume, volume.frames - 1, 0));
+}
+
+TEST(Heart, StepsAreTimesOfOneBeat) {
+  // Half as many steps are every other step, but for their noise.
+  Progress progress;
+  io::Sample four = io::makeSample("heart", 40, progress, 4), two = io::makeSample("heart", 40, progress, 2);
+  EXPECT_EQ(four.volume.frames, 4);
+  Volume both = four.volume;
+  auto bytes = std::ptrdiff_t(frameBytes(both));
+  std::copy(two.volume.voxels.begin() + bytes, two.volume.voxels.end(), both.voxels.begin());
+  EXPECT_LT(difference(both, 0, 2), 12.0);
+  EXPECT_GT(difference(four.volume, 0, 2), 30.0);
 }
 
 }  // namespace

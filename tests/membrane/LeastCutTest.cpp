@@ -74,6 +74,40 @@ TEST(LeastCut, EqualsBoykovAndKolmogorovWhereMuchIsProtected) {
   EXPECT_DOUBLE_EQ(exact(lattice).cost, minimumCut(lattice, {}));
 }
 
+TEST(LeastCut, NearASheetEqualsTheBestOfAllNearIt) {
+  Progress progress;
+  for (unsigned seed = 1; seed <= 30; ++seed) {
+    CutLattice lattice = randomPairs({4, 4, 7}, seed % 2 ? 2.5 : 3.0, seed, 0.5);
+    LeastCutOptions options{double(seed % 7), 1.0, seed % 3 ? 0.25 : 0.0};
+    int flat = flatCount(lattice), band = 1 + int(seed % 2);
+    std::vector<int> near(16, flat);
+    for (int c : {5, 6, 9, 10}) near[std::size_t(c)] = 1 + int((seed * 7 + unsigned(c) * 5) % 6);
+    // The four inner columns, one digit each.
+    double best = 1e30;
+    int choices = 2 * band + 1;
+    for (int code = 0; code < choices * choices * choices * choices; ++code) {
+      std::vector<int> below(16, flat);
+      int rest = code;
+      for (int c : {5, 6, 9, 10}) {
+        below[std::size_t(c)] = std::clamp(near[std::size_t(c)] - band + rest % choices, 1, 6);
+        rest /= choices;
+      }
+      best = std::min(best, evaluateSheet(lattice, options, below).cost);
+    }
+    EXPECT_DOUBLE_EQ(computeLeastCutNear(lattice, options, near, band, progress).cost, best) << "seed " << seed;
+  }
+}
+
+TEST(LeastCut, NearASheetInAWideBandIsTheLeastOfAll) {
+  Progress progress;
+  glm::ivec3 dims(24, 20, 12);
+  CutLattice lattice = latticeFromMask(dims, 5.5, tubes(dims, 9, 1.8, 3));
+  std::vector<int> near(std::size_t(dims.x * dims.y), 9);
+  EXPECT_DOUBLE_EQ(computeLeastCutNear(lattice, {}, near, 12, progress).cost, exact(lattice).cost);
+  EXPECT_GT(computeLeastCutNear(lattice, {}, near, 1, progress).cost, exact(lattice).cost);
+  EXPECT_THROW(computeLeastCutNear(lattice, {}, std::vector<int>(3), 1, progress), ArgumentError);
+}
+
 TEST(LeastCut, StaysOnTheSliceWhereNothingIsProtected) {
   for (double slice : {0.5, 3.0, 3.7, 6.99}) {
     CutLattice lattice = makeLattice({9, 7, 9}, slice);

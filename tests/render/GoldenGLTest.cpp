@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "GlFixture.h"
 #include "velum/io/ImageFile.h"
@@ -9,6 +10,7 @@
 #include "velum/render/Renderer.h"
 #include "velum/scene/Json.h"
 #include "velum/scene/Presets.h"
+#include "velum/session/Membranes.h"
 
 namespace velum {
 namespace {
@@ -23,25 +25,98 @@ scene::StandardView viewNamed(const std::string& name) {
   throw ArgumentError("no view " + name);
 }
 
-/// Keys: sample, voxels, labels (true: shown), preset, view, size [w, h], set {path: value}, maxDifference,
-/// maxFraction.
-render::Frame frameOf(const nlohmann::json& what) {
+using Json = nlohmann::json;
+
+scene::Scene dataOf(const Json& what) {
   Progress progress;
   io::Sample sample = io::makeSample(what.at("sample").get<std::string>(), what.at("voxels"), progress);
-  render::Frame frame;
-  frame.pictureSize = {what.at("size")[0], what.at("size")[1]};
-  scene::Scene& scene = frame.scene;
+  scene::Scene scene;
   scene.volume.data = Shared<Volume>(std::move(sample.volume));
   scene::applyPreset(scene, what.at("preset").get<std::string>());
   if (what.value("labels", false)) {
     scene.labels.data = Shared<LabelVolume>(std::move(sample.labels));
     scene::completeStructures(scene.labels);
   }
-  scene.camera =
-      scene::frameCamera(scene, viewNamed(what.at("view")), double(frame.pictureSize.x) / frame.pictureSize.y);
-  for (const auto& [path, value] : what.at("set").items())
+  return scene;
+}
+
+void setFields(scene::Scene& scene, const Json& fields) {
+  for (const auto& [path, value] : fields.items())
     scene::setField(scene, path, value.is_string() ? value.get<std::string>() : value.dump());
-  return frame;
+}
+
+/// What a sheet at rest depends on in the cases, which have one membrane: nothing else is changed between panels.
+scene::Cut restOf(scene::Cut cut) {
+  scene::Cut plain;
+  cut.face = plain.face;
+  cut.membrane.use = plain.membrane.use;
+  cut.membrane.look = plain.membrane.look;
+  cut.membrane.sliceOpacity = plain.membrane.sliceOpacity;
+  cut.membrane.emphasis = plain.membrane.emphasis;
+  cut.membrane.falloffMm = plain.membrane.falloffMm;
+  return cut;
+}
+
+/// Draws the panels of a case. A passive sheet settles once for panels that differ in how it is shown; an active one
+/// goes on from panel to panel.
+class Panels {
+ public:
+  Panels(const Json& what, gpu::Context& context) : mWhat(what), mRenderer(context), mData(dataOf(what)) {}
+
+  Image draw(const Json& panel) {
+    glm::ivec2 size(mWhat.at("size")[0], mWhat.at("size")[1]);
+    render::Frame frame;
+    frame.pictureSize = size;
+    frame.scene = mData;
+    std::string view = panel.contains("view") ? panel.at("view") : mWhat.at("view");
+    frame.scene.camera = scene::frameCamera(frame.scene, viewNamed(view), double(size.x) / size.y);
+    setFields(frame.scene, mWhat.at("set"));
+    if (panel.contains("set")) setFields(frame.scene, panel.at("set"));
+    settle(frame.scene);
+    return render::renderPicture(mRenderer, frame, {}, 4096, mProgress);
+  }
+
+ private:
+  void settle(scene::Scene& scene) {
+    if (!session::hasMembranes(scene)) return;
+    scene::Cut& cut = scene.cuts[0];
+    if (scene::Cut rest = restOf(cut); mRest != rest) {
+      bool isActive = cut.membrane.repositioning == scene::Repositioning::Active;
+      if (isActive) cut.membrane.shape = mShape;
+      session::settleMembranes(scene, {}, mProgress);
+      mRest = rest;
+      mShape = cut.membrane.shape;
+    }
+    cut.membrane.shape = mShape;
+  }
+
+  const Json& mWhat;
+  render::Renderer mRenderer;
+  scene::Scene mData;
+  std::optional<scene::Cut> mRest;
+  scene::SheetShape mShape;
+  Progress mProgress;
+};
+
+/// Pictures side by side, without alpha, which is 1 before a background. All are of one size.
+Image joinRow(const std::vector<Image>& panels) {
+  Image row{panels[0].width * int(panels.size()), panels[0].height, {"R", "G", "B"}, {}};
+  for (int y = 0; y < row.height; ++y)
+    for (const auto& panel : panels)
+      for (int x = 0; x < panel.width; ++x) {
+        const float* pixel = &panel.pixels[(std::size_t(y) * std::size_t(panel.width) + std::size_t(x)) * 4];
+        row.pixels.insert(row.pixels.end(), pixel, pixel + 3);
+      }
+  return row;
+}
+
+/// Keys: sample, voxels, labels (true: shown), preset, view, size [w, h], set {path: value}, panels [{view, set}] (what
+/// differs in each of several pictures in a row), maxDifference, maxFraction.
+Image draw(const Json& what, gpu::Context& context) {
+  Panels panels(what, context);
+  std::vector<Image> images;
+  for (const auto& panel : what.value("panels", Json::array({Json::object()}))) images.push_back(panels.draw(panel));
+  return joinRow(images);
 }
 
 TEST_P(GoldenGL, LooksAsAccepted) {
@@ -49,15 +124,8 @@ TEST_P(GoldenGL, LooksAsAccepted) {
   std::ifstream in(folder / "case.json");
   ASSERT_TRUE(in) << folder / "case.json"
                   << " is missing";
-  nlohmann::json what = nlohmann::json::parse(in);
-  render::Renderer renderer(context());
-  Progress progress;
-  render::Frame frame = frameOf(what);
-  Image image = render::renderPicture(renderer, frame, {}, 4096, progress);
-  // PNG without alpha: drop the fourth channel, which is 1 before a background.
-  Image rgb{image.width, image.height, {"R", "G", "B"}, {}};
-  for (std::size_t i = 0; i < image.pixels.size(); ++i)
-    if (i % 4 != 3) rgb.pixels.push_back(image.pixels[i]);
+  Json what = Json::parse(in);
+  Image rgb = draw(what, context());
 
   fs::path accepted = folder / "case.png", beside = folder / "case.new.png";
   std::string how = "look at it, then accept it with\n  mv " + beside.string() + " " + accepted.string();

@@ -9,7 +9,7 @@
 
 namespace velum::io {
 
-/// A phantom with its ground truth, on one grid.
+/// A phantom with its ground truth, on one grid; labels are of its first time step.
 struct Sample {
   Volume volume;
   LabelVolume labels;
@@ -20,12 +20,13 @@ struct SampleInfo {
   std::string_view name;  ///< "torso"
   std::string_view doc;
 };
-/// two-spheres, vessels, torso, seismic, neurons, ultrasound.
+/// two-spheres, vessels, torso, seismic, neurons, ultrasound, heart.
 std::span<const SampleInfo> samples();
 
 /// Makes a phantom. Deterministic: the same name and size give the same bytes.
 /// @param size  voxels along the longest axis, 16..1024; 0 takes the phantom's own default
-/// @throw ArgumentError for an unknown name or size; Cancelled
-Sample makeSample(std::string_view name, int size, Progress& progress);
+/// @param frames  time steps of a phantom that moves (heart), 1..100; 0 takes its own default; else 0 or 1
+/// @throw ArgumentError for an unknown name or size, or steps of what does not move; Cancelled
+Sample makeSample(std::string_view name, int size, Progress& progress, int frames = 0);
 
 }  // namespace velum::io

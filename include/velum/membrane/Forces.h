@@ -37,11 +37,17 @@ struct Forces {
 /// z of a sheet over a place of its frame, mm.
 using HeightOver = std::function<double(glm::dvec2 local)>;
 
+/// A sheet that is there already (active repositioning), in the frame that is wanted.
+struct CurrentSheet {
+  HeightOver height;  ///< empty: there is none
+  int timeStep = -1;  ///< of the volume, in which it came to rest; -1: the one that is wanted
+};
+
 /// Makes forces from a scene's data; keeps what can be kept between edits and between places of the frame. One thread
 /// at a time.
 class ForceMaker {
  public:
-  explicit ForceMaker(const scene::Scene& scene) : mPotential(scene) {}
+  explicit ForceMaker(const scene::Scene& scene);
 
   const Potential& potential() const { return mPotential; }
   bool matches(const scene::Scene& scene) const { return mPotential.matches(scene); }
@@ -49,9 +55,11 @@ class ForceMaker {
   /// By the paper's rule: kernels that push away from their centres (IMC eq. 2, 3). By the sided rule (Differs: not in
   /// the paper): the least cut over the frame says which protected material belongs below the sheet and which above;
   /// kernels push along the normal to the other side, and the corridor is what lies between.
-  /// @param current  active repositioning: material stays on the side of this sheet instead; empty: the least cut
+  /// @param current  active repositioning: material stays on the side of this sheet instead. Has it come to rest in
+  /// another time step, the material has moved since: then it is the least cut of those near the sheet. Differs: the
+  /// paper knows no time
   /// @throw Cancelled
-  Forces compute(const scene::Cut& cut, const HeightOver& current, Progress& progress);
+  Forces compute(const scene::Cut& cut, const CurrentSheet& current, Progress& progress);
 
   /// For a hand that drags kernels: as compute(), but each that repels is passed on the side of the data's own least
   /// cut rather than by another one. A few milliseconds where that is known. @throw Cancelled
@@ -64,12 +72,15 @@ class ForceMaker {
     Corridor corridor;
   };
   const KernelGrid& kernelsOf(const scene::ForceField& field, Progress& progress);
+  std::vector<int> belowCurrent(const CutLattice& lattice, const scene::Cut& cut, const CurrentSheet& current,
+                                Progress& progress) const;
 
   const ProtectedVoxels& voxelsOf(const scene::Cut& cut, Progress& progress);
   Forces kernelForces(const scene::Cut& cut, Progress& progress);
-  Corridor corridorOf(const scene::Cut& cut, const HeightOver& current, Progress& progress);
+  Corridor corridorOf(const scene::Cut& cut, const CurrentSheet& current, Progress& progress);
 
   Potential mPotential;
+  int mTimeStep = 0, mTimeSteps = 1;
   std::optional<scene::ForceField> mField;  ///< that mKernels are of
   KernelGrid mKernels;
   std::optional<scene::Cut> mVoxelsCut;

@@ -53,6 +53,12 @@ struct LeastCut {
 /// @throw ArgumentError when the lattice is not sound or the slice lies outside it; Cancelled
 LeastCut computeLeastCut(const CutLattice& lattice, const LeastCutOptions& options, Progress& progress);
 
+/// The least cut among the sheets within `band` layers of another one in each column: what that sheet becomes when the
+/// material has moved a little. The outermost columns hang on the slice as ever. Exact; deterministic. Any thread.
+/// @param near  [y][x], as LeastCut::below  @throw as computeLeastCut
+LeastCut computeLeastCutNear(const CutLattice& lattice, const LeastCutOptions& options, std::span<const int> near,
+                             int band, Progress& progress);
+
 /// What a sheet costs, and the protected pairs that it separates. @param below  [y][x], as in LeastCut
 LeastCut evaluateSheet(const CutLattice& lattice, const LeastCutOptions& options, std::span<const int> below);
 

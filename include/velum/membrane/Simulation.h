@@ -60,7 +60,7 @@ HeightOver heightOf(const scene::SheetShape& shape);
 scene::SheetShape carryOver(const scene::SheetShape& shape, const scene::Cut& from, const scene::Cut& to);
 /// The same for a shape that says in which frame it came to rest; one that does not is in the frame of `to`.
 scene::SheetShape carryOver(const scene::SheetShape& shape, const scene::Cut& to);
-/// Notes in a shape that it has come to rest in the frame of a cut.
-void anchor(scene::SheetShape& shape, const scene::Cut& cut);
+/// Notes in a shape that it has come to rest in the frame of a cut, under the forces of a time step.
+void anchor(scene::SheetShape& shape, const scene::Cut& cut, int timeStep);
 
 }  // namespace velum::membrane

@@ -15,6 +15,7 @@ struct SheetShape {
   // The frame in which it came to rest, as Cut has it. An axis of length 0: that of the cut itself.
   glm::dvec3 centreMm{0.0}, axis{0.0};
   double spinDeg = 0.0;
+  int timeStep = -1;  ///< of the volume, from which the forces were; -1: not known
   bool operator==(const SheetShape&) const = default;
   static void fields(auto& o, auto& visit) {
     visit("particles", o.particles, FieldInfo{"", {0, 260}, "Particles along the frame's width and height."});
@@ -22,6 +23,8 @@ struct SheetShape {
     visit("centreMm", o.centreMm, FieldInfo{"mm", {}, "Middle of the frame in which it came to rest."});
     visit("axis", o.axis, FieldInfo{"", {}, "Normal of that frame; 0, 0, 0: that of the cut itself."});
     visit("spinDeg", o.spinDeg, FieldInfo{"deg", {-360, 360}, "Turn of that frame about its axis."});
+    visit("timeStep", o.timeStep,
+          FieldInfo{"", {-1, 1e6}, "Time step of the volume in which it came to rest; -1: any."});
   }
 };
 

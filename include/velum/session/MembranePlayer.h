@@ -72,6 +72,8 @@ class MembranePlayer {
   bool advance(double budgetMs);
   /// advance() has something to do.
   bool isMoving() const;
+  /// Sheets have yet to come to rest where the scene asks for them; those that are paused are not waited for.
+  bool isOnItsWay() const;
   /// Nothing is to be done: all sheets rest, their figures are known.
   bool isSettled() const;
 

@@ -162,5 +162,6 @@ Sample makeTorso(int size, Progress& progress);
 Sample makeSeismic(int size, Progress& progress);
 Sample makeNeurons(int size, Progress& progress);
 Sample makeUltrasound(int size, Progress& progress);
+Sample makeHeart(int size, int frames, Progress& progress);
 
 }  // namespace velum::io

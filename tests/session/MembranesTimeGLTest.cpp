@@ -1,0 +1,175 @@
+// Membranes over time: the sheet follows what moves.
+#include <algorithm>
+#include <cmath>
+
+#include "GlFixture.h"
+#include "makeVolume.h"
+#include "velum/io/Sample.h"
+#include "velum/membrane/SheetIndex.h"
+#include "velum/membrane/Simulation.h"
+#include "velum/session/CutEdit.h"
+#include "velum/session/MembraneEdit.h"
+#include "velum/session/MembranePlayer.h"
+#include "velum/session/Membranes.h"
+
+namespace velum::session {
+
+namespace {
+
+constexpr int kSteps = 8;
+
+class MembranesTimeGL : public GlTest {
+ protected:
+  /// A beating heart, opened from the front: its contrast, and with it vessels on its wall, is to stay whole.
+  static scene::Scene heart(scene::Repositioning repositioning) {
+    static const Shared<Volume> volume(io::makeSample("heart", 56, sProgress, kSteps).volume);
+    scene::Scene scene;
+    scene.volume.data = volume;
+    scene::Cut cut;
+    cut.shape = scene::CutShape::Membrane;
+    cut.centreMm = {5, -30, -15};
+    cut.axis = {0, -1, 0};
+    cut.sizeMm = {165, 140, 80};
+    cut.membrane.repositioning = repositioning;
+    protectValues(cut.membrane, 200, 600);
+    scene.cuts = {cut};
+    return scene;
+  }
+  struct Beat {
+    std::vector<scene::SheetShape> shapes;
+    std::vector<double> ratios;
+  };
+  /// A beat and the first step again.
+  static Beat beat(scene::Repositioning repositioning) {
+    scene::Scene scene = heart(repositioning);
+    Beat beat;
+    for (int step = 0; step <= kSteps; ++step) {
+      scene.volume.frame = step % kSteps;
+      auto reports = settleMembranes(scene, {true, false}, sProgress);
+      beat.ratios.push_back(reports.at(0).kept->ratio);
+      beat.shapes.push_back(scene.cuts[0].membrane.shape);
+    }
+    return beat;
+  }
+  /// Mean distance along the normal between two sheets in one frame, mm.
+  static double distance(const scene::SheetShape& a, const scene::SheetShape& b) {
+    membrane::HeightOver first = membrane::heightOf(a), second = membrane::heightOf(b);
+    double sum = 0;
+    constexpr int kPlaces = 60;
+    for (int y = 0; y < kPlaces; ++y)
+      for (int x = 0; x < kPlaces; ++x) {
+        glm::dvec2 at = (glm::dvec2(x, y) / (kPlaces - 1.0) - 0.5) * glm::dvec2(165, 140);
+        sum += std::abs(first(at) - second(at));
+      }
+    return sum / (kPlaces * kPlaces);
+  }
+  inline static Progress sProgress;
+};
+
+TEST_F(MembranesTimeGL, ASheetThatFollowsABeatCutsLittleInEachOfItsSteps) {
+  Beat passive = beat(scene::Repositioning::Passive), active = beat(scene::Repositioning::Active);
+  EXPECT_EQ(distance(passive.shapes[0], active.shapes[0]), 0.0) << "both start from flat";
+  double passiveWay = 0, activeWay = 0;
+  for (std::size_t i = 0; i < active.shapes.size(); ++i) {
+    EXPECT_LT(active.ratios[i], 0.03) << "step " << i;
+    EXPECT_EQ(active.shapes[i].timeStep, int(i) % kSteps);
+    if (i == 0) continue;
+    double way = distance(active.shapes[i - 1], active.shapes[i]);
+    EXPECT_GT(way, 0.01) << "it stands still while the heart beats";
+    activeWay += way;
+    passiveWay += distance(passive.shapes[i - 1], passive.shapes[i]);
+  }
+  EXPECT_LE(activeWay, passiveWay);
+  EXPECT_LT(distance(active.shapes.front(), active.shapes.back()), 0.25 * activeWay) << "the beat goes round";
+}
+
+/// A ball that rises through the slice, a layer and a half from one time step to the next.
+scene::Scene risingBall(scene::Repositioning repositioning) {
+  constexpr int kFrames = 7;
+  glm::ivec3 dims(40, 40, 40);
+  auto heightOf = [](int frame) { return 15.0 + 1.5 * frame; };
+  Volume volume;
+  for (int frame = 0; frame < kFrames; ++frame) {
+    Volume step = makeVolume(
+        dims, SampleType::Int16,
+        [&](glm::ivec3 p) {
+          return glm::length(glm::dvec3(p) - glm::dvec3(20, 20, heightOf(frame))) < 6 ? 800.0 : 0.0;
+        },
+        centredFrame(dims));
+    if (frame == 0)
+      volume = step;
+    else
+      volume.voxels.insert(volume.voxels.end(), step.voxels.begin(), step.voxels.end());
+  }
+  volume.frames = kFrames;
+  scene::Scene scene;
+  scene.volume.data = Shared<Volume>(std::move(volume));
+  scene::Cut cut;
+  cut.shape = scene::CutShape::Membrane;
+  cut.axis = {0, 0, 1};
+  cut.sizeMm = {38, 38, 34};
+  cut.membrane.cloth.particles = {30, 30};
+  cut.membrane.repositioning = repositioning;
+  cut.membrane.field.byValue = {{500, 400}, {1000, 400}};
+  scene.cuts = {cut};
+  return scene;
+}
+
+TEST_F(MembranesTimeGL, AnActiveSheetStaysOnItsSideOfWhatRises) {
+  // It passes over the ball at first, as the shorter way. Later that is under it: a passive sheet changes over.
+  for (auto repositioning : {scene::Repositioning::Passive, scene::Repositioning::Active}) {
+    scene::Scene scene = risingBall(repositioning);
+    double middle = 0;
+    for (int step = 0; step < scene.volume.data->frames; ++step) {
+      scene.volume.frame = step;
+      auto report = settleMembranes(scene, {true, false}, sProgress).at(0);
+      EXPECT_EQ(report.kept->cutAreaMembrane, 0) << enumName(repositioning) << " at step " << step;
+      middle = membrane::heightOf(scene.cuts[0].membrane.shape)({0, 0});
+      EXPECT_TRUE(step > 0 || middle > 1.0) << middle;
+    }
+    EXPECT_EQ(middle > 0, repositioning == scene::Repositioning::Active) << middle;
+  }
+}
+
+TEST_F(MembranesTimeGL, WindowsFollowAsPicturesDo) {
+  for (auto repositioning : {scene::Repositioning::Passive, scene::Repositioning::Active}) {
+    scene::Scene picture = risingBall(repositioning), window = picture;
+    MembranePlayer player;
+    for (int step = 0; step < 4; ++step) {
+      picture.volume.frame = window.volume.frame = step;
+      settleMembranes(picture, {}, sProgress);
+      player.follow(window);
+      EXPECT_TRUE(player.isOnItsWay());
+      for (int i = 0; i < 3000 && player.isOnItsWay(); ++i) {
+        if (auto work = player.nextWork()) player.endWork(work(sProgress));
+        player.advance(20.0);
+      }
+      for (const auto& rest : player.takeRests()) window.cuts[rest.cut].membrane.shape = rest.shape;
+      // A window fits what it keeps to the frame's rim, as drawing does; what is left is rounding.
+      const scene::Cut& cut = picture.cuts[0];
+      scene::SheetShape a = membrane::fitShape(cut.membrane.shape, cut.membrane.cloth.particles, cut.sizeMm);
+      scene::SheetShape b = player.withShapes(window).cuts[0].membrane.shape;
+      ASSERT_EQ(a.places.size(), b.places.size());
+      float most = 0;
+      for (std::size_t i = 0; i < a.places.size(); ++i) most = std::max(most, glm::length(a.places[i] - b.places[i]));
+      EXPECT_LT(most, 0.01f) << enumName(repositioning) << " at step " << step;
+    }
+    player.releaseGpu();
+  }
+}
+
+TEST_F(MembranesTimeGL, ASavedSheetGoesOnFromItsTimeStep) {
+  scene::Scene scene = risingBall(scene::Repositioning::Active);
+  settleMembranes(scene, {}, sProgress);
+  scene.volume.frame = 1;
+  MembranePlayer player;
+  player.follow(scene);
+  EXPECT_TRUE(player.isOnItsWay()) << "the shape is of another step";
+  scene.volume.frame = 0;
+  MembranePlayer same;
+  same.follow(scene);
+  EXPECT_FALSE(same.isOnItsWay()) << "it rests where it was saved";
+}
+
+}  // namespace
+}  // namespace velum::session

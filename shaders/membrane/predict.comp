@@ -44,15 +44,17 @@ vec3 latticeForce(vec3 place) {
 #endif
 }
 
-/// The same over the user's own kernels, boxes along the frame's axes.
-vec3 userForce(vec3 place) {
+/// The same over the user's own kernels, boxes along the frame's axes. @param lift  of the slice, mm
+vec3 userForce(vec3 place, out float lift) {
   vec3 force = vec3(0.0);
+  lift = 0.0;
   for (int i = 0; i < cloth.grid.z; ++i) {
     ClothKernel kernel = userKernels[i];
     vec3 delta = place - kernel.place.xyz;
     float width = kernel.place.w;
 #if ALONG
     force.z += kernelTent(delta, vec3(width)) * (kernel.strength.x + kernelSide(delta.z / width) * kernel.strength.y);
+    lift += kernel.strength.z * liftAt(length(delta.xy) / width);
 #else
     vec3 away = vec3(kernelForce(delta.x, width), kernelForce(delta.y, width), kernelForce(delta.z, width));
     if (all(lessThan(abs(delta), vec3(width)))) force += kernel.strength.y * away;
@@ -67,8 +69,9 @@ void main() {
   int i = at.y * cloth.grid.x + at.x;
   vec4 place = places[i];
   if (place.w > 0.0) {
-    vec3 force = (latticeForce(place.xyz) + userForce(place.xyz)) * cloth.step.w;
-    force.z -= cloth.step.z * place.z;
+    float lift;
+    vec3 force = (latticeForce(place.xyz) + userForce(place.xyz, lift)) * cloth.step.w;
+    force.z -= cloth.step.z * (place.z - lift);
     vec3 way = (velocities[i].xyz + cloth.step.x * force) * (cloth.step.y * cloth.step.x);
     float len = length(way);
     place.xyz += way * min(1.0, cloth.half_.w / max(len, 1e-12));

@@ -38,7 +38,8 @@ struct ClothParams {
 /// A kernel that the user has put somewhere.
 struct ClothKernel {
   vec4 place;     ///< xyz: centre; w: half-width, mm
-  vec4 strength;  ///< x: push (> 0: to the sheet's positive side, by the least cut), y: pull or push from the centre
+  vec4 strength;  ///< x: push (> 0: to the sheet's positive side, by the least cut), y: pull or push from the centre; z: how
+                  ///< high it lifts the slice, mm
 };
 
 /// Which side of a kernel's centre: -1 to 1. Differs: the sign of IMC eq. 3 would jump at the centre, where a sheet then
@@ -55,6 +56,13 @@ SHARED_FN float kernelForce(float delta, float halfWidth) {
 SHARED_FN float kernelTent(vec3 delta, vec3 halfWidth) {
   vec3 w = max(vec3(1.0f) - abs(delta) / halfWidth, vec3(0.0f));
   return w.x * w.y * w.z;
+}
+
+/// How much of its lift a kernel has at a distance from its centre, in half-widths: 1 to 0, smooth, and positive definite
+/// in the plane ([WENDLAND] phi_3,1), so that a surface can be made to pass through any places.
+SHARED_FN float liftAt(float share) {
+  float rest = max(1.0f - share, 0.0f);
+  return rest * rest * rest * rest * (4.0f * share + 1.0f);
 }
 
 /// What a stretch constraint asks of its first particle: half of what is missing to the rest length (PBD eq. 10, 11);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <sstream>
 
 #include "Verbs.h"
 #include "velum/core/Error.h"
@@ -12,6 +13,7 @@
 #include "velum/session/MembraneEdit.h"
 #include "velum/session/Membranes.h"
 #include "velum/session/Open.h"
+#include "velum/session/SheetHands.h"
 #include "velum/session/Sketch.h"
 
 namespace velum::app {
@@ -25,6 +27,7 @@ struct MembraneOptions {
   std::vector<int> structures;
   std::vector<std::string> sketch, avoid;
   double position = 0.5;
+  std::vector<std::string> kernels, pins;
   std::string rule, saveScene, sheet, clipped;
   bool limit = false;
 };
@@ -110,6 +113,38 @@ void protectWhatIsAsked(scene::Scene& scene, scene::Cut& cut, const MembraneOpti
   sketchWhatIsAsked(scene.volume, membrane.field, options);
 }
 
+/// So many numbers with commas between them. @throw ArgumentError
+std::vector<double> numbersOf(const char* option, const std::string& text, std::size_t count, const char* form) {
+  std::vector<double> numbers;
+  std::istringstream in(text);
+  for (std::string part; std::getline(in, part, ',');) {
+    char* end = nullptr;
+    numbers.push_back(std::strtod(part.c_str(), &end));
+    if (end == part.c_str() || *end != 0 || !std::isfinite(numbers.back())) numbers.resize(count + 1);
+  }
+  if (numbers.size() != count) throw ArgumentError(fmt::format("{} {}: give {}", option, text, form));
+  return numbers;
+}
+
+/// Pins and kernels, on every membrane of the scene whose frame is there.
+void putHandsOn(scene::Scene& scene, const MembraneOptions& options) {
+  for (auto& cut : scene.cuts) {
+    if (cut.shape != scene::CutShape::Membrane) continue;
+    for (const auto& text : options.kernels) {
+      auto n = numbersOf("--kernel", text, 5, "x,y,z,radius,strength");
+      if (!(n[3] > 0.0) || !(std::abs(n[4]) <= 1000.0))
+        throw ArgumentError(
+            fmt::format("--kernel {}: the radius must be more than 0, the strength within -1000 to 1000", text));
+      session::addKernel(cut.membrane, vectorOf(n), n[3], n[4]);
+    }
+    for (const auto& text : options.pins) {
+      auto pin = session::pinOver(cut, vectorOf(numbersOf("--pin", text, 3, "x,y,z")));
+      if (!pin) throw ArgumentError(fmt::format("--pin {}: that is beside the frame of the membrane", text));
+      cut.membrane.pins.push_back(*pin);
+    }
+  }
+}
+
 bool asksForMembrane(const MembraneOptions& options) {
   bool byCurve = !options.protect.empty() || !options.at.empty();
   if (byCurve && !options.sketch.empty())
@@ -186,6 +221,7 @@ int run(const MembraneOptions& options) {
     protectWhatIsAsked(scene, cut, options);
     scene.cuts.push_back(cut);
   }
+  putHandsOn(scene, options);
   applyRule(scene, options.rule);
   scene::Scene settled = scene;
   auto reports = session::settleMembranes(settled, {true, options.limit}, consoleProgress());
@@ -219,6 +255,14 @@ Run registerMembrane(CLI::App& verb) {
       "add a membrane that keeps values from A to B whole: A,B; default, where the scene has none: what it shows most");
   numbers("--protect-at", options->at, 3, "the same for the material at a place, x,y,z in mm: what a click does");
   verb.add_option("--protect-structure", options->structures, "the same for a structure, by label id; repeatable");
+  auto repeated = [&](const char* name, std::vector<std::string>& out, const char* text) {
+    verb.add_option(name, out, text)->allow_extra_args(false);
+  };
+  repeated("--kernel", options->kernels,
+           "put a ball in that pushes the sheet away (strength up to 1000) or draws it to its middle (down to -1000): "
+           "x,y,z,radius,strength in mm; repeatable");
+  repeated("--pin", options->pins,
+           "hold the sheet in a place, by its point that lies there when it hangs flat: x,y,z in mm; repeatable");
   verb.add_option("--sketch", options->sketch,
                   "the same for what lies under a stroke, x,y,z:x,y,z@radius in mm (radius 3 if left out); repeatable");
   verb.add_option("--avoid", options->avoid, "a stroke over what the sheet may cut; repeatable");

@@ -20,6 +20,7 @@
 #include "ProtectTool.h"
 #include "RecentFiles.h"
 #include "RecoveryBar.h"
+#include "SheetTool.h"
 #include "SketchTool.h"
 #include "StructurePanel.h"
 #include "TimeBar.h"
@@ -142,6 +143,7 @@ void MainWindow::buildMembrane() {
           [this](bool on, bool letThrough) { on ? mProtect->start(letThrough) : mProtect->stop(); });
   connect(mProtect, &ProtectTool::ended, &form, &MembraneForm::pointingEnded);
   buildSketch();
+  buildHands();
 }
 
 /// A page of the side panel, which scrolls where the window is low.
@@ -338,6 +340,7 @@ void MainWindow::documentChanged() {
   mLook->refresh();
   mTime->refresh();
   mCuts->refresh();
+  mSheetTool->refresh();
   mSketch->refresh();
   mStructures->refresh();
   bool open = mPages->currentIndex() == 1;

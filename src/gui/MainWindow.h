@@ -25,6 +25,7 @@ class LookCommands;
 class HelpWindow;
 class LookPanel;
 class ProtectTool;
+class SheetTool;
 class RecentRow;
 class RecoveryBar;
 class SketchTool;
@@ -105,6 +106,7 @@ class MainWindow : public QMainWindow {
   void buildStructures();
   void buildMembrane();
   void buildSketch();
+  void buildHands();
   void buildExportActions(QMenu* menu);
   void buildStructureActions(QMenu* menu);
   void buildLayoutActions(QMenu* menu, QToolBar* bar);
@@ -168,6 +170,7 @@ class MainWindow : public QMainWindow {
   LookPanel* mLook = nullptr;
   CutPanel* mCuts = nullptr;
   ProtectTool* mProtect = nullptr;
+  SheetTool* mSheetTool = nullptr;
   SketchTool* mSketch = nullptr;
   Selection* mSelection = nullptr;
   StructureCommands* mStructureCommands = nullptr;

@@ -13,6 +13,7 @@
 #include "MainWindow.h"
 #include "Preferences.h"
 #include "SavePictureDialog.h"
+#include "SheetTool.h"
 #include "ThreePointTool.h"
 #include "TimeBar.h"
 #include "ViewChange.h"
@@ -244,6 +245,16 @@ void MainWindow::buildCutActions(QMenu* menu, QToolBar* bar) {
   for (const Row& row : kRows)
     mActions->addForScene(menu, row.id, tr(row.name), tr("A third of the data in size, where it opens what you see"),
                           [this, shape = row.shape] { mCuts->addShape(shape); });
+  menu->addSeparator();
+  mActions->addForScene(menu, "membrane.pin", tr("P&in the sheet"),
+                        tr("Click the sheet of the membrane and hold it there, or drag it on"),
+                        [this] { mSheetTool->start(SheetTool::Mode::Pin); });
+  mActions->addForScene(menu, "membrane.push", tr("Pu&sh kernel"),
+                        tr("Drag a ball in a slice, or click in the picture: the sheet goes around it"),
+                        [this] { mSheetTool->start(SheetTool::Mode::Push); });
+  mActions->addForScene(menu, "membrane.pull", tr("Pu&ll kernel"),
+                        tr("Drag a ball in a slice, or click in the picture: the sheet is drawn to its middle"),
+                        [this] { mSheetTool->start(SheetTool::Mode::Pull); });
   menu->addSeparator();
   mActions->addForScene(menu, "cut.flip", tr("&Flip"), tr("Take away the other side"),
                         [this] { mCuts->flipSelected(); });

@@ -66,6 +66,8 @@ MembraneForm::MembraneForm(session::Document& document, CutForm& form, QWidget* 
   layout->addWidget(mStructures);
   layout->addWidget(makeProtect());
   layout->addWidget(mSketch);
+  mHands = new SheetHandsForm(document, form, this);
+  layout->addWidget(mHands);
   layout->addWidget(mFigure);
   layout->addWidget(mDoing);
   layout->addWidget(makePlayer());
@@ -262,6 +264,7 @@ void MembraneForm::showCut(const scene::Cut& cut) {
   mShown = cut.membrane;
   const scene::Membrane& m = mShown;
   showCurve();
+  mHands->showCut(cut);
   mStructures->showStrengths(mDocument.scene().labels.structures, m.field.byLabel);
   mSketch->showStrokes(m.field.strokes);
   mUse->setCurrentIndex(int(m.use));

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 
+#include "SheetHandsForm.h"
 #include "SketchForm.h"
 #include "StrengthCanvas.h"
 #include "StrengthTable.h"
@@ -29,6 +30,7 @@ class MembraneForm : public QWidget {
   ~MembraneForm() override;
   void showCut(const scene::Cut& cut);
   void showStatus(const std::optional<session::MembraneStatus>& status, bool isPlaying);
+  SheetHandsForm& hands() { return *mHands; }
   /// In words: "cuts 12 % of what the plane cuts; 1.3 mm from the slice on average".
   static QString figureText(const session::MembraneStatus& status);
   /// Its brushes and strokes.
@@ -71,6 +73,7 @@ class MembraneForm : public QWidget {
   QLabel *mFigure, *mDoing;
   QComboBox* mAttribute = nullptr;
   StrengthCanvas* mCanvas;
+  SheetHandsForm* mHands = nullptr;
   StrengthTable* mStructures;
   SketchForm* mSketch;
   QPushButton *mProtect = nullptr, *mLetThrough = nullptr, *mPlay = nullptr, *mStep = nullptr, *mMore = nullptr;

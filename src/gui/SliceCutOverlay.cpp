@@ -4,6 +4,7 @@
 
 #include "GizmoPaint.h"
 #include "Theme.h"
+#include "velum/session/SheetHands.h"
 
 namespace velum::gui {
 
@@ -16,12 +17,12 @@ using session::SliceHandleKind;
 glm::dvec2 toVec(QPointF p) { return {p.x(), p.y()}; }
 QPointF toPoint(glm::dvec2 p) { return {p.x, p.y}; }
 
-QPainterPath pathOf(const session::SliceOutline& outline) {
+QPainterPath pathOf(const std::vector<glm::dvec2>& points, bool isClosed = true) {
   QPolygonF polygon;
-  for (const auto& p : outline.points) polygon << toPoint(p);
+  for (const auto& p : points) polygon << toPoint(p);
   QPainterPath path;
   path.addPolygon(polygon);
-  if (outline.isClosed) path.closeSubpath();
+  if (isClosed) path.closeSubpath();
   return path;
 }
 
@@ -46,20 +47,37 @@ const scene::Cut* SliceCutOverlay::selected() const {
   return index >= 0 && index < int(cuts.size()) ? &cuts[std::size_t(index)] : nullptr;
 }
 
+void SliceCutOverlay::setSheets(const std::vector<std::shared_ptr<const membrane::SheetIndex>>& sheets) {
+  mSheets.clear();
+  for (const auto& sheet : sheets) mSheets.push_back(sheet ? session::shapeOf(*sheet) : scene::SheetShape());
+}
+
+const scene::SheetShape& SliceCutOverlay::shapeOf(const scene::Cut& cut) const {
+  std::size_t sheet = 0;
+  for (const auto& other : mDocument.scene().cuts) {
+    bool isLive = other.enabled && other.shape == scene::CutShape::Membrane;
+    if (&other == &cut) return isLive && sheet < mSheets.size() ? mSheets[sheet] : cut.membrane.shape;
+    sheet += isLive ? 1 : 0;
+  }
+  return cut.membrane.shape;
+}
+
 void SliceCutOverlay::paintCut(QPainter& painter, const scene::SliceFrame& frame, const scene::Cut& cut,
                                bool isSelected) const {
-  auto outline = session::sliceOutline(frame, cut);
+  auto outline = session::sliceOutline(frame, cut, shapeOf(cut));
   QColor color = kHandle;
   color.setAlpha(!cut.enabled ? 90 : isSelected ? 255 : 150);
   double width = isSelected ? 1.6 : 1.1;
   if (cut.shape == scene::CutShape::Membrane) {
     strokeTwice(painter, pathOf(outline.curves), color, width);
-    // The box within which the sheet stays is for its handles only.
     if (!isSelected) return;
-    color.setAlpha(color.alpha() / 3);
+    QColor band = color;
+    band.setAlpha(color.alpha() / 14);
+    painter.fillPath(pathOf(outline.band), band);
+    color.setAlpha(color.alpha() * 2 / 3);
     width = 1.0;
   }
-  if (!outline.points.empty()) strokeTwice(painter, pathOf(outline), color, width);
+  if (!outline.points.empty()) strokeTwice(painter, pathOf(outline.points, outline.isClosed), color, width);
 }
 
 void SliceCutOverlay::paintHandles(QPainter& painter, const scene::SliceFrame& frame, const scene::Cut& cut) const {
@@ -69,12 +87,13 @@ void SliceCutOverlay::paintHandles(QPainter& painter, const scene::SliceFrame& f
     if (handle.kind == SliceHandleKind::Turn) {
       QPainterPath arm(toPoint(handle.pivot));
       arm.lineTo(toPoint(handle.place));
-      if (cut.shape != scene::CutShape::Plane) strokeTwice(painter, arm, QColor(255, 236, 210, 140), 1.0);
+      bool isOnLine = cut.shape == scene::CutShape::Plane || cut.shape == scene::CutShape::Membrane;
+      if (!isOnLine) strokeTwice(painter, arm, QColor(255, 236, 210, 140), 1.0);
     }
     bool isGrip = handle.kind == SliceHandleKind::Face || handle.kind == SliceHandleKind::Side;
     if (isGrip)
       drawGrip(painter, toPoint(handle.place), toPoint(handle.outwards), hot);
-    else if (handle.kind == SliceHandleKind::Move && cut.shape == scene::CutShape::Plane)
+    else if (session::isArrow(handle))
       drawArrow(painter, toPoint(handle.place), toPoint(handle.place + handle.outwards * session::kSliceArrowPixels),
                 hot);
     else
@@ -102,10 +121,12 @@ bool SliceCutOverlay::press(QPointF place, const scene::SliceFrame& frame) {
   const auto& scene = mDocument.scene();
   if (!scene.slices.showCuts) return false;
   const scene::Cut* cut = selected();
-  mHandle = cut ? session::sliceHandleAt(frame, *cut, toVec(place), kReachPixels) : session::SliceHandle{};
+  mHandle =
+      cut ? session::sliceHandleAt(frame, *cut, toVec(place), kReachPixels, shapeOf(*cut)) : session::SliceHandle{};
   if (mHandle.kind == SliceHandleKind::None) {
     for (int i = 0; i < int(scene.cuts.size()); ++i)
-      if (auto handle = session::sliceHandleAt(frame, scene.cuts[std::size_t(i)], toVec(place), 0.5 * kReachPixels);
+      if (auto handle = session::sliceHandleAt(frame, scene.cuts[std::size_t(i)], toVec(place), 0.5 * kReachPixels,
+                                               shapeOf(scene.cuts[std::size_t(i)]));
           handle.kind == SliceHandleKind::Move && i != mSelection.cut()) {
         mSelection.setCut(i);
         mHandle = handle;
@@ -126,14 +147,15 @@ bool SliceCutOverlay::move(QPointF place, const scene::SliceFrame& frame, bool s
   const scene::Cut* cut = selected();
   if (!mDragging) {
     bool shown = cut && mDocument.scene().slices.showCuts;
-    mHandle = shown ? session::sliceHandleAt(frame, *cut, toVec(place), kReachPixels) : session::SliceHandle{};
+    mHandle =
+        shown ? session::sliceHandleAt(frame, *cut, toVec(place), kReachPixels, shapeOf(*cut)) : session::SliceHandle{};
     return mHandle.kind != SliceHandleKind::None;
   }
   if (!cut) return true;
   // By the frame in which it was taken: a cut that is dragged must not run away when the view follows.
   scene::Cut now = session::dragSliceCut(mStart, mStartFrame, mHandle, mFrom, toVec(place),
                                          session::makeCutSnap(mDocument.scene(), snap));
-  auto like = session::likeInPicture(mStart, mHandle);
+  auto like = session::likeInPicture(mHandle);
   mTag = QString::fromStdString(session::dragText(mStart, now, like));
   std::size_t index = std::size_t(mSelection.cut());
   mDocument.edit(

@@ -2,9 +2,12 @@
 #include <QPainter>
 #include <QPointF>
 #include <QString>
+#include <memory>
+#include <vector>
 
 #include "Selection.h"
 #include "velum/session/Document.h"
+#include "velum/session/SheetHands.h"
 #include "velum/session/SliceCutTool.h"
 
 namespace velum::gui {
@@ -15,6 +18,9 @@ namespace velum::gui {
 class SliceCutOverlay {
  public:
   SliceCutOverlay(session::Document& document, Selection& selection);
+
+  /// The sheets of the enabled membranes as they stand now.
+  void setSheets(const std::vector<std::shared_ptr<const membrane::SheetIndex>>& sheets);
 
   void paint(QPainter& painter, const scene::SliceFrame& frame) const;
   /// Takes hold of a handle, or selects the cut whose line was clicked.
@@ -30,11 +36,13 @@ class SliceCutOverlay {
 
  private:
   const scene::Cut* selected() const;
+  const scene::SheetShape& shapeOf(const scene::Cut& cut) const;
   void paintCut(QPainter& painter, const scene::SliceFrame& frame, const scene::Cut& cut, bool isSelected) const;
   void paintHandles(QPainter& painter, const scene::SliceFrame& frame, const scene::Cut& cut) const;
 
   session::Document& mDocument;
   Selection& mSelection;
+  std::vector<scene::SheetShape> mSheets;
   session::SliceHandle mHandle;
   bool mDragging = false;
   scene::Cut mStart;

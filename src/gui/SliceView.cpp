@@ -89,6 +89,7 @@ void SliceView::refresh() {
 
 void SliceView::setSheets(std::vector<std::shared_ptr<const membrane::SheetIndex>> sheets) {
   mSheets = std::move(sheets);
+  mCuts.setSheets(mSheets);
   mStale = true;
   update();
 }

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "Theme.h"
+
 namespace velum::gui {
 
 namespace {

@@ -28,6 +28,11 @@ constexpr double kMostNodes = 6e6;
 constexpr double kFollowShare = 1.0 / 16.0;
 constexpr int kMostStepsFollowed = 4;
 
+/// Strength of a kernel that draws the sheet half of the way to its centre.
+constexpr double kHalfLift = 100.0;
+/// A ball lets go of the sheet over the last quarter of its radius.
+constexpr double kLetGo = 4.0;
+
 /// What the kernels depend on, without rule and reach.
 scene::ForceField kernelPart(scene::ForceField field) {
   field.rule = {};
@@ -36,6 +41,21 @@ scene::ForceField kernelPart(scene::ForceField field) {
   field.strokes.clear();
   field.byValueBefore.clear();
   return field;
+}
+
+/// What the sides depend on: the frame, what is protected, and the kernels put in to repel. A pin, or a kernel that
+/// attracts, is dragged about without another least cut.
+scene::Cut sidesPart(const scene::Cut& cut) {
+  scene::Cut part;
+  part.centreMm = cut.centreMm;
+  part.axis = cut.axis;
+  part.spinDeg = cut.spinDeg;
+  part.sizeMm = cut.sizeMm;
+  part.membrane.field = kernelPart(cut.membrane.field);
+  part.membrane.field.kernels = cut.membrane.field.kernels;
+  std::erase_if(part.membrane.field.kernels, [](const auto& kernel) { return kernel.strength <= 0.0; });
+  for (auto& kernel : part.membrane.field.kernels) kernel.strength = 1.0;  // what repels is protected, however weakly
+  return part;
 }
 
 /// The kernels that can reach the frame's box, in a lattice of their own.
@@ -87,6 +107,32 @@ void protectPlaced(ProtectedVoxels& voxels, const scene::ForceField& field) {
   }
 }
 
+/// Leads a corridor around a ball, on the side on which its middle lies not, or on which there is room for it.
+void passBy(Corridor& corridor, const PlacedKernel& ball, double reach) {
+  double radius = ball.halfWidthMm;
+  glm::dvec3 c = ball.centreMm;
+  glm::ivec2 low(glm::ceil((glm::dvec2(c) - radius - corridor.originMm) / corridor.stepMm));
+  glm::ivec2 high(glm::floor((glm::dvec2(c) + radius - corridor.originMm) / corridor.stepMm));
+  low = glm::max(low, glm::ivec2(0));
+  high = glm::min(high, corridor.dims - 1);
+  glm::ivec2 at((glm::dvec2(c) - corridor.originMm) / corridor.stepMm + 0.5);
+  at = glm::clamp(at, glm::ivec2(0), corridor.dims - 1);
+  bool over = c.z <= double(corridor.height[std::size_t(at.y * corridor.dims.x + at.x)]);
+  if (over ? c.z + radius > reach && c.z - radius >= -reach : c.z - radius < -reach && c.z + radius <= reach)
+    over = !over;
+  for (int y = low.y; y <= high.y; ++y)
+    for (int x = low.x; x <= high.x; ++x) {
+      glm::dvec2 away = corridor.originMm + glm::dvec2(x, y) * corridor.stepMm - glm::dvec2(c);
+      double rest = radius * radius - glm::dot(away, away);
+      if (rest <= 0.0) continue;
+      auto i = std::size_t(y * corridor.dims.x + x);
+      auto face = float(std::clamp(c.z + (over ? 1.0 : -1.0) * std::sqrt(rest), -reach, reach));
+      auto past = [&](float z) { return over ? std::max(z, face) : std::min(z, face); };
+      corridor.room[i] = {past(corridor.room[i].x), past(corridor.room[i].y)};
+      corridor.height[i] = past(corridor.height[i]);
+    }
+}
+
 std::vector<int> belowSheet(const CutLattice& lattice, const HeightOver& height) {
   std::vector<int> below;
   for (int y = 0; y < lattice.dims.y; ++y)
@@ -120,6 +166,14 @@ class Sides {
   double mSmearMm;
 };
 
+/// Differs: not in the paper. The loose cloth of the sided rule is pulled back to the slice so strongly that a force
+/// would hardly move it: what attracts lifts the slice itself towards its centre instead, as long as its ball reaches
+/// the slice.
+double liftOf(const PlacedKernel& kernel) {
+  double reaches = (1.0 - std::abs(kernel.centreMm.z) / kernel.halfWidthMm) * kLetGo;
+  return kernel.centreMm.z * std::clamp(reaches, 0.0, 1.0) * kernel.pull / (kernel.pull - kHalfLift);
+}
+
 /// What repels pushes along the normal, away from the side that it is on; what attracts stays as it is.
 void turnToSides(PushField& field, const Corridor& corridor) {
   glm::dmat4 localFromKernel = glm::inverse(field.kernelFromLocal);
@@ -137,7 +191,10 @@ void turnToSides(PushField& field, const Corridor& corridor) {
       }
   });
   for (auto& kernel : field.placed) {
-    if (kernel.pull <= 0.0) continue;
+    if (kernel.pull <= 0.0) {
+      kernel.liftMm = liftOf(kernel);
+      continue;
+    }
     kernel.push = Sides(corridor, 0.25 * kernel.halfWidthMm).at(kernel.centreMm) * kernel.pull;
     kernel.pull = 0.0;
   }
@@ -172,28 +229,70 @@ const KernelGrid& ForceMaker::kernelsOf(const scene::ForceField& field, Progress
   return mKernels;
 }
 
-Forces ForceMaker::compute(const scene::Cut& cut, const CurrentSheet& current, Progress& progress) {
-  const auto& field = cut.membrane.field;
+const ProtectedVoxels& ForceMaker::voxelsOf(const scene::Cut& cut, Progress& progress) {
+  scene::Cut asked = sidesPart(cut);
+  asked.membrane.field.kernels.clear();
+  if (!mVoxelsCut || !(*mVoxelsCut == asked)) {
+    mVoxels = mPotential.computeProtected(asked.membrane.field, voxelsInReach(mPotential, cut), progress);
+    mVoxelsCut = asked;
+  }
+  return mVoxels;
+}
+
+Corridor ForceMaker::corridorOf(const scene::Cut& cut, const CurrentSheet& current, Progress& progress) {
+  scene::Cut asked = sidesPart(cut);
+  Sides& known = asked.membrane.field.kernels.empty() ? mDataSides : mSides;
+  if (!current.height && known.cut && *known.cut == asked) return known.corridor;
+  const ProtectedVoxels& data = voxelsOf(cut, progress);
+  std::optional<ProtectedVoxels> withPlaced;
+  if (!asked.membrane.field.kernels.empty()) {
+    withPlaced = data;
+    protectPlaced(*withPlaced, asked.membrane.field);
+  }
+  const ProtectedVoxels& voxels = withPlaced ? *withPlaced : data;
+  double coarsening = std::max(1.0, std::ceil(std::cbrt(double(voxels.mask.size()) / kMostNodes)));
+  CutLattice lattice = gatherLattice(voxels, cut, coarsening);
+  if (current.height) return corridorAround(lattice, belowCurrent(lattice, cut, current, progress));
+  known.corridor = corridorAround(lattice, computeLeastCut(lattice, leastCutOptions(), progress).below);
+  known.cut = asked;
+  return known.corridor;
+}
+
+Forces ForceMaker::kernelForces(const scene::Cut& cut, Progress& progress) {
   Forces forces;
-  if (mPotential.dims().x == 0) return forces;
   auto start = Clock::now();
-  const KernelGrid& kernels = kernelsOf(field, progress);
+  const KernelGrid& kernels = kernelsOf(cut.membrane.field, progress);
   forces.kernelsMs = msSince(start);
   forces.kernels = kernels.count;
   forces.field = cropKernels(kernels, cut);
   forces.field.placed = placeKernels(cut);
-  if (field.rule == scene::KernelRule::Paper) return forces;
-  start = Clock::now();
-  ProtectedVoxels voxels = mPotential.computeProtected(field, voxelsInReach(mPotential, cut), progress);
-  protectPlaced(voxels, field);
-  double coarsening = std::max(1.0, std::ceil(std::cbrt(double(voxels.mask.size()) / kMostNodes)));
-  CutLattice lattice = gatherLattice(voxels, cut, coarsening);
-  std::vector<int> below;
-  if (current.height)
-    below = belowCurrent(lattice, cut, current, progress);
-  else
-    below = computeLeastCut(lattice, leastCutOptions(), progress).below;
-  forces.corridor = corridorAround(lattice, below);
+  return forces;
+}
+
+Forces ForceMaker::compute(const scene::Cut& cut, const CurrentSheet& current, Progress& progress) {
+  if (mPotential.dims().x == 0) return {};
+  Forces forces = kernelForces(cut, progress);
+  if (cut.membrane.field.rule == scene::KernelRule::Paper) return forces;
+  auto start = Clock::now();
+  forces.corridor = corridorOf(cut, current, progress);
+  turnToSides(forces.field, forces.corridor);
+  forces.leastCutMs = msSince(start);
+  return forces;
+}
+
+Forces ForceMaker::preview(const scene::Cut& cut, Progress& progress) {
+  if (mPotential.dims().x == 0 || cut.membrane.field.rule == scene::KernelRule::Paper)
+    return compute(cut, {}, progress);
+  Forces forces = kernelForces(cut, progress);
+  auto start = Clock::now();
+  scene::Cut data = cut;
+  data.membrane.field.kernels.clear();
+  forces.corridor = corridorOf(data, {}, progress);
+  for (const auto& kernel : forces.field.placed)
+    if (kernel.pull > 0.0) {
+      passBy(forces.corridor, kernel, cut.sizeMm.z * 0.5);
+      forces.isPreview = true;
+    }
   turnToSides(forces.field, forces.corridor);
   forces.leastCutMs = msSince(start);
   return forces;

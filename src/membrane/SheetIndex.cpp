@@ -120,6 +120,25 @@ SheetIndex makeSheetIndex(const SheetShape& shape, glm::ivec2 flat, glm::dvec3 s
   return index;
 }
 
+std::optional<SheetTouch> touchSheet(const SheetIndex& index, glm::dvec3 originMm, glm::dvec3 direction) {
+  shared::SheetPlan plan = planOf(index);
+  // From the sphere about the frame on: floats are not enough for an eye that is far off.
+  double radius = 0.5 * glm::length(index.sizeMm) * (1.0 + 1e-6);
+  double start = std::max(0.0, -glm::dot(originMm, direction) - radius);
+  glm::dvec3 near = originMm + direction * start;
+  shared::SheetHit hit = shared::sheetCrossing(plan, glm::vec3(near), glm::vec3(direction), -1e-6f, float(4.0 * radius),
+                                               {index.rows.data()});
+  if (hit.triangle < 0) return std::nullopt;
+  SheetTouch touch{near + direction * double(hit.t), glm::dvec2(0.0)};
+  glm::ivec3 corners = shared::sheetCorners(plan, hit.triangle);
+  glm::vec3 shares = shared::sheetShares(plan, hit.triangle, glm::vec3(touch.placeMm), {index.rows.data()});
+  for (int i = 0; i < 3; ++i) {
+    glm::dvec2 particle(corners[i] % index.particles.x, corners[i] / index.particles.x);
+    touch.share += double(shares[i]) * particle / glm::dvec2(index.particles - 1);
+  }
+  return touch;
+}
+
 bool isAbove(const SheetIndex& index, glm::vec3 placeMm) {
   return shared::sheetIsAbove(planOf(index), placeMm, {index.rows.data()});
 }

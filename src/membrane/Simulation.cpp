@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "Pins.h"
+
 namespace velum::membrane {
 
 namespace {
@@ -129,18 +131,19 @@ void Simulation::hang(glm::ivec2 particles, const scene::SheetShape& start) {
 }
 
 void Simulation::applyForces() {
-  mSolver->setField(mForces.field);
+  PushField field = mForces.field;
+  for (const auto& lift : liftsByPins(mCut)) field.placed.push_back(lift);
+  mSolver->setField(field);
   std::vector<glm::vec3> places = mSolver->readPlaces();
   glm::dvec2 pitch = 2.0 * glm::dvec2(halfOf(mCut)) / glm::dvec2(mSolver->sheet().particles - 1);
   mSolver->setRoom(roomOf(mForces.corridor, places, pitch));
-  std::vector<Solver::Held> held;
-  glm::dmat4 localFromWorld = glm::inverse(scene::worldFromCut(mCut));
-  for (const auto& pin : mCut.membrane.pins) {
-    glm::ivec2 at(glm::round(pin.sheet * glm::dvec2(mSolver->sheet().particles - 1)));
-    glm::vec3 place(localFromWorld * glm::dvec4(pin.placeMm, 1.0));
-    held.push_back({at.y * mSolver->sheet().particles.x + at.x, place});
-  }
-  mSolver->hold(held);
+  mSolver->hold(heldByPins(mCut, mSolver->sheet().particles, places));
+}
+
+bool Simulation::isRaised() const {
+  const auto& placed = mForces.field.placed;
+  return !mCut.membrane.pins.empty() ||
+         std::any_of(placed.begin(), placed.end(), [](const PlacedKernel& kernel) { return kernel.liftMm != 0.0; });
 }
 
 /// A particle in each column of the corridor, or as many as are allowed.
@@ -156,9 +159,12 @@ void Simulation::refine() {
   scene::SheetShape coarse = shape();
   if (particles.x <= coarse.particles.x && particles.y <= coarse.particles.y) return void(mPhase = Phase::Rest);
   mSolver->setSheet({particles, half, mCut.membrane.cloth, true});
+  // Beside what the corridor asks for, the finest sheet is flat; what hands have raised is far from that already.
+  HeightOver height;
+  if (isRaised()) height = heightOf(coarse);
   std::vector<glm::vec3> places;
   for (float y : ys)
-    for (float x : xs) places.emplace_back(x, y, 0.0f);
+    for (float x : xs) places.emplace_back(x, y, height ? float(height({x, y})) : 0.0f);
   mSolver->setPlaces(places);
   applyForces();
   mPhase = Phase::Fine;

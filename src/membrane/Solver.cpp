@@ -126,8 +126,10 @@ void Solver::setField(const PushField& field) {
   std::vector<shared::ClothKernel> placed;
   for (const auto& kernel : field.placed) {
     // People put them on the slice, where a flat sheet would hang between both sides: a little lower, and it moves.
-    glm::dvec3 centre = kernel.centreMm - glm::dvec3(0, 0, kBelow * kernel.halfWidthMm);
-    placed.push_back({glm::vec4(centre, kernel.halfWidthMm), {float(kernel.push), float(kernel.pull), 0, 0}});
+    bool repels = kernel.push != 0.0 || kernel.pull > 0.0;
+    glm::dvec3 centre = kernel.centreMm - glm::dvec3(0, 0, repels ? kBelow * kernel.halfWidthMm : 0.0);
+    placed.push_back(
+        {glm::vec4(centre, kernel.halfWidthMm), {float(kernel.push), float(kernel.pull), float(kernel.liftMm), 0}});
   }
   if (placed.empty()) placed.emplace_back();
   mPlacedKernels = gpu::Buffer("placed kernels", std::span<const shared::ClothKernel>(placed));

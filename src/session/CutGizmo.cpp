@@ -140,6 +140,18 @@ void addFaceGrips(CutGizmo& gizmo, const scene::Cut& cut, glm::dvec3 forward) {
   }
 }
 
+/// None where the frame is seen edge on: two corners would lie in one place.
+void addCornerGrips(CutGizmo& gizmo, const scene::Cut& cut, glm::dvec3 forward) {
+  if (std::abs(glm::dot(forward, gizmo.normal)) < kLeastSlant) return;
+  glm::dmat3 frame = cutFrame(cut);
+  for (int corner = 0; corner < 4; ++corner) {
+    glm::dvec2 sign = cornerSigns(corner);
+    glm::dvec3 out = frame[0] * (sign.x * cut.sizeMm.x * 0.5) + frame[1] * (sign.y * cut.sizeMm.y * 0.5);
+    auto handle = static_cast<CutHandle>(static_cast<int>(CutHandle::CornerMinMin) + corner);
+    gizmo.grips.push_back({handle, cut.centreMm + out, glm::normalize(out)});
+  }
+}
+
 void addRadiusGrip(CutGizmo& gizmo, const scene::Cut& cut, const scene::CameraBasis& basis) {
   glm::dvec3 out = cut.shape == scene::CutShape::Sphere ? -basis.right : -gizmo.right;
   glm::dvec3 middle = cut.centreMm;
@@ -163,6 +175,7 @@ void addGrips(CutGizmo& gizmo, const scene::Cut& cut, const scene::CameraBasis& 
   gizmo.grips.push_back({CutHandle::Arrow, gizmo.arrowTipMm, gizmo.normal});
   if (cut.shape == scene::CutShape::Plane) return;
   if (!isSphere) addFaceGrips(gizmo, cut, basis.forward);
+  if (cut.shape == scene::CutShape::Membrane) addCornerGrips(gizmo, cut, basis.forward);
   if (!scene::hasEdges(cut.shape)) addRadiusGrip(gizmo, cut, basis);
   if (std::abs(glm::dot(basis.forward, gizmo.normal)) > kLeastSlant)
     add(CutHandle::Square, (gizmo.right + gizmo.top) * (0.4 * gizmo.radiusMm));
@@ -170,6 +183,8 @@ void addGrips(CutGizmo& gizmo, const scene::Cut& cut, const scene::CameraBasis& 
 }
 
 }  // namespace
+
+glm::dvec2 cornerSigns(int corner) { return {corner & 1 ? 1.0 : -1.0, corner & 2 ? 1.0 : -1.0}; }
 
 CutGizmo makeCutGizmo(const scene::Scene& scene, const scene::Cut& cut, glm::dvec2 pictureSize) {
   CutGizmo gizmo;

@@ -128,6 +128,14 @@ scene::Cut resize(scene::Cut cut, const Drag& drag, CutHandle handle, const CutS
   return withFaceMoved(cut, face / 2, face % 2 ? 1 : -1, mm, smallest);
 }
 
+bool isCorner(CutHandle handle) { return handle >= CutHandle::CornerMinMin; }
+
+scene::Cut resizeCorner(const scene::Cut& start, const Drag& drag, CutHandle handle, const CutSnap& snap) {
+  glm::dvec3 shift = glm::transpose(cutFrame(start)) * dragInPlane(drag, drag.gizmo.normal);
+  int corner = static_cast<int>(handle) - static_cast<int>(CutHandle::CornerMinMin);
+  return withCornerMoved(start, corner, glm::dvec2(shift), kSmallestPixels * drag.gizmo.pixelMm, snap.on);
+}
+
 bool turns(CutHandle handle) { return handle >= CutHandle::KnobRight && handle <= CutHandle::Ring; }
 
 }  // namespace
@@ -165,6 +173,16 @@ scene::Cut withFaceMoved(scene::Cut cut, int axis, int sign, double mm, double s
   double share = cut.shape != scene::CutShape::Cone ? 0.5 : sign < 0 ? 1.0 : 0.0;
   cut.centreMm += cutFrame(cut)[axis] * (sign * moved * share);
   return cut;
+}
+
+scene::Cut withCornerMoved(scene::Cut cut, int corner, glm::dvec2 mm, double smallest, bool keepsRatio) {
+  glm::dvec2 sign = cornerSigns(corner), edges(cut.sizeMm), wider = sign * mm;
+  if (keepsRatio && glm::dot(edges, edges) > 0.0) {
+    double least = std::min(1.0, smallest / std::max(std::min(edges.x, edges.y), 1e-12)) - 1.0;
+    wider = edges * std::max(glm::dot(wider, edges) / glm::dot(edges, edges), least);
+  }
+  cut = withFaceMoved(cut, 0, sign.x < 0 ? -1 : 1, wider.x, smallest);
+  return withFaceMoved(cut, 1, sign.y < 0 ? -1 : 1, wider.y, smallest);
 }
 
 scene::Cut withTurn(scene::Cut cut, glm::dvec3 pivotMm, glm::dvec3 axis, double rad) {
@@ -208,7 +226,7 @@ scene::Cut dragCut(const scene::Cut& start, const CutGizmo& gizmo, CutHandle han
       if (cut.shape == scene::CutShape::Plane) cut.centreMm = gizmo.centreMm;
       return scene::hasEdges(cut.shape) ? spin(cut, drag, snap) : tiltFreely(cut, drag, snap);
     default:
-      return resize(cut, drag, handle, snap);
+      return isCorner(handle) ? resizeCorner(cut, drag, handle, snap) : resize(cut, drag, handle, snap);
   }
   return cut;
 }
@@ -231,6 +249,7 @@ std::string dragText(const scene::Cut& start, const scene::Cut& now, CutHandle h
     return fmt::format("{:.1f}\u00b0", glm::degrees(std::acos(std::clamp((trace - 1.0) * 0.5, -1.0, 1.0))));
   }
   if (handle == CutHandle::Radius) return fmt::format("\u2300 {:.1f} mm", now.sizeMm.x);
+  if (isCorner(handle)) return fmt::format("{:.1f} \u00d7 {:.1f} mm", now.sizeMm.x, now.sizeMm.y);
   if (handle >= CutHandle::FaceXMin) {
     int axis = (static_cast<int>(handle) - static_cast<int>(CutHandle::FaceXMin)) / 2;
     return fmt::format("{:.1f} mm", now.sizeMm[axis]);

@@ -28,6 +28,17 @@ scene::Cut withFrameOf(scene::Cut cut, const scene::Cut& frame) {
   return cut;
 }
 
+/// Only pins, or kernels that hands have put in, are others.
+bool isHandsOnly(scene::Membrane a, scene::Membrane b) {
+  bool isChanged = a.pins != b.pins || a.field.kernels != b.field.kernels;
+  for (auto* membrane : {&a, &b}) {
+    membrane->pins.clear();
+    membrane->field.kernels.clear();
+    membrane->shape = {};
+  }
+  return isChanged && a == b;
+}
+
 scene::SheetShape carried(const scene::SheetShape& shape, const scene::Cut& from, const scene::Cut& to) {
   if (shape.places.empty() || haveSameFrame(from, to)) return shape;
   return membrane::fitShape(membrane::carryOver(shape, from, to), shape.particles, to.sizeMm);
@@ -85,6 +96,7 @@ void LiveSheet::follow(const scene::Cut& cut, DataKey data) {
     ++mShown;
   }
   if (!sameFrame) ++mShown;
+  mGoesOn = sameData && sameFrame && !isActive() && (mGoesOn || isHandsOnly(was, now));
   if (!sameData || !sameFrame || was.field != now.field) {
     // Another curve protects other material: sides are found anew.
     mKeepSides = isActive() && was.field == now.field && (mKeepSides || !mNeedsForces);
@@ -144,12 +156,23 @@ void LiveSheet::begin() {
   scene::Cut moving = withFrameOf(mCut, mForces->cut);
   moving.membrane.field.rule = mForces->cut.membrane.field.rule;
   scene::SheetShape start;
-  if (isActive()) start = carried(mKept, mKeptCut, moving);
+  if (isActive() || mGoesOn) start = carried(mKept, mKeptCut, moving);
   mSimulation->begin(moving, mForces->forces, start);
   mHasSimulation = true;
   mMovingCut = moving;
   mMovingStep = mForces->timeStep;
-  mIsWarm = isActive() || mKept.places.empty();
+  mIsWarm = isActive() || mGoesOn || mKept.places.empty();
+  mHasPast = mGoesOn && (!start.places.empty() || mForces->forces.isPreview);
+}
+
+/// From flat, unseen at first: a passive sheet rests where its scene says, whatever was dragged about before.
+void LiveSheet::beginAgain() {
+  keepShape();
+  mGoesOn = mHasPast = false;
+  mNeedsForces = mForces->forces.isPreview;
+  if (mNeedsForces) return;  // it stays as it is until exact ones are there
+  mHasSimulation = mIsWarm = false;
+  mBegin = true;
 }
 
 bool LiveSheet::advance(double budgetMs) {
@@ -164,7 +187,10 @@ bool LiveSheet::advance(double budgetMs) {
   mStepMs = mStepMs > 0 ? 0.8 * mStepMs + 0.2 * stepMs : stepMs;
   mIsWarm = mIsWarm || mSimulation->steps() >= kWarmSteps || mSimulation->isAtRest();
   if (mIsWarm) ++mShown;
-  if (mSimulation->isAtRest()) keepShape();
+  if (mHasPast && !mNeedsForces && mSimulation->isFinest())
+    beginAgain();  // it has settled as far as the eye can follow
+  else if (mSimulation->isAtRest())
+    keepShape();
   return true;
 }
 
@@ -172,7 +198,7 @@ void LiveSheet::reset() {
   mKept = {};
   mFigures.reset();
   ++mShown;
-  mHasSimulation = mIsWarm = false;
+  mHasSimulation = mIsWarm = mGoesOn = mHasPast = false;
   mKeepSides = false;
   if (mForces && !isActive())
     mBegin = true;

@@ -42,6 +42,8 @@ class LiveSheet {
   void follow(const scene::Cut& cut, DataKey data);
 
   bool needsForces() const { return mCut.enabled && mNeedsForces; }
+  /// Hands drag: forces are to come soon rather than exactly, see ForceMaker::preview().
+  bool wantsPreview() const { return mGoesOn; }
   /// Another number with every change of what forces depend on; and of the data alone.
   std::uint64_t wish() const { return mWish; }
   std::uint64_t dataChange() const { return mDataChange; }
@@ -79,6 +81,7 @@ class LiveSheet {
   bool isAtRest() const { return !mHasSimulation || mSimulation->isAtRest(); }
   void adopt(const scene::SheetShape& shape);
   void begin();
+  void beginAgain();
   void keepShape();
   scene::SheetShape known() const;
 
@@ -91,12 +94,13 @@ class LiveSheet {
   std::string mError;
   std::shared_ptr<const MadeForces> mForces;
   bool mBegin = false;      ///< the simulation is to begin with mForces
-  bool mFromFlat = true;    ///< and from a flat sheet
+  bool mGoesOn = false;     ///< from where the sheet is: hands drag something, and see what comes of it at once
   bool mKeepSides = false;  ///< the next forces leave material on its side of the sheet
   // What moves.
   std::optional<membrane::Simulation> mSimulation{std::in_place};
   bool mHasSimulation = false;
-  bool mIsWarm = false;  ///< the simulation is what is shown; until then it is mKept
+  bool mIsWarm = false;   ///< the simulation is what is shown; until then it is mKept
+  bool mHasPast = false;  ///< where it rests depends on how it came there: a passive sheet starts from flat once more
   scene::Cut mMovingCut;
   int mMovingStep = 0;  ///< time step of its forces
   double mStepMs = 0;

@@ -81,12 +81,12 @@ MembranePlayer::Work MembranePlayer::nextWork() {
 }
 
 MembranePlayer::Work MembranePlayer::forcesWork(LiveSheet& sheet) {
-  mOut = {sheet.id(), sheet.dataChange(), sheet.wish(), false};
+  mOut = {sheet.id(), sheet.dataChange(), sheet.wish(), false, sheet.wantsPreview()};
   return [this, out = mOut, scene = forcesScene(mScene), cut = sheet.cut(), current = sheet.current(),
           maker = sheet.maker](Progress& progress) mutable -> Finish {
     if (!maker || !maker->matches(scene)) maker = std::make_shared<membrane::ForceMaker>(scene);
-    auto made =
-        std::make_shared<const MadeForces>(MadeForces{maker->compute(cut, current, progress), cut, scene.volume.frame});
+    auto forces = out.isPreview ? maker->preview(cut, progress) : maker->compute(cut, current, progress);
+    auto made = std::make_shared<const MadeForces>(MadeForces{std::move(forces), cut, scene.volume.frame});
     return [this, out, maker, made] {
       LiveSheet* found = find(out.id);
       if (!found || found->dataChange() != out.data) return;
@@ -117,6 +117,8 @@ bool MembranePlayer::wantsCancel() const {
   if (!mOut.id) return false;
   const LiveSheet* sheet = const_cast<MembranePlayer*>(this)->find(mOut.id);
   if (!sheet || !sheet->cut().enabled || sheet->dataChange() != mOut.data) return true;
+  // A hand that takes hold of something does not wait for exact forces.
+  if (!mOut.isMeasure && !mOut.isPreview && sheet->wantsPreview() && sheet->wish() != mOut.wish) return true;
   return mOut.isMeasure && (sheet->wish() != mOut.wish || sheet->isMoving());
 }
 
@@ -182,6 +184,15 @@ std::vector<std::shared_ptr<const membrane::SheetIndex>> MembranePlayer::indices
   for (const auto& sheet : mSheets)
     if (sheet->cut().enabled) indices.push_back(sheet->index());
   return indices;
+}
+
+std::shared_ptr<const membrane::SheetIndex> MembranePlayer::index(std::size_t cut) const {
+  for (const auto& sheet : mSheets)
+    if (sheet->place() == cut) {
+      if (!sheet->index()) sheet->makeIndex();
+      return sheet->index();
+    }
+  return nullptr;
 }
 
 std::uint64_t MembranePlayer::shownCount() const {

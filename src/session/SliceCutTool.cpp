@@ -148,8 +148,13 @@ double draggedDiameter(const scene::Cut& start, glm::dvec3 from, glm::dvec3 to) 
 
 }  // namespace
 
+bool isArrow(const SliceHandle& handle) {
+  return handle.kind == SliceHandleKind::Move && handle.outwards != glm::dvec2(0.0);
+}
+
 std::vector<SliceHandle> sliceHandles(const SliceFrame& frame, const scene::Cut& cut) {
   if (cut.shape == CutShape::Plane) return planeHandles(frame, cut);
+  if (cut.shape == CutShape::Membrane) return membraneHandles(frame, cut);
   auto outline = sliceOutline(frame, cut).points;
   if (outline.size() < 3) return {};
   std::vector<SliceHandle> handles;
@@ -160,7 +165,8 @@ std::vector<SliceHandle> sliceHandles(const SliceFrame& frame, const scene::Cut&
   return handles;
 }
 
-SliceHandle sliceHandleAt(const SliceFrame& frame, const scene::Cut& cut, glm::dvec2 pixel, double reach) {
+SliceHandle sliceHandleAt(const SliceFrame& frame, const scene::Cut& cut, glm::dvec2 pixel, double reach,
+                          const scene::SheetShape& live) {
   SliceHandle found;
   double nearest = reach;
   for (const auto& handle : sliceHandles(frame, cut)) {
@@ -170,12 +176,11 @@ SliceHandle sliceHandleAt(const SliceFrame& frame, const scene::Cut& cut, glm::d
     found = handle;
   }
   if (found.kind != SliceHandleKind::None) return found;
-  if (cut.shape == CutShape::Plane)
-    for (const auto& handle : sliceHandles(frame, cut))
-      if (handle.kind == SliceHandleKind::Move &&
-          distanceToSegment(pixel, handle.place, handle.place + handle.outwards * kSliceArrowPixels) <= reach)
-        return handle;
-  SliceOutline outline = sliceOutline(frame, cut);
+  for (const auto& handle : sliceHandles(frame, cut))
+    if (isArrow(handle) &&
+        distanceToSegment(pixel, handle.place, handle.place + handle.outwards * kSliceArrowPixels) <= reach)
+      return handle;
+  SliceOutline outline = sliceOutline(frame, cut, live);
   std::size_t count = outline.points.size();
   for (std::size_t i = 0; i + (outline.isClosed ? 0 : 1) < count; ++i)
     if (distanceToSegment(pixel, outline.points[i], outline.points[(i + 1) % count]) <= reach * 0.7)
@@ -197,7 +202,7 @@ scene::Cut dragSliceCut(const scene::Cut& start, const SliceFrame& frame, const 
     case SliceHandleKind::None:
       break;
     case SliceHandleKind::Move:
-      if (cut.shape == CutShape::Plane) {
+      if (isArrow(handle)) {
         glm::dvec3 n = cutFrame(cut)[2];
         cut.centreMm += n * snappedLength(glm::dot(b - a, n), n, snap);
       } else {
@@ -224,12 +229,12 @@ scene::Cut dragSliceCut(const scene::Cut& start, const SliceFrame& frame, const 
   return cut;
 }
 
-CutHandle likeInPicture(const scene::Cut& cut, const SliceHandle& handle) {
+CutHandle likeInPicture(const SliceHandle& handle) {
   switch (handle.kind) {
     case SliceHandleKind::None:
       break;
     case SliceHandleKind::Move:
-      return cut.shape == CutShape::Plane ? CutHandle::Arrow : CutHandle::Centre;
+      return isArrow(handle) ? CutHandle::Arrow : CutHandle::Centre;
     case SliceHandleKind::Turn:
       return CutHandle::KnobRight;
     case SliceHandleKind::Face:

@@ -5,8 +5,6 @@
 #include <vector>
 
 #include "SliceGeometry.h"
-#include "velum/membrane/SheetCurve.h"
-#include "velum/membrane/SheetIndex.h"
 #include "velum/session/SliceCutTool.h"
 
 namespace velum::session {
@@ -88,24 +86,6 @@ std::vector<glm::dvec2> circleOnSlice(const SliceFrame& frame, const scene::Cut&
   return points;
 }
 
-/// Where the slice crosses the sheet of a membrane.
-std::vector<std::vector<glm::dvec2>> sheetCurves(const SliceFrame& frame, const scene::Cut& cut,
-                                                 const scene::SheetShape& live) {
-  const scene::Membrane& membrane = cut.membrane;
-  auto shape = membrane::fitShape(live.places.empty() ? membrane.shape : live, membrane.cloth.particles, cut.sizeMm);
-  glm::dmat4 worldFromCut = scene::worldFromCut(cut);
-  glm::dvec3 normal = glm::transpose(glm::dmat3(worldFromCut)) * frame.normal;
-  double distance = -scene::heightOverSlice(frame, cut.centreMm);
-  std::vector<std::vector<glm::dvec2>> curves;
-  for (const auto& curve : membrane::crossPlane(shape, glm::vec3(normal), float(distance))) {
-    auto& points = curves.emplace_back();
-    for (glm::vec3 p : curve.places)
-      points.push_back(scene::slicePixelFromWorld(frame, glm::dvec3(worldFromCut * glm::dvec4(p, 1.0))));
-    if (curve.isClosed) points.push_back(points.front());
-  }
-  return curves;
-}
-
 }  // namespace
 
 glm::dvec2 onScreen(const SliceFrame& frame, glm::dvec3 direction) {
@@ -159,8 +139,11 @@ SliceOutline sliceOutline(const SliceFrame& frame, const scene::Cut& cut, const 
       }
       break;
     case CutShape::Membrane:
+      outline.isClosed = false;
       outline.curves = sheetCurves(frame, cut, live);
-      [[fallthrough]];
+      outline.band = crossWire(frame, cut, boxWire(half));
+      if (auto ends = frameLine(frame, cut)) outline.points = {ends->first, ends->second};
+      break;
     case CutShape::Box:
       outline.points = crossWire(frame, cut, boxWire(half));
       break;

@@ -43,6 +43,27 @@ class Membrane(CliTest):
         self.run_batch("render", "m.json", "-o", "plane.png", "--set", "cuts[Membrane].shape=plane", *look)
         self.run_batch("compare", "a.png", "plane.png", code=4)
 
+    def test_pins_and_kernels_move_the_sheet(self):
+        path = self.sample("two-spheres", 32)
+        info = self.report("info", path)
+        middle = [o + s * (n - 1) / 2 for o, s, n in zip(info["originMm"], info["spacingMm"], info["dims"])]
+        edge = info["spacingMm"][2] * info["dims"][2]
+        place = f"{middle[0]},{middle[1]},{middle[2] + 0.06 * edge}"
+
+        def highest(*options):  # nothing is protected
+            self.run_batch("membrane", path, "--protect", "5000,6000", *options, "--axis", "0,0,1", "--sheet", "s.obj", "--save-scene", "h.json")
+            lines = (self.folder / "s.obj").read_text().splitlines()
+            return max(float(line.split()[3]) for line in lines if line.startswith("v ")) - middle[2]
+
+        self.assertAlmostEqual(highest("--pin", place), 0.06 * edge, delta=1e-4 * edge)
+        self.assertGreater(highest("--kernel", f"{place},{0.1 * edge},-1000"), 0.04 * edge)
+        below = f"{middle[0]},{middle[1]},{middle[2] - 0.03 * edge}"
+        self.assertGreater(highest("--kernel", f"{below},{0.1 * edge},500", "--pin", below), -0.02 * edge)
+        self.assertEqual(self.report("membrane", "h.json", "--pin", place)["name"], "Membrane")
+
+    def test_without_a_word_it_protects_what_is_shown_most(self):
+        self.assertGreater(self.report("membrane", self.sample("two-spheres", 32))["kernels"], 0)
+
     def test_strokes_protect_what_lies_under_them(self):
         path = self.sample("two-spheres", 64)
         info = self.report("info", path)
@@ -66,6 +87,11 @@ class Membrane(CliTest):
 
     def test_refuses_with_words(self):
         path = self.sample("two-spheres", 32)
+        self.refuse("membrane", path, "--pin", "1,2", code=1, words=["--pin", "x,y,z"])
+        self.refuse("membrane", path, "--pin", "1,2,x", code=1, words=["--pin", "x,y,z"])
+        self.refuse("membrane", path, "--pin", "9999,0,0", "--axis", "0,0,1", code=1, words=["--pin", "frame"])
+        self.refuse("membrane", path, "--kernel", "1,2,3,0,5", code=1, words=["--kernel", "radius"])
+        self.refuse("membrane", path, "--kernel", "1,2,3", code=1, words=["--kernel", "strength"])
         self.refuse("membrane", path, "--protect", "9,3", code=1, words=["--protect"])
         self.refuse("membrane", path, "--protect-at", "1000,0,0", code=1, words=["outside"])
         self.refuse("membrane", path, "--sketch", "1,2", code=1, words=["--sketch", "1,2", "x,y,z"])

@@ -29,6 +29,9 @@ glm::dvec2 pixelOf(const scene::Scene& scene, glm::dvec3 world) {
   return scene::pixelFromWorld(scene.camera, kSize, world).value();
 }
 
+constexpr scene::CutShape kAllShapes[] = {scene::CutShape::Plane,    scene::CutShape::Box,  scene::CutShape::Sphere,
+                                          scene::CutShape::Cylinder, scene::CutShape::Cone, scene::CutShape::Membrane};
+
 bool isResize(CutHandle handle) { return handle >= CutHandle::FaceXMin; }
 
 double frameDifference(const scene::Cut& a, const scene::Cut& b) {
@@ -42,7 +45,7 @@ double frameDifference(const scene::Cut& a, const scene::Cut& b) {
 
 TEST(CutHandle, EveryGripIsFoundWhereItIs) {
   for (const auto& scene : manyViews())
-    for (auto shape : kShapes) {
+    for (auto shape : kAllShapes) {
       CutGizmo gizmo = makeCutGizmo(scene, tiltedCut(shape), kSize);
       for (const auto& grip : gizmo.grips)
         EXPECT_EQ(handleAt(gizmo, scene.camera, kSize, pixelOf(scene, grip.placeMm), 0.5), grip.handle)
@@ -52,7 +55,7 @@ TEST(CutHandle, EveryGripIsFoundWhereItIs) {
 
 TEST(CutHandle, AHandleStaysUnderThePointer) {
   for (const auto& scene : manyViews())
-    for (auto shape : kShapes) {
+    for (auto shape : kAllShapes) {
       scene::Cut start = tiltedCut(shape);
       CutGizmo gizmo = makeCutGizmo(scene, start, kSize);
       for (const auto& grip : gizmo.grips) {
@@ -73,7 +76,7 @@ TEST(CutHandle, AHandleStaysUnderThePointer) {
 
 TEST(CutHandle, GoingBackGivesTheCutThatWas) {
   for (const auto& scene : manyViews())
-    for (auto shape : kShapes) {
+    for (auto shape : kAllShapes) {
       scene::Cut start = tiltedCut(shape);
       CutGizmo gizmo = makeCutGizmo(scene, start, kSize);
       for (const auto& grip : gizmo.grips) {
@@ -87,7 +90,7 @@ TEST(CutHandle, GoingBackGivesTheCutThatWas) {
 
 TEST(CutHandle, ASecondDragTakesAResizeBack) {
   for (const auto& scene : manyViews())
-    for (auto shape : kShapes) {
+    for (auto shape : kAllShapes) {
       scene::Cut start = tiltedCut(shape);
       CutGizmo gizmo = makeCutGizmo(scene, start, kSize);
       for (const auto& grip : gizmo.grips) {
@@ -121,6 +124,35 @@ TEST(CutHandle, ResizingAFaceLeavesTheOppositeOneWhereItIs) {
           EXPECT_LT(frameDifference(now, start), 1e-12);
         }
   }
+}
+
+TEST(CutHandle, ACornerResizesBothEdgesAndTheOppositeOneStays) {
+  int corners = 0;
+  for (const auto& scene : manyViews())
+    for (bool keepsRatio : {false, true}) {
+      scene::Cut start = tiltedCut(scene::CutShape::Membrane);
+      CutGizmo gizmo = makeCutGizmo(scene, start, kSize);
+      auto placeOf = [](const scene::Cut& cut, glm::dvec2 sign) {
+        glm::dvec2 out = sign * glm::dvec2(cut.sizeMm) * 0.5;
+        return glm::dvec3(scene::worldFromCut(cut) * glm::dvec4(out, 0.0, 1.0));
+      };
+      for (int corner = 0; corner < 4; ++corner) {
+        auto handle = static_cast<CutHandle>(static_cast<int>(CutHandle::CornerMinMin) + corner);
+        glm::dvec2 from = pixelOf(scene, handlePlaceMm(gizmo, handle)), to = from + glm::dvec2(19, -11);
+        CutSnap snap{keepsRatio, glm::dmat3(10.0)};
+        scene::Cut now = dragCut(start, gizmo, handle, scene.camera, kSize, from, to, snap);
+        if (now == start) continue;  // seen edge on: there is no such grip
+        ++corners;
+        glm::dvec2 sign = cornerSigns(corner);
+        EXPECT_LT(glm::length(placeOf(now, -sign) - placeOf(start, -sign)), 1e-9);
+        EXPECT_EQ(now.sizeMm.z, start.sizeMm.z);
+        if (keepsRatio)
+          EXPECT_NEAR(now.sizeMm.x / now.sizeMm.y, start.sizeMm.x / start.sizeMm.y, 1e-9);
+        else
+          EXPECT_LT(glm::length(pixelOf(scene, placeOf(now, sign)) - to), 0.01) << "it stays under the pointer";
+      }
+    }
+  EXPECT_GT(corners, 30);
 }
 
 TEST(CutHandle, ATurnOfABoxIsRigid) {

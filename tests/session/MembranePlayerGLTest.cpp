@@ -2,6 +2,7 @@
 
 #include "GlFixture.h"
 #include "makeVolume.h"
+#include "velum/membrane/Simulation.h"
 #include "velum/session/CutEdit.h"
 #include "velum/session/DefaultField.h"
 
@@ -139,6 +140,40 @@ TEST_F(MembranePlayerGL, ASteadyDragSeesTheForcesOfPlacesOnItsWay) {
   mPlayer.endWork(finish);
   EXPECT_TRUE(mPlayer.isMoving());
   EXPECT_TRUE(mPlayer.nextWork()) << "and the newest next";
+}
+
+/// Drags a pin or a kernel, and looks at what is shown meanwhile.
+TEST_F(MembranePlayerGL, TheSheetFollowsAHandAndRestsWhereItWouldHaveFromTheStart) {
+  scene::Scene scene = ballScene();
+  mPlayer.follow(scene);
+  settle();
+  scene::SheetShape before = shapeOf(mPlayer, scene);
+  for (double strength : {0.0, -1000.0, 500.0}) {  // a pin, a kernel that pulls, one that pushes
+    scene::Scene dragged = scene;
+    double seen = 0.0;
+    for (int i = 1; i <= 12; ++i) {
+      auto& membrane = dragged.cuts[0].membrane;
+      glm::dvec3 place(0, -12, 0.5 * i);
+      if (strength == 0.0)
+        membrane.pins = {{{0.5, 0.2}, place}};
+      else
+        membrane.field.kernels = {{place, 8.0, strength}};
+      mPlayer.follow(dragged);
+      work();
+      mPlayer.advance(20.0);
+      auto height = membrane::heightOf(shapeOf(mPlayer, dragged));
+      seen = std::max(seen, std::abs(height(place)));
+    }
+    EXPECT_GT(seen, 1.0) << "a steady drag is followed, not only its end";
+    settle();
+    MembranePlayer fresh;
+    fresh.follow(dragged);
+    settle(fresh, 8.0);
+    EXPECT_EQ(shapeOf(mPlayer, dragged), shapeOf(fresh, dragged));
+    mPlayer.follow(scene);  // undone
+    settle();
+    EXPECT_EQ(shapeOf(mPlayer, scene), before);
+  }
 }
 
 TEST_F(MembranePlayerGL, WorkForDataThatIsGoneIsCancelled) {

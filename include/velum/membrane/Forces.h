@@ -28,6 +28,7 @@ struct Corridor {
 struct Forces {
   PushField field;
   Corridor corridor;
+  bool isPreview = false;   ///< of ForceMaker::preview()
   std::size_t kernels = 0;  ///< of the whole volume
   double kernelsMs = 0;     ///< time from the data to the kernels; 0: they were there
   double leastCutMs = 0;
@@ -60,15 +61,31 @@ class ForceMaker {
   /// @throw Cancelled
   Forces compute(const scene::Cut& cut, const CurrentSheet& current, Progress& progress);
 
+  /// For a hand that drags kernels: as compute(), but each that repels is passed on the side of the data's own least
+  /// cut rather than by another one. A few milliseconds where that is known. @throw Cancelled
+  Forces preview(const scene::Cut& cut, Progress& progress);
+
  private:
+  /// A corridor, and what it is of: see sidesPart().
+  struct Sides {
+    std::optional<scene::Cut> cut;
+    Corridor corridor;
+  };
   const KernelGrid& kernelsOf(const scene::ForceField& field, Progress& progress);
   std::vector<int> belowCurrent(const CutLattice& lattice, const scene::Cut& cut, const CurrentSheet& current,
                                 Progress& progress) const;
+
+  const ProtectedVoxels& voxelsOf(const scene::Cut& cut, Progress& progress);
+  Forces kernelForces(const scene::Cut& cut, Progress& progress);
+  Corridor corridorOf(const scene::Cut& cut, const CurrentSheet& current, Progress& progress);
 
   Potential mPotential;
   int mTimeStep = 0, mTimeSteps = 1;
   std::optional<scene::ForceField> mField;  ///< that mKernels are of
   KernelGrid mKernels;
+  std::optional<scene::Cut> mVoxelsCut;
+  ProtectedVoxels mVoxels;   ///< of the data alone
+  Sides mDataSides, mSides;  ///< of the data alone; with the last kernels that were put in
 };
 
 /// Room for each particle of a sheet: of the columns that are nearer to it than to others. Where no height suits them

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <glm/glm.hpp>
+#include <optional>
 #include <vector>
 
 #include "velum/scene/SheetShape.h"
@@ -26,6 +27,15 @@ SheetIndex makeSheetIndex(const scene::SheetShape& shape, glm::ivec2 flat, glm::
 /// True where the sheet, or the plane z = 0 beyond its frame, lies below the place: what a clipping membrane removes.
 /// @param placeMm  in the frame
 bool isAbove(const SheetIndex& index, glm::vec3 placeMm);
+
+/// A point of a sheet: where it is in the frame, mm, and between which particles, as a share 0..1 of those along x and
+/// y.
+struct SheetTouch {
+  glm::dvec3 placeMm{0.0};
+  glm::dvec2 share{0.5};
+};
+/// The first point of the sheet on a line from a place; nothing when there is none. @param direction  unit
+std::optional<SheetTouch> touchSheet(const SheetIndex& index, glm::dvec3 originMm, glm::dvec3 direction);
 
 /// Rows of a sheet before the lists of its cells.
 constexpr std::size_t fixedRows(glm::ivec2 particles) {

@@ -41,6 +41,7 @@ class Simulation {
   void look();
   void refine();
   void applyForces();
+  bool isRaised() const;
 
   std::optional<Solver> mSolver;
   scene::Cut mCut;

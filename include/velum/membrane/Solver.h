@@ -24,6 +24,8 @@ struct PlacedKernel {
   double halfWidthMm = 1.0;
   double push = 0.0;  ///< along the normal; sign: to which side
   double pull = 0.0;  ///< > 0 away from the centre, < 0 to it
+  double liftMm =
+      0.0;  ///< raises the slice to which the sheet is pulled back, around the centre; along the normal only
 };
 
 /// What acts on the sheet: kernels on a regular lattice, by the rule they were prepared for.

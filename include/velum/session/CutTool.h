@@ -27,7 +27,11 @@ enum class CutHandle {
   FaceYMax,
   FaceZMin,
   FaceZMax,  ///< faces of a box, ends of a cylinder, apex and base of a cone: the opposite one stays
-  Radius     ///< of a sphere, cylinder or cone
+  Radius,    ///< of a sphere, cylinder or cone
+  CornerMinMin,
+  CornerMaxMin,
+  CornerMinMax,
+  CornerMaxMax  ///< of a membrane's frame, by x and y: both sides there move, the opposite corner stays
 };
 
 /// A place where a handle is taken. World, mm.
@@ -63,7 +67,8 @@ std::vector<glm::dvec3> ringPointsMm(const CutGizmo& gizmo);
 CutHandle handleAt(const CutGizmo& gizmo, const scene::Camera& camera, glm::dvec2 pictureSize, glm::dvec2 pixel,
                    double reach);
 
-/// What a drag keeps to while Shift is held: whole voxels and 15 degrees. Off by default.
+/// What a drag keeps to while Shift is held: whole voxels and 15 degrees; a corner: the ratio of its edges. Off by
+/// default.
 struct CutSnap {
   bool on = false;
   glm::dmat3 worldFromVoxel{1.0};
@@ -84,6 +89,10 @@ const char* dragLabel(const scene::Cut& cut, CutHandle handle);
 double snappedLength(double mm, glm::dvec3 direction, const CutSnap& snap);
 glm::dvec3 snappedShift(glm::dvec3 shiftMm, const CutSnap& snap);
 double snappedAngle(double rad, const CutSnap& snap);
+/// On which side of the middle a corner of a frame lies, along its width and height. @param corner  0..3
+glm::dvec2 cornerSigns(int corner);
+/// Moves a corner of a frame by mm along its width and height; the opposite one stays. @param keepsRatio  of its edges
+scene::Cut withCornerMoved(scene::Cut cut, int corner, glm::dvec2 mm, double smallest, bool keepsRatio);
 /// Moves one face of a box, an end of a cylinder or cone outwards by `mm`; the opposite one stays.
 /// @param axis, sign  which face: 0..2, -1 or 1  @param smallest  the least that is left, mm
 scene::Cut withFaceMoved(scene::Cut cut, int axis, int sign, double mm, double smallest);

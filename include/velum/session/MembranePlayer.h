@@ -81,6 +81,8 @@ class MembranePlayer {
   std::vector<render::FrameSheet> sheets();
   /// The same on the processor, for slices: at rest as the sheets are, and a few times a second while they move.
   std::vector<std::shared_ptr<const membrane::SheetIndex>> indices() const;
+  /// Of the cut in this place, whether enabled or not; nothing when it is no membrane.
+  std::shared_ptr<const membrane::SheetIndex> index(std::size_t cut) const;
   /// Another number when pictures of the sheets are others.
   std::uint64_t shownCount() const;
 
@@ -121,7 +123,7 @@ class MembranePlayer {
   struct Out {
     std::uint64_t id = 0;  ///< of the sheet; 0: nothing is
     std::uint64_t data = 0, wish = 0;
-    bool isMeasure = false;
+    bool isMeasure = false, isPreview = false;
   };
   Out mOut;
   bool mPlaying = true;

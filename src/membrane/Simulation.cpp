@@ -157,7 +157,10 @@ void Simulation::refine() {
   std::vector<float> xs = along(0), ys = along(1);
   glm::ivec2 particles(int(xs.size()), int(ys.size()));
   scene::SheetShape coarse = shape();
-  if (particles.x <= coarse.particles.x && particles.y <= coarse.particles.y) return void(mPhase = Phase::Rest);
+  // Where there is room for all columns it has one for each, even if those are fewer than it has now.
+  bool hasAll = corridor.dims.x + 2 <= most && corridor.dims.y + 2 <= most;
+  if (!hasAll && particles.x <= coarse.particles.x && particles.y <= coarse.particles.y)
+    return void(mPhase = Phase::Rest);
   mSolver->setSheet({particles, half, mCut.membrane.cloth, true});
   // Beside what the corridor asks for, the finest sheet is flat; what hands have raised is far from that already.
   HeightOver height;

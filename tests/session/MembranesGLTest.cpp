@@ -57,6 +57,15 @@ TEST_F(MembranesGL, VesselsAreCutHardlyMoreThanTheyMustBe) {
   }
 }
 
+TEST_F(MembranesGL, CoarseDataIsSparedLikeFineData) {
+  // Fewer columns of voxels than the sheet has particles from the start.
+  scene::Scene scene = phantom("two-spheres", 40, 500, {0, 1, 0});
+  auto report = settleMembranes(scene, {true, true}, sProgress).at(0);
+  EXPECT_GT(report.kept->cutAreaPlane, 200);
+  EXPECT_LT(report.kept->ratio, 1.0);
+  EXPECT_LE(report.kept->ratio, 1.6 * report.limit->figure.ratio + 0.05);
+}
+
 TEST_F(MembranesGL, TheSameSceneGivesTheSameSheet) {
   scene::Scene a = phantom("vessels", 64, 700), b = a;
   settleMembranes(a, {}, sProgress);

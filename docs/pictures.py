@@ -5,6 +5,7 @@ Each picture is a plate of panels, each panel one call of `velum-batch render`, 
 openimageio-tools). The scans are those of the Debian packages invesalius-examples and mricron-data; all else is
 phantoms. usage: pictures.py BATCH FOLDER [NAME...]
 """
+import json
 import pathlib
 import subprocess
 import sys
@@ -92,6 +93,48 @@ def membrane(folder):
     ]
 
 
+def situations(folder):
+    """The situations of the membrane paper's figures, row by row, each with plain clipping first. They are those of the
+    golden pictures, finer."""
+    cases = pathlib.Path(__file__).parent.parent / "tests" / "golden"
+
+    def panel(name, *more, view=None):
+        case = json.loads((cases / name / "case.json").read_text())
+        fields = {**case["set"], **{k: v for one in more for k, v in one.items()}}
+        fields["rayCast.samplesPerPixel"] = SAMPLES
+        words = [folder / f"{case['sample']}.nrrd", "--preset", case["preset"], "--view", view or case["view"]]
+        shape = fields.pop("cuts.0.shape")
+        return [*words, *sets(f"cuts.+.shape={shape}", *(f"{path}={json.dumps(v) if not isinstance(v, str) else v}"
+                                                        for path, v in fields.items()))]
+
+    def active(name):
+        """The frame comes down and drags its sheet along: a scene for each place."""
+        panels = json.loads((cases / name / "case.json").read_text())["panels"]
+        scenes, scene = [], panel(name, panels[0]["set"])
+        for i, place in enumerate(panels):
+            out = folder / f"{name}{i}.json"
+            centre = place["set"]["cuts.0.centreMm"]
+            run(sys.argv[1], "membrane", *scene, *sets(f"cuts.0.centreMm={json.dumps(centre)}"), "--save-scene", out)
+            scene = [out]
+            scenes.append([out])
+        return scenes
+
+    plane, cut_face = {"cuts.0.shape": "plane"}, {"cuts.0.shape": "plane", "cuts.0.face": "slice"}
+    as_slice, as_grid = {"cuts.0.membrane.use": "slice"}, {"cuts.0.membrane.look": "grid"}
+    torso, spheres, fade, horizon = "imc-fig3-torso", "imc-fig5-spheres", "imc-fig6-falloff", "imc-fig7-horizon"
+    vessels, levels = "imc-fig8-active", "imc-fig10-levels"
+    return [
+        *(panel(torso, cut_face), panel(torso, as_slice), panel(torso, as_slice, view="oblique"),
+          panel(torso, as_grid, view="oblique")),
+        *(panel(spheres, cut_face, view="oblique"), panel(spheres, plane, view="oblique"),
+          panel(spheres, as_slice, view="oblique"), panel(spheres, view="oblique")),
+        *(panel(fade, cut_face), *(panel(fade, {"cuts.0.membrane.falloffMm": mm}) for mm in (8, 20, 60))),
+        *(panel(horizon, plane), panel(horizon), panel(horizon, as_grid), panel(horizon, view="superior")),
+        *(panel(vessels, plane, {"cuts.0.centreMm": [0, 0, 0]}), *active(vessels)),
+        *(panel(levels, cut_face), panel(levels, plane), *(panel(levels, {"cuts.0.membrane.field.level": n}) for n in (1, 4))),
+    ]
+
+
 def labels(_):
     return [[*REGIONS, *OPENED], [*REGIONS, *SPARED], [*REGIONS, *SPARED, *sets("labels.tint=0")]]
 
@@ -130,11 +173,12 @@ PLATES = {
     "cuts": (3, (480, 400), DARK, cuts),
     "labels": (3, (480, 400), DARK, labels),
     "membrane": (3, (480, 400), DARK, membrane),
+    "situations": (4, (300, 240), DARK, situations),
     "layers": (4, (400, 340), WHITE, layers),
     "turn": (4, (360, 300), DARK, turn),
     "sheet": (3, (480, 400), DARK, sheet),
 }
-PHANTOMS = {"membrane": ("torso", "heart"), "sheet": ("torso", "vessels", "neurons", "seismic")}
+PHANTOMS = {"situations": ("torso", "two-spheres", "seismic", "vessels"), "membrane": ("torso", "heart"), "sheet": ("torso", "vessels", "neurons", "seismic")}
 
 
 def run(*command):

@@ -226,7 +226,13 @@ int run(const MembraneOptions& options) {
   scene::Scene settled = scene;
   auto reports = session::settleMembranes(settled, {true, options.limit}, consoleProgress());
   consoleProgress().report(1.0, "");
-  if (!options.saveScene.empty()) session::saveScene(scene, options.saveScene);
+  if (!options.saveScene.empty()) {
+    // Where an active sheet rests is where it goes on from.
+    for (std::size_t i = 0; i < scene.cuts.size(); ++i)
+      if (scene.cuts[i].membrane.repositioning == scene::Repositioning::Active)
+        scene.cuts[i].membrane.shape = settled.cuts[i].membrane.shape;
+    session::saveScene(scene, options.saveScene);
+  }
   exportWhatIsAsked(settled, reports, options);
   Json list = Json::array();
   for (const auto& report : reports) {

@@ -665,7 +665,8 @@ void castMarked(inout Hit hit, Ray ray, Walk walk, float from, float tEnd) {
     if (seeksSheet) sheet = hasFlag(kFlagSheets) ? nextSheet(ray, sheet.t + (sheet.cut < 0 ? 0.0 : e), tEnd) : Mark(kFar, -1, -1);
     seeksSlice = false;
     seeksSheet = false;
-    bool sliceIsNext = slice.t <= sheet.t;
+    // A sheet that lies in the slice is drawn on it, not now before and now behind it.
+    bool sliceIsNext = slice.t <= sheet.t - 0.1 / frame.cellGrid.w;
     float mark = min(slice.t, sheet.t);
     if (mark <= t + e) {
       if (sliceIsNext) {

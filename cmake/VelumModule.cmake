@@ -1,8 +1,8 @@
-# velum_module(<name> SOURCES ... HEADERS ... DEPENDS ... [PRIVATE ...])
+# velum_module(<name> [SOURCES ...] [HEADERS ...] DEPENDS ... [PRIVATE ...] [ROOMS ...])
 # One library per module: target velum_<name>, alias velum::<name>.
-# HEADERS are relative to include/velum/<name>; SOURCES to src/<name>.
+# HEADERS are relative to include/velum/<name>; SOURCES to src/<name>. ROOMS are folders in it that call velum_room().
 function(velum_module name)
-  cmake_parse_arguments(M "" "" "SOURCES;HEADERS;DEPENDS;PRIVATE" ${ARGN})
+  cmake_parse_arguments(M "" "" "SOURCES;HEADERS;DEPENDS;PRIVATE;ROOMS" ${ARGN})
   list(TRANSFORM M_HEADERS PREPEND "${PROJECT_SOURCE_DIR}/include/velum/${name}/")
   add_library(velum_${name} STATIC ${M_SOURCES})
   add_library(velum::${name} ALIAS velum_${name})
@@ -13,4 +13,20 @@ function(velum_module name)
   list(TRANSFORM M_DEPENDS PREPEND "velum::")
   target_link_libraries(velum_${name} PUBLIC ${M_DEPENDS} PRIVATE ${M_PRIVATE} velum_warnings)
   target_compile_features(velum_${name} PUBLIC cxx_std_20)
+  foreach(room IN LISTS M_ROOMS)
+    add_subdirectory(${room})
+  endforeach()
+endfunction()
+
+# velum_room(<name> [HEADERS ...] [SOURCES ...]): adds the folder that it is called in to the module <name>. HEADERS are relative to
+# the folder of that name in include/velum/<name>; SOURCES to this one.
+function(velum_room name)
+  cmake_parse_arguments(R "" "" "SOURCES;HEADERS" ${ARGN})
+  cmake_path(GET CMAKE_CURRENT_SOURCE_DIR FILENAME room)
+  list(TRANSFORM R_HEADERS PREPEND "${PROJECT_SOURCE_DIR}/include/velum/${name}/${room}/")
+  list(TRANSFORM R_SOURCES PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/")
+  target_sources(velum_${name} PRIVATE ${R_SOURCES})
+  if(R_HEADERS)
+    target_sources(velum_${name} PUBLIC FILE_SET HEADERS FILES ${R_HEADERS})
+  endif()
 endfunction()

@@ -8,8 +8,8 @@
 #include "Verbs.h"
 #include "velum/render/Renderer.h"
 #include "velum/scene/Navigate.h"
-#include "velum/session/Membranes.h"
-#include "velum/session/Picture.h"
+#include "velum/session/membrane/Membranes.h"
+#include "velum/session/picture/Picture.h"
 
 namespace velum::app {
 

@@ -8,10 +8,10 @@
 
 #include "Verbs.h"
 #include "velum/core/Error.h"
-#include "velum/scene/Json.h"
 #include "velum/scene/Presets.h"
-#include "velum/session/Look.h"
-#include "velum/session/Open.h"
+#include "velum/scene/json/Json.h"
+#include "velum/session/document/Open.h"
+#include "velum/session/look/Look.h"
 
 namespace velum::app {
 

@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
 #include "Verbs.h"
-#include "velum/io/ReadVolume.h"
-#include "velum/io/WriteVolume.h"
-#include "velum/session/Look.h"
+#include "velum/io/volumes/ReadVolume.h"
+#include "velum/io/volumes/WriteVolume.h"
+#include "velum/session/look/Look.h"
 
 namespace velum::app {
 

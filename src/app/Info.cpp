@@ -4,10 +4,10 @@
 
 #include "Verbs.h"
 #include "velum/core/Error.h"
-#include "velum/io/Formats.h"
-#include "velum/io/ReadVolume.h"
+#include "velum/io/volumes/Formats.h"
+#include "velum/io/volumes/ReadVolume.h"
 #include "velum/scene/Presets.h"
-#include "velum/session/Open.h"
+#include "velum/session/document/Open.h"
 
 namespace velum::app {
 

@@ -7,14 +7,14 @@
 #include "Verbs.h"
 #include "velum/core/Error.h"
 #include "velum/scene/Project.h"
-#include "velum/session/CutEdit.h"
-#include "velum/session/DefaultField.h"
-#include "velum/session/Export.h"
-#include "velum/session/MembraneEdit.h"
-#include "velum/session/Membranes.h"
-#include "velum/session/Open.h"
-#include "velum/session/SheetHands.h"
-#include "velum/session/Sketch.h"
+#include "velum/session/cut/CutEdit.h"
+#include "velum/session/document/Open.h"
+#include "velum/session/membrane/DefaultField.h"
+#include "velum/session/membrane/MembraneEdit.h"
+#include "velum/session/membrane/Membranes.h"
+#include "velum/session/membrane/SheetHands.h"
+#include "velum/session/membrane/Sketch.h"
+#include "velum/session/picture/Export.h"
 
 namespace velum::app {
 

@@ -5,9 +5,9 @@
 
 #include "Verbs.h"
 #include "velum/core/Error.h"
-#include "velum/session/Folders.h"
-#include "velum/session/Open.h"
-#include "velum/session/Recovery.h"
+#include "velum/session/document/Folders.h"
+#include "velum/session/document/Open.h"
+#include "velum/session/document/Recovery.h"
 
 namespace velum::app {
 

@@ -8,9 +8,9 @@
 #include "velum/core/Error.h"
 #include "velum/render/Renderer.h"
 #include "velum/scene/Navigate.h"
-#include "velum/session/Membranes.h"
-#include "velum/session/Open.h"
-#include "velum/session/Picture.h"
+#include "velum/session/document/Open.h"
+#include "velum/session/membrane/Membranes.h"
+#include "velum/session/picture/Picture.h"
 
 namespace velum::app {
 

@@ -1,4 +1,4 @@
-#include "velum/io/Sample.h"
+#include "velum/io/phantoms/Sample.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 
 #include "Verbs.h"
 #include "velum/core/Error.h"
-#include "velum/io/WriteVolume.h"
+#include "velum/io/volumes/WriteVolume.h"
 
 namespace velum::app {
 

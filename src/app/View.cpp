@@ -8,7 +8,7 @@
 #include "velum/gpu/GpuError.h"
 #include "velum/render/Renderer.h"
 #include "velum/scene/Navigate.h"
-#include "velum/session/Picture.h"
+#include "velum/session/picture/Picture.h"
 
 namespace velum::app {
 

@@ -14,12 +14,12 @@
 #include <QTimer>
 #include <cstdio>
 
-#include "LookPanel.h"
-#include "MainWindow.h"
-#include "Preferences.h"
-#include "Script.h"
+#include "look/LookPanel.h"
 #include "velum/core/Error.h"
-#include "velum/session/Folders.h"
+#include "velum/session/document/Folders.h"
+#include "window/MainWindow.h"
+#include "window/Preferences.h"
+#include "window/Script.h"
 
 namespace {
 

@@ -3,10 +3,10 @@
 #include <span>
 #include <vector>
 
-#include "TransferTable.h"
-#include "VolumeUpload.h"
 #include "shared/cut.h"
 #include "shared/frame.h"
+#include "upload/TransferTable.h"
+#include "upload/VolumeUpload.h"
 #include "velum/render/Frame.h"
 
 namespace velum::render {

@@ -8,12 +8,12 @@
 #include <optional>
 #include <string>
 
-#include "CutSheets.h"
 #include "FrameSetup.h"
-#include "VolumeUpload.h"
 #include "passes/LightPass.h"
 #include "passes/SkipPass.h"
 #include "passes/SurfacePass.h"
+#include "upload/CutSheets.h"
+#include "upload/VolumeUpload.h"
 #include "velum/gpu/Framebuffer.h"
 #include "velum/render/Renderer.h"
 

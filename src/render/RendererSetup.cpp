@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "BlueNoise.h"
 #include "RendererImpl.h"
-#include "TransferTable.h"
+#include "upload/BlueNoise.h"
+#include "upload/TransferTable.h"
 
 namespace velum::render {
 

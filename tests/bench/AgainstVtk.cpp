@@ -9,7 +9,7 @@
 #include "Data.h"
 #include "Sections.h"
 #include "VtkScene.h"
-#include "velum/io/ImageFile.h"
+#include "velum/io/images/ImageFile.h"
 #include "velum/render/Renderer.h"
 
 namespace velum::bench {

@@ -8,7 +8,7 @@
 
 #include "Child.h"
 #include "DragSlice.h"
-#include "Theme.h"
+#include "kit/Theme.h"
 
 namespace velum::bench {
 

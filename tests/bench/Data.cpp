@@ -7,8 +7,8 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "velum/io/ReadVolume.h"
-#include "velum/io/Sample.h"
+#include "velum/io/phantoms/Sample.h"
+#include "velum/io/volumes/ReadVolume.h"
 #include "velum/scene/Presets.h"
 
 namespace velum::bench {

@@ -8,11 +8,11 @@
 
 #include "Data.h"
 #include "Sections.h"
-#include "velum/io/ReadVolume.h"
-#include "velum/io/Sample.h"
-#include "velum/session/CutEdit.h"
-#include "velum/session/MembraneEdit.h"
-#include "velum/session/Membranes.h"
+#include "velum/io/phantoms/Sample.h"
+#include "velum/io/volumes/ReadVolume.h"
+#include "velum/session/cut/CutEdit.h"
+#include "velum/session/membrane/MembraneEdit.h"
+#include "velum/session/membrane/Membranes.h"
 
 namespace velum::bench {
 

@@ -8,9 +8,9 @@
 #include "Child.h"
 #include "Data.h"
 #include "Sections.h"
-#include "velum/io/ReadVolume.h"
-#include "velum/io/Sample.h"
-#include "velum/io/WriteVolume.h"
+#include "velum/io/phantoms/Sample.h"
+#include "velum/io/volumes/ReadVolume.h"
+#include "velum/io/volumes/WriteVolume.h"
 
 namespace velum::bench {
 

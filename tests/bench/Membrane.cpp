@@ -10,8 +10,8 @@
 #include "Data.h"
 #include "Sections.h"
 #include "velum/gpu/Program.h"
-#include "velum/membrane/Kernels.h"
-#include "velum/membrane/Solver.h"
+#include "velum/membrane/forces/Kernels.h"
+#include "velum/membrane/sheet/Solver.h"
 
 namespace velum::bench {
 

@@ -8,12 +8,12 @@
 #include "Data.h"
 #include "Sections.h"
 #include "velum/gpu/Program.h"
-#include "velum/membrane/Sheet.h"
-#include "velum/membrane/Simulation.h"
+#include "velum/membrane/sheet/Sheet.h"
+#include "velum/membrane/sheet/Simulation.h"
 #include "velum/render/Renderer.h"
 #include "velum/scene/Presets.h"
-#include "velum/session/CutEdit.h"
-#include "velum/session/MembraneEdit.h"
+#include "velum/session/cut/CutEdit.h"
+#include "velum/session/membrane/MembraneEdit.h"
 
 namespace velum::bench {
 

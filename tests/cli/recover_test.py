@@ -7,7 +7,7 @@ from velum_cli import CliTest
 
 
 def check_sum(text):
-    """As src/scene/ChangeLog.cpp: FNV-1a, 64 bits."""
+    """As src/scene/json/ChangeLog.cpp: FNV-1a, 64 bits."""
     value = 14695981039346656037
     for byte in text.encode():
         value = (value ^ byte) * 1099511628211 % 2**64

@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <string>
 
-#include "formats/Readers.h"
 #include "velum/core/Error.h"
+#include "volumes/Readers.h"
 
 namespace velum::io {
 

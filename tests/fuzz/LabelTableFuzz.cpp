@@ -5,9 +5,9 @@
 #include <map>
 #include <string>
 
-#include "formats/LabelTables.h"
+#include "labels/LabelTables.h"
 #include "velum/core/Error.h"
-#include "velum/io/ReadVolume.h"
+#include "velum/io/volumes/ReadVolume.h"
 
 namespace {
 

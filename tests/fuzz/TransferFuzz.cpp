@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "velum/core/Error.h"
-#include "velum/io/TransferFile.h"
+#include "velum/io/looks/TransferFile.h"
 
 /// The same bytes as each kind of file that holds a transfer function: refused in words, or one that can be drawn and
 /// written again.

@@ -12,14 +12,14 @@
 #include <cmath>
 
 #include "DicomSeries.h"
-#include "MainWindow.h"
 #include "Shots.h"
-#include "StructureCommands.h"
 #include "TempFolder.h"
-#include "TransferCanvas.h"
-#include "velum/io/Sample.h"
-#include "velum/io/WriteVolume.h"
-#include "velum/session/TransferTool.h"
+#include "look/TransferCanvas.h"
+#include "structure/StructureCommands.h"
+#include "velum/io/phantoms/Sample.h"
+#include "velum/io/volumes/WriteVolume.h"
+#include "velum/session/look/TransferTool.h"
+#include "window/MainWindow.h"
 
 namespace velum::gui {
 namespace {

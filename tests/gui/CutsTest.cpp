@@ -4,13 +4,13 @@
 #include <QMenu>
 #include <QPushButton>
 
-#include "CutPanel.h"
 #include "Shots.h"
-#include "SliceCutOverlay.h"
 #include "StructureFixture.h"
-#include "ThreePointTool.h"
+#include "cut/CutPanel.h"
+#include "cut/ThreePointTool.h"
 #include "velum/scene/Project.h"
 #include "velum/scene/SliceFrame.h"
+#include "view/SliceCutOverlay.h"
 
 namespace velum::gui {
 

@@ -9,15 +9,15 @@
 #include <QTest>
 #include <QTimer>
 
-#include "MainWindow.h"
-#include "RecentFiles.h"
-#include "RecoveryBar.h"
 #include "Shots.h"
 #include "TempFolder.h"
-#include "velum/io/Sample.h"
-#include "velum/io/WriteVolume.h"
-#include "velum/session/Folders.h"
-#include "velum/session/Open.h"
+#include "velum/io/phantoms/Sample.h"
+#include "velum/io/volumes/WriteVolume.h"
+#include "velum/session/document/Folders.h"
+#include "velum/session/document/Open.h"
+#include "window/MainWindow.h"
+#include "window/RecentFiles.h"
+#include "window/RecoveryBar.h"
 
 namespace velum::gui {
 namespace {

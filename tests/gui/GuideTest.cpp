@@ -6,7 +6,7 @@
 #include <QFile>
 #include <QTest>
 
-#include "MainWindow.h"
+#include "window/MainWindow.h"
 
 namespace velum::gui {
 namespace {

@@ -21,18 +21,18 @@
 #include <QToolBar>
 #include <QToolButton>
 
-#include "CommandFinder.h"
-#include "HelpWindow.h"
-#include "MainWindow.h"
-#include "Preferences.h"
-#include "RecoveryBar.h"
-#include "SavePictureDialog.h"
 #include "Shots.h"
 #include "TempFolder.h"
-#include "Theme.h"
-#include "TransferCanvas.h"
-#include "velum/io/Sample.h"
-#include "velum/io/WriteVolume.h"
+#include "kit/Theme.h"
+#include "look/TransferCanvas.h"
+#include "velum/io/phantoms/Sample.h"
+#include "velum/io/volumes/WriteVolume.h"
+#include "window/CommandFinder.h"
+#include "window/HelpWindow.h"
+#include "window/MainWindow.h"
+#include "window/Preferences.h"
+#include "window/RecoveryBar.h"
+#include "window/SavePictureDialog.h"
 
 namespace velum::gui {
 namespace {

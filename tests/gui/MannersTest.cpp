@@ -8,13 +8,13 @@
 #include <QStandardPaths>
 #include <QTest>
 
-#include "MainWindow.h"
 #include "Shots.h"
 #include "TempFolder.h"
-#include "Theme.h"
-#include "TimeBar.h"
-#include "velum/io/Sample.h"
-#include "velum/io/WriteVolume.h"
+#include "kit/Theme.h"
+#include "velum/io/phantoms/Sample.h"
+#include "velum/io/volumes/WriteVolume.h"
+#include "view/TimeBar.h"
+#include "window/MainWindow.h"
 
 namespace velum::gui {
 namespace {

@@ -3,10 +3,10 @@
 #include <QLabel>
 #include <QPushButton>
 
-#include "MembraneForm.h"
 #include "Shots.h"
-#include "StrengthCanvas.h"
 #include "WindowFixture.h"
+#include "membrane/MembraneForm.h"
+#include "membrane/StrengthCanvas.h"
 
 namespace velum::gui {
 

@@ -12,12 +12,12 @@
 #include <QTest>
 #include <QTextBlock>
 
-#include "CommandFinder.h"
-#include "HelpWindow.h"
-#include "SavePictureDialog.h"
 #include "Shots.h"
 #include "TempFolder.h"
-#include "velum/session/Open.h"
+#include "velum/session/document/Open.h"
+#include "window/CommandFinder.h"
+#include "window/HelpWindow.h"
+#include "window/SavePictureDialog.h"
 
 namespace velum::gui {
 namespace {

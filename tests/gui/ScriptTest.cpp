@@ -1,14 +1,14 @@
-#include "Script.h"
+#include "window/Script.h"
 
 #include <gtest/gtest.h>
 
 #include <QFile>
 #include <QTest>
 
-#include "MainWindow.h"
 #include "TempFolder.h"
-#include "velum/io/Sample.h"
-#include "velum/io/WriteVolume.h"
+#include "velum/io/phantoms/Sample.h"
+#include "velum/io/volumes/WriteVolume.h"
+#include "window/MainWindow.h"
 
 namespace velum::gui {
 namespace {

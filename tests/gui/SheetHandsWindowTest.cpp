@@ -3,10 +3,10 @@
 #include <QPushButton>
 #include <QToolButton>
 
-#include "SheetTool.h"
 #include "Shots.h"
-#include "Theme.h"
 #include "WindowFixture.h"
+#include "kit/Theme.h"
+#include "membrane/SheetTool.h"
 
 namespace velum::gui {
 

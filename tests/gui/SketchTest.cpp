@@ -4,12 +4,12 @@
 #include <QPushButton>
 #include <QTableWidget>
 
-#include "MembraneForm.h"
 #include "Shots.h"
-#include "SketchTool.h"
-#include "StructureCommands.h"
 #include "WindowFixture.h"
-#include "velum/membrane/Kernels.h"
+#include "membrane/MembraneForm.h"
+#include "membrane/SketchTool.h"
+#include "structure/StructureCommands.h"
+#include "velum/membrane/forces/Kernels.h"
 
 namespace velum::gui {
 

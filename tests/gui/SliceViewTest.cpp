@@ -3,7 +3,7 @@
 #include <QSignalSpy>
 
 #include "WindowFixture.h"
-#include "velum/session/SliceTool.h"
+#include "velum/session/section/SliceTool.h"
 
 namespace velum::gui {
 

@@ -7,11 +7,11 @@
 #include <memory>
 #include <optional>
 
-#include "MainWindow.h"
-#include "StructurePanel.h"
 #include "TempFolder.h"
-#include "velum/io/Sample.h"
-#include "velum/io/WriteVolume.h"
+#include "structure/StructurePanel.h"
+#include "velum/io/phantoms/Sample.h"
+#include "velum/io/volumes/WriteVolume.h"
+#include "window/MainWindow.h"
 
 namespace velum::gui {
 

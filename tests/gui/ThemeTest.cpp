@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "Theme.h"
+#include "kit/Theme.h"
 
 namespace velum::gui {
 namespace {

@@ -9,17 +9,17 @@
 #include <QTest>
 #include <fstream>
 
-#include "ChannelList.h"
-#include "LookCommands.h"
-#include "LookPanel.h"
-#include "MainWindow.h"
 #include "Shots.h"
 #include "TempFolder.h"
-#include "TransferCanvas.h"
+#include "look/ChannelList.h"
+#include "look/LookCommands.h"
+#include "look/LookPanel.h"
+#include "look/TransferCanvas.h"
 #include "makeVolume.h"
-#include "velum/io/WriteVolume.h"
+#include "velum/io/volumes/WriteVolume.h"
 #include "velum/scene/Presets.h"
-#include "velum/session/TransferTool.h"
+#include "velum/session/look/TransferTool.h"
+#include "window/MainWindow.h"
 
 namespace velum::gui {
 namespace {

@@ -6,11 +6,11 @@
 #include <QTest>
 #include <memory>
 
-#include "MainWindow.h"
 #include "TempFolder.h"
-#include "velum/io/Sample.h"
-#include "velum/io/WriteVolume.h"
+#include "velum/io/phantoms/Sample.h"
+#include "velum/io/volumes/WriteVolume.h"
 #include "velum/scene/Project.h"
+#include "window/MainWindow.h"
 
 namespace velum::gui {
 

@@ -11,8 +11,8 @@
 #include <QSurfaceFormat>
 #include <fstream>
 
-#include "Theme.h"
 #include "WindowFixture.h"
+#include "kit/Theme.h"
 
 namespace velum::gui {
 

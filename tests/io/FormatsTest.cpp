@@ -6,9 +6,9 @@
 #include <random>
 
 #include "TempFolder.h"
-#include "formats/Readers.h"
 #include "velum/core/Error.h"
-#include "velum/io/ReadVolume.h"
+#include "velum/io/volumes/ReadVolume.h"
+#include "volumes/Readers.h"
 
 namespace velum::io {
 namespace {

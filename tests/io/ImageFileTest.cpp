@@ -1,4 +1,4 @@
-#include "velum/io/ImageFile.h"
+#include "velum/io/images/ImageFile.h"
 
 #include <gtest/gtest.h>
 

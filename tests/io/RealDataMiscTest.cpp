@@ -5,9 +5,9 @@
 #include <filesystem>
 
 #include "TempFolder.h"
-#include "formats/Readers.h"
 #include "velum/core/Error.h"
-#include "velum/io/ReadVolume.h"
+#include "velum/io/volumes/ReadVolume.h"
+#include "volumes/Readers.h"
 
 /// Against the tables in data/volumes/README.md and data/malformed/README.md; skipped where the data is not.
 namespace velum::io {

@@ -1,4 +1,4 @@
-#include "velum/io/Sample.h"
+#include "velum/io/phantoms/Sample.h"
 
 #include <gtest/gtest.h>
 

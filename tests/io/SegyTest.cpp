@@ -5,8 +5,8 @@
 #include <fstream>
 
 #include "TempFolder.h"
-#include "formats/Readers.h"
 #include "velum/core/Error.h"
+#include "volumes/Readers.h"
 
 namespace velum::io {
 namespace {

@@ -8,8 +8,8 @@
 #include <fstream>
 #include <string>
 
-#include "velum/io/ReadVolume.h"
-#include "velum/io/WriteVolume.h"
+#include "velum/io/volumes/ReadVolume.h"
+#include "velum/io/volumes/WriteVolume.h"
 
 namespace velum::io {
 

@@ -4,10 +4,10 @@
 #include <fstream>
 
 #include "TempFolder.h"
-#include "formats/FileTools.h"
-#include "formats/Readers.h"
-#include "formats/TiffDescription.h"
+#include "read/FileTools.h"
 #include "velum/core/Error.h"
+#include "volumes/Readers.h"
+#include "volumes/TiffDescription.h"
 
 namespace velum::io {
 namespace {

@@ -1,4 +1,4 @@
-#include "velum/io/TransferFile.h"
+#include "velum/io/looks/TransferFile.h"
 
 #include <gtest/gtest.h>
 

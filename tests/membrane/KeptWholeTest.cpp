@@ -1,4 +1,4 @@
-#include "velum/membrane/KeptWhole.h"
+#include "velum/membrane/forces/KeptWhole.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "velum/membrane/Kernels.h"
+#include "velum/membrane/forces/Kernels.h"
 
 #include <gtest/gtest.h>
 

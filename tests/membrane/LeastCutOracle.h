@@ -1,5 +1,5 @@
 #pragma once
-#include "velum/membrane/LeastCut.h"
+#include "velum/membrane/forces/LeastCut.h"
 
 /// Two other ways to the least cut of a lattice.
 namespace velum::membrane {

@@ -1,4 +1,4 @@
-#include "velum/membrane/LeastCut.h"
+#include "velum/membrane/forces/LeastCut.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <map>
 #include <vector>
 
-#include "velum/membrane/Solver.h"
+#include "velum/membrane/sheet/Solver.h"
 
 namespace velum::membrane {
 

@@ -1,4 +1,4 @@
-#include "velum/membrane/SheetCurve.h"
+#include "velum/membrane/sheet/SheetCurve.h"
 
 #include <gtest/gtest.h>
 

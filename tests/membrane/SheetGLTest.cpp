@@ -1,5 +1,5 @@
 // A sheet on the GPU is the one that the processor makes.
-#include "velum/membrane/Sheet.h"
+#include "velum/membrane/sheet/Sheet.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 #include "sheetShapes.h"
 #include "velum/gpu/Program.h"
 #include "velum/gpu/Texture.h"
-#include "velum/membrane/SheetIndex.h"
+#include "velum/membrane/sheet/SheetIndex.h"
 
 namespace velum {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "shared/cut.h"
 #include "sheetShapes.h"
-#include "velum/membrane/SheetIndex.h"
+#include "velum/membrane/sheet/SheetIndex.h"
 
 namespace velum {
 namespace {

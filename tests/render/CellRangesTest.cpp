@@ -2,8 +2,8 @@
 
 #include <limits>
 
-#include "VolumeUpload.h"
 #include "makeVolume.h"
+#include "upload/VolumeUpload.h"
 
 namespace velum::render {
 namespace {

@@ -3,7 +3,7 @@
 #include <functional>
 
 #include "RenderFixture.h"
-#include "TransferTable.h"
+#include "upload/TransferTable.h"
 #include "velum/scene/Presets.h"
 
 namespace velum {

@@ -5,12 +5,12 @@
 #include <optional>
 
 #include "GlFixture.h"
-#include "velum/io/ImageFile.h"
-#include "velum/io/Sample.h"
+#include "velum/io/images/ImageFile.h"
+#include "velum/io/phantoms/Sample.h"
 #include "velum/render/Renderer.h"
-#include "velum/scene/Json.h"
 #include "velum/scene/Presets.h"
-#include "velum/session/Membranes.h"
+#include "velum/scene/json/Json.h"
+#include "velum/session/membrane/Membranes.h"
 
 namespace velum {
 namespace {

@@ -1,9 +1,9 @@
 // Membranes in pictures: what they remove is what shaders/shared/sheet.h says on the processor, and slices keep their
 // laws.
-#include "CutSheets.h"
 #include "FrameSetup.h"
 #include "RenderFixture.h"
 #include "sheetShapes.h"
+#include "upload/CutSheets.h"
 
 namespace velum {
 namespace {

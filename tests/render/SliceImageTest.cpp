@@ -1,14 +1,14 @@
-#include "velum/render/SliceImage.h"
+#include "velum/render/section/SliceImage.h"
 
 #include <gtest/gtest.h>
 
 #include <chrono>
 #include <cmath>
 
-#include "CutSheets.h"
 #include "FrameSetup.h"
 #include "makeVolume.h"
 #include "sheetShapes.h"
+#include "upload/CutSheets.h"
 #include "velum/scene/Presets.h"
 
 namespace velum::render {

@@ -1,4 +1,4 @@
-#include "velum/scene/ChangeLog.h"
+#include "velum/scene/json/ChangeLog.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "ChangeFields.h"
 #include "velum/core/Error.h"
-#include "velum/scene/Json.h"
+#include "velum/scene/json/Json.h"
 
 namespace velum::scene {
 

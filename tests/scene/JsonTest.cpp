@@ -1,4 +1,4 @@
-#include "velum/scene/Json.h"
+#include "velum/scene/json/Json.h"
 
 #include <gtest/gtest.h>
 

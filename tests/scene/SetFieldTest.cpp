@@ -4,7 +4,7 @@
 
 #include "ChangeFields.h"
 #include "velum/core/Error.h"
-#include "velum/scene/Json.h"
+#include "velum/scene/json/Json.h"
 
 namespace velum::scene {
 namespace {

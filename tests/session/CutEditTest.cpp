@@ -1,4 +1,4 @@
-#include "velum/session/CutEdit.h"
+#include "velum/session/cut/CutEdit.h"
 
 #include <gtest/gtest.h>
 

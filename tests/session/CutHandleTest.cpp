@@ -4,7 +4,7 @@
 #include "CutScene.h"
 #include "velum/scene/Navigate.h"
 #include "velum/scene/Project.h"
-#include "velum/session/CutTool.h"
+#include "velum/session/cut/CutTool.h"
 
 namespace velum::session {
 

@@ -1,4 +1,4 @@
-#include "velum/session/CutTool.h"
+#include "velum/session/cut/CutTool.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "velum/session/Journal.h"
+#include "velum/session/document/Journal.h"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -9,9 +9,9 @@
 
 #include "TempFolder.h"
 #include "velum/core/Error.h"
-#include "velum/session/Document.h"
-#include "velum/session/Folders.h"
-#include "velum/session/Recovery.h"
+#include "velum/session/document/Document.h"
+#include "velum/session/document/Folders.h"
+#include "velum/session/document/Recovery.h"
 
 namespace velum::session {
 

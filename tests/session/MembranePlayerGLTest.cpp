@@ -1,10 +1,10 @@
-#include "velum/session/MembranePlayer.h"
+#include "velum/session/membrane/MembranePlayer.h"
 
 #include "GlFixture.h"
 #include "makeVolume.h"
-#include "velum/membrane/Simulation.h"
-#include "velum/session/CutEdit.h"
-#include "velum/session/DefaultField.h"
+#include "velum/membrane/sheet/Simulation.h"
+#include "velum/session/cut/CutEdit.h"
+#include "velum/session/membrane/DefaultField.h"
 
 namespace velum::session {
 namespace {

@@ -2,14 +2,14 @@
 #include "GlFixture.h"
 #include "TempFolder.h"
 #include "makeVolume.h"
-#include "velum/io/ReadVolume.h"
-#include "velum/io/Sample.h"
-#include "velum/io/WriteMesh.h"
-#include "velum/membrane/SheetIndex.h"
-#include "velum/render/KeptVoxels.h"
-#include "velum/session/CutEdit.h"
-#include "velum/session/MembraneEdit.h"
-#include "velum/session/Membranes.h"
+#include "velum/io/meshes/WriteMesh.h"
+#include "velum/io/phantoms/Sample.h"
+#include "velum/io/volumes/ReadVolume.h"
+#include "velum/membrane/sheet/SheetIndex.h"
+#include "velum/render/section/KeptVoxels.h"
+#include "velum/session/cut/CutEdit.h"
+#include "velum/session/membrane/MembraneEdit.h"
+#include "velum/session/membrane/Membranes.h"
 
 namespace velum::session {
 

@@ -4,13 +4,13 @@
 
 #include "GlFixture.h"
 #include "makeVolume.h"
-#include "velum/io/Sample.h"
-#include "velum/membrane/SheetIndex.h"
-#include "velum/membrane/Simulation.h"
-#include "velum/session/CutEdit.h"
-#include "velum/session/MembraneEdit.h"
-#include "velum/session/MembranePlayer.h"
-#include "velum/session/Membranes.h"
+#include "velum/io/phantoms/Sample.h"
+#include "velum/membrane/sheet/SheetIndex.h"
+#include "velum/membrane/sheet/Simulation.h"
+#include "velum/session/cut/CutEdit.h"
+#include "velum/session/membrane/MembraneEdit.h"
+#include "velum/session/membrane/MembranePlayer.h"
+#include "velum/session/membrane/Membranes.h"
 
 namespace velum::session {
 

@@ -2,14 +2,14 @@
 #include "GlFixture.h"
 #include "TempFolder.h"
 #include "velum/core/Mesh.h"
-#include "velum/io/ImageFile.h"
-#include "velum/io/Sample.h"
+#include "velum/io/images/ImageFile.h"
+#include "velum/io/phantoms/Sample.h"
 #include "velum/scene/Navigate.h"
 #include "velum/scene/Presets.h"
-#include "velum/session/CutEdit.h"
-#include "velum/session/MembraneEdit.h"
-#include "velum/session/Membranes.h"
-#include "velum/session/Picture.h"
+#include "velum/session/cut/CutEdit.h"
+#include "velum/session/membrane/MembraneEdit.h"
+#include "velum/session/membrane/Membranes.h"
+#include "velum/session/picture/Picture.h"
 
 namespace velum::session {
 

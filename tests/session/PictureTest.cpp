@@ -1,11 +1,11 @@
-#include "velum/session/Picture.h"
+#include "velum/session/picture/Picture.h"
 
 #include <gtest/gtest.h>
 
 #include "TempFolder.h"
 #include "velum/core/Error.h"
-#include "velum/io/ImageFile.h"
-#include "velum/session/Open.h"
+#include "velum/io/images/ImageFile.h"
+#include "velum/session/document/Open.h"
 
 namespace velum::session {
 namespace {

@@ -1,4 +1,4 @@
-#include "velum/session/PresetPictures.h"
+#include "velum/session/look/PresetPictures.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "velum/session/Recent.h"
+#include "velum/session/document/Recent.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // Pins and kernels under the pointer: where they are set, what a drag makes of them.
-#include "velum/session/SheetHands.h"
+#include "velum/session/membrane/SheetHands.h"
 
 #include <gtest/gtest.h>
 
 #include "CutScene.h"
 #include "sheetShapes.h"
-#include "velum/session/CutEdit.h"
+#include "velum/session/cut/CutEdit.h"
 
 namespace velum::session {
 

@@ -1,10 +1,10 @@
-#include "velum/session/ShowThis.h"
+#include "velum/session/look/ShowThis.h"
 
 #include <gtest/gtest.h>
 
 #include "makeVolume.h"
 #include "velum/scene/Presets.h"
-#include "velum/session/PresetPictures.h"
+#include "velum/session/look/PresetPictures.h"
 
 namespace velum::session {
 namespace {

@@ -1,5 +1,5 @@
 // Sketch to PFTF: what lies under strokes, and the curve that is fitted to it.
-#include "velum/session/Sketch.h"
+#include "velum/session/membrane/Sketch.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "makeVolume.h"
-#include "velum/membrane/Kernels.h"
-#include "velum/session/MembraneEdit.h"
+#include "velum/membrane/forces/Kernels.h"
+#include "velum/session/membrane/MembraneEdit.h"
 
 namespace velum::session {
 namespace {

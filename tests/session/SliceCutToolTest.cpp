@@ -1,11 +1,11 @@
-#include "velum/session/SliceCutTool.h"
+#include "velum/session/cut/SliceCutTool.h"
 
 #include <gtest/gtest.h>
 
 #include "CutScene.h"
 #include "shared/cut.h"
 #include "sheetShapes.h"
-#include "velum/membrane/SheetIndex.h"
+#include "velum/membrane/sheet/SheetIndex.h"
 
 namespace velum::session {
 

@@ -1,4 +1,4 @@
-#include "velum/session/SliceTool.h"
+#include "velum/session/section/SliceTool.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "velum/session/Sources.h"
+#include "velum/session/document/Sources.h"
 
 #include <gtest/gtest.h>
 
@@ -6,9 +6,9 @@
 
 #include "TempFolder.h"
 #include "velum/core/Error.h"
-#include "velum/io/Sample.h"
-#include "velum/io/WriteVolume.h"
-#include "velum/session/Open.h"
+#include "velum/io/phantoms/Sample.h"
+#include "velum/io/volumes/WriteVolume.h"
+#include "velum/session/document/Open.h"
 
 namespace velum::session {
 

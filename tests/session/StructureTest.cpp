@@ -2,9 +2,9 @@
 
 #include "velum/core/Error.h"
 #include "velum/scene/Project.h"
-#include "velum/session/Document.h"
-#include "velum/session/StructureEdit.h"
-#include "velum/session/StructureSizes.h"
+#include "velum/session/document/Document.h"
+#include "velum/session/structure/StructureEdit.h"
+#include "velum/session/structure/StructureSizes.h"
 
 namespace velum::session {
 

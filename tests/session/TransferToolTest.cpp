@@ -1,11 +1,11 @@
-#include "velum/session/TransferTool.h"
+#include "velum/session/look/TransferTool.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "makeVolume.h"
-#include "velum/session/ValueHistogram.h"
+#include "velum/session/look/ValueHistogram.h"
 
 namespace velum::session {
 namespace {

@@ -9,9 +9,9 @@
 #include <thread>
 #include <vector>
 
-#include "Job.h"
-#include "MainWindow.h"
+#include "kit/Job.h"
 #include "velum/scene/Presets.h"
+#include "window/MainWindow.h"
 
 /// How soon slice views answer the hand: for a test with generous bounds, and for the bench's figures.
 namespace velum::gui {

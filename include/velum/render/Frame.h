@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "velum/membrane/Sheet.h"
+#include "velum/membrane/sheet/Sheet.h"
 #include "velum/scene/Scene.h"
 
 namespace velum::render {

@@ -1,0 +1,97 @@
+#pragma once
+#include <cstddef>
+#include <functional>
+#include <glm/glm.hpp>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "velum/core/Task.h"
+#include "velum/membrane/forces/Kernels.h"
+#include "velum/membrane/forces/LeastCut.h"
+#include "velum/membrane/sheet/Solver.h"
+#include "velum/scene/Scene.h"
+
+namespace velum::membrane {
+
+/// Where the sheet may hang so that it cuts nothing more than it must, column by column over the frame: between what
+/// belongs below it and what belongs above it. Frame-local mm.
+struct Corridor {
+  glm::ivec2 dims{0};        ///< columns; {0, 0}: the sheet may hang anywhere
+  glm::dvec2 originMm{0.0};  ///< middle of column (0, 0)
+  glm::dvec2 stepMm{1.0};
+  std::vector<glm::vec2> room;  ///< [y][x]: lowest, highest z
+  std::vector<float> height;    ///< [y][x]: z of the least cut itself
+};
+
+/// Everything that acts on the sheet of one membrane in one place.
+struct Forces {
+  PushField field;
+  Corridor corridor;
+  bool isPreview = false;   ///< of ForceMaker::preview()
+  std::size_t kernels = 0;  ///< of the whole volume
+  double kernelsMs = 0;     ///< time from the data to the kernels; 0: they were there
+  double leastCutMs = 0;
+};
+
+/// z of a sheet over a place of its frame, mm.
+using HeightOver = std::function<double(glm::dvec2 local)>;
+
+/// A sheet that is there already (active repositioning), in the frame that is wanted.
+struct CurrentSheet {
+  HeightOver height;  ///< empty: there is none
+  int timeStep = -1;  ///< of the volume, in which it came to rest; -1: the one that is wanted
+};
+
+/// Makes forces from a scene's data; keeps what can be kept between edits and between places of the frame. One thread
+/// at a time.
+class ForceMaker {
+ public:
+  explicit ForceMaker(const scene::Scene& scene);
+
+  const Potential& potential() const { return mPotential; }
+  bool matches(const scene::Scene& scene) const { return mPotential.matches(scene); }
+
+  /// By the paper's rule: kernels that push away from their centres (IMC eq. 2, 3). By the sided rule (Differs: not in
+  /// the paper): the least cut over the frame says which protected material belongs below the sheet and which above;
+  /// kernels push along the normal to the other side, and the corridor is what lies between.
+  /// @param current  active repositioning: material stays on the side of this sheet instead. Has it come to rest in
+  /// another time step, the material has moved since: then it is the least cut of those near the sheet. Differs: the
+  /// paper knows no time
+  /// @throw Cancelled
+  Forces compute(const scene::Cut& cut, const CurrentSheet& current, Progress& progress);
+
+  /// For a hand that drags kernels: as compute(), but each that repels is passed on the side of the data's own least
+  /// cut rather than by another one. A few milliseconds where that is known. @throw Cancelled
+  Forces preview(const scene::Cut& cut, Progress& progress);
+
+ private:
+  /// A corridor, and what it is of: see sidesPart().
+  struct Sides {
+    std::optional<scene::Cut> cut;
+    Corridor corridor;
+  };
+  const KernelGrid& kernelsOf(const scene::ForceField& field, Progress& progress);
+  std::vector<int> belowCurrent(const CutLattice& lattice, const scene::Cut& cut, const CurrentSheet& current,
+                                Progress& progress) const;
+
+  const ProtectedVoxels& voxelsOf(const scene::Cut& cut, Progress& progress);
+  Forces kernelForces(const scene::Cut& cut, Progress& progress);
+  Corridor corridorOf(const scene::Cut& cut, const CurrentSheet& current, Progress& progress);
+
+  Potential mPotential;
+  int mTimeStep = 0, mTimeSteps = 1;
+  std::optional<scene::ForceField> mField;  ///< that mKernels are of
+  KernelGrid mKernels;
+  std::optional<scene::Cut> mVoxelsCut;
+  ProtectedVoxels mVoxels;   ///< of the data alone
+  Sides mDataSides, mSides;  ///< of the data alone; with the last kernels that were put in
+};
+
+/// Room for each particle of a sheet: of the columns that are nearer to it than to others. Where no height suits them
+/// all, that of its nearest column. Empty without a corridor.
+/// @param places  the particles of a sheet, frame-local mm
+/// @param pitchMm  between particles
+std::vector<glm::vec2> roomOf(const Corridor& corridor, std::span<const glm::vec3> places, glm::dvec2 pitchMm);
+
+}  // namespace velum::membrane

@@ -1,0 +1,43 @@
+#pragma once
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "velum/membrane/sheet/SheetIndex.h"
+#include "velum/scene/SliceFrame.h"
+
+namespace velum::render {
+
+/// A slice as it is shown: grey values by the window (or colours), structures over them, what is cut away dimmed.
+struct SliceImage {
+  glm::ivec2 size{0};
+  std::vector<std::uint32_t> pixels;  ///< 0xAARRGGBB, sRGB, straight alpha, top row first
+};
+
+/// Sheets of the enabled membranes, in the order of the cuts, as a solver has them. One that is missing, empty, or made
+/// for a frame of another size is made as `Cut::membrane.shape` says.
+using SliceSheets = std::span<const std::shared_ptr<const membrane::SheetIndex>>;
+
+/// Draws a slice on the processor, all cores, no GL. Any thread.
+///
+/// Where the data ends the scene's background (its lower colour) shows. Voxels are interpolated or blocks, as the scene
+/// says; structures lie where their own grid has them in the world, nearest label, with an outline one pixel wide.
+/// @param frame  what part of the world; its size is rounded up to whole pixels
+SliceImage drawSlice(const scene::Scene& scene, const scene::SliceFrame& frame, SliceSheets sheets = {});
+/// The same for a view of the scene. @param size  pixels, positive
+SliceImage drawSlice(const scene::Scene& scene, scene::SliceKind kind, glm::ivec2 size);
+
+/// The same rectangle of the world in pixels n times as large, for while something moves.
+scene::SliceFrame coarserFrame(scene::SliceFrame frame, int n);
+
+/// What there is at a point of the world.
+struct Probe {
+  bool inside = false;         ///< in the box of the volume, or of the labels where there is no volume
+  std::vector<double> values;  ///< of the nearest voxel: one, or one a channel of a colour or of a mixture
+  int structure = 0;           ///< label id where labels are shown; 0 for none
+};
+Probe probe(const scene::Scene& scene, glm::dvec3 worldMm);
+
+}  // namespace velum::render

@@ -1,0 +1,133 @@
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <glm/glm.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "velum/core/Task.h"
+#include "velum/membrane/sheet/SheetIndex.h"
+#include "velum/render/Frame.h"
+#include "velum/scene/Scene.h"
+
+namespace velum::session {
+
+/// What a membrane is doing, for people.
+struct MembraneStatus {
+  enum class Phase {
+    Computing,  ///< forces are on their way; the sheet keeps those that it has
+    Settling,
+    Paused,
+    Resting
+  };
+  Phase phase = Phase::Resting;
+  std::size_t kernels = 0;      ///< of the whole volume
+  double forcesMs = 0;          ///< that it took to make the forces
+  glm::ivec2 particles{0};      ///< of the sheet as it is
+  int steps = 0;                ///< since it began to move
+  double speedMm = 0;           ///< largest speed, mm/s
+  double stepMs = 0;            ///< that a step takes
+  bool isMeasured = false;      ///< the figures below are those of the sheet as it rests
+  double keptWhole = 1.0;       ///< cut area of the sheet by that of the plane: 0 cuts nothing
+  std::int64_t planePairs = 0;  ///< cut area: pairs of neighbouring protected voxels that the plane separates
+  std::int64_t sheetPairs = 0;  ///< and that the sheet does
+  double meanDistanceMm = 0;    ///< of the sheet from the slice
+  std::string error;            ///< why there are no forces; empty: nothing is wrong
+};
+
+class LiveSheet;
+
+/// Runs the membranes of a scene: decides what work is due, computes forces beside, steps the sheets in slices, and
+/// hands them to pictures. At rest there is nothing to do. Without a window, so that laws can be told of it.
+///
+/// What a scene asks for is always answered: until the new forces are there, the sheet stays in the world where the
+/// material holds it while its frame moves, and its rim goes with the frame. Passive sheets (IMC 3.3) then start from
+/// flat, unseen for as long as they hardly move; active ones go on from where they are.
+///
+/// GL thread, but for what nextWork() hands out.
+class MembranePlayer {
+ public:
+  MembranePlayer();
+  ~MembranePlayer();
+
+  /// Takes over what a scene asks for. Cheap when nothing about its membranes has changed.
+  void follow(const scene::Scene& scene);
+
+  /// Puts the results of work in their place.
+  using Finish = std::function<void()>;
+  /// To be run beside, one at a time. @throw Cancelled
+  using Work = std::function<Finish(Progress&)>;
+  /// What is to be computed; nothing while something is, or when nothing is due. Each is answered by endWork().
+  Work nextWork();
+  /// What is being computed is of no use any more. Not because a frame has moved on: a steady drag would otherwise
+  /// never see any forces.
+  bool wantsCancel() const;
+  /// @param finish  what the work gave; empty when it was cancelled or failed
+  /// @param error   one line; empty when it was cancelled
+  void endWork(const Finish& finish, const std::string& error = {});
+
+  /// Steps sheets for about so long, at least one step, and brings indices up to date. @return false when nothing moved
+  bool advance(double budgetMs);
+  /// advance() has something to do.
+  bool isMoving() const;
+  /// Sheets have yet to come to rest where the scene asks for them; those that are paused are not waited for.
+  bool isOnItsWay() const;
+  /// Nothing is to be done: all sheets rest, their figures are known.
+  bool isSettled() const;
+
+  /// Of the enabled membranes, for a frame of the scene that was last followed.
+  std::vector<render::FrameSheet> sheets();
+  /// The same on the processor, for slices: at rest as the sheets are, and a few times a second while they move.
+  std::vector<std::shared_ptr<const membrane::SheetIndex>> indices() const;
+  /// Of the cut in this place, whether enabled or not; nothing when it is no membrane.
+  std::shared_ptr<const membrane::SheetIndex> index(std::size_t cut) const;
+  /// Another number when pictures of the sheets are others.
+  std::uint64_t shownCount() const;
+
+  /// Of the cut in this place; nothing when it is no membrane.
+  std::optional<MembraneStatus> status(std::size_t cut) const;
+
+  bool isPlaying() const { return mPlaying; }
+  void setPlaying(bool playing) { mPlaying = playing; }
+  /// Some steps while paused. @return false when all rest
+  bool stepOnce();
+  /// Hangs the sheet of a cut flat again, from where it goes anew.
+  void reset(std::size_t cut);
+
+  /// Where active sheets have come to rest since this was last asked: what is to be written into their cuts.
+  struct Rest {
+    std::size_t cut = 0;
+    scene::SheetShape shape;
+  };
+  std::vector<Rest> takeRests();
+  bool hasRests() const;
+  /// The scene with the shape of each sheet in its cut, for a picture that is made elsewhere.
+  scene::Scene withShapes(scene::Scene scene) const;
+
+  /// Gives up everything on the GPU, whose context still lives. What was at rest comes back as it was; what moved
+  /// starts anew.
+  void releaseGpu();
+
+ private:
+  LiveSheet* find(std::uint64_t id);
+  Work forcesWork(LiveSheet& sheet);
+  Work measureWork(LiveSheet& sheet);
+  void refreshIndices();
+
+  std::vector<std::unique_ptr<LiveSheet>> mSheets;  ///< a membrane each, in the order of the cuts
+  scene::Scene mScene;
+  std::uint64_t mNextId = 1, mGoneCount = 0;
+  /// What is being computed.
+  struct Out {
+    std::uint64_t id = 0;  ///< of the sheet; 0: nothing is
+    std::uint64_t data = 0, wish = 0;
+    bool isMeasure = false, isPreview = false;
+  };
+  Out mOut;
+  bool mPlaying = true;
+  double mIndexedAtMs = 0;
+};
+
+}  // namespace velum::session

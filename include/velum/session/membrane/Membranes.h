@@ -1,0 +1,54 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "velum/core/Mesh.h"
+#include "velum/core/Task.h"
+#include "velum/core/Volume.h"
+#include "velum/membrane/forces/KeptWhole.h"
+#include "velum/scene/Scene.h"
+
+namespace velum::session {
+
+/// What became of one membrane.
+struct MembraneReport {
+  int cut = 0;  ///< index in the scene
+  std::string name;
+  std::size_t kernels = 0;  ///< of the whole volume
+  glm::ivec2 particles{0};  ///< of the sheet at rest
+  int steps = 0;
+  bool atRest = false;
+  double speedMmS = 0;  ///< of the fastest particle in the last step
+  double stepMs = 0;    ///< mean time of a step with all its iterations, on the wall
+  double kernelsMs = 0, leastCutMs = 0, totalMs = 0;
+  std::optional<membrane::KeptWhole> kept;        ///< when asked for
+  std::optional<membrane::KeptWholeLimit> limit;  ///< when asked for
+};
+
+/// What to find out beside settling.
+struct MembraneQuestions {
+  bool kept = false;
+  bool limit = false;  ///< takes seconds
+};
+
+/// Lets the sheets of all enabled membranes come to rest, and puts them into the scene: passive ones from the flat
+/// sheet, active ones from their shape where they have one. The same scene gives the same sheets on one driver. On the
+/// context that is current, GL thread; seconds on a software driver. @throw Cancelled
+std::vector<MembraneReport> settleMembranes(scene::Scene& scene, MembraneQuestions questions, Progress& progress);
+
+/// True when a picture of the scene needs settleMembranes() first.
+bool hasMembranes(const scene::Scene& scene);
+
+/// The sheet of a membrane as a surface, world mm: of its shape, flat when that is empty. Any thread.
+Mesh sheetMesh(const scene::Cut& cut);
+
+/// The scene's volume (its current time step) with everything that the cuts remove set to the smallest value of its
+/// data, membranes as their shapes are. Any thread. @throw Cancelled, ArgumentError without a volume
+Volume clippedVolume(const scene::Scene& scene, Progress& progress);
+
+/// How much of what a membrane protects its sheet keeps whole. Any thread. @throw Cancelled
+membrane::KeptWhole measureMembrane(const membrane::Potential& potential, const scene::Cut& cut,
+                                    const scene::SheetShape& shape, Progress& progress);
+
+}  // namespace velum::session

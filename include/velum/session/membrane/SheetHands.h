@@ -1,0 +1,101 @@
+#pragma once
+#include <glm/glm.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "velum/membrane/sheet/SheetIndex.h"
+#include "velum/scene/Cut.h"
+#include "velum/scene/Project.h"
+#include "velum/scene/SliceFrame.h"
+
+namespace velum::session {
+
+/// What hands put on a membrane: pins that hold it, kernels that push or pull it (IMC 3.3). Places are of the world,
+/// mm.
+
+/// Strength of a kernel that is put in by a drag, as of scene::UserKernel; a pulling one has its negative.
+inline constexpr double kKernelStrength = 500.0;
+
+enum class HandKind {
+  None,
+  Pin,
+  Kernel,  ///< by its middle
+  Rim      ///< sets a kernel's radius
+};
+/// Which pin or kernel of a membrane, and by what it is held.
+struct Hand {
+  HandKind kind = HandKind::None;
+  int index = -1;
+  bool operator==(const Hand&) const = default;
+};
+/// The membrane has it.
+bool holds(const scene::Membrane& membrane, Hand hand);
+
+/// A point of a sheet: where it is, and which part of the sheet that is (see scene::Pin).
+struct SheetPoint {
+  glm::dvec3 placeMm{0.0};
+  glm::dvec2 sheet{0.5};
+};
+/// The first point of a membrane's sheet on a ray; nothing when it passes beside the frame.
+std::optional<SheetPoint> sheetOnRay(const scene::Cut& cut, const membrane::SheetIndex& sheet,
+                                     const scene::PictureRay& ray);
+/// The point of the sheet's curve on a slice that is nearest to a pixel. @param reach  pixels
+std::optional<SheetPoint> sheetOnSlice(const scene::Cut& cut, const membrane::SheetIndex& sheet,
+                                       const scene::SliceFrame& frame, glm::dvec2 pixel, double reach);
+
+/// The shape of a sheet of which only the index is there.
+scene::SheetShape shapeOf(const membrane::SheetIndex& sheet);
+
+/// The point of the frame's plane under a place, along its normal: a pin of the command line. Nothing beyond the frame.
+std::optional<scene::Pin> pinOver(const scene::Cut& cut, glm::dvec3 placeMm);
+
+Hand addPin(scene::Membrane& membrane, const SheetPoint& point);
+Hand addKernel(scene::Membrane& membrane, glm::dvec3 centreMm, double radiusMm, double strength);
+/// Nothing when the membrane does not have it.
+void removeHand(scene::Membrane& membrane, Hand hand);
+/// Makes what repels attract, and the other way round.
+void turnKernel(scene::Membrane& membrane, Hand hand);
+
+/// How far a pin is from the frame's plane, along its normal, mm; 0 when the membrane does not have it.
+double pinHeight(const scene::Cut& cut, Hand hand);
+void setPinHeight(scene::Cut& cut, Hand hand, double mm);
+
+/// Radius of a kernel that is put in by a click: a twelfth of the frame's mean edge, mm.
+double defaultRadiusMm(const scene::Cut& cut);
+
+/// What lies under a pixel: pins first, then middles, then rims. @param reach  how far beside it, pixels
+Hand handAt(const scene::Membrane& membrane, const scene::Camera& camera, glm::dvec2 size, glm::dvec2 pixel,
+            double reach);
+Hand handAt(const scene::Membrane& membrane, const scene::SliceFrame& frame, glm::dvec2 pixel, double reach);
+
+/// The membrane after a drag, from how it was when the drag began: going back gives the membrane that was. In a picture
+/// things move in the plane that faces the eye; a rim follows the pointer.
+/// @param along  moves along this direction only, unit
+scene::Membrane dragHand(const scene::Membrane& start, Hand hand, const scene::Camera& camera, glm::dvec2 size,
+                         glm::dvec2 from, glm::dvec2 to, std::optional<glm::dvec3> along = {});
+/// On a slice they move in it, and a rim is that of the kernel's circle there.
+scene::Membrane dragHand(const scene::Membrane& start, Hand hand, const scene::SliceFrame& frame, glm::dvec2 from,
+                         glm::dvec2 to);
+
+/// A kernel whose ball a drag has drawn: its middle where the drag began, its rim where it is.
+double radiusOfDrag(const scene::SliceFrame& frame, glm::dvec2 from, glm::dvec2 to);
+double radiusOfDrag(const scene::Camera& camera, glm::dvec2 size, glm::dvec3 centreMm, glm::dvec2 to);
+
+/// The circle in which a slice cuts a kernel's ball, pixels; nothing when it misses it.
+struct SliceCircle {
+  glm::dvec2 middle{0.0};
+  double radius = 0.0;
+};
+std::optional<SliceCircle> circleOnSlice(const scene::SliceFrame& frame, const scene::UserKernel& kernel);
+/// How visible a place is on a slice: 1 on it, 0 a dozen pixels' length off it.
+double nearnessToSlice(const scene::SliceFrame& frame, glm::dvec3 placeMm);
+/// Three rings about a kernel's middle, across the axes of a frame.
+std::vector<std::vector<glm::dvec3>> kernelRings(const scene::UserKernel& kernel, const glm::dmat3& axes);
+
+/// For people: how far it is from the frame's plane, "+3.2 mm", or a radius, "r 12.0 mm". UTF-8.
+std::string handText(const scene::Cut& cut, Hand hand);
+/// The name of the undo step: "Move pin", "Move kernel", "Resize kernel".
+const char* handLabel(Hand hand);
+
+}  // namespace velum::session

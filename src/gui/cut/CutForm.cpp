@@ -1,0 +1,292 @@
+#include "CutForm.h"
+
+#include <QHBoxLayout>
+#include <QSignalBlocker>
+#include <algorithm>
+
+#include "velum/session/cut/CutEdit.h"
+
+namespace velum::gui {
+
+namespace {
+
+constexpr double kFarMm = 1e6, kSmallestMm = 0.01;
+
+void setQuietly(QDoubleSpinBox* spin, double value) {
+  const QSignalBlocker quiet(spin);
+  spin->setValue(value);
+}
+
+QHBoxLayout* makeTight(QWidget* widget) {
+  auto* layout = new QHBoxLayout(widget);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(5);
+  return layout;
+}
+
+}  // namespace
+
+CutForm::CutForm(session::Document& document, Selection& selection, QWidget* parent)
+    : QWidget(parent), mDocument(document), mSelection(selection), mGrid(new QGridLayout(this)) {
+  mGrid->setContentsMargins(0, 0, 0, 0);
+  mGrid->setHorizontalSpacing(10);
+  mGrid->setVerticalSpacing(8);
+  mGrid->setColumnMinimumWidth(0, 62);
+  mGrid->setColumnStretch(1, 1);
+  makePlace();
+  makeDirection();
+  mAlignRow = makeAlign();
+  mAlignLabel = addRow(tr("Align to"), mAlignRow);
+  makeSize();
+  makeFace();
+}
+
+QLabel* CutForm::addRow(const QString& name, QWidget* control) {
+  int line = mGrid->rowCount();
+  auto* label = new QLabel(name, this);
+  mGrid->addWidget(label, line, 0);
+  mGrid->addWidget(control, line, 1);
+  return label;
+}
+
+void CutForm::editCut(const char* label, const std::function<void(scene::Cut&)>& change, bool merge) {
+  if (mSelection.cut() < 0) return;
+  std::size_t index = std::size_t(mSelection.cut());
+  mDocument.edit(
+      label,
+      [&](scene::Scene& scene) {
+        if (index < scene.cuts.size()) change(scene.cuts[index]);
+      },
+      merge);
+}
+
+QDoubleSpinBox* CutForm::makeSpin(QWidget* parent, double min, double max, const QString& suffix) {
+  auto* spin = new QDoubleSpinBox(parent);
+  spin->setRange(min, max);
+  spin->setDecimals(1);
+  spin->setKeyboardTracking(false);
+  spin->setSuffix(suffix);
+  spin->setAlignment(Qt::AlignRight);
+  spin->setMinimumWidth(40);
+  spin->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  return spin;
+}
+
+/// Three numbers side by side. @param change  told which one, and its new value
+QWidget* CutForm::makeTriple(QDoubleSpinBox* (&spins)[3], const QString& name,
+                             std::function<void(int, double)> change) {
+  auto* row = new QWidget(this);
+  auto* layout = makeTight(row);
+  for (int i = 0; i < 3; ++i) {
+    spins[i] = makeSpin(row, -kFarMm, kFarMm, {});
+    spins[i]->setObjectName(QString("cut%1%2").arg(name).arg(i));
+    layout->addWidget(spins[i], 1);
+    connect(spins[i], &QDoubleSpinBox::valueChanged, this, [change, i](double value) { change(i, value); });
+  }
+  return row;
+}
+
+void CutForm::makePlace() {
+  mPosition = new NumberRow(-1, 1, 1, " mm", this);
+  mPosition->setObjectName("cutPosition");
+  mPosition->setToolTip(tr("Distance of the plane from the middle of the data, along its normal, mm"));
+  mPosition->setName(tr("Position"));
+  mPositionLabel = addRow(tr("Position"), mPosition);
+  connect(mPosition, &NumberRow::changed, this, [this](double mm) {
+    editCut(
+        "Move cut", [&](scene::Cut& cut) { cut = session::withOffset(mDocument.scene(), cut, mm); }, true);
+  });
+  connect(mPosition, &NumberRow::settled, this, [this] { mDocument.endMerge(); });
+  QWidget* row = makeTriple(mCentre, "Centre", [this](int i, double mm) {
+    editCut("Move cut", [&](scene::Cut& cut) { cut.centreMm[i] = mm; });
+  });
+  const QString tips[] = {tr("Centre, mm towards the patient's left"), tr("Centre, mm towards posterior"),
+                          tr("Centre, mm towards superior")};
+  const QString prefixes[] = {tr("L "), tr("P "), tr("S ")};
+  for (int i = 0; i < 3; ++i) {
+    mCentre[i]->setToolTip(tips[i]);
+    mCentre[i]->setAccessibleName(tips[i]);
+    mCentre[i]->setPrefix(prefixes[i]);
+  }
+  addRow(tr("Centre"), row)->setToolTip(tr("mm, in the patient's axes"));
+}
+
+void CutForm::makeDirection() {
+  auto* row = new QWidget(this);
+  auto* layout = makeTight(row);
+  QString degrees = QString::fromUtf8("\u00b0");
+  auto add = [&](double limit, const QString& prefix, const QString& tip, const char* name) {
+    auto* spin = makeSpin(row, -limit, limit, degrees);
+    spin->setPrefix(prefix);
+    spin->setToolTip(tip);
+    spin->setAccessibleName(tip);
+    spin->setObjectName(name);
+    layout->addWidget(spin, 1);
+    return spin;
+  };
+  mAzimuth = add(180, tr("az "), tr("Azimuth of the axis, degrees: 0 anterior, 90 left, -90 right, 180 posterior"),
+                 "cutAzimuth");
+  mAzimuth->setWrapping(true);
+  mElevation = add(90, tr("el "), tr("Elevation of the axis, degrees: 90 superior, -90 inferior"), "cutElevation");
+  mSpin = add(360, tr("turn "), tr("Turn of the box about its axis, degrees"), "cutSpin");
+  mAxisRow = row;
+  mAxisLabel = addRow(tr("Axis"), row);
+  mAxisLabel->setToolTip(tr("Where the plane's normal or the shape's axis points"));
+  auto turn = [this] {
+    session::AxisAngles angles{mAzimuth->value(), mElevation->value()};
+    editCut("Turn cut", [&](scene::Cut& cut) { cut.axis = session::axisFromAngles(angles); });
+  };
+  connect(mAzimuth, &QDoubleSpinBox::valueChanged, this, turn);
+  connect(mElevation, &QDoubleSpinBox::valueChanged, this, turn);
+  connect(mSpin, &QDoubleSpinBox::valueChanged, this,
+          [this](double deg) { editCut("Turn cut", [&](scene::Cut& cut) { cut.spinDeg = deg; }); });
+}
+
+QWidget* CutForm::makeAlign() {
+  auto* row = new QWidget(this);
+  auto* layout = makeTight(row);
+  struct Side {
+    QString letter, name;
+    glm::dvec3 axis;
+  };
+  const Side sides[] = {{tr("R"), tr("right"), {-1, 0, 0}},    {tr("L"), tr("left"), {1, 0, 0}},
+                        {tr("A"), tr("anterior"), {0, -1, 0}}, {tr("P"), tr("posterior"), {0, 1, 0}},
+                        {tr("S"), tr("superior"), {0, 0, 1}},  {tr("I"), tr("inferior"), {0, 0, -1}}};
+  for (const Side& side : sides) {
+    auto* button = new QPushButton(side.letter, row);
+    button->setObjectName("align" + side.letter);
+    button->setProperty("role", "small");
+    button->setToolTip(tr("Point the axis to the patient's %1; a plane takes away what lies there").arg(side.name));
+    button->setAccessibleName(tr("Align to %1").arg(side.name));
+    button->setMinimumWidth(24);
+    connect(button, &QPushButton::clicked, this, [this, axis = side.axis] { align(axis); });
+    layout->addWidget(button, 1);
+  }
+  auto* nearest = new QPushButton(tr("Nearest"), row);
+  nearest->setObjectName("alignNearest");
+  nearest->setProperty("role", "small");
+  nearest->setToolTip(tr("Turn the axis to the patient's axis that is nearest"));
+  connect(nearest, &QPushButton::clicked, this, [this] {
+    glm::dvec3 axis = mShown.axis * (mShown.shape == scene::CutShape::Plane && mShown.invert ? -1.0 : 1.0);
+    align(session::nearestAxis(axis));
+  });
+  layout->addWidget(nearest, 2);
+  return row;
+}
+
+void CutForm::align(glm::dvec3 axis) {
+  editCut("Align cut", [&](scene::Cut& cut) { cut = session::alignedCut(mDocument.scene(), cut, axis); });
+}
+
+void CutForm::makeSize() {
+  mSizeRow = makeTriple(
+      mSize, "Size", [this](int i, double mm) { editCut("Resize cut", [&](scene::Cut& cut) { cut.sizeMm[i] = mm; }); });
+  for (auto* spin : mSize) spin->setRange(kSmallestMm, kFarMm);
+  mSizeLabel = addRow(tr("Size"), mSizeRow);
+}
+
+void CutForm::makeFace() {
+  auto* row = new QWidget(this);
+  auto* layout = makeTight(row);
+  mFace = new QComboBox(row);
+  mFace->setObjectName("cutFace");
+  mFace->addItems({tr("Shaded"), tr("Slice (grey values)")});
+  mFace->setToolTip(tr("How the cut surface looks: lit material, or the data's grey values as on a slice"));
+  mFace->setAccessibleName(tr("Face"));
+  mFlip = new QPushButton(tr("Flip"), row);
+  mFlip->setObjectName("cutFlip");
+  mFlip->setCheckable(true);
+  layout->addWidget(mFace, 1);
+  layout->addWidget(mFlip);
+  addRow(tr("Face"), row);
+  mFaceOpacity = new NumberRow(0, 100, 0, " %", this);
+  mFaceOpacity->setObjectName("cutFaceOpacity");
+  mFaceOpacity->setToolTip(tr("Opacity of the grey slice on the cut's face, %"));
+  mFaceOpacity->setName(tr("Opacity of the face"));
+  mFaceOpacityLabel = addRow(tr("Opacity"), mFaceOpacity);
+  connect(mFace, &QComboBox::activated, this, [this](int index) {
+    editCut("Change cut face", [&](scene::Cut& cut) { cut.face = static_cast<scene::CutFace>(index); });
+  });
+  connect(mFlip, &QPushButton::clicked, this,
+          [this] { editCut("Flip cut", [](scene::Cut& cut) { cut.invert = !cut.invert; }); });
+  connect(mFaceOpacity, &NumberRow::changed, this, [this](double percent) {
+    editCut(
+        "Change face opacity", [&](scene::Cut& cut) { cut.faceOpacity = percent / 100.0; }, true);
+  });
+  connect(mFaceOpacity, &NumberRow::settled, this, [this] { mDocument.endMerge(); });
+}
+
+/// The numbers that the shape has, with names that fit.
+void CutForm::showSize(const scene::Cut& cut) {
+  struct Part {
+    QString prefix, tip;
+  };
+  QString diameter = QString::fromUtf8("\u2300 ");
+  Part parts[3];
+  switch (cut.shape) {
+    case scene::CutShape::Plane:
+      break;
+    case scene::CutShape::Box:
+      parts[0] = {"x ", tr("Edge along the box's x, mm")};
+      parts[1] = {"y ", tr("Edge along the box's y, mm")};
+      parts[2] = {"z ", tr("Edge along the box's axis, mm")};
+      break;
+    case scene::CutShape::Sphere:
+      parts[0] = {diameter, tr("Diameter, mm")};
+      break;
+    case scene::CutShape::Cylinder:
+      parts[0] = {diameter, tr("Diameter, mm")};
+      parts[2] = {tr("long "), tr("Length along the axis, mm")};
+      break;
+    case scene::CutShape::Cone:
+      parts[0] = {diameter, tr("Diameter of the base, mm")};
+      parts[2] = {tr("high "), tr("Height from apex to base, mm")};
+      break;
+    case scene::CutShape::Membrane:
+      parts[0] = {"x ", tr("Width of the frame, mm")};
+      parts[1] = {"y ", tr("Height of the frame, mm")};
+      parts[2] = {tr("reach "), tr("How far the sheet may go, both sides together, mm")};
+      break;
+  }
+  bool any = false;
+  for (int i = 0; i < 3; ++i) {
+    bool used = !parts[i].tip.isEmpty();
+    any = any || used;
+    mSize[i]->setVisible(used);
+    mSize[i]->setPrefix(parts[i].prefix);
+    mSize[i]->setToolTip(parts[i].tip);
+    mSize[i]->setAccessibleName(parts[i].tip);
+    setQuietly(mSize[i], cut.sizeMm[i]);
+  }
+  mSizeRow->setVisible(any);
+  mSizeLabel->setVisible(any);
+}
+
+void CutForm::showCut(const scene::Cut& cut) {
+  mShown = cut;
+  bool isPlane = cut.shape == scene::CutShape::Plane, isSphere = cut.shape == scene::CutShape::Sphere;
+  auto [offset, reach] = session::cutPosition(mDocument.scene(), cut);
+  mPosition->setVisible(isPlane);
+  mPositionLabel->setVisible(isPlane);
+  mPosition->setRange(std::min(-reach, offset), std::max(reach, offset));
+  mPosition->setValue(offset);
+  for (int i = 0; i < 3; ++i) setQuietly(mCentre[i], cut.centreMm[i]);
+  session::AxisAngles angles = session::anglesFromAxis(cut.axis);
+  setQuietly(mAzimuth, angles.azimuthDeg);
+  setQuietly(mElevation, angles.elevationDeg);
+  setQuietly(mSpin, cut.spinDeg);
+  mSpin->setVisible(scene::hasEdges(cut.shape));
+  for (QWidget* spin : {static_cast<QWidget*>(mAzimuth), static_cast<QWidget*>(mElevation)})
+    spin->setEnabled(!isSphere);
+  showSize(cut);
+  mFace->setCurrentIndex(static_cast<int>(cut.face));
+  bool isSlice = cut.face == scene::CutFace::Slice;
+  mFaceOpacity->setVisible(isSlice);
+  mFaceOpacityLabel->setVisible(isSlice);
+  mFaceOpacity->setValue(cut.faceOpacity * 100.0);
+  mFlip->setChecked(cut.invert);
+  mFlip->setToolTip(isPlane ? tr("Take away the other side (X)")
+                            : tr("Keep what is inside and take away all that is outside (X)"));
+}
+
+}  // namespace velum::gui

@@ -1,0 +1,49 @@
+#pragma once
+#include <QComboBox>
+#include <QGridLayout>
+#include <QPushButton>
+#include <QWidget>
+#include <functional>
+
+#include "kit/Selection.h"
+#include "kit/Widgets.h"
+#include "velum/session/document/Document.h"
+
+namespace velum::gui {
+
+/// Every number of the selected cut: place, direction, size, face.
+class CutForm : public QWidget {
+  Q_OBJECT
+ public:
+  CutForm(session::Document& document, Selection& selection, QWidget* parent);
+  void showCut(const scene::Cut& cut);
+  /// Changes the selected cut. @param merge  joins the step before, until endMerge()
+  void editCut(const char* label, const std::function<void(scene::Cut&)>& change, bool merge = false);
+
+ private:
+  QLabel* addRow(const QString& name, QWidget* control);
+  QWidget* makeTriple(QDoubleSpinBox* (&spins)[3], const QString& name, std::function<void(int, double)> change);
+  QDoubleSpinBox* makeSpin(QWidget* parent, double min, double max, const QString& suffix);
+  void makePlace();
+  void makeDirection();
+  QWidget* makeAlign();
+  void makeSize();
+  void makeFace();
+  void showSize(const scene::Cut& cut);
+  void align(glm::dvec3 axis);
+
+  session::Document& mDocument;
+  Selection& mSelection;
+  QGridLayout* mGrid = nullptr;
+  NumberRow *mPosition = nullptr, *mFaceOpacity = nullptr;
+  QLabel *mPositionLabel = nullptr, *mAxisLabel = nullptr, *mAlignLabel = nullptr, *mSizeLabel = nullptr,
+         *mFaceOpacityLabel = nullptr;
+  QWidget *mAxisRow = nullptr, *mAlignRow = nullptr;
+  QDoubleSpinBox *mCentre[3] = {}, *mSize[3] = {}, *mAzimuth = nullptr, *mElevation = nullptr, *mSpin = nullptr;
+  QWidget* mSizeRow = nullptr;
+  QComboBox* mFace = nullptr;
+  QPushButton* mFlip = nullptr;
+  scene::Cut mShown;
+};
+
+}  // namespace velum::gui

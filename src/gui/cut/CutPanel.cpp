@@ -1,0 +1,218 @@
+#include "CutPanel.h"
+
+#include <QMenu>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "velum/session/cut/CutEdit.h"
+#include "velum/session/membrane/DefaultField.h"
+#include "velum/session/structure/StructureEdit.h"
+
+namespace velum::gui {
+
+namespace {
+
+constexpr int kButtonHeight = 28;
+
+QString shapeTitle(scene::CutShape shape) {
+  switch (shape) {
+    case scene::CutShape::Plane:
+      break;
+    case scene::CutShape::Box:
+      return CutPanel::tr("Box");
+    case scene::CutShape::Sphere:
+      return CutPanel::tr("Sphere");
+    case scene::CutShape::Cylinder:
+      return CutPanel::tr("Cylinder");
+    case scene::CutShape::Cone:
+      return CutPanel::tr("Cone");
+    case scene::CutShape::Membrane:
+      return CutPanel::tr("Membrane");
+  }
+  return CutPanel::tr("Plane");
+}
+
+}  // namespace
+
+CutPanel::CutPanel(session::Document& document, Selection& selection, QWidget* parent)
+    : QWidget(parent),
+      mDocument(document),
+      mSelection(selection),
+      mList(new CutList(this)),
+      mForm(new CutForm(document, selection, this)),
+      mMembrane(new MembraneForm(document, *mForm, this)),
+      mKeepWhole(new KeepWholeList(this)) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(10);
+  buildHead();
+  mEmpty = new QLabel(
+      tr("Nothing is cut away. Add a plane (C), a box or a round shape; drag its handles in the picture."), this);
+  mEmpty->setWordWrap(true);
+  mEmpty->setProperty("role", "muted");
+  layout->addWidget(mEmpty);
+  layout->addWidget(mList);
+  layout->addWidget(mTools = buildTools());
+  layout->addWidget(mForm);
+  layout->addWidget(mMembrane);
+  layout->addWidget(mLine = makeLine(this));
+  layout->addWidget(mKeepWhole, 1000);
+  layout->addStretch(1);  // holds all up where there is no list to fill the height
+  setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Expanding);
+  connect(mList, &QListWidget::currentRowChanged, this, [this](int row) { mSelection.setCut(row); });
+  connect(&mSelection, &Selection::cutChanged, this, &CutPanel::refresh);
+  connect(mList, &CutList::moveAsked, this, &CutPanel::moveSelected);
+  connect(mList, &CutList::toggled, this, [this](int row, bool on) {
+    mDocument.edit(on ? "Turn cut on" : "Turn cut off", [&](scene::Scene& scene) {
+      if (row < int(scene.cuts.size())) scene.cuts[std::size_t(row)].enabled = on;
+    });
+  });
+  connect(mList, &CutList::renamed, this, [this](int row, const QString& name) {
+    mDocument.edit("Rename cut", [&](scene::Scene& scene) {
+      if (row < int(scene.cuts.size())) scene.cuts[std::size_t(row)].name = name.trimmed().toStdString();
+    });
+  });
+  connect(mKeepWhole, &KeepWholeList::changed, this, [this](const std::vector<int>& ids, bool whole) {
+    std::string label = session::structureLabel(mDocument.scene(), whole ? "Keep whole" : "Cut", ids);
+    mForm->editCut(label.c_str(), [&](scene::Cut& cut) {
+      for (int id : ids) session::setExempt(cut, id, whole);
+    });
+  });
+  refresh();
+}
+
+void CutPanel::buildHead() {
+  auto* head = new QHBoxLayout;
+  head->setSpacing(6);
+  head->addWidget(makeTitle(tr("Cuts"), this), 1);
+  auto* add = new QPushButton(tr("Add plane"), this);
+  add->setObjectName("addPlane");
+  add->setToolTip(tr("Cut away what lies before the crosshair, across the body's axis that faces you (C)"));
+  auto* more = new QToolButton(this);
+  more->setObjectName("addMore");
+  more->setText(tr("Add other"));
+  more->setToolTip(tr("Another shape, or a plane that is placed another way"));
+  more->setPopupMode(QToolButton::InstantPopup);
+  auto* menu = new QMenu(more);
+  for (auto shape : {scene::CutShape::Box, scene::CutShape::Sphere, scene::CutShape::Cylinder, scene::CutShape::Cone})
+    menu->addAction(shapeTitle(shape), this, [this, shape] { addShape(shape); });
+  menu->addSeparator();
+  QAction* sheet = menu->addAction(shapeTitle(scene::CutShape::Membrane), this, &CutPanel::addMembrane);
+  sheet->setToolTip(tr("An elastic sheet that cuts around what matters instead of through it (M)"));
+  menu->setToolTipsVisible(true);
+  menu->addAction(tr("Cut along the view"), this, &CutPanel::addAlongView);
+  menu->addAction(tr("Plane through three points..."), this, &CutPanel::threePointsAsked);
+  more->setMenu(menu);
+  for (QWidget* button : {static_cast<QWidget*>(add), static_cast<QWidget*>(more)})
+    button->setFixedHeight(kButtonHeight);
+  head->addWidget(add);
+  head->addWidget(more);
+  static_cast<QVBoxLayout*>(layout())->addLayout(head);
+  connect(add, &QPushButton::clicked, this, &CutPanel::addPlane);
+}
+
+QWidget* CutPanel::buildTools() {
+  auto* tools = new QWidget(this);
+  auto* row = new QHBoxLayout(tools);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(2);
+  auto add = [&](const QString& text, const QString& name, const QString& tip) {
+    auto* button = new QPushButton(text, tools);
+    button->setObjectName(name);
+    button->setProperty("role", "quiet");
+    button->setToolTip(tip);
+    row->addWidget(button);
+    return button;
+  };
+  auto* twice = add(tr("Duplicate"), "cutDuplicate", tr("Add a copy of the selected cut"));
+  mUp = add(tr("Up"), "cutUp", tr("Move the cut up in the list (Alt+Up)"));
+  mDown = add(tr("Down"), "cutDown", tr("Move the cut down in the list (Alt+Down)"));
+  row->addStretch(1);
+  auto* remove = add(tr("Remove"), "cutRemove", tr("Remove the selected cut (Del)"));
+  connect(twice, &QPushButton::clicked, this, &CutPanel::duplicateSelected);
+  connect(mUp, &QPushButton::clicked, this, [this] { moveSelected(-1); });
+  connect(mDown, &QPushButton::clicked, this, [this] { moveSelected(1); });
+  connect(remove, &QPushButton::clicked, this, &CutPanel::removeSelected);
+  return tools;
+}
+
+bool CutPanel::hasData() const {
+  const scene::Scene& scene = mDocument.scene();
+  return scene.volume.data || scene.labels.data || !scene.surfaces.empty();
+}
+
+void CutPanel::addCut(scene::Cut cut, const char* label) {
+  if (!hasData()) return;
+  int index = int(mDocument.scene().cuts.size());
+  if (cut.name.empty()) cut.name = QString("%1 %2").arg(shapeTitle(cut.shape)).arg(index + 1).toStdString();
+  mDocument.edit(label, [&](scene::Scene& scene) { scene.cuts.push_back(cut); });
+  mSelection.setCut(index);
+}
+
+void CutPanel::addShape(scene::CutShape shape) {
+  scene::Cut cut = session::makeCut(mDocument.scene(), shape);
+  bool isMembrane = shape == scene::CutShape::Membrane;
+  if (isMembrane) cut.membrane.field = session::defaultField(mDocument.scene());
+  addCut(std::move(cut), isMembrane ? "Add membrane" : "Add cut");
+}
+
+void CutPanel::addAlongView() { addCut(session::cutFacingCamera(mDocument.scene()), "Cut along the view"); }
+
+void CutPanel::removeSelected() {
+  if (selected() < 0) return;
+  std::size_t index = std::size_t(selected());
+  mDocument.edit("Remove cut", [&](scene::Scene& scene) {
+    if (index < scene.cuts.size()) scene.cuts.erase(scene.cuts.begin() + std::ptrdiff_t(index));
+  });
+}
+
+void CutPanel::flipSelected() {
+  mForm->editCut("Flip cut", [](scene::Cut& cut) { cut.invert = !cut.invert; });
+}
+
+void CutPanel::duplicateSelected() {
+  const auto& cuts = mDocument.scene().cuts;
+  if (selected() < 0 || selected() >= int(cuts.size())) return;
+  std::size_t index = std::size_t(selected());
+  scene::Cut copy = cuts[index];
+  copy.name = tr("%1 copy").arg(cutTitle(copy, selected())).toStdString();
+  mDocument.edit("Duplicate cut",
+                 [&](scene::Scene& scene) { scene.cuts.insert(scene.cuts.begin() + std::ptrdiff_t(index) + 1, copy); });
+  mSelection.setCut(int(index) + 1);
+}
+
+void CutPanel::moveSelected(int by) {
+  int from = selected(), to = from + by;
+  if (from < 0 || to < 0 || to >= int(mDocument.scene().cuts.size())) return;
+  mDocument.edit("Move cut in the list",
+                 [&](scene::Scene& scene) { std::swap(scene.cuts[std::size_t(from)], scene.cuts[std::size_t(to)]); });
+  mSelection.setCut(to);
+}
+
+void CutPanel::refresh() {
+  const scene::Scene& scene = mDocument.scene();
+  int count = int(scene.cuts.size());
+  int index = std::clamp(selected(), -1, count - 1);
+  if (index < 0 && count > 0) index = 0;
+  if (index != selected()) return mSelection.setCut(index);  // comes back here
+  Shown now{scene.cuts, scene.labels.structures, scene.volume.data.id(), scene.labels.data.id(), index};
+  if (now == mShown) return;
+  mShown = std::move(now);
+  bool any = index >= 0;
+  mList->setCuts(scene.cuts, index);
+  for (QWidget* part : {static_cast<QWidget*>(mList), mTools, static_cast<QWidget*>(mForm)}) part->setVisible(any);
+  mEmpty->setVisible(!any);
+  bool isMembrane = any && scene.cuts[std::size_t(index)].shape == scene::CutShape::Membrane;
+  mMembrane->setVisible(isMembrane);
+  mLine->setVisible(any && !scene.labels.structures.empty());
+  mKeepWhole->setVisible(any);
+  if (!any) return;
+  if (isMembrane) mMembrane->showCut(scene.cuts[std::size_t(index)]);
+  mUp->setEnabled(index > 0);
+  mDown->setEnabled(index + 1 < count);
+  const scene::Cut& cut = scene.cuts[std::size_t(index)];
+  mForm->showCut(cut);
+  mKeepWhole->showCut(scene.labels.structures, cut);
+}
+
+}  // namespace velum::gui

@@ -1,0 +1,72 @@
+#pragma once
+#include <QLabel>
+#include <QPushButton>
+#include <QToolButton>
+#include <QWidget>
+
+#include "CutForm.h"
+#include "CutList.h"
+#include "kit/Selection.h"
+#include "membrane/KeepWholeList.h"
+#include "membrane/MembraneForm.h"
+#include "velum/session/document/Document.h"
+
+namespace velum::gui {
+
+/// The list of cuts, and all that can be done to the selected one.
+class CutPanel : public QWidget {
+  Q_OBJECT
+ public:
+  CutPanel(session::Document& document, Selection& selection, QWidget* parent);
+  void refresh();
+  int selected() const { return mSelection.cut(); }
+
+  /// What belongs to the selected membrane; hidden for other cuts.
+  MembraneForm& membraneForm() { return *mMembrane; }
+
+  /// A cut of a shape, placed where it is of use.
+  void addShape(scene::CutShape shape);
+  /// Adds a cut that somebody else has placed. @param label  of the undo step
+  void addCut(scene::Cut cut, const char* label = "Add cut");
+
+ public slots:
+  void addPlane() { addShape(scene::CutShape::Plane); }
+  /// A sheet that keeps whole what the scene shows most.
+  void addMembrane() { addShape(scene::CutShape::Membrane); }
+  /// A plane through the middle that faces the camera.
+  void addAlongView();
+  void removeSelected();
+  void flipSelected();
+  void duplicateSelected();
+  /// Moves the selected cut in the list. @param by  -1: up, 1: down
+  void moveSelected(int by);
+
+ signals:
+  void threePointsAsked();
+
+ private:
+  void buildHead();
+  QWidget* buildTools();
+  bool hasData() const;
+
+  session::Document& mDocument;
+  Selection& mSelection;
+  CutList* mList;
+  CutForm* mForm;
+  MembraneForm* mMembrane;
+  KeepWholeList* mKeepWhole;
+  QWidget *mTools = nullptr, *mLine = nullptr;
+  QLabel* mEmpty = nullptr;
+  QPushButton *mUp = nullptr, *mDown = nullptr;
+  /// What was last shown, so that a camera that moves costs nothing here.
+  struct Shown {
+    std::vector<scene::Cut> cuts;
+    std::vector<scene::Structure> structures;
+    std::uint64_t volume = 0, labels = 0;
+    int index = -2;
+    bool operator==(const Shown&) const = default;
+  };
+  Shown mShown;
+};
+
+}  // namespace velum::gui

@@ -1,0 +1,51 @@
+#pragma once
+#include <QWidget>
+#include <vector>
+
+#include "kit/RowPaint.h"
+#include "kit/Widgets.h"
+#include "velum/session/document/Document.h"
+
+namespace velum::gui {
+
+/// The eye of a channel: a click asks, and changes nothing by itself.
+class ChannelEye : public EyeButton {
+  Q_OBJECT
+ public:
+  using EyeButton::EyeButton;
+
+ signals:
+  /// @param alone  with Alt: this one and no other
+  void pressedWith(bool alone);
+
+ protected:
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  bool event(QEvent* event) override;
+};
+
+/// The channels of a volume that are mixed: shown or not, colour, name; the chosen one is what the editor edits. Hidden
+/// for volumes with one. Reads the document, and changes it by edits only.
+class ChannelList : public QWidget {
+  Q_OBJECT
+ public:
+  ChannelList(session::Document& document, QWidget* parent);
+  void refresh();
+
+ private:
+  struct Row {
+    QWidget* widget;
+    ChannelEye* eye;
+    ColorButton* color;
+    QPushButton* name;
+  };
+  void addRow();
+  void show(int channel, bool alone);
+  void recolor(int channel, glm::vec3 color);
+  void choose(int channel);
+
+  session::Document& mDocument;
+  std::vector<Row> mRows;
+};
+
+}  // namespace velum::gui

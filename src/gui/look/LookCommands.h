@@ -1,0 +1,47 @@
+#pragma once
+#include <QObject>
+#include <QToolBar>
+
+#include "kit/ActionTable.h"
+#include "kit/Bars.h"
+#include "velum/session/document/Document.h"
+#include "view/ViewGrid.h"
+
+namespace velum::gui {
+
+/// What the menus do to the look: import, export, and "show this", the tool that makes clicked tissue visible.
+class LookCommands : public QObject {
+  Q_OBJECT
+ public:
+  LookCommands(session::Document& document, ViewGrid& views, MessageBar& messages, QWidget* window);
+  /// Adds the commands to a menu, and "show this" to the tool bar.
+  void build(ActionTable& actions, QMenu* menu, QToolBar* bar);
+
+  /// Gives the open scene the look of a file, as one undo step; what is wrong goes to the message bar.
+  void importFrom(const QString& path);
+  void exportTo(const QString& path);
+  /// While it is on, a click in a view shows the tissue there.
+  bool isShowing() const { return mShowThis && mShowThis->isChecked(); }
+
+ public slots:
+  /// Shows the tissue at a place (world mm); with Shift beside what is shown; with Ctrl hides it.
+  void showAt(glm::dvec3 worldMm, Qt::KeyboardModifiers keys);
+
+ signals:
+  /// The tool was taken up or laid down.
+  void showingChanged(bool on);
+
+ private:
+  void clickedInPicture(QPointF place, Qt::KeyboardModifiers keys);
+  void askImport();
+  void askExport();
+
+  session::Document& mDocument;
+  ViewGrid& mViews;
+  MessageBar& mMessages;
+  QWidget* mWindow;
+  QAction* mShowThis = nullptr;
+  QString mFolder;  ///< Of the last file.
+};
+
+}  // namespace velum::gui

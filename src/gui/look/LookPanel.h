@@ -1,0 +1,48 @@
+#pragma once
+#include <QComboBox>
+#include <QWidget>
+
+#include "ChannelList.h"
+#include "PresetGrid.h"
+#include "TransferEditor.h"
+#include "kit/Widgets.h"
+#include "velum/session/document/Document.h"
+
+namespace velum::gui {
+
+/// Presets, channels, the transfer function, way of rendering, light and background. Reads the document, and changes it
+/// by edits only.
+class LookPanel : public QWidget {
+  Q_OBJECT
+ public:
+  LookPanel(session::Document& document, QWidget* parent);
+  /// Shows the document as it is now.
+  void refresh();
+  /// Nothing is still to be counted or drawn for it in the background.
+  bool isComplete() const { return mPresets->isComplete() && mEditor->isComplete(); }
+
+ public slots:
+  /// The picture is done: the machine is free for the presets' pictures.
+  void viewIsComplete() { mPresets->drawPictures(); }
+  /// What is under the pointer in a view.
+  void setProbe(double value) { mEditor->setProbe(value); }
+  void clearProbe() { mEditor->clearProbe(); }
+
+ private:
+  QWidget* makeLook();
+  QWidget* makeLight();
+  QWidget* makeBackground();
+  void chooseMode(int index);
+  void setBackground(glm::vec3 top, glm::vec3 bottom);
+
+  session::Document& mDocument;
+  ChannelList* mChannels;
+  PresetGrid* mPresets;
+  TransferEditor* mEditor;
+  QComboBox* mMode = nullptr;
+  QLabel* mIsoLabel = nullptr;
+  NumberRow *mIso = nullptr, *mShadow = nullptr, *mOcclusion = nullptr;
+  ColorButton *mTop = nullptr, *mBottom = nullptr;
+};
+
+}  // namespace velum::gui

@@ -1,0 +1,126 @@
+#include "KeepWholeList.h"
+
+#include <QHBoxLayout>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "kit/Widgets.h"
+
+namespace velum::gui {
+
+namespace {
+
+constexpr int kIdRole = Qt::UserRole;
+constexpr int kLeastHeight = 140, kSwatch = 13;
+
+}  // namespace
+
+void KeepWholeModel::setRows(const std::vector<scene::Structure>& structures, const std::vector<int>& exempt) {
+  std::vector<int> sorted = exempt;
+  std::sort(sorted.begin(), sorted.end());
+  bool sameRows =
+      std::equal(structures.begin(), structures.end(), mStructures.begin(), mStructures.end(),
+                 [](const auto& a, const auto& b) { return a.id == b.id && a.name == b.name && a.color == b.color; });
+  if (sameRows && sorted == mExempt) return;
+  if (!sameRows) beginResetModel();
+  mExempt = std::move(sorted);
+  if (!sameRows) {
+    mStructures = structures;
+    endResetModel();
+  } else if (!mStructures.empty()) {
+    emit dataChanged(index(0), index(int(mStructures.size()) - 1), {Qt::CheckStateRole});
+  }
+}
+
+int KeepWholeModel::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : int(mStructures.size()); }
+
+bool KeepWholeModel::isKept(int row) const {
+  return std::binary_search(mExempt.begin(), mExempt.end(), mStructures[std::size_t(row)].id);
+}
+
+QVariant KeepWholeModel::data(const QModelIndex& index, int role) const {
+  const scene::Structure& structure = mStructures[std::size_t(index.row())];
+  switch (role) {
+    case Qt::DisplayRole:
+      return structure.name.empty() ? tr("structure %1").arg(structure.id) : QString::fromStdString(structure.name);
+    case Qt::CheckStateRole:
+      return isKept(index.row()) ? Qt::Checked : Qt::Unchecked;
+    case Qt::DecorationRole: {
+      glm::vec3 c = glm::clamp(structure.color, 0.0f, 1.0f);
+      return QColor::fromRgbF(c.r, c.g, c.b);
+    }
+    case kIdRole:
+      return structure.id;
+    default:
+      return {};
+  }
+}
+
+bool KeepWholeModel::setData(const QModelIndex& index, const QVariant& value, int role) {
+  if (role != Qt::CheckStateRole) return false;
+  emit ticked(mStructures[std::size_t(index.row())].id, value.toInt() == Qt::Checked);
+  return true;
+}
+
+Qt::ItemFlags KeepWholeModel::flags(const QModelIndex&) const {
+  return Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable;
+}
+
+KeepWholeList::KeepWholeList(QWidget* parent)
+    : QWidget(parent),
+      mModel(new KeepWholeModel(this)),
+      mFound(new QSortFilterProxyModel(this)),
+      mTitle(makeTitle({}, this)),
+      mSearch(new QLineEdit(this)),
+      mList(new QListView(this)) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(8);
+  auto* head = new QHBoxLayout;
+  head->setSpacing(2);
+  head->addWidget(mTitle, 1);
+  for (bool whole : {true, false}) {
+    auto* button = new QPushButton(whole ? tr("All") : tr("None"), this);
+    button->setObjectName(whole ? "keepAll" : "keepNone");
+    button->setProperty("role", "quiet");
+    button->setToolTip(whole ? tr("Leave all that are listed whole") : tr("Cut all that are listed"));
+    head->addWidget(button);
+    connect(button, &QPushButton::clicked, this, [this, whole] { emit changed(listedIds(), whole); });
+  }
+  layout->addLayout(head);
+  mSearch->setObjectName("keepWholeSearch");
+  mSearch->setPlaceholderText(tr("Search structures"));
+  mSearch->setClearButtonEnabled(true);
+  mSearch->setAccessibleName(tr("Search structures to leave whole"));
+  mSearch->setToolTip(tr("Lists the structures whose name holds these letters"));
+  layout->addWidget(mSearch);
+  mFound->setSourceModel(mModel);
+  mFound->setFilterCaseSensitivity(Qt::CaseInsensitive);
+  mList->setObjectName("keepWholeList");
+  mList->setAccessibleName(tr("Structures that the cut leaves whole"));
+  mList->setToolTip(tr("Ticked structures are left whole by the selected cut"));
+  mList->setModel(mFound);
+  mList->setUniformItemSizes(true);
+  mList->setIconSize({kSwatch, kSwatch});
+  mList->setSpacing(1);
+  mList->setMinimumHeight(kLeastHeight);
+  layout->addWidget(mList, 1);
+  connect(mSearch, &QLineEdit::textChanged, mFound, &QSortFilterProxyModel::setFilterFixedString);
+  connect(mModel, &KeepWholeModel::ticked, this, [this](int id, bool whole) { emit changed({id}, whole); });
+}
+
+std::vector<int> KeepWholeList::listedIds() const {
+  std::vector<int> ids;
+  for (int i = 0; i < mFound->rowCount(); ++i) ids.push_back(mFound->index(i, 0).data(kIdRole).toInt());
+  return ids;
+}
+
+void KeepWholeList::showCut(const std::vector<scene::Structure>& structures, const scene::Cut& cut) {
+  setVisible(!structures.empty());
+  if (structures.empty()) return;
+  mModel->setRows(structures, cut.exempt);
+  mTitle->setText(cut.exempt.empty() ? tr("Leaves whole: nothing") : tr("Leaves whole: %1").arg(cut.exempt.size()));
+}
+
+}  // namespace velum::gui

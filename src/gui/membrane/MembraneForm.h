@@ -1,0 +1,90 @@
+#pragma once
+#include <QCheckBox>
+#include <QComboBox>
+#include <QGridLayout>
+#include <QPushButton>
+#include <QWidget>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "SheetHandsForm.h"
+#include "SketchForm.h"
+#include "StrengthCanvas.h"
+#include "StrengthTable.h"
+#include "kit/Widgets.h"
+#include "velum/session/document/Document.h"
+#include "velum/session/membrane/MembranePlayer.h"
+
+namespace velum::gui {
+
+class CutForm;
+class Job;
+
+/// What a membrane keeps whole, how its sheet hangs and what it does to the picture; what it is doing just now. Below
+/// the numbers of its cut.
+class MembraneForm : public QWidget {
+  Q_OBJECT
+ public:
+  MembraneForm(session::Document& document, CutForm& form, QWidget* parent);
+  ~MembraneForm() override;
+  void showCut(const scene::Cut& cut);
+  void showStatus(const std::optional<session::MembraneStatus>& status, bool isPlaying);
+  SheetHandsForm& hands() { return *mHands; }
+  /// In words: "cuts 12 % of what the plane cuts; 1.3 mm from the slice on average".
+  static QString figureText(const session::MembraneStatus& status);
+  /// Its brushes and strokes.
+  SketchForm& sketch() { return *mSketch; }
+
+ signals:
+  void playAsked(bool play);
+  void stepAsked();
+  void flatAsked();
+  /// The next click in a view says what is to be kept whole, or let through.
+  void protectAsked(bool on, bool letThrough);
+  void exportSheetAsked();
+  void exportClippedAsked();
+
+ public slots:
+  /// The tool that the protect buttons stand for has ended.
+  void pointingEnded();
+
+ private:
+  using Change = std::function<void(scene::Membrane&)>;
+  QWidget* makeFieldHead();
+  QWidget* makeProtect();
+  QWidget* makePlayer();
+  QWidget* makeLast();
+  void makePicture(QGridLayout* grid);
+  void makeCloth(QGridLayout* grid);
+  NumberRow* addNumber(QGridLayout* grid, const QString& name, const QString& tip, double min, double max, int decimals,
+                       const QString& suffix, std::function<void(scene::Membrane&, double)> set);
+  QComboBox* addChoice(QGridLayout* grid, const QString& name, const QString& tip, const QStringList& items,
+                       std::function<void(scene::Membrane&, int)> set);
+  void edit(const QString& label, const Change& change, bool merge = false);
+  bool byGradient() const { return mAttribute->currentIndex() == 1; }
+  void showCurve();
+  void countHistogram();
+  void showWords();
+
+  session::Document& mDocument;
+  CutForm& mForm;
+  scene::Membrane mShown;
+  QLabel *mFigure, *mDoing;
+  QComboBox* mAttribute = nullptr;
+  StrengthCanvas* mCanvas;
+  SheetHandsForm* mHands = nullptr;
+  StrengthTable* mStructures;
+  SketchForm* mSketch;
+  QPushButton *mProtect = nullptr, *mLetThrough = nullptr, *mPlay = nullptr, *mStep = nullptr, *mMore = nullptr;
+  QWidget* mCloth = nullptr;
+  QComboBox *mUse = nullptr, *mLook = nullptr, *mRule = nullptr, *mRepositioning = nullptr;
+  NumberRow *mLevel = nullptr, *mSliceOpacity = nullptr, *mEmphasis = nullptr, *mFalloff = nullptr, *mStretch = nullptr,
+            *mBend = nullptr, *mRestoring = nullptr, *mReach = nullptr, *mParticles = nullptr, *mFinest = nullptr;
+  std::vector<std::pair<QWidget*, QWidget*>> mSliceRows;  ///< label and control that only the slice has
+  std::uint64_t mCounted = 0;                             ///< volume whose histograms are there
+  Histogram mValues, mGradients;
+  std::unique_ptr<Job> mJob;
+};
+
+}  // namespace velum::gui

@@ -1,0 +1,56 @@
+#pragma once
+#include <QDoubleSpinBox>
+#include <QPushButton>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <QWidget>
+#include <functional>
+#include <vector>
+
+#include "SheetTool.h"
+#include "velum/session/document/Document.h"
+
+namespace velum::gui {
+
+class CutForm;
+
+/// The pins and kernels of the selected membrane: buttons of their tools, and a row with its numbers for each.
+class SheetHandsForm : public QWidget {
+  Q_OBJECT
+ public:
+  SheetHandsForm(session::Document& document, CutForm& form, QWidget* parent);
+  void showCut(const scene::Cut& cut);
+  void showMode(SheetTool::Mode mode);
+  void showSelected(session::Hand hand);
+
+ signals:
+  void modeAsked(velum::gui::SheetTool::Mode mode);
+  void selectAsked(velum::session::Hand hand);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  /// Of a pin: `first` is its height over the frame's plane; of a kernel: radius and strength.
+  struct Row {
+    QWidget* widget = nullptr;
+    QToolButton* name = nullptr;
+    QDoubleSpinBox *first = nullptr, *second = nullptr;
+    session::Hand hand;
+  };
+  Row makeRow(session::Hand hand);
+  QDoubleSpinBox* makeNumber(QWidget* row, double min, double max, int decimals, const QString& suffix,
+                             const QString& name, std::function<void(scene::Cut&, double)> set);
+  void showRow(const Row& row, const scene::Cut& cut);
+  void remove(session::Hand hand);
+  void edit(const char* label, const std::function<void(scene::Cut&)>& change, bool merge);
+
+  session::Document& mDocument;
+  CutForm& mForm;
+  QPushButton *mPin = nullptr, *mPush = nullptr, *mPull = nullptr;
+  QWidget* mList = nullptr;
+  QVBoxLayout* mRowLayout = nullptr;
+  std::vector<Row> mRows;
+};
+
+}  // namespace velum::gui

@@ -1,0 +1,31 @@
+#pragma once
+#include <QColor>
+#include <QPainter>
+#include <optional>
+
+#include "velum/scene/Cut.h"
+#include "velum/scene/SliceFrame.h"
+#include "velum/session/membrane/SheetHands.h"
+
+namespace velum::gui {
+
+/// Which of them are marked.
+struct HandMarks {
+  session::Hand selected, hover;
+};
+
+/// Warm where the sheet is repelled, cool where it is attracted.
+QColor strengthColor(double strength);
+
+/// Pins and kernels of a membrane over the 3D view: kernels as three thin rings.
+void paintHands(QPainter& painter, const scene::Cut& cut, const scene::Camera& camera, glm::dvec2 size,
+                const HandMarks& marks);
+/// On a slice: kernels as the circles in which it cuts their balls, pins where they are near it.
+void paintHands(QPainter& painter, const scene::Cut& cut, const scene::SliceFrame& frame, const HandMarks& marks);
+
+/// The sign of a pin, its point at a place. Size of its head: pixels.
+void drawPin(QPainter& painter, QPointF point, bool hot, bool selected);
+/// A small disc with + or -, by which a kernel is held.
+void drawKernel(QPainter& painter, QPointF middle, double strength, bool hot, bool selected);
+
+}  // namespace velum::gui

@@ -1,0 +1,44 @@
+#pragma once
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QWidget>
+
+#include "kit/Widgets.h"
+#include "velum/scene/Membrane.h"
+
+namespace velum::gui {
+
+/// The brushes of a membrane, and the strokes that were drawn with them. It changes nothing itself.
+class SketchForm : public QWidget {
+  Q_OBJECT
+ public:
+  explicit SketchForm(QWidget* parent);
+  void showStrokes(const std::vector<scene::Stroke>& strokes);
+
+ signals:
+  /// The brush is to be taken up, or put down.
+  void brushAsked(bool on, bool avoid);
+  void radiusAsked(double mm);
+  void radiusSettled();
+  void strokeSelected(int index);
+  void removeAsked(int index);
+
+ public slots:
+  void brushEnded();
+  void showRadius(double mm);
+  void showSelected(int index);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void fillList();
+
+  QPushButton *mKeep, *mAvoid, *mRemove;
+  NumberRow* mRadius;
+  QListWidget* mList;
+  std::vector<scene::Stroke> mStrokes;
+};
+
+}  // namespace velum::gui

@@ -1,0 +1,177 @@
+#include "StrengthTable.h"
+
+#include <QDoubleSpinBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QPainter>
+#include <QSignalBlocker>
+#include <QStyledItemDelegate>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "kit/RowPaint.h"
+#include "kit/Widgets.h"
+#include "velum/session/membrane/MembraneEdit.h"
+
+namespace velum::gui {
+
+namespace {
+
+constexpr int kRowHeight = 24, kMostRows = 6, kNumberWidth = 76, kSwatch = 13;
+constexpr double kMost = 1000.0;
+enum Column { Name, Strength };
+
+/// Forces with their sign, edited in a field of numbers.
+class StrengthDelegate : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+  QString displayText(const QVariant& value, const QLocale&) const override {
+    double number = value.toDouble();
+    return (number > 0 ? "+" : "") + QString::number(number, 'g', 4);
+  }
+  QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem&, const QModelIndex&) const override {
+    auto* spin = new QDoubleSpinBox(parent);
+    spin->setRange(-kMost, kMost);
+    spin->setDecimals(0);
+    spin->setSingleStep(10);
+    spin->setAccessibleName(StrengthTable::tr("Force of the structure"));
+    return spin;
+  }
+};
+
+QIcon swatchOf(glm::vec3 color) {
+  glm::vec3 c = glm::clamp(color, 0.0f, 1.0f);
+  QPixmap pixmap(2 * kSwatch, 2 * kSwatch);
+  pixmap.setDevicePixelRatio(2.0);
+  pixmap.fill(Qt::transparent);
+  QPainter painter(&pixmap);
+  painter.setRenderHint(QPainter::Antialiasing);
+  paintSwatch(painter, QRectF(0.5, 0.5, kSwatch - 1, kSwatch - 1), QColor::fromRgbF(c.r, c.g, c.b),
+              QColor(0, 0, 0, 70));
+  return pixmap;
+}
+
+QString nameOf(const scene::Structure& structure) {
+  return structure.name.empty() ? StrengthTable::tr("structure %1").arg(structure.id)
+                                : QString::fromStdString(structure.name);
+}
+
+}  // namespace
+
+StrengthTable::StrengthTable(QWidget* parent)
+    : QWidget(parent),
+      mTable(new QTableWidget(0, 2, this)),
+      mAdd(new QComboBox(this)),
+      mRemove(new QPushButton(tr("Remove"), this)) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(6);
+  mTable->setObjectName("strengthTable");
+  mTable->setAccessibleName(tr("Forces of structures"));
+  mTable->setToolTip(
+      tr("Force of each structure, -1000 to 1000: above 0 the sheet keeps it whole, below it is drawn to it.\n"
+         "Double click a number to change it; Del removes a structure."));
+  mTable->horizontalHeader()->hide();
+  mTable->horizontalHeader()->setSectionResizeMode(Name, QHeaderView::Stretch);
+  mTable->horizontalHeader()->setSectionResizeMode(Strength, QHeaderView::Fixed);
+  mTable->setColumnWidth(Strength, kNumberWidth);
+  mTable->verticalHeader()->hide();
+  mTable->verticalHeader()->setDefaultSectionSize(kRowHeight);
+  mTable->verticalHeader()->setMinimumSectionSize(kRowHeight);
+  mTable->setShowGrid(false);
+  mTable->setTabKeyNavigation(false);
+  mTable->setSelectionBehavior(QAbstractItemView::SelectRows);
+  mTable->setIconSize(QSize(kSwatch, kSwatch));
+  mTable->setItemDelegateForColumn(Strength, new StrengthDelegate(mTable));
+  mTable->installEventFilter(this);
+  layout->addWidget(mTable);
+  auto* row = new QHBoxLayout;
+  mAdd->setObjectName("strengthAdd");
+  mAdd->setAccessibleName(tr("Add a structure to keep whole"));
+  mAdd->setToolTip(tr("Add a structure that the sheet keeps whole"));
+  mAdd->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  row->addWidget(mAdd, 1);
+  mRemove->setObjectName("strengthRemove");
+  mRemove->setProperty("role", "quiet");
+  mRemove->setToolTip(tr("The selected structures have no force any more (Del)"));
+  row->addWidget(mRemove);
+  layout->addLayout(row);
+  connect(mRemove, &QPushButton::clicked, this, &StrengthTable::removeSelected);
+  // When the field is closed: the answer may take its row away.
+  connect(mTable, &QTableWidget::itemChanged, this, [this](QTableWidgetItem* item) {
+    int id = item->data(Qt::UserRole).toInt();
+    double strength = item->data(Qt::EditRole).toDouble();
+    QMetaObject::invokeMethod(
+        this, [this, id, strength] { emit strengthAsked(id, strength); }, Qt::QueuedConnection);
+  });
+  connect(mTable, &QTableWidget::itemSelectionChanged, this,
+          [this] { mRemove->setEnabled(!mTable->selectedItems().isEmpty()); });
+  connect(mAdd, &QComboBox::activated, this, [this](int index) {
+    if (index > 0) emit strengthAsked(mAdd->itemData(index).toInt(), session::kProtectStrength);
+  });
+}
+
+void StrengthTable::showStrengths(const std::vector<scene::Structure>& structures,
+                                  const std::vector<scene::LabelStrength>& strengths) {
+  setVisible(!structures.empty());
+  if (structures == mStructures && strengths == mStrengths && mAdd->count() > 0) return;
+  mStructures = structures;
+  mStrengths = strengths;
+  fill();
+}
+
+/// In the order of the list of structures.
+void StrengthTable::fill() {
+  const QSignalBlocker quiet(mTable), quietAdd(mAdd);
+  int selected =
+      mTable->currentRow() >= 0 ? mTable->item(mTable->currentRow(), Strength)->data(Qt::UserRole).toInt() : 0;
+  mTable->setRowCount(0);
+  mAdd->clear();
+  mAdd->addItem(tr("Add a structure"));
+  for (const auto& structure : mStructures) {
+    auto found =
+        std::find_if(mStrengths.begin(), mStrengths.end(), [&](const auto& s) { return s.id == structure.id; });
+    if (found == mStrengths.end()) {
+      mAdd->addItem(swatchOf(structure.color), nameOf(structure), structure.id);
+      continue;
+    }
+    int row = mTable->rowCount();
+    mTable->insertRow(row);
+    auto* name = new QTableWidgetItem(swatchOf(structure.color), nameOf(structure));
+    name->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
+    auto* number = new QTableWidgetItem;
+    number->setData(Qt::EditRole, found->strength);
+    number->setData(Qt::UserRole, structure.id);
+    number->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    mTable->setItem(row, Name, name);
+    mTable->setItem(row, Strength, number);
+    if (structure.id == selected) mTable->selectRow(row);
+  }
+  int rows = mTable->rowCount();
+  mTable->setFixedHeight(std::min(rows, kMostRows) * kRowHeight + 4);
+  mTable->setVisible(rows > 0);
+  mRemove->setVisible(rows > 0);
+  mRemove->setEnabled(!mTable->selectedItems().isEmpty());
+  mAdd->setEnabled(mAdd->count() > 1);
+}
+
+void StrengthTable::removeSelected() {
+  std::vector<int> ids;
+  for (const auto& index : mTable->selectionModel()->selectedRows(Strength))
+    ids.push_back(index.data(Qt::UserRole).toInt());
+  for (int id : ids) emit strengthAsked(id, 0.0);
+}
+
+/// Del comes before the command that has the same key.
+bool StrengthTable::eventFilter(QObject* watched, QEvent* event) {
+  bool isKey = event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride;
+  if (watched == mTable && isKey && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Delete && mRemove->isEnabled()) {
+    event->accept();
+    if (event->type() == QEvent::KeyPress) removeSelected();
+    return true;
+  }
+  return QWidget::eventFilter(watched, event);
+}
+
+}  // namespace velum::gui

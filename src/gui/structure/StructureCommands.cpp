@@ -1,0 +1,198 @@
+#include "StructureCommands.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "velum/session/cut/CutEdit.h"
+#include "velum/session/membrane/MembraneEdit.h"
+
+namespace velum::gui {
+
+namespace {
+constexpr int kFlightMs = 320;
+}
+
+StructureCommands::StructureCommands(session::Document& document, Selection& selection, QObject* parent)
+    : QObject(parent), mDocument(document), mSelection(selection) {
+  connect(&mMeter, &StructureMeter::measured, this, [this] {
+    if (mGoTo) goTo(mGoTo);
+  });
+  mFlight.setDuration(kFlightMs);
+  mFlight.setStartValue(0.0);
+  mFlight.setEndValue(1.0);
+  mFlight.setEasingCurve(QEasingCurve::InOutCubic);
+  connect(&mFlight, &QVariantAnimation::valueChanged, this, [this](const QVariant& value) {
+    // A hand that moves the camera meanwhile has it.
+    if (!(mDocument.scene().camera == mLast)) return mFlight.stop();
+    double t = value.toDouble();
+    scene::Camera camera = t >= 1.0 ? mTo : mFrom;
+    if (t < 1.0) {
+      camera.targetMm = glm::mix(mFrom.targetMm, mTo.targetMm, t);
+      camera.eyeMm = glm::mix(mFrom.eyeMm, mTo.eyeMm, t);
+      camera.heightMm = std::exp(glm::mix(std::log(mFrom.heightMm), std::log(mTo.heightMm), t));
+    }
+    mLast = camera;
+    mDocument.view([camera](scene::Scene& scene) { scene.camera = camera; });
+  });
+}
+
+void StructureCommands::setVisible(const Ids& ids, bool visible) {
+  if (ids.empty()) return;
+  mDocument.edit(session::structureLabel(mDocument.scene(), visible ? "Show" : "Hide", ids), [&](scene::Scene& scene) {
+    session::changeStructures(scene, ids, [&](scene::Structure& s) { s.visible = visible; });
+  });
+}
+
+void StructureCommands::invertVisible(const Ids& ids) {
+  mDocument.edit("Invert what is shown", [&](scene::Scene& scene) {
+    session::changeStructures(scene, ids, [](scene::Structure& s) { s.visible = !s.visible; });
+  });
+}
+
+void StructureCommands::toggleSolo(int id) {
+  if (!session::findStructure(mDocument.scene(), id)) return;
+  bool ends = session::soloStructure(mDocument.scene()) == id;
+  session::SoloMemory next;
+  mDocument.edit(session::structureLabel(mDocument.scene(), ends ? "End solo of" : "Solo", {id}),
+                 [&](scene::Scene& scene) { next = session::toggleSolo(scene, mSolo, id); });
+  mSolo = next;
+}
+
+void StructureCommands::setColor(const Ids& ids, glm::vec3 color) {
+  mDocument.edit(session::structureLabel(mDocument.scene(), "Colour", ids), [&](scene::Scene& scene) {
+    session::changeStructures(scene, ids, [&](scene::Structure& s) { s.color = color; });
+  });
+}
+
+void StructureCommands::dragOpacity(const Ids& ids, double opacity) {
+  mDocument.edit(
+      session::structureLabel(mDocument.scene(), "Opacity of", ids),
+      [&](scene::Scene& scene) {
+        session::changeStructures(scene, ids, [&](scene::Structure& s) { s.opacity = std::clamp(opacity, 0.0, 1.0); });
+      },
+      true);
+}
+
+void StructureCommands::rename(int id, const QString& name) {
+  mDocument.edit(session::structureLabel(mDocument.scene(), "Rename", {id}), [&](scene::Scene& scene) {
+    session::changeStructures(scene, {id}, [&](scene::Structure& s) { s.name = name.trimmed().toStdString(); });
+  });
+}
+
+const scene::Cut* StructureCommands::cut() const {
+  const auto& cuts = mDocument.scene().cuts;
+  int index = mSelection.cut();
+  return index >= 0 && index < int(cuts.size()) ? &cuts[std::size_t(index)] : nullptr;
+}
+
+QString StructureCommands::cutName() const {
+  const scene::Cut* selected = cut();
+  if (!selected) return {};
+  return selected->name.empty() ? tr("cut %1").arg(mSelection.cut() + 1) : QString::fromStdString(selected->name);
+}
+
+bool StructureCommands::isKeptWhole(int id) const {
+  const scene::Cut* selected = cut();
+  return selected && session::isExempt(*selected, id);
+}
+
+void StructureCommands::setKeptWhole(const Ids& ids, bool whole) {
+  if (!cut()) return;
+  std::size_t index = std::size_t(mSelection.cut());
+  mDocument.edit(session::structureLabel(mDocument.scene(), whole ? "Keep whole" : "Cut", ids),
+                 [&](scene::Scene& scene) {
+                   for (int id : ids) session::setExempt(scene.cuts[index], id, whole);
+                 });
+}
+
+const scene::Membrane* StructureCommands::membrane() const {
+  const scene::Cut* selected = cut();
+  return selected && selected->shape == scene::CutShape::Membrane ? &selected->membrane : nullptr;
+}
+
+double StructureCommands::strengthOf(int id) const {
+  const scene::Membrane* sheet = membrane();
+  if (!sheet) return 0.0;
+  for (const auto& one : sheet->field.byLabel)
+    if (one.id == id) return one.strength;
+  return 0.0;
+}
+
+void StructureCommands::setStrength(const Ids& ids, double strength) {
+  if (!membrane()) return;
+  std::size_t index = std::size_t(mSelection.cut());
+  const char* verb = strength > 0 ? "Keep whole by membrane:" : strength < 0 ? "Draw membrane to" : "No force of";
+  mDocument.edit(session::structureLabel(mDocument.scene(), verb, ids), [&](scene::Scene& scene) {
+    for (int id : ids) session::protectStructure(scene.cuts[index].membrane, id, strength);
+  });
+}
+
+void StructureCommands::goTo(int id) {
+  mGoTo = mMeter.isMeasuring() ? id : 0;
+  const session::StructureSize* size = mMeter.find(id);
+  if (!size) return;
+  mGoTo = 0;
+  const LabelVolume& labels = *mMeter.labels();
+  glm::dvec3 middle = session::middleOfStructure(labels, id, *size);
+  mDocument.view([middle](scene::Scene& scene) {
+    scene.slices.crosshairMm = middle;
+    scene.slices.isPlaced = true;
+  });
+  flyTo(session::closeUp(mDocument.scene().camera, middle, session::radiusOfStructure(labels, *size), 1.0));
+}
+
+void StructureCommands::flyTo(const scene::Camera& camera) {
+  mFlight.stop();
+  mFrom = mLast = mDocument.scene().camera;
+  mTo = camera;
+  mFlight.start();
+}
+
+/// What the selected membrane does with structures; nothing where another cut is selected.
+void StructureCommands::fillMembraneMenu(QMenu& menu, const Ids& ids) {
+  if (!membrane()) return;
+  auto add = [&](const QString& text, const QString& tip, double sign) {
+    QAction* action = menu.addAction(text);
+    action->setToolTip(tip);
+    action->setCheckable(true);
+    action->setChecked(std::all_of(ids.begin(), ids.end(), [&](int id) { return strengthOf(id) * sign > 0; }));
+    connect(action, &QAction::triggered, this,
+            [this, ids, sign](bool on) { setStrength(ids, on ? sign * session::kProtectStrength : 0.0); });
+  };
+  add(tr("Keep whole by membrane"), tr("The selected membrane's sheet goes around it"), 1.0);
+  add(tr("Draw membrane to it"), tr("The selected membrane's sheet is drawn to it"), -1.0);
+}
+
+void StructureCommands::fillMenu(QMenu& menu, const Ids& ids) {
+  if (ids.empty()) return;
+  const scene::Structure* first = session::findStructure(mDocument.scene(), ids[0]);
+  if (!first) return;
+  bool one = ids.size() == 1;
+  menu.setToolTipsVisible(true);
+  QAction* title = menu.addAction(one ? QString::fromStdString(session::structureName(mDocument.scene(), ids[0]))
+                                      : tr("%n structures", nullptr, int(ids.size())));
+  title->setEnabled(false);
+  menu.addSeparator();
+  bool visible = first->visible;
+  menu.addAction(visible ? tr("Hide") : tr("Show"), this, [this, ids, visible] { setVisible(ids, !visible); });
+  if (one) {
+    bool solo = session::soloStructure(mDocument.scene()) == ids[0];
+    menu.addAction(solo ? tr("End solo") : tr("Solo"), this, [this, ids] { toggleSolo(ids[0]); })
+        ->setToolTip(solo ? tr("Show again what was shown before") : tr("Show nothing but this"));
+    menu.addAction(tr("Go there"), this, [this, ids] { goTo(ids[0]); })
+        ->setToolTip(tr("Bring the camera near and the crosshair into its middle"));
+    menu.addAction(tr("Rename..."), this, [this, ids] { emit renameAsked(ids[0]); });
+  }
+  menu.addSeparator();
+  QString name = cutName();
+  QAction* whole = menu.addAction(name.isEmpty() ? tr("Keep whole") : tr("Keep whole in %1").arg(name));
+  whole->setCheckable(true);
+  whole->setChecked(std::all_of(ids.begin(), ids.end(), [this](int id) { return isKeptWhole(id); }));
+  whole->setEnabled(!name.isEmpty());
+  whole->setToolTip(name.isEmpty() ? tr("Add or select a cut first")
+                                   : tr("The selected cut goes round it and leaves it whole"));
+  connect(whole, &QAction::triggered, this, [this, ids](bool on) { setKeptWhole(ids, on); });
+  fillMembraneMenu(menu, ids);
+}
+
+}  // namespace velum::gui

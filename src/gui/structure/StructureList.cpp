@@ -1,0 +1,274 @@
+#include "StructureList.h"
+
+#include <QColorDialog>
+#include <QContextMenuEvent>
+#include <QHeaderView>
+#include <QMouseEvent>
+#include <QScrollBar>
+#include <QStyledItemDelegate>
+#include <algorithm>
+
+#include "StructureCommands.h"
+#include "kit/RowPaint.h"
+
+namespace velum::gui {
+
+namespace {
+
+constexpr int kRowHeight = 25;
+constexpr int kWidths[StructureModel::kColumns] = {28, 22, 0, 46, 52, 24};
+constexpr double kBarMargin = 5.0;
+
+class Delegate : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+
+  QSize sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const override { return {40, kRowHeight}; }
+
+  void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    painter->save();
+    painter->setRenderHint(QPainter::Antialiasing);
+    int column = index.column();
+    paintRowGround(*painter, option, column == 0, column == StructureModel::kColumns - 1);
+    bool visible = index.data(StructureModel::VisibleRole).toBool();
+    QRectF box(option.rect);
+    if (column == StructureModel::Eye) paintEye(*painter, box, rowTextColor(option, visible), visible);
+    if (column == StructureModel::Swatch) paintColor(*painter, option, index, visible);
+    if (column == StructureModel::Name) paintText(*painter, option, index, visible, Qt::AlignLeft);
+    if (column == StructureModel::Size) paintText(*painter, option, index, false, Qt::AlignRight);
+    if (column == StructureModel::Opacity) paintBar(*painter, option, index, visible);
+    if (column == StructureModel::Solo) paintSolo(*painter, option, index.data(StructureModel::SoloRole).toBool());
+    painter->restore();
+  }
+
+  void updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option, const QModelIndex&) const override {
+    // The editor's own frame needs more than a row, and may reach over the size beside it.
+    editor->setGeometry(option.rect.adjusted(-4, -2, kWidths[StructureModel::Size], 2));
+  }
+
+ private:
+  static void paintColor(QPainter& painter, const QStyleOptionViewItem& option, const QModelIndex& index,
+                         bool visible) {
+    QColor color = index.data(StructureModel::ColorRole).value<QColor>();
+    QPointF c = QRectF(option.rect).center();
+    if (!visible) color.setAlphaF(0.35);
+    paintSwatch(painter, QRectF(c - QPointF(6.5, 6.5), QSizeF(13, 13)), color, QColor(0, 0, 0, 70));
+  }
+  static void paintText(QPainter& painter, const QStyleOptionViewItem& option, const QModelIndex& index, bool strong,
+                        Qt::Alignment alignment) {
+    QRect box = option.rect.adjusted(4, 0, -4, 0);
+    // Names of structures differ at their ends: left and right, upper and lower.
+    QString text = option.fontMetrics.elidedText(index.data().toString(), Qt::ElideMiddle, box.width());
+    painter.setPen(rowTextColor(option, strong));
+    painter.drawText(box, alignment | Qt::AlignVCenter, text);
+  }
+  static void paintBar(QPainter& painter, const QStyleOptionViewItem& option, const QModelIndex& index, bool visible) {
+    QRectF box = QRectF(option.rect).adjusted(kBarMargin, 0, -kBarMargin, 0);
+    QRectF groove(box.left(), box.center().y() - 2.5, box.width(), 5);
+    QColor color = rowTextColor(option, visible);
+    QColor ground = color;
+    ground.setAlphaF(0.22);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(ground);
+    painter.drawRoundedRect(groove, 2.5, 2.5);
+    groove.setWidth(std::max(5.0, groove.width() * index.data(StructureModel::OpacityRole).toDouble()));
+    if (index.data(StructureModel::OpacityRole).toDouble() <= 0.0) return;
+    painter.setBrush(color);
+    painter.drawRoundedRect(groove, 2.5, 2.5);
+  }
+  static void paintSolo(QPainter& painter, const QStyleOptionViewItem& option, bool solo) {
+    QPointF c = QRectF(option.rect).center();
+    QRectF box(c - QPointF(8, 8), QSizeF(16, 16));
+    bool near = option.state & (QStyle::State_MouseOver | QStyle::State_Selected);
+    if (solo) {
+      painter.setPen(Qt::NoPen);
+      painter.setBrush(option.palette.color(QPalette::Link));
+      painter.drawRoundedRect(box, 3, 3);
+    }
+    QColor color = solo ? option.palette.color(QPalette::Base) : rowTextColor(option, false);
+    if (!solo && !near) color.setAlphaF(0.55);
+    QFont font = option.font;
+    font.setBold(solo);
+    font.setPointSizeF(font.pointSizeF() * 0.88);
+    painter.setFont(font);
+    painter.setPen(color);
+    painter.drawText(box, Qt::AlignCenter, "S");
+  }
+};
+
+}  // namespace
+
+StructureList::StructureList(StructureCommands& commands, QWidget* parent)
+    : QTreeView(parent),
+      mCommands(commands),
+      mModel(new StructureModel(commands.meter(), this)),
+      mOrder(new StructureOrder(this)) {
+  setObjectName("structureList");
+  setAccessibleName(tr("Structures"));
+  mOrder->setSourceModel(mModel);
+  setModel(mOrder);
+  setItemDelegate(new Delegate(this));
+  setRootIsDecorated(false);
+  setUniformRowHeights(true);
+  setHeaderHidden(true);
+  setMouseTracking(true);
+  setAllColumnsShowFocus(true);
+  setSelectionMode(ExtendedSelection);
+  setEditTriggers(EditKeyPressed);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  setVerticalScrollMode(ScrollPerPixel);
+  verticalScrollBar()->setSingleStep(kRowHeight);
+  setMinimumHeight(6 * kRowHeight);
+  header()->setStretchLastSection(false);
+  header()->setMinimumSectionSize(10);
+  for (int i = 0; i < StructureModel::kColumns; ++i) {
+    header()->setSectionResizeMode(i, i == StructureModel::Name ? QHeaderView::Stretch : QHeaderView::Fixed);
+    if (kWidths[i]) header()->resizeSection(i, kWidths[i]);
+  }
+  connect(mModel, &StructureModel::renamed, &mCommands, &StructureCommands::rename);
+}
+
+std::vector<int> StructureList::selectedIds() const {
+  std::vector<int> ids;
+  for (const auto& index : selectionModel()->selectedRows()) ids.push_back(index.data(StructureModel::IdRole).toInt());
+  return ids;
+}
+
+std::vector<int> StructureList::listedIds() const {
+  std::vector<int> ids;
+  for (int i = 0; i < mOrder->rowCount(); ++i) ids.push_back(mOrder->index(i, 0).data(StructureModel::IdRole).toInt());
+  return ids;
+}
+
+void StructureList::selectId(int id) {
+  mIsQuiet = true;
+  int row = mModel->rowOf(id);
+  QModelIndex index = row < 0 ? QModelIndex() : mOrder->mapFromSource(mModel->index(row, StructureModel::Name));
+  if (!index.isValid()) {
+    selectionModel()->clear();
+  } else if (currentIndex().siblingAtColumn(StructureModel::Name) != index || selectedIds().empty()) {
+    setCurrentIndex(index);
+    scrollTo(index);
+  }
+  mIsQuiet = false;
+}
+
+void StructureList::editName(int id) {
+  selectId(id);
+  if (currentIndex().isValid()) edit(currentIndex().siblingAtColumn(StructureModel::Name));
+}
+
+QRect StructureList::cellOf(int id, StructureModel::Column column) const {
+  return visualRect(mOrder->mapFromSource(mModel->index(mModel->rowOf(id), column)));
+}
+
+void StructureList::currentChanged(const QModelIndex& current, const QModelIndex& previous) {
+  QTreeView::currentChanged(current, previous);
+  if (!mIsQuiet && current.isValid()) emit picked(current.data(StructureModel::IdRole).toInt());
+}
+
+/// All that are selected, when the row is one of them; else the row alone.
+std::vector<int> StructureList::idsFor(int id) const {
+  std::vector<int> ids = selectedIds();
+  return std::find(ids.begin(), ids.end(), id) != ids.end() ? ids : std::vector<int>{id};
+}
+
+bool StructureList::pressCell(const QModelIndex& index, QMouseEvent* event) {
+  int id = index.data(StructureModel::IdRole).toInt();
+  switch (index.column()) {
+    case StructureModel::Eye:
+      if (event->modifiers() & Qt::AltModifier)
+        mCommands.toggleSolo(id);
+      else
+        mCommands.setVisible(idsFor(id), !index.data(StructureModel::VisibleRole).toBool());
+      return true;
+    case StructureModel::Swatch:
+      chooseColor(id);
+      return true;
+    case StructureModel::Opacity:
+      mOpacityId = id;
+      dragOpacity(int(event->position().x()));
+      return true;
+    case StructureModel::Solo:
+      mCommands.toggleSolo(id);
+      return true;
+    default:
+      return false;
+  }
+}
+
+void StructureList::mousePressEvent(QMouseEvent* event) {
+  QModelIndex index = indexAt(event->position().toPoint());
+  mIsHeld = event->button() == Qt::LeftButton && index.isValid() && pressCell(index, event);
+  if (!mIsHeld) QTreeView::mousePressEvent(event);
+}
+
+void StructureList::mouseMoveEvent(QMouseEvent* event) {
+  if (mOpacityId) return dragOpacity(int(event->position().x()));
+  if (!mIsHeld) QTreeView::mouseMoveEvent(event);
+}
+
+void StructureList::mouseReleaseEvent(QMouseEvent* event) {
+  if (mOpacityId) mCommands.document().endMerge();
+  mOpacityId = 0;
+  if (!mIsHeld) QTreeView::mouseReleaseEvent(event);
+  mIsHeld = false;
+}
+
+void StructureList::mouseDoubleClickEvent(QMouseEvent* event) {
+  QModelIndex index = indexAt(event->position().toPoint());
+  bool isName = index.column() == StructureModel::Name || index.column() == StructureModel::Size;
+  if (index.isValid() && isName) return mCommands.goTo(index.data(StructureModel::IdRole).toInt());
+  mousePressEvent(event);  // two quick clicks on an eye are two clicks
+}
+
+void StructureList::dragOpacity(int x) {
+  QRect cell = cellOf(mOpacityId, StructureModel::Opacity);
+  double width = cell.width() - 2.0 * kBarMargin;
+  double opacity = std::clamp((x - cell.left() - kBarMargin) / width, 0.0, 1.0);
+  mCommands.dragOpacity(idsFor(mOpacityId), std::round(opacity * 100.0) / 100.0);
+}
+
+void StructureList::chooseColor(int id) {
+  QModelIndex index = mModel->index(mModel->rowOf(id), 0);
+  QColor color = QColorDialog::getColor(index.data(StructureModel::ColorRole).value<QColor>(), window(),
+                                        tr("Colour of the structure"));
+  if (color.isValid()) mCommands.setColor(idsFor(id), {color.redF(), color.greenF(), color.blueF()});
+}
+
+bool StructureList::event(QEvent* event) {
+  // The list's own keys go before commands of the window that have the same.
+  if (event->type() == QEvent::ShortcutOverride) {
+    int key = static_cast<QKeyEvent*>(event)->key();
+    constexpr int kOwn[] = {Qt::Key_Space, Qt::Key_F2, Qt::Key_Return, Qt::Key_Enter,
+                            Qt::Key_Delete};  // Del would remove a cut that nobody thinks of here
+    if (std::find(std::begin(kOwn), std::end(kOwn), key) != std::end(kOwn)) event->accept();
+  }
+  return QTreeView::event(event);
+}
+
+void StructureList::keyPressEvent(QKeyEvent* event) {
+  std::vector<int> ids = selectedIds();
+  if (!ids.empty() && event->key() == Qt::Key_Space) {
+    bool visible = currentIndex().data(StructureModel::VisibleRole).toBool();
+    if (event->modifiers() & Qt::AltModifier) return mCommands.toggleSolo(ids[0]);
+    return mCommands.setVisible(ids, !visible);
+  }
+  bool isEnter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+  if (!ids.empty() && isEnter && state() != EditingState) return mCommands.goTo(ids[0]);
+  // The cursor stands on a row; a name is what it edits.
+  if (event->key() == Qt::Key_F2 && currentIndex().isValid())
+    return edit(currentIndex().siblingAtColumn(StructureModel::Name));
+  QTreeView::keyPressEvent(event);
+}
+
+void StructureList::contextMenuEvent(QContextMenuEvent* event) {
+  QModelIndex index = event->reason() == QContextMenuEvent::Mouse ? indexAt(event->pos()) : currentIndex();
+  if (!index.isValid()) return;
+  QMenu menu(this);
+  mCommands.fillMenu(menu, idsFor(index.data(StructureModel::IdRole).toInt()));
+  menu.exec(event->reason() == QContextMenuEvent::Mouse ? event->globalPos()
+                                                        : viewport()->mapToGlobal(visualRect(index).center()));
+}
+
+}  // namespace velum::gui

@@ -1,0 +1,57 @@
+#pragma once
+#include <QGridLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QWidget>
+
+#include "StructureCommands.h"
+#include "StructureList.h"
+#include "kit/RowPaint.h"
+#include "kit/Widgets.h"
+
+namespace velum::gui {
+
+/// The labels beside the volume: how they are shown altogether, and the list of structures. Reads the document, and
+/// changes it by edits only.
+class StructurePanel : public QWidget {
+  Q_OBJECT
+ public:
+  StructurePanel(StructureCommands& commands, Selection& selection, QWidget* parent);
+  /// Shows the document as it is now; does next to nothing when no label has changed.
+  void refresh();
+
+ public slots:
+  /// The keyboard goes to the search field.
+  void startSearch();
+
+ signals:
+  void openLabelsAsked();
+
+ private:
+  QWidget* makeEmpty();
+  QWidget* makeHead();
+  QGridLayout* makeShares(QWidget* head);
+  QWidget* makeSearch();
+  QWidget* makeFoot();
+  QWidget* makeDetail();
+  void driveShare(NumberRow* row, const char* label, std::function<double&(scene::Scene&)> field);
+  void showSelected();
+  void showCount();
+  void setSearch(const QString& text);
+
+  StructureCommands& mCommands;
+  session::Document& mDocument;
+  Selection& mSelection;
+  StructureList* mList = nullptr;
+  QWidget *mEmpty = nullptr, *mFull = nullptr, *mDetail = nullptr;
+  QLabel *mName = nullptr, *mCount = nullptr, *mDetailName = nullptr;
+  EyeButton* mShown = nullptr;
+  QLineEdit* mSearch = nullptr;
+  NumberRow *mTint = nullptr, *mUnlabelled = nullptr, *mOnSlices = nullptr, *mOpacity = nullptr;
+  ColorButton* mColor = nullptr;
+  scene::LabelLayer mShownLabels;  ///< What the rows were last made from.
+  double mShownOnSlices = -1.0;
+  bool mIsMade = false;
+};
+
+}  // namespace velum::gui

@@ -1,0 +1,38 @@
+#pragma once
+#include <QFrame>
+#include <QLabel>
+#include <QPushButton>
+#include <QSlider>
+#include <QTimer>
+
+#include "velum/session/document/Document.h"
+
+namespace velum::gui {
+
+/// The time steps of a series: a slider, and play. Hidden for data without time. The next step is shown when the views
+/// have drawn the one before, so that no step is left out on a slow machine.
+class TimeBar : public QFrame {
+  Q_OBJECT
+ public:
+  TimeBar(session::Document& document, QWidget* parent);
+  void refresh();
+  void setPlaying(bool playing);
+  bool isPlaying() const { return mTimer.isActive(); }
+  /// By some steps, round the ends.
+  void step(int steps);
+
+ signals:
+  /// Asks whether the views show the current step; the answer goes into `ready`.
+  void askReady(bool& ready);
+
+ private:
+  int frames() const;
+
+  session::Document& mDocument;
+  QPushButton* mPlay;
+  QSlider* mSlider;
+  QLabel* mText;
+  QTimer mTimer;
+};
+
+}  // namespace velum::gui

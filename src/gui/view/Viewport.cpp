@@ -1,0 +1,314 @@
+#include "Viewport.h"
+
+#include <QMouseEvent>
+#include <QOpenGLContext>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "GizmoOverlay.h"
+#include "kit/Job.h"
+#include "velum/core/Error.h"
+#include "velum/scene/Project.h"
+
+namespace velum::gui {
+
+namespace {
+
+constexpr double kSliceMs = 8.0;          // a sixth of the 50 ms in which every view answers
+constexpr double kCoarseSliceMs = 28.0;   // a coarse picture in one piece: what waits is that picture
+constexpr int kRestMs = 140;              // a hand that pauses in a drag for less does not start a full picture
+constexpr double kCoarseTargetMs = 15.0;  // leaves room for tables, light and the window's composition under 50 ms
+constexpr double kLargestScale = 12.0;
+constexpr int kTellMs = 250;  // how often the status line is told: the window is composed anew for each word
+constexpr int kShowMs = 150;  // how often a growing picture is shown: showing costs a pass over it
+
+}  // namespace
+
+Viewport::Viewport(session::Document& document, QWidget* parent)
+    : QOpenGLWidget(parent), mDocument(document), mOverlay(new GizmoOverlay(document, this)) {
+  setAccessibleName(tr("3D view"));
+  setFocusPolicy(Qt::StrongFocus);
+  setMouseTracking(true);
+  setMinimumSize(240, 180);
+  mSliceTimer.setInterval(0);
+  connect(&mSliceTimer, &QTimer::timeout, this, &Viewport::slice);
+  mRestTimer.setSingleShot(true);
+  mRestTimer.setInterval(kRestMs);
+  connect(&mRestTimer, &QTimer::timeout, this, [this] {
+    begin(mCoarseScale > 2.5 ? Stage::Half : Stage::Full);
+    if (!mPauseTimer.isActive()) mSliceTimer.start();
+  });
+  mPauseTimer.setSingleShot(true);
+  connect(&mPauseTimer, &QTimer::timeout, this, [this] { mSliceTimer.start(); });
+  mPickTimer.setSingleShot(true);
+  mPickTimer.setInterval(80);
+  connect(&mPickTimer, &QTimer::timeout, this, &Viewport::pickUnderPointer);
+}
+
+Viewport::~Viewport() {
+  mSheetJob.reset();  // cancels and waits: it knows the player
+  release();
+}
+
+void Viewport::initializeGL() {
+  connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &Viewport::release, Qt::DirectConnection);
+  try {
+    mContext = gpu::Context::adopt([](const char* name) {
+      return reinterpret_cast<void*>(QOpenGLContext::currentContext()->getProcAddress(name));
+    });
+    mRenderer = std::make_unique<render::Renderer>(*mContext);
+    bool isSoftware = mContext->limits().isSoftware;
+    if (mCoarseScale == 0) mCoarseScale = isSoftware ? 6.0 : 1.5;
+    startAnew();
+  } catch (const Error& error) {
+    mContext.reset();
+    QMetaObject::invokeMethod(
+        this, [this, text = QString::fromUtf8(error.what())] { emit failed(text); }, Qt::QueuedConnection);
+  }
+}
+
+/// Gives everything on the GPU back, while its context still lives: the widget goes, or moves to another window.
+void Viewport::release() {
+  mSliceTimer.stop();
+  mRestTimer.stop();
+  mPickTimer.stop();
+  mPauseTimer.stop();
+  if (!mContext) return;
+  makeCurrent();
+  mContext->makeCurrent();
+  mShown.reset();
+  mFrame = {};  // it holds sheets
+  mPlayer.releaseGpu();
+  mRenderer.reset();
+  mContext.reset();
+  mHasPicture = false;
+  mPending = true;
+  mStage = Stage::Idle;
+  doneCurrent();
+}
+
+void Viewport::pause(int ms) {
+  mSliceTimer.stop();
+  mPauseTimer.start(ms);
+}
+
+void Viewport::showEvent(QShowEvent* event) {
+  QOpenGLWidget::showEvent(event);
+  if (mRenderer) mSliceTimer.start();  // what stood still while nobody saw it
+}
+
+void Viewport::loseContext() {
+  release();
+  if (!context()) return;
+  makeCurrent();
+  initializeGL();
+  resizeGL(width(), height());
+  doneCurrent();
+}
+
+bool Viewport::bindContext() {
+  if (!mContext) return false;
+  makeCurrent();
+  mContext->makeCurrent();
+  return true;
+}
+
+glm::ivec2 Viewport::deviceSize() const {
+  double ratio = devicePixelRatioF();
+  return glm::max(glm::ivec2(std::lround(width() * ratio), std::lround(height() * ratio)), glm::ivec2(1));
+}
+
+void Viewport::resizeGL(int, int) {
+  mOverlay->resize(size());
+  if (!mContext) return;
+  // The old picture stands in, stretched, until the new one is there.
+  glm::ivec2 size = deviceSize();
+  auto old = std::move(mShown);
+  mShown = std::make_unique<QOpenGLFramebufferObject>(size.x, size.y);
+  QSize now(size.x, size.y);
+  if (old)
+    QOpenGLFramebufferObject::blitFramebuffer(mShown.get(), QRect(QPoint(), now), old.get(),
+                                              QRect(QPoint(), old->size()), GL_COLOR_BUFFER_BIT, GL_LINEAR);
+  startAnew();
+}
+
+void Viewport::paintGL() {
+  if (!mShown) return;
+  QRect all(QPoint(), mShown->size());
+  QOpenGLFramebufferObject::blitFramebuffer(nullptr, all, mShown.get(), all);
+  mShownCount += std::exchange(mIsFresh, false) ? 1 : 0;
+}
+
+void Viewport::sceneChanged() {
+  mPlayer.follow(mDocument.scene());
+  wakeSheets();
+  scene::Scene wanted = drawnScene();
+  if (wanted == mWanted && mShown && mShown->size() == QSize(deviceSize().x, deviceSize().y)) return;
+  mWanted = std::move(wanted);
+  startAnew();
+}
+
+/// What is drawn of the scene. Where sheets rest is told by the sheets themselves.
+scene::Scene Viewport::drawnScene() const {
+  scene::Scene scene = scene::pictureScene(mDocument.scene());
+  for (auto& cut : scene.cuts) cut.membrane.shape = {};
+  return scene;
+}
+
+void Viewport::startAnew() {
+  mPending = true;
+  mRestTimer.stop();
+  mOverlay->update();
+  if (mRenderer && !mSliceTimer.isActive() && !mPauseTimer.isActive()) mSliceTimer.start();
+}
+
+void Viewport::begin(Stage stage) {
+  mStage = stage;
+  if (stage == Stage::Idle) return;
+  mPending = false;
+  mHasPicture = false;
+  mFrame = {};
+  mFrame.scene = drawnScene();
+  mFrame.sheets = mPlayer.sheets();
+  mSheetsShown = mPlayer.shownCount();
+  mFrame.scene.background.transparent = false;  // a window has something behind; pictures need not
+  glm::dvec2 size(deviceSize());
+  double scale = stage == Stage::Coarse ? mCoarseScale : stage == Stage::Half ? 2.0 : 1.0;
+  mFrame.pictureSize = glm::max(glm::ivec2(glm::round(size / scale)), glm::ivec2(1));
+  if (stage != Stage::Full) mFrame.scene.rayCast.samplesPerPixel = 1;
+  if (stage == Stage::Coarse) {
+    mFrame.stepFactor = 2.0;
+    mFrame.isPreview = true;
+  }
+}
+
+void Viewport::slice() {
+  if (!bindContext()) return mSliceTimer.stop();
+  try {
+    bool moving = driveSheets();
+    bool drawing = isVisible() && drawSome();
+    if (!moving && !drawing) mSliceTimer.stop();
+  } catch (const Error& error) {
+    mStage = Stage::Idle;
+    mPending = false;
+    mSliceTimer.stop();
+    emit failed(QString::fromUtf8(error.what()));
+  }
+  tellProgress();
+}
+
+/// Works on the picture for a while. @return false when there is nothing to do until something happens
+bool Viewport::drawSome() {
+  bool otherData = mFrame.scene.volume.data != mDocument.scene().volume.data;
+  // A coarse picture on its way is finished first: a steady drag would otherwise never show one.
+  if (mPending && (mStage != Stage::Coarse || otherData)) begin(Stage::Coarse);
+  if (mStage == Stage::Idle || mRestTimer.isActive()) return false;
+  bool done = mRenderer->work(mFrame, mStage == Stage::Coarse ? kCoarseSliceMs : kSliceMs);
+  bool grown = mStage == Stage::Full && mRenderer->stats().samples > 0 && mSinceShown.elapsed() > kShowMs;
+  if (done || grown) show();
+  return !done || finishStage();
+}
+
+void Viewport::show() {
+  if (!mShown) return;
+  mHasPicture = mIsFresh = true;
+  mRenderer->present(mShown->handle(), {mShown->width(), mShown->height()});
+  mSinceShown.restart();
+  update();
+}
+
+/// @return true when the next stage has begun; a coarse picture is looked at for a while first
+bool Viewport::finishStage() {
+  adaptCoarseScale();
+  if (mPending || mStage == Stage::Half) {
+    begin(mPending ? Stage::Coarse : Stage::Full);
+    return true;
+  }
+  if (mStage == Stage::Coarse) {
+    mRestTimer.start();
+    return false;
+  }
+  mStage = Stage::Idle;
+  pickUnderPointer();
+  return false;
+}
+
+void Viewport::adaptCoarseScale() {
+  const auto& passes = mRenderer->stats().passesMs;
+  auto found = passes.find("RayCast");
+  if (mStage != Stage::Coarse || found == passes.end()) return;
+  double ms = found->second;
+  double wanted = mCoarseScale * std::sqrt(ms / kCoarseTargetMs);
+  if (ms > 1.2 * kCoarseTargetMs || ms < 0.6 * kCoarseTargetMs)
+    mCoarseScale = std::clamp(0.5 * (mCoarseScale + wanted), 1.0, kLargestScale);
+}
+
+void Viewport::tellProgress() {
+  if (mToldStage == mStage && mStage != Stage::Idle && mSinceTold.elapsed() < kTellMs) return;
+  mToldStage = mStage;
+  mSinceTold.start();
+  switch (mStage) {
+    case Stage::Idle:
+      emit refined(1.0, {});
+      break;
+    case Stage::Coarse:
+      emit refined(0.0, mRenderer->fractionDone() < 1.0 ? tr("Preparing") : tr("Preview"));
+      break;
+    case Stage::Half:
+      emit refined(0.0, tr("Preview"));
+      break;
+    case Stage::Full:
+      emit refined(mRenderer->fractionDone(), tr("Refining"));
+      break;
+  }
+}
+
+const scene::Cut* Viewport::cut() const {
+  const auto& cuts = mDocument.scene().cuts;
+  return mSelectedCut >= 0 && mSelectedCut < int(cuts.size()) ? &cuts[std::size_t(mSelectedCut)] : nullptr;
+}
+
+void Viewport::selectCut(int index) {
+  mSelectedCut = index;
+  mOverlay->showCut(index);
+}
+
+scene::Camera Viewport::frame(const scene::Scene& scene, scene::StandardView view) const {
+  return scene::frameCamera(scene, view, logicalSize().x / logicalSize().y);
+}
+
+void Viewport::lookFrom(scene::StandardView view) {
+  mDocument.view([camera = frame(mDocument.scene(), view)](scene::Scene& scene) { scene.camera = camera; });
+}
+
+void Viewport::toggleProjection() {
+  scene::Camera camera = mDocument.scene().camera;
+  bool perspective = camera.projection == scene::Projection::Perspective;
+  // What is in the middle keeps its size.
+  double tangent = std::tan(glm::radians(camera.fieldOfViewDeg) * 0.5);
+  glm::dvec3 arm = camera.eyeMm - camera.targetMm;
+  if (perspective)
+    camera.heightMm = 2.0 * glm::length(arm) * tangent;
+  else
+    camera.eyeMm = camera.targetMm + glm::normalize(arm) * (camera.heightMm * 0.5 / tangent);
+  camera.projection = perspective ? scene::Projection::Orthographic : scene::Projection::Perspective;
+  mDocument.view([camera](scene::Scene& scene) { scene.camera = camera; });
+}
+
+std::optional<render::Pick> Viewport::pickAt(QPointF place) {
+  if (!mHasPicture || !bindContext()) return std::nullopt;
+  glm::dvec2 share = glm::dvec2(place.x(), place.y()) / logicalSize();
+  return mRenderer->pick(glm::ivec2(glm::floor(share * glm::dvec2(mFrame.pictureSize))));
+}
+
+void Viewport::pickUnderPointer() {
+  if (!underMouse() || mDrag != Drag::None) return;
+  auto pick = pickAt(mPointer);
+  if (pick && pick->hit)
+    emit pointedAt(*pick);
+  else if (pick)
+    emit pointedAtNothing();
+}
+
+}  // namespace velum::gui

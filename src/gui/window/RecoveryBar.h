@@ -1,0 +1,45 @@
+#pragma once
+#include <QFrame>
+#include <QLabel>
+#include <QPushButton>
+#include <vector>
+
+#include "velum/session/document/Recovery.h"
+
+namespace velum::gui {
+
+/// Offers the work of sessions that have died, one after the other; it waits and stops nothing.
+class RecoveryBar : public QFrame {
+  Q_OBJECT
+ public:
+  explicit RecoveryBar(QWidget* parent);
+
+  /// Work that cannot be read is left out. Shows itself when something is left.
+  void offer(std::vector<session::LostWork> work);
+  /// Null when nothing is offered.
+  const session::LostWork* current() const { return mWork.empty() ? nullptr : &mWork.front(); }
+  /// The current one is settled, one way or the other: shows the next.
+  void next();
+
+ signals:
+  void restoreWanted();
+  void discardWanted();
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  void elide();
+  QPushButton* addButton(const QString& text, const QString& tip, const char* role);
+  void refresh();
+
+  std::vector<session::LostWork> mWork;
+  QLabel *mTitle, *mText;
+  QString mWholeTitle, mWholeText;
+  QPushButton* mLater = nullptr;
+};
+
+/// "today 14:32", "yesterday 9:05", else the date.
+QString sayTime(std::chrono::system_clock::time_point when);
+
+}  // namespace velum::gui

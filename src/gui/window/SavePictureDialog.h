@@ -1,0 +1,54 @@
+#pragma once
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialog>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QSpinBox>
+#include <QTimer>
+#include <memory>
+
+#include "kit/Job.h"
+#include "velum/session/picture/Picture.h"
+
+namespace velum::gui {
+
+/// Asks how large and how fine a picture is to be, and shows it small meanwhile, drawn as the picture will be.
+class SavePictureDialog : public QDialog {
+  Q_OBJECT
+ public:
+  SavePictureDialog(glm::ivec2 viewSize, const scene::Scene& scene, QWidget* parent);
+  ~SavePictureDialog() override;
+  session::PictureOptions options() const;
+  /// The scene with the background that is chosen.
+  scene::Scene pictureScene() const;
+  /// The command line that makes this picture; the scene goes into a file of its own in velum's folder under
+  /// XDG_DATA_HOME, named after its contents, so that the command keeps giving this picture.
+  QString command() const;
+  bool hasPreview() const { return mHasPreview; }
+
+ private:
+  QWidget* makeSize(glm::ivec2 viewSize);
+  QWidget* makeQuality();
+  void setPixels(glm::ivec2 size);
+  void showSize();
+  void takeWidth();
+  void takeHeight();
+  void updateText();
+  void drawPreview();
+  void copyCommand();
+
+  scene::Scene mScene;
+  double mAspect;
+  glm::ivec2 mPixels{1280, 720};
+  QComboBox *mUnit = nullptr, *mBackground = nullptr, *mQuality = nullptr;
+  QDoubleSpinBox *mWidth = nullptr, *mHeight = nullptr;
+  QSpinBox *mDpi = nullptr, *mSamples = nullptr;
+  QCheckBox *mKeepShape = nullptr, *mLayers = nullptr;
+  QLabel *mPreview = nullptr, *mFacts = nullptr;
+  QTimer mDrawTimer;
+  std::unique_ptr<Job> mJob;
+  bool mHasPreview = false;
+};
+
+}  // namespace velum::gui

@@ -1,0 +1,182 @@
+#include "Script.h"
+
+#include <fmt/format.h>
+
+#include <QFileInfo>
+#include <chrono>
+#include <cstdio>
+
+#include "MainWindow.h"
+#include "velum/core/Error.h"
+#include "velum/scene/json/Json.h"
+
+namespace velum::gui {
+
+namespace {
+
+constexpr int kPollMs = 5, kMostMs = 300'000, kLongestWaitMs = 600'000;
+
+double monotonicSeconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+int wholeNumber(const QString& text, int least, int most, const QString& what) {
+  bool ok = false;
+  int value = text.toInt(&ok);
+  if (!ok || value < least || value > most)
+    throw ArgumentError(
+        fmt::format("'{}' is not {}, a whole number of {} to {}", text.toStdString(), what.toStdString(), least, most));
+  return value;
+}
+
+QString wholePath(const QString& text) {
+  if (text.isEmpty()) throw ArgumentError("a path is missing");
+  return QFileInfo(text).absoluteFilePath();
+}
+
+}  // namespace
+
+Script::Script(MainWindow& window, QString name, const QString& text)
+    : QObject(&window), mWindow(window), mName(std::move(name)), mLines(text.split('\n')) {
+  connect(&mTimer, &QTimer::timeout, this, &Script::check);
+}
+
+void Script::start() {
+  mWindow.setUnattended(true);
+  // What the command line names is read first.
+  waitFor([this] { return !mWindow.isBusy() && !mWindow.isLookingForWork(); }, kMostMs, tr("the files"));
+}
+
+void Script::stop() {
+  mTimer.stop();
+  mWindow.setUnattended(false);
+}
+
+/// A line that has to wait goes on in check().
+void Script::next() {
+  while (!mReady) {
+    if (mLine == mLines.size()) {
+      stop();
+      emit finished();
+      return;
+    }
+    QString line = mLines[mLine++].trimmed();
+    if (line.isEmpty() || line.startsWith('#')) continue;
+    try {
+      run(line.section(' ', 0, 0), line.section(' ', 1).trimmed());
+    } catch (const Error& error) {
+      stop();
+      emit failed(QString("%1:%2: %3").arg(mName).arg(mLine).arg(QString::fromUtf8(error.what())),
+                  static_cast<int>(error.exitCode()));
+      return;
+    }
+    if (line == "quit") return stop();
+    if (mReady) return;
+    // One line an event: the window draws and answers in between.
+    say();
+    waitFor([] { return true; }, kMostMs, {});
+    mIsSaid = true;
+  }
+}
+
+void Script::say() const {
+  if (!mEcho || mLine == 0) return;
+  fmt::print("{:.3f} {}\n", monotonicSeconds(), mLines[mLine - 1].trimmed().toStdString());
+  std::fflush(stdout);
+}
+
+void Script::check() {
+  if (mReady && !mReady()) {
+    mTimer.setInterval(kPollMs);
+    if (mWaited.elapsed() < mMostMs) return;
+    stop();
+    emit failed(QString("%1:%2: waited too long for %3").arg(mName).arg(mLine).arg(mWhat), 2);
+    return;
+  }
+  mReady = {};
+  mTimer.stop();
+  if (QString error = mWindow.lastError(); !error.isEmpty()) {
+    stop();
+    emit failed(mLine == 0 ? error : QString("%1:%2: %3").arg(mName).arg(mLine).arg(error), 2);
+    return;
+  }
+  if (!mIsSaid) say();
+  mIsSaid = false;
+  next();
+}
+
+void Script::waitFor(std::function<bool()> ready, int mostMs, const QString& what) {
+  mReady = std::move(ready);
+  mMostMs = mostMs;
+  mWhat = what;
+  mWaited.start();
+  mTimer.start(0);
+}
+
+void Script::run(const QString& command, const QString& rest) {
+  if (runEdit(command, rest) || runFile(command, rest)) return;
+  if (command == "wait") {
+    int ms = wholeNumber(rest, 0, kLongestWaitMs, tr("milliseconds"));
+    waitFor([this, ms] { return mWaited.elapsed() >= ms; }, kLongestWaitMs + 1000, {});
+  } else if (command == "settle") {
+    waitFor([this] { return mWindow.isSettled(); }, kMostMs, tr("the picture"));
+  } else if (command == "size") {
+    mWindow.resize(wholeNumber(rest.section(' ', 0, 0), 200, 16384, tr("a width")),
+                   wholeNumber(rest.section(' ', 1), 200, 16384, tr("a height")));
+  } else if (command == "quit") {
+    mWindow.leave(0);
+  } else {
+    throw ArgumentError(fmt::format(
+        "'{}' is no command; there are open, add, recover, set, do, undo, redo, wait, settle, size, save, screenshot, "
+        "quit",
+        command.toStdString()));
+  }
+}
+
+bool Script::runEdit(const QString& command, const QString& rest) {
+  session::Document& document = mWindow.document();
+  if (command == "set") {
+    std::string field = rest.section(' ', 0, 0).toStdString(), value = rest.section(' ', 1).trimmed().toStdString();
+    if (field.empty() || value.empty()) throw ArgumentError("set wants a field and a value");
+    document.edit("Set " + field, [&](scene::Scene& scene) { scene::setField(scene, field, value); });
+  } else if (command == "do") {
+    QAction* action = mWindow.actions().find(rest);
+    if (!action) throw ArgumentError(fmt::format("'{}' is no command of the window", rest.toStdString()));
+    if (!action->isEnabled()) throw InputError(fmt::format("{}: cannot be done now", rest.toStdString()));
+    action->trigger();
+    waitFor([this] { return !mWindow.isBusy(); }, kMostMs, rest);
+  } else if (command == "undo" || command == "redo") {
+    bool back = command == "undo";
+    if (!(back ? document.canUndo() : document.canRedo()))
+      throw InputError(fmt::format("there is nothing to {}", command.toStdString()));
+    back ? document.undo() : document.redo();
+  } else {
+    return false;
+  }
+  return true;
+}
+
+bool Script::runFile(const QString& command, const QString& rest) {
+  auto waitForJob = [this](const QString& what) { waitFor([this] { return !mWindow.isBusy(); }, kMostMs, what); };
+  if (command == "open" || command == "add") {
+    QString path = wholePath(rest);
+    if (!QFileInfo::exists(path))
+      throw InputError(fmt::format("{}: there is no such file or folder", path.toStdString()));
+    mWindow.openPaths({path}, command == "add");
+    waitForJob(path);
+  } else if (command == "recover") {
+    if (!mWindow.restoreWork()) throw InputError("no unsaved work was left behind");
+    waitForJob(tr("the recovered work"));
+  } else if (command == "save") {
+    mWindow.saveSceneTo(wholePath(rest));
+  } else if (command == "screenshot") {
+    QString path = wholePath(rest);
+    if (!mWindow.grab().save(path))
+      throw InputError(fmt::format("{}: the picture cannot be written there", path.toStdString()));
+  } else {
+    return false;
+  }
+  return true;
+}
+
+}  // namespace velum::gui

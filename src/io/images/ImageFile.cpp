@@ -1,0 +1,252 @@
+#include "velum/io/images/ImageFile.h"
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <fstream>
+
+#include "ReplaceFile.h"
+#include "read/StderrQuiet.h"
+#include "velum/core/Error.h"
+#include "volumes/TiffPages.h"
+
+namespace velum::io {
+
+namespace {
+
+using Path = std::filesystem::path;
+constexpr const char* kDescriptionKey = "velum:scene";
+/// TIFF has no named texts, so ours stands in ImageDescription behind this line.
+constexpr std::string_view kTiffPrefix = "velum:scene\n";
+constexpr int kMaxSide = 65535;
+
+float linearFromSrgb(float v) {
+  float a = std::abs(v);
+  return std::copysign(a <= 0.04045f ? a / 12.92f : std::pow((a + 0.055f) / 1.055f, 2.4f), v);
+}
+
+float srgbFromLinear(float v) {
+  float a = std::abs(v);
+  return std::copysign(a <= 0.0031308f ? a * 12.92f : 1.055f * std::pow(a, 1.0f / 2.4f) - 0.055f, v);
+}
+
+std::string lowerExtension(const Path& path) {
+  std::string e = path.extension().string();
+  for (char& c : e) c = char(std::tolower(static_cast<unsigned char>(c)));
+  return e;
+}
+
+/// OpenImageIO's name of the format that a path asks for.
+std::string formatOf(const Path& path) {
+  if (path == "-") return "png";
+  std::string e = lowerExtension(path);
+  if (e == ".png") return "png";
+  if (e == ".tif" || e == ".tiff") return "tiff";
+  if (e == ".exr") return "openexr";
+  throw InputError(fmt::format("{}: pictures are written as .png, .tif or .exr, not '{}'", path.string(), e));
+}
+
+std::ptrdiff_t channelIndex(const Image& image, std::string_view name) {
+  auto found = std::find(image.channels.begin(), image.channels.end(), name);
+  return found == image.channels.end() ? -1 : found - image.channels.begin();
+}
+
+void check(const Image& image, const Path& path) {
+  bool sane = image.width > 0 && image.height > 0 && image.width <= kMaxSide && image.height <= kMaxSide &&
+              !image.channels.empty();
+  std::size_t samples =
+      std::size_t(std::max(0, image.width)) * std::size_t(std::max(0, image.height)) * image.channels.size();
+  if (!sane || image.pixels.size() != samples)
+    throw InputError(fmt::format("{}: cannot write a picture of {} x {} pixels with {} channels and {} samples",
+                                 path.string(), image.width, image.height, image.channels.size(), image.pixels.size()));
+}
+
+/// The channels named, in that order.
+Image pick(const Image& image, const std::vector<std::string>& names) {
+  Image out{image.width, image.height, names, {}};
+  std::size_t count = std::size_t(image.width) * std::size_t(image.height);
+  out.pixels.resize(count * names.size());
+  for (std::size_t c = 0; c < names.size(); ++c) {
+    auto from = std::size_t(channelIndex(image, names[c]));
+    for (std::size_t i = 0; i < count; ++i)
+      out.pixels[i * names.size() + c] = image.pixels[i * image.channels.size() + from];
+  }
+  return out;
+}
+
+/// What an 8-bit format can hold: R, G, B and A where there, else a single channel as grey.
+Image displayChannels(const Image& image, const Path& path) {
+  if (image.channels.size() == 1) return image;
+  std::vector<std::string> names;
+  for (const char* name : {"R", "G", "B", "A"})
+    if (channelIndex(image, name) >= 0) names.push_back(name);
+  if (names.size() < 3 || names[2] != "B")
+    throw InputError(fmt::format("{}: the picture has no channels R, G and B; write it as .exr", path.string()));
+  return pick(image, names);
+}
+
+std::vector<std::uint8_t> quantize(const std::vector<float>& pixels) {
+  std::vector<std::uint8_t> out(pixels.size());
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    float v = pixels[i];
+    out[i] = v > 0.0f ? std::uint8_t(std::min(v, 1.0f) * 255.0f + 0.5f) : std::uint8_t(0);  // NaN is black
+  }
+  return out;
+}
+
+/// Turns display-referred straight colour into OpenEXR's linear premultiplied one, or back: of the picture, and of each
+/// of its layers that has colour ("slice.R" ...).
+void convertColor(Image& image, bool toLinear) {
+  for (const std::string& red : image.channels) {
+    std::string layer = red.substr(0, red.size() - 1);
+    if (red != layer + "R" || !(layer.empty() || layer.back() == '.')) continue;
+    std::array<std::ptrdiff_t, 3> color{channelIndex(image, red), channelIndex(image, layer + "G"),
+                                        channelIndex(image, layer + "B")};
+    std::ptrdiff_t alpha = channelIndex(image, layer + "A");
+    if (color[1] < 0 || color[2] < 0) continue;
+    for (std::size_t at = 0; at < image.pixels.size(); at += image.channels.size()) {
+      float a = alpha < 0 ? 1.0f : image.pixels[at + std::size_t(alpha)];
+      for (auto c : color) {
+        float& v = image.pixels[at + std::size_t(c)];
+        if (toLinear)
+          v = linearFromSrgb(v) * a;
+        else
+          v = srgbFromLinear(a > 0.0f ? v / a : v);
+      }
+    }
+  }
+}
+
+/// Everything in the file follows from the picture: no clock, no program version.
+OIIO::ImageSpec specFor(const Image& image, const std::string& format, OIIO::TypeDesc type,
+                        const std::string& description, double dpi) {
+  OIIO::ImageSpec spec(image.width, image.height, int(image.channels.size()), type);
+  spec.channelnames = image.channels;
+  spec.alpha_channel = int(channelIndex(image, "A"));
+  spec.z_channel = int(channelIndex(image, "Z"));
+  spec.attribute("oiio:UnassociatedAlpha", 1);
+  // Without this the writers of TIFF and OpenEXR put the clock there; PNG leaves an absent date out.
+  if (format != "png") spec.attribute("DateTime", "");
+  if (format == "png") spec.attribute("oiio:ColorSpace", "sRGB");
+  if (format == "openexr") spec.attribute("compression", "zip");
+  if (dpi > 0) {
+    spec.attribute("XResolution", float(dpi));
+    spec.attribute("YResolution", float(dpi));
+    spec.attribute("ResolutionUnit", "in");
+  }
+  if (description.empty()) return spec;
+  if (format == "tiff")
+    spec.attribute("ImageDescription", std::string(kTiffPrefix) + description);
+  else
+    spec.attribute(kDescriptionKey, description);
+  return spec;
+}
+
+void encode(OIIO::ImageOutput& out, const std::string& file, const OIIO::ImageSpec& spec, const void* pixels,
+            const Path& path) {
+  bool done = out.open(file, spec) && out.write_image(spec.format, pixels);
+  done = out.close() && done;
+  if (!done) throw InputError(fmt::format("{}: cannot be written ({})", path.string(), out.geterror()));
+}
+
+void writeToStdout(OIIO::ImageOutput& out, const OIIO::ImageSpec& spec, const void* pixels) {
+  std::vector<unsigned char> bytes;
+  OIIO::Filesystem::IOVecOutput memory(bytes);
+  out.set_ioproxy(&memory);
+  encode(out, "stdout.png", spec, pixels, "-");
+  if (std::fwrite(bytes.data(), 1, bytes.size(), stdout) != bytes.size() || std::fflush(stdout) != 0)
+    throw InputError("-: the picture cannot be written to the standard output");
+}
+
+std::unique_ptr<OIIO::ImageInput> openPicture(const Path& path) {
+  if (!std::filesystem::is_regular_file(path))
+    throw InputError(fmt::format("{}: there is no such picture", path.string()));
+  OIIO::ImageSpec config;
+  config.attribute("oiio:UnassociatedAlpha", 1);
+  auto in = OIIO::ImageInput::open(path.string(), &config);
+  if (!in) throw InputError(fmt::format("{}: cannot be read as a picture ({})", path.string(), OIIO::geterror()));
+  const auto& spec = in->spec();
+  if (spec.width < 1 || spec.height < 1 || spec.width > kMaxSide || spec.height > kMaxSide || spec.nchannels < 1 ||
+      spec.nchannels > 1024)
+    throw InputError(fmt::format("{}: a picture of {} x {} x {} is not read", path.string(), spec.width, spec.height,
+                                 spec.nchannels));
+  // Deflate makes at most 1032 bytes of one, so a larger claim is not true.
+  if (double(spec.image_bytes()) > 1100.0 * double(std::filesystem::file_size(path)) + 1e6)
+    throw InputError(fmt::format("{}: the header promises more pixels than the file can hold", path.string()));
+  return in;
+}
+
+/// The library reads a TIFF that was cut short without a word.
+void refuseTruncatedTiff(const Path& path) {
+  std::ifstream file(path, std::ios::binary);
+  auto pages = scanTiff(file, path.string());
+  if (!pages.pages[0].isDataInside) throw InputError(fmt::format("{}: the picture is cut short", path.string()));
+}
+
+}  // namespace
+
+void writeImage(const Image& image, const Path& path, const std::string& description, double dpi) {
+  check(image, path);
+  std::string format = formatOf(path);
+  auto out = OIIO::ImageOutput::create(format);
+  if (!out) throw InputError(fmt::format("{}: this OpenImageIO cannot write {}", path.string(), format));
+
+  // Choose what the format holds: TIFF has 8 bits until there is more than colour in the picture.
+  Image shown = format == "openexr" ? image : format == "png" ? displayChannels(image, path) : image;
+  bool isColorOnly = std::all_of(shown.channels.begin(), shown.channels.end(), [&](const std::string& name) {
+    return shown.channels.size() == 1 || name == "R" || name == "G" || name == "B" || name == "A";
+  });
+  bool isFloat = format == "openexr" || (format == "tiff" && !isColorOnly);
+  if (format == "tiff" && !isFloat) shown = displayChannels(image, path);
+  if (format == "openexr") convertColor(shown, true);
+  auto bytes = isFloat ? std::vector<std::uint8_t>{} : quantize(shown.pixels);
+  const void* pixels = isFloat ? static_cast<const void*>(shown.pixels.data()) : bytes.data();
+  auto spec = specFor(shown, format, isFloat ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8, description, dpi);
+
+  if (path == "-") return writeToStdout(*out, spec, pixels);
+  ReplaceFile file(path);
+  encode(*out, file.temporary().string(), spec, pixels, path);
+  file.commit();
+}
+
+Image readImage(const Path& path) {
+  StderrQuiet quiet;
+  auto in = openPicture(path);
+  const auto& spec = in->spec();
+  if (std::string_view(in->format_name()) == "tiff") refuseTruncatedTiff(path);
+  Image image{spec.width, spec.height, spec.channelnames, {}};
+  image.pixels.resize(std::size_t(spec.width) * std::size_t(spec.height) * std::size_t(spec.nchannels));
+  auto read = [&](OIIO::TypeDesc type, void* to) {
+    if (!in->read_image(0, 0, 0, spec.nchannels, type, to))
+      throw InputError(fmt::format("{}: the picture is damaged ({})", path.string(), in->geterror()));
+  };
+  if (spec.format == OIIO::TypeDesc::UINT8) {
+    // Divided here and not by the library, which multiplies by 1/255 and so misses the value that was written by a
+    // hair.
+    std::vector<std::uint8_t> bytes(image.pixels.size());
+    read(OIIO::TypeDesc::UINT8, bytes.data());
+    std::transform(bytes.begin(), bytes.end(), image.pixels.begin(), [](std::uint8_t v) { return float(v) / 255.0f; });
+  } else {
+    read(OIIO::TypeDesc::FLOAT, image.pixels.data());
+  }
+  if (std::string_view(in->format_name()) == "openexr") convertColor(image, false);
+  return image;
+}
+
+std::string readImageDescription(const Path& path) {
+  auto in = openPicture(path);
+  if (std::string_view(in->format_name()) != "tiff")
+    return std::string(in->spec().get_string_attribute(kDescriptionKey));
+  std::ifstream file(path, std::ios::binary);
+  std::string text = scanTiff(file, path.string()).description;
+  return text.starts_with(kTiffPrefix) ? text.substr(kTiffPrefix.size()) : std::string{};
+}
+
+}  // namespace velum::io

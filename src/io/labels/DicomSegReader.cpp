@@ -1,0 +1,191 @@
+#include <fmt/format.h>
+#include <gdcmReader.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <map>
+
+#include "LabelTables.h"
+#include "read/Payload.h"
+#include "volumes/DicomFile.h"
+#include "volumes/DicomSoundness.h"
+#include "volumes/DicomStack.h"
+#include "volumes/DicomTags.h"
+#include "volumes/Readers.h"
+
+namespace velum::io {
+
+namespace {
+
+using gdcm::DataSet;
+using gdcm::Tag;
+
+/// DICOM's CIELab (D50, 16 bit) to sRGB.
+glm::vec3 srgbFromDicomLab(const std::uint16_t lab[3]) {
+  double l = lab[0] * 100.0 / 65535, a = lab[1] * 255.0 / 65535 - 128, b = lab[2] * 255.0 / 65535 - 128;
+  auto unfold = [](double t) { return t > 6.0 / 29 ? t * t * t : 3 * 36.0 / 841 * (t - 4.0 / 29); };
+  double fy = (l + 16) / 116;
+  glm::dvec3 xyz(0.9642 * unfold(fy + a / 500), unfold(fy), 0.8249 * unfold(fy - b / 200));
+  // Bradford-adapted from D50; columns are X, Y, Z.
+  const glm::dmat3 linearFromXyz(3.1338561, -0.9787684, 0.0719453, -1.6168667, 1.9161415, -0.2289914, -0.4906146,
+                                 0.0334540, 1.4052427);
+  glm::dvec3 linear = glm::clamp(linearFromXyz * xyz, 0.0, 1.0);
+  glm::vec3 color;
+  for (int i = 0; i < 3; ++i)
+    color[i] = float(linear[i] <= 0.0031308 ? 12.92 * linear[i] : 1.055 * std::pow(linear[i], 1 / 2.4) - 0.055);
+  return color;
+}
+
+std::vector<LabelInfo> segmentTable(const DataSet& set) {
+  std::vector<LabelInfo> table;
+  auto segments = sequenceOf(set, Tag(0x0062, 0x0002));
+  for (std::size_t i = 1; segments && i <= segments->GetNumberOfItems(); ++i) {
+    const DataSet& item = segments->GetItem(i).GetNestedDataSet();
+    LabelInfo label;
+    label.id = binaryOf<std::uint16_t>(item, Tag(0x0062, 0x0004), 0);
+    label.name = textOf(item, Tag(0x0062, 0x0005));
+    label.color = defaultLabelColor(label.id);
+    std::string lab = item.FindDataElement(Tag(0x0062, 0x000d)) ? std::string() : "none";
+    const gdcm::ByteValue* bytes = lab.empty() ? item.GetDataElement(Tag(0x0062, 0x000d)).GetByteValue() : nullptr;
+    if (bytes && bytes->GetLength() >= 6) {
+      std::uint16_t numbers[3];
+      std::memcpy(numbers, bytes->GetPointer(), 6);
+      label.color = srgbFromDicomLab(numbers);
+    }
+    table.push_back(std::move(label));
+  }
+  return table;
+}
+
+/// Where in the file's pixel bytes a voxel is set.
+struct Mask {
+  std::string_view bytes;
+  int bits = 1;          ///< 1: packed over all frames, lowest bit first; 8: one byte each.
+  double threshold = 0;  ///< A byte over this is inside.
+  std::uint64_t frameVoxels = 0;
+
+  bool at(std::uint64_t frame, std::uint64_t voxel) const {
+    std::uint64_t i = frame * frameVoxels + voxel;
+    auto byte = static_cast<unsigned char>(bytes[bits == 1 ? i / 8 : i]);
+    return bits == 1 ? byte >> (i % 8) & 1 : byte > threshold;
+  }
+};
+
+Mask maskOf(const DataSet& set, const DicomFile& file) {
+  if (!set.FindDataElement(Tag(0x7fe0, 0x0010))) failInput(file.path, "the segmentation has no pixel data");
+  const gdcm::ByteValue* value = set.GetDataElement(Tag(0x7fe0, 0x0010)).GetByteValue();
+  if (!value) failInput(file.path, "compressed DICOM segmentations are not supported");
+  std::string type = textOf(set, Tag(0x0062, 0x0001));
+  Mask mask{{value->GetPointer(), value->GetLength()},
+            file.bitsAllocated,
+            0,
+            std::uint64_t(file.rows) * std::uint64_t(file.columns)};
+  if (type == "FRACTIONAL") mask.threshold = 0.5 * binaryOf<std::uint16_t>(set, Tag(0x0062, 0x000e), 255);
+  if (mask.bits != 1 && mask.bits != 8)
+    failInput(file.path, fmt::format("segmentations of {} bits are not supported", mask.bits));
+  std::uint64_t wanted = (mask.frameVoxels * file.frames.size() * std::uint64_t(mask.bits) + 7) / 8;
+  if (mask.bytes.size() < wanted)
+    failInput(file.path, fmt::format("the pixel data is cut off: {} bytes of {}", mask.bytes.size(), wanted));
+  return mask;
+}
+
+/// Plane of each frame: segments share places, so every place counts once, and empty planes may be left out of a file.
+struct Planes {
+  std::vector<int> ofFrame;
+  int count = 0;
+  glm::dmat4 worldFromVoxel{1.0};
+};
+
+Planes planesOf(const DicomFile& file, std::vector<std::string>& warnings) {
+  Planes planes;
+  const DicomFrame& any = file.frames[0];
+  bool havePlaces = std::all_of(file.frames.begin(), file.frames.end(), [](const DicomFrame& f) { return f.hasPlace; });
+  glm::dvec3 normal = glm::normalize(glm::cross(any.rowDirection, any.columnDirection));
+  std::vector<double> distances;
+  for (std::size_t i = 0; i < file.frames.size(); ++i)
+    distances.push_back(havePlaces ? glm::dot(file.frames[i].position, normal) : double(i));
+  std::vector<double> sorted = distances;
+  std::sort(sorted.begin(), sorted.end());
+  // The smallest gap that is not rounding is the distance of planes; the file's own claim fills in for a single one.
+  double step = 0;
+  for (std::size_t i = 1; i < sorted.size(); ++i)
+    if (double gap = sorted[i] - sorted[i - 1]; gap > 0.01 && (step == 0 || gap < step)) step = gap;
+  if (step == 0) step = any.sliceSpacing > 0 ? any.sliceSpacing : 1.0;
+  double span = (sorted.back() - sorted.front()) / step;
+  // Segments may be apart by empty planes, but not by more than a body has.
+  if (span > 65535) failInput(file.path, "the places of its frames do not fit on a grid");
+  planes.count = int(std::lround(span)) + 1;
+  const DicomFrame* first = &any;
+  for (std::size_t i = 0; i < distances.size(); ++i) {
+    planes.ofFrame.push_back(int(std::lround((distances[i] - sorted.front()) / step)));
+    if (distances[i] == sorted.front()) first = &file.frames[i];
+  }
+  if (!havePlaces) warnings.push_back("frames of the segmentation have no position; they are stacked as they come");
+  glm::dvec2 spacing = any.spacing.x > 0 ? any.spacing : glm::dvec2(1.0);
+  auto& m = planes.worldFromVoxel;
+  m[0] = glm::dvec4(any.rowDirection * spacing.x, 0);
+  m[1] = glm::dvec4(any.columnDirection * spacing.y, 0);
+  m[2] = glm::dvec4(normal * step, 0);
+  m[3] = glm::dvec4(first->position, 1);
+  return planes;
+}
+
+/// Frames by plane, slab by slab. @return how many voxels more than one segment claims
+std::uint64_t fill(LabelVolume& labels, const DicomFile& file, const Mask& mask, const Planes& planes,
+                   Progress& progress) {
+  std::multimap<int, std::size_t> byPlane;
+  for (std::size_t i = 0; i < planes.ofFrame.size(); ++i) byPlane.emplace(planes.ofFrame[i], i);
+  std::uint64_t overlaps = 0;
+  std::vector<std::uint16_t> slab;
+  for (int z = 0; z < planes.count; z += LabelVolume::kBrickSize) {
+    int depth = std::min(LabelVolume::kBrickSize, planes.count - z);
+    auto begin = byPlane.lower_bound(z), end = byPlane.lower_bound(z + depth);
+    if (begin == end) continue;
+    slab.assign(mask.frameVoxels * std::uint64_t(depth), 0);
+    for (auto at = begin; at != end; ++at) {
+      auto id = std::uint16_t(std::max(1, file.frames[at->second].segment));
+      std::uint16_t* to = slab.data() + mask.frameVoxels * std::uint64_t(at->first - z);
+      for (std::uint64_t v = 0; v < mask.frameVoxels; ++v) {
+        if (!mask.at(at->second, v)) continue;
+        overlaps += to[v] != 0 && to[v] != id;
+        to[v] = id;
+      }
+    }
+    labels.write({0, 0, z}, {file.columns, file.rows, depth}, slab);
+    progress.report(double(z + depth) / planes.count, "Reading segments");
+  }
+  return overlaps;
+}
+
+}  // namespace
+
+LabelVolume readDicomSeg(const scene::Source& source, Progress& progress) {
+  Path path = source.path;
+  auto file = readDicomHeader(path);
+  if (!file || !file->hasImage() || file->frames.empty()) failInput(path, "is damaged, or no DICOM segmentation");
+  std::ifstream stream(path, std::ios::binary);
+  gdcm::Reader reader;
+  reader.SetStream(stream);
+  try {
+    if (!reader.Read()) failInput(path, "the DICOM segmentation cannot be read");
+  } catch (const InputError&) {
+    throw;
+  } catch (const std::exception&) {
+    failInput(path, "the DICOM segmentation is damaged");
+  }
+  const DataSet& set = reader.GetFile().GetDataSet();
+  Mask mask = maskOf(set, *file);
+  std::vector<std::string> warnings;
+  Planes planes = planesOf(*file, warnings);
+  LabelVolume labels({file->columns, file->rows, planes.count}, planes.worldFromVoxel);
+  std::uint64_t overlaps = fill(labels, *file, mask, planes, progress);
+  if (overlaps > 0)
+    warnings.push_back(fmt::format("{} voxels belong to several segments; the last one has them", overlaps));
+  labels.name = file->description.empty() ? path.stem().string() : file->description;
+  labels.table = completeTable(segmentTable(set), labels.idsInUse());
+  labels.warnings = std::move(warnings);
+  return labels;
+}
+
+}  // namespace velum::io

@@ -1,0 +1,166 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "LabelTables.h"
+#include "read/FormatTable.h"
+#include "read/Payload.h"
+#include "velum/io/volumes/ReadVolume.h"
+#include "volumes/DicomFile.h"
+#include "volumes/NiftiHeader.h"
+#include "volumes/NrrdHeader.h"
+
+namespace velum::io {
+
+namespace {
+
+constexpr int kSlab = LabelVolume::kBrickSize;
+
+/// Segments of a 3D Slicer file; empty for any other.
+std::vector<SlicerSegment> segmentsOf(const Path& path) {
+  if (!std::filesystem::is_regular_file(path) || !readHead(path, 8).starts_with("NRRD000")) return {};
+  return parseSlicerSegments(readNrrdHeader(path).keyValues);
+}
+
+bool isNifti(const Path& path) {
+  if (!std::filesystem::is_regular_file(path)) return false;
+  const FormatRow* row = chooseReader(readFileHead(path));
+  return row && row->format.name == "NIfTI";
+}
+
+/// "scan.nii.gz" and "scan.seg.nrrd" have tables "scan.txt", "scan.ctbl", ...; "scan.nii.txt" is MRIcron's way.
+std::vector<Path> tablesBeside(const Path& path) {
+  Path stem = path;
+  if (lowerCase(stem.extension().string()) == ".gz") stem.replace_extension();
+  Path withoutExtension = stem;
+  withoutExtension.replace_extension();
+  std::vector<Path> found;
+  for (const Path& base : {withoutExtension, stem})
+    for (const char* extension : {".txt", ".ctbl", ".label", ".lut"}) {
+      Path table = base;
+      table += extension;
+      if (table != path && std::filesystem::is_regular_file(table)) found.push_back(table);
+    }
+  return found;
+}
+
+std::vector<LabelInfo> tableOf(const Path& path, std::vector<std::string>& warnings) {
+  if (isNifti(path))
+    if (auto table = readNiftiLabelNames(readNiftiHeader(path)); !table.empty()) return table;
+  for (const Path& beside : tablesBeside(path)) {
+    try {
+      return readLabelTable(beside);
+    } catch (const InputError& error) {
+      // The volume is what was asked for; a file beside it that only looks like a table must not hide it.
+      warnings.push_back(error.what());
+    }
+  }
+  return {};
+}
+
+/// An id out of a sample; the caller has checked the range of all.
+template <class T>
+std::uint16_t idFrom(T raw, const Volume& v, const Path& path) {
+  if constexpr (std::is_integral_v<T>)
+    if (v.scale == 1.0 && v.offset == 0.0) return std::uint16_t(raw);
+  double value = double(raw) * v.scale + v.offset;
+  double whole = std::round(value);
+  if (!(std::abs(value - whole) < 1e-3)) failInput(path, fmt::format("is no label volume: it has the value {}", value));
+  return std::uint16_t(whole);
+}
+
+/// Which id a sample of a layer stands for: itself, or what the segments say.
+using LayerMap = std::vector<std::uint16_t>;
+
+std::vector<LayerMap> layerMaps(const std::vector<SlicerSegment>& segments, int channels) {
+  std::vector<LayerMap> maps;
+  if (channels == 1) return maps;
+  maps.assign(std::size_t(channels), LayerMap(65536, 0));
+  for (const SlicerSegment& s : segments)
+    if (s.layer < channels) maps[std::size_t(s.layer)][s.value] = s.label.id;
+  return maps;
+}
+
+/// Slab by slab, so that no second array of all ids is ever held.
+LabelVolume convert(const Volume& v, const std::vector<LayerMap>& maps, const Path& path, Progress& progress) {
+  LabelVolume labels(v.dims, v.worldFromVoxel);
+  std::size_t plane = std::size_t(v.dims.x) * std::size_t(v.dims.y), channels = std::size_t(v.channels);
+  std::vector<std::uint16_t> slab(plane * std::size_t(std::min(kSlab, v.dims.z)));
+  for (int z = 0; z < v.dims.z; z += kSlab) {
+    int depth = std::min(kSlab, v.dims.z - z);
+    std::size_t count = plane * std::size_t(depth);
+    visitSamples(v, [&](auto* samples) {
+      auto* from = samples + std::size_t(z) * plane * channels;
+      for (std::size_t i = 0; i < count; ++i) {
+        slab[i] = maps.empty() ? idFrom(from[i], v, path) : 0;
+        for (std::size_t c = 0; c < maps.size(); ++c)
+          if (auto id = maps[c][idFrom(from[i * channels + c], v, path)]) slab[i] = id;
+      }
+    });
+    labels.write({0, 0, z}, {v.dims.x, v.dims.y, depth}, std::span(slab).first(count));
+    progress.report(double(z + depth) / v.dims.z, "Sorting labels");
+  }
+  return labels;
+}
+
+LabelVolume readFromVolume(const scene::Source& source, Progress& progress) {
+  Path path = source.path;
+  Volume v = readVolume(source, progress);
+  auto segments = segmentsOf(path);
+  if (v.channels > 1 && (segments.empty() || v.isColor))
+    failInput(path, fmt::format("is no label volume: it has {} samples per voxel", v.channels));
+  if (v.range.x < 0 || v.range.y > 65535)
+    failInput(path,
+              fmt::format("is no label volume: values run from {} to {}, ids from 0 to 65535", v.range.x, v.range.y));
+  LabelVolume labels = convert(v, layerMaps(segments, v.channels), path, progress);
+  labels.name = v.name;
+  labels.warnings = v.warnings;
+  if (v.frames > 1)
+    labels.warnings.push_back(fmt::format("the file has {} time frames; the first was taken", v.frames));
+  std::vector<LabelInfo> table;
+  for (const SlicerSegment& segment : segments) table.push_back(segment.label);
+  if (table.empty()) table = tableOf(path, labels.warnings);
+  labels.table = completeTable(std::move(table), labels.idsInUse());
+  return labels;
+}
+
+/// The name has one of the words that people use.
+bool nameSaysLabels(const Path& path) {
+  constexpr std::array<std::string_view, 9> kWords{"label",         "labels", "labelmap", "seg",     "segmentation",
+                                                   "segmentations", "mask",   "masks",    "totalseg"};
+  std::string name = lowerCase(path.filename().string()), word;
+  for (char c : name + ".") {
+    if (c >= 'a' && c <= 'z') {
+      word += c;
+      continue;
+    }
+    if (std::find(kWords.begin(), kWords.end(), word) != kWords.end()) return true;
+    word.clear();
+  }
+  return false;
+}
+
+}  // namespace
+
+LabelVolume readLabels(const scene::Source& source, Progress& progress) {
+  Path path = source.path;
+  if (isDicomSeg(path)) return readDicomSeg(source, progress);
+  return readFromVolume(source, progress);
+}
+
+bool looksLikeLabels(const std::filesystem::path& path) {
+  try {
+    if (nameSaysLabels(path)) return true;
+    if (!std::filesystem::is_regular_file(path)) return false;
+    if (isDicomSeg(path) || !segmentsOf(path).empty()) return true;
+    if (!isNifti(path)) return false;
+    NiftiHeader header = readNiftiHeader(path);
+    return header.intent == 1002 || !readNiftiLabelNames(header).empty();
+  } catch (const InputError&) {
+    return false;  // the reader will say what is wrong
+  }
+}
+
+}  // namespace velum::io

@@ -1,0 +1,19 @@
+#pragma once
+#include "velum/io/looks/TransferFile.h"
+
+/// The volume properties of 3D Slicer, text and JSON, as our transfer functions.
+namespace velum::io {
+
+/// The old form: nine lines (interpolation, shade, diffuse, ambient, specular, power; then, each led by how many
+/// numbers follow, pairs of opacity, pairs of gradient opacity, quadruples of colour).
+TransferFile parseSlicerText(std::string_view text);
+
+/// The new form, schema volume-property-schema-v1.0.0: the first component of the first property. Bent segments
+/// (midpoint, sharpness) become short straight ones.
+TransferFile parseSlicerJson(std::string_view text);
+
+/// @throw InputError when a line would be longer than Slicer reads
+std::string slicerText(const scene::TransferFunction& transfer, const scene::Lighting& lighting);
+std::string slicerJson(const scene::TransferFunction& transfer, const scene::Lighting& lighting);
+
+}  // namespace velum::io

@@ -1,0 +1,68 @@
+#include "velum/io/phantoms/Sample.h"
+
+#include <array>
+
+#include <fmt/format.h>
+
+#include "Phantom.h"
+
+namespace velum::io {
+
+namespace {
+
+struct Maker {
+  SampleInfo info;
+  int defaultSize;
+  Sample (*make)(int size, Progress& progress);
+  Sample (*makeFrames)(int size, int frames, Progress& progress) = nullptr;  ///< Instead, where it moves.
+};
+
+constexpr int kDefaultFrames = 12, kMostFrames = 100;
+
+constexpr Maker kMakers[] = {
+    {{"two-spheres", "Two spheres on either side of a slice, for membrane clipping"}, 128, makeTwoSpheres},
+    {{"vessels", "Arterial and venous tree of an organ, angiography"}, 256, makeVessels},
+    {{"torso", "Contrast-enhanced CT of a human trunk, Hounsfield units"}, 256, makeTorso},
+    {{"seismic", "Folded and faulted strata with a salt dome, reflection seismics"}, 256, makeSeismic},
+    {{"neurons", "Branching nerve cells with spines, ultramicroscopy"}, 256, makeNeurons},
+    {{"ultrasound", "A fetus in the womb under a fan-shaped probe, with speckle and shadows"}, 256, makeUltrasound},
+    {{"heart", "A beat of a heart in contrast-enhanced CT, time steps; labels of the first one"},
+     96,
+     nullptr,
+     makeHeart},
+};
+
+constexpr auto kInfos = [] {
+  std::array<SampleInfo, std::size(kMakers)> infos{};
+  for (std::size_t i = 0; i < infos.size(); ++i) infos[i] = kMakers[i].info;
+  return infos;
+}();
+
+std::string knownNames() {
+  std::string names;
+  for (const auto& info : kInfos) names += (names.empty() ? "" : ", ") + std::string(info.name);
+  return names;
+}
+
+}  // namespace
+
+std::span<const SampleInfo> samples() { return kInfos; }
+
+Sample makeSample(std::string_view name, int size, Progress& progress, int frames) {
+  if (size != 0 && (size < 16 || size > 1024))
+    throw ArgumentError(
+        fmt::format("a sample of size {} cannot be made; choose 16 to 1024, or 0 for its default", size));
+  if (frames < 0 || frames > kMostFrames)
+    throw ArgumentError(fmt::format("a sample of {} time steps cannot be made; choose 1 to {}, or 0 for its default",
+                                    frames, kMostFrames));
+  for (const auto& maker : kMakers) {
+    if (maker.info.name != name) continue;
+    int voxels = size ? size : maker.defaultSize;
+    if (maker.makeFrames) return maker.makeFrames(voxels, frames ? frames : kDefaultFrames, progress);
+    if (frames > 1) throw ArgumentError(fmt::format("{} time steps: the sample '{}' does not move", frames, name));
+    return maker.make(voxels, progress);
+  }
+  throw ArgumentError(fmt::format("there is no sample '{}'; choose one of {}", name, knownNames()));
+}
+
+}  // namespace velum::io

@@ -1,0 +1,83 @@
+#pragma once
+#include <vector>
+
+#include "Phantom.h"
+
+/// The trunk of an adult lying on the back, arms raised: world LPS in mm, origin in the middle of the scan. The levels:
+/// first thoracic vertebra at z = 205, diaphragm's domes near 10, last lumbar vertebra down to -170, iliac crests at
+/// -140.
+namespace velum::io::torso {
+
+using namespace phantom;
+
+enum Part : std::uint16_t {
+  kSkin = 1,
+  kFat,
+  kMuscle,
+  kVisceralFat,
+  kRibsLeft,
+  kRibsRight,
+  kCartilage,
+  kSternum,
+  kVertebrae,
+  kDiscs,
+  kSacrum,
+  kHips,
+  kScapulae,
+  kClavicles,
+  kHumeri,
+  kSpinalCanal,
+  kLungLeft,
+  kLungRight,
+  kAirways,
+  kLungVessels,
+  kPulmonaryArtery,
+  kHeartMuscle,
+  kLeftVentricle,
+  kRightVentricle,
+  kLeftAtrium,
+  kRightAtrium,
+  kAorta,
+  kArteries,
+  kVenaCava,
+  kPortalVein,
+  kLiver,
+  kGallbladder,
+  kKidneyLeft,
+  kKidneyRight,
+  kMedulla,
+  kSpleen,
+  kPancreas,
+  kStomach,
+  kGas,
+  kSmallBowel,
+  kColon,
+  kOesophagus
+};
+
+/// Names, colours and CT numbers of the parts.
+std::vector<LabelInfo> partTable();
+
+// The frame that the parts hang in.
+float spineY(float z);                  ///< Middle of the vertebral bodies.
+float skinDistance(Vec p);              ///< To the body's surface.
+glm::vec3 cageEllipse(float z);         ///< Inner trunk wall: half width, half depth, y of the middle.
+float cavityDistance(Vec p);            ///< To the inner wall of chest and belly.
+float diaphragmZ(float x, float y);     ///< Height of the diaphragm.
+float bellyDistance(Vec p);             ///< To the part of the cavity below the diaphragm.
+float lungDistance(Vec p, float side);  ///< side: +1 left, -1 right.
+/// (x, y) on the inner trunk wall, `outMm` outside it. angle: 0 at the back, pi at the front, rad.
+glm::vec2 onCage(float z, float angle, float outMm);
+
+const Box kEverywhere{Vec(-210.0f, -150.0f, -240.0f), Vec(210.0f, 150.0f, 240.0f)};
+
+// The layers, in painting order. Each takes the list and appends to it.
+void addBodyWall(std::vector<Layer>& layers);
+void addLungs(std::vector<Layer>& layers, float spacingMm);
+void addHeart(std::vector<Layer>& layers);
+void addGreatVessels(std::vector<Layer>& layers);
+void addBowel(std::vector<Layer>& layers);
+void addBellyOrgans(std::vector<Layer>& layers, float spacingMm);
+void addBones(std::vector<Layer>& layers);
+
+}  // namespace velum::io::torso

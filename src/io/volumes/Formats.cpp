@@ -1,0 +1,100 @@
+#include "velum/io/volumes/Formats.h"
+
+#include <array>
+#include <cstring>
+
+#include "read/FormatTable.h"
+#include "read/Payload.h"
+
+namespace velum::io {
+
+namespace {
+
+bool holds(const FileHead& head, std::size_t at, std::string_view text) {
+  return head.bytes.size() >= at + text.size() && std::string_view(head.bytes).substr(at, text.size()) == text;
+}
+bool contains(const FileHead& head, std::string_view text) { return head.bytes.find(text) != std::string::npos; }
+
+bool isNifti(const FileHead& h) {
+  return holds(h, 344, std::string_view("n+1\0", 4)) || holds(h, 344, std::string_view("ni1\0", 4)) ||
+         holds(h, 4, std::string_view("n+2\0", 4)) || holds(h, 4, std::string_view("ni2\0", 4));
+}
+bool isNrrd(const FileHead& h) { return holds(h, 0, "NRRD000"); }
+bool isMetaImage(const FileHead& h) {
+  return contains(h, "NDims") && contains(h, "DimSize") && contains(h, "ElementType");
+}
+bool isMrc(const FileHead& h) { return holds(h, 208, "MAP ") && h.bytes.size() >= 1024; }
+bool isVti(const FileHead& h) { return contains(h, "<VTKFile") && contains(h, "ImageData"); }
+bool isVtkLegacy(const FileHead& h) { return holds(h, 0, "# vtk DataFile"); }
+bool isTiff(const FileHead& h) {
+  return holds(h, 0, std::string_view("II*\0", 4)) || holds(h, 0, std::string_view("MM\0*", 4)) ||
+         holds(h, 0, std::string_view("II+\0", 4)) || holds(h, 0, std::string_view("MM\0+", 4));
+}
+bool isVdb(const FileHead& h) { return holds(h, 0, " BDV"); }
+/// With its preamble, or, as some old files, starting with an element of group 2 or 8. The sizes at the start of other
+/// binary headers may look like such an element.
+bool isDicom(const FileHead& head) {
+  if (holds(head, 128, "DICM")) return true;
+  if (isNifti(head) || isMrc(head) || isTiff(head)) return false;
+  if (head.bytes.size() < 16) return false;
+  auto b = [&](std::size_t i) { return static_cast<unsigned char>(head.bytes[i]); };
+  bool isElement = (b(0) == 2 || b(0) == 8) && b(1) == 0 && b(2) <= 0x70 && b(3) == 0;
+  bool isExplicit = b(4) >= 'A' && b(4) <= 'Z' && b(5) >= 'A' && b(5) <= 'Z';
+  bool isShortImplicit = b(0) == 8 && b(5) == 0 && b(6) == 0 && b(7) == 0 && b(4) <= 64 && b(4) % 2 == 0;
+  return isElement && (isExplicit || isShortImplicit);
+}
+
+// The order is that of trial. A new format is one row.
+constexpr FormatRow kTable[] = {
+    {{"DICOM", ".dcm .ima .dicom DICOMDIR", true, false}, isDicom, readDicom, nullptr},
+    {{"NIfTI", ".nii .nii.gz .hdr .hdr.gz .img .img.gz", true, true}, isNifti, readNifti, writeNifti},
+    {{"NRRD", ".nrrd .nhdr", true, true}, isNrrd, readNrrd, writeNrrd},
+    {{"MetaImage", ".mha .mhd", true, false}, isMetaImage, readMetaImage, nullptr},
+    {{"MRC", ".mrc .map .rec .ccp4", true, false}, isMrc, readMrc, nullptr},
+    {{"VTK image data", ".vti", true, true}, isVti, readVti, writeVti},
+    {{"VTK legacy structured points", ".vtk", true, false}, isVtkLegacy, readVtkLegacy, nullptr},
+    {{"SEG-Y", ".sgy .segy", true, false}, nullptr, readSegy, nullptr},
+    {{"TIFF", ".tif .tiff", true, false}, isTiff, readTiff, nullptr},
+    {{"OpenVDB", ".vdb", true, true}, isVdb, readVdb, writeVdb},
+    {{"InVesalius project", ".inv3", true, false}, nullptr, readInvesalius, nullptr},
+    {{"Raw", ".raw .bin .img .den", true, false}, nullptr, readRaw, nullptr},
+};
+
+constexpr auto kFormats = [] {
+  std::array<Format, std::size(kTable)> formats{};
+  for (std::size_t i = 0; i < formats.size(); ++i) formats[i] = kTable[i].format;
+  return formats;
+}();
+
+bool hasExtension(const Format& format, std::string_view extension) {
+  if (extension.empty()) return false;
+  std::string all = " " + lowerCase(format.extensions) + " ";
+  return all.find(" " + std::string(extension) + " ") != std::string::npos;
+}
+
+}  // namespace
+
+std::span<const Format> formats() { return kFormats; }
+std::span<const FormatRow> formatTable() { return kTable; }
+
+FileHead readFileHead(const Path& path) {
+  sizeOfFile(path);
+  return {path, lowerExtension(path), readHead(path, 4096)};
+}
+
+const FormatRow* chooseReader(const FileHead& head) {
+  for (const FormatRow& row : kTable)
+    if (row.matches && row.matches(head)) return &row;
+  std::string extension = lowerCase(head.path.filename().string()) == "dicomdir" ? "dicomdir" : head.extension;
+  for (const FormatRow& row : kTable)
+    if (hasExtension(row.format, extension)) return &row;
+  return nullptr;
+}
+
+const FormatRow* chooseWriter(const Path& path) {
+  for (const FormatRow& row : kTable)
+    if (row.write && hasExtension(row.format, lowerExtension(path))) return &row;
+  return nullptr;
+}
+
+}  // namespace velum::io

@@ -1,0 +1,116 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+#include "Readers.h"
+#include "read/Payload.h"
+
+namespace velum::io {
+
+namespace {
+
+constexpr double kMmPerAngstrom = 1e-7;
+constexpr std::int32_t kImodStamp = 1146047817;
+
+struct Fields {
+  std::string_view bytes;
+  bool swap;
+  template <class T>
+  T at(std::size_t offset) const {
+    std::array<char, sizeof(T)> raw;
+    std::memcpy(raw.data(), bytes.data() + offset, sizeof(T));
+    if (swap) std::reverse(raw.begin(), raw.end());
+    return std::bit_cast<T>(raw);
+  }
+};
+
+/// The machine stamp is often wrong; the axis order, 1 to 3 in any order, is not.
+bool needsSwap(std::string_view bytes) {
+  Fields f{bytes, false};
+  auto sane = [&](std::int32_t axis) { return axis >= 1 && axis <= 3; };
+  if (sane(f.at<std::int32_t>(64))) return false;
+  f.swap = true;
+  if (sane(f.at<std::int32_t>(64))) return true;
+  return static_cast<unsigned char>(bytes[212]) == 0x11;
+}
+
+Layout layoutOf(const Fields& f, const Path& file) {
+  Layout layout;
+  layout.dims = {f.at<std::int32_t>(0), f.at<std::int32_t>(4), f.at<std::int32_t>(8)};
+  layout.bigEndian = f.swap != (std::endian::native == std::endian::big);
+  auto mode = f.at<std::int32_t>(12);
+  // IMOD wrote unsigned bytes for mode 0 before the standard said signed, and flags when it does not.
+  bool unsignedBytes = f.at<std::int32_t>(152) == kImodStamp && !(f.at<std::int32_t>(156) & 1);
+  switch (mode) {
+    case 0:
+      layout.type = unsignedBytes ? StoredType::UInt8 : StoredType::Int8;
+      break;
+    case 1:
+      layout.type = StoredType::Int16;
+      break;
+    case 2:
+      layout.type = StoredType::Float32;
+      break;
+    case 6:
+      layout.type = StoredType::UInt16;
+      break;
+    default:
+      failInput(file, fmt::format("MRC mode {} is not supported; 0, 1, 2 and 6 are", mode));
+  }
+  return layout;
+}
+
+/// Cell lengths in angstrom over sampling give the spacing; mapc, mapr, maps say which cell axis each array axis is.
+void place(Volume& v, const Fields& f) {
+  glm::dvec3 spacing(1.0), origin(0.0);
+  bool known = true;
+  for (int i = 0; i < 3; ++i) {
+    double cell = f.at<float>(40 + 4 * std::size_t(i)), samples = f.at<std::int32_t>(28 + 4 * std::size_t(i));
+    double angstrom = samples > 0 ? cell / samples : 0.0;
+    known = known && std::isfinite(angstrom) && angstrom > 0;
+    spacing[i] = angstrom * kMmPerAngstrom;
+    double start = f.at<float>(196 + 4 * std::size_t(i));
+    if (std::isfinite(start)) origin[i] = start * kMmPerAngstrom;
+  }
+  if (!known) {
+    v.warnings.push_back("the file has no usable cell size; 1 mm was taken between voxels");
+    v.isSpacingKnown = false;
+    spacing = glm::dvec3(1.0);
+  }
+  glm::dmat3 columns(0.0);
+  for (int i = 0; i < 3; ++i) {
+    auto axis = f.at<std::int32_t>(64 + 4 * std::size_t(i)) - 1;
+    if (axis < 0 || axis > 2) axis = i;
+    columns[i][axis] = spacing[axis];
+  }
+  if (!isInvertible(columns)) columns = glm::dmat3(spacing.x, 0, 0, 0, spacing.y, 0, 0, 0, spacing.z);
+  v.isOrientationKnown = false;
+  placeInWorld(v, columns, origin, spacing);
+}
+
+}  // namespace
+
+/// MRC and CCP4 maps, modes 0, 1, 2 and 6. The cell is in angstrom: 1 A = 1e-7 mm in the world.
+Volume readMrc(const scene::Source& source, Progress& progress) {
+  Path file = source.path;
+  std::string bytes = readHead(file, 1024);
+  if (bytes.size() < 1024) failInput(file, "is too short for an MRC header");
+  Fields f{bytes, needsSwap(bytes)};
+  auto extended = f.at<std::int32_t>(92);
+  if (extended < 0) failInput(file, fmt::format("an extended header of {} bytes is not possible", extended));
+  Payload part;
+  part.file = file;
+  bool isPacked = isGzip(file);
+  part.packing = isPacked ? Packing::Deflate : Packing::Raw;
+  (isPacked ? part.skip : part.offset) = 1024 + std::uint64_t(extended);
+  Volume v = readSamples(layoutOf(f, file), std::span(&part, 1), file, progress);
+  v.modality = Modality::Microscopy;
+  place(v, f);
+  return v;
+}
+
+}  // namespace velum::io

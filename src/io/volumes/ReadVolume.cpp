@@ -1,0 +1,89 @@
+#include "velum/io/volumes/ReadVolume.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "DicomFile.h"
+#include "read/FormatTable.h"
+#include "read/Payload.h"
+
+namespace velum::io {
+
+namespace {
+
+bool hasRawLayout(const scene::Source& source) {
+  return source.raw.dims.x > 0 && source.raw.dims.y > 0 && source.raw.dims.z > 0;
+}
+
+/// Any file of the folder with one of these extensions.
+bool holdsFiles(const Path& folder, std::initializer_list<std::string_view> extensions) {
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error))
+    if (std::find(extensions.begin(), extensions.end(), lowerExtension(entry.path())) != extensions.end()) return true;
+  return false;
+}
+
+Volume readFolder(const scene::Source& source, Progress& progress) {
+  Path folder = source.path;
+  if (!hasRawLayout(source) && holdsDicom(folder)) return readDicom(source, progress);
+  if (!hasRawLayout(source) && holdsFiles(folder, {".tif", ".tiff", ".png"})) return readTiff(source, progress);
+  if (hasRawLayout(source)) return readRaw(source, progress);
+  failInput(
+      folder,
+      "the folder holds no DICOM series and no TIFF or PNG planes; for headerless slices give their size and type");
+}
+
+/// Why a file that no reader takes is none, as far as its first bytes tell.
+std::string describeStranger(const FileHead& head) {
+  if (head.bytes.empty()) return "is empty or cannot be read";
+  if (head.bytes.starts_with("PK\x03\x04")) return "is a ZIP archive; unpack it first";
+  if (head.bytes.starts_with("version https://git-lfs")) return "is a Git LFS pointer, not the data";
+  if (head.bytes.starts_with("\x89PNG")) return "is a PNG picture; a folder of PNG planes can be read";
+  return "is of no kind that can be read; for headerless samples give their size and type";
+}
+
+Volume readFile(const scene::Source& source, Progress& progress) {
+  Path path = source.path;
+  sizeOfFile(path);
+  if (hasRawLayout(source)) return readRaw(source, progress);
+  FileHead head = readFileHead(path);
+  const FormatRow* row = chooseReader(head);
+  if (!row) failInput(path, describeStranger(head));
+  if (row->format.name == "Raw") failInput(path, "has no header; give its size and type");
+  if (head.bytes.starts_with("version https://git-lfs")) failInput(path, describeStranger(head));
+  return row->read(source, progress);
+}
+
+std::string stemOf(const Path& path) {
+  Path name = path.filename().empty() ? path.parent_path().filename() : path.filename();
+  if (std::filesystem::is_directory(path)) return name.string();
+  if (lowerExtension(path).ends_with(".gz")) name = name.stem();
+  name = name.stem();
+  return lowerCase(name.extension().string()) == ".seg" ? name.stem().string() : name.string();
+}
+
+void overrideSpacing(Volume& volume, const glm::dvec3& wantedMm) {
+  glm::dvec3 now = spacingMm(volume);
+  for (int i = 0; i < 3; ++i)
+    if (wantedMm[i] > 0 && now[i] > 0) volume.worldFromVoxel[i] *= wantedMm[i] / now[i];
+  if (wantedMm.x > 0 && wantedMm.y > 0 && wantedMm.z > 0) volume.isSpacingKnown = true;
+}
+
+}  // namespace
+
+Volume readVolume(const scene::Source& source, Progress& progress) {
+  progress.throwIfCancelled();
+  Path path = source.path;
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) failInput(path, "there is no such file or folder");
+  bool isFolder = std::filesystem::is_directory(path, error);
+  Volume volume = isFolder ? readFolder(source, progress) : readFile(source, progress);
+  overrideSpacing(volume, source.spacingMm);
+  computeRange(volume);
+  if (volume.name.empty()) volume.name = stemOf(path);
+  progress.report(1.0, "Read " + volume.name);
+  return volume;
+}
+
+}  // namespace velum::io

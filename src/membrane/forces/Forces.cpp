@@ -1,0 +1,301 @@
+#include "velum/membrane/forces/Forces.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "Corridor.h"
+#include "FrameBox.h"
+#include "velum/membrane/forces/KeptWhole.h"
+
+namespace velum::membrane {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+double msSince(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+/// Whatever way round a structure is shorter than this, in nodes, is taken rather than to cut one pair of its voxels.
+constexpr double kProtectedWeight = 16384.0;
+/// Most nodes of the lattice on which sides are decided: a few hundred milliseconds.
+constexpr double kMostNodes = 6e6;
+/// So far the sheet may go from one time step to the next to follow what moves, in mean edges of the frame: 10 mm over
+/// a heart, whose walls move up to 7 mm in an eighth of a beat; with half of it the sheet lost them.
+constexpr double kFollowShare = 1.0 / 16.0;
+constexpr int kMostStepsFollowed = 4;
+
+/// Strength of a kernel that draws the sheet half of the way to its centre.
+constexpr double kHalfLift = 100.0;
+/// A ball lets go of the sheet over the last quarter of its radius.
+constexpr double kLetGo = 4.0;
+
+/// What the kernels depend on, without rule and reach.
+scene::ForceField kernelPart(scene::ForceField field) {
+  field.rule = {};
+  field.areaOfEffect = {};
+  field.kernels.clear();
+  field.strokes.clear();
+  field.byValueBefore.clear();
+  return field;
+}
+
+/// What the sides depend on: the frame, what is protected, and the kernels put in to repel. A pin, or a kernel that
+/// attracts, is dragged about without another least cut.
+scene::Cut sidesPart(const scene::Cut& cut) {
+  scene::Cut part;
+  part.centreMm = cut.centreMm;
+  part.axis = cut.axis;
+  part.spinDeg = cut.spinDeg;
+  part.sizeMm = cut.sizeMm;
+  part.membrane.field = kernelPart(cut.membrane.field);
+  part.membrane.field.kernels = cut.membrane.field.kernels;
+  std::erase_if(part.membrane.field.kernels, [](const auto& kernel) { return kernel.strength <= 0.0; });
+  for (auto& kernel : part.membrane.field.kernels) kernel.strength = 1.0;  // what repels is protected, however weakly
+  return part;
+}
+
+/// The kernels that can reach the frame's box, in a lattice of their own.
+PushField cropKernels(const KernelGrid& grid, const scene::Cut& cut) {
+  PushField field;
+  field.areaOfEffect = cut.membrane.field.areaOfEffect;
+  glm::dmat4 kernelFromLocal = glm::inverse(grid.worldFromKernel) * scene::worldFromCut(cut);
+  glm::dvec3 middle(kernelFromLocal[3]), half(field.areaOfEffect);
+  for (int axis = 0; axis < 3; ++axis) half += glm::abs(glm::dvec3(kernelFromLocal[axis])) * cut.sizeMm[axis] * 0.5;
+  glm::ivec3 low(glm::clamp(glm::ceil(middle - half), glm::dvec3(0.0), glm::dvec3(grid.dims)));
+  glm::ivec3 high(glm::clamp(glm::floor(middle + half) + 1.0, glm::dvec3(low), glm::dvec3(grid.dims)));
+  field.dims = high - low;
+  glm::dmat4 shift(1.0);
+  shift[3] = glm::dvec4(-glm::dvec3(low), 1.0);
+  field.kernelFromLocal = shift * kernelFromLocal;
+  for (int z = low.z; z < high.z; ++z)
+    for (int y = low.y; y < high.y; ++y) {
+      const float* row =
+          &grid.strengths[(std::size_t(z) * std::size_t(grid.dims.y) + std::size_t(y)) * std::size_t(grid.dims.x)];
+      for (int x = low.x; x < high.x; ++x) field.strengths.emplace_back(0.0f, row[x]);
+    }
+  return field;
+}
+
+std::vector<PlacedKernel> placeKernels(const scene::Cut& cut) {
+  std::vector<PlacedKernel> placed;
+  glm::dmat4 localFromWorld = glm::inverse(scene::worldFromCut(cut));
+  for (const auto& kernel : cut.membrane.field.kernels) {
+    glm::dvec3 centre(localFromWorld * glm::dvec4(kernel.centreMm, 1.0));
+    placed.push_back({centre, std::max(kernel.radiusMm, 1e-6), 0.0, kernel.strength});
+  }
+  return placed;
+}
+
+/// Balls that were put in to repel are protected like the data's own structures.
+void protectPlaced(ProtectedVoxels& voxels, const scene::ForceField& field) {
+  glm::dmat4 worldFromVoxel = voxels.worldFromVoxel;
+  glm::ivec3 size = voxels.box.end - voxels.box.min;
+  for (const auto& kernel : field.kernels) {
+    if (kernel.strength <= 0.0) continue;
+    tbb::parallel_for(0, size.z, [&](int z) {
+      std::size_t i = std::size_t(z) * std::size_t(size.y) * std::size_t(size.x);
+      for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x, ++i) {
+          glm::dvec4 voxel(glm::dvec3(voxels.box.min + glm::ivec3(x, y, z)), 1.0);
+          if (glm::length(glm::dvec3(worldFromVoxel * voxel) - kernel.centreMm) < kernel.radiusMm) voxels.mask[i] = 1;
+        }
+    });
+  }
+}
+
+/// Leads a corridor around a ball, on the side on which its middle lies not, or on which there is room for it.
+void passBy(Corridor& corridor, const PlacedKernel& ball, double reach) {
+  double radius = ball.halfWidthMm;
+  glm::dvec3 c = ball.centreMm;
+  glm::ivec2 low(glm::ceil((glm::dvec2(c) - radius - corridor.originMm) / corridor.stepMm));
+  glm::ivec2 high(glm::floor((glm::dvec2(c) + radius - corridor.originMm) / corridor.stepMm));
+  low = glm::max(low, glm::ivec2(0));
+  high = glm::min(high, corridor.dims - 1);
+  glm::ivec2 at((glm::dvec2(c) - corridor.originMm) / corridor.stepMm + 0.5);
+  at = glm::clamp(at, glm::ivec2(0), corridor.dims - 1);
+  bool over = c.z <= double(corridor.height[std::size_t(at.y * corridor.dims.x + at.x)]);
+  if (over ? c.z + radius > reach && c.z - radius >= -reach : c.z - radius < -reach && c.z + radius <= reach)
+    over = !over;
+  for (int y = low.y; y <= high.y; ++y)
+    for (int x = low.x; x <= high.x; ++x) {
+      glm::dvec2 away = corridor.originMm + glm::dvec2(x, y) * corridor.stepMm - glm::dvec2(c);
+      double rest = radius * radius - glm::dot(away, away);
+      if (rest <= 0.0) continue;
+      auto i = std::size_t(y * corridor.dims.x + x);
+      auto face = float(std::clamp(c.z + (over ? 1.0 : -1.0) * std::sqrt(rest), -reach, reach));
+      auto past = [&](float z) { return over ? std::max(z, face) : std::min(z, face); };
+      corridor.room[i] = {past(corridor.room[i].x), past(corridor.room[i].y)};
+      corridor.height[i] = past(corridor.height[i]);
+    }
+}
+
+std::vector<int> belowSheet(const CutLattice& lattice, const HeightOver& height) {
+  std::vector<int> below;
+  for (int y = 0; y < lattice.dims.y; ++y)
+    for (int x = 0; x < lattice.dims.x; ++x) {
+      glm::dvec2 place = glm::dvec2(lattice.originMm) + glm::dvec2(x, y) * glm::dvec2(lattice.stepMm);
+      double layers = (height(place) - lattice.originMm.z) / lattice.stepMm.z;
+      below.push_back(std::clamp(int(std::floor(layers)) + 1, 1, std::max(1, lattice.dims.z - 1)));
+    }
+  return below;
+}
+
+LeastCutOptions leastCutOptions() {
+  LeastCutOptions options;
+  options.protectedWeight = kProtectedWeight;
+  return options;
+}
+
+/// -1 for what belongs above the sheet, 1 for what belongs below, in between for a kernel through which it passes.
+class Sides {
+ public:
+  explicit Sides(const Corridor& corridor, double smearMm) : mCorridor(corridor), mSmearMm(std::max(smearMm, 1e-9)) {}
+  double at(glm::dvec3 local) const {
+    glm::dvec2 p = glm::floor((glm::dvec2(local) - mCorridor.originMm) / mCorridor.stepMm + 0.5 + kHair);
+    glm::ivec2 column = glm::clamp(glm::ivec2(p), glm::ivec2(0), mCorridor.dims - 1);
+    double height = double(mCorridor.height[std::size_t(column.y * mCorridor.dims.x + column.x)]);
+    return std::clamp((height - local.z) / mSmearMm, -1.0, 1.0);
+  }
+
+ private:
+  const Corridor& mCorridor;
+  double mSmearMm;
+};
+
+/// Differs: not in the paper. The loose cloth of the sided rule is pulled back to the slice so strongly that a force
+/// would hardly move it: what attracts lifts the slice itself towards its centre instead, as long as its ball reaches
+/// the slice.
+double liftOf(const PlacedKernel& kernel) {
+  double reaches = (1.0 - std::abs(kernel.centreMm.z) / kernel.halfWidthMm) * kLetGo;
+  return kernel.centreMm.z * std::clamp(reaches, 0.0, 1.0) * kernel.pull / (kernel.pull - kHalfLift);
+}
+
+/// What repels pushes along the normal, away from the side that it is on; what attracts stays as it is.
+void turnToSides(PushField& field, const Corridor& corridor) {
+  glm::dmat4 localFromKernel = glm::inverse(field.kernelFromLocal);
+  glm::dmat3 axes(localFromKernel);
+  double thick = std::abs(axes[0].z) + std::abs(axes[1].z) + std::abs(axes[2].z);
+  Sides sides(corridor, 0.5 * thick);
+  tbb::parallel_for(0, field.dims.z, [&](int z) {
+    std::size_t i = std::size_t(z) * std::size_t(field.dims.y) * std::size_t(field.dims.x);
+    for (int y = 0; y < field.dims.y; ++y)
+      for (int x = 0; x < field.dims.x; ++x, ++i) {
+        float strength = field.strengths[i].y;
+        if (strength <= 0.0f) continue;
+        double side = sides.at(glm::dvec3(localFromKernel * glm::dvec4(x, y, z, 1.0)));
+        field.strengths[i] = {float(side) * strength, 0.0f};
+      }
+  });
+  for (auto& kernel : field.placed) {
+    if (kernel.pull <= 0.0) {
+      kernel.liftMm = liftOf(kernel);
+      continue;
+    }
+    kernel.push = Sides(corridor, 0.25 * kernel.halfWidthMm).at(kernel.centreMm) * kernel.pull;
+    kernel.pull = 0.0;
+  }
+}
+
+}  // namespace
+
+ForceMaker::ForceMaker(const scene::Scene& scene) : mPotential(scene) {
+  if (!scene.volume.data) return;
+  mTimeSteps = std::max(1, scene.volume.data->frames);
+  mTimeStep = std::clamp(scene.volume.frame, 0, mTimeSteps - 1);
+}
+
+/// The sides of a sheet that is there. From another time step it is looked for near where it was; time may go round.
+std::vector<int> ForceMaker::belowCurrent(const CutLattice& lattice, const scene::Cut& cut, const CurrentSheet& current,
+                                          Progress& progress) const {
+  std::vector<int> below = belowSheet(lattice, current.height);
+  int apart = current.timeStep < 0 ? 0 : std::abs(mTimeStep - current.timeStep) % mTimeSteps;
+  apart = std::min({apart, mTimeSteps - apart, kMostStepsFollowed});
+  if (apart == 0) return below;
+  double followMm = kFollowShare * 0.5 * (cut.sizeMm.x + cut.sizeMm.y) * apart;
+  int band = std::max(2, int(std::ceil(followMm / lattice.stepMm.z)));
+  return computeLeastCutNear(lattice, leastCutOptions(), below, band, progress).below;
+}
+
+const KernelGrid& ForceMaker::kernelsOf(const scene::ForceField& field, Progress& progress) {
+  scene::ForceField part = kernelPart(field);
+  if (!mField || !(*mField == part)) {
+    mKernels = mPotential.computeKernels(part, progress);
+    mField = part;
+  }
+  return mKernels;
+}
+
+const ProtectedVoxels& ForceMaker::voxelsOf(const scene::Cut& cut, Progress& progress) {
+  scene::Cut asked = sidesPart(cut);
+  asked.membrane.field.kernels.clear();
+  if (!mVoxelsCut || !(*mVoxelsCut == asked)) {
+    mVoxels = mPotential.computeProtected(asked.membrane.field, voxelsInReach(mPotential, cut), progress);
+    mVoxelsCut = asked;
+  }
+  return mVoxels;
+}
+
+Corridor ForceMaker::corridorOf(const scene::Cut& cut, const CurrentSheet& current, Progress& progress) {
+  scene::Cut asked = sidesPart(cut);
+  Sides& known = asked.membrane.field.kernels.empty() ? mDataSides : mSides;
+  if (!current.height && known.cut && *known.cut == asked) return known.corridor;
+  const ProtectedVoxels& data = voxelsOf(cut, progress);
+  std::optional<ProtectedVoxels> withPlaced;
+  if (!asked.membrane.field.kernels.empty()) {
+    withPlaced = data;
+    protectPlaced(*withPlaced, asked.membrane.field);
+  }
+  const ProtectedVoxels& voxels = withPlaced ? *withPlaced : data;
+  double coarsening = std::max(1.0, std::ceil(std::cbrt(double(voxels.mask.size()) / kMostNodes)));
+  CutLattice lattice = gatherLattice(voxels, cut, coarsening);
+  if (current.height) return corridorAround(lattice, belowCurrent(lattice, cut, current, progress));
+  known.corridor = corridorAround(lattice, computeLeastCut(lattice, leastCutOptions(), progress).below);
+  known.cut = asked;
+  return known.corridor;
+}
+
+Forces ForceMaker::kernelForces(const scene::Cut& cut, Progress& progress) {
+  Forces forces;
+  auto start = Clock::now();
+  const KernelGrid& kernels = kernelsOf(cut.membrane.field, progress);
+  forces.kernelsMs = msSince(start);
+  forces.kernels = kernels.count;
+  forces.field = cropKernels(kernels, cut);
+  forces.field.placed = placeKernels(cut);
+  return forces;
+}
+
+Forces ForceMaker::compute(const scene::Cut& cut, const CurrentSheet& current, Progress& progress) {
+  if (mPotential.dims().x == 0) return {};
+  Forces forces = kernelForces(cut, progress);
+  if (cut.membrane.field.rule == scene::KernelRule::Paper) return forces;
+  auto start = Clock::now();
+  forces.corridor = corridorOf(cut, current, progress);
+  turnToSides(forces.field, forces.corridor);
+  forces.leastCutMs = msSince(start);
+  return forces;
+}
+
+Forces ForceMaker::preview(const scene::Cut& cut, Progress& progress) {
+  if (mPotential.dims().x == 0 || cut.membrane.field.rule == scene::KernelRule::Paper)
+    return compute(cut, {}, progress);
+  Forces forces = kernelForces(cut, progress);
+  auto start = Clock::now();
+  scene::Cut data = cut;
+  data.membrane.field.kernels.clear();
+  forces.corridor = corridorOf(data, {}, progress);
+  for (const auto& kernel : forces.field.placed)
+    if (kernel.pull > 0.0) {
+      passBy(forces.corridor, kernel, cut.sizeMm.z * 0.5);
+      forces.isPreview = true;
+    }
+  turnToSides(forces.field, forces.corridor);
+  forces.leastCutMs = msSince(start);
+  return forces;
+}
+
+}  // namespace velum::membrane

@@ -1,0 +1,237 @@
+#include "velum/membrane/forces/Kernels.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <mutex>
+#include <optional>
+
+#include "StrengthRows.h"
+
+namespace velum::membrane {
+
+namespace {
+
+constexpr int kCoarsestLevel = 6;
+
+std::size_t nodeCount(glm::ivec3 dims) { return std::size_t(dims.x) * std::size_t(dims.y) * std::size_t(dims.z); }
+
+/// Super-voxels of a level along each axis.
+glm::ivec3 dimsOfLevel(glm::ivec3 dims, int level) { return (dims + ((1 << level) - 1)) >> level; }
+
+/// Adds runs of Size strengths to the sums of a row of super-voxels. The last run may be shorter.
+template <int Size>
+void addRuns(const float* row, int count, double* sums) {
+  int whole = count / Size;
+  for (int k = 0; k < whole; ++k) {
+    float sum = 0.0f;
+    for (int i = 0; i < Size; ++i) sum += row[k * Size + i];
+    sums[k] += double(sum);
+  }
+  for (int i = whole * Size; i < count; ++i) sums[whole] += double(row[i]);
+}
+
+using AddRuns = void (*)(const float*, int, double*);
+constexpr AddRuns kAddRuns[kCoarsestLevel + 1] = {addRuns<1>,  addRuns<2>,  addRuns<4>, addRuns<8>,
+                                                  addRuns<16>, addRuns<32>, addRuns<64>};
+
+/// Voxels that super-voxel `k` of a level holds along an axis.
+int heldAlong(int k, int level, int dim) { return std::min(1 << level, dim - (k << level)); }
+
+/// Means of one row of super-voxels.
+void averageRow(const StrengthRows& rows, glm::ivec3 dims, int level, int ky, int kz, float* means) {
+  thread_local std::vector<float> row;
+  thread_local std::vector<double> sums;
+  row.resize(std::size_t(dims.x));
+  sums.assign(std::size_t(dimsOfLevel(dims, level).x), 0.0);
+  int ny = heldAlong(ky, level, dims.y), nz = heldAlong(kz, level, dims.z);
+  for (int z = 0; z < nz; ++z)
+    for (int y = 0; y < ny; ++y) {
+      rows.fill(0, dims.x, (ky << level) + y, (kz << level) + z, row.data());
+      kAddRuns[level](row.data(), dims.x, sums.data());
+    }
+  for (int k = 0; k < int(sums.size()); ++k)
+    means[k] = float(sums[std::size_t(k)] / (double(heldAlong(k, level, dims.x)) * ny * nz));
+}
+
+/// Calls body(index of the row's first voxel in the box, strengths) for each row of a box, on all cores.
+template <class Body>
+void forRows(const StrengthRows& rows, VoxelBox box, const Progress& progress, Body body) {
+  glm::ivec3 size = box.end - box.min;
+  if (size.x <= 0) return;
+  tbb::parallel_for(0, size.y * size.z, [&](int row) {
+    if (progress.isCancelled()) return;
+    thread_local std::vector<float> strengths;
+    strengths.resize(std::size_t(size.x));
+    rows.fill(box.min.x, box.end.x, box.min.y + row % size.y, box.min.z + row / size.y, strengths.data());
+    body(std::size_t(row) * std::size_t(size.x), strengths);
+  });
+  progress.throwIfCancelled();
+}
+
+/// The next coarser means, weighted by the voxels that each super-voxel holds.
+std::vector<float> coarsen(const std::vector<float>& fine, glm::ivec3 dims, int level) {
+  glm::ivec3 from = dimsOfLevel(dims, level), to = dimsOfLevel(dims, level + 1);
+  std::vector<float> means(nodeCount(to));
+  tbb::parallel_for(0, to.z, [&](int z) {
+    for (int y = 0; y < to.y; ++y)
+      for (int x = 0; x < to.x; ++x) {
+        double sum = 0.0, held = 0.0;
+        for (int child = 0; child < 8; ++child) {
+          glm::ivec3 c = glm::ivec3(x, y, z) * 2 + glm::ivec3(child & 1, child >> 1 & 1, child >> 2);
+          if (c.x >= from.x || c.y >= from.y || c.z >= from.z) continue;
+          double weight =
+              double(heldAlong(c.x, level, dims.x)) * heldAlong(c.y, level, dims.y) * heldAlong(c.z, level, dims.z);
+          sum +=
+              weight * double(fine[(std::size_t(c.z) * std::size_t(from.y) + std::size_t(c.y)) * std::size_t(from.x) +
+                                   std::size_t(c.x)]);
+          held += weight;
+        }
+        means[(std::size_t(z) * std::size_t(to.y) + std::size_t(y)) * std::size_t(to.x) + std::size_t(x)] =
+            float(sum / held);
+      }
+  });
+  return means;
+}
+
+/// Kernels of means: those weaker than the threshold are left out.
+KernelGrid toKernels(std::vector<float> means, glm::ivec3 dims, int level, const glm::dmat4& worldFromVoxel,
+                     double threshold) {
+  KernelGrid grid;
+  grid.dims = dimsOfLevel(dims, level);
+  grid.level = level;
+  double size = double(1 << level);
+  glm::dmat4 voxelFromKernel(size);
+  voxelFromKernel[3] = glm::dvec4(glm::dvec3((size - 1.0) * 0.5), 1.0);
+  grid.worldFromKernel = worldFromVoxel * voxelFromKernel;
+  grid.count = tbb::parallel_reduce(
+      tbb::blocked_range<std::size_t>(0, means.size(), 1 << 16), std::size_t(0),
+      [&](const tbb::blocked_range<std::size_t>& part, std::size_t count) {
+        for (std::size_t i = part.begin(); i < part.end(); ++i) {
+          bool has = means[i] != 0.0f && std::abs(double(means[i])) >= threshold;
+          means[i] = has ? means[i] : 0.0f;
+          count += has;
+        }
+        return count;
+      },
+      std::plus<>());
+  grid.strengths = std::move(means);
+  return grid;
+}
+
+}  // namespace
+
+struct Potential::Data {
+  PotentialSource source;
+  mutable std::mutex gradientLock;
+  mutable std::optional<Gradients> gradients;
+
+  /// The gradients where a field needs them, made when first asked for.
+  const Gradients* gradientsFor(const scene::ForceField& field, Progress& progress) const {
+    if (field.byGradient.empty() || !source.volume) return nullptr;
+    std::lock_guard guard(gradientLock);
+    // Isolated: while this thread waits for its helpers it must not take up a task that wants the same lock.
+    if (!gradients)
+      tbb::this_task_arena::isolate(
+          [&] { gradients = computeGradients(*source.volume, source.channel, source.frame, progress); });
+    return &*gradients;
+  }
+  StrengthRows rowsFor(const scene::ForceField& field, Progress& progress) const {
+    return StrengthRows(source, gradientsFor(field, progress), field);
+  }
+  void checkBox(VoxelBox box) const {
+    if (glm::any(glm::lessThan(box.min, glm::ivec3(0))) || glm::any(glm::greaterThan(box.end, source.dims)) ||
+        glm::any(glm::lessThan(box.end, box.min)))
+      throw ArgumentError("the box of voxels leaves the volume");
+  }
+};
+
+namespace {
+
+PotentialSource sourceOf(const scene::Scene& scene) {
+  PotentialSource source;
+  source.volume = scene.volume.data;
+  source.labels = scene.labels.data;
+  if (source.volume) {
+    source.frame = std::clamp(scene.volume.frame, 0, source.volume->frames - 1);
+    source.channel = std::clamp(scene.volume.channel, 0, source.volume->channels - 1);
+    source.dims = source.volume->dims;
+    source.worldFromVoxel = source.volume->worldFromVoxel;
+  } else if (source.labels) {
+    source.dims = source.labels->dims();
+    source.worldFromVoxel = source.labels->worldFromVoxel();
+  }
+  return source;
+}
+
+}  // namespace
+
+Potential::Potential(const scene::Scene& scene) : mData(std::make_unique<Data>()) { mData->source = sourceOf(scene); }
+Potential::~Potential() = default;
+Potential::Potential(Potential&&) noexcept = default;
+Potential& Potential::operator=(Potential&&) noexcept = default;
+
+bool Potential::matches(const scene::Scene& scene) const {
+  PotentialSource other = sourceOf(scene);
+  const PotentialSource& own = mData->source;
+  return own.volume == other.volume && own.labels == other.labels && own.frame == other.frame &&
+         own.channel == other.channel;
+}
+
+glm::ivec3 Potential::dims() const { return mData->source.dims; }
+const glm::dmat4& Potential::worldFromVoxel() const { return mData->source.worldFromVoxel; }
+
+KernelGrid Potential::computeKernels(const scene::ForceField& field, Progress& progress) const {
+  return std::move(computeLevels(field, field.level, field.level, progress).front());
+}
+
+std::vector<KernelGrid> Potential::computeLevels(const scene::ForceField& field, int finest, int coarsest,
+                                                 Progress& progress) const {
+  finest = std::clamp(finest, 0, kCoarsestLevel);
+  coarsest = std::clamp(coarsest, finest, kCoarsestLevel);
+  const PotentialSource& source = mData->source;
+  StrengthRows rows = mData->rowsFor(field, progress);
+  progress.report(0.0, "evaluating forces");
+  glm::ivec3 to = dimsOfLevel(source.dims, finest);
+  std::vector<float> means(nodeCount(to));
+  tbb::parallel_for(0, to.y * to.z, [&](int row) {
+    if (progress.isCancelled()) return;
+    averageRow(rows, source.dims, finest, row % to.y, row / to.y, means.data() + std::size_t(row) * std::size_t(to.x));
+  });
+  progress.throwIfCancelled();
+  std::vector<KernelGrid> levels;
+  for (int level = finest; level <= coarsest; ++level) {
+    std::vector<float> next = level < coarsest ? coarsen(means, source.dims, level) : std::vector<float>();
+    levels.push_back(toKernels(std::move(means), source.dims, level, source.worldFromVoxel, field.threshold));
+    means = std::move(next);
+  }
+  return levels;
+}
+
+std::vector<float> Potential::computeStrengths(const scene::ForceField& field, VoxelBox box, Progress& progress) const {
+  mData->checkBox(box);
+  StrengthRows rows = mData->rowsFor(field, progress);
+  glm::ivec3 size = box.end - box.min;
+  std::vector<float> strengths(nodeCount(size));
+  forRows(rows, box, progress, [&](std::size_t first, const std::vector<float>& row) {
+    std::copy(row.begin(), row.end(), &strengths[first]);
+  });
+  return strengths;
+}
+
+ProtectedVoxels Potential::computeProtected(const scene::ForceField& field, VoxelBox box, Progress& progress) const {
+  mData->checkBox(box);
+  StrengthRows rows = mData->rowsFor(field, progress);
+  ProtectedVoxels voxels{box, std::vector<std::uint8_t>(nodeCount(box.end - box.min)), worldFromVoxel()};
+  forRows(rows, box, progress, [&](std::size_t first, const std::vector<float>& row) {
+    for (std::size_t x = 0; x < row.size(); ++x) voxels.mask[first + x] = row[x] > 0.0f;
+  });
+  return voxels;
+}
+
+}  // namespace velum::membrane

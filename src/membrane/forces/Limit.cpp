@@ -1,0 +1,186 @@
+// The lattice of a frame, and the least cut of it as a figure.
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "FrameBox.h"
+#include "velum/membrane/forces/KeptWhole.h"
+
+namespace velum::membrane {
+
+namespace {
+
+/// So large that the sheet takes any way round, however long, to separate one pair less: then it is a limit.
+constexpr double kLimitWeight = 16384.0;
+/// Nodes of the limit's lattice: three quarters of a gigabyte while it is solved.
+constexpr double kMostNodes = 1 << 24;
+
+/// Nodes along one axis of a frame, at first + i * step.
+struct Nodes {
+  double first = 0.0, step = 1.0;
+  int count = 0;
+};
+
+/// The nodes that lie within `reach` of 0 and within the data's extent, and one more at both ends; those around 0 in
+/// any case.
+Nodes nodesWithin(double anchor, double step, double reach, glm::dvec2 extent) {
+  constexpr double kSlack = 1e-6;
+  double low = std::min(std::max(-reach, extent.x - 0.5 * step), 0.0);
+  double high = std::max(std::min(reach, extent.y + 0.5 * step), 0.0);
+  double first = std::ceil((low - anchor) / step - kSlack), last = std::floor((high - anchor) / step + kSlack);
+  return {anchor + (first - 1.0) * step, step, int(std::max(last - first, -1.0)) + 3};
+}
+
+/// Frame-local extent of a box of voxels' centres.
+void extentOf(const VoxelBox& box, const glm::dmat4& localFromVoxel, glm::dvec3& low, glm::dvec3& high) {
+  low = glm::dvec3(1e300);
+  high = glm::dvec3(-1e300);
+  for (int corner = 0; corner < 8; ++corner) {
+    glm::dvec3 voxel;
+    for (int axis = 0; axis < 3; ++axis) voxel[axis] = corner >> axis & 1 ? box.end[axis] - 1 : box.min[axis];
+    glm::dvec3 p(localFromVoxel * glm::dvec4(voxel, 1.0));
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+  }
+}
+
+/// The voxel axis that an axis of the frame runs along, or -1: no voxel of the box may stray by a twentieth.
+int alignedAxis(const glm::dmat4& voxelFromLocal, int axis, double lengthMm) {
+  glm::dvec3 v = glm::abs(glm::dvec3(voxelFromLocal[axis]));
+  int along = v.x >= v.y && v.x >= v.z ? 0 : v.y >= v.z ? 1 : 2;
+  double astray = (v.x + v.y + v.z - v[along]) * lengthMm;
+  return astray < 0.05 ? along : -1;
+}
+
+/// Spreads one protected pair of voxels over the lattice.
+class PairSpreader {
+ public:
+  explicit PairSpreader(CutLattice& lattice) : mLattice(lattice) {}
+
+  /// @param a, b  nodes that the voxels are nearest to; at most a few steps apart
+  void add(glm::ivec3 a, glm::ivec3 b) {
+    glm::ivec3 d = b - a;
+    int axes = (d.x != 0) + (d.y != 0) + (d.z != 0);
+    if (axes == 0) return;
+    if (axes == 1) {
+      addPath(a, b, 0, 1, 2, 1.0f);
+      return;
+    }
+    // Half to the path that goes along x first and half to the one that ends with it.
+    addPath(a, b, 0, 1, 2, 0.5f);
+    addPath(a, b, 2, 1, 0, 0.5f);
+  }
+
+ private:
+  void addPath(glm::ivec3 a, glm::ivec3 b, int first, int second, int third, float share) {
+    for (int axis : {first, second, third})
+      while (a[axis] != b[axis]) {
+        int step = a[axis] < b[axis] ? 1 : -1;
+        glm::ivec3 low = a;
+        low[axis] = std::min(a[axis], a[axis] + step);
+        a[axis] += step;
+        bool inside = glm::all(glm::greaterThanEqual(low, glm::ivec3(0))) &&
+                      glm::all(glm::lessThan(low, mLattice.dims)) && low[axis] + 1 < mLattice.dims[axis];
+        if (inside)
+          mLattice.pairs[axis][(std::size_t(low.z) * std::size_t(mLattice.dims.y) + std::size_t(low.y)) *
+                                   std::size_t(mLattice.dims.x) +
+                               std::size_t(low.x)] += share;
+      }
+  }
+  CutLattice& mLattice;
+};
+
+void gatherPairs(const ProtectedVoxels& voxels, const FrameBox& frame, CutLattice& lattice) {
+  glm::ivec3 size = voxels.box.end - voxels.box.min;
+  std::ptrdiff_t step[3] = {1, size.x, std::ptrdiff_t(size.x) * size.y};
+  PairSpreader spreader(lattice);
+  const std::uint8_t* mask = voxels.mask.data();
+  auto nodeOf = [&](glm::dvec3 local) {
+    return glm::ivec3(glm::floor((local - lattice.originMm) / lattice.stepMm + 0.5));
+  };
+  for (int z = 0; z < size.z; ++z)
+    for (int y = 0; y < size.y; ++y)
+      for (int x = 0; x < size.x; ++x, ++mask) {
+        if (!*mask) continue;
+        glm::ivec3 at(x, y, z);
+        glm::dvec3 p = frame.local(glm::dvec3(voxels.box.min + at));
+        for (int axis = 0; axis < 3; ++axis) {
+          if (at[axis] + 1 >= size[axis] || !mask[step[axis]]) continue;
+          glm::dvec3 next = p + glm::dvec3(frame.localFromVoxel[axis]);
+          if (frame.holds(p) || frame.holds(next)) spreader.add(nodeOf(p), nodeOf(next));
+        }
+      }
+}
+
+}  // namespace
+
+CutLattice gatherLattice(const ProtectedVoxels& voxels, const scene::Cut& cut, double coarsening) {
+  FrameBox frame(cut, voxels.worldFromVoxel);
+  glm::dmat4 voxelFromLocal = glm::inverse(frame.localFromVoxel);
+  glm::dvec3 low, high, half = cut.sizeMm * 0.5;
+  extentOf(voxels.box, frame.localFromVoxel, low, high);
+  Nodes nodes[3];
+  for (int axis = 0; axis < 3; ++axis) {
+    // Voxels along a direction are as far apart as the ellipsoid of their spacing says: right along the axes.
+    double step = coarsening / glm::length(glm::dvec3(voxelFromLocal[axis]));
+    double anchor = axis == 2 ? 0.5 * step : 0.0;
+    // A node on every voxel where the axes agree, so that pairs between nodes are pairs of voxels.
+    if (coarsening == 1.0 && alignedAxis(voxelFromLocal, axis, high[axis] - low[axis]) >= 0) anchor = low[axis];
+    nodes[axis] = nodesWithin(anchor, step, half[axis], {low[axis], high[axis]});
+  }
+  glm::ivec3 dims(nodes[0].count, nodes[1].count, nodes[2].count);
+  // A slice through the middles of voxels is to lie on their layer, whatever the last digits say.
+  double sliceLayer = -nodes[2].first / nodes[2].step, layer = std::round(sliceLayer);
+  CutLattice lattice = makeLattice(dims, std::abs(sliceLayer - layer) < kHair ? layer : sliceLayer);
+  for (int axis = 0; axis < 3; ++axis) {
+    lattice.originMm[axis] = nodes[axis].first;
+    lattice.stepMm[axis] = nodes[axis].step;
+  }
+  gatherPairs(voxels, frame, lattice);
+  return lattice;
+}
+
+SideOfPoints sideOfLeastCut(const CutLattice& lattice, const LeastCut& cut) {
+  struct Stairs {
+    glm::dvec3 originMm, stepMm;
+    glm::ivec2 dims;
+    std::vector<int> below;
+  };
+  auto stairs = std::make_shared<Stairs>(Stairs{lattice.originMm, lattice.stepMm, cut.dims, cut.below});
+  return [stairs](std::span<const glm::vec3> local, std::span<std::uint8_t> above) {
+    for (std::size_t i = 0; i < local.size(); ++i) {
+      glm::ivec3 node(glm::floor((glm::dvec3(local[i]) - stairs->originMm) / stairs->stepMm + 0.5));
+      glm::ivec2 n = stairs->dims;
+      bool inside = node.x >= 0 && node.y >= 0 && node.x < n.x && node.y < n.y;
+      above[i] = inside ? node.z >= stairs->below[std::size_t(node.y) * std::size_t(n.x) + std::size_t(node.x)]
+                        : local[i].z > 0.0f;
+    }
+  };
+}
+
+double meanDistanceMm(const CutLattice& lattice, const LeastCut& least, const scene::Cut& cut) {
+  double sum = 0.0;
+  for (int below : least.below) {
+    // A flat column lies on the slice itself, wherever between the two layers that is.
+    double z = below == flatCount(lattice) ? 0.0 : lattice.originMm.z + (below - 0.5) * lattice.stepMm.z;
+    sum += std::abs(z);
+  }
+  // The frame may be larger than the data; there the sheet is flat.
+  double columnMm2 = lattice.stepMm.x * lattice.stepMm.y, frameMm2 = cut.sizeMm.x * cut.sizeMm.y;
+  return sum * columnMm2 / std::max(frameMm2, columnMm2);
+}
+
+KeptWholeLimit computeLimit(const ProtectedVoxels& voxels, const scene::Cut& cut, Progress& progress) {
+  KeptWholeLimit limit;
+  double nodes = double(voxels.mask.size());
+  limit.coarsening = std::max(1.0, std::ceil(std::cbrt(nodes / kMostNodes)));
+  limit.lattice = gatherLattice(voxels, cut, limit.coarsening);
+  LeastCutOptions options;
+  options.protectedWeight = kLimitWeight;
+  limit.least = computeLeastCut(limit.lattice, options, progress);
+  limit.figure = measureKeptWhole(voxels, cut, sideOfLeastCut(limit.lattice, limit.least),
+                                  meanDistanceMm(limit.lattice, limit.least, cut), progress);
+  return limit;
+}
+
+}  // namespace velum::membrane

@@ -1,0 +1,168 @@
+#include "StrengthRows.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+
+#include "velum/membrane/forces/Kernels.h"
+
+namespace velum::membrane {
+
+namespace {
+
+using Curve = std::vector<scene::StrengthPoint>;
+
+/// The curve in order, without points that are no numbers: what a file says is not always sound.
+Curve soundCurve(Curve curve) {
+  std::erase_if(curve, [](const auto& p) { return !std::isfinite(p.value) || !std::isfinite(p.strength); });
+  std::stable_sort(curve.begin(), curve.end(), [](const auto& a, const auto& b) { return a.value < b.value; });
+  return curve;
+}
+
+/// True when two voxel grids are the same one, to a thousandth of a voxel.
+bool isSameGrid(const glm::dmat4& labelFromVoxel, glm::ivec3 dims, glm::ivec3 labelDims) {
+  glm::dvec4 far(glm::dvec3(dims), 1.0);
+  glm::dvec4 origin(0.0, 0.0, 0.0, 1.0);
+  auto moved = [&](glm::dvec4 p) { return glm::length(labelFromVoxel * p - p); };
+  return dims == labelDims && moved(origin) < 1e-3 && moved(far) < 1e-3 && moved(far * glm::dvec4(0, 1, 1, 1)) < 1e-3 &&
+         moved(far * glm::dvec4(1, 0, 1, 1)) < 1e-3;
+}
+
+}  // namespace
+
+double strengthAt(std::span<const scene::StrengthPoint> curve, double value) {
+  auto after = std::upper_bound(curve.begin(), curve.end(), value, [](double v, const auto& p) { return v < p.value; });
+  if (after == curve.begin() || !(value == value)) return 0.0;
+  const auto& a = *(after - 1);
+  if (after == curve.end()) return value == a.value ? a.strength : 0.0;
+  return a.strength + (after->strength - a.strength) * (value - a.value) / (after->value - a.value);
+}
+
+StrengthRows::StrengthRows(const PotentialSource& source, const Gradients* gradients, const scene::ForceField& field)
+    : mSource(source), mGradients(gradients) {
+  if (source.volume && !field.byValue.empty()) tabulateValues(soundCurve(field.byValue));
+  if (mGradients) {
+    Curve curve = soundCurve(field.byGradient);
+    mByCode.resize(65536);
+    for (int code = 0; code < 65536; ++code)
+      mByCode[std::size_t(code)] = float(strengthAt(curve, mGradients->magnitude(code)));
+  }
+  if (!source.labels || field.byLabel.empty()) return;
+  mById.resize(65536);
+  for (const auto& label : field.byLabel)
+    if (label.id >= 0 && label.id < 65536 && std::isfinite(label.strength))
+      mById[std::size_t(label.id)] += float(label.strength);
+  mLabelFromVoxel = glm::inverse(source.labels->worldFromVoxel()) * source.worldFromVoxel;
+  mSameGrid = isSameGrid(mLabelFromVoxel, source.dims, source.labels->dims());
+}
+
+void StrengthRows::tabulateValues(const Curve& curve) {
+  mHasValues = true;
+  const Volume& volume = *mSource.volume;
+  visitSamples(volume, [&](auto* p) {
+    using T = std::remove_cv_t<std::remove_pointer_t<decltype(p)>>;
+    if constexpr (std::is_integral_v<T> && sizeof(T) <= 2) {
+      int low = std::numeric_limits<T>::min(), high = std::numeric_limits<T>::max();
+      for (int raw = low; raw <= high; ++raw)
+        mByRaw.push_back(float(strengthAt(curve, raw * volume.scale + volume.offset)));
+    }
+  });
+  if (!mByRaw.empty()) return;
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < curve.size(); ++i) {
+    // The last point holds at its own value only.
+    bool isLast = i + 1 == curve.size();
+    double end = isLast ? std::nextafter(curve[i].value, kInfinity) : curve[i + 1].value;
+    if (end <= curve[i].value) continue;
+    double slope = isLast ? 0.0 : (curve[i + 1].strength - curve[i].strength) / (end - curve[i].value);
+    mPieces.push_back({curve[i].value, end, curve[i].strength - slope * curve[i].value, slope});
+  }
+}
+
+void StrengthRows::selectPiece(const Piece& piece, const double* values, int count, double* strengths) {
+  for (int i = 0; i < count; ++i) {
+    double strength = piece.at + piece.slope * values[i];
+    bool holds = (values[i] >= piece.from) & (values[i] < piece.end);
+    strengths[i] = holds ? strength : strengths[i];
+  }
+}
+
+void StrengthRows::fillValues(std::ptrdiff_t first, int count, float* out) const {
+  const Volume& volume = *mSource.volume;
+  std::ptrdiff_t stride = volume.channels;
+  visitSamples(volume, [&](auto* p) {
+    using T = std::remove_cv_t<std::remove_pointer_t<decltype(p)>>;
+    p += std::ptrdiff_t(mSource.frame) * std::ptrdiff_t(voxelCount(volume)) * stride + first * stride + mSource.channel;
+    if constexpr (std::is_integral_v<T> && sizeof(T) <= 2) {
+      const float* byRaw = mByRaw.data() - std::numeric_limits<T>::min();
+      for (int i = 0; i < count; ++i) out[i] = byRaw[p[i * stride]];
+    } else {
+      // Piece by piece over the whole row: selects instead of a search, which the compiler vectorises.
+      thread_local std::vector<double> values, strengths;
+      values.resize(std::size_t(count));
+      strengths.assign(std::size_t(count), 0.0);
+      for (int i = 0; i < count; ++i) values[std::size_t(i)] = double(p[i * stride]) * volume.scale + volume.offset;
+      for (const Piece& piece : mPieces) selectPiece(piece, values.data(), count, strengths.data());
+      for (int i = 0; i < count; ++i) out[i] = float(strengths[std::size_t(i)]);
+    }
+  });
+}
+
+void StrengthRows::addLabels(int x, int end, int y, int z, float* out) const {
+  const LabelVolume& labels = *mSource.labels;
+  if (mSameGrid) {
+    thread_local std::vector<std::uint16_t> ids;
+    ids.resize(std::size_t(end - x));
+    labels.read({x, y, z}, {end - x, 1, 1}, ids);
+    for (std::size_t i = 0; i < ids.size(); ++i) out[i] += mById[ids[i]];
+    return;
+  }
+  addNearestLabels(x, end, y, z, out);
+}
+
+void StrengthRows::addNearestLabels(int x, int end, int y, int z, float* out) const {
+  constexpr double kOne = 4294967296.0;  // places are walked in fixed point, 32 bits after the point
+  constexpr double kFar = 1e9;
+  constexpr int kBrick = LabelVolume::kBrickSize;
+  const LabelVolume& labels = *mSource.labels;
+  glm::dvec3 start(mLabelFromVoxel * glm::dvec4(x, y, z, 1.0)), step(mLabelFromVoxel[0]);
+  if (glm::any(glm::greaterThan(glm::abs(start) + glm::abs(step) * double(end - x), glm::dvec3(kFar)))) return;
+  std::int64_t at[3], by[3];
+  for (int axis = 0; axis < 3; ++axis) {
+    at[axis] = std::llround((start[axis] + 0.5) * kOne);
+    by[axis] = std::llround(step[axis] * kOne);
+  }
+  glm::ivec3 current(-1);
+  const LabelVolume::Brick* brick = nullptr;
+  for (int i = 0; i < end - x; ++i, at[0] += by[0], at[1] += by[1], at[2] += by[2]) {
+    glm::ivec3 voxel(int(at[0] >> 32), int(at[1] >> 32), int(at[2] >> 32));
+    bool inside = unsigned(voxel.x) < unsigned(labels.dims().x) && unsigned(voxel.y) < unsigned(labels.dims().y) &&
+                  unsigned(voxel.z) < unsigned(labels.dims().z);
+    if (!inside) {
+      out[i] += mById[0];
+      continue;
+    }
+    if (glm::ivec3 index = voxel / kBrick; index != current) {
+      current = index;
+      brick = &labels.brick(index);
+    }
+    glm::ivec3 in = voxel - current * kBrick;
+    out[i] += mById[brick->size() == 1 ? (*brick)[0] : (*brick)[std::size_t((in.z * kBrick + in.y) * kBrick + in.x)]];
+  }
+}
+
+void StrengthRows::fill(int x, int end, int y, int z, float* out) const {
+  std::ptrdiff_t first = (std::ptrdiff_t(z) * mSource.dims.y + y) * mSource.dims.x + x;
+  if (mHasValues)
+    fillValues(first, end - x, out);
+  else
+    std::fill_n(out, end - x, 0.0f);
+  if (mGradients) {
+    const std::uint16_t* codes = mGradients->codes.data() + first;
+    for (int i = 0; i < end - x; ++i) out[i] += mByCode[codes[i]];
+  }
+  if (!mById.empty()) addLabels(x, end, y, z, out);
+}
+
+}  // namespace velum::membrane

@@ -1,0 +1,50 @@
+#include "velum/render/section/KeptVoxels.h"
+
+#include <tbb/parallel_for.h>
+
+#include "SliceCuts.h"
+
+namespace velum::render {
+
+namespace {
+
+/// Labels of a row of voxels, by world position.
+void readIds(const LabelVolume& labels, const glm::dmat4& labelFromVoxel, int y, int z,
+             std::vector<std::uint16_t>& ids) {
+  for (std::size_t x = 0; x < ids.size(); ++x) {
+    glm::ivec3 at(glm::floor(glm::dvec3(labelFromVoxel * glm::dvec4(double(x), y, z, 1.0)) + 0.5));
+    bool inside = glm::all(glm::greaterThanEqual(at, glm::ivec3(0))) && glm::all(glm::lessThan(at, labels.dims()));
+    ids[x] = inside ? labels.at(at) : std::uint16_t(0);
+  }
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> keptVoxels(const scene::Scene& scene, glm::ivec3 dims, const glm::dmat4& worldFromVoxel,
+                                     Progress& progress) {
+  scene::SliceFrame frame;
+  frame.centreMm = glm::dvec3(worldFromVoxel * glm::dvec4(0.5 * glm::dvec3(dims - 1), 1.0));
+  SliceCuts cuts(scene, frame, {});
+  std::vector<std::uint8_t> kept(std::size_t(dims.x) * std::size_t(dims.y) * std::size_t(dims.z), 1);
+  if (cuts.isEmpty()) return kept;
+  const auto& labels = scene.labels;
+  bool usesLabels = labels.data && labels.visible;
+  glm::dmat4 labelFromVoxel(1.0);
+  if (usesLabels) labelFromVoxel = glm::inverse(labels.data->worldFromVoxel()) * worldFromVoxel;
+  double step = glm::length(glm::dvec3(worldFromVoxel[0]));
+  glm::vec3 along(glm::dvec3(worldFromVoxel[0]) / step);
+  for (int z = 0; z < dims.z; ++z) {
+    progress.report(double(z) / dims.z, "cutting");
+    tbb::parallel_for(0, dims.y, [&](int y) {
+      std::vector<std::uint16_t> ids(usesLabels ? std::size_t(dims.x) : 0);
+      if (usesLabels) readIds(*labels.data, labelFromVoxel, y, z, ids);
+      glm::vec3 start(glm::dvec3(worldFromVoxel * glm::dvec4(0.0, y, z, 1.0)) - frame.centreMm);
+      std::vector<char> removed = cuts.removedOf({start, along, dims.x, step}, ids);
+      std::size_t row = (std::size_t(z) * std::size_t(dims.y) + std::size_t(y)) * std::size_t(dims.x);
+      for (std::size_t x = 0; x < removed.size(); ++x) kept[row + x] = removed[x] ? 0 : 1;
+    });
+  }
+  return kept;
+}
+
+}  // namespace velum::render

@@ -1,0 +1,48 @@
+#pragma once
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "shared/cut.h"
+#include "upload/CutSheets.h"
+#include "velum/scene/Scene.h"
+#include "velum/scene/SliceFrame.h"
+
+namespace velum::render {
+
+/// What the cuts of a scene remove of a slice, row by row. Any thread.
+class SliceCuts {
+ public:
+  SliceCuts(const scene::Scene& scene, const scene::SliceFrame& frame,
+            std::span<const std::shared_ptr<const membrane::SheetIndex>> sheets);
+  bool isEmpty() const { return mCuts.empty(); }
+  /// 1 for each pixel of a row that the cuts remove, else 0.
+  /// @param ids  label of each pixel; may be empty when nothing is spared
+  std::vector<char> removedOf(int y, int width, std::span<const std::uint16_t> ids) const;
+
+  /// A row as a ray: the middle of pixel x is at start + x * mmPerPixel * along, from the frame's centre.
+  struct Row {
+    glm::vec3 start, along;
+    int width = 0;
+    double mmPerPixel = 1.0;
+  };
+  std::vector<char> removedOf(const Row& row, std::span<const std::uint16_t> ids) const;
+
+ private:
+  /// A cut, and which structures it spares.
+  struct SliceCut {
+    shared::CutData data;
+    std::vector<bool> spares;  ///< By label id; empty: none.
+    bool isSlice = false;
+  };
+  void markConvex(const SliceCut& cut, const Row& row, std::vector<char>& removed) const;
+  void markMembrane(const SliceCut& cut, const Row& row, std::vector<char>& removed) const;
+
+  const scene::SliceFrame& mFrame;
+  std::vector<SliceCut> mCuts;
+  CpuSheets mSheets;
+};
+
+}  // namespace velum::render

@@ -1,0 +1,412 @@
+#include "velum/scene/json/Json.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <type_traits>
+
+#include "JsonText.h"
+#include "PathKey.h"
+#include "velum/core/Error.h"
+#include "velum/core/Log.h"
+
+namespace velum::scene {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// What a field can be: a leaf (bool, number, string, enumeration, vector of numbers), a list, or a struct with
+// fields().
+template <class T>
+concept Enumeration = std::is_enum_v<T>;
+template <class T>
+concept Number = std::is_arithmetic_v<T> && !std::is_same_v<T, bool>;
+template <class T>
+struct GlmTraits : std::false_type {};
+template <int N, class T, glm::qualifier Q>
+struct GlmTraits<glm::vec<N, T, Q>> : std::true_type {
+  static constexpr int kSize = N;
+  using Value = T;
+};
+template <class T>
+concept GlmVector = GlmTraits<T>::value;
+template <class T>
+struct ListTraits : std::false_type {};
+template <class T>
+struct ListTraits<std::vector<T>> : std::true_type {
+  using Item = T;
+};
+template <class T>
+concept List = ListTraits<T>::value;
+struct AnyVisitor {
+  void operator()(auto&&...) const {}
+};
+template <class T>
+concept Fielded = requires(T& t, AnyVisitor& v) {
+  T::fields(t, v);
+};
+
+// ---- writing
+
+Json write(const auto& value);
+
+template <Fielded T>
+Json writeStruct(const T& value) {
+  Json out = Json::object();
+  auto visit = [&](std::string_view name, const auto& member, const FieldInfo& info) {
+    if (info.leftOutByDefault && member == std::remove_cvref_t<decltype(member)>{}) return;
+    out[std::string(name)] = write(member);
+  };
+  T::fields(value, visit);
+  return out;
+}
+
+/// The shortest decimal that reads back as the same float, rather than its long double form.
+Json writeNumber(float value) { return Json(std::stod(fmt::format("{}", value))); }
+Json writeNumber(double value) { return Json(value); }
+Json writeNumber(Number auto value) { return Json(value); }
+
+Json write(const auto& value) {
+  using T = std::remove_cvref_t<decltype(value)>;
+  if constexpr (Enumeration<T>) {
+    return Json(std::string(enumName(value)));
+  } else if constexpr (GlmVector<T>) {
+    Json out = Json::array();
+    for (int i = 0; i < GlmTraits<T>::kSize; ++i) out.push_back(writeNumber(value[i]));
+    return out;
+  } else if constexpr (List<T>) {
+    Json out = Json::array();
+    for (const auto& item : value) out.push_back(write(item));
+    return out;
+  } else if constexpr (Fielded<T>) {
+    return writeStruct(value);
+  } else if constexpr (Number<T>) {
+    return writeNumber(value);
+  } else {
+    return Json(value);
+  }
+}
+
+// ---- reading
+
+[[noreturn]] void fail(const std::string& path, const std::string& what) {
+  throw InputError(fmt::format("scene: {}: {}", path, what));
+}
+
+constexpr std::size_t kMostItems = 70000;  ///< Longer than any list we write; keeps hostile files small in memory.
+
+void read(auto& target, const Json& json, const std::string& path, const FieldInfo& info);
+
+template <Number T>
+void readNumber(T& target, const Json& json, const std::string& path, const FieldInfo& info) {
+  if (!json.is_number()) fail(path, "expected a number");
+  double value = json.get<double>();
+  if (!std::isfinite(value)) fail(path, "the number is not finite");
+  if (value < info.range.min || value > info.range.max)
+    fail(path, fmt::format("{} is outside {} .. {}{}{}", value, info.range.min, info.range.max,
+                           info.unit.empty() ? "" : " ", info.unit));
+  if constexpr (std::is_integral_v<T>) {
+    if (value != std::floor(value) || std::abs(value) > 2147483647.0)
+      fail(path, fmt::format("{} is not a whole number", value));
+  }
+  target = T(value);
+}
+
+template <Fielded T>
+void readStruct(T& target, const Json& json, const std::string& path) {
+  if (!json.is_object()) fail(path.empty() ? "top" : path, "expected an object");
+  std::size_t known = 0;
+  auto visit = [&](std::string_view name, auto& member, const FieldInfo& info) {
+    auto it = json.find(std::string(name));
+    if (it == json.end()) return;
+    ++known;
+    read(member, *it, path.empty() ? std::string(name) : fmt::format("{}.{}", path, name), info);
+  };
+  T::fields(target, visit);
+  if (known + (json.contains("velum") ? 1 : 0) < json.size())
+    log::warning(fmt::format("scene: {} has fields that this version does not know; they are left out",
+                             path.empty() ? "the file" : path));
+}
+
+void read(auto& target, const Json& json, const std::string& path, const FieldInfo& info) {
+  using T = std::remove_cvref_t<decltype(target)>;
+  if constexpr (std::is_same_v<T, bool>) {
+    if (!json.is_boolean()) fail(path, "expected true or false");
+    target = json.get<bool>();
+  } else if constexpr (Number<T>) {
+    readNumber(target, json, path, info);
+  } else if constexpr (std::is_same_v<T, std::string>) {
+    if (!json.is_string()) fail(path, "expected a text");
+    target = json.get<std::string>();
+  } else if constexpr (Enumeration<T>) {
+    if (!json.is_string()) fail(path, "expected a word");
+    std::string known;
+    for (int i = 0; std::string_view name : EnumNames<T>::kNames) {
+      if (name == json.get<std::string>()) {
+        target = T(i);
+        return;
+      }
+      known += fmt::format("{}{}", i++ ? ", " : "", name);
+    }
+    fail(path, fmt::format("'{}' is not one of {}", json.get<std::string>(), known));
+  } else if constexpr (GlmVector<T>) {
+    constexpr int kSize = GlmTraits<T>::kSize;
+    if (!json.is_array() || json.size() != kSize) fail(path, fmt::format("expected {} numbers", kSize));
+    for (int i = 0; i < kSize; ++i) readNumber(target[i], json[std::size_t(i)], fmt::format("{}.{}", path, i), info);
+  } else if constexpr (List<T>) {
+    if (!json.is_array()) fail(path, "expected a list");
+    if (json.size() > kMostItems)
+      fail(path, fmt::format("the list has {} items; {} is the most", json.size(), kMostItems));
+    T items;
+    for (std::size_t i = 0; i < json.size(); ++i) {
+      items.emplace_back();
+      read(items.back(), json[i], fmt::format("{}.{}", path, i), info);
+    }
+    target = std::move(items);
+  } else {
+    readStruct(target, json, path);
+  }
+}
+
+// ---- paths
+
+/// JSON as it stands; else a comma list of numbers; else a bare word.
+Json parseValue(std::string_view text) {
+  Json value = Json::parse(text, nullptr, false);
+  if (!value.is_discarded()) return value;
+  if (text.find(',') != std::string_view::npos) {
+    value = Json::parse(fmt::format("[{}]", text), nullptr, false);
+    if (!value.is_discarded()) return value;
+  }
+  return Json(std::string(text));
+}
+
+void assign(auto& target, std::string_view rest, std::string_view text, const std::string& path, const FieldInfo& info);
+
+template <Fielded T>
+void assignMember(T& target, std::string_view rest, std::string_view text, const std::string& path) {
+  std::string_view head = rest.substr(0, rest.find_first_of(".["));
+  std::string_view tail = rest.substr(head.size());
+  if (tail.starts_with('.')) tail.remove_prefix(1);
+  bool found = false;
+  std::string known;
+  auto visit = [&](std::string_view name, auto& member, const FieldInfo& info) {
+    known += fmt::format("{}{}", known.empty() ? "" : ", ", name);
+    if (name != head) return;
+    found = true;
+    assign(member, tail, text, path.empty() ? std::string(name) : fmt::format("{}.{}", path, name), info);
+  };
+  T::fields(target, visit);
+  if (!found)
+    throw ArgumentError(fmt::format("no field '{}' in {}; there are {}", head, path.empty() ? "a scene" : path, known));
+}
+
+void assign(auto& target, std::string_view rest, std::string_view text, const std::string& path,
+            const FieldInfo& info) {
+  using T = std::remove_cvref_t<decltype(target)>;
+  if (rest.empty()) {
+    try {
+      Json value = parseValue(text);
+      if constexpr (std::is_same_v<T, std::string>) {
+        if (!value.is_string()) value = std::string(text);
+      }
+      if constexpr (List<T> && !Fielded<T>) {
+        if (!value.is_array()) value = Json::array({value});
+      }
+      read(target, value, path, info);
+    } catch (const InputError& error) {
+      throw ArgumentError(error.what());
+    }
+    return;
+  }
+  if constexpr (List<T>) {
+    if (rest.starts_with('[')) {
+      detail::PathKey key = detail::takeKey(rest, path);
+      std::size_t found = detail::findByKey(target, key.name, path);
+      return assign(target[found], key.rest, text, fmt::format("{}[{}]", path, key.name), info);
+    }
+    std::string_view head = rest.substr(0, rest.find('.'));
+    std::string_view tail = head.size() == rest.size() ? "" : rest.substr(head.size() + 1);
+    std::size_t index = target.size();
+    if (head != "+") {
+      index = 0;
+      for (char c : head)
+        index = c >= '0' && c <= '9' ? std::min(kMostItems, index * 10 + std::size_t(c - '0')) : kMostItems;
+      if (head.empty() || index > target.size() || index >= kMostItems)
+        throw ArgumentError(
+            fmt::format("{} has {} items; '{}' is none of them (use + to append)", path, target.size(), head));
+    }
+    if (index == target.size()) target.emplace_back();
+    assign(target[index], tail, text, fmt::format("{}.{}", path, index), info);
+  } else if constexpr (Fielded<T>) {
+    assignMember(target, rest, text, path);
+  } else {
+    throw ArgumentError(fmt::format("{} has no part '{}'", path, rest));
+  }
+}
+
+// ---- documentation
+
+template <class T>
+std::string typeName() {
+  if constexpr (std::is_same_v<T, bool>)
+    return "true or false";
+  else if constexpr (std::is_integral_v<T>)
+    return "whole number";
+  else if constexpr (Number<T>)
+    return "number";
+  else if constexpr (std::is_same_v<T, std::string>)
+    return "text";
+  else if constexpr (GlmVector<T>)
+    return fmt::format("{} numbers", GlmTraits<T>::kSize);
+  else if constexpr (List<T>)
+    return fmt::format("list of {}", typeName<typename ListTraits<T>::Item>());
+  else if constexpr (Enumeration<T>) {
+    std::string names;
+    for (auto name : EnumNames<T>::kNames) names += fmt::format("{}`{}`", names.empty() ? "" : ", ", name);
+    return names;
+  } else
+    return "object";
+}
+
+std::string rangeText(const Range& range) {
+  if (std::isinf(range.min) && std::isinf(range.max)) return "";
+  return fmt::format("{} .. {}", range.min, range.max);
+}
+
+template <Fielded T>
+void addRows(const T& defaults, const std::string& path, std::vector<FieldRow>& rows) {
+  auto visit = [&](std::string_view name, const auto& member, const FieldInfo& info) {
+    using M = std::remove_cvref_t<decltype(member)>;
+    std::string here = path.empty() ? std::string(name) : fmt::format("{}.{}", path, name);
+    if constexpr (Fielded<M>) {
+      addRows(member, here, rows);
+    } else {
+      rows.push_back({here, typeName<M>(), std::string(info.unit), rangeText(info.range), std::string(info.doc),
+                      write(member).dump()});
+      if constexpr (List<M>) {
+        if constexpr (Fielded<typename ListTraits<M>::Item>) addRows(typename ListTraits<M>::Item{}, here + ".N", rows);
+      }
+    }
+  };
+  T::fields(defaults, visit);
+}
+
+template <class T>
+Json schemaOf(const T& defaults, const FieldInfo& info) {
+  Json out = Json::object();
+  if (!info.doc.empty())
+    out["description"] = info.unit.empty() ? std::string(info.doc) : fmt::format("{} Unit: {}.", info.doc, info.unit);
+  auto addRange = [&](Json& node) {
+    if (!std::isinf(info.range.min)) node["minimum"] = info.range.min;
+    if (!std::isinf(info.range.max)) node["maximum"] = info.range.max;
+  };
+  if constexpr (std::is_same_v<T, bool>) {
+    out["type"] = "boolean";
+  } else if constexpr (Number<T>) {
+    out["type"] = std::is_integral_v<T> ? "integer" : "number";
+    addRange(out);
+  } else if constexpr (std::is_same_v<T, std::string>) {
+    out["type"] = "string";
+  } else if constexpr (Enumeration<T>) {
+    out["enum"] = Json::array();
+    for (auto name : EnumNames<T>::kNames) out["enum"].push_back(std::string(name));
+  } else if constexpr (GlmVector<T>) {
+    Json item = {{"type", std::is_integral_v<typename GlmTraits<T>::Value> ? "integer" : "number"}};
+    addRange(item);
+    out["type"] = "array";
+    out["items"] = item;
+    out["minItems"] = out["maxItems"] = GlmTraits<T>::kSize;
+  } else if constexpr (List<T>) {
+    out["type"] = "array";
+    FieldInfo itemInfo = info;
+    itemInfo.doc = "";
+    out["items"] = schemaOf(typename ListTraits<T>::Item{}, itemInfo);
+  } else {
+    out["type"] = "object";
+    Json properties = Json::object();
+    auto visit = [&](std::string_view name, const auto& member, const FieldInfo& memberInfo) {
+      properties[std::string(name)] = schemaOf(member, memberInfo);
+    };
+    T::fields(defaults, visit);
+    out["properties"] = std::move(properties);
+  }
+  if constexpr (!Fielded<T> && !List<T>) out["default"] = write(defaults);
+  return out;
+}
+
+}  // namespace
+
+std::string toJson(const Scene& scene) {
+  Json out = Json::object();
+  out["velum"] = kSceneVersion;
+  out.update(writeStruct(scene));
+  // A path may hold bytes that are no UTF-8; JSON cannot.
+  return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+Scene fromJson(std::string_view text) {
+  if (nestsTooDeep(text)) throw InputError("scene: brackets are nested deeper than in any scene");
+  Json json = Json::parse(text, nullptr, false);
+  if (json.is_discarded() || !json.is_object())
+    throw InputError("scene: the text is not a JSON object; the file is damaged or of another kind");
+  auto version = json.find("velum");
+  if (version == json.end() || !version->is_number_integer())
+    throw InputError("scene: no \"velum\" version number; this is not a scene of ours");
+  if (version->get<double>() > kSceneVersion || version->get<double>() < 1)
+    throw InputError(
+        fmt::format("scene: written by a newer Velum (scene version {}, this one reads up to {}); update Velum",
+                    version->get<double>(), kSceneVersion));
+  Scene scene;
+  readStruct(scene, json, "");
+  return scene;
+}
+
+std::string transferToJson(const TransferFunction& transfer) {
+  Json out = Json::object();
+  out["velumTransfer"] = kTransferVersion;
+  out.update(writeStruct(transfer));
+  return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+TransferFunction transferFromJson(std::string_view text) {
+  if (nestsTooDeep(text)) throw InputError("transfer function: lists nest too deeply; the file is damaged");
+  Json json = Json::parse(text, nullptr, false);
+  auto version = json.is_object() ? json.find("velumTransfer") : json.end();
+  if (!json.is_object() || version == json.end() || !version->is_number_integer())
+    throw InputError("no \"velumTransfer\" version number; this is not a transfer function of ours, or it is damaged");
+  if (version->get<double>() > kTransferVersion || version->get<double>() < 1)
+    throw InputError(
+        fmt::format("written by a newer Velum (transfer version {}, this one reads up to {}); update Velum",
+                    version->get<double>(), kTransferVersion));
+  json.erase("velumTransfer");
+  TransferFunction transfer;
+  readStruct(transfer, json, "transfer");
+  return transfer;
+}
+
+void setField(Scene& scene, std::string_view path, std::string_view value) {
+  Scene next = scene;
+  assignMember(next, path, value, "");
+  scene = std::move(next);
+}
+
+std::vector<FieldRow> fieldTable() {
+  std::vector<FieldRow> rows;
+  addRows(Scene{}, "", rows);
+  return rows;
+}
+
+std::string jsonSchema() {
+  Json out = {{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", "Velum scene"}};
+  out.update(schemaOf(Scene{}, {}));
+  out["properties"]["velum"] = {
+      {"type", "integer"}, {"minimum", 1}, {"maximum", kSceneVersion}, {"description", "Version of the scene format."}};
+  out["required"] = {"velum"};
+  return out.dump(2) + "\n";
+}
+
+}  // namespace velum::scene

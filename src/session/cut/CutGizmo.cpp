@@ -1,0 +1,262 @@
+// How a cut looks in the 3D view, and what of it lies under the pointer.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "SliceGeometry.h"
+#include "velum/scene/Project.h"
+#include "velum/session/cut/CutTool.h"
+
+namespace velum::session {
+
+namespace {
+
+// Pixels at which arrow and ring could be held and did not hide the picture, tried at 1100 x 800.
+constexpr double kArrowPixels = 96.0, kRingPixels = 64.0;
+/// Two handles nearer than this are hard to tell apart.
+constexpr double kRoomPixels = 18.0;
+/// Steeper than this to the line of sight a handle cannot be dragged along its direction (sine of 14 degrees).
+constexpr double kLeastSlant = 0.25;
+
+/// The plane inside the scene's box: where it crosses the twelve edges, in order around the middle.
+std::vector<glm::dvec3> planeInBox(const scene::Bounds& bounds, glm::dvec3 point, glm::dvec3 normal, glm::dvec3 u,
+                                   glm::dvec3 v) {
+  auto corner = [&](int i) {
+    return glm::dvec3(i & 1 ? bounds.max.x : bounds.min.x, i & 2 ? bounds.max.y : bounds.min.y,
+                      i & 4 ? bounds.max.z : bounds.min.z);
+  };
+  std::vector<glm::dvec3> points;
+  for (int a = 0; a < 8; ++a)
+    for (int axis = 1; axis < 8; axis *= 2) {
+      if (a & axis) continue;
+      glm::dvec3 p = corner(a), q = corner(a | axis);
+      double dp = glm::dot(p - point, normal), dq = glm::dot(q - point, normal);
+      if ((dp < 0) == (dq < 0)) continue;
+      points.push_back(p + (q - p) * (dp / (dp - dq)));
+    }
+  glm::dvec3 middle(0.0);
+  for (const auto& p : points) middle += p / double(points.size());
+  std::sort(points.begin(), points.end(), [&](const glm::dvec3& p, const glm::dvec3& q) {
+    auto angle = [&](const glm::dvec3& x) { return std::atan2(glm::dot(x - middle, v), glm::dot(x - middle, u)); };
+    return angle(p) < angle(q);
+  });
+  return points;
+}
+
+/// Edges of a box, rims and sides of a round shape, as closed lines.
+std::vector<std::vector<glm::dvec3>> edgesOf(const scene::Cut& cut) {
+  constexpr int kCorners = 48;
+  glm::dmat4 worldFromCut = scene::worldFromCut(cut);
+  glm::dvec3 half = cut.sizeMm * 0.5;
+  std::vector<std::vector<glm::dvec3>> edges;
+  auto add = [&](const std::vector<glm::dvec3>& local) {
+    auto& line = edges.emplace_back();
+    for (const auto& p : local) line.emplace_back(worldFromCut * glm::dvec4(p, 1.0));
+  };
+  auto circle = [&](int axis, double along, double radius) {
+    std::vector<glm::dvec3> points(kCorners);
+    for (int i = 0; i < kCorners; ++i) {
+      double a = 2.0 * std::numbers::pi * i / kCorners;
+      points[std::size_t(i)][axis] = along;
+      points[std::size_t(i)][(axis + 1) % 3] = radius * std::cos(a);
+      points[std::size_t(i)][(axis + 2) % 3] = radius * std::sin(a);
+    }
+    return points;
+  };
+  constexpr glm::dvec2 kSides[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+  constexpr glm::dvec2 kBoxSides[] = {{1, 1}, {-1, 1}, {-1, -1}, {1, -1}};
+  switch (cut.shape) {
+    case scene::CutShape::Plane:
+      break;
+    case scene::CutShape::Membrane: {  // its frame
+      std::vector<glm::dvec3> rim;
+      for (glm::dvec2 s : kBoxSides) rim.emplace_back(s * glm::dvec2(half), 0.0);
+      add(rim);
+      break;
+    }
+    case scene::CutShape::Box:
+      for (double z : {-half.z, half.z}) {
+        std::vector<glm::dvec3> rim;
+        for (glm::dvec2 s : kBoxSides) rim.emplace_back(s * glm::dvec2(half), z);
+        add(rim);
+      }
+      for (glm::dvec2 s : kBoxSides) add({{s * glm::dvec2(half), -half.z}, {s * glm::dvec2(half), half.z}});
+      break;
+    case scene::CutShape::Sphere:
+      for (int axis = 0; axis < 3; ++axis) add(circle(axis, 0, half.x));
+      break;
+    case scene::CutShape::Cylinder:
+      for (double z : {-half.z, half.z}) add(circle(2, z, half.x));
+      for (glm::dvec2 s : kSides) add({{s * half.x, -half.z}, {s * half.x, half.z}});
+      break;
+    case scene::CutShape::Cone:
+      add(circle(2, 2.0 * half.z, half.x));
+      for (glm::dvec2 s : kSides) add({glm::dvec3(0.0), {s * half.x, 2.0 * half.z}});
+      break;
+  }
+  return edges;
+}
+
+/// The first of some lengths that lies clear of the shape's own handles; else the first.
+double clearOf(std::initializer_list<double> lengths, const std::vector<double>& taken) {
+  for (double length : lengths)
+    if (std::none_of(taken.begin(), taken.end(), [&](double t) { return std::abs(t - length) < kRoomPixels; }))
+      return length;
+  return *lengths.begin();
+}
+
+/// Half sizes along the frame's axes at which faces and ends lie, mm.
+std::vector<double> faceReaches(const scene::Cut& cut) {
+  glm::dvec3 half = cut.sizeMm * 0.5;
+  switch (cut.shape) {
+    case scene::CutShape::Plane:
+      return {};
+    case scene::CutShape::Membrane:
+      return {half.x, half.y};
+    case scene::CutShape::Box:
+      return {half.x, half.y, half.z};
+    case scene::CutShape::Sphere:
+      return {half.x};
+    case scene::CutShape::Cylinder:
+    case scene::CutShape::Cone:
+      break;
+  }
+  return {half.x, half.z};
+}
+
+void addFaceGrips(CutGizmo& gizmo, const scene::Cut& cut, glm::dvec3 forward) {
+  constexpr CutHandle kFaces[] = {CutHandle::FaceXMin, CutHandle::FaceXMax, CutHandle::FaceYMin,
+                                  CutHandle::FaceYMax, CutHandle::FaceZMin, CutHandle::FaceZMax};
+  glm::dmat3 frame = cutFrame(cut);
+  bool isBox = scene::hasEdges(cut.shape), isCone = cut.shape == scene::CutShape::Cone;
+  int end = cut.shape == scene::CutShape::Membrane ? 4 : 6;  // the frame is flat: its reach is a number
+  for (int face = isBox ? 0 : 4; face < end; ++face) {
+    double sign = face % 2 ? 1.0 : -1.0;
+    glm::dvec3 out = frame[face / 2] * sign;
+    if (glm::length(glm::cross(out, forward)) < kLeastSlant) continue;  // seen end on
+    double reach = cut.sizeMm[face / 2] * 0.5;
+    if (isCone) reach = sign > 0 ? cut.sizeMm.z : 0.0;
+    gizmo.grips.push_back({kFaces[face], cut.centreMm + out * reach, out});
+  }
+}
+
+/// None where the frame is seen edge on: two corners would lie in one place.
+void addCornerGrips(CutGizmo& gizmo, const scene::Cut& cut, glm::dvec3 forward) {
+  if (std::abs(glm::dot(forward, gizmo.normal)) < kLeastSlant) return;
+  glm::dmat3 frame = cutFrame(cut);
+  for (int corner = 0; corner < 4; ++corner) {
+    glm::dvec2 sign = cornerSigns(corner);
+    glm::dvec3 out = frame[0] * (sign.x * cut.sizeMm.x * 0.5) + frame[1] * (sign.y * cut.sizeMm.y * 0.5);
+    auto handle = static_cast<CutHandle>(static_cast<int>(CutHandle::CornerMinMin) + corner);
+    gizmo.grips.push_back({handle, cut.centreMm + out, glm::normalize(out)});
+  }
+}
+
+void addRadiusGrip(CutGizmo& gizmo, const scene::Cut& cut, const scene::CameraBasis& basis) {
+  glm::dvec3 out = cut.shape == scene::CutShape::Sphere ? -basis.right : -gizmo.right;
+  glm::dvec3 middle = cut.centreMm;
+  if (cut.shape == scene::CutShape::Cone) middle += cutFrame(cut)[2] * cut.sizeMm.z;
+  gizmo.grips.push_back({CutHandle::Radius, middle + out * (cut.sizeMm.x * 0.5), out});
+}
+
+/// What can be held, in the order of who wins where two are equally near.
+void addGrips(CutGizmo& gizmo, const scene::Cut& cut, const scene::CameraBasis& basis) {
+  bool isSphere = cut.shape == scene::CutShape::Sphere;
+  auto add = [&](CutHandle handle, glm::dvec3 off) { gizmo.grips.push_back({handle, gizmo.centreMm + off, {}}); };
+  if (!isSphere) {
+    // Of a ring that is seen edge on, two knobs would lie over the middle.
+    auto isAside = [&](glm::dvec3 out) { return glm::length(glm::cross(out, basis.forward)) > kLeastSlant; };
+    if (isAside(gizmo.right)) add(CutHandle::KnobRight, gizmo.right * gizmo.radiusMm);
+    if (isAside(gizmo.top)) add(CutHandle::KnobTop, gizmo.top * gizmo.radiusMm);
+    if (isAside(gizmo.right)) add(CutHandle::KnobLeft, -gizmo.right * gizmo.radiusMm);
+    if (isAside(gizmo.top)) add(CutHandle::KnobBottom, -gizmo.top * gizmo.radiusMm);
+  }
+  gizmo.hasRing = !isSphere;
+  gizmo.grips.push_back({CutHandle::Arrow, gizmo.arrowTipMm, gizmo.normal});
+  if (cut.shape == scene::CutShape::Plane) return;
+  if (!isSphere) addFaceGrips(gizmo, cut, basis.forward);
+  if (cut.shape == scene::CutShape::Membrane) addCornerGrips(gizmo, cut, basis.forward);
+  if (!scene::hasEdges(cut.shape)) addRadiusGrip(gizmo, cut, basis);
+  if (std::abs(glm::dot(basis.forward, gizmo.normal)) > kLeastSlant)
+    add(CutHandle::Square, (gizmo.right + gizmo.top) * (0.4 * gizmo.radiusMm));
+  add(CutHandle::Centre, glm::dvec3(0.0));
+}
+
+}  // namespace
+
+glm::dvec2 cornerSigns(int corner) { return {corner & 1 ? 1.0 : -1.0, corner & 2 ? 1.0 : -1.0}; }
+
+CutGizmo makeCutGizmo(const scene::Scene& scene, const scene::Cut& cut, glm::dvec2 pictureSize) {
+  CutGizmo gizmo;
+  bool isPlane = cut.shape == scene::CutShape::Plane;
+  gizmo.normal = cutFrame(cut)[2] * (isPlane && cut.invert ? -1.0 : 1.0);
+  scene::CameraBasis basis = scene::cameraBasis(scene.camera);
+  // The knobs stand to the right and to the top as far as the plane allows.
+  glm::dvec3 right = basis.right - gizmo.normal * glm::dot(basis.right, gizmo.normal);
+  if (glm::length(right) < 0.2) right = basis.forward - gizmo.normal * glm::dot(basis.forward, gizmo.normal);
+  gizmo.right = glm::normalize(right);
+  gizmo.top = glm::cross(gizmo.normal, gizmo.right);
+  if (glm::dot(gizmo.top, basis.up) < 0) gizmo.top = -gizmo.top;
+  if (isPlane)
+    gizmo.outlineMm = planeInBox(scene::computeBounds(scene), cut.centreMm, gizmo.normal, gizmo.right, gizmo.top);
+  gizmo.edgesMm = edgesOf(cut);
+  gizmo.centreMm = cut.centreMm;
+  // A cone is held by its middle: its own centre is its apex, which has a handle.
+  if (cut.shape == scene::CutShape::Cone) gizmo.centreMm += gizmo.normal * (cut.sizeMm.z * 0.5);
+  if (!gizmo.outlineMm.empty()) {
+    gizmo.centreMm = glm::dvec3(0.0);
+    for (const auto& p : gizmo.outlineMm) gizmo.centreMm += p / double(gizmo.outlineMm.size());
+  }
+  gizmo.pixelMm = scene::mmPerPixel(scene.camera, pictureSize, gizmo.centreMm);
+  std::vector<double> taken = faceReaches(cut);
+  for (double& reach : taken) reach /= gizmo.pixelMm;
+  gizmo.radiusMm = clearOf({kRingPixels, kRingPixels * 0.7, kRingPixels * 1.3}, taken) * gizmo.pixelMm;
+  double arrow = clearOf({kArrowPixels, kArrowPixels * 1.3, kArrowPixels * 1.6}, taken) * gizmo.pixelMm;
+  gizmo.arrowTipMm = gizmo.centreMm + gizmo.normal * arrow;
+  addGrips(gizmo, cut, basis);
+  return gizmo;
+}
+
+glm::dvec3 handlePlaceMm(const CutGizmo& gizmo, CutHandle handle) {
+  for (const auto& grip : gizmo.grips)
+    if (grip.handle == handle) return grip.placeMm;
+  return gizmo.centreMm;
+}
+
+std::vector<glm::dvec3> ringPointsMm(const CutGizmo& gizmo) {
+  constexpr int kCorners = 72;
+  std::vector<glm::dvec3> points;
+  for (int i = 0; i < kCorners; ++i) {
+    double a = 2.0 * std::numbers::pi * i / kCorners;
+    points.push_back(gizmo.centreMm + (gizmo.right * std::cos(a) + gizmo.top * std::sin(a)) * gizmo.radiusMm);
+  }
+  return points;
+}
+
+CutHandle handleAt(const CutGizmo& gizmo, const scene::Camera& camera, glm::dvec2 pictureSize, glm::dvec2 pixel,
+                   double reach) {
+  CutHandle found = CutHandle::None;
+  double nearest = reach;
+  for (const auto& grip : gizmo.grips) {
+    auto place = scene::pixelFromWorld(camera, pictureSize, grip.placeMm);
+    double distance = place ? glm::length(*place - pixel) : reach + 1.0;
+    if (distance > nearest || (distance == nearest && found != CutHandle::None)) continue;
+    nearest = distance;
+    found = grip.handle;
+  }
+  if (found != CutHandle::None) return found;
+  auto foot = scene::pixelFromWorld(camera, pictureSize, gizmo.centreMm);
+  auto tip = scene::pixelFromWorld(camera, pictureSize, gizmo.arrowTipMm);
+  if (foot && tip && distanceToSegment(pixel, *foot, *tip) <= reach) return CutHandle::Arrow;
+  if (!gizmo.hasRing) return CutHandle::None;
+  auto ring = ringPointsMm(gizmo);
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    auto a = scene::pixelFromWorld(camera, pictureSize, ring[i]);
+    auto b = scene::pixelFromWorld(camera, pictureSize, ring[(i + 1) % ring.size()]);
+    // The line of the ring is thinner than its knobs, so that a turn of the view is seldom caught by it.
+    if (a && b && distanceToSegment(pixel, *a, *b) <= reach * 0.6) return CutHandle::Ring;
+  }
+  return CutHandle::None;
+}
+
+}  // namespace velum::session

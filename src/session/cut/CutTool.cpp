@@ -1,0 +1,266 @@
+// What a drag of a handle makes of a cut.
+#include "velum/session/cut/CutTool.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <numbers>
+
+#include "velum/scene/Project.h"
+
+namespace velum::session {
+
+namespace {
+
+/// An arrow shorter than this on screen points at the eye: then the drag's height moves along it.
+constexpr double kShortArrowPixels = 24.0, kArrowPixels = 96.0;
+/// What resizing leaves, pixels: enough to take hold of again.
+constexpr double kSmallestPixels = 4.0;
+constexpr double kSnapAngleRad = std::numbers::pi / 12.0;
+
+struct Drag {
+  const CutGizmo& gizmo;
+  const scene::Camera& camera;
+  glm::dvec2 size, from, to;
+  scene::PictureRay rayAt(glm::dvec2 pixel) const { return scene::rayFromPixel(camera, size, pixel); }
+};
+
+/// How far along a line the point nearest to a ray lies, mm.
+double alongLine(glm::dvec3 point, glm::dvec3 direction, const scene::PictureRay& ray) {
+  double b = glm::dot(direction, ray.direction), denominator = 1.0 - b * b;
+  if (denominator < 1e-9) return 0.0;
+  glm::dvec3 w = point - ray.originMm;
+  return (b * glm::dot(ray.direction, w) - glm::dot(direction, w)) / denominator;
+}
+
+/// How far a drag goes along a line through a point of the world, mm.
+double dragAlong(const Drag& drag, glm::dvec3 place, glm::dvec3 direction) {
+  auto foot = scene::pixelFromWorld(drag.camera, drag.size, place);
+  auto tip = scene::pixelFromWorld(drag.camera, drag.size, place + direction * (kArrowPixels * drag.gizmo.pixelMm));
+  if (foot && tip && glm::length(*tip - *foot) >= kShortArrowPixels)
+    return alongLine(place, direction, drag.rayAt(drag.to)) - alongLine(place, direction, drag.rayAt(drag.from));
+  // Seen end on: pulling down pulls towards the eye.
+  bool towardsEye = glm::dot(direction, scene::cameraBasis(drag.camera).forward) < 0;
+  return (drag.to.y - drag.from.y) * scene::mmPerPixel(drag.camera, drag.size, place) * (towardsEye ? 1.0 : -1.0);
+}
+
+/// Where a ray meets a plane; nothing when it runs beside it.
+std::optional<glm::dvec3> meet(const scene::PictureRay& ray, glm::dvec3 point, glm::dvec3 normal) {
+  double slant = glm::dot(ray.direction, normal);
+  if (std::abs(slant) < 1e-3) return std::nullopt;
+  return ray.originMm + ray.direction * (glm::dot(point - ray.originMm, normal) / slant);
+}
+
+glm::dvec3 dragInPlane(const Drag& drag, glm::dvec3 normal) {
+  auto a = meet(drag.rayAt(drag.from), drag.gizmo.centreMm, normal);
+  auto b = meet(drag.rayAt(drag.to), drag.gizmo.centreMm, normal);
+  return a && b ? *b - *a : glm::dvec3(0.0);
+}
+
+/// The point of the gizmo's sphere under a pixel, on its near side or on its far side; beside the sphere, the nearest
+/// point of it. Unit, from the centre.
+glm::dvec3 directionOnSphere(const Drag& drag, glm::dvec2 pixel, bool nearSide) {
+  scene::PictureRay ray = drag.rayAt(pixel);
+  glm::dvec3 w = ray.originMm - drag.gizmo.centreMm;
+  double radius = drag.gizmo.radiusMm;
+  double b = glm::dot(w, ray.direction), c = glm::dot(w, w) - radius * radius;
+  double discriminant = b * b - c;
+  double root = discriminant > 0 ? std::sqrt(discriminant) : 0.0;
+  return glm::normalize(w + ray.direction * (nearSide ? -b - root : -b + root));
+}
+
+scene::Cut tilt(const scene::Cut& start, const Drag& drag, CutHandle handle, const CutSnap& snap) {
+  const CutGizmo& gizmo = drag.gizmo;
+  glm::dvec3 knob = (handlePlaceMm(gizmo, handle) - gizmo.centreMm) / gizmo.radiusMm;
+  bool nearSide = glm::dot(knob, scene::cameraBasis(drag.camera).forward) <= 0.05;
+  auto angleAt = [&](glm::dvec2 pixel) {
+    glm::dvec3 d = directionOnSphere(drag, pixel, nearSide);
+    return std::atan2(glm::dot(d, gizmo.normal), glm::dot(d, knob));
+  };
+  // Turning the knob towards the normal turns the normal away from the knob.
+  double angle = snappedAngle(angleAt(drag.to) - angleAt(drag.from), snap);
+  return withTurn(start, gizmo.centreMm, glm::cross(knob, gizmo.normal), angle);
+}
+
+/// The ring of a box: a turn about its axis.
+scene::Cut spin(const scene::Cut& start, const Drag& drag, const CutSnap& snap) {
+  const CutGizmo& gizmo = drag.gizmo;
+  auto angleAt = [&](glm::dvec2 pixel) {
+    scene::PictureRay ray = drag.rayAt(pixel);
+    bool isFlat = std::abs(glm::dot(ray.direction, gizmo.normal)) < 0.2;
+    glm::dvec3 arm = isFlat ? directionOnSphere(drag, pixel, true)
+                            : meet(ray, gizmo.centreMm, gizmo.normal).value_or(gizmo.centreMm) - gizmo.centreMm;
+    return std::atan2(glm::dot(arm, gizmo.top), glm::dot(arm, gizmo.right));
+  };
+  double angle = angleAt(drag.to) - angleAt(drag.from);
+  glm::dvec3 axis = glm::cross(gizmo.right, gizmo.top);
+  return withTurn(start, gizmo.centreMm, axis, snappedAngle(std::remainder(angle, 2.0 * std::numbers::pi), snap));
+}
+
+/// The ring of the others: its point under the pointer follows it.
+scene::Cut tiltFreely(const scene::Cut& start, const Drag& drag, const CutSnap& snap) {
+  glm::dvec3 forward = scene::cameraBasis(drag.camera).forward;
+  // Of the near and the far point under the pointer, the one that lies on the ring.
+  auto offRing = [&](bool nearSide) {
+    return std::abs(glm::dot(directionOnSphere(drag, drag.from, nearSide), drag.gizmo.normal));
+  };
+  bool nearSide = std::abs(glm::dot(forward, drag.gizmo.normal)) > 0.98 || offRing(true) <= offRing(false);
+  glm::dvec3 a = directionOnSphere(drag, drag.from, nearSide), b = directionOnSphere(drag, drag.to, nearSide);
+  glm::dvec3 axis = glm::cross(a, b);
+  double sine = glm::length(axis);
+  if (sine < 1e-12) return start;
+  return withTurn(start, drag.gizmo.centreMm, axis / sine, snappedAngle(std::atan2(sine, glm::dot(a, b)), snap));
+}
+
+scene::Cut resize(scene::Cut cut, const Drag& drag, CutHandle handle, const CutSnap& snap) {
+  auto grip = std::find_if(drag.gizmo.grips.begin(), drag.gizmo.grips.end(),
+                           [&](const CutGrip& g) { return g.handle == handle; });
+  if (grip == drag.gizmo.grips.end()) return cut;
+  double mm = snappedLength(dragAlong(drag, grip->placeMm, grip->direction), grip->direction, snap);
+  double smallest = kSmallestPixels * drag.gizmo.pixelMm;
+  if (handle == CutHandle::Radius) {
+    cut.sizeMm.x = std::max(cut.sizeMm.x + 2.0 * mm, std::min(smallest, cut.sizeMm.x));
+    return cut;
+  }
+  int face = static_cast<int>(handle) - static_cast<int>(CutHandle::FaceXMin);
+  return withFaceMoved(cut, face / 2, face % 2 ? 1 : -1, mm, smallest);
+}
+
+bool isCorner(CutHandle handle) { return handle >= CutHandle::CornerMinMin; }
+
+scene::Cut resizeCorner(const scene::Cut& start, const Drag& drag, CutHandle handle, const CutSnap& snap) {
+  glm::dvec3 shift = glm::transpose(cutFrame(start)) * dragInPlane(drag, drag.gizmo.normal);
+  int corner = static_cast<int>(handle) - static_cast<int>(CutHandle::CornerMinMin);
+  return withCornerMoved(start, corner, glm::dvec2(shift), kSmallestPixels * drag.gizmo.pixelMm, snap.on);
+}
+
+bool turns(CutHandle handle) { return handle >= CutHandle::KnobRight && handle <= CutHandle::Ring; }
+
+}  // namespace
+
+CutSnap makeCutSnap(const scene::Scene& scene, bool on) {
+  CutSnap snap{on};
+  if (scene.volume.data)
+    snap.worldFromVoxel = glm::dmat3(scene.volume.data->worldFromVoxel);
+  else if (scene.labels.data)
+    snap.worldFromVoxel = glm::dmat3(scene.labels.data->worldFromVoxel());
+  return snap;
+}
+
+double snappedLength(double mm, glm::dvec3 direction, const CutSnap& snap) {
+  if (!snap.on) return mm;
+  // The step that crosses one voxel along the voxel axis nearest to the direction.
+  glm::dvec3 voxels = glm::abs(glm::inverse(snap.worldFromVoxel) * direction);
+  double step = 1.0 / std::max(voxels.x, std::max(voxels.y, voxels.z));
+  return std::isfinite(step) ? std::round(mm / step) * step : mm;
+}
+
+glm::dvec3 snappedShift(glm::dvec3 shiftMm, const CutSnap& snap) {
+  return snap.on ? snap.worldFromVoxel * glm::round(glm::inverse(snap.worldFromVoxel) * shiftMm) : shiftMm;
+}
+
+double snappedAngle(double rad, const CutSnap& snap) {
+  return snap.on ? std::round(rad / kSnapAngleRad) * kSnapAngleRad : rad;
+}
+
+scene::Cut withFaceMoved(scene::Cut cut, int axis, int sign, double mm, double smallest) {
+  double before = cut.sizeMm[axis];
+  cut.sizeMm[axis] = std::max(before + mm, std::min(smallest, before));
+  double moved = cut.sizeMm[axis] - before;
+  // The cone hangs on its apex: its base moves alone, and its apex takes all of the move.
+  double share = cut.shape != scene::CutShape::Cone ? 0.5 : sign < 0 ? 1.0 : 0.0;
+  cut.centreMm += cutFrame(cut)[axis] * (sign * moved * share);
+  return cut;
+}
+
+scene::Cut withCornerMoved(scene::Cut cut, int corner, glm::dvec2 mm, double smallest, bool keepsRatio) {
+  glm::dvec2 sign = cornerSigns(corner), edges(cut.sizeMm), wider = sign * mm;
+  if (keepsRatio && glm::dot(edges, edges) > 0.0) {
+    double least = std::min(1.0, smallest / std::max(std::min(edges.x, edges.y), 1e-12)) - 1.0;
+    wider = edges * std::max(glm::dot(wider, edges) / glm::dot(edges, edges), least);
+  }
+  cut = withFaceMoved(cut, 0, sign.x < 0 ? -1 : 1, wider.x, smallest);
+  return withFaceMoved(cut, 1, sign.y < 0 ? -1 : 1, wider.y, smallest);
+}
+
+scene::Cut withTurn(scene::Cut cut, glm::dvec3 pivotMm, glm::dvec3 axis, double rad) {
+  glm::dmat3 turn(glm::rotate(glm::dmat4(1.0), rad, axis));
+  cut.centreMm = pivotMm + turn * (cut.centreMm - pivotMm);
+  if (scene::hasEdges(cut.shape))
+    setCutFrame(cut, turn * cutFrame(cut));
+  else
+    cut.axis = glm::normalize(turn * cutFrame(cut)[2]);
+  return cut;
+}
+
+scene::Cut dragCut(const scene::Cut& start, const CutGizmo& gizmo, CutHandle handle, const scene::Camera& camera,
+                   glm::dvec2 pictureSize, glm::dvec2 from, glm::dvec2 to, const CutSnap& snap) {
+  scene::Cut cut = start;
+  if (handle == CutHandle::None || from == to) return cut;
+  Drag drag{gizmo, camera, pictureSize, from, to};
+  switch (handle) {
+    case CutHandle::None:
+      break;
+    case CutHandle::Arrow:
+      cut.centreMm += gizmo.normal * snappedLength(dragAlong(drag, gizmo.centreMm, gizmo.normal), gizmo.normal, snap);
+      break;
+    case CutHandle::Centre:
+      cut.centreMm += snappedShift(dragInPlane(drag, scene::cameraBasis(camera).forward), snap);
+      break;
+    case CutHandle::Square: {
+      glm::dvec3 shift = dragInPlane(drag, gizmo.normal);
+      for (glm::dvec3 axis : {gizmo.right, gizmo.top})
+        cut.centreMm += axis * snappedLength(glm::dot(shift, axis), axis, snap);
+      break;
+    }
+    case CutHandle::KnobRight:
+    case CutHandle::KnobTop:
+    case CutHandle::KnobLeft:
+    case CutHandle::KnobBottom:
+      // A plane turns about the middle of what is seen of it, and is said to lie there from then on.
+      if (cut.shape == scene::CutShape::Plane) cut.centreMm = gizmo.centreMm;
+      return tilt(cut, drag, handle, snap);
+    case CutHandle::Ring:
+      if (cut.shape == scene::CutShape::Plane) cut.centreMm = gizmo.centreMm;
+      return scene::hasEdges(cut.shape) ? spin(cut, drag, snap) : tiltFreely(cut, drag, snap);
+    default:
+      return isCorner(handle) ? resizeCorner(cut, drag, handle, snap) : resize(cut, drag, handle, snap);
+  }
+  return cut;
+}
+
+const char* dragLabel(const scene::Cut& cut, CutHandle handle) {
+  if (handle == CutHandle::Ring && scene::hasEdges(cut.shape)) return "Turn cut";
+  if (turns(handle)) return "Tilt cut";
+  return handle >= CutHandle::FaceXMin ? "Resize cut" : "Move cut";
+}
+
+std::string dragText(const scene::Cut& start, const scene::Cut& now, CutHandle handle) {
+  if (turns(handle)) {
+    // The angle of the turn from one frame to the other.
+    glm::dmat3 turn = cutFrame(now) * glm::transpose(cutFrame(start));
+    if (!scene::hasEdges(start.shape))
+      return fmt::format(
+          "{:.1f}\u00b0",
+          glm::degrees(std::acos(std::clamp(glm::dot(cutFrame(start)[2], cutFrame(now)[2]), -1.0, 1.0))));
+    double trace = turn[0][0] + turn[1][1] + turn[2][2];
+    return fmt::format("{:.1f}\u00b0", glm::degrees(std::acos(std::clamp((trace - 1.0) * 0.5, -1.0, 1.0))));
+  }
+  if (handle == CutHandle::Radius) return fmt::format("\u2300 {:.1f} mm", now.sizeMm.x);
+  if (isCorner(handle)) return fmt::format("{:.1f} \u00d7 {:.1f} mm", now.sizeMm.x, now.sizeMm.y);
+  if (handle >= CutHandle::FaceXMin) {
+    int axis = (static_cast<int>(handle) - static_cast<int>(CutHandle::FaceXMin)) / 2;
+    return fmt::format("{:.1f} mm", now.sizeMm[axis]);
+  }
+  glm::dvec3 shift = now.centreMm - start.centreMm;
+  if (handle == CutHandle::Arrow) {
+    // Signed as the arrow points, which for an inverted plane is against its axis.
+    bool isFlipped = start.shape == scene::CutShape::Plane && start.invert;
+    return fmt::format("{:+.1f} mm", glm::dot(shift, cutFrame(start)[2]) * (isFlipped ? -1.0 : 1.0));
+  }
+  return fmt::format("{:.1f} mm", glm::length(shift));
+}
+
+}  // namespace velum::session

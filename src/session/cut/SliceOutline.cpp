@@ -1,0 +1,163 @@
+// The lines of cuts on a slice.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "SliceGeometry.h"
+#include "velum/session/cut/SliceCutTool.h"
+
+namespace velum::session {
+
+namespace {
+
+/// Corners of a rim: the line then leaves the true curve by a seventh of a pixel at a radius of 1000.
+constexpr int kRimCorners = 180;
+
+using scene::CutShape;
+using scene::SliceFrame;
+
+/// A shape as corners and the edges between them, in the cut's own frame.
+struct Wire {
+  std::vector<glm::dvec3> corners;
+  std::vector<std::pair<int, int>> edges;
+};
+
+Wire boxWire(glm::dvec3 half) {
+  Wire wire;
+  for (int i = 0; i < 8; ++i)
+    wire.corners.push_back({i & 1 ? half.x : -half.x, i & 2 ? half.y : -half.y, i & 4 ? half.z : -half.z});
+  for (int a = 0; a < 8; ++a)
+    for (int axis = 1; axis < 8; axis *= 2)
+      if (!(a & axis)) wire.edges.emplace_back(a, a | axis);
+  return wire;
+}
+
+/// Rims at two heights, or an apex (radius 0) and one rim.
+Wire roundWire(double lowZ, double lowRadius, double highZ, double highRadius) {
+  Wire wire;
+  for (int i = 0; i < kRimCorners; ++i) {
+    double a = 2.0 * std::numbers::pi * i / kRimCorners;
+    glm::dvec2 out(std::cos(a), std::sin(a));
+    wire.corners.emplace_back(out * lowRadius, lowZ);
+    wire.corners.emplace_back(out * highRadius, highZ);
+    int low = 2 * i, nextLow = 2 * ((i + 1) % kRimCorners);
+    wire.edges.emplace_back(low, low + 1);
+    wire.edges.emplace_back(low + 1, nextLow + 1);
+    if (lowRadius > 0) wire.edges.emplace_back(low, nextLow);
+  }
+  return wire;
+}
+
+/// Where the slice's plane crosses the wire, around the middle. Pixels.
+std::vector<glm::dvec2> crossWire(const SliceFrame& frame, const scene::Cut& cut, const Wire& wire) {
+  glm::dmat4 worldFromCut = scene::worldFromCut(cut);
+  std::vector<glm::dvec3> world;
+  std::vector<double> heights;
+  for (const auto& corner : wire.corners) {
+    world.emplace_back(worldFromCut * glm::dvec4(corner, 1.0));
+    heights.push_back(scene::heightOverSlice(frame, world.back()));
+  }
+  std::vector<glm::dvec2> points;
+  for (auto [a, b] : wire.edges) {
+    double p = heights[std::size_t(a)], q = heights[std::size_t(b)];
+    if ((p < 0) == (q < 0)) continue;
+    const glm::dvec3 &from = world[std::size_t(a)], &to = world[std::size_t(b)];
+    points.push_back(scene::slicePixelFromWorld(frame, from + (to - from) * (p / (p - q))));
+  }
+  glm::dvec2 middle(0.0);
+  for (const auto& p : points) middle += p / double(points.size());
+  std::sort(points.begin(), points.end(), [&](glm::dvec2 p, glm::dvec2 q) {
+    return std::atan2(p.y - middle.y, p.x - middle.x) < std::atan2(q.y - middle.y, q.x - middle.x);
+  });
+  return points;
+}
+
+std::vector<glm::dvec2> circleOnSlice(const SliceFrame& frame, const scene::Cut& cut) {
+  double h = scene::heightOverSlice(frame, cut.centreMm), radius = cut.sizeMm.x * 0.5;
+  if (std::abs(h) >= radius) return {};
+  double r = std::sqrt(radius * radius - h * h) / frame.mmPerPixel;
+  glm::dvec2 middle = scene::slicePixelFromWorld(frame, cut.centreMm);
+  std::vector<glm::dvec2> points;
+  for (int i = 0; i < kRimCorners; ++i) {
+    double a = 2.0 * std::numbers::pi * i / kRimCorners;
+    points.push_back(middle + r * glm::dvec2(std::cos(a), std::sin(a)));
+  }
+  return points;
+}
+
+}  // namespace
+
+glm::dvec2 onScreen(const SliceFrame& frame, glm::dvec3 direction) {
+  return {glm::dot(direction, frame.right), -glm::dot(direction, frame.up)};
+}
+
+std::optional<std::pair<glm::dvec2, glm::dvec2>> clipLine(glm::dvec2 p, glm::dvec2 d, glm::dvec2 low, glm::dvec2 high) {
+  double t0 = -1e30, t1 = 1e30;
+  for (int i = 0; i < 2; ++i) {
+    if (std::abs(d[i]) < 1e-12) {
+      if (p[i] < low[i] || p[i] > high[i]) return std::nullopt;
+      continue;
+    }
+    double a = (low[i] - p[i]) / d[i], b = (high[i] - p[i]) / d[i];
+    t0 = std::max(t0, std::min(a, b));
+    t1 = std::min(t1, std::max(a, b));
+  }
+  if (t0 >= t1) return std::nullopt;
+  return std::pair(p + d * t0, p + d * t1);
+}
+
+std::optional<PlaneLine> planeLine(const SliceFrame& frame, const scene::Cut& cut) {
+  glm::dvec3 n = cutFrame(cut)[2] * (cut.invert ? -1.0 : 1.0);
+  glm::dvec2 m = onScreen(frame, n);
+  double slant = glm::length(m);
+  if (slant < 1e-6) return std::nullopt;
+  glm::dvec2 across = m / slant;
+  // How far the plane lies from the view's middle, along the screen.
+  double mm = glm::dot(cut.centreMm - frame.centreMm, n) / slant;
+  glm::dvec2 point = frame.size * 0.5 + across * (mm / frame.mmPerPixel);
+  return PlaneLine{point, {-across.y, across.x}, across};
+}
+
+double distanceToSegment(glm::dvec2 p, glm::dvec2 a, glm::dvec2 b) {
+  glm::dvec2 ab = b - a;
+  double length2 = glm::dot(ab, ab);
+  double t = length2 > 0 ? std::clamp(glm::dot(p - a, ab) / length2, 0.0, 1.0) : 0.0;
+  return glm::length(p - a - ab * t);
+}
+
+SliceOutline sliceOutline(const SliceFrame& frame, const scene::Cut& cut, const scene::SheetShape& live) {
+  SliceOutline outline;
+  glm::dvec3 half = cut.sizeMm * 0.5;
+  outline.isClosed = cut.shape != CutShape::Plane;
+  switch (cut.shape) {
+    case CutShape::Plane:
+      if (auto line = planeLine(frame, cut)) {
+        outline.removedSide = line->across;
+        if (auto ends = clipLine(line->point, line->along, glm::dvec2(0.0), frame.size))
+          outline.points = {ends->first, ends->second};
+      }
+      break;
+    case CutShape::Membrane:
+      outline.isClosed = false;
+      outline.curves = sheetCurves(frame, cut, live);
+      outline.band = crossWire(frame, cut, boxWire(half));
+      if (auto ends = frameLine(frame, cut)) outline.points = {ends->first, ends->second};
+      break;
+    case CutShape::Box:
+      outline.points = crossWire(frame, cut, boxWire(half));
+      break;
+    case CutShape::Sphere:
+      outline.points = circleOnSlice(frame, cut);
+      break;
+    case CutShape::Cylinder:
+      outline.points = crossWire(frame, cut, roundWire(-half.z, half.x, half.z, half.x));
+      break;
+    case CutShape::Cone:
+      outline.points = crossWire(frame, cut, roundWire(0.0, 0.0, cut.sizeMm.z, half.x));
+      break;
+  }
+  return outline;
+}
+
+}  // namespace velum::session

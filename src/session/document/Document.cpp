@@ -1,0 +1,103 @@
+#include "velum/session/document/Document.h"
+
+#include <utility>
+
+namespace velum::session {
+
+namespace {
+constexpr const char* kMoveView = "Move view";
+}
+
+void Document::edit(const std::string& label, const Change& change, bool merge) {
+  scene::Scene next = mScene;
+  change(next);  // may throw: nothing has changed yet
+  if (next == mScene) return;
+  bool joins = merge && mMerging && canUndo() && mUndo.back().label == label;
+  if (!joins) push({label, std::move(mScene), mEdit, false});
+  mScene = std::move(next);
+  mRedo.clear();
+  mMerging = merge;
+  mEdit = ++mLastEdit;
+  changed();
+}
+
+void Document::view(const Change& change) {
+  scene::Scene next = mScene;
+  change(next);
+  if (next == mScene) return;
+  if (canUndo() && mUndo.back().isView) {
+    if (mUndo.back().scene == next) mUndo.pop_back();  // back where it was
+  } else {
+    push({kMoveView, std::move(mScene), mEdit, true});
+  }
+  mScene = std::move(next);
+  moveRedoView(change);
+  mMerging = false;
+  changed();
+}
+
+void Document::complete(const Change& change) {
+  scene::Scene next = mScene;
+  change(next);
+  if (next == mScene) return;
+  mScene = std::move(next);
+  changed();
+}
+
+/// Takes the view along to what can be redone, up to the next step that is a view itself.
+void Document::moveRedoView(const Change& change) {
+  while (canRedo() && mRedo.back().isView) mRedo.pop_back();  // this one is in its place
+  for (auto step = mRedo.rbegin(); step != mRedo.rend() && !step->isView; ++step) change(step->scene);
+}
+
+void Document::push(Step step) {
+  mUndo.push_back(std::move(step));
+  if (mUndo.size() > kMaxSteps) mUndo.erase(mUndo.begin());
+}
+
+void Document::step(std::vector<Step>& from, std::vector<Step>& to) {
+  if (from.empty()) return;
+  Step step = std::move(from.back());
+  from.pop_back();
+  to.push_back(
+      {step.label, std::exchange(mScene, std::move(step.scene)), std::exchange(mEdit, step.edit), step.isView});
+  mMerging = false;
+  changed();
+}
+
+void Document::undo() { step(mUndo, mRedo); }
+void Document::redo() { step(mRedo, mUndo); }
+
+std::vector<std::string> Document::labelsOf(const std::vector<Step>& steps) {
+  std::vector<std::string> labels;
+  for (auto step = steps.rbegin(); step != steps.rend(); ++step) labels.push_back(step->label);
+  return labels;
+}
+
+void Document::replace(scene::Scene scene) {
+  mScene = std::move(scene);
+  mUndo.clear();
+  mRedo.clear();
+  mMerging = false;
+  mSavedEdit = mEdit = ++mLastEdit;
+  changed();
+}
+
+void Document::markSaved() {
+  mSavedEdit = mEdit;
+  mMerging = false;  // what comes is a step of its own: undo must be able to come back to what was saved
+  notify();
+}
+
+void Document::markModified() {
+  mSavedEdit = 0;
+  mEdit = ++mLastEdit;
+  changed();
+}
+
+void Document::changed() {
+  ++mChangeCount;
+  notify();
+}
+
+}  // namespace velum::session

@@ -1,0 +1,296 @@
+#include "velum/session/document/Open.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
+#include "velum/core/Log.h"
+#include "velum/io/images/ImageFile.h"
+#include "velum/io/phantoms/Sample.h"
+#include "velum/io/volumes/Formats.h"
+#include "velum/io/volumes/ReadVolume.h"
+#include "velum/io/volumes/WriteVolume.h"
+#include "velum/scene/Presets.h"
+#include "velum/scene/json/Json.h"
+
+namespace velum::session {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::uintmax_t kLargestSceneFile = 64u << 20;
+
+std::string lowerExtension(const fs::path& path) {
+  std::string text = path.extension().string();
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+  return text;
+}
+
+std::string readText(const fs::path& path) {
+  std::error_code error;
+  auto size = fs::file_size(path, error);
+  if (error) throw InputError(fmt::format("{}: {}", path.string(), error.message()));
+  if (size > kLargestSceneFile)
+    throw InputError(fmt::format("{}: {} MiB is too much for a scene file", path.string(), size >> 20));
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+bool isPicture(const fs::path& path) {
+  std::string extension = lowerExtension(path);
+  return extension == ".png" || extension == ".exr";
+}
+
+bool isTiff(const fs::path& path) {
+  std::string extension = lowerExtension(path);
+  return extension == ".tif" || extension == ".tiff";
+}
+
+bool isMesh(const fs::path& path) {
+  std::string extension = lowerExtension(path);
+  return extension == ".stl" || extension == ".ply" || extension == ".obj" || extension == ".vtp";
+}
+
+void warnAll(const std::string& path, const std::vector<std::string>& warnings) {
+  for (const auto& warning : warnings) log::warning(fmt::format("{}: {}", path, warning));
+}
+
+/// The notes of one opening.
+struct Notes {
+  std::vector<std::string>* list;
+  void add(const std::string& note) const { list ? list->push_back(note) : log::warning(note); }
+};
+
+/// Makes a saved source one that can be read: its path whole, found again where it has moved.
+/// @return false when it is not to be found and the policy goes on without it
+bool placeSource(scene::Source& source, const MissingData& missing, const fs::path& folder, Progress& progress,
+                 const DataPolicy& policy, const Notes& notes) {
+  fs::path path(source.path);
+  if (path.is_relative() && !folder.empty()) source.path = (folder / path).lexically_normal().string();
+  std::error_code error;
+  if (!fs::exists(source.path, error)) {
+    auto found = findMoved(source, folder, policy.folders, progress);
+    if (!found && policy.keepsWithoutData) return false;
+    if (!found) throw InputError(sayMissing({missing.field, missing.what, source.path}));
+    notes.add(fmt::format("{} has moved; it was found as {}", path.filename().string(), found->string()));
+    source.path = fs::absolute(*found).lexically_normal().string();
+  } else if (!source.fingerprint.empty() && fingerprintOf(source.path) != source.fingerprint) {
+    notes.add(fmt::format("{} has changed since the scene was saved", path.filename().string()));
+  }
+  return true;
+}
+
+void readVolumeInto(scene::VolumeLayer& layer, const scene::Source& where, Progress& progress) {
+  Volume volume = io::readVolume(where, progress);
+  layer.source.fingerprint = fingerprintOf(where.path);
+  warnAll(where.path, volume.warnings);
+  layer.data = Shared<Volume>(std::move(volume));
+}
+
+void readLabelsInto(scene::LabelLayer& layer, const scene::Source& where, Progress& progress) {
+  LabelVolume labels = io::readLabels(where, progress);
+  layer.source.fingerprint = fingerprintOf(where.path);
+  warnAll(where.path, labels.warnings);
+  layer.data = Shared<LabelVolume>(std::move(labels));
+  scene::completeStructures(layer);
+}
+
+void readSurfaceInto(scene::Surface& surface, Progress& progress) {
+  surface.data = Shared<Mesh>(io::readMesh(surface.source.path, progress));
+  surface.source.fingerprint = fingerprintOf(surface.source.path);
+}
+
+scene::Scene fromText(const std::string& text, const fs::path& file, Progress& progress, const DataPolicy& policy,
+                      std::vector<std::string>* notes) {
+  scene::Scene scene;
+  try {
+    scene = scene::fromJson(text);
+    if (policy.beforeData) policy.beforeData(scene);
+    loadData(scene, file.parent_path(), progress, policy, notes);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", file.string(), error.what()));
+  }
+  scene::placeSlices(scene);
+  return scene;
+}
+
+fs::path relativeTo(const std::string& path, const fs::path& folder) {
+  if (path.empty()) return {};
+  fs::path whole = fs::absolute(path).lexically_normal(), base = fs::absolute(folder).lexically_normal();
+  // With nothing but the root in common the two do not travel together.
+  bool isNear = whole.has_parent_path() && *std::next(whole.begin()) == *std::next(base.begin());
+  std::error_code error;
+  fs::path relative = isNear ? fs::relative(whole, base, error) : whole;
+  return error || relative.empty() ? whole : relative;
+}
+
+scene::Scene withRelativePaths(scene::Scene scene, const fs::path& folder) {
+  scene.volume.source.path = relativeTo(scene.volume.source.path, folder).string();
+  scene.labels.source.path = relativeTo(scene.labels.source.path, folder).string();
+  for (auto& surface : scene.surfaces) surface.source.path = relativeTo(surface.source.path, folder).string();
+  return scene;
+}
+
+}  // namespace
+
+std::optional<std::string> readSceneText(const fs::path& path) {
+  if (fs::is_directory(path)) return std::nullopt;
+  if (lowerExtension(path) == ".json") return readText(path);
+  if (isTiff(path)) {
+    // A volume, unless it carries a scene of ours.
+    try {
+      std::string text = io::readImageDescription(path);
+      return text.empty() ? std::nullopt : std::optional(text);
+    } catch (const InputError&) {
+      return std::nullopt;  // what is wrong with it the volume's reader says
+    }
+  }
+  if (!isPicture(path)) return std::nullopt;
+  std::string text = io::readImageDescription(path);
+  if (text.empty()) throw InputError(fmt::format("{}: the picture holds no scene of ours", path.string()));
+  return text;
+}
+
+scene::Scene open(const scene::Source& source, Progress& progress, const DataPolicy& policy,
+                  std::vector<std::string>* notes) {
+  fs::path path(source.path);
+  if (!fs::exists(path)) throw InputError(fmt::format("{}: there is no such file or folder", source.path));
+  if (auto text = readSceneText(path)) return fromText(*text, path, progress, policy, notes);
+  scene::Scene scene;
+  add(scene, source, progress);
+  scene.camera = scene::frameCamera(scene, scene::defaultView(scene), 4.0 / 3.0);
+  scene::placeSlices(scene);
+  return scene;
+}
+
+void addLabels(scene::Scene& scene, const scene::Source& source, Progress& progress) {
+  scene.labels = {};
+  scene.labels.source = source;
+  readLabelsInto(scene.labels, source, progress);
+}
+
+void add(scene::Scene& scene, const scene::Source& source, Progress& progress) {
+  fs::path path(source.path);
+  if (!fs::exists(path)) throw InputError(fmt::format("{}: there is no such file or folder", source.path));
+  if (isMesh(path)) {
+    scene::Surface surface;
+    surface.source = source;
+    readSurfaceInto(surface, progress);
+    scene.surfaces.push_back(std::move(surface));
+    return;
+  }
+  bool hasLayout = source.raw.dims.x > 0;
+  if (!hasLayout && io::looksLikeLabels(path)) return addLabels(scene, source, progress);
+  if (scene.volume.data) return addLabels(scene, source, progress);
+  scene.volume.source = source;
+  readVolumeInto(scene.volume, source, progress);
+  if (!(scene.volume.data->range.x < scene.volume.data->range.y))
+    log::warning(fmt::format("{}: every voxel has the same value; there is nothing to see", source.path));
+  scene::applyPreset(scene, scene::choosePreset(*scene.volume.data));
+  scene::completeChannels(scene.volume);
+}
+
+scene::Scene openAll(std::vector<std::string> paths, Progress& progress, const DataPolicy& policy,
+                     std::vector<std::string>* notes) {
+  if (paths.empty()) throw ArgumentError("nothing was named to open");
+  std::stable_partition(paths.begin(), paths.end(), [](const std::string& path) {
+    if (isMesh(path)) return false;
+    bool isScene = lowerExtension(path) == ".json" || isPicture(path);
+    return isScene || !fs::exists(path) || fs::is_directory(path) || !io::looksLikeLabels(path);
+  });
+  scene::Source source;
+  source.path = paths.front();
+  scene::Scene scene = open(source, progress, policy, notes);
+  for (std::size_t i = 1; i < paths.size(); ++i) {
+    source.path = paths[i];
+    add(scene, source, progress);
+  }
+  if (paths.size() > 1 && scene.surfaces.size() > 0)
+    scene.camera = scene::frameCamera(scene, scene::defaultView(scene), 4.0 / 3.0);
+  return scene;
+}
+
+void loadData(scene::Scene& scene, const fs::path& folder, Progress& progress, const DataPolicy& policy,
+              std::vector<std::string>* notes) {
+  auto isPlaced = [&](scene::Source& source, bool hasData, std::string part, std::string what) {
+    MissingData missing{part + ".source.path", std::move(what), source.path};
+    return !source.path.empty() && !hasData && placeSource(source, missing, folder, progress, policy, Notes{notes});
+  };
+  if (isPlaced(scene.volume.source, bool(scene.volume.data), "volume", "volume")) {
+    readVolumeInto(scene.volume, scene.volume.source, progress);
+    if (scene.volume.transfer.opacities.empty()) {
+      scene::applyPreset(scene, scene::choosePreset(*scene.volume.data));
+      scene::completeChannels(scene.volume);
+    }
+  }
+  if (isPlaced(scene.labels.source, bool(scene.labels.data), "labels", "labels"))
+    readLabelsInto(scene.labels, scene.labels.source, progress);
+  for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
+    auto& surface = scene.surfaces[i];
+    if (isPlaced(surface.source, bool(surface.data), fmt::format("surfaces.{}", i), "surface"))
+      readSurfaceInto(surface, progress);
+  }
+}
+
+std::string sceneTextFor(const scene::Scene& scene, const fs::path& path) {
+  return scene::toJson(withRelativePaths(scene, fs::absolute(path).parent_path()));
+}
+
+void saveScene(const scene::Scene& scene, const fs::path& path) {
+  std::string text = sceneTextFor(scene, path);
+  fs::path temporary = path;
+  temporary += fmt::format(".{}.tmp", getpid());
+  int file = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+  bool ok = file >= 0 && ::write(file, text.data(), text.size()) == ssize_t(text.size()) && ::fsync(file) == 0;
+  if (file >= 0) ok = ::close(file) == 0 && ok;
+  std::error_code error;
+  if (ok) fs::rename(temporary, path, error);
+  if (!ok || error) {
+    std::error_code ignored;
+    fs::remove(temporary, ignored);
+    throw InputError(
+        fmt::format("{}: the scene cannot be written there: check the folder and the free space", path.string()));
+  }
+}
+
+std::vector<FileKind> readableKinds() {
+  std::vector<FileKind> kinds{{"Velum scene", {"*.json"}}};
+  for (const auto& format : io::formats()) {
+    if (!format.canRead) continue;
+    FileKind kind{std::string(format.name), {}};
+    std::istringstream words{std::string(format.extensions)};
+    for (std::string word; words >> word;)
+      if (word[0] == '.') kind.patterns.push_back("*" + word);
+    if (!kind.patterns.empty()) kinds.push_back(std::move(kind));
+  }
+  kinds.push_back({"Surface", {"*.stl", "*.ply", "*.obj", "*.vtp"}});
+  kinds.push_back({"Picture with a scene", {"*.png", "*.exr"}});
+  return kinds;
+}
+
+std::vector<std::string> sampleNames() {
+  std::vector<std::string> names;
+  for (const auto& sample : io::samples()) names.emplace_back(sample.name);
+  return names;
+}
+
+scene::Scene openSample(const std::string& name, int size, const fs::path& folder, Progress& progress) {
+  io::Sample sample = io::makeSample(name, size, progress);
+  fs::create_directories(folder);
+  scene::Source volume, labels;
+  volume.path = (folder / (name + ".nrrd")).string();
+  labels.path = (folder / (name + "_labels.seg.nrrd")).string();
+  io::writeVolume(sample.volume, volume.path, progress);
+  io::writeLabels(sample.labels, labels.path, progress);
+  scene::Scene scene = open(volume, progress);
+  // Labels have no time: over what moves they would lie wrong.
+  if (sample.volume.frames == 1) add(scene, labels, progress);
+  return scene;
+}
+
+}  // namespace velum::session

@@ -1,0 +1,85 @@
+#include "velum/session/membrane/MembraneEdit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "velum/membrane/forces/Kernels.h"
+#include "velum/session/look/ValueHistogram.h"
+
+namespace velum::session {
+
+namespace {
+
+using Curve = std::vector<scene::StrengthPoint>;
+
+constexpr double kSpreads = 3.0;  ///< of noise to either side of a tissue's middle
+constexpr double kEnd = 0.1;      ///< share of the data beyond which there is nothing else worth telling apart
+
+/// The curve with a stretch of one strength, its ends as steep as can be.
+Curve withStretch(const Curve& old, double low, double high, double strength) {
+  Curve out;
+  double before = membrane::strengthAt(old, std::nextafter(low, -1e300));
+  double after = membrane::strengthAt(old, std::nextafter(high, 1e300));
+  for (const auto& point : old)
+    if (point.value < low) out.push_back(point);
+  if (!out.empty()) out.push_back({low, before});
+  out.push_back({low, strength});
+  out.push_back({high, strength});
+  bool goesOn = std::any_of(old.begin(), old.end(), [&](const auto& p) { return p.value > high; });
+  if (goesOn) out.push_back({high, after});
+  for (const auto& point : old)
+    if (point.value > high) out.push_back(point);
+  return out;
+}
+
+}  // namespace
+
+void protectValues(scene::Membrane& membrane, double low, double high, double strength) {
+  if (!(low < high)) return;
+  membrane.field.byValue = withStretch(membrane.field.byValue, low, high, strength);
+}
+
+std::optional<Tissue> protectTissue(scene::Membrane& membrane, const scene::VolumeLayer& layer, glm::dvec3 worldMm,
+                                    double strength) {
+  std::optional<Tissue> tissue = measureTissue(layer, worldMm);
+  if (!tissue) return tissue;
+  double low = tissue->value - kSpreads * tissue->spread, high = tissue->value + kSpreads * tissue->spread;
+  const Volume& volume = *layer.data;
+  int channel = std::clamp(layer.channel, 0, volume.channels - 1);
+  Histogram histogram = valueHistogram(volume, channel, std::clamp(layer.frame, 0, volume.frames - 1));
+  // At an end of the data's values thin and blurred parts count too, as far as halfway to what is beside.
+  if (tissue->value > quantile(histogram, 1.0 - kEnd)) {
+    high = volume.range.y;
+    low = tissue->low.value_or(low);
+  } else if (tissue->value < quantile(histogram, kEnd)) {
+    low = volume.range.x;
+    high = tissue->high.value_or(high);
+  } else {
+    low = std::max(low, tissue->low.value_or(low));
+    high = std::min(high, tissue->high.value_or(high));
+  }
+  protectValues(membrane, low, high, strength);
+  return tissue;
+}
+
+void setRule(scene::Membrane& membrane, scene::KernelRule rule) {
+  if (membrane.field.rule == rule) return;
+  membrane.field.rule = rule;
+  const scene::Cloth loose;
+  auto& cloth = membrane.cloth;
+  bool isPaper = rule == scene::KernelRule::Paper;
+  cloth.stretch = isPaper ? 0.8 : loose.stretch;
+  cloth.restoring = isPaper ? 20.0 : loose.restoring;
+  cloth.damping = isPaper ? 6.0 : loose.damping;
+}
+
+void protectStructure(scene::Membrane& membrane, int id, double strength) {
+  if (id <= 0) return;
+  auto& list = membrane.field.byLabel;
+  auto found = std::find_if(list.begin(), list.end(), [&](const auto& one) { return one.id == id; });
+  if (found != list.end()) list.erase(found);
+  if (strength != 0.0) list.push_back({id, strength});
+}
+
+}  // namespace velum::session

@@ -1,0 +1,240 @@
+#include "velum/session/membrane/MembranePlayer.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "LiveSheet.h"
+#include "velum/session/membrane/Membranes.h"
+
+namespace velum::session {
+
+namespace {
+
+/// So often slices follow a sheet that moves.
+constexpr double kIndexEveryMs = 200.0;
+constexpr int kStepOnce = 5;
+
+double nowMs() {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+bool isMembrane(const scene::Cut& cut) { return cut.shape == scene::CutShape::Membrane; }
+
+/// The scene without what no force depends on: cheap to hold while it is worked on.
+scene::Scene forcesScene(const scene::Scene& scene) {
+  scene::Scene part;
+  part.volume = scene.volume;
+  part.labels = scene.labels;
+  return part;
+}
+
+}  // namespace
+
+MembranePlayer::MembranePlayer() = default;
+MembranePlayer::~MembranePlayer() = default;
+
+LiveSheet* MembranePlayer::find(std::uint64_t id) {
+  auto found = std::find_if(mSheets.begin(), mSheets.end(), [id](const auto& sheet) { return sheet->id() == id; });
+  return found == mSheets.end() ? nullptr : found->get();
+}
+
+void MembranePlayer::follow(const scene::Scene& scene) {
+  DataKey data = dataKeyOf(scene);
+  bool sameData = data == dataKeyOf(mScene);
+  bool same = sameData && scene.cuts == mScene.cuts;
+  if (same) return;
+  mScene = forcesScene(scene);
+  mScene.cuts = scene.cuts;
+  auto old = std::exchange(mSheets, {});
+  auto take = [&](auto&& isIt) {
+    auto found = std::find_if(old.begin(), old.end(), [&](const auto& sheet) { return sheet && isIt(*sheet); });
+    return found == old.end() ? nullptr : std::move(*found);
+  };
+  // Cuts have no names of their own: those that are as they were are known again wherever they are in the list now.
+  std::vector<std::unique_ptr<LiveSheet>> known(scene.cuts.size());
+  for (std::size_t i = 0; i < scene.cuts.size(); ++i)
+    if (isMembrane(scene.cuts[i]))
+      known[i] = take([&](const LiveSheet& sheet) { return sheet.cut() == scene.cuts[i]; });
+  for (std::size_t i = 0; i < scene.cuts.size(); ++i) {
+    const scene::Cut& cut = scene.cuts[i];
+    if (!isMembrane(cut)) continue;
+    auto sheet = std::move(known[i]);
+    if (!sheet) sheet = take([&](const LiveSheet& other) { return other.place() == i; });
+    if (sheet)
+      sheet->follow(cut, data);
+    else
+      sheet = std::make_unique<LiveSheet>(mNextId++, cut, data);
+    sheet->setPlace(i);
+    mSheets.push_back(std::move(sheet));
+  }
+  for (const auto& gone : old)
+    if (gone) mGoneCount += gone->shownCount();
+}
+
+MembranePlayer::Work MembranePlayer::nextWork() {
+  if (mOut.id) return {};
+  for (const auto& sheet : mSheets)
+    if (sheet->needsForces()) return forcesWork(*sheet);
+  for (const auto& sheet : mSheets)
+    if (sheet->needsFigures()) return measureWork(*sheet);
+  return {};
+}
+
+MembranePlayer::Work MembranePlayer::forcesWork(LiveSheet& sheet) {
+  mOut = {sheet.id(), sheet.dataChange(), sheet.wish(), false, sheet.wantsPreview()};
+  return [this, out = mOut, scene = forcesScene(mScene), cut = sheet.cut(), current = sheet.current(),
+          maker = sheet.maker](Progress& progress) mutable -> Finish {
+    if (!maker || !maker->matches(scene)) maker = std::make_shared<membrane::ForceMaker>(scene);
+    auto forces = out.isPreview ? maker->preview(cut, progress) : maker->compute(cut, current, progress);
+    auto made = std::make_shared<const MadeForces>(MadeForces{std::move(forces), cut, scene.volume.frame});
+    return [this, out, maker, made] {
+      LiveSheet* found = find(out.id);
+      if (!found || found->dataChange() != out.data) return;
+      found->maker = maker;
+      found->takeForces(made, out.wish);
+    };
+  };
+}
+
+MembranePlayer::Work MembranePlayer::measureWork(LiveSheet& sheet) {
+  mOut = {sheet.id(), sheet.dataChange(), sheet.wish(), true};
+  return [this, out = mOut, scene = forcesScene(mScene), cut = sheet.cut(), shape = sheet.shape(),
+          maker = sheet.maker](Progress& progress) mutable -> Finish {
+    if (!maker || !maker->matches(scene)) maker = std::make_shared<membrane::ForceMaker>(scene);
+    const membrane::Potential& potential = maker->potential();
+    membrane::KeptWhole figures;
+    if (potential.dims().x > 0) figures = measureMembrane(potential, cut, shape, progress);
+    return [this, out, maker, figures] {
+      LiveSheet* found = find(out.id);
+      if (!found) return;
+      found->maker = maker;
+      found->takeFigures(figures, out.wish);
+    };
+  };
+}
+
+bool MembranePlayer::wantsCancel() const {
+  if (!mOut.id) return false;
+  const LiveSheet* sheet = const_cast<MembranePlayer*>(this)->find(mOut.id);
+  if (!sheet || !sheet->cut().enabled || sheet->dataChange() != mOut.data) return true;
+  // A hand that takes hold of something does not wait for exact forces.
+  if (!mOut.isMeasure && !mOut.isPreview && sheet->wantsPreview() && sheet->wish() != mOut.wish) return true;
+  return mOut.isMeasure && (sheet->wish() != mOut.wish || sheet->isMoving());
+}
+
+void MembranePlayer::endWork(const Finish& finish, const std::string& error) {
+  Out out = std::exchange(mOut, {});
+  if (finish) return finish();
+  LiveSheet* sheet = find(out.id);
+  if (!sheet || error.empty()) return;
+  out.isMeasure ? sheet->failFigures() : sheet->failForces(error);
+}
+
+bool MembranePlayer::isMoving() const {
+  return std::any_of(mSheets.begin(), mSheets.end(),
+                     [this](const auto& sheet) { return (mPlaying && sheet->isMoving()) || sheet->isIndexStale(); });
+}
+
+bool MembranePlayer::isOnItsWay() const {
+  return std::any_of(mSheets.begin(), mSheets.end(),
+                     [this](const auto& sheet) { return mPlaying && (sheet->needsForces() || sheet->isMoving()); });
+}
+
+bool MembranePlayer::isSettled() const {
+  return !mOut.id && !isMoving() && std::none_of(mSheets.begin(), mSheets.end(), [](const auto& sheet) {
+    return sheet->needsForces() || sheet->needsFigures();
+  });
+}
+
+bool MembranePlayer::advance(double budgetMs) {
+  auto count = std::count_if(mSheets.begin(), mSheets.end(), [](const auto& sheet) { return sheet->isMoving(); });
+  if (mPlaying)
+    for (const auto& sheet : mSheets) sheet->advance(budgetMs / double(std::max<std::ptrdiff_t>(count, 1)));
+  refreshIndices();
+  return mPlaying && count > 0;
+}
+
+bool MembranePlayer::stepOnce() {
+  bool moved = false;
+  for (const auto& sheet : mSheets)
+    for (int i = 0; i < kStepOnce; ++i) moved = sheet->advance(0.0) || moved;
+  refreshIndices();
+  return moved;
+}
+
+void MembranePlayer::refreshIndices() {
+  bool isDue = nowMs() - mIndexedAtMs > kIndexEveryMs;
+  for (const auto& sheet : mSheets) {
+    bool isStill = !mPlaying || !sheet->isMoving();
+    if (!sheet->isIndexStale() || !(isStill || isDue)) continue;
+    sheet->makeIndex();
+    mIndexedAtMs = nowMs();
+  }
+}
+
+std::vector<render::FrameSheet> MembranePlayer::sheets() {
+  std::vector<render::FrameSheet> sheets;
+  for (const auto& sheet : mSheets)
+    if (sheet->cut().enabled) sheets.push_back(sheet->frameSheet());
+  return sheets;
+}
+
+std::vector<std::shared_ptr<const membrane::SheetIndex>> MembranePlayer::indices() const {
+  std::vector<std::shared_ptr<const membrane::SheetIndex>> indices;
+  for (const auto& sheet : mSheets)
+    if (sheet->cut().enabled) indices.push_back(sheet->index());
+  return indices;
+}
+
+std::shared_ptr<const membrane::SheetIndex> MembranePlayer::index(std::size_t cut) const {
+  for (const auto& sheet : mSheets)
+    if (sheet->place() == cut) {
+      if (!sheet->index()) sheet->makeIndex();
+      return sheet->index();
+    }
+  return nullptr;
+}
+
+std::uint64_t MembranePlayer::shownCount() const {
+  std::uint64_t count = mGoneCount;
+  for (const auto& sheet : mSheets) count += sheet->shownCount();
+  return count;
+}
+
+std::optional<MembraneStatus> MembranePlayer::status(std::size_t cut) const {
+  for (const auto& sheet : mSheets)
+    if (sheet->place() == cut) return sheet->status(mPlaying, mOut.id == sheet->id() && !mOut.isMeasure);
+  return std::nullopt;
+}
+
+void MembranePlayer::reset(std::size_t cut) {
+  for (const auto& sheet : mSheets)
+    if (sheet->place() == cut) sheet->reset();
+}
+
+std::vector<MembranePlayer::Rest> MembranePlayer::takeRests() {
+  std::vector<Rest> rests;
+  for (const auto& sheet : mSheets)
+    if (auto shape = sheet->takeRest()) {
+      rests.push_back({sheet->place(), std::move(*shape)});
+      mScene.cuts[sheet->place()].membrane.shape = rests.back().shape;
+    }
+  return rests;
+}
+
+bool MembranePlayer::hasRests() const {
+  return std::any_of(mSheets.begin(), mSheets.end(), [](const auto& sheet) { return sheet->hasRest(); });
+}
+
+scene::Scene MembranePlayer::withShapes(scene::Scene scene) const {
+  for (const auto& sheet : mSheets)
+    if (sheet->place() < scene.cuts.size() && isMembrane(scene.cuts[sheet->place()]))
+      scene.cuts[sheet->place()].membrane.shape = sheet->shape();
+  return scene;
+}
+
+void MembranePlayer::releaseGpu() {
+  for (const auto& sheet : mSheets) sheet->releaseGpu();
+}
+
+}  // namespace velum::session

@@ -1,0 +1,142 @@
+#include "velum/session/membrane/Membranes.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstring>
+#include <type_traits>
+
+#include "velum/core/Error.h"
+#include "velum/membrane/sheet/SheetIndex.h"
+#include "velum/membrane/sheet/Simulation.h"
+#include "velum/render/section/KeptVoxels.h"
+
+namespace velum::session {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+double msSince(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+bool isLive(const scene::Cut& cut) { return cut.enabled && cut.shape == scene::CutShape::Membrane; }
+
+constexpr int kStepsAtOnce = 10;  ///< between two looks at the speed
+
+membrane::ProtectedVoxels protectedVoxels(const membrane::Potential& potential, const scene::Cut& cut,
+                                          Progress& progress) {
+  return potential.computeProtected(cut.membrane.field, membrane::voxelsInReach(potential, cut), progress);
+}
+
+MembraneReport settle(membrane::ForceMaker& maker, int timeStep, scene::Cut& cut, Progress& progress) {
+  MembraneReport report;
+  report.name = cut.name;
+  auto start = Clock::now();
+  auto& membrane = cut.membrane;
+  bool isActive = membrane.repositioning == scene::Repositioning::Active && membrane.shape.particles.x > 1;
+  scene::SheetShape first;
+  if (isActive) {
+    first = membrane::carryOver(membrane.shape, cut);
+    first = membrane::fitShape(first, first.particles, cut.sizeMm);
+  }
+  bool isSided = membrane.field.rule == scene::KernelRule::Sided;
+  membrane::CurrentSheet current;
+  if (isActive && isSided) current = {membrane::heightOf(first), membrane.shape.timeStep};
+  membrane::Forces forces = maker.compute(cut, current, progress);
+  report.kernels = forces.kernels;
+  report.kernelsMs = forces.kernelsMs;
+  report.leastCutMs = forces.leastCutMs;
+  membrane::Simulation simulation;
+  simulation.begin(cut, std::move(forces), first);
+  auto stepping = Clock::now();
+  while (simulation.advance(kStepsAtOnce)) progress.report(0.5, "membrane");
+  report.steps = simulation.steps();
+  report.stepMs = msSince(stepping) / std::max(1, report.steps);
+  report.atRest = simulation.isAtRest();
+  report.speedMmS = simulation.speed();
+  membrane.shape = simulation.shape();
+  if (membrane.repositioning == scene::Repositioning::Active) membrane::anchor(membrane.shape, cut, timeStep);
+  report.particles = membrane.shape.particles;
+  report.totalMs = msSince(start);
+  return report;
+}
+
+}  // namespace
+
+Mesh sheetMesh(const scene::Cut& cut) {
+  membrane::SheetIndex index = membrane::makeSheetIndex(cut.membrane.shape, cut.membrane.cloth.particles, cut.sizeMm);
+  glm::dmat4 worldFromLocal = scene::worldFromCut(cut);
+  glm::ivec2 n = index.particles;
+  Mesh mesh;
+  mesh.name = cut.name.empty() ? "membrane" : cut.name;
+  std::size_t count = std::size_t(n.x) * std::size_t(n.y);
+  for (std::size_t i = 0; i < count; ++i) {
+    mesh.positions.emplace_back(worldFromLocal * glm::dvec4(glm::dvec3(index.rows[i]), 1.0));
+    mesh.normals.emplace_back(worldFromLocal * glm::dvec4(glm::dvec3(index.rows[count + i]), 0.0));
+  }
+  for (int y = 0; y + 1 < n.y; ++y)
+    for (int x = 0; x + 1 < n.x; ++x) {
+      auto a = std::uint32_t(y * n.x + x), b = a + 1, d = a + std::uint32_t(n.x), c = d + 1;
+      for (std::uint32_t corner : {a, b, c, a, c, d}) mesh.indices.push_back(corner);
+    }
+  return mesh;
+}
+
+Volume clippedVolume(const scene::Scene& scene, Progress& progress) {
+  if (!scene.volume.data) throw ArgumentError("there is no volume to clip");
+  const Volume& volume = *scene.volume.data;
+  Volume out = volume;
+  out.frames = 1;
+  std::size_t bytes = frameBytes(volume), sample = sampleSize(volume.type) * std::size_t(volume.channels);
+  auto first = std::ptrdiff_t(bytes * std::size_t(std::clamp(scene.volume.frame, 0, volume.frames - 1)));
+  out.voxels.assign(volume.voxels.begin() + first, volume.voxels.begin() + first + std::ptrdiff_t(bytes));
+  std::vector<std::uint8_t> kept = render::keptVoxels(scene, volume.dims, volume.worldFromVoxel, progress);
+  // A voxel with the smallest value, as raw bytes: colours become black.
+  double raw = volume.isColor ? 0.0 : (volume.range.x - volume.offset) / volume.scale;
+  std::vector<std::byte> empty(sample);
+  visitSamples(out, [&]<class T>(const T*) {
+    for (int c = 0; c < out.channels; ++c) {
+      T value = T(std::is_integral_v<T> ? std::round(raw) : raw);
+      std::memcpy(empty.data() + std::size_t(c) * sizeof(T), &value, sizeof(T));
+    }
+  });
+  for (std::size_t i = 0; i < kept.size(); ++i)
+    if (!kept[i]) std::memcpy(out.voxels.data() + i * sample, empty.data(), sample);
+  computeRange(out);
+  return out;
+}
+
+bool hasMembranes(const scene::Scene& scene) { return std::any_of(scene.cuts.begin(), scene.cuts.end(), isLive); }
+
+membrane::KeptWhole measureMembrane(const membrane::Potential& potential, const scene::Cut& cut,
+                                    const scene::SheetShape& shape, Progress& progress) {
+  membrane::SheetIndex index = membrane::makeSheetIndex(shape, glm::ivec2(2), cut.sizeMm);
+  auto side = [&](std::span<const glm::vec3> local, std::span<std::uint8_t> above) {
+    for (std::size_t i = 0; i < local.size(); ++i) above[i] = membrane::isAbove(index, local[i]) ? 1 : 0;
+  };
+  return membrane::measureKeptWhole(protectedVoxels(potential, cut, progress), cut, side,
+                                    membrane::meanDistanceMm(shape), progress);
+}
+
+std::vector<MembraneReport> settleMembranes(scene::Scene& scene, MembraneQuestions questions, Progress& progress) {
+  std::vector<MembraneReport> reports;
+  if (!hasMembranes(scene)) return reports;
+  membrane::ForceMaker maker(scene);
+  for (std::size_t i = 0; i < scene.cuts.size(); ++i) {
+    scene::Cut& cut = scene.cuts[i];
+    if (!isLive(cut)) continue;
+    MembraneReport report = settle(maker, scene.volume.frame, cut, progress);
+    report.cut = int(i);
+    if (maker.potential().dims().x > 0) {
+      if (questions.kept || questions.limit)
+        report.kept = measureMembrane(maker.potential(), cut, cut.membrane.shape, progress);
+      if (questions.limit)
+        report.limit = membrane::computeLimit(protectedVoxels(maker.potential(), cut, progress), cut, progress);
+    }
+    reports.push_back(std::move(report));
+  }
+  return reports;
+}
+
+}  // namespace velum::session

@@ -1,0 +1,267 @@
+#include "velum/session/membrane/SheetHands.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "cut/SliceGeometry.h"
+#include "velum/scene/Scene.h"
+#include "velum/session/cut/CutEdit.h"
+
+namespace velum::session {
+
+namespace {
+
+constexpr double kNearPixels = 12.0;
+constexpr double kLeastRadiusMm = 0.1;
+constexpr int kRingCorners = 48;
+
+glm::dmat4 localFromWorld(const scene::Cut& cut) { return glm::inverse(scene::worldFromCut(cut)); }
+
+SheetPoint worldPoint(const scene::Cut& cut, const membrane::SheetTouch& touch) {
+  return {glm::dvec3(scene::worldFromCut(cut) * glm::dvec4(touch.placeMm, 1.0)), touch.share};
+}
+
+/// Where a ray meets the plane through a point that faces the eye.
+glm::dvec3 facing(const scene::Camera& camera, glm::dvec2 size, glm::dvec3 point, glm::dvec2 pixel) {
+  auto ray = scene::rayFromPixel(camera, size, pixel);
+  glm::dvec3 forward = scene::cameraBasis(camera).forward;
+  return ray.originMm + ray.direction * (glm::dot(point - ray.originMm, forward) / glm::dot(ray.direction, forward));
+}
+
+glm::dvec3* placeOf(scene::Membrane& membrane, Hand hand) {
+  if (!holds(membrane, hand)) return nullptr;
+  auto index = std::size_t(hand.index);
+  return hand.kind == HandKind::Pin ? &membrane.pins[index].placeMm : &membrane.field.kernels[index].centreMm;
+}
+
+/// The nearest of several within reach.
+class Nearest {
+ public:
+  explicit Nearest(double reach) : mLeast(reach) {}
+  void offer(Hand hand, double distance) {
+    if (distance > mLeast) return;
+    mLeast = distance;
+    mHand = hand;
+  }
+  Hand hand() const { return mHand; }
+
+ private:
+  double mLeast;
+  Hand mHand;
+};
+
+}  // namespace
+
+bool holds(const scene::Membrane& membrane, Hand hand) {
+  if (hand.kind == HandKind::None || hand.index < 0) return false;
+  return hand.index < int(hand.kind == HandKind::Pin ? membrane.pins.size() : membrane.field.kernels.size());
+}
+
+std::optional<SheetPoint> sheetOnRay(const scene::Cut& cut, const membrane::SheetIndex& sheet,
+                                     const scene::PictureRay& ray) {
+  glm::dmat4 local = localFromWorld(cut);
+  auto touch = membrane::touchSheet(sheet, glm::dvec3(local * glm::dvec4(ray.originMm, 1.0)),
+                                    glm::dvec3(local * glm::dvec4(ray.direction, 0.0)));
+  if (!touch) return std::nullopt;
+  return worldPoint(cut, *touch);
+}
+
+std::optional<SheetPoint> sheetOnSlice(const scene::Cut& cut, const membrane::SheetIndex& sheet,
+                                       const scene::SliceFrame& frame, glm::dvec2 pixel, double reach) {
+  std::optional<glm::dvec2> found;
+  double nearest = reach;
+  for (const auto& curve : sheetCurves(frame, cut, shapeOf(sheet)))
+    for (std::size_t i = 1; i < curve.size(); ++i) {
+      glm::dvec2 way = curve[i] - curve[i - 1];
+      double t = std::clamp(glm::dot(pixel - curve[i - 1], way) / std::max(glm::dot(way, way), 1e-12), 0.0, 1.0);
+      glm::dvec2 place = curve[i - 1] + way * t;
+      if (glm::length(place - pixel) > nearest) continue;
+      nearest = glm::length(place - pixel);
+      found = place;
+    }
+  if (!found) return std::nullopt;
+  glm::dvec3 world = scene::worldFromSlicePixel(frame, *found);
+  glm::dvec3 local(localFromWorld(cut) * glm::dvec4(world, 1.0));
+  // A line across the sheet right there says which part of it this is.
+  double back = 1e-3 * glm::length(sheet.sizeMm);
+  auto touch = membrane::touchSheet(sheet, local + glm::dvec3(0, 0, back), {0, 0, -1});
+  glm::dvec2 share = touch ? touch->share : glm::dvec2(local) / glm::dvec2(sheet.sizeMm) + 0.5;
+  return SheetPoint{world, share};
+}
+
+scene::SheetShape shapeOf(const membrane::SheetIndex& sheet) {
+  scene::SheetShape shape;
+  shape.particles = sheet.particles;
+  auto count = std::ptrdiff_t(sheet.particles.x) * sheet.particles.y;
+  shape.places.assign(sheet.rows.begin(), sheet.rows.begin() + count);
+  return shape;
+}
+
+std::optional<scene::Pin> pinOver(const scene::Cut& cut, glm::dvec3 placeMm) {
+  glm::dvec3 local(localFromWorld(cut) * glm::dvec4(placeMm, 1.0));
+  glm::dvec2 share = glm::dvec2(local) / glm::dvec2(cut.sizeMm) + 0.5;
+  if (!(std::min(share.x, share.y) >= 0.0 && std::max(share.x, share.y) <= 1.0)) return std::nullopt;
+  return scene::Pin{share, placeMm};
+}
+
+Hand addPin(scene::Membrane& membrane, const SheetPoint& point) {
+  membrane.pins.push_back({glm::clamp(point.sheet, 0.0, 1.0), point.placeMm});
+  return {HandKind::Pin, int(membrane.pins.size()) - 1};
+}
+
+Hand addKernel(scene::Membrane& membrane, glm::dvec3 centreMm, double radiusMm, double strength) {
+  membrane.field.kernels.push_back({centreMm, std::max(radiusMm, kLeastRadiusMm), strength});
+  return {HandKind::Kernel, int(membrane.field.kernels.size()) - 1};
+}
+
+void removeHand(scene::Membrane& membrane, Hand hand) {
+  if (!holds(membrane, hand)) return;
+  if (hand.kind == HandKind::Pin)
+    membrane.pins.erase(membrane.pins.begin() + hand.index);
+  else
+    membrane.field.kernels.erase(membrane.field.kernels.begin() + hand.index);
+}
+
+void turnKernel(scene::Membrane& membrane, Hand hand) {
+  if (hand.kind == HandKind::Pin || !holds(membrane, hand)) return;
+  double& strength = membrane.field.kernels[std::size_t(hand.index)].strength;
+  strength = -strength;
+}
+
+double pinHeight(const scene::Cut& cut, Hand hand) {
+  if (hand.kind != HandKind::Pin || !holds(cut.membrane, hand)) return 0.0;
+  return glm::dot(cut.membrane.pins[std::size_t(hand.index)].placeMm - cut.centreMm, cutFrame(cut)[2]);
+}
+
+void setPinHeight(scene::Cut& cut, Hand hand, double mm) {
+  if (hand.kind != HandKind::Pin || !holds(cut.membrane, hand)) return;
+  cut.membrane.pins[std::size_t(hand.index)].placeMm += cutFrame(cut)[2] * (mm - pinHeight(cut, hand));
+}
+
+double defaultRadiusMm(const scene::Cut& cut) { return std::sqrt(cut.sizeMm.x * cut.sizeMm.y) / 12.0; }
+
+Hand handAt(const scene::Membrane& membrane, const scene::Camera& camera, glm::dvec2 size, glm::dvec2 pixel,
+            double reach) {
+  auto away = [&](glm::dvec3 world) {
+    auto place = scene::pixelFromWorld(camera, size, world);
+    return place ? glm::length(*place - pixel) : 1e30;
+  };
+  Nearest pins(reach), middles(reach), rims(0.6 * reach);
+  for (std::size_t i = 0; i < membrane.pins.size(); ++i)
+    pins.offer({HandKind::Pin, int(i)}, away(membrane.pins[i].placeMm));
+  for (std::size_t i = 0; i < membrane.field.kernels.size(); ++i) {
+    const auto& kernel = membrane.field.kernels[i];
+    middles.offer({HandKind::Kernel, int(i)}, away(kernel.centreMm));
+    // Its outline is the ring that faces the eye.
+    double radius = kernel.radiusMm / scene::mmPerPixel(camera, size, kernel.centreMm);
+    rims.offer({HandKind::Rim, int(i)}, std::abs(away(kernel.centreMm) - radius));
+  }
+  for (Hand hand : {pins.hand(), middles.hand()})
+    if (hand.kind != HandKind::None) return hand;
+  return rims.hand();
+}
+
+Hand handAt(const scene::Membrane& membrane, const scene::SliceFrame& frame, glm::dvec2 pixel, double reach) {
+  Nearest pins(reach), middles(reach), rims(0.6 * reach);
+  for (std::size_t i = 0; i < membrane.pins.size(); ++i)
+    if (glm::dvec3 place = membrane.pins[i].placeMm; nearnessToSlice(frame, place) > 0.0)
+      pins.offer({HandKind::Pin, int(i)}, glm::length(scene::slicePixelFromWorld(frame, place) - pixel));
+  for (std::size_t i = 0; i < membrane.field.kernels.size(); ++i) {
+    auto circle = circleOnSlice(frame, membrane.field.kernels[i]);
+    if (!circle) continue;
+    double distance = glm::length(circle->middle - pixel);
+    middles.offer({HandKind::Kernel, int(i)}, distance);
+    rims.offer({HandKind::Rim, int(i)}, std::abs(distance - circle->radius));
+  }
+  for (Hand hand : {pins.hand(), middles.hand()})
+    if (hand.kind != HandKind::None) return hand;
+  return rims.hand();
+}
+
+scene::Membrane dragHand(const scene::Membrane& start, Hand hand, const scene::Camera& camera, glm::dvec2 size,
+                         glm::dvec2 from, glm::dvec2 to, std::optional<glm::dvec3> along) {
+  scene::Membrane now = start;
+  glm::dvec3* place = placeOf(now, hand);
+  if (!place || from == to) return now;
+  glm::dvec3 a = facing(camera, size, *place, from), b = facing(camera, size, *place, to);
+  if (hand.kind == HandKind::Rim) {
+    auto& kernel = now.field.kernels[std::size_t(hand.index)];
+    double grows = glm::length(b - *place) - glm::length(a - *place);
+    kernel.radiusMm = std::max(kernel.radiusMm + grows, kLeastRadiusMm);
+  } else if (along) {
+    // As far along the direction as the pointer goes along it on the screen.
+    glm::dvec3 forward = scene::cameraBasis(camera).forward, seen = *along - forward * glm::dot(*along, forward);
+    double slant = glm::dot(seen, seen);
+    if (slant > 1e-2) *place += *along * (glm::dot(b - a, seen) / slant);
+  } else {
+    *place += b - a;
+  }
+  return now;
+}
+
+scene::Membrane dragHand(const scene::Membrane& start, Hand hand, const scene::SliceFrame& frame, glm::dvec2 from,
+                         glm::dvec2 to) {
+  scene::Membrane now = start;
+  glm::dvec3* place = placeOf(now, hand);
+  if (!place || from == to) return now;
+  if (hand.kind != HandKind::Rim) {
+    *place += scene::worldFromSlicePixel(frame, to) - scene::worldFromSlicePixel(frame, from);
+    return now;
+  }
+  auto& kernel = now.field.kernels[std::size_t(hand.index)];
+  auto circle = circleOnSlice(frame, kernel);
+  if (!circle) return now;
+  double grows = glm::length(to - circle->middle) - glm::length(from - circle->middle);
+  double radius = std::max(circle->radius + grows, 0.0) * frame.mmPerPixel;
+  kernel.radiusMm = std::max(std::hypot(radius, scene::heightOverSlice(frame, kernel.centreMm)), kLeastRadiusMm);
+  return now;
+}
+
+double radiusOfDrag(const scene::SliceFrame& frame, glm::dvec2 from, glm::dvec2 to) {
+  return std::max(glm::length(to - from) * frame.mmPerPixel, kLeastRadiusMm);
+}
+
+double radiusOfDrag(const scene::Camera& camera, glm::dvec2 size, glm::dvec3 centreMm, glm::dvec2 to) {
+  return std::max(glm::length(facing(camera, size, centreMm, to) - centreMm), kLeastRadiusMm);
+}
+
+std::optional<SliceCircle> circleOnSlice(const scene::SliceFrame& frame, const scene::UserKernel& kernel) {
+  double h = scene::heightOverSlice(frame, kernel.centreMm), rest = kernel.radiusMm * kernel.radiusMm - h * h;
+  if (!(rest > 0.0)) return std::nullopt;
+  return SliceCircle{scene::slicePixelFromWorld(frame, kernel.centreMm), std::sqrt(rest) / frame.mmPerPixel};
+}
+
+double nearnessToSlice(const scene::SliceFrame& frame, glm::dvec3 placeMm) {
+  double pixels = std::abs(scene::heightOverSlice(frame, placeMm)) / frame.mmPerPixel;
+  return std::clamp(1.0 - pixels / kNearPixels, 0.0, 1.0);
+}
+
+std::vector<std::vector<glm::dvec3>> kernelRings(const scene::UserKernel& kernel, const glm::dmat3& axes) {
+  std::vector<std::vector<glm::dvec3>> rings(3);
+  for (int axis = 0; axis < 3; ++axis)
+    for (int i = 0; i < kRingCorners; ++i) {
+      double a = 2.0 * std::numbers::pi * i / kRingCorners;
+      glm::dvec3 out = axes[(axis + 1) % 3] * std::cos(a) + axes[(axis + 2) % 3] * std::sin(a);
+      rings[std::size_t(axis)].push_back(kernel.centreMm + out * kernel.radiusMm);
+    }
+  return rings;
+}
+
+std::string handText(const scene::Cut& cut, Hand hand) {
+  if (!holds(cut.membrane, hand)) return {};
+  if (hand.kind == HandKind::Rim)
+    return fmt::format("r {:.1f} mm", cut.membrane.field.kernels[std::size_t(hand.index)].radiusMm);
+  scene::Membrane membrane = cut.membrane;
+  glm::dvec3 local(localFromWorld(cut) * glm::dvec4(*placeOf(membrane, hand), 1.0));
+  return fmt::format("{:+.1f} mm", local.z);
+}
+
+const char* handLabel(Hand hand) {
+  if (hand.kind == HandKind::Pin) return "Move pin";
+  return hand.kind == HandKind::Rim ? "Resize kernel" : "Move kernel";
+}
+
+}  // namespace velum::session

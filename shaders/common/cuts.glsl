@@ -3,12 +3,12 @@
 #include "common/frame.glsl"
 
 layout(std430, binding = kCutBinding) readonly buffer CutBlock { CutData cuts[]; };
-// Bit i % 32 of word i / 32 of a structure's mask: cut i spares it. kCutBinding's order; frame.counts.y words a structure.
+// Bit i % 32 of word i / 32 of a structure's mask: cut i spares it. kCutBinding's order; (cutCount + 31) / 32 words a structure.
 layout(std430, binding = kExemptBinding) readonly buffer ExemptBlock { uint exemptMask[]; };
 
 bool isExempt(uint structure, int cut) {
-  if (!hasFlag(kFlagExemptions) || structure >= uint(frame.counts.z)) return false;
-  uint word = exemptMask[structure * uint(frame.counts.y) + uint(cut >> 5)];
+  if (!hasFlag(kFlagExemptions) || structure >= uint(frame.structureCount)) return false;
+  uint word = exemptMask[structure * uint((frame.cutCount + 31) / 32) + uint(cut >> 5)];
   return (word >> uint(cut & 31) & 1u) != 0u;
 }
 
@@ -24,7 +24,7 @@ bool isSlice(int cut) {
 bool cutsKeep(vec3 scenePoint, uint structure) {
   bool hasSlice = false;
   bool inSlice = false;
-  for (int i = 0; i < frame.counts.x; ++i) {
+  for (int i = 0; i < frame.cutCount; ++i) {
     bool keeps = !cutRemoves(cuts[i], scenePoint) || isExempt(structure, i);
     hasSlice = hasSlice || isSlice(i);
     inSlice = inSlice || (keeps && isSlice(i));
@@ -42,7 +42,7 @@ int cutsGuess(vec3 scenePoint, uint structure) {
   bool hasSlice = false;
   bool inSlice = false;
   bool nearSlice = false;
-  for (int i = 0; i < frame.counts.x; ++i) {
+  for (int i = 0; i < frame.cutCount; ++i) {
     int guess = convexDistance(cuts[i], scenePoint) < 0.0 ? kCutRemoves : kCutKeeps;
     if (cuts[i].kind.x == kCutMembrane) guess = membraneGuess(cuts[i], (cuts[i].localFromScene * vec4(scenePoint, 1.0)).xyz);
     if (isExempt(structure, i)) guess = kCutKeeps;
@@ -59,7 +59,7 @@ int cutsGuess(vec3 scenePoint, uint structure) {
 
 /// The unit normal of the face of a cut of convex shape, out of the material.
 vec3 convexNormal(int cut, vec3 p) {
-  float e = 0.01 * frame.step.x;
+  float e = 0.01 * frame.step;
   vec3 gradient = vec3(convexDistance(cuts[cut], p + vec3(e, 0, 0)) - convexDistance(cuts[cut], p - vec3(e, 0, 0)),
                        convexDistance(cuts[cut], p + vec3(0, e, 0)) - convexDistance(cuts[cut], p - vec3(0, e, 0)),
                        convexDistance(cuts[cut], p + vec3(0, 0, e)) - convexDistance(cuts[cut], p - vec3(0, 0, e)));
@@ -78,7 +78,7 @@ vec3 sheetNormalAt(int cut, int triangle, vec3 p, vec3 direction) {
 /// Share of its opacity that slices leave to a position of a structure: that of the slice that leaves it most.
 float sliceShare(vec3 scenePoint, uint structure) {
   float share = 0.0;
-  for (int i = 0; i < frame.counts.x; ++i) {
+  for (int i = 0; i < frame.cutCount; ++i) {
     if (!isSlice(i)) continue;
     vec3 p = (cuts[i].localFromScene * vec4(scenePoint, 1.0)).xyz;
     float own = isExempt(structure, i) ? 1.0 : membraneRemoves(cuts[i], p) ? 0.0 : membraneShare(cuts[i], p.z);
@@ -88,16 +88,16 @@ float sliceShare(vec3 scenePoint, uint structure) {
 }
 
 /// Optical depth of a length of material, mm, whose opacity has been reduced: the opacity of a voxel of it is.
-float fadedDepth(float depth, float length_, float share) {
-  float voxels = max(length_ * frame.cellGrid.w, 1e-6);
+float fadedDepth(float depth, float thickness, float share) {
+  float voxels = max(thickness * frame.voxelsPerLength, 1e-6);
   float opacity = 1.0 - exp(-depth / voxels);
   return share >= 1.0 ? depth : -log(max(1.0 - share * opacity, 1e-6)) * voxels;
 }
 
 /// Whether a slice's image shows in a place: what cuts, other than slices, remove takes the image with it.
 bool sliceShows(vec3 scenePoint, uint structure) {
-  for (int i = 0; i < frame.counts.x; ++i)
-    if (!isSlice(i) && cutDistance(cuts[i], scenePoint) < -0.01 / frame.cellGrid.w && !isExempt(structure, i)) return false;
+  for (int i = 0; i < frame.cutCount; ++i)
+    if (!isSlice(i) && cutDistance(cuts[i], scenePoint) < -0.01 / frame.voxelsPerLength && !isExempt(structure, i)) return false;
   return true;
 }
 
@@ -111,7 +111,7 @@ struct Mark {
 /// The image of a slice that comes next after one; those in one place in the order of the cuts.
 Mark nextSlice(Ray ray, Mark before) {
   Mark mark = Mark(kFar, -1, -1);
-  for (int i = 0; i < frame.counts.x; ++i) {
+  for (int i = 0; i < frame.cutCount; ++i) {
     if (!isSlice(i)) continue;
     vec3 o = (cuts[i].localFromScene * vec4(ray.origin, 1.0)).xyz;
     vec3 d = mat3(cuts[i].localFromScene) * ray.direction;
@@ -125,7 +125,7 @@ Mark nextSlice(Ray ray, Mark before) {
 /// The sheet to be shown that comes next after t.
 Mark nextSheet(Ray ray, float t, float tEnd) {
   Mark mark = Mark(kFar, -1, -1);
-  for (int i = 0; i < frame.counts.x; ++i) {
+  for (int i = 0; i < frame.cutCount; ++i) {
     if (cuts[i].kind.x != kCutMembrane || cuts[i].sheet.w == 0) continue;
     vec3 o = (cuts[i].localFromScene * vec4(ray.origin, 1.0)).xyz;
     vec3 d = mat3(cuts[i].localFromScene) * ray.direction;
@@ -156,7 +156,7 @@ Run convexRun(int cut, Ray ray, float t, float e) {
   vec2 inside = cutInterval(cuts[cut], ray.origin, ray.direction);
   bool hit = inside.x < inside.y;
   Run run = Run(t, kFar, -1);
-  if (cuts[cut].half_.w > 0.0) {
+  if (cuts[cut].halfSize.w > 0.0) {
     if (hit && t >= inside.x - e && t < inside.y - e) run.end = inside.y;
     else if (hit && t < inside.x) run.next = inside.x;
   } else if (!hit) {
@@ -198,7 +198,7 @@ Stretch stretchFrom(Ray ray, float t, float tEnd) {
   bool inSlice = false;
   Run slices = Run(kFar, kFar, -1);
   int sliceCut = -1;
-  for (int i = 0; i < frame.counts.x; ++i) {
+  for (int i = 0; i < frame.cutCount; ++i) {
     Run run = runFrom(i, ray, t, e, tEnd);
     if (isSlice(i)) {
       hasSlice = true;

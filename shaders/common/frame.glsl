@@ -7,7 +7,7 @@ layout(std140, binding = kFrameBinding) uniform FrameBlock { FrameParams frame; 
 #ifdef FLAGS
 bool hasFlag(uint bit) { return (FLAGS & bit) != 0u; }
 #else
-bool hasFlag(uint bit) { return (frame.flags.x & bit) != 0u; }
+bool hasFlag(uint bit) { return (frame.flags & bit) != 0u; }
 #endif
 
 struct Ray {
@@ -17,7 +17,7 @@ struct Ray {
 
 /// The ray through a position of the whole picture, in pixels from its top left corner.
 Ray rayThrough(vec2 pixel) {
-  vec2 at = vec2(2.0, -2.0) * pixel / frame.picture.xy + vec2(-1.0, 1.0);
+  vec2 at = vec2(2.0, -2.0) * pixel / frame.pictureSize + vec2(-1.0, 1.0);
   vec3 across = at.x * frame.right.xyz + at.y * frame.up.xyz;
   if (hasFlag(kFlagOrthographic)) return Ray(frame.eye.xyz + across, frame.forward.xyz);
   return Ray(frame.eye.xyz, normalize(frame.forward.xyz + across));

@@ -3,22 +3,25 @@
 
 layout(binding = kLightUnit) uniform sampler3D lightTexture;  // r: light that reaches a cell, g: openness of its surroundings
 
-/// @param normal  unit, out of the material; towardsEye unit; tex 0..1 in the light grid, already off the surface
+/// Where the light on a surface is looked up, in texture coordinates of the light grid: a cell off the material.
+vec3 lightTexAt(vec3 scenePoint, vec3 normal) { return (frame.texFromScene * vec4(scenePoint + normal * frame.lightCell, 1.0)).xyz; }
+
+/// @param normal  unit, out of the material; towardsEye unit; tex as lightTexAt()
 vec3 shadeSurface(vec3 albedo, vec3 normal, vec3 towardsEye, vec3 tex) {
   if (!hasFlag(kFlagShaded)) return albedo;
   float shadow = 1.0;
   float openness = 1.0;
   if (hasFlag(kFlagLightGrid)) {
     vec2 grid = textureLod(lightTexture, tex, 0.0).rg;
-    shadow = mix(1.0, grid.r, frame.key.w);
-    openness = mix(1.0, grid.g, frame.hemisphere.w);
+    shadow = mix(1.0, grid.r, frame.shadowStrength);
+    openness = mix(1.0, grid.g, frame.occlusionStrength);
   }
-  float sky = 0.7 + 0.3 * dot(normal, frame.hemisphere.xyz);
-  float lambert = max(dot(normal, frame.key.xyz), 0.0);
-  vec3 halfway = normalize(frame.key.xyz + towardsEye);
-  float highlight = pow(max(dot(normal, halfway), 0.0), frame.light.w) * step(1e-4, lambert);
+  float sky = 0.7 + 0.3 * dot(normal, frame.pictureUp.xyz);
+  float lambert = max(dot(normal, frame.keyLight.xyz), 0.0);
+  vec3 halfway = normalize(frame.keyLight.xyz + towardsEye);
+  float highlight = pow(max(dot(normal, halfway), 0.0), frame.shininess) * step(1e-4, lambert);
   // Light that has passed through material is warm, as in tissue.
-  vec3 ambient = albedo * (frame.light.x * sky * openness);
-  vec3 diffuse = albedo * (frame.light.y * lambert * shadow * mix(1.0, openness, 0.5));
-  return ambient + diffuse + vec3(frame.light.z * highlight * shadow);
+  vec3 ambient = albedo * (frame.ambient * sky * openness);
+  vec3 diffuse = albedo * (frame.diffuse * lambert * shadow * mix(1.0, openness, 0.5));
+  return ambient + diffuse + vec3(frame.specular * highlight * shadow);
 }

@@ -24,7 +24,7 @@ float texelAt(vec3 tex) { return textureLod(volumeTexture, tex, 0.0).r; }
 #endif
 
 /// Position in the transfer table, 0..kTransferSize-1.
-float tableAt(vec3 tex) { return clamp(texelAt(tex) * frame.valueFromTexel.x + frame.valueFromTexel.y, 0.0, 1.0) * float(kTransferSize - 1); }
+float tableAt(vec3 tex) { return clamp(texelAt(tex) * frame.tablePerTexel + frame.tableOffset, 0.0, 1.0) * float(kTransferSize - 1); }
 
 /// The label of a position; 0 outside the grid. A ray enters and leaves exactly on the grid's faces: they belong to it.
 uint labelAt(vec3 scenePoint) {
@@ -35,7 +35,7 @@ uint labelAt(vec3 scenePoint) {
 }
 
 vec4 structureRow(uint label) {
-  return label < uint(frame.counts.z) ? structures[label].color : vec4(0.6, 0.6, 0.6, 1.0);
+  return label < uint(frame.structureCount) ? structures[label].color : vec4(0.6, 0.6, 0.6, 1.0);
 }
 
 /// The table entries that the values between two table positions touch, at least one apart.
@@ -46,7 +46,7 @@ ivec2 entriesBetween(float a, float b) { return ivec2(int(min(a, b)), int(max(a,
 float extinctionBetween(float a, float b) {
   ivec2 e = entriesBetween(a, b);
   uint sum = texelFetch(extinctionTexture, ivec2(e.y, 0), 0).r - texelFetch(extinctionTexture, ivec2(e.x, 0), 0).r;
-  return float(sum) * frame.tableScale.x / float(e.y - e.x);
+  return float(sum) * frame.extinctionUnit / float(e.y - e.x);
 }
 
 /// Its mean colour, weighted by extinction.
@@ -57,7 +57,7 @@ vec3 colorBetween(float a, float b) {
 }
 
 float gradientFactor(vec3 gradient) {
-  float x = clamp(length(gradient) * frame.gradientScale.w, 0.0, 1.0) * float(kTransferSize - 1);
+  float x = clamp(length(gradient) * frame.gradientTableScale, 0.0, 1.0) * float(kTransferSize - 1);
   return texelFetch(gradientTable, ivec2(int(x), 0), 0).r;
 }
 
@@ -82,6 +82,19 @@ vec4 labelMaterial(vec3 scenePoint) {
   }
   return sum;
 }
+
+/// Extinction of structures by their coverage. Half coverage is the surface; a narrow ramp keeps it smooth.
+float coverageExtinction(float coverage) { return smoothstep(0.35, 0.65, coverage) * coverage * 6.0 * frame.voxelsPerLength; }
+
+float labelExtinction(vec3 scenePoint) { return coverageExtinction(labelMaterial(scenePoint).a); }
+
+/// Gradient of the coverage, scene frame, of any length.
+vec3 labelGradientAt(vec3 p) {
+  float h = 0.9 / frame.voxelsPerLength;
+  return vec3(labelMaterial(p + vec3(h, 0, 0)).a - labelMaterial(p - vec3(h, 0, 0)).a,
+              labelMaterial(p + vec3(0, h, 0)).a - labelMaterial(p - vec3(0, h, 0)).a,
+              labelMaterial(p + vec3(0, 0, h)).a - labelMaterial(p - vec3(0, 0, h)).a);
+}
 #endif
 
 /// Gradient of the data value per mm, scene frame, by central differences of one voxel. Software drivers look it up in a
@@ -89,7 +102,7 @@ vec4 labelMaterial(vec3 scenePoint) {
 vec3 gradientAt(vec3 tex) {
 #if GRADIENTS
   vec4 texel = textureLod(gradientTexture, tex, 0.0);
-  vec3 g = (texel.xyz - 128.0 / 255.0) * (texel.w * texel.w * frame.gradientScale.x);
+  vec3 g = (texel.xyz - 128.0 / 255.0) * (texel.w * texel.w * frame.gradientUnit);
 #else
   vec3 h = 1.0 / frame.volumeSize.xyz;
   vec3 g = vec3(texelAt(tex + vec3(h.x, 0, 0)) - texelAt(tex - vec3(h.x, 0, 0)),

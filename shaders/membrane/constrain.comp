@@ -26,13 +26,13 @@ layout(location = 0) uniform int bends;
 
 #if ALONG
 float stretchOf(ivec2 at, float place, int stride) {
-  vec2 mesh = 2.0 * cloth.half_.xy / vec2(cloth.grid.xy - 1);
+  vec2 mesh = 2.0 * cloth.halfSize.xy / vec2(cloth.grid.xy - 1);
   float sum = 0.0;
   for (int i = 0; i < 8; ++i) {
     int cell = i < 4 ? i : i + 1;  // around the middle of nine
     ivec2 other = clamp(at + stride * (ivec2(cell % 3, cell / 3) - 1), ivec2(0), cloth.grid.xy - 1);
-    vec2 flat_ = vec2(other - at) * mesh;
-    float rest2 = max(dot(flat_, flat_), 1e-12);
+    vec2 inPlane = vec2(other - at) * mesh;
+    float rest2 = max(dot(inPlane, inPlane), 1e-12);
     float d = from[other.y * cloth.grid.x + other.x] - place;
     bool isHeld = any(equal(other, ivec2(0))) || any(equal(other, cloth.grid.xy - 1));
     sum += d * (1.0 - inversesqrt((rest2 + d * d) / rest2)) * (isHeld ? 1.0 : 0.5);
@@ -41,7 +41,7 @@ float stretchOf(ivec2 at, float place, int stride) {
 }
 #else
 vec3 stretchOf(ivec2 at, vec4 place, int stride) {
-  vec2 mesh = 2.0 * cloth.half_.xy / vec2(cloth.grid.xy - 1);
+  vec2 mesh = 2.0 * cloth.halfSize.xy / vec2(cloth.grid.xy - 1);
   vec3 sum = vec3(0.0);
   for (int i = 0; i < 8; ++i) {
     int cell = i < 4 ? i : i + 1;
@@ -85,9 +85,9 @@ void main() {
 #if ALONG
     place += way;
 #else
-    place.xyz = clamp(place.xyz + way.xyz, -cloth.half_.xyz, cloth.half_.xyz);
+    place.xyz = clamp(place.xyz + way.xyz, -cloth.halfSize.xyz, cloth.halfSize.xyz);
 #endif
-    HEIGHT(place) = clamp(HEIGHT(place), max(room[i].x, -cloth.half_.z), min(room[i].y, cloth.half_.z));
+    HEIGHT(place) = clamp(HEIGHT(place), max(room[i].x, -cloth.halfSize.z), min(room[i].y, cloth.halfSize.z));
   }
   to[i] = place;
 }

@@ -74,7 +74,7 @@ void main() {
     force.z -= cloth.step.z * (place.z - lift);
     vec3 way = (velocities[i].xyz + cloth.step.x * force) * (cloth.step.y * cloth.step.x);
     float len = length(way);
-    place.xyz += way * min(1.0, cloth.half_.w / max(len, 1e-12));
+    place.xyz += way * min(1.0, cloth.halfSize.w / max(len, 1e-12));
   }
 #if ALONG
   predicted[i] = place.z;

@@ -7,18 +7,13 @@ layout(local_size_x = 4, local_size_y = 4, local_size_z = 4) in;
 
 layout(binding = 0, r32f) uniform writeonly image3D extinctionImage;
 
-layout(location = 0) uniform ivec4 slice;  // x: first z
-layout(location = 1) uniform vec4 texel;   // xyz: scene mm per grid cell axis are in sceneFrom*; w unused
-layout(location = 2) uniform vec4 sceneX;  // scene step of one whole volume along tex x, y, z
-layout(location = 3) uniform vec4 sceneY;
-layout(location = 4) uniform vec4 sceneZ;
-layout(location = 5) uniform vec4 scene0;  // scene position of tex 0
+layout(location = 0) uniform int firstLayer;  // z of the first cells
 
 /// Slices let less of the material show, which then throws less of a shadow.
 float shownExtinction(float extinction, vec3 p, uint structure) {
 #ifdef MEMBRANES
-  float length_ = 1.0 / frame.cellGrid.w;
-  if (hasFlag(kFlagSlices)) return fadedDepth(extinction * length_, length_, sliceShare(p, structure)) / length_;
+  float thickness = 1.0 / frame.voxelsPerLength;
+  if (hasFlag(kFlagSlices)) return fadedDepth(extinction * thickness, thickness, sliceShare(p, structure)) / thickness;
 #endif
   return extinction;
 }
@@ -32,20 +27,20 @@ struct Place {
 
 Place placeAt(vec3 tex) {
   Place place;
-  place.point = scene0.xyz + tex.x * sceneX.xyz + tex.y * sceneY.xyz + tex.z * sceneZ.xyz;
+  mat4 edges = frame.sceneFromTex;
+  place.point = edges[3].xyz + tex.x * edges[0].xyz + tex.y * edges[1].xyz + tex.z * edges[2].xyz;
   place.structure = 0u;
 #if LABELS == 2
-  vec4 material = labelMaterial(place.point);
   place.structure = labelAt(place.point);
-  place.extinction = smoothstep(0.35, 0.65, material.a) * material.a * 6.0 * frame.cellGrid.w;
+  place.extinction = labelExtinction(place.point);
 #else
   float factor = 1.0;
 #if LABELS == 1
   place.structure = labelAt(place.point);
-  factor = place.structure == 0u ? frame.window.w : structureRow(place.structure).a;
+  factor = place.structure == 0u ? frame.unlabelledOpacity : structureRow(place.structure).a;
 #endif
 #if MODE == 2
-  place.extinction = tableAt(tex) >= frame.step.z * float(kTransferSize - 1) ? 4.0 * frame.cellGrid.w : 0.0;
+  place.extinction = tableAt(tex) >= frame.isoValue * float(kTransferSize - 1) ? 4.0 * frame.voxelsPerLength : 0.0;
 #else
   float x = tableAt(tex);
   place.extinction = extinctionBetween(x, x) * factor;
@@ -60,7 +55,7 @@ vec3 sampleTex(ivec3 cell, int i) {
 }
 
 void main() {
-  ivec3 cell = ivec3(gl_GlobalInvocationID) + ivec3(0, 0, slice.x);
+  ivec3 cell = ivec3(gl_GlobalInvocationID) + ivec3(0, 0, firstLayer);
   if (any(greaterThanEqual(cell, ivec3(frame.lightGrid.xyz)))) return;
   float sum = 0.0;
 #ifdef MEMBRANES
@@ -74,14 +69,14 @@ void main() {
   }
   do {
     Place place = placeAt(sampleTex(cell, max(findLSB(near), 0)));
-    bool counts_ = near != 0u && cutsKeep(place.point, place.structure);
-    sum += counts_ ? place.extinction : 0.0;
+    bool isKept = near != 0u && cutsKeep(place.point, place.structure);
+    sum += isKept ? place.extinction : 0.0;
     near &= near - 1u;
   } while (near != 0u);
 #else
   for (int i = 0; i < 8; ++i) {
     Place place = placeAt(sampleTex(cell, i));
-    sum += frame.counts.x == 0 || cutsKeep(place.point, place.structure) ? place.extinction : 0.0;
+    sum += frame.cutCount == 0 || cutsKeep(place.point, place.structure) ? place.extinction : 0.0;
   }
 #endif
   imageStore(extinctionImage, cell, vec4(sum * 0.125));

@@ -7,10 +7,11 @@ layout(local_size_x = 4, local_size_y = 4, local_size_z = 4) in;
 layout(binding = kLightUnit) uniform sampler3D extinctionTexture;
 layout(binding = 0, rg8) uniform image3D lightImage;
 
-layout(location = 0) uniform ivec4 slice;      // x: first z; y: 1 keeps the openness, which no turn of the light changes
-layout(location = 1) uniform vec4 keyTex;      // xyz: step of one cell size towards the key light, in grid texture coordinates
-layout(location = 2) uniform vec4 reach;       // x: cells of occlusion reach; y: cell size mm
-layout(location = 3) uniform vec4 cellTex;     // xyz: one cell size along each texture axis, in grid texture coordinates
+layout(location = 0) uniform int firstLayer;    // z of the first cells
+layout(location = 1) uniform int keepsOpenness; // 1: no turn of the light changes it
+layout(location = 2) uniform vec4 keyTex;       // step of one cell size towards the key light, in grid texture coordinates
+layout(location = 3) uniform vec4 cellTex;      // one cell size along each texture axis, in grid texture coordinates
+layout(location = 4) uniform float reachCells;  // of occlusion
 
 float extinctionAt(vec3 tex) {
   if (any(lessThan(tex, vec3(0.0))) || any(greaterThan(tex, vec3(1.0)))) return 0.0;
@@ -21,13 +22,13 @@ float extinctionAt(vec3 tex) {
 float shadowAt(vec3 tex, int steps) {
   float depth = 0.0;
   float at = 1.5;
-  float step_ = 1.0;
+  float stride = 1.0;
   for (int i = 0; i < steps; ++i) {
     vec3 p = tex + at * keyTex.xyz;
     if (any(lessThan(p, vec3(0.0))) || any(greaterThan(p, vec3(1.0))) || depth > 5.0) break;
-    depth += extinctionAt(p) * step_ * reach.y;
-    at += step_;
-    step_ = min(step_ * 1.12, 4.0);
+    depth += extinctionAt(p) * stride * frame.lightCell;
+    at += stride;
+    stride = min(stride * 1.12, 4.0);
   }
   return exp(-depth);
 }
@@ -39,24 +40,24 @@ float opennessAt(vec3 tex, int directions) {
     vec3 d = i < 6 ? vec3(i >> 1 == 0, i >> 1 == 1, i >> 1 == 2) * ((i & 1) == 0 ? 1.0 : -1.0)
                    : (vec3((i - 6) & 1, (i - 6) >> 1 & 1, (i - 6) >> 2) * 2.0 - 1.0) * 0.57735;
     float depth = 0.0;
-    float stride = reach.x / 4.0;
+    float stride = reachCells / 4.0;
     for (int k = 0; k < 4; ++k) depth += extinctionAt(tex + d * cellTex.xyz * (stride * (float(k) + 0.6) + 0.7));
-    sum += exp(-depth * stride * reach.y);
+    sum += exp(-depth * stride * frame.lightCell);
   }
   return clamp(sum / 14.0 * 1.6, 0.0, 1.0);
 }
 
 void main() {
-  ivec3 cell = ivec3(gl_GlobalInvocationID) + ivec3(0, 0, slice.x);
+  ivec3 cell = ivec3(gl_GlobalInvocationID) + ivec3(0, 0, firstLayer);
   ivec3 grid = ivec3(frame.lightGrid.xyz);
   if (any(greaterThanEqual(cell, grid))) return;
   vec3 tex = (vec3(cell) + 0.5) / vec3(grid);
   float near = 0.0;
   for (int i = 0; i < 8; ++i) near += extinctionAt(tex + (vec3(i & 1, i >> 1 & 1, i >> 2) * 2.0 - 1.0) * 1.6 / vec3(grid));
   // Counts of 0 instead of branches: a software driver runs both sides of a branch, but leaves a loop early.
-  bool isShadowed = near > 0.0 && frame.key.w > 0.0;
-  bool isOccluded = near > 0.0 && frame.hemisphere.w > 0.0;
-  bool isKept = slice.y != 0;
+  bool isShadowed = near > 0.0 && frame.shadowStrength > 0.0;
+  bool isOccluded = near > 0.0 && frame.occlusionStrength > 0.0;
+  bool isKept = keepsOpenness != 0;
   float shadow = shadowAt(tex, isShadowed ? 40 : 0);
   float openness = opennessAt(tex, isOccluded && !isKept ? 14 : 0);
   openness = isKept ? imageLoad(lightImage, cell).g : isOccluded ? openness : 1.0;

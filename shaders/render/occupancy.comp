@@ -26,9 +26,9 @@ void main() {
   ivec3 grid = ivec3(frame.cellGrid.xyz);
   if (any(greaterThanEqual(cell, grid))) return;
   int index = (cell.z * grid.y + cell.y) * grid.x + cell.x;
-  vec2 range = cellRange[index] * frame.valueFromTexel.x + frame.valueFromTexel.y;
+  vec2 range = cellRange[index] * frame.tablePerTexel + frame.tableOffset;
   range = vec2(min(range.x, range.y), max(range.x, range.y));
-  bool content = mode.x == 0 ? hasOpacity(range) : mode.x == 1 ? range.x <= frame.step.z && range.y >= frame.step.z : true;
+  bool content = mode.x == 0 ? hasOpacity(range) : mode.x == 1 ? range.x <= frame.isoValue && range.y >= frame.isoValue : true;
   bool spared = false;
   if (mode.y != 0) {
     uvec2 labels = cellLabels[index];

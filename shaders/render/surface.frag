@@ -16,7 +16,6 @@ void main() {
   vec3 normal = length(sceneNormal) > 0.0 ? sceneNormal : cross(dFdx(scenePoint), dFdy(scenePoint));
   normal = length(normal) > 0.0 ? normalize(normal) : -toPoint;  // a line has none
   if (dot(normal, toPoint) > 0.0) normal = -normal;
-  vec3 tex = (frame.texFromScene * vec4(scenePoint + normal * frame.lightGrid.w, 1.0)).xyz;
-  color = vec4(albedo.a > 0.0 ? shadeSurface(albedo.rgb, normal, -toPoint, tex) : albedo.rgb, 1.0);
+  color = vec4(albedo.a > 0.0 ? shadeSurface(albedo.rgb, normal, -toPoint, lightTexAt(scenePoint, normal)) : albedo.rgb, 1.0);
   aux = vec4(normal, dot(scenePoint - frame.eye.xyz, toPoint));
 }

@@ -24,7 +24,7 @@ SHARED_CONST int kBendClasses = 9;           // by distance from either end of a
 /// What a step needs to know. std140.
 struct ClothParams {
   ivec4 grid;            ///< x, y: particles; z: user kernels; w: strides
-  vec4 half_;            ///< xyz: half the frame and the reach, mm; w: longest way in a step, mm
+  vec4 halfSize;         ///< xyz: half the frame and the reach, mm; w: longest way in a step, mm
   vec4 step;             ///< x: time, s; y: what is left of a velocity; z: pull back to the slice, 1/s^2; w: mm/s^2 of strength 1
   mat4 kernelFromLocal;  ///< places of the kernel lattice, kernels at integers
   vec4 spacing;          ///< xyz: between kernels along the volume's axes, mm; w: their geometric mean

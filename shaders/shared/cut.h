@@ -18,7 +18,7 @@ SHARED_CONST float kCutFar = 1e30f;
 /// One enabled cut. Frame: scene-local millimetres (world minus the frame's origin).
 struct CutData {
   mat4 localFromScene;  ///< rigid
-  vec4 half_;           ///< xyz: half edges, radius in x; w: 1 removes the inside, -1 the outside
+  vec4 halfSize;        ///< xyz: half edges, radius in x; w: 1 removes the inside, -1 the outside
   ivec4 kind;           ///< x: kCut*; y: 1 shows the slice on its face; z: 1 when some structure is exempt; w: kMembrane*
   vec4 face;            ///< x: opacity of the slice face
   ivec4 sheet;          ///< membranes: x: first row; y, z: particles across, up; w: 1 shown as lines, 2 as a surface
@@ -26,33 +26,33 @@ struct CutData {
 };
 
 /// Signed distance from a point in the cut's local frame to the shape, mm: < 0 inside. Exact for every shape.
-SHARED_FN float cutShapeDistance(int kind, vec3 half_, vec3 p) {
+SHARED_FN float cutShapeDistance(int kind, vec3 halfSize, vec3 p) {
   if (kind == kCutPlane) return -p.z;
-  if (kind == kCutSphere) return length(p) - half_.x;
+  if (kind == kCutSphere) return length(p) - halfSize.x;
   if (kind == kCutBox) {
-    vec3 q = abs(p) - half_;
+    vec3 q = abs(p) - halfSize;
     return length(max(q, vec3(0.0f))) + min(max(q.x, max(q.y, q.z)), 0.0f);
   }
   float r = sqrt(p.x * p.x + p.y * p.y);
   if (kind == kCutCylinder) {
-    float dr = r - half_.x;
-    float dz = abs(p.z) - half_.z;
+    float dr = r - halfSize.x;
+    float dz = abs(p.z) - halfSize.z;
     float ox = max(dr, 0.0f);
     float oz = max(dz, 0.0f);
     return sqrt(ox * ox + oz * oz) + min(max(dr, dz), 0.0f);
   }
-  // Cone: apex at the origin, opening along +z to radius half_.x at height 2 half_.z. In the (r, z) half plane it is a
+  // Cone: apex at the origin, opening along +z to radius halfSize.x at height 2 halfSize.z. In the (r, z) half plane it is a
   // triangle: distance to the slanted side and to the base disc.
-  float h = 2.0f * half_.z;
-  float len = sqrt(half_.x * half_.x + h * h);
-  float along = clamp((r * half_.x + p.z * h) / (len * len), 0.0f, 1.0f);
-  float sx = r - along * half_.x;
+  float h = 2.0f * halfSize.z;
+  float len = sqrt(halfSize.x * halfSize.x + h * h);
+  float along = clamp((r * halfSize.x + p.z * h) / (len * len), 0.0f, 1.0f);
+  float sx = r - along * halfSize.x;
   float sz = p.z - along * h;
   float toSide = sqrt(sx * sx + sz * sz);
-  float bx = max(r - half_.x, 0.0f);
+  float bx = max(r - halfSize.x, 0.0f);
   float bz = p.z - h;
   float toBase = sqrt(bx * bx + bz * bz);
-  float away = (r * h - p.z * half_.x) / len;
+  float away = (r * h - p.z * halfSize.x) / len;
   bool inside = away < 0.0f && p.z < h;
   return (inside ? -1.0f : 1.0f) * min(toSide, toBase);
 }
@@ -61,7 +61,7 @@ SHARED_FN float cutShapeDistance(int kind, vec3 half_, vec3 p) {
 SHARED_FN SheetPlan cutSheet(CutData cut) {
   SheetPlan plan;
   plan.rows = cut.sheet;
-  plan.half_ = vec3(cut.half_);
+  plan.halfSize = vec3(cut.halfSize);
   return plan;
 }
 
@@ -71,7 +71,7 @@ SHARED_CONST int kCutNear = 2;  // only the meshes of a sheet tell
 
 SHARED_FN bool membraneRemovesSide(CutData cut, vec3 p, bool isAbove) {
   if (cut.kind.w == kMembraneSlice) return isAbove == (p.z > 0.0f) || !sheetHolds(cutSheet(cut), p);
-  return isAbove == (cut.half_.w > 0.0f);
+  return isAbove == (cut.halfSize.w > 0.0f);
 }
 
 /// What membraneRemoves() says, as far as one fetch tells.
@@ -92,7 +92,7 @@ SHARED_FN bool membraneRemoves(CutData cut, vec3 p SHARED_SHEETS) {
 SHARED_FN float membraneDistance(CutData cut, vec3 p SHARED_SHEETS) {
   SheetPlan plan = cutSheet(cut);
   float toSheet = sheetDistance(plan, p SHARED_PASS_SHEETS);
-  if (cut.kind.w != kMembraneSlice) return cut.half_.w * toSheet;
+  if (cut.kind.w != kMembraneSlice) return cut.halfSize.w * toSheet;
   bool removes = (toSheet < 0.0f) == (p.z > 0.0f) || !sheetHolds(plan, p);
   float nearest = min(abs(toSheet), abs(p.z));
   return removes ? -nearest : nearest;
@@ -132,7 +132,7 @@ SHARED_FN float membraneShare(CutData cut, float z) {
 /// Signed distance to what a cut of convex shape removes, mm: < 0 is removed.
 SHARED_FN float convexDistance(CutData cut, vec3 scenePoint) {
   vec3 p = vec3(cut.localFromScene * vec4(scenePoint, 1.0f));
-  return cut.half_.w * cutShapeDistance(cut.kind.x, vec3(cut.half_), p);
+  return cut.halfSize.w * cutShapeDistance(cut.kind.x, vec3(cut.halfSize), p);
 }
 
 /// Whether a cut removes a point.
@@ -176,31 +176,31 @@ SHARED_FN vec2 cutQuadric(float a, float b, float c) {
 }
 
 /// The stretch of the line o + t d inside the shape (local frame, every shape is convex): x > y when it misses.
-SHARED_FN vec2 cutShapeInterval(int kind, vec3 half_, vec3 o, vec3 d) {
+SHARED_FN vec2 cutShapeInterval(int kind, vec3 halfSize, vec3 o, vec3 d) {
   if (kind == kCutPlane) {
     float dz = cutNonZero(d.z);
     float t = -o.z / dz;
     return dz > 0.0f ? vec2(t, kCutFar) : vec2(-kCutFar, t);
   }
-  if (kind == kCutSphere) return cutQuadric(dot(d, d), dot(o, d), dot(o, o) - half_.x * half_.x);
+  if (kind == kCutSphere) return cutQuadric(dot(d, d), dot(o, d), dot(o, o) - halfSize.x * halfSize.x);
   if (kind == kCutBox) {
-    vec2 x = cutSlab(o.x, d.x, half_.x);
-    vec2 y = cutSlab(o.y, d.y, half_.y);
-    vec2 z = cutSlab(o.z, d.z, half_.z);
+    vec2 x = cutSlab(o.x, d.x, halfSize.x);
+    vec2 y = cutSlab(o.y, d.y, halfSize.y);
+    vec2 z = cutSlab(o.z, d.z, halfSize.z);
     return vec2(max(x.x, max(y.x, z.x)), min(x.y, min(y.y, z.y)));
   }
   if (kind == kCutCylinder) {
-    vec2 z = cutSlab(o.z, d.z, half_.z);
+    vec2 z = cutSlab(o.z, d.z, halfSize.z);
     float a = d.x * d.x + d.y * d.y;
-    float c = o.x * o.x + o.y * o.y - half_.x * half_.x;
+    float c = o.x * o.x + o.y * o.y - halfSize.x * halfSize.x;
     if (a < 1e-12f) return c <= 0.0f ? z : vec2(1.0f, -1.0f);
     vec2 side = cutQuadric(a, o.x * d.x + o.y * d.y, c);
     return vec2(max(side.x, z.x), min(side.y, z.y));
   }
   // Cone: x^2 + y^2 <= k^2 z^2, 0 <= z <= h.
-  float h = 2.0f * half_.z;
-  float k2 = half_.x * half_.x / max(h * h, 1e-24f);
-  vec2 z = cutSlab(o.z - half_.z, d.z, half_.z);
+  float h = 2.0f * halfSize.z;
+  float k2 = halfSize.x * halfSize.x / max(h * h, 1e-24f);
+  vec2 z = cutSlab(o.z - halfSize.z, d.z, halfSize.z);
   float a = cutNonZero(d.x * d.x + d.y * d.y - k2 * d.z * d.z);
   float b = o.x * d.x + o.y * d.y - k2 * o.z * d.z;
   float c = o.x * o.x + o.y * o.y - k2 * o.z * o.z;
@@ -216,7 +216,7 @@ SHARED_FN vec2 cutShapeInterval(int kind, vec3 half_, vec3 o, vec3 d) {
 SHARED_FN vec2 cutInterval(CutData cut, vec3 origin, vec3 direction) {
   vec4 o = cut.localFromScene * vec4(origin, 1.0f);
   vec4 d = cut.localFromScene * vec4(direction, 0.0f);
-  return cutShapeInterval(cut.kind.x, vec3(cut.half_.x, cut.half_.y, cut.half_.z), vec3(o.x, o.y, o.z), vec3(d.x, d.y, d.z));
+  return cutShapeInterval(cut.kind.x, vec3(cut.halfSize.x, cut.halfSize.y, cut.halfSize.z), vec3(o.x, o.y, o.z), vec3(d.x, d.y, d.z));
 }
 
 SHARED_END

@@ -1,4 +1,4 @@
-// What every pass of a frame knows. std140: only mat4, vec4 and groups of four scalars.
+// What every pass of a frame knows. std140: only mat4, vec4 and what fills 16 bytes.
 #ifndef VELUM_SHARED_FRAME_H
 #define VELUM_SHARED_FRAME_H
 #include "shared/types.h"
@@ -45,33 +45,58 @@ SHARED_CONST uint kFlagHideFront = 4096u;  // of a scene with slices, for pictur
 SHARED_CONST uint kFlagHideSlice = 8192u;  // their images
 SHARED_CONST uint kFlagHideBehind = 16384u; // and what lies behind the first one
 
-/// Scene-local frame: world millimetres minus an origin near the scene, so that floats are enough anywhere.
+/// Scene-local frame: world minus an origin near the scene, so that floats are enough anywhere. Lengths are in scene units.
+/// "Table" positions 0..1 run over the transfer table's domain of data values. Members lie in groups of 16 bytes: a mat4's
+/// columns, a vec4 (a vector: its w means nothing), two vec2 or four scalars.
 struct FrameParams {
-  mat4 texFromScene;      ///< volume texture coordinates 0..1
-  mat4 labelFromScene;    ///< label voxel indices
-  mat4 clipFromScene;     ///< for what is rasterised; same rays
-  vec4 eye;               ///< perspective: the eye; orthographic: middle of the picture plane
-  vec4 right;             ///< from the middle of the picture to its right edge, at distance 1 (orthographic: mm)
-  vec4 up;                ///< to its top edge
-  vec4 forward;           ///< unit
-  vec4 picture;           ///< width, height of the whole picture in pixels; subpixel offset x, y
-  vec4 volumeSize;        ///< voxels x, y, z of the texture; w: voxels of the cell edge
-  vec4 cellsPerTex;       ///< xyz: cells in a unit of texture coordinates
-  vec4 cellGrid;          ///< cells x, y, z; w: reciprocal of the smallest spacing, 1/mm
-  vec4 valueFromTexel;    ///< x: scale, y: offset from texels to the table 0..1; z: table 0..1 per data value
-  vec4 step;              ///< x: step mm, y: opaque cutoff alpha, z: iso value (table 0..1), w: noise offset 0..1
-  vec4 tableScale;        ///< x: extinction 1/mm of one unit of the running sums; y, z: from the first table entry with any to past the last
-  vec4 gradientScale;     ///< x: texel difference of a gradient texel's full length; w: reciprocal of the largest gradient in its table, mm per data value
-  vec4 window;            ///< x: scale, y: offset from table 0..1 to grey 0..1; z: label tint, w: opacity of the unlabelled
-  vec4 light;             ///< ambient, diffuse, specular, shininess
-  vec4 key;               ///< unit, towards the key light, scene frame; w: shadow strength
-  vec4 hemisphere;        ///< xyz: unit up of the picture; w: occlusion strength
-  vec4 normalX;           ///< rows of the matrix from differences of texels over two voxels to data value per mm, scene frame
+  mat4 texFromScene;    ///< volume texture coordinates 0..1
+  mat4 sceneFromTex;    ///< the way back
+  mat4 labelFromScene;  ///< label voxel indices
+  mat4 clipFromScene;   ///< for what is rasterised; same rays
+  vec4 eye;             ///< perspective: the eye; orthographic: middle of the picture plane
+  vec4 right;           ///< from the middle of the picture to its right edge, at distance 1 (orthographic: a length)
+  vec4 up;              ///< to its top edge
+  vec4 forward;         ///< unit
+  vec4 volumeSize;      ///< voxels x, y, z of the texture
+  vec4 cellGrid;        ///< cells x, y, z
+  vec4 cellsPerTex;     ///< cells in a unit of texture coordinates
+  vec4 lightGrid;       ///< cells x, y, z of the light grid
+  vec4 normalX;         ///< rows of the matrix from differences of texels over two voxels to data value per length, scene frame
   vec4 normalY;
   vec4 normalZ;
-  vec4 lightGrid;         ///< cells x, y, z of the light grid; w: cell size mm
-  ivec4 counts;           ///< x: cuts, y: words of the exemption mask a structure, z: number of structure rows, w: pass sample index
-  uvec4 flags;            ///< x: kFlag*
+  vec4 keyLight;        ///< unit, towards the key light, scene frame
+  vec4 pictureUp;       ///< unit
+  vec2 pictureSize;     ///< of the whole picture, pixels
+  vec2 subpixel;        ///< place of the sample, from the middle of its pixel
+
+  float step;           ///< length of ray between two samples
+  float opaqueAlpha;    ///< a ray ends where it is as opaque as this
+  float isoValue;       ///< table position
+  float noise;          ///< of this sample of the picture, 0..1; is added to each pixel's own
+  float voxelsPerLength;     ///< reciprocal of the smallest spacing
+  float tablePerTexel;       ///< table position = texel * tablePerTexel + tableOffset
+  float tableOffset;
+  float tablePerValue;       ///< per unit of data values
+  float extinctionUnit;      ///< extinction, 1/length, of one unit of the running sums
+  float shownFrom;           ///< first table entry with any extinction
+  float shownTo;             ///< one past the last
+  float gradientUnit;        ///< texel difference of a gradient texel's full length
+  float gradientTableScale;  ///< reciprocal of the largest gradient in its table, data values per length
+  float greyScale;           ///< grey 0..1 = table position * greyScale + greyOffset
+  float greyOffset;
+  float labelTint;           ///< 0..1, how much of a structure's colour its material takes
+  float unlabelledOpacity;   ///< factor of what no structure owns
+  float ambient;
+  float diffuse;
+  float specular;
+  float shininess;
+  float shadowStrength;      ///< 0..1
+  float occlusionStrength;   ///< 0..1
+  float lightCell;           ///< edge of a cell of the light grid
+  int cutCount;
+  int structureCount;        ///< rows of structures
+  int sampleIndex;           ///< which sample of the picture, from 0
+  uint flags;                ///< kFlag*
 };
 
 /// One structure: index by label id.

@@ -25,7 +25,7 @@ SHARED_CONST float kSheetMargin = 1e-5f;     // of the frame's edges: how far ro
 /// Which rows, and the frame that the sheet hangs in.
 struct SheetPlan {
   ivec4 rows;  ///< x: first row of the sheet; y, z: particles along the frame's width and height
-  vec3 half_;  ///< half edges of the frame's box, mm
+  vec3 halfSize;  ///< half edges of the frame's box, mm
 };
 
 /// Where a line crosses a sheet: triangle 2 v or 2 v + 1 is the lower or upper one of the mesh whose lower left particle
@@ -43,7 +43,7 @@ SHARED_FN int sheetLists(SheetPlan plan) { return plan.rows.x + 3 * sheetParticl
 /// A place of the frame in cells.
 SHARED_FN vec2 sheetCellAt(SheetPlan plan, vec2 place) {
   vec2 edges = vec2(float(plan.rows.y - 1), float(plan.rows.z - 1));
-  return (place / vec2(plan.half_.x, plan.half_.y) + 1.0f) * 0.5f * edges + 0.5f;
+  return (place / vec2(plan.halfSize.x, plan.halfSize.y) + 1.0f) * 0.5f * edges + 0.5f;
 }
 
 SHARED_FN int sheetCellIndex(float at, int count) { return clamp(int(at), 0, count - 1); }
@@ -57,11 +57,11 @@ SHARED_FN ivec4 sheetCellsWithin(SheetPlan plan, vec2 low, vec2 high) {
 }
 
 /// Slack of a cell's lowest and highest z, mm.
-SHARED_FN float sheetSlack(SheetPlan plan) { return kSheetMargin * (plan.half_.x + plan.half_.y + plan.half_.z); }
+SHARED_FN float sheetSlack(SheetPlan plan) { return kSheetMargin * (plan.halfSize.x + plan.halfSize.y + plan.halfSize.z); }
 
 /// True over the frame's rectangle. Half open, as the edges of the meshes are counted.
 SHARED_FN bool sheetHolds(SheetPlan plan, vec3 p) {
-  return p.x >= -plan.half_.x && p.x < plan.half_.x && p.y >= -plan.half_.y && p.y < plan.half_.y;
+  return p.x >= -plan.halfSize.x && p.x < plan.halfSize.x && p.y >= -plan.halfSize.y && p.y < plan.halfSize.y;
 }
 
 SHARED_FN float sheetCross(vec3 a, vec3 b) {
@@ -70,9 +70,9 @@ SHARED_FN float sheetCross(vec3 a, vec3 b) {
 }
 
 /// Crossing number: the edge from a to b passes the z axis on its +x side. Meshes agree about an edge that they share,
-/// as its two ends taken the other way round only change the sign of `cross_`.
-SHARED_FN bool sheetEdgePasses(vec3 a, vec3 b, float cross_) {
-  return (a.y > 0.0f) != (b.y > 0.0f) && (b.y > 0.0f ? cross_ > 0.0f : cross_ < 0.0f);
+/// as its two ends taken the other way round only change the sign of `edgeCross`.
+SHARED_FN bool sheetEdgePasses(vec3 a, vec3 b, float edgeCross) {
+  return (a.y > 0.0f) != (b.y > 0.0f) && (b.y > 0.0f ? edgeCross > 0.0f : edgeCross < 0.0f);
 }
 
 /// z of a triangle on the z axis, by the areas of the triangles that the axis makes with its edges.
@@ -249,7 +249,7 @@ SHARED_FN SheetHit sheetCrossing(SheetPlan plan, vec3 o, vec3 d, float from, flo
   best.triangle = -1;
   // The part of the line inside the frame's box, a little enlarged.
   vec3 inv = 1.0f / vec3(sheetNonZero(d.x), sheetNonZero(d.y), sheetNonZero(d.z));
-  vec3 h = plan.half_ + sheetSlack(plan);
+  vec3 h = plan.halfSize + sheetSlack(plan);
   vec3 t0 = (-h - o) * inv;
   vec3 t1 = (h - o) * inv;
   vec3 enters = min(t0, t1);
@@ -262,7 +262,7 @@ SHARED_FN SheetHit sheetCrossing(SheetPlan plan, vec3 o, vec3 d, float from, flo
   SheetLine line = sheetLine(p, d);
   float last = end - start;
   vec2 at = sheetCellAt(plan, vec2(p.x, p.y));
-  vec2 perMm = 0.5f * vec2(float(plan.rows.y - 1) / plan.half_.x, float(plan.rows.z - 1) / plan.half_.y) * vec2(d.x, d.y);
+  vec2 perMm = 0.5f * vec2(float(plan.rows.y - 1) / plan.halfSize.x, float(plan.rows.z - 1) / plan.halfSize.y) * vec2(d.x, d.y);
   vec2 mmPer = 1.0f / vec2(sheetNonZero(perMm.x), sheetNonZero(perMm.y));
   int stepX = perMm.x < 0.0f ? -1 : 1;
   int stepY = perMm.y < 0.0f ? -1 : 1;

@@ -73,6 +73,7 @@ int Program::memberOffset(const std::string& block, const std::string& member) c
 
 void Program::use() const { gl().UseProgram(id()); }
 void Program::set(int location, int value) const { gl().ProgramUniform1i(id(), location, value); }
+void Program::set(int location, float v) const { gl().ProgramUniform1f(id(), location, v); }
 void Program::set(int location, glm::ivec2 v) const { gl().ProgramUniform2i(id(), location, v.x, v.y); }
 void Program::set(int location, glm::ivec4 v) const { gl().ProgramUniform4i(id(), location, v.x, v.y, v.z, v.w); }
 void Program::set(int location, glm::vec4 v) const { gl().ProgramUniform4f(id(), location, v.x, v.y, v.z, v.w); }

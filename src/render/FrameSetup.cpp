@@ -70,6 +70,7 @@ shared::FrameParams makeFrameParams(const Frame& frame, const FrameGrid& grid, c
   sceneFromTex[3] -= glm::dvec4(origin, 0.0);
   glm::dmat4 texFromScene = glm::inverse(sceneFromTex);
   params.texFromScene = glm::mat4(texFromScene);
+  params.sceneFromTex = glm::mat4(sceneFromTex);
   if (scene.labels.data) {
     glm::dmat4 toWorld(1.0);
     toWorld[3] = glm::dvec4(origin, 1.0);
@@ -95,16 +96,21 @@ shared::FrameParams makeFrameParams(const Frame& frame, const FrameGrid& grid, c
   glm::dvec3 spacing(glm::length(edges[0]) / grid.dims.x, glm::length(edges[1]) / grid.dims.y,
                      glm::length(edges[2]) / grid.dims.z);
   double smallest = std::min(spacing.x, std::min(spacing.y, spacing.z));
-  params.volumeSize = v4(glm::dvec3(grid.dims), grid.cells.edge);
-  params.cellGrid = v4(glm::dvec3(grid.cells.size), 1.0 / smallest);
+  params.volumeSize = v4(glm::dvec3(grid.dims));
+  params.cellGrid = v4(glm::dvec3(grid.cells.size));
+  params.voxelsPerLength = float(1.0 / smallest);
+  params.step = float(scene.rayCast.stepVoxels * smallest * std::max(1.0, frame.stepFactor));
+  params.opaqueAlpha = 0.998f;
   double width = table.domain.y - table.domain.x;
-  params.valueFromTexel = {float(grid.valueScale / width), float((grid.valueOffset - table.domain.x) / width),
-                           float(1.0 / width), 0.0f};
-  double isoTable = (scene.rayCast.isoValue - table.domain.x) / width;
-  params.step = {float(scene.rayCast.stepVoxels * smallest * std::max(1.0, frame.stepFactor)), 0.998f, float(isoTable),
-                 0.0f};
-  params.tableScale = {float(table.extinctionUnit), float(table.shownFrom), float(table.shownTo), 0};
-  params.gradientScale = {float(grid.gradientScale), 0, 0, float(1.0 / table.gradientMax)};
+  params.tablePerTexel = float(grid.valueScale / width);
+  params.tableOffset = float((grid.valueOffset - table.domain.x) / width);
+  params.tablePerValue = float(1.0 / width);
+  params.isoValue = float((scene.rayCast.isoValue - table.domain.x) / width);
+  params.extinctionUnit = float(table.extinctionUnit);
+  params.shownFrom = float(table.shownFrom);
+  params.shownTo = float(table.shownTo);
+  params.gradientUnit = float(grid.gradientScale);
+  params.gradientTableScale = float(1.0 / table.gradientMax);
   params.cellsPerTex = v4(glm::dvec3(grid.dims) / double(grid.cells.edge));
   // A difference over two voxels along texture axis i is 2/dims[i] of that axis; gradients transform by the inverse
   // transpose.
@@ -114,16 +120,23 @@ shared::FrameParams makeFrameParams(const Frame& frame, const FrameGrid& grid, c
   for (int i = 0; i < 3; ++i) *rows[i] = v4(glm::dvec3(gradient[0][i], gradient[1][i], gradient[2][i]) * perDifference);
   glm::dvec2 grey = scene::mixesChannels(scene.volume) ? glm::dvec2(0.5, 1.0) * table.mixedWhite
                                                        : scene::effectiveWindow(scene.volume);
-  params.window = {float(width / grey.y), float((table.domain.x - (grey.x - 0.5 * grey.y)) / grey.y),
-                   float(scene.labels.tint), float(scene.labels.unlabelled)};
+  params.greyScale = float(width / grey.y);
+  params.greyOffset = float((table.domain.x - (grey.x - 0.5 * grey.y)) / grey.y);
+  params.labelTint = float(scene.labels.tint);
+  params.unlabelledOpacity = float(scene.labels.unlabelled);
   // Light.
   const auto& light = scene.lighting;
-  params.light = {float(light.ambient), float(light.diffuse), float(light.specular), float(light.shininess)};
+  params.ambient = float(light.ambient);
+  params.diffuse = float(light.diffuse);
+  params.specular = float(light.specular);
+  params.shininess = float(light.shininess);
   glm::dvec3 key = unitOr(light.keyDirection, {0, 0, 1});
-  params.key = v4(glm::normalize(key.x * basis.right + key.y * basis.up - key.z * basis.forward), light.shadow);
-  params.hemisphere = v4(basis.up, light.occlusion);
+  params.keyLight = v4(glm::normalize(key.x * basis.right + key.y * basis.up - key.z * basis.forward));
+  params.pictureUp = v4(basis.up);
+  params.shadowStrength = float(light.shadow);
+  params.occlusionStrength = float(light.occlusion);
   // Switches.
-  auto flag = [&](bool on, std::uint32_t bit) { params.flags.x |= on ? bit : 0u; };
+  auto flag = [&](bool on, std::uint32_t bit) { params.flags |= on ? bit : 0u; };
   flag(orthographic, shared::kFlagOrthographic);
   flag(light.shaded, shared::kFlagShaded);
   flag(scene.rayCast.skipEmpty, shared::kFlagSkipEmpty);
@@ -141,9 +154,10 @@ void setSample(shared::FrameParams& params, const Frame& frame, int sample) {
   double x = sample == 0 ? 0.5 : std::fmod(0.5 + 0.7548776662466927 * sample, 1.0);
   double y = sample == 0 ? 0.5 : std::fmod(0.5 + 0.5698402909980532 * sample, 1.0);
   glm::dvec2 shift(x - 0.5, y - 0.5);
-  params.picture = {float(frame.pictureSize.x), float(frame.pictureSize.y), float(shift.x), float(shift.y)};
-  params.step.w = float(std::fmod(0.6180339887498949 * sample, 1.0));
-  params.counts.w = sample;
+  params.pictureSize = frame.pictureSize;
+  params.subpixel = shift;
+  params.noise = float(std::fmod(0.6180339887498949 * sample, 1.0));
+  params.sampleIndex = sample;
   FrameGrid grid;
   grid.worldFromTex = glm::inverse(glm::dmat4(params.texFromScene));
   params.clipFromScene = glm::mat4(
@@ -151,10 +165,10 @@ void setSample(shared::FrameParams& params, const Frame& frame, int sample) {
 }
 
 glm::vec3 pointOnRay(const shared::FrameParams& params, glm::ivec2 pixel, float distance) {
-  glm::vec2 at = glm::vec2(2, -2) * (glm::vec2(pixel) + 0.5f) / glm::vec2(params.picture) + glm::vec2(-1, 1);
+  glm::vec2 at = glm::vec2(2, -2) * (glm::vec2(pixel) + 0.5f) / params.pictureSize + glm::vec2(-1, 1);
   glm::vec3 across = at.x * glm::vec3(params.right) + at.y * glm::vec3(params.up);
   glm::vec3 eye(params.eye), forward(params.forward);
-  if (params.flags.x & shared::kFlagOrthographic) return eye + across + distance * forward;
+  if (params.flags & shared::kFlagOrthographic) return eye + across + distance * forward;
   return eye + distance * glm::normalize(forward + across);
 }
 
@@ -167,9 +181,9 @@ glm::ivec4 coveredRect(const shared::FrameParams& params, const Frame& frame) {
     float depth = glm::dot(d, forward);
     // A box around or behind the eye may show anywhere.
     if (!(depth > 1e-3f * glm::length(d))) return {0, 0, frame.windowSize};
-    if (params.flags.x & shared::kFlagOrthographic) depth = 1;
+    if (params.flags & shared::kFlagOrthographic) depth = 1;
     glm::vec2 at = glm::vec2(glm::dot(d, right) / glm::dot(right, right), glm::dot(d, up) / glm::dot(up, up)) / depth;
-    glm::vec2 pixel = (at * glm::vec2(0.5f, -0.5f) + 0.5f) * glm::vec2(params.picture);
+    glm::vec2 pixel = (at * glm::vec2(0.5f, -0.5f) + 0.5f) * params.pictureSize;
     low = glm::min(low, pixel);
     high = glm::max(high, pixel);
   }
@@ -206,7 +220,7 @@ std::vector<shared::CutData> makeCutData(const scene::Scene& scene, glm::dvec3 o
     shared::CutData data{};
     data.localFromScene = glm::mat4(glm::inverse(sceneFromCut));
     glm::dvec3 half = glm::max(cut.sizeMm, glm::dvec3(1e-9)) * 0.5;
-    data.half_ = v4(half, cut.invert ? -1.0 : 1.0);
+    data.halfSize = v4(half, cut.invert ? -1.0 : 1.0);
     data.kind = {static_cast<int>(cut.shape), cut.face == scene::CutFace::Slice ? 1 : 0, cut.exempt.empty() ? 0 : 1, 0};
     data.face = {float(cut.faceOpacity), 0, 0, 0};
     if (cut.shape == scene::CutShape::Membrane) addMembrane(data, cut, sheets[membranes++]);
@@ -224,17 +238,17 @@ std::vector<shared::StructureRow> makeStructureRows(const scene::LabelLayer& lab
   return rows;
 }
 
-std::vector<std::uint32_t> makeExemptMask(const scene::Scene& scene, std::size_t structureRows, int& words) {
+std::vector<std::uint32_t> makeExemptMask(const scene::Scene& scene, std::size_t structureRows) {
   std::vector<const scene::Cut*> cuts;
   for (const auto& cut : scene.cuts)
     if (cut.enabled) cuts.push_back(&cut);
-  words = int(cuts.size() + 31) / 32;
+  std::size_t words = (cuts.size() + 31) / 32;
   std::vector<std::uint32_t> mask;
   for (std::size_t i = 0; i < cuts.size(); ++i)
     for (int id : cuts[i]->exempt) {
       if (std::size_t(id) >= structureRows) continue;
-      mask.resize(structureRows * std::size_t(words), 0);
-      mask[std::size_t(id) * std::size_t(words) + i / 32] |= 1u << (i % 32);
+      mask.resize(structureRows * words, 0);
+      mask[std::size_t(id) * words + i / 32] |= 1u << (i % 32);
     }
   return mask;
 }

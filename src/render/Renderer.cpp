@@ -74,7 +74,8 @@ void Renderer::Impl::castTile(glm::ivec4 rect) {
   int count = groups.x * groups.y, stride = std::max(1, int(0.618 * count));
   while (std::gcd(stride, count) != 1) ++stride;
   rayProgram->set(0, rect);
-  rayProgram->set(1, glm::ivec4(frame.windowOrigin, stride, 0));
+  rayProgram->set(1, frame.windowOrigin);
+  rayProgram->set(2, stride);
   gpu::dispatch(*rayProgram, glm::ivec3(groups, 1));
   gpu::barrier();
 }
@@ -175,12 +176,14 @@ void Renderer::Impl::resolve() {
   sum.bindImage(0, gpu::Access::Read);
   picture.bindImage(1, gpu::Access::Write);
   bool complete = steps.empty();
-  resolveProgram->set(
-      0, glm::ivec4(frame.windowOrigin, complete ? stats.samples : currentSample, complete ? 0 : rowsDone));
-  resolveProgram->set(3, complete ? glm::ivec4(0) : glm::ivec4(part, 0));
+  resolveProgram->set(0, frame.windowOrigin);
+  resolveProgram->set(1, complete ? stats.samples : currentSample);
+  resolveProgram->set(2, complete ? 0 : rowsDone);
+  resolveProgram->set(3, complete ? glm::ivec2(0) : glm::ivec2(part));
+  resolveProgram->set(4, complete ? 0 : part.z);
   float backdrop = background.transparent ? 0.0f : 1.0f;
-  resolveProgram->set(1, glm::vec4(background.top, backdrop));
-  resolveProgram->set(2, glm::vec4(background.bottom, backdrop));
+  resolveProgram->set(5, glm::vec4(background.top, backdrop));
+  resolveProgram->set(6, glm::vec4(background.bottom, backdrop));
   gpu::dispatch(*resolveProgram, {(frame.windowSize.x + 7) / 8, (frame.windowSize.y + 7) / 8, 1});
   gpu::barrier();
 }

@@ -123,11 +123,6 @@ struct Renderer::Impl {
   void resizePictures(glm::ivec2 size);
   void resolve();
   int lightCells() const { return context.limits().isSoftware ? 96 : 160; }
-  glm::mat4 sceneFromTex() const {
-    glm::dmat4 m = grid.worldFromTex;
-    m[3] -= glm::dvec4(sceneOrigin(grid), 0.0);
-    return glm::mat4(m);
-  }
 };
 
 }  // namespace velum::render

@@ -171,25 +171,23 @@ void Renderer::Impl::prepareParams(const TransferTable& table) {
   sheets.prepare(frame);
   auto cutData = makeCutData(scene, sceneOrigin(grid), sheets.plans());
   auto rows = makeStructureRows(scene.labels);
-  int words = 0;
-  auto mask = makeExemptMask(scene, rows.size(), words);
+  auto mask = makeExemptMask(scene, rows.size());
   params = makeFrameParams(frame, grid, table);
-  params.counts.x = int(cutData.size());
-  if (!cutData.empty()) params.flags.x |= shared::kFlagCuts;
+  params.cutCount = int(cutData.size());
+  if (!cutData.empty()) params.flags |= shared::kFlagCuts;
   for (const scene::Cut* cut : membranesOf(scene)) {
-    params.flags.x |= shared::kFlagMembranes;
-    if (cut->membrane.use == scene::MembraneUse::Slice) params.flags.x |= shared::kFlagSlices;
-    if (cut->membrane.look != scene::SheetLook::Hidden) params.flags.x |= shared::kFlagSheets;
+    params.flags |= shared::kFlagMembranes;
+    if (cut->membrane.use == scene::MembraneUse::Slice) params.flags |= shared::kFlagSlices;
+    if (cut->membrane.look != scene::SheetLook::Hidden) params.flags |= shared::kFlagSheets;
   }
-  if (params.flags.x & shared::kFlagSlices) {
-    if (!frame.parts.front) params.flags.x |= shared::kFlagHideFront;
-    if (!frame.parts.slice) params.flags.x |= shared::kFlagHideSlice;
-    if (!frame.parts.behind) params.flags.x |= shared::kFlagHideBehind;
+  if (params.flags & shared::kFlagSlices) {
+    if (!frame.parts.front) params.flags |= shared::kFlagHideFront;
+    if (!frame.parts.slice) params.flags |= shared::kFlagHideSlice;
+    if (!frame.parts.behind) params.flags |= shared::kFlagHideBehind;
   }
-  if (frame.isPreview && (params.flags.x & shared::kFlagLightGrid)) keepLight();
-  params.counts.y = words;
-  params.counts.z = int(rows.size());
-  if (!mask.empty() && labelsMode(scene) != 0) params.flags.x |= shared::kFlagExemptions;
+  if (frame.isPreview && (params.flags & shared::kFlagLightGrid)) keepLight();
+  params.structureCount = int(rows.size());
+  if (!mask.empty() && labelsMode(scene) != 0) params.flags |= shared::kFlagExemptions;
   if (cutData.empty()) cutData.emplace_back();
   if (mask.empty()) mask.push_back(0);
   cutBuffer = gpu::Buffer("cuts", std::span<const shared::CutData>(cutData));
@@ -203,7 +201,7 @@ void Renderer::Impl::choosePrograms() {
   int color = volume && volume->isMixed ? 2 : volume && volume->isColor ? 1 : 0;
   int rayMode = volume ? static_cast<int>(frame.scene.rayCast.mode) : 0;
   int gradients = volume && volume->gradient ? 1 : 0;
-  std::uint32_t flags = params.flags.x;
+  std::uint32_t flags = params.flags;
   gpu::Defines defines{
       {"MODE", std::to_string(rayMode)}, {"LABELS", std::to_string(mode)}, {"COLOR", std::to_string(color)}};
   if (flags & shared::kFlagMembranes) defines.push_back({"MEMBRANES", "1"});
@@ -228,7 +226,8 @@ void Renderer::Impl::choosePrograms() {
   glm::ivec3 before = light->size();
   light->resize({glm::length(edges[0]), glm::length(edges[1]), glm::length(edges[2])}, lightCells());
   if (light->size() != before) extinctionKey.reset();
-  params.lightGrid = glm::vec4(glm::vec3(light->size()), float(light->cellMm()));
+  params.lightGrid = glm::vec4(glm::vec3(light->size()), 0.0f);
+  params.lightCell = float(light->cellMm());
 }
 
 void Renderer::Impl::updateSkipMap() {
@@ -264,7 +263,7 @@ void Renderer::Impl::setup() {
   resizePictures(frame.windowSize);
   if (!skip) skip.emplace();
   if (!surfaces) surfaces.emplace();
-  surfaces->useMembranes(params.flags.x & shared::kFlagMembranes);
+  surfaces->useMembranes(params.flags & shared::kFlagMembranes);
   frameBlock.set(params);
   bindAll();
   updateSkipMap();
@@ -306,9 +305,9 @@ Renderer::Impl::MaterialKey Renderer::Impl::materialKeyOf(const Frame& of) const
 void Renderer::Impl::keepLight() {
   bool fits = extinctionKey && lightDirection != glm::dvec3(0.0) && *extinctionKey == materialKeyOf(frame);
   if (fits)
-    params.key = glm::vec4(glm::vec3(lightDirection), params.key.w);
+    params.keyLight = glm::vec4(glm::vec3(lightDirection), 0.0f);
   else
-    params.flags.x &= ~shared::kFlagLightGrid;
+    params.flags &= ~shared::kFlagLightGrid;
 }
 
 GpuVolume* Renderer::Impl::drawnVolume() {
@@ -323,7 +322,7 @@ void Renderer::Impl::addLightSteps() {
   const auto& lighting = frame.scene.lighting;
   if (!lighting.shaded || (lighting.shadow <= 0 && lighting.occlusion <= 0) || frame.isPreview) return;
   MaterialKey key = materialKeyOf(frame);
-  glm::dvec3 direction(glm::vec3(params.key));
+  glm::dvec3 direction(glm::vec3(params.keyLight));
   glm::dvec4 options(lighting.shadow > 0, lighting.occlusion > 0, lighting.occlusionRadius, 0);
   bool sameMaterial = extinctionKey && *extinctionKey == key;
   bool sameLight = sameMaterial && glm::length(direction - lightDirection) < 1e-6 && options == lightOptions;
@@ -332,16 +331,15 @@ void Renderer::Impl::addLightSteps() {
   hasOpenness = keepOpenness;
   lightDirection = glm::dvec3(0.0);  // a frame that is given up half way leaves a grid that serves no direction
   constexpr int kLayers = 4;
-  glm::mat4 fromTex = sceneFromTex();
   if (!sameMaterial) {
     extinctionKey.reset();
     for (int z = 0; z < light->size().z; z += kLayers)
-      steps.push_back({"Light", [this, z, fromTex] {
-                         light->extinction(z, std::min(light->size().z, z + kLayers), fromTex);
+      steps.push_back({"Light", [this, z] {
+                         light->extinction(z, std::min(light->size().z, z + kLayers));
                          return true;
                        }});
   }
-  glm::dmat3 texFromDirection(glm::inverse(glm::dmat3(glm::mat3(fromTex))));
+  glm::dmat3 texFromDirection(glm::inverse(glm::dmat3(glm::mat3(params.sceneFromTex))));
   glm::vec3 keyTex(texFromDirection * direction * light->cellMm());
   glm::dmat3 edges(grid.worldFromTex);
   glm::vec3 cellTex;

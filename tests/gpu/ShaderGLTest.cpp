@@ -92,20 +92,54 @@ struct Offset {
 #define VELUM_OFFSET(type, member) \
   { #member, offsetof(shared::type, member) }
 
-const Offset kFrameOffsets[] = {VELUM_OFFSET(FrameParams, texFromScene),  VELUM_OFFSET(FrameParams, labelFromScene),
-                                VELUM_OFFSET(FrameParams, clipFromScene), VELUM_OFFSET(FrameParams, eye),
-                                VELUM_OFFSET(FrameParams, right),         VELUM_OFFSET(FrameParams, up),
-                                VELUM_OFFSET(FrameParams, forward),       VELUM_OFFSET(FrameParams, picture),
-                                VELUM_OFFSET(FrameParams, volumeSize),    VELUM_OFFSET(FrameParams, cellsPerTex),
-                                VELUM_OFFSET(FrameParams, cellGrid),      VELUM_OFFSET(FrameParams, valueFromTexel),
-                                VELUM_OFFSET(FrameParams, step),          VELUM_OFFSET(FrameParams, tableScale),
-                                VELUM_OFFSET(FrameParams, gradientScale), VELUM_OFFSET(FrameParams, window),
-                                VELUM_OFFSET(FrameParams, light),         VELUM_OFFSET(FrameParams, key),
-                                VELUM_OFFSET(FrameParams, hemisphere),    VELUM_OFFSET(FrameParams, normalX),
-                                VELUM_OFFSET(FrameParams, normalY),       VELUM_OFFSET(FrameParams, normalZ),
-                                VELUM_OFFSET(FrameParams, lightGrid),     VELUM_OFFSET(FrameParams, counts),
+const Offset kFrameOffsets[] = {VELUM_OFFSET(FrameParams, texFromScene),
+                                VELUM_OFFSET(FrameParams, sceneFromTex),
+                                VELUM_OFFSET(FrameParams, labelFromScene),
+                                VELUM_OFFSET(FrameParams, clipFromScene),
+                                VELUM_OFFSET(FrameParams, eye),
+                                VELUM_OFFSET(FrameParams, right),
+                                VELUM_OFFSET(FrameParams, up),
+                                VELUM_OFFSET(FrameParams, forward),
+                                VELUM_OFFSET(FrameParams, volumeSize),
+                                VELUM_OFFSET(FrameParams, cellGrid),
+                                VELUM_OFFSET(FrameParams, cellsPerTex),
+                                VELUM_OFFSET(FrameParams, lightGrid),
+                                VELUM_OFFSET(FrameParams, normalX),
+                                VELUM_OFFSET(FrameParams, normalY),
+                                VELUM_OFFSET(FrameParams, normalZ),
+                                VELUM_OFFSET(FrameParams, keyLight),
+                                VELUM_OFFSET(FrameParams, pictureUp),
+                                VELUM_OFFSET(FrameParams, pictureSize),
+                                VELUM_OFFSET(FrameParams, subpixel),
+                                VELUM_OFFSET(FrameParams, step),
+                                VELUM_OFFSET(FrameParams, opaqueAlpha),
+                                VELUM_OFFSET(FrameParams, isoValue),
+                                VELUM_OFFSET(FrameParams, noise),
+                                VELUM_OFFSET(FrameParams, voxelsPerLength),
+                                VELUM_OFFSET(FrameParams, tablePerTexel),
+                                VELUM_OFFSET(FrameParams, tableOffset),
+                                VELUM_OFFSET(FrameParams, tablePerValue),
+                                VELUM_OFFSET(FrameParams, extinctionUnit),
+                                VELUM_OFFSET(FrameParams, shownFrom),
+                                VELUM_OFFSET(FrameParams, shownTo),
+                                VELUM_OFFSET(FrameParams, gradientUnit),
+                                VELUM_OFFSET(FrameParams, gradientTableScale),
+                                VELUM_OFFSET(FrameParams, greyScale),
+                                VELUM_OFFSET(FrameParams, greyOffset),
+                                VELUM_OFFSET(FrameParams, labelTint),
+                                VELUM_OFFSET(FrameParams, unlabelledOpacity),
+                                VELUM_OFFSET(FrameParams, ambient),
+                                VELUM_OFFSET(FrameParams, diffuse),
+                                VELUM_OFFSET(FrameParams, specular),
+                                VELUM_OFFSET(FrameParams, shininess),
+                                VELUM_OFFSET(FrameParams, shadowStrength),
+                                VELUM_OFFSET(FrameParams, occlusionStrength),
+                                VELUM_OFFSET(FrameParams, lightCell),
+                                VELUM_OFFSET(FrameParams, cutCount),
+                                VELUM_OFFSET(FrameParams, structureCount),
+                                VELUM_OFFSET(FrameParams, sampleIndex),
                                 VELUM_OFFSET(FrameParams, flags)};
-const Offset kCutOffsets[] = {VELUM_OFFSET(CutData, localFromScene), VELUM_OFFSET(CutData, half_),
+const Offset kCutOffsets[] = {VELUM_OFFSET(CutData, localFromScene), VELUM_OFFSET(CutData, halfSize),
                               VELUM_OFFSET(CutData, kind),           VELUM_OFFSET(CutData, face),
                               VELUM_OFFSET(CutData, sheet),          VELUM_OFFSET(CutData, slice)};
 
@@ -121,7 +155,8 @@ TEST_F(ShaderGL, FrameParamsLieWhereTheDriverPutsThem) {
     if (offset < 0) offset = program.memberOffset("FrameBlock", members[i]);
     EXPECT_EQ(offset, int(kFrameOffsets[i].bytes)) << members[i];
   }
-  EXPECT_EQ(sizeof(shared::FrameParams), kFrameOffsets[std::size(kFrameOffsets) - 1].bytes + 16);
+  EXPECT_EQ(sizeof(shared::FrameParams), kFrameOffsets[std::size(kFrameOffsets) - 1].bytes + 4);
+  EXPECT_EQ(sizeof(shared::FrameParams) % 16, 0u);
 }
 
 /// Offsets in storage blocks, asked of the shader itself: it writes what it reads from each member.
@@ -137,7 +172,7 @@ void main() {
   for (int c = 0; c < 2; ++c) {
     int at = c * 36;
     for (int i = 0; i < 16; ++i) seen[at + i] = cuts[c].localFromScene[i / 4][i % 4];
-    for (int i = 0; i < 4; ++i) seen[at + 16 + i] = cuts[c].half_[i];
+    for (int i = 0; i < 4; ++i) seen[at + 16 + i] = cuts[c].halfSize[i];
     for (int i = 0; i < 4; ++i) seen[at + 20 + i] = float(cuts[c].kind[i]);
     for (int i = 0; i < 4; ++i) seen[at + 24 + i] = cuts[c].face[i];
     for (int i = 0; i < 4; ++i) seen[at + 28 + i] = float(cuts[c].sheet[i]);
@@ -153,7 +188,7 @@ void main() {
   float next = 1;
   for (auto& cut : cuts) {
     for (int i = 0; i < 16; ++i) expected.push_back(cut.localFromScene[i / 4][i % 4] = next++);
-    for (int i = 0; i < 4; ++i) expected.push_back(cut.half_[i] = next++);
+    for (int i = 0; i < 4; ++i) expected.push_back(cut.halfSize[i] = next++);
     for (int i = 0; i < 4; ++i) expected.push_back(float(cut.kind[i] = int(next++)));
     for (int i = 0; i < 4; ++i) expected.push_back(cut.face[i] = next++);
     for (int i = 0; i < 4; ++i) expected.push_back(float(cut.sheet[i] = int(next++)));

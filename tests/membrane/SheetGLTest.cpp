@@ -96,10 +96,10 @@ TEST_F(SheetGL, ProgramsFindWhatTheProcessorFinds) {
 layout(std430, binding = 1) readonly buffer RayBlock { vec4 rays[]; };
 layout(std430, binding = 2) buffer OutBlock { vec4 found[]; };
 layout(location = 0) uniform ivec4 particles;
-layout(location = 1) uniform vec4 half_;
+layout(location = 1) uniform vec4 halfSize;
 void main() {
   int i = int(gl_GlobalInvocationID.x);
-  SheetPlan plan = SheetPlan(ivec4(0, particles.xy, 0), half_.xyz);
+  SheetPlan plan = SheetPlan(ivec4(0, particles.xy, 0), halfSize.xyz);
   vec3 o = rays[2 * i].xyz;
   SheetHit hit = sheetCrossing(plan, o, rays[2 * i + 1].xyz, 0.0, 1000.0);
   found[i] = vec4(hit.t, float(hit.triangle), sheetIsAbove(plan, o) ? 1.0 : 0.0, sheetDistance(plan, o));

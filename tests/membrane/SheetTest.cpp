@@ -196,7 +196,7 @@ TEST(Sheet, CrossingsEndWhereTheyAreAskedTo) {
 shared::CutData cutOf(const TestSheet& sheet, bool isSlice, bool invert = false) {
   shared::CutData cut{};
   cut.localFromScene = glm::mat4(1.0f);
-  cut.half_ = glm::vec4(sheet.plan.half_, invert ? -1.0f : 1.0f);
+  cut.halfSize = glm::vec4(sheet.plan.halfSize, invert ? -1.0f : 1.0f);
   cut.kind = {shared::kCutMembrane, 0, 0, isSlice ? shared::kMembraneSlice : shared::kMembraneClip};
   cut.sheet = sheet.plan.rows;
   return cut;

@@ -11,7 +11,7 @@ constexpr glm::ivec2 kSize(72, 72);
 shared::CutData cutDataOf(const scene::Cut& cut) {
   shared::CutData data{};
   data.localFromScene = glm::mat4(glm::inverse(scene::worldFromCut(cut)));
-  data.half_ = glm::vec4(glm::vec3(cut.sizeMm * 0.5), cut.invert ? -1.0f : 1.0f);
+  data.halfSize = glm::vec4(glm::vec3(cut.sizeMm * 0.5), cut.invert ? -1.0f : 1.0f);
   data.kind.x = static_cast<int>(cut.shape);
   return data;
 }

@@ -225,7 +225,7 @@ TEST(CutShapeInterval, HoldsExactlyWhatLiesInside) {
 shared::CutData cutOf(int kind, vec3 half, bool invert, const glm::mat4& localFromScene) {
   shared::CutData cut{};
   cut.localFromScene = localFromScene;
-  cut.half_ = glm::vec4(half, invert ? -1.0f : 1.0f);
+  cut.halfSize = glm::vec4(half, invert ? -1.0f : 1.0f);
   cut.kind = glm::ivec4(kind, 0, 0, 0);
   return cut;
 }

@@ -27,6 +27,7 @@ class Program : public Handle<deleteProgram> {
   int memberOffset(const std::string& block, const std::string& member) const;
   void use() const;
   void set(int location, int value) const;
+  void set(int location, float value) const;
   void set(int location, glm::ivec2 value) const;
   void set(int location, glm::ivec4 value) const;
   void set(int location, glm::vec4 value) const;

@@ -165,7 +165,7 @@ void Solver::writeParams() {
   // Half a kernel is the most that a particle may pass in a step; without kernels a hundredth of the frame.
   double smallest = std::min(spacing.x, std::min(spacing.y, spacing.z));
   double longest = mField.dims.x > 0 ? 0.5 * smallest : unit;
-  p.half_ = glm::vec4(glm::vec3(mSetup.halfMm), float(longest));
+  p.halfSize = glm::vec4(glm::vec3(mSetup.halfMm), float(longest));
   const auto& cloth = mSetup.cloth;
   p.step = {float(cloth.timeStepS), float(std::exp(-cloth.damping * cloth.timeStepS)), float(cloth.restoring),
             float(unit)};

@@ -20,20 +20,19 @@ void LightPass::resize(glm::dvec3 edges, int longest) {
   mLight = gpu::Texture::make3d("light grid", gpu::Format::Rg8, size);
 }
 
-void LightPass::extinction(int z0, int z1, const glm::mat4& sceneFromTex) {
-  mExtinctionProgram.set(0, glm::ivec4(z0, 0, 0, 0));
-  for (int axis = 0; axis < 3; ++axis) mExtinctionProgram.set(2 + axis, sceneFromTex[axis]);
-  mExtinctionProgram.set(5, sceneFromTex[3]);
+void LightPass::extinction(int z0, int z1) {
+  mExtinctionProgram.set(0, z0);
   mExtinction.bindImage(0, gpu::Access::Write);
   gpu::dispatch(mExtinctionProgram, (glm::ivec3(mSize.x, mSize.y, z1 - z0) + 3) / 4);
   gpu::barrier();
 }
 
 void LightPass::light(int z0, int z1, glm::vec3 keyTex, glm::vec3 cellTex, double reachCells, bool keepOpenness) {
-  mLightProgram.set(0, glm::ivec4(z0, keepOpenness ? 1 : 0, 0, 0));
-  mLightProgram.set(1, glm::vec4(keyTex, 0.0f));
-  mLightProgram.set(2, glm::vec4(float(reachCells), float(mCellMm), 0.0f, 0.0f));
+  mLightProgram.set(0, z0);
+  mLightProgram.set(1, keepOpenness ? 1 : 0);
+  mLightProgram.set(2, glm::vec4(keyTex, 0.0f));
   mLightProgram.set(3, glm::vec4(cellTex, 0.0f));
+  mLightProgram.set(4, float(reachCells));
   mExtinction.bindSampler(shared::kLightUnit);
   mLight.bindImage(0, gpu::Access::ReadWrite);
   gpu::dispatch(mLightProgram, (glm::ivec3(mSize.x, mSize.y, z1 - z0) + 3) / 4);

@@ -17,8 +17,8 @@ class LightPass {
   void resize(glm::dvec3 edgesMm, int longest);
   glm::ivec3 size() const { return mSize; }
   double cellMm() const { return mCellMm; }
-  /// @param sceneFromTex  for the cells' positions. Layers z0..z1
-  void extinction(int z0, int z1, const glm::mat4& sceneFromTex);
+  /// Layers z0..z1 of what the light has to pass.
+  void extinction(int z0, int z1);
   /// @param keyTex  one cell size towards the light in grid texture coordinates; reachCells: occlusion reach;
   ///                keepOpenness: the light alone has turned
   void light(int z0, int z1, glm::vec3 keyTex, glm::vec3 cellTex, double reachCells, bool keepOpenness);

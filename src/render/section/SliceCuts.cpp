@@ -30,7 +30,7 @@ void SliceCuts::markConvex(const SliceCut& cut, const Row& row, std::vector<char
     from = int(std::clamp(std::ceil(inside.x), 0.0f, float(row.width)));
     to = int(std::clamp(std::floor(inside.y) + 1.0f, float(from), float(row.width)));
   }
-  bool takesInside = cut.data.half_.w > 0;
+  bool takesInside = cut.data.halfSize.w > 0;
   std::fill(removed.begin(), removed.end(), char(!takesInside));
   std::fill(removed.begin() + from, removed.begin() + to, char(takesInside));
 }

@@ -1,0 +1,32 @@
+// Compositing front to back, for marches that see what lies behind.
+#include "render/hit.glsl"
+#include "render/walk.glsl"
+
+#if MODE != 1
+
+/// Puts a sample behind what there is.
+void addSample(inout Hit hit, vec4 premultiplied, float t, vec3 normal, uint structure) {
+  float left = 1.0 - hit.color.a;
+  // The layers (position, normal, id) are those of the sample that makes the ray half opaque, or of the first one.
+  bool isHalfOpaque = hit.color.a < 0.5 && hit.color.a + left * premultiplied.a >= 0.5;
+  if (hit.distance == kFar || isHalfOpaque) {
+    hit.distance = t;
+    hit.normal = normal;
+    hit.structure = structure;
+  }
+  hit.color += left * premultiplied;
+}
+
+/// The image of an inlay.
+void addInlay(inout Hit hit, float t, vec3 color, float alpha, vec3 normal, uint structure) {
+  if (alpha > 0.0) addSample(hit, vec4(color, 1.0) * alpha, t, normal, structure);
+}
+
+/// The sheet of a membrane.
+void addSheet(inout Hit hit, float t, vec3 color, float alpha, vec3 normal) {
+  if (alpha > 0.0) addSample(hit, vec4(color, 1.0) * alpha, t, normal, 0u);
+}
+
+void finishRay(inout Hit hit, Ray ray, Walk walk) {}
+
+#endif

@@ -1,0 +1,90 @@
+// The first surface of one value along a ray, opaque where no inlay fades it.
+#include "common/shade.glsl"
+#include "common/volume.glsl"
+#include "render/composite.glsl"
+#include "render/data_color.glsl"
+#include "render/hit.glsl"
+#include "render/walk.glsl"
+
+/// What the surface looks like where the ray meets it; nothing when its structure is not shown.
+void addSurface(inout Hit hit, Ray ray, Walk walk, float t, Face face, bool exemptOnly) {
+  float iso = frame.isoValue * float(kTransferSize - 1);
+  vec3 p = ray.origin + t * ray.direction;
+  vec3 tex = texAt(walk, t);
+  uint structure = 0u;
+#if LABELS == 1
+  structure = labelAt(p);
+  bool shown = structure == 0u ? frame.unlabelledOpacity > 0.0 : structureRow(structure).a > 0.0;
+  if (!shown || (exemptOnly && !cutsKeep(p, structure))) return;
+#endif
+  vec3 gradient = gradientAt(tex);
+  float len = length(gradient);
+  vec3 normal = len > 0.0 ? -gradient / len : -ray.direction;
+  if (dot(normal, ray.direction) > 0.0) normal = -normal;
+  if (isOnFace(face)) normal = faceNormalAt(face, p, ray.direction);
+  vec3 albedo = extinctionBetween(iso, iso) > 0.0 ? colorBetween(iso, iso) : vec3(0.9, 0.85, 0.78);
+#if COLOR
+  albedo = volumeColorAt(tex);
+#endif
+#if LABELS == 1
+  if (structure != 0u) albedo = mix(albedo, structureRow(structure).rgb, frame.labelTint);
+#endif
+  vec3 color = shadeSurface(albedo, normal, -ray.direction, lightTexAt(p, normal));
+  if (isOnFace(face) && showsData(face)) color = vec3(greyAt(tableAt(tex)));
+#ifdef MEMBRANES
+  float share = hasFlag(kFlagSlices) ? sliceShare(p, structure) : 1.0;
+  if (share > 0.0) addSample(hit, vec4(color, 1.0) * share, t, normal, structure);
+#else
+  hit = Hit(vec4(color, 1.0), t, normal, structure);
+#endif
+}
+
+/// True when nothing further along the ray can show.
+bool isDone(Hit hit) {
+#ifdef MEMBRANES
+  return hit.color.a >= frame.opaqueAlpha;
+#else
+  return hit.distance < kFar;
+#endif
+}
+
+/// Stops at the first crossing of the iso value, found by bisection of its segment, or at once on a cut's face inside.
+/// Leaping, sampling and bisection have loops of their own: see march_volume.glsl.
+void marchStretch(inout Hit hit, Ray ray, Walk walk, Span span) {
+  const int kBlock = 8;
+  float iso = frame.isoValue * float(kTransferSize - 1);
+  float b = span.b;
+  float t = span.a;
+  if (isOnFace(span.face) && tableAt(texAt(walk, t)) >= iso) addSurface(hit, ray, walk, t, span.face, span.exemptOnly);
+  float low;
+  float high;
+  float x;
+  bool crosses = false;
+  do {
+    // Go on to the next segment that crosses the value.
+    do {
+      if (hasFlag(kFlagSkipEmpty)) t = leapEmpty(walk, t, b, walk.dt, 1.0 / walk.dt, span.exemptOnly);
+      x = tableAt(texAt(walk, t));
+      int n = 0;
+      do {
+        float next = nextSample(walk, t);
+        next = min(next > t ? next : t + walk.dt, b);
+        float value = tableAt(texAt(walk, next));
+        crosses = (x < iso) != (value < iso);
+        low = t;
+        high = next;
+        x = crosses ? x : value;
+        t = crosses ? t : next;
+      } while (!crosses && t < b && ++n < kBlock);
+    } while (!crosses && t < b);
+    t = high;
+    // Find the place in it.
+    for (int i = 0; i < 12; ++i) {
+      float mid = 0.5 * (low + high);
+      bool sameSide = (tableAt(texAt(walk, mid)) < iso) == (x < iso);
+      low = sameSide ? mid : low;
+      high = sameSide ? high : mid;
+    }
+    if (crosses && !isDone(hit)) addSurface(hit, ray, walk, 0.5 * (low + high), kNoFace, span.exemptOnly);
+  } while (!isDone(hit) && t < b);
+}

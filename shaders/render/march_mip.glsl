@@ -1,0 +1,118 @@
+// The largest value along a ray. In front of the image of an inlay the larger of it and the values shows, so that what
+// stands out is seen on it, and what is behind an opaque one is not; sheets are drawn over all that.
+#include "common/volume.glsl"
+#include "render/data_color.glsl"
+#include "render/hit.glsl"
+#include "render/walk.glsl"
+
+layout(std430, binding = kCellBinding) readonly buffer CellBlock { vec2 cellRange[]; };
+
+float gBest = -1.0;  // the largest value, table positions 0..1; where there are inlays how it shows, see gBehind
+
+#ifdef MEMBRANES
+vec2 gBehind = vec2(1.0, 0.0);         // how a grey value behind the inlays so far shows: x times it, and y
+vec4 gInlays = vec4(vec3(0.0), kFar);  // their images; a: where the first is
+vec4 gSheets = vec4(0.0);
+#endif
+
+/// A value as it is compared. Table positions 0..1, or what shows of their grey.
+float shownAs(float value, float share) {
+#ifdef MEMBRANES
+  if (hasFlag(kFlagSlices)) return gBehind.x * greyAt(value * float(kTransferSize - 1)) * share + gBehind.y;
+#endif
+  return value;
+}
+
+/// Largest table position, 0..1, that a cell's texel values reach.
+float largestIn(vec2 texels) {
+  vec2 mapped = texels * frame.tablePerTexel + frame.tableOffset;
+  return clamp(max(mapped.x, mapped.y), 0.0, 1.0);
+}
+
+/// Leaps over cells whose largest value is not above the best so far.
+float leapLower(Walk walk, float t, float b) {
+  bool leaping;
+  do {
+    ivec3 cell = cellAt(walk, t);
+    float largest = largestIn(cellRange[(cell.z * int(frame.cellGrid.y) + cell.y) * int(frame.cellGrid.x) + cell.x]);
+    float leave = leaveCube(walk, t, cell, 1u);
+    float target = min(walk.first + floor((leave - walk.first) / walk.dt + 1.0 - 1e-4) * walk.dt, b);
+    leaping = shownAs(largest, 1.0) <= gBest && target > t;
+    t = leaping ? target : t;
+  } while (leaping && t < b);
+  return t;
+}
+
+/// Keeps the sample at t if it is the best.
+void addValue(inout Hit hit, Ray ray, Walk walk, float t, bool exemptOnly) {
+  float value = tableAt(texAt(walk, t)) / float(kTransferSize - 1);
+  bool shown = true;
+  uint structure = 0u;
+  float share = 1.0;
+  vec3 p = ray.origin + t * ray.direction;
+#if LABELS == 1
+  structure = labelAt(p);
+  shown = structure == 0u ? frame.unlabelledOpacity > 0.0 : structureRow(structure).a > 0.0;
+  if (exemptOnly) shown = shown && cutsKeep(p, structure);
+#endif
+#ifdef MEMBRANES
+  if (hasFlag(kFlagSlices)) share = sliceShare(p, structure);
+#endif
+  value = shownAs(value, share);
+  bool better = shown && value > gBest;
+  gBest = better ? value : gBest;
+  hit.distance = better ? t : hit.distance;
+  hit.structure = better ? structure : hit.structure;
+}
+
+/// Keeps the largest value of one stretch. Leaping and sampling have loops of their own: see march_volume.glsl.
+void marchStretch(inout Hit hit, Ray ray, Walk walk, Span span) {
+  const int kBlock = 16;
+  float t = span.a;
+  bool more = true;
+  do {
+    if (hasFlag(kFlagSkipEmpty) && !span.exemptOnly) t = leapLower(walk, t, span.b);
+    int n = 0;
+    do {
+      addValue(hit, ray, walk, t, span.exemptOnly);
+      more = more && t < span.b;
+      t = min(nextSample(walk, t), span.b);
+    } while (more && ++n < kBlock);
+  } while (more);
+}
+
+bool isDone(Hit hit) { return false; }
+
+#ifdef MEMBRANES
+void addInlay(inout Hit hit, float t, vec3 color, float alpha, vec3 normal, uint structure) {
+  gInlays = vec4(gInlays.rgb + gBehind.x * alpha * color, min(gInlays.a, t));
+  gBehind = vec2(gBehind.x * (1.0 - alpha), max(gInlays.r, max(gInlays.g, gInlays.b)));
+}
+
+void addSheet(inout Hit hit, float t, vec3 color, float alpha, vec3 normal) {
+  gSheets += (1.0 - gSheets.a) * vec4(color, 1.0) * alpha;
+}
+#endif
+
+/// From the largest value to a colour.
+void finishRay(inout Hit hit, Ray ray, Walk walk) {
+  if (gBest >= 0.0) {
+    float grey = hasFlag(kFlagSlices) ? gBest : greyAt(gBest * float(kTransferSize - 1));
+    hit.color = vec4(vec3(grey), 1.0);
+#if COLOR
+    hit.color.rgb = volumeColorAt(texAt(walk, hit.distance)) * (COLOR == 2 ? grey : 1.0);
+#endif
+#if LABELS == 1
+    if (hit.structure != 0u) hit.color.rgb = mix(vec3(grey), structureRow(hit.structure).rgb * grey, frame.labelTint);
+#endif
+    hit.color *= smoothstep(0.0, 0.02, grey);
+  }
+#ifdef MEMBRANES
+  if (hasFlag(kFlagSlices) && gBest <= gBehind.y && gInlays.a < kFar) {
+    hit.color = vec4(gInlays.rgb, 1.0 - gBehind.x);
+    hit.distance = gInlays.a;
+    hit.structure = structureAt(ray.origin + hit.distance * ray.direction);
+  }
+  hit.color = gSheets + (1.0 - gSheets.a) * hit.color;
+#endif
+}

@@ -1,0 +1,245 @@
+// Direct volume rendering: material composited front to back, segment by segment between the samples.
+#include "common/shade.glsl"
+#include "common/volume.glsl"
+#include "render/composite.glsl"
+#include "render/data_color.glsl"
+#include "render/hit.glsl"
+#include "render/walk.glsl"
+
+/// A stretch of one ray between two samples, or between the first and the last of a group.
+struct Segment {
+  float t0;
+  float t1;
+  float x0;     // values at its ends, table positions
+  float x1;
+  float depth;  // optical depth by the transfer function
+};
+
+/// The data on a cut's face, over everything behind it.
+void addFaceData(inout Hit hit, Ray ray, float t, int cut, vec3 normal) {
+  vec3 p = ray.origin + t * ray.direction;
+  uint structure = structureAt(p);
+  vec4 color = dataColor(p, structure);
+  float alpha = color.a * cuts[cut].face.x;
+  if (alpha > 0.0) addSample(hit, vec4(color.rgb * alpha, alpha), t, normal, structure);
+}
+
+/// Shades and composites one segment.
+/// @param faceT  where the face lies that the ray has come through last; < 0: none
+void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, float faceT, vec3 faceNormal, bool exemptOnly) {
+  float tm = 0.5 * (segment.t0 + segment.t1);
+  vec3 p = ray.origin + tm * ray.direction;
+  vec3 tex = texAt(walk, tm);
+  uint structure = 0u;
+  float depth = segment.depth;
+  float alpha = 1.0 - exp(-depth);
+  // Whose material it is, and of what colour.
+#if LABELS == 2
+  structure = labelAt(p);
+  if (exemptOnly && !cutsKeep(p, structure)) return;
+  vec4 material = labelMaterial(p);
+  vec3 albedo = material.rgb / max(material.a, 1e-6);
+#else
+#if COLOR
+  vec3 albedo = volumeColorAt(tex);
+#else
+  vec3 albedo = colorBetween(segment.x0, segment.x1);
+#endif
+#if LABELS == 1
+  structure = labelAt(p);
+  if (exemptOnly && !cutsKeep(p, structure)) return;
+  vec4 row = structureRow(structure);
+  depth *= structure == 0u ? frame.unlabelledOpacity : row.a;
+  if (structure != 0u) albedo = mix(albedo, row.rgb, frame.labelTint);
+#endif
+#endif
+#ifdef MEMBRANES
+  if (hasFlag(kFlagSlices)) depth = fadedDepth(depth, segment.t1 - segment.t0, sliceShare(p, structure));
+#endif
+  // The light on it.
+  vec3 normal = -ray.direction;
+  vec3 color = albedo;
+  if (hasFlag(kFlagShaded) || hasFlag(kFlagGradientOpacity)) {
+#if LABELS == 2
+    vec3 gradient = labelGradientAt(p);
+    float steepness = 1.0;
+#else
+    // What is seen of opaque material is its front, and just within a thin plate the gradient already turns round.
+    float front = 0.75 * alpha / frame.voxelsPerLength;
+    vec3 gradient = gradientAt(texAt(walk, tm - front));
+    if (hasFlag(kFlagGradientOpacity)) depth *= gradientFactor(gradient);
+    // Where the value hardly changes the gradient is noise: less of it counts.
+    float steepness = smoothstep(0.0, 1.0, length(gradient) * frame.tablePerValue * 60.0 / frame.voxelsPerLength);
+#endif
+    float len = length(gradient);
+    vec3 outwards = len > 0.0 ? -gradient / len : -ray.direction;
+    if (dot(outwards, ray.direction) > 0.0) outwards = -outwards;
+    normal = normalize(mix(-ray.direction, outwards, steepness) + 1e-6);
+    // On a cut the surface is the cut's; a voxel and a half behind it the data's own again.
+    if (hasFlag(kFlagCuts) && faceT >= 0.0)
+      normal = normalize(mix(faceNormal, normal, smoothstep(0.25, 1.5, (tm - faceT) * frame.voxelsPerLength * -dot(faceNormal, ray.direction))) + 1e-6);
+    color = shadeSurface(albedo, normal, -ray.direction, lightTexAt(p, normal));
+  }
+  if (hasFlag(kFlagGradientOpacity) || hasFlag(kFlagSlices) || LABELS == 1) alpha = 1.0 - exp(-depth);
+  if (alpha > 0.0) addSample(hit, vec4(color * alpha, alpha), tm, normal, structure);
+}
+
+/// Segments between neighbouring samples of the lattice, cut off at a stretch's ends.
+const int kGroup = 8;
+struct Group {
+  float lattice;  // t of its first lattice point
+  float from;
+  float to;
+  float x[kGroup + 1];  // values, table positions
+};
+
+float timeIn(Group group, Walk walk, int i) { return clamp(group.lattice + float(i) * walk.dt, group.from, group.to); }
+
+Group groupAt(Walk walk, float lattice, float from, float to) {
+  Group group;
+  group.lattice = lattice;
+  group.from = from;
+  group.to = to;
+#if LABELS != 2
+  for (int i = 0; i <= kGroup; ++i) group.x[i] = tableAt(texAt(walk, timeIn(group, walk, i)));
+#endif
+  return group;
+}
+
+/// False when the group holds no material. May err on the other side.
+bool mayShow(Group group, Walk walk, Ray ray) {
+#if LABELS == 2
+  bool shows = false;
+  for (int i = 0; i < kGroup; ++i) {
+    float middle = 0.5 * (timeIn(group, walk, i) + timeIn(group, walk, i + 1));
+    shows = shows || labelMaterial(ray.origin + middle * ray.direction).a > 0.35;
+  }
+  return shows;
+#else
+  float low = group.x[0];
+  float high = group.x[0];
+  for (int i = 1; i <= kGroup; ++i) {
+    low = min(low, group.x[i]);
+    high = max(high, group.x[i]);
+  }
+  return high >= frame.shownFrom && low < frame.shownTo;
+#endif
+}
+
+float depthOf(Group group, int i, Walk walk, Ray ray) {
+  float t0 = timeIn(group, walk, i);
+  float t1 = timeIn(group, walk, i + 1);
+#if LABELS == 2
+  return labelExtinction(ray.origin + 0.5 * (t0 + t1) * ray.direction) * (t1 - t0);
+#else
+  return extinctionBetween(group.x[i], group.x[i + 1]) * (t1 - t0);
+#endif
+}
+
+/// One of eight by selections: what is indexed by a variable would have to lie in memory.
+float oneOf(float v0, float v1, float v2, float v3, float v4, float v5, float v6, float v7, int i) {
+  bool odd = (i & 1) != 0;
+  float a = odd ? v1 : v0;
+  float b = odd ? v3 : v2;
+  float c = odd ? v5 : v4;
+  float d = odd ? v7 : v6;
+  bool second = (i & 2) != 0;
+  a = second ? b : a;
+  c = second ? d : c;
+  return (i & 4) != 0 ? c : a;
+}
+
+/// Optical depth below which segments are shaded together: what hides less than this share of what is behind it needs no
+/// gradient at every half voxel.
+const float kThin = 0.08;
+
+/// The segments of a group that show anything, thin ones taken together by the half group or the whole.
+struct Depths {
+  float of[kGroup];
+  float nearHalf;
+  float farHalf;
+  bool isThin;
+  bool isNearThin;
+  bool isFarThin;
+  uint marks;  // bit i: a segment begins with the i-th
+};
+
+/// @param found  false: the group is only computed because its neighbours' are
+Depths depthsOf(Group group, Walk walk, Ray ray, bool found) {
+  Depths depths;
+  depths.marks = 0u;
+  for (int i = 0; i < kGroup; ++i) {
+    depths.of[i] = depthOf(group, i, walk, ray);
+    depths.marks |= found && depths.of[i] > 0.0 ? 1u << i : 0u;
+  }
+  depths.nearHalf = depths.of[0] + depths.of[1] + depths.of[2] + depths.of[3];
+  depths.farHalf = depths.of[4] + depths.of[5] + depths.of[6] + depths.of[7];
+  depths.isThin = LABELS == 0 && depths.nearHalf + depths.farHalf < kThin;
+  depths.isNearThin = LABELS == 0 && depths.nearHalf < 2.0 * kThin;
+  depths.isFarThin = LABELS == 0 && depths.farHalf < 2.0 * kThin;
+  uint marks = depths.marks;
+  marks = depths.isNearThin && (marks & 15u) != 0u ? marks & ~15u | 1u : marks;
+  marks = depths.isFarThin && (marks & 240u) != 0u ? marks & ~240u | 16u : marks;
+  depths.marks = depths.isThin && marks != 0u ? 1u : marks;
+  return depths;
+}
+
+/// The segment that begins with the n-th of a group.
+Segment segmentAt(Group group, Walk walk, Depths depths, int n) {
+  bool isHalf = n < 4 ? depths.isNearThin : depths.isFarThin;
+  int count = depths.isThin ? kGroup : isHalf ? 4 : 1;
+  float depth = oneOf(depths.of[0], depths.of[1], depths.of[2], depths.of[3], depths.of[4], depths.of[5], depths.of[6], depths.of[7], n);
+  depth = isHalf ? n < 4 ? depths.nearHalf : depths.farHalf : depth;
+  depth = depths.isThin ? depths.nearHalf + depths.farHalf : depth;
+  int m = n + count - 1;
+  float x0 = oneOf(group.x[0], group.x[1], group.x[2], group.x[3], group.x[4], group.x[5], group.x[6], group.x[7], n);
+  float x1 = oneOf(group.x[1], group.x[2], group.x[3], group.x[4], group.x[5], group.x[6], group.x[7], group.x[8], m);
+  return Segment(timeIn(group, walk, n), timeIn(group, walk, m + 1), x0, x1, depth);
+}
+
+/// Composites one stretch, front to back. Rays of a SIMD group go in step, and a software driver runs both sides of
+/// every branch and every loop once more than it is needed when the condition stands at its head. So each kind of work has
+/// a loop of its own, with the condition at its foot, in which nearly all rays have something to do: leaping over empty
+/// cells; fetching groups of samples until one holds material; shading its segments. Groups and leaps keep to the same
+/// lattice, so leaping changes no picture. A ray that has left a loop is still computed, though not stored, while others go
+/// on, and Mesa 22 takes what it computes last as the value after the loop: so nothing that is used after a loop may change
+/// when its last turn is repeated.
+void marchStretch(inout Hit hit, Ray ray, Walk walk, Span span) {
+  vec3 faceNormal = vec3(0.0);
+  float faceT = -1.0;
+  if (isOnFace(span.face)) {
+    faceT = span.a;
+    faceNormal = faceNormalAt(span.face, ray.origin + span.a * ray.direction, ray.direction);
+    if (showsData(span.face)) addFaceData(hit, ray, span.a, span.face.cut, faceNormal);
+  }
+  float cutoff = hasFlag(kFlagStopOpaque) ? frame.opaqueAlpha : 2.0;
+  float groupLength = float(kGroup) * walk.dt;
+  float perGroup = 1.0 / groupLength;
+  float b = span.b;
+  float t = span.a;
+  do {
+    // Go on to the next group with material.
+    Group group;
+    bool found;
+    float end;
+    do {
+      if (hasFlag(kFlagSkipEmpty)) t = leapEmpty(walk, t, b, groupLength, perGroup, span.exemptOnly);
+      group = groupAt(walk, walk.first + floor((t - walk.first) * perGroup + 1e-4) * groupLength, t, b);
+      found = mayShow(group, walk, ray);
+      end = max(timeIn(group, walk, kGroup), t + 1e-5 * walk.dt);
+      t = found ? t : end;
+    } while (!found && t < b);
+    t = end;
+    // Shade it.
+    Depths depths = depthsOf(group, walk, ray, found);
+    uint marks = depths.marks;
+    do {
+      Segment segment = segmentAt(group, walk, depths, max(findLSB(marks), 0));
+      if (marks != 0u) addSegment(hit, ray, walk, segment, faceT, faceNormal, span.exemptOnly);
+      marks &= marks - 1u;
+    } while (marks != 0u && hit.color.a < cutoff);
+  } while (t < b && hit.color.a < cutoff);
+}
+
+/// True when nothing further along the ray can show.
+bool isDone(Hit hit) { return hasFlag(kFlagStopOpaque) && hit.color.a >= frame.opaqueAlpha; }

@@ -1,0 +1,87 @@
+// A ray's way through the volume: its lattice of samples, the cells under it, and leaps over those that are empty.
+#include "common/frame.glsl"
+
+layout(binding = kSkipUnit) uniform usampler3D skipTexture;  // r, g: cells to the nearest with content, with exempt content
+
+vec3 texFrom(vec3 p) { return (frame.texFromScene * vec4(p, 1.0)).xyz; }
+
+/// Part of the ray inside the volume's box.
+vec2 boxInterval(Ray ray) {
+  vec3 o = texFrom(ray.origin);
+  vec3 d = (frame.texFromScene * vec4(ray.direction, 0.0)).xyz;
+  d = mix(d, vec3(1e-12), lessThan(abs(d), vec3(1e-12)));
+  vec3 a = -o / d;
+  vec3 b = (1.0 - o) / d;
+  vec3 low = min(a, b);
+  vec3 high = max(a, b);
+  return vec2(max(max(low.x, low.y), max(low.z, 0.0)), min(min(high.x, high.y), high.z));
+}
+
+/// Walks the lattice of samples t_k = first + k dt and says which of them may be left out.
+struct Walk {
+  vec3 tex0;           // texture coordinates at t = 0
+  vec3 texPerLength;
+  vec3 cell0;          // the same in cells
+  vec3 cellPerLength;  // never 0
+  vec3 lengthPerCell;
+  vec3 forward;        // signs of the ray's way through the cells, half of 1
+  float first;         // t of lattice point 0
+  float dt;
+};
+
+Walk walkAlong(Ray ray, float first) {
+  Walk walk;
+  walk.tex0 = texFrom(ray.origin);
+  walk.texPerLength = (frame.texFromScene * vec4(ray.direction, 0.0)).xyz;
+  walk.cell0 = walk.tex0 * frame.cellsPerTex.xyz;
+  walk.cellPerLength = walk.texPerLength * frame.cellsPerTex.xyz;
+  walk.cellPerLength = mix(walk.cellPerLength, vec3(1e-12), lessThan(abs(walk.cellPerLength), vec3(1e-12)));
+  walk.lengthPerCell = 1.0 / walk.cellPerLength;
+  walk.forward = mix(vec3(-0.5), vec3(0.5), greaterThan(walk.cellPerLength, vec3(0.0)));
+  walk.first = first;
+  walk.dt = frame.step;
+  return walk;
+}
+
+vec3 texAt(Walk walk, float t) { return walk.tex0 + t * walk.texPerLength; }
+
+/// The first lattice point after t. From afar t is so coarse that rounding would give t itself again, and the ray would
+/// never end.
+float nextSample(Walk walk, float t) {
+  float k = floor((t - walk.first) / walk.dt + 1.0 + 1e-4);
+  float next = walk.first + k * walk.dt;
+  return next > t ? next : next + walk.dt;
+}
+
+ivec3 cellAt(Walk walk, float t) {
+  return ivec3(clamp(walk.cell0 + t * walk.cellPerLength, vec3(0.0), frame.cellGrid.xyz - 0.5));
+}
+
+/// Where the ray leaves the cube of cells, `reach` from its middle to its side, around a cell.
+float leaveCube(Walk walk, float t, ivec3 cell, uint reach) {
+  vec3 target = vec3(cell) + 0.5 + walk.forward * (2.0 * float(reach) - 1.0);
+  vec3 exit = (target - walk.cell0) * walk.lengthPerCell;
+  return max(min(exit.x, min(exit.y, exit.z)), t);
+}
+
+/// Distance, in cells, to the next cell with content; 0 in one.
+uint cellsToContent(ivec3 cell, bool exemptOnly) {
+  uvec2 d = texelFetch(skipTexture, cell, 0).rg;
+  return exemptOnly ? d.g : d.r;
+}
+
+/// Leaps from t over cells without content, at most to b, and only to places that are a number of strides (1 / perStride)
+/// from the lattice's first point: what is sampled is the same as without leaping.
+float leapEmpty(Walk walk, float t, float b, float stride, float perStride, bool exemptOnly) {
+  bool leaping;
+  do {
+    ivec3 cell = cellAt(walk, t);
+    uint reach = cellsToContent(cell, exemptOnly);
+    // To the last place that lies inside the empty cube: the segment that leaves it is still looked at.
+    float leave = leaveCube(walk, t, cell, reach);
+    float target = leave >= b ? b : walk.first + floor((leave - walk.first) * perStride - 1e-4) * stride;
+    leaping = reach > 0u && target > t;
+    t = leaping ? target : t;
+  } while (leaping && t < b);
+  return t;
+}

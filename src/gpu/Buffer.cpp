@@ -1,6 +1,9 @@
 #include "velum/gpu/Buffer.h"
 
+#include <fmt/format.h>
+
 #include "Gl.h"
+#include "velum/gpu/GpuError.h"
 
 namespace velum::gpu {
 
@@ -21,14 +24,26 @@ Buffer::Buffer(std::string_view label, std::size_t bytes, const void* data) : Ha
   gl().ObjectLabel(GL_BUFFER, id(), GLsizei(label.size()), label.data());
 }
 
+Buffer Buffer::makeReadable(std::string_view label, std::size_t bytes) {
+  constexpr GLbitfield kAccess = GL_MAP_READ_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT;
+  Buffer buffer;
+  static_cast<Handle&>(buffer) = Handle(createBuffer());
+  buffer.mBytes = bytes;
+  gl().NamedBufferStorage(buffer.id(), GLsizeiptr(bytes), nullptr, kAccess | GL_CLIENT_STORAGE_BIT);
+  gl().ObjectLabel(GL_BUFFER, buffer.id(), GLsizei(label.size()), label.data());
+  buffer.mMapped = static_cast<const std::byte*>(gl().MapNamedBufferRange(buffer.id(), 0, GLsizeiptr(bytes), kAccess));
+  if (!buffer.mMapped) throw GpuError(fmt::format("the driver cannot map {} ({} bytes)", label, bytes));
+  return buffer;
+}
+
 void Buffer::write(std::size_t offset, std::size_t bytes, const void* data) {
   gl().NamedBufferSubData(id(), GLintptr(offset), GLsizeiptr(bytes), data);
 }
 void Buffer::read(std::size_t offset, std::size_t bytes, void* data) const {
   gl().GetNamedBufferSubData(id(), GLintptr(offset), GLsizeiptr(bytes), data);
 }
-void Buffer::copyTo(Buffer& target, std::size_t offset) const {
-  gl().CopyNamedBufferSubData(id(), target.id(), 0, GLintptr(offset), GLsizeiptr(mBytes));
+void Buffer::copyTo(Buffer& target, std::size_t offset, std::size_t from, std::size_t bytes) const {
+  gl().CopyNamedBufferSubData(id(), target.id(), GLintptr(from), GLintptr(offset), GLsizeiptr(bytes));
 }
 void Buffer::clear() { gl().ClearNamedBufferData(id(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr); }
 void Buffer::bindStorage(unsigned binding) const { gl().BindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, id()); }

@@ -7,6 +7,7 @@ namespace velum::gpu {
 // clang-format off
 #define VELUM_GL_FUNCTIONS(X) \
   X(PFNGLATTACHSHADERPROC, AttachShader) \
+  X(PFNGLBINDBUFFERPROC, BindBuffer) \
   X(PFNGLBINDBUFFERBASEPROC, BindBufferBase) \
   X(PFNGLBINDFRAMEBUFFERPROC, BindFramebuffer) \
   X(PFNGLBINDIMAGETEXTUREPROC, BindImageTexture) \
@@ -18,6 +19,7 @@ namespace velum::gpu {
   X(PFNGLCLEARNAMEDBUFFERDATAPROC, ClearNamedBufferData) \
   X(PFNGLCLEARNAMEDFRAMEBUFFERFVPROC, ClearNamedFramebufferfv) \
   X(PFNGLCLEARTEXIMAGEPROC, ClearTexImage) \
+  X(PFNGLCLIENTWAITSYNCPROC, ClientWaitSync) \
   X(PFNGLCOMPILESHADERPROC, CompileShader) \
   X(PFNGLCOPYNAMEDBUFFERSUBDATAPROC, CopyNamedBufferSubData) \
   X(PFNGLCREATEBUFFERSPROC, CreateBuffers) \
@@ -33,23 +35,29 @@ namespace velum::gpu {
   X(PFNGLDELETEPROGRAMPROC, DeleteProgram) \
   X(PFNGLDELETEQUERIESPROC, DeleteQueries) \
   X(PFNGLDELETESHADERPROC, DeleteShader) \
+  X(PFNGLDELETESYNCPROC, DeleteSync) \
   X(PFNGLDELETETEXTURESPROC, DeleteTextures) \
   X(PFNGLDELETEVERTEXARRAYSPROC, DeleteVertexArrays) \
   X(PFNGLDEPTHFUNCPROC, DepthFunc) \
   X(PFNGLDEPTHMASKPROC, DepthMask) \
   X(PFNGLDISABLEPROC, Disable) \
   X(PFNGLDISPATCHCOMPUTEPROC, DispatchCompute) \
-  X(PFNGLDRAWARRAYSPROC, DrawArrays) \
+  X(PFNGLDISPATCHCOMPUTEINDIRECTPROC, DispatchComputeIndirect) \
+  X(PFNGLDRAWARRAYSINSTANCEDBASEINSTANCEPROC, DrawArraysInstancedBaseInstance) \
+  X(PFNGLDRAWELEMENTSINSTANCEDBASEVERTEXBASEINSTANCEPROC, DrawElementsInstancedBaseVertexBaseInstance) \
   X(PFNGLENABLEPROC, Enable) \
+  X(PFNGLENABLEVERTEXARRAYATTRIBPROC, EnableVertexArrayAttrib) \
+  X(PFNGLFENCESYNCPROC, FenceSync) \
   X(PFNGLFINISHPROC, Finish) \
   X(PFNGLFLUSHPROC, Flush) \
+  X(PFNGLGENERATETEXTUREMIPMAPPROC, GenerateTextureMipmap) \
   X(PFNGLGETERRORPROC, GetError) \
   X(PFNGLGETINTEGERVPROC, GetIntegerv) \
   X(PFNGLGETNAMEDBUFFERSUBDATAPROC, GetNamedBufferSubData) \
   X(PFNGLGETPROGRAMINFOLOGPROC, GetProgramInfoLog) \
-  X(PFNGLGETPROGRAMIVPROC, GetProgramiv) \
   X(PFNGLGETPROGRAMRESOURCEINDEXPROC, GetProgramResourceIndex) \
   X(PFNGLGETPROGRAMRESOURCEIVPROC, GetProgramResourceiv) \
+  X(PFNGLGETPROGRAMIVPROC, GetProgramiv) \
   X(PFNGLGETQUERYOBJECTUI64VPROC, GetQueryObjectui64v) \
   X(PFNGLGETSHADERINFOLOGPROC, GetShaderInfoLog) \
   X(PFNGLGETSHADERIVPROC, GetShaderiv) \
@@ -57,12 +65,16 @@ namespace velum::gpu {
   X(PFNGLGETTEXTUREIMAGEPROC, GetTextureImage) \
   X(PFNGLGETTEXTURESUBIMAGEPROC, GetTextureSubImage) \
   X(PFNGLLINKPROGRAMPROC, LinkProgram) \
+  X(PFNGLMAPNAMEDBUFFERRANGEPROC, MapNamedBufferRange) \
   X(PFNGLMEMORYBARRIERPROC, MemoryBarrier) \
+  X(PFNGLMULTIDRAWARRAYSINDIRECTPROC, MultiDrawArraysIndirect) \
+  X(PFNGLMULTIDRAWELEMENTSINDIRECTPROC, MultiDrawElementsIndirect) \
   X(PFNGLNAMEDBUFFERSTORAGEPROC, NamedBufferStorage) \
   X(PFNGLNAMEDBUFFERSUBDATAPROC, NamedBufferSubData) \
   X(PFNGLNAMEDFRAMEBUFFERDRAWBUFFERSPROC, NamedFramebufferDrawBuffers) \
   X(PFNGLNAMEDFRAMEBUFFERTEXTUREPROC, NamedFramebufferTexture) \
   X(PFNGLOBJECTLABELPROC, ObjectLabel) \
+  X(PFNGLOBJECTPTRLABELPROC, ObjectPtrLabel) \
   X(PFNGLPIXELSTOREIPROC, PixelStorei) \
   X(PFNGLPOPDEBUGGROUPPROC, PopDebugGroup) \
   X(PFNGLPROGRAMUNIFORM1FPROC, ProgramUniform1f) \
@@ -80,6 +92,12 @@ namespace velum::gpu {
   X(PFNGLTEXTURESUBIMAGE2DPROC, TextureSubImage2D) \
   X(PFNGLTEXTURESUBIMAGE3DPROC, TextureSubImage3D) \
   X(PFNGLUSEPROGRAMPROC, UseProgram) \
+  X(PFNGLVERTEXARRAYATTRIBBINDINGPROC, VertexArrayAttribBinding) \
+  X(PFNGLVERTEXARRAYATTRIBFORMATPROC, VertexArrayAttribFormat) \
+  X(PFNGLVERTEXARRAYATTRIBIFORMATPROC, VertexArrayAttribIFormat) \
+  X(PFNGLVERTEXARRAYBINDINGDIVISORPROC, VertexArrayBindingDivisor) \
+  X(PFNGLVERTEXARRAYELEMENTBUFFERPROC, VertexArrayElementBuffer) \
+  X(PFNGLVERTEXARRAYVERTEXBUFFERPROC, VertexArrayVertexBuffer) \
   X(PFNGLVIEWPORTPROC, Viewport)
 // clang-format on
 
@@ -87,7 +105,7 @@ struct GlTable {
 #define VELUM_GL_MEMBER(type, name) type name = nullptr;
   VELUM_GL_FUNCTIONS(VELUM_GL_MEMBER)
 #undef VELUM_GL_MEMBER
-  GLuint emptyVertexArray = 0;  ///< Core profile draws need one bound.
+  GLuint emptyVertexArray = 0;  ///< Core profile draws need one bound, also where vertices are made from their numbers.
 };
 
 /// The table of this thread's current context. A context is thread-bound in GL itself, hence thread_local and no

@@ -4,6 +4,7 @@
 
 #include "Gl.h"
 #include "ShaderLibrary.h"
+#include "shared/draw.h"
 #include "velum/gpu/GpuError.h"
 
 namespace velum::gpu {
@@ -83,16 +84,10 @@ void dispatch(const Program& program, glm::ivec3 groups) {
   gl().DispatchCompute(GLuint(groups.x), GLuint(groups.y), GLuint(groups.z));
 }
 
-void draw(const Program& program, Primitive primitive, int vertexCount, const DrawState& state) {
+void dispatchIndirect(const Program& program, const Buffer& commands, int index) {
   program.use();
-  auto toggle = [](GLenum what, bool on) { on ? gl().Enable(what) : gl().Disable(what); };
-  toggle(GL_DEPTH_TEST, state.depthTest);
-  toggle(GL_BLEND, state.blend);
-  gl().DepthFunc(GL_LEQUAL);
-  gl().DepthMask(state.depthWrite ? GL_TRUE : GL_FALSE);
-  gl().BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  gl().BindVertexArray(gl().emptyVertexArray);
-  gl().DrawArrays(primitive == Primitive::Lines ? GL_LINES : GL_TRIANGLES, 0, vertexCount);
+  gl().BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, commands.id());
+  gl().DispatchComputeIndirect(GLintptr(index) * GLintptr(sizeof(shared::DispatchCommand)));
 }
 
 void barrier() { gl().MemoryBarrier(GL_ALL_BARRIER_BITS); }

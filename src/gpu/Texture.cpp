@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <bit>
+
 #include "Gl.h"
 #include "velum/gpu/GpuError.h"
 
@@ -37,12 +40,13 @@ bool isInteger(Format f) {
   return f == Format::R8ui || f == Format::Rg8ui || f == Format::R16ui || f == Format::R32ui || f == Format::Rgba32ui;
 }
 
-unsigned createTexture(GLenum target, std::string_view label, Filter filter) {
+unsigned createTexture(GLenum target, std::string_view label, Filter filter, int levels) {
   unsigned id = 0;
   gl().CreateTextures(target, 1, &id);
   gl().ObjectLabel(GL_TEXTURE, id, GLsizei(label.size()), label.data());
   int mode = filter == Filter::Linear ? GL_LINEAR : GL_NEAREST;
-  gl().TextureParameteri(id, GL_TEXTURE_MIN_FILTER, mode);
+  int smaller = filter == Filter::Linear ? GL_LINEAR_MIPMAP_LINEAR : GL_NEAREST_MIPMAP_NEAREST;
+  gl().TextureParameteri(id, GL_TEXTURE_MIN_FILTER, levels > 1 ? smaller : mode);
   gl().TextureParameteri(id, GL_TEXTURE_MAG_FILTER, mode);
   for (GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
     gl().TextureParameteri(id, axis, GL_CLAMP_TO_EDGE);
@@ -65,6 +69,8 @@ void checkMemory(std::string_view label, glm::ivec3 size, std::size_t bytes) {
 
 std::size_t texelBytes(Format format) { return row(format).bytes; }
 
+int levelCountOf(glm::ivec3 size) { return int(std::bit_width(unsigned(std::max({size.x, size.y, size.z, 1})))); }
+
 void deleteTexture(unsigned id) {
   if (hasGl()) gl().DeleteTextures(1, &id);
 }
@@ -77,40 +83,50 @@ Texture Texture::makeOfBuffer(std::string_view label, Format format, const Buffe
   return Texture(id, format, {int(buffer.bytes() / row(format).bytes), 1, 1}, false);
 }
 
-Texture Texture::make2d(std::string_view label, Format format, glm::ivec2 size, Filter filter) {
-  Texture texture(createTexture(GL_TEXTURE_2D, label, isInteger(format) ? Filter::Nearest : filter), format, {size, 1},
-                  false);
+Texture Texture::make2d(std::string_view label, Format format, glm::ivec2 size, Filter filter, int levels) {
+  Texture texture(createTexture(GL_TEXTURE_2D, label, isInteger(format) ? Filter::Nearest : filter, levels), format,
+                  {size, 1}, false, levels);
   drainErrors();
-  gl().TextureStorage2D(texture.id(), 1, row(format).internal, size.x, size.y);
+  gl().TextureStorage2D(texture.id(), levels, row(format).internal, size.x, size.y);
   checkMemory(label, texture.mSize, std::size_t(size.x) * std::size_t(size.y) * row(format).bytes);
   return texture;
 }
 
-Texture Texture::make3d(std::string_view label, Format format, glm::ivec3 size, Filter filter) {
-  Texture texture(createTexture(GL_TEXTURE_3D, label, isInteger(format) ? Filter::Nearest : filter), format, size,
-                  true);
+Texture Texture::make3d(std::string_view label, Format format, glm::ivec3 size, Filter filter, int levels) {
+  Texture texture(createTexture(GL_TEXTURE_3D, label, isInteger(format) ? Filter::Nearest : filter, levels), format,
+                  size, true, levels);
   drainErrors();
-  gl().TextureStorage3D(texture.id(), 1, row(format).internal, size.x, size.y, size.z);
+  gl().TextureStorage3D(texture.id(), levels, row(format).internal, size.x, size.y, size.z);
   checkMemory(label, size, std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z) * row(format).bytes);
   return texture;
 }
 
-void Texture::write(glm::ivec3 o, glm::ivec3 s, const void* texels) {
+glm::ivec3 Texture::size(int level) const {
+  return glm::max(glm::ivec3(mSize.x >> level, mSize.y >> level, mSize.z >> level), glm::ivec3(1));
+}
+
+void Texture::write(glm::ivec3 o, glm::ivec3 s, const void* texels, int level) {
   const auto& r = row(mFormat);
   if (mIs3d)
-    gl().TextureSubImage3D(id(), 0, o.x, o.y, o.z, s.x, s.y, s.z, r.format, r.type, texels);
+    gl().TextureSubImage3D(id(), level, o.x, o.y, o.z, s.x, s.y, s.z, r.format, r.type, texels);
   else
-    gl().TextureSubImage2D(id(), 0, o.x, o.y, s.x, s.y, r.format, r.type, texels);
+    gl().TextureSubImage2D(id(), level, o.x, o.y, s.x, s.y, r.format, r.type, texels);
 }
 
-void Texture::read(void* texels, std::size_t bytes) const {
+void Texture::read(void* texels, std::size_t bytes, int level) const {
   const auto& r = row(mFormat);
-  gl().GetTextureImage(id(), 0, r.format, r.type, GLsizei(bytes), texels);
+  gl().GetTextureImage(id(), level, r.format, r.type, GLsizei(bytes), texels);
 }
 
-void Texture::read(glm::ivec3 o, glm::ivec3 s, void* texels, std::size_t bytes) const {
+void Texture::read(glm::ivec3 o, glm::ivec3 s, void* texels, std::size_t bytes, int level) const {
   const auto& r = row(mFormat);
-  gl().GetTextureSubImage(id(), 0, o.x, o.y, o.z, s.x, s.y, s.z, r.format, r.type, GLsizei(bytes), texels);
+  gl().GetTextureSubImage(id(), level, o.x, o.y, o.z, s.x, s.y, s.z, r.format, r.type, GLsizei(bytes), texels);
+}
+
+void Texture::copyTo(Buffer& target, glm::ivec3 o, glm::ivec3 s, int level) const {
+  gl().BindBuffer(GL_PIXEL_PACK_BUFFER, target.id());
+  read(o, s, nullptr, target.bytes(), level);
+  gl().BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
 }
 
 void Texture::clear() {
@@ -118,11 +134,13 @@ void Texture::clear() {
   gl().ClearTexImage(id(), 0, r.format, r.type, nullptr);
 }
 
+void Texture::generateLevels() { gl().GenerateTextureMipmap(id()); }
+
 void Texture::bindSampler(unsigned unit) const { gl().BindTextureUnit(unit, id()); }
 
-void Texture::bindImage(unsigned unit, Access access) const {
+void Texture::bindImage(unsigned unit, Access access, int level) const {
   static constexpr GLenum kAccess[] = {GL_READ_ONLY, GL_WRITE_ONLY, GL_READ_WRITE};
-  gl().BindImageTexture(unit, id(), 0, mIs3d ? GL_TRUE : GL_FALSE, 0, kAccess[static_cast<int>(access)],
+  gl().BindImageTexture(unit, id(), level, mIs3d ? GL_TRUE : GL_FALSE, 0, kAccess[static_cast<int>(access)],
                         row(mFormat).internal);
 }
 

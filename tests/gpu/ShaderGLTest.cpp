@@ -5,6 +5,8 @@
 #include <fstream>
 
 #include "GlFixture.h"
+#include "ProbeShaders.h"
+#include "SourceFolder.h"
 #include "TempFolder.h"
 #include "shared/cut.h"
 #include "shared/frame.h"
@@ -69,7 +71,7 @@ TEST_F(ShaderGL, TheRayCasterHasThirtySixVariants) {
 
 /// The members of a struct in shaders/shared, in order, as its text lists them.
 std::vector<std::string> membersOf(const std::string& header, const std::string& structName) {
-  std::ifstream in(std::string(VELUM_SOURCE_DIR) + "/shaders/shared/" + header);
+  std::ifstream in(sourceFolder() / "shaders" / "shared" / header);
   std::vector<std::string> members;
   bool inside = false;
   for (std::string line; std::getline(in, line);) {
@@ -162,9 +164,8 @@ TEST_F(ShaderGL, FrameParamsLieWhereTheDriverPutsThem) {
 /// Offsets in storage blocks, asked of the shader itself: it writes what it reads from each member.
 TEST_F(ShaderGL, CutDataLiesWhereTheDriverPutsIt) {
   ASSERT_EQ(membersOf("cut.h", "CutData").size(), std::size(kCutOffsets)) << "list the members of CutData here, too";
-  TempFolder folder;
-  fs::copy(fs::path(VELUM_SOURCE_DIR) / "shaders", folder.path(), fs::copy_options::recursive);
-  std::ofstream(folder / "probe.comp") << R"(layout(local_size_x = 1) in;
+  ProbeShaders probes;
+  probes.add("probe.comp", R"(layout(local_size_x = 1) in;
 #include "shared/cut.h"
 layout(std430, binding = 1) readonly buffer CutBlock { CutData cuts[]; };
 layout(std430, binding = 2) buffer OutBlock { float seen[]; };
@@ -179,10 +180,8 @@ void main() {
     for (int i = 0; i < 4; ++i) seen[at + 32 + i] = cuts[c].slice[i];
   }
 }
-)";
-  ::setenv("VELUM_SHADER_DIR", folder.path().c_str(), 1);
-  Program probe({"probe.comp"});
-  ::unsetenv("VELUM_SHADER_DIR");
+)");
+  Program probe = probes.make({"probe.comp"});
   shared::CutData cuts[2];
   std::vector<float> expected;
   float next = 1;
@@ -208,7 +207,7 @@ void main() {
 /// The message of compiling `file` from a copy of the shaders in which one line was added to `broken`.
 std::string messageOfBroken(const std::string& file, const std::string& broken, int line, const std::string& text) {
   TempFolder folder;
-  fs::copy(fs::path(VELUM_SOURCE_DIR) / "shaders", folder.path(), fs::copy_options::recursive);
+  fs::copy(sourceFolder() / "shaders", folder.path(), fs::copy_options::recursive);
   std::ifstream in(folder / broken);
   std::string before, all;
   for (int number = 1; std::getline(in, before); ++number) all += (number == line ? text + "\n" : "") + before + "\n";

@@ -3,12 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-
 #include "GlFixture.h"
-#include "TempFolder.h"
+#include "ProbeShaders.h"
 #include "shared/sheet.h"
 #include "sheetShapes.h"
 #include "velum/gpu/Program.h"
@@ -17,8 +13,6 @@
 
 namespace velum {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr glm::ivec2 kParticles(31, 26);
 const glm::dvec3 kSize(120, 90, 50);
@@ -88,9 +82,8 @@ TEST_F(SheetGL, GrowsWhenItIsStretchedBeyondMeasure) {
 }
 
 TEST_F(SheetGL, ProgramsFindWhatTheProcessorFinds) {
-  TempFolder folder;
-  fs::copy(fs::path(VELUM_SOURCE_DIR) / "shaders", folder.path(), fs::copy_options::recursive);
-  std::ofstream(folder / "probe.comp") << R"(layout(local_size_x = 64) in;
+  ProbeShaders probes;
+  probes.add("probe.comp", R"(layout(local_size_x = 64) in;
 #define MEMBRANES 1
 #include "shared/sheet.h"
 layout(std430, binding = 1) readonly buffer RayBlock { vec4 rays[]; };
@@ -104,10 +97,8 @@ void main() {
   SheetHit hit = sheetCrossing(plan, o, rays[2 * i + 1].xyz, 0.0, 1000.0);
   found[i] = vec4(hit.t, float(hit.triangle), sheetIsAbove(plan, o) ? 1.0 : 0.0, sheetDistance(plan, o));
 }
-)";
-  ::setenv("VELUM_SHADER_DIR", folder.path().c_str(), 1);
-  gpu::Program probe({"probe.comp"});
-  ::unsetenv("VELUM_SHADER_DIR");
+)");
+  gpu::Program probe = probes.make({"probe.comp"});
   constexpr int kRays = 64 * 64;
   std::mt19937 random(8);
   std::uniform_real_distribution<float> u(-1.0f, 1.0f);

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "GlFixture.h"
+#include "SourceFolder.h"
 #include "velum/io/images/ImageFile.h"
 #include "velum/io/phantoms/Sample.h"
 #include "velum/render/Renderer.h"
@@ -120,7 +121,7 @@ Image draw(const Json& what, gpu::Context& context) {
 }
 
 TEST_P(GoldenGL, LooksAsAccepted) {
-  fs::path folder = fs::path(VELUM_SOURCE_DIR) / "tests" / "golden" / GetParam();
+  fs::path folder = sourceFolder() / "tests" / "golden" / GetParam();
   std::ifstream in(folder / "case.json");
   ASSERT_TRUE(in) << folder / "case.json"
                   << " is missing";
@@ -146,7 +147,7 @@ TEST_P(GoldenGL, LooksAsAccepted) {
 
 std::vector<std::string> goldenCases() {
   std::vector<std::string> names;
-  for (const auto& entry : fs::directory_iterator(fs::path(VELUM_SOURCE_DIR) / "tests" / "golden"))
+  for (const auto& entry : fs::directory_iterator(sourceFolder() / "tests" / "golden"))
     if (entry.is_directory()) names.push_back(entry.path().filename().string());
   std::sort(names.begin(), names.end());
   return names;

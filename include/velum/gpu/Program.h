@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "velum/gpu/Buffer.h"
 #include "velum/gpu/Handle.h"
 
 namespace velum::gpu {
@@ -35,14 +36,9 @@ class Program : public Handle<deleteProgram> {
 
 /// Runs a compute program. Group counts, not threads.
 void dispatch(const Program& program, glm::ivec3 groups);
-/// Draws vertices that the vertex shader makes from gl_VertexID.
-enum class Primitive { Triangles, Lines };
-struct DrawState {
-  bool depthTest = true;
-  bool depthWrite = true;
-  bool blend = false;
-};
-void draw(const Program& program, Primitive primitive, int vertexCount, const DrawState& state = {});
+/// Runs it for as many groups as shared::DispatchCommand `index` of a buffer says when the GPU comes to it: for work
+/// whose amount a shader finds out. After gpu::barrier() where a shader wrote the command.
+void dispatchIndirect(const Program& program, const Buffer& commands, int index = 0);
 /// What shaders have written becomes visible to later reads of any kind.
 void barrier();
 /// Hands the commands over and waits until they are done.

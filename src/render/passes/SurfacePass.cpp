@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "shared/frame.h"
+#include "velum/gpu/Draw.h"
 
 namespace velum::render {
 
@@ -148,7 +149,7 @@ void SurfacePass::draw(const scene::Scene& scene, glm::dvec3 origin, const glm::
     if (!surface.visible || !surface.data) continue;
     meshBuffer(surface.data, origin).bindStorage(shared::kMeshBinding);
     mProgram.set(0, glm::vec4(surface.color, 1.0f));
-    gpu::draw(mProgram, gpu::Primitive::Triangles, int(surface.data->indices.size()));
+    gpu::draw(mProgram, gpu::Primitive::Triangles, {int(surface.data->indices.size())});
   }
   if (scene.showBounds) {
     std::vector<Vertex> vertices;
@@ -157,7 +158,7 @@ void SurfacePass::draw(const scene::Scene& scene, glm::dvec3 origin, const glm::
     gpu::Buffer lines("outlines", std::span<const Vertex>(vertices));
     lines.bindStorage(shared::kMeshBinding);
     mProgram.set(0, glm::vec4(0.62f, 0.66f, 0.70f, 0.0f));
-    gpu::draw(mProgram, gpu::Primitive::Lines, int(vertices.size()));
+    gpu::draw(mProgram, gpu::Primitive::Lines, {int(vertices.size())});
   }
   gpu::barrier();
 }

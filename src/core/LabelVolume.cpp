@@ -33,6 +33,8 @@ std::size_t LabelVolume::brickIndex(glm::ivec3 i) const {
 
 const LabelVolume::Brick& LabelVolume::brick(glm::ivec3 index) const { return *mBricks[brickIndex(index)]; }
 
+std::uint64_t LabelVolume::brickId(glm::ivec3 index) const { return mBricks[brickIndex(index)].id(); }
+
 std::uint16_t LabelVolume::at(glm::ivec3 v) const {
   if (v.x < 0 || v.y < 0 || v.z < 0 || v.x >= mDims.x || v.y >= mDims.y || v.z >= mDims.z) return 0;
   const Brick& b = brick(v / kSize);
@@ -73,7 +75,7 @@ void LabelVolume::write(glm::ivec3 origin, glm::ivec3 size, std::span<const std:
             uniform = std::all_of(row, row + inside.x, [&](std::uint16_t id) { return id == b[0]; });
           }
         if (uniform) b = Brick{b[0]};
-        slot = Shared<Brick>(std::move(b));
+        if (b != *slot) slot = Shared<Brick>(std::move(b));
       }
 }
 

@@ -13,6 +13,7 @@
 #include "passes/SkipPass.h"
 #include "passes/SurfacePass.h"
 #include "upload/CutSheets.h"
+#include "upload/LabelUpload.h"
 #include "upload/VolumeUpload.h"
 #include "velum/gpu/Framebuffer.h"
 #include "velum/render/Renderer.h"
@@ -58,12 +59,7 @@ struct Renderer::Impl {
   VolumeKey quickKey;
   std::optional<GpuVolume> quick;  ///< A small copy of a volume, for previews until the whole is there.
   GpuVolume* volume = nullptr;     ///< The one that the frame draws.
-  struct LabelKey {
-    std::uint64_t id = 0, volume = 0;
-    glm::ivec3 dims{0};  ///< of the grid
-    bool operator==(const LabelKey&) const = default;
-  } labelKey;
-  std::optional<GpuLabels> labels;
+  LabelUpload labels{context.limits()};
   std::map<std::string, gpu::Program> rayPrograms;
   std::map<std::string, LightPass> lightPasses;
   std::optional<SkipPass> skip;

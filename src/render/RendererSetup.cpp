@@ -133,13 +133,10 @@ void Renderer::Impl::prepareGrid() {
       grid.worldFromTex[axis][axis] = std::max(1e-6, bounds.max[axis] - bounds.min[axis]),
       grid.worldFromTex[3][axis] = bounds.min[axis];
   }
+  stats.labelBytes = 0;
   if (mode != 0) {
-    LabelKey key{scene.labels.data.id(), hasVolume ? scene.volume.data.id() : 0, grid.dims};
-    if (!labels || !(key == labelKey)) {
-      labels.reset();
-      labels = uploadLabels(*scene.labels.data, grid.cells, grid.dims, grid.worldFromTex, context.limits());
-      labelKey = key;
-    }
+    labels.update(scene.labels.data, {grid.cells, grid.dims, grid.worldFromTex});
+    stats.labelBytes = labels.bytesSent();
   }
 }
 
@@ -279,7 +276,7 @@ void Renderer::Impl::bindAll() {
   gradientTable.bindSampler(shared::kGradientTableUnit);
   if (hasVolume && volume->gradient) volume->gradient.bindSampler(shared::kGradientUnit);
   int mode = labelsMode(scene);
-  (mode != 0 ? labels->texture : emptyLabels).bindSampler(shared::kLabelUnit);
+  (mode != 0 ? labels.texture() : emptyLabels).bindSampler(shared::kLabelUnit);
   noise.bindSampler(shared::kNoiseUnit);
   light->map().bindSampler(shared::kLightUnit);
   if (skip->map()) skip->map().bindSampler(shared::kSkipUnit);
@@ -288,7 +285,7 @@ void Renderer::Impl::bindAll() {
   exemptBuffer.bindStorage(shared::kExemptBinding);
   sheets.bind();
   (hasVolume ? volume->cellRange : emptyCells).bindStorage(shared::kCellBinding);
-  (mode != 0 ? labels->cellLabels : emptyCells).bindStorage(shared::kCellLabelBinding);
+  (mode != 0 ? labels.cellLabels() : emptyCells).bindStorage(shared::kCellLabelBinding);
 }
 
 Renderer::Impl::MaterialKey Renderer::Impl::materialKeyOf(const Frame& of) const {

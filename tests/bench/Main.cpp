@@ -21,10 +21,10 @@ struct Section {
   const char* name;
   void (*measure)(const Options& options, Report& report);
 };
-constexpr Section kSections[] = {{"vtk", measureAgainstVtk},    {"interaction", measureInteraction},
-                                 {"membrane", measureMembrane}, {"kept-whole", measureKeptWhole},
-                                 {"scaling", measureScaling},   {"fetches", measureFetches},
-                                 {"loading", measureLoading}};
+constexpr Section kSections[] = {{"vtk", measureAgainstVtk},       {"interaction", measureInteraction},
+                                 {"labels", measureLabels},        {"membrane", measureMembrane},
+                                 {"kept-whole", measureKeptWhole}, {"scaling", measureScaling},
+                                 {"fetches", measureFetches},      {"loading", measureLoading}};
 
 double load() {
   double averages[1] = {0};
@@ -79,7 +79,7 @@ int parseAndRun(int argc, char** argv) {
   std::vector<std::string> only, names;
   for (const Section& section : kSections) names.push_back(section.name);
   app.add_option("--only", only,
-                 "sections to measure: vtk, interaction, membrane, kept-whole, scaling, fetches, loading")
+                 "sections to measure: vtk, interaction, labels, membrane, kept-whole, scaling, fetches, loading")
       ->check(CLI::IsMember(names));
   app.add_flag("--quick", options.quick, "smaller data, fewer positions: a look, not a measurement");
   app.add_option("--pictures", options.pictures,

@@ -14,6 +14,8 @@ struct Options {
 void measureAgainstVtk(const Options& options, Report& report);
 /// First coarse picture, moving camera, edits, longest piece of work.
 void measureInteraction(const Options& options, Report& report);
+/// From an edit of labels to its picture, and the same with all labels sent.
+void measureLabels(const Options& options, Report& report);
 /// Frame time against voxels, pixels, opacity, cuts and structures.
 void measureScaling(const Options& options, Report& report);
 /// Trilinear fetches: what the driver can do and what our frames ask of it.

@@ -53,6 +53,30 @@ TEST(LabelVolume, AFilledBrickFolds) {
   EXPECT_EQ(labels.idsInUse(), std::vector<std::uint16_t>{65535});
 }
 
+TEST(LabelVolume, OnlyBricksThatDifferGetAnotherId) {
+  glm::ivec3 dims(70, 33, 40);
+  LabelVolume before(dims, glm::dmat4(1.0));
+  std::vector<std::uint16_t> all(std::size_t(dims.x * dims.y * dims.z));
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = std::uint16_t(i % 5);
+  before.write({0, 0, 0}, dims, all);
+  auto differing = [&](const LabelVolume& after) {
+    std::vector<glm::ivec3> bricks;
+    glm::ivec3 grid = before.brickGrid();
+    for (int i = 0; i < grid.x * grid.y * grid.z; ++i) {
+      glm::ivec3 at(i % grid.x, i / grid.x % grid.y, i / (grid.x * grid.y));
+      if (before.brickId(at) != after.brickId(at)) bricks.push_back(at);
+    }
+    return bricks;
+  };
+  LabelVolume after = before;
+  EXPECT_TRUE(differing(after).empty());
+  after.write({0, 0, 0}, dims, all);
+  EXPECT_TRUE(differing(after).empty()) << "the same again";
+  std::uint16_t nine[] = {9};
+  after.write({69, 32, 39}, {1, 1, 1}, nine);
+  EXPECT_EQ(differing(after), (std::vector<glm::ivec3>{{2, 1, 1}}));
+}
+
 TEST(LabelVolume, ABoxOutsideIsRefused) {
   LabelVolume labels(glm::ivec3(8), glm::dmat4(1.0));
   std::vector<std::uint16_t> ids(27);

@@ -8,6 +8,7 @@
 #include "ProbeShaders.h"
 #include "SourceFolder.h"
 #include "TempFolder.h"
+#include "shaderVariants.h"
 #include "shared/cut.h"
 #include "shared/frame.h"
 #include "velum/gpu/Buffer.h"
@@ -21,34 +22,12 @@ namespace fs = std::filesystem;
 
 class ShaderGL : public GlTest {};
 
-/// The variants of an entry point: those that its text asks about.
-std::vector<Defines> variantsOf(const std::string& file) {
-  std::string text = expandedShader(file);
-  auto values = [&](const char* name, int count) { return text.find(name) == std::string::npos ? 1 : count; };
-  std::vector<Defines> variants;
-  for (int mode = 0; mode < values("MODE", 3); ++mode)
-    for (int labels = 0; labels < values("LABELS", 3); ++labels)
-      for (int color = 0; color < values("COLOR", 2); ++color)
-        for (int membranes = 0; membranes < values("cutsKeep", 2); ++membranes) {
-          variants.push_back(
-              {{"MODE", std::to_string(mode)}, {"LABELS", std::to_string(labels)}, {"COLOR", std::to_string(color)}});
-          if (membranes) variants.back().push_back({"MEMBRANES", "1"});
-        }
-  return variants;
-}
-
-std::string textOf(const Defines& defines) {
-  std::string text;
-  for (const auto& [name, value] : defines) text += " " + name + "=" + value;
-  return text;
-}
-
 TEST_F(ShaderGL, EveryEntryPointCompilesInEveryVariant) {
   auto files = shaderEntryPoints();
   ASSERT_GE(files.size(), 7u);
   int programs = 0;
   for (const std::string& file : files)
-    for (const Defines& defines : variantsOf(file)) {
+    for (const Defines& defines : shaderVariantsOf(file, false)) {
       SCOPED_TRACE(file + textOf(defines));
       if (file.ends_with(".comp")) {
         EXPECT_NO_THROW(Program({file}, defines));
@@ -65,8 +44,8 @@ TEST_F(ShaderGL, EveryEntryPointCompilesInEveryVariant) {
 }
 
 TEST_F(ShaderGL, TheRayCasterHasThirtySixVariants) {
-  EXPECT_EQ(variantsOf("render/ray_cast.comp").size(), 36u);
-  EXPECT_EQ(variantsOf("render/light_extinction.comp").size(), 36u);
+  EXPECT_EQ(shaderVariantsOf("render/ray_cast.comp", false).size(), 36u);
+  EXPECT_EQ(shaderVariantsOf("render/light_extinction.comp", false).size(), 36u);
 }
 
 /// The members of a struct in shaders/shared, in order, as its text lists them.

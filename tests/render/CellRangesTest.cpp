@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "makeVolume.h"
-#include "upload/VolumeUpload.h"
+#include "upload/CellGrid.h"
 
 namespace velum::render {
 namespace {

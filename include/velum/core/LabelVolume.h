@@ -36,7 +36,8 @@ class LabelVolume {
   const glm::dmat4& worldFromVoxel() const { return mWorldFromVoxel; }
   /// Id at a voxel; 0 outside.
   std::uint16_t at(glm::ivec3 voxel) const;
-  /// Writes a box of ids, shape [size.z][size.y][size.x], and keeps bricks small where they are uniform.
+  /// Writes a box of ids, shape [size.z][size.y][size.x], and keeps bricks small where they are uniform. Bricks that
+  /// hold the same as before stay the same.
   /// @throw ArgumentError when the box leaves the grid or the span is short
   void write(glm::ivec3 origin, glm::ivec3 size, std::span<const std::uint16_t> ids);
   /// Copies a box out, the counterpart of write().
@@ -44,6 +45,8 @@ class LabelVolume {
 
   glm::ivec3 brickGrid() const { return mBrickGrid; }
   const Brick& brick(glm::ivec3 index) const;
+  /// Never repeats: bricks of two label volumes that have the same id hold the same.
+  std::uint64_t brickId(glm::ivec3 index) const;
   /// Bytes held by bricks that are not uniform.
   std::size_t storedBytes() const;
   /// Ids in use, ascending, without 0. O(voxels of the bricks that are not uniform).

@@ -21,6 +21,7 @@ struct Stats {
   double longestStepMs = 0;                ///< Longest single piece of GL work of this frame.
   int samples = 0;                         ///< Samples per pixel that are complete.
   std::map<std::string, double> passesMs;  ///< By pass, of the last complete frame.
+  std::size_t labelBytes = 0;              ///< What of the labels was sent to the GPU for this frame.
   std::string reduction;  ///< In words, when the data is shown at a lower level than it has; else empty.
 };
 

@@ -2,9 +2,8 @@
 #include <glm/glm.hpp>
 #include <memory>
 #include <string>
-#include <vector>
 
-#include "velum/core/LabelVolume.h"
+#include "CellGrid.h"
 #include "velum/core/Volume.h"
 #include "velum/gpu/Buffer.h"
 #include "velum/gpu/Context.h"
@@ -12,15 +11,6 @@
 #include "velum/scene/Scene.h"
 
 namespace velum::render {
-
-/// The cells by which empty space is leapt over.
-struct CellGrid {
-  int edge = 4;        ///< Voxels along a cell's edge.
-  glm::ivec3 size{0};  ///< Cells.
-};
-/// About 64 cells along the longest axis: fine enough to leap, few enough to rebuild while a transfer function is
-/// dragged.
-CellGrid cellGridFor(glm::ivec3 dims);
 
 /// One time step of a volume on the GPU, one channel or all of them mixed, at the best level that fits.
 struct GpuVolume {
@@ -56,24 +46,5 @@ class VolumeUpload {
   struct Impl;
   std::unique_ptr<Impl> mImpl;
 };
-
-/// Labels on the GPU and, cell by cell of the volume's grid, which ids are there.
-struct GpuLabels {
-  gpu::Texture texture;    ///< R8ui or R16ui
-  gpu::Buffer cellLabels;  ///< uvec2 a cell: 64-bit set of id % 64
-  glm::ivec3 dims{0};
-  std::string reduction;
-};
-
-/// @param cells, dims, worldFromTex  the grid over which sets of labels are wanted (the volume's, or the labels' own)
-GpuLabels uploadLabels(const LabelVolume& labels, const CellGrid& cells, glm::ivec3 dims,
-                       const glm::dmat4& worldFromTex, const gpu::Limits& limits);
-
-/// Smallest and largest texel of each cell with a halo of one voxel. Plain loops over native samples; exported for
-/// tests.
-/// @param planes  [dims.z][dims.y][dims.x]
-template <class T>
-std::vector<glm::vec2> computeCellRanges(const T* planes, glm::ivec3 dims, const CellGrid& cells, int firstCellZ,
-                                         int lastCellZ, int firstPlane);
 
 }  // namespace velum::render

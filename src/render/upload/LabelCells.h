@@ -1,0 +1,54 @@
+#pragma once
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+#include "CellGrid.h"
+#include "velum/core/LabelVolume.h"
+
+namespace velum::render {
+
+/// The cells for which sets of labels are wanted: the volume's, or the labels' own.
+struct LabelSpace {
+  CellGrid cells;
+  glm::ivec3 dims{1};            ///< Voxels of the cells' grid.
+  glm::dmat4 worldFromTex{1.0};  ///< From texture coordinates 0..1 of that grid.
+  bool operator==(const LabelSpace&) const = default;
+};
+
+/// Some cells in the order of the buffer: x fastest.
+struct CellRun {
+  std::size_t first = 0, count = 0;
+};
+
+/// Which labels each cell holds, as sets of ids mod 64 (bit 0: also where there are no labels). A set may hold more
+/// than the cell does, never less: it is put together from blocks of 8^3 label voxels.
+class LabelCells {
+ public:
+  LabelCells(const LabelVolume& labels, const LabelSpace& over);
+  /// Takes bricks of labels that have the same grid and place. Looks at those bricks and at the cells that touch them
+  /// only. @return the cells whose sets are others now
+  std::vector<CellRun> update(const LabelVolume& labels, std::span<const glm::ivec3> bricks);
+  /// [cells.z][cells.y][cells.x]
+  const std::vector<glm::uvec2>& sets() const { return mSets; }
+
+ private:
+  struct Box {
+    glm::ivec3 low{0}, high{0};  ///< high is past the last
+  };
+  Box collectBlocks(const LabelVolume& labels, glm::ivec3 brick);
+  Box cellsTouching(const Box& blocks) const;
+  std::vector<CellRun> recount(const std::vector<std::uint8_t>& isDirty);
+  glm::uvec2 setOf(glm::ivec3 cell) const;
+  std::uint64_t& block(glm::ivec3 at);
+
+  LabelSpace mOver;
+  glm::ivec3 mDims;          ///< Label voxels.
+  glm::dmat4 mLabelFromVox;  ///< Label voxel indices from voxels of the cells' grid, whose corner is 0.
+  glm::ivec3 mBlockGrid;
+  std::vector<std::uint64_t> mBlocks;
+  std::vector<glm::uvec2> mSets;
+};
+
+}  // namespace velum::render

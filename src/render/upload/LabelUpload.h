@@ -1,0 +1,48 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "LabelCells.h"
+#include "velum/core/Shared.h"
+#include "velum/gpu/Buffer.h"
+#include "velum/gpu/Context.h"
+#include "velum/gpu/Texture.h"
+
+namespace velum::render {
+
+/// Labels on the GPU and, cell by cell of a grid, which ids are there. Follows edits: bricks that two label volumes
+/// share have the same id, so what differs is known without looking at voxels, and only that is sent. Ids are 16 bits
+/// wide whatever they are, so that one never seen before costs no more than another. GL thread.
+class LabelUpload {
+ public:
+  explicit LabelUpload(const gpu::Limits& limits) : mLimits(limits) {}
+  /// Brings what is on the GPU from the labels of the last call to these.
+  /// @throw gpu::GpuError when they are larger than the driver's 3D textures or memory
+  void update(const Shared<LabelVolume>& labels, const LabelSpace& over);
+
+  /// R16ui, in the labels' own grid.
+  const gpu::Texture& texture() const { return mTexture; }
+  /// uvec2 a cell: 64-bit set of id % 64.
+  const gpu::Buffer& cellLabels() const { return mCellLabels; }
+  /// What the last update() sent.
+  std::size_t bytesSent() const { return mBytesSent; }
+
+ private:
+  void allocate(glm::ivec3 dims);
+  std::vector<glm::ivec3> takeChanged(const LabelVolume& labels);
+  void sendBricks(const LabelVolume& labels, const std::vector<glm::ivec3>& bricks);
+  void sendCells(const std::vector<CellRun>& runs);
+
+  gpu::Limits mLimits;
+  std::uint64_t mId = 0;
+  LabelSpace mOver;
+  glm::dmat4 mWorldFromVoxel{1.0};
+  std::vector<std::uint64_t> mBrickIds;  ///< Of what the texture holds.
+  std::optional<LabelCells> mCells;
+  gpu::Texture mTexture;
+  gpu::Buffer mCellLabels;
+  std::size_t mBytesSent = 0;
+};
+
+}  // namespace velum::render

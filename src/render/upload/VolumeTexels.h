@@ -1,0 +1,43 @@
+#pragma once
+#include <vector>
+
+#include "TransferTable.h"
+#include "velum/core/Shared.h"
+#include "velum/core/Volume.h"
+#include "velum/gpu/Texture.h"
+
+namespace velum::render {
+
+/// How a sample type is kept on the GPU: integers of 8 and 16 bits as they are (signed ones shifted), all else as
+/// float.
+struct TexelPlan {
+  gpu::Format format = gpu::Format::R8;
+  double scale = 1, offset = 0;  ///< raw = texel * scale + offset
+};
+inline constexpr TexelPlan kAsFloats{gpu::Format::R32f, 1.0, 0.0};
+
+TexelPlan planFor(const Volume& volume, bool isMixed);
+
+/// One time step of a volume at a level, as texels.
+struct VolumeTexels {
+  Shared<Volume> volume;
+  int channel = 0, frame = 0;
+  MixTable mix;          ///< Channels that are mixed; else empty.
+  glm::ivec3 dims{0};    ///< Of the level.
+  int factor = 1;        ///< Voxels of the volume along the edge of one of the level.
+  bool isQuick = false;  ///< Texels are single voxels, not means.
+  bool isMixed = false;
+
+  /// The level's planes z0..z1: straight from the volume when nothing has to change, else converted into `scratch`.
+  /// Texel is std::uint8_t, std::uint16_t, float or, for colours, glm::u8vec4.
+  template <class Texel>
+  const Texel* planes(int z0, int z1, std::vector<Texel>& scratch) const;
+
+ private:
+  template <class Raw>
+  void mixPlanes(const Raw* frameStart, int z0, int z1, std::vector<glm::u8vec4>& texels) const;
+  template <class Texel, class Raw>
+  void convertPlanes(const Raw* frameStart, int z0, int z1, std::vector<Texel>& texels) const;
+};
+
+}  // namespace velum::render

@@ -1,0 +1,219 @@
+// Labels that are edited: only what differs is sent, and what is then on the GPU is what a fresh upload puts there.
+#include "upload/LabelUpload.h"
+
+#include <random>
+
+#include "RenderFixture.h"
+#include "velum/gpu/GpuError.h"
+
+namespace velum {
+namespace {
+
+using render::LabelSpace;
+using render::LabelUpload;
+
+/// Neither a whole number of bricks nor of blocks.
+constexpr glm::ivec3 kDims(75, 50, 70);
+constexpr std::size_t kBrickBytes = 32 * 32 * 32 * 2;
+
+LabelSpace spaceOf(glm::ivec3 dims, const glm::dmat4& worldFromVoxel) {
+  glm::dmat4 voxelFromTex(1.0);
+  for (int axis = 0; axis < 3; ++axis) voxelFromTex[axis][axis] = dims[axis], voxelFromTex[3][axis] = -0.5;
+  return {render::cellGridFor(dims), dims, worldFromVoxel * voxelFromTex};
+}
+
+LabelVolume startLabels(const glm::dmat4& frame) {
+  LabelVolume labels = makeLabels(
+      kDims, [](glm::ivec3 p) { return glm::length(glm::dvec3(p) - 30.0) < 18 ? 1
+                                       : p.x > 60 && p.y < 20                 ? 300
+                                                                              : 0; },
+      frame);
+  labels.table = {{1, "ball", {0, 1, 0}, 1.0f}, {300, "bar", {0, 0, 1}, 1.0f}};
+  return labels;
+}
+
+/// One box of one id. @param size  along each axis, as far as it lies in the grid
+LabelVolume withBox(LabelVolume labels, glm::ivec3 low, int size, std::uint16_t id) {
+  glm::ivec3 extent = glm::min(glm::ivec3(size), labels.dims() - low);
+  std::vector<std::uint16_t> ids(std::size_t(extent.x) * std::size_t(extent.y) * std::size_t(extent.z), id);
+  labels.write(low, extent, ids);
+  auto& table = labels.table;
+  auto place = std::lower_bound(table.begin(), table.end(), id, [](const auto& info, int at) { return info.id < at; });
+  if (id != 0 && (place == table.end() || place->id != id))
+    table.insert(place, {id, "new", defaultLabelColor(id), 1.0f});
+  return labels;
+}
+
+/// Edits as hands make them: boxes of old ids, of new ones, of none, an id taken away everywhere, steps back.
+class Edits {
+ public:
+  explicit Edits(Shared<LabelVolume> start, unsigned seed) : mPast{std::move(start)}, mRandom(seed) {}
+  const Shared<LabelVolume>& next() {
+    int kind = pick(5);
+    const LabelVolume& now = *mPast.back();
+    glm::ivec3 low(pick(kDims.x), pick(kDims.y), pick(kDims.z));
+    if (kind == 0 && mPast.size() > 2) {
+      mPast.pop_back();
+    } else if (kind == 1 && now.table.size() > 1) {
+      mPast.emplace_back(without(now, now.table[std::size_t(pick(int(now.table.size())))].id));
+    } else {
+      int id = kind == 2 ? 0 : kind == 3 ? int(now.table.front().id) : mNextId += 97;
+      mPast.emplace_back(withBox(now, low, 1 + pick(25), std::uint16_t(id)));
+    }
+    return mPast.back();
+  }
+
+ private:
+  int pick(int count) { return int(mRandom() % unsigned(count)); }
+  static LabelVolume without(LabelVolume labels, std::uint16_t id) {
+    std::vector<std::uint16_t> ids(std::size_t(kDims.x) * std::size_t(kDims.y) * std::size_t(kDims.z));
+    labels.read({0, 0, 0}, kDims, ids);
+    std::replace(ids.begin(), ids.end(), id, std::uint16_t(0));
+    labels.write({0, 0, 0}, kDims, ids);
+    std::erase_if(labels.table, [&](const LabelInfo& info) { return info.id == id; });
+    return labels;
+  }
+  std::vector<Shared<LabelVolume>> mPast;
+  std::mt19937 mRandom;
+  int mNextId = 2;
+};
+
+class LabelUploadGL : public RenderTest {
+ protected:
+  static std::vector<std::uint16_t> idsOf(const LabelUpload& upload) {
+    glm::ivec3 size = upload.texture().size();
+    std::vector<std::uint16_t> ids(std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z));
+    upload.texture().read(ids.data(), ids.size() * 2);
+    return ids;
+  }
+  static std::vector<glm::uvec2> cellsOf(const LabelUpload& upload) {
+    std::vector<glm::uvec2> cells(upload.cellLabels().bytes() / sizeof(glm::uvec2));
+    upload.cellLabels().read(0, upload.cellLabels().bytes(), cells.data());
+    return cells;
+  }
+  static std::size_t differingCells(const std::vector<glm::uvec2>& a, const std::vector<glm::uvec2>& b) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) count += a[i] != b[i];
+    return count;
+  }
+};
+
+TEST_F(LabelUploadGL, AfterAnyEditsTheGpuHoldsWhatAFreshUploadDoes) {
+  glm::dmat4 frame = centredFrame(kDims);
+  const LabelSpace kSpaces[] = {
+      spaceOf(kDims, frame),
+      // A finer grid that is turned against the labels and sticks out, and one that covers a corner of them.
+      spaceOf({90, 110, 64}, centredFrame({90, 110, 64}, {0.8, 0.7, 1.1}, 0.5)),
+      spaceOf({40, 20, 260}, glm::translate(glm::dmat4(1.0), {20, 15, -40}) * centredFrame({40, 20, 260}, {1, 2, 0.3})),
+  };
+  unsigned seed = 1;
+  for (const LabelSpace& space : kSpaces) {
+    Edits edits(Shared<LabelVolume>(startLabels(frame)), seed++);
+    LabelUpload kept(context().limits());
+    for (int turn = 0; turn < 40; ++turn) {
+      const Shared<LabelVolume>& labels = edits.next();
+      std::vector<std::uint16_t> idsBefore;
+      std::vector<glm::uvec2> cellsBefore;
+      if (turn > 0) idsBefore = idsOf(kept), cellsBefore = cellsOf(kept);
+      kept.update(labels, space);
+      LabelUpload fresh(context().limits());
+      fresh.update(labels, space);
+      ASSERT_EQ(idsOf(kept), idsOf(fresh)) << "edit " << turn;
+      ASSERT_EQ(cellsOf(kept), cellsOf(fresh)) << "edit " << turn;
+      EXPECT_EQ(fresh.bytesSent(), idsOf(fresh).size() * 2 + cellsOf(fresh).size() * 8);
+      if (turn == 0) continue;
+      // Exactly the bricks in which some voxel differs, and the cells whose sets do.
+      std::size_t expected = 8 * differingCells(cellsBefore, cellsOf(kept));
+      std::vector<std::uint16_t> ids = idsOf(kept);
+      glm::ivec3 grid = labels->brickGrid();
+      for (int brick = 0; brick < grid.x * grid.y * grid.z; ++brick) {
+        glm::ivec3 low = glm::ivec3(brick % grid.x, brick / grid.x % grid.y, brick / (grid.x * grid.y)) * 32;
+        glm::ivec3 high = glm::min(low + 32, kDims);
+        bool differs = false;
+        for (int z = low.z; z < high.z; ++z)
+          for (int y = low.y; y < high.y; ++y)
+            for (int x = low.x; x < high.x; ++x) {
+              auto i = std::size_t((z * kDims.y + y) * kDims.x + x);
+              differs = differs || ids[i] != idsBefore[i];
+            }
+        glm::ivec3 size = high - low;
+        if (differs) expected += std::size_t(size.x * size.y * size.z) * 2;
+      }
+      EXPECT_EQ(kept.bytesSent(), expected) << "edit " << turn;
+    }
+  }
+}
+
+TEST_F(LabelUploadGL, OneVoxelIsOneBrickAndTheCellsAroundIt) {
+  glm::ivec3 dims(256, 256, 256);  // cells of 4^3
+  LabelSpace space = spaceOf(dims, centredFrame(dims));
+  LabelVolume empty(dims, centredFrame(dims));
+  LabelUpload upload(context().limits());
+  upload.update(Shared<LabelVolume>(empty), space);
+  EXPECT_EQ(upload.bytesSent(), std::size_t(256 * 256 * 256 * 2 + 64 * 64 * 64 * 8));
+  Shared<LabelVolume> edited(withBox(empty, {100, 100, 100}, 1, 40001));
+  upload.update(edited, space);
+  // The voxel's block is 96..103; a cell of 4 reaches two voxels and a half beyond its sides.
+  EXPECT_EQ(upload.bytesSent(), kBrickBytes + 8u * 4 * 4 * 4);
+  upload.update(edited, space);
+  EXPECT_EQ(upload.bytesSent(), 0u) << "nothing has changed";
+  upload.update(Shared<LabelVolume>(withBox(*edited, {101, 101, 101}, 1, 40001)), space);
+  EXPECT_EQ(upload.bytesSent(), kBrickBytes) << "its block held the id already";
+  upload.update(Shared<LabelVolume>(withBox(*edited, {100, 100, 100}, 1, 40001)), space);
+  EXPECT_EQ(upload.bytesSent(), kBrickBytes) << "back";
+  upload.update(Shared<LabelVolume>(*edited), space);
+  EXPECT_EQ(upload.bytesSent(), 0u) << "another volume, the same bricks";
+}
+
+TEST_F(LabelUploadGL, AnotherGridOfCellsCostsNoTexels) {
+  glm::dmat4 frame = centredFrame(kDims);
+  Shared<LabelVolume> labels(startLabels(frame));
+  LabelUpload upload(context().limits());
+  upload.update(labels, spaceOf(kDims, frame));
+  upload.update(labels, spaceOf({20, 20, 20}, centredFrame({20, 20, 20})));
+  EXPECT_EQ(upload.bytesSent(), 5u * 5 * 5 * 8);
+}
+
+TEST_F(LabelUploadGL, LabelsThatAreTooLargeAreRefusedAndTheNextOnesShown) {
+  gpu::Limits limits = context().limits();
+  limits.texture3d = 64;
+  LabelUpload upload(limits);
+  glm::dmat4 frame = centredFrame(kDims);
+  EXPECT_THROW(upload.update(Shared<LabelVolume>(startLabels(frame)), spaceOf(kDims, frame)), gpu::GpuError);
+  glm::ivec3 small(40, 40, 40);
+  upload.update(Shared<LabelVolume>(LabelVolume(small, frame)), spaceOf(small, frame));
+  EXPECT_EQ(idsOf(upload), std::vector<std::uint16_t>(40 * 40 * 40, 0));
+}
+
+TEST_F(LabelUploadGL, APictureAfterAnEditIsThatOfLabelsSentWhole) {
+  glm::dmat4 frame = centredFrame(kDims);
+  std::size_t whole = std::size_t(kDims.x) * std::size_t(kDims.y) * std::size_t(kDims.z) * 2;
+  for (bool isAlone : {false, true}) {
+    scene::Scene scene = sceneOf(makeVolume(
+        kDims, SampleType::UInt8, [](glm::ivec3 p) { return 60 + 60 * std::sin(p.x * 0.2) * std::cos(p.z * 0.15); },
+        frame));
+    scene.volume.transfer.colors = {{0, {1, 0.8f, 0.6f}}};
+    scene.volume.transfer.opacities = {{60, 0}, {110, 0.6}};
+    scene.labels.tint = 0.8;
+    scene.labels.unlabelled = 0.2;
+    if (isAlone) scene.volume.data = {};
+    scene::Scene small = scene;
+    small.labels.data = Shared<LabelVolume>(LabelVolume({8, 8, 8}, frame));
+    render::Renderer other(context());
+    Edits edits(Shared<LabelVolume>(startLabels(frame)), 7);
+    for (int turn = 0; turn < 12; ++turn) {
+      scene.labels.data = edits.next();
+      scene.labels.structures.clear();
+      scene::completeStructures(scene.labels);
+      Image image = draw(scene, {40, 40}, kAllLayers);
+      EXPECT_GT(coverageOf(image), 0.02);
+      EXPECT_EQ(renderer().stats().labelBytes<whole, turn> 0) << "turn " << turn;
+      drawWith(other, small, {4, 4});
+      expectIdentical(image, drawWith(other, scene, {40, 40}, kAllLayers), "turn " + std::to_string(turn));
+      EXPECT_GE(other.stats().labelBytes, whole);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace velum

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Fails when a file includes a module, or a library, that its own module may not use (tables below)."""
+"""Fails when a file includes a module, a room of its own module, or a library that it may not use (tables below)."""
 import pathlib
 import re
 import sys
@@ -15,6 +15,18 @@ MAY_USE = {  # module: modules it may include (its own is implied)
     "app": "core scene gpu io render session",
     "gui": "core scene gpu render session",
 }
+ROOMS = {  # module: {room: rooms of the module it may include (its own is implied); "." is the module's own folder}
+    # A module's own folder may include each room unless it is listed.
+    "scene": {"json": ".", ".": ""},
+    "gpu": {"context": ".", ".": ""},
+    "io": {"read": "", "volumes": "read", "labels": "read volumes", "meshes": "read", "images": "read", "looks": "read",
+           "phantoms": ""},
+    "membrane": {"forces": "", "sheet": "forces"},
+    # The module's own folder has both the frame, which all know, and the renderer, which knows all.
+    "render": {"upload": ".", "passes": ". upload", "section": ". upload"},
+    "session": {"document": "", "section": "", "structure": "", "cut": "", "look": "document",
+                "membrane": "cut look structure", "picture": "document membrane"},
+}
 ONLY_IN = {  # library header: modules that may name it
     r"<Q[A-Z]": "gui",
     r"<(itk|gdcm|vtk|openvdb|OpenImageIO)": "io",
@@ -24,20 +36,44 @@ ONLY_IN = {  # library header: modules that may name it
 }
 
 
+def home(root, path):
+    """Module and room of a file of ours; the room is "." in the module's own folder."""
+    parts = path.relative_to(root).parts
+    parts = parts[2:] if parts[0] == "include" else parts[1:]
+    return parts[0], parts[1] if len(parts) > 2 else "."
+
+
+def target(root, path, include):
+    """Module and room that an include leads to; nothing when it is none of ours."""
+    if include.startswith("velum/"):
+        return home(root, root / "include" / include)
+    module, _ = home(root, path)
+    for folder in (path.parent, root / "src" / module):
+        if (folder / include).is_file():
+            return home(root, (folder / include).resolve())
+    return None
+
+
 def violations(root):
     for path in sorted([*root.glob("include/velum/*/**/*.h"), *root.glob("src/*/**/*.[ch]*")]):
-        parts = path.relative_to(root).parts
-        module = parts[2] if parts[0] == "include" else parts[1]
+        module, room = home(root, path)
+        rooms = ROOMS.get(module, {})
+        if rooms and room not in rooms and room != ".":
+            yield f"{path}: the room {room} of {module} is not in the table of {sys.argv[0]}"
         for number, line in enumerate(path.read_text(errors="replace").splitlines(), 1):
-            target = re.match(r'\s*#\s*include\s*[<"]velum/(\w+)/', line)
-            if target and target[1] != module and target[1] not in MAY_USE[module].split():
-                yield f"{path}:{number}: {module} may not include {target[1]}"
+            quoted = re.match(r'\s*#\s*include\s*[<"]([^>"]+)[>"]', line)
+            there = target(root, path, quoted[1]) if quoted else None
+            if there and there[0] != module and there[0] not in MAY_USE[module].split():
+                yield f"{path}:{number}: {module} may not include {there[0]}"
+            if there and there[0] == module and there[1] != room and room in rooms:
+                if there[1] not in rooms[room].split():
+                    yield f"{path}:{number}: {module}/{room} may not include {module}/{there[1]}"
             for pattern, homes in ONLY_IN.items():
                 if re.match(r"\s*#\s*include\s*" + pattern, line) and module not in homes.split():
                     yield f"{path}:{number}: {pattern} belongs to {homes} only"
 
 
 if __name__ == "__main__":
-    found = list(violations(pathlib.Path(sys.argv[1])))
+    found = list(violations(pathlib.Path(sys.argv[1]).resolve()))
     print("\n".join(found) or "layers ok")
     sys.exit(bool(found))

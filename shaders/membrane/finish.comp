@@ -1,4 +1,4 @@
-// The end of a step: velocities from the corrected places (PBD, algorithm line 13), and the largest speed.
+// The end of a step: velocities from the corrected places ([PBD], algorithm line 13), and the largest speed.
 #include "shared/cloth.h"
 layout(local_size_x = kClothGroup, local_size_y = kClothGroup) in;
 

@@ -1,4 +1,4 @@
-// Where each particle would go without constraints (IMC eq. 1), under the kernels around it, the pull back to the slice
+// Where each particle would go without constraints ([IMC] eq. 1), under the kernels around it, the pull back to the slice
 // and damping. Cost: particles times the kernels that reach one, whatever the number of kernels.
 #include "shared/cloth.h"
 layout(local_size_x = kClothGroup, local_size_y = kClothGroup) in;
@@ -14,7 +14,7 @@ layout(std430, binding = kToBinding) writeonly buffer ToBlock { vec4 predicted[]
 layout(std430, binding = kKernelBinding) readonly buffer KernelBlock { vec2 kernels[]; };
 layout(std430, binding = kUserKernelBinding) readonly buffer UserKernelBlock { ClothKernel userKernels[]; };
 
-/// Sum over the kernels of the lattice (IMC eq. 2), in units of strength.
+/// Sum over the kernels of the lattice ([IMC] eq. 2), in units of strength.
 vec3 latticeForce(vec3 place) {
   vec3 q = (cloth.kernelFromLocal * vec4(place, 1.0)).xyz;
   float reach = cloth.axisX.w;

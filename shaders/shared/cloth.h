@@ -42,11 +42,11 @@ struct ClothKernel {
                   ///< high it lifts the slice, mm
 };
 
-/// Which side of a kernel's centre: -1 to 1. Differs: the sign of IMC eq. 3 would jump at the centre, where a sheet then
+/// Which side of a kernel's centre: -1 to 1. Differs: the sign of [IMC] eq. 3 would jump at the centre, where a sheet then
 /// never comes to rest; here it turns round over a quarter of the half-width.
 SHARED_FN float kernelSide(float share) { return clamp(4.0f * share, -1.0f, 1.0f); }
 
-/// IMC eq. 3 along one axis: a force that falls from 1 to 0 over the half-width.
+/// [IMC] eq. 3 along one axis: a force that falls from 1 to 0 over the half-width.
 SHARED_FN float kernelForce(float delta, float halfWidth) {
   float share = delta / halfWidth;
   return abs(share) < 1.0f ? kernelSide(share) * (1.0f - abs(share)) : 0.0f;
@@ -65,7 +65,7 @@ SHARED_FN float liftAt(float share) {
   return rest * rest * rest * rest * (4.0f * share + 1.0f);
 }
 
-/// What a stretch constraint asks of its first particle: half of what is missing to the rest length (PBD eq. 10, 11);
+/// What a stretch constraint asks of its first particle: half of what is missing to the rest length ([PBD] eq. 10, 11);
 /// all of it where the other is held.
 SHARED_FN vec3 stretchCorrection(vec4 a, vec4 b, float rest) {
   vec3 d = vec3(b.x - a.x, b.y - a.y, b.z - a.z);

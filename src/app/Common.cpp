@@ -1,3 +1,5 @@
+#include "Common.h"
+
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -6,7 +8,6 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "Verbs.h"
 #include "velum/core/Error.h"
 #include "velum/scene/Presets.h"
 #include "velum/scene/json/Json.h"
@@ -63,10 +64,7 @@ scene::RawLayout parseRaw(const std::string& text) {
     std::string part = text.substr(colon + 1, next == std::string::npos ? next : next - colon - 1);
     colon = next;
     bool known = false;
-    for (int i = 0; std::string_view name : EnumNames<SampleType>::kNames) {
-      if (part == name) raw.type = SampleType(i), known = true;
-      ++i;
-    }
+    if (auto type = enumValue<SampleType>(part)) raw.type = *type, known = true;
     if (part == "be" || part == "le") raw.bigEndian = part == "be", known = true;
     if (part == "rgb" || part == "rgba") raw.channels = part == "rgb" ? 3 : 4, known = true;
     if (part.size() > 1 && part[0] == '+') {
@@ -158,16 +156,11 @@ scene::Scene openScene(const InputOptions& input, double aspect) {
   if (!input.preset.empty()) scene::applyPreset(scene, input.preset);
   if (!input.transfer.empty()) session::importLook(scene, input.transfer);
   if (!input.view.empty() || !isScene) {
-    scene::StandardView view = scene::defaultView(scene);
-    bool known = input.view.empty();
-    for (int i = 0; std::string_view name : EnumNames<scene::StandardView>::kNames) {
-      if (input.view == name) view = scene::StandardView(i), known = true;
-      ++i;
-    }
-    if (!known)
-      throw ArgumentError(fmt::format(
-          "--view {}: not one of anterior, posterior, left, right, superior, inferior, oblique", input.view));
-    scene.camera = scene::frameCamera(scene, view, aspect);
+    auto view = input.view.empty() ? scene::defaultView(scene) : enumValue<scene::StandardView>(input.view);
+    if (!view)
+      throw ArgumentError(
+          fmt::format("--view {}: not one of {}", input.view, fmt::join(EnumNames<scene::StandardView>::kNames, ", ")));
+    scene.camera = scene::frameCamera(scene, *view, aspect);
   }
   for (const auto& [path, value] : sets) scene::setField(scene, path, value);
   return scene;

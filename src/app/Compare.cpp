@@ -2,6 +2,7 @@
 
 #include "Verbs.h"
 #include "velum/core/Error.h"
+#include "velum/io/images/ImageCompare.h"
 #include "velum/io/images/ImageFile.h"
 
 namespace velum::app {

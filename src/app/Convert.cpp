@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "Verbs.h"
+#include "velum/io/labels/ReadLabels.h"
 #include "velum/io/volumes/ReadVolume.h"
 #include "velum/io/volumes/WriteVolume.h"
 #include "velum/session/look/Look.h"

@@ -4,6 +4,8 @@
 
 #include "Verbs.h"
 #include "velum/core/Error.h"
+#include "velum/io/labels/ReadLabels.h"
+#include "velum/io/meshes/ReadMesh.h"
 #include "velum/io/volumes/Formats.h"
 #include "velum/io/volumes/ReadVolume.h"
 #include "velum/scene/Presets.h"

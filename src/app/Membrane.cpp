@@ -14,6 +14,7 @@
 #include "velum/session/membrane/Membranes.h"
 #include "velum/session/membrane/SheetHands.h"
 #include "velum/session/membrane/Sketch.h"
+#include "velum/session/membrane/StrokeSamples.h"
 #include "velum/session/picture/Export.h"
 
 namespace velum::app {

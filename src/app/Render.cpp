@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
-#include <chrono>
 #include <filesystem>
 #include <optional>
 
 #include "Verbs.h"
+#include "velum/core/Clock.h"
 #include "velum/core/Error.h"
 #include "velum/render/Renderer.h"
 #include "velum/scene/Navigate.h"
@@ -75,11 +75,9 @@ class Sheets {
 };
 
 scene::SliceKind sliceKind(const std::string& name) {
-  for (int i = 0; std::string_view known : EnumNames<scene::SliceKind>::kNames) {
-    if (name == known) return scene::SliceKind(i);
-    ++i;
-  }
-  throw ArgumentError(fmt::format("--slice {}: not one of axial, coronal, sagittal", name));
+  if (auto kind = enumValue<scene::SliceKind>(name)) return *kind;
+  throw ArgumentError(
+      fmt::format("--slice {}: not one of {}", name, fmt::join(EnumNames<scene::SliceKind>::kNames, ", ")));
 }
 
 /// A slice view instead of the 3D picture; needs no graphics driver, unless there are membranes.
@@ -98,9 +96,9 @@ int runSlice(const RenderOptions& options) {
   double ms = 0;
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     scene::Scene step = options.frames > 0 ? frameOf(scene, int(i), options.frames) : scene;
-    auto start = std::chrono::steady_clock::now();
+    auto start = Clock::now();
     Image image = session::drawSlicePicture(context ? sheets.settle(step) : step, kind, picture);
-    ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    ms = msSince(start);
     session::savePicture(image, step, picture, outputs[i]);
   }
   if (!options.saveScene.empty()) session::saveScene(session::sceneForPicture(scene, picture), options.saveScene);
@@ -128,7 +126,7 @@ int run(const RenderOptions& options) {
   if (options.bruteForce) scene.rayCast.skipEmpty = scene.rayCast.stopOpaque = false;
   session::PictureOptions picture{size, options.samples, options.transparent, options.layers, options.dpi};
 
-  auto start = std::chrono::steady_clock::now();
+  auto start = Clock::now();
   std::vector<std::string> outputs = outputNames(options);
   Sheets sheets;
   for (std::size_t i = 0; i < outputs.size(); ++i) {
@@ -137,7 +135,7 @@ int run(const RenderOptions& options) {
     consoleProgress().report(1.0, "");
     session::savePicture(image, step, picture, outputs[i]);
   }
-  double ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  double ms = msSince(start);
   if (!options.saveScene.empty()) session::saveScene(session::sceneForPicture(scene, picture), options.saveScene);
 
   const render::Stats& stats = renderer.stats();

@@ -1,44 +1,10 @@
 #pragma once
-#include <CLI/CLI.hpp>
-#include <memory>
-#include <nlohmann/json.hpp>
-#include <string>
-#include <vector>
+#include <functional>
 
-#include "velum/core/Task.h"
-#include "velum/gpu/Context.h"
-#include "velum/scene/Scene.h"
+#include "Common.h"
 
 /// The verbs of velum-batch, one file each. A verb registers its options and returns what it does.
 namespace velum::app {
-
-using Json = nlohmann::ordered_json;
-
-/// What every verb takes.
-struct Common {
-  bool json = false;
-  bool verbose = false;
-  gpu::ContextKind context = gpu::ContextKind::Auto;
-};
-
-/// What verbs that open data take.
-struct InputOptions {
-  std::vector<std::string> inputs;
-  std::vector<std::string> sets;  ///< path=value
-  std::string series, preset, transfer, view, labels;
-  std::vector<double> spacing;
-  std::string raw;  ///< "XxYxZ:type[:be][:+header]"
-};
-
-void addCommon(CLI::App& verb, Common& common);
-void addInput(CLI::App& verb, InputOptions& input, bool withScene);
-/// The first input's source, with the reading options applied.
-scene::Source firstSource(const InputOptions& input);
-/// Opens all inputs and applies preset, transfer function, view and --set, in this order. Shows progress on a terminal.
-scene::Scene openScene(const InputOptions& input, double aspect);
-/// A progress that writes one line to a terminal's stderr, and listens for Ctrl+C.
-Progress& consoleProgress();
-void printJson(const Json& json);
 
 /// Exit code.
 using Run = std::function<int()>;

@@ -4,6 +4,7 @@
 #include <bitset>
 #include <memory>
 
+#include "velum/core/Assert.h"
 #include "velum/core/Error.h"
 
 namespace velum {
@@ -27,6 +28,7 @@ LabelVolume::LabelVolume(glm::ivec3 dims, const glm::dmat4& worldFromVoxel)
 }
 
 std::size_t LabelVolume::brickIndex(glm::ivec3 i) const {
+  VELUM_ASSERT(glm::all(glm::lessThan(glm::uvec3(i), glm::uvec3(mBrickGrid))), "the brick lies in the grid");
   return (std::size_t(i.z) * std::size_t(mBrickGrid.y) + std::size_t(i.y)) * std::size_t(mBrickGrid.x) +
          std::size_t(i.x);
 }

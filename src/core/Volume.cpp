@@ -8,6 +8,8 @@
 #include <limits>
 #include <type_traits>
 
+#include "velum/core/Assert.h"
+
 namespace velum {
 
 namespace {
@@ -67,6 +69,9 @@ glm::dmat3 direction(const Volume& volume) {
 }
 
 double valueAt(const Volume& volume, glm::ivec3 voxel, int channel, int frame) {
+  VELUM_ASSERT(glm::all(glm::lessThan(glm::uvec3(voxel), glm::uvec3(volume.dims))), "the voxel lies in the volume");
+  VELUM_ASSERT(channel >= 0 && channel < volume.channels && frame >= 0 && frame < volume.frames,
+               "channel and time step exist");
   std::size_t index =
       (std::size_t(voxel.z) * std::size_t(volume.dims.y) + std::size_t(voxel.y)) * std::size_t(volume.dims.x) +
       std::size_t(voxel.x);
@@ -75,6 +80,7 @@ double valueAt(const Volume& volume, glm::ivec3 voxel, int channel, int frame) {
 }
 
 void computeRange(Volume& volume) {
+  VELUM_ASSERT(volume.voxels.size() == frameBytes(volume) * std::size_t(volume.frames), "every sample is there");
   std::size_t count = voxelCount(volume) * std::size_t(volume.channels) * std::size_t(volume.frames);
   MinMax raw = visitSamples(volume, [&](auto* p) {
     return tbb::parallel_reduce(
@@ -88,6 +94,9 @@ void computeRange(Volume& volume) {
 }
 
 Histogram computeHistogram(const Volume& volume, int bins, int channel, int frame) {
+  VELUM_ASSERT(bins > 0, "there are bins");
+  VELUM_ASSERT(channel >= 0 && channel < volume.channels && frame >= 0 && frame < volume.frames,
+               "channel and time step exist");
   Histogram histogram{std::vector<std::uint64_t>(std::size_t(bins)), volume.range};
   double width = volume.range.y - volume.range.x;
   if (!(width > 0)) return histogram;
@@ -114,6 +123,7 @@ Histogram computeHistogram(const Volume& volume, int bins, int channel, int fram
 }
 
 double quantile(const Histogram& histogram, double fraction) {
+  VELUM_ASSERT(fraction >= 0.0 && fraction <= 1.0, "a fraction is from 0 to 1");
   std::uint64_t total = 0;
   for (auto c : histogram.counts) total += c;
   double wanted = fraction * double(total);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "Gl.h"
+#include "velum/core/Assert.h"
 #include "velum/gpu/GpuError.h"
 
 namespace velum::gpu {
@@ -37,12 +38,15 @@ Buffer Buffer::makeReadable(std::string_view label, std::size_t bytes) {
 }
 
 void Buffer::write(std::size_t offset, std::size_t bytes, const void* data) {
+  VELUM_ASSERT(offset + bytes <= mBytes, "what is written lies in the buffer");
   gl().NamedBufferSubData(id(), GLintptr(offset), GLsizeiptr(bytes), data);
 }
 void Buffer::read(std::size_t offset, std::size_t bytes, void* data) const {
+  VELUM_ASSERT(offset + bytes <= mBytes, "what is read lies in the buffer");
   gl().GetNamedBufferSubData(id(), GLintptr(offset), GLsizeiptr(bytes), data);
 }
 void Buffer::copyTo(Buffer& target, std::size_t offset, std::size_t from, std::size_t bytes) const {
+  VELUM_ASSERT(from + bytes <= mBytes && offset + bytes <= target.mBytes, "the copy lies in both buffers");
   gl().CopyNamedBufferSubData(id(), target.id(), GLintptr(from), GLintptr(offset), GLsizeiptr(bytes));
 }
 void Buffer::clear() { gl().ClearNamedBufferData(id(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr); }

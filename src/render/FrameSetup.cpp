@@ -4,16 +4,12 @@
 #include <cmath>
 #include <limits>
 
+#include "velum/core/Vectors.h"
 #include "velum/scene/Project.h"
 
 namespace velum::render {
 
 namespace {
-
-glm::dvec3 unitOr(glm::dvec3 v, glm::dvec3 fallback) {
-  double length = glm::length(v);
-  return length > 1e-12 ? v / length : fallback;
-}
 
 double sceneRadius(const FrameGrid& grid) {
   glm::dmat3 m(grid.worldFromTex);

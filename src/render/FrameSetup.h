@@ -26,7 +26,7 @@ glm::dvec3 sceneOrigin(const FrameGrid& grid);
 /// Everything of FrameParams that does not change from sample to sample.
 shared::FrameParams makeFrameParams(const Frame& frame, const FrameGrid& grid, const TransferTable& table);
 
-/// Moves the rays of sample n within their pixel and along themselves: the R2 sequence and the golden ratio.
+/// Moves the rays of sample n within their pixel and along themselves: the [R2] sequence and the golden ratio.
 void setSample(shared::FrameParams& params, const Frame& frame, int sample);
 
 /// Where sample 0 of a pixel of the whole picture meets the scene at a distance, mm along its ray; scene frame.

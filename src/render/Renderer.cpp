@@ -1,21 +1,16 @@
 #include "velum/render/Renderer.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numeric>
 
 #include "RendererImpl.h"
+#include "velum/core/Clock.h"
 #include "velum/gpu/Scope.h"
 
 namespace velum::render {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-double msSince(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
 constexpr double kLongestTileMs = 8.0;
 constexpr int kSmallestTile = 16;

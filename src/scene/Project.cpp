@@ -3,16 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "velum/core/Vectors.h"
+
 namespace velum::scene {
-
-namespace {
-
-glm::dvec3 unitOr(glm::dvec3 v, glm::dvec3 fallback) {
-  double length = glm::length(v);
-  return length > 1e-12 ? v / length : fallback;
-}
-
-}  // namespace
 
 double halfPictureHeight(const Camera& camera) {
   bool perspective = camera.projection == Projection::Perspective;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "velum/core/Vectors.h"
+
 namespace velum::scene {
 
 namespace {
@@ -16,12 +18,6 @@ void addBox(Bounds& bounds, glm::ivec3 dims, const glm::dmat4& worldFromVoxel) {
     bounds.min = glm::min(bounds.min, world);
     bounds.max = glm::max(bounds.max, world);
   }
-}
-
-/// Unit vector, or the fallback when there is no direction in it.
-glm::dvec3 unitOr(glm::dvec3 v, glm::dvec3 fallback) {
-  double length = glm::length(v);
-  return length > 1e-12 && std::isfinite(length) ? v / length : fallback;
 }
 
 }  // namespace

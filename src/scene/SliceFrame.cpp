@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "velum/core/Vectors.h"
+
 namespace velum::scene {
 
 namespace {
@@ -11,11 +13,6 @@ namespace {
 constexpr double kMargin = 1.04;
 /// Cosine from which two directions count as one: a tenth of a degree, a voxel in 500.
 constexpr double kAligned = 0.9999985;
-
-glm::dvec3 unitOr(glm::dvec3 v, glm::dvec3 fallback) {
-  double length = glm::length(v);
-  return length > 1e-12 && std::isfinite(length) ? v / length : fallback;
-}
 
 /// A turn about an axis without the noise of the sines, so that four quarters give the same slice again.
 glm::dvec3 turned(glm::dvec3 v, double angle, glm::dvec3 axis) {

@@ -1,22 +1,17 @@
 #include <fmt/format.h>
 #include <stdlib.h>
 
-#include <chrono>
 #include <filesystem>
 
 #include "Child.h"
 #include "Data.h"
 #include "Sections.h"
+#include "velum/core/Clock.h"
 #include "velum/render/Renderer.h"
 
 namespace velum::bench {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-double msSince(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
 constexpr glm::ivec2 kSize(1280, 720);
 constexpr int kCoarseDivisor = 4;  // along each side of the picture

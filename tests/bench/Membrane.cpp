@@ -2,13 +2,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <memory>
 #include <utility>
 
 #include "Data.h"
 #include "Sections.h"
+#include "velum/core/Clock.h"
 #include "velum/gpu/Program.h"
 #include "velum/membrane/forces/Kernels.h"
 #include "velum/membrane/sheet/Solver.h"
@@ -16,11 +16,6 @@
 namespace velum::bench {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-double msSince(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
 struct StepCase {
   int particles, kernels;

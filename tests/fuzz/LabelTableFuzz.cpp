@@ -7,7 +7,7 @@
 
 #include "labels/LabelTables.h"
 #include "velum/core/Error.h"
-#include "velum/io/volumes/ReadVolume.h"
+#include "velum/io/labels/ReadLabels.h"
 
 namespace {
 

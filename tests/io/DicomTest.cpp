@@ -4,6 +4,7 @@
 #include <gdcmWriter.h>
 
 #include "TestFiles.h"
+#include "velum/io/labels/ReadLabels.h"
 
 namespace velum::io {
 namespace {

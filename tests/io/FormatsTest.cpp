@@ -7,7 +7,8 @@
 
 #include "TempFolder.h"
 #include "velum/core/Error.h"
-#include "velum/io/volumes/ReadVolume.h"
+#include "velum/io/meshes/ReadMesh.h"
+#include "velum/io/volumes/WriteVolume.h"
 #include "volumes/Readers.h"
 
 namespace velum::io {
@@ -60,7 +61,7 @@ TEST(Vti, RoundTripKeepsSamplesPlaceAndScale) {
       v.scale = 0.5;
       v.offset = -1024;
       v.isOrientationKnown = type % 2;
-      writeVti(v, folder / "a.vti", progress);
+      writeVolume(v, folder / "a.vti", progress);
       Volume back = readVti(sourceOf(folder / "a.vti"), progress);
       EXPECT_EQ(back.dims, v.dims);
       EXPECT_EQ(back.type, v.type);
@@ -97,7 +98,7 @@ TEST(Vti, EveryCutIsRefused) {
   TempFolder folder;
   Progress progress;
   Volume v = noise({40, 30, 20}, SampleType::UInt8, 1);
-  writeVti(v, folder / "a.vti", progress);
+  writeVolume(v, folder / "a.vti", progress);
   std::string bytes = bytesOf(folder / "a.vti");
   for (std::size_t keep = 0; keep + 300 < bytes.size(); keep += 499) {
     std::ofstream(folder / "b.vti", std::ios::binary) << bytes.substr(0, keep);
@@ -108,7 +109,7 @@ TEST(Vti, EveryCutIsRefused) {
 TEST(Vti, DamagedVoxelsAreRefusedAndNotShown) {
   TempFolder folder;
   Progress progress;
-  writeVti(noise({40, 30, 20}, SampleType::UInt8, 1), folder / "a.vti", progress);
+  writeVolume(noise({40, 30, 20}, SampleType::UInt8, 1), folder / "a.vti", progress);
   std::string bytes = bytesOf(folder / "a.vti");
   std::size_t voxels = bytes.find('_', bytes.find("<AppendedData"));
   for (std::size_t at = voxels + 200; at + 300 < bytes.size(); at += 1511) {
@@ -123,7 +124,7 @@ TEST(Vti, AHostileExtentAllocatesNothing) {
   TempFolder folder;
   Progress progress;
   Volume v = noise({4, 4, 4}, SampleType::UInt8, 1);
-  writeVti(v, folder / "a.vti", progress);
+  writeVolume(v, folder / "a.vti", progress);
   std::string bytes = bytesOf(folder / "a.vti");
   for (std::size_t at; (at = bytes.find("0 3 0 3 0 3")) != bytes.npos;)
     bytes.replace(at, 11, "0 99999 0 99999 0 99999");
@@ -134,7 +135,7 @@ TEST(Vti, AHostileExtentAllocatesNothing) {
 TEST(Vti, CancelStops) {
   TempFolder folder;
   Progress progress;
-  writeVti(noise({64, 64, 64}, SampleType::UInt16, 1), folder / "a.vti", progress);
+  writeVolume(noise({64, 64, 64}, SampleType::UInt16, 1), folder / "a.vti", progress);
   Progress stopped;
   stopped.cancel();
   EXPECT_THROW(readVti(sourceOf(folder / "a.vti"), stopped), Cancelled);
@@ -170,7 +171,7 @@ TEST(Vdb, RoundTripKeepsValuesPlaceAndShape) {
     v.scale = 0.5;
     v.offset = 3;
     computeRange(v);
-    writeVdb(v, folder / "a.vdb", progress);
+    writeVolume(v, folder / "a.vdb", progress);
     Volume back = readVdb(sourceOf(folder / "a.vdb"), progress);
     ASSERT_EQ(back.dims, v.dims);
     for (int z = 0; z < 21; ++z)
@@ -184,7 +185,7 @@ TEST(Vdb, RoundTripKeepsValuesPlaceAndShape) {
 TEST(Vdb, EveryCutIsRefused) {
   TempFolder folder;
   Progress progress;
-  writeVdb(noise({24, 24, 24}, SampleType::UInt8, 1), folder / "a.vdb", progress);
+  writeVolume(noise({24, 24, 24}, SampleType::UInt8, 1), folder / "a.vdb", progress);
   std::string bytes = bytesOf(folder / "a.vdb");
   for (std::size_t keep = 0; keep + 64 < bytes.size(); keep += 997) {
     std::ofstream(folder / "b.vdb", std::ios::binary) << bytes.substr(0, keep);
@@ -196,9 +197,9 @@ TEST(Writers, RefuseWhatTheFormatCannotHold) {
   TempFolder folder;
   Progress progress;
   Volume v = noise({4, 4, 4}, SampleType::UInt8, 3);
-  EXPECT_THROW(writeVdb(v, folder / "a.vdb", progress), InputError);
+  EXPECT_THROW(writeVolume(v, folder / "a.vdb", progress), InputError);
   v.frames = 2;
-  EXPECT_THROW(writeVti(v, folder / "a.vti", progress), InputError);
+  EXPECT_THROW(writeVolume(v, folder / "a.vti", progress), InputError);
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 

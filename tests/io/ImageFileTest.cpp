@@ -12,6 +12,7 @@
 
 #include "TempFolder.h"
 #include "velum/core/Error.h"
+#include "velum/io/images/ImageCompare.h"
 
 namespace velum::io {
 namespace {

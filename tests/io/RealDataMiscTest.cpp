@@ -6,7 +6,6 @@
 
 #include "TempFolder.h"
 #include "velum/core/Error.h"
-#include "velum/io/volumes/ReadVolume.h"
 #include "volumes/Readers.h"
 
 /// Against the tables in data/volumes/README.md and data/malformed/README.md; skipped where the data is not.

@@ -1,5 +1,7 @@
 #include "TestFiles.h"
 
+#include "velum/io/labels/ReadLabels.h"
+
 namespace velum::io {
 namespace {
 

@@ -6,6 +6,7 @@
 
 #include "TempFolder.h"
 #include "velum/core/Error.h"
+#include "velum/io/volumes/ReadVolume.h"
 #include "volumes/Readers.h"
 
 namespace velum::io {
@@ -80,7 +81,7 @@ Volume readBytes(const std::string& bytes) {
   Progress progress;
   scene::Source source;
   source.path = (folder / "a.sgy").string();
-  return readSegy(source, progress);
+  return readVolume(source, progress);
 }
 
 TEST(Segy, EveryFormatAndByteOrderGivesTheSamples) {

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <string>
 
+#include "velum/io/labels/ReadLabels.h"
 #include "velum/io/volumes/ReadVolume.h"
 #include "velum/io/volumes/WriteVolume.h"
 

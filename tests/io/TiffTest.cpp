@@ -4,8 +4,9 @@
 #include <fstream>
 
 #include "TempFolder.h"
-#include "read/FileTools.h"
+#include "read/FileNames.h"
 #include "velum/core/Error.h"
+#include "velum/io/volumes/ReadVolume.h"
 #include "volumes/Readers.h"
 #include "volumes/TiffDescription.h"
 
@@ -44,7 +45,7 @@ Volume read(const std::filesystem::path& path, glm::dvec3 spacing = glm::dvec3(0
   scene::Source source;
   source.path = path.string();
   source.spacingMm = spacing;
-  return readTiff(source, progress);
+  return readVolume(source, progress);
 }
 
 TEST(Tiff, PagesAreSlices) {

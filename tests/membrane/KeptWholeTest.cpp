@@ -7,6 +7,8 @@
 
 #include "makeVolume.h"
 
+#include "velum/membrane/forces/Limit.h"
+
 namespace velum::membrane {
 namespace {
 

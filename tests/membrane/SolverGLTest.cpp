@@ -107,7 +107,7 @@ TEST_F(SolverGL, TheBorderNeverMovesAndPinsHold) {
     solver.setField(oneKernel(1000, along));
     glm::vec3 pinned(10, 5, -7);
     auto flat = solver.readPlaces();
-    Solver::Held pin{20 * 40 + 20, pinned};
+    HeldParticle pin{20 * 40 + 20, pinned};
     solver.hold({&pin, 1});
     solver.step(150);
     auto places = solver.readPlaces();
@@ -185,7 +185,7 @@ TEST_F(SolverGL, IsEquallyStiffAtEveryResolution) {
   }
 }
 
-/// IMC eq. 2 and 3 over every kernel there is; the sign goes over from one side to the other within a quarter of the
+/// [IMC] eq. 2 and 3 over every kernel there is; the sign goes over from one side to the other within a quarter of the
 /// half-width, as Solver.h says. In units of strength, frame-local.
 glm::dvec3 sumOverAllKernels(const PushField& field, glm::dvec3 place, bool alongNormal) {
   glm::dmat4 localFromKernel = glm::inverse(field.kernelFromLocal);

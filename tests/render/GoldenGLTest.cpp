@@ -6,6 +6,7 @@
 
 #include "GlFixture.h"
 #include "SourceFolder.h"
+#include "velum/io/images/ImageCompare.h"
 #include "velum/io/images/ImageFile.h"
 #include "velum/io/phantoms/Sample.h"
 #include "velum/render/Renderer.h"

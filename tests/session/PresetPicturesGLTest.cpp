@@ -1,4 +1,4 @@
-#include "velum/session/look/PresetPictures.h"
+#include "velum/session/picture/PresetPictures.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 
 #include "makeVolume.h"
 #include "velum/scene/Presets.h"
-#include "velum/session/look/PresetPictures.h"
+#include "velum/session/picture/PresetPictures.h"
 
 namespace velum::session {
 namespace {

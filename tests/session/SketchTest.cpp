@@ -9,6 +9,7 @@
 #include "makeVolume.h"
 #include "velum/membrane/forces/Kernels.h"
 #include "velum/session/membrane/MembraneEdit.h"
+#include "velum/session/membrane/StrokeSamples.h"
 
 namespace velum::session {
 namespace {

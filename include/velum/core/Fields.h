@@ -1,6 +1,10 @@
 #pragma once
+#include <functional>
+#include <iterator>
 #include <limits>
+#include <optional>
 #include <string_view>
+#include "velum/core/Assert.h"
 
 namespace velum {
 
@@ -12,7 +16,7 @@ struct Range {
 
 /// What one saved field means. Every saved struct lists its fields once, in
 /// `static void fields(auto& object, auto& visit)`, and calls `visit(name, member, FieldInfo)`; JSON, the schema,
-/// `--set path=value` and the property panel are made from that list.
+/// `--set path=value`, the change log and the table of fields in the documents are made from that list.
 struct FieldInfo {
   std::string_view unit = "";
   Range range = {};
@@ -27,7 +31,17 @@ struct EnumNames;
 /// The name of an enumeration's value, as in files and on the command line.
 template <class E>
 constexpr std::string_view enumName(E value) {
-  return EnumNames<E>::kNames[static_cast<int>(value)];
+  VELUM_ASSERT(static_cast<std::size_t>(value) < std::size(EnumNames<E>::kNames), "every value has a name");
+  return EnumNames<E>::kNames[static_cast<std::size_t>(value)];
+}
+
+/// The value of that name; nothing when there is none.
+/// @param isSame  compares two names: to the letter unless told otherwise
+template <class E, class Same = std::equal_to<std::string_view>>
+constexpr std::optional<E> enumValue(std::string_view name, Same isSame = {}) {
+  for (std::size_t i = 0; i < std::size(EnumNames<E>::kNames); ++i)
+    if (isSame(name, EnumNames<E>::kNames[i])) return static_cast<E>(i);
+  return std::nullopt;
 }
 
 }  // namespace velum

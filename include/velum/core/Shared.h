@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 #include <utility>
+#include "velum/core/Assert.h"
 
 namespace velum {
 
@@ -22,8 +23,11 @@ class Shared {
   Shared(T value) : mValue(std::make_shared<const T>(std::move(value))), mId(detail::nextPayloadId()) {}
 
   explicit operator bool() const { return bool(mValue); }
-  const T& operator*() const { return *mValue; }
-  const T* operator->() const { return mValue.get(); }
+  const T& operator*() const { return *operator->(); }
+  const T* operator->() const {
+    VELUM_ASSERT(mValue, "there is a payload");
+    return mValue.get();
+  }
   std::uint64_t id() const { return mId; }
   bool operator==(const Shared& other) const { return mId == other.mId; }
 

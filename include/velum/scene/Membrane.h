@@ -7,13 +7,13 @@
 
 namespace velum::scene {
 
-/// How a kernel's push is directed. Paper: away from the kernel's centre (IMC eq. 3). Sided: along the frame's normal,
-/// to the side on which the least cut leaves the kernel's structure.
+/// How a kernel's push is directed. Paper: away from the kernel's centre ([IMC] eq. 3). Sided: along the frame's
+/// normal, to the side on which the least cut leaves the kernel's structure.
 enum class KernelRule { Sided, Paper };
-/// What the sheet does when its frame moves (IMC 3.3): start anew from the flat sheet, or be dragged along.
+/// What the sheet does when its frame moves ([IMC] 3.3): start anew from the flat sheet, or be dragged along.
 enum class Repositioning { Passive, Active };
-/// What the sheet does to the picture (IMC 3.4): removes what is in front of it; or keeps what lies between it and the
-/// slice, which is drawn as an image.
+/// What the sheet does to the picture ([IMC] 3.4): removes what is in front of it; or keeps what lies between it and
+/// the slice, which is drawn as an image.
 enum class MembraneUse { Clip, Slice };
 /// How the sheet itself is shown.
 enum class SheetLook { Hidden, Grid, Surface };
@@ -40,7 +40,7 @@ struct LabelStrength {
   }
 };
 
-/// A kernel that the user has put somewhere (IMC 3.3): a ball that pushes away from its centre or pulls to it.
+/// A kernel that the user has put somewhere ([IMC] 3.3): a ball that pushes away from its centre or pulls to it.
 struct UserKernel {
   glm::dvec3 centreMm{0.0};
   double radiusMm = 10.0;
@@ -53,7 +53,7 @@ struct UserKernel {
   }
 };
 
-/// A particle of the sheet that is held in a place (IMC 3.3).
+/// A particle of the sheet that is held in a place ([IMC] 3.3).
 struct Pin {
   glm::dvec2 sheet{0.5};    ///< which particle: share of the frame's width and height, 0..1
   glm::dvec3 placeMm{0.0};  ///< where it is held, world
@@ -64,7 +64,7 @@ struct Pin {
   }
 };
 
-/// A stroke on a slice that says what the sheet is to spare, or to follow (IMC 3.3).
+/// A stroke on a slice that says what the sheet is to spare, or to follow ([IMC] 3.3).
 struct Stroke {
   std::vector<glm::dvec3> pathMm;
   double radiusMm = 3.0;
@@ -77,7 +77,7 @@ struct Stroke {
   }
 };
 
-/// From data to forces: the potential field transfer function and the kernels made by it (IMC 3, 3.2).
+/// From data to forces: the potential field transfer function and the kernels made by it ([IMC] 3, 3.2).
 struct ForceField {
   std::vector<StrengthPoint> byValue;     ///< ascending; 0 before the first and after the last; the parts add up
   std::vector<StrengthPoint> byGradient;  ///< the same over the gradient's magnitude
@@ -104,8 +104,8 @@ struct ForceField {
   }
 };
 
-/// The elastic sheet (IMC 3.1). Forces and stiffness are in units of the frame, so that a sheet behaves alike at every
-/// size and resolution: strength 1 is an acceleration of 1/128 of the frame's mean edge per s^2.
+/// The elastic sheet ([IMC] 3.1). Forces and stiffness are in units of the frame, so that a sheet behaves alike at
+/// every size and resolution: strength 1 is an acceleration of 1/128 of the frame's mean edge per s^2.
 struct Cloth {
   glm::ivec2 particles{50, 50};  ///< along the frame's width and height
   int finest = 260;              ///< the sheet is refined at rest up to so many along an edge, where the data is finer

@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "Gl.h"
+#include "velum/core/Assert.h"
 #include "velum/core/Log.h"
 #include "velum/gpu/GpuError.h"
 
@@ -45,7 +46,10 @@ std::size_t memoryFor(const GlTable& table, bool isSoftware) {
 
 }  // namespace
 
-const GlTable& gl() { return *tGl; }
+const GlTable& gl() {
+  VELUM_ASSERT(tGl, "GL is called on the thread whose context is current");
+  return *tGl;
+}
 bool hasGl() { return tGl != nullptr; }
 void setGl(const GlTable* table) { tGl = table; }
 

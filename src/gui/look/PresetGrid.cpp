@@ -10,7 +10,7 @@
 
 #include "kit/Widgets.h"
 #include "velum/scene/Presets.h"
-#include "velum/session/look/PresetPictures.h"
+#include "velum/session/picture/PresetPictures.h"
 
 namespace velum::gui {
 

@@ -11,6 +11,7 @@
 #include "velum/scene/Project.h"
 #include "velum/session/cut/CutTool.h"
 #include "velum/session/membrane/Sketch.h"
+#include "velum/session/membrane/StrokeSamples.h"
 
 namespace velum::gui {
 

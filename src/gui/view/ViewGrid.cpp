@@ -58,12 +58,8 @@ Layout ViewGrid::layoutFor(const scene::Scene& scene) {
   glm::ivec3 dims = volume ? volume->dims : scene.labels.data ? scene.labels.data->dims() : glm::ivec3(0);
   if (dims == glm::ivec3(0)) return Layout::Volume;  // surfaces alone
   if (std::min(dims.x, std::min(dims.y, dims.z)) < 2) return Layout::Slice;
-  QString last = Preferences().value(kLayoutKey).toString();
-  for (int i = 0; std::string_view name : EnumNames<Layout>::kNames) {
-    if (last.toStdString() == name) return Layout(i);
-    ++i;
-  }
-  return Layout::FourUp;
+  std::string last = Preferences().value(kLayoutKey).toString().toStdString();
+  return enumValue<Layout>(last).value_or(Layout::FourUp);
 }
 
 SliceView& ViewGrid::currentSlice() {

@@ -84,9 +84,12 @@ void MainWindow::buildStructureActions(QMenu* menu) {
 }
 
 void MainWindow::askOpenLabels() {
-  QString path = QFileDialog::getOpenFileName(
-      this, tr("Open labels beside what is open"), mPath.isEmpty() ? QString() : QFileInfo(mPath).path(),
-      tr("Labels (*.nii *.nii.gz *.nrrd *.seg.nrrd *.nhdr *.mha *.mhd *.dcm *.tif *.tiff);;All files (*)"));
+  QStringList patterns;
+  for (const auto& kind : session::volumeKinds())
+    for (const auto& pattern : kind.patterns) patterns << QString::fromStdString(pattern);
+  QString path = QFileDialog::getOpenFileName(this, tr("Open labels beside what is open"),
+                                              mPath.isEmpty() ? QString() : QFileInfo(mPath).path(),
+                                              tr("Labels (%1)").arg(patterns.join(' ')) + ";;" + tr("All files (*)"));
   if (!path.isEmpty()) openLabels(path);
 }
 

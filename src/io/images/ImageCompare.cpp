@@ -1,10 +1,11 @@
+#include "velum/io/images/ImageCompare.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "velum/core/Error.h"
-#include "velum/io/images/ImageFile.h"
 
 namespace velum::io {
 

@@ -6,16 +6,16 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <fstream>
 
-#include "ReplaceFile.h"
 #include "read/StderrQuiet.h"
+#include "read/TiffPages.h"
 #include "velum/core/Error.h"
-#include "volumes/TiffPages.h"
+#include "velum/core/FileName.h"
+#include "velum/core/ReplaceFile.h"
 
 namespace velum::io {
 
@@ -35,12 +35,6 @@ float linearFromSrgb(float v) {
 float srgbFromLinear(float v) {
   float a = std::abs(v);
   return std::copysign(a <= 0.0031308f ? a * 12.92f : 1.055f * std::pow(a, 1.0f / 2.4f) - 0.055f, v);
-}
-
-std::string lowerExtension(const Path& path) {
-  std::string e = path.extension().string();
-  for (char& c : e) c = char(std::tolower(static_cast<unsigned char>(c)));
-  return e;
 }
 
 /// OpenImageIO's name of the format that a path asks for.

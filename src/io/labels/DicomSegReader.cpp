@@ -7,7 +7,7 @@
 #include <map>
 
 #include "LabelTables.h"
-#include "read/Payload.h"
+#include "read/Refuse.h"
 #include "volumes/DicomFile.h"
 #include "volumes/DicomSoundness.h"
 #include "volumes/DicomStack.h"
@@ -73,9 +73,9 @@ struct Mask {
 };
 
 Mask maskOf(const DataSet& set, const DicomFile& file) {
-  if (!set.FindDataElement(Tag(0x7fe0, 0x0010))) failInput(file.path, "the segmentation has no pixel data");
+  if (!set.FindDataElement(Tag(0x7fe0, 0x0010))) refuse(file.path, "the segmentation has no pixel data");
   const gdcm::ByteValue* value = set.GetDataElement(Tag(0x7fe0, 0x0010)).GetByteValue();
-  if (!value) failInput(file.path, "compressed DICOM segmentations are not supported");
+  if (!value) refuse(file.path, "compressed DICOM segmentations are not supported");
   std::string type = textOf(set, Tag(0x0062, 0x0001));
   Mask mask{{value->GetPointer(), value->GetLength()},
             file.bitsAllocated,
@@ -83,10 +83,10 @@ Mask maskOf(const DataSet& set, const DicomFile& file) {
             std::uint64_t(file.rows) * std::uint64_t(file.columns)};
   if (type == "FRACTIONAL") mask.threshold = 0.5 * binaryOf<std::uint16_t>(set, Tag(0x0062, 0x000e), 255);
   if (mask.bits != 1 && mask.bits != 8)
-    failInput(file.path, fmt::format("segmentations of {} bits are not supported", mask.bits));
+    refuse(file.path, fmt::format("segmentations of {} bits are not supported", mask.bits));
   std::uint64_t wanted = (mask.frameVoxels * file.frames.size() * std::uint64_t(mask.bits) + 7) / 8;
   if (mask.bytes.size() < wanted)
-    failInput(file.path, fmt::format("the pixel data is cut off: {} bytes of {}", mask.bytes.size(), wanted));
+    refuse(file.path, fmt::format("the pixel data is cut off: {} bytes of {}", mask.bytes.size(), wanted));
   return mask;
 }
 
@@ -114,7 +114,7 @@ Planes planesOf(const DicomFile& file, std::vector<std::string>& warnings) {
   if (step == 0) step = any.sliceSpacing > 0 ? any.sliceSpacing : 1.0;
   double span = (sorted.back() - sorted.front()) / step;
   // Segments may be apart by empty planes, but not by more than a body has.
-  if (span > 65535) failInput(file.path, "the places of its frames do not fit on a grid");
+  if (span > 65535) refuse(file.path, "the places of its frames do not fit on a grid");
   planes.count = int(std::lround(span)) + 1;
   const DicomFrame* first = &any;
   for (std::size_t i = 0; i < distances.size(); ++i) {
@@ -163,16 +163,16 @@ std::uint64_t fill(LabelVolume& labels, const DicomFile& file, const Mask& mask,
 LabelVolume readDicomSeg(const scene::Source& source, Progress& progress) {
   Path path = source.path;
   auto file = readDicomHeader(path);
-  if (!file || !file->hasImage() || file->frames.empty()) failInput(path, "is damaged, or no DICOM segmentation");
+  if (!file || !file->hasImage() || file->frames.empty()) refuse(path, "is damaged, or no DICOM segmentation");
   std::ifstream stream(path, std::ios::binary);
   gdcm::Reader reader;
   reader.SetStream(stream);
   try {
-    if (!reader.Read()) failInput(path, "the DICOM segmentation cannot be read");
+    if (!reader.Read()) refuse(path, "the DICOM segmentation cannot be read");
   } catch (const InputError&) {
     throw;
   } catch (const std::exception&) {
-    failInput(path, "the DICOM segmentation is damaged");
+    refuse(path, "the DICOM segmentation is damaged");
   }
   const DataSet& set = reader.GetFile().GetDataSet();
   Mask mask = maskOf(set, *file);

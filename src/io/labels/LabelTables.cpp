@@ -9,8 +9,8 @@
 #include <set>
 #include <sstream>
 
-#include "read/Payload.h"
-#include "velum/io/volumes/ReadVolume.h"
+#include "read/FileBytes.h"
+#include "velum/io/labels/ReadLabels.h"
 
 namespace velum::io {
 
@@ -98,7 +98,7 @@ std::string plainText(std::string_view content) {
 }  // namespace
 
 std::vector<LabelInfo> readLabelTable(const std::filesystem::path& path) {
-  if (sizeOfFile(path) > kLongestTable) failInput(path, "is too large for a label table");
+  if (sizeOfFile(path) > kLongestTable) refuse(path, "is too large for a label table");
   std::ifstream stream(path);
   std::vector<LabelInfo> table;
   for (std::string line; std::getline(stream, line);) {
@@ -108,7 +108,7 @@ std::vector<LabelInfo> readLabelTable(const std::filesystem::path& path) {
     if (!label) label = parseColumns(line);
     if (label) table.push_back(*label);
   }
-  if (table.empty()) failInput(path, "no line is a label: expected a number and a name");
+  if (table.empty()) refuse(path, "no line is a label: expected a number and a name");
   // FreeSurfer writes 0 for opaque.
   if (std::all_of(table.begin(), table.end(), [](const LabelInfo& l) { return l.opacity == 0.0f; }))
     for (LabelInfo& label : table) label.opacity = 1.0f;

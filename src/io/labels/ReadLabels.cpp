@@ -1,3 +1,5 @@
+#include "velum/io/labels/ReadLabels.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -5,10 +7,11 @@
 #include <cmath>
 
 #include "LabelTables.h"
-#include "read/FormatTable.h"
-#include "read/Payload.h"
+#include "read/ByteSource.h"
+#include "read/FileNames.h"
 #include "velum/io/volumes/ReadVolume.h"
 #include "volumes/DicomFile.h"
+#include "volumes/FormatTable.h"
 #include "volumes/NiftiHeader.h"
 #include "volumes/NrrdHeader.h"
 
@@ -46,9 +49,16 @@ std::vector<Path> tablesBeside(const Path& path) {
   return found;
 }
 
+/// Names and colours in a Caret extension, as TotalSegmentator writes them; empty when there is none.
+std::vector<LabelInfo> namesInNifti(const NiftiHeader& header) {
+  for (const std::string& text : readNiftiExtensions(header))
+    if (auto table = parseCaretLabels(text); !table.empty()) return table;
+  return {};
+}
+
 std::vector<LabelInfo> tableOf(const Path& path, std::vector<std::string>& warnings) {
   if (isNifti(path))
-    if (auto table = readNiftiLabelNames(readNiftiHeader(path)); !table.empty()) return table;
+    if (auto table = namesInNifti(readNiftiHeader(path)); !table.empty()) return table;
   for (const Path& beside : tablesBeside(path)) {
     try {
       return readLabelTable(beside);
@@ -67,7 +77,7 @@ std::uint16_t idFrom(T raw, const Volume& v, const Path& path) {
     if (v.scale == 1.0 && v.offset == 0.0) return std::uint16_t(raw);
   double value = double(raw) * v.scale + v.offset;
   double whole = std::round(value);
-  if (!(std::abs(value - whole) < 1e-3)) failInput(path, fmt::format("is no label volume: it has the value {}", value));
+  if (!(std::abs(value - whole) < 1e-3)) refuse(path, fmt::format("is no label volume: it has the value {}", value));
   return std::uint16_t(whole);
 }
 
@@ -110,10 +120,10 @@ LabelVolume readFromVolume(const scene::Source& source, Progress& progress) {
   Volume v = readVolume(source, progress);
   auto segments = segmentsOf(path);
   if (v.channels > 1 && (segments.empty() || v.isColor))
-    failInput(path, fmt::format("is no label volume: it has {} samples per voxel", v.channels));
+    refuse(path, fmt::format("is no label volume: it has {} samples per voxel", v.channels));
   if (v.range.x < 0 || v.range.y > 65535)
-    failInput(path,
-              fmt::format("is no label volume: values run from {} to {}, ids from 0 to 65535", v.range.x, v.range.y));
+    refuse(path,
+           fmt::format("is no label volume: values run from {} to {}, ids from 0 to 65535", v.range.x, v.range.y));
   LabelVolume labels = convert(v, layerMaps(segments, v.channels), path, progress);
   labels.name = v.name;
   labels.warnings = v.warnings;
@@ -157,7 +167,7 @@ bool looksLikeLabels(const std::filesystem::path& path) {
     if (isDicomSeg(path) || !segmentsOf(path).empty()) return true;
     if (!isNifti(path)) return false;
     NiftiHeader header = readNiftiHeader(path);
-    return header.intent == 1002 || !readNiftiLabelNames(header).empty();
+    return header.intent == 1002 || !namesInNifti(header).empty();
   } catch (const InputError&) {
     return false;  // the reader will say what is wrong
   }

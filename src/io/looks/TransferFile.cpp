@@ -7,10 +7,10 @@
 #include <fstream>
 #include <optional>
 
-#include "ReplaceFile.h"
 #include "SlicerProperty.h"
-#include "read/Payload.h"
+#include "read/FileNames.h"
 #include "velum/core/Error.h"
+#include "velum/core/ReplaceFile.h"
 #include "velum/scene/json/Json.h"
 
 namespace velum::io {
@@ -101,13 +101,7 @@ void writeTransferFile(const scene::TransferFunction& transfer, const scene::Lig
   } catch (const InputError& refusal) {
     throw InputError(fmt::format("{}: {}", path.string(), refusal.what()));
   }
-  ReplaceFile file(path);
-  {
-    std::ofstream out(file.temporary(), std::ios::binary);
-    out << text;
-    if (!out.flush()) throw InputError(fmt::format("{}: cannot be written; check the free space", path.string()));
-  }
-  file.commit();
+  replaceFile(path, text);
 }
 
 }  // namespace velum::io

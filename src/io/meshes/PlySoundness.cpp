@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "read/FileTools.h"
+#include "read/FileBytes.h"
 #include "velum/core/Error.h"
 
 namespace velum::io {

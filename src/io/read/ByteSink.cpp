@@ -3,11 +3,9 @@
 #include <zlib.h>
 
 #include <algorithm>
-#include <cstdio>
-#include <cstring>
 #include <vector>
 
-#include "Payload.h"
+#include "Refuse.h"
 
 namespace velum::io {
 
@@ -18,15 +16,11 @@ constexpr std::size_t kPiece = 1 << 18;
 }  // namespace
 
 struct ByteSink::State {
-  Path path;
-  std::FILE* file = nullptr;
+  ReplaceFile& file;
   bool deflated = false;
   z_stream stream{};
   std::vector<std::byte> output;
 
-  void put(std::span<const std::byte> bytes) {
-    if (std::fwrite(bytes.data(), 1, bytes.size(), file) != bytes.size()) failInput(path, std::strerror(errno));
-  }
   void deflateAll(std::span<const std::byte> bytes, int flush) {
     stream.next_in = reinterpret_cast<Bytef*>(const_cast<std::byte*>(bytes.data()));
     stream.avail_in = uInt(bytes.size());
@@ -34,31 +28,26 @@ struct ByteSink::State {
       stream.next_out = reinterpret_cast<Bytef*>(output.data());
       stream.avail_out = uInt(output.size());
       deflate(&stream, flush);
-      put(std::span(output).first(output.size() - stream.avail_out));
+      file.write(std::span<const std::byte>(output).first(output.size() - stream.avail_out));
     } while (stream.avail_out == 0);
   }
 };
 
-ByteSink::ByteSink(const std::filesystem::path& file) : mState(std::make_unique<State>()) {
-  mState->path = file;
-  mState->file = std::fopen(file.c_str(), "wb");
-  if (!mState->file) failInput(file, std::strerror(errno));
-}
+ByteSink::ByteSink(ReplaceFile& file) : mState(new State{.file = file}) {}
 
 ByteSink::~ByteSink() {
   if (mState->deflated) deflateEnd(&mState->stream);
-  if (mState->file) std::fclose(mState->file);
 }
 
 void ByteSink::startGzip() {
   mState->output.resize(kPiece);
   if (deflateInit2(&mState->stream, kLevel, Z_DEFLATED, 15 + 16, 8, Z_DEFAULT_STRATEGY) != Z_OK)
-    failInput(mState->path, "cannot be deflated");
+    refuse(mState->file.target(), "cannot be deflated");
   mState->deflated = true;
 }
 
 void ByteSink::write(std::span<const std::byte> bytes) {
-  if (!mState->deflated) return mState->put(bytes);
+  if (!mState->deflated) return mState->file.write(bytes);
   for (std::size_t at = 0; at < bytes.size(); at += kPiece)
     mState->deflateAll(bytes.subspan(at, std::min(kPiece, bytes.size() - at)), Z_NO_FLUSH);
 }
@@ -67,8 +56,6 @@ void ByteSink::write(std::string_view text) { write(std::as_bytes(std::span(text
 
 void ByteSink::finish() {
   if (mState->deflated) mState->deflateAll({}, Z_FINISH);
-  std::FILE* file = std::exchange(mState->file, nullptr);
-  if (std::fclose(file) != 0) failInput(mState->path, std::strerror(errno));
 }
 
 }  // namespace velum::io

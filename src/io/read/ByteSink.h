@@ -1,17 +1,18 @@
 #pragma once
 #include <cstddef>
-#include <filesystem>
 #include <memory>
 #include <span>
 #include <string_view>
 
+#include "velum/core/ReplaceFile.h"
+
 namespace velum::io {
 
-/// Writes a file from front to back, from some point on as a gzip stream.
+/// Writes to a file that replaces another, from some point on as a gzip stream.
 class ByteSink {
  public:
-  /// @throw InputError when the file cannot be made
-  explicit ByteSink(const std::filesystem::path& file);
+  /// The file is borrowed; the caller commits it.
+  explicit ByteSink(ReplaceFile& file);
   ~ByteSink();
   ByteSink(const ByteSink&) = delete;
   ByteSink& operator=(const ByteSink&) = delete;

@@ -6,7 +6,7 @@
 #include <optional>
 #include <sstream>
 
-#include "Payload.h"
+#include "FileNames.h"
 
 namespace velum::io {
 
@@ -36,10 +36,10 @@ std::vector<Path> listedFiles(const Path& header, const std::string& lines) {
   for (std::string line; std::getline(stream, line);) {
     while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.pop_back();
     if (line.empty()) continue;
-    if (int(files.size()) >= kMostFiles) failInput(header, "names too many data files");
+    if (int(files.size()) >= kMostFiles) refuse(header, "names too many data files");
     files.push_back(siblingFile(header, line));
   }
-  if (files.empty()) failInput(header, "has an empty list of data files");
+  if (files.empty()) refuse(header, "has an empty list of data files");
   return files;
 }
 
@@ -55,7 +55,7 @@ std::vector<Path> namedDataFiles(const Path& header, const std::string& value, c
   if (!(stream >> step)) step = 1;
   if (step == 0 || (last - first) / step < 0 || (last - first) / step >= kMostFiles || std::abs(first) > 1000000000 ||
       std::abs(last) > 1000000000)
-    failInput(header, fmt::format("its range of data files {} is not possible", inQuotes(value)));
+    refuse(header, fmt::format("its range of data files {} is not possible", inQuotes(value)));
   std::vector<Path> files;
   for (long i = first; step > 0 ? i <= last : i >= last; i += step)
     files.push_back(

@@ -11,7 +11,7 @@
 
 #include "DicomSoundness.h"
 #include "DicomTags.h"
-#include "read/Payload.h"
+#include "read/Refuse.h"
 #include "velum/io/volumes/ReadVolume.h"
 
 namespace velum::io {
@@ -191,7 +191,7 @@ std::vector<Path> filesOf(const Path& folder) {
   // An empty folder is the parent of a bare file name; its files keep bare names in messages.
   for (const auto& entry : std::filesystem::directory_iterator(folder.empty() ? Path(".") : folder, error))
     if (entry.is_regular_file(error)) files.push_back(folder.empty() ? entry.path().filename() : entry.path());
-  if (error) failInput(folder, error.message());
+  if (error) refuse(folder, error.message());
   std::sort(files.begin(), files.end());  // so that equal slices are met in the same order on every disk
   return files;
 }
@@ -241,7 +241,7 @@ bool isDicomSeg(const std::filesystem::path& path) {
 }
 
 std::vector<SeriesInfo> listSeries(const std::filesystem::path& path, Progress& progress) {
-  if (!std::filesystem::exists(path)) failInput(path, "there is no such file or folder");
+  if (!std::filesystem::exists(path)) refuse(path, "there is no such file or folder");
   Path folder = std::filesystem::is_directory(path) ? path : path.parent_path();
   std::vector<SeriesInfo> series;
   for (const DicomFile& file : scanDicomFolder(folder, progress)) {

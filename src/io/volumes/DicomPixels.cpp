@@ -10,7 +10,7 @@
 #include <fstream>
 
 #include "DicomTags.h"
-#include "read/Payload.h"
+#include "read/FileBytes.h"
 #include "read/StderrQuiet.h"
 
 namespace velum::io {
@@ -62,7 +62,7 @@ SampleType sampleTypeOf(const PixelFormat& format, bool isSigned, const Path& pa
     case 32:
       return isSigned ? SampleType::Int32 : SampleType::UInt32;
     default:
-      failInput(path, fmt::format("DICOM pixels of {} bits are not supported", format.GetBitsAllocated()));
+      refuse(path, fmt::format("DICOM pixels of {} bits are not supported", format.GetBitsAllocated()));
   }
 }
 
@@ -88,12 +88,12 @@ void checkLengths(const gdcm::Image& image, std::uint64_t wanted, const Path& pa
   const gdcm::ByteValue* bytes = element.GetByteValue();
   bool isPacked = element.GetSequenceOfFragments() != nullptr;
   if (isPacked && wanted > sizeOfFile(path) * 1040 + kBlankBytes)
-    failInput(path, fmt::format("its header asks for {} bytes of pixels", wanted));
+    refuse(path, fmt::format("its header asks for {} bytes of pixels", wanted));
   if (isPacked) return;
   std::uint64_t have = bytes ? std::uint64_t(bytes->GetLength()) : 0;
   // Two pixels of 4:2:2 colour share four bytes; the codec unfolds them.
   if (image.GetPhotometricInterpretation() == PhotometricInterpretation::YBR_FULL_422) have = have * 3 / 2;
-  if (have < wanted) failInput(path, fmt::format("the pixel data is cut off: {} bytes of {}", have, wanted));
+  if (have < wanted) refuse(path, fmt::format("the pixel data is cut off: {} bytes of {}", have, wanted));
 }
 
 /// What GDCM's codecs assert instead of checking.
@@ -103,11 +103,11 @@ void checkDescription(const DicomFile& file) {
   bool stored = file.bitsStored >= 1 && file.bitsStored <= file.bitsAllocated;
   bool isWide = file.bitsAllocated > 16 || file.bitsStored > 16;
   if (!file.hasImage() || !allocated || !stored || (isWide && file.isJpeg))
-    failInput(file.path, fmt::format("pixels of {} bits, {} of them stored, are not supported", file.bitsAllocated,
-                                     file.bitsStored));
-  if (file.hasBadOffsets) failInput(file.path, "its grid frame offsets are damaged");
+    refuse(file.path,
+           fmt::format("pixels of {} bits, {} of them stored, are not supported", file.bitsAllocated, file.bitsStored));
+  if (file.hasBadOffsets) refuse(file.path, "its grid frame offsets are damaged");
   if (file.samplesPerPixel != 1 && file.samplesPerPixel != 3)
-    failInput(file.path, fmt::format("{} samples per pixel are not supported", file.samplesPerPixel));
+    refuse(file.path, fmt::format("{} samples per pixel are not supported", file.samplesPerPixel));
 }
 
 }  // namespace
@@ -121,26 +121,25 @@ DicomPixels::DicomPixels(const DicomFile& file) : mState(std::make_unique<State>
   try {
     std::ifstream stream(path, std::ios::binary);
     s.reader->SetStream(stream);
-    if (!s.reader->Read())
-      failInput(path, "the DICOM pixels cannot be read: missing, damaged, or of an unsupported kind");
+    if (!s.reader->Read()) refuse(path, "the DICOM pixels cannot be read: missing, damaged, or of an unsupported kind");
     s.image = &s.reader->GetImage();
     if (s.image->GetPhotometricInterpretation() == PhotometricInterpretation::PALETTE_COLOR) {
       gdcm::ImageApplyLookupTable filter;
       filter.SetInput(*s.image);
-      if (!filter.Apply()) failInput(path, "its palette cannot be applied");
+      if (!filter.Apply()) refuse(path, "its palette cannot be applied");
       s.image = const_cast<gdcm::Image*>(&filter.GetOutput());  // shared with the filter, which ends here
     }
     if (s.image->GetPlanarConfiguration() == 1) {
       gdcm::ImageChangePlanarConfiguration filter;
       filter.SetPlanarConfiguration(0);
       filter.SetInput(*s.image);
-      if (!filter.Change()) failInput(path, "its colour planes cannot be interleaved");
+      if (!filter.Change()) refuse(path, "its colour planes cannot be interleaved");
       s.image = const_cast<gdcm::Image*>(&filter.GetOutput());  // shared with the filter, which ends here
     }
   } catch (const InputError&) {
     throw;
   } catch (const std::exception& error) {
-    failInput(path, fmt::format("the DICOM pixels cannot be read ({})", inQuotes(error.what())));
+    refuse(path, fmt::format("the DICOM pixels cannot be read ({})", inQuotes(error.what())));
   }
   const PixelFormat& format = s.image->GetPixelFormat();
   const gdcm::DataSet& set = s.reader->GetFile().GetDataSet();
@@ -182,7 +181,7 @@ void DicomPixels::decode(std::span<std::byte> to) {
   } catch (const std::exception&) {
     ok = false;
   }
-  if (!ok) failInput(s.path, "the DICOM pixels cannot be decoded: cut off, damaged, or of an unsupported kind");
+  if (!ok) refuse(s.path, "the DICOM pixels cannot be decoded: cut off, damaged, or of an unsupported kind");
   s.image = nullptr;
   s.reader.reset();
   std::size_t sample = sampleSize(s.type.type);

@@ -12,7 +12,7 @@
 #include "DicomSoundness.h"
 #include "DicomStack.h"
 #include "Readers.h"
-#include "read/Payload.h"
+#include "read/ByteSource.h"
 
 namespace velum::io {
 
@@ -37,15 +37,15 @@ Modality modalityOf(const std::string& code) {
 
 /// The file that the user named, with words for each way in which it is no image.
 DicomFile namedFile(const Path& path) {
-  if (isGzip(path)) failInput(path, "is DICOM compressed by gzip; unpack it first");
-  if (!isSoundDicom(path)) failInput(path, "is no DICOM file, or cut off or damaged: its elements do not fit together");
+  if (isGzip(path)) refuse(path, "is DICOM compressed by gzip; unpack it first");
+  if (!isSoundDicom(path)) refuse(path, "is no DICOM file, or cut off or damaged: its elements do not fit together");
   auto file = readDicomHeader(path);
-  if (!file) failInput(path, "is damaged, or no DICOM file");
+  if (!file) refuse(path, "is damaged, or no DICOM file");
   if (file->sopClass == "1.2.840.10008.1.3.10")
-    failInput(path, "is only the index of a DICOM medium; open the folder that holds the images");
-  if (file->isSegmentation()) failInput(path, "is a DICOM segmentation; open it as labels");
-  if (!file->hasImage()) failInput(path, fmt::format("holds no image (DICOM modality {})", inQuotes(file->modality)));
-  if (file->frames.empty()) failInput(path, "its number of frames is not possible");
+    refuse(path, "is only the index of a DICOM medium; open the folder that holds the images");
+  if (file->isSegmentation()) refuse(path, "is a DICOM segmentation; open it as labels");
+  if (!file->hasImage()) refuse(path, fmt::format("holds no image (DICOM modality {})", inQuotes(file->modality)));
+  if (file->frames.empty()) refuse(path, "its number of frames is not possible");
   return *file;
 }
 
@@ -72,7 +72,7 @@ Series seriesOfFolder(const scene::Source& source, Progress& progress) {
   std::map<std::string, std::vector<DicomFile>> all;
   for (DicomFile& file : scanDicomFolder(folder, progress))
     if (!file.isSegmentation()) all[file.seriesUid].push_back(std::move(file));
-  if (all.empty()) failInput(folder, "the folder holds no DICOM images");
+  if (all.empty()) refuse(folder, "the folder holds no DICOM images");
   auto count = [](const std::vector<DicomFile>& files) {
     std::size_t frames = 0;
     for (const DicomFile& file : files) frames += file.frames.size();
@@ -80,7 +80,7 @@ Series seriesOfFolder(const scene::Source& source, Progress& progress) {
   };
   auto chosen = all.find(source.series);
   if (!source.series.empty() && chosen == all.end())
-    failInput(folder, fmt::format("holds no DICOM series {}", inQuotes(source.series)));
+    refuse(folder, fmt::format("holds no DICOM series {}", inQuotes(source.series)));
   if (source.series.empty())
     chosen =
         std::max_element(all.begin(), all.end(), [&](auto& a, auto& b) { return count(a.second) < count(b.second); });
@@ -100,8 +100,8 @@ void checkSizes(const Series& series) {
       std::max_element(votes.begin(), votes.end(), [](auto& a, auto& b) { return a.second < b.second; })->first;
   for (const DicomFile& file : series.files)
     if (std::pair(file.columns, file.rows) != usual)
-      failInput(file.path, fmt::format("the slice has {} x {} pixels, the others of its series {} x {}", file.columns,
-                                       file.rows, usual.first, usual.second));
+      refuse(file.path, fmt::format("the slice has {} x {} pixels, the others of its series {} x {}", file.columns,
+                                    file.rows, usual.first, usual.second));
 }
 
 bool sameOrientation(const DicomFrame& a, const DicomFrame& b) {
@@ -209,10 +209,10 @@ class Decoder {
     bool isSame =
         type.columns == reference.columns && type.rows == reference.rows && type.channels == reference.channels;
     if (!isSame || (mResult == Result::Raw && type.type != reference.type))
-      failInput(path, "the slice differs from its series in size or pixel type");
+      refuse(path, "the slice differs from its series in size or pixel type");
     for (std::size_t i : members)
       if (mFrames[i].index >= type.frames)
-        failInput(path, fmt::format("frame {} of {} is missing", mFrames[i].index + 1, type.frames));
+        refuse(path, fmt::format("frame {} of {} is missing", mFrames[i].index + 1, type.frames));
     // Frames that lie in the volume as they lie in the file are decoded in place.
     bool inPlace = mResult != Result::Float && int(members.size()) == type.frames;
     for (std::size_t i : members) inPlace = inPlace && mStack.slots[i] - mStack.slots[members[0]] == mFrames[i].index;

@@ -7,7 +7,7 @@
 #include <map>
 #include <numeric>
 
-#include "read/Payload.h"
+#include "read/Refuse.h"
 
 namespace velum::io {
 
@@ -98,7 +98,7 @@ double layOnGrid(DicomStack& stack, const std::vector<double>& distances, const 
   double planes = std::round(length / step) + 1;
   double missing = planes - double(n);
   if (missing > double(n))
-    failInput(path, fmt::format("planes are missing: {} of {} are there, {:.3f} mm apart", n, planes, step));
+    refuse(path, fmt::format("planes are missing: {} of {} are there, {:.3f} mm apart", n, planes, step));
   stack.gridPlanes = std::max(2, int(planes));
   step = length / double(stack.gridPlanes - 1);
   for (double d : distances) stack.positions.push_back((d - distances.front()) / step);
@@ -114,10 +114,7 @@ void placeStack(DicomStack& stack, const std::vector<const DicomFrame*>& planes,
   glm::dvec3 normal = normalOf(first);
   glm::dvec2 spacing = first.spacing;
   stack.isSpacingKnown = spacing.x > 0 && spacing.y > 0;
-  if (!stack.isSpacingKnown) {
-    spacing = glm::dvec2(1.0);
-    stack.warnings.push_back("the file has no pixel spacing; 1 mm was taken");
-  }
+  if (!stack.isSpacingKnown) spacing = glm::dvec2(1.0);
   double along = first.sliceSpacing > 0 ? first.sliceSpacing : 1.0;
   glm::dvec3 step = normal * along;
   if (planes.size() > 1 && first.hasPlace) {

@@ -3,8 +3,11 @@
 #include <array>
 #include <cstring>
 
-#include "read/FormatTable.h"
-#include "read/Payload.h"
+#include "read/ByteSource.h"
+#include "read/FileBytes.h"
+#include "read/FileNames.h"
+
+#include "FormatTable.h"
 
 namespace velum::io {
 

@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <charconv>
 #include <cmath>
 #include <optional>
 
 #include "Readers.h"
-#include "read/FileTools.h"
+#include "read/ByteSource.h"
+#include "read/Placement.h"
+#include "read/SampleBytes.h"
 #include "velum/core/Error.h"
 
 namespace velum::io {
@@ -116,7 +117,7 @@ class TarWalker {
     return {};
   }
 
-  GzipFile& file() { return mFile; }
+  ByteSource& file() { return mFile; }
 
  private:
   static std::uint64_t octal(std::span<const char> field) {
@@ -133,7 +134,7 @@ class TarWalker {
     return sum == octal(std::span(header).subspan(148, 8));
   }
 
-  GzipFile mFile;
+  ByteSource mFile;
   const Path& mPath;
 };
 
@@ -188,7 +189,7 @@ Volume readInvesalius(const scene::Source& source, Progress& progress) {
   auto stored = archive.find(std::filesystem::path(project.matrixFile).filename().string());
   if (!stored) refuse(path, fmt::format("the project has no voxels ('{}' is missing)", project.matrixFile));
   double most = double(std::min(archive.file().mostBytes(), *stored));
-  std::size_t bytes = checkedBytes(path, dims, 1, 1, volume.type, most);
+  std::size_t bytes = checkedBytes(path, dims, 1, 1, sampleSize(volume.type), most);
   if (bytes != *stored)
     refuse(path, fmt::format("the voxels need {} bytes, but '{}' has {}", bytes, project.matrixFile, *stored));
   volume.dims = glm::ivec3(dims);
@@ -198,15 +199,14 @@ Volume readInvesalius(const scene::Source& source, Progress& progress) {
     archive.file().read(
         std::span<std::byte>(volume.voxels).subspan(at, std::min<std::size_t>(bytes - at, std::size_t(1) << 22)));
   }
-  if constexpr (std::endian::native == std::endian::big) swapBytes(volume.voxels, sampleSize(volume.type));
+  toMachineOrder(volume.voxels, sampleSize(volume.type), false);
 
   volume.worldFromVoxel = patientFromVoxel(project);
-  volume.name = project.name.empty() ? titleOf(path) : project.name;
+  volume.name = project.name;
   if (project.modality == "CT") volume.modality = Modality::CT, volume.unit = "HU";
   if (project.modality == "MR" || project.modality == "MRI") volume.modality = Modality::MR;
   if (project.orientation != 1)
     volume.warnings.push_back("the project's slices were not axial; its axes are taken as axial ones");
-  applySpacing(volume, source);
   return volume;
 }
 

@@ -8,7 +8,10 @@
 
 #include "Readers.h"
 #include "read/DataFiles.h"
+#include "read/FileBytes.h"
+#include "read/FileNames.h"
 #include "read/Payload.h"
+#include "read/Placement.h"
 
 namespace velum::io {
 
@@ -61,13 +64,13 @@ MetaHeader parseHeader(const Path& file) {
       if (trimmed(line).empty()) continue;
       // Samples where a header line should be: the key that ends the header is missing.
       if (std::any_of(line.begin(), line.end(), [](char byte) { return byte >= 0 && byte < 9; })) break;
-      failInput(file, fmt::format("its header has a line {} without '='", inQuotes(line)));
+      refuse(file, fmt::format("its header has a line {} without '='", inQuotes(line)));
     }
     std::string key = trimmed(line.substr(0, equals));
     h.fields[key] = trimmed(line.substr(equals + 1));
     if (key == "ElementDataFile") break;
   }
-  if (h.field({"ElementDataFile"}).empty()) failInput(file, "its header has no ElementDataFile");
+  if (h.field({"ElementDataFile"}).empty()) refuse(file, "its header has no ElementDataFile");
   if (h.field({"ElementDataFile"}).starts_with("LIST")) {
     std::string rest(std::min<std::uint64_t>(size - h.headerBytes, kLongestHeader), '\0');
     stream.read(rest.data(), std::streamsize(rest.size()));
@@ -95,14 +98,14 @@ Layout layoutOf(const MetaHeader& h, int dimensions) {
   const MetaType* found = nullptr;
   for (const MetaType& t : kTypes)
     if (base == t.name) found = &t;
-  if (!found) failInput(h.file, fmt::format("elements of type {} are not supported", inQuotes(type)));
+  if (!found) refuse(h.file, fmt::format("elements of type {} are not supported", inQuotes(type)));
   layout.type = found->type;
   layout.bigEndian = h.isTrue({"BinaryDataByteOrderMSB", "ElementByteOrderMSB"});
   std::istringstream sizes(h.field({"DimSize"}));
   for (int i = 0; i < dimensions; ++i) {
     std::int64_t size = 0;
     if (!(sizes >> size) || size < 1)
-      failInput(h.file, fmt::format("a DimSize of {} is not possible", inQuotes(h.field({"DimSize"}))));
+      refuse(h.file, fmt::format("a DimSize of {} is not possible", inQuotes(h.field({"DimSize"}))));
     (i < 3 ? layout.dims[i] : layout.frames) = size;
   }
   std::string channels = h.field({"ElementNumberOfChannels"});
@@ -116,14 +119,14 @@ std::vector<Payload> payloadsOf(const MetaHeader& h, std::uint64_t bytes) {
   std::vector<Path> files = isLocal ? std::vector{h.file} : namedDataFiles(h.file, name, h.dataFileList);
   bool isText = !h.field({"BinaryData"}).empty() && !h.isTrue({"BinaryData"});
   long long skip = std::strtoll(h.field({"HeaderSize"}).c_str(), nullptr, 10);
-  if (skip < -1) failInput(h.file, fmt::format("a HeaderSize of {} is not legal", skip));
+  if (skip < -1) refuse(h.file, fmt::format("a HeaderSize of {} is not legal", skip));
   std::vector<Payload> parts;
   for (const Path& file : files) {
     Payload part{file, isLocal ? h.headerBytes : 0, 0, isText ? Packing::Text : Packing::Raw};
     if (h.isTrue({"CompressedData"})) part.packing = Packing::Deflate;
     std::uint64_t each = bytes / files.size(), size = sizeOfFile(file);
     if (skip == -1 && size < each)
-      failInput(h.file, fmt::format("the header asks for {} bytes of data, the file has {}", each, size));
+      refuse(h.file, fmt::format("the header asks for {} bytes of data, the file has {}", each, size));
     if (!isLocal) part.offset = skip == -1 ? size - each : std::uint64_t(skip);
     parts.push_back(part);
   }
@@ -154,7 +157,6 @@ void place(Volume& v, const MetaHeader& h, std::size_t dimensions) {
       for (std::size_t j = 0; j < spatial; ++j) columns[int(i)][int(j)] = matrix[i * dimensions + j];
   }
   v.isOrientationKnown = matrix.size() == dimensions * dimensions;
-  if (!v.isSpacingKnown) v.warnings.push_back("the file has no usable voxel spacing; 1 mm was taken");
   for (int i = 0; i < 3; ++i) columns[i] *= spacing[i];
   placeInWorld(v, columns, origin, glm::abs(spacing));
 }
@@ -173,7 +175,7 @@ Volume readMetaImage(const scene::Source& source, Progress& progress) {
   MetaHeader h = parseHeader(source.path);
   int dimensions = std::atoi(h.field({"NDims"}).c_str());
   if (dimensions < 2 || dimensions > 4)
-    failInput(h.file, fmt::format("{} dimensions are not supported", inQuotes(h.field({"NDims"}))));
+    refuse(h.file, fmt::format("{} dimensions are not supported", inQuotes(h.field({"NDims"}))));
   Layout layout = layoutOf(h, dimensions);
   Volume v = readSamples(layout, payloadsOf(h, layoutBytes(layout, h.file)), h.file, progress);
   place(v, h, std::size_t(dimensions));

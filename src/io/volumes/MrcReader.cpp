@@ -7,7 +7,9 @@
 #include <cstring>
 
 #include "Readers.h"
+#include "read/ByteSource.h"
 #include "read/Payload.h"
+#include "read/Placement.h"
 
 namespace velum::io {
 
@@ -59,7 +61,7 @@ Layout layoutOf(const Fields& f, const Path& file) {
       layout.type = StoredType::UInt16;
       break;
     default:
-      failInput(file, fmt::format("MRC mode {} is not supported; 0, 1, 2 and 6 are", mode));
+      refuse(file, fmt::format("MRC mode {} is not supported; 0, 1, 2 and 6 are", mode));
   }
   return layout;
 }
@@ -77,7 +79,6 @@ void place(Volume& v, const Fields& f) {
     if (std::isfinite(start)) origin[i] = start * kMmPerAngstrom;
   }
   if (!known) {
-    v.warnings.push_back("the file has no usable cell size; 1 mm was taken between voxels");
     v.isSpacingKnown = false;
     spacing = glm::dvec3(1.0);
   }
@@ -98,10 +99,10 @@ void place(Volume& v, const Fields& f) {
 Volume readMrc(const scene::Source& source, Progress& progress) {
   Path file = source.path;
   std::string bytes = readHead(file, 1024);
-  if (bytes.size() < 1024) failInput(file, "is too short for an MRC header");
+  if (bytes.size() < 1024) refuse(file, "is too short for an MRC header");
   Fields f{bytes, needsSwap(bytes)};
   auto extended = f.at<std::int32_t>(92);
-  if (extended < 0) failInput(file, fmt::format("an extended header of {} bytes is not possible", extended));
+  if (extended < 0) refuse(file, fmt::format("an extended header of {} bytes is not possible", extended));
   Payload part;
   part.file = file;
   bool isPacked = isGzip(file);

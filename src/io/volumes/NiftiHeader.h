@@ -37,7 +37,7 @@ struct NiftiHeader {
 /// @param file  .nii, .nii.gz, or either half of a pair. @throw InputError when it is none, or the other half is
 /// missing
 NiftiHeader readNiftiHeader(const std::filesystem::path& file);
-/// Names and colours in a Caret extension, as TotalSegmentator writes them; empty when there is none.
-std::vector<LabelInfo> readNiftiLabelNames(const NiftiHeader& header);
+/// The texts of the extensions between header and voxels, as far as they are whole.
+std::vector<std::string> readNiftiExtensions(const NiftiHeader& header);
 
 }  // namespace velum::io

@@ -7,8 +7,11 @@
 
 #include "NiftiHeader.h"
 #include "Readers.h"
-#include "labels/LabelTables.h"
+#include "read/ByteSource.h"
+#include "read/FileBytes.h"
+#include "read/FileNames.h"
 #include "read/Payload.h"
+#include "read/Placement.h"
 
 namespace velum::io {
 
@@ -76,7 +79,7 @@ Path imageBeside(const Path& header) {
     Path image = stem.replace_extension(extension);
     if (std::filesystem::is_regular_file(image)) return image;
   }
-  failInput(header, "is one half of a pair, and its .img file is missing");
+  refuse(header, "is one half of a pair, and its .img file is missing");
 }
 
 Path headerOf(const Path& file) {
@@ -85,7 +88,7 @@ Path headerOf(const Path& file) {
   Path header = file;
   if (extension == ".img.gz") header.replace_extension();
   header.replace_extension(".hdr");
-  if (!std::filesystem::is_regular_file(header)) failInput(file, "is one half of a pair, and its .hdr file is missing");
+  if (!std::filesystem::is_regular_file(header)) refuse(file, "is one half of a pair, and its .hdr file is missing");
   return header;
 }
 
@@ -105,11 +108,11 @@ const NiftiType& typeOf(const NiftiHeader& h) {
   for (const NiftiType& type : kTypes)
     if (type.code == h.datatype) return type;
   bool known = h.datatype == 1 || h.datatype == 32 || h.datatype == 1536 || h.datatype == 1792 || h.datatype == 2048;
-  failInput(h.file, fmt::format("voxels of NIfTI data type {} are not {}", h.datatype, known ? "supported" : "known"));
+  refuse(h.file, fmt::format("voxels of NIfTI data type {} are not {}", h.datatype, known ? "supported" : "known"));
 }
 
 Layout layoutOf(const NiftiHeader& h) {
-  if (h.dim[0] < 1 || h.dim[0] > 7) failInput(h.file, fmt::format("{} dimensions are not possible", h.dim[0]));
+  if (h.dim[0] < 1 || h.dim[0] > 7) refuse(h.file, fmt::format("{} dimensions are not possible", h.dim[0]));
   auto size = [&](int axis) { return axis <= h.dim[0] ? h.dim[std::size_t(axis)] : 1; };
   const NiftiType& type = typeOf(h);
   Layout layout;
@@ -119,9 +122,9 @@ Layout layoutOf(const NiftiHeader& h) {
   layout.planarChannels = size(5) > 1;
   layout.type = type.type;
   layout.bigEndian = h.bigEndian;
-  if (size(6) != 1 || size(7) != 1) failInput(h.file, "has more than five dimensions, which is not supported");
-  if (size(5) > 1 && type.channels > 1) failInput(h.file, "has colour vectors, which are not supported");
-  if (size(5) < 1 || size(5) > 4096) failInput(h.file, fmt::format("{} samples per voxel are not possible", size(5)));
+  if (size(6) != 1 || size(7) != 1) refuse(h.file, "has more than five dimensions, which is not supported");
+  if (size(5) > 1 && type.channels > 1) refuse(h.file, "has colour vectors, which are not supported");
+  if (size(5) < 1 || size(5) > 4096) refuse(h.file, fmt::format("{} samples per voxel are not possible", size(5)));
   return layout;
 }
 
@@ -184,7 +187,6 @@ void place(Volume& v, const NiftiHeader& h) {
       spacing[i] = 1.0;
       v.isSpacingKnown = false;
     }
-  if (!v.isSpacingKnown) v.warnings.push_back("the file has no usable voxel spacing; 1 mm was taken");
   v.warnings.push_back("the file does not say how the body lies in it; axes were taken as right, anterior, superior");
   placeInWorld(v, lpsFromRas * glm::dmat3(spacing.x, 0, 0, 0, spacing.y, 0, 0, 0, spacing.z) * mm, glm::dvec3(0.0),
                spacing * mm);
@@ -196,8 +198,8 @@ NiftiHeader readNiftiHeader(const Path& file) {
   NiftiHeader h;
   h.file = headerOf(file);
   std::string bytes = readHead(h.file, 540);
-  if (sizeOfFile(h.file) == 0) failInput(h.file, "is empty");
-  if (bytes.size() < 348) failInput(h.file, "is too short for a NIfTI header");
+  if (sizeOfFile(h.file) == 0) refuse(h.file, "is empty");
+  if (bytes.size() < 348) refuse(h.file, "is too short for a NIfTI header");
   Fields f{bytes, false};
   auto claimed = f.at<std::int32_t>(0);
   f.swap = claimed == int(__builtin_bswap32(348)) || claimed == int(__builtin_bswap32(540));
@@ -210,8 +212,8 @@ NiftiHeader readNiftiHeader(const Path& file) {
   bool isPair = magic == (isVersion2 ? "ni2" : "ni1");
   h.hasOrientation = isSingle || isPair;
   bool isAnalyze = !h.hasOrientation && claimed == 348 && lowerExtension(h.file).starts_with(".hdr");
-  if (claimed != 348 && !isVersion2) failInput(h.file, "is not a NIfTI file");
-  if (!h.hasOrientation && !isAnalyze) failInput(h.file, fmt::format("has no NIfTI magic, but {}", inQuotes(magic)));
+  if (claimed != 348 && !isVersion2) refuse(h.file, "is not a NIfTI file");
+  if (!h.hasOrientation && !isAnalyze) refuse(h.file, fmt::format("has no NIfTI magic, but {}", inQuotes(magic)));
   isVersion2 ? parseVersion2(f, h) : parseVersion1(f, h);
   h.headerBytes = isVersion2 ? 540 : 348;
   h.saysUnknown = std::string_view(bytes).substr(isVersion2 ? 240 : 148).starts_with(kOrientationUnknown);
@@ -220,26 +222,26 @@ NiftiHeader readNiftiHeader(const Path& file) {
   if (isAnalyze && h.dataOffset < 0) h.dataOffset = 0;
   if (isSingle && h.dataOffset == 0) h.dataOffset = double(h.headerBytes + 4);
   if (!(h.dataOffset >= lowest && h.dataOffset < 1e15))
-    failInput(h.file, fmt::format("the data cannot start at byte {}", h.dataOffset));
+    refuse(h.file, fmt::format("the data cannot start at byte {}", h.dataOffset));
   return h;
 }
 
-std::vector<LabelInfo> readNiftiLabelNames(const NiftiHeader& h) {
+std::vector<std::string> readNiftiExtensions(const NiftiHeader& h) {
+  std::vector<std::string> texts;
   // Extensions stand between the header and the voxels of a single file, or at the end of a .hdr.
   std::uint64_t end = h.image == h.file ? std::uint64_t(h.dataOffset) : sizeOfFile(h.file);
-  if (end <= h.headerBytes + 12 || end > (16u << 20)) return {};
+  if (end <= h.headerBytes + 12 || end > (16u << 20)) return texts;
   std::string bytes = readHead(h.file, end);
   std::size_t at = h.headerBytes;
-  if (bytes.size() < at + 12 || bytes[at] == 0) return {};
+  if (bytes.size() < at + 12 || bytes[at] == 0) return texts;
   for (at += 4; at + 8 <= bytes.size();) {
     Fields f{bytes, h.bigEndian != (std::endian::native == std::endian::big)};
     auto size = f.at<std::int32_t>(at);
-    if (size < 16 || std::size_t(size) > bytes.size() - at) return {};
-    auto table = parseCaretLabels(std::string_view(bytes).substr(at + 8, std::size_t(size) - 8));
-    if (!table.empty()) return table;
+    if (size < 16 || std::size_t(size) > bytes.size() - at) break;
+    texts.push_back(bytes.substr(at + 8, std::size_t(size) - 8));
     at += std::size_t(size);
   }
-  return {};
+  return texts;
 }
 
 Volume readNifti(const scene::Source& source, Progress& progress) {

@@ -8,7 +8,7 @@
 #include "NiftiHeader.h"
 #include "Writers.h"
 #include "read/ByteSink.h"
-#include "read/Payload.h"
+#include "read/FileNames.h"
 
 namespace velum::io {
 
@@ -194,9 +194,10 @@ void writePlanar(const Volume& v, ByteSink& sink, Progress& progress) {
 
 }  // namespace
 
-void writeNiftiWith(const Volume& v, const Path& path, const LabelExtras& extras, Progress& progress) {
+void writeNiftiWith(const Volume& v, ReplaceFile& file, const LabelExtras& extras, Progress& progress) {
+  const Path& path = file.target();
   std::string extension = lowerExtension(path);
-  if (extension != ".nii" && extension != ".nii.gz") failInput(path, "NIfTI is written as .nii or .nii.gz");
+  if (extension != ".nii" && extension != ".nii.gz") refuse(path, "NIfTI is written as .nii or .nii.gz");
   std::string block = extensionBlock(extras.niftiExtension);
   int largest = std::max({v.dims.x, v.dims.y, v.dims.z, v.frames, v.channels});
   // Version 1 holds sizes in 16 bits, and the matrix and scale in floats; 2 only where the sizes need it, for few
@@ -206,7 +207,7 @@ void writeNiftiWith(const Volume& v, const Path& path, const LabelExtras& extras
   std::string header = isVersion2 ? headerVersion2(content) : headerVersion1(content);
   if (!block.empty()) header[header.size() - 4] = 1;  // extensions follow
 
-  ByteSink sink(path);
+  ByteSink sink(file);
   if (extension == ".nii.gz") sink.startGzip();
   sink.write(header);
   sink.write(block);
@@ -222,8 +223,8 @@ void writeNiftiWith(const Volume& v, const Path& path, const LabelExtras& extras
   sink.finish();
 }
 
-void writeNifti(const Volume& volume, const Path& path, Progress& progress) {
-  writeNiftiWith(volume, path, {}, progress);
+void writeNifti(const Volume& volume, ReplaceFile& file, Progress& progress) {
+  writeNiftiWith(volume, file, {}, progress);
 }
 
 }  // namespace velum::io

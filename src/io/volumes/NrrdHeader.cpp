@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 
-#include "read/Payload.h"
+#include "read/FileBytes.h"
+#include "read/FileNames.h"
 
 namespace velum::io {
 
@@ -31,7 +33,7 @@ std::string unescaped(std::string_view text) {
 void takeLine(NrrdHeader& header, const std::string& line) {
   auto colon = line.find(':');
   if (colon == std::string::npos)
-    failInput(header.file, fmt::format("its header has a line {} without a colon", inQuotes(line)));
+    refuse(header.file, fmt::format("its header has a line {} without a colon", inQuotes(line)));
   if (line.compare(colon, 2, ":=") == 0) {
     header.keyValues[line.substr(0, colon)] = unescaped(line.substr(colon + 2));
   } else {
@@ -54,11 +56,11 @@ NrrdHeader readNrrdHeader(const std::filesystem::path& file) {
   std::string text(std::min<std::uint64_t>(size, 64 << 10), '\0');
   std::ifstream stream(file, std::ios::binary);
   stream.read(text.data(), std::streamsize(text.size()));
-  if (text.compare(0, 7, "NRRD000") != 0) failInput(file, "is not a NRRD file");
+  if (text.compare(0, 7, "NRRD000") != 0) refuse(file, "is not a NRRD file");
 
   bool listFollows = false;
   std::size_t at = text.find('\n');
-  if (at == std::string::npos) failInput(file, "its header ends in the first line");
+  if (at == std::string::npos) refuse(file, "its header ends in the first line");
   for (++at;;) {
     std::size_t end = text.find('\n', at);
     if (end == std::string::npos && text.size() < size && text.size() < kLongestHeader) {
@@ -80,7 +82,7 @@ NrrdHeader readNrrdHeader(const std::filesystem::path& file) {
     }
     // A detached header needs no empty line at its end.
     if (isLast) {
-      if (header.field("data file", "datafile").empty()) failInput(file, "its header has no end");
+      if (header.field("data file", "datafile").empty()) refuse(file, "its header has no end");
       break;
     }
   }

@@ -10,7 +10,10 @@
 #include "NrrdHeader.h"
 #include "Readers.h"
 #include "read/DataFiles.h"
+#include "read/FileBytes.h"
+#include "read/FileNames.h"
 #include "read/Payload.h"
+#include "read/Placement.h"
 
 namespace velum::io {
 
@@ -80,19 +83,17 @@ std::vector<std::optional<std::vector<double>>> parseVectors(const std::string& 
 std::vector<Axis> parseAxes(const NrrdHeader& h) {
   std::string dimension = h.field("dimension");
   int count = std::atoi(dimension.c_str());
-  if (count < 1 || count > 16) failInput(h.file, fmt::format("a dimension of {} is not possible", inQuotes(dimension)));
+  if (count < 1 || count > 16) refuse(h.file, fmt::format("a dimension of {} is not possible", inQuotes(dimension)));
   std::vector<Axis> axes{std::size_t(count)};
   auto sizes = words(h.field("sizes"));
-  if (sizes.size() != axes.size())
-    failInput(h.file, fmt::format("has {} sizes for {} dimensions", sizes.size(), count));
+  if (sizes.size() != axes.size()) refuse(h.file, fmt::format("has {} sizes for {} dimensions", sizes.size(), count));
   auto kinds = words(h.field("kinds"));
   auto spacings = words(h.field("spacings"));
   auto directions = parseVectors(h.field("space directions"));
-  if (!directions.empty() && directions.size() != axes.size())
-    failInput(h.file, "has a wrong number of space directions");
+  if (!directions.empty() && directions.size() != axes.size()) refuse(h.file, "has a wrong number of space directions");
   for (std::size_t i = 0; i < axes.size(); ++i) {
     axes[i].size = std::strtoll(sizes[i].c_str(), nullptr, 10);
-    if (axes[i].size < 1) failInput(h.file, fmt::format("a size of {} is not possible", inQuotes(sizes[i])));
+    if (axes[i].size < 1) refuse(h.file, fmt::format("a size of {} is not possible", inQuotes(sizes[i])));
     if (i < kinds.size()) axes[i].kind = lowerCase(kinds[i]);
     if (i < spacings.size()) axes[i].spacing = numberOf(spacings[i]);
     if (!directions.empty()) axes[i].direction = directions[i];
@@ -127,10 +128,10 @@ AxisRoles rolesOf(const NrrdHeader& h, const std::vector<Axis>& axes) {
     ++roles.count;
   for (std::size_t i = roles.first + roles.count; i < axes.size(); ++i)
     if (isSpatial(axes[i], haveDirections))
-      failInput(h.file, "has an axis between those of space, which is not supported");
+      refuse(h.file, "has an axis between those of space, which is not supported");
   if (roles.count == 4 && axes.size() == 4 && axes[0].size <= 4 && axes[3].size > 4) roles.first = 1;  // colours first
   roles.count = std::min<std::size_t>(roles.count, 3);
-  if (roles.count < 2) failInput(h.file, "has fewer than two dimensions of space");
+  if (roles.count < 2) refuse(h.file, "has fewer than two dimensions of space");
   return roles;
 }
 
@@ -140,7 +141,7 @@ Layout layoutOf(const NrrdHeader& h, const std::vector<Axis>& axes, AxisRoles ro
   const NrrdType* found = nullptr;
   for (const NrrdType& t : kTypes)
     if (!type.empty() && std::string_view(t.names).find("|" + type + "|") != std::string_view::npos) found = &t;
-  if (!found) failInput(h.file, fmt::format("samples of type {} are not supported", inQuotes(type)));
+  if (!found) refuse(h.file, fmt::format("samples of type {} are not supported", inQuotes(type)));
   layout.type = found->type;
   for (std::size_t i = 0; i < axes.size(); ++i) {
     bool isSpace = i >= roles.first && i < roles.first + roles.count;
@@ -148,13 +149,13 @@ Layout layoutOf(const NrrdHeader& h, const std::vector<Axis>& axes, AxisRoles ro
                          : i < roles.first ? layout.channels
                                            : layout.frames;
     if (axes[i].size > 0x7fffffff || __builtin_mul_overflow(slot, axes[i].size, &slot))
-      failInput(h.file, "the sizes are too large");
+      refuse(h.file, "the sizes are too large");
   }
   std::string endian = lowerCase(h.field("endian"));
   bool needsOrder =
       storedSize(layout.type) > 1 && !h.field("encoding").starts_with("t") && lowerCase(h.field("encoding")) != "ascii";
   if (needsOrder && endian != "little" && endian != "big")
-    failInput(h.file, fmt::format("has no byte order, but {}", inQuotes(endian)));
+    refuse(h.file, fmt::format("has no byte order, but {}", inQuotes(endian)));
   layout.bigEndian = endian == "big";
   return layout;
 }
@@ -164,7 +165,7 @@ Packing packingOf(const NrrdHeader& h) {
   if (encoding == "raw") return Packing::Raw;
   if (encoding == "gzip" || encoding == "gz") return Packing::Deflate;
   if (encoding == "ascii" || encoding == "text" || encoding == "txt") return Packing::Text;
-  failInput(h.file, fmt::format("the encoding {} is not supported; raw, gzip and ascii are", inQuotes(encoding)));
+  refuse(h.file, fmt::format("the encoding {} is not supported; raw, gzip and ascii are", inQuotes(encoding)));
 }
 
 /// Byte after the next @p lines line ends from @p offset.
@@ -174,7 +175,7 @@ std::uint64_t skipLines(const Path& file, std::uint64_t offset, long lines) {
   for (; lines > 0; --lines) {
     std::uint64_t length = 0;
     for (int c; (c = stream.get()) != '\n'; ++length)
-      if (c == EOF || length > (1 << 20)) failInput(file, "has fewer lines than its line skip");
+      if (c == EOF || length > (1 << 20)) refuse(file, "has fewer lines than its line skip");
     offset += length + 1;
   }
   return offset;
@@ -195,8 +196,8 @@ std::vector<Payload> payloadsOf(const NrrdHeader& h, std::uint64_t bytes) {
   std::vector<Path> files = isAttached ? std::vector{h.file} : namedDataFiles(h.file, name, h.dataFileList);
   long lines = std::strtol(h.field("line skip", "lineskip").c_str(), nullptr, 10);
   long long skip = std::strtoll(h.field("byte skip", "byteskip").c_str(), nullptr, 10);
-  if (lines < 0) failInput(h.file, fmt::format("a line skip of {} is not legal", lines));
-  if (skip < -1) failInput(h.file, fmt::format("a byte skip of {} is not legal", skip));
+  if (lines < 0) refuse(h.file, fmt::format("a line skip of {} is not legal", lines));
+  if (skip < -1) refuse(h.file, fmt::format("a byte skip of {} is not legal", skip));
   std::vector<Payload> parts;
   for (const Path& file : files) {
     Payload part{file, skipLines(file, isAttached ? h.headerBytes : 0, lines), 0, packingOf(h)};
@@ -204,8 +205,7 @@ std::vector<Payload> payloadsOf(const NrrdHeader& h, std::uint64_t bytes) {
     bool isPacked = part.packing == Packing::Deflate;
     if (skip == -1) {  // the samples are the last bytes
       std::uint64_t size = isPacked ? inflatedSize(file) : sizeOfFile(file);
-      if (size < each)
-        failInput(h.file, fmt::format("the header asks for {} bytes of data, the file has {}", each, size));
+      if (size < each) refuse(h.file, fmt::format("the header asks for {} bytes of data, the file has {}", each, size));
       (isPacked ? part.skip : part.offset) = size - each;
     } else {
       (isPacked ? part.skip : part.offset) += std::uint64_t(skip);
@@ -270,7 +270,6 @@ void placeBySpacings(Volume& v, const std::vector<Axis>& axes, AxisRoles roles, 
     if (!usable) v.isSpacingKnown = false;
     spacing[int(i)] = usable ? s * mm : 1.0;
   }
-  if (!v.isSpacingKnown) v.warnings.push_back("the file has no usable voxel spacing; 1 mm was taken");
   placeInWorld(v, glm::dmat3(spacing.x, 0, 0, 0, spacing.y, 0, 0, 0, spacing.z), glm::dvec3(0.0), spacing);
 }
 
@@ -290,8 +289,8 @@ void takeKeyValues(Volume& v, const NrrdHeader& h) {
   if (std::isfinite(seconds) && seconds > 0) v.frameSeconds = seconds;
   if (value("velum_spacing_known") == "0") v.isSpacingKnown = false;
   std::string modality = value("velum_modality").empty() ? value("modality") : value("velum_modality");
-  for (std::size_t i = 0; i < std::size(EnumNames<Modality>::kNames); ++i)
-    if (lowerCase(modality) == lowerCase(EnumNames<Modality>::kNames[i])) v.modality = Modality(int(i));
+  auto isSame = [](std::string_view a, std::string_view b) { return lowerCase(a) == lowerCase(b); };
+  v.modality = enumValue<Modality>(modality, isSame).value_or(v.modality);
   if (modality == "DWMRI") v.modality = Modality::MR;
 }
 

@@ -6,7 +6,7 @@
 
 #include "Writers.h"
 #include "read/ByteSink.h"
-#include "read/Payload.h"
+#include "read/FileNames.h"
 
 namespace velum::io {
 
@@ -67,9 +67,10 @@ std::string keyValuesText(const Volume& v, const LabelExtras& extras) {
 
 }  // namespace
 
-void writeNrrdWith(const Volume& v, const Path& path, const LabelExtras& extras, Progress& progress) {
-  if (lowerExtension(path) == ".nhdr") failInput(path, "detached NRRD headers are not written; use .nrrd");
-  ByteSink sink(path);
+void writeNrrdWith(const Volume& v, ReplaceFile& file, const LabelExtras& extras, Progress& progress) {
+  const Path& path = file.target();
+  if (lowerExtension(path) == ".nhdr") refuse(path, "detached NRRD headers are not written; use .nrrd");
+  ByteSink sink(file);
   sink.write(
       "NRRD0005\n# Complete NRRD file format specification at:\n# http://teem.sourceforge.net/nrrd/format.html\n");
   sink.write(axesText(v));
@@ -87,8 +88,8 @@ void writeNrrdWith(const Volume& v, const Path& path, const LabelExtras& extras,
   sink.finish();
 }
 
-void writeNrrd(const Volume& volume, const Path& path, Progress& progress) {
-  writeNrrdWith(volume, path, {}, progress);
+void writeNrrd(const Volume& volume, ReplaceFile& file, Progress& progress) {
+  writeNrrdWith(volume, file, {}, progress);
 }
 
 }  // namespace velum::io

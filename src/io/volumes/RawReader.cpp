@@ -1,11 +1,12 @@
 #include <fmt/format.h>
 
-#include <bit>
 #include <string>
 
 #include "Readers.h"
-#include "read/FileTools.h"
-#include "read/Payload.h"
+#include "read/ByteSource.h"
+#include "read/FileBytes.h"
+#include "read/FileNames.h"
+#include "read/SampleBytes.h"
 #include "velum/core/Error.h"
 
 namespace velum::io {
@@ -33,7 +34,6 @@ Volume emptyVolume(const scene::Source& source) {
   volume.channels = raw.channels;
   volume.isColor = raw.channels >= 3 && raw.type == SampleType::UInt8;
   volume.isSpacingKnown = volume.isOrientationKnown = false;
-  volume.name = titleOf(source.path);
   return volume;
 }
 
@@ -48,9 +48,10 @@ void readPlain(const scene::Source& source, Volume& volume) {
 }
 
 void readGzip(const scene::Source& source, Volume& volume) {
-  GzipFile file(source.path);
+  ByteSource file(source.path);
   double header = source.raw.headerBytes;
-  std::size_t bytes = checkedBytes(source.path, volume.dims, volume.channels, 1, volume.type, double(file.mostBytes()));
+  std::size_t bytes =
+      checkedBytes(source.path, volume.dims, volume.channels, 1, sampleSize(volume.type), double(file.mostBytes()));
   auto skipped = file.skip(std::uint64_t(header));
   volume.voxels.resize(bytes);
   std::size_t got = file.readSome(volume.voxels);
@@ -89,9 +90,7 @@ Volume readRaw(const scene::Source& source, Progress& progress) {
     readGzip(source, volume);
   else
     readPlain(source, volume);
-  if (source.raw.bigEndian != (std::endian::native == std::endian::big))
-    swapBytes(volume.voxels, sampleSize(volume.type));
-  applySpacing(volume, source);
+  toMachineOrder(volume.voxels, sampleSize(volume.type), source.raw.bigEndian);
   progress.report(1, "reading raw voxels");
   return volume;
 }

@@ -5,8 +5,12 @@
 #include <algorithm>
 
 #include "DicomFile.h"
-#include "read/FormatTable.h"
-#include "read/Payload.h"
+#include "read/FileBytes.h"
+#include "read/FileNames.h"
+
+#include "read/Placement.h"
+
+#include "FormatTable.h"
 
 namespace velum::io {
 
@@ -29,9 +33,8 @@ Volume readFolder(const scene::Source& source, Progress& progress) {
   if (!hasRawLayout(source) && holdsDicom(folder)) return readDicom(source, progress);
   if (!hasRawLayout(source) && holdsFiles(folder, {".tif", ".tiff", ".png"})) return readTiff(source, progress);
   if (hasRawLayout(source)) return readRaw(source, progress);
-  failInput(
-      folder,
-      "the folder holds no DICOM series and no TIFF or PNG planes; for headerless slices give their size and type");
+  refuse(folder,
+         "the folder holds no DICOM series and no TIFF or PNG planes; for headerless slices give their size and type");
 }
 
 /// Why a file that no reader takes is none, as far as its first bytes tell.
@@ -49,25 +52,10 @@ Volume readFile(const scene::Source& source, Progress& progress) {
   if (hasRawLayout(source)) return readRaw(source, progress);
   FileHead head = readFileHead(path);
   const FormatRow* row = chooseReader(head);
-  if (!row) failInput(path, describeStranger(head));
-  if (row->format.name == "Raw") failInput(path, "has no header; give its size and type");
-  if (head.bytes.starts_with("version https://git-lfs")) failInput(path, describeStranger(head));
+  if (!row) refuse(path, describeStranger(head));
+  if (row->format.name == "Raw") refuse(path, "has no header; give its size and type");
+  if (head.bytes.starts_with("version https://git-lfs")) refuse(path, describeStranger(head));
   return row->read(source, progress);
-}
-
-std::string stemOf(const Path& path) {
-  Path name = path.filename().empty() ? path.parent_path().filename() : path.filename();
-  if (std::filesystem::is_directory(path)) return name.string();
-  if (lowerExtension(path).ends_with(".gz")) name = name.stem();
-  name = name.stem();
-  return lowerCase(name.extension().string()) == ".seg" ? name.stem().string() : name.string();
-}
-
-void overrideSpacing(Volume& volume, const glm::dvec3& wantedMm) {
-  glm::dvec3 now = spacingMm(volume);
-  for (int i = 0; i < 3; ++i)
-    if (wantedMm[i] > 0 && now[i] > 0) volume.worldFromVoxel[i] *= wantedMm[i] / now[i];
-  if (wantedMm.x > 0 && wantedMm.y > 0 && wantedMm.z > 0) volume.isSpacingKnown = true;
 }
 
 }  // namespace
@@ -76,12 +64,12 @@ Volume readVolume(const scene::Source& source, Progress& progress) {
   progress.throwIfCancelled();
   Path path = source.path;
   std::error_code error;
-  if (!std::filesystem::exists(path, error)) failInput(path, "there is no such file or folder");
+  if (!std::filesystem::exists(path, error)) refuse(path, "there is no such file or folder");
   bool isFolder = std::filesystem::is_directory(path, error);
   Volume volume = isFolder ? readFolder(source, progress) : readFile(source, progress);
-  overrideSpacing(volume, source.spacingMm);
+  applySpacing(volume, source);
   computeRange(volume);
-  if (volume.name.empty()) volume.name = stemOf(path);
+  if (volume.name.empty()) volume.name = titleOf(path);
   progress.report(1.0, "Read " + volume.name);
   return volume;
 }

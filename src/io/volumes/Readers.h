@@ -1,39 +1,38 @@
 #pragma once
 #include <cstddef>
-#include <filesystem>
 #include <span>
 
 #include "velum/core/LabelVolume.h"
+#include "velum/core/ReplaceFile.h"
 #include "velum/core/Task.h"
 #include "velum/core/Volume.h"
 #include "velum/scene/Source.h"
 
 /// The readers and writers, one file each. The table in Formats.cpp names them and chooses.
 /// Each reader checks the header against the file's size before it allocates, throws InputError with the file's name
-/// and the reason, reports progress, and leaves `range` to its caller.
+/// and the reason, reports progress, and leaves `range`, a name that the file does not have, and the user's spacing to
+/// readVolume(). A writer fills the file that it is given; the caller commits it.
 namespace velum::io {
-
-using Path = std::filesystem::path;
 
 // One file each: NiftiReader.cpp, NrrdReader.cpp, MetaImageReader.cpp, MrcReader.cpp, NiftiWriter.cpp, NrrdWriter.cpp
 Volume readNifti(const scene::Source& source, Progress& progress);
 Volume readNrrd(const scene::Source& source, Progress& progress);
 Volume readMetaImage(const scene::Source& source, Progress& progress);
 Volume readMrc(const scene::Source& source, Progress& progress);
-void writeNifti(const Volume& volume, const Path& path, Progress& progress);
-void writeNrrd(const Volume& volume, const Path& path, Progress& progress);
+void writeNifti(const Volume& volume, ReplaceFile& file, Progress& progress);
+void writeNrrd(const Volume& volume, ReplaceFile& file, Progress& progress);
 // GDCM (DicomReader.cpp, DicomSegReader.cpp)
 Volume readDicom(const scene::Source& source, Progress& progress);
 LabelVolume readDicomSeg(const scene::Source& source, Progress& progress);
 // VTK (VtkReader.cpp)
 Volume readVti(const scene::Source& source, Progress& progress);
 Volume readVtkLegacy(const scene::Source& source, Progress& progress);
-void writeVti(const Volume& volume, const Path& path, Progress& progress);
+void writeVti(const Volume& volume, ReplaceFile& file, Progress& progress);
 // Own or OpenImageIO, OpenVDB
 Volume readSegy(const scene::Source& source, Progress& progress);
 Volume readTiff(const scene::Source& source, Progress& progress);
 Volume readVdb(const scene::Source& source, Progress& progress);
-void writeVdb(const Volume& volume, const Path& path, Progress& progress);
+void writeVdb(const Volume& volume, ReplaceFile& file, Progress& progress);
 Volume readRaw(const scene::Source& source, Progress& progress);
 Volume readInvesalius(const scene::Source& source, Progress& progress);  // .inv3
 

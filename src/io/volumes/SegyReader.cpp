@@ -10,7 +10,9 @@
 
 #include "Readers.h"
 #include "SegyGrid.h"
-#include "read/FileTools.h"
+#include "read/FileBytes.h"
+#include "read/Placement.h"
+#include "read/SampleBytes.h"
 #include "velum/core/Error.h"
 
 /// SEG-Y, revisions 0 to 2 with traces of one length, as the SEG's standard has it: byte numbers count from 1.
@@ -174,8 +176,7 @@ float floatFromIbm(std::uint32_t bits) {
 
 /// Turns the samples of a trace, as stored, into machine numbers in place.
 void decode(std::span<std::byte> samples, const Layout& layout) {
-  bool isMachineLittle = std::endian::native == std::endian::little;
-  if (layout.isLittle != isMachineLittle) swapBytes(samples, sampleSize(layout.type));
+  toMachineOrder(samples, sampleSize(layout.type), !layout.isLittle);
   if (static_cast<Code>(layout.code) != Code::Ibm) return;
   for (std::size_t at = 0; at + 4 <= samples.size(); at += 4) {
     std::uint32_t bits;
@@ -265,13 +266,11 @@ Volume readSegy(const scene::Source& source, Progress& progress) {
   if (layout.hasRest) v.warnings.push_back("the file ends within a trace, which is left out");
   // arrangeTraces() lets at most kMostCellsPerTrace cells be for each trace that is there.
   double most = double(file.size()) * kMostCellsPerTrace;
-  v.voxels.resize(checkedBytes(path, {grid.size.x, grid.size.y, layout.samples}, 1, 1, v.type, most));
+  v.voxels.resize(checkedBytes(path, {grid.size.x, grid.size.y, layout.samples}, 1, 1, sampleSize(v.type), most));
   v.dims = {grid.size.x, grid.size.y, layout.samples};
   readTraces(file, layout, grid, v, progress);
   setPlace(v, layout, grid);
   v.modality = Modality::Seismic;
-  v.name = titleOf(path);
-  applySpacing(v, source);
   progress.report(1, "reading SEG-Y");
   return v;
 }

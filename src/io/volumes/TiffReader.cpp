@@ -7,9 +7,11 @@
 
 #include "Readers.h"
 #include "TiffDescription.h"
-#include "TiffPages.h"
-#include "read/FileTools.h"
-#include "read/Payload.h"
+#include "read/FileBytes.h"
+#include "read/FileNames.h"
+#include "read/Placement.h"
+#include "read/SampleBytes.h"
+#include "read/TiffPages.h"
 #include "velum/core/Error.h"
 
 /// TIFF files and folders of planes. Spacing is taken from OME-XML, or from the resolution tags when an ImageJ
@@ -129,11 +131,11 @@ void readOnePageStack(const Path& path, const TiffPages& file, const TiffLayout&
     refuse(path, "a packed one-page stack is not read");
   double most = double(bytes.size()) - double(std::min(page.firstStrip, bytes.size()));
   std::size_t size = checkedBytes(path, {shape.width, shape.height, layout.sizeZ}, shape.channels, double(layout.sizeT),
-                                  shape.type, most);
+                                  sampleSize(shape.type), most);
   setShape(v, shape, layout.sizeZ, 1, layout.sizeT);
   v.voxels.resize(size);
   bytes.read(page.firstStrip, v.voxels);
-  if (file.isBigEndian != (std::endian::native == std::endian::big)) swapBytes(v.voxels, sampleSize(v.type));
+  toMachineOrder(v.voxels, sampleSize(v.type), file.isBigEndian);
 }
 
 /// The directories of full-resolution pages, all of one size.
@@ -181,7 +183,7 @@ void readPages(const Path& path, const TiffPages& file, const std::vector<int>& 
                        layout.hasOtherFiles ? "; the others are in other files" : " that fit"));
   double stacked = double(channelPlanes) * shape.channels;
   std::size_t bytes = checkedBytes(path, {shape.width, shape.height, double(layout.sizeZ)}, stacked,
-                                   double(layout.sizeT), shape.type, mostBytes(file));
+                                   double(layout.sizeT), sampleSize(shape.type), mostBytes(file));
   setShape(v, shape, layout.sizeZ, channelPlanes, layout.sizeT);
   v.voxels.resize(bytes);
   for (std::size_t i = 0; i < targets.size(); ++i) {
@@ -273,11 +275,11 @@ Volume readFolder(const Path& folder, Progress& progress) {
     if (i > 0 && shape != first)
       refuse(path, fmt::format("the slice is {}, but the first, '{}', is {}; all slices of a folder must agree",
                                words(shape), planes[0].filename().string(), words(first)));
-    checkedBytes(path, {shape.width, shape.height, 1}, shape.channels, 1, shape.type, most);
+    checkedBytes(path, {shape.width, shape.height, 1}, shape.channels, 1, sampleSize(shape.type), most);
     if (i == 0) {
       first = shape;
       setShape(v, shape, planes.size(), 1, 1);
-      v.voxels.resize(checkedBytes(folder, v.dims, v.channels, 1, v.type, mostExpansion(5) * stored));
+      v.voxels.resize(checkedBytes(folder, v.dims, v.channels, 1, sampleSize(v.type), mostExpansion(5) * stored));
     }
     readPlane(*in, 0, shape, v, {0, i, 0, 0}, path);
   }
@@ -292,8 +294,6 @@ Volume readTiff(const scene::Source& source, Progress& progress) {
   const Path path = source.path;
   Volume volume = std::filesystem::is_directory(path) ? readFolder(path, progress) : readFile(path, progress);
   volume.isOrientationKnown = false;
-  volume.name = titleOf(path);
-  applySpacing(volume, source);
   progress.report(1, "reading TIFF");
   return volume;
 }

@@ -10,9 +10,9 @@
 #include <fstream>
 #include <new>
 
-#include "../ReplaceFile.h"
 #include "Readers.h"
-#include "read/FileTools.h"
+#include "read/FileBytes.h"
+#include "read/SampleBytes.h"
 #include "velum/core/Error.h"
 
 /// OpenVDB. Its world units are taken as millimetres; a grid has no patient axes unless we wrote it.
@@ -97,7 +97,7 @@ Volume readVdb(const scene::Source& source, Progress& progress) try {
   Volume v;
   v.dims = glm::ivec3(dims);
   v.type = SampleType::Float32;
-  v.voxels.resize(checkedBytes(path, dims, 1, 1, v.type, kMaxBytes));
+  v.voxels.resize(checkedBytes(path, dims, 1, 1, sampleSize(v.type), kMaxBytes));
   Dense dense(box, reinterpret_cast<float*>(v.voxels.data()));
   openvdb::tools::copyToDense(*grid, dense);
   v.worldFromVoxel = matrixOf(*grid, box.min(), path);
@@ -109,8 +109,7 @@ Volume readVdb(const scene::Source& source, Progress& progress) try {
   v.isSpacingKnown = flag(kSpacing, true);
   if (!grid->getMetadata<openvdb::BoolMetadata>(kSpacing))
     v.warnings.push_back("an OpenVDB file has no unit; its world units are taken as mm");
-  v.name = grid->getName().empty() ? titleOf(path) : grid->getName();
-  applySpacing(v, source);
+  v.name = grid->getName();
   progress.report(1, "reading OpenVDB");
   return v;
 } catch (const openvdb::Exception& e) {
@@ -123,10 +122,10 @@ Volume readVdb(const scene::Source& source, Progress& progress) try {
   refuse(source.path, fmt::format("is damaged ({})", e.what()));
 }
 
-void writeVdb(const Volume& volume, const Path& path, Progress& progress) try {
+void writeVdb(const Volume& volume, ReplaceFile& file, Progress& progress) try {
   if (volume.channels != 1 || volume.frames != 1)
-    refuse(path, fmt::format("a .vdb of ours holds one channel and one time step, not {} and {}", volume.channels,
-                             volume.frames));
+    refuse(file.target(), fmt::format("a .vdb of ours holds one channel and one time step, not {} and {}",
+                                      volume.channels, volume.frames));
   progress.report(0, "writing OpenVDB");
   openvdb::initialize();
   auto background = float(volume.range.x);
@@ -156,14 +155,12 @@ void writeVdb(const Volume& volume, const Path& path, Progress& progress) try {
   grid->insertMeta(kDims, openvdb::Vec3IMetadata(openvdb::Vec3i(volume.dims.x, volume.dims.y, volume.dims.z)));
   grid->insertMeta(kOriented, openvdb::BoolMetadata(volume.isOrientationKnown));
   grid->insertMeta(kSpacing, openvdb::BoolMetadata(volume.isSpacingKnown));
-  ReplaceFile file(path);
   openvdb::io::File out(file.temporary().string());
   out.write(openvdb::GridPtrVec{grid});
   out.close();
-  file.commit();
   progress.report(1, "writing OpenVDB");
 } catch (const openvdb::Exception& e) {
-  refuse(path, fmt::format("cannot be written ({})", e.what()));
+  refuse(file.target(), fmt::format("cannot be written ({})", e.what()));
 }
 
 }  // namespace velum::io

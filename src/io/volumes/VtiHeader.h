@@ -2,7 +2,8 @@
 #include <glm/glm.hpp>
 #include <string>
 
-#include "read/FileTools.h"
+#include "read/FileBytes.h"
+#include "velum/core/Volume.h"
 
 namespace velum::io {
 

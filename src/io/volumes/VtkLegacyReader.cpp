@@ -8,7 +8,9 @@
 #include <optional>
 
 #include "Readers.h"
-#include "read/FileTools.h"
+#include "read/FileBytes.h"
+#include "read/Placement.h"
+#include "read/SampleBytes.h"
 #include "velum/core/Error.h"
 
 /// Legacy .vtk files with STRUCTURED_POINTS. Read by us and not by VTK, whose reader allocates whatever the header says
@@ -180,7 +182,7 @@ void readAscii(const FileBytes& file, std::uint64_t at, Volume& v, std::size_t c
 
 void readBinary(const FileBytes& file, const Header& h, Volume& v) {
   file.read(h.dataAt, v.voxels);
-  if constexpr (std::endian::native == std::endian::little) swapBytes(v.voxels, sampleSize(v.type));
+  toMachineOrder(v.voxels, sampleSize(v.type), true);
   if (!h.isWide) return;
   for (std::size_t at = 0; at < v.voxels.size(); at += 8) {
     std::int64_t raw;
@@ -212,7 +214,7 @@ Volume readVtkLegacy(const scene::Source& source, Progress& progress) {
   // Text needs a digit and a space for each number, but the last.
   auto stored = double(file.size() - std::min<std::uint64_t>(h.dataAt, file.size()));
   double most = h.isAscii ? (stored + 1) / 2 * double(sampleSize(v.type)) : stored;
-  std::size_t bytes = checkedBytes(path, h.dims, h.components, 1, v.type, most);
+  std::size_t bytes = checkedBytes(path, h.dims, h.components, 1, sampleSize(v.type), most);
   v.dims = glm::ivec3(h.dims);
   v.channels = int(h.components);
   v.voxels.resize(bytes);
@@ -224,8 +226,6 @@ Volume readVtkLegacy(const scene::Source& source, Progress& progress) {
   v.isColor = (v.channels == 3 || v.channels == 4) && v.type == SampleType::UInt8;
   v.worldFromVoxel = gridMatrix(h.spacing, h.origin);
   v.isOrientationKnown = false;
-  v.name = titleOf(path);
-  applySpacing(v, source);
   progress.report(1, "reading VTK structured points");
   return v;
 }

@@ -19,10 +19,9 @@
 #include <cstring>
 #include <new>
 
-#include "../ReplaceFile.h"
 #include "Readers.h"
 #include "VtiHeader.h"
-#include "read/FileTools.h"
+#include "read/FileBytes.h"
 #include "read/VtkQuiet.h"
 #include "velum/core/Error.h"
 
@@ -189,8 +188,6 @@ Volume readVti(const scene::Source& source, Progress& progress) try {
   v.scale = noteOf(*image, kScale, 1.0);
   v.offset = noteOf(*image, kOffset, 0.0);
   if (v.scale == 0.0) v.scale = 1.0;
-  v.name = titleOf(path);
-  applySpacing(v, source);
   return v;
 } catch (const std::bad_alloc&) {
   refuse(source.path, "needs more memory than there is");
@@ -198,7 +195,8 @@ Volume readVti(const scene::Source& source, Progress& progress) try {
   refuse(source.path, "is damaged (a length in it makes no sense)");
 }
 
-void writeVti(const Volume& volume, const Path& path, Progress& progress) {
+void writeVti(const Volume& volume, ReplaceFile& file, Progress& progress) {
+  const Path& path = file.target();
   if (volume.frames > 1)
     refuse(path, fmt::format("a .vti holds one time step, not {}; write .nrrd or .nii", volume.frames));
   progress.report(0, "writing VTK image");
@@ -222,7 +220,6 @@ void writeVti(const Volume& volume, const Path& path, Progress& progress) {
   addNote(*image, kOffset, volume.offset);
   addNote(*image, kOriented, volume.isOrientationKnown ? 1.0 : 0.0);
 
-  ReplaceFile file(path);
   vtkNew<vtkXMLImageDataWriter> writer;
   quiet.listen(*writer, &progress);
   writer->SetFileName(file.temporary().c_str());
@@ -234,7 +231,6 @@ void writeVti(const Volume& volume, const Path& path, Progress& progress) {
   int done = writer->Write();
   progress.throwIfCancelled();
   if (!done || !quiet.error().empty()) refuse(path, fmt::format("cannot be written ({})", quiet.error()));
-  file.commit();
 }
 
 }  // namespace velum::io

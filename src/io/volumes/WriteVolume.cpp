@@ -1,63 +1,29 @@
 #include "velum/io/volumes/WriteVolume.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstring>
-#include <functional>
 
+#include "FormatTable.h"
 #include "Writers.h"
-#include "read/FormatTable.h"
-#include "read/Payload.h"
+#include "read/Refuse.h"
+#include "velum/core/ReplaceFile.h"
 
 namespace velum::io {
 
 namespace {
 
-void syncToDisk(const Path& path) {
-  int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) failInput(path, std::strerror(errno));
-  int result = ::fsync(descriptor);
-  ::close(descriptor);
-  // A folder on some file systems cannot be synced, which is no reason to lose what was written.
-  if (result != 0 && errno != EINVAL) failInput(path, std::strerror(errno));
-}
-
-/// Writes to a temporary in the same folder, then renames: a crash or a full disk leaves the old file as it was.
-void writeAtomically(const Path& path, const std::function<void(const Path&)>& write) {
-  Path folder = path.parent_path().empty() ? Path(".") : path.parent_path();
-  if (!std::filesystem::is_directory(folder)) failInput(folder, "there is no such folder to write to");
-  // The extension stays at the end, for the writers look at it.
-  Path temporary = folder / fmt::format(".velum-{}-{}", ::getpid(), path.filename().string());
-  try {
-    write(temporary);
-    syncToDisk(temporary);
-    std::filesystem::rename(temporary, path);
-    syncToDisk(folder);
-  } catch (const std::filesystem::filesystem_error& error) {
-    std::error_code ignored;
-    std::filesystem::remove(temporary, ignored);
-    failInput(path, error.code().message());
-  } catch (const InputError& error) {
-    std::error_code ignored;
-    std::filesystem::remove(temporary, ignored);
-    // The user knows the file by its own name.
-    std::string message = error.what();
-    if (auto at = message.find(temporary.string()); at != std::string::npos)
-      message.replace(at, temporary.string().size(), path.string());
-    throw InputError(message);
-  } catch (...) {
-    std::error_code ignored;
-    std::filesystem::remove(temporary, ignored);
-    throw;
-  }
+std::vector<std::string_view> writtenExtensions() {
+  std::vector<std::string_view> all;
+  for (const FormatRow& row : formatTable())
+    if (row.write) all.push_back(row.format.extensions.substr(0, row.format.extensions.find(' ')));
+  return all;
 }
 
 void checkWhole(const Volume& v, const Path& path) {
   std::size_t wanted = frameBytes(v) * std::size_t(std::max(0, v.frames));
-  if (wanted == 0 || v.voxels.size() != wanted) failInput(path, "an empty volume cannot be written");
+  if (wanted == 0 || v.voxels.size() != wanted) refuse(path, "an empty volume cannot be written");
 }
 
 /// The ids as a plain volume, uint8 where they fit, filled slab by slab.
@@ -122,21 +88,24 @@ LabelExtras extrasOf(const LabelVolume& labels) {
 
 void writeVolume(const Volume& volume, const std::filesystem::path& path, Progress& progress) {
   const FormatRow* row = chooseWriter(path);
-  if (!row) failInput(path, "volumes are written as .nrrd, .nii, .nii.gz, .vti or .vdb");
+  if (!row) refuse(path, fmt::format("volumes are written as {}", fmt::join(writtenExtensions(), ", ")));
   checkWhole(volume, path);
-  writeAtomically(path, [&](const Path& temporary) { row->write(volume, temporary, progress); });
+  ReplaceFile file(path);
+  row->write(volume, file, progress);
+  file.commit();
   progress.report(1.0, "Wrote " + path.filename().string());
 }
 
 void writeLabels(const LabelVolume& labels, const std::filesystem::path& path, Progress& progress) {
   const FormatRow* row = chooseWriter(path);
   bool isNrrd = row && row->format.name == "NRRD", isNifti = row && row->format.name == "NIfTI";
-  if (!isNrrd && !isNifti) failInput(path, "labels are written as .nrrd, .seg.nrrd, .nii or .nii.gz");
+  if (!isNrrd && !isNifti) refuse(path, "labels are written as .nrrd, .seg.nrrd, .nii or .nii.gz");
   Volume v = volumeOf(labels, progress);
   checkWhole(v, path);
   LabelExtras extras = extrasOf(labels);
-  auto write = isNrrd ? writeNrrdWith : writeNiftiWith;
-  writeAtomically(path, [&](const Path& temporary) { write(v, temporary, extras, progress); });
+  ReplaceFile file(path);
+  (isNrrd ? writeNrrdWith : writeNiftiWith)(v, file, extras, progress);
+  file.commit();
   progress.report(1.0, "Wrote " + path.filename().string());
 }
 

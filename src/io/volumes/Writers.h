@@ -12,7 +12,7 @@ struct LabelExtras {
   std::vector<std::pair<std::string, std::string>> nrrdKeyValues;
   std::string niftiExtension;  ///< XML, empty for none; its presence also marks the file as labels.
 };
-void writeNrrdWith(const Volume& volume, const Path& path, const LabelExtras& extras, Progress& progress);
-void writeNiftiWith(const Volume& volume, const Path& path, const LabelExtras& extras, Progress& progress);
+void writeNrrdWith(const Volume& volume, ReplaceFile& file, const LabelExtras& extras, Progress& progress);
+void writeNiftiWith(const Volume& volume, ReplaceFile& file, const LabelExtras& extras, Progress& progress);
 
 }  // namespace velum::io

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "velum/core/Assert.h"
+
 namespace velum::membrane {
 
 namespace {
@@ -68,6 +70,7 @@ class ColumnCost {
 }  // namespace
 
 Corridor corridorAround(const CutLattice& lattice, std::span<const int> below) {
+  VELUM_ASSERT(below.size() == std::size_t(lattice.dims.x) * std::size_t(lattice.dims.y), "each column has its height");
   Corridor corridor;
   corridor.dims = glm::ivec2(lattice.dims);
   corridor.originMm = glm::dvec2(lattice.originMm);
@@ -91,6 +94,8 @@ Corridor corridorAround(const CutLattice& lattice, std::span<const int> below) {
 }
 
 std::vector<glm::vec2> roomOf(const Corridor& corridor, std::span<const glm::vec3> places, glm::dvec2 pitchMm) {
+  VELUM_ASSERT(corridor.room.size() == std::size_t(corridor.dims.x) * std::size_t(corridor.dims.y),
+               "each column has its room");
   std::vector<glm::vec2> room;
   if (corridor.dims.x == 0) return room;
   glm::dvec2 own = glm::max(0.5 * (pitchMm / corridor.stepMm - 1.0), 0.0);

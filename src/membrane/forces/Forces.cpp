@@ -3,21 +3,17 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "Corridor.h"
 #include "FrameBox.h"
+#include "velum/core/Clock.h"
 #include "velum/membrane/forces/KeptWhole.h"
+#include "velum/membrane/forces/Limit.h"
 
 namespace velum::membrane {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-double msSince(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
 /// Whatever way round a structure is shorter than this, in nodes, is taken rather than to cut one pair of its voxels.
 constexpr double kProtectedWeight = 16384.0;

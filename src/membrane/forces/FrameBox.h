@@ -1,6 +1,7 @@
 #pragma once
 #include <glm/glm.hpp>
 
+#include "velum/membrane/forces/Kernels.h"
 #include "velum/scene/Scene.h"
 
 namespace velum::membrane {
@@ -23,5 +24,11 @@ struct FrameBox {
   glm::dvec3 local(glm::dvec3 voxel) const { return glm::dvec3(localFromVoxel * glm::dvec4(voxel, 1.0)); }
   bool holds(glm::dvec3 localMm) const { return glm::all(glm::lessThanEqual(glm::abs(localMm), half)); }
 };
+
+/// Each voxel of its box is said to be protected or not.
+inline bool holdsItsBox(const ProtectedVoxels& voxels) {
+  glm::ivec3 size = voxels.box.end - voxels.box.min;
+  return voxels.mask.size() == std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z);
+}
 
 }  // namespace velum::membrane

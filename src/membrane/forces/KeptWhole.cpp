@@ -9,6 +9,8 @@
 
 #include "FrameBox.h"
 
+#include "velum/core/Assert.h"
+
 namespace velum::membrane {
 
 namespace {
@@ -136,6 +138,7 @@ VoxelBox voxelsInReach(const Potential& potential, const scene::Cut& cut) {
 
 KeptWhole measureKeptWhole(const ProtectedVoxels& voxels, const scene::Cut& cut, const SideOfPoints& side,
                            double meanDistanceMm, Progress& progress) {
+  VELUM_ASSERT(holdsItsBox(voxels), "each voxel of the box is decided");
   Sides sides;
   sides.box = intersect(boxInReach(voxels.box.end, voxels.worldFromVoxel, cut), voxels.box);
   sides.size = sides.box.end - sides.box.min;

@@ -13,6 +13,8 @@
 
 #include "StrengthRows.h"
 
+#include "velum/core/Assert.h"
+
 namespace velum::membrane {
 
 namespace {
@@ -45,6 +47,7 @@ int heldAlong(int k, int level, int dim) { return std::min(1 << level, dim - (k 
 
 /// Means of one row of super-voxels.
 void averageRow(const StrengthRows& rows, glm::ivec3 dims, int level, int ky, int kz, float* means) {
+  VELUM_ASSERT(level >= 0 && level <= kCoarsestLevel, "the level is one of the octree");
   thread_local std::vector<float> row;
   thread_local std::vector<double> sums;
   row.resize(std::size_t(dims.x));

@@ -1,10 +1,12 @@
 // The lattice of a frame, and the least cut of it as a figure.
+#include "velum/membrane/forces/Limit.h"
+#include "velum/core/Assert.h"
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
 
 #include "FrameBox.h"
-#include "velum/membrane/forces/KeptWhole.h"
 
 namespace velum::membrane {
 
@@ -115,6 +117,8 @@ void gatherPairs(const ProtectedVoxels& voxels, const FrameBox& frame, CutLattic
 }  // namespace
 
 CutLattice gatherLattice(const ProtectedVoxels& voxels, const scene::Cut& cut, double coarsening) {
+  VELUM_ASSERT(holdsItsBox(voxels), "each voxel of the box is decided");
+  VELUM_ASSERT(coarsening >= 1.0, "nodes are a voxel apart at least");
   FrameBox frame(cut, voxels.worldFromVoxel);
   glm::dmat4 voxelFromLocal = glm::inverse(frame.localFromVoxel);
   glm::dvec3 low, high, half = cut.sizeMm * 0.5;
@@ -141,6 +145,7 @@ CutLattice gatherLattice(const ProtectedVoxels& voxels, const scene::Cut& cut, d
 }
 
 SideOfPoints sideOfLeastCut(const CutLattice& lattice, const LeastCut& cut) {
+  VELUM_ASSERT(glm::ivec2(lattice.dims) == cut.dims, "the sheet is one of this lattice");
   struct Stairs {
     glm::dvec3 originMm, stepMm;
     glm::ivec2 dims;
@@ -148,6 +153,7 @@ SideOfPoints sideOfLeastCut(const CutLattice& lattice, const LeastCut& cut) {
   };
   auto stairs = std::make_shared<Stairs>(Stairs{lattice.originMm, lattice.stepMm, cut.dims, cut.below});
   return [stairs](std::span<const glm::vec3> local, std::span<std::uint8_t> above) {
+    VELUM_ASSERT(above.size() == local.size(), "each point gets its side");
     for (std::size_t i = 0; i < local.size(); ++i) {
       glm::ivec3 node(glm::floor((glm::dvec3(local[i]) - stairs->originMm) / stairs->stepMm + 0.5));
       glm::ivec2 n = stairs->dims;
@@ -159,6 +165,7 @@ SideOfPoints sideOfLeastCut(const CutLattice& lattice, const LeastCut& cut) {
 }
 
 double meanDistanceMm(const CutLattice& lattice, const LeastCut& least, const scene::Cut& cut) {
+  VELUM_ASSERT(glm::ivec2(lattice.dims) == least.dims, "the sheet is one of this lattice");
   double sum = 0.0;
   for (int below : least.below) {
     // A flat column lies on the slice itself, wherever between the two layers that is.

@@ -59,8 +59,8 @@ void solve(std::vector<double>& a, std::vector<double>& b) {
 
 }  // namespace
 
-std::vector<Solver::Held> heldByPins(const scene::Cut& cut, glm::ivec2 particles, std::span<const glm::vec3> places) {
-  std::vector<Solver::Held> held;
+std::vector<HeldParticle> heldByPins(const scene::Cut& cut, glm::ivec2 particles, std::span<const glm::vec3> places) {
+  std::vector<HeldParticle> held;
   if (!isSided(cut)) {
     for (const auto& pin : cut.membrane.pins) {
       glm::ivec2 at(glm::round(glm::clamp(pin.sheet, 0.0, 1.0) * glm::dvec2(particles - 1)));

@@ -2,7 +2,7 @@
 #include <span>
 #include <vector>
 
-#include "velum/membrane/sheet/Solver.h"
+#include "velum/membrane/forces/PushField.h"
 #include "velum/scene/Cut.h"
 
 namespace velum::membrane {
@@ -11,7 +11,7 @@ namespace velum::membrane {
 /// corners of the mesh over which a pin stands are held at its height, so that the sheet passes through it exactly
 /// whatever its resolution. By the paper's rule the particle that a pin names is held in its place.
 /// @param places  where the particles of the sheet are now, frame-local mm
-std::vector<Solver::Held> heldByPins(const scene::Cut& cut, glm::ivec2 particles, std::span<const glm::vec3> places);
+std::vector<HeldParticle> heldByPins(const scene::Cut& cut, glm::ivec2 particles, std::span<const glm::vec3> places);
 
 /// Differs: not in the paper. By the sided rule the pull back to the slice is strong, so that a pin alone would raise a
 /// needle: the sheet is pulled to a smooth surface through all pins instead, which falls back to the slice around them

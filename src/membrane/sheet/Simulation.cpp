@@ -5,6 +5,8 @@
 
 #include "forces/Pins.h"
 
+#include "velum/core/Assert.h"
+
 namespace velum::membrane {
 
 namespace {
@@ -56,6 +58,8 @@ scene::SheetShape flatShape(const scene::Cut& cut, glm::ivec2 particles) {
 }
 
 HeightOver heightOf(const scene::SheetShape& shape) {
+  VELUM_ASSERT(shape.places.size() == std::size_t(shape.particles.x) * std::size_t(shape.particles.y),
+               "each particle has its place");
   std::vector<float> xs, ys;
   for (int x = 0; x < shape.particles.x; ++x) xs.push_back(shape.places[std::size_t(x)].x);
   for (int y = 0; y < shape.particles.y; ++y) ys.push_back(shape.places[std::size_t(y * shape.particles.x)].y);

@@ -7,6 +7,7 @@
 
 #include "BendStencil.h"
 #include "shared/cloth.h"
+#include "velum/core/Assert.h"
 #include "velum/gpu/Program.h"
 #include "velum/gpu/Scope.h"
 
@@ -20,7 +21,7 @@ constexpr double kBelow = 0.05;  ///< of its half-width a placed kernel stands b
 
 glm::dvec2 meshMm(const SheetSetup& setup) { return 2.0 * glm::dvec2(setup.halfMm) / glm::dvec2(setup.particles - 1); }
 
-/// Stiffness of one pass of several (PBD section 3.3).
+/// Stiffness of one pass of several ([PBD] section 3.3).
 double perIteration(double stiffness, int iterations) {
   return 1.0 - std::pow(1.0 - std::clamp(stiffness, 0.0, 1.0), 1.0 / iterations);
 }
@@ -53,8 +54,6 @@ struct Solver::Programs {
   shared::ClothParams values{};
 };
 
-double meanEdgeMm(glm::dvec3 halfMm) { return 2.0 * std::sqrt(halfMm.x * halfMm.y); }
-
 Solver::Solver() : mPrograms(std::make_unique<Programs>()), mRest("fastest particle", 16) {
   mSetup.particles = glm::ivec2(0);
   setField({});
@@ -67,6 +66,8 @@ bool Solver::isBorder(int particle) const {
 }
 
 void Solver::setSheet(const SheetSetup& setup) {
+  VELUM_ASSERT(setup.particles.x >= 2 && setup.particles.y >= 2, "a sheet has meshes");
+  VELUM_ASSERT(setup.halfMm.x > 0 && setup.halfMm.y > 0, "its frame has a size");
   if (setup == mSetup) return;
   mSetup = setup;
   std::size_t bytes = std::size_t(count()) * sizeof(glm::vec4);
@@ -86,6 +87,7 @@ void Solver::setSheet(const SheetSetup& setup) {
 }
 
 void Solver::setPlaces(std::span<const glm::vec3> places) {
+  VELUM_ASSERT(places.size() == std::size_t(count()), "each particle has its place");
   mAge = 0;
   std::vector<glm::vec4> all;
   for (int i = 0; i < count(); ++i) all.emplace_back(places[std::size_t(i)], isBorder(i) ? 0.0f : 1.0f);
@@ -93,12 +95,12 @@ void Solver::setPlaces(std::span<const glm::vec3> places) {
   mVelocities.clear();
 }
 
-void Solver::hold(std::span<const Held> held) {
+void Solver::hold(std::span<const HeldParticle> held) {
   mAge = 0;
   std::vector<glm::vec4> places(mPlaces.bytes() / sizeof(glm::vec4));
   mPlaces.read(0, places.size() * sizeof(glm::vec4), places.data());
   for (int i = 0; i < count(); ++i) places[std::size_t(i)].w = isBorder(i) ? 0.0f : 1.0f;
-  for (const Held& one : held)
+  for (const HeldParticle& one : held)
     if (one.particle >= 0 && one.particle < count() && !isBorder(one.particle)) {
       glm::vec3 half(mSetup.halfMm);
       glm::vec4& place = places[std::size_t(one.particle)];
@@ -109,6 +111,7 @@ void Solver::hold(std::span<const Held> held) {
 }
 
 void Solver::setRoom(std::span<const glm::vec2> room) {
+  VELUM_ASSERT(room.empty() || room.size() == std::size_t(count()), "each particle has its room");
   mAge = 0;
   float reach = float(mSetup.halfMm.z);
   std::vector<glm::vec2> all(std::size_t(count()), glm::vec2(-reach, reach));
@@ -117,6 +120,9 @@ void Solver::setRoom(std::span<const glm::vec2> room) {
 }
 
 void Solver::setField(const PushField& field) {
+  VELUM_ASSERT(
+      field.strengths.size() == std::size_t(field.dims.x) * std::size_t(field.dims.y) * std::size_t(field.dims.z),
+      "each kernel has its strengths");
   mAge = 0;
   mField = field;
   mField.strengths.clear();

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "FrameSetup.h"
+#include "velum/core/Assert.h"
 
 namespace velum::render {
 
@@ -15,6 +16,7 @@ SliceCuts::SliceCuts(const scene::Scene& scene, const scene::SliceFrame& frame,
   std::size_t next = 0;
   for (const auto& cut : scene.cuts) {
     if (!cut.enabled) continue;
+    VELUM_ASSERT(next < mCuts.size(), "each enabled cut has its data");
     auto& spares = mCuts[next++].spares;
     if (!cut.exempt.empty() && scene.labels.data && scene.labels.visible) spares.resize(65536);
     for (int id : cut.exempt)
@@ -58,6 +60,7 @@ std::vector<char> SliceCuts::removedOf(int y, int width, std::span<const std::ui
 }
 
 std::vector<char> SliceCuts::removedOf(const Row& row, std::span<const std::uint16_t> ids) const {
+  VELUM_ASSERT(ids.empty() || ids.size() == std::size_t(row.width), "each pixel has its structure");
   auto count = std::size_t(row.width);
   std::vector<char> removed(count, 0), one(count, 0), outOfSlices(count, 1);
   bool hasSlices = false;

@@ -11,6 +11,8 @@
 #include "SliceCuts.h"
 #include "SliceRow.h"
 
+#include "velum/core/Assert.h"
+
 namespace velum::render {
 
 namespace {
@@ -71,6 +73,7 @@ void SliceDrawing::prepareLabels() {
 
 void SliceDrawing::readIds(int y) {
   const LabelVolume& labels = *mScene.labels.data;
+  VELUM_ASSERT(mLabelPath, "the labels have a grid");
   GridRow row = mLabelPath->row(y, mSize.x);
   std::uint16_t* out = &mIds[std::size_t(y) * std::size_t(mSize.x)];
   for (int x = row.first; x < row.last; ++x) {
@@ -134,6 +137,7 @@ bool SliceDrawing::isOutline(glm::ivec2 pixel) const {
 
 void SliceDrawing::addLabels(int y, Row& colors, std::vector<char>& covered) const {
   if (!mShowsLabels || !mLabelPath) return;
+  VELUM_ASSERT(mLabelPath, "the labels have a grid");
   GridRow row = mLabelPath->row(y, mSize.x);
   for (int x = row.first; x < row.last; ++x) {
     std::uint16_t id = idAt(x, y);

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "shared/frame.h"
+#include "velum/core/Assert.h"
 
 namespace velum::render {
 
@@ -17,6 +18,7 @@ double extinction(double opacity, double unitMm) { return -std::log(1.0 - std::c
 }  // namespace
 
 MixTable makeMixTable(const scene::VolumeLayer& layer) {
+  VELUM_ASSERT(layer.channels.size() == std::size_t(layer.data->channels), "each channel has its look");
   MixTable table;
   table.domain = layer.data->range;
   if (!(table.domain.y > table.domain.x)) table.domain.y = table.domain.x + 1.0;

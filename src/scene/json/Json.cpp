@@ -143,15 +143,10 @@ void read(auto& target, const Json& json, const std::string& path, const FieldIn
     target = json.get<std::string>();
   } else if constexpr (Enumeration<T>) {
     if (!json.is_string()) fail(path, "expected a word");
-    std::string known;
-    for (int i = 0; std::string_view name : EnumNames<T>::kNames) {
-      if (name == json.get<std::string>()) {
-        target = T(i);
-        return;
-      }
-      known += fmt::format("{}{}", i++ ? ", " : "", name);
-    }
-    fail(path, fmt::format("'{}' is not one of {}", json.get<std::string>(), known));
+    auto value = enumValue<T>(json.get<std::string>());
+    if (!value)
+      fail(path, fmt::format("'{}' is not one of {}", json.get<std::string>(), fmt::join(EnumNames<T>::kNames, ", ")));
+    target = *value;
   } else if constexpr (GlmVector<T>) {
     constexpr int kSize = GlmTraits<T>::kSize;
     if (!json.is_array() || json.size() != kSize) fail(path, fmt::format("expected {} numbers", kSize));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "velum/core/Assert.h"
 #include "velum/scene/Project.h"
 
 namespace velum::session {
@@ -69,6 +70,7 @@ void hangMembrane(scene::Cut& cut, const scene::Scene& scene, const Data& data, 
 glm::dmat3 cutFrame(const scene::Cut& cut) { return glm::dmat3(scene::worldFromCut(cut)); }
 
 void setCutFrame(scene::Cut& cut, const glm::dmat3& frame) {
+  VELUM_ASSERT(std::abs(glm::determinant(frame)) > 1e-6, "the frame has three directions");
   cut.axis = cleaned(glm::normalize(frame[2]));
   cut.spinDeg = 0.0;
   glm::dmat3 unspun = cutFrame(cut);

@@ -1,11 +1,13 @@
 // How a cut looks in the 3D view, and what of it lies under the pointer.
+#include "velum/session/cut/CutGizmo.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "SliceGeometry.h"
+#include "velum/core/Vectors.h"
 #include "velum/scene/Project.h"
-#include "velum/session/cut/CutTool.h"
+#include "velum/session/cut/CutEdit.h"
 
 namespace velum::session {
 

@@ -1,5 +1,7 @@
 // Handles of a cut on a slice, and what a drag of them makes of it.
 #include "velum/session/cut/SliceCutTool.h"
+#include "SliceMembrane.h"
+#include "velum/core/Vectors.h"
 
 #include <algorithm>
 #include <cmath>

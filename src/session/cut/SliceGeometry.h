@@ -5,8 +5,8 @@
 
 #include "velum/scene/Cut.h"
 #include "velum/scene/SliceFrame.h"
-#include "velum/session/cut/SliceCutTool.h"
 
+/// Lines in the plane of a slice. Pixels of its frame.
 namespace velum::session {
 
 /// A plane's line on a slice, pixels.
@@ -21,15 +21,5 @@ glm::dvec2 onScreen(const scene::SliceFrame& frame, glm::dvec3 direction);
 
 /// The part of the line p + t d inside the rectangle from low to high.
 std::optional<std::pair<glm::dvec2, glm::dvec2>> clipLine(glm::dvec2 p, glm::dvec2 d, glm::dvec2 low, glm::dvec2 high);
-
-/// Where the slice crosses the sheet of a membrane; closed curves end where they begin. Pixels.
-std::vector<std::vector<glm::dvec2>> sheetCurves(const scene::SliceFrame& frame, const scene::Cut& cut,
-                                                 const scene::SheetShape& live);
-/// The two ends of a membrane's frame on a slice, pixels; nothing where it does not cross it.
-std::optional<std::pair<glm::dvec2, glm::dvec2>> frameLine(const scene::SliceFrame& frame, const scene::Cut& cut);
-/// Ends that resize, knobs that turn, an arrow that moves along the normal.
-std::vector<SliceHandle> membraneHandles(const scene::SliceFrame& frame, const scene::Cut& cut);
-
-double distanceToSegment(glm::dvec2 p, glm::dvec2 a, glm::dvec2 b);
 
 }  // namespace velum::session

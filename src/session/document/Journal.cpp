@@ -1,19 +1,22 @@
 #include "velum/session/document/Journal.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <atomic>
+#include <cerrno>
 #include <condition_variable>
+#include <cstring>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <thread>
 
 #include "JournalFiles.h"
 #include "Syncer.h"
 #include "velum/core/Error.h"
+#include "velum/core/ReplaceFile.h"
 #include "velum/scene/json/ChangeLog.h"
 
 namespace velum::session {
@@ -86,7 +89,7 @@ void Journal::Impl::tell(const std::string& error) {
     std::lock_guard guard(mutex);
     listener = onError;
   }
-  if (listener) listener(error);
+  if (listener) listener(error + "; unsaved work is not protected");
 }
 
 void Journal::Impl::run() {
@@ -120,7 +123,8 @@ void Journal::Impl::write(const Change& change, const std::string& nowTitle, con
     scene::ChangeLine line{++number, since.count(), change.label, nowTitle, nowPath, std::move(patch)};
     if (mustBegin || bytes > std::max(options.compactBytes, 4 * beginBytes)) return beginGeneration(std::move(line));
     std::string text = scene::encodeLine(line);
-    writeAll(file, text, folder);
+    if (!writeAll(file, std::as_bytes(std::span(text))))
+      throw InputError(fmt::format("{}: cannot be written ({})", folder.string(), std::strerror(errno)));
     bytes += text.size();
     syncer.want(file);
   } catch (const std::exception& error) {
@@ -152,13 +156,11 @@ void Journal::Impl::beginGeneration(scene::ChangeLine line) {
   mustBegin = true;
   line.patch = mirror.wholePatch();
   std::string text = scene::encodeLine(line);
-  fs::path target = journalPath(folder, generation + 1), temporary = target;
-  temporary += ".tmp";
+  ReplaceFile next(journalPath(folder, generation + 1), ReplaceFile::Access::Owner);
+  next.write(text);
+  next.commit(ReplaceFile::Sync::ByCaller);  // The syncer's: a slow disk must not hold up the lines.
   if (file >= 0) ::close(file);
-  file = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0600);
-  if (file < 0) throw InputError(fmt::format("{}: cannot be written; unsaved work is not protected", target.string()));
-  writeAll(file, text, target);
-  fs::rename(temporary, target);
+  file = next.releaseDescriptor();
   if (folder.filename().string().starts_with('.')) {
     fs::path visible = folder.parent_path() / folder.filename().string().substr(1);
     publishFolder(folder, visible);

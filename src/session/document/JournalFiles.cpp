@@ -23,8 +23,7 @@ namespace {
 constexpr std::uintmax_t kLargest = 64u << 20;
 
 [[noreturn]] void fail(const fs::path& path) {
-  throw InputError(
-      fmt::format("{}: cannot be written ({}); unsaved work is not protected", path.string(), std::strerror(errno)));
+  throw InputError(fmt::format("{}: cannot be written ({})", path.string(), std::strerror(errno)));
 }
 
 }  // namespace
@@ -80,32 +79,6 @@ int tryLock(const fs::path& folder, LockKind kind) {
   if (::flock(lock, (kind == LockKind::Shared ? LOCK_SH : LOCK_EX) | LOCK_NB) == 0) return lock;
   ::close(lock);
   return -1;
-}
-
-void writeAll(int file, std::string_view text, const fs::path& path) {
-  while (!text.empty()) {
-    ssize_t written = ::write(file, text.data(), text.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written <= 0) fail(path);
-    text.remove_prefix(std::size_t(written));
-  }
-}
-
-void writeSynced(const fs::path& path, std::string_view text) {
-  fs::path temporary = path;
-  temporary += ".tmp";
-  int file = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
-  if (file < 0) fail(path);
-  try {
-    writeAll(file, text, path);
-    if (::fsync(file) != 0 && errno != EINVAL && errno != ENOTSUP) fail(path);
-  } catch (...) {
-    ::close(file);
-    ::unlink(temporary.c_str());
-    throw;
-  }
-  ::close(file);
-  if (::rename(temporary.c_str(), path.c_str()) != 0) fail(path);
 }
 
 std::string readWhole(const fs::path& path) {

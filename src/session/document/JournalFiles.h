@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-/// The files of a journal's folder: names, locks, writing. Functions that fail throw InputError in words.
+/// The files of a journal's folder: names, locks, reading. Functions that fail throw InputError in words.
 namespace velum::session {
 
 std::filesystem::path journalPath(const std::filesystem::path& folder, int generation);
@@ -22,10 +22,6 @@ enum class LockKind { Shared, Exclusive };
 /// Takes the lock of a folder. @return descriptor; -1 when another holds it, or there is none
 int tryLock(const std::filesystem::path& folder, LockKind kind);
 
-/// All of the text, or an error: a full disk.
-void writeAll(int file, std::string_view text, const std::filesystem::path& path);
-/// Replaces a file by a synced one of this text.
-void writeSynced(const std::filesystem::path& path, std::string_view text);
 /// Empty when it cannot be read, or is larger than any journal.
 std::string readWhole(const std::filesystem::path& path);
 

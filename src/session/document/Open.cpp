@@ -1,15 +1,17 @@
 #include "velum/session/document/Open.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <fstream>
 #include <sstream>
 
+#include "velum/core/FileName.h"
 #include "velum/core/Log.h"
+#include "velum/core/ReplaceFile.h"
 #include "velum/io/images/ImageFile.h"
+#include "velum/io/labels/ReadLabels.h"
+#include "velum/io/meshes/ReadMesh.h"
 #include "velum/io/phantoms/Sample.h"
 #include "velum/io/volumes/Formats.h"
 #include "velum/io/volumes/ReadVolume.h"
@@ -24,12 +26,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::uintmax_t kLargestSceneFile = 64u << 20;
-
-std::string lowerExtension(const fs::path& path) {
-  std::string text = path.extension().string();
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-  return text;
-}
 
 std::string readText(const fs::path& path) {
   std::error_code error;
@@ -52,8 +48,8 @@ bool isTiff(const fs::path& path) {
 }
 
 bool isMesh(const fs::path& path) {
-  std::string extension = lowerExtension(path);
-  return extension == ".stl" || extension == ".ply" || extension == ".obj" || extension == ".vtp";
+  auto known = io::meshExtensions();
+  return std::find(known.begin(), known.end(), lowerExtension(path)) != known.end();
 }
 
 void warnAll(const std::string& path, const std::vector<std::string>& warnings) {
@@ -241,25 +237,10 @@ std::string sceneTextFor(const scene::Scene& scene, const fs::path& path) {
   return scene::toJson(withRelativePaths(scene, fs::absolute(path).parent_path()));
 }
 
-void saveScene(const scene::Scene& scene, const fs::path& path) {
-  std::string text = sceneTextFor(scene, path);
-  fs::path temporary = path;
-  temporary += fmt::format(".{}.tmp", getpid());
-  int file = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
-  bool ok = file >= 0 && ::write(file, text.data(), text.size()) == ssize_t(text.size()) && ::fsync(file) == 0;
-  if (file >= 0) ok = ::close(file) == 0 && ok;
-  std::error_code error;
-  if (ok) fs::rename(temporary, path, error);
-  if (!ok || error) {
-    std::error_code ignored;
-    fs::remove(temporary, ignored);
-    throw InputError(
-        fmt::format("{}: the scene cannot be written there: check the folder and the free space", path.string()));
-  }
-}
+void saveScene(const scene::Scene& scene, const fs::path& path) { replaceFile(path, sceneTextFor(scene, path)); }
 
-std::vector<FileKind> readableKinds() {
-  std::vector<FileKind> kinds{{"Velum scene", {"*.json"}}};
+std::vector<FileKind> volumeKinds() {
+  std::vector<FileKind> kinds;
   for (const auto& format : io::formats()) {
     if (!format.canRead) continue;
     FileKind kind{std::string(format.name), {}};
@@ -268,7 +249,14 @@ std::vector<FileKind> readableKinds() {
       if (word[0] == '.') kind.patterns.push_back("*" + word);
     if (!kind.patterns.empty()) kinds.push_back(std::move(kind));
   }
-  kinds.push_back({"Surface", {"*.stl", "*.ply", "*.obj", "*.vtp"}});
+  return kinds;
+}
+
+std::vector<FileKind> readableKinds() {
+  std::vector<FileKind> kinds{{"Velum scene", {"*.json"}}};
+  for (auto& kind : volumeKinds()) kinds.push_back(std::move(kind));
+  FileKind& surface = kinds.emplace_back("Surface");
+  for (std::string_view extension : io::meshExtensions()) surface.patterns.push_back(fmt::format("*{}", extension));
   kinds.push_back({"Picture with a scene", {"*.png", "*.exr"}});
   return kinds;
 }

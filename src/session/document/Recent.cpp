@@ -9,6 +9,7 @@
 
 #include "JournalFiles.h"
 #include "velum/core/Error.h"
+#include "velum/core/ReplaceFile.h"
 #include "velum/session/document/Folders.h"
 
 namespace velum::session {
@@ -27,7 +28,7 @@ void write(const fs::path& list, const std::vector<RecentFile>& files) {
   std::error_code ignored;
   fs::create_directories(list.parent_path(), ignored);
   try {
-    writeSynced(list, text);
+    replaceFile(list, text, ReplaceFile::Access::Owner);
   } catch (const Error&) {
   }
 }

@@ -8,6 +8,7 @@
 
 #include "JournalFiles.h"
 #include "velum/core/Error.h"
+#include "velum/core/ReplaceFile.h"
 
 namespace velum::session {
 
@@ -73,7 +74,7 @@ void Syncer::run() {
 
 void Syncer::write(const Autosave& autosave) {
   try {
-    writeSynced(autosavePath(autosave.folder, autosave.generation), autosave.text);
+    replaceFile(autosavePath(autosave.folder, autosave.generation), autosave.text, ReplaceFile::Access::Owner);
     for (int generation : generationsIn(autosave.folder)) {
       if (generation >= autosave.generation - 1) continue;
       std::error_code ignored;

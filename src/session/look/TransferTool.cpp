@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "velum/core/Vectors.h"
+
 namespace velum::session {
 
 namespace {
@@ -43,12 +45,6 @@ bool removeAt(std::vector<Point>& points, int index) {
   if (index < 0 || std::size_t(index) >= points.size() || points.size() < 2) return false;
   points.erase(points.begin() + index);
   return true;
-}
-
-double distanceToSegment(glm::dvec2 p, glm::dvec2 a, glm::dvec2 b) {
-  glm::dvec2 d = b - a;
-  double t = std::clamp(glm::dot(p - a, d) / std::max(glm::dot(d, d), 1e-12), 0.0, 1.0);
-  return glm::length(p - a - t * d);
 }
 
 }  // namespace

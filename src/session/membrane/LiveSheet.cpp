@@ -1,8 +1,8 @@
 #include "LiveSheet.h"
 
 #include <algorithm>
-#include <chrono>
 
+#include "velum/core/Clock.h"
 #include "velum/gpu/Program.h"
 
 namespace velum::session {
@@ -14,11 +14,6 @@ namespace {
 constexpr int kWarmSteps = 40;
 /// Most steps of a slice: without asking the GPU nobody knows how long it takes.
 constexpr int kMostSteps = 20;
-
-using Clock = std::chrono::steady_clock;
-double msSince(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
 scene::Cut withFrameOf(scene::Cut cut, const scene::Cut& frame) {
   cut.centreMm = frame.centreMm;

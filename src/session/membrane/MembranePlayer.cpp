@@ -1,7 +1,6 @@
 #include "velum/session/membrane/MembranePlayer.h"
 
 #include <algorithm>
-#include <chrono>
 
 #include "LiveSheet.h"
 #include "velum/session/membrane/Membranes.h"
@@ -13,10 +12,6 @@ namespace {
 /// So often slices follow a sheet that moves.
 constexpr double kIndexEveryMs = 200.0;
 constexpr int kStepOnce = 5;
-
-double nowMs() {
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 bool isMembrane(const scene::Cut& cut) { return cut.shape == scene::CutShape::Membrane; }
 
@@ -163,12 +158,12 @@ bool MembranePlayer::stepOnce() {
 }
 
 void MembranePlayer::refreshIndices() {
-  bool isDue = nowMs() - mIndexedAtMs > kIndexEveryMs;
+  bool isDue = msSince(mIndexedAt) > kIndexEveryMs;
   for (const auto& sheet : mSheets) {
     bool isStill = !mPlaying || !sheet->isMoving();
     if (!sheet->isIndexStale() || !(isStill || isDue)) continue;
     sheet->makeIndex();
-    mIndexedAtMs = nowMs();
+    mIndexedAt = Clock::now();
   }
 }
 

@@ -1,12 +1,14 @@
 #include "velum/session/membrane/Membranes.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstring>
 #include <type_traits>
 
+#include "velum/core/Assert.h"
+#include "velum/core/Clock.h"
 #include "velum/core/Error.h"
+#include "velum/membrane/forces/Limit.h"
 #include "velum/membrane/sheet/SheetIndex.h"
 #include "velum/membrane/sheet/Simulation.h"
 #include "velum/render/section/KeptVoxels.h"
@@ -14,11 +16,6 @@
 namespace velum::session {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-double msSince(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
 bool isLive(const scene::Cut& cut) { return cut.enabled && cut.shape == scene::CutShape::Membrane; }
 
@@ -101,6 +98,7 @@ Volume clippedVolume(const scene::Scene& scene, Progress& progress) {
       std::memcpy(empty.data() + std::size_t(c) * sizeof(T), &value, sizeof(T));
     }
   });
+  VELUM_ASSERT(kept.size() * sample == out.voxels.size(), "each voxel is kept or not");
   for (std::size_t i = 0; i < kept.size(); ++i)
     if (!kept[i]) std::memcpy(out.voxels.data() + i * sample, empty.data(), sample);
   computeRange(out);

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "cut/SliceGeometry.h"
+#include "cut/SliceMembrane.h"
 #include "velum/scene/Scene.h"
 #include "velum/session/cut/CutEdit.h"
 

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "velum/session/membrane/MembraneEdit.h"
+#include "velum/session/membrane/StrokeSamples.h"
 
 namespace velum::session {
 

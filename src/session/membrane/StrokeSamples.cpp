@@ -1,10 +1,11 @@
 // The voxels under strokes, and what values they have.
+#include "velum/session/membrane/StrokeSamples.h"
+
 #include <algorithm>
 #include <cmath>
 #include <type_traits>
 
 #include "velum/session/look/ValueHistogram.h"
-#include "velum/session/membrane/Sketch.h"
 
 namespace velum::session {
 

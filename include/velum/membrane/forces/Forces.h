@@ -9,7 +9,7 @@
 #include "velum/core/Task.h"
 #include "velum/membrane/forces/Kernels.h"
 #include "velum/membrane/forces/LeastCut.h"
-#include "velum/membrane/sheet/Solver.h"
+#include "velum/membrane/forces/PushField.h"
 #include "velum/scene/Scene.h"
 
 namespace velum::membrane {
@@ -52,8 +52,8 @@ class ForceMaker {
   const Potential& potential() const { return mPotential; }
   bool matches(const scene::Scene& scene) const { return mPotential.matches(scene); }
 
-  /// By the paper's rule: kernels that push away from their centres (IMC eq. 2, 3). By the sided rule (Differs: not in
-  /// the paper): the least cut over the frame says which protected material belongs below the sheet and which above;
+  /// By the paper's rule: kernels that push away from their centres ([IMC] eq. 2, 3). By the sided rule (Differs: not
+  /// in the paper): the least cut over the frame says which protected material belongs below the sheet and which above;
   /// kernels push along the normal to the other side, and the corridor is what lies between.
   /// @param current  active repositioning: material stays on the side of this sheet instead. Has it come to rest in
   /// another time step, the material has moved since: then it is the least cut of those near the sheet. Differs: the

@@ -11,7 +11,8 @@
 
 namespace velum::membrane {
 
-/// The kernels of one level of the octree (IMC 3.2): the mean strength of each super-voxel of 2^level voxels per axis.
+/// The kernels of one level of the octree ([IMC] 3.2): the mean strength of each super-voxel of 2^level voxels per
+/// axis.
 struct KernelGrid {
   glm::ivec3 dims{0};               ///< super-voxels along x (fastest), y, z; those at the end may hold fewer voxels
   int level = 0;                    ///< 0..6
@@ -38,7 +39,7 @@ struct ProtectedVoxels {
 double strengthAt(std::span<const scene::StrengthPoint> curve, double value);
 
 /// The potential field transfer function (PFTF) over a scene's data: strengths by value, by gradient magnitude and by
-/// structure, which add up (IMC 3.2). Its grid is the volume's; of the labels where there is no volume.
+/// structure, which add up ([IMC] 3.2). Its grid is the volume's; of the labels where there is no volume.
 ///
 /// It keeps the data, and gradient magnitudes once they have been asked for (16 bit a voxel), so that an edited curve
 /// is evaluated anew in a few tens of milliseconds. Samples of 8 and 16 bits go through a table over the raw values;

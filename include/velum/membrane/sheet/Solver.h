@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "velum/gpu/Buffer.h"
+#include "velum/membrane/forces/PushField.h"
 #include "velum/scene/Membrane.h"
 
 namespace velum::membrane {
@@ -18,32 +19,13 @@ struct SheetSetup {
   bool operator==(const SheetSetup&) const = default;
 };
 
-/// A kernel put in by hand, in the frame.
-struct PlacedKernel {
-  glm::dvec3 centreMm{0.0};
-  double halfWidthMm = 1.0;
-  double push = 0.0;  ///< along the normal; sign: to which side
-  double pull = 0.0;  ///< > 0 away from the centre, < 0 to it
-  double liftMm =
-      0.0;  ///< raises the slice to which the sheet is pulled back, around the centre; along the normal only
-};
-
-/// What acts on the sheet: kernels on a regular lattice, by the rule they were prepared for.
-struct PushField {
-  glm::ivec3 dims{0};                ///< kernels along the lattice's axes, x fastest
-  std::vector<glm::vec2> strengths;  ///< push along the normal (signed by side), pull (> 0 away from the kernel)
-  glm::dmat4 kernelFromLocal{1.0};   ///< kernels at integers
-  double areaOfEffect = 2.0;         ///< half-width, kernels
-  std::vector<PlacedKernel> placed;
-};
-
 /// The elastic sheet on the GPU: position based dynamics [PBD] in compute shaders, in the frame's local millimetres.
 ///
 /// Differs: Jacobi passes that gather per particle instead of Gauss-Seidel, so that the result does not depend on the
-/// order of threads; bending by the quadratic model of [IBM], whose stiffness is that of dihedral angles near rest and
-/// which has no singularity when flat; constraints over strides of 2, 4, ... particles, so that stiffness does not
+/// order of threads; bending by the quadratic model of [BERGOU], whose stiffness is that of dihedral angles near rest
+/// and which has no singularity when flat; constraints over strides of 2, 4, ... particles, so that stiffness does not
 /// depend on the resolution; the longest way in a step is bounded; once a sheet has had time to settle, a step goes
-/// only a share of the way, less and less, as the force of IMC eq. 3 jumps at the faces of a kernel's box and would
+/// only a share of the way, less and less, as the force of [IMC] eq. 3 jumps at the faces of a kernel's box and would
 /// keep it trembling for ever. The same setup, field and number of steps give the same places, bit for bit on one
 /// driver. A step costs O(particles); the number of kernels does not count. GL thread of the current context.
 class Solver {
@@ -61,11 +43,7 @@ class Solver {
   /// move
   void setPlaces(std::span<const glm::vec3> places);
   /// Holds particles in places from now on; those that were held before are free. The border stays.
-  struct Held {
-    int particle = 0;
-    glm::vec3 placeMm{0.0f};
-  };
-  void hold(std::span<const Held> held);
+  void hold(std::span<const HeldParticle> held);
 
   void step(int count);
   /// Steps since something was changed.
@@ -95,8 +73,5 @@ class Solver {
   int mAge = 0;
   gpu::Buffer mPlaces, mVelocities, mPing, mPong, mKernels, mPlacedKernels, mRoom, mBend, mRest;
 };
-
-/// Mean edge of a frame, mm: the unit of forces is 1/128 of it.
-double meanEdgeMm(glm::dvec3 halfMm);
 
 }  // namespace velum::membrane

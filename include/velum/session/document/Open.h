@@ -55,6 +55,8 @@ struct FileKind {
 };
 /// Scenes, volumes, surfaces, pictures of ours, in the order of menus.
 std::vector<FileKind> readableKinds();
+/// Volumes only; labels come in files of the same kinds.
+std::vector<FileKind> volumeKinds();
 
 /// The phantoms that openSample() makes.
 std::vector<std::string> sampleNames();

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "velum/core/Clock.h"
 #include "velum/core/Task.h"
 #include "velum/membrane/sheet/SheetIndex.h"
 #include "velum/render/Frame.h"
@@ -43,7 +44,7 @@ class LiveSheet;
 /// hands them to pictures. At rest there is nothing to do. Without a window, so that laws can be told of it.
 ///
 /// What a scene asks for is always answered: until the new forces are there, the sheet stays in the world where the
-/// material holds it while its frame moves, and its rim goes with the frame. Passive sheets (IMC 3.3) then start from
+/// material holds it while its frame moves, and its rim goes with the frame. Passive sheets ([IMC] 3.3) then start from
 /// flat, unseen for as long as they hardly move; active ones go on from where they are.
 ///
 /// GL thread, but for what nextWork() hands out.
@@ -127,7 +128,7 @@ class MembranePlayer {
   };
   Out mOut;
   bool mPlaying = true;
-  double mIndexedAtMs = 0;
+  Clock::time_point mIndexedAt{};
 };
 
 }  // namespace velum::session

@@ -7,6 +7,7 @@
 #include "velum/core/Task.h"
 #include "velum/core/Volume.h"
 #include "velum/membrane/forces/KeptWhole.h"
+#include "velum/membrane/forces/Limit.h"
 #include "velum/scene/Scene.h"
 
 namespace velum::session {

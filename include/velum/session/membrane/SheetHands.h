@@ -11,7 +11,7 @@
 
 namespace velum::session {
 
-/// What hands put on a membrane: pins that hold it, kernels that push or pull it (IMC 3.3). Places are of the world,
+/// What hands put on a membrane: pins that hold it, kernels that push or pull it ([IMC] 3.3). Places are of the world,
 /// mm.
 
 /// Strength of a kernel that is put in by a drag, as of scene::UserKernel; a pulling one has its negative.

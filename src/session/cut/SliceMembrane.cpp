@@ -1,8 +1,10 @@
 // A membrane on a slice: the line of its frame, the curve of its sheet, and what can be taken hold of there.
+#include "SliceMembrane.h"
+
 #include <algorithm>
 #include <cmath>
 
-#include "cut/SliceGeometry.h"
+#include "SliceGeometry.h"
 #include "velum/membrane/sheet/SheetCurve.h"
 #include "velum/membrane/sheet/SheetIndex.h"
 #include "velum/session/cut/CutEdit.h"

@@ -1,3 +1,5 @@
+#include "velum/io/meshes/WriteMesh.h"
+
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>
 #include <vtkNew.h>
@@ -12,10 +14,9 @@
 
 #include <string>
 
-#include "../ReplaceFile.h"
-#include "read/FileTools.h"
+#include "read/Refuse.h"
 #include "read/VtkQuiet.h"
-#include "velum/io/meshes/WriteMesh.h"
+#include "velum/core/ReplaceFile.h"
 
 namespace velum::io {
 

@@ -1,3 +1,5 @@
+#include "velum/io/meshes/ReadMesh.h"
+
 #include <fmt/format.h>
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>
@@ -13,19 +15,19 @@
 #include <vtkXMLPolyDataReader.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstring>
+#include <iterator>
 #include <limits>
 #include <new>
 
 #include "PlySoundness.h"
-#include "read/FileTools.h"
-#include "read/Payload.h"
+#include "read/FileBytes.h"
+#include "read/FileNames.h"
 #include "read/VtkQuiet.h"
 #include "velum/core/Error.h"
-#include "velum/io/volumes/ReadVolume.h"
-#include "volumes/Readers.h"
 
 /// Surfaces. The files have no frame of their own; their numbers are taken as millimetres in LPS, as 3D Slicer and
 /// ITK-SNAP write them.
@@ -74,15 +76,25 @@ vtkSmartPointer<vtkPolyData> readWith(const Path& path, Progress& progress) {
   return reader->GetOutput();
 }
 
+struct MeshReader {
+  std::string_view extension;
+  vtkSmartPointer<vtkPolyData> (*read)(const Path&, Progress&);
+};
+// A new format is one row.
+constexpr MeshReader kReaders[] = {
+    {".stl", readWith<vtkSTLReader>},
+    {".ply", readWith<vtkPLYReader>},
+    {".obj", readWith<vtkOBJReader>},
+    {".vtp", readWith<vtkXMLPolyDataReader>},
+};
+
 vtkSmartPointer<vtkPolyData> readSurface(const Path& path, Progress& progress) {
   std::string extension = lowerExtension(path);
   checkCounts(path, extension);
   if (extension == ".ply") checkPly(path);
-  if (extension == ".stl") return readWith<vtkSTLReader>(path, progress);
-  if (extension == ".ply") return readWith<vtkPLYReader>(path, progress);
-  if (extension == ".obj") return readWith<vtkOBJReader>(path, progress);
-  if (extension == ".vtp") return readWith<vtkXMLPolyDataReader>(path, progress);
-  refuse(path, fmt::format("surfaces are read from .stl, .ply, .obj and .vtp, not '{}'", extension));
+  for (const MeshReader& reader : kReaders)
+    if (reader.extension == extension) return reader.read(path, progress);
+  refuse(path, fmt::format("surfaces are read from {}, not '{}'", fmt::join(meshExtensions(), ", "), extension));
 }
 
 /// Triangles only, with a normal at each vertex; the file's own normals are kept.
@@ -145,6 +157,15 @@ void checkIndices(vtkPolyData& surface, const Path& path) {
 }
 
 }  // namespace
+
+std::span<const std::string_view> meshExtensions() {
+  static constexpr auto kExtensions = [] {
+    std::array<std::string_view, std::size(kReaders)> all;
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = kReaders[i].extension;
+    return all;
+  }();
+  return kExtensions;
+}
 
 Mesh readMesh(const Path& path, Progress& progress) try {
   progress.report(0, "reading surface");

@@ -2,8 +2,9 @@
 #include <span>
 #include <string>
 
+#include "Readers.h"
+#include "read/Refuse.h"
 #include "velum/io/volumes/Formats.h"
-#include "volumes/Readers.h"
 
 namespace velum::io {
 
@@ -19,7 +20,7 @@ struct FormatRow {
   Format format;
   bool (*matches)(const FileHead&);  ///< The content says so. Null: only the extension can tell.
   Volume (*read)(const scene::Source&, Progress&);
-  void (*write)(const Volume&, const Path&, Progress&);  ///< Null when we do not write it.
+  void (*write)(const Volume&, ReplaceFile&, Progress&);  ///< Null when we do not write it. The caller commits.
 };
 
 std::span<const FormatRow> formatTable();

@@ -1,0 +1,23 @@
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <glm/glm.hpp>
+
+namespace velum {
+
+/// The direction of @p v with length 1, or @p fallback when there is none in it: shorter than 1e-12, infinite or not a
+/// number.
+inline glm::dvec3 unitOr(glm::dvec3 v, glm::dvec3 fallback) {
+  double length = glm::length(v);
+  return length > 1e-12 && std::isfinite(length) ? v / length : fallback;
+}
+
+/// From a point to the nearest of the segment from @p a to @p b, which may be one point.
+inline double distanceToSegment(glm::dvec2 p, glm::dvec2 a, glm::dvec2 b) {
+  glm::dvec2 ab = b - a;
+  double length2 = glm::dot(ab, ab);
+  double t = length2 > 0 ? std::clamp(glm::dot(p - a, ab) / length2, 0.0, 1.0) : 0.0;
+  return glm::length(p - a - ab * t);
+}
+
+}  // namespace velum

@@ -1,0 +1,25 @@
+#pragma once
+#include <filesystem>
+#include <vector>
+
+#include "velum/core/LabelVolume.h"
+#include "velum/core/Task.h"
+#include "velum/scene/Source.h"
+
+namespace velum::io {
+
+/// Reads a label volume: any integer volume format, 3D Slicer .seg.nrrd, DICOM SEG. Names and colours come from the
+/// file (Slicer segments, TotalSegmentator's NIfTI extension, DICOM segments) or from a table beside it with the same
+/// stem (.txt, .ctbl, .label, .lut), else are made up.
+/// @throw InputError as readVolume; also when values are not whole numbers in 0..65535
+LabelVolume readLabels(const scene::Source& source, Progress& progress);
+
+/// Reads names and colours: ITK-SNAP label description, 3D Slicer .ctbl/.txt colour table, MRIcron "id name" text.
+/// @throw InputError when no line can be used
+std::vector<LabelInfo> readLabelTable(const std::filesystem::path& path);
+
+/// True when the file is meant as labels: .seg.nrrd, DICOM SEG, NIfTI with a label intent or label extension, or a
+/// name that says so ("labels", "seg", "mask"). Looks at the header only.
+bool looksLikeLabels(const std::filesystem::path& path);
+
+}  // namespace velum::io

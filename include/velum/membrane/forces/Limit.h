@@ -1,0 +1,34 @@
+#pragma once
+#include "velum/core/Task.h"
+#include "velum/membrane/forces/KeptWhole.h"
+#include "velum/membrane/forces/Kernels.h"
+#include "velum/membrane/forces/LeastCut.h"
+#include "velum/scene/Scene.h"
+
+namespace velum::membrane {
+
+/// A lattice over a membrane's frame and reach with a ring of columns outside the frame, and a layer outside the reach
+/// at both ends. Where the frame's axes are the volume's, nodes are the voxels; else they are as far apart along each
+/// axis as voxels are along it. Each protected pair with a voxel in the frame's box is counted between the nodes that
+/// they are nearest to; pairs that step along several axes at once are shared out to the paths between their nodes.
+/// @param coarsening  nodes are so many voxels apart along each axis, >= 1
+CutLattice gatherLattice(const ProtectedVoxels& voxels, const scene::Cut& cut, double coarsening = 1.0);
+
+/// The sheet of a least cut as an answer to measureKeptWhole: stairs between the lattice's columns, and the plane
+/// beyond it. The lattice and the cut are copied.
+SideOfPoints sideOfLeastCut(const CutLattice& lattice, const LeastCut& cut);
+/// Its mean distance from the slice over the frame, mm.
+double meanDistanceMm(const CutLattice& lattice, const LeastCut& least, const scene::Cut& cut);
+
+/// The least cut area that any single-valued sheet in the frame and reach can have: the limit of the quality figure.
+struct KeptWholeLimit {
+  KeptWhole figure;
+  CutLattice lattice;
+  LeastCut least;
+  double coarsening = 1.0;  ///< > 1: the lattice is that much coarser than the voxels, as there were too many of them
+};
+/// Solves the least cut exactly on the lattice of gatherLattice(), and counts what its sheet separates as
+/// measureKeptWhole() does. @throw Cancelled
+KeptWholeLimit computeLimit(const ProtectedVoxels& voxels, const scene::Cut& cut, Progress& progress);
+
+}  // namespace velum::membrane

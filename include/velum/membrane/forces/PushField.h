@@ -1,0 +1,36 @@
+#pragma once
+#include <cmath>
+#include <glm/glm.hpp>
+#include <vector>
+
+namespace velum::membrane {
+
+/// A kernel put in by hand, in the frame.
+struct PlacedKernel {
+  glm::dvec3 centreMm{0.0};
+  double halfWidthMm = 1.0;
+  double push = 0.0;  ///< along the normal; sign: to which side
+  double pull = 0.0;  ///< > 0 away from the centre, < 0 to it
+  double liftMm =
+      0.0;  ///< raises the slice to which the sheet is pulled back, around the centre; along the normal only
+};
+
+/// What acts on the sheet: kernels on a regular lattice, by the rule they were prepared for.
+struct PushField {
+  glm::ivec3 dims{0};                ///< kernels along the lattice's axes, x fastest
+  std::vector<glm::vec2> strengths;  ///< push along the normal (signed by side), pull (> 0 away from the kernel)
+  glm::dmat4 kernelFromLocal{1.0};   ///< kernels at integers
+  double areaOfEffect = 2.0;         ///< half-width, kernels
+  std::vector<PlacedKernel> placed;
+};
+
+/// A particle that stays where it is put.
+struct HeldParticle {
+  int particle = 0;
+  glm::vec3 placeMm{0.0f};  ///< frame-local
+};
+
+/// Mean edge of a frame, mm: the unit of forces is 1/128 of it.
+inline double meanEdgeMm(glm::dvec3 halfMm) { return 2.0 * std::sqrt(halfMm.x * halfMm.y); }
+
+}  // namespace velum::membrane

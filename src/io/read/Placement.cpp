@@ -1,0 +1,58 @@
+#include "Placement.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace velum::io {
+
+glm::dmat4 gridMatrix(glm::dvec3 s, glm::dvec3 o) {
+  return {{s.x, 0.0, 0.0, 0.0}, {0.0, s.y, 0.0, 0.0}, {0.0, 0.0, s.z, 0.0}, {o.x, o.y, o.z, 1.0}};
+}
+
+bool isInvertible(const glm::dmat3& columns) {
+  double lengths = glm::length(columns[0]) * glm::length(columns[1]) * glm::length(columns[2]);
+  double volume = std::abs(glm::determinant(columns));
+  // A millionth of a box's volume: no scanner shears so far, and the inverse is still good to nine digits.
+  return std::isfinite(lengths) && lengths > 0 && volume > 1e-6 * lengths;
+}
+
+void placeInWorld(Volume& volume, const glm::dmat3& columns, const glm::dvec3& origin,
+                  const glm::dvec3& fallbackSpacing) {
+  glm::dmat3 axes = columns;
+  if (!isInvertible(axes)) {
+    glm::dvec3 spacing;
+    for (int i = 0; i < 3; ++i) {
+      bool usable = std::isfinite(fallbackSpacing[i]) && fallbackSpacing[i] > 0;
+      spacing[i] = usable ? fallbackSpacing[i] : 1.0;
+      if (!usable) volume.isSpacingKnown = false;
+    }
+    axes = glm::dmat3(spacing.x, 0, 0, 0, spacing.y, 0, 0, 0, spacing.z);
+    volume.isOrientationKnown = false;
+    volume.warnings.push_back(
+        fmt::format("the orientation in the file cannot be used; axes along x, y, z with {} x {} x {} mm were taken",
+                    spacing.x, spacing.y, spacing.z));
+  }
+  glm::dvec3 start = origin;
+  for (int i = 0; i < 3; ++i)
+    if (!std::isfinite(start[i])) {
+      start[i] = 0.0;
+      volume.warnings.push_back("the origin in the file is not a number; 0 was taken");
+    }
+  volume.worldFromVoxel = glm::dmat4(axes);
+  volume.worldFromVoxel[3] = glm::dvec4(start, 1.0);
+}
+
+void applySpacing(Volume& volume, const scene::Source& source) {
+  for (int axis = 0; axis < 3; ++axis) {
+    double wanted = source.spacingMm[axis];
+    auto& column = volume.worldFromVoxel[axis];
+    double length = glm::length(glm::dvec3(column));
+    if (wanted > 0 && std::isfinite(wanted) && length > 0) column *= wanted / length;
+  }
+  if (glm::all(glm::greaterThan(source.spacingMm, glm::dvec3(0.0)))) volume.isSpacingKnown = true;
+  if (!volume.isSpacingKnown)
+    volume.warnings.push_back("the file has no voxel spacing, 1 mm is taken; give it as spacing in mm (x, y, z)");
+}
+
+}  // namespace velum::io

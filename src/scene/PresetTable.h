@@ -1,0 +1,29 @@
+#pragma once
+#include <initializer_list>
+#include <span>
+
+#include "velum/scene/Presets.h"
+
+namespace velum::scene {
+
+/// What a relative preset takes as 0 and 1 in a volume.
+enum class Ends {
+  Background,  ///< The background, and the brightest share of what is not background.
+  BothTails,   ///< The outermost four thousandths on either side: amplitudes round zero, or no background at all.
+};
+
+/// A row of the table of presets: all that one is. Values as Preset says.
+struct PresetRow {
+  Preset preset;
+  std::initializer_list<ColorPoint> colors;
+  std::initializer_list<OpacityPoint> opacities;  ///< A mm when absolute, a voxel when relative.
+  double windowLevel, windowWidth;                ///< For slices.
+  double specular;
+  Ends ends = Ends::Background;
+  double brightShare = 0.01;  ///< So much of what is not background counts as fully bright.
+};
+
+/// In the order of menus.
+std::span<const PresetRow> presetTable();
+
+}  // namespace velum::scene

@@ -102,7 +102,7 @@ void sketchWhatIsAsked(const scene::VolumeLayer& layer, scene::ForceField& field
 }
 
 void protectWhatIsAsked(scene::Scene& scene, scene::Cut& cut, const MembraneOptions& options) {
-  auto& membrane = cut.membrane;
+  auto& membrane = *cut.membrane;
   if (!options.protect.empty()) {
     if (options.protect[0] >= options.protect[1]) throw ArgumentError("--protect A,B: A must be less than B");
     session::protectValues(membrane, options.protect[0], options.protect[1]);
@@ -130,18 +130,18 @@ std::vector<double> numbersOf(const char* option, const std::string& text, std::
 /// Pins and kernels, on every membrane of the scene whose frame is there.
 void putHandsOn(scene::Scene& scene, const MembraneOptions& options) {
   for (auto& cut : scene.cuts) {
-    if (cut.shape != scene::CutShape::Membrane) continue;
+    if (!scene::isMembrane(cut)) continue;
     for (const auto& text : options.kernels) {
       auto n = numbersOf("--kernel", text, 5, "x,y,z,radius,strength");
       if (!(n[3] > 0.0) || !(std::abs(n[4]) <= 1000.0))
         throw ArgumentError(
             fmt::format("--kernel {}: the radius must be more than 0, the strength within -1000 to 1000", text));
-      session::addKernel(cut.membrane, vectorOf(n), n[3], n[4]);
+      session::addKernel(*cut.membrane, vectorOf(n), n[3], n[4]);
     }
     for (const auto& text : options.pins) {
       auto pin = session::pinOver(cut, vectorOf(numbersOf("--pin", text, 3, "x,y,z")));
       if (!pin) throw ArgumentError(fmt::format("--pin {}: that is beside the frame of the membrane", text));
-      cut.membrane.pins.push_back(*pin);
+      cut.membrane->pins.push_back(*pin);
     }
   }
 }
@@ -156,13 +156,16 @@ bool asksForMembrane(const MembraneOptions& options) {
 void applyRule(scene::Scene& scene, const std::string& rule) {
   if (rule.empty()) return;
   for (auto& cut : scene.cuts)
-    session::setRule(cut.membrane, rule == "paper" ? scene::KernelRule::Paper : scene::KernelRule::Sided);
+    if (cut.membrane)
+      session::setRule(*cut.membrane, rule == "paper" ? scene::KernelRule::Paper : scene::KernelRule::Sided);
 }
 
-Json jsonOf(const session::MembraneReport& report, const scene::Cut& cut) {
-  Json json = {{"cut", report.cut},
+/// @param place  of the cut in the scene
+Json jsonOf(const session::MembraneReport& report, const scene::Cut& cut, int place) {
+  Json json = {{"cut", place},
+               {"id", report.cut},
                {"name", report.name},
-               {"rule", std::string(enumName(cut.membrane.field.rule))},
+               {"rule", std::string(enumName(cut.membrane->field.rule))},
                {"kernels", report.kernels},
                {"particles", {report.particles.x, report.particles.y}},
                {"steps", report.steps},
@@ -218,9 +221,9 @@ int run(const MembraneOptions& options) {
         "--sketch or --protect");
   if (isAsked || !session::hasMembranes(scene)) {
     scene::Cut cut = newMembrane(scene, options);
-    if (!isAsked) cut.membrane.field = session::defaultField(scene);
+    if (!isAsked) cut.membrane->field = session::defaultField(scene);
     protectWhatIsAsked(scene, cut, options);
-    scene.cuts.push_back(cut);
+    scene::addCut(scene, cut);
   }
   putHandsOn(scene, options);
   applyRule(scene, options.rule);
@@ -229,16 +232,16 @@ int run(const MembraneOptions& options) {
   consoleProgress().report(1.0, "");
   if (!options.saveScene.empty()) {
     // Where an active sheet rests is where it goes on from.
-    for (std::size_t i = 0; i < scene.cuts.size(); ++i)
-      if (scene.cuts[i].membrane.repositioning == scene::Repositioning::Active)
-        scene.cuts[i].membrane.shape = settled.cuts[i].membrane.shape;
+    for (auto& cut : scene.cuts)
+      if (cut.membrane && cut.membrane->repositioning == scene::Repositioning::Active)
+        cut.membrane->shape = scene::findCut(settled, cut.id)->membrane->shape;
     session::saveScene(scene, options.saveScene);
   }
   exportWhatIsAsked(settled, reports, options);
   Json list = Json::array();
   for (const auto& report : reports) {
     if (options.common.json)
-      list.push_back(jsonOf(report, settled.cuts[std::size_t(report.cut)]));
+      list.push_back(jsonOf(report, *scene::findCut(settled, report.cut), scene::cutPlace(settled, report.cut)));
     else
       printReport(report);
   }

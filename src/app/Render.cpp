@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <map>
 #include <optional>
 
 #include "Verbs.h"
@@ -56,22 +57,22 @@ class Sheets {
     wanted.camera = {};
     if (mWanted == wanted) return withShapes(step);
     mWanted = wanted;
-    scene::Scene settled = step;
-    for (std::size_t i = 0; i < mShapes.size() && i < settled.cuts.size(); ++i)
-      settled.cuts[i].membrane.shape = mShapes[i];
+    scene::Scene settled = withShapes(step);
     session::settleMembranes(settled, {}, consoleProgress());
     mShapes.clear();
-    for (const auto& cut : settled.cuts) mShapes.push_back(cut.membrane.shape);
+    for (const auto& cut : settled.cuts)
+      if (cut.membrane) mShapes[cut.id] = cut.membrane->shape;
     return settled;
   }
 
  private:
   scene::Scene withShapes(scene::Scene step) const {
-    for (std::size_t i = 0; i < mShapes.size(); ++i) step.cuts[i].membrane.shape = mShapes[i];
+    for (auto& cut : step.cuts)
+      if (auto known = mShapes.find(cut.id); known != mShapes.end()) cut.membrane->shape = known->second;
     return step;
   }
   std::optional<scene::Scene> mWanted;
-  std::vector<scene::SheetShape> mShapes;
+  std::map<int, scene::SheetShape> mShapes;  ///< by the id of the cut
 };
 
 scene::SliceKind sliceKind(const std::string& name) {

@@ -193,7 +193,7 @@ glm::ivec4 coveredRect(const shared::FrameParams& params, const Frame& frame) {
 namespace {
 
 void addMembrane(shared::CutData& data, const scene::Cut& cut, glm::ivec4 sheet) {
-  const scene::Membrane& membrane = cut.membrane;
+  const scene::Membrane& membrane = *cut.membrane;
   data.kind.w = membrane.use == scene::MembraneUse::Slice ? shared::kMembraneSlice : shared::kMembraneClip;
   data.sheet = {glm::ivec3(sheet), static_cast<int>(membrane.look)};
   double falloff = membrane.falloffMm > 0 ? membrane.falloffMm : cut.sizeMm.z * 0.5;
@@ -205,10 +205,8 @@ void addMembrane(shared::CutData& data, const scene::Cut& cut, glm::ivec4 sheet)
 
 }  // namespace
 
-std::vector<shared::CutData> makeCutData(const scene::Scene& scene, glm::dvec3 origin,
-                                         std::span<const glm::ivec4> sheets) {
+std::vector<shared::CutData> makeCutData(const scene::Scene& scene, glm::dvec3 origin, const SheetPlans& sheets) {
   std::vector<shared::CutData> out;
-  std::size_t membranes = 0;
   for (const auto& cut : scene.cuts) {
     if (!cut.enabled) continue;
     glm::dmat4 sceneFromCut = scene::worldFromCut(cut);
@@ -219,7 +217,7 @@ std::vector<shared::CutData> makeCutData(const scene::Scene& scene, glm::dvec3 o
     data.halfSize = v4(half, cut.invert ? -1.0 : 1.0);
     data.kind = {static_cast<int>(cut.shape), cut.face == scene::CutFace::Slice ? 1 : 0, cut.exempt.empty() ? 0 : 1, 0};
     data.face = {float(cut.faceOpacity), 0, 0, 0};
-    if (cut.shape == scene::CutShape::Membrane) addMembrane(data, cut, sheets[membranes++]);
+    if (scene::isMembrane(cut)) addMembrane(data, cut, sheets.at(cut.id));
     out.push_back(data);
   }
   return out;

@@ -1,10 +1,10 @@
 #pragma once
 #include <glm/glm.hpp>
-#include <span>
 #include <vector>
 
 #include "shared/cut.h"
 #include "shared/frame.h"
+#include "upload/CutSheets.h"
 #include "upload/TransferTable.h"
 #include "upload/VolumeUpload.h"
 #include "velum/render/Frame.h"
@@ -36,9 +36,7 @@ glm::vec3 pointOnRay(const shared::FrameParams& params, glm::ivec2 pixel, float 
 glm::ivec4 coveredRect(const shared::FrameParams& params, const Frame& frame);
 
 /// The enabled cuts as the shaders read them, in the scene frame.
-/// @param sheets  CutData::sheet of the enabled membranes, without their looks
-std::vector<shared::CutData> makeCutData(const scene::Scene& scene, glm::dvec3 origin,
-                                         std::span<const glm::ivec4> sheets);
+std::vector<shared::CutData> makeCutData(const scene::Scene& scene, glm::dvec3 origin, const SheetPlans& sheets);
 
 /// Colour and opacity by label id, [largest id + 1]; row 0 unused.
 std::vector<shared::StructureRow> makeStructureRows(const scene::LabelLayer& labels);

@@ -70,7 +70,7 @@ struct Renderer::Impl {
   /// All that the light grid's material depends on.
   struct MaterialKey {
     scene::Scene scene;
-    std::vector<FrameSheet> sheets;
+    std::map<int, FrameSheet> sheets;
     bool operator==(const MaterialKey&) const = default;
   };
   std::optional<MaterialKey> extinctionKey;  ///< What the light grid's material was made for.

@@ -34,9 +34,10 @@ scene::Scene materialKey(const scene::Scene& scene) {
   for (auto& structure : key.labels.structures) structure.color = {};
   for (auto& cut : key.cuts) {
     cut.name.clear();
-    cut.membrane = scene::drawnMembrane(std::move(cut.membrane));
-    cut.membrane.look = {};
-    cut.membrane.sliceOpacity = 0;
+    if (!cut.membrane) continue;
+    cut.membrane = scene::drawnMembrane(std::move(*cut.membrane));
+    cut.membrane->look = {};
+    cut.membrane->sliceOpacity = 0;
   }
   return key;
 }
@@ -174,8 +175,8 @@ void Renderer::Impl::prepareParams(const TransferTable& table) {
   if (!cutData.empty()) params.flags |= shared::kFlagCuts;
   for (const scene::Cut* cut : membranesOf(scene)) {
     params.flags |= shared::kFlagMembranes;
-    if (cut->membrane.use == scene::MembraneUse::Slice) params.flags |= shared::kFlagSlices;
-    if (cut->membrane.look != scene::SheetLook::Hidden) params.flags |= shared::kFlagSheets;
+    if (cut->membrane->use == scene::MembraneUse::Slice) params.flags |= shared::kFlagSlices;
+    if (cut->membrane->look != scene::SheetLook::Hidden) params.flags |= shared::kFlagSheets;
   }
   if (params.flags & shared::kFlagSlices) {
     if (!frame.parts.front) params.flags |= shared::kFlagHideFront;
@@ -291,10 +292,8 @@ void Renderer::Impl::bindAll() {
 Renderer::Impl::MaterialKey Renderer::Impl::materialKeyOf(const Frame& of) const {
   MaterialKey key{materialKey(of.scene), of.sheets};
   // What a live sheet stands for is not looked at.
-  std::size_t membrane = 0;
   for (auto& cut : key.scene.cuts)
-    if (cut.enabled && cut.shape == scene::CutShape::Membrane && liveSheet(of, membrane++, cut))
-      cut.membrane.shape = {};
+    if (cut.enabled && scene::isMembrane(cut) && liveSheet(of, cut)) cut.membrane->shape = {};
   return key;
 }
 

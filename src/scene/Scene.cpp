@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
+#include <utility>
 
 #include "velum/core/Vectors.h"
 
@@ -74,6 +76,53 @@ StandardView defaultView(const Scene& scene) {
   return isPatient ? StandardView::Anterior : StandardView::Oblique;
 }
 
+const Cut* findCut(const Scene& scene, int id) {
+  int place = cutPlace(scene, id);
+  return place < 0 ? nullptr : &scene.cuts[std::size_t(place)];
+}
+
+Cut* findCut(Scene& scene, int id) { return const_cast<Cut*>(findCut(std::as_const(scene), id)); }
+
+int cutPlace(const Scene& scene, int id) {
+  if (id <= 0) return -1;
+  auto found = std::find_if(scene.cuts.begin(), scene.cuts.end(), [id](const Cut& cut) { return cut.id == id; });
+  return found == scene.cuts.end() ? -1 : int(found - scene.cuts.begin());
+}
+
+int nextCutId(const Scene& scene) {
+  std::set<int> taken;
+  for (const auto& cut : scene.cuts) taken.insert(cut.id);
+  int last = taken.empty() ? 0 : std::max(0, *taken.rbegin());
+  if (last < kMostCutId) return last + 1;
+  // Only a file can bring so large a number: take the first that is free.
+  int id = 1;
+  while (taken.contains(id)) ++id;
+  return id;
+}
+
+int addCut(Scene& scene, Cut cut) {
+  cut.id = nextCutId(scene);
+  scene.cuts.push_back(std::move(cut));
+  return scene.cuts.back().id;
+}
+
+void completeCuts(Scene& scene) {
+  std::set<int> taken;
+  std::vector<Cut*> nameless;
+  for (auto& cut : scene.cuts) {
+    if (cut.id <= 0 || !taken.insert(cut.id).second) nameless.push_back(&cut);
+    if (!isMembrane(cut))
+      cut.membrane.reset();
+    else if (!cut.membrane)
+      cut.membrane.emplace();
+  }
+  int next = taken.empty() || *taken.rbegin() > kMostCutId - int(nameless.size()) ? 1 : *taken.rbegin() + 1;
+  for (Cut* cut : nameless) {
+    while (!taken.insert(next).second) ++next;
+    cut->id = next;
+  }
+}
+
 glm::dmat4 worldFromCut(const Cut& cut) {
   glm::dvec3 z = unitOr(cut.axis, {0, 0, 1});
   glm::dvec3 helper = std::abs(z.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0);
@@ -136,10 +185,7 @@ void setWindow(VolumeLayer& layer, double level, double width) {
 }
 
 namespace {
-bool showsSlice(const Cut& cut) {
-  bool isSlice = cut.shape == CutShape::Membrane && cut.membrane.use == MembraneUse::Slice;
-  return isSlice || cut.face == CutFace::Slice;
-}
+bool showsSlice(const Cut& cut) { return isInlay(cut) || cut.face == CutFace::Slice; }
 }  // namespace
 
 bool usesWindow(const Scene& scene) {
@@ -160,7 +206,8 @@ Membrane drawnMembrane(Membrane membrane) {
 
 Scene pictureScene(Scene scene) {
   scene.slices = {};
-  for (auto& cut : scene.cuts) cut.membrane = drawnMembrane(std::move(cut.membrane));
+  for (auto& cut : scene.cuts)
+    if (cut.membrane) cut.membrane = drawnMembrane(std::move(*cut.membrane));
   if (!usesWindow(scene)) {
     scene.volume.windowLevel = scene.volume.windowWidth = 0.0;
     for (auto& look : scene.volume.channels) look.windowLevel = look.windowWidth = 0.0;

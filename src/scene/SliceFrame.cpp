@@ -144,7 +144,8 @@ Scene sliceScene(Scene scene) {
   for (auto& cut : scene.cuts) {
     cut.face = {};
     cut.faceOpacity = 1.0;
-    Membrane membrane = drawnMembrane(std::move(cut.membrane)), shown;
+    if (!cut.membrane) continue;
+    Membrane membrane = drawnMembrane(std::move(*cut.membrane)), shown;
     shown.use = membrane.use;
     shown.shape = std::move(membrane.shape);
     shown.cloth = membrane.cloth;

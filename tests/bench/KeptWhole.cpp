@@ -86,7 +86,7 @@ scene::Cut membraneAt(const scene::Scene& scene, glm::dvec3 click, int axis, dou
   seen.camera.eyeMm = seen.camera.targetMm + along * 1000.0;
   scene::Cut cut = session::makeCut(seen, scene::CutShape::Membrane);
   cut.centreMm = centreMm(volume) + along * (spacingMm(volume)[axis] * volume.dims[axis] * (share - 0.5));
-  session::protectTissue(cut.membrane, scene.volume, click);
+  session::protectTissue(*cut.membrane, scene.volume, click);
   return cut;
 }
 
@@ -104,8 +104,8 @@ std::vector<Plane> sweep(const Protected& what, bool isPhantom, int positions) {
       scene.cuts = {membraneAt(scene, click, axis, (i + 1.0) / (positions + 1))};
       auto sided = session::settleMembranes(scene, {true, true}, progress);
       if (sided[0].kept->cutAreaPlane < kLeastPairs) continue;
-      scene.cuts[0].membrane.shape = {};
-      session::setRule(scene.cuts[0].membrane, scene::KernelRule::Paper);
+      scene.cuts[0].membrane->shape = {};
+      session::setRule(*scene.cuts[0].membrane, scene::KernelRule::Paper);
       auto paper = session::settleMembranes(scene, {true, false}, progress);
       planes.push_back({paper[0].kept->ratio, sided[0].kept->ratio, sided[0].limit->figure.ratio,
                         paper[0].kept->meanDistanceMm, sided[0].kept->meanDistanceMm,

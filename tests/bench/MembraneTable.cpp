@@ -68,14 +68,14 @@ Rates ratesOf(const scene::Scene& scene, int pictures) {
   membrane::ForceMaker maker(scene);
   membrane::Simulation simulation;
   simulation.begin(cut, maker.compute(cut, {}, progress), {});
-  auto sheet = std::make_shared<membrane::Sheet>(scene::SheetShape(), cut.membrane.cloth.particles, cut.sizeMm);
+  auto sheet = std::make_shared<membrane::Sheet>(scene::SheetShape(), cut.membrane->cloth.particles, cut.sizeMm);
   render::Renderer renderer(sharedContext());
   render::Frame frame;
   frame.scene = scene;
   frame.pictureSize = kPicture;
   auto draw = [&](int i) {
     frame.scene.camera = turned(scene.camera, i, 200);
-    frame.sheets = {{sheet, sheet->revision()}};
+    frame.sheets[cut.id] = {sheet, sheet->revision()};
     renderer.render(frame, progress);
   };
   auto step = [&] {
@@ -112,7 +112,7 @@ void measureMembraneTable(const Options& options, Report& report) {
     scene.camera = scene::frameCamera(scene, scene::StandardView::Anterior, double(kPicture.x) / kPicture.y);
     scene = plain(scene);
     scene.cuts = {session::makeCut(scene, scene::CutShape::Membrane)};
-    scene::Membrane& membrane = scene.cuts[0].membrane;
+    scene::Membrane& membrane = *scene.cuts[0].membrane;
     membrane.field.level = row.level;
     std::size_t kernels = protectFor(options.quick ? row.kernels / 8 : row.kernels, membrane::Potential(scene),
                                      scene.volume.data->range, membrane);

@@ -46,11 +46,12 @@ TEST_F(CutWindow, EveryShapeIsAddedNamedEditedAndMoved) {
   ASSERT_EQ(scene().cuts.size(), 5u);
   EXPECT_EQ(scene().cuts[1].shape, scene::CutShape::Sphere);
   EXPECT_EQ(scene().cuts[1].name, "Sphere 2");
-  EXPECT_EQ(mWindow->selection().cut(), 4);
+  EXPECT_EQ(mWindow->selection().cut(), scene().cuts[4].id);
   auto* cuts = child<QListWidget>("cutList");
   cuts->setCurrentRow(0);
-  EXPECT_EQ(mWindow->selection().cut(), 0);
-  EXPECT_EQ(viewport().selectedCut(), 0);
+  int window = scene().cuts[0].id;
+  EXPECT_EQ(mWindow->selection().cut(), window);
+  EXPECT_EQ(viewport().selectedCut(), window);
   child<QDoubleSpinBox>("cutSize1")->setValue(12.5);
   child<QDoubleSpinBox>("cutCentre2")->setValue(-3.5);
   child<QDoubleSpinBox>("cutAzimuth")->setValue(90.0);
@@ -64,11 +65,20 @@ TEST_F(CutWindow, EveryShapeIsAddedNamedEditedAndMoved) {
   EXPECT_FALSE(scene().cuts[0].enabled);
   QTest::mouseClick(child<QPushButton>("cutDown"), Qt::LeftButton);
   EXPECT_EQ(scene().cuts[1].name, "window");
-  EXPECT_EQ(mWindow->selection().cut(), 1);
+  EXPECT_EQ(scene().cuts[1].id, window);
+  EXPECT_EQ(mWindow->selection().cut(), window);
   QTest::mouseClick(child<QPushButton>("cutDuplicate"), Qt::LeftButton);
   EXPECT_EQ(scene().cuts[2].name, "window copy");
+  EXPECT_EQ(mWindow->selection().cut(), scene().cuts[2].id);
   QTest::mouseClick(child<QPushButton>("cutRemove"), Qt::LeftButton);
   EXPECT_EQ(scene().cuts.size(), 5u);
+  EXPECT_EQ(mWindow->selection().cut(), scene().cuts[2].id) << "what stands there now";
+  mWindow->selection().setCut(window);
+  document().undo();
+  document().undo();
+  document().undo();
+  EXPECT_EQ(scene().cuts[0].id, window);
+  EXPECT_EQ(mWindow->selection().cut(), window) << "undo brings places back, and ids stay";
 }
 
 TEST_F(CutWindow, AFaceIsDraggedWithItsHandle) {

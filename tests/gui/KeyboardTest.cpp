@@ -251,13 +251,13 @@ TEST_P(Keyboard, ReachesAllOfTheCuts) {
   open({"phantom.nrrd", "phantom_labels.seg.nrrd"});
   for (auto shape : {scene::CutShape::Plane, scene::CutShape::Box})
     mWindow->document().edit("Add cut", [&](scene::Scene& scene) {
-      scene.cuts.emplace_back();
+      scene::addCut(scene, {});
       scene.cuts.back().shape = shape;
       scene.cuts.back().face = scene::CutFace::Slice;
     });
   tabs().setCurrentIndex(2);
   for (int cut : {0, 1}) {
-    mWindow->selection().setCut(cut);
+    mWindow->selection().setCut(mWindow->document().scene().cuts[std::size_t(cut)].id);
     mWindow->viewport().setFocus();
     expectKeysReachAll(*mWindow);
     expectReadingOrder(walk(*mWindow, false), panel());

@@ -30,16 +30,16 @@ class MembraneWindow : public Window {
     ASSERT_EQ(scene().cuts.size(), 1u);
     ASSERT_TRUE(settle());
   }
-  session::MembraneStatus status() { return *viewport().membranes().status(0); }
+  session::MembraneStatus status() { return *viewport().membranes().status(scene().cuts[0].id); }
   QImage picture() { return viewport().grabFramebuffer(); }
-  scene::SheetShape shape() { return viewport().membranes().withShapes(scene()).cuts[0].membrane.shape; }
+  scene::SheetShape shape() { return viewport().membranes().withShapes(scene()).cuts[0].membrane->shape; }
 };
 
 TEST_F(MembraneWindow, ANewOneKeepsWholeWhatIsShownMost) {
   addMembrane();
   EXPECT_EQ(scene().cuts[0].shape, scene::CutShape::Membrane);
   EXPECT_EQ(document().undoLabel(), "Add membrane");
-  EXPECT_FALSE(scene().cuts[0].membrane.field.byValue.empty());
+  EXPECT_FALSE(scene().cuts[0].membrane->field.byValue.empty());
   ASSERT_TRUE(status().isMeasured);
   EXPECT_GT(status().planePairs, 0);
   EXPECT_LT(status().keptWhole, 1.0);  // one ball fills the middle: no sheet in reach goes around it
@@ -108,7 +108,7 @@ TEST_F(MembraneWindow, AnActiveOneIsWrittenIntoTheSceneWithoutAStepOfItsOwn) {
   moving->setCurrentIndex(1);
   emit moving->activated(1);
   ASSERT_TRUE(settle());
-  EXPECT_FALSE(scene().cuts[0].membrane.shape.places.empty());
+  EXPECT_FALSE(scene().cuts[0].membrane->shape.places.empty());
   auto steps = document().undoLabels();
   ASSERT_GE(steps.size(), 2u);
   EXPECT_EQ(steps[0], "Change membrane: moving");
@@ -125,20 +125,20 @@ TEST_F(MembraneWindow, TheCurveIsDraggedAsOneStep) {
   addMembrane();
   auto* canvas = child<StrengthCanvas>("strengthCanvas");
   ASSERT_TRUE(canvas && canvas->isVisible());
-  auto curve = scene().cuts[0].membrane.field.byValue;
+  auto curve = scene().cuts[0].membrane->field.byValue;
   ASSERT_FALSE(curve.empty());
   std::size_t at = 1;
   QPoint from = canvas->placeOf(curve[at]).toPoint();
   drag(*canvas, from, from + QPoint(0, -20));
   EXPECT_EQ(document().undoLabel(), "Move force point");
-  EXPECT_GT(scene().cuts[0].membrane.field.byValue[at].strength, curve[at].strength);
+  EXPECT_GT(scene().cuts[0].membrane->field.byValue[at].strength, curve[at].strength);
   document().undo();
-  EXPECT_EQ(scene().cuts[0].membrane.field.byValue, curve);
+  EXPECT_EQ(scene().cuts[0].membrane->field.byValue, curve);
   EXPECT_EQ(document().undoLabel(), "Add membrane");
   canvas->setFocus();
   QTest::keyClick(canvas, Qt::Key_PageDown);
   QTest::keyClick(canvas, Qt::Key_Delete);
-  EXPECT_EQ(scene().cuts[0].membrane.field.byValue.size(), curve.size() - 1);
+  EXPECT_EQ(scene().cuts[0].membrane->field.byValue.size(), curve.size() - 1);
   ASSERT_TRUE(settle());
 }
 
@@ -146,13 +146,13 @@ TEST_F(MembraneWindow, AClickProtectsAStructureOrLetsTheSheetThrough) {
   openWithLabels();
   mWindow->actions().find("cut.addMembrane")->trigger();
   ASSERT_TRUE(settle());
-  document().edit("Clear", [](scene::Scene& scene) { scene.cuts[0].membrane.field = {}; });
+  document().edit("Clear", [](scene::Scene& scene) { scene.cuts[0].membrane->field = {}; });
   ASSERT_TRUE(settle());
   QTest::mouseClick(child<QPushButton>("protectThis"), Qt::LeftButton);
   // Whatever is under the middle, or beside it.
-  for (int x = 0; x < viewport().width() && scene().cuts[0].membrane.field == scene::ForceField(); x += 15)
+  for (int x = 0; x < viewport().width() && scene().cuts[0].membrane->field == scene::ForceField(); x += 15)
     QTest::mouseClick(&viewport(), Qt::LeftButton, {}, QPoint(x, viewport().height() / 2));
-  EXPECT_FALSE(scene().cuts[0].membrane.field == scene::ForceField());
+  EXPECT_FALSE(scene().cuts[0].membrane->field == scene::ForceField());
   EXPECT_EQ(document().undoLabel(), "Protect from sheet");
   EXPECT_FALSE(child<QPushButton>("protectThis")->isChecked());
   ASSERT_TRUE(settle());

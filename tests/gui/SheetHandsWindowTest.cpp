@@ -25,7 +25,7 @@ class SheetHandsWindow : public Window {
     ASSERT_TRUE(settle());
   }
   session::Document& document() { return mWindow->document(); }
-  const scene::Membrane& membrane() { return scene().cuts[0].membrane; }
+  const scene::Membrane& membrane() { return *scene().cuts[0].membrane; }
   void press(const char* action) { mWindow->actions().find(action)->trigger(); }
   QPoint pixelOf(glm::dvec3 world) {
     auto pixel = scene::pixelFromWorld(scene().camera, size(), world).value();
@@ -33,7 +33,7 @@ class SheetHandsWindow : public Window {
   }
   /// How far the sheet passes from a pin, mm.
   double offPin(const scene::Pin& pin) {
-    auto sheet = viewport().membranes().index(0);
+    auto sheet = viewport().membranes().index(scene().cuts[0].id);
     glm::dvec3 normal(scene::worldFromCut(scene().cuts[0])[2]);
     auto point = session::sheetOnRay(scene().cuts[0], *sheet, {pin.placeMm + normal * 1000.0, -normal});
     return point ? glm::length(point->placeMm - pin.placeMm) : 1e30;
@@ -139,9 +139,9 @@ TEST_F(SheetHandsWindow, Shots) {
       return glm::dvec3(world * glm::dvec4(glm::dvec3(x, y, z) * cut.sizeMm, 1.0));
     };
     double r = 0.11 * cut.sizeMm.x;
-    cut.membrane.pins = {{{0.75, 0.5}, at(0.25, 0.0, 0.35)}, {{0.5, 0.8}, at(0.0, 0.3, -0.2)}};
-    cut.membrane.field.kernels = {{at(-0.3, -0.3, 0.05), r, 500}, {at(-0.2, 0.3, -0.25), 1.2 * r, -800}};
-    cut.membrane.look = scene::SheetLook::Grid;
+    cut.membrane->pins = {{{0.75, 0.5}, at(0.25, 0.0, 0.35)}, {{0.5, 0.8}, at(0.0, 0.3, -0.2)}};
+    cut.membrane->field.kernels = {{at(-0.3, -0.3, 0.05), r, 500}, {at(-0.2, 0.3, -0.25), 1.2 * r, -800}};
+    cut.membrane->look = scene::SheetLook::Grid;
     cut.sizeMm.x *= 0.85;
     cut.sizeMm.y *= 0.85;
   });

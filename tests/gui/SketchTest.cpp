@@ -21,7 +21,7 @@ class SketchWindow : public Window {
   }
   session::Document& document() { return mWindow->document(); }
   SketchTool& tool() { return mWindow->sketch(); }
-  const scene::ForceField& field() { return scene().cuts[0].membrane.field; }
+  const scene::ForceField& field() { return scene().cuts[0].membrane->field; }
   SliceView& axial() { return mWindow->views().slice(scene::SliceKind::Axial); }
   void addMembrane() {
     document().view([](scene::Scene& scene) { scene.rayCast.samplesPerPixel = 1; });
@@ -142,7 +142,7 @@ TEST_F(SketchWindow, StructuresHaveForcesInATable) {
   auto* table = child<QTableWidget>("strengthTable");
   auto* add = child<QComboBox>("strengthAdd");
   ASSERT_TRUE(table && add);
-  document().edit("Clear", [](scene::Scene& scene) { scene.cuts[0].membrane.field = {}; });
+  document().edit("Clear", [](scene::Scene& scene) { scene.cuts[0].membrane->field = {}; });
   ASSERT_EQ(table->rowCount(), 0);
   ASSERT_EQ(add->count(), int(scene().labels.structures.size()) + 1);
   add->setCurrentIndex(1);
@@ -178,7 +178,7 @@ TEST_F(SketchWindow, ExportsTheSheetThatIsShownAndTheClippedVolume) {
   mWindow->exportSheetTo(path("sheet.obj"));
   ASSERT_TRUE(waitForJob());
   EXPECT_TRUE(mWindow->lastError().isEmpty()) << mWindow->lastError().toStdString();
-  scene::SheetShape shape = viewport().membranes().withShapes(scene()).cuts[0].membrane.shape;
+  scene::SheetShape shape = viewport().membranes().withShapes(scene()).cuts[0].membrane->shape;
   EXPECT_EQ(bytesOf(path("sheet.obj")).count("\nv "), shape.particles.x * shape.particles.y);
   mWindow->exportClippedTo(path("clipped.nrrd"));
   ASSERT_TRUE(waitForJob());

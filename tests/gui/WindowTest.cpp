@@ -79,7 +79,7 @@ TEST_F(Window, GizmoMovesTheCutAlongItsNormalInOneStep) {
   viewport().lookFrom(scene::StandardView::Oblique);
   QTest::mouseClick(child<QPushButton>("addPlane"), Qt::LeftButton);
   ASSERT_EQ(scene().cuts.size(), 1u);
-  EXPECT_EQ(viewport().selectedCut(), 0);
+  EXPECT_EQ(viewport().selectedCut(), scene().cuts[0].id);
   viewport().lookFrom(scene::StandardView::Left);  // so that the arrow lies across the view
   scene::Cut before = scene().cuts[0];
   auto gizmo = session::makeCutGizmo(scene(), before, size());
@@ -98,12 +98,12 @@ TEST_F(Window, GizmoMovesTheCutAlongItsNormalInOneStep) {
   mWindow->document().undo();
   mWindow->document().undo();
   EXPECT_TRUE(scene().cuts.empty());
-  EXPECT_EQ(viewport().selectedCut(), -1);
+  EXPECT_EQ(viewport().selectedCut(), 0);
 }
 
 TEST_F(Window, KnobTiltsTheCut) {
   openPhantom();
-  mWindow->document().edit("Add cut", [](scene::Scene& s) { s.cuts.push_back(session::cutFacingCamera(s)); });
+  mWindow->document().edit("Add cut", [](scene::Scene& s) { scene::addCut(s, session::cutFacingCamera(s)); });
   scene::Cut before = scene().cuts[0];
   auto gizmo = session::makeCutGizmo(scene(), before, size());
   auto knob = scene::pixelFromWorld(scene().camera, size(), handlePlaceMm(gizmo, session::CutHandle::KnobRight));
@@ -132,7 +132,7 @@ TEST_F(Window, PresetIsOneUndoStep) {
 
 TEST_F(Window, SavedPictureEqualsTheHeadlessOne) {
   openPhantom();
-  mWindow->document().edit("Add cut", [](scene::Scene& s) { s.cuts.push_back(session::cutFacingCamera(s)); });
+  mWindow->document().edit("Add cut", [](scene::Scene& s) { scene::addCut(s, session::cutFacingCamera(s)); });
   drag({200, 200}, {260, 180});
   mWindow->saveSceneTo(path("scene.json"));
   mWindow->savePictureTo(path("window.png"), {{160, 120}, 2, false, false}, scene());

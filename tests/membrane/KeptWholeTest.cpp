@@ -29,6 +29,7 @@ scene::Scene sceneOf(glm::ivec3 dims, IsProtected isProtected, const glm::dmat4&
 scene::Cut cutAlong(const Volume& volume, int axis, bool backwards, glm::dvec3 sizeMm, double spinDeg = 0.0) {
   scene::Cut cut;
   cut.shape = scene::CutShape::Membrane;
+  cut.membrane.emplace();
   cut.centreMm = centreMm(volume);
   cut.axis = direction(volume)[axis] * (backwards ? -1.0 : 1.0);
   cut.spinDeg = spinDeg;

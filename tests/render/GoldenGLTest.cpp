@@ -51,11 +51,11 @@ void setFields(scene::Scene& scene, const Json& fields) {
 scene::Cut restOf(scene::Cut cut) {
   scene::Cut plain;
   cut.face = plain.face;
-  cut.membrane.use = plain.membrane.use;
-  cut.membrane.look = plain.membrane.look;
-  cut.membrane.sliceOpacity = plain.membrane.sliceOpacity;
-  cut.membrane.emphasis = plain.membrane.emphasis;
-  cut.membrane.falloffMm = plain.membrane.falloffMm;
+  cut.membrane->use = plain.membrane->use;
+  cut.membrane->look = plain.membrane->look;
+  cut.membrane->sliceOpacity = plain.membrane->sliceOpacity;
+  cut.membrane->emphasis = plain.membrane->emphasis;
+  cut.membrane->falloffMm = plain.membrane->falloffMm;
   return cut;
 }
 
@@ -83,13 +83,13 @@ class Panels {
     if (!session::hasMembranes(scene)) return;
     scene::Cut& cut = scene.cuts[0];
     if (scene::Cut rest = restOf(cut); mRest != rest) {
-      bool isActive = cut.membrane.repositioning == scene::Repositioning::Active;
-      if (isActive) cut.membrane.shape = mShape;
+      bool isActive = cut.membrane->repositioning == scene::Repositioning::Active;
+      if (isActive) cut.membrane->shape = mShape;
       session::settleMembranes(scene, {}, mProgress);
       mRest = rest;
-      mShape = cut.membrane.shape;
+      mShape = cut.membrane->shape;
     }
-    cut.membrane.shape = mShape;
+    cut.membrane->shape = mShape;
   }
 
   const Json& mWhat;

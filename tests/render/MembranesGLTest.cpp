@@ -15,13 +15,15 @@ const glm::dvec3 kFrame(34, 38, 22);
 
 scene::Cut membraneOf(const scene::SheetShape& shape, glm::dvec3 axis = {0.2, -1, 0.1}, glm::dvec3 size = kFrame) {
   scene::Cut cut;
+  cut.id = 1;
   cut.shape = scene::CutShape::Membrane;
+  cut.membrane.emplace();
   cut.centreMm = {1, 2, -1};
   cut.axis = axis;
   cut.spinDeg = 12;
   cut.sizeMm = size;
-  cut.membrane.cloth.particles = kParticles;
-  cut.membrane.shape = shape;
+  cut.membrane->cloth.particles = kParticles;
+  cut.membrane->shape = shape;
   return cut;
 }
 
@@ -184,6 +186,7 @@ TEST_F(MembranesGL, SeveralAndOtherCutsTogether) {
   scene.cuts = {membraneOf(wavySheet(kParticles, kFrame)),
                 membraneOf(foldedSheet({30, 30}, {30, 30, 20}), {1, 0.3, 0.2}, {30, 30, 20})};
   scene.cuts[1].centreMm = {12, 0, 0};
+  scene::completeCuts(scene);
   expectAgrees(scene, "two membranes");
   scene::Cut box;
   box.shape = scene::CutShape::Box;
@@ -203,8 +206,8 @@ TEST_F(MembranesGL, LeapingAndEarlyEndsChangeNothing) {
       scene.rayCast.mode = scene::RenderMode(mode);
       scene.rayCast.isoValue = 420;
       scene.cuts = {membraneOf(foldedSheet({30, 30}, kFrame))};
-      scene.cuts[0].membrane.use = use;
-      scene.cuts[0].membrane.look = scene::SheetLook::Surface;
+      scene.cuts[0].membrane->use = use;
+      scene.cuts[0].membrane->look = scene::SheetLook::Surface;
       Image fast = draw(scene);
       scene.rayCast.skipEmpty = scene.rayCast.stopOpaque = false;
       expectSame(fast, draw(scene), 1.5, "mode " + std::to_string(mode) + " use " + std::to_string(int(use)));
@@ -265,21 +268,21 @@ TEST_F(MembranesGL, ALiveSheetShowsAsItsShapeWouldAndItsStepsMakeFramesDiffer) {
   saved.cuts = {membraneOf(wavySheet(kParticles, kFrame))};
   Image wanted = draw(saved);
   render::Frame frame = frameOf(saved, {96, 96});
-  frame.scene.cuts[0].membrane.shape = {};
+  frame.scene.cuts[0].membrane->shape = {};
   auto sheet = std::make_shared<membrane::Sheet>(scene::SheetShape{}, kParticles, kFrame);
-  frame.sheets = {{sheet, sheet->revision()}};
+  frame.sheets[frame.scene.cuts[0].id] = {sheet, sheet->revision()};
   Progress progress;
   renderer().render(frame, progress);
   Image flat = renderer().read();
   EXPECT_GT(differenceOf(flat, wanted).mean, 0.5);
-  sheet->setShape(saved.cuts[0].membrane.shape, kParticles, kFrame);
+  sheet->setShape(saved.cuts[0].membrane->shape, kParticles, kFrame);
   EXPECT_TRUE(renderer().work(frame, 0.0)) << "a frame is a moment: this one is complete";
-  frame.sheets = {{sheet, sheet->revision()}};
+  frame.sheets[frame.scene.cuts[0].id] = {sheet, sheet->revision()};
   renderer().render(frame, progress);
   expectSame(renderer().read(), wanted, 1.0, "live");
   // Made for another frame it is not this cut's.
   frame.scene.cuts[0].sizeMm.x += 1;
-  frame.scene.cuts[0].membrane.shape = saved.cuts[0].membrane.shape;
+  frame.scene.cuts[0].membrane->shape = saved.cuts[0].membrane->shape;
   EXPECT_NO_THROW(renderer().render(frame, progress));
   saved.cuts[0].sizeMm.x += 1;
   Image other = renderer().read();
@@ -295,11 +298,11 @@ class SlicesGL : public MembranesGL {
     scene.volume.windowLevel = 300;
     scene.volume.windowWidth = 700;
     scene.cuts = {membraneOf(wavySheet(kParticles, kFrame), {0, -1, 0})};
-    scene.cuts[0].membrane.use = scene::MembraneUse::Slice;
-    scene.cuts[0].membrane.sliceOpacity = opacity;
+    scene.cuts[0].membrane->use = scene::MembraneUse::Slice;
+    scene.cuts[0].membrane->sliceOpacity = opacity;
     return scene;
   }
-  static scene::Membrane& membrane(scene::Scene& scene) { return scene.cuts[0].membrane; }
+  static scene::Membrane& membrane(scene::Scene& scene) { return *scene.cuts[0].membrane; }
   /// Pixels whose position lies before, on and behind the slice.
   struct Sides {
     int front = 0, on = 0, behind = 0;
@@ -373,10 +376,10 @@ TEST_F(SlicesGL, TheImageHasTheGreyOfItsVoxels) {
   scene.volume.windowLevel = 350;
   scene.volume.windowWidth = 700;
   scene.cuts = {membraneOf(domeSheet(kParticles, kFrame), {0, -1, 0})};
-  scene.cuts[0].membrane.use = scene::MembraneUse::Slice;
+  scene.cuts[0].membrane->use = scene::MembraneUse::Slice;
   glm::dmat4 local = glm::inverse(scene::worldFromCut(scene.cuts[0]));
   for (double opacity : {1.0, 0.5}) {
-    scene.cuts[0].membrane.sliceOpacity = opacity;
+    scene.cuts[0].membrane->sliceOpacity = opacity;
     Image image = draw(scene, kSize, kAllLayers);
     int checked = 0;
     for (int y = 0; y < kSize.y; ++y)
@@ -425,8 +428,8 @@ TEST_F(SlicesGL, SeveralAddUpAndOtherCutsTakeTheirImages) {
   lookAlong(one, {0.5, -1, 0.9}, 100);
   scene::Scene two = one, other = one;
   other.cuts[0].axis = {0, 0, 1};
-  other.cuts[0].membrane.shape = domeSheet(kParticles, kFrame);
-  two.cuts.push_back(other.cuts[0]);
+  other.cuts[0].membrane->shape = domeSheet(kParticles, kFrame);
+  scene::addCut(two, other.cuts[0]);
   double a = coverageOf(draw(one)), b = coverageOf(draw(other)), both = coverageOf(draw(two));
   EXPECT_GT(both, std::max(a, b) + 0.01);
   EXPECT_LE(both, a + b);
@@ -470,7 +473,7 @@ TEST_F(MembranesGL, ASheetIsShownWhereItIsAndCanBePicked) {
     scene.volume.transfer.opacities = {{0, 0}, {1000, 0}};
     scene.cuts = {membraneOf(foldedSheet({40, 40}, kFrame))};
     EXPECT_EQ(coverageOf(draw(scene, kSize)), 0.0);
-    scene.cuts[0].membrane.look = look;
+    scene.cuts[0].membrane->look = look;
     Cuts cuts(scene);
     Image image = draw(scene, kSize, kAllLayers);
     int shown = 0;

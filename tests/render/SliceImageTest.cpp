@@ -271,11 +271,12 @@ TEST_F(SliceLabels, MembranesDimWhatTheyRemoveAsTheirFunctionSays) {
     for (const auto& [name, shape] : allSheets({20, 20}, {22, 18, 14})) {
       scene::Cut cut;
       cut.shape = scene::CutShape::Membrane;
+      cut.membrane.emplace();
       cut.axis = {0.5, -0.3, 0.6};
       cut.centreMm = {2, 1, -3};
       cut.sizeMm = {22, 18, 14};
-      cut.membrane.shape = shape;
-      cut.membrane.use = use;
+      cut.membrane->shape = shape;
+      cut.membrane->use = use;
       mScene.cuts = {cut};
       SliceImage image = drawSlice(mScene, mFrame);
       CpuSheets sheets = makeCpuSheets(mScene, {});
@@ -297,15 +298,16 @@ TEST_F(SliceLabels, MembranesDimWhatTheyRemoveAsTheirFunctionSays) {
 
 TEST_F(SliceLabels, ALiveSheetTakesThePlaceOfTheSavedOne) {
   scene::Cut cut;
+  cut.id = 1;
   cut.shape = scene::CutShape::Membrane;
+  cut.membrane.emplace();
   cut.axis = {0.5, -0.3, 0.6};
   cut.sizeMm = {22, 18, 14};
   mScene.cuts = {cut};
   auto live = std::make_shared<const membrane::SheetIndex>(
       membrane::makeSheetIndex(domeSheet({20, 20}, cut.sizeMm), {20, 20}, cut.sizeMm));
-  std::shared_ptr<const membrane::SheetIndex> sheets[] = {live};
-  SliceImage flat = drawSlice(mScene, mFrame), drawn = drawSlice(mScene, mFrame, sheets);
-  mScene.cuts[0].membrane.shape = domeSheet({20, 20}, cut.sizeMm);
+  SliceImage flat = drawSlice(mScene, mFrame), drawn = drawSlice(mScene, mFrame, {{cut.id, live}});
+  mScene.cuts[0].membrane->shape = domeSheet({20, 20}, cut.sizeMm);
   EXPECT_EQ(drawn.pixels, drawSlice(mScene, mFrame).pixels);
   EXPECT_NE(drawn.pixels, flat.pixels);
 }

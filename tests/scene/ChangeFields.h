@@ -3,12 +3,14 @@
 #include <cmath>
 #include <concepts>
 #include <glm/glm.hpp>
+#include <optional>
 #include <set>
 #include <string>
 #include <type_traits>
 #include <vector>
 
 #include "velum/core/Fields.h"
+#include "velum/scene/Scene.h"
 
 /// Walks over the fields of any saved struct, so that a field that is added tomorrow is tested tomorrow.
 namespace velum::scene {
@@ -28,6 +30,11 @@ template <class T>
 struct IsGlm : std::false_type {};
 template <int N, class T, glm::qualifier Q>
 struct IsGlm<glm::vec<N, T, Q>> : std::true_type {};
+
+template <class T>
+struct IsMaybe : std::false_type {};
+template <class T>
+struct IsMaybe<std::optional<T>> : std::true_type {};
 
 inline double otherNumber(double value, const Range& range) {
   double next = value * 1.25 + 0.125;
@@ -58,12 +65,23 @@ void changeEveryField(auto& value, const FieldInfo& info = {}) {
     value.resize(2);
     for (auto& item : value) changeEveryField(item, info);
     changeEveryField(value[1], info);
+  } else if constexpr (IsMaybe<T>::value) {
+    changeEveryField(value.emplace(), info);
   } else {
     auto visit = [](std::string_view, auto& member, const FieldInfo& memberInfo) {
       changeEveryField(member, memberInfo);
     };
     T::fields(value, visit);
   }
+}
+
+/// A scene in which every field has another value than in a new one.
+inline Scene changedScene() {
+  Scene scene;
+  changeEveryField(scene);
+  scene.cuts[0].shape = CutShape::Membrane;  // the only one that has one
+  scene.cuts[1].membrane.reset();
+  return scene;
 }
 
 /// Paths of all fields that are no structs, list items as "N".
@@ -74,6 +92,8 @@ void collectLeaves(const T& value, const std::string& path, std::set<std::string
       collectLeaves(member, path.empty() ? std::string(name) : path + "." + std::string(name), leaves);
     };
     T::fields(value, visit);
+  } else if constexpr (IsMaybe<T>::value) {
+    collectLeaves(typename T::value_type{}, path, leaves);
   } else {
     leaves.insert(path);
     if constexpr (IsVector<T>::value) {

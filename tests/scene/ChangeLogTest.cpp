@@ -18,7 +18,8 @@ void changeSomething(Scene& scene, std::mt19937& random) {
   auto number = [&](double least, double most) { return std::uniform_real_distribution<>(least, most)(random); };
   switch (random() % 8) {
     case 0:
-      return void(scene.cuts.emplace_back().centreMm.x = number(-100, 100));
+      addCut(scene, {});
+      return void(scene.cuts.back().centreMm.x = number(-100, 100));
     case 1:
       return scene.cuts.empty() ? void() : void(scene.cuts.erase(scene.cuts.begin() + random() % scene.cuts.size()));
     case 2:
@@ -76,8 +77,7 @@ TEST(ChangeLog, AReplayedJournalIsTheLastScene) {
 }
 
 TEST(ChangeLog, EveryFieldIsFollowed) {
-  Scene changed;
-  changeEveryField(changed);
+  Scene changed = changedScene();
   SceneMirror mirror;
   std::string text = encodeLine({1, 0, "a", "", "", mirror.follow(Scene{})});
   text += encodeLine({2, 0, "b", "", "", mirror.follow(changed)});

@@ -10,7 +10,7 @@ Scene organs() {
   Scene scene;
   scene.labels.structures = {{2, "aorta"}, {5, "V. cava [inf]"}, {12, "7"},  {40, ""},
                              {41, "rib"},  {42, "rib"},          {43, "Rib"}};
-  scene.cuts.resize(2);
+  for (int i = 0; i < 2; ++i) addCut(scene, {});
   scene.cuts[1].name = "Plane 2";
   return scene;
 }

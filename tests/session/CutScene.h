@@ -22,6 +22,7 @@ constexpr scene::CutShape kShapes[] = {scene::CutShape::Plane, scene::CutShape::
 inline scene::Cut tiltedCut(scene::CutShape shape) {
   scene::Cut cut;
   cut.shape = shape;
+  if (scene::isMembrane(cut)) cut.membrane.emplace();
   cut.centreMm = {45, 95, 145};
   cut.axis = {1, 2, -3};
   cut.spinDeg = 25;

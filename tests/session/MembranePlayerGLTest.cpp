@@ -23,11 +23,12 @@ scene::Scene ballScene() {
       centredFrame(dims)));
   scene::Cut cut;
   cut.shape = scene::CutShape::Membrane;
+  cut.membrane.emplace();
   cut.axis = {0, 0, 1};
   cut.sizeMm = {40, 40, 24};
-  cut.membrane.cloth.particles = {20, 20};
-  cut.membrane.field.byValue = {{0, 400}, {1000, 400}};
-  scene.cuts = {cut};
+  cut.membrane->cloth.particles = {20, 20};
+  cut.membrane->field.byValue = {{0, 400}, {1000, 400}};
+  scene::addCut(scene, cut);
   return scene;
 }
 
@@ -47,7 +48,7 @@ class MembranePlayerGL : public GlTest {
     ASSERT_TRUE(player.isSettled());
   }
   static scene::SheetShape shapeOf(const MembranePlayer& player, const scene::Scene& scene) {
-    return player.withShapes(scene).cuts[0].membrane.shape;
+    return player.withShapes(scene).cuts[0].membrane->shape;
   }
   void TearDown() override {
     mPlayer.releaseGpu();
@@ -59,7 +60,7 @@ class MembranePlayerGL : public GlTest {
 TEST_F(MembranePlayerGL, ComesToRestAndKeepsWholeWhatThePlaneCuts) {
   mPlayer.follow(ballScene());
   settle();
-  MembraneStatus status = *mPlayer.status(0);
+  MembraneStatus status = *mPlayer.status(1);
   EXPECT_EQ(status.phase, MembraneStatus::Phase::Resting);
   EXPECT_GT(status.kernels, 0u);
   ASSERT_TRUE(status.isMeasured);
@@ -73,19 +74,19 @@ TEST_F(MembranePlayerGL, AtRestThereIsNothingToDo) {
   mPlayer.follow(scene);
   settle();
   auto sheets = mPlayer.sheets();
-  int steps = mPlayer.status(0)->steps;
+  int steps = mPlayer.status(1)->steps;
   auto shown = mPlayer.shownCount();
   for (int i = 0; i < 5; ++i) {
     scene.camera.eyeMm.x += 1.0;  // looking from elsewhere moves no sheet
     scene.cuts[0].name += "x";
-    scene.cuts[0].membrane.sliceOpacity *= 0.9;
+    scene.cuts[0].membrane->sliceOpacity *= 0.9;
     mPlayer.follow(scene);
     EXPECT_FALSE(mPlayer.isMoving());
     EXPECT_FALSE(mPlayer.nextWork());
     EXPECT_FALSE(mPlayer.advance(8.0));
     EXPECT_TRUE(mPlayer.isSettled());
   }
-  EXPECT_EQ(mPlayer.status(0)->steps, steps);
+  EXPECT_EQ(mPlayer.status(1)->steps, steps);
   EXPECT_EQ(mPlayer.shownCount(), shown);
   EXPECT_EQ(mPlayer.sheets(), sheets);
 }
@@ -152,7 +153,7 @@ TEST_F(MembranePlayerGL, TheSheetFollowsAHandAndRestsWhereItWouldHaveFromTheStar
     scene::Scene dragged = scene;
     double seen = 0.0;
     for (int i = 1; i <= 12; ++i) {
-      auto& membrane = dragged.cuts[0].membrane;
+      auto& membrane = *dragged.cuts[0].membrane;
       glm::dvec3 place(0, -12, 0.5 * i);
       if (strength == 0.0)
         membrane.pins = {{{0.5, 0.2}, place}};
@@ -192,28 +193,28 @@ TEST_F(MembranePlayerGL, WorkForDataThatIsGoneIsCancelled) {
 
 TEST_F(MembranePlayerGL, AnActiveSheetIsWrittenDownOnceAndComesBackWithoutWork) {
   scene::Scene scene = ballScene();
-  scene.cuts[0].membrane.repositioning = scene::Repositioning::Active;
+  scene.cuts[0].membrane->repositioning = scene::Repositioning::Active;
   mPlayer.follow(scene);
   EXPECT_TRUE(mPlayer.takeRests().empty());
   settle();
   auto rests = mPlayer.takeRests();
   ASSERT_EQ(rests.size(), 1u);
   EXPECT_TRUE(mPlayer.takeRests().empty());
-  scene.cuts[0].membrane.shape = rests[0].shape;
+  scene.cuts[0].membrane->shape = rests[0].shape;
   mPlayer.follow(scene);
   EXPECT_TRUE(mPlayer.isSettled());
   MembranePlayer reopened;
   reopened.follow(scene);
   EXPECT_FALSE(reopened.advance(8.0));
   EXPECT_FALSE(reopened.isMoving());
-  EXPECT_EQ(reopened.status(0)->steps, 0);
+  EXPECT_EQ(reopened.status(1)->steps, 0);
   EXPECT_EQ(shapeOf(reopened, scene), rests[0].shape);
   reopened.releaseGpu();
 }
 
 TEST_F(MembranePlayerGL, AnActiveSheetStaysBehindOnWhatHoldsIt) {
   scene::Scene scene = ballScene();
-  scene.cuts[0].membrane.repositioning = scene::Repositioning::Active;
+  scene.cuts[0].membrane->repositioning = scene::Repositioning::Active;
   mPlayer.follow(scene);
   settle();
   scene::Scene old = mPlayer.withShapes(scene);
@@ -224,14 +225,14 @@ TEST_F(MembranePlayerGL, AnActiveSheetStaysBehindOnWhatHoldsIt) {
     scene.cuts[0].centreMm.z += 1.0;
     mPlayer.follow(scene);
     settle();
-    for (auto& rest : mPlayer.takeRests()) scene.cuts[0].membrane.shape = rest.shape;
+    for (auto& rest : mPlayer.takeRests()) scene.cuts[0].membrane->shape = rest.shape;
     mPlayer.follow(scene);
   }
-  EXPECT_LT(mPlayer.status(0)->keptWhole, 0.5);
+  EXPECT_LT(mPlayer.status(1)->keptWhole, 0.5);
   // What is undone comes back as it rested.
   mPlayer.follow(old);
-  EXPECT_EQ(shapeOf(mPlayer, old), old.cuts[0].membrane.shape);
-  EXPECT_FALSE(mPlayer.status(0)->phase == MembraneStatus::Phase::Settling);
+  EXPECT_EQ(shapeOf(mPlayer, old), old.cuts[0].membrane->shape);
+  EXPECT_FALSE(mPlayer.status(1)->phase == MembraneStatus::Phase::Settling);
 }
 
 TEST_F(MembranePlayerGL, PausedItStandsAndStepsByHand) {
@@ -239,13 +240,13 @@ TEST_F(MembranePlayerGL, PausedItStandsAndStepsByHand) {
   work();
   mPlayer.setPlaying(false);
   mPlayer.advance(8.0);
-  int steps = mPlayer.status(0)->steps;
-  EXPECT_EQ(mPlayer.status(0)->phase, MembraneStatus::Phase::Paused);
+  int steps = mPlayer.status(1)->steps;
+  EXPECT_EQ(mPlayer.status(1)->phase, MembraneStatus::Phase::Paused);
   EXPECT_TRUE(mPlayer.stepOnce());
-  EXPECT_GT(mPlayer.status(0)->steps, steps);
+  EXPECT_GT(mPlayer.status(1)->steps, steps);
   mPlayer.setPlaying(true);
   settle();
-  mPlayer.reset(0);
+  mPlayer.reset(1);
   EXPECT_FALSE(mPlayer.isSettled());
   settle();
 }
@@ -257,11 +258,11 @@ TEST_F(MembranePlayerGL, WhatTheDriverLosesIsMadeAgain) {
   auto before = shapeOf(mPlayer, scene);
   auto sheet = mPlayer.sheets();
   ASSERT_EQ(sheet.size(), 1u);
-  ASSERT_TRUE(sheet[0].sheet);
+  ASSERT_TRUE(sheet[1].sheet);
   sheet.clear();
   mPlayer.releaseGpu();
   EXPECT_TRUE(mPlayer.isSettled());
-  EXPECT_EQ(mPlayer.sheets()[0].sheet->shape(), before);
+  EXPECT_EQ(mPlayer.sheets()[1].sheet->shape(), before);
   // In the middle of the way it goes on from there.
   scene.cuts[0].centreMm.z += 1.0;
   mPlayer.follow(scene);
@@ -269,29 +270,36 @@ TEST_F(MembranePlayerGL, WhatTheDriverLosesIsMadeAgain) {
   mPlayer.advance(1.0);
   mPlayer.releaseGpu();
   settle();
-  EXPECT_LT(mPlayer.status(0)->keptWhole, 0.5);
+  EXPECT_LT(mPlayer.status(1)->keptWhole, 0.5);
 }
 
-TEST_F(MembranePlayerGL, SheetsAreOfTheEnabledMembranesInTheOrderOfTheCuts) {
+TEST_F(MembranePlayerGL, SheetsAreOfTheEnabledMembranesByTheIdsOfTheirCuts) {
   scene::Scene scene = ballScene();
   scene::Cut plane, flat = scene.cuts[0];
-  flat.membrane.field = {};
+  flat.membrane->field = {};
   flat.sizeMm.x = 30;
   scene.cuts = {plane, flat, scene.cuts[0]};
+  for (int i = 0; i < 3; ++i) scene.cuts[std::size_t(i)].id = 10 * (i + 1);
   mPlayer.follow(scene);
   settle();
-  EXPECT_FALSE(mPlayer.status(0));
+  EXPECT_FALSE(mPlayer.status(10));
   auto sheets = mPlayer.sheets();
   ASSERT_EQ(sheets.size(), 2u);
-  EXPECT_EQ(sheets[0].sheet->sizeMm().x, 30.0);
-  int steps = mPlayer.status(2)->steps;
+  EXPECT_EQ(sheets.at(20).sheet->sizeMm().x, 30.0);
+  int steps = mPlayer.status(30)->steps;
   std::swap(scene.cuts[1], scene.cuts[2]);
   mPlayer.follow(scene);
   EXPECT_TRUE(mPlayer.isSettled()) << "moving a cut in the list moves no sheet";
-  EXPECT_EQ(mPlayer.status(1)->steps, steps);
+  EXPECT_EQ(mPlayer.status(30)->steps, steps);
   scene.cuts[1].enabled = false;
   mPlayer.follow(scene);
   EXPECT_EQ(mPlayer.sheets().size(), 1u);
+  scene.cuts[1].enabled = true;
+  scene.cuts[1].centreMm.z += 1.0;
+  scene.cuts.erase(scene.cuts.begin());
+  mPlayer.follow(scene);
+  EXPECT_FALSE(mPlayer.status(10));
+  EXPECT_TRUE(mPlayer.status(30)) << "it is known by its id, though it stands elsewhere and in another place";
 }
 
 TEST(DefaultField, ProtectsWhatIsShownMostOpaque) {

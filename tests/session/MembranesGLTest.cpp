@@ -25,7 +25,7 @@ class MembranesGL : public GlTest {
     scene.camera.eyeMm = scene.camera.targetMm + axis * 1000.0;
     scene.cuts = {makeCut(scene, scene::CutShape::Membrane)};
     scene.cuts[0].centreMm = centreMm(*scene.volume.data);
-    protectValues(scene.cuts[0].membrane, low, 4000);
+    protectValues(*scene.cuts[0].membrane, low, 4000);
     return scene;
   }
   inline static Progress sProgress;
@@ -34,7 +34,7 @@ class MembranesGL : public GlTest {
 TEST_F(MembranesGL, TwoSpheresStayWholeByEitherRule) {
   for (auto rule : {scene::KernelRule::Sided, scene::KernelRule::Paper}) {
     scene::Scene scene = phantom("two-spheres", 96, 500);
-    setRule(scene.cuts[0].membrane, rule);
+    setRule(*scene.cuts[0].membrane, rule);
     auto reports = settleMembranes(scene, {true, false}, sProgress);
     ASSERT_EQ(reports.size(), 1u);
     EXPECT_TRUE(reports[0].atRest);
@@ -70,15 +70,15 @@ TEST_F(MembranesGL, TheSameSceneGivesTheSameSheet) {
   scene::Scene a = phantom("vessels", 64, 700), b = a;
   settleMembranes(a, {}, sProgress);
   settleMembranes(b, {}, sProgress);
-  EXPECT_EQ(a.cuts[0].membrane.shape, b.cuts[0].membrane.shape);
-  EXPECT_GT(a.cuts[0].membrane.shape.places.size(), 100u);
+  EXPECT_EQ(a.cuts[0].membrane->shape, b.cuts[0].membrane->shape);
+  EXPECT_GT(a.cuts[0].membrane->shape.places.size(), 100u);
 }
 
 TEST_F(MembranesGL, WhatRepelsNothingHangsFlat) {
   scene::Scene scene = phantom("two-spheres", 64, 5000);
-  scene.cuts[0].membrane.field.byValue.clear();
+  scene.cuts[0].membrane->field.byValue.clear();
   settleMembranes(scene, {}, sProgress);
-  for (glm::vec3 place : scene.cuts[0].membrane.shape.places) EXPECT_EQ(place.z, 0.0f);
+  for (glm::vec3 place : scene.cuts[0].membrane->shape.places) EXPECT_EQ(place.z, 0.0f);
 }
 
 TEST_F(MembranesGL, AnActiveSheetStaysOnTheSideOfWhatHoldsIt) {
@@ -89,14 +89,14 @@ TEST_F(MembranesGL, AnActiveSheetStaysOnTheSideOfWhatHoldsIt) {
     scene::Scene scene = phantom("two-spheres", 96, 500);
     auto& cut = scene.cuts[0];
     cut.sizeMm.z = 80;
-    cut.membrane.repositioning = repositioning;
+    cut.membrane->repositioning = repositioning;
     cut.centreMm.z += 46;
     settleMembranes(scene, {}, sProgress);
     cut.centreMm.z -= 38;
     settleMembranes(scene, {}, sProgress);
     auto i = std::size_t(repositioning);
     lowest[i] = highest[i] = 0;
-    for (glm::vec3 place : cut.membrane.shape.places) {
+    for (glm::vec3 place : cut.membrane->shape.places) {
       lowest[i] = std::min(lowest[i], place.z);
       highest[i] = std::max(highest[i], place.z);
     }
@@ -125,10 +125,11 @@ scene::Scene ballScene(Volume volume, scene::KernelRule rule) {
   scene.volume.data = Shared<Volume>(std::move(volume));
   scene::Cut cut;
   cut.shape = scene::CutShape::Membrane;
+  cut.membrane.emplace();
   cut.sizeMm = {80, 80, 40};
   cut.centreMm = {0.13, -0.21, 0.17};  // no middle of a voxel lies between two columns
-  protectValues(cut.membrane, 500, 2000);
-  setRule(cut.membrane, rule);
+  protectValues(*cut.membrane, 500, 2000);
+  setRule(*cut.membrane, rule);
   scene.cuts = {cut};
   return scene;
 }
@@ -166,12 +167,12 @@ TEST_F(MembranesGL, AnotherGridOfVoxelsGivesTheSameShapeInTheWorld) {
   for (auto rule : {scene::KernelRule::Sided, scene::KernelRule::Paper}) {
     scene::Scene plain = ballScene(ballsOn({80, 80, 80}, glm::dvec3(1.0), 0), rule);
     settleMembranes(plain, {}, sProgress);
-    auto wanted = membrane::makeSheetIndex(plain.cuts[0].membrane.shape, glm::ivec2(2), plain.cuts[0].sizeMm);
+    auto wanted = membrane::makeSheetIndex(plain.cuts[0].membrane->shape, glm::ivec2(2), plain.cuts[0].sizeMm);
     for (const Grid& grid : kGrids) {
       scene::Scene other = ballScene(ballsOn(grid.dims, grid.spacing, grid.turnRad), rule);
       auto report = settleMembranes(other, {true, false}, sProgress).at(0);
       EXPECT_LT(report.kept->ratio, 0.05) << grid.name;
-      auto index = membrane::makeSheetIndex(other.cuts[0].membrane.shape, glm::ivec2(2), other.cuts[0].sizeMm);
+      auto index = membrane::makeSheetIndex(other.cuts[0].membrane->shape, glm::ivec2(2), other.cuts[0].sizeMm);
       double gapMm = meanGapMm(wanted, index);
       double voxelMm = std::max({grid.spacing.x, grid.spacing.y, grid.spacing.z});
       std::printf("%s, %s: %.2f mm\n", std::string(enumName(rule)).c_str(), grid.name, gapMm);
@@ -192,7 +193,7 @@ TEST_F(MembranesGL, TurnedTogetherWithItsDataItIsTheSameSheet) {
     b.cuts[0].centreMm = glm::dvec3(turn * glm::dvec4(a.cuts[0].centreMm, 1.0));
     settleMembranes(a, {}, sProgress);
     settleMembranes(b, {}, sProgress);
-    const auto &first = a.cuts[0].membrane.shape, &second = b.cuts[0].membrane.shape;
+    const auto &first = a.cuts[0].membrane->shape, &second = b.cuts[0].membrane->shape;
     ASSERT_EQ(first.places.size(), second.places.size()) << enumName(rule);
     float worst = 0, highest = 0;
     for (std::size_t i = 0; i < first.places.size(); ++i) {
@@ -210,8 +211,8 @@ TEST_F(MembranesGL, ASheetAsASurfaceLiesWhereTheCutIs) {
   const scene::Cut& cut = scene.cuts[0];
   Mesh mesh = sheetMesh(cut);
   EXPECT_EQ(mesh.indices.size() / 6,
-            std::size_t(cut.membrane.shape.particles.x - 1) * std::size_t(cut.membrane.shape.particles.y - 1));
-  membrane::SheetIndex index = membrane::makeSheetIndex(cut.membrane.shape, glm::ivec2(2), cut.sizeMm);
+            std::size_t(cut.membrane->shape.particles.x - 1) * std::size_t(cut.membrane->shape.particles.y - 1));
+  membrane::SheetIndex index = membrane::makeSheetIndex(cut.membrane->shape, glm::ivec2(2), cut.sizeMm);
   glm::dmat4 localFromWorld = glm::inverse(scene::worldFromCut(cut));
   for (std::size_t i = 0; i < mesh.positions.size(); i += 7) {
     glm::vec3 local(localFromWorld * glm::dvec4(glm::dvec3(mesh.positions[i]), 1.0));
@@ -235,7 +236,7 @@ TEST_F(MembranesGL, AClippedVolumeIsEmptyWhereTheCutRemoves) {
   const Volume& volume = *scene.volume.data;
   Volume clipped = clippedVolume(scene, sProgress);
   membrane::SheetIndex index =
-      membrane::makeSheetIndex(scene.cuts[0].membrane.shape, glm::ivec2(2), scene.cuts[0].sizeMm);
+      membrane::makeSheetIndex(scene.cuts[0].membrane->shape, glm::ivec2(2), scene.cuts[0].sizeMm);
   glm::dmat4 localFromVoxel = glm::inverse(scene::worldFromCut(scene.cuts[0])) * volume.worldFromVoxel;
   int removed = 0, wrong = 0;
   for (int z = 0; z < volume.dims.z; z += 3)
@@ -252,7 +253,7 @@ TEST_F(MembranesGL, AClippedVolumeIsEmptyWhereTheCutRemoves) {
 
 TEST_F(MembranesGL, ProtectingTheBrightestProtectsAllThatIsBrighter) {
   scene::Scene scene = phantom("two-spheres", 64, 5000);
-  auto& membrane = scene.cuts[0].membrane;
+  auto& membrane = *scene.cuts[0].membrane;
   membrane.field.byValue.clear();
   const Volume& volume = *scene.volume.data;
   glm::ivec3 bright(0);

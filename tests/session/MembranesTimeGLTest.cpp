@@ -27,11 +27,12 @@ class MembranesTimeGL : public GlTest {
     scene.volume.data = volume;
     scene::Cut cut;
     cut.shape = scene::CutShape::Membrane;
+    cut.membrane.emplace();
     cut.centreMm = {5, -30, -15};
     cut.axis = {0, -1, 0};
     cut.sizeMm = {165, 140, 80};
-    cut.membrane.repositioning = repositioning;
-    protectValues(cut.membrane, 200, 600);
+    cut.membrane->repositioning = repositioning;
+    protectValues(*cut.membrane, 200, 600);
     scene.cuts = {cut};
     return scene;
   }
@@ -47,7 +48,7 @@ class MembranesTimeGL : public GlTest {
       scene.volume.frame = step % kSteps;
       auto reports = settleMembranes(scene, {true, false}, sProgress);
       beat.ratios.push_back(reports.at(0).kept->ratio);
-      beat.shapes.push_back(scene.cuts[0].membrane.shape);
+      beat.shapes.push_back(scene.cuts[0].membrane->shape);
     }
     return beat;
   }
@@ -106,11 +107,12 @@ scene::Scene risingBall(scene::Repositioning repositioning) {
   scene.volume.data = Shared<Volume>(std::move(volume));
   scene::Cut cut;
   cut.shape = scene::CutShape::Membrane;
+  cut.membrane.emplace();
   cut.axis = {0, 0, 1};
   cut.sizeMm = {38, 38, 34};
-  cut.membrane.cloth.particles = {30, 30};
-  cut.membrane.repositioning = repositioning;
-  cut.membrane.field.byValue = {{500, 400}, {1000, 400}};
+  cut.membrane->cloth.particles = {30, 30};
+  cut.membrane->repositioning = repositioning;
+  cut.membrane->field.byValue = {{500, 400}, {1000, 400}};
   scene.cuts = {cut};
   return scene;
 }
@@ -124,7 +126,7 @@ TEST_F(MembranesTimeGL, AnActiveSheetStaysOnItsSideOfWhatRises) {
       scene.volume.frame = step;
       auto report = settleMembranes(scene, {true, false}, sProgress).at(0);
       EXPECT_EQ(report.kept->cutAreaMembrane, 0) << enumName(repositioning) << " at step " << step;
-      middle = membrane::heightOf(scene.cuts[0].membrane.shape)({0, 0});
+      middle = membrane::heightOf(scene.cuts[0].membrane->shape)({0, 0});
       EXPECT_TRUE(step > 0 || middle > 1.0) << middle;
     }
     EXPECT_EQ(middle > 0, repositioning == scene::Repositioning::Active) << middle;
@@ -144,11 +146,11 @@ TEST_F(MembranesTimeGL, WindowsFollowAsPicturesDo) {
         if (auto work = player.nextWork()) player.endWork(work(sProgress));
         player.advance(20.0);
       }
-      for (const auto& rest : player.takeRests()) window.cuts[rest.cut].membrane.shape = rest.shape;
+      for (const auto& rest : player.takeRests()) window.cuts[rest.cut].membrane->shape = rest.shape;
       // A window fits what it keeps to the frame's rim, as drawing does; what is left is rounding.
       const scene::Cut& cut = picture.cuts[0];
-      scene::SheetShape a = membrane::fitShape(cut.membrane.shape, cut.membrane.cloth.particles, cut.sizeMm);
-      scene::SheetShape b = player.withShapes(window).cuts[0].membrane.shape;
+      scene::SheetShape a = membrane::fitShape(cut.membrane->shape, cut.membrane->cloth.particles, cut.sizeMm);
+      scene::SheetShape b = player.withShapes(window).cuts[0].membrane->shape;
       ASSERT_EQ(a.places.size(), b.places.size());
       float most = 0;
       for (std::size_t i = 0; i < a.places.size(); ++i) most = std::max(most, glm::length(a.places[i] - b.places[i]));

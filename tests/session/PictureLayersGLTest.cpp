@@ -35,7 +35,7 @@ class PictureLayersGL : public GlTest {
     scene.camera = scene::frameCamera(scene, scene::StandardView::Superior, 1.0);
     scene.cuts = {makeCut(scene, scene::CutShape::Membrane)};
     scene.cuts[0].centreMm = centreMm(*scene.volume.data);
-    auto& membrane = scene.cuts[0].membrane;
+    auto& membrane = *scene.cuts[0].membrane;
     protectValues(membrane, 700, 4000);
     membrane.use = scene::MembraneUse::Slice;
     membrane.sliceOpacity = 0.6;
@@ -92,7 +92,7 @@ TEST_F(PictureLayersGL, FrontOverSliceOverBehindIsThePicture) {
 
 TEST_F(PictureLayersGL, SheetsAndSurfacesHaveTheirPlaceInThem) {
   scene::Scene scene = *sScene;
-  scene.cuts[0].membrane.look = scene::SheetLook::Surface;
+  scene.cuts[0].membrane->look = scene::SheetLook::Surface;
   Mesh mesh;
   glm::vec3 middle(scene.cuts[0].centreMm);
   mesh.positions = {middle + glm::vec3(-9, -9, -9), middle + glm::vec3(9, -9, -9), middle + glm::vec3(0, 9, 9)};
@@ -104,10 +104,10 @@ TEST_F(PictureLayersGL, SheetsAndSurfacesHaveTheirPlaceInThem) {
 
 TEST_F(PictureLayersGL, WithoutASliceThereAreNone) {
   scene::Scene scene = *sScene;
-  scene.cuts[0].membrane.use = scene::MembraneUse::Clip;
+  scene.cuts[0].membrane->use = scene::MembraneUse::Clip;
   Image image = draw(scene);
   EXPECT_EQ(column(image, "slice.R"), image.channels.size());
-  scene.cuts[0].membrane.use = scene::MembraneUse::Slice;
+  scene.cuts[0].membrane->use = scene::MembraneUse::Slice;
   scene.rayCast.mode = scene::RenderMode::Mip;
   image = draw(scene);
   EXPECT_EQ(column(image, "slice.R"), image.channels.size());

@@ -15,10 +15,11 @@ scene::Scene emptyScene(scene::KernelRule rule) {
       dims, SampleType::Int16, [](glm::ivec3) { return 0.0; }, centredFrame(dims)));
   scene::Cut cut;
   cut.shape = scene::CutShape::Membrane;
+  cut.membrane.emplace();
   cut.axis = {0, 0, 1};
   cut.sizeMm = {48, 48, 24};
-  setRule(cut.membrane, rule);
-  if (rule == scene::KernelRule::Paper) cut.membrane.cloth.particles = {24, 24};  // comes to rest sooner
+  setRule(*cut.membrane, rule);
+  if (rule == scene::KernelRule::Paper) cut.membrane->cloth.particles = {24, 24};  // comes to rest sooner
   scene.cuts = {cut};
   return scene;
 }
@@ -29,14 +30,14 @@ class SheetHandsGL : public GlTest {
   static membrane::HeightOver settle(scene::Scene scene) {
     Progress progress;
     EXPECT_TRUE(settleMembranes(scene, {}, progress).at(0).atRest);
-    return membrane::heightOf(scene.cuts[0].membrane.shape);
+    return membrane::heightOf(scene.cuts[0].membrane->shape);
   }
   /// How far the nearest of the sheet's particles is from a place.
   static double distanceToParticle(scene::Scene scene, glm::dvec3 placeMm) {
     Progress progress;
     settleMembranes(scene, {}, progress);
     double nearest = 1e30;
-    for (glm::vec3 p : scene.cuts[0].membrane.shape.places)
+    for (glm::vec3 p : scene.cuts[0].membrane->shape.places)
       nearest = std::min(nearest, glm::length(glm::dvec3(p) - placeMm));
     return nearest;
   }
@@ -46,7 +47,7 @@ constexpr double kExact = 1e-6 * 48;  // a millionth of the frame
 TEST_F(SheetHandsGL, ASidedSheetPassesThroughItsPinsAndFallsOffSmoothly) {
   scene::Scene scene = emptyScene(scene::KernelRule::Sided);
   const glm::dvec3 pins[] = {{0.3, -0.2, 8}, {-15.1, 12.7, -3}, {9.9, 3.3, 5}};
-  for (glm::dvec3 pin : pins) scene.cuts[0].membrane.pins.push_back({{0.5, 0.5}, pin});
+  for (glm::dvec3 pin : pins) scene.cuts[0].membrane->pins.push_back({{0.5, 0.5}, pin});
   auto height = settle(scene);
   for (glm::dvec3 pin : pins) EXPECT_NEAR(height(pin), pin.z, kExact);
   double steepest = 0.0;
@@ -57,13 +58,13 @@ TEST_F(SheetHandsGL, ASidedSheetPassesThroughItsPinsAndFallsOffSmoothly) {
 
 TEST_F(SheetHandsGL, APapersSheetHasAParticleInThePin) {
   scene::Scene scene = emptyScene(scene::KernelRule::Paper);
-  scene.cuts[0].membrane.pins = {{{0.5, 0.5}, {2.3, -1.2, 4}}};
+  scene.cuts[0].membrane->pins = {{{0.5, 0.5}, {2.3, -1.2, 4}}};
   EXPECT_LT(distanceToParticle(scene, {2.3, -1.2, 4}), kExact);
 }
 
 TEST_F(SheetHandsGL, APinOutsideOfTheFrameHoldsNothing) {
   scene::Scene scene = emptyScene(scene::KernelRule::Sided);
-  scene.cuts[0].membrane.pins = {{{0.5, 0.5}, {40, 0, 8}}};
+  scene.cuts[0].membrane->pins = {{{0.5, 0.5}, {40, 0, 8}}};
   EXPECT_NEAR(settle(scene)({20, 0}), 0.0, 1e-3);
 }
 
@@ -71,7 +72,7 @@ TEST_F(SheetHandsGL, AKernelThatRepelsKeepsTheSheetOffItsMiddleByEitherRule) {
   for (auto rule : {scene::KernelRule::Sided, scene::KernelRule::Paper})
     for (double z : {-3.0, 3.0}) {
       scene::Scene scene = emptyScene(rule);
-      scene.cuts[0].membrane.field.kernels = {{{0, 0, z}, 8.0, 500.0}};
+      scene.cuts[0].membrane->field.kernels = {{{0, 0, z}, 8.0, 500.0}};
       double h = settle(scene)({0, 0});
       EXPECT_LT(h * z, 0.0) << "away from its middle, by " << enumName(rule);
       EXPECT_GT(std::abs(h), rule == scene::KernelRule::Sided ? 5.0 - 0.5 : 2.0);  // around the ball, or out of its box
@@ -82,7 +83,7 @@ TEST_F(SheetHandsGL, AKernelThatAttractsDrawsTheSheetToItsMiddleByEitherRule) {
   for (auto rule : {scene::KernelRule::Sided, scene::KernelRule::Paper})
     for (double z : {-3.0, 3.0}) {
       scene::Scene scene = emptyScene(rule);
-      scene.cuts[0].membrane.field.kernels = {{{0, 0, z}, 8.0, -1000.0}};
+      scene.cuts[0].membrane->field.kernels = {{{0, 0, z}, 8.0, -1000.0}};
       double h = settle(scene)({0, 0});
       EXPECT_GT(h / z, 0.7) << enumName(rule) << " " << z;
       EXPECT_LT(h / z, 1.1) << enumName(rule) << " " << z;
@@ -91,7 +92,7 @@ TEST_F(SheetHandsGL, AKernelThatAttractsDrawsTheSheetToItsMiddleByEitherRule) {
 
 TEST_F(SheetHandsGL, ASidedKernelThatAttractsLetsGoOfTheSheetThatItsBallDoesNotReach) {
   scene::Scene scene = emptyScene(scene::KernelRule::Sided);
-  scene.cuts[0].membrane.field.kernels = {{{0, 0, 9}, 8.0, -1000.0}};
+  scene.cuts[0].membrane->field.kernels = {{{0, 0, 9}, 8.0, -1000.0}};
   EXPECT_NEAR(settle(scene)({0, 0}), 0.0, 1e-3);
 }
 

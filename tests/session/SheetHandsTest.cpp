@@ -19,10 +19,10 @@ struct Hands {
   membrane::SheetIndex sheet;
   Hands() {
     scene::placeSlices(scene);
-    cut.membrane.shape = wavySheet({30, 30}, cut.sizeMm);
-    sheet = membrane::makeSheetIndex(cut.membrane.shape, {30, 30}, cut.sizeMm);
-    addPin(cut.membrane, {{40, 90, 140}, {0.4, 0.6}});
-    addKernel(cut.membrane, {50, 100, 150}, 20.0, kKernelStrength);
+    cut.membrane->shape = wavySheet({30, 30}, cut.sizeMm);
+    sheet = membrane::makeSheetIndex(cut.membrane->shape, {30, 30}, cut.sizeMm);
+    addPin(*cut.membrane, {{40, 90, 140}, {0.4, 0.6}});
+    addKernel(*cut.membrane, {50, 100, 150}, 20.0, kKernelStrength);
   }
   scene::SliceFrame slice(scene::SliceKind kind) const { return scene::makeSliceFrame(scene, kind, kSize); }
   glm::dvec2 pixelOf(glm::dvec3 world) const { return scene::pixelFromWorld(scene.camera, kSize, world).value(); }
@@ -81,7 +81,7 @@ TEST(SheetHands, AClickOnTheCurveOfASliceFindsTheSheetThere) {
 
 TEST(SheetHands, WhatIsThereIsFoundAndADragBackGivesTheMembraneThatWas) {
   Hands hands;
-  const auto& start = hands.cut.membrane;
+  const auto& start = *hands.cut.membrane;
   for (Hand hand : {Hand{HandKind::Pin, 0}, Hand{HandKind::Kernel, 0}}) {
     glm::dvec3 place = hand.kind == HandKind::Pin ? start.pins[0].placeMm : start.field.kernels[0].centreMm;
     glm::dvec2 from = hands.pixelOf(place), to = from + glm::dvec2(23, -9);
@@ -139,7 +139,7 @@ TEST(SheetHands, AKernelOnASliceIsTheCircleThatWasDragged) {
 
 TEST(SheetHands, TheRimOfAKernelInAPictureFollowsThePointer) {
   Hands hands;
-  const auto& start = hands.cut.membrane;
+  const auto& start = *hands.cut.membrane;
   const auto& kernel = start.field.kernels[0];
   glm::dvec3 right = scene::cameraBasis(hands.scene.camera).right;
   glm::dvec2 from = hands.pixelOf(kernel.centreMm + right * 20.0), to = hands.pixelOf(kernel.centreMm + right * 33.0);
@@ -151,15 +151,15 @@ TEST(SheetHands, TheRimOfAKernelInAPictureFollowsThePointer) {
 
 TEST(SheetHands, RemovingAndTurningTouchOnlyTheOne) {
   Hands hands;
-  scene::Membrane membrane = hands.cut.membrane;
+  scene::Membrane membrane = *hands.cut.membrane;
   Hand second = addKernel(membrane, {0, 0, 0}, 5.0, -100.0);
   turnKernel(membrane, second);
   EXPECT_EQ(membrane.field.kernels[1].strength, 100.0);
   EXPECT_EQ(membrane.field.kernels[0].strength, kKernelStrength);
   removeHand(membrane, second);
-  EXPECT_EQ(membrane, hands.cut.membrane);
+  EXPECT_EQ(membrane, *hands.cut.membrane);
   removeHand(membrane, second);  // it is gone
-  EXPECT_EQ(membrane, hands.cut.membrane);
+  EXPECT_EQ(membrane, *hands.cut.membrane);
   removeHand(membrane, {HandKind::Pin, 0});
   EXPECT_TRUE(membrane.pins.empty());
 }

@@ -62,8 +62,8 @@ TEST(SliceCutTool, TheOutlineLiesOnTheShapeAndOnTheSlice) {
 
 TEST(SliceCutTool, TheCurvesOfAMembraneLieOnItsSheetAndAreTakenHoldOf) {
   scene::Cut cut = tiltedCut(scene::CutShape::Membrane);
-  cut.membrane.shape = wavySheet({30, 30}, cut.sizeMm);
-  membrane::SheetIndex index = membrane::makeSheetIndex(cut.membrane.shape, {30, 30}, cut.sizeMm);
+  cut.membrane->shape = wavySheet({30, 30}, cut.sizeMm);
+  membrane::SheetIndex index = membrane::makeSheetIndex(cut.membrane->shape, {30, 30}, cut.sizeMm);
   shared::SheetPlan plan{{0, 30, 30, 0}, glm::vec3(cut.sizeMm * 0.5)};
   int corners = 0, held = 0;
   for (const auto& frame : manySlices()) {

@@ -1,8 +1,8 @@
 #pragma once
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <map>
 #include <memory>
-#include <vector>
 
 #include "velum/membrane/sheet/Sheet.h"
 #include "velum/scene/Scene.h"
@@ -35,9 +35,9 @@ struct Frame {
   /// A picture at once, for while something moves: shadows and occlusion as they stand in the last full frame of the
   /// same material, or none; a smaller copy of a volume that is not on the GPU yet.
   bool isPreview = false;
-  /// Of the enabled membranes, in the order of the cuts. One that is missing, empty, or made for a frame of another
-  /// size is drawn as `Cut::membrane.shape` says, or flat.
-  std::vector<FrameSheet> sheets;
+  /// Of enabled membranes, by the id of the cut. One that is missing, empty, or made for a frame of another size is
+  /// drawn as `Cut::membrane` says, or flat.
+  std::map<int, FrameSheet> sheets;
   SliceParts parts;
   bool operator==(const Frame&) const = default;
 };

@@ -1,5 +1,6 @@
 #pragma once
 #include <glm/glm.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,8 @@ namespace velum::scene {
 enum class CutShape { Plane, Box, Sphere, Cylinder, Cone, Membrane };
 enum class CutFace { Shaded, Slice };
 
+constexpr int kMostCutId = 1'000'000'000;
+
 /// True for shapes with a width, a height and a depth of their own, which a turn about their axis changes.
 constexpr bool hasEdges(CutShape shape) { return shape == CutShape::Box || shape == CutShape::Membrane; }
 
@@ -18,6 +21,7 @@ constexpr bool hasEdges(CutShape shape) { return shape == CutShape::Box || shape
 /// inside; a membrane, the side of its sheet that `axis` points to (beyond its frame, of the frame's plane); with
 /// `invert`, the other side. A position is kept when no enabled cut removes it. World frame (mm, LPS).
 struct Cut {
+  int id = 0;  ///< by which everything knows the cut: from 1, unique in a scene, see addCut(); 0: it has none yet
   std::string name;
   CutShape shape = CutShape::Plane;
   bool enabled = true;
@@ -27,12 +31,14 @@ struct Cut {
   double spinDeg = 0.0;             ///< turn of a box about its axis
   glm::dvec3 sizeMm{100.0};  ///< box: edges along local x, y, z; sphere: diameter x; cylinder, cone: diameter x, length
                              ///< z; membrane: its frame's width x, height y, and reach to both sides z
-  CutFace face = CutFace::Shaded;  ///< how the cut surface looks
-  double faceOpacity = 1.0;        ///< slice faces: 0..1
-  std::vector<int> exempt;         ///< ids of structures that this cut leaves whole
-  Membrane membrane;               ///< what a membrane is beside its frame
+  CutFace face = CutFace::Shaded;    ///< how the cut surface looks
+  double faceOpacity = 1.0;          ///< slice faces: 0..1
+  std::vector<int> exempt;           ///< ids of structures that this cut leaves whole
+  std::optional<Membrane> membrane;  ///< what a membrane is beside its frame; other shapes have none
   bool operator==(const Cut&) const = default;
   static void fields(auto& o, auto& visit) {
+    visit("id", o.id,
+          FieldInfo{"", {0, kMostCutId}, "Number by which the cut is known, unique in a scene; 0: a new one."});
     visit("name", o.name, FieldInfo{"", {}, "Name for people."});
     visit("shape", o.shape, FieldInfo{"", {}, "Plane, box, sphere, cylinder, cone or membrane."});
     visit("enabled", o.enabled, FieldInfo{"", {}, "Off: the cut removes nothing."});
@@ -49,9 +55,13 @@ struct Cut {
     visit("face", o.face, FieldInfo{"", {}, "Shaded: the cut material; slice: the data's grey values, as on a slice."});
     visit("faceOpacity", o.faceOpacity, FieldInfo{"", {0, 1}, "Opacity of a slice face."});
     visit("exempt", o.exempt, FieldInfo{"", {0, 65535}, "Structures (label ids) that this cut leaves whole."});
-    visit("membrane", o.membrane, FieldInfo{"", {}, "The sheet of a membrane.", true});
+    visit("membrane", o.membrane, FieldInfo{"", {}, "The sheet of a membrane; other shapes have none.", true});
   }
 };
+
+inline bool isMembrane(const Cut& cut) { return cut.shape == CutShape::Membrane; }
+/// A membrane whose use is an image with what lies next to it. Several of them add up.
+inline bool isInlay(const Cut& cut) { return isMembrane(cut) && cut.membrane->use == MembraneUse::Slice; }
 
 }  // namespace velum::scene
 

@@ -117,6 +117,20 @@ Camera frameCamera(const Scene& scene, StandardView view, double aspect);
 /// it is a thin slab; else obliquely.
 StandardView defaultView(const Scene& scene);
 
+/// The cut with an id; null when the scene has none. The place of a cut in the list is for the order of rows only.
+Cut* findCut(Scene& scene, int id);
+const Cut* findCut(const Scene& scene, int id);
+/// Its place in the list; -1 when the scene has none.
+int cutPlace(const Scene& scene, int id);
+
+/// A number that no cut of a scene has: one more than the largest.
+int nextCutId(const Scene& scene);
+/// Appends a cut under a new id, whatever it came with. @return the id
+int addCut(Scene& scene, Cut cut);
+/// Gives an id to each cut that has none, or has that of one before it, and a membrane to those, and only those, that
+/// are one: for scenes that come from outside.
+void completeCuts(Scene& scene);
+
 /// The rigid frame of a cut: local z is its axis. World from local, mm.
 glm::dmat4 worldFromCut(const Cut& cut);
 

@@ -50,14 +50,9 @@ QLabel* CutForm::addRow(const QString& name, QWidget* control) {
 }
 
 void CutForm::editCut(const char* label, const std::function<void(scene::Cut&)>& change, bool merge) {
-  if (mSelection.cut() < 0) return;
-  std::size_t index = std::size_t(mSelection.cut());
+  if (!scene::findCut(mDocument.scene(), mSelection.cut())) return;
   mDocument.edit(
-      label,
-      [&](scene::Scene& scene) {
-        if (index < scene.cuts.size()) change(scene.cuts[index]);
-      },
-      merge);
+      label, [&](scene::Scene& scene) { change(*scene::findCut(scene, mSelection.cut())); }, merge);
 }
 
 QDoubleSpinBox* CutForm::makeSpin(QWidget* parent, double min, double max, const QString& suffix) {

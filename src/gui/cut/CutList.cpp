@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kRowHeight = 27, kEyeWidth = 28, kShapeWidth = 24;
 constexpr int kMostRows = 5;
-constexpr int kShapeRole = Qt::UserRole;
+constexpr int kShapeRole = Qt::UserRole, kIdRole = Qt::UserRole + 3;
 
 class Delegate : public QStyledItemDelegate {
  public:
@@ -77,8 +77,8 @@ CutList::CutList(QWidget* parent) : QListWidget(parent) {
   connect(this, &QListWidget::itemChanged, this, [this](QListWidgetItem* item) {
     // One signal for both: the eye has been told by the data when the state differs.
     bool enabled = item->checkState() == Qt::Checked;
-    if (item->data(Qt::UserRole + 1).toBool() != enabled) emit toggled(row(item), enabled);
-    if (item->data(Qt::UserRole + 2).toString() != item->text()) emit renamed(row(item), item->text());
+    if (item->data(Qt::UserRole + 1).toBool() != enabled) emit toggled(cutAt(row(item)), enabled);
+    if (item->data(Qt::UserRole + 2).toString() != item->text()) emit renamed(cutAt(row(item)), item->text());
   });
 }
 
@@ -94,6 +94,7 @@ void CutList::setCuts(const std::vector<scene::Cut>& cuts, int selected) {
     auto set = [row = item(i)](int role, const QVariant& value) {
       if (row->data(role) != value) row->setData(role, value);
     };
+    set(kIdRole, cut.id);
     set(kShapeRole, static_cast<int>(cut.shape));
     set(Qt::UserRole + 1, cut.enabled);
     set(Qt::UserRole + 2, cutTitle(cut, i));
@@ -103,6 +104,8 @@ void CutList::setCuts(const std::vector<scene::Cut>& cuts, int selected) {
   setFixedHeight(std::clamp(count(), 1, kMostRows) * kRowHeight + 8);
   setCurrentRow(selected);
 }
+
+int CutList::cutAt(int row) const { return item(row) ? item(row)->data(kIdRole).toInt() : 0; }
 
 bool CutList::event(QEvent* event) {
   // The list's own keys go before commands of the window that have the same.

@@ -11,12 +11,15 @@ class CutList : public QListWidget {
   Q_OBJECT
  public:
   explicit CutList(QWidget* parent);
-  /// Takes the scene's cuts over; does nothing to rows that are the same.
+  /// Takes the scene's cuts over; does nothing to rows that are the same. @param selected  row, -1: none
   void setCuts(const std::vector<scene::Cut>& cuts, int selected);
+  /// Id of the cut in a row; 0: none.
+  int cutAt(int row) const;
 
  signals:
-  void toggled(int row, bool enabled);
-  void renamed(int row, const QString& name);
+  // Of cuts, by their ids.
+  void toggled(int cut, bool enabled);
+  void renamed(int cut, const QString& name);
   /// Alt and an arrow key. @param by  -1: up, 1: down
   void moveAsked(int by);
 

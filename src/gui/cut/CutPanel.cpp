@@ -59,17 +59,17 @@ CutPanel::CutPanel(session::Document& document, Selection& selection, QWidget* p
   layout->addWidget(mKeepWhole, 1000);
   layout->addStretch(1);  // holds all up where there is no list to fill the height
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Expanding);
-  connect(mList, &QListWidget::currentRowChanged, this, [this](int row) { mSelection.setCut(row); });
+  connect(mList, &QListWidget::currentRowChanged, this, [this](int row) { mSelection.setCut(mList->cutAt(row)); });
   connect(&mSelection, &Selection::cutChanged, this, &CutPanel::refresh);
   connect(mList, &CutList::moveAsked, this, &CutPanel::moveSelected);
-  connect(mList, &CutList::toggled, this, [this](int row, bool on) {
+  connect(mList, &CutList::toggled, this, [this](int id, bool on) {
     mDocument.edit(on ? "Turn cut on" : "Turn cut off", [&](scene::Scene& scene) {
-      if (row < int(scene.cuts.size())) scene.cuts[std::size_t(row)].enabled = on;
+      if (scene::Cut* cut = scene::findCut(scene, id)) cut->enabled = on;
     });
   });
-  connect(mList, &CutList::renamed, this, [this](int row, const QString& name) {
+  connect(mList, &CutList::renamed, this, [this](int id, const QString& name) {
     mDocument.edit("Rename cut", [&](scene::Scene& scene) {
-      if (row < int(scene.cuts.size())) scene.cuts[std::size_t(row)].name = name.trimmed().toStdString();
+      if (scene::Cut* cut = scene::findCut(scene, id)) cut->name = name.trimmed().toStdString();
     });
   });
   connect(mKeepWhole, &KeepWholeList::changed, this, [this](const std::vector<int>& ids, bool whole) {
@@ -143,27 +143,25 @@ bool CutPanel::hasData() const {
 
 void CutPanel::addCut(scene::Cut cut, const char* label) {
   if (!hasData()) return;
-  int index = int(mDocument.scene().cuts.size());
-  if (cut.name.empty()) cut.name = QString("%1 %2").arg(shapeTitle(cut.shape)).arg(index + 1).toStdString();
-  mDocument.edit(label, [&](scene::Scene& scene) { scene.cuts.push_back(cut); });
-  mSelection.setCut(index);
+  auto number = mDocument.scene().cuts.size() + 1;
+  if (cut.name.empty()) cut.name = QString("%1 %2").arg(shapeTitle(cut.shape)).arg(number).toStdString();
+  int id = 0;
+  mDocument.edit(label, [&](scene::Scene& scene) { id = scene::addCut(scene, cut); });
+  mSelection.setCut(id);
 }
 
 void CutPanel::addShape(scene::CutShape shape) {
   scene::Cut cut = session::makeCut(mDocument.scene(), shape);
-  bool isMembrane = shape == scene::CutShape::Membrane;
-  if (isMembrane) cut.membrane.field = session::defaultField(mDocument.scene());
+  bool isMembrane = scene::isMembrane(cut);
+  if (isMembrane) cut.membrane->field = session::defaultField(mDocument.scene());
   addCut(std::move(cut), isMembrane ? "Add membrane" : "Add cut");
 }
 
 void CutPanel::addAlongView() { addCut(session::cutFacingCamera(mDocument.scene()), "Cut along the view"); }
 
 void CutPanel::removeSelected() {
-  if (selected() < 0) return;
-  std::size_t index = std::size_t(selected());
-  mDocument.edit("Remove cut", [&](scene::Scene& scene) {
-    if (index < scene.cuts.size()) scene.cuts.erase(scene.cuts.begin() + std::ptrdiff_t(index));
-  });
+  if (place() < 0) return;
+  mDocument.edit("Remove cut", [&](scene::Scene& scene) { scene.cuts.erase(scene.cuts.begin() + place()); });
 }
 
 void CutPanel::flipSelected() {
@@ -171,30 +169,34 @@ void CutPanel::flipSelected() {
 }
 
 void CutPanel::duplicateSelected() {
-  const auto& cuts = mDocument.scene().cuts;
-  if (selected() < 0 || selected() >= int(cuts.size())) return;
-  std::size_t index = std::size_t(selected());
-  scene::Cut copy = cuts[index];
-  copy.name = tr("%1 copy").arg(cutTitle(copy, selected())).toStdString();
-  mDocument.edit("Duplicate cut",
-                 [&](scene::Scene& scene) { scene.cuts.insert(scene.cuts.begin() + std::ptrdiff_t(index) + 1, copy); });
-  mSelection.setCut(int(index) + 1);
+  const scene::Scene& scene = mDocument.scene();
+  int index = place();
+  if (index < 0) return;
+  scene::Cut copy = scene.cuts[std::size_t(index)];
+  copy.id = scene::nextCutId(scene);
+  copy.name = tr("%1 copy").arg(cutTitle(copy, index)).toStdString();
+  mDocument.edit("Duplicate cut", [&](scene::Scene& next) { next.cuts.insert(next.cuts.begin() + index + 1, copy); });
+  mSelection.setCut(copy.id);
 }
 
 void CutPanel::moveSelected(int by) {
-  int from = selected(), to = from + by;
+  int from = place(), to = from + by;
   if (from < 0 || to < 0 || to >= int(mDocument.scene().cuts.size())) return;
   mDocument.edit("Move cut in the list",
                  [&](scene::Scene& scene) { std::swap(scene.cuts[std::size_t(from)], scene.cuts[std::size_t(to)]); });
-  mSelection.setCut(to);
 }
+
+int CutPanel::place() const { return scene::cutPlace(mDocument.scene(), mSelection.cut()); }
 
 void CutPanel::refresh() {
   const scene::Scene& scene = mDocument.scene();
-  int count = int(scene.cuts.size());
-  int index = std::clamp(selected(), -1, count - 1);
-  if (index < 0 && count > 0) index = 0;
-  if (index != selected()) return mSelection.setCut(index);  // comes back here
+  int count = int(scene.cuts.size()), index = place();
+  if (index < 0) {
+    // What stands now where the one that has gone stood.
+    int next = std::clamp(mShown.place, 0, std::max(0, count - 1));
+    int id = count > 0 ? scene.cuts[std::size_t(next)].id : 0;
+    if (id != mSelection.cut()) return mSelection.setCut(id);  // comes back here
+  }
   Shown now{scene.cuts, scene.labels.structures, scene.volume.data.id(), scene.labels.data.id(), index};
   if (now == mShown) return;
   mShown = std::move(now);
@@ -202,7 +204,7 @@ void CutPanel::refresh() {
   mList->setCuts(scene.cuts, index);
   for (QWidget* part : {static_cast<QWidget*>(mList), mTools, static_cast<QWidget*>(mForm)}) part->setVisible(any);
   mEmpty->setVisible(!any);
-  bool isMembrane = any && scene.cuts[std::size_t(index)].shape == scene::CutShape::Membrane;
+  bool isMembrane = any && scene::isMembrane(scene.cuts[std::size_t(index)]);
   mMembrane->setVisible(isMembrane);
   mLine->setVisible(any && !scene.labels.structures.empty());
   mKeepWhole->setVisible(any);

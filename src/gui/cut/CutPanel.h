@@ -19,7 +19,6 @@ class CutPanel : public QWidget {
  public:
   CutPanel(session::Document& document, Selection& selection, QWidget* parent);
   void refresh();
-  int selected() const { return mSelection.cut(); }
 
   /// What belongs to the selected membrane; hidden for other cuts.
   MembraneForm& membraneForm() { return *mMembrane; }
@@ -45,6 +44,8 @@ class CutPanel : public QWidget {
   void threePointsAsked();
 
  private:
+  /// Place of the selected cut in the list; -1: none.
+  int place() const;
   void buildHead();
   QWidget* buildTools();
   bool hasData() const;
@@ -63,7 +64,7 @@ class CutPanel : public QWidget {
     std::vector<scene::Cut> cuts;
     std::vector<scene::Structure> structures;
     std::uint64_t volume = 0, labels = 0;
-    int index = -2;
+    int place = -2;
     bool operator==(const Shown&) const = default;
   };
   Shown mShown;

@@ -34,7 +34,7 @@ void ThreePointTool::start() {
   resize(mView.size());
   show();
   raise();
-  mView.selectCut(-1);  // its handles would be in the way
+  mView.selectCut(0);  // its handles would be in the way
   mView.setFocus();
   mView.setCursor(Qt::CrossCursor);
   say(tr("Click the first of three points. Esc gives up."));

@@ -11,7 +11,7 @@ class Selection : public QObject {
 
   /// Label id; 0: none.
   int structure() const { return mStructure; }
-  /// Place in scene.cuts; -1: none. May lie beyond the list for the time of an edit.
+  /// Id of a cut; 0: none. May be that of a cut that has gone, for the time of an edit.
   int cut() const { return mCut; }
 
  public slots:
@@ -20,19 +20,19 @@ class Selection : public QObject {
     mStructure = id;
     emit structureChanged(id);
   }
-  void setCut(int index) {
-    if (mCut == index) return;
-    mCut = index;
-    emit cutChanged(index);
+  void setCut(int id) {
+    if (mCut == id) return;
+    mCut = id;
+    emit cutChanged(id);
   }
 
  signals:
   void structureChanged(int id);
-  void cutChanged(int index);
+  void cutChanged(int id);
 
  private:
   int mStructure = 0;
-  int mCut = -1;
+  int mCut = 0;
 };
 
 }  // namespace velum::gui

@@ -96,7 +96,7 @@ MembraneForm::~MembraneForm() { mJob.reset(); }
 
 void MembraneForm::edit(const QString& label, const Change& change, bool merge) {
   mForm.editCut(
-      label.toStdString().c_str(), [&](scene::Cut& cut) { change(cut.membrane); }, merge);
+      label.toStdString().c_str(), [&](scene::Cut& cut) { change(*cut.membrane); }, merge);
 }
 
 QWidget* MembraneForm::makeFieldHead() {
@@ -261,7 +261,7 @@ void MembraneForm::makeCloth(QGridLayout* grid) {
 }
 
 void MembraneForm::showCut(const scene::Cut& cut) {
-  mShown = cut.membrane;
+  mShown = *cut.membrane;
   const scene::Membrane& m = mShown;
   showCurve();
   mHands->showCut(cut);

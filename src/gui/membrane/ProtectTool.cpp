@@ -57,13 +57,13 @@ void ProtectTool::clickedInPicture(QPointF place, Qt::KeyboardModifiers keys) {
 }
 
 void ProtectTool::protectAt(glm::dvec3 worldMm, int structure, Qt::KeyboardModifiers keys) {
-  std::size_t index = std::size_t(mSelection.cut());
   double strength = mLetThrough ? 0.0 : session::kProtectStrength;
   std::optional<session::Tissue> tissue;
   std::string label = mLetThrough ? "Let sheet through" : "Protect from sheet";
   mDocument.edit(label, [&](scene::Scene& scene) {
-    if (mSelection.cut() < 0 || index >= scene.cuts.size()) return;
-    scene::Membrane& membrane = scene.cuts[index].membrane;
+    scene::Cut* cut = scene::findCut(scene, mSelection.cut());
+    if (!cut || !cut->membrane) return;
+    scene::Membrane& membrane = *cut->membrane;
     if (structure > 0 && scene.labels.visible)
       session::protectStructure(membrane, structure, strength);
     else

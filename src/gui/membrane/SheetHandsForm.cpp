@@ -82,7 +82,7 @@ void SheetHandsForm::edit(const char* label, const std::function<void(scene::Cut
 void SheetHandsForm::remove(Hand hand) {
   edit(
       hand.kind == HandKind::Pin ? "Remove pin" : "Remove kernel",
-      [hand](scene::Cut& cut) { session::removeHand(cut.membrane, hand); }, false);
+      [hand](scene::Cut& cut) { session::removeHand(*cut.membrane, hand); }, false);
 }
 
 QDoubleSpinBox* SheetHandsForm::makeNumber(QWidget* row, double min, double max, int decimals, const QString& suffix,
@@ -126,14 +126,14 @@ SheetHandsForm::Row SheetHandsForm::makeRow(Hand hand) {
   } else {
     row.first = makeNumber(row.widget, 0.1, kFarMm, 1, tr(" mm"), tr("Radius of the ball, mm"),
                            [index](scene::Cut& cut, double mm) {
-                             if (index < cut.membrane.field.kernels.size())
-                               cut.membrane.field.kernels[index].radiusMm = mm;
+                             if (index < cut.membrane->field.kernels.size())
+                               cut.membrane->field.kernels[index].radiusMm = mm;
                            });
     row.second = makeNumber(row.widget, -kMostStrength, kMostStrength, 0, {},
                             tr("Strength, -1000 to 1000: above 0 it pushes the sheet away, below it pulls"),
                             [index](scene::Cut& cut, double strength) {
-                              if (index < cut.membrane.field.kernels.size())
-                                cut.membrane.field.kernels[index].strength = strength;
+                              if (index < cut.membrane->field.kernels.size())
+                                cut.membrane->field.kernels[index].strength = strength;
                             });
   }
   layout->addWidget(row.first, 1);
@@ -155,12 +155,12 @@ void SheetHandsForm::showRow(const Row& row, const scene::Cut& cut) {
     const QSignalBlocker quiet(spin);
     spin->setValue(value);
   };
-  QString name = nameOf(row.hand, cut.membrane);
+  QString name = nameOf(row.hand, *cut.membrane);
   double strength = 0.0;
   if (row.hand.kind == HandKind::Pin) {
     set(row.first, session::pinHeight(cut, row.hand));
   } else {
-    const auto& kernel = cut.membrane.field.kernels[index];
+    const auto& kernel = cut.membrane->field.kernels[index];
     strength = kernel.strength;
     set(row.first, kernel.radiusMm);
     set(row.second, kernel.strength);
@@ -172,8 +172,8 @@ void SheetHandsForm::showRow(const Row& row, const scene::Cut& cut) {
 
 void SheetHandsForm::showCut(const scene::Cut& cut) {
   std::vector<Hand> hands;
-  for (int i = 0; i < int(cut.membrane.pins.size()); ++i) hands.push_back({HandKind::Pin, i});
-  for (int i = 0; i < int(cut.membrane.field.kernels.size()); ++i) hands.push_back({HandKind::Kernel, i});
+  for (int i = 0; i < int(cut.membrane->pins.size()); ++i) hands.push_back({HandKind::Pin, i});
+  for (int i = 0; i < int(cut.membrane->field.kernels.size()); ++i) hands.push_back({HandKind::Kernel, i});
   // Rows are kept while they mean the same, so that the keyboard stays where it is.
   while (mRows.size() > hands.size() || (!mRows.empty() && mRows.back().hand != hands[mRows.size() - 1])) {
     mRows.back().widget->hide();  // it may be the one that is speaking

@@ -26,7 +26,7 @@ bool SheetHandsOverlay::eventFilter(QObject* watched, QEvent* event) {
 /// Hidden while there is nothing to draw, so that it costs nothing then.
 void SheetHandsOverlay::refresh() {
   const scene::Cut* cut = mTool.membrane();
-  bool has = cut && (!cut->membrane.pins.empty() || !cut->membrane.field.kernels.empty());
+  bool has = cut && (!cut->membrane->pins.empty() || !cut->membrane->field.kernels.empty());
   setVisible(has && (!mSlice || mDocument.scene().slices.showCuts));
   if (has) update();
 }

@@ -58,7 +58,7 @@ void drawKernel(QPainter& painter, QPointF middle, double strength, bool hot, bo
 
 void paintHands(QPainter& painter, const scene::Cut& cut, const scene::Camera& camera, glm::dvec2 size,
                 const HandMarks& marks) {
-  const auto& kernels = cut.membrane.field.kernels;
+  const auto& kernels = cut.membrane->field.kernels;
   auto place = [&](glm::dvec3 world) { return scene::pixelFromWorld(camera, size, world); };
   auto ring = [&](const std::vector<glm::dvec3>& points) {
     QPolygonF polygon;
@@ -82,13 +82,13 @@ void paintHands(QPainter& painter, const scene::Cut& cut, const scene::Camera& c
       drawKernel(painter, toPoint(*middle), kernels[i].strength, isOf(marks.hover, HandKind::Kernel, i),
                  isOf(marks.selected, HandKind::Kernel, i));
   }
-  for (std::size_t i = 0; i < cut.membrane.pins.size(); ++i)
-    if (auto point = place(cut.membrane.pins[i].placeMm))
+  for (std::size_t i = 0; i < cut.membrane->pins.size(); ++i)
+    if (auto point = place(cut.membrane->pins[i].placeMm))
       drawPin(painter, toPoint(*point), isOf(marks.hover, HandKind::Pin, i), isOf(marks.selected, HandKind::Pin, i));
 }
 
 void paintHands(QPainter& painter, const scene::Cut& cut, const scene::SliceFrame& frame, const HandMarks& marks) {
-  const auto& kernels = cut.membrane.field.kernels;
+  const auto& kernels = cut.membrane->field.kernels;
   for (std::size_t i = 0; i < kernels.size(); ++i) {
     auto circle = session::circleOnSlice(frame, kernels[i]);
     if (!circle) continue;
@@ -102,8 +102,8 @@ void paintHands(QPainter& painter, const scene::Cut& cut, const scene::SliceFram
     drawKernel(painter, toPoint(circle->middle), kernels[i].strength, isOf(marks.hover, HandKind::Kernel, i),
                isOf(marks.selected, HandKind::Kernel, i));
   }
-  for (std::size_t i = 0; i < cut.membrane.pins.size(); ++i) {
-    glm::dvec3 place = cut.membrane.pins[i].placeMm;
+  for (std::size_t i = 0; i < cut.membrane->pins.size(); ++i) {
+    glm::dvec3 place = cut.membrane->pins[i].placeMm;
     double nearness = session::nearnessToSlice(frame, place);
     if (nearness <= 0.0) continue;
     double before = painter.opacity();

@@ -40,24 +40,20 @@ SheetTool::SheetTool(session::Document& document, ViewGrid& views, Selection& se
 }
 
 const scene::Cut* SheetTool::membrane() const {
-  const auto& cuts = mDocument.scene().cuts;
-  int index = mSelection.cut();
-  if (index < 0 || index >= int(cuts.size())) return nullptr;
-  const scene::Cut& cut = cuts[std::size_t(index)];
-  return cut.shape == scene::CutShape::Membrane ? &cut : nullptr;
+  const scene::Cut* cut = scene::findCut(mDocument.scene(), mSelection.cut());
+  return cut && scene::isMembrane(*cut) ? cut : nullptr;
 }
 
 void SheetTool::refresh() {
   const scene::Cut* cut = membrane();
-  if (mSelected.kind != HandKind::None && (!cut || !session::holds(cut->membrane, mSelected))) select({});
-  if (mHover.kind != HandKind::None && (!cut || !session::holds(cut->membrane, mHover))) mHover = {};
+  if (mSelected.kind != HandKind::None && (!cut || !session::holds(*cut->membrane, mSelected))) select({});
+  if (mHover.kind != HandKind::None && (!cut || !session::holds(*cut->membrane, mHover))) mHover = {};
   for (auto* overlay : mOverlays) overlay->refresh();
 }
 
 void SheetTool::start(Mode mode) {
-  const auto& cuts = mDocument.scene().cuts;
-  for (int i = 0; !membrane() && i < int(cuts.size()); ++i)
-    if (cuts[std::size_t(i)].shape == scene::CutShape::Membrane) mSelection.setCut(i);
+  for (const auto& cut : mDocument.scene().cuts)
+    if (!membrane() && scene::isMembrane(cut)) mSelection.setCut(cut.id);
   if (!membrane() || mode == Mode::None) {
     if (mode != Mode::None) mMessages.showNote(tr("Add a membrane first: pins and kernels are put on its sheet."));
     return stop();
@@ -84,18 +80,18 @@ void SheetTool::select(Hand hand) {
 }
 
 void SheetTool::edit(const char* label, const std::function<void(scene::Membrane&)>& change, bool merge) {
-  auto index = std::size_t(mSelection.cut());
   mDocument.edit(
       label,
       [&](scene::Scene& scene) {
-        if (index < scene.cuts.size()) change(scene.cuts[index].membrane);
+        scene::Cut* cut = scene::findCut(scene, mSelection.cut());
+        if (cut && cut->membrane) change(*cut->membrane);
       },
       merge);
 }
 
 void SheetTool::removeSelected() {
   const scene::Cut* cut = membrane();
-  if (!cut || !session::holds(cut->membrane, mSelected)) return;
+  if (!cut || !session::holds(*cut->membrane, mSelected)) return;
   Hand hand = mSelected;
   select({});
   edit(
@@ -153,7 +149,7 @@ bool SheetTool::eventFilter(QObject* watched, QEvent* event) {
 }
 
 Hand SheetTool::handUnder(const QWidget* view, glm::dvec2 place) const {
-  const auto& m = membrane()->membrane;
+  const auto& m = *membrane()->membrane;
   const SliceView* slice = sliceOf(view);
   if (!slice) return session::handAt(m, mDocument.scene().camera, sizeOf(view), place, kReachPixels);
   return mDocument.scene().slices.showCuts ? session::handAt(m, slice->frame(), place, kReachPixels) : Hand{};
@@ -161,7 +157,7 @@ Hand SheetTool::handUnder(const QWidget* view, glm::dvec2 place) const {
 
 std::optional<session::SheetPoint> SheetTool::sheetUnder(const QWidget* view, glm::dvec2 place) const {
   const scene::Cut& cut = *membrane();
-  auto sheet = mViews.viewport().membranes().index(std::size_t(mSelection.cut()));
+  auto sheet = mViews.viewport().membranes().index(mSelection.cut());
   if (!sheet) return std::nullopt;
   if (const SliceView* slice = sliceOf(view))
     return session::sheetOnSlice(cut, *sheet, slice->frame(), place, 2.0 * kReachPixels);
@@ -224,7 +220,7 @@ bool SheetTool::press(QWidget* view, QMouseEvent* event) {
     mLabel = session::handLabel(hand);
   }
   mView = view;
-  mStart = membrane()->membrane;
+  mStart = *membrane()->membrane;
   mStartCamera = mDocument.scene().camera;
   if (const SliceView* slice = sliceOf(view)) mStartFrame = slice->frame();
   if (mHover.kind == HandKind::None || mMode != Mode::None) mHover = mSelected;
@@ -301,7 +297,7 @@ void SheetTool::showMenu(QPoint globalPlace) {
   QMenu menu;
   menu.setObjectName("sheetHandMenu");
   if (mSelected.kind == HandKind::Kernel) {
-    bool pushes = membrane()->membrane.field.kernels[std::size_t(mSelected.index)].strength > 0;
+    bool pushes = membrane()->membrane->field.kernels[std::size_t(mSelected.index)].strength > 0;
     connect(menu.addAction(pushes ? tr("&Pull the sheet instead") : tr("&Push the sheet instead")), &QAction::triggered,
             this, &SheetTool::turnSelected);
   }

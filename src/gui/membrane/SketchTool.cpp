@@ -47,11 +47,8 @@ SketchTool::SketchTool(session::Document& document, ViewGrid& views, Selection& 
 }
 
 const std::vector<scene::Stroke>* SketchTool::strokes() const {
-  const auto& cuts = mDocument.scene().cuts;
-  int index = mSelection.cut();
-  if (index < 0 || index >= int(cuts.size())) return nullptr;
-  const scene::Cut& cut = cuts[std::size_t(index)];
-  return cut.shape == scene::CutShape::Membrane ? &cut.membrane.field.strokes : nullptr;
+  const scene::Cut* cut = scene::findCut(mDocument.scene(), mSelection.cut());
+  return cut && scene::isMembrane(*cut) ? &cut->membrane->field.strokes : nullptr;
 }
 
 void SketchTool::refresh() {
@@ -152,10 +149,11 @@ void SketchTool::edit(const std::string& label, const std::function<void(Strokes
   if (!all || !mDocument.scene().volume.data) return;
   Strokes next = *all;
   change(next);
-  auto index = std::size_t(mSelection.cut());
   mDocument.edit(
       label,
-      [&](scene::Scene& scene) { session::setStrokes(scene.cuts[index].membrane.field, next, scene.volume, whole()); },
+      [&](scene::Scene& scene) {
+        session::setStrokes(scene::findCut(scene, mSelection.cut())->membrane->field, next, scene.volume, whole());
+      },
       merge);
 }
 
@@ -225,7 +223,7 @@ bool SketchTool::handleView(QWidget* view, QEvent* event) {
 bool SketchTool::isOnHandle(QPointF place) const {
   const scene::Scene& scene = mDocument.scene();
   glm::dvec2 size(mViews.viewport().width(), mViews.viewport().height());
-  const scene::Cut& cut = scene.cuts[std::size_t(mSelection.cut())];
+  const scene::Cut& cut = *scene::findCut(scene, mSelection.cut());
   return session::handleAt(session::makeCutGizmo(scene, cut, size), scene.camera, size, toVec(place), kHandlePixels) !=
          session::CutHandle::None;
 }
@@ -269,8 +267,8 @@ void SketchTool::finish() {
   stroke.pathMm = session::simplifiedPath(stroke.pathMm, kPathTolerance * stroke.radiusMm);
   edit(stroke.avoid ? "Sketch what to let through" : "Sketch what to keep whole",
        [&](Strokes& all) { all.push_back(stroke); });
-  const scene::Cut& cut = mDocument.scene().cuts[std::size_t(mSelection.cut())];
-  if (!stroke.avoid && cut.membrane.field.byValue.empty())
+  const scene::Cut& cut = *scene::findCut(mDocument.scene(), mSelection.cut());
+  if (!stroke.avoid && cut.membrane->field.byValue.empty())
     mMessages.showNote(
         tr("What is under the strokes is like all the rest: nothing in it tells it apart by its values."));
   updateOverlays();

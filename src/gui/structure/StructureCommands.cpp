@@ -79,16 +79,13 @@ void StructureCommands::rename(int id, const QString& name) {
   });
 }
 
-const scene::Cut* StructureCommands::cut() const {
-  const auto& cuts = mDocument.scene().cuts;
-  int index = mSelection.cut();
-  return index >= 0 && index < int(cuts.size()) ? &cuts[std::size_t(index)] : nullptr;
-}
+const scene::Cut* StructureCommands::cut() const { return scene::findCut(mDocument.scene(), mSelection.cut()); }
 
 QString StructureCommands::cutName() const {
   const scene::Cut* selected = cut();
   if (!selected) return {};
-  return selected->name.empty() ? tr("cut %1").arg(mSelection.cut() + 1) : QString::fromStdString(selected->name);
+  if (!selected->name.empty()) return QString::fromStdString(selected->name);
+  return tr("cut %1").arg(scene::cutPlace(mDocument.scene(), selected->id) + 1);
 }
 
 bool StructureCommands::isKeptWhole(int id) const {
@@ -98,16 +95,15 @@ bool StructureCommands::isKeptWhole(int id) const {
 
 void StructureCommands::setKeptWhole(const Ids& ids, bool whole) {
   if (!cut()) return;
-  std::size_t index = std::size_t(mSelection.cut());
   mDocument.edit(session::structureLabel(mDocument.scene(), whole ? "Keep whole" : "Cut", ids),
                  [&](scene::Scene& scene) {
-                   for (int id : ids) session::setExempt(scene.cuts[index], id, whole);
+                   for (int id : ids) session::setExempt(*scene::findCut(scene, mSelection.cut()), id, whole);
                  });
 }
 
 const scene::Membrane* StructureCommands::membrane() const {
   const scene::Cut* selected = cut();
-  return selected && selected->shape == scene::CutShape::Membrane ? &selected->membrane : nullptr;
+  return selected && scene::isMembrane(*selected) ? &*selected->membrane : nullptr;
 }
 
 double StructureCommands::strengthOf(int id) const {
@@ -120,10 +116,9 @@ double StructureCommands::strengthOf(int id) const {
 
 void StructureCommands::setStrength(const Ids& ids, double strength) {
   if (!membrane()) return;
-  std::size_t index = std::size_t(mSelection.cut());
   const char* verb = strength > 0 ? "Keep whole by membrane:" : strength < 0 ? "Draw membrane to" : "No force of";
   mDocument.edit(session::structureLabel(mDocument.scene(), verb, ids), [&](scene::Scene& scene) {
-    for (int id : ids) session::protectStructure(scene.cuts[index].membrane, id, strength);
+    for (int id : ids) session::protectStructure(*scene::findCut(scene, mSelection.cut())->membrane, id, strength);
   });
 }
 

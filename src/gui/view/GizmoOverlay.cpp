@@ -61,8 +61,8 @@ GizmoOverlay::GizmoOverlay(const session::Document& document, QWidget* parent) :
   setAttribute(Qt::WA_NoSystemBackground);
 }
 
-void GizmoOverlay::showCut(int index) {
-  mCut = index;
+void GizmoOverlay::showCut(int id) {
+  mCut = id;
   update();
 }
 
@@ -134,13 +134,11 @@ void GizmoOverlay::paintGizmo(QPainter& painter, const scene::Cut& cut) {
 }
 
 void GizmoOverlay::paintEvent(QPaintEvent*) {
-  const auto& cuts = mDocument.scene().cuts;
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  if (mCut >= 0 && mCut < int(cuts.size())) {
-    const scene::Cut& cut = cuts[std::size_t(mCut)];
-    painter.setOpacity(cut.enabled ? 1.0 : 0.45);
-    paintGizmo(painter, cut);
+  if (const scene::Cut* cut = scene::findCut(mDocument.scene(), mCut)) {
+    painter.setOpacity(cut->enabled ? 1.0 : 0.45);
+    paintGizmo(painter, *cut);
     painter.setOpacity(1.0);
   }
   drawTag(painter, mPointer, size(), mTag);

@@ -10,7 +10,8 @@ namespace velum::gui {
 class GizmoOverlay : public QWidget {
  public:
   GizmoOverlay(const session::Document& document, QWidget* parent);
-  void showCut(int index);
+  /// @param id  of the cut; 0: none
+  void showCut(int id);
   /// @return true when it was another one
   bool setHover(session::CutHandle handle);
   /// Numbers beside the pointer while something is dragged; empty: none.
@@ -26,7 +27,7 @@ class GizmoOverlay : public QWidget {
   void paintGizmo(QPainter& painter, const scene::Cut& cut);
 
   const session::Document& mDocument;
-  int mCut = -1;
+  int mCut = 0;
   session::CutHandle mHover = session::CutHandle::None;
   QPointF mPointer;
   QString mTag;

@@ -41,25 +41,18 @@ QPainterPath pathOf(const std::vector<std::vector<glm::dvec2>>& curves) {
 SliceCutOverlay::SliceCutOverlay(session::Document& document, Selection& selection)
     : mDocument(document), mSelection(selection) {}
 
-const scene::Cut* SliceCutOverlay::selected() const {
-  const auto& cuts = mDocument.scene().cuts;
-  int index = mSelection.cut();
-  return index >= 0 && index < int(cuts.size()) ? &cuts[std::size_t(index)] : nullptr;
-}
+const scene::Cut* SliceCutOverlay::selected() const { return scene::findCut(mDocument.scene(), mSelection.cut()); }
 
-void SliceCutOverlay::setSheets(const std::vector<std::shared_ptr<const membrane::SheetIndex>>& sheets) {
+void SliceCutOverlay::setSheets(const render::SheetIndices& sheets) {
   mSheets.clear();
-  for (const auto& sheet : sheets) mSheets.push_back(sheet ? session::shapeOf(*sheet) : scene::SheetShape());
+  for (const auto& [cut, sheet] : sheets) mSheets[cut] = sheet ? session::shapeOf(*sheet) : scene::SheetShape();
 }
 
 const scene::SheetShape& SliceCutOverlay::shapeOf(const scene::Cut& cut) const {
-  std::size_t sheet = 0;
-  for (const auto& other : mDocument.scene().cuts) {
-    bool isLive = other.enabled && other.shape == scene::CutShape::Membrane;
-    if (&other == &cut) return isLive && sheet < mSheets.size() ? mSheets[sheet] : cut.membrane.shape;
-    sheet += isLive ? 1 : 0;
-  }
-  return cut.membrane.shape;
+  static const scene::SheetShape kFlat;
+  if (!scene::isMembrane(cut)) return kFlat;
+  auto live = mSheets.find(cut.id);
+  return cut.enabled && live != mSheets.end() ? live->second : cut.membrane->shape;
 }
 
 void SliceCutOverlay::paintCut(QPainter& painter, const scene::SliceFrame& frame, const scene::Cut& cut,
@@ -68,7 +61,7 @@ void SliceCutOverlay::paintCut(QPainter& painter, const scene::SliceFrame& frame
   QColor color = kHandle;
   color.setAlpha(!cut.enabled ? 90 : isSelected ? 255 : 150);
   double width = isSelected ? 1.6 : 1.1;
-  if (cut.shape == scene::CutShape::Membrane) {
+  if (scene::isMembrane(cut)) {
     strokeTwice(painter, pathOf(outline.curves), color, width);
     if (!isSelected) return;
     QColor band = color;
@@ -124,11 +117,10 @@ bool SliceCutOverlay::press(QPointF place, const scene::SliceFrame& frame) {
   mHandle =
       cut ? session::sliceHandleAt(frame, *cut, toVec(place), kReachPixels, shapeOf(*cut)) : session::SliceHandle{};
   if (mHandle.kind == SliceHandleKind::None) {
-    for (int i = 0; i < int(scene.cuts.size()); ++i)
-      if (auto handle = session::sliceHandleAt(frame, scene.cuts[std::size_t(i)], toVec(place), 0.5 * kReachPixels,
-                                               shapeOf(scene.cuts[std::size_t(i)]));
-          handle.kind == SliceHandleKind::Move && i != mSelection.cut()) {
-        mSelection.setCut(i);
+    for (const auto& other : scene.cuts)
+      if (auto handle = session::sliceHandleAt(frame, other, toVec(place), 0.5 * kReachPixels, shapeOf(other));
+          handle.kind == SliceHandleKind::Move && other.id != mSelection.cut()) {
+        mSelection.setCut(other.id);
         mHandle = handle;
         break;
       }
@@ -157,14 +149,8 @@ bool SliceCutOverlay::move(QPointF place, const scene::SliceFrame& frame, bool s
                                          session::makeCutSnap(mDocument.scene(), snap));
   auto like = session::likeInPicture(mHandle);
   mTag = QString::fromStdString(session::dragText(mStart, now, like));
-  std::size_t index = std::size_t(mSelection.cut());
   mDocument.edit(
-      session::dragLabel(mStart, like),
-      [&](scene::Scene& scene) {
-        now.membrane.shape = scene.cuts[index].membrane.shape;  // as in the 3D view
-        scene.cuts[index] = now;
-      },
-      true);
+      session::dragLabel(mStart, like), [&](scene::Scene& scene) { session::replaceCut(scene, std::move(now)); }, true);
   return true;
 }
 

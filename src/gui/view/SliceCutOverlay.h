@@ -2,10 +2,10 @@
 #include <QPainter>
 #include <QPointF>
 #include <QString>
-#include <memory>
-#include <vector>
+#include <map>
 
 #include "kit/Selection.h"
+#include "velum/render/section/SliceImage.h"
 #include "velum/session/cut/SliceCutTool.h"
 #include "velum/session/document/Document.h"
 #include "velum/session/membrane/SheetHands.h"
@@ -20,7 +20,7 @@ class SliceCutOverlay {
   SliceCutOverlay(session::Document& document, Selection& selection);
 
   /// The sheets of the enabled membranes as they stand now.
-  void setSheets(const std::vector<std::shared_ptr<const membrane::SheetIndex>>& sheets);
+  void setSheets(const render::SheetIndices& sheets);
 
   void paint(QPainter& painter, const scene::SliceFrame& frame) const;
   /// Takes hold of a handle, or selects the cut whose line was clicked.
@@ -42,7 +42,7 @@ class SliceCutOverlay {
 
   session::Document& mDocument;
   Selection& mSelection;
-  std::vector<scene::SheetShape> mSheets;
+  std::map<int, scene::SheetShape> mSheets;  ///< by the id of the cut
   session::SliceHandle mHandle;
   bool mDragging = false;
   scene::Cut mStart;

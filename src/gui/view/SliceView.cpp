@@ -87,7 +87,7 @@ void SliceView::refresh() {
   update();
 }
 
-void SliceView::setSheets(std::vector<std::shared_ptr<const membrane::SheetIndex>> sheets) {
+void SliceView::setSheets(render::SheetIndices sheets) {
   mSheets = std::move(sheets);
   mCuts.setSheets(mSheets);
   mStale = true;

@@ -23,7 +23,7 @@ class SliceView : public QWidget {
   /// To be called after every change of the document.
   void refresh();
   /// The sheets of the scene's membranes as they stand now.
-  void setSheets(std::vector<std::shared_ptr<const membrane::SheetIndex>> sheets);
+  void setSheets(render::SheetIndices sheets);
   scene::SliceKind kind() const { return mKind; }
   /// What part of the world the widget's (logical) pixels show.
   scene::SliceFrame frame() const;
@@ -93,7 +93,7 @@ class SliceView : public QWidget {
   scene::SliceFrame mWantedFrame;  ///< In device pixels.
   scene::Slices mSlices;           ///< As the lines over the picture show them.
   std::vector<scene::Cut> mCutsShown;
-  std::vector<std::shared_ptr<const membrane::SheetIndex>> mSheets;
+  render::SheetIndices mSheets;
   render::SliceImage mImage;
   SliceCutOverlay mCuts;
   Selection& mSelection;

@@ -152,7 +152,8 @@ void Viewport::sceneChanged() {
 /// What is drawn of the scene. Where sheets rest is told by the sheets themselves.
 scene::Scene Viewport::drawnScene() const {
   scene::Scene scene = scene::pictureScene(mDocument.scene());
-  for (auto& cut : scene.cuts) cut.membrane.shape = {};
+  for (auto& cut : scene.cuts)
+    if (cut.membrane) cut.membrane->shape = {};
   return scene;
 }
 
@@ -264,14 +265,11 @@ void Viewport::tellProgress() {
   }
 }
 
-const scene::Cut* Viewport::cut() const {
-  const auto& cuts = mDocument.scene().cuts;
-  return mSelectedCut >= 0 && mSelectedCut < int(cuts.size()) ? &cuts[std::size_t(mSelectedCut)] : nullptr;
-}
+const scene::Cut* Viewport::cut() const { return scene::findCut(mDocument.scene(), mSelectedCut); }
 
-void Viewport::selectCut(int index) {
-  mSelectedCut = index;
-  mOverlay->showCut(index);
+void Viewport::selectCut(int id) {
+  mSelectedCut = id;
+  mOverlay->showCut(id);
 }
 
 scene::Camera Viewport::frame(const scene::Scene& scene, scene::StandardView view) const {

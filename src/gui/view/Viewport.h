@@ -29,8 +29,8 @@ class Viewport : public QOpenGLWidget {
   void sceneChanged();
   /// Leaves the machine to another view: no work on the picture until nobody has asked for so long.
   void pause(int ms);
-  /// Shows the handles of a cut; -1: of none.
-  void selectCut(int index);
+  /// Shows the handles of a cut, by its id; 0: of none.
+  void selectCut(int id);
   int selectedCut() const { return mSelectedCut; }
 
   void lookFrom(scene::StandardView view);
@@ -134,7 +134,7 @@ class Viewport : public QOpenGLWidget {
   session::MembranePlayer mPlayer;
   std::unique_ptr<Job> mSheetJob;  ///< What the player wants computed.
   std::uint64_t mSheetsShown = 0;  ///< Of the player, in the frame on its way.
-  std::vector<std::shared_ptr<const membrane::SheetIndex>> mIndicesTold;
+  render::SheetIndices mIndicesTold;
   QElapsedTimer mSinceSheetsTold;
   bool mSheetsWereSettled = true;
   scene::Scene mWanted;  ///< What the 3D view last heard that it should show.
@@ -150,7 +150,7 @@ class Viewport : public QOpenGLWidget {
   // Pointer.
   Drag mDrag = Drag::None;
   glm::dvec2 mDragStart{0.0}, mDragLast{0.0};
-  int mSelectedCut = -1;
+  int mSelectedCut = 0;
   session::CutHandle mHandle = session::CutHandle::None;
   scene::Cut mStartCut;
   session::CutGizmo mStartGizmo;

@@ -85,15 +85,9 @@ void Viewport::dragSelectedCut(glm::dvec2 place, bool snap) {
   scene::Cut moved = session::dragCut(mStartCut, mStartGizmo, mHandle, mDocument.scene().camera, logicalSize(),
                                       mDragStart, place, session::makeCutSnap(mDocument.scene(), snap));
   mOverlay->setTag(mPointer, QString::fromStdString(session::dragText(mStartCut, moved, mHandle)));
-  std::size_t index = std::size_t(mSelectedCut);
   mDocument.edit(
       session::dragLabel(mStartCut, mHandle),
-      [&](scene::Scene& scene) {
-        if (index >= scene.cuts.size()) return;
-        moved.membrane.shape = scene.cuts[index].membrane.shape;  // where it rests is the sheet's own affair
-        scene.cuts[index] = moved;
-      },
-      true);
+      [&](scene::Scene& scene) { session::replaceCut(scene, std::move(moved)); }, true);
 }
 
 void Viewport::mouseMoveEvent(QMouseEvent* event) {

@@ -29,7 +29,7 @@ bool Viewport::driveSheets() {
   if (auto rests = mPlayer.takeRests(); !rests.empty())
     mDocument.complete([&](scene::Scene& scene) {
       for (auto& rest : rests)
-        if (rest.cut < scene.cuts.size()) scene.cuts[rest.cut].membrane.shape = rest.shape;
+        if (scene::Cut* cut = scene::findCut(scene, rest.cut); cut && cut->membrane) cut->membrane->shape = rest.shape;
     });
   startSheetWork();  // the figures of what has just come to rest
   tellSheets();
@@ -81,8 +81,7 @@ void Viewport::stepMembranes() {
 }
 
 void Viewport::resetMembrane(int cut) {
-  if (cut < 0) return;
-  mPlayer.reset(std::size_t(cut));
+  mPlayer.reset(cut);
   wakeSheets();
   emit sheetsTold();
 }

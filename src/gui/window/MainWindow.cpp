@@ -131,7 +131,7 @@ void MainWindow::buildMembrane() {
   MembraneForm& form = mCuts->membraneForm();
   auto tell = [this, &form] {
     int cut = mSelection->cut();
-    if (cut >= 0) form.showStatus(mViewport->membranes().status(std::size_t(cut)), mViewport->membranes().isPlaying());
+    if (cut != 0) form.showStatus(mViewport->membranes().status(cut), mViewport->membranes().isPlaying());
   };
   connect(mViewport, &Viewport::sheetsTold, &form, tell);
   connect(mSelection, &Selection::cutChanged, &form, tell);

@@ -42,15 +42,13 @@ void MainWindow::buildExportActions(QMenu* menu) {
                         [this] { askExportClipped(); });
 }
 
-/// The selected one, else the first that is enabled; -1: none.
+/// Id of the selected one, else of the first that is enabled; 0: none.
 int MainWindow::membraneToExport() const {
-  const auto& cuts = mDocument.scene().cuts;
-  auto isMembrane = [&](int i) { return cuts[std::size_t(i)].shape == scene::CutShape::Membrane; };
-  int selected = mSelection->cut();
-  if (selected >= 0 && selected < int(cuts.size()) && isMembrane(selected)) return selected;
-  for (int i = 0; i < int(cuts.size()); ++i)
-    if (isMembrane(i) && cuts[std::size_t(i)].enabled) return i;
-  return -1;
+  const scene::Cut* selected = scene::findCut(mDocument.scene(), mSelection->cut());
+  if (selected && scene::isMembrane(*selected)) return selected->id;
+  for (const auto& cut : mDocument.scene().cuts)
+    if (scene::isMembrane(cut) && cut.enabled) return cut.id;
+  return 0;
 }
 
 /// The sheets as the window shows them where they rest or are held; else where they will come to rest, as the same
@@ -66,7 +64,7 @@ std::function<scene::Scene(Progress&)> MainWindow::sceneAtRest() const {
 
 void MainWindow::exportSheetTo(const QString& path) {
   int cut = membraneToExport();
-  if (cut < 0) return mMessages->showNote(tr("There is no membrane: add one first (M)."));
+  if (cut == 0) return mMessages->showNote(tr("There is no membrane: add one first (M)."));
   startJob(
       tr("Writing %1").arg(QFileInfo(path).fileName()),
       [rest = sceneAtRest(), cut, path = path.toStdString()](Progress& progress) {
@@ -85,7 +83,7 @@ void MainWindow::exportClippedTo(const QString& path) {
 }
 
 void MainWindow::askExportSheet() {
-  if (membraneToExport() < 0) return mMessages->showNote(tr("There is no membrane: add one first (M)."));
+  if (membraneToExport() == 0) return mMessages->showNote(tr("There is no membrane: add one first (M)."));
   QString start = QFileInfo(mPath).path() + "/" + QFileInfo(mPath).baseName() + "-sheet.ply";
   QString path = QFileDialog::getSaveFileName(
       this, tr("Export sheet"), start, tr("PLY (*.ply);;Wavefront OBJ (*.obj);;VTK PolyData (*.vtp);;STL (*.stl)"));

@@ -43,21 +43,23 @@ scene::ForceField kernelPart(scene::ForceField field) {
 /// attracts, is dragged about without another least cut.
 scene::Cut sidesPart(const scene::Cut& cut) {
   scene::Cut part;
+  part.shape = cut.shape;
+  part.membrane.emplace();
   part.centreMm = cut.centreMm;
   part.axis = cut.axis;
   part.spinDeg = cut.spinDeg;
   part.sizeMm = cut.sizeMm;
-  part.membrane.field = kernelPart(cut.membrane.field);
-  part.membrane.field.kernels = cut.membrane.field.kernels;
-  std::erase_if(part.membrane.field.kernels, [](const auto& kernel) { return kernel.strength <= 0.0; });
-  for (auto& kernel : part.membrane.field.kernels) kernel.strength = 1.0;  // what repels is protected, however weakly
+  part.membrane->field = kernelPart(cut.membrane->field);
+  part.membrane->field.kernels = cut.membrane->field.kernels;
+  std::erase_if(part.membrane->field.kernels, [](const auto& kernel) { return kernel.strength <= 0.0; });
+  for (auto& kernel : part.membrane->field.kernels) kernel.strength = 1.0;  // what repels is protected, however weakly
   return part;
 }
 
 /// The kernels that can reach the frame's box, in a lattice of their own.
 PushField cropKernels(const KernelGrid& grid, const scene::Cut& cut) {
   PushField field;
-  field.areaOfEffect = cut.membrane.field.areaOfEffect;
+  field.areaOfEffect = cut.membrane->field.areaOfEffect;
   glm::dmat4 kernelFromLocal = glm::inverse(grid.worldFromKernel) * scene::worldFromCut(cut);
   glm::dvec3 middle(kernelFromLocal[3]), half(field.areaOfEffect);
   for (int axis = 0; axis < 3; ++axis) half += glm::abs(glm::dvec3(kernelFromLocal[axis])) * cut.sizeMm[axis] * 0.5;
@@ -79,7 +81,7 @@ PushField cropKernels(const KernelGrid& grid, const scene::Cut& cut) {
 std::vector<PlacedKernel> placeKernels(const scene::Cut& cut) {
   std::vector<PlacedKernel> placed;
   glm::dmat4 localFromWorld = glm::inverse(scene::worldFromCut(cut));
-  for (const auto& kernel : cut.membrane.field.kernels) {
+  for (const auto& kernel : cut.membrane->field.kernels) {
     glm::dvec3 centre(localFromWorld * glm::dvec4(kernel.centreMm, 1.0));
     placed.push_back({centre, std::max(kernel.radiusMm, 1e-6), 0.0, kernel.strength});
   }
@@ -227,9 +229,9 @@ const KernelGrid& ForceMaker::kernelsOf(const scene::ForceField& field, Progress
 
 const ProtectedVoxels& ForceMaker::voxelsOf(const scene::Cut& cut, Progress& progress) {
   scene::Cut asked = sidesPart(cut);
-  asked.membrane.field.kernels.clear();
+  asked.membrane->field.kernels.clear();
   if (!mVoxelsCut || !(*mVoxelsCut == asked)) {
-    mVoxels = mPotential.computeProtected(asked.membrane.field, voxelsInReach(mPotential, cut), progress);
+    mVoxels = mPotential.computeProtected(asked.membrane->field, voxelsInReach(mPotential, cut), progress);
     mVoxelsCut = asked;
   }
   return mVoxels;
@@ -237,13 +239,13 @@ const ProtectedVoxels& ForceMaker::voxelsOf(const scene::Cut& cut, Progress& pro
 
 Corridor ForceMaker::corridorOf(const scene::Cut& cut, const CurrentSheet& current, Progress& progress) {
   scene::Cut asked = sidesPart(cut);
-  Sides& known = asked.membrane.field.kernels.empty() ? mDataSides : mSides;
+  Sides& known = asked.membrane->field.kernels.empty() ? mDataSides : mSides;
   if (!current.height && known.cut && *known.cut == asked) return known.corridor;
   const ProtectedVoxels& data = voxelsOf(cut, progress);
   std::optional<ProtectedVoxels> withPlaced;
-  if (!asked.membrane.field.kernels.empty()) {
+  if (!asked.membrane->field.kernels.empty()) {
     withPlaced = data;
-    protectPlaced(*withPlaced, asked.membrane.field);
+    protectPlaced(*withPlaced, asked.membrane->field);
   }
   const ProtectedVoxels& voxels = withPlaced ? *withPlaced : data;
   double coarsening = std::max(1.0, std::ceil(std::cbrt(double(voxels.mask.size()) / kMostNodes)));
@@ -257,7 +259,7 @@ Corridor ForceMaker::corridorOf(const scene::Cut& cut, const CurrentSheet& curre
 Forces ForceMaker::kernelForces(const scene::Cut& cut, Progress& progress) {
   Forces forces;
   auto start = Clock::now();
-  const KernelGrid& kernels = kernelsOf(cut.membrane.field, progress);
+  const KernelGrid& kernels = kernelsOf(cut.membrane->field, progress);
   forces.kernelsMs = msSince(start);
   forces.kernels = kernels.count;
   forces.field = cropKernels(kernels, cut);
@@ -268,7 +270,7 @@ Forces ForceMaker::kernelForces(const scene::Cut& cut, Progress& progress) {
 Forces ForceMaker::compute(const scene::Cut& cut, const CurrentSheet& current, Progress& progress) {
   if (mPotential.dims().x == 0) return {};
   Forces forces = kernelForces(cut, progress);
-  if (cut.membrane.field.rule == scene::KernelRule::Paper) return forces;
+  if (cut.membrane->field.rule == scene::KernelRule::Paper) return forces;
   auto start = Clock::now();
   forces.corridor = corridorOf(cut, current, progress);
   turnToSides(forces.field, forces.corridor);
@@ -277,12 +279,12 @@ Forces ForceMaker::compute(const scene::Cut& cut, const CurrentSheet& current, P
 }
 
 Forces ForceMaker::preview(const scene::Cut& cut, Progress& progress) {
-  if (mPotential.dims().x == 0 || cut.membrane.field.rule == scene::KernelRule::Paper)
+  if (mPotential.dims().x == 0 || cut.membrane->field.rule == scene::KernelRule::Paper)
     return compute(cut, {}, progress);
   Forces forces = kernelForces(cut, progress);
   auto start = Clock::now();
   scene::Cut data = cut;
-  data.membrane.field.kernels.clear();
+  data.membrane->field.kernels.clear();
   forces.corridor = corridorOf(data, {}, progress);
   for (const auto& kernel : forces.field.placed)
     if (kernel.pull > 0.0) {

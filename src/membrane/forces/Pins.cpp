@@ -22,13 +22,13 @@ glm::dvec3 localPlace(const scene::Cut& cut, glm::dvec3 worldMm) {
   return glm::dvec3(glm::inverse(scene::worldFromCut(cut)) * glm::dvec4(worldMm, 1.0));
 }
 
-bool isSided(const scene::Cut& cut) { return cut.membrane.field.rule == scene::KernelRule::Sided; }
+bool isSided(const scene::Cut& cut) { return cut.membrane->field.rule == scene::KernelRule::Sided; }
 
 /// Inside of the frame's rectangle, at a height that the sheet can have.
 std::vector<glm::dvec3> pinsInFrame(const scene::Cut& cut) {
   glm::dvec3 half = cut.sizeMm * 0.5;
   std::vector<glm::dvec3> pins;
-  for (const auto& pin : cut.membrane.pins) {
+  for (const auto& pin : cut.membrane->pins) {
     glm::dvec3 p = localPlace(cut, pin.placeMm);
     p.z = std::clamp(p.z, -half.z, half.z);
     if (std::abs(p.x) < half.x && std::abs(p.y) < half.y) pins.push_back(p);
@@ -62,7 +62,7 @@ void solve(std::vector<double>& a, std::vector<double>& b) {
 std::vector<HeldParticle> heldByPins(const scene::Cut& cut, glm::ivec2 particles, std::span<const glm::vec3> places) {
   std::vector<HeldParticle> held;
   if (!isSided(cut)) {
-    for (const auto& pin : cut.membrane.pins) {
+    for (const auto& pin : cut.membrane->pins) {
       glm::ivec2 at(glm::round(glm::clamp(pin.sheet, 0.0, 1.0) * glm::dvec2(particles - 1)));
       held.push_back({at.y * particles.x + at.x, glm::vec3(localPlace(cut, pin.placeMm))});
     }

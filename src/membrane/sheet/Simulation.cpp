@@ -21,7 +21,7 @@ constexpr int kLookEvery = 8;
 
 glm::dvec3 halfOf(const scene::Cut& cut) { return glm::max(cut.sizeMm, glm::dvec3(1e-6)) * 0.5; }
 
-bool isSided(const scene::Cut& cut) { return cut.membrane.field.rule == scene::KernelRule::Sided; }
+bool isSided(const scene::Cut& cut) { return cut.membrane->field.rule == scene::KernelRule::Sided; }
 
 /// Places along one axis of the frame for a sheet with a particle in the middle of each column, and those on the frame.
 std::vector<float> alignedPlaces(double half, double origin, double step, int columns, int most) {
@@ -114,7 +114,7 @@ void Simulation::begin(const scene::Cut& cut, Forces forces, const scene::SheetS
   mForces = std::move(forces);
   mSteps = 0;
   mPhase = Phase::Coarse;
-  hang(glm::max(cut.membrane.cloth.particles, glm::ivec2(3)), start);
+  hang(glm::max(cut.membrane->cloth.particles, glm::ivec2(3)), start);
 }
 
 void Simulation::change(const scene::Cut& cut, Forces forces) { begin(cut, std::move(forces), shape()); }
@@ -122,7 +122,7 @@ void Simulation::change(const scene::Cut& cut, Forces forces) { begin(cut, std::
 /// A sheet of so many particles with the heights of another one.
 void Simulation::hang(glm::ivec2 particles, const scene::SheetShape& start) {
   if (!mSolver) mSolver.emplace();
-  mSolver->setSheet({particles, halfOf(mCut), mCut.membrane.cloth, isSided(mCut)});
+  mSolver->setSheet({particles, halfOf(mCut), mCut.membrane->cloth, isSided(mCut)});
   scene::SheetShape shape = flatShape(mCut, particles);
   if (start.particles == particles && !isSided(mCut)) {
     shape.places = start.places;
@@ -146,14 +146,14 @@ void Simulation::applyForces() {
 
 bool Simulation::isRaised() const {
   const auto& placed = mForces.field.placed;
-  return !mCut.membrane.pins.empty() ||
+  return !mCut.membrane->pins.empty() ||
          std::any_of(placed.begin(), placed.end(), [](const PlacedKernel& kernel) { return kernel.liftMm != 0.0; });
 }
 
 /// A particle in each column of the corridor, or as many as are allowed.
 void Simulation::refine() {
   const Corridor& corridor = mForces.corridor;
-  int most = std::max(mCut.membrane.cloth.finest, 3);
+  int most = std::max(mCut.membrane->cloth.finest, 3);
   glm::dvec3 half = halfOf(mCut);
   auto along = [&](int axis) {
     return alignedPlaces(half[axis], corridor.originMm[axis], corridor.stepMm[axis], corridor.dims[axis], most);
@@ -165,7 +165,7 @@ void Simulation::refine() {
   bool hasAll = corridor.dims.x + 2 <= most && corridor.dims.y + 2 <= most;
   if (!hasAll && particles.x <= coarse.particles.x && particles.y <= coarse.particles.y)
     return void(mPhase = Phase::Rest);
-  mSolver->setSheet({particles, half, mCut.membrane.cloth, true});
+  mSolver->setSheet({particles, half, mCut.membrane->cloth, true});
   // Beside what the corridor asks for, the finest sheet is flat; what hands have raised is far from that already.
   HeightOver height;
   if (isRaised()) height = heightOf(coarse);

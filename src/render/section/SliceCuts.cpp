@@ -8,8 +8,7 @@
 
 namespace velum::render {
 
-SliceCuts::SliceCuts(const scene::Scene& scene, const scene::SliceFrame& frame,
-                     std::span<const std::shared_ptr<const membrane::SheetIndex>> sheets)
+SliceCuts::SliceCuts(const scene::Scene& scene, const scene::SliceFrame& frame, const SheetIndices& sheets)
     : mFrame(frame), mSheets(makeCpuSheets(scene, sheets)) {
   for (const auto& data : makeCutData(scene, frame.centreMm, mSheets.plans))
     mCuts.push_back({data, {}, data.kind.x == shared::kCutMembrane && data.kind.w == shared::kMembraneSlice});

@@ -1,7 +1,6 @@
 #pragma once
 #include <cstdint>
 #include <glm/glm.hpp>
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -15,8 +14,7 @@ namespace velum::render {
 /// What the cuts of a scene remove of a slice, row by row. Any thread.
 class SliceCuts {
  public:
-  SliceCuts(const scene::Scene& scene, const scene::SliceFrame& frame,
-            std::span<const std::shared_ptr<const membrane::SheetIndex>> sheets);
+  SliceCuts(const scene::Scene& scene, const scene::SliceFrame& frame, const SheetIndices& sheets);
   bool isEmpty() const { return mCuts.empty(); }
   /// 1 for each pixel of a row that the cuts remove, else 0.
   /// @param ids  label of each pixel; may be empty when nothing is spared

@@ -25,7 +25,7 @@ constexpr float kOutlineGain = 2.5f;
 /// Draws one slice row by row. Everything that rows share is made once.
 class SliceDrawing {
  public:
-  SliceDrawing(const scene::Scene& scene, const scene::SliceFrame& frame, SliceSheets sheets)
+  SliceDrawing(const scene::Scene& scene, const scene::SliceFrame& frame, const SheetIndices& sheets)
       : mScene(scene), mFrame(frame), mSize(glm::max(glm::ivec2(glm::ceil(frame.size)), glm::ivec2(1))) {
     const auto& volume = scene.volume;
     if (volume.data && volume.visible) mVolumePath.emplace(frame, volume.data->dims, volume.data->worldFromVoxel);
@@ -194,7 +194,7 @@ SliceImage SliceDrawing::draw() {
 
 }  // namespace
 
-SliceImage drawSlice(const scene::Scene& scene, const scene::SliceFrame& frame, SliceSheets sheets) {
+SliceImage drawSlice(const scene::Scene& scene, const scene::SliceFrame& frame, const SheetIndices& sheets) {
   return SliceDrawing(scene, frame, sheets).draw();
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <glm/glm.hpp>
+#include <map>
 #include <memory>
-#include <span>
 #include <vector>
 
 #include "shared/types.h"
@@ -9,22 +9,25 @@
 #include "velum/gpu/Texture.h"
 #include "velum/membrane/sheet/SheetIndex.h"
 #include "velum/render/Frame.h"
+#include "velum/render/section/SliceImage.h"
 
 namespace velum::render {
 
-/// The enabled membranes of a scene, in the order of the cuts.
+/// The enabled membranes of a scene.
 std::vector<const scene::Cut*> membranesOf(const scene::Scene& scene);
 
+/// CutData::sheet of each enabled membrane, without its look, by the id of the cut.
+using SheetPlans = std::map<int, glm::ivec4>;
+
 /// What a frame shows of a membrane: a live sheet, or nothing, which means what the scene says.
-const FrameSheet* liveSheet(const Frame& frame, std::size_t membrane, const scene::Cut& cut);
+const FrameSheet* liveSheet(const Frame& frame, const scene::Cut& cut);
 
 /// The sheets of a frame's membranes, one after the other in one buffer, as they were when it was prepared: a solver
 /// may go on meanwhile. GL thread.
 class CutSheets {
  public:
   void prepare(const Frame& frame);
-  /// CutData::sheet of each membrane, without its look.
-  std::span<const glm::ivec4> plans() const { return mPlans; }
+  const SheetPlans& plans() const { return mPlans; }
   void bind() const;
 
  private:
@@ -36,8 +39,8 @@ class CutSheets {
     glm::dvec3 sizeMm{0.0};
     bool operator==(const Source&) const = default;
   };
-  std::vector<Source> mSources;
-  std::vector<glm::ivec4> mPlans;
+  std::map<int, Source> mSources;
+  SheetPlans mPlans;
   gpu::Buffer mRows;
   gpu::Texture mTexels;  ///< the rows, as shaders fetch them
 };
@@ -45,10 +48,10 @@ class CutSheets {
 /// The same on the processor.
 struct CpuSheets {
   std::vector<glm::vec4> rows;
-  std::vector<glm::ivec4> plans;
+  SheetPlans plans;
   shared::SheetRows view() const { return {rows.data()}; }
 };
-/// @param sheets  of the enabled membranes; those that are missing or empty are made as the scene says
-CpuSheets makeCpuSheets(const scene::Scene& scene, std::span<const std::shared_ptr<const membrane::SheetIndex>> sheets);
+/// @param sheets  those that are missing or empty are made as the scene says
+CpuSheets makeCpuSheets(const scene::Scene& scene, const SheetIndices& sheets);
 
 }  // namespace velum::render

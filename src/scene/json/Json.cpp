@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <type_traits>
 
 #include "JsonText.h"
@@ -41,6 +42,16 @@ struct ListTraits<std::vector<T>> : std::true_type {
 };
 template <class T>
 concept List = ListTraits<T>::value;
+template <class T>
+struct MaybeTraits : std::false_type {
+  using Value = T;
+};
+template <class T>
+struct MaybeTraits<std::optional<T>> : std::true_type {
+  using Value = T;
+};
+template <class T>
+concept Maybe = MaybeTraits<T>::value;
 struct AnyVisitor {
   void operator()(auto&&...) const {}
 };
@@ -81,6 +92,8 @@ Json write(const auto& value) {
     Json out = Json::array();
     for (const auto& item : value) out.push_back(write(item));
     return out;
+  } else if constexpr (Maybe<T>) {
+    return value ? write(*value) : Json(nullptr);
   } else if constexpr (Fielded<T>) {
     return writeStruct(value);
   } else if constexpr (Number<T>) {
@@ -161,6 +174,9 @@ void read(auto& target, const Json& json, const std::string& path, const FieldIn
       read(items.back(), json[i], fmt::format("{}.{}", path, i), info);
     }
     target = std::move(items);
+  } else if constexpr (Maybe<T>) {
+    if (json.is_null()) return target.reset();
+    read(target.emplace(), json, path, info);
   } else {
     readStruct(target, json, path);
   }
@@ -217,7 +233,10 @@ void assign(auto& target, std::string_view rest, std::string_view text, const st
     }
     return;
   }
-  if constexpr (List<T>) {
+  if constexpr (Maybe<T>) {
+    if (!target) target.emplace();
+    assign(*target, rest, text, path, info);
+  } else if constexpr (List<T>) {
     if (rest.starts_with('[')) {
       detail::PathKey key = detail::takeKey(rest, path);
       std::size_t found = detail::findByKey(target, key.name, path);
@@ -275,9 +294,11 @@ std::string rangeText(const Range& range) {
 template <Fielded T>
 void addRows(const T& defaults, const std::string& path, std::vector<FieldRow>& rows) {
   auto visit = [&](std::string_view name, const auto& member, const FieldInfo& info) {
-    using M = std::remove_cvref_t<decltype(member)>;
+    using M = typename MaybeTraits<std::remove_cvref_t<decltype(member)>>::Value;
     std::string here = path.empty() ? std::string(name) : fmt::format("{}.{}", path, name);
-    if constexpr (Fielded<M>) {
+    if constexpr (Maybe<std::remove_cvref_t<decltype(member)>>) {
+      addRows(M{}, here, rows);
+    } else if constexpr (Fielded<M>) {
       addRows(member, here, rows);
     } else {
       rows.push_back({here, typeName<M>(), std::string(info.unit), rangeText(info.range), std::string(info.doc),
@@ -324,7 +345,11 @@ Json schemaOf(const T& defaults, const FieldInfo& info) {
     out["type"] = "object";
     Json properties = Json::object();
     auto visit = [&](std::string_view name, const auto& member, const FieldInfo& memberInfo) {
-      properties[std::string(name)] = schemaOf(member, memberInfo);
+      using M = std::remove_cvref_t<decltype(member)>;
+      if constexpr (Maybe<M>)
+        properties[std::string(name)] = schemaOf(typename MaybeTraits<M>::Value{}, memberInfo);
+      else
+        properties[std::string(name)] = schemaOf(member, memberInfo);
     };
     T::fields(defaults, visit);
     out["properties"] = std::move(properties);
@@ -357,6 +382,7 @@ Scene fromJson(std::string_view text) {
                     version->get<double>(), kSceneVersion));
   Scene scene;
   readStruct(scene, json, "");
+  completeCuts(scene);
   return scene;
 }
 
@@ -386,6 +412,14 @@ TransferFunction transferFromJson(std::string_view text) {
 void setField(Scene& scene, std::string_view path, std::string_view value) {
   Scene next = scene;
   assignMember(next, path, value, "");
+  for (std::size_t i = 0; i < next.cuts.size(); ++i) {
+    const Cut& cut = next.cuts[i];
+    bool wasNone = i >= scene.cuts.size() || !scene.cuts[i].membrane;
+    if (cut.membrane && wasNone && !isMembrane(cut))
+      throw ArgumentError(fmt::format("cuts.{}.membrane: the cut is a {}; say cuts.{}.shape=membrane first", i,
+                                      enumName(cut.shape), i));
+  }
+  completeCuts(next);
   scene = std::move(next);
 }
 

@@ -86,6 +86,7 @@ scene::Cut makeCut(const scene::Scene& scene, scene::CutShape shape) {
   double through = glm::dot(glm::abs(toEye), data.edges);
   scene::Cut cut;
   cut.shape = shape;
+  if (scene::isMembrane(cut)) cut.membrane.emplace();
   cut.centreMm = crosshair;
   switch (shape) {
     case scene::CutShape::Plane:
@@ -182,6 +183,13 @@ CutPosition cutPosition(const scene::Scene& scene, const scene::Cut& cut) {
 scene::Cut withOffset(const scene::Scene& scene, scene::Cut cut, double offsetMm) {
   cut.centreMm += cutFrame(cut)[2] * (offsetMm - cutPosition(scene, cut).offsetMm);
   return cut;
+}
+
+void replaceCut(scene::Scene& scene, scene::Cut moved) {
+  scene::Cut* cut = scene::findCut(scene, moved.id);
+  if (!cut) return;
+  if (moved.membrane && cut->membrane) moved.membrane->shape = std::move(cut->membrane->shape);
+  *cut = std::move(moved);
 }
 
 void setExempt(scene::Cut& cut, int structure, bool exempt) {

@@ -39,7 +39,7 @@ SliceHandle endHandle(const SliceFrame& frame, const scene::Cut& cut, glm::dvec2
 
 std::vector<std::vector<glm::dvec2>> sheetCurves(const SliceFrame& frame, const scene::Cut& cut,
                                                  const scene::SheetShape& live) {
-  const scene::Membrane& membrane = cut.membrane;
+  const scene::Membrane& membrane = *cut.membrane;
   auto shape = membrane::fitShape(live.places.empty() ? membrane.shape : live, membrane.cloth.particles, cut.sizeMm);
   glm::dmat4 worldFromCut = scene::worldFromCut(cut);
   glm::dvec3 normal = glm::transpose(glm::dmat3(worldFromCut)) * frame.normal;

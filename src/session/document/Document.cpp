@@ -11,6 +11,7 @@ constexpr const char* kMoveView = "Move view";
 void Document::edit(const std::string& label, const Change& change, bool merge) {
   scene::Scene next = mScene;
   change(next);  // may throw: nothing has changed yet
+  scene::completeCuts(next);
   if (next == mScene) return;
   bool joins = merge && mMerging && canUndo() && mUndo.back().label == label;
   if (!joins) push({label, std::move(mScene), mEdit, false});
@@ -39,6 +40,7 @@ void Document::view(const Change& change) {
 void Document::complete(const Change& change) {
   scene::Scene next = mScene;
   change(next);
+  scene::completeCuts(next);
   if (next == mScene) return;
   mScene = std::move(next);
   changed();
@@ -76,6 +78,7 @@ std::vector<std::string> Document::labelsOf(const std::vector<Step>& steps) {
 
 void Document::replace(scene::Scene scene) {
   mScene = std::move(scene);
+  scene::completeCuts(mScene);
   mUndo.clear();
   mRedo.clear();
   mMerging = false;

@@ -50,13 +50,13 @@ bool haveSameFrame(const scene::Cut& a, const scene::Cut& b) {
 }
 
 LiveSheet::LiveSheet(std::uint64_t id, const scene::Cut& cut, DataKey data) : mId(id), mCut(cut), mData(data) {
-  if (isActive() && !cut.membrane.shape.places.empty()) adopt(cut.membrane.shape);
+  if (isActive() && !cut.membrane->shape.places.empty()) adopt(cut.membrane->shape);
 }
 
 /// Takes a shape as where the sheet rests.
 void LiveSheet::adopt(const scene::SheetShape& shape) {
   mWritten = shape;
-  mKept = membrane::fitShape(shape, mCut.membrane.cloth.particles, mCut.sizeMm);
+  mKept = membrane::fitShape(shape, mCut.membrane->cloth.particles, mCut.sizeMm);
   mKeptCut = mCut;
   if (glm::length(shape.axis) > 0.0) {
     mKeptCut.centreMm = mKept.centreMm = shape.centreMm;
@@ -76,7 +76,7 @@ void LiveSheet::adopt(const scene::SheetShape& shape) {
 
 void LiveSheet::follow(const scene::Cut& cut, DataKey data) {
   scene::Cut before = std::exchange(mCut, cut);
-  const scene::Membrane &was = before.membrane, &now = mCut.membrane;
+  const scene::Membrane &was = *before.membrane, &now = *mCut.membrane;
   bool isOtherVolume = mData.volume != data.volume;
   bool sameData = std::exchange(mData, data) == data, sameFrame = haveSameFrame(before, mCut);
   bool wasActive = was.repositioning == scene::Repositioning::Active;
@@ -110,7 +110,7 @@ void LiveSheet::follow(const scene::Cut& cut, DataKey data) {
 }
 
 membrane::CurrentSheet LiveSheet::current() const {
-  if (!mKeepSides || mCut.membrane.field.rule != scene::KernelRule::Sided) return {};
+  if (!mKeepSides || mCut.membrane->field.rule != scene::KernelRule::Sided) return {};
   scene::SheetShape now = shape();
   if (now.places.empty()) return {};
   return {membrane::heightOf(now), mIsWarm && !isAtRest() ? mMovingStep : mKeptStep};
@@ -139,7 +139,7 @@ scene::SheetShape LiveSheet::shape() const {
 
 void LiveSheet::keepShape() {
   // As drawing would fit it, so that a shape that has been written down is the one that was drawn.
-  mKept = membrane::fitShape(mSimulation->shape(), mMovingCut.membrane.cloth.particles, mMovingCut.sizeMm);
+  mKept = membrane::fitShape(mSimulation->shape(), mMovingCut.membrane->cloth.particles, mMovingCut.sizeMm);
   mKeptStep = mMovingStep;
   if (isActive()) membrane::anchor(mKept, mMovingCut, mMovingStep);
   mKeptCut = mMovingCut;
@@ -149,7 +149,7 @@ void LiveSheet::begin() {
   mBegin = false;
   if (mIsWarm && !isAtRest()) keepShape();
   scene::Cut moving = withFrameOf(mCut, mForces->cut);
-  moving.membrane.field.rule = mForces->cut.membrane.field.rule;
+  moving.membrane->field.rule = mForces->cut.membrane->field.rule;
   scene::SheetShape start;
   if (isActive() || mGoesOn) start = carried(mKept, mKeptCut, moving);
   mSimulation->begin(moving, mForces->forces, start);
@@ -220,7 +220,7 @@ MembraneStatus LiveSheet::status(bool isPlaying, bool isComputing) const {
     status.kernels = mForces->forces.kernels;
     status.forcesMs = mForces->forces.kernelsMs + mForces->forces.leastCutMs;
   }
-  status.particles = mCut.membrane.cloth.particles;
+  status.particles = mCut.membrane->cloth.particles;
   if (!mKept.places.empty()) status.particles = mKept.particles;
   if (mHasSimulation) {
     status.particles = mSimulation->solver().sheet().particles;
@@ -241,7 +241,7 @@ MembraneStatus LiveSheet::status(bool isPlaying, bool isComputing) const {
 render::FrameSheet LiveSheet::frameSheet() {
   bool isLive = mIsWarm && mHasSimulation && haveSameFrame(mMovingCut, mCut) && !isAtRest();
   if (mUploaded != mShown || !mSheet) {
-    glm::ivec2 flat = glm::max(mCut.membrane.cloth.particles, glm::ivec2(3));
+    glm::ivec2 flat = glm::max(mCut.membrane->cloth.particles, glm::ivec2(3));
     glm::ivec2 count = isLive ? mSimulation->solver().sheet().particles : glm::ivec2(0);
     bool fits = mSheet && mSheet->particles() == count && mSheet->sizeMm() == mCut.sizeMm;
     if (isLive && fits) {
@@ -261,7 +261,7 @@ render::FrameSheet LiveSheet::frameSheet() {
 }
 
 void LiveSheet::makeIndex() {
-  glm::ivec2 flat = glm::max(mCut.membrane.cloth.particles, glm::ivec2(3));
+  glm::ivec2 flat = glm::max(mCut.membrane->cloth.particles, glm::ivec2(3));
   mIndex = std::make_shared<const membrane::SheetIndex>(membrane::makeSheetIndex(shape(), flat, mCut.sizeMm));
   mIndexed = mShown;
 }

@@ -35,8 +35,6 @@ class LiveSheet {
 
   std::uint64_t id() const { return mId; }
   const scene::Cut& cut() const { return mCut; }
-  std::size_t place() const { return mPlace; }
-  void setPlace(std::size_t place) { mPlace = place; }
 
   /// The cut, or the data, as the scene has it now.
   void follow(const scene::Cut& cut, DataKey data);
@@ -77,7 +75,7 @@ class LiveSheet {
   void releaseGpu();
 
  private:
-  bool isActive() const { return mCut.membrane.repositioning == scene::Repositioning::Active; }
+  bool isActive() const { return mCut.membrane->repositioning == scene::Repositioning::Active; }
   bool isAtRest() const { return !mHasSimulation || mSimulation->isAtRest(); }
   void adopt(const scene::SheetShape& shape);
   void begin();
@@ -86,7 +84,6 @@ class LiveSheet {
   scene::SheetShape known() const;
 
   std::uint64_t mId;
-  std::size_t mPlace = 0;
   scene::Cut mCut;  ///< as it is wanted
   DataKey mData;
   std::uint64_t mWish = 1, mDataChange = 1;

@@ -13,8 +13,6 @@ namespace {
 constexpr double kIndexEveryMs = 200.0;
 constexpr int kStepOnce = 5;
 
-bool isMembrane(const scene::Cut& cut) { return cut.shape == scene::CutShape::Membrane; }
-
 /// The scene without what no force depends on: cheap to hold while it is worked on.
 scene::Scene forcesScene(const scene::Scene& scene) {
   scene::Scene part;
@@ -33,6 +31,12 @@ LiveSheet* MembranePlayer::find(std::uint64_t id) {
   return found == mSheets.end() ? nullptr : found->get();
 }
 
+LiveSheet* MembranePlayer::sheetOf(int cut) const {
+  auto found =
+      std::find_if(mSheets.begin(), mSheets.end(), [cut](const auto& sheet) { return sheet->cut().id == cut; });
+  return found == mSheets.end() ? nullptr : found->get();
+}
+
 void MembranePlayer::follow(const scene::Scene& scene) {
   DataKey data = dataKeyOf(scene);
   bool sameData = data == dataKeyOf(mScene);
@@ -41,26 +45,16 @@ void MembranePlayer::follow(const scene::Scene& scene) {
   mScene = forcesScene(scene);
   mScene.cuts = scene.cuts;
   auto old = std::exchange(mSheets, {});
-  auto take = [&](auto&& isIt) {
-    auto found = std::find_if(old.begin(), old.end(), [&](const auto& sheet) { return sheet && isIt(*sheet); });
-    return found == old.end() ? nullptr : std::move(*found);
-  };
-  // Cuts have no names of their own: those that are as they were are known again wherever they are in the list now.
-  std::vector<std::unique_ptr<LiveSheet>> known(scene.cuts.size());
-  for (std::size_t i = 0; i < scene.cuts.size(); ++i)
-    if (isMembrane(scene.cuts[i]))
-      known[i] = take([&](const LiveSheet& sheet) { return sheet.cut() == scene.cuts[i]; });
-  for (std::size_t i = 0; i < scene.cuts.size(); ++i) {
-    const scene::Cut& cut = scene.cuts[i];
-    if (!isMembrane(cut)) continue;
-    auto sheet = std::move(known[i]);
-    if (!sheet) sheet = take([&](const LiveSheet& other) { return other.place() == i; });
-    if (sheet)
-      sheet->follow(cut, data);
-    else
-      sheet = std::make_unique<LiveSheet>(mNextId++, cut, data);
-    sheet->setPlace(i);
-    mSheets.push_back(std::move(sheet));
+  for (const auto& cut : scene.cuts) {
+    if (!scene::isMembrane(cut)) continue;
+    auto known =
+        std::find_if(old.begin(), old.end(), [&](const auto& sheet) { return sheet && sheet->cut().id == cut.id; });
+    if (known == old.end()) {
+      mSheets.push_back(std::make_unique<LiveSheet>(mNextId++, cut, data));
+    } else {
+      (*known)->follow(cut, data);
+      mSheets.push_back(std::move(*known));
+    }
   }
   for (const auto& gone : old)
     if (gone) mGoneCount += gone->shownCount();
@@ -167,27 +161,25 @@ void MembranePlayer::refreshIndices() {
   }
 }
 
-std::vector<render::FrameSheet> MembranePlayer::sheets() {
-  std::vector<render::FrameSheet> sheets;
+std::map<int, render::FrameSheet> MembranePlayer::sheets() {
+  std::map<int, render::FrameSheet> sheets;
   for (const auto& sheet : mSheets)
-    if (sheet->cut().enabled) sheets.push_back(sheet->frameSheet());
+    if (sheet->cut().enabled) sheets[sheet->cut().id] = sheet->frameSheet();
   return sheets;
 }
 
-std::vector<std::shared_ptr<const membrane::SheetIndex>> MembranePlayer::indices() const {
-  std::vector<std::shared_ptr<const membrane::SheetIndex>> indices;
+render::SheetIndices MembranePlayer::indices() const {
+  render::SheetIndices indices;
   for (const auto& sheet : mSheets)
-    if (sheet->cut().enabled) indices.push_back(sheet->index());
+    if (sheet->cut().enabled) indices[sheet->cut().id] = sheet->index();
   return indices;
 }
 
-std::shared_ptr<const membrane::SheetIndex> MembranePlayer::index(std::size_t cut) const {
-  for (const auto& sheet : mSheets)
-    if (sheet->place() == cut) {
-      if (!sheet->index()) sheet->makeIndex();
-      return sheet->index();
-    }
-  return nullptr;
+std::shared_ptr<const membrane::SheetIndex> MembranePlayer::index(int cut) const {
+  LiveSheet* sheet = sheetOf(cut);
+  if (!sheet) return nullptr;
+  if (!sheet->index()) sheet->makeIndex();
+  return sheet->index();
 }
 
 std::uint64_t MembranePlayer::shownCount() const {
@@ -196,23 +188,22 @@ std::uint64_t MembranePlayer::shownCount() const {
   return count;
 }
 
-std::optional<MembraneStatus> MembranePlayer::status(std::size_t cut) const {
-  for (const auto& sheet : mSheets)
-    if (sheet->place() == cut) return sheet->status(mPlaying, mOut.id == sheet->id() && !mOut.isMeasure);
-  return std::nullopt;
+std::optional<MembraneStatus> MembranePlayer::status(int cut) const {
+  const LiveSheet* sheet = sheetOf(cut);
+  if (!sheet) return std::nullopt;
+  return sheet->status(mPlaying, mOut.id == sheet->id() && !mOut.isMeasure);
 }
 
-void MembranePlayer::reset(std::size_t cut) {
-  for (const auto& sheet : mSheets)
-    if (sheet->place() == cut) sheet->reset();
+void MembranePlayer::reset(int cut) {
+  if (LiveSheet* sheet = sheetOf(cut)) sheet->reset();
 }
 
 std::vector<MembranePlayer::Rest> MembranePlayer::takeRests() {
   std::vector<Rest> rests;
   for (const auto& sheet : mSheets)
     if (auto shape = sheet->takeRest()) {
-      rests.push_back({sheet->place(), std::move(*shape)});
-      mScene.cuts[sheet->place()].membrane.shape = rests.back().shape;
+      rests.push_back({sheet->cut().id, std::move(*shape)});
+      scene::findCut(mScene, sheet->cut().id)->membrane->shape = rests.back().shape;
     }
   return rests;
 }
@@ -223,8 +214,8 @@ bool MembranePlayer::hasRests() const {
 
 scene::Scene MembranePlayer::withShapes(scene::Scene scene) const {
   for (const auto& sheet : mSheets)
-    if (sheet->place() < scene.cuts.size() && isMembrane(scene.cuts[sheet->place()]))
-      scene.cuts[sheet->place()].membrane.shape = sheet->shape();
+    if (scene::Cut* cut = scene::findCut(scene, sheet->cut().id); cut && scene::isMembrane(*cut))
+      cut->membrane->shape = sheet->shape();
   return scene;
 }
 

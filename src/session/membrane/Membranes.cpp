@@ -17,20 +17,20 @@ namespace velum::session {
 
 namespace {
 
-bool isLive(const scene::Cut& cut) { return cut.enabled && cut.shape == scene::CutShape::Membrane; }
+bool isLive(const scene::Cut& cut) { return cut.enabled && scene::isMembrane(cut); }
 
 constexpr int kStepsAtOnce = 10;  ///< between two looks at the speed
 
 membrane::ProtectedVoxels protectedVoxels(const membrane::Potential& potential, const scene::Cut& cut,
                                           Progress& progress) {
-  return potential.computeProtected(cut.membrane.field, membrane::voxelsInReach(potential, cut), progress);
+  return potential.computeProtected(cut.membrane->field, membrane::voxelsInReach(potential, cut), progress);
 }
 
 MembraneReport settle(membrane::ForceMaker& maker, int timeStep, scene::Cut& cut, Progress& progress) {
   MembraneReport report;
   report.name = cut.name;
   auto start = Clock::now();
-  auto& membrane = cut.membrane;
+  auto& membrane = *cut.membrane;
   bool isActive = membrane.repositioning == scene::Repositioning::Active && membrane.shape.particles.x > 1;
   scene::SheetShape first;
   if (isActive) {
@@ -62,7 +62,7 @@ MembraneReport settle(membrane::ForceMaker& maker, int timeStep, scene::Cut& cut
 }  // namespace
 
 Mesh sheetMesh(const scene::Cut& cut) {
-  membrane::SheetIndex index = membrane::makeSheetIndex(cut.membrane.shape, cut.membrane.cloth.particles, cut.sizeMm);
+  membrane::SheetIndex index = membrane::makeSheetIndex(cut.membrane->shape, cut.membrane->cloth.particles, cut.sizeMm);
   glm::dmat4 worldFromLocal = scene::worldFromCut(cut);
   glm::ivec2 n = index.particles;
   Mesh mesh;
@@ -121,14 +121,13 @@ std::vector<MembraneReport> settleMembranes(scene::Scene& scene, MembraneQuestio
   std::vector<MembraneReport> reports;
   if (!hasMembranes(scene)) return reports;
   membrane::ForceMaker maker(scene);
-  for (std::size_t i = 0; i < scene.cuts.size(); ++i) {
-    scene::Cut& cut = scene.cuts[i];
+  for (auto& cut : scene.cuts) {
     if (!isLive(cut)) continue;
     MembraneReport report = settle(maker, scene.volume.frame, cut, progress);
-    report.cut = int(i);
+    report.cut = cut.id;
     if (maker.potential().dims().x > 0) {
       if (questions.kept || questions.limit)
-        report.kept = measureMembrane(maker.potential(), cut, cut.membrane.shape, progress);
+        report.kept = measureMembrane(maker.potential(), cut, cut.membrane->shape, progress);
       if (questions.limit)
         report.limit = membrane::computeLimit(protectedVoxels(maker.potential(), cut, progress), cut, progress);
     }

@@ -132,13 +132,13 @@ void turnKernel(scene::Membrane& membrane, Hand hand) {
 }
 
 double pinHeight(const scene::Cut& cut, Hand hand) {
-  if (hand.kind != HandKind::Pin || !holds(cut.membrane, hand)) return 0.0;
-  return glm::dot(cut.membrane.pins[std::size_t(hand.index)].placeMm - cut.centreMm, cutFrame(cut)[2]);
+  if (hand.kind != HandKind::Pin || !holds(*cut.membrane, hand)) return 0.0;
+  return glm::dot(cut.membrane->pins[std::size_t(hand.index)].placeMm - cut.centreMm, cutFrame(cut)[2]);
 }
 
 void setPinHeight(scene::Cut& cut, Hand hand, double mm) {
-  if (hand.kind != HandKind::Pin || !holds(cut.membrane, hand)) return;
-  cut.membrane.pins[std::size_t(hand.index)].placeMm += cutFrame(cut)[2] * (mm - pinHeight(cut, hand));
+  if (hand.kind != HandKind::Pin || !holds(*cut.membrane, hand)) return;
+  cut.membrane->pins[std::size_t(hand.index)].placeMm += cutFrame(cut)[2] * (mm - pinHeight(cut, hand));
 }
 
 double defaultRadiusMm(const scene::Cut& cut) { return std::sqrt(cut.sizeMm.x * cut.sizeMm.y) / 12.0; }
@@ -251,10 +251,10 @@ std::vector<std::vector<glm::dvec3>> kernelRings(const scene::UserKernel& kernel
 }
 
 std::string handText(const scene::Cut& cut, Hand hand) {
-  if (!holds(cut.membrane, hand)) return {};
+  if (!holds(*cut.membrane, hand)) return {};
   if (hand.kind == HandKind::Rim)
-    return fmt::format("r {:.1f} mm", cut.membrane.field.kernels[std::size_t(hand.index)].radiusMm);
-  scene::Membrane membrane = cut.membrane;
+    return fmt::format("r {:.1f} mm", cut.membrane->field.kernels[std::size_t(hand.index)].radiusMm);
+  scene::Membrane membrane = *cut.membrane;
   glm::dvec3 local(localFromWorld(cut) * glm::dvec4(*placeOf(membrane, hand), 1.0));
   return fmt::format("{:+.1f} mm", local.z);
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "velum/core/Error.h"
 #include "velum/gpu/Context.h"
 #include "velum/io/meshes/WriteMesh.h"
 #include "velum/io/volumes/WriteVolume.h"
@@ -14,7 +15,9 @@ void exportSheets(const scene::Scene& settled, const std::vector<int>& cuts, con
     std::filesystem::path name(path);
     if (cuts.size() > 1)
       name.replace_filename(fmt::format("{}-{}{}", path.stem().string(), i, path.extension().string()));
-    io::writeMesh(sheetMesh(settled.cuts.at(std::size_t(cuts[i]))), name);
+    const scene::Cut* cut = scene::findCut(settled, cuts[i]);
+    if (!cut || !scene::isMembrane(*cut)) throw ArgumentError(fmt::format("there is no membrane with id {}", cuts[i]));
+    io::writeMesh(sheetMesh(*cut), name);
   }
 }
 

@@ -42,10 +42,8 @@ constexpr SliceLayer kSliceLayers[] = {
 /// Maxima cannot be put together from layers.
 bool hasSliceLayers(const scene::Scene& scene) {
   return scene.rayCast.mode != scene::RenderMode::Mip &&
-         std::any_of(scene.cuts.begin(), scene.cuts.end(), [](const scene::Cut& cut) {
-           return cut.enabled && cut.shape == scene::CutShape::Membrane &&
-                  cut.membrane.use == scene::MembraneUse::Slice;
-         });
+         std::any_of(scene.cuts.begin(), scene.cuts.end(),
+                     [](const scene::Cut& cut) { return cut.enabled && scene::isInlay(cut); });
 }
 
 std::vector<std::string> colorNames(const std::string& layer) {

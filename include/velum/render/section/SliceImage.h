@@ -1,8 +1,8 @@
 #pragma once
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <map>
 #include <memory>
-#include <span>
 #include <vector>
 
 #include "velum/membrane/sheet/SheetIndex.h"
@@ -16,16 +16,16 @@ struct SliceImage {
   std::vector<std::uint32_t> pixels;  ///< 0xAARRGGBB, sRGB, straight alpha, top row first
 };
 
-/// Sheets of the enabled membranes, in the order of the cuts, as a solver has them. One that is missing, empty, or made
-/// for a frame of another size is made as `Cut::membrane.shape` says.
-using SliceSheets = std::span<const std::shared_ptr<const membrane::SheetIndex>>;
+/// Sheets of enabled membranes as a solver has them, by the id of the cut. One that is missing, empty, or made for a
+/// frame of another size is made as `Cut::membrane` says.
+using SheetIndices = std::map<int, std::shared_ptr<const membrane::SheetIndex>>;
 
 /// Draws a slice on the processor, all cores, no GL. Any thread.
 ///
 /// Where the data ends the scene's background (its lower colour) shows. Voxels are interpolated or blocks, as the scene
 /// says; structures lie where their own grid has them in the world, nearest label, with an outline one pixel wide.
 /// @param frame  what part of the world; its size is rounded up to whole pixels
-SliceImage drawSlice(const scene::Scene& scene, const scene::SliceFrame& frame, SliceSheets sheets = {});
+SliceImage drawSlice(const scene::Scene& scene, const scene::SliceFrame& frame, const SheetIndices& sheets = {});
 /// The same for a view of the scene. @param size  pixels, positive
 SliceImage drawSlice(const scene::Scene& scene, scene::SliceKind kind, glm::ivec2 size);
 

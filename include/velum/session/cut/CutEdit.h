@@ -51,6 +51,10 @@ CutPosition cutPosition(const scene::Scene& scene, const scene::Cut& cut);
 /// The counterpart: the cut moved along its normal to an offset.
 scene::Cut withOffset(const scene::Scene& scene, scene::Cut cut, double offsetMm);
 
+/// Puts a cut that hands have moved in the place of the one with its id; nothing when that has gone. Where a sheet
+/// rests is its own affair and stays as it is.
+void replaceCut(scene::Scene& scene, scene::Cut moved);
+
 /// Lists a structure among those that the cut leaves whole, or takes it off; the list stays ascending.
 void setExempt(scene::Cut& cut, int structure, bool exempt);
 bool isExempt(const scene::Cut& cut, int structure);

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <functional>
 #include <glm/glm.hpp>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,6 +12,7 @@
 #include "velum/core/Task.h"
 #include "velum/membrane/sheet/SheetIndex.h"
 #include "velum/render/Frame.h"
+#include "velum/render/section/SliceImage.h"
 #include "velum/scene/Scene.h"
 
 namespace velum::session {
@@ -78,28 +80,28 @@ class MembranePlayer {
   /// Nothing is to be done: all sheets rest, their figures are known.
   bool isSettled() const;
 
-  /// Of the enabled membranes, for a frame of the scene that was last followed.
-  std::vector<render::FrameSheet> sheets();
+  /// Of the enabled membranes, for a frame of the scene that was last followed, by the id of the cut.
+  std::map<int, render::FrameSheet> sheets();
   /// The same on the processor, for slices: at rest as the sheets are, and a few times a second while they move.
-  std::vector<std::shared_ptr<const membrane::SheetIndex>> indices() const;
-  /// Of the cut in this place, whether enabled or not; nothing when it is no membrane.
-  std::shared_ptr<const membrane::SheetIndex> index(std::size_t cut) const;
+  render::SheetIndices indices() const;
+  /// Of a cut, whether enabled or not; nothing when it is no membrane. @param cut  its id, here and below
+  std::shared_ptr<const membrane::SheetIndex> index(int cut) const;
   /// Another number when pictures of the sheets are others.
   std::uint64_t shownCount() const;
 
-  /// Of the cut in this place; nothing when it is no membrane.
-  std::optional<MembraneStatus> status(std::size_t cut) const;
+  /// Of a cut; nothing when it is no membrane.
+  std::optional<MembraneStatus> status(int cut) const;
 
   bool isPlaying() const { return mPlaying; }
   void setPlaying(bool playing) { mPlaying = playing; }
   /// Some steps while paused. @return false when all rest
   bool stepOnce();
   /// Hangs the sheet of a cut flat again, from where it goes anew.
-  void reset(std::size_t cut);
+  void reset(int cut);
 
   /// Where active sheets have come to rest since this was last asked: what is to be written into their cuts.
   struct Rest {
-    std::size_t cut = 0;
+    int cut = 0;  ///< its id
     scene::SheetShape shape;
   };
   std::vector<Rest> takeRests();
@@ -113,11 +115,12 @@ class MembranePlayer {
 
  private:
   LiveSheet* find(std::uint64_t id);
+  LiveSheet* sheetOf(int cut) const;
   Work forcesWork(LiveSheet& sheet);
   Work measureWork(LiveSheet& sheet);
   void refreshIndices();
 
-  std::vector<std::unique_ptr<LiveSheet>> mSheets;  ///< a membrane each, in the order of the cuts
+  std::vector<std::unique_ptr<LiveSheet>> mSheets;  ///< a membrane each
   scene::Scene mScene;
   std::uint64_t mNextId = 1, mGoneCount = 0;
   /// What is being computed.

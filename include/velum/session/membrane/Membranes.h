@@ -14,7 +14,7 @@ namespace velum::session {
 
 /// What became of one membrane.
 struct MembraneReport {
-  int cut = 0;  ///< index in the scene
+  int cut = 0;  ///< its id
   std::string name;
   std::size_t kernels = 0;  ///< of the whole volume
   glm::ivec2 particles{0};  ///< of the sheet at rest

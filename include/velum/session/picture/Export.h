@@ -9,7 +9,7 @@ namespace velum::session {
 /// Files of a scene whose membranes are at rest, their shapes in it (see settleMembranes), for other programs.
 
 /// Writes the sheets of cuts as surfaces: .obj, .ply, .vtp or .stl, by extension. One to the path, several to
-/// NAME-0.ply, NAME-1.ply. @param cuts  places in the scene. @throw InputError as io::writeMesh
+/// NAME-0.ply, NAME-1.ply. @param cuts  ids of membranes. @throw InputError as io::writeMesh
 void exportSheets(const scene::Scene& settled, const std::vector<int>& cuts, const std::filesystem::path& path);
 
 /// Writes the volume with what the cuts remove emptied: .nrrd, .nii, .nii.gz, .vti or .vdb. @throw Cancelled,

@@ -23,9 +23,13 @@ ROOMS = {  # module: {room: rooms of the module it may include (its own is impli
            "phantoms": ""},
     "membrane": {"forces": "", "sheet": "forces"},
     # The module's own folder has both the frame, which all know, and the renderer, which knows all.
-    "render": {"upload": ".", "passes": ". upload", "section": ". upload"},
+    "render": {"upload": ". section", "passes": ". upload", "section": ". upload"},  # section/SliceImage.h names the sheets
     "session": {"document": "", "section": "", "structure": "", "cut": "", "look": "document",
-                "membrane": "cut look structure", "picture": "document membrane"},
+                "membrane": ". cut look structure", "picture": "document membrane"},
+    # kit and view take RecentFiles and Preferences from window, cut and membrane share forms: to be moved to kit.
+    "gui": {"kit": "window", "tool": "kit", "view": "kit tool window", "look": "kit tool view", "structure": "kit tool view",
+            "cut": "kit tool view membrane", "membrane": "kit tool view cut",
+            "window": "kit tool view look structure cut membrane"},
 }
 ONLY_IN = {  # library header: modules that may name it
     r"<Q[A-Z]": "gui",

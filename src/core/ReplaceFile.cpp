@@ -52,7 +52,7 @@ fs::path temporaryFor(const fs::path& target) {
 
 ReplaceFile::ReplaceFile(fs::path target, Access access) : mTarget(std::move(target)) {
   if (!fs::is_directory(folderOf(mTarget)))
-    throw InputError(mTarget.parent_path().string() + ": the folder does not exist; create it first");
+    throw InputError(mTarget.string() + ": its folder does not exist; create it first");
   if (fs::is_directory(mTarget)) throw InputError(mTarget.string() + ": is a folder; give the name of a file");
   mTemporary = temporaryFor(mTarget);
   // One that is left over from a process of the same number is nobody's.

@@ -150,7 +150,7 @@ TEST_F(AsUsed, OpenLookCurveCutSpareUndoSaveReopenExport) {
   EXPECT_EQ(other->document().scene().labels.structures, made.labels.structures);
 
   // The picture from the window and the one without it are the same file.
-  other->savePictureTo(path("window.png"), {{160, 120}, 1, false, false}, other->document().scene());
+  other->exports().savePictureTo(path("window.png"), {{160, 120}, 1, false, false}, other->document().scene());
   ASSERT_TRUE(waitForJob(*other));
   QProcess batch;
   batch.start(VELUM_BATCH,

@@ -10,11 +10,19 @@
 #include "cut/ThreePointTool.h"
 #include "velum/scene/Project.h"
 #include "velum/scene/SliceFrame.h"
-#include "view/SliceCutOverlay.h"
+#include "velum/session/cut/SliceCutTool.h"
 
 namespace velum::gui {
 
-class CutWindow : public StructureWindow {};
+class CutWindow : public StructureWindow {
+ protected:
+  static void drag(QWidget& view, QPoint from, QPoint to) {
+    QTest::mousePress(&view, Qt::LeftButton, {}, from);
+    QTest::mouseMove(&view, (from + to) / 2);
+    QTest::mouseMove(&view, to);
+    QTest::mouseRelease(&view, Qt::LeftButton, {}, to);
+  }
+};
 
 TEST_F(CutWindow, ACutKeepsAStructureWholeFromListAndMenu) {
   openWithLabels();
@@ -51,7 +59,6 @@ TEST_F(CutWindow, EveryShapeIsAddedNamedEditedAndMoved) {
   cuts->setCurrentRow(0);
   int window = scene().cuts[0].id;
   EXPECT_EQ(mWindow->selection().cut(), window);
-  EXPECT_EQ(viewport().selectedCut(), window);
   child<QDoubleSpinBox>("cutSize1")->setValue(12.5);
   child<QDoubleSpinBox>("cutCentre2")->setValue(-3.5);
   child<QDoubleSpinBox>("cutAzimuth")->setValue(90.0);
@@ -93,10 +100,7 @@ TEST_F(CutWindow, AFaceIsDraggedWithItsHandle) {
   auto to = scene::pixelFromWorld(scene().camera, size, face + glm::dvec3(0, 0, 4));
   ASSERT_TRUE(from && to);
   QPoint a(int(from->x), int(from->y)), b(int(to->x), int(to->y));
-  QTest::mousePress(&viewport(), Qt::LeftButton, {}, a);
-  QTest::mouseMove(&viewport(), (a + b) / 2);
-  QTest::mouseMove(&viewport(), b);
-  QTest::mouseRelease(&viewport(), Qt::LeftButton, {}, b);
+  drag(viewport(), a, b);
   const scene::Cut& now = scene().cuts[0];
   EXPECT_GT(now.sizeMm.z, before.sizeMm.z + 1.0);
   EXPECT_NEAR(now.centreMm.z - now.sizeMm.z * 0.5, before.centreMm.z - before.sizeMm.z * 0.5, 1e-9);
@@ -134,23 +138,27 @@ TEST_F(CutWindow, ThreeClicksMakeAPlaneThroughWhatWasClickedAndEscGivesUp) {
 
 TEST_F(CutWindow, OnASliceACutIsDraggedByItsLine) {
   openWithLabels();
+  mWindow->resize(1000, 800);
+  mWindow->views().setLayout(scene::Layout::FourUp);
   mWindow->actions().find("cut.addPlane")->trigger();
-  SliceCutOverlay overlay(document(), mWindow->selection());
-  scene::SliceFrame frame = scene::makeSliceFrame(scene(), scene::SliceKind::Axial, {300, 300});
+  ASSERT_TRUE(settle());
+  SliceView& axial = mWindow->views().slice(scene::SliceKind::Axial);
+  scene::SliceFrame frame = axial.frame();
   scene::Cut before = scene().cuts[0];
   auto handles = session::sliceHandles(frame, before);
   ASSERT_FALSE(handles.empty());
   glm::dvec2 place = handles.back().place, out = handles.back().outwards;
-  QPointF from(place.x, place.y), to = from + QPointF(out.x, out.y) * 20.0;
-  EXPECT_TRUE(overlay.move(from, frame, false));
-  EXPECT_NE(overlay.cursor(), Qt::ArrowCursor);
-  EXPECT_TRUE(overlay.press(from, frame));
-  EXPECT_TRUE(overlay.move(to, frame, false));
-  EXPECT_TRUE(overlay.release());
+  QPoint from(int(std::lround(place.x)), int(std::lround(place.y)));
+  QPoint way(int(std::lround(out.x * 20.0)), int(std::lround(out.y * 20.0)));
+  QTest::mouseMove(&axial, from);
+  EXPECT_NE(axial.cursor().shape(), axial.restCursor());
+  drag(axial, from, from + way);
   glm::dvec3 moved = scene().cuts[0].centreMm - before.centreMm;
   EXPECT_NEAR(glm::dot(moved, before.axis), 20.0 * frame.mmPerPixel, 1e-9);
   EXPECT_EQ(document().undoLabel(), "Move cut");
-  EXPECT_FALSE(overlay.press({2, 2}, frame));
+  glm::dvec3 crosshair = scene().slices.crosshairMm;
+  drag(axial, {2, 2}, {6, 4});
+  EXPECT_NE(scene().slices.crosshairMm, crosshair) << "beside the cut the view has the pointer";
 }
 
 }  // namespace velum::gui

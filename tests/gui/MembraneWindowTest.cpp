@@ -158,6 +158,25 @@ TEST_F(MembraneWindow, AClickProtectsAStructureOrLetsTheSheetThrough) {
   ASSERT_TRUE(settle());
 }
 
+TEST_F(MembraneWindow, OneClickOnASliceProtectsAndDoesNothingElse) {
+  addMembrane();
+  mWindow->resize(800, 700);
+  mWindow->views().setLayout(scene::Layout::FourUp);
+  document().edit("Clear", [](scene::Scene& scene) { scene.cuts[0].membrane->field = {}; });
+  ASSERT_TRUE(settle());
+  scene::Scene before = scene();
+  auto steps = document().undoLabels();
+  QTest::mouseClick(child<QPushButton>("protectThis"), Qt::LeftButton);
+  SliceView& axial = mWindow->views().slice(scene::SliceKind::Axial);
+  QTest::mouseClick(&axial, Qt::LeftButton, {}, axial.rect().center());
+  ASSERT_FALSE(scene().cuts[0].membrane->field == scene::ForceField());
+  EXPECT_EQ(document().undoLabels().size(), steps.size() + 1);
+  EXPECT_EQ(document().undoLabel(), "Protect from sheet");
+  EXPECT_EQ(scene().volume.transfer, before.volume.transfer) << "the look is no business of this tool";
+  document().undo();
+  EXPECT_EQ(scene(), before);
+}
+
 TEST_F(MembraneWindow, PausedTheWindowIsSettledAndStepsByHand) {
   addMembrane();
   QTest::mouseClick(child<QPushButton>("membranePlay"), Qt::LeftButton);

@@ -6,7 +6,7 @@
 #include "Shots.h"
 #include "WindowFixture.h"
 #include "kit/Theme.h"
-#include "membrane/SheetTool.h"
+#include "membrane/SheetGrips.h"
 
 namespace velum::gui {
 

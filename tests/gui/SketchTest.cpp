@@ -6,8 +6,8 @@
 
 #include "Shots.h"
 #include "WindowFixture.h"
+#include "membrane/BrushTool.h"
 #include "membrane/MembraneForm.h"
-#include "membrane/SketchTool.h"
 #include "structure/StructureCommands.h"
 #include "velum/membrane/forces/Kernels.h"
 
@@ -20,7 +20,8 @@ class SketchWindow : public Window {
     mWindow->resize(1100, 960);
   }
   session::Document& document() { return mWindow->document(); }
-  SketchTool& tool() { return mWindow->sketch(); }
+  Sketch& tool() { return mWindow->sketch(); }
+  bool isBrushing() { return qobject_cast<BrushTool*>(mWindow->toolbox().active()); }
   const scene::ForceField& field() { return scene().cuts[0].membrane->field; }
   SliceView& axial() { return mWindow->views().slice(scene::SliceKind::Axial); }
   void addMembrane() {
@@ -41,7 +42,7 @@ class SketchWindow : public Window {
   /// Through the middle of the phantom's larger ball, or what is in the middle of the volume.
   void strokeOver(const char* brush, glm::dvec3 way = {6, 0, 0}) {
     QTest::mouseClick(child<QPushButton>(brush), Qt::LeftButton);
-    ASSERT_TRUE(tool().isActive());
+    ASSERT_TRUE(isBrushing());
     glm::dvec3 middle = scene().slices.crosshairMm;
     drag(axial(), placeOf(middle), placeOf(middle + way));
     QTest::qWait(60);  // the panel makes room for the stroke
@@ -62,10 +63,10 @@ TEST_F(SketchWindow, AStrokeOnASliceFitsTheCurveInOneStep) {
   double inside = valueAt(*scene().volume.data, scene().volume.data->dims / 2);
   EXPECT_GT(membrane::strengthAt(field().byValue, inside), 0);
   EXPECT_EQ(document().undoLabel(), "Sketch what to keep whole");
-  EXPECT_TRUE(tool().isActive()) << "the next stroke may follow";
+  EXPECT_TRUE(isBrushing()) << "the next stroke may follow";
   takeShot(*mWindow, "sketch-keep");
   QTest::keyClick(&axial(), Qt::Key_Escape);
-  EXPECT_FALSE(tool().isActive());
+  EXPECT_FALSE(isBrushing());
   EXPECT_FALSE(child<QPushButton>("sketchKeep")->isChecked());
   ASSERT_TRUE(settle());
   document().undo();
@@ -175,16 +176,16 @@ TEST_F(SketchWindow, StructuresHaveForcesInATable) {
 
 TEST_F(SketchWindow, ExportsTheSheetThatIsShownAndTheClippedVolume) {
   openWithMembrane();
-  mWindow->exportSheetTo(path("sheet.obj"));
+  mWindow->exports().exportSheetTo(path("sheet.obj"));
   ASSERT_TRUE(waitForJob());
   EXPECT_TRUE(mWindow->lastError().isEmpty()) << mWindow->lastError().toStdString();
   scene::SheetShape shape = viewport().membranes().withShapes(scene()).cuts[0].membrane->shape;
   EXPECT_EQ(bytesOf(path("sheet.obj")).count("\nv "), shape.particles.x * shape.particles.y);
-  mWindow->exportClippedTo(path("clipped.nrrd"));
+  mWindow->exports().exportClippedTo(path("clipped.nrrd"));
   ASSERT_TRUE(waitForJob());
   EXPECT_TRUE(mWindow->lastError().isEmpty());
   EXPECT_GT(bytesOf(path("clipped.nrrd")).size(), 1000);
-  mWindow->exportSheetTo(path("sheet.xyz"));
+  mWindow->exports().exportSheetTo(path("sheet.xyz"));
   ASSERT_TRUE(waitForJob());
   EXPECT_TRUE(mWindow->lastError().contains(".ply"));
 }

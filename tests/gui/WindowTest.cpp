@@ -79,7 +79,7 @@ TEST_F(Window, GizmoMovesTheCutAlongItsNormalInOneStep) {
   viewport().lookFrom(scene::StandardView::Oblique);
   QTest::mouseClick(child<QPushButton>("addPlane"), Qt::LeftButton);
   ASSERT_EQ(scene().cuts.size(), 1u);
-  EXPECT_EQ(viewport().selectedCut(), scene().cuts[0].id);
+  EXPECT_EQ(mWindow->selection().cut(), scene().cuts[0].id);
   viewport().lookFrom(scene::StandardView::Left);  // so that the arrow lies across the view
   scene::Cut before = scene().cuts[0];
   auto gizmo = session::makeCutGizmo(scene(), before, size());
@@ -98,7 +98,7 @@ TEST_F(Window, GizmoMovesTheCutAlongItsNormalInOneStep) {
   mWindow->document().undo();
   mWindow->document().undo();
   EXPECT_TRUE(scene().cuts.empty());
-  EXPECT_EQ(viewport().selectedCut(), 0);
+  EXPECT_EQ(mWindow->selection().cut(), 0);
 }
 
 TEST_F(Window, KnobTiltsTheCut) {
@@ -135,7 +135,7 @@ TEST_F(Window, SavedPictureEqualsTheHeadlessOne) {
   mWindow->document().edit("Add cut", [](scene::Scene& s) { scene::addCut(s, session::cutFacingCamera(s)); });
   drag({200, 200}, {260, 180});
   mWindow->saveSceneTo(path("scene.json"));
-  mWindow->savePictureTo(path("window.png"), {{160, 120}, 2, false, false}, scene());
+  mWindow->exports().savePictureTo(path("window.png"), {{160, 120}, 2, false, false}, scene());
   ASSERT_TRUE(waitForJob());
   QProcess batch;
   batch.start(VELUM_BATCH,

@@ -6,6 +6,7 @@
 
 #include "TempFolder.h"
 #include "velum/core/Error.h"
+#include "velum/io/volumes/ReadVolume.h"
 #include "volumes/Readers.h"
 
 /// Against the tables in data/volumes/README.md and data/malformed/README.md; skipped where the data is not.
@@ -153,8 +154,7 @@ TEST(RealFolders, TiffPlanes) {
   scene::Source source;
   source.path = planes.string();
   source.spacingMm = {0.04, 0.04, 0.05};
-  Volume v = readTiff(source, progress);
-  computeRange(v);
+  Volume v = readVolume(source, progress);
   EXPECT_EQ(v.dims, glm::ivec3(271, 193, 270));
   EXPECT_EQ(v.range, glm::dvec2(0, 14580));
   EXPECT_NEAR(spacingMm(v).z, 0.05, 1e-12);

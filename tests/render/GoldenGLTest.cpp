@@ -42,20 +42,23 @@ scene::Scene dataOf(const Json& what) {
   return scene;
 }
 
+/// Shapes of cuts come first: only a membrane has a membrane's fields.
 void setFields(scene::Scene& scene, const Json& fields) {
-  for (const auto& [path, value] : fields.items())
-    scene::setField(scene, path, value.is_string() ? value.get<std::string>() : value.dump());
+  for (bool wantsShapes : {true, false})
+    for (const auto& [path, value] : fields.items())
+      if (path.ends_with(".shape") == wantsShapes)
+        scene::setField(scene, path, value.is_string() ? value.get<std::string>() : value.dump());
 }
 
 /// What a sheet at rest depends on in the cases, which have one membrane: nothing else is changed between panels.
 scene::Cut restOf(scene::Cut cut) {
-  scene::Cut plain;
-  cut.face = plain.face;
-  cut.membrane->use = plain.membrane->use;
-  cut.membrane->look = plain.membrane->look;
-  cut.membrane->sliceOpacity = plain.membrane->sliceOpacity;
-  cut.membrane->emphasis = plain.membrane->emphasis;
-  cut.membrane->falloffMm = plain.membrane->falloffMm;
+  const scene::Membrane plain;
+  cut.face = scene::Cut().face;
+  cut.membrane->use = plain.use;
+  cut.membrane->look = plain.look;
+  cut.membrane->sliceOpacity = plain.sliceOpacity;
+  cut.membrane->emphasis = plain.emphasis;
+  cut.membrane->falloffMm = plain.falloffMm;
   return cut;
 }
 

@@ -26,6 +26,7 @@ class MembranesTimeGL : public GlTest {
     scene::Scene scene;
     scene.volume.data = volume;
     scene::Cut cut;
+    cut.id = 1;
     cut.shape = scene::CutShape::Membrane;
     cut.membrane.emplace();
     cut.centreMm = {5, -30, -15};
@@ -106,6 +107,7 @@ scene::Scene risingBall(scene::Repositioning repositioning) {
   scene::Scene scene;
   scene.volume.data = Shared<Volume>(std::move(volume));
   scene::Cut cut;
+  cut.id = 1;
   cut.shape = scene::CutShape::Membrane;
   cut.membrane.emplace();
   cut.axis = {0, 0, 1};
@@ -146,7 +148,7 @@ TEST_F(MembranesTimeGL, WindowsFollowAsPicturesDo) {
         if (auto work = player.nextWork()) player.endWork(work(sProgress));
         player.advance(20.0);
       }
-      for (const auto& rest : player.takeRests()) window.cuts[rest.cut].membrane->shape = rest.shape;
+      for (const auto& rest : player.takeRests()) scene::findCut(window, rest.cut)->membrane->shape = rest.shape;
       // A window fits what it keeps to the frame's rim, as drawing does; what is left is rounding.
       const scene::Cut& cut = picture.cuts[0];
       scene::SheetShape a = membrane::fitShape(cut.membrane->shape, cut.membrane->cloth.particles, cut.sizeMm);

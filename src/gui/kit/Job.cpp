@@ -2,47 +2,35 @@
 
 #include <chrono>
 
-#include "Courtesy.h"
-#include "velum/core/Error.h"
-
 namespace velum::gui {
 
-namespace {
-
-/// Passes on at most thirty reports a second, so that a fast reader does not flood the event queue.
-Progress::Listener throttled(Job* job) {
+Progress::Listener throttled(std::function<void(double fraction, const QString& what)> listener) {
   using Clock = std::chrono::steady_clock;
-  return [job, last = Clock::time_point{}](double fraction, const std::string& what) mutable {
-    auto now = Clock::now();
-    if (now - last < std::chrono::milliseconds(33)) return;
-    last = now;
-    emit job->progressed(fraction, QString::fromStdString(what));
-  };
+  return
+      [listener = std::move(listener), last = Clock::time_point{}](double fraction, const std::string& what) mutable {
+        auto now = Clock::now();
+        if (now - last < std::chrono::milliseconds(33)) return;
+        last = now;
+        listener(fraction, QString::fromStdString(what));
+      };
 }
 
-}  // namespace
-
-Job::Job(Work work, QObject* parent) : QObject(parent), mWork(std::move(work)), mProgress(throttled(this)) {}
+Job::Job(Work work, QObject* parent) : QObject(parent), mWork(std::move(work)) {}
 
 Job::~Job() {
-  cancel();
-  if (mThread.joinable()) mThread.join();
+  mJob.reset();  // cancels and waits, while there is somebody to hear it
 }
 
-void Job::start() { mThread = std::thread(&Job::run, this); }
+void Job::start() {
+  mJob = std::make_unique<session::Job>(
+      std::move(mWork), throttled([this](double fraction, const QString& what) { emit progressed(fraction, what); }),
+      [this](const session::JobOutcome& outcome) {
+        emit finished(outcome.done, QString::fromStdString(outcome.error));
+      });
+}
 
-void Job::run() {
-  giveWay();
-  try {
-    mWork(mProgress);
-    emit finished(true, {});
-  } catch (const Cancelled&) {
-    emit finished(false, {});
-  } catch (const std::bad_alloc&) {
-    emit finished(false, tr("The machine has no memory left for this; use a smaller volume or picture."));
-  } catch (const std::exception& error) {
-    emit finished(false, QString::fromUtf8(error.what()));
-  }
+void Job::cancel() {
+  if (mJob) mJob->cancel();
 }
 
 }  // namespace velum::gui

@@ -1,24 +1,22 @@
 #pragma once
 #include <QObject>
 #include <QString>
-#include <functional>
-#include <thread>
+#include <memory>
 
-#include "velum/core/Task.h"
+#include "velum/session/Job.h"
 
 namespace velum::gui {
 
-/// Long work in a thread of its own: it tells how far it is, can be cancelled, and is cancelled and awaited when the
-/// object goes. Signals arrive in the thread of whoever listens.
+/// A session::Job that tells by signals: they arrive in the thread of whoever listens.
 class Job : public QObject {
   Q_OBJECT
  public:
-  using Work = std::function<void(Progress&)>;
+  using Work = session::Job::Work;
   Job(Work work, QObject* parent);
   ~Job() override;
 
   void start();
-  void cancel() { mProgress.cancel(); }
+  void cancel();
 
  signals:
   void progressed(double fraction, const QString& what);
@@ -26,11 +24,11 @@ class Job : public QObject {
   void finished(bool done, const QString& error);
 
  private:
-  void run();
-
   Work mWork;
-  Progress mProgress;
-  std::thread mThread;
+  std::unique_ptr<session::Job> mJob;
 };
+
+/// Passes on at most thirty reports a second, so that a fast reader does not flood the event queue.
+Progress::Listener throttled(std::function<void(double fraction, const QString& what)> listener);
 
 }  // namespace velum::gui

@@ -2,10 +2,10 @@
 #include <QObject>
 #include <QToolBar>
 
+#include "ShowThisTool.h"
 #include "kit/ActionTable.h"
 #include "kit/Bars.h"
 #include "velum/session/document/Document.h"
-#include "view/ViewGrid.h"
 
 namespace velum::gui {
 
@@ -13,7 +13,7 @@ namespace velum::gui {
 class LookCommands : public QObject {
   Q_OBJECT
  public:
-  LookCommands(session::Document& document, ViewGrid& views, MessageBar& messages, QWidget* window);
+  LookCommands(session::Document& document, Toolbox& toolbox, MessageBar& messages, QWidget* window);
   /// Adds the commands to a menu, and "show this" to the tool bar.
   void build(ActionTable& actions, QMenu* menu, QToolBar* bar);
 
@@ -21,26 +21,17 @@ class LookCommands : public QObject {
   void importFrom(const QString& path);
   void exportTo(const QString& path);
   /// While it is on, a click in a view shows the tissue there.
-  bool isShowing() const { return mShowThis && mShowThis->isChecked(); }
-
- public slots:
-  /// Shows the tissue at a place (world mm); with Shift beside what is shown; with Ctrl hides it.
-  void showAt(glm::dvec3 worldMm, Qt::KeyboardModifiers keys);
-
- signals:
-  /// The tool was taken up or laid down.
-  void showingChanged(bool on);
+  bool isShowing() const { return mShowThis->isActive(); }
 
  private:
-  void clickedInPicture(QPointF place, Qt::KeyboardModifiers keys);
   void askImport();
   void askExport();
 
   session::Document& mDocument;
-  ViewGrid& mViews;
+  Toolbox& mToolbox;
   MessageBar& mMessages;
   QWidget* mWindow;
-  QAction* mShowThis = nullptr;
+  ShowThisTool* mShowThis;
   QString mFolder;  ///< Of the last file.
 };
 

@@ -122,19 +122,7 @@ QWidget* MembraneForm::makeProtect() {
                        tr("Click tissue or a structure in any view: the sheet goes around all that is like it"));
   mLetThrough = addButton(row, "letThrough", tr("Let through"),
                           tr("Click tissue or a structure in any view: the sheet may cut all that is like it"));
-  for (auto* button : {mProtect, mLetThrough}) {
-    button->setCheckable(true);
-    connect(button, &QPushButton::clicked, this, [this, button](bool on) {
-      (button == mProtect ? mLetThrough : mProtect)->setChecked(false);
-      emit protectAsked(on, button == mLetThrough);
-    });
-  }
   return tools;
-}
-
-void MembraneForm::pointingEnded() {
-  mProtect->setChecked(false);
-  mLetThrough->setChecked(false);
 }
 
 QWidget* MembraneForm::makePlayer() {

@@ -33,6 +33,9 @@ class MembraneForm : public QWidget {
   SheetHandsForm& hands() { return *mHands; }
   /// In words: "cuts 12 % of what the plane cuts; 1.3 mm from the slice on average".
   static QString figureText(const session::MembraneStatus& status);
+  /// The buttons of the tools that say by a click what is kept whole, or let through.
+  QPushButton& protectButton() { return *mProtect; }
+  QPushButton& letThroughButton() { return *mLetThrough; }
   /// Its brushes and strokes.
   SketchForm& sketch() { return *mSketch; }
 
@@ -40,14 +43,8 @@ class MembraneForm : public QWidget {
   void playAsked(bool play);
   void stepAsked();
   void flatAsked();
-  /// The next click in a view says what is to be kept whole, or let through.
-  void protectAsked(bool on, bool letThrough);
   void exportSheetAsked();
   void exportClippedAsked();
-
- public slots:
-  /// The tool that the protect buttons stand for has ended.
-  void pointingEnded();
 
  private:
   using Change = std::function<void(scene::Membrane&)>;

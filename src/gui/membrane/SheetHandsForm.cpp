@@ -5,6 +5,7 @@
 #include <QPainter>
 #include <QSignalBlocker>
 
+#include "SheetHandsPaint.h"
 #include "cut/CutForm.h"
 #include "kit/Widgets.h"
 
@@ -48,25 +49,19 @@ SheetHandsForm::SheetHandsForm(session::Document& document, CutForm& form, QWidg
   layout->addWidget(makeTitle(tr("Pins and kernels"), this));
   auto* tools = new QHBoxLayout;
   layout->addLayout(tools);
-  auto add = [&](const char* name, const QString& text, const QString& tip, SheetTool::Mode mode) {
+  auto add = [&](const char* name, const QString& text, const QString& tip) {
     auto* button = new QPushButton(text, this);
     button->setObjectName(name);
     button->setToolTip(tip);
-    button->setCheckable(true);
     tools->addWidget(button, 1);
-    connect(button, &QPushButton::clicked, this,
-            [this, mode](bool on) { emit modeAsked(on ? mode : SheetTool::Mode::None); });
     return button;
   };
-  mPin =
-      add("pinTool", tr("Pin"), tr("Click the sheet in any view and hold it there, or drag it on. Shift: several. (P)"),
-          SheetTool::Mode::Pin);
-  mPush =
-      add("pushTool", tr("Push kernel"),
-          tr("Drag a ball in a slice, or click in the picture: the sheet goes around it (B)"), SheetTool::Mode::Push);
+  mPin = add("pinTool", tr("Pin"),
+             tr("Click the sheet in any view and hold it there, or drag it on. Shift: several. (P)"));
+  mPush = add("pushTool", tr("Push kernel"),
+              tr("Drag a ball in a slice, or click in the picture: the sheet goes around it (B)"));
   mPull = add("pullTool", tr("Pull kernel"),
-              tr("Drag a ball in a slice, or click in the picture: the sheet is drawn to its middle (Shift+B)"),
-              SheetTool::Mode::Pull);
+              tr("Drag a ball in a slice, or click in the picture: the sheet is drawn to its middle (Shift+B)"));
   mList = new QWidget(this);
   mRowLayout = new QVBoxLayout(mList);
   mRowLayout->setContentsMargins(0, 0, 0, 0);
@@ -183,12 +178,6 @@ void SheetHandsForm::showCut(const scene::Cut& cut) {
   while (mRows.size() < hands.size()) mRows.push_back(makeRow(hands[mRows.size()]));
   for (const Row& row : mRows) showRow(row, cut);
   mList->setVisible(!mRows.empty());
-}
-
-void SheetHandsForm::showMode(SheetTool::Mode mode) {
-  mPin->setChecked(mode == SheetTool::Mode::Pin);
-  mPush->setChecked(mode == SheetTool::Mode::Push);
-  mPull->setChecked(mode == SheetTool::Mode::Pull);
 }
 
 void SheetHandsForm::showSelected(Hand hand) {

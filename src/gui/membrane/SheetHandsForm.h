@@ -7,8 +7,8 @@
 #include <functional>
 #include <vector>
 
-#include "SheetTool.h"
 #include "velum/session/document/Document.h"
+#include "velum/session/membrane/SheetHands.h"
 
 namespace velum::gui {
 
@@ -20,11 +20,13 @@ class SheetHandsForm : public QWidget {
  public:
   SheetHandsForm(session::Document& document, CutForm& form, QWidget* parent);
   void showCut(const scene::Cut& cut);
-  void showMode(SheetTool::Mode mode);
+  /// The buttons of the tools that put them in.
+  QPushButton& pinButton() { return *mPin; }
+  QPushButton& pushButton() { return *mPush; }
+  QPushButton& pullButton() { return *mPull; }
   void showSelected(session::Hand hand);
 
  signals:
-  void modeAsked(velum::gui::SheetTool::Mode mode);
   void selectAsked(velum::session::Hand hand);
 
  protected:

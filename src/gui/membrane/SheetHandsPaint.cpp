@@ -3,9 +3,10 @@
 #include <QPainterPath>
 
 #include "StrengthCanvas.h"
+#include "kit/Points.h"
 #include "kit/Theme.h"
+#include "tool/HandlePaint.h"
 #include "velum/session/cut/CutEdit.h"
-#include "view/GizmoPaint.h"
 
 namespace velum::gui {
 
@@ -17,8 +18,6 @@ using session::HandKind;
 const QColor kPin(0xf7, 0xf1, 0xdd), kEdge(0, 0, 0, 170);
 constexpr double kHead = 4.6, kMiddle = 5.2;
 const QPointF kNeedle(6.0, -10.0);  // from the point to the middle of the head
-
-QPointF toPoint(glm::dvec2 p) { return {p.x, p.y}; }
 
 bool isOf(Hand mark, HandKind kind, std::size_t index) {
   bool sameThing = (mark.kind == HandKind::Pin) == (kind == HandKind::Pin) && mark.kind != HandKind::None;
@@ -56,10 +55,12 @@ void drawKernel(QPainter& painter, QPointF middle, double strength, bool hot, bo
   if (strength >= 0) painter.drawLine(middle - QPointF(0, 2.6), middle + QPointF(0, 2.6));
 }
 
-void paintHands(QPainter& painter, const scene::Cut& cut, const scene::Camera& camera, glm::dvec2 size,
-                const HandMarks& marks) {
+namespace {
+
+void paintOverPicture(QPainter& painter, const scene::Cut& cut, const session::ViewSpace& view,
+                      const HandMarks& marks) {
   const auto& kernels = cut.membrane->field.kernels;
-  auto place = [&](glm::dvec3 world) { return scene::pixelFromWorld(camera, size, world); };
+  auto place = [&](glm::dvec3 world) { return view.pixelFromWorld(world); };
   auto ring = [&](const std::vector<glm::dvec3>& points) {
     QPolygonF polygon;
     for (const auto& p : points) {
@@ -87,7 +88,8 @@ void paintHands(QPainter& painter, const scene::Cut& cut, const scene::Camera& c
       drawPin(painter, toPoint(*point), isOf(marks.hover, HandKind::Pin, i), isOf(marks.selected, HandKind::Pin, i));
 }
 
-void paintHands(QPainter& painter, const scene::Cut& cut, const scene::SliceFrame& frame, const HandMarks& marks) {
+void paintOverSection(QPainter& painter, const scene::Cut& cut, const scene::SliceFrame& frame,
+                      const HandMarks& marks) {
   const auto& kernels = cut.membrane->field.kernels;
   for (std::size_t i = 0; i < kernels.size(); ++i) {
     auto circle = session::circleOnSlice(frame, kernels[i]);
@@ -112,6 +114,15 @@ void paintHands(QPainter& painter, const scene::Cut& cut, const scene::SliceFram
             isOf(marks.selected, HandKind::Pin, i));
     painter.setOpacity(before);
   }
+}
+
+}  // namespace
+
+void paintHands(QPainter& painter, const scene::Cut& cut, const session::ViewSpace& view, const HandMarks& marks) {
+  if (const auto* section = view.section())
+    paintOverSection(painter, cut, *section, marks);
+  else
+    paintOverPicture(painter, cut, view, marks);
 }
 
 }  // namespace velum::gui

@@ -17,11 +17,9 @@ struct HandMarks {
 /// Warm where the sheet is repelled, cool where it is attracted.
 QColor strengthColor(double strength);
 
-/// Pins and kernels of a membrane over the 3D view: kernels as three thin rings.
-void paintHands(QPainter& painter, const scene::Cut& cut, const scene::Camera& camera, glm::dvec2 size,
-                const HandMarks& marks);
-/// On a slice: kernels as the circles in which it cuts their balls, pins where they are near it.
-void paintHands(QPainter& painter, const scene::Cut& cut, const scene::SliceFrame& frame, const HandMarks& marks);
+/// Pins and kernels of a membrane over a view: kernels as three thin rings in the picture, as the circles in which a
+/// section cuts their balls there; pins where they are near it.
+void paintHands(QPainter& painter, const scene::Cut& cut, const session::ViewSpace& view, const HandMarks& marks);
 
 /// The sign of a pin, its point at a place. Size of its head: pixels.
 void drawPin(QPainter& painter, QPointF point, bool hot, bool selected);

@@ -54,14 +54,7 @@ SketchForm::SketchForm(QWidget* parent)
   head->addWidget(mRemove);
   layout->addLayout(head);
   auto* brushes = new QHBoxLayout;
-  for (auto* button : {mKeep, mAvoid}) {
-    button->setCheckable(true);
-    brushes->addWidget(button, 1);
-    connect(button, &QPushButton::clicked, this, [this, button](bool on) {
-      (button == mKeep ? mAvoid : mKeep)->setChecked(false);
-      emit brushAsked(on, button == mAvoid);
-    });
-  }
+  for (auto* button : {mKeep, mAvoid}) brushes->addWidget(button, 1);
   layout->addLayout(brushes);
   auto* radius = new QHBoxLayout;
   auto* name = new QLabel(tr("Radius"), this);
@@ -110,11 +103,6 @@ void SketchForm::fillList() {
   mList->setVisible(rows > 0);
   mRemove->setVisible(rows > 0);
   mRemove->setEnabled(mList->currentRow() >= 0);
-}
-
-void SketchForm::brushEnded() {
-  mKeep->setChecked(false);
-  mAvoid->setChecked(false);
 }
 
 /// The slider reaches some times further than the brush that suits the data.

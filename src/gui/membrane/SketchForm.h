@@ -15,17 +15,17 @@ class SketchForm : public QWidget {
  public:
   explicit SketchForm(QWidget* parent);
   void showStrokes(const std::vector<scene::Stroke>& strokes);
+  /// The buttons of the brushes.
+  QPushButton& keepButton() { return *mKeep; }
+  QPushButton& avoidButton() { return *mAvoid; }
 
  signals:
-  /// The brush is to be taken up, or put down.
-  void brushAsked(bool on, bool avoid);
   void radiusAsked(double mm);
   void radiusSettled();
   void strokeSelected(int index);
   void removeAsked(int index);
 
  public slots:
-  void brushEnded();
   void showRadius(double mm);
   void showSelected(int index);
 

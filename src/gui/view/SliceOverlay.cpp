@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kit/Points.h"
 #include "kit/Theme.h"
 #include "velum/render/section/SliceImage.h"
 #include "velum/session/section/SliceTool.h"
@@ -39,8 +40,6 @@ void drawTwice(QPainter& painter, const QPainterPath& path, QColor color, double
   painter.setPen(QPen(color, width, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
   painter.drawPath(path);
 }
-
-QPointF toPoint(glm::dvec2 p) { return {p.x, p.y}; }
 
 void drawCrosshair(QPainter& painter, const scene::Scene& scene, scene::SliceKind kind, const scene::SliceFrame& frame,
                    const SliceHints& hints) {

@@ -22,8 +22,9 @@ constexpr int kButton = 24;
 
 }  // namespace
 
-SliceView::SliceView(session::Document& document, Selection& selection, scene::SliceKind kind, QWidget* parent)
-    : QWidget(parent), mDocument(document), mKind(kind), mCuts(document, selection), mSelection(selection) {
+SliceView::SliceView(session::Document& document, Selection& selection, Toolbox& toolbox, scene::SliceKind kind,
+                     QWidget* parent)
+    : QWidget(parent), mDocument(document), mKind(kind), mSelection(selection), mToolbox(toolbox) {
   setObjectName(QString("slice.%1").arg(sliceName(kind).toLower()));
   setAccessibleName(tr("%1 slice").arg(sliceName(kind)));
   setFocusPolicy(Qt::StrongFocus);
@@ -37,7 +38,7 @@ SliceView::SliceView(session::Document& document, Selection& selection, scene::S
   connect(mMenuButton, &QToolButton::clicked, this,
           [this] { showMenu(mMenuButton->mapToGlobal(QPoint(0, mMenuButton->height()))); });
   connect(mMaximise, &QToolButton::clicked, this, &SliceView::maximiseWanted);
-  connect(&selection, &Selection::cutChanged, this, qOverload<>(&QWidget::update));
+  mToolbox.addView(*this);
   mRestTimer.setSingleShot(true);
   mRestTimer.setInterval(kRestMs);
   connect(&mRestTimer, &QTimer::timeout, this, [this] {
@@ -89,7 +90,6 @@ void SliceView::refresh() {
 
 void SliceView::setSheets(render::SheetIndices sheets) {
   mSheets = std::move(sheets);
-  mCuts.setSheets(mSheets);
   mStale = true;
   update();
 }
@@ -120,7 +120,6 @@ void SliceView::paintEvent(QPaintEvent*) {
   painter.drawImage(QRectF(QPointF(), shown), image);
   mHints.hasFocus = hasFocus();
   paintSliceOverlay(painter, mDocument.scene(), mKind, frame(), mHints);
-  mCuts.paint(painter, frame());
   ++mPaintCount;
 }
 

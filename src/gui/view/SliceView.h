@@ -4,9 +4,9 @@
 #include <QToolButton>
 #include <QWidget>
 
-#include "SliceCutOverlay.h"
 #include "SliceOverlay.h"
 #include "kit/Selection.h"
+#include "tool/Toolbox.h"
 #include "velum/render/Renderer.h"
 #include "velum/render/section/SliceImage.h"
 #include "velum/session/document/Document.h"
@@ -15,10 +15,11 @@ namespace velum::gui {
 
 /// One slice view: picture, lines and words over it, and the mouse. It draws on the processor, so that it answers
 /// whatever the graphics driver does.
-class SliceView : public QWidget {
+class SliceView : public QWidget, public ToolView {
   Q_OBJECT
  public:
-  SliceView(session::Document& document, Selection& selection, scene::SliceKind kind, QWidget* parent);
+  SliceView(session::Document& document, Selection& selection, Toolbox& toolbox, scene::SliceKind kind,
+            QWidget* parent);
 
   /// To be called after every change of the document.
   void refresh();
@@ -33,8 +34,6 @@ class SliceView : public QWidget {
   bool isComplete() const { return !isVisible() || (!mStale && mDrawnCoarse == 1); }
   /// How often it has been painted; for tests and measurements.
   int paintCount() const { return mPaintCount; }
-  /// While it is on, a click means a place of the world and moves nothing.
-  void setPointing(bool pointing) { mPointing = pointing; }
   /// Shows in its button whether the view fills the window.
   void setMaximised(bool maximised);
   /// All of the data, in the middle.
@@ -42,14 +41,18 @@ class SliceView : public QWidget {
   /// To the next plane away from the viewer (-1) or towards the viewer (+1).
   void scroll(double steps);
 
+  QWidget& widget() override { return *this; }
+  session::ViewSpace space() const override { return session::ViewSpace(frame()); }
+  std::optional<render::Pick> pickAt(QPointF place) override;
+  bool showsHandles() const override { return mDocument.scene().slices.showCuts; }
+  Qt::CursorShape restCursor() const override { return Qt::CrossCursor; }
+
  signals:
   void pointedAt(const velum::render::Pick& pick);
   void pointedAtNothing();
   /// The user does something here: other views are to leave it the machine.
   void touched();
   void maximiseWanted();
-  /// While a tool points: where was clicked, world mm.
-  void clicked(glm::dvec3 worldMm, Qt::KeyboardModifiers keys);
   /// The right button was clicked over a structure, which is selected now.
   void structureMenuAsked(int structure, QPoint globalPlace);
 
@@ -71,7 +74,7 @@ class SliceView : public QWidget {
   bool event(QEvent* event) override;
 
  private:
-  enum class Drag { None, Crosshair, Turn, Pan, Window, Cut };
+  enum class Drag { None, Crosshair, Turn, Pan, Window };
 
   QToolButton* addButton(const char* name, const QString& tip, int fromRight);
   void drawImage();
@@ -80,6 +83,7 @@ class SliceView : public QWidget {
   void dragTo(glm::dvec2 place);
   void endDrag();
   void hover(QPointF place);
+  void tellWhatIsAt(QPointF place);
   void change(const session::Document::Change& change);
   void pickStructure(QPointF place);
   void showMenu(QPoint globalPlace);
@@ -95,10 +99,8 @@ class SliceView : public QWidget {
   std::vector<scene::Cut> mCutsShown;
   render::SheetIndices mSheets;
   render::SliceImage mImage;
-  SliceCutOverlay mCuts;
   Selection& mSelection;
-  bool mPointing = false;
-  bool mOnCut = false;  ///< The pointer is on a handle of a cut.
+  Toolbox& mToolbox;
   bool mStale = true;
   int mDrawnCoarse = 1;  ///< Device pixels along the edge of one of mImage.
   double mFullMs = 0.0;  ///< Time that the last full picture took.

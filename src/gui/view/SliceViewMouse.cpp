@@ -1,5 +1,6 @@
 // The pointer and the keys in a slice view. Left moves the crosshair, or turns the other slices by a knob of its lines;
-// the wheel scrolls, with Ctrl it comes nearer; middle or Shift+left pans; right sets the grey window.
+// the wheel scrolls, with Ctrl it comes nearer; middle or Shift+left pans; right sets the grey window. Tools and
+// handles come first: the toolbox is asked.
 #include <QApplication>
 #include <QContextMenuEvent>
 #include <QMouseEvent>
@@ -7,6 +8,7 @@
 
 #include "SliceView.h"
 #include "ViewChange.h"
+#include "kit/Points.h"
 #include "velum/session/section/SliceTool.h"
 
 namespace velum::gui {
@@ -16,8 +18,6 @@ namespace {
 constexpr double kReachPixels = 10.0;
 constexpr double kStillPixels = 3.0;  // a hand that clicks moves less
 constexpr double kFarSteps = 10.0;    // with Shift
-
-glm::dvec2 toVec(QPointF p) { return {p.x(), p.y()}; }
 
 /// The keys that mean something here even though the window has commands on them.
 bool isOwnKey(const QKeyEvent& event) {
@@ -40,14 +40,12 @@ SliceView::Drag SliceView::dragFor(const QMouseEvent& event) const {
 
 void SliceView::mousePressEvent(QMouseEvent* event) {
   if (mDrag != Drag::None) return;
-  emit touched();
-  bool isLeft = event->button() == Qt::LeftButton;
-  if (mPointing && isLeft) {
-    emit clicked(scene::worldFromSlicePixel(frame(), toVec(event->position())), event->modifiers());
+  if (mToolbox.press(*this, *event)) {
+    if (mToolbox.pausesOtherViews()) emit touched();
     return;
   }
-  bool takesCut = isLeft && !(event->modifiers() & Qt::ControlModifier) && mCuts.press(event->position(), frame());
-  mDrag = takesCut ? Drag::Cut : dragFor(*event);
+  emit touched();
+  mDrag = dragFor(*event);
   mDragStart = mDragLast = toVec(event->position());
   mDragScene = mDocument.scene();
   mDragFrame = frame();
@@ -84,7 +82,6 @@ void SliceView::dragTo(glm::dvec2 place) {
           "Change window", [&](scene::Scene& scene) { scene::setWindow(scene.volume, window.x, window.y); }, true);
       break;
     }
-    case Drag::Cut:
     case Drag::None:
       break;
   }
@@ -92,10 +89,9 @@ void SliceView::dragTo(glm::dvec2 place) {
 }
 
 void SliceView::mouseMoveEvent(QMouseEvent* event) {
-  if (mDrag == Drag::None || mDrag == Drag::Cut) {
-    bool onCut = mCuts.move(event->position(), frame(), event->modifiers() & Qt::ShiftModifier);
-    if (onCut != mOnCut || mDrag == Drag::Cut) update();
-    mOnCut = onCut;
+  if (mToolbox.drag(*this, *event)) {
+    if (mToolbox.pausesOtherViews()) emit touched();
+    return tellWhatIsAt(event->position());
   }
   if (mDrag != Drag::None) dragTo(toVec(event->position()));
   hover(event->position());
@@ -103,13 +99,13 @@ void SliceView::mouseMoveEvent(QMouseEvent* event) {
 
 void SliceView::endDrag() {
   if (mDrag == Drag::Window) mDocument.endMerge();
-  if (mDrag == Drag::Cut) mCuts.release();
   mDrag = Drag::None;
   mDragScene = {};
   unsetCursor();
 }
 
 void SliceView::mouseReleaseEvent(QMouseEvent* event) {
+  if (mToolbox.release(*this, *event)) return hover(event->position());
   if (event->buttons() != Qt::NoButton || mDrag == Drag::None) return;
   bool wantsMenu = mDrag == Drag::Window && !mHasMoved;
   bool isClick = mDrag == Drag::Crosshair && !mHasMoved;
@@ -124,6 +120,7 @@ void SliceView::mouseReleaseEvent(QMouseEvent* event) {
 
 void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton || event->modifiers() != Qt::NoModifier) return mousePressEvent(event);
+  if (mToolbox.press(*this, *event)) return;
   if (mSincePress.isValid() && !mSincePress.hasExpired(QApplication::doubleClickInterval()))
     change([this](scene::Scene& scene) { scene.slices.crosshairMm = mCrosshairBefore; });
   emit maximiseWanted();
@@ -137,28 +134,40 @@ void SliceView::pickStructure(QPointF place) {
 
 /// Says what is under the pointer, and lights the knobs.
 void SliceView::hover(QPointF place) {
-  bool onKnob = mDrag == Drag::Turn || (mDrag == Drag::None && mDocument.scene().slices.showCrosshair &&
+  std::optional<Qt::CursorShape> grip;
+  if (mDrag == Drag::None) grip = mToolbox.hover(*this, place);
+  bool onKnob = mDrag == Drag::Turn || (mDrag == Drag::None && !grip && mDocument.scene().slices.showCrosshair &&
                                         session::isOnKnob(session::crosshairLines(mDocument.scene(), mKind, frame()),
                                                           toVec(place), kReachPixels));
   if (onKnob != mHints.hotKnob) {
     mHints.hotKnob = onKnob;
     update();
   }
-  if (mDrag == Drag::None) setCursor(mOnCut ? mCuts.cursor() : onKnob ? Qt::OpenHandCursor : Qt::CrossCursor);
+  if (mDrag == Drag::None) setCursor(grip.value_or(onKnob ? Qt::OpenHandCursor : restCursor()));
+  tellWhatIsAt(place);
+}
+
+std::optional<render::Pick> SliceView::pickAt(QPointF place) {
   render::Pick pick;
   pick.worldMm = scene::worldFromSlicePixel(frame(), toVec(place));
   render::Probe probe = render::probe(mDocument.scene(), pick.worldMm);
   pick.hit = probe.inside;
   pick.structure = probe.structure;
   if (!probe.values.empty()) pick.value = probe.values.front();
-  if (pick.hit)
-    emit pointedAt(pick);
+  return pick;
+}
+
+void SliceView::tellWhatIsAt(QPointF place) {
+  auto pick = pickAt(place);
+  if (pick->hit)
+    emit pointedAt(*pick);
   else
     emit pointedAtNothing();
 }
 
 void SliceView::wheelEvent(QWheelEvent* event) {
   event->accept();
+  if (mToolbox.wheel(*this, *event)) return;
   double notches = event->angleDelta().y() / 120.0;
   if (notches == 0.0) return;
   glm::dvec2 place = toVec(event->position());
@@ -226,8 +235,8 @@ void SliceView::enterEvent(QEnterEvent*) {
 }
 
 void SliceView::leaveEvent(QEvent*) {
-  mHints.showKnobs = mHints.hotKnob = mOnCut = false;
-  mCuts.leave();
+  mHints.showKnobs = mHints.hotKnob = false;
+  mToolbox.leave();
   for (auto* button : {mMenuButton, mMaximise}) button->hide();
   emit pointedAtNothing();
   update();

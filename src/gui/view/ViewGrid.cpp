@@ -22,19 +22,18 @@ constexpr const char* kLayoutKey = "view/layout";
 
 }  // namespace
 
-ViewGrid::ViewGrid(session::Document& document, Selection& selection, QWidget* parent)
-    : QWidget(parent), mDocument(document), mViewport(new Viewport(document, this)) {
+ViewGrid::ViewGrid(session::Session& session, Selection& selection, Toolbox& toolbox, QWidget* parent)
+    : QWidget(parent), mDocument(session.document()), mViewport(new Viewport(session, toolbox, this)) {
   setObjectName("viewGrid");
   setMouseTracking(true);
   for (auto kind : {SliceKind::Axial, SliceKind::Coronal, SliceKind::Sagittal}) {
-    auto* view = new SliceView(document, selection, kind, this);
+    auto* view = new SliceView(mDocument, selection, toolbox, kind, this);
     mSlices[std::size_t(kind)] = view;
     view->hide();
     connect(view, &SliceView::touched, this, [this] { mViewport->pause(kPauseMs); });
     connect(view, &SliceView::maximiseWanted, this, [this, kind] { maximise(kind); });
     connect(view, &SliceView::pointedAt, this, &ViewGrid::pointedAt);
     connect(view, &SliceView::pointedAtNothing, this, &ViewGrid::pointedAtNothing);
-    connect(view, &SliceView::clicked, this, &ViewGrid::clickedSlice);
     connect(view, &SliceView::structureMenuAsked, this, &ViewGrid::structureMenuAsked);
   }
   connect(mViewport, &Viewport::pointedAt, this, &ViewGrid::pointedAt);
@@ -46,11 +45,6 @@ ViewGrid::ViewGrid(session::Document& document, Selection& selection, QWidget* p
   connect(mViewport, &Viewport::placeWanted, this, [this](glm::dvec3 worldMm) {
     changeSlices(mDocument, [worldMm](scene::Scene& scene) { scene::moveCrosshair(scene, worldMm); });
   });
-}
-
-void ViewGrid::setPointing(bool pointing) {
-  mViewport->setPointing(pointing);
-  for (auto* view : mSlices) view->setPointing(pointing);
 }
 
 Layout ViewGrid::layoutFor(const scene::Scene& scene) {

@@ -13,9 +13,7 @@ namespace velum::gui {
 class ViewGrid : public QWidget {
   Q_OBJECT
  public:
-  ViewGrid(session::Document& document, Selection& selection, QWidget* parent);
-  /// While it is on, clicks in the views mean places: see Viewport and SliceView.
-  void setPointing(bool pointing);
+  ViewGrid(session::Session& session, Selection& selection, Toolbox& toolbox, QWidget* parent);
 
   /// To be called after every change of the document.
   void refresh();
@@ -42,8 +40,6 @@ class ViewGrid : public QWidget {
  signals:
   void pointedAt(const velum::render::Pick& pick);
   void pointedAtNothing();
-  /// While a tool points: a click on a slice, world mm.
-  void clickedSlice(glm::dvec3 worldMm, Qt::KeyboardModifiers keys);
   void structureMenuAsked(int structure, QPoint globalPlace);
 
  protected:

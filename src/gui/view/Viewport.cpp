@@ -6,8 +6,6 @@
 #include <cmath>
 #include <utility>
 
-#include "GizmoOverlay.h"
-#include "kit/Job.h"
 #include "velum/core/Error.h"
 #include "velum/scene/Project.h"
 
@@ -25,8 +23,9 @@ constexpr int kShowMs = 150;  // how often a growing picture is shown: showing c
 
 }  // namespace
 
-Viewport::Viewport(session::Document& document, QWidget* parent)
-    : QOpenGLWidget(parent), mDocument(document), mOverlay(new GizmoOverlay(document, this)) {
+Viewport::Viewport(session::Session& session, Toolbox& toolbox, QWidget* parent)
+    : QOpenGLWidget(parent), mSession(session), mDocument(session.document()), mToolbox(toolbox) {
+  mToolbox.addView(*this);
   setAccessibleName(tr("3D view"));
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
@@ -46,10 +45,7 @@ Viewport::Viewport(session::Document& document, QWidget* parent)
   connect(&mPickTimer, &QTimer::timeout, this, &Viewport::pickUnderPointer);
 }
 
-Viewport::~Viewport() {
-  mSheetJob.reset();  // cancels and waits: it knows the player
-  release();
-}
+Viewport::~Viewport() { release(); }
 
 void Viewport::initializeGL() {
   connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &Viewport::release, Qt::DirectConnection);
@@ -79,7 +75,7 @@ void Viewport::release() {
   mContext->makeCurrent();
   mShown.reset();
   mFrame = {};  // it holds sheets
-  mPlayer.releaseGpu();
+  mSession.releaseGpu();
   mRenderer.reset();
   mContext.reset();
   mHasPicture = false;
@@ -120,7 +116,6 @@ glm::ivec2 Viewport::deviceSize() const {
 }
 
 void Viewport::resizeGL(int, int) {
-  mOverlay->resize(size());
   if (!mContext) return;
   // The old picture stands in, stretched, until the new one is there.
   glm::ivec2 size = deviceSize();
@@ -141,7 +136,6 @@ void Viewport::paintGL() {
 }
 
 void Viewport::sceneChanged() {
-  mPlayer.follow(mDocument.scene());
   wakeSheets();
   scene::Scene wanted = drawnScene();
   if (wanted == mWanted && mShown && mShown->size() == QSize(deviceSize().x, deviceSize().y)) return;
@@ -160,7 +154,7 @@ scene::Scene Viewport::drawnScene() const {
 void Viewport::startAnew() {
   mPending = true;
   mRestTimer.stop();
-  mOverlay->update();
+  mToolbox.repaint(*this);
   if (mRenderer && !mSliceTimer.isActive() && !mPauseTimer.isActive()) mSliceTimer.start();
 }
 
@@ -169,14 +163,12 @@ void Viewport::begin(Stage stage) {
   if (stage == Stage::Idle) return;
   mPending = false;
   mHasPicture = false;
-  mFrame = {};
-  mFrame.scene = drawnScene();
-  mFrame.sheets = mPlayer.sheets();
-  mSheetsShown = mPlayer.shownCount();
-  mFrame.scene.background.transparent = false;  // a window has something behind; pictures need not
   glm::dvec2 size(deviceSize());
   double scale = stage == Stage::Coarse ? mCoarseScale : stage == Stage::Half ? 2.0 : 1.0;
-  mFrame.pictureSize = glm::max(glm::ivec2(glm::round(size / scale)), glm::ivec2(1));
+  mFrame = mSession.frame(glm::max(glm::ivec2(glm::round(size / scale)), glm::ivec2(1)));
+  mFrame.scene = drawnScene();
+  mSheetsShown = mSession.shownCount();
+  mFrame.scene.background.transparent = false;  // a window has something behind; pictures need not
   if (stage != Stage::Full) mFrame.scene.rayCast.samplesPerPixel = 1;
   if (stage == Stage::Coarse) {
     mFrame.stepFactor = 2.0;
@@ -263,13 +255,6 @@ void Viewport::tellProgress() {
       emit refined(mRenderer->fractionDone(), tr("Refining"));
       break;
   }
-}
-
-const scene::Cut* Viewport::cut() const { return scene::findCut(mDocument.scene(), mSelectedCut); }
-
-void Viewport::selectCut(int id) {
-  mSelectedCut = id;
-  mOverlay->showCut(id);
 }
 
 scene::Camera Viewport::frame(const scene::Scene& scene, scene::StandardView view) const {

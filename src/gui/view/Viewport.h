@@ -6,44 +6,34 @@
 #include <memory>
 #include <optional>
 
+#include "tool/Toolbox.h"
 #include "velum/gpu/Context.h"
 #include "velum/render/Renderer.h"
-#include "velum/session/cut/CutTool.h"
-#include "velum/session/document/Document.h"
-#include "velum/session/membrane/MembranePlayer.h"
+#include "velum/session/Session.h"
 
 namespace velum::gui {
 
-class GizmoOverlay;
-class Job;
-
 /// The progressive 3D view. While the scene changes it shows coarse pictures, sized so that each is ready at once; when
 /// the scene rests it refines in short slices between events, and when the picture is complete it does no work at all.
-class Viewport : public QOpenGLWidget {
+class Viewport : public QOpenGLWidget, public ToolView {
   Q_OBJECT
  public:
-  Viewport(session::Document& document, QWidget* parent);
+  Viewport(session::Session& session, Toolbox& toolbox, QWidget* parent);
   ~Viewport() override;
 
   /// To be called after every change of the document.
   void sceneChanged();
   /// Leaves the machine to another view: no work on the picture until nobody has asked for so long.
   void pause(int ms);
-  /// Shows the handles of a cut, by its id; 0: of none.
-  void selectCut(int id);
-  int selectedCut() const { return mSelectedCut; }
 
   void lookFrom(scene::StandardView view);
   /// A camera that sees all of a scene in this view.
   scene::Camera frame(const scene::Scene& scene, scene::StandardView view) const;
   void toggleProjection();
 
-  /// While it is on, the pointer is a cross: clicks mean places of the picture.
-  void setPointing(bool pointing);
-
   /// What is on the screen is the scene as it is, its sheets at rest, if only a coarse picture of it.
-  bool isCurrent() const { return !mPending && mHasPicture && !mPlayer.isOnItsWay(); }
-  bool isConverged() const { return mStage == Stage::Idle && !mPending && mPlayer.isSettled() && !mPlayer.hasRests(); }
+  bool isCurrent() const { return !mPending && mHasPicture && !mSession.isOnItsWay(); }
+  bool isConverged() const { return mStage == Stage::Idle && !mPending && mSession.isSettled(); }
   /// Empty before the driver is known.
   render::Stats stats() const { return mRenderer ? mRenderer->stats() : render::Stats{}; }
   /// How many pictures it has painted; for tests and measurements.
@@ -52,13 +42,18 @@ class Viewport : public QOpenGLWidget {
   int glErrorCount() const { return mContext ? mContext->errorCount() : 0; }
   /// Gives up everything on the GPU and makes it again, as after the driver has lost it.
   void loseContext();
-  /// The sheets of the scene's membranes: they move while nothing else does, in slices of their own.
-  const session::MembranePlayer& membranes() const { return mPlayer; }
+  /// Jobs of players have ended: there may be something to do that no picture waits for.
+  void playersTold();
+  const session::MembranePlayer& membranes() const { return mSession.membranes(); }
   void playMembranes(bool play);
   void stepMembranes();
   void resetMembrane(int cut);
-  /// What the picture shows at a place of the widget; nothing while there is no picture.
-  std::optional<render::Pick> pickAt(QPointF place);
+
+  QWidget& widget() override { return *this; }
+  session::ViewSpace space() const override { return {mDocument.scene().camera, logicalSize()}; }
+  std::optional<render::Pick> pickAt(QPointF place) override;
+  bool showsHandles() const override { return true; }
+  Qt::CursorShape restCursor() const override { return Qt::ArrowCursor; }
 
  signals:
   /// The sheets' indices are others: slices are to be drawn anew.
@@ -69,7 +64,7 @@ class Viewport : public QOpenGLWidget {
   void refined(double fraction, const QString& stage);
   void pointedAt(const velum::render::Pick& pick);
   void pointedAtNothing();
-  /// A click that was no drag: what it hit; nothing hit, too.
+  /// A click that was no drag and for no tool: what it hit; nothing hit, too.
   void clickedAt(const velum::render::Pick& pick);
   /// The same with the right button.
   void menuAskedAt(const velum::render::Pick& pick, QPoint globalPlace);
@@ -78,8 +73,6 @@ class Viewport : public QOpenGLWidget {
   void maximiseWanted();
   /// The crosshair of the slices is to go to a point of the world: Ctrl+click on what the picture shows.
   void placeWanted(glm::dvec3 worldMm);
-  /// The left button was pressed and let go in one place, beside the handles.
-  void clicked(QPointF place, Qt::KeyboardModifiers keys);
 
  protected:
   void initializeGL() override;
@@ -96,12 +89,11 @@ class Viewport : public QOpenGLWidget {
  private:
   /// What is being drawn: a coarse picture, then (after a rest) one of half the size, then all samples of the full one.
   enum class Stage { Idle, Coarse, Half, Full };
-  enum class Drag { None, Orbit, Pan, Zoom, Roll, Cut };
+  enum class Drag { None, Orbit, Pan, Zoom, Roll };
 
   void startAnew();
   void wakeSheets();
   bool driveSheets();
-  void startSheetWork();
   void tellSheets();
   void release();
   bool bindContext();
@@ -116,24 +108,18 @@ class Viewport : public QOpenGLWidget {
   void pickUnderPointer();
   void dragCamera(glm::dvec2 from, glm::dvec2 to);
   void beginDrag(QMouseEvent* event);
-  bool takeHandle(QMouseEvent* event);
-  void dragSelectedCut(glm::dvec2 place, bool snap);
   void tellClick(QMouseEvent* event, bool isRoll);
-  void setHover(session::CutHandle handle);
-  Qt::CursorShape restCursor() const;
-  const scene::Cut* cut() const;
   glm::dvec2 logicalSize() const { return {std::max(1, width()), std::max(1, height())}; }
   glm::ivec2 deviceSize() const;
 
+  session::Session& mSession;
   session::Document& mDocument;
-  GizmoOverlay* mOverlay;
+  Toolbox& mToolbox;
   std::unique_ptr<gpu::Context> mContext;
   std::unique_ptr<render::Renderer> mRenderer;
   std::unique_ptr<QOpenGLFramebufferObject> mShown;  ///< The picture on the screen, kept while the next one is made.
   render::Frame mFrame;
-  session::MembranePlayer mPlayer;
-  std::unique_ptr<Job> mSheetJob;  ///< What the player wants computed.
-  std::uint64_t mSheetsShown = 0;  ///< Of the player, in the frame on its way.
+  std::uint64_t mSheetsShown = 0;  ///< Of the players, in the frame on its way.
   render::SheetIndices mIndicesTold;
   QElapsedTimer mSinceSheetsTold;
   bool mSheetsWereSettled = true;
@@ -150,12 +136,7 @@ class Viewport : public QOpenGLWidget {
   // Pointer.
   Drag mDrag = Drag::None;
   glm::dvec2 mDragStart{0.0}, mDragLast{0.0};
-  int mSelectedCut = 0;
-  session::CutHandle mHandle = session::CutHandle::None;
-  scene::Cut mStartCut;
-  session::CutGizmo mStartGizmo;
   QPointF mPointer;
-  bool mPointing = false;
 };
 
 }  // namespace velum::gui

@@ -208,6 +208,12 @@ std::vector<MembranePlayer::Rest> MembranePlayer::takeRests() {
   return rests;
 }
 
+void MembranePlayer::complete(scene::Scene& scene) {
+  for (auto& rest : takeRests())
+    if (scene::Cut* cut = scene::findCut(scene, rest.cut); cut && cut->membrane)
+      cut->membrane->shape = std::move(rest.shape);
+}
+
 bool MembranePlayer::hasRests() const {
   return std::any_of(mSheets.begin(), mSheets.end(), [](const auto& sheet) { return sheet->hasRest(); });
 }

@@ -228,10 +228,8 @@ double radiusOfDrag(const scene::Camera& camera, glm::dvec2 size, glm::dvec3 cen
   return std::max(glm::length(facing(camera, size, centreMm, to) - centreMm), kLeastRadiusMm);
 }
 
-std::optional<SliceCircle> circleOnSlice(const scene::SliceFrame& frame, const scene::UserKernel& kernel) {
-  double h = scene::heightOverSlice(frame, kernel.centreMm), rest = kernel.radiusMm * kernel.radiusMm - h * h;
-  if (!(rest > 0.0)) return std::nullopt;
-  return SliceCircle{scene::slicePixelFromWorld(frame, kernel.centreMm), std::sqrt(rest) / frame.mmPerPixel};
+std::optional<ViewCircle> circleOnSlice(const scene::SliceFrame& frame, const scene::UserKernel& kernel) {
+  return ViewSpace(frame).circleOfBall(kernel.centreMm, kernel.radiusMm);
 }
 
 double nearnessToSlice(const scene::SliceFrame& frame, glm::dvec3 placeMm) {
@@ -257,6 +255,30 @@ std::string handText(const scene::Cut& cut, Hand hand) {
   scene::Membrane membrane = *cut.membrane;
   glm::dvec3 local(localFromWorld(cut) * glm::dvec4(*placeOf(membrane, hand), 1.0));
   return fmt::format("{:+.1f} mm", local.z);
+}
+
+// The same in whatever view.
+
+std::optional<SheetPoint> sheetAt(const scene::Cut& cut, const membrane::SheetIndex& sheet, const ViewSpace& view,
+                                  glm::dvec2 pixel, double reach) {
+  if (const auto* section = view.section()) return sheetOnSlice(cut, sheet, *section, pixel, reach);
+  return sheetOnRay(cut, sheet, scene::rayFromPixel(view.camera(), view.size(), pixel));
+}
+
+Hand handAt(const scene::Membrane& membrane, const ViewSpace& view, glm::dvec2 pixel, double reach) {
+  if (const auto* section = view.section()) return handAt(membrane, *section, pixel, reach);
+  return handAt(membrane, view.camera(), view.size(), pixel, reach);
+}
+
+scene::Membrane dragHand(const scene::Membrane& start, Hand hand, const ViewSpace& view, glm::dvec2 from, glm::dvec2 to,
+                         std::optional<glm::dvec3> along) {
+  if (const auto* section = view.section()) return dragHand(start, hand, *section, from, to);
+  return dragHand(start, hand, view.camera(), view.size(), from, to, along);
+}
+
+double radiusOfDrag(const ViewSpace& view, glm::dvec3 centreMm, glm::dvec2 from, glm::dvec2 to) {
+  if (const auto* section = view.section()) return radiusOfDrag(*section, from, to);
+  return radiusOfDrag(view.camera(), view.size(), centreMm, to);
 }
 
 const char* handLabel(Hand hand) {

@@ -1,6 +1,5 @@
 #pragma once
 #include <cstdint>
-#include <functional>
 #include <glm/glm.hpp>
 #include <map>
 #include <memory>
@@ -9,11 +8,10 @@
 #include <vector>
 
 #include "velum/core/Clock.h"
-#include "velum/core/Task.h"
 #include "velum/membrane/sheet/SheetIndex.h"
-#include "velum/render/Frame.h"
 #include "velum/render/section/SliceImage.h"
 #include "velum/scene/Scene.h"
+#include "velum/session/Player.h"
 
 namespace velum::session {
 
@@ -43,42 +41,36 @@ struct MembraneStatus {
 class LiveSheet;
 
 /// Runs the membranes of a scene: decides what work is due, computes forces beside, steps the sheets in slices, and
-/// hands them to pictures. At rest there is nothing to do. Without a window, so that laws can be told of it.
+/// hands them to pictures.
 ///
 /// What a scene asks for is always answered: until the new forces are there, the sheet stays in the world where the
 /// material holds it while its frame moves, and its rim goes with the frame. Passive sheets ([IMC] 3.3) then start from
 /// flat, unseen for as long as they hardly move; active ones go on from where they are.
 ///
 /// GL thread, but for what nextWork() hands out.
-class MembranePlayer {
+class MembranePlayer : public Player {
  public:
   MembranePlayer();
-  ~MembranePlayer();
+  ~MembranePlayer() override;
 
-  /// Takes over what a scene asks for. Cheap when nothing about its membranes has changed.
-  void follow(const scene::Scene& scene);
-
-  /// Puts the results of work in their place.
-  using Finish = std::function<void()>;
-  /// To be run beside, one at a time. @throw Cancelled
-  using Work = std::function<Finish(Progress&)>;
-  /// What is to be computed; nothing while something is, or when nothing is due. Each is answered by endWork().
-  Work nextWork();
-  /// What is being computed is of no use any more. Not because a frame has moved on: a steady drag would otherwise
-  /// never see any forces.
-  bool wantsCancel() const;
-  /// @param finish  what the work gave; empty when it was cancelled or failed
-  /// @param error   one line; empty when it was cancelled
-  void endWork(const Finish& finish, const std::string& error = {});
-
-  /// Steps sheets for about so long, at least one step, and brings indices up to date. @return false when nothing moved
-  bool advance(double budgetMs);
-  /// advance() has something to do.
-  bool isMoving() const;
+  void follow(const scene::Scene& scene) override;
+  Work nextWork() override;
+  /// Not because a frame has moved on: a steady drag would otherwise never see any forces.
+  bool wantsCancel() const override;
+  void endWork(const Finish& finish, const std::string& error = {}) override;
+  /// Steps sheets for about so long, at least one step, and brings indices up to date.
+  bool advance(double budgetMs) override;
+  bool isMoving() const override;
   /// Sheets have yet to come to rest where the scene asks for them; those that are paused are not waited for.
-  bool isOnItsWay() const;
-  /// Nothing is to be done: all sheets rest, their figures are known.
-  bool isSettled() const;
+  bool isOnItsWay() const override;
+  /// All sheets rest, their figures are known.
+  bool isSettled() const override;
+  std::uint64_t shownCount() const override;
+  void show(render::Frame& frame) override { frame.sheets = sheets(); }
+  bool hasRests() const override;
+  void complete(scene::Scene& scene) override;
+  /// What was at rest comes back as it was; what moved starts anew.
+  void releaseGpu() override;
 
   /// Of the enabled membranes, for a frame of the scene that was last followed, by the id of the cut.
   std::map<int, render::FrameSheet> sheets();
@@ -86,8 +78,6 @@ class MembranePlayer {
   render::SheetIndices indices() const;
   /// Of a cut, whether enabled or not; nothing when it is no membrane. @param cut  its id, here and below
   std::shared_ptr<const membrane::SheetIndex> index(int cut) const;
-  /// Another number when pictures of the sheets are others.
-  std::uint64_t shownCount() const;
 
   /// Of a cut; nothing when it is no membrane.
   std::optional<MembraneStatus> status(int cut) const;
@@ -105,13 +95,8 @@ class MembranePlayer {
     scene::SheetShape shape;
   };
   std::vector<Rest> takeRests();
-  bool hasRests() const;
   /// The scene with the shape of each sheet in its cut, for a picture that is made elsewhere.
   scene::Scene withShapes(scene::Scene scene) const;
-
-  /// Gives up everything on the GPU, whose context still lives. What was at rest comes back as it was; what moved
-  /// starts anew.
-  void releaseGpu();
 
  private:
   LiveSheet* find(std::uint64_t id);

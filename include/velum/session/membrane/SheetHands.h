@@ -8,6 +8,7 @@
 #include "velum/scene/Cut.h"
 #include "velum/scene/Project.h"
 #include "velum/scene/SliceFrame.h"
+#include "velum/session/ViewSpace.h"
 
 namespace velum::session {
 
@@ -44,6 +45,10 @@ std::optional<SheetPoint> sheetOnRay(const scene::Cut& cut, const membrane::Shee
 std::optional<SheetPoint> sheetOnSlice(const scene::Cut& cut, const membrane::SheetIndex& sheet,
                                        const scene::SliceFrame& frame, glm::dvec2 pixel, double reach);
 
+/// The point of the sheet under a pixel of a view, whichever that is.
+std::optional<SheetPoint> sheetAt(const scene::Cut& cut, const membrane::SheetIndex& sheet, const ViewSpace& view,
+                                  glm::dvec2 pixel, double reach);
+
 /// The shape of a sheet of which only the index is there.
 scene::SheetShape shapeOf(const membrane::SheetIndex& sheet);
 
@@ -68,6 +73,7 @@ double defaultRadiusMm(const scene::Cut& cut);
 Hand handAt(const scene::Membrane& membrane, const scene::Camera& camera, glm::dvec2 size, glm::dvec2 pixel,
             double reach);
 Hand handAt(const scene::Membrane& membrane, const scene::SliceFrame& frame, glm::dvec2 pixel, double reach);
+Hand handAt(const scene::Membrane& membrane, const ViewSpace& view, glm::dvec2 pixel, double reach);
 
 /// The membrane after a drag, from how it was when the drag began: going back gives the membrane that was. In a picture
 /// things move in the plane that faces the eye; a rim follows the pointer.
@@ -77,17 +83,17 @@ scene::Membrane dragHand(const scene::Membrane& start, Hand hand, const scene::C
 /// On a slice they move in it, and a rim is that of the kernel's circle there.
 scene::Membrane dragHand(const scene::Membrane& start, Hand hand, const scene::SliceFrame& frame, glm::dvec2 from,
                          glm::dvec2 to);
+/// @param along  of a picture; on a section things move in its plane in any case
+scene::Membrane dragHand(const scene::Membrane& start, Hand hand, const ViewSpace& view, glm::dvec2 from, glm::dvec2 to,
+                         std::optional<glm::dvec3> along = {});
 
 /// A kernel whose ball a drag has drawn: its middle where the drag began, its rim where it is.
 double radiusOfDrag(const scene::SliceFrame& frame, glm::dvec2 from, glm::dvec2 to);
 double radiusOfDrag(const scene::Camera& camera, glm::dvec2 size, glm::dvec3 centreMm, glm::dvec2 to);
+double radiusOfDrag(const ViewSpace& view, glm::dvec3 centreMm, glm::dvec2 from, glm::dvec2 to);
 
-/// The circle in which a slice cuts a kernel's ball, pixels; nothing when it misses it.
-struct SliceCircle {
-  glm::dvec2 middle{0.0};
-  double radius = 0.0;
-};
-std::optional<SliceCircle> circleOnSlice(const scene::SliceFrame& frame, const scene::UserKernel& kernel);
+/// The circle in which a slice cuts a kernel's ball; nothing when it misses it.
+std::optional<ViewCircle> circleOnSlice(const scene::SliceFrame& frame, const scene::UserKernel& kernel);
 /// How visible a place is on a slice: 1 on it, 0 a dozen pixels' length off it.
 double nearnessToSlice(const scene::SliceFrame& frame, glm::dvec3 placeMm);
 /// Three rings about a kernel's middle, across the axes of a frame.

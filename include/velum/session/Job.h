@@ -1,0 +1,47 @@
+#pragma once
+#include <atomic>
+#include <functional>
+#include <string>
+#include <thread>
+
+#include "velum/core/Task.h"
+
+namespace velum::session {
+
+/// How long work ended.
+struct JobOutcome {
+  bool done = false;  ///< false: it was cancelled, or has failed
+  std::string error;  ///< one line for the user; empty when it is done or was cancelled
+};
+
+/// Long work in a thread of its own: it tells how far it is, can be cancelled, and is cancelled and awaited when the
+/// object goes.
+class Job {
+ public:
+  using Work = std::function<void(Progress&)>;
+  using Ended = std::function<void(const JobOutcome&)>;
+
+  /// Begins at once. @param progressed, ended  called from the job's thread
+  Job(Work work, Progress::Listener progressed, Ended ended);
+  ~Job();
+  Job(const Job&) = delete;
+  Job& operator=(const Job&) = delete;
+
+  void cancel() { mProgress.cancel(); }
+  /// It is over, and has told so.
+  bool hasEnded() const { return mHasEnded; }
+
+ private:
+  void run(const Work& work, const Ended& ended);
+
+  Progress mProgress;
+  std::atomic<bool> mHasEnded{false};
+  std::thread mThread;
+};
+
+/// From now on the threads that share out long work give way to the window's own and to the driver's, so that a view
+/// answers the hand while every core is busy. Call once, in the window's thread, before the first work.
+/// Linux only; elsewhere it does nothing.
+void giveWayToTheWindow();
+
+}  // namespace velum::session

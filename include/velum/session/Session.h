@@ -1,0 +1,92 @@
+#pragma once
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "velum/session/Job.h"
+#include "velum/session/Player.h"
+#include "velum/session/document/Document.h"
+#include "velum/session/document/WorkFile.h"
+#include "velum/session/membrane/MembranePlayer.h"
+
+namespace velum::session {
+
+/// What is open, and all that goes on beside it: the document with its file and journal, the players, the jobs. Both
+/// programs drive it; it knows of no widget. One thread, in which a context is current where it says GL thread.
+class Session {
+ public:
+  Session();
+  /// Cancels what is running, and waits for it.
+  ~Session();
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+  const scene::Scene& scene() const { return mDocument.scene(); }
+  Document& document() { return mDocument; }
+  const Document& document() const { return mDocument; }
+  WorkFile& file() { return mFile; }
+  const WorkFile& file() const { return mFile; }
+
+  /// Called after every change of the document, when players and journal have heard of it.
+  void setListener(std::function<void()> listener) { mListener = std::move(listener); }
+  /// Called when a job has ended: collect() has something to do. From the job's thread.
+  void setWaker(std::function<void()> waker) { mWaker = std::move(waker); }
+
+  // Players.
+  MembranePlayer& membranes() { return mMembranes; }
+  const MembranePlayer& membranes() const { return mMembranes; }
+  /// Takes in what jobs have computed, and tells the end of the user's. Needs no context.
+  void collect();
+  /// Lets the players go on for about so long, with jobs for what is to be computed beside, and writes down what has
+  /// come to rest. GL thread.
+  /// @return true when more is due at once
+  bool advance(double budgetMs);
+  /// What players show is the scene as it is; those that are paused are not waited for.
+  bool isOnItsWay() const;
+  /// Nothing is to be done.
+  bool isSettled() const;
+  /// Another number when players show something else.
+  std::uint64_t shownCount() const;
+  /// A picture of the scene with what the players have. GL thread. @param size  pixels
+  render::Frame frame(glm::ivec2 size);
+  /// Lets all come to rest that is not paused. GL thread. @throw Cancelled
+  void settle(Progress& progress);
+  /// Gives up everything on the GPU; what moved starts anew. GL thread.
+  void releaseGpu();
+
+  // The job on whose end the user waits: a load, a picture.
+  /// @param progressed  from the job's thread  @param ended  from collect()
+  /// @return false while another one runs
+  bool startJob(Job::Work work, Progress::Listener progressed, Job::Ended ended);
+  void cancelJob();
+  /// Cancels, waits, and tells nobody.
+  void dropJob();
+  bool isBusy() const { return mJob != nullptr; }
+
+ private:
+  /// A player and what is computed for it.
+  struct Playing {
+    Player* player;
+    std::unique_ptr<Job> job;
+    Player::Finish finish;
+    JobOutcome outcome;
+  };
+  void changed();
+  void collect(Playing& playing);
+  void startWork(Playing& playing);
+  void collectJob();
+  void wake() const {
+    if (mWaker) mWaker();
+  }
+
+  Document mDocument;
+  WorkFile mFile{mDocument};
+  MembranePlayer mMembranes;
+  std::vector<Playing> mPlaying;  ///< Never grows while jobs run: they know their place in it.
+  std::function<void()> mListener, mWaker;
+  std::unique_ptr<Job> mJob;
+  JobOutcome mJobOutcome;
+  Job::Ended mJobEnded;
+};
+
+}  // namespace velum::session

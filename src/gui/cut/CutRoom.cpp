@@ -1,0 +1,74 @@
+#include "CutRoom.h"
+
+namespace velum::gui {
+
+CutRoom::CutRoom(const WindowParts& parts)
+    : Room(parts),
+      mPanel(new CutPanel(parts.document(), parts.selection, &parts.tabs)),
+      mOverPicture(parts.document(), parts.selection, parts.toolbox, nullptr),
+      mOnSections(parts.document(), parts.selection, parts.toolbox, nullptr),
+      mThreePoints(parts.document(), parts.toolbox, nullptr),
+      mMembranes(parts, mPanel->membraneForm()) {
+  parts.tabs.addPage(mPanel, tr("Cuts"), tr("What is cut away"));
+  parts.toolbox.add(mOverPicture);
+  parts.toolbox.add(mOnSections);
+  mMembranes.addManipulators();  // they lie on the cut
+  Viewport& viewport = parts.views.viewport();
+  connect(&viewport, &Viewport::sheetsMoved, &mOnSections,
+          [this] { mOnSections.setSheets(mParts.session.membranes().indices()); });
+  Toolbox& toolbox = parts.toolbox;
+  connect(mPanel, &CutPanel::threePointsAsked, this, [this, &toolbox] { toolbox.start(mThreePoints); });
+  connect(&parts.selection, &Selection::cutChanged, this, [this, &toolbox] { toolbox.stop(mThreePoints); });
+  connect(&mThreePoints, &ThreePointTool::made, mPanel,
+          [this](const scene::Cut& cut) { mPanel->addCut(cut, "Plane through three points"); });
+  addActions(parts.menu(MenuId::Cut));
+}
+
+void CutRoom::refresh(const session::Session&) { mPanel->refresh(); }
+
+void CutRoom::addActions(QMenu* menu) {
+  ActionTable& actions = mParts.actions;
+  QAction* add = actions.addForScene(menu, "cut.addPlane", tr("&Add plane"), tr("Cut away the half that faces you"),
+                                     [this] { mPanel->addPlane(); });
+  actions.addForScene(menu, "cut.alongView", tr("Cut along the &view"),
+                      tr("A plane through the middle that faces you exactly"), [this] { mPanel->addAlongView(); });
+  mParts.toolbox.bind(mThreePoints, *actions.addForScene(menu, "cut.threePoints", tr("Plane through three &points"),
+                                                         tr("Click three points in the picture or on slices"), [] {}));
+  QAction* sheet =
+      actions.addForScene(menu, "cut.addMembrane", tr("Add &membrane"),
+                          tr("An elastic sheet that cuts around what matters instead of through it"), [this] {
+                            mPanel->addMembrane();
+                            mParts.tabs.showPage(mPanel);
+                          });
+  addShapes(menu);
+  menu->addSeparator();
+  mMembranes.addActions(menu);
+  menu->addSeparator();
+  actions.addForScene(menu, "cut.flip", tr("&Flip"), tr("Take away the other side"),
+                      [this] { mPanel->flipSelected(); });
+  actions.addForScene(menu, "cut.duplicate", tr("&Duplicate"), tr("Add a copy of the selected cut"),
+                      [this] { mPanel->duplicateSelected(); });
+  actions.addForScene(menu, "cut.remove", tr("&Remove"), tr("Remove the selected cut"),
+                      [this] { mPanel->removeSelected(); });
+  add->setIconText(tr("Add cut"));
+  sheet->setIconText(tr("Membrane"));
+  mParts.bar.addAction(add);
+  mParts.bar.addAction(sheet);
+}
+
+void CutRoom::addShapes(QMenu* menu) {
+  struct Row {
+    const char *id, *name;
+    scene::CutShape shape;
+  };
+  static constexpr Row kRows[] = {{"cut.addBox", "Add &box", scene::CutShape::Box},
+                                  {"cut.addSphere", "Add &sphere", scene::CutShape::Sphere},
+                                  {"cut.addCylinder", "Add c&ylinder", scene::CutShape::Cylinder},
+                                  {"cut.addCone", "Add co&ne", scene::CutShape::Cone}};
+  for (const Row& row : kRows)
+    mParts.actions.addForScene(menu, row.id, tr(row.name),
+                               tr("A third of the data in size, where it opens what you see"),
+                               [this, shape = row.shape] { mPanel->addShape(shape); });
+}
+
+}  // namespace velum::gui

@@ -1,0 +1,31 @@
+#pragma once
+#include "CutPanel.h"
+#include "PictureCutHandles.h"
+#include "SectionCutHandles.h"
+#include "ThreePointTool.h"
+#include "membrane/MembraneRoom.h"
+#include "view/Room.h"
+
+namespace velum::gui {
+
+/// Cuts: their panel, their commands, their handles over the views; and what is a membrane's own.
+class CutRoom : public Room {
+  Q_OBJECT
+ public:
+  explicit CutRoom(const WindowParts& parts);
+  void refresh(const session::Session& session) override;
+  MembraneRoom& membranes() { return mMembranes; }
+  ThreePointTool& threePoints() { return mThreePoints; }
+
+ private:
+  void addActions(QMenu* menu);
+  void addShapes(QMenu* menu);
+
+  CutPanel* mPanel;
+  PictureCutHandles mOverPicture;
+  SectionCutHandles mOnSections;
+  ThreePointTool mThreePoints;
+  MembraneRoom mMembranes;
+};
+
+}  // namespace velum::gui

@@ -1,0 +1,43 @@
+#include "JobRunner.h"
+
+#include "Job.h"
+
+namespace velum::gui {
+
+JobRunner::JobRunner(session::Session& session, ProgressStrip& strip, MessageBar& messages, QObject* parent)
+    : QObject(parent), mSession(session), mStrip(strip), mMessages(messages) {
+  connect(&strip, &ProgressStrip::cancelled, this, &JobRunner::cancel);
+}
+
+void JobRunner::start(const QString& what, session::Job::Work work, std::function<void()> whenDone) {
+  if (isBusy()) return mMessages.showNote(tr("Still busy: wait, or cancel what is running first."));
+  mMessages.hide();
+  mLastError.clear();
+  mStrip.begin(what);
+  auto report = [this](double fraction, const QString& part) {
+    QMetaObject::invokeMethod(
+        this, [this, fraction, part] { mStrip.setProgress(fraction, part); }, Qt::QueuedConnection);
+  };
+  mSession.startJob(std::move(work), throttled(report),
+                    [this, whenDone = std::move(whenDone)](const session::JobOutcome& outcome) {
+                      mStrip.hide();
+                      emit busyChanged(false);
+                      setError(QString::fromStdString(outcome.error));
+                      if (outcome.done) whenDone();
+                      emit ended();
+                    });
+  emit busyChanged(true);
+}
+
+void JobRunner::cancel() {
+  if (!isBusy()) return;
+  mSession.cancelJob();
+  mStrip.setProgress(0.0, tr("stopping"));
+}
+
+void JobRunner::setError(const QString& error) {
+  mLastError = error;
+  if (!error.isEmpty()) mMessages.showError(error);
+}
+
+}  // namespace velum::gui

@@ -1,0 +1,38 @@
+#pragma once
+#include <QObject>
+#include <functional>
+
+#include "Bars.h"
+#include "velum/session/Session.h"
+
+namespace velum::gui {
+
+/// The job on whose end the user waits: one at a time, shown in the progress strip; what goes wrong is said in the
+/// message bar.
+class JobRunner : public QObject {
+  Q_OBJECT
+ public:
+  JobRunner(session::Session& session, ProgressStrip& strip, MessageBar& messages, QObject* parent);
+
+  /// Says so, and does nothing else, while another one runs. @param whenDone  in the window's thread
+  void start(const QString& what, session::Job::Work work, std::function<void()> whenDone);
+  void cancel();
+  bool isBusy() const { return mSession.isBusy(); }
+  /// What went wrong last; empty when nothing did.
+  QString lastError() const { return mLastError; }
+  /// Of something that was done at once: kept, and said where there is an error.
+  void setError(const QString& error);
+
+ signals:
+  void busyChanged(bool busy);
+  /// It is done, was cancelled or has failed.
+  void ended();
+
+ private:
+  session::Session& mSession;
+  ProgressStrip& mStrip;
+  MessageBar& mMessages;
+  QString mLastError;
+};
+
+}  // namespace velum::gui

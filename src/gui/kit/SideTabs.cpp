@@ -1,0 +1,40 @@
+#include "SideTabs.h"
+
+#include <QScrollArea>
+#include <QTabBar>
+#include <QVBoxLayout>
+
+#include "Widgets.h"
+
+namespace velum::gui {
+
+SideTabs::SideTabs(QWidget* parent) : QTabWidget(parent) {
+  setObjectName("sideTabs");
+  setDocumentMode(true);
+  tabBar()->setExpanding(true);
+}
+
+void SideTabs::addPage(QWidget* panel, const QString& title, const QString& tip) {
+  auto* scroll = new QScrollArea(this);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setFocusPolicy(Qt::NoFocus);  // it scrolls to what has the keyboard
+  scroll->setWidgetResizable(true);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  auto* contents = new QWidget(scroll);
+  contents->setObjectName("sideContents");
+  auto* layout = new QVBoxLayout(contents);
+  layout->setContentsMargins(16, 14, 16, 14);
+  layout->setSpacing(14);
+  layout->addWidget(panel);
+  if (panel->sizePolicy().verticalPolicy() != QSizePolicy::Expanding) layout->addStretch(1);
+  scroll->setWidget(contents);
+  tabInLayoutOrder(panel);
+  setTabToolTip(addTab(scroll, title), tip);
+}
+
+void SideTabs::showPage(const QWidget* panel) {
+  for (int i = 0; i < count(); ++i)
+    if (widget(i)->isAncestorOf(panel)) setCurrentIndex(i);
+}
+
+}  // namespace velum::gui

@@ -1,0 +1,17 @@
+#pragma once
+#include <QTabWidget>
+
+namespace velum::gui {
+
+/// The side panel: a page for each part of the window that has one, which scrolls where the window is low.
+class SideTabs : public QTabWidget {
+  Q_OBJECT
+ public:
+  explicit SideTabs(QWidget* parent);
+  /// A panel with a list takes all of the height.
+  void addPage(QWidget* panel, const QString& title, const QString& tip);
+  /// Brings the page of a panel to the front.
+  void showPage(const QWidget* panel);
+};
+
+}  // namespace velum::gui

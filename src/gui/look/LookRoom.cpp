@@ -1,0 +1,20 @@
+#include "LookRoom.h"
+
+namespace velum::gui {
+
+LookRoom::LookRoom(const WindowParts& parts)
+    : Room(parts),
+      mPanel(new LookPanel(parts.document(), &parts.tabs)),
+      mCommands(new LookCommands(parts.document(), parts.toolbox, parts.messages, &parts.window)) {
+  parts.tabs.addPage(mPanel, tr("Look"), tr("Preset, rendering, light and background"));
+  mCommands->build(parts.actions, parts.menu(MenuId::Look), &parts.bar);
+  parts.bar.addSeparator();
+  connect(&parts.views.viewport(), &Viewport::refined, mPanel, [this](double, const QString& stage) {
+    if (stage.isEmpty()) mPanel->viewIsComplete();
+  });
+  connect(&parts.views, &ViewGrid::pointedAt, mPanel,
+          [this](const render::Pick& pick) { mPanel->setProbe(pick.value); });
+  connect(&parts.views, &ViewGrid::pointedAtNothing, mPanel, &LookPanel::clearProbe);
+}
+
+}  // namespace velum::gui

@@ -1,0 +1,21 @@
+#pragma once
+#include "LookCommands.h"
+#include "LookPanel.h"
+#include "view/Room.h"
+
+namespace velum::gui {
+
+/// What the data looks like: the panel of presets, curves and light; looks in files; "show this".
+class LookRoom : public Room {
+  Q_OBJECT
+ public:
+  explicit LookRoom(const WindowParts& parts);
+  void refresh(const session::Session&) override { mPanel->refresh(); }
+  LookCommands& commands() { return *mCommands; }
+
+ private:
+  LookPanel* mPanel;
+  LookCommands* mCommands;
+};
+
+}  // namespace velum::gui

@@ -1,0 +1,23 @@
+#pragma once
+#include "kit/Bars.h"
+#include "tool/Toolbox.h"
+#include "velum/session/document/Document.h"
+
+namespace velum::gui {
+
+/// A click in any view shows the tissue there; with Shift beside what is shown; with Ctrl it is hidden. Stays until it
+/// is laid down.
+class ShowThisTool : public ClickTool {
+  Q_OBJECT
+ public:
+  ShowThisTool(session::Document& document, MessageBar& messages, QObject* parent)
+      : ClickTool(parent), mDocument(document), mMessages(messages) {}
+
+  void click(const PointerEvent& event) override;
+
+ private:
+  session::Document& mDocument;
+  MessageBar& mMessages;
+};
+
+}  // namespace velum::gui

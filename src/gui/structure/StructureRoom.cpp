@@ -1,0 +1,73 @@
+#include "StructureRoom.h"
+
+namespace velum::gui {
+
+StructureRoom::StructureRoom(const WindowParts& parts)
+    : Room(parts), mCommands(new StructureCommands(parts.document(), parts.selection, this)), mPanel(nullptr) {
+  // Before the panel hears of it: a list that is not shown cannot be edited.
+  connect(mCommands, &StructureCommands::renameAsked, this, [this] { mParts.tabs.showPage(mPanel); });
+  mPanel = new StructurePanel(*mCommands, parts.selection, &parts.tabs);
+  parts.tabs.addPage(mPanel, tr("Structures"), tr("Labelled structures: name, colour, opacity, what is shown"));
+  connect(mPanel, &StructurePanel::openLabelsAsked, this, &StructureRoom::openLabelsAsked);
+  connectViews();
+  addActions();
+}
+
+void StructureRoom::connectViews() {
+  Selection& selection = mParts.selection;
+  Viewport& viewport = mParts.views.viewport();
+  connect(&viewport, &Viewport::clickedAt, this,
+          [&selection](const render::Pick& pick) { selection.setStructure(pick.hit ? pick.structure : 0); });
+  auto showMenu = [this, &selection](int structure, QPoint place) {
+    selection.setStructure(structure);
+    QMenu menu(&mParts.window);
+    mCommands->fillMenu(menu, {structure});
+    menu.exec(place);
+  };
+  connect(&viewport, &Viewport::menuAskedAt, this, [showMenu](const render::Pick& pick, QPoint place) {
+    if (pick.hit && pick.structure != 0) showMenu(pick.structure, place);
+  });
+  connect(&mParts.views, &ViewGrid::structureMenuAsked, this, showMenu);
+}
+
+void StructureRoom::addActions() {
+  ActionTable& actions = mParts.actions;
+  QMenu* menu = mParts.menu(MenuId::Structures);
+  auto withSelected = [this](void (*act)(StructureCommands&, int, const scene::Scene&)) {
+    return [this, act] {
+      if (int id = mParts.selection.structure()) act(*mCommands, id, mParts.session.scene());
+    };
+  };
+  actions.addForScene(menu, "structure.openLabels", tr("&Open labels beside..."),
+                      tr("Choose a file of labels for what is open"), [this] { emit openLabelsAsked(); });
+  actions.addForScene(menu, "structure.list", tr("&List"), tr("Show the list of structures"),
+                      [this] { mParts.tabs.showPage(mPanel); });
+  actions.addForScene(menu, "structure.find", tr("&Find..."), tr("Search a structure by name or number"), [this] {
+    mParts.tabs.showPage(mPanel);
+    mPanel->startSearch();
+  });
+  menu->addSeparator();
+  actions.addForScene(menu, "structure.toggle", tr("&Hide or show"), tr("Hide the selected structure, or show it"),
+                      withSelected([](StructureCommands& commands, int id, const scene::Scene& scene) {
+                        if (const auto* found = session::findStructure(scene, id))
+                          commands.setVisible({id}, !found->visible);
+                      }));
+  actions.addForScene(
+      menu, "structure.solo", tr("&Solo"), tr("Show the selected structure alone, or what was shown before"),
+      withSelected([](StructureCommands& commands, int id, const scene::Scene&) { commands.toggleSolo(id); }));
+  actions.addForScene(menu, "structure.showAll", tr("Show &all"), tr("Show every structure"), [this] {
+    std::vector<int> ids;
+    for (const auto& structure : mParts.session.scene().labels.structures) ids.push_back(structure.id);
+    mCommands->setVisible(ids, true);
+  });
+  actions.addForScene(
+      menu, "structure.goTo", tr("&Go to"), tr("Bring the camera near and the crosshair into the selected structure"),
+      withSelected([](StructureCommands& commands, int id, const scene::Scene&) { commands.goTo(id); }));
+  actions.addForScene(menu, "structure.keepWhole", tr("&Keep whole"),
+                      tr("The selected cut leaves the selected structure whole, or cuts it again"),
+                      withSelected([](StructureCommands& commands, int id, const scene::Scene&) {
+                        commands.setKeptWhole({id}, !commands.isKeptWhole(id));
+                      }));
+}
+
+}  // namespace velum::gui

@@ -1,0 +1,28 @@
+#pragma once
+#include "StructureCommands.h"
+#include "StructurePanel.h"
+#include "view/Room.h"
+
+namespace velum::gui {
+
+/// Labelled structures: their list, what can be done to them, and what a click on one in a view does.
+class StructureRoom : public Room {
+  Q_OBJECT
+ public:
+  explicit StructureRoom(const WindowParts& parts);
+  void refresh(const session::Session&) override { mPanel->refresh(); }
+  StructureCommands& commands() { return *mCommands; }
+
+ signals:
+  /// A file of labels for what is open is to be chosen.
+  void openLabelsAsked();
+
+ private:
+  void addActions();
+  void connectViews();
+
+  StructureCommands* mCommands;
+  StructurePanel* mPanel;
+};
+
+}  // namespace velum::gui

@@ -1,0 +1,52 @@
+#pragma once
+#include <QMenu>
+#include <QToolBar>
+#include <array>
+
+#include "ViewGrid.h"
+#include "kit/ActionTable.h"
+#include "kit/Bars.h"
+#include "kit/JobRunner.h"
+#include "kit/Selection.h"
+#include "kit/SideTabs.h"
+#include "tool/Toolbox.h"
+#include "velum/session/Session.h"
+
+namespace velum::gui {
+
+/// The menus of the window, in their order.
+enum class MenuId { File, Edit, View, Look, Cut, Structures, Time, Help };
+
+/// The window as its rooms see it: what they build themselves into, and what they work with. Lives as long as they do.
+struct WindowParts {
+  QWidget& window;
+  session::Session& session;
+  Selection& selection;
+  Toolbox& toolbox;
+  ViewGrid& views;
+  MessageBar& messages;
+  JobRunner& jobs;
+  ActionTable& actions;
+  SideTabs& tabs;
+  QToolBar& bar;
+  std::array<QMenu*, 8> menus;
+
+  QMenu* menu(MenuId id) const { return menus[std::size_t(id)]; }
+  session::Document& document() const { return session.document(); }
+};
+
+/// A part of the window that brings all that is its own: a page of the side panel, menu entries and their actions,
+/// buttons of the tool bar, tools. It builds them in its constructor. The window makes it, and tells it of every
+/// change.
+class Room : public QObject {
+  Q_OBJECT
+ public:
+  explicit Room(const WindowParts& parts) : QObject(&parts.window), mParts(parts) {}
+  /// Shows the session as it is now.
+  virtual void refresh(const session::Session&) {}
+
+ protected:
+  const WindowParts& mParts;
+};
+
+}  // namespace velum::gui

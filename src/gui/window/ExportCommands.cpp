@@ -1,0 +1,124 @@
+#include "ExportCommands.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QStandardPaths>
+
+#include "SavePictureDialog.h"
+#include "kit/SelectedCut.h"
+#include "velum/session/membrane/Membranes.h"
+#include "velum/session/picture/Export.h"
+
+namespace velum::gui {
+
+QAction* ExportCommands::addActions(QMenu* menu) {
+  QAction* picture =
+      mParts.actions.addForScene(menu, "file.savePicture", tr("Save p&icture..."),
+                                 tr("Draw and save a picture of any size"), [this] { askSavePicture(); });
+  mParts.actions.addForScene(menu, "file.exportSheet", tr("Export s&heet..."),
+                             tr("Write the sheet of a membrane as a surface: OBJ, PLY, VTP or STL"),
+                             [this] { askExportSheet(); });
+  mParts.actions.addForScene(menu, "file.exportClipped", tr("Export &clipped volume..."),
+                             tr("Write the volume without what the cuts take away: NRRD, NIfTI, VTI or OpenVDB"),
+                             [this] { askExportClipped(); });
+  picture->setIconText(tr("Save picture"));
+  return picture;
+}
+
+// Pictures.
+
+void ExportCommands::askSavePicture() {
+  const Viewport& viewport = mParts.views.viewport();
+  double ratio = viewport.devicePixelRatioF();
+  SavePictureDialog dialog({int(viewport.width() * ratio), int(viewport.height() * ratio)}, mParts.session.scene(),
+                           &mParts.window);
+  if (dialog.exec() != QDialog::Accepted) return;
+  QString pictures = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
+  QString start = (pictures.isEmpty() ? QString() : pictures + "/") +
+                  QFileInfo(QString::fromStdString(mParts.session.file().path())).baseName() +
+                  (dialog.options().layers ? ".exr" : ".png");
+  QString path = QFileDialog::getSaveFileName(&mParts.window, tr("Save picture"), start,
+                                              tr("PNG (*.png);;OpenEXR (*.exr);;TIFF (*.tif)"));
+  if (path.isEmpty()) return;
+  if (QFileInfo(path).suffix().isEmpty()) path += ".png";
+  savePictureTo(path, dialog.options(), dialog.pictureScene());
+}
+
+void ExportCommands::savePictureTo(const QString& path, const session::PictureOptions& options,
+                                   const scene::Scene& scene) {
+  mParts.jobs.start(
+      tr("Drawing %1").arg(QFileInfo(path).fileName()),
+      [scene, options, path = path.toStdString()](Progress& progress) {
+        session::renderPictureFile(scene, options, path, progress);
+      },
+      [this, path] { mParts.messages.showNote(tr("Saved %1").arg(path)); });
+}
+
+// Sheets, and what they leave.
+
+/// Id of the selected one, else of the first that is enabled; 0: none.
+int ExportCommands::membraneToExport() const {
+  const scene::Scene& scene = mParts.session.scene();
+  if (const scene::Cut* selected = selectedMembrane(mParts.document(), mParts.selection)) return selected->id;
+  for (const auto& cut : scene.cuts)
+    if (scene::isMembrane(cut) && cut.enabled) return cut.id;
+  return 0;
+}
+
+/// The sheets as the window shows them where they rest or are held; else where they will come to rest, as the same
+/// scene always gives the same sheets. To be called in a worker.
+std::function<scene::Scene(Progress&)> ExportCommands::sceneAtRest() const {
+  const session::MembranePlayer& player = mParts.session.membranes();
+  scene::Scene scene = mParts.session.scene();
+  bool isShown = player.isSettled() || !player.isPlaying();
+  if (isShown || !session::hasMembranes(scene))
+    return [shown = player.withShapes(std::move(scene))](Progress&) { return shown; };
+  return [scene = std::move(scene)](Progress& progress) { return session::settledHeadless(scene, progress); };
+}
+
+void ExportCommands::write(const QString& path, std::function<void(const scene::Scene&, Progress&)> work) {
+  mParts.jobs.start(
+      tr("Writing %1").arg(QFileInfo(path).fileName()),
+      [rest = sceneAtRest(), work = std::move(work)](Progress& progress) { work(rest(progress), progress); },
+      [this, path] { mParts.messages.showNote(tr("Saved %1").arg(path)); });
+}
+
+void ExportCommands::exportSheetTo(const QString& path) {
+  int cut = membraneToExport();
+  if (cut == 0) return mParts.messages.showNote(tr("There is no membrane: add one first (M)."));
+  write(path, [cut, path = path.toStdString()](const scene::Scene& settled, Progress&) {
+    session::exportSheets(settled, {cut}, path);
+  });
+}
+
+void ExportCommands::exportClippedTo(const QString& path) {
+  write(path, [path = path.toStdString()](const scene::Scene& settled, Progress& progress) {
+    session::exportClippedVolume(settled, path, progress);
+  });
+}
+
+/// A file beside what is open. @param suffix  of the name that is proposed, with its ending, which is also the usual
+/// one
+QString ExportCommands::askPath(const QString& title, const char* suffix, const QString& filters) {
+  QFileInfo open(QString::fromStdString(mParts.session.file().path()));
+  QString start = open.path() + "/" + open.baseName() + suffix;
+  QString path = QFileDialog::getSaveFileName(&mParts.window, title, start, filters);
+  if (!path.isEmpty() && QFileInfo(path).suffix().isEmpty()) path += "." + QFileInfo(start).suffix();
+  return path;
+}
+
+void ExportCommands::askExportSheet() {
+  if (membraneToExport() == 0) return mParts.messages.showNote(tr("There is no membrane: add one first (M)."));
+  QString path = askPath(tr("Export sheet"), "-sheet.ply",
+                         tr("PLY (*.ply);;Wavefront OBJ (*.obj);;VTK PolyData (*.vtp);;STL (*.stl)"));
+  if (!path.isEmpty()) exportSheetTo(path);
+}
+
+void ExportCommands::askExportClipped() {
+  if (!mParts.session.scene().volume.data) return mParts.messages.showNote(tr("There is no volume to clip."));
+  QString path = askPath(tr("Export clipped volume"), "-clipped.nrrd",
+                         tr("NRRD (*.nrrd);;NIfTI (*.nii.gz *.nii);;VTK ImageData (*.vti);;OpenVDB (*.vdb)"));
+  if (!path.isEmpty()) exportClippedTo(path);
+}
+
+}  // namespace velum::gui

@@ -1,0 +1,33 @@
+#pragma once
+#include "velum/session/picture/Picture.h"
+#include "view/Room.h"
+
+namespace velum::gui {
+
+/// What is written for other programs: pictures, sheets of membranes, volumes without what is cut away.
+class ExportCommands : public Room {
+  Q_OBJECT
+ public:
+  explicit ExportCommands(const WindowParts& parts) : Room(parts) {}
+  /// Adds the commands where they stand in the File menu. @return the picture's, for the tool bar
+  QAction* addActions(QMenu* menu);
+
+  void savePictureTo(const QString& path, const session::PictureOptions& options, const scene::Scene& scene);
+  /// The sheet of the selected membrane, or of the first, as it rests.
+  void exportSheetTo(const QString& path);
+  /// The volume without what the cuts take away.
+  void exportClippedTo(const QString& path);
+
+ public slots:
+  void askExportSheet();
+  void askExportClipped();
+
+ private:
+  void askSavePicture();
+  QString askPath(const QString& title, const char* suffix, const QString& filters);
+  void write(const QString& path, std::function<void(const scene::Scene& settled, Progress&)> work);
+  int membraneToExport() const;
+  std::function<scene::Scene(Progress&)> sceneAtRest() const;
+};
+
+}  // namespace velum::gui

@@ -1,0 +1,162 @@
+#include "FileCommands.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QPushButton>
+
+#include "RecentFiles.h"
+#include "velum/core/Error.h"
+#include "velum/session/document/Open.h"
+#include "velum/session/look/Look.h"
+
+namespace velum::gui {
+
+namespace {
+
+QString openFilter() {
+  QString all, single;
+  for (const auto& kind : session::readableKinds()) {
+    QString patterns;
+    for (const auto& pattern : kind.patterns)
+      patterns += (patterns.isEmpty() ? "" : " ") + QString::fromStdString(pattern);
+    all += (all.isEmpty() ? "" : " ") + patterns;
+    single += QString(";;%1 (%2)").arg(QString::fromStdString(kind.name), patterns);
+  }
+  return FileCommands::tr("All that Velum reads (%1)").arg(all) + ";;" + FileCommands::tr("All files (*)") + single;
+}
+
+}  // namespace
+
+FileCommands::FileCommands(const WindowParts& parts, FileLoads& loads, ExportCommands& exports)
+    : Room(parts), mLoads(loads), mExports(exports) {
+  QMenu* menu = parts.menu(MenuId::File);
+  ActionTable& actions = parts.actions;
+  addOpening(menu);
+  menu->addSeparator();
+  addSaving(menu);
+  menu->addSeparator();
+  actions.add(menu, "file.newWindow", tr("New &window"), tr("Open a second window with a scene of its own"),
+              [this] { emit newWindowAsked(); });
+  QAction* cancel = actions.add(menu, "file.cancel", tr("&Cancel what is running"), tr("Stop the load or the picture"),
+                                [this] { mParts.jobs.cancel(); });
+  cancel->setEnabled(false);
+  connect(&parts.jobs, &JobRunner::busyChanged, cancel, &QAction::setEnabled);
+  actions.add(menu, "file.quit", tr("&Quit"), tr("Leave Velum"), [this] { mParts.window.close(); });
+}
+
+void FileCommands::addOpening(QMenu* menu) {
+  ActionTable& actions = mParts.actions;
+  actions.add(menu, "file.new", tr("&New"), tr("Close what is open"), [this] {
+    if (mayLeave()) newScene();
+  });
+  QAction* open = actions.add(menu, "file.open", tr("&Open..."), tr("Open a volume, labels, surfaces or a scene"),
+                              [this] { askOpen(false); });
+  actions.add(menu, "file.openFolder", tr("Open &folder..."), tr("Open a folder of DICOM slices"),
+              [this] { askOpenFolder(); });
+  keepRecentMenu(menu->addMenu(tr("Open &recent")), [this](const QString& path) { openAsked({path}); });
+  actions.addForScene(menu, "file.add", tr("&Add labels or surfaces..."), tr("Open beside what is open"),
+                      [this] { askOpen(true); });
+  addPhantoms(menu->addMenu(tr("Make a &phantom")));
+  open->setIconText(tr("Open"));
+  mParts.bar.addAction(open);
+}
+
+void FileCommands::addPhantoms(QMenu* menu) {
+  for (const auto& sample : session::sampleNames()) {
+    QString name = QString::fromStdString(sample);
+    mParts.actions.add(menu, "file.phantom." + name, name, tr("Compute the phantom %1 and its labels").arg(name),
+                       [this, name] {
+                         if (mayLeave()) mLoads.openPhantom(name, 0);
+                       });
+  }
+}
+
+void FileCommands::addSaving(QMenu* menu) {
+  mParts.actions.addForScene(menu, "file.saveScene", tr("&Save scene"), tr("Save the scene"),
+                             [this] { askSaveScene(false); });
+  mParts.actions.addForScene(menu, "file.saveSceneAs", tr("Save scene &as..."), tr("Save the scene under another name"),
+                             [this] { askSaveScene(true); });
+  mParts.bar.addAction(mExports.addActions(menu));
+  mParts.bar.addSeparator();
+}
+
+// Asking.
+
+bool FileCommands::mayLeave() {
+  const session::WorkFile& file = mParts.session.file();
+  if (mLoads.isUnattended() || !file.isModified()) return true;
+  QString name = file.path().empty() ? tr("the scene") : QString::fromStdString(file.name());
+  QMessageBox box(QMessageBox::Warning, tr("Unsaved changes"), tr("Save the changes of %1?").arg(name),
+                  QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &mParts.window);
+  box.setInformativeText(tr("What is not saved is lost."));
+  box.button(QMessageBox::Save)->setText(tr("&Save"));
+  box.button(QMessageBox::Discard)->setText(tr("&Don't save"));
+  box.setDefaultButton(QMessageBox::Save);
+  box.setEscapeButton(QMessageBox::Cancel);
+  int answer = box.exec();
+  if (answer == QMessageBox::Save) askSaveScene(false);
+  return answer == QMessageBox::Discard || (answer == QMessageBox::Save && !file.isModified());
+}
+
+void FileCommands::openAsked(const QStringList& paths, bool add) {
+  if (paths.isEmpty()) return;
+  bool isLook = paths.size() == 1 && session::isLookFile(paths.first().toStdString());  // leaves the scene open
+  if (add || isLook || mayLeave()) mLoads.openPaths(paths, add);
+}
+
+/// Where what is open lies; empty when nothing has a place.
+QString FileCommands::folder() const {
+  const std::string& path = mParts.session.file().path();
+  return path.empty() ? QString() : QFileInfo(QString::fromStdString(path)).path();
+}
+
+void FileCommands::askOpen(bool add) {
+  openAsked(QFileDialog::getOpenFileNames(&mParts.window, tr("Open"), folder(), openFilter()), add);
+}
+
+void FileCommands::askOpenFolder() {
+  QString path = QFileDialog::getExistingDirectory(&mParts.window, tr("Open a folder of DICOM slices"), folder());
+  if (!path.isEmpty()) openAsked({path});
+}
+
+void FileCommands::askOpenLabels() {
+  QStringList patterns;
+  for (const auto& kind : session::volumeKinds())
+    for (const auto& pattern : kind.patterns) patterns << QString::fromStdString(pattern);
+  QString path = QFileDialog::getOpenFileName(&mParts.window, tr("Open labels beside what is open"), folder(),
+                                              tr("Labels (%1)").arg(patterns.join(' ')) + ";;" + tr("All files (*)"));
+  if (!path.isEmpty()) mLoads.openLabels(path);
+}
+
+void FileCommands::askSaveScene(bool asNew) {
+  const session::WorkFile& file = mParts.session.file();
+  QString path = QString::fromStdString(file.scenePath());
+  if (asNew || path.isEmpty()) {
+    QFileInfo open(QString::fromStdString(file.path()));
+    path = QFileDialog::getSaveFileName(&mParts.window, tr("Save scene"), open.path() + "/" + open.baseName() + ".json",
+                                        tr("Velum scene (*.json)"));
+    if (path.isEmpty()) return;
+    if (QFileInfo(path).suffix().isEmpty()) path += ".json";
+  }
+  saveSceneTo(path);
+}
+
+void FileCommands::saveSceneTo(const QString& path) {
+  try {
+    mParts.session.file().save(path.toStdString());
+    mParts.jobs.setError({});
+    mLoads.rememberFile(QString::fromStdString(mParts.session.file().path()));
+    mLoads.rememberPicture();
+  } catch (const Error& error) {
+    mParts.jobs.setError(QString::fromUtf8(error.what()));
+  }
+}
+
+void FileCommands::newScene() {
+  mLoads.rememberPicture();
+  mParts.messages.hide();
+  mParts.session.file().close();
+}
+
+}  // namespace velum::gui

@@ -1,0 +1,151 @@
+#include "FileLoads.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QStandardPaths>
+
+#include "RecentFiles.h"
+#include "velum/scene/json/Json.h"
+#include "velum/session/document/Recent.h"
+#include "velum/session/look/Look.h"
+
+namespace velum::gui {
+
+namespace {
+
+QString toText(const std::string& text) { return QString::fromStdString(text); }
+QString nameOf(const QString& path) { return QFileInfo(path).fileName(); }
+
+}  // namespace
+
+FileLoads::FileLoads(const WindowParts& parts) : QObject(&parts.window), mParts(parts) {
+  connect(&parts.views.viewport(), &Viewport::refined, this, [this](double, const QString& stage) {
+    if (stage.isEmpty() && mWantsPicture) rememberPicture();
+  });
+}
+
+session::DataPolicy FileLoads::policy() const { return {session::recentFolders(session::recentList()), !mUnattended}; }
+
+void FileLoads::start(const QString& what, Read read, bool add, const QString& path) {
+  auto loaded = std::make_shared<session::Loaded>();
+  mParts.jobs.start(
+      what, [loaded, read = std::move(read)](Progress& progress) { *loaded = read(progress); },
+      [this, loaded, add, path] { add ? mParts.session.file().add(*loaded) : finish(loaded, path); });
+}
+
+void FileLoads::openPaths(const QStringList& paths, bool add) {
+  if (paths.isEmpty()) return;
+  if (paths.size() == 1 && session::isLookFile(paths.first().toStdString())) return emit lookOpened(paths.first());
+  std::vector<std::string> names;
+  for (const auto& path : paths) names.push_back(QFileInfo(path).absoluteFilePath().toStdString());
+  QString what = tr("Opening %1").arg(nameOf(paths.first()));
+  bool beside = add && mParts.session.file().isOpen();
+  Read read = [names, policy = policy()](Progress& progress) { return session::readPaths(names, progress, policy); };
+  if (beside)
+    read = [names, scene = mParts.session.scene()](Progress& progress) {
+      return session::readBeside(scene, names, progress);
+    };
+  start(what, read, beside, paths.first());
+}
+
+void FileLoads::openPhantom(const QString& name, int voxels) {
+  std::filesystem::path folder(QStandardPaths::writableLocation(QStandardPaths::CacheLocation).toStdString());
+  start(
+      tr("Making a phantom"),
+      [name = name.toStdString(), voxels, folder](Progress& progress) {
+        return session::readPhantom(name, voxels, folder / "phantoms", progress);
+      },
+      false, name);
+}
+
+void FileLoads::openLabels(const QString& path) {
+  start(
+      tr("Opening %1").arg(nameOf(path)),
+      [scene = mParts.session.scene(), file = QFileInfo(path).absoluteFilePath().toStdString()](Progress& progress) {
+        return session::readLabels(scene, file, progress);
+      },
+      true, path);
+}
+
+void FileLoads::openLost(const std::filesystem::path& folder, const QString& path) {
+  start(
+      tr("Restoring %1").arg(nameOf(path)),
+      [folder, policy = policy()](Progress& progress) { return session::readLost(folder, progress, policy); }, false,
+      path);
+}
+
+void FileLoads::finish(std::shared_ptr<session::Loaded> loaded, const QString& path) {
+  if (!locateMissing(*loaded)) return show(*loaded, path);
+  mParts.jobs.start(
+      tr("Opening %1").arg(nameOf(path)),
+      [loaded, policy = policy()](Progress& progress) { session::readMissing(*loaded, progress, policy); },
+      [this, loaded, path] { show(*loaded, path); });
+}
+
+/// Asks for each file that was not found. @return true when some were named, so that they are to be read
+bool FileLoads::locateMissing(session::Loaded& loaded) {
+  bool found = false;
+  for (const auto& missing : session::missingData(loaded.scene)) {
+    QFileInfo file(toText(missing.path));
+    QMessageBox box(QMessageBox::Question, tr("Missing data"),
+                    tr("The %1 of the scene is missing: %2").arg(toText(missing.what), file.fileName()),
+                    QMessageBox::NoButton, &mParts.window);
+    box.setInformativeText(tr("It was %1, and is not near the scene, nor where you worked last.").arg(file.filePath()));
+    auto* locate = box.addButton(tr("&Locate..."), QMessageBox::AcceptRole);
+    auto* skip = box.addButton(tr("&Skip"), QMessageBox::RejectRole);
+    box.setDefaultButton(locate);
+    box.setEscapeButton(skip);
+    box.exec();
+    QString path;
+    if (box.clickedButton() == locate)
+      path = QFileDialog::getOpenFileName(&mParts.window, tr("Where is %1?").arg(file.fileName()), file.path());
+    if (path.isEmpty()) {
+      loaded.notes.push_back(tr("opened without its %1 (%2)").arg(toText(missing.what), file.filePath()).toStdString());
+      continue;
+    }
+    found = true;
+    scene::setField(loaded.scene, missing.field, path.toStdString());
+  }
+  return found;
+}
+
+void FileLoads::show(session::Loaded& loaded, const QString& path) {
+  scene::Scene& scene = loaded.scene;
+  ViewGrid& views = mParts.views;
+  QStringList notes;
+  for (const auto& note : loaded.notes) notes << toText(note);
+  if (scene.volume.data)
+    for (const auto& line : scene.volume.data->warnings) notes << toText(line);
+  emit aboutToShow();
+  if (!loaded.isScene && !loaded.lost) {
+    scene.slices.layout = ViewGrid::layoutFor(scene);
+    views.place(scene.slices);  // so that the camera fits the view as it will be
+    scene.camera = views.viewport().frame(scene, scene::defaultView(scene));
+  }
+  bool wasLost = loaded.lost != nullptr;
+  session::WorkFile& file = mParts.session.file();
+  file.open(std::move(loaded), path.toStdString());
+  QString now = toText(file.path());
+  rememberFile(now);
+  if (wasLost) emit lostWorkTaken();
+  views.viewport().setFocus();
+  if (!notes.isEmpty()) mParts.messages.showNote(tr("%1: %2").arg(nameOf(now), notes.join("; ")));
+}
+
+void FileLoads::rememberFile(const QString& path) {
+  QFileInfo file(path);
+  mWantsPicture = !path.isEmpty() && file.exists();
+  if (mWantsPicture) session::addRecent(session::recentList(), file.absoluteFilePath().toStdString());
+}
+
+void FileLoads::rememberPicture() {
+  mWantsPicture = false;
+  const session::WorkFile& open = mParts.session.file();
+  QFileInfo file(toText(open.path()));
+  if (!open.isOpen() || open.path().empty() || !file.exists()) return;
+  saveRecentPicture(file.absoluteFilePath().toStdString(), mParts.views.viewport().grabFramebuffer());
+}
+
+}  // namespace velum::gui

@@ -1,0 +1,60 @@
+#include "HistoryCommands.h"
+
+#include <algorithm>
+
+#include "Preferences.h"
+
+namespace velum::gui {
+
+namespace {
+
+constexpr int kHistoryRows = 30;
+
+/// A label in a menu, where & is a mark.
+QString menuText(const std::string& label) { return QString::fromStdString(label).replace('&', "&&"); }
+
+}  // namespace
+
+HistoryCommands::HistoryCommands(const WindowParts& parts) : Room(parts) {
+  QMenu* menu = parts.menu(MenuId::Edit);
+  mUndo = parts.actions.add(menu, "edit.undo", tr("&Undo"), tr("Take the last change back"),
+                            [this] { mParts.document().undo(); });
+  mRedo = parts.actions.add(menu, "edit.redo", tr("&Redo"), tr("Do it again"), [this] { mParts.document().redo(); });
+  QMenu* history = menu->addMenu(tr("&History"));
+  connect(history, &QMenu::aboutToShow, this, [this, history] { fillHistory(*history); });
+  mUndo->setIconText(tr("Undo"));
+  mRedo->setIconText(tr("Redo"));
+  menu->addSeparator();
+  parts.actions.add(menu, "edit.preferences", tr("&Preferences..."), tr("Appearance, and where settings are stored"),
+                    [this] { PreferencesDialog(&mParts.window).exec(); });
+  parts.bar.addAction(mUndo);
+  parts.bar.addAction(mRedo);
+  parts.bar.addSeparator();
+}
+
+void HistoryCommands::refresh(const session::Session& session) {
+  const session::Document& document = session.document();
+  auto name = [](const QString& verb, const std::string& label) {
+    return label.empty() ? verb : QString("%1 \"%2\"").arg(verb, QString::fromStdString(label));
+  };
+  mUndo->setEnabled(document.canUndo());
+  mUndo->setText(name(tr("&Undo"), document.undoLabel()));
+  mRedo->setEnabled(document.canRedo());
+  mRedo->setText(name(tr("&Redo"), document.redoLabel()));
+}
+
+void HistoryCommands::fillHistory(QMenu& menu) {
+  menu.clear();
+  auto add = [&](const std::vector<std::string>& labels, int i, void (session::Document::*step)()) {
+    connect(menu.addAction(menuText(labels[std::size_t(i)])), &QAction::triggered, this, [this, i, step] {
+      for (int n = 0; n <= i; ++n) (mParts.document().*step)();
+    });
+  };
+  auto redo = mParts.document().redoLabels(), undo = mParts.document().undoLabels();
+  for (int i = std::min(int(redo.size()), kHistoryRows) - 1; i >= 0; --i) add(redo, i, &session::Document::redo);
+  if (!redo.empty()) menu.addSection(tr("Now"));
+  for (int i = 0; i < std::min(int(undo.size()), kHistoryRows); ++i) add(undo, i, &session::Document::undo);
+  if (menu.isEmpty()) menu.addAction(tr("Nothing yet"))->setEnabled(false);
+}
+
+}  // namespace velum::gui

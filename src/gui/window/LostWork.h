@@ -1,0 +1,35 @@
+#pragma once
+#include <memory>
+
+#include "FileLoads.h"
+#include "RecoveryBar.h"
+#include "kit/Job.h"
+
+namespace velum::gui {
+
+/// Looks for the work of sessions that have died, and offers it in the recovery bar.
+class LostWork : public QObject {
+  Q_OBJECT
+ public:
+  LostWork(const WindowParts& parts, RecoveryBar& bar, FileLoads& loads);
+  ~LostWork() override;
+
+  void lookFor(const std::filesystem::path& root);
+  bool isLooking() const { return mScan != nullptr; }
+  /// Opens what is offered, as modified. False when nothing is offered.
+  bool restore();
+
+ signals:
+  /// The user wants it: what is open may have to be saved first.
+  void restoreAsked();
+
+ private:
+  void askDiscard();
+
+  const WindowParts& mParts;
+  RecoveryBar& mBar;
+  FileLoads& mLoads;
+  std::unique_ptr<Job> mScan;
+};
+
+}  // namespace velum::gui

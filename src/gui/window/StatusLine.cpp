@@ -1,0 +1,98 @@
+#include "StatusLine.h"
+
+#include <cmath>
+
+namespace velum::gui {
+
+namespace {
+
+/// Millimetres with the digits that matter.
+QString shortNumber(double value) { return QString::number(value, 'g', 4); }
+
+}  // namespace
+
+StatusLine::StatusLine(const WindowParts& parts, QStatusBar& bar)
+    : Room(parts),
+      mData(new QLabel(tr("Nothing is open"), &bar)),
+      mPick(new QLabel(&bar)),
+      mReduction(new QLabel(&bar)),
+      mRefine(new QLabel(&bar)),
+      mDriver(new QLabel(&bar)) {
+  bar.setSizeGripEnabled(false);
+  mReduction->setProperty("role", "alarm");
+  mRefine->setToolTip(tr("How far the picture is refined"));
+  mPick->setToolTip(tr("Under the pointer: value, position in patient coordinates (L, P, S), structure"));
+  bar.addWidget(mData);
+  bar.addWidget(mReduction);
+  bar.addPermanentWidget(mPick);
+  bar.addPermanentWidget(mRefine);
+  bar.addPermanentWidget(mDriver);
+  connect(&parts.views, &ViewGrid::pointedAt, this, &StatusLine::showPick);
+  connect(&parts.views, &ViewGrid::pointedAtNothing, mPick, &QLabel::clear);
+  connect(&parts.views.viewport(), &Viewport::refined, this, &StatusLine::showProgress);
+}
+
+void StatusLine::showProgress(double fraction, const QString& stage) {
+  mRefine->setText(stage.isEmpty() ? tr("Complete")
+                   : fraction > 0  ? QString("%1 %2 %").arg(stage).arg(int(100 * fraction))
+                                   : stage);
+  render::Stats stats = mParts.views.viewport().stats();
+  QString driver = QString::fromStdString(stats.renderer);
+  mDriver->setText(driver.section(" (", 0, 0).section('/', 0, 0));
+  mDriver->setToolTip(tr("Drawn by %1").arg(driver));
+  QString reduction = QString::fromStdString(stats.reduction);
+  mReduction->setText(reduction.isEmpty() ? QString() : tr("Reduced"));
+  mReduction->setToolTip(reduction);
+}
+
+void StatusLine::refresh(const session::Session& session) {
+  const scene::Scene& scene = session.scene();
+  if (const auto& v = scene.volume.data) {
+    glm::dvec3 mm = spacingMm(*v);
+    QString times = QString::fromUtf8(" \u00d7 ");
+    QString unit = v->unit.empty() ? QString() : " " + QString::fromStdString(v->unit);
+    auto type = enumName(v->type);
+    QStringList dims, spacing;
+    for (int i = 0; i < 3; ++i) {
+      dims << QString::number(v->dims[i]);
+      spacing << shortNumber(mm[i]);
+    }
+    QString text = dims.join(times) + "    ";
+    text += v->isSpacingKnown ? spacing.join(times) + " mm" : tr("spacing unknown");
+    text += QString("    %1    %2 to %3%4")
+                .arg(QString::fromUtf8(type.data(), int(type.size())), shortNumber(v->range.x), shortNumber(v->range.y),
+                     unit);
+    mData->setText(text);
+    mData->setToolTip(
+        tr("Voxels, spacing, sample type and range of values of %1").arg(QString::fromStdString(v->name)));
+  } else if (scene.labels.data) {
+    mData->setText(tr("%n structure(s)", nullptr, int(scene.labels.structures.size())));
+  } else {
+    mData->setText(scene.surfaces.empty() ? tr("Nothing is open")
+                                          : tr("%n surface(s)", nullptr, int(scene.surfaces.size())));
+  }
+}
+
+void StatusLine::showPick(const render::Pick& pick) {
+  const auto& scene = mParts.session.scene();
+  QString text;
+  QStringList values;
+  for (double value : render::probe(scene, pick.worldMm).values) values << shortNumber(value);
+  if (const auto& v = scene.volume.data; v && !values.isEmpty())
+    text = QString("%1 %2    ").arg(values.join(", "), QString::fromStdString(v->unit));
+  // Letters only where the file says how the patient lay.
+  bool letters = !scene.volume.data || scene.volume.data->isOrientationKnown;
+  static constexpr const char* kPlus[] = {"L", "P", "S"};
+  static constexpr const char* kMinus[] = {"R", "A", "I"};
+  for (int i = 0; i < 3; ++i) {
+    double mm = pick.worldMm[i];
+    text += letters ? QString("%1 %2  ").arg(mm < 0 ? kMinus[i] : kPlus[i]).arg(std::abs(mm), 0, 'f', 1)
+                    : QString("%1  ").arg(mm, 0, 'f', 1);
+  }
+  text += "mm";
+  for (const auto& structure : scene.labels.structures)
+    if (structure.id == pick.structure) text += "    " + QString::fromStdString(structure.name);
+  mPick->setText(text);
+}
+
+}  // namespace velum::gui

@@ -1,0 +1,23 @@
+#pragma once
+#include <QLabel>
+#include <QStatusBar>
+
+#include "view/Room.h"
+
+namespace velum::gui {
+
+/// The status bar: what is open, what is under the pointer, how far the picture is, who draws it.
+class StatusLine : public Room {
+  Q_OBJECT
+ public:
+  StatusLine(const WindowParts& parts, QStatusBar& bar);
+  void refresh(const session::Session& session) override;
+
+ private:
+  void showPick(const render::Pick& pick);
+  void showProgress(double fraction, const QString& stage);
+
+  QLabel *mData, *mPick, *mReduction, *mRefine, *mDriver;
+};
+
+}  // namespace velum::gui

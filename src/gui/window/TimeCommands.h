@@ -1,0 +1,18 @@
+#pragma once
+#include "view/Room.h"
+#include "view/TimeBar.h"
+
+namespace velum::gui {
+
+/// Playing time steps.
+class TimeCommands : public Room {
+  Q_OBJECT
+ public:
+  TimeCommands(const WindowParts& parts, TimeBar& bar);
+  void refresh(const session::Session&) override { mBar.refresh(); }
+
+ private:
+  TimeBar& mBar;
+};
+
+}  // namespace velum::gui

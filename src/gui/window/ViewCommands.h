@@ -1,0 +1,24 @@
+#pragma once
+#include <QActionGroup>
+
+#include "view/Room.h"
+
+namespace velum::gui {
+
+/// From where one looks, layouts of the views, and what moves slices.
+class ViewCommands : public Room {
+  Q_OBJECT
+ public:
+  explicit ViewCommands(const WindowParts& parts);
+  void refresh(const session::Session& session) override;
+
+ private:
+  void addDirections(QMenu* menu);
+  void addLayouts(QMenu* menu);
+  void addSlices(QMenu* menu);
+
+  QAction* mProjection = nullptr;
+  QActionGroup* mLayouts;
+};
+
+}  // namespace velum::gui

@@ -1,0 +1,67 @@
+#include "WindowFrame.h"
+
+#include <QMenuBar>
+#include <QVBoxLayout>
+
+#include "RecentFiles.h"
+
+namespace velum::gui {
+
+namespace {
+
+constexpr int kPanelWidth = 348;
+
+}  // namespace
+
+WindowFrame::WindowFrame(QMainWindow& window, session::Document& document) {
+  auto* centre = new QWidget(&window);
+  recovery = new RecoveryBar(centre);
+  messages = new MessageBar(centre);
+  pages = new QStackedWidget(centre);
+  empty = new EmptyState(pages);
+  pages->addWidget(empty);
+  progress = new ProgressStrip(centre);
+  time = new TimeBar(document, centre);
+  auto* layout = new QVBoxLayout(centre);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addWidget(recovery);
+  layout->addWidget(messages);
+  layout->addWidget(pages, 1);
+  layout->addWidget(time);
+  layout->addWidget(progress);
+  window.setCentralWidget(centre);
+  buildSide(window);
+  bar = new QToolBar(QMainWindow::tr("Tools"), &window);
+  bar->setObjectName("toolBar");
+  bar->setMovable(false);
+  bar->setContextMenuPolicy(Qt::PreventContextMenu);
+  window.addToolBar(bar);
+  const char* titles[] = {"&File", "&Edit", "&View", "&Look", "&Cut", "S&tructures", "&Time", "&Help"};
+  for (std::size_t i = 0; i < menus.size(); ++i) menus[i] = window.menuBar()->addMenu(QMainWindow::tr(titles[i]));
+}
+
+void WindowFrame::buildSide(QMainWindow& window) {
+  dock = new QDockWidget(&window);
+  dock->setObjectName("sideDock");
+  dock->setFeatures(QDockWidget::NoDockWidgetFeatures);
+  dock->setTitleBarWidget(new QWidget(dock));
+  side = new QWidget(dock);
+  side->setObjectName("sidePanel");
+  side->setFixedWidth(kPanelWidth);
+  auto* outer = new QVBoxLayout(side);
+  outer->setContentsMargins(0, 0, 0, 0);
+  tabs = new SideTabs(side);
+  outer->addWidget(tabs);
+  dock->setWidget(side);
+  window.addDockWidget(Qt::RightDockWidgetArea, dock);
+}
+
+void WindowFrame::showViews(bool open) {
+  bool wasOpen = pages->currentIndex() == 1;
+  pages->setCurrentIndex(open ? 1 : 0);
+  dock->setVisible(open);
+  if (wasOpen && !open) empty->recent()->refresh();
+}
+
+}  // namespace velum::gui

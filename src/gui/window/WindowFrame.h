@@ -1,0 +1,41 @@
+#pragma once
+#include <QDockWidget>
+#include <QMainWindow>
+#include <QMenu>
+#include <QStackedWidget>
+#include <QToolBar>
+#include <array>
+
+#include "RecoveryBar.h"
+#include "kit/Bars.h"
+#include "kit/SideTabs.h"
+#include "view/TimeBar.h"
+
+namespace velum::gui {
+
+/// Where things are in the window: menus, tool bar, the bars about the views, the side panel. It builds them, empty.
+struct WindowFrame {
+  WindowFrame(QMainWindow& window, session::Document& document);
+
+  /// Puts the views in the middle, where there is the empty state while nothing is open.
+  void setViews(QWidget* views) { pages->addWidget(views); }
+  /// The views and the side panel, or the empty state.
+  void showViews(bool open);
+
+  RecoveryBar* recovery;
+  MessageBar* messages;
+  QStackedWidget* pages;
+  EmptyState* empty;
+  TimeBar* time;
+  ProgressStrip* progress;
+  QDockWidget* dock;  ///< Holds the side panel; away while nothing is open.
+  QWidget* side;
+  SideTabs* tabs;
+  QToolBar* bar;
+  std::array<QMenu*, 8> menus;  ///< In the order of MenuId.
+
+ private:
+  void buildSide(QMainWindow& window);
+};
+
+}  // namespace velum::gui

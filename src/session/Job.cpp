@@ -1,0 +1,67 @@
+#include "velum/session/Job.h"
+
+#include <tbb/task_scheduler_observer.h>
+
+#if defined(__linux__)
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+#endif
+
+#include <new>
+
+#include "velum/core/Error.h"
+
+namespace velum::session {
+
+namespace {
+
+/// A tenth of the share of a thread of normal priority, when both want the same core; all of it otherwise.
+constexpr int kNice = 10;
+
+/// For the calling thread.
+void giveWay() {
+#if defined(__linux__)
+  // Linux keeps a niceness for each thread, whatever POSIX says. It cannot be taken back, nor need it.
+  setpriority(PRIO_PROCESS, id_t(syscall(SYS_gettid)), kNice);
+#endif
+}
+
+class Observer : public tbb::task_scheduler_observer {
+ public:
+  Observer() { observe(true); }
+  void on_scheduler_entry(bool isWorker) override {
+    if (isWorker) giveWay();
+  }
+};
+
+}  // namespace
+
+void giveWayToTheWindow() { static Observer observer; }
+
+Job::Job(Work work, Progress::Listener progressed, Ended ended) : mProgress(std::move(progressed)) {
+  mThread = std::thread([this, work = std::move(work), ended = std::move(ended)] { run(work, ended); });
+}
+
+Job::~Job() {
+  cancel();
+  if (mThread.joinable()) mThread.join();
+}
+
+void Job::run(const Work& work, const Ended& ended) {
+  giveWay();
+  JobOutcome outcome;
+  try {
+    work(mProgress);
+    outcome.done = true;
+  } catch (const Cancelled&) {
+  } catch (const std::bad_alloc&) {
+    outcome.error = "The machine has no memory left for this; use a smaller volume or picture.";
+  } catch (const std::exception& error) {
+    outcome.error = error.what();
+  }
+  mHasEnded = true;
+  if (ended) ended(outcome);
+}
+
+}  // namespace velum::session

@@ -1,5 +1,5 @@
 #pragma once
-#include <cstdint>
+#include <functional>
 #include <glm/glm.hpp>
 #include <map>
 #include <memory>
@@ -31,9 +31,7 @@ struct Pick {
   glm::dvec3 worldMm{0.0};
   glm::vec3 normal{0.0f};  ///< World frame, unit.
   int structure = 0;       ///< Label id, 0 when there is none.
-  /// 0: the volume, its labels and what cuts show of them; then the scene's surfaces, in their order.
-  std::uint32_t instance = 0;
-  double value = 0;  ///< Data value there (nearest voxel).
+  double value = 0;        ///< Data value there (nearest voxel).
 };
 
 /// Which layers to read back.
@@ -42,7 +40,6 @@ struct Layers {
   bool normal = false;
   bool depth = false;
   bool structure = false;
-  bool instance = false;
 };
 
 /// Draws scenes. A frame is a queue of small pieces of work (uploads, tables, light, tiles, sample by sample), so that
@@ -66,7 +63,7 @@ class Renderer {
 
   /// The last frame's window: R, G, B, A display-referred with straight alpha, then the layers asked for:
   /// "position.X/Y/Z" (world mm), "normal.X/Y/Z" (world), "Z" (mm from the eye, along the ray; infinity where nothing
-  /// is), "id" (structure), "instance" (as Pick; -1 where nothing is).
+  /// is), "id".
   Image read(const Layers& layers = {});
 
   /// What the last frame shows at a pixel of its window. From the drawn layers, so it agrees with the picture.
@@ -81,7 +78,6 @@ class Renderer {
  private:
   struct Impl;
   std::unique_ptr<Impl> mImpl;
-  gpu::Context& mContext;
 };
 
 /// Draws a picture of any size, window by window where it is larger than the driver's textures; seamless, as each ray

@@ -48,7 +48,7 @@ class FileLoads : public QObject {
 
   const WindowParts& mParts;
   bool mUnattended = false;
-  bool mWantsPicture = false;  ///< The recent file that is open has no picture of this session yet.
+  bool mWantsPicture = false;  ///< The recent file that is open has no picture since it was opened.
 };
 
 }  // namespace velum::gui

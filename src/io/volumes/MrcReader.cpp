@@ -1,13 +1,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
-#include <cstring>
 
 #include "Readers.h"
 #include "read/ByteSource.h"
+#include "read/HeaderFields.h"
 #include "read/Payload.h"
 #include "read/Placement.h"
 
@@ -18,21 +17,9 @@ namespace {
 constexpr double kMmPerAngstrom = 1e-7;
 constexpr std::int32_t kImodStamp = 1146047817;
 
-struct Fields {
-  std::string_view bytes;
-  bool swap;
-  template <class T>
-  T at(std::size_t offset) const {
-    std::array<char, sizeof(T)> raw;
-    std::memcpy(raw.data(), bytes.data() + offset, sizeof(T));
-    if (swap) std::reverse(raw.begin(), raw.end());
-    return std::bit_cast<T>(raw);
-  }
-};
-
 /// The machine stamp is often wrong; the axis order, 1 to 3 in any order, is not.
 bool needsSwap(std::string_view bytes) {
-  Fields f{bytes, false};
+  HeaderFields f{bytes, false};
   auto sane = [&](std::int32_t axis) { return axis >= 1 && axis <= 3; };
   if (sane(f.at<std::int32_t>(64))) return false;
   f.swap = true;
@@ -40,7 +27,7 @@ bool needsSwap(std::string_view bytes) {
   return static_cast<unsigned char>(bytes[212]) == 0x11;
 }
 
-Layout layoutOf(const Fields& f, const Path& file) {
+Layout layoutOf(const HeaderFields& f, const Path& file) {
   Layout layout;
   layout.dims = {f.at<std::int32_t>(0), f.at<std::int32_t>(4), f.at<std::int32_t>(8)};
   layout.bigEndian = f.swap != (std::endian::native == std::endian::big);
@@ -67,7 +54,7 @@ Layout layoutOf(const Fields& f, const Path& file) {
 }
 
 /// Cell lengths in angstrom over sampling give the spacing; mapc, mapr, maps say which cell axis each array axis is.
-void place(Volume& v, const Fields& f) {
+void place(Volume& v, const HeaderFields& f) {
   glm::dvec3 spacing(1.0), origin(0.0);
   bool known = true;
   for (int i = 0; i < 3; ++i) {
@@ -100,7 +87,7 @@ Volume readMrc(const scene::Source& source, Progress& progress) {
   Path file = source.path;
   std::string bytes = readHead(file, 1024);
   if (bytes.size() < 1024) refuse(file, "is too short for an MRC header");
-  Fields f{bytes, needsSwap(bytes)};
+  HeaderFields f{bytes, needsSwap(bytes)};
   auto extended = f.at<std::int32_t>(92);
   if (extended < 0) refuse(file, fmt::format("an extended header of {} bytes is not possible", extended));
   Payload part;

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstring>
 
 #include "NiftiHeader.h"
 #include "Readers.h"
 #include "read/ByteSource.h"
 #include "read/FileBytes.h"
 #include "read/FileNames.h"
+#include "read/HeaderFields.h"
 #include "read/Payload.h"
 #include "read/Placement.h"
 
@@ -17,20 +17,7 @@ namespace velum::io {
 
 namespace {
 
-/// Reads numbers out of a header of either byte order.
-struct Fields {
-  std::string_view bytes;
-  bool swap;
-  template <class T>
-  T at(std::size_t offset) const {
-    std::array<char, sizeof(T)> raw;
-    std::memcpy(raw.data(), bytes.data() + offset, sizeof(T));
-    if (swap) std::reverse(raw.begin(), raw.end());
-    return std::bit_cast<T>(raw);
-  }
-};
-
-void parseVersion1(const Fields& f, NiftiHeader& h) {
+void parseVersion1(const HeaderFields& f, NiftiHeader& h) {
   for (std::size_t i = 0; i < 8; ++i) {
     h.dim[i] = f.at<std::int16_t>(40 + 2 * i);
     h.pixdim[i] = f.at<float>(76 + 4 * i);
@@ -51,7 +38,7 @@ void parseVersion1(const Fields& f, NiftiHeader& h) {
   }
 }
 
-void parseVersion2(const Fields& f, NiftiHeader& h) {
+void parseVersion2(const HeaderFields& f, NiftiHeader& h) {
   for (std::size_t i = 0; i < 8; ++i) {
     h.dim[i] = f.at<std::int64_t>(16 + 8 * i);
     h.pixdim[i] = f.at<double>(104 + 8 * i);
@@ -200,7 +187,7 @@ NiftiHeader readNiftiHeader(const Path& file) {
   std::string bytes = readHead(h.file, 540);
   if (sizeOfFile(h.file) == 0) refuse(h.file, "is empty");
   if (bytes.size() < 348) refuse(h.file, "is too short for a NIfTI header");
-  Fields f{bytes, false};
+  HeaderFields f{bytes, false};
   auto claimed = f.at<std::int32_t>(0);
   f.swap = claimed == int(__builtin_bswap32(348)) || claimed == int(__builtin_bswap32(540));
   h.bigEndian = f.swap != (std::endian::native == std::endian::big);
@@ -235,7 +222,7 @@ std::vector<std::string> readNiftiExtensions(const NiftiHeader& h) {
   std::size_t at = h.headerBytes;
   if (bytes.size() < at + 12 || bytes[at] == 0) return texts;
   for (at += 4; at + 8 <= bytes.size();) {
-    Fields f{bytes, h.bigEndian != (std::endian::native == std::endian::big)};
+    HeaderFields f{bytes, h.bigEndian != (std::endian::native == std::endian::big)};
     auto size = f.at<std::int32_t>(at);
     if (size < 16 || std::size_t(size) > bytes.size() - at) break;
     texts.push_back(bytes.substr(at + 8, std::size_t(size) - 8));

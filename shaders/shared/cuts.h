@@ -1,0 +1,164 @@
+// What all cuts of a scene leave together. C++ and GLSL compile this text, and whoever wants to know asks it: the ray caster,
+// the light grid, surfaces, slices, kept voxels, exports.
+//
+// A cut removes a point of a structure where the point lies deeper in the cut's removed side than the cut spares the
+// structure. Inlays (membranes whose use is a slice with what lies next to it) add up: one of them that keeps a point is
+// enough. Of all other cuts each takes what it removes.
+#ifndef VELUM_SHARED_CUTS_H
+#define VELUM_SHARED_CUTS_H
+#include "shared/cut.h"
+SHARED_BEGIN
+
+/// What a cut spares of a structure; both 0: nothing.
+struct CutSpare {
+  float distance;  ///< how deep in the cut's removed side it is left, scene frame; kCutFar: all of it
+  float share;     ///< of its instances, those with a random number below it
+};
+
+/// How deep a cut leaves a thing with a random number in its removed side. Material of a volume has the number 0.
+SHARED_FN float spareDepth(CutSpare spare, float u) { return u < spare.share ? spare.distance : 0.0f; }
+
+SHARED_FN bool cutIsInlay(CutData cut) { return cut.kind.x == kCutMembrane && cut.kind.w == kMembraneSlice; }
+
+/// kCutKeeps or kCutRemoves: what a cut does with a point that it spares so deep.
+/// @param hasDepths  false where no spare ends: what is spared is spared whole, and nobody has to know how deep it lies
+SHARED_FN int cutAnswer(CutData cut, float depth, bool hasDepths, vec3 p SHARED_SHEETS) {
+  bool removes = cutRemoves(cut, p SHARED_PASS_SHEETS);
+  if (hasDepths && depth > 0.0f && depth < kCutFar) removes = removes && -cutDistance(cut, p SHARED_PASS_SHEETS) > depth;
+  return removes && depth < kCutFar ? kCutRemoves : kCutKeeps;
+}
+
+/// What the cuts that have been looked at leave of a point.
+struct CutFold {
+  bool isRemoved;  ///< some cut that is no inlay removes it
+  bool isNear;     ///< some cut that is no inlay has to be looked at closely
+  bool hasInlay;
+  bool inInlay;    ///< some inlay keeps it
+  bool nearInlay;  ///< some inlay has to be looked at closely
+};
+
+SHARED_FN CutFold emptyFold() {
+  CutFold fold;
+  fold.isRemoved = false;
+  fold.isNear = false;
+  fold.hasInlay = false;
+  fold.inInlay = false;
+  fold.nearInlay = false;
+  return fold;
+}
+
+/// Adds what one more cut does: kCutKeeps, kCutRemoves, or kCutNear where that is not known yet.
+SHARED_FN CutFold foldAnswer(CutFold fold, bool isInlay, int answer) {
+  fold.hasInlay = fold.hasInlay || isInlay;
+  fold.inInlay = fold.inInlay || (isInlay && answer == kCutKeeps);
+  fold.nearInlay = fold.nearInlay || (isInlay && answer == kCutNear);
+  fold.isRemoved = fold.isRemoved || (!isInlay && answer == kCutRemoves);
+  fold.isNear = fold.isNear || (!isInlay && answer == kCutNear);
+  return fold;
+}
+
+/// Adds one more cut. @param depth  spareDepth() of what is at the point; other parameters as of cutAnswer()
+SHARED_FN CutFold foldCut(CutFold fold, CutData cut, bool isInlay, float depth, bool hasDepths, vec3 p SHARED_SHEETS) {
+  return foldAnswer(fold, isInlay, cutAnswer(cut, depth, hasDepths, p SHARED_PASS_SHEETS));
+}
+
+/// Whether the cuts together keep the point, where none is kCutNear.
+SHARED_FN bool foldKeeps(CutFold fold) { return !fold.isRemoved && (fold.inInlay || !fold.hasInlay); }
+
+/// The same as an answer, kCutNear where only a closer look tells.
+SHARED_FN int foldSays(CutFold fold) {
+  if (fold.isRemoved || (fold.hasInlay && !fold.inInlay && !fold.nearInlay)) return kCutRemoves;
+  return fold.isNear || (fold.hasInlay && !fold.inInlay) ? kCutNear : kCutKeeps;
+}
+
+#if SHARED_HAS_SHEETS
+/// What cutAnswer() says, as far as one fetch tells; kCutNear where meshes of a sheet must be looked at.
+SHARED_FN int cutGuess(CutData cut, float depth, bool hasDepths, vec3 p SHARED_SHEETS) {
+  if (depth >= kCutFar) return kCutKeeps;
+  if (cut.kind.x != kCutMembrane) {
+    float distance = convexDistance(cut, p);
+    return distance < 0.0f && !(hasDepths && -distance <= depth) ? kCutRemoves : kCutKeeps;
+  }
+  int guess = membraneGuess(cut, vec3(cut.localFromScene * vec4(p, 1.0f)) SHARED_PASS_SHEETS);
+  return hasDepths && depth > 0.0f && guess == kCutRemoves ? kCutNear : guess;
+}
+
+/// Share of its opacity that inlays leave to a point, that of the inlay that leaves it most: adds one more of them. What
+/// it spares does not fade. @param depth  as of foldCut()
+SHARED_FN float foldShare(float share, CutData cut, float depth, bool hasDepths, vec3 p SHARED_SHEETS) {
+  bool isKept = cutAnswer(cut, depth, hasDepths, p SHARED_PASS_SHEETS) == kCutKeeps;
+  float own = depth > 0.0f ? 1.0f : membraneShare(cut, vec3(cut.localFromScene * vec4(p, 1.0f)).z);
+  return max(share, isKept ? own : 0.0f);
+}
+#endif
+
+/// How a cut goes on along a ray from t: where its removed part that holds t ends, t where there is none, and otherwise
+/// where its next one begins.
+struct CutRun {
+  float end;
+  float next;
+  int triangle;  ///< of a membrane, where it ends; -1: none
+};
+
+/// What the cuts that have been looked at do with a ray from t on, spares left out.
+struct RunFold {
+  CutFold at;           ///< with what follows t
+  float removedTo;      ///< where the last of the parts ends that cuts, other than inlays, remove from t on
+  int face;             ///< the cut on whose face that is
+  int triangle;
+  float next;           ///< where the first of them begins that does not hold t
+  float inlayChange;    ///< where the first inlay changes
+  int inlay;            ///< that one
+  int inlayTriangle;
+};
+
+SHARED_FN RunFold emptyRuns(float t) {
+  RunFold fold;
+  fold.at = emptyFold();
+  fold.removedTo = t;
+  fold.face = -1;
+  fold.triangle = -1;
+  fold.next = kCutFar;
+  fold.inlayChange = kCutFar;
+  fold.inlay = -1;
+  fold.inlayTriangle = -1;
+  return fold;
+}
+
+SHARED_FN RunFold foldRun(RunFold fold, int cut, bool isInlay, CutRun run, float t) {
+  bool removes = run.end > t;
+  fold.at = foldAnswer(fold.at, isInlay, removes ? kCutRemoves : kCutKeeps);
+  float change = removes ? run.end : run.next;
+  bool isFirst = isInlay && (fold.inlay < 0 || change < fold.inlayChange);
+  fold.inlayChange = isFirst ? change : fold.inlayChange;
+  fold.inlayTriangle = isFirst ? run.triangle : fold.inlayTriangle;
+  fold.inlay = isFirst ? cut : fold.inlay;
+  bool isLast = !isInlay && run.end > fold.removedTo;
+  fold.removedTo = isLast ? run.end : fold.removedTo;
+  fold.triangle = isLast ? run.triangle : fold.triangle;
+  fold.face = isLast ? cut : fold.face;
+  fold.next = isInlay || removes ? fold.next : min(fold.next, run.next);
+  return fold;
+}
+
+/// A stretch of a ray: all of it kept, or all of it removed by the cuts together.
+struct Stretch {
+  float end;     ///< where it ends, along the ray
+  bool kept;
+  int face;      ///< removed stretches: the cut on whose face they end
+  int triangle;  ///< and, of a membrane, the triangle there; -1: none
+};
+
+/// The stretch that begins where the fold does. A ray is walked stretch by stretch; each costs one look at every cut.
+SHARED_FN Stretch stretchOf(RunFold fold, float tEnd) {
+  Stretch stretch;
+  stretch.kept = foldKeeps(fold.at);
+  stretch.end = fold.at.isRemoved ? fold.removedTo : min(fold.next, fold.inlayChange);
+  stretch.end = min(stretch.end, tEnd);
+  stretch.face = fold.at.isRemoved ? fold.face : fold.inlay;
+  stretch.triangle = fold.at.isRemoved ? fold.triangle : fold.inlayTriangle;
+  return stretch;
+}
+
+SHARED_END
+#endif

@@ -1,0 +1,25 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "shared/cuts.h"
+#include "velum/scene/Scene.h"
+
+namespace velum::render {
+
+/// What the enabled cuts of a scene spare, by structure. Structures that no cut spares take four bytes up to the
+/// largest id that some cut spares, and nothing where no cut spares any.
+struct SpareTable {
+  std::vector<std::uint32_t> rowOf;    ///< by structure: its row from 1; 0: no cut spares it
+  std::vector<shared::CutSpare> rows;  ///< [rows][enabled cuts, in their order]
+  std::size_t cuts = 0;                ///< enabled ones
+  bool hasDepths = false;              ///< some spare ends somewhere
+
+  bool isEmpty() const { return rows.empty(); }
+  /// What an enabled cut spares of a structure. @param cut  which of the enabled ones
+  shared::CutSpare of(std::uint32_t structure, std::size_t cut) const;
+};
+
+SpareTable makeSpareTable(const scene::Scene& scene);
+
+}  // namespace velum::render

@@ -1,0 +1,65 @@
+#include "OlderVersions.h"
+
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+namespace velum::scene::detail {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Version 1 listed the structures that a cut leaves whole by their ids.
+Json sparesFromIds(Json ids) {
+  if (!ids.is_array()) return ids;
+  Json spares = Json::array();
+  for (auto& id : ids) spares.push_back({{"structure", std::move(id)}});
+  return spares;
+}
+
+/// A field that has another name, or another form, since a version.
+struct Change {
+  int since;              ///< files of an older version have it as it was
+  std::string_view path;  ///< where it was; "*" stands for each item of a list
+  const char* name;       ///< what it is called now, in the same object
+  Json (*convert)(Json);  ///< its value as it is now; null: as it was
+};
+
+constexpr Change kChanges[] = {
+    {2, "cuts.*.exempt", "spares", sparesFromIds},
+};
+
+/// Puts the new field in the place of the old one, so that fields keep their order.
+void change(Json& object, const std::string& old, const Change& by) {
+  Json next = Json::object();
+  for (auto& [name, value] : object.items()) {
+    if (name != old)
+      next[name] = std::move(value);
+    else
+      next[by.name] = by.convert ? by.convert(std::move(value)) : std::move(value);
+  }
+  object = std::move(next);
+}
+
+void changeAt(Json& node, std::string_view path, const Change& by) {
+  std::size_t dot = path.find('.');
+  std::string head(path.substr(0, dot));
+  if (head == "*") {
+    if (node.is_array())
+      for (auto& item : node) changeAt(item, path.substr(dot + 1), by);
+  } else if (node.is_object() && node.contains(head)) {
+    if (dot == path.npos)
+      change(node, head, by);
+    else
+      changeAt(node[head], path.substr(dot + 1), by);
+  }
+}
+
+}  // namespace
+
+void bringUpToDate(Json& scene, int version) {
+  for (const Change& by : kChanges)
+    if (version < by.since) changeAt(scene, by.path, by);
+}
+
+}  // namespace velum::scene::detail

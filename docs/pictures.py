@@ -47,7 +47,7 @@ SKULL = [*BARE_HEAD, "--preset", "ct-bone"]
 XRAY = sets("rayCast.mode=mip", "volume.windowLevel=900", "volume.windowWidth=2200")
 REGIONS = [TEMPLATES + "ch2.nii.gz", TEMPLATES + "aal.nii.gz", *OBLIQUE, *near(21), *sets("camera.targetMm=0,17,4")]
 OPENED = cut(0, "axis=-0.55,-0.2,0.8", "centreMm=0,15,10")
-SPARED = [*OPENED, *sets("cuts.0.exempt=" + ids(1, 116))]
+SPARED = [*OPENED, *sets("cuts.0.spares=" + ids(1, 116))]
 MACAQUE = [TEMPLATES + "inia19-t1-brain.nii.gz", TEMPLATES + "inia19-NeuroMaps.nii.gz"]
 TRACTS = [TEMPLATES + "ch2better.nii.gz", TEMPLATES + "JHU-WhiteMatter-labels-1mm.nii.gz"]
 HIDDEN = ("skin", "subcutaneous fat", "visceral fat", "muscle")
@@ -153,7 +153,7 @@ def sheet(folder):
     return [
         [WELCOME],
         [*REGIONS, *SPARED],
-        [*TRACTS, *OBLIQUE, *near(17.5), *cut(0, "axis=-1,-0.25,0.6", "centreMm=4,10,12", "exempt=" + ids(1, 50))],
+        [*TRACTS, *OBLIQUE, *near(17.5), *cut(0, "axis=-1,-0.25,0.6", "centreMm=4,10,12", "spares=" + ids(1, 50))],
         [*MACAQUE, *OBLIQUE, *near(15), *cut(0, "shape=box", "centreMm=-25,-25,25", "sizeMm=50,50,40")],
         [TEMPLATES + "ch2better.nii.gz", *OBLIQUE, *near(17.5),
          *cut(0, "shape=box", "centreMm=-50,-60,60", "sizeMm=100,120,100", "face=slice")],

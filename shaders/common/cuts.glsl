@@ -1,59 +1,54 @@
 // Rays and positions against all cuts of the scene.
-#include "shared/cut.h"
+#include "shared/cuts.h"
 #include "common/frame.glsl"
 
 layout(std430, binding = kCutBinding) readonly buffer CutBlock { CutData cuts[]; };
-// Bit i % 32 of word i / 32 of a structure's mask: cut i spares it. kCutBinding's order; (cutCount + 31) / 32 words a structure.
-layout(std430, binding = kExemptBinding) readonly buffer ExemptBlock { uint exemptMask[]; };
+// What cuts spare: for structures up to the largest that one spares, the row from 1, or 0; a row has a spare for each cut.
+layout(std430, binding = kSpareIndexBinding) readonly buffer SpareIndexBlock { uint spareRow[]; };
+layout(std430, binding = kSpareBinding) readonly buffer SpareBlock { CutSpare spares[]; };
 
-bool isExempt(uint structure, int cut) {
-  if (!hasFlag(kFlagExemptions) || structure >= uint(frame.structureCount)) return false;
-  uint word = exemptMask[structure * uint((frame.cutCount + 31) / 32) + uint(cut >> 5)];
-  return (word >> uint(cut & 31) & 1u) != 0u;
+/// Where a structure's spares begin; -1: no cut spares it.
+int sparesOf(uint structure) {
+  if (!hasFlag(kFlagSpares) || structure >= uint(spareRow.length())) return -1;
+  return (int(spareRow[structure]) - 1) * frame.cutCount;
 }
 
-bool isSlice(int cut) {
+/// How deep a cut leaves something in its removed side. @param first  sparesOf() its structure
+/// @param u  the random number of an instance; of material 0
+float sparedDepth(int first, int cut, float u) {
+  if (!hasFlag(kFlagSpares) || first < 0) return 0.0;
+  return spareDepth(spares[first + cut], u);
+}
+float sparedDepth(int first, int cut) { return sparedDepth(first, cut, 0.0); }
+
+bool isInlay(int cut) {
 #ifdef MEMBRANES
-  return hasFlag(kFlagSlices) && cuts[cut].kind.x == kCutMembrane && cuts[cut].kind.w == kMembraneSlice;
+  return hasFlag(kFlagSlices) && cutIsInlay(cuts[cut]);
 #else
   return false;
 #endif
 }
 
-/// True when no cut removes a position of a structure. Slices add up: one of them that keeps it is enough.
-bool cutsKeep(vec3 scenePoint, uint structure) {
-  bool hasSlice = false;
-  bool inSlice = false;
-  for (int i = 0; i < frame.cutCount; ++i) {
-    bool keeps = !cutRemoves(cuts[i], scenePoint) || isExempt(structure, i);
-    hasSlice = hasSlice || isSlice(i);
-    inSlice = inSlice || (keeps && isSlice(i));
-    if (!keeps && !isSlice(i)) return false;
-  }
-  return inSlice || !hasSlice;
+/// True when no cut removes a position of a structure. Inlays add up: one of them that keeps it is enough.
+/// @param u  the random number of an instance; of material 0
+bool cutsKeep(vec3 scenePoint, uint structure, float u) {
+  CutFold fold = emptyFold();
+  int first = sparesOf(structure);
+  for (int i = 0; i < frame.cutCount && !fold.isRemoved; ++i)
+    fold = foldCut(fold, cuts[i], isInlay(i), sparedDepth(first, i, u), hasFlag(kFlagSpareDepths), scenePoint);
+  return foldKeeps(fold);
 }
+bool cutsKeep(vec3 scenePoint, uint structure) { return cutsKeep(scenePoint, structure, 0.0); }
 
 #ifdef MEMBRANES
-/// The cuts against a position, 1 kept, 0 removed, 2 where meshes of a sheet must be looked at. As a software driver looks at
-/// them whether it needs to or not, this is for those who ask for many positions.
+/// The cuts against a position: kCutKeeps, kCutRemoves, or kCutNear where meshes of a sheet must be looked at. As a software
+/// driver looks at them whether it needs to or not, this is for those who ask for many positions.
 int cutsGuess(vec3 scenePoint, uint structure) {
-  bool removed = false;
-  bool isNear = false;
-  bool hasSlice = false;
-  bool inSlice = false;
-  bool nearSlice = false;
-  for (int i = 0; i < frame.cutCount; ++i) {
-    int guess = convexDistance(cuts[i], scenePoint) < 0.0 ? kCutRemoves : kCutKeeps;
-    if (cuts[i].kind.x == kCutMembrane) guess = membraneGuess(cuts[i], (cuts[i].localFromScene * vec4(scenePoint, 1.0)).xyz);
-    if (isExempt(structure, i)) guess = kCutKeeps;
-    hasSlice = hasSlice || isSlice(i);
-    inSlice = inSlice || (isSlice(i) && guess == kCutKeeps);
-    nearSlice = nearSlice || (isSlice(i) && guess == kCutNear);
-    removed = removed || (!isSlice(i) && guess == kCutRemoves);
-    isNear = isNear || (!isSlice(i) && guess == kCutNear);
-  }
-  if (removed || (hasSlice && !inSlice && !nearSlice)) return 0;
-  return isNear || (hasSlice && !inSlice) ? 2 : 1;
+  CutFold fold = emptyFold();
+  int first = sparesOf(structure);
+  for (int i = 0; i < frame.cutCount; ++i)
+    fold = foldAnswer(fold, isInlay(i), cutGuess(cuts[i], sparedDepth(first, i), hasFlag(kFlagSpareDepths), scenePoint));
+  return foldSays(fold);
 }
 #endif
 
@@ -75,15 +70,12 @@ vec3 sheetNormalAt(int cut, int triangle, vec3 p, vec3 direction) {
   return membraneNormal(c, triangle, (c.localFromScene * vec4(p, 1.0)).xyz, toLocal * direction) * toLocal;
 }
 
-/// Share of its opacity that slices leave to a position of a structure: that of the slice that leaves it most.
+/// Share of its opacity that inlays leave to a position of a structure: that of the inlay that leaves it most.
 float sliceShare(vec3 scenePoint, uint structure) {
   float share = 0.0;
-  for (int i = 0; i < frame.cutCount; ++i) {
-    if (!isSlice(i)) continue;
-    vec3 p = (cuts[i].localFromScene * vec4(scenePoint, 1.0)).xyz;
-    float own = isExempt(structure, i) ? 1.0 : membraneRemoves(cuts[i], p) ? 0.0 : membraneShare(cuts[i], p.z);
-    share = max(share, own);
-  }
+  int first = sparesOf(structure);
+  for (int i = 0; i < frame.cutCount; ++i)
+    if (isInlay(i)) share = foldShare(share, cuts[i], sparedDepth(first, i), hasFlag(kFlagSpareDepths), scenePoint);
   return share;
 }
 
@@ -94,11 +86,18 @@ float fadedDepth(float depth, float thickness, float share) {
   return share >= 1.0 ? depth : -log(max(1.0 - share * opacity, 1e-6)) * voxels;
 }
 
-/// Whether a slice's image shows in a place: what cuts, other than slices, remove takes the image with it.
+/// Whether a slice's image shows in a place: what cuts, other than slices, remove takes the image with it. On a face of
+/// theirs it shows.
 bool sliceShows(vec3 scenePoint, uint structure) {
-  for (int i = 0; i < frame.cutCount; ++i)
-    if (!isSlice(i) && cutDistance(cuts[i], scenePoint) < -0.01 / frame.voxelsPerLength && !isExempt(structure, i)) return false;
-  return true;
+  CutFold fold = emptyFold();
+  int first = sparesOf(structure);
+  float onFace = 0.01 / frame.voxelsPerLength;
+  for (int i = 0; i < frame.cutCount; ++i) {
+    if (isInlay(i)) continue;
+    bool removes = cutDistance(cuts[i], scenePoint) < -max(onFace, sparedDepth(first, i));
+    fold = foldAnswer(fold, false, removes ? kCutRemoves : kCutKeeps);
+  }
+  return foldKeeps(fold);
 }
 
 /// Something thin that a ray passes.
@@ -112,7 +111,7 @@ struct Mark {
 Mark nextSlice(Ray ray, Mark before) {
   Mark mark = Mark(kFar, -1, -1);
   for (int i = 0; i < frame.cutCount; ++i) {
-    if (!isSlice(i)) continue;
+    if (!isInlay(i)) continue;
     vec3 o = (cuts[i].localFromScene * vec4(ray.origin, 1.0)).xyz;
     vec3 d = mat3(cuts[i].localFromScene) * ray.direction;
     float t = -o.z / sheetNonZero(d.z);
@@ -136,26 +135,10 @@ Mark nextSheet(Ray ray, float t, float tEnd) {
 }
 #endif
 
-/// A stretch of a ray: all of it kept, or all of it removed by at least one cut.
-struct Stretch {
-  float end;     // where it ends, along the ray
-  bool kept;
-  int face;      // removed stretches: the cut on whose face they end
-  int triangle;  // and, of a membrane, the triangle there; -1: none
-};
-
-/// How a cut goes on along a ray from t: where its removed part that holds t ends, t where there is none, and otherwise
-/// where its next one begins.
-struct Run {
-  float end;
-  float next;
-  int triangle;  // of a membrane, where it ends; -1: none
-};
-
-Run convexRun(int cut, Ray ray, float t, float e) {
+CutRun convexRun(int cut, Ray ray, float t, float e) {
   vec2 inside = cutInterval(cuts[cut], ray.origin, ray.direction);
   bool hit = inside.x < inside.y;
-  Run run = Run(t, kFar, -1);
+  CutRun run = CutRun(t, kFar, -1);
   if (cuts[cut].halfSize.w > 0.0) {
     if (hit && t >= inside.x - e && t < inside.y - e) run.end = inside.y;
     else if (hit && t < inside.x) run.next = inside.x;
@@ -172,16 +155,16 @@ Run convexRun(int cut, Ray ray, float t, float e) {
 #ifdef MEMBRANES
 /// What a membrane does as far as its next crossing is asked in the middle between: rays that graze the sheet, or meet it
 /// on the edge of two triangles, go wrong for a hair at most.
-Run membraneRun(int cut, Ray ray, float t, float e, float tEnd) {
+CutRun membraneRun(int cut, Ray ray, float t, float e, float tEnd) {
   SheetHit crossing = membraneCrossing(cuts[cut], ray.origin, ray.direction, t + e, tEnd);
   float middle = 0.5 * (t + min(crossing.t, tEnd));
   vec3 p = (cuts[cut].localFromScene * vec4(ray.origin + middle * ray.direction, 1.0)).xyz;
   bool removes = membraneRemoves(cuts[cut], p);
-  return Run(removes ? crossing.t : t, removes ? kFar : crossing.t, crossing.triangle);
+  return CutRun(removes ? crossing.t : t, removes ? kFar : crossing.t, crossing.triangle);
 }
 #endif
 
-Run runFrom(int cut, Ray ray, float t, float e, float tEnd) {
+CutRun runFrom(int cut, Ray ray, float t, float e, float tEnd) {
 #ifdef MEMBRANES
   if (cuts[cut].kind.x == kCutMembrane) return membraneRun(cut, ray, t, e, tEnd);
 #endif
@@ -190,39 +173,8 @@ Run runFrom(int cut, Ray ray, float t, float e, float tEnd) {
 
 /// The stretch that begins at t. A ray is walked stretch by stretch; each costs one look at every cut.
 Stretch stretchFrom(Ray ray, float t, float tEnd) {
-  Stretch stretch = Stretch(tEnd, true, -1, -1);
-  float removedTo = t;
+  RunFold fold = emptyRuns(t);
   float e = 1e-5 * max(1.0, abs(t));
-  // Of the slices together: whether one keeps what follows, and as far as none of them changes.
-  bool hasSlice = false;
-  bool inSlice = false;
-  Run slices = Run(kFar, kFar, -1);
-  int sliceCut = -1;
-  for (int i = 0; i < frame.cutCount; ++i) {
-    Run run = runFrom(i, ray, t, e, tEnd);
-    if (isSlice(i)) {
-      hasSlice = true;
-      inSlice = inSlice || run.end <= t;
-      float change = run.end > t ? run.end : run.next;
-      if (sliceCut < 0 || change < slices.end) {
-        slices.end = change;
-        slices.triangle = run.triangle;
-        sliceCut = i;
-      }
-      continue;
-    }
-    if (run.end > removedTo) {
-      removedTo = run.end;
-      stretch.face = i;
-      stretch.triangle = run.triangle;
-      stretch.kept = false;
-    }
-    if (stretch.kept) stretch.end = min(stretch.end, run.next);
-  }
-  if (!stretch.kept) {
-    stretch.end = min(removedTo, tEnd);
-  } else if (hasSlice) {
-    stretch = Stretch(min(stretch.end, slices.end), inSlice, sliceCut, slices.triangle);
-  }
-  return stretch;
+  for (int i = 0; i < frame.cutCount; ++i) fold = foldRun(fold, i, isInlay(i), runFrom(i, ray, t, e, tEnd), t);
+  return stretchOf(fold, tEnd);
 }

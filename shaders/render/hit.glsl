@@ -32,5 +32,5 @@ struct Span {
   float a;
   float b;
   Face face;  // that it begins on
-  bool exemptOnly;
+  bool sparedOnly;
 };

@@ -114,9 +114,9 @@ void castMarked(inout Hit hit, Ray ray, Walk walk, float from, float tEnd) {
       }
     } else {
       float end = min(stretch.end, mark);
-      bool exemptOnly = !stretch.kept;
-      if (end > t && (stretch.kept || hasFlag(kFlagExemptions)) && !isHidden(isBehind))
-        marchStretch(hit, ray, walk, Span(t, end, exemptOnly ? kNoFace : face, exemptOnly));
+      bool sparedOnly = !stretch.kept;
+      if (end > t && (stretch.kept || hasFlag(kFlagSpares)) && !isHidden(isBehind))
+        marchStretch(hit, ray, walk, Span(t, end, sparedOnly ? kNoFace : face, sparedOnly));
       face = kNoFace;
       t = max(end, t + 1e-6);
     }

@@ -64,8 +64,8 @@ void main() {
   for (int i = 0; i < 8; ++i) {
     Place place = placeAt(sampleTex(cell, i));
     int guess = cutsGuess(place.point, place.structure);
-    sum += guess == 1 ? place.extinction : 0.0;
-    near |= guess == 2 && place.extinction > 0.0 ? 1u << i : 0u;
+    sum += guess == kCutKeeps ? place.extinction : 0.0;
+    near |= guess == kCutNear && place.extinction > 0.0 ? 1u << i : 0u;
   }
   do {
     Place place = placeAt(sampleTex(cell, max(findLSB(near), 0)));

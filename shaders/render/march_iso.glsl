@@ -7,7 +7,7 @@
 #include "render/walk.glsl"
 
 /// What the surface looks like where the ray meets it; nothing when its structure is not shown.
-void addSurface(inout Hit hit, Ray ray, Walk walk, float t, Face face, bool exemptOnly) {
+void addSurface(inout Hit hit, Ray ray, Walk walk, float t, Face face, bool sparedOnly) {
   float iso = frame.isoValue * float(kTransferSize - 1);
   vec3 p = ray.origin + t * ray.direction;
   vec3 tex = texAt(walk, t);
@@ -15,7 +15,7 @@ void addSurface(inout Hit hit, Ray ray, Walk walk, float t, Face face, bool exem
 #if LABELS == 1
   structure = labelAt(p);
   bool shown = structure == 0u ? frame.unlabelledOpacity > 0.0 : structureRow(structure).a > 0.0;
-  if (!shown || (exemptOnly && !cutsKeep(p, structure))) return;
+  if (!shown || (sparedOnly && !cutsKeep(p, structure))) return;
 #endif
   vec3 gradient = gradientAt(tex);
   float len = length(gradient);
@@ -55,7 +55,7 @@ void marchStretch(inout Hit hit, Ray ray, Walk walk, Span span) {
   float iso = frame.isoValue * float(kTransferSize - 1);
   float b = span.b;
   float t = span.a;
-  if (isOnFace(span.face) && tableAt(texAt(walk, t)) >= iso) addSurface(hit, ray, walk, t, span.face, span.exemptOnly);
+  if (isOnFace(span.face) && tableAt(texAt(walk, t)) >= iso) addSurface(hit, ray, walk, t, span.face, span.sparedOnly);
   float low;
   float high;
   float x;
@@ -63,7 +63,7 @@ void marchStretch(inout Hit hit, Ray ray, Walk walk, Span span) {
   do {
     // Go on to the next segment that crosses the value.
     do {
-      if (hasFlag(kFlagSkipEmpty)) t = leapEmpty(walk, t, b, walk.dt, 1.0 / walk.dt, span.exemptOnly);
+      if (hasFlag(kFlagSkipEmpty)) t = leapEmpty(walk, t, b, walk.dt, 1.0 / walk.dt, span.sparedOnly);
       x = tableAt(texAt(walk, t));
       int n = 0;
       do {
@@ -85,6 +85,6 @@ void marchStretch(inout Hit hit, Ray ray, Walk walk, Span span) {
       low = sameSide ? mid : low;
       high = sameSide ? high : mid;
     }
-    if (crosses && !isDone(hit)) addSurface(hit, ray, walk, 0.5 * (low + high), kNoFace, span.exemptOnly);
+    if (crosses && !isDone(hit)) addSurface(hit, ray, walk, 0.5 * (low + high), kNoFace, span.sparedOnly);
   } while (!isDone(hit) && t < b);
 }

@@ -44,7 +44,7 @@ float leapLower(Walk walk, float t, float b) {
 }
 
 /// Keeps the sample at t if it is the best.
-void addValue(inout Hit hit, Ray ray, Walk walk, float t, bool exemptOnly) {
+void addValue(inout Hit hit, Ray ray, Walk walk, float t, bool sparedOnly) {
   float value = tableAt(texAt(walk, t)) / float(kTransferSize - 1);
   bool shown = true;
   uint structure = 0u;
@@ -53,8 +53,8 @@ void addValue(inout Hit hit, Ray ray, Walk walk, float t, bool exemptOnly) {
 #if LABELS == 1
   structure = labelAt(p);
   shown = structure == 0u ? frame.unlabelledOpacity > 0.0 : structureRow(structure).a > 0.0;
-  if (exemptOnly) shown = shown && cutsKeep(p, structure);
 #endif
+  if (hasFlag(kFlagSpares) && sparedOnly) shown = shown && cutsKeep(p, structure);
 #ifdef MEMBRANES
   if (hasFlag(kFlagSlices)) share = sliceShare(p, structure);
 #endif
@@ -71,10 +71,10 @@ void marchStretch(inout Hit hit, Ray ray, Walk walk, Span span) {
   float t = span.a;
   bool more = true;
   do {
-    if (hasFlag(kFlagSkipEmpty) && !span.exemptOnly) t = leapLower(walk, t, span.b);
+    if (hasFlag(kFlagSkipEmpty) && !span.sparedOnly) t = leapLower(walk, t, span.b);
     int n = 0;
     do {
-      addValue(hit, ray, walk, t, span.exemptOnly);
+      addValue(hit, ray, walk, t, span.sparedOnly);
       more = more && t < span.b;
       t = min(nextSample(walk, t), span.b);
     } while (more && ++n < kBlock);

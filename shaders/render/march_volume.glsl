@@ -26,7 +26,7 @@ void addFaceData(inout Hit hit, Ray ray, float t, int cut, vec3 normal) {
 
 /// Shades and composites one segment.
 /// @param faceT  where the face lies that the ray has come through last; < 0: none
-void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, float faceT, vec3 faceNormal, bool exemptOnly) {
+void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, float faceT, vec3 faceNormal, bool sparedOnly) {
   float tm = 0.5 * (segment.t0 + segment.t1);
   vec3 p = ray.origin + tm * ray.direction;
   vec3 tex = texAt(walk, tm);
@@ -34,9 +34,11 @@ void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, float faceT,
   float depth = segment.depth;
   float alpha = 1.0 - exp(-depth);
   // Whose material it is, and of what colour.
-#if LABELS == 2
+#if LABELS != 0
   structure = labelAt(p);
-  if (exemptOnly && !cutsKeep(p, structure)) return;
+#endif
+  if (hasFlag(kFlagSpares) && sparedOnly && !cutsKeep(p, structure)) return;
+#if LABELS == 2
   vec4 material = labelMaterial(p);
   vec3 albedo = material.rgb / max(material.a, 1e-6);
 #else
@@ -46,8 +48,6 @@ void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, float faceT,
   vec3 albedo = colorBetween(segment.x0, segment.x1);
 #endif
 #if LABELS == 1
-  structure = labelAt(p);
-  if (exemptOnly && !cutsKeep(p, structure)) return;
   vec4 row = structureRow(structure);
   depth *= structure == 0u ? frame.unlabelledOpacity : row.a;
   if (structure != 0u) albedo = mix(albedo, row.rgb, frame.labelTint);
@@ -223,7 +223,7 @@ void marchStretch(inout Hit hit, Ray ray, Walk walk, Span span) {
     bool found;
     float end;
     do {
-      if (hasFlag(kFlagSkipEmpty)) t = leapEmpty(walk, t, b, groupLength, perGroup, span.exemptOnly);
+      if (hasFlag(kFlagSkipEmpty)) t = leapEmpty(walk, t, b, groupLength, perGroup, span.sparedOnly);
       group = groupAt(walk, walk.first + floor((t - walk.first) * perGroup + 1e-4) * groupLength, t, b);
       found = mayShow(group, walk, ray);
       end = max(timeIn(group, walk, kGroup), t + 1e-5 * walk.dt);
@@ -235,7 +235,7 @@ void marchStretch(inout Hit hit, Ray ray, Walk walk, Span span) {
     uint marks = depths.marks;
     do {
       Segment segment = segmentAt(group, walk, depths, max(findLSB(marks), 0));
-      if (marks != 0u) addSegment(hit, ray, walk, segment, faceT, faceNormal, span.exemptOnly);
+      if (marks != 0u) addSegment(hit, ray, walk, segment, faceT, faceNormal, span.sparedOnly);
       marks &= marks - 1u;
     } while (marks != 0u && hit.color.a < cutoff);
   } while (t < b && hit.color.a < cutoff);

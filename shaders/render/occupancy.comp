@@ -29,7 +29,7 @@ void main() {
   vec2 range = cellRange[index] * frame.tablePerTexel + frame.tableOffset;
   range = vec2(min(range.x, range.y), max(range.x, range.y));
   bool content = mode.x == 0 ? hasOpacity(range) : mode.x == 1 ? range.x <= frame.isoValue && range.y >= frame.isoValue : true;
-  bool spared = false;
+  bool spared = content && (visibleSet.z & 1) != 0;  // without labels all of it has none
   if (mode.y != 0) {
     uvec2 labels = cellLabels[index];
     content = content && any(notEqual(labels & uvec2(visibleSet.xy), uvec2(0u)));

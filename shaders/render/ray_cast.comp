@@ -30,9 +30,12 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = kNoiseUnit) uniform sampler2D noiseTexture;
 layout(binding = kSurfaceColorUnit) uniform sampler2D surfaceColorTexture;
 layout(binding = kSurfaceAuxUnit) uniform sampler2D surfaceAuxTexture;  // xyz normal, w distance along the ray
+layout(binding = kSurfaceIdUnit) uniform usampler2D surfaceIdTexture;
 
-layout(binding = 0, rgba32f) uniform image2D sumImage;            // premultiplied colour, averaged over the samples so far
-layout(binding = 1, rgba32f) uniform writeonly image2D hitImage;  // distance along the ray; normal, octahedral; structure id + 1, 0: no hit
+// The Gbuffer: see shared/frame.h.
+layout(binding = kColorImage, rgba32f) uniform image2D colorImage;  // premultiplied, the sum of the samples so far
+layout(binding = kSurfaceImage, rgba32f) uniform writeonly image2D surfaceImage;
+layout(binding = kIdImage, rg32ui) uniform writeonly uimage2D idImage;
 
 layout(location = 0) uniform ivec4 tile;          // x, y: corner in the image; z, w: its size
 layout(location = 1) uniform ivec2 windowOrigin;  // the image's corner in the whole picture
@@ -50,7 +53,7 @@ void castStretches(inout Hit hit, Ray ray, Walk walk, float from, float tEnd) {
     Stretch stretch = stretchFrom(ray, t, tEnd);
     if (stretch.end > t) {
       if (stretch.kept) marchStretch(hit, ray, walk, Span(t, stretch.end, face, false));
-      else if (hasFlag(kFlagExemptions)) marchStretch(hit, ray, walk, Span(t, stretch.end, kNoFace, true));
+      else if (hasFlag(kFlagSpares)) marchStretch(hit, ray, walk, Span(t, stretch.end, kNoFace, true));
     }
     face = stretch.kept ? kNoFace : Face(stretch.face, stretch.triangle);
     t = stretch.kept ? stretch.end : max(stretch.end, t + 1e-6);
@@ -77,13 +80,6 @@ Hit castRay(Ray ray, float jitter, float stop) {
   return hit;
 }
 
-/// A unit vector on the square -1..1: octahedral mapping.
-vec2 octahedral(vec3 n) {
-  n /= abs(n.x) + abs(n.y) + abs(n.z);
-  vec2 folded = (1.0 - abs(n.yx)) * mix(vec2(-1.0), vec2(1.0), greaterThanEqual(n.xy, vec2(0.0)));
-  return n.z >= 0.0 ? n.xy : folded;
-}
-
 /// The pixel of the tile that is this thread's.
 ivec2 pixelInTile() {
   // Neighbours in a SIMD group are neighbours in the picture: runs of eight are blocks of four by two.
@@ -108,8 +104,10 @@ void main() {
   float jitter = hasFlag(kFlagJitter) ? fract(texelFetch(noiseTexture, inPicture & (textureSize(noiseTexture, 0) - 1), 0).r + frame.noise) : 0.5;
 
   Hit hit = castRay(ray, jitter, stop);
+  uint instance = kDataInstance;
   if (surface.a > 0.0 && !hasFlag(kFlagHideBehind)) {
     if (hit.color.a < 0.5) {
+      instance = texelFetch(surfaceIdTexture, min(pixel, textureSize(surfaceIdTexture, 0) - 1), 0).r;
       hit.distance = surfaceAux.w;
       hit.normal = surfaceAux.xyz;
       hit.structure = 0u;
@@ -118,8 +116,9 @@ void main() {
   }
   if (frame.sampleIndex == 0) {
     bool found = hit.distance < kFar && hit.color.a > 0.0;
-    imageStore(hitImage, pixel, found ? vec4(hit.distance, octahedral(hit.normal), float(hit.structure) + 1.0) : vec4(0.0));
+    imageStore(surfaceImage, pixel, found ? vec4(hit.normal, hit.distance) : vec4(0.0));
+    imageStore(idImage, pixel, found ? uvec4(hit.structure, instance + 1u, 0u, 0u) : uvec4(0u));
   }
-  vec4 before = frame.sampleIndex == 0 ? vec4(0.0) : imageLoad(sumImage, pixel);
-  imageStore(sumImage, pixel, before + hit.color);
+  vec4 before = frame.sampleIndex == 0 ? vec4(0.0) : imageLoad(colorImage, pixel);
+  imageStore(colorImage, pixel, before + hit.color);
 }

@@ -3,8 +3,8 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 #include "common/frame.glsl"
 
-layout(binding = 0, rgba32f) uniform readonly image2D sumImage;
-layout(binding = 1, rgba8) uniform writeonly image2D pictureImage;
+layout(binding = kColorImage, rgba32f) uniform readonly image2D colorImage;
+layout(binding = kPictureImage, rgba8) uniform writeonly image2D pictureImage;
 
 layout(location = 0) uniform ivec2 windowOrigin;  // the image's corner in the whole picture
 layout(location = 1) uniform int samples;         // that are complete
@@ -20,7 +20,7 @@ void main() {
   if (any(greaterThanEqual(pixel, size))) return;
   bool inStrip = pixel.y >= strip.x && pixel.y < strip.y && pixel.x < columnsDone;
   int count = samples + (pixel.y < rowsDone || inStrip ? 1 : 0);
-  vec4 color = count > 0 ? imageLoad(sumImage, pixel) / float(count) : vec4(0.0);
+  vec4 color = count > 0 ? imageLoad(colorImage, pixel) / float(count) : vec4(0.0);
   float v = (float(pixel.y + windowOrigin.y) + 0.5) / frame.pictureSize.y;
   vec3 behind = mix(top.rgb, bottom.rgb, v);
   // Half a grey level of ordered noise hides the steps of a slow gradient.

@@ -7,8 +7,10 @@ layout(location = 0) in vec3 scenePoint;
 layout(location = 1) in vec3 sceneNormal;
 layout(location = 0) out vec4 color;
 layout(location = 1) out vec4 aux;  // normal, distance along the ray
+layout(location = 2) out uint id;   // instance
 
 layout(location = 0) uniform vec4 albedo;  // a: 0 draws it unlit (outlines)
+layout(location = 1) uniform int instance;
 
 void main() {
   if (albedo.a > 0.0 && !cutsKeep(scenePoint, 0u)) discard;
@@ -17,5 +19,6 @@ void main() {
   normal = length(normal) > 0.0 ? normalize(normal) : -toPoint;  // a line has none
   if (dot(normal, toPoint) > 0.0) normal = -normal;
   color = vec4(albedo.a > 0.0 ? shadeSurface(albedo.rgb, normal, -toPoint, lightTexAt(scenePoint, normal)) : albedo.rgb, 1.0);
+  id = uint(instance);
   aux = vec4(normal, dot(scenePoint - frame.eye.xyz, toPoint));
 }

@@ -1,7 +1,7 @@
 // A ray's way through the volume: its lattice of samples, the cells under it, and leaps over those that are empty.
 #include "common/frame.glsl"
 
-layout(binding = kSkipUnit) uniform usampler3D skipTexture;  // r, g: cells to the nearest with content, with exempt content
+layout(binding = kSkipUnit) uniform usampler3D skipTexture;  // r, g: cells to the nearest with content, with spared content
 
 vec3 texFrom(vec3 p) { return (frame.texFromScene * vec4(p, 1.0)).xyz; }
 
@@ -65,18 +65,18 @@ float leaveCube(Walk walk, float t, ivec3 cell, uint reach) {
 }
 
 /// Distance, in cells, to the next cell with content; 0 in one.
-uint cellsToContent(ivec3 cell, bool exemptOnly) {
+uint cellsToContent(ivec3 cell, bool sparedOnly) {
   uvec2 d = texelFetch(skipTexture, cell, 0).rg;
-  return exemptOnly ? d.g : d.r;
+  return sparedOnly ? d.g : d.r;
 }
 
 /// Leaps from t over cells without content, at most to b, and only to places that are a number of strides (1 / perStride)
 /// from the lattice's first point: what is sampled is the same as without leaping.
-float leapEmpty(Walk walk, float t, float b, float stride, float perStride, bool exemptOnly) {
+float leapEmpty(Walk walk, float t, float b, float stride, float perStride, bool sparedOnly) {
   bool leaping;
   do {
     ivec3 cell = cellAt(walk, t);
-    uint reach = cellsToContent(cell, exemptOnly);
+    uint reach = cellsToContent(cell, sparedOnly);
     // To the last place that lies inside the empty cube: the segment that leaves it is still looked at.
     float leave = leaveCube(walk, t, cell, reach);
     float target = leave >= b ? b : walk.first + floor((leave - walk.first) * perStride - 1e-4) * stride;

@@ -14,12 +14,16 @@ SHARED_CONST int kCutMembrane = 5;
 SHARED_CONST int kMembraneClip = 0;   // removes what is above its sheet
 SHARED_CONST int kMembraneSlice = 1;  // removes all but what lies between its sheet and the plane z = 0
 SHARED_CONST float kCutFar = 1e30f;
+// What a cut does with a point.
+SHARED_CONST int kCutKeeps = 0;
+SHARED_CONST int kCutRemoves = 1;
+SHARED_CONST int kCutNear = 2;  // only the meshes of a sheet tell
 
 /// One enabled cut. Frame: scene-local millimetres (world minus the frame's origin).
 struct CutData {
   mat4 localFromScene;  ///< rigid
   vec4 halfSize;        ///< xyz: half edges, radius in x; w: 1 removes the inside, -1 the outside
-  ivec4 kind;           ///< x: kCut*; y: 1 shows the slice on its face; z: 1 when some structure is exempt; w: kMembrane*
+  ivec4 kind;           ///< x: kCut*; y: 1 shows the slice on its face; w: kMembrane*
   vec4 face;            ///< x: opacity of the slice face
   ivec4 sheet;          ///< membranes: x: first row; y, z: particles across, up; w: 1 shown as lines, 2 as a surface
   vec4 slice;           ///< membranes: x: opacity of the slice's image; y: 1/mm of the fall-off; z, w: factors above, below
@@ -64,10 +68,6 @@ SHARED_FN SheetPlan cutSheet(CutData cut) {
   plan.halfSize = vec3(cut.halfSize);
   return plan;
 }
-
-SHARED_CONST int kCutKeeps = 0;
-SHARED_CONST int kCutRemoves = 1;
-SHARED_CONST int kCutNear = 2;  // only the meshes of a sheet tell
 
 SHARED_FN bool membraneRemovesSide(CutData cut, vec3 p, bool isAbove) {
   if (cut.kind.w == kMembraneSlice) return isAbove == (p.z > 0.0f) || !sheetHolds(cutSheet(cut), p);

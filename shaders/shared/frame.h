@@ -1,32 +1,18 @@
 // What every pass of a frame knows. std140: only mat4, vec4 and what fills 16 bytes.
 #ifndef VELUM_SHARED_FRAME_H
 #define VELUM_SHARED_FRAME_H
+#include "shared/bindings.h"
 #include "shared/types.h"
 SHARED_BEGIN
-
-// Bindings, one list for all passes.
-SHARED_CONST uint kFrameBinding = 0u;      // uniform blocks
-SHARED_CONST uint kVolumeUnit = 0u;        // samplers
-SHARED_CONST uint kLabelUnit = 1u;
-SHARED_CONST uint kSkipUnit = 2u;
-SHARED_CONST uint kLightUnit = 3u;
-SHARED_CONST uint kNoiseUnit = 4u;
-SHARED_CONST uint kSurfaceColorUnit = 5u;
-SHARED_CONST uint kSurfaceAuxUnit = 6u;
-SHARED_CONST uint kTransferUnit = 7u;
-SHARED_CONST uint kExtinctionUnit = 8u;
-SHARED_CONST uint kGradientTableUnit = 9u;
-SHARED_CONST uint kGradientUnit = 10u;     // 11: kSheetUnit
-SHARED_CONST uint kCutBinding = 1u;
-SHARED_CONST uint kStructureBinding = 2u;
-SHARED_CONST uint kCellBinding = 3u;
-SHARED_CONST uint kCellLabelBinding = 4u;
-SHARED_CONST uint kMeshBinding = 5u;
-SHARED_CONST uint kExemptBinding = 6u;
 
 SHARED_CONST int kTransferSize = 4096;     // table positions 0 .. kTransferSize - 1; the sums have one entry more
 SHARED_CONST int kTileGroup = 8;           // threads along x and y of a ray-cast group
 SHARED_CONST float kFar = 1e30f;
+
+// What the Gbuffer holds of what is seen in a pixel, besides its colour: vec4 of its normal (scene frame, unit) and its
+// distance along the ray; uvec2 of ids: the structure (a label; 0: none) and the instance + 1 (0: nothing is seen).
+SHARED_CONST uint kDataInstance = 0u;          // the volume, its labels and what cuts show of them
+SHARED_CONST uint kFirstSurfaceInstance = 1u;  // scene.surfaces in their order
 
 // Bits of FrameParams.flags.
 SHARED_CONST uint kFlagOrthographic = 1u;
@@ -34,7 +20,7 @@ SHARED_CONST uint kFlagShaded = 2u;
 SHARED_CONST uint kFlagSkipEmpty = 4u;
 SHARED_CONST uint kFlagStopOpaque = 8u;
 SHARED_CONST uint kFlagGradientOpacity = 16u;
-SHARED_CONST uint kFlagExemptions = 32u;   // some cut spares some structure
+SHARED_CONST uint kFlagSpares = 32u;       // some cut spares some structure
 SHARED_CONST uint kFlagJitter = 64u;
 SHARED_CONST uint kFlagCuts = 128u;
 SHARED_CONST uint kFlagLightGrid = 256u;   // shadows or occlusion
@@ -44,6 +30,8 @@ SHARED_CONST uint kFlagSheets = 2048u;     // some sheet is shown
 SHARED_CONST uint kFlagHideFront = 4096u;  // of a scene with slices, for pictures of its parts: what lies before them
 SHARED_CONST uint kFlagHideSlice = 8192u;  // their images
 SHARED_CONST uint kFlagHideBehind = 16384u; // and what lies behind the first one
+SHARED_CONST uint kFlagSpareDepths = 32768u; // some spare ends at a depth
+SHARED_CONST uint kFlagLast = kFlagSpareDepths;
 
 /// Scene-local frame: world minus an origin near the scene, so that floats are enough anywhere. Lengths are in scene units.
 /// "Table" positions 0..1 run over the transfer table's domain of data values. Members lie in groups of 16 bytes: a mat4's

@@ -1,6 +1,7 @@
 // The sheet of a membrane: what lies above it, and where a line crosses it. C++ and GLSL compile this text.
 #ifndef VELUM_SHARED_SHEET_H
 #define VELUM_SHARED_SHEET_H
+#include "shared/bindings.h"
 #include "shared/types.h"
 SHARED_BEGIN
 
@@ -16,10 +17,6 @@ SHARED_CONST float kSheetFar = 1e30f;
 SHARED_CONST int kSheetGroup = 64;           // threads of the groups that index a sheet
 SHARED_CONST int kSheetScanGroup = 64;       // of the one that sums up
 SHARED_CONST int kSheetEntriesPerCell = 16;  // room in the lists on the GPU; a sheet that hangs flat needs four
-SHARED_CONST uint kSheetUnit = 11u;          // sampler of the rows of all sheets
-SHARED_CONST uint kSheetBinding = 0u;        // while one is indexed, the storage block of its rows (SHARED_SHEET_BLOCK),
-SHARED_CONST uint kSheetValuesBinding = 1u;  // the same as single floats,
-SHARED_CONST uint kSheetCountsBinding = 2u;  // and a count a cell, then 1 when the lists had no room for all
 SHARED_CONST float kSheetMargin = 1e-5f;     // of the frame's edges: how far rounding may take a line from its cell
 
 /// Which rows, and the frame that the sheet hangs in.

@@ -22,12 +22,13 @@ unsigned createFramebuffer() {
 }  // namespace
 
 Framebuffer::Framebuffer(std::string_view label, std::initializer_list<const Texture*> colors, const Texture* depth)
-    : Handle(createFramebuffer()), mColorCount(int(colors.size())) {
+    : Handle(createFramebuffer()) {
   gl().ObjectLabel(GL_FRAMEBUFFER, id(), GLsizei(label.size()), label.data());
   std::vector<GLenum> buffers;
   for (const Texture* color : colors) {
     buffers.push_back(GLenum(GL_COLOR_ATTACHMENT0 + buffers.size()));
     gl().NamedFramebufferTexture(id(), buffers.back(), color->id(), 0);
+    mIsInteger.push_back(isInteger(color->format()));
     mSize = glm::ivec2(color->size());
   }
   gl().NamedFramebufferDrawBuffers(id(), GLsizei(buffers.size()), buffers.data());
@@ -40,7 +41,12 @@ Framebuffer::Framebuffer(std::string_view label, std::initializer_list<const Tex
 }
 
 void Framebuffer::clear(glm::vec4 color, float depth) const {
-  for (int i = 0; i < mColorCount; ++i) gl().ClearNamedFramebufferfv(id(), GL_COLOR, i, &color.x);
+  const GLuint zero[4] = {};
+  for (std::size_t i = 0; i < mIsInteger.size(); ++i)
+    if (mIsInteger[i])
+      gl().ClearNamedFramebufferuiv(id(), GL_COLOR, GLint(i), zero);
+    else
+      gl().ClearNamedFramebufferfv(id(), GL_COLOR, GLint(i), &color.x);
   gl().DepthMask(GL_TRUE);
   gl().ClearNamedFramebufferfv(id(), GL_DEPTH, 0, &depth);
 }

@@ -31,13 +31,10 @@ const FormatRow& row(Format format) {
                                         {GL_RG8UI, GL_RG_INTEGER, GL_UNSIGNED_BYTE, 2},
                                         {GL_R16UI, GL_RED_INTEGER, GL_UNSIGNED_SHORT, 2},
                                         {GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, 4},
+                                        {GL_RG32UI, GL_RG_INTEGER, GL_UNSIGNED_INT, 8},
                                         {GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT, 16},
                                         {GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT, 4}};
   return kRows[static_cast<int>(format)];
-}
-
-bool isInteger(Format f) {
-  return f == Format::R8ui || f == Format::Rg8ui || f == Format::R16ui || f == Format::R32ui || f == Format::Rgba32ui;
 }
 
 unsigned createTexture(GLenum target, std::string_view label, Filter filter, int levels) {
@@ -66,6 +63,11 @@ void checkMemory(std::string_view label, glm::ivec3 size, std::size_t bytes) {
 }
 
 }  // namespace
+
+bool isInteger(Format f) {
+  return f == Format::R8ui || f == Format::Rg8ui || f == Format::R16ui || f == Format::R32ui || f == Format::Rg32ui ||
+         f == Format::Rgba32ui;
+}
 
 std::size_t texelBytes(Format format) { return row(format).bytes; }
 

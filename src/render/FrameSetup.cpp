@@ -215,7 +215,7 @@ std::vector<shared::CutData> makeCutData(const scene::Scene& scene, glm::dvec3 o
     data.localFromScene = glm::mat4(glm::inverse(sceneFromCut));
     glm::dvec3 half = glm::max(cut.sizeMm, glm::dvec3(1e-9)) * 0.5;
     data.halfSize = v4(half, cut.invert ? -1.0 : 1.0);
-    data.kind = {static_cast<int>(cut.shape), cut.face == scene::CutFace::Slice ? 1 : 0, cut.exempt.empty() ? 0 : 1, 0};
+    data.kind = {static_cast<int>(cut.shape), cut.face == scene::CutFace::Slice ? 1 : 0, 0, 0};
     data.face = {float(cut.faceOpacity), 0, 0, 0};
     if (scene::isMembrane(cut)) addMembrane(data, cut, sheets.at(cut.id));
     out.push_back(data);
@@ -230,21 +230,6 @@ std::vector<shared::StructureRow> makeStructureRows(const scene::LabelLayer& lab
   for (const auto& s : labels.structures)
     rows[std::size_t(s.id)].color = glm::vec4(s.color, s.visible ? float(s.opacity) : 0.0f);
   return rows;
-}
-
-std::vector<std::uint32_t> makeExemptMask(const scene::Scene& scene, std::size_t structureRows) {
-  std::vector<const scene::Cut*> cuts;
-  for (const auto& cut : scene.cuts)
-    if (cut.enabled) cuts.push_back(&cut);
-  std::size_t words = (cuts.size() + 31) / 32;
-  std::vector<std::uint32_t> mask;
-  for (std::size_t i = 0; i < cuts.size(); ++i)
-    for (int id : cuts[i]->exempt) {
-      if (std::size_t(id) >= structureRows) continue;
-      mask.resize(structureRows * words, 0);
-      mask[std::size_t(id) * words + i / 32] |= 1u << (i % 32);
-    }
-  return mask;
 }
 
 }  // namespace velum::render

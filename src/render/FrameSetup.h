@@ -41,8 +41,4 @@ std::vector<shared::CutData> makeCutData(const scene::Scene& scene, glm::dvec3 o
 /// Colour and opacity by label id, [largest id + 1]; row 0 unused.
 std::vector<shared::StructureRow> makeStructureRows(const scene::LabelLayer& labels);
 
-/// Bit i % 32 of word i / 32 of each structure's words, of which there are (cuts + 31) / 32: enabled cut i spares it.
-/// Empty when no cut spares any.
-std::vector<std::uint32_t> makeExemptMask(const scene::Scene& scene, std::size_t structureRows);
-
 }  // namespace velum::render

@@ -81,7 +81,7 @@ class Render(CliTest):
             self.assertTrue((self.folder / f"x.{layer}.png").exists(), layer)
         self.run_batch("render", path, "-o", "x.exr", "--size", "32x32", "--layers", *FAST)
         data = (self.folder / "x.exr").read_bytes()
-        for channel in (b"position.X", b"normal.Z", b"id", b"Z"):
+        for channel in (b"position.X", b"normal.Z", b"id", b"instance", b"Z"):
             self.assertIn(channel, data[:4000])
 
     def test_a_slice_has_layers_to_put_together(self):
@@ -98,12 +98,12 @@ class Render(CliTest):
         path = self.sample()
         self.run_batch("render", path, "two-spheres_labels.seg.nrrd", "-o", "x.png", "--size", "24x24", "--save-scene", "s.json",
                        *FAST, "--set", "labels.structures[lower sphere].visible=false", "--set", "labels.structures[1].opacity=0.5",
-                       "--set", "cuts.+.name=my cut", "--set", "cuts[my cut].exempt=2")
+                       "--set", "cuts.+.name=my cut", "--set", "cuts[my cut].spares=2")
         scene = json.loads((self.folder / "s.json").read_text())
         by_name = {row["name"]: row for row in scene["labels"]["structures"]}
         self.assertFalse(by_name["lower sphere"]["visible"])
         self.assertEqual([row["opacity"] for row in by_name.values() if row["id"] == 1], [0.5])
-        self.assertEqual(scene["cuts"][0]["exempt"], [2])
+        self.assertEqual(scene["cuts"][0]["spares"], [{"structure": 2, "distance": None, "share": 1.0}])
         self.refuse("render", path, "two-spheres_labels.seg.nrrd", "-o", "x.png", "--set", "labels.structures[liver].visible=false",
                     code=1, words=["labels.structures", "liver", "lower sphere"])
 

@@ -8,7 +8,6 @@
 #include "ProbeShaders.h"
 #include "SourceFolder.h"
 #include "TempFolder.h"
-#include "shaderVariants.h"
 #include "shared/cut.h"
 #include "shared/frame.h"
 #include "velum/gpu/Buffer.h"
@@ -21,32 +20,6 @@ namespace {
 namespace fs = std::filesystem;
 
 class ShaderGL : public GlTest {};
-
-TEST_F(ShaderGL, EveryEntryPointCompilesInEveryVariant) {
-  auto files = shaderEntryPoints();
-  ASSERT_GE(files.size(), 7u);
-  int programs = 0;
-  for (const std::string& file : files)
-    for (const Defines& defines : shaderVariantsOf(file, false)) {
-      SCOPED_TRACE(file + textOf(defines));
-      if (file.ends_with(".comp")) {
-        EXPECT_NO_THROW(Program({file}, defines));
-        ++programs;
-      } else if (file.ends_with(".vert")) {
-        std::string fragment = file.substr(0, file.size() - 5) + ".frag";
-        ASSERT_NE(std::find(files.begin(), files.end(), fragment), files.end())
-            << "a vertex shader without its fragment shader";
-        EXPECT_NO_THROW(Program({file, fragment}, defines));
-        ++programs;
-      }
-    }
-  EXPECT_GE(programs, 36 + 36 + 10);
-}
-
-TEST_F(ShaderGL, TheRayCasterHasThirtySixVariants) {
-  EXPECT_EQ(shaderVariantsOf("render/ray_cast.comp", false).size(), 36u);
-  EXPECT_EQ(shaderVariantsOf("render/light_extinction.comp", false).size(), 36u);
-}
 
 /// The members of a struct in shaders/shared, in order, as its text lists them.
 std::vector<std::string> membersOf(const std::string& header, const std::string& structName) {

@@ -116,7 +116,7 @@ class AsUsed : public testing::Test {
     mWindow->selection().setStructure(id);
     mWindow->viewport().setFocus();
     QTest::keyClick(mWindow.get(), Qt::Key_K);
-    EXPECT_EQ(scene().cuts[0].exempt, std::vector<int>{id});
+    EXPECT_EQ(scene().cuts[0].spares, std::vector<scene::Spare>{{id}});
     shot("used-4-spared", "spared");
   }
   TempFolder mFolder;

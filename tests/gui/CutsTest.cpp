@@ -32,7 +32,7 @@ TEST_F(CutWindow, ACutKeepsAStructureWholeFromListAndMenu) {
   auto* kept = child<QListView>("keepWholeList");
   ASSERT_TRUE(kept);
   kept->model()->setData(kept->model()->index(0, 0), Qt::Checked, Qt::CheckStateRole);
-  EXPECT_EQ(scene().cuts[0].exempt, std::vector<int>{first});
+  EXPECT_EQ(scene().cuts[0].spares, std::vector<scene::Spare>{{first}});
   EXPECT_EQ(document().undoLabel(), "Keep whole " + structures()[0].name);
   QMenu menu;
   mWindow->structures().fillMenu(menu, {second});
@@ -43,7 +43,7 @@ TEST_F(CutWindow, ACutKeepsAStructureWholeFromListAndMenu) {
   }
   EXPECT_TRUE(texts.contains("Hide")) << texts.join(", ").toStdString();
   EXPECT_TRUE(texts.contains("Solo"));
-  EXPECT_EQ(scene().cuts[0].exempt, (std::vector<int>{first, second}));
+  EXPECT_EQ(scene().cuts[0].spares, (std::vector<scene::Spare>{{first}, {second}}));
   EXPECT_EQ(kept->model()->index(1, 0).data(Qt::CheckStateRole).toInt(), int(Qt::Checked));
 }
 

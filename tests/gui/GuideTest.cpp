@@ -60,7 +60,7 @@ TEST_F(Guide, Slices) {
     cut.axis = {0, 0, 1};
     cut.centreMm = {-45, -50, 60};
     cut.sizeMm = {90, 110, 90};
-    for (const auto& structure : scene.labels.structures) cut.exempt.push_back(structure.id);
+    for (const auto& structure : scene.labels.structures) cut.spares.push_back({structure.id});
     scene.cuts.push_back(cut);
   });
   mWindow->viewport().lookFrom(scene::StandardView::Oblique);

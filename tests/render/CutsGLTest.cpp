@@ -193,7 +193,6 @@ TEST_F(CutsGL, ManyCutsTogether) {
   away.centreMm = {0, 0, 0};
   scene.cuts.push_back(away);
   expectAgrees(scene, "four shapes within a ball");
-  // Forty small balls: more than one word of the exemption mask.
   scene.cuts.clear();
   for (int i = 0; i < 40; ++i) {
     glm::dvec3 at(hashNoise({i, 0, 0}) * 36 - 18, hashNoise({i, 1, 0}) * 20 - 22, hashNoise({i, 2, 0}) * 36 - 18);
@@ -280,7 +279,7 @@ TEST_F(CutsGL, WhatACutSparesStaysWhole) {
   scene.labels.data = Shared<LabelVolume>(std::move(labels));
   scene::completeStructures(scene.labels);
   scene.cuts = {cutOf(scene::CutShape::Plane, {0, 4, 0}, {0, -1, 0}, {1, 1, 1})};
-  scene.cuts[0].exempt = {4};
+  scene.cuts[0].spares = {{4}};
   Image image = draw(scene, kSize, kAllLayers);
   int spared = 0, removedShown = 0;
   for (int y = 0; y < kSize.y; ++y)

@@ -69,6 +69,20 @@ TEST_F(DepthGL, ASurfaceHidesWhatIsBehindAndNotWhatIsInFront) {
   }
 }
 
+TEST_F(DepthGL, EverySurfaceIsAnInstanceOfItsOwn) {
+  scene::Scene scene = ballsAndSquare();
+  scene::Surface hidden = scene.surfaces[0];
+  hidden.visible = false;
+  scene.surfaces.insert(scene.surfaces.begin(), hidden);
+  Image image = draw(scene, kSize, kAllLayers);
+  for (auto [pixel, instance] : {std::pair(kFront, 0u), {kBack, 2u}, {kSquareOnly, 2u}}) {
+    EXPECT_EQ(sampleOf(image, pixel, "instance"), float(instance));
+    EXPECT_EQ(renderer().pick(pixel).instance, instance);
+  }
+  EXPECT_EQ(sampleOf(image, kNothing, "instance"), -1.0f);
+  EXPECT_FALSE(renderer().pick(kNothing).hit);
+}
+
 TEST_F(DepthGL, AHiddenSurfaceHidesNothing) {
   scene::Scene scene = ballsAndSquare();
   scene.surfaces[0].visible = false;

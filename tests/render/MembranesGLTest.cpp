@@ -247,7 +247,7 @@ TEST_F(MembranesGL, WhatItSparesStaysWhole) {
   scene::SheetShape bowl = domeSheet(kParticles, kFrame);
   for (auto& p : bowl.places) p.z = -p.z;
   scene.cuts = {membraneOf(bowl, {0, -1, 0})};
-  scene.cuts[0].exempt = {4};
+  scene.cuts[0].spares = {{4}};
   Cuts cuts(scene);
   Image image = draw(scene, kSize, kAllLayers);
   int spared = 0;

@@ -36,7 +36,7 @@ class RepeatGL : public RenderTest {
     scene::Cut cut;
     cut.axis = {0.3, -1, 0.4};
     cut.centreMm = {0, -6, 0};
-    cut.exempt = {3};
+    cut.spares = {{3}};
     scene.cuts = {cut};
     scene::Surface surface;
     Mesh mesh;

@@ -113,7 +113,7 @@ TEST_F(SkippingGL, LabelsAlone) {
   expectSameAsBruteForce(scene, "labels alone");
 }
 
-TEST_F(SkippingGL, CutsWithExemptions) {
+TEST_F(SkippingGL, CutsThatSpare) {
   scene::Scene scene = sceneWith([](glm::ivec3 p) { return p.y > 6 && p.y < 30 ? 120 + 80 * hashNoise(p) : 0.0; });
   LabelVolume labels = makeLabels(
       kDims,
@@ -125,16 +125,16 @@ TEST_F(SkippingGL, CutsWithExemptions) {
   scene::completeStructures(scene.labels);
   scene::Cut plane, ball;
   plane.axis = {0.2, -1, 0.1};
-  plane.exempt = {5};
+  plane.spares = {{5}};
   ball.shape = scene::CutShape::Sphere;
   ball.centreMm = {8, 0, 5};
   ball.sizeMm = glm::dvec3(22);
-  ball.exempt = {6};
+  ball.spares = {{6}};
   scene.cuts = {plane, ball};
-  expectSameAsBruteForce(scene, "cuts with exemptions");
-  scene.cuts[1].exempt = {5, 6};
+  expectSameAsBruteForce(scene, "cuts that spare");
+  scene.cuts[1].spares = {{5}, {6}};
   scene.cuts[1].invert = true;
-  expectSameAsBruteForce(scene, "an inverted cut with exemptions");
+  expectSameAsBruteForce(scene, "an inverted cut that spares");
   scene.cuts[0].face = scene::CutFace::Slice;
   expectSameAsBruteForce(scene, "a slice face");
 }

@@ -316,7 +316,7 @@ TEST_F(SliceLabels, WhatACutSparesIsNotDimmed) {
   scene::Cut cut;
   cut.axis = {0, 0, 1};
   cut.centreMm = {0, 0, -100};  // all of it
-  cut.exempt = {1};
+  cut.spares = {{1}};
   mScene.cuts = {cut};
   mScene.slices.labelOpacity = 0;
   expectColor(kInOne, glm::ivec3(128));

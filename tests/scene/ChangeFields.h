@@ -38,7 +38,7 @@ struct IsMaybe<std::optional<T>> : std::true_type {};
 
 inline double otherNumber(double value, const Range& range) {
   double next = value * 1.25 + 0.125;
-  if (next >= range.min && next <= range.max) return next;
+  if (std::isfinite(next) && next >= range.min && next <= range.max) return next;
   return 0.63 * std::max(range.min, -1e3) + 0.37 * std::min(range.max, 1e3);
 }
 
@@ -73,6 +73,35 @@ void changeEveryField(auto& value, const FieldInfo& info = {}) {
     };
     T::fields(value, visit);
   }
+}
+
+/// Gives the n-th field that is no struct another value; lists keep their length, and of lists of structs the fields of
+/// each item count.
+/// @param n        counts down as the fields are walked over
+/// @param changed  becomes the path of the field; stays as it is when there are not so many
+template <class T>
+void changeNthField(T& value, int& n, const std::string& path, std::string& changed, const FieldInfo& info = {}) {
+  auto below = [&](std::string_view name) { return path.empty() ? std::string(name) : path + "." + std::string(name); };
+  if constexpr (HasFields<T>) {
+    auto visit = [&](std::string_view name, auto& member, const FieldInfo& memberInfo) {
+      changeNthField(member, n, below(name), changed, memberInfo);
+    };
+    T::fields(value, visit);
+    return;
+  } else if constexpr (IsMaybe<T>::value) {
+    if (value) changeNthField(*value, n, path, changed, info);
+    return;
+  } else if constexpr (IsVector<T>::value) {
+    if constexpr (HasFields<typename T::value_type>) {
+      for (std::size_t i = 0; i < value.size(); ++i) changeNthField(value[i], n, below(std::to_string(i)), changed);
+      return;
+    }
+  }
+  if constexpr (!HasFields<T>)
+    if (n-- == 0) {
+      changeEveryField(value, info);
+      changed = path;
+    }
 }
 
 /// A scene in which every field has another value than in a new one.

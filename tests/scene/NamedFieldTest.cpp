@@ -44,8 +44,8 @@ TEST(NamedField, AStructureIsReachedByNameOrId) {
   EXPECT_EQ(scene.labels.structures[3].color, glm::vec3(1, 0, 0));
   EXPECT_TRUE(scene.cuts[0].enabled);
   EXPECT_FALSE(scene.cuts[1].enabled);
-  setField(scene, "cuts[Plane 2].exempt.+", "5");
-  EXPECT_EQ(scene.cuts[1].exempt, std::vector<int>{5});
+  setField(scene, "cuts[Plane 2].spares.+", "5");
+  EXPECT_EQ(scene.cuts[1].spares, std::vector<Spare>{{5}});
   setField(scene, "labels.structures[2]", R"({"name": "Aorta"})");
   EXPECT_EQ(scene.labels.structures[0].name, "Aorta");
 }
@@ -70,7 +70,7 @@ TEST(NamedField, AnUnknownOrSharedNameIsRefusedWithWhatThereIs) {
   expectMentions(messageOf("labels.structures[99].visible"), {"99"});
   expectMentions(messageOf("labels.structures[].visible"), {"labels.structures"});
   expectMentions(messageOf("cuts[0].enabled"), {"cuts", "Plane 2"});
-  expectMentions(messageOf("cuts.0.exempt[3]"), {"cuts.0.exempt"});
+  expectMentions(messageOf("cuts.0.spares[3]"), {"cuts.0.spares"});
 }
 
 TEST(NamedField, ABracketThatDoesNotCloseIsRefused) {

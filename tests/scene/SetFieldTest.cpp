@@ -66,16 +66,19 @@ TEST(SetField, ListsGrowAndTheirItemsChange) {
   Scene scene;
   setField(scene, "cuts.+", R"({"shape": "sphere", "sizeMm": [10, 10, 10]})");
   setField(scene, "cuts.+.shape", "box");
-  setField(scene, "cuts.1.exempt", "3,4");
-  setField(scene, "cuts.0.exempt", "7");
-  setField(scene, "cuts.0.exempt.+", "8");
-  setField(scene, "cuts.0.exempt.0", "6");
+  setField(scene, "cuts.1.spares", "3,4");
+  setField(scene, "cuts.0.spares", "7");
+  setField(scene, "cuts.0.spares.+", "8");
+  setField(scene, "cuts.0.spares.0", "6");
+  setField(scene, "cuts.0.spares.1.distance", "2.5");
   ASSERT_EQ(scene.cuts.size(), 2u);
   EXPECT_EQ(scene.cuts[0].shape, CutShape::Sphere);
   EXPECT_EQ(scene.cuts[0].sizeMm.x, 10.0);
-  EXPECT_EQ(scene.cuts[0].exempt, (std::vector<int>{6, 8}));
+  EXPECT_EQ(scene.cuts[0].spares, (std::vector<Spare>{{6}, {8, 2.5}}));
+  setField(scene, "cuts.0.spares.1.distance", "null");
+  EXPECT_EQ(scene.cuts[0].spares, (std::vector<Spare>{{6}, {8}}));
   EXPECT_EQ(scene.cuts[1].shape, CutShape::Box);
-  EXPECT_EQ(scene.cuts[1].exempt, (std::vector<int>{3, 4}));
+  EXPECT_EQ(scene.cuts[1].spares, (std::vector<Spare>{{3}, {4}}));
   setField(scene, "cuts", "[]");
   EXPECT_TRUE(scene.cuts.empty());
 }

@@ -90,17 +90,20 @@ TEST(CutEdit, AligningKeepsThePlaneOverTheMiddleOfTheData) {
               glm::dot(aligned.centreMm - glm::dvec3(45, 95, 145), glm::normalize(plane.axis)), 1e-9);
 }
 
-TEST(CutEdit, ExemptStaysAscendingAndWithoutRepeats) {
+TEST(CutEdit, SparesStayAscendingAndWithoutRepeats) {
   scene::Cut cut;
-  cut.exempt = {9, 3};
-  setExempt(cut, 5, true);
-  setExempt(cut, 5, true);
-  EXPECT_EQ(cut.exempt, (std::vector<int>{3, 5, 9}));
-  setExempt(cut, 3, false);
-  setExempt(cut, 4, false);
-  EXPECT_EQ(cut.exempt, (std::vector<int>{5, 9}));
-  EXPECT_TRUE(isExempt(cut, 9));
-  EXPECT_FALSE(isExempt(cut, 3));
+  cut.spares = {{9}, {3, 2.5}};
+  setSpared(cut, 5, true);
+  setSpared(cut, 5, true);
+  EXPECT_EQ(cut.spares, (std::vector<scene::Spare>{{3, 2.5}, {5}, {9}}));
+  EXPECT_FALSE(isSpared(cut, 3)) << "not all of it";
+  setSpared(cut, 3, true);
+  EXPECT_TRUE(isSpared(cut, 3));
+  setSpared(cut, 3, false);
+  setSpared(cut, 4, false);
+  EXPECT_EQ(cut.spares, (std::vector<scene::Spare>{{5}, {9}}));
+  EXPECT_TRUE(isSpared(cut, 9));
+  EXPECT_FALSE(isSpared(cut, 3));
 }
 
 }  // namespace velum::session

@@ -95,7 +95,7 @@ inline double coverageOf(const Image& image) {
 /// Draws small pictures of small scenes.
 class RenderTest : public GlTest {
  protected:
-  static constexpr render::Layers kAllLayers{true, true, true, true};
+  static constexpr render::Layers kAllLayers{true, true, true, true, true};
 
   void SetUp() override {
     GlTest::SetUp();

@@ -22,6 +22,7 @@ struct FieldInfo {
   Range range = {};
   std::string_view doc = "";
   bool leftOutByDefault = false;  ///< A value like that of a new object is not written.
+  bool nullIsEndless = false;     ///< A number that may be infinite, which JSON has no number for: null.
 };
 
 /// Names of an enumeration's values, in order. Specialise `kNames` as a constexpr array of string_view.

@@ -2,6 +2,7 @@
 #include <glm/glm.hpp>
 #include <initializer_list>
 #include <string_view>
+#include <vector>
 
 #include "velum/gpu/Handle.h"
 #include "velum/gpu/Texture.h"
@@ -15,6 +16,7 @@ class Framebuffer : public Handle<deleteFramebuffer> {
  public:
   Framebuffer() = default;
   Framebuffer(std::string_view label, std::initializer_list<const Texture*> colors, const Texture* depth = nullptr);
+  /// Integer attachments become 0.
   void clear(glm::vec4 color, float depth) const;
   /// Makes it the target of draws and sets the viewport to its whole size.
   void bind() const;
@@ -22,7 +24,7 @@ class Framebuffer : public Handle<deleteFramebuffer> {
 
  private:
   glm::ivec2 mSize{0};
-  int mColorCount = 0;
+  std::vector<bool> mIsInteger;  ///< of the colour attachments
 };
 
 /// Copies a texture's colours into a framebuffer by GL name (0 is the window), scaled linearly to its size; flips rows

@@ -16,6 +16,12 @@ void deleteProgram(unsigned id);
 /// Words that a shader is compiled with: {"MODE", "2"} becomes `#define MODE 2`.
 using Defines = std::vector<std::pair<std::string, std::string>>;
 
+/// What a program is made of, for lists of them.
+struct ProgramSource {
+  std::vector<std::string> files;  ///< one .comp, or a .vert and a .frag, under shaders/
+  Defines defines;
+};
+
 /// A linked program from entry points under shaders/ (`render/ray_cast.comp`). Compile errors name file and line of the
 /// included text. GL thread.
 class Program : public Handle<deleteProgram> {

@@ -22,6 +22,7 @@ enum class Format {
   Rg8ui,
   R16ui,
   R32ui,
+  Rg32ui,
   Rgba32ui,
   Depth32f
 };
@@ -30,6 +31,9 @@ enum class Access { Read, Write, ReadWrite };
 
 /// Bytes of one texel as uploaded and read back.
 std::size_t texelBytes(Format format);
+
+/// True of formats whose texels are integers and come to shaders as such.
+bool isInteger(Format format);
 
 void deleteTexture(unsigned id);
 

@@ -1,5 +1,5 @@
 #pragma once
-#include <functional>
+#include <cstdint>
 #include <glm/glm.hpp>
 #include <map>
 #include <memory>
@@ -31,7 +31,9 @@ struct Pick {
   glm::dvec3 worldMm{0.0};
   glm::vec3 normal{0.0f};  ///< World frame, unit.
   int structure = 0;       ///< Label id, 0 when there is none.
-  double value = 0;        ///< Data value there (nearest voxel).
+  /// 0: the volume, its labels and what cuts show of them; then the scene's surfaces, in their order.
+  std::uint32_t instance = 0;
+  double value = 0;  ///< Data value there (nearest voxel).
 };
 
 /// Which layers to read back.
@@ -40,6 +42,7 @@ struct Layers {
   bool normal = false;
   bool depth = false;
   bool structure = false;
+  bool instance = false;
 };
 
 /// Draws scenes. A frame is a queue of small pieces of work (uploads, tables, light, tiles, sample by sample), so that
@@ -63,7 +66,7 @@ class Renderer {
 
   /// The last frame's window: R, G, B, A display-referred with straight alpha, then the layers asked for:
   /// "position.X/Y/Z" (world mm), "normal.X/Y/Z" (world), "Z" (mm from the eye, along the ray; infinity where nothing
-  /// is), "id".
+  /// is), "id" (structure), "instance" (as Pick; -1 where nothing is).
   Image read(const Layers& layers = {});
 
   /// What the last frame shows at a pixel of its window. From the drawn layers, so it agrees with the picture.
@@ -78,6 +81,7 @@ class Renderer {
  private:
   struct Impl;
   std::unique_ptr<Impl> mImpl;
+  gpu::Context& mContext;
 };
 
 /// Draws a picture of any size, window by window where it is larger than the driver's textures; seamless, as each ray

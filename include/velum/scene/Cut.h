@@ -6,6 +6,7 @@
 
 #include "velum/core/Fields.h"
 #include "velum/scene/Membrane.h"
+#include "velum/scene/Spare.h"
 
 namespace velum::scene {
 
@@ -33,7 +34,7 @@ struct Cut {
                              ///< z; membrane: its frame's width x, height y, and reach to both sides z
   CutFace face = CutFace::Shaded;    ///< how the cut surface looks
   double faceOpacity = 1.0;          ///< slice faces: 0..1
-  std::vector<int> exempt;           ///< ids of structures that this cut leaves whole
+  std::vector<Spare> spares;         ///< what this cut leaves of structures
   std::optional<Membrane> membrane;  ///< what a membrane is beside its frame; other shapes have none
   bool operator==(const Cut&) const = default;
   static void fields(auto& o, auto& visit) {
@@ -54,7 +55,8 @@ struct Cut {
                     "width, height, reach to both sides."});
     visit("face", o.face, FieldInfo{"", {}, "Shaded: the cut material; slice: the data's grey values, as on a slice."});
     visit("faceOpacity", o.faceOpacity, FieldInfo{"", {0, 1}, "Opacity of a slice face."});
-    visit("exempt", o.exempt, FieldInfo{"", {0, 65535}, "Structures (label ids) that this cut leaves whole."});
+    visit("spares", o.spares,
+          FieldInfo{"", {}, "What this cut leaves of structures; the first of one structure counts."});
     visit("membrane", o.membrane, FieldInfo{"", {}, "The sheet of a membrane; other shapes have none.", true});
   }
 };

@@ -1,5 +1,6 @@
 #pragma once
 #include <limits>
+#include <string_view>
 
 #include "velum/core/Fields.h"
 
@@ -7,6 +8,7 @@ namespace velum::scene {
 
 /// What a cut leaves of a structure: of several of one structure the first counts.
 struct Spare {
+  static constexpr std::string_view kKey = "structure";  ///< that a bare value stands for on the command line
   static constexpr double kEndless = std::numeric_limits<double>::infinity();
 
   int structure = 0;           ///< label id; 0: all that has no label, or everything where no labels are shown

@@ -75,7 +75,7 @@ CutPanel::CutPanel(session::Document& document, Selection& selection, QWidget* p
   connect(mKeepWhole, &KeepWholeList::changed, this, [this](const std::vector<int>& ids, bool whole) {
     std::string label = session::structureLabel(mDocument.scene(), whole ? "Keep whole" : "Cut", ids);
     mForm->editCut(label.c_str(), [&](scene::Cut& cut) {
-      for (int id : ids) session::setExempt(cut, id, whole);
+      for (int id : ids) session::setSpared(cut, id, whole);
     });
   });
   refresh();

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "kit/Widgets.h"
+#include "velum/session/cut/CutEdit.h"
 
 namespace velum::gui {
 
@@ -16,15 +17,16 @@ constexpr int kLeastHeight = 140, kSwatch = 13;
 
 }  // namespace
 
-void KeepWholeModel::setRows(const std::vector<scene::Structure>& structures, const std::vector<int>& exempt) {
-  std::vector<int> sorted = exempt;
-  std::sort(sorted.begin(), sorted.end());
+void KeepWholeModel::setRows(const std::vector<scene::Structure>& structures, const scene::Cut& cut) {
+  std::vector<int> spared;
+  for (const auto& structure : structures)
+    if (session::isSpared(cut, structure.id)) spared.push_back(structure.id);
   bool sameRows =
       std::equal(structures.begin(), structures.end(), mStructures.begin(), mStructures.end(),
                  [](const auto& a, const auto& b) { return a.id == b.id && a.name == b.name && a.color == b.color; });
-  if (sameRows && sorted == mExempt) return;
+  if (sameRows && spared == mSpared) return;
   if (!sameRows) beginResetModel();
-  mExempt = std::move(sorted);
+  mSpared = std::move(spared);
   if (!sameRows) {
     mStructures = structures;
     endResetModel();
@@ -36,7 +38,7 @@ void KeepWholeModel::setRows(const std::vector<scene::Structure>& structures, co
 int KeepWholeModel::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : int(mStructures.size()); }
 
 bool KeepWholeModel::isKept(int row) const {
-  return std::binary_search(mExempt.begin(), mExempt.end(), mStructures[std::size_t(row)].id);
+  return std::find(mSpared.begin(), mSpared.end(), mStructures[std::size_t(row)].id) != mSpared.end();
 }
 
 QVariant KeepWholeModel::data(const QModelIndex& index, int role) const {
@@ -119,8 +121,10 @@ std::vector<int> KeepWholeList::listedIds() const {
 void KeepWholeList::showCut(const std::vector<scene::Structure>& structures, const scene::Cut& cut) {
   setVisible(!structures.empty());
   if (structures.empty()) return;
-  mModel->setRows(structures, cut.exempt);
-  mTitle->setText(cut.exempt.empty() ? tr("Leaves whole: nothing") : tr("Leaves whole: %1").arg(cut.exempt.size()));
+  mModel->setRows(structures, cut);
+  auto count = std::count_if(cut.spares.begin(), cut.spares.end(),
+                             [&](const auto& spare) { return session::isSpared(cut, spare.structure); });
+  mTitle->setText(count == 0 ? tr("Leaves whole: nothing") : tr("Leaves whole: %1").arg(count));
 }
 
 }  // namespace velum::gui

@@ -17,7 +17,7 @@ class KeepWholeModel : public QAbstractListModel {
   Q_OBJECT
  public:
   using QAbstractListModel::QAbstractListModel;
-  void setRows(const std::vector<scene::Structure>& structures, const std::vector<int>& exempt);
+  void setRows(const std::vector<scene::Structure>& structures, const scene::Cut& cut);
   int rowCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex& index, int role) const override;
   bool setData(const QModelIndex& index, const QVariant& value, int role) override;
@@ -29,7 +29,7 @@ class KeepWholeModel : public QAbstractListModel {
 
  private:
   std::vector<scene::Structure> mStructures;
-  std::vector<int> mExempt;  ///< ascending
+  std::vector<int> mSpared;  ///< ascending
 };
 
 /// The searchable list of them.

@@ -90,14 +90,14 @@ QString StructureCommands::cutName() const {
 
 bool StructureCommands::isKeptWhole(int id) const {
   const scene::Cut* selected = cut();
-  return selected && session::isExempt(*selected, id);
+  return selected && session::isSpared(*selected, id);
 }
 
 void StructureCommands::setKeptWhole(const Ids& ids, bool whole) {
   if (!cut()) return;
   mDocument.edit(session::structureLabel(mDocument.scene(), whole ? "Keep whole" : "Cut", ids),
                  [&](scene::Scene& scene) {
-                   for (int id : ids) session::setExempt(*scene::findCut(scene, mSelection.cut()), id, whole);
+                   for (int id : ids) session::setSpared(*scene::findCut(scene, mSelection.cut()), id, whole);
                  });
 }
 

@@ -1,42 +1,158 @@
 #include "LightPass.h"
 
 #include <algorithm>
+#include <cstring>
 
-#include "shared/frame.h"
+#include "WorkQueue.h"
 
 namespace velum::render {
 
-LightPass::LightPass(gpu::Defines defines) : mLightProgram({"render/light_grid.comp"}) {
-  defines.push_back({"GRADIENTS", "0"});
-  mExtinctionProgram = gpu::Program({"render/light_extinction.comp"}, defines);
+namespace {
+
+constexpr int kLayers = 4;                                // of cells a step
+constexpr int kSoftwareCells = 96, kHardwareCells = 160;  // along the longest edge
+
+bool hasLight(const scene::Lighting& lighting) {
+  return lighting.shaded && (lighting.shadow > 0 || lighting.occlusion > 0);
 }
 
-void LightPass::resize(glm::dvec3 edges, int longest) {
-  mCellMm = std::max(edges.x, std::max(edges.y, edges.z)) / longest;
-  glm::ivec3 size = glm::clamp(glm::ivec3(edges / mCellMm + 0.5), glm::ivec3(1), glm::ivec3(longest));
+DataVariant variantOf(const FrameData& data) {
+  DataVariant variant = dataVariantOf(data);
+  if (variant.flags) variant.flags = lightFlagsOf(*variant.flags);
+  return variant;
+}
+
+}  // namespace
+
+LightPass::CutWords LightPass::wordsOf(shared::CutData cut) {
+  cut.kind.y = 0;
+  cut.face = glm::vec4(0.0f);
+  cut.sheet.w = 0;
+  cut.slice.x = 0;
+  CutWords words;
+  std::memcpy(words.data(), &cut, sizeof(cut));
+  return words;
+}
+
+LightPass::Key LightPass::keyOf(const FrameData& data, glm::ivec3 cells) {
+  const shared::FrameParams& p = data.params;
+  Key key;
+  key.variant = variantOf(data);
+  key.flags = lightFlagsOf(p.flags);
+  key.volume = data.volumeKey;
+  key.labels = data.labelKey;
+  key.sceneFromTex = p.sceneFromTex;
+  key.labelFromScene = p.labelFromScene;
+  key.cells = cells;
+  for (const auto& cut : data.cuts) key.cuts.push_back(wordsOf(cut));
+  key.sheets = data.sheetSources;
+  for (const auto& row : data.structures) key.opacities.push_back(row.color.a);
+  key.spares = data.spares;
+  if (key.variant.mode == scene::RenderMode::Iso) key.isoValue = p.isoValue;
+  key.extinctionSums = data.table.extinctionSums;
+  key.extinctionUnit = p.extinctionUnit;
+  key.tablePerTexel = p.tablePerTexel;
+  key.tableOffset = p.tableOffset;
+  key.unlabelledOpacity = p.unlabelledOpacity;
+  key.voxelsPerLength = p.voxelsPerLength;
+  return key;
+}
+
+LightPass::Light LightPass::lightOf(const FrameData& data) {
+  const auto& lighting = data.frame.scene.lighting;
+  return {glm::vec3(data.params.keyLight), lighting.shadow > 0, lighting.occlusion > 0, lighting.occlusionRadius};
+}
+
+/// As many cells as the box of the data has room for.
+void LightPass::resize(const FrameData& data) {
+  glm::dmat3 axes(data.grid.worldFromTex);
+  glm::dvec3 edges(glm::length(axes[0]), glm::length(axes[1]), glm::length(axes[2]));
+  int longest = data.isSoftware ? kSoftwareCells : kHardwareCells;
+  mCell = std::max(edges.x, std::max(edges.y, edges.z)) / longest;
+  glm::ivec3 size = glm::clamp(glm::ivec3(edges / mCell + 0.5), glm::ivec3(1), glm::ivec3(longest));
   if (size == mSize) return;
   mSize = size;
   mExtinction = gpu::Texture::make3d("light extinction", gpu::Format::R32f, size);
   mLight = gpu::Texture::make3d("light grid", gpu::Format::Rg8, size);
+  mKey.reset();
 }
 
-void LightPass::extinction(int z0, int z1) {
-  mExtinctionProgram.set(0, z0);
-  mExtinction.bindImage(0, gpu::Access::Write);
-  gpu::dispatch(mExtinctionProgram, (glm::ivec3(mSize.x, mSize.y, z1 - z0) + 3) / 4);
-  gpu::barrier();
+void LightPass::prepare(FrameData& data) {
+  resize(data);
+  data.params.lightGrid = glm::vec4(glm::vec3(mSize), 0.0f);
+  data.params.lightCell = float(mCell);
+  if (!data.frame.isPreview || !hasLight(data.frame.scene.lighting)) return;
+  if (mKey && mLit && *mKey == keyOf(data, mSize))
+    data.params.keyLight = glm::vec4(mLit->direction, 0.0f);
+  else
+    data.params.flags &= ~shared::kFlagLightGrid;
 }
 
-void LightPass::light(int z0, int z1, glm::vec3 keyTex, glm::vec3 cellTex, double reachCells, bool keepOpenness) {
-  mLightProgram.set(0, z0);
-  mLightProgram.set(1, keepOpenness ? 1 : 0);
-  mLightProgram.set(2, glm::vec4(keyTex, 0.0f));
-  mLightProgram.set(3, glm::vec4(cellTex, 0.0f));
-  mLightProgram.set(4, float(reachCells));
-  mExtinction.bindSampler(shared::kLightUnit);
-  mLight.bindImage(0, gpu::Access::ReadWrite);
-  gpu::dispatch(mLightProgram, (glm::ivec3(mSize.x, mSize.y, z1 - z0) + 3) / 4);
-  gpu::barrier();
+void LightPass::addSteps(const FrameData& data, int, WorkQueue& queue) {
+  if (!hasLight(data.frame.scene.lighting) || data.frame.isPreview) return;
+  Key key = keyOf(data, mSize);
+  Light light = lightOf(data);
+  auto sameOptions = [&](const std::optional<Light>& known) {
+    return known && known->isShadowed == light.isShadowed && known->isOccluded == light.isOccluded &&
+           known->radius == light.radius;
+  };
+  bool sameMaterial = mKey && *mKey == key;
+  // A camera that comes nearer moves the light by rounding errors.
+  if (sameMaterial && sameOptions(mLit) && glm::length(light.direction - mLit->direction) < 1e-6f) return;
+  bool keepsOpenness = sameMaterial && sameOptions(mOpen);
+  // A frame that is given up half way leaves a grid that serves nobody.
+  mLit.reset();
+  if (!keepsOpenness) mOpen.reset();
+  if (!sameMaterial) {
+    mKey.reset();
+    auto [program, isNew] = mExtinctionPrograms.try_emplace(key.variant);
+    if (isNew) program->second = gpu::Program({"render/light_extinction.comp"}, definesOf(key.variant));
+    mExtinctionProgram = &program->second;
+    addExtinctionSteps(queue);
+  }
+  addLightSteps(data, keepsOpenness, queue);
+  queue.add(*this, [this, key, light] {
+    mKey = key;
+    mLit = mOpen = light;
+  });
 }
+
+void LightPass::addExtinctionSteps(WorkQueue& queue) {
+  for (int z = 0; z < mSize.z; z += kLayers)
+    queue.add(*this, [this, z] {
+      mExtinctionProgram->set(0, z);
+      mExtinction.bindImage(0, gpu::Access::Write);
+      gpu::dispatch(*mExtinctionProgram, (glm::ivec3(mSize.x, mSize.y, std::min(mSize.z - z, kLayers)) + 3) / 4);
+      gpu::barrier();
+    });
+}
+
+void LightPass::addLightSteps(const FrameData& data, bool keepsOpenness, WorkQueue& queue) {
+  glm::dmat3 texFromDirection(glm::inverse(glm::dmat3(glm::mat3(data.params.sceneFromTex))));
+  glm::vec3 keyTex(texFromDirection * glm::dvec3(glm::vec3(data.params.keyLight)) * mCell);
+  glm::dmat3 edges(data.grid.worldFromTex);
+  glm::vec3 cellTex;
+  double diameter = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    cellTex[axis] = float(mCell / glm::length(edges[axis]));
+    diameter = std::max(diameter, glm::length(edges[axis]));
+  }
+  double reachCells = data.frame.scene.lighting.occlusionRadius * diameter / mCell;
+  for (int z = 0; z < mSize.z; z += kLayers)
+    queue.add(*this, [this, z, keyTex, cellTex, reachCells, keepsOpenness] {
+      mLightProgram.set(0, z);
+      mLightProgram.set(1, keepsOpenness ? 1 : 0);
+      mLightProgram.set(2, glm::vec4(keyTex, 0.0f));
+      mLightProgram.set(3, glm::vec4(cellTex, 0.0f));
+      mLightProgram.set(4, float(reachCells));
+      mExtinction.bindSampler(shared::kLightUnit);
+      mLight.bindImage(0, gpu::Access::ReadWrite);
+      gpu::dispatch(mLightProgram, (glm::ivec3(mSize.x, mSize.y, std::min(mSize.z - z, kLayers)) + 3) / 4);
+      gpu::barrier();
+      mLight.bindSampler(shared::kLightUnit);
+    });
+}
+
+void LightPass::bind(const FrameData&) const { mLight.bindSampler(shared::kLightUnit); }
 
 }  // namespace velum::render

@@ -1,6 +1,12 @@
 #pragma once
+#include <array>
 #include <glm/glm.hpp>
+#include <map>
+#include <optional>
+#include <vector>
 
+#include "FrameData.h"
+#include "Pass.h"
 #include "velum/gpu/Program.h"
 #include "velum/gpu/Texture.h"
 
@@ -8,27 +14,60 @@ namespace velum::render {
 
 /// The light grid: how much key light reaches each place and how open its surroundings are, computed once for a scene
 /// and a direction of the light, then looked up once a shaded sample. Cuts and hidden structures count as not there.
-/// Cost: grid cells (at most ~96^3 in software), not voxels or pixels; sliced along z.
-class LightPass {
+/// Cost: grid cells (at most ~96^3 in software), not voxels or pixels; some layers at a time.
+///
+/// Previews keep the light where it stood in the world when the grid was made; without a grid of their material they
+/// have none.
+class LightPass : public Pass {
  public:
-  /// @param defines  the variant of the shaders: LABELS, COLOR, MODE, and MEMBRANES where there are any
-  explicit LightPass(gpu::Defines defines);
-  /// Cells for a box of the given edges (mm), `longest` along the longest.
-  void resize(glm::dvec3 edgesMm, int longest);
-  glm::ivec3 size() const { return mSize; }
-  double cellMm() const { return mCellMm; }
-  /// Layers z0..z1 of what the light has to pass.
-  void extinction(int z0, int z1);
-  /// @param keyTex  one cell size towards the light in grid texture coordinates; reachCells: occlusion reach;
-  ///                keepOpenness: the light alone has turned
-  void light(int z0, int z1, glm::vec3 keyTex, glm::vec3 cellTex, double reachCells, bool keepOpenness);
-  const gpu::Texture& map() const { return mLight; }
+  LightPass() : Pass("Light"), mLightProgram({"render/light_grid.comp"}) {}
+  void prepare(FrameData& data) override;
+  void addSteps(const FrameData& data, int sample, WorkQueue& queue) override;
+  void bind(const FrameData& data) const override;
 
  private:
-  gpu::Program mExtinctionProgram, mLightProgram;
+  /// A cut as the light meets it: its words without how it looks. What CutData gains counts unless it is taken out
+  /// here.
+  using CutWords = std::array<std::uint32_t, sizeof(shared::CutData) / 4>;
+  static CutWords wordsOf(shared::CutData cut);
+  /// What the light has to pass.
+  struct Key {
+    DataVariant variant;
+    std::uint32_t flags = 0;
+    VolumeKey volume;
+    LabelKey labels;
+    glm::mat4 sceneFromTex{1.0f}, labelFromScene{1.0f};
+    glm::ivec3 cells{0};
+    std::vector<CutWords> cuts;
+    SheetSources sheets;
+    std::vector<float> opacities;  ///< Of structures.
+    SpareTable spares;
+    std::vector<std::uint32_t> extinctionSums;
+    float extinctionUnit = 0, tablePerTexel = 0, tableOffset = 0, isoValue = 0, unlabelledOpacity = 0;
+    float voxelsPerLength = 0;
+    bool operator==(const Key&) const = default;
+  };
+  static Key keyOf(const FrameData& data, glm::ivec3 cells);
+  /// What it then finds.
+  struct Light {
+    glm::vec3 direction{0.0f};
+    bool isShadowed = false, isOccluded = false;
+    double radius = 0;
+  };
+  static Light lightOf(const FrameData& data);
+  void resize(const FrameData& data);
+  void addExtinctionSteps(WorkQueue& queue);
+  void addLightSteps(const FrameData& data, bool keepsOpenness, WorkQueue& queue);
+
+  std::map<DataVariant, gpu::Program> mExtinctionPrograms;
+  gpu::Program mLightProgram;
+  const gpu::Program* mExtinctionProgram = nullptr;  ///< The frame's.
   gpu::Texture mExtinction, mLight;
   glm::ivec3 mSize{0};
-  double mCellMm = 1;
+  double mCell = 1;            ///< Edge of a cell.
+  std::optional<Key> mKey;     ///< What mExtinction is of, and mLight where it is complete.
+  std::optional<Light> mLit;   ///< What mLight is of; nothing while it is made.
+  std::optional<Light> mOpen;  ///< What the openness in mLight is of.
 };
 
 }  // namespace velum::render

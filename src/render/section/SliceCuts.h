@@ -4,8 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "shared/cut.h"
+#include "shared/cuts.h"
 #include "upload/CutSheets.h"
+#include "upload/SpareTable.h"
 #include "velum/scene/Scene.h"
 #include "velum/scene/SliceFrame.h"
 
@@ -17,7 +18,7 @@ class SliceCuts {
   SliceCuts(const scene::Scene& scene, const scene::SliceFrame& frame, const SheetIndices& sheets);
   bool isEmpty() const { return mCuts.empty(); }
   /// 1 for each pixel of a row that the cuts remove, else 0.
-  /// @param ids  label of each pixel; may be empty when nothing is spared
+  /// @param ids  structure of each pixel; empty: no labels are shown
   std::vector<char> removedOf(int y, int width, std::span<const std::uint16_t> ids) const;
 
   /// A row as a ray: the middle of pixel x is at start + x * mmPerPixel * along, from the frame's centre.
@@ -29,18 +30,14 @@ class SliceCuts {
   std::vector<char> removedOf(const Row& row, std::span<const std::uint16_t> ids) const;
 
  private:
-  /// A cut, and which structures it spares.
-  struct SliceCut {
-    shared::CutData data;
-    std::vector<bool> spares;  ///< By label id; empty: none.
-    bool isSlice = false;
-  };
-  void markConvex(const SliceCut& cut, const Row& row, std::vector<char>& removed) const;
-  void markMembrane(const SliceCut& cut, const Row& row, std::vector<char>& removed) const;
+  void markConvex(const shared::CutData& cut, const Row& row, std::vector<char>& removed) const;
+  void markMembrane(const shared::CutData& cut, const Row& row, std::vector<char>& removed) const;
+  void takeBack(std::size_t cut, const Row& row, std::span<const std::uint16_t> ids, std::vector<char>& removed) const;
 
   const scene::SliceFrame& mFrame;
-  std::vector<SliceCut> mCuts;
   CpuSheets mSheets;
+  std::vector<shared::CutData> mCuts;
+  SpareTable mSpares;
 };
 
 }  // namespace velum::render

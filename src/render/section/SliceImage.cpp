@@ -62,7 +62,7 @@ void SliceDrawing::prepareLabels() {
   bool isAlone = !mVolumePath;
   double share = isAlone ? 1.0 : mScene.slices.labelOpacity;
   mShowsLabels = labels.visible && share > 0;
-  bool spared = std::any_of(mScene.cuts.begin(), mScene.cuts.end(), [](const auto& c) { return !c.exempt.empty(); });
+  bool spared = std::any_of(mScene.cuts.begin(), mScene.cuts.end(), [](const auto& c) { return !c.spares.empty(); });
   if (!mShowsLabels && !(spared && labels.visible)) return;
   mLabelPath.emplace(mFrame, labels.data->dims(), labels.data->worldFromVoxel());
   mIds.assign(std::size_t(mSize.x) * std::size_t(mSize.y), 0);

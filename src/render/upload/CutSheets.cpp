@@ -27,7 +27,7 @@ const FrameSheet* liveSheet(const Frame& frame, const scene::Cut& cut) {
 }
 
 void CutSheets::prepare(const Frame& frame) {
-  std::map<int, Source> sources;
+  SheetSources sources;
   for (const scene::Cut* cut : membranesOf(frame.scene)) {
     if (const FrameSheet* live = liveSheet(frame, *cut))
       sources[cut->id].live = *live;

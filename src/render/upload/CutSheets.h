@@ -22,24 +22,28 @@ using SheetPlans = std::map<int, glm::ivec4>;
 /// What a frame shows of a membrane: a live sheet, or nothing, which means what the scene says.
 const FrameSheet* liveSheet(const Frame& frame, const scene::Cut& cut);
 
+/// What the sheet of a membrane was made from.
+struct SheetSource {
+  FrameSheet live;
+  scene::SheetShape shape;
+  glm::ivec2 particles{0};
+  glm::dvec3 sizeMm{0.0};
+  bool operator==(const SheetSource&) const = default;
+};
+/// By the id of the cut.
+using SheetSources = std::map<int, SheetSource>;
+
 /// The sheets of a frame's membranes, one after the other in one buffer, as they were when it was prepared: a solver
 /// may go on meanwhile. GL thread.
 class CutSheets {
  public:
   void prepare(const Frame& frame);
   const SheetPlans& plans() const { return mPlans; }
+  const SheetSources& sources() const { return mSources; }
   void bind() const;
 
  private:
-  /// What one was made from.
-  struct Source {
-    FrameSheet live;
-    scene::SheetShape shape;
-    glm::ivec2 particles{0};
-    glm::dvec3 sizeMm{0.0};
-    bool operator==(const Source&) const = default;
-  };
-  std::map<int, Source> mSources;
+  SheetSources mSources;
   SheetPlans mPlans;
   gpu::Buffer mRows;
   gpu::Texture mTexels;  ///< the rows, as shaders fetch them

@@ -5,6 +5,12 @@
 #include "shared/cuts.h"
 #include "velum/scene/Scene.h"
 
+namespace velum::shared {
+
+inline bool operator==(const CutSpare& a, const CutSpare& b) { return a.distance == b.distance && a.share == b.share; }
+
+}  // namespace velum::shared
+
 namespace velum::render {
 
 /// What the enabled cuts of a scene spare, by structure. Structures that no cut spares take four bytes up to the
@@ -18,6 +24,7 @@ struct SpareTable {
   bool isEmpty() const { return rows.empty(); }
   /// What an enabled cut spares of a structure. @param cut  which of the enabled ones
   shared::CutSpare of(std::uint32_t structure, std::size_t cut) const;
+  bool operator==(const SpareTable&) const = default;
 };
 
 SpareTable makeSpareTable(const scene::Scene& scene);

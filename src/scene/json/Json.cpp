@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <type_traits>
 
 #include "JsonText.h"
+#include "OlderVersions.h"
 #include "PathKey.h"
 #include "velum/core/Error.h"
 #include "velum/core/Log.h"
@@ -77,7 +79,8 @@ Json writeStruct(const T& value) {
 
 /// The shortest decimal that reads back as the same float, rather than its long double form.
 Json writeNumber(float value) { return Json(std::stod(fmt::format("{}", value))); }
-Json writeNumber(double value) { return Json(value); }
+/// Infinity, where a field may have it, is null.
+Json writeNumber(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 Json writeNumber(Number auto value) { return Json(value); }
 
 Json write(const auto& value) {
@@ -115,6 +118,9 @@ void read(auto& target, const Json& json, const std::string& path, const FieldIn
 
 template <Number T>
 void readNumber(T& target, const Json& json, const std::string& path, const FieldInfo& info) {
+  if constexpr (std::is_floating_point_v<T>) {
+    if (info.nullIsEndless && json.is_null()) return void(target = std::numeric_limits<T>::infinity());
+  }
   if (!json.is_number()) fail(path, "expected a number");
   double value = json.get<double>();
   if (!std::isfinite(value)) fail(path, "the number is not finite");
@@ -195,6 +201,18 @@ Json parseValue(std::string_view text) {
   return Json(std::string(text));
 }
 
+/// On the command line a bare value stands for an object with its key field alone: spares=3,4.
+template <class T>
+Json expanded(Json value) {
+  if constexpr (List<T>) {
+    if (!value.is_array()) value = Json::array({value});
+    for (auto& item : value) item = expanded<typename ListTraits<T>::Item>(std::move(item));
+  } else if constexpr (requires { T::kKey; }) {
+    if (!value.is_object()) return {{std::string(T::kKey), std::move(value)}};
+  }
+  return value;
+}
+
 void assign(auto& target, std::string_view rest, std::string_view text, const std::string& path, const FieldInfo& info);
 
 template <Fielded T>
@@ -224,10 +242,7 @@ void assign(auto& target, std::string_view rest, std::string_view text, const st
       if constexpr (std::is_same_v<T, std::string>) {
         if (!value.is_string()) value = std::string(text);
       }
-      if constexpr (List<T> && !Fielded<T>) {
-        if (!value.is_array()) value = Json::array({value});
-      }
-      read(target, value, path, info);
+      read(target, expanded<T>(std::move(value)), path, info);
     } catch (const InputError& error) {
       throw ArgumentError(error.what());
     }
@@ -324,6 +339,7 @@ Json schemaOf(const T& defaults, const FieldInfo& info) {
     out["type"] = "boolean";
   } else if constexpr (Number<T>) {
     out["type"] = std::is_integral_v<T> ? "integer" : "number";
+    if (info.nullIsEndless) out["type"] = {"number", "null"};
     addRange(out);
   } else if constexpr (std::is_same_v<T, std::string>) {
     out["type"] = "string";
@@ -380,6 +396,7 @@ Scene fromJson(std::string_view text) {
     throw InputError(
         fmt::format("scene: written by a newer Velum (scene version {}, this one reads up to {}); update Velum",
                     version->get<double>(), kSceneVersion));
+  detail::bringUpToDate(json, version->get<int>());
   Scene scene;
   readStruct(scene, json, "");
   completeCuts(scene);

@@ -192,16 +192,17 @@ void replaceCut(scene::Scene& scene, scene::Cut moved) {
   *cut = std::move(moved);
 }
 
-void setExempt(scene::Cut& cut, int structure, bool exempt) {
-  std::sort(cut.exempt.begin(), cut.exempt.end());
-  auto place = std::lower_bound(cut.exempt.begin(), cut.exempt.end(), structure);
-  bool listed = place != cut.exempt.end() && *place == structure;
-  if (exempt && !listed) cut.exempt.insert(place, structure);
-  if (!exempt && listed) cut.exempt.erase(place);
+void setSpared(scene::Cut& cut, int structure, bool spared) {
+  std::erase_if(cut.spares, [structure](const auto& spare) { return spare.structure == structure; });
+  if (spared) cut.spares.push_back({structure});
+  std::stable_sort(cut.spares.begin(), cut.spares.end(),
+                   [](const auto& a, const auto& b) { return a.structure < b.structure; });
 }
 
-bool isExempt(const scene::Cut& cut, int structure) {
-  return std::find(cut.exempt.begin(), cut.exempt.end(), structure) != cut.exempt.end();
+bool isSpared(const scene::Cut& cut, int structure) {
+  auto found = std::find_if(cut.spares.begin(), cut.spares.end(),
+                            [structure](const auto& spare) { return spare.structure == structure; });
+  return found != cut.spares.end() && *found == scene::Spare{structure};
 }
 
 }  // namespace velum::session

@@ -174,7 +174,7 @@ Image drawPicture(render::Renderer& renderer, const scene::Scene& scene, const P
   frame.scene = sceneForPicture(scene, options);
   frame.pictureSize = options.size;
   render::Layers layers;
-  if (options.layers) layers = {true, true, true, true};
+  if (options.layers) layers = {true, true, true, true, true};
   int window = std::min(4096, limits.texture2d);
   Image image = render::renderPicture(renderer, frame, layers, window, progress);
   if (!options.layers || !hasSliceLayers(frame.scene)) return image;

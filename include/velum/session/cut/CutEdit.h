@@ -55,8 +55,9 @@ scene::Cut withOffset(const scene::Scene& scene, scene::Cut cut, double offsetMm
 /// rests is its own affair and stays as it is.
 void replaceCut(scene::Scene& scene, scene::Cut moved);
 
-/// Lists a structure among those that the cut leaves whole, or takes it off; the list stays ascending.
-void setExempt(scene::Cut& cut, int structure, bool exempt);
-bool isExempt(const scene::Cut& cut, int structure);
+/// Lets the cut leave a structure whole, or spare nothing of it; the list stays ascending.
+void setSpared(scene::Cut& cut, int structure, bool spared);
+/// The cut leaves all of the structure.
+bool isSpared(const scene::Cut& cut, int structure);
 
 }  // namespace velum::session

@@ -1,0 +1,46 @@
+// Where everything is bound: one list, so that no two things of a frame want the same place.
+#ifndef VELUM_SHARED_BINDINGS_H
+#define VELUM_SHARED_BINDINGS_H
+#include "shared/types.h"
+SHARED_BEGIN
+
+// Uniform blocks.
+SHARED_CONST uint kFrameBinding = 0u;
+
+// Samplers.
+SHARED_CONST uint kVolumeUnit = 0u;
+SHARED_CONST uint kLabelUnit = 1u;
+SHARED_CONST uint kSkipUnit = 2u;
+SHARED_CONST uint kLightUnit = 3u;
+SHARED_CONST uint kNoiseUnit = 4u;
+SHARED_CONST uint kSurfaceColorUnit = 5u;
+SHARED_CONST uint kSurfaceAuxUnit = 6u;
+SHARED_CONST uint kTransferUnit = 7u;
+SHARED_CONST uint kExtinctionUnit = 8u;
+SHARED_CONST uint kGradientTableUnit = 9u;
+SHARED_CONST uint kGradientUnit = 10u;
+SHARED_CONST uint kSheetUnit = 11u;  // the rows of all sheets
+SHARED_CONST uint kSurfaceIdUnit = 12u;
+
+// Storage blocks of a frame.
+SHARED_CONST uint kCutBinding = 1u;
+SHARED_CONST uint kStructureBinding = 2u;
+SHARED_CONST uint kCellBinding = 3u;
+SHARED_CONST uint kCellLabelBinding = 4u;
+SHARED_CONST uint kMeshBinding = 5u;
+SHARED_CONST uint kSpareIndexBinding = 6u;
+SHARED_CONST uint kSpareBinding = 7u;
+
+// Storage blocks while a sheet is indexed, which is between frames.
+SHARED_CONST uint kSheetBinding = 0u;        // its rows (SHARED_SHEET_BLOCK),
+SHARED_CONST uint kSheetValuesBinding = 1u;  // the same as single floats,
+SHARED_CONST uint kSheetCountsBinding = 2u;  // and a count a cell, then 1 when the lists had no room for all
+
+// Images, of a dispatch each. The ray caster's are the Gbuffer's.
+SHARED_CONST uint kColorImage = 0u;
+SHARED_CONST uint kSurfaceImage = 1u;
+SHARED_CONST uint kIdImage = 2u;
+SHARED_CONST uint kPictureImage = 1u;  // where that of colours becomes one to show
+
+SHARED_END
+#endif

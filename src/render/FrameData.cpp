@@ -1,0 +1,124 @@
+#include "FrameData.h"
+
+#include <span>
+
+#include "upload/BlueNoise.h"
+#include "upload/CutSheets.h"
+
+namespace velum::render {
+
+VolumeKey volumeKeyOf(const scene::VolumeLayer& layer) {
+  VolumeKey key;
+  if (!layer.data || !layer.visible) return key;
+  key.id = layer.data.id();
+  key.timeStep = layer.frame;
+  if (!scene::mixesChannels(layer)) {
+    key.channel = layer.channel;
+    return key;
+  }
+  for (const auto& look : layer.channels) key.mixed.push_back(look.visible ? look.transfer : scene::TransferFunction{});
+  return key;
+}
+
+Frame withSizes(const Frame& frame) {
+  Frame out = frame;
+  if (out.windowSize == glm::ivec2(0)) out.windowSize = out.pictureSize;
+  out.windowSize = glm::max(out.windowSize, glm::ivec2(1));
+  out.pictureSize = glm::max(out.pictureSize, glm::ivec2(1));
+  return out;
+}
+
+namespace {
+
+std::uint32_t membraneFlags(const Frame& frame) {
+  std::uint32_t flags = 0;
+  for (const scene::Cut* cut : membranesOf(frame.scene)) {
+    flags |= shared::kFlagMembranes;
+    if (cut->membrane->use == scene::MembraneUse::Slice) flags |= shared::kFlagSlices;
+    if (cut->membrane->look != scene::SheetLook::Hidden) flags |= shared::kFlagSheets;
+  }
+  if (flags & shared::kFlagSlices) {
+    if (!frame.parts.front) flags |= shared::kFlagHideFront;
+    if (!frame.parts.slice) flags |= shared::kFlagHideSlice;
+    if (!frame.parts.behind) flags |= shared::kFlagHideBehind;
+  }
+  return flags;
+}
+
+}  // namespace
+
+void completeFrameData(FrameData& data) {
+  const scene::Scene& scene = data.frame.scene;
+  data.table = makeTransferTable(scene);
+  data.cuts = makeCutData(scene, sceneOrigin(data.grid), data.sheetPlans);
+  data.structures = makeStructureRows(scene.labels);
+  data.spares = makeSpareTable(scene);
+  data.params = makeFrameParams(data.frame, data.grid, data.table);
+  data.params.cutCount = int(data.cuts.size());
+  data.params.structureCount = int(data.structures.size());
+  data.params.flags |= membraneFlags(data.frame);
+  if (!data.cuts.empty()) data.params.flags |= shared::kFlagCuts;
+  if (!data.spares.isEmpty()) data.params.flags |= shared::kFlagSpares;
+  if (data.spares.hasDepths) data.params.flags |= shared::kFlagSpareDepths;
+}
+
+DataVariant dataVariantOf(const FrameData& data) {
+  DataVariant variant;
+  if (const GpuVolume* volume = data.volume) {
+    variant.mode = data.frame.scene.rayCast.mode;
+    variant.texels = volume->isMixed ? TexelKind::Mixed : volume->isColor ? TexelKind::Color : TexelKind::Value;
+  }
+  variant.labels = data.labelUse;
+  variant.hasMembranes = (data.params.flags & shared::kFlagMembranes) != 0;
+  if (data.isSoftware) variant.flags = data.params.flags;
+  return variant;
+}
+
+namespace {
+
+/// Of at least one element: a block that a shader names must be there.
+template <class T>
+gpu::Buffer bufferOf(const char* label, const std::vector<T>& values) {
+  T none{};
+  return gpu::Buffer(label, values.empty() ? std::span<const T>(&none, 1) : std::span<const T>(values));
+}
+
+}  // namespace
+
+void FrameInputs::write(const FrameData& data) {
+  if (!mNoise) {
+    mTransfer = gpu::Texture::make2d("transfer table", gpu::Format::Rgba32ui, {shared::kTransferSize + 1, 1});
+    mExtinction = gpu::Texture::make2d("extinction table", gpu::Format::R32ui, {shared::kTransferSize + 1, 1});
+    mGradientFactors = gpu::Texture::make2d("gradient factors", gpu::Format::R32f, {shared::kTransferSize, 1});
+    mNoise = gpu::Texture::make2d("blue noise", gpu::Format::R32f, {kBlueNoiseSize, kBlueNoiseSize});
+    mNoise.write({0, 0, 0}, mNoise.size(), makeBlueNoise().data());
+  }
+  mTransfer.write({0, 0, 0}, mTransfer.size(), data.table.sums.data());
+  mExtinction.write({0, 0, 0}, mExtinction.size(), data.table.extinctionSums.data());
+  mGradientFactors.write({0, 0, 0}, mGradientFactors.size(), data.table.gradientFactors.data());
+  mCuts = bufferOf("cuts", data.cuts);
+  mStructures = bufferOf("structures", data.structures);
+  mSpareIndex = bufferOf("index of spares", data.spares.rowOf);
+  mSpares = bufferOf("spares", data.spares.rows);
+  writeParams(data, 0);
+}
+
+void FrameInputs::writeParams(const FrameData& data, int sample) {
+  shared::FrameParams params = data.params;
+  setSample(params, data.frame, sample);
+  mParams.set(params);
+}
+
+void FrameInputs::bind() const {
+  mParams.bind(shared::kFrameBinding);
+  mTransfer.bindSampler(shared::kTransferUnit);
+  mExtinction.bindSampler(shared::kExtinctionUnit);
+  mGradientFactors.bindSampler(shared::kGradientTableUnit);
+  mNoise.bindSampler(shared::kNoiseUnit);
+  mCuts.bindStorage(shared::kCutBinding);
+  mStructures.bindStorage(shared::kStructureBinding);
+  mSpareIndex.bindStorage(shared::kSpareIndexBinding);
+  mSpares.bindStorage(shared::kSpareBinding);
+}
+
+}  // namespace velum::render

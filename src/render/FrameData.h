@@ -1,0 +1,79 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "FrameSetup.h"
+#include "passes/Variants.h"
+#include "upload/CutSheets.h"
+#include "upload/LabelCells.h"
+#include "upload/SpareTable.h"
+#include "upload/TransferTable.h"
+#include "velum/gpu/Buffer.h"
+#include "velum/gpu/Texture.h"
+
+namespace velum::render {
+
+/// Which texels a frame is drawn from.
+struct VolumeKey {
+  std::uint64_t id = 0;  ///< Of the volume; 0: none.
+  int channel = 0, timeStep = 0;
+  std::vector<scene::TransferFunction>
+      mixed;             ///< Of the channels that are mixed, empty of hidden ones: they are in the texels.
+  bool isQuick = false;  ///< The small copy.
+  bool operator==(const VolumeKey&) const = default;
+};
+/// @param layer  its data may be missing or hidden
+VolumeKey volumeKeyOf(const scene::VolumeLayer& layer);
+
+/// Which labels a frame is drawn from, and over which grid of cells they are looked for.
+struct LabelKey {
+  std::uint64_t id = 0;
+  LabelSpace over;
+  bool operator==(const LabelKey&) const = default;
+};
+
+/// All that the passes of one frame are told. Made of the frame before it is drawn, then only read; what is on the GPU
+/// of it is the passes' and FrameInputs'.
+struct FrameData {
+  Frame frame;              ///< With its sizes filled in.
+  bool isSoftware = false;  ///< the driver
+  // Of the data that is on the GPU: UploadPass.
+  const GpuVolume* volume = nullptr;  ///< nullptr: none is drawn.
+  VolumeKey volumeKey;
+  LabelUse labelUse = LabelUse::None;
+  LabelKey labelKey;  ///< id 0 where no labels are drawn.
+  FrameGrid grid;
+  SheetPlans sheetPlans;
+  SheetSources sheetSources;
+  // What is worked out from it.
+  TransferTable table;
+  std::vector<shared::CutData> cuts;
+  std::vector<shared::StructureRow> structures;
+  SpareTable spares;
+  shared::FrameParams params{};  ///< Of the first sample.
+};
+
+/// What programs that read the data are compiled for.
+DataVariant dataVariantOf(const FrameData& data);
+/// Frame::windowSize and the like where the caller has left them open.
+Frame withSizes(const Frame& frame);
+/// Fills in what is worked out.
+void completeFrameData(FrameData& data);
+
+/// What all passes read of a frame, on the GPU: tables, cuts, structures, parameters. GL thread.
+class FrameInputs {
+ public:
+  FrameInputs() : mParams("frame") {}
+  void write(const FrameData& data);
+  /// The parameters, for one sample of the picture.
+  void writeParams(const FrameData& data, int sample);
+  void bind() const;
+
+ private:
+  gpu::UniformBuffer<shared::FrameParams> mParams;
+  gpu::Texture mTransfer, mExtinction, mGradientFactors, mNoise;
+  gpu::Buffer mCuts, mStructures, mSpareIndex, mSpares;
+};
+
+}  // namespace velum::render

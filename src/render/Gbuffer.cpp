@@ -1,0 +1,99 @@
+#include "Gbuffer.h"
+
+#include <limits>
+#include <vector>
+
+namespace velum::render {
+
+namespace {
+
+/// One texel of it.
+struct Texel {
+  glm::vec4 surface{0.0f};
+  glm::uvec2 ids{0};
+  bool isEmpty() const { return ids.y == 0; }
+};
+
+}  // namespace
+
+void Gbuffer::resize(glm::ivec2 size) {
+  if (mColor && this->size() == size) return;
+  mColor = gpu::Texture::make2d("colour", gpu::Format::Rgba32f, size);
+  mSurface = gpu::Texture::make2d("normal, distance", gpu::Format::Rgba32f, size);
+  mIds = gpu::Texture::make2d("structure, instance", gpu::Format::Rg32ui, size);
+  clear();
+}
+
+void Gbuffer::clear() {
+  mColor.clear();
+  mSurface.clear();
+  mIds.clear();
+}
+
+void Gbuffer::bindImages() const {
+  mColor.bindImage(shared::kColorImage, gpu::Access::ReadWrite);
+  mSurface.bindImage(shared::kSurfaceImage, gpu::Access::Write);
+  mIds.bindImage(shared::kIdImage, gpu::Access::Write);
+}
+
+void Gbuffer::appendLayers(const FrameData& data, const Layers& layers, Image& image) const {
+  std::size_t before = image.channels.size();
+  auto name = [&](bool isWanted, std::initializer_list<const char*> names) {
+    if (isWanted) image.channels.insert(image.channels.end(), names.begin(), names.end());
+  };
+  name(layers.position, {"position.X", "position.Y", "position.Z"});
+  name(layers.normal, {"normal.X", "normal.Y", "normal.Z"});
+  name(layers.depth, {"Z"});
+  name(layers.structure, {"id"});
+  name(layers.instance, {"instance"});
+  if (image.channels.size() == before) return;
+  std::size_t count = std::size_t(image.width) * std::size_t(image.height);
+  std::vector<glm::vec4> surfaces(count);
+  std::vector<glm::uvec2> ids(count);
+  mSurface.read(surfaces.data(), count * sizeof(surfaces[0]));
+  mIds.read(ids.data(), count * sizeof(ids[0]));
+  glm::dvec3 origin = sceneOrigin(data.grid);
+  std::vector<float> pixels;
+  pixels.reserve(count * image.channels.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    Texel texel{surfaces[i], ids[i]};
+    auto* own = &image.pixels[i * before];
+    pixels.insert(pixels.end(), own, own + before);
+    auto append = [&](glm::dvec3 v) {
+      for (int c = 0; c < 3; ++c) pixels.push_back(float(v[c]));
+    };
+    float distance = texel.isEmpty() ? std::numeric_limits<float>::infinity() : texel.surface.w;
+    glm::ivec2 pixel(int(i) % image.width, int(i) / image.width);
+    if (layers.position)
+      append(texel.isEmpty() ? glm::dvec3(0.0)
+                             : origin + glm::dvec3(pointOnRay(data.params, pixel + data.frame.windowOrigin, distance)));
+    if (layers.normal) append(glm::dvec3(glm::vec3(texel.surface)));
+    if (layers.depth) pixels.push_back(distance);
+    if (layers.structure) pixels.push_back(float(texel.ids.x));
+    if (layers.instance) pixels.push_back(texel.isEmpty() ? -1.0f : float(texel.ids.y - 1));
+  }
+  image.pixels = std::move(pixels);
+}
+
+Pick Gbuffer::pick(const FrameData& data, glm::ivec2 pixel) const {
+  Pick pick;
+  if (pixel.x < 0 || pixel.y < 0 || pixel.x >= size().x || pixel.y >= size().y) return pick;
+  Texel texel;
+  mSurface.read({pixel, 0}, {1, 1, 1}, &texel.surface, sizeof(texel.surface));
+  mIds.read({pixel, 0}, {1, 1, 1}, &texel.ids, sizeof(texel.ids));
+  if (texel.isEmpty()) return pick;
+  pick.hit = true;
+  pick.worldMm =
+      sceneOrigin(data.grid) + glm::dvec3(pointOnRay(data.params, pixel + data.frame.windowOrigin, texel.surface.w));
+  pick.normal = glm::vec3(texel.surface);
+  pick.structure = int(texel.ids.x);
+  pick.instance = texel.ids.y - 1;
+  if (const auto& layer = data.frame.scene.volume; layer.data) {
+    glm::dvec3 voxel(glm::inverse(layer.data->worldFromVoxel) * glm::dvec4(pick.worldMm, 1.0));
+    glm::ivec3 nearest = glm::clamp(glm::ivec3(glm::floor(voxel + 0.5)), glm::ivec3(0), layer.data->dims - 1);
+    pick.value = valueAt(*layer.data, nearest, layer.channel, layer.frame);
+  }
+  return pick;
+}
+
+}  // namespace velum::render

@@ -1,0 +1,36 @@
+#pragma once
+#include <glm/glm.hpp>
+
+#include "FrameData.h"
+#include "velum/core/Image.h"
+#include "velum/gpu/Framebuffer.h"
+#include "velum/gpu/Texture.h"
+#include "velum/render/Renderer.h"
+
+namespace velum::render {
+
+/// What each pixel of a window shows. Written by the ray caster, read by all that comes after it: the picture, layers,
+/// picking. Colours are of all samples so far; the rest is of the first, through the pixel's middle. GL thread.
+class Gbuffer {
+ public:
+  /// Makes pictures of a size; what they hold is lost where it is another.
+  void resize(glm::ivec2 size);
+  void clear();
+  glm::ivec2 size() const { return glm::ivec2(mColor.size()); }
+  explicit operator bool() const { return bool(mColor); }
+  /// As images of a dispatch: kColorImage, kSurfaceImage, kIdImage.
+  void bindImages() const;
+  const gpu::Texture& color() const { return mColor; }
+
+  /// The layers of Renderer::read after a picture's own channels. Waits for the GPU.
+  void appendLayers(const FrameData& data, const Layers& layers, Image& image) const;
+  /// What is in a pixel. Waits for the GPU.
+  Pick pick(const FrameData& data, glm::ivec2 pixel) const;
+
+ private:
+  gpu::Texture mColor;    ///< Premultiplied, the sum of the samples so far.
+  gpu::Texture mSurface;  ///< Normal, scene frame; distance along the ray.
+  gpu::Texture mIds;      ///< Structure; instance + 1, 0: nothing is seen.
+};
+
+}  // namespace velum::render

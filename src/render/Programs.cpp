@@ -1,0 +1,55 @@
+#include "velum/render/Programs.h"
+
+#include "passes/Variants.h"
+#include "shared/frame.h"
+
+namespace velum::render {
+
+namespace {
+
+/// Flags that come up together, one set after the other for one variant after the other.
+std::vector<std::uint32_t> flagSets() {
+  using namespace shared;
+  std::uint32_t plain = kFlagShaded | kFlagSkipEmpty | kFlagStopOpaque | kFlagJitter;
+  std::uint32_t slices = plain | kFlagCuts | kFlagMembranes | kFlagSlices;
+  std::vector<std::uint32_t> sets{0u,
+                                  kFlagLast * 2u - 1u,
+                                  plain,
+                                  plain | kFlagLightGrid,
+                                  plain | kFlagCuts | kFlagLightGrid,
+                                  plain | kFlagCuts | kFlagSpares,
+                                  plain | kFlagCuts | kFlagSpares | kFlagSpareDepths,
+                                  plain | kFlagGradientOpacity,
+                                  plain | kFlagCuts | kFlagMembranes | kFlagLightGrid,
+                                  plain | kFlagCuts | kFlagMembranes | kFlagSheets,
+                                  slices,
+                                  slices | kFlagSheets | kFlagLightGrid,
+                                  slices | kFlagHideFront | kFlagHideSlice};
+  for (std::uint32_t flag = 1; flag <= kFlagLast; flag *= 2) sets.push_back(flag);
+  return sets;
+}
+
+}  // namespace
+
+std::vector<gpu::ProgramSource> allPrograms() {
+  std::vector<gpu::ProgramSource> all;
+  for (const char* file : {"occupancy", "skip_distance", "light_grid", "resolve"})
+    all.push_back({{std::string("render/") + file + ".comp"}, {}});
+  for (const gpu::Defines& defines : {gpu::Defines{}, gpu::Defines{{"MEMBRANES", "1"}}})
+    all.push_back({{"render/surface.vert", "render/surface.frag"}, defines});
+  std::vector<std::uint32_t> sets = flagSets();
+  std::size_t next = 0;
+  for (DataVariant variant : allLightVariants()) {
+    all.push_back({{"render/light_extinction.comp"}, definesOf(variant)});
+    variant.flags = lightFlagsOf(sets[next++ % sets.size()]);
+    all.push_back({{"render/light_extinction.comp"}, definesOf(variant)});
+  }
+  for (RayVariant variant : allRayVariants()) {
+    all.push_back({{"render/ray_cast.comp"}, definesOf(variant)});
+    variant.data.flags = sets[next++ % sets.size()];
+    all.push_back({{"render/ray_cast.comp"}, definesOf(variant)});
+  }
+  return all;
+}
+
+}  // namespace velum::render

@@ -1,0 +1,43 @@
+#include "ResolvePass.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace velum::render {
+
+void ResolvePass::draw(const FrameData& data, const Gbuffer& gbuffer, const PictureProgress& progress) {
+  glm::ivec2 size = gbuffer.size();
+  if (!mPicture || glm::ivec2(mPicture.size()) != size) {
+    mPicture = gpu::Texture::make2d("picture", gpu::Format::Rgba8, size, gpu::Filter::Linear);
+    mTarget = gpu::Framebuffer("picture", {&mPicture});
+  }
+  gbuffer.color().bindImage(shared::kColorImage, gpu::Access::Read);
+  mPicture.bindImage(shared::kPictureImage, gpu::Access::Write);
+  const auto& background = data.frame.scene.background;
+  float backdrop = background.transparent ? 0.0f : 1.0f;
+  mProgram.set(0, data.frame.windowOrigin);
+  mProgram.set(1, progress.samples);
+  mProgram.set(2, progress.rowsDone);
+  mProgram.set(3, progress.strip);
+  mProgram.set(4, progress.columnsDone);
+  mProgram.set(5, glm::vec4(background.top, backdrop));
+  mProgram.set(6, glm::vec4(background.bottom, backdrop));
+  gpu::dispatch(mProgram, {(size.x + 7) / 8, (size.y + 7) / 8, 1});
+  gpu::barrier();
+}
+
+Image ResolvePass::read() const {
+  std::vector<glm::u8vec4> pixels(std::size_t(mPicture.size().x) * std::size_t(mPicture.size().y));
+  mPicture.read(pixels.data(), pixels.size() * sizeof(pixels[0]));
+  Image image{mPicture.size().x, mPicture.size().y, {"R", "G", "B", "A"}, {}};
+  image.pixels.reserve(pixels.size() * 4);
+  for (glm::u8vec4 color : pixels) {
+    float alpha = float(color.a) / 255.0f;
+    for (int c = 0; c < 3; ++c)
+      image.pixels.push_back(alpha > 0.0f ? std::min(1.0f, float(color[c]) / 255.0f / alpha) : 0.0f);
+    image.pixels.push_back(alpha);
+  }
+  return image;
+}
+
+}  // namespace velum::render

@@ -1,0 +1,130 @@
+#include "UploadPass.h"
+
+#include <algorithm>
+
+#include "WorkQueue.h"
+
+namespace velum::render {
+
+namespace {
+
+constexpr int kQuickTexels = 96;  // along the longest side: under 30 ms on two cores
+
+LabelUse labelUseOf(const scene::Scene& scene) {
+  if (!scene.labels.data || !scene.labels.visible) return LabelUse::None;
+  return scene.volume.data && scene.volume.visible ? LabelUse::OverVolume : LabelUse::Alone;
+}
+
+/// The grid that stands for a frame's data.
+FrameGrid gridOf(const FrameData& data) {
+  const scene::Scene& scene = data.frame.scene;
+  FrameGrid grid;
+  if (const GpuVolume* volume = data.volume)
+    return {volume->dims,       volume->cells,       volume->worldFromTex,
+            volume->valueScale, volume->valueOffset, volume->gradientScale};
+  if (data.labelUse == LabelUse::Alone) {
+    grid.dims = scene.labels.data->dims();
+    grid.cells = cellGridFor(grid.dims);
+    glm::dmat4 voxelFromTex(1.0);
+    for (int axis = 0; axis < 3; ++axis) voxelFromTex[axis][axis] = grid.dims[axis], voxelFromTex[3][axis] = -0.5;
+    grid.worldFromTex = scene.labels.data->worldFromVoxel() * voxelFromTex;
+    return grid;
+  }
+  grid.cells = {4, glm::ivec3(1)};
+  scene::Bounds bounds = scene::computeBounds(scene);
+  for (int axis = 0; axis < 3; ++axis) {
+    grid.worldFromTex[axis][axis] = std::max(1e-6, bounds.max[axis] - bounds.min[axis]);
+    grid.worldFromTex[3][axis] = bounds.min[axis];
+  }
+  return grid;
+}
+
+}  // namespace
+
+const UploadPass::Uploaded* UploadPass::drawnFor(const FrameData& data) const {
+  VolumeKey key = volumeKeyOf(data.frame.scene.volume);
+  if (key.id == 0) return nullptr;
+  if (mWhole && mWhole->key == key) return &*mWhole;
+  key.isQuick = true;
+  return mQuick && mQuick->key == key ? &*mQuick : nullptr;
+}
+
+/// What is not needed any more goes before anything new comes.
+void UploadPass::startWhole(const scene::VolumeLayer& layer, const VolumeKey& key) {
+  mWhole.reset();
+  mUpload.reset();
+  mUpload = std::make_unique<VolumeUpload>(layer, mLimits);
+  mUploadKey = key;
+}
+
+void UploadPass::prepare(FrameData& data) {
+  mMsBefore = mMs;
+  const auto& layer = data.frame.scene.volume;
+  VolumeKey key = volumeKeyOf(layer);
+  if (key.id == 0 || (mWhole && mWhole->key == key)) return;
+  if (data.frame.isPreview) {
+    if (!drawnFor(data)) mQuick.reset();
+    return;
+  }
+  if (!mUpload || !(mUploadKey == key)) startWhole(layer, key);
+  mMs = mMsBefore = 0;
+}
+
+void UploadPass::addSteps(const FrameData& data, int, WorkQueue& queue) {
+  VolumeKey key = volumeKeyOf(data.frame.scene.volume);
+  if (key.id == 0 || (mWhole && mWhole->key == key)) return;
+  if (!data.frame.isPreview) {
+    queue.addUntilDone(*this, [this] {
+      if (!mUpload->step()) return false;
+      mWhole = Uploaded{mUploadKey, mUpload->take()};
+      mUpload.reset();
+      return true;
+    });
+    return;
+  }
+  if (mQuick) return;
+  key.isQuick = true;
+  queue.add(*this, [this, &data, key] {
+    VolumeUpload copy(data.frame.scene.volume, mLimits, kQuickTexels);
+    while (!copy.step()) {
+    }
+    mQuick = Uploaded{key, copy.take()};
+  });
+}
+
+void UploadPass::complete(FrameData& data) {
+  const Uploaded* drawn = drawnFor(data);
+  data.volume = drawn ? &drawn->volume : nullptr;
+  data.volumeKey = drawn ? drawn->key : VolumeKey{};
+  data.labelUse = labelUseOf(data.frame.scene);
+  data.grid = gridOf(data);
+  mLabelBytes = 0;
+  if (data.labelUse != LabelUse::None) {
+    data.labelKey = {data.frame.scene.labels.data.id(), {data.grid.cells, data.grid.dims, data.grid.worldFromTex}};
+    mLabels.update(data.frame.scene.labels.data, data.labelKey.over);
+    mLabelBytes = mLabels.bytesSent();
+  }
+  mSheets.prepare(data.frame);
+  data.sheetPlans = mSheets.plans();
+  data.sheetSources = mSheets.sources();
+  if (mNoVolume) return;
+  mNoVolume = gpu::Texture::make3d("no volume", gpu::Format::R8, glm::ivec3(1));
+  mNoVolume.clear();
+  mNoLabels = gpu::Texture::make3d("no labels", gpu::Format::R8ui, glm::ivec3(1));
+  mNoLabels.clear();
+  mNoCells = gpu::Buffer("no cells", 16);
+  mNoCells.clear();
+}
+
+void UploadPass::bind(const FrameData& data) const {
+  const GpuVolume* volume = data.volume;
+  bool hasLabels = data.labelUse != LabelUse::None;
+  (volume ? volume->texture : mNoVolume).bindSampler(shared::kVolumeUnit);
+  if (volume && volume->gradient) volume->gradient.bindSampler(shared::kGradientUnit);
+  (volume ? volume->cellRange : mNoCells).bindStorage(shared::kCellBinding);
+  (hasLabels ? mLabels.texture() : mNoLabels).bindSampler(shared::kLabelUnit);
+  (hasLabels ? mLabels.cellLabels() : mNoCells).bindStorage(shared::kCellLabelBinding);
+  mSheets.bind();
+}
+
+}  // namespace velum::render

@@ -1,0 +1,53 @@
+#pragma once
+#include <memory>
+#include <optional>
+
+#include "FrameData.h"
+#include "Pass.h"
+#include "upload/CutSheets.h"
+#include "upload/LabelUpload.h"
+#include "upload/VolumeUpload.h"
+#include "velum/gpu/Context.h"
+
+namespace velum::render {
+
+/// Brings the data of a scene to the GPU: the volume slab by slab, of labels what has changed, the sheets of membranes.
+/// Its key of a volume is VolumeKey; labels and sheets know theirs.
+class UploadPass : public Pass {
+ public:
+  explicit UploadPass(const gpu::Limits& limits) : Pass("Upload"), mLimits(limits), mLabels(limits) {}
+
+  void prepare(FrameData& data) override;
+  void addSteps(const FrameData& data, int sample, WorkQueue& queue) override;
+  void bind(const FrameData& data) const override;
+  void took(double ms) override { mMs += ms; }
+
+  /// Says what there is to draw, when all steps are done; brings labels and sheets.
+  void complete(FrameData& data);
+  /// Time of the last upload of a volume.
+  double ms() const { return mMs; }
+  /// Of this frame alone.
+  double frameMs() const { return mMs - mMsBefore; }
+  std::size_t labelBytes() const { return mLabelBytes; }
+
+ private:
+  struct Uploaded {
+    VolumeKey key;
+    GpuVolume volume;
+  };
+  const Uploaded* drawnFor(const FrameData& data) const;
+  void startWhole(const scene::VolumeLayer& layer, const VolumeKey& key);
+
+  gpu::Limits mLimits;
+  std::optional<Uploaded> mWhole, mQuick;  ///< The quick one is for previews until the whole is there.
+  std::unique_ptr<VolumeUpload> mUpload;
+  VolumeKey mUploadKey;
+  LabelUpload mLabels;
+  std::size_t mLabelBytes = 0;
+  CutSheets mSheets;
+  gpu::Texture mNoVolume, mNoLabels;
+  gpu::Buffer mNoCells;
+  double mMs = 0, mMsBefore = 0;
+};
+
+}  // namespace velum::render

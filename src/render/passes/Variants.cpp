@@ -1,0 +1,54 @@
+#include "Variants.h"
+
+#include <fmt/format.h>
+
+#include "shared/frame.h"
+
+namespace velum::render {
+
+std::uint32_t lightFlagsOf(std::uint32_t flags) {
+  return flags & (shared::kFlagSpares | shared::kFlagSpareDepths | shared::kFlagSlices);
+}
+
+bool usesGradients(const DataVariant& variant) {
+  return variant.mode != scene::RenderMode::Mip && variant.labels != LabelUse::Alone;
+}
+
+gpu::Defines definesOf(const DataVariant& variant) {
+  auto number = [](auto value) { return std::to_string(static_cast<int>(value)); };
+  gpu::Defines defines{
+      {"MODE", number(variant.mode)}, {"LABELS", number(variant.labels)}, {"COLOR", number(variant.texels)}};
+  if (variant.hasMembranes) defines.push_back({"MEMBRANES", "1"});
+  if (variant.flags) defines.push_back({"FLAGS", fmt::format("{}u", *variant.flags)});
+  return defines;
+}
+
+gpu::Defines definesOf(const RayVariant& variant) {
+  gpu::Defines defines = definesOf(variant.data);
+  defines.push_back({"GRADIENTS", variant.hasGradients ? "1" : "0"});
+  return defines;
+}
+
+std::vector<DataVariant> allLightVariants() {
+  std::vector<DataVariant> all;
+  for (bool hasMembranes : {false, true}) {
+    for (auto mode : {scene::RenderMode::Volume, scene::RenderMode::Mip, scene::RenderMode::Iso})
+      for (LabelUse labels : {LabelUse::None, LabelUse::OverVolume})
+        for (TexelKind texels : {TexelKind::Value, TexelKind::Color, TexelKind::Mixed})
+          all.push_back({mode, labels, texels, hasMembranes, {}});
+    // Labels alone have no values: there is one mode.
+    all.push_back({scene::RenderMode::Volume, LabelUse::Alone, TexelKind::Value, hasMembranes, {}});
+  }
+  return all;
+}
+
+std::vector<RayVariant> allRayVariants() {
+  std::vector<RayVariant> all;
+  for (const DataVariant& data : allLightVariants()) {
+    all.push_back({data, false});
+    if (usesGradients(data)) all.push_back({data, true});
+  }
+  return all;
+}
+
+}  // namespace velum::render

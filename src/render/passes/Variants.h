@@ -1,0 +1,46 @@
+#pragma once
+#include <compare>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "velum/gpu/Program.h"
+#include "velum/scene/RayCast.h"
+
+namespace velum::render {
+
+/// What labels are to a picture. LABELS of the shaders.
+enum class LabelUse { None, OverVolume, Alone };
+/// What a volume's texels hold. COLOR of the shaders.
+enum class TexelKind { Value, Color, Mixed };
+
+/// What a program that reads the data is compiled for.
+struct DataVariant {
+  scene::RenderMode mode = scene::RenderMode::Volume;
+  LabelUse labels = LabelUse::None;
+  TexelKind texels = TexelKind::Value;
+  bool hasMembranes = false;
+  std::optional<std::uint32_t> flags;  ///< kFlag*: software drivers' programs are compiled for their frame's.
+  auto operator<=>(const DataVariant&) const = default;
+};
+
+/// The ray caster's.
+struct RayVariant {
+  DataVariant data;
+  bool hasGradients = false;  ///< They are looked up in a texture.
+  auto operator<=>(const RayVariant&) const = default;
+};
+
+/// Those of the flags that the light grid's shaders ask about.
+std::uint32_t lightFlagsOf(std::uint32_t flags);
+/// False for modes that shade nothing, and where there are no values to take differences of.
+bool usesGradients(const DataVariant& variant);
+
+gpu::Defines definesOf(const DataVariant& variant);
+gpu::Defines definesOf(const RayVariant& variant);
+
+/// All that a frame can ask for, flags left open.
+std::vector<DataVariant> allLightVariants();
+std::vector<RayVariant> allRayVariants();
+
+}  // namespace velum::render

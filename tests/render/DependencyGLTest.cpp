@@ -1,0 +1,115 @@
+// What a renderer keeps from frame to frame it may keep only as long as nothing that it was made from changes.
+#include "ChangeFields.h"
+#include "RenderFixture.h"
+
+namespace velum {
+namespace {
+
+constexpr glm::ivec3 kDims(26, 6, 22);
+constexpr glm::ivec2 kSize(44, 36);
+constexpr int kShares = 8;
+
+/// The fields of a scene are shared out, so that no test takes long.
+class DependencyGL : public RenderTest, public testing::WithParamInterface<int> {
+ protected:
+  /// A scene in which all that is kept shows: light, empty space, labels, cuts, a sheet, spared structures, a mesh.
+  static scene::Scene richScene() {
+    scene::Scene scene = sceneOf(makeVolume(
+        kDims, SampleType::Int16,
+        [](glm::ivec3 p) {
+          double r = glm::length(glm::dvec3(p) - glm::dvec3(13, 3, 11));
+          return 900.0 - 70 * r + 150 * hashNoise(p);
+        },
+        centredFrame(kDims)));
+    scene.lighting.shaded = true;
+    scene.lighting.shadow = scene.lighting.occlusion = 0.7;
+    scene.background.transparent = false;
+    scene.volume.transfer.colors = {{0, {0.5f, 0.2f, 0.1f}}, {900, {1, 0.9f, 0.8f}}};
+    scene.volume.transfer.opacities = {{150, 0}, {300, 0.2}, {700, 0.9}};
+    scene.volume.transfer.gradientOpacities = {{0, 0.5}, {200, 1}};
+    scene.rayCast.isoValue = 400;
+    scene.labels.data = Shared<LabelVolume>(makeLabels(
+        kDims, [](glm::ivec3 p) { return p.x > 15   ? 2
+                                         : p.z > 12 ? 3
+                                                    : 0; }, scene.volume.data->worldFromVoxel));
+    scene::completeStructures(scene.labels);
+    addCuts(scene);
+    Mesh mesh;
+    mesh.positions = {{-12, 4, -12}, {12, 4, -12}, {0, 5, 12}};
+    mesh.indices = {0, 1, 2};
+    scene::Surface surface;
+    surface.data = Shared<Mesh>(std::move(mesh));
+    scene.surfaces = {surface};
+    lookAlong(scene, {0.3, -1, 0.25}, 70);
+    return scene;
+  }
+
+  /// The scene with its n-th field changed, and the field's path; nothing when there are not so many.
+  static std::string change(scene::Scene& scene, int n) {
+    std::string path;
+    scene::changeNthField(scene, n, "", path);
+    return path;
+  }
+
+  void expectAsFresh(render::Renderer& used, const scene::Scene& before, const scene::Scene& after,
+                     const std::string& what) {
+    drawWith(used, before, kSize);
+    Image kept = drawWith(used, after, kSize, kAllLayers);
+    render::Renderer fresh(context());
+    expectIdentical(kept, drawWith(fresh, after, kSize, kAllLayers), what);
+  }
+
+ private:
+  static void addCuts(scene::Scene& scene) {
+    scene::Cut sphere;
+    sphere.id = 1;
+    sphere.shape = scene::CutShape::Sphere;
+    sphere.centreMm = {-8, -2, -6};
+    sphere.sizeMm = {11, 11, 11};
+    sphere.spares = {{3}};
+    scene::Cut membrane;
+    membrane.id = 2;
+    membrane.shape = scene::CutShape::Membrane;
+    membrane.axis = {0, -1, 0};
+    membrane.sizeMm = {20, 18, 6};
+    membrane.membrane.emplace().look = scene::SheetLook::Grid;
+    scene.cuts = {sphere, membrane};
+  }
+};
+
+TEST_P(DependencyGL, AChangedFieldDrawsAsInAFreshRenderer) {
+  scene::Scene scene = richScene();
+  int fields = 0;
+  for (int n = GetParam();; n += kShares) {
+    scene::Scene other = scene;
+    std::string path = change(other, n);
+    if (path.empty()) break;
+    SCOPED_TRACE(path);
+    expectAsFresh(renderer(), scene, other, path);
+    ++fields;
+  }
+  EXPECT_GT(fields, 10);
+}
+
+TEST_P(DependencyGL, AChangedFieldOfAnIsosurfaceDrawsAsInAFreshRenderer) {
+  scene::Scene scene = richScene();
+  scene.rayCast.mode = scene::RenderMode::Iso;
+  scene.labels = {};
+  scene.volume.transfer.gradientOpacities.clear();
+  int fields = 0;
+  for (int n = GetParam();; n += kShares) {
+    scene::Scene other = scene;
+    std::string path = change(other, n);
+    if (path.empty()) break;
+    if (!path.starts_with("rayCast") && !path.starts_with("volume") && !path.starts_with("lighting")) continue;
+    SCOPED_TRACE(path);
+    expectAsFresh(renderer(), scene, other, path);
+    ++fields;
+  }
+  EXPECT_GT(fields, 1);
+}
+
+INSTANTIATE_TEST_SUITE_P(Share, DependencyGL, testing::Range(0, kShares));
+
+}  // namespace
+}  // namespace velum

@@ -1,0 +1,26 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "velum/gpu/Program.h"
+#include "velum/membrane/sheet/Programs.h"
+#include "velum/render/Programs.h"
+
+namespace velum {
+
+/// Every program that the programs and benchmarks can ask for, as those who ask say.
+inline std::vector<gpu::ProgramSource> allPrograms() {
+  std::vector<gpu::ProgramSource> all = render::allPrograms();
+  auto more = membrane::allPrograms();
+  all.insert(all.end(), more.begin(), more.end());
+  all.push_back({{"bench/trilinear.comp"}, {}});
+  return all;
+}
+
+inline std::string textOf(const gpu::ProgramSource& source) {
+  std::string text = source.files[0];
+  for (const auto& [name, value] : source.defines) text += " " + name + "=" + value;
+  return text;
+}
+
+}  // namespace velum

@@ -45,8 +45,8 @@ def cut(index, *assignments):
 BARE_HEAD = [WELCOME, *sets("cuts.0.enabled=false")]
 SKULL = [*BARE_HEAD, "--preset", "ct-bone"]
 XRAY = sets("rayCast.mode=mip", "volume.windowLevel=900", "volume.windowWidth=2200")
-REGIONS = [TEMPLATES + "ch2.nii.gz", TEMPLATES + "aal.nii.gz", *OBLIQUE, *near(21), *sets("camera.targetMm=0,17,4")]
-OPENED = cut(0, "axis=-0.55,-0.2,0.8", "centreMm=0,15,10")
+REGIONS = [TEMPLATES + "ch2.nii.gz", TEMPLATES + "aal.nii.gz", *OBLIQUE, *near(21), *sets("camera.target=0,17,4")]
+OPENED = cut(0, "axis=-0.55,-0.2,0.8", "centre=0,15,10")
 SPARED = [*OPENED, *sets("cuts.0.spares=" + ids(1, 116))]
 MACAQUE = [TEMPLATES + "inia19-t1-brain.nii.gz", TEMPLATES + "inia19-NeuroMaps.nii.gz"]
 TRACTS = [TEMPLATES + "ch2better.nii.gz", TEMPLATES + "JHU-WhiteMatter-labels-1mm.nii.gz"]
@@ -71,25 +71,25 @@ def presets(_):
 
 def cuts(_):
     return [
-        [*SKULL, *cut(3, "axis=-1,0,0", "centreMm=100,120,80")],
-        [*SKULL, *cut(3, "axis=-1,0,0", "centreMm=100,120,80", "face=slice")],
-        [*SKULL, *cut(3, "shape=sphere", "centreMm=62,76,124", "sizeMm=112,112,112")],
+        [*SKULL, *cut(3, "axis=-1,0,0", "centre=100,120,80")],
+        [*SKULL, *cut(3, "axis=-1,0,0", "centre=100,120,80", "face=section")],
+        [*SKULL, *cut(3, "shape=sphere", "centre=62,76,124", "size=112,112,112")],
     ]
 
 
 def membrane(folder):
-    """Above a plane, a membrane in the same place, the same as illustrative slice; below the like for a beating heart."""
+    """Above a plane, a membrane in the same place, the same as inlay; below the like for a beating heart."""
     def protect(low, high):
         return f'membrane.field.byValue=[{{"value":{low},"strength":100}},{{"value":{high},"strength":100}}]'
     def three(data, *frame):
         return [[*data, *cut(0, f"shape={shape}", *frame, *use)] for shape, use in
-                (("plane", ["face=slice"]), ("membrane", []), ("membrane", ["membrane.use=slice"]))]
+                (("plane", ["face=section"]), ("membrane", []), ("membrane", ["membrane.use=inlay"]))]
     trunk = [*phantom(folder, "torso"), "--view", "anterior", *near(21), "--preset", "ct-bone"]
     heart = [*phantom(folder, "heart"), "--view", "anterior", *near(24), "--preset", "ct-muscle",
              *sets("volume.windowLevel=120", "volume.windowWidth=700")]
     return [
-        *three(trunk, "axis=0,-1,0", "centreMm=0,-40,0", "sizeMm=384,384,120", protect(200, 2000)),
-        *three(heart, "axis=0,-1,0", "centreMm=5,-30,-10", "sizeMm=166,166,80", protect(200, 600)),
+        *three(trunk, "axis=0,-1,0", "centre=0,-40,0", "size=384,384,120", protect(200, 2000)),
+        *three(heart, "axis=0,-1,0", "centre=5,-30,-10", "size=166,166,80", protect(200, 600)),
     ]
 
 
@@ -113,24 +113,24 @@ def situations(folder):
         scenes, scene = [], panel(name, panels[0]["set"])
         for i, place in enumerate(panels):
             out = folder / f"{name}{i}.json"
-            centre = place["set"]["cuts.0.centreMm"]
-            run(sys.argv[1], "membrane", *scene, *sets(f"cuts.0.centreMm={json.dumps(centre)}"), "--save-scene", out)
+            centre = place["set"]["cuts.0.centre"]
+            run(sys.argv[1], "membrane", *scene, *sets(f"cuts.0.centre={json.dumps(centre)}"), "--save-scene", out)
             scene = [out]
             scenes.append([out])
         return scenes
 
-    plane, cut_face = {"cuts.0.shape": "plane"}, {"cuts.0.shape": "plane", "cuts.0.face": "slice"}
-    as_slice, as_grid = {"cuts.0.membrane.use": "slice"}, {"cuts.0.membrane.look": "grid"}
+    plane, cut_face = {"cuts.0.shape": "plane"}, {"cuts.0.shape": "plane", "cuts.0.face": "section"}
+    as_inlay, as_grid = {"cuts.0.membrane.use": "inlay"}, {"cuts.0.membrane.look": "grid"}
     torso, spheres, fade, horizon = "imc-fig3-torso", "imc-fig5-spheres", "imc-fig6-falloff", "imc-fig7-horizon"
     vessels, levels = "imc-fig8-active", "imc-fig10-levels"
     return [
-        *(panel(torso, cut_face), panel(torso, as_slice), panel(torso, as_slice, view="oblique"),
+        *(panel(torso, cut_face), panel(torso, as_inlay), panel(torso, as_inlay, view="oblique"),
           panel(torso, as_grid, view="oblique")),
         *(panel(spheres, cut_face, view="oblique"), panel(spheres, plane, view="oblique"),
-          panel(spheres, as_slice, view="oblique"), panel(spheres, view="oblique")),
-        *(panel(fade, cut_face), *(panel(fade, {"cuts.0.membrane.falloffMm": mm}) for mm in (8, 20, 60))),
+          panel(spheres, as_inlay, view="oblique"), panel(spheres, view="oblique")),
+        *(panel(fade, cut_face), *(panel(fade, {"cuts.0.membrane.falloff": mm}) for mm in (8, 20, 60))),
         *(panel(horizon, plane), panel(horizon), panel(horizon, as_grid), panel(horizon, view="superior")),
-        *(panel(vessels, plane, {"cuts.0.centreMm": [0, 0, 0]}), *active(vessels)),
+        *(panel(vessels, plane, {"cuts.0.centre": [0, 0, 0]}), *active(vessels)),
         *(panel(levels, cut_face), panel(levels, plane), *(panel(levels, {"cuts.0.membrane.field.level": n}) for n in (1, 4))),
     ]
 
@@ -153,16 +153,16 @@ def sheet(folder):
     return [
         [WELCOME],
         [*REGIONS, *SPARED],
-        [*TRACTS, *OBLIQUE, *near(17.5), *cut(0, "axis=-1,-0.25,0.6", "centreMm=4,10,12", "spares=" + ids(1, 50))],
-        [*MACAQUE, *OBLIQUE, *near(15), *cut(0, "shape=box", "centreMm=-25,-25,25", "sizeMm=50,50,40")],
+        [*TRACTS, *OBLIQUE, *near(17.5), *cut(0, "axis=-1,-0.25,0.6", "centre=4,10,12", "spares=" + ids(1, 50))],
+        [*MACAQUE, *OBLIQUE, *near(15), *cut(0, "shape=box", "centre=-25,-25,25", "size=50,50,40")],
         [TEMPLATES + "ch2better.nii.gz", *OBLIQUE, *near(17.5),
-         *cut(0, "shape=box", "centreMm=-50,-60,60", "sizeMm=100,120,100", "face=slice")],
+         *cut(0, "shape=box", "centre=-50,-60,60", "size=100,120,100", "face=section")],
         [*phantom(folder, "torso", "labels"), *OBLIQUE, *near(20), "--preset", "ct-muscle", *seen],
         [*phantom(folder, "vessels", "labels"), *OBLIQUE, *near(19),
          *sets("labels.unlabelled=0", "lighting.shadow=0.3", "lighting.ambient=0.5")],
         [*phantom(folder, "neurons", "labels"), *OBLIQUE, *near(23), *sets("labels.unlabelled=0")],
         [*phantom(folder, "seismic"), *OBLIQUE, *near(24),
-         *cut(0, "shape=box", "axis=0,0,1", "centreMm=-850000,-850000,450000", "sizeMm=1700000,1700000,900000", "face=slice")],
+         *cut(0, "shape=box", "axis=0,0,1", "centre=-850000,-850000,450000", "size=1700000,1700000,900000", "face=section")],
     ]
 
 

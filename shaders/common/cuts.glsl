@@ -23,7 +23,7 @@ float sparedDepth(int first, int cut) { return sparedDepth(first, cut, 0.0); }
 
 bool isInlay(int cut) {
 #ifdef MEMBRANES
-  return hasFlag(kFlagSlices) && cutIsInlay(cuts[cut]);
+  return hasFlag(kFlagInlays) && cutIsInlay(cuts[cut]);
 #else
   return false;
 #endif
@@ -71,7 +71,7 @@ vec3 sheetNormalAt(int cut, int triangle, vec3 p, vec3 direction) {
 }
 
 /// Share of its opacity that inlays leave to a position of a structure: that of the inlay that leaves it most.
-float sliceShare(vec3 scenePoint, uint structure) {
+float inlayShare(vec3 scenePoint, uint structure) {
   float share = 0.0;
   int first = sparesOf(structure);
   for (int i = 0; i < frame.cutCount; ++i)
@@ -86,9 +86,9 @@ float fadedDepth(float depth, float thickness, float share) {
   return share >= 1.0 ? depth : -log(max(1.0 - share * opacity, 1e-6)) * voxels;
 }
 
-/// Whether a slice's image shows in a place: what cuts, other than slices, remove takes the image with it. On a face of
+/// Whether an inlay's image shows in a place: what cuts, other than inlays, remove takes the image with it. On a face of
 /// theirs it shows.
-bool sliceShows(vec3 scenePoint, uint structure) {
+bool inlayShows(vec3 scenePoint, uint structure) {
   CutFold fold = emptyFold();
   int first = sparesOf(structure);
   float onFace = 0.01 / frame.voxelsPerLength;
@@ -107,8 +107,8 @@ struct Mark {
   int triangle;
 };
 
-/// The image of a slice that comes next after one; those in one place in the order of the cuts.
-Mark nextSlice(Ray ray, Mark before) {
+/// The image of an inlay that comes next after one; those in one place in the order of the cuts.
+Mark nextInlay(Ray ray, Mark before) {
   Mark mark = Mark(kFar, -1, -1);
   for (int i = 0; i < frame.cutCount; ++i) {
     if (!isInlay(i)) continue;

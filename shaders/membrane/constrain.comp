@@ -1,7 +1,7 @@
 // One pass over all constraints: each particle gathers what its own ask of it (Jacobi), so that no order of threads
 // matters. Stretch on every mesh edge, both diagonals of a mesh among them; bending of every pair of adjacent triangles,
 // summed up beforehand (it is linear, see BendStencil); both also over strides of 2, 4, ... particles, which makes
-// a fine mesh as stiff as a coarse one. Then what may not be: leaving the frame's box, or the room between protected
+// a fine mesh as stiff as a coarse one. Then what may not be: leaving the rest plane's box, or the room between protected
 // structures. ALONG 1: particles move along the normal only, and their height is all that is passed on. What limits it are
 // loads: 8 a stride for stretching, twice 25 for bending, which is why only some passes bend.
 #include "shared/cloth.h"
@@ -32,7 +32,7 @@ float stretchOf(ivec2 at, float place, int stride) {
     int cell = i < 4 ? i : i + 1;  // around the middle of nine
     ivec2 other = clamp(at + stride * (ivec2(cell % 3, cell / 3) - 1), ivec2(0), cloth.grid.xy - 1);
     vec2 inPlane = vec2(other - at) * mesh;
-    float rest2 = max(dot(inPlane, inPlane), 1e-12);
+    float rest2 = max(dot(inPlane, inPlane), 1e-12 * dot(mesh, mesh));
     float d = from[other.y * cloth.grid.x + other.x] - place;
     bool isHeld = any(equal(other, ivec2(0))) || any(equal(other, cloth.grid.xy - 1));
     sum += d * (1.0 - inversesqrt((rest2 + d * d) / rest2)) * (isHeld ? 1.0 : 0.5);

@@ -1,4 +1,4 @@
-// Where each particle would go without constraints ([IMC] eq. 1), under the kernels around it, the pull back to the slice
+// Where each particle would go without constraints ([IMC] eq. 1), under the kernels around it, the pull back to the rest plane
 // and damping. Cost: particles times the kernels that reach one, whatever the number of kernels.
 #include "shared/cloth.h"
 layout(local_size_x = kClothGroup, local_size_y = kClothGroup) in;
@@ -44,7 +44,7 @@ vec3 latticeForce(vec3 place) {
 #endif
 }
 
-/// The same over the user's own kernels, boxes along the frame's axes. @param lift  of the slice, mm
+/// The same over the user's own kernels, boxes along the rest plane's axes. @param lift  of the rest plane, mm
 vec3 userForce(vec3 place, out float lift) {
   vec3 force = vec3(0.0);
   lift = 0.0;
@@ -74,7 +74,7 @@ void main() {
     force.z -= cloth.step.z * (place.z - lift);
     vec3 way = (velocities[i].xyz + cloth.step.x * force) * (cloth.step.y * cloth.step.x);
     float len = length(way);
-    place.xyz += way * min(1.0, cloth.halfSize.w / max(len, 1e-12));
+    place.xyz += way * min(1.0, cloth.halfSize.w / max(len, 1e-6 * cloth.halfSize.w));
   }
 #if ALONG
   predicted[i] = place.z;

@@ -9,9 +9,9 @@
 void addInlayAt(inout Hit hit, Ray ray, Mark mark) {
   vec3 p = ray.origin + mark.t * ray.direction;
   uint structure = structureAt(p);
-  if (!sliceShows(p, structure)) return;
+  if (!inlayShows(p, structure)) return;
   vec3 normal = sheetNormalAt(mark.cut, -1, p, ray.direction);
-  addInlay(hit, mark.t, dataColor(p, structure).rgb, cuts[mark.cut].slice.x, normal, structure);
+  addInlay(hit, mark.t, dataColor(p, structure).rgb, cuts[mark.cut].inlay.x, normal, structure);
 }
 
 /// How a place on a sheet runs through the picture.
@@ -96,7 +96,7 @@ void castMarked(inout Hit hit, Ray ray, Walk walk, float from, float tEnd) {
       stretch = stretchFrom(ray, t, tEnd);
     }
     float e = 1e-5 * max(1.0, abs(t));
-    if (seeksInlay) inlay = hasFlag(kFlagSlices) ? nextSlice(ray, inlay) : Mark(kFar, -1, -1);
+    if (seeksInlay) inlay = hasFlag(kFlagInlays) ? nextInlay(ray, inlay) : Mark(kFar, -1, -1);
     if (seeksSheet) sheet = hasFlag(kFlagSheets) ? nextSheet(ray, sheet.t + (sheet.cut < 0 ? 0.0 : e), tEnd) : Mark(kFar, -1, -1);
     seeksInlay = false;
     seeksSheet = false;
@@ -105,7 +105,7 @@ void castMarked(inout Hit hit, Ray ray, Walk walk, float from, float tEnd) {
     float mark = min(inlay.t, sheet.t);
     if (mark <= t + e) {
       if (inlayIsNext) {
-        if (!hasFlag(kFlagHideSlice)) addInlayAt(hit, ray, inlay);
+        if (!hasFlag(kFlagHideInlay)) addInlayAt(hit, ray, inlay);
         isBehind = true;
         seeksInlay = true;
       } else {
@@ -118,7 +118,7 @@ void castMarked(inout Hit hit, Ray ray, Walk walk, float from, float tEnd) {
       if (end > t && (stretch.kept || hasFlag(kFlagSpares)) && !isHidden(isBehind))
         marchStretch(hit, ray, walk, Span(t, end, sparedOnly ? kNoFace : face, sparedOnly));
       face = kNoFace;
-      t = max(end, t + 1e-6);
+      t = max(end, t + 1e-6 * max(1.0, abs(t)));
     }
   } while (t < tEnd && --guard > 0 && !isDone(hit));
 }

@@ -9,11 +9,11 @@ layout(binding = 0, r32f) uniform writeonly image3D extinctionImage;
 
 layout(location = 0) uniform int firstLayer;  // z of the first cells
 
-/// Slices let less of the material show, which then throws less of a shadow.
+/// Inlays let less of the material show, which then throws less of a shadow.
 float shownExtinction(float extinction, vec3 p, uint structure) {
 #ifdef MEMBRANES
   float thickness = 1.0 / frame.voxelsPerLength;
-  if (hasFlag(kFlagSlices)) return fadedDepth(extinction * thickness, thickness, sliceShare(p, structure)) / thickness;
+  if (hasFlag(kFlagInlays)) return fadedDepth(extinction * thickness, thickness, inlayShare(p, structure)) / thickness;
 #endif
   return extinction;
 }

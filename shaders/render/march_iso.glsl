@@ -32,7 +32,7 @@ void addSurface(inout Hit hit, Ray ray, Walk walk, float t, Face face, bool spar
   vec3 color = shadeSurface(albedo, normal, -ray.direction, lightTexAt(p, normal));
   if (isOnFace(face) && showsData(face)) color = vec3(greyAt(tableAt(tex)));
 #ifdef MEMBRANES
-  float share = hasFlag(kFlagSlices) ? sliceShare(p, structure) : 1.0;
+  float share = hasFlag(kFlagInlays) ? inlayShare(p, structure) : 1.0;
   if (share > 0.0) addSample(hit, vec4(color, 1.0) * share, t, normal, structure);
 #else
   hit = Hit(vec4(color, 1.0), t, normal, structure);

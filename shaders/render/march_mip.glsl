@@ -18,7 +18,7 @@ vec4 gSheets = vec4(0.0);
 /// A value as it is compared. Table positions 0..1, or what shows of their grey.
 float shownAs(float value, float share) {
 #ifdef MEMBRANES
-  if (hasFlag(kFlagSlices)) return gBehind.x * greyAt(value * float(kTransferSize - 1)) * share + gBehind.y;
+  if (hasFlag(kFlagInlays)) return gBehind.x * greyAt(value * float(kTransferSize - 1)) * share + gBehind.y;
 #endif
   return value;
 }
@@ -56,7 +56,7 @@ void addValue(inout Hit hit, Ray ray, Walk walk, float t, bool sparedOnly) {
 #endif
   if (hasFlag(kFlagSpares) && sparedOnly) shown = shown && cutsKeep(p, structure);
 #ifdef MEMBRANES
-  if (hasFlag(kFlagSlices)) share = sliceShare(p, structure);
+  if (hasFlag(kFlagInlays)) share = inlayShare(p, structure);
 #endif
   value = shownAs(value, share);
   bool better = shown && value > gBest;
@@ -97,7 +97,7 @@ void addSheet(inout Hit hit, float t, vec3 color, float alpha, vec3 normal) {
 /// From the largest value to a colour.
 void finishRay(inout Hit hit, Ray ray, Walk walk) {
   if (gBest >= 0.0) {
-    float grey = hasFlag(kFlagSlices) ? gBest : greyAt(gBest * float(kTransferSize - 1));
+    float grey = hasFlag(kFlagInlays) ? gBest : greyAt(gBest * float(kTransferSize - 1));
     hit.color = vec4(vec3(grey), 1.0);
 #if COLOR
     hit.color.rgb = volumeColorAt(texAt(walk, hit.distance)) * (COLOR == 2 ? grey : 1.0);
@@ -108,7 +108,7 @@ void finishRay(inout Hit hit, Ray ray, Walk walk) {
     hit.color *= smoothstep(0.0, 0.02, grey);
   }
 #ifdef MEMBRANES
-  if (hasFlag(kFlagSlices) && gBest <= gBehind.y && gInlays.a < kFar) {
+  if (hasFlag(kFlagInlays) && gBest <= gBehind.y && gInlays.a < kFar) {
     hit.color = vec4(gInlays.rgb, 1.0 - gBehind.x);
     hit.distance = gInlays.a;
     hit.structure = structureAt(ray.origin + hit.distance * ray.direction);

@@ -54,7 +54,7 @@ void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, float faceT,
 #endif
 #endif
 #ifdef MEMBRANES
-  if (hasFlag(kFlagSlices)) depth = fadedDepth(depth, segment.t1 - segment.t0, sliceShare(p, structure));
+  if (hasFlag(kFlagInlays)) depth = fadedDepth(depth, segment.t1 - segment.t0, inlayShare(p, structure));
 #endif
   // The light on it.
   vec3 normal = -ray.direction;
@@ -80,7 +80,7 @@ void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, float faceT,
       normal = normalize(mix(faceNormal, normal, smoothstep(0.25, 1.5, (tm - faceT) * frame.voxelsPerLength * -dot(faceNormal, ray.direction))) + 1e-6);
     color = shadeSurface(albedo, normal, -ray.direction, lightTexAt(p, normal));
   }
-  if (hasFlag(kFlagGradientOpacity) || hasFlag(kFlagSlices) || LABELS == 1) alpha = 1.0 - exp(-depth);
+  if (hasFlag(kFlagGradientOpacity) || hasFlag(kFlagInlays) || LABELS == 1) alpha = 1.0 - exp(-depth);
   if (alpha > 0.0) addSample(hit, vec4(color * alpha, alpha), tm, normal, structure);
 }
 

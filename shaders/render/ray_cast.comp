@@ -56,7 +56,7 @@ void castStretches(inout Hit hit, Ray ray, Walk walk, float from, float tEnd) {
       else if (hasFlag(kFlagSpares)) marchStretch(hit, ray, walk, Span(t, stretch.end, kNoFace, true));
     }
     face = stretch.kept ? kNoFace : Face(stretch.face, stretch.triangle);
-    t = stretch.kept ? stretch.end : max(stretch.end, t + 1e-6);
+    t = stretch.kept ? stretch.end : max(stretch.end, t + 1e-6 * max(1.0, abs(t)));
   } while (t < tEnd && --guard > 0 && !isDone(hit));
 }
 
@@ -70,7 +70,7 @@ Hit castRay(Ray ray, float jitter, float stop) {
   if (!hasFlag(kFlagCuts)) {
     marchStretch(hit, ray, walk, Span(box.x, tEnd, kNoFace, false));
 #ifdef MEMBRANES
-  } else if (hasFlag(kFlagSlices) || hasFlag(kFlagSheets)) {
+  } else if (hasFlag(kFlagInlays) || hasFlag(kFlagSheets)) {
     castMarked(hit, ray, walk, box.x, tEnd);
 #endif
   } else {

@@ -1,5 +1,5 @@
 // The elastic sheet: what a step of position based dynamics does to one particle. C++ and GLSL compile this text.
-// Frame: the cut's local millimetres, z along its axis, the slice at z = 0.
+// Frame: the cut's local millimetres, z along its axis, the rest plane at z = 0.
 #ifndef VELUM_SHARED_CLOTH_H
 #define VELUM_SHARED_CLOTH_H
 #include "shared/types.h"
@@ -24,8 +24,8 @@ SHARED_CONST int kBendClasses = 9;           // by distance from either end of a
 /// What a step needs to know. std140.
 struct ClothParams {
   ivec4 grid;            ///< x, y: particles; z: user kernels; w: strides
-  vec4 halfSize;         ///< xyz: half the frame and the reach, mm; w: longest way in a step, mm
-  vec4 step;             ///< x: time, s; y: what is left of a velocity; z: pull back to the slice, 1/s^2; w: mm/s^2 of strength 1
+  vec4 halfSize;         ///< xyz: half the rest plane and the reach, mm; w: longest way in a step, mm
+  vec4 step;             ///< x: time, s; y: what is left of a velocity; z: pull back to the rest plane, 1/s^2; w: mm/s^2 of strength 1
   mat4 kernelFromLocal;  ///< places of the kernel lattice, kernels at integers
   vec4 spacing;          ///< xyz: between kernels along the volume's axes, mm; w: their geometric mean
   ivec4 lattice;         ///< kernels along x, y, z; w: kernels that reach a place, along one axis
@@ -39,7 +39,7 @@ struct ClothParams {
 struct ClothKernel {
   vec4 place;     ///< xyz: centre; w: half-width, mm
   vec4 strength;  ///< x: push (> 0: to the sheet's positive side, by the least cut), y: pull or push from the centre; z: how
-                  ///< high it lifts the slice, mm
+                  ///< high it lifts the rest plane, mm
 };
 
 /// Which side of a kernel's centre: -1 to 1. Differs: the sign of [IMC] eq. 3 would jump at the centre, where a sheet then
@@ -70,7 +70,7 @@ SHARED_FN float liftAt(float share) {
 SHARED_FN vec3 stretchCorrection(vec4 a, vec4 b, float rest) {
   vec3 d = vec3(b.x - a.x, b.y - a.y, b.z - a.z);
   float len = length(d);
-  if (len < 1e-12f) return vec3(0.0f);
+  if (len == 0.0f) return vec3(0.0f);
   return d * ((len - rest) / len * (a.w / max(a.w + b.w, 1e-6f)));
 }
 

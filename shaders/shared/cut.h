@@ -12,24 +12,24 @@ SHARED_CONST int kCutCylinder = 3;
 SHARED_CONST int kCutCone = 4;
 SHARED_CONST int kCutMembrane = 5;
 SHARED_CONST int kMembraneClip = 0;   // removes what is above its sheet
-SHARED_CONST int kMembraneSlice = 1;  // removes all but what lies between its sheet and the plane z = 0
+SHARED_CONST int kMembraneInlay = 1;  // removes all but what lies between its sheet and the plane z = 0
 SHARED_CONST float kCutFar = 1e30f;
 // What a cut does with a point.
 SHARED_CONST int kCutKeeps = 0;
 SHARED_CONST int kCutRemoves = 1;
 SHARED_CONST int kCutNear = 2;  // only the meshes of a sheet tell
 
-/// One enabled cut. Frame: scene-local millimetres (world minus the frame's origin).
+/// One enabled cut. Frame: the scene's (world minus its origin, in its unit).
 struct CutData {
   mat4 localFromScene;  ///< rigid
   vec4 halfSize;        ///< xyz: half edges, radius in x; w: 1 removes the inside, -1 the outside
-  ivec4 kind;           ///< x: kCut*; y: 1 shows the slice on its face; w: kMembrane*
-  vec4 face;            ///< x: opacity of the slice face
+  ivec4 kind;           ///< x: kCut*; y: 1 shows the section on its face; w: kMembrane*
+  vec4 face;            ///< x: opacity of a section face; y: membranes: SheetPlan::scale
   ivec4 sheet;          ///< membranes: x: first row; y, z: particles across, up; w: 1 shown as lines, 2 as a surface
-  vec4 slice;           ///< membranes: x: opacity of the slice's image; y: 1/mm of the fall-off; z, w: factors above, below
+  vec4 inlay;           ///< membranes: x: opacity of the inlay's image; y: 1/length of the fall-off; z, w: factors above, below
 };
 
-/// Signed distance from a point in the cut's local frame to the shape, mm: < 0 inside. Exact for every shape.
+/// Signed distance from a point in the cut's local frame to the shape: < 0 inside. Exact for every shape.
 SHARED_FN float cutShapeDistance(int kind, vec3 halfSize, vec3 p) {
   if (kind == kCutPlane) return -p.z;
   if (kind == kCutSphere) return length(p) - halfSize.x;
@@ -66,11 +66,12 @@ SHARED_FN SheetPlan cutSheet(CutData cut) {
   SheetPlan plan;
   plan.rows = cut.sheet;
   plan.halfSize = vec3(cut.halfSize);
+  plan.scale = cut.face.y;
   return plan;
 }
 
 SHARED_FN bool membraneRemovesSide(CutData cut, vec3 p, bool isAbove) {
-  if (cut.kind.w == kMembraneSlice) return isAbove == (p.z > 0.0f) || !sheetHolds(cutSheet(cut), p);
+  if (cut.kind.w == kMembraneInlay) return isAbove == (p.z > 0.0f) || !sheetHolds(cutSheet(cut), p);
   return isAbove == (cut.halfSize.w > 0.0f);
 }
 
@@ -82,31 +83,31 @@ SHARED_FN int membraneGuess(CutData cut, vec3 p SHARED_SHEETS) {
   return membraneRemovesSide(cut, p, side == kSheetAbove) ? kCutRemoves : kCutKeeps;
 }
 
-/// Whether a membrane removes a point of its frame: what is above the sheet (inverted: below it), or, as a slice,
-/// everything but what lies between the sheet and the slice.
+/// Whether a membrane removes a point of its rest plane: what is above the sheet (inverted: below it), or, as an inlay,
+/// everything but what lies between the sheet and the inlay.
 SHARED_FN bool membraneRemoves(CutData cut, vec3 p SHARED_SHEETS) {
   return membraneRemovesSide(cut, p, sheetIsAbove(cutSheet(cut), p SHARED_PASS_SHEETS));
 }
 
-/// Its distance to what is removed, mm: < 0 is removed. As exact as sheetDistance().
+/// Its distance to what is removed: < 0 is removed. As exact as sheetDistance().
 SHARED_FN float membraneDistance(CutData cut, vec3 p SHARED_SHEETS) {
   SheetPlan plan = cutSheet(cut);
   float toSheet = sheetDistance(plan, p SHARED_PASS_SHEETS);
-  if (cut.kind.w != kMembraneSlice) return cut.halfSize.w * toSheet;
+  if (cut.kind.w != kMembraneInlay) return cut.halfSize.w * toSheet;
   bool removes = (toSheet < 0.0f) == (p.z > 0.0f) || !sheetHolds(plan, p);
   float nearest = min(abs(toSheet), abs(p.z));
   return removes ? -nearest : nearest;
 }
 
 /// The first place between two t, exclusive, at which what a membrane removes of a scene-local ray may change: a crossing
-/// with its sheet or with the plane z = 0, which goes on beyond a frame and lies in that of a slice.
+/// with its sheet or with the plane z = 0, which goes on beyond a frame and lies in that of an inlay.
 SHARED_FN SheetHit membraneCrossing(CutData cut, vec3 origin, vec3 direction, float from, float to SHARED_SHEETS) {
   vec3 o = vec3(cut.localFromScene * vec4(origin, 1.0f));
   vec3 d = vec3(cut.localFromScene * vec4(direction, 0.0f));
   SheetPlan plan = cutSheet(cut);
   SheetHit hit = sheetCrossing(plan, o, d, from, to SHARED_PASS_SHEETS);
   float t = -o.z / sheetNonZero(d.z);
-  bool isFace = sheetHolds(plan, o + t * d) == (cut.kind.w == kMembraneSlice);
+  bool isFace = sheetHolds(plan, o + t * d) == (cut.kind.w == kMembraneInlay);
   if (isFace && t > from && t < min(to, hit.t)) {
     hit.t = t;
     hit.triangle = -1;
@@ -122,14 +123,14 @@ SHARED_FN vec3 membraneNormal(CutData cut, int triangle, vec3 p, vec3 direction 
   return dot(n, direction) > 0.0f ? -n : n;
 }
 
-/// Share of its opacity that material keeps at a height over a slice: it fades with the distance, and the two sides
+/// Share of its opacity that material keeps at a height over an inlay: it fades with the distance, and the two sides
 /// differ by the emphasis.
 SHARED_FN float membraneShare(CutData cut, float z) {
-  return (1.0f - smoothstep(0.0f, 1.0f, abs(z) * cut.slice.y)) * (z > 0.0f ? cut.slice.z : cut.slice.w);
+  return (1.0f - smoothstep(0.0f, 1.0f, abs(z) * cut.inlay.y)) * (z > 0.0f ? cut.inlay.z : cut.inlay.w);
 }
 #endif
 
-/// Signed distance to what a cut of convex shape removes, mm: < 0 is removed.
+/// Signed distance to what a cut of convex shape removes: < 0 is removed.
 SHARED_FN float convexDistance(CutData cut, vec3 scenePoint) {
   vec3 p = vec3(cut.localFromScene * vec4(scenePoint, 1.0f));
   return cut.halfSize.w * cutShapeDistance(cut.kind.x, vec3(cut.halfSize), p);
@@ -144,7 +145,7 @@ SHARED_FN bool cutRemoves(CutData cut, vec3 scenePoint SHARED_SHEETS) {
   return convexDistance(cut, scenePoint) < 0.0f;
 }
 
-/// Signed distance to what the cut removes, mm: < 0 is removed.
+/// Signed distance to what the cut removes: < 0 is removed.
 SHARED_FN float cutDistance(CutData cut, vec3 scenePoint SHARED_SHEETS) {
 #if SHARED_HAS_SHEETS
   if (cut.kind.x == kCutMembrane)

@@ -1,8 +1,8 @@
 // What all cuts of a scene leave together. C++ and GLSL compile this text, and whoever wants to know asks it: the ray caster,
-// the light grid, surfaces, slices, kept voxels, exports.
+// the light grid, surfaces, inlays, kept voxels, exports.
 //
 // A cut removes a point of a structure where the point lies deeper in the cut's removed side than the cut spares the
-// structure. Inlays (membranes whose use is a slice with what lies next to it) add up: one of them that keeps a point is
+// structure. Inlays (membranes whose use is an inlay with what lies next to it) add up: one of them that keeps a point is
 // enough. Of all other cuts each takes what it removes.
 #ifndef VELUM_SHARED_CUTS_H
 #define VELUM_SHARED_CUTS_H
@@ -18,7 +18,7 @@ struct CutSpare {
 /// How deep a cut leaves a thing with a random number in its removed side. Material of a volume has the number 0.
 SHARED_FN float spareDepth(CutSpare spare, float u) { return u < spare.share ? spare.distance : 0.0f; }
 
-SHARED_FN bool cutIsInlay(CutData cut) { return cut.kind.x == kCutMembrane && cut.kind.w == kMembraneSlice; }
+SHARED_FN bool cutIsInlay(CutData cut) { return cut.kind.x == kCutMembrane && cut.kind.w == kMembraneInlay; }
 
 /// kCutKeeps or kCutRemoves: what a cut does with a point that it spares so deep.
 /// @param hasDepths  false where no spare ends: what is spared is spared whole, and nobody has to know how deep it lies

@@ -6,7 +6,7 @@
 SHARED_BEGIN
 
 // The rows of a sheet, each a vec4, one part after the other; whole numbers are exact in floats.
-//   places   a row a particle, x fastest: x, y, z in the frame, mm
+//   places   a row a particle, x fastest: x, y, z in the frame
 //   normals  a row a particle: unit, towards what lies above where the sheet is not folded
 //   cells    a row a cell: first entry of its list, number of entries, lowest and highest z of its meshes with a margin
 //   lists    four entries a row: the lower left particles of meshes that may touch the cell
@@ -17,12 +17,13 @@ SHARED_CONST float kSheetFar = 1e30f;
 SHARED_CONST int kSheetGroup = 64;           // threads of the groups that index a sheet
 SHARED_CONST int kSheetScanGroup = 64;       // of the one that sums up
 SHARED_CONST int kSheetEntriesPerCell = 16;  // room in the lists on the GPU; a sheet that hangs flat needs four
-SHARED_CONST float kSheetMargin = 1e-5f;     // of the frame's edges: how far rounding may take a line from its cell
+SHARED_CONST float kSheetMargin = 1e-5f;     // of the rest plane's edges: how far rounding may take a line from its cell
 
 /// Which rows, and the frame that the sheet hangs in.
 struct SheetPlan {
-  ivec4 rows;  ///< x: first row of the sheet; y, z: particles along the frame's width and height
-  vec3 halfSize;  ///< half edges of the frame's box, mm
+  ivec4 rows;  ///< x: first row of the sheet; y, z: particles along the rest plane's width and height
+  vec3 halfSize;  ///< half edges of the rest plane's box
+  float scale;    ///< what lengths in the rows are multiplied with to be in the unit of halfSize
 };
 
 /// Where a line crosses a sheet: triangle 2 v or 2 v + 1 is the lower or upper one of the mesh whose lower left particle
@@ -37,7 +38,7 @@ SHARED_FN int sheetParticles(SheetPlan plan) { return plan.rows.y * plan.rows.z;
 /// First row of the cells' lists.
 SHARED_FN int sheetLists(SheetPlan plan) { return plan.rows.x + 3 * sheetParticles(plan); }
 
-/// A place of the frame in cells.
+/// A place of the rest plane in cells.
 SHARED_FN vec2 sheetCellAt(SheetPlan plan, vec2 place) {
   vec2 edges = vec2(float(plan.rows.y - 1), float(plan.rows.z - 1));
   return (place / vec2(plan.halfSize.x, plan.halfSize.y) + 1.0f) * 0.5f * edges + 0.5f;
@@ -45,7 +46,7 @@ SHARED_FN vec2 sheetCellAt(SheetPlan plan, vec2 place) {
 
 SHARED_FN int sheetCellIndex(float at, int count) { return clamp(int(at), 0, count - 1); }
 
-/// The cells x, y to z, w that the meshes between two corners of the frame may touch.
+/// The cells x, y to z, w that the meshes between two corners of the rest plane may touch.
 SHARED_FN ivec4 sheetCellsWithin(SheetPlan plan, vec2 low, vec2 high) {
   vec2 a = sheetCellAt(plan, low) - 1e-3f;
   vec2 b = sheetCellAt(plan, high) + 1e-3f;
@@ -56,7 +57,7 @@ SHARED_FN ivec4 sheetCellsWithin(SheetPlan plan, vec2 low, vec2 high) {
 /// Slack of a cell's lowest and highest z, mm.
 SHARED_FN float sheetSlack(SheetPlan plan) { return kSheetMargin * (plan.halfSize.x + plan.halfSize.y + plan.halfSize.z); }
 
-/// True over the frame's rectangle. Half open, as the edges of the meshes are counted.
+/// True over the rest plane's rectangle. Half open, as the edges of the meshes are counted.
 SHARED_FN bool sheetHolds(SheetPlan plan, vec3 p) {
   return p.x >= -plan.halfSize.x && p.x < plan.halfSize.x && p.y >= -plan.halfSize.y && p.y < plan.halfSize.y;
 }
@@ -97,10 +98,13 @@ SHARED_FN vec2 sheetMeets(vec3 a, vec3 b, vec3 c, vec3 d) {
 #if SHARED_HAS_SHEETS
 SHARED_SHEET_BLOCK(kSheetUnit)
 
-SHARED_FN vec3 sheetPlace(SheetPlan plan, int particle SHARED_SHEETS) { return vec3(SHARED_SHEET_ROW(plan.rows.x + particle)); }
+SHARED_FN vec3 sheetPlace(SheetPlan plan, int particle SHARED_SHEETS) {
+  return plan.scale * vec3(SHARED_SHEET_ROW(plan.rows.x + particle));
+}
 
 SHARED_FN vec4 sheetCell(SheetPlan plan, int x, int y SHARED_SHEETS) {
-  return SHARED_SHEET_ROW(plan.rows.x + 2 * sheetParticles(plan) + y * plan.rows.y + x);
+  vec4 row = SHARED_SHEET_ROW(plan.rows.x + 2 * sheetParticles(plan) + y * plan.rows.y + x);
+  return vec4(row.x, row.y, plan.scale * row.z, plan.scale * row.w);
 }
 
 /// An entry of the cells' lists: the lower left particle of a mesh.
@@ -118,7 +122,7 @@ SHARED_FN float sheetSteepness(vec3 a, vec3 b, vec3 c) {
 /// Everything that a line along z through a point meets.
 struct SheetColumn {
   int over;        ///< how often it meets the sheet above the point
-  int all;         ///< how often at all: odd over the frame
+  int all;         ///< how often at all: odd over the rest plane
   float distance;  ///< to the plane of the triangle that it meets nearest, mm
 };
 
@@ -153,7 +157,7 @@ SHARED_FN SheetColumn sheetColumn(SheetPlan plan, vec3 p, vec4 cell SHARED_SHEET
   return column;
 }
 
-/// The cell of a place over the frame.
+/// The cell of a place over the rest plane.
 SHARED_FN vec4 sheetCellOf(SheetPlan plan, vec3 p SHARED_SHEETS) {
   vec2 at = sheetCellAt(plan, vec2(p.x, p.y));
   return sheetCell(plan, sheetCellIndex(at.x, plan.rows.y), sheetCellIndex(at.y, plan.rows.z) SHARED_PASS_SHEETS);
@@ -174,7 +178,7 @@ SHARED_FN int sheetSide(SheetPlan plan, vec3 p, vec4 cell) {
   return p.z > cell.w ? kSheetAbove : p.z < cell.z ? kSheetBelow : kSheetNear;
 }
 
-/// True where a line from the point along +z meets the sheet an even number of times; beyond the frame the plane z = 0
+/// True where a line from the point along +z meets the sheet an even number of times; beyond the rest plane the plane z = 0
 /// goes on. Cost: a few fetches away from the sheet, the meshes of one cell near it.
 SHARED_FN bool sheetIsAbove(SheetPlan plan, vec3 p SHARED_SHEETS) {
   vec4 cell = sheetCellOf(plan, p SHARED_PASS_SHEETS);
@@ -244,7 +248,7 @@ SHARED_FN SheetHit sheetCrossing(SheetPlan plan, vec3 o, vec3 d, float from, flo
   SheetHit best;
   best.t = kSheetFar;
   best.triangle = -1;
-  // The part of the line inside the frame's box, a little enlarged.
+  // The part of the line inside the rest plane's box, a little enlarged.
   vec3 inv = 1.0f / vec3(sheetNonZero(d.x), sheetNonZero(d.y), sheetNonZero(d.z));
   vec3 h = plan.halfSize + sheetSlack(plan);
   vec3 t0 = (-h - o) * inv;
@@ -259,10 +263,10 @@ SHARED_FN SheetHit sheetCrossing(SheetPlan plan, vec3 o, vec3 d, float from, flo
   SheetLine line = sheetLine(p, d);
   float last = end - start;
   vec2 at = sheetCellAt(plan, vec2(p.x, p.y));
-  vec2 perMm = 0.5f * vec2(float(plan.rows.y - 1) / plan.halfSize.x, float(plan.rows.z - 1) / plan.halfSize.y) * vec2(d.x, d.y);
-  vec2 mmPer = 1.0f / vec2(sheetNonZero(perMm.x), sheetNonZero(perMm.y));
-  int stepX = perMm.x < 0.0f ? -1 : 1;
-  int stepY = perMm.y < 0.0f ? -1 : 1;
+  vec2 perLength = 0.5f * vec2(float(plan.rows.y - 1) / plan.halfSize.x, float(plan.rows.z - 1) / plan.halfSize.y) * vec2(d.x, d.y);
+  vec2 mmPer = 1.0f / vec2(sheetNonZero(perLength.x), sheetNonZero(perLength.y));
+  int stepX = perLength.x < 0.0f ? -1 : 1;
+  int stepY = perLength.y < 0.0f ? -1 : 1;
   int x = sheetCellIndex(at.x, plan.rows.y);
   int y = sheetCellIndex(at.y, plan.rows.z);
   float t = 0.0f;

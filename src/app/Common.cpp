@@ -123,8 +123,8 @@ scene::Source firstSource(const InputOptions& input) {
   source.path = input.inputs.front();
   source.series = input.series;
   if (!input.raw.empty()) source.raw = parseRaw(input.raw);
-  if (!input.spacing.empty()) source.spacingMm = {input.spacing[0], input.spacing[1], input.spacing[2]};
-  if (source.spacingMm.x < 0 || source.spacingMm.y < 0 || source.spacingMm.z < 0)
+  if (!input.spacing.empty()) source.spacing = {input.spacing[0], input.spacing[1], input.spacing[2]};
+  if (source.spacing.x < 0 || source.spacing.y < 0 || source.spacing.z < 0)
     throw ArgumentError("--spacing: millimetres must be positive");
   return source;
 }

@@ -41,14 +41,14 @@ scene::Cut newMembrane(const scene::Scene& scene, const MembraneOptions& options
   if (!options.axis.empty()) {
     // The frame hangs across the direction in which one looks.
     seen.camera = scene::frameCamera(scene, scene::StandardView::Anterior, 1.0);
-    seen.camera.eyeMm = seen.camera.targetMm + vectorOf(options.axis) * 1000.0;
+    seen.camera.eye = seen.camera.target + vectorOf(options.axis) * 1000.0;
   }
   scene::Cut cut = session::makeCut(seen, scene::CutShape::Membrane);
   cut.name = "Membrane";
   scene::Bounds bounds = scene::computeBounds(scene);
   glm::dvec3 middle = (bounds.min + bounds.max) * 0.5, z(scene::worldFromCut(cut)[2]);
   double deep = glm::dot(glm::abs(z), bounds.max - bounds.min);
-  cut.centreMm = middle + z * (deep * (options.position - 0.5));
+  cut.centre = middle + z * (deep * (options.position - 0.5));
   return cut;
 }
 
@@ -68,18 +68,18 @@ scene::Stroke parseStroke(const std::string& text, const char* name) {
     return value;
   };
   do {
-    if (!stroke.pathMm.empty()) ++at;
+    if (!stroke.path.empty()) ++at;
     glm::dvec3 point(0.0);
     for (int axis = 0; axis < 3; ++axis) {
       if (axis > 0 && *at++ != ',') refuse("a point has three numbers");
       point[axis] = number();
     }
-    stroke.pathMm.push_back(point);
+    stroke.path.push_back(point);
   } while (*at == ':');
   if (*at == '@') {
     ++at;
-    stroke.radiusMm = number();
-    if (!(stroke.radiusMm > 0)) refuse("the radius must be more than 0");
+    stroke.radius = number();
+    if (!(stroke.radius > 0)) refuse("the radius must be more than 0");
   }
   if (*at != 0) refuse("it goes on after its end");
   return stroke;
@@ -178,11 +178,11 @@ Json jsonOf(const session::MembraneReport& report, const scene::Cut& cut, int pl
     json["cutAreaPlane"] = report.kept->cutAreaPlane;
     json["cutAreaMembrane"] = report.kept->cutAreaMembrane;
     json["ratio"] = report.kept->ratio;
-    json["meanDistance"] = report.kept->meanDistanceMm;
+    json["meanDistance"] = report.kept->meanDistance;
   }
   if (report.limit) {
     json["limit"] = report.limit->figure.ratio;
-    json["limitMeanDistance"] = report.limit->figure.meanDistanceMm;
+    json["limitMeanDistance"] = report.limit->figure.meanDistance;
   }
   return json;
 }
@@ -193,12 +193,13 @@ void printReport(const session::MembraneReport& report) {
              report.atRest ? "at rest" : "still moving", report.steps, report.stepMs);
   if (!report.kept) return;
   fmt::print(
-      "cuts {} of the {} pairs of protected voxels that the plane cuts (ratio {:.3f}), {:.2f} mm from the slice on "
+      "cuts {} of the {} pairs of protected voxels that the plane cuts (ratio {:.3f}), {:.2f} mm from the rest plane "
+      "on "
       "average\n",
-      report.kept->cutAreaMembrane, report.kept->cutAreaPlane, report.kept->ratio, report.kept->meanDistanceMm);
+      report.kept->cutAreaMembrane, report.kept->cutAreaPlane, report.kept->ratio, report.kept->meanDistance);
   if (report.limit)
     fmt::print("no sheet with this frame and reach can do better than {:.3f}, at {:.2f} mm\n",
-               report.limit->figure.ratio, report.limit->figure.meanDistanceMm);
+               report.limit->figure.ratio, report.limit->figure.meanDistance);
 }
 
 void exportWhatIsAsked(const scene::Scene& settled, const std::vector<session::MembraneReport>& reports,

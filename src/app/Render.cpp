@@ -20,7 +20,7 @@ namespace {
 struct RenderOptions {
   Common common;
   InputOptions input;
-  std::string output, size = "1280x720", saveScene, slice;
+  std::string output, size = "1280x720", saveScene, section;
   int samples = 0, frames = 0;
   double dpi = 0;
   bool layers = false, transparent = false, bruteForce = false;
@@ -41,8 +41,8 @@ std::vector<std::string> outputNames(const RenderOptions& options) {
 /// One step of an animation: through time where the volume has time steps, else once round the data.
 scene::Scene frameOf(const scene::Scene& scene, int frame, int frames) {
   scene::Scene out = scene;
-  if (scene.volume.data && scene.volume.data->frames > 1)
-    out.volume.frame = frame * scene.volume.data->frames / frames;
+  if (scene.volume.data && scene.volume.data->timeSteps > 1)
+    out.volume.timeStep = frame * scene.volume.data->timeSteps / frames;
   else
     out.camera = scene::turntable(scene.camera, 2.0 * 3.14159265358979323846 * frame / frames);
   return out;
@@ -75,20 +75,20 @@ class Sheets {
   std::map<int, scene::SheetShape> mShapes;  ///< by the id of the cut
 };
 
-scene::SliceKind sliceKind(const std::string& name) {
-  if (auto kind = enumValue<scene::SliceKind>(name)) return *kind;
+scene::SectionKind sectionKind(const std::string& name) {
+  if (auto kind = enumValue<scene::SectionKind>(name)) return *kind;
   throw ArgumentError(
-      fmt::format("--slice {}: not one of {}", name, fmt::join(EnumNames<scene::SliceKind>::kNames, ", ")));
+      fmt::format("--section {}: not one of {}", name, fmt::join(EnumNames<scene::SectionKind>::kNames, ", ")));
 }
 
-/// A slice view instead of the 3D picture; needs no graphics driver, unless there are membranes.
-int runSlice(const RenderOptions& options) {
-  scene::SliceKind kind = sliceKind(options.slice);
+/// A section view instead of the 3D picture; needs no graphics driver, unless there are membranes.
+int runSection(const RenderOptions& options) {
+  scene::SectionKind kind = sectionKind(options.section);
   glm::ivec2 size = session::parsePictureSize(options.size, options.dpi);
-  if (options.layers) throw ArgumentError("--layers: a slice has none; leave it out with --slice");
+  if (options.layers) throw ArgumentError("--layers: a section has none; leave it out with --section");
   scene::Scene scene = openScene(options.input, double(size.x) / size.y);
-  if (options.frames > 0 && (!scene.volume.data || scene.volume.data->frames < 2))
-    throw ArgumentError("--frames with --slice goes through time steps, and this volume has none");
+  if (options.frames > 0 && (!scene.volume.data || scene.volume.data->timeSteps < 2))
+    throw ArgumentError("--frames with --section goes through time steps, and this volume has none");
   session::PictureOptions picture{size, 0, options.transparent, false, options.dpi};
   std::vector<std::string> outputs = outputNames(options);
   std::unique_ptr<gpu::Context> context;
@@ -98,15 +98,15 @@ int runSlice(const RenderOptions& options) {
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     scene::Scene step = options.frames > 0 ? frameOf(scene, int(i), options.frames) : scene;
     auto start = Clock::now();
-    Image image = session::drawSlicePicture(context ? sheets.settle(step) : step, kind, picture);
+    Image image = session::drawSectionPicture(context ? sheets.settle(step) : step, kind, picture);
     ms = msSince(start);
     session::savePicture(image, step, picture, outputs[i]);
   }
   if (!options.saveScene.empty()) session::saveScene(session::sceneForPicture(scene, picture), options.saveScene);
   if (!options.common.json) return 0;
-  glm::dvec3 at = scene.slices.crosshairMm;
-  Json json = {{"slice", options.slice},
-               {"crosshairMm", {at.x, at.y, at.z}},
+  glm::dvec3 at = scene.sections.crosshair;
+  Json json = {{"section", options.section},
+               {"crosshair", {at.x, at.y, at.z}},
                {"size", {size.x, size.y}},
                {"frameMs", ms},
                {"output", options.output}};
@@ -119,7 +119,7 @@ int runSlice(const RenderOptions& options) {
 }
 
 int run(const RenderOptions& options) {
-  if (!options.slice.empty()) return runSlice(options);
+  if (!options.section.empty()) return runSection(options);
   glm::ivec2 size = session::parsePictureSize(options.size, options.dpi);
   auto context = gpu::Context::create(options.common.context);
   render::Renderer renderer(*context);
@@ -174,14 +174,14 @@ Run registerRender(CLI::App& verb) {
   verb.add_option("--dpi", options->dpi,
                   "pixels an inch in print: for sizes with a unit (else 300), and told in the file")
       ->check(CLI::Range(1.0, 10000.0));
-  verb.add_option("--slice", options->slice, "a slice view instead of the 3D picture: axial, coronal, sagittal");
+  verb.add_option("--section", options->section, "a section view instead of the 3D picture: axial, coronal, sagittal");
   verb.add_option("--samples", options->samples, "pictures that are averaged, 1 to 256; default: as the scene says")
       ->check(CLI::Range(1, 256));
   verb.add_option("--frames", options->frames, "an animation: NAME-0000 ..., through the time steps or once round")
       ->check(CLI::Range(1, 9999));
   verb.add_flag(
       "--layers", options->layers,
-      "also alpha, normal, depth, structure id, position, and of illustrative slices front, slice and behind: "
+      "also alpha, normal, depth, structure id, position, and of illustrative sections front, section and behind: "
       "in the EXR, or as PNGs beside");
   verb.add_flag("--transparent", options->transparent, "no background, with alpha");
   verb.add_flag("--brute-force", options->bruteForce,

@@ -15,13 +15,13 @@ namespace {
 struct SampleOptions {
   Common common;
   std::string name, output;
-  int size = 0, frames = 0;
+  int size = 0, timeSteps = 0;
 };
 
 int run(const SampleOptions& options) {
   namespace fs = std::filesystem;
   Progress& progress = consoleProgress();
-  io::Sample sample = io::makeSample(options.name, options.size, progress, options.frames);
+  io::Sample sample = io::makeSample(options.name, options.size, progress, options.timeSteps);
   fs::path path(options.output);
   if (!path.has_extension()) path = path / (options.name + ".nrrd");
   if (path.has_parent_path()) fs::create_directories(path.parent_path());
@@ -50,7 +50,7 @@ Run registerSample(CLI::App& verb) {
   verb.add_option("name", options->name, names)->required();
   verb.add_option("-o,--output", options->output, "volume file (labels go beside it), or a folder")->required();
   verb.add_option("--voxels", options->size, "voxels along the longest axis, 16 to 1024; default: the phantom's own");
-  verb.add_option("--frames", options->frames, "time steps of a phantom that moves (heart), 1 to 100; default: 12");
+  verb.add_option("--time-steps", options->timeSteps, "time steps of a phantom that moves (heart), 1 to 100; default: 12");
   return [options] { return run(*options); };
 }
 

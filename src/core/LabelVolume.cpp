@@ -18,8 +18,8 @@ std::size_t inBrick(glm::ivec3 v) { return (std::size_t(v.z) * kSize + std::size
 
 }  // namespace
 
-LabelVolume::LabelVolume(glm::ivec3 dims, const glm::dmat4& worldFromVoxel)
-    : mDims(dims), mWorldFromVoxel(worldFromVoxel) {
+LabelVolume::LabelVolume(glm::ivec3 dims, const glm::dmat4& worldFromVoxel, LengthUnit unit)
+    : mDims(dims), mWorldFromVoxel(worldFromVoxel), mLengthUnit(unit) {
   if (dims.x < 1 || dims.y < 1 || dims.z < 1)
     throw ArgumentError("a label volume needs at least one voxel along each axis");
   mBrickGrid = (dims + kSize - 1) / kSize;
@@ -36,6 +36,13 @@ std::size_t LabelVolume::brickIndex(glm::ivec3 i) const {
 const LabelVolume::Brick& LabelVolume::brick(glm::ivec3 index) const { return *mBricks[brickIndex(index)]; }
 
 std::uint64_t LabelVolume::brickId(glm::ivec3 index) const { return mBricks[brickIndex(index)].id(); }
+
+void LabelVolume::setLengthUnit(LengthUnit unit) {
+  double factor = unitsPer(mLengthUnit, unit);
+  for (int column = 0; column < 4; ++column)
+    mWorldFromVoxel[column] = glm::dvec4(glm::dvec3(mWorldFromVoxel[column]) * factor, mWorldFromVoxel[column].w);
+  mLengthUnit = unit;
+}
 
 std::uint16_t LabelVolume::at(glm::ivec3 v) const {
   if (v.x < 0 || v.y < 0 || v.z < 0 || v.x >= mDims.x || v.y >= mDims.y || v.z >= mDims.z) return 0;

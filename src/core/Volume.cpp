@@ -54,11 +54,11 @@ std::size_t voxelCount(const Volume& volume) {
   return std::size_t(volume.dims.x) * std::size_t(volume.dims.y) * std::size_t(volume.dims.z);
 }
 
-std::size_t frameBytes(const Volume& volume) {
+std::size_t timeStepBytes(const Volume& volume) {
   return voxelCount(volume) * std::size_t(volume.channels) * sampleSize(volume.type);
 }
 
-glm::dvec3 spacingMm(const Volume& volume) {
+glm::dvec3 spacingOf(const Volume& volume) {
   const auto& m = volume.worldFromVoxel;
   return {glm::length(glm::dvec3(m[0])), glm::length(glm::dvec3(m[1])), glm::length(glm::dvec3(m[2]))};
 }
@@ -68,20 +68,32 @@ glm::dmat3 direction(const Volume& volume) {
   return {glm::normalize(glm::dvec3(m[0])), glm::normalize(glm::dvec3(m[1])), glm::normalize(glm::dvec3(m[2]))};
 }
 
-double valueAt(const Volume& volume, glm::ivec3 voxel, int channel, int frame) {
+glm::dmat4 worldFromVoxelIn(LengthUnit unit, const Volume& volume) {
+  glm::dmat4 m = volume.worldFromVoxel;
+  double factor = unitsPer(volume.lengthUnit, unit);
+  for (int column = 0; column < 4; ++column) m[column] = glm::dvec4(glm::dvec3(m[column]) * factor, m[column].w);
+  return m;
+}
+
+void setLengthUnit(Volume& volume, LengthUnit unit) {
+  volume.worldFromVoxel = worldFromVoxelIn(unit, volume);
+  volume.lengthUnit = unit;
+}
+
+double valueAt(const Volume& volume, glm::ivec3 voxel, int channel, int timeStep) {
   VELUM_ASSERT(glm::all(glm::lessThan(glm::uvec3(voxel), glm::uvec3(volume.dims))), "the voxel lies in the volume");
-  VELUM_ASSERT(channel >= 0 && channel < volume.channels && frame >= 0 && frame < volume.frames,
+  VELUM_ASSERT(channel >= 0 && channel < volume.channels && timeStep >= 0 && timeStep < volume.timeSteps,
                "channel and time step exist");
   std::size_t index =
       (std::size_t(voxel.z) * std::size_t(volume.dims.y) + std::size_t(voxel.y)) * std::size_t(volume.dims.x) +
       std::size_t(voxel.x);
-  index = (index + std::size_t(frame) * voxelCount(volume)) * std::size_t(volume.channels) + std::size_t(channel);
+  index = (index + std::size_t(timeStep) * voxelCount(volume)) * std::size_t(volume.channels) + std::size_t(channel);
   return visitSamples(volume, [&](auto* p) { return double(p[index]) * volume.scale + volume.offset; });
 }
 
 void computeRange(Volume& volume) {
-  VELUM_ASSERT(volume.voxels.size() == frameBytes(volume) * std::size_t(volume.frames), "every sample is there");
-  std::size_t count = voxelCount(volume) * std::size_t(volume.channels) * std::size_t(volume.frames);
+  VELUM_ASSERT(volume.voxels.size() == timeStepBytes(volume) * std::size_t(volume.timeSteps), "every sample is there");
+  std::size_t count = voxelCount(volume) * std::size_t(volume.channels) * std::size_t(volume.timeSteps);
   MinMax raw = visitSamples(volume, [&](auto* p) {
     return tbb::parallel_reduce(
         tbb::blocked_range<std::size_t>(0, count, 1 << 18), MinMax{},
@@ -93,9 +105,9 @@ void computeRange(Volume& volume) {
   volume.range = {std::min(a, b), std::max(a, b)};
 }
 
-Histogram computeHistogram(const Volume& volume, int bins, int channel, int frame) {
+Histogram computeHistogram(const Volume& volume, int bins, int channel, int timeStep) {
   VELUM_ASSERT(bins > 0, "there are bins");
-  VELUM_ASSERT(channel >= 0 && channel < volume.channels && frame >= 0 && frame < volume.frames,
+  VELUM_ASSERT(channel >= 0 && channel < volume.channels && timeStep >= 0 && timeStep < volume.timeSteps,
                "channel and time step exist");
   Histogram histogram{std::vector<std::uint64_t>(std::size_t(bins)), volume.range};
   double width = volume.range.y - volume.range.x;
@@ -104,7 +116,7 @@ Histogram computeHistogram(const Volume& volume, int bins, int channel, int fram
   double base = (volume.offset - volume.range.x) * bins / width;
   std::size_t count = voxelCount(volume);
   std::size_t stride = std::size_t(volume.channels);
-  std::size_t first = std::size_t(frame) * count * stride + std::size_t(channel);
+  std::size_t first = std::size_t(timeStep) * count * stride + std::size_t(channel);
   // A hundred million voxels say no more about the shape of a histogram than every few of them; the odd step keeps
   // rows from being met at the same column.
   std::size_t skip = std::max<std::size_t>(1, count / 16'000'000) | 1;
@@ -136,11 +148,11 @@ double quantile(const Histogram& histogram, double fraction) {
   return histogram.range.y;
 }
 
-glm::dvec3 centreMm(const Volume& volume) {
+glm::dvec3 centreOf(const Volume& volume) {
   return glm::dvec3(volume.worldFromVoxel * glm::dvec4((glm::dvec3(volume.dims) - 1.0) * 0.5, 1.0));
 }
 
-double radiusMm(const Volume& volume) {
+double radiusOf(const Volume& volume) {
   double radius = 0;
   glm::dmat3 m(volume.worldFromVoxel);
   for (int corner = 0; corner < 4; ++corner) {

@@ -4,6 +4,7 @@
 
 #include "upload/BlueNoise.h"
 #include "upload/CutSheets.h"
+#include "velum/scene/Units.h"
 
 namespace velum::render {
 
@@ -11,7 +12,7 @@ VolumeKey volumeKeyOf(const scene::VolumeLayer& layer) {
   VolumeKey key;
   if (!layer.data || !layer.visible) return key;
   key.id = layer.data.id();
-  key.timeStep = layer.frame;
+  key.timeStep = layer.timeStep;
   if (!scene::mixesChannels(layer)) {
     key.channel = layer.channel;
     return key;
@@ -34,12 +35,12 @@ std::uint32_t membraneFlags(const Frame& frame) {
   std::uint32_t flags = 0;
   for (const scene::Cut* cut : membranesOf(frame.scene)) {
     flags |= shared::kFlagMembranes;
-    if (cut->membrane->use == scene::MembraneUse::Slice) flags |= shared::kFlagSlices;
+    if (cut->membrane->use == scene::MembraneUse::Inlay) flags |= shared::kFlagInlays;
     if (cut->membrane->look != scene::SheetLook::Hidden) flags |= shared::kFlagSheets;
   }
-  if (flags & shared::kFlagSlices) {
+  if (flags & shared::kFlagInlays) {
     if (!frame.parts.front) flags |= shared::kFlagHideFront;
-    if (!frame.parts.slice) flags |= shared::kFlagHideSlice;
+    if (!frame.parts.inlay) flags |= shared::kFlagHideInlay;
     if (!frame.parts.behind) flags |= shared::kFlagHideBehind;
   }
   return flags;
@@ -48,12 +49,17 @@ std::uint32_t membraneFlags(const Frame& frame) {
 }  // namespace
 
 void completeFrameData(FrameData& data) {
+  data.unit = diameterOf(data.grid);
+  scene::scaleLengths(data.frame.scene, 1.0 / data.unit);
+  for (int column = 0; column < 4; ++column)
+    data.grid.worldFromTex[column] =
+        glm::dvec4(glm::dvec3(data.grid.worldFromTex[column]) / data.unit, data.grid.worldFromTex[column].w);
   const scene::Scene& scene = data.frame.scene;
   data.table = makeTransferTable(scene);
-  data.cuts = makeCutData(scene, sceneOrigin(data.grid), data.sheetPlans);
+  data.cuts = makeCutData(scene, sceneOrigin(data.grid), data.sheetPlans, 1.0 / data.unit);
   data.structures = makeStructureRows(scene.labels);
   data.spares = makeSpareTable(scene);
-  data.params = makeFrameParams(data.frame, data.grid, data.table);
+  data.params = makeFrameParams(data.frame, data.grid, data.table, data.unit);
   data.params.cutCount = int(data.cuts.size());
   data.params.structureCount = int(data.structures.size());
   data.params.flags |= membraneFlags(data.frame);

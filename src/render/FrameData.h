@@ -36,7 +36,10 @@ struct LabelKey {
 /// All that the passes of one frame are told. Made of the frame before it is drawn, then only read; what is on the GPU
 /// of it is the passes' and FrameInputs'.
 struct FrameData {
-  Frame frame;              ///< With its sizes filled in.
+  /// With its sizes filled in. Once completed, its lengths are in `unit`, as the grid's are: the data's diameter is 1,
+  /// so that floats and what counts as near are the same for a virus and for a survey.
+  Frame frame;
+  double unit = 1.0;        ///< length of the scene frame's unit, in the scene's own
   bool isSoftware = false;  ///< the driver
   // Of the data that is on the GPU: UploadPass.
   const GpuVolume* volume = nullptr;  ///< nullptr: none is drawn.
@@ -58,7 +61,7 @@ struct FrameData {
 DataVariant dataVariantOf(const FrameData& data);
 /// Frame::windowSize and the like where the caller has left them open.
 Frame withSizes(const Frame& frame);
-/// Fills in what is worked out.
+/// Goes over to lengths of the data's size, and fills in what is worked out.
 void completeFrameData(FrameData& data);
 
 /// What all passes read of a frame, on the GPU: tables, cuts, structures, parameters. GL thread.

@@ -32,16 +32,16 @@ glm::dmat4 clipFromScene(const Frame& frame, const FrameGrid& grid, const scene:
       glm::dvec4(-glm::dot(basis.right, eye), -glm::dot(basis.up, eye), -glm::dot(basis.forward, eye), 1.0);
   double tall = scene::halfPictureHeight(camera), wide = tall * frame.pictureSize.x / frame.pictureSize.y;
   double reach = 4.0 * sceneRadius(grid) + glm::length(eye);
-  double nearMm = reach * 1e-4, farMm = 2.0 * reach;
+  double nearest = reach * 1e-4, farthest = 2.0 * reach;
   glm::dmat4 p(0.0);
   p[0][0] = 1.0 / wide;
   p[1][1] = -1.0 / tall;  // picture rows run downwards
   if (camera.projection == scene::Projection::Perspective) {
-    p[2][2] = (farMm + nearMm) / (farMm - nearMm);
+    p[2][2] = (farthest + nearest) / (farthest - nearest);
     p[2][3] = 1.0;
-    p[3][2] = -2.0 * farMm * nearMm / (farMm - nearMm);
+    p[3][2] = -2.0 * farthest * nearest / (farthest - nearest);
   } else {
-    p[2][2] = 1.0 / farMm;
+    p[2][2] = 1.0 / farthest;
     p[3][3] = 1.0;
   }
   // The window out of the whole picture, moved by the sample's place in its pixel.
@@ -56,9 +56,16 @@ glm::dmat4 clipFromScene(const Frame& frame, const FrameGrid& grid, const scene:
 
 }  // namespace
 
+double diameterOf(const FrameGrid& grid) {
+  glm::dmat3 m(grid.worldFromTex);
+  double diameter = glm::length(glm::dvec3(glm::length(m[0]), glm::length(m[1]), glm::length(m[2])));
+  return diameter > 0.0 ? diameter : 1.0;
+}
+
 glm::dvec3 sceneOrigin(const FrameGrid& grid) { return glm::dvec3(grid.worldFromTex * glm::dvec4(0.5, 0.5, 0.5, 1.0)); }
 
-shared::FrameParams makeFrameParams(const Frame& frame, const FrameGrid& grid, const TransferTable& table) {
+shared::FrameParams makeFrameParams(const Frame& frame, const FrameGrid& grid, const TransferTable& table,
+                                    double unit) {
   const scene::Scene& scene = frame.scene;
   shared::FrameParams params{};
   glm::dvec3 origin = sceneOrigin(grid);
@@ -68,8 +75,8 @@ shared::FrameParams makeFrameParams(const Frame& frame, const FrameGrid& grid, c
   params.texFromScene = glm::mat4(texFromScene);
   params.sceneFromTex = glm::mat4(sceneFromTex);
   if (scene.labels.data) {
-    glm::dmat4 toWorld(1.0);
-    toWorld[3] = glm::dvec4(origin, 1.0);
+    glm::dmat4 toWorld = glm::dmat4(glm::dmat3(unit));
+    toWorld[3] = glm::dvec4(origin * unit, 1.0);
     params.labelFromScene = glm::mat4(glm::inverse(scene.labels.data->worldFromVoxel()) * toWorld);
   }
   // Rays.
@@ -80,10 +87,10 @@ shared::FrameParams makeFrameParams(const Frame& frame, const FrameGrid& grid, c
   params.up = v4(basis.up * tall);
   params.forward = v4(basis.forward);
   bool orthographic = scene.camera.projection == scene::Projection::Orthographic;
-  glm::dvec3 eye = scene.camera.eyeMm - origin;
+  glm::dvec3 eye = scene.camera.eye - origin;
   if (orthographic) {
     // The picture plane stands in front of everything, wherever the eye is said to be.
-    glm::dvec3 target = scene.camera.targetMm - origin;
+    glm::dvec3 target = scene.camera.target - origin;
     eye = target - basis.forward * (glm::length(target) + 2.0 * sceneRadius(grid));
   }
   params.eye = v4(eye);
@@ -194,18 +201,19 @@ namespace {
 
 void addMembrane(shared::CutData& data, const scene::Cut& cut, glm::ivec4 sheet) {
   const scene::Membrane& membrane = *cut.membrane;
-  data.kind.w = membrane.use == scene::MembraneUse::Slice ? shared::kMembraneSlice : shared::kMembraneClip;
+  data.kind.w = membrane.use == scene::MembraneUse::Inlay ? shared::kMembraneInlay : shared::kMembraneClip;
   data.sheet = {glm::ivec3(sheet), static_cast<int>(membrane.look)};
-  double falloff = membrane.falloffMm > 0 ? membrane.falloffMm : cut.sizeMm.z * 0.5;
+  double falloff = membrane.falloff > 0 ? membrane.falloff : cut.size.z * 0.5;
   double above = std::clamp(1.0 + membrane.emphasis, 0.0, 1.0), below = std::clamp(1.0 - membrane.emphasis, 0.0, 1.0);
   if (cut.invert) std::swap(above, below);
-  data.slice = {float(std::clamp(membrane.sliceOpacity, 0.0, 1.0)), float(1.0 / std::max(falloff, 1e-9)), float(above),
+  data.inlay = {float(std::clamp(membrane.inlayOpacity, 0.0, 1.0)), float(1.0 / std::max(falloff, 1e-9)), float(above),
                 float(below)};
 }
 
 }  // namespace
 
-std::vector<shared::CutData> makeCutData(const scene::Scene& scene, glm::dvec3 origin, const SheetPlans& sheets) {
+std::vector<shared::CutData> makeCutData(const scene::Scene& scene, glm::dvec3 origin, const SheetPlans& sheets,
+                                         double sheetScale) {
   std::vector<shared::CutData> out;
   for (const auto& cut : scene.cuts) {
     if (!cut.enabled) continue;
@@ -213,10 +221,10 @@ std::vector<shared::CutData> makeCutData(const scene::Scene& scene, glm::dvec3 o
     sceneFromCut[3] -= glm::dvec4(origin, 0.0);
     shared::CutData data{};
     data.localFromScene = glm::mat4(glm::inverse(sceneFromCut));
-    glm::dvec3 half = glm::max(cut.sizeMm, glm::dvec3(1e-9)) * 0.5;
+    glm::dvec3 half = solidEdges(cut.size) * 0.5;
     data.halfSize = v4(half, cut.invert ? -1.0 : 1.0);
-    data.kind = {static_cast<int>(cut.shape), cut.face == scene::CutFace::Slice ? 1 : 0, 0, 0};
-    data.face = {float(cut.faceOpacity), 0, 0, 0};
+    data.kind = {static_cast<int>(cut.shape), cut.face == scene::CutFace::Section ? 1 : 0, 0, 0};
+    data.face = {float(cut.faceOpacity), float(sheetScale), 0, 0};
     if (scene::isMembrane(cut)) addMembrane(data, cut, sheets.at(cut.id));
     out.push_back(data);
   }

@@ -20,23 +20,30 @@ struct FrameGrid {
   double gradientScale = 0;  ///< As GpuVolume.
 };
 
+/// Diagonal of the data's box.
+double diameterOf(const FrameGrid& grid);
+
 /// The frame's origin: scene frame = world minus it, so that floats are enough far from the world's origin.
 glm::dvec3 sceneOrigin(const FrameGrid& grid);
 
 /// Everything of FrameParams that does not change from sample to sample.
-shared::FrameParams makeFrameParams(const Frame& frame, const FrameGrid& grid, const TransferTable& table);
+/// @param unit  of the frame's and the grid's lengths, in that of the world that labels lie in
+shared::FrameParams makeFrameParams(const Frame& frame, const FrameGrid& grid, const TransferTable& table,
+                                    double unit = 1.0);
 
 /// Moves the rays of sample n within their pixel and along themselves: the [R2] sequence and the golden ratio.
 void setSample(shared::FrameParams& params, const Frame& frame, int sample);
 
-/// Where sample 0 of a pixel of the whole picture meets the scene at a distance, mm along its ray; scene frame.
+/// Where sample 0 of a pixel of the whole picture meets the scene at a distance along its ray; scene frame.
 glm::vec3 pointOnRay(const shared::FrameParams& params, glm::ivec2 pixel, float distance);
 
 /// The part of the window that a grid's box can cover: x, y of its corner, width, height; may be empty.
 glm::ivec4 coveredRect(const shared::FrameParams& params, const Frame& frame);
 
 /// The enabled cuts as the shaders read them, in the scene frame.
-std::vector<shared::CutData> makeCutData(const scene::Scene& scene, glm::dvec3 origin, const SheetPlans& sheets);
+/// @param sheetScale  what lengths in the rows of sheets are multiplied with to be in the scene frame's unit
+std::vector<shared::CutData> makeCutData(const scene::Scene& scene, glm::dvec3 origin, const SheetPlans& sheets,
+                                         double sheetScale = 1.0);
 
 /// Colour and opacity by label id, [largest id + 1]; row 0 unused.
 std::vector<shared::StructureRow> makeStructureRows(const scene::LabelLayer& labels);

@@ -65,10 +65,12 @@ void Gbuffer::appendLayers(const FrameData& data, const Layers& layers, Image& i
     float distance = texel.isEmpty() ? std::numeric_limits<float>::infinity() : texel.surface.w;
     glm::ivec2 pixel(int(i) % image.width, int(i) / image.width);
     if (layers.position)
-      append(texel.isEmpty() ? glm::dvec3(0.0)
-                             : origin + glm::dvec3(pointOnRay(data.params, pixel + data.frame.windowOrigin, distance)));
+      append(texel.isEmpty()
+                 ? glm::dvec3(0.0)
+                 : data.unit *
+                       (origin + glm::dvec3(pointOnRay(data.params, pixel + data.frame.windowOrigin, distance))));
     if (layers.normal) append(glm::dvec3(glm::vec3(texel.surface)));
-    if (layers.depth) pixels.push_back(distance);
+    if (layers.depth) pixels.push_back(float(data.unit * double(distance)));
     if (layers.structure) pixels.push_back(float(texel.ids.x));
     if (layers.instance) pixels.push_back(texel.isEmpty() ? -1.0f : float(texel.ids.y - 1));
   }
@@ -83,15 +85,15 @@ Pick Gbuffer::pick(const FrameData& data, glm::ivec2 pixel) const {
   mIds.read({pixel, 0}, {1, 1, 1}, &texel.ids, sizeof(texel.ids));
   if (texel.isEmpty()) return pick;
   pick.hit = true;
-  pick.worldMm =
-      sceneOrigin(data.grid) + glm::dvec3(pointOnRay(data.params, pixel + data.frame.windowOrigin, texel.surface.w));
+  glm::dvec3 onRay(pointOnRay(data.params, pixel + data.frame.windowOrigin, texel.surface.w));
+  pick.world = data.unit * (sceneOrigin(data.grid) + onRay);
   pick.normal = glm::vec3(texel.surface);
   pick.structure = int(texel.ids.x);
   pick.instance = texel.ids.y - 1;
   if (const auto& layer = data.frame.scene.volume; layer.data) {
-    glm::dvec3 voxel(glm::inverse(layer.data->worldFromVoxel) * glm::dvec4(pick.worldMm, 1.0));
+    glm::dvec3 voxel(glm::inverse(layer.data->worldFromVoxel) * glm::dvec4(pick.world, 1.0));
     glm::ivec3 nearest = glm::clamp(glm::ivec3(glm::floor(voxel + 0.5)), glm::ivec3(0), layer.data->dims - 1);
-    pick.value = valueAt(*layer.data, nearest, layer.channel, layer.frame);
+    pick.value = valueAt(*layer.data, nearest, layer.channel, layer.timeStep);
   }
   return pick;
 }

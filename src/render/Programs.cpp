@@ -11,7 +11,7 @@ namespace {
 std::vector<std::uint32_t> flagSets() {
   using namespace shared;
   std::uint32_t plain = kFlagShaded | kFlagSkipEmpty | kFlagStopOpaque | kFlagJitter;
-  std::uint32_t slices = plain | kFlagCuts | kFlagMembranes | kFlagSlices;
+  std::uint32_t inlays = plain | kFlagCuts | kFlagMembranes | kFlagInlays;
   std::vector<std::uint32_t> sets{0u,
                                   kFlagLast * 2u - 1u,
                                   plain,
@@ -22,9 +22,9 @@ std::vector<std::uint32_t> flagSets() {
                                   plain | kFlagGradientOpacity,
                                   plain | kFlagCuts | kFlagMembranes | kFlagLightGrid,
                                   plain | kFlagCuts | kFlagMembranes | kFlagSheets,
-                                  slices,
-                                  slices | kFlagSheets | kFlagLightGrid,
-                                  slices | kFlagHideFront | kFlagHideSlice};
+                                  inlays,
+                                  inlays | kFlagSheets | kFlagLightGrid,
+                                  inlays | kFlagHideFront | kFlagHideInlay};
   for (std::uint32_t flag = 1; flag <= kFlagLast; flag *= 2) sets.push_back(flag);
   return sets;
 }

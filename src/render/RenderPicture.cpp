@@ -1,6 +1,6 @@
-#include <algorithm>
+#include "velum/render/RenderPicture.h"
 
-#include "velum/render/Renderer.h"
+#include <algorithm>
 
 namespace velum::render {
 

@@ -15,7 +15,7 @@ struct Basis {
 };
 
 Basis basisOf(const Camera& camera) {
-  glm::dvec3 toEye = camera.eyeMm - camera.targetMm;
+  glm::dvec3 toEye = camera.eye - camera.target;
   toEye = glm::length(toEye) > 1e-12 ? glm::normalize(toEye) : glm::dvec3(0, -1, 0);
   glm::dvec3 right = glm::cross(camera.up, toEye);
   if (glm::length(right) < 1e-9)
@@ -32,10 +32,10 @@ glm::dvec3 turn(glm::dvec3 v, double angle, glm::dvec3 axis) {
 
 Camera orbit(const Camera& camera, glm::dvec2 drag) {
   Basis basis = basisOf(camera);
-  glm::dvec3 arm = camera.eyeMm - camera.targetMm;
+  glm::dvec3 arm = camera.eye - camera.target;
   arm = turn(turn(arm, -drag.x * kPi, basis.up), -drag.y * kPi, basis.right);
   Camera out = camera;
-  out.eyeMm = camera.targetMm + arm;
+  out.eye = camera.target + arm;
   out.up = turn(basis.up, -drag.y * kPi, basis.right);
   return out;
 }
@@ -44,26 +44,26 @@ Camera pan(const Camera& camera, glm::dvec2 drag) {
   Basis basis = basisOf(camera);
   double height =
       camera.projection == Projection::Orthographic
-          ? camera.heightMm
-          : 2.0 * glm::length(camera.eyeMm - camera.targetMm) * std::tan(glm::radians(camera.fieldOfViewDeg) * 0.5);
+          ? camera.height
+          : 2.0 * glm::length(camera.eye - camera.target) * std::tan(glm::radians(camera.fieldOfViewDeg) * 0.5);
   glm::dvec3 move = (-drag.x * basis.right + drag.y * basis.up) * height;
   Camera out = camera;
-  out.eyeMm += move;
-  out.targetMm += move;
+  out.eye += move;
+  out.target += move;
   return out;
 }
 
 Camera zoom(const Camera& camera, double factor) {
   factor = std::clamp(factor, 0.05, 20.0);
   Camera out = camera;
-  out.eyeMm = camera.targetMm + (camera.eyeMm - camera.targetMm) * factor;
-  out.heightMm = std::clamp(camera.heightMm * factor, 1e-9, 1e9);
+  out.eye = camera.target + (camera.eye - camera.target) * factor;
+  out.height = std::clamp(camera.height * factor, 1e-9, 1e9);
   return out;
 }
 
 Camera turntable(const Camera& camera, double angleRad) {
   Camera out = camera;
-  out.eyeMm = camera.targetMm + turn(camera.eyeMm - camera.targetMm, angleRad, {0, 0, 1});
+  out.eye = camera.target + turn(camera.eye - camera.target, angleRad, {0, 0, 1});
   out.up = turn(camera.up, angleRad, {0, 0, 1});
   return out;
 }

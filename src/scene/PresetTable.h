@@ -17,7 +17,7 @@ struct PresetRow {
   Preset preset;
   std::initializer_list<ColorPoint> colors;
   std::initializer_list<OpacityPoint> opacities;  ///< A mm when absolute, a voxel when relative.
-  double windowLevel, windowWidth;                ///< For slices.
+  double windowLevel, windowWidth;                ///< For sections.
   double specular;
   Ends ends = Ends::Background;
   double brightShare = 0.01;  ///< So much of what is not background counts as fully bright.

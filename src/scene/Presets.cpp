@@ -59,15 +59,15 @@ void applyPreset(Scene& scene, std::string_view name) {
   const PresetRow& row = findPreset(name);
   VolumeLayer& layer = scene.volume;
   glm::dvec2 range(0, 1);
-  double unitMm = 1.0;
+  double unit = 1.0;
   if (layer.data && !row.preset.isAbsolute) {
     int channel = mixesChannels(layer) ? layer.channel : 0;
     range = relativeRange(*layer.data, channel, row.ends, row.brightShare);
-    glm::dvec3 spacing = spacingMm(*layer.data);
-    unitMm = (spacing.x + spacing.y + spacing.z) / 3.0;
+    glm::dvec3 spacing = spacingOf(*layer.data);
+    unit = (spacing.x + spacing.y + spacing.z) / 3.0;
   }
   auto place = [&](double value) { return row.preset.isAbsolute ? value : range.x + value * (range.y - range.x); };
-  TransferFunction transfer{std::string(name), row.colors, row.opacities, {}, unitMm};
+  TransferFunction transfer{std::string(name), row.colors, row.opacities, {}, unit};
   for (auto& point : transfer.colors) point.value = place(point.value);
   for (auto& point : transfer.opacities) point.value = place(point.value);
   currentTransfer(layer) = std::move(transfer);
@@ -97,7 +97,7 @@ void completeChannels(VolumeLayer& layer) {
   static const glm::vec3 kColors[] = {{0.25f, 0.85f, 0.35f}, {0.95f, 0.30f, 0.85f}, {0.25f, 0.75f, 1.0f},
                                       {1.0f, 0.80f, 0.20f},  {1.0f, 0.45f, 0.25f},  {0.85f, 0.85f, 0.85f}};
   const Volume& volume = *layer.data;
-  glm::dvec3 spacing = spacingMm(volume);
+  glm::dvec3 spacing = spacingOf(volume);
   layer.channels.clear();
   for (int c = 0; c < volume.channels; ++c) {
     ChannelLook& look = layer.channels.emplace_back();
@@ -107,7 +107,7 @@ void completeChannels(VolumeLayer& layer) {
     glm::dvec2 range = relativeRange(volume, c);
     auto place = [&](double share) { return range.x + share * (range.y - range.x); };
     look.transfer.opacities = {{place(0.12), 0}, {place(0.35), 0.02}, {place(0.7), 0.12}, {place(1.0), 0.4}};
-    look.transfer.unitDistanceMm = (spacing.x + spacing.y + spacing.z) / 3.0;
+    look.transfer.unitDistance = (spacing.x + spacing.y + spacing.z) / 3.0;
     look.windowLevel = place(0.5);
     look.windowWidth = range.y - range.x;
     colorChannel(look, kColors[std::size_t(c) % std::size(kColors)]);

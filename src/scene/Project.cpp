@@ -9,12 +9,12 @@ namespace velum::scene {
 
 double halfPictureHeight(const Camera& camera) {
   bool perspective = camera.projection == Projection::Perspective;
-  return perspective ? std::tan(glm::radians(camera.fieldOfViewDeg) * 0.5) : camera.heightMm * 0.5;
+  return perspective ? std::tan(glm::radians(camera.fieldOfViewDeg) * 0.5) : camera.height * 0.5;
 }
 
 CameraBasis cameraBasis(const Camera& camera) {
   CameraBasis basis;
-  basis.forward = unitOr(camera.targetMm - camera.eyeMm, {0, 1, 0});
+  basis.forward = unitOr(camera.target - camera.eye, {0, 1, 0});
   glm::dvec3 helper = std::abs(basis.forward.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(0, -1, 0);
   glm::dvec3 right = glm::cross(basis.forward, unitOr(camera.up, {0, 0, 1}));
   basis.right = glm::length(right) > 1e-6 ? glm::normalize(right) : glm::normalize(glm::cross(basis.forward, helper));
@@ -27,13 +27,13 @@ PictureRay rayFromPixel(const Camera& camera, glm::dvec2 size, glm::dvec2 pixel)
   double tall = halfPictureHeight(camera), wide = tall * size.x / size.y;
   glm::dvec2 ndc = pixel / size * 2.0 - 1.0;
   glm::dvec3 across = basis.right * (ndc.x * wide) - basis.up * (ndc.y * tall);
-  if (camera.projection == Projection::Perspective) return {camera.eyeMm, glm::normalize(basis.forward + across)};
-  return {camera.eyeMm + across, basis.forward};
+  if (camera.projection == Projection::Perspective) return {camera.eye, glm::normalize(basis.forward + across)};
+  return {camera.eye + across, basis.forward};
 }
 
-std::optional<glm::dvec2> pixelFromWorld(const Camera& camera, glm::dvec2 size, glm::dvec3 worldMm) {
+std::optional<glm::dvec2> pixelFromWorld(const Camera& camera, glm::dvec2 size, glm::dvec3 world) {
   CameraBasis basis = cameraBasis(camera);
-  glm::dvec3 arm = worldMm - camera.eyeMm;
+  glm::dvec3 arm = world - camera.eye;
   double depth = glm::dot(arm, basis.forward);
   double scale = 1.0;
   if (camera.projection == Projection::Perspective) {
@@ -45,10 +45,10 @@ std::optional<glm::dvec2> pixelFromWorld(const Camera& camera, glm::dvec2 size, 
   return (ndc + 1.0) * 0.5 * size;
 }
 
-double mmPerPixel(const Camera& camera, glm::dvec2 size, glm::dvec3 worldMm) {
+double lengthPerPixel(const Camera& camera, glm::dvec2 size, glm::dvec3 world) {
   double height = 2.0 * halfPictureHeight(camera);
   if (camera.projection == Projection::Perspective) {
-    double depth = glm::dot(worldMm - camera.eyeMm, cameraBasis(camera).forward);
+    double depth = glm::dot(world - camera.eye, cameraBasis(camera).forward);
     height *= std::max(depth, 1e-9);
   }
   return height / size.y;

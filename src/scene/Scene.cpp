@@ -51,19 +51,19 @@ Camera frameCamera(const Scene& scene, StandardView view, double aspect) {
   const Side& side = kSides[static_cast<int>(view)];
   Bounds bounds = computeBounds(scene);
   Camera camera = scene.camera;
-  camera.targetMm = (bounds.min + bounds.max) * 0.5;
+  camera.target = (bounds.min + bounds.max) * 0.5;
   camera.up = side.up;
   // Fit the box as it is seen: half its extent along the picture's right and up, at the depth of its nearest corner.
   glm::dvec3 toEye = glm::normalize(side.toEye);
   glm::dvec3 right = glm::normalize(glm::cross(side.up, toEye));
   glm::dvec3 up = glm::cross(toEye, right);
-  glm::dvec3 half = glm::max((bounds.max - bounds.min) * 0.5, glm::dvec3(1e-6));
+  glm::dvec3 half = solidEdges(bounds.max - bounds.min) * 0.5;
   auto extent = [&](glm::dvec3 axis) { return glm::dot(glm::abs(axis), half); };
   constexpr double kMargin = 1.06;
   double halfHeight = std::max(extent(up), extent(right) / aspect) * kMargin;
-  camera.heightMm = 2.0 * halfHeight;
+  camera.height = 2.0 * halfHeight;
   double distance = halfHeight / std::tan(glm::radians(camera.fieldOfViewDeg) * 0.5) + extent(toEye);
-  camera.eyeMm = camera.targetMm + toEye * distance;
+  camera.eye = camera.target + toEye * distance;
   return camera;
 }
 
@@ -129,7 +129,7 @@ glm::dmat4 worldFromCut(const Cut& cut) {
   glm::dvec3 x = glm::normalize(glm::cross(helper, z));
   glm::dvec3 y = glm::cross(z, x);
   double c = std::cos(glm::radians(cut.spinDeg)), s = std::sin(glm::radians(cut.spinDeg));
-  return {glm::dvec4(c * x + s * y, 0), glm::dvec4(c * y - s * x, 0), glm::dvec4(z, 0), glm::dvec4(cut.centreMm, 1)};
+  return {glm::dvec4(c * x + s * y, 0), glm::dvec4(c * y - s * x, 0), glm::dvec4(z, 0), glm::dvec4(cut.centre, 1)};
 }
 
 void completeStructures(LabelLayer& labels) {
@@ -185,13 +185,13 @@ void setWindow(VolumeLayer& layer, double level, double width) {
 }
 
 namespace {
-bool showsSlice(const Cut& cut) { return isInlay(cut) || cut.face == CutFace::Slice; }
+bool showsGrey(const Cut& cut) { return isInlay(cut) || cut.face == CutFace::Section; }
 }  // namespace
 
 bool usesWindow(const Scene& scene) {
-  bool hasSlice =
-      std::any_of(scene.cuts.begin(), scene.cuts.end(), [](const Cut& cut) { return cut.enabled && showsSlice(cut); });
-  return hasSlice || scene.rayCast.mode == RenderMode::Mip;
+  bool hasGrey =
+      std::any_of(scene.cuts.begin(), scene.cuts.end(), [](const Cut& cut) { return cut.enabled && showsGrey(cut); });
+  return hasGrey || scene.rayCast.mode == RenderMode::Mip;
 }
 
 Membrane drawnMembrane(Membrane membrane) {
@@ -205,7 +205,7 @@ Membrane drawnMembrane(Membrane membrane) {
 }
 
 Scene pictureScene(Scene scene) {
-  scene.slices = {};
+  scene.sections = {};
   for (auto& cut : scene.cuts)
     if (cut.membrane) cut.membrane = drawnMembrane(std::move(*cut.membrane));
   if (!usesWindow(scene)) {
@@ -218,16 +218,16 @@ Scene pictureScene(Scene scene) {
   return scene;
 }
 
-void placeSlices(Scene& scene) {
-  if (scene.slices.isPlaced) return;
+void placeSections(Scene& scene) {
+  if (scene.sections.isPlaced) return;
   Bounds bounds = computeBounds(scene);
-  scene.slices.crosshairMm = (bounds.min + bounds.max) * 0.5;
+  scene.sections.crosshair = (bounds.min + bounds.max) * 0.5;
   if (const auto& volume = scene.volume.data) {
-    // Onto a voxel, so that the first slices show voxels as they are rather than the mean of two.
-    glm::dvec3 voxel(glm::inverse(volume->worldFromVoxel) * glm::dvec4(scene.slices.crosshairMm, 1.0));
-    scene.slices.crosshairMm = glm::dvec3(volume->worldFromVoxel * glm::dvec4(glm::floor(voxel + 0.5), 1.0));
+    // Onto a voxel, so that the first sections show voxels as they are rather than the mean of two.
+    glm::dvec3 voxel(glm::inverse(volume->worldFromVoxel) * glm::dvec4(scene.sections.crosshair, 1.0));
+    scene.sections.crosshair = glm::dvec3(volume->worldFromVoxel * glm::dvec4(glm::floor(voxel + 0.5), 1.0));
   }
-  scene.slices.isPlaced = true;
+  scene.sections.isPlaced = true;
 }
 
 }  // namespace velum::scene

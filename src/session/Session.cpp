@@ -9,7 +9,7 @@ namespace velum::session {
 
 namespace {
 
-constexpr double kSettleSliceMs = 50.0;
+constexpr double kSettleWorkMs = 50.0;
 constexpr auto kSettlePause = std::chrono::milliseconds(1);
 
 }  // namespace
@@ -97,7 +97,7 @@ render::Frame Session::frame(glm::ivec2 size) {
 void Session::settle(Progress& progress) {
   while (!isSettled()) {
     progress.throwIfCancelled();
-    if (!advance(kSettleSliceMs)) std::this_thread::sleep_for(kSettlePause);  // for what is computed beside
+    if (!advance(kSettleWorkMs)) std::this_thread::sleep_for(kSettlePause);  // for what is computed beside
   }
 }
 

@@ -7,25 +7,25 @@
 
 namespace velum::session {
 
-std::optional<glm::dvec2> ViewSpace::pixelFromWorld(glm::dvec3 worldMm) const {
-  if (mSection) return scene::slicePixelFromWorld(*mSection, worldMm);
-  return scene::pixelFromWorld(mCamera, mSize, worldMm);
+std::optional<glm::dvec2> ViewSpace::pixelFromWorld(glm::dvec3 world) const {
+  if (mSection) return scene::sectionPixelFromWorld(*mSection, world);
+  return scene::pixelFromWorld(mCamera, mSize, world);
 }
 
-double ViewSpace::mmPerPixel(glm::dvec3 worldMm) const {
-  return mSection ? mSection->mmPerPixel : scene::mmPerPixel(mCamera, mSize, worldMm);
+double ViewSpace::lengthPerPixel(glm::dvec3 world) const {
+  return mSection ? mSection->lengthPerPixel : scene::lengthPerPixel(mCamera, mSize, world);
 }
 
-std::optional<ViewCircle> ViewSpace::circleOfBall(glm::dvec3 middleMm, double radiusMm) const {
+std::optional<ViewCircle> ViewSpace::circleOfBall(glm::dvec3 middle, double radius) const {
   if (mSection) {
-    double height = scene::heightOverSlice(*mSection, middleMm);
-    if (std::abs(height) >= radiusMm) return std::nullopt;
-    return ViewCircle{scene::slicePixelFromWorld(*mSection, middleMm),
-                      std::sqrt(radiusMm * radiusMm - height * height) / mSection->mmPerPixel};
+    double height = scene::heightOverSection(*mSection, middle);
+    if (std::abs(height) >= radius) return std::nullopt;
+    return ViewCircle{scene::sectionPixelFromWorld(*mSection, middle),
+                      std::sqrt(radius * radius - height * height) / mSection->lengthPerPixel};
   }
-  auto place = scene::pixelFromWorld(mCamera, mSize, middleMm);
+  auto place = scene::pixelFromWorld(mCamera, mSize, middle);
   if (!place) return std::nullopt;
-  return ViewCircle{*place, radiusMm / std::max(1e-12, scene::mmPerPixel(mCamera, mSize, middleMm))};
+  return ViewCircle{*place, radius / std::max(1e-12, scene::lengthPerPixel(mCamera, mSize, middle))};
 }
 
 }  // namespace velum::session

@@ -1,4 +1,4 @@
-// How soon the window's slice views answer while it computes. In a child: a window wants an application of its own.
+// How soon the window's section views answer while it computes. In a child: a window wants an application of its own.
 // Before Qt, whose word `emit` it would stumble over.
 #include <tbb/parallel_for.h>
 
@@ -7,7 +7,7 @@
 #include <QSurfaceFormat>
 
 #include "Child.h"
-#include "DragSlice.h"
+#include "DragSection.h"
 #include "kit/Theme.h"
 
 namespace velum::bench {

@@ -18,7 +18,7 @@ int childMain(const std::vector<std::string>& arguments);
 nlohmann::json childRead(const std::string& reader, const std::string& path);
 /// The first picture of a fresh process. @param size  voxels along each axis
 nlohmann::json childFirstPicture(int size);
-/// How soon slice views answer a drag, by what the window does meanwhile: {medianMs, most90Ms, worstMs} each.
+/// How soon section views answer a drag, by what the window does meanwhile: {medianMs, most90Ms, worstMs} each.
 nlohmann::json childAnswers(int size);
 
 /// Bytes read, for the readers below. @throw std::exception

@@ -43,10 +43,10 @@ double sampleAt(const T* voxels, glm::ivec3 dims, glm::dvec3 p) {
 Volume resample(const Volume& from, glm::ivec3 dims) {
   Volume to = from;
   to.channels = 1;
-  to.frames = 1;
-  setFrame(to, dims, spacingMm(from) * glm::dvec3(from.dims) / glm::dvec3(dims));
-  if (from.dims == to.dims && from.channels == 1 && from.frames == 1) return to;
-  to.voxels = Bytes(frameBytes(to));
+  to.timeSteps = 1;
+  setFrame(to, dims, spacingOf(from) * glm::dvec3(from.dims) / glm::dvec3(dims));
+  if (from.dims == to.dims && from.channels == 1 && from.timeSteps == 1) return to;
+  to.voxels = Bytes(timeStepBytes(to));
   visitSamples(from, [&](auto* voxels) {
     using T = std::remove_cv_t<std::remove_pointer_t<decltype(voxels)>>;
     auto* out = reinterpret_cast<T*>(to.voxels.data());
@@ -182,9 +182,9 @@ scene::Scene plain(scene::Scene scene) {
 
 scene::Camera turned(scene::Camera camera, int i, int n) {
   double angle = 2.0 * 3.14159265358979 * (i + 0.06) / n;
-  glm::dvec3 v = camera.eyeMm - camera.targetMm;
+  glm::dvec3 v = camera.eye - camera.target;
   double c = std::cos(angle), s = std::sin(angle);
-  camera.eyeMm = camera.targetMm + glm::dvec3(c * v.x - s * v.y, s * v.x + c * v.y, v.z);
+  camera.eye = camera.target + glm::dvec3(c * v.x - s * v.y, s * v.x + c * v.y, v.z);
   return camera;
 }
 

@@ -44,7 +44,7 @@ Field makeField(const scene::Scene& scene) {
   field.opaqueBelow.push_back(0);
   for (int i = 0; i < kTable; ++i) {
     double opacity = scene::opacityAt(transfer.opacities, glm::mix(field.low, field.high, double(i) / (kTable - 1)));
-    field.sigma.push_back(-std::log(1.0 - std::min(opacity, 0.999)) / transfer.unitDistanceMm);
+    field.sigma.push_back(-std::log(1.0 - std::min(opacity, 0.999)) / transfer.unitDistance);
     field.opaqueBelow.push_back(field.opaqueBelow.back() + (opacity > 0 ? 1 : 0));
   }
   field.cells = (volume.dims + kCell - 1) / kCell;
@@ -74,17 +74,17 @@ double nearest(const Volume& volume, glm::dvec3 voxel) {
   return valueAt(volume, glm::clamp(glm::ivec3(voxel + 0.5), glm::ivec3(0), volume.dims - 1));
 }
 
-/// Follows one ray. Positions in voxels. @param perMm  voxels a millimetre along the ray
-void countRay(const Field& field, glm::dvec3 origin, glm::dvec3 perMm, double stepMm, FetchCount& count) {
-  glm::dvec3 a = (-0.5 - origin) / perMm, b = (glm::dvec3(field.volume->dims) - 0.5 - origin) / perMm;
+/// Follows one ray. Positions in voxels. @param perLength  voxels a millimetre along the ray
+void countRay(const Field& field, glm::dvec3 origin, glm::dvec3 perLength, double step, FetchCount& count) {
+  glm::dvec3 a = (-0.5 - origin) / perLength, b = (glm::dvec3(field.volume->dims) - 0.5 - origin) / perLength;
   glm::dvec3 near3 = glm::min(a, b), far3 = glm::max(a, b);
   double t = std::max({near3.x, near3.y, near3.z, 0.0}), end = std::min({far3.x, far3.y, far3.z});
   double left = 1.0;
-  for (; t < end && left > 1.0 - kOpaque; t += stepMm) {
-    glm::dvec3 voxel = origin + t * perMm;
+  for (; t < end && left > 1.0 - kOpaque; t += step) {
+    glm::dvec3 voxel = origin + t * perLength;
     if (!field.cellIsFull(voxel)) continue;
     count.samples += 1;
-    double alpha = 1.0 - std::exp(-field.sigma[std::size_t(field.entryOf(nearest(*field.volume, voxel)))] * stepMm);
+    double alpha = 1.0 - std::exp(-field.sigma[std::size_t(field.entryOf(nearest(*field.volume, voxel)))] * step);
     if (alpha * left > kShadedFrom) count.gradients += 6;
     left *= 1.0 - alpha;
   }
@@ -96,18 +96,18 @@ FetchCount countFetches(const scene::Scene& scene, glm::ivec2 size) {
   constexpr int kStride = 4;  // of pixels, along both sides
   Field field = makeField(scene);
   const auto& camera = scene.camera;
-  glm::dvec3 forward = glm::normalize(camera.targetMm - camera.eyeMm);
+  glm::dvec3 forward = glm::normalize(camera.target - camera.eye);
   glm::dvec3 right = glm::normalize(glm::cross(forward, camera.up)), up = glm::cross(right, forward);
   double tall = std::tan(glm::radians(camera.fieldOfViewDeg) * 0.5), wide = tall * size.x / size.y;
   glm::dmat4 voxelFromWorld = glm::inverse(field.volume->worldFromVoxel);
-  glm::dvec3 spacing = spacingMm(*field.volume), eye(voxelFromWorld * glm::dvec4(camera.eyeMm, 1.0));
-  double stepMm = scene.rayCast.stepVoxels * std::min({spacing.x, spacing.y, spacing.z});
+  glm::dvec3 spacing = spacingOf(*field.volume), eye(voxelFromWorld * glm::dvec4(camera.eye, 1.0));
+  double step = scene.rayCast.stepVoxels * std::min({spacing.x, spacing.y, spacing.z});
   auto countRows = [&](const tbb::blocked_range<int>& rows, FetchCount count) {
     for (int row = rows.begin(); row < rows.end(); ++row)
       for (int x = 0; x < size.x; x += kStride) {
         glm::dvec2 at = glm::dvec2(2, -2) * (glm::dvec2(x, row * kStride) + 0.5) / glm::dvec2(size) + glm::dvec2(-1, 1);
         glm::dvec3 direction = glm::normalize(forward + at.x * wide * right + at.y * tall * up);
-        countRay(field, eye, glm::dvec3(voxelFromWorld * glm::dvec4(direction, 0.0)) + 1e-12, stepMm, count);
+        countRay(field, eye, glm::dvec3(voxelFromWorld * glm::dvec4(direction, 0.0)) + 1e-12, step, count);
       }
     return count;
   };

@@ -129,11 +129,11 @@ void measureMoving(const Options& options, Report& report) {
                rows);
 }
 
-/// From a move of the mouse in a slice view to the other views on the screen.
+/// From a move of the mouse in a section view to the other views on the screen.
 void measureAnswers(const Options& options, Report& report) {
   int n = options.quick ? 128 : 512;
   auto figures = runChild({"answers", std::to_string(n)});
-  if (figures.is_null()) return report.note("Slice views: left out, there is no display.");
+  if (figures.is_null()) return report.note("Section views: left out, there is no display.");
   std::vector<std::vector<std::string>> rows;
   for (const auto& [when, f] : figures.items()) {
     rows.push_back({when, formatMs(f["medianMs"]), formatMs(f["most90Ms"]), formatMs(f["worstMs"])});
@@ -142,9 +142,9 @@ void measureAnswers(const Options& options, Report& report) {
   report.note(fmt::format(
       "The crosshair is dragged through {}^3 uint8 in a window of 1440 x 900 with four views: from each move's event "
       "to "
-      "the end of painting of the two slices that follow it, with the window's composition by the driver, ms.",
+      "the end of painting of the two sections that follow it, with the window's composition by the driver, ms.",
       n));
-  report.table({"slices answer", "median", "nine of ten", "worst"}, rows);
+  report.table({"sections answer", "median", "nine of ten", "worst"}, rows);
 }
 
 }  // namespace

@@ -82,10 +82,10 @@ scene::Cut membraneAt(const scene::Scene& scene, glm::dvec3 click, int axis, dou
   const Volume& volume = *scene.volume.data;
   glm::dvec3 along = direction(volume)[axis];
   scene::Scene seen = scene;
-  seen.camera.targetMm = centreMm(volume);
-  seen.camera.eyeMm = seen.camera.targetMm + along * 1000.0;
+  seen.camera.target = centreOf(volume);
+  seen.camera.eye = seen.camera.target + along * 1000.0;
   scene::Cut cut = session::makeCut(seen, scene::CutShape::Membrane);
-  cut.centreMm = centreMm(volume) + along * (spacingMm(volume)[axis] * volume.dims[axis] * (share - 0.5));
+  cut.centre = centreOf(volume) + along * (spacingOf(volume)[axis] * volume.dims[axis] * (share - 0.5));
   session::protectTissue(*cut.membrane, scene.volume, click);
   return cut;
 }
@@ -108,8 +108,8 @@ std::vector<Plane> sweep(const Protected& what, bool isPhantom, int positions) {
       session::setRule(*scene.cuts[0].membrane, scene::KernelRule::Paper);
       auto paper = session::settleMembranes(scene, {true, false}, progress);
       planes.push_back({paper[0].kept->ratio, sided[0].kept->ratio, sided[0].limit->figure.ratio,
-                        paper[0].kept->meanDistanceMm, sided[0].kept->meanDistanceMm,
-                        sided[0].limit->figure.meanDistanceMm, paper[0].totalMs, sided[0].totalMs});
+                        paper[0].kept->meanDistance, sided[0].kept->meanDistance, sided[0].limit->figure.meanDistance,
+                        paper[0].totalMs, sided[0].totalMs});
     }
   return planes;
 }
@@ -146,7 +146,7 @@ void noteGoals(const std::vector<Plane>& all, Report& report) {
   report.note(
       fmt::format("Over all {} planes: (sided - 0.02) / limit is {:.2f} in the median (goal 1.25), (sided - 0.05) / "
                   "limit at most {:.2f} for nine in ten (goal 1.6); the sheets are {:.2f} times as far from the "
-                  "slice as those of the limit (goal 1.3).",
+                  "section as those of the limit (goal 1.3).",
                   all.size(), median(excess), worst, distance));
   report.figure("goals", {{"median", median(excess)}, {"nineInTen", worst}, {"distance", distance}});
 }

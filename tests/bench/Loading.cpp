@@ -20,14 +20,14 @@ namespace fs = std::filesystem;
 
 /// A MetaImage without compression: header and voxels in one file.
 void writeMha(const Volume& volume, const fs::path& path) {
-  glm::dvec3 spacing = spacingMm(volume);
+  glm::dvec3 spacing = spacingOf(volume);
   std::ofstream out(path, std::ios::binary);
   out << fmt::format(
       "ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\nDimSize = {} {} {}\n"
       "ElementSpacing = {} {} {}\nElementType = {}\nElementDataFile = LOCAL\n",
       volume.dims.x, volume.dims.y, volume.dims.z, spacing.x, spacing.y, spacing.z,
       volume.type == SampleType::UInt8 ? "MET_UCHAR" : "MET_SHORT");
-  out.write(reinterpret_cast<const char*>(volume.voxels.data()), std::streamsize(frameBytes(volume)));
+  out.write(reinterpret_cast<const char*>(volume.voxels.data()), std::streamsize(timeStepBytes(volume)));
 }
 
 struct Cost {
@@ -84,7 +84,7 @@ void measureLoading(const Options& options, Report& report) {
   constexpr Job kJobs[] = {
       {"trunk.nrrd", "itk"}, {"trunk.nii.gz", "itk"}, {"trunk.nii", "itk"}, {"trunk.mha", "itk"}, {"trunk.vti", "vtk"}};
   Progress progress;
-  double voxelMb = double(frameBytes(volume)) / 1048576.0;
+  double voxelMb = double(timeStepBytes(volume)) / 1048576.0;
   int turns = options.quick ? 1 : 5;
   std::vector<std::vector<std::string>> rows;
   for (const Job& job : kJobs) {

@@ -28,7 +28,7 @@ std::unique_ptr<membrane::Solver> solverOf(int particles, int kernels, bool isSi
   auto solver = std::make_unique<membrane::Solver>();
   membrane::SheetSetup setup;
   setup.particles = glm::ivec2(particles);
-  setup.halfMm = {64, 64, 20};
+  setup.half = {64, 64, 20};
   setup.isAlongNormal = isSided;
   solver->setSheet(setup);
   membrane::PushField field;
@@ -38,8 +38,8 @@ std::unique_ptr<membrane::Solver> solverOf(int particles, int kernels, bool isSi
                          glm::vec2(isSided ? 5.0f : 0.0f, isSided ? 0.0f : 5.0f));
   glm::dmat4 localFromKernel(1.0);
   for (int axis = 0; axis < 3; ++axis) {
-    localFromKernel[axis][axis] = 2.0 * setup.halfMm[axis] / field.dims[axis];
-    localFromKernel[3][axis] = -setup.halfMm[axis] + 0.5 * localFromKernel[axis][axis];
+    localFromKernel[axis][axis] = 2.0 * setup.half[axis] / field.dims[axis];
+    localFromKernel[3][axis] = -setup.half[axis] + 0.5 * localFromKernel[axis][axis];
   }
   field.kernelFromLocal = glm::inverse(localFromKernel);
   solver->setField(field);
@@ -86,7 +86,7 @@ void measureEdits(const Options& options, Report& report) {
   Volume volume;
   volume.dims = options.quick ? glm::ivec3(128, 128, 278) : glm::ivec3(256, 256, 556);
   volume.type = SampleType::Int16;
-  volume.voxels.resize(frameBytes(volume));
+  volume.voxels.resize(timeStepBytes(volume));
   auto* samples = reinterpret_cast<std::int16_t*>(volume.voxels.data());
   for (std::size_t i = 0; i < voxelCount(volume); ++i) samples[i] = std::int16_t(i * 2654435761u >> 20);
   computeRange(volume);

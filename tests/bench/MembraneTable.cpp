@@ -68,7 +68,7 @@ Rates ratesOf(const scene::Scene& scene, int pictures) {
   membrane::ForceMaker maker(scene);
   membrane::Simulation simulation;
   simulation.begin(cut, maker.compute(cut, {}, progress), {});
-  auto sheet = std::make_shared<membrane::Sheet>(scene::SheetShape(), cut.membrane->cloth.particles, cut.sizeMm);
+  auto sheet = std::make_shared<membrane::Sheet>(scene::SheetShape(), cut.membrane->cloth.particles, cut.size);
   render::Renderer renderer(sharedContext());
   render::Frame frame;
   frame.scene = scene;

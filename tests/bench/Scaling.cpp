@@ -50,8 +50,8 @@ std::vector<scene::Cut> makeCuts(int count) {
     double angle = 2.4 * i;
     glm::dvec3 out(std::cos(angle), std::sin(angle), 0.3);
     cut.axis = out;
-    cut.centreMm = out * (i % 5 == 0 ? 85.0 : 95.0);
-    cut.sizeMm = glm::dvec3(40.0);
+    cut.centre = out * (i % 5 == 0 ? 85.0 : 95.0);
+    cut.size = glm::dvec3(40.0);
     cuts.push_back(cut);
   }
   return cuts;

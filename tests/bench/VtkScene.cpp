@@ -53,12 +53,12 @@ int vtkTypeOf(SampleType type) {
 /// The volume as VTK holds it; its box must be axis-aligned (see makeCube()).
 vtkSmartPointer<vtkImageData> makeImage(const Volume& volume) {
   auto image = vtkSmartPointer<vtkImageData>::New();
-  glm::dvec3 spacing = spacingMm(volume), origin(volume.worldFromVoxel[3]);
+  glm::dvec3 spacing = spacingOf(volume), origin(volume.worldFromVoxel[3]);
   image->SetDimensions(volume.dims.x, volume.dims.y, volume.dims.z);
   image->SetSpacing(spacing.x, spacing.y, spacing.z);
   image->SetOrigin(origin.x, origin.y, origin.z);
   image->AllocateScalars(vtkTypeOf(volume.type), 1);
-  std::memcpy(image->GetScalarPointer(), volume.voxels.data(), frameBytes(volume));
+  std::memcpy(image->GetScalarPointer(), volume.voxels.data(), timeStepBytes(volume));
   return image;
 }
 
@@ -72,7 +72,7 @@ void setProperty(vtkVolumeProperty& property, const scene::Scene& scene) {
   for (const auto& p : scene.volume.transfer.opacities) opacity->AddPoint(raw(p.value), p.opacity);
   property.SetColor(color);
   property.SetScalarOpacity(opacity);
-  property.SetScalarOpacityUnitDistance(scene.volume.transfer.unitDistanceMm);
+  property.SetScalarOpacityUnitDistance(scene.volume.transfer.unitDistance);
   property.SetInterpolationTypeToLinear();
   property.SetShade(scene.lighting.shaded);
   // Our light from everywhere is 0.7 + 0.3 up; VTK's is the same all round.
@@ -84,23 +84,23 @@ void setProperty(vtkVolumeProperty& property, const scene::Scene& scene) {
 
 /// Switches that both mappers have, under the same names but without a common base.
 template <class AnyMapper>
-void setSteps(AnyMapper& mapper, double stepMm) {
+void setSteps(AnyMapper& mapper, double step) {
   mapper.SetAutoAdjustSampleDistances(0);
   mapper.SetLockSampleDistanceToInputSpacing(0);
-  mapper.SetSampleDistance(float(stepMm));
+  mapper.SetSampleDistance(float(step));
   mapper.SetImageSampleDistance(1.0f);
 }
 
-vtkSmartPointer<vtkVolumeMapper> makeMapper(VtkScene::Mapper kind, double stepMm) {
+vtkSmartPointer<vtkVolumeMapper> makeMapper(VtkScene::Mapper kind, double step) {
   if (kind == VtkScene::Mapper::Gpu) {
     auto mapper = vtkSmartPointer<vtkOpenGLGPUVolumeRayCastMapper>::New();
-    setSteps(*mapper, stepMm);
+    setSteps(*mapper, step);
     mapper->SetUseJittering(0);
     return mapper;
   }
   auto mapper = vtkSmartPointer<vtkFixedPointVolumeRayCastMapper>::New();
-  setSteps(*mapper, stepMm);
-  mapper->SetInteractiveSampleDistance(float(stepMm));
+  setSteps(*mapper, step);
+  mapper->SetInteractiveSampleDistance(float(step));
   mapper->SetIntermixIntersectingGeometry(0);
   mapper->SetNumberOfThreads(int(std::max(1u, std::thread::hardware_concurrency())));
   return mapper;
@@ -134,7 +134,7 @@ VtkScene::Impl::Impl(const scene::Scene& scene, Mapper kind, glm::ivec2 size) {
   renderer->AutomaticLightCreationOff();
   light->SetLightTypeToHeadlight();
   renderer->AddLight(light);
-  glm::dvec3 spacing = spacingMm(*scene.volume.data);
+  glm::dvec3 spacing = spacingOf(*scene.volume.data);
   auto mapper = makeMapper(kind, scene.rayCast.stepVoxels * std::min({spacing.x, spacing.y, spacing.z}));
   mapper->SetInputDataObject(makeImage(*scene.volume.data));
   volume->SetMapper(mapper);
@@ -144,12 +144,12 @@ VtkScene::Impl::Impl(const scene::Scene& scene, Mapper kind, glm::ivec2 size) {
 
 double VtkScene::Impl::render(const scene::Camera& camera) {
   vtkCamera& eye = *renderer->GetActiveCamera();
-  eye.SetPosition(camera.eyeMm.x, camera.eyeMm.y, camera.eyeMm.z);
-  eye.SetFocalPoint(camera.targetMm.x, camera.targetMm.y, camera.targetMm.z);
+  eye.SetPosition(camera.eye.x, camera.eye.y, camera.eye.z);
+  eye.SetFocalPoint(camera.target.x, camera.target.y, camera.target.z);
   eye.SetViewUp(camera.up.x, camera.up.y, camera.up.z);
   eye.SetParallelProjection(camera.projection == scene::Projection::Orthographic);
   eye.SetViewAngle(camera.fieldOfViewDeg);
-  eye.SetParallelScale(0.5 * camera.heightMm);
+  eye.SetParallelScale(0.5 * camera.height);
   renderer->ResetCameraClippingRange();
   auto start = std::chrono::steady_clock::now();
   window->Render();

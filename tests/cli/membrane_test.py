@@ -76,8 +76,8 @@ class Membrane(CliTest):
         self.assertEqual(report["ratio"], 0)
         field = json.loads((self.folder / "s.json").read_text())["cuts"][0]["membrane"]["field"]
         self.assertEqual(len(field["strokes"]), 1)
-        self.assertEqual(len(field["strokes"][0]["pathMm"]), 9)
-        self.assertEqual(field["strokes"][0]["radiusMm"], 3)
+        self.assertEqual(len(field["strokes"][0]["path"]), 9)
+        self.assertEqual(field["strokes"][0]["radius"], 3)
         self.assertGreater(len(field["byValue"]), 1)
         # The same stroke avoids: of what the curve protects only blurred borders are left.
         whole = self.report("membrane", path, "--protect", "500,2000", "--axis", "0,0,1")

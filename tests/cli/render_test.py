@@ -39,12 +39,12 @@ class Render(CliTest):
 
     def test_a_slice_view_is_a_picture_of_its_scene(self):
         path = self.sample()
-        slice_options = ["--slice", "coronal", "--size", "70x50", "--set", "cuts.+.axis=0,0,1"]
+        slice_options = ["--section", "coronal", "--size", "70x50", "--set", "cuts.+.axis=0,0,1"]
         report = self.report("render", path, "-o", "x.png", *slice_options)
-        self.assertKeys(report, "slice", "crosshairMm", "size", "frameMs")
-        self.run_batch("render", "x.png", "-o", "y.png", "--slice", "coronal", "--size", "70x50")
+        self.assertKeys(report, "slice", "crosshair", "size", "frameMs")
+        self.run_batch("render", "x.png", "-o", "y.png", "--section", "coronal", "--size", "70x50")
         self.assertEqual((self.folder / "x.png").read_bytes(), (self.folder / "y.png").read_bytes())
-        self.run_batch("render", path, "-o", "z.png", *slice_options, "--set", "slices.crosshairMm=0,20,0")
+        self.run_batch("render", path, "-o", "z.png", *slice_options, "--set", "sections.crosshair=0,20,0")
         self.run_batch("compare", "x.png", "z.png", code=4)
 
     def test_a_picture_opens_as_its_scene(self):
@@ -87,7 +87,7 @@ class Render(CliTest):
     def test_a_slice_has_layers_to_put_together(self):
         self.sample("two-spheres", 32)
         self.run_batch("membrane", "two-spheres.nrrd", "--protect", "500,2000", "--axis", "0,0,1", "--save-scene", "m.json")
-        look = ["--size", "32x32", "--layers", "--set", "cuts[Membrane].membrane.use=slice", *FAST]
+        look = ["--size", "32x32", "--layers", "--set", "cuts[Membrane].membrane.use=inlay", *FAST]
         self.run_batch("render", "m.json", "-o", "x.png", *look)
         for layer in ("front", "slice", "behind"):
             self.assertEqual((self.folder / f"x.{layer}.png").read_bytes()[25], 6, f"{layer}: PNG colour type RGBA")
@@ -135,7 +135,7 @@ class Render(CliTest):
             self.refuse("render", name, "-o", "x.png", code=2)
 
     def test_a_membrane_follows_through_time_steps(self):
-        self.run_batch("sample", "heart", "-o", "heart.nrrd", "--voxels", "40", "--frames", "4")
+        self.run_batch("sample", "heart", "-o", "heart.nrrd", "--voxels", "40", "--time-steps", "4")
         self.run_batch("membrane", "heart.nrrd", "--protect", "200,600", "--axis", "0,-1,0", "--position", "0.4",
                        "--save-scene", "m.json")
         active = ["--set", "cuts[Membrane].membrane.repositioning=active"]

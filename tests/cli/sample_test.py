@@ -32,13 +32,13 @@ class Sample(CliTest):
 
     def test_a_heart_has_as_many_time_steps_as_asked_for(self):
         for suffix in (".nrrd", ".nii.gz"):
-            report = self.report("sample", "heart", "-o", "beat" + suffix, "--voxels", "24", "--frames", "3")
+            report = self.report("sample", "heart", "-o", "beat" + suffix, "--voxels", "24", "--time-steps", "3")
             volume, labels = (self.report("info", file) for file in report["files"])
             self.assertEqual(volume["frames"], 3)
             self.assertAlmostEqual(volume["frameSeconds"], 0.28, places=5)
             self.assertEqual(volume["dims"], labels["dims"])
-        self.refuse("sample", "torso", "-o", "x.nrrd", "--voxels", "24", "--frames", "3", code=1, words=["torso", "3"])
-        self.refuse("sample", "heart", "-o", "x.nrrd", "--frames", "1000", code=1, words=["1000"])
+        self.refuse("sample", "torso", "-o", "x.nrrd", "--voxels", "24", "--time-steps", "3", code=1, words=["torso", "3"])
+        self.refuse("sample", "heart", "-o", "x.nrrd", "--time-steps", "1000", code=1, words=["1000"])
         self.refuse("sample", "heart", "-o", "x.vti", "--voxels", "24", code=2, words=["time step"])
 
     def test_unknown_names_and_sizes_exit_1(self):

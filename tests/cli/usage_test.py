@@ -40,9 +40,9 @@ class Usage(CliTest):
         path = self.sample()
         for size in ("0x0", "10", "axb", "-5x5", "10x10x10", "99999x2", "10x"):
             self.refuse("render", path, "-o", "x.png", "--size", size, code=1, words=[size, "WIDTHxHEIGHT"])
-        self.refuse("render", path, "-o", "x.png", "--slice", "oblique", code=1, words=["oblique", "coronal"])
-        self.refuse("render", path, "-o", "x.png", "--slice", "axial", "--layers", code=1, words=["--layers"])
-        self.refuse("render", path, "-o", "x.png", "--slice", "axial", "--frames", "3", code=1, words=["--frames"])
+        self.refuse("render", path, "-o", "x.png", "--section", "oblique", code=1, words=["oblique", "coronal"])
+        self.refuse("render", path, "-o", "x.png", "--section", "axial", "--layers", code=1, words=["--layers"])
+        self.refuse("render", path, "-o", "x.png", "--section", "axial", "--frames", "3", code=1, words=["--frames"])
         self.refuse("render", path, "-o", "x.png", "--view", "front", code=1, words=["front", "anterior"])
         self.refuse("render", path, "-o", "x.png", "--preset", "bones", code=1, words=["bones", "ct-bone"])
 
@@ -62,7 +62,7 @@ class Usage(CliTest):
         path = self.sample()
         for change, words in (("rayCast.mode=cube", ["rayCast.mode", "cube", "mip"]), ("rayCats.mode=mip", ["rayCats", "rayCast"]),
                               ("rayCast.stepVoxels=99", ["rayCast.stepVoxels", "99"]), ("rayCast", ["rayCast", "path=value"]),
-                              ("camera.eyeMm=1,2", ["camera.eyeMm"]), ("=5", ["camera"]), ("cuts.7.shape=box", ["cuts", "7"])):
+                              ("camera.eye=1,2", ["camera.eye"]), ("=5", ["camera"]), ("cuts.7.shape=box", ["cuts", "7"])):
             with self.subTest(change=change):
                 self.refuse("render", path, "-o", "x.png", "--set", change, code=1, words=words)
         self.assertFalse((self.folder / "x.png").exists())

@@ -23,7 +23,7 @@ int fuzzReader(Reader reader, const std::uint8_t* data, std::size_t size, scene:
   source.raw = raw;
   try {
     Volume v = reader(source, progress);
-    if (v.voxels.size() != frameBytes(v) * std::size_t(v.frames) || v.dims.x < 1 || v.dims.y < 1 || v.dims.z < 1)
+    if (v.voxels.size() != timeStepBytes(v) * std::size_t(v.timeSteps) || v.dims.x < 1 || v.dims.y < 1 || v.dims.z < 1)
       std::abort();
     if (!(glm::determinant(v.worldFromVoxel) != 0.0)) std::abort();
     computeRange(v);

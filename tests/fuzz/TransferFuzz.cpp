@@ -22,7 +22,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       for (const auto& stop : transfer.colors)
         for (int c = 0; c < 3; ++c)
           if (!(stop.color[c] >= 0 && stop.color[c] <= 1)) std::abort();
-      if (!(transfer.unitDistanceMm > 0)) std::abort();
+      if (!(transfer.unitDistance > 0)) std::abort();
       io::transferText(transfer, io::TransferKind::SlicerJson, {}, 1.0);
     } catch (const Error&) {
     }

@@ -95,7 +95,7 @@ const Offset kFrameOffsets[] = {VELUM_OFFSET(FrameParams, texFromScene),
                                 VELUM_OFFSET(FrameParams, flags)};
 const Offset kCutOffsets[] = {VELUM_OFFSET(CutData, localFromScene), VELUM_OFFSET(CutData, halfSize),
                               VELUM_OFFSET(CutData, kind),           VELUM_OFFSET(CutData, face),
-                              VELUM_OFFSET(CutData, sheet),          VELUM_OFFSET(CutData, slice)};
+                              VELUM_OFFSET(CutData, sheet),          VELUM_OFFSET(CutData, inlay)};
 
 TEST_F(ShaderGL, FrameParamsLieWhereTheDriverPutsThem) {
   // A member that this list lacks would go unchecked.
@@ -129,7 +129,7 @@ void main() {
     for (int i = 0; i < 4; ++i) seen[at + 20 + i] = float(cuts[c].kind[i]);
     for (int i = 0; i < 4; ++i) seen[at + 24 + i] = cuts[c].face[i];
     for (int i = 0; i < 4; ++i) seen[at + 28 + i] = float(cuts[c].sheet[i]);
-    for (int i = 0; i < 4; ++i) seen[at + 32 + i] = cuts[c].slice[i];
+    for (int i = 0; i < 4; ++i) seen[at + 32 + i] = cuts[c].inlay[i];
   }
 }
 )");
@@ -143,7 +143,7 @@ void main() {
     for (int i = 0; i < 4; ++i) expected.push_back(float(cut.kind[i] = int(next++)));
     for (int i = 0; i < 4; ++i) expected.push_back(cut.face[i] = next++);
     for (int i = 0; i < 4; ++i) expected.push_back(float(cut.sheet[i] = int(next++)));
-    for (int i = 0; i < 4; ++i) expected.push_back(cut.slice[i] = next++);
+    for (int i = 0; i < 4; ++i) expected.push_back(cut.inlay[i] = next++);
   }
   Buffer in("cuts", std::span<const shared::CutData>(cuts)), out("seen", expected.size() * sizeof(float));
   in.bindStorage(1);

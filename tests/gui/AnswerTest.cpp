@@ -1,5 +1,5 @@
 // The law of fifty milliseconds: whatever computes, a view answers the hand at once.
-#include "DragSlice.h"
+#include "DragSection.h"
 #include "WindowFixture.h"
 
 namespace velum::gui {

@@ -80,12 +80,12 @@ class AsUsed : public testing::Test {
     ASSERT_TRUE(scene().volume.data);
     EXPECT_EQ(scene().volume.data->modality, Modality::CT);
     EXPECT_EQ(scene().volume.data->unit, "HU");
-    EXPECT_EQ(scene().slices.layout, scene::Layout::FourUp);
+    EXPECT_EQ(scene().sections.layout, scene::Layout::FourUp);
     shot("used-1-open");
-    auto& axial = mWindow->views().slice(scene::SliceKind::Axial);
-    glm::dvec3 before = scene().slices.crosshairMm;
+    auto& axial = mWindow->views().section(scene::SectionKind::Axial);
+    glm::dvec3 before = scene().sections.crosshair;
     QTest::mouseClick(&axial, Qt::LeftButton, {}, {axial.width() / 3, axial.height() / 2});
-    EXPECT_NE(scene().slices.crosshairMm, before);
+    EXPECT_NE(scene().sections.crosshair, before);
     drag(mWindow->viewport(), {200, 200}, {260, 180});
   }
   void editCurve() {
@@ -146,7 +146,7 @@ TEST_F(AsUsed, OpenLookCurveCutSpareUndoSaveReopenExport) {
   EXPECT_EQ(other->document().scene().cuts, made.cuts);
   EXPECT_EQ(other->document().scene().volume.transfer, made.volume.transfer);
   EXPECT_EQ(other->document().scene().camera, made.camera);
-  EXPECT_EQ(other->document().scene().slices, made.slices);
+  EXPECT_EQ(other->document().scene().sections, made.sections);
   EXPECT_EQ(other->document().scene().labels.structures, made.labels.structures);
 
   // The picture from the window and the one without it are the same file.

@@ -1,4 +1,4 @@
-// Cuts in the real window: the list and its numbers, handles, three points, slices, what is left whole.
+// Cuts in the real window: the list and its numbers, handles, three points, sections, what is left whole.
 #include <QListView>
 #include <QListWidget>
 #include <QMenu>
@@ -9,8 +9,8 @@
 #include "cut/CutPanel.h"
 #include "cut/ThreePointTool.h"
 #include "velum/scene/Project.h"
-#include "velum/scene/SliceFrame.h"
-#include "velum/session/cut/SliceCutTool.h"
+#include "velum/scene/SectionPlane.h"
+#include "velum/session/cut/SectionCutTool.h"
 
 namespace velum::gui {
 
@@ -29,17 +29,17 @@ TEST_F(CutWindow, ACutKeepsAStructureWholeFromListAndMenu) {
   mWindow->actions().find("cut.addPlane")->trigger();
   ASSERT_EQ(scene().cuts.size(), 1u);
   int first = structures()[0].id, second = structures()[1].id;
-  auto* kept = child<QListView>("keepWholeList");
+  auto* kept = child<QListView>("spareList");
   ASSERT_TRUE(kept);
   kept->model()->setData(kept->model()->index(0, 0), Qt::Checked, Qt::CheckStateRole);
   EXPECT_EQ(scene().cuts[0].spares, std::vector<scene::Spare>{{first}});
-  EXPECT_EQ(document().undoLabel(), "Keep whole " + structures()[0].name);
+  EXPECT_EQ(document().undoLabel(), "Spare " + structures()[0].name);
   QMenu menu;
   mWindow->structures().fillMenu(menu, {second});
   QStringList texts;
   for (QAction* action : menu.actions()) {
     texts << action->text();
-    if (action->text().startsWith("Keep whole")) action->trigger();
+    if (action->text().startsWith("Spare")) action->trigger();
   }
   EXPECT_TRUE(texts.contains("Hide")) << texts.join(", ").toStdString();
   EXPECT_TRUE(texts.contains("Solo"));
@@ -62,8 +62,8 @@ TEST_F(CutWindow, EveryShapeIsAddedNamedEditedAndMoved) {
   child<QDoubleSpinBox>("cutSize1")->setValue(12.5);
   child<QDoubleSpinBox>("cutCentre2")->setValue(-3.5);
   child<QDoubleSpinBox>("cutAzimuth")->setValue(90.0);
-  EXPECT_EQ(scene().cuts[0].sizeMm.y, 12.5);
-  EXPECT_EQ(scene().cuts[0].centreMm.z, -3.5);
+  EXPECT_EQ(scene().cuts[0].size.y, 12.5);
+  EXPECT_EQ(scene().cuts[0].centre.z, -3.5);
   QTest::mouseClick(child<QPushButton>("alignL"), Qt::LeftButton);
   EXPECT_EQ(scene().cuts[0].axis, glm::dvec3(1, 0, 0));
   cuts->item(0)->setText("window");
@@ -95,15 +95,15 @@ TEST_F(CutWindow, AFaceIsDraggedWithItsHandle) {
   scene::Cut before = scene().cuts[0];
   glm::dvec2 size(viewport().width(), viewport().height());
   auto gizmo = session::makeCutGizmo(scene(), before, size);
-  glm::dvec3 face = session::handlePlaceMm(gizmo, session::CutHandle::FaceZMax);
+  glm::dvec3 face = session::handlePlace(gizmo, session::CutHandle::FaceZMax);
   auto from = scene::pixelFromWorld(scene().camera, size, face);
   auto to = scene::pixelFromWorld(scene().camera, size, face + glm::dvec3(0, 0, 4));
   ASSERT_TRUE(from && to);
   QPoint a(int(from->x), int(from->y)), b(int(to->x), int(to->y));
   drag(viewport(), a, b);
   const scene::Cut& now = scene().cuts[0];
-  EXPECT_GT(now.sizeMm.z, before.sizeMm.z + 1.0);
-  EXPECT_NEAR(now.centreMm.z - now.sizeMm.z * 0.5, before.centreMm.z - before.sizeMm.z * 0.5, 1e-9);
+  EXPECT_GT(now.size.z, before.size.z + 1.0);
+  EXPECT_NEAR(now.centre.z - now.size.z * 0.5, before.centre.z - before.size.z * 0.5, 1e-9);
   EXPECT_EQ(document().undoLabel(), "Resize cut");
   document().undo();
   EXPECT_EQ(scene().cuts[0], before);
@@ -126,26 +126,26 @@ TEST_F(CutWindow, ThreeClicksMakeAPlaneThroughWhatWasClickedAndEscGivesUp) {
   for (QPoint off : {QPoint(0, -10), QPoint(-14, 8), QPoint(14, 10)}) {
     auto pick = viewport().pickAt(QPointF(middle + off));
     ASSERT_TRUE(pick && pick->hit);
-    places.push_back(pick->worldMm);
+    places.push_back(pick->world);
     if (places.size() == 3) takeShot(*mWindow, "three-points");
     QTest::mouseClick(&viewport(), Qt::LeftButton, {}, middle + off);
   }
   ASSERT_EQ(scene().cuts.size(), 1u);
-  for (glm::dvec3 p : places) EXPECT_NEAR(glm::dot(p - scene().cuts[0].centreMm, scene().cuts[0].axis), 0.0, 1e-3);
+  for (glm::dvec3 p : places) EXPECT_NEAR(glm::dot(p - scene().cuts[0].centre, scene().cuts[0].axis), 0.0, 1e-3);
   EXPECT_EQ(document().undoLabel(), "Plane through three points");
   EXPECT_FALSE(tool.isActive());
 }
 
-TEST_F(CutWindow, OnASliceACutIsDraggedByItsLine) {
+TEST_F(CutWindow, OnASectionACutIsDraggedByItsLine) {
   openWithLabels();
   mWindow->resize(1000, 800);
   mWindow->views().setLayout(scene::Layout::FourUp);
   mWindow->actions().find("cut.addPlane")->trigger();
   ASSERT_TRUE(settle());
-  SliceView& axial = mWindow->views().slice(scene::SliceKind::Axial);
-  scene::SliceFrame frame = axial.frame();
+  SectionView& axial = mWindow->views().section(scene::SectionKind::Axial);
+  scene::SectionPlane plane = axial.plane();
   scene::Cut before = scene().cuts[0];
-  auto handles = session::sliceHandles(frame, before);
+  auto handles = session::sectionHandles(plane, before);
   ASSERT_FALSE(handles.empty());
   glm::dvec2 place = handles.back().place, out = handles.back().outwards;
   QPoint from(int(std::lround(place.x)), int(std::lround(place.y)));
@@ -153,12 +153,12 @@ TEST_F(CutWindow, OnASliceACutIsDraggedByItsLine) {
   QTest::mouseMove(&axial, from);
   EXPECT_NE(axial.cursor().shape(), axial.restCursor());
   drag(axial, from, from + way);
-  glm::dvec3 moved = scene().cuts[0].centreMm - before.centreMm;
-  EXPECT_NEAR(glm::dot(moved, before.axis), 20.0 * frame.mmPerPixel, 1e-9);
+  glm::dvec3 moved = scene().cuts[0].centre - before.centre;
+  EXPECT_NEAR(glm::dot(moved, before.axis), 20.0 * plane.lengthPerPixel, 1e-9);
   EXPECT_EQ(document().undoLabel(), "Move cut");
-  glm::dvec3 crosshair = scene().slices.crosshairMm;
+  glm::dvec3 crosshair = scene().sections.crosshair;
   drag(axial, {2, 2}, {6, 4});
-  EXPECT_NE(scene().slices.crosshairMm, crosshair) << "beside the cut the view has the pointer";
+  EXPECT_NE(scene().sections.crosshair, crosshair) << "beside the cut the view has the pointer";
 }
 
 }  // namespace velum::gui

@@ -50,7 +50,7 @@ TEST_F(Guide, Window) {
   QFile::remove(scene);
 }
 
-TEST_F(Guide, Slices) {
+TEST_F(Guide, Sections) {
   mWindow->views().setLayout(scene::Layout::FourUp);
   open({kBrain, kRegions});
   mWindow->document().edit("Add cut", [](scene::Scene& scene) {
@@ -58,13 +58,13 @@ TEST_F(Guide, Slices) {
     cut.shape = scene::CutShape::Box;
     cut.name = "Window to the regions";
     cut.axis = {0, 0, 1};
-    cut.centreMm = {-45, -50, 60};
-    cut.sizeMm = {90, 110, 90};
+    cut.centre = {-45, -50, 60};
+    cut.size = {90, 110, 90};
     for (const auto& structure : scene.labels.structures) cut.spares.push_back({structure.id});
     scene.cuts.push_back(cut);
   });
   mWindow->viewport().lookFrom(scene::StandardView::Oblique);
-  keep("slices");
+  keep("sections");
 }
 
 TEST_F(Guide, Open) {

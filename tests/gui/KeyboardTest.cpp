@@ -107,7 +107,7 @@ void expectNamed(const QWidget* widget) {
   EXPECT_FALSE(face->text(QAccessible::Name).isEmpty()) << "no accessible name: " << nameOf(widget);
   auto* button = qobject_cast<const QAbstractButton*>(widget);
   bool says = button && !button->text().isEmpty() && qobject_cast<const QDialog*>(widget->window());
-  bool isView = widget->inherits("velum::gui::Viewport") || widget->inherits("velum::gui::SliceView");
+  bool isView = widget->inherits("velum::gui::Viewport") || widget->inherits("velum::gui::SectionView");
   bool tips = !tipOf(widget).isEmpty() || says || isView || qobject_cast<const QTabBar*>(widget) ||
               qobject_cast<const QTextEdit*>(widget) || widget->inherits("QColorDialog");
   EXPECT_TRUE(tips) << "no tooltip: " << nameOf(widget);
@@ -137,8 +137,8 @@ class Keyboard : public testing::TestWithParam<ThemeKind> {
     io::writeVolume(sample.volume, *sFolder / "phantom.nrrd", progress);
     io::writeLabels(sample.labels, *sFolder / "phantom_labels.seg.nrrd", progress);
     Volume series = sample.volume;
-    series.frames = 2;
-    series.frameSeconds = 0.5;
+    series.timeSteps = 2;
+    series.timeStepSeconds = 0.5;
     Bytes one = series.voxels;
     series.voxels.insert(series.voxels.end(), one.begin(), one.end());
     io::writeVolume(series, *sFolder / "series.nii", progress);
@@ -185,7 +185,7 @@ class Keyboard : public testing::TestWithParam<ThemeKind> {
       auto* number = qobject_cast<QSlider*>(widget) ? widget->parentWidget()->findChild<QDoubleSpinBox*>() : nullptr;
       bool reached = places.contains(widget) || places.contains(number) || (proxy && places.contains(proxy)) ||
                      isCommand(widget, *mWindow);
-      bool isOnView = widget->parentWidget() && widget->parentWidget()->inherits("velum::gui::SliceView");
+      bool isOnView = widget->parentWidget() && widget->parentWidget()->inherits("velum::gui::SectionView");
       EXPECT_TRUE(reached || isOnView) << "Tab never comes to " << nameOf(widget);
     }
     for (QWidget* place : places) expectFocusIsSeen(*place);
@@ -253,7 +253,7 @@ TEST_P(Keyboard, ReachesAllOfTheCuts) {
     mWindow->document().edit("Add cut", [&](scene::Scene& scene) {
       scene::addCut(scene, {});
       scene.cuts.back().shape = shape;
-      scene.cuts.back().face = scene::CutFace::Slice;
+      scene.cuts.back().face = scene::CutFace::Section;
     });
   tabs().setCurrentIndex(2);
   for (int cut : {0, 1}) {
@@ -323,9 +323,9 @@ TEST_P(KeyboardUse, SpaceIsTheButtonsAndOtherwisePlays) {
   gradients->setFocus(Qt::TabFocusReason);
   QTest::keyClick(gradients, Qt::Key_Space);
   EXPECT_FALSE(mWindow->document().scene().volume.transfer.gradientOpacities.empty());
-  EXPECT_EQ(mWindow->document().scene().volume.frame, 0);
+  EXPECT_EQ(mWindow->document().scene().volume.timeStep, 0);
   QTest::keyClick(&mWindow->viewport(), Qt::Key_Space);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return mWindow->document().scene().volume.frame == 1; }, 20000));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return mWindow->document().scene().volume.timeStep == 1; }, 20000));
 }
 
 TEST_P(KeyboardUse, ACurveIsMadeWithoutAMouse) {

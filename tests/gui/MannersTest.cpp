@@ -26,8 +26,8 @@ class Manners : public testing::Test {
     io::Sample sample = io::makeSample("two-spheres", 24, progress);
     io::writeVolume(sample.volume, mFolder / "phantom.nrrd", progress);
     Volume series = sample.volume;
-    series.frames = 3;
-    series.frameSeconds = 0.5;
+    series.timeSteps = 3;
+    series.timeStepSeconds = 0.5;
     Bytes one = series.voxels;
     for (int i = 1; i < 3; ++i) {
       // Later steps are darker.
@@ -101,12 +101,12 @@ TEST_F(Manners, TimeStepsAreShownPlayedAndUndoneAsOne) {
   ASSERT_TRUE(bar && slider && bar->isVisible());
   EXPECT_EQ(slider->maximum(), 2);
   slider->setValue(2);
-  EXPECT_EQ(window->document().scene().volume.frame, 2);
+  EXPECT_EQ(window->document().scene().volume.timeStep, 2);
   window->document().undo();
-  EXPECT_EQ(window->document().scene().volume.frame, 0);
+  EXPECT_EQ(window->document().scene().volume.timeStep, 0);
   EXPECT_EQ(slider->value(), 0);
   bar->setPlaying(true);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return window->document().scene().volume.frame == 2; }, 20000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window->document().scene().volume.timeStep == 2; }, 20000));
   bar->setPlaying(false);
   EXPECT_EQ(window->document().undoLabel(), "Change time step");
   window->document().undo();

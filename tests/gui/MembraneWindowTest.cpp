@@ -70,13 +70,13 @@ TEST_F(MembraneWindow, DraggingTheFrameIsOneStepAndTheSheetFollows) {
   scene::SheetShape rest = shape();
   QImage still = picture();
   auto gizmo = session::makeCutGizmo(scene(), before, size());
-  auto tip = scene::pixelFromWorld(scene().camera, size(), gizmo.arrowTipMm);
-  auto foot = scene::pixelFromWorld(scene().camera, size(), gizmo.centreMm);
+  auto tip = scene::pixelFromWorld(scene().camera, size(), gizmo.arrowTip);
+  auto foot = scene::pixelFromWorld(scene().camera, size(), gizmo.centre);
   ASSERT_TRUE(tip && foot);
   QPoint from(int(tip->x), int(tip->y));
   glm::dvec2 along = glm::normalize(*tip - *foot) * 24.0;
   drag(from, from + QPoint(int(along.x), int(along.y)));
-  EXPECT_NE(scene().cuts[0].centreMm, before.centreMm);
+  EXPECT_NE(scene().cuts[0].centre, before.centre);
   EXPECT_EQ(document().undoLabel(), "Move cut");
   ASSERT_TRUE(settle());
   EXPECT_NE(shape(), rest);
@@ -158,7 +158,7 @@ TEST_F(MembraneWindow, AClickProtectsAStructureOrLetsTheSheetThrough) {
   ASSERT_TRUE(settle());
 }
 
-TEST_F(MembraneWindow, OneClickOnASliceProtectsAndDoesNothingElse) {
+TEST_F(MembraneWindow, OneClickOnASectionProtectsAndDoesNothingElse) {
   addMembrane();
   mWindow->resize(800, 700);
   mWindow->views().setLayout(scene::Layout::FourUp);
@@ -167,7 +167,7 @@ TEST_F(MembraneWindow, OneClickOnASliceProtectsAndDoesNothingElse) {
   scene::Scene before = scene();
   auto steps = document().undoLabels();
   QTest::mouseClick(child<QPushButton>("protectThis"), Qt::LeftButton);
-  SliceView& axial = mWindow->views().slice(scene::SliceKind::Axial);
+  SectionView& axial = mWindow->views().section(scene::SectionKind::Axial);
   QTest::mouseClick(&axial, Qt::LeftButton, {}, axial.rect().center());
   ASSERT_FALSE(scene().cuts[0].membrane->field == scene::ForceField());
   EXPECT_EQ(document().undoLabels().size(), steps.size() + 1);

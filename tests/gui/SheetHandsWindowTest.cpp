@@ -35,8 +35,8 @@ class SheetHandsWindow : public Window {
   double offPin(const scene::Pin& pin) {
     auto sheet = viewport().membranes().index(scene().cuts[0].id);
     glm::dvec3 normal(scene::worldFromCut(scene().cuts[0])[2]);
-    auto point = session::sheetOnRay(scene().cuts[0], *sheet, {pin.placeMm + normal * 1000.0, -normal});
-    return point ? glm::length(point->placeMm - pin.placeMm) : 1e30;
+    auto point = session::sheetOnRay(scene().cuts[0], *sheet, {pin.place + normal * 1000.0, -normal});
+    return point ? glm::length(point->place - pin.place) : 1e30;
   }
 };
 
@@ -50,15 +50,15 @@ TEST_F(SheetHandsWindow, APinIsSetDraggedUndoneAndRemoved) {
   EXPECT_EQ(document().undoLabel(), "Add pin");
   EXPECT_FALSE(child<QPushButton>("pinTool")->isChecked());
   ASSERT_TRUE(settle());
-  double millionth = 1e-6 * scene().cuts[0].sizeMm.x;
+  double millionth = 1e-6 * scene().cuts[0].size.x;
   EXPECT_LT(offPin(membrane().pins[0]), 10 * millionth);  // floats
   viewport().lookFrom(scene::StandardView::Oblique);
   ASSERT_TRUE(settle());
   scene::Membrane before = membrane();
-  QPoint pin = pixelOf(before.pins[0].placeMm);
+  QPoint pin = pixelOf(before.pins[0].place);
   drag(pin, pin + QPoint(0, -30), Qt::LeftButton, Qt::ShiftModifier);
   EXPECT_EQ(document().undoLabel(), "Move pin");
-  EXPECT_NE(membrane().pins[0].placeMm, before.pins[0].placeMm);
+  EXPECT_NE(membrane().pins[0].place, before.pins[0].place);
   ASSERT_TRUE(settle());
   EXPECT_LT(offPin(membrane().pins[0]), 10 * millionth);
   document().undo();
@@ -71,23 +71,23 @@ TEST_F(SheetHandsWindow, APinIsSetDraggedUndoneAndRemoved) {
   ASSERT_TRUE(settle());
 }
 
-TEST_F(SheetHandsWindow, AKernelIsDraggedOnASliceAndEditedInTheList) {
+TEST_F(SheetHandsWindow, AKernelIsDraggedOnASectionAndEditedInTheList) {
   addMembrane(scene::Layout::FourUp);
-  SliceView& view = mWindow->views().slice(scene::SliceKind::Axial);
+  SectionView& view = mWindow->views().section(scene::SectionKind::Axial);
   press("membrane.push");
   QPoint from(view.width() / 2 + 20, view.height() / 2 + 15), to = from + QPoint(30, 10);
   drag(view, from, to);
   ASSERT_EQ(membrane().field.kernels.size(), 1u);
   EXPECT_EQ(document().undoLabel(), "Add push kernel");
   auto kernel = membrane().field.kernels[0];
-  scene::SliceFrame frame = view.frame();
-  EXPECT_LT(glm::length(kernel.centreMm - scene::worldFromSlicePixel(frame, {from.x(), from.y()})), 1e-9);
-  EXPECT_NEAR(kernel.radiusMm, std::hypot(30, 10) * frame.mmPerPixel, 1e-9);
+  scene::SectionPlane plane = view.plane();
+  EXPECT_LT(glm::length(kernel.centre - scene::worldFromSectionPixel(plane, {from.x(), from.y()})), 1e-9);
+  EXPECT_NEAR(kernel.radius, std::hypot(30, 10) * plane.lengthPerPixel, 1e-9);
   EXPECT_GT(kernel.strength, 0.0);
   // Its rim sets the radius; Esc has laid the tool down already.
   drag(view, to, to + QPoint(15, 5));
   EXPECT_EQ(document().undoLabel(), "Resize kernel");
-  EXPECT_NEAR(membrane().field.kernels[0].radiusMm, std::hypot(45, 15) * frame.mmPerPixel, 1e-6);
+  EXPECT_NEAR(membrane().field.kernels[0].radius, std::hypot(45, 15) * plane.lengthPerPixel, 1e-6);
   document().undo();
   EXPECT_EQ(membrane().field.kernels[0], kernel);
   drag(view, from, from + QPoint(-25, 0));
@@ -136,14 +136,14 @@ TEST_F(SheetHandsWindow, Shots) {
     scene::Cut& cut = scene.cuts[0];
     glm::dmat4 world = scene::worldFromCut(cut);
     auto at = [&](double x, double y, double z) {
-      return glm::dvec3(world * glm::dvec4(glm::dvec3(x, y, z) * cut.sizeMm, 1.0));
+      return glm::dvec3(world * glm::dvec4(glm::dvec3(x, y, z) * cut.size, 1.0));
     };
-    double r = 0.11 * cut.sizeMm.x;
+    double r = 0.11 * cut.size.x;
     cut.membrane->pins = {{{0.75, 0.5}, at(0.25, 0.0, 0.35)}, {{0.5, 0.8}, at(0.0, 0.3, -0.2)}};
     cut.membrane->field.kernels = {{at(-0.3, -0.3, 0.05), r, 500}, {at(-0.2, 0.3, -0.25), 1.2 * r, -800}};
     cut.membrane->look = scene::SheetLook::Grid;
-    cut.sizeMm.x *= 0.85;
-    cut.sizeMm.y *= 0.85;
+    cut.size.x *= 0.85;
+    cut.size.y *= 0.85;
   });
   ASSERT_TRUE(settle());
   for (auto kind : {ThemeKind::Dark, ThemeKind::Light}) {

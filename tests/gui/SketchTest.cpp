@@ -23,7 +23,7 @@ class SketchWindow : public Window {
   Sketch& tool() { return mWindow->sketch(); }
   bool isBrushing() { return qobject_cast<BrushTool*>(mWindow->toolbox().active()); }
   const scene::ForceField& field() { return scene().cuts[0].membrane->field; }
-  SliceView& axial() { return mWindow->views().slice(scene::SliceKind::Axial); }
+  SectionView& axial() { return mWindow->views().section(scene::SectionKind::Axial); }
   void addMembrane() {
     document().view([](scene::Scene& scene) { scene.rayCast.samplesPerPixel = 1; });
     mWindow->actions().find("cut.addMembrane")->trigger();
@@ -35,34 +35,34 @@ class SketchWindow : public Window {
     openPhantom();
     addMembrane();
   }
-  QPoint placeOf(glm::dvec3 worldMm) {
-    glm::dvec2 p = scene::slicePixelFromWorld(axial().frame(), worldMm);
+  QPoint placeOf(glm::dvec3 world) {
+    glm::dvec2 p = scene::sectionPixelFromWorld(axial().plane(), world);
     return {int(std::lround(p.x)), int(std::lround(p.y))};
   }
   /// Through the middle of the phantom's larger ball, or what is in the middle of the volume.
   void strokeOver(const char* brush, glm::dvec3 way = {6, 0, 0}) {
     QTest::mouseClick(child<QPushButton>(brush), Qt::LeftButton);
     ASSERT_TRUE(isBrushing());
-    glm::dvec3 middle = scene().slices.crosshairMm;
+    glm::dvec3 middle = scene().sections.crosshair;
     drag(axial(), placeOf(middle), placeOf(middle + way));
     QTest::qWait(60);  // the panel makes room for the stroke
   }
 };
 
-TEST_F(SketchWindow, AStrokeOnASliceFitsTheCurveInOneStep) {
+TEST_F(SketchWindow, AStrokeOnASectionFitsTheCurveInOneStep) {
   openWithMembrane();
   auto before = field();
-  glm::dvec3 crosshair = scene().slices.crosshairMm;
+  glm::dvec3 crosshair = scene().sections.crosshair;
   strokeOver("sketchKeep");
   ASSERT_EQ(field().strokes.size(), 1u);
   EXPECT_FALSE(field().strokes[0].avoid);
-  EXPECT_GE(field().strokes[0].pathMm.size(), 2u);
-  EXPECT_NEAR(field().strokes[0].pathMm[0].z, crosshair.z, 1e-6) << "in the slice's plane";
+  EXPECT_GE(field().strokes[0].path.size(), 2u);
+  EXPECT_NEAR(field().strokes[0].path[0].z, crosshair.z, 1e-6) << "in the section's plane";
   EXPECT_EQ(field().byValueBefore, before.byValue);
-  EXPECT_EQ(scene().slices.crosshairMm, crosshair) << "the brush moves nothing else";
+  EXPECT_EQ(scene().sections.crosshair, crosshair) << "the brush moves nothing else";
   double inside = valueAt(*scene().volume.data, scene().volume.data->dims / 2);
   EXPECT_GT(membrane::strengthAt(field().byValue, inside), 0);
-  EXPECT_EQ(document().undoLabel(), "Sketch what to keep whole");
+  EXPECT_EQ(document().undoLabel(), "Sketch what to protect");
   EXPECT_TRUE(isBrushing()) << "the next stroke may follow";
   takeShot(*mWindow, "sketch-keep");
   QTest::keyClick(&axial(), Qt::Key_Escape);
@@ -99,22 +99,22 @@ TEST_F(SketchWindow, AnAvoidingStrokeTakesItBackAndItsRemovalGivesIt) {
 TEST_F(SketchWindow, KeysAndWheelChangeTheBrushAndTheMarkedStroke) {
   openWithMembrane();
   strokeOver("sketchKeep");
-  double radius = tool().radiusMm();
+  double radius = tool().radius();
   EXPECT_GT(radius, 0);
   QTest::keyClick(&axial(), Qt::Key_BracketRight);
-  EXPECT_GT(tool().radiusMm(), radius);
-  EXPECT_EQ(field().strokes[0].radiusMm, radius) << "no stroke is marked";
+  EXPECT_GT(tool().radius(), radius);
+  EXPECT_EQ(field().strokes[0].radius, radius) << "no stroke is marked";
   QWheelEvent wheel(QPointF(50, 50), axial().mapToGlobal(QPointF(50, 50)), {}, QPoint(-120, 0), Qt::NoButton,
                     Qt::AltModifier, Qt::NoScrollPhase, false);
   QApplication::sendEvent(&axial(), &wheel);
-  EXPECT_NEAR(tool().radiusMm(), radius, 0.06 * radius);
+  EXPECT_NEAR(tool().radius(), radius, 0.06 * radius);
   auto fitted = field().byValue;
   child<QListWidget>("sketchList")->setCurrentRow(0);
   for (int i = 0; i < 4; ++i) QTest::keyClick(&axial(), Qt::Key_BracketRight);
-  EXPECT_GT(field().strokes[0].radiusMm, 1.5 * radius);
+  EXPECT_GT(field().strokes[0].radius, 1.5 * radius);
   EXPECT_EQ(document().undoLabel(), "Change stroke's radius");
   document().undo();
-  EXPECT_EQ(field().strokes[0].radiusMm, radius);
+  EXPECT_EQ(field().strokes[0].radius, radius);
   EXPECT_EQ(field().byValue, fitted);
   QTest::keyClick(&axial(), Qt::Key_Delete);
   EXPECT_TRUE(field().strokes.empty());
@@ -131,8 +131,8 @@ TEST_F(SketchWindow, AStrokeOnThePictureLiesInTheData) {
     strokes = field().strokes.size();
   }
   ASSERT_EQ(strokes, 1u);
-  for (glm::dvec3 p : field().strokes[0].pathMm)
-    EXPECT_LT(glm::distance(p, centreMm(*scene().volume.data)), radiusMm(*scene().volume.data));
+  for (glm::dvec3 p : field().strokes[0].path)
+    EXPECT_LT(glm::distance(p, centreOf(*scene().volume.data)), radiusOf(*scene().volume.data));
   takeShot(*mWindow, "sketch-3d");
 }
 
@@ -164,8 +164,8 @@ TEST_F(SketchWindow, StructuresHaveForcesInATable) {
       if (action->text() == text) return action;
     return static_cast<QAction*>(nullptr);
   };
-  ASSERT_TRUE(find("Keep whole by membrane") && find("Draw membrane to it"));
-  EXPECT_TRUE(find("Keep whole by membrane")->isChecked());
+  ASSERT_TRUE(find("Protect by membrane") && find("Draw membrane to it"));
+  EXPECT_TRUE(find("Protect by membrane")->isChecked());
   find("Draw membrane to it")->trigger();
   EXPECT_LT(field().byLabel[0].strength, 0);
   table->selectRow(0);

@@ -109,7 +109,7 @@ TEST_F(StructureWindow, ThousandsOfRowsCostNothingWhileTheCameraMoves) {
   int resets = 0, changes = 0;
   QObject::connect(&list().rows(), &QAbstractItemModel::modelReset, [&] { ++resets; });
   QObject::connect(&list().rows(), &QAbstractItemModel::dataChanged, [&] { ++changes; });
-  for (int i = 0; i < 50; ++i) document().view([i](scene::Scene& scene) { scene.camera.eyeMm.x = i; });
+  for (int i = 0; i < 50; ++i) document().view([i](scene::Scene& scene) { scene.camera.eye.x = i; });
   EXPECT_EQ(resets + changes, 0);
   clickCell(3, StructureModel::Eye);
   EXPECT_EQ(resets, 0);
@@ -140,8 +140,8 @@ TEST_F(StructureWindow, ADoubleClickGoesThere) {
   ASSERT_TRUE(size);
   glm::dvec3 middle = session::middleOfStructure(*scene().labels.data, id, *size);
   QTest::mouseDClick(list().viewport(), Qt::LeftButton, {}, list().cellOf(id, StructureModel::Name).center());
-  EXPECT_EQ(scene().slices.crosshairMm, middle);
-  EXPECT_TRUE(wait([&] { return glm::length(scene().camera.targetMm - middle) < 1e-9; }));
+  EXPECT_EQ(scene().sections.crosshair, middle);
+  EXPECT_TRUE(wait([&] { return glm::length(scene().camera.target - middle) < 1e-9; }));
   EXPECT_FALSE(document().isModified());
 }
 

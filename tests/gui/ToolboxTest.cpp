@@ -19,7 +19,7 @@ constexpr Row kTools[] = {{"protectThis", nullptr, "Protect from sheet"},
                           {"pinTool", "membrane.pin", "Add pin"},
                           {"pushTool", "membrane.push", "Add push kernel"},
                           {"pullTool", "membrane.pull", "Add pull kernel"},
-                          {"sketchKeep", nullptr, "Sketch what to keep whole"},
+                          {"sketchKeep", nullptr, "Sketch what to protect"},
                           {"sketchAvoid", nullptr, "Sketch what to let through"},
                           {nullptr, "cut.threePoints", "Plane through three points"},
                           {nullptr, "look.showThis", "Show this tissue"}};
@@ -126,7 +126,7 @@ TEST_F(ToolWindow, AClickOnASectionIsOneStepAndNothingElse) {
   mWindow->views().setLayout(scene::Layout::FourUp);
   ASSERT_TRUE(settle());
   // The sagittal section crosses the sheet: along its line there is place for a pin.
-  SliceView& view = mWindow->views().slice(scene::SliceKind::Sagittal);
+  SectionView& view = mWindow->views().section(scene::SectionKind::Sagittal);
   const scene::Cut& cut = scene().cuts[0];
   auto sheet = viewport().membranes().index(cut.id);
   std::vector<QPoint> places;
@@ -166,7 +166,7 @@ TEST_F(ToolWindow, PinsAndHandlesAreTakenWhateverToolIsActiveInThePicture) {
     viewport().lookFrom(scene::StandardView::Oblique);
     ASSERT_TRUE(settle());
     gizmo = session::makeCutGizmo(scene(), scene().cuts[0], size());
-    auto tip = scene::pixelFromWorld(scene().camera, size(), gizmo.arrowTipMm);
+    auto tip = scene::pixelFromWorld(scene().camera, size(), gizmo.arrowTip);
     ASSERT_TRUE(tip);
     scene::Cut before = scene().cuts[0];
     child<QAbstractButton>(button)->click();

@@ -44,7 +44,7 @@ TEST_F(Window, WhatIsPickedProjectsBackToItsPixel) {
     ASSERT_TRUE(pick);
     if (!pick->hit) continue;
     ++hits;
-    auto back = scene::pixelFromWorld(scene().camera, size(), pick->worldMm);
+    auto back = scene::pixelFromWorld(scene().camera, size(), pick->world);
     ASSERT_TRUE(back);
     EXPECT_NEAR(back->x, pixel.x(), 1.5);
     EXPECT_NEAR(back->y, pixel.y(), 1.5);
@@ -57,18 +57,18 @@ TEST_F(Window, MouseTurnsMovesAndNears) {
   scene::Camera start = scene().camera;
   drag({200, 200}, {280, 220});
   scene::Camera turned = scene().camera;
-  EXPECT_NE(turned.eyeMm, start.eyeMm);
-  EXPECT_EQ(turned.targetMm, start.targetMm);
+  EXPECT_NE(turned.eye, start.eye);
+  EXPECT_EQ(turned.target, start.target);
   drag({200, 200}, {240, 200}, Qt::MiddleButton);
-  EXPECT_NE(scene().camera.targetMm, start.targetMm);
-  double distance = glm::length(scene().camera.eyeMm - scene().camera.targetMm);
+  EXPECT_NE(scene().camera.target, start.target);
+  double distance = glm::length(scene().camera.eye - scene().camera.target);
   drag({200, 200}, {200, 160}, Qt::RightButton);
-  EXPECT_LT(glm::length(scene().camera.eyeMm - scene().camera.targetMm), distance);
+  EXPECT_LT(glm::length(scene().camera.eye - scene().camera.target), distance);
   EXPECT_EQ(mWindow->document().undoLabels(), std::vector<std::string>{"Move view"});
   EXPECT_FALSE(mWindow->document().isModified());
   viewport().setFocus();
   QTest::keyClick(&viewport(), Qt::Key_R);
-  EXPECT_EQ(scene().camera.targetMm, start.targetMm);
+  EXPECT_EQ(scene().camera.target, start.target);
   QTest::keyClick(&viewport(), Qt::Key_5);
   EXPECT_EQ(scene().camera.projection, scene::Projection::Orthographic);
   EXPECT_TRUE(settle());
@@ -83,12 +83,12 @@ TEST_F(Window, GizmoMovesTheCutAlongItsNormalInOneStep) {
   viewport().lookFrom(scene::StandardView::Left);  // so that the arrow lies across the view
   scene::Cut before = scene().cuts[0];
   auto gizmo = session::makeCutGizmo(scene(), before, size());
-  auto tip = scene::pixelFromWorld(scene().camera, size(), gizmo.arrowTipMm);
-  auto foot = scene::pixelFromWorld(scene().camera, size(), gizmo.centreMm);
+  auto tip = scene::pixelFromWorld(scene().camera, size(), gizmo.arrowTip);
+  auto foot = scene::pixelFromWorld(scene().camera, size(), gizmo.centre);
   ASSERT_TRUE(tip && foot);
   glm::dvec2 to = *tip + (*tip - *foot) * 0.4;
   drag(QPoint(int(tip->x), int(tip->y)), QPoint(int(to.x), int(to.y)));
-  glm::dvec3 moved = scene().cuts[0].centreMm - before.centreMm;
+  glm::dvec3 moved = scene().cuts[0].centre - before.centre;
   EXPECT_GT(glm::dot(moved, gizmo.normal), 1.0);
   EXPECT_LT(glm::length(glm::cross(moved, gizmo.normal)), 1e-6);
   EXPECT_EQ(mWindow->document().undoLabel(), "Move cut");
@@ -106,7 +106,7 @@ TEST_F(Window, KnobTiltsTheCut) {
   mWindow->document().edit("Add cut", [](scene::Scene& s) { scene::addCut(s, session::cutFacingCamera(s)); });
   scene::Cut before = scene().cuts[0];
   auto gizmo = session::makeCutGizmo(scene(), before, size());
-  auto knob = scene::pixelFromWorld(scene().camera, size(), handlePlaceMm(gizmo, session::CutHandle::KnobRight));
+  auto knob = scene::pixelFromWorld(scene().camera, size(), handlePlace(gizmo, session::CutHandle::KnobRight));
   ASSERT_TRUE(knob);
   drag(QPoint(int(knob->x), int(knob->y)), QPoint(int(knob->x) - 30, int(knob->y)));
   EXPECT_LT(glm::dot(scene().cuts[0].axis, before.axis), 0.99);

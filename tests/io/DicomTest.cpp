@@ -191,7 +191,7 @@ TEST(Dicom, RepeatsAreLeftOutAndTimesBecomeFrames) {
       writeSlice(times, s);
     }
   Volume movie = read(times.path());
-  EXPECT_EQ(movie.frames, 3);
+  EXPECT_EQ(movie.timeSteps, 3);
   EXPECT_EQ(movie.dims.z, 2);
   for (int t = 0; t < 3; ++t)
     for (int z = 0; z < 2; ++z) EXPECT_EQ(valueAt(movie, {0, 0, z}, 0, t), 10 * t + z);

@@ -157,7 +157,7 @@ TEST(VtkLegacy, AsciiAndBinary) {
   EXPECT_EQ(a.dims, glm::ivec3(3, 2, 1));
   EXPECT_TRUE(a.voxels == b.voxels);
   EXPECT_EQ(valueAt(a, {2, 1, 0}), 600);
-  EXPECT_EQ(spacingMm(a), glm::dvec3(0.5, 1, 2));
+  EXPECT_EQ(spacingOf(a), glm::dvec3(0.5, 1, 2));
   std::ofstream(folder / "c.vtk") << head << "ASCII\n" << grid << "1 -2 3\n4 5";
   EXPECT_THROW(readVtkLegacy(sourceOf(folder / "c.vtk"), progress), InputError);
 }
@@ -198,7 +198,7 @@ TEST(Writers, RefuseWhatTheFormatCannotHold) {
   Progress progress;
   Volume v = noise({4, 4, 4}, SampleType::UInt8, 3);
   EXPECT_THROW(writeVolume(v, folder / "a.vdb", progress), InputError);
-  v.frames = 2;
+  v.timeSteps = 2;
   EXPECT_THROW(writeVolume(v, folder / "a.vti", progress), InputError);
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }

@@ -82,7 +82,7 @@ TEST_P(Malformed, OpensOrSaysWhyNot) {
   if (!GetParam().opens) return expectClearError(path);
   Volume v;
   ASSERT_NO_THROW(v = read(path));
-  EXPECT_EQ(v.voxels.size(), frameBytes(v) * std::size_t(v.frames));
+  EXPECT_EQ(v.voxels.size(), timeStepBytes(v) * std::size_t(v.timeSteps));
   EXPECT_TRUE(std::isfinite(v.range.x) && std::isfinite(v.range.y));
   EXPECT_GT(std::abs(glm::determinant(v.worldFromVoxel)), 0.0);
 }
@@ -102,7 +102,7 @@ TEST(MalformedValues, AreRight) {
   for (const char* name : {"dicom_big_endian_mr.dcm", "dicom_rle_mr.dcm", "dicom_jpegls_mr.dcm", "dicom_j2k_mr.dcm"})
     EXPECT_TRUE(read(folder / name).voxels == plain.voxels) << name;
   EXPECT_EQ(read(folder / "dicom_enhanced_mr_10frames.dcm").dims, glm::ivec3(64, 64, 10));
-  EXPECT_EQ(read(folder / "nifti_4d_functional.nii").frames, 20);
+  EXPECT_EQ(read(folder / "nifti_4d_functional.nii").timeSteps, 20);
   EXPECT_EQ(read(folder / "nifti2.nii.gz").dims, glm::ivec3(32, 20, 12));
   Volume ball = read(folder / "nrrd_detached.nhdr");
   for (const char* name : {"nrrd_gz_lineskip.nrrd", "nrrd_gz_byteskip_minus_one.nrrd", "nrrd_crlf_header.nrrd"})

@@ -125,9 +125,9 @@ TEST(ReadVolume, EachFormatSaysOnceThatItHasNoSpacingAndTakesTheUsers) {
     int said = 0;
     for (const std::string& warning : v.warnings) said += warning.find("spacing") != std::string::npos;
     EXPECT_EQ(said, 1) << name;
-    source.spacingMm = {0.5, 0.75, 2.0};
+    source.spacing = {0.5, 0.75, 2.0};
     v = readVolume(source, progress);
-    EXPECT_EQ(spacingMm(v), source.spacingMm) << name;
+    EXPECT_EQ(spacingOf(v), source.spacing) << name;
     EXPECT_TRUE(v.isSpacingKnown) << name;
     for (const std::string& warning : v.warnings) EXPECT_EQ(warning.find("spacing"), std::string::npos) << warning;
   }

@@ -27,7 +27,7 @@ Volume readWith(Reader reader, const std::filesystem::path& path, scene::RawLayo
   source.raw = raw;
   Volume v = reader(source, progress);
   computeRange(v);
-  EXPECT_EQ(v.voxels.size(), frameBytes(v) * std::size_t(v.frames));
+  EXPECT_EQ(v.voxels.size(), timeStepBytes(v) * std::size_t(v.timeSteps));
   EXPECT_NE(glm::determinant(v.worldFromVoxel), 0.0);
   return v;
 }
@@ -53,7 +53,7 @@ TEST_P(RealData, IsWhatItsTableSays) {
   EXPECT_EQ(v.dims, row.dims);
   EXPECT_EQ(v.type, row.type);
   EXPECT_EQ(v.isSpacingKnown, row.isSpacingKnown);
-  for (int i = 0; i < 3; ++i) EXPECT_NEAR(spacingMm(v)[i], row.spacing[i], 1e-3 * row.spacing[i]) << i;
+  for (int i = 0; i < 3; ++i) EXPECT_NEAR(spacingOf(v)[i], row.spacing[i], 1e-3 * row.spacing[i]) << i;
   EXPECT_NEAR(v.range.x, row.range.x, 0.006);
   EXPECT_NEAR(v.range.y, row.range.y, 0.006);
 }
@@ -153,11 +153,11 @@ TEST(RealFolders, TiffPlanes) {
   Progress progress;
   scene::Source source;
   source.path = planes.string();
-  source.spacingMm = {0.04, 0.04, 0.05};
+  source.spacing = {0.04, 0.04, 0.05};
   Volume v = readVolume(source, progress);
   EXPECT_EQ(v.dims, glm::ivec3(271, 193, 270));
   EXPECT_EQ(v.range, glm::dvec2(0, 14580));
-  EXPECT_NEAR(spacingMm(v).z, 0.05, 1e-12);
+  EXPECT_NEAR(spacingOf(v).z, 0.05, 1e-12);
   EXPECT_TRUE(v.isSpacingKnown);
   EXPECT_TRUE(v.warnings.empty());
 }
@@ -183,8 +183,8 @@ TEST(RealData, ACraniumStandsUprightAndLooksForward) {
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "invesalius-examples is not installed";
   Volume v = readWith(readInvesalius, path);
   EXPECT_EQ(v.dims, glm::ivec3(256, 256, 108));
-  EXPECT_NEAR(spacingMm(v).x, 0.957032, 1e-6);
-  EXPECT_NEAR(spacingMm(v).z, 1.5, 1e-9);
+  EXPECT_NEAR(spacingOf(v).x, 0.957032, 1e-6);
+  EXPECT_NEAR(spacingOf(v).z, 1.5, 1e-9);
   EXPECT_EQ(v.unit, "HU");
   EXPECT_LT(v.range.x, -1000.0);
   EXPECT_GT(v.range.y, 2900.0);

@@ -48,7 +48,7 @@ TEST_P(RealVolume, IsAsItsDescriptionSays) {
   Volume v = read(testData() / "volumes" / c.name);
   EXPECT_EQ(v.dims, c.dims);
   EXPECT_EQ(v.type, c.type);
-  for (int i = 0; i < 3; ++i) EXPECT_NEAR(spacingMm(v)[i], c.spacing[i], 1e-3 * c.spacing[i]);  // four digits are given
+  for (int i = 0; i < 3; ++i) EXPECT_NEAR(spacingOf(v)[i], c.spacing[i], 1e-3 * c.spacing[i]);  // four digits are given
   EXPECT_NEAR(v.range.x, c.range.x, 0.05);
   EXPECT_NEAR(v.range.y, c.range.y, 0.05);
 }

@@ -10,7 +10,7 @@ void expectSame(const Volume& wanted, const Volume& got, double matrixTolerance)
   EXPECT_EQ(wanted.dims, got.dims);
   EXPECT_EQ(wanted.type, got.type);
   EXPECT_EQ(wanted.channels, got.channels);
-  EXPECT_EQ(wanted.frames, got.frames);
+  EXPECT_EQ(wanted.timeSteps, got.timeSteps);
   EXPECT_EQ(wanted.isColor, got.isColor);
   EXPECT_TRUE(wanted.voxels == got.voxels) << "voxels differ";
   expectSameMatrix(wanted.worldFromVoxel, got.worldFromVoxel, matrixTolerance);
@@ -39,11 +39,11 @@ TEST_P(RoundTrip, ChannelsAndFramesSurvive) {
   auto path = folder / ("a" + std::string(GetParam()));
   for (auto [channels, frames] : {std::pair(1, 4), std::pair(2, 1), std::pair(3, 2), std::pair(5, 1)}) {
     Volume v = rampVolume(SampleType::Int16, {4, 5, 6}, channels, frames);
-    v.frameSeconds = frames > 1 ? 0.25 : 0.0;
+    v.timeStepSeconds = frames > 1 ? 0.25 : 0.0;
     write(v, path);
     Volume back = read(path);
     expectSame(v, back, 1e-5);
-    EXPECT_DOUBLE_EQ(back.frameSeconds, v.frameSeconds);
+    EXPECT_DOUBLE_EQ(back.timeStepSeconds, v.timeStepSeconds);
   }
 }
 
@@ -146,11 +146,11 @@ TEST(ReadVolume, SpacingOverrideScalesTheColumns) {
   Progress progress;
   scene::Source source;
   source.path = (folder / "a.nrrd").string();
-  source.spacingMm = {0.0, 4.0, 5.0};
+  source.spacing = {0.0, 4.0, 5.0};
   Volume back = readVolume(source, progress);
-  EXPECT_NEAR(spacingMm(back).x, 0.7, 1e-12);
-  EXPECT_NEAR(spacingMm(back).y, 4.0, 1e-12);
-  EXPECT_NEAR(spacingMm(back).z, 5.0, 1e-12);
+  EXPECT_NEAR(spacingOf(back).x, 0.7, 1e-12);
+  EXPECT_NEAR(spacingOf(back).y, 4.0, 1e-12);
+  EXPECT_NEAR(spacingOf(back).z, 5.0, 1e-12);
   EXPECT_NEAR(glm::dot(direction(back)[1], direction(v)[1]), 1.0, 1e-12);
 }
 

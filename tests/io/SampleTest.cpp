@@ -59,7 +59,7 @@ void forEachVoxel(const io::Sample& sample, std::uint16_t id, int margin, Body b
 struct LabelStatistics {
   std::size_t count = 0;
   double mean = 0.0;
-  glm::dvec3 centreMm{0.0};
+  glm::dvec3 centre{0.0};
 };
 
 LabelStatistics measure(const io::Sample& sample, std::string_view name, int margin = 0) {
@@ -67,9 +67,9 @@ LabelStatistics measure(const io::Sample& sample, std::string_view name, int mar
   forEachVoxel(sample, idOf(sample, name), margin, [&](glm::ivec3 v) {
     ++s.count;
     s.mean += valueAt(sample.volume, v);
-    s.centreMm += glm::dvec3(sample.volume.worldFromVoxel * glm::dvec4(v, 1.0));
+    s.centre += glm::dvec3(sample.volume.worldFromVoxel * glm::dvec4(v, 1.0));
   });
-  if (s.count) s.mean /= double(s.count), s.centreMm /= double(s.count);
+  if (s.count) s.mean /= double(s.count), s.centre /= double(s.count);
   return s;
 }
 
@@ -88,11 +88,11 @@ TEST_P(EverySample, VolumeAndLabelsShareTheGrid) {
   EXPECT_EQ(s.labels.dims(), s.volume.dims);
   EXPECT_EQ(s.labels.worldFromVoxel(), s.volume.worldFromVoxel);
   EXPECT_EQ(std::max({s.volume.dims.x, s.volume.dims.y, s.volume.dims.z}), kSize);
-  EXPECT_EQ(s.volume.voxels.size(), frameBytes(s.volume) * std::size_t(s.volume.frames));
+  EXPECT_EQ(s.volume.voxels.size(), timeStepBytes(s.volume) * std::size_t(s.volume.timeSteps));
   EXPECT_EQ(s.volume.name, GetParam());
   EXPECT_LT(s.volume.range.x, s.volume.range.y);
   // The grid stands around the world's origin; a billionth of its size is rounding.
-  EXPECT_LT(glm::length(centreMm(s.volume)), 1e-9 * radiusMm(s.volume));
+  EXPECT_LT(glm::length(centreOf(s.volume)), 1e-9 * radiusOf(s.volume));
 }
 
 TEST_P(EverySample, TheTableListsExactlyTheLabelsInUse) {
@@ -147,8 +147,8 @@ TEST(TwoSpheres, HaveTheVolumeOfASphere) {
     double volume = double(measure(s, name).count) * voxel * voxel * voxel;
     EXPECT_NEAR(volume, 4.0 / 3.0 * pi * radius * radius * radius, 0.1 * shell);
   }
-  EXPECT_NEAR(measure(s, "upper sphere").centreMm.z, 14.0, voxel);
-  EXPECT_NEAR(measure(s, "lower sphere").centreMm.z, -14.0, voxel);
+  EXPECT_NEAR(measure(s, "upper sphere").centre.z, 14.0, voxel);
+  EXPECT_NEAR(measure(s, "lower sphere").centre.z, -14.0, voxel);
 }
 
 /// The part of a label that hangs together with its lowest voxel, over faces, edges and corners.
@@ -207,7 +207,7 @@ TEST(Torso, PartsHaveTheirHounsfieldUnits) {
 TEST(Torso, PartsLieWhereTheyBelong) {
   // World: x to the patient's left, y to the back, z to the head.
   const io::Sample& s = cached("torso");
-  auto centre = [&](const char* name) { return measure(s, name).centreMm; };
+  auto centre = [&](const char* name) { return measure(s, name).centre; };
   EXPECT_LT(centre("liver").x, -20.0);
   EXPECT_GT(centre("spleen").x, 50.0);
   EXPECT_GT(centre("stomach").x, 10.0);
@@ -248,8 +248,8 @@ double difference(const Volume& volume, int a, int b) {
 TEST(Heart, PartsHaveTheirHounsfieldUnits) {
   const io::Sample& s = cached("heart");
   EXPECT_EQ(s.volume.unit, "HU");
-  EXPECT_EQ(s.volume.frames, 12);
-  EXPECT_NEAR(s.volume.frameSeconds * s.volume.frames, 0.84, 1e-9);
+  EXPECT_EQ(s.volume.timeSteps, 12);
+  EXPECT_NEAR(s.volume.timeStepSeconds * s.volume.timeSteps, 0.84, 1e-9);
   for (auto [name, hu] : {std::pair("heart muscle", 105.0),
                           {"left ventricle", 350.0},
                           {"right ventricle", 270.0},
@@ -264,7 +264,7 @@ TEST(Heart, PartsHaveTheirHounsfieldUnits) {
 
 TEST(Heart, ChambersLieWhereTheyBelong) {
   const io::Sample& s = cached("heart");
-  auto centre = [&](const char* name) { return measure(s, name).centreMm; };
+  auto centre = [&](const char* name) { return measure(s, name).centre; };
   EXPECT_LT(centre("right atrium").x, centre("left ventricle").x);
   EXPECT_LT(centre("right ventricle").y, centre("left atrium").y);
   EXPECT_GT(centre("aorta").z, centre("left ventricle").z);
@@ -274,7 +274,7 @@ TEST(Heart, ChambersLieWhereTheyBelong) {
 TEST(Heart, TheVentricleThrowsOutMoreThanHalfOfItsBlood) {
   const io::Sample& s = cached("heart");
   auto full = double(cavity(s, 0).size()), least = full;
-  for (int frame = 1; frame < s.volume.frames; ++frame) least = std::min(least, double(cavity(s, frame).size()));
+  for (int frame = 1; frame < s.volume.timeSteps; ++frame) least = std::min(least, double(cavity(s, frame).size()));
   EXPECT_LT(least / full, 0.5);
   EXPECT_GT(least / full, 0.2);
 }
@@ -283,18 +283,18 @@ TEST(Heart, TheBeatGoesRound) {
   // From the last step to the first it is no further than from one to the next elsewhere.
   const Volume& volume = cached("heart").volume;
   double most = 0;
-  for (int frame = 1; frame < volume.frames; ++frame) most = std::max(most, difference(volume, frame - 1, frame));
-  EXPECT_LE(difference(volume, volume.frames - 1, 0), most);
-  EXPECT_GT(difference(volume, 4, 0), 1.5 * difference(volume, volume.frames - 1, 0));
+  for (int frame = 1; frame < volume.timeSteps; ++frame) most = std::max(most, difference(volume, frame - 1, frame));
+  EXPECT_LE(difference(volume, volume.timeSteps - 1, 0), most);
+  EXPECT_GT(difference(volume, 4, 0), 1.5 * difference(volume, volume.timeSteps - 1, 0));
 }
 
 TEST(Heart, StepsAreTimesOfOneBeat) {
   // Half as many steps are every other step, but for their noise.
   Progress progress;
   io::Sample four = io::makeSample("heart", 40, progress, 4), two = io::makeSample("heart", 40, progress, 2);
-  EXPECT_EQ(four.volume.frames, 4);
+  EXPECT_EQ(four.volume.timeSteps, 4);
   Volume both = four.volume;
-  auto bytes = std::ptrdiff_t(frameBytes(both));
+  auto bytes = std::ptrdiff_t(timeStepBytes(both));
   std::copy(two.volume.voxels.begin() + bytes, two.volume.voxels.end(), both.voxels.begin());
   EXPECT_LT(difference(both, 0, 2), 12.0);
   EXPECT_GT(difference(four.volume, 0, 2), 30.0);

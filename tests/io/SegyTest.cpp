@@ -100,9 +100,9 @@ TEST(Segy, SpacingIsThatOfTheMap) {
   Volume v = readBytes(makeSegy(5, false, cube(6, 5), 3));
   EXPECT_TRUE(v.isSpacingKnown);
   EXPECT_FALSE(v.isOrientationKnown);
-  EXPECT_NEAR(spacingMm(v).x, 12500, 50);
-  EXPECT_NEAR(spacingMm(v).y, 25000, 50);
-  EXPECT_NEAR(spacingMm(v).z, 2000, 1e-9);
+  EXPECT_NEAR(spacingOf(v).x, 12500, 50);
+  EXPECT_NEAR(spacingOf(v).y, 25000, 50);
+  EXPECT_NEAR(spacingOf(v).z, 2000, 1e-9);
   EXPECT_LT(v.worldFromVoxel[2].z, 0);
 }
 
@@ -111,7 +111,7 @@ TEST(Segy, WithoutCoordinatesSpacingIsUnknown) {
   for (auto& t : traces) t.x = t.y = 0;
   Volume v = readBytes(makeSegy(5, false, traces, 3));
   EXPECT_FALSE(v.isSpacingKnown);
-  EXPECT_EQ(spacingMm(v), glm::dvec3(1.0));
+  EXPECT_EQ(spacingOf(v), glm::dvec3(1.0));
 }
 
 TEST(Segy, OrderOfTracesDoesNotMatter) {

@@ -63,8 +63,8 @@ inline Volume rampVolume(SampleType type, glm::ivec3 dims, int channels = 1, int
   v.dims = dims;
   v.type = type;
   v.channels = channels;
-  v.frames = frames;
-  v.voxels.resize(frameBytes(v) * std::size_t(frames));
+  v.timeSteps = frames;
+  v.voxels.resize(timeStepBytes(v) * std::size_t(frames));
   for (std::size_t i = 0; i < v.voxels.size(); ++i) v.voxels[i] = std::byte(i * 37 + i / 251);
   if (type == SampleType::Float32 || type == SampleType::Float64) {
     for (std::size_t i = 0; i < v.voxels.size() / sampleSize(type); ++i) {

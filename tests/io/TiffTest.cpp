@@ -44,7 +44,7 @@ Volume read(const std::filesystem::path& path, glm::dvec3 spacing = glm::dvec3(0
   Progress progress;
   scene::Source source;
   source.path = path.string();
-  source.spacingMm = spacing;
+  source.spacing = spacing;
   return readVolume(source, progress);
 }
 
@@ -66,10 +66,10 @@ TEST(Tiff, ResolutionTagsAloneAreNotSpacing) {
   writePages(folder / "a.tif", 4, 4, 1, 2, "", "zip", 72);
   Volume v = read(folder / "a.tif");
   EXPECT_FALSE(v.isSpacingKnown);
-  EXPECT_EQ(spacingMm(v), glm::dvec3(1.0));
+  EXPECT_EQ(spacingOf(v), glm::dvec3(1.0));
   Volume given = read(folder / "a.tif", {0.5, 0.5, 2});
   EXPECT_TRUE(given.isSpacingKnown);
-  EXPECT_EQ(spacingMm(given), glm::dvec3(0.5, 0.5, 2));
+  EXPECT_EQ(spacingOf(given), glm::dvec3(0.5, 0.5, 2));
   EXPECT_TRUE(given.warnings.empty());
 }
 
@@ -97,14 +97,14 @@ TEST(Tiff, OmeChannelsFramesAndSpacing) {
   Volume v = read(folder / "a.ome.tif");
   EXPECT_EQ(v.dims, glm::ivec3(4, 3, 3));
   EXPECT_EQ(v.channels, 2);
-  EXPECT_EQ(v.frames, 2);
+  EXPECT_EQ(v.timeSteps, 2);
   EXPECT_FALSE(v.isColor);
   EXPECT_EQ(v.channelNames, (std::vector<std::string>{"DAPI", "GFP"}));
-  EXPECT_EQ(v.frameSeconds, 3.0);
+  EXPECT_EQ(v.timeStepSeconds, 3.0);
   EXPECT_TRUE(v.isSpacingKnown);
-  EXPECT_NEAR(spacingMm(v).x, 5e-4, 1e-12);
-  EXPECT_NEAR(spacingMm(v).y, 2.5e-4, 1e-12);
-  EXPECT_NEAR(spacingMm(v).z, 2e-3, 1e-12);
+  EXPECT_NEAR(spacingOf(v).x, 5e-4, 1e-12);
+  EXPECT_NEAR(spacingOf(v).y, 2.5e-4, 1e-12);
+  EXPECT_NEAR(spacingOf(v).z, 2e-3, 1e-12);
   for (int t = 0; t < 2; ++t)
     for (int c = 0; c < 2; ++c)
       for (int z = 0; z < 3; ++z) EXPECT_EQ(valueAt(v, {1, 2, z}, c, t), 1000 * ((t * 2 + c) * 3 + z) + 9);
@@ -119,8 +119,8 @@ TEST(Tiff, ImageJHyperstack) {
   EXPECT_EQ(v.dims, glm::ivec3(4, 3, 3));
   EXPECT_EQ(v.channels, 2);
   EXPECT_EQ(valueAt(v, {1, 2, 2}, 1), 5009);
-  EXPECT_NEAR(spacingMm(v).x, 0.25e-3, 1e-9);
-  EXPECT_NEAR(spacingMm(v).z, 2.5e-3, 1e-9);
+  EXPECT_NEAR(spacingOf(v).x, 0.25e-3, 1e-9);
+  EXPECT_NEAR(spacingOf(v).z, 2.5e-3, 1e-9);
 }
 
 TEST(Tiff, APromiseOfPagesThatAreNotThereIsRefused) {

@@ -17,7 +17,7 @@ scene::TransferFunction sample() {
   transfer.colors = {{-100, {0.1f, 0.2f, 0.3f}}, {300.5, {1, 0.5f, 0}}};
   transfer.opacities = {{-50, 0}, {120.25, 0.4}, {120.25, 0.6}, {900, 0.95}};
   transfer.gradientOpacities = {{0, 0.1}, {40, 1}};
-  transfer.unitDistanceMm = 2.0;
+  transfer.unitDistance = 2.0;
   return transfer;
 }
 
@@ -62,7 +62,7 @@ TEST(TransferFile, TheNewSlicerFormComesBackButForTheName) {
 TEST(TransferFile, TheOldSlicerFormKeepsTheMaterial) {
   TransferFile file =
       parseTransfer(transferText(sample(), TransferKind::SlicerText, {}, 1.0), TransferKind::SlicerText);
-  EXPECT_EQ(file.transfer.unitDistanceMm, 1.0);
+  EXPECT_EQ(file.transfer.unitDistance, 1.0);
   ASSERT_EQ(file.transfer.opacities.size(), sample().opacities.size());
   for (std::size_t i = 0; i < file.transfer.opacities.size(); ++i) {
     auto ours = sample().opacities[i], theirs = file.transfer.opacities[i];
@@ -120,7 +120,7 @@ TEST(TransferFile, BentSegmentsBecomeShortStraightOnes) {
                     TransferKind::SlicerJson);
   EXPECT_NEAR(scene::opacityAt(file.transfer.opacities, 30), 0.5, 1e-9);
   EXPECT_NEAR(scene::opacityAt(file.transfer.opacities, 75), 0.75, 1e-9);
-  EXPECT_EQ(file.transfer.unitDistanceMm, 0.7);
+  EXPECT_EQ(file.transfer.unitDistance, 0.7);
 }
 
 TEST(TransferFile, DamagedFilesAreRefusedInOneLine) {

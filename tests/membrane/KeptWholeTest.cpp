@@ -26,14 +26,14 @@ scene::Scene sceneOf(glm::ivec3 dims, IsProtected isProtected, const glm::dmat4&
 }
 
 /// A membrane's frame that faces along a voxel axis, through the middle of the volume.
-scene::Cut cutAlong(const Volume& volume, int axis, bool backwards, glm::dvec3 sizeMm, double spinDeg = 0.0) {
+scene::Cut cutAlong(const Volume& volume, int axis, bool backwards, glm::dvec3 size, double spinDeg = 0.0) {
   scene::Cut cut;
   cut.shape = scene::CutShape::Membrane;
   cut.membrane.emplace();
-  cut.centreMm = centreMm(volume);
+  cut.centre = centreOf(volume);
   cut.axis = direction(volume)[axis] * (backwards ? -1.0 : 1.0);
   cut.spinDeg = spinDeg;
-  cut.sizeMm = sizeMm;
+  cut.size = size;
   return cut;
 }
 
@@ -62,10 +62,10 @@ TEST(KeptWhole, CountsPairsLikeAPlainLoop) {
   auto scene = sceneOf(
       dims, [](glm::ivec3 v) { return hashNoise(v) > 0.4; }, frame);
   scene::Cut cut;
-  cut.centreMm = {4.2, 5.1, 6.3};
+  cut.centre = {4.2, 5.1, 6.3};
   cut.axis = {0.3, 0.5, 0.9};
   cut.spinDeg = 33;
-  cut.sizeMm = {9, 7, 5};
+  cut.size = {9, 7, 5};
   auto height = [](double x, double y) { return 1.5 * std::sin(x) * std::cos(0.7 * y); };
   glm::dmat4 local = glm::inverse(scene::worldFromCut(cut)) * frame;
   std::int64_t plane = 0, sheet = 0;
@@ -74,7 +74,7 @@ TEST(KeptWhole, CountsPairsLikeAPlainLoop) {
       glm::ivec3 a(i % dims.x, i / dims.x % dims.y, i / (dims.x * dims.y)), b = a;
       if (++b[axis] >= dims[axis] || hashNoise(a) <= 0.4 || hashNoise(b) <= 0.4) continue;
       glm::dvec3 p(local * glm::dvec4(glm::dvec3(a), 1)), q(local * glm::dvec4(glm::dvec3(b), 1));
-      auto inFrame = [&](glm::dvec3 r) { return glm::all(glm::lessThanEqual(glm::abs(r), cut.sizeMm * 0.5)); };
+      auto inFrame = [&](glm::dvec3 r) { return glm::all(glm::lessThanEqual(glm::abs(r), cut.size * 0.5)); };
       if (!inFrame(p) && !inFrame(q)) continue;
       plane += (p.z > 0) != (q.z > 0);
       sheet += (p.z > height(p.x, p.y)) != (q.z > height(q.x, q.y));
@@ -90,9 +90,9 @@ TEST(KeptWhole, AFlatSheetHasTheRatioOne) {
   glm::ivec3 dims(12, 12, 12);
   auto scene = sceneOf(
       dims, [](glm::ivec3) { return 1; }, centredFrame(dims));
-  // The slice passes through a layer of voxels: those count as below with both.
+  // The rest plane passes through a layer of voxels: those count as below with both.
   auto cut = cutAlong(*scene.volume.data, 2, false, {8, 6, 4});
-  cut.centreMm.z += 0.5;
+  cut.centre.z += 0.5;
   KeptWhole flat = measure(scene, cut, sheetOf([](double, double) { return 0.0; }));
   EXPECT_EQ(flat.cutAreaPlane, 8 * 6);
   EXPECT_EQ(flat.ratio, 1.0);
@@ -115,9 +115,9 @@ TEST(KeptWhole, MeanDistanceOfASheetIsTheIntegralOverItsTriangles) {
         float u = -2.0f + 4.0f * float(x) / float(columns - 1);
         shape.places.push_back({u, float(y) - 1.0f, u});
       }
-    EXPECT_NEAR(meanDistanceMm(shape), 1.0, 1e-6) << columns;
+    EXPECT_NEAR(meanDistance(shape), 1.0, 1e-6) << columns;
   }
-  EXPECT_EQ(meanDistanceMm(scene::SheetShape()), 0.0);
+  EXPECT_EQ(meanDistance(scene::SheetShape()), 0.0);
 }
 
 TEST(KeptWhole, LatticeOfAnAlignedFrameIsTheVoxels) {
@@ -159,14 +159,14 @@ TEST(KeptWhole, CountOfAnAlignedLeastCutIsItsOwn) {
       dims, [](glm::ivec3 v) { return hashNoise(v / 3) > 0.6; }, frame);
   for (int axis = 0; axis < 3; ++axis) {
     auto cut = cutAlong(*scene.volume.data, axis, axis == 1, {axis == 0 ? 100 : 11, 13, 9});
-    cut.centreMm += 0.2 * glm::normalize(cut.axis);
+    cut.centre += 0.2 * glm::normalize(cut.axis);
     Progress progress;
     KeptWholeLimit limit = computeLimit(protectedOf(scene, cut), cut, progress);
     EXPECT_GT(limit.figure.cutAreaPlane, 20);
     EXPECT_LT(limit.figure.ratio, 1.0);
     EXPECT_EQ(double(limit.figure.cutAreaMembrane), limit.least.cutPairs);
-    EXPECT_LE(limit.figure.meanDistanceMm, 4.5 + 0.75);
-    EXPECT_GT(limit.figure.meanDistanceMm, 0.0);
+    EXPECT_LE(limit.figure.meanDistance, 4.5 + 0.75);
+    EXPECT_GT(limit.figure.meanDistance, 0.0);
   }
 }
 
@@ -187,7 +187,7 @@ TEST(KeptWhole, NoSheetIsBetterThanTheLimit) {
 }
 
 TEST(KeptWhole, AnObliqueFrameHasALimitToo) {
-  // A ball on an oblique slice: the sheet can go around it.
+  // A ball on an oblique rest plane: the sheet can go around it.
   glm::ivec3 dims(40, 40, 40);
   auto scene = sceneOf(
       dims, [](glm::ivec3 v) { return glm::length(glm::dvec3(v) - 19.5) < 6.0; }, centredFrame(dims));
@@ -207,7 +207,7 @@ TEST(KeptWhole, FramesBesideTheDataAreNoTrouble) {
   for (double away : {3.0, 6.0, 20.0, 1e7})
     for (int axis = 0; axis < 3; ++axis) {
       auto cut = cutAlong(*scene.volume.data, 2, false, {10, 10, 10});
-      cut.centreMm[axis] += away;
+      cut.centre[axis] += away;
       Progress progress;
       KeptWholeLimit limit = computeLimit(protectedOf(scene, cut), cut, progress);
       EXPECT_LE(limit.figure.ratio, 1.0);

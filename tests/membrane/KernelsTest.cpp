@@ -208,13 +208,13 @@ TEST(Kernels, LabelsAloneAreEnough) {
 TEST(Kernels, TakeTheCurrentChannelAndTimeStep) {
   Volume volume = makeVolume({4, 4, 4}, SampleType::UInt8, [](glm::ivec3) { return 0; });
   volume.channels = 2;
-  volume.frames = 2;
-  volume.voxels.resize(frameBytes(volume) * 2);
+  volume.timeSteps = 2;
+  volume.voxels.resize(timeStepBytes(volume) * 2);
   for (std::size_t i = 0; i < volume.voxels.size(); ++i)
-    volume.voxels[i] = std::byte(i % 2 + i / frameBytes(volume) * 2);
+    volume.voxels[i] = std::byte(i % 2 + i / timeStepBytes(volume) * 2);
   scene::Scene scene = sceneOf(volume);
   Potential first(scene);
-  scene.volume.frame = 1;
+  scene.volume.timeStep = 1;
   scene.volume.channel = 1;
   EXPECT_FALSE(first.matches(scene));
   scene::ForceField field;

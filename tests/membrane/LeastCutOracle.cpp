@@ -57,12 +57,12 @@ double minimumCut(const CutLattice& lattice, const LeastCutOptions& options) {
       if (p[axis] + 1 == n[axis]) continue;
       double cost = options.smoothness + options.protectedWeight * double(lattice.pairs[axis][at]);
       if (axis == 2)
-        join(at, at + step[2], cost + options.pull * std::abs(p.z + 0.5 - lattice.sliceLayer), kInfinite);
+        join(at, at + step[2], cost + options.pull * std::abs(p.z + 0.5 - lattice.restLayer), kInfinite);
       else
         join(at, at + step[axis], cost, cost);
     }
     bool rim = p.x == 0 || p.y == 0 || p.x + 1 == n.x || p.y + 1 == n.y;
-    if (p.z == 0 || (rim && p.z <= lattice.sliceLayer))
+    if (p.z == 0 || (rim && p.z <= lattice.restLayer))
       join(source, at, kInfinite, 0.0);
     else if (p.z + 1 == n.z || rim)
       join(at, sink, kInfinite, 0.0);

@@ -36,9 +36,9 @@ std::vector<std::uint8_t> tubes(glm::ivec3 dims, int count, double radius, unsig
 }
 
 /// A lattice whose pairs are random whole numbers, a share of them 0.
-CutLattice randomPairs(glm::ivec3 dims, double sliceLayer, unsigned seed, double share) {
+CutLattice randomPairs(glm::ivec3 dims, double restLayer, unsigned seed, double share) {
   std::mt19937 random(seed);
-  CutLattice lattice = makeLattice(dims, sliceLayer);
+  CutLattice lattice = makeLattice(dims, restLayer);
   for (auto& pairs : lattice.pairs)
     for (float& p : pairs) p = double(random() % 1000) < 1000.0 * share ? float(random() % 5) : 0.0f;
   return lattice;
@@ -108,15 +108,15 @@ TEST(LeastCut, NearASheetInAWideBandIsTheLeastOfAll) {
   EXPECT_THROW(computeLeastCutNear(lattice, {}, std::vector<int>(3), 1, progress), ArgumentError);
 }
 
-TEST(LeastCut, StaysOnTheSliceWhereNothingIsProtected) {
-  for (double slice : {0.5, 3.0, 3.7, 6.99}) {
-    CutLattice lattice = makeLattice({9, 7, 9}, slice);
-    for (int below : exact(lattice).below) EXPECT_EQ(below, int(std::floor(slice)) + 1);
+TEST(LeastCut, StaysOnTheRestPlaneWhereNothingIsProtected) {
+  for (double restPlane : {0.5, 3.0, 3.7, 6.99}) {
+    CutLattice lattice = makeLattice({9, 7, 9}, restPlane);
+    for (int below : exact(lattice).below) EXPECT_EQ(below, int(std::floor(restPlane)) + 1);
   }
 }
 
 TEST(LeastCut, GoesAroundABall) {
-  // Its middle lies below the slice, so the sheet passes above it; the way below would be longer.
+  // Its middle lies below the rest plane, so the sheet passes above it; the way below would be longer.
   glm::ivec3 dims(25, 25, 20);
   std::vector<std::uint8_t> mask;
   for (int i = 0; i < dims.x * dims.y * dims.z; ++i) {

@@ -23,9 +23,9 @@ class ReferenceSolver {
         mWeights.push_back(border ? 0.0 : 1.0);
       }
     mVelocities.resize(mPlaces.size(), glm::dvec3(0.0));
-    double mean = 2.0 * std::sqrt(setup.halfMm.x * setup.halfMm.y);
+    double mean = 2.0 * std::sqrt(setup.half.x * setup.half.y);
     mUnit = mean / 128.0;
-    glm::dvec2 mesh = 2.0 * glm::dvec2(setup.halfMm) / glm::dvec2(n - 1);
+    glm::dvec2 mesh = 2.0 * glm::dvec2(setup.half) / glm::dvec2(n - 1);
     double finer = mean / 49.0 / std::sqrt(mesh.x * mesh.y);
     int strides = 1;
     while (strides < 5 && std::pow(2.0, strides) <= 1.2 * finer && (2 << strides) < std::min(n.x, n.y)) ++strides;
@@ -59,7 +59,7 @@ class ReferenceSolver {
 
   glm::dvec3 flat(int x, int y) const {
     glm::dvec2 share = glm::dvec2(x, y) / glm::dvec2(mSetup.particles - 1);
-    return glm::dvec3((2.0 * share - 1.0) * glm::dvec2(mSetup.halfMm), 0.0);
+    return glm::dvec3((2.0 * share - 1.0) * glm::dvec2(mSetup.half), 0.0);
   }
   int index(int x, int y) const { return y * mSetup.particles.x + x; }
 
@@ -145,13 +145,13 @@ class ReferenceSolver {
           }
         }
     for (const auto& kernel : mField.placed) {
-      glm::dvec3 delta = place - kernel.centreMm + glm::dvec3(0, 0, 0.05 * kernel.halfWidthMm);
-      double weight = tent(delta, kernel.halfWidthMm);
+      glm::dvec3 delta = place - kernel.centre + glm::dvec3(0, 0, 0.05 * kernel.halfWidth);
+      double weight = tent(delta, kernel.halfWidth);
       if (weight <= 0) continue;
       if (mSetup.isAlongNormal)
-        sum.z += weight * (kernel.push + sideOf(delta.z / kernel.halfWidthMm) * kernel.pull);
+        sum.z += weight * (kernel.push + sideOf(delta.z / kernel.halfWidth) * kernel.pull);
       else
-        for (int j = 0; j < 3; ++j) sum[j] += kernel.pull * along(delta[j], kernel.halfWidthMm);
+        for (int j = 0; j < 3; ++j) sum[j] += kernel.pull * along(delta[j], kernel.halfWidth);
     }
     return sum * mUnit;
   }
@@ -201,7 +201,7 @@ class ReferenceSolver {
     for (std::size_t i = 0; i < places.size(); ++i) {
       if (mWeights[i] == 0) continue;
       if (mSetup.isAlongNormal) ways[i].x = ways[i].y = 0;
-      places[i] = glm::clamp(places[i] + ways[i], -mSetup.halfMm, mSetup.halfMm);
+      places[i] = glm::clamp(places[i] + ways[i], -mSetup.half, mSetup.half);
     }
   }
 

@@ -92,7 +92,7 @@ layout(location = 0) uniform ivec4 particles;
 layout(location = 1) uniform vec4 halfSize;
 void main() {
   int i = int(gl_GlobalInvocationID.x);
-  SheetPlan plan = SheetPlan(ivec4(0, particles.xy, 0), halfSize.xyz);
+  SheetPlan plan = SheetPlan(ivec4(0, particles.xy, 0), halfSize.xyz, 1.0);
   vec3 o = rays[2 * i].xyz;
   SheetHit hit = sheetCrossing(plan, o, rays[2 * i + 1].xyz, 0.0, 1000.0);
   found[i] = vec4(hit.t, float(hit.triangle), sheetIsAbove(plan, o) ? 1.0 : 0.0, sheetDistance(plan, o));
@@ -127,7 +127,7 @@ void main() {
       gpu::barrier();
       std::vector<glm::vec4> found(kRays);
       out.read(0, kRays * sizeof(glm::vec4), found.data());
-      shared::SheetPlan plan{{0, index.particles, 0}, glm::vec3(kSize * 0.5)};
+      shared::SheetPlan plan{{0, index.particles, 0}, glm::vec3(kSize * 0.5), 1.0f};
       int wrongT = 0, wrongTriangle = 0, wrongSide = 0, wrongDistance = 0, hits = 0;
       for (int i = 0; i < kRays; ++i) {
         glm::vec3 o(rays[std::size_t(2 * i)]), d(rays[std::size_t(2 * i + 1)]);

@@ -18,7 +18,7 @@ const dvec3 kSize(120, 90, 50);
 /// A sheet's triangles, and the index over it.
 struct TestSheet {
   explicit TestSheet(const scene::SheetShape& shape, dvec3 size = kSize)
-      : index(membrane::makeSheetIndex(shape, kParticles, size)), plan{{0, index.particles, 0}, vec3(size * 0.5)} {
+      : index(membrane::makeSheetIndex(shape, kParticles, size)), plan{{0, index.particles, 0}, vec3(size * 0.5), 1.0f} {
     int n = index.particles.x;
     auto place = [&](int v) { return dvec3(vec3(index.rows[std::size_t(v)])); };
     for (int y = 0; y + 1 < index.particles.y; ++y)
@@ -193,21 +193,22 @@ TEST(Sheet, CrossingsEndWhereTheyAreAskedTo) {
   EXPECT_EQ(crossing(50, 10), shared::kSheetFar);
 }
 
-shared::CutData cutOf(const TestSheet& sheet, bool isSlice, bool invert = false) {
+shared::CutData cutOf(const TestSheet& sheet, bool isInlay, bool invert = false) {
   shared::CutData cut{};
   cut.localFromScene = glm::mat4(1.0f);
   cut.halfSize = glm::vec4(sheet.plan.halfSize, invert ? -1.0f : 1.0f);
-  cut.kind = {shared::kCutMembrane, 0, 0, isSlice ? shared::kMembraneSlice : shared::kMembraneClip};
+  cut.kind = {shared::kCutMembrane, 0, 0, isInlay ? shared::kMembraneInlay : shared::kMembraneClip};
   cut.sheet = sheet.plan.rows;
+  cut.face.y = 1.0f;
   return cut;
 }
 
 TEST(Membrane, WhatItRemovesChangesAtItsCrossingsOnly) {
   std::mt19937 random(4);
   for (const auto& [name, shape] : allSheets(kParticles, kSize))
-    for (bool isSlice : {false, true}) {
+    for (bool isInlay : {false, true}) {
       TestSheet sheet(shape);
-      shared::CutData cut = cutOf(sheet, isSlice);
+      shared::CutData cut = cutOf(sheet, isInlay);
       int runs = 0, removed = 0, wrong = 0;
       for (auto [o, d] : raysThrough(random, 1500)) {
         float t = 0.0f;
@@ -226,8 +227,8 @@ TEST(Membrane, WhatItRemovesChangesAtItsCrossingsOnly) {
         }
         EXPECT_GE(t, 600.0f);
       }
-      EXPECT_EQ(wrong, 0) << name << (isSlice ? " as a slice" : "") << " of " << runs << " runs";
-      if (name == "flat" && isSlice) continue;
+      EXPECT_EQ(wrong, 0) << name << (isInlay ? " as an inlay" : "") << " of " << runs << " runs";
+      if (name == "flat" && isInlay) continue;
       EXPECT_GT(removed, runs / 10) << name;
       EXPECT_LT(removed, runs * 19 / 20) << name;
     }
@@ -245,7 +246,7 @@ TEST(Membrane, InvertedItRemovesTheOtherSide) {
   }
 }
 
-TEST(Membrane, ASliceKeepsWhatLiesBetweenItAndTheSheet) {
+TEST(Membrane, AnInlayKeepsWhatLiesBetweenItAndTheSheet) {
   TestSheet dome(domeSheet(kParticles, kSize));
   shared::CutData cut = cutOf(dome, true);
   auto removes = [&](vec3 p) { return shared::cutRemoves(cut, p, dome.rows()); };
@@ -258,7 +259,7 @@ TEST(Membrane, ASliceKeepsWhatLiesBetweenItAndTheSheet) {
 
 TEST(Membrane, MaterialFadesWithTheDistanceAndByTheEmphasis) {
   shared::CutData cut{};
-  cut.slice = {1, 1 / 20.0f, 1.0f, 0.25f};
+  cut.inlay = {1, 1 / 20.0f, 1.0f, 0.25f};
   EXPECT_FLOAT_EQ(shared::membraneShare(cut, 1e-6f), 1.0f);
   EXPECT_FLOAT_EQ(shared::membraneShare(cut, -1e-6f), 0.25f);
   EXPECT_FLOAT_EQ(shared::membraneShare(cut, 10.0f), 0.5f);

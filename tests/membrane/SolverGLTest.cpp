@@ -18,7 +18,7 @@ class SolverGL : public GlTest {
   static SheetSetup sheetOf(int particles, bool alongNormal = true) {
     SheetSetup setup;
     setup.particles = {particles, particles};
-    setup.halfMm = {64, 64, 20};
+    setup.half = {64, 64, 20};
     setup.isAlongNormal = alongNormal;
     // As stiff as the paper's rule wants it, so that domes are wide.
     setup.cloth.stretch = 0.8;
@@ -48,7 +48,7 @@ class SolverGL : public GlTest {
     PushField field;
     // In the paper's rule the force jumps at the faces of a kernel's box: one that holds the whole frame has none here.
     if (alongNormal)
-      field.placed.push_back({{0, 0, 1.5}, 30.0, strength, 0.0});  // its centre comes to lie on the slice
+      field.placed.push_back({{0, 0, 1.5}, 30.0, strength, 0.0});  // its centre comes to lie on the rest plane
     else
       field.placed.push_back({{0, 0, -30}, 90.0, 0.0, 0.2 * strength});
     return field;
@@ -272,7 +272,7 @@ TEST_F(SolverGL, AgreesWithAPlainSolverAfter200Steps) {
                    latticeOf(16, [](glm::dvec3 p) { return glm::vec2(0, std::abs(p.z + 6) < 3 ? -80 : 0); })});
   SheetSetup oblong = sheetOf(20);
   oblong.particles = {36, 21};
-  oblong.halfMm = {90, 40, 15};
+  oblong.half = {90, 40, 15};
   oblong.cloth.stretch = 0.4;
   oblong.cloth.bend = 0.7;
   cases.push_back({"oblong and stiff", oblong, latticeOf(16, ball(150))});
@@ -290,9 +290,9 @@ TEST_F(SolverGL, AgreesWithAPlainSolverAfter200Steps) {
       worst = std::max(worst, glm::length(glm::dvec3(places[i]) - reference.places()[i]));
       height = std::max(height, std::abs(reference.places()[i].z));
     }
-    std::printf("%s: %.2e of the frame, height %.2f mm\n", c.name, worst / (2 * c.setup.halfMm.x), height);
+    std::printf("%s: %.2e of the frame, height %.2f mm\n", c.name, worst / (2 * c.setup.half.x), height);
     EXPECT_GT(height, 1.0) << c.name;
-    EXPECT_LT(worst, 1e-4 * 2 * c.setup.halfMm.x) << c.name;
+    EXPECT_LT(worst, 1e-4 * 2 * c.setup.half.x) << c.name;
   }
 }
 

@@ -32,7 +32,7 @@ class ChannelsGL : public RenderTest {
     scene::completeChannels(scene.volume);
     for (auto& look : scene.volume.channels) {
       look.transfer.opacities = {{30, 0}, {190, 0.25}};
-      look.transfer.unitDistanceMm = 1.0;
+      look.transfer.unitDistance = 1.0;
     }
     lookAlong(scene, {0.5, -1, 0.35}, 110);
     scene.camera.fieldOfViewDeg = 32;
@@ -114,7 +114,7 @@ TEST_F(ChannelsGL, ExtinctionsAddAsInBeersLaw) {
     look.transfer.colors = {{0, glm::vec3(colors[c])}};
   }
   scene.camera.projection = scene::Projection::Orthographic;
-  scene.camera.heightMm = 30;
+  scene.camera.height = 30;
   lookAlong(scene, {0, -1, 0});
   Image image = draw(scene, {33, 33});
   double total = sigma[0] + sigma[1];
@@ -138,7 +138,7 @@ TEST_F(ChannelsGL, EachKeepsItsColourWhereItIsAlone) {
   scene.volume.channels[1].transfer.colors = {{0, {1, 0, 1}}};
   lookAlong(scene, {0, -1, 0});
   scene.camera.projection = scene::Projection::Orthographic;
-  scene.camera.heightMm = 44;
+  scene.camera.height = 44;
   Image image = draw(scene, {44, 44});
   int greens = 0, magentas = 0;
   for (int x = 0; x < 44; ++x) {
@@ -179,7 +179,7 @@ TEST_F(ChannelsGL, TheMaximumIsWhereTheMixtureIsDensest) {
   scene.volume.channels[0].transfer.colors = {{0, {0, 1, 0}}};
   scene.volume.channels[1].transfer.colors = {{0, {1, 0, 0}}};
   scene.camera.projection = scene::Projection::Orthographic;
-  scene.camera.heightMm = 44;
+  scene.camera.height = 44;
   lookAlong(scene, {0, -1, 0});
   Image image = draw(scene, {44, 44});
   // Seen from the front the left ball, x small, is on the left.

@@ -11,7 +11,7 @@ constexpr glm::ivec2 kSize(72, 72);
 shared::CutData cutDataOf(const scene::Cut& cut) {
   shared::CutData data{};
   data.localFromScene = glm::mat4(glm::inverse(scene::worldFromCut(cut)));
-  data.halfSize = glm::vec4(glm::vec3(cut.sizeMm * 0.5), cut.invert ? -1.0f : 1.0f);
+  data.halfSize = glm::vec4(glm::vec3(cut.size * 0.5), cut.invert ? -1.0f : 1.0f);
   data.kind.x = static_cast<int>(cut.shape);
   return data;
 }
@@ -46,9 +46,9 @@ double keptLength(const std::vector<scene::Cut>& cuts, const TestRay& ray, glm::
 scene::Cut cutOf(scene::CutShape shape, glm::dvec3 centre, glm::dvec3 axis, glm::dvec3 size, bool invert = false) {
   scene::Cut cut;
   cut.shape = shape;
-  cut.centreMm = centre;
+  cut.centre = centre;
   cut.axis = axis;
-  cut.sizeMm = size;
+  cut.size = size;
   cut.spinDeg = 25;
   cut.invert = invert;
   return cut;
@@ -115,7 +115,7 @@ TEST_F(CutsGL, EveryShapeRemovesWhatTheProcessorSays) {
       for (auto projection : {scene::Projection::Perspective, scene::Projection::Orthographic}) {
         scene::Scene scene = solidScene();
         scene.camera.projection = projection;
-        scene.camera.heightMm = 55;
+        scene.camera.height = 55;
         lookAlong(scene, {0.35, -1, 0.3}, 100);
         scene.cuts = {shape};
         scene.cuts[0].invert = invert;
@@ -131,7 +131,7 @@ TEST_F(CutsGL, RaysAlongTheAxesOfTheCutAreNoException) {
     for (glm::dvec3 axis : kAxes) {
       scene::Scene scene = solidScene(0.0);
       scene.camera.projection = scene::Projection::Orthographic;
-      scene.camera.heightMm = 55;
+      scene.camera.height = 55;
       lookAlong(scene, {0, -1, 0});
       scene.cuts = {cutOf(shape, {1, 0.5, 2}, axis, {20, 16, 24})};
       scene.cuts[0].spinDeg = 0;
@@ -174,9 +174,9 @@ TEST_F(CutsGL, AnEyeInsideTheVolumeOrInsideTheCutSeesTheSame) {
       scene.cuts = {shape};
       scene.cuts[0].invert = invert;
       // In the middle of what the shape holds, then just beside it.
-      scene.camera.eyeMm =
-          shape.centreMm + (shape.shape == scene::CutShape::Cone ? 25.0 : 1.0) * glm::normalize(shape.axis);
-      scene.camera.targetMm = scene.camera.eyeMm + glm::dvec3(-3, 10, 2);
+      scene.camera.eye =
+          shape.centre + (shape.shape == scene::CutShape::Cone ? 25.0 : 1.0) * glm::normalize(shape.axis);
+      scene.camera.target = scene.camera.eye + glm::dvec3(-3, 10, 2);
       expectAgrees(scene,
                    std::string("eye in the ") + std::string(enumName(shape.shape)) + (invert ? " inverted" : ""));
     }
@@ -189,8 +189,8 @@ TEST_F(CutsGL, ManyCutsTogether) {
   expectAgrees(scene, "four shapes");
   scene::Cut away = kShapes[2];
   away.invert = true;
-  away.sizeMm = glm::dvec3(38);
-  away.centreMm = {0, 0, 0};
+  away.size = glm::dvec3(38);
+  away.centre = {0, 0, 0};
   scene.cuts.push_back(away);
   expectAgrees(scene, "four shapes within a ball");
   scene.cuts.clear();
@@ -226,7 +226,7 @@ TEST_F(CutsGL, TheFaceOfAPlaneHasItsNormal) {
         if (sampleOf(image, {x, y}, "A") == 0.0f) continue;
         glm::dvec3 p(vectorOf(image, {x, y}, "position"));
         // The layers are those of the first sample, up to half a step behind the face.
-        if (std::abs(glm::dot(p - scene.cuts[0].centreMm, unit)) > 0.3) continue;
+        if (std::abs(glm::dot(p - scene.cuts[0].centre, unit)) > 0.3) continue;
         // At the sides of the box it is the box that is seen.
         glm::dvec3 inside = 0.5 * glm::dvec3(kDims) * glm::dvec3(1, 1.1, 0.9) - glm::abs(p);
         if (std::min(inside.x, std::min(inside.y, inside.z)) < 1.0) continue;
@@ -237,8 +237,8 @@ TEST_F(CutsGL, TheFaceOfAPlaneHasItsNormal) {
   }
 }
 
-TEST_F(CutsGL, ASliceFaceShowsTheGreyOfItsVoxels) {
-  // Values that change along x and z only, so that the slice's depth does not matter.
+TEST_F(CutsGL, ASectionFaceShowsTheGreyOfItsVoxels) {
+  // Values that change along x and z only, so that the section's depth does not matter.
   Volume v = makeVolume(
       kDims, SampleType::Int16, [](glm::ivec3 p) { return -200.0 + 20 * p.x + 10 * p.z; }, centredFrame(kDims));
   glm::dmat4 voxelFromWorld = glm::inverse(v.worldFromVoxel);
@@ -248,7 +248,7 @@ TEST_F(CutsGL, ASliceFaceShowsTheGreyOfItsVoxels) {
   scene.volume.windowLevel = 350;
   scene.volume.windowWidth = 700;
   scene.cuts = {cutOf(scene::CutShape::Plane, {0, -3, 0}, {0.1, -1, 0}, {1, 1, 1})};
-  scene.cuts[0].face = scene::CutFace::Slice;
+  scene.cuts[0].face = scene::CutFace::Section;
   for (double opacity : {1.0, 0.5}) {
     scene.cuts[0].faceOpacity = opacity;
     Image image = draw(scene, kSize, kAllLayers);
@@ -257,7 +257,7 @@ TEST_F(CutsGL, ASliceFaceShowsTheGreyOfItsVoxels) {
       for (int x = 0; x < kSize.x; ++x) {
         if (sampleOf(image, {x, y}, "A") == 0.0f) continue;
         glm::dvec3 p(vectorOf(image, {x, y}, "position"));
-        EXPECT_LT(std::abs(glm::dot(p - scene.cuts[0].centreMm, glm::normalize(scene.cuts[0].axis))), 1e-3);
+        EXPECT_LT(std::abs(glm::dot(p - scene.cuts[0].centre, glm::normalize(scene.cuts[0].axis))), 1e-3);
         glm::dvec3 voxel(voxelFromWorld * glm::dvec4(p, 1.0));
         glm::dvec3 last = glm::dvec3(kDims) - 1.0;
         if (glm::any(glm::lessThan(voxel, glm::dvec3(0.0))) || glm::any(glm::greaterThan(voxel, last))) continue;

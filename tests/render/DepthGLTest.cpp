@@ -30,13 +30,13 @@ class DepthGL : public RenderTest {
         frame));
     scene.volume.transfer.colors = {{0, {1, 0, 0}}};
     scene.volume.transfer.opacities = {{80, 0}, {120, 0.999}};
-    scene.volume.transfer.unitDistanceMm = 0.1;
+    scene.volume.transfer.unitDistance = 0.1;
     scene::Surface surface;
     surface.data = Shared<Mesh>(square(0, 21));
     surface.color = {0, 1, 0};
     scene.surfaces = {surface};
     scene.camera.projection = scene::Projection::Orthographic;
-    scene.camera.heightMm = 48;
+    scene.camera.height = 48;
     lookAlong(scene, {0, -1, 0});
     return scene;
   }
@@ -64,7 +64,7 @@ TEST_F(DepthGL, ASurfaceHidesWhatIsBehindAndNotWhatIsInFront) {
     EXPECT_TRUE(std::isinf(sampleOf(image, kNothing, "Z")));
     render::Pick pick = renderer().pick(kBack);
     EXPECT_TRUE(pick.hit);
-    EXPECT_NEAR(pick.worldMm.y, 0, 2e-3);
+    EXPECT_NEAR(pick.world.y, 0, 2e-3);
     EXPECT_EQ(pick.structure, 0);
   }
 }
@@ -95,7 +95,7 @@ TEST_F(DepthGL, AHiddenSurfaceHidesNothing) {
 TEST_F(DepthGL, AVeilInFrontOfASurfaceBlendsWithIt) {
   scene::Scene scene = ballsAndSquare();
   scene.volume.transfer.opacities = {{0, 0.02}, {255, 0.02}};
-  scene.volume.transfer.unitDistanceMm = 1.0;
+  scene.volume.transfer.unitDistance = 1.0;
   Image image = draw(scene, kSize, kAllLayers);
   // 24 mm of veil lie before the square.
   double veil = 1.0 - std::pow(0.98, 24.0);

@@ -27,8 +27,8 @@ TEST_F(ExactGL, FogAttenuatesByBeersLaw) {
       for (glm::dvec3 side : kSides) {
         scene::Scene scene = fogScene(0.02, frame);
         scene.camera.projection = projection;
-        scene.camera.targetMm = centreMm(*scene.volume.data);
-        scene.camera.heightMm = 30;
+        scene.camera.target = centreOf(*scene.volume.data);
+        scene.camera.height = 30;
         lookAlong(scene, side, 150);
         Image image = draw(scene, size);
         double sigma = -std::log(1.0 - 0.02);
@@ -62,7 +62,7 @@ TEST_F(ExactGL, OpacityDoesNotDependOnTheStep) {
 
 TEST_F(ExactGL, UnitDistanceScalesTheFog) {
   scene::Scene scene = fogScene(0.5, centredFrame({24, 40, 16}));
-  scene.volume.transfer.unitDistanceMm = 40;
+  scene.volume.transfer.unitDistance = 40;
   lookAlong(scene, {0, -1, 0});
   scene.camera.projection = scene::Projection::Orthographic;
   // The block is 40 mm deep: half of what is behind it is covered.
@@ -137,7 +137,7 @@ TEST_F(ExactGL, TheMaximumIsThatOfTheBrightestVoxel) {
   scene.rayCast.mode = scene::RenderMode::Mip;
   scene.rayCast.stepVoxels = 0.1;
   scene.camera.projection = scene::Projection::Orthographic;
-  scene.camera.heightMm = 25;
+  scene.camera.height = 25;
   Image image = draw(scene, {25, 25}, kAllLayers);
   // Steps of a tenth of a voxel meet its middle within 5 % of its height.
   EXPECT_GT(sampleOf(image, {12, 12}, "R"), 0.94f);
@@ -177,7 +177,7 @@ TEST_F(ExactGL, PositionAndDepthLieOnThePixelsRay) {
   for (auto projection : {scene::Projection::Orthographic, scene::Projection::Perspective}) {
     scene::Scene scene = fogScene(0.5, centredFrame({24, 40, 16}, {1, 1, 1}, 0.4));
     scene.camera.projection = projection;
-    scene.camera.heightMm = 60;
+    scene.camera.height = 60;
     glm::ivec2 size(50, 40);
     Image image = draw(scene, size, kAllLayers);
     int hits = 0;
@@ -192,7 +192,7 @@ TEST_F(ExactGL, PositionAndDepthLieOnThePixelsRay) {
         glm::dvec3 p(vectorOf(image, {x, y}, "position"));
         EXPECT_LT(glm::length(glm::cross(p - ray.origin, ray.direction)), 1e-3) << "off its ray, mm";
         if (projection == scene::Projection::Perspective) {
-          EXPECT_NEAR(sampleOf(image, {x, y}, "Z"), glm::length(p - scene.camera.eyeMm), 2e-3);
+          EXPECT_NEAR(sampleOf(image, {x, y}, "Z"), glm::length(p - scene.camera.eye), 2e-3);
         }
       }
     EXPECT_GT(hits, 200);
@@ -207,8 +207,8 @@ TEST_F(ExactGL, PickSaysWhatTheLayersSay) {
   Image image = draw(scene, {40, 40}, kAllLayers);
   render::Pick pick = renderer().pick({20, 20});
   ASSERT_TRUE(pick.hit);
-  EXPECT_LT(glm::length(glm::vec3(pick.worldMm) - vectorOf(image, {20, 20}, "position")), 1e-4);
-  double voxel = std::floor(pick.worldMm.y + 9.5 + 0.5);  // the nearest
+  EXPECT_LT(glm::length(glm::vec3(pick.world) - vectorOf(image, {20, 20}, "position")), 1e-4);
+  double voxel = std::floor(pick.world.y + 9.5 + 0.5);  // the nearest
   EXPECT_NEAR(pick.value, 10.0 * voxel, 1e-9);
   EXPECT_NEAR(pick.value, 100.0, 10.01);
   EXPECT_FALSE(renderer().pick({0, 0}).hit);

@@ -9,7 +9,7 @@
 #include "velum/io/images/ImageCompare.h"
 #include "velum/io/images/ImageFile.h"
 #include "velum/io/phantoms/Sample.h"
-#include "velum/render/Renderer.h"
+#include "velum/render/RenderPicture.h"
 #include "velum/scene/Presets.h"
 #include "velum/scene/json/Json.h"
 #include "velum/session/membrane/Membranes.h"
@@ -56,9 +56,9 @@ scene::Cut restOf(scene::Cut cut) {
   cut.face = scene::Cut().face;
   cut.membrane->use = plain.use;
   cut.membrane->look = plain.look;
-  cut.membrane->sliceOpacity = plain.sliceOpacity;
+  cut.membrane->inlayOpacity = plain.inlayOpacity;
   cut.membrane->emphasis = plain.emphasis;
-  cut.membrane->falloffMm = plain.falloffMm;
+  cut.membrane->falloff = plain.falloff;
   return cut;
 }
 

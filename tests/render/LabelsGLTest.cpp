@@ -22,7 +22,7 @@ class LabelsGL : public RenderTest {
     scene.labels.data = Shared<LabelVolume>(std::move(labels));
     scene::completeStructures(scene.labels);
     scene.camera.projection = scene::Projection::Orthographic;
-    scene.camera.heightMm = 32;
+    scene.camera.height = 32;
     return scene;
   }
   static scene::Scene halves() { return halves(centredFrame(kDims), kDims); }
@@ -74,7 +74,7 @@ TEST_F(LabelsGL, AStructureWithoutOpacityIsHidden) {
 TEST_F(LabelsGL, OpacityOfAStructureScalesItsExtinction) {
   scene::Scene scene = halves();
   scene.volume.transfer.opacities = {{0, 0.05}, {255, 0.05}};
-  scene.volume.transfer.unitDistanceMm = 1;
+  scene.volume.transfer.unitDistance = 1;
   scene.labels.structures[1].opacity = 0.5;
   Image image = draw(scene, kSize);
   EXPECT_NEAR(colorOf(image, kLeft).a, 1 - std::pow(0.95, 32), 1.01 / 255);
@@ -146,7 +146,7 @@ TEST_F(LabelsGL, ASmallBallOfLabelsAloneIsABall) {
   scene::completeStructures(scene.labels);
   scene.volume.data = {};
   scene.camera.projection = scene::Projection::Orthographic;
-  scene.camera.heightMm = 32;
+  scene.camera.height = 32;
   Image image = draw(scene, kSize, kAllLayers);
   int count = 0;
   for (int y = 0; y < 64; ++y)

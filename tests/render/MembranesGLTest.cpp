@@ -1,4 +1,4 @@
-// Membranes in pictures: what they remove is what shaders/shared/sheet.h says on the processor, and slices keep their
+// Membranes in pictures: what they remove is what shaders/shared/sheet.h says on the processor, and sections keep their
 // laws.
 #include "FrameSetup.h"
 #include "RenderFixture.h"
@@ -18,10 +18,10 @@ scene::Cut membraneOf(const scene::SheetShape& shape, glm::dvec3 axis = {0.2, -1
   cut.id = 1;
   cut.shape = scene::CutShape::Membrane;
   cut.membrane.emplace();
-  cut.centreMm = {1, 2, -1};
+  cut.centre = {1, 2, -1};
   cut.axis = axis;
   cut.spinDeg = 12;
-  cut.sizeMm = size;
+  cut.size = size;
   cut.membrane->cloth.particles = kParticles;
   cut.membrane->shape = shape;
   return cut;
@@ -160,7 +160,7 @@ TEST_F(MembranesGL, EverySheetRemovesWhatTheProcessorSays) {
       for (bool invert : {false, true}) {
         scene::Scene scene = solidScene();
         scene.camera.projection = invert ? scene::Projection::Orthographic : scene::Projection::Perspective;
-        scene.camera.heightMm = 55;
+        scene.camera.height = 55;
         lookAlong(scene, eye, 100);
         scene.cuts = {membraneOf(shape)};
         scene.cuts[0].invert = invert;
@@ -174,8 +174,8 @@ TEST_F(MembranesGL, AnEyeInsideSeesTheSame) {
     scene.camera.fieldOfViewDeg = 90;
     scene.cuts = {membraneOf(shape)};
     for (glm::dvec3 eye : {glm::dvec3(2, -8, 1), glm::dvec3(-4, -3, 5), glm::dvec3(3, 9, -2)}) {
-      scene.camera.eyeMm = eye;
-      scene.camera.targetMm = eye + glm::dvec3(-3, 10, 2);
+      scene.camera.eye = eye;
+      scene.camera.target = eye + glm::dvec3(-3, 10, 2);
       expectAgrees(scene, name + " from inside");
     }
   }
@@ -185,13 +185,13 @@ TEST_F(MembranesGL, SeveralAndOtherCutsTogether) {
   scene::Scene scene = solidScene();
   scene.cuts = {membraneOf(wavySheet(kParticles, kFrame)),
                 membraneOf(foldedSheet({30, 30}, {30, 30, 20}), {1, 0.3, 0.2}, {30, 30, 20})};
-  scene.cuts[1].centreMm = {12, 0, 0};
+  scene.cuts[1].centre = {12, 0, 0};
   scene::completeCuts(scene);
   expectAgrees(scene, "two membranes");
   scene::Cut box;
   box.shape = scene::CutShape::Box;
-  box.centreMm = {-6, 4, 8};
-  box.sizeMm = {14, 30, 14};
+  box.centre = {-6, 4, 8};
+  box.size = {14, 30, 14};
   scene.cuts.push_back(box);
   expectAgrees(scene, "two membranes and a box");
   scene.cuts[0].enabled = false;
@@ -200,7 +200,7 @@ TEST_F(MembranesGL, SeveralAndOtherCutsTogether) {
 
 TEST_F(MembranesGL, LeapingAndEarlyEndsChangeNothing) {
   for (int mode = 0; mode < 3; ++mode)
-    for (auto use : {scene::MembraneUse::Clip, scene::MembraneUse::Slice}) {
+    for (auto use : {scene::MembraneUse::Clip, scene::MembraneUse::Inlay}) {
       scene::Scene scene = softScene();
       scene.lighting.shadow = scene.lighting.occlusion = 0;
       scene.rayCast.mode = scene::RenderMode(mode);
@@ -281,29 +281,29 @@ TEST_F(MembranesGL, ALiveSheetShowsAsItsShapeWouldAndItsStepsMakeFramesDiffer) {
   renderer().render(frame, progress);
   expectSame(renderer().read(), wanted, 1.0, "live");
   // Made for another frame it is not this cut's.
-  frame.scene.cuts[0].sizeMm.x += 1;
+  frame.scene.cuts[0].size.x += 1;
   frame.scene.cuts[0].membrane->shape = saved.cuts[0].membrane->shape;
   EXPECT_NO_THROW(renderer().render(frame, progress));
-  saved.cuts[0].sizeMm.x += 1;
+  saved.cuts[0].size.x += 1;
   Image other = renderer().read();
   expectSame(other, draw(saved), 0.0, "of another frame");
 }
 
-/// A soft block in which a slice with a folded and a waving sheet hangs.
-class SlicesGL : public MembranesGL {
+/// A soft block in which an inlay with a folded and a waving sheet hangs.
+class InlaysGL : public MembranesGL {
  protected:
-  static scene::Scene sliceScene(double opacity = 0.5) {
+  static scene::Scene sectionScene(double opacity = 0.5) {
     scene::Scene scene = softScene();
     scene.lighting.shadow = scene.lighting.occlusion = 0;
     scene.volume.windowLevel = 300;
     scene.volume.windowWidth = 700;
     scene.cuts = {membraneOf(wavySheet(kParticles, kFrame), {0, -1, 0})};
-    scene.cuts[0].membrane->use = scene::MembraneUse::Slice;
-    scene.cuts[0].membrane->sliceOpacity = opacity;
+    scene.cuts[0].membrane->use = scene::MembraneUse::Inlay;
+    scene.cuts[0].membrane->inlayOpacity = opacity;
     return scene;
   }
   static scene::Membrane& membrane(scene::Scene& scene) { return *scene.cuts[0].membrane; }
-  /// Pixels whose position lies before, on and behind the slice.
+  /// Pixels whose position lies before, on and behind the inlay.
   struct Sides {
     int front = 0, on = 0, behind = 0;
   };
@@ -321,8 +321,8 @@ class SlicesGL : public MembranesGL {
   }
 };
 
-TEST_F(SlicesGL, EmphasisAtItsEndsShowsOneSideOnly) {
-  scene::Scene scene = sliceScene(0.0);
+TEST_F(InlaysGL, EmphasisAtItsEndsShowsOneSideOnly) {
+  scene::Scene scene = sectionScene(0.0);
   Sides both = sidesOf(scene);
   EXPECT_GT(both.front, 100);
   EXPECT_GT(both.behind, 100);
@@ -339,8 +339,8 @@ TEST_F(SlicesGL, EmphasisAtItsEndsShowsOneSideOnly) {
   EXPECT_EQ(sidesOf(scene).front, 0);
 }
 
-TEST_F(SlicesGL, NothingIsKeptButBetweenSheetAndSlice) {
-  scene::Scene scene = sliceScene(0.0);
+TEST_F(InlaysGL, NothingIsKeptButBetweenSheetAndInlay) {
+  scene::Scene scene = sectionScene(0.0);
   Cuts cuts(scene);
   Image image = draw(scene, kSize, kAllLayers);
   int shown = 0;
@@ -353,12 +353,12 @@ TEST_F(SlicesGL, NothingIsKeptButBetweenSheetAndSlice) {
   EXPECT_GT(shown, 300);
 }
 
-TEST_F(SlicesGL, AnOpaqueSliceHidesWhatIsBehindIt) {
-  scene::Scene scene = sliceScene(1.0);
+TEST_F(InlaysGL, AnOpaqueInlayHidesWhatIsBehindIt) {
+  scene::Scene scene = sectionScene(1.0);
   EXPECT_EQ(sidesOf(scene).behind, 0);
   Image with = draw(scene);
   membrane(scene).emphasis = 1;  // what is behind is not even there
-  // Where the sheet touches the slice, rounding tells which side a sample is on.
+  // Where the sheet touches the section, rounding tells which side a sample is on.
   EXPECT_LT(differenceOf(draw(scene), with).mean, 0.01);
   // From behind, the side in front is hidden.
   membrane(scene).emphasis = 0;
@@ -366,8 +366,8 @@ TEST_F(SlicesGL, AnOpaqueSliceHidesWhatIsBehindIt) {
   EXPECT_EQ(sidesOf(scene).front, 0);
 }
 
-TEST_F(SlicesGL, TheImageHasTheGreyOfItsVoxels) {
-  // Values that change along x and z only, so that the slice's depth does not matter.
+TEST_F(InlaysGL, TheImageHasTheGreyOfItsVoxels) {
+  // Values that change along x and z only, so that the section's depth does not matter.
   Volume v = makeVolume(
       kDims, SampleType::Int16, [](glm::ivec3 p) { return -200.0 + 20 * p.x + 10 * p.z; }, centredFrame(kDims));
   glm::dmat4 voxelFromWorld = glm::inverse(v.worldFromVoxel);
@@ -376,10 +376,10 @@ TEST_F(SlicesGL, TheImageHasTheGreyOfItsVoxels) {
   scene.volume.windowLevel = 350;
   scene.volume.windowWidth = 700;
   scene.cuts = {membraneOf(domeSheet(kParticles, kFrame), {0, -1, 0})};
-  scene.cuts[0].membrane->use = scene::MembraneUse::Slice;
+  scene.cuts[0].membrane->use = scene::MembraneUse::Inlay;
   glm::dmat4 local = glm::inverse(scene::worldFromCut(scene.cuts[0]));
   for (double opacity : {1.0, 0.5}) {
-    scene.cuts[0].membrane->sliceOpacity = opacity;
+    scene.cuts[0].membrane->inlayOpacity = opacity;
     Image image = draw(scene, kSize, kAllLayers);
     int checked = 0;
     for (int y = 0; y < kSize.y; ++y)
@@ -400,12 +400,12 @@ TEST_F(SlicesGL, TheImageHasTheGreyOfItsVoxels) {
   }
 }
 
-TEST_F(SlicesGL, AShorterFallOffNeverShowsMore) {
-  scene::Scene scene = sliceScene(0.0);
+TEST_F(InlaysGL, AShorterFallOffNeverShowsMore) {
+  scene::Scene scene = sectionScene(0.0);
   scene.lighting.shaded = false;
   Image before;
   for (double falloff : {2.0, 4.0, 7.0, 11.0, 40.0}) {
-    membrane(scene).falloffMm = falloff;
+    membrane(scene).falloff = falloff;
     Image image = draw(scene, kSize);
     double more = 0;
     for (int y = 0; y < kSize.y && before.width > 0; ++y)
@@ -417,14 +417,14 @@ TEST_F(SlicesGL, AShorterFallOffNeverShowsMore) {
     EXPECT_TRUE(before.width == 0 || more > 1.0) << falloff;
     before = image;
   }
-  membrane(scene).falloffMm = 11;
+  membrane(scene).falloff = 11;
   Image reach = draw(scene, kSize);
-  membrane(scene).falloffMm = 0;
+  membrane(scene).falloff = 0;
   expectSame(draw(scene, kSize), reach, 0.0, "0 is the reach");
 }
 
-TEST_F(SlicesGL, SeveralAddUpAndOtherCutsTakeTheirImages) {
-  scene::Scene one = sliceScene(0.9);
+TEST_F(InlaysGL, SeveralAddUpAndOtherCutsTakeTheirImages) {
+  scene::Scene one = sectionScene(0.9);
   lookAlong(one, {0.5, -1, 0.9}, 100);
   scene::Scene two = one, other = one;
   other.cuts[0].axis = {0, 0, 1};
@@ -436,7 +436,7 @@ TEST_F(SlicesGL, SeveralAddUpAndOtherCutsTakeTheirImages) {
   scene::Scene cut = one;
   scene::Cut half;
   half.axis = {1, 0, 0};
-  half.centreMm = cut.cuts[0].centreMm;
+  half.centre = cut.cuts[0].centre;
   cut.cuts.push_back(half);
   Image image = draw(cut, kSize, kAllLayers);
   int shown = 0;
@@ -444,23 +444,23 @@ TEST_F(SlicesGL, SeveralAddUpAndOtherCutsTakeTheirImages) {
     for (int x = 0; x < kSize.x; ++x) {
       if (sampleOf(image, {x, y}, "A") < 0.02f) continue;
       ++shown;
-      EXPECT_LE(vectorOf(image, {x, y}, "position").x, half.centreMm.x + 0.1);
+      EXPECT_LE(vectorOf(image, {x, y}, "position").x, half.centre.x + 0.1);
     }
   EXPECT_GT(shown, 200);
 }
 
-TEST_F(SlicesGL, AMaximumStandsOutOfTheSliceAndAnOpaqueSliceEndsIt) {
-  scene::Scene scene = sliceScene(1.0);
+TEST_F(InlaysGL, AMaximumStandsOutOfTheInlayAndAnOpaqueInlayEndsIt) {
+  scene::Scene scene = sectionScene(1.0);
   scene.rayCast.mode = scene::RenderMode::Mip;
   Image both = draw(scene, kSize);
   membrane(scene).emphasis = 1;
-  expectSame(draw(scene, kSize), both, 1.0, "nothing behind an opaque slice");
+  expectSame(draw(scene, kSize), both, 1.0, "nothing behind an opaque section");
   membrane(scene).emphasis = -1;
-  Image slice = draw(scene, kSize);
+  Image section = draw(scene, kSize);
   double brighter = 0;
   for (int y = 0; y < kSize.y; ++y)
     for (int x = 0; x < kSize.x; ++x) {
-      double change = sampleOf(both, {x, y}, "R") - sampleOf(slice, {x, y}, "R");
+      double change = sampleOf(both, {x, y}, "R") - sampleOf(section, {x, y}, "R");
       EXPECT_GE(change, -1.5 / 255);
       brighter += change;
     }
@@ -485,7 +485,7 @@ TEST_F(MembranesGL, ASheetIsShownWhereItIsAndCanBePicked) {
         EXPECT_LT(std::abs(shared::cutDistance(cuts.data[0], p, cuts.sheets.view())), 0.02f) << x << ", " << y;
         render::Pick pick = renderer().pick({x, y});
         EXPECT_TRUE(pick.hit);
-        EXPECT_LT(glm::length(glm::vec3(pick.worldMm) - p), 1e-3f);
+        EXPECT_LT(glm::length(glm::vec3(pick.world) - p), 1e-3f);
       }
     EXPECT_GT(shown, 500) << int(look);
   }

@@ -5,6 +5,7 @@
 
 #include "RenderFixture.h"
 #include "velum/gpu/GpuError.h"
+#include "velum/render/RenderPicture.h"
 
 namespace velum {
 namespace {
@@ -35,7 +36,7 @@ class RepeatGL : public RenderTest {
     scene::completeStructures(scene.labels);
     scene::Cut cut;
     cut.axis = {0.3, -1, 0.4};
-    cut.centreMm = {0, -6, 0};
+    cut.centre = {0, -6, 0};
     cut.spares = {{3}};
     scene.cuts = {cut};
     scene::Surface surface;
@@ -206,17 +207,17 @@ TEST_F(RepeatGL, StrangeFramesDrawSomethingOrNothingButDoNotFail) {
   scene.rayCast.samplesPerPixel = 1;
   EXPECT_EQ(draw(scene, {1, 1}).pixels.size(), 4u);
   EXPECT_EQ(draw(scene, {300, 1}).width, 300);
-  scene.camera.eyeMm = scene.camera.targetMm;
+  scene.camera.eye = scene.camera.target;
   scene.camera.up = {0, 0, 0};
   EXPECT_NO_THROW(draw(scene));
   scene.camera.fieldOfViewDeg = 150;
   scene.cuts[0].axis = {0, 0, 0};
-  scene.cuts[0].sizeMm = {0, 0, 0};
+  scene.cuts[0].size = {0, 0, 0};
   for (int shape = 0; shape < 5; ++shape) {
     scene.cuts[0].shape = scene::CutShape(shape);
     EXPECT_NO_THROW(draw(scene));
   }
-  scene.volume.frame = 1000000;
+  scene.volume.timeStep = 1000000;
   scene.volume.channel = 1000000;
   EXPECT_NO_THROW(draw(scene));
   scene.volume.transfer = {};

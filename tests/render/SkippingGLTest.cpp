@@ -127,16 +127,16 @@ TEST_F(SkippingGL, CutsThatSpare) {
   plane.axis = {0.2, -1, 0.1};
   plane.spares = {{5}};
   ball.shape = scene::CutShape::Sphere;
-  ball.centreMm = {8, 0, 5};
-  ball.sizeMm = glm::dvec3(22);
+  ball.centre = {8, 0, 5};
+  ball.size = glm::dvec3(22);
   ball.spares = {{6}};
   scene.cuts = {plane, ball};
   expectSameAsBruteForce(scene, "cuts that spare");
   scene.cuts[1].spares = {{5}, {6}};
   scene.cuts[1].invert = true;
   expectSameAsBruteForce(scene, "an inverted cut that spares");
-  scene.cuts[0].face = scene::CutFace::Slice;
-  expectSameAsBruteForce(scene, "a slice face");
+  scene.cuts[0].face = scene::CutFace::Section;
+  expectSameAsBruteForce(scene, "a section face");
 }
 
 TEST_F(SkippingGL, MaximumAndIsosurface) {
@@ -156,15 +156,15 @@ TEST_F(SkippingGL, MaximumAndIsosurface) {
   }
 }
 
-TEST_F(SkippingGL, SlicesOfVoxels) {
-  // One voxel thick along one axis, as a single slice.
+TEST_F(SkippingGL, SectionsOfVoxels) {
+  // One voxel thick along one axis, as a single section.
   for (int axis = 0; axis < 3; ++axis) {
     glm::ivec3 dims(40);
     dims[axis] = 1;
     scene::Scene scene = sceneOf(makeVolume(
         dims, SampleType::UInt8, [](glm::ivec3 p) { return 255 * hashNoise(p); }, centredFrame(dims)));
     scene.volume.transfer.opacities = {{100, 0}, {200, 0.9}};
-    expectSameAsBruteForce(scene, "a slice", 0.0);
+    expectSameAsBruteForce(scene, "a section", 0.0);
   }
 }
 

@@ -7,7 +7,7 @@
 #include "sheetShapes.h"
 #include "upload/SpareTable.h"
 #include "velum/render/section/KeptVoxels.h"
-#include "velum/render/section/SliceImage.h"
+#include "velum/render/section/SectionImage.h"
 
 namespace velum {
 namespace {
@@ -56,7 +56,7 @@ struct Place {
 /// Every triangle of the sheet against the line along z through the point.
 Place placeOfMembrane(const scene::Cut& cut, const scene::SheetShape& sheet, glm::dvec3 p) {
   Place place;
-  glm::dvec2 half = glm::dvec2(cut.sizeMm) * 0.5, toRim = half - glm::abs(glm::dvec2(p));
+  glm::dvec2 half = glm::dvec2(cut.size) * 0.5, toRim = half - glm::abs(glm::dvec2(p));
   bool holds = toRim.x > 0 && toRim.y > 0;
   place.doubt = std::min({std::abs(toRim.x), std::abs(toRim.y), std::abs(p.z)});
   double nearest = 1e9, toSheet = std::abs(p.z);
@@ -82,7 +82,7 @@ Place placeOfMembrane(const scene::Cut& cut, const scene::SheetShape& sheet, glm
       }
     }
   bool isAbove = holds ? over % 2 == 0 : p.z > 0;
-  bool isInlay = cut.membrane->use == scene::MembraneUse::Slice;
+  bool isInlay = cut.membrane->use == scene::MembraneUse::Inlay;
   bool removes = isInlay ? !holds || isAbove == (p.z > 0) : isAbove != cut.invert;
   double depth = isInlay ? std::min(toSheet, std::abs(p.z)) : toSheet;
   place.distance = removes ? -depth : depth;
@@ -91,8 +91,8 @@ Place placeOfMembrane(const scene::Cut& cut, const scene::SheetShape& sheet, glm
 
 Place placeOf(const scene::Cut& cut, glm::dvec3 world) {
   glm::dvec3 p(glm::inverse(scene::worldFromCut(cut)) * glm::dvec4(world, 1.0));
-  if (cut.membrane) return placeOfMembrane(cut, membrane::fitShape(cut.membrane->shape, kParticles, cut.sizeMm), p);
-  double distance = distanceOfShape(cut.shape, cut.sizeMm * 0.5, p) * (cut.invert ? -1.0 : 1.0);
+  if (cut.membrane) return placeOfMembrane(cut, membrane::fitShape(cut.membrane->shape, kParticles, cut.size), p);
+  double distance = distanceOfShape(cut.shape, cut.size * 0.5, p) * (cut.invert ? -1.0 : 1.0);
   return {distance, std::abs(distance)};
 }
 
@@ -111,7 +111,7 @@ Naive naive(const scene::Scene& scene, glm::dvec3 world, int structure, double u
     Place place = placeOf(cut, world);
     out.isDoubtful = out.isDoubtful || place.doubt < kTooNear || std::abs(-place.distance - depth) < kTooNear;
     bool keeps = place.distance >= 0.0 || -place.distance <= depth;
-    bool isInlay = cut.membrane && cut.membrane->use == scene::MembraneUse::Slice;
+    bool isInlay = cut.membrane && cut.membrane->use == scene::MembraneUse::Inlay;
     hasInlay = hasInlay || isInlay;
     inInlay = inInlay || (isInlay && keeps);
     isTaken = isTaken || (!isInlay && !keeps);
@@ -141,15 +141,15 @@ class Random {
     cut.shape = shape;
     cut.invert = whole(0, 3) == 0;
     cut.enabled = whole(0, 9) != 0;
-    cut.centreMm = vector(8);
+    cut.centre = vector(8);
     cut.axis = vector(1);
     cut.spinDeg = number(-180, 180);
-    cut.sizeMm = {number(12, 40), number(12, 40), number(12, 40)};
+    cut.size = {number(12, 40), number(12, 40), number(12, 40)};
     if (shape == scene::CutShape::Membrane) {
       cut.membrane.emplace();
       cut.membrane->cloth.particles = kParticles;
-      cut.membrane->shape = whole(0, 1) ? wavySheet(kParticles, cut.sizeMm) : foldedSheet(kParticles, cut.sizeMm);
-      if (whole(0, 2) == 0) cut.membrane->use = scene::MembraneUse::Slice;
+      cut.membrane->shape = whole(0, 1) ? wavySheet(kParticles, cut.size) : foldedSheet(kParticles, cut.size);
+      if (whole(0, 2) == 0) cut.membrane->use = scene::MembraneUse::Inlay;
     }
     for (int i = whole(0, 4); i > 0; --i) {
       double distance = whole(0, 2) == 0 ? scene::Spare::kEndless : number(0, 9);
@@ -227,7 +227,7 @@ class SparesGL : public RenderTest {
     shared::FrameParams params{};
     params.voxelsPerLength = 1.0f;
     params.cutCount = int(cuts.size());
-    params.flags = shared::kFlagCuts | shared::kFlagMembranes | shared::kFlagSlices;
+    params.flags = shared::kFlagCuts | shared::kFlagMembranes | shared::kFlagInlays;
     if (!spares.isEmpty()) params.flags |= shared::kFlagSpares;
     if (spares.hasDepths) params.flags |= shared::kFlagSpareDepths;
     if (cuts.empty()) cuts.emplace_back();
@@ -385,7 +385,7 @@ class SparedScene : public SparesGL {
         kDims, [&](glm::ivec3 p) { return inBall(p) ? 4 : 0; }, mScene.volume.data->worldFromVoxel));
     scene::completeStructures(mScene.labels);
     scene::Cut plane;
-    plane.centreMm = {0, 4, 0};
+    plane.centre = {0, 4, 0};
     plane.axis = {0, -1, 0};
     scene::addCut(mScene, plane);
   }
@@ -397,7 +397,7 @@ class SparedScene : public SparesGL {
                : 0;
   }
 
-  /// Picture, slices, kept voxels (which exports write) and picking say the same as the naive fold.
+  /// Picture, sections, kept voxels (which exports write) and picking say the same as the naive fold.
   void expectSameEverywhere(const std::string& what) {
     SCOPED_TRACE(what);
     Progress progress;
@@ -413,19 +413,19 @@ class SparedScene : public SparesGL {
           if (wanted.isDoubtful) continue;
           ASSERT_EQ(kept[i] != 0, wanted.keeps) << x << ", " << y << ", " << z;
         }
-    expectSlice();
+    expectSection();
     expectPicture(keptCount > 0);
   }
 
  private:
-  void expectSlice() {
+  void expectSection() {
     scene::Scene bare = mScene;
     bare.cuts.clear();
-    auto frame = scene::makeSliceFrame(mScene, scene::SliceKind::Axial, glm::dvec2(kSize));
-    auto image = render::drawSlice(mScene, frame), whole = render::drawSlice(bare, frame);
+    auto view = scene::makeSectionPlane(mScene, scene::SectionKind::Axial, glm::dvec2(kSize));
+    auto image = render::drawSection(mScene, view), whole = render::drawSection(bare, view);
     for (int y = 0; y < kSize.y; ++y)
       for (int x = 0; x < kSize.x; ++x) {
-        glm::dvec3 world = scene::worldFromSlicePixel(frame, {x + 0.5, y + 0.5});
+        glm::dvec3 world = scene::worldFromSectionPixel(view, {x + 0.5, y + 0.5});
         glm::dvec3 voxel(glm::inverse(mScene.volume.data->worldFromVoxel) * glm::dvec4(world, 1.0));
         if (glm::any(glm::lessThan(voxel, glm::dvec3(0.5))) ||
             glm::any(glm::greaterThan(voxel, glm::dvec3(kDims) - 1.5)))
@@ -434,14 +434,14 @@ class SparedScene : public SparesGL {
         Naive wanted = naive(mScene, world, structureAt(world), 0.0);
         if (wanted.isDoubtful || std::max(off.x, std::max(off.y, off.z)) > 0.45) continue;  // on a label's border
         auto at = std::size_t(y * kSize.x + x);
-        ASSERT_EQ(image.pixels[at] == whole.pixels[at], wanted.keeps) << "slice at " << x << ", " << y;
+        ASSERT_EQ(image.pixels[at] == whole.pixels[at], wanted.keeps) << "section at " << x << ", " << y;
       }
   }
 
   /// Along each ray of an orthographic picture the first place that is kept is what shows.
   void expectPicture(bool showsAny) {
     mScene.camera.projection = scene::Projection::Orthographic;
-    mScene.camera.heightMm = 60;
+    mScene.camera.height = 60;
     lookAlong(mScene, {0, -1, 0});
     Image image = draw(mScene, kSize, kAllLayers);
     int shown = 0, rays = 0, slivers = 0;
@@ -503,8 +503,8 @@ TEST_F(SparedScene, WithoutLabelsNothingHasOne) {
 TEST_F(SparedScene, SeveralCutsSpareEachForItself) {
   scene::Cut ball;
   ball.shape = scene::CutShape::Sphere;
-  ball.centreMm = {4, 3, 2};
-  ball.sizeMm = glm::dvec3(24);
+  ball.centre = {4, 3, 2};
+  ball.size = glm::dvec3(24);
   ball.spares = {{0, 2.4}, {4, 4.1}};
   scene::addCut(mScene, ball);
   mScene.cuts[0].spares = {{4, 9.3}, {0, 1.7}};

@@ -27,8 +27,8 @@ class TransformGL : public RenderTest {
     scene.lighting.shadow = scene.lighting.occlusion = 0;  // their grid costs more than the picture
     scene.volume.transfer.colors = {{0, {0.4f, 0.1f, 0.1f}}, {22000, {1, 0.9f, 0.7f}}};
     scene.volume.transfer.opacities = {{4000, 0}, {9000, 0.5}, {20000, 0.9}};
-    scene.volume.transfer.unitDistanceMm = 1;
-    scene.camera.targetMm = glm::dvec3(0.0);
+    scene.volume.transfer.unitDistance = 1;
+    scene.camera.target = glm::dvec3(0.0);
     scene.camera.fieldOfViewDeg = 28;
     lookAlong(scene, {0.4, -1, 0.35}, 80);
     return scene;
@@ -39,11 +39,11 @@ class TransformGL : public RenderTest {
     scene.volume.data = Shared<Volume>(std::move(v));
     auto at = [&](glm::dvec3 p) { return glm::dvec3(move * glm::dvec4(p, 1.0)); };
     auto along = [&](glm::dvec3 d) { return glm::dvec3(move * glm::dvec4(d, 0.0)); };
-    scene.camera.eyeMm = at(scene.camera.eyeMm);
-    scene.camera.targetMm = at(scene.camera.targetMm);
+    scene.camera.eye = at(scene.camera.eye);
+    scene.camera.target = at(scene.camera.target);
     scene.camera.up = along(scene.camera.up);
     for (auto& cut : scene.cuts) {
-      cut.centreMm = at(cut.centreMm);
+      cut.centre = at(cut.centre);
       cut.axis = along(cut.axis);
     }
     return scene;
@@ -55,8 +55,8 @@ TEST_F(TransformGL, TurningDataAndCameraTogetherChangesNothing) {
   scene.lighting.shadow = scene.lighting.occlusion = 0.6;
   scene::Cut ball;
   ball.shape = scene::CutShape::Sphere;
-  ball.centreMm = {3, -12, 3};
-  ball.sizeMm = glm::dvec3(14);
+  ball.centre = {3, -12, 3};
+  ball.size = glm::dvec3(14);
   scene.cuts = {ball};
   Image image = draw(scene);
   EXPECT_GT(coverageOf(image), 0.1);
@@ -70,7 +70,7 @@ TEST_F(TransformGL, TurningDataAndCameraTogetherChangesNothing) {
 TEST_F(TransformGL, FarFromTheWorldsOriginThePictureIsTheSame) {
   scene::Scene scene = bodyScene(bodyVolume(kDims, centredFrame(kDims)));
   scene::Cut plane;
-  plane.centreMm = {0, -3, 0};
+  plane.centre = {0, -3, 0};
   plane.axis = {0.2, -1, 0.3};
   scene.cuts = {plane};
   Image image = draw(scene);
@@ -116,7 +116,7 @@ TEST_F(TransformGL, NormalsOfShearedVoxelsPointOutOfTheBody) {
   scene::Scene scene = sceneOf(std::move(v));
   scene.rayCast.mode = scene::RenderMode::Iso;
   scene.rayCast.isoValue = 50;  // a ball of 10 mm
-  scene.camera.targetMm = glm::dvec3(0.0);
+  scene.camera.target = glm::dvec3(0.0);
   lookAlong(scene, {0.3, -1, 0.2}, 80);
   Image image = draw(scene, {64, 64}, kAllLayers);
   int hits = 0;

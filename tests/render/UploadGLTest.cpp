@@ -70,9 +70,9 @@ TEST_F(UploadGL, ChannelAndFrameAreTheOnesThatTheSceneNames) {
   v.dims = kDims;
   v.type = SampleType::UInt16;
   v.channels = 2;
-  v.frames = 3;
+  v.timeSteps = 3;
   v.worldFromVoxel = centredFrame(kDims);
-  v.voxels.resize(frameBytes(v) * 3);
+  v.voxels.resize(timeStepBytes(v) * 3);
   auto* out = reinterpret_cast<std::uint16_t*>(v.voxels.data());
   auto at = [](glm::ivec3 p, int channel, int frame) {
     return std::round(valueOf(p) * (1.0 - 0.2 * channel) * (1.0 - 0.15 * frame));
@@ -94,7 +94,7 @@ TEST_F(UploadGL, ChannelAndFrameAreTheOnesThatTheSceneNames) {
       style(one);
       one.volume.windowLevel = 100;
       one.volume.windowWidth = 200;
-      all.volume.frame = frame;
+      all.volume.timeStep = frame;
       all.volume.channel = channel;
       expectSame(draw(all, {64, 64}), draw(one, {64, 64}), 1.0,
                  "channel " + std::to_string(channel) + " of frame " + std::to_string(frame));

@@ -19,11 +19,11 @@ void changeSomething(Scene& scene, std::mt19937& random) {
   switch (random() % 8) {
     case 0:
       addCut(scene, {});
-      return void(scene.cuts.back().centreMm.x = number(-100, 100));
+      return void(scene.cuts.back().centre.x = number(-100, 100));
     case 1:
       return scene.cuts.empty() ? void() : void(scene.cuts.erase(scene.cuts.begin() + random() % scene.cuts.size()));
     case 2:
-      return void(scene.camera.eyeMm = {number(-900, 900), number(-900, 900), 1.0 / 3.0});
+      return void(scene.camera.eye = {number(-900, 900), number(-900, 900), 1.0 / 3.0});
     case 3:
       return void(scene.labels.structures.emplace_back().id = int(random() % 65535) + 1);
     case 4:

@@ -40,9 +40,9 @@ TEST(CutIds, OnlyMembranesHaveOne) {
   Scene scene = fromJson(R"({"velum": 1, "cuts": [{"shape": "membrane"}, {"shape": "box", "membrane": {}}]})");
   EXPECT_EQ(scene.cuts[0].membrane, Membrane{});
   EXPECT_FALSE(scene.cuts[1].membrane);
-  EXPECT_THROW(setField(scene, "cuts.1.membrane.use", "slice"), ArgumentError);
+  EXPECT_THROW(setField(scene, "cuts.1.membrane.use", "inlay"), ArgumentError);
   setField(scene, "cuts.1.shape", "membrane");
-  setField(scene, "cuts.1.membrane.use", "slice");
+  setField(scene, "cuts.1.membrane.use", "inlay");
   EXPECT_TRUE(isInlay(scene.cuts[1]));
   setField(scene, "cuts.1.shape", "plane");
   EXPECT_FALSE(scene.cuts[1].membrane);

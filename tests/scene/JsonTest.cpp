@@ -48,7 +48,7 @@ TEST(SceneJson, TheSameSceneGivesTheSameBytes) {
 
 TEST(SceneJson, AnyDoubleSurvivesExactly) {
   Scene scene;
-  scene.camera.eyeMm = {1.0 / 3.0, -1e-17, 123456789.123456789};
+  scene.camera.eye = {1.0 / 3.0, -1e-17, 123456789.123456789};
   scene.background.top = glm::vec3(0.1f, 1.0f / 3.0f, 1e-7f);
   EXPECT_TRUE(fromJson(toJson(scene)) == scene);
 }
@@ -102,21 +102,21 @@ struct Refusal {
 TEST(SceneJson, WrongKindsAndRangesAreRefusedWithTheirPath) {
   const Refusal kRefusals[] = {
       {R"("camera": [])", "camera"},
-      {R"("camera": {"eyeMm": [1, 2]})", "camera.eyeMm"},
-      {R"("camera": {"eyeMm": [1, 2, "3"]})", "camera.eyeMm.2"},
-      {R"("camera": {"eyeMm": [1, 2, null]})", "camera.eyeMm.2"},
+      {R"("camera": {"eye": [1, 2]})", "camera.eye"},
+      {R"("camera": {"eye": [1, 2, "3"]})", "camera.eye.2"},
+      {R"("camera": {"eye": [1, 2, null]})", "camera.eye.2"},
       {R"("camera": {"fieldOfViewDeg": 151})", "camera.fieldOfViewDeg"},
       {R"("camera": {"fieldOfViewDeg": true})", "camera.fieldOfViewDeg"},
       {R"("camera": {"projection": "fisheye"})", "camera.projection"},
       {R"("camera": {"projection": 1})", "camera.projection"},
-      {R"("camera": {"heightMm": 0})", "camera.heightMm"},
+      {R"("camera": {"height": 0})", "camera.height"},
       {R"("rayCast": {"samplesPerPixel": 0})", "rayCast.samplesPerPixel"},
       {R"("rayCast": {"samplesPerPixel": 1.5})", "rayCast.samplesPerPixel"},
       {R"("rayCast": {"samplesPerPixel": 1e9})", "rayCast.samplesPerPixel"},
       {R"("rayCast": {"jitter": 1})", "rayCast.jitter"},
       {R"("rayCast": {"stepVoxels": -0.5})", "rayCast.stepVoxels"},
       {R"("cuts": {})", "cuts"},
-      {R"("cuts": [{}, {"sizeMm": [1, -1, 1]}])", "cuts.1.sizeMm.1"},
+      {R"("cuts": [{}, {"size": [1, -1, 1]}])", "cuts.1.size.1"},
       {R"("cuts": [{"spares": [{"structure": 1}, {"structure": 70000}]}])", "cuts.0.spares.1.structure"},
       {R"("cuts": [{"spares": 4}])", "cuts.0.spares"},
       {R"("cuts": [{"spares": [{"distance": -1}]}])", "cuts.0.spares.0.distance"},
@@ -147,7 +147,7 @@ TEST(SceneJson, ARefusedEnumerationNamesTheKnownWords) {
 
 TEST(SceneJson, NumbersThatAreNotFiniteAreRefused) {
   for (const char* number : {"1e999", "-1e999", "NaN", "Infinity"})
-    EXPECT_NE(messageOf(std::string(R"({"velum": 1, "camera": {"eyeMm": [0, 0, )") + number + "]}}"), "") << number;
+    EXPECT_NE(messageOf(std::string(R"({"velum": 1, "camera": {"eye": [0, 0, )") + number + "]}}"), "") << number;
 }
 
 TEST(SceneJson, DeepNestingIsRefusedFast) {

@@ -77,7 +77,7 @@ TEST(NamedField, ABracketThatDoesNotCloseIsRefused) {
   for (const char* path :
        {"labels.structures[aorta", "labels.structures[aorta]x", "labels.structures[aorta].", "labels.structures["})
     expectMentions(messageOf(path), {"labels.structures", "[NAME]"});
-  expectMentions(messageOf("camera[eyeMm]"), {"camera", "eyeMm"});
+  expectMentions(messageOf("camera[eye]"), {"camera", "eye"});
 }
 
 }  // namespace

@@ -16,23 +16,23 @@ constexpr double kTiny = 1e-9;  ///< Rounding of a few double operations on hund
 Camera someCamera(std::mt19937& random) {
   std::uniform_real_distribution<double> place(-300, 300);
   Camera camera;
-  camera.eyeMm = {place(random), place(random), place(random)};
-  camera.targetMm = {place(random), place(random), place(random)};
+  camera.eye = {place(random), place(random), place(random)};
+  camera.target = {place(random), place(random), place(random)};
   camera.up = {place(random), place(random), place(random)};
   camera.projection = random() % 2 ? Projection::Perspective : Projection::Orthographic;
   return camera;
 }
 
-double distance(const Camera& camera) { return glm::length(camera.eyeMm - camera.targetMm); }
+double distance(const Camera& camera) { return glm::length(camera.eye - camera.target); }
 
 /// Where a world point lies in the picture: fractions of the picture's height from its middle, x right, y down.
 glm::dvec2 inPicture(const Camera& camera, glm::dvec3 world) {
-  glm::dvec3 forward = glm::normalize(camera.targetMm - camera.eyeMm);
+  glm::dvec3 forward = glm::normalize(camera.target - camera.eye);
   glm::dvec3 right = glm::normalize(glm::cross(forward, camera.up));
   glm::dvec3 up = glm::cross(right, forward);
-  glm::dvec3 p = world - camera.eyeMm;
+  glm::dvec3 p = world - camera.eye;
   double height = camera.projection == Projection::Orthographic
-                      ? camera.heightMm
+                      ? camera.height
                       : 2.0 * glm::dot(p, forward) * std::tan(glm::radians(camera.fieldOfViewDeg) * 0.5);
   return {glm::dot(p, right) / height, -glm::dot(p, up) / height};
 }
@@ -44,7 +44,7 @@ TEST(Navigate, OrbitKeepsDistanceAndTarget) {
     Camera camera = someCamera(random);
     Camera turned = orbit(camera, {drag(random), drag(random)});
     EXPECT_NEAR(distance(turned), distance(camera), 1e-9 * distance(camera));
-    EXPECT_EQ(turned.targetMm, camera.targetMm);
+    EXPECT_EQ(turned.target, camera.target);
     EXPECT_TRUE(std::isfinite(turned.up.x) && glm::length(turned.up) > 0.5);
   }
 }
@@ -52,8 +52,8 @@ TEST(Navigate, OrbitKeepsDistanceAndTarget) {
 TEST(Navigate, OrbitOfAWholePictureIsHalfATurn) {
   Camera camera;
   Camera turned = orbit(camera, {1.0, 0.0});
-  EXPECT_LT(glm::length(turned.eyeMm - (2.0 * camera.targetMm - camera.eyeMm)), 1e-6);
-  EXPECT_LT(glm::length(orbit(turned, {1.0, 0.0}).eyeMm - camera.eyeMm), 1e-6);
+  EXPECT_LT(glm::length(turned.eye - (2.0 * camera.target - camera.eye)), 1e-6);
+  EXPECT_LT(glm::length(orbit(turned, {1.0, 0.0}).eye - camera.eye), 1e-6);
 }
 
 TEST(Navigate, OrbitHasNoPole) {
@@ -61,14 +61,14 @@ TEST(Navigate, OrbitHasNoPole) {
   for (int i = 0; i < 40; ++i) {
     Camera next = orbit(camera, {0.0, 0.05});
     // A twentieth of half a turn moves the eye by that arc, also over the top.
-    EXPECT_NEAR(glm::length(next.eyeMm - camera.eyeMm), 2.0 * 500.0 * std::sin(0.05 * M_PI / 2), 1e-6) << i;
+    EXPECT_NEAR(glm::length(next.eye - camera.eye), 2.0 * 500.0 * std::sin(0.05 * M_PI / 2), 1e-6) << i;
     camera = next;
   }
 }
 
 TEST(Navigate, TheSceneFollowsTheOrbitDrag) {
   Camera camera;
-  glm::dvec3 nearPoint = camera.targetMm + 0.1 * (camera.eyeMm - camera.targetMm);
+  glm::dvec3 nearPoint = camera.target + 0.1 * (camera.eye - camera.target);
   EXPECT_GT(inPicture(orbit(camera, {0.02, 0}), nearPoint).x, inPicture(camera, nearPoint).x);
   EXPECT_GT(inPicture(orbit(camera, {0, 0.02}), nearPoint).y, inPicture(camera, nearPoint).y);
 }
@@ -79,7 +79,7 @@ TEST(Navigate, PanMovesTheTargetWithThePixel) {
   for (int i = 0; i < 200; ++i) {
     Camera camera = someCamera(random);
     glm::dvec2 by(drag(random), drag(random));
-    glm::dvec2 after = inPicture(pan(camera, by), camera.targetMm);
+    glm::dvec2 after = inPicture(pan(camera, by), camera.target);
     EXPECT_NEAR(after.x, by.x, 1e-9);
     EXPECT_NEAR(after.y, by.y, 1e-9);
     EXPECT_NEAR(distance(pan(camera, by)), distance(camera), kTiny * 1e3);
@@ -92,8 +92,8 @@ TEST(Navigate, ZoomScalesDistanceAndHeightAndUndoesItself) {
     Camera camera = someCamera(random);
     Camera nearer = zoom(camera, 0.5);
     EXPECT_NEAR(distance(nearer), 0.5 * distance(camera), 1e-9 * distance(camera));
-    EXPECT_NEAR(nearer.heightMm, 0.5 * camera.heightMm, 1e-9);
-    EXPECT_LT(glm::length(zoom(nearer, 2.0).eyeMm - camera.eyeMm), 1e-9 * distance(camera));
+    EXPECT_NEAR(nearer.height, 0.5 * camera.height, 1e-9);
+    EXPECT_LT(glm::length(zoom(nearer, 2.0).eye - camera.eye), 1e-9 * distance(camera));
   }
 }
 
@@ -102,12 +102,12 @@ TEST(Navigate, ZoomNeverReachesTheTarget) {
   for (double factor : {0.0, -3.0, 1e-30}) EXPECT_GT(distance(zoom(camera, factor)), 1.0);
   camera.projection = Projection::Orthographic;
   for (int i = 0; i < 200; ++i) camera = zoom(camera, 0.05);
-  EXPECT_GT(camera.heightMm, 0.0);
+  EXPECT_GT(camera.height, 0.0);
 }
 
 TEST(Navigate, RollTurnsThePictureClockwise) {
   Camera camera;
-  glm::dvec3 right = camera.targetMm + glm::dvec3(100, 0, 0);  // to the right when seen from the front
+  glm::dvec3 right = camera.target + glm::dvec3(100, 0, 0);  // to the right when seen from the front
   ASSERT_GT(inPicture(camera, right).x, 0.1);
   Camera rolled = roll(camera, M_PI / 2);
   glm::dvec2 at = inPicture(rolled, right);
@@ -118,10 +118,10 @@ TEST(Navigate, RollTurnsThePictureClockwise) {
 
 TEST(Navigate, ACameraWithoutDirectionStillMoves) {
   Camera camera;
-  camera.eyeMm = camera.targetMm;
+  camera.eye = camera.target;
   camera.up = {0, 0, 0};
   for (const Camera& next : {orbit(camera, {0.1, 0.2}), pan(camera, {0.1, 0.2}), roll(camera, 1.0), zoom(camera, 2.0)})
-    EXPECT_TRUE(std::isfinite(next.eyeMm.x) && std::isfinite(next.up.x) && std::isfinite(next.targetMm.z));
+    EXPECT_TRUE(std::isfinite(next.eye.x) && std::isfinite(next.up.x) && std::isfinite(next.target.z));
 }
 
 }  // namespace

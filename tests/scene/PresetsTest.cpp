@@ -85,7 +85,7 @@ TEST(Presets, NoneIsEmptyOrSolid) {
       Shares shares = sharesOf(scene);
       EXPECT_GT(shares.seen, 0.005) << preset.name << " shows nothing at scale " << scale;
       EXPECT_LT(shares.dense, 0.7) << preset.name << " is a block at scale " << scale;
-      EXPECT_GT(scene.volume.transfer.unitDistanceMm, 0.0);
+      EXPECT_GT(scene.volume.transfer.unitDistance, 0.0);
       EXPECT_GT(scene.volume.windowWidth, 0.0) << preset.name;
     }
 }

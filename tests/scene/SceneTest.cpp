@@ -20,16 +20,16 @@ Scene sceneOf(const glm::dmat4& worldFromVoxel, glm::ivec3 dims = {20, 30, 50}) 
 /// Largest |x| and |y| of the volume's corners in the picture, 1 at its edge.
 double furthestCorner(const Scene& scene, double aspect) {
   const Camera& c = scene.camera;
-  glm::dvec3 forward = glm::normalize(c.targetMm - c.eyeMm);
+  glm::dvec3 forward = glm::normalize(c.target - c.eye);
   glm::dvec3 right = glm::normalize(glm::cross(forward, c.up));
   glm::dvec3 up = glm::cross(right, forward);
   double furthest = 0;
   for (int corner = 0; corner < 8; ++corner) {
     glm::dvec3 voxel;
     for (int axis = 0; axis < 3; ++axis) voxel[axis] = corner >> axis & 1 ? scene.volume.data->dims[axis] - 0.5 : -0.5;
-    glm::dvec3 p = glm::dvec3(scene.volume.data->worldFromVoxel * glm::dvec4(voxel, 1.0)) - c.eyeMm;
+    glm::dvec3 p = glm::dvec3(scene.volume.data->worldFromVoxel * glm::dvec4(voxel, 1.0)) - c.eye;
     double half = c.projection == Projection::Orthographic
-                      ? c.heightMm * 0.5
+                      ? c.height * 0.5
                       : glm::dot(p, forward) * std::tan(glm::radians(c.fieldOfViewDeg) * 0.5);
     if (half <= 0) return 1e9;  // behind the eye
     furthest = std::max({furthest, std::abs(glm::dot(p, right)) / (half * aspect), std::abs(glm::dot(p, up)) / half});
@@ -64,7 +64,7 @@ TEST(FrameCamera, LooksFromTheSideThatItsNameSays) {
   Scene scene = sceneOf(centredFrame({20, 30, 50}, {1, 1, 1}));
   auto toEye = [&](StandardView view) {
     Camera camera = frameCamera(scene, view, 1.0);
-    return glm::normalize(camera.eyeMm - camera.targetMm);
+    return glm::normalize(camera.eye - camera.target);
   };
   // LPS: x to the patient's left, y to the back, z to the head.
   EXPECT_GT(toEye(StandardView::Anterior).y, -1.001);
@@ -78,8 +78,8 @@ TEST(FrameCamera, LooksFromTheSideThatItsNameSays) {
 
 TEST(FrameCamera, AnEmptySceneGivesAUsableCamera) {
   Camera camera = frameCamera(Scene{}, StandardView::Oblique, 1.5);
-  EXPECT_GT(glm::length(camera.eyeMm - camera.targetMm), 0.0);
-  EXPECT_TRUE(std::isfinite(camera.eyeMm.x) && camera.heightMm > 0);
+  EXPECT_GT(glm::length(camera.eye - camera.target), 0.0);
+  EXPECT_TRUE(std::isfinite(camera.eye.x) && camera.height > 0);
 }
 
 TEST(WorldFromCut, IsRigidAndStandsOnItsAxis) {
@@ -91,7 +91,7 @@ TEST(WorldFromCut, IsRigidAndStandsOnItsAxis) {
                                   (i % 3 == 2) * (i < 3 ? 1 : -1))
                      : glm::dvec3(any(random), any(random), any(random));
     cut.spinDeg = turn(random);
-    cut.centreMm = {any(random) * 100, any(random), any(random)};
+    cut.centre = {any(random) * 100, any(random), any(random)};
     glm::dmat4 m = worldFromCut(cut);
     glm::dmat3 r(m);
     glm::dmat3 unit = glm::transpose(r) * r;
@@ -99,7 +99,7 @@ TEST(WorldFromCut, IsRigidAndStandsOnItsAxis) {
       for (int k = 0; k < 3; ++k) EXPECT_NEAR(unit[c][k], c == k ? 1.0 : 0.0, 1e-12);
     EXPECT_NEAR(glm::determinant(r), 1.0, 1e-12);
     EXPECT_LT(glm::length(r[2] - glm::normalize(cut.axis)), 1e-12);
-    EXPECT_EQ(glm::dvec3(m[3]), cut.centreMm);
+    EXPECT_EQ(glm::dvec3(m[3]), cut.centre);
   }
 }
 
@@ -153,7 +153,7 @@ TEST(PictureScene, AWindowCountsOnlyWhereThePictureShowsGreyValues) {
   EXPECT_NE(pictureScene(scene), pictureScene(other));
   scene.rayCast.mode = other.rayCast.mode = RenderMode::Volume;
   Cut cut;
-  cut.face = CutFace::Slice;
+  cut.face = CutFace::Section;
   scene.cuts = other.cuts = {cut};
   EXPECT_NE(pictureScene(scene), pictureScene(other));
   scene.cuts[0].enabled = other.cuts[0].enabled = false;

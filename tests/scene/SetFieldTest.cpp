@@ -54,17 +54,17 @@ TEST(SetField, ATextThatLooksLikeANumberStaysAText) {
 
 TEST(SetField, VectorsAsCommaListsOrJson) {
   Scene scene;
-  setField(scene, "camera.eyeMm", "1,-2.5,3e2");
-  EXPECT_EQ(scene.camera.eyeMm, glm::dvec3(1, -2.5, 300));
-  setField(scene, "camera.eyeMm", "[4, 5, 6]");
-  EXPECT_EQ(scene.camera.eyeMm, glm::dvec3(4, 5, 6));
+  setField(scene, "camera.eye", "1,-2.5,3e2");
+  EXPECT_EQ(scene.camera.eye, glm::dvec3(1, -2.5, 300));
+  setField(scene, "camera.eye", "[4, 5, 6]");
+  EXPECT_EQ(scene.camera.eye, glm::dvec3(4, 5, 6));
   setField(scene, "background.top", "0, 0.5, 1");
   EXPECT_EQ(scene.background.top, glm::vec3(0, 0.5f, 1));
 }
 
 TEST(SetField, ListsGrowAndTheirItemsChange) {
   Scene scene;
-  setField(scene, "cuts.+", R"({"shape": "sphere", "sizeMm": [10, 10, 10]})");
+  setField(scene, "cuts.+", R"({"shape": "sphere", "size": [10, 10, 10]})");
   setField(scene, "cuts.+.shape", "box");
   setField(scene, "cuts.1.spares", "3,4");
   setField(scene, "cuts.0.spares", "7");
@@ -73,7 +73,7 @@ TEST(SetField, ListsGrowAndTheirItemsChange) {
   setField(scene, "cuts.0.spares.1.distance", "2.5");
   ASSERT_EQ(scene.cuts.size(), 2u);
   EXPECT_EQ(scene.cuts[0].shape, CutShape::Sphere);
-  EXPECT_EQ(scene.cuts[0].sizeMm.x, 10.0);
+  EXPECT_EQ(scene.cuts[0].size.x, 10.0);
   EXPECT_EQ(scene.cuts[0].spares, (std::vector<Spare>{{6}, {8, 2.5}}));
   setField(scene, "cuts.0.spares.1.distance", "null");
   EXPECT_EQ(scene.cuts[0].spares, (std::vector<Spare>{{6}, {8}}));
@@ -104,12 +104,12 @@ TEST(SetField, AValueThatDoesNotFitIsRefusedWithPathAndReason) {
   expectMentions(messageOf("rayCast.stepVoxels", "9"), {"rayCast.stepVoxels", "9", "0.05"});
   expectMentions(messageOf("rayCast.stepVoxels", "fine"), {"rayCast.stepVoxels", "number"});
   expectMentions(messageOf("rayCast.mode", "cube"), {"rayCast.mode", "cube", "mip"});
-  expectMentions(messageOf("camera.eyeMm", "1,2"), {"camera.eyeMm", "3 numbers"});
-  expectMentions(messageOf("camera.eyeMm", "1,2,nan"), {"camera.eyeMm"});
+  expectMentions(messageOf("camera.eye", "1,2"), {"camera.eye", "3 numbers"});
+  expectMentions(messageOf("camera.eye", "1,2,nan"), {"camera.eye"});
   expectMentions(messageOf("rayCast.jitter", "maybe"), {"rayCast.jitter", "true or false"});
   expectMentions(messageOf("rayCast.samplesPerPixel", "2.5"), {"rayCast.samplesPerPixel"});
   expectMentions(messageOf("camera", "5"), {"camera", "object"});
-  expectMentions(messageOf("volume.frame", "-1"), {"volume.frame"});
+  expectMentions(messageOf("volume.timeStep", "-1"), {"volume.timeStep"});
 }
 
 TEST(SetField, AValueNestedDeeperThanAnySceneIsRefused) {

@@ -24,36 +24,36 @@ TEST(CutEdit, AFrameComesBack) {
 
 TEST(CutEdit, ANewCutIsAThirdOfTheDataAndOpensWhatTheEyeSees) {
   scene::Scene scene = boxScene(kSize);
-  scene::placeSlices(scene);
+  scene::placeSections(scene);
   scene::Bounds bounds = scene::computeBounds(scene);
   glm::dvec3 edges = bounds.max - bounds.min;
   for (auto view : {scene::StandardView::Anterior, scene::StandardView::Left, scene::StandardView::Oblique}) {
     scene.camera = scene::frameCamera(scene, view, 4.0 / 3.0);
     scene::Cut box = makeCut(scene, scene::CutShape::Box);
-    EXPECT_LT(glm::length(box.sizeMm - edges / 3.0), 1e-9);
-    glm::dvec3 toEye = glm::normalize(scene.camera.eyeMm - scene.camera.targetMm);
+    EXPECT_LT(glm::length(box.size - edges / 3.0), 1e-9);
+    glm::dvec3 toEye = glm::normalize(scene.camera.eye - scene.camera.target);
     // Some of the box lies outside of the data on the eye's side, some of it inside.
-    glm::dvec3 out = (box.centreMm - scene.camera.targetMm) / edges;
+    glm::dvec3 out = (box.centre - scene.camera.target) / edges;
     double furthest = std::max({std::abs(out.x), std::abs(out.y), std::abs(out.z)});
     EXPECT_GT(furthest + 1.0 / 6.0, 0.5);
     EXPECT_LT(furthest - 1.0 / 6.0, 0.5);
-    EXPECT_GT(glm::dot(box.centreMm - scene.camera.targetMm, toEye), 0.0);
+    EXPECT_GT(glm::dot(box.centre - scene.camera.target, toEye), 0.0);
     EXPECT_LT(glm::length(glm::normalize(makeCut(scene, scene::CutShape::Cylinder).axis) - toEye), 1e-6);
   }
 }
 
 TEST(CutEdit, ANewCutLiesAboutTheCrosshair) {
   scene::Scene scene = boxScene(kSize);
-  scene::placeSlices(scene);
-  scene.slices.crosshairMm += glm::dvec3(20, -30, 40);
-  for (auto shape : kShapes) EXPECT_EQ(makeCut(scene, shape).centreMm, scene.slices.crosshairMm);
+  scene::placeSections(scene);
+  scene.sections.crosshair += glm::dvec3(20, -30, 40);
+  for (auto shape : kShapes) EXPECT_EQ(makeCut(scene, shape).centre, scene.sections.crosshair);
 }
 
 TEST(CutEdit, ANewPlaneGoesAcrossAnAxisAndTakesTheSideOfTheEye) {
   scene::Scene scene = boxScene(kSize);
   scene::Cut plane = makeCut(scene, scene::CutShape::Plane);
   EXPECT_EQ(plane.axis, nearestAxis(plane.axis));
-  EXPECT_GT(glm::dot(plane.axis, scene.camera.eyeMm - plane.centreMm), 0.0);
+  EXPECT_GT(glm::dot(plane.axis, scene.camera.eye - plane.centre), 0.0);
 }
 
 TEST(CutEdit, APlaneThroughThreePointsHoldsThemAndTakesTheSideOfTheEye) {
@@ -62,8 +62,8 @@ TEST(CutEdit, APlaneThroughThreePointsHoldsThemAndTakesTheSideOfTheEye) {
   for (bool other : {false, true}) {
     auto cut = other ? cutThrough(scene, a, c, b) : cutThrough(scene, a, b, c);
     ASSERT_TRUE(cut);
-    for (glm::dvec3 p : {a, b, c}) EXPECT_NEAR(glm::dot(p - cut->centreMm, cut->axis), 0.0, 1e-9);
-    EXPECT_GT(glm::dot(cut->axis, scene.camera.eyeMm - scene.camera.targetMm), 0.0);
+    for (glm::dvec3 p : {a, b, c}) EXPECT_NEAR(glm::dot(p - cut->centre, cut->axis), 0.0, 1e-9);
+    EXPECT_GT(glm::dot(cut->axis, scene.camera.eye - scene.camera.target), 0.0);
   }
   EXPECT_FALSE(cutThrough(scene, a, b, a + (b - a) * 0.5));
   EXPECT_FALSE(cutThrough(scene, a, a, b));
@@ -86,8 +86,8 @@ TEST(CutEdit, AligningKeepsThePlaneOverTheMiddleOfTheData) {
   EXPECT_EQ(aligned.axis, glm::dvec3(-1, 0, 0));
   EXPECT_FALSE(aligned.invert);
   // The point that stays is the foot of the data's middle on the plane that was.
-  EXPECT_NEAR(cutPosition(scene, plane).offsetMm,
-              glm::dot(aligned.centreMm - glm::dvec3(45, 95, 145), glm::normalize(plane.axis)), 1e-9);
+  EXPECT_NEAR(cutPosition(scene, plane).offset,
+              glm::dot(aligned.centre - glm::dvec3(45, 95, 145), glm::normalize(plane.axis)), 1e-9);
 }
 
 TEST(CutEdit, SparesStayAscendingAndWithoutRepeats) {

@@ -48,7 +48,7 @@ TEST(CutHandle, EveryGripIsFoundWhereItIs) {
     for (auto shape : kAllShapes) {
       CutGizmo gizmo = makeCutGizmo(scene, tiltedCut(shape), kSize);
       for (const auto& grip : gizmo.grips)
-        EXPECT_EQ(handleAt(gizmo, scene.camera, kSize, pixelOf(scene, grip.placeMm), 0.5), grip.handle)
+        EXPECT_EQ(handleAt(gizmo, scene.camera, kSize, pixelOf(scene, grip.place), 0.5), grip.handle)
             << enumName(shape);
     }
 }
@@ -63,11 +63,11 @@ TEST(CutHandle, AHandleStaysUnderThePointer) {
         bool isFree = grip.handle == CutHandle::Centre || grip.handle == CutHandle::Square;
         if (!isArrow && !isFree && !isResize(grip.handle)) continue;
         // Along its line where it has one; anywhere where it is free.
-        glm::dvec2 from = pixelOf(scene, grip.placeMm);
-        glm::dvec2 to = isFree ? from + glm::dvec2(31, -17) : pixelOf(scene, grip.placeMm + grip.direction * 11.0);
+        glm::dvec2 from = pixelOf(scene, grip.place);
+        glm::dvec2 to = isFree ? from + glm::dvec2(31, -17) : pixelOf(scene, grip.place + grip.direction * 11.0);
         scene::Cut now = dragCut(start, gizmo, grip.handle, scene.camera, kSize, from, to);
-        glm::dvec3 place = isResize(grip.handle) ? handlePlaceMm(makeCutGizmo(scene, now, kSize), grip.handle)
-                                                 : grip.placeMm + (now.centreMm - start.centreMm);
+        glm::dvec3 place = isResize(grip.handle) ? handlePlace(makeCutGizmo(scene, now, kSize), grip.handle)
+                                                 : grip.place + (now.centre - start.centre);
         EXPECT_LT(glm::length(pixelOf(scene, place) - to), 0.01)
             << enumName(shape) << " handle " << static_cast<int>(grip.handle);
       }
@@ -80,7 +80,7 @@ TEST(CutHandle, GoingBackGivesTheCutThatWas) {
       scene::Cut start = tiltedCut(shape);
       CutGizmo gizmo = makeCutGizmo(scene, start, kSize);
       for (const auto& grip : gizmo.grips) {
-        glm::dvec2 from = pixelOf(scene, grip.placeMm), to = from + glm::dvec2(23, 14);
+        glm::dvec2 from = pixelOf(scene, grip.place), to = from + glm::dvec2(23, 14);
         scene::Cut moved = dragCut(start, gizmo, grip.handle, scene.camera, kSize, from, to);
         EXPECT_NE(moved, start) << enumName(shape) << " handle " << static_cast<int>(grip.handle);
         EXPECT_EQ(dragCut(start, gizmo, grip.handle, scene.camera, kSize, from, from), start);
@@ -95,12 +95,12 @@ TEST(CutHandle, ASecondDragTakesAResizeBack) {
       CutGizmo gizmo = makeCutGizmo(scene, start, kSize);
       for (const auto& grip : gizmo.grips) {
         if (!isResize(grip.handle)) continue;
-        glm::dvec2 from = pixelOf(scene, grip.placeMm), to = pixelOf(scene, grip.placeMm + grip.direction * 8.0);
+        glm::dvec2 from = pixelOf(scene, grip.place), to = pixelOf(scene, grip.place + grip.direction * 8.0);
         scene::Cut larger = dragCut(start, gizmo, grip.handle, scene.camera, kSize, from, to);
         CutGizmo second = makeCutGizmo(scene, larger, kSize);
         scene::Cut back = dragCut(larger, second, grip.handle, scene.camera, kSize, to, from);
-        EXPECT_LT(glm::length(back.sizeMm - start.sizeMm), 1e-6) << enumName(shape);
-        EXPECT_LT(glm::length(back.centreMm - start.centreMm), 1e-6) << enumName(shape);
+        EXPECT_LT(glm::length(back.size - start.size), 1e-6) << enumName(shape);
+        EXPECT_LT(glm::length(back.centre - start.centre), 1e-6) << enumName(shape);
       }
     }
 }
@@ -111,8 +111,8 @@ TEST(CutHandle, ResizingAFaceLeavesTheOppositeOneWhereItIs) {
     scene::Cut start = tiltedCut(shape);
     auto faceMm = [&](const scene::Cut& cut, int axis, int sign) {
       glm::dvec3 out = cutFrame(cut)[axis];
-      if (shape == scene::CutShape::Cone) return cut.centreMm + out * (sign > 0 ? cut.sizeMm.z : 0.0);
-      return cut.centreMm + out * (sign * cut.sizeMm[axis] * 0.5);
+      if (shape == scene::CutShape::Cone) return cut.centre + out * (sign > 0 ? cut.size.z : 0.0);
+      return cut.centre + out * (sign * cut.size[axis] * 0.5);
     };
     for (int axis = shape == scene::CutShape::Box ? 0 : 2; axis < 3; ++axis)
       for (int sign : {-1, 1})
@@ -120,7 +120,7 @@ TEST(CutHandle, ResizingAFaceLeavesTheOppositeOneWhereItIs) {
           scene::Cut now = withFaceMoved(start, axis, sign, mm, 1.0);
           EXPECT_LT(glm::length(faceMm(now, axis, -sign) - faceMm(start, axis, -sign)), 1e-9);
           double moved = glm::dot(faceMm(now, axis, sign) - faceMm(start, axis, sign), cutFrame(start)[axis]) * sign;
-          EXPECT_NEAR(moved, std::max(mm, 1.0 - start.sizeMm[axis]), 1e-9);
+          EXPECT_NEAR(moved, std::max(mm, 1.0 - start.size[axis]), 1e-9);
           EXPECT_LT(frameDifference(now, start), 1e-12);
         }
   }
@@ -133,21 +133,21 @@ TEST(CutHandle, ACornerResizesBothEdgesAndTheOppositeOneStays) {
       scene::Cut start = tiltedCut(scene::CutShape::Membrane);
       CutGizmo gizmo = makeCutGizmo(scene, start, kSize);
       auto placeOf = [](const scene::Cut& cut, glm::dvec2 sign) {
-        glm::dvec2 out = sign * glm::dvec2(cut.sizeMm) * 0.5;
+        glm::dvec2 out = sign * glm::dvec2(cut.size) * 0.5;
         return glm::dvec3(scene::worldFromCut(cut) * glm::dvec4(out, 0.0, 1.0));
       };
       for (int corner = 0; corner < 4; ++corner) {
         auto handle = static_cast<CutHandle>(static_cast<int>(CutHandle::CornerMinMin) + corner);
-        glm::dvec2 from = pixelOf(scene, handlePlaceMm(gizmo, handle)), to = from + glm::dvec2(19, -11);
+        glm::dvec2 from = pixelOf(scene, handlePlace(gizmo, handle)), to = from + glm::dvec2(19, -11);
         CutSnap snap{keepsRatio, glm::dmat3(10.0)};
         scene::Cut now = dragCut(start, gizmo, handle, scene.camera, kSize, from, to, snap);
         if (now == start) continue;  // seen edge on: there is no such grip
         ++corners;
         glm::dvec2 sign = cornerSigns(corner);
         EXPECT_LT(glm::length(placeOf(now, -sign) - placeOf(start, -sign)), 1e-9);
-        EXPECT_EQ(now.sizeMm.z, start.sizeMm.z);
+        EXPECT_EQ(now.size.z, start.size.z);
         if (keepsRatio)
-          EXPECT_NEAR(now.sizeMm.x / now.sizeMm.y, start.sizeMm.x / start.sizeMm.y, 1e-9);
+          EXPECT_NEAR(now.size.x / now.size.y, start.size.x / start.size.y, 1e-9);
         else
           EXPECT_LT(glm::length(pixelOf(scene, placeOf(now, sign)) - to), 0.01) << "it stays under the pointer";
       }
@@ -162,8 +162,8 @@ TEST(CutHandle, ATurnOfABoxIsRigid) {
   scene::Cut turned = withTurn(box, pivot, axis, 1.1);
   scene::Cut back = withTurn(turned, pivot, axis, -1.1);
   EXPECT_LT(frameDifference(back, box), 1e-9);
-  EXPECT_LT(glm::length(back.centreMm - box.centreMm), 1e-9);
-  EXPECT_NEAR(glm::length(turned.centreMm - pivot), glm::length(box.centreMm - pivot), 1e-9);
+  EXPECT_LT(glm::length(back.centre - box.centre), 1e-9);
+  EXPECT_NEAR(glm::length(turned.centre - pivot), glm::length(box.centre - pivot), 1e-9);
   glm::dmat3 relative = cutFrame(turned) * glm::transpose(cutFrame(box));
   EXPECT_LT(glm::length(relative * axis - axis), 1e-9);
 }
@@ -173,11 +173,11 @@ TEST(CutHandle, TheRingTurnsABoxAboutItsAxisWithThePointer) {
   scene.camera = scene::frameCamera(scene, scene::StandardView::Anterior, kSize.x / kSize.y);
   scene::Cut box;
   box.shape = scene::CutShape::Box;
-  box.centreMm = scene.camera.targetMm;
+  box.centre = scene.camera.target;
   box.axis = {0, -1, 0};
   CutGizmo gizmo = makeCutGizmo(scene, box, kSize);
-  glm::dvec2 centre = pixelOf(scene, gizmo.centreMm);
-  double r = gizmo.radiusMm / gizmo.pixelMm;
+  glm::dvec2 centre = pixelOf(scene, gizmo.centre);
+  double r = gizmo.radius / gizmo.pixel;
   auto onRing = [&](double deg) {
     return centre + r * glm::dvec2(std::cos(glm::radians(deg)), -std::sin(glm::radians(deg)));
   };
@@ -198,8 +198,8 @@ TEST(CutHandle, TheRingOfTheOthersFollowsThePointer) {
   for (const auto& scene : manyViews()) {
     scene::Cut cut = tiltedCut(scene::CutShape::Cylinder);
     CutGizmo gizmo = makeCutGizmo(scene, cut, kSize);
-    glm::dvec3 held = ringPointsMm(gizmo)[9];
-    glm::dvec2 from = pixelOf(scene, held), to = from + (pixelOf(scene, gizmo.centreMm) - from) * 0.3;
+    glm::dvec3 held = ringPoints(gizmo)[9];
+    glm::dvec2 from = pixelOf(scene, held), to = from + (pixelOf(scene, gizmo.centre) - from) * 0.3;
     scene::Cut now = dragCut(cut, gizmo, CutHandle::Ring, scene.camera, kSize, from, to);
     // The pointer goes to the middle: the axis tilts by the angle between the two places on the ball.
     double tilt = std::acos(glm::dot(glm::normalize(cut.axis), now.axis));
@@ -218,9 +218,9 @@ TEST(CutHandle, ShiftKeepsToWholeVoxels) {
     for (const auto& grip : gizmo.grips) {
       if (grip.handle >= CutHandle::KnobRight && grip.handle <= CutHandle::Ring) continue;
       if (grip.handle == CutHandle::Square) continue;  // keeps to the gizmo's own axes
-      glm::dvec2 from = pixelOf(scene, grip.placeMm);
+      glm::dvec2 from = pixelOf(scene, grip.place);
       scene::Cut now = dragCut(box, gizmo, grip.handle, scene.camera, kSize, from, from + glm::dvec2(14, 11), snap);
-      glm::dvec3 moved = isResize(grip.handle) ? now.sizeMm - box.sizeMm : now.centreMm - box.centreMm;
+      glm::dvec3 moved = isResize(grip.handle) ? now.size - box.size : now.centre - box.centre;
       for (int i = 0; i < 3; ++i) EXPECT_NEAR(std::remainder(moved[i], 10.0), 0.0, 1e-9);
     }
   }
@@ -228,13 +228,13 @@ TEST(CutHandle, ShiftKeepsToWholeVoxels) {
 
 TEST(CutHandle, NumbersSayWhatTheDragDid) {
   scene::Cut start = tiltedCut(scene::CutShape::Box), now = start;
-  now.centreMm += cutFrame(start)[2] * 12.5;
-  EXPECT_EQ(dragText(start, now, CutHandle::Arrow), "+12.5 mm");
-  EXPECT_EQ(dragText(start, now, CutHandle::Centre), "12.5 mm");
+  now.centre += cutFrame(start)[2] * 12.5;
+  EXPECT_EQ(dragText({}, start, now, CutHandle::Arrow), "+12.5 mm");
+  EXPECT_EQ(dragText({}, start, now, CutHandle::Centre), "12.5 mm");
   now = withFaceMoved(start, 1, 1, 2.0, 1.0);
-  EXPECT_EQ(dragText(start, now, CutHandle::FaceYMax), "42.0 mm");
-  now = withTurn(start, start.centreMm, cutFrame(start)[2], glm::radians(30.0));
-  EXPECT_EQ(dragText(start, now, CutHandle::Ring), "30.0\u00b0");
+  EXPECT_EQ(dragText({}, start, now, CutHandle::FaceYMax), "42.0 mm");
+  now = withTurn(start, start.centre, cutFrame(start)[2], glm::radians(30.0));
+  EXPECT_EQ(dragText({}, start, now, CutHandle::Ring), "30.0\u00b0");
   EXPECT_EQ(std::string(dragLabel(start, CutHandle::Ring)), "Turn cut");
   EXPECT_EQ(std::string(dragLabel(start, CutHandle::KnobTop)), "Tilt cut");
   EXPECT_EQ(std::string(dragLabel(start, CutHandle::Radius)), "Resize cut");

@@ -23,10 +23,10 @@ inline scene::Cut tiltedCut(scene::CutShape shape) {
   scene::Cut cut;
   cut.shape = shape;
   if (scene::isMembrane(cut)) cut.membrane.emplace();
-  cut.centreMm = {45, 95, 145};
+  cut.centre = {45, 95, 145};
   cut.axis = {1, 2, -3};
   cut.spinDeg = 25;
-  cut.sizeMm = {60, 40, 90};
+  cut.size = {60, 40, 90};
   return cut;
 }
 

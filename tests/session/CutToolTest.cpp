@@ -25,7 +25,7 @@ scene::Scene boxScene() {
 }
 
 glm::dvec2 pixelOf(const scene::Scene& scene, const CutGizmo& gizmo, CutHandle handle) {
-  return scene::pixelFromWorld(scene.camera, kSize, handlePlaceMm(gizmo, handle)).value();
+  return scene::pixelFromWorld(scene.camera, kSize, handlePlace(gizmo, handle)).value();
 }
 
 }  // namespace
@@ -33,13 +33,13 @@ glm::dvec2 pixelOf(const scene::Scene& scene, const CutGizmo& gizmo, CutHandle h
 TEST(CutTool, OutlineLiesInThePlaneAndInTheBox) {
   scene::Scene scene = boxScene();
   scene::Cut cut;
-  cut.centreMm = {45, 95, 145};
+  cut.centre = {45, 95, 145};
   cut.axis = {1, 2, -3};
   CutGizmo gizmo = makeCutGizmo(scene, cut, kSize);
-  ASSERT_GE(gizmo.outlineMm.size(), 3u);
+  ASSERT_GE(gizmo.outline.size(), 3u);
   scene::Bounds bounds = scene::computeBounds(scene);
-  for (const auto& p : gizmo.outlineMm) {
-    EXPECT_NEAR(glm::dot(p - cut.centreMm, gizmo.normal), 0.0, 1e-9);
+  for (const auto& p : gizmo.outline) {
+    EXPECT_NEAR(glm::dot(p - cut.centre, gizmo.normal), 0.0, 1e-9);
     for (int i = 0; i < 3; ++i) {
       EXPECT_GE(p[i], bounds.min[i] - 1e-9);
       EXPECT_LE(p[i], bounds.max[i] + 1e-9);
@@ -52,15 +52,15 @@ TEST(CutTool, EdgesLieOnTheShape) {
   for (auto shape : {scene::CutShape::Box, scene::CutShape::Sphere, scene::CutShape::Cylinder, scene::CutShape::Cone}) {
     scene::Cut cut;
     cut.shape = shape;
-    cut.centreMm = {45, 95, 145};
+    cut.centre = {45, 95, 145};
     cut.axis = {1, 2, -3};
-    cut.sizeMm = {30, 20, 50};
+    cut.size = {30, 20, 50};
     CutGizmo gizmo = makeCutGizmo(scene, cut, kSize);
-    EXPECT_TRUE(gizmo.outlineMm.empty());
-    ASSERT_GE(gizmo.edgesMm.size(), 3u);
+    EXPECT_TRUE(gizmo.outline.empty());
+    ASSERT_GE(gizmo.edges.size(), 3u);
     glm::dmat4 cutFromWorld = glm::inverse(scene::worldFromCut(cut));
-    glm::vec3 half = glm::vec3(cut.sizeMm) * 0.5f;
-    for (const auto& edge : gizmo.edgesMm)
+    glm::vec3 half = glm::vec3(cut.size) * 0.5f;
+    for (const auto& edge : gizmo.edges)
       for (const auto& p : edge) {
         glm::vec3 local(cutFromWorld * glm::dvec4(p, 1.0));
         EXPECT_NEAR(shared::cutShapeDistance(static_cast<int>(shape), half, local), 0.0f, 1e-4f) << enumName(shape);
@@ -71,7 +71,7 @@ TEST(CutTool, EdgesLieOnTheShape) {
 TEST(CutTool, EveryHandleIsFoundWhereItIs) {
   scene::Scene scene = boxScene();
   scene::Cut cut;
-  cut.centreMm = {45, 95, 145};
+  cut.centre = {45, 95, 145};
   cut.axis = {1, 0, 0};
   CutGizmo gizmo = makeCutGizmo(scene, cut, kSize);
   for (auto handle :
@@ -83,14 +83,14 @@ TEST(CutTool, EveryHandleIsFoundWhereItIs) {
 TEST(CutTool, ArrowFollowsThePointerAlongTheNormal) {
   scene::Scene scene = boxScene();
   scene::Cut cut;
-  cut.centreMm = {45, 95, 145};
+  cut.centre = {45, 95, 145};
   cut.axis = {1, 0, 0};
   CutGizmo gizmo = makeCutGizmo(scene, cut, kSize);
-  glm::dvec3 wanted = gizmo.arrowTipMm + gizmo.normal * 17.0;
+  glm::dvec3 wanted = gizmo.arrowTip + gizmo.normal * 17.0;
   glm::dvec2 to = scene::pixelFromWorld(scene.camera, kSize, wanted).value();
   scene::Cut moved =
       dragCut(cut, gizmo, CutHandle::Arrow, scene.camera, kSize, pixelOf(scene, gizmo, CutHandle::Arrow), to);
-  EXPECT_NEAR(glm::length(moved.centreMm - cut.centreMm - glm::dvec3(17, 0, 0)), 0.0, 1e-6);
+  EXPECT_NEAR(glm::length(moved.centre - cut.centre - glm::dvec3(17, 0, 0)), 0.0, 1e-6);
   EXPECT_EQ(moved.axis, cut.axis);
 }
 
@@ -99,22 +99,22 @@ TEST(CutTool, ArrowSeenEndOnStillMoves) {
   scene::Cut cut = cutFacingCamera(scene);
   CutGizmo gizmo = makeCutGizmo(scene, cut, kSize);
   scene::Cut moved = dragCut(cut, gizmo, CutHandle::Arrow, scene.camera, kSize, {400, 300}, {400, 340});
-  EXPECT_GT(glm::dot(moved.centreMm - cut.centreMm, gizmo.normal), 1.0);
+  EXPECT_GT(glm::dot(moved.centre - cut.centre, gizmo.normal), 1.0);
 }
 
 TEST(CutTool, KnobTiltsAboutTheMiddleAndComesBack) {
   scene::Scene scene = boxScene();
   for (glm::dvec3 axis : {glm::dvec3(1, 0, 0), glm::dvec3(0, -1, 0), glm::dvec3(0, 0, 1)}) {
     scene::Cut cut;
-    cut.centreMm = {45, 95, 145};
+    cut.centre = {45, 95, 145};
     cut.axis = axis;
     CutGizmo gizmo = makeCutGizmo(scene, cut, kSize);
     for (auto handle : {CutHandle::KnobRight, CutHandle::KnobTop, CutHandle::KnobLeft, CutHandle::KnobBottom}) {
       glm::dvec2 from = pixelOf(scene, gizmo, handle);
-      glm::dvec2 centre = scene::pixelFromWorld(scene.camera, kSize, gizmo.centreMm).value();
+      glm::dvec2 centre = scene::pixelFromWorld(scene.camera, kSize, gizmo.centre).value();
       scene::Cut tilted = dragCut(cut, gizmo, handle, scene.camera, kSize, from, from + (centre - from) * 0.4);
       EXPECT_NEAR(glm::length(tilted.axis), 1.0, 1e-9);
-      EXPECT_EQ(tilted.centreMm, gizmo.centreMm);
+      EXPECT_EQ(tilted.centre, gizmo.centre);
       EXPECT_EQ(dragCut(cut, gizmo, handle, scene.camera, kSize, from, from), cut);
     }
   }
@@ -125,7 +125,7 @@ TEST(CutTool, KnobFollowsThePointer) {
   scene::Cut cut = cutFacingCamera(scene);
   CutGizmo gizmo = makeCutGizmo(scene, cut, kSize);
   glm::dvec2 from = pixelOf(scene, gizmo, CutHandle::KnobRight);
-  glm::dvec2 centre = scene::pixelFromWorld(scene.camera, kSize, gizmo.centreMm).value();
+  glm::dvec2 centre = scene::pixelFromWorld(scene.camera, kSize, gizmo.centre).value();
   glm::dvec2 to = centre + (from - centre) * 0.5;
   scene::Cut tilted = dragCut(cut, gizmo, CutHandle::KnobRight, scene.camera, kSize, from, to);
   // Half way in on a sphere is 60 degrees; perspective takes a little off it.
@@ -136,15 +136,15 @@ TEST(CutTool, OffsetComesBack) {
   scene::Scene scene = boxScene();
   scene::Cut cut;
   cut.axis = {0, 0, -2};
-  EXPECT_NEAR(cutPosition(scene, withOffset(scene, cut, 12.5)).offsetMm, 12.5, 1e-9);
-  EXPECT_NEAR(cutPosition(scene, cut).reachMm, 150.0, 1e-9);
+  EXPECT_NEAR(cutPosition(scene, withOffset(scene, cut, 12.5)).offset, 12.5, 1e-9);
+  EXPECT_NEAR(cutPosition(scene, cut).reach, 150.0, 1e-9);
 }
 
 TEST(CutTool, NewCutTakesTheHalfBeforeTheMiddle) {
   scene::Scene scene = boxScene();
   scene::Cut cut = cutFacingCamera(scene);
-  EXPECT_GT(glm::dot(cut.axis, scene.camera.eyeMm - cut.centreMm), 0.0);
-  EXPECT_NEAR(cutPosition(scene, cut).offsetMm, 0.0, 1e-9);
+  EXPECT_GT(glm::dot(cut.axis, scene.camera.eye - cut.centre), 0.0);
+  EXPECT_NEAR(cutPosition(scene, cut).offset, 0.0, 1e-9);
 }
 
 }  // namespace velum::session

@@ -12,12 +12,12 @@ namespace {
 auto moveCut(double y) {
   return [y](scene::Scene& scene) {
     if (scene.cuts.empty()) scene.cuts.emplace_back();
-    scene.cuts[0].centreMm.y = y;
+    scene.cuts[0].centre.y = y;
   };
 }
 
 auto moveEye(double x) {
-  return [x](scene::Scene& scene) { scene.camera.eyeMm.x = x; };
+  return [x](scene::Scene& scene) { scene.camera.eye.x = x; };
 }
 
 }  // namespace
@@ -25,7 +25,7 @@ auto moveEye(double x) {
 TEST(Document, HundredMergedEditsAreOneStep) {
   Document document;
   for (int i = 1; i <= 100; ++i) document.edit("Move cut", moveCut(i), true);
-  EXPECT_EQ(document.scene().cuts[0].centreMm.y, 100.0);
+  EXPECT_EQ(document.scene().cuts[0].centre.y, 100.0);
   document.undo();
   EXPECT_EQ(document.scene(), scene::Scene());
   EXPECT_FALSE(document.canUndo());
@@ -39,11 +39,11 @@ TEST(Document, MergingStopsAtTheEndOfADragAndAtAnotherEdit) {
   document.edit("Preset", [](scene::Scene& scene) { scene.volume.transfer.preset = "ct-bone"; });
   document.edit("Move cut", moveCut(3), true);
   document.undo();
-  EXPECT_EQ(document.scene().cuts[0].centreMm.y, 2.0);
+  EXPECT_EQ(document.scene().cuts[0].centre.y, 2.0);
   EXPECT_EQ(document.undoLabel(), "Preset");
   document.undo();
   document.undo();
-  EXPECT_EQ(document.scene().cuts[0].centreMm.y, 1.0);
+  EXPECT_EQ(document.scene().cuts[0].centre.y, 1.0);
 }
 
 TEST(Document, FailingEditLeavesTheSceneUnchanged) {
@@ -100,17 +100,17 @@ TEST(Document, ViewMovesAreOneStepHoweverManyDrags) {
     document.view(moveEye(i));
     document.endMerge();
   }
-  document.view([](scene::Scene& scene) { scene.slices.crosshairMm.z = 3; });
+  document.view([](scene::Scene& scene) { scene.sections.crosshair.z = 3; });
   EXPECT_EQ(document.undoLabels(), (std::vector<std::string>{"Move view", "Add cut"}));
   document.undo();
   EXPECT_EQ(document.scene().camera, before);
-  EXPECT_EQ(document.scene().slices.crosshairMm.z, 0);
+  EXPECT_EQ(document.scene().sections.crosshair.z, 0);
   EXPECT_EQ(document.scene().cuts.size(), 1u);
   document.undo();
   EXPECT_TRUE(document.scene().cuts.empty());
   document.redo();
   document.redo();
-  EXPECT_EQ(document.scene().camera.eyeMm.x, 50.0);
+  EXPECT_EQ(document.scene().camera.eye.x, 50.0);
 }
 
 TEST(Document, UndoOfAnEditKeepsTheViewBeforeIt) {
@@ -121,13 +121,13 @@ TEST(Document, UndoOfAnEditKeepsTheViewBeforeIt) {
   document.edit("B", moveCut(2));
   EXPECT_EQ(document.undoLabels(), (std::vector<std::string>{"B", "Move view", "A", "Move view"}));
   document.undo();
-  EXPECT_EQ(document.scene().camera.eyeMm.x, 2.0);
-  EXPECT_EQ(document.scene().cuts[0].centreMm.y, 1.0);
+  EXPECT_EQ(document.scene().camera.eye.x, 2.0);
+  EXPECT_EQ(document.scene().cuts[0].centre.y, 1.0);
 }
 
 TEST(Document, AViewThatComesBackLeavesNoStep) {
   Document document;
-  double start = document.scene().camera.eyeMm.x;
+  double start = document.scene().camera.eye.x;
   document.view(moveEye(7));
   document.view(moveEye(start));
   EXPECT_FALSE(document.canUndo());
@@ -143,8 +143,8 @@ TEST(Document, LookingAroundKeepsWhatCanBeRedone) {
   EXPECT_EQ(document.redoLabels(), (std::vector<std::string>{"A", "B"}));
   document.redo();
   document.redo();
-  EXPECT_EQ(document.scene().cuts[0].centreMm.y, 2.0);
-  EXPECT_EQ(document.scene().camera.eyeMm.x, 9.0);
+  EXPECT_EQ(document.scene().cuts[0].centre.y, 2.0);
+  EXPECT_EQ(document.scene().camera.eye.x, 9.0);
   for (int i = 0; i < 3; ++i) document.undo();
   EXPECT_EQ(document.scene(), scene::Scene());
 }
@@ -158,7 +158,7 @@ TEST(Document, AnotherViewReplacesTheOneThatWasTakenBack) {
   document.view(moveEye(5));
   EXPECT_EQ(document.redoLabels(), std::vector<std::string>{"A"});
   document.redo();
-  EXPECT_EQ(document.scene().camera.eyeMm.x, 5.0);
+  EXPECT_EQ(document.scene().camera.eye.x, 5.0);
 }
 
 TEST(Document, OnlyEditsCountAsModified) {
@@ -189,7 +189,7 @@ TEST(Document, WhatWasSavedInTheMiddleOfADragCanBeComeBackTo) {
   EXPECT_TRUE(document.isModified());
   document.undo();
   EXPECT_FALSE(document.isModified());
-  EXPECT_EQ(document.scene().cuts[0].centreMm.y, 1.0);
+  EXPECT_EQ(document.scene().cuts[0].centre.y, 1.0);
 }
 
 TEST(Document, EveryChangeHasAnotherNumber) {

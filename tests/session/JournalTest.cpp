@@ -67,10 +67,10 @@ TEST(Journal, RandomEditsAreRecoveredExactly) {
             document.redo();
             break;
           case 2:
-            document.view([&](scene::Scene& s) { s.camera.eyeMm.x = value; });
+            document.view([&](scene::Scene& s) { s.camera.eye.x = value; });
             break;
           case 3:
-            document.edit("Add cut", [&](scene::Scene& s) { s.cuts.emplace_back().centreMm.y = value; });
+            document.edit("Add cut", [&](scene::Scene& s) { s.cuts.emplace_back().centre.y = value; });
             break;
           default:
             document.edit(

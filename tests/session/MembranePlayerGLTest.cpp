@@ -25,7 +25,7 @@ scene::Scene ballScene() {
   cut.shape = scene::CutShape::Membrane;
   cut.membrane.emplace();
   cut.axis = {0, 0, 1};
-  cut.sizeMm = {40, 40, 24};
+  cut.size = {40, 40, 24};
   cut.membrane->cloth.particles = {20, 20};
   cut.membrane->field.byValue = {{0, 400}, {1000, 400}};
   scene::addCut(scene, cut);
@@ -66,7 +66,7 @@ TEST_F(MembranePlayerGL, ComesToRestAndKeepsWholeWhatThePlaneCuts) {
   ASSERT_TRUE(status.isMeasured);
   EXPECT_GT(status.planePairs, 50);
   EXPECT_LT(status.keptWhole, 0.3);
-  EXPECT_GT(status.meanDistanceMm, 0.1);
+  EXPECT_GT(status.meanDistance, 0.1);
 }
 
 TEST_F(MembranePlayerGL, AtRestThereIsNothingToDo) {
@@ -77,9 +77,9 @@ TEST_F(MembranePlayerGL, AtRestThereIsNothingToDo) {
   int steps = mPlayer.status(1)->steps;
   auto shown = mPlayer.shownCount();
   for (int i = 0; i < 5; ++i) {
-    scene.camera.eyeMm.x += 1.0;  // looking from elsewhere moves no sheet
+    scene.camera.eye.x += 1.0;  // looking from elsewhere moves no sheet
     scene.cuts[0].name += "x";
-    scene.cuts[0].membrane->sliceOpacity *= 0.9;
+    scene.cuts[0].membrane->inlayOpacity *= 0.9;
     mPlayer.follow(scene);
     EXPECT_FALSE(mPlayer.isMoving());
     EXPECT_FALSE(mPlayer.nextWork());
@@ -91,7 +91,7 @@ TEST_F(MembranePlayerGL, AtRestThereIsNothingToDo) {
   EXPECT_EQ(mPlayer.sheets(), sheets);
 }
 
-TEST_F(MembranePlayerGL, WhereItRestsDoesNotDependOnHowLongASliceIs) {
+TEST_F(MembranePlayerGL, WhereItRestsDoesNotDependOnHowLongAPieceOfWorkIs) {
   scene::Scene scene = ballScene();
   mPlayer.follow(scene);
   settle(0.0);
@@ -107,7 +107,7 @@ TEST_F(MembranePlayerGL, APassiveSheetRestsWhereItWouldHaveFromTheStart) {
   mPlayer.follow(scene);
   settle();
   scene::SheetShape before = shapeOf(mPlayer, scene);
-  scene.cuts[0].centreMm.z += 2.0;
+  scene.cuts[0].centre.z += 2.0;
   mPlayer.follow(scene);
   // Until the new forces are there it stays in the world where it was, with its rim on the frame.
   scene::SheetShape between = shapeOf(mPlayer, scene);
@@ -129,12 +129,12 @@ TEST_F(MembranePlayerGL, ASteadyDragSeesTheForcesOfPlacesOnItsWay) {
   Progress progress;
   auto arrived = mPlayer.nextWork();
   EXPECT_FALSE(arrived);
-  scene.cuts[0].centreMm.z += 1.0;
+  scene.cuts[0].centre.z += 1.0;
   mPlayer.follow(scene);
   auto work = mPlayer.nextWork();
   ASSERT_TRUE(work);
   auto finish = work(progress);
-  scene.cuts[0].centreMm.z += 1.0;
+  scene.cuts[0].centre.z += 1.0;
   mPlayer.follow(scene);
   EXPECT_FALSE(mPlayer.wantsCancel());
   EXPECT_FALSE(mPlayer.nextWork()) << "one at a time";
@@ -222,7 +222,7 @@ TEST_F(MembranePlayerGL, AnActiveSheetStaysBehindOnWhatHoldsIt) {
   scene = old;
   mPlayer.follow(scene);
   for (int i = 0; i < 4; ++i) {
-    scene.cuts[0].centreMm.z += 1.0;
+    scene.cuts[0].centre.z += 1.0;
     mPlayer.follow(scene);
     settle();
     for (auto& rest : mPlayer.takeRests()) scene.cuts[0].membrane->shape = rest.shape;
@@ -264,7 +264,7 @@ TEST_F(MembranePlayerGL, WhatTheDriverLosesIsMadeAgain) {
   EXPECT_TRUE(mPlayer.isSettled());
   EXPECT_EQ(mPlayer.sheets()[1].sheet->shape(), before);
   // In the middle of the way it goes on from there.
-  scene.cuts[0].centreMm.z += 1.0;
+  scene.cuts[0].centre.z += 1.0;
   mPlayer.follow(scene);
   work();
   mPlayer.advance(1.0);
@@ -277,7 +277,7 @@ TEST_F(MembranePlayerGL, SheetsAreOfTheEnabledMembranesByTheIdsOfTheirCuts) {
   scene::Scene scene = ballScene();
   scene::Cut plane, flat = scene.cuts[0];
   flat.membrane->field = {};
-  flat.sizeMm.x = 30;
+  flat.size.x = 30;
   scene.cuts = {plane, flat, scene.cuts[0]};
   for (int i = 0; i < 3; ++i) scene.cuts[std::size_t(i)].id = 10 * (i + 1);
   mPlayer.follow(scene);
@@ -285,7 +285,7 @@ TEST_F(MembranePlayerGL, SheetsAreOfTheEnabledMembranesByTheIdsOfTheirCuts) {
   EXPECT_FALSE(mPlayer.status(10));
   auto sheets = mPlayer.sheets();
   ASSERT_EQ(sheets.size(), 2u);
-  EXPECT_EQ(sheets.at(20).sheet->sizeMm().x, 30.0);
+  EXPECT_EQ(sheets.at(20).sheet->size().x, 30.0);
   int steps = mPlayer.status(30)->steps;
   std::swap(scene.cuts[1], scene.cuts[2]);
   mPlayer.follow(scene);
@@ -295,7 +295,7 @@ TEST_F(MembranePlayerGL, SheetsAreOfTheEnabledMembranesByTheIdsOfTheirCuts) {
   mPlayer.follow(scene);
   EXPECT_EQ(mPlayer.sheets().size(), 1u);
   scene.cuts[1].enabled = true;
-  scene.cuts[1].centreMm.z += 1.0;
+  scene.cuts[1].centre.z += 1.0;
   scene.cuts.erase(scene.cuts.begin());
   mPlayer.follow(scene);
   EXPECT_FALSE(mPlayer.status(10));

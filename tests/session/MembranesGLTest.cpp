@@ -21,10 +21,10 @@ class MembranesGL : public GlTest {
   static scene::Scene phantom(std::string_view name, int size, double low, glm::dvec3 axis = {0, 0, 1}) {
     scene::Scene scene;
     scene.volume.data = Shared<Volume>(io::makeSample(name, size, sProgress).volume);
-    scene.camera.targetMm = centreMm(*scene.volume.data);
-    scene.camera.eyeMm = scene.camera.targetMm + axis * 1000.0;
+    scene.camera.target = centreOf(*scene.volume.data);
+    scene.camera.eye = scene.camera.target + axis * 1000.0;
     scene.cuts = {makeCut(scene, scene::CutShape::Membrane)};
-    scene.cuts[0].centreMm = centreMm(*scene.volume.data);
+    scene.cuts[0].centre = centreOf(*scene.volume.data);
     protectValues(*scene.cuts[0].membrane, low, 4000);
     return scene;
   }
@@ -41,7 +41,7 @@ TEST_F(MembranesGL, TwoSpheresStayWholeByEitherRule) {
     EXPECT_GT(reports[0].kernels, 100u);
     EXPECT_GT(reports[0].kept->cutAreaPlane, 500) << enumName(rule);
     EXPECT_EQ(reports[0].kept->cutAreaMembrane, 0) << enumName(rule);
-    EXPECT_GT(reports[0].kept->meanDistanceMm, 0.1);
+    EXPECT_GT(reports[0].kept->meanDistance, 0.1);
   }
 }
 
@@ -53,7 +53,7 @@ TEST_F(MembranesGL, VesselsAreCutHardlyMoreThanTheyMustBe) {
     EXPECT_LT(report.kept->ratio, 0.9);
     EXPECT_LE(report.kept->ratio, 1.25 * report.limit->figure.ratio + 0.02);
     EXPECT_GE(report.kept->ratio, report.limit->figure.ratio - 1e-9) << "better than the limit";
-    EXPECT_LE(report.kept->meanDistanceMm, 1.6 * report.limit->figure.meanDistanceMm + 0.2);
+    EXPECT_LE(report.kept->meanDistance, 1.6 * report.limit->figure.meanDistance + 0.2);
   }
 }
 
@@ -88,11 +88,11 @@ TEST_F(MembranesGL, AnActiveSheetStaysOnTheSideOfWhatHoldsIt) {
   for (auto repositioning : {scene::Repositioning::Passive, scene::Repositioning::Active}) {
     scene::Scene scene = phantom("two-spheres", 96, 500);
     auto& cut = scene.cuts[0];
-    cut.sizeMm.z = 80;
+    cut.size.z = 80;
     cut.membrane->repositioning = repositioning;
-    cut.centreMm.z += 46;
+    cut.centre.z += 46;
     settleMembranes(scene, {}, sProgress);
-    cut.centreMm.z -= 38;
+    cut.centre.z -= 38;
     settleMembranes(scene, {}, sProgress);
     auto i = std::size_t(repositioning);
     lowest[i] = highest[i] = 0;
@@ -126,15 +126,15 @@ scene::Scene ballScene(Volume volume, scene::KernelRule rule) {
   scene::Cut cut;
   cut.shape = scene::CutShape::Membrane;
   cut.membrane.emplace();
-  cut.sizeMm = {80, 80, 40};
-  cut.centreMm = {0.13, -0.21, 0.17};  // no middle of a voxel lies between two columns
+  cut.size = {80, 80, 40};
+  cut.centre = {0.13, -0.21, 0.17};  // no middle of a voxel lies between two columns
   protectValues(*cut.membrane, 500, 2000);
   setRule(*cut.membrane, rule);
   scene.cuts = {cut};
   return scene;
 }
 
-/// Between two sheets in the same frame, over the places where the first is off its slice by more than half a mm.
+/// Between two sheets in the same frame, over the places where the first is off its section by more than half a mm.
 double meanGapMm(const membrane::SheetIndex& a, const membrane::SheetIndex& b) {
   constexpr double kStep = 0.25;
   double between = 0, columns = 0;
@@ -167,17 +167,17 @@ TEST_F(MembranesGL, AnotherGridOfVoxelsGivesTheSameShapeInTheWorld) {
   for (auto rule : {scene::KernelRule::Sided, scene::KernelRule::Paper}) {
     scene::Scene plain = ballScene(ballsOn({80, 80, 80}, glm::dvec3(1.0), 0), rule);
     settleMembranes(plain, {}, sProgress);
-    auto wanted = membrane::makeSheetIndex(plain.cuts[0].membrane->shape, glm::ivec2(2), plain.cuts[0].sizeMm);
+    auto wanted = membrane::makeSheetIndex(plain.cuts[0].membrane->shape, glm::ivec2(2), plain.cuts[0].size);
     for (const Grid& grid : kGrids) {
       scene::Scene other = ballScene(ballsOn(grid.dims, grid.spacing, grid.turnRad), rule);
       auto report = settleMembranes(other, {true, false}, sProgress).at(0);
       EXPECT_LT(report.kept->ratio, 0.05) << grid.name;
-      auto index = membrane::makeSheetIndex(other.cuts[0].membrane->shape, glm::ivec2(2), other.cuts[0].sizeMm);
+      auto index = membrane::makeSheetIndex(other.cuts[0].membrane->shape, glm::ivec2(2), other.cuts[0].size);
       double gapMm = meanGapMm(wanted, index);
-      double voxelMm = std::max({grid.spacing.x, grid.spacing.y, grid.spacing.z});
+      double voxel = std::max({grid.spacing.x, grid.spacing.y, grid.spacing.z});
       std::printf("%s, %s: %.2f mm\n", std::string(enumName(rule)).c_str(), grid.name, gapMm);
       // The paper's kernels reach as far as their voxels are long, and push the sheet so far away.
-      EXPECT_LT(gapMm, (rule == scene::KernelRule::Sided ? 0.5 : 1.0) * voxelMm) << enumName(rule) << ", " << grid.name;
+      EXPECT_LT(gapMm, (rule == scene::KernelRule::Sided ? 0.5 : 1.0) * voxel) << enumName(rule) << ", " << grid.name;
     }
   }
 }
@@ -190,7 +190,7 @@ TEST_F(MembranesGL, TurnedTogetherWithItsDataItIsTheSameSheet) {
     turned.worldFromVoxel = turn * turned.worldFromVoxel;
     b.volume.data = Shared<Volume>(std::move(turned));
     setCutFrame(b.cuts[0], glm::dmat3(turn) * cutFrame(a.cuts[0]));
-    b.cuts[0].centreMm = glm::dvec3(turn * glm::dvec4(a.cuts[0].centreMm, 1.0));
+    b.cuts[0].centre = glm::dvec3(turn * glm::dvec4(a.cuts[0].centre, 1.0));
     settleMembranes(a, {}, sProgress);
     settleMembranes(b, {}, sProgress);
     const auto &first = a.cuts[0].membrane->shape, &second = b.cuts[0].membrane->shape;
@@ -212,11 +212,11 @@ TEST_F(MembranesGL, ASheetAsASurfaceLiesWhereTheCutIs) {
   Mesh mesh = sheetMesh(cut);
   EXPECT_EQ(mesh.indices.size() / 6,
             std::size_t(cut.membrane->shape.particles.x - 1) * std::size_t(cut.membrane->shape.particles.y - 1));
-  membrane::SheetIndex index = membrane::makeSheetIndex(cut.membrane->shape, glm::ivec2(2), cut.sizeMm);
+  membrane::SheetIndex index = membrane::makeSheetIndex(cut.membrane->shape, glm::ivec2(2), cut.size);
   glm::dmat4 localFromWorld = glm::inverse(scene::worldFromCut(cut));
   for (std::size_t i = 0; i < mesh.positions.size(); i += 7) {
     glm::vec3 local(localFromWorld * glm::dvec4(glm::dvec3(mesh.positions[i]), 1.0));
-    if (std::abs(local.x) > 0.98 * cut.sizeMm.x / 2 || std::abs(local.y) > 0.98 * cut.sizeMm.y / 2) continue;
+    if (std::abs(local.x) > 0.98 * cut.size.x / 2 || std::abs(local.y) > 0.98 * cut.size.y / 2) continue;
     EXPECT_TRUE(membrane::isAbove(index, local + glm::vec3(0, 0, 0.01f)));
     EXPECT_FALSE(membrane::isAbove(index, local - glm::vec3(0, 0, 0.01f)));
   }
@@ -236,7 +236,7 @@ TEST_F(MembranesGL, AClippedVolumeIsEmptyWhereTheCutRemoves) {
   const Volume& volume = *scene.volume.data;
   Volume clipped = clippedVolume(scene, sProgress);
   membrane::SheetIndex index =
-      membrane::makeSheetIndex(scene.cuts[0].membrane->shape, glm::ivec2(2), scene.cuts[0].sizeMm);
+      membrane::makeSheetIndex(scene.cuts[0].membrane->shape, glm::ivec2(2), scene.cuts[0].size);
   glm::dmat4 localFromVoxel = glm::inverse(scene::worldFromCut(scene.cuts[0])) * volume.worldFromVoxel;
   int removed = 0, wrong = 0;
   for (int z = 0; z < volume.dims.z; z += 3)

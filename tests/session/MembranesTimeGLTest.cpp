@@ -29,9 +29,9 @@ class MembranesTimeGL : public GlTest {
     cut.id = 1;
     cut.shape = scene::CutShape::Membrane;
     cut.membrane.emplace();
-    cut.centreMm = {5, -30, -15};
+    cut.centre = {5, -30, -15};
     cut.axis = {0, -1, 0};
-    cut.sizeMm = {165, 140, 80};
+    cut.size = {165, 140, 80};
     cut.membrane->repositioning = repositioning;
     protectValues(*cut.membrane, 200, 600);
     scene.cuts = {cut};
@@ -46,7 +46,7 @@ class MembranesTimeGL : public GlTest {
     scene::Scene scene = heart(repositioning);
     Beat beat;
     for (int step = 0; step <= kSteps; ++step) {
-      scene.volume.frame = step % kSteps;
+      scene.volume.timeStep = step % kSteps;
       auto reports = settleMembranes(scene, {true, false}, sProgress);
       beat.ratios.push_back(reports.at(0).kept->ratio);
       beat.shapes.push_back(scene.cuts[0].membrane->shape);
@@ -85,7 +85,7 @@ TEST_F(MembranesTimeGL, ASheetThatFollowsABeatCutsLittleInEachOfItsSteps) {
   EXPECT_LT(distance(active.shapes.front(), active.shapes.back()), 0.25 * activeWay) << "the beat goes round";
 }
 
-/// A ball that rises through the slice, a layer and a half from one time step to the next.
+/// A ball that rises through the section, a layer and a half from one time step to the next.
 scene::Scene risingBall(scene::Repositioning repositioning) {
   constexpr int kFrames = 7;
   glm::ivec3 dims(40, 40, 40);
@@ -103,7 +103,7 @@ scene::Scene risingBall(scene::Repositioning repositioning) {
     else
       volume.voxels.insert(volume.voxels.end(), step.voxels.begin(), step.voxels.end());
   }
-  volume.frames = kFrames;
+  volume.timeSteps = kFrames;
   scene::Scene scene;
   scene.volume.data = Shared<Volume>(std::move(volume));
   scene::Cut cut;
@@ -111,7 +111,7 @@ scene::Scene risingBall(scene::Repositioning repositioning) {
   cut.shape = scene::CutShape::Membrane;
   cut.membrane.emplace();
   cut.axis = {0, 0, 1};
-  cut.sizeMm = {38, 38, 34};
+  cut.size = {38, 38, 34};
   cut.membrane->cloth.particles = {30, 30};
   cut.membrane->repositioning = repositioning;
   cut.membrane->field.byValue = {{500, 400}, {1000, 400}};
@@ -124,8 +124,8 @@ TEST_F(MembranesTimeGL, AnActiveSheetStaysOnItsSideOfWhatRises) {
   for (auto repositioning : {scene::Repositioning::Passive, scene::Repositioning::Active}) {
     scene::Scene scene = risingBall(repositioning);
     double middle = 0;
-    for (int step = 0; step < scene.volume.data->frames; ++step) {
-      scene.volume.frame = step;
+    for (int step = 0; step < scene.volume.data->timeSteps; ++step) {
+      scene.volume.timeStep = step;
       auto report = settleMembranes(scene, {true, false}, sProgress).at(0);
       EXPECT_EQ(report.kept->cutAreaMembrane, 0) << enumName(repositioning) << " at step " << step;
       middle = membrane::heightOf(scene.cuts[0].membrane->shape)({0, 0});
@@ -140,7 +140,7 @@ TEST_F(MembranesTimeGL, WindowsFollowAsPicturesDo) {
     scene::Scene picture = risingBall(repositioning), window = picture;
     MembranePlayer player;
     for (int step = 0; step < 4; ++step) {
-      picture.volume.frame = window.volume.frame = step;
+      picture.volume.timeStep = window.volume.timeStep = step;
       settleMembranes(picture, {}, sProgress);
       player.follow(window);
       EXPECT_TRUE(player.isOnItsWay());
@@ -151,7 +151,7 @@ TEST_F(MembranesTimeGL, WindowsFollowAsPicturesDo) {
       for (const auto& rest : player.takeRests()) scene::findCut(window, rest.cut)->membrane->shape = rest.shape;
       // A window fits what it keeps to the frame's rim, as drawing does; what is left is rounding.
       const scene::Cut& cut = picture.cuts[0];
-      scene::SheetShape a = membrane::fitShape(cut.membrane->shape, cut.membrane->cloth.particles, cut.sizeMm);
+      scene::SheetShape a = membrane::fitShape(cut.membrane->shape, cut.membrane->cloth.particles, cut.size);
       scene::SheetShape b = player.withShapes(window).cuts[0].membrane->shape;
       ASSERT_EQ(a.places.size(), b.places.size());
       float most = 0;
@@ -165,11 +165,11 @@ TEST_F(MembranesTimeGL, WindowsFollowAsPicturesDo) {
 TEST_F(MembranesTimeGL, ASavedSheetGoesOnFromItsTimeStep) {
   scene::Scene scene = risingBall(scene::Repositioning::Active);
   settleMembranes(scene, {}, sProgress);
-  scene.volume.frame = 1;
+  scene.volume.timeStep = 1;
   MembranePlayer player;
   player.follow(scene);
   EXPECT_TRUE(player.isOnItsWay()) << "the shape is of another step";
-  scene.volume.frame = 0;
+  scene.volume.timeStep = 0;
   MembranePlayer same;
   same.follow(scene);
   EXPECT_FALSE(same.isOnItsWay()) << "it rests where it was saved";

@@ -1,4 +1,4 @@
-// The illustrative slice as a picture with layers: put together again they are the picture.
+// The illustrative section as a picture with layers: put together again they are the picture.
 #include "GlFixture.h"
 #include "TempFolder.h"
 #include "velum/core/Mesh.h"
@@ -20,25 +20,25 @@ class PictureLayersGL : public GlTest {
   static void SetUpTestSuite() {
     context().makeCurrent();
     sRenderer = new render::Renderer(context());
-    sScene = new scene::Scene(makeSlicedVessels());
+    sScene = new scene::Scene(makeInlaidVessels());
   }
   static void TearDownTestSuite() {
     context().makeCurrent();
     delete sRenderer;
     delete sScene;
   }
-  /// Vessels beside a slice across z, seen obliquely, the sheet at rest.
-  static scene::Scene makeSlicedVessels() {
+  /// Vessels beside a section across z, seen obliquely, the sheet at rest.
+  static scene::Scene makeInlaidVessels() {
     scene::Scene scene;
     scene.volume.data = Shared<Volume>(io::makeSample("vessels", 48, sProgress).volume);
     scene::applyPreset(scene, scene::choosePreset(*scene.volume.data));
     scene.camera = scene::frameCamera(scene, scene::StandardView::Superior, 1.0);
     scene.cuts = {makeCut(scene, scene::CutShape::Membrane)};
-    scene.cuts[0].centreMm = centreMm(*scene.volume.data);
+    scene.cuts[0].centre = centreOf(*scene.volume.data);
     auto& membrane = *scene.cuts[0].membrane;
     protectValues(membrane, 700, 4000);
-    membrane.use = scene::MembraneUse::Slice;
-    membrane.sliceOpacity = 0.6;
+    membrane.use = scene::MembraneUse::Inlay;
+    membrane.inlayOpacity = 0.6;
     scene.camera = scene::frameCamera(scene, scene::StandardView::Oblique, 1.0);
     settleMembranes(scene, {}, sProgress);
     return scene;
@@ -56,13 +56,13 @@ class PictureLayersGL : public GlTest {
     return {at[column(image, layer + "R")] * a, at[column(image, layer + "G")] * a, at[column(image, layer + "B")] * a,
             a};
   }
-  /// Largest difference between the picture and front over slice over behind.
+  /// Largest difference between the picture and front over section over behind.
   static float differenceFromLayers(const Image& image) {
     float largest = 0;
     for (std::size_t i = 0; i < std::size_t(image.width) * std::size_t(image.height); ++i) {
-      glm::vec4 front = colorAt(image, i, "front."), slice = colorAt(image, i, "slice."),
+      glm::vec4 front = colorAt(image, i, "front."), section = colorAt(image, i, "section."),
                 behind = colorAt(image, i, "behind.");
-      glm::vec4 together = front + (1.0f - front.a) * (slice + (1.0f - slice.a) * behind);
+      glm::vec4 together = front + (1.0f - front.a) * (section + (1.0f - section.a) * behind);
       glm::vec4 away = glm::abs(together - colorAt(image, i, ""));
       largest = std::max({largest, away.r, away.g, away.b, away.a});
     }
@@ -79,10 +79,10 @@ class PictureLayersGL : public GlTest {
   inline static scene::Scene* sScene = nullptr;
 };
 
-TEST_F(PictureLayersGL, FrontOverSliceOverBehindIsThePicture) {
+TEST_F(PictureLayersGL, FrontOverInlayOverBehindIsThePicture) {
   scene::Scene scene = *sScene;
   Image image = draw(scene);
-  for (const char* layer : {"front.", "slice.", "behind."}) {
+  for (const char* layer : {"front.", "section.", "behind."}) {
     ASSERT_LT(column(image, std::string(layer) + "A"), image.channels.size()) << layer;
     EXPECT_GT(coverOf(image, layer), 20.0) << layer;
   }
@@ -94,7 +94,7 @@ TEST_F(PictureLayersGL, SheetsAndSurfacesHaveTheirPlaceInThem) {
   scene::Scene scene = *sScene;
   scene.cuts[0].membrane->look = scene::SheetLook::Surface;
   Mesh mesh;
-  glm::vec3 middle(scene.cuts[0].centreMm);
+  glm::vec3 middle(scene.cuts[0].centre);
   mesh.positions = {middle + glm::vec3(-9, -9, -9), middle + glm::vec3(9, -9, -9), middle + glm::vec3(0, 9, 9)};
   mesh.normals.assign(3, glm::vec3(0, 0, 1));
   mesh.indices = {0, 1, 2};
@@ -102,15 +102,15 @@ TEST_F(PictureLayersGL, SheetsAndSurfacesHaveTheirPlaceInThem) {
   EXPECT_LT(differenceFromLayers(draw(scene)), 2.5f / 255.0f);
 }
 
-TEST_F(PictureLayersGL, WithoutASliceThereAreNone) {
+TEST_F(PictureLayersGL, WithoutAnInlayThereAreNone) {
   scene::Scene scene = *sScene;
   scene.cuts[0].membrane->use = scene::MembraneUse::Clip;
   Image image = draw(scene);
-  EXPECT_EQ(column(image, "slice.R"), image.channels.size());
-  scene.cuts[0].membrane->use = scene::MembraneUse::Slice;
+  EXPECT_EQ(column(image, "section.R"), image.channels.size());
+  scene.cuts[0].membrane->use = scene::MembraneUse::Inlay;
   scene.rayCast.mode = scene::RenderMode::Mip;
   image = draw(scene);
-  EXPECT_EQ(column(image, "slice.R"), image.channels.size());
+  EXPECT_EQ(column(image, "section.R"), image.channels.size());
 }
 
 TEST_F(PictureLayersGL, AnExrHoldsThemAsItHoldsThePicture) {
@@ -119,7 +119,7 @@ TEST_F(PictureLayersGL, AnExrHoldsThemAsItHoldsThePicture) {
   io::writeImage(image, folder / "x.exr");
   Image back = io::readImage(folder / "x.exr");
   EXPECT_LT(differenceFromLayers(back), 3.0f / 255.0f);
-  EXPECT_NEAR(coverOf(back, "slice."), coverOf(image, "slice."), 1.0);
+  EXPECT_NEAR(coverOf(back, "section."), coverOf(image, "section."), 1.0);
 }
 
 }  // namespace

@@ -78,7 +78,7 @@ TEST_F(SessionGL, SettledItsSheetsAreThoseOfAPicture) {
   settleMembranes(scene, {}, mProgress);
   // Put into the particles that a picture draws, as the session's are.
   const scene::Cut& cut = scene.cuts[0];
-  auto fitted = membrane::fitShape(cut.membrane->shape, cut.membrane->cloth.particles, cut.sizeMm);
+  auto fitted = membrane::fitShape(cut.membrane->shape, cut.membrane->cloth.particles, cut.size);
   EXPECT_TRUE(sheet().places == fitted.places);
 }
 

@@ -17,7 +17,7 @@ scene::Scene emptyScene(scene::KernelRule rule) {
   cut.shape = scene::CutShape::Membrane;
   cut.membrane.emplace();
   cut.axis = {0, 0, 1};
-  cut.sizeMm = {48, 48, 24};
+  cut.size = {48, 48, 24};
   setRule(*cut.membrane, rule);
   if (rule == scene::KernelRule::Paper) cut.membrane->cloth.particles = {24, 24};  // comes to rest sooner
   scene.cuts = {cut};
@@ -33,12 +33,12 @@ class SheetHandsGL : public GlTest {
     return membrane::heightOf(scene.cuts[0].membrane->shape);
   }
   /// How far the nearest of the sheet's particles is from a place.
-  static double distanceToParticle(scene::Scene scene, glm::dvec3 placeMm) {
+  static double distanceToParticle(scene::Scene scene, glm::dvec3 place) {
     Progress progress;
     settleMembranes(scene, {}, progress);
     double nearest = 1e30;
     for (glm::vec3 p : scene.cuts[0].membrane->shape.places)
-      nearest = std::min(nearest, glm::length(glm::dvec3(p) - placeMm));
+      nearest = std::min(nearest, glm::length(glm::dvec3(p) - place));
     return nearest;
   }
 };

@@ -143,7 +143,7 @@ TEST(ShowThis, OfMixedChannelsTheCurrentOneChanges) {
   v.dims = {8, 8, 8};
   v.type = SampleType::UInt8;
   v.channels = 2;
-  v.voxels.resize(frameBytes(v));
+  v.voxels.resize(timeStepBytes(v));
   for (std::size_t i = 0; i < v.voxels.size(); ++i) v.voxels[i] = std::byte(i % 2 ? 200 : 40);
   computeRange(v);
   scene::Scene scene;
@@ -181,7 +181,7 @@ TEST(ReduceVolume, KeepsPlaceMeanAndRange) {
   glm::dvec3 world(small.worldFromVoxel * glm::dvec4(glm::dvec3(p), 1.0));
   glm::dvec3 voxel(glm::inverse(v.worldFromVoxel) * glm::dvec4(world, 1.0));
   EXPECT_NEAR(valueAt(small, p), 3.0 * voxel.x + voxel.y + 500, 0.3);
-  EXPECT_LT(glm::length(centreMm(small) - centreMm(v)), 3.5);  // of whole blocks at the far ends
+  EXPECT_LT(glm::length(centreOf(small) - centreOf(v)), 3.5);  // of whole blocks at the far ends
 }
 
 TEST(ReduceVolume, TakesOneChannelOfOneTimeStepAndCanBeStopped) {
@@ -189,8 +189,8 @@ TEST(ReduceVolume, TakesOneChannelOfOneTimeStepAndCanBeStopped) {
   v.dims = {4, 4, 4};
   v.type = SampleType::UInt8;
   v.channels = 2;
-  v.frames = 2;
-  v.voxels.resize(frameBytes(v) * 2);
+  v.timeSteps = 2;
+  v.voxels.resize(timeStepBytes(v) * 2);
   for (std::size_t i = 0; i < v.voxels.size(); ++i) v.voxels[i] = std::byte(10 * (i % 2) + (i >= 128 ? 100 : 0));
   computeRange(v);
   Progress progress;

@@ -85,9 +85,9 @@ Histogram loopHistogram(const scene::VolumeLayer& layer, const std::vector<scene
         glm::dvec3 world(v.worldFromVoxel * glm::dvec4(p, 1.0));
         bool isUnder = false;
         for (const auto& stroke : strokes)
-          for (std::size_t i = 0; stroke.avoid == avoid && i < stroke.pathMm.size(); ++i)
-            isUnder = isUnder || toSegment(world, stroke.pathMm[i ? i - 1 : 0], stroke.pathMm[i]) <= stroke.radiusMm;
-        double value = valueAt(v, p, layer.channel, layer.frame);
+          for (std::size_t i = 0; stroke.avoid == avoid && i < stroke.path.size(); ++i)
+            isUnder = isUnder || toSegment(world, stroke.path[i ? i - 1 : 0], stroke.path[i]) <= stroke.radius;
+        double value = valueAt(v, p, layer.channel, layer.timeStep);
         if (!isUnder || !std::isfinite(value)) continue;
         double share = (value - like.range.x) / (like.range.y - like.range.x);
         int bin = std::min(int(share * double(out.counts.size())), int(out.counts.size()) - 1);
@@ -197,10 +197,10 @@ TEST(Sketch, ACurveEditedByHandStaysUntilAStrokeChanges) {
   setStrokes(field, field.strokes, layer, whole);
   EXPECT_EQ(field, edited);
   auto strokes = field.strokes;
-  strokes[0].radiusMm = 2.7;
+  strokes[0].radius = 2.7;
   setStrokes(field, strokes, layer, whole);
   EXPECT_NE(field.byValue, edited.byValue);
-  strokes[0].radiusMm = 2.6;
+  strokes[0].radius = 2.6;
   setStrokes(field, strokes, layer, whole);
   EXPECT_EQ(field.byValue, fitted) << "the fit depends on the strokes alone";
 }

@@ -99,7 +99,7 @@ TEST(Structures, ACloseUpShowsAllOfTheBall) {
   for (auto projection : {scene::Projection::Perspective, scene::Projection::Orthographic}) {
     scene::Camera camera;
     camera.projection = projection;
-    camera.eyeMm = {100, -300, 50};
+    camera.eye = {100, -300, 50};
     glm::dvec3 middle(7, 8, 9);
     for (glm::dvec2 size : {glm::dvec2(800, 600), glm::dvec2(300, 900)}) {
       scene::Camera near = closeUp(camera, middle, 20.0, size.x / size.y);

@@ -18,7 +18,7 @@ inline bool writeDicomSeries(const Volume& volume, const std::filesystem::path& 
   gdcm::Trace::WarningOff();  // about the new image itself
   gdcm::UIDGenerator uids;
   std::string series = uids.Generate();
-  glm::dvec3 mm = spacingMm(volume);
+  glm::dvec3 mm = spacingOf(volume);
   std::size_t plane = std::size_t(volume.dims.x) * std::size_t(volume.dims.y) * 2;
   bool written = true;
   for (int z = 0; z < volume.dims.z; ++z) {
@@ -53,7 +53,7 @@ inline bool writeDicomSeries(const Volume& volume, const std::filesystem::path& 
     put(gdcm::Tag(0x0008, 0x0018), gdcm::VR::UI, uids.Generate());
     put(gdcm::Tag(0x0008, 0x0060), gdcm::VR::CS, "CT");
     put(gdcm::Tag(0x0020, 0x000e), gdcm::VR::UI, series);
-    writer.SetFileName((folder / ("slice" + std::to_string(1000 + z) + ".dcm")).c_str());
+    writer.SetFileName((folder / ("section" + std::to_string(1000 + z) + ".dcm")).c_str());
     written = writer.Write() && written;
   }
   return written;

@@ -6,7 +6,7 @@
 
 #include "GlFixture.h"
 #include "makeVolume.h"
-#include "velum/render/Renderer.h"
+#include "velum/render/RenderPicture.h"
 
 namespace velum {
 
@@ -19,15 +19,15 @@ struct TestRay {
 /// The ray through a pixel, from what Camera.h says; pixel middles at .5. Written anew, in doubles, to check the
 /// shaders.
 inline TestRay rayThrough(const scene::Camera& camera, glm::ivec2 size, glm::dvec2 pixel) {
-  glm::dvec3 forward = glm::normalize(camera.targetMm - camera.eyeMm);
+  glm::dvec3 forward = glm::normalize(camera.target - camera.eye);
   glm::dvec3 right = glm::normalize(glm::cross(forward, camera.up));
   glm::dvec3 up = glm::cross(right, forward);
   bool parallel = camera.projection == scene::Projection::Orthographic;
-  double tall = parallel ? camera.heightMm * 0.5 : std::tan(glm::radians(camera.fieldOfViewDeg) * 0.5);
+  double tall = parallel ? camera.height * 0.5 : std::tan(glm::radians(camera.fieldOfViewDeg) * 0.5);
   double wide = tall * size.x / size.y;
   glm::dvec3 across = (2.0 * pixel.x / size.x - 1.0) * wide * right + (1.0 - 2.0 * pixel.y / size.y) * tall * up;
-  if (parallel) return {camera.targetMm + across - 1000.0 * forward, forward};
-  return {camera.eyeMm, glm::normalize(forward + across)};
+  if (parallel) return {camera.target + across - 1000.0 * forward, forward};
+  return {camera.eye, glm::normalize(forward + across)};
 }
 
 /// The stretch of a ray inside the box of all voxels, from the eye on; x > y when it misses.
@@ -122,10 +122,10 @@ class RenderTest : public GlTest {
   static void makeSolid(scene::Scene& scene, glm::vec3 color = {0.9f, 0.6f, 0.3f}) {
     scene.volume.transfer.colors = {{0, color}};
     scene.volume.transfer.opacities = {{0, 0.999}, {1, 0.999}};
-    scene.volume.transfer.unitDistanceMm = 0.02;
+    scene.volume.transfer.unitDistance = 0.02;
   }
   static void lookAlong(scene::Scene& scene, glm::dvec3 toEye, double distance = 200.0) {
-    scene.camera.eyeMm = scene.camera.targetMm + glm::normalize(toEye) * distance;
+    scene.camera.eye = scene.camera.target + glm::normalize(toEye) * distance;
     scene.camera.up = std::abs(glm::normalize(toEye).z) > 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, 1);
   }
   static render::Frame frameOf(const scene::Scene& scene, glm::ivec2 size) {

@@ -30,7 +30,7 @@ Volume makeVolume(glm::ivec3 dims, SampleType type, ValueOf valueOf, const glm::
   v.scale = scale;
   v.offset = offset;
   v.worldFromVoxel = worldFromVoxel;
-  v.voxels.resize(frameBytes(v));
+  v.voxels.resize(timeStepBytes(v));
   visitSamples(v, [&](auto* samples) {
     using T = std::remove_const_t<std::remove_pointer_t<decltype(samples)>>;
     auto* out = const_cast<T*>(samples);

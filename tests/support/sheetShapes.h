@@ -12,9 +12,9 @@ namespace velum {
 
 /// A sheet whose particles are at `placeOf(glm::vec2 across)`, across -1..1 over the frame; the rim is the frame's.
 template <class PlaceOf>
-scene::SheetShape makeSheet(glm::ivec2 particles, glm::dvec3 sizeMm, PlaceOf placeOf) {
+scene::SheetShape makeSheet(glm::ivec2 particles, glm::dvec3 size, PlaceOf placeOf) {
   scene::SheetShape shape{particles, {}};
-  glm::vec3 half(sizeMm * 0.5);
+  glm::vec3 half(size * 0.5);
   for (int y = 0; y < particles.y; ++y)
     for (int x = 0; x < particles.x; ++x) {
       glm::vec2 across(2.0f * float(x) / float(particles.x - 1) - 1.0f,

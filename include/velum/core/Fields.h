@@ -14,6 +14,9 @@ struct Range {
   double max = std::numeric_limits<double>::infinity();
 };
 
+/// `FieldInfo::unit` of lengths: they are in the unit of their scene.
+inline constexpr std::string_view kLength = "length";
+
 /// What one saved field means. Every saved struct lists its fields once, in
 /// `static void fields(auto& object, auto& visit)`, and calls `visit(name, member, FieldInfo)`; JSON, the schema,
 /// `--set path=value`, the change log and the table of fields in the documents are made from that list.

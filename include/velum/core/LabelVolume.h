@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "velum/core/Shared.h"
+#include "velum/core/Units.h"
 
 namespace velum {
 
@@ -30,7 +31,7 @@ class LabelVolume {
 
   LabelVolume() = default;
   /// All zero. @throw ArgumentError when a dimension is < 1
-  LabelVolume(glm::ivec3 dims, const glm::dmat4& worldFromVoxel);
+  LabelVolume(glm::ivec3 dims, const glm::dmat4& worldFromVoxel, LengthUnit unit = LengthUnit::Millimetre);
 
   glm::ivec3 dims() const { return mDims; }
   const glm::dmat4& worldFromVoxel() const { return mWorldFromVoxel; }
@@ -56,10 +57,15 @@ class LabelVolume {
   std::string name;
   std::vector<std::string> warnings;
 
+  LengthUnit lengthUnit() const { return mLengthUnit; }
+  /// The same labels with their world in another unit.
+  void setLengthUnit(LengthUnit unit);
+
  private:
   std::size_t brickIndex(glm::ivec3 index) const;
   glm::ivec3 mDims{0}, mBrickGrid{0};
   glm::dmat4 mWorldFromVoxel{1.0};
+  LengthUnit mLengthUnit = LengthUnit::Millimetre;
   std::vector<Shared<Brick>> mBricks;
 };
 

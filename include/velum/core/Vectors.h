@@ -20,4 +20,10 @@ inline double distanceToSegment(glm::dvec2 p, glm::dvec2 a, glm::dvec2 b) {
   return glm::length(p - a - ab * t);
 }
 
+/// The edges of a box as a solid has them: none under a hundred-millionth of the longest; 1 where all are 0.
+inline glm::dvec3 solidEdges(glm::dvec3 edges) {
+  double longest = std::max(edges.x, std::max(edges.y, edges.z));
+  return glm::max(edges, glm::dvec3(longest > 0.0 ? 1e-8 * longest : 1.0));
+}
+
 }  // namespace velum

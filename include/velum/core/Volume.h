@@ -10,6 +10,7 @@
 
 #include "velum/core/Fields.h"
 #include "velum/core/Shared.h"
+#include "velum/core/Units.h"
 
 namespace velum {
 
@@ -51,45 +52,50 @@ using Bytes = std::vector<std::byte, UnsetAllocator<std::byte>>;
 
 /// A regular grid of samples with its place in the patient (or specimen, or earth).
 ///
-/// World: millimetres, DICOM patient axes (x to the Left, y to the Posterior, z to the Superior). Voxel centres are at
-/// integer indices. `value = raw * scale + offset`, in `unit`. Written once by a reader, then held as
+/// World: in `lengthUnit`, DICOM patient axes (x to the Left, y to the Posterior, z to the Superior). Voxel centres are
+/// at integer indices. `value = raw * scale + offset`, in `unit`. Written once by a reader, then held as
 /// `Shared<Volume>` and never changed.
 struct Volume {
   glm::ivec3 dims{0};                   ///< Voxels along x (fastest), y, z.
   SampleType type = SampleType::UInt8;  ///< Type of one raw sample, machine byte order.
   int channels = 1;                     ///< Samples per voxel, interleaved.
-  int frames = 1;                       ///< Time steps, slowest axis.
+  int timeSteps = 1;                    ///< Time steps, slowest axis.
   bool isColor = false;                 ///< The channels are RGB or RGBA.
-  Bytes voxels;                         ///< Raw samples, shape [frames][z][y][x][channels].
-  glm::dmat4 worldFromVoxel{1.0};       ///< mm; rigid or not, left-handed allowed, never singular.
-  double scale = 1.0;                   ///< See `value` above.
+  Bytes voxels;                         ///< Raw samples, shape [timeSteps][z][y][x][channels].
+  glm::dmat4 worldFromVoxel{1.0};       ///< in lengthUnit; rigid or not, left-handed allowed, never singular.
+  LengthUnit lengthUnit = LengthUnit::Millimetre;
+  double scale = 1.0;  ///< See `value` above.
   double offset = 0.0;
-  glm::dvec2 range{0.0, 0.0};  ///< Smallest and largest finite value, over all frames and channels.
+  glm::dvec2 range{0.0, 0.0};  ///< Smallest and largest finite value, over all time steps and channels.
   std::string unit;            ///< "HU", "m/s", empty when unknown.
   Modality modality = Modality::Unknown;
-  bool isSpacingKnown = true;             ///< False: the file had none and 1 mm was taken.
+  bool isSpacingKnown = true;             ///< False: the file had none and 1 was taken.
   bool isOrientationKnown = true;         ///< False: patient letters must not be shown.
-  double frameSeconds = 0.0;              ///< Time between frames; 0 when unknown.
+  double timeStepSeconds = 0.0;           ///< Time between them; 0 when unknown.
   std::string name;                       ///< For people: series description or file name.
   std::vector<std::string> channelNames;  ///< Empty, or one per channel.
   std::vector<std::string> warnings;      ///< What the reader had to assume or mend, one line each.
 };
 
-std::size_t voxelCount(const Volume& volume);  ///< dims.x * dims.y * dims.z
-std::size_t frameBytes(const Volume& volume);  ///< Bytes of one frame.
-glm::dvec3 spacingMm(const Volume& volume);    ///< Lengths of the columns of worldFromVoxel.
-glm::dmat3 direction(const Volume& volume);    ///< Unit columns of worldFromVoxel.
+std::size_t voxelCount(const Volume& volume);     ///< dims.x * dims.y * dims.z
+std::size_t timeStepBytes(const Volume& volume);  ///< Bytes of one of them.
+glm::dvec3 spacingOf(const Volume& volume);       ///< Lengths of the columns of worldFromVoxel.
+/// worldFromVoxel in another unit.
+glm::dmat4 worldFromVoxelIn(LengthUnit unit, const Volume& volume);
+/// The same volume with its world in another unit.
+void setLengthUnit(Volume& volume, LengthUnit unit);
+glm::dmat3 direction(const Volume& volume);  ///< Unit columns of worldFromVoxel.
 
 /// One sample as a value (scale and offset applied). Any thread.
 /// @param voxel  indices inside dims; not checked
-double valueAt(const Volume& volume, glm::ivec3 voxel, int channel = 0, int frame = 0);
+double valueAt(const Volume& volume, glm::ivec3 voxel, int channel = 0, int timeStep = 0);
 
 /// Fills `range` from the voxels; NaN and infinities are left out; {0, 0} when nothing finite is there.
 /// O(samples), all cores.
 void computeRange(Volume& volume);
 
 /// Calls `body(const T* samples, T{})`-style code for the volume's type: `visitSamples(v, [&](auto* p) { ... })`,
-/// p pointing at frame 0.
+/// p pointing at time step 0.
 template <class Body>
 decltype(auto) visitSamples(const Volume& volume, Body&& body) {
   const void* p = volume.voxels.data();
@@ -114,16 +120,16 @@ decltype(auto) visitSamples(const Volume& volume, Body&& body) {
   return body(static_cast<const double*>(p));
 }
 
-/// Where `fraction` (0..1) of the finite values of channel 0, frame 0 lie at or below. From a 4096-bin histogram.
+/// Where `fraction` (0..1) of the finite values of channel 0, time step 0 lie at or below. From a 4096-bin histogram.
 struct Histogram {
   std::vector<std::uint64_t> counts;  ///< Bins of equal width over `range`.
   glm::dvec2 range{0.0};
 };
-Histogram computeHistogram(const Volume& volume, int bins = 4096, int channel = 0, int frame = 0);
+Histogram computeHistogram(const Volume& volume, int bins = 4096, int channel = 0, int timeStep = 0);
 double quantile(const Histogram& histogram, double fraction);
 
-/// The box that holds all voxels, in voxel space: from -0.5 to dims - 0.5. Centre and radius of its sphere in mm.
-glm::dvec3 centreMm(const Volume& volume);
-double radiusMm(const Volume& volume);
+/// The box that holds all voxels, in voxel space: from -0.5 to dims - 0.5. Centre and radius of its sphere, world.
+glm::dvec3 centreOf(const Volume& volume);
+double radiusOf(const Volume& volume);
 
 }  // namespace velum

@@ -16,13 +16,13 @@ struct FrameSheet {
   bool operator==(const FrameSheet&) const = default;
 };
 
-/// Which parts of a scene with slices (scene::MembraneUse::Slice) are drawn, for pictures that are put together
-/// elsewhere: front over slice over behind is the picture. Of scenes without slices all of it is drawn. Not for maxima.
-struct SliceParts {
-  bool front = true;   ///< what lies before the image of the first slice on a ray, and where there is none
-  bool slice = true;   ///< the images
+/// Which parts of a scene with inlays (scene::MembraneUse::Inlay) are drawn, for pictures that are put together
+/// elsewhere: front over inlay over behind is the picture. Of scenes without inlays all of it is drawn. Not for maxima.
+struct InlayParts {
+  bool front = true;   ///< what lies before the image of the first inlay on a ray, and where there is none
+  bool inlay = true;   ///< the images
   bool behind = true;  ///< what lies behind the first; surfaces of meshes
-  bool operator==(const SliceParts&) const = default;
+  bool operator==(const InlayParts&) const = default;
 };
 
 /// What is to be drawn. A value: the same frame gives the same picture, and a changed one starts it anew.
@@ -38,7 +38,7 @@ struct Frame {
   /// Of enabled membranes, by the id of the cut. One that is missing, empty, or made for a frame of another size is
   /// drawn as `Cut::membrane` says, or flat.
   std::map<int, FrameSheet> sheets;
-  SliceParts parts;
+  InlayParts parts;
   bool operator==(const Frame&) const = default;
 };
 

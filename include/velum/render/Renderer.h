@@ -28,7 +28,7 @@ struct Stats {
 /// What is under a pixel.
 struct Pick {
   bool hit = false;
-  glm::dvec3 worldMm{0.0};
+  glm::dvec3 world{0.0};
   glm::vec3 normal{0.0f};  ///< World frame, unit.
   int structure = 0;       ///< Label id, 0 when there is none.
   /// 0: the volume, its labels and what cuts show of them; then the scene's surfaces, in their order.
@@ -83,10 +83,5 @@ class Renderer {
   std::unique_ptr<Impl> mImpl;
   gpu::Context& mContext;
 };
-
-/// Draws a picture of any size, window by window where it is larger than the driver's textures; seamless, as each ray
-/// depends on its place in the whole picture only.
-Image renderPicture(Renderer& renderer, const Frame& frame, const Layers& layers, int largestWindow,
-                    Progress& progress);
 
 }  // namespace velum::render

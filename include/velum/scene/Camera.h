@@ -10,20 +10,20 @@ enum class Projection { Perspective, Orthographic };
 /// Where the eye is. World frame (mm, LPS).
 struct Camera {
   Projection projection = Projection::Perspective;
-  glm::dvec3 eyeMm{0.0, -500.0, 0.0};  ///< the eye; for orthographic pictures only its direction from the target counts
-  glm::dvec3 targetMm{0.0};            ///< the point in the middle of the picture, about which the camera turns
-  glm::dvec3 up{0.0, 0.0, 1.0};        ///< what is up in the picture, any length
-  double fieldOfViewDeg = 30.0;        ///< perspective: height of the picture as an angle, 1..150
-  double heightMm = 400.0;             ///< orthographic: height of the picture at the target, > 0
+  glm::dvec3 eye{0.0, -500.0, 0.0};  ///< the eye; for orthographic pictures only its direction from the target counts
+  glm::dvec3 target{0.0};            ///< the point in the middle of the picture, about which the camera turns
+  glm::dvec3 up{0.0, 0.0, 1.0};      ///< what is up in the picture, any length
+  double fieldOfViewDeg = 30.0;      ///< perspective: height of the picture as an angle, 1..150
+  double height = 400.0;             ///< orthographic: height of the picture at the target, > 0
   bool operator==(const Camera&) const = default;
   static void fields(auto& o, auto& visit) {
     visit("projection", o.projection, FieldInfo{"", {}, "Perspective, or orthographic (parallel)."});
-    visit("eyeMm", o.eyeMm, FieldInfo{"mm", {}, "Position of the eye."});
-    visit("targetMm", o.targetMm, FieldInfo{"mm", {}, "Point in the middle of the picture."});
+    visit("eye", o.eye, FieldInfo{kLength, {}, "Position of the eye."});
+    visit("target", o.target, FieldInfo{kLength, {}, "Point in the middle of the picture."});
     visit("up", o.up, FieldInfo{"", {}, "Direction that is up in the picture."});
     visit("fieldOfViewDeg", o.fieldOfViewDeg,
           FieldInfo{"deg", {1, 150}, "Perspective: height of the picture as an angle."});
-    visit("heightMm", o.heightMm, FieldInfo{"mm", {1e-9, 1e9}, "Orthographic: height of the picture at the target."});
+    visit("height", o.height, FieldInfo{kLength, {1e-9, 1e9}, "Orthographic: height of the picture at the target."});
   }
 };
 

@@ -11,7 +11,7 @@
 namespace velum::scene {
 
 enum class CutShape { Plane, Box, Sphere, Cylinder, Cone, Membrane };
-enum class CutFace { Shaded, Slice };
+enum class CutFace { Shaded, Section };
 
 constexpr int kMostCutId = 1'000'000'000;
 
@@ -19,7 +19,7 @@ constexpr int kMostCutId = 1'000'000'000;
 constexpr bool hasEdges(CutShape shape) { return shape == CutShape::Box || shape == CutShape::Membrane; }
 
 /// One thing that removes material. What it removes: a plane, the side that `axis` points to; a closed shape, its
-/// inside; a membrane, the side of its sheet that `axis` points to (beyond its frame, of the frame's plane); with
+/// inside; a membrane, the side of its sheet that `axis` points to (beyond its rest plane, of the rest plane); with
 /// `invert`, the other side. A position is kept when no enabled cut removes it. World frame (mm, LPS).
 struct Cut {
   int id = 0;  ///< by which everything knows the cut: from 1, unique in a scene, see addCut(); 0: it has none yet
@@ -27,15 +27,15 @@ struct Cut {
   CutShape shape = CutShape::Plane;
   bool enabled = true;
   bool invert = false;
-  glm::dvec3 centreMm{0.0};         ///< a point of the plane; middle of box, sphere, cylinder; apex of the cone
+  glm::dvec3 centre{0.0};           ///< a point of the plane; middle of box, sphere, cylinder; apex of the cone
   glm::dvec3 axis{0.0, -1.0, 0.0};  ///< normal of the plane; local z of the others; the cone opens along it; any length
   double spinDeg = 0.0;             ///< turn of a box about its axis
-  glm::dvec3 sizeMm{100.0};  ///< box: edges along local x, y, z; sphere: diameter x; cylinder, cone: diameter x, length
-                             ///< z; membrane: its frame's width x, height y, and reach to both sides z
+  glm::dvec3 size{100.0};  ///< box: edges along local x, y, z; sphere: diameter x; cylinder, cone: diameter x, length
+                           ///< z; membrane: its rest plane's width x, height y, and reach to both sides z
   CutFace face = CutFace::Shaded;    ///< how the cut surface looks
-  double faceOpacity = 1.0;          ///< slice faces: 0..1
+  double faceOpacity = 1.0;          ///< section faces: 0..1
   std::vector<Spare> spares;         ///< what this cut leaves of structures
-  std::optional<Membrane> membrane;  ///< what a membrane is beside its frame; other shapes have none
+  std::optional<Membrane> membrane;  ///< what a membrane is beside its rest plane; other shapes have none
   bool operator==(const Cut&) const = default;
   static void fields(auto& o, auto& visit) {
     visit("id", o.id,
@@ -44,17 +44,18 @@ struct Cut {
     visit("shape", o.shape, FieldInfo{"", {}, "Plane, box, sphere, cylinder, cone or membrane."});
     visit("enabled", o.enabled, FieldInfo{"", {}, "Off: the cut removes nothing."});
     visit("invert", o.invert, FieldInfo{"", {}, "Removes the other side."});
-    visit("centreMm", o.centreMm,
-          FieldInfo{"mm", {}, "A point of the plane; middle of box, sphere, cylinder; apex of the cone."});
+    visit("centre", o.centre,
+          FieldInfo{kLength, {}, "A point of the plane; middle of box, sphere, cylinder; apex of the cone."});
     visit("axis", o.axis, FieldInfo{"", {}, "Normal of the plane (towards what is removed); axis of the others."});
     visit("spinDeg", o.spinDeg, FieldInfo{"deg", {-360, 360}, "Turn of a box about its axis."});
-    visit("sizeMm", o.sizeMm,
-          FieldInfo{"mm",
+    visit("size", o.size,
+          FieldInfo{kLength,
                     {0, 1e9},
                     "Box: edges; sphere: diameter first; cylinder, cone: diameter first, length third; membrane: "
                     "width, height, reach to both sides."});
-    visit("face", o.face, FieldInfo{"", {}, "Shaded: the cut material; slice: the data's grey values, as on a slice."});
-    visit("faceOpacity", o.faceOpacity, FieldInfo{"", {0, 1}, "Opacity of a slice face."});
+    visit("face", o.face,
+          FieldInfo{"", {}, "Shaded: the cut material; section: the data's grey values, as on a section."});
+    visit("faceOpacity", o.faceOpacity, FieldInfo{"", {0, 1}, "Opacity of a section face."});
     visit("spares", o.spares,
           FieldInfo{"", {}, "What this cut leaves of structures; the first of one structure counts."});
     visit("membrane", o.membrane, FieldInfo{"", {}, "The sheet of a membrane; other shapes have none.", true});
@@ -63,7 +64,7 @@ struct Cut {
 
 inline bool isMembrane(const Cut& cut) { return cut.shape == CutShape::Membrane; }
 /// A membrane whose use is an image with what lies next to it. Several of them add up.
-inline bool isInlay(const Cut& cut) { return isMembrane(cut) && cut.membrane->use == MembraneUse::Slice; }
+inline bool isInlay(const Cut& cut) { return isMembrane(cut) && cut.membrane->use == MembraneUse::Inlay; }
 
 }  // namespace velum::scene
 
@@ -73,5 +74,5 @@ struct velum::EnumNames<velum::scene::CutShape> {
 };
 template <>
 struct velum::EnumNames<velum::scene::CutFace> {
-  static constexpr std::string_view kNames[] = {"shaded", "slice"};
+  static constexpr std::string_view kNames[] = {"shaded", "section"};
 };

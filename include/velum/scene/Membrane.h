@@ -7,14 +7,14 @@
 
 namespace velum::scene {
 
-/// How a kernel's push is directed. Paper: away from the kernel's centre ([IMC] eq. 3). Sided: along the frame's
+/// How a kernel's push is directed. Paper: away from the kernel's centre ([IMC] eq. 3). Sided: along the rest plane's
 /// normal, to the side on which the least cut leaves the kernel's structure.
 enum class KernelRule { Sided, Paper };
-/// What the sheet does when its frame moves ([IMC] 3.3): start anew from the flat sheet, or be dragged along.
+/// What the sheet does when its rest plane moves ([IMC] 3.3): start anew from the flat sheet, or be dragged along.
 enum class Repositioning { Passive, Active };
 /// What the sheet does to the picture ([IMC] 3.4): removes what is in front of it; or keeps what lies between it and
-/// the slice, which is drawn as an image.
-enum class MembraneUse { Clip, Slice };
+/// the rest plane, which is drawn as an image.
+enum class MembraneUse { Clip, Inlay };
 /// How the sheet itself is shown.
 enum class SheetLook { Hidden, Grid, Surface };
 
@@ -42,37 +42,37 @@ struct LabelStrength {
 
 /// A kernel that the user has put somewhere ([IMC] 3.3): a ball that pushes away from its centre or pulls to it.
 struct UserKernel {
-  glm::dvec3 centreMm{0.0};
-  double radiusMm = 10.0;
+  glm::dvec3 centre{0.0};
+  double radius = 10.0;
   double strength = 500.0;
   bool operator==(const UserKernel&) const = default;
   static void fields(auto& o, auto& visit) {
-    visit("centreMm", o.centreMm, FieldInfo{"mm", {}, "Middle."});
-    visit("radiusMm", o.radiusMm, FieldInfo{"mm", {0, 1e9}, "How far it reaches."});
+    visit("centre", o.centre, FieldInfo{kLength, {}, "Middle."});
+    visit("radius", o.radius, FieldInfo{kLength, {0, 1e9}, "How far it reaches."});
     visit("strength", o.strength, FieldInfo{"", {-1000, 1000}, "Above 0 the sheet is repelled, below attracted."});
   }
 };
 
 /// A particle of the sheet that is held in a place ([IMC] 3.3).
 struct Pin {
-  glm::dvec2 sheet{0.5};    ///< which particle: share of the frame's width and height, 0..1
-  glm::dvec3 placeMm{0.0};  ///< where it is held, world
+  glm::dvec2 sheet{0.5};  ///< which particle: share of the rest plane's width and height, 0..1
+  glm::dvec3 place{0.0};  ///< where it is held, world
   bool operator==(const Pin&) const = default;
   static void fields(auto& o, auto& visit) {
-    visit("sheet", o.sheet, FieldInfo{"", {0, 1}, "Which particle: share of the frame's width and height."});
-    visit("placeMm", o.placeMm, FieldInfo{"mm", {}, "Where it is held."});
+    visit("sheet", o.sheet, FieldInfo{"", {0, 1}, "Which particle: share of the rest plane's width and height."});
+    visit("place", o.place, FieldInfo{kLength, {}, "Where it is held."});
   }
 };
 
-/// A stroke on a slice that says what the sheet is to spare, or to follow ([IMC] 3.3).
+/// A stroke on a section that says what the sheet is to spare, or to follow ([IMC] 3.3).
 struct Stroke {
-  std::vector<glm::dvec3> pathMm;
-  double radiusMm = 3.0;
+  std::vector<glm::dvec3> path;
+  double radius = 3.0;
   bool avoid = false;  ///< false: keep what is under it whole; true: let the sheet through
   bool operator==(const Stroke&) const = default;
   static void fields(auto& o, auto& visit) {
-    visit("pathMm", o.pathMm, FieldInfo{"mm", {}, "Points along the stroke."});
-    visit("radiusMm", o.radiusMm, FieldInfo{"mm", {0, 1e9}, "Half its width."});
+    visit("path", o.path, FieldInfo{kLength, {}, "Points along the stroke."});
+    visit("radius", o.radius, FieldInfo{kLength, {0, 1e9}, "Half its width."});
     visit("avoid", o.avoid, FieldInfo{"", {}, "Lets the sheet through what is under it, rather than keep that whole."});
   }
 };
@@ -104,32 +104,32 @@ struct ForceField {
   }
 };
 
-/// The elastic sheet ([IMC] 3.1). Forces and stiffness are in units of the frame, so that a sheet behaves alike at
-/// every size and resolution: strength 1 is an acceleration of 1/128 of the frame's mean edge per s^2.
+/// The elastic sheet ([IMC] 3.1). Forces and stiffness are in units of the rest plane, so that a sheet behaves alike at
+/// every size and resolution: strength 1 is an acceleration of 1/128 of the rest plane's mean edge per s^2.
 struct Cloth {
-  glm::ivec2 particles{50, 50};  ///< along the frame's width and height
+  glm::ivec2 particles{50, 50};  ///< along the rest plane's width and height
   int finest = 260;              ///< the sheet is refined at rest up to so many along an edge, where the data is finer
   double stretch = 0.3;          ///< stiffness 0..1 of the mesh edges
   double bend = 0.1;             ///< stiffness 0..1 against folding
-  double restoring = 400.0;      ///< pull back to the slice, 1/s^2
+  double restoring = 400.0;      ///< pull back to the rest plane, 1/s^2
   double damping = 12.0;         ///< 1/s
   double timeStepS = 0.02;
   int iterations = 8;  ///< of the constraints in a step
   bool operator==(const Cloth&) const = default;
   static void fields(auto& o, auto& visit) {
-    visit("particles", o.particles, FieldInfo{"", {3, 260}, "Particles along the frame's width and height."});
+    visit("particles", o.particles, FieldInfo{"", {3, 260}, "Particles along the rest plane's width and height."});
     visit("finest", o.finest, FieldInfo{"", {3, 260}, "At rest the sheet is refined up to so many along an edge."});
     visit("stretch", o.stretch, FieldInfo{"", {0, 1}, "Stiffness against stretching."});
     visit("bend", o.bend, FieldInfo{"", {0, 1}, "Stiffness against bending."});
-    visit("restoring", o.restoring, FieldInfo{"1/s^2", {0, 2000}, "Pull back to the slice."});
+    visit("restoring", o.restoring, FieldInfo{"1/s^2", {0, 2000}, "Pull back to the rest plane."});
     visit("damping", o.damping, FieldInfo{"1/s", {0.1, 100}, "How fast motion dies away."});
     visit("timeStepS", o.timeStepS, FieldInfo{"s", {0.001, 0.05}, "Time of one step."});
     visit("iterations", o.iterations, FieldInfo{"", {1, 64}, "Passes over the constraints in a step."});
   }
 };
 
-/// What makes a cut a membrane: a sheet that hangs in the cut's frame. The cut's `sizeMm` are the frame's width and
-/// height and the whole reach along its axis: the sheet stays within half of it on either side of the slice.
+/// What makes a cut a membrane: a sheet that hangs in the cut's frame. The cut's `size` are the rest plane's width and
+/// height and the whole reach along its axis: the sheet stays within half of it on either side of the rest plane.
 struct Membrane {
   ForceField field;
   Cloth cloth;
@@ -137,9 +137,9 @@ struct Membrane {
   std::vector<Pin> pins;
   MembraneUse use = MembraneUse::Clip;
   SheetLook look = SheetLook::Hidden;
-  double sliceOpacity = 0.9;  ///< of the slice's image, 0..1; use slice
-  double emphasis = 0.0;      ///< -1 only what is behind the slice, 1 only what is in front, 0 both alike
-  double falloffMm = 0.0;     ///< distance from the slice at which structures have faded; 0: the reach
+  double inlayOpacity = 0.9;  ///< of an inlay's image, 0..1
+  double emphasis = 0.0;      ///< -1 only what is behind the rest plane, 1 only what is in front, 0 both alike
+  double falloff = 0.0;       ///< distance from the rest plane at which structures have faded; 0: the reach
   SheetShape shape;           ///< where an active sheet has come to rest; empty: it hangs flat at first
   bool operator==(const Membrane&) const = default;
   static void fields(auto& o, auto& visit) {
@@ -148,12 +148,11 @@ struct Membrane {
     visit("repositioning", o.repositioning,
           FieldInfo{"", {}, "Passive: anew from the flat sheet; active: dragged along with the frame."});
     visit("pins", o.pins, FieldInfo{"", {}, "Particles held in place."});
-    visit("use", o.use, FieldInfo{"", {}, "Clip: removes what is in front; slice: an image and what is next to it."});
+    visit("use", o.use, FieldInfo{"", {}, "Clip: removes what is in front; inlay: an image and what is next to it."});
     visit("look", o.look, FieldInfo{"", {}, "How the sheet itself is shown: hidden, grid, surface."});
-    visit("sliceOpacity", o.sliceOpacity, FieldInfo{"", {0, 1}, "Opacity of the slice's image."});
-    visit("emphasis", o.emphasis, FieldInfo{"", {-1, 1}, "-1: only behind the slice; 1: only in front; 0: both."});
-    visit("falloffMm", o.falloffMm,
-          FieldInfo{"mm", {0, 1e9}, "Distance at which structures have faded; 0: the reach."});
+    visit("inlayOpacity", o.inlayOpacity, FieldInfo{"", {0, 1}, "Opacity of an inlay's image."});
+    visit("emphasis", o.emphasis, FieldInfo{"", {-1, 1}, "-1: only behind the rest plane; 1: only in front; 0: both."});
+    visit("falloff", o.falloff, FieldInfo{kLength, {0, 1e9}, "Distance at which structures have faded; 0: the reach."});
     visit("shape", o.shape, FieldInfo{"", {}, "Where an active sheet rests.", true});
   }
 };
@@ -170,7 +169,7 @@ struct velum::EnumNames<velum::scene::Repositioning> {
 };
 template <>
 struct velum::EnumNames<velum::scene::MembraneUse> {
-  static constexpr std::string_view kNames[] = {"clip", "slice"};
+  static constexpr std::string_view kNames[] = {"clip", "inlay"};
 };
 template <>
 struct velum::EnumNames<velum::scene::SheetLook> {

@@ -32,7 +32,7 @@ std::string_view choosePreset(const Volume& volume);
 /// Colours that the colour-blind can tell apart come first.
 void completeChannels(VolumeLayer& layer);
 
-/// Gives a channel a colour: on slices, and the ramp from dark to it in the 3D picture.
+/// Gives a channel a colour: on sections, and the ramp from dark to it in the 3D picture.
 void colorChannel(ChannelLook& look, glm::vec3 color);
 
 }  // namespace velum::scene

@@ -17,7 +17,7 @@ double halfPictureHeight(const Camera& camera);
 
 /// A ray into the picture: origin at the eye (orthographic: in the eye's plane), unit direction. World, mm.
 struct PictureRay {
-  glm::dvec3 originMm, direction;
+  glm::dvec3 origin, direction;
 };
 
 /// The ray through a place in a picture. The same rays that the renderer casts.
@@ -26,9 +26,9 @@ struct PictureRay {
 PictureRay rayFromPixel(const Camera& camera, glm::dvec2 size, glm::dvec2 pixel);
 
 /// Where a point of the world is in the picture; nothing when it lies behind the eye (perspective).
-std::optional<glm::dvec2> pixelFromWorld(const Camera& camera, glm::dvec2 size, glm::dvec3 worldMm);
+std::optional<glm::dvec2> pixelFromWorld(const Camera& camera, glm::dvec2 size, glm::dvec3 world);
 
 /// Length in the world, across the line of sight, of one pixel at a point, mm.
-double mmPerPixel(const Camera& camera, glm::dvec2 size, glm::dvec3 worldMm);
+double lengthPerPixel(const Camera& camera, glm::dvec2 size, glm::dvec3 world);
 
 }  // namespace velum::scene

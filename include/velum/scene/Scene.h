@@ -6,12 +6,13 @@
 #include "velum/core/LabelVolume.h"
 #include "velum/core/Mesh.h"
 #include "velum/core/Shared.h"
+#include "velum/core/Units.h"
 #include "velum/core/Volume.h"
 #include "velum/scene/Camera.h"
 #include "velum/scene/Cut.h"
 #include "velum/scene/Lighting.h"
 #include "velum/scene/RayCast.h"
-#include "velum/scene/Slices.h"
+#include "velum/scene/Sections.h"
 #include "velum/scene/Source.h"
 #include "velum/scene/Structure.h"
 #include "velum/scene/TransferFunction.h"
@@ -23,22 +24,22 @@ struct VolumeLayer {
   Source source;
   Shared<Volume> data;  ///< not saved: read from `source`
   bool visible = true;
-  int frame = 0;  ///< time step, 0..frames-1
+  int timeStep = 0;  ///< 0..timeSteps-1
   int channel =
       0;  ///< 0..channels-1; colour volumes show their colours. The one that is edited where several are mixed
   TransferFunction transfer;
   std::vector<ChannelLook> channels;  ///< one per channel where several are mixed; empty: `channel` by `transfer`
-  double windowLevel = 0.0;           ///< middle of the grey window of slices and MIP, the volume's unit
+  double windowLevel = 0.0;           ///< middle of the grey window of sections and MIP, the volume's unit
   double windowWidth = 0.0;           ///< its width; 0: the whole range
   bool operator==(const VolumeLayer&) const = default;
   static void fields(auto& o, auto& visit) {
     visit("source", o.source, FieldInfo{"", {}, "Where the volume comes from."});
     visit("visible", o.visible, FieldInfo{"", {}, "Off: the volume is not drawn."});
-    visit("frame", o.frame, FieldInfo{"", {0, 1e9}, "Time step."});
+    visit("timeStep", o.timeStep, FieldInfo{"", {0, 1e9}, "Time step."});
     visit("channel", o.channel, FieldInfo{"", {0, 1e9}, "Channel that is shown."});
     visit("transfer", o.transfer, FieldInfo{"", {}, "Colour and opacity by value."});
     visit("channels", o.channels, FieldInfo{"", {}, "Looks of the channels that are mixed; empty: one channel."});
-    visit("windowLevel", o.windowLevel, FieldInfo{"", {}, "Middle of the grey window of slices and MIP."});
+    visit("windowLevel", o.windowLevel, FieldInfo{"", {}, "Middle of the grey window of sections and MIP."});
     visit("windowWidth", o.windowWidth, FieldInfo{"", {0, 1e300}, "Width of the grey window; 0: the whole range."});
   }
 };
@@ -77,24 +78,26 @@ struct Surface {
 
 /// Everything that changes the picture or is saved.
 struct Scene {
+  LengthUnit unit = LengthUnit::Millimetre;  ///< of every length in it, and of the world that its data lie in
   VolumeLayer volume;
   LabelLayer labels;
   std::vector<Surface> surfaces;
   std::vector<Cut> cuts;
   Camera camera;
-  Slices slices;
+  Sections sections;
   RayCast rayCast;
   Lighting lighting;
   Background background;
   bool showBounds = false;  ///< thin outlines of the volume's box and of the cuts
   bool operator==(const Scene&) const = default;
   static void fields(auto& o, auto& visit) {
+    visit("unit", o.unit, FieldInfo{"", {}, "What lengths are in: mm, or angstrom for molecules."});
     visit("volume", o.volume, FieldInfo{"", {}, "The volume and how it is shown."});
     visit("labels", o.labels, FieldInfo{"", {}, "Labelled structures."});
     visit("surfaces", o.surfaces, FieldInfo{"", {}, "Opaque surfaces."});
     visit("cuts", o.cuts, FieldInfo{"", {}, "What removes material, in order."});
     visit("camera", o.camera, FieldInfo{"", {}, "Where the eye is."});
-    visit("slices", o.slices, FieldInfo{"", {}, "The slice views."});
+    visit("sections", o.sections, FieldInfo{"", {}, "The section views."});
     visit("rayCast", o.rayCast, FieldInfo{"", {}, "How rays are cast."});
     visit("lighting", o.lighting, FieldInfo{"", {}, "Light and shadow."});
     visit("background", o.background, FieldInfo{"", {}, "What is behind everything."});
@@ -151,17 +154,17 @@ glm::dvec2 effectiveWindow(const VolumeLayer& layer, const ChannelLook& look);
 /// Sets the window of the current channel, or of the layer.
 void setWindow(VolumeLayer& layer, double level, double width);
 
-/// True when the 3D picture shows grey values by the window: a maximum, or slices on the faces of cuts.
+/// True when the 3D picture shows grey values by the window: a maximum, or sections on the faces of cuts.
 bool usesWindow(const Scene& scene);
 
 /// A membrane reduced to what pictures of its sheet depend on: without what moves the sheet.
 Membrane drawnMembrane(Membrane membrane);
 
-/// The scene reduced to what the 3D picture depends on: without slices and names, without a window that it does not
+/// The scene reduced to what the 3D picture depends on: without sections and names, without a window that it does not
 /// use, and without what moves the sheets of membranes.
 Scene pictureScene(Scene scene);
 
 /// Puts the crosshair into the middle of the data where it has no place yet.
-void placeSlices(Scene& scene);
+void placeSections(Scene& scene);
 
 }  // namespace velum::scene

@@ -25,17 +25,18 @@ struct RawLayout {
 
 /// Where data comes from and how it is to be read. A saved path is relative to the scene file.
 struct Source {
-  std::string path;           ///< file, or folder of slices
-  std::string series;         ///< DICOM SeriesInstanceUID when the folder holds several; empty: the largest
-  RawLayout raw;              ///< for files without a header
-  glm::dvec3 spacingMm{0.0};  ///< overrides the file's spacing where positive
-  std::string fingerprint;    ///< of the file when it was read, to know it again (session/Sources.h); empty: not known
+  std::string path;         ///< file, or folder of images
+  std::string series;       ///< DICOM SeriesInstanceUID when the folder holds several; empty: the largest
+  RawLayout raw;            ///< for files without a header
+  glm::dvec3 spacing{0.0};  ///< overrides the file's spacing where positive
+  std::string fingerprint;  ///< of the file when it was read, to know it again (session/Sources.h); empty: not known
   bool operator==(const Source&) const = default;
   static void fields(auto& o, auto& visit) {
     visit("path", o.path, FieldInfo{"", {}, "File or folder, relative to the scene file."});
     visit("series", o.series, FieldInfo{"", {}, "DICOM series UID, when the folder holds several."});
     visit("raw", o.raw, FieldInfo{"", {}, "How to read a file without a header."});
-    visit("spacingMm", o.spacingMm, FieldInfo{"mm", {0, 1e6}, "Overrides the file's voxel spacing where positive."});
+    visit("spacing", o.spacing,
+          FieldInfo{"", {0, 1e9}, "Overrides the file's voxel spacing where positive, in the file's unit."});
     visit("fingerprint", o.fingerprint,
           FieldInfo{"", {}, "Size and hash of the file when it was read; empty: not known."});
   }

@@ -18,7 +18,7 @@ struct Spare {
   static void fields(auto& o, auto& visit) {
     visit("structure", o.structure, FieldInfo{"", {0, 65535}, "Label id; 0: all that has no label."});
     visit("distance", o.distance,
-          FieldInfo{"mm", {0}, "How deep in the removed side it is left; null: all of it.", false, true});
+          FieldInfo{kLength, {0}, "How deep in the removed side it is left; null: all of it.", false, true});
     visit("share", o.share, FieldInfo{"", {0, 1}, "Share of its instances that are left."});
   }
 };

@@ -21,11 +21,11 @@ struct ColorPoint {
 /// A point of an opacity curve; between points it is linear, beyond the ends it stays.
 struct OpacityPoint {
   double value = 0;    ///< data value, or gradient magnitude (value per mm)
-  double opacity = 0;  ///< 0..1 for `unitDistanceMm` of material
+  double opacity = 0;  ///< 0..1 for `unitDistance` of material
   bool operator==(const OpacityPoint&) const = default;
   static void fields(auto& o, auto& visit) {
     visit("value", o.value, FieldInfo{"", {}, "Data value, or gradient magnitude (value per mm)."});
-    visit("opacity", o.opacity, FieldInfo{"", {0, 1}, "Opacity of unitDistanceMm of material."});
+    visit("opacity", o.opacity, FieldInfo{"", {0, 1}, "Opacity of unitDistance of material."});
   }
 };
 
@@ -35,7 +35,7 @@ struct TransferFunction {
   std::vector<ColorPoint> colors;               ///< ascending by value
   std::vector<OpacityPoint> opacities;          ///< ascending by value
   std::vector<OpacityPoint> gradientOpacities;  ///< ascending; multiplies; empty: 1 everywhere
-  double unitDistanceMm = 1.0;                  ///< thickness to which the opacities apply, > 0
+  double unitDistance = 1.0;                    ///< thickness to which the opacities apply, > 0
   bool operator==(const TransferFunction&) const = default;
   static void fields(auto& o, auto& visit) {
     visit("preset", o.preset, FieldInfo{"", {}, "Preset that it was made from."});
@@ -43,8 +43,8 @@ struct TransferFunction {
     visit("opacities", o.opacities, FieldInfo{"", {}, "Opacity by data value."});
     visit("gradientOpacities", o.gradientOpacities,
           FieldInfo{"", {}, "Factor by gradient magnitude; empty: 1 everywhere."});
-    visit("unitDistanceMm", o.unitDistanceMm,
-          FieldInfo{"mm", {1e-9, 1e9}, "Thickness of material to which the opacities apply."});
+    visit("unitDistance", o.unitDistance,
+          FieldInfo{kLength, {1e-9, 1e9}, "Thickness of material to which the opacities apply."});
   }
 };
 
@@ -52,17 +52,17 @@ struct TransferFunction {
 struct ChannelLook {
   std::string name;
   bool visible = true;
-  glm::vec3 color{1.0f};      ///< sRGB; its colour on slices and in lists
+  glm::vec3 color{1.0f};      ///< sRGB; its colour on sections and in lists
   TransferFunction transfer;  ///< its colour and opacity in the 3D picture
-  double windowLevel = 0.0;   ///< middle of its grey window on slices, the volume's unit
+  double windowLevel = 0.0;   ///< middle of its grey window on sections, the volume's unit
   double windowWidth = 0.0;   ///< its width; 0: the whole range
   bool operator==(const ChannelLook&) const = default;
   static void fields(auto& o, auto& visit) {
     visit("name", o.name, FieldInfo{"", {}, "Name for people: the dye."});
     visit("visible", o.visible, FieldInfo{"", {}, "Off: the channel is not mixed in."});
-    visit("color", o.color, FieldInfo{"", {0, 1}, "sRGB colour on slices and in lists."});
+    visit("color", o.color, FieldInfo{"", {0, 1}, "sRGB colour on sections and in lists."});
     visit("transfer", o.transfer, FieldInfo{"", {}, "Colour and opacity by value in the 3D picture."});
-    visit("windowLevel", o.windowLevel, FieldInfo{"", {}, "Middle of the window on slices."});
+    visit("windowLevel", o.windowLevel, FieldInfo{"", {}, "Middle of the window on sections."});
     visit("windowWidth", o.windowWidth, FieldInfo{"", {0, 1e300}, "Width of the window; 0: the whole range."});
   }
 };

@@ -10,7 +10,7 @@
 namespace velum::session {
 
 /// Something that goes on between frames: sheets that settle, a region that grows, counts that come in. It follows the
-/// scene, asks for work to be done beside, and is advanced in small slices. What it knows is passing state: neither
+/// scene, asks for work to be done beside, and is advanced a little at a time. What it knows is passing state: neither
 /// saved nor undone, but for what it writes down by complete(). GL thread, but for what nextWork() hands out.
 class Player {
  public:

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "velum/scene/Camera.h"
-#include "velum/scene/SliceFrame.h"
+#include "velum/scene/SectionPlane.h"
 
 namespace velum::session {
 
@@ -19,27 +19,27 @@ class ViewSpace {
  public:
   ViewSpace() = default;
   ViewSpace(const scene::Camera& camera, glm::dvec2 size) : mCamera(camera), mSize(size) {}
-  explicit ViewSpace(const scene::SliceFrame& section) : mSize(section.size), mSection(section) {}
+  explicit ViewSpace(const scene::SectionPlane& section) : mSize(section.size), mSection(section) {}
 
   /// The plane that is looked at; null: the view is the 3D picture.
-  const scene::SliceFrame* section() const { return mSection ? &*mSection : nullptr; }
+  const scene::SectionPlane* section() const { return mSection ? &*mSection : nullptr; }
   /// Of the picture.
   const scene::Camera& camera() const { return mCamera; }
   glm::dvec2 size() const { return mSize; }
 
   /// Where a place is seen, or its foot on a section; nothing behind the eye.
-  std::optional<glm::dvec2> pixelFromWorld(glm::dvec3 worldMm) const;
+  std::optional<glm::dvec2> pixelFromWorld(glm::dvec3 world) const;
   /// Length of a pixel at a place, mm.
-  double mmPerPixel(glm::dvec3 worldMm) const;
+  double lengthPerPixel(glm::dvec3 world) const;
   /// The same in the middle of what is looked at.
-  double mmPerPixel() const { return mmPerPixel(mCamera.targetMm); }
+  double lengthPerPixel() const { return lengthPerPixel(mCamera.target); }
   /// A ball as it is seen; on a section the circle in which it is cut. Nothing beside the section or behind the eye.
-  std::optional<ViewCircle> circleOfBall(glm::dvec3 middleMm, double radiusMm) const;
+  std::optional<ViewCircle> circleOfBall(glm::dvec3 middle, double radius) const;
 
  private:
   scene::Camera mCamera;
   glm::dvec2 mSize{1.0};
-  std::optional<scene::SliceFrame> mSection;
+  std::optional<scene::SectionPlane> mSection;
 };
 
 }  // namespace velum::session

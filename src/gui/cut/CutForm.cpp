@@ -4,13 +4,14 @@
 #include <QSignalBlocker>
 #include <algorithm>
 
+#include "kit/Length.h"
 #include "velum/session/cut/CutEdit.h"
 
 namespace velum::gui {
 
 namespace {
 
-constexpr double kFarMm = 1e6, kSmallestMm = 0.01;
+constexpr double kFar = 1e9;
 
 void setQuietly(QDoubleSpinBox* spin, double value) {
   const QSignalBlocker quiet(spin);
@@ -73,7 +74,7 @@ QWidget* CutForm::makeTriple(QDoubleSpinBox* (&spins)[3], const QString& name,
   auto* row = new QWidget(this);
   auto* layout = makeTight(row);
   for (int i = 0; i < 3; ++i) {
-    spins[i] = makeSpin(row, -kFarMm, kFarMm, {});
+    spins[i] = makeSpin(row, -kFar, kFar, {});
     spins[i]->setObjectName(QString("cut%1%2").arg(name).arg(i));
     layout->addWidget(spins[i], 1);
     connect(spins[i], &QDoubleSpinBox::valueChanged, this, [change, i](double value) { change(i, value); });
@@ -82,28 +83,28 @@ QWidget* CutForm::makeTriple(QDoubleSpinBox* (&spins)[3], const QString& name,
 }
 
 void CutForm::makePlace() {
-  mPosition = new NumberRow(-1, 1, 1, " mm", this);
+  mPosition = new NumberRow(-1, 1, 1, {}, this);
   mPosition->setObjectName("cutPosition");
-  mPosition->setToolTip(tr("Distance of the plane from the middle of the data, along its normal, mm"));
+  mPosition->setToolTip(tr("Distance of the plane from the middle of the data, along its normal"));
   mPosition->setName(tr("Position"));
   mPositionLabel = addRow(tr("Position"), mPosition);
-  connect(mPosition, &NumberRow::changed, this, [this](double mm) {
+  connect(mPosition, &NumberRow::changed, this, [this](double length) {
     editCut(
-        "Move cut", [&](scene::Cut& cut) { cut = session::withOffset(mDocument.scene(), cut, mm); }, true);
+        "Move cut", [&](scene::Cut& cut) { cut = session::withOffset(mDocument.scene(), cut, length); }, true);
   });
   connect(mPosition, &NumberRow::settled, this, [this] { mDocument.endMerge(); });
-  QWidget* row = makeTriple(mCentre, "Centre", [this](int i, double mm) {
-    editCut("Move cut", [&](scene::Cut& cut) { cut.centreMm[i] = mm; });
+  QWidget* row = makeTriple(mCentre, "Centre", [this](int i, double length) {
+    editCut("Move cut", [&](scene::Cut& cut) { cut.centre[i] = length; });
   });
-  const QString tips[] = {tr("Centre, mm towards the patient's left"), tr("Centre, mm towards posterior"),
-                          tr("Centre, mm towards superior")};
+  const QString tips[] = {tr("Centre: towards the patient's left"), tr("Centre: towards posterior"),
+                          tr("Centre: towards superior")};
   const QString prefixes[] = {tr("L "), tr("P "), tr("S ")};
   for (int i = 0; i < 3; ++i) {
     mCentre[i]->setToolTip(tips[i]);
     mCentre[i]->setAccessibleName(tips[i]);
     mCentre[i]->setPrefix(prefixes[i]);
   }
-  addRow(tr("Centre"), row)->setToolTip(tr("mm, in the patient's axes"));
+  addRow(tr("Centre"), row)->setToolTip(tr("In the patient's axes"));
 }
 
 void CutForm::makeDirection() {
@@ -174,9 +175,9 @@ void CutForm::align(glm::dvec3 axis) {
 }
 
 void CutForm::makeSize() {
-  mSizeRow = makeTriple(
-      mSize, "Size", [this](int i, double mm) { editCut("Resize cut", [&](scene::Cut& cut) { cut.sizeMm[i] = mm; }); });
-  for (auto* spin : mSize) spin->setRange(kSmallestMm, kFarMm);
+  mSizeRow = makeTriple(mSize, "Size", [this](int i, double length) {
+    editCut("Resize cut", [&](scene::Cut& cut) { cut.size[i] = length; });
+  });
   mSizeLabel = addRow(tr("Size"), mSizeRow);
 }
 
@@ -185,8 +186,8 @@ void CutForm::makeFace() {
   auto* layout = makeTight(row);
   mFace = new QComboBox(row);
   mFace->setObjectName("cutFace");
-  mFace->addItems({tr("Shaded"), tr("Slice (grey values)")});
-  mFace->setToolTip(tr("How the cut surface looks: lit material, or the data's grey values as on a slice"));
+  mFace->addItems({tr("Shaded"), tr("Section (grey values)")});
+  mFace->setToolTip(tr("How the cut surface looks: lit material, or the data's grey values as on a section"));
   mFace->setAccessibleName(tr("Face"));
   mFlip = new QPushButton(tr("Flip"), row);
   mFlip->setObjectName("cutFlip");
@@ -196,7 +197,7 @@ void CutForm::makeFace() {
   addRow(tr("Face"), row);
   mFaceOpacity = new NumberRow(0, 100, 0, " %", this);
   mFaceOpacity->setObjectName("cutFaceOpacity");
-  mFaceOpacity->setToolTip(tr("Opacity of the grey slice on the cut's face, %"));
+  mFaceOpacity->setToolTip(tr("Opacity of the grey section on the cut's face, %"));
   mFaceOpacity->setName(tr("Opacity of the face"));
   mFaceOpacityLabel = addRow(tr("Opacity"), mFaceOpacity);
   connect(mFace, &QComboBox::activated, this, [this](int index) {
@@ -222,25 +223,25 @@ void CutForm::showSize(const scene::Cut& cut) {
     case scene::CutShape::Plane:
       break;
     case scene::CutShape::Box:
-      parts[0] = {"x ", tr("Edge along the box's x, mm")};
-      parts[1] = {"y ", tr("Edge along the box's y, mm")};
-      parts[2] = {"z ", tr("Edge along the box's axis, mm")};
+      parts[0] = {"x ", tr("Edge along the box's x")};
+      parts[1] = {"y ", tr("Edge along the box's y")};
+      parts[2] = {"z ", tr("Edge along the box's axis")};
       break;
     case scene::CutShape::Sphere:
-      parts[0] = {diameter, tr("Diameter, mm")};
+      parts[0] = {diameter, tr("Diameter")};
       break;
     case scene::CutShape::Cylinder:
-      parts[0] = {diameter, tr("Diameter, mm")};
-      parts[2] = {tr("long "), tr("Length along the axis, mm")};
+      parts[0] = {diameter, tr("Diameter")};
+      parts[2] = {tr("long "), tr("Length along the axis")};
       break;
     case scene::CutShape::Cone:
-      parts[0] = {diameter, tr("Diameter of the base, mm")};
-      parts[2] = {tr("high "), tr("Height from apex to base, mm")};
+      parts[0] = {diameter, tr("Diameter of the base")};
+      parts[2] = {tr("high "), tr("Height from apex to base")};
       break;
     case scene::CutShape::Membrane:
-      parts[0] = {"x ", tr("Width of the frame, mm")};
-      parts[1] = {"y ", tr("Height of the frame, mm")};
-      parts[2] = {tr("reach "), tr("How far the sheet may go, both sides together, mm")};
+      parts[0] = {"x ", tr("Width of the rest plane")};
+      parts[1] = {"y ", tr("Height of the rest plane")};
+      parts[2] = {tr("reach "), tr("How far the sheet may go, both sides together")};
       break;
   }
   bool any = false;
@@ -251,7 +252,7 @@ void CutForm::showSize(const scene::Cut& cut) {
     mSize[i]->setPrefix(parts[i].prefix);
     mSize[i]->setToolTip(parts[i].tip);
     mSize[i]->setAccessibleName(parts[i].tip);
-    setQuietly(mSize[i], cut.sizeMm[i]);
+    setQuietly(mSize[i], cut.size[i]);
   }
   mSizeRow->setVisible(any);
   mSizeLabel->setVisible(any);
@@ -259,13 +260,17 @@ void CutForm::showSize(const scene::Cut& cut) {
 
 void CutForm::showCut(const scene::Cut& cut) {
   mShown = cut;
+  Length length(mDocument.scene());
+  for (auto* spin : mCentre) length.showIn(*spin, false);
+  for (auto* spin : mSize) length.showIn(*spin, true);
+  mPosition->setLength(length);
   bool isPlane = cut.shape == scene::CutShape::Plane, isSphere = cut.shape == scene::CutShape::Sphere;
   auto [offset, reach] = session::cutPosition(mDocument.scene(), cut);
   mPosition->setVisible(isPlane);
   mPositionLabel->setVisible(isPlane);
   mPosition->setRange(std::min(-reach, offset), std::max(reach, offset));
   mPosition->setValue(offset);
-  for (int i = 0; i < 3; ++i) setQuietly(mCentre[i], cut.centreMm[i]);
+  for (int i = 0; i < 3; ++i) setQuietly(mCentre[i], cut.centre[i]);
   session::AxisAngles angles = session::anglesFromAxis(cut.axis);
   setQuietly(mAzimuth, angles.azimuthDeg);
   setQuietly(mElevation, angles.elevationDeg);
@@ -275,9 +280,9 @@ void CutForm::showCut(const scene::Cut& cut) {
     spin->setEnabled(!isSphere);
   showSize(cut);
   mFace->setCurrentIndex(static_cast<int>(cut.face));
-  bool isSlice = cut.face == scene::CutFace::Slice;
-  mFaceOpacity->setVisible(isSlice);
-  mFaceOpacityLabel->setVisible(isSlice);
+  bool isSection = cut.face == scene::CutFace::Section;
+  mFaceOpacity->setVisible(isSection);
+  mFaceOpacityLabel->setVisible(isSection);
   mFaceOpacity->setValue(cut.faceOpacity * 100.0);
   mFlip->setChecked(cut.invert);
   mFlip->setToolTip(isPlane ? tr("Take away the other side (X)")

@@ -41,7 +41,7 @@ CutPanel::CutPanel(session::Document& document, Selection& selection, QWidget* p
       mList(new CutList(this)),
       mForm(new CutForm(document, selection, this)),
       mMembrane(new MembraneForm(document, *mForm, this)),
-      mKeepWhole(new KeepWholeList(this)) {
+      mSpares(new SpareList(this)) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(10);
@@ -56,7 +56,7 @@ CutPanel::CutPanel(session::Document& document, Selection& selection, QWidget* p
   layout->addWidget(mForm);
   layout->addWidget(mMembrane);
   layout->addWidget(mLine = makeLine(this));
-  layout->addWidget(mKeepWhole, 1000);
+  layout->addWidget(mSpares, 1000);
   layout->addStretch(1);  // holds all up where there is no list to fill the height
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Expanding);
   connect(mList, &QListWidget::currentRowChanged, this, [this](int row) { mSelection.setCut(mList->cutAt(row)); });
@@ -72,8 +72,8 @@ CutPanel::CutPanel(session::Document& document, Selection& selection, QWidget* p
       if (scene::Cut* cut = scene::findCut(scene, id)) cut->name = name.trimmed().toStdString();
     });
   });
-  connect(mKeepWhole, &KeepWholeList::changed, this, [this](const std::vector<int>& ids, bool whole) {
-    std::string label = session::structureLabel(mDocument.scene(), whole ? "Keep whole" : "Cut", ids);
+  connect(mSpares, &SpareList::changed, this, [this](const std::vector<int>& ids, bool whole) {
+    std::string label = session::structureLabel(mDocument.scene(), whole ? "Spare" : "Cut", ids);
     mForm->editCut(label.c_str(), [&](scene::Cut& cut) {
       for (int id : ids) session::setSpared(cut, id, whole);
     });
@@ -207,14 +207,14 @@ void CutPanel::refresh() {
   bool isMembrane = any && scene::isMembrane(scene.cuts[std::size_t(index)]);
   mMembrane->setVisible(isMembrane);
   mLine->setVisible(any && !scene.labels.structures.empty());
-  mKeepWhole->setVisible(any);
+  mSpares->setVisible(any);
   if (!any) return;
   if (isMembrane) mMembrane->showCut(scene.cuts[std::size_t(index)]);
   mUp->setEnabled(index > 0);
   mDown->setEnabled(index + 1 < count);
   const scene::Cut& cut = scene.cuts[std::size_t(index)];
   mForm->showCut(cut);
-  mKeepWhole->showCut(scene.labels.structures, cut);
+  mSpares->showCut(scene.labels.structures, cut);
 }
 
 }  // namespace velum::gui

@@ -6,8 +6,8 @@
 
 #include "CutForm.h"
 #include "CutList.h"
+#include "SpareList.h"
 #include "kit/Selection.h"
-#include "membrane/KeepWholeList.h"
 #include "membrane/MembraneForm.h"
 #include "velum/session/document/Document.h"
 
@@ -55,7 +55,7 @@ class CutPanel : public QWidget {
   CutList* mList;
   CutForm* mForm;
   MembraneForm* mMembrane;
-  KeepWholeList* mKeepWhole;
+  SpareList* mSpares;
   QWidget *mTools = nullptr, *mLine = nullptr;
   QLabel* mEmpty = nullptr;
   QPushButton *mUp = nullptr, *mDown = nullptr;

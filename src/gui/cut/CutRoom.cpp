@@ -32,8 +32,9 @@ void CutRoom::addActions(QMenu* menu) {
                                      [this] { mPanel->addPlane(); });
   actions.addForScene(menu, "cut.alongView", tr("Cut along the &view"),
                       tr("A plane through the middle that faces you exactly"), [this] { mPanel->addAlongView(); });
-  mParts.toolbox.bind(mThreePoints, *actions.addForScene(menu, "cut.threePoints", tr("Plane through three &points"),
-                                                         tr("Click three points in the picture or on slices"), [] {}));
+  mParts.toolbox.bind(mThreePoints,
+                      *actions.addForScene(menu, "cut.threePoints", tr("Plane through three &points"),
+                                           tr("Click three points in the picture or on sections"), [] {}));
   QAction* sheet =
       actions.addForScene(menu, "cut.addMembrane", tr("Add &membrane"),
                           tr("An elastic sheet that cuts around what matters instead of through it"), [this] {

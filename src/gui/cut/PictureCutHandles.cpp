@@ -55,33 +55,33 @@ Qt::CursorShape cursorFor(const session::CutGizmo& gizmo, CutHandle handle, cons
   if (isTurn(handle)) return Qt::OpenHandCursor;
   if (handle != CutHandle::Centre && handle != CutHandle::Square)
     for (const auto& grip : gizmo.grips)
-      if (grip.handle == handle) return cursorAlong(wayOf(view, grip.placeMm, grip.direction, 10.0 * gizmo.pixelMm));
+      if (grip.handle == handle) return cursorAlong(wayOf(view, grip.place, grip.direction, 10.0 * gizmo.pixel));
   return Qt::SizeAllCursor;
 }
 
 void paintGizmo(QPainter& painter, const session::CutGizmo& gizmo, const ViewSpace& view, CutHandle hover) {
-  if (QPainterPath outline = ringOf(view, gizmo.outlineMm); !outline.isEmpty()) {
+  if (QPainterPath outline = ringOf(view, gizmo.outline); !outline.isEmpty()) {
     painter.fillPath(outline, withAlpha(kHandle, 14));
     strokeTwice(painter, outline, withAlpha(kHandle, 200), 1.3);
   }
-  for (const auto& edge : gizmo.edgesMm)
+  for (const auto& edge : gizmo.edges)
     if (QPainterPath line = ringOf(view, edge); !line.isEmpty())
       strokeTwice(painter, line, withAlpha(kHandle, 130), 1.0);
   if (gizmo.hasRing)
-    if (QPainterPath ring = ringOf(view, session::ringPointsMm(gizmo)); !ring.isEmpty())
+    if (QPainterPath ring = ringOf(view, session::ringPoints(gizmo)); !ring.isEmpty())
       strokeTwice(painter, ring, hover == CutHandle::Ring ? QColor(Qt::white) : QColor(255, 236, 210, 210), 1.6);
   for (const auto& grip : gizmo.grips) {
-    auto place = pointOf(view, grip.placeMm);
+    auto place = pointOf(view, grip.place);
     if (!place || grip.handle == CutHandle::Arrow) continue;
     bool hot = hover == grip.handle;
     if (isResize(grip.handle))
-      drawGrip(painter, *place, wayOf(view, grip.placeMm, grip.direction, 10.0 * gizmo.pixelMm), hot);
+      drawGrip(painter, *place, wayOf(view, grip.place, grip.direction, 10.0 * gizmo.pixel), hot);
     else if (grip.handle == CutHandle::Square)
       drawGrip(painter, *place, {1, 1}, hot);
     else
       drawKnob(painter, *place, hot);
   }
-  auto foot = pointOf(view, gizmo.centreMm), tip = pointOf(view, gizmo.arrowTipMm);
+  auto foot = pointOf(view, gizmo.centre), tip = pointOf(view, gizmo.arrowTip);
   if (foot && tip) drawArrow(painter, *foot, *tip, hover == CutHandle::Arrow);
 }
 
@@ -121,7 +121,7 @@ void PictureCutHandles::drag(const PointerEvent& event) {
   scene::Cut moved = session::dragCut(mStart, mStartGizmo, mHandle, view.camera(), view.size(), mFrom, event.at.pixel(),
                                       session::makeCutSnap(mDocument.scene(), event.keys & Qt::ShiftModifier));
   mPointer = event.at.place();
-  mTag = QString::fromStdString(session::dragText(mStart, moved, mHandle));
+  mTag = QString::fromStdString(session::dragText(scene::lengthFormat(mDocument.scene()), mStart, moved, mHandle));
   mDocument.edit(
       session::dragLabel(mStart, mHandle), [&](scene::Scene& scene) { session::replaceCut(scene, std::move(moved)); },
       true);

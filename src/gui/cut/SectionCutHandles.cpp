@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kReachPixels = 9.0;
 
-using session::SliceHandleKind;
+using session::SectionHandleKind;
 
 QPainterPath pathOf(const std::vector<glm::dvec2>& points, bool isClosed = true) {
   QPolygonF polygon;
@@ -57,9 +57,9 @@ const scene::SheetShape& SectionCutHandles::shapeOf(const scene::Cut& cut) const
   return cut.enabled && live != mSheets.end() ? live->second : cut.membrane->shape;
 }
 
-void SectionCutHandles::paintCut(QPainter& painter, const scene::SliceFrame& frame, const scene::Cut& cut,
+void SectionCutHandles::paintCut(QPainter& painter, const scene::SectionPlane& plane, const scene::Cut& cut,
                                  bool isSelected) const {
-  auto outline = session::sliceOutline(frame, cut, shapeOf(cut));
+  auto outline = session::sectionOutline(plane, cut, shapeOf(cut));
   QColor color = kHandle;
   color.setAlpha(!cut.enabled ? 90 : isSelected ? 255 : 150);
   double width = isSelected ? 1.6 : 1.1;
@@ -77,20 +77,20 @@ void SectionCutHandles::paintCut(QPainter& painter, const scene::SliceFrame& fra
 
 void SectionCutHandles::paintHandles(ViewPainter& over, const scene::Cut& cut) const {
   QPainter& painter = over.painter;
-  for (const auto& handle : session::sliceHandles(*over.space.section(), cut)) {
+  for (const auto& handle : session::sectionHandles(*over.space.section(), cut)) {
     bool hot = mView == &over.view && mHandle.kind == handle.kind && mHandle.axis == handle.axis &&
                mHandle.sign == handle.sign && (mDragging || glm::length(mHandle.place - handle.place) < 1.0);
-    if (handle.kind == SliceHandleKind::Turn) {
+    if (handle.kind == SectionHandleKind::Turn) {
       QPainterPath arm(toPoint(handle.pivot));
       arm.lineTo(toPoint(handle.place));
       bool isOnLine = cut.shape == scene::CutShape::Plane || scene::isMembrane(cut);
       if (!isOnLine) strokeTwice(painter, arm, QColor(255, 236, 210, 140), 1.0);
     }
-    bool isGrip = handle.kind == SliceHandleKind::Face || handle.kind == SliceHandleKind::Side;
+    bool isGrip = handle.kind == SectionHandleKind::Face || handle.kind == SectionHandleKind::Side;
     if (isGrip)
       drawGrip(painter, toPoint(handle.place), toPoint(handle.outwards), hot);
     else if (session::isArrow(handle))
-      drawArrow(painter, toPoint(handle.place), toPoint(handle.place + handle.outwards * session::kSliceArrowPixels),
+      drawArrow(painter, toPoint(handle.place), toPoint(handle.place + handle.outwards * session::kSectionArrowPixels),
                 hot);
     else
       drawKnob(painter, toPoint(handle.place), hot);
@@ -98,10 +98,10 @@ void SectionCutHandles::paintHandles(ViewPainter& over, const scene::Cut& cut) c
 }
 
 void SectionCutHandles::paint(ViewPainter& over) const {
-  const scene::SliceFrame* frame = over.space.section();
-  if (!frame) return;
+  const scene::SectionPlane* plane = over.space.section();
+  if (!plane) return;
   const scene::Cut* selected = selectedCut(mDocument, mSelection);
-  for (const auto& cut : mDocument.scene().cuts) paintCut(over.painter, *frame, cut, &cut == selected);
+  for (const auto& cut : mDocument.scene().cuts) paintCut(over.painter, *plane, cut, &cut == selected);
   if (selected) {
     over.painter.setOpacity(selected->enabled ? 1.0 : 0.5);
     paintHandles(over, *selected);
@@ -111,45 +111,45 @@ void SectionCutHandles::paint(ViewPainter& over) const {
 }
 
 bool SectionCutHandles::press(const PointerEvent& event) {
-  const scene::SliceFrame* frame = event.at.space().section();
-  if (!frame || event.button != Qt::LeftButton || (event.keys & Qt::ControlModifier)) return false;
+  const scene::SectionPlane* plane = event.at.space().section();
+  if (!plane || event.button != Qt::LeftButton || (event.keys & Qt::ControlModifier)) return false;
   glm::dvec2 place = event.at.pixel();
   const scene::Cut* cut = selectedCut(mDocument, mSelection);
-  mHandle = cut ? session::sliceHandleAt(*frame, *cut, place, kReachPixels, shapeOf(*cut)) : session::SliceHandle{};
+  mHandle = cut ? session::sectionHandleAt(*plane, *cut, place, kReachPixels, shapeOf(*cut)) : session::SectionHandle{};
   for (const auto& other : mDocument.scene().cuts) {
-    if (mHandle.kind != SliceHandleKind::None) break;
-    auto handle = session::sliceHandleAt(*frame, other, place, 0.5 * kReachPixels, shapeOf(other));
-    if (handle.kind != SliceHandleKind::Move || other.id == mSelection.cut()) continue;
+    if (mHandle.kind != SectionHandleKind::None) break;
+    auto handle = session::sectionHandleAt(*plane, other, place, 0.5 * kReachPixels, shapeOf(other));
+    if (handle.kind != SectionHandleKind::Move || other.id == mSelection.cut()) continue;
     mSelection.setCut(other.id);
     mHandle = handle;
   }
   cut = selectedCut(mDocument, mSelection);
-  if (mHandle.kind == SliceHandleKind::None || !cut) return false;
+  if (mHandle.kind == SectionHandleKind::None || !cut) return false;
   mView = &event.at.view();
   mStart = *cut;
-  mStartFrame = *frame;
+  mStartFrame = *plane;
   mFrom = place;
   mDragging = true;
   return true;
 }
 
 std::optional<Qt::CursorShape> SectionCutHandles::hover(const ViewPoint& at) {
-  const scene::SliceFrame* frame = at.space().section();
+  const scene::SectionPlane* plane = at.space().section();
   const scene::Cut* cut = selectedCut(mDocument, mSelection);
   auto before = std::exchange(mHandle, {});
-  if (frame && cut) mHandle = session::sliceHandleAt(*frame, *cut, at.pixel(), kReachPixels, shapeOf(*cut));
+  if (plane && cut) mHandle = session::sectionHandleAt(*plane, *cut, at.pixel(), kReachPixels, shapeOf(*cut));
   mView = &at.view();
   if (mHandle != before) mToolbox.repaint(at.view());
-  return mHandle.kind == SliceHandleKind::None ? std::nullopt : std::optional(cursor());
+  return mHandle.kind == SectionHandleKind::None ? std::nullopt : std::optional(cursor());
 }
 
 void SectionCutHandles::drag(const PointerEvent& event) {
   mPointer = event.at.place();
   // By the frame in which it was taken: a cut that is dragged must not run away when the view follows.
-  scene::Cut now = session::dragSliceCut(mStart, mStartFrame, mHandle, mFrom, event.at.pixel(),
-                                         session::makeCutSnap(mDocument.scene(), event.keys & Qt::ShiftModifier));
+  scene::Cut now = session::dragSectionCut(mStart, mStartFrame, mHandle, mFrom, event.at.pixel(),
+                                           session::makeCutSnap(mDocument.scene(), event.keys & Qt::ShiftModifier));
   auto like = session::likeInPicture(mHandle);
-  mTag = QString::fromStdString(session::dragText(mStart, now, like));
+  mTag = QString::fromStdString(session::dragText(scene::lengthFormat(mDocument.scene()), mStart, now, like));
   mDocument.edit(
       session::dragLabel(mStart, like), [&](scene::Scene& scene) { session::replaceCut(scene, std::move(now)); }, true);
   mToolbox.repaint(event.at.view());
@@ -164,18 +164,18 @@ void SectionCutHandles::release(const PointerEvent& event) {
 }
 
 void SectionCutHandles::leave() {
-  if (mDragging || mHandle.kind == SliceHandleKind::None) return;
+  if (mDragging || mHandle.kind == SectionHandleKind::None) return;
   mHandle = {};
   mToolbox.repaint();
 }
 
 Qt::CursorShape SectionCutHandles::cursor() const {
   switch (mHandle.kind) {
-    case SliceHandleKind::None:
+    case SectionHandleKind::None:
       return Qt::ArrowCursor;
-    case SliceHandleKind::Turn:
+    case SectionHandleKind::Turn:
       return mDragging ? Qt::ClosedHandCursor : Qt::OpenHandCursor;
-    case SliceHandleKind::Move:
+    case SectionHandleKind::Move:
       if (mHandle.outwards == glm::dvec2(0.0)) return Qt::SizeAllCursor;
       break;
     default:

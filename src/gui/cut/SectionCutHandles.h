@@ -3,8 +3,8 @@
 
 #include "kit/Selection.h"
 #include "tool/Toolbox.h"
-#include "velum/render/section/SliceImage.h"
-#include "velum/session/cut/SliceCutTool.h"
+#include "velum/render/section/SectionImage.h"
+#include "velum/session/cut/SectionCutTool.h"
 #include "velum/session/document/Document.h"
 
 namespace velum::gui {
@@ -29,7 +29,7 @@ class SectionCutHandles : public QObject, public Manipulator {
 
  private:
   const scene::SheetShape& shapeOf(const scene::Cut& cut) const;
-  void paintCut(QPainter& painter, const scene::SliceFrame& frame, const scene::Cut& cut, bool isSelected) const;
+  void paintCut(QPainter& painter, const scene::SectionPlane& plane, const scene::Cut& cut, bool isSelected) const;
   void paintHandles(ViewPainter& over, const scene::Cut& cut) const;
   Qt::CursorShape cursor() const;
 
@@ -37,11 +37,11 @@ class SectionCutHandles : public QObject, public Manipulator {
   Selection& mSelection;
   Toolbox& mToolbox;
   std::map<int, scene::SheetShape> mSheets;  ///< By the id of the cut.
-  session::SliceHandle mHandle;
+  session::SectionHandle mHandle;
   const ToolView* mView = nullptr;  ///< In which the handle is.
   bool mDragging = false;
   scene::Cut mStart;
-  scene::SliceFrame mStartFrame;
+  scene::SectionPlane mStartFrame;
   glm::dvec2 mFrom{0.0};
   QPointF mPointer;
   QString mTag;

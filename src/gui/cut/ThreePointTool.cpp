@@ -24,7 +24,7 @@ bool ThreePointTool::start() {
 
 void ThreePointTool::click(const PointerEvent& event) {
   if (event.keys != Qt::NoModifier) return;
-  auto world = event.at.worldMm();
+  auto world = event.at.world();
   if (!world) return say(tr("Nothing is there: click on what is drawn. Esc gives up."));
   mPoints.push_back(*world);
   if (mPoints.size() == 1) return say(tr("Click the second point. Esc gives up."));

@@ -76,7 +76,7 @@ EmptyState::EmptyState(QWidget* parent) : QFrame(parent), mRecent(new RecentRow(
   auto* title = new QLabel(tr("Drop a scan here"), this);
   title->setProperty("role", "empty");
   layout->addWidget(title, 0, Qt::AlignHCenter);
-  auto* text = new QLabel(tr("A folder of DICOM slices, NIfTI, NRRD, MetaImage, MRC, TIFF, VTI, SEG-Y or OpenVDB;\n"
+  auto* text = new QLabel(tr("A folder of DICOM images, NIfTI, NRRD, MetaImage, MRC, TIFF, VTI, SEG-Y or OpenVDB;\n"
                              "labels and surfaces beside it; a Velum scene, or a picture that was saved from one."),
                           this);
   text->setProperty("role", "muted");
@@ -95,7 +95,7 @@ EmptyState::EmptyState(QWidget* parent) : QFrame(parent), mRecent(new RecentRow(
   };
   row->addStretch(1);
   add(tr("Open files..."), tr("Choose files (Ctrl+O)"), &EmptyState::openFiles, true);
-  add(tr("Open DICOM folder..."), tr("Choose a folder of slices (Ctrl+Shift+O)"), &EmptyState::openFolder, false);
+  add(tr("Open DICOM folder..."), tr("Choose a folder of images (Ctrl+Shift+O)"), &EmptyState::openFolder, false);
   add(tr("Make a phantom"), tr("Nothing at hand? Computes a torso with ribs, heart and lungs"),
       &EmptyState::makePhantom, false);
   row->addStretch(1);

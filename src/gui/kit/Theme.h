@@ -14,8 +14,8 @@ QColor themeColor(ThemeKind kind, const QString& name);
 /// accent.
 inline const QColor kAccent(0x5f, 0xb0, 0xea), kHandle(0xff, 0xb8, 0x5c), kAlarm(0xf0, 0x7a, 0x6a);
 
-/// The slice views' own colours, axial, coronal, sagittal: of their titles and of their lines in the other views.
-inline const QColor kSliceColors[] = {QColor(0xe8, 0x7d, 0x76), QColor(0x86, 0xc9, 0x8a), QColor(0x7f, 0xb4, 0xf0)};
+/// The section views' own colours, axial, coronal, sagittal: of their titles and of their lines in the other views.
+inline const QColor kSectionColors[] = {QColor(0xe8, 0x7d, 0x76), QColor(0x86, 0xc9, 0x8a), QColor(0x7f, 0xb4, 0xf0)};
 /// Words and signs over pictures.
 inline const QColor kOverPicture(0xf0, 0xf3, 0xf7);
 

@@ -53,6 +53,11 @@ void NumberRow::setDecimals(int decimals) {
   mSpin->setSingleStep(std::pow(10.0, -decimals) * (decimals > 1 ? 5 : 1));
 }
 
+void NumberRow::setLength(const Length& length) {
+  if (mSpin->decimals() != length.decimals()) setDecimals(length.decimals());
+  if (mSpin->suffix() != length.suffix()) setSuffix(length.suffix());
+}
+
 void NumberRow::setRange(double min, double max) {
   const QSignalBlocker quiet(mSpin);
   mSpin->setRange(min, max);

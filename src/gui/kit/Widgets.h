@@ -8,6 +8,8 @@
 #include <QWidget>
 #include <glm/glm.hpp>
 
+#include "Length.h"
+
 namespace velum::gui {
 
 /// A slider with its number. It tells only what the user changes, never what the program sets.
@@ -18,6 +20,8 @@ class NumberRow : public QWidget {
   void setRange(double min, double max);
   void setSuffix(const QString& suffix) { mSpin->setSuffix(suffix); }
   void setDecimals(int decimals);
+  /// Decimals and unit of lengths.
+  void setLength(const Length& length);
   void setValue(double value);
   /// What is read out of slider and number.
   void setName(const QString& name);

@@ -5,7 +5,7 @@
 namespace velum::gui {
 
 void ShowThisTool::click(const PointerEvent& event) {
-  auto place = event.at.materialMm();
+  auto place = event.at.material();
   const auto& volume = mDocument.scene().volume.data;
   if (!place || !volume) return;
   std::optional<session::Tissue> tissue;

@@ -1,4 +1,5 @@
 #include "TransferEditor.h"
+#include "kit/Length.h"
 
 #include <QColorDialog>
 #include <QGridLayout>
@@ -57,7 +58,7 @@ TransferEditor::TransferEditor(session::Document& document, QWidget* parent)
   mGradients->setObjectName("gradientCanvas");
   mGradients->setAccessibleName(tr("Opacity by gradient"));
   mGradients->setToolTip(
-      tr("Factor on the opacity by how steeply the value changes, per mm: low on the left keeps "
+      tr("Factor on the opacity by how steeply the value changes, per length: low on the left keeps "
          "even material back and shows borders"));
   mUsesGradients->setObjectName("usesGradients");
   mUsesGradients->setToolTip(tr("Make opacity depend on how steeply the value changes, too"));
@@ -175,7 +176,7 @@ TransferEditor::Key TransferEditor::shownKey() const {
   const auto& layer = mDocument.scene().volume;
   if (!layer.data) return {0, 0, 0};
   return {layer.data.id(), std::clamp(layer.channel, 0, layer.data->channels - 1),
-          std::clamp(layer.frame, 0, layer.data->frames - 1)};
+          std::clamp(layer.timeStep, 0, layer.data->timeSteps - 1)};
 }
 
 void TransferEditor::refresh() {
@@ -246,7 +247,7 @@ void TransferEditor::showHistograms(const Histograms& histograms) {
   }
   QString unit = QString::fromStdString(layer.data->unit);
   mCanvas->setUnit(unit);
-  mGradients->setUnit((unit.isEmpty() ? QString() : unit) + "/mm");
+  mGradients->setUnit((unit.isEmpty() ? QString() : unit) + "/" + Length(mDocument.scene()).unit());
   showNumbers();
 }
 
@@ -262,7 +263,7 @@ void TransferEditor::showNumbers() {
   mValue->setDecimals(decimalsFor(canvas->view()));
   mValue->setSingleStep(std::pow(10.0, -decimalsFor(canvas->view())));
   QString unit = QString::fromStdString(mDocument.scene().volume.data ? mDocument.scene().volume.data->unit : "");
-  if (mGradientsActive) unit += "/mm";
+  if (mGradientsActive) unit += "/" + Length(mDocument.scene()).unit();
   mValue->setSuffix(unit.isEmpty() ? QString() : " " + unit);
   mSecond->setCurrentIndex(part == Part::Stop ? 1 : 0);
   if (part == Part::Stop) {

@@ -44,7 +44,7 @@ void BrushTool::refresh() {
 
 /// In the 3D view what is meant lies behind the surface that is seen, but not beyond what the brush covers.
 std::optional<glm::dvec3> BrushTool::placeUnder(const ViewPoint& at) const {
-  return at.materialMm(0.5 * mSketch.radiusMm());
+  return at.material(0.5 * mSketch.radius());
 }
 
 /// With other buttons and keys the view does what it always does; beside the data, and on handles, too.
@@ -53,15 +53,14 @@ bool BrushTool::press(const PointerEvent& event) {
   auto place = placeUnder(event.at);
   if (!place) return false;
   mSketch.select(-1);
-  mDraft = scene::Stroke{{*place}, mSketch.radiusMm(), mAvoid};
+  mDraft = scene::Stroke{{*place}, mSketch.radius(), mAvoid};
   showBrush(event.at);
   return true;
 }
 
 void BrushTool::goOn(const ViewPoint& at, double leastRadii) {
   auto world = placeUnder(at);
-  if (world && glm::distance(*world, mDraft->pathMm.back()) > leastRadii * mDraft->radiusMm)
-    mDraft->pathMm.push_back(*world);
+  if (world && glm::distance(*world, mDraft->path.back()) > leastRadii * mDraft->radius) mDraft->path.push_back(*world);
 }
 
 void BrushTool::drag(const PointerEvent& event) {
@@ -72,8 +71,8 @@ void BrushTool::drag(const PointerEvent& event) {
 void BrushTool::release(const PointerEvent& event) {
   goOn(event.at, kLastStep);
   scene::Stroke stroke = *std::exchange(mDraft, std::nullopt);
-  stroke.pathMm = session::simplifiedPath(stroke.pathMm, kPathTolerance * stroke.radiusMm);
-  mSketch.addStroke(stroke, mAvoid ? "Sketch what to let through" : "Sketch what to keep whole");
+  stroke.path = session::simplifiedPath(stroke.path, kPathTolerance * stroke.radius);
+  mSketch.addStroke(stroke, mAvoid ? "Sketch what to let through" : "Sketch what to protect");
   const scene::Cut* cut = selectedMembrane(mDocument, mSelection);
   if (!mAvoid && cut && cut->membrane->field.byValue.empty())
     mMessages.showNote(
@@ -106,7 +105,7 @@ bool BrushTool::wheel(const PointerEvent& event, double notches) {
 void BrushTool::paint(ViewPainter& over) const {
   if (!over.view.showsHandles()) mSketch.paint(over);  // while one draws they are seen in any case
   if (mDraft) paintStroke(over, *mDraft, false);
-  if (&over.view == mView) paintBrush(over, mPointer, mSketch.radiusMm(), mAvoid);
+  if (&over.view == mView) paintBrush(over, mPointer, mSketch.radius(), mAvoid);
 }
 
 }  // namespace velum::gui

@@ -45,7 +45,7 @@ std::optional<session::SheetPoint> HandTool::sheetUnder(const ViewPoint& at) con
 bool HandTool::putPin(const PointerEvent& event) {
   auto point = sheetUnder(event.at);
   if (!point) {
-    mMessages.showNote(tr("A pin holds the sheet: click on the sheet, or on its line in a slice."));
+    mMessages.showNote(tr("A pin holds the sheet: click on the sheet, or on its line in a section."));
     return event.at.isOnSection();  // beside the sheet the picture can be turned
   }
   Hand hand;
@@ -59,14 +59,14 @@ bool HandTool::putPin(const PointerEvent& event) {
 
 /// On a section anywhere; in the picture on what is seen, or else on the sheet.
 bool HandTool::putKernel(const PointerEvent& event) {
-  auto middle = event.at.worldMm();
+  auto middle = event.at.world();
   if (!middle)
-    if (auto point = sheetUnder(event.at)) middle = point->placeMm;
+    if (auto point = sheetUnder(event.at)) middle = point->place;
   if (!middle) return false;
   bool pushes = mKind == Kind::Push;
   const char* label = pushes ? "Add push kernel" : "Add pull kernel";
   double strength = pushes ? session::kKernelStrength : -session::kKernelStrength;
-  double radius = session::defaultRadiusMm(*selectedMembrane(mDocument, mSelection));
+  double radius = session::defaultRadius(*selectedMembrane(mDocument, mSelection));
   Hand hand;
   editSelectedMembrane(
       mDocument, mSelection, label,

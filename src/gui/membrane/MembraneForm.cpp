@@ -8,6 +8,7 @@
 
 #include "cut/CutForm.h"
 #include "kit/Job.h"
+#include "kit/Length.h"
 #include "velum/session/membrane/MembraneEdit.h"
 #include "velum/session/structure/StructureEdit.h"
 
@@ -58,9 +59,9 @@ MembraneForm::MembraneForm(session::Document& document, CutForm& form, QWidget* 
   layout->addWidget(makeFieldHead());
   layout->addWidget(mCanvas);
   mCanvas->setObjectName("strengthCanvas");
-  mCanvas->setAccessibleName(tr("Force by value: above the line what the sheet keeps whole"));
+  mCanvas->setAccessibleName(tr("Force by value: above the line what the sheet protects"));
   mCanvas->setToolTip(tr(
-      "Force of each value, -1000 to 1000. Above the line: the sheet keeps it whole; below: the sheet is drawn to it.\n"
+      "Force of each value, -1000 to 1000. Above the line: the sheet goes around it; below: the sheet is drawn to it.\n"
       "Click: add a point. Drag: move it. Right click or Del: remove it.\nKeys: PgUp and PgDn go from one to the next, "
       "arrows move, Ins adds."));
   layout->addWidget(mStructures);
@@ -103,7 +104,7 @@ QWidget* MembraneForm::makeFieldHead() {
   auto* head = new QWidget(this);
   auto* row = new QHBoxLayout(head);
   row->setContentsMargins(0, 0, 0, 0);
-  row->addWidget(makeTitle(tr("Keep whole"), head), 1);
+  row->addWidget(makeTitle(tr("Protect"), head), 1);
   mAttribute = new QComboBox(head);
   mAttribute->setObjectName("strengthBy");
   mAttribute->addItems({tr("By value"), tr("By gradient")});
@@ -195,32 +196,35 @@ QComboBox* MembraneForm::addChoice(QGridLayout* grid, const QString& name, const
 
 void MembraneForm::makePicture(QGridLayout* grid) {
   mUse = addChoice(grid, tr("Use"),
-                   tr("Clip: takes away what lies before the sheet; slice: a grey image, and what lies "
+                   tr("Clip: takes away what lies before the sheet; inlay: a grey image, and what lies "
                       "between it and the sheet"),
-                   {tr("Clip"), tr("Slice")}, [](auto& m, int i) { m.use = static_cast<scene::MembraneUse>(i); });
+                   {tr("Clip"), tr("Inlay")}, [](auto& m, int i) { m.use = static_cast<scene::MembraneUse>(i); });
   mUse->setObjectName("membraneUse");
   int first = grid->rowCount();
-  mSliceOpacity = addNumber(grid, tr("Image"), tr("Opacity of the slice's image, %"), 0, 100, 0, " %",
-                            [](auto& m, double v) { m.sliceOpacity = v / 100.0; });
-  mEmphasis = addNumber(grid, tr("Emphasis"), tr("-1: only what lies behind the slice; 1: only what lies before it"),
-                        -1, 1, 2, {}, [](auto& m, double v) { m.emphasis = v; });
-  mFalloff = addNumber(grid, tr("Fade"), tr("Distance from the slice at which structures have faded, mm; 0: the reach"),
-                       0, 200, 1, " mm", [](auto& m, double v) { m.falloffMm = v; });
+  mInlayOpacity = addNumber(grid, tr("Inlay opacity"), tr("Opacity of the inlay's image, %"), 0, 100, 0, " %",
+                            [](auto& m, double v) { m.inlayOpacity = v / 100.0; });
+  mEmphasis =
+      addNumber(grid, tr("Emphasis"), tr("-1: only what lies behind the rest plane; 1: only what lies before it"), -1,
+                1, 2, {}, [](auto& m, double v) { m.emphasis = v; });
+  mFalloff =
+      addNumber(grid, tr("Fade"), tr("Distance from the rest plane at which structures have faded; 0: the reach"), 0,
+                200, 1, {}, [](auto& m, double v) { m.falloff = v; });
   for (int line = first; line < grid->rowCount(); ++line)
-    mSliceRows.emplace_back(grid->itemAtPosition(line, 0)->widget(), grid->itemAtPosition(line, 1)->widget());
+    mInlayRows.emplace_back(grid->itemAtPosition(line, 0)->widget(), grid->itemAtPosition(line, 1)->widget());
   mLook = addChoice(grid, tr("Sheet"), tr("How the sheet itself is drawn"), {tr("Hidden"), tr("Grid"), tr("Surface")},
                     [](auto& m, int i) { m.look = static_cast<scene::SheetLook>(i); });
   mLook->setObjectName("membraneLook");
 }
 
 void MembraneForm::makeCloth(QGridLayout* grid) {
-  mRepositioning = addChoice(grid, tr("Moving"),
-                             tr("Passive: the sheet starts anew from flat wherever its frame is put; active: the frame "
-                                "drags it along, and it stays behind on what holds it"),
-                             {tr("Passive"), tr("Active")}, [](auto& m, int i) {
-                               m.repositioning = static_cast<scene::Repositioning>(i);
-                               if (m.repositioning == scene::Repositioning::Passive) m.shape = {};
-                             });
+  mRepositioning =
+      addChoice(grid, tr("Moving"),
+                tr("Passive: the sheet starts anew from flat wherever its rest plane is put; active: the frame "
+                   "drags it along, and it stays behind on what holds it"),
+                {tr("Passive"), tr("Active")}, [](auto& m, int i) {
+                  m.repositioning = static_cast<scene::Repositioning>(i);
+                  if (m.repositioning == scene::Repositioning::Passive) m.shape = {};
+                });
   mRepositioning->setObjectName("membraneMoving");
   mRule = addChoice(grid, tr("Rule"),
                     tr("Sided: the least cut says to which side a structure belongs, and it pushes the sheet to the "
@@ -233,16 +237,16 @@ void MembraneForm::makeCloth(QGridLayout* grid) {
                         "every second, 2 every fourth"),
                      0, 6, 0, {}, [](auto& m, double v) { m.field.level = int(std::lround(v)); });
   mLevel->setObjectName("membraneLevel");
-  mReach = addNumber(grid, tr("Area"), tr("Half-width of a kernel, in kernels"), 1, 4, 1, {},
+  mReach = addNumber(grid, tr("Area of effect"), tr("Half-width of a kernel, in kernels"), 1, 4, 1, {},
                      [](auto& m, double v) { m.field.areaOfEffect = v; });
   mStretch = addNumber(grid, tr("Stiff"), tr("Stiffness of the mesh against stretching, 0 to 1"), 0, 1, 2, {},
                        [](auto& m, double v) { m.cloth.stretch = v; });
   mStretch->setObjectName("membraneStretch");
   mBend = addNumber(grid, tr("Bending"), tr("Stiffness of the mesh against folding, 0 to 1"), 0, 1, 2, {},
                     [](auto& m, double v) { m.cloth.bend = v; });
-  mRestoring = addNumber(grid, tr("Pull"), tr("Pull back to the slice, 1/s\u00b2"), 0, 2000, 0, {},
+  mRestoring = addNumber(grid, tr("Pull back"), tr("Pull back to the rest plane, 1/s\u00b2"), 0, 2000, 0, {},
                          [](auto& m, double v) { m.cloth.restoring = v; });
-  mParticles = addNumber(grid, tr("Mesh"), tr("Particles along each edge while the sheet moves"), 3, 260, 0, {},
+  mParticles = addNumber(grid, tr("Particles"), tr("Particles along each edge while the sheet moves"), 3, 260, 0, {},
                          [](auto& m, double v) { m.cloth.particles = glm::ivec2(int(std::lround(v))); });
   mFinest = addNumber(grid, tr("Finest"), tr("At rest the sheet is refined up to so many particles along an edge"), 3,
                       260, 0, {}, [](auto& m, double v) { m.cloth.finest = int(std::lround(v)); });
@@ -254,15 +258,18 @@ void MembraneForm::showCut(const scene::Cut& cut) {
   showCurve();
   mHands->showCut(cut);
   mStructures->showStrengths(mDocument.scene().labels.structures, m.field.byLabel);
+  mSketch->showLength(Length(mDocument.scene()));
   mSketch->showStrokes(m.field.strokes);
   mUse->setCurrentIndex(int(m.use));
-  for (auto [label, control] : mSliceRows) {
-    label->setVisible(m.use == scene::MembraneUse::Slice);
-    control->setVisible(m.use == scene::MembraneUse::Slice);
+  for (auto [label, control] : mInlayRows) {
+    label->setVisible(m.use == scene::MembraneUse::Inlay);
+    control->setVisible(m.use == scene::MembraneUse::Inlay);
   }
-  mSliceOpacity->setValue(m.sliceOpacity * 100.0);
+  mInlayOpacity->setValue(m.inlayOpacity * 100.0);
   mEmphasis->setValue(m.emphasis);
-  mFalloff->setValue(m.falloffMm);
+  mFalloff->setLength(Length(mDocument.scene()));
+  mFalloff->setRange(0.0, 2.0 * cut.size.z);
+  mFalloff->setValue(m.falloff);
   mLook->setCurrentIndex(int(m.look));
   mRepositioning->setCurrentIndex(int(m.repositioning));
   mRule->setCurrentIndex(int(m.field.rule));
@@ -282,7 +289,7 @@ void MembraneForm::showCurve() {
   mCanvas->setCurve(byGradient() ? mShown.field.byGradient : mShown.field.byValue);
   if (!layer.data) return;
   QString unit = QString::fromStdString(layer.data->unit);
-  mCanvas->setUnit(byGradient() ? unit + "/mm" : unit);
+  mCanvas->setUnit(byGradient() ? unit + "/" + Length(mDocument.scene()).unit() : unit);
   if (mCounted != layer.data.id()) countHistogram();
   session::AxisView view = byGradient() ? session::AxisView{0.0, mGradients.range.y}
                                         : session::AxisView{layer.data->range.x, layer.data->range.y};
@@ -295,11 +302,11 @@ void MembraneForm::countHistogram() {
   Shared<Volume> volume = mDocument.scene().volume.data;
   const auto& layer = mDocument.scene().volume;
   int channel = std::clamp(layer.channel, 0, volume->channels - 1),
-      frame = std::clamp(layer.frame, 0, volume->frames - 1);
+      timeStep = std::clamp(layer.timeStep, 0, volume->timeSteps - 1);
   mJob = std::make_unique<Job>(
       [=](Progress&) {
-        *values = session::valueHistogram(*volume, channel, frame);
-        *gradients = session::gradientHistogram(*volume, channel, frame);
+        *values = session::valueHistogram(*volume, channel, timeStep);
+        *gradients = session::gradientHistogram(*volume, channel, timeStep);
       },
       nullptr);
   connect(mJob.get(), &Job::finished, this, [this, values, gradients, id = volume.id()](bool done) {
@@ -313,14 +320,14 @@ void MembraneForm::countHistogram() {
   mJob->start();
 }
 
-QString MembraneForm::figureText(const session::MembraneStatus& status) {
+QString MembraneForm::figureText(const session::MembraneStatus& status, const Length& length) {
   if (!status.isMeasured) return {};
   if (status.planePairs == 0)
     return tr("The plane cuts nothing of what is protected; the sheet cuts %1 pairs of voxels.").arg(status.sheetPairs);
   double percent = 100.0 * status.keptWhole;
-  return tr("Cuts %1 % of what the plane cuts; %2 mm from the slice on average.")
+  return tr("Cuts %1 % of what the plane cuts; %2 from the rest plane on average.")
       .arg(percent, 0, 'f', percent > 0 && percent < 9.95 ? 1 : 0)
-      .arg(status.meanDistanceMm, 0, 'f', 1);
+      .arg(length.text(status.meanDistance));
 }
 
 void MembraneForm::showStatus(const std::optional<session::MembraneStatus>& status, bool isPlaying) {
@@ -329,7 +336,7 @@ void MembraneForm::showStatus(const std::optional<session::MembraneStatus>& stat
   mPlay->setText(isPlaying ? tr("Pause") : tr("Play"));
   if (!status) return;
   // The figure stays until there is another, so that the panel does not jump.
-  if (QString text = figureText(*status); !text.isEmpty()) mFigure->setText(text);
+  if (QString text = figureText(*status, Length(mDocument.scene())); !text.isEmpty()) mFigure->setText(text);
   mFigure->setEnabled(status->isMeasured);
   QString kernels = tr("%1 kernels, %2 \u00d7 %3 particles")
                         .arg(QLocale().toString(qulonglong(status->kernels)))
@@ -341,10 +348,11 @@ void MembraneForm::showStatus(const std::optional<session::MembraneStatus>& stat
                                                       : tr("Settling, step %1").arg(status->steps);
   mDoing->setText(status->error.empty() ? QString("%1. %2.").arg(doing, kernels)
                                         : QString::fromStdString(status->error));
-  mDoing->setToolTip(tr("Forces took %1 ms, a step takes %2 ms; largest speed %3 mm/s")
+  mDoing->setToolTip(tr("Forces took %1 ms, a step takes %2 ms; largest speed %3 %4/s")
                          .arg(status->forcesMs, 0, 'f', 0)
                          .arg(status->stepMs, 0, 'f', 1)
-                         .arg(status->speedMm, 0, 'g', 3));
+                         .arg(status->speed, 0, 'g', 3)
+                         .arg(Length(mDocument.scene()).unit()));
 }
 
 }  // namespace velum::gui

@@ -21,7 +21,7 @@ namespace velum::gui {
 class CutForm;
 class Job;
 
-/// What a membrane keeps whole, how its sheet hangs and what it does to the picture; what it is doing just now. Below
+/// What a membrane protects, how its sheet hangs and what it does to the picture; what it is doing just now. Below
 /// the numbers of its cut.
 class MembraneForm : public QWidget {
   Q_OBJECT
@@ -31,9 +31,9 @@ class MembraneForm : public QWidget {
   void showCut(const scene::Cut& cut);
   void showStatus(const std::optional<session::MembraneStatus>& status, bool isPlaying);
   SheetHandsForm& hands() { return *mHands; }
-  /// In words: "cuts 12 % of what the plane cuts; 1.3 mm from the slice on average".
-  static QString figureText(const session::MembraneStatus& status);
-  /// The buttons of the tools that say by a click what is kept whole, or let through.
+  /// In words: "cuts 12 % of what the plane cuts; 1.3 mm from the rest plane on average".
+  static QString figureText(const session::MembraneStatus& status, const Length& length);
+  /// The buttons of the tools that say by a click what is protected, or let through.
   QPushButton& protectButton() { return *mProtect; }
   QPushButton& letThroughButton() { return *mLetThrough; }
   /// Its brushes and strokes.
@@ -76,9 +76,9 @@ class MembraneForm : public QWidget {
   QPushButton *mProtect = nullptr, *mLetThrough = nullptr, *mPlay = nullptr, *mStep = nullptr, *mMore = nullptr;
   QWidget* mCloth = nullptr;
   QComboBox *mUse = nullptr, *mLook = nullptr, *mRule = nullptr, *mRepositioning = nullptr;
-  NumberRow *mLevel = nullptr, *mSliceOpacity = nullptr, *mEmphasis = nullptr, *mFalloff = nullptr, *mStretch = nullptr,
+  NumberRow *mLevel = nullptr, *mInlayOpacity = nullptr, *mEmphasis = nullptr, *mFalloff = nullptr, *mStretch = nullptr,
             *mBend = nullptr, *mRestoring = nullptr, *mReach = nullptr, *mParticles = nullptr, *mFinest = nullptr;
-  std::vector<std::pair<QWidget*, QWidget*>> mSliceRows;  ///< label and control that only the slice has
+  std::vector<std::pair<QWidget*, QWidget*>> mInlayRows;  ///< label and control that only an inlay has
   std::uint64_t mCounted = 0;                             ///< volume whose histograms are there
   Histogram mValues, mGradients;
   std::unique_ptr<Job> mJob;

@@ -18,7 +18,7 @@ ProtectTool::ProtectTool(bool letThrough, const WindowParts& parts)
 bool ProtectTool::start() { return selectedMembrane(mDocument, mSelection); }
 
 void ProtectTool::click(const PointerEvent& event) {
-  auto place = event.at.materialMm();
+  auto place = event.at.material();
   if (!place) return;
   int structure = event.at.structure();
   double strength = mLetThrough ? 0.0 : session::kProtectStrength;
@@ -37,7 +37,7 @@ void ProtectTool::click(const PointerEvent& event) {
     what = QString::fromStdString(session::structureName(scene, structure));
   else if (tissue)
     what = tr("values around %1").arg(tissue->value, 0, 'g', 4);
-  if (!what.isEmpty()) mMessages.showNote((mLetThrough ? tr("Let through: %1") : tr("Kept whole: %1")).arg(what));
+  if (!what.isEmpty()) mMessages.showNote((mLetThrough ? tr("Let through: %1") : tr("Protected: %1")).arg(what));
   if (!(event.keys & Qt::ShiftModifier)) mToolbox.stop(*this);
 }
 

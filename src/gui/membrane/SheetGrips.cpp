@@ -114,7 +114,7 @@ void SheetGrips::drag(const PointerEvent& event) {
   if (mDrag == Drag::Radius) {
     if (glm::length(to - mFrom) < kClickPixels) return;
     auto& kernel = now.field.kernels[std::size_t(mHover.index)];
-    kernel.radiusMm = session::radiusOfDrag(mStartSpace, kernel.centreMm, mFrom, to);
+    kernel.radius = session::radiusOfDrag(mStartSpace, kernel.centre, mFrom, to);
     shown = Hand{HandKind::Rim, mHover.index};
   } else {
     std::optional<glm::dvec3> along;
@@ -128,7 +128,8 @@ void SheetGrips::drag(const PointerEvent& event) {
         m.field.kernels = now.field.kernels;
       },
       true);
-  mTag = QString::fromStdString(session::handText(*selectedMembrane(mDocument, mSelection), shown));
+  mTag = QString::fromStdString(
+      session::handText(scene::lengthFormat(mDocument.scene()), *selectedMembrane(mDocument, mSelection), shown));
   mToolbox.repaint();
 }
 

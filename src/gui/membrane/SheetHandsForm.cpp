@@ -7,6 +7,7 @@
 
 #include "SheetHandsPaint.h"
 #include "cut/CutForm.h"
+#include "kit/Length.h"
 #include "kit/Widgets.h"
 
 namespace velum::gui {
@@ -17,7 +18,7 @@ using session::Hand;
 using session::HandKind;
 
 constexpr int kSign = 20, kNameWidth = 86;
-constexpr double kFarMm = 1e5, kMostStrength = 1000.0;
+constexpr double kMostStrength = 1000.0;
 
 /// Pin or kernel as it is drawn over the views.
 QIcon signOf(Hand hand, double strength) {
@@ -59,9 +60,9 @@ SheetHandsForm::SheetHandsForm(session::Document& document, CutForm& form, QWidg
   mPin = add("pinTool", tr("Pin"),
              tr("Click the sheet in any view and hold it there, or drag it on. Shift: several. (P)"));
   mPush = add("pushTool", tr("Push kernel"),
-              tr("Drag a ball in a slice, or click in the picture: the sheet goes around it (B)"));
+              tr("Drag a ball in a section, or click in the picture: the sheet goes around it (B)"));
   mPull = add("pullTool", tr("Pull kernel"),
-              tr("Drag a ball in a slice, or click in the picture: the sheet is drawn to its middle (Shift+B)"));
+              tr("Drag a ball in a section, or click in the picture: the sheet is drawn to its middle (Shift+B)"));
   mList = new QWidget(this);
   mRowLayout = new QVBoxLayout(mList);
   mRowLayout->setContentsMargins(0, 0, 0, 0);
@@ -116,14 +117,12 @@ SheetHandsForm::Row SheetHandsForm::makeRow(Hand hand) {
   connect(row.name, &QToolButton::clicked, this, [this, hand](bool on) { emit selectAsked(on ? hand : Hand{}); });
   auto index = std::size_t(hand.index);
   if (hand.kind == HandKind::Pin) {
-    row.first = makeNumber(row.widget, -kFarMm, kFarMm, 1, tr(" mm"), tr("Height over the slice, mm"),
+    row.first = makeNumber(row.widget, 0, 0, 1, {}, tr("Height over the rest plane"),
                            [hand](scene::Cut& cut, double mm) { session::setPinHeight(cut, hand, mm); });
   } else {
-    row.first = makeNumber(row.widget, 0.1, kFarMm, 1, tr(" mm"), tr("Radius of the ball, mm"),
-                           [index](scene::Cut& cut, double mm) {
-                             if (index < cut.membrane->field.kernels.size())
-                               cut.membrane->field.kernels[index].radiusMm = mm;
-                           });
+    row.first = makeNumber(row.widget, 0, 0, 1, {}, tr("Radius of the ball"), [index](scene::Cut& cut, double mm) {
+      if (index < cut.membrane->field.kernels.size()) cut.membrane->field.kernels[index].radius = mm;
+    });
     row.second = makeNumber(row.widget, -kMostStrength, kMostStrength, 0, {},
                             tr("Strength, -1000 to 1000: above 0 it pushes the sheet away, below it pulls"),
                             [index](scene::Cut& cut, double strength) {
@@ -150,6 +149,7 @@ void SheetHandsForm::showRow(const Row& row, const scene::Cut& cut) {
     const QSignalBlocker quiet(spin);
     spin->setValue(value);
   };
+  Length(mDocument.scene()).showIn(*row.first, row.hand.kind != HandKind::Pin);
   QString name = nameOf(row.hand, *cut.membrane);
   double strength = 0.0;
   if (row.hand.kind == HandKind::Pin) {
@@ -157,7 +157,7 @@ void SheetHandsForm::showRow(const Row& row, const scene::Cut& cut) {
   } else {
     const auto& kernel = cut.membrane->field.kernels[index];
     strength = kernel.strength;
-    set(row.first, kernel.radiusMm);
+    set(row.first, kernel.radius);
     set(row.second, kernel.strength);
   }
   if (row.name->text() == name) return;

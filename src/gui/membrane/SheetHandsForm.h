@@ -33,7 +33,7 @@ class SheetHandsForm : public QWidget {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  /// Of a pin: `first` is its height over the frame's plane; of a kernel: radius and strength.
+  /// Of a pin: `first` is its height over the rest plane; of a kernel: radius and strength.
   struct Row {
     QWidget* widget = nullptr;
     QToolButton* name = nullptr;

@@ -79,20 +79,20 @@ void paintOverPicture(QPainter& painter, const scene::Cut& cut, const session::V
     QColor color = ringColor(kernels[i].strength, marked);
     for (const auto& points : session::kernelRings(kernels[i], axes))
       strokeTwice(painter, ring(points), color, marked ? 1.4 : 0.9);
-    if (auto middle = place(kernels[i].centreMm))
+    if (auto middle = place(kernels[i].centre))
       drawKernel(painter, toPoint(*middle), kernels[i].strength, isOf(marks.hover, HandKind::Kernel, i),
                  isOf(marks.selected, HandKind::Kernel, i));
   }
   for (std::size_t i = 0; i < cut.membrane->pins.size(); ++i)
-    if (auto point = place(cut.membrane->pins[i].placeMm))
+    if (auto point = place(cut.membrane->pins[i].place))
       drawPin(painter, toPoint(*point), isOf(marks.hover, HandKind::Pin, i), isOf(marks.selected, HandKind::Pin, i));
 }
 
-void paintOverSection(QPainter& painter, const scene::Cut& cut, const scene::SliceFrame& frame,
+void paintOverSection(QPainter& painter, const scene::Cut& cut, const scene::SectionPlane& plane,
                       const HandMarks& marks) {
   const auto& kernels = cut.membrane->field.kernels;
   for (std::size_t i = 0; i < kernels.size(); ++i) {
-    auto circle = session::circleOnSlice(frame, kernels[i]);
+    auto circle = session::circleOnSection(plane, kernels[i]);
     if (!circle) continue;
     bool marked = isOf(marks.selected, HandKind::Kernel, i) || isOf(marks.hover, HandKind::Kernel, i);
     QPainterPath path;
@@ -105,12 +105,12 @@ void paintOverSection(QPainter& painter, const scene::Cut& cut, const scene::Sli
                isOf(marks.selected, HandKind::Kernel, i));
   }
   for (std::size_t i = 0; i < cut.membrane->pins.size(); ++i) {
-    glm::dvec3 place = cut.membrane->pins[i].placeMm;
-    double nearness = session::nearnessToSlice(frame, place);
+    glm::dvec3 place = cut.membrane->pins[i].place;
+    double nearness = session::nearnessToSection(plane, place);
     if (nearness <= 0.0) continue;
     double before = painter.opacity();
     painter.setOpacity(before * (0.25 + 0.75 * nearness));
-    drawPin(painter, toPoint(scene::slicePixelFromWorld(frame, place)), isOf(marks.hover, HandKind::Pin, i),
+    drawPin(painter, toPoint(scene::sectionPixelFromWorld(plane, place)), isOf(marks.hover, HandKind::Pin, i),
             isOf(marks.selected, HandKind::Pin, i));
     painter.setOpacity(before);
   }

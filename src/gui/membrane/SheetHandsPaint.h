@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "velum/scene/Cut.h"
-#include "velum/scene/SliceFrame.h"
+#include "velum/scene/SectionPlane.h"
 #include "velum/session/membrane/SheetHands.h"
 
 namespace velum::gui {

@@ -40,8 +40,8 @@ void Sketch::refresh() {
   const auto& volume = mDocument.scene().volume.data;
   if (volume && mFitted != volume.id()) {
     mFitted = volume.id();
-    mRadiusMm = rounded(kFirstShare * velum::radiusMm(*volume));
-    emit radiusChanged(mRadiusMm);
+    mRadius = rounded(kFirstShare * velum::radiusOf(*volume));
+    emit radiusChanged(mRadius);
   }
   const Strokes* all = strokes();
   if (mSelected >= 0 && (!all || mSelected >= int(all->size()))) select(-1);
@@ -52,28 +52,28 @@ void Sketch::select(int stroke) {
   mDocument.endMerge();
   mSelected = stroke;
   if (const Strokes* all = strokes(); all && stroke >= 0 && stroke < int(all->size())) {
-    mRadiusMm = (*all)[std::size_t(stroke)].radiusMm;
-    emit radiusChanged(mRadiusMm);
+    mRadius = (*all)[std::size_t(stroke)].radius;
+    emit radiusChanged(mRadius);
   }
   emit selectedChanged(stroke);
   mToolbox.repaint();
 }
 
 void Sketch::setRadius(double mm) {
-  if (!(mm > 0) || mm == mRadiusMm) return;
-  mRadiusMm = mm;
+  if (!(mm > 0) || mm == mRadius) return;
+  mRadius = mm;
   emit radiusChanged(mm);
   if (mSelected >= 0)
     edit(
         "Change stroke's radius",
         [this](Strokes& all) {
-          if (mSelected < int(all.size())) all[std::size_t(mSelected)].radiusMm = mRadiusMm;
+          if (mSelected < int(all.size())) all[std::size_t(mSelected)].radius = mRadius;
         },
         true);
   mToolbox.repaint();
 }
 
-void Sketch::turnRadius(double notches) { setRadius(rounded(mRadiusMm * std::pow(kRadiusStep, notches))); }
+void Sketch::turnRadius(double notches) { setRadius(rounded(mRadius * std::pow(kRadiusStep, notches))); }
 
 void Sketch::remove(int stroke) {
   const Strokes* all = strokes();
@@ -89,7 +89,7 @@ void Sketch::addStroke(const scene::Stroke& stroke, const std::string& label) {
 /// Counted once for each volume, so that fitting costs what is under the strokes.
 const Histogram& Sketch::whole() {
   const auto& layer = mDocument.scene().volume;
-  std::tuple now{layer.data.id(), layer.channel, layer.frame};
+  std::tuple now{layer.data.id(), layer.channel, layer.timeStep};
   if (now != mCounted) mWhole = session::wholeHistogram(layer);
   mCounted = now;
   return mWhole;

@@ -19,7 +19,7 @@ class Sketch : public QObject, public Manipulator {
  public:
   Sketch(session::Document& document, Selection& selection, Toolbox& toolbox, QObject* parent);
 
-  double radiusMm() const { return mRadiusMm; }
+  double radius() const { return mRadius; }
   /// Which stroke of the membrane is marked; -1: none.
   int selected() const { return mSelected; }
   /// There is a membrane to stroke for, and data to stroke over.
@@ -54,7 +54,7 @@ class Sketch : public QObject, public Manipulator {
   session::Document& mDocument;
   Selection& mSelection;
   Toolbox& mToolbox;
-  double mRadiusMm = 3.0;
+  double mRadius = 3.0;
   int mSelected = -1;
   std::tuple<std::uint64_t, int, int> mCounted{};  ///< data, channel and time step of mWhole
   std::uint64_t mFitted = 0;                       ///< data to whose size the brush was last made

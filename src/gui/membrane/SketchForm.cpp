@@ -38,13 +38,13 @@ QIcon swatchOf(const QColor& color) {
 
 SketchForm::SketchForm(QWidget* parent)
     : QWidget(parent),
-      mKeep(makeButton(this, "sketchKeep", tr("Keep"),
-                       tr("Stroke over what the sheet is to keep whole, on a slice or in the picture;\n"
+      mKeep(makeButton(this, "sketchKeep", tr("Protect"),
+                       tr("Stroke over what the sheet is to go around, on a section or in the picture;\n"
                           "[ and ] or Alt and the wheel change the radius, Esc ends"))),
       mAvoid(makeButton(this, "sketchAvoid", tr("Avoid"),
                         tr("Stroke over what the sheet may cut: its values are taken out of the curve"))),
       mRemove(makeButton(this, "sketchRemove", tr("Remove stroke"), tr("Remove the selected stroke (Del)"))),
-      mRadius(new NumberRow(0.0, 0.0, 1, tr(" mm"), this)),
+      mRadius(new NumberRow(0.0, 0.0, 1, {}, this)),
       mList(new QListWidget(this)) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -93,9 +93,11 @@ void SketchForm::fillList() {
   const QSignalBlocker quiet(mList);
   mList->clear();
   for (const auto& stroke : mStrokes)
-    mList->addItem(new QListWidgetItem(
-        swatchOf(stroke.avoid ? kAvoidColor : kKeepColor),
-        tr("%1, radius %2 mm").arg(stroke.avoid ? tr("Avoid") : tr("Keep")).arg(stroke.radiusMm, 0, 'g', 3)));
+    mList->addItem(new QListWidgetItem(swatchOf(stroke.avoid ? kAvoidColor : kKeepColor),
+                                       tr("%1, radius %2%3")
+                                           .arg(stroke.avoid ? tr("Let through") : tr("Protect"))
+                                           .arg(stroke.radius, 0, 'g', 3)
+                                           .arg(mUnit)));
   int rows = int(mStrokes.size());
   if (row < rows) mList->setCurrentRow(row);
   int height = rows > 0 ? mList->sizeHintForRow(0) + 2 * mList->spacing() : 0;
@@ -106,12 +108,17 @@ void SketchForm::fillList() {
 }
 
 /// The slider reaches some times further than the brush that suits the data.
-void SketchForm::showRadius(double mm) {
-  double power = std::floor(std::log10(std::max(mm, 1e-6)));
-  mRadius->setDecimals(std::clamp(1 - int(power), 1, 6));
+void SketchForm::showRadius(double radius) {
+  double power = std::floor(std::log10(std::max(radius, 1e-9)));
+  mRadius->setDecimals(std::clamp(1 - int(power), 0, 9));
   const auto* spin = mRadius->spin();
-  if (mm > spin->maximum() || mm < spin->minimum()) mRadius->setRange(mm / 25.0, 8.0 * mm);
-  mRadius->setValue(mm);
+  if (radius > spin->maximum() || radius < spin->minimum()) mRadius->setRange(radius / 25.0, 8.0 * radius);
+  mRadius->setValue(radius);
+}
+
+void SketchForm::showLength(const Length& length) {
+  mUnit = length.suffix();
+  mRadius->setSuffix(mUnit);
 }
 
 void SketchForm::showSelected(int index) {

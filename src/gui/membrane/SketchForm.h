@@ -26,7 +26,8 @@ class SketchForm : public QWidget {
   void removeAsked(int index);
 
  public slots:
-  void showRadius(double mm);
+  void showRadius(double radius);
+  void showLength(const Length& length);
   void showSelected(int index);
 
  protected:
@@ -36,6 +37,7 @@ class SketchForm : public QWidget {
   void fillList();
 
   QPushButton *mKeep, *mAvoid, *mRemove;
+  QString mUnit;
   NumberRow* mRadius;
   QListWidget* mList;
   std::vector<scene::Stroke> mStrokes;

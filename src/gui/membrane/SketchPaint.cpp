@@ -31,14 +31,14 @@ std::vector<Dab> dabsOf(const session::ViewSpace& view, const scene::Stroke& str
   std::vector<Dab> dabs;
   bool joins = false;
   auto add = [&](glm::dvec3 p) {
-    auto circle = view.circleOfBall(p, stroke.radiusMm);
+    auto circle = view.circleOfBall(p, stroke.radius);
     if (circle) dabs.push_back({{circle->middle.x, circle->middle.y}, std::max(circle->radius, kLeastPixels), joins});
     joins = circle.has_value();
   };
-  const auto& path = stroke.pathMm;
+  const auto& path = stroke.path;
   for (std::size_t i = 0; i < path.size(); ++i) {
     if (i > 0) {
-      double share = kDabStep * std::max(stroke.radiusMm, 1e-9) / std::max(glm::distance(path[i - 1], path[i]), 1e-12);
+      double share = kDabStep * std::max(stroke.radius, 1e-9) / std::max(glm::distance(path[i - 1], path[i]), 1e-12);
       int count = std::clamp(int(std::min(1.0 / share, double(kMostDabs))), 1, kMostDabs);
       for (int k = 1; k < count; ++k) add(glm::mix(path[i - 1], path[i], double(k) / count));
     }
@@ -90,10 +90,10 @@ void paintStroke(ViewPainter& over, const scene::Stroke& stroke, bool isMarked) 
   over.painter.setOpacity(1.0);
 }
 
-void paintBrush(ViewPainter& over, QPointF pointer, double radiusMm, bool avoid) {
-  double radius = std::max(radiusMm / std::max(1e-12, over.space.mmPerPixel()), kLeastPixels);
+void paintBrush(ViewPainter& over, QPointF pointer, double radius, bool avoid) {
+  double pixels = std::max(radius / over.space.lengthPerPixel(), kLeastPixels);
   QPainterPath brush;
-  brush.addEllipse(pointer, radius, radius);
+  brush.addEllipse(pointer, pixels, pixels);
   strokeTwice(over.painter, brush, avoid ? kAvoidColor : kKeepColor, 1.4);
 }
 

@@ -257,7 +257,7 @@ void StrengthCanvas::paintPlot(QPainter& painter) const {
   small.setPointSizeF(font().pointSizeF() * 0.82);
   painter.setFont(small);
   painter.setPen(faded(palette().color(QPalette::Text), 0.5));
-  painter.drawText(p, Qt::AlignLeft | Qt::AlignTop, tr("keeps whole"));
+  painter.drawText(p, Qt::AlignLeft | Qt::AlignTop, tr("protects"));
   painter.drawText(p, Qt::AlignLeft | Qt::AlignBottom, tr("draws the sheet"));
   std::optional<scene::StrengthPoint> shown;
   if (mSelected >= 0 && mSelected < int(mCurve.size())) shown = mCurve[std::size_t(mSelected)];

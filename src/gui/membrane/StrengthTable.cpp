@@ -70,7 +70,7 @@ StrengthTable::StrengthTable(QWidget* parent)
   mTable->setObjectName("strengthTable");
   mTable->setAccessibleName(tr("Forces of structures"));
   mTable->setToolTip(
-      tr("Force of each structure, -1000 to 1000: above 0 the sheet keeps it whole, below it is drawn to it.\n"
+      tr("Force of each structure, -1000 to 1000: above 0 the sheet goes around it, below it is drawn to it.\n"
          "Double click a number to change it; Del removes a structure."));
   mTable->horizontalHeader()->hide();
   mTable->horizontalHeader()->setSectionResizeMode(Name, QHeaderView::Stretch);
@@ -88,8 +88,8 @@ StrengthTable::StrengthTable(QWidget* parent)
   layout->addWidget(mTable);
   auto* row = new QHBoxLayout;
   mAdd->setObjectName("strengthAdd");
-  mAdd->setAccessibleName(tr("Add a structure to keep whole"));
-  mAdd->setToolTip(tr("Add a structure that the sheet keeps whole"));
+  mAdd->setAccessibleName(tr("Add a structure to protect"));
+  mAdd->setToolTip(tr("Add a structure that the sheet goes around"));
   mAdd->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   row->addWidget(mAdd, 1);
   mRemove->setObjectName("strengthRemove");

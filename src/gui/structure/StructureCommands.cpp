@@ -27,9 +27,9 @@ StructureCommands::StructureCommands(session::Document& document, Selection& sel
     double t = value.toDouble();
     scene::Camera camera = t >= 1.0 ? mTo : mFrom;
     if (t < 1.0) {
-      camera.targetMm = glm::mix(mFrom.targetMm, mTo.targetMm, t);
-      camera.eyeMm = glm::mix(mFrom.eyeMm, mTo.eyeMm, t);
-      camera.heightMm = std::exp(glm::mix(std::log(mFrom.heightMm), std::log(mTo.heightMm), t));
+      camera.target = glm::mix(mFrom.target, mTo.target, t);
+      camera.eye = glm::mix(mFrom.eye, mTo.eye, t);
+      camera.height = std::exp(glm::mix(std::log(mFrom.height), std::log(mTo.height), t));
     }
     mLast = camera;
     mDocument.view([camera](scene::Scene& scene) { scene.camera = camera; });
@@ -88,17 +88,16 @@ QString StructureCommands::cutName() const {
   return tr("cut %1").arg(scene::cutPlace(mDocument.scene(), selected->id) + 1);
 }
 
-bool StructureCommands::isKeptWhole(int id) const {
+bool StructureCommands::isSpared(int id) const {
   const scene::Cut* selected = cut();
   return selected && session::isSpared(*selected, id);
 }
 
-void StructureCommands::setKeptWhole(const Ids& ids, bool whole) {
+void StructureCommands::setSpared(const Ids& ids, bool whole) {
   if (!cut()) return;
-  mDocument.edit(session::structureLabel(mDocument.scene(), whole ? "Keep whole" : "Cut", ids),
-                 [&](scene::Scene& scene) {
-                   for (int id : ids) session::setSpared(*scene::findCut(scene, mSelection.cut()), id, whole);
-                 });
+  mDocument.edit(session::structureLabel(mDocument.scene(), whole ? "Spare" : "Cut", ids), [&](scene::Scene& scene) {
+    for (int id : ids) session::setSpared(*scene::findCut(scene, mSelection.cut()), id, whole);
+  });
 }
 
 const scene::Membrane* StructureCommands::membrane() const {
@@ -116,7 +115,7 @@ double StructureCommands::strengthOf(int id) const {
 
 void StructureCommands::setStrength(const Ids& ids, double strength) {
   if (!membrane()) return;
-  const char* verb = strength > 0 ? "Keep whole by membrane:" : strength < 0 ? "Draw membrane to" : "No force of";
+  const char* verb = strength > 0 ? "Protect by membrane:" : strength < 0 ? "Draw membrane to" : "No force of";
   mDocument.edit(session::structureLabel(mDocument.scene(), verb, ids), [&](scene::Scene& scene) {
     for (int id : ids) session::protectStructure(*scene::findCut(scene, mSelection.cut())->membrane, id, strength);
   });
@@ -130,8 +129,8 @@ void StructureCommands::goTo(int id) {
   const LabelVolume& labels = *mMeter.labels();
   glm::dvec3 middle = session::middleOfStructure(labels, id, *size);
   mDocument.view([middle](scene::Scene& scene) {
-    scene.slices.crosshairMm = middle;
-    scene.slices.isPlaced = true;
+    scene.sections.crosshair = middle;
+    scene.sections.isPlaced = true;
   });
   flyTo(session::closeUp(mDocument.scene().camera, middle, session::radiusOfStructure(labels, *size), 1.0));
 }
@@ -154,7 +153,7 @@ void StructureCommands::fillMembraneMenu(QMenu& menu, const Ids& ids) {
     connect(action, &QAction::triggered, this,
             [this, ids, sign](bool on) { setStrength(ids, on ? sign * session::kProtectStrength : 0.0); });
   };
-  add(tr("Keep whole by membrane"), tr("The selected membrane's sheet goes around it"), 1.0);
+  add(tr("Protect by membrane"), tr("The selected membrane's sheet goes around it"), 1.0);
   add(tr("Draw membrane to it"), tr("The selected membrane's sheet is drawn to it"), -1.0);
 }
 
@@ -180,13 +179,13 @@ void StructureCommands::fillMenu(QMenu& menu, const Ids& ids) {
   }
   menu.addSeparator();
   QString name = cutName();
-  QAction* whole = menu.addAction(name.isEmpty() ? tr("Keep whole") : tr("Keep whole in %1").arg(name));
+  QAction* whole = menu.addAction(name.isEmpty() ? tr("Spare") : tr("Spare in %1").arg(name));
   whole->setCheckable(true);
-  whole->setChecked(std::all_of(ids.begin(), ids.end(), [this](int id) { return isKeptWhole(id); }));
+  whole->setChecked(std::all_of(ids.begin(), ids.end(), [this](int id) { return isSpared(id); }));
   whole->setEnabled(!name.isEmpty());
   whole->setToolTip(name.isEmpty() ? tr("Add or select a cut first")
-                                   : tr("The selected cut goes round it and leaves it whole"));
-  connect(whole, &QAction::triggered, this, [this, ids](bool on) { setKeptWhole(ids, on); });
+                                   : tr("The selected cut spares it: it stands out of the cut"));
+  connect(whole, &QAction::triggered, this, [this, ids](bool on) { setSpared(ids, on); });
   fillMembraneMenu(menu, ids);
 }
 

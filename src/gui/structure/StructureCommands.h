@@ -29,8 +29,8 @@ class StructureCommands : public QObject {
   void dragOpacity(const Ids& ids, double opacity);
   void rename(int id, const QString& name);
   /// Whether the selected cut leaves structures whole; nothing without a cut.
-  void setKeptWhole(const Ids& ids, bool whole);
-  bool isKeptWhole(int id) const;
+  void setSpared(const Ids& ids, bool whole);
+  bool isSpared(int id) const;
   /// The force of structures on the sheet of the selected membrane; nothing without one.
   /// @param strength  > 0 keeps them whole, < 0 draws the sheet to them, 0 takes them off
   void setStrength(const Ids& ids, double strength);

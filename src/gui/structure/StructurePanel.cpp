@@ -130,10 +130,10 @@ QGridLayout* StructurePanel::makeShares(QWidget* head) {
   };
   mTint = add(tr("Tint"), "labelTint", tr("How far structures take their own colour rather than the volume's, %"));
   mUnlabelled = add(tr("Unlabelled"), "labelUnlabelled", tr("Opacity of all that belongs to no structure, %"));
-  mOnSlices = add(tr("On slices"), "labelOnSlices", tr("Opacity of the structures' colours on the slices, %"));
+  mOnSections = add(tr("On sections"), "labelOnSections", tr("Opacity of the structures' colours on the sections, %"));
   driveShare(mTint, "Change tint", [](scene::Scene& s) -> double& { return s.labels.tint; });
   driveShare(mUnlabelled, "Fade what has no label", [](scene::Scene& s) -> double& { return s.labels.unlabelled; });
-  driveShare(mOnSlices, "Labels on slices", [](scene::Scene& s) -> double& { return s.slices.labelOpacity; });
+  driveShare(mOnSections, "Labels on sections", [](scene::Scene& s) -> double& { return s.sections.labelOpacity; });
   return grid;
 }
 
@@ -272,10 +272,10 @@ void StructurePanel::showSelected() {
 void StructurePanel::refresh() {
   const scene::Scene& scene = mDocument.scene();
   const scene::LabelLayer& labels = scene.labels;
-  if (mIsMade && labels == mShownLabels && scene.slices.labelOpacity == mShownOnSlices) return;
+  if (mIsMade && labels == mShownLabels && scene.sections.labelOpacity == mShownOnSections) return;
   mIsMade = true;
   mShownLabels = labels;
-  mShownOnSlices = scene.slices.labelOpacity;
+  mShownOnSections = scene.sections.labelOpacity;
   bool any = bool(labels.data) || !labels.structures.empty();
   mEmpty->setVisible(!any);
   mFull->setVisible(any);
@@ -286,7 +286,7 @@ void StructurePanel::refresh() {
   mShown->setChecked(labels.visible);
   mTint->setValue(labels.tint * 100.0);
   mUnlabelled->setValue(labels.unlabelled * 100.0);
-  mOnSlices->setValue(scene.slices.labelOpacity * 100.0);
+  mOnSections->setValue(scene.sections.labelOpacity * 100.0);
   mList->rows().setRows(labels.structures, session::soloStructure(scene));
   if (!session::findStructure(scene, mSelection.structure())) mSelection.setStructure(0);
   mList->selectId(mSelection.structure());

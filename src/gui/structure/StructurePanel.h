@@ -47,10 +47,10 @@ class StructurePanel : public QWidget {
   QLabel *mName = nullptr, *mCount = nullptr, *mDetailName = nullptr;
   EyeButton* mShown = nullptr;
   QLineEdit* mSearch = nullptr;
-  NumberRow *mTint = nullptr, *mUnlabelled = nullptr, *mOnSlices = nullptr, *mOpacity = nullptr;
+  NumberRow *mTint = nullptr, *mUnlabelled = nullptr, *mOnSections = nullptr, *mOpacity = nullptr;
   ColorButton* mColor = nullptr;
   scene::LabelLayer mShownLabels;  ///< What the rows were last made from.
-  double mShownOnSlices = -1.0;
+  double mShownOnSections = -1.0;
   bool mIsMade = false;
 };
 

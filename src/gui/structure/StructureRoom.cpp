@@ -63,10 +63,10 @@ void StructureRoom::addActions() {
   actions.addForScene(
       menu, "structure.goTo", tr("&Go to"), tr("Bring the camera near and the crosshair into the selected structure"),
       withSelected([](StructureCommands& commands, int id, const scene::Scene&) { commands.goTo(id); }));
-  actions.addForScene(menu, "structure.keepWhole", tr("&Keep whole"),
-                      tr("The selected cut leaves the selected structure whole, or cuts it again"),
+  actions.addForScene(menu, "structure.spare", tr("S&pare"),
+                      tr("The selected cut spares the selected structure, or cuts it again"),
                       withSelected([](StructureCommands& commands, int id, const scene::Scene&) {
-                        commands.setKeptWhole({id}, !commands.isKeptWhole(id));
+                        commands.setSpared({id}, !commands.isSpared(id));
                       }));
 }
 

@@ -5,7 +5,7 @@
 
 namespace velum::gui {
 
-/// How handles look over pictures and slices alike.
+/// How handles look over pictures and sections alike.
 
 /// Lines are drawn twice, dark and wide below, so that they can be seen over light and dark tissue.
 void strokeTwice(QPainter& painter, const QPainterPath& path, const QColor& color, double width);

@@ -20,18 +20,18 @@ const std::optional<render::Pick>& ViewPoint::pick() const {
   return mPick;
 }
 
-std::optional<glm::dvec3> ViewPoint::worldMm() const {
-  if (const auto* section = mSpace.section()) return scene::worldFromSlicePixel(*section, pixel());
-  return pick() ? std::optional(pick()->worldMm) : std::nullopt;
+std::optional<glm::dvec3> ViewPoint::world() const {
+  if (const auto* section = mSpace.section()) return scene::worldFromSectionPixel(*section, pixel());
+  return pick() ? std::optional(pick()->world) : std::nullopt;
 }
 
-std::optional<glm::dvec3> ViewPoint::materialMm(double mostMm) const {
-  auto world = worldMm();
+std::optional<glm::dvec3> ViewPoint::material(double most) const {
+  auto place = world();
   const auto& volume = mScene.volume.data;
-  if (!world || isOnSection() || !volume) return world;
-  glm::dvec3 spacing = spacingMm(*volume);
+  if (!place || isOnSection() || !volume) return place;
+  glm::dvec3 spacing = spacingOf(*volume);
   double deep = kBehindVoxels * std::max(spacing.x, std::max(spacing.y, spacing.z));
-  return *world - glm::dvec3(pick()->normal) * std::min(deep, mostMm);
+  return *place - glm::dvec3(pick()->normal) * std::min(deep, most);
 }
 
 }  // namespace velum::gui

@@ -24,10 +24,10 @@ class ViewPoint {
   /// What is seen here; nothing where nothing is hit.
   const std::optional<render::Pick>& pick() const;
   /// On a section any point of its plane; in the picture the surface that is seen. World, mm.
-  std::optional<glm::dvec3> worldMm() const;
+  std::optional<glm::dvec3> world() const;
   /// In the material that is meant: on a section the point itself; in the picture, where the point lies on the
-  /// material's border, 2.5 voxels behind it. @param mostMm  but no deeper than this
-  std::optional<glm::dvec3> materialMm(double mostMm = std::numeric_limits<double>::infinity()) const;
+  /// material's border, 2.5 voxels behind it. @param most  but no deeper than this
+  std::optional<glm::dvec3> material(double most = std::numeric_limits<double>::infinity()) const;
   /// The labelled region that is seen; 0: none.
   int structure() const { return pick() ? pick()->structure : 0; }
 

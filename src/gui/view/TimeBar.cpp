@@ -31,9 +31,9 @@ TimeBar::TimeBar(session::Document& document, QWidget* parent)
   layout->addWidget(mText);
   mTimer.setInterval(kStepMs);
   connect(mPlay, &QPushButton::toggled, this, &TimeBar::setPlaying);
-  connect(mSlider, &QSlider::valueChanged, this, [this](int frame) {
+  connect(mSlider, &QSlider::valueChanged, this, [this](int timeStep) {
     mDocument.edit(
-        "Change time step", [frame](scene::Scene& scene) { scene.volume.frame = frame; }, true);
+        "Change time step", [timeStep](scene::Scene& scene) { scene.volume.timeStep = timeStep; }, true);
     if (!mSlider->isSliderDown()) mDocument.endMerge();
   });
   connect(mSlider, &QSlider::sliderReleased, this, [this] { mDocument.endMerge(); });
@@ -45,13 +45,13 @@ TimeBar::TimeBar(session::Document& document, QWidget* parent)
   hide();
 }
 
-int TimeBar::frames() const {
+int TimeBar::timeSteps() const {
   const auto& volume = mDocument.scene().volume.data;
-  return volume ? volume->frames : 0;
+  return volume ? volume->timeSteps : 0;
 }
 
 void TimeBar::setPlaying(bool playing) {
-  playing = playing && frames() > 1;
+  playing = playing && timeSteps() > 1;
   if (playing == mTimer.isActive()) return;
   if (playing)
     mTimer.start();
@@ -64,26 +64,26 @@ void TimeBar::setPlaying(bool playing) {
 }
 
 void TimeBar::step(int steps) {
-  int count = frames();
+  int count = timeSteps();
   if (count < 2) return;
-  int next = ((mDocument.scene().volume.frame + steps) % count + count) % count;
+  int next = ((mDocument.scene().volume.timeStep + steps) % count + count) % count;
   // All of a play is one step to undo.
   mDocument.edit(
-      "Change time step", [next](scene::Scene& scene) { scene.volume.frame = next; }, true);
+      "Change time step", [next](scene::Scene& scene) { scene.volume.timeStep = next; }, true);
   if (!isPlaying()) mDocument.endMerge();
 }
 
 void TimeBar::refresh() {
-  int count = frames();
+  int count = timeSteps();
   setVisible(count > 1);
   if (count < 2) return setPlaying(false);
   const QSignalBlocker quiet(mSlider);
   mSlider->setRange(0, count - 1);
-  int frame = mDocument.scene().volume.frame;
-  mSlider->setValue(frame);
-  double seconds = mDocument.scene().volume.data->frameSeconds;
-  QString text = tr("%1 of %2").arg(frame + 1).arg(count);
-  if (seconds > 0) text += tr("    %1 s").arg(frame * seconds, 0, 'f', seconds < 0.1 ? 3 : 2);
+  int timeStep = mDocument.scene().volume.timeStep;
+  mSlider->setValue(timeStep);
+  double seconds = mDocument.scene().volume.data->timeStepSeconds;
+  QString text = tr("%1 of %2").arg(timeStep + 1).arg(count);
+  if (seconds > 0) text += tr("    %1 s").arg(timeStep * seconds, 0, 'f', seconds < 0.1 ? 3 : 2);
   mText->setText(text);
 }
 

@@ -26,7 +26,7 @@ class TimeBar : public QFrame {
   void askReady(bool& ready);
 
  private:
-  int frames() const;
+  int timeSteps() const;
 
   session::Document& mDocument;
   QPushButton* mPlay;

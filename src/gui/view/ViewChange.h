@@ -4,11 +4,11 @@
 namespace velum::gui {
 
 /// The one way in which views change what they show (crosshair, zoom, turn, layout): no edit of the picture.
-/// @param change  of the scene's slices; what it does to the rest is dropped
-inline void changeSlices(session::Document& document, const session::Document::Change& change) {
+/// @param change  of the scene's sections; what it does to the rest is dropped
+inline void changeSections(session::Document& document, const session::Document::Change& change) {
   scene::Scene next = document.scene();
   change(next);
-  document.view([slices = next.slices](scene::Scene& scene) { scene.slices = slices; });
+  document.view([sections = next.sections](scene::Scene& scene) { scene.sections = sections; });
 }
 
 }  // namespace velum::gui

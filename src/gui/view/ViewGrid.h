@@ -3,12 +3,12 @@
 #include <array>
 #include <optional>
 
-#include "SliceView.h"
+#include "SectionView.h"
 #include "Viewport.h"
 
 namespace velum::gui {
 
-/// The centre of the window: the 3D view and the three slices in one of four layouts, with gaps that can be dragged.
+/// The centre of the window: the 3D view and the three sections in one of four layouts, with gaps that can be dragged.
 /// The layout is the scene's. Views are moved and hidden, never made anew, so that the 3D view keeps its GL context.
 class ViewGrid : public QWidget {
   Q_OBJECT
@@ -18,17 +18,17 @@ class ViewGrid : public QWidget {
   /// To be called after every change of the document.
   void refresh();
   /// Puts the views where a layout has them.
-  void place(const scene::Slices& slices);
+  void place(const scene::Sections& sections);
   Viewport& viewport() { return *mViewport; }
-  SliceView& slice(scene::SliceKind kind) { return *mSlices[std::size_t(kind)]; }
-  /// The slice that commands mean: the one with the keyboard, else the one shown beside the 3D view.
-  SliceView& currentSlice();
+  SectionView& section(scene::SectionKind kind) { return *mSections[std::size_t(kind)]; }
+  /// The section that commands mean: the one with the keyboard, else the one shown beside the 3D view.
+  SectionView& currentSection();
   /// The view that had the keyboard last, of those that are shown.
   QWidget& keyboardView();
 
   void setLayout(scene::Layout layout);
   /// Fills the window with a view, or shows the others again where it fills it already. Nothing: the 3D view.
-  void maximise(std::optional<scene::SliceKind> kind);
+  void maximise(std::optional<scene::SectionKind> kind);
   /// All views that are shown show the scene as it is, if only coarsely.
   bool isCurrent() const;
   /// All views that are shown are complete.
@@ -55,9 +55,9 @@ class ViewGrid : public QWidget {
 
   session::Document& mDocument;
   Viewport* mViewport;
-  std::array<SliceView*, 3> mSlices;
+  std::array<SectionView*, 3> mSections;
   std::optional<scene::Layout> mPlaced;  ///< The layout that the views stand in.
-  scene::SliceKind mBeside = scene::SliceKind::Axial;
+  scene::SectionKind mBeside = scene::SectionKind::Axial;
   scene::Layout mBefore = scene::Layout::FourUp;  ///< To which a maximised view gives way again.
   glm::dvec2 mFourSplit{0.5, 0.5};                ///< Where the gaps are, shares of the size.
   double mBesideSplit = 0.6;

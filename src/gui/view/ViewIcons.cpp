@@ -53,12 +53,12 @@ class ViewIconEngine : public QIconEngine {
         p.fillRect(frame, soft);
         p.drawRect(frame);
         break;
-      case ViewIcon::VolumeAndSlice:
+      case ViewIcon::VolumeAndSection:
         p.fillRect(QRectF(1.5, 2.5, 7.5, 11), soft);
         p.drawRect(frame);
         line(9, 2.5, 9, 13.5);
         break;
-      case ViewIcon::Slice:
+      case ViewIcon::Section:
         p.drawRect(frame);
         line(8, 4.5, 8, 11.5);
         line(4, 8, 12, 8);

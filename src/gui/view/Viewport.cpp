@@ -13,8 +13,8 @@ namespace velum::gui {
 
 namespace {
 
-constexpr double kSliceMs = 8.0;          // a sixth of the 50 ms in which every view answers
-constexpr double kCoarseSliceMs = 28.0;   // a coarse picture in one piece: what waits is that picture
+constexpr double kWorkMs = 8.0;           // a sixth of the 50 ms in which every view answers
+constexpr double kCoarseWorkMs = 28.0;    // a coarse picture in one piece: what waits is that picture
 constexpr int kRestMs = 140;              // a hand that pauses in a drag for less does not start a full picture
 constexpr double kCoarseTargetMs = 15.0;  // leaves room for tables, light and the window's composition under 50 ms
 constexpr double kLargestScale = 12.0;
@@ -30,16 +30,16 @@ Viewport::Viewport(session::Session& session, Toolbox& toolbox, QWidget* parent)
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
   setMinimumSize(240, 180);
-  mSliceTimer.setInterval(0);
-  connect(&mSliceTimer, &QTimer::timeout, this, &Viewport::slice);
+  mSectionTimer.setInterval(0);
+  connect(&mSectionTimer, &QTimer::timeout, this, &Viewport::section);
   mRestTimer.setSingleShot(true);
   mRestTimer.setInterval(kRestMs);
   connect(&mRestTimer, &QTimer::timeout, this, [this] {
     begin(mCoarseScale > 2.5 ? Stage::Half : Stage::Full);
-    if (!mPauseTimer.isActive()) mSliceTimer.start();
+    if (!mPauseTimer.isActive()) mSectionTimer.start();
   });
   mPauseTimer.setSingleShot(true);
-  connect(&mPauseTimer, &QTimer::timeout, this, [this] { mSliceTimer.start(); });
+  connect(&mPauseTimer, &QTimer::timeout, this, [this] { mSectionTimer.start(); });
   mPickTimer.setSingleShot(true);
   mPickTimer.setInterval(80);
   connect(&mPickTimer, &QTimer::timeout, this, &Viewport::pickUnderPointer);
@@ -66,7 +66,7 @@ void Viewport::initializeGL() {
 
 /// Gives everything on the GPU back, while its context still lives: the widget goes, or moves to another window.
 void Viewport::release() {
-  mSliceTimer.stop();
+  mSectionTimer.stop();
   mRestTimer.stop();
   mPickTimer.stop();
   mPauseTimer.stop();
@@ -85,13 +85,13 @@ void Viewport::release() {
 }
 
 void Viewport::pause(int ms) {
-  mSliceTimer.stop();
+  mSectionTimer.stop();
   mPauseTimer.start(ms);
 }
 
 void Viewport::showEvent(QShowEvent* event) {
   QOpenGLWidget::showEvent(event);
-  if (mRenderer) mSliceTimer.start();  // what stood still while nobody saw it
+  if (mRenderer) mSectionTimer.start();  // what stood still while nobody saw it
 }
 
 void Viewport::loseContext() {
@@ -155,7 +155,7 @@ void Viewport::startAnew() {
   mPending = true;
   mRestTimer.stop();
   mToolbox.repaint(*this);
-  if (mRenderer && !mSliceTimer.isActive() && !mPauseTimer.isActive()) mSliceTimer.start();
+  if (mRenderer && !mSectionTimer.isActive() && !mPauseTimer.isActive()) mSectionTimer.start();
 }
 
 void Viewport::begin(Stage stage) {
@@ -176,16 +176,16 @@ void Viewport::begin(Stage stage) {
   }
 }
 
-void Viewport::slice() {
-  if (!bindContext()) return mSliceTimer.stop();
+void Viewport::section() {
+  if (!bindContext()) return mSectionTimer.stop();
   try {
     bool moving = driveSheets();
     bool drawing = isVisible() && drawSome();
-    if (!moving && !drawing) mSliceTimer.stop();
+    if (!moving && !drawing) mSectionTimer.stop();
   } catch (const Error& error) {
     mStage = Stage::Idle;
     mPending = false;
-    mSliceTimer.stop();
+    mSectionTimer.stop();
     emit failed(QString::fromUtf8(error.what()));
   }
   tellProgress();
@@ -197,7 +197,7 @@ bool Viewport::drawSome() {
   // A coarse picture on its way is finished first: a steady drag would otherwise never show one.
   if (mPending && (mStage != Stage::Coarse || otherData)) begin(Stage::Coarse);
   if (mStage == Stage::Idle || mRestTimer.isActive()) return false;
-  bool done = mRenderer->work(mFrame, mStage == Stage::Coarse ? kCoarseSliceMs : kSliceMs);
+  bool done = mRenderer->work(mFrame, mStage == Stage::Coarse ? kCoarseWorkMs : kWorkMs);
   bool grown = mStage == Stage::Full && mRenderer->stats().samples > 0 && mSinceShown.elapsed() > kShowMs;
   if (done || grown) show();
   return !done || finishStage();
@@ -270,11 +270,11 @@ void Viewport::toggleProjection() {
   bool perspective = camera.projection == scene::Projection::Perspective;
   // What is in the middle keeps its size.
   double tangent = std::tan(glm::radians(camera.fieldOfViewDeg) * 0.5);
-  glm::dvec3 arm = camera.eyeMm - camera.targetMm;
+  glm::dvec3 arm = camera.eye - camera.target;
   if (perspective)
-    camera.heightMm = 2.0 * glm::length(arm) * tangent;
+    camera.height = 2.0 * glm::length(arm) * tangent;
   else
-    camera.eyeMm = camera.targetMm + glm::normalize(arm) * (camera.heightMm * 0.5 / tangent);
+    camera.eye = camera.target + glm::normalize(arm) * (camera.height * 0.5 / tangent);
   camera.projection = perspective ? scene::Projection::Orthographic : scene::Projection::Perspective;
   mDocument.view([camera](scene::Scene& scene) { scene.camera = camera; });
 }

@@ -14,7 +14,8 @@
 namespace velum::gui {
 
 /// The progressive 3D view. While the scene changes it shows coarse pictures, sized so that each is ready at once; when
-/// the scene rests it refines in short slices between events, and when the picture is complete it does no work at all.
+/// the scene rests it refines in short sections between events, and when the picture is complete it does no work at
+/// all.
 class Viewport : public QOpenGLWidget, public ToolView {
   Q_OBJECT
  public:
@@ -56,7 +57,7 @@ class Viewport : public QOpenGLWidget, public ToolView {
   Qt::CursorShape restCursor() const override { return Qt::ArrowCursor; }
 
  signals:
-  /// The sheets' indices are others: slices are to be drawn anew.
+  /// The sheets' indices are others: sections are to be drawn anew.
   void sheetsMoved();
   /// What membranes().status() says has changed; a few times a second at most.
   void sheetsTold();
@@ -71,8 +72,8 @@ class Viewport : public QOpenGLWidget, public ToolView {
   void failed(const QString& message);
   /// A double click beside the handles.
   void maximiseWanted();
-  /// The crosshair of the slices is to go to a point of the world: Ctrl+click on what the picture shows.
-  void placeWanted(glm::dvec3 worldMm);
+  /// The crosshair of the sections is to go to a point of the world: Ctrl+click on what the picture shows.
+  void placeWanted(glm::dvec3 world);
 
  protected:
   void initializeGL() override;
@@ -97,7 +98,7 @@ class Viewport : public QOpenGLWidget, public ToolView {
   void tellSheets();
   void release();
   bool bindContext();
-  void slice();
+  void section();
   bool drawSome();
   scene::Scene drawnScene() const;
   void begin(Stage stage);
@@ -128,7 +129,7 @@ class Viewport : public QOpenGLWidget, public ToolView {
   bool mPending = true;      ///< The scene has changed since mFrame was made.
   bool mHasPicture = false;  ///< mFrame has a complete sample, so that it can be picked from.
   double mCoarseScale = 0;   ///< Device pixels to one pixel of a coarse picture; 0: not known yet.
-  QTimer mSliceTimer, mRestTimer, mPickTimer, mPauseTimer;
+  QTimer mSectionTimer, mRestTimer, mPickTimer, mPauseTimer;
   QElapsedTimer mSinceShown, mSinceTold;
   Stage mToldStage = Stage::Idle;
   bool mIsFresh = false;  ///< The picture on its way to the screen is a new one.

@@ -65,7 +65,7 @@ void Viewport::tellClick(QMouseEvent* event, bool isRoll) {
   bool isLeft = event->button() == Qt::LeftButton;
   auto pick = pickAt(event->position());
   if (!pick) return;
-  if (isRoll && pick->hit) emit placeWanted(pick->worldMm);
+  if (isRoll && pick->hit) emit placeWanted(pick->world);
   if (isLeft && event->modifiers() == Qt::NoModifier) emit clickedAt(*pick);
   if (event->button() == Qt::RightButton) emit menuAskedAt(*pick, event->globalPosition().toPoint());
 }

@@ -1,4 +1,4 @@
-// The players of the session in the 3D view's slices: how far they go at a time, who hears of it.
+// The players of the session in the 3D view's sections: how far they go at a time, who hears of it.
 #include "Viewport.h"
 
 namespace velum::gui {
@@ -13,7 +13,7 @@ constexpr int kTellMs = 200;
 /// Something may be due that no picture waits for.
 void Viewport::wakeSheets() {
   bool isDue = !mSession.isSettled() || membranes().indices() != mIndicesTold || mSession.shownCount() != mSheetsShown;
-  if (mRenderer && isDue && !mSliceTimer.isActive() && !mPauseTimer.isActive()) mSliceTimer.start();
+  if (mRenderer && isDue && !mSectionTimer.isActive() && !mPauseTimer.isActive()) mSectionTimer.start();
 }
 
 void Viewport::playersTold() {
@@ -21,7 +21,7 @@ void Viewport::playersTold() {
   tellSheets();
 }
 
-/// A slice of the sheets' work. @return true when more is due at once
+/// A section of the sheets' work. @return true when more is due at once
 bool Viewport::driveSheets() {
   bool isMoving = mSession.advance(kSheetMs);
   if (mSession.shownCount() != mSheetsShown) {

@@ -52,7 +52,7 @@ void FileCommands::addOpening(QMenu* menu) {
   });
   QAction* open = actions.add(menu, "file.open", tr("&Open..."), tr("Open a volume, labels, surfaces or a scene"),
                               [this] { askOpen(false); });
-  actions.add(menu, "file.openFolder", tr("Open &folder..."), tr("Open a folder of DICOM slices"),
+  actions.add(menu, "file.openFolder", tr("Open &folder..."), tr("Open a folder of DICOM images"),
               [this] { askOpenFolder(); });
   keepRecentMenu(menu->addMenu(tr("Open &recent")), [this](const QString& path) { openAsked({path}); });
   actions.addForScene(menu, "file.add", tr("&Add labels or surfaces..."), tr("Open beside what is open"),
@@ -116,7 +116,7 @@ void FileCommands::askOpen(bool add) {
 }
 
 void FileCommands::askOpenFolder() {
-  QString path = QFileDialog::getExistingDirectory(&mParts.window, tr("Open a folder of DICOM slices"), folder());
+  QString path = QFileDialog::getExistingDirectory(&mParts.window, tr("Open a folder of DICOM images"), folder());
   if (!path.isEmpty()) openAsked({path});
 }
 

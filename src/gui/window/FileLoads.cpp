@@ -120,8 +120,8 @@ void FileLoads::show(session::Loaded& loaded, const QString& path) {
     for (const auto& line : scene.volume.data->warnings) notes << toText(line);
   emit aboutToShow();
   if (!loaded.isScene && !loaded.lost) {
-    scene.slices.layout = ViewGrid::layoutFor(scene);
-    views.place(scene.slices);  // so that the camera fits the view as it will be
+    scene.sections.layout = ViewGrid::layoutFor(scene);
+    views.place(scene.sections);  // so that the camera fits the view as it will be
     scene.camera = views.viewport().frame(scene, scene::defaultView(scene));
   }
   bool wasLost = loaded.lost != nullptr;

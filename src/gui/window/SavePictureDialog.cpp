@@ -194,9 +194,9 @@ QWidget* SavePictureDialog::makeQuality() {
   mSamples->setToolTip(tr("Samples a pixel, 1 to 256"));
   mLayers = new QCheckBox(tr("Layers: depth, normal, structure, position"), box);
   mLayers->setObjectName("pictureLayers");
-  mLayers->setToolTip(
-      tr("Inside an .exr file; as pictures beside a .png or .tif file.\nOf a membrane's slice also what stands before "
-         "it, its image, and what lies behind it, to be put together."));
+  mLayers->setToolTip(tr(
+      "Inside an .exr file; as pictures beside a .png or .tif file.\nOf a membrane's section also what stands before "
+      "it, its image, and what lies behind it, to be put together."));
   grid->addWidget(new QLabel(tr("Background"), box), 0, 0);
   grid->addWidget(mBackground, 0, 1);
   grid->addWidget(new QLabel(tr("Quality"), box), 1, 0);

@@ -1,4 +1,5 @@
 #include "StatusLine.h"
+#include "kit/Length.h"
 
 #include <cmath>
 
@@ -48,7 +49,7 @@ void StatusLine::showProgress(double fraction, const QString& stage) {
 void StatusLine::refresh(const session::Session& session) {
   const scene::Scene& scene = session.scene();
   if (const auto& v = scene.volume.data) {
-    glm::dvec3 mm = spacingMm(*v);
+    glm::dvec3 mm = spacingOf(*v);
     QString times = QString::fromUtf8(" \u00d7 ");
     QString unit = v->unit.empty() ? QString() : " " + QString::fromStdString(v->unit);
     auto type = enumName(v->type);
@@ -58,7 +59,7 @@ void StatusLine::refresh(const session::Session& session) {
       spacing << shortNumber(mm[i]);
     }
     QString text = dims.join(times) + "    ";
-    text += v->isSpacingKnown ? spacing.join(times) + " mm" : tr("spacing unknown");
+    text += v->isSpacingKnown ? spacing.join(times) + Length(scene).suffix() : tr("spacing unknown");
     text += QString("    %1    %2 to %3%4")
                 .arg(QString::fromUtf8(type.data(), int(type.size())), shortNumber(v->range.x), shortNumber(v->range.y),
                      unit);
@@ -77,19 +78,21 @@ void StatusLine::showPick(const render::Pick& pick) {
   const auto& scene = mParts.session.scene();
   QString text;
   QStringList values;
-  for (double value : render::probe(scene, pick.worldMm).values) values << shortNumber(value);
+  for (double value : render::probe(scene, pick.world).values) values << shortNumber(value);
   if (const auto& v = scene.volume.data; v && !values.isEmpty())
     text = QString("%1 %2    ").arg(values.join(", "), QString::fromStdString(v->unit));
   // Letters only where the file says how the patient lay.
   bool letters = !scene.volume.data || scene.volume.data->isOrientationKnown;
+  Length length(scene);
   static constexpr const char* kPlus[] = {"L", "P", "S"};
   static constexpr const char* kMinus[] = {"R", "A", "I"};
   for (int i = 0; i < 3; ++i) {
-    double mm = pick.worldMm[i];
-    text += letters ? QString("%1 %2  ").arg(mm < 0 ? kMinus[i] : kPlus[i]).arg(std::abs(mm), 0, 'f', 1)
-                    : QString("%1  ").arg(mm, 0, 'f', 1);
+    double at = pick.world[i];
+    bool isMinus = length.number(at).startsWith('-');
+    text += letters ? QString("%1 %2  ").arg(isMinus ? kMinus[i] : kPlus[i], length.number(std::abs(at)))
+                    : length.number(at) + "  ";
   }
-  text += "mm";
+  text += length.unit();
   for (const auto& structure : scene.labels.structures)
     if (structure.id == pick.structure) text += "    " + QString::fromStdString(structure.name);
   mPick->setText(text);

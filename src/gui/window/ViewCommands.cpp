@@ -24,7 +24,7 @@ ViewCommands::ViewCommands(const WindowParts& parts) : Room(parts), mLayouts(new
   menu->addSeparator();
   addLayouts(menu);
   menu->addSeparator();
-  addSlices(menu);
+  addSections(menu);
   parts.bar.addSeparator();
 }
 
@@ -61,8 +61,8 @@ void ViewCommands::addLayouts(QMenu* menu) {
   static constexpr Row kRows[] = {
       {"layout.four", "&Four views", "Axial, coronal, sagittal and 3D", ViewIcon::FourUp},
       {"layout.volume", "3D &only", "The 3D view alone", ViewIcon::Volume},
-      {"layout.beside", "3D and one &slice", "The 3D view and the current slice", ViewIcon::VolumeAndSlice},
-      {"layout.slice", "One s&lice", "The current slice alone", ViewIcon::Slice}};
+      {"layout.beside", "3D and one &section", "The 3D view and the current section", ViewIcon::VolumeAndSection},
+      {"layout.section", "One s&lice", "The current section alone", ViewIcon::Section}};
   for (int i = 0; i < 4; ++i) {
     const Row& row = kRows[i];
     QAction* action = mParts.actions.addForScene(menu, row.id, tr(row.name), tr(row.tip),
@@ -75,20 +75,20 @@ void ViewCommands::addLayouts(QMenu* menu) {
   }
 }
 
-void ViewCommands::addSlices(QMenu* menu) {
+void ViewCommands::addSections(QMenu* menu) {
   ActionTable& actions = mParts.actions;
-  actions.addForScene(menu, "slices.next", tr("&Next slice"), tr("Show the plane nearer to you"),
-                      [this] { mParts.views.currentSlice().scroll(1); });
-  actions.addForScene(menu, "slices.previous", tr("Pre&vious slice"), tr("Show the plane further away"),
-                      [this] { mParts.views.currentSlice().scroll(-1); });
-  actions.addForScene(menu, "slices.reset", tr("Slices along the patient's a&xes"),
+  actions.addForScene(menu, "sections.next", tr("&Next section"), tr("Show the plane nearer to you"),
+                      [this] { mParts.views.currentSection().scroll(1); });
+  actions.addForScene(menu, "sections.previous", tr("Pre&vious section"), tr("Show the plane further away"),
+                      [this] { mParts.views.currentSection().scroll(-1); });
+  actions.addForScene(menu, "sections.reset", tr("Sections along the patient's a&xes"),
                       tr("Axial, coronal and sagittal again, crosshair in the middle"),
-                      [this] { changeSlices(mParts.document(), scene::resetSlices); });
+                      [this] { changeSections(mParts.document(), scene::resetSections); });
 }
 
 void ViewCommands::refresh(const session::Session& session) {
   const scene::Scene& scene = session.scene();
-  mLayouts->actions()[int(scene.slices.layout)]->setChecked(true);
+  mLayouts->actions()[int(scene.sections.layout)]->setChecked(true);
   mProjection->setChecked(scene.camera.projection == scene::Projection::Orthographic);
 }
 

@@ -5,7 +5,7 @@
 
 namespace velum::gui {
 
-/// From where one looks, layouts of the views, and what moves slices.
+/// From where one looks, layouts of the views, and what moves sections.
 class ViewCommands : public Room {
   Q_OBJECT
  public:
@@ -15,7 +15,7 @@ class ViewCommands : public Room {
  private:
   void addDirections(QMenu* menu);
   void addLayouts(QMenu* menu);
-  void addSlices(QMenu* menu);
+  void addSections(QMenu* menu);
 
   QAction* mProjection = nullptr;
   QActionGroup* mLayouts;

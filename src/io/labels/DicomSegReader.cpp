@@ -63,10 +63,10 @@ struct Mask {
   std::string_view bytes;
   int bits = 1;          ///< 1: packed over all frames, lowest bit first; 8: one byte each.
   double threshold = 0;  ///< A byte over this is inside.
-  std::uint64_t frameVoxels = 0;
+  std::uint64_t timeStepVoxels = 0;
 
   bool at(std::uint64_t frame, std::uint64_t voxel) const {
-    std::uint64_t i = frame * frameVoxels + voxel;
+    std::uint64_t i = frame * timeStepVoxels + voxel;
     auto byte = static_cast<unsigned char>(bytes[bits == 1 ? i / 8 : i]);
     return bits == 1 ? byte >> (i % 8) & 1 : byte > threshold;
   }
@@ -84,7 +84,7 @@ Mask maskOf(const DataSet& set, const DicomFile& file) {
   if (type == "FRACTIONAL") mask.threshold = 0.5 * binaryOf<std::uint16_t>(set, Tag(0x0062, 0x000e), 255);
   if (mask.bits != 1 && mask.bits != 8)
     refuse(file.path, fmt::format("segmentations of {} bits are not supported", mask.bits));
-  std::uint64_t wanted = (mask.frameVoxels * file.frames.size() * std::uint64_t(mask.bits) + 7) / 8;
+  std::uint64_t wanted = (mask.timeStepVoxels * file.frames.size() * std::uint64_t(mask.bits) + 7) / 8;
   if (mask.bytes.size() < wanted)
     refuse(file.path, fmt::format("the pixel data is cut off: {} bytes of {}", mask.bytes.size(), wanted));
   return mask;
@@ -142,11 +142,11 @@ std::uint64_t fill(LabelVolume& labels, const DicomFile& file, const Mask& mask,
     int depth = std::min(LabelVolume::kBrickSize, planes.count - z);
     auto begin = byPlane.lower_bound(z), end = byPlane.lower_bound(z + depth);
     if (begin == end) continue;
-    slab.assign(mask.frameVoxels * std::uint64_t(depth), 0);
+    slab.assign(mask.timeStepVoxels * std::uint64_t(depth), 0);
     for (auto at = begin; at != end; ++at) {
       auto id = std::uint16_t(std::max(1, file.frames[at->second].segment));
-      std::uint16_t* to = slab.data() + mask.frameVoxels * std::uint64_t(at->first - z);
-      for (std::uint64_t v = 0; v < mask.frameVoxels; ++v) {
+      std::uint16_t* to = slab.data() + mask.timeStepVoxels * std::uint64_t(at->first - z);
+      for (std::uint64_t v = 0; v < mask.timeStepVoxels; ++v) {
         if (!mask.at(at->second, v)) continue;
         overlaps += to[v] != 0 && to[v] != id;
         to[v] = id;

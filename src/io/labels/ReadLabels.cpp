@@ -95,7 +95,7 @@ std::vector<LayerMap> layerMaps(const std::vector<SlicerSegment>& segments, int 
 
 /// Slab by slab, so that no second array of all ids is ever held.
 LabelVolume convert(const Volume& v, const std::vector<LayerMap>& maps, const Path& path, Progress& progress) {
-  LabelVolume labels(v.dims, v.worldFromVoxel);
+  LabelVolume labels(v.dims, v.worldFromVoxel, v.lengthUnit);
   std::size_t plane = std::size_t(v.dims.x) * std::size_t(v.dims.y), channels = std::size_t(v.channels);
   std::vector<std::uint16_t> slab(plane * std::size_t(std::min(kSlab, v.dims.z)));
   for (int z = 0; z < v.dims.z; z += kSlab) {
@@ -127,8 +127,8 @@ LabelVolume readFromVolume(const scene::Source& source, Progress& progress) {
   LabelVolume labels = convert(v, layerMaps(segments, v.channels), path, progress);
   labels.name = v.name;
   labels.warnings = v.warnings;
-  if (v.frames > 1)
-    labels.warnings.push_back(fmt::format("the file has {} time frames; the first was taken", v.frames));
+  if (v.timeSteps > 1)
+    labels.warnings.push_back(fmt::format("the file has {} time frames; the first was taken", v.timeSteps));
   std::vector<LabelInfo> table;
   for (const SlicerSegment& segment : segments) table.push_back(segment.label);
   if (table.empty()) table = tableOf(path, labels.warnings);

@@ -244,19 +244,19 @@ TransferFile parseSlicerJson(std::string_view text) {
   bool isOff = disabled != component.end() && disabled->is_boolean() && disabled->get<bool>();
   if (!isOff) file.transfer.gradientOpacities = curveAt(component, "gradientOpacity");
   double unit = numberAt(component, "scalarOpacityUnitDistance", 1.0);
-  file.transfer.unitDistanceMm = unit > 0 ? std::clamp(unit, 1e-9, 1e9) : 1.0;
+  file.transfer.unitDistance = unit > 0 ? std::clamp(unit, 1e-9, 1e9) : 1.0;
   return file;
 }
 
 std::string slicerText(const scene::TransferFunction& transfer, const scene::Lighting& lighting) {
-  scene::TransferFunction perMm = transfer;
-  for (auto& point : perMm.opacities) point.opacity = opacityForUnit(point.opacity, transfer.unitDistanceMm);
+  scene::TransferFunction perLength = transfer;
+  for (auto& point : perLength.opacities) point.opacity = opacityForUnit(point.opacity, transfer.unitDistance);
   std::vector<double> colors;
   for (const auto& stop : transfer.colors)
     colors.insert(colors.end(), {stop.value, double(stop.color.r), double(stop.color.g), double(stop.color.b)});
   return fmt::format("1\n{}\n{:.6g}\n{:.6g}\n{:.6g}\n{:.6g}\n", lighting.shaded ? 1 : 0, share(lighting.diffuse),
                      share(lighting.ambient), share(lighting.specular), lighting.shininess) +
-         listText(flat(perMm.opacities), "the opacity curve") +
+         listText(flat(perLength.opacities), "the opacity curve") +
          listText(flat(orOne(transfer.gradientOpacities)), "the gradient curve") + listText(colors, "the colour map");
 }
 
@@ -272,7 +272,7 @@ std::string slicerJson(const scene::TransferFunction& transfer, const scene::Lig
                       {"specular", share(lighting.specular)},
                       {"specularPower", lighting.shininess}}},
                     {"disableGradientOpacity", transfer.gradientOpacities.empty()},
-                    {"scalarOpacityUnitDistance", transfer.unitDistanceMm},
+                    {"scalarOpacityUnitDistance", transfer.unitDistance},
                     {"rgbTransferFunction", stopsJson(transfer.colors)},
                     {"scalarOpacity", pointsJson(transfer.opacities)},
                     {"gradientOpacity", pointsJson(orOne(transfer.gradientOpacities))}};

@@ -121,16 +121,16 @@ std::vector<Layer> layersOf(const Grid& grid, const Beat& beat) {
   return layers;
 }
 
-Sample makeStep(const Grid& grid, int frame, int frames, Progress& progress) {
+Sample makeStep(const Grid& grid, int timeStep, int timeSteps, Progress& progress) {
   Description description{"heart", SampleType::Int16, Modality::CT, "HU", table()};
-  std::vector<Layer> layers = layersOf(grid, Beat(float(frame) / float(frames)));
+  std::vector<Layer> layers = layersOf(grid, Beat(float(timeStep) / float(timeSteps)));
   return fill(description, grid, progress, [&](const Slice& slice) {
     // The lung around it.
     for (float& value : slice.values) value = -860.0f;
     paint(slice, layers);
     std::uint64_t first = grid.index(0, 0, slice.z);
     for (std::size_t i = 0; i < slice.values.size(); ++i)
-      slice.values[i] += 9.0f * gaussian(hash(0x8ea7 + std::uint64_t(frame), first + i));
+      slice.values[i] += 9.0f * gaussian(hash(0x8ea7 + std::uint64_t(timeStep), first + i));
   });
 }
 
@@ -138,21 +138,21 @@ Sample makeStep(const Grid& grid, int frame, int frames, Progress& progress) {
 
 /// A beat in contrast-enhanced CT, its time steps apart by equal times, so that the last goes over into the first.
 /// Labels are of the first step, the end of the filling, as label volumes have no time.
-Sample makeHeart(int size, int frames, Progress& progress) {
+Sample makeHeart(int size, int timeSteps, Progress& progress) {
   Grid grid{glm::ivec3(size), Vec(kWidthMm / float(size))};
   Sample sample;
-  for (int frame = 0; frame < frames; ++frame) {
-    Progress part([&](double done, const std::string& what) { progress.report((frame + done) / frames, what); });
-    Sample step = makeStep(grid, frame, frames, part);
-    if (frame == 0) {
+  for (int timeStep = 0; timeStep < timeSteps; ++timeStep) {
+    Progress part([&](double done, const std::string& what) { progress.report((timeStep + done) / timeSteps, what); });
+    Sample step = makeStep(grid, timeStep, timeSteps, part);
+    if (timeStep == 0) {
       sample = std::move(step);
-      sample.volume.voxels.reserve(sample.volume.voxels.size() * std::size_t(frames));
+      sample.volume.voxels.reserve(sample.volume.voxels.size() * std::size_t(timeSteps));
     } else {
       sample.volume.voxels.insert(sample.volume.voxels.end(), step.volume.voxels.begin(), step.volume.voxels.end());
     }
   }
-  sample.volume.frames = frames;
-  sample.volume.frameSeconds = frames > 1 ? kBeatSeconds / frames : 0.0;
+  sample.volume.timeSteps = timeSteps;
+  sample.volume.timeStepSeconds = timeSteps > 1 ? kBeatSeconds / timeSteps : 0.0;
   computeRange(sample.volume);
   return sample;
 }

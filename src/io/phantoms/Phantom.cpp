@@ -232,7 +232,7 @@ Sample fill(const Description& description, const Grid& grid, Progress& progress
   volume.modality = description.modality;
   volume.unit = description.unit;
   volume.name = description.name;
-  volume.voxels.resize(frameBytes(volume));
+  volume.voxels.resize(timeStepBytes(volume));
   sample.labels = LabelVolume(grid.dims, volume.worldFromVoxel);
   sample.labels.name = description.name;
   sample.labels.table = description.table;

@@ -14,7 +14,7 @@ struct Maker {
   SampleInfo info;
   int defaultSize;
   Sample (*make)(int size, Progress& progress);
-  Sample (*makeFrames)(int size, int frames, Progress& progress) = nullptr;  ///< Instead, where it moves.
+  Sample (*makeTimeSteps)(int size, int frames, Progress& progress) = nullptr;  ///< Instead, where it moves.
 };
 
 constexpr int kDefaultFrames = 12, kMostFrames = 100;
@@ -58,7 +58,7 @@ Sample makeSample(std::string_view name, int size, Progress& progress, int frame
   for (const auto& maker : kMakers) {
     if (maker.info.name != name) continue;
     int voxels = size ? size : maker.defaultSize;
-    if (maker.makeFrames) return maker.makeFrames(voxels, frames ? frames : kDefaultFrames, progress);
+    if (maker.makeTimeSteps) return maker.makeTimeSteps(voxels, frames ? frames : kDefaultFrames, progress);
     if (frames > 1) throw ArgumentError(fmt::format("{} time steps: the sample '{}' does not move", frames, name));
     return maker.make(voxels, progress);
   }

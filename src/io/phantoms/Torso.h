@@ -73,11 +73,11 @@ const Box kEverywhere{Vec(-210.0f, -150.0f, -240.0f), Vec(210.0f, 150.0f, 240.0f
 
 // The layers, in painting order. Each takes the list and appends to it.
 void addBodyWall(std::vector<Layer>& layers);
-void addLungs(std::vector<Layer>& layers, float spacingMm);
+void addLungs(std::vector<Layer>& layers, float spacing);
 void addHeart(std::vector<Layer>& layers);
 void addGreatVessels(std::vector<Layer>& layers);
 void addBowel(std::vector<Layer>& layers);
-void addBellyOrgans(std::vector<Layer>& layers, float spacingMm);
+void addBellyOrgans(std::vector<Layer>& layers, float spacing);
 void addBones(std::vector<Layer>& layers);
 
 }  // namespace velum::io::torso

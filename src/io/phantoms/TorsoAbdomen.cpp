@@ -92,7 +92,7 @@ float liver(Vec p) {
   return smoothMax(smoothMax(body, spine, 14.0f), bellyDistance(p) + 3.5f, 8.0f);
 }
 
-void addLiver(std::vector<Layer>& layers, float spacingMm) {
+void addLiver(std::vector<Layer>& layers, float spacing) {
   Box box{Vec(-132, -90, -135), Vec(80, 75, 20)};
   layers.push_back(solidLayer(kLiver, 110.0f, box, liver));
   layers.back().texture = [](Vec p) { return 5.0f * roughNoise(p / 6.0f, 83); };
@@ -101,7 +101,7 @@ void addLiver(std::vector<Layer>& layers, float spacingMm) {
     options.root = root;
     options.direction = glm::normalize(direction);
     options.rootRadiusMm = radius;
-    options.leastRadiusMm = std::max(1.0f, 0.6f * spacingMm);
+    options.leastRadiusMm = std::max(1.0f, 0.6f * spacing);
     options.seed = seed;
     return growTree(scatter(box, pitch, liver, 7.0f, seed), options);
   };
@@ -188,7 +188,7 @@ void addBowel(std::vector<Layer>& layers) {
   });
 }
 
-void addBellyOrgans(std::vector<Layer>& layers, float spacingMm) {
+void addBellyOrgans(std::vector<Layer>& layers, float spacing) {
   addKidney(layers, kKidneyRight, Vec(-58, 36, -60), -1.0f);
   addKidney(layers, kKidneyLeft, kKidneyLeftAt, 1.0f);
   addStomach(layers);
@@ -203,7 +203,7 @@ void addBellyOrgans(std::vector<Layer>& layers, float spacingMm) {
     pancreas.tubes[i].radiusA += 1.6f * std::sin(float(i) * 1.9f);
   pancreas.texture = [](Vec p) { return 8.0f * noise(p / 3.5f, 113); };
   layers.push_back(pancreas);
-  addLiver(layers, spacingMm);
+  addLiver(layers, spacing);
 }
 
 }  // namespace velum::io::torso

@@ -20,8 +20,8 @@ std::vector<Segment> growInLung(float side, Vec root, float radius, float least,
 }
 
 /// Vessels first, then the airways with their walls, on lung tissue only: the roots are painted with the heart.
-void addLungTrees(std::vector<Layer>& layers, float spacingMm) {
-  float least = std::max(0.9f, 0.55f * spacingMm);
+void addLungTrees(std::vector<Layer>& layers, float spacing) {
+  float least = std::max(0.9f, 0.55f * spacing);
   Layer vessels{kLungVessels, 230.0f}, walls{kKeepLabel, -150.0f}, lumen{kAirways, -990.0f};
   vessels.onto = {kLungLeft, kLungRight};
   walls.onto = {kLungLeft, kLungRight};
@@ -98,7 +98,7 @@ glm::vec4 beforeSpine(float dx, float z, float gapMm, float radius) {
 
 }  // namespace
 
-void addLungs(std::vector<Layer>& layers, float spacingMm) {
+void addLungs(std::vector<Layer>& layers, float spacing) {
   for (float side : {-1.0f, 1.0f}) {
     Layer lung = solidLayer(side > 0 ? kLungLeft : kLungRight, -850.0f, kEverywhere,
                             [side](Vec p) { return lungDistance(p, side); });
@@ -110,7 +110,7 @@ void addLungs(std::vector<Layer>& layers, float spacingMm) {
     };
     layers.push_back(lung);
   }
-  addLungTrees(layers, spacingMm);
+  addLungTrees(layers, spacing);
 }
 
 void addHeart(std::vector<Layer>& layers) {

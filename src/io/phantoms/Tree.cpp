@@ -79,7 +79,7 @@ class Grower {
       Vec p = (2 * t3 - 3 * t2 + 1) * start.position + (t3 - 2 * t2 + t) * length * leave + (3 * t2 - 2 * t3) * end +
               (t3 - t2) * length * arrive;
       p += sway * (t * (1.0f - t) * 4.0f * std::sin(3.1415927f * turns * t));
-      mTree.push_back({p, glm::mix(start.radiusMm, radius, smoothStep(0.0f, 0.45f, t)), parent});
+      mTree.push_back({p, glm::mix(start.radius, radius, smoothStep(0.0f, 0.45f, t)), parent});
       parent = int(mTree.size()) - 1;
     }
     return parent;
@@ -120,9 +120,9 @@ void pushApart(Tree& tree, const Tree& fixed, float gapMm) {
       for (const auto& wall : walls) {
         // Most walls are far away: ask the middle first.
         Vec away = node.position - 0.5f * (wall.a + wall.b);
-        float reach = wall.radiusA + wall.radiusB + node.radiusMm + gapMm + glm::length(wall.b - wall.a);
+        float reach = wall.radiusA + wall.radiusB + node.radius + gapMm + glm::length(wall.b - wall.a);
         if (glm::dot(away, away) > reach * reach) continue;
-        float lack = node.radiusMm + gapMm - distance(wall, node.position);
+        float lack = node.radius + gapMm - distance(wall, node.position);
         if (lack > 0.0f && glm::length(away) > 1e-4f) node.position += glm::normalize(away) * (lack * 0.7f);
       }
     });
@@ -141,7 +141,7 @@ std::vector<Segment> segments(const Tree& tree) {
   for (const auto& node : tree)
     if (node.parent >= 0) {
       const auto& from = tree[std::size_t(node.parent)];
-      out.push_back({from.position, node.position, from.radiusMm, node.radiusMm});
+      out.push_back({from.position, node.position, from.radius, node.radius});
     }
   return out;
 }

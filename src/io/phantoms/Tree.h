@@ -6,7 +6,7 @@ namespace velum::io::phantom {
 
 struct TreeNode {
   Vec position;
-  float radiusMm = 1.0f;
+  float radius = 1.0f;
   int parent = -1;  ///< Index of the node before it; -1 for the root. Always smaller than its own index.
 };
 using Tree = std::vector<TreeNode>;

@@ -27,12 +27,12 @@ Tree growVessels(Vec root, float rootRadiusMm, float leastRadiusMm, std::uint64_
   return growTree(scatter(boxAround(Vec(0.0f), Vec(64.0f)), 11.0f, organ, 2.0f, seed), options);
 }
 
-std::vector<Layer> buildScene(float spacingMm) {
+std::vector<Layer> buildScene(float spacing) {
   // A tube thinner than this would fall apart between the voxels.
-  float least = std::max(0.45f, 0.9f * spacingMm);
+  float least = std::max(0.45f, 0.9f * spacing);
   Tree arteries = growVessels(Vec(-7.0f, 4.0f, -63.5f), 4.4f, least, 11);
   Tree veins = growVessels(Vec(8.0f, 8.0f, -63.5f), 5.4f, least, 23);
-  pushApart(veins, arteries, std::max(0.8f, 1.2f * spacingMm));
+  pushApart(veins, arteries, std::max(0.8f, 1.2f * spacing));
 
   Layer tissue{0, 300.0f};
   tissue.solids.push_back({boxAround(Vec(0.0f), Vec(64.0f)), organ});

@@ -27,7 +27,7 @@ std::size_t storedSize(StoredType type) {
 }
 
 std::uint64_t layoutBytes(const Layout& layout, const Path& header) {
-  return checkedBytes(header, layout.dims, double(layout.channels), double(layout.frames), storedSize(layout.type),
+  return checkedBytes(header, layout.dims, double(layout.channels), double(layout.timeSteps), storedSize(layout.type),
                       std::numeric_limits<double>::infinity());
 }
 
@@ -152,13 +152,14 @@ Volume readSamples(const Layout& layout, std::span<const Payload> parts, const P
   bool isText = !parts.empty() && parts[0].packing == Packing::Text;
   std::size_t sample = storedSize(layout.type);
   double most = mostBytesOf(parts, header) * (isText ? double(sample) : 1.0);  // a number takes a character at least
-  std::size_t bytes = checkedBytes(header, layout.dims, double(layout.channels), double(layout.frames), sample, most);
+  std::size_t bytes =
+      checkedBytes(header, layout.dims, double(layout.channels), double(layout.timeSteps), sample, most);
   if (bytes % parts.size()) refuse(header, "the data files do not divide the volume evenly");
 
   Volume volume;
   volume.dims = glm::ivec3(layout.dims);
   volume.channels = int(layout.channels);
-  volume.frames = int(layout.frames);
+  volume.timeSteps = int(layout.timeSteps);
   try {
     volume.voxels.resize(bytes);
   } catch (const std::bad_alloc&) {

@@ -34,7 +34,7 @@ struct Payload {
 struct Layout {
   glm::i64vec3 dims{1};       ///< Voxels along x (fastest), y, z; as the header says, not yet checked.
   std::int64_t channels = 1;  ///< Samples per voxel.
-  std::int64_t frames = 1;
+  std::int64_t timeSteps = 1;
   StoredType type = StoredType::UInt8;
   bool bigEndian = false;
   bool planarChannels = false;  ///< Channels are the slowest axis of the file; they are interleaved here.

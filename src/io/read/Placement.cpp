@@ -45,12 +45,12 @@ void placeInWorld(Volume& volume, const glm::dmat3& columns, const glm::dvec3& o
 
 void applySpacing(Volume& volume, const scene::Source& source) {
   for (int axis = 0; axis < 3; ++axis) {
-    double wanted = source.spacingMm[axis];
+    double wanted = source.spacing[axis];
     auto& column = volume.worldFromVoxel[axis];
     double length = glm::length(glm::dvec3(column));
     if (wanted > 0 && std::isfinite(wanted) && length > 0) column *= wanted / length;
   }
-  if (glm::all(glm::greaterThan(source.spacingMm, glm::dvec3(0.0)))) volume.isSpacingKnown = true;
+  if (glm::all(glm::greaterThan(source.spacing, glm::dvec3(0.0)))) volume.isSpacingKnown = true;
   if (!volume.isSpacingKnown)
     volume.warnings.push_back("the file has no voxel spacing, 1 mm is taken; give it as spacing in mm (x, y, z)");
 }

@@ -6,7 +6,7 @@
 namespace velum::io {
 
 /// A grid along the world's axes, voxel 0 at the origin.
-glm::dmat4 gridMatrix(glm::dvec3 spacingMm, glm::dvec3 originMm = glm::dvec3(0.0));
+glm::dmat4 gridMatrix(glm::dvec3 spacing, glm::dvec3 origin = glm::dvec3(0.0));
 
 /// Finite and far enough from singular to be inverted.
 bool isInvertible(const glm::dmat3& columns);

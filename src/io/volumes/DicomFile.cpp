@@ -170,7 +170,7 @@ DicomFile fileOf(const DataSet& set, const gdcm::FileMetaInformation& meta, cons
   file.hasBadOffsets =
       set.FindDataElement(Tag(kDose, kGridFrameOffsets)) && numbersOf(set, Tag(kDose, kGridFrameOffsets)).size() < 2;
   file.isFloat = set.FindDataElement(Tag(0x7fe0, 0x0008)) || set.FindDataElement(Tag(0x7fe0, 0x0009));
-  file.frameSeconds = std::max(0.0, numberOf(set, Tag(0x0020, 0x0110), 0) * 1e-3);
+  file.timeStepSeconds = std::max(0.0, numberOf(set, Tag(0x0020, 0x0110), 0) * 1e-3);
   double count = numberOf(set, Tag(0x0028, 0x0008), 1);
   if (count >= 1 && count <= kMostFrames) file.frames = framesOf(set, int(count));
   return file;

@@ -35,7 +35,7 @@ struct DicomFile {
   bool isJpeg = false;         ///< Some kind of JPEG: its codecs know 16 bits at most.
   bool hasBadOffsets = false;  ///< A radiation dose whose planes have fewer than two places.
   bool isFloat = false;        ///< Float or Double Float Pixel Data instead of Pixel Data.
-  double frameSeconds = 0;     ///< Temporal resolution; 0 when unknown.
+  double timeStepSeconds = 0;  ///< Temporal resolution; 0 when unknown.
   std::vector<DicomFrame> frames;
   bool isSegmentation() const { return modality == "SEG" || sopClass == "1.2.840.10008.5.1.4.1.1.66.4"; }
   bool hasImage() const { return rows > 0 && columns > 0 && bitsAllocated > 0; }

@@ -152,7 +152,7 @@ class Decoder {
     v.channels = type.channels;
     v.isColor = type.channels == 3;
     v.dims = {type.columns, type.rows, mStack.planes};
-    v.frames = mStack.timeFrames;
+    v.timeSteps = mStack.timeSteps;
     if (mResult == Result::Raw && !v.isColor) {
       v.scale = mFirst->slope;
       v.offset = mFirst->intercept;
@@ -160,7 +160,7 @@ class Decoder {
     if (type.isInverted)
       v.warnings.push_back("the pictures are stored with white as zero (MONOCHROME1); they were turned round");
     mSliceBytes = std::size_t(type.columns) * std::size_t(type.rows) * std::size_t(type.channels) * sampleSize(v.type);
-    v.voxels.resize(mSliceBytes * std::size_t(v.dims.z) * std::size_t(v.frames));
+    v.voxels.resize(mSliceBytes * std::size_t(v.dims.z) * std::size_t(v.timeSteps));
     std::mutex mutex;
     std::size_t done = 0;
     tbb::parallel_for(std::size_t(0), mFileOrder.size(), [&](std::size_t i) {
@@ -290,10 +290,10 @@ void mixPlanes(const std::byte* a, const std::byte* b, double share, std::byte* 
 /// Planes at uneven places onto the even grid, linearly between neighbours.
 void resample(Volume& v, const DicomStack& stack) {
   if (stack.isEven) return;
-  std::size_t slice = frameBytes(v) / std::size_t(v.dims.z), planes = std::size_t(v.dims.z),
+  std::size_t slice = timeStepBytes(v) / std::size_t(v.dims.z), planes = std::size_t(v.dims.z),
               grid = std::size_t(stack.gridPlanes);
-  Bytes result(slice * grid * std::size_t(v.frames));
-  for (std::size_t t = 0; t < std::size_t(v.frames); ++t)
+  Bytes result(slice * grid * std::size_t(v.timeSteps));
+  for (std::size_t t = 0; t < std::size_t(v.timeSteps); ++t)
     tbb::parallel_for(std::size_t(0), grid, [&](std::size_t z) {
       auto after = std::upper_bound(stack.positions.begin(), stack.positions.end(), double(z));
       std::size_t high = std::clamp<std::size_t>(std::size_t(after - stack.positions.begin()), 1, planes - 1),
@@ -319,7 +319,7 @@ void describe(Volume& v, const Series& series, const DicomStack& stack, const st
   v.modality = modalityOf(file.modality);
   v.unit = v.modality == Modality::CT ? "HU" : file.unit == "US" ? "" : file.unit;
   v.name = file.description;
-  if (v.frames > 1) v.frameSeconds = file.frameSeconds;
+  if (v.timeSteps > 1) v.timeStepSeconds = file.timeStepSeconds;
   v.warnings.insert(v.warnings.end(), series.warnings.begin(), series.warnings.end());
   v.warnings.insert(v.warnings.end(), stack.warnings.begin(), stack.warnings.end());
 }

@@ -54,7 +54,7 @@ std::vector<Group> groupByNumber(const std::vector<DicomFrame>& frames) {
 }
 
 /// Time steps per place, when all places have equally many and a key tells them apart; else 1. Sorts each group.
-int timeFramesOf(std::vector<Group>& groups, const std::vector<DicomFrame>& frames) {
+int timeStepsOf(std::vector<Group>& groups, const std::vector<DicomFrame>& frames) {
   std::size_t count = groups[0].size();
   bool distinct = count > 1;
   for (Group& group : groups) {
@@ -152,18 +152,18 @@ DicomStack stackFrames(const std::vector<DicomFrame>& frames, int preferred, con
   auto groups = havePlaces ? groupByPlace(frames) : groupByNumber(frames);
   DicomStack stack;
   stack.planes = int(groups.size());
-  stack.timeFrames = timeFramesOf(groups, frames);
+  stack.timeSteps = timeStepsOf(groups, frames);
   stack.slots.assign(frames.size(), -1);
   std::vector<const DicomFrame*> planes;
   std::size_t dropped = 0;
   for (std::size_t g = 0; g < groups.size(); ++g) {
-    std::size_t kept = stack.timeFrames > 1 ? groups[g][0] : pick(groups[g], frames, preferred);
+    std::size_t kept = stack.timeSteps > 1 ? groups[g][0] : pick(groups[g], frames, preferred);
     planes.push_back(&frames[kept]);
-    if (stack.timeFrames > 1)
+    if (stack.timeSteps > 1)
       for (std::size_t t = 0; t < groups[g].size(); ++t) stack.slots[groups[g][t]] = int(t) * stack.planes + int(g);
     else
       stack.slots[kept] = int(g);
-    if (stack.timeFrames == 1) dropped += groups[g].size() - 1;
+    if (stack.timeSteps == 1) dropped += groups[g].size() - 1;
   }
   if (dropped > 0)
     stack.warnings.push_back(fmt::format("{} images repeat the place of another and were left out", dropped));

@@ -10,7 +10,7 @@ namespace velum::io {
 /// How the planes of a series form a volume.
 struct DicomStack {
   int planes = 0;  ///< Places along the stacking direction that have a plane.
-  int timeFrames = 1;
+  int timeSteps = 1;
   std::vector<int> slots;         ///< Per frame of the input: time * planes + plane, or -1 for one that is left out.
   std::vector<double> positions;  ///< Of each plane in units of the even grid: 0, 1, 2 where nothing is missing.
   int gridPlanes = 0;             ///< Planes of the even grid; more than `planes` where some are missing.

@@ -106,7 +106,7 @@ Layout layoutOf(const MetaHeader& h, int dimensions) {
     std::int64_t size = 0;
     if (!(sizes >> size) || size < 1)
       refuse(h.file, fmt::format("a DimSize of {} is not possible", inQuotes(h.field({"DimSize"}))));
-    (i < 3 ? layout.dims[i] : layout.frames) = size;
+    (i < 3 ? layout.dims[i] : layout.timeSteps) = size;
   }
   std::string channels = h.field({"ElementNumberOfChannels"});
   if (!channels.empty()) layout.channels = std::strtoll(channels.c_str(), nullptr, 10);

@@ -14,7 +14,6 @@ namespace velum::io {
 
 namespace {
 
-constexpr double kMmPerAngstrom = 1e-7;
 constexpr std::int32_t kImodStamp = 1146047817;
 
 /// The machine stamp is often wrong; the axis order, 1 to 3 in any order, is not.
@@ -61,9 +60,9 @@ void place(Volume& v, const HeaderFields& f) {
     double cell = f.at<float>(40 + 4 * std::size_t(i)), samples = f.at<std::int32_t>(28 + 4 * std::size_t(i));
     double angstrom = samples > 0 ? cell / samples : 0.0;
     known = known && std::isfinite(angstrom) && angstrom > 0;
-    spacing[i] = angstrom * kMmPerAngstrom;
+    spacing[i] = angstrom;
     double start = f.at<float>(196 + 4 * std::size_t(i));
-    if (std::isfinite(start)) origin[i] = start * kMmPerAngstrom;
+    if (std::isfinite(start)) origin[i] = start;
   }
   if (!known) {
     v.isSpacingKnown = false;
@@ -76,13 +75,14 @@ void place(Volume& v, const HeaderFields& f) {
     columns[i][axis] = spacing[axis];
   }
   if (!isInvertible(columns)) columns = glm::dmat3(spacing.x, 0, 0, 0, spacing.y, 0, 0, 0, spacing.z);
+  v.lengthUnit = LengthUnit::Angstrom;
   v.isOrientationKnown = false;
   placeInWorld(v, columns, origin, spacing);
 }
 
 }  // namespace
 
-/// MRC and CCP4 maps, modes 0, 1, 2 and 6. The cell is in angstrom: 1 A = 1e-7 mm in the world.
+/// MRC and CCP4 maps, modes 0, 1, 2 and 6. The cell is in angstrom, and so is the world.
 Volume readMrc(const scene::Source& source, Progress& progress) {
   Path file = source.path;
   std::string bytes = readHead(file, 1024);

@@ -104,7 +104,7 @@ Layout layoutOf(const NiftiHeader& h) {
   const NiftiType& type = typeOf(h);
   Layout layout;
   layout.dims = {size(1), size(2), size(3)};
-  layout.frames = size(4);
+  layout.timeSteps = size(4);
   layout.channels = size(5) * type.channels;
   layout.planarChannels = size(5) > 1;
   layout.type = type.type;
@@ -243,7 +243,7 @@ Volume readNifti(const scene::Source& source, Progress& progress) {
     v.scale = h.slope;
     v.offset = h.intercept;
   }
-  if (v.frames > 1 && std::isfinite(h.pixdim[4])) v.frameSeconds = std::abs(h.pixdim[4]) * secondsPerUnit(h);
+  if (v.timeSteps > 1 && std::isfinite(h.pixdim[4])) v.timeStepSeconds = std::abs(h.pixdim[4]) * secondsPerUnit(h);
   place(v, h);
   return v;
 }

@@ -36,7 +36,7 @@ int dataTypeOf(const Volume& v) {
 bool isPlanar(const Volume& v) { return v.channels > 1 && dataTypeOf(v) != 128 && dataTypeOf(v) != 2304; }
 
 glm::dmat4 rasFromVoxel(const Volume& v) {
-  return glm::dmat4(-1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1) * v.worldFromVoxel;
+  return glm::dmat4(-1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1) * worldFromVoxelIn(LengthUnit::Millimetre, v);
 }
 
 /// Quaternion (b, c, d) of a rotation, and the handedness that pixdim[0] holds.
@@ -94,13 +94,13 @@ struct Content {
 Content contentOf(const Volume& v, std::size_t extensionBytes, bool isVersion2, bool isLabels) {
   Content c{};
   bool planar = isPlanar(v);
-  std::int64_t sizes[] = {planar ? 5 : v.frames > 1 ? 4 : 3, v.dims.x, v.dims.y, v.dims.z, v.frames,
-                          planar ? v.channels : 1,           1,        1};
+  std::int64_t sizes[] = {
+      planar ? 5 : v.timeSteps > 1 ? 4 : 3, v.dims.x, v.dims.y, v.dims.z, v.timeSteps, planar ? v.channels : 1, 1, 1};
   std::copy(std::begin(sizes), std::end(sizes), c.dim);
   c.ras = rasFromVoxel(v);
   c.rotation = rotationOf(c.ras);
-  glm::dvec3 spacing = spacingMm(v);
-  double lengths[] = {c.rotation.handed, spacing.x, spacing.y, spacing.z, v.frameSeconds, 1, 1, 1};
+  glm::dvec3 spacing = spacingOf(v);
+  double lengths[] = {c.rotation.handed, spacing.x, spacing.y, spacing.z, v.timeStepSeconds, 1, 1, 1};
   std::copy(std::begin(lengths), std::end(lengths), c.pixdim);
   c.datatype = dataTypeOf(v);
   c.bits = int(sampleSize(v.type)) * 8 * (planar ? 1 : v.channels);
@@ -199,7 +199,7 @@ void writeNiftiWith(const Volume& v, ReplaceFile& file, const LabelExtras& extra
   std::string extension = lowerExtension(path);
   if (extension != ".nii" && extension != ".nii.gz") refuse(path, "NIfTI is written as .nii or .nii.gz");
   std::string block = extensionBlock(extras.niftiExtension);
-  int largest = std::max({v.dims.x, v.dims.y, v.dims.z, v.frames, v.channels});
+  int largest = std::max({v.dims.x, v.dims.y, v.dims.z, v.timeSteps, v.channels});
   // Version 1 holds sizes in 16 bits, and the matrix and scale in floats; 2 only where the sizes need it, for few
   // programs read it.
   bool isVersion2 = largest > 32767;

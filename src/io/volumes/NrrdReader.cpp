@@ -147,7 +147,7 @@ Layout layoutOf(const NrrdHeader& h, const std::vector<Axis>& axes, AxisRoles ro
     bool isSpace = i >= roles.first && i < roles.first + roles.count;
     std::int64_t& slot = isSpace           ? layout.dims[int(i - roles.first)]
                          : i < roles.first ? layout.channels
-                                           : layout.frames;
+                                           : layout.timeSteps;
     if (axes[i].size > 0x7fffffff || __builtin_mul_overflow(slot, axes[i].size, &slot))
       refuse(h.file, "the sizes are too large");
   }
@@ -220,9 +220,9 @@ double mmPerUnit(const NrrdHeader& h) {
   auto first = units.find('"');
   std::string unit =
       first == std::string::npos ? units : units.substr(first + 1, units.find('"', first + 1) - first - 1);
-  constexpr std::pair<const char*, double> kUnits[] = {
-      {"m", 1e3},       {"cm", 10.0}, {"um", 1e-3},        {"\xc2\xb5m", 1e-3},  {"microns", 1e-3},
-      {"micron", 1e-3}, {"nm", 1e-6}, {"nanometer", 1e-6}, {"micrometer", 1e-3}, {"angstrom", 1e-7}};
+  constexpr std::pair<const char*, double> kUnits[] = {{"m", 1e3},          {"cm", 10.0},        {"um", 1e-3},
+                                                       {"\xc2\xb5m", 1e-3}, {"microns", 1e-3},   {"micron", 1e-3},
+                                                       {"nm", 1e-6},        {"nanometer", 1e-6}, {"micrometer", 1e-3}};
   for (auto [known, mm] : kUnits)
     if (unit == known) return mm;
   return 1.0;
@@ -258,7 +258,7 @@ void placeByDirections(Volume& v, const NrrdHeader& h, const std::vector<Axis>& 
   glm::dvec3 origin = !origins.empty() && origins[0] ? vec(*origins[0]) : glm::dvec3(0.0);
   placeInWorld(v, columns, origin, spacing);
   for (std::size_t i = roles.first + roles.count; i < axes.size(); ++i)
-    if (axes[i].direction && axes[i].direction->size() > 3) v.frameSeconds = std::abs((*axes[i].direction)[3]);
+    if (axes[i].direction && axes[i].direction->size() > 3) v.timeStepSeconds = std::abs((*axes[i].direction)[3]);
 }
 
 void placeBySpacings(Volume& v, const std::vector<Axis>& axes, AxisRoles roles, double mm) {
@@ -286,7 +286,7 @@ void takeKeyValues(Volume& v, const NrrdHeader& h) {
   }
   v.unit = value("velum_unit");
   double seconds = numberOf(value("velum_frame_seconds"));
-  if (std::isfinite(seconds) && seconds > 0) v.frameSeconds = seconds;
+  if (std::isfinite(seconds) && seconds > 0) v.timeStepSeconds = seconds;
   if (value("velum_spacing_known") == "0") v.isSpacingKnown = false;
   std::string modality = value("velum_modality").empty() ? value("modality") : value("velum_modality");
   auto isSame = [](std::string_view a, std::string_view b) { return lowerCase(a) == lowerCase(b); };

@@ -32,7 +32,7 @@ std::string escaped(const std::string& text) {
 }
 
 std::string axesText(const Volume& v) {
-  bool hasChannels = v.channels > 1, hasFrames = v.frames > 1;
+  bool hasChannels = v.channels > 1, hasFrames = v.timeSteps > 1;
   std::string sizes, kinds, directions;
   if (hasChannels) {
     sizes = fmt::format("{} ", v.channels);
@@ -44,7 +44,7 @@ std::string axesText(const Volume& v) {
   kinds += "domain domain domain";
   directions += vectorText(m[0]) + " " + vectorText(m[1]) + " " + vectorText(m[2]);
   if (hasFrames) {
-    sizes += fmt::format(" {}", v.frames);
+    sizes += fmt::format(" {}", v.timeSteps);
     kinds += " time";
     directions += " none";
   }
@@ -59,7 +59,7 @@ std::string keyValuesText(const Volume& v, const LabelExtras& extras) {
   if (v.scale != 1.0 || v.offset != 0.0) text += fmt::format("velum_scale:={}\nvelum_offset:={}\n", v.scale, v.offset);
   if (!v.unit.empty()) text += fmt::format("velum_unit:={}\n", escaped(v.unit));
   if (v.modality != Modality::Unknown) text += fmt::format("velum_modality:={}\n", enumName(v.modality));
-  if (v.frameSeconds > 0) text += fmt::format("velum_frame_seconds:={}\n", v.frameSeconds);
+  if (v.timeStepSeconds > 0) text += fmt::format("velum_frame_seconds:={}\n", v.timeStepSeconds);
   if (!v.isSpacingKnown) text += "velum_spacing_known:=0\n";
   for (const auto& [key, value] : extras.nrrdKeyValues) text += fmt::format("{}:={}\n", key, escaped(value));
   return text;

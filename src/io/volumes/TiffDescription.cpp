@@ -87,12 +87,12 @@ void readOmeSpacing(std::string_view pixels, TiffLayout& out) {
   for (int axis = 0; axis < 3; ++axis) {
     std::string_view unit = attribute(pixels, std::string(kNames[axis]) + "Unit");
     double mm = numberOf(attribute(pixels, kNames[axis])) * (unit.empty() ? 1e-3 : unitInMm(unit));
-    if (isSpacing(mm)) out.spacingMm[axis] = mm;
+    if (isSpacing(mm)) out.spacing[axis] = mm;
   }
   double seconds = numberOf(attribute(pixels, "TimeIncrement"));
   std::string_view unit = attribute(pixels, "TimeIncrementUnit");
-  if (seconds > 0 && (unit.empty() || unit == "s")) out.frameSeconds = seconds;
-  if (seconds > 0 && unit == "ms") out.frameSeconds = seconds * 1e-3;
+  if (seconds > 0 && (unit.empty() || unit == "s")) out.timeStepSeconds = seconds;
+  if (seconds > 0 && unit == "ms") out.timeStepSeconds = seconds * 1e-3;
 }
 
 TiffLayout parseOme(std::string_view xml, std::string_view fileName) {
@@ -156,12 +156,12 @@ TiffLayout parseImageJ(std::string_view text) {
     if (key == "frames") out.sizeT = countOf(value, 1);
     if (key == "unit") out.unitMm = unitInMm(value);
     if (key == "spacing") spacing = std::abs(numberOf(value));
-    if (key == "finterval") out.frameSeconds = std::max(0.0, numberOf(value));
+    if (key == "finterval") out.timeStepSeconds = std::max(0.0, numberOf(value));
   }
   // "images" alone is a plain stack; with others it must be their product, else they are not to be trusted.
   double product = double(std::max<std::uint64_t>(1, out.sizeZ)) * double(out.sizeC) * double(out.sizeT);
   if (product != double(images)) out.sizeZ = images, out.sizeC = out.sizeT = 1;
-  if (isSpacing(spacing * out.unitMm)) out.spacingMm.z = spacing * out.unitMm;
+  if (isSpacing(spacing * out.unitMm)) out.spacing.z = spacing * out.unitMm;
   return out;
 }
 

@@ -14,9 +14,9 @@ struct TiffLayout {
   std::uint64_t sizeX = 0, sizeY = 0;             ///< 0: not told.
   std::uint64_t sizeZ = 0, sizeC = 1, sizeT = 1;  ///< sizeZ 0: as many as there are pages.
   std::string order = "CZT";                      ///< Which runs fastest from page to page.
-  glm::dvec3 spacingMm{0.0};                      ///< 0: not told.
+  glm::dvec3 spacing{0.0};                        ///< 0: not told.
   double unitMm = 0.0;                            ///< ImageJ: the unit of the resolution tags in mm; 0: none.
-  double frameSeconds = 0.0;
+  double timeStepSeconds = 0.0;
   std::vector<std::string> channelNames;
   /// OME TiffData: which page holds which plane; empty: in `order`.
   struct Plane {

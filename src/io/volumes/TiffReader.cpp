@@ -112,7 +112,7 @@ void setShape(Volume& v, const PlaneShape& shape, std::uint64_t z, std::uint64_t
   v.dims = {shape.width, shape.height, int(z)};
   v.type = shape.type;
   v.channels = shape.channels * int(channelPlanes);
-  v.frames = int(t);
+  v.timeSteps = int(t);
   v.isColor = channelPlanes == 1 && (shape.channels == 3 || shape.channels == 4);
 }
 
@@ -197,7 +197,7 @@ void readPages(const Path& path, const TiffPages& file, const std::vector<int>& 
 }
 
 void setSpacing(Volume& v, TiffLayout layout, const TiffPage& page) {
-  glm::dvec3 s = layout.spacingMm;
+  glm::dvec3 s = layout.spacing;
   if (layout.kind == TiffLayout::Kind::ImageJ && layout.unitMm > 0) {
     if (page.xResolution > 0) s.x = layout.unitMm / page.xResolution;
     if (page.yResolution > 0) s.y = layout.unitMm / page.yResolution;
@@ -233,7 +233,7 @@ Volume readFile(const Path& path, Progress& progress) {
     readOnePageStack(path, file, layout, shape, v);
   else
     readPages(path, file, full, layout, shape, *in, v, progress);
-  v.frameSeconds = v.frames > 1 ? layout.frameSeconds : 0.0;
+  v.timeStepSeconds = v.timeSteps > 1 ? layout.timeStepSeconds : 0.0;
   bool hasNames = layout.channelNames.size() == std::size_t(v.channels) &&
                   std::any_of(layout.channelNames.begin(), layout.channelNames.end(),
                               [](const auto& name) { return !name.empty(); });

@@ -123,9 +123,9 @@ Volume readVdb(const scene::Source& source, Progress& progress) try {
 }
 
 void writeVdb(const Volume& volume, ReplaceFile& file, Progress& progress) try {
-  if (volume.channels != 1 || volume.frames != 1)
+  if (volume.channels != 1 || volume.timeSteps != 1)
     refuse(file.target(), fmt::format("a .vdb of ours holds one channel and one time step, not {} and {}",
-                                      volume.channels, volume.frames));
+                                      volume.channels, volume.timeSteps));
   progress.report(0, "writing OpenVDB");
   openvdb::initialize();
   auto background = float(volume.range.x);

@@ -197,13 +197,13 @@ Volume readVti(const scene::Source& source, Progress& progress) try {
 
 void writeVti(const Volume& volume, ReplaceFile& file, Progress& progress) {
   const Path& path = file.target();
-  if (volume.frames > 1)
-    refuse(path, fmt::format("a .vti holds one time step, not {}; write .nrrd or .nii", volume.frames));
+  if (volume.timeSteps > 1)
+    refuse(path, fmt::format("a .vti holds one time step, not {}; write .nrrd or .nii", volume.timeSteps));
   progress.report(0, "writing VTK image");
   VtkQuiet quiet;
   vtkNew<vtkImageData> image;
   image->SetDimensions(volume.dims.x, volume.dims.y, volume.dims.z);
-  glm::dvec3 spacing = spacingMm(volume);
+  glm::dvec3 spacing = spacingOf(volume);
   glm::dmat3 axes = direction(volume);
   image->SetSpacing(spacing.x, spacing.y, spacing.z);
   image->SetOrigin(volume.worldFromVoxel[3].x, volume.worldFromVoxel[3].y, volume.worldFromVoxel[3].z);

@@ -22,7 +22,7 @@ std::vector<std::string_view> writtenExtensions() {
 }
 
 void checkWhole(const Volume& v, const Path& path) {
-  std::size_t wanted = frameBytes(v) * std::size_t(std::max(0, v.frames));
+  std::size_t wanted = timeStepBytes(v) * std::size_t(std::max(0, v.timeSteps));
   if (wanted == 0 || v.voxels.size() != wanted) refuse(path, "an empty volume cannot be written");
 }
 
@@ -33,7 +33,8 @@ Volume volumeOf(const LabelVolume& labels, Progress& progress) {
   auto used = labels.idsInUse();
   v.type = used.empty() || used.back() < 256 ? SampleType::UInt8 : SampleType::UInt16;
   v.worldFromVoxel = labels.worldFromVoxel();
-  v.voxels.resize(frameBytes(v));
+  v.lengthUnit = labels.lengthUnit();
+  v.voxels.resize(timeStepBytes(v));
   std::size_t plane = std::size_t(v.dims.x) * std::size_t(v.dims.y);
   std::vector<std::uint16_t> slab(plane * LabelVolume::kBrickSize);
   for (int z = 0; z < v.dims.z; z += LabelVolume::kBrickSize) {

@@ -73,34 +73,34 @@ Corridor corridorAround(const CutLattice& lattice, std::span<const int> below) {
   VELUM_ASSERT(below.size() == std::size_t(lattice.dims.x) * std::size_t(lattice.dims.y), "each column has its height");
   Corridor corridor;
   corridor.dims = glm::ivec2(lattice.dims);
-  corridor.originMm = glm::dvec2(lattice.originMm);
-  corridor.stepMm = glm::dvec2(lattice.stepMm);
+  corridor.origin = glm::dvec2(lattice.origin);
+  corridor.step = glm::dvec2(lattice.step);
   corridor.room.resize(below.size());
   corridor.height.resize(below.size());
-  double step = lattice.stepMm.z;
+  double step = lattice.step.z;
   tbb::parallel_for(0, lattice.dims.y, [&](int y) {
     for (int x = 0; x < lattice.dims.x; ++x) {
       std::size_t i = std::size_t(y * lattice.dims.x + x);
       int b = std::clamp(below[i], 1, std::max(1, lattice.dims.z - 1));
       ColumnCost cost(lattice, below, {x, y});
-      double low = lattice.originMm.z + (cost.freeTo(b, -1) - 1) * step;
-      double high = lattice.originMm.z + cost.freeTo(b, 1) * step;
+      double low = lattice.origin.z + (cost.freeTo(b, -1) - 1) * step;
+      double high = lattice.origin.z + cost.freeTo(b, 1) * step;
       double clear = std::min(kClearance * step, kShareOfGap * (high - low));
       corridor.room[i] = {float(low + clear), float(high - clear)};
-      corridor.height[i] = float(lattice.originMm.z + (b - 0.5) * step);
+      corridor.height[i] = float(lattice.origin.z + (b - 0.5) * step);
     }
   });
   return corridor;
 }
 
-std::vector<glm::vec2> roomOf(const Corridor& corridor, std::span<const glm::vec3> places, glm::dvec2 pitchMm) {
+std::vector<glm::vec2> roomOf(const Corridor& corridor, std::span<const glm::vec3> places, glm::dvec2 pitch) {
   VELUM_ASSERT(corridor.room.size() == std::size_t(corridor.dims.x) * std::size_t(corridor.dims.y),
                "each column has its room");
   std::vector<glm::vec2> room;
   if (corridor.dims.x == 0) return room;
-  glm::dvec2 own = glm::max(0.5 * (pitchMm / corridor.stepMm - 1.0), 0.0);
+  glm::dvec2 own = glm::max(0.5 * (pitch / corridor.step - 1.0), 0.0);
   for (glm::vec3 place : places) {
-    glm::dvec2 at = (glm::dvec2(place) - corridor.originMm) / corridor.stepMm;
+    glm::dvec2 at = (glm::dvec2(place) - corridor.origin) / corridor.step;
     auto column = [&](glm::dvec2 p) {
       return glm::clamp(glm::ivec2(glm::floor(p + 0.5)), glm::ivec2(0), corridor.dims - 1);
     };

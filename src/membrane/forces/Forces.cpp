@@ -19,8 +19,8 @@ namespace {
 constexpr double kProtectedWeight = 16384.0;
 /// Most nodes of the lattice on which sides are decided: a few hundred milliseconds.
 constexpr double kMostNodes = 6e6;
-/// So far the sheet may go from one time step to the next to follow what moves, in mean edges of the frame: 10 mm over
-/// a heart, whose walls move up to 7 mm in an eighth of a beat; with half of it the sheet lost them.
+/// So far the sheet may go from one time step to the next to follow what moves, in mean edges of the rest plane: 10 mm
+/// over a heart, whose walls move up to 7 mm in an eighth of a beat; with half of it the sheet lost them.
 constexpr double kFollowShare = 1.0 / 16.0;
 constexpr int kMostStepsFollowed = 4;
 
@@ -45,10 +45,10 @@ scene::Cut sidesPart(const scene::Cut& cut) {
   scene::Cut part;
   part.shape = cut.shape;
   part.membrane.emplace();
-  part.centreMm = cut.centreMm;
+  part.centre = cut.centre;
   part.axis = cut.axis;
   part.spinDeg = cut.spinDeg;
-  part.sizeMm = cut.sizeMm;
+  part.size = cut.size;
   part.membrane->field = kernelPart(cut.membrane->field);
   part.membrane->field.kernels = cut.membrane->field.kernels;
   std::erase_if(part.membrane->field.kernels, [](const auto& kernel) { return kernel.strength <= 0.0; });
@@ -56,13 +56,13 @@ scene::Cut sidesPart(const scene::Cut& cut) {
   return part;
 }
 
-/// The kernels that can reach the frame's box, in a lattice of their own.
+/// The kernels that can reach the rest plane's box, in a lattice of their own.
 PushField cropKernels(const KernelGrid& grid, const scene::Cut& cut) {
   PushField field;
   field.areaOfEffect = cut.membrane->field.areaOfEffect;
   glm::dmat4 kernelFromLocal = glm::inverse(grid.worldFromKernel) * scene::worldFromCut(cut);
   glm::dvec3 middle(kernelFromLocal[3]), half(field.areaOfEffect);
-  for (int axis = 0; axis < 3; ++axis) half += glm::abs(glm::dvec3(kernelFromLocal[axis])) * cut.sizeMm[axis] * 0.5;
+  for (int axis = 0; axis < 3; ++axis) half += glm::abs(glm::dvec3(kernelFromLocal[axis])) * cut.size[axis] * 0.5;
   glm::ivec3 low(glm::clamp(glm::ceil(middle - half), glm::dvec3(0.0), glm::dvec3(grid.dims)));
   glm::ivec3 high(glm::clamp(glm::floor(middle + half) + 1.0, glm::dvec3(low), glm::dvec3(grid.dims)));
   field.dims = high - low;
@@ -82,8 +82,8 @@ std::vector<PlacedKernel> placeKernels(const scene::Cut& cut) {
   std::vector<PlacedKernel> placed;
   glm::dmat4 localFromWorld = glm::inverse(scene::worldFromCut(cut));
   for (const auto& kernel : cut.membrane->field.kernels) {
-    glm::dvec3 centre(localFromWorld * glm::dvec4(kernel.centreMm, 1.0));
-    placed.push_back({centre, std::max(kernel.radiusMm, 1e-6), 0.0, kernel.strength});
+    glm::dvec3 centre(localFromWorld * glm::dvec4(kernel.centre, 1.0));
+    placed.push_back({centre, std::max(kernel.radius, 1e-6 * meanEdge(cut.size * 0.5)), 0.0, kernel.strength});
   }
   return placed;
 }
@@ -99,7 +99,7 @@ void protectPlaced(ProtectedVoxels& voxels, const scene::ForceField& field) {
       for (int y = 0; y < size.y; ++y)
         for (int x = 0; x < size.x; ++x, ++i) {
           glm::dvec4 voxel(glm::dvec3(voxels.box.min + glm::ivec3(x, y, z)), 1.0);
-          if (glm::length(glm::dvec3(worldFromVoxel * voxel) - kernel.centreMm) < kernel.radiusMm) voxels.mask[i] = 1;
+          if (glm::length(glm::dvec3(worldFromVoxel * voxel) - kernel.centre) < kernel.radius) voxels.mask[i] = 1;
         }
     });
   }
@@ -107,20 +107,20 @@ void protectPlaced(ProtectedVoxels& voxels, const scene::ForceField& field) {
 
 /// Leads a corridor around a ball, on the side on which its middle lies not, or on which there is room for it.
 void passBy(Corridor& corridor, const PlacedKernel& ball, double reach) {
-  double radius = ball.halfWidthMm;
-  glm::dvec3 c = ball.centreMm;
-  glm::ivec2 low(glm::ceil((glm::dvec2(c) - radius - corridor.originMm) / corridor.stepMm));
-  glm::ivec2 high(glm::floor((glm::dvec2(c) + radius - corridor.originMm) / corridor.stepMm));
+  double radius = ball.halfWidth;
+  glm::dvec3 c = ball.centre;
+  glm::ivec2 low(glm::ceil((glm::dvec2(c) - radius - corridor.origin) / corridor.step));
+  glm::ivec2 high(glm::floor((glm::dvec2(c) + radius - corridor.origin) / corridor.step));
   low = glm::max(low, glm::ivec2(0));
   high = glm::min(high, corridor.dims - 1);
-  glm::ivec2 at((glm::dvec2(c) - corridor.originMm) / corridor.stepMm + 0.5);
+  glm::ivec2 at((glm::dvec2(c) - corridor.origin) / corridor.step + 0.5);
   at = glm::clamp(at, glm::ivec2(0), corridor.dims - 1);
   bool over = c.z <= double(corridor.height[std::size_t(at.y * corridor.dims.x + at.x)]);
   if (over ? c.z + radius > reach && c.z - radius >= -reach : c.z - radius < -reach && c.z + radius <= reach)
     over = !over;
   for (int y = low.y; y <= high.y; ++y)
     for (int x = low.x; x <= high.x; ++x) {
-      glm::dvec2 away = corridor.originMm + glm::dvec2(x, y) * corridor.stepMm - glm::dvec2(c);
+      glm::dvec2 away = corridor.origin + glm::dvec2(x, y) * corridor.step - glm::dvec2(c);
       double rest = radius * radius - glm::dot(away, away);
       if (rest <= 0.0) continue;
       auto i = std::size_t(y * corridor.dims.x + x);
@@ -135,8 +135,8 @@ std::vector<int> belowSheet(const CutLattice& lattice, const HeightOver& height)
   std::vector<int> below;
   for (int y = 0; y < lattice.dims.y; ++y)
     for (int x = 0; x < lattice.dims.x; ++x) {
-      glm::dvec2 place = glm::dvec2(lattice.originMm) + glm::dvec2(x, y) * glm::dvec2(lattice.stepMm);
-      double layers = (height(place) - lattice.originMm.z) / lattice.stepMm.z;
+      glm::dvec2 place = glm::dvec2(lattice.origin) + glm::dvec2(x, y) * glm::dvec2(lattice.step);
+      double layers = (height(place) - lattice.origin.z) / lattice.step.z;
       below.push_back(std::clamp(int(std::floor(layers)) + 1, 1, std::max(1, lattice.dims.z - 1)));
     }
   return below;
@@ -151,25 +151,26 @@ LeastCutOptions leastCutOptions() {
 /// -1 for what belongs above the sheet, 1 for what belongs below, in between for a kernel through which it passes.
 class Sides {
  public:
-  explicit Sides(const Corridor& corridor, double smearMm) : mCorridor(corridor), mSmearMm(std::max(smearMm, 1e-9)) {}
+  explicit Sides(const Corridor& corridor, double smear)
+      : mCorridor(corridor), mSmear(std::max(smear, 1e-9 * std::max(corridor.step.x, corridor.step.y))) {}
   double at(glm::dvec3 local) const {
-    glm::dvec2 p = glm::floor((glm::dvec2(local) - mCorridor.originMm) / mCorridor.stepMm + 0.5 + kHair);
+    glm::dvec2 p = glm::floor((glm::dvec2(local) - mCorridor.origin) / mCorridor.step + 0.5 + kHair);
     glm::ivec2 column = glm::clamp(glm::ivec2(p), glm::ivec2(0), mCorridor.dims - 1);
     double height = double(mCorridor.height[std::size_t(column.y * mCorridor.dims.x + column.x)]);
-    return std::clamp((height - local.z) / mSmearMm, -1.0, 1.0);
+    return std::clamp((height - local.z) / mSmear, -1.0, 1.0);
   }
 
  private:
   const Corridor& mCorridor;
-  double mSmearMm;
+  double mSmear;
 };
 
-/// Differs: not in the paper. The loose cloth of the sided rule is pulled back to the slice so strongly that a force
-/// would hardly move it: what attracts lifts the slice itself towards its centre instead, as long as its ball reaches
-/// the slice.
+/// Differs: not in the paper. The loose cloth of the sided rule is pulled back to the rest plane so strongly that a
+/// force would hardly move it: what attracts lifts the rest plane itself towards its centre instead, as long as its
+/// ball reaches the rest plane.
 double liftOf(const PlacedKernel& kernel) {
-  double reaches = (1.0 - std::abs(kernel.centreMm.z) / kernel.halfWidthMm) * kLetGo;
-  return kernel.centreMm.z * std::clamp(reaches, 0.0, 1.0) * kernel.pull / (kernel.pull - kHalfLift);
+  double reaches = (1.0 - std::abs(kernel.centre.z) / kernel.halfWidth) * kLetGo;
+  return kernel.centre.z * std::clamp(reaches, 0.0, 1.0) * kernel.pull / (kernel.pull - kHalfLift);
 }
 
 /// What repels pushes along the normal, away from the side that it is on; what attracts stays as it is.
@@ -190,10 +191,10 @@ void turnToSides(PushField& field, const Corridor& corridor) {
   });
   for (auto& kernel : field.placed) {
     if (kernel.pull <= 0.0) {
-      kernel.liftMm = liftOf(kernel);
+      kernel.lift = liftOf(kernel);
       continue;
     }
-    kernel.push = Sides(corridor, 0.25 * kernel.halfWidthMm).at(kernel.centreMm) * kernel.pull;
+    kernel.push = Sides(corridor, 0.25 * kernel.halfWidth).at(kernel.centre) * kernel.pull;
     kernel.pull = 0.0;
   }
 }
@@ -202,8 +203,8 @@ void turnToSides(PushField& field, const Corridor& corridor) {
 
 ForceMaker::ForceMaker(const scene::Scene& scene) : mPotential(scene) {
   if (!scene.volume.data) return;
-  mTimeSteps = std::max(1, scene.volume.data->frames);
-  mTimeStep = std::clamp(scene.volume.frame, 0, mTimeSteps - 1);
+  mTimeSteps = std::max(1, scene.volume.data->timeSteps);
+  mTimeStep = std::clamp(scene.volume.timeStep, 0, mTimeSteps - 1);
 }
 
 /// The sides of a sheet that is there. From another time step it is looked for near where it was; time may go round.
@@ -213,8 +214,8 @@ std::vector<int> ForceMaker::belowCurrent(const CutLattice& lattice, const scene
   int apart = current.timeStep < 0 ? 0 : std::abs(mTimeStep - current.timeStep) % mTimeSteps;
   apart = std::min({apart, mTimeSteps - apart, kMostStepsFollowed});
   if (apart == 0) return below;
-  double followMm = kFollowShare * 0.5 * (cut.sizeMm.x + cut.sizeMm.y) * apart;
-  int band = std::max(2, int(std::ceil(followMm / lattice.stepMm.z)));
+  double follow = kFollowShare * 0.5 * (cut.size.x + cut.size.y) * apart;
+  int band = std::max(2, int(std::ceil(follow / lattice.step.z)));
   return computeLeastCutNear(lattice, leastCutOptions(), below, band, progress).below;
 }
 
@@ -288,7 +289,7 @@ Forces ForceMaker::preview(const scene::Cut& cut, Progress& progress) {
   forces.corridor = corridorOf(data, {}, progress);
   for (const auto& kernel : forces.field.placed)
     if (kernel.pull > 0.0) {
-      passBy(forces.corridor, kernel, cut.sizeMm.z * 0.5);
+      passBy(forces.corridor, kernel, cut.size.z * 0.5);
       forces.isPreview = true;
     }
   turnToSides(forces.field, forces.corridor);

@@ -6,23 +6,23 @@
 
 namespace velum::membrane {
 
-/// Lengths so short, in voxels, that they decide nothing: a voxel on the slice, or on the frame's edge, must not change
-/// sides with its last digits.
+/// Lengths so short, in voxels, that they decide nothing: a voxel on the rest plane, or on the rest plane's edge, must
+/// not change sides with its last digits.
 constexpr double kHair = 1e-4;
 
-/// The box of a membrane's frame and reach, for voxels of a grid.
+/// The box of a membrane's rest plane and reach, for voxels of a grid.
 struct FrameBox {
   glm::dmat4 localFromVoxel{1.0};
   glm::dvec3 half{0.0};  ///< mm, a hair more than the frame's, so that voxels on its edge are inside
-  double hairMm = 0.0;
+  double hair = 0.0;
 
   FrameBox(const scene::Cut& cut, const glm::dmat4& worldFromVoxel)
       : localFromVoxel(glm::inverse(scene::worldFromCut(cut)) * worldFromVoxel),
-        hairMm(kHair * glm::length(glm::dvec3(localFromVoxel[0]))) {
-    half = cut.sizeMm * 0.5 + hairMm;
+        hair(kHair * glm::length(glm::dvec3(localFromVoxel[0]))) {
+    half = cut.size * 0.5 + hair;
   }
   glm::dvec3 local(glm::dvec3 voxel) const { return glm::dvec3(localFromVoxel * glm::dvec4(voxel, 1.0)); }
-  bool holds(glm::dvec3 localMm) const { return glm::all(glm::lessThanEqual(glm::abs(localMm), half)); }
+  bool holds(glm::dvec3 local) const { return glm::all(glm::lessThanEqual(glm::abs(local), half)); }
 };
 
 /// Each voxel of its box is said to be protected or not.

@@ -56,7 +56,7 @@ FreeRange computeFreeRange(const CutLattice& lattice) {
     int x = int(column % std::size_t(n.x)), y = int(column / std::size_t(n.x));
     return x > 0 && y > 0 && x < n.x - 1 && y < n.y - 1;
   };
-  // From the ends of the reach towards the slice, so that the hulls grow.
+  // From the ends of the reach towards the rest plane, so that the hulls grow.
   Columns columns(count, 0);
   for (int z = n.z - 1; z >= flat; --z) {
     markLayer(lattice, z, columns);

@@ -17,13 +17,13 @@ template <class T>
 struct SquaredGradient {
   /// Differences of 32-bit integers and doubles need doubles; of the others floats lose nothing that matters.
   using Real = std::conditional_t<(sizeof(T) <= 2 || std::is_same_v<T, float>), float, double>;
-  const T* samples;  ///< of the frame and channel
+  const T* samples;  ///< of the timeStep and channel
   glm::ivec3 dims;
   std::ptrdiff_t stride;        ///< samples a voxel
   glm::mat<3, 3, Real> metric;  ///< g = d^T metric d for differences d between neighbours
 
-  SquaredGradient(const T* p, const Volume& volume, int channel, int frame)
-      : samples(p + std::size_t(frame) * voxelCount(volume) * std::size_t(volume.channels) + channel),
+  SquaredGradient(const T* p, const Volume& volume, int channel, int timeStep)
+      : samples(p + std::size_t(timeStep) * voxelCount(volume) * std::size_t(volume.channels) + channel),
         dims(volume.dims),
         stride(volume.channels) {
     glm::dmat3 worldFromVoxelGradient = glm::transpose(glm::inverse(glm::dmat3(volume.worldFromVoxel))) * volume.scale;
@@ -103,8 +103,9 @@ Gradients compute(const SquaredGradient<T>& gradient, Progress& progress) {
 
 }  // namespace
 
-Gradients computeGradients(const Volume& volume, int channel, int frame, Progress& progress) {
-  return visitSamples(volume, [&](auto* p) { return compute(SquaredGradient(p, volume, channel, frame), progress); });
+Gradients computeGradients(const Volume& volume, int channel, int timeStep, Progress& progress) {
+  return visitSamples(volume,
+                      [&](auto* p) { return compute(SquaredGradient(p, volume, channel, timeStep), progress); });
 }
 
 }  // namespace velum::membrane

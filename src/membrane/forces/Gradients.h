@@ -17,6 +17,6 @@ struct Gradients {
 
 /// Central differences, one-sided at the edges, taken to the world by the whole matrix, so that spacing and direction
 /// count. 0 where a neighbour is not a number. Two passes over the voxels, all cores. @throw Cancelled
-Gradients computeGradients(const Volume& volume, int channel, int frame, Progress& progress);
+Gradients computeGradients(const Volume& volume, int channel, int timeStep, Progress& progress);
 
 }  // namespace velum::membrane

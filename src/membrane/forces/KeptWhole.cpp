@@ -48,7 +48,7 @@ class RowOfSides {
       if (!mask[x]) continue;
       glm::dvec3 p = start + double(x) * step;
       if (mFrame.holds(p)) flags[x] |= kInFrame;
-      p.z -= mFrame.hairMm;
+      p.z -= mFrame.hair;
       if (p.z > 0.0) flags[x] |= kAbovePlane;
       points.push_back(glm::vec3(p));
     }
@@ -99,11 +99,11 @@ Areas countPairs(const Sides& sides) {
       });
 }
 
-/// The voxels of a grid whose positions can lie in the frame's box, and their neighbours.
+/// The voxels of a grid whose positions can lie in the rest plane's box, and their neighbours.
 VoxelBox boxInReach(glm::ivec3 dims, const glm::dmat4& worldFromVoxel, const scene::Cut& cut) {
   glm::dmat4 voxelFromLocal = glm::inverse(FrameBox(cut, worldFromVoxel).localFromVoxel);
   glm::dvec3 middle(voxelFromLocal[3]), half(0.0);
-  for (int axis = 0; axis < 3; ++axis) half += glm::abs(glm::dvec3(voxelFromLocal[axis])) * cut.sizeMm[axis] * 0.5;
+  for (int axis = 0; axis < 3; ++axis) half += glm::abs(glm::dvec3(voxelFromLocal[axis])) * cut.size[axis] * 0.5;
   // Clamped before they become integers: a frame may be far larger than the data.
   glm::dvec3 low = glm::clamp(glm::floor(middle - half) - 1.0, glm::dvec3(0.0), glm::dvec3(dims));
   glm::dvec3 high = glm::clamp(glm::ceil(middle + half) + 2.0, low, glm::dvec3(dims));
@@ -137,7 +137,7 @@ VoxelBox voxelsInReach(const Potential& potential, const scene::Cut& cut) {
 }
 
 KeptWhole measureKeptWhole(const ProtectedVoxels& voxels, const scene::Cut& cut, const SideOfPoints& side,
-                           double meanDistanceMm, Progress& progress) {
+                           double meanDistance, Progress& progress) {
   VELUM_ASSERT(holdsItsBox(voxels), "each voxel of the box is decided");
   Sides sides;
   sides.box = intersect(boxInReach(voxels.box.end, voxels.worldFromVoxel, cut), voxels.box);
@@ -151,13 +151,13 @@ KeptWhole measureKeptWhole(const ProtectedVoxels& voxels, const scene::Cut& cut,
   });
   progress.throwIfCancelled();
   Areas areas = countPairs(sides);
-  KeptWhole result{areas.plane, areas.sheet, 1.0, meanDistanceMm};
+  KeptWhole result{areas.plane, areas.sheet, 1.0, meanDistance};
   if (areas.plane > 0 || areas.sheet > 0)
     result.ratio = double(areas.sheet) / double(std::max<std::int64_t>(areas.plane, 1));
   return result;
 }
 
-double meanDistanceMm(const scene::SheetShape& shape) {
+double meanDistance(const scene::SheetShape& shape) {
   glm::ivec2 n = shape.particles;
   if (n.x < 2 || n.y < 2 || shape.places.size() != std::size_t(n.x) * std::size_t(n.y)) return 0.0;
   double weighted = 0.0, total = 0.0;

@@ -141,7 +141,7 @@ struct Potential::Data {
     // Isolated: while this thread waits for its helpers it must not take up a task that wants the same lock.
     if (!gradients)
       tbb::this_task_arena::isolate(
-          [&] { gradients = computeGradients(*source.volume, source.channel, source.frame, progress); });
+          [&] { gradients = computeGradients(*source.volume, source.channel, source.timeStep, progress); });
     return &*gradients;
   }
   StrengthRows rowsFor(const scene::ForceField& field, Progress& progress) const {
@@ -161,7 +161,7 @@ PotentialSource sourceOf(const scene::Scene& scene) {
   source.volume = scene.volume.data;
   source.labels = scene.labels.data;
   if (source.volume) {
-    source.frame = std::clamp(scene.volume.frame, 0, source.volume->frames - 1);
+    source.timeStep = std::clamp(scene.volume.timeStep, 0, source.volume->timeSteps - 1);
     source.channel = std::clamp(scene.volume.channel, 0, source.volume->channels - 1);
     source.dims = source.volume->dims;
     source.worldFromVoxel = source.volume->worldFromVoxel;
@@ -182,7 +182,7 @@ Potential& Potential::operator=(Potential&&) noexcept = default;
 bool Potential::matches(const scene::Scene& scene) const {
   PotentialSource other = sourceOf(scene);
   const PotentialSource& own = mData->source;
-  return own.volume == other.volume && own.labels == other.labels && own.frame == other.frame &&
+  return own.volume == other.volume && own.labels == other.labels && own.timeStep == other.timeStep &&
          own.channel == other.channel;
 }
 

@@ -34,14 +34,14 @@ class Capacities {
     while (mUnits * largest > kLargestCapacity) mUnits *= 0.5;
   }
   double units() const { return mUnits; }
-  /// From a node to the next along an axis across the frame.
+  /// From a node to the next along an axis across the rest plane.
   std::int32_t across(int axis, std::size_t node) const {
     return whole(mOptions.smoothness + mOptions.protectedWeight * double(mLattice.pairs[axis][node]));
   }
   /// From a node of layer z to the one above.
   std::int32_t up(int z, std::size_t node) const {
     return whole(mOptions.smoothness + mOptions.protectedWeight * double(mLattice.pairs[2][node]) +
-                 mOptions.pull * std::abs(z + 0.5 - mLattice.sliceLayer));
+                 mOptions.pull * std::abs(z + 0.5 - mLattice.restLayer));
   }
 
  private:
@@ -58,7 +58,7 @@ void check(const CutLattice& lattice, const LeastCutOptions& options) {
     if (pairs.size() != nodeCount(lattice)) throw ArgumentError("a lattice's pairs do not match its dimensions");
   int flat = flatCount(lattice);
   if (flat < 1 || flat > lattice.dims.z - 1)
-    throw ArgumentError("the slice at layer " + std::to_string(lattice.sliceLayer) + " lies outside the lattice");
+    throw ArgumentError("the rest plane at layer " + std::to_string(lattice.restLayer) + " lies outside the lattice");
   bool isSound = options.protectedWeight >= 0 && options.smoothness >= 0 && options.pull >= 0;
   if (!isSound || !std::isfinite(options.protectedWeight + options.smoothness + options.pull))
     throw ArgumentError("the weights of a least cut must be 0 or more");
@@ -151,7 +151,7 @@ class Problem {
   GridFlow mFlow;
 };
 
-/// A lattice of nodes twice as large; the slice stays on the same boundary between layers.
+/// A lattice of nodes twice as large; the rest plane stays on the same boundary between layers.
 struct Coarser {
   CutLattice lattice;
   int pad = 0;  ///< layers added below, so that the boundary is an even one
@@ -211,17 +211,17 @@ std::vector<int> solve(const CutLattice& lattice, const LeastCutOptions& options
 
 }  // namespace
 
-CutLattice makeLattice(glm::ivec3 dims, double sliceLayer) {
+CutLattice makeLattice(glm::ivec3 dims, double restLayer) {
   if (glm::any(glm::lessThan(dims, glm::ivec3(1)))) throw ArgumentError("a lattice needs one node along each axis");
   CutLattice lattice;
   lattice.dims = dims;
-  lattice.sliceLayer = sliceLayer;
+  lattice.restLayer = restLayer;
   for (auto& pairs : lattice.pairs) pairs.assign(nodeCount(lattice), 0.0f);
   return lattice;
 }
 
-CutLattice latticeFromMask(glm::ivec3 dims, double sliceLayer, std::span<const std::uint8_t> mask) {
-  CutLattice lattice = makeLattice(dims, sliceLayer);
+CutLattice latticeFromMask(glm::ivec3 dims, double restLayer, std::span<const std::uint8_t> mask) {
+  CutLattice lattice = makeLattice(dims, restLayer);
   if (mask.size() < nodeCount(lattice)) throw ArgumentError("too few nodes in the mask of a lattice");
   std::size_t step[3] = {1, std::size_t(dims.x), columnCount(lattice)};
   std::size_t at = 0;
@@ -234,7 +234,7 @@ CutLattice latticeFromMask(glm::ivec3 dims, double sliceLayer, std::span<const s
   return lattice;
 }
 
-int flatCount(const CutLattice& lattice) { return int(std::floor(lattice.sliceLayer)) + 1; }
+int flatCount(const CutLattice& lattice) { return int(std::floor(lattice.restLayer)) + 1; }
 
 LeastCut computeLeastCut(const CutLattice& lattice, const LeastCutOptions& options, Progress& progress) {
   check(lattice, options);
@@ -270,7 +270,7 @@ LeastCut evaluateSheet(const CutLattice& lattice, const LeastCutOptions& options
       if (below[c] < 1 || below[c] > n.z - 1) throw ArgumentError("a sheet leaves its lattice");
       sheet.cutPairs += double(lattice.pairs[2][std::size_t(below[c] - 1) * columnCount(lattice) + c]);
       plain += 1.0;
-      pulls += std::abs(below[c] - 0.5 - lattice.sliceLayer);
+      pulls += std::abs(below[c] - 0.5 - lattice.restLayer);
       for (int axis = 0; axis < 2; ++axis) {
         if (axis == 0 ? x + 1 == n.x : y + 1 == n.y) continue;
         int other = below[c + (axis == 0 ? 1 : std::size_t(n.x))];

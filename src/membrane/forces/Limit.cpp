@@ -46,11 +46,11 @@ void extentOf(const VoxelBox& box, const glm::dmat4& localFromVoxel, glm::dvec3&
   }
 }
 
-/// The voxel axis that an axis of the frame runs along, or -1: no voxel of the box may stray by a twentieth.
-int alignedAxis(const glm::dmat4& voxelFromLocal, int axis, double lengthMm) {
+/// The voxel axis that an axis of the rest plane runs along, or -1: no voxel of the box may stray by a twentieth.
+int alignedAxis(const glm::dmat4& voxelFromLocal, int axis, double length) {
   glm::dvec3 v = glm::abs(glm::dvec3(voxelFromLocal[axis]));
   int along = v.x >= v.y && v.x >= v.z ? 0 : v.y >= v.z ? 1 : 2;
-  double astray = (v.x + v.y + v.z - v[along]) * lengthMm;
+  double astray = (v.x + v.y + v.z - v[along]) * length;
   return astray < 0.05 ? along : -1;
 }
 
@@ -97,9 +97,7 @@ void gatherPairs(const ProtectedVoxels& voxels, const FrameBox& frame, CutLattic
   std::ptrdiff_t step[3] = {1, size.x, std::ptrdiff_t(size.x) * size.y};
   PairSpreader spreader(lattice);
   const std::uint8_t* mask = voxels.mask.data();
-  auto nodeOf = [&](glm::dvec3 local) {
-    return glm::ivec3(glm::floor((local - lattice.originMm) / lattice.stepMm + 0.5));
-  };
+  auto nodeOf = [&](glm::dvec3 local) { return glm::ivec3(glm::floor((local - lattice.origin) / lattice.step + 0.5)); };
   for (int z = 0; z < size.z; ++z)
     for (int y = 0; y < size.y; ++y)
       for (int x = 0; x < size.x; ++x, ++mask) {
@@ -121,7 +119,7 @@ CutLattice gatherLattice(const ProtectedVoxels& voxels, const scene::Cut& cut, d
   VELUM_ASSERT(coarsening >= 1.0, "nodes are a voxel apart at least");
   FrameBox frame(cut, voxels.worldFromVoxel);
   glm::dmat4 voxelFromLocal = glm::inverse(frame.localFromVoxel);
-  glm::dvec3 low, high, half = cut.sizeMm * 0.5;
+  glm::dvec3 low, high, half = cut.size * 0.5;
   extentOf(voxels.box, frame.localFromVoxel, low, high);
   Nodes nodes[3];
   for (int axis = 0; axis < 3; ++axis) {
@@ -133,12 +131,12 @@ CutLattice gatherLattice(const ProtectedVoxels& voxels, const scene::Cut& cut, d
     nodes[axis] = nodesWithin(anchor, step, half[axis], {low[axis], high[axis]});
   }
   glm::ivec3 dims(nodes[0].count, nodes[1].count, nodes[2].count);
-  // A slice through the middles of voxels is to lie on their layer, whatever the last digits say.
-  double sliceLayer = -nodes[2].first / nodes[2].step, layer = std::round(sliceLayer);
-  CutLattice lattice = makeLattice(dims, std::abs(sliceLayer - layer) < kHair ? layer : sliceLayer);
+  // A rest plane through the middles of voxels is to lie on their layer, whatever the last digits say.
+  double restLayer = -nodes[2].first / nodes[2].step, layer = std::round(restLayer);
+  CutLattice lattice = makeLattice(dims, std::abs(restLayer - layer) < kHair ? layer : restLayer);
   for (int axis = 0; axis < 3; ++axis) {
-    lattice.originMm[axis] = nodes[axis].first;
-    lattice.stepMm[axis] = nodes[axis].step;
+    lattice.origin[axis] = nodes[axis].first;
+    lattice.step[axis] = nodes[axis].step;
   }
   gatherPairs(voxels, frame, lattice);
   return lattice;
@@ -147,15 +145,15 @@ CutLattice gatherLattice(const ProtectedVoxels& voxels, const scene::Cut& cut, d
 SideOfPoints sideOfLeastCut(const CutLattice& lattice, const LeastCut& cut) {
   VELUM_ASSERT(glm::ivec2(lattice.dims) == cut.dims, "the sheet is one of this lattice");
   struct Stairs {
-    glm::dvec3 originMm, stepMm;
+    glm::dvec3 origin, step;
     glm::ivec2 dims;
     std::vector<int> below;
   };
-  auto stairs = std::make_shared<Stairs>(Stairs{lattice.originMm, lattice.stepMm, cut.dims, cut.below});
+  auto stairs = std::make_shared<Stairs>(Stairs{lattice.origin, lattice.step, cut.dims, cut.below});
   return [stairs](std::span<const glm::vec3> local, std::span<std::uint8_t> above) {
     VELUM_ASSERT(above.size() == local.size(), "each point gets its side");
     for (std::size_t i = 0; i < local.size(); ++i) {
-      glm::ivec3 node(glm::floor((glm::dvec3(local[i]) - stairs->originMm) / stairs->stepMm + 0.5));
+      glm::ivec3 node(glm::floor((glm::dvec3(local[i]) - stairs->origin) / stairs->step + 0.5));
       glm::ivec2 n = stairs->dims;
       bool inside = node.x >= 0 && node.y >= 0 && node.x < n.x && node.y < n.y;
       above[i] = inside ? node.z >= stairs->below[std::size_t(node.y) * std::size_t(n.x) + std::size_t(node.x)]
@@ -164,16 +162,16 @@ SideOfPoints sideOfLeastCut(const CutLattice& lattice, const LeastCut& cut) {
   };
 }
 
-double meanDistanceMm(const CutLattice& lattice, const LeastCut& least, const scene::Cut& cut) {
+double meanDistance(const CutLattice& lattice, const LeastCut& least, const scene::Cut& cut) {
   VELUM_ASSERT(glm::ivec2(lattice.dims) == least.dims, "the sheet is one of this lattice");
   double sum = 0.0;
   for (int below : least.below) {
-    // A flat column lies on the slice itself, wherever between the two layers that is.
-    double z = below == flatCount(lattice) ? 0.0 : lattice.originMm.z + (below - 0.5) * lattice.stepMm.z;
+    // A flat column lies on the rest plane itself, wherever between the two layers that is.
+    double z = below == flatCount(lattice) ? 0.0 : lattice.origin.z + (below - 0.5) * lattice.step.z;
     sum += std::abs(z);
   }
   // The frame may be larger than the data; there the sheet is flat.
-  double columnMm2 = lattice.stepMm.x * lattice.stepMm.y, frameMm2 = cut.sizeMm.x * cut.sizeMm.y;
+  double columnMm2 = lattice.step.x * lattice.step.y, frameMm2 = cut.size.x * cut.size.y;
   return sum * columnMm2 / std::max(frameMm2, columnMm2);
 }
 
@@ -186,7 +184,7 @@ KeptWholeLimit computeLimit(const ProtectedVoxels& voxels, const scene::Cut& cut
   options.protectedWeight = kLimitWeight;
   limit.least = computeLeastCut(limit.lattice, options, progress);
   limit.figure = measureKeptWhole(voxels, cut, sideOfLeastCut(limit.lattice, limit.least),
-                                  meanDistanceMm(limit.lattice, limit.least, cut), progress);
+                                  meanDistance(limit.lattice, limit.least, cut), progress);
   return limit;
 }
 

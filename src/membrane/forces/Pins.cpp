@@ -10,26 +10,26 @@ namespace velum::membrane {
 
 namespace {
 
-/// How steep the sheet falls off around a pin: so many times its height away it is back on the slice. Chosen by eye on
-/// angiograms: less looks like a tent pole, more lifts what was not meant.
+/// How steep the sheet falls off around a pin: so many times its height away it is back on the rest plane. Chosen by
+/// eye on angiograms: less looks like a tent pole, more lifts what was not meant.
 constexpr double kRadiusPerHeight = 2.5;
-/// At least this share of the frame's mean edge, so that a low pin is no needle either.
+/// At least this share of the rest plane's mean edge, so that a low pin is no needle either.
 constexpr double kLeastRadius = 1.0 / 16.0;
 /// Pins nearer together than this share of the radius are one: the last that was set.
 constexpr double kSamePlace = 1e-3;
 
-glm::dvec3 localPlace(const scene::Cut& cut, glm::dvec3 worldMm) {
-  return glm::dvec3(glm::inverse(scene::worldFromCut(cut)) * glm::dvec4(worldMm, 1.0));
+glm::dvec3 localPlace(const scene::Cut& cut, glm::dvec3 world) {
+  return glm::dvec3(glm::inverse(scene::worldFromCut(cut)) * glm::dvec4(world, 1.0));
 }
 
 bool isSided(const scene::Cut& cut) { return cut.membrane->field.rule == scene::KernelRule::Sided; }
 
-/// Inside of the frame's rectangle, at a height that the sheet can have.
+/// Inside of the rest plane's rectangle, at a height that the sheet can have.
 std::vector<glm::dvec3> pinsInFrame(const scene::Cut& cut) {
-  glm::dvec3 half = cut.sizeMm * 0.5;
+  glm::dvec3 half = cut.size * 0.5;
   std::vector<glm::dvec3> pins;
   for (const auto& pin : cut.membrane->pins) {
-    glm::dvec3 p = localPlace(cut, pin.placeMm);
+    glm::dvec3 p = localPlace(cut, pin.place);
     p.z = std::clamp(p.z, -half.z, half.z);
     if (std::abs(p.x) < half.x && std::abs(p.y) < half.y) pins.push_back(p);
   }
@@ -64,7 +64,7 @@ std::vector<HeldParticle> heldByPins(const scene::Cut& cut, glm::ivec2 particles
   if (!isSided(cut)) {
     for (const auto& pin : cut.membrane->pins) {
       glm::ivec2 at(glm::round(glm::clamp(pin.sheet, 0.0, 1.0) * glm::dvec2(particles - 1)));
-      held.push_back({at.y * particles.x + at.x, glm::vec3(localPlace(cut, pin.placeMm))});
+      held.push_back({at.y * particles.x + at.x, glm::vec3(localPlace(cut, pin.place))});
     }
     return held;
   }
@@ -84,7 +84,7 @@ std::vector<PlacedKernel> liftsByPins(const scene::Cut& cut) {
   double highest = 0.0;
   for (const auto& pin : all) highest = std::max(highest, std::abs(pin.z));
   if (highest == 0.0) return {};
-  double radius = std::max(kRadiusPerHeight * highest, kLeastRadius * meanEdgeMm(cut.sizeMm * 0.5));
+  double radius = std::max(kRadiusPerHeight * highest, kLeastRadius * meanEdge(cut.size * 0.5));
   for (const auto& pin : all) {
     auto isHere = [&](glm::dvec3 p) { return glm::length(glm::dvec2(p - pin)) < kSamePlace * radius; };
     std::erase_if(pins, isHere);
@@ -99,9 +99,9 @@ std::vector<PlacedKernel> liftsByPins(const scene::Cut& cut) {
   std::vector<PlacedKernel> lifts;
   for (std::size_t i = 0; i < pins.size(); ++i) {
     PlacedKernel lift;
-    lift.centreMm = pins[i];
-    lift.halfWidthMm = radius;
-    lift.liftMm = heights[i];
+    lift.centre = pins[i];
+    lift.halfWidth = radius;
+    lift.lift = heights[i];
     lifts.push_back(lift);
   }
   return lifts;

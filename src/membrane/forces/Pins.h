@@ -13,9 +13,9 @@ namespace velum::membrane {
 /// @param places  where the particles of the sheet are now, frame-local mm
 std::vector<HeldParticle> heldByPins(const scene::Cut& cut, glm::ivec2 particles, std::span<const glm::vec3> places);
 
-/// Differs: not in the paper. By the sided rule the pull back to the slice is strong, so that a pin alone would raise a
-/// needle: the sheet is pulled to a smooth surface through all pins instead, which falls back to the slice around them
-/// (an interpolation with the positive definite function of [WENDLAND], of one radius for all). O(pins^3).
+/// Differs: not in the paper. By the sided rule the pull back to the rest plane is strong, so that a pin alone would
+/// raise a needle: the sheet is pulled to a smooth surface through all pins instead, which falls back to the rest plane
+/// around them (an interpolation with the positive definite function of [WENDLAND], of one radius for all). O(pins^3).
 std::vector<PlacedKernel> liftsByPins(const scene::Cut& cut);
 
 }  // namespace velum::membrane

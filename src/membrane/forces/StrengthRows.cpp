@@ -93,7 +93,8 @@ void StrengthRows::fillValues(std::ptrdiff_t first, int count, float* out) const
   std::ptrdiff_t stride = volume.channels;
   visitSamples(volume, [&](auto* p) {
     using T = std::remove_cv_t<std::remove_pointer_t<decltype(p)>>;
-    p += std::ptrdiff_t(mSource.frame) * std::ptrdiff_t(voxelCount(volume)) * stride + first * stride + mSource.channel;
+    p += std::ptrdiff_t(mSource.timeStep) * std::ptrdiff_t(voxelCount(volume)) * stride + first * stride +
+         mSource.channel;
     if constexpr (std::is_integral_v<T> && sizeof(T) <= 2) {
       const float* byRaw = mByRaw.data() - std::numeric_limits<T>::min();
       for (int i = 0; i < count; ++i) out[i] = byRaw[p[i * stride]];

@@ -13,7 +13,7 @@ namespace velum::membrane {
 /// What a potential is made of: the data on one grid, and labels that may have another.
 struct PotentialSource {
   Shared<Volume> volume;
-  int frame = 0, channel = 0;
+  int timeStep = 0, channel = 0;
   Shared<LabelVolume> labels;
   glm::ivec3 dims{0};
   glm::dmat4 worldFromVoxel{1.0};

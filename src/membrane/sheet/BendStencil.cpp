@@ -40,9 +40,9 @@ double cotangent(glm::dvec2 a, glm::dvec2 b) { return glm::dot(a, b) / std::abs(
 
 /// Adds what one constraint asks of the particle at {0, 0}.
 void addConstraint(std::array<double, shared::kStencil * shared::kStencil>& stencil, const Edge& edge,
-                   const std::vector<Corner>& opposite, glm::dvec2 meshMm) {
+                   const std::vector<Corner>& opposite, glm::dvec2 mesh) {
   Corner corners[] = {edge.first, edge.second, opposite[0], opposite[1]};
-  auto place = [&](int i) { return glm::dvec2(corners[i].second, corners[i].first) * meshMm; };
+  auto place = [&](int i) { return glm::dvec2(corners[i].second, corners[i].first) * mesh; };
   glm::dvec2 along = place(1) - place(0);
   double c1 = cotangent(along, place(2) - place(0)), c2 = cotangent(along, place(3) - place(0));
   double c3 = cotangent(-along, place(2) - place(1)), c4 = cotangent(-along, place(3) - place(1));
@@ -61,7 +61,7 @@ void addConstraint(std::array<double, shared::kStencil * shared::kStencil>& sten
 
 }  // namespace
 
-std::vector<float> bendStencils(glm::dvec2 meshMm) {
+std::vector<float> bendStencils(glm::dvec2 mesh) {
   std::vector<float> out;
   for (int row = 0; row < shared::kBendClasses; ++row)
     for (int column = 0; column < shared::kBendClasses; ++column) {
@@ -69,7 +69,7 @@ std::vector<float> bendStencils(glm::dvec2 meshMm) {
       std::array<double, shared::kStencil * shared::kStencil> stencil{};
       for (bool otherDiagonal : {false, true})
         for (const auto& [edge, opposite] : triangulate(before, after, otherDiagonal))
-          if (opposite.size() == 2) addConstraint(stencil, edge, opposite, meshMm);
+          if (opposite.size() == 2) addConstraint(stencil, edge, opposite, mesh);
       out.insert(out.end(), stencil.begin(), stencil.end());
     }
   return out;

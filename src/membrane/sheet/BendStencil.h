@@ -8,7 +8,7 @@ namespace velum::membrane {
 /// kStencil^2, see shaders/shared/cloth.h. A bending constraint of two adjacent triangles is linear in the four places
 /// ([BERGOU]: K x = 0 when flat), so that what all of them ask of a particle is one weighted sum, different only near
 /// the border. Both ways to halve a mesh count, so that the sheet has no grain.
-/// @param meshMm  width and height of a mesh
-std::vector<float> bendStencils(glm::dvec2 meshMm);
+/// @param mesh  width and height of a mesh
+std::vector<float> bendStencils(glm::dvec2 mesh);
 
 }  // namespace velum::membrane

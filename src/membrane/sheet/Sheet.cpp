@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "shared/sheet.h"
+#include "velum/core/Vectors.h"
 #include "velum/gpu/Program.h"
 #include "velum/membrane/sheet/SheetIndex.h"
 
@@ -14,9 +15,9 @@ struct Sheet::Programs {
       scan{{"membrane/sheet_scan.comp"}}, fill{{"membrane/sheet_fill.comp"}}, cells{{"membrane/sheet_cells.comp"}};
 };
 
-Sheet::Sheet(const scene::SheetShape& shape, glm::ivec2 flat, glm::dvec3 sizeMm)
+Sheet::Sheet(const scene::SheetShape& shape, glm::ivec2 flat, glm::dvec3 size)
     : mPrograms(std::make_unique<Programs>()), mEntriesPerCell(shared::kSheetEntriesPerCell) {
-  setShape(shape, flat, sizeMm);
+  setShape(shape, flat, size);
 }
 Sheet::~Sheet() = default;
 Sheet::Sheet(Sheet&&) noexcept = default;
@@ -32,11 +33,11 @@ void Sheet::makeBuffers() {
   mCounts = gpu::Buffer("sheet counts", (count + 1) * sizeof(std::uint32_t));
 }
 
-void Sheet::setShape(const scene::SheetShape& shape, glm::ivec2 flat, glm::dvec3 sizeMm) {
-  scene::SheetShape fitted = fitShape(shape, flat, sizeMm);
+void Sheet::setShape(const scene::SheetShape& shape, glm::ivec2 flat, glm::dvec3 size) {
+  scene::SheetShape fitted = fitShape(shape, flat, size);
   bool fits = mRows && fitted.particles == mParticles;
   mParticles = fitted.particles;
-  mSizeMm = sizeMm;
+  mSize = size;
   if (!fits) makeBuffers();
   std::vector<glm::vec4> places(fitted.places.size());
   for (std::size_t v = 0; v < places.size(); ++v) places[v] = glm::vec4(fitted.places[v], 0.0f);
@@ -47,7 +48,7 @@ void Sheet::setShape(const scene::SheetShape& shape, glm::ivec2 flat, glm::dvec3
 void Sheet::index() {
   int count = mParticles.x * mParticles.y;
   glm::ivec4 particles(mParticles, count * mEntriesPerCell, 0);
-  glm::vec4 half(glm::max(glm::vec3(mSizeMm * 0.5), glm::vec3(1e-9f)), 0.0f);
+  glm::vec4 half(glm::vec3(solidEdges(mSize) * 0.5), 0.0f);
   mRows.bindStorage(shared::kSheetBinding);
   mRows.bindStorage(shared::kSheetValuesBinding);
   mCounts.bindStorage(shared::kSheetCountsBinding);

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "shared/sheet.h"
+#include "velum/core/Vectors.h"
 
 namespace velum::membrane {
 
@@ -31,7 +32,7 @@ bool makesSense(const SheetShape& shape) {
 }
 
 shared::SheetPlan planOf(const SheetIndex& index) {
-  return {{0, index.particles, 0}, glm::max(glm::vec3(index.sizeMm * 0.5), glm::vec3(1e-9f))};
+  return {{0, index.particles, 0}, glm::vec3(solidEdges(index.size) * 0.5), 1.0f};
 }
 
 /// Unit normals of the particles: the mean over the triangles around each, by area.
@@ -76,8 +77,8 @@ void visitCells(const SheetIndex& index, auto&& visit) {
 
 }  // namespace
 
-SheetShape fitShape(const SheetShape& shape, glm::ivec2 flat, glm::dvec3 sizeMm) {
-  glm::vec3 half = glm::max(glm::vec3(sizeMm * 0.5), glm::vec3(1e-9f));
+SheetShape fitShape(const SheetShape& shape, glm::ivec2 flat, glm::dvec3 size) {
+  glm::vec3 half(solidEdges(size) * 0.5);
   if (!makesSense(shape)) return flatShape(flat, half);
   SheetShape rim = flatShape(shape.particles, half), fitted = shape;
   glm::vec2 low(shape.places.front()), high(shape.places.back()), scale = 2.0f * glm::vec2(half) / (high - low);
@@ -94,9 +95,9 @@ SheetShape fitShape(const SheetShape& shape, glm::ivec2 flat, glm::dvec3 sizeMm)
   return fitted;
 }
 
-SheetIndex makeSheetIndex(const SheetShape& shape, glm::ivec2 flat, glm::dvec3 sizeMm) {
-  SheetShape fitted = fitShape(shape, flat, sizeMm);
-  SheetIndex index{fitted.particles, sizeMm, {}};
+SheetIndex makeSheetIndex(const SheetShape& shape, glm::ivec2 flat, glm::dvec3 size) {
+  SheetShape fitted = fitShape(shape, flat, size);
+  SheetIndex index{fitted.particles, size, {}};
   std::size_t count = fitted.places.size();
   index.rows.resize(fixedRows(index.particles), glm::vec4(0.0f));
   for (std::size_t v = 0; v < count; ++v) index.rows[v] = glm::vec4(fitted.places[v], 0.0f);
@@ -120,18 +121,18 @@ SheetIndex makeSheetIndex(const SheetShape& shape, glm::ivec2 flat, glm::dvec3 s
   return index;
 }
 
-std::optional<SheetTouch> touchSheet(const SheetIndex& index, glm::dvec3 originMm, glm::dvec3 direction) {
+std::optional<SheetTouch> touchSheet(const SheetIndex& index, glm::dvec3 origin, glm::dvec3 direction) {
   shared::SheetPlan plan = planOf(index);
   // From the sphere about the frame on: floats are not enough for an eye that is far off.
-  double radius = 0.5 * glm::length(index.sizeMm) * (1.0 + 1e-6);
-  double start = std::max(0.0, -glm::dot(originMm, direction) - radius);
-  glm::dvec3 near = originMm + direction * start;
-  shared::SheetHit hit = shared::sheetCrossing(plan, glm::vec3(near), glm::vec3(direction), -1e-6f, float(4.0 * radius),
-                                               {index.rows.data()});
+  double radius = 0.5 * glm::length(index.size) * (1.0 + 1e-6);
+  double start = std::max(0.0, -glm::dot(origin, direction) - radius);
+  glm::dvec3 near = origin + direction * start;
+  shared::SheetHit hit = shared::sheetCrossing(plan, glm::vec3(near), glm::vec3(direction), float(-1e-6 * radius),
+                                               float(4.0 * radius), {index.rows.data()});
   if (hit.triangle < 0) return std::nullopt;
   SheetTouch touch{near + direction * double(hit.t), glm::dvec2(0.0)};
   glm::ivec3 corners = shared::sheetCorners(plan, hit.triangle);
-  glm::vec3 shares = shared::sheetShares(plan, hit.triangle, glm::vec3(touch.placeMm), {index.rows.data()});
+  glm::vec3 shares = shared::sheetShares(plan, hit.triangle, glm::vec3(touch.place), {index.rows.data()});
   for (int i = 0; i < 3; ++i) {
     glm::dvec2 particle(corners[i] % index.particles.x, corners[i] / index.particles.x);
     touch.share += double(shares[i]) * particle / glm::dvec2(index.particles - 1);
@@ -139,8 +140,8 @@ std::optional<SheetTouch> touchSheet(const SheetIndex& index, glm::dvec3 originM
   return touch;
 }
 
-bool isAbove(const SheetIndex& index, glm::vec3 placeMm) {
-  return shared::sheetIsAbove(planOf(index), placeMm, {index.rows.data()});
+bool isAbove(const SheetIndex& index, glm::vec3 place) {
+  return shared::sheetIsAbove(planOf(index), place, {index.rows.data()});
 }
 
 }  // namespace velum::membrane

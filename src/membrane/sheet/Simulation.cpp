@@ -6,6 +6,7 @@
 #include "forces/Pins.h"
 
 #include "velum/core/Assert.h"
+#include "velum/core/Vectors.h"
 
 namespace velum::membrane {
 
@@ -19,11 +20,12 @@ constexpr int kLongestFine = 24;
 /// so that where it rests does not depend on how many steps at a time somebody has time for. Divides both of the above.
 constexpr int kLookEvery = 8;
 
-glm::dvec3 halfOf(const scene::Cut& cut) { return glm::max(cut.sizeMm, glm::dvec3(1e-6)) * 0.5; }
+glm::dvec3 halfOf(const scene::Cut& cut) { return solidEdges(cut.size) * 0.5; }
 
 bool isSided(const scene::Cut& cut) { return cut.membrane->field.rule == scene::KernelRule::Sided; }
 
-/// Places along one axis of the frame for a sheet with a particle in the middle of each column, and those on the frame.
+/// Places along one axis of the rest plane for a sheet with a particle in the middle of each column, and those on the
+/// frame.
 std::vector<float> alignedPlaces(double half, double origin, double step, int columns, int most) {
   std::vector<float> places{float(-half)};
   for (int i = 0; i < columns; ++i) {
@@ -78,7 +80,7 @@ scene::SheetShape carryOver(const scene::SheetShape& shape, const scene::Cut& fr
   scene::SheetShape out = flatShape(to, shape.particles);
   glm::vec3 half(halfOf(to));
   if (isSided(to)) {
-    // Particles keep their places across the frame: they take the height of the old sheet there.
+    // Particles keep their places across the rest plane: they take the height of the old sheet there.
     HeightOver old = heightOf(shape);
     glm::dmat4 back = glm::inverse(toFromFrom);
     for (auto& place : out.places) {
@@ -95,7 +97,7 @@ scene::SheetShape carryOver(const scene::SheetShape& shape, const scene::Cut& fr
 scene::SheetShape carryOver(const scene::SheetShape& shape, const scene::Cut& to) {
   scene::Cut from = to;
   if (glm::length(shape.axis) > 0.0) {
-    from.centreMm = shape.centreMm;
+    from.centre = shape.centre;
     from.axis = shape.axis;
     from.spinDeg = shape.spinDeg;
   }
@@ -103,7 +105,7 @@ scene::SheetShape carryOver(const scene::SheetShape& shape, const scene::Cut& to
 }
 
 void anchor(scene::SheetShape& shape, const scene::Cut& cut, int timeStep) {
-  shape.centreMm = cut.centreMm;
+  shape.centre = cut.centre;
   shape.axis = cut.axis;
   shape.spinDeg = cut.spinDeg;
   shape.timeStep = timeStep;
@@ -147,7 +149,7 @@ void Simulation::applyForces() {
 bool Simulation::isRaised() const {
   const auto& placed = mForces.field.placed;
   return !mCut.membrane->pins.empty() ||
-         std::any_of(placed.begin(), placed.end(), [](const PlacedKernel& kernel) { return kernel.liftMm != 0.0; });
+         std::any_of(placed.begin(), placed.end(), [](const PlacedKernel& kernel) { return kernel.lift != 0.0; });
 }
 
 /// A particle in each column of the corridor, or as many as are allowed.
@@ -156,7 +158,7 @@ void Simulation::refine() {
   int most = std::max(mCut.membrane->cloth.finest, 3);
   glm::dvec3 half = halfOf(mCut);
   auto along = [&](int axis) {
-    return alignedPlaces(half[axis], corridor.originMm[axis], corridor.stepMm[axis], corridor.dims[axis], most);
+    return alignedPlaces(half[axis], corridor.origin[axis], corridor.step[axis], corridor.dims[axis], most);
   };
   std::vector<float> xs = along(0), ys = along(1);
   glm::ivec2 particles(int(xs.size()), int(ys.size()));

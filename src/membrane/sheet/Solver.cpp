@@ -19,7 +19,7 @@ constexpr double kReferenceMeshes = 49.0;  ///< stiffness is meant for a sheet o
 constexpr double kUnitsPerEdge = 128.0;
 constexpr double kBelow = 0.05;  ///< of its half-width a placed kernel stands below its place
 
-glm::dvec2 meshMm(const SheetSetup& setup) { return 2.0 * glm::dvec2(setup.halfMm) / glm::dvec2(setup.particles - 1); }
+glm::dvec2 meshSize(const SheetSetup& setup) { return 2.0 * glm::dvec2(setup.half) / glm::dvec2(setup.particles - 1); }
 
 /// Stiffness of one pass of several ([PBD] section 3.3).
 double perIteration(double stiffness, int iterations) {
@@ -67,7 +67,7 @@ bool Solver::isBorder(int particle) const {
 
 void Solver::setSheet(const SheetSetup& setup) {
   VELUM_ASSERT(setup.particles.x >= 2 && setup.particles.y >= 2, "a sheet has meshes");
-  VELUM_ASSERT(setup.halfMm.x > 0 && setup.halfMm.y > 0, "its frame has a size");
+  VELUM_ASSERT(setup.half.x > 0 && setup.half.y > 0, "its frame has a size");
   if (setup == mSetup) return;
   mSetup = setup;
   std::size_t bytes = std::size_t(count()) * sizeof(glm::vec4);
@@ -75,12 +75,12 @@ void Solver::setSheet(const SheetSetup& setup) {
   mVelocities = gpu::Buffer("velocities", bytes);
   mPing = gpu::Buffer("predicted", bytes);
   mPong = gpu::Buffer("corrected", bytes);
-  std::vector<float> bend = bendStencils(meshMm(setup));
+  std::vector<float> bend = bendStencils(meshSize(setup));
   mBend = gpu::Buffer("bend stencils", std::span<const float>(bend));
   std::vector<glm::vec3> flat;
   for (int i = 0; i < count(); ++i) {
     glm::dvec2 at(i % setup.particles.x, i / setup.particles.x);
-    flat.emplace_back(glm::dvec2(setup.halfMm) * (2.0 * at / glm::dvec2(setup.particles - 1) - 1.0), 0.0);
+    flat.emplace_back(glm::dvec2(setup.half) * (2.0 * at / glm::dvec2(setup.particles - 1) - 1.0), 0.0);
   }
   setPlaces(flat);
   setRoom({});
@@ -102,9 +102,9 @@ void Solver::hold(std::span<const HeldParticle> held) {
   for (int i = 0; i < count(); ++i) places[std::size_t(i)].w = isBorder(i) ? 0.0f : 1.0f;
   for (const HeldParticle& one : held)
     if (one.particle >= 0 && one.particle < count() && !isBorder(one.particle)) {
-      glm::vec3 half(mSetup.halfMm);
+      glm::vec3 half(mSetup.half);
       glm::vec4& place = places[std::size_t(one.particle)];
-      glm::vec3 to = glm::clamp(one.placeMm, -half, half);
+      glm::vec3 to = glm::clamp(one.place, -half, half);
       place = mSetup.isAlongNormal ? glm::vec4(place.x, place.y, to.z, 0.0f) : glm::vec4(to, 0.0f);
     }
   mPlaces.write(0, places.size() * sizeof(glm::vec4), places.data());
@@ -113,7 +113,7 @@ void Solver::hold(std::span<const HeldParticle> held) {
 void Solver::setRoom(std::span<const glm::vec2> room) {
   VELUM_ASSERT(room.empty() || room.size() == std::size_t(count()), "each particle has its room");
   mAge = 0;
-  float reach = float(mSetup.halfMm.z);
+  float reach = float(mSetup.half.z);
   std::vector<glm::vec2> all(std::size_t(count()), glm::vec2(-reach, reach));
   if (!room.empty()) std::copy(room.begin(), room.end(), all.begin());
   mRoom = gpu::Buffer("room", std::span<const glm::vec2>(all));
@@ -131,11 +131,12 @@ void Solver::setField(const PushField& field) {
   mKernels = gpu::Buffer("kernels", std::span<const glm::vec2>(strengths));
   std::vector<shared::ClothKernel> placed;
   for (const auto& kernel : field.placed) {
-    // People put them on the slice, where a flat sheet would hang between both sides: a little lower, and it moves.
+    // People put them on the rest plane, where a flat sheet would hang between both sides: a little lower, and it
+    // moves.
     bool repels = kernel.push != 0.0 || kernel.pull > 0.0;
-    glm::dvec3 centre = kernel.centreMm - glm::dvec3(0, 0, repels ? kBelow * kernel.halfWidthMm : 0.0);
+    glm::dvec3 centre = kernel.centre - glm::dvec3(0, 0, repels ? kBelow * kernel.halfWidth : 0.0);
     placed.push_back(
-        {glm::vec4(centre, kernel.halfWidthMm), {float(kernel.push), float(kernel.pull), float(kernel.liftMm), 0}});
+        {glm::vec4(centre, kernel.halfWidth), {float(kernel.push), float(kernel.pull), float(kernel.lift), 0}});
   }
   if (placed.empty()) placed.emplace_back();
   mPlacedKernels = gpu::Buffer("placed kernels", std::span<const shared::ClothKernel>(placed));
@@ -146,8 +147,8 @@ void Solver::setField(const PushField& field) {
 /// that of the reference sheet.
 void Solver::fillStiffness() {
   auto& p = mPrograms->values;
-  glm::dvec2 mesh = meshMm(mSetup);
-  double finer = meanEdgeMm(mSetup.halfMm) / kReferenceMeshes / std::sqrt(mesh.x * mesh.y);
+  glm::dvec2 mesh = meshSize(mSetup);
+  double finer = meanEdge(mSetup.half) / kReferenceMeshes / std::sqrt(mesh.x * mesh.y);
   int strides = 1, shortest = std::min(mSetup.particles.x, mSetup.particles.y);
   while (strides < shared::kMostStrides && (2 << (strides - 1)) <= 1.2 * finer && (2 << strides) < shortest) ++strides;
   double sum2 = 0, sum4 = 0;
@@ -166,12 +167,12 @@ void Solver::writeParams() {
   glm::dmat4 localFromKernel = glm::inverse(mField.kernelFromLocal);
   glm::dmat3 axes(localFromKernel);
   glm::dvec3 spacing(glm::length(axes[0]), glm::length(axes[1]), glm::length(axes[2]));
-  double unit = meanEdgeMm(mSetup.halfMm) / kUnitsPerEdge;
+  double unit = meanEdge(mSetup.half) / kUnitsPerEdge;
   p.grid = {mSetup.particles, int(mField.placed.size()), 1};
-  // Half a kernel is the most that a particle may pass in a step; without kernels a hundredth of the frame.
+  // Half a kernel is the most that a particle may pass in a step; without kernels a hundredth of the rest plane.
   double smallest = std::min(spacing.x, std::min(spacing.y, spacing.z));
   double longest = mField.dims.x > 0 ? 0.5 * smallest : unit;
-  p.halfSize = glm::vec4(glm::vec3(mSetup.halfMm), float(longest));
+  p.halfSize = glm::vec4(glm::vec3(mSetup.half), float(longest));
   const auto& cloth = mSetup.cloth;
   p.step = {float(cloth.timeStepS), float(std::exp(-cloth.damping * cloth.timeStepS)), float(cloth.restoring),
             float(unit)};
@@ -228,7 +229,7 @@ double Solver::speed() const {
   return double(std::bit_cast<float>(bits));
 }
 
-double Solver::restSpeed() const { return 1e-3 * meanEdgeMm(mSetup.halfMm); }
+double Solver::restSpeed() const { return 1e-3 * meanEdge(mSetup.half); }
 
 std::vector<glm::vec3> Solver::readPlaces() const {
   std::vector<glm::vec4> all(mPlaces.bytes() / sizeof(glm::vec4));

@@ -28,7 +28,7 @@ LightPass::CutWords LightPass::wordsOf(shared::CutData cut) {
   cut.kind.y = 0;
   cut.face = glm::vec4(0.0f);
   cut.sheet.w = 0;
-  cut.slice.x = 0;
+  cut.inlay.x = 0;
   CutWords words;
   std::memcpy(words.data(), &cut, sizeof(cut));
   return words;

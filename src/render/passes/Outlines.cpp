@@ -44,7 +44,7 @@ void addPlane(std::vector<glm::dvec3>& lines, const scene::Cut& cut, const glm::
   glm::dvec3 normal(frame[2]), x(frame[0]), y(frame[1]);
   std::vector<glm::dvec3> corners;
   for (std::size_t i = 0; i < edges.size(); i += 2) {
-    double a = glm::dot(edges[i] - cut.centreMm, normal), b = glm::dot(edges[i + 1] - cut.centreMm, normal);
+    double a = glm::dot(edges[i] - cut.centre, normal), b = glm::dot(edges[i + 1] - cut.centre, normal);
     if ((a < 0) != (b < 0)) corners.push_back(glm::mix(edges[i], edges[i + 1], a / (a - b)));
   }
   if (corners.size() < 3) return;
@@ -57,7 +57,7 @@ void addPlane(std::vector<glm::dvec3>& lines, const scene::Cut& cut, const glm::
 
 void addCut(std::vector<glm::dvec3>& lines, const scene::Cut& cut, const glm::dmat4& worldFromTex) {
   glm::dmat4 frame = scene::worldFromCut(cut);
-  glm::dvec3 half = cut.sizeMm * 0.5;
+  glm::dvec3 half = cut.size * 0.5;
   glm::dvec3 x(half.x, 0, 0), y(0, half.x, 0), z(0, 0, half.z);
   switch (cut.shape) {
     case scene::CutShape::Plane:
@@ -72,7 +72,7 @@ void addCut(std::vector<glm::dvec3>& lines, const scene::Cut& cut, const glm::dm
     }
     case scene::CutShape::Box: {
       glm::dmat4 unit(1.0);
-      for (int i = 0; i < 3; ++i) unit[i][i] = cut.sizeMm[i], unit[3][i] = -half[i];
+      for (int i = 0; i < 3; ++i) unit[i][i] = cut.size[i], unit[3][i] = -half[i];
       addBox(lines, frame * unit);
       break;
     }

@@ -38,15 +38,16 @@ void SurfacePass::resize(glm::ivec2 size) {
   mTarget = gpu::Framebuffer("surfaces", {&mColor, &mAux, &mIds}, &mDepth);
 }
 
-const gpu::Buffer& SurfacePass::meshBuffer(const Shared<Mesh>& mesh, glm::dvec3 origin) {
-  auto& buffer = mMeshes[{mesh.id(), {origin.x, origin.y, origin.z}}];
+const gpu::Buffer& SurfacePass::meshBuffer(const Shared<Mesh>& mesh, const FrameData& data) {
+  glm::dvec3 origin = sceneOrigin(data.grid);
+  auto& buffer = mMeshes[{mesh.id(), {origin.x, origin.y, origin.z, data.unit}}];
   if (buffer) return buffer;
   std::vector<Vertex> vertices;
   vertices.reserve(mesh->indices.size());
   for (auto index : mesh->indices) {
     glm::vec3 normal = index < mesh->normals.size() ? mesh->normals[index] : glm::vec3(0.0f);
     vertices.push_back(
-        {glm::vec4(glm::vec3(glm::dvec3(mesh->positions[index]) - origin), 1.0f), glm::vec4(normal, 0.0f)});
+        {glm::vec4(glm::vec3(glm::dvec3(mesh->positions[index]) / data.unit - origin), 1.0f), glm::vec4(normal, 0.0f)});
   }
   buffer = gpu::Buffer("mesh", std::span<const Vertex>(vertices));
   return buffer;
@@ -65,7 +66,7 @@ void SurfacePass::draw(const FrameData& data) {
   const auto& surfaces = data.frame.scene.surfaces;
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     if (!isDrawn(surfaces[i])) continue;
-    meshBuffer(surfaces[i].data, sceneOrigin(data.grid)).bindStorage(shared::kMeshBinding);
+    meshBuffer(surfaces[i].data, data).bindStorage(shared::kMeshBinding);
     mProgram->set(0, glm::vec4(surfaces[i].color, 1.0f));
     mProgram->set(1, int(shared::kFirstSurfaceInstance + i));
     gpu::draw(*mProgram, gpu::Primitive::Triangles, {int(surfaces[i].data->indices.size())});

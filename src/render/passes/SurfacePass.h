@@ -15,7 +15,7 @@ namespace velum::render {
 
 /// Opaque surfaces and outlines: colour, normal and distance along each pixel's ray, and which surface it is, for the
 /// ray caster to stop at. Rasterised for each sample anew; the vertices on the GPU have the mesh and the scene frame's
-/// origin for a key.
+/// origin and unit for a key.
 class SurfacePass : public Pass {
  public:
   SurfacePass() : Pass("Surfaces") {}
@@ -28,7 +28,7 @@ class SurfacePass : public Pass {
     glm::vec4 position, normal;
   };
   void resize(glm::ivec2 size);
-  const gpu::Buffer& meshBuffer(const Shared<Mesh>& mesh, glm::dvec3 origin);
+  const gpu::Buffer& meshBuffer(const Shared<Mesh>& mesh, const FrameData& data);
   void draw(const FrameData& data);
   void drawOutlines(const FrameData& data);
 
@@ -36,7 +36,7 @@ class SurfacePass : public Pass {
   const gpu::Program* mProgram = nullptr;  ///< The frame's.
   gpu::Texture mColor, mAux, mIds, mDepth;
   gpu::Framebuffer mTarget;
-  std::map<std::pair<std::uint64_t, std::array<double, 3>>, gpu::Buffer> mMeshes;
+  std::map<std::pair<std::uint64_t, std::array<double, 4>>, gpu::Buffer> mMeshes;
 };
 
 }  // namespace velum::render

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "WorkQueue.h"
+#include "velum/core/Vectors.h"
 
 namespace velum::render {
 
@@ -32,8 +33,9 @@ FrameGrid gridOf(const FrameData& data) {
   }
   grid.cells = {4, glm::ivec3(1)};
   scene::Bounds bounds = scene::computeBounds(scene);
+  glm::dvec3 edges = solidEdges(bounds.max - bounds.min);
   for (int axis = 0; axis < 3; ++axis) {
-    grid.worldFromTex[axis][axis] = std::max(1e-6, bounds.max[axis] - bounds.min[axis]);
+    grid.worldFromTex[axis][axis] = edges[axis];
     grid.worldFromTex[3][axis] = bounds.min[axis];
   }
   return grid;

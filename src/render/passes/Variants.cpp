@@ -7,7 +7,7 @@
 namespace velum::render {
 
 std::uint32_t lightFlagsOf(std::uint32_t flags) {
-  return flags & (shared::kFlagSpares | shared::kFlagSpareDepths | shared::kFlagSlices);
+  return flags & (shared::kFlagSpares | shared::kFlagSpareDepths | shared::kFlagInlays);
 }
 
 bool usesGradients(const DataVariant& variant) {

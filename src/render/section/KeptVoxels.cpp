@@ -2,7 +2,7 @@
 
 #include <tbb/parallel_for.h>
 
-#include "SliceCuts.h"
+#include "SectionCuts.h"
 
 namespace velum::render {
 
@@ -22,9 +22,9 @@ void readIds(const LabelVolume& labels, const glm::dmat4& labelFromVoxel, int y,
 
 std::vector<std::uint8_t> keptVoxels(const scene::Scene& scene, glm::ivec3 dims, const glm::dmat4& worldFromVoxel,
                                      Progress& progress) {
-  scene::SliceFrame frame;
-  frame.centreMm = glm::dvec3(worldFromVoxel * glm::dvec4(0.5 * glm::dvec3(dims - 1), 1.0));
-  SliceCuts cuts(scene, frame, {});
+  scene::SectionPlane plane;
+  plane.centre = glm::dvec3(worldFromVoxel * glm::dvec4(0.5 * glm::dvec3(dims - 1), 1.0));
+  SectionCuts cuts(scene, plane, {});
   std::vector<std::uint8_t> kept(std::size_t(dims.x) * std::size_t(dims.y) * std::size_t(dims.z), 1);
   if (cuts.isEmpty()) return kept;
   const auto& labels = scene.labels;
@@ -38,7 +38,7 @@ std::vector<std::uint8_t> keptVoxels(const scene::Scene& scene, glm::ivec3 dims,
     tbb::parallel_for(0, dims.y, [&](int y) {
       std::vector<std::uint16_t> ids(usesLabels ? std::size_t(dims.x) : 0);
       if (usesLabels) readIds(*labels.data, labelFromVoxel, y, z, ids);
-      glm::vec3 start(glm::dvec3(worldFromVoxel * glm::dvec4(0.0, y, z, 1.0)) - frame.centreMm);
+      glm::vec3 start(glm::dvec3(worldFromVoxel * glm::dvec4(0.0, y, z, 1.0)) - plane.centre);
       std::vector<char> removed = cuts.removedOf({start, along, dims.x, step}, ids);
       std::size_t row = (std::size_t(z) * std::size_t(dims.y) + std::size_t(y)) * std::size_t(dims.x);
       for (std::size_t x = 0; x < removed.size(); ++x) kept[row + x] = removed[x] ? 0 : 1;

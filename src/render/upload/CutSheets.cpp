@@ -7,7 +7,7 @@ namespace velum::render {
 namespace {
 
 membrane::SheetIndex indexOf(const scene::Cut& cut) {
-  return membrane::makeSheetIndex(cut.membrane->shape, cut.membrane->cloth.particles, cut.sizeMm);
+  return membrane::makeSheetIndex(cut.membrane->shape, cut.membrane->cloth.particles, cut.size);
 }
 
 }  // namespace
@@ -23,7 +23,7 @@ const FrameSheet* liveSheet(const Frame& frame, const scene::Cut& cut) {
   auto found = frame.sheets.find(cut.id);
   if (found == frame.sheets.end()) return nullptr;
   const FrameSheet& live = found->second;
-  return live.sheet && live.sheet->sizeMm() == cut.sizeMm ? &live : nullptr;
+  return live.sheet && live.sheet->size() == cut.size ? &live : nullptr;
 }
 
 void CutSheets::prepare(const Frame& frame) {
@@ -32,7 +32,7 @@ void CutSheets::prepare(const Frame& frame) {
     if (const FrameSheet* live = liveSheet(frame, *cut))
       sources[cut->id].live = *live;
     else
-      sources[cut->id] = {{}, cut->membrane->shape, cut->membrane->cloth.particles, cut->sizeMm};
+      sources[cut->id] = {{}, cut->membrane->shape, cut->membrane->cloth.particles, cut->size};
   }
   if (sources == mSources && mRows) return;
   std::map<int, membrane::SheetIndex> indices;
@@ -68,7 +68,7 @@ CpuSheets makeCpuSheets(const scene::Scene& scene, const SheetIndices& sheets) {
   CpuSheets out;
   for (const scene::Cut* cut : membranesOf(scene)) {
     auto given = sheets.find(cut->id);
-    bool isGiven = given != sheets.end() && given->second && given->second->sizeMm == cut->sizeMm;
+    bool isGiven = given != sheets.end() && given->second && given->second->size == cut->size;
     membrane::SheetIndex made = isGiven ? membrane::SheetIndex{} : indexOf(*cut);
     const membrane::SheetIndex& index = isGiven ? *given->second : made;
     out.plans[cut->id] = {int(out.rows.size()), index.particles, 0};

@@ -9,7 +9,7 @@
 #include "velum/gpu/Texture.h"
 #include "velum/membrane/sheet/SheetIndex.h"
 #include "velum/render/Frame.h"
-#include "velum/render/section/SliceImage.h"
+#include "velum/render/section/SectionImage.h"
 
 namespace velum::render {
 
@@ -27,7 +27,7 @@ struct SheetSource {
   FrameSheet live;
   scene::SheetShape shape;
   glm::ivec2 particles{0};
-  glm::dvec3 sizeMm{0.0};
+  glm::dvec3 size{0.0};
   bool operator==(const SheetSource&) const = default;
 };
 /// By the id of the cut.

@@ -11,9 +11,9 @@ namespace velum::render {
 
 namespace {
 
-/// Extinction, 1/mm, of a material that covers `opacity` of what is behind `unitMm` of it. Fully opaque is 0.999, as
+/// Extinction, 1/mm, of a material that covers `opacity` of what is behind `unit` of it. Fully opaque is 0.999, as
 /// infinity has no sums.
-double extinction(double opacity, double unitMm) { return -std::log(1.0 - std::clamp(opacity, 0.0, 0.999)) / unitMm; }
+double extinction(double opacity, double unit) { return -std::log(1.0 - std::clamp(opacity, 0.0, 0.999)) / unit; }
 
 }  // namespace
 
@@ -28,7 +28,7 @@ MixTable makeMixTable(const scene::VolumeLayer& layer) {
     double largest = 0;
     for (int i = 0; i < MixTable::kSize; ++i) {
       double value = glm::mix(table.domain.x, table.domain.y, double(i) / (MixTable::kSize - 1));
-      double sigma = extinction(scene::opacityAt(look.transfer.opacities, value), look.transfer.unitDistanceMm);
+      double sigma = extinction(scene::opacityAt(look.transfer.opacities, value), look.transfer.unitDistance);
       entries[std::size_t(i)] = glm::vec4(glm::dvec4(scene::colorAt(look.transfer.colors, value) * sigma, sigma));
       largest = std::max(largest, sigma);
     }
@@ -86,7 +86,7 @@ TransferTable makeTransferTable(const scene::Scene& scene) {
   for (int i = 0; i <= n; ++i) {
     double value = low + std::min(1.0, double(i) / (n - 1)) * (high - low);
     double sigma = mixes ? mixedExtinction(value, largest)
-                         : extinction(scene::opacityAt(transfer.opacities, value), transfer.unitDistanceMm);
+                         : extinction(scene::opacityAt(transfer.opacities, value), transfer.unitDistance);
     glm::dvec4 here((mixes ? glm::dvec3(1.0) : scene::colorAt(transfer.colors, value)) * sigma, sigma);
     if (i > 0) entries.push_back(0.5 * (before + here));
     if (i > 0) total += entries.back().w;

@@ -48,7 +48,7 @@ TexelPlan planFor(const Volume& volume, bool isMixed) {
 
 /// Texels of mixed channels: the extinctions of a block's voxels are averaged, as those of the channels are added.
 template <class Raw>
-void VolumeTexels::mixPlanes(const Raw* frameStart, int z0, int z1, std::vector<glm::u8vec4>& texels) const {
+void VolumeTexels::mixPlanes(const Raw* samples, int z0, int z1, std::vector<glm::u8vec4>& texels) const {
   const Volume& v = *volume;
   texels.resize(std::size_t(dims.x) * std::size_t(dims.y) * std::size_t(z1 - z0));
   double perValue = (MixTable::kSize - 1) / (mix.domain.y - mix.domain.x);
@@ -65,7 +65,7 @@ void VolumeTexels::mixPlanes(const Raw* frameStart, int z0, int z1, std::vector<
           for (int x = first.x; x < last.x; ++x) {
             auto index =
                 (std::size_t(z) * std::size_t(v.dims.y) + std::size_t(y)) * std::size_t(v.dims.x) + std::size_t(x);
-            const Raw* raw = frameStart + index * std::size_t(v.channels);
+            const Raw* raw = samples + index * std::size_t(v.channels);
             for (std::size_t c = 0; c < mix.channels.size(); ++c) {
               float entry = float(raw[c]) * scale + offset;
               entry = entry > 0.0f ? std::min(entry, float(MixTable::kSize - 1)) : 0.0f;  // not a number: 0
@@ -83,13 +83,13 @@ void VolumeTexels::mixPlanes(const Raw* frameStart, int z0, int z1, std::vector<
 
 /// Texels of the level's planes z0..z1: the mean of each block of `factor`^3 samples, or the sample itself.
 template <class Texel, class Raw>
-void VolumeTexels::convertPlanes(const Raw* frameStart, int z0, int z1, std::vector<Texel>& texels) const {
+void VolumeTexels::convertPlanes(const Raw* samples, int z0, int z1, std::vector<Texel>& texels) const {
   const Volume& v = *volume;
   texels.resize(std::size_t(dims.x) * std::size_t(dims.y) * std::size_t(z1 - z0));
   float fallback = float((v.range.x - v.offset) / (v.scale == 0 ? 1 : v.scale));
   std::size_t stride = std::size_t(v.channels);
   auto rawAt = [&](int x, int y, int z) {
-    return frameStart +
+    return samples +
            ((std::size_t(z) * std::size_t(v.dims.y) + std::size_t(y)) * std::size_t(v.dims.x) + std::size_t(x)) *
                stride;
   };
@@ -124,10 +124,10 @@ template <class Texel>
 const Texel* VolumeTexels::planes(int z0, int z1, std::vector<Texel>& scratch) const {
   const Volume& v = *volume;
   std::size_t planeSize = std::size_t(v.dims.x) * std::size_t(v.dims.y);
-  std::size_t frameSamples = voxelCount(v) * std::size_t(v.channels);
+  std::size_t samplesPerStep = voxelCount(v) * std::size_t(v.channels);
   return visitSamples(v, [&](auto* samples) -> const Texel* {
     using Raw = std::remove_cvref_t<decltype(*samples)>;
-    const Raw* start = samples + frameSamples * std::size_t(frame);
+    const Raw* start = samples + samplesPerStep * std::size_t(timeStep);
     if constexpr (std::is_same_v<Raw, Texel> && !std::is_same_v<Texel, float>) {
       if (factor == 1 && v.channels == 1) return start + planeSize * std::size_t(z0);
     }

@@ -21,7 +21,7 @@ TexelPlan planFor(const Volume& volume, bool isMixed);
 /// One time step of a volume at a level, as texels.
 struct VolumeTexels {
   Shared<Volume> volume;
-  int channel = 0, frame = 0;
+  int channel = 0, timeStep = 0;
   MixTable mix;          ///< Channels that are mixed; else empty.
   glm::ivec3 dims{0};    ///< Of the level.
   int factor = 1;        ///< Voxels of the volume along the edge of one of the level.
@@ -35,9 +35,9 @@ struct VolumeTexels {
 
  private:
   template <class Raw>
-  void mixPlanes(const Raw* frameStart, int z0, int z1, std::vector<glm::u8vec4>& texels) const;
+  void mixPlanes(const Raw* samples, int z0, int z1, std::vector<glm::u8vec4>& texels) const;
   template <class Texel, class Raw>
-  void convertPlanes(const Raw* frameStart, int z0, int z1, std::vector<Texel>& texels) const;
+  void convertPlanes(const Raw* samples, int z0, int z1, std::vector<Texel>& texels) const;
 };
 
 }  // namespace velum::render

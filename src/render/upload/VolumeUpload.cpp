@@ -42,7 +42,7 @@ VolumeUpload::VolumeUpload(const scene::VolumeLayer& layer, const gpu::Limits& l
   VolumeTexels& source = m.source;
   source.volume = volume;
   source.channel = std::clamp(layer.channel, 0, volume->channels - 1);
-  source.frame = std::clamp(layer.frame, 0, volume->frames - 1);
+  source.timeStep = std::clamp(layer.timeStep, 0, volume->timeSteps - 1);
   bool isMixed = scene::mixesChannels(layer), isColor = volume->isColor || isMixed;
   source.isMixed = isMixed;
   if (isMixed) source.mix = makeMixTable(layer);

@@ -17,16 +17,53 @@ Json sparesFromIds(Json ids) {
   return spares;
 }
 
+Json renamed(Json value, std::string_view old, const char* now) { return value == old ? Json(now) : value; }
+Json faceOfSections(Json face) { return renamed(std::move(face), "slice", "section"); }
+Json inlayOfSlice(Json use) { return renamed(std::move(use), "slice", "inlay"); }
+Json layoutOfSections(Json layout) {
+  return renamed(renamed(std::move(layout), "slice", "section"), "volume-and-slice", "volume-and-section");
+}
+
 /// A field that has another name, or another form, since a version.
 struct Change {
   int since;              ///< files of an older version have it as it was
-  std::string_view path;  ///< where it was; "*" stands for each item of a list
+  std::string_view path;  ///< where it was, under the new names of what it is in; "*": each item of a list
   const char* name;       ///< what it is called now, in the same object
   Json (*convert)(Json);  ///< its value as it is now; null: as it was
 };
 
 constexpr Change kChanges[] = {
     {2, "cuts.*.exempt", "spares", sparesFromIds},
+    {2, "cuts.*.centreMm", "centre", nullptr},
+    {2, "cuts.*.sizeMm", "size", nullptr},
+    {2, "cuts.*.face", "face", faceOfSections},
+    {2, "cuts.*.membrane.use", "use", inlayOfSlice},
+    {2, "cuts.*.membrane.sliceOpacity", "inlayOpacity", nullptr},
+    {2, "cuts.*.membrane.falloffMm", "falloff", nullptr},
+    {2, "cuts.*.membrane.field.kernels.*.centreMm", "centre", nullptr},
+    {2, "cuts.*.membrane.field.kernels.*.radiusMm", "radius", nullptr},
+    {2, "cuts.*.membrane.field.strokes.*.pathMm", "path", nullptr},
+    {2, "cuts.*.membrane.field.strokes.*.radiusMm", "radius", nullptr},
+    {2, "cuts.*.membrane.pins.*.placeMm", "place", nullptr},
+    {2, "cuts.*.membrane.shape.centreMm", "centre", nullptr},
+    {2, "camera.eyeMm", "eye", nullptr},
+    {2, "camera.targetMm", "target", nullptr},
+    {2, "camera.heightMm", "height", nullptr},
+    {2, "volume.frame", "timeStep", nullptr},
+    {2, "volume.source.spacingMm", "spacing", nullptr},
+    {2, "labels.source.spacingMm", "spacing", nullptr},
+    {2, "surfaces.*.source.spacingMm", "spacing", nullptr},
+    {2, "volume.transfer.unitDistanceMm", "unitDistance", nullptr},
+    {2, "volume.channels.*.transfer.unitDistanceMm", "unitDistance", nullptr},
+    {2, "slices", "sections", nullptr},
+    {2, "sections.crosshairMm", "crosshair", nullptr},
+    {2, "sections.layout", "layout", layoutOfSections},
+    {2, "sections.axial.panMm", "pan", nullptr},
+    {2, "sections.axial.heightMm", "height", nullptr},
+    {2, "sections.coronal.panMm", "pan", nullptr},
+    {2, "sections.coronal.heightMm", "height", nullptr},
+    {2, "sections.sagittal.panMm", "pan", nullptr},
+    {2, "sections.sagittal.heightMm", "height", nullptr},
 };
 
 /// Puts the new field in the place of the old one, so that fields keep their order.

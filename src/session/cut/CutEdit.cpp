@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "velum/core/Assert.h"
+#include "velum/core/Vectors.h"
 #include "velum/scene/Project.h"
 
 namespace velum::session {
@@ -23,24 +24,25 @@ struct Data {
 
 Data dataOf(const scene::Scene& scene) {
   scene::Bounds bounds = scene::computeBounds(scene);
-  return {(bounds.min + bounds.max) * 0.5, glm::max(bounds.max - bounds.min, glm::dvec3(1e-6))};
+  return {(bounds.min + bounds.max) * 0.5, solidEdges(bounds.max - bounds.min)};
 }
 
 glm::dvec3 towardsEye(const scene::Scene& scene) { return cleaned(-scene::cameraBasis(scene.camera).forward); }
 
 /// True while nobody has moved the crosshair from where data is opened with it.
 bool isCrosshairAtRest(const scene::Scene& scene) {
-  if (!scene.slices.isPlaced) return true;
+  if (!scene.sections.isPlaced) return true;
   scene::Scene opened = scene;
-  opened.slices.isPlaced = false;
-  scene::placeSlices(opened);
-  return glm::length(opened.slices.crosshairMm - scene.slices.crosshairMm) < 1e-6;
+  opened.sections.isPlaced = false;
+  scene::placeSections(opened);
+  glm::dvec3 off = opened.sections.crosshair - scene.sections.crosshair;
+  return glm::length(off) < 1e-6 * glm::length(dataOf(scene).edges);
 }
 
 /// The crosshair, where it was put somewhere; else where a box or sphere of a third of the data opens the side that
 /// faces the eye, about half of it outside.
 glm::dvec3 placeOfClosed(const scene::Scene& scene, const Data& data, glm::dvec3 toEye) {
-  if (!isCrosshairAtRest(scene)) return scene.slices.crosshairMm;
+  if (!isCrosshairAtRest(scene)) return scene.sections.crosshair;
   glm::dvec3 reach = glm::abs(toEye) / data.edges;
   double toSide = 0.5 / std::max(reach.x, std::max(reach.y, reach.z));
   return data.middle + toEye * (toSide * 0.75);
@@ -53,16 +55,16 @@ void hangMembrane(scene::Cut& cut, const scene::Scene& scene, const Data& data, 
   if (scene.volume.data) {
     const Volume& volume = *scene.volume.data;
     axes = direction(volume);
-    edges = spacingMm(volume) * glm::dvec3(volume.dims);
-    middle = centreMm(volume);
+    edges = spacingOf(volume) * glm::dvec3(volume.dims);
+    middle = centreOf(volume);
   }
   glm::dvec3 along = glm::transpose(axes) * toEye, size = glm::abs(along);
   int k = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
   glm::dvec3 z = cleaned(axes[k] * (along[k] < 0 ? -1.0 : 1.0));
   glm::dvec3 x = cleaned(axes[(k + 1) % 3]);
   setCutFrame(cut, glm::dmat3(x, glm::cross(z, x), z));
-  cut.centreMm = middle + z * glm::dot(cut.centreMm - middle, z);
-  cut.sizeMm = {edges[(k + 1) % 3], edges[(k + 2) % 3], 0.22 * std::sqrt(edges[(k + 1) % 3] * edges[(k + 2) % 3])};
+  cut.centre = middle + z * glm::dot(cut.centre - middle, z);
+  cut.size = {edges[(k + 1) % 3], edges[(k + 2) % 3], 0.22 * std::sqrt(edges[(k + 1) % 3] * edges[(k + 2) % 3])};
 }
 
 }  // namespace
@@ -80,35 +82,35 @@ void setCutFrame(scene::Cut& cut, const glm::dmat3& frame) {
 
 scene::Cut makeCut(const scene::Scene& scene, scene::CutShape shape) {
   Data data = dataOf(scene);
-  glm::dvec3 crosshair = scene.slices.isPlaced ? scene.slices.crosshairMm : data.middle;
+  glm::dvec3 crosshair = scene.sections.isPlaced ? scene.sections.crosshair : data.middle;
   glm::dvec3 toEye = towardsEye(scene);
   double third = std::min(data.edges.x, std::min(data.edges.y, data.edges.z)) / 3.0;
   double through = glm::dot(glm::abs(toEye), data.edges);
   scene::Cut cut;
   cut.shape = shape;
   if (scene::isMembrane(cut)) cut.membrane.emplace();
-  cut.centreMm = crosshair;
+  cut.centre = crosshair;
   switch (shape) {
     case scene::CutShape::Plane:
       cut.axis = nearestAxis(toEye);
       break;
     case scene::CutShape::Box:
       cut.axis = {0, 0, 1};
-      cut.sizeMm = data.edges / 3.0;
-      cut.centreMm = placeOfClosed(scene, data, toEye);
+      cut.size = data.edges / 3.0;
+      cut.centre = placeOfClosed(scene, data, toEye);
       break;
     case scene::CutShape::Sphere:
       cut.axis = {0, 0, 1};
-      cut.sizeMm = glm::dvec3(third);
-      cut.centreMm = placeOfClosed(scene, data, toEye);
+      cut.size = glm::dvec3(third);
+      cut.centre = placeOfClosed(scene, data, toEye);
       break;
     case scene::CutShape::Cylinder:
       cut.axis = toEye;
-      cut.sizeMm = {third, third, through};
+      cut.size = {third, third, through};
       break;
     case scene::CutShape::Cone:
       cut.axis = toEye;
-      cut.sizeMm = {2.0 * third, 2.0 * third, through * 0.5};
+      cut.size = {2.0 * third, 2.0 * third, through * 0.5};
       break;
     case scene::CutShape::Membrane:
       hangMembrane(cut, scene, data, toEye);
@@ -119,7 +121,7 @@ scene::Cut makeCut(const scene::Scene& scene, scene::CutShape shape) {
 
 scene::Cut cutFacingCamera(const scene::Scene& scene) {
   scene::Cut cut;
-  cut.centreMm = dataOf(scene).middle;
+  cut.centre = dataOf(scene).middle;
   cut.axis = towardsEye(scene);
   return cut;
 }
@@ -128,9 +130,9 @@ std::optional<scene::Cut> cutThrough(const scene::Scene& scene, glm::dvec3 a, gl
   glm::dvec3 normal = glm::cross(b - a, c - a);
   double longest = std::max(glm::length(b - a), std::max(glm::length(c - a), glm::length(c - b)));
   // A triangle flatter than a thousandth of its length gives no direction that can be trusted.
-  if (!(glm::length(normal) > 1e-3 * longest * longest) || longest < 1e-9) return std::nullopt;
+  if (!(glm::length(normal) > 1e-3 * longest * longest)) return std::nullopt;
   scene::Cut cut;
-  cut.centreMm = (a + b + c) / 3.0;
+  cut.centre = (a + b + c) / 3.0;
   cut.axis = cleaned(glm::normalize(normal));
   if (glm::dot(cut.axis, towardsEye(scene)) < 0) cut.axis = -cut.axis;
   return cut;
@@ -149,7 +151,7 @@ scene::Cut alignedCut(const scene::Scene& scene, scene::Cut cut, glm::dvec3 axis
   if (cut.shape == scene::CutShape::Plane) {
     // The foot of the data's middle on the plane is what the plane shows the middle of.
     glm::dvec3 middle = dataOf(scene).middle, old = cutFrame(cut)[2];
-    cut.centreMm = middle - old * glm::dot(middle - cut.centreMm, old);
+    cut.centre = middle - old * glm::dot(middle - cut.centre, old);
     cut.invert = false;
   }
   cut.axis = axis;
@@ -177,11 +179,11 @@ glm::dvec3 axisFromAngles(AxisAngles angles) {
 CutPosition cutPosition(const scene::Scene& scene, const scene::Cut& cut) {
   Data data = dataOf(scene);
   glm::dvec3 axis = cutFrame(cut)[2];
-  return {glm::dot(cut.centreMm - data.middle, axis), glm::dot(data.edges * 0.5, glm::abs(axis))};
+  return {glm::dot(cut.centre - data.middle, axis), glm::dot(data.edges * 0.5, glm::abs(axis))};
 }
 
-scene::Cut withOffset(const scene::Scene& scene, scene::Cut cut, double offsetMm) {
-  cut.centreMm += cutFrame(cut)[2] * (offsetMm - cutPosition(scene, cut).offsetMm);
+scene::Cut withOffset(const scene::Scene& scene, scene::Cut cut, double offset) {
+  cut.centre += cutFrame(cut)[2] * (offset - cutPosition(scene, cut).offset);
   return cut;
 }
 

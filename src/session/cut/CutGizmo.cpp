@@ -49,7 +49,7 @@ std::vector<glm::dvec3> planeInBox(const scene::Bounds& bounds, glm::dvec3 point
 std::vector<std::vector<glm::dvec3>> edgesOf(const scene::Cut& cut) {
   constexpr int kCorners = 48;
   glm::dmat4 worldFromCut = scene::worldFromCut(cut);
-  glm::dvec3 half = cut.sizeMm * 0.5;
+  glm::dvec3 half = cut.size * 0.5;
   std::vector<std::vector<glm::dvec3>> edges;
   auto add = [&](const std::vector<glm::dvec3>& local) {
     auto& line = edges.emplace_back();
@@ -107,9 +107,9 @@ double clearOf(std::initializer_list<double> lengths, const std::vector<double>&
   return *lengths.begin();
 }
 
-/// Half sizes along the frame's axes at which faces and ends lie, mm.
+/// Half sizes along the rest plane's axes at which faces and ends lie, mm.
 std::vector<double> faceReaches(const scene::Cut& cut) {
-  glm::dvec3 half = cut.sizeMm * 0.5;
+  glm::dvec3 half = cut.size * 0.5;
   switch (cut.shape) {
     case scene::CutShape::Plane:
       return {};
@@ -136,9 +136,9 @@ void addFaceGrips(CutGizmo& gizmo, const scene::Cut& cut, glm::dvec3 forward) {
     double sign = face % 2 ? 1.0 : -1.0;
     glm::dvec3 out = frame[face / 2] * sign;
     if (glm::length(glm::cross(out, forward)) < kLeastSlant) continue;  // seen end on
-    double reach = cut.sizeMm[face / 2] * 0.5;
-    if (isCone) reach = sign > 0 ? cut.sizeMm.z : 0.0;
-    gizmo.grips.push_back({kFaces[face], cut.centreMm + out * reach, out});
+    double reach = cut.size[face / 2] * 0.5;
+    if (isCone) reach = sign > 0 ? cut.size.z : 0.0;
+    gizmo.grips.push_back({kFaces[face], cut.centre + out * reach, out});
   }
 }
 
@@ -148,39 +148,39 @@ void addCornerGrips(CutGizmo& gizmo, const scene::Cut& cut, glm::dvec3 forward) 
   glm::dmat3 frame = cutFrame(cut);
   for (int corner = 0; corner < 4; ++corner) {
     glm::dvec2 sign = cornerSigns(corner);
-    glm::dvec3 out = frame[0] * (sign.x * cut.sizeMm.x * 0.5) + frame[1] * (sign.y * cut.sizeMm.y * 0.5);
+    glm::dvec3 out = frame[0] * (sign.x * cut.size.x * 0.5) + frame[1] * (sign.y * cut.size.y * 0.5);
     auto handle = static_cast<CutHandle>(static_cast<int>(CutHandle::CornerMinMin) + corner);
-    gizmo.grips.push_back({handle, cut.centreMm + out, glm::normalize(out)});
+    gizmo.grips.push_back({handle, cut.centre + out, glm::normalize(out)});
   }
 }
 
 void addRadiusGrip(CutGizmo& gizmo, const scene::Cut& cut, const scene::CameraBasis& basis) {
   glm::dvec3 out = cut.shape == scene::CutShape::Sphere ? -basis.right : -gizmo.right;
-  glm::dvec3 middle = cut.centreMm;
-  if (cut.shape == scene::CutShape::Cone) middle += cutFrame(cut)[2] * cut.sizeMm.z;
-  gizmo.grips.push_back({CutHandle::Radius, middle + out * (cut.sizeMm.x * 0.5), out});
+  glm::dvec3 middle = cut.centre;
+  if (cut.shape == scene::CutShape::Cone) middle += cutFrame(cut)[2] * cut.size.z;
+  gizmo.grips.push_back({CutHandle::Radius, middle + out * (cut.size.x * 0.5), out});
 }
 
 /// What can be held, in the order of who wins where two are equally near.
 void addGrips(CutGizmo& gizmo, const scene::Cut& cut, const scene::CameraBasis& basis) {
   bool isSphere = cut.shape == scene::CutShape::Sphere;
-  auto add = [&](CutHandle handle, glm::dvec3 off) { gizmo.grips.push_back({handle, gizmo.centreMm + off, {}}); };
+  auto add = [&](CutHandle handle, glm::dvec3 off) { gizmo.grips.push_back({handle, gizmo.centre + off, {}}); };
   if (!isSphere) {
     // Of a ring that is seen edge on, two knobs would lie over the middle.
     auto isAside = [&](glm::dvec3 out) { return glm::length(glm::cross(out, basis.forward)) > kLeastSlant; };
-    if (isAside(gizmo.right)) add(CutHandle::KnobRight, gizmo.right * gizmo.radiusMm);
-    if (isAside(gizmo.top)) add(CutHandle::KnobTop, gizmo.top * gizmo.radiusMm);
-    if (isAside(gizmo.right)) add(CutHandle::KnobLeft, -gizmo.right * gizmo.radiusMm);
-    if (isAside(gizmo.top)) add(CutHandle::KnobBottom, -gizmo.top * gizmo.radiusMm);
+    if (isAside(gizmo.right)) add(CutHandle::KnobRight, gizmo.right * gizmo.radius);
+    if (isAside(gizmo.top)) add(CutHandle::KnobTop, gizmo.top * gizmo.radius);
+    if (isAside(gizmo.right)) add(CutHandle::KnobLeft, -gizmo.right * gizmo.radius);
+    if (isAside(gizmo.top)) add(CutHandle::KnobBottom, -gizmo.top * gizmo.radius);
   }
   gizmo.hasRing = !isSphere;
-  gizmo.grips.push_back({CutHandle::Arrow, gizmo.arrowTipMm, gizmo.normal});
+  gizmo.grips.push_back({CutHandle::Arrow, gizmo.arrowTip, gizmo.normal});
   if (cut.shape == scene::CutShape::Plane) return;
   if (!isSphere) addFaceGrips(gizmo, cut, basis.forward);
   if (cut.shape == scene::CutShape::Membrane) addCornerGrips(gizmo, cut, basis.forward);
   if (!scene::hasEdges(cut.shape)) addRadiusGrip(gizmo, cut, basis);
   if (std::abs(glm::dot(basis.forward, gizmo.normal)) > kLeastSlant)
-    add(CutHandle::Square, (gizmo.right + gizmo.top) * (0.4 * gizmo.radiusMm));
+    add(CutHandle::Square, (gizmo.right + gizmo.top) * (0.4 * gizmo.radius));
   add(CutHandle::Centre, glm::dvec3(0.0));
 }
 
@@ -200,37 +200,37 @@ CutGizmo makeCutGizmo(const scene::Scene& scene, const scene::Cut& cut, glm::dve
   gizmo.top = glm::cross(gizmo.normal, gizmo.right);
   if (glm::dot(gizmo.top, basis.up) < 0) gizmo.top = -gizmo.top;
   if (isPlane)
-    gizmo.outlineMm = planeInBox(scene::computeBounds(scene), cut.centreMm, gizmo.normal, gizmo.right, gizmo.top);
-  gizmo.edgesMm = edgesOf(cut);
-  gizmo.centreMm = cut.centreMm;
+    gizmo.outline = planeInBox(scene::computeBounds(scene), cut.centre, gizmo.normal, gizmo.right, gizmo.top);
+  gizmo.edges = edgesOf(cut);
+  gizmo.centre = cut.centre;
   // A cone is held by its middle: its own centre is its apex, which has a handle.
-  if (cut.shape == scene::CutShape::Cone) gizmo.centreMm += gizmo.normal * (cut.sizeMm.z * 0.5);
-  if (!gizmo.outlineMm.empty()) {
-    gizmo.centreMm = glm::dvec3(0.0);
-    for (const auto& p : gizmo.outlineMm) gizmo.centreMm += p / double(gizmo.outlineMm.size());
+  if (cut.shape == scene::CutShape::Cone) gizmo.centre += gizmo.normal * (cut.size.z * 0.5);
+  if (!gizmo.outline.empty()) {
+    gizmo.centre = glm::dvec3(0.0);
+    for (const auto& p : gizmo.outline) gizmo.centre += p / double(gizmo.outline.size());
   }
-  gizmo.pixelMm = scene::mmPerPixel(scene.camera, pictureSize, gizmo.centreMm);
+  gizmo.pixel = scene::lengthPerPixel(scene.camera, pictureSize, gizmo.centre);
   std::vector<double> taken = faceReaches(cut);
-  for (double& reach : taken) reach /= gizmo.pixelMm;
-  gizmo.radiusMm = clearOf({kRingPixels, kRingPixels * 0.7, kRingPixels * 1.3}, taken) * gizmo.pixelMm;
-  double arrow = clearOf({kArrowPixels, kArrowPixels * 1.3, kArrowPixels * 1.6}, taken) * gizmo.pixelMm;
-  gizmo.arrowTipMm = gizmo.centreMm + gizmo.normal * arrow;
+  for (double& reach : taken) reach /= gizmo.pixel;
+  gizmo.radius = clearOf({kRingPixels, kRingPixels * 0.7, kRingPixels * 1.3}, taken) * gizmo.pixel;
+  double arrow = clearOf({kArrowPixels, kArrowPixels * 1.3, kArrowPixels * 1.6}, taken) * gizmo.pixel;
+  gizmo.arrowTip = gizmo.centre + gizmo.normal * arrow;
   addGrips(gizmo, cut, basis);
   return gizmo;
 }
 
-glm::dvec3 handlePlaceMm(const CutGizmo& gizmo, CutHandle handle) {
+glm::dvec3 handlePlace(const CutGizmo& gizmo, CutHandle handle) {
   for (const auto& grip : gizmo.grips)
-    if (grip.handle == handle) return grip.placeMm;
-  return gizmo.centreMm;
+    if (grip.handle == handle) return grip.place;
+  return gizmo.centre;
 }
 
-std::vector<glm::dvec3> ringPointsMm(const CutGizmo& gizmo) {
+std::vector<glm::dvec3> ringPoints(const CutGizmo& gizmo) {
   constexpr int kCorners = 72;
   std::vector<glm::dvec3> points;
   for (int i = 0; i < kCorners; ++i) {
     double a = 2.0 * std::numbers::pi * i / kCorners;
-    points.push_back(gizmo.centreMm + (gizmo.right * std::cos(a) + gizmo.top * std::sin(a)) * gizmo.radiusMm);
+    points.push_back(gizmo.centre + (gizmo.right * std::cos(a) + gizmo.top * std::sin(a)) * gizmo.radius);
   }
   return points;
 }
@@ -240,18 +240,18 @@ CutHandle handleAt(const CutGizmo& gizmo, const scene::Camera& camera, glm::dvec
   CutHandle found = CutHandle::None;
   double nearest = reach;
   for (const auto& grip : gizmo.grips) {
-    auto place = scene::pixelFromWorld(camera, pictureSize, grip.placeMm);
+    auto place = scene::pixelFromWorld(camera, pictureSize, grip.place);
     double distance = place ? glm::length(*place - pixel) : reach + 1.0;
     if (distance > nearest || (distance == nearest && found != CutHandle::None)) continue;
     nearest = distance;
     found = grip.handle;
   }
   if (found != CutHandle::None) return found;
-  auto foot = scene::pixelFromWorld(camera, pictureSize, gizmo.centreMm);
-  auto tip = scene::pixelFromWorld(camera, pictureSize, gizmo.arrowTipMm);
+  auto foot = scene::pixelFromWorld(camera, pictureSize, gizmo.centre);
+  auto tip = scene::pixelFromWorld(camera, pictureSize, gizmo.arrowTip);
   if (foot && tip && distanceToSegment(pixel, *foot, *tip) <= reach) return CutHandle::Arrow;
   if (!gizmo.hasRing) return CutHandle::None;
-  auto ring = ringPointsMm(gizmo);
+  auto ring = ringPoints(gizmo);
   for (std::size_t i = 0; i < ring.size(); ++i) {
     auto a = scene::pixelFromWorld(camera, pictureSize, ring[i]);
     auto b = scene::pixelFromWorld(camera, pictureSize, ring[(i + 1) % ring.size()]);

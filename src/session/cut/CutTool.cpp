@@ -31,31 +31,31 @@ struct Drag {
 double alongLine(glm::dvec3 point, glm::dvec3 direction, const scene::PictureRay& ray) {
   double b = glm::dot(direction, ray.direction), denominator = 1.0 - b * b;
   if (denominator < 1e-9) return 0.0;
-  glm::dvec3 w = point - ray.originMm;
+  glm::dvec3 w = point - ray.origin;
   return (b * glm::dot(ray.direction, w) - glm::dot(direction, w)) / denominator;
 }
 
 /// How far a drag goes along a line through a point of the world, mm.
 double dragAlong(const Drag& drag, glm::dvec3 place, glm::dvec3 direction) {
   auto foot = scene::pixelFromWorld(drag.camera, drag.size, place);
-  auto tip = scene::pixelFromWorld(drag.camera, drag.size, place + direction * (kArrowPixels * drag.gizmo.pixelMm));
+  auto tip = scene::pixelFromWorld(drag.camera, drag.size, place + direction * (kArrowPixels * drag.gizmo.pixel));
   if (foot && tip && glm::length(*tip - *foot) >= kShortArrowPixels)
     return alongLine(place, direction, drag.rayAt(drag.to)) - alongLine(place, direction, drag.rayAt(drag.from));
   // Seen end on: pulling down pulls towards the eye.
   bool towardsEye = glm::dot(direction, scene::cameraBasis(drag.camera).forward) < 0;
-  return (drag.to.y - drag.from.y) * scene::mmPerPixel(drag.camera, drag.size, place) * (towardsEye ? 1.0 : -1.0);
+  return (drag.to.y - drag.from.y) * scene::lengthPerPixel(drag.camera, drag.size, place) * (towardsEye ? 1.0 : -1.0);
 }
 
 /// Where a ray meets a plane; nothing when it runs beside it.
 std::optional<glm::dvec3> meet(const scene::PictureRay& ray, glm::dvec3 point, glm::dvec3 normal) {
   double slant = glm::dot(ray.direction, normal);
   if (std::abs(slant) < 1e-3) return std::nullopt;
-  return ray.originMm + ray.direction * (glm::dot(point - ray.originMm, normal) / slant);
+  return ray.origin + ray.direction * (glm::dot(point - ray.origin, normal) / slant);
 }
 
 glm::dvec3 dragInPlane(const Drag& drag, glm::dvec3 normal) {
-  auto a = meet(drag.rayAt(drag.from), drag.gizmo.centreMm, normal);
-  auto b = meet(drag.rayAt(drag.to), drag.gizmo.centreMm, normal);
+  auto a = meet(drag.rayAt(drag.from), drag.gizmo.centre, normal);
+  auto b = meet(drag.rayAt(drag.to), drag.gizmo.centre, normal);
   return a && b ? *b - *a : glm::dvec3(0.0);
 }
 
@@ -63,8 +63,8 @@ glm::dvec3 dragInPlane(const Drag& drag, glm::dvec3 normal) {
 /// point of it. Unit, from the centre.
 glm::dvec3 directionOnSphere(const Drag& drag, glm::dvec2 pixel, bool nearSide) {
   scene::PictureRay ray = drag.rayAt(pixel);
-  glm::dvec3 w = ray.originMm - drag.gizmo.centreMm;
-  double radius = drag.gizmo.radiusMm;
+  glm::dvec3 w = ray.origin - drag.gizmo.centre;
+  double radius = drag.gizmo.radius;
   double b = glm::dot(w, ray.direction), c = glm::dot(w, w) - radius * radius;
   double discriminant = b * b - c;
   double root = discriminant > 0 ? std::sqrt(discriminant) : 0.0;
@@ -73,7 +73,7 @@ glm::dvec3 directionOnSphere(const Drag& drag, glm::dvec2 pixel, bool nearSide) 
 
 scene::Cut tilt(const scene::Cut& start, const Drag& drag, CutHandle handle, const CutSnap& snap) {
   const CutGizmo& gizmo = drag.gizmo;
-  glm::dvec3 knob = (handlePlaceMm(gizmo, handle) - gizmo.centreMm) / gizmo.radiusMm;
+  glm::dvec3 knob = (handlePlace(gizmo, handle) - gizmo.centre) / gizmo.radius;
   bool nearSide = glm::dot(knob, scene::cameraBasis(drag.camera).forward) <= 0.05;
   auto angleAt = [&](glm::dvec2 pixel) {
     glm::dvec3 d = directionOnSphere(drag, pixel, nearSide);
@@ -81,7 +81,7 @@ scene::Cut tilt(const scene::Cut& start, const Drag& drag, CutHandle handle, con
   };
   // Turning the knob towards the normal turns the normal away from the knob.
   double angle = snappedAngle(angleAt(drag.to) - angleAt(drag.from), snap);
-  return withTurn(start, gizmo.centreMm, glm::cross(knob, gizmo.normal), angle);
+  return withTurn(start, gizmo.centre, glm::cross(knob, gizmo.normal), angle);
 }
 
 /// The ring of a box: a turn about its axis.
@@ -91,12 +91,12 @@ scene::Cut spin(const scene::Cut& start, const Drag& drag, const CutSnap& snap) 
     scene::PictureRay ray = drag.rayAt(pixel);
     bool isFlat = std::abs(glm::dot(ray.direction, gizmo.normal)) < 0.2;
     glm::dvec3 arm = isFlat ? directionOnSphere(drag, pixel, true)
-                            : meet(ray, gizmo.centreMm, gizmo.normal).value_or(gizmo.centreMm) - gizmo.centreMm;
+                            : meet(ray, gizmo.centre, gizmo.normal).value_or(gizmo.centre) - gizmo.centre;
     return std::atan2(glm::dot(arm, gizmo.top), glm::dot(arm, gizmo.right));
   };
   double angle = angleAt(drag.to) - angleAt(drag.from);
   glm::dvec3 axis = glm::cross(gizmo.right, gizmo.top);
-  return withTurn(start, gizmo.centreMm, axis, snappedAngle(std::remainder(angle, 2.0 * std::numbers::pi), snap));
+  return withTurn(start, gizmo.centre, axis, snappedAngle(std::remainder(angle, 2.0 * std::numbers::pi), snap));
 }
 
 /// The ring of the others: its point under the pointer follows it.
@@ -111,17 +111,17 @@ scene::Cut tiltFreely(const scene::Cut& start, const Drag& drag, const CutSnap& 
   glm::dvec3 axis = glm::cross(a, b);
   double sine = glm::length(axis);
   if (sine < 1e-12) return start;
-  return withTurn(start, drag.gizmo.centreMm, axis / sine, snappedAngle(std::atan2(sine, glm::dot(a, b)), snap));
+  return withTurn(start, drag.gizmo.centre, axis / sine, snappedAngle(std::atan2(sine, glm::dot(a, b)), snap));
 }
 
 scene::Cut resize(scene::Cut cut, const Drag& drag, CutHandle handle, const CutSnap& snap) {
   auto grip = std::find_if(drag.gizmo.grips.begin(), drag.gizmo.grips.end(),
                            [&](const CutGrip& g) { return g.handle == handle; });
   if (grip == drag.gizmo.grips.end()) return cut;
-  double mm = snappedLength(dragAlong(drag, grip->placeMm, grip->direction), grip->direction, snap);
-  double smallest = kSmallestPixels * drag.gizmo.pixelMm;
+  double mm = snappedLength(dragAlong(drag, grip->place, grip->direction), grip->direction, snap);
+  double smallest = kSmallestPixels * drag.gizmo.pixel;
   if (handle == CutHandle::Radius) {
-    cut.sizeMm.x = std::max(cut.sizeMm.x + 2.0 * mm, std::min(smallest, cut.sizeMm.x));
+    cut.size.x = std::max(cut.size.x + 2.0 * mm, std::min(smallest, cut.size.x));
     return cut;
   }
   int face = static_cast<int>(handle) - static_cast<int>(CutHandle::FaceXMin);
@@ -133,7 +133,7 @@ bool isCorner(CutHandle handle) { return handle >= CutHandle::CornerMinMin; }
 scene::Cut resizeCorner(const scene::Cut& start, const Drag& drag, CutHandle handle, const CutSnap& snap) {
   glm::dvec3 shift = glm::transpose(cutFrame(start)) * dragInPlane(drag, drag.gizmo.normal);
   int corner = static_cast<int>(handle) - static_cast<int>(CutHandle::CornerMinMin);
-  return withCornerMoved(start, corner, glm::dvec2(shift), kSmallestPixels * drag.gizmo.pixelMm, snap.on);
+  return withCornerMoved(start, corner, glm::dvec2(shift), kSmallestPixels * drag.gizmo.pixel, snap.on);
 }
 
 bool turns(CutHandle handle) { return handle >= CutHandle::KnobRight && handle <= CutHandle::Ring; }
@@ -157,8 +157,8 @@ double snappedLength(double mm, glm::dvec3 direction, const CutSnap& snap) {
   return std::isfinite(step) ? std::round(mm / step) * step : mm;
 }
 
-glm::dvec3 snappedShift(glm::dvec3 shiftMm, const CutSnap& snap) {
-  return snap.on ? snap.worldFromVoxel * glm::round(glm::inverse(snap.worldFromVoxel) * shiftMm) : shiftMm;
+glm::dvec3 snappedShift(glm::dvec3 shift, const CutSnap& snap) {
+  return snap.on ? snap.worldFromVoxel * glm::round(glm::inverse(snap.worldFromVoxel) * shift) : shift;
 }
 
 double snappedAngle(double rad, const CutSnap& snap) {
@@ -166,17 +166,17 @@ double snappedAngle(double rad, const CutSnap& snap) {
 }
 
 scene::Cut withFaceMoved(scene::Cut cut, int axis, int sign, double mm, double smallest) {
-  double before = cut.sizeMm[axis];
-  cut.sizeMm[axis] = std::max(before + mm, std::min(smallest, before));
-  double moved = cut.sizeMm[axis] - before;
+  double before = cut.size[axis];
+  cut.size[axis] = std::max(before + mm, std::min(smallest, before));
+  double moved = cut.size[axis] - before;
   // The cone hangs on its apex: its base moves alone, and its apex takes all of the move.
   double share = cut.shape != scene::CutShape::Cone ? 0.5 : sign < 0 ? 1.0 : 0.0;
-  cut.centreMm += cutFrame(cut)[axis] * (sign * moved * share);
+  cut.centre += cutFrame(cut)[axis] * (sign * moved * share);
   return cut;
 }
 
 scene::Cut withCornerMoved(scene::Cut cut, int corner, glm::dvec2 mm, double smallest, bool keepsRatio) {
-  glm::dvec2 sign = cornerSigns(corner), edges(cut.sizeMm), wider = sign * mm;
+  glm::dvec2 sign = cornerSigns(corner), edges(cut.size), wider = sign * mm;
   if (keepsRatio && glm::dot(edges, edges) > 0.0) {
     double least = std::min(1.0, smallest / std::max(std::min(edges.x, edges.y), 1e-12)) - 1.0;
     wider = edges * std::max(glm::dot(wider, edges) / glm::dot(edges, edges), least);
@@ -185,9 +185,9 @@ scene::Cut withCornerMoved(scene::Cut cut, int corner, glm::dvec2 mm, double sma
   return withFaceMoved(cut, 1, sign.y < 0 ? -1 : 1, wider.y, smallest);
 }
 
-scene::Cut withTurn(scene::Cut cut, glm::dvec3 pivotMm, glm::dvec3 axis, double rad) {
+scene::Cut withTurn(scene::Cut cut, glm::dvec3 pivot, glm::dvec3 axis, double rad) {
   glm::dmat3 turn(glm::rotate(glm::dmat4(1.0), rad, axis));
-  cut.centreMm = pivotMm + turn * (cut.centreMm - pivotMm);
+  cut.centre = pivot + turn * (cut.centre - pivot);
   if (scene::hasEdges(cut.shape))
     setCutFrame(cut, turn * cutFrame(cut));
   else
@@ -204,15 +204,15 @@ scene::Cut dragCut(const scene::Cut& start, const CutGizmo& gizmo, CutHandle han
     case CutHandle::None:
       break;
     case CutHandle::Arrow:
-      cut.centreMm += gizmo.normal * snappedLength(dragAlong(drag, gizmo.centreMm, gizmo.normal), gizmo.normal, snap);
+      cut.centre += gizmo.normal * snappedLength(dragAlong(drag, gizmo.centre, gizmo.normal), gizmo.normal, snap);
       break;
     case CutHandle::Centre:
-      cut.centreMm += snappedShift(dragInPlane(drag, scene::cameraBasis(camera).forward), snap);
+      cut.centre += snappedShift(dragInPlane(drag, scene::cameraBasis(camera).forward), snap);
       break;
     case CutHandle::Square: {
       glm::dvec3 shift = dragInPlane(drag, gizmo.normal);
       for (glm::dvec3 axis : {gizmo.right, gizmo.top})
-        cut.centreMm += axis * snappedLength(glm::dot(shift, axis), axis, snap);
+        cut.centre += axis * snappedLength(glm::dot(shift, axis), axis, snap);
       break;
     }
     case CutHandle::KnobRight:
@@ -220,10 +220,10 @@ scene::Cut dragCut(const scene::Cut& start, const CutGizmo& gizmo, CutHandle han
     case CutHandle::KnobLeft:
     case CutHandle::KnobBottom:
       // A plane turns about the middle of what is seen of it, and is said to lie there from then on.
-      if (cut.shape == scene::CutShape::Plane) cut.centreMm = gizmo.centreMm;
+      if (cut.shape == scene::CutShape::Plane) cut.centre = gizmo.centre;
       return tilt(cut, drag, handle, snap);
     case CutHandle::Ring:
-      if (cut.shape == scene::CutShape::Plane) cut.centreMm = gizmo.centreMm;
+      if (cut.shape == scene::CutShape::Plane) cut.centre = gizmo.centre;
       return scene::hasEdges(cut.shape) ? spin(cut, drag, snap) : tiltFreely(cut, drag, snap);
     default:
       return isCorner(handle) ? resizeCorner(cut, drag, handle, snap) : resize(cut, drag, handle, snap);
@@ -237,7 +237,8 @@ const char* dragLabel(const scene::Cut& cut, CutHandle handle) {
   return handle >= CutHandle::FaceXMin ? "Resize cut" : "Move cut";
 }
 
-std::string dragText(const scene::Cut& start, const scene::Cut& now, CutHandle handle) {
+std::string dragText(const scene::LengthFormat& lengths, const scene::Cut& start, const scene::Cut& now,
+                     CutHandle handle) {
   if (turns(handle)) {
     // The angle of the turn from one frame to the other.
     glm::dmat3 turn = cutFrame(now) * glm::transpose(cutFrame(start));
@@ -248,19 +249,19 @@ std::string dragText(const scene::Cut& start, const scene::Cut& now, CutHandle h
     double trace = turn[0][0] + turn[1][1] + turn[2][2];
     return fmt::format("{:.1f}\u00b0", glm::degrees(std::acos(std::clamp((trace - 1.0) * 0.5, -1.0, 1.0))));
   }
-  if (handle == CutHandle::Radius) return fmt::format("\u2300 {:.1f} mm", now.sizeMm.x);
-  if (isCorner(handle)) return fmt::format("{:.1f} \u00d7 {:.1f} mm", now.sizeMm.x, now.sizeMm.y);
+  if (handle == CutHandle::Radius) return "\u2300 " + lengthText(lengths, now.size.x);
+  if (isCorner(handle)) return lengthNumber(lengths, now.size.x) + " \u00d7 " + lengthText(lengths, now.size.y);
   if (handle >= CutHandle::FaceXMin) {
     int axis = (static_cast<int>(handle) - static_cast<int>(CutHandle::FaceXMin)) / 2;
-    return fmt::format("{:.1f} mm", now.sizeMm[axis]);
+    return lengthText(lengths, now.size[axis]);
   }
-  glm::dvec3 shift = now.centreMm - start.centreMm;
+  glm::dvec3 shift = now.centre - start.centre;
   if (handle == CutHandle::Arrow) {
     // Signed as the arrow points, which for an inverted plane is against its axis.
     bool isFlipped = start.shape == scene::CutShape::Plane && start.invert;
-    return fmt::format("{:+.1f} mm", glm::dot(shift, cutFrame(start)[2]) * (isFlipped ? -1.0 : 1.0));
+    return lengthText(lengths, glm::dot(shift, cutFrame(start)[2]) * (isFlipped ? -1.0 : 1.0), true);
   }
-  return fmt::format("{:.1f} mm", glm::length(shift));
+  return lengthText(lengths, glm::length(shift));
 }
 
 }  // namespace velum::session

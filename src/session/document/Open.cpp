@@ -81,19 +81,24 @@ bool placeSource(scene::Source& source, const MissingData& missing, const fs::pa
   return true;
 }
 
-void readVolumeInto(scene::VolumeLayer& layer, const scene::Source& where, Progress& progress) {
-  Volume volume = io::readVolume(where, progress);
-  layer.source.fingerprint = fingerprintOf(where.path);
-  warnAll(where.path, volume.warnings);
-  layer.data = Shared<Volume>(std::move(volume));
+/// What the first data of a scene are in the scene is in, too.
+void adoptUnit(scene::Scene& scene, LengthUnit unit) {
+  if (!scene.volume.data && !scene.labels.data && scene.surfaces.empty() && scene.cuts.empty()) scene.unit = unit;
 }
 
-void readLabelsInto(scene::LabelLayer& layer, const scene::Source& where, Progress& progress) {
-  LabelVolume labels = io::readLabels(where, progress);
-  layer.source.fingerprint = fingerprintOf(where.path);
-  warnAll(where.path, labels.warnings);
-  layer.data = Shared<LabelVolume>(std::move(labels));
-  scene::completeStructures(layer);
+void putVolume(scene::Scene& scene, Volume volume) {
+  scene.volume.source.fingerprint = fingerprintOf(scene.volume.source.path);
+  warnAll(scene.volume.source.path, volume.warnings);
+  setLengthUnit(volume, scene.unit);
+  scene.volume.data = Shared<Volume>(std::move(volume));
+}
+
+void putLabels(scene::Scene& scene, LabelVolume labels) {
+  scene.labels.source.fingerprint = fingerprintOf(scene.labels.source.path);
+  warnAll(scene.labels.source.path, labels.warnings);
+  labels.setLengthUnit(scene.unit);
+  scene.labels.data = Shared<LabelVolume>(std::move(labels));
+  scene::completeStructures(scene.labels);
 }
 
 void readSurfaceInto(scene::Surface& surface, Progress& progress) {
@@ -111,7 +116,7 @@ scene::Scene fromText(const std::string& text, const fs::path& file, Progress& p
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}: {}", file.string(), error.what()));
   }
-  scene::placeSlices(scene);
+  scene::placeSections(scene);
   return scene;
 }
 
@@ -160,14 +165,16 @@ scene::Scene open(const scene::Source& source, Progress& progress, const DataPol
   scene::Scene scene;
   add(scene, source, progress);
   scene.camera = scene::frameCamera(scene, scene::defaultView(scene), 4.0 / 3.0);
-  scene::placeSlices(scene);
+  scene::placeSections(scene);
   return scene;
 }
 
 void addLabels(scene::Scene& scene, const scene::Source& source, Progress& progress) {
   scene.labels = {};
   scene.labels.source = source;
-  readLabelsInto(scene.labels, source, progress);
+  LabelVolume labels = io::readLabels(source, progress);
+  adoptUnit(scene, labels.lengthUnit());
+  putLabels(scene, std::move(labels));
 }
 
 void add(scene::Scene& scene, const scene::Source& source, Progress& progress) {
@@ -184,7 +191,9 @@ void add(scene::Scene& scene, const scene::Source& source, Progress& progress) {
   if (!hasLayout && io::looksLikeLabels(path)) return addLabels(scene, source, progress);
   if (scene.volume.data) return addLabels(scene, source, progress);
   scene.volume.source = source;
-  readVolumeInto(scene.volume, source, progress);
+  Volume volume = io::readVolume(source, progress);
+  adoptUnit(scene, volume.lengthUnit);
+  putVolume(scene, std::move(volume));
   if (!(scene.volume.data->range.x < scene.volume.data->range.y))
     log::warning(fmt::format("{}: every voxel has the same value; there is nothing to see", source.path));
   scene::applyPreset(scene, scene::choosePreset(*scene.volume.data));
@@ -218,14 +227,14 @@ void loadData(scene::Scene& scene, const fs::path& folder, Progress& progress, c
     return !source.path.empty() && !hasData && placeSource(source, missing, folder, progress, policy, Notes{notes});
   };
   if (isPlaced(scene.volume.source, bool(scene.volume.data), "volume", "volume")) {
-    readVolumeInto(scene.volume, scene.volume.source, progress);
+    putVolume(scene, io::readVolume(scene.volume.source, progress));
     if (scene.volume.transfer.opacities.empty()) {
       scene::applyPreset(scene, scene::choosePreset(*scene.volume.data));
       scene::completeChannels(scene.volume);
     }
   }
   if (isPlaced(scene.labels.source, bool(scene.labels.data), "labels", "labels"))
-    readLabelsInto(scene.labels, scene.labels.source, progress);
+    putLabels(scene, io::readLabels(scene.labels.source, progress));
   for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
     auto& surface = scene.surfaces[i];
     if (isPlaced(surface.source, bool(surface.data), fmt::format("surfaces.{}", i), "surface"))
@@ -277,7 +286,7 @@ scene::Scene openSample(const std::string& name, int size, const fs::path& folde
   io::writeLabels(sample.labels, labels.path, progress);
   scene::Scene scene = open(volume, progress);
   // Labels have no time: over what moves they would lie wrong.
-  if (sample.volume.frames == 1) add(scene, labels, progress);
+  if (sample.volume.timeSteps == 1) add(scene, labels, progress);
   return scene;
 }
 

@@ -63,7 +63,7 @@ Loaded readLost(const std::filesystem::path& folder, Progress& progress, const D
 
 void readMissing(Loaded& loaded, Progress& progress, const DataPolicy& policy) {
   loadData(loaded.scene, {}, progress, policy, &loaded.notes);
-  scene::placeSlices(loaded.scene);
+  scene::placeSections(loaded.scene);
 }
 
 // What is open.

@@ -12,9 +12,9 @@ namespace velum::session {
 namespace {
 
 /// Mean edge of a voxel, mm; 1 where there is no volume.
-double voxelMm(const scene::VolumeLayer& layer) {
+double voxel(const scene::VolumeLayer& layer) {
   if (!layer.data) return 1.0;
-  glm::dvec3 spacing = spacingMm(*layer.data);
+  glm::dvec3 spacing = spacingOf(*layer.data);
   return (spacing.x + spacing.y + spacing.z) / 3.0;
 }
 
@@ -29,7 +29,7 @@ scene::TransferFunction transferOf(io::TransferFile file, double voxel) {
 bool isLookFile(const std::filesystem::path& path) { return io::isTransferFile(path); }
 
 void importLook(scene::Scene& scene, const std::filesystem::path& path) {
-  scene::TransferFunction transfer = transferOf(io::readTransferFile(path), voxelMm(scene.volume));
+  scene::TransferFunction transfer = transferOf(io::readTransferFile(path), voxel(scene.volume));
   scene::TransferFunction& target = scene::currentTransfer(scene.volume);
   if (transfer.colors.empty()) transfer.colors = target.colors;
   target = std::move(transfer);
@@ -37,7 +37,7 @@ void importLook(scene::Scene& scene, const std::filesystem::path& path) {
 }
 
 void exportLook(const scene::Scene& scene, const std::filesystem::path& path) {
-  io::writeTransferFile(scene::currentTransfer(scene.volume), scene.lighting, voxelMm(scene.volume), path);
+  io::writeTransferFile(scene::currentTransfer(scene.volume), scene.lighting, voxel(scene.volume), path);
 }
 
 void convertLook(const std::filesystem::path& input, const std::filesystem::path& output) {

@@ -23,11 +23,11 @@ constexpr int kFewest = 4;                      // of 26 directions: fewer are n
 constexpr double kTolerance = 4e-4;             // of a simplified curve: a tenth of the faintest veil in a preset
 
 /// The value as the transfer function sees it: of colour volumes, the brightness.
-double shownValue(const Volume& volume, glm::ivec3 voxel, int channel, int frame) {
-  if (!volume.isColor) return valueAt(volume, voxel, channel, frame);
+double shownValue(const Volume& volume, glm::ivec3 voxel, int channel, int timeStep) {
+  if (!volume.isColor) return valueAt(volume, voxel, channel, timeStep);
   double scale = volume.range.y > 255 ? 255.0 / volume.range.y : 1.0;
   glm::dvec3 rgb;
-  for (int c = 0; c < 3; ++c) rgb[c] = std::clamp(valueAt(volume, voxel, c, frame) * scale, 0.0, 255.0);
+  for (int c = 0; c < 3; ++c) rgb[c] = std::clamp(valueAt(volume, voxel, c, timeStep) * scale, 0.0, 255.0);
   return glm::dot(rgb, glm::dvec3(0.2126, 0.7152, 0.0722));
 }
 
@@ -39,9 +39,9 @@ struct Sample {
 std::vector<Sample> voxelsAround(const scene::VolumeLayer& layer, glm::ivec3 middle, int radius) {
   const Volume& volume = *layer.data;
   int channel = std::clamp(layer.channel, 0, volume.channels - 1);
-  int frame = std::clamp(layer.frame, 0, volume.frames - 1);
+  int timeStep = std::clamp(layer.timeStep, 0, volume.timeSteps - 1);
   glm::ivec3 last = volume.dims - 1;
-  auto at = [&](glm::ivec3 p) { return shownValue(volume, glm::clamp(p, glm::ivec3(0), last), channel, frame); };
+  auto at = [&](glm::ivec3 p) { return shownValue(volume, glm::clamp(p, glm::ivec3(0), last), channel, timeStep); };
   glm::ivec3 first = glm::max(middle - radius, glm::ivec3(0)), end = glm::min(middle + radius, last);
   std::vector<Sample> samples;
   for (glm::ivec3 p = first; p.z <= end.z; ++p.z)
@@ -87,12 +87,12 @@ Tissue tissueOf(std::vector<double> values, double wanted) {
 std::vector<double> valuesAlong(const scene::VolumeLayer& layer, glm::ivec3 from, glm::dvec3 direction) {
   const Volume& volume = *layer.data;
   int channel = std::clamp(layer.channel, 0, volume.channels - 1);
-  int frame = std::clamp(layer.frame, 0, volume.frames - 1);
+  int timeStep = std::clamp(layer.timeStep, 0, volume.timeSteps - 1);
   std::vector<double> values;
   for (int i = 1; i <= kBeside; ++i) {
     glm::ivec3 at(glm::floor(glm::dvec3(from) + direction * double(i) + 0.5));
     if (glm::any(glm::lessThan(at, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(at, volume.dims))) break;
-    double value = shownValue(volume, at, channel, frame);
+    double value = shownValue(volume, at, channel, timeStep);
     if (!std::isfinite(value)) break;
     values.push_back(value);
   }
@@ -203,10 +203,10 @@ void brighten(std::vector<scene::ColorPoint>& colors, const Tissue& tissue) {
 
 }  // namespace
 
-std::optional<Tissue> measureTissue(const scene::VolumeLayer& layer, glm::dvec3 worldMm) {
+std::optional<Tissue> measureTissue(const scene::VolumeLayer& layer, glm::dvec3 world) {
   if (!layer.data) return std::nullopt;
   const Volume& volume = *layer.data;
-  glm::dvec3 place(glm::inverse(volume.worldFromVoxel) * glm::dvec4(worldMm, 1.0));
+  glm::dvec3 place(glm::inverse(volume.worldFromVoxel) * glm::dvec4(world, 1.0));
   glm::ivec3 last = volume.dims - 1;
   if (glm::any(glm::lessThan(place, glm::dvec3(-0.5))) || glm::any(glm::greaterThan(place, glm::dvec3(last) + 0.5)))
     return std::nullopt;
@@ -214,7 +214,7 @@ std::optional<Tissue> measureTissue(const scene::VolumeLayer& layer, glm::dvec3 
   auto here = voxelsAround(layer, middle, 0);
   if (here.empty()) return std::nullopt;
   Histogram histogram = valueHistogram(volume, std::clamp(layer.channel, 0, volume.channels - 1),
-                                       std::clamp(layer.frame, 0, volume.frames - 1));
+                                       std::clamp(layer.timeStep, 0, volume.timeSteps - 1));
   Tissue borders;
   findBorders(layer, middle, here.front().value, quantile(histogram, 0.999) - quantile(histogram, 0.001), borders);
   auto withinBorders = [&](int radius) {
@@ -237,12 +237,12 @@ std::optional<Tissue> measureTissue(const scene::VolumeLayer& layer, glm::dvec3 
   return tissue;
 }
 
-std::optional<Tissue> showThis(scene::Scene& scene, glm::dvec3 worldMm, bool add) {
-  auto tissue = measureTissue(scene.volume, worldMm);
+std::optional<Tissue> showThis(scene::Scene& scene, glm::dvec3 world, bool add) {
+  auto tissue = measureTissue(scene.volume, world);
   if (!tissue) return tissue;
   scene::TransferFunction& transfer = scene::currentTransfer(scene.volume);
   Curve old = transfer.opacities;
-  double veil = 1.0 - std::pow(0.65, transfer.unitDistanceMm / std::max(radiusMm(*scene.volume.data), 1e-9));
+  double veil = 1.0 - std::pow(0.65, transfer.unitDistance / std::max(radiusOf(*scene.volume.data), 1e-9));
   Opacity faint = [&](double value) { return (add ? 1.0 : 0.15) * scene::opacityAt(old, value); };
   Opacity other = [&](double value) { return add ? faint(value) : std::min(faint(value), veil); };
   Opacity bump = [&](double value) { return kOpacity * bumpAt(*tissue, value); };
@@ -255,8 +255,8 @@ std::optional<Tissue> showThis(scene::Scene& scene, glm::dvec3 worldMm, bool add
   return tissue;
 }
 
-std::optional<Tissue> hideThis(scene::Scene& scene, glm::dvec3 worldMm) {
-  auto tissue = measureTissue(scene.volume, worldMm);
+std::optional<Tissue> hideThis(scene::Scene& scene, glm::dvec3 world) {
+  auto tissue = measureTissue(scene.volume, world);
   if (!tissue) return tissue;
   scene::TransferFunction& transfer = scene::currentTransfer(scene.volume);
   Curve old = transfer.opacities;

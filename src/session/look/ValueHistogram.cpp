@@ -12,7 +12,7 @@ constexpr int kBins = 4096;
 bool isWhole(SampleType type) { return type != SampleType::Float32 && type != SampleType::Float64; }
 
 /// Central difference along the three axes, value per mm; one-sided at the border.
-double gradientLength(const Volume& volume, const glm::dmat3& worldFromStep, glm::ivec3 p, int channel, int frame) {
+double gradientLength(const Volume& volume, const glm::dmat3& worldFromStep, glm::ivec3 p, int channel, int timeStep) {
   glm::dvec3 difference(0.0);
   for (int axis = 0; axis < 3; ++axis) {
     glm::ivec3 a = p, b = p;
@@ -20,21 +20,21 @@ double gradientLength(const Volume& volume, const glm::dmat3& worldFromStep, glm
     b[axis] = std::min(volume.dims[axis] - 1, p[axis] + 1);
     if (a != b)
       difference[axis] =
-          (valueAt(volume, b, channel, frame) - valueAt(volume, a, channel, frame)) / double(b[axis] - a[axis]);
+          (valueAt(volume, b, channel, timeStep) - valueAt(volume, a, channel, timeStep)) / double(b[axis] - a[axis]);
   }
   return glm::length(worldFromStep * difference);
 }
 
 }  // namespace
 
-Histogram valueHistogram(const Volume& volume, int channel, int frame) {
+Histogram valueHistogram(const Volume& volume, int channel, int timeStep) {
   int bins = kBins;
   double steps = (volume.range.y - volume.range.x) / std::max(std::abs(volume.scale), 1e-300) + 1.0;
   if (isWhole(volume.type) && steps < kBins) bins = std::max(2, int(steps + 0.5));
-  return computeHistogram(volume, bins, channel, frame);
+  return computeHistogram(volume, bins, channel, timeStep);
 }
 
-Histogram gradientHistogram(const Volume& volume, int channel, int frame) {
+Histogram gradientHistogram(const Volume& volume, int channel, int timeStep) {
   constexpr double kMostSamples = 1e6;
   int step = std::max(1, int(std::cbrt(double(voxelCount(volume)) / kMostSamples)));
   glm::dmat3 worldFromStep = glm::transpose(glm::inverse(glm::dmat3(volume.worldFromVoxel)));
@@ -42,7 +42,7 @@ Histogram gradientHistogram(const Volume& volume, int channel, int frame) {
   for (int z = step / 2; z < volume.dims.z; z += step)
     for (int y = step / 2; y < volume.dims.y; y += step)
       for (int x = step / 2; x < volume.dims.x; x += step) {
-        double length = gradientLength(volume, worldFromStep, {x, y, z}, channel, frame);
+        double length = gradientLength(volume, worldFromStep, {x, y, z}, channel, timeStep);
         if (std::isfinite(length)) lengths.push_back(length);
       }
   Histogram histogram{std::vector<std::uint64_t>(256), {0.0, 1.0}};

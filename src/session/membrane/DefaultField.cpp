@@ -26,8 +26,8 @@ struct Bin {
 std::vector<Bin> binsOf(const scene::VolumeLayer& layer) {
   const Volume& volume = *layer.data;
   int channel = std::clamp(layer.channel, 0, volume.channels - 1),
-      frame = std::clamp(layer.frame, 0, volume.frames - 1);
-  Histogram histogram = valueHistogram(volume, channel, frame);
+      timeStep = std::clamp(layer.timeStep, 0, volume.timeSteps - 1);
+  Histogram histogram = valueHistogram(volume, channel, timeStep);
   const scene::TransferFunction& transfer = scene::currentTransfer(layer);
   double total = 0;
   for (auto count : histogram.counts) total += double(count);

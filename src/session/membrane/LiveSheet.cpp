@@ -12,14 +12,14 @@ namespace {
 /// A passive sheet that starts anew is shown from this step on: until then it lies nearly flat, and a drag would
 /// flicker.
 constexpr int kWarmSteps = 40;
-/// Most steps of a slice: without asking the GPU nobody knows how long it takes.
+/// Most steps at a time: without asking the GPU nobody knows how long it takes.
 constexpr int kMostSteps = 20;
 
 scene::Cut withFrameOf(scene::Cut cut, const scene::Cut& frame) {
-  cut.centreMm = frame.centreMm;
+  cut.centre = frame.centre;
   cut.axis = frame.axis;
   cut.spinDeg = frame.spinDeg;
-  cut.sizeMm = frame.sizeMm;
+  cut.size = frame.size;
   return cut;
 }
 
@@ -36,17 +36,17 @@ bool isHandsOnly(scene::Membrane a, scene::Membrane b) {
 
 scene::SheetShape carried(const scene::SheetShape& shape, const scene::Cut& from, const scene::Cut& to) {
   if (shape.places.empty() || haveSameFrame(from, to)) return shape;
-  return membrane::fitShape(membrane::carryOver(shape, from, to), shape.particles, to.sizeMm);
+  return membrane::fitShape(membrane::carryOver(shape, from, to), shape.particles, to.size);
 }
 
 }  // namespace
 
 DataKey dataKeyOf(const scene::Scene& scene) {
-  return {scene.volume.data.id(), scene.labels.data.id(), scene.volume.frame, scene.volume.channel};
+  return {scene.volume.data.id(), scene.labels.data.id(), scene.volume.timeStep, scene.volume.channel};
 }
 
 bool haveSameFrame(const scene::Cut& a, const scene::Cut& b) {
-  return a.centreMm == b.centreMm && a.axis == b.axis && a.spinDeg == b.spinDeg && a.sizeMm == b.sizeMm;
+  return a.centre == b.centre && a.axis == b.axis && a.spinDeg == b.spinDeg && a.size == b.size;
 }
 
 LiveSheet::LiveSheet(std::uint64_t id, const scene::Cut& cut, DataKey data) : mId(id), mCut(cut), mData(data) {
@@ -56,16 +56,16 @@ LiveSheet::LiveSheet(std::uint64_t id, const scene::Cut& cut, DataKey data) : mI
 /// Takes a shape as where the sheet rests.
 void LiveSheet::adopt(const scene::SheetShape& shape) {
   mWritten = shape;
-  mKept = membrane::fitShape(shape, mCut.membrane->cloth.particles, mCut.sizeMm);
+  mKept = membrane::fitShape(shape, mCut.membrane->cloth.particles, mCut.size);
   mKeptCut = mCut;
   if (glm::length(shape.axis) > 0.0) {
-    mKeptCut.centreMm = mKept.centreMm = shape.centreMm;
+    mKeptCut.centre = mKept.centre = shape.centre;
     mKeptCut.axis = mKept.axis = shape.axis;
     mKeptCut.spinDeg = mKept.spinDeg = shape.spinDeg;
   }
   mBegin = mHasSimulation = mIsWarm = false;
   // Saved before it had come to rest: it goes on.
-  bool isOfNow = shape.timeStep < 0 || shape.timeStep == mData.frame;
+  bool isOfNow = shape.timeStep < 0 || shape.timeStep == mData.timeStep;
   mKept.timeStep = mKeptStep = shape.timeStep;
   mNeedsForces = mKeepSides = !haveSameFrame(mKeptCut, mCut) || !isOfNow;
   mForces.reset();
@@ -139,7 +139,7 @@ scene::SheetShape LiveSheet::shape() const {
 
 void LiveSheet::keepShape() {
   // As drawing would fit it, so that a shape that has been written down is the one that was drawn.
-  mKept = membrane::fitShape(mSimulation->shape(), mMovingCut.membrane->cloth.particles, mMovingCut.sizeMm);
+  mKept = membrane::fitShape(mSimulation->shape(), mMovingCut.membrane->cloth.particles, mMovingCut.size);
   mKeptStep = mMovingStep;
   if (isActive()) membrane::anchor(mKept, mMovingCut, mMovingStep);
   mKeptCut = mMovingCut;
@@ -225,7 +225,7 @@ MembraneStatus LiveSheet::status(bool isPlaying, bool isComputing) const {
   if (mHasSimulation) {
     status.particles = mSimulation->solver().sheet().particles;
     status.steps = mSimulation->steps();
-    status.speedMm = mSimulation->speed();
+    status.speed = mSimulation->speed();
   }
   status.stepMs = mStepMs;
   status.error = mError;
@@ -234,7 +234,7 @@ MembraneStatus LiveSheet::status(bool isPlaying, bool isComputing) const {
   status.keptWhole = mFigures->ratio;
   status.planePairs = mFigures->cutAreaPlane;
   status.sheetPairs = mFigures->cutAreaMembrane;
-  status.meanDistanceMm = mFigures->meanDistanceMm;
+  status.meanDistance = mFigures->meanDistance;
   return status;
 }
 
@@ -243,16 +243,16 @@ render::FrameSheet LiveSheet::frameSheet() {
   if (mUploaded != mShown || !mSheet) {
     glm::ivec2 flat = glm::max(mCut.membrane->cloth.particles, glm::ivec2(3));
     glm::ivec2 count = isLive ? mSimulation->solver().sheet().particles : glm::ivec2(0);
-    bool fits = mSheet && mSheet->particles() == count && mSheet->sizeMm() == mCut.sizeMm;
+    bool fits = mSheet && mSheet->particles() == count && mSheet->size() == mCut.size;
     if (isLive && fits) {
       // From the solver to the picture without a detour.
       mSimulation->solver().places().copyTo(mSheet->rows(), 0);
       gpu::barrier();
       mSheet->index();
     } else if (mSheet) {
-      mSheet->setShape(shape(), flat, mCut.sizeMm);
+      mSheet->setShape(shape(), flat, mCut.size);
     } else {
-      mSheet = std::make_shared<membrane::Sheet>(shape(), flat, mCut.sizeMm);
+      mSheet = std::make_shared<membrane::Sheet>(shape(), flat, mCut.size);
     }
     if (isAtRest()) mSheet->grow();
     mUploaded = mShown;
@@ -262,7 +262,7 @@ render::FrameSheet LiveSheet::frameSheet() {
 
 void LiveSheet::makeIndex() {
   glm::ivec2 flat = glm::max(mCut.membrane->cloth.particles, glm::ivec2(3));
-  mIndex = std::make_shared<const membrane::SheetIndex>(membrane::makeSheetIndex(shape(), flat, mCut.sizeMm));
+  mIndex = std::make_shared<const membrane::SheetIndex>(membrane::makeSheetIndex(shape(), flat, mCut.size));
   mIndexed = mShown;
 }
 

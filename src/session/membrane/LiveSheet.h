@@ -16,7 +16,7 @@ namespace velum::session {
 /// Which data forces come from.
 struct DataKey {
   std::uint64_t volume = 0, labels = 0;
-  int frame = 0, channel = 0;
+  int timeStep = 0, channel = 0;
   bool operator==(const DataKey&) const = default;
 };
 DataKey dataKeyOf(const scene::Scene& scene);

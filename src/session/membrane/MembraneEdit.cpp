@@ -40,14 +40,14 @@ void protectValues(scene::Membrane& membrane, double low, double high, double st
   membrane.field.byValue = withStretch(membrane.field.byValue, low, high, strength);
 }
 
-std::optional<Tissue> protectTissue(scene::Membrane& membrane, const scene::VolumeLayer& layer, glm::dvec3 worldMm,
+std::optional<Tissue> protectTissue(scene::Membrane& membrane, const scene::VolumeLayer& layer, glm::dvec3 world,
                                     double strength) {
-  std::optional<Tissue> tissue = measureTissue(layer, worldMm);
+  std::optional<Tissue> tissue = measureTissue(layer, world);
   if (!tissue) return tissue;
   double low = tissue->value - kSpreads * tissue->spread, high = tissue->value + kSpreads * tissue->spread;
   const Volume& volume = *layer.data;
   int channel = std::clamp(layer.channel, 0, volume.channels - 1);
-  Histogram histogram = valueHistogram(volume, channel, std::clamp(layer.frame, 0, volume.frames - 1));
+  Histogram histogram = valueHistogram(volume, channel, std::clamp(layer.timeStep, 0, volume.timeSteps - 1));
   // At an end of the data's values thin and blurred parts count too, as far as halfway to what is beside.
   if (tissue->value > quantile(histogram, 1.0 - kEnd)) {
     high = volume.range.y;

@@ -9,7 +9,7 @@ namespace velum::session {
 
 namespace {
 
-/// So often slices follow a sheet that moves.
+/// So often sections follow a sheet that moves.
 constexpr double kIndexEveryMs = 200.0;
 constexpr int kStepOnce = 5;
 
@@ -75,7 +75,7 @@ MembranePlayer::Work MembranePlayer::forcesWork(LiveSheet& sheet) {
           maker = sheet.maker](Progress& progress) mutable -> Finish {
     if (!maker || !maker->matches(scene)) maker = std::make_shared<membrane::ForceMaker>(scene);
     auto forces = out.isPreview ? maker->preview(cut, progress) : maker->compute(cut, current, progress);
-    auto made = std::make_shared<const MadeForces>(MadeForces{std::move(forces), cut, scene.volume.frame});
+    auto made = std::make_shared<const MadeForces>(MadeForces{std::move(forces), cut, scene.volume.timeStep});
     return [this, out, maker, made] {
       LiveSheet* found = find(out.id);
       if (!found || found->dataChange() != out.data) return;

@@ -35,7 +35,7 @@ MembraneReport settle(membrane::ForceMaker& maker, int timeStep, scene::Cut& cut
   scene::SheetShape first;
   if (isActive) {
     first = membrane::carryOver(membrane.shape, cut);
-    first = membrane::fitShape(first, first.particles, cut.sizeMm);
+    first = membrane::fitShape(first, first.particles, cut.size);
   }
   bool isSided = membrane.field.rule == scene::KernelRule::Sided;
   membrane::CurrentSheet current;
@@ -62,7 +62,7 @@ MembraneReport settle(membrane::ForceMaker& maker, int timeStep, scene::Cut& cut
 }  // namespace
 
 Mesh sheetMesh(const scene::Cut& cut) {
-  membrane::SheetIndex index = membrane::makeSheetIndex(cut.membrane->shape, cut.membrane->cloth.particles, cut.sizeMm);
+  membrane::SheetIndex index = membrane::makeSheetIndex(cut.membrane->shape, cut.membrane->cloth.particles, cut.size);
   glm::dmat4 worldFromLocal = scene::worldFromCut(cut);
   glm::ivec2 n = index.particles;
   Mesh mesh;
@@ -84,9 +84,9 @@ Volume clippedVolume(const scene::Scene& scene, Progress& progress) {
   if (!scene.volume.data) throw ArgumentError("there is no volume to clip");
   const Volume& volume = *scene.volume.data;
   Volume out = volume;
-  out.frames = 1;
-  std::size_t bytes = frameBytes(volume), sample = sampleSize(volume.type) * std::size_t(volume.channels);
-  auto first = std::ptrdiff_t(bytes * std::size_t(std::clamp(scene.volume.frame, 0, volume.frames - 1)));
+  out.timeSteps = 1;
+  std::size_t bytes = timeStepBytes(volume), sample = sampleSize(volume.type) * std::size_t(volume.channels);
+  auto first = std::ptrdiff_t(bytes * std::size_t(std::clamp(scene.volume.timeStep, 0, volume.timeSteps - 1)));
   out.voxels.assign(volume.voxels.begin() + first, volume.voxels.begin() + first + std::ptrdiff_t(bytes));
   std::vector<std::uint8_t> kept = render::keptVoxels(scene, volume.dims, volume.worldFromVoxel, progress);
   // A voxel with the smallest value, as raw bytes: colours become black.
@@ -109,12 +109,12 @@ bool hasMembranes(const scene::Scene& scene) { return std::any_of(scene.cuts.beg
 
 membrane::KeptWhole measureMembrane(const membrane::Potential& potential, const scene::Cut& cut,
                                     const scene::SheetShape& shape, Progress& progress) {
-  membrane::SheetIndex index = membrane::makeSheetIndex(shape, glm::ivec2(2), cut.sizeMm);
+  membrane::SheetIndex index = membrane::makeSheetIndex(shape, glm::ivec2(2), cut.size);
   auto side = [&](std::span<const glm::vec3> local, std::span<std::uint8_t> above) {
     for (std::size_t i = 0; i < local.size(); ++i) above[i] = membrane::isAbove(index, local[i]) ? 1 : 0;
   };
-  return membrane::measureKeptWhole(protectedVoxels(potential, cut, progress), cut, side,
-                                    membrane::meanDistanceMm(shape), progress);
+  return membrane::measureKeptWhole(protectedVoxels(potential, cut, progress), cut, side, membrane::meanDistance(shape),
+                                    progress);
 }
 
 std::vector<MembraneReport> settleMembranes(scene::Scene& scene, MembraneQuestions questions, Progress& progress) {
@@ -123,7 +123,7 @@ std::vector<MembraneReport> settleMembranes(scene::Scene& scene, MembraneQuestio
   membrane::ForceMaker maker(scene);
   for (auto& cut : scene.cuts) {
     if (!isLive(cut)) continue;
-    MembraneReport report = settle(maker, scene.volume.frame, cut, progress);
+    MembraneReport report = settle(maker, scene.volume.timeStep, cut, progress);
     report.cut = cut.id;
     if (maker.potential().dims().x > 0) {
       if (questions.kept || questions.limit)

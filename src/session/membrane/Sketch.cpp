@@ -145,7 +145,7 @@ std::vector<scene::StrengthPoint> fitStrokes(const Histogram& keep, const Histog
   return curve;
 }
 
-std::vector<glm::dvec3> simplifiedPath(std::span<const glm::dvec3> path, double toleranceMm) {
+std::vector<glm::dvec3> simplifiedPath(std::span<const glm::dvec3> path, double tolerance) {
   if (path.size() < 3) return {path.begin(), path.end()};
   glm::dvec3 along = path.back() - path.front();
   double length2 = glm::dot(along, along), farthest = -1;
@@ -155,9 +155,9 @@ std::vector<glm::dvec3> simplifiedPath(std::span<const glm::dvec3> path, double 
     double away = glm::distance(path[i], path.front() + along * t);
     if (away > farthest) farthest = away, at = i;
   }
-  if (farthest <= toleranceMm) return {path.front(), path.back()};
-  std::vector<glm::dvec3> out = simplifiedPath(path.first(at + 1), toleranceMm);
-  std::vector<glm::dvec3> rest = simplifiedPath(path.subspan(at), toleranceMm);
+  if (farthest <= tolerance) return {path.front(), path.back()};
+  std::vector<glm::dvec3> out = simplifiedPath(path.first(at + 1), tolerance);
+  std::vector<glm::dvec3> rest = simplifiedPath(path.subspan(at), tolerance);
   out.insert(out.end(), rest.begin() + 1, rest.end());
   return out;
 }

@@ -99,7 +99,7 @@ bool isFinite(glm::dvec3 p) { return std::isfinite(p.x) && std::isfinite(p.y) &&
 /// A segment in pieces about as long as they are wide: the boxes around long oblique ones would be mostly empty.
 void addSegment(RunCollector& collector, glm::dvec3 from, glm::dvec3 to, double radius, const Volume& volume) {
   if (!isFinite(from) || !isFinite(to)) return;
-  if (!clipToBall(from, to, centreMm(volume), radiusMm(volume) + radius)) return;
+  if (!clipToBall(from, to, centreOf(volume), radiusOf(volume) + radius)) return;
   int pieces = std::max(1, int(std::ceil(glm::length(to - from) / (2.0 * radius))));
   for (int i = 0; i < pieces; ++i)
     collector.add({glm::mix(from, to, double(i) / pieces), glm::mix(from, to, double(i + 1) / pieces), radius});
@@ -107,13 +107,13 @@ void addSegment(RunCollector& collector, glm::dvec3 from, glm::dvec3 to, double 
 
 std::vector<Run> runsUnder(const Volume& volume, std::span<const scene::Stroke> strokes, bool avoid) {
   RunCollector collector(volume);
-  double thinnest = 0.501 * glm::length(spacingMm(volume));  // half a voxel across its corners
+  double thinnest = 0.501 * glm::length(spacingOf(volume));  // half a voxel across its corners
   for (const auto& stroke : strokes) {
-    if (stroke.avoid != avoid || stroke.pathMm.empty()) continue;
-    double radius = std::max(stroke.radiusMm, thinnest);
-    if (stroke.pathMm.size() == 1) addSegment(collector, stroke.pathMm[0], stroke.pathMm[0], radius, volume);
-    for (std::size_t i = 0; i + 1 < stroke.pathMm.size(); ++i)
-      addSegment(collector, stroke.pathMm[i], stroke.pathMm[i + 1], radius, volume);
+    if (stroke.avoid != avoid || stroke.path.empty()) continue;
+    double radius = std::max(stroke.radius, thinnest);
+    if (stroke.path.size() == 1) addSegment(collector, stroke.path[0], stroke.path[0], radius, volume);
+    for (std::size_t i = 0; i + 1 < stroke.path.size(); ++i)
+      addSegment(collector, stroke.path[i], stroke.path[i + 1], radius, volume);
   }
   return collector.take();
 }
@@ -124,7 +124,7 @@ Histogram wholeHistogram(const scene::VolumeLayer& layer) {
   if (!layer.data) return {};
   const Volume& volume = *layer.data;
   return valueHistogram(volume, std::clamp(layer.channel, 0, volume.channels - 1),
-                        std::clamp(layer.frame, 0, volume.frames - 1));
+                        std::clamp(layer.timeStep, 0, volume.timeSteps - 1));
 }
 
 Histogram strokeHistogram(const scene::VolumeLayer& layer, std::span<const scene::Stroke> strokes, bool avoid,
@@ -136,7 +136,7 @@ Histogram strokeHistogram(const scene::VolumeLayer& layer, std::span<const scene
   int bins = int(like.counts.size());
   double factor = bins / width * volume.scale, base = (volume.offset - like.range.x) * bins / width;
   std::size_t stride = std::size_t(volume.channels), line = std::size_t(volume.dims.x);
-  std::size_t first = std::size_t(std::clamp(layer.frame, 0, volume.frames - 1)) * voxelCount(volume) * stride +
+  std::size_t first = std::size_t(std::clamp(layer.timeStep, 0, volume.timeSteps - 1)) * voxelCount(volume) * stride +
                       std::size_t(std::clamp(layer.channel, 0, volume.channels - 1));
   std::vector<Run> runs = runsUnder(volume, strokes, avoid);
   visitSamples(volume, [&](auto* p) {

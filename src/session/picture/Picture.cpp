@@ -9,9 +9,10 @@
 
 #include "velum/gpu/Context.h"
 #include "velum/io/images/ImageFile.h"
-#include "velum/render/section/SliceImage.h"
+#include "velum/render/section/SectionImage.h"
 #include "velum/session/document/Open.h"
 #include "velum/session/membrane/Membranes.h"
+#include "velum/render/RenderPicture.h"
 
 namespace velum::session {
 
@@ -31,16 +32,16 @@ Image channelsOf(const Image& image, const std::vector<std::string>& names) {
   return out;
 }
 
-/// Layers of a scene with slices, from front to back: each of them alone.
-struct SliceLayer {
+/// Layers of a scene with inlays, from front to back: each of them alone.
+struct InlayLayer {
   const char* name;
-  render::SliceParts parts;
+  render::InlayParts parts;
 };
-constexpr SliceLayer kSliceLayers[] = {
-    {"front", {true, false, false}}, {"slice", {false, true, false}}, {"behind", {false, false, true}}};
+constexpr InlayLayer kInlayLayers[] = {
+    {"front", {true, false, false}}, {"inlay", {false, true, false}}, {"behind", {false, false, true}}};
 
 /// Maxima cannot be put together from layers.
-bool hasSliceLayers(const scene::Scene& scene) {
+bool hasInlayLayers(const scene::Scene& scene) {
   return scene.rayCast.mode != scene::RenderMode::Mip &&
          std::any_of(scene.cuts.begin(), scene.cuts.end(),
                      [](const scene::Cut& cut) { return cut.enabled && scene::isInlay(cut); });
@@ -71,7 +72,7 @@ void writeLayerPictures(const Image& image, const std::filesystem::path& output)
     auto path = output;
     return path.replace_filename(fmt::format("{}.{}{}", output.stem().string(), what, output.extension().string()));
   };
-  for (const SliceLayer& layer : kSliceLayers) {
+  for (const InlayLayer& layer : kInlayLayers) {
     Image color = channelsOf(image, colorNames(layer.name));
     if (color.channels.size() * std::size_t(image.width) * std::size_t(image.height) != color.pixels.size()) continue;
     color.channels = {"R", "G", "B", "A"};
@@ -177,20 +178,20 @@ Image drawPicture(render::Renderer& renderer, const scene::Scene& scene, const P
   if (options.layers) layers = {true, true, true, true, true};
   int window = std::min(4096, limits.texture2d);
   Image image = render::renderPicture(renderer, frame, layers, window, progress);
-  if (!options.layers || !hasSliceLayers(frame.scene)) return image;
+  if (!options.layers || !hasInlayLayers(frame.scene)) return image;
   frame.scene.background.transparent = true;
-  for (const SliceLayer& layer : kSliceLayers) {
+  for (const InlayLayer& layer : kInlayLayers) {
     frame.parts = layer.parts;
     image = withChannels(image, render::renderPicture(renderer, frame, {}, window, progress), colorNames(layer.name));
   }
   return image;
 }
 
-Image drawSlicePicture(const scene::Scene& scene, scene::SliceKind kind, const PictureOptions& options) {
-  render::SliceImage slice = render::drawSlice(sceneForPicture(scene, options), kind, options.size);
-  Image image{slice.size.x, slice.size.y, {"R", "G", "B", "A"}, {}};
-  image.pixels.reserve(slice.pixels.size() * 4);
-  for (std::uint32_t pixel : slice.pixels)
+Image drawSectionPicture(const scene::Scene& scene, scene::SectionKind kind, const PictureOptions& options) {
+  render::SectionImage section = render::drawSection(sceneForPicture(scene, options), kind, options.size);
+  Image image{section.size.x, section.size.y, {"R", "G", "B", "A"}, {}};
+  image.pixels.reserve(section.pixels.size() * 4);
+  for (std::uint32_t pixel : section.pixels)
     for (int shift : {16, 8, 0, 24}) image.pixels.push_back(float(pixel >> shift & 255u) / 255.0f);
   return image;
 }

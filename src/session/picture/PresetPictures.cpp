@@ -13,7 +13,7 @@
 
 namespace velum::session {
 
-Volume reduceVolume(const Volume& volume, int channel, int frame, int mostAlong, const Progress& progress) {
+Volume reduceVolume(const Volume& volume, int channel, int timeStep, int mostAlong, const Progress& progress) {
   int longest = std::max(volume.dims.x, std::max(volume.dims.y, volume.dims.z));
   glm::ivec3 factor(std::max(1, (longest + mostAlong - 1) / mostAlong));
   // A slab keeps the few planes that it has.
@@ -32,10 +32,10 @@ Volume reduceVolume(const Volume& volume, int channel, int frame, int mostAlong,
     wholeFromSmall[3][axis] = 0.5 * (factor[axis] - 1);
   }
   out.worldFromVoxel = volume.worldFromVoxel * wholeFromSmall;
-  out.voxels.resize(frameBytes(out));
+  out.voxels.resize(timeStepBytes(out));
   auto* target = reinterpret_cast<float*>(out.voxels.data());
   auto stride = std::size_t(volume.channels);
-  std::size_t start = std::size_t(frame) * voxelCount(volume) * stride + std::size_t(channel);
+  std::size_t start = std::size_t(timeStep) * voxelCount(volume) * stride + std::size_t(channel);
   visitSamples(volume, [&](auto* samples) {
     tbb::parallel_for(0, out.dims.z * out.dims.y, [&](int job) {
       if (progress.isCancelled()) return;
@@ -113,8 +113,8 @@ void drawPresetPictures(const scene::Scene& scene, const std::vector<std::string
   if (!scene.volume.data) return;
   const Volume& volume = *scene.volume.data;
   int channel = std::clamp(scene.volume.channel, 0, volume.channels - 1);
-  int frame = std::clamp(scene.volume.frame, 0, volume.frames - 1);
-  Shared<Volume> small(reduceVolume(volume, channel, frame, kPreviewVoxels, progress));
+  int timeStep = std::clamp(scene.volume.timeStep, 0, volume.timeSteps - 1);
+  Shared<Volume> small(reduceVolume(volume, channel, timeStep, kPreviewVoxels, progress));
   auto context = gpu::Context::create(gpu::ContextKind::Auto);
   render::Renderer renderer(*context);
   for (std::size_t i = 0; i < presets.size(); ++i) {

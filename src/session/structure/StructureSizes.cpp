@@ -99,14 +99,14 @@ double radiusOfStructure(const LabelVolume& labels, const StructureSize& size) {
   return longest;
 }
 
-scene::Camera closeUp(scene::Camera camera, glm::dvec3 middleMm, double radiusMm, double aspect) {
-  double halfHeight = std::max(radiusMm, 1e-6) / kCloseUpShare / std::min(1.0, aspect);
-  glm::dvec3 arm = camera.eyeMm - camera.targetMm;
+scene::Camera closeUp(scene::Camera camera, glm::dvec3 middle, double radius, double aspect) {
+  double halfHeight = std::max(radius, 1e-6) / kCloseUpShare / std::min(1.0, aspect);
+  glm::dvec3 arm = camera.eye - camera.target;
   double length = glm::length(arm);
   glm::dvec3 toEye = length > 1e-12 ? arm / length : glm::dvec3(0, -1, 0);
-  camera.targetMm = middleMm;
-  camera.heightMm = 2.0 * halfHeight;
-  camera.eyeMm = middleMm + toEye * (halfHeight / std::tan(glm::radians(camera.fieldOfViewDeg) * 0.5));
+  camera.target = middle;
+  camera.height = 2.0 * halfHeight;
+  camera.eye = middle + toEye * (halfHeight / std::tan(glm::radians(camera.fieldOfViewDeg) * 0.5));
   return camera;
 }
 

@@ -31,13 +31,13 @@ TransferFile parseTransfer(std::string_view text, TransferKind kind);
 
 /// What is written. .vp has no unit of opacity: there it becomes that of 1 mm.
 /// @param lighting  Slicer's files name a light; 0..1 of it fits
-/// @param voxelMm  mean edge of a voxel, mm, for Slicer's gradients; not used where the function has no gradient part
+/// @param voxel  mean edge of a voxel, mm, for Slicer's gradients; not used where the function has no gradient part
 std::string transferText(const scene::TransferFunction& transfer, TransferKind kind, const scene::Lighting& lighting,
-                         double voxelMm);
+                         double voxel);
 
 /// Writes by name; to a temporary beside it, then renamed.
 /// @throw InputError when the name is none of these, the kind cannot hold the function, or the disk refuses
-void writeTransferFile(const scene::TransferFunction& transfer, const scene::Lighting& lighting, double voxelMm,
+void writeTransferFile(const scene::TransferFunction& transfer, const scene::Lighting& lighting, double voxel,
                        const std::filesystem::path& path);
 
 }  // namespace velum::io

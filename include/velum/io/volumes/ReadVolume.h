@@ -14,7 +14,7 @@ struct SeriesInfo {
   std::string uid;
   std::string description;
   std::string modality;  ///< DICOM code: "CT", "MR", "SEG", ...
-  int imageCount = 0;    ///< Slices, or frames of a multi-frame file.
+  int imageCount = 0;    ///< Sections, or frames of a multi-frame file.
   glm::ivec2 size{0};    ///< Columns, rows.
   bool operator==(const SeriesInfo&) const = default;
 };

@@ -14,12 +14,12 @@
 
 namespace velum::membrane {
 
-/// Where the sheet may hang so that it cuts nothing more than it must, column by column over the frame: between what
-/// belongs below it and what belongs above it. Frame-local mm.
+/// Where the sheet may hang so that it cuts nothing more than it must, column by column over the rest plane: between
+/// what belongs below it and what belongs above it. Frame-local mm.
 struct Corridor {
-  glm::ivec2 dims{0};        ///< columns; {0, 0}: the sheet may hang anywhere
-  glm::dvec2 originMm{0.0};  ///< middle of column (0, 0)
-  glm::dvec2 stepMm{1.0};
+  glm::ivec2 dims{0};      ///< columns; {0, 0}: the sheet may hang anywhere
+  glm::dvec2 origin{0.0};  ///< middle of column (0, 0)
+  glm::dvec2 step{1.0};
   std::vector<glm::vec2> room;  ///< [y][x]: lowest, highest z
   std::vector<float> height;    ///< [y][x]: z of the least cut itself
 };
@@ -34,7 +34,7 @@ struct Forces {
   double leastCutMs = 0;
 };
 
-/// z of a sheet over a place of its frame, mm.
+/// z of a sheet over a place of its rest plane, mm.
 using HeightOver = std::function<double(glm::dvec2 local)>;
 
 /// A sheet that is there already (active repositioning), in the frame that is wanted.
@@ -43,8 +43,8 @@ struct CurrentSheet {
   int timeStep = -1;  ///< of the volume, in which it came to rest; -1: the one that is wanted
 };
 
-/// Makes forces from a scene's data; keeps what can be kept between edits and between places of the frame. One thread
-/// at a time.
+/// Makes forces from a scene's data; keeps what can be kept between edits and between places of the rest plane. One
+/// thread at a time.
 class ForceMaker {
  public:
   explicit ForceMaker(const scene::Scene& scene);
@@ -53,8 +53,8 @@ class ForceMaker {
   bool matches(const scene::Scene& scene) const { return mPotential.matches(scene); }
 
   /// By the paper's rule: kernels that push away from their centres ([IMC] eq. 2, 3). By the sided rule (Differs: not
-  /// in the paper): the least cut over the frame says which protected material belongs below the sheet and which above;
-  /// kernels push along the normal to the other side, and the corridor is what lies between.
+  /// in the paper): the least cut over the rest plane says which protected material belongs below the sheet and which
+  /// above; kernels push along the normal to the other side, and the corridor is what lies between.
   /// @param current  active repositioning: material stays on the side of this sheet instead. Has it come to rest in
   /// another time step, the material has moved since: then it is the least cut of those near the sheet. Differs: the
   /// paper knows no time
@@ -91,7 +91,7 @@ class ForceMaker {
 /// Room for each particle of a sheet: of the columns that are nearer to it than to others. Where no height suits them
 /// all, that of its nearest column. Empty without a corridor.
 /// @param places  the particles of a sheet, frame-local mm
-/// @param pitchMm  between particles
-std::vector<glm::vec2> roomOf(const Corridor& corridor, std::span<const glm::vec3> places, glm::dvec2 pitchMm);
+/// @param pitch  between particles
+std::vector<glm::vec2> roomOf(const Corridor& corridor, std::span<const glm::vec3> places, glm::dvec2 pitch);
 
 }  // namespace velum::membrane

@@ -7,12 +7,12 @@ namespace velum::membrane {
 
 /// A kernel put in by hand, in the frame.
 struct PlacedKernel {
-  glm::dvec3 centreMm{0.0};
-  double halfWidthMm = 1.0;
+  glm::dvec3 centre{0.0};
+  double halfWidth = 1.0;
   double push = 0.0;  ///< along the normal; sign: to which side
   double pull = 0.0;  ///< > 0 away from the centre, < 0 to it
-  double liftMm =
-      0.0;  ///< raises the slice to which the sheet is pulled back, around the centre; along the normal only
+  double lift =
+      0.0;  ///< raises the rest plane to which the sheet is pulled back, around the centre; along the normal only
 };
 
 /// What acts on the sheet: kernels on a regular lattice, by the rule they were prepared for.
@@ -27,10 +27,10 @@ struct PushField {
 /// A particle that stays where it is put.
 struct HeldParticle {
   int particle = 0;
-  glm::vec3 placeMm{0.0f};  ///< frame-local
+  glm::vec3 place{0.0f};  ///< frame-local
 };
 
 /// Mean edge of a frame, mm: the unit of forces is 1/128 of it.
-inline double meanEdgeMm(glm::dvec3 halfMm) { return 2.0 * std::sqrt(halfMm.x * halfMm.y); }
+inline double meanEdge(glm::dvec3 half) { return 2.0 * std::sqrt(half.x * half.y); }
 
 }  // namespace velum::membrane

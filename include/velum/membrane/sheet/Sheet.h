@@ -15,13 +15,13 @@ namespace velum::membrane {
 class Sheet {
  public:
   /// Indexed, ready to be drawn. Parameters as of fitShape().
-  Sheet(const scene::SheetShape& shape, glm::ivec2 flat, glm::dvec3 sizeMm);
+  Sheet(const scene::SheetShape& shape, glm::ivec2 flat, glm::dvec3 size);
   ~Sheet();
   Sheet(Sheet&&) noexcept;
   Sheet& operator=(Sheet&&) noexcept;
 
-  /// Another shape, number of particles, or size of the frame; indexed.
-  void setShape(const scene::SheetShape& shape, glm::ivec2 flat, glm::dvec3 sizeMm);
+  /// Another shape, number of particles, or size of the rest plane; indexed.
+  void setShape(const scene::SheetShape& shape, glm::ivec2 flat, glm::dvec3 size);
   /// Makes normals and cells anew from the places, on the GPU. Without it what shaders see is no sheet. The lists of
   /// the cells have room for four times as many entries as a sheet needs that hangs flat: see grow().
   void index();
@@ -30,7 +30,7 @@ class Sheet {
   bool grow();
 
   glm::ivec2 particles() const { return mParticles; }
-  glm::dvec3 sizeMm() const { return mSizeMm; }
+  glm::dvec3 size() const { return mSize; }
   /// [rowCount] vec4: places, normals, cells, lists.
   const gpu::Buffer& rows() const { return mRows; }
   gpu::Buffer& rows() { return mRows; }
@@ -45,7 +45,7 @@ class Sheet {
   void makeBuffers();
   std::unique_ptr<Programs> mPrograms;
   glm::ivec2 mParticles{0};
-  glm::dvec3 mSizeMm{0.0};
+  glm::dvec3 mSize{0.0};
   int mEntriesPerCell = 0;
   gpu::Buffer mRows, mCounts;
   std::uint64_t mRevision = 0;

@@ -53,10 +53,11 @@ class Simulation {
 
 /// A sheet that hangs flat in the frame of a cut.
 scene::SheetShape flatShape(const scene::Cut& cut, glm::ivec2 particles);
-/// z over places of the frame, for a sheet whose particles stand in rows and columns (as they do by the sided rule).
+/// z over places of the rest plane, for a sheet whose particles stand in rows and columns (as they do by the sided
+/// rule).
 HeightOver heightOf(const scene::SheetShape& shape);
-/// The same sheet in another frame, its particles where they were in the world; what left the new frame's box is put
-/// back to its faces, and the border to its rim (active repositioning).
+/// The same sheet in another frame, its particles where they were in the world; what left the new rest plane's box is
+/// put back to its faces, and the border to its rim (active repositioning).
 scene::SheetShape carryOver(const scene::SheetShape& shape, const scene::Cut& from, const scene::Cut& to);
 /// The same for a shape that says in which frame it came to rest; one that does not is in the frame of `to`.
 scene::SheetShape carryOver(const scene::SheetShape& shape, const scene::Cut& to);

@@ -13,13 +13,14 @@ namespace velum::membrane {
 /// The sheet to be solved: a rectangle of particles in a frame.
 struct SheetSetup {
   glm::ivec2 particles{50};
-  glm::dvec3 halfMm{50.0};    ///< half of the frame's width and height, and how far the sheet may go along the normal
-  scene::Cloth cloth;         ///< its `particles` and `finest` do not count
+  glm::dvec3 half{50.0};  ///< half of the rest plane's width and height, and how far the sheet may go along the normal
+  scene::Cloth cloth;     ///< its `particles` and `finest` do not count
   bool isAlongNormal = true;  ///< particles move along z only, and so do forces (the sided rule)
   bool operator==(const SheetSetup&) const = default;
 };
 
-/// The elastic sheet on the GPU: position based dynamics [PBD] in compute shaders, in the frame's local millimetres.
+/// The elastic sheet on the GPU: position based dynamics [PBD] in compute shaders, in the rest plane's local
+/// millimetres.
 ///
 /// Differs: Jacobi passes that gather per particle instead of Gauss-Seidel, so that the result does not depend on the
 /// order of threads; bending by the quadratic model of [BERGOU], whose stiffness is that of dihedral angles near rest
@@ -50,7 +51,8 @@ class Solver {
   int age() const { return mAge; }
   /// Largest speed in the last step, mm/s. Waits for the GPU.
   double speed() const;
-  /// A speed at which the eye sees no motion and the sheet counts as at rest: 1/1000 of the frame's mean edge a second.
+  /// A speed at which the eye sees no motion and the sheet counts as at rest: 1/1000 of the rest plane's mean edge a
+  /// second.
   double restSpeed() const;
 
   /// vec4 a particle: place, w 0 where it is held.

@@ -44,12 +44,12 @@ glm::dvec3 axisFromAngles(AxisAngles angles);
 /// How far the plane stands from the middle of the scene along its normal, mm, and how far it can go while it meets the
 /// scene's box (minus that to plus that).
 struct CutPosition {
-  double offsetMm = 0;
-  double reachMm = 0;
+  double offset = 0;
+  double reach = 0;
 };
 CutPosition cutPosition(const scene::Scene& scene, const scene::Cut& cut);
 /// The counterpart: the cut moved along its normal to an offset.
-scene::Cut withOffset(const scene::Scene& scene, scene::Cut cut, double offsetMm);
+scene::Cut withOffset(const scene::Scene& scene, scene::Cut cut, double offset);
 
 /// Puts a cut that hands have moved in the place of the one with its id; nothing when that has gone. Where a sheet
 /// rests is its own affair and stays as it is.

@@ -29,37 +29,37 @@ enum class CutHandle {
   CornerMinMin,
   CornerMaxMin,
   CornerMinMax,
-  CornerMaxMax  ///< of a membrane's frame, by x and y: both sides there move, the opposite corner stays
+  CornerMaxMax  ///< of a membrane's rest plane, by x and y: both sides there move, the opposite corner stays
 };
 
 /// A place where a handle is taken. World, mm.
 struct CutGrip {
   CutHandle handle = CutHandle::None;
-  glm::dvec3 placeMm{0.0};
+  glm::dvec3 place{0.0};
   glm::dvec3 direction{0.0};  ///< unit, along which a resizing handle goes
 };
 
 /// A cut as it is drawn over a picture. World, mm; sizes are constant in pixels.
 struct CutGizmo {
-  glm::dvec3 centreMm{0.0};  ///< where the arrow stands: middle of a plane's outline, or of a shape
-  glm::dvec3 normal{0.0};    ///< unit; of a plane: towards what is removed
-  glm::dvec3 arrowTipMm{0.0};
-  double radiusMm = 0;              ///< of the ring that the knobs sit on
-  double pixelMm = 0;               ///< length of a pixel at the centre
+  glm::dvec3 centre{0.0};  ///< where the arrow stands: middle of a plane's outline, or of a shape
+  glm::dvec3 normal{0.0};  ///< unit; of a plane: towards what is removed
+  glm::dvec3 arrowTip{0.0};
+  double radius = 0;                ///< of the ring that the knobs sit on
+  double pixel = 0;                 ///< length of a pixel at the centre
   glm::dvec3 right{0.0}, top{0.0};  ///< unit, in the plane, towards the first two knobs
   bool hasRing = false;
   std::vector<CutGrip> grips;
-  std::vector<glm::dvec3> outlineMm;  ///< a plane inside the scene's box: a convex polygon, empty when it misses
-  std::vector<std::vector<glm::dvec3>> edgesMm;  ///< closed lines of a shape that is no plane
+  std::vector<glm::dvec3> outline;  ///< a plane inside the scene's box: a convex polygon, empty when it misses
+  std::vector<std::vector<glm::dvec3>> edges;  ///< closed lines of a shape that is no plane
 };
 
 CutGizmo makeCutGizmo(const scene::Scene& scene, const scene::Cut& cut, glm::dvec2 pictureSize);
 
 /// Where a handle is. World, mm; the middle for a handle that the gizmo does not have.
-glm::dvec3 handlePlaceMm(const CutGizmo& gizmo, CutHandle handle);
+glm::dvec3 handlePlace(const CutGizmo& gizmo, CutHandle handle);
 
 /// Points of the ring, for drawing. World, mm.
-std::vector<glm::dvec3> ringPointsMm(const CutGizmo& gizmo);
+std::vector<glm::dvec3> ringPoints(const CutGizmo& gizmo);
 
 /// The handle under a pixel. @param reach  how far beside it may be taken, pixels
 CutHandle handleAt(const CutGizmo& gizmo, const scene::Camera& camera, glm::dvec2 pictureSize, glm::dvec2 pixel,

@@ -5,6 +5,7 @@
 #include "velum/scene/Camera.h"
 #include "velum/scene/Cut.h"
 #include "velum/scene/Scene.h"
+#include "velum/scene/Units.h"
 #include "velum/session/cut/CutEdit.h"
 #include "velum/session/cut/CutGizmo.h"
 
@@ -24,13 +25,14 @@ scene::Cut dragCut(const scene::Cut& start, const CutGizmo& gizmo, CutHandle han
                    glm::dvec2 pictureSize, glm::dvec2 from, glm::dvec2 to, const CutSnap& snap = {});
 
 /// What a drag has done so far, in numbers: "12.5 mm", "30.0\u00b0". UTF-8.
-std::string dragText(const scene::Cut& start, const scene::Cut& now, CutHandle handle);
+std::string dragText(const scene::LengthFormat& lengths, const scene::Cut& start, const scene::Cut& now,
+                     CutHandle handle);
 /// The name of the undo step: "Move cut", "Tilt cut", "Turn cut", "Resize cut".
 const char* dragLabel(const scene::Cut& cut, CutHandle handle);
 
-/// Helpers that the slices use, too.
+/// Helpers that the sections use, too.
 double snappedLength(double mm, glm::dvec3 direction, const CutSnap& snap);
-glm::dvec3 snappedShift(glm::dvec3 shiftMm, const CutSnap& snap);
+glm::dvec3 snappedShift(glm::dvec3 shift, const CutSnap& snap);
 double snappedAngle(double rad, const CutSnap& snap);
 /// Moves a corner of a frame by mm along its width and height; the opposite one stays. @param keepsRatio  of its edges
 scene::Cut withCornerMoved(scene::Cut cut, int corner, glm::dvec2 mm, double smallest, bool keepsRatio);
@@ -38,6 +40,6 @@ scene::Cut withCornerMoved(scene::Cut cut, int corner, glm::dvec2 mm, double sma
 /// @param axis, sign  which face: 0..2, -1 or 1  @param smallest  the least that is left, mm
 scene::Cut withFaceMoved(scene::Cut cut, int axis, int sign, double mm, double smallest);
 /// Turns a cut about a point. @param axis  unit
-scene::Cut withTurn(scene::Cut cut, glm::dvec3 pivotMm, glm::dvec3 axis, double rad);
+scene::Cut withTurn(scene::Cut cut, glm::dvec3 pivot, glm::dvec3 axis, double rad);
 
 }  // namespace velum::session

@@ -28,7 +28,7 @@ class Document {
   /// The next merging edit begins a step of its own: a drag is over.
   void endMerge() { mMerging = false; }
 
-  /// Changes the view: camera, layout, crosshair, a slice's place. Consecutive changes, however many drags, are one
+  /// Changes the view: camera, layout, crosshair, a section's place. Consecutive changes, however many drags, are one
   /// step named "Move view"; a view that comes back to where it was leaves none. What was undone can still be redone,
   /// and is then seen from the new view. It does not count as a modification.
   /// @param change  must set the same whatever else the scene holds

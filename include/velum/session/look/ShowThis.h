@@ -17,16 +17,16 @@ struct Tissue {
 /// gradients counts, so that a border nearby does not mix two materials; what lies beyond halfway to the materials
 /// beside it does not count at all, so that a thin vessel is not taken for what is around it. Nothing outside the
 /// volume.
-std::optional<Tissue> measureTissue(const scene::VolumeLayer& layer, glm::dvec3 worldMm);
+std::optional<Tissue> measureTissue(const scene::VolumeLayer& layer, glm::dvec3 world);
 
 /// Makes the material at a place opaque: a bump of opacity over its values, in the colour that the colour map has there
 /// or, where that is dark, a brighter tone of it. All else becomes a veil that hides about a third of what is behind
 /// half the data.
 /// @param add  leaves all else as it is
 /// @return what was measured; nothing, and no change, outside the volume
-std::optional<Tissue> showThis(scene::Scene& scene, glm::dvec3 worldMm, bool add = false);
+std::optional<Tissue> showThis(scene::Scene& scene, glm::dvec3 world, bool add = false);
 
 /// The inverse: takes the opacity from the values of the material at a place.
-std::optional<Tissue> hideThis(scene::Scene& scene, glm::dvec3 worldMm);
+std::optional<Tissue> hideThis(scene::Scene& scene, glm::dvec3 world);
 
 }  // namespace velum::session

@@ -8,11 +8,11 @@ namespace velum::session {
 
 /// How often each value occurs in one channel of one time step; bins as wide as whole numbers are apart, where that
 /// makes at most 4096. O(voxels) up to 16 million. Any thread.
-Histogram valueHistogram(const Volume& volume, int channel, int frame);
+Histogram valueHistogram(const Volume& volume, int channel, int timeStep);
 
 /// The same for the length of the gradient, value per mm, from about a million voxels, up to where all but a thousandth
 /// lie.
-Histogram gradientHistogram(const Volume& volume, int channel, int frame);
+Histogram gradientHistogram(const Volume& volume, int channel, int timeStep);
 
 /// The stretch of values worth seeing first: that of all but a few voxels, and what of a transfer function lies in the
 /// data's range.

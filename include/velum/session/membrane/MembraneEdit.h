@@ -14,7 +14,7 @@ inline constexpr double kProtectStrength = 100.0;
 /// brightest (or darkest) material of the data with all that is brighter (darker). What was protected before stays so.
 /// @param strength  < 0 draws the sheet to the material instead; 0 lets it through
 /// @return what was measured; nothing, and no change, outside the volume
-std::optional<Tissue> protectTissue(scene::Membrane& membrane, const scene::VolumeLayer& layer, glm::dvec3 worldMm,
+std::optional<Tissue> protectTissue(scene::Membrane& membrane, const scene::VolumeLayer& layer, glm::dvec3 world,
                                     double strength = kProtectStrength);
 
 /// The same for a structure. @param id  label id; 0 does nothing
@@ -23,8 +23,9 @@ void protectStructure(scene::Membrane& membrane, int id, double strength = kProt
 /// The same for all values from `low` to `high`, in the volume's unit.
 void protectValues(scene::Membrane& membrane, double low, double high, double strength = kProtectStrength);
 
-/// Chooses how kernels push, with the cloth that goes with it: by the sided rule a loose one that hugs the slice, as
-/// its corridor keeps it off what is protected; by the paper's a stiffer one, so that it wraps around what repels it.
+/// Chooses how kernels push, with the cloth that goes with it: by the sided rule a loose one that hugs the rest plane,
+/// as its corridor keeps it off what is protected; by the paper's a stiffer one, so that it wraps around what repels
+/// it.
 void setRule(scene::Membrane& membrane, scene::KernelRule rule);
 
 }  // namespace velum::session

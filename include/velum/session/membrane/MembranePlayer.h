@@ -9,7 +9,7 @@
 
 #include "velum/core/Clock.h"
 #include "velum/membrane/sheet/SheetIndex.h"
-#include "velum/render/section/SliceImage.h"
+#include "velum/render/section/SectionImage.h"
 #include "velum/scene/Scene.h"
 #include "velum/session/Player.h"
 
@@ -28,24 +28,24 @@ struct MembraneStatus {
   double forcesMs = 0;          ///< that it took to make the forces
   glm::ivec2 particles{0};      ///< of the sheet as it is
   int steps = 0;                ///< since it began to move
-  double speedMm = 0;           ///< largest speed, mm/s
+  double speed = 0;             ///< largest speed, mm/s
   double stepMs = 0;            ///< that a step takes
   bool isMeasured = false;      ///< the figures below are those of the sheet as it rests
   double keptWhole = 1.0;       ///< cut area of the sheet by that of the plane: 0 cuts nothing
   std::int64_t planePairs = 0;  ///< cut area: pairs of neighbouring protected voxels that the plane separates
   std::int64_t sheetPairs = 0;  ///< and that the sheet does
-  double meanDistanceMm = 0;    ///< of the sheet from the slice
+  double meanDistance = 0;      ///< of the sheet from the rest plane
   std::string error;            ///< why there are no forces; empty: nothing is wrong
 };
 
 class LiveSheet;
 
-/// Runs the membranes of a scene: decides what work is due, computes forces beside, steps the sheets in slices, and
-/// hands them to pictures.
+/// Runs the membranes of a scene: decides what work is due, computes forces beside, steps the sheets a little at a
+/// time, and hands them to pictures.
 ///
 /// What a scene asks for is always answered: until the new forces are there, the sheet stays in the world where the
-/// material holds it while its frame moves, and its rim goes with the frame. Passive sheets ([IMC] 3.3) then start from
-/// flat, unseen for as long as they hardly move; active ones go on from where they are.
+/// material holds it while its rest plane moves, and its rim goes with the frame. Passive sheets ([IMC] 3.3) then start
+/// from flat, unseen for as long as they hardly move; active ones go on from where they are.
 ///
 /// GL thread, but for what nextWork() hands out.
 class MembranePlayer : public Player {
@@ -55,7 +55,7 @@ class MembranePlayer : public Player {
 
   void follow(const scene::Scene& scene) override;
   Work nextWork() override;
-  /// Not because a frame has moved on: a steady drag would otherwise never see any forces.
+  /// Not because a rest plane has moved on: a steady drag would otherwise never see any forces.
   bool wantsCancel() const override;
   void endWork(const Finish& finish, const std::string& error = {}) override;
   /// Steps sheets for about so long, at least one step, and brings indices up to date.
@@ -74,7 +74,7 @@ class MembranePlayer : public Player {
 
   /// Of the enabled membranes, for a frame of the scene that was last followed, by the id of the cut.
   std::map<int, render::FrameSheet> sheets();
-  /// The same on the processor, for slices: at rest as the sheets are, and a few times a second while they move.
+  /// The same on the processor, for sections: at rest as the sheets are, and a few times a second while they move.
   render::SheetIndices indices() const;
   /// Of a cut, whether enabled or not; nothing when it is no membrane. @param cut  its id, here and below
   std::shared_ptr<const membrane::SheetIndex> index(int cut) const;

@@ -7,7 +7,8 @@
 #include "velum/membrane/sheet/SheetIndex.h"
 #include "velum/scene/Cut.h"
 #include "velum/scene/Project.h"
-#include "velum/scene/SliceFrame.h"
+#include "velum/scene/SectionPlane.h"
+#include "velum/scene/Units.h"
 #include "velum/session/ViewSpace.h"
 
 namespace velum::session {
@@ -35,15 +36,15 @@ bool holds(const scene::Membrane& membrane, Hand hand);
 
 /// A point of a sheet: where it is, and which part of the sheet that is (see scene::Pin).
 struct SheetPoint {
-  glm::dvec3 placeMm{0.0};
+  glm::dvec3 place{0.0};
   glm::dvec2 sheet{0.5};
 };
-/// The first point of a membrane's sheet on a ray; nothing when it passes beside the frame.
+/// The first point of a membrane's sheet on a ray; nothing when it passes beside the plane.
 std::optional<SheetPoint> sheetOnRay(const scene::Cut& cut, const membrane::SheetIndex& sheet,
                                      const scene::PictureRay& ray);
-/// The point of the sheet's curve on a slice that is nearest to a pixel. @param reach  pixels
-std::optional<SheetPoint> sheetOnSlice(const scene::Cut& cut, const membrane::SheetIndex& sheet,
-                                       const scene::SliceFrame& frame, glm::dvec2 pixel, double reach);
+/// The point of the sheet's curve on a section that is nearest to a pixel. @param reach  pixels
+std::optional<SheetPoint> sheetOnSection(const scene::Cut& cut, const membrane::SheetIndex& sheet,
+                                         const scene::SectionPlane& plane, glm::dvec2 pixel, double reach);
 
 /// The point of the sheet under a pixel of a view, whichever that is.
 std::optional<SheetPoint> sheetAt(const scene::Cut& cut, const membrane::SheetIndex& sheet, const ViewSpace& view,
@@ -52,27 +53,28 @@ std::optional<SheetPoint> sheetAt(const scene::Cut& cut, const membrane::SheetIn
 /// The shape of a sheet of which only the index is there.
 scene::SheetShape shapeOf(const membrane::SheetIndex& sheet);
 
-/// The point of the frame's plane under a place, along its normal: a pin of the command line. Nothing beyond the frame.
-std::optional<scene::Pin> pinOver(const scene::Cut& cut, glm::dvec3 placeMm);
+/// The point of the rest plane under a place, along its normal: a pin of the command line. Nothing beyond the rest
+/// plane.
+std::optional<scene::Pin> pinOver(const scene::Cut& cut, glm::dvec3 place);
 
 Hand addPin(scene::Membrane& membrane, const SheetPoint& point);
-Hand addKernel(scene::Membrane& membrane, glm::dvec3 centreMm, double radiusMm, double strength);
+Hand addKernel(scene::Membrane& membrane, glm::dvec3 centre, double radius, double strength);
 /// Nothing when the membrane does not have it.
 void removeHand(scene::Membrane& membrane, Hand hand);
 /// Makes what repels attract, and the other way round.
 void turnKernel(scene::Membrane& membrane, Hand hand);
 
-/// How far a pin is from the frame's plane, along its normal, mm; 0 when the membrane does not have it.
+/// How far a pin is from the rest plane, along its normal, mm; 0 when the membrane does not have it.
 double pinHeight(const scene::Cut& cut, Hand hand);
 void setPinHeight(scene::Cut& cut, Hand hand, double mm);
 
-/// Radius of a kernel that is put in by a click: a twelfth of the frame's mean edge, mm.
-double defaultRadiusMm(const scene::Cut& cut);
+/// Radius of a kernel that is put in by a click: a twelfth of the rest plane's mean edge, mm.
+double defaultRadius(const scene::Cut& cut);
 
 /// What lies under a pixel: pins first, then middles, then rims. @param reach  how far beside it, pixels
 Hand handAt(const scene::Membrane& membrane, const scene::Camera& camera, glm::dvec2 size, glm::dvec2 pixel,
             double reach);
-Hand handAt(const scene::Membrane& membrane, const scene::SliceFrame& frame, glm::dvec2 pixel, double reach);
+Hand handAt(const scene::Membrane& membrane, const scene::SectionPlane& plane, glm::dvec2 pixel, double reach);
 Hand handAt(const scene::Membrane& membrane, const ViewSpace& view, glm::dvec2 pixel, double reach);
 
 /// The membrane after a drag, from how it was when the drag began: going back gives the membrane that was. In a picture
@@ -80,27 +82,27 @@ Hand handAt(const scene::Membrane& membrane, const ViewSpace& view, glm::dvec2 p
 /// @param along  moves along this direction only, unit
 scene::Membrane dragHand(const scene::Membrane& start, Hand hand, const scene::Camera& camera, glm::dvec2 size,
                          glm::dvec2 from, glm::dvec2 to, std::optional<glm::dvec3> along = {});
-/// On a slice they move in it, and a rim is that of the kernel's circle there.
-scene::Membrane dragHand(const scene::Membrane& start, Hand hand, const scene::SliceFrame& frame, glm::dvec2 from,
+/// On a section they move in it, and a rim is that of the kernel's circle there.
+scene::Membrane dragHand(const scene::Membrane& start, Hand hand, const scene::SectionPlane& plane, glm::dvec2 from,
                          glm::dvec2 to);
 /// @param along  of a picture; on a section things move in its plane in any case
 scene::Membrane dragHand(const scene::Membrane& start, Hand hand, const ViewSpace& view, glm::dvec2 from, glm::dvec2 to,
                          std::optional<glm::dvec3> along = {});
 
 /// A kernel whose ball a drag has drawn: its middle where the drag began, its rim where it is.
-double radiusOfDrag(const scene::SliceFrame& frame, glm::dvec2 from, glm::dvec2 to);
-double radiusOfDrag(const scene::Camera& camera, glm::dvec2 size, glm::dvec3 centreMm, glm::dvec2 to);
-double radiusOfDrag(const ViewSpace& view, glm::dvec3 centreMm, glm::dvec2 from, glm::dvec2 to);
+double radiusOfDrag(const scene::SectionPlane& plane, glm::dvec2 from, glm::dvec2 to);
+double radiusOfDrag(const scene::Camera& camera, glm::dvec2 size, glm::dvec3 centre, glm::dvec2 to);
+double radiusOfDrag(const ViewSpace& view, glm::dvec3 centre, glm::dvec2 from, glm::dvec2 to);
 
-/// The circle in which a slice cuts a kernel's ball; nothing when it misses it.
-std::optional<ViewCircle> circleOnSlice(const scene::SliceFrame& frame, const scene::UserKernel& kernel);
-/// How visible a place is on a slice: 1 on it, 0 a dozen pixels' length off it.
-double nearnessToSlice(const scene::SliceFrame& frame, glm::dvec3 placeMm);
-/// Three rings about a kernel's middle, across the axes of a frame.
+/// The circle in which a section cuts a kernel's ball; nothing when it misses it.
+std::optional<ViewCircle> circleOnSection(const scene::SectionPlane& plane, const scene::UserKernel& kernel);
+/// How visible a place is on a section: 1 on it, 0 a dozen pixels' length off it.
+double nearnessToSection(const scene::SectionPlane& plane, glm::dvec3 place);
+/// Three rings about a kernel's middle, across the axes of a plane.
 std::vector<std::vector<glm::dvec3>> kernelRings(const scene::UserKernel& kernel, const glm::dmat3& axes);
 
-/// For people: how far it is from the frame's plane, "+3.2 mm", or a radius, "r 12.0 mm". UTF-8.
-std::string handText(const scene::Cut& cut, Hand hand);
+/// For people: how far it is from the rest plane, "+3.2 mm", or a radius, "r 12.0 mm". UTF-8.
+std::string handText(const scene::LengthFormat& lengths, const scene::Cut& cut, Hand hand);
 /// The name of the undo step: "Move pin", "Move kernel", "Resize kernel".
 const char* handLabel(Hand hand);
 

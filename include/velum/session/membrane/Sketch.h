@@ -35,6 +35,6 @@ void setStrokes(scene::ForceField& field, std::vector<scene::Stroke> strokes, co
                 const Histogram& whole);
 
 /// A path with as few of its points as stay within a tolerance of all of them (Douglas and Peucker).
-std::vector<glm::dvec3> simplifiedPath(std::span<const glm::dvec3> path, double toleranceMm);
+std::vector<glm::dvec3> simplifiedPath(std::span<const glm::dvec3> path, double tolerance);
 
 }  // namespace velum::session

@@ -15,8 +15,8 @@ struct PictureOptions {
   glm::ivec2 size{1280, 720};  ///< pixels, 1..65536
   int samples = 0;             ///< pictures that are averaged; 0: as the scene says
   bool transparent = false;    ///< no background, with alpha
-  /// Also alpha, depth, normal, structure id, position: in the EXR, or as files beside. Of a scene with slices also
-  /// what lies before them, their images, what lies behind: front over slice over behind is the picture.
+  /// Also alpha, depth, normal, structure id, position: in the EXR, or as files beside. Of a scene with inlays also
+  /// what lies before them, their images, what lies behind: front over inlay over behind is the picture.
   bool layers = false;
   double dpi = 0;  ///< pixels an inch in print, which the file says; 0: nothing is said
 };
@@ -38,10 +38,10 @@ scene::Scene sceneForPicture(const scene::Scene& scene, const PictureOptions& op
 Image drawPicture(render::Renderer& renderer, const scene::Scene& scene, const PictureOptions& options,
                   const gpu::Limits& limits, Progress& progress);
 
-/// A slice view as a picture: R, G, B, A. Without a graphics context. Any thread.
-Image drawSlicePicture(const scene::Scene& scene, scene::SliceKind kind, const PictureOptions& options);
+/// An inlay view as a picture: R, G, B, A. Without a graphics context. Any thread.
+Image drawSectionPicture(const scene::Scene& scene, scene::SectionKind kind, const PictureOptions& options);
 
-/// Writes what drawPicture or drawSlicePicture gave, with the scene inside: colour (and alpha where the background is
+/// Writes what drawPicture or drawSectionPicture gave, with the scene inside: colour (and alpha where the background is
 /// transparent) to .png, .tif or .exr; layers into the .exr or as pictures beside ("name.depth.png").
 /// @param path  "-" writes PNG to stdout, without layers
 /// @throw InputError when the disk refuses

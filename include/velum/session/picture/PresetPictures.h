@@ -12,7 +12,7 @@ namespace velum::session {
 
 /// One channel of one time step of a volume with at most `mostAlong` voxels along its longest side: means of blocks.
 /// Keeps place, unit, modality and range. O(voxels), all cores. @throw Cancelled
-Volume reduceVolume(const Volume& volume, int channel, int frame, int mostAlong, const Progress& progress);
+Volume reduceVolume(const Volume& volume, int channel, int timeStep, int mostAlong, const Progress& progress);
 
 /// The small volume from which previews are drawn.
 constexpr int kPreviewVoxels = 96;

@@ -29,6 +29,6 @@ glm::dvec3 middleOfStructure(const LabelVolume& labels, int structure, const Str
 double radiusOfStructure(const LabelVolume& labels, const StructureSize& size);
 
 /// The camera brought near to a ball, from the side on which it is. @param aspect  width / height of the picture
-scene::Camera closeUp(scene::Camera camera, glm::dvec3 middleMm, double radiusMm, double aspect);
+scene::Camera closeUp(scene::Camera camera, glm::dvec3 middle, double radius, double aspect);
 
 }  // namespace velum::session

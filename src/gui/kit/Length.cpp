@@ -1,0 +1,43 @@
+#include "Length.h"
+
+#include <QSignalBlocker>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace velum::gui {
+
+Length::Length(const scene::Scene& scene) : mFormat(scene::lengthFormat(scene)) {
+  scene::Bounds bounds = scene::computeBounds(scene);
+  double diameter = std::clamp(glm::length(bounds.max - bounds.min), 100.0 * std::pow(10.0, -decimals()), 1e9);
+  double farthest = std::max(glm::length(bounds.max), glm::length(bounds.min));
+  mFar = std::pow(10.0, std::ceil(std::log10(std::max(100.0 * diameter, farthest))));
+}
+
+QString Length::unit() const {
+  auto symbol = symbolOf(mFormat.unit);
+  return QString::fromUtf8(symbol.data(), int(symbol.size()));
+}
+
+QString Length::roundText(double length) const {
+  constexpr std::pair<double, const char*> kUnits[] = {{1e6, "km"},       {1e3, "m"},   {1.0, "mm"},
+                                                       {1e-3, "\u00b5m"}, {1e-6, "nm"}, {1e-7, "\u00c5"}};
+  double mm = length * millimetresPer(mFormat.unit);
+  // The unit that people use for so much of it: mm from a half to ten metres.
+  constexpr double kLeast[] = {1e6, 1e4, 0.5, 0.5e-3, 1e-6, 0.0};
+  std::size_t i = 0;
+  while (mm < kLeast[i]) ++i;
+  return QString("%1 %2").arg(mm / kUnits[i].first, 0, 'g', 6).arg(QString::fromUtf8(kUnits[i].second));
+}
+
+void Length::showIn(QDoubleSpinBox& spin, bool isPositive) const {
+  if (spin.decimals() == decimals() && spin.suffix() == suffix() && spin.maximum() == mFar) return;
+  const QSignalBlocker quiet(spin);
+  double step = std::pow(10.0, -decimals());
+  spin.setDecimals(decimals());
+  spin.setRange(isPositive ? step : -mFar, mFar);
+  spin.setSuffix(suffix());
+  spin.setSingleStep(step * (decimals() > 1 ? 5 : decimals() == 1 ? 10 : 1));
+}
+
+}  // namespace velum::gui

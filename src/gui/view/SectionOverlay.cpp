@@ -1,0 +1,185 @@
+#include "SectionOverlay.h"
+
+#include <QCoreApplication>
+#include <QPainterPath>
+#include <algorithm>
+#include <cmath>
+
+#include "kit/Length.h"
+#include "kit/Points.h"
+#include "kit/Theme.h"
+#include "velum/render/section/SectionImage.h"
+#include "velum/session/section/SectionTool.h"
+
+namespace velum::gui {
+
+namespace {
+
+constexpr double kMargin = 10.0;
+/// The crosshair leaves its middle free, so that what it points at can be seen.
+constexpr double kGap = 9.0;
+/// Views smaller than this keep title, letters and lines only.
+constexpr double kSmallWidth = 230.0, kSmallHeight = 150.0;
+
+QString tr(const char* text) { return QCoreApplication::translate("SectionView", text); }
+
+/// Over light and dark tissue: light, with a dark seam.
+void drawText(QPainter& painter, const QRectF& box, int flags, const QString& text, int alpha = 225) {
+  painter.setPen(QColor(0, 0, 0, alpha * 3 / 5));
+  for (QPointF off : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)})
+    painter.drawText(box.translated(off), flags, text);
+  QColor light = kOverPicture;
+  light.setAlpha(alpha);
+  painter.setPen(light);
+  painter.drawText(box, flags, text);
+}
+
+void drawTwice(QPainter& painter, const QPainterPath& path, QColor color, double width) {
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(QColor(0, 0, 0, color.alpha() / 3), width + 1.6, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
+  painter.drawPath(path);
+  painter.setPen(QPen(color, width, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
+  painter.drawPath(path);
+}
+
+void drawCrosshair(QPainter& painter, const scene::Scene& scene, scene::SectionKind kind,
+                   const scene::SectionPlane& plane, const SectionHints& hints) {
+  glm::dvec2 cross = scene::sectionPixelFromWorld(plane, scene.sections.crosshair);
+  for (const auto& line : session::crosshairLines(scene, kind, plane)) {
+    QColor color = kSectionColors[static_cast<int>(line.other)];
+    color.setAlpha(190);
+    QPainterPath path;
+    glm::dvec2 along = glm::normalize(line.to - line.from);
+    double middle = glm::dot(cross - line.from, along), length = glm::length(line.to - line.from);
+    if (double end = std::min(middle - kGap, length); end > 0) {
+      path.moveTo(toPoint(line.from));
+      path.lineTo(toPoint(line.from + along * end));
+    }
+    if (double begin = std::max(middle + kGap, 0.0); begin < length) {
+      path.moveTo(toPoint(line.from + along * begin));
+      path.lineTo(toPoint(line.to));
+    }
+    drawTwice(painter, path, color, 1.1);
+    if (!line.hasKnobs || !hints.showKnobs) continue;
+    for (auto knob : line.knobs) {
+      painter.setPen(QPen(QColor(0, 0, 0, 150), 1.2));
+      painter.setBrush(hints.hotKnob ? color.lighter(130) : color);
+      double radius = hints.hotKnob ? 5.0 : 4.0;
+      painter.drawEllipse(toPoint(knob), radius, radius);
+    }
+  }
+}
+
+void drawLetters(QPainter& painter, const scene::SectionPlane& plane) {
+  auto letters = [](glm::dvec3 v) { return QString::fromStdString(scene::patientLetters(v)); };
+  QFont font = painter.font();
+  font.setWeight(QFont::DemiBold);
+  painter.setFont(font);
+  QRectF box = QRectF(0, 0, plane.size.x, plane.size.y).adjusted(kMargin, kMargin, -kMargin, -kMargin);
+  drawText(painter, box, Qt::AlignRight | Qt::AlignVCenter, letters(plane.right));
+  drawText(painter, box, Qt::AlignLeft | Qt::AlignVCenter, letters(-plane.right));
+  drawText(painter, box, Qt::AlignHCenter | Qt::AlignTop, letters(plane.up));
+  drawText(painter, box, Qt::AlignHCenter | Qt::AlignBottom, letters(-plane.up));
+  font.setWeight(QFont::Normal);
+  painter.setFont(font);
+}
+
+void drawRuler(QPainter& painter, const scene::SectionPlane& plane, const Length& unit, double bottom) {
+  double length = session::rulerLength(plane.lengthPerPixel * std::min(160.0, plane.size.x * 0.3));
+  double width = length / plane.lengthPerPixel;
+  QPainterPath path(QPointF(kMargin, bottom - 5));
+  path.lineTo(kMargin, bottom);
+  path.lineTo(kMargin + width, bottom);
+  path.lineTo(kMargin + width, bottom - 5);
+  drawTwice(painter, path, kOverPicture, 1.3);
+  drawText(painter, QRectF(kMargin + width + 7, bottom - 13, 120, 18), Qt::AlignLeft | Qt::AlignVCenter,
+           unit.roundText(length));
+}
+
+/// Where the section lies along its normal, then which plane of the data it is.
+QStringList positionTexts(const scene::Scene& scene, scene::SectionKind kind, const scene::SectionPlane& plane,
+                          bool letters) {
+  QStringList parts;
+  Length length(scene);
+  if (scene::isOblique(scene.sections, kind)) {
+    scene::Bounds bounds = scene::computeBounds(scene);
+    double off = -scene::heightOverSection(plane, (bounds.min + bounds.max) * 0.5);
+    parts << tr("%1 off the middle").arg(length.text(off));
+  } else {
+    int axis = std::abs(plane.normal.x) > 0.9 ? 0 : std::abs(plane.normal.y) > 0.9 ? 1 : 2;
+    double at = scene.sections.crosshair[axis];
+    static constexpr const char *kPlus[] = {"L", "P", "S"}, *kMinus[] = {"R", "A", "I"};
+    bool isMinus = length.number(at).startsWith('-');
+    parts << (letters ? QString("%1 %2").arg(isMinus ? kMinus[axis] : kPlus[axis], length.text(std::abs(at)))
+                      : length.text(at));
+  }
+  if (auto index = scene::sectionIndex(scene, kind))
+    parts << QString("%1 / %2").arg(index->index + 1).arg(index->count);
+  return parts;
+}
+
+QString windowText(const scene::Scene& scene) {
+  const auto& volume = scene.volume;
+  if (!volume.data || volume.data->isColor) return {};
+  glm::dvec2 window = scene::effectiveWindow(volume);
+  QString unit = volume.data->unit.empty() ? QString() : " " + QString::fromStdString(volume.data->unit);
+  // Three digits of the width, and as many behind the point of the level.
+  int decimals = int(std::clamp(2.0 - std::floor(std::log10(window.y)), 0.0, 12.0));
+  auto number = [decimals](double value) {
+    QString text = QString::number(value, 'f', decimals);
+    while (decimals > 0 && text.contains('.') && (text.endsWith('0') || text.endsWith('.'))) text.chop(1);
+    return text;
+  };
+  return QString("W %1  L %2%3").arg(number(window.y), number(window.x), unit);
+}
+
+void drawTitle(QPainter& painter, const scene::Scene& scene, scene::SectionKind kind, bool hasFocus) {
+  QColor color = kSectionColors[static_cast<int>(kind)];
+  static constexpr const char* kAxes[] = {"XY", "XZ", "YZ"};
+  bool known = !scene.volume.data || scene.volume.data->isOrientationKnown;
+  QString name = known ? sectionName(kind) : QString(kAxes[static_cast<int>(kind)]);
+  if (scene::isOblique(scene.sections, kind)) name += tr(" (turned)");
+  double width = painter.fontMetrics().horizontalAdvance(name) + 30.0;
+  QRectF chip(kMargin - 2, kMargin - 2, width, painter.fontMetrics().height() + 6.0);
+  painter.setPen(hasFocus ? QPen(color, 1.0) : QPen(Qt::NoPen));
+  painter.setBrush(QColor(16, 18, 21, 165));
+  painter.drawRoundedRect(chip, 5, 5);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(color);
+  painter.drawEllipse(QPointF(chip.left() + 11, chip.center().y()), 4.0, 4.0);
+  painter.setPen(kOverPicture);
+  painter.drawText(chip.adjusted(21, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter, name);
+}
+
+}  // namespace
+
+QString sectionName(scene::SectionKind kind) {
+  static constexpr const char* kNames[] = {QT_TRANSLATE_NOOP("SectionView", "Axial"),
+                                           QT_TRANSLATE_NOOP("SectionView", "Coronal"),
+                                           QT_TRANSLATE_NOOP("SectionView", "Sagittal")};
+  return tr(kNames[static_cast<int>(kind)]);
+}
+
+void paintSectionOverlay(QPainter& painter, const scene::Scene& scene, scene::SectionKind kind,
+                         const scene::SectionPlane& plane, const SectionHints& hints) {
+  painter.setRenderHint(QPainter::Antialiasing);
+  const auto& volume = scene.volume.data;
+  bool letters = !volume || volume->isOrientationKnown, lengths = !volume || volume->isSpacingKnown;
+  if (scene.sections.showCrosshair) drawCrosshair(painter, scene, kind, plane, hints);
+  if (letters) drawLetters(painter, plane);
+  drawTitle(painter, scene, kind, hints.hasFocus);
+  if (plane.size.x < kSmallWidth || plane.size.y < kSmallHeight) return;
+  double line = painter.fontMetrics().height() + 2.0;
+  QRectF box = QRectF(0, 0, plane.size.x, plane.size.y).adjusted(kMargin, kMargin, -kMargin, -kMargin);
+  // The letter in the middle of the lowest line keeps its room.
+  double room = 0.5 * plane.size.x - kMargin - 12.0;
+  auto fits = [&](const QString& text) { return painter.fontMetrics().horizontalAdvance(text) < room; };
+  QStringList parts = positionTexts(scene, kind, plane, letters);
+  QString position = parts.join("    ");
+  drawText(painter, box, Qt::AlignLeft | Qt::AlignBottom, fits(position) ? position : parts.first());
+  if (lengths) drawRuler(painter, plane, Length(scene), box.bottom() - line - 6.0);
+  if (QString window = windowText(scene); fits(window))
+    drawText(painter, box, Qt::AlignRight | Qt::AlignBottom, window);
+}
+
+}  // namespace velum::gui

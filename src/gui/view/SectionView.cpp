@@ -1,0 +1,199 @@
+#include "SectionView.h"
+
+#include <QHBoxLayout>
+#include <QMenu>
+#include <QPainter>
+#include <QWidgetAction>
+#include <cmath>
+
+#include "ViewChange.h"
+#include "ViewIcons.h"
+#include "kit/Theme.h"
+#include "kit/Widgets.h"
+
+namespace velum::gui {
+
+namespace {
+
+constexpr double kAtOnceMs = 15.0;  // full pictures that take longer wait for a rest
+constexpr int kRestMs = 140;        // as in the 3D view
+constexpr int kMostCoarse = 4;
+constexpr int kButton = 24;
+
+}  // namespace
+
+SectionView::SectionView(session::Document& document, Selection& selection, Toolbox& toolbox, scene::SectionKind kind,
+                         QWidget* parent)
+    : QWidget(parent), mDocument(document), mKind(kind), mSelection(selection), mToolbox(toolbox) {
+  setObjectName(QString("section.%1").arg(sectionName(kind).toLower()));
+  setAccessibleName(tr("%1 section").arg(sectionName(kind)));
+  setFocusPolicy(Qt::StrongFocus);
+  setMouseTracking(true);
+  setMinimumSize(120, 90);
+  setAttribute(Qt::WA_OpaquePaintEvent);
+  mMenuButton = addButton("menu", tr("Interpolation, structures, crosshair, reset (right click)"), 1);
+  mMenuButton->setIcon(makeViewIcon(ViewIcon::Menu, kOverPicture));
+  mMaximise = addButton("maximise", QString(), 2);
+  setMaximised(false);
+  connect(mMenuButton, &QToolButton::clicked, this,
+          [this] { showMenu(mMenuButton->mapToGlobal(QPoint(0, mMenuButton->height()))); });
+  connect(mMaximise, &QToolButton::clicked, this, &SectionView::maximiseWanted);
+  mToolbox.addView(*this);
+  mRestTimer.setSingleShot(true);
+  mRestTimer.setInterval(kRestMs);
+  connect(&mRestTimer, &QTimer::timeout, this, [this] {
+    if (mDrawnCoarse == 1) return;
+    mStale = true;
+    update();
+  });
+}
+
+QToolButton* SectionView::addButton(const char* name, const QString& tip, int fromRight) {
+  auto* button = new QToolButton(this);
+  button->setObjectName(name);
+  button->setToolTip(tip);
+  button->setAccessibleName(tip);
+  button->setAutoRaise(true);
+  button->setFocusPolicy(Qt::NoFocus);
+  button->setFixedSize(kButton, kButton);
+  button->setProperty("fromRight", fromRight);
+  button->setCursor(Qt::ArrowCursor);
+  button->hide();
+  return button;
+}
+
+void SectionView::setMaximised(bool maximised) {
+  mMaximise->setIcon(makeViewIcon(maximised ? ViewIcon::Restore : ViewIcon::Maximise, kOverPicture));
+  QString tip = maximised ? tr("Show the other views again (double click)") : tr("Fill the window (double click)");
+  mMaximise->setToolTip(tip);
+  mMaximise->setAccessibleName(tip);
+}
+
+scene::SectionPlane SectionView::plane() const {
+  return scene::makeSectionPlane(mDocument.scene(), mKind, logicalSize());
+}
+
+void SectionView::refresh() {
+  if (!isVisible()) return;  // showEvent makes up for it
+  const scene::Scene& scene = mDocument.scene();
+  scene::Scene wanted = scene::sectionScene(scene);
+  wanted.background.transparent = false;  // a window has something behind
+  auto wantedFrame = scene::makeSectionPlane(scene, mKind, glm::round(logicalSize() * devicePixelRatioF()));
+  bool stale = wantedFrame != mWantedPlane || wanted != mWanted;
+  if (!stale && mSections == scene.sections && mCutsShown == scene.cuts) return;
+  mSections = scene.sections;
+  mCutsShown = scene.cuts;
+  mWanted = std::move(wanted);
+  mWantedPlane = wantedFrame;
+  mStale = mStale || stale;
+  if (stale) mRestTimer.start();
+  update();
+}
+
+void SectionView::setSheets(render::SheetIndices sheets) {
+  mSheets = std::move(sheets);
+  mStale = true;
+  update();
+}
+
+/// How coarse a picture is drawn: what the last full one took says what can be drawn at once.
+int SectionView::coarseness() const {
+  if (!mRestTimer.isActive() || mFullMs <= kAtOnceMs) return 1;
+  return std::clamp(int(std::ceil(std::sqrt(mFullMs / kAtOnceMs))), 2, kMostCoarse);
+}
+
+void SectionView::drawImage() {
+  QElapsedTimer clock;
+  clock.start();
+  mDrawnCoarse = coarseness();
+  mImage = render::drawSection(mWanted, render::coarserPlane(mWantedPlane, mDrawnCoarse), mSheets);
+  if (mDrawnCoarse == 1) mFullMs = double(clock.nsecsElapsed()) * 1e-6;
+  mStale = false;
+}
+
+void SectionView::paintEvent(QPaintEvent*) {
+  if (mStale) drawImage();
+  QPainter painter(this);
+  double ratio = devicePixelRatioF();
+  QImage image(reinterpret_cast<const uchar*>(mImage.pixels.data()), mImage.size.x, mImage.size.y,
+               QImage::Format_RGB32);
+  QSizeF shown = QSizeF(image.size()) * (mDrawnCoarse / ratio);
+  painter.setRenderHint(QPainter::SmoothPixmapTransform, mDrawnCoarse > 1);
+  painter.drawImage(QRectF(QPointF(), shown), image);
+  mHints.hasFocus = hasFocus();
+  paintSectionOverlay(painter, mDocument.scene(), mKind, plane(), mHints);
+  ++mPaintCount;
+}
+
+void SectionView::resizeEvent(QResizeEvent*) {
+  for (auto* button : {mMenuButton, mMaximise})
+    button->move(width() - 6 - kButton * button->property("fromRight").toInt(), 6);
+  refresh();
+}
+
+void SectionView::showEvent(QShowEvent*) { refresh(); }
+
+void SectionView::change(const session::Document::Change& change) {
+  emit touched();
+  changeSections(mDocument, change);
+}
+
+void SectionView::fit() {
+  change([this](scene::Scene& scene) {
+    scene::Section& section = scene::sectionOf(scene.sections, mKind);
+    section.pan = glm::dvec2(0.0);
+    section.height = 0.0;
+  });
+}
+
+void SectionView::scroll(double steps) {
+  change([this, steps](scene::Scene& scene) { scene::scrollSection(scene, mKind, steps); });
+}
+
+void SectionView::showMenu(QPoint globalPlace) {
+  const scene::Sections& sections = mDocument.scene().sections;
+  QMenu menu(this);
+  menu.setToolTipsVisible(true);
+  auto addTick = [&](const QString& text, const QString& tip, bool scene::Sections::*field) {
+    QAction* action = menu.addAction(text);
+    action->setToolTip(tip);
+    action->setCheckable(true);
+    action->setChecked(sections.*field);
+    connect(action, &QAction::toggled, this,
+            [this, field](bool on) { change([field, on](scene::Scene& scene) { scene.sections.*field = on; }); });
+  };
+  addTick(tr("&Interpolate"), tr("Off: voxels as blocks"), &scene::Sections::interpolate);
+  addTick(tr("&Crosshair"), tr("Lines where the other sections cross"), &scene::Sections::showCrosshair);
+  addTick(tr("C&uts"), tr("Cuts as lines; what they remove is dimmed"), &scene::Sections::showCuts);
+  if (mDocument.scene().labels.data) {
+    auto* row = new NumberRow(0, 100, 0, " %", &menu);
+    row->setValue(sections.labelOpacity * 100.0);
+    row->setToolTip(tr("Opacity of the structures over the grey values"));
+    connect(row, &NumberRow::changed, this, [this](double percent) {
+      change([percent](scene::Scene& scene) { scene.sections.labelOpacity = percent / 100.0; });
+    });
+    auto* holder = new QWidget(&menu);
+    auto* layout = new QHBoxLayout(holder);
+    layout->setContentsMargins(22, 4, 12, 4);
+    layout->addWidget(new QLabel(tr("Structures"), holder));
+    layout->addWidget(row);
+    auto* action = new QWidgetAction(&menu);
+    action->setDefaultWidget(holder);
+    menu.addAction(action);
+  }
+  menu.addSeparator();
+  auto addCommand = [&](const QString& text, const QString& tip, std::function<void()> run) {
+    QAction* action = menu.addAction(text);
+    action->setToolTip(tip);
+    connect(action, &QAction::triggered, this, std::move(run));
+  };
+  addCommand(tr("&Fit\tF"), tr("All of the data in this view"), [this] { fit(); });
+  addCommand(tr("&Patient's axes\tR"), tr("Axial, coronal and sagittal again, crosshair in the middle"),
+             [this] { change(scene::resetSections); });
+  addCommand(tr("&Whole range of grey"), tr("From the smallest value to the largest"), [this] {
+    mDocument.edit("Change window", [](scene::Scene& scene) { scene::setWindow(scene.volume, 0.0, 0.0); });
+  });
+  menu.exec(globalPlace);
+}
+
+}  // namespace velum::gui

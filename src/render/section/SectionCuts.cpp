@@ -1,0 +1,82 @@
+#include "SectionCuts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "FrameSetup.h"
+#include "velum/core/Assert.h"
+
+namespace velum::render {
+
+SectionCuts::SectionCuts(const scene::Scene& scene, const scene::SectionPlane& plane, const SheetIndices& sheets)
+    : mFrame(plane),
+      mSheets(makeCpuSheets(scene, sheets)),
+      mCuts(makeCutData(scene, plane.centre, mSheets.plans)),
+      mSpares(makeSpareTable(scene)) {}
+
+/// A convex cut removes one stretch of a row, or all but one.
+void SectionCuts::markConvex(const shared::CutData& cut, const Row& row, std::vector<char>& removed) const {
+  glm::vec2 inside = shared::cutInterval(cut, row.start, row.along) * float(1.0 / row.lengthPerPixel);
+  int from = 0, to = 0;
+  if (inside.x <= inside.y) {
+    from = int(std::clamp(std::ceil(inside.x), 0.0f, float(row.width)));
+    to = int(std::clamp(std::floor(inside.y) + 1.0f, float(from), float(row.width)));
+  }
+  bool takesInside = cut.halfSize.w > 0;
+  std::fill(removed.begin(), removed.end(), char(!takesInside));
+  std::fill(removed.begin() + from, removed.begin() + to, char(takesInside));
+}
+
+/// From crossing to crossing; each run is asked in its middle.
+void SectionCuts::markMembrane(const shared::CutData& cut, const Row& row, std::vector<char>& removed) const {
+  float pixel = float(row.lengthPerPixel), end = pixel * float(row.width), t = -0.5f * pixel;
+  for (int x = 0; x < row.width;) {
+    float next = shared::membraneCrossing(cut, row.start, row.along, t + 1e-5f * end, end, mSheets.view()).t;
+    next = std::min(next, end);
+    bool removes = shared::cutRemoves(cut, row.start + 0.5f * (t + next) * row.along, mSheets.view());
+    int to = next >= end ? row.width : std::clamp(int(std::ceil(next / pixel)), x, row.width);
+    std::fill(removed.begin() + x, removed.begin() + to, char(removes));
+    x = to;
+    t = next;
+  }
+}
+
+/// Of what a cut removes of a row, takes back what it spares.
+void SectionCuts::takeBack(std::size_t cut, const Row& row, std::span<const std::uint16_t> ids,
+                           std::vector<char>& removed) const {
+  float step = float(row.lengthPerPixel);
+  for (std::size_t x = 0; x < removed.size(); ++x) {
+    if (!removed[x]) continue;
+    float depth = shared::spareDepth(mSpares.of(ids.empty() ? 0 : ids[x], cut), 0.0f);
+    if (depth <= 0.0f) continue;
+    glm::vec3 p = row.start + float(x) * step * row.along;
+    removed[x] = shared::cutAnswer(mCuts[cut], depth, mSpares.hasDepths, p, mSheets.view()) == shared::kCutRemoves;
+  }
+}
+
+std::vector<char> SectionCuts::removedOf(int y, int width, std::span<const std::uint16_t> ids) const {
+  Row row{glm::vec3(scene::worldFromSectionPixel(mFrame, {0.5, y + 0.5}) - mFrame.centre), glm::vec3(mFrame.right),
+          width, mFrame.lengthPerPixel};
+  return removedOf(row, ids);
+}
+
+std::vector<char> SectionCuts::removedOf(const Row& row, std::span<const std::uint16_t> ids) const {
+  VELUM_ASSERT(ids.empty() || ids.size() == std::size_t(row.width), "each pixel has its structure");
+  std::vector<char> removed(std::size_t(row.width), 0);
+  std::vector<shared::CutFold> folds(removed.size(), shared::emptyFold());
+  for (std::size_t i = 0; i < mCuts.size(); ++i) {
+    const shared::CutData& cut = mCuts[i];
+    if (cut.kind.x == shared::kCutMembrane)
+      markMembrane(cut, row, removed);
+    else
+      markConvex(cut, row, removed);
+    if (!mSpares.isEmpty()) takeBack(i, row, ids, removed);
+    for (std::size_t x = 0; x < removed.size(); ++x)
+      folds[x] =
+          shared::foldAnswer(folds[x], shared::cutIsInlay(cut), removed[x] ? shared::kCutRemoves : shared::kCutKeeps);
+  }
+  for (std::size_t x = 0; x < removed.size(); ++x) removed[x] = !shared::foldKeeps(folds[x]);
+  return removed;
+}
+
+}  // namespace velum::render

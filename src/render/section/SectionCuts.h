@@ -1,0 +1,43 @@
+#pragma once
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+#include "shared/cuts.h"
+#include "upload/CutSheets.h"
+#include "upload/SpareTable.h"
+#include "velum/scene/Scene.h"
+#include "velum/scene/SectionPlane.h"
+
+namespace velum::render {
+
+/// What the cuts of a scene remove of a section, row by row. Any thread.
+class SectionCuts {
+ public:
+  SectionCuts(const scene::Scene& scene, const scene::SectionPlane& plane, const SheetIndices& sheets);
+  bool isEmpty() const { return mCuts.empty(); }
+  /// 1 for each pixel of a row that the cuts remove, else 0.
+  /// @param ids  structure of each pixel; empty: no labels are shown
+  std::vector<char> removedOf(int y, int width, std::span<const std::uint16_t> ids) const;
+
+  /// A row as a ray: the middle of pixel x is at start + x * lengthPerPixel * along, from the frame's centre.
+  struct Row {
+    glm::vec3 start, along;
+    int width = 0;
+    double lengthPerPixel = 1.0;
+  };
+  std::vector<char> removedOf(const Row& row, std::span<const std::uint16_t> ids) const;
+
+ private:
+  void markConvex(const shared::CutData& cut, const Row& row, std::vector<char>& removed) const;
+  void markMembrane(const shared::CutData& cut, const Row& row, std::vector<char>& removed) const;
+  void takeBack(std::size_t cut, const Row& row, std::span<const std::uint16_t> ids, std::vector<char>& removed) const;
+
+  const scene::SectionPlane& mFrame;
+  CpuSheets mSheets;
+  std::vector<shared::CutData> mCuts;
+  SpareTable mSpares;
+};
+
+}  // namespace velum::render

@@ -1,0 +1,82 @@
+#include "velum/scene/Units.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <type_traits>
+#include <vector>
+
+#include "velum/scene/SectionPlane.h"
+
+namespace velum::scene {
+
+namespace {
+
+/// Walks over all fields and multiplies the lengths among them.
+class Scaler {
+ public:
+  explicit Scaler(double factor) : mFactor(factor) {}
+
+  template <class T>
+  void operator()(std::string_view, T& value, const FieldInfo& info) const {
+    visit(value, info.unit == kLength);
+  }
+
+ private:
+  template <class T>
+  void visit(std::vector<T>& values, bool isLength) const {
+    for (auto& value : values) visit(value, isLength);
+  }
+  template <class T>
+  void visit(std::optional<T>& value, bool isLength) const {
+    if (value) visit(*value, isLength);
+  }
+  template <class T>
+  void visit(T& value, bool isLength) const {
+    if constexpr (std::is_same_v<T, double>) {
+      if (isLength) value *= mFactor;
+    } else if constexpr (std::is_same_v<T, glm::dvec2> || std::is_same_v<T, glm::dvec3>) {
+      if (isLength) value *= mFactor;
+    } else if constexpr (std::is_same_v<T, glm::vec3>) {
+      if (isLength) value = glm::vec3(glm::dvec3(value) * mFactor);
+    } else if constexpr (std::is_class_v<T> && requires { T::fields(value, *this); }) {
+      T::fields(value, *this);
+    }
+  }
+
+  double mFactor;
+};
+
+}  // namespace
+
+void scaleLengths(Scene& scene, double factor) {
+  Scaler scaler(factor);
+  Scene::fields(scene, scaler);
+  auto scaleGradients = [&](TransferFunction& transfer) {
+    for (auto& point : transfer.gradientOpacities) point.value /= factor;
+  };
+  scaleGradients(scene.volume.transfer);
+  for (auto& channel : scene.volume.channels) scaleGradients(channel.transfer);
+  for (auto& cut : scene.cuts)
+    if (cut.membrane)
+      for (auto& point : cut.membrane->field.byGradient) point.value /= factor;
+}
+
+LengthFormat lengthFormat(const Scene& scene) {
+  bool isEmpty = !scene.volume.data && !scene.labels.data;
+  double voxel = isEmpty ? 1.0 : std::clamp(sectionStep(scene), 1e-9, 1e9);
+  return {scene.unit, std::clamp(int(std::floor(1.5 - std::log10(voxel))), 0, 9)};
+}
+
+std::string lengthNumber(const LengthFormat& format, double length, bool isSigned) {
+  if (std::abs(length) < 0.5 * std::pow(10.0, -format.decimals)) length = 0.0;
+  return isSigned ? fmt::format("{:+.{}f}", length, format.decimals) : fmt::format("{:.{}f}", length, format.decimals);
+}
+
+std::string lengthText(const LengthFormat& format, double length, bool isSigned) {
+  return fmt::format("{} {}", lengthNumber(format, length, isSigned), symbolOf(format.unit));
+}
+
+}  // namespace velum::scene

@@ -39,7 +39,7 @@ layout(binding = kIdImage, rg32ui) uniform writeonly uimage2D idImage;
 
 layout(location = 0) uniform ivec4 tile;          // x, y: corner in the image; z, w: its size
 layout(location = 1) uniform ivec2 windowOrigin;  // the image's corner in the whole picture
-layout(location = 2) uniform int groupStride;
+layout(location = 2) uniform ivec2 groups;        // x: of a row of the tile; y: stride
 
 /// Everything along one ray, stretch by stretch.
 void castStretches(inout Hit hit, Ray ray, Walk walk, float from, float tEnd) {
@@ -85,9 +85,9 @@ ivec2 pixelInTile() {
   // Neighbours in a SIMD group are neighbours in the picture: runs of eight are blocks of four by two.
   int i = int(gl_LocalInvocationIndex);
   ivec2 inGroup = ivec2(i & 3 | i >> 1 & 4, i >> 2 & 1 | i >> 3 & 6);
-  // A software driver gives each of its threads a run of groups: strides spread each run over the tile.
-  ivec2 groups = ivec2(gl_NumWorkGroups.xy);
-  int group = (int(gl_WorkGroupID.y) * groups.x + int(gl_WorkGroupID.x)) * groupStride % (groups.x * groups.y);
+  // A software driver gives each of its threads a run of groups. With a stride of as many as there are threads neighbours,
+  // which take about as long, are different threads'.
+  int group = int(gl_WorkGroupID.x) * groups.y % int(gl_NumWorkGroups.x);
   return ivec2(group % groups.x, group / groups.x) * kTileGroup + inGroup;
 }
 

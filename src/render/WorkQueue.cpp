@@ -29,11 +29,17 @@ WorkQueue::RunAgain WorkQueue::once(Run run) {
   };
 }
 
-void WorkQueue::addUntilDone(Pass& pass, RunAgain run) { mSteps.push_back({pass.name(), &pass, std::move(run)}); }
+void WorkQueue::addUntilDone(Pass& pass, RunAgain run, Share done) {
+  mSteps.push_back({pass.name(), &pass, std::move(run), std::move(done)});
+}
 void WorkQueue::add(Pass& pass, Run run) { addUntilDone(pass, once(std::move(run))); }
-void WorkQueue::add(const char* name, Run run) { mSteps.push_back({name, nullptr, once(std::move(run))}); }
+void WorkQueue::add(const char* name, Run run) { mSteps.push_back({name, nullptr, once(std::move(run)), {}}); }
 
-double WorkQueue::fractionDone() const { return mCount ? 1.0 - double(mSteps.size()) / double(mCount) : 1.0; }
+double WorkQueue::fractionDone() const {
+  if (mCount == 0 || mSteps.empty()) return 1.0;
+  double begun = mSteps.front().done ? mSteps.front().done() : 0.0;
+  return 1.0 - (double(mSteps.size()) - begun) / double(mCount);
+}
 
 bool WorkQueue::work(double budgetMs) {
   Clock::time_point start = Clock::now();

@@ -19,11 +19,13 @@ class WorkQueue {
   /// Returns false when it wants to be called again.
   using RunAgain = std::function<bool()>;
   using Run = std::function<void()>;
+  using Share = std::function<double()>;
 
   /// Forgets what has not been begun, and all times: a new frame.
   void restart();
   void add(Pass& pass, Run run);
-  void addUntilDone(Pass& pass, RunAgain run);
+  /// @param done  how much of it is, 0..1; by default none until all of it is
+  void addUntilDone(Pass& pass, RunAgain run, Share done = {});
   /// Work that is nobody's, by a literal name.
   void add(const char* name, Run run);
   /// The share of a frame that is done is counted from here: all of its pieces are known.
@@ -46,6 +48,7 @@ class WorkQueue {
     const char* name;
     Pass* pass;  ///< nullptr: nobody's
     RunAgain run;
+    Share done;
   };
   struct HandedOver {
     const char* name;

@@ -67,7 +67,7 @@ void scaleLengths(Scene& scene, double factor) {
 LengthFormat lengthFormat(const Scene& scene) {
   bool isEmpty = !scene.volume.data && !scene.labels.data;
   double voxel = isEmpty ? 1.0 : std::clamp(sectionStep(scene), 1e-9, 1e9);
-  return {scene.unit, std::clamp(int(std::floor(1.5 - std::log10(voxel))), 0, 9)};
+  return {scene.unit, std::clamp(int(std::floor(1.5 - std::log10(voxel))), voxel < 100.0 ? 1 : 0, 9)};
 }
 
 std::string lengthNumber(const LengthFormat& format, double length, bool isSigned) {

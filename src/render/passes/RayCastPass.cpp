@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <thread>
 
 #include "WorkQueue.h"
 
@@ -9,9 +10,12 @@ namespace velum::render {
 
 namespace {
 
-constexpr double kLongestTileMs = 8.0;
-constexpr int kSmallestTile = 16;
-constexpr int kSoftwareTile = 64, kHardwareTile = 512;
+// A piece takes so long: many times what handing it over and waiting for it costs, in which the driver's threads rest,
+// and less than what a window notices.
+constexpr double kPieceMs = 16.0, kPreviewPieceMs = 6.0;
+constexpr double kLongestPieceMs = 40.0;                   ///< Were all of it like the slowest of the last picture.
+constexpr double kMostGroups = 32768;                      ///< What every driver takes in one dimension.
+constexpr int kFirstSoftware = 64, kFirstHardware = 4096;  // groups, of which nothing is known yet
 
 RayVariant variantOf(const FrameData& data) {
   RayVariant variant{dataVariantOf(data), false};
@@ -19,20 +23,13 @@ RayVariant variantOf(const FrameData& data) {
   return variant;
 }
 
-/// Near the golden section of their number, and with no common factor: any run of groups is spread over the tile.
-int strideOf(int groups) {
-  int stride = std::max(1, int(0.618 * groups));
-  while (std::gcd(stride, groups) != 1) ++stride;
-  return stride;
-}
+/// Threads that a software driver has.
+int threadCount() { return std::max(1, int(std::thread::hardware_concurrency())); }
 
 }  // namespace
 
 RayCastPass::RayCastPass(Gbuffer& target, bool isSoftware)
-    : Pass("RayCast"),
-      mTarget(target),
-      mLargestTile(isSoftware ? kSoftwareTile : kHardwareTile),
-      mTileSize(mLargestTile) {}
+    : Pass("RayCast"), mTarget(target), mFirst(isSoftware ? kFirstSoftware : kFirstHardware) {}
 
 void RayCastPass::prepare(FrameData& data) {
   RayVariant variant = variantOf(data);
@@ -40,50 +37,93 @@ void RayCastPass::prepare(FrameData& data) {
   if (isNew) program->second = gpu::Program({"render/ray_cast.comp"}, definesOf(variant));
   mProgram = &program->second;
   mTarget.resize(data.frame.windowSize);
-  mIsPreview = data.frame.isPreview;
-  if (!mIsPreview) adaptTileSize();
+  mPace.begin(data.frame.isPreview ? kPreviewPieceMs : kPieceMs);
 }
 
-void RayCastPass::took(double ms) {
-  if (!mIsPreview) mLongestTileMs = std::max(mLongestTileMs, ms);
+void RayCastPass::Pace::begin(double pieceMs) {
+  wantedMs = pieceMs;
+  // A picture begins as carefully as if all of it were like the slowest piece of the one before.
+  slowest = slowestNow > 0 ? slowestNow : slowest;
+  last = slowest;
+  slowestNow = 0;
+  most = 0;
+  handedOver.clear();
 }
 
-/// Tiles of the next picture are such that none of them keeps the window waiting; no pixel depends on their size.
-void RayCastPass::adaptTileSize() {
-  if (mLongestTileMs > kLongestTileMs)
-    mTileSize = std::max(kSmallestTile, mTileSize / 2);
-  else if (mLongestTileMs < 0.2 * kLongestTileMs)
-    mTileSize = std::min(mLargestTile, mTileSize * 2);
-  mLongestTileMs = 0;
+void RayCastPass::Pace::took(double ms) {
+  if (handedOver.empty()) return;
+  int groups = handedOver.front();
+  handedOver.pop_front();
+  if (groups == 0) return;
+  last = ms / groups;
+  slowestNow = std::max(slowestNow, last);
 }
+
+/// As many groups as the last ones would take the time that is wanted for. What they hide may be slower: never more
+/// than twice as many as before, nor more than are quick enough were they the slowest that are known.
+int RayCastPass::Pace::next(int first) {
+  double groups = most == 0 && !(last > 0) ? first : most == 0 ? wantedMs / last : 2.0 * most;
+  if (last > 0) groups = std::min(groups, wantedMs / last);
+  double known = std::max(slowest, slowestNow);
+  if (known > 0) groups = std::min(groups, kLongestPieceMs / known);
+  return std::clamp(int(std::min(groups, kMostGroups)), 1, int(kMostGroups));
+}
+
+void RayCastPass::took(double ms) { mPace.took(ms); }
 
 void RayCastPass::addSteps(const FrameData& data, int sample, WorkQueue& queue) {
   // Where neither the volume's box nor a surface can be, rays have nothing to do.
   glm::ivec4 covered = data.frame.scene.surfaces.empty() ? coveredRect(data.params, data.frame)
                                                          : glm::ivec4(0, 0, data.frame.windowSize);
-  if (sample == 0) queue.add(*this, [this] { mTarget.clear(); });
-  glm::ivec2 from(covered), to = from + glm::ivec2(covered.z, covered.w);
-  for (int y = from.y; y < to.y; y += mTileSize)
-    for (int x = from.x; x < to.x; x += mTileSize) {
-      glm::ivec4 rect(x, y, std::min(mTileSize, to.x - x), std::min(mTileSize, to.y - y));
-      bool isLastOfRow = x + mTileSize >= to.x;
-      queue.add(*this, [this, &data, rect, isLastOfRow] {
-        castTile(data, rect);
-        mProgress.strip = {rect.y, rect.y + rect.w};
-        mProgress.columnsDone = rect.x + rect.z;
-        if (isLastOfRow) mProgress.rowsDone = rect.y + rect.w;
-      });
-    }
-  queue.add(*this, [this, sample] { mProgress = {sample + 1, 0, {0, 0}, 0}; });
+  queue.addUntilDone(
+      *this, [this, &data, sample, covered] { return castNext(data, sample, covered); },
+      [this, covered] { return covered.w > 0 ? double(mNext.y) / covered.w : 1.0; });
+}
+
+/// The next piece: full strips of rows where that is not too much, else a part of one.
+bool RayCastPass::castNext(const FrameData& data, int sample, glm::ivec4 covered) {
+  constexpr int kEdge = shared::kTileGroup;
+  if (sample == 0 && mNext == glm::ivec2(0)) mTarget.clear();
+  if (covered.z <= 0 || covered.w <= 0) {
+    mPace.handedOver.push_back(0);
+    finishSample(sample);
+    return true;
+  }
+  int wanted = mPace.next(mFirst), across = (covered.z + kEdge - 1) / kEdge;
+  if (mNext.x == 0) mStripRows = std::min(std::max(1, wanted / across) * kEdge, covered.w - mNext.y);
+  int down = (mStripRows + kEdge - 1) / kEdge;
+  int columns = std::min(std::max(1, wanted / down) * kEdge, covered.z - mNext.x);
+  castTile(data, {covered.x + mNext.x, covered.y + mNext.y, columns, mStripRows});
+  int groups = (columns + kEdge - 1) / kEdge * down;
+  mPace.most = std::max(groups, mPace.most);
+  mPace.handedOver.push_back(groups);
+  mNext.x += columns;
+  mProgress.strip = glm::ivec2(mNext.y, mNext.y + mStripRows) + covered.y;
+  mProgress.columnsDone = covered.x + mNext.x;
+  if (mNext.x < covered.z) return false;
+  mNext = {0, mNext.y + mStripRows};
+  mProgress.rowsDone = covered.y + mNext.y;
+  if (mNext.y < covered.w) return false;
+  finishSample(sample);
+  return true;
+}
+
+void RayCastPass::finishSample(int sample) {
+  mProgress = {sample + 1, 0, {0, 0}, 0};
+  mNext = {0, 0};
 }
 
 void RayCastPass::castTile(const FrameData& data, glm::ivec4 rect) {
   mTarget.bindImages();
   glm::ivec2 groups = (glm::ivec2(rect.z, rect.w) + shared::kTileGroup - 1) / shared::kTileGroup;
+  // With no common factor the stride comes to every group; those beyond the tile have nothing to do.
+  static const int stride = threadCount();
+  int count = groups.x * groups.y;
+  while (std::gcd(count, stride) != 1) ++count;
   mProgram->set(0, rect);
   mProgram->set(1, data.frame.windowOrigin);
-  mProgram->set(2, strideOf(groups.x * groups.y));
-  gpu::dispatch(*mProgram, glm::ivec3(groups, 1));
+  mProgram->set(2, glm::ivec2(groups.x, stride));
+  gpu::dispatch(*mProgram, {count, 1, 1});
   gpu::barrier();
 }
 

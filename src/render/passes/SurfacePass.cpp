@@ -35,6 +35,7 @@ void SurfacePass::resize(glm::ivec2 size) {
   mAux = gpu::Texture::make2d("surface normal, distance", gpu::Format::Rgba32f, size);
   mIds = gpu::Texture::make2d("surface ids", gpu::Format::R32ui, size);
   mDepth = gpu::Texture::make2d("surface depth", gpu::Format::Depth32f, size);
+  mIsBlank = false;
   mTarget = gpu::Framebuffer("surfaces", {&mColor, &mAux, &mIds}, &mDepth);
 }
 
@@ -55,8 +56,10 @@ const gpu::Buffer& SurfacePass::meshBuffer(const Shared<Mesh>& mesh, const Frame
 
 void SurfacePass::addSteps(const FrameData& data, int, WorkQueue& queue) {
   queue.add(*this, [this, &data] {
-    mTarget.clear(glm::vec4(0.0f), 1.0f);
-    if (hasAny(data.frame.scene)) draw(data);
+    bool isDrawn = hasAny(data.frame.scene);
+    if (isDrawn || !mIsBlank) mTarget.clear(glm::vec4(0.0f), 1.0f);
+    if (isDrawn) draw(data);
+    mIsBlank = !isDrawn;
     bind(data);
   });
 }

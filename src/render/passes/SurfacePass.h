@@ -36,6 +36,7 @@ class SurfacePass : public Pass {
   const gpu::Program* mProgram = nullptr;  ///< The frame's.
   gpu::Texture mColor, mAux, mIds, mDepth;
   gpu::Framebuffer mTarget;
+  bool mIsBlank = false;  ///< Nothing is drawn in it.
   std::map<std::pair<std::uint64_t, std::array<double, 4>>, gpu::Buffer> mMeshes;
 };
 

@@ -79,7 +79,7 @@ float inlayShare(vec3 scenePoint, uint structure) {
   return share;
 }
 
-/// Optical depth of a length of material, mm, whose opacity has been reduced: the opacity of a voxel of it is.
+/// Optical depth of a length of material, whose opacity has been reduced: the opacity of a voxel of it is.
 float fadedDepth(float depth, float thickness, float share) {
   float voxels = max(thickness * frame.voxelsPerLength, 1e-6);
   float opacity = 1.0 - exp(-depth / voxels);

@@ -41,7 +41,7 @@ vec4 structureRow(uint label) {
 /// The table entries that the values between two table positions touch, at least one apart.
 ivec2 entriesBetween(float a, float b) { return ivec2(int(min(a, b)), int(max(a, b)) + 1); }
 
-/// Mean extinction, 1/mm, of the material between two table positions: the value is taken to run evenly from one to the
+/// Mean extinction, 1/length, of the material between two table positions: the value is taken to run evenly from one to the
 /// other, so a thin peak of the transfer function is never stepped over (pre-integration by running sums).
 float extinctionBetween(float a, float b) {
   ivec2 e = entriesBetween(a, b);
@@ -97,7 +97,7 @@ vec3 labelGradientAt(vec3 p) {
 }
 #endif
 
-/// Gradient of the data value per mm, scene frame, by central differences of one voxel. Software drivers look it up in a
+/// Gradient of the data value per, scene frame, by central differences of one voxel. Software drivers look it up in a
 /// texture of the same differences (a fetch for six); others take them on demand.
 vec3 gradientAt(vec3 tex) {
 #if GRADIENTS

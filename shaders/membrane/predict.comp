@@ -44,7 +44,7 @@ vec3 latticeForce(vec3 place) {
 #endif
 }
 
-/// The same over the user's own kernels, boxes along the rest plane's axes. @param lift  of the rest plane, mm
+/// The same over the user's own kernels, boxes along the rest plane's axes. @param lift  of the rest plane
 vec3 userForce(vec3 place, out float lift) {
   vec3 force = vec3(0.0);
   lift = 0.0;

@@ -6,7 +6,7 @@
 layout(std430, binding = kSheetCountsBinding) buffer CountBlock { uint counts[]; };
 
 layout(location = 0) uniform ivec4 particles;  // x, y: along the rest plane's width and height; z: room in the lists
-layout(location = 1) uniform vec4 halfSize;    // half edges of the rest plane's box, mm
+layout(location = 1) uniform vec4 halfSize;    // half edges of the rest plane's box
 
 SheetPlan thePlan() { return SheetPlan(ivec4(0, particles.xy, 0), halfSize.xyz, 1.0); }
 

@@ -22,7 +22,7 @@ float shownExtinction(float extinction, vec3 p, uint structure) {
 struct Place {
   vec3 point;  // scene
   uint structure;
-  float extinction;  // 1/mm
+  float extinction;  // 1/length
 };
 
 Place placeAt(vec3 tex) {

@@ -1,5 +1,5 @@
 // The elastic sheet: what a step of position based dynamics does to one particle. C++ and GLSL compile this text.
-// Frame: the cut's local millimetres, z along its axis, the rest plane at z = 0.
+// Frame: the cut's local one, z along its axis, the rest plane at z = 0.
 #ifndef VELUM_SHARED_CLOTH_H
 #define VELUM_SHARED_CLOTH_H
 #include "shared/types.h"
@@ -7,14 +7,14 @@ SHARED_BEGIN
 
 SHARED_CONST uint kClothBinding = 0u;        // uniform block
 SHARED_CONST uint kPlaceBinding = 0u;        // vec4: place, w: 1 moves, 0 is held
-SHARED_CONST uint kVelocityBinding = 1u;     // vec4, mm/s
+SHARED_CONST uint kVelocityBinding = 1u;     // vec4, length/s
 SHARED_CONST uint kFromBinding = 2u;         // places before an iteration
 SHARED_CONST uint kToBinding = 3u;           // and after it
 SHARED_CONST uint kKernelBinding = 4u;       // vec2: push, pull
 SHARED_CONST uint kUserKernelBinding = 5u;
-SHARED_CONST uint kRoomBinding = 6u;         // vec2: lowest, highest z of a particle, mm
+SHARED_CONST uint kRoomBinding = 6u;         // vec2: lowest, highest z of a particle
 SHARED_CONST uint kBendBinding = 7u;         // coefficients, see BendStencil
-SHARED_CONST uint kRestBinding = 8u;         // uint: bits of the largest speed, mm/s
+SHARED_CONST uint kRestBinding = 8u;         // uint: bits of the largest speed, length/s
 SHARED_CONST int kClothGroup = 8;        // threads along x and y of a group
 SHARED_CONST int kBendEvery = 4;         // iterations to one that bends, with the stiffness of as many
 SHARED_CONST int kMostStrides = 5;
@@ -24,10 +24,10 @@ SHARED_CONST int kBendClasses = 9;           // by distance from either end of a
 /// What a step needs to know. std140.
 struct ClothParams {
   ivec4 grid;            ///< x, y: particles; z: user kernels; w: strides
-  vec4 halfSize;         ///< xyz: half the rest plane and the reach, mm; w: longest way in a step, mm
-  vec4 step;             ///< x: time, s; y: what is left of a velocity; z: pull back to the rest plane, 1/s^2; w: mm/s^2 of strength 1
+  vec4 halfSize;         ///< xyz: half the rest plane and the reach; w: longest way in a step
+  vec4 step;             ///< x: time, s; y: what is left of a velocity; z: pull back to the rest plane, 1/s^2; w: length/s^2 of strength 1
   mat4 kernelFromLocal;  ///< places of the kernel lattice, kernels at integers
-  vec4 spacing;          ///< xyz: between kernels along the volume's axes, mm; w: their geometric mean
+  vec4 spacing;          ///< xyz: between kernels along the volume's axes; w: their geometric mean
   ivec4 lattice;         ///< kernels along x, y, z; w: kernels that reach a place, along one axis
   vec4 axisX;            ///< xyz: the volume's unit axes in the frame; axisX.w: area of effect, kernels
   vec4 axisY;
@@ -37,9 +37,9 @@ struct ClothParams {
 
 /// A kernel that the user has put somewhere.
 struct ClothKernel {
-  vec4 place;     ///< xyz: centre; w: half-width, mm
+  vec4 place;     ///< xyz: centre; w: half-width
   vec4 strength;  ///< x: push (> 0: to the sheet's positive side, by the least cut), y: pull or push from the centre; z: how
-                  ///< high it lifts the rest plane, mm
+                  ///< high it lifts the rest plane
 };
 
 /// Which side of a kernel's centre: -1 to 1. Differs: the sign of [IMC] eq. 3 would jump at the centre, where a sheet then

@@ -54,7 +54,7 @@ SHARED_FN ivec4 sheetCellsWithin(SheetPlan plan, vec2 low, vec2 high) {
                sheetCellIndex(b.y, plan.rows.z));
 }
 
-/// Slack of a cell's lowest and highest z, mm.
+/// Slack of a cell's lowest and highest z.
 SHARED_FN float sheetSlack(SheetPlan plan) { return kSheetMargin * (plan.halfSize.x + plan.halfSize.y + plan.halfSize.z); }
 
 /// True over the rest plane's rectangle. Half open, as the edges of the meshes are counted.
@@ -123,7 +123,7 @@ SHARED_FN float sheetSteepness(vec3 a, vec3 b, vec3 c) {
 struct SheetColumn {
   int over;        ///< how often it meets the sheet above the point
   int all;         ///< how often at all: odd over the rest plane
-  float distance;  ///< to the plane of the triangle that it meets nearest, mm
+  float distance;  ///< to the plane of the triangle that it meets nearest
 };
 
 SHARED_FN SheetColumn sheetColumn(SheetPlan plan, vec3 p, vec4 cell SHARED_SHEETS) {
@@ -187,7 +187,7 @@ SHARED_FN bool sheetIsAbove(SheetPlan plan, vec3 p SHARED_SHEETS) {
   return sheetColumnIsAbove(sheetColumn(plan, p, cell SHARED_PASS_SHEETS), p);
 }
 
-/// Distance to the sheet, mm, negative above it. Exact in sign; in size only near a sheet that is hardly curved: along z
+/// Distance to the sheet, negative above it. Exact in sign; in size only near a sheet that is hardly curved: along z
 /// to the next crossing, times the cosine of its slope.
 SHARED_FN float sheetDistance(SheetPlan plan, vec3 p SHARED_SHEETS) {
   if (!sheetHolds(plan, p)) return -p.z;

@@ -52,11 +52,10 @@ scene::Cut newMembrane(const scene::Scene& scene, const MembraneOptions& options
   return cut;
 }
 
-/// "x,y,z:x,y,z@radius": the points of a path, mm. @param name  of the option
+/// "x,y,z:x,y,z@radius": the points of a path. @param name  of the option
 scene::Stroke parseStroke(const std::string& text, const char* name) {
   auto refuse = [&](const char* why) {
-    throw ArgumentError(
-        fmt::format("{} {}: {}; expected points in mm and a radius, x,y,z:x,y,z@radius", name, text, why));
+    throw ArgumentError(fmt::format("{} {}: {}; expected points and a radius, x,y,z:x,y,z@radius", name, text, why));
   };
   scene::Stroke stroke;
   const char* at = text.c_str();
@@ -187,19 +186,20 @@ Json jsonOf(const session::MembraneReport& report, const scene::Cut& cut, int pl
   return json;
 }
 
-void printReport(const session::MembraneReport& report) {
+void printReport(const session::MembraneReport& report, LengthUnit unit) {
   fmt::print("{}: {} kernels, {} x {} particles, {} after {} steps, {:.1f} ms a step\n",
              report.name.empty() ? "membrane" : report.name, report.kernels, report.particles.x, report.particles.y,
              report.atRest ? "at rest" : "still moving", report.steps, report.stepMs);
   if (!report.kept) return;
   fmt::print(
-      "cuts {} of the {} pairs of protected voxels that the plane cuts (ratio {:.3f}), {:.2f} mm from the rest plane "
+      "cuts {} of the {} pairs of protected voxels that the plane cuts (ratio {:.3f}), {:.2f} {} from the rest plane "
       "on "
       "average\n",
-      report.kept->cutAreaMembrane, report.kept->cutAreaPlane, report.kept->ratio, report.kept->meanDistance);
+      report.kept->cutAreaMembrane, report.kept->cutAreaPlane, report.kept->ratio, report.kept->meanDistance,
+      symbolOf(unit));
   if (report.limit)
-    fmt::print("no sheet with this frame and reach can do better than {:.3f}, at {:.2f} mm\n",
-               report.limit->figure.ratio, report.limit->figure.meanDistance);
+    fmt::print("no sheet on this rest plane with this reach can do better than {:.3f}, at {:.2f} {}\n",
+               report.limit->figure.ratio, report.limit->figure.meanDistance, symbolOf(unit));
 }
 
 void exportWhatIsAsked(const scene::Scene& settled, const std::vector<session::MembraneReport>& reports,
@@ -244,7 +244,7 @@ int run(const MembraneOptions& options) {
     if (options.common.json)
       list.push_back(jsonOf(report, *scene::findCut(settled, report.cut), scene::cutPlace(settled, report.cut)));
     else
-      printReport(report);
+      printReport(report, settled.unit);
   }
   if (!options.common.json) return 0;
   Json json = list.size() == 1 ? list[0] : Json{{"membranes", list}};
@@ -264,18 +264,18 @@ Run registerMembrane(CLI::App& verb) {
   numbers(
       "--protect", options->protect, 2,
       "add a membrane that keeps values from A to B whole: A,B; default, where the scene has none: what it shows most");
-  numbers("--protect-at", options->at, 3, "the same for the material at a place, x,y,z in mm: what a click does");
+  numbers("--protect-at", options->at, 3, "the same for the material at a place, x,y,z: what a click does");
   verb.add_option("--protect-structure", options->structures, "the same for a structure, by label id; repeatable");
   auto repeated = [&](const char* name, std::vector<std::string>& out, const char* text) {
     verb.add_option(name, out, text)->allow_extra_args(false);
   };
   repeated("--kernel", options->kernels,
            "put a ball in that pushes the sheet away (strength up to 1000) or draws it to its middle (down to -1000): "
-           "x,y,z,radius,strength in mm; repeatable");
+           "x,y,z,radius,strength; repeatable");
   repeated("--pin", options->pins,
-           "hold the sheet in a place, by its point that lies there when it hangs flat: x,y,z in mm; repeatable");
+           "hold the sheet in a place, by its point that lies there when it hangs flat: x,y,z; repeatable");
   verb.add_option("--sketch", options->sketch,
-                  "the same for what lies under a stroke, x,y,z:x,y,z@radius in mm (radius 3 if left out); repeatable");
+                  "the same for what lies under a stroke, x,y,z:x,y,z@radius (radius 3 if left out); repeatable");
   verb.add_option("--avoid", options->avoid, "a stroke over what the sheet may cut; repeatable");
   numbers("--axis", options->axis, 3,
           "normal of the new membrane's frame, towards what is removed; default: to the eye");

@@ -82,7 +82,7 @@ TEST(Structures, SizesEqualACountOfTheVoxels) {
   auto sizes = measureStructures(labels, progress);
   ASSERT_EQ(sizes.size(), 2u);
   EXPECT_EQ(sizes[7].voxels, 40u * 33u * 34u);
-  EXPECT_NEAR(sizes[7].ml, 40 * 33 * 34 * 1.0 / 1000.0, 1e-9);
+  EXPECT_NEAR(sizes[7].volume, 40 * 33 * 34 * 1.0 / 1000.0, 1e-9);
   EXPECT_EQ(sizes[7].centroid, glm::dvec3(19.5, 16.0, 16.5));
   EXPECT_EQ(sizes[300].voxels, 24u);
   EXPECT_EQ(sizes[300].low, glm::ivec3(40, 34, 34));

@@ -6,7 +6,7 @@
 
 namespace velum {
 
-/// Triangles in world space (mm, LPS). Normals are per vertex, unit; empty when the file has none.
+/// Triangles in world space (LPS). Normals are per vertex, unit; empty when the file has none.
 struct Mesh {
   std::vector<glm::vec3> positions;
   std::vector<glm::vec3> normals;

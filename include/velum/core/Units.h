@@ -13,7 +13,7 @@ struct EnumNames<LengthUnit> {
   static constexpr std::string_view kNames[] = {"mm", "angstrom"};
 };
 
-/// How long a unit is, mm.
+/// How long a unit is.
 constexpr double millimetresPer(LengthUnit unit) { return unit == LengthUnit::Angstrom ? 1e-7 : 1.0; }
 /// What a length in `from` has to be multiplied with to be in `to`; exactly 1 where they are the same.
 constexpr double unitsPer(LengthUnit from, LengthUnit to) {

@@ -65,8 +65,8 @@ class Renderer {
   void present(unsigned framebuffer, glm::ivec2 size);
 
   /// The last frame's window: R, G, B, A display-referred with straight alpha, then the layers asked for:
-  /// "position.X/Y/Z" (world mm), "normal.X/Y/Z" (world), "Z" (mm from the eye, along the ray; infinity where nothing
-  /// is), "id" (structure), "instance" (as Pick; -1 where nothing is).
+  /// "position.X/Y/Z" (world), "normal.X/Y/Z" (world), "Z" (distance from the eye, along the ray; infinity where
+  /// nothing is), "id" (structure), "instance" (as Pick; -1 where nothing is).
   Image read(const Layers& layers = {});
 
   /// What the last frame shows at a pixel of its window. From the drawn layers, so it agrees with the picture.

@@ -7,7 +7,7 @@ namespace velum::scene {
 
 enum class Projection { Perspective, Orthographic };
 
-/// Where the eye is. World frame (mm, LPS).
+/// Where the eye is. World frame (LPS).
 struct Camera {
   Projection projection = Projection::Perspective;
   glm::dvec3 eye{0.0, -500.0, 0.0};  ///< the eye; for orthographic pictures only its direction from the target counts

@@ -20,7 +20,7 @@ constexpr bool hasEdges(CutShape shape) { return shape == CutShape::Box || shape
 
 /// One thing that removes material. What it removes: a plane, the side that `axis` points to; a closed shape, its
 /// inside; a membrane, the side of its sheet that `axis` points to (beyond its rest plane, of the rest plane); with
-/// `invert`, the other side. A position is kept when no enabled cut removes it. World frame (mm, LPS).
+/// `invert`, the other side. A position is kept when no enabled cut removes it. World frame (LPS).
 struct Cut {
   int id = 0;  ///< by which everything knows the cut: from 1, unique in a scene, see addCut(); 0: it has none yet
   std::string name;

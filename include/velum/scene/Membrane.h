@@ -20,7 +20,7 @@ enum class SheetLook { Hidden, Grid, Surface };
 
 /// A point of a piecewise linear curve from an attribute of the data to a force.
 struct StrengthPoint {
-  double value = 0.0;     ///< the volume's unit; of a gradient: unit/mm
+  double value = 0.0;     ///< the volume's unit; of a gradient: unit/length
   double strength = 0.0;  ///< > 0 repels the sheet, < 0 attracts it
   bool operator==(const StrengthPoint&) const = default;
   static void fields(auto& o, auto& visit) {

@@ -12,10 +12,10 @@ struct CameraBasis {
 };
 CameraBasis cameraBasis(const Camera& camera);
 
-/// Half the picture's height: at distance 1 (perspective), or anywhere, mm (orthographic).
+/// Half the picture's height: at distance 1 (perspective), or anywhere (orthographic).
 double halfPictureHeight(const Camera& camera);
 
-/// A ray into the picture: origin at the eye (orthographic: in the eye's plane), unit direction. World, mm.
+/// A ray into the picture: origin at the eye (orthographic: in the eye's plane), unit direction. World.
 struct PictureRay {
   glm::dvec3 origin, direction;
 };
@@ -28,7 +28,7 @@ PictureRay rayFromPixel(const Camera& camera, glm::dvec2 size, glm::dvec2 pixel)
 /// Where a point of the world is in the picture; nothing when it lies behind the eye (perspective).
 std::optional<glm::dvec2> pixelFromWorld(const Camera& camera, glm::dvec2 size, glm::dvec3 world);
 
-/// Length in the world, across the line of sight, of one pixel at a point, mm.
+/// Length in the world, across the line of sight, of one pixel at a point.
 double lengthPerPixel(const Camera& camera, glm::dvec2 size, glm::dvec3 world);
 
 }  // namespace velum::scene

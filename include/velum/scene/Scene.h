@@ -105,7 +105,7 @@ struct Scene {
   }
 };
 
-/// The box of everything visible, world frame (mm).
+/// The box of everything visible, world frame .
 struct Bounds {
   glm::dvec3 min{0.0}, max{0.0};
 };
@@ -134,7 +134,7 @@ int addCut(Scene& scene, Cut cut);
 /// are one: for scenes that come from outside.
 void completeCuts(Scene& scene);
 
-/// The rigid frame of a cut: local z is its axis. World from local, mm.
+/// The rigid frame of a cut: local z is its axis. World from local.
 glm::dmat4 worldFromCut(const Cut& cut);
 
 /// Reads the structures' names and colours out of the label data for every id that the scene does not list yet.

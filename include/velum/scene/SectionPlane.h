@@ -7,7 +7,7 @@
 
 namespace velum::scene {
 
-/// Where a section view looks: a rectangle of the world. World frame (mm, LPS); pixels from the top left corner,
+/// Where a section view looks: a rectangle of the world. World frame (LPS); pixels from the top left corner,
 /// centres at halves.
 struct SectionPlane {
   glm::dvec3 centre{0.0};                                   ///< middle of the view, in the section's plane
@@ -24,7 +24,7 @@ SectionPlane makeSectionPlane(const Scene& scene, SectionKind kind, glm::dvec2 s
 glm::dvec3 worldFromSectionPixel(const SectionPlane& plane, glm::dvec2 pixel);
 /// Where the foot of a point on the section's plane is in the view.
 glm::dvec2 sectionPixelFromWorld(const SectionPlane& plane, glm::dvec3 world);
-/// How far a point lies before the plane, towards the viewer, mm.
+/// How far a point lies before the plane, towards the viewer.
 double heightOverSection(const SectionPlane& plane, glm::dvec3 world);
 
 /// Which of the volume's planes a section shows.
@@ -57,7 +57,7 @@ void zoomSection(Scene& scene, SectionKind kind, glm::dvec2 size, glm::dvec2 pix
 void turnSections(Scene& scene, SectionKind kind, double angleRad);
 /// Back to the patient's axes, all of the data in view.
 void resetSections(Scene& scene);
-/// Length of the smallest voxel edge, mm.
+/// Length of the smallest voxel edge.
 double sectionStep(const Scene& scene);
 
 }  // namespace velum::scene

@@ -11,7 +11,7 @@ enum class Layout { FourUp, Volume, VolumeAndSection, Section };
 /// Which of the three sections; the order in which they are stored and shown.
 enum class SectionKind { Axial, Coronal, Sagittal };
 
-/// One section through the crosshair. World frame (mm, LPS).
+/// One section through the crosshair. World frame (LPS).
 struct Section {
   glm::dvec3 normal{0.0, 0.0, -1.0};  ///< towards the viewer, any length
   glm::dvec3 up{0.0, -1.0, 0.0};      ///< what is up on the screen; its part across the normal counts

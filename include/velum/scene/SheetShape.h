@@ -7,7 +7,7 @@
 namespace velum::scene {
 
 /// Where the particles of a sheet are, in the local frame of its cut: x and y across the rest plane from its middle, z
-/// along the axis, mm. Row by row, x fastest; the outermost particles lie on the frame. Two triangles a mesh: lower
+/// along the axis. Row by row, x fastest; the outermost particles lie on the frame. Two triangles a mesh: lower
 /// left, lower right, upper right; lower left, upper right, upper left.
 struct SheetShape {
   glm::ivec2 particles{0};

@@ -20,7 +20,7 @@ struct ColorPoint {
 
 /// A point of an opacity curve; between points it is linear, beyond the ends it stays.
 struct OpacityPoint {
-  double value = 0;    ///< data value, or gradient magnitude (value per mm)
+  double value = 0;    ///< data value, or gradient magnitude (value per)
   double opacity = 0;  ///< 0..1 for `unitDistance` of material
   bool operator==(const OpacityPoint&) const = default;
   static void fields(auto& o, auto& visit) {

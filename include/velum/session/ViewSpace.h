@@ -13,7 +13,7 @@ struct ViewCircle {
   double radius = 0.0;
 };
 
-/// What the (logical) pixels of a view mean in the world, mm: those of the 3D picture, or those of a section. A value:
+/// What the (logical) pixels of a view mean in the world: those of the 3D picture, or those of a section. A value:
 /// a drag keeps that with which it began, so that what is dragged does not run away when the view follows.
 class ViewSpace {
  public:
@@ -29,7 +29,7 @@ class ViewSpace {
 
   /// Where a place is seen, or its foot on a section; nothing behind the eye.
   std::optional<glm::dvec2> pixelFromWorld(glm::dvec3 world) const;
-  /// Length of a pixel at a place, mm.
+  /// Length of a pixel at a place.
   double lengthPerPixel(glm::dvec3 world) const;
   /// The same in the middle of what is looked at.
   double lengthPerPixel() const { return lengthPerPixel(mCamera.target); }

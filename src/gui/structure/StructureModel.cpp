@@ -4,16 +4,17 @@
 #include <QLocale>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace velum::gui {
 
 namespace {
 
 /// Three digits that matter; nothing smaller than a microlitre.
-QString mlText(double ml) {
-  if (ml >= 100.0) return QString::number(ml, 'f', 0);
-  if (ml >= 10.0) return QString::number(ml, 'f', 1);
-  return QString::number(ml, 'f', ml >= 0.095 ? 2 : 3);
+QString volumeText(double volume) {
+  if (volume >= 100.0) return QString::number(volume, 'f', 0);
+  if (volume >= 10.0) return QString::number(volume, 'f', 1);
+  return QString::number(volume, 'f', volume >= 0.095 ? 2 : 3);
 }
 
 }  // namespace
@@ -44,6 +45,14 @@ void StructureModel::setRows(const std::vector<scene::Structure>& rows, std::opt
   if (first >= 0) emit dataChanged(index(first, 0), index(last, kColumns - 1));
 }
 
+QString StructureModel::volumeUnit() const {
+  return mLengthUnit == LengthUnit::Angstrom ? QString::fromUtf8("nm\u00b3") : QStringLiteral("ml");
+}
+
+void StructureModel::setLengthUnit(LengthUnit unit) {
+  if (std::exchange(mLengthUnit, unit) != unit) emit headerDataChanged(Qt::Horizontal, Size, Size);
+}
+
 void StructureModel::sizesChanged() {
   // Only that column: a name that is being typed must not be set back.
   if (!mRows.empty()) emit dataChanged(index(0, Size), index(int(mRows.size()) - 1, Size));
@@ -59,7 +68,7 @@ int StructureModel::columnCount(const QModelIndex& parent) const { return parent
 
 QString StructureModel::sizeText(int id) const {
   const session::StructureSize* size = mMeter.find(id);
-  return size ? mlText(size->ml) : mMeter.isMeasuring() ? QString() : QString::fromUtf8("\u2013");
+  return size ? volumeText(size->volume) : mMeter.isMeasuring() ? QString() : QString::fromUtf8("\u2013");
 }
 
 QString StructureModel::tipOf(const scene::Structure& structure, int column) const {
@@ -79,7 +88,8 @@ QString StructureModel::tipOf(const scene::Structure& structure, int column) con
   QString tip = QString("%1\n%2").arg(data(index(rowOf(structure.id), Name), Qt::DisplayRole).toString(),
                                       tr("Number %1").arg(structure.id));
   if (const session::StructureSize* size = mMeter.find(structure.id))
-    tip += "\n" + tr("%1 voxels, %2 ml").arg(QLocale().toString(qulonglong(size->voxels)), mlText(size->ml));
+    tip += "\n" + tr("%1 voxels, %2 %3")
+                      .arg(QLocale().toString(qulonglong(size->voxels)), volumeText(size->volume), volumeUnit());
   else if (!mMeter.isMeasuring())
     tip += "\n" + tr("No voxel has this number");
   return tip + "\n" + tr("Double click: go there. F2: rename");
@@ -121,7 +131,8 @@ QVariant StructureModel::data(const QModelIndex& index, int role) const {
 
 QVariant StructureModel::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
-  const QString names[kColumns] = {tr("Shown"), tr("Colour"), tr("Name"), tr("Size, ml"), tr("Opacity"), tr("Solo")};
+  const QString names[kColumns] = {tr("Shown"),   tr("Colour"), tr("Name"), tr("Size, %1").arg(volumeUnit()),
+                                   tr("Opacity"), tr("Solo")};
   return names[section];
 }
 

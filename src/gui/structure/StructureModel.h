@@ -23,6 +23,8 @@ class StructureModel : public QAbstractTableModel {
   /// Takes the structures over, row by row where the ids are the same.
   /// @param solo  that is shown alone
   void setRows(const std::vector<scene::Structure>& rows, std::optional<int> solo);
+  /// Of the scene: sizes are told in ml, or in nm^3.
+  void setLengthUnit(LengthUnit unit);
   /// The sizes are known, or no longer.
   void sizesChanged();
   /// -1: no such row.
@@ -39,10 +41,12 @@ class StructureModel : public QAbstractTableModel {
   void renamed(int id, const QString& name);
 
  private:
+  QString volumeUnit() const;
   QString sizeText(int id) const;
   QString tipOf(const scene::Structure& structure, int column) const;
 
   const StructureMeter& mMeter;
+  LengthUnit mLengthUnit = LengthUnit::Millimetre;
   std::vector<scene::Structure> mRows;
   std::optional<int> mSolo;
 };

@@ -287,6 +287,7 @@ void StructurePanel::refresh() {
   mTint->setValue(labels.tint * 100.0);
   mUnlabelled->setValue(labels.unlabelled * 100.0);
   mOnSections->setValue(scene.sections.labelOpacity * 100.0);
+  mList->rows().setLengthUnit(scene.unit);
   mList->rows().setRows(labels.structures, session::soloStructure(scene));
   if (!session::findStructure(scene, mSelection.structure())) mSelection.setStructure(0);
   mList->selectId(mSelection.structure());

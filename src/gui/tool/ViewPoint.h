@@ -23,7 +23,7 @@ class ViewPoint {
 
   /// What is seen here; nothing where nothing is hit.
   const std::optional<render::Pick>& pick() const;
-  /// On a section any point of its plane; in the picture the surface that is seen. World, mm.
+  /// On a section any point of its plane; in the picture the surface that is seen. World.
   std::optional<glm::dvec3> world() const;
   /// In the material that is meant: on a section the point itself; in the picture, where the point lies on the
   /// material's border, 2.5 voxels behind it. @param most  but no deeper than this

@@ -19,7 +19,7 @@ namespace {
 constexpr double kProtectedWeight = 16384.0;
 /// Most nodes of the lattice on which sides are decided: a few hundred milliseconds.
 constexpr double kMostNodes = 6e6;
-/// So far the sheet may go from one time step to the next to follow what moves, in mean edges of the rest plane: 10 mm
+/// So far the sheet may go from one time step to the next to follow what moves, in mean edges of the rest plane: 10
 /// over a heart, whose walls move up to 7 mm in an eighth of a beat; with half of it the sheet lost them.
 constexpr double kFollowShare = 1.0 / 16.0;
 constexpr int kMostStepsFollowed = 4;

@@ -13,7 +13,7 @@ constexpr double kHair = 1e-4;
 /// The box of a membrane's rest plane and reach, for voxels of a grid.
 struct FrameBox {
   glm::dmat4 localFromVoxel{1.0};
-  glm::dvec3 half{0.0};  ///< mm, a hair more than the frame's, so that voxels on its edge are inside
+  glm::dvec3 half{0.0};  ///<, a hair more than the frame's, so that voxels on its edge are inside
   double hair = 0.0;
 
   FrameBox(const scene::Cut& cut, const glm::dmat4& worldFromVoxel)

@@ -7,11 +7,11 @@
 
 namespace velum::membrane {
 
-/// Gradient magnitudes of one channel at one time step, value per mm, in 16 bits a voxel. A code is the square root of
+/// Gradient magnitudes of one channel at one time step, value per, in 16 bits a voxel. A code is the square root of
 /// the magnitude's share of the largest one, so that weak gradients beside a few huge ones keep their digits.
 struct Gradients {
   std::vector<std::uint16_t> codes;  ///< [z][y][x]
-  double largest = 0.0;              ///< value per mm
+  double largest = 0.0;              ///< value per
   double magnitude(int code) const { return largest * (code / 65535.0) * (code / 65535.0); }
 };
 

@@ -10,7 +10,7 @@ namespace velum::membrane {
 /// Which particles the pins of a membrane hold, and where. By the sided rule particles move along the normal only: the
 /// corners of the mesh over which a pin stands are held at its height, so that the sheet passes through it exactly
 /// whatever its resolution. By the paper's rule the particle that a pin names is held in its place.
-/// @param places  where the particles of the sheet are now, frame-local mm
+/// @param places  where the particles of the sheet are now, frame-local
 std::vector<HeldParticle> heldByPins(const scene::Cut& cut, glm::ivec2 particles, std::span<const glm::vec3> places);
 
 /// Differs: not in the paper. By the sided rule the pull back to the rest plane is strong, so that a pin alone would

@@ -11,7 +11,7 @@ namespace velum::render {
 
 namespace {
 
-/// Extinction, 1/mm, of a material that covers `opacity` of what is behind `unit` of it. Fully opaque is 0.999, as
+/// Extinction, 1/length, of a material that covers `opacity` of what is behind `unit` of it. Fully opaque is 0.999, as
 /// infinity has no sums.
 double extinction(double opacity, double unit) { return -std::log(1.0 - std::clamp(opacity, 0.0, 0.999)) / unit; }
 

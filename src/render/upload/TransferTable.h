@@ -11,8 +11,8 @@ namespace velum::render {
 /// changes.
 struct TransferTable {
   glm::dvec2 domain{0.0, 1.0};     ///< Data values of table positions 0 and 1.
-  double gradientMax = 1.0;        ///< Gradient magnitude of position 1 of the third row, value per mm.
-  double extinctionUnit = 1.0;     ///< Extinction, 1/mm, of one unit of the sums.
+  double gradientMax = 1.0;        ///< Gradient magnitude of position 1 of the third row, value per.
+  double extinctionUnit = 1.0;     ///< Extinction, 1/length, of one unit of the sums.
   double mixedWhite = 1.0;         ///< Alpha of a mixture that is white in a maximum: of one channel at its densest.
   int shownFrom = 0, shownTo = 0;  ///< First entry with any extinction, and one past the last.
   std::vector<glm::uvec4>
@@ -32,8 +32,8 @@ TransferTable makeTransferTable(const scene::Scene& scene);
 struct MixTable {
   static constexpr int kSize = 4096;
   glm::dvec2 domain{0.0, 1.0};                   ///< Values of the first and the last entry.
-  double largestExtinction = 0;                  ///< 1/mm, of all together
-  double largestOfOne = 0;                       ///< 1/mm, of the channel that has most
+  double largestExtinction = 0;                  ///< 1/length, of all together
+  double largestOfOne = 0;                       ///< 1/length, of the channel that has most
   std::vector<std::vector<glm::vec4>> channels;  ///< [channel][kSize] (colour*sigma, sigma) over the largest one
 };
 MixTable makeMixTable(const scene::VolumeLayer& layer);

@@ -107,7 +107,7 @@ double clearOf(std::initializer_list<double> lengths, const std::vector<double>&
   return *lengths.begin();
 }
 
-/// Half sizes along the rest plane's axes at which faces and ends lie, mm.
+/// Half sizes along the rest plane's axes at which faces and ends lie.
 std::vector<double> faceReaches(const scene::Cut& cut) {
   glm::dvec3 half = cut.size * 0.5;
   switch (cut.shape) {

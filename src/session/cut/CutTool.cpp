@@ -27,7 +27,7 @@ struct Drag {
   scene::PictureRay rayAt(glm::dvec2 pixel) const { return scene::rayFromPixel(camera, size, pixel); }
 };
 
-/// How far along a line the point nearest to a ray lies, mm.
+/// How far along a line the point nearest to a ray lies.
 double alongLine(glm::dvec3 point, glm::dvec3 direction, const scene::PictureRay& ray) {
   double b = glm::dot(direction, ray.direction), denominator = 1.0 - b * b;
   if (denominator < 1e-9) return 0.0;
@@ -35,7 +35,7 @@ double alongLine(glm::dvec3 point, glm::dvec3 direction, const scene::PictureRay
   return (b * glm::dot(ray.direction, w) - glm::dot(direction, w)) / denominator;
 }
 
-/// How far a drag goes along a line through a point of the world, mm.
+/// How far a drag goes along a line through a point of the world.
 double dragAlong(const Drag& drag, glm::dvec3 place, glm::dvec3 direction) {
   auto foot = scene::pixelFromWorld(drag.camera, drag.size, place);
   auto tip = scene::pixelFromWorld(drag.camera, drag.size, place + direction * (kArrowPixels * drag.gizmo.pixel));

@@ -49,7 +49,7 @@ glm::dvec2 centroid(const std::vector<glm::dvec2>& points) {
   return std::abs(area) > 1e-9 ? mean + sum / (3.0 * area) : mean;
 }
 
-/// The radius of a cone or cylinder at a height of its own frame, mm.
+/// The radius of a cone or cylinder at a height of its own frame.
 double radiusAt(const scene::Cut& cut, double z) {
   double radius = cut.size.x * 0.5;
   return cut.shape == CutShape::Cone ? radius * z / std::max(cut.size.z, 1e-12) : radius;

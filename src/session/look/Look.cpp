@@ -11,7 +11,7 @@ namespace velum::session {
 
 namespace {
 
-/// Mean edge of a voxel, mm; 1 where there is no volume.
+/// Mean edge of a voxel; 1 where there is no volume.
 double voxel(const scene::VolumeLayer& layer) {
   if (!layer.data) return 1.0;
   glm::dvec3 spacing = spacingOf(*layer.data);

@@ -11,7 +11,7 @@ constexpr int kBins = 4096;
 
 bool isWhole(SampleType type) { return type != SampleType::Float32 && type != SampleType::Float64; }
 
-/// Central difference along the three axes, value per mm; one-sided at the border.
+/// Central difference along the three axes, value per; one-sided at the border.
 double gradientLength(const Volume& volume, const glm::dmat3& worldFromStep, glm::ivec3 p, int channel, int timeStep) {
   glm::dvec3 difference(0.0);
   for (int axis = 0; axis < 3; ++axis) {

@@ -61,11 +61,12 @@ std::map<int, StructureSize> measureStructures(const LabelVolume& labels, Progre
         addBrick(sums, labels.brick({bx, by, bz}), corner, glm::min(labels.dims() - corner, glm::ivec3(kBrick)));
       }
   }
-  double voxelMl = std::abs(glm::determinant(glm::dmat3(labels.worldFromVoxel()))) / 1000.0;
+  double voxelVolume = std::abs(glm::determinant(glm::dmat3(labels.worldFromVoxel()))) / 1000.0;
   std::map<int, StructureSize> sizes;
   for (std::size_t id = 1; id < sums.size(); ++id)
     if (const Sum& sum = sums[id]; sum.voxels > 0)
-      sizes[int(id)] = {sum.voxels, double(sum.voxels) * voxelMl, sum.places / double(sum.voxels), sum.low, sum.high};
+      sizes[int(id)] = {sum.voxels, double(sum.voxels) * voxelVolume, sum.places / double(sum.voxels), sum.low,
+                        sum.high};
   return sizes;
 }
 

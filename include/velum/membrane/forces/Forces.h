@@ -15,7 +15,7 @@
 namespace velum::membrane {
 
 /// Where the sheet may hang so that it cuts nothing more than it must, column by column over the rest plane: between
-/// what belongs below it and what belongs above it. Frame-local mm.
+/// what belongs below it and what belongs above it. Frame-local.
 struct Corridor {
   glm::ivec2 dims{0};      ///< columns; {0, 0}: the sheet may hang anywhere
   glm::dvec2 origin{0.0};  ///< middle of column (0, 0)
@@ -34,7 +34,7 @@ struct Forces {
   double leastCutMs = 0;
 };
 
-/// z of a sheet over a place of its rest plane, mm.
+/// z of a sheet over a place of its rest plane.
 using HeightOver = std::function<double(glm::dvec2 local)>;
 
 /// A sheet that is there already (active repositioning), in the frame that is wanted.
@@ -90,7 +90,7 @@ class ForceMaker {
 
 /// Room for each particle of a sheet: of the columns that are nearer to it than to others. Where no height suits them
 /// all, that of its nearest column. Empty without a corridor.
-/// @param places  the particles of a sheet, frame-local mm
+/// @param places  the particles of a sheet, frame-local
 /// @param pitch  between particles
 std::vector<glm::vec2> roomOf(const Corridor& corridor, std::span<const glm::vec3> places, glm::dvec2 pitch);
 

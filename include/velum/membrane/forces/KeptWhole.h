@@ -12,7 +12,7 @@ namespace velum::membrane {
 
 /// Says of many points at once on which side of a sheet they are. Called from several threads. Voxels on the rest plane
 /// are handed over a hair below it, so that they count as below.
-/// @param local  frame-local mm
+/// @param local  frame-local
 /// @param above  same length: 1 above (removed), 0 below
 using SideOfPoints = std::function<void(std::span<const glm::vec3> local, std::span<std::uint8_t> above)>;
 

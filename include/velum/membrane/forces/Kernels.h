@@ -17,7 +17,7 @@ struct KernelGrid {
   glm::ivec3 dims{0};               ///< super-voxels along x (fastest), y, z; those at the end may hold fewer voxels
   int level = 0;                    ///< 0..6
   std::vector<float> strengths;     ///< [z][y][x]; 0 where there is no kernel, i.e. below the field's threshold
-  glm::dmat4 worldFromKernel{1.0};  ///< mm; kernels, the middles of whole super-voxels, are at integers
+  glm::dmat4 worldFromKernel{1.0};  ///<; kernels, the middles of whole super-voxels, are at integers
   std::size_t count = 0;            ///< how many have a strength
 };
 

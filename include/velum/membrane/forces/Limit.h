@@ -18,7 +18,7 @@ CutLattice gatherLattice(const ProtectedVoxels& voxels, const scene::Cut& cut, d
 /// The sheet of a least cut as an answer to measureKeptWhole: stairs between the lattice's columns, and the plane
 /// beyond it. The lattice and the cut are copied.
 SideOfPoints sideOfLeastCut(const CutLattice& lattice, const LeastCut& cut);
-/// Its mean distance from the rest plane over the rest plane, mm.
+/// Its mean distance from the rest plane over the rest plane.
 double meanDistance(const CutLattice& lattice, const LeastCut& least, const scene::Cut& cut);
 
 /// The least cut area that any single-valued sheet in the frame and reach can have: the limit of the quality figure.

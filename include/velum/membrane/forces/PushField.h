@@ -30,7 +30,7 @@ struct HeldParticle {
   glm::vec3 place{0.0f};  ///< frame-local
 };
 
-/// Mean edge of a frame, mm: the unit of forces is 1/128 of it.
+/// Mean edge of a frame: the unit of forces is 1/128 of it.
 inline double meanEdge(glm::dvec3 half) { return 2.0 * std::sqrt(half.x * half.y); }
 
 }  // namespace velum::membrane

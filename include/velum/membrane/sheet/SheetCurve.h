@@ -8,7 +8,7 @@ namespace velum::membrane {
 
 /// Where a plane meets a sheet.
 struct SheetCurve {
-  std::vector<glm::vec3> places;  ///< corners of a line, in the frame of the sheet, mm
+  std::vector<glm::vec3> places;  ///< corners of a line, in the frame of the sheet
   bool isClosed = false;          ///< back to the first; open ones end on the rim
 };
 

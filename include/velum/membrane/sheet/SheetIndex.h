@@ -29,7 +29,7 @@ SheetIndex makeSheetIndex(const scene::SheetShape& shape, glm::ivec2 flat, glm::
 /// @param place  in the frame
 bool isAbove(const SheetIndex& index, glm::vec3 place);
 
-/// A point of a sheet: where it is in the frame, mm, and between which particles, as a share 0..1 of those along x and
+/// A point of a sheet: where it is in the frame, and between which particles, as a share 0..1 of those along x and
 /// y.
 struct SheetTouch {
   glm::dvec3 place{0.0};

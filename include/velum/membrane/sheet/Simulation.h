@@ -30,7 +30,7 @@ class Simulation {
   const Solver& solver() const { return *mSolver; }
   const Forces& forces() const { return mForces; }
   int steps() const { return mSteps; }
-  /// Largest speed when it was last looked at (every eighth step), mm/s.
+  /// Largest speed when it was last looked at (every eighth step), length/s.
   double speed() const { return mSpeed; }
   /// Where the particles are. Waits for the GPU.
   scene::SheetShape shape() const;

@@ -19,8 +19,8 @@ struct SheetSetup {
   bool operator==(const SheetSetup&) const = default;
 };
 
-/// The elastic sheet on the GPU: position based dynamics [PBD] in compute shaders, in the rest plane's local
-/// millimetres.
+/// The elastic sheet on the GPU: position based dynamics [PBD] in compute shaders, in the cut's local
+/// frame.
 ///
 /// Differs: Jacobi passes that gather per particle instead of Gauss-Seidel, so that the result does not depend on the
 /// order of threads; bending by the quadratic model of [BERGOU], whose stiffness is that of dihedral angles near rest
@@ -38,9 +38,9 @@ class Solver {
   void setSheet(const SheetSetup& setup);
   const SheetSetup& sheet() const { return mSetup; }
   void setField(const PushField& field);
-  /// The lowest and highest z of each particle, mm; empty: the reach.
+  /// The lowest and highest z of each particle; empty: the reach.
   void setRoom(std::span<const glm::vec2> room);
-  /// Puts the particles somewhere, without speed. @param places  frame-local mm, one a particle; the border does not
+  /// Puts the particles somewhere, without speed. @param places  frame-local, one a particle; the border does not
   /// move
   void setPlaces(std::span<const glm::vec3> places);
   /// Holds particles in places from now on; those that were held before are free. The border stays.
@@ -49,7 +49,7 @@ class Solver {
   void step(int count);
   /// Steps since something was changed.
   int age() const { return mAge; }
-  /// Largest speed in the last step, mm/s. Waits for the GPU.
+  /// Largest speed in the last step, length/s. Waits for the GPU.
   double speed() const;
   /// A speed at which the eye sees no motion and the sheet counts as at rest: 1/1000 of the rest plane's mean edge a
   /// second.

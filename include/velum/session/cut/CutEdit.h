@@ -41,7 +41,7 @@ AxisAngles anglesFromAxis(glm::dvec3 axis);
 /// The counterpart, a unit vector without the noise of the sines.
 glm::dvec3 axisFromAngles(AxisAngles angles);
 
-/// How far the plane stands from the middle of the scene along its normal, mm, and how far it can go while it meets the
+/// How far the plane stands from the middle of the scene along its normal, and how far it can go while it meets the
 /// scene's box (minus that to plus that).
 struct CutPosition {
   double offset = 0;

@@ -32,14 +32,14 @@ enum class CutHandle {
   CornerMaxMax  ///< of a membrane's rest plane, by x and y: both sides there move, the opposite corner stays
 };
 
-/// A place where a handle is taken. World, mm.
+/// A place where a handle is taken. World.
 struct CutGrip {
   CutHandle handle = CutHandle::None;
   glm::dvec3 place{0.0};
   glm::dvec3 direction{0.0};  ///< unit, along which a resizing handle goes
 };
 
-/// A cut as it is drawn over a picture. World, mm; sizes are constant in pixels.
+/// A cut as it is drawn over a picture. World; sizes are constant in pixels.
 struct CutGizmo {
   glm::dvec3 centre{0.0};  ///< where the arrow stands: middle of a plane's outline, or of a shape
   glm::dvec3 normal{0.0};  ///< unit; of a plane: towards what is removed
@@ -55,10 +55,10 @@ struct CutGizmo {
 
 CutGizmo makeCutGizmo(const scene::Scene& scene, const scene::Cut& cut, glm::dvec2 pictureSize);
 
-/// Where a handle is. World, mm; the middle for a handle that the gizmo does not have.
+/// Where a handle is. World; the middle for a handle that the gizmo does not have.
 glm::dvec3 handlePlace(const CutGizmo& gizmo, CutHandle handle);
 
-/// Points of the ring, for drawing. World, mm.
+/// Points of the ring, for drawing. World.
 std::vector<glm::dvec3> ringPoints(const CutGizmo& gizmo);
 
 /// The handle under a pixel. @param reach  how far beside it may be taken, pixels

@@ -34,10 +34,11 @@ const char* dragLabel(const scene::Cut& cut, CutHandle handle);
 double snappedLength(double mm, glm::dvec3 direction, const CutSnap& snap);
 glm::dvec3 snappedShift(glm::dvec3 shift, const CutSnap& snap);
 double snappedAngle(double rad, const CutSnap& snap);
-/// Moves a corner of a frame by mm along its width and height; the opposite one stays. @param keepsRatio  of its edges
+/// Moves a corner of a frame by a length along its width and height; the opposite one stays. @param keepsRatio  of its
+/// edges
 scene::Cut withCornerMoved(scene::Cut cut, int corner, glm::dvec2 mm, double smallest, bool keepsRatio);
-/// Moves one face of a box, an end of a cylinder or cone outwards by `mm`; the opposite one stays.
-/// @param axis, sign  which face: 0..2, -1 or 1  @param smallest  the least that is left, mm
+/// Moves one face of a box, an end of a cylinder or cone outwards by a length; the opposite one stays.
+/// @param axis, sign  which face: 0..2, -1 or 1  @param smallest  the least that is left
 scene::Cut withFaceMoved(scene::Cut cut, int axis, int sign, double mm, double smallest);
 /// Turns a cut about a point. @param axis  unit
 scene::Cut withTurn(scene::Cut cut, glm::dvec3 pivot, glm::dvec3 axis, double rad);

@@ -10,7 +10,7 @@ namespace velum::session {
 /// makes at most 4096. O(voxels) up to 16 million. Any thread.
 Histogram valueHistogram(const Volume& volume, int channel, int timeStep);
 
-/// The same for the length of the gradient, value per mm, from about a million voxels, up to where all but a thousandth
+/// The same for the length of the gradient, value per, from about a million voxels, up to where all but a thousandth
 /// lie.
 Histogram gradientHistogram(const Volume& volume, int channel, int timeStep);
 

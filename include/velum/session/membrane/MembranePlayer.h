@@ -28,7 +28,7 @@ struct MembraneStatus {
   double forcesMs = 0;          ///< that it took to make the forces
   glm::ivec2 particles{0};      ///< of the sheet as it is
   int steps = 0;                ///< since it began to move
-  double speed = 0;             ///< largest speed, mm/s
+  double speed = 0;             ///< largest speed, length/s
   double stepMs = 0;            ///< that a step takes
   bool isMeasured = false;      ///< the figures below are those of the sheet as it rests
   double keptWhole = 1.0;       ///< cut area of the sheet by that of the plane: 0 cuts nothing

@@ -41,7 +41,7 @@ std::vector<MembraneReport> settleMembranes(scene::Scene& scene, MembraneQuestio
 /// True when a picture of the scene needs settleMembranes() first.
 bool hasMembranes(const scene::Scene& scene);
 
-/// The sheet of a membrane as a surface, world mm: of its shape, flat when that is empty. Any thread.
+/// The sheet of a membrane as a surface, world: of its shape, flat when that is empty. Any thread.
 Mesh sheetMesh(const scene::Cut& cut);
 
 /// The scene's volume (its current time step) with everything that the cuts remove set to the smallest value of its

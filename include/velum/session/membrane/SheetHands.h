@@ -14,7 +14,7 @@
 namespace velum::session {
 
 /// What hands put on a membrane: pins that hold it, kernels that push or pull it ([IMC] 3.3). Places are of the world,
-/// mm.
+///.
 
 /// Strength of a kernel that is put in by a drag, as of scene::UserKernel; a pulling one has its negative.
 inline constexpr double kKernelStrength = 500.0;
@@ -64,11 +64,11 @@ void removeHand(scene::Membrane& membrane, Hand hand);
 /// Makes what repels attract, and the other way round.
 void turnKernel(scene::Membrane& membrane, Hand hand);
 
-/// How far a pin is from the rest plane, along its normal, mm; 0 when the membrane does not have it.
+/// How far a pin is from the rest plane, along its normal; 0 when the membrane does not have it.
 double pinHeight(const scene::Cut& cut, Hand hand);
 void setPinHeight(scene::Cut& cut, Hand hand, double mm);
 
-/// Radius of a kernel that is put in by a click: a twelfth of the rest plane's mean edge, mm.
+/// Radius of a kernel that is put in by a click: a twelfth of the rest plane's mean edge.
 double defaultRadius(const scene::Cut& cut);
 
 /// What lies under a pixel: pins first, then middles, then rims. @param reach  how far beside it, pixels

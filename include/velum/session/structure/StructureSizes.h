@@ -12,7 +12,7 @@ namespace velum::session {
 /// How large a structure is and where.
 struct StructureSize {
   std::uint64_t voxels = 0;
-  double ml = 0;
+  double volume = 0;            ///< in thousands of cubic units of length: ml, or nm^3
   glm::dvec3 centroid{0.0};     ///< of its voxels, voxel space; may lie outside of it
   glm::ivec3 low{0}, high{-1};  ///< its box, voxels, both ends included
 };
@@ -21,11 +21,11 @@ struct StructureSize {
 /// @throw Cancelled. Any thread.
 std::map<int, StructureSize> measureStructures(const LabelVolume& labels, Progress& progress);
 
-/// The voxel of a structure that is nearest to its centroid, world mm: a place inside it, whatever its form.
+/// The voxel of a structure that is nearest to its centroid, world: a place inside it, whatever its form.
 /// @param size  as measured, with at least one voxel
 glm::dvec3 middleOfStructure(const LabelVolume& labels, int structure, const StructureSize& size);
 
-/// Radius of the ball about the structure's box, mm.
+/// Radius of the ball about the structure's box.
 double radiusOfStructure(const LabelVolume& labels, const StructureSize& size);
 
 /// The camera brought near to a ball, from the side on which it is. @param aspect  width / height of the picture

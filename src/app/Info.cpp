@@ -41,13 +41,14 @@ Json describe(const Volume& v) {
                {"name", v.name},
                {"dims", list(v.dims, 3)},
                {"type", std::string(enumName(v.type))},
-               {"spacingMm", list(spacingOf(v), 3)},
-               {"originMm", list(glm::dvec3(v.worldFromVoxel[3]), 3)},
+               {"spacingMm", list(spacingOf(v) * unitsPer(v.lengthUnit, LengthUnit::Millimetre), 3)},
+               {"originMm", list(glm::dvec3(worldFromVoxelIn(LengthUnit::Millimetre, v)[3]), 3)},
+               {"lengthUnit", std::string(enumName(v.lengthUnit))},
                {"direction", directionRows(direction(v))},
                {"range", list(v.range, 2)},
                {"channels", v.channels},
                {"frames", v.timeSteps},
-               {"timeStepSeconds", v.timeStepSeconds},
+               {"frameSeconds", v.timeStepSeconds},
                {"unit", v.unit},
                {"modality", std::string(enumName(v.modality))},
                {"color", v.isColor},
@@ -69,11 +70,13 @@ Json describe(const LabelVolume& labels) {
   glm::dmat3 m(labels.worldFromVoxel());
   glm::dvec3 spacing(glm::length(m[0]), glm::length(m[1]), glm::length(m[2]));
   glm::dmat3 unit(m[0] / spacing.x, m[1] / spacing.y, m[2] / spacing.z);
+  double mm = unitsPer(labels.lengthUnit(), LengthUnit::Millimetre);
   return {{"kind", "labels"},
           {"name", labels.name},
           {"dims", list(labels.dims(), 3)},
-          {"spacingMm", list(spacing, 3)},
-          {"originMm", list(glm::dvec3(labels.worldFromVoxel()[3]), 3)},
+          {"spacingMm", list(spacing * mm, 3)},
+          {"originMm", list(glm::dvec3(labels.worldFromVoxel()[3]) * mm, 3)},
+          {"lengthUnit", std::string(enumName(labels.lengthUnit()))},
           {"direction", directionRows(unit)},
           {"storedBytes", labels.storedBytes()},
           {"structures", structures},

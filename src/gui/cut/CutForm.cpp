@@ -104,7 +104,8 @@ void CutForm::makePlace() {
     mCentre[i]->setAccessibleName(tips[i]);
     mCentre[i]->setPrefix(prefixes[i]);
   }
-  addRow(tr("Centre"), row)->setToolTip(tr("In the patient's axes"));
+  mCentreLabel = addRow(tr("Centre"), row);
+  mCentreLabel->setToolTip(tr("In the patient's axes"));
 }
 
 void CutForm::makeDirection() {
@@ -261,9 +262,11 @@ void CutForm::showSize(const scene::Cut& cut) {
 void CutForm::showCut(const scene::Cut& cut) {
   mShown = cut;
   Length length(mDocument.scene());
-  for (auto* spin : mCentre) length.showIn(*spin, false);
-  for (auto* spin : mSize) length.showIn(*spin, true);
+  for (auto* spin : mCentre) length.showIn(*spin, false, false);
+  for (auto* spin : mSize) length.showIn(*spin, true, false);
   mPosition->setLength(length);
+  mCentreLabel->setText(tr("Centre, %1").arg(length.unit()));
+  mSizeLabel->setText(tr("Size, %1").arg(length.unit()));
   bool isPlane = cut.shape == scene::CutShape::Plane, isSphere = cut.shape == scene::CutShape::Sphere;
   auto [offset, reach] = session::cutPosition(mDocument.scene(), cut);
   mPosition->setVisible(isPlane);

@@ -36,8 +36,8 @@ class CutForm : public QWidget {
   Selection& mSelection;
   QGridLayout* mGrid = nullptr;
   NumberRow *mPosition = nullptr, *mFaceOpacity = nullptr;
-  QLabel *mPositionLabel = nullptr, *mAxisLabel = nullptr, *mAlignLabel = nullptr, *mSizeLabel = nullptr,
-         *mFaceOpacityLabel = nullptr;
+  QLabel *mPositionLabel = nullptr, *mAxisLabel = nullptr, *mAlignLabel = nullptr, *mCentreLabel = nullptr,
+         *mSizeLabel = nullptr, *mFaceOpacityLabel = nullptr;
   QWidget *mAxisRow = nullptr, *mAlignRow = nullptr;
   QDoubleSpinBox *mCentre[3] = {}, *mSize[3] = {}, *mAzimuth = nullptr, *mElevation = nullptr, *mSpin = nullptr;
   QWidget* mSizeRow = nullptr;

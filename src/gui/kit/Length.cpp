@@ -30,13 +30,14 @@ QString Length::roundText(double length) const {
   return QString("%1 %2").arg(mm / kUnits[i].first, 0, 'g', 6).arg(QString::fromUtf8(kUnits[i].second));
 }
 
-void Length::showIn(QDoubleSpinBox& spin, bool isPositive) const {
-  if (spin.decimals() == decimals() && spin.suffix() == suffix() && spin.maximum() == mFar) return;
+void Length::showIn(QDoubleSpinBox& spin, bool isPositive, bool hasUnit) const {
+  QString shown = hasUnit ? suffix() : QString();
+  if (spin.decimals() == decimals() && spin.suffix() == shown && spin.maximum() == mFar) return;
   const QSignalBlocker quiet(spin);
   double step = std::pow(10.0, -decimals());
   spin.setDecimals(decimals());
   spin.setRange(isPositive ? step : -mFar, mFar);
-  spin.setSuffix(suffix());
+  spin.setSuffix(shown);
   spin.setSingleStep(step * (decimals() > 1 ? 5 : decimals() == 1 ? 10 : 1));
 }
 

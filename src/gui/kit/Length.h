@@ -23,7 +23,8 @@ class Length {
 
   /// Makes a number one of a length. Ranges reach a hundred times as far as the data.
   /// @param isPositive  at least one step of the last decimal
-  void showIn(QDoubleSpinBox& spin, bool isPositive) const;
+  /// @param hasUnit  false where there is no room for it: the row's name tells it
+  void showIn(QDoubleSpinBox& spin, bool isPositive, bool hasUnit = true) const;
 
  private:
   scene::LengthFormat mFormat;

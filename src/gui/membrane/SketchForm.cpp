@@ -41,7 +41,7 @@ SketchForm::SketchForm(QWidget* parent)
       mKeep(makeButton(this, "sketchKeep", tr("Protect"),
                        tr("Stroke over what the sheet is to go around, on a section or in the picture;\n"
                           "[ and ] or Alt and the wheel change the radius, Esc ends"))),
-      mAvoid(makeButton(this, "sketchAvoid", tr("Avoid"),
+      mAvoid(makeButton(this, "sketchAvoid", tr("Let through"),
                         tr("Stroke over what the sheet may cut: its values are taken out of the curve"))),
       mRemove(makeButton(this, "sketchRemove", tr("Remove stroke"), tr("Remove the selected stroke (Del)"))),
       mRadius(new NumberRow(0.0, 0.0, 1, {}, this)),

@@ -26,7 +26,6 @@ SHARED_CONST uint kSurfaceIdUnit = 12u;
 SHARED_CONST uint kCutBinding = 1u;
 SHARED_CONST uint kStructureBinding = 2u;
 SHARED_CONST uint kCellBinding = 3u;
-SHARED_CONST uint kCellLabelBinding = 4u;
 SHARED_CONST uint kMeshBinding = 5u;
 SHARED_CONST uint kSpareIndexBinding = 6u;
 SHARED_CONST uint kSpareBinding = 7u;

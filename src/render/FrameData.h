@@ -45,7 +45,9 @@ struct FrameData {
   const GpuVolume* volume = nullptr;  ///< nullptr: none is drawn.
   VolumeKey volumeKey;
   LabelUse labelUse = LabelUse::None;
-  LabelKey labelKey;  ///< id 0 where no labels are drawn.
+  LabelKey labelKey;                       ///< id 0 where no labels are drawn.
+  const LabelCells* labelCells = nullptr;  ///< nullptr where no labels are drawn.
+  std::uint64_t labelCellsRevision = 0;    ///< Of the sets in them, see LabelUpload::cellsRevision().
   FrameGrid grid;
   SheetPlans sheetPlans;
   SheetSources sheetSources;

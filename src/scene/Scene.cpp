@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <unordered_set>
 #include <utility>
 
 #include "velum/core/Vectors.h"
@@ -134,11 +135,10 @@ glm::dmat4 worldFromCut(const Cut& cut) {
 
 void completeStructures(LabelLayer& labels) {
   if (!labels.data) return;
-  for (const auto& info : labels.data->table) {
-    bool known = std::any_of(labels.structures.begin(), labels.structures.end(),
-                             [&](const Structure& s) { return s.id == info.id; });
-    if (!known) labels.structures.push_back({info.id, info.name, info.color, info.opacity, true});
-  }
+  std::unordered_set<int> known;
+  for (const auto& structure : labels.structures) known.insert(structure.id);
+  for (const auto& info : labels.data->table)
+    if (known.insert(info.id).second) labels.structures.push_back({info.id, info.name, info.color, info.opacity, true});
   std::sort(labels.structures.begin(), labels.structures.end(),
             [](const Structure& a, const Structure& b) { return a.id < b.id; });
 }

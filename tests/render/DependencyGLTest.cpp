@@ -113,6 +113,22 @@ TEST_P(DependencyGL, AChangedFieldOfAnIsosurfaceDrawsAsInAFreshRenderer) {
   EXPECT_GT(fields, 1);
 }
 
+TEST_P(DependencyGL, EditedLabelsDrawAsInAFreshRenderer) {
+  // A structure of the cut's, one that is there, none, and a new one; over the volume and alone.
+  const std::uint16_t kIds[] = {3, 2, 0, 77};
+  std::uint16_t id = kIds[GetParam() % 4];
+  scene::Scene scene = richScene();
+  if (GetParam() >= 4) scene.volume.data = {};
+  LabelVolume labels = *scene.labels.data;
+  glm::ivec3 low(4, 0, 3), size(9, 4, 13);
+  labels.write(low, size, std::vector<std::uint16_t>(std::size_t(size.x * size.y * size.z), id));
+  if (id == 77) labels.table.push_back({id, "new", defaultLabelColor(id), 1.0f});
+  scene::Scene edited = scene;
+  edited.labels.data = Shared<LabelVolume>(std::move(labels));
+  scene::completeStructures(edited.labels);
+  expectAsFresh(scene, edited, "a box of " + std::to_string(id));
+}
+
 INSTANTIATE_TEST_SUITE_P(Share, DependencyGL, testing::Range(0, kShares));
 
 }  // namespace

@@ -1,6 +1,8 @@
 // Labels that are edited: only what differs is sent, and what is then on the GPU is what a fresh upload puts there.
 #include "upload/LabelUpload.h"
 
+#include <fmt/format.h>
+
 #include <random>
 
 #include "RenderFixture.h"
@@ -86,15 +88,48 @@ class LabelUploadGL : public RenderTest {
     upload.texture().read(ids.data(), ids.size() * 2);
     return ids;
   }
-  static std::vector<glm::uvec2> cellsOf(const LabelUpload& upload) {
-    std::vector<glm::uvec2> cells(upload.cellLabels().bytes() / sizeof(glm::uvec2));
-    upload.cellLabels().read(0, upload.cellLabels().bytes(), cells.data());
-    return cells;
-  }
-  static std::size_t differingCells(const std::vector<glm::uvec2>& a, const std::vector<glm::uvec2>& b) {
+  static std::size_t differingCells(const std::vector<std::uint64_t>& a, const std::vector<std::uint64_t>& b) {
     std::size_t count = 0;
     for (std::size_t i = 0; i < a.size(); ++i) count += a[i] != b[i];
     return count;
+  }
+  /// Of the bricks in which two label volumes of one grid differ.
+  static std::size_t bytesBetween(const LabelVolume& a, const LabelVolume& b) {
+    std::size_t bytes = 0;
+    glm::ivec3 grid = a.brickGrid();
+    for (int i = 0; i < grid.x * grid.y * grid.z; ++i) {
+      glm::ivec3 brick(i % grid.x, i / grid.x % grid.y, i / (grid.x * grid.y));
+      glm::ivec3 low = brick * 32, size = glm::min(low + 32, a.dims()) - low;
+      std::vector<std::uint16_t> p(std::size_t(size.x * size.y * size.z)), q = p;
+      a.read(low, size, p);
+      b.read(low, size, q);
+      if (p != q) bytes += p.size() * 2;
+    }
+    return bytes;
+  }
+  /// Labels alone or over a volume, cuts that spare structures of the start and new ones.
+  static scene::Scene sceneToEdit(bool isAlone, bool hasSpares, scene::RenderMode mode) {
+    scene::Scene scene = sceneOf(makeVolume(
+        kDims, SampleType::UInt8, [](glm::ivec3 p) { return 60 + 60 * std::sin(p.x * 0.2) * std::cos(p.z * 0.15); },
+        centredFrame(kDims)));
+    scene.volume.transfer.colors = {{0, {1, 0.8f, 0.6f}}};
+    scene.volume.transfer.opacities = {{60, 0}, {110, 0.6}};
+    scene.rayCast.mode = mode;
+    scene.rayCast.isoValue = 80;
+    scene.labels.tint = 0.8;
+    scene.labels.unlabelled = 0.2;
+    if (isAlone) scene.volume.data = {};
+    if (!hasSpares) return scene;
+    scene::Cut plane, ball;
+    plane.axis = {0.1, -1, 0.2};
+    plane.spares = {{300}, {99}, {293, 9.0}};
+    ball.shape = scene::CutShape::Sphere;
+    ball.centre = {-8, 0, -5};
+    ball.size = glm::dvec3(40);
+    ball.spares = {{1}, {196}, {99, 4.0}};
+    scene.cuts = {plane, ball};
+    scene::completeCuts(scene);
+    return scene;
   }
 };
 
@@ -110,51 +145,43 @@ TEST_F(LabelUploadGL, AfterAnyEditsTheGpuHoldsWhatAFreshUploadDoes) {
   for (const LabelSpace& space : kSpaces) {
     Edits edits(Shared<LabelVolume>(startLabels(frame)), seed++);
     LabelUpload kept(context().limits());
+    Shared<LabelVolume> before;
     for (int turn = 0; turn < 40; ++turn) {
-      const Shared<LabelVolume>& labels = edits.next();
-      std::vector<std::uint16_t> idsBefore;
-      std::vector<glm::uvec2> cellsBefore;
-      if (turn > 0) idsBefore = idsOf(kept), cellsBefore = cellsOf(kept);
+      Shared<LabelVolume> labels = edits.next();
+      std::vector<std::uint64_t> cellsBefore;
+      std::uint64_t revisionBefore = kept.cellsRevision();
+      if (turn > 0) cellsBefore = kept.cells().sets();
       kept.update(labels, space);
       LabelUpload fresh(context().limits());
       fresh.update(labels, space);
       ASSERT_EQ(idsOf(kept), idsOf(fresh)) << "edit " << turn;
-      ASSERT_EQ(cellsOf(kept), cellsOf(fresh)) << "edit " << turn;
-      EXPECT_EQ(fresh.bytesSent(), idsOf(fresh).size() * 2 + cellsOf(fresh).size() * 8);
-      if (turn == 0) continue;
-      // Exactly the bricks in which some voxel differs, and the cells whose sets do.
-      std::size_t expected = 8 * differingCells(cellsBefore, cellsOf(kept));
-      std::vector<std::uint16_t> ids = idsOf(kept);
-      glm::ivec3 grid = labels->brickGrid();
-      for (int brick = 0; brick < grid.x * grid.y * grid.z; ++brick) {
-        glm::ivec3 low = glm::ivec3(brick % grid.x, brick / grid.x % grid.y, brick / (grid.x * grid.y)) * 32;
-        glm::ivec3 high = glm::min(low + 32, kDims);
-        bool differs = false;
-        for (int z = low.z; z < high.z; ++z)
-          for (int y = low.y; y < high.y; ++y)
-            for (int x = low.x; x < high.x; ++x) {
-              auto i = std::size_t((z * kDims.y + y) * kDims.x + x);
-              differs = differs || ids[i] != idsBefore[i];
-            }
-        glm::ivec3 size = high - low;
-        if (differs) expected += std::size_t(size.x * size.y * size.z) * 2;
+      ASSERT_EQ(kept.cells().sets(), fresh.cells().sets()) << "edit " << turn;
+      EXPECT_EQ(fresh.bytesSent(), idsOf(fresh).size() * 2);
+      // Exactly the bricks in which some voxel differs; the map of empty space only where some cell does.
+      if (turn > 0) {
+        EXPECT_EQ(kept.bytesSent(), bytesBetween(*before, *labels)) << "edit " << turn;
+        EXPECT_EQ(kept.cellsRevision() != revisionBefore, cellsBefore != kept.cells().sets()) << "edit " << turn;
       }
-      EXPECT_EQ(kept.bytesSent(), expected) << "edit " << turn;
+      before = labels;
     }
   }
 }
 
-TEST_F(LabelUploadGL, OneVoxelIsOneBrickAndTheCellsAroundIt) {
+TEST_F(LabelUploadGL, OneVoxelIsOneBrickAndSeldomAnotherMap) {
   glm::ivec3 dims(256, 256, 256);  // cells of 4^3
   LabelSpace space = spaceOf(dims, centredFrame(dims));
   LabelVolume empty(dims, centredFrame(dims));
   LabelUpload upload(context().limits());
   upload.update(Shared<LabelVolume>(empty), space);
-  EXPECT_EQ(upload.bytesSent(), std::size_t(256 * 256 * 256 * 2 + 64 * 64 * 64 * 8));
+  EXPECT_EQ(upload.bytesSent(), std::size_t(256 * 256 * 256 * 2));
+  auto emptyCells = upload.cells().sets();
+  std::uint64_t revision = upload.cellsRevision();
   Shared<LabelVolume> edited(withBox(empty, {100, 100, 100}, 1, 40001));
   upload.update(edited, space);
+  EXPECT_EQ(upload.bytesSent(), kBrickBytes);
   // The voxel's block is 96..103; a cell of 4 reaches two voxels and a half beyond its sides.
-  EXPECT_EQ(upload.bytesSent(), kBrickBytes + 8u * 4 * 4 * 4);
+  EXPECT_EQ(differingCells(upload.cells().sets(), emptyCells), 4u * 4 * 4);
+  EXPECT_EQ(upload.cellsRevision(), ++revision);
   upload.update(edited, space);
   EXPECT_EQ(upload.bytesSent(), 0u) << "nothing has changed";
   upload.update(Shared<LabelVolume>(withBox(*edited, {101, 101, 101}, 1, 40001)), space);
@@ -163,6 +190,7 @@ TEST_F(LabelUploadGL, OneVoxelIsOneBrickAndTheCellsAroundIt) {
   EXPECT_EQ(upload.bytesSent(), kBrickBytes) << "back";
   upload.update(Shared<LabelVolume>(*edited), space);
   EXPECT_EQ(upload.bytesSent(), 0u) << "another volume, the same bricks";
+  EXPECT_EQ(upload.cellsRevision(), revision);
 }
 
 TEST_F(LabelUploadGL, AnotherGridOfCellsCostsNoTexels) {
@@ -171,7 +199,9 @@ TEST_F(LabelUploadGL, AnotherGridOfCellsCostsNoTexels) {
   LabelUpload upload(context().limits());
   upload.update(labels, spaceOf(kDims, frame));
   upload.update(labels, spaceOf({20, 20, 20}, centredFrame({20, 20, 20})));
-  EXPECT_EQ(upload.bytesSent(), 5u * 5 * 5 * 8);
+  EXPECT_EQ(upload.bytesSent(), 0u);
+  EXPECT_EQ(upload.cells().sets().size(), 5u * 5 * 5);
+  EXPECT_EQ(upload.cellsRevision(), 2u);
 }
 
 TEST_F(LabelUploadGL, LabelsThatAreTooLargeAreRefusedAndTheNextOnesShown) {
@@ -185,33 +215,47 @@ TEST_F(LabelUploadGL, LabelsThatAreTooLargeAreRefusedAndTheNextOnesShown) {
   EXPECT_EQ(idsOf(upload), std::vector<std::uint16_t>(40 * 40 * 40, 0));
 }
 
+struct EditedPicture {
+  const char* what;
+  bool isAlone = false, hasSpares = false;
+  scene::RenderMode mode = scene::RenderMode::Volume;
+};
+
 TEST_F(LabelUploadGL, APictureAfterAnEditIsThatOfLabelsSentWhole) {
-  glm::dmat4 frame = centredFrame(kDims);
   std::size_t whole = std::size_t(kDims.x) * std::size_t(kDims.y) * std::size_t(kDims.z) * 2;
-  for (bool isAlone : {false, true}) {
-    scene::Scene scene = sceneOf(makeVolume(
-        kDims, SampleType::UInt8, [](glm::ivec3 p) { return 60 + 60 * std::sin(p.x * 0.2) * std::cos(p.z * 0.15); },
-        frame));
-    scene.volume.transfer.colors = {{0, {1, 0.8f, 0.6f}}};
-    scene.volume.transfer.opacities = {{60, 0}, {110, 0.6}};
-    scene.labels.tint = 0.8;
-    scene.labels.unlabelled = 0.2;
-    if (isAlone) scene.volume.data = {};
-    scene::Scene small = scene;
-    small.labels.data = Shared<LabelVolume>(LabelVolume({8, 8, 8}, frame));
-    render::Renderer other(context());
-    Edits edits(Shared<LabelVolume>(startLabels(frame)), 7);
+  render::Renderer other(context());
+  unsigned seed = 7;
+  for (const EditedPicture& picture : {EditedPicture{"over a volume"},
+                                       {"alone", true},
+                                       {"spared, over a volume", false, true},
+                                       {"spared, alone", true, true},
+                                       {"an isosurface", false, true, scene::RenderMode::Iso},
+                                       {"a maximum", false, true, scene::RenderMode::Mip}}) {
+    scene::Scene scene = sceneToEdit(picture.isAlone, picture.hasSpares, picture.mode), small = scene;
+    small.labels.data = Shared<LabelVolume>(LabelVolume({8, 8, 8}, centredFrame(kDims)));
+    draw(small, {4, 4});
+    Edits edits(Shared<LabelVolume>(startLabels(centredFrame(kDims))), seed++);
+    Shared<LabelVolume> before;
+    double shown = 0;
     for (int turn = 0; turn < 12; ++turn) {
+      std::string what = picture.what + fmt::format(", turn {}", turn);
       scene.labels.data = edits.next();
       scene.labels.structures.clear();
       scene::completeStructures(scene.labels);
+      // What is hidden changes, too, now and then.
+      for (auto& structure : scene.labels.structures) structure.visible = (structure.id + turn / 3) % 5 != 3;
       Image image = draw(scene, {40, 40}, kAllLayers);
-      EXPECT_GT(coverageOf(image), 0.02);
-      EXPECT_EQ(renderer().stats().labelBytes<whole, turn> 0) << "turn " << turn;
+      EXPECT_EQ(renderer().stats().labelBytes, before ? bytesBetween(*before, *scene.labels.data) : whole) << what;
+      before = scene.labels.data;
+      shown = std::max(shown, coverageOf(image));
       drawWith(other, small, {4, 4});
-      expectIdentical(image, drawWith(other, scene, {40, 40}, kAllLayers), "turn " + std::to_string(turn));
-      EXPECT_GE(other.stats().labelBytes, whole);
+      expectIdentical(image, drawWith(other, scene, {40, 40}, kAllLayers), what);
+      EXPECT_EQ(other.stats().labelBytes, whole) << what;
+      scene.rayCast.skipEmpty = false;
+      expectSame(image, draw(scene, {40, 40}), 1.0, what + ", without leaping");
+      scene.rayCast.skipEmpty = true;
     }
+    EXPECT_GT(shown, 0.02) << picture.what;
   }
 }
 

@@ -133,6 +133,19 @@ TEST(CompleteStructures, KeepsWhatTheSceneSaysAndAddsTheRest) {
   EXPECT_EQ(layer.structures[1], (Structure{9, "my name", {0, 0, 1}, 0.25, false}));
 }
 
+TEST(CompleteStructures, AddsAnIdOnce) {
+  LabelVolume data({4, 4, 4}, glm::dmat4(1.0));
+  data.table = {{7, "first", {1, 0, 0}, 1.0f}, {7, "second", {0, 1, 0}, 0.5f}, {2, "liver", {1, 0, 0}, 1.0f}};
+  LabelLayer layer;
+  layer.data = Shared<LabelVolume>(data);
+  for (int turn = 0; turn < 2; ++turn) {
+    completeStructures(layer);
+    ASSERT_EQ(layer.structures.size(), 2u);
+    EXPECT_EQ(layer.structures[0].name, "liver");
+    EXPECT_EQ(layer.structures[1].name, "first");
+  }
+}
+
 TEST(EffectiveWindow, IsTheWholeRangeUntilOneIsSet) {
   Scene scene;
   scene.volume.data =

@@ -1,22 +1,27 @@
 #include "SkipPass.h"
 
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+
 #include "WorkQueue.h"
 
 namespace velum::render {
 
 namespace {
 
-void add(glm::uvec2& set, int id) { (id % 64 < 32 ? set.x : set.y) |= 1u << (id % 32); }
+std::uint64_t bitOf(int id) { return std::uint64_t(1) << (id % 64); }
+
+/// Into 0..1.
+float clamped(float x) { return x > 0.0f ? std::min(x, 1.0f) : 0.0f; }
 
 }  // namespace
-
-SkipPass::SkipPass() : Pass("Skip"), mOccupancy({"render/occupancy.comp"}), mDistance({"render/skip_distance.comp"}) {}
 
 SkipPass::Key SkipPass::keyOf(const FrameData& data) {
   const scene::Scene& scene = data.frame.scene;
   Key key;
   key.volume = data.volumeKey;
-  key.labels = data.labelKey;
+  key.labelCells = data.labelCellsRevision;
   key.cells = data.grid.cells.size;
   if (data.labelUse == LabelUse::Alone) {
     key.content = Content::Labels;
@@ -32,48 +37,63 @@ SkipPass::Key SkipPass::keyOf(const FrameData& data) {
   }
   for (const auto& cut : scene.cuts)
     for (const auto& spare : cut.spares)
-      if (cut.enabled && spare.distance > 0.0 && spare.share > 0.0) add(key.spared, spare.structure);
+      if (cut.enabled && spare.distance > 0.0 && spare.share > 0.0) key.spared |= bitOf(spare.structure);
   if (data.labelUse == LabelUse::None) return key;
-  if (data.labelUse == LabelUse::OverVolume && scene.labels.unlabelled > 0) add(key.visible, 0);
+  if (data.labelUse == LabelUse::OverVolume && scene.labels.unlabelled > 0) key.visible |= bitOf(0);
   for (const auto& info : scene.labels.data->table)
     if (std::size_t(info.id) >= data.structures.size() || data.structures[std::size_t(info.id)].color.a > 0.0f)
-      add(key.visible, info.id);
+      key.visible |= bitOf(info.id);
   return key;
+}
+
+/// True when a cell of these values, smallest and largest, may show something, labels aside.
+bool SkipPass::hasContent(const Key& key, glm::vec2 texels) {
+  if (key.content == Content::Labels) return true;
+  glm::vec2 x = texels * key.tablePerTexel + key.tableOffset;
+  float low = std::min(x.x, x.y), high = std::max(x.x, x.y);
+  if (key.content == Content::Iso) return low <= key.isoValue && high >= key.isoValue;
+  // The transfer function is not zero somewhere between two table positions: its running sum differs.
+  constexpr int kLast = shared::kTransferSize - 1;
+  int a = std::max(int(clamped(low) * float(kLast) - 0.01f), 0);
+  int b = std::min(int(clamped(high) * float(kLast) + 0.01f) + 1, kLast + 1);
+  return key.extinctionSums[std::size_t(a)] != key.extinctionSums[std::size_t(b)];
+}
+
+SkipPass::Found SkipPass::find(const Key& key, const FrameData& data) {
+  Found found{CellSet(key.cells), CellSet(key.cells)};
+  auto nx = std::size_t(key.cells.x);
+  tbb::parallel_for(std::size_t(0), found.all.rows.size(), [&](std::size_t row) {
+    for (std::size_t x = 0; x < nx; ++x) {
+      std::size_t cell = row * nx + x;
+      std::uint64_t ids = data.labelCells ? data.labelCells->sets()[cell] : bitOf(0);
+      bool isShown = !data.labelCells || (ids & key.visible) != 0;
+      if (!isShown || !hasContent(key, data.volume ? data.volume->cellRanges[cell] : glm::vec2(0.0f))) continue;
+      found.all.rows[row] |= std::uint64_t(1) << x;
+      if (ids & key.spared) found.spared.rows[row] |= std::uint64_t(1) << x;
+    }
+  });
+  return found;
 }
 
 void SkipPass::prepare(FrameData& data) {
   glm::ivec3 cells = data.grid.cells.size;
-  if (mMap[0] && mMap[0].size() == cells) return;
-  for (auto& map : mMap) map = gpu::Texture::make3d("skip map", gpu::Format::Rg8ui, cells, gpu::Filter::Nearest);
+  if (mMap && mMap.size() == cells) return;
+  mMap = gpu::Texture::make3d("skip map", gpu::Format::Rg8ui, cells, gpu::Filter::Nearest);
   mKey.reset();
+  mFound = {};
 }
 
 void SkipPass::addSteps(const FrameData& data, int, WorkQueue& queue) {
   Key key = keyOf(data);
   if (mKey == key) return;
-  queue.add(*this, [this, key] {
-    run(key);
+  queue.add(*this, [this, key, &data] {
+    Found found = find(key, data);
+    if (found != mFound) mMap.write({0, 0, 0}, key.cells, makeSkipMap(found.all, found.spared).data());
+    mFound = std::move(found);
     mKey = key;
   });
 }
 
-void SkipPass::run(const Key& key) {
-  glm::ivec3 groups = (key.cells + 3) / 4;
-  mOccupancy.set(0, glm::ivec4(static_cast<int>(key.content), key.labels.id != 0 ? 1 : 0, 0, 0));
-  mOccupancy.set(1, glm::ivec4(glm::ivec2(key.visible), glm::ivec2(key.spared)));
-  mMap[0].bindImage(0, gpu::Access::Write);
-  gpu::dispatch(mOccupancy, groups);
-  // x: 0 -> 1, y: 1 -> 0, z: 0 -> 1.
-  for (int axis = 0; axis < 3; ++axis) {
-    gpu::barrier();
-    mMap[axis & 1].bindImage(0, gpu::Access::Read);
-    mMap[1 - (axis & 1)].bindImage(1, gpu::Access::Write);
-    mDistance.set(0, glm::ivec4(axis == 0, axis == 1, axis == 2, 0));
-    gpu::dispatch(mDistance, groups);
-  }
-  gpu::barrier();
-}
-
-void SkipPass::bind(const FrameData&) const { mMap[1].bindSampler(shared::kSkipUnit); }
+void SkipPass::bind(const FrameData&) const { mMap.bindSampler(shared::kSkipUnit); }
 
 }  // namespace velum::render

@@ -1,45 +1,52 @@
 #pragma once
+#include <cstdint>
 #include <glm/glm.hpp>
 #include <optional>
 #include <vector>
 
 #include "FrameData.h"
 #include "Pass.h"
-#include "velum/gpu/Program.h"
+#include "upload/SkipMap.h"
 #include "velum/gpu/Texture.h"
 
 namespace velum::render {
 
 /// The map of empty space: for each cell the Chebyshev distance, in cells, to the nearest cell with content (r) and to
 /// the nearest with content that some cut spares (g). Conservative: a cell without content adds nothing to any picture.
-/// Cost: cells (at most 64^3) x 4 small dispatches, whatever the volume's size.
+/// Cost: cells (at most 64^3), whatever the volume's size; made by the processor, which does in words of 64 cells what
+/// a driver does cell by cell.
 class SkipPass : public Pass {
  public:
-  SkipPass();
+  SkipPass() : Pass("Skip") {}
   void prepare(FrameData& data) override;
   void addSteps(const FrameData& data, int sample, WorkQueue& queue) override;
   void bind(const FrameData& data) const override;
 
  private:
-  enum class Content { Opacity = 0, Iso = 1, Labels = 2 };
-  /// What the map is made from. Of values, what their kind of content does not ask about stays as it is here.
+  enum class Content { Opacity, Iso, Labels };
+  /// What content is found by. Of values, what their kind of content does not ask about stays as it is here.
   struct Key {
     Content content = Content::Opacity;
     VolumeKey volume;
-    LabelKey labels;
-    glm::uvec2 visible{0};  ///< 64-bit set of visible ids, mod 64
-    glm::uvec2 spared{0};   ///< 64-bit set of ids that some cut spares
+    std::uint64_t labelCells = 0;           ///< Their revision; 0: no labels.
+    std::uint64_t visible = 0, spared = 0;  ///< Sets of ids, mod 64: that show, that some cut spares.
     glm::ivec3 cells{0};
     float tablePerTexel = 0, tableOffset = 0, isoValue = 0;
     std::vector<std::uint32_t> extinctionSums;
     bool operator==(const Key&) const = default;
   };
+  /// The cells with content.
+  struct Found {
+    CellSet all, spared;
+    bool operator==(const Found&) const = default;
+  };
   static Key keyOf(const FrameData& data);
-  void run(const Key& key);
+  static bool hasContent(const Key& key, glm::vec2 texels);
+  static Found find(const Key& key, const FrameData& data);
 
-  gpu::Program mOccupancy, mDistance;
-  gpu::Texture mMap[2];
+  gpu::Texture mMap;
   std::optional<Key> mKey;
+  Found mFound;  ///< What the map is of: an edit seldom changes it.
 };
 
 }  // namespace velum::render

@@ -105,6 +105,8 @@ void UploadPass::complete(FrameData& data) {
     data.labelKey = {data.frame.scene.labels.data.id(), {data.grid.cells, data.grid.dims, data.grid.worldFromTex}};
     mLabels.update(data.frame.scene.labels.data, data.labelKey.over);
     mLabelBytes = mLabels.bytesSent();
+    data.labelCells = &mLabels.cells();
+    data.labelCellsRevision = mLabels.cellsRevision();
   }
   mSheets.prepare(data.frame);
   data.sheetPlans = mSheets.plans();
@@ -125,7 +127,6 @@ void UploadPass::bind(const FrameData& data) const {
   if (volume && volume->gradient) volume->gradient.bindSampler(shared::kGradientUnit);
   (volume ? volume->cellRange : mNoCells).bindStorage(shared::kCellBinding);
   (hasLabels ? mLabels.texture() : mNoLabels).bindSampler(shared::kLabelUnit);
-  (hasLabels ? mLabels.cellLabels() : mNoCells).bindStorage(shared::kCellLabelBinding);
   mSheets.bind();
 }
 

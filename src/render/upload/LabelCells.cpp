@@ -3,6 +3,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 
 namespace velum::render {
 
@@ -45,7 +46,7 @@ LabelCells::LabelCells(const LabelVolume& labels, const LabelSpace& over)
   for (int axis = 0; axis < 3; ++axis) texFromVox[axis][axis] = 1.0 / over.dims[axis];
   mLabelFromVox = glm::inverse(labels.worldFromVoxel()) * over.worldFromTex * texFromVox;
   mBlocks.assign(countOf(mBlockGrid), 0);
-  mSets.assign(countOf(over.cells.size), glm::uvec2(0));
+  mSets.assign(countOf(over.cells.size), 0);
   glm::ivec3 grid = labels.brickGrid();
   tbb::parallel_for(0, grid.x * grid.y * grid.z, [&](int job) {
     collectBlocks(labels, {job % grid.x, job / grid.x % grid.y, job / (grid.x * grid.y)});
@@ -89,7 +90,7 @@ LabelCells::Box LabelCells::cellsTouching(const Box& blocks) const {
 }
 
 /// The union of the blocks that a cell's box (with the halo of a voxel) touches in the labels' grid.
-glm::uvec2 LabelCells::setOf(glm::ivec3 cell) const {
+std::uint64_t LabelCells::setOf(glm::ivec3 cell) const {
   glm::dvec3 low(1e30), high(-1e30);
   for (int corner = 0; corner < 8; ++corner) {
     glm::dvec3 step(corner & 1, corner >> 1 & 1, corner >> 2);
@@ -109,33 +110,29 @@ glm::uvec2 LabelCells::setOf(glm::ivec3 cell) const {
       for (int y = b0.y; y <= b1.y; ++y)
         for (int x = b0.x; x <= b1.x; ++x) set |= mBlocks[indexIn(mBlockGrid, {x, y, z})];
   }
-  return {std::uint32_t(set), std::uint32_t(set >> 32)};
+  return set;
 }
 
 /// Puts together the sets of some cells. @param isDirty  which, in the order of the sets
-std::vector<CellRun> LabelCells::recount(const std::vector<std::uint8_t>& isDirty) {
+/// @return true when one is another now
+bool LabelCells::recount(const std::vector<std::uint8_t>& isDirty) {
   glm::ivec3 size = mOver.cells.size;
-  std::vector<std::vector<CellRun>> rows(std::size_t(size.y) * std::size_t(size.z));
-  tbb::parallel_for(std::size_t(0), rows.size(), [&](std::size_t row) {
+  std::atomic<bool> hasChanged = false;
+  tbb::parallel_for(0, size.y * size.z, [&](int row) {
     for (int x = 0; x < size.x; ++x) {
-      std::size_t i = row * std::size_t(size.x) + std::size_t(x);
+      glm::ivec3 cell(x, row % size.y, row / size.y);
+      std::size_t i = indexIn(size, cell);
       if (!isDirty[i]) continue;
-      glm::uvec2 set = setOf({x, int(row) % size.y, int(row) / size.y});
+      std::uint64_t set = setOf(cell);
       if (set == mSets[i]) continue;
       mSets[i] = set;
-      auto& runs = rows[row];
-      if (!runs.empty() && runs.back().first + runs.back().count == i)
-        ++runs.back().count;
-      else
-        runs.push_back({i, 1});
+      hasChanged = true;
     }
   });
-  std::vector<CellRun> all;
-  for (const auto& runs : rows) all.insert(all.end(), runs.begin(), runs.end());
-  return all;
+  return hasChanged;
 }
 
-std::vector<CellRun> LabelCells::update(const LabelVolume& labels, std::span<const glm::ivec3> bricks) {
+bool LabelCells::update(const LabelVolume& labels, std::span<const glm::ivec3> bricks) {
   std::vector<Box> changed(bricks.size());
   tbb::parallel_for(std::size_t(0), bricks.size(),
                     [&](std::size_t i) { changed[i] = collectBlocks(labels, bricks[i]); });
@@ -149,7 +146,7 @@ std::vector<CellRun> LabelCells::update(const LabelVolume& labels, std::span<con
       for (int y = cells.low.y; y < cells.high.y; ++y)
         for (int x = cells.low.x; x < cells.high.x; ++x) isDirty[indexIn(mOver.cells.size, {x, y, z})] = 1;
   }
-  return any ? recount(isDirty) : std::vector<CellRun>{};
+  return any && recount(isDirty);
 }
 
 }  // namespace velum::render

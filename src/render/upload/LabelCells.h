@@ -17,21 +17,16 @@ struct LabelSpace {
   bool operator==(const LabelSpace&) const = default;
 };
 
-/// Some cells in the order of the buffer: x fastest.
-struct CellRun {
-  std::size_t first = 0, count = 0;
-};
-
 /// Which labels each cell holds, as sets of ids mod 64 (bit 0: also where there are no labels). A set may hold more
 /// than the cell does, never less: it is put together from blocks of 8^3 label voxels.
 class LabelCells {
  public:
   LabelCells(const LabelVolume& labels, const LabelSpace& over);
   /// Takes bricks of labels that have the same grid and place. Looks at those bricks and at the cells that touch them
-  /// only. @return the cells whose sets are others now
-  std::vector<CellRun> update(const LabelVolume& labels, std::span<const glm::ivec3> bricks);
+  /// only. @return true when the set of some cell is another now
+  bool update(const LabelVolume& labels, std::span<const glm::ivec3> bricks);
   /// [cells.z][cells.y][cells.x]
-  const std::vector<glm::uvec2>& sets() const { return mSets; }
+  const std::vector<std::uint64_t>& sets() const { return mSets; }
 
  private:
   struct Box {
@@ -39,8 +34,8 @@ class LabelCells {
   };
   Box collectBlocks(const LabelVolume& labels, glm::ivec3 brick);
   Box cellsTouching(const Box& blocks) const;
-  std::vector<CellRun> recount(const std::vector<std::uint8_t>& isDirty);
-  glm::uvec2 setOf(glm::ivec3 cell) const;
+  bool recount(const std::vector<std::uint8_t>& isDirty);
+  std::uint64_t setOf(glm::ivec3 cell) const;
   std::uint64_t& block(glm::ivec3 at);
 
   LabelSpace mOver;
@@ -48,7 +43,7 @@ class LabelCells {
   glm::dmat4 mLabelFromVox;  ///< Label voxel indices from voxels of the cells' grid, whose corner is 0.
   glm::ivec3 mBlockGrid;
   std::vector<std::uint64_t> mBlocks;
-  std::vector<glm::uvec2> mSets;
+  std::vector<std::uint64_t> mSets;
 };
 
 }  // namespace velum::render

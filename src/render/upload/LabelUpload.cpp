@@ -55,14 +55,6 @@ void LabelUpload::sendBricks(const LabelVolume& labels, const std::vector<glm::i
   }
 }
 
-void LabelUpload::sendCells(const std::vector<CellRun>& runs) {
-  for (const CellRun& run : runs) {
-    std::size_t bytes = run.count * sizeof(glm::uvec2);
-    mCellLabels.write(run.first * sizeof(glm::uvec2), bytes, &mCells->sets()[run.first]);
-    mBytesSent += bytes;
-  }
-}
-
 void LabelUpload::update(const Shared<LabelVolume>& labels, const LabelSpace& over) {
   mBytesSent = 0;
   if (mCells && mId == labels.id() && mOver == over) return;
@@ -74,10 +66,9 @@ void LabelUpload::update(const Shared<LabelVolume>& labels, const LabelSpace& ov
   sendBricks(*labels, changed);
   if (!mCells || mOver != over || mWorldFromVoxel != labels->worldFromVoxel()) {
     mCells.emplace(*labels, over);
-    mCellLabels = gpu::Buffer("cell labels", std::span<const glm::uvec2>(mCells->sets()));
-    mBytesSent += mCellLabels.bytes();
-  } else {
-    sendCells(mCells->update(*labels, changed));
+    ++mCellsRevision;
+  } else if (mCells->update(*labels, changed)) {
+    ++mCellsRevision;
   }
   mId = labels.id();
   mOver = over;

@@ -5,15 +5,14 @@
 
 #include "LabelCells.h"
 #include "velum/core/Shared.h"
-#include "velum/gpu/Buffer.h"
 #include "velum/gpu/Context.h"
 #include "velum/gpu/Texture.h"
 
 namespace velum::render {
 
 /// Labels on the GPU and, cell by cell of a grid, which ids are there. Follows edits: bricks that two label volumes
-/// share have the same id, so what differs is known without looking at voxels, and only that is sent. Ids are 16 bits
-/// wide whatever they are, so that one never seen before costs no more than another. GL thread.
+/// share have the same id, so what differs is known without looking at voxels, and only that is sent and counted. Ids
+/// are 16 bits wide whatever they are, so that one never seen before costs no more than another. GL thread.
 class LabelUpload {
  public:
   explicit LabelUpload(const gpu::Limits& limits) : mLimits(limits) {}
@@ -23,8 +22,10 @@ class LabelUpload {
 
   /// R16ui, in the labels' own grid.
   const gpu::Texture& texture() const { return mTexture; }
-  /// uvec2 a cell: 64-bit set of id % 64.
-  const gpu::Buffer& cellLabels() const { return mCellLabels; }
+  /// Stays where it is.
+  const LabelCells& cells() const { return *mCells; }
+  /// Never the same for other sets of ids in the cells, nor for another grid of them. From 1.
+  std::uint64_t cellsRevision() const { return mCellsRevision; }
   /// What the last update() sent.
   std::size_t bytesSent() const { return mBytesSent; }
 
@@ -32,7 +33,6 @@ class LabelUpload {
   void allocate(glm::ivec3 dims);
   std::vector<glm::ivec3> takeChanged(const LabelVolume& labels);
   void sendBricks(const LabelVolume& labels, const std::vector<glm::ivec3>& bricks);
-  void sendCells(const std::vector<CellRun>& runs);
 
   gpu::Limits mLimits;
   std::uint64_t mId = 0;
@@ -40,8 +40,8 @@ class LabelUpload {
   glm::dmat4 mWorldFromVoxel{1.0};
   std::vector<std::uint64_t> mBrickIds;  ///< Of what the texture holds.
   std::optional<LabelCells> mCells;
+  std::uint64_t mCellsRevision = 0;
   gpu::Texture mTexture;
-  gpu::Buffer mCellLabels;
   std::size_t mBytesSent = 0;
 };
 

@@ -26,7 +26,6 @@ struct VolumeUpload::Impl {
   VolumeTexels source;
   TexelPlan plan;
   GpuVolume out;
-  std::vector<glm::vec2> ranges;
   int nextCellZ = 0;
   int cellLayersPerStep = 1;
   double longestGradient = 1;  ///< Texels.
@@ -96,7 +95,7 @@ VolumeUpload::VolumeUpload(const scene::VolumeLayer& layer, const gpu::Limits& l
                            gpu::texelBytes(m.plan.format) * (source.isQuick ? 1 : std::size_t(source.factor));
   constexpr std::size_t kStepBytes = 4u << 20;
   m.cellLayersPerStep = int(std::max<std::size_t>(1, kStepBytes / std::max<std::size_t>(1, layerBytes)));
-  m.ranges.reserve(product(out.cells.size));
+  out.cellRanges.reserve(product(out.cells.size));
 }
 
 VolumeUpload::~VolumeUpload() = default;
@@ -122,7 +121,7 @@ void VolumeUpload::Impl::stepAs() {
       out.gradient.write({0, 0, z0}, {out.dims.x, out.dims.y, z1 - z0},
                          computeGradients(texels, out.dims, halo0, z0, z1, longestGradient).data());
   }
-  ranges.insert(ranges.end(), layerRanges.begin(), layerRanges.end());
+  out.cellRanges.insert(out.cellRanges.end(), layerRanges.begin(), layerRanges.end());
   nextCellZ = cz1;
 }
 
@@ -143,7 +142,7 @@ bool VolumeUpload::step() {
       break;
   }
   if (m.nextCellZ < m.out.cells.size.z) return false;
-  m.out.cellRange = gpu::Buffer("cell ranges", std::span<const glm::vec2>(m.ranges));
+  m.out.cellRange = gpu::Buffer("cell ranges", std::span<const glm::vec2>(m.out.cellRanges));
   return true;
 }
 

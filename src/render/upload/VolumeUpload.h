@@ -2,6 +2,7 @@
 #include <glm/glm.hpp>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "CellGrid.h"
 #include "velum/core/Volume.h"
@@ -17,8 +18,9 @@ struct GpuVolume {
   gpu::Texture texture;
   gpu::Texture gradient;  ///< Software drivers: differences over two voxels, direction in xyz (128 is 0), root of the
                           ///< length in w
-  double gradientScale = 0;  ///< Length of a full-length gradient texel, texels times 255/127.
-  gpu::Buffer cellRange;     ///< vec2 a cell: smallest and largest texel, with a halo of one voxel.
+  double gradientScale = 0;           ///< Length of a full-length gradient texel, texels times 255/127.
+  std::vector<glm::vec2> cellRanges;  ///< By cell: smallest and largest texel, with a halo of one voxel;
+  gpu::Buffer cellRange;              ///< the same on the GPU.
   CellGrid cells;
   glm::ivec3 dims{0};                      ///< Voxels of the texture.
   glm::dmat4 worldFromTex{1.0};            ///< From texture coordinates 0..1.

@@ -52,12 +52,12 @@ int cutsGuess(vec3 scenePoint, uint structure) {
 }
 #endif
 
-/// The unit normal of the face of a cut of convex shape, out of the material.
-vec3 convexNormal(int cut, vec3 p) {
+/// The unit normal of the face of a cut, other than a membrane, out of the material.
+vec3 shapeNormal(int cut, vec3 p) {
   float e = 0.01 * frame.step;
-  vec3 gradient = vec3(convexDistance(cuts[cut], p + vec3(e, 0, 0)) - convexDistance(cuts[cut], p - vec3(e, 0, 0)),
-                       convexDistance(cuts[cut], p + vec3(0, e, 0)) - convexDistance(cuts[cut], p - vec3(0, e, 0)),
-                       convexDistance(cuts[cut], p + vec3(0, 0, e)) - convexDistance(cuts[cut], p - vec3(0, 0, e)));
+  vec3 gradient = vec3(shapeDistance(cuts[cut], p + vec3(e, 0, 0)) - shapeDistance(cuts[cut], p - vec3(e, 0, 0)),
+                       shapeDistance(cuts[cut], p + vec3(0, e, 0)) - shapeDistance(cuts[cut], p - vec3(0, e, 0)),
+                       shapeDistance(cuts[cut], p + vec3(0, 0, e)) - shapeDistance(cuts[cut], p - vec3(0, 0, e)));
   float len = length(gradient);
   return len > 0.0 ? -gradient / len : vec3(0.0, 0.0, 1.0);
 }
@@ -168,6 +168,7 @@ CutRun runFrom(int cut, Ray ray, float t, float e, float tEnd) {
 #ifdef MEMBRANES
   if (cuts[cut].kind.x == kCutMembrane) return membraneRun(cut, ray, t, e, tEnd);
 #endif
+  if (hasFlag(kFlagWalks) && cuts[cut].kind.z == 1) return cutWalk(cuts[cut], ray.origin, ray.direction, t, e, tEnd);
   return convexRun(cut, ray, t, e);
 }
 

@@ -24,7 +24,7 @@ vec3 faceNormalAt(Face face, vec3 p, vec3 direction) {
 #ifdef MEMBRANES
   if (cuts[face.cut].kind.x == kCutMembrane) return sheetNormalAt(face.cut, face.triangle, p, direction);
 #endif
-  return convexNormal(face.cut, p);
+  return shapeNormal(face.cut, p);
 }
 
 /// A stretch of a ray to march: a < b, all of it kept, or, where only what cuts spare is to be shown, all of it removed.

@@ -49,6 +49,7 @@ void castStretches(inout Hit hit, Ray ray, Walk walk, float from, float tEnd) {
 #ifdef MEMBRANES
   guard += 256;  // but a folded sheet more often
 #endif
+  if (hasFlag(kFlagWalks)) guard += 64;  // and a shape that is not convex
   do {
     Stretch stretch = stretchFrom(ray, t, tEnd);
     if (stretch.end > t) {

@@ -23,11 +23,15 @@ SHARED_CONST int kCutNear = 2;  // only the meshes of a sheet tell
 struct CutData {
   mat4 localFromScene;  ///< rigid
   vec4 halfSize;        ///< xyz: half edges, radius in x; w: 1 removes the inside, -1 the outside
-  ivec4 kind;           ///< x: kCut*; y: 1 shows the section on its face; w: kMembrane*
+  ivec4 kind;           ///< x: kCut*; y: 1 shows the section on its face; z: 1 goes along rays by cutWalk(); w: kMembrane*
   vec4 face;            ///< x: opacity of a section face; y: membranes: SheetPlan::scale
   ivec4 sheet;          ///< membranes: x: first row; y, z: particles across, up; w: 1 shown as lines, 2 as a surface
   vec4 inlay;           ///< membranes: x: opacity of the inlay's image; y: 1/length of the fall-off; z, w: factors above, below
 };
+
+/// Whether a line has one stretch in the shape at most, which cutShapeInterval() then knows. Other shapes need no more than
+/// their distance.
+SHARED_FN bool cutIsConvex(int kind) { return kind != kCutMembrane; }
 
 /// Signed distance from a point in the cut's local frame to the shape: < 0 inside. Exact for every shape.
 SHARED_FN float cutShapeDistance(int kind, vec3 halfSize, vec3 p) {
@@ -130,8 +134,8 @@ SHARED_FN float membraneShare(CutData cut, float z) {
 }
 #endif
 
-/// Signed distance to what a cut of convex shape removes: < 0 is removed.
-SHARED_FN float convexDistance(CutData cut, vec3 scenePoint) {
+/// Signed distance to what a cut, other than a membrane, removes: < 0 is removed.
+SHARED_FN float shapeDistance(CutData cut, vec3 scenePoint) {
   vec3 p = vec3(cut.localFromScene * vec4(scenePoint, 1.0f));
   return cut.halfSize.w * cutShapeDistance(cut.kind.x, vec3(cut.halfSize), p);
 }
@@ -142,7 +146,7 @@ SHARED_FN bool cutRemoves(CutData cut, vec3 scenePoint SHARED_SHEETS) {
   if (cut.kind.x == kCutMembrane)
     return membraneRemoves(cut, vec3(cut.localFromScene * vec4(scenePoint, 1.0f)) SHARED_PASS_SHEETS);
 #endif
-  return convexDistance(cut, scenePoint) < 0.0f;
+  return shapeDistance(cut, scenePoint) < 0.0f;
 }
 
 /// Signed distance to what the cut removes: < 0 is removed.
@@ -151,7 +155,7 @@ SHARED_FN float cutDistance(CutData cut, vec3 scenePoint SHARED_SHEETS) {
   if (cut.kind.x == kCutMembrane)
     return membraneDistance(cut, vec3(cut.localFromScene * vec4(scenePoint, 1.0f)) SHARED_PASS_SHEETS);
 #endif
-  return convexDistance(cut, scenePoint);
+  return shapeDistance(cut, scenePoint);
 }
 
 /// A coordinate that is never zero, so that slab tests do not divide by it.
@@ -176,7 +180,7 @@ SHARED_FN vec2 cutQuadric(float a, float b, float c) {
   return vec2(min(t0, t1), max(t0, t1));
 }
 
-/// The stretch of the line o + t d inside the shape (local frame, every shape is convex): x > y when it misses.
+/// The stretch of the line o + t d inside a convex shape (local frame): x > y when it misses.
 SHARED_FN vec2 cutShapeInterval(int kind, vec3 halfSize, vec3 o, vec3 d) {
   if (kind == kCutPlane) {
     float dz = cutNonZero(d.z);
@@ -212,12 +216,71 @@ SHARED_FN vec2 cutShapeInterval(int kind, vec3 halfSize, vec3 o, vec3 d) {
   return d.z > 0.0f ? vec2(max(sides.y, z.x), z.y) : vec2(z.x, min(sides.x, z.y));
 }
 
-/// The stretch of a scene-local ray that the cut's shape holds inside it. Of convex shapes: a membrane's is not, see
-/// membraneCrossing().
+/// The stretch of a scene-local ray that the cut's shape holds inside it. Of convex shapes; others have cutWalk(),
+/// membranes membraneCrossing().
 SHARED_FN vec2 cutInterval(CutData cut, vec3 origin, vec3 direction) {
   vec4 o = cut.localFromScene * vec4(origin, 1.0f);
   vec4 d = cut.localFromScene * vec4(direction, 0.0f);
   return cutShapeInterval(cut.kind.x, vec3(cut.halfSize.x, cut.halfSize.y, cut.halfSize.z), vec3(o.x, o.y, o.z), vec3(d.x, d.y, d.z));
+}
+
+/// How a cut goes on along a ray from t: where its removed part that holds t ends, t where there is none, and otherwise
+/// where its next one begins.
+struct CutRun {
+  float end;
+  float next;
+  int triangle;  ///< of a membrane, where it ends; -1: none
+};
+
+SHARED_CONST int kWalkSteps = 128;
+// Near a face steps are ten times the smallest length that counts, and grow, so that rays that graze come to an end: all
+// steps together are a hundred thousand times that length, which is the data's diameter.
+SHARED_CONST float kWalkLeast = 10.0f;
+SHARED_CONST float kWalkGrowth = 1.05f;
+SHARED_CONST int kWalkRefinements = 4;
+
+/// How a cut of any shape but a membrane goes on along a scene-local ray from t: by steps as long as its distance, to where
+/// that changes its sign. Parts that are thinner than a step near a face may be stepped over; a run that is out of steps
+/// ends early, and whoever walks on from there goes on with it.
+/// @param direction  unit  @param e  the smallest length that counts
+SHARED_FN CutRun cutWalk(CutData cut, vec3 origin, vec3 direction, float t, float e, float tEnd) {
+  float least = kWalkLeast * e;
+  float a = t;
+  float b = t + least;
+  float atA = 0.0f;
+  float atB = shapeDistance(cut, origin + b * direction);
+  int steps = kWalkSteps;
+  bool goesOn = true;
+  // What is used after the loop stays when a software driver repeats its last turn.
+  do {
+    a = goesOn ? b : a;
+    atA = goesOn ? atB : atA;
+    b = goesOn ? a + max(abs(atA), least) : b;
+    atB = shapeDistance(cut, origin + b * direction);
+    least *= kWalkGrowth;
+    --steps;
+    goesOn = goesOn && (atA < 0.0f) == (atB < 0.0f) && b < tEnd && steps > 0;
+  } while (goesOn);
+  bool removes = atA < 0.0f;
+  float change = b < tEnd ? b : kCutFar;
+  if (removes != (atB < 0.0f)) {
+    // Regula falsi and halves by turns.
+    for (int i = 0; i < kWalkRefinements; ++i) {
+      float middle = a + (i % 2 == 0 ? atA / (atA - atB) : 0.5f) * (b - a);
+      float atMiddle = shapeDistance(cut, origin + middle * direction);
+      bool isBefore = (atMiddle < 0.0f) == removes;
+      a = isBefore ? middle : a;
+      atA = isBefore ? atMiddle : atA;
+      b = isBefore ? b : middle;
+      atB = isBefore ? atB : atMiddle;
+    }
+    change = a + atA / (atA - atB) * (b - a);
+  }
+  CutRun run;
+  run.end = removes ? change : t;
+  run.next = removes ? kCutFar : change;
+  run.triangle = -1;
+  return run;
 }
 
 SHARED_END

@@ -76,7 +76,7 @@ SHARED_FN int foldSays(CutFold fold) {
 SHARED_FN int cutGuess(CutData cut, float depth, bool hasDepths, vec3 p SHARED_SHEETS) {
   if (depth >= kCutFar) return kCutKeeps;
   if (cut.kind.x != kCutMembrane) {
-    float distance = convexDistance(cut, p);
+    float distance = shapeDistance(cut, p);
     return distance < 0.0f && !(hasDepths && -distance <= depth) ? kCutRemoves : kCutKeeps;
   }
   int guess = membraneGuess(cut, vec3(cut.localFromScene * vec4(p, 1.0f)) SHARED_PASS_SHEETS);
@@ -91,14 +91,6 @@ SHARED_FN float foldShare(float share, CutData cut, float depth, bool hasDepths,
   return max(share, isKept ? own : 0.0f);
 }
 #endif
-
-/// How a cut goes on along a ray from t: where its removed part that holds t ends, t where there is none, and otherwise
-/// where its next one begins.
-struct CutRun {
-  float end;
-  float next;
-  int triangle;  ///< of a membrane, where it ends; -1: none
-};
 
 /// What the cuts that have been looked at do with a ray from t on, spares left out.
 struct RunFold {

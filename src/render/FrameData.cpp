@@ -64,6 +64,8 @@ void completeFrameData(FrameData& data) {
   data.params.structureCount = int(data.structures.size());
   data.params.flags |= membraneFlags(data.frame);
   if (!data.cuts.empty()) data.params.flags |= shared::kFlagCuts;
+  for (const auto& cut : data.cuts)
+    if (cut.kind.z == 1) data.params.flags |= shared::kFlagWalks;
   if (!data.spares.isEmpty()) data.params.flags |= shared::kFlagSpares;
   if (data.spares.hasDepths) data.params.flags |= shared::kFlagSpareDepths;
 }

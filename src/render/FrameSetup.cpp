@@ -223,7 +223,9 @@ std::vector<shared::CutData> makeCutData(const scene::Scene& scene, glm::dvec3 o
     data.localFromScene = glm::mat4(glm::inverse(sceneFromCut));
     glm::dvec3 half = solidEdges(cut.size) * 0.5;
     data.halfSize = v4(half, cut.invert ? -1.0 : 1.0);
-    data.kind = {static_cast<int>(cut.shape), cut.face == scene::CutFace::Section ? 1 : 0, 0, 0};
+    int shape = static_cast<int>(cut.shape);
+    bool isWalked = !scene::isMembrane(cut) && !shared::cutIsConvex(shape);
+    data.kind = {shape, cut.face == scene::CutFace::Section ? 1 : 0, isWalked ? 1 : 0, 0};
     data.face = {float(cut.faceOpacity), float(sheetScale), 0, 0};
     if (scene::isMembrane(cut)) addMembrane(data, cut, sheets.at(cut.id));
     out.push_back(data);

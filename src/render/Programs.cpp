@@ -18,6 +18,7 @@ std::vector<std::uint32_t> flagSets() {
                                   plain | kFlagLightGrid,
                                   plain | kFlagCuts | kFlagLightGrid,
                                   plain | kFlagCuts | kFlagSpares,
+                                  plain | kFlagCuts | kFlagWalks | kFlagLightGrid,
                                   plain | kFlagCuts | kFlagSpares | kFlagSpareDepths,
                                   plain | kFlagGradientOpacity,
                                   plain | kFlagCuts | kFlagMembranes | kFlagLightGrid,

@@ -1,6 +1,13 @@
 // What the shaders cut away is what shaders/shared/cut.h says on the processor.
+#include <random>
+
+#include "ProbeShaders.h"
 #include "RenderFixture.h"
-#include "shared/cut.h"
+#include "shared/bindings.h"
+#include "shared/cuts.h"
+#include "shared/frame.h"
+#include "velum/gpu/Buffer.h"
+#include "velum/gpu/Program.h"
 
 namespace velum {
 namespace {
@@ -199,6 +206,106 @@ TEST_F(CutsGL, ManyCutsTogether) {
     scene.cuts.push_back(cutOf(scene::CutShape::Sphere, at, {0, 0, 1}, glm::dvec3(9)));
   }
   expectAgrees(scene, "forty balls");
+}
+
+constexpr float kRayEnd = 3.0f;
+
+/// The stretches of rays, added up.
+constexpr const char* kProbe = R"(layout(local_size_x = 64) in;
+
+#include "common/cuts.glsl"
+
+layout(std430, binding = 2) readonly buffer RayBlock { vec4 rays[]; };          // origin, direction, one after the other
+layout(std430, binding = 3) writeonly buffer AnswerBlock { vec4 answers[]; };  // kept length, stretches
+
+void main() {
+  uint i = gl_GlobalInvocationID.x;
+  if (i >= uint(answers.length())) return;
+  Ray ray = Ray(rays[2u * i].xyz, rays[2u * i + 1u].xyz);
+  vec4 sum = vec4(0.0);
+  float t = 0.0;
+  do {
+    Stretch stretch = stretchFrom(ray, t, 3.0);
+    if (sum.y < 200.0 && t < 3.0) sum += vec4(stretch.kept ? stretch.end - t : 0.0, 1.0, 0.0, 0.0);
+    t = max(stretch.end, t + 1e-6);
+  } while (t < 3.0 && sum.y < 200.0);
+  answers[i] = sum;
+}
+)";
+
+std::vector<glm::vec4> stretchesOnGpu(const std::vector<shared::CutData>& cuts, const std::vector<glm::vec4>& rays) {
+  ProbeShaders probes;
+  probes.add("stretches.comp", kProbe);
+  gpu::Program program = probes.make({"stretches.comp"});
+  shared::FrameParams params{};
+  params.cutCount = int(cuts.size());
+  params.flags = shared::kFlagCuts | shared::kFlagWalks;
+  gpu::UniformBuffer<shared::FrameParams> block("frame");
+  block.set(params);
+  block.bind(shared::kFrameBinding);
+  gpu::Buffer cutBuffer("cuts", std::span<const shared::CutData>(cuts));
+  gpu::Buffer rayBuffer("rays", std::span<const glm::vec4>(rays));
+  std::vector<glm::vec4> answers(rays.size() / 2);
+  gpu::Buffer out("answers", answers.size() * sizeof(glm::vec4));
+  cutBuffer.bindStorage(shared::kCutBinding);
+  rayBuffer.bindStorage(2);
+  out.bindStorage(3);
+  gpu::dispatch(program, {int(answers.size() + 63) / 64, 1, 1});
+  gpu::barrier();
+  out.read(0, out.bytes(), answers.data());
+  return answers;
+}
+
+/// The same on the processor, by walks.
+float keptByWalks(const std::vector<shared::CutData>& cuts, glm::vec3 origin, glm::vec3 direction) {
+  float kept = 0.0f, t = 0.0f;
+  for (int guard = 200; t < kRayEnd && guard > 0; --guard) {
+    shared::RunFold fold = shared::emptyRuns(t);
+    float e = 1e-5f * std::max(1.0f, t);
+    for (std::size_t i = 0; i < cuts.size(); ++i)
+      fold = shared::foldRun(fold, int(i), false, shared::cutWalk(cuts[i], origin, direction, t, e, kRayEnd), t);
+    shared::Stretch stretch = shared::stretchOf(fold, kRayEnd);
+    if (stretch.kept) kept += stretch.end - t;
+    t = std::max(stretch.end, t + 1e-6f);
+  }
+  return kept;
+}
+
+/// Every shape can be walked by its distance, as those are that are not convex, and comes out as by its interval.
+TEST_F(CutsGL, WalksComeOutAsIntervalsDo) {
+  std::mt19937 random(21);
+  auto number = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(random); };
+  auto vector = [&](double most) { return glm::dvec3(number(-most, most), number(-most, most), number(-most, most)); };
+  int rays = 0, off = 0, split = 0;
+  for (int round = 0; round < 30; ++round) {
+    std::vector<shared::CutData> plain, walked;
+    for (int i = 0; i <= round % 4; ++i) {
+      scene::Cut cut = kShapes[random() % 5];
+      cut.centre = vector(0.3);
+      cut.axis = vector(1);
+      cut.size = {number(0.1, 0.7), number(0.1, 0.7), number(0.1, 0.7)};
+      cut.invert = random() % 4 == 0;
+      plain.push_back(cutDataOf(cut));
+      walked.push_back(plain.back());
+      walked.back().kind.z = 1;
+    }
+    std::vector<glm::vec4> lines;
+    for (int i = 0; i < 500; ++i) {
+      glm::dvec3 origin = glm::normalize(vector(1)) * 1.5;
+      lines.emplace_back(glm::vec3(origin), 0.0f);
+      lines.emplace_back(glm::vec3(glm::normalize(vector(0.4) - origin)), 0.0f);
+    }
+    auto wanted = stretchesOnGpu(plain, lines), found = stretchesOnGpu(walked, lines);
+    for (std::size_t i = 0; i < found.size(); ++i, ++rays) {
+      float onProcessor = keptByWalks(walked, glm::vec3(lines[2 * i]), glm::vec3(lines[2 * i + 1]));
+      split += found[i].y > wanted[i].y + 2.0f;
+      off += std::abs(found[i].x - wanted[i].x) > 2e-4f || std::abs(found[i].x - onProcessor) > 2e-4f;
+      EXPECT_NEAR(found[i].x, wanted[i].x, 5e-3f) << "round " << round << ", ray " << i;
+      EXPECT_NEAR(found[i].x, onProcessor, 5e-3f) << "round " << round << ", ray " << i;
+    }
+  }
+  EXPECT_LT(off, rays / 200) << "only rays that graze may come out otherwise";
+  EXPECT_LT(split, rays / 200);
 }
 
 TEST_F(CutsGL, ACutThatIsOffRemovesNothing) {

@@ -7,6 +7,7 @@
 
 #include "FrameSetup.h"
 #include "makeVolume.h"
+#include "section/SectionCuts.h"
 #include "sheetShapes.h"
 #include "upload/CutSheets.h"
 #include "velum/scene/Presets.h"
@@ -263,6 +264,32 @@ TEST_F(SectionLabels, CutsDimWhatTheyRemoveAsTheirFunctionSays) {
     }
   mScene.sections.showCuts = false;
   expectColor(kInNone, glm::ivec3(128));
+}
+
+TEST(SectionCuts, WalksMarkARowAsIntervalsDo) {
+  int crossed = 0, off = 0;
+  for (auto shape : {scene::CutShape::Plane, scene::CutShape::Box, scene::CutShape::Sphere, scene::CutShape::Cylinder,
+                     scene::CutShape::Cone})
+    for (bool invert : {false, true})
+      for (int y = -40; y < 40; ++y) {
+        scene::Scene scene;
+        scene::Cut cut;
+        cut.shape = shape;
+        cut.invert = invert;
+        cut.axis = {0.5, -0.3, 0.6};
+        cut.centre = {2, 1, -3};
+        cut.size = {22, 16, 25};
+        scene.cuts = {cut};
+        auto data = makeCutData(scene, {0, 0, 0}, {});
+        SectionCuts::Row row{{-40, 0.7f * float(y), 3}, glm::normalize(glm::vec3(1, 0.1f, 0.2f)), 90, 0.9};
+        std::vector<char> byInterval(90), byWalk(90);
+        SectionCuts::markConvex(data[0], row, byInterval);
+        SectionCuts::markWalked(data[0], row, byWalk);
+        for (std::size_t x = 0; x < 90; ++x) off += byInterval[x] != byWalk[x];
+        crossed += byWalk.front() != byWalk[45];
+      }
+  EXPECT_GT(crossed, 100);
+  EXPECT_LT(off, 8) << "of 72,000 pixels those on a face";
 }
 
 TEST_F(SectionLabels, MembranesDimWhatTheyRemoveAsTheirFunctionSays) {

@@ -253,5 +253,60 @@ TEST(CutInterval, OfAMovedAndInvertedCutStillHoldsTheShape) {
   }
 }
 
+/// Of shapes whose stretches are known; the outside of one is not convex.
+TEST(CutWalk, GoesOnAsFarAsTheShapeDoes) {
+  constexpr float kFrom = -150.0f, kTo = 200.0f, kSmallest = 1e-5f * (kTo - kFrom);
+  constexpr float kSlack = 0.05f;  // what steps near a face may step over is not deeper
+  std::mt19937 random(16);
+  int most = 0;
+  for (int kind = 0; kind < 5; ++kind)
+    for (bool invert : {false, true})
+      for (vec3 half : kHalves) {
+        shared::CutData cut = cutOf(kind, half, invert, glm::mat4(1.0f));
+        int wrong = 0;
+        for (const Line& line : linesFor(half, random)) {
+          auto at = [&](float t) { return shared::cutDistance(cut, line.origin + t * line.direction, {}); };
+          int runs = 0;
+          float t = kFrom;
+          while (t < kTo && wrong < 4 && ++runs < 100) {
+            shared::CutRun run = shared::cutWalk(cut, line.origin, line.direction, t, kSmallest, kTo);
+            bool removes = run.end > t;
+            float next = std::min(removes ? run.end : run.next, kTo);
+            ASSERT_GT(next, t);
+            for (float s = t + 0.01f; s < next; s += 0.41f) {
+              float distance = at(s);
+              if (std::abs(distance) < kSlack || (distance < 0.0f) == removes) continue;
+              ++wrong;
+              ADD_FAILURE() << kNames[kind] << invert << ", a ray " << line.what << " at t = " << s << ", distance "
+                            << distance << ", in a run from " << t << " to " << next;
+              break;
+            }
+            if (next < kTo) {
+              // A run that is out of steps ends off the face that it goes along.
+              EXPECT_LT(std::abs(at(next)), 2.0f * kSlack) << kNames[kind] << " " << line.what;
+            }
+            t = next;
+          }
+          most = std::max(most, runs);
+        }
+      }
+  EXPECT_LT(most, 12) << "runs that end for want of steps are few";
+}
+
+TEST(CutWalk, EndsOnTheFace) {
+  std::mt19937 random(17);
+  int ends = 0;
+  for (int kind = 0; kind < 5; ++kind)
+    for (int i = 0; i < 2000; ++i) {
+      vec3 o = randomPoint(random, 60.0f), d = glm::normalize(randomPoint(random, 12.0f) - o);
+      vec2 inside = shared::cutShapeInterval(kind, kHalves[0], o, d);
+      if (!(inside.y - inside.x > 1.0f) || inside.x < 0.0f || inside.x > 100.0f) continue;
+      ++ends;
+      shared::CutRun run = shared::cutWalk(cutOf(kind, kHalves[0], false, glm::mat4(1.0f)), o, d, 0.0f, 1e-3f, 200.0f);
+      EXPECT_NEAR(run.next, inside.x, 2e-3f) << kNames[kind];
+    }
+  EXPECT_GT(ends, 3000);
+}
+
 }  // namespace
 }  // namespace velum

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "CutScene.h"
+#include "cut/SectionContour.h"
 #include "shared/cut.h"
 #include "sheetShapes.h"
 #include "velum/membrane/sheet/SheetIndex.h"
@@ -132,14 +133,43 @@ TEST(SectionCutTool, TheOutlineGoesRoundTheWholeShape) {
           double mm = distanceMm(cut, scene::worldFromSectionPixel(frame, p));
           if (std::abs(mm) < 0.1) continue;
           bool inside = false;
-          std::size_t n = outline.points.size();
-          for (std::size_t i = 0; i < n; ++i) {
-            glm::dvec2 a = outline.points[i], b = outline.points[(i + 1) % n];
-            if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (b.x - a.x) * (p.y - a.y) / (b.y - a.y)) inside = !inside;
-          }
+          auto look = [&](const std::vector<glm::dvec2>& line) {
+            for (std::size_t i = 0; i < line.size(); ++i) {
+              glm::dvec2 a = line[i], b = line[(i + 1) % line.size()];
+              if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (b.x - a.x) * (p.y - a.y) / (b.y - a.y)) inside = !inside;
+            }
+          };
+          look(outline.points);
+          for (const auto& curve : outline.curves) look(curve);
           EXPECT_EQ(inside, mm < 0) << enumName(cut.shape) << " at " << x << ", " << y;
         }
     }
+}
+
+TEST(SectionCutTool, AnOutlineByDistanceGoesRoundAnyShape) {
+  int closed = 0;
+  for (const auto& frame : manySections())
+    for (const auto& cut : manyCuts()) {
+      auto curves = shapeContour(frame, cut);
+      for (const auto& curve : curves) {
+        closed += curve.front() == curve.back();
+        for (const auto& p : curve) EXPECT_NEAR(distanceMm(cut, scene::worldFromSectionPixel(frame, p)), 0.0, 0.01);
+      }
+      for (int y = 5; y < 400; y += 13)
+        for (int x = 5; x < 500; x += 13) {
+          glm::dvec2 p(x, y);
+          double mm = distanceMm(cut, scene::worldFromSectionPixel(frame, p));
+          if (std::abs(mm) < 2.0 * frame.lengthPerPixel || cut.shape == scene::CutShape::Plane) continue;
+          bool inside = false;
+          for (const auto& curve : curves)
+            for (std::size_t i = 1; i < curve.size(); ++i) {
+              glm::dvec2 a = curve[i - 1], b = curve[i];
+              if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (b.x - a.x) * (p.y - a.y) / (b.y - a.y)) inside = !inside;
+            }
+          EXPECT_EQ(inside, mm < 0) << enumName(cut.shape) << " at " << x << ", " << y;
+        }
+    }
+  EXPECT_GT(closed, 30);
 }
 
 TEST(SectionCutTool, ThePlanesLineEndsAtTheViewAndKnowsItsRemovedSide) {

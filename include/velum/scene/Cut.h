@@ -15,9 +15,6 @@ enum class CutFace { Shaded, Section };
 
 constexpr int kMostCutId = 1'000'000'000;
 
-/// True for shapes with a width, a height and a depth of their own, which a turn about their axis changes.
-constexpr bool hasEdges(CutShape shape) { return shape == CutShape::Box || shape == CutShape::Membrane; }
-
 /// One thing that removes material. What it removes: a plane, the side that `axis` points to; a closed shape, its
 /// inside; a membrane, the side of its sheet that `axis` points to (beyond its rest plane, of the rest plane); with
 /// `invert`, the other side. A position is kept when no enabled cut removes it. World frame (LPS).

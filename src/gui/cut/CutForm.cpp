@@ -6,6 +6,7 @@
 
 #include "kit/Length.h"
 #include "velum/session/cut/CutEdit.h"
+#include "velum/session/cut/ShapeTraits.h"
 
 namespace velum::gui {
 
@@ -215,44 +216,16 @@ void CutForm::makeFace() {
 
 /// The numbers that the shape has, with names that fit.
 void CutForm::showSize(const scene::Cut& cut) {
-  struct Part {
-    QString prefix, tip;
-  };
-  QString diameter = QString::fromUtf8("\u2300 ");
-  Part parts[3];
-  switch (cut.shape) {
-    case scene::CutShape::Plane:
-      break;
-    case scene::CutShape::Box:
-      parts[0] = {"x ", tr("Edge along the box's x")};
-      parts[1] = {"y ", tr("Edge along the box's y")};
-      parts[2] = {"z ", tr("Edge along the box's axis")};
-      break;
-    case scene::CutShape::Sphere:
-      parts[0] = {diameter, tr("Diameter")};
-      break;
-    case scene::CutShape::Cylinder:
-      parts[0] = {diameter, tr("Diameter")};
-      parts[2] = {tr("long "), tr("Length along the axis")};
-      break;
-    case scene::CutShape::Cone:
-      parts[0] = {diameter, tr("Diameter of the base")};
-      parts[2] = {tr("high "), tr("Height from apex to base")};
-      break;
-    case scene::CutShape::Membrane:
-      parts[0] = {"x ", tr("Width of the rest plane")};
-      parts[1] = {"y ", tr("Height of the rest plane")};
-      parts[2] = {tr("reach "), tr("How far the sheet may go, both sides together")};
-      break;
-  }
+  const auto& sizes = session::traitsOf(cut.shape).sizes;
   bool any = false;
   for (int i = 0; i < 3; ++i) {
-    bool used = !parts[i].tip.isEmpty();
+    bool used = sizes[std::size_t(i)].tip;
+    QString tip = used ? tr(sizes[std::size_t(i)].tip) : QString();
     any = any || used;
     mSize[i]->setVisible(used);
-    mSize[i]->setPrefix(parts[i].prefix);
-    mSize[i]->setToolTip(parts[i].tip);
-    mSize[i]->setAccessibleName(parts[i].tip);
+    mSize[i]->setPrefix(tr(sizes[std::size_t(i)].prefix));
+    mSize[i]->setToolTip(tip);
+    mSize[i]->setAccessibleName(tip);
     setQuietly(mSize[i], cut.size[i]);
   }
   mSizeRow->setVisible(any);
@@ -267,7 +240,8 @@ void CutForm::showCut(const scene::Cut& cut) {
   mPosition->setLength(length);
   mCentreLabel->setText(tr("Centre, %1").arg(length.unit()));
   mSizeLabel->setText(tr("Size, %1").arg(length.unit()));
-  bool isPlane = cut.shape == scene::CutShape::Plane, isSphere = cut.shape == scene::CutShape::Sphere;
+  bool isPlane = cut.shape == scene::CutShape::Plane,
+       isBall = session::traitsOf(cut.shape).girth == session::Girth::Ball;
   auto [offset, reach] = session::cutPosition(mDocument.scene(), cut);
   mPosition->setVisible(isPlane);
   mPositionLabel->setVisible(isPlane);
@@ -278,9 +252,8 @@ void CutForm::showCut(const scene::Cut& cut) {
   setQuietly(mAzimuth, angles.azimuthDeg);
   setQuietly(mElevation, angles.elevationDeg);
   setQuietly(mSpin, cut.spinDeg);
-  mSpin->setVisible(scene::hasEdges(cut.shape));
-  for (QWidget* spin : {static_cast<QWidget*>(mAzimuth), static_cast<QWidget*>(mElevation)})
-    spin->setEnabled(!isSphere);
+  mSpin->setVisible(session::hasSides(cut.shape));
+  for (QWidget* spin : {static_cast<QWidget*>(mAzimuth), static_cast<QWidget*>(mElevation)}) spin->setEnabled(!isBall);
   showSize(cut);
   mFace->setCurrentIndex(static_cast<int>(cut.face));
   bool isSection = cut.face == scene::CutFace::Section;

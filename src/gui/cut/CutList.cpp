@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "kit/RowPaint.h"
+#include "velum/session/cut/ShapeTraits.h"
 
 namespace velum::gui {
 
@@ -30,7 +31,8 @@ class Delegate : public QStyledItemDelegate {
     QColor color = rowTextColor(option, enabled);
     paintEye(*painter, eyeBox(option.rect), color, enabled);
     QRectF shape(option.rect.left() + kEyeWidth, option.rect.top(), kShapeWidth, option.rect.height());
-    paintShape(*painter, shape, color, static_cast<scene::CutShape>(index.data(kShapeRole).toInt()));
+    auto of = static_cast<scene::CutShape>(index.data(kShapeRole).toInt());
+    paintIcon(*painter, shape, color, session::traitsOf(of).icon);
     QRect box = nameBox(option.rect);
     painter->setPen(color);
     painter->drawText(box, Qt::AlignVCenter,

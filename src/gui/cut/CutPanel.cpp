@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "velum/session/cut/CutEdit.h"
+#include "velum/session/cut/ShapeTraits.h"
 #include "velum/session/membrane/DefaultField.h"
 #include "velum/session/structure/StructureEdit.h"
 
@@ -14,23 +15,7 @@ namespace {
 
 constexpr int kButtonHeight = 28;
 
-QString shapeTitle(scene::CutShape shape) {
-  switch (shape) {
-    case scene::CutShape::Plane:
-      break;
-    case scene::CutShape::Box:
-      return CutPanel::tr("Box");
-    case scene::CutShape::Sphere:
-      return CutPanel::tr("Sphere");
-    case scene::CutShape::Cylinder:
-      return CutPanel::tr("Cylinder");
-    case scene::CutShape::Cone:
-      return CutPanel::tr("Cone");
-    case scene::CutShape::Membrane:
-      return CutPanel::tr("Membrane");
-  }
-  return CutPanel::tr("Plane");
-}
+QString shapeTitle(scene::CutShape shape) { return CutPanel::tr(session::traitsOf(shape).title); }
 
 }  // namespace
 
@@ -94,8 +79,8 @@ void CutPanel::buildHead() {
   more->setToolTip(tr("Another shape, or a plane that is placed another way"));
   more->setPopupMode(QToolButton::InstantPopup);
   auto* menu = new QMenu(more);
-  for (auto shape : {scene::CutShape::Box, scene::CutShape::Sphere, scene::CutShape::Cylinder, scene::CutShape::Cone})
-    menu->addAction(shapeTitle(shape), this, [this, shape] { addShape(shape); });
+  for (const auto& shape : session::allShapes())
+    if (shape.menuText) menu->addAction(tr(shape.title), this, [this, shape = shape.shape] { addShape(shape); });
   menu->addSeparator();
   QAction* sheet = menu->addAction(shapeTitle(scene::CutShape::Membrane), this, &CutPanel::addMembrane);
   sheet->setToolTip(tr("An elastic sheet that cuts around what matters instead of through it (M)"));

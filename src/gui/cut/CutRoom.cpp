@@ -1,5 +1,7 @@
 #include "CutRoom.h"
 
+#include "velum/session/cut/ShapeTraits.h"
+
 namespace velum::gui {
 
 CutRoom::CutRoom(const WindowParts& parts)
@@ -58,18 +60,11 @@ void CutRoom::addActions(QMenu* menu) {
 }
 
 void CutRoom::addShapes(QMenu* menu) {
-  struct Row {
-    const char *id, *name;
-    scene::CutShape shape;
-  };
-  static constexpr Row kRows[] = {{"cut.addBox", "Add &box", scene::CutShape::Box},
-                                  {"cut.addSphere", "Add &sphere", scene::CutShape::Sphere},
-                                  {"cut.addCylinder", "Add c&ylinder", scene::CutShape::Cylinder},
-                                  {"cut.addCone", "Add co&ne", scene::CutShape::Cone}};
-  for (const Row& row : kRows)
-    mParts.actions.addForScene(menu, row.id, tr(row.name),
-                               tr("A third of the data in size, where it opens what you see"),
-                               [this, shape = row.shape] { mPanel->addShape(shape); });
+  for (const auto& shape : session::allShapes())
+    if (shape.menuText)
+      mParts.actions.addForScene(menu, QString("cut.add%1").arg(shape.title), tr(shape.menuText),
+                                 tr("A third of the data in size, where it opens what you see"),
+                                 [this, shape = shape.shape] { mPanel->addShape(shape); });
 }
 
 }  // namespace velum::gui

@@ -63,8 +63,8 @@ void SectionCutHandles::paintCut(QPainter& painter, const scene::SectionPlane& p
   QColor color = kHandle;
   color.setAlpha(!cut.enabled ? 90 : isSelected ? 255 : 150);
   double width = isSelected ? 1.6 : 1.1;
+  if (!outline.curves.empty()) strokeTwice(painter, pathOf(outline.curves), color, width);
   if (scene::isMembrane(cut)) {
-    strokeTwice(painter, pathOf(outline.curves), color, width);
     if (!isSelected) return;
     QColor band = color;
     band.setAlpha(color.alpha() / 14);

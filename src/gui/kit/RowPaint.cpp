@@ -1,6 +1,7 @@
 #include "RowPaint.h"
 
 #include <QPainterPath>
+#include <QTextStream>
 
 namespace velum::gui {
 
@@ -27,44 +28,37 @@ void paintEye(QPainter& painter, const QRectF& box, const QColor& color, bool op
   painter.drawEllipse(c, 2.2, 2.2);
 }
 
-void paintShape(QPainter& painter, const QRectF& box, const QColor& color, scene::CutShape shape) {
-  QPointF c = box.center();
-  painter.setPen(thin(color));
-  painter.setBrush(Qt::NoBrush);
-  switch (shape) {
-    case scene::CutShape::Plane:
-      painter.drawPolygon(
-          QPolygonF{c + QPointF(-6, -1), c + QPointF(2, -5.5), c + QPointF(6, 1), c + QPointF(-2, 5.5)});
-      break;
-    case scene::CutShape::Box:
-      painter.drawRect(QRectF(c + QPointF(-6, -2.5), c + QPointF(2.5, 6)));
-      painter.drawPolyline(QPolygonF{c + QPointF(-6, -2.5), c + QPointF(-2.5, -6), c + QPointF(6, -6),
-                                     c + QPointF(6, 2.5), c + QPointF(2.5, 6)});
-      painter.drawLine(c + QPointF(2.5, -2.5), c + QPointF(6, -6));
-      break;
-    case scene::CutShape::Sphere:
-      painter.drawEllipse(c, 6, 6);
-      painter.drawArc(QRectF(c + QPointF(-6, -2.2), c + QPointF(6, 2.2)), 180 * 16, 180 * 16);
-      break;
-    case scene::CutShape::Cylinder:
-      painter.drawEllipse(c + QPointF(0, -4), 4.5, 2);
-      painter.drawLine(c + QPointF(-4.5, -4), c + QPointF(-4.5, 4));
-      painter.drawLine(c + QPointF(4.5, -4), c + QPointF(4.5, 4));
-      painter.drawArc(QRectF(c + QPointF(-4.5, 2), c + QPointF(4.5, 6)), 180 * 16, 180 * 16);
-      break;
-    case scene::CutShape::Cone:
-      painter.drawEllipse(c + QPointF(0, -4), 5, 2);
-      painter.drawPolyline(QPolygonF{c + QPointF(-5, -4), c + QPointF(0, 6), c + QPointF(5, -4)});
-      break;
-    case scene::CutShape::Membrane: {  // a sheet that goes up around something and down again
-      QPainterPath wave(c + QPointF(-6.5, 2.5));
-      wave.cubicTo(c + QPointF(-2.5, 2.5), c + QPointF(-3.5, -5), c + QPointF(0, -5));
-      wave.cubicTo(c + QPointF(3.5, -5), c + QPointF(2.5, 2.5), c + QPointF(6.5, 2.5));
-      painter.drawPath(wave);
-      painter.drawEllipse(c + QPointF(0, 0.5), 2, 2);
-      break;
+void paintIcon(QPainter& painter, const QRectF& box, const QColor& color, const char* lines) {
+  QPainterPath path;
+  QTextStream text{QByteArray(lines)};
+  auto point = [&] {
+    double x = 0, y = 0;
+    text >> x >> y;
+    return box.center() + QPointF(x, y);
+  };
+  auto around = [&] {
+    QPointF middle = point(), half = point() - box.center();
+    return QRectF(middle - half, middle + half);
+  };
+  QString letter;
+  while (text >> letter, !letter.isEmpty()) {
+    if (letter == "M") path.moveTo(point());
+    if (letter == "L") path.lineTo(point());
+    if (letter == "Z") path.closeSubpath();
+    if (letter == "O") path.addEllipse(around());
+    if (letter == "U") {
+      QRectF whole = around();
+      path.arcMoveTo(whole, 180);
+      path.arcTo(whole, 180, 180);
+    }
+    if (letter == "C") {
+      QPointF a = point(), b = point(), to = point();
+      path.cubicTo(a, b, to);
     }
   }
+  painter.setPen(thin(color));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawPath(path);
 }
 
 void paintSwatch(QPainter& painter, const QRectF& box, const QColor& color, const QColor& line) {

@@ -1,10 +1,10 @@
 #include "Outlines.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "velum/gpu/Draw.h"
+#include "velum/scene/ShapeOutline.h"
 
 namespace velum::render {
 
@@ -27,15 +27,6 @@ void addBox(std::vector<glm::dvec3>& lines, const glm::dmat4& worldFromUnit) {
     }
 }
 
-void addCircle(std::vector<glm::dvec3>& lines, const glm::dmat4& frame, glm::dvec3 centre, glm::dvec3 x, glm::dvec3 y) {
-  constexpr int kSides = 64;
-  auto at = [&](int i) {
-    double angle = 2.0 * 3.14159265358979 * i / kSides;
-    return glm::dvec3(frame * glm::dvec4(centre + std::cos(angle) * x + std::sin(angle) * y, 1.0));
-  };
-  for (int i = 0; i < kSides; ++i) addLine(lines, at(i), at(i + 1));
-}
-
 /// The polygon in which a plane meets the data's box, as its edges.
 void addPlane(std::vector<glm::dvec3>& lines, const scene::Cut& cut, const glm::dmat4& worldFromTex) {
   std::vector<glm::dvec3> edges;
@@ -56,42 +47,12 @@ void addPlane(std::vector<glm::dvec3>& lines, const scene::Cut& cut, const glm::
 }
 
 void addCut(std::vector<glm::dvec3>& lines, const scene::Cut& cut, const glm::dmat4& worldFromTex) {
+  if (cut.shape == scene::CutShape::Plane) return addPlane(lines, cut, worldFromTex);
   glm::dmat4 frame = scene::worldFromCut(cut);
-  glm::dvec3 half = cut.size * 0.5;
-  glm::dvec3 x(half.x, 0, 0), y(0, half.x, 0), z(0, 0, half.z);
-  switch (cut.shape) {
-    case scene::CutShape::Plane:
-      addPlane(lines, cut, worldFromTex);
-      break;
-    case scene::CutShape::Membrane: {
-      glm::dvec3 across(0, half.y, 0), corners[] = {-x - across, x - across, x + across, across - x};
-      for (int i = 0; i < 4; ++i)
-        addLine(lines, glm::dvec3(frame * glm::dvec4(corners[i], 1)),
-                glm::dvec3(frame * glm::dvec4(corners[(i + 1) % 4], 1)));
-      break;
-    }
-    case scene::CutShape::Box: {
-      glm::dmat4 unit(1.0);
-      for (int i = 0; i < 3; ++i) unit[i][i] = cut.size[i], unit[3][i] = -half[i];
-      addBox(lines, frame * unit);
-      break;
-    }
-    case scene::CutShape::Sphere:
-      addCircle(lines, frame, {}, x, y);
-      addCircle(lines, frame, {}, x, {0, 0, half.x});
-      addCircle(lines, frame, {}, y, {0, 0, half.x});
-      break;
-    case scene::CutShape::Cylinder:
-    case scene::CutShape::Cone: {
-      bool cone = cut.shape == scene::CutShape::Cone;
-      glm::dvec3 top = cone ? 2.0 * z : z, bottom = cone ? glm::dvec3(0.0) : -z;
-      addCircle(lines, frame, top, x, y);
-      if (!cone) addCircle(lines, frame, bottom, x, y);
-      for (auto side : {x, -x, y, -y})
-        addLine(lines, glm::dvec3(frame * glm::dvec4(top + side, 1)),
-                glm::dvec3(frame * glm::dvec4(cone ? bottom : bottom + side, 1)));
-      break;
-    }
+  auto worldOf = [&](glm::dvec3 p) { return glm::dvec3(frame * glm::dvec4(p, 1)); };
+  for (const auto& line : scene::shapeOutline(cut, {})) {
+    std::size_t pieces = line.size() == 2 ? 1 : line.size();
+    for (std::size_t i = 0; i < pieces; ++i) addLine(lines, worldOf(line[i]), worldOf(line[(i + 1) % line.size()]));
   }
 }
 

@@ -15,7 +15,7 @@ SectionCuts::SectionCuts(const scene::Scene& scene, const scene::SectionPlane& p
       mSpares(makeSpareTable(scene)) {}
 
 /// A convex cut removes one stretch of a row, or all but one.
-void SectionCuts::markConvex(const shared::CutData& cut, const Row& row, std::vector<char>& removed) const {
+void SectionCuts::markConvex(const shared::CutData& cut, const Row& row, std::vector<char>& removed) {
   glm::vec2 inside = shared::cutInterval(cut, row.start, row.along) * float(1.0 / row.lengthPerPixel);
   int from = 0, to = 0;
   if (inside.x <= inside.y) {
@@ -25,6 +25,18 @@ void SectionCuts::markConvex(const shared::CutData& cut, const Row& row, std::ve
   bool takesInside = cut.halfSize.w > 0;
   std::fill(removed.begin(), removed.end(), char(!takesInside));
   std::fill(removed.begin() + from, removed.begin() + to, char(takesInside));
+}
+
+void SectionCuts::markWalked(const shared::CutData& cut, const Row& row, std::vector<char>& removed) {
+  float pixel = float(row.lengthPerPixel), end = pixel * float(row.width), t = -0.5f * pixel;
+  for (int x = 0; x < row.width;) {
+    shared::CutRun run = shared::cutWalk(cut, row.start, row.along, t, 1e-5f * end, end);
+    bool removes = run.end > t;
+    t = std::min(removes ? run.end : run.next, end);
+    int to = t >= end ? row.width : std::clamp(int(std::ceil(t / pixel)), x, row.width);
+    std::fill(removed.begin() + x, removed.begin() + to, char(removes));
+    x = to;
+  }
 }
 
 /// From crossing to crossing; each run is asked in its middle.
@@ -68,6 +80,8 @@ std::vector<char> SectionCuts::removedOf(const Row& row, std::span<const std::ui
     const shared::CutData& cut = mCuts[i];
     if (cut.kind.x == shared::kCutMembrane)
       markMembrane(cut, row, removed);
+    else if (cut.kind.z == 1)
+      markWalked(cut, row, removed);
     else
       markConvex(cut, row, removed);
     if (!mSpares.isEmpty()) takeBack(i, row, ids, removed);

@@ -29,8 +29,11 @@ class SectionCuts {
   };
   std::vector<char> removedOf(const Row& row, std::span<const std::uint16_t> ids) const;
 
+  /// What one cut removes of a row: a convex one, or any but a membrane.
+  static void markConvex(const shared::CutData& cut, const Row& row, std::vector<char>& removed);
+  static void markWalked(const shared::CutData& cut, const Row& row, std::vector<char>& removed);
+
  private:
-  void markConvex(const shared::CutData& cut, const Row& row, std::vector<char>& removed) const;
   void markMembrane(const shared::CutData& cut, const Row& row, std::vector<char>& removed) const;
   void takeBack(std::size_t cut, const Row& row, std::span<const std::uint16_t> ids, std::vector<char>& removed) const;
 

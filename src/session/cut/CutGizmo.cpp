@@ -7,7 +7,9 @@
 
 #include "velum/core/Vectors.h"
 #include "velum/scene/Project.h"
+#include "velum/scene/ShapeOutline.h"
 #include "velum/session/cut/CutEdit.h"
+#include "velum/session/cut/ShapeTraits.h"
 
 namespace velum::session {
 
@@ -45,57 +47,11 @@ std::vector<glm::dvec3> planeInBox(const scene::Bounds& bounds, glm::dvec3 point
   return points;
 }
 
-/// Edges of a box, rims and sides of a round shape, as closed lines.
 std::vector<std::vector<glm::dvec3>> edgesOf(const scene::Cut& cut) {
-  constexpr int kCorners = 48;
   glm::dmat4 worldFromCut = scene::worldFromCut(cut);
-  glm::dvec3 half = cut.size * 0.5;
-  std::vector<std::vector<glm::dvec3>> edges;
-  auto add = [&](const std::vector<glm::dvec3>& local) {
-    auto& line = edges.emplace_back();
-    for (const auto& p : local) line.emplace_back(worldFromCut * glm::dvec4(p, 1.0));
-  };
-  auto circle = [&](int axis, double along, double radius) {
-    std::vector<glm::dvec3> points(kCorners);
-    for (int i = 0; i < kCorners; ++i) {
-      double a = 2.0 * std::numbers::pi * i / kCorners;
-      points[std::size_t(i)][axis] = along;
-      points[std::size_t(i)][(axis + 1) % 3] = radius * std::cos(a);
-      points[std::size_t(i)][(axis + 2) % 3] = radius * std::sin(a);
-    }
-    return points;
-  };
-  constexpr glm::dvec2 kSides[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
-  constexpr glm::dvec2 kBoxSides[] = {{1, 1}, {-1, 1}, {-1, -1}, {1, -1}};
-  switch (cut.shape) {
-    case scene::CutShape::Plane:
-      break;
-    case scene::CutShape::Membrane: {  // its frame
-      std::vector<glm::dvec3> rim;
-      for (glm::dvec2 s : kBoxSides) rim.emplace_back(s * glm::dvec2(half), 0.0);
-      add(rim);
-      break;
-    }
-    case scene::CutShape::Box:
-      for (double z : {-half.z, half.z}) {
-        std::vector<glm::dvec3> rim;
-        for (glm::dvec2 s : kBoxSides) rim.emplace_back(s * glm::dvec2(half), z);
-        add(rim);
-      }
-      for (glm::dvec2 s : kBoxSides) add({{s * glm::dvec2(half), -half.z}, {s * glm::dvec2(half), half.z}});
-      break;
-    case scene::CutShape::Sphere:
-      for (int axis = 0; axis < 3; ++axis) add(circle(axis, 0, half.x));
-      break;
-    case scene::CutShape::Cylinder:
-      for (double z : {-half.z, half.z}) add(circle(2, z, half.x));
-      for (glm::dvec2 s : kSides) add({{s * half.x, -half.z}, {s * half.x, half.z}});
-      break;
-    case scene::CutShape::Cone:
-      add(circle(2, 2.0 * half.z, half.x));
-      for (glm::dvec2 s : kSides) add({glm::dvec3(0.0), {s * half.x, 2.0 * half.z}});
-      break;
-  }
+  auto edges = scene::shapeOutline(cut, {.corners = 48});
+  for (auto& line : edges)
+    for (auto& p : line) p = glm::dvec3(worldFromCut * glm::dvec4(p, 1.0));
   return edges;
 }
 
@@ -107,37 +63,28 @@ double clearOf(std::initializer_list<double> lengths, const std::vector<double>&
   return *lengths.begin();
 }
 
-/// Half sizes along the rest plane's axes at which faces and ends lie.
+/// Half sizes at which faces, ends and sides lie.
 std::vector<double> faceReaches(const scene::Cut& cut) {
-  glm::dvec3 half = cut.size * 0.5;
-  switch (cut.shape) {
-    case scene::CutShape::Plane:
-      return {};
-    case scene::CutShape::Membrane:
-      return {half.x, half.y};
-    case scene::CutShape::Box:
-      return {half.x, half.y, half.z};
-    case scene::CutShape::Sphere:
-      return {half.x};
-    case scene::CutShape::Cylinder:
-    case scene::CutShape::Cone:
-      break;
-  }
-  return {half.x, half.z};
+  const ShapeTraits& traits = traitsOf(cut.shape);
+  std::vector<double> reaches;
+  for (int axis = 0; axis < 3; ++axis)
+    if (traits.faces & (1u << axis)) reaches.push_back(cut.size[axis] * 0.5);
+  if (traits.girth != Girth::None) reaches.push_back(cut.size.x * 0.5);
+  return reaches;
 }
 
 void addFaceGrips(CutGizmo& gizmo, const scene::Cut& cut, glm::dvec3 forward) {
   constexpr CutHandle kFaces[] = {CutHandle::FaceXMin, CutHandle::FaceXMax, CutHandle::FaceYMin,
                                   CutHandle::FaceYMax, CutHandle::FaceZMin, CutHandle::FaceZMax};
   glm::dmat3 frame = cutFrame(cut);
-  bool isBox = scene::hasEdges(cut.shape), isCone = cut.shape == scene::CutShape::Cone;
-  int end = cut.shape == scene::CutShape::Membrane ? 4 : 6;  // the frame is flat: its reach is a number
-  for (int face = isBox ? 0 : 4; face < end; ++face) {
+  const ShapeTraits& traits = traitsOf(cut.shape);
+  for (int face = 0; face < 6; ++face) {
+    if (!(traits.faces & (1u << (face / 2)))) continue;
     double sign = face % 2 ? 1.0 : -1.0;
     glm::dvec3 out = frame[face / 2] * sign;
     if (glm::length(glm::cross(out, forward)) < kLeastSlant) continue;  // seen end on
     double reach = cut.size[face / 2] * 0.5;
-    if (isCone) reach = sign > 0 ? cut.size.z : 0.0;
+    if (face / 2 == 2) reach = cut.size.z * (sign > 0 ? traits.high : -traits.low);
     gizmo.grips.push_back({kFaces[face], cut.centre + out * reach, out});
   }
 }
@@ -155,17 +102,19 @@ void addCornerGrips(CutGizmo& gizmo, const scene::Cut& cut, glm::dvec3 forward) 
 }
 
 void addRadiusGrip(CutGizmo& gizmo, const scene::Cut& cut, const scene::CameraBasis& basis) {
-  glm::dvec3 out = cut.shape == scene::CutShape::Sphere ? -basis.right : -gizmo.right;
+  const ShapeTraits& traits = traitsOf(cut.shape);
+  glm::dvec3 out = traits.girth == Girth::Ball ? -basis.right : -gizmo.right;
   glm::dvec3 middle = cut.centre;
-  if (cut.shape == scene::CutShape::Cone) middle += cutFrame(cut)[2] * cut.size.z;
+  if (traits.girth == Girth::Taper) middle += cutFrame(cut)[2] * (cut.size.z * traits.high);
   gizmo.grips.push_back({CutHandle::Radius, middle + out * (cut.size.x * 0.5), out});
 }
 
 /// What can be held, in the order of who wins where two are equally near.
 void addGrips(CutGizmo& gizmo, const scene::Cut& cut, const scene::CameraBasis& basis) {
-  bool isSphere = cut.shape == scene::CutShape::Sphere;
+  const ShapeTraits& traits = traitsOf(cut.shape);
+  bool isBall = traits.girth == Girth::Ball;
   auto add = [&](CutHandle handle, glm::dvec3 off) { gizmo.grips.push_back({handle, gizmo.centre + off, {}}); };
-  if (!isSphere) {
+  if (!isBall) {
     // Of a ring that is seen edge on, two knobs would lie over the middle.
     auto isAside = [&](glm::dvec3 out) { return glm::length(glm::cross(out, basis.forward)) > kLeastSlant; };
     if (isAside(gizmo.right)) add(CutHandle::KnobRight, gizmo.right * gizmo.radius);
@@ -173,12 +122,12 @@ void addGrips(CutGizmo& gizmo, const scene::Cut& cut, const scene::CameraBasis& 
     if (isAside(gizmo.right)) add(CutHandle::KnobLeft, -gizmo.right * gizmo.radius);
     if (isAside(gizmo.top)) add(CutHandle::KnobBottom, -gizmo.top * gizmo.radius);
   }
-  gizmo.hasRing = !isSphere;
+  gizmo.hasRing = !isBall;
   gizmo.grips.push_back({CutHandle::Arrow, gizmo.arrowTip, gizmo.normal});
   if (cut.shape == scene::CutShape::Plane) return;
-  if (!isSphere) addFaceGrips(gizmo, cut, basis.forward);
-  if (cut.shape == scene::CutShape::Membrane) addCornerGrips(gizmo, cut, basis.forward);
-  if (!scene::hasEdges(cut.shape)) addRadiusGrip(gizmo, cut, basis);
+  addFaceGrips(gizmo, cut, basis.forward);
+  if (scene::isMembrane(cut)) addCornerGrips(gizmo, cut, basis.forward);
+  if (traits.girth != Girth::None) addRadiusGrip(gizmo, cut, basis);
   if (std::abs(glm::dot(basis.forward, gizmo.normal)) > kLeastSlant)
     add(CutHandle::Square, (gizmo.right + gizmo.top) * (0.4 * gizmo.radius));
   add(CutHandle::Centre, glm::dvec3(0.0));
@@ -204,7 +153,8 @@ CutGizmo makeCutGizmo(const scene::Scene& scene, const scene::Cut& cut, glm::dve
   gizmo.edges = edgesOf(cut);
   gizmo.centre = cut.centre;
   // A cone is held by its middle: its own centre is its apex, which has a handle.
-  if (cut.shape == scene::CutShape::Cone) gizmo.centre += gizmo.normal * (cut.size.z * 0.5);
+  const ShapeTraits& traits = traitsOf(cut.shape);
+  gizmo.centre += gizmo.normal * (cut.size.z * 0.5 * (traits.low + traits.high));
   if (!gizmo.outline.empty()) {
     gizmo.centre = glm::dvec3(0.0);
     for (const auto& p : gizmo.outline) gizmo.centre += p / double(gizmo.outline.size());

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "velum/scene/Project.h"
+#include "velum/session/cut/ShapeTraits.h"
 
 namespace velum::session {
 
@@ -169,8 +170,9 @@ scene::Cut withFaceMoved(scene::Cut cut, int axis, int sign, double mm, double s
   double before = cut.size[axis];
   cut.size[axis] = std::max(before + mm, std::min(smallest, before));
   double moved = cut.size[axis] - before;
-  // The cone hangs on its apex: its base moves alone, and its apex takes all of the move.
-  double share = cut.shape != scene::CutShape::Cone ? 0.5 : sign < 0 ? 1.0 : 0.0;
+  // Where the centre lies between the two; an apex that is the centre takes all of the move, its base none.
+  const ShapeTraits& traits = traitsOf(cut.shape);
+  double share = axis != 2 ? 0.5 : sign < 0 ? traits.high : -traits.low;
   cut.centre += cutFrame(cut)[axis] * (sign * moved * share);
   return cut;
 }
@@ -188,7 +190,7 @@ scene::Cut withCornerMoved(scene::Cut cut, int corner, glm::dvec2 mm, double sma
 scene::Cut withTurn(scene::Cut cut, glm::dvec3 pivot, glm::dvec3 axis, double rad) {
   glm::dmat3 turn(glm::rotate(glm::dmat4(1.0), rad, axis));
   cut.centre = pivot + turn * (cut.centre - pivot);
-  if (scene::hasEdges(cut.shape))
+  if (hasSides(cut.shape))
     setCutFrame(cut, turn * cutFrame(cut));
   else
     cut.axis = glm::normalize(turn * cutFrame(cut)[2]);
@@ -224,7 +226,7 @@ scene::Cut dragCut(const scene::Cut& start, const CutGizmo& gizmo, CutHandle han
       return tilt(cut, drag, handle, snap);
     case CutHandle::Ring:
       if (cut.shape == scene::CutShape::Plane) cut.centre = gizmo.centre;
-      return scene::hasEdges(cut.shape) ? spin(cut, drag, snap) : tiltFreely(cut, drag, snap);
+      return hasSides(cut.shape) ? spin(cut, drag, snap) : tiltFreely(cut, drag, snap);
     default:
       return isCorner(handle) ? resizeCorner(cut, drag, handle, snap) : resize(cut, drag, handle, snap);
   }
@@ -232,7 +234,7 @@ scene::Cut dragCut(const scene::Cut& start, const CutGizmo& gizmo, CutHandle han
 }
 
 const char* dragLabel(const scene::Cut& cut, CutHandle handle) {
-  if (handle == CutHandle::Ring && scene::hasEdges(cut.shape)) return "Turn cut";
+  if (handle == CutHandle::Ring && hasSides(cut.shape)) return "Turn cut";
   if (turns(handle)) return "Tilt cut";
   return handle >= CutHandle::FaceXMin ? "Resize cut" : "Move cut";
 }
@@ -242,7 +244,7 @@ std::string dragText(const scene::LengthFormat& lengths, const scene::Cut& start
   if (turns(handle)) {
     // The angle of the turn from one frame to the other.
     glm::dmat3 turn = cutFrame(now) * glm::transpose(cutFrame(start));
-    if (!scene::hasEdges(start.shape))
+    if (!hasSides(start.shape))
       return fmt::format(
           "{:.1f}\u00b0",
           glm::degrees(std::acos(std::clamp(glm::dot(cutFrame(start)[2], cutFrame(now)[2]), -1.0, 1.0))));

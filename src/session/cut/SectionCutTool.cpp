@@ -1,13 +1,15 @@
 // Handles of a cut on a section, and what a drag of them makes of it.
 #include "velum/session/cut/SectionCutTool.h"
-#include "SectionMembrane.h"
-#include "velum/core/Vectors.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
+#include "SectionContour.h"
 #include "SectionGeometry.h"
+#include "SectionMembrane.h"
+#include "velum/core/Vectors.h"
+#include "velum/session/cut/ShapeTraits.h"
 
 namespace velum::session {
 
@@ -17,6 +19,7 @@ namespace {
 constexpr double kKnobOutPixels = 26.0, kPlaneKnobPixels = 110.0;
 constexpr double kViewMargin = 24.0;
 constexpr double kSmallestPixels = 4.0;
+constexpr int kDiameterSteps = 12;
 
 using scene::CutShape;
 using scene::SectionPlane;
@@ -49,16 +52,18 @@ glm::dvec2 centroid(const std::vector<glm::dvec2>& points) {
   return std::abs(area) > 1e-9 ? mean + sum / (3.0 * area) : mean;
 }
 
-/// The radius of a cone or cylinder at a height of its own frame.
+/// The radius of a round shape at a height of its own frame.
 double radiusAt(const scene::Cut& cut, double z) {
   double radius = cut.size.x * 0.5;
-  return cut.shape == CutShape::Cone ? radius * z / std::max(cut.size.z, 1e-12) : radius;
+  return traitsOf(cut.shape).girth == Girth::Taper ? radius * z / std::max(cut.size.z, 1e-12) : radius;
 }
 
 /// Which face or side a piece of the outline lies on, by its middle in the cut's frame.
 SectionHandle handleOnShape(const scene::Cut& cut, glm::dvec3 q) {
+  const ShapeTraits& traits = traitsOf(cut.shape);
   glm::dvec3 half = cut.size * 0.5;
-  if (scene::hasEdges(cut.shape)) {
+  if (traits.girth == Girth::Ball) return {SectionHandleKind::Side};
+  if (traits.girth == Girth::None) {
     SectionHandle best{SectionHandleKind::Face};
     double least = 1e300;
     for (int axis = 0; axis < 3; ++axis)
@@ -69,39 +74,60 @@ SectionHandle handleOnShape(const scene::Cut& cut, glm::dvec3 q) {
       }
     return best;
   }
-  bool isCone = cut.shape == CutShape::Cone;
-  double top = isCone ? cut.size.z : half.z, bottom = isCone ? -1e300 : -half.z;
+  double top = traits.high * cut.size.z, bottom = traits.girth == Girth::Taper ? -1e300 : traits.low * cut.size.z;
   double offSide = std::abs(std::hypot(q.x, q.y) - radiusAt(cut, q.z));
   if (std::abs(q.z - top) < offSide) return {SectionHandleKind::Face, 2, 1};
   if (std::abs(q.z - bottom) < offSide) return {SectionHandleKind::Face, 2, -1};
   return {SectionHandleKind::Side};
 }
 
-/// One handle a face, in the middle of its longest piece; one for the radius, on the right of the screen.
-std::vector<SectionHandle> shapeHandles(const SectionPlane& plane, const scene::Cut& cut,
-                                        const std::vector<glm::dvec2>& outline) {
+/// The lines of a closed shape, each as a polygon.
+std::vector<std::vector<glm::dvec2>> loopsOf(const SectionOutline& outline) {
+  auto loops = outline.curves;
+  if (outline.points.size() >= 3) loops.push_back(outline.points);
+  return loops;
+}
+
+glm::dvec2 middleOf(const SectionOutline& outline) {
+  if (outline.curves.empty()) return centroid(outline.points);
+  glm::dvec2 low(1e300), high(-1e300);
+  for (const auto& curve : outline.curves)
+    for (glm::dvec2 p : curve) low = glm::min(low, p), high = glm::max(high, p);
+  return (low + high) * 0.5;
+}
+
+/// One handle a face, in the middle of its longest piece, or, where pieces are those of a curve, on its top; one for
+/// the radius, on the right of the screen.
+std::vector<SectionHandle> shapeHandles(const SectionPlane& plane, const scene::Cut& cut, const SectionOutline& outline,
+                                        glm::dvec2 middle) {
+  const ShapeTraits& traits = traitsOf(cut.shape);
   glm::dmat4 cutFromWorld = glm::inverse(scene::worldFromCut(cut));
-  glm::dvec2 middle = centroid(outline);
-  double mid = cut.shape == CutShape::Cone ? 0.5 * cut.size.z : 0.0;
+  glm::dmat3 axes = cutFrame(cut);
+  double mid = 0.5 * (traits.low + traits.high) * cut.size.z;
+  bool isCurve = !outline.curves.empty();
   struct Found {
     SectionHandle handle;
     double worth;
   };
   std::vector<Found> found;
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    glm::dvec2 a = outline[i], b = outline[(i + 1) % outline.size()];
+  auto look = [&](glm::dvec2 a, glm::dvec2 b) {
     double length = glm::length(b - a);
-    if (length < 1e-9) continue;
-    glm::dvec3 q(cutFromWorld * glm::dvec4(scene::worldFromSectionPixel(plane, (a + b) * 0.5), 1.0));
-    SectionHandle handle =
-        cut.shape == CutShape::Sphere ? SectionHandle{SectionHandleKind::Side} : handleOnShape(cut, q);
+    if (length < 1e-9) return;
+    glm::dvec3 world = scene::worldFromSectionPixel(plane, (a + b) * 0.5);
+    glm::dvec3 q(cutFromWorld * glm::dvec4(world, 1.0));
+    SectionHandle handle = handleOnShape(cut, q);
+    bool isAcross = handle.kind == SectionHandleKind::Face && glm::length(onScreen(plane, axes[handle.axis])) < 0.05;
+    if (isCurve && isAcross) handle = {SectionHandleKind::Side};
     handle.place = (a + b) * 0.5;
     handle.pivot = middle;
     glm::dvec2 out((b - a).y / length, -(b - a).x / length);
-    handle.outwards = glm::dot(out, handle.place - middle) < 0 ? -out : out;
+    bool pointsIn = isCurve ? shapeDistance(cut, scene::worldFromSectionPixel(plane, handle.place + out)) < 0
+                            : glm::dot(out, handle.place - middle) < 0;
+    handle.outwards = pointsIn ? -out : out;
     bool isSide = handle.kind == SectionHandleKind::Side;
-    double worth = isSide ? handle.outwards.x - 2.0 * std::abs(q.z - mid) / std::max(cut.size.z, 1e-9) : length;
-    if (cut.shape == CutShape::Sphere) worth = handle.outwards.x;
+    double worth = isCurve ? handle.sign * q[handle.axis] : length;
+    if (isSide) worth = handle.outwards.x + (isCurve ? std::hypot(q.x, q.y) / cut.size.x : 0.0);
+    if (isSide && traits.girth != Girth::Ball) worth -= 2.0 * std::abs(q.z - mid) / std::max(cut.size.z, 1e-9);
     auto same = std::find_if(found.begin(), found.end(), [&](const Found& f) {
       return f.handle.kind == handle.kind && f.handle.axis == handle.axis && f.handle.sign == handle.sign;
     });
@@ -109,7 +135,9 @@ std::vector<SectionHandle> shapeHandles(const SectionPlane& plane, const scene::
       found.push_back({handle, worth});
     else if (worth > same->worth)
       *same = {handle, worth};
-  }
+  };
+  for (const auto& loop : loopsOf(outline))
+    for (std::size_t i = 0; i + (isCurve ? 1 : 0) < loop.size(); ++i) look(loop[i], loop[(i + 1) % loop.size()]);
   std::vector<SectionHandle> handles;
   for (const auto& f : found) handles.push_back(f.handle);
   return handles;
@@ -117,32 +145,42 @@ std::vector<SectionHandle> shapeHandles(const SectionPlane& plane, const scene::
 
 /// The knob that turns a closed shape stands off it along its axis, or along the edge of a box; none where a turn
 /// changes nothing.
-std::optional<SectionHandle> turnHandle(const SectionPlane& plane, const scene::Cut& cut,
-                                        const std::vector<glm::dvec2>& outline) {
-  if (cut.shape == CutShape::Sphere) return std::nullopt;
+std::optional<SectionHandle> turnHandle(const SectionPlane& plane, const scene::Cut& cut, const SectionOutline& outline,
+                                        glm::dvec2 middle) {
+  if (traitsOf(cut.shape).girth == Girth::Ball) return std::nullopt;
   glm::dmat3 axes = cutFrame(cut);
   glm::dvec2 along = onScreen(plane, axes[2]);
-  if (glm::length(along) < 0.05 && scene::hasEdges(cut.shape)) along = onScreen(plane, axes[1]);
+  if (glm::length(along) < 0.05 && hasSides(cut.shape)) along = onScreen(plane, axes[1]);
   if (glm::length(along) < 0.05) return std::nullopt;
   along = glm::normalize(along);
-  glm::dvec2 middle = centroid(outline);
   double reach = 0.0;
-  for (const auto& p : outline) reach = std::max(reach, glm::dot(p - middle, along));
+  for (const auto& loop : loopsOf(outline))
+    for (const auto& p : loop) reach = std::max(reach, glm::dot(p - middle, along));
   return SectionHandle{SectionHandleKind::Turn, 0, 0, middle + along * (reach + kKnobOutPixels), middle, along};
 }
 
 /// The diameter for which the side passes as far from the pointer as it did when it was taken.
 double draggedDiameter(const scene::Cut& start, glm::dvec3 from, glm::dvec3 to) {
   double diameter = start.size.x;
-  if (start.shape == CutShape::Sphere)
-    return diameter + 2.0 * (glm::length(to - start.centre) - glm::length(from - start.centre));
+  Girth girth = traitsOf(start.shape).girth;
+  if (girth == Girth::Ball) return diameter + 2.0 * (glm::length(to - start.centre) - glm::length(from - start.centre));
   glm::dmat3 axes = cutFrame(start);
   auto polar = [&](glm::dvec3 p) {
     glm::dvec3 q = glm::transpose(axes) * (p - start.centre);
     return glm::dvec2(std::hypot(q.x, q.y), q.z);
   };
   glm::dvec2 a = polar(from), b = polar(to);
-  if (start.shape == CutShape::Cylinder) return diameter + 2.0 * (b.x - a.x);
+  if (girth == Girth::Barrel) {
+    diameter += 2.0 * (b.x - a.x);
+    if (traitsOf(start.shape).isWire) return diameter;
+    // Of a side that is not straight that is a guess.
+    scene::Cut cut = start;
+    for (int i = 0; i < kDiameterSteps; ++i) {
+      cut.size.x = diameter;
+      diameter += 2.0 * (shapeDistance(cut, to) - shapeDistance(start, from));
+    }
+    return diameter;
+  }
   // On a cone the slope follows: radius over height.
   double least = 0.02 * start.size.z;
   double slope = b.x / std::max(b.y, least) - a.x / std::max(a.y, least);
@@ -157,13 +195,13 @@ bool isArrow(const SectionHandle& handle) {
 
 std::vector<SectionHandle> sectionHandles(const SectionPlane& plane, const scene::Cut& cut) {
   if (cut.shape == CutShape::Plane) return planeHandles(plane, cut);
-  if (cut.shape == CutShape::Membrane) return membraneHandles(plane, cut);
-  auto outline = sectionOutline(plane, cut).points;
-  if (outline.size() < 3) return {};
+  if (scene::isMembrane(cut)) return membraneHandles(plane, cut);
+  SectionOutline outline = sectionOutline(plane, cut);
+  if (loopsOf(outline).empty()) return {};
+  glm::dvec2 middle = middleOf(outline);
   std::vector<SectionHandle> handles;
-  if (auto turn = turnHandle(plane, cut, outline)) handles.push_back(*turn);
-  for (const auto& handle : shapeHandles(plane, cut, outline)) handles.push_back(handle);
-  glm::dvec2 middle = centroid(outline);
+  if (auto turn = turnHandle(plane, cut, outline, middle)) handles.push_back(*turn);
+  for (const auto& handle : shapeHandles(plane, cut, outline, middle)) handles.push_back(handle);
   handles.push_back({SectionHandleKind::Move, 0, 0, middle, middle, {}});
   return handles;
 }

@@ -6,8 +6,11 @@
 #include <numbers>
 #include <vector>
 
+#include "SectionContour.h"
 #include "SectionGeometry.h"
 #include "SectionMembrane.h"
+#include "velum/scene/ShapeOutline.h"
+#include "velum/session/cut/ShapeTraits.h"
 
 namespace velum::session {
 
@@ -15,57 +18,30 @@ namespace {
 
 /// Corners of a rim: the line then leaves the true curve by a seventh of a pixel at a radius of 1000.
 constexpr int kRimCorners = 180;
+constexpr scene::OutlineDetail kFine{.corners = kRimCorners, .sides = kRimCorners};
 
 using scene::CutShape;
 using scene::SectionPlane;
 
-/// A shape as corners and the edges between them, in the cut's own frame.
-struct Wire {
-  std::vector<glm::dvec3> corners;
-  std::vector<std::pair<int, int>> edges;
-};
-
-Wire boxWire(glm::dvec3 half) {
-  Wire wire;
-  for (int i = 0; i < 8; ++i)
-    wire.corners.push_back({i & 1 ? half.x : -half.x, i & 2 ? half.y : -half.y, i & 4 ? half.z : -half.z});
-  for (int a = 0; a < 8; ++a)
-    for (int axis = 1; axis < 8; axis *= 2)
-      if (!(a & axis)) wire.edges.emplace_back(a, a | axis);
-  return wire;
-}
-
-/// Rims at two heights, or an apex (radius 0) and one rim.
-Wire roundWire(double lowZ, double lowRadius, double highZ, double highRadius) {
-  Wire wire;
-  for (int i = 0; i < kRimCorners; ++i) {
-    double a = 2.0 * std::numbers::pi * i / kRimCorners;
-    glm::dvec2 out(std::cos(a), std::sin(a));
-    wire.corners.emplace_back(out * lowRadius, lowZ);
-    wire.corners.emplace_back(out * highRadius, highZ);
-    int low = 2 * i, nextLow = 2 * ((i + 1) % kRimCorners);
-    wire.edges.emplace_back(low, low + 1);
-    wire.edges.emplace_back(low + 1, nextLow + 1);
-    if (lowRadius > 0) wire.edges.emplace_back(low, nextLow);
-  }
-  return wire;
-}
-
-/// Where the section's plane crosses the wire, around the middle. Pixels.
-std::vector<glm::dvec2> crossWire(const SectionPlane& plane, const scene::Cut& cut, const Wire& wire) {
+/// Where the section's plane crosses lines of a cut's frame, around the middle. Pixels.
+std::vector<glm::dvec2> crossLines(const SectionPlane& plane, const scene::Cut& cut,
+                                   const std::vector<scene::ShapeLine>& lines) {
   glm::dmat4 worldFromCut = scene::worldFromCut(cut);
-  std::vector<glm::dvec3> world;
-  std::vector<double> heights;
-  for (const auto& corner : wire.corners) {
-    world.emplace_back(worldFromCut * glm::dvec4(corner, 1.0));
-    heights.push_back(scene::heightOverSection(plane, world.back()));
-  }
   std::vector<glm::dvec2> points;
-  for (auto [a, b] : wire.edges) {
-    double p = heights[std::size_t(a)], q = heights[std::size_t(b)];
-    if ((p < 0) == (q < 0)) continue;
-    const glm::dvec3 &from = world[std::size_t(a)], &to = world[std::size_t(b)];
-    points.push_back(scene::sectionPixelFromWorld(plane, from + (to - from) * (p / (p - q))));
+  for (const auto& line : lines) {
+    std::vector<glm::dvec3> world;
+    std::vector<double> heights;
+    for (const auto& corner : line) {
+      world.emplace_back(worldFromCut * glm::dvec4(corner, 1.0));
+      heights.push_back(scene::heightOverSection(plane, world.back()));
+    }
+    std::size_t pieces = line.size() == 2 ? 1 : line.size();
+    for (std::size_t a = 0; a < pieces; ++a) {
+      std::size_t b = (a + 1) % line.size();
+      double p = heights[a], q = heights[b];
+      if ((p < 0) == (q < 0)) continue;
+      points.push_back(scene::sectionPixelFromWorld(plane, world[a] + (world[b] - world[a]) * (p / (p - q))));
+    }
   }
   glm::dvec2 middle(0.0);
   for (const auto& p : points) middle += p / double(points.size());
@@ -92,34 +68,26 @@ std::vector<glm::dvec2> circleOnSection(const SectionPlane& plane, const scene::
 
 SectionOutline sectionOutline(const SectionPlane& plane, const scene::Cut& cut, const scene::SheetShape& live) {
   SectionOutline outline;
-  glm::dvec3 half = cut.size * 0.5;
-  outline.isClosed = cut.shape != CutShape::Plane;
-  switch (cut.shape) {
-    case CutShape::Plane:
-      if (auto line = planeLine(plane, cut)) {
-        outline.removedSide = line->across;
-        if (auto ends = clipLine(line->point, line->along, glm::dvec2(0.0), plane.size))
-          outline.points = {ends->first, ends->second};
-      }
-      break;
-    case CutShape::Membrane:
-      outline.isClosed = false;
-      outline.curves = sheetCurves(plane, cut, live);
-      outline.band = crossWire(plane, cut, boxWire(half));
-      if (auto ends = frameLine(plane, cut)) outline.points = {ends->first, ends->second};
-      break;
-    case CutShape::Box:
-      outline.points = crossWire(plane, cut, boxWire(half));
-      break;
-    case CutShape::Sphere:
-      outline.points = circleOnSection(plane, cut);
-      break;
-    case CutShape::Cylinder:
-      outline.points = crossWire(plane, cut, roundWire(-half.z, half.x, half.z, half.x));
-      break;
-    case CutShape::Cone:
-      outline.points = crossWire(plane, cut, roundWire(0.0, 0.0, cut.size.z, half.x));
-      break;
+  const ShapeTraits& traits = traitsOf(cut.shape);
+  outline.isClosed = cut.shape != CutShape::Plane && !scene::isMembrane(cut);
+  if (cut.shape == CutShape::Plane) {
+    if (auto line = planeLine(plane, cut)) {
+      outline.removedSide = line->across;
+      if (auto ends = clipLine(line->point, line->along, glm::dvec2(0.0), plane.size))
+        outline.points = {ends->first, ends->second};
+    }
+  } else if (scene::isMembrane(cut)) {
+    scene::Cut reach = cut;
+    reach.shape = CutShape::Box;
+    outline.curves = sheetCurves(plane, cut, live);
+    outline.band = crossLines(plane, reach, scene::shapeOutline(reach, kFine));
+    if (auto ends = frameLine(plane, cut)) outline.points = {ends->first, ends->second};
+  } else if (traits.isWire) {
+    outline.points = crossLines(plane, cut, scene::shapeOutline(cut, kFine));
+  } else if (traits.girth == Girth::Ball) {
+    outline.points = circleOnSection(plane, cut);
+  } else {
+    outline.curves = shapeContour(plane, cut);
   }
   return outline;
 }

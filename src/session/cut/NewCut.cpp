@@ -1,0 +1,72 @@
+#include "NewCut.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "velum/core/Vectors.h"
+#include "velum/scene/Project.h"
+#include "velum/session/cut/CutEdit.h"
+
+namespace velum::session {
+
+namespace {
+
+/// True while nobody has moved the crosshair from where data is opened with it.
+bool isCrosshairAtRest(const scene::Scene& scene) {
+  if (!scene.sections.isPlaced) return true;
+  scene::Scene opened = scene;
+  opened.sections.isPlaced = false;
+  scene::placeSections(opened);
+  glm::dvec3 off = opened.sections.crosshair - scene.sections.crosshair;
+  return glm::length(off) < 1e-6 * glm::length(dataOf(scene).edges);
+}
+
+/// About half of it is then outside.
+glm::dvec3 placeAtSide(const scene::Scene& scene, const DataBox& data, glm::dvec3 toEye) {
+  if (!isCrosshairAtRest(scene)) return scene.sections.crosshair;
+  glm::dvec3 reach = glm::abs(toEye) / data.edges;
+  double toSide = 0.5 / std::max(reach.x, std::max(reach.y, reach.z));
+  return data.middle + toEye * (toSide * 0.75);
+}
+
+}  // namespace
+
+glm::dvec3 cleaned(glm::dvec3 v) {
+  for (int i = 0; i < 3; ++i)
+    if (std::abs(v[i]) < 1e-9) v[i] = 0.0;
+  return v;
+}
+
+DataBox dataOf(const scene::Scene& scene) {
+  scene::Bounds bounds = scene::computeBounds(scene);
+  return {(bounds.min + bounds.max) * 0.5, solidEdges(bounds.max - bounds.min)};
+}
+
+glm::dvec3 towardsEye(const scene::Scene& scene) { return cleaned(-scene::cameraBasis(scene.camera).forward); }
+
+NewCut newCutIn(const scene::Scene& scene) {
+  DataBox data = dataOf(scene);
+  glm::dvec3 toEye = towardsEye(scene);
+  double third = std::min(data.edges.x, std::min(data.edges.y, data.edges.z)) / 3.0;
+  return {scene, data, toEye, placeAtSide(scene, data, toEye), third, glm::dot(glm::abs(toEye), data.edges)};
+}
+
+void hangMembrane(scene::Cut& cut, const NewCut& at) {
+  glm::dmat3 axes(1.0);
+  glm::dvec3 edges = at.data.edges, middle = at.data.middle;
+  if (at.scene.volume.data) {
+    const Volume& volume = *at.scene.volume.data;
+    axes = direction(volume);
+    edges = spacingOf(volume) * glm::dvec3(volume.dims);
+    middle = centreOf(volume);
+  }
+  glm::dvec3 along = glm::transpose(axes) * at.toEye, size = glm::abs(along);
+  int k = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+  glm::dvec3 z = cleaned(axes[k] * (along[k] < 0 ? -1.0 : 1.0));
+  glm::dvec3 x = cleaned(axes[(k + 1) % 3]);
+  setCutFrame(cut, glm::dmat3(x, glm::cross(z, x), z));
+  cut.centre = middle + z * glm::dot(cut.centre - middle, z);
+  cut.size = {edges[(k + 1) % 3], edges[(k + 2) % 3], 0.22 * std::sqrt(edges[(k + 1) % 3] * edges[(k + 2) % 3])};
+}
+
+}  // namespace velum::session

@@ -1,0 +1,17 @@
+#pragma once
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "velum/scene/Cut.h"
+#include "velum/scene/SectionPlane.h"
+
+namespace velum::session {
+
+/// Signed distance of a place in the world to a shape that is no membrane, < 0 inside: what shaders/shared/cut.h says.
+double shapeDistance(const scene::Cut& cut, glm::dvec3 world);
+
+/// Where a section crosses the surface of any shape that has a distance, in the view and a little around it. Pixels;
+/// closed curves end where they begin.
+std::vector<std::vector<glm::dvec2>> shapeContour(const scene::SectionPlane& plane, const scene::Cut& cut);
+
+}  // namespace velum::session

@@ -34,8 +34,7 @@ std::vector<std::uint32_t> flagSets() {
 
 std::vector<gpu::ProgramSource> allPrograms() {
   std::vector<gpu::ProgramSource> all;
-  for (const char* file : {"light_grid", "resolve"})
-    all.push_back({{std::string("render/") + file + ".comp"}, {}});
+  for (const char* file : {"light_grid", "resolve"}) all.push_back({{std::string("render/") + file + ".comp"}, {}});
   for (const gpu::Defines& defines : {gpu::Defines{}, gpu::Defines{{"MEMBRANES", "1"}}})
     all.push_back({{"render/surface.vert", "render/surface.frag"}, defines});
   std::vector<std::uint32_t> sets = flagSets();

@@ -15,7 +15,7 @@ struct SectionOutline {
   glm::dvec2 removedSide{0.0};                  ///< of a plane: unit, across the line, to where it takes away
   std::vector<std::vector<glm::dvec2>> curves;  ///< where the section crosses the sheet of a membrane, or a shape that
                                                 ///< is not convex; closed ones end where they begin
-  std::vector<glm::dvec2> band;  ///< of a membrane: the box within which its sheet stays
+  std::vector<glm::dvec2> band;                 ///< of a membrane: the box within which its sheet stays
 };
 /// @param live  of a membrane: its shape as a solver has it; empty: as the cut says
 SectionOutline sectionOutline(const scene::SectionPlane& plane, const scene::Cut& cut,

@@ -218,9 +218,28 @@ TEST(MrcReader, CellIsInAngstromAndAxesMayBePermuted) {
   Volume v = read(folder / "a.mrc");
   EXPECT_EQ(v.dims, glm::ivec3(2, 3, 4));
   EXPECT_EQ(v.type, SampleType::Int16);
-  EXPECT_NEAR(v.worldFromVoxel[0].z, 5e-7, 1e-13);
-  EXPECT_NEAR(v.worldFromVoxel[1].y, 3e-7, 1e-13);
-  EXPECT_NEAR(v.worldFromVoxel[2].x, 2e-7, 1e-13);
+  EXPECT_EQ(v.lengthUnit, LengthUnit::Angstrom);
+  EXPECT_NEAR(v.worldFromVoxel[0].z, 5.0, 1e-6);
+  EXPECT_NEAR(v.worldFromVoxel[1].y, 3.0, 1e-6);
+  EXPECT_NEAR(v.worldFromVoxel[2].x, 2.0, 1e-6);
+}
+
+TEST(LengthUnits, AMapKeepsItsSizeInEveryFormat) {
+  TempFolder folder;
+  Volume map = makeVolume(
+      {4, 3, 5}, SampleType::UInt8, [](glm::ivec3 p) { return 10 * p.x + p.z; },
+      centredFrame({4, 3, 5}, glm::dvec3(1.5, 2.0, 2.5)));
+  map.lengthUnit = LengthUnit::Angstrom;
+  Progress progress;
+  for (const char* name : {"a.nrrd", "a.nii", "a.vti", "a.vdb"}) {
+    SCOPED_TRACE(name);
+    writeVolume(map, folder / name, progress);
+    Volume again = read(folder / name);
+    EXPECT_EQ(again.lengthUnit == LengthUnit::Angstrom, std::string_view(name) == "a.nrrd");
+    glm::dvec3 spacing = spacingOf(again) * unitsPer(again.lengthUnit, LengthUnit::Angstrom);
+    EXPECT_NEAR(spacing.x, 1.5, 1e-5);
+    EXPECT_NEAR(spacing.z, 2.5, 1e-5);
+  }
 }
 
 }  // namespace

@@ -99,7 +99,7 @@ Content contentOf(const Volume& v, std::size_t extensionBytes, bool isVersion2, 
   std::copy(std::begin(sizes), std::end(sizes), c.dim);
   c.ras = rasFromVoxel(v);
   c.rotation = rotationOf(c.ras);
-  glm::dvec3 spacing = spacingOf(v);
+  glm::dvec3 spacing = spacingOf(v) * unitsPer(v.lengthUnit, LengthUnit::Millimetre);
   double lengths[] = {c.rotation.handed, spacing.x, spacing.y, spacing.z, v.timeStepSeconds, 1, 1, 1};
   std::copy(std::begin(lengths), std::end(lengths), c.pixdim);
   c.datatype = dataTypeOf(v);

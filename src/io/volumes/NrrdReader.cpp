@@ -215,11 +215,18 @@ std::vector<Payload> payloadsOf(const NrrdHeader& h, std::uint64_t bytes) {
   return parts;
 }
 
-double mmPerUnit(const NrrdHeader& h) {
+/// Of the first axis of space: all have the same.
+std::string spaceUnit(const NrrdHeader& h) {
   std::string units = h.field("space units");
   auto first = units.find('"');
-  std::string unit =
-      first == std::string::npos ? units : units.substr(first + 1, units.find('"', first + 1) - first - 1);
+  return first == std::string::npos ? units : units.substr(first + 1, units.find('"', first + 1) - first - 1);
+}
+
+bool isInAngstrom(const NrrdHeader& h) { return spaceUnit(h) == "angstrom"; }
+
+/// Millimetres; angstrom stay angstrom.
+double mmPerUnit(const NrrdHeader& h) {
+  std::string unit = spaceUnit(h);
   constexpr std::pair<const char*, double> kUnits[] = {{"m", 1e3},          {"cm", 10.0},        {"um", 1e-3},
                                                        {"\xc2\xb5m", 1e-3}, {"microns", 1e-3},   {"micron", 1e-3},
                                                        {"nm", 1e-6},        {"nanometer", 1e-6}, {"micrometer", 1e-3}};
@@ -306,6 +313,7 @@ Volume readNrrd(const scene::Source& source, Progress& progress) {
   v.isColor = roles.first == 1 && (kind.find("color") != std::string::npos) && (v.channels == 3 || v.channels == 4) &&
               kind.find("hsv") == std::string::npos && kind.find("xyz") == std::string::npos;
   bool haveDirections = !h.field("space directions").empty();
+  v.lengthUnit = isInAngstrom(h) ? LengthUnit::Angstrom : LengthUnit::Millimetre;
   haveDirections ? placeByDirections(v, h, axes, roles, mmPerUnit(h)) : placeBySpacings(v, axes, roles, mmPerUnit(h));
   takeKeyValues(v, h);
   return v;

@@ -50,8 +50,10 @@ std::string axesText(const Volume& v) {
   }
   // Without a patient the directions are still kept, in a space of no name.
   const char* space = v.isOrientationKnown ? "space: left-posterior-superior" : "space dimension: 3";
-  return fmt::format("type: {}\ndimension: {}\n{}\nsizes: {}\nspace directions: {}\nkinds: {}\n", typeName(v.type),
-                     3 + hasChannels + hasFrames, space, sizes, directions, kinds);
+  const char* units =
+      v.lengthUnit == LengthUnit::Angstrom ? "space units: \"angstrom\" \"angstrom\" \"angstrom\"\n" : "";
+  return fmt::format("type: {}\ndimension: {}\n{}\nsizes: {}\nspace directions: {}\n{}kinds: {}\n", typeName(v.type),
+                     3 + hasChannels + hasFrames, space, sizes, directions, units, kinds);
 }
 
 std::string keyValuesText(const Volume& v, const LabelExtras& extras) {

@@ -147,8 +147,9 @@ void writeVdb(const Volume& volume, ReplaceFile& file, Progress& progress) try {
   }
   openvdb::tools::prune(grid->tree());
   openvdb::math::Mat4d m;
+  glm::dmat4 world = worldFromVoxelIn(LengthUnit::Millimetre, volume);
   for (int column = 0; column < 4; ++column)
-    for (int r = 0; r < 4; ++r) m(column, r) = volume.worldFromVoxel[column][r];
+    for (int r = 0; r < 4; ++r) m(column, r) = world[column][r];
   grid->setTransform(openvdb::math::Transform::createLinearTransform(m));
   grid->setName(volume.name.empty() ? "density" : volume.name);
   grid->setGridClass(openvdb::GRID_FOG_VOLUME);

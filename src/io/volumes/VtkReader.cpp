@@ -203,10 +203,11 @@ void writeVti(const Volume& volume, ReplaceFile& file, Progress& progress) {
   VtkQuiet quiet;
   vtkNew<vtkImageData> image;
   image->SetDimensions(volume.dims.x, volume.dims.y, volume.dims.z);
-  glm::dvec3 spacing = spacingOf(volume);
+  glm::dmat4 world = worldFromVoxelIn(LengthUnit::Millimetre, volume);
+  glm::dvec3 spacing = spacingOf(volume) * unitsPer(volume.lengthUnit, LengthUnit::Millimetre);
   glm::dmat3 axes = direction(volume);
   image->SetSpacing(spacing.x, spacing.y, spacing.z);
-  image->SetOrigin(volume.worldFromVoxel[3].x, volume.worldFromVoxel[3].y, volume.worldFromVoxel[3].z);
+  image->SetOrigin(world[3].x, world[3].y, world[3].z);
   for (int column = 0; column < 3; ++column)
     for (int row = 0; row < 3; ++row) image->GetDirectionMatrix()->SetElement(row, column, axes[column][row]);
 

@@ -56,13 +56,13 @@ class PictureLayersGL : public GlTest {
     return {at[column(image, layer + "R")] * a, at[column(image, layer + "G")] * a, at[column(image, layer + "B")] * a,
             a};
   }
-  /// Largest difference between the picture and front over section over behind.
+  /// Largest difference between the picture and front over inlay over behind.
   static float differenceFromLayers(const Image& image) {
     float largest = 0;
     for (std::size_t i = 0; i < std::size_t(image.width) * std::size_t(image.height); ++i) {
-      glm::vec4 front = colorAt(image, i, "front."), section = colorAt(image, i, "section."),
+      glm::vec4 front = colorAt(image, i, "front."), inlay = colorAt(image, i, "inlay."),
                 behind = colorAt(image, i, "behind.");
-      glm::vec4 together = front + (1.0f - front.a) * (section + (1.0f - section.a) * behind);
+      glm::vec4 together = front + (1.0f - front.a) * (inlay + (1.0f - inlay.a) * behind);
       glm::vec4 away = glm::abs(together - colorAt(image, i, ""));
       largest = std::max({largest, away.r, away.g, away.b, away.a});
     }
@@ -82,7 +82,7 @@ class PictureLayersGL : public GlTest {
 TEST_F(PictureLayersGL, FrontOverInlayOverBehindIsThePicture) {
   scene::Scene scene = *sScene;
   Image image = draw(scene);
-  for (const char* layer : {"front.", "section.", "behind."}) {
+  for (const char* layer : {"front.", "inlay.", "behind."}) {
     ASSERT_LT(column(image, std::string(layer) + "A"), image.channels.size()) << layer;
     EXPECT_GT(coverOf(image, layer), 20.0) << layer;
   }
@@ -106,11 +106,11 @@ TEST_F(PictureLayersGL, WithoutAnInlayThereAreNone) {
   scene::Scene scene = *sScene;
   scene.cuts[0].membrane->use = scene::MembraneUse::Clip;
   Image image = draw(scene);
-  EXPECT_EQ(column(image, "section.R"), image.channels.size());
+  EXPECT_EQ(column(image, "inlay.R"), image.channels.size());
   scene.cuts[0].membrane->use = scene::MembraneUse::Inlay;
   scene.rayCast.mode = scene::RenderMode::Mip;
   image = draw(scene);
-  EXPECT_EQ(column(image, "section.R"), image.channels.size());
+  EXPECT_EQ(column(image, "inlay.R"), image.channels.size());
 }
 
 TEST_F(PictureLayersGL, AnExrHoldsThemAsItHoldsThePicture) {
@@ -119,7 +119,7 @@ TEST_F(PictureLayersGL, AnExrHoldsThemAsItHoldsThePicture) {
   io::writeImage(image, folder / "x.exr");
   Image back = io::readImage(folder / "x.exr");
   EXPECT_LT(differenceFromLayers(back), 3.0f / 255.0f);
-  EXPECT_NEAR(coverOf(back, "section."), coverOf(image, "section."), 1.0);
+  EXPECT_NEAR(coverOf(back, "inlay."), coverOf(image, "inlay."), 1.0);
 }
 
 }  // namespace

@@ -37,14 +37,14 @@ class Render(CliTest):
             self.run_batch("render", path, "-o", name, "--size", "64x48", *FAST)
         self.assertEqual((self.folder / "a.png").read_bytes(), (self.folder / "b.png").read_bytes())
 
-    def test_a_slice_view_is_a_picture_of_its_scene(self):
+    def test_a_section_is_a_picture_of_its_scene(self):
         path = self.sample()
-        slice_options = ["--section", "coronal", "--size", "70x50", "--set", "cuts.+.axis=0,0,1"]
-        report = self.report("render", path, "-o", "x.png", *slice_options)
-        self.assertKeys(report, "slice", "crosshair", "size", "frameMs")
+        section_options = ["--section", "coronal", "--size", "70x50", "--set", "cuts.+.axis=0,0,1"]
+        report = self.report("render", path, "-o", "x.png", *section_options)
+        self.assertKeys(report, "section", "crosshair", "size", "frameMs")
         self.run_batch("render", "x.png", "-o", "y.png", "--section", "coronal", "--size", "70x50")
         self.assertEqual((self.folder / "x.png").read_bytes(), (self.folder / "y.png").read_bytes())
-        self.run_batch("render", path, "-o", "z.png", *slice_options, "--set", "sections.crosshair=0,20,0")
+        self.run_batch("render", path, "-o", "z.png", *section_options, "--set", "sections.crosshair=0,20,0")
         self.run_batch("compare", "x.png", "z.png", code=4)
 
     def test_a_picture_opens_as_its_scene(self):
@@ -84,15 +84,15 @@ class Render(CliTest):
         for channel in (b"position.X", b"normal.Z", b"id", b"instance", b"Z"):
             self.assertIn(channel, data[:4000])
 
-    def test_a_slice_has_layers_to_put_together(self):
+    def test_an_inlay_has_layers_to_put_together(self):
         self.sample("two-spheres", 32)
         self.run_batch("membrane", "two-spheres.nrrd", "--protect", "500,2000", "--axis", "0,0,1", "--save-scene", "m.json")
         look = ["--size", "32x32", "--layers", "--set", "cuts[Membrane].membrane.use=inlay", *FAST]
         self.run_batch("render", "m.json", "-o", "x.png", *look)
-        for layer in ("front", "slice", "behind"):
+        for layer in ("front", "inlay", "behind"):
             self.assertEqual((self.folder / f"x.{layer}.png").read_bytes()[25], 6, f"{layer}: PNG colour type RGBA")
         self.run_batch("render", "m.json", "-o", "x.exr", *look)
-        self.assertIn(b"slice.A", (self.folder / "x.exr").read_bytes()[:4000])
+        self.assertIn(b"inlay.A", (self.folder / "x.exr").read_bytes()[:4000])
 
     def test_a_structure_is_called_by_its_name_or_id(self):
         path = self.sample()

@@ -47,7 +47,7 @@ class Lane(threading.Thread):
         lines = ["size 420 320", "recover" if turn else "open two-spheres.nrrd",
                  'set cuts.+ {"name": "run", "enabled": false}']
         for i in range(1, 1000):
-            lines += [f"set cuts.{turn}.centreMm {i},0,0", f"wait {self.random.choice((0, 5, 30, 120))}"]
+            lines += [f"set cuts.{turn}.centre {i},0,0", f"wait {self.random.choice((0, 5, 30, 120))}"]
         window = self.start_window(lines)
         watchdog = threading.Timer(60, window.kill)
         watchdog.start()
@@ -55,7 +55,7 @@ class Lane(threading.Thread):
 
         def take(line):
             words = line.split()
-            if len(words) == 4 and words[2].endswith("centreMm"):
+            if len(words) == 4 and words[2].endswith("centre"):
                 done[int(words[3].split(",")[0])] = float(words[0])
             return words
 
@@ -82,10 +82,10 @@ class Lane(threading.Thread):
         self.batch("recover", "-o", "found.json")
         cuts = json.loads((self.folder / "found.json").read_text())["cuts"]
         if len(cuts) == turn:  # killed before the cut itself was a second old
-            cuts.append({"centreMm": [0, 0, 0]})
+            cuts.append({"centre": [0, 0, 0]})
             if any(killed - when > MOST_LOST_SECONDS for when in done.values()):
                 self.failures.append(f"run {turn}: the cut is missing")
-        found = int(cuts[turn]["centreMm"][0])
+        found = int(cuts[turn]["centre"][0])
         self.found.append(found)
         if found + 1 in done:
             self.lost.append(killed - done[found + 1])
@@ -106,7 +106,7 @@ class Lane(threading.Thread):
             _, said = window.communicate(timeout=60)
             if window.returncode:
                 return self.failures.append(f"the last start: {said}")
-            last = [int(cut["centreMm"][0]) for cut in json.loads((self.folder / "last.json").read_text())["cuts"]]
+            last = [int(cut["centre"][0]) for cut in json.loads((self.folder / "last.json").read_text())["cuts"]]
             if last[:len(self.found)] != self.found:
                 self.failures.append(f"restored {last}, found {self.found}")
             if json.loads(self.batch("recover", "--list", "--json"))["work"]:

@@ -1,4 +1,5 @@
 #include "TestFiles.h"
+#include "makeVolume.h"
 
 namespace velum::io {
 namespace {

@@ -225,6 +225,22 @@ TEST(MrcReader, CellIsInAngstromAndAxesMayBePermuted) {
   EXPECT_NEAR(v.worldFromVoxel[2].x, 2.0, 1e-6);
 }
 
+TEST(LengthUnits, VoxelsOfFewNanometresInMillimetresKeepTheirSize) {
+  TempFolder folder;
+  Volume tissue = makeVolume(
+      {4, 3, 5}, SampleType::UInt8, [](glm::ivec3 p) { return 10 * p.x + p.z; },
+      centredFrame({4, 3, 5}, glm::dvec3(4e-6, 4e-6, 30e-6)));
+  Progress progress;
+  for (const char* name : {"a.nrrd", "a.nii", "a.vti", "a.vdb"}) {
+    SCOPED_TRACE(name);
+    writeVolume(tissue, folder / name, progress);
+    Volume again = read(folder / name);
+    glm::dvec3 nanometres = spacingOf(again) * unitsPer(again.lengthUnit, LengthUnit::Angstrom) * 0.1;
+    EXPECT_NEAR(nanometres.x, 4.0, 1e-5);
+    EXPECT_NEAR(nanometres.z, 30.0, 1e-5);
+  }
+}
+
 TEST(LengthUnits, AMapKeepsItsSizeInEveryFormat) {
   TempFolder folder;
   Volume map = makeVolume(
@@ -236,7 +252,8 @@ TEST(LengthUnits, AMapKeepsItsSizeInEveryFormat) {
     SCOPED_TRACE(name);
     writeVolume(map, folder / name, progress);
     Volume again = read(folder / name);
-    EXPECT_EQ(again.lengthUnit == LengthUnit::Angstrom, std::string_view(name) == "a.nrrd");
+    bool holdsUnits = std::string_view(name) == "a.nrrd" || std::string_view(name) == "a.vdb";
+    EXPECT_EQ(again.lengthUnit == LengthUnit::Angstrom, holdsUnits);
     glm::dvec3 spacing = spacingOf(again) * unitsPer(again.lengthUnit, LengthUnit::Angstrom);
     EXPECT_NEAR(spacing.x, 1.5, 1e-5);
     EXPECT_NEAR(spacing.z, 2.5, 1e-5);

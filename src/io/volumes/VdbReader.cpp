@@ -15,7 +15,7 @@
 #include "read/SampleBytes.h"
 #include "velum/core/Error.h"
 
-/// OpenVDB. Its world units are taken as millimetres; a grid has no patient axes unless we wrote it.
+/// OpenVDB. Its world units are taken as millimetres, and a grid has no patient axes, unless we wrote it.
 namespace velum::io {
 
 namespace {
@@ -23,6 +23,10 @@ namespace {
 constexpr const char* kDims = "velum:dims";
 constexpr const char* kOriented = "velum:orientationKnown";
 constexpr const char* kSpacing = "velum:spacingKnown";
+constexpr const char* kUnit = "velum:lengthUnit";
+/// Voxels shorter than this many millimetres are written in angstrom: OpenVDB takes a matrix whose determinant is near
+/// 1e-15 for a singular one.
+constexpr double kShortestMm = 1e-4;
 /// A few bytes of a sparse file can span any box, so the file's size cannot justify the dense voxels; this limit does.
 constexpr double kMaxBytes = 2147483648.0;
 
@@ -76,6 +80,11 @@ openvdb::CoordBBox boxOf(const openvdb::FloatGrid& grid, const Path& path) {
   return box;
 }
 
+LengthUnit unitToWrite(const Volume& volume) {
+  glm::dvec3 mm = spacingOf(volume) * unitsPer(volume.lengthUnit, LengthUnit::Millimetre);
+  return glm::min(mm.x, glm::min(mm.y, mm.z)) < kShortestMm ? LengthUnit::Angstrom : volume.lengthUnit;
+}
+
 }  // namespace
 
 Volume readVdb(const scene::Source& source, Progress& progress) try {
@@ -105,6 +114,8 @@ Volume readVdb(const scene::Source& source, Progress& progress) try {
     auto noted = grid->getMetadata<openvdb::BoolMetadata>(name);
     return noted ? noted->value() : otherwise;
   };
+  if (auto unit = grid->getMetadata<openvdb::StringMetadata>(kUnit))
+    v.lengthUnit = enumValue<LengthUnit>(unit->value()).value_or(LengthUnit::Millimetre);
   v.isOrientationKnown = flag(kOriented, false);
   v.isSpacingKnown = flag(kSpacing, true);
   if (!grid->getMetadata<openvdb::BoolMetadata>(kSpacing))
@@ -147,7 +158,8 @@ void writeVdb(const Volume& volume, ReplaceFile& file, Progress& progress) try {
   }
   openvdb::tools::prune(grid->tree());
   openvdb::math::Mat4d m;
-  glm::dmat4 world = worldFromVoxelIn(LengthUnit::Millimetre, volume);
+  LengthUnit unit = unitToWrite(volume);
+  glm::dmat4 world = worldFromVoxelIn(unit, volume);
   for (int column = 0; column < 4; ++column)
     for (int r = 0; r < 4; ++r) m(column, r) = world[column][r];
   grid->setTransform(openvdb::math::Transform::createLinearTransform(m));
@@ -156,6 +168,7 @@ void writeVdb(const Volume& volume, ReplaceFile& file, Progress& progress) try {
   grid->insertMeta(kDims, openvdb::Vec3IMetadata(openvdb::Vec3i(volume.dims.x, volume.dims.y, volume.dims.z)));
   grid->insertMeta(kOriented, openvdb::BoolMetadata(volume.isOrientationKnown));
   grid->insertMeta(kSpacing, openvdb::BoolMetadata(volume.isSpacingKnown));
+  grid->insertMeta(kUnit, openvdb::StringMetadata(std::string(enumName(unit))));
   openvdb::io::File out(file.temporary().string());
   out.write(openvdb::GridPtrVec{grid});
   out.close();

@@ -23,12 +23,12 @@ ROOMS = {  # module: {room: rooms of the module it may include (its own is impli
            "phantoms": ""},
     "membrane": {"forces": "", "sheet": "forces"},
     # The module's own folder has both the frame, which all know, and the renderer, which knows all.
-    "render": {"upload": ". section", "passes": ". upload", "section": ". upload"},  # section/SliceImage.h names the sheets
+    "render": {"upload": ".", "passes": ". upload", "section": ". upload"},
     "session": {"document": "", "section": "", "structure": "", "cut": "", "look": "document",
                 "membrane": ". cut look structure", "picture": "document membrane"},
-    # kit and view take RecentFiles and Preferences from window, cut and membrane share forms: to be moved to kit.
-    "gui": {"kit": "window", "tool": "kit", "view": "kit tool window", "look": "kit tool view", "structure": "kit tool view",
-            "cut": "kit tool view membrane", "membrane": "kit tool view cut",
+    # A membrane is a cut: the panel of cuts holds its form.
+    "gui": {"kit": "", "tool": "kit", "view": "kit tool", "look": "kit tool view", "structure": "kit tool view",
+            "membrane": "kit tool view", "cut": "kit tool view membrane",
             "window": "kit tool view look structure cut membrane"},
 }
 ONLY_IN = {  # library header: modules that may name it

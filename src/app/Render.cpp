@@ -1,8 +1,6 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <map>
-#include <optional>
 
 #include "Verbs.h"
 #include "velum/core/Clock.h"
@@ -48,33 +46,6 @@ scene::Scene frameOf(const scene::Scene& scene, int frame, int frames) {
   return out;
 }
 
-/// Brings the sheets of membranes to rest: anew where the data or a cut is another one than in the picture before, and
-/// active ones from where they were in it. On the current context.
-class Sheets {
- public:
-  scene::Scene settle(const scene::Scene& step) {
-    scene::Scene wanted = step;
-    wanted.camera = {};
-    if (mWanted == wanted) return withShapes(step);
-    mWanted = wanted;
-    scene::Scene settled = withShapes(step);
-    session::settleMembranes(settled, {}, consoleProgress());
-    mShapes.clear();
-    for (const auto& cut : settled.cuts)
-      if (cut.membrane) mShapes[cut.id] = cut.membrane->shape;
-    return settled;
-  }
-
- private:
-  scene::Scene withShapes(scene::Scene step) const {
-    for (auto& cut : step.cuts)
-      if (auto known = mShapes.find(cut.id); known != mShapes.end()) cut.membrane->shape = known->second;
-    return step;
-  }
-  std::optional<scene::Scene> mWanted;
-  std::map<int, scene::SheetShape> mShapes;  ///< by the id of the cut
-};
-
 scene::SectionKind sectionKind(const std::string& name) {
   if (auto kind = enumValue<scene::SectionKind>(name)) return *kind;
   throw ArgumentError(
@@ -93,12 +64,12 @@ int runSection(const RenderOptions& options) {
   std::vector<std::string> outputs = outputNames(options);
   std::unique_ptr<gpu::Context> context;
   if (session::hasMembranes(scene)) context = gpu::Context::create(options.common.context);
-  Sheets sheets;
+  session::SheetsOverTime sheets;
   double ms = 0;
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     scene::Scene step = options.frames > 0 ? frameOf(scene, int(i), options.frames) : scene;
     auto start = Clock::now();
-    Image image = session::drawSectionPicture(context ? sheets.settle(step) : step, kind, picture);
+    Image image = session::drawSectionPicture(context ? sheets.settle(step, consoleProgress()) : step, kind, picture);
     ms = msSince(start);
     session::savePicture(image, step, picture, outputs[i]);
   }
@@ -129,10 +100,10 @@ int run(const RenderOptions& options) {
 
   auto start = Clock::now();
   std::vector<std::string> outputs = outputNames(options);
-  Sheets sheets;
+  session::SheetsOverTime sheets;
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     scene::Scene step = options.frames > 0 ? frameOf(scene, int(i), options.frames) : scene;
-    Image image = session::drawPicture(renderer, sheets.settle(step), picture, context->limits(), consoleProgress());
+    Image image = session::drawPicture(renderer, sheets.settle(step, consoleProgress()), picture, context->limits(), consoleProgress());
     consoleProgress().report(1.0, "");
     session::savePicture(image, step, picture, outputs[i]);
   }

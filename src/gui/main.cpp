@@ -18,7 +18,7 @@
 #include "velum/core/Error.h"
 #include "velum/session/document/Folders.h"
 #include "window/MainWindow.h"
-#include "window/Preferences.h"
+#include "kit/Preferences.h"
 #include "window/Script.h"
 
 namespace {

@@ -16,7 +16,7 @@
 #include "velum/session/document/Folders.h"
 #include "velum/session/document/Open.h"
 #include "window/MainWindow.h"
-#include "window/RecentFiles.h"
+#include "kit/RecentFiles.h"
 #include "window/RecoveryBar.h"
 
 namespace velum::gui {

@@ -30,7 +30,7 @@
 #include "window/CommandFinder.h"
 #include "window/HelpWindow.h"
 #include "window/MainWindow.h"
-#include "window/Preferences.h"
+#include "window/PreferencesDialog.h"
 #include "window/RecoveryBar.h"
 #include "window/SavePictureDialog.h"
 

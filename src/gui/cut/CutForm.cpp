@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "kit/Length.h"
+#include "kit/SelectedCut.h"
 #include "velum/session/cut/CutEdit.h"
 #include "velum/session/cut/ShapeTraits.h"
 
@@ -52,9 +53,7 @@ QLabel* CutForm::addRow(const QString& name, QWidget* control) {
 }
 
 void CutForm::editCut(const char* label, const std::function<void(scene::Cut&)>& change, bool merge) {
-  if (!scene::findCut(mDocument.scene(), mSelection.cut())) return;
-  mDocument.edit(
-      label, [&](scene::Scene& scene) { change(*scene::findCut(scene, mSelection.cut())); }, merge);
+  editSelectedCut(mDocument, mSelection, label, change, merge);
 }
 
 QDoubleSpinBox* CutForm::makeSpin(QWidget* parent, double min, double max, const QString& suffix) {

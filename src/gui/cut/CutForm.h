@@ -17,10 +17,9 @@ class CutForm : public QWidget {
  public:
   CutForm(session::Document& document, Selection& selection, QWidget* parent);
   void showCut(const scene::Cut& cut);
-  /// Changes the selected cut. @param merge  joins the step before, until endMerge()
-  void editCut(const char* label, const std::function<void(scene::Cut&)>& change, bool merge = false);
 
  private:
+  void editCut(const char* label, const std::function<void(scene::Cut&)>& change, bool merge = false);
   QLabel* addRow(const QString& name, QWidget* control);
   QWidget* makeTriple(QDoubleSpinBox* (&spins)[3], const QString& name, std::function<void(int, double)> change);
   QDoubleSpinBox* makeSpin(QWidget* parent, double min, double max, const QString& suffix);

@@ -4,6 +4,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "kit/SelectedCut.h"
 #include "velum/session/cut/CutEdit.h"
 #include "velum/session/cut/ShapeTraits.h"
 #include "velum/session/membrane/DefaultField.h"
@@ -25,7 +26,7 @@ CutPanel::CutPanel(session::Document& document, Selection& selection, QWidget* p
       mSelection(selection),
       mList(new CutList(this)),
       mForm(new CutForm(document, selection, this)),
-      mMembrane(new MembraneForm(document, *mForm, this)),
+      mMembrane(new MembraneForm(document, selection, this)),
       mSpares(new SpareList(this)) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -59,7 +60,7 @@ CutPanel::CutPanel(session::Document& document, Selection& selection, QWidget* p
   });
   connect(mSpares, &SpareList::changed, this, [this](const std::vector<int>& ids, bool whole) {
     std::string label = session::structureLabel(mDocument.scene(), whole ? "Spare" : "Cut", ids);
-    mForm->editCut(label.c_str(), [&](scene::Cut& cut) {
+    editSelectedCut(mDocument, mSelection, label, [&](scene::Cut& cut) {
       for (int id : ids) session::setSpared(cut, id, whole);
     });
   });
@@ -150,7 +151,7 @@ void CutPanel::removeSelected() {
 }
 
 void CutPanel::flipSelected() {
-  mForm->editCut("Flip cut", [](scene::Cut& cut) { cut.invert = !cut.invert; });
+  editSelectedCut(mDocument, mSelection, "Flip cut", [](scene::Cut& cut) { cut.invert = !cut.invert; });
 }
 
 void CutPanel::duplicateSelected() {

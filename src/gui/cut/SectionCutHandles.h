@@ -3,7 +3,7 @@
 
 #include "kit/Selection.h"
 #include "tool/Toolbox.h"
-#include "velum/render/section/SectionImage.h"
+#include "velum/render/SheetIndices.h"
 #include "velum/session/cut/SectionCutTool.h"
 #include "velum/session/document/Document.h"
 

@@ -4,14 +4,15 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QStandardPaths>
 #include <QWidget>
+
+#include "Preferences.h"
 
 namespace velum::gui {
 
 ActionTable::ActionTable(QWidget* window) : QObject(window), mWindow(window) {
   readKeys(":/velum/keys.json");
-  readKeys(QStandardPaths::writableLocation(QStandardPaths::AppConfigLocation) + "/keys.json");
+  readKeys(Preferences::folder() + "/keys.json");
 }
 
 /// An object of id: list of key sequences; an empty list takes a key away.

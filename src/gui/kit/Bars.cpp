@@ -6,7 +6,7 @@
 #include <QVBoxLayout>
 #include <cmath>
 
-#include "window/RecentFiles.h"
+#include "RecentFiles.h"
 
 namespace velum::gui {
 

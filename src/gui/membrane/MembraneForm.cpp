@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cut/CutForm.h"
 #include "kit/Job.h"
 #include "kit/Length.h"
+#include "kit/SelectedCut.h"
 #include "velum/session/membrane/MembraneEdit.h"
 #include "velum/session/structure/StructureEdit.h"
 
@@ -36,10 +36,10 @@ QPushButton* addButton(QHBoxLayout* row, const QString& name, const QString& tex
 
 }  // namespace
 
-MembraneForm::MembraneForm(session::Document& document, CutForm& form, QWidget* parent)
+MembraneForm::MembraneForm(session::Document& document, Selection& selection, QWidget* parent)
     : QWidget(parent),
       mDocument(document),
-      mForm(form),
+      mSelection(selection),
       mFigure(new QLabel(this)),
       mDoing(new QLabel(this)),
       mCanvas(new StrengthCanvas(this)),
@@ -67,7 +67,7 @@ MembraneForm::MembraneForm(session::Document& document, CutForm& form, QWidget* 
   layout->addWidget(mStructures);
   layout->addWidget(makeProtect());
   layout->addWidget(mSketch);
-  mHands = new SheetHandsForm(document, form, this);
+  mHands = new SheetHandsForm(document, selection, this);
   layout->addWidget(mHands);
   layout->addWidget(mFigure);
   layout->addWidget(mDoing);
@@ -96,8 +96,7 @@ MembraneForm::MembraneForm(session::Document& document, CutForm& form, QWidget* 
 MembraneForm::~MembraneForm() { mJob.reset(); }
 
 void MembraneForm::edit(const QString& label, const Change& change, bool merge) {
-  mForm.editCut(
-      label.toStdString().c_str(), [&](scene::Cut& cut) { change(*cut.membrane); }, merge);
+  editSelectedMembrane(mDocument, mSelection, label.toStdString(), change, merge);
 }
 
 QWidget* MembraneForm::makeFieldHead() {

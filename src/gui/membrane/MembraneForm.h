@@ -12,13 +12,13 @@
 #include "SketchForm.h"
 #include "StrengthCanvas.h"
 #include "StrengthTable.h"
+#include "kit/Selection.h"
 #include "kit/Widgets.h"
 #include "velum/session/document/Document.h"
 #include "velum/session/membrane/MembranePlayer.h"
 
 namespace velum::gui {
 
-class CutForm;
 class Job;
 
 /// What a membrane protects, how its sheet hangs and what it does to the picture; what it is doing just now. Below
@@ -26,7 +26,7 @@ class Job;
 class MembraneForm : public QWidget {
   Q_OBJECT
  public:
-  MembraneForm(session::Document& document, CutForm& form, QWidget* parent);
+  MembraneForm(session::Document& document, Selection& selection, QWidget* parent);
   ~MembraneForm() override;
   void showCut(const scene::Cut& cut);
   void showStatus(const std::optional<session::MembraneStatus>& status, bool isPlaying);
@@ -65,7 +65,7 @@ class MembraneForm : public QWidget {
   void showWords();
 
   session::Document& mDocument;
-  CutForm& mForm;
+  Selection& mSelection;
   scene::Membrane mShown;
   QLabel *mFigure, *mDoing;
   QComboBox* mAttribute = nullptr;

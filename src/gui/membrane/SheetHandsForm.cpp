@@ -6,8 +6,8 @@
 #include <QSignalBlocker>
 
 #include "SheetHandsPaint.h"
-#include "cut/CutForm.h"
 #include "kit/Length.h"
+#include "kit/SelectedCut.h"
 #include "kit/Widgets.h"
 
 namespace velum::gui {
@@ -42,8 +42,8 @@ QString nameOf(Hand hand, const scene::Membrane& membrane) {
 
 }  // namespace
 
-SheetHandsForm::SheetHandsForm(session::Document& document, CutForm& form, QWidget* parent)
-    : QWidget(parent), mDocument(document), mForm(form) {
+SheetHandsForm::SheetHandsForm(session::Document& document, Selection& selection, QWidget* parent)
+    : QWidget(parent), mDocument(document), mSelection(selection) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(6);
@@ -72,7 +72,7 @@ SheetHandsForm::SheetHandsForm(session::Document& document, CutForm& form, QWidg
 }
 
 void SheetHandsForm::edit(const char* label, const std::function<void(scene::Cut&)>& change, bool merge) {
-  mForm.editCut(label, change, merge);
+  editSelectedCut(mDocument, mSelection, label, change, merge);
 }
 
 void SheetHandsForm::remove(Hand hand) {

@@ -7,18 +7,17 @@
 #include <functional>
 #include <vector>
 
+#include "kit/Selection.h"
 #include "velum/session/document/Document.h"
 #include "velum/session/membrane/SheetHands.h"
 
 namespace velum::gui {
 
-class CutForm;
-
 /// The pins and kernels of the selected membrane: buttons of their tools, and a row with its numbers for each.
 class SheetHandsForm : public QWidget {
   Q_OBJECT
  public:
-  SheetHandsForm(session::Document& document, CutForm& form, QWidget* parent);
+  SheetHandsForm(session::Document& document, Selection& selection, QWidget* parent);
   void showCut(const scene::Cut& cut);
   /// The buttons of the tools that put them in.
   QPushButton& pinButton() { return *mPin; }
@@ -48,7 +47,7 @@ class SheetHandsForm : public QWidget {
   void edit(const char* label, const std::function<void(scene::Cut&)>& change, bool merge);
 
   session::Document& mDocument;
-  CutForm& mForm;
+  Selection& mSelection;
   QPushButton *mPin = nullptr, *mPush = nullptr, *mPull = nullptr;
   QWidget* mList = nullptr;
   QVBoxLayout* mRowLayout = nullptr;

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "ViewChange.h"
-#include "window/Preferences.h"
+#include "kit/Preferences.h"
 
 namespace velum::gui {
 

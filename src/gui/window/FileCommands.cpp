@@ -5,7 +5,7 @@
 #include <QMessageBox>
 #include <QPushButton>
 
-#include "RecentFiles.h"
+#include "kit/RecentFiles.h"
 #include "velum/core/Error.h"
 #include "velum/session/document/Open.h"
 #include "velum/session/look/Look.h"

@@ -6,7 +6,7 @@
 #include <QPushButton>
 #include <QStandardPaths>
 
-#include "RecentFiles.h"
+#include "kit/RecentFiles.h"
 #include "velum/scene/json/Json.h"
 #include "velum/session/document/Recent.h"
 #include "velum/session/look/Look.h"

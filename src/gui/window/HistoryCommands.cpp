@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "Preferences.h"
+#include "PreferencesDialog.h"
 
 namespace velum::gui {
 

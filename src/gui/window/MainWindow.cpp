@@ -6,7 +6,7 @@
 
 #include "HelpCommands.h"
 #include "HistoryCommands.h"
-#include "RecentFiles.h"
+#include "kit/RecentFiles.h"
 #include "StatusLine.h"
 #include "TimeCommands.h"
 #include "ViewCommands.h"

@@ -3,7 +3,7 @@
 #include <QMenuBar>
 #include <QVBoxLayout>
 
-#include "RecentFiles.h"
+#include "kit/RecentFiles.h"
 
 namespace velum::gui {
 

@@ -9,7 +9,7 @@
 #include "velum/gpu/Texture.h"
 #include "velum/membrane/sheet/SheetIndex.h"
 #include "velum/render/Frame.h"
-#include "velum/render/section/SectionImage.h"
+#include "velum/render/SheetIndices.h"
 
 namespace velum::render {
 

@@ -63,7 +63,8 @@ void LiveSheet::adopt(const scene::SheetShape& shape) {
     mKeptCut.axis = mKept.axis = shape.axis;
     mKeptCut.spinDeg = mKept.spinDeg = shape.spinDeg;
   }
-  mBegin = mHasSimulation = mIsWarm = false;
+  mBegin = false;
+  mMotion = Motion::None;
   // Saved before it had come to rest: it goes on.
   bool isOfNow = shape.timeStep < 0 || shape.timeStep == mData.timeStep;
   mKept.timeStep = mKeptStep = shape.timeStep;
@@ -87,7 +88,8 @@ void LiveSheet::follow(const scene::Cut& cut, DataKey data) {
   if (isOtherVolume) {
     mKept = {};
     mForces.reset();
-    mBegin = mHasSimulation = mIsWarm = false;
+    mBegin = false;
+    mMotion = Motion::None;
     ++mShown;
   }
   if (!sameFrame) ++mShown;
@@ -113,7 +115,7 @@ membrane::CurrentSheet LiveSheet::current() const {
   if (!mKeepSides || mCut.membrane->field.rule != scene::KernelRule::Sided) return {};
   scene::SheetShape now = shape();
   if (now.places.empty()) return {};
-  return {membrane::heightOf(now), mIsWarm && !isAtRest() ? mMovingStep : mKeptStep};
+  return {membrane::heightOf(now), movesInSight() ? mMovingStep : mKeptStep};
 }
 
 void LiveSheet::takeForces(std::shared_ptr<const MadeForces> made, std::uint64_t wish) {
@@ -131,10 +133,10 @@ void LiveSheet::failForces(const std::string& error) {
 bool LiveSheet::isMoving() const { return mCut.enabled && (mBegin || !isAtRest()); }
 
 /// Where the sheet was when it was last looked at; asks the GPU where it moves.
-scene::SheetShape LiveSheet::known() const { return mIsWarm && !isAtRest() ? mSimulation->shape() : mKept; }
+scene::SheetShape LiveSheet::known() const { return movesInSight() ? mSimulation->shape() : mKept; }
 
 scene::SheetShape LiveSheet::shape() const {
-  return carried(known(), mIsWarm && !isAtRest() ? mMovingCut : mKeptCut, mCut);
+  return carried(known(), movesInSight() ? mMovingCut : mKeptCut, mCut);
 }
 
 void LiveSheet::keepShape() {
@@ -147,26 +149,27 @@ void LiveSheet::keepShape() {
 
 void LiveSheet::begin() {
   mBegin = false;
-  if (mIsWarm && !isAtRest()) keepShape();
+  if (movesInSight()) keepShape();
   scene::Cut moving = withFrameOf(mCut, mForces->cut);
   moving.membrane->field.rule = mForces->cut.membrane->field.rule;
   scene::SheetShape start;
   if (isActive() || mGoesOn) start = carried(mKept, mKeptCut, moving);
   mSimulation->begin(moving, mForces->forces, start);
-  mHasSimulation = true;
   mMovingCut = moving;
   mMovingStep = mForces->timeStep;
-  mIsWarm = isActive() || mGoesOn || mKept.places.empty();
-  mHasPast = mGoesOn && (!start.places.empty() || mForces->forces.isPreview);
+  bool hasPast = mGoesOn && (!start.places.empty() || mForces->forces.isPreview);
+  bool isSeen = isActive() || mGoesOn || mKept.places.empty();
+  mMotion = hasPast ? Motion::Dragged : isSeen ? Motion::Shown : Motion::Unseen;
 }
 
 /// From flat, unseen at first: a passive sheet rests where its scene says, whatever was dragged about before.
 void LiveSheet::beginAgain() {
   keepShape();
-  mGoesOn = mHasPast = false;
+  mGoesOn = false;
+  mMotion = Motion::Shown;
   mNeedsForces = mForces->forces.isPreview;
   if (mNeedsForces) return;  // it stays as it is until exact ones are there
-  mHasSimulation = mIsWarm = false;
+  mMotion = Motion::None;
   mBegin = true;
 }
 
@@ -180,9 +183,10 @@ bool LiveSheet::advance(double budgetMs) {
   gpu::finish();
   double stepMs = msSince(start) / steps;
   mStepMs = mStepMs > 0 ? 0.8 * mStepMs + 0.2 * stepMs : stepMs;
-  mIsWarm = mIsWarm || mSimulation->steps() >= kWarmSteps || mSimulation->isAtRest();
-  if (mIsWarm) ++mShown;
-  if (mHasPast && !mNeedsForces && mSimulation->isFinest())
+  if (mMotion == Motion::Unseen && (mSimulation->steps() >= kWarmSteps || mSimulation->isAtRest()))
+    mMotion = Motion::Shown;
+  if (mMotion != Motion::Unseen) ++mShown;
+  if (mMotion == Motion::Dragged && !mNeedsForces && mSimulation->isFinest())
     beginAgain();  // it has settled as far as the eye can follow
   else if (mSimulation->isAtRest())
     keepShape();
@@ -193,8 +197,8 @@ void LiveSheet::reset() {
   mKept = {};
   mFigures.reset();
   ++mShown;
-  mHasSimulation = mIsWarm = mGoesOn = mHasPast = false;
-  mKeepSides = false;
+  mMotion = Motion::None;
+  mGoesOn = mKeepSides = false;
   if (mForces && !isActive())
     mBegin = true;
   else
@@ -222,7 +226,7 @@ MembraneStatus LiveSheet::status(bool isPlaying, bool isComputing) const {
   }
   status.particles = mCut.membrane->cloth.particles;
   if (!mKept.places.empty()) status.particles = mKept.particles;
-  if (mHasSimulation) {
+  if (mMotion != Motion::None) {
     status.particles = mSimulation->solver().sheet().particles;
     status.steps = mSimulation->steps();
     status.speed = mSimulation->speed();
@@ -239,7 +243,7 @@ MembraneStatus LiveSheet::status(bool isPlaying, bool isComputing) const {
 }
 
 render::FrameSheet LiveSheet::frameSheet() {
-  bool isLive = mIsWarm && mHasSimulation && haveSameFrame(mMovingCut, mCut) && !isAtRest();
+  bool isLive = movesInSight() && haveSameFrame(mMovingCut, mCut);
   if (mUploaded != mShown || !mSheet) {
     glm::ivec2 flat = glm::max(mCut.membrane->cloth.particles, glm::ivec2(3));
     glm::ivec2 count = isLive ? mSimulation->solver().sheet().particles : glm::ivec2(0);
@@ -279,9 +283,9 @@ std::optional<scene::SheetShape> LiveSheet::takeRest() {
 
 void LiveSheet::releaseGpu() {
   bool wasMoving = isMoving();
-  if (mIsWarm && !isAtRest()) keepShape();
+  if (movesInSight()) keepShape();
   mSimulation.emplace();
-  mHasSimulation = false;
+  mMotion = Motion::None;
   mBegin = wasMoving && mForces;
   mSheet.reset();
   mUploaded = 0;

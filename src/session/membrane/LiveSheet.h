@@ -75,8 +75,17 @@ class LiveSheet {
   void releaseGpu();
 
  private:
+  /// What the simulation is doing.
+  enum class Motion {
+    None,     ///< There is none.
+    Unseen,   ///< It has begun from flat, and lies too nearly flat yet to be shown.
+    Shown,    ///< It is what is shown.
+    Dragged,  ///< So, and where it rests depends on how it came there: a passive sheet will start from flat once more.
+  };
   bool isActive() const { return mCut.membrane->repositioning == scene::Repositioning::Active; }
-  bool isAtRest() const { return !mHasSimulation || mSimulation->isAtRest(); }
+  bool isAtRest() const { return mMotion == Motion::None || mSimulation->isAtRest(); }
+  /// The simulation is what is shown; otherwise it is mKept.
+  bool movesInSight() const { return mMotion != Motion::Unseen && !isAtRest(); }
   void adopt(const scene::SheetShape& shape);
   void begin();
   void beginAgain();
@@ -95,9 +104,7 @@ class LiveSheet {
   bool mKeepSides = false;  ///< the next forces leave material on its side of the sheet
   // What moves.
   std::optional<membrane::Simulation> mSimulation{std::in_place};
-  bool mHasSimulation = false;
-  bool mIsWarm = false;   ///< the simulation is what is shown; until then it is mKept
-  bool mHasPast = false;  ///< where it rests depends on how it came there: a passive sheet starts from flat once more
+  Motion mMotion = Motion::None;
   scene::Cut mMovingCut;
   int mMovingStep = 0;  ///< time step of its forces
   double mStepMs = 0;

@@ -51,7 +51,6 @@ MembraneReport settle(membrane::ForceMaker& maker, int timeStep, scene::Cut& cut
   report.steps = simulation.steps();
   report.stepMs = msSince(stepping) / std::max(1, report.steps);
   report.atRest = simulation.isAtRest();
-  report.speedMmS = simulation.speed();
   membrane.shape = simulation.shape();
   if (membrane.repositioning == scene::Repositioning::Active) membrane::anchor(membrane.shape, cut, timeStep);
   report.particles = membrane.shape.particles;
@@ -134,6 +133,25 @@ std::vector<MembraneReport> settleMembranes(scene::Scene& scene, MembraneQuestio
     reports.push_back(std::move(report));
   }
   return reports;
+}
+
+scene::Scene SheetsOverTime::settle(const scene::Scene& step, Progress& progress) {
+  scene::Scene wanted = step;
+  wanted.camera = {};  // has no say in how sheets lie
+  if (mWanted == wanted) return withShapes(step);
+  mWanted = wanted;
+  scene::Scene settled = withShapes(step);
+  settleMembranes(settled, {}, progress);
+  mShapes.clear();
+  for (const auto& cut : settled.cuts)
+    if (cut.membrane) mShapes[cut.id] = cut.membrane->shape;
+  return settled;
+}
+
+scene::Scene SheetsOverTime::withShapes(scene::Scene step) const {
+  for (auto& cut : step.cuts)
+    if (auto known = mShapes.find(cut.id); known != mShapes.end()) cut.membrane->shape = known->second;
+  return step;
 }
 
 }  // namespace velum::session

@@ -1,11 +1,9 @@
 #pragma once
 #include <cstdint>
 #include <glm/glm.hpp>
-#include <map>
-#include <memory>
 #include <vector>
 
-#include "velum/membrane/sheet/SheetIndex.h"
+#include "velum/render/SheetIndices.h"
 #include "velum/scene/SectionPlane.h"
 
 namespace velum::render {
@@ -15,10 +13,6 @@ struct SectionImage {
   glm::ivec2 size{0};
   std::vector<std::uint32_t> pixels;  ///< 0xAARRGGBB, sRGB, straight alpha, top row first
 };
-
-/// Sheets of enabled membranes as a solver has them, by the id of the cut. One that is missing, empty, or made for a
-/// frame of another size is made as `Cut::membrane` says.
-using SheetIndices = std::map<int, std::shared_ptr<const membrane::SheetIndex>>;
 
 /// Draws a section on the processor, all cores, no GL. Any thread.
 ///

@@ -9,7 +9,7 @@
 
 #include "velum/core/Clock.h"
 #include "velum/membrane/sheet/SheetIndex.h"
-#include "velum/render/section/SectionImage.h"
+#include "velum/render/SheetIndices.h"
 #include "velum/scene/Scene.h"
 #include "velum/session/Player.h"
 

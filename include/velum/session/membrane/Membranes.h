@@ -1,4 +1,5 @@
 #pragma once
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,7 +21,6 @@ struct MembraneReport {
   glm::ivec2 particles{0};  ///< of the sheet at rest
   int steps = 0;
   bool atRest = false;
-  double speedMmS = 0;  ///< of the fastest particle in the last step
   double stepMs = 0;    ///< mean time of a step with all its iterations, on the wall
   double kernelsMs = 0, leastCutMs = 0, totalMs = 0;
   std::optional<membrane::KeptWhole> kept;        ///< when asked for
@@ -40,6 +40,19 @@ std::vector<MembraneReport> settleMembranes(scene::Scene& scene, MembraneQuestio
 
 /// True when a picture of the scene needs settleMembranes() first.
 bool hasMembranes(const scene::Scene& scene);
+
+/// Settles the sheets of picture after picture of an animation: anew where the data or a cut is another one than in the
+/// picture before, and active ones from where they were in it. GL thread.
+class SheetsOverTime {
+ public:
+  /// The scene with its sheets at rest. On the current context. @throw Cancelled
+  scene::Scene settle(const scene::Scene& step, Progress& progress);
+
+ private:
+  scene::Scene withShapes(scene::Scene step) const;
+  std::optional<scene::Scene> mWanted;
+  std::map<int, scene::SheetShape> mShapes;  ///< by the id of the cut
+};
 
 /// The sheet of a membrane as a surface, world: of its shape, flat when that is empty. Any thread.
 Mesh sheetMesh(const scene::Cut& cut);

@@ -1,17 +1,16 @@
-#include "Preferences.h"
+#include "PreferencesDialog.h"
 
+#include <QApplication>
 #include <QComboBox>
 #include <QDialogButtonBox>
-#include <QFile>
 #include <QFormLayout>
 #include <QLabel>
-#include <QStandardPaths>
+
+#include "kit/Preferences.h"
 
 namespace velum::gui {
 
 namespace {
-
-QString configFolder() { return QStandardPaths::writableLocation(QStandardPaths::AppConfigLocation); }
 
 QLabel* makePath(const QString& path, QWidget* parent) {
   auto* label = new QLabel(path, parent);
@@ -21,16 +20,6 @@ QLabel* makePath(const QString& path, QWidget* parent) {
 }
 
 }  // namespace
-
-Preferences::Preferences() : mSettings(configFolder() + "/preferences.ini", QSettings::IniFormat) {}
-
-ThemeKind Preferences::theme() const {
-  return mSettings.value("theme").toString() == "light" ? ThemeKind::Light : ThemeKind::Dark;
-}
-
-void Preferences::setTheme(ThemeKind theme) {
-  mSettings.setValue("theme", theme == ThemeKind::Light ? "light" : "dark");
-}
 
 PreferencesDialog::PreferencesDialog(QWidget* parent) : QDialog(parent) {
   setWindowTitle(tr("Preferences"));
@@ -50,7 +39,7 @@ PreferencesDialog::PreferencesDialog(QWidget* parent) : QDialog(parent) {
   });
   form->addRow(tr("&Appearance"), theme);
   form->addRow(tr("Preferences"), makePath(Preferences().path(), this));
-  auto* keys = makePath(configFolder() + "/keys.json", this);
+  auto* keys = makePath(Preferences::folder() + "/keys.json", this);
   keys->setToolTip(
       tr("Write your own shortcuts there, as in {\"cut.addPlane\": [\"P\"]}; the user guide lists the commands"));
   form->addRow(tr("Your keys"), keys);

@@ -1,8 +1,7 @@
 #pragma once
-#include <QDialog>
 #include <QSettings>
 
-#include "kit/Theme.h"
+#include "Theme.h"
 
 namespace velum::gui {
 
@@ -18,16 +17,11 @@ class Preferences {
   void setValue(const QString& key, const QVariant& value) { mSettings.setValue(key, value); }
   /// Where it is stored.
   QString path() const { return mSettings.fileName(); }
+  /// Where it is stored, and the user's keys with it.
+  static QString folder();
 
  private:
   QSettings mSettings;
-};
-
-/// Chooses the theme, and says where preferences and keys are stored. Changes show at once.
-class PreferencesDialog : public QDialog {
-  Q_OBJECT
- public:
-  explicit PreferencesDialog(QWidget* parent);
 };
 
 }  // namespace velum::gui

@@ -98,18 +98,21 @@ int run(const RenderOptions& options) {
   if (options.bruteForce) scene.rayCast.skipEmpty = scene.rayCast.stopOpaque = false;
   session::PictureOptions picture{size, options.samples, options.transparent, options.layers, options.dpi};
 
+  // Picture by picture: an animation is several.
   auto start = Clock::now();
   std::vector<std::string> outputs = outputNames(options);
   session::SheetsOverTime sheets;
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     scene::Scene step = options.frames > 0 ? frameOf(scene, int(i), options.frames) : scene;
-    Image image = session::drawPicture(renderer, sheets.settle(step, consoleProgress()), picture, context->limits(), consoleProgress());
+    Image image = session::drawPicture(renderer, sheets.settle(step, consoleProgress()), picture, context->limits(),
+                                       consoleProgress());
     consoleProgress().report(1.0, "");
     session::savePicture(image, step, picture, outputs[i]);
   }
   double ms = msSince(start);
   if (!options.saveScene.empty()) session::saveScene(session::sceneForPicture(scene, picture), options.saveScene);
 
+  // What there is to say of it; the picture itself may have gone to stdout.
   const render::Stats& stats = renderer.stats();
   if (!stats.reduction.empty()) fmt::print(stderr, "note: {}\n", stats.reduction);
   if (options.common.json) {

@@ -50,7 +50,8 @@ Run registerSample(CLI::App& verb) {
   verb.add_option("name", options->name, names)->required();
   verb.add_option("-o,--output", options->output, "volume file (labels go beside it), or a folder")->required();
   verb.add_option("--voxels", options->size, "voxels along the longest axis, 16 to 1024; default: the phantom's own");
-  verb.add_option("--time-steps", options->timeSteps, "time steps of a phantom that moves (heart), 1 to 100; default: 12");
+  verb.add_option("--time-steps", options->timeSteps,
+                  "time steps of a phantom that moves (heart), 1 to 100; default: 12");
   return [options] { return run(*options); };
 }
 

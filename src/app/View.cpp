@@ -113,6 +113,7 @@ int run(const ViewOptions& options) {
   Viewer viewer;
   viewer.scene = openScene(options.input, double(size.x) / size.y);
   consoleProgress().report(1.0, "");
+  // A window with a context.
   Glfw glfw;
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
@@ -129,6 +130,7 @@ int run(const ViewOptions& options) {
     glfwSetCursorPosCallback(window, onCursor);
     glfwSetScrollCallback(window, onScroll);
     glfwSetKeyCallback(window, onKey);
+    // Frame after frame; nothing is done while nothing changes.
     bool done = false;
     while (!glfwWindowShouldClose(window)) {
       if (done && !viewer.moved)

@@ -12,6 +12,7 @@ int main(int argc, char** argv) {
   CLI::App program("velum-batch: volumes, cut open. Not a medical device.");
   program.set_version_flag("--version", VELUM_VERSION);
   program.require_subcommand(1);
+  // The verbs.
   struct Row {
     const char* name;
     const char* doc;
@@ -31,6 +32,7 @@ int main(int argc, char** argv) {
     CLI::App* verb = program.add_subcommand(row.name, row.doc);
     verbs.emplace_back(verb, row.registerVerb(*verb));
   }
+  // Their options: help and version are no errors.
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -39,6 +41,7 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "velum-batch: {}; see velum-batch --help\n", what.substr(0, what.find('\n')));
     return static_cast<int>(ExitCode::Usage);
   }
+  // The one that was asked for; every error becomes one line and its exit code.
   try {
     for (auto& [verb, run] : verbs) {
       if (!verb->parsed()) continue;

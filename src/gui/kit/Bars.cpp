@@ -70,6 +70,7 @@ EmptyState::EmptyState(QWidget* parent) : QFrame(parent), mRecent(new RecentRow(
   auto* layout = new QVBoxLayout(this);
   layout->setSpacing(14);
   layout->addStretch(5);
+  // What to do, and with what.
   auto* picture = new QLabel(this);
   picture->setPixmap(QIcon(":/velum/velum.svg").pixmap(QSize(112, 112), devicePixelRatioF()));
   layout->addWidget(picture, 0, Qt::AlignHCenter);
@@ -83,6 +84,7 @@ EmptyState::EmptyState(QWidget* parent) : QFrame(parent), mRecent(new RecentRow(
   text->setAlignment(Qt::AlignCenter);
   layout->addWidget(text, 0, Qt::AlignHCenter);
   layout->addSpacing(10);
+  // The ways to something to see, the commonest first.
   auto* row = new QHBoxLayout;
   row->setSpacing(10);
   auto add = [&](const QString& name, const QString& tip, void (EmptyState::*signal)(), bool isMain) {
@@ -100,6 +102,7 @@ EmptyState::EmptyState(QWidget* parent) : QFrame(parent), mRecent(new RecentRow(
       &EmptyState::makePhantom, false);
   row->addStretch(1);
   layout->addLayout(row);
+  // What was open before, and the word that has to be said.
   layout->addWidget(mRecent);
   layout->addStretch(6);
   auto* note = new QLabel(tr("Not a medical device."), this);

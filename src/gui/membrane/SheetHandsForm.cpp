@@ -105,6 +105,7 @@ SheetHandsForm::Row SheetHandsForm::makeRow(Hand hand) {
   auto* layout = new QHBoxLayout(row.widget);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(6);
+  // Its sign and name select it in the views.
   row.name = new QToolButton(row.widget);
   row.name->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   row.name->setIconSize({kSign, kSign});
@@ -115,6 +116,7 @@ SheetHandsForm::Row SheetHandsForm::makeRow(Hand hand) {
   row.name->installEventFilter(this);
   layout->addWidget(row.name);
   connect(row.name, &QToolButton::clicked, this, [this, hand](bool on) { emit selectAsked(on ? hand : Hand{}); });
+  // Its numbers: of a pin its height, of a kernel radius and strength.
   auto index = std::size_t(hand.index);
   if (hand.kind == HandKind::Pin) {
     row.first = makeNumber(row.widget, 0, 0, 1, {}, tr("Height over the rest plane"),
@@ -132,6 +134,7 @@ SheetHandsForm::Row SheetHandsForm::makeRow(Hand hand) {
   }
   layout->addWidget(row.first, 1);
   if (row.second) layout->addWidget(row.second, 1);
+  // The way to be rid of it.
   auto* away = new QToolButton(row.widget);
   away->setText(QString::fromUtf8("\u00d7"));
   away->setFocusPolicy(Qt::StrongFocus);

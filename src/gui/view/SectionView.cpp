@@ -154,6 +154,7 @@ void SectionView::showMenu(QPoint globalPlace) {
   const scene::Sections& sections = mDocument.scene().sections;
   QMenu menu(this);
   menu.setToolTipsVisible(true);
+  // What is shown.
   auto addTick = [&](const QString& text, const QString& tip, bool scene::Sections::*field) {
     QAction* action = menu.addAction(text);
     action->setToolTip(tip);
@@ -165,6 +166,7 @@ void SectionView::showMenu(QPoint globalPlace) {
   addTick(tr("&Interpolate"), tr("Off: voxels as blocks"), &scene::Sections::interpolate);
   addTick(tr("&Crosshair"), tr("Lines where the other sections cross"), &scene::Sections::showCrosshair);
   addTick(tr("C&uts"), tr("Cuts as lines; what they remove is dimmed"), &scene::Sections::showCuts);
+  // Structures, where there are any: a slider in the menu.
   if (mDocument.scene().labels.data) {
     auto* row = new NumberRow(0, 100, 0, " %", &menu);
     row->setValue(sections.labelOpacity * 100.0);
@@ -182,6 +184,7 @@ void SectionView::showMenu(QPoint globalPlace) {
     menu.addAction(action);
   }
   menu.addSeparator();
+  // What to go back to.
   auto addCommand = [&](const QString& text, const QString& tip, std::function<void()> run) {
     QAction* action = menu.addAction(text);
     action->setToolTip(tip);

@@ -6,11 +6,11 @@
 
 #include "HelpCommands.h"
 #include "HistoryCommands.h"
-#include "kit/RecentFiles.h"
 #include "StatusLine.h"
 #include "TimeCommands.h"
 #include "ViewCommands.h"
 #include "kit/KeyboardFocus.h"
+#include "kit/RecentFiles.h"
 
 namespace velum::gui {
 

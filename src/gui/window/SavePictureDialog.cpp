@@ -106,6 +106,7 @@ QWidget* SavePictureDialog::makeSize(glm::ivec2 viewSize) {
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setHorizontalSpacing(10);
   grid->setColumnMinimumWidth(0, kNameWidth);
+  // The controls.
   mWidth = new QDoubleSpinBox(box);
   mWidth->setObjectName("pictureWidth");
   mWidth->setAccessibleName(tr("Width"));
@@ -135,6 +136,7 @@ QWidget* SavePictureDialog::makeSize(glm::ivec2 viewSize) {
   mKeepShape = new QCheckBox(tr("Keep the shape of the view"), box);
   mKeepShape->setChecked(true);
   mKeepShape->setToolTip(tr("Width and height change together"));
+  // Their places: width, height and unit in one row,
   auto* size = new QHBoxLayout;
   size->setSpacing(8);
   size->addWidget(mWidth);
@@ -143,6 +145,7 @@ QWidget* SavePictureDialog::makeSize(glm::ivec2 viewSize) {
   size->addWidget(mUnit);
   grid->addWidget(new QLabel(tr("Size"), box), 0, 0);
   grid->addLayout(size, 0, 1);
+  // sizes that are ready under it,
   auto* ready = new QHBoxLayout;
   for (int factor : {1, 2, 4}) {
     auto* button = new QPushButton(factor == 1 ? tr("As the view") : tr("%1 times").arg(factor), box);
@@ -157,9 +160,11 @@ QWidget* SavePictureDialog::makeSize(glm::ivec2 viewSize) {
   }
   ready->addStretch(1);
   grid->addLayout(ready, 1, 1);
+  // then shape and resolution.
   grid->addWidget(mKeepShape, 2, 1);
   grid->addWidget(new QLabel(tr("Resolution"), box), 3, 0);
   grid->addWidget(mDpi, 3, 1, Qt::AlignLeft);
+  // A resolution changes pixels where the size is one on paper, and nothing but words where it is in pixels.
   connect(mUnit, &QComboBox::currentIndexChanged, this, &SavePictureDialog::showSize);
   connect(mDpi, &QSpinBox::valueChanged, this,
           [this] { mUnit->currentIndex() == Pixels ? updateText() : takeWidth(); });
@@ -174,6 +179,7 @@ QWidget* SavePictureDialog::makeQuality() {
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setHorizontalSpacing(10);
   grid->setColumnMinimumWidth(0, kNameWidth);
+  // The controls.
   mBackground = new QComboBox(box);
   mBackground->setObjectName("pictureBackground");
   mBackground->setAccessibleName(tr("Background"));
@@ -197,6 +203,7 @@ QWidget* SavePictureDialog::makeQuality() {
   mLayers->setToolTip(tr(
       "Inside an .exr file; as pictures beside a .png or .tif file.\nOf a membrane's section also what stands before "
       "it, its image, and what lies behind it, to be put together."));
+  // Their places.
   grid->addWidget(new QLabel(tr("Background"), box), 0, 0);
   grid->addWidget(mBackground, 0, 1);
   grid->addWidget(new QLabel(tr("Quality"), box), 1, 0);
@@ -207,6 +214,7 @@ QWidget* SavePictureDialog::makeQuality() {
   grid->addLayout(quality, 1, 1);
   grid->addWidget(mLayers, 2, 1);
   grid->setColumnStretch(1, 1);
+  // Words and number of samples say the same: each shows what the other has become.
   static constexpr int kSamples[] = {1, 4, 16, 64};
   auto showQuality = [this] {
     int index = int(std::find(std::begin(kSamples), std::end(kSamples), mSamples->value()) - std::begin(kSamples));

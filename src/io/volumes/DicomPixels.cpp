@@ -117,6 +117,7 @@ DicomPixels::DicomPixels(const DicomFile& file) : mState(std::make_unique<State>
   const Path& path = file.path;
   State& s = *mState;
   s.path = path;
+  // The image as GDCM has it, palettes applied and colours interleaved.
   StderrQuiet quiet;
   try {
     std::ifstream stream(path, std::ios::binary);
@@ -141,6 +142,7 @@ DicomPixels::DicomPixels(const DicomFile& file) : mState(std::make_unique<State>
   } catch (const std::exception& error) {
     refuse(path, fmt::format("the DICOM pixels cannot be read ({})", inQuotes(error.what())));
   }
+  // What its samples mean.
   const PixelFormat& format = s.image->GetPixelFormat();
   const gdcm::DataSet& set = s.reader->GetFile().GetDataSet();
   // The header decides about the sign: GDCM takes over what a JPEG 2000 stream says, which may differ.

@@ -93,6 +93,7 @@ SegyGrid arrangeAsLine(const std::vector<SegyTrace>& traces) {
 
 SegyGrid arrangeTraces(const std::vector<SegyTrace>& traces, const std::string& name) {
   if (traces.empty()) throw InputError(fmt::format("{}: has no traces", name));
+  // Where the line numbers stand; without any the traces are one line.
   std::size_t pair = choosePair(traces);
   bool hasOffsets =
       std::any_of(traces.begin(), traces.end(), [&](const auto& t) { return t.offset != traces[0].offset; });
@@ -104,6 +105,7 @@ SegyGrid arrangeTraces(const std::vector<SegyTrace>& traces, const std::string& 
   }
   pair = std::min<std::size_t>(pair, 1);
 
+  // The grid that the numbers span; damaged ones would span anything.
   std::vector<std::int32_t> numbers;
   for (const auto& t : traces) numbers.push_back(t.lines[pair].inlineNumber);
   Axis inlines = axisOf(numbers);
@@ -117,6 +119,7 @@ SegyGrid arrangeTraces(const std::vector<SegyTrace>& traces, const std::string& 
                     "bytes 189/193 or 9/21",
                     name, traces.size(), inlines.count, crosslines.count));
 
+  // Each trace to its place, the first that comes.
   grid.size = {int(inlines.count), int(crosslines.count)};
   grid.traceAt.assign(std::size_t(cells), -1);
   std::size_t extra = 0;
@@ -129,6 +132,7 @@ SegyGrid arrangeTraces(const std::vector<SegyTrace>& traces, const std::string& 
     else
       ++extra;
   }
+  // What the user ought to know.
   auto missing = std::count(grid.traceAt.begin(), grid.traceAt.end(), std::int64_t(-1));
   if (extra > 0)
     grid.warnings.push_back(fmt::format(

@@ -101,6 +101,7 @@ TiffLayout parseOme(std::string_view xml, std::string_view fileName) {
   auto pixels = tag(xml, "Pixels", at);
   if (!pixels) return out;
   out.kind = TiffLayout::Kind::Ome;
+  // Sizes and the order of planes.
   out.sizeX = indexOf(attribute(*pixels, "SizeX"));
   out.sizeY = indexOf(attribute(*pixels, "SizeY"));
   out.sizeZ = countOf(attribute(*pixels, "SizeZ"), 1);
@@ -120,6 +121,7 @@ TiffLayout parseOme(std::string_view xml, std::string_view fileName) {
   }
   if (out.channelNames.size() != out.sizeC) out.channelNames.clear();
   place = at;
+  // Which page is which plane, where the file says it.
   while (auto data = tag(xml, "TiffData", place)) {
     if (attribute(*data, "IFD").empty() && attribute(*data, "FirstZ").empty()) continue;  // all pages, in order
     TiffLayout::Plane plane{indexOf(attribute(*data, "IFD")), indexOf(attribute(*data, "FirstZ")),
@@ -196,6 +198,7 @@ std::vector<PlaneTarget> placePlanes(const TiffLayout& layout, std::uint64_t cha
     }
     return k;
   };
+  // The page of every plane: in order, or as the file says. Twice or never named: its word is worth nothing.
   auto count = std::uint64_t(total);
   std::vector<std::uint64_t> pageOf(std::size_t(count), pageCount);
   if (layout.planes.empty())
@@ -208,6 +211,7 @@ std::vector<PlaneTarget> placePlanes(const TiffLayout& layout, std::uint64_t cha
       pageOf[std::size_t(first + i)] = plane.page + i;
     }
   }
+  // By page, so that the file is read from front to back.
   std::vector<PlaneTarget> out;
   for (std::uint64_t k = 0; k < count; ++k) {
     if (pageOf[std::size_t(k)] == pageCount) return {};

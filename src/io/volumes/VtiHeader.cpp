@@ -154,6 +154,7 @@ VtiHeader parseVtiHeader(const FileBytes& file, const std::string& name) {
   std::string_view image = tag(head, "ImageData", at);
   if (at == head.npos) throw InputError(fmt::format("{}: is cut short: no ImageData element", name));
 
+  // How it is packed.
   VtiHeader out;
   out.hasDirection = !attribute(image, "Direction").empty();
   std::string_view compressor = attribute(root, "compressor");
@@ -189,6 +190,7 @@ VtiHeader parseVtiHeader(const FileBytes& file, const std::string& name) {
     out.isCellData = !inside.empty();
   }
   if (inside.empty()) throw InputError(fmt::format("{}: has no array of values", name));
+  // Sizes, and what an array of them needs; nothing of it is allocated before it has been compared with the file.
   auto extent = numbersOf<6>(attribute(image, "WholeExtent"), std::nan(""));
   for (int i = 0; i < 3; ++i) {
     double count = extent[std::size_t(i) * 2 + 1] - extent[std::size_t(i) * 2] + (out.isCellData ? 0.0 : 1.0);

@@ -97,12 +97,14 @@ Header parseHeader(std::string_view text, const Path& path) {
   Header h;
   if (!words.line().starts_with("# vtk DataFile")) refuse(path, "is not a legacy VTK file");
   h.title = std::string(words.line().substr(0, 256));
+  // Three lines say what the file is.
   std::string encoding = words.next();
   if (encoding != "ascii" && encoding != "binary") refuse(path, fmt::format("an encoding '{}' is not known", encoding));
   h.isAscii = encoding == "ascii";
   words.next();
   std::string kind = words.next();
   if (kind != "structured_points") refuse(path, fmt::format("holds a '{}', not STRUCTURED_POINTS", kind));
+  // Then keys in any order, up to the values to be shown: the data stands behind them.
   for (;;) {
     std::string key = words.next();
     if (key.empty()) refuse(path, "has no SCALARS to show");

@@ -149,6 +149,7 @@ void selectOnly(vtkDataArraySelection* selection, const std::string& name) {
 Volume readVti(const scene::Source& source, Progress& progress) try {
   const Path path = source.path;
   progress.report(0, "reading VTK image");
+  // VTK believes a header, so it is checked before; then only the array that is wanted is read.
   VtiHeader header = checkHeader(path);
   VtkQuiet quiet;
   vtkNew<vtkXMLImageDataReader> reader;
@@ -165,11 +166,13 @@ Volume readVti(const scene::Source& source, Progress& progress) try {
   progress.throwIfCancelled();
   if (!quiet.error().empty()) refuse(path, fmt::format("is damaged ({})", quiet.error()));
 
+  // What has come is checked again.
   vtkImageData* image = reader->GetOutput();
   auto* attributes =
       header.isCellData ? static_cast<vtkDataSetAttributes*>(image->GetCellData()) : image->GetPointData();
   vtkDataArray* array = attributes->GetArray(0);
   if (!array) refuse(path, "its voxels cannot be read; the file is damaged or cut short");
+  // The volume: cells are voxels half a step further on.
   Volume v;
   glm::dvec3 shift(image->GetExtent()[0], image->GetExtent()[2], image->GetExtent()[4]);
   v.dims = glm::ivec3(image->GetDimensions()[0], image->GetDimensions()[1], image->GetDimensions()[2]);

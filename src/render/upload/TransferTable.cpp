@@ -58,6 +58,7 @@ TransferTable makeTransferTable(const scene::Scene& scene) {
     largest = mix.largestExtinction;
     if (largest > 0) table.mixedWhite = std::sqrt(mix.largestOfOne / largest);
   }
+  // Values that the table spans: those of its points, or of the window.
   glm::dvec2 window = scene::effectiveWindow(scene.volume);
   bool showsPoints = !scene::usesWindow(scene) && !(transfer.opacities.empty() && transfer.colors.empty());
   double low = std::numeric_limits<double>::infinity(), high = -low;
@@ -79,6 +80,8 @@ TransferTable makeTransferTable(const scene::Scene& scene) {
   if (!mixes && !transfer.gradientOpacities.empty())
     table.gradientMax = std::max(1e-12, transfer.gradientOpacities.back().value);
 
+  // Colour and extinction between each two table positions, and their sums over the table: the difference of two sums
+  // is an exact integral.
   constexpr int n = shared::kTransferSize;
   std::vector<glm::dvec4> entries;
   glm::dvec4 before(0.0);
@@ -103,12 +106,14 @@ TransferTable makeTransferTable(const scene::Scene& scene) {
     table.sums.push_back(sum);
   }
   for (const auto& s : table.sums) table.extinctionSums.push_back(s.w);
+  // Between which positions anything shows.
   table.shownFrom = shared::kTransferSize;
   for (int i = 0; i < shared::kTransferSize; ++i) {
     if (table.extinctionSums[std::size_t(i)] == table.extinctionSums[std::size_t(i) + 1]) continue;
     table.shownFrom = std::min(table.shownFrom, i);
     table.shownTo = i + 1;
   }
+  // The factor by gradient magnitude.
   for (int i = 0; i < n; ++i)
     table.gradientFactors.push_back(
         mixes || transfer.gradientOpacities.empty()

@@ -335,6 +335,7 @@ Json schemaOf(const T& defaults, const FieldInfo& info) {
     if (!std::isinf(info.range.min)) node["minimum"] = info.range.min;
     if (!std::isinf(info.range.max)) node["maximum"] = info.range.max;
   };
+  // The type, with its limits; what is made of others by itself.
   if constexpr (std::is_same_v<T, bool>) {
     out["type"] = "boolean";
   } else if constexpr (Number<T>) {

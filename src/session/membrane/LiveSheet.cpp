@@ -135,9 +135,7 @@ bool LiveSheet::isMoving() const { return mCut.enabled && (mBegin || !isAtRest()
 /// Where the sheet was when it was last looked at; asks the GPU where it moves.
 scene::SheetShape LiveSheet::known() const { return movesInSight() ? mSimulation->shape() : mKept; }
 
-scene::SheetShape LiveSheet::shape() const {
-  return carried(known(), movesInSight() ? mMovingCut : mKeptCut, mCut);
-}
+scene::SheetShape LiveSheet::shape() const { return carried(known(), movesInSight() ? mMovingCut : mKeptCut, mCut); }
 
 void LiveSheet::keepShape() {
   // As drawing would fit it, so that a shape that has been written down is the one that was drawn.

@@ -9,10 +9,10 @@
 
 #include "velum/gpu/Context.h"
 #include "velum/io/images/ImageFile.h"
+#include "velum/render/RenderPicture.h"
 #include "velum/render/section/SectionImage.h"
 #include "velum/session/document/Open.h"
 #include "velum/session/membrane/Membranes.h"
-#include "velum/render/RenderPicture.h"
 
 namespace velum::session {
 
@@ -72,6 +72,7 @@ void writeLayerPictures(const Image& image, const std::filesystem::path& output)
     auto path = output;
     return path.replace_filename(fmt::format("{}.{}{}", output.stem().string(), what, output.extension().string()));
   };
+  // Parts of an inlay, where the picture has them.
   for (const InlayLayer& layer : kInlayLayers) {
     Image color = channelsOf(image, colorNames(layer.name));
     if (color.channels.size() * std::size_t(image.width) * std::size_t(image.height) != color.pixels.size()) continue;
@@ -83,6 +84,7 @@ void writeLayerPictures(const Image& image, const std::filesystem::path& output)
     source.channels = {"R", "G", "B"};
     return source;
   };
+  // Normals: -1..1 becomes 0..1.
   Image normal = rgb(channelsOf(image, {"normal.X", "normal.Y", "normal.Z"}));
   for (auto& v : normal.pixels) v = 0.5f + 0.5f * v;
   io::writeImage(normal, beside("normal"));
@@ -90,17 +92,20 @@ void writeLayerPictures(const Image& image, const std::filesystem::path& output)
         id = channelsOf(image, {"id", "id", "id"});
   Image position = channelsOf(image, {"position.X", "position.Y", "position.Z"});
   io::writeImage(rgb(alpha), beside("alpha"));
+  // Depth: near is light, what is hit nowhere is black.
   float nearest = 1e30f, farthest = 0.0f;
   for (auto z : depth.pixels)
     if (z < 1e30f) nearest = std::min(nearest, z), farthest = std::max(farthest, z);
   for (auto& z : depth.pixels) z = z < 1e30f ? 1.0f - 0.9f * (z - nearest) / std::max(1e-6f, farthest - nearest) : 0.0f;
   io::writeImage(rgb(depth), beside("depth"));
+  // Ids in the colours that structures have by themselves.
   for (std::size_t i = 0; i < count; ++i) {
     int value = int(id.pixels[i * 3]);
     glm::vec3 color = value ? defaultLabelColor(std::uint16_t(value)) : glm::vec3(0.0f);
     for (int c = 0; c < 3; ++c) id.pixels[i * 3 + std::size_t(c)] = color[c];
   }
   io::writeImage(rgb(id), beside("id"));
+  // Positions within the box of what is hit.
   float low[3] = {1e30f, 1e30f, 1e30f}, high[3] = {-1e30f, -1e30f, -1e30f};
   for (std::size_t i = 0; i < count * 3; ++i)
     if (depth.pixels[i] > 0)

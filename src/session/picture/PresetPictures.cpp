@@ -18,6 +18,7 @@ Volume reduceVolume(const Volume& volume, int channel, int timeStep, int mostAlo
   glm::ivec3 factor(std::max(1, (longest + mostAlong - 1) / mostAlong));
   // A slab keeps the few planes that it has.
   for (int axis = 0; axis < 3; ++axis) factor[axis] = std::min(factor[axis], std::max(1, volume.dims[axis] / 8));
+  // The same place in the world: a small voxel lies in the middle of those that it stands for.
   Volume out;
   out.dims = (volume.dims + factor - 1) / factor;
   out.type = SampleType::Float32;
@@ -33,6 +34,7 @@ Volume reduceVolume(const Volume& volume, int channel, int timeStep, int mostAlo
   }
   out.worldFromVoxel = volume.worldFromVoxel * wholeFromSmall;
   out.voxels.resize(timeStepBytes(out));
+  // Each is their mean, row by row.
   auto* target = reinterpret_cast<float*>(out.voxels.data());
   auto stride = std::size_t(volume.channels);
   std::size_t start = std::size_t(timeStep) * voxelCount(volume) * stride + std::size_t(channel);

@@ -14,11 +14,11 @@
 #include <QTimer>
 #include <cstdio>
 
+#include "kit/Preferences.h"
 #include "look/LookPanel.h"
 #include "velum/core/Error.h"
 #include "velum/session/document/Folders.h"
 #include "window/MainWindow.h"
-#include "kit/Preferences.h"
 #include "window/Script.h"
 
 namespace {

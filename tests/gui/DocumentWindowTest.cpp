@@ -11,12 +11,12 @@
 
 #include "Shots.h"
 #include "TempFolder.h"
+#include "kit/RecentFiles.h"
 #include "velum/io/phantoms/Sample.h"
 #include "velum/io/volumes/WriteVolume.h"
 #include "velum/session/document/Folders.h"
 #include "velum/session/document/Open.h"
 #include "window/MainWindow.h"
-#include "kit/RecentFiles.h"
 #include "window/RecoveryBar.h"
 
 namespace velum::gui {

@@ -18,7 +18,8 @@ const dvec3 kSize(120, 90, 50);
 /// A sheet's triangles, and the index over it.
 struct TestSheet {
   explicit TestSheet(const scene::SheetShape& shape, dvec3 size = kSize)
-      : index(membrane::makeSheetIndex(shape, kParticles, size)), plan{{0, index.particles, 0}, vec3(size * 0.5), 1.0f} {
+      : index(membrane::makeSheetIndex(shape, kParticles, size)),
+        plan{{0, index.particles, 0}, vec3(size * 0.5), 1.0f} {
     int n = index.particles.x;
     auto place = [&](int v) { return dvec3(vec3(index.rows[std::size_t(v)])); };
     for (int y = 0; y + 1 < index.particles.y; ++y)

@@ -21,7 +21,7 @@ struct MembraneReport {
   glm::ivec2 particles{0};  ///< of the sheet at rest
   int steps = 0;
   bool atRest = false;
-  double stepMs = 0;    ///< mean time of a step with all its iterations, on the wall
+  double stepMs = 0;  ///< mean time of a step with all its iterations, on the wall
   double kernelsMs = 0, leastCutMs = 0, totalMs = 0;
   std::optional<membrane::KeptWhole> kept;        ///< when asked for
   std::optional<membrane::KeptWholeLimit> limit;  ///< when asked for

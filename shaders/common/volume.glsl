@@ -10,7 +10,8 @@ layout(binding = kLabelUnit) uniform usampler3D labelTexture;
 layout(binding = kTransferUnit) uniform usampler2D transferTexture;  // rgb: colour*sigma, a: sigma
 layout(binding = kExtinctionUnit) uniform usampler2D extinctionTexture;  // sigma alone, for the search
 layout(binding = kGradientTableUnit) uniform sampler2D gradientTable;  // factor by gradient magnitude
-layout(std430, binding = kStructureBinding) readonly buffer StructureBlock { StructureRow structures[]; };
+// By structure: StructureRow. A software driver fetches texels of eight rays at once, rows of a block ray by ray.
+layout(binding = kStructureUnit) uniform samplerBuffer structureTexture;
 
 #if COLOR
 /// COLOR 1: the colours of the data. COLOR 2: of mixed channels, which are kept multiplied by alpha.
@@ -35,7 +36,7 @@ uint labelAt(vec3 scenePoint) {
 }
 
 vec4 structureRow(uint label) {
-  return label < uint(frame.structureCount) ? structures[label].color : vec4(0.6, 0.6, 0.6, 1.0);
+  return label < uint(frame.structureCount) ? texelFetch(structureTexture, int(label)) : vec4(0.6, 0.6, 0.6, 1.0);
 }
 
 /// The table entries that the values between two table positions touch, at least one apart.
@@ -84,7 +85,8 @@ vec4 labelMaterial(vec3 scenePoint) {
 }
 
 /// Extinction of structures by their coverage. Half coverage is the surface; a narrow ramp keeps it smooth.
-float coverageExtinction(float coverage) { return smoothstep(0.35, 0.65, coverage) * coverage * 6.0 * frame.voxelsPerLength; }
+const float kLeastCoverage = 0.35;
+float coverageExtinction(float coverage) { return smoothstep(kLeastCoverage, 0.65, coverage) * coverage * 6.0 * frame.voxelsPerLength; }
 
 float labelExtinction(vec3 scenePoint) { return coverageExtinction(labelMaterial(scenePoint).a); }
 

@@ -90,49 +90,49 @@ struct Group {
   float lattice;  // t of its first lattice point
   float from;
   float to;
-  float x[kGroup + 1];  // values, table positions
+  float x[kGroup + 1];  // values, table positions; LABELS 2: coverages in the middle of the segments
 };
 
 float timeIn(Group group, Walk walk, int i) { return clamp(group.lattice + float(i) * walk.dt, group.from, group.to); }
 
-Group groupAt(Walk walk, float lattice, float from, float to) {
+float middleOf(Group group, Walk walk, int i) { return 0.5 * (timeIn(group, walk, i) + timeIn(group, walk, i + 1)); }
+
+Group groupAt(Walk walk, Ray ray, float lattice, float from, float to) {
   Group group;
   group.lattice = lattice;
   group.from = from;
   group.to = to;
-#if LABELS != 2
+#if LABELS == 2
+  for (int i = 0; i < kGroup; ++i) group.x[i] = labelMaterial(ray.origin + middleOf(group, walk, i) * ray.direction).a;
+#else
   for (int i = 0; i <= kGroup; ++i) group.x[i] = tableAt(texAt(walk, timeIn(group, walk, i)));
 #endif
   return group;
 }
 
 /// False when the group holds no material. May err on the other side.
-bool mayShow(Group group, Walk walk, Ray ray) {
-#if LABELS == 2
-  bool shows = false;
-  for (int i = 0; i < kGroup; ++i) {
-    float middle = 0.5 * (timeIn(group, walk, i) + timeIn(group, walk, i + 1));
-    shows = shows || labelMaterial(ray.origin + middle * ray.direction).a > 0.35;
-  }
-  return shows;
-#else
+bool mayShow(Group group) {
   float low = group.x[0];
   float high = group.x[0];
-  for (int i = 1; i <= kGroup; ++i) {
+  for (int i = 1; i < kGroup; ++i) {
     low = min(low, group.x[i]);
     high = max(high, group.x[i]);
   }
+#if LABELS == 2
+  return high > kLeastCoverage;
+#else
+  low = min(low, group.x[kGroup]);
+  high = max(high, group.x[kGroup]);
   return high >= frame.shownFrom && low < frame.shownTo;
 #endif
 }
 
-float depthOf(Group group, int i, Walk walk, Ray ray) {
-  float t0 = timeIn(group, walk, i);
-  float t1 = timeIn(group, walk, i + 1);
+float depthOf(Group group, int i, Walk walk) {
+  float span = timeIn(group, walk, i + 1) - timeIn(group, walk, i);
 #if LABELS == 2
-  return labelExtinction(ray.origin + 0.5 * (t0 + t1) * ray.direction) * (t1 - t0);
+  return coverageExtinction(group.x[i]) * span;
 #else
-  return extinctionBetween(group.x[i], group.x[i + 1]) * (t1 - t0);
+  return extinctionBetween(group.x[i], group.x[i + 1]) * span;
 #endif
 }
 
@@ -164,19 +164,34 @@ struct Depths {
   uint marks;  // bit i: a segment begins with the i-th
 };
 
+/// True when all segments of a group are of one structure.
+bool isOfOneStructure(Group group, Walk walk, Ray ray) {
+  bool isOne = true;
+#if LABELS == 1
+  uint first = labelAt(ray.origin + middleOf(group, walk, 0) * ray.direction);
+  for (int i = 1; i < kGroup; ++i) isOne = isOne && labelAt(ray.origin + middleOf(group, walk, i) * ray.direction) == first;
+#endif
+  return isOne;
+}
+
 /// @param found  false: the group is only computed because its neighbours' are
-Depths depthsOf(Group group, Walk walk, Ray ray, bool found) {
+Depths depthsOf(Group group, Walk walk, Ray ray, bool found, bool sparedOnly) {
   Depths depths;
   depths.marks = 0u;
   for (int i = 0; i < kGroup; ++i) {
-    depths.of[i] = depthOf(group, i, walk, ray);
+    depths.of[i] = depthOf(group, i, walk);
     depths.marks |= found && depths.of[i] > 0.0 ? 1u << i : 0u;
   }
   depths.nearHalf = depths.of[0] + depths.of[1] + depths.of[2] + depths.of[3];
   depths.farHalf = depths.of[4] + depths.of[5] + depths.of[6] + depths.of[7];
-  depths.isThin = LABELS == 0 && depths.nearHalf + depths.farHalf < kThin;
-  depths.isNearThin = LABELS == 0 && depths.nearHalf < 2.0 * kThin;
-  depths.isFarThin = LABELS == 0 && depths.farHalf < 2.0 * kThin;
+  depths.isThin = depths.nearHalf + depths.farHalf < kThin;
+  depths.isNearThin = depths.nearHalf < 2.0 * kThin;
+  depths.isFarThin = depths.farHalf < 2.0 * kThin;
+  bool isJoined = LABELS == 0;
+  if (LABELS == 1 && found && !sparedOnly && (depths.isNearThin || depths.isFarThin)) isJoined = isOfOneStructure(group, walk, ray);
+  depths.isThin = isJoined && depths.isThin;
+  depths.isNearThin = isJoined && depths.isNearThin;
+  depths.isFarThin = isJoined && depths.isFarThin;
   uint marks = depths.marks;
   marks = depths.isNearThin && (marks & 15u) != 0u ? marks & ~15u | 1u : marks;
   marks = depths.isFarThin && (marks & 240u) != 0u ? marks & ~240u | 16u : marks;
@@ -224,14 +239,14 @@ void marchStretch(inout Hit hit, Ray ray, Walk walk, Span span) {
     float end;
     do {
       if (hasFlag(kFlagSkipEmpty)) t = leapEmpty(walk, t, b, groupLength, perGroup, span.sparedOnly);
-      group = groupAt(walk, walk.first + floor((t - walk.first) * perGroup + 1e-4) * groupLength, t, b);
-      found = mayShow(group, walk, ray);
+      group = groupAt(walk, ray, walk.first + floor((t - walk.first) * perGroup + 1e-4) * groupLength, t, b);
+      found = mayShow(group);
       end = max(timeIn(group, walk, kGroup), t + 1e-5 * walk.dt);
       t = found ? t : end;
     } while (!found && t < b);
     t = end;
     // Shade it.
-    Depths depths = depthsOf(group, walk, ray, found);
+    Depths depths = depthsOf(group, walk, ray, found, span.sparedOnly);
     uint marks = depths.marks;
     do {
       Segment segment = segmentAt(group, walk, depths, max(findLSB(marks), 0));

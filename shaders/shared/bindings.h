@@ -21,10 +21,10 @@ SHARED_CONST uint kGradientTableUnit = 9u;
 SHARED_CONST uint kGradientUnit = 10u;
 SHARED_CONST uint kSheetUnit = 11u;  // the rows of all sheets
 SHARED_CONST uint kSurfaceIdUnit = 12u;
+SHARED_CONST uint kStructureUnit = 13u;
 
 // Storage blocks of a frame.
 SHARED_CONST uint kCutBinding = 1u;
-SHARED_CONST uint kStructureBinding = 2u;
 SHARED_CONST uint kCellBinding = 3u;
 SHARED_CONST uint kMeshBinding = 5u;
 SHARED_CONST uint kSpareIndexBinding = 6u;

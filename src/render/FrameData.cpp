@@ -106,6 +106,7 @@ void FrameInputs::write(const FrameData& data) {
   mGradientFactors.write({0, 0, 0}, mGradientFactors.size(), data.table.gradientFactors.data());
   mCuts = bufferOf("cuts", data.cuts);
   mStructures = bufferOf("structures", data.structures);
+  mStructureTexels = gpu::Texture::makeOfBuffer("structures", gpu::Format::Rgba32f, mStructures);
   mSpareIndex = bufferOf("index of spares", data.spares.rowOf);
   mSpares = bufferOf("spares", data.spares.rows);
   writeParams(data, 0);
@@ -124,7 +125,7 @@ void FrameInputs::bind() const {
   mGradientFactors.bindSampler(shared::kGradientTableUnit);
   mNoise.bindSampler(shared::kNoiseUnit);
   mCuts.bindStorage(shared::kCutBinding);
-  mStructures.bindStorage(shared::kStructureBinding);
+  mStructureTexels.bindSampler(shared::kStructureUnit);
   mSpareIndex.bindStorage(shared::kSpareIndexBinding);
   mSpares.bindStorage(shared::kSpareBinding);
 }

@@ -77,7 +77,7 @@ class FrameInputs {
 
  private:
   gpu::UniformBuffer<shared::FrameParams> mParams;
-  gpu::Texture mTransfer, mExtinction, mGradientFactors, mNoise;
+  gpu::Texture mTransfer, mExtinction, mGradientFactors, mNoise, mStructureTexels;
   gpu::Buffer mCuts, mStructures, mSpareIndex, mSpares;
 };
 

@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <sys/resource.h>
 
 #include <algorithm>
 #include <chrono>
@@ -49,15 +48,6 @@ Image sideBySide(const std::vector<Image>& images) {
           *out++ =
               image.pixels[(std::size_t(y) * std::size_t(image.width) + std::size_t(x)) * image.channels.size() + c];
   return all;
-}
-
-/// Processor time that this process has used on all of its threads, ms. A software driver draws with nothing else, so
-/// unlike the time on the wall it stays the same on a machine that has other work too.
-double processorMs() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  auto ms = [](const timeval& t) { return 1e3 * double(t.tv_sec) + 1e-3 * double(t.tv_usec); };
-  return ms(usage.ru_utime) + ms(usage.ru_stime);
 }
 
 /// Times of frames, ms, by camera position.

@@ -32,6 +32,9 @@ class Report {
 
 /// The middle one. @param values  not empty
 double median(std::vector<double> values);
+/// Processor time that this process has used on all of its threads, ms. A software driver draws with nothing else, so
+/// unlike the time on the wall it stays the same on a machine that has other work too.
+double processorMs();
 /// Milliseconds with as many digits as they deserve.
 std::string formatMs(double ms);
 

@@ -94,6 +94,43 @@ TEST_F(LabelsGL, UnlabelledMaterialHasItsOwnFactor) {
   EXPECT_GT(colorOf(image, kLeft).a, 0.9f);
 }
 
+TEST_F(LabelsGL, OneStructureEverywhereChangesNothing) {
+  for (double opacity : {0.01, 0.08, 0.9})
+    for (bool shaded : {false, true}) {
+      scene::Scene scene = sceneOf(makeVolume(
+          kDims, SampleType::UInt8, [](glm::ivec3 p) { return 90 + 60 * std::sin(p.x * 0.4) * std::cos(p.z * 0.3); },
+          centredFrame(kDims)));
+      scene.volume.transfer.colors = {{40, {0.2f, 0.5f, 1}}, {150, {1, 0.8f, 0.3f}}};
+      scene.volume.transfer.opacities = {{60, 0}, {130, opacity}};
+      scene.lighting.shaded = shaded;
+      scene.lighting.shadow = scene.lighting.occlusion = 0;
+      Image without = draw(scene, kSize);
+      scene.labels.data = Shared<LabelVolume>(makeLabels(
+          kDims, [](glm::ivec3) { return 7; }, centredFrame(kDims)));
+      scene::completeStructures(scene.labels);
+      scene.labels.tint = 0;
+      EXPECT_GT(coverageOf(without), 0.1);
+      expectSame(draw(scene, kSize), without, 1.0, "opacity " + std::to_string(opacity));
+    }
+}
+
+TEST_F(LabelsGL, AThinStructureIsAsThickAsItIs) {
+  // Fog through which segments may be shaded together: a voxel of it counts wherever it lies among them.
+  for (double opacity : {0.01, 0.04})
+    for (int y = 8; y < 16; ++y) {
+      scene::Scene scene = halves();
+      scene.volume.transfer.opacities = {{0, opacity}, {255, opacity}};
+      scene.volume.transfer.unitDistance = 1;
+      scene.labels.data = Shared<LabelVolume>(makeLabels(
+          kDims, [y](glm::ivec3 p) { return p.y == y ? 7 : 0; }, centredFrame(kDims)));
+      scene.labels.structures.clear();
+      scene::completeStructures(scene.labels);
+      scene.labels.unlabelled = 0;
+      // Three segments of half a voxel have their middle in a voxel, or on its sides.
+      EXPECT_NEAR(colorOf(draw(scene, kSize), kLeft).a, opacity, 0.55 * opacity) << "voxel " << y;
+    }
+}
+
 TEST_F(LabelsGL, LabelsOnAnotherGridLieByWorldPosition) {
   Image own = draw(halves(), kSize, kAllLayers);
   const std::pair<glm::dmat4, glm::ivec3> kGrids[] = {

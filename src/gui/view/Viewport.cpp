@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "CoarseScale.h"
 #include "velum/core/Error.h"
 #include "velum/scene/Project.h"
 
@@ -13,13 +14,11 @@ namespace velum::gui {
 
 namespace {
 
-constexpr double kWorkMs = 8.0;           // a sixth of the 50 ms in which every view answers
-constexpr double kCoarseWorkMs = 28.0;    // a coarse picture in one piece: what waits is that picture
-constexpr int kRestMs = 140;              // a hand that pauses in a drag for less does not start a full picture
-constexpr double kCoarseTargetMs = 15.0;  // leaves room for tables, light and the window's composition under 50 ms
-constexpr double kLargestScale = 12.0;
-constexpr int kTellMs = 250;  // how often the status line is told: the window is composed anew for each word
-constexpr int kShowMs = 150;  // how often a growing picture is shown: showing costs a pass over it
+constexpr double kWorkMs = 8.0;         // a sixth of the 50 ms in which every view answers
+constexpr double kCoarseWorkMs = 28.0;  // a coarse picture in one piece: what waits is that picture
+constexpr int kRestMs = 140;            // a hand that pauses in a drag for less does not start a full picture
+constexpr int kTellMs = 250;            // how often the status line is told: the window is composed anew for each word
+constexpr int kShowMs = 150;            // how often a growing picture is shown: showing costs a pass over it
 
 }  // namespace
 
@@ -55,7 +54,7 @@ void Viewport::initializeGL() {
     });
     mRenderer = std::make_unique<render::Renderer>(*mContext);
     bool isSoftware = mContext->limits().isSoftware;
-    if (mCoarseScale == 0) mCoarseScale = isSoftware ? 6.0 : 1.5;
+    if (mCoarseScale == 0) mCoarseScale = isSoftware ? kFirstScaleSoftware : kFirstScaleHardware;
     startAnew();
   } catch (const Error& error) {
     mContext.reset();
@@ -230,11 +229,7 @@ bool Viewport::finishStage() {
 void Viewport::adaptCoarseScale() {
   const auto& passes = mRenderer->stats().passesMs;
   auto found = passes.find("RayCast");
-  if (mStage != Stage::Coarse || found == passes.end()) return;
-  double ms = found->second;
-  double wanted = mCoarseScale * std::sqrt(ms / kCoarseTargetMs);
-  if (ms > 1.2 * kCoarseTargetMs || ms < 0.6 * kCoarseTargetMs)
-    mCoarseScale = std::clamp(0.5 * (mCoarseScale + wanted), 1.0, kLargestScale);
+  if (mStage == Stage::Coarse && found != passes.end()) mCoarseScale = adaptedScale(mCoarseScale, found->second);
 }
 
 void Viewport::tellProgress() {

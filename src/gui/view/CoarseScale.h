@@ -1,0 +1,21 @@
+#pragma once
+#include <algorithm>
+#include <cmath>
+
+namespace velum::gui {
+
+/// How much coarser than the view its pictures are while something moves, along each side: at first,
+constexpr double kFirstScaleSoftware = 6.0, kFirstScaleHardware = 1.5;
+/// and at most.
+constexpr double kLargestScale = 12.0;
+/// What the rays of one may take: leaves room for tables, light and the window's composition under 50 ms.
+constexpr double kCoarseTargetMs = 15.0;
+
+/// The scale of the next one. @param rayCastMs  what the rays of the last one took
+inline double adaptedScale(double scale, double rayCastMs) {
+  if (rayCastMs <= 1.2 * kCoarseTargetMs && rayCastMs >= 0.6 * kCoarseTargetMs) return scale;
+  double wanted = scale * std::sqrt(rayCastMs / kCoarseTargetMs);
+  return std::clamp(0.5 * (scale + wanted), 1.0, kLargestScale);
+}
+
+}  // namespace velum::gui

@@ -6,6 +6,7 @@
 #include <bit>
 
 #include "Gl.h"
+#include "velum/core/Assert.h"
 #include "velum/gpu/GpuError.h"
 
 namespace velum::gpu {
@@ -78,6 +79,7 @@ void deleteTexture(unsigned id) {
 }
 
 Texture Texture::makeOfBuffer(std::string_view label, Format format, const Buffer& buffer) {
+  VELUM_ASSERT(buffer.bytes() % row(format).bytes == 0, "a buffer of texels holds whole ones");
   unsigned id = 0;
   gl().CreateTextures(GL_TEXTURE_BUFFER, 1, &id);
   gl().ObjectLabel(GL_TEXTURE, id, GLsizei(label.size()), label.data());
@@ -109,6 +111,8 @@ glm::ivec3 Texture::size(int level) const {
 
 void Texture::write(glm::ivec3 o, glm::ivec3 s, const void* texels, int level) {
   const auto& r = row(mFormat);
+  VELUM_ASSERT(glm::all(glm::greaterThanEqual(o, glm::ivec3(0))) && glm::all(glm::lessThanEqual(o + s, size(level))),
+               "what is written lies in the texture");
   if (mIs3d)
     gl().TextureSubImage3D(id(), level, o.x, o.y, o.z, s.x, s.y, s.z, r.format, r.type, texels);
   else
@@ -122,6 +126,8 @@ void Texture::read(void* texels, std::size_t bytes, int level) const {
 
 void Texture::read(glm::ivec3 o, glm::ivec3 s, void* texels, std::size_t bytes, int level) const {
   const auto& r = row(mFormat);
+  VELUM_ASSERT(glm::all(glm::greaterThanEqual(o, glm::ivec3(0))) && glm::all(glm::lessThanEqual(o + s, size(level))),
+               "what is read lies in the texture");
   gl().GetTextureSubImage(id(), level, o.x, o.y, o.z, s.x, s.y, s.z, r.format, r.type, GLsizei(bytes), texels);
 }
 

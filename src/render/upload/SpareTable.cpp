@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "velum/core/Assert.h"
+
 namespace velum::render {
 
 namespace {
@@ -13,6 +15,7 @@ shared::CutSpare toShared(const scene::Spare& spare) {
 }  // namespace
 
 shared::CutSpare SpareTable::of(std::uint32_t structure, std::size_t cut) const {
+  VELUM_ASSERT(cut < cuts, "rows have a place for each enabled cut, and for no other");
   std::uint32_t row = structure < rowOf.size() ? rowOf[structure] : 0;
   return row == 0 ? shared::CutSpare{0.0f, 0.0f} : rows[(row - 1) * cuts + cut];
 }

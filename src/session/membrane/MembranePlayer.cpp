@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "LiveSheet.h"
+#include "velum/core/Assert.h"
 #include "velum/session/membrane/Membranes.h"
 
 namespace velum::session {
@@ -47,6 +48,7 @@ void MembranePlayer::follow(const scene::Scene& scene) {
   auto old = std::exchange(mSheets, {});
   for (const auto& cut : scene.cuts) {
     if (!scene::isMembrane(cut)) continue;
+    VELUM_ASSERT(cut.id > 0, "a cut in a scene has an id (scene::addCut)");
     auto known =
         std::find_if(old.begin(), old.end(), [&](const auto& sheet) { return sheet && sheet->cut().id == cut.id; });
     if (known == old.end()) {

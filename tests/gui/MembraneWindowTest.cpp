@@ -21,11 +21,11 @@ class MembraneWindow : public Window {
     mWindow->openPaths({path("phantom.nrrd"), path("phantom_labels.seg.nrrd")});
     ASSERT_TRUE(waitForJob());
     ASSERT_TRUE(scene().labels.data);
-    document().view([](scene::Scene& scene) { scene.rayCast.samplesPerPixel = 1; });
+    drawSoon();
   }
   void addMembrane() {
     openPhantom();
-    document().view([](scene::Scene& scene) { scene.rayCast.samplesPerPixel = 1; });
+    drawSoon();
     mWindow->actions().find("cut.addMembrane")->trigger();
     ASSERT_EQ(scene().cuts.size(), 1u);
     ASSERT_TRUE(settle());

@@ -19,7 +19,7 @@ class SheetHandsWindow : public Window {
   void addMembrane(scene::Layout layout = scene::Layout::Volume) {
     openPhantom();
     mWindow->views().setLayout(layout);
-    document().view([](scene::Scene& scene) { scene.rayCast.samplesPerPixel = 1; });
+    drawSoon();
     mWindow->actions().find("cut.addMembrane")->trigger();
     ASSERT_EQ(scene().cuts.size(), 1u);
     ASSERT_TRUE(settle());

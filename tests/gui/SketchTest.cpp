@@ -25,7 +25,7 @@ class SketchWindow : public Window {
   const scene::ForceField& field() { return scene().cuts[0].membrane->field; }
   SectionView& axial() { return mWindow->views().section(scene::SectionKind::Axial); }
   void addMembrane() {
-    document().view([](scene::Scene& scene) { scene.rayCast.samplesPerPixel = 1; });
+    drawSoon();
     mWindow->actions().find("cut.addMembrane")->trigger();
     ASSERT_EQ(scene().cuts.size(), 1u);
     mWindow->views().setLayout(scene::Layout::FourUp);

@@ -32,7 +32,7 @@ class ToolWindow : public Window {
     Window::SetUp();
     mWindow->resize(1100, 860);
     openPhantom();
-    document().view([](scene::Scene& scene) { scene.rayCast.samplesPerPixel = 1; });
+    drawSoon();
     mWindow->actions().find("cut.addMembrane")->trigger();
     // What tools say takes room from the views: from the beginning, so that places stay where they are.
     mWindow->messages().showNote("Ready");

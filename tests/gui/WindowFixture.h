@@ -71,6 +71,13 @@ class Window : public testing::Test {
     ASSERT_TRUE(waitForJob());
     ASSERT_TRUE(scene().volume.data);
   }
+  /// Pictures that are complete soon: one sample, and no grid of light, which takes seconds for each place of a sheet.
+  void drawSoon() {
+    mWindow->document().view([](scene::Scene& scene) {
+      scene.rayCast.samplesPerPixel = 1;
+      scene.lighting.shadow = scene.lighting.occlusion = 0.0;
+    });
+  }
   void drag(QPoint from, QPoint to, Qt::MouseButton button = Qt::LeftButton, Qt::KeyboardModifiers keys = {}) {
     drag(viewport(), from, to, button, keys);
   }

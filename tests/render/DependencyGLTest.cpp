@@ -5,7 +5,8 @@
 namespace velum {
 namespace {
 
-constexpr glm::ivec3 kDims(26, 6, 22);
+/// Few cells of the light grid, which has as many along the longest axis whatever the size.
+constexpr glm::ivec3 kDims(26, 6, 10);
 constexpr glm::ivec2 kSize(44, 36);
 constexpr int kShares = 8;
 
@@ -17,7 +18,7 @@ class DependencyGL : public RenderTest, public testing::WithParamInterface<int> 
     scene::Scene scene = sceneOf(makeVolume(
         kDims, SampleType::Int16,
         [](glm::ivec3 p) {
-          double r = glm::length(glm::dvec3(p) - glm::dvec3(13, 3, 11));
+          double r = glm::length(glm::dvec3(p) - glm::dvec3(13, 3, 5));
           return 900.0 - 70 * r + 150 * hashNoise(p);
         },
         centredFrame(kDims)));
@@ -30,17 +31,17 @@ class DependencyGL : public RenderTest, public testing::WithParamInterface<int> 
     scene.rayCast.isoValue = 400;
     scene.labels.data = Shared<LabelVolume>(makeLabels(
         kDims, [](glm::ivec3 p) { return p.x > 15   ? 2
-                                         : p.z > 12 ? 3
+                                         : p.z > 5 ? 3
                                                     : 0; }, scene.volume.data->worldFromVoxel));
     scene::completeStructures(scene.labels);
     addCuts(scene);
     Mesh mesh;
-    mesh.positions = {{-12, 4, -12}, {12, 4, -12}, {0, 5, 12}};
+    mesh.positions = {{-12, 4, -6}, {12, 4, -6}, {0, 5, 6}};
     mesh.indices = {0, 1, 2};
     scene::Surface surface;
     surface.data = Shared<Mesh>(std::move(mesh));
     scene.surfaces = {surface};
-    lookAlong(scene, {0.3, -1, 0.25}, 70);
+    lookAlong(scene, {0.3, -1, 0.25}, 40);
     return scene;
   }
 
@@ -65,14 +66,14 @@ class DependencyGL : public RenderTest, public testing::WithParamInterface<int> 
     scene::Cut sphere;
     sphere.id = 1;
     sphere.shape = scene::CutShape::Sphere;
-    sphere.centre = {-8, -2, -6};
+    sphere.centre = {-8, -2, -3};
     sphere.size = {11, 11, 11};
     sphere.spares = {{3}};
     scene::Cut membrane;
     membrane.id = 2;
     membrane.shape = scene::CutShape::Membrane;
     membrane.axis = {0, -1, 0};
-    membrane.size = {20, 18, 6};
+    membrane.size = {20, 9, 6};
     membrane.membrane.emplace().look = scene::SheetLook::Grid;
     scene.cuts = {sphere, membrane};
   }

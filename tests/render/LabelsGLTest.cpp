@@ -127,7 +127,7 @@ TEST_F(LabelsGL, AThinStructureIsAsThickAsItIs) {
       scene::completeStructures(scene.labels);
       scene.labels.unlabelled = 0;
       // Three segments of half a voxel have their middle in a voxel, or on its sides.
-      EXPECT_NEAR(colorOf(draw(scene, kSize), kLeft).a, opacity, 0.55 * opacity) << "voxel " << y;
+      EXPECT_NEAR(colorOf(draw(scene, kSize), kLeft).a, opacity, 0.55 * opacity + 0.5 / 255.0) << "voxel " << y;
     }
 }
 

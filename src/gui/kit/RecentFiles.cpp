@@ -11,7 +11,7 @@
 #include <QSaveFile>
 #include <QVBoxLayout>
 
-#include "RecoveryBar.h"
+#include "SayTime.h"
 
 namespace velum::gui {
 

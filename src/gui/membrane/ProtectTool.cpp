@@ -37,7 +37,8 @@ void ProtectTool::click(const PointerEvent& event) {
     what = QString::fromStdString(session::structureName(scene, structure));
   else if (tissue)
     what = tr("values around %1").arg(tissue->value, 0, 'g', 4);
-  if (!what.isEmpty()) mMessages.showNote((mLetThrough ? tr("Let through: %1") : tr("Protected: %1")).arg(what));
+  if (what.isEmpty()) return mMessages.showNote(tr("Nothing stands out here; click well inside of what you mean"));
+  mMessages.showNote((mLetThrough ? tr("Let through: %1") : tr("Protected: %1")).arg(what));
   if (!(event.keys & Qt::ShiftModifier)) mToolbox.stop(*this);
 }
 

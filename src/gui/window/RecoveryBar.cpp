@@ -1,20 +1,11 @@
 #include "RecoveryBar.h"
 
-#include <QDateTime>
 #include <QHBoxLayout>
-#include <QLocale>
 #include <QVBoxLayout>
 
-namespace velum::gui {
+#include "kit/SayTime.h"
 
-QString sayTime(std::chrono::system_clock::time_point when) {
-  QDateTime time = QDateTime::fromSecsSinceEpoch(std::chrono::system_clock::to_time_t(when));
-  QString clock = QLocale().toString(time.time(), QLocale().timeFormat(QLocale::ShortFormat).remove(":ss"));
-  qint64 days = time.date().daysTo(QDate::currentDate());
-  if (days == 0) return RecoveryBar::tr("today %1").arg(clock);
-  if (days == 1) return RecoveryBar::tr("yesterday %1").arg(clock);
-  return RecoveryBar::tr("%1, %2").arg(QLocale().toString(time.date(), QLocale::LongFormat), clock);
-}
+namespace velum::gui {
 
 RecoveryBar::RecoveryBar(QWidget* parent) : QFrame(parent), mTitle(new QLabel(this)), mText(new QLabel(this)) {
   setObjectName("recoveryBar");

@@ -39,7 +39,4 @@ class RecoveryBar : public QFrame {
   QPushButton* mLater = nullptr;
 };
 
-/// "today 14:32", "yesterday 9:05", else the date.
-QString sayTime(std::chrono::system_clock::time_point when);
-
 }  // namespace velum::gui

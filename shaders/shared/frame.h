@@ -5,14 +5,14 @@
 #include "shared/types.h"
 SHARED_BEGIN
 
-SHARED_CONST int kTransferSize = 4096;     // table positions 0 .. kTransferSize - 1; the sums have one entry more
-SHARED_CONST int kTileGroup = 8;           // threads along x and y of a ray-cast group
+SHARED_CONST int kTransferSize = 4096;  // table positions 0 .. kTransferSize - 1; the sums have one entry more
+SHARED_CONST int kTileGroup = 8;        // threads along x and y of a ray-cast group
 SHARED_CONST float kFar = 1e30f;
 
 // What the Gbuffer holds of what is seen in a pixel, besides its colour: vec4 of its normal (scene frame, unit) and its
 // distance along the ray; uvec2 of ids: the structure (a label; 0: none) and the instance + 1 (0: nothing is seen).
 SHARED_CONST uint kDataInstance = 0u;          // the volume, its labels and what cuts show of them
-SHARED_CONST uint kFirstSurfaceInstance = 1u;  // scene.surfaces in their order
+SHARED_CONST uint kFirstSurfaceInstance = 1u;  // scene.surfaces in their order; then whatever else is drawn
 
 // Bits of FrameParams.flags.
 SHARED_CONST uint kFlagOrthographic = 1u;
@@ -20,23 +20,23 @@ SHARED_CONST uint kFlagShaded = 2u;
 SHARED_CONST uint kFlagSkipEmpty = 4u;
 SHARED_CONST uint kFlagStopOpaque = 8u;
 SHARED_CONST uint kFlagGradientOpacity = 16u;
-SHARED_CONST uint kFlagSpares = 32u;       // some cut spares some structure
+SHARED_CONST uint kFlagSpares = 32u;  // some cut spares some structure
 SHARED_CONST uint kFlagJitter = 64u;
 SHARED_CONST uint kFlagCuts = 128u;
-SHARED_CONST uint kFlagLightGrid = 256u;   // shadows or occlusion
-SHARED_CONST uint kFlagMembranes = 512u;   // some cut is a membrane
-SHARED_CONST uint kFlagInlays = 1024u;     // some membrane is an inlay with what lies next to it
-SHARED_CONST uint kFlagSheets = 2048u;     // some sheet is shown
-SHARED_CONST uint kFlagHideFront = 4096u;  // of a scene with inlays, for pictures of its parts: what lies before them
-SHARED_CONST uint kFlagHideInlay = 8192u;  // their images
-SHARED_CONST uint kFlagHideBehind = 16384u; // and what lies behind the first one
-SHARED_CONST uint kFlagSpareDepths = 32768u; // some spare ends at a depth
-SHARED_CONST uint kFlagWalks = 65536u;       // some cut goes along rays by cutWalk()
+SHARED_CONST uint kFlagLightGrid = 256u;     // shadows or occlusion
+SHARED_CONST uint kFlagMembranes = 512u;     // some cut is a membrane
+SHARED_CONST uint kFlagInlays = 1024u;       // some membrane is an inlay with what lies next to it
+SHARED_CONST uint kFlagSheets = 2048u;       // some sheet is shown
+SHARED_CONST uint kFlagHideFront = 4096u;    // of a scene with inlays, for pictures of its parts: what lies before them
+SHARED_CONST uint kFlagHideInlay = 8192u;    // their images
+SHARED_CONST uint kFlagHideBehind = 16384u;  // and what lies behind the first one
+SHARED_CONST uint kFlagSpareDepths = 32768u;  // some spare ends at a depth
+SHARED_CONST uint kFlagWalks = 65536u;        // some cut goes along rays by cutWalk()
 SHARED_CONST uint kFlagLast = kFlagWalks;
 
-/// Scene-local frame: world minus an origin near the scene, so that floats are enough anywhere. Lengths are in scene units.
-/// "Table" positions 0..1 run over the transfer table's domain of data values. Members lie in groups of 16 bytes: a mat4's
-/// columns, a vec4 (a vector: its w means nothing), two vec2 or four scalars.
+/// Scene-local frame: world minus an origin near the scene, so that floats are enough anywhere. Lengths are in scene
+/// units. "Table" positions 0..1 run over the transfer table's domain of data values. Members lie in groups of 16
+/// bytes: a mat4's columns, a vec4 (a vector: its w means nothing), two vec2 or four scalars.
 struct FrameParams {
   mat4 texFromScene;    ///< volume texture coordinates 0..1
   mat4 sceneFromTex;    ///< the way back
@@ -50,20 +50,21 @@ struct FrameParams {
   vec4 cellGrid;        ///< cells x, y, z
   vec4 cellsPerTex;     ///< cells in a unit of texture coordinates
   vec4 lightGrid;       ///< cells x, y, z of the light grid
-  vec4 normalX;         ///< rows of the matrix from differences of texels over two voxels to data value per length, scene frame
+  vec4
+      normalX;  ///< rows of the matrix from differences of texels over two voxels to data value per length, scene frame
   vec4 normalY;
   vec4 normalZ;
-  vec4 keyLight;        ///< unit, towards the key light, scene frame
-  vec4 pictureUp;       ///< unit
-  vec2 pictureSize;     ///< of the whole picture, pixels
-  vec2 subpixel;        ///< place of the sample, from the middle of its pixel
+  vec4 keyLight;     ///< unit, towards the key light, scene frame
+  vec4 pictureUp;    ///< unit
+  vec2 pictureSize;  ///< of the whole picture, pixels
+  vec2 subpixel;     ///< place of the sample, from the middle of its pixel
 
-  float step;           ///< length of ray between two samples
-  float opaqueAlpha;    ///< a ray ends where it is as opaque as this
-  float isoValue;       ///< table position
-  float noise;          ///< of this sample of the picture, 0..1; is added to each pixel's own
-  float voxelsPerLength;     ///< reciprocal of the smallest spacing
-  float tablePerTexel;       ///< table position = texel * tablePerTexel + tableOffset
+  float step;             ///< length of ray between two samples
+  float opaqueAlpha;      ///< a ray ends where it is as opaque as this
+  float isoValue;         ///< table position
+  float noise;            ///< of this sample of the picture, 0..1; is added to each pixel's own
+  float voxelsPerLength;  ///< reciprocal of the smallest spacing
+  float tablePerTexel;    ///< table position = texel * tablePerTexel + tableOffset
   float tableOffset;
   float tablePerValue;       ///< per unit of data values
   float extinctionUnit;      ///< extinction, 1/length, of one unit of the running sums
@@ -73,19 +74,19 @@ struct FrameParams {
   float gradientTableScale;  ///< reciprocal of the largest gradient in its table, data values per length
   float greyScale;           ///< grey 0..1 = table position * greyScale + greyOffset
   float greyOffset;
-  float labelTint;           ///< 0..1, how much of a structure's colour its material takes
-  float unlabelledOpacity;   ///< factor of what no structure owns
+  float labelTint;          ///< 0..1, how much of a structure's colour its material takes
+  float unlabelledOpacity;  ///< factor of what no structure owns
   float ambient;
   float diffuse;
   float specular;
   float shininess;
-  float shadowStrength;      ///< 0..1
-  float occlusionStrength;   ///< 0..1
-  float lightCell;           ///< edge of a cell of the light grid
+  float shadowStrength;     ///< 0..1
+  float occlusionStrength;  ///< 0..1
+  float lightCell;          ///< edge of a cell of the light grid
   int cutCount;
-  int structureCount;        ///< rows of structures
-  int sampleIndex;           ///< which sample of the picture, from 0
-  uint flags;                ///< kFlag*
+  int structureCount;  ///< rows of structures
+  int sampleIndex;     ///< which sample of the picture, from 0
+  uint flags;          ///< kFlag*
 };
 
 /// One structure: index by label id.

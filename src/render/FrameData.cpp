@@ -1,5 +1,6 @@
 #include "FrameData.h"
 
+#include <algorithm>
 #include <span>
 
 #include "upload/BlueNoise.h"
@@ -19,6 +20,18 @@ VolumeKey volumeKeyOf(const scene::VolumeLayer& layer) {
   }
   for (const auto& look : layer.channels) key.mixed.push_back(look.visible ? look.transfer : scene::TransferFunction{});
   return key;
+}
+
+bool isDrawn(const scene::Surface& surface) { return surface.visible && surface.data; }
+
+Opaque opaqueOf(const scene::Scene& scene) {
+  if (std::any_of(scene.surfaces.begin(), scene.surfaces.end(), isDrawn)) return Opaque::Anywhere;
+  if (!scene.showBounds) return Opaque::None;
+  // Outlines of cuts stand where the cuts do; planes are outlined on the box.
+  bool hasShapes = std::any_of(scene.cuts.begin(), scene.cuts.end(), [](const scene::Cut& cut) {
+    return cut.enabled && cut.shape != scene::CutShape::Plane;
+  });
+  return hasShapes ? Opaque::Anywhere : Opaque::InBox;
 }
 
 Frame withSizes(const Frame& frame) {

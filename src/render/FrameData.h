@@ -33,6 +33,12 @@ struct LabelKey {
   bool operator==(const LabelKey&) const = default;
 };
 
+/// What is drawn besides the data for rays to stop at, and how far it reaches. Whatever draws more of it is asked for
+/// in opaqueOf().
+enum class Opaque { None, InBox, Anywhere };
+Opaque opaqueOf(const scene::Scene& scene);
+bool isDrawn(const scene::Surface& surface);
+
 /// All that the passes of one frame are told. Made of the frame before it is drawn, then only read; what is on the GPU
 /// of it is the passes' and FrameInputs'.
 struct FrameData {

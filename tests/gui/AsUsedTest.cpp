@@ -63,11 +63,7 @@ class AsUsed : public testing::Test {
     if (QString guide = qEnvironmentVariable("VELUM_GUIDE"); !guide.isEmpty() && guideName)
       mWindow->grab().save(guide + "/" + guideName + ".jpg", "jpg", 82);
   }
-  void showTab(const char* name) {
-    auto* tabs = child<QTabWidget>("sideTabs");
-    for (int i = 0; i < tabs->count(); ++i)
-      if (tabs->tabText(i) == name) tabs->setCurrentIndex(i);
-  }
+  void showTab(const char* name) { ASSERT_TRUE(mWindow->tabs().showPage(name)) << name; }
   void drag(QWidget& widget, QPoint from, QPoint to, Qt::MouseButton button = Qt::LeftButton) {
     QTest::mousePress(&widget, button, {}, from);
     for (int i = 1; i <= 5; ++i) QTest::mouseMove(&widget, from + (to - from) * i / 5);

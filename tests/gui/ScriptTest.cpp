@@ -67,8 +67,9 @@ TEST_F(ScriptTest, ErrorsNameTheLineAndTheKind) {
         Row{"open", "a path is missing", 1}, Row{"set camera", "a field and a value", 1},
         Row{"set camera.eye 4", "eye", 1}, Row{"set camera.fieldOfViewDeg 900", "outside", 1},
         Row{"do sing.loud", "sing.loud", 1}, Row{"do cut.addPlane", "cannot be done now", 2},
-        Row{"undo", "nothing to undo", 2}, Row{"wait long", "whole number", 1}, Row{"wait -5", "whole number", 1},
-        Row{"recover", "no unsaved work", 2}, Row{"screenshot /nowhere/a.png", "/nowhere/a.png", 2},
+        Row{"undo", "nothing to undo", 2}, Row{"page of gold", "no page", 1}, Row{"wait long", "whole number", 1},
+        Row{"wait -5", "whole number", 1}, Row{"recover", "no unsaved work", 2},
+        Row{"screenshot /nowhere/a.png", "/nowhere/a.png", 2},
         Row{open + "save /nowhere/a.json", "test:2: /nowhere/a.json", 2}}) {
     QString said = run(row.text);
     EXPECT_TRUE(said.contains(row.part)) << row.text.toStdString() << " gives " << said.toStdString();

@@ -156,6 +156,21 @@ TEST_F(DepthGL, ASurfaceAloneIsSeen) {
   }
 }
 
+TEST_F(DepthGL, OutlinesOfCutsAreDrawnBeyondTheVolumesBox) {
+  scene::Scene scene = ballsAndSquare();
+  scene.surfaces.clear();
+  scene.camera.height = 120;
+  scene::Cut ball;
+  ball.shape = scene::CutShape::Sphere;
+  ball.size = glm::dvec3(100);
+  scene::addCut(scene, ball);
+  scene.showBounds = true;
+  Image image = draw(scene, kSize);
+  float brightest = 0;
+  for (int x = 0; x < 16; ++x) brightest = std::max(brightest, colorOf(image, {x, 48}).a);
+  EXPECT_GT(brightest, 0.5f) << "40 of 48 pixels from the middle, where the box ends at 19";
+}
+
 TEST_F(DepthGL, AMeshOutsideTheVolumesBoxIsDrawn) {
   scene::Scene scene = ballsAndSquare();
   for (float y : {-60.0f, 60.0f}) {

@@ -37,4 +37,13 @@ void SideTabs::showPage(const QWidget* panel) {
     if (widget(i)->isAncestorOf(panel)) setCurrentIndex(i);
 }
 
+bool SideTabs::showPage(const QString& title) {
+  for (int i = 0; i < count(); ++i)
+    if (tabText(i).compare(title, Qt::CaseInsensitive) == 0) {
+      setCurrentIndex(i);
+      return true;
+    }
+  return false;
+}
+
 }  // namespace velum::gui

@@ -12,6 +12,8 @@ class SideTabs : public QTabWidget {
   void addPage(QWidget* panel, const QString& title, const QString& tip);
   /// Brings the page of a panel to the front.
   void showPage(const QWidget* panel);
+  /// The same by its title, whatever the case; false when there is none.
+  bool showPage(const QString& title);
 };
 
 }  // namespace velum::gui

@@ -7,7 +7,7 @@ namespace velum::gui {
 /// How much coarser than the view its pictures are while something moves, along each side: at first,
 constexpr double kFirstScaleSoftware = 6.0, kFirstScaleHardware = 1.5;
 /// and at most.
-constexpr double kLargestScale = 12.0;
+constexpr double kLargestScale = 14.0;
 /// What the rays of one may take: leaves room for tables, light and the window's composition under 50 ms.
 constexpr double kCoarseTargetMs = 15.0;
 

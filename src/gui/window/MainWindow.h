@@ -45,6 +45,7 @@ class MainWindow : public QMainWindow {
   ViewGrid& views() { return *mViews; }
   Viewport& viewport() { return mViews->viewport(); }
   MessageBar& messages() { return *mFrame.messages; }
+  SideTabs& tabs() { return *mFrame.tabs; }
   ActionTable& actions() { return mActions; }
   Selection& selection() { return mSelection; }
   Toolbox& toolbox() { return mToolbox; }

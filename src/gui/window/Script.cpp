@@ -120,6 +120,9 @@ void Script::run(const QString& command, const QString& rest) {
     waitFor([this, ms] { return mWaited.elapsed() >= ms; }, kLongestWaitMs + 1000, {});
   } else if (command == "settle") {
     waitFor([this] { return mWindow.isSettled(); }, kMostMs, tr("the picture"));
+  } else if (command == "page") {
+    if (!mWindow.tabs().showPage(rest))
+      throw ArgumentError(fmt::format("'{}' is no page of the side panel", rest.toStdString()));
   } else if (command == "size") {
     mWindow.resize(wholeNumber(rest.section(' ', 0, 0), 200, 16384, tr("a width")),
                    wholeNumber(rest.section(' ', 1), 200, 16384, tr("a height")));
@@ -127,8 +130,8 @@ void Script::run(const QString& command, const QString& rest) {
     mWindow.leave(0);
   } else {
     throw ArgumentError(fmt::format(
-        "'{}' is no command; there are open, add, recover, set, do, undo, redo, wait, settle, size, save, screenshot, "
-        "quit",
+        "'{}' is no command; there are open, add, recover, set, do, undo, redo, wait, settle, page, size, save, "
+        "screenshot, quit",
         command.toStdString()));
   }
 }

@@ -1,5 +1,6 @@
 #include "velum/io/volumes/Formats.h"
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 
@@ -34,11 +35,13 @@ bool isTiff(const FileHead& h) {
          holds(h, 0, std::string_view("II+\0", 4)) || holds(h, 0, std::string_view("MM\0+", 4));
 }
 bool isVdb(const FileHead& h) { return holds(h, 0, " BDV"); }
+bool isOtherThanDicom(const FileHead& head);
+
 /// With its preamble, or, as some old files, starting with an element of group 2 or 8. The sizes at the start of other
 /// binary headers may look like such an element.
 bool isDicom(const FileHead& head) {
   if (holds(head, 128, "DICM")) return true;
-  if (isNifti(head) || isMrc(head) || isTiff(head)) return false;
+  if (isOtherThanDicom(head)) return false;
   if (head.bytes.size() < 16) return false;
   auto b = [&](std::size_t i) { return static_cast<unsigned char>(head.bytes[i]); };
   bool isElement = (b(0) == 2 || b(0) == 8) && b(1) == 0 && b(2) <= 0x70 && b(3) == 0;
@@ -47,7 +50,7 @@ bool isDicom(const FileHead& head) {
   return isElement && (isExplicit || isShortImplicit);
 }
 
-// The order is that of trial. A new format is one row.
+// First all contents are tried, in this order, then all extensions. A new format is one row.
 constexpr FormatRow kTable[] = {
     {{"DICOM", ".dcm .ima .dicom DICOMDIR", true, false}, isDicom, readDicom, nullptr},
     {{"NIfTI", ".nii .nii.gz .hdr .hdr.gz .img .img.gz", true, true}, isNifti, readNifti, writeNifti},
@@ -62,6 +65,11 @@ constexpr FormatRow kTable[] = {
     {{"InVesalius project", ".inv3", true, false}, nullptr, readInvesalius, nullptr},
     {{"Raw", ".raw .bin .img .den", true, false}, nullptr, readRaw, nullptr},
 };
+
+bool isOtherThanDicom(const FileHead& head) {
+  return std::any_of(std::begin(kTable), std::end(kTable),
+                     [&](const FormatRow& row) { return row.matches && row.matches != isDicom && row.matches(head); });
+}
 
 constexpr auto kFormats = [] {
   std::array<Format, std::size(kTable)> formats{};

@@ -10,7 +10,8 @@ namespace velum::render {
 namespace {
 
 constexpr int kLayers = 4;                                // of cells a step
-constexpr int kSoftwareCells = 96, kHardwareCells = 160;  // along the longest edge
+constexpr int kSoftwareCells = 96, kHardwareCells = 160;  // at most, along the longest edge
+constexpr double kFinestCell = 0.5;                       // voxel: what is finer shows nothing that is there
 
 bool hasLight(const scene::Lighting& lighting) {
   return lighting.shaded && (lighting.shadow > 0 || lighting.occlusion > 0);
@@ -68,7 +69,9 @@ void LightPass::resize(const FrameData& data) {
   glm::dmat3 axes(data.grid.worldFromTex);
   glm::dvec3 edges(glm::length(axes[0]), glm::length(axes[1]), glm::length(axes[2]));
   int longest = data.isSoftware ? kSoftwareCells : kHardwareCells;
-  mCell = std::max(edges.x, std::max(edges.y, edges.z)) / longest;
+  glm::dvec3 voxel = edges / glm::dvec3(data.grid.dims);
+  mCell = std::max(std::max(edges.x, std::max(edges.y, edges.z)) / longest,
+                   kFinestCell * std::min(voxel.x, std::min(voxel.y, voxel.z)));
   glm::ivec3 size = glm::clamp(glm::ivec3(edges / mCell + 0.5), glm::ivec3(1), glm::ivec3(longest));
   if (size == mSize) return;
   mSize = size;

@@ -14,7 +14,7 @@ namespace velum::render {
 
 /// The light grid: how much key light reaches each place and how open its surroundings are, computed once for a scene
 /// and a direction of the light, then looked up once a shaded sample. Cuts and hidden structures count as not there.
-/// Cost: grid cells (at most ~96^3 in software), not voxels or pixels; some layers at a time.
+/// Cost: grid cells (at most 96^3 in software, none under half a voxel), not voxels or pixels; some layers at a time.
 ///
 /// Previews keep the light where it stood in the world when the grid was made; without a grid of their material they
 /// have none.

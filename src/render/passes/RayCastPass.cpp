@@ -73,8 +73,8 @@ void RayCastPass::took(double ms) { mPace.took(ms); }
 
 void RayCastPass::addSteps(const FrameData& data, int sample, WorkQueue& queue) {
   // Where neither the volume's box nor a surface can be, rays have nothing to do.
-  glm::ivec4 covered = data.frame.scene.surfaces.empty() ? coveredRect(data.params, data.frame)
-                                                         : glm::ivec4(0, 0, data.frame.windowSize);
+  bool isInBox = opaqueOf(data.frame.scene) != Opaque::Anywhere;
+  glm::ivec4 covered = isInBox ? coveredRect(data.params, data.frame) : glm::ivec4(0, 0, data.frame.windowSize);
   queue.addUntilDone(
       *this, [this, &data, sample, covered] { return castNext(data, sample, covered); },
       [this, covered] { return covered.w > 0 ? double(mNext.y) / covered.w : 1.0; });

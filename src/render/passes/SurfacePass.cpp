@@ -9,15 +9,7 @@
 
 namespace velum::render {
 
-namespace {
-
-bool isDrawn(const scene::Surface& surface) { return surface.visible && surface.data; }
-
-bool hasAny(const scene::Scene& scene) {
-  return scene.showBounds || std::any_of(scene.surfaces.begin(), scene.surfaces.end(), isDrawn);
-}
-
-}  // namespace
+namespace {}  // namespace
 
 void SurfacePass::prepare(FrameData& data) {
   bool hasMembranes = (data.params.flags & shared::kFlagMembranes) != 0;
@@ -26,7 +18,7 @@ void SurfacePass::prepare(FrameData& data) {
     program->second = gpu::Program({"render/surface.vert", "render/surface.frag"},
                                    hasMembranes ? gpu::Defines{{"MEMBRANES", "1"}} : gpu::Defines{});
   mProgram = &program->second;
-  resize(hasAny(data.frame.scene) ? data.frame.windowSize : glm::ivec2(1));
+  resize(opaqueOf(data.frame.scene) != Opaque::None ? data.frame.windowSize : glm::ivec2(1));
 }
 
 void SurfacePass::resize(glm::ivec2 size) {
@@ -56,7 +48,7 @@ const gpu::Buffer& SurfacePass::meshBuffer(const Shared<Mesh>& mesh, const Frame
 
 void SurfacePass::addSteps(const FrameData& data, int, WorkQueue& queue) {
   queue.add(*this, [this, &data] {
-    bool isDrawn = hasAny(data.frame.scene);
+    bool isDrawn = opaqueOf(data.frame.scene) != Opaque::None;
     if (isDrawn || !mIsBlank) mTarget.clear(glm::vec4(0.0f), 1.0f);
     if (isDrawn) draw(data);
     mIsBlank = !isDrawn;

@@ -22,6 +22,9 @@ class SurfacePass : public Pass {
   void prepare(FrameData& data) override;
   void addSteps(const FrameData& data, int sample, WorkQueue& queue) override;
   void bind(const FrameData& data) const override;
+  /// For passes that draw more of what rays stop at, after this one's steps, which clear it: the outputs of
+  /// surface.frag.
+  const gpu::Framebuffer& target() const { return mTarget; }
 
  private:
   struct Vertex {

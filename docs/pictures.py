@@ -81,15 +81,15 @@ def membrane(folder):
     """Above a plane, a membrane in the same place, the same as inlay; below the like for a beating heart."""
     def protect(low, high):
         return f'membrane.field.byValue=[{{"value":{low},"strength":100}},{{"value":{high},"strength":100}}]'
-    def three(data, *frame):
-        return [[*data, *cut(0, f"shape={shape}", *frame, *use)] for shape, use in
-                (("plane", ["face=section"]), ("membrane", []), ("membrane", ["membrane.use=inlay"]))]
+    def three(data, protected, *frame):
+        return [[*data, *cut(0, f"shape={shape}", *frame, *own)] for shape, own in
+                (("plane", ["face=section"]), ("membrane", [protected]), ("membrane", [protected, "membrane.use=inlay"]))]
     trunk = [*phantom(folder, "torso"), "--view", "anterior", *near(21), "--preset", "ct-bone"]
     heart = [*phantom(folder, "heart"), "--view", "anterior", *near(24), "--preset", "ct-muscle",
              *sets("volume.windowLevel=120", "volume.windowWidth=700")]
     return [
-        *three(trunk, "axis=0,-1,0", "centre=0,-40,0", "size=384,384,120", protect(200, 2000)),
-        *three(heart, "axis=0,-1,0", "centre=5,-30,-10", "size=166,166,80", protect(200, 600)),
+        *three(trunk, protect(200, 2000), "axis=0,-1,0", "centre=0,-40,0", "size=384,384,120"),
+        *three(heart, protect(200, 600), "axis=0,-1,0", "centre=5,-30,-10", "size=166,166,80"),
     ]
 
 

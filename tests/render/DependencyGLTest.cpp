@@ -121,7 +121,7 @@ TEST_P(DependencyGL, EditedLabelsDrawAsInAFreshRenderer) {
   scene::Scene scene = richScene();
   if (GetParam() >= 4) scene.volume.data = {};
   LabelVolume labels = *scene.labels.data;
-  glm::ivec3 low(4, 0, 3), size(9, 4, 13);
+  glm::ivec3 low(4, 0, 2), size(9, 4, 6);
   labels.write(low, size, std::vector<std::uint16_t>(std::size_t(size.x * size.y * size.z), id));
   if (id == 77) labels.table.push_back({id, "new", defaultLabelColor(id), 1.0f});
   scene::Scene edited = scene;

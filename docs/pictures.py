@@ -104,6 +104,8 @@ def situations(folder):
         fields["rayCast.samplesPerPixel"] = SAMPLES
         words = [folder / f"{case['sample']}.nrrd", "--preset", case["preset"], "--view", view or case["view"]]
         shape = fields.pop("cuts.0.shape")
+        if shape == "plane":  # which has nothing of a membrane's own
+            fields = {path: v for path, v in fields.items() if not path.startswith("cuts.0.membrane.")}
         return [*words, *sets(f"cuts.+.shape={shape}", *(f"{path}={json.dumps(v) if not isinstance(v, str) else v}"
                                                         for path, v in fields.items()))]
 

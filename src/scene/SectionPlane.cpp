@@ -225,4 +225,19 @@ void resetSections(Scene& scene) {
   placeSections(scene);
 }
 
+std::optional<glm::dvec2> stretchIn(glm::dvec2 point, glm::dvec2 along, glm::dvec2 low, glm::dvec2 high) {
+  double from = -1e30, to = 1e30;
+  for (int i = 0; i < 2; ++i) {
+    if (std::abs(along[i]) < 1e-12) {
+      if (point[i] < low[i] || point[i] > high[i]) return std::nullopt;
+      continue;
+    }
+    double a = (low[i] - point[i]) / along[i], b = (high[i] - point[i]) / along[i];
+    from = std::max(from, std::min(a, b));
+    to = std::min(to, std::max(a, b));
+  }
+  if (from >= to) return std::nullopt;
+  return glm::dvec2(from, to);
+}
+
 }  // namespace velum::scene

@@ -141,9 +141,7 @@ void main() {
   auto millisecondsSince = [](auto start) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   };
-  auto drawSlowly = [&] {
-    draw(program, Primitive::Triangles, {.vertices = 3, .instances = 4}, {.depthTest = false});
-  };
+  auto drawSlowly = [&] { draw(program, Primitive::Triangles, {.vertices = 3, .instances = 4}, {.depthTest = false}); };
   // Some drivers wait for whatever is drawn where a copy or a fence stands behind it.
   Buffer other("other", buffer.bytes());
   auto first = std::chrono::steady_clock::now();

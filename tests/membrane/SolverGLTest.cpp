@@ -170,7 +170,8 @@ TEST_F(SolverGL, TheStrongestForcesWithTheLongestStepStayBounded) {
 TEST_F(SolverGL, IsEquallyStiffAtEveryResolution) {
   for (bool along : {true, false}) {
     float heights[3];
-    int sizes[] = {25, 51, 101};
+    // The finest takes long: once, by the rule that membranes have by themselves.
+    int sizes[] = {25, 51, along ? 201 : 101};
     for (int i = 0; i < 3; ++i) {
       Solver solver;
       solver.setSheet(sheetOf(sizes[i], along));

@@ -30,9 +30,9 @@ class DependencyGL : public RenderTest, public testing::WithParamInterface<int> 
     scene.volume.transfer.gradientOpacities = {{0, 0.5}, {200, 1}};
     scene.rayCast.isoValue = 400;
     scene.labels.data = Shared<LabelVolume>(makeLabels(
-        kDims, [](glm::ivec3 p) { return p.x > 15   ? 2
+        kDims, [](glm::ivec3 p) { return p.x > 15  ? 2
                                          : p.z > 5 ? 3
-                                                    : 0; }, scene.volume.data->worldFromVoxel));
+                                                   : 0; }, scene.volume.data->worldFromVoxel));
     scene::completeStructures(scene.labels);
     addCuts(scene);
     Mesh mesh;

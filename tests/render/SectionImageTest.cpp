@@ -235,18 +235,24 @@ TEST_F(SectionLabels, OutlinesAreOnePixelWide) {
   EXPECT_EQ(strong[2], strong[1] + 1);
 }
 
+constexpr scene::CutShape kShapes[] = {scene::CutShape::Plane, scene::CutShape::Box, scene::CutShape::Sphere,
+                                       scene::CutShape::Cylinder, scene::CutShape::Cone};
+
+scene::Cut slanted(scene::CutShape shape, bool invert) {
+  scene::Cut cut;
+  cut.shape = shape;
+  cut.invert = invert;
+  cut.axis = {0.5, -0.3, 0.6};
+  cut.centre = {2, 1, -3};
+  cut.size = {22, 16, 25};
+  return cut;
+}
+
 TEST_F(SectionLabels, CutsDimWhatTheyRemoveAsTheirFunctionSays) {
   mScene.sections.labelOpacity = 0;
-  for (auto shape : {scene::CutShape::Plane, scene::CutShape::Box, scene::CutShape::Sphere, scene::CutShape::Cylinder,
-                     scene::CutShape::Cone})
+  for (auto shape : kShapes)
     for (bool invert : {false, true}) {
-      scene::Cut cut;
-      cut.shape = shape;
-      cut.invert = invert;
-      cut.axis = {0.5, -0.3, 0.6};
-      cut.centre = {2, 1, -3};
-      cut.size = {22, 16, 25};
-      mScene.cuts = {cut};
+      mScene.cuts = {slanted(shape, invert)};
       SectionImage image = drawSection(mScene, mFrame);
       auto data = makeCutData(mScene, {0, 0, 0}, {});
       int dim = 0, kept = 0;
@@ -268,18 +274,11 @@ TEST_F(SectionLabels, CutsDimWhatTheyRemoveAsTheirFunctionSays) {
 
 TEST(SectionCuts, WalksMarkARowAsIntervalsDo) {
   int crossed = 0, off = 0;
-  for (auto shape : {scene::CutShape::Plane, scene::CutShape::Box, scene::CutShape::Sphere, scene::CutShape::Cylinder,
-                     scene::CutShape::Cone})
+  for (auto shape : kShapes)
     for (bool invert : {false, true})
       for (int y = -40; y < 40; ++y) {
         scene::Scene scene;
-        scene::Cut cut;
-        cut.shape = shape;
-        cut.invert = invert;
-        cut.axis = {0.5, -0.3, 0.6};
-        cut.centre = {2, 1, -3};
-        cut.size = {22, 16, 25};
-        scene.cuts = {cut};
+        scene.cuts = {slanted(shape, invert)};
         auto data = makeCutData(scene, {0, 0, 0}, {});
         SectionCuts::Row row{{-40, 0.7f * float(y), 3}, glm::normalize(glm::vec3(1, 0.1f, 0.2f)), 90, 0.9};
         std::vector<char> byInterval(90), byWalk(90);

@@ -60,4 +60,8 @@ void resetSections(Scene& scene);
 /// Length of the smallest voxel edge.
 double sectionStep(const Scene& scene);
 
+/// The part of a line that lies in the rectangle from `low` to `high`, as multiples of `along` from `point` on; nothing
+/// when it misses.
+std::optional<glm::dvec2> stretchIn(glm::dvec2 point, glm::dvec2 along, glm::dvec2 low, glm::dvec2 high);
+
 }  // namespace velum::scene

@@ -12,18 +12,9 @@ glm::dvec2 onScreen(const scene::SectionPlane& plane, glm::dvec3 direction) {
 }
 
 std::optional<std::pair<glm::dvec2, glm::dvec2>> clipLine(glm::dvec2 p, glm::dvec2 d, glm::dvec2 low, glm::dvec2 high) {
-  double t0 = -1e30, t1 = 1e30;
-  for (int i = 0; i < 2; ++i) {
-    if (std::abs(d[i]) < 1e-12) {
-      if (p[i] < low[i] || p[i] > high[i]) return std::nullopt;
-      continue;
-    }
-    double a = (low[i] - p[i]) / d[i], b = (high[i] - p[i]) / d[i];
-    t0 = std::max(t0, std::min(a, b));
-    t1 = std::min(t1, std::max(a, b));
-  }
-  if (t0 >= t1) return std::nullopt;
-  return std::pair(p + d * t0, p + d * t1);
+  auto stretch = scene::stretchIn(p, d, low, high);
+  if (!stretch) return std::nullopt;
+  return std::pair(p + d * stretch->x, p + d * stretch->y);
 }
 
 std::optional<PlaneLine> planeLine(const scene::SectionPlane& plane, const scene::Cut& cut) {

@@ -6,7 +6,7 @@
 #include "velum/scene/Cut.h"
 #include "velum/scene/SectionPlane.h"
 
-/// Lines in the plane of a section. Pixels of its rest plane.
+/// Lines in the plane of a section. In its pixels.
 namespace velum::session {
 
 /// A plane's line on a section, pixels.

@@ -12,22 +12,6 @@ constexpr double kKnobInset = 46.0, kLeastArm = 34.0;
 /// Pixels for e times the width; for one width of level.
 constexpr double kWidthPixels = 220.0, kLevelPixels = 300.0;
 
-/// The stretch of a line through a point that lies in a rectangle, as distances along it; nothing when it misses.
-std::optional<glm::dvec2> stretchIn(glm::dvec2 point, glm::dvec2 along, glm::dvec2 low, glm::dvec2 high) {
-  double from = -1e12, to = 1e12;
-  for (int i = 0; i < 2; ++i) {
-    if (std::abs(along[i]) < 1e-12) {
-      if (point[i] < low[i] || point[i] > high[i]) return std::nullopt;
-      continue;
-    }
-    double a = (low[i] - point[i]) / along[i], b = (high[i] - point[i]) / along[i];
-    from = std::max(from, std::min(a, b));
-    to = std::min(to, std::max(a, b));
-  }
-  if (from >= to) return std::nullopt;
-  return glm::dvec2(from, to);
-}
-
 }  // namespace
 
 std::vector<CrosshairLine> crosshairLines(const scene::Scene& scene, scene::SectionKind kind,
@@ -41,13 +25,13 @@ std::vector<CrosshairLine> crosshairLines(const scene::Scene& scene, scene::Sect
     glm::dvec2 along(glm::dot(direction, plane.right), -glm::dot(direction, plane.up));
     if (glm::length(along) < 1e-6) continue;
     along = glm::normalize(along);
-    auto whole = stretchIn(cross, along, glm::dvec2(0.0), plane.size);
+    auto whole = scene::stretchIn(cross, along, glm::dvec2(0.0), plane.size);
     if (!whole) continue;
     CrosshairLine line;
     line.other = other;
     line.from = cross + along * whole->x;
     line.to = cross + along * whole->y;
-    auto inner = stretchIn(cross, along, glm::dvec2(kKnobInset), plane.size - kKnobInset);
+    auto inner = scene::stretchIn(cross, along, glm::dvec2(kKnobInset), plane.size - kKnobInset);
     if (inner && inner->x < -kLeastArm && inner->y > kLeastArm) {
       line.hasKnobs = true;
       line.knobs[0] = cross + along * inner->x;

@@ -1,0 +1,237 @@
+// Inlays in pictures: what is before, on and behind them, and their image.
+#include "MembranesFixture.h"
+
+namespace velum {
+namespace {
+
+/// A soft block in which an inlay with a folded and a waving sheet hangs.
+class InlaysGL : public MembranesGL {
+ protected:
+  static scene::Scene sectionScene(double opacity = 0.5) {
+    scene::Scene scene = softScene();
+    scene.lighting.shadow = scene.lighting.occlusion = 0;
+    scene.volume.windowLevel = 300;
+    scene.volume.windowWidth = 700;
+    scene.cuts = {membraneOf(wavySheet(kParticles, kFrame), {0, -1, 0})};
+    scene.cuts[0].membrane->use = scene::MembraneUse::Inlay;
+    scene.cuts[0].membrane->inlayOpacity = opacity;
+    return scene;
+  }
+  static scene::Membrane& membrane(scene::Scene& scene) { return *scene.cuts[0].membrane; }
+  /// Pixels whose position lies before, on and behind the inlay.
+  struct Sides {
+    int front = 0, on = 0, behind = 0;
+  };
+  Sides sidesOf(const scene::Scene& scene) {
+    Image image = draw(scene, kSize, kAllLayers);
+    glm::dmat4 local = glm::inverse(scene::worldFromCut(scene.cuts[0]));
+    Sides sides;
+    for (int y = 0; y < kSize.y; ++y)
+      for (int x = 0; x < kSize.x; ++x) {
+        if (sampleOf(image, {x, y}, "A") < 0.02f) continue;
+        double z = (local * glm::dvec4(vectorOf(image, {x, y}, "position"), 1.0)).z;
+        ++(z > 0.1 ? sides.front : z < -0.1 ? sides.behind : sides.on);
+      }
+    return sides;
+  }
+};
+
+TEST_F(InlaysGL, EmphasisAtItsEndsShowsOneSideOnly) {
+  scene::Scene scene = sectionScene(0.0);
+  Sides both = sidesOf(scene);
+  EXPECT_GT(both.front, 100);
+  EXPECT_GT(both.behind, 100);
+  membrane(scene).emphasis = -1;
+  Sides behind = sidesOf(scene);
+  EXPECT_EQ(behind.front, 0);
+  EXPECT_GT(behind.behind, both.behind);
+  membrane(scene).emphasis = 1;
+  Sides front = sidesOf(scene);
+  EXPECT_EQ(front.behind, 0);
+  EXPECT_GT(front.front, 100);
+  // Turned round, the other side is in front.
+  scene.cuts[0].invert = true;
+  EXPECT_EQ(sidesOf(scene).front, 0);
+}
+
+TEST_F(InlaysGL, NothingIsKeptButBetweenSheetAndInlay) {
+  scene::Scene scene = sectionScene(0.0);
+  Cuts cuts(scene);
+  Image image = draw(scene, kSize, kAllLayers);
+  int shown = 0;
+  for (int y = 0; y < kSize.y; ++y)
+    for (int x = 0; x < kSize.x; ++x) {
+      if (sampleOf(image, {x, y}, "A") < 0.02f) continue;
+      ++shown;
+      EXPECT_GE(shared::cutDistance(cuts.data[0], vectorOf(image, {x, y}, "position"), cuts.sheets.view()), -0.02f);
+    }
+  EXPECT_GT(shown, 300);
+}
+
+TEST_F(InlaysGL, AnOpaqueInlayHidesWhatIsBehindIt) {
+  scene::Scene scene = sectionScene(1.0);
+  EXPECT_EQ(sidesOf(scene).behind, 0);
+  Image with = draw(scene);
+  membrane(scene).emphasis = 1;  // what is behind is not even there
+  // Where the sheet touches the section, rounding tells which side a sample is on.
+  EXPECT_LT(differenceOf(draw(scene), with).mean, 0.01);
+  // From behind, the side in front is hidden.
+  membrane(scene).emphasis = 0;
+  lookAlong(scene, {0.1, 1, 0.2}, 100);
+  EXPECT_EQ(sidesOf(scene).front, 0);
+}
+
+TEST_F(InlaysGL, TheImageHasTheGreyOfItsVoxels) {
+  // Values that change along x and z only, so that the section's depth does not matter.
+  Volume v = makeVolume(
+      kDims, SampleType::Int16, [](glm::ivec3 p) { return -200.0 + 20 * p.x + 10 * p.z; }, centredFrame(kDims));
+  glm::dmat4 voxelFromWorld = glm::inverse(v.worldFromVoxel);
+  scene::Scene scene = sceneOf(std::move(v));
+  scene.volume.transfer.opacities = {{-200, 0}, {2000, 0}};
+  scene.volume.windowLevel = 350;
+  scene.volume.windowWidth = 700;
+  scene.cuts = {membraneOf(domeSheet(kParticles, kFrame), {0, -1, 0})};
+  scene.cuts[0].membrane->use = scene::MembraneUse::Inlay;
+  glm::dmat4 local = glm::inverse(scene::worldFromCut(scene.cuts[0]));
+  for (double opacity : {1.0, 0.5}) {
+    scene.cuts[0].membrane->inlayOpacity = opacity;
+    Image image = draw(scene, kSize, kAllLayers);
+    int checked = 0;
+    for (int y = 0; y < kSize.y; ++y)
+      for (int x = 0; x < kSize.x; ++x) {
+        if (sampleOf(image, {x, y}, "A") == 0.0f) continue;
+        glm::dvec3 p(vectorOf(image, {x, y}, "position")), q(local * glm::dvec4(p, 1.0));
+        EXPECT_NEAR(q.z, 0, 1e-3);
+        EXPECT_LE(std::abs(q.x), 17.01);
+        EXPECT_LE(std::abs(q.y), 19.01);
+        glm::dvec3 voxel(voxelFromWorld * glm::dvec4(p, 1.0)), last = glm::dvec3(kDims) - 1.0;
+        if (glm::any(glm::lessThan(voxel, glm::dvec3(0.0))) || glm::any(glm::greaterThan(voxel, last))) continue;
+        ++checked;
+        double grey = glm::clamp((-200.0 + 20 * voxel.x + 10 * voxel.z) / 700.0, 0.0, 1.0);
+        EXPECT_NEAR(sampleOf(image, {x, y}, "R") * 255, grey * 255, 1.5 / opacity) << x << ", " << y;
+        EXPECT_NEAR(sampleOf(image, {x, y}, "A"), opacity, 1.01 / 255);
+      }
+    EXPECT_GT(checked, 800);
+  }
+}
+
+TEST_F(InlaysGL, AShorterFallOffNeverShowsMore) {
+  scene::Scene scene = sectionScene(0.0);
+  scene.lighting.shaded = false;
+  Image before;
+  for (double falloff : {2.0, 4.0, 7.0, 11.0, 40.0}) {
+    membrane(scene).falloff = falloff;
+    Image image = draw(scene, kSize);
+    double more = 0;
+    for (int y = 0; y < kSize.y && before.width > 0; ++y)
+      for (int x = 0; x < kSize.x; ++x) {
+        double change = sampleOf(image, {x, y}, "A") - sampleOf(before, {x, y}, "A");
+        EXPECT_GE(change, -1.5 / 255) << falloff << " mm at " << x << ", " << y;
+        more += change;
+      }
+    EXPECT_TRUE(before.width == 0 || more > 1.0) << falloff;
+    before = image;
+  }
+  membrane(scene).falloff = 11;
+  Image reach = draw(scene, kSize);
+  membrane(scene).falloff = 0;
+  expectSame(draw(scene, kSize), reach, 0.0, "0 is the reach");
+}
+
+TEST_F(InlaysGL, SeveralAddUpAndOtherCutsTakeTheirImages) {
+  scene::Scene one = sectionScene(0.9);
+  lookAlong(one, {0.5, -1, 0.9}, 100);
+  scene::Scene two = one, other = one;
+  other.cuts[0].axis = {0, 0, 1};
+  other.cuts[0].membrane->shape = domeSheet(kParticles, kFrame);
+  scene::addCut(two, other.cuts[0]);
+  double a = coverageOf(draw(one)), b = coverageOf(draw(other)), both = coverageOf(draw(two));
+  EXPECT_GT(both, std::max(a, b) + 0.01);
+  EXPECT_LE(both, a + b);
+  scene::Scene cut = one;
+  scene::Cut half;
+  half.axis = {1, 0, 0};
+  half.centre = cut.cuts[0].centre;
+  cut.cuts.push_back(half);
+  Image image = draw(cut, kSize, kAllLayers);
+  int shown = 0;
+  for (int y = 0; y < kSize.y; ++y)
+    for (int x = 0; x < kSize.x; ++x) {
+      if (sampleOf(image, {x, y}, "A") < 0.02f) continue;
+      ++shown;
+      EXPECT_LE(vectorOf(image, {x, y}, "position").x, half.centre.x + 0.1);
+    }
+  EXPECT_GT(shown, 200);
+}
+
+TEST_F(InlaysGL, AMaximumStandsOutOfTheInlayAndAnOpaqueInlayEndsIt) {
+  scene::Scene scene = sectionScene(1.0);
+  scene.rayCast.mode = scene::RenderMode::Mip;
+  Image both = draw(scene, kSize);
+  membrane(scene).emphasis = 1;
+  expectSame(draw(scene, kSize), both, 1.0, "nothing behind an opaque section");
+  membrane(scene).emphasis = -1;
+  Image section = draw(scene, kSize);
+  double brighter = 0;
+  for (int y = 0; y < kSize.y; ++y)
+    for (int x = 0; x < kSize.x; ++x) {
+      double change = sampleOf(both, {x, y}, "R") - sampleOf(section, {x, y}, "R");
+      EXPECT_GE(change, -1.5 / 255);
+      brighter += change;
+    }
+  EXPECT_GT(brighter, 10.0);
+}
+
+TEST_F(MembranesGL, ASheetIsShownWhereItIsAndCanBePicked) {
+  for (auto look : {scene::SheetLook::Surface, scene::SheetLook::Grid}) {
+    scene::Scene scene = softScene();
+    scene.volume.transfer.opacities = {{0, 0}, {1000, 0}};
+    scene.cuts = {membraneOf(foldedSheet({40, 40}, kFrame))};
+    EXPECT_EQ(coverageOf(draw(scene, kSize)), 0.0);
+    scene.cuts[0].membrane->look = look;
+    Cuts cuts(scene);
+    Image image = draw(scene, kSize, kAllLayers);
+    int shown = 0;
+    for (int y = 0; y < kSize.y; ++y)
+      for (int x = 0; x < kSize.x; ++x) {
+        if (sampleOf(image, {x, y}, "A") < 0.02f) continue;
+        ++shown;
+        glm::vec3 p = vectorOf(image, {x, y}, "position");
+        EXPECT_LT(std::abs(shared::cutDistance(cuts.data[0], p, cuts.sheets.view())), 0.02f) << x << ", " << y;
+        render::Pick pick = renderer().pick({x, y});
+        EXPECT_TRUE(pick.hit);
+        EXPECT_LT(glm::length(glm::vec3(pick.world) - p), 1e-3f);
+      }
+    EXPECT_GT(shown, 500) << int(look);
+  }
+}
+
+TEST_F(MembranesGL, SurfacesAreCutToo) {
+  scene::Scene scene = softScene();
+  scene.volume.visible = false;
+  scene::Surface surface;
+  Mesh mesh;
+  for (int i = 0; i < 20; ++i)
+    for (int k = 0; k < 20; ++k)
+      for (glm::vec2 c :
+           {glm::vec2(0, 0), glm::vec2(1, 0), glm::vec2(1, 1), glm::vec2(0, 0), glm::vec2(1, 1), glm::vec2(0, 1)})
+        mesh.positions.emplace_back(0.3f, 2 * (i + c.x) - 20, 2 * (k + c.y) - 20);
+  for (std::uint32_t i = 0; i < mesh.positions.size(); ++i) mesh.indices.push_back(i);
+  surface.data = Shared<Mesh>(std::move(mesh));
+  scene.surfaces = {surface};
+  lookAlong(scene, {1, 0, 0}, 100);
+  scene.cuts = {membraneOf(wavySheet(kParticles, kFrame))};
+  Cuts cuts(scene);
+  Image image = draw(scene, kSize, kAllLayers);
+  int shown = 0;
+  for (int y = 0; y < kSize.y; ++y)
+    for (int x = 0; x < kSize.x; ++x) {
+      if (sampleOf(image, {x, y}, "A") < 0.5f) continue;
+      ++shown;
+      EXPECT_GE(shared::cutDistance(cuts.data[0], vectorOf(image, {x, y}, "position"), cuts.sheets.view()), -0.02f);
+    }
+  EXPECT_GT(shown, 200);
+}
+
+}  // namespace
+}  // namespace velum

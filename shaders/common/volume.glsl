@@ -1,19 +1,27 @@
 // Samples of the volume and of its labels.
 #include "common/frame.glsl"
 
+// PACKED: see common/packed.glsl.
+#if PACKED != 0
+layout(binding = kVolumeUnit) uniform usamplerBuffer volumeTexture;
+#include "common/packed.glsl"
+#else
 layout(binding = kVolumeUnit) uniform sampler3D volumeTexture;
+#endif
 #if GRADIENTS
 layout(binding = kGradientUnit) uniform sampler3D gradientTexture;  // xyz: direction, w: root of the magnitude
 #endif
 layout(binding = kLabelUnit) uniform usampler3D labelTexture;
 // Running sums of the transfer table in fixed point: differences of unsigned sums are exact, however long the sum.
-layout(binding = kTransferUnit) uniform usampler2D transferTexture;  // rgb: colour*sigma, a: sigma
-layout(binding = kExtinctionUnit) uniform usampler2D extinctionTexture;  // sigma alone, for the search
+layout(binding = kTransferUnit) uniform usamplerBuffer transferTexture;  // rgb: colour*sigma, a: sigma
+layout(binding = kExtinctionUnit) uniform usamplerBuffer extinctionTexture;  // sigma alone: r up to the entry, g to the next
 layout(binding = kGradientTableUnit) uniform sampler2D gradientTable;  // factor by gradient magnitude
 // By structure: StructureRow. A software driver fetches texels of eight rays at once, rows of a block ray by ray.
 layout(binding = kStructureUnit) uniform samplerBuffer structureTexture;
 
-#if COLOR
+#if PACKED != 0
+float texelAt(vec3 tex) { return packedAt(volumeTexture, frame.volumeSize.xyz, tex); }
+#elif COLOR
 /// COLOR 1: the colours of the data. COLOR 2: of mixed channels, which are kept multiplied by alpha.
 vec3 volumeColorAt(vec3 tex) {
   vec4 texel = textureLod(volumeTexture, tex, 0.0);
@@ -39,21 +47,30 @@ vec4 structureRow(uint label) {
   return label < uint(frame.structureCount) ? texelFetch(structureTexture, int(label)) : vec4(0.6, 0.6, 0.6, 1.0);
 }
 
-/// The table entries that the values between two table positions touch, at least one apart.
-ivec2 entriesBetween(float a, float b) { return ivec2(int(min(a, b)), int(max(a, b)) + 1); }
+/// A value as one end of a stretch of the transfer table.
+struct TableEnd {
+  int entry;
+  uvec2 sums;  // of extinction, up to the entry and to the next
+};
+
+TableEnd tableEndAt(float x) {
+  int entry = int(x);
+  return TableEnd(entry, texelFetch(extinctionTexture, entry).rg);
+}
 
 /// Mean extinction, 1/length, of the material between two table positions: the value is taken to run evenly from one to the
 /// other, so a thin peak of the transfer function is never stepped over (pre-integration by running sums).
-float extinctionBetween(float a, float b) {
-  ivec2 e = entriesBetween(a, b);
-  uint sum = texelFetch(extinctionTexture, ivec2(e.y, 0), 0).r - texelFetch(extinctionTexture, ivec2(e.x, 0), 0).r;
-  return float(sum) * frame.extinctionUnit / float(e.y - e.x);
+float extinctionBetween(TableEnd a, TableEnd b) {
+  uint sum = a.entry > b.entry ? a.sums.y - b.sums.x : b.sums.y - a.sums.x;
+  return float(sum) * frame.extinctionUnit / float(abs(b.entry - a.entry) + 1);
 }
 
-/// Its mean colour, weighted by extinction.
+/// The same of a single value.
+float extinctionAt(float x) { return extinctionBetween(tableEndAt(x), tableEndAt(x)); }
+
+/// Mean colour between two table positions, weighted by extinction.
 vec3 colorBetween(float a, float b) {
-  ivec2 e = entriesBetween(a, b);
-  uvec4 sum = texelFetch(transferTexture, ivec2(e.y, 0), 0) - texelFetch(transferTexture, ivec2(e.x, 0), 0);
+  uvec4 sum = texelFetch(transferTexture, int(max(a, b)) + 1) - texelFetch(transferTexture, int(min(a, b)));
   return vec3(sum.rgb) / max(float(sum.a), 1.0);
 }
 

@@ -42,8 +42,7 @@ Place placeAt(vec3 tex) {
 #if MODE == 2
   place.extinction = tableAt(tex) >= frame.isoValue * float(kTransferSize - 1) ? 4.0 * frame.voxelsPerLength : 0.0;
 #else
-  float x = tableAt(tex);
-  place.extinction = extinctionBetween(x, x) * factor;
+  place.extinction = extinctionAt(tableAt(tex)) * factor;
 #endif
 #endif
   place.extinction = shownExtinction(place.extinction, place.point, place.structure);

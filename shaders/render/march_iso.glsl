@@ -22,7 +22,7 @@ void addSurface(inout Hit hit, Ray ray, Walk walk, float t, Face face, bool spar
   vec3 normal = len > 0.0 ? -gradient / len : -ray.direction;
   if (dot(normal, ray.direction) > 0.0) normal = -normal;
   if (isOnFace(face)) normal = faceNormalAt(face, p, ray.direction);
-  vec3 albedo = extinctionBetween(iso, iso) > 0.0 ? colorBetween(iso, iso) : vec3(0.9, 0.85, 0.78);
+  vec3 albedo = extinctionAt(iso) > 0.0 ? colorBetween(iso, iso) : vec3(0.9, 0.85, 0.78);
 #if COLOR
   albedo = volumeColorAt(tex);
 #endif

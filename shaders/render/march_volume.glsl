@@ -127,15 +127,6 @@ bool mayShow(Group group) {
 #endif
 }
 
-float depthOf(Group group, int i, Walk walk) {
-  float span = timeIn(group, walk, i + 1) - timeIn(group, walk, i);
-#if LABELS == 2
-  return coverageExtinction(group.x[i]) * span;
-#else
-  return extinctionBetween(group.x[i], group.x[i + 1]) * span;
-#endif
-}
-
 /// One of eight by selections: what is indexed by a variable would have to lie in memory.
 float oneOf(float v0, float v1, float v2, float v3, float v4, float v5, float v6, float v7, int i) {
   bool odd = (i & 1) != 0;
@@ -178,8 +169,18 @@ bool isOfOneStructure(Group group, Walk walk, Ray ray) {
 Depths depthsOf(Group group, Walk walk, Ray ray, bool found, bool sparedOnly) {
   Depths depths;
   depths.marks = 0u;
+#if LABELS != 2
+  TableEnd before = tableEndAt(group.x[0]);
+#endif
   for (int i = 0; i < kGroup; ++i) {
-    depths.of[i] = depthOf(group, i, walk);
+    float span = timeIn(group, walk, i + 1) - timeIn(group, walk, i);
+#if LABELS == 2
+    depths.of[i] = coverageExtinction(group.x[i]) * span;
+#else
+    TableEnd after = tableEndAt(group.x[i + 1]);
+    depths.of[i] = extinctionBetween(before, after) * span;
+    before = after;
+#endif
     depths.marks |= found && depths.of[i] > 0.0 ? 1u << i : 0u;
   }
   depths.nearHalf = depths.of[0] + depths.of[1] + depths.of[2] + depths.of[3];

@@ -88,6 +88,7 @@ DataVariant dataVariantOf(const FrameData& data) {
   if (const GpuVolume* volume = data.volume) {
     variant.mode = data.frame.scene.rayCast.mode;
     variant.texels = volume->isMixed ? TexelKind::Mixed : volume->isColor ? TexelKind::Color : TexelKind::Value;
+    variant.packing = volume->packing;
   }
   variant.labels = data.labelUse;
   variant.hasMembranes = (data.params.flags & shared::kFlagMembranes) != 0;
@@ -104,18 +105,25 @@ gpu::Buffer bufferOf(const char* label, const std::vector<T>& values) {
   return gpu::Buffer(label, values.empty() ? std::span<const T>(&none, 1) : std::span<const T>(values));
 }
 
+/// Each but the last with its next: one fetch for both.
+std::vector<glm::uvec2> pairsOf(const std::vector<std::uint32_t>& values) {
+  std::vector<glm::uvec2> pairs;
+  for (std::size_t i = 0; i + 1 < values.size(); ++i) pairs.emplace_back(values[i], values[i + 1]);
+  return pairs;
+}
+
 }  // namespace
 
 void FrameInputs::write(const FrameData& data) {
   if (!mNoise) {
-    mTransfer = gpu::Texture::make2d("transfer table", gpu::Format::Rgba32ui, {shared::kTransferSize + 1, 1});
-    mExtinction = gpu::Texture::make2d("extinction table", gpu::Format::R32ui, {shared::kTransferSize + 1, 1});
     mGradientFactors = gpu::Texture::make2d("gradient factors", gpu::Format::R32f, {shared::kTransferSize, 1});
     mNoise = gpu::Texture::make2d("blue noise", gpu::Format::R32f, {kBlueNoiseSize, kBlueNoiseSize});
     mNoise.write({0, 0, 0}, mNoise.size(), makeBlueNoise().data());
   }
-  mTransfer.write({0, 0, 0}, mTransfer.size(), data.table.sums.data());
-  mExtinction.write({0, 0, 0}, mExtinction.size(), data.table.extinctionSums.data());
+  mTransfer = bufferOf("transfer table", data.table.sums);
+  mTransferTexels = gpu::Texture::makeOfBuffer("transfer table", gpu::Format::Rgba32ui, mTransfer);
+  mExtinction = bufferOf("extinction table", pairsOf(data.table.extinctionSums));
+  mExtinctionTexels = gpu::Texture::makeOfBuffer("extinction table", gpu::Format::Rg32ui, mExtinction);
   mGradientFactors.write({0, 0, 0}, mGradientFactors.size(), data.table.gradientFactors.data());
   mCuts = bufferOf("cuts", data.cuts);
   mStructures = bufferOf("structures", data.structures);
@@ -133,8 +141,8 @@ void FrameInputs::writeParams(const FrameData& data, int sample) {
 
 void FrameInputs::bind() const {
   mParams.bind(shared::kFrameBinding);
-  mTransfer.bindSampler(shared::kTransferUnit);
-  mExtinction.bindSampler(shared::kExtinctionUnit);
+  mTransferTexels.bindSampler(shared::kTransferUnit);
+  mExtinctionTexels.bindSampler(shared::kExtinctionUnit);
   mGradientFactors.bindSampler(shared::kGradientTableUnit);
   mNoise.bindSampler(shared::kNoiseUnit);
   mCuts.bindStorage(shared::kCutBinding);

@@ -83,8 +83,8 @@ class FrameInputs {
 
  private:
   gpu::UniformBuffer<shared::FrameParams> mParams;
-  gpu::Texture mTransfer, mExtinction, mGradientFactors, mNoise, mStructureTexels;
-  gpu::Buffer mCuts, mStructures, mSpareIndex, mSpares;
+  gpu::Buffer mTransfer, mExtinction, mCuts, mStructures, mSpareIndex, mSpares;
+  gpu::Texture mGradientFactors, mNoise, mTransferTexels, mExtinctionTexels, mStructureTexels;
 };
 
 }  // namespace velum::render

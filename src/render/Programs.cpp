@@ -30,6 +30,9 @@ std::vector<std::uint32_t> flagSets() {
   return sets;
 }
 
+/// True of what only drivers ask for whose programs are compiled for their frame's flags.
+bool isOfSoftware(const DataVariant& variant) { return variant.packing != Packing::None; }
+
 }  // namespace
 
 std::vector<gpu::ProgramSource> allPrograms() {
@@ -40,12 +43,12 @@ std::vector<gpu::ProgramSource> allPrograms() {
   std::vector<std::uint32_t> sets = flagSets();
   std::size_t next = 0;
   for (DataVariant variant : allLightVariants()) {
-    all.push_back({{"render/light_extinction.comp"}, definesOf(variant)});
+    if (!isOfSoftware(variant)) all.push_back({{"render/light_extinction.comp"}, definesOf(variant)});
     variant.flags = lightFlagsOf(sets[next++ % sets.size()]);
     all.push_back({{"render/light_extinction.comp"}, definesOf(variant)});
   }
   for (RayVariant variant : allRayVariants()) {
-    all.push_back({{"render/ray_cast.comp"}, definesOf(variant)});
+    if (!isOfSoftware(variant.data)) all.push_back({{"render/ray_cast.comp"}, definesOf(variant)});
     variant.data.flags = sets[next++ % sets.size()];
     all.push_back({{"render/ray_cast.comp"}, definesOf(variant)});
   }

@@ -17,6 +17,7 @@ TEST_F(ContextGL, SaysWhatTheDriverOffers) {
   EXPECT_FALSE(limits.version.empty());
   EXPECT_GE(limits.texture3d, 2048);  // what OpenGL 4.5 promises
   EXPECT_GE(limits.texture2d, 16384);
+  EXPECT_GE(limits.textureBuffer, 65536u);
   EXPECT_GT(limits.memoryBytes, std::size_t(64) << 20);
 }
 

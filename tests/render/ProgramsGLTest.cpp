@@ -40,7 +40,7 @@ TEST(Programs, VariantsDifferInTheWordsThatTheyAreCompiledWith) {
   std::set<gpu::Defines> words;
   for (const auto& variant : rays) words.insert(render::definesOf(variant));
   EXPECT_EQ(words.size(), rays.size());
-  for (const char* word : {"MODE", "LABELS", "COLOR"}) {
+  for (const char* word : {"MODE", "LABELS", "COLOR", "PACKED"}) {
     std::set<std::string> values;
     for (const auto& defines : words)
       for (const auto& [name, value] : defines)

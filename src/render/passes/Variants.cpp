@@ -16,8 +16,10 @@ bool usesGradients(const DataVariant& variant) {
 
 gpu::Defines definesOf(const DataVariant& variant) {
   auto number = [](auto value) { return std::to_string(static_cast<int>(value)); };
-  gpu::Defines defines{
-      {"MODE", number(variant.mode)}, {"LABELS", number(variant.labels)}, {"COLOR", number(variant.texels)}};
+  gpu::Defines defines{{"MODE", number(variant.mode)},
+                       {"LABELS", number(variant.labels)},
+                       {"COLOR", number(variant.texels)},
+                       {"PACKED", number(variant.packing)}};
   if (variant.hasMembranes) defines.push_back({"MEMBRANES", "1"});
   if (variant.flags) defines.push_back({"FLAGS", fmt::format("{}u", *variant.flags)});
   return defines;
@@ -33,11 +35,14 @@ std::vector<DataVariant> allLightVariants() {
   std::vector<DataVariant> all;
   for (bool hasMembranes : {false, true}) {
     for (auto mode : {scene::RenderMode::Volume, scene::RenderMode::Mip, scene::RenderMode::Iso})
-      for (LabelUse labels : {LabelUse::None, LabelUse::OverVolume})
+      for (LabelUse labels : {LabelUse::None, LabelUse::OverVolume}) {
         for (TexelKind texels : {TexelKind::Value, TexelKind::Color, TexelKind::Mixed})
-          all.push_back({mode, labels, texels, hasMembranes, {}});
+          all.push_back({mode, labels, texels, Packing::None, hasMembranes, {}});
+        for (Packing packing : {Packing::Bytes, Packing::Shorts})
+          all.push_back({mode, labels, TexelKind::Value, packing, hasMembranes, {}});
+      }
     // Labels alone have no values: there is one mode.
-    all.push_back({scene::RenderMode::Volume, LabelUse::Alone, TexelKind::Value, hasMembranes, {}});
+    all.push_back({scene::RenderMode::Volume, LabelUse::Alone, TexelKind::Value, Packing::None, hasMembranes, {}});
   }
   return all;
 }
@@ -45,7 +50,8 @@ std::vector<DataVariant> allLightVariants() {
 std::vector<RayVariant> allRayVariants() {
   std::vector<RayVariant> all;
   for (const DataVariant& data : allLightVariants()) {
-    all.push_back({data, false});
+    // Who packs values has their gradients too.
+    if (data.packing == Packing::None || !usesGradients(data)) all.push_back({data, false});
     if (usesGradients(data)) all.push_back({data, true});
   }
   return all;

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "upload/PackedTexels.h"
 #include "velum/gpu/Program.h"
 #include "velum/scene/RayCast.h"
 
@@ -19,6 +20,7 @@ struct DataVariant {
   scene::RenderMode mode = scene::RenderMode::Volume;
   LabelUse labels = LabelUse::None;
   TexelKind texels = TexelKind::Value;
+  Packing packing = Packing::None;  ///< Of values, on software drivers.
   bool hasMembranes = false;
   std::optional<std::uint32_t> flags;  ///< kFlag*: software drivers' programs are compiled for their frame's.
   auto operator<=>(const DataVariant&) const = default;

@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "PackedTexels.h"
 #include "TransferTable.h"
 #include "velum/core/Shared.h"
 #include "velum/core/Volume.h"
@@ -13,6 +14,7 @@ namespace velum::render {
 struct TexelPlan {
   gpu::Format format = gpu::Format::R8;
   double scale = 1, offset = 0;  ///< raw = texel * scale + offset
+  Packing packing = Packing::None;
 };
 inline constexpr TexelPlan kAsFloats{gpu::Format::R32f, 1.0, 0.0};
 

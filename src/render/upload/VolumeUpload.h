@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "CellGrid.h"
+#include "PackedTexels.h"
 #include "velum/core/Volume.h"
 #include "velum/gpu/Buffer.h"
 #include "velum/gpu/Context.h"
@@ -15,7 +16,9 @@ namespace velum::render {
 
 /// One time step of a volume on the GPU, one channel or all of them mixed, at the best level that fits.
 struct GpuVolume {
-  gpu::Texture texture;
+  gpu::Texture texture;  ///< 3D, or where values are packed that of the next.
+  gpu::Buffer packed;
+  Packing packing = Packing::None;
   gpu::Texture gradient;  ///< Software drivers: differences over two voxels, direction in xyz (128 is 0), root of the
                           ///< length in w
   double gradientScale = 0;           ///< Length of a full-length gradient texel, texels times 255/127.

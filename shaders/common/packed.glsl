@@ -15,7 +15,7 @@ vec4 unpackTexel(uvec2 bits) { return vec4(bits.xxyy >> uvec4(0u, 16u, 0u, 16u) 
 /// @param size  voxels
 float packedAt(usamplerBuffer texels, vec3 size, vec3 tex) {
   vec3 at = clamp(tex * size - 0.5, vec3(0.0), size - 1.0);
-  vec3 corner = max(min(floor(at), size - 2.0), 0.0);
+  vec3 corner = min(floor(at), max(size - 2.0, 0.0));
   vec3 f = at - corner;
   ivec3 voxel = ivec3(corner);
   ivec2 rows = ivec2(size.xy);

@@ -1,4 +1,6 @@
 // The picture is that of the values, however they are stored, and of the channel and time step that the scene names.
+#include <fmt/format.h>
+
 #include <cstdlib>
 
 #include "RenderFixture.h"
@@ -45,10 +47,40 @@ TEST_F(UploadGL, EverySampleTypeShowsTheSameValuesAlike) {
         // Shading may turn a grey level on the rounding of a gradient.
         expectSame(image, *first, shaded ? 2.0 : 1.0, std::string(enumName(sample)) + ", mode " + std::to_string(mode));
       }
-      // Software drivers interpolate bytes in steps of a byte, which turns the value between voxels by up to half a
-      // unit.
+      // Some drivers interpolate bytes in steps of a byte, which turns the value between voxels by up to half a unit.
       EXPECT_LT(differenceOf(*bytes, *wide).mean, 1.5) << "mode " << mode;
     }
+}
+
+TEST_F(UploadGL, ThinVolumesShowTheSameValuesInAllTypes) {
+  for (glm::ivec3 dims : {glm::ivec3(1, 9, 7), {9, 1, 7}, {9, 7, 1}, {1, 1, 8}, {1, 1, 1}, {2, 3, 2}}) {
+    std::optional<Image> first;
+    for (SampleType type : {SampleType::Float32, SampleType::UInt8, SampleType::UInt16, SampleType::Int16}) {
+      scene::Scene scene = sceneOf(makeVolume(
+          dims, type, [](glm::ivec3 p) { return 120 + 7 * p.x + 13 * p.y - 5 * p.z; }, centredFrame(dims)));
+      style(scene);
+      lookAlong(scene, {0.3, -1, 0.4}, 14);
+      Image image = draw(scene, {56, 56});
+      EXPECT_GT(coverageOf(image), 0.001);
+      if (!first) first = image;
+      expectSame(image, *first, 2.0, fmt::format("{} x {} x {}, {}", dims.x, dims.y, dims.z, enumName(type)));
+    }
+  }
+}
+
+TEST_F(UploadGL, ADriverWithSmallBuffersShowsTheSame) {
+  glm::ivec3 dims(48, 45, 50);  // more than the 65536 texels that every driver's buffers have
+  scene::Scene scene = sceneOf(makeVolume(dims, SampleType::Int16, valueOf, centredFrame(dims)));
+  style(scene);
+  Image usual = draw(scene, {72, 72});
+  ::setenv("VELUM_MAX_TEXTURE_BUFFER", "65536", 1);
+  auto small = gpu::Context::createEgl();
+  ::unsetenv("VELUM_MAX_TEXTURE_BUFFER");
+  {
+    render::Renderer other(*small);
+    expectSame(drawWith(other, scene, {72, 72}), usual, 1.0, "small buffers");
+    EXPECT_EQ(small->errorCount(), 0);
+  }
 }
 
 TEST_F(UploadGL, ANegativeScaleShowsTheSameValues) {

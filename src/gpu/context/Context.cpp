@@ -89,7 +89,8 @@ void Context::load(ProcAddress procAddress) {
   table.GetIntegerv(GL_MAX_TEXTURE_SIZE, &mLimits.texture2d);
   int textureBuffer = 0;
   table.GetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &textureBuffer);
-  mLimits.textureBuffer = std::size_t(std::max(0, textureBuffer));
+  if (const char* text = std::getenv("VELUM_MAX_TEXTURE_BUFFER")) textureBuffer = std::atoi(text);
+  mLimits.textureBuffer = std::size_t(std::max(65536, textureBuffer));
   if (const char* text = std::getenv("VELUM_MAX_TEXTURE_3D")) mLimits.texture3d = std::max(16, std::atoi(text));
   mLimits.memoryBytes = memoryFor(table, mLimits.isSoftware);
   table.Enable(GL_DEBUG_OUTPUT);

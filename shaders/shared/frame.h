@@ -50,8 +50,7 @@ struct FrameParams {
   vec4 cellGrid;        ///< cells x, y, z
   vec4 cellsPerTex;     ///< cells in a unit of texture coordinates
   vec4 lightGrid;       ///< cells x, y, z of the light grid
-  vec4
-      normalX;  ///< rows of the matrix from differences of texels over two voxels to data value per length, scene frame
+  vec4 normalX;         ///< rows of the matrix from differences of texels over two voxels to value per length, scene
   vec4 normalY;
   vec4 normalZ;
   vec4 keyLight;     ///< unit, towards the key light, scene frame

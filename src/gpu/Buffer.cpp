@@ -18,10 +18,19 @@ unsigned createBuffer() {
   gl().CreateBuffers(1, &id);
   return id;
 }
+
+/// Smaller ones always find room, and a driver with a thread of its own would be waited for.
+constexpr std::size_t kLargeBytes = std::size_t(1) << 20;
 }  // namespace
 
 Buffer::Buffer(std::string_view label, std::size_t bytes, const void* data) : Handle(createBuffer()), mBytes(bytes) {
+  bool isLarge = bytes >= kLargeBytes;
+  while (isLarge && gl().GetError() != GL_NO_ERROR) {
+  }
   gl().NamedBufferStorage(id(), GLsizeiptr(bytes ? bytes : 16), data, GL_DYNAMIC_STORAGE_BIT);
+  if (isLarge && gl().GetError() != GL_NO_ERROR)
+    throw GpuError(
+        fmt::format("the driver has no memory for {} ({} MiB): lower VELUM_GPU_MEMORY_MB", label, bytes >> 20));
   gl().ObjectLabel(GL_BUFFER, id(), GLsizei(label.size()), label.data());
 }
 

@@ -6,6 +6,7 @@
 
 #include "GlFixture.h"
 #include "velum/gpu/Framebuffer.h"
+#include "velum/gpu/GpuError.h"
 #include "velum/gpu/Program.h"
 #include "velum/gpu/Texture.h"
 
@@ -72,6 +73,16 @@ TEST_F(BufferGL, EmptyHandlesNeedNoContext) {
   Program program;
   EXPECT_FALSE(buffer || texture || program);
   EXPECT_EQ(buffer.bytes(), 0u);
+}
+
+TEST_F(BufferGL, WithoutMemoryForItNobodyGetsOne) {
+  expectDriverErrors();
+  try {
+    Buffer buffer("volume", std::size_t(1) << 50);
+    FAIL() << "made";
+  } catch (const GpuError& error) {
+    EXPECT_NE(std::string(error.what()).find("volume"), std::string::npos) << error.what();
+  }
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
 // What the shaders cut away is what shaders/shared/cut.h says on the processor.
 #include <random>
 
+#include "CutsFixture.h"
 #include "ProbeShaders.h"
-#include "RenderFixture.h"
 #include "shared/bindings.h"
 #include "shared/cuts.h"
 #include "shared/frame.h"
@@ -12,7 +12,6 @@
 namespace velum {
 namespace {
 
-constexpr glm::ivec3 kDims(40, 36, 44);
 constexpr glm::ivec2 kSize(72, 72);
 
 shared::CutData cutDataOf(const scene::Cut& cut) {
@@ -61,50 +60,17 @@ scene::Cut cutOf(scene::CutShape shape, glm::dvec3 centre, glm::dvec3 axis, glm:
   return cut;
 }
 
-class CutsGL : public RenderTest {
+class CutsGL : public CutPictures {
  protected:
-  static scene::Scene solidScene(double turnRad = 0.3) {
-    scene::Scene scene = sceneOf(makeVolume(
-        kDims, SampleType::UInt8, [](glm::ivec3) { return 100.0; }, centredFrame(kDims, {1, 1.1, 0.9}, turnRad)));
-    makeSolid(scene);
-    return scene;
-  }
-
-  /// A pixel shows something exactly where the intervals leave something, and never at a removed position.
   void expectAgrees(const scene::Scene& scene, const std::string& what) {
-    Image image = draw(scene, kSize, kAllLayers);
-    int doubtful = 0, wrong = 0;
-    for (int y = 0; y < kSize.y && wrong < 3; ++y)
-      for (int x = 0; x < kSize.x && wrong < 3; ++x) {
-        // Rays a hundredth of a pixel beside tell where rounding may decide.
-        double least = 1e9, most = 0;
-        for (int k = 0; k < 5; ++k) {
-          glm::dvec2 shift(k == 1 ? 0.01 : k == 2 ? -0.01 : 0.0, k == 3 ? 0.01 : k == 4 ? -0.01 : 0.0);
-          TestRay ray = rayThrough(scene.camera, kSize, glm::dvec2(x + 0.5, y + 0.5) + shift);
-          double length = keptLength(scene.cuts, ray, boxInterval(*scene.volume.data, ray));
-          least = std::min(least, length), most = std::max(most, length);
-        }
-        float alpha = sampleOf(image, {x, y}, "A");
-        std::string where = what + ", pixel " + std::to_string(x) + ", " + std::to_string(y) + ", kept " +
-                            std::to_string(most) + " mm, alpha " + std::to_string(alpha);
-        if (most == 0.0) {
-          EXPECT_EQ(alpha, 0.0f) << where << ": shown, but everything is cut away";
-          wrong += alpha != 0.0f;
-        } else if (least > 0.05) {
-          EXPECT_GT(alpha, 0.9f) << where << ": empty, but something is kept";
-          wrong += alpha <= 0.9f;
-        } else {
-          ++doubtful;
-        }
-        if (alpha == 0.0f) continue;
-        glm::vec3 p = vectorOf(image, {x, y}, "position");
-        for (const auto& cut : scene.cuts) {
-          float distance = shared::cutDistance(cutDataOf(cut), p, {});
-          EXPECT_GE(distance, -0.01f) << where << ": the position lies in what is removed";
-          wrong += distance < -0.01f;
-        }
-      }
-    EXPECT_LT(doubtful, kSize.x * kSize.y / 12) << what << ": the test has decided too little";
+    expectShowsWhatIsKept(
+        scene, kSize, [&](const TestRay& ray, glm::dvec2 box) { return keptLength(scene.cuts, ray, box); },
+        [&](glm::vec3 p) {
+          float least = 1e9f;
+          for (const auto& cut : scene.cuts) least = std::min(least, shared::cutDistance(cutDataOf(cut), p, {}));
+          return least;
+        },
+        0.01f, what);
   }
 };
 

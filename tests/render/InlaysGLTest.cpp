@@ -26,12 +26,10 @@ class InlaysGL : public MembranesGL {
     Image image = draw(scene, kSize, kAllLayers);
     glm::dmat4 local = glm::inverse(scene::worldFromCut(scene.cuts[0]));
     Sides sides;
-    for (int y = 0; y < kSize.y; ++y)
-      for (int x = 0; x < kSize.x; ++x) {
-        if (sampleOf(image, {x, y}, "A") < 0.02f) continue;
-        double z = (local * glm::dvec4(vectorOf(image, {x, y}, "position"), 1.0)).z;
-        ++(z > 0.1 ? sides.front : z < -0.1 ? sides.behind : sides.on);
-      }
+    eachShown(image, [&](glm::ivec2, glm::vec3 p) {
+      double z = (local * glm::dvec4(p, 1.0)).z;
+      ++(z > 0.1 ? sides.front : z < -0.1 ? sides.behind : sides.on);
+    });
     return sides;
   }
 };
@@ -58,13 +56,7 @@ TEST_F(InlaysGL, NothingIsKeptButBetweenSheetAndInlay) {
   scene::Scene scene = sectionScene(0.0);
   Cuts cuts(scene);
   Image image = draw(scene, kSize, kAllLayers);
-  int shown = 0;
-  for (int y = 0; y < kSize.y; ++y)
-    for (int x = 0; x < kSize.x; ++x) {
-      if (sampleOf(image, {x, y}, "A") < 0.02f) continue;
-      ++shown;
-      EXPECT_GE(shared::cutDistance(cuts.data[0], vectorOf(image, {x, y}, "position"), cuts.sheets.view()), -0.02f);
-    }
+  int shown = eachShown(image, [&](glm::ivec2, glm::vec3 p) { EXPECT_GE(distanceTo(cuts, p), -0.02f); });
   EXPECT_GT(shown, 300);
 }
 
@@ -154,13 +146,7 @@ TEST_F(InlaysGL, SeveralAddUpAndOtherCutsTakeTheirImages) {
   half.centre = cut.cuts[0].centre;
   cut.cuts.push_back(half);
   Image image = draw(cut, kSize, kAllLayers);
-  int shown = 0;
-  for (int y = 0; y < kSize.y; ++y)
-    for (int x = 0; x < kSize.x; ++x) {
-      if (sampleOf(image, {x, y}, "A") < 0.02f) continue;
-      ++shown;
-      EXPECT_LE(vectorOf(image, {x, y}, "position").x, half.centre.x + 0.1);
-    }
+  int shown = eachShown(image, [&](glm::ivec2, glm::vec3 p) { EXPECT_LE(p.x, half.centre.x + 0.1); });
   EXPECT_GT(shown, 200);
 }
 
@@ -180,57 +166,6 @@ TEST_F(InlaysGL, AMaximumStandsOutOfTheInlayAndAnOpaqueInlayEndsIt) {
       brighter += change;
     }
   EXPECT_GT(brighter, 10.0);
-}
-
-TEST_F(MembranesGL, ASheetIsShownWhereItIsAndCanBePicked) {
-  for (auto look : {scene::SheetLook::Surface, scene::SheetLook::Grid}) {
-    scene::Scene scene = softScene();
-    scene.volume.transfer.opacities = {{0, 0}, {1000, 0}};
-    scene.cuts = {membraneOf(foldedSheet({40, 40}, kFrame))};
-    EXPECT_EQ(coverageOf(draw(scene, kSize)), 0.0);
-    scene.cuts[0].membrane->look = look;
-    Cuts cuts(scene);
-    Image image = draw(scene, kSize, kAllLayers);
-    int shown = 0;
-    for (int y = 0; y < kSize.y; ++y)
-      for (int x = 0; x < kSize.x; ++x) {
-        if (sampleOf(image, {x, y}, "A") < 0.02f) continue;
-        ++shown;
-        glm::vec3 p = vectorOf(image, {x, y}, "position");
-        EXPECT_LT(std::abs(shared::cutDistance(cuts.data[0], p, cuts.sheets.view())), 0.02f) << x << ", " << y;
-        render::Pick pick = renderer().pick({x, y});
-        EXPECT_TRUE(pick.hit);
-        EXPECT_LT(glm::length(glm::vec3(pick.world) - p), 1e-3f);
-      }
-    EXPECT_GT(shown, 500) << int(look);
-  }
-}
-
-TEST_F(MembranesGL, SurfacesAreCutToo) {
-  scene::Scene scene = softScene();
-  scene.volume.visible = false;
-  scene::Surface surface;
-  Mesh mesh;
-  for (int i = 0; i < 20; ++i)
-    for (int k = 0; k < 20; ++k)
-      for (glm::vec2 c :
-           {glm::vec2(0, 0), glm::vec2(1, 0), glm::vec2(1, 1), glm::vec2(0, 0), glm::vec2(1, 1), glm::vec2(0, 1)})
-        mesh.positions.emplace_back(0.3f, 2 * (i + c.x) - 20, 2 * (k + c.y) - 20);
-  for (std::uint32_t i = 0; i < mesh.positions.size(); ++i) mesh.indices.push_back(i);
-  surface.data = Shared<Mesh>(std::move(mesh));
-  scene.surfaces = {surface};
-  lookAlong(scene, {1, 0, 0}, 100);
-  scene.cuts = {membraneOf(wavySheet(kParticles, kFrame))};
-  Cuts cuts(scene);
-  Image image = draw(scene, kSize, kAllLayers);
-  int shown = 0;
-  for (int y = 0; y < kSize.y; ++y)
-    for (int x = 0; x < kSize.x; ++x) {
-      if (sampleOf(image, {x, y}, "A") < 0.5f) continue;
-      ++shown;
-      EXPECT_GE(shared::cutDistance(cuts.data[0], vectorOf(image, {x, y}, "position"), cuts.sheets.view()), -0.02f);
-    }
-  EXPECT_GT(shown, 200);
 }
 
 }  // namespace

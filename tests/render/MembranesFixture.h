@@ -1,13 +1,12 @@
 #pragma once
+#include "CutsFixture.h"
 #include "FrameSetup.h"
-#include "RenderFixture.h"
 #include "sheetShapes.h"
 #include "upload/CutSheets.h"
 
 /// Scenes with a membrane, and the same asked on the processor, by shaders/shared/sheet.h.
 namespace velum {
 
-inline constexpr glm::ivec3 kDims(40, 36, 44);
 inline constexpr glm::ivec2 kSize(64, 64);
 inline constexpr glm::ivec2 kParticles(18, 21);
 inline const glm::dvec3 kFrame(34, 38, 22);
@@ -33,12 +32,10 @@ inline scene::Cut planeOf(const scene::Cut& membrane) {
   return plane;
 }
 
-class MembranesGL : public RenderTest {
+class MembranesGL : public CutPictures {
  protected:
   static scene::Scene solidScene(double turnRad = 0.3) {
-    scene::Scene scene = sceneOf(makeVolume(
-        kDims, SampleType::UInt8, [](glm::ivec3) { return 100.0; }, centredFrame(kDims, {1, 1.1, 0.9}, turnRad)));
-    makeSolid(scene);
+    scene::Scene scene = CutPictures::solidScene(turnRad);
     lookAlong(scene, {0.35, -1, 0.3}, 100);
     return scene;
   }
@@ -90,45 +87,18 @@ class MembranesGL : public RenderTest {
     std::vector<shared::CutData> data;
   };
 
-  /// A pixel shows something exactly where something is kept, and never at a removed position.
+  /// How far a position is from what a cut removes, that which is nearest.
+  static float distanceTo(const Cuts& cuts, glm::vec3 p) {
+    float least = 1e9f;
+    for (const auto& cut : cuts.data) least = std::min(least, shared::cutDistance(cut, p, cuts.sheets.view()));
+    return least;
+  }
+
   void expectAgrees(const scene::Scene& scene, const std::string& what) {
-    Image image = draw(scene, kSize, kAllLayers);
     Cuts cuts(scene);
-    int doubtful = 0, wrong = 0, shown = 0, empty = 0;
-    for (int y = 0; y < kSize.y && wrong < 3; ++y)
-      for (int x = 0; x < kSize.x && wrong < 3; ++x) {
-        // Rays a hundredth of a pixel beside tell where rounding may decide.
-        double least = 1e9, most = 0;
-        for (int k = 0; k < 5; ++k) {
-          glm::dvec2 shift(k == 1 ? 0.01 : k == 2 ? -0.01 : 0.0, k == 3 ? 0.01 : k == 4 ? -0.01 : 0.0);
-          TestRay ray = rayThrough(scene.camera, kSize, glm::dvec2(x + 0.5, y + 0.5) + shift);
-          glm::dvec2 box = boxInterval(*scene.volume.data, ray);
-          double length = box.x < box.y ? cuts.keptLength(ray, box) : 0.0;
-          least = std::min(least, length), most = std::max(most, length);
-        }
-        float alpha = sampleOf(image, {x, y}, "A");
-        std::string where = what + ", pixel " + std::to_string(x) + ", " + std::to_string(y) + ", kept " +
-                            std::to_string(most) + " mm, alpha " + std::to_string(alpha);
-        if (most == 0.0) {
-          EXPECT_EQ(alpha, 0.0f) << where << ": shown, but everything is cut away";
-          wrong += alpha != 0.0f;
-          ++empty;
-        } else if (least > 0.05) {
-          EXPECT_GT(alpha, 0.9f) << where << ": empty, but something is kept";
-          wrong += alpha <= 0.9f;
-          ++shown;
-        } else {
-          ++doubtful;
-        }
-        if (alpha == 0.0f) continue;
-        glm::vec3 p = vectorOf(image, {x, y}, "position");
-        for (const auto& cut : cuts.data) {
-          float distance = shared::cutDistance(cut, p, cuts.sheets.view());
-          EXPECT_GE(distance, -0.02f) << where << ": the position lies in what is removed";
-          wrong += distance < -0.02f;
-        }
-      }
-    EXPECT_LT(doubtful, kSize.x * kSize.y / 12) << what << ": the test has decided too little";
+    int shown = expectShowsWhatIsKept(
+        scene, kSize, [&](const TestRay& ray, glm::dvec2 box) { return cuts.keptLength(ray, box); },
+        [&](glm::vec3 p) { return distanceTo(cuts, p); }, 0.02f, what);
     EXPECT_GT(shown, 100) << what;
   }
 };

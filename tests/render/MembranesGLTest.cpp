@@ -160,5 +160,46 @@ TEST_F(MembranesGL, ALiveSheetShowsAsItsShapeWouldAndItsStepsMakeFramesDiffer) {
   expectSame(other, draw(saved), 0.0, "of another frame");
 }
 
+TEST_F(MembranesGL, ASheetIsShownWhereItIsAndCanBePicked) {
+  for (auto look : {scene::SheetLook::Surface, scene::SheetLook::Grid}) {
+    scene::Scene scene = softScene();
+    scene.volume.transfer.opacities = {{0, 0}, {1000, 0}};
+    scene.cuts = {membraneOf(foldedSheet({40, 40}, kFrame))};
+    EXPECT_EQ(coverageOf(draw(scene, kSize)), 0.0);
+    scene.cuts[0].membrane->look = look;
+    Cuts cuts(scene);
+    Image image = draw(scene, kSize, kAllLayers);
+    int shown = eachShown(image, [&](glm::ivec2 pixel, glm::vec3 p) {
+      EXPECT_LT(std::abs(distanceTo(cuts, p)), 0.02f) << pixel.x << ", " << pixel.y;
+      render::Pick pick = renderer().pick(pixel);
+      EXPECT_TRUE(pick.hit);
+      EXPECT_LT(glm::length(glm::vec3(pick.world) - p), 1e-3f);
+    });
+    EXPECT_GT(shown, 500) << int(look);
+  }
+}
+
+TEST_F(MembranesGL, SurfacesAreCutToo) {
+  scene::Scene scene = softScene();
+  scene.volume.visible = false;
+  scene::Surface surface;
+  Mesh mesh;
+  for (int i = 0; i < 20; ++i)
+    for (int k = 0; k < 20; ++k)
+      for (glm::vec2 c :
+           {glm::vec2(0, 0), glm::vec2(1, 0), glm::vec2(1, 1), glm::vec2(0, 0), glm::vec2(1, 1), glm::vec2(0, 1)})
+        mesh.positions.emplace_back(0.3f, 2 * (i + c.x) - 20, 2 * (k + c.y) - 20);
+  for (std::uint32_t i = 0; i < mesh.positions.size(); ++i) mesh.indices.push_back(i);
+  surface.data = Shared<Mesh>(std::move(mesh));
+  scene.surfaces = {surface};
+  lookAlong(scene, {1, 0, 0}, 100);
+  scene.cuts = {membraneOf(wavySheet(kParticles, kFrame))};
+  Cuts cuts(scene);
+  Image image = draw(scene, kSize, kAllLayers);
+  int shown = eachShown(
+      image, [&](glm::ivec2, glm::vec3 p) { EXPECT_GE(distanceTo(cuts, p), -0.02f); }, 0.5f);
+  EXPECT_GT(shown, 200);
+}
+
 }  // namespace
 }  // namespace velum

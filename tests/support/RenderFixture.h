@@ -84,6 +84,19 @@ inline Difference differenceOf(const Image& a, const Image& b) {
     }
   return difference;
 }
+/// Visits (pixel, its position in the world) what shows, in a picture with the layer of positions. @return how many
+template <class Visit>
+int eachShown(const Image& image, Visit visit, float leastAlpha = 0.02f) {
+  int shown = 0;
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) {
+      glm::ivec2 pixel(x, y);
+      if (sampleOf(image, pixel, "A") < leastAlpha) continue;
+      ++shown;
+      visit(pixel, vectorOf(image, pixel, "position"));
+    }
+  return shown;
+}
 /// Share of pixels that show anything.
 inline double coverageOf(const Image& image) {
   double count = 0;

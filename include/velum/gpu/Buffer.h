@@ -16,6 +16,7 @@ class Buffer : public Handle<deleteBuffer> {
  public:
   Buffer() = default;
   /// @param data  nullptr leaves the bytes unset
+  /// @throw GpuError when the driver has no memory for it
   Buffer(std::string_view label, std::size_t bytes, const void* data = nullptr);
   template <class T>
   Buffer(std::string_view label, std::span<const T> values) : Buffer(label, values.size_bytes(), values.data()) {}

@@ -13,7 +13,7 @@ struct Limits {
   std::string version;            ///< GL_VERSION
   int texture3d = 0;              ///< Largest side of a 3D texture, texels.
   int texture2d = 0;              ///< Largest side of a 2D texture, texels.
-  std::size_t textureBuffer = 0;  ///< Most texels of a buffer's texture.
+  std::size_t textureBuffer = 0;  ///< Most texels of a buffer's texture. VELUM_MAX_TEXTURE_BUFFER overrides.
   std::size_t memoryBytes = 0;  ///< What textures may take: the card's free memory, or half of the machine's where the
                                 ///< driver is software or does not say. VELUM_GPU_MEMORY_MB overrides.
   bool isSoftware = false;      ///< llvmpipe and the like: the processor draws.

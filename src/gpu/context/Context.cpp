@@ -90,7 +90,7 @@ void Context::load(ProcAddress procAddress) {
   int textureBuffer = 0;
   table.GetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &textureBuffer);
   if (const char* text = std::getenv("VELUM_MAX_TEXTURE_BUFFER")) textureBuffer = std::atoi(text);
-  mLimits.textureBuffer = std::size_t(std::max(65536, textureBuffer));
+  mLimits.textureBuffer = std::size_t(std::max(0, textureBuffer));
   if (const char* text = std::getenv("VELUM_MAX_TEXTURE_3D")) mLimits.texture3d = std::max(16, std::atoi(text));
   mLimits.memoryBytes = memoryFor(table, mLimits.isSoftware);
   table.Enable(GL_DEBUG_OUTPUT);

@@ -9,8 +9,6 @@
 
 namespace velum::render {
 
-namespace {}  // namespace
-
 void SurfacePass::prepare(FrameData& data) {
   bool hasMembranes = (data.params.flags & shared::kFlagMembranes) != 0;
   auto [program, isNew] = mPrograms.try_emplace(hasMembranes);

@@ -1,7 +1,7 @@
 // A ray's way through the volume: its lattice of samples, the cells under it, and leaps over those that are empty.
 #include "common/frame.glsl"
 
-layout(binding = kSkipUnit) uniform usampler3D skipTexture;  // r, g: cells to the nearest with content, with spared content
+layout(binding = kSkipUnit) uniform usampler3D skipTexture;  // r, g: cells to the nearest with content, with spared content, by octant
 
 vec3 texFrom(vec3 p) { return (frame.texFromScene * vec4(p, 1.0)).xyz; }
 
@@ -25,6 +25,7 @@ struct Walk {
   vec3 cellPerLength;  // never 0
   vec3 lengthPerCell;
   vec3 forward;        // signs of the ray's way through the cells, half of 1
+  int octantLayer;     // z in the skip map of the octant into which the ray goes
   float first;         // t of lattice point 0
   float dt;
 };
@@ -37,7 +38,9 @@ Walk walkAlong(Ray ray, float first) {
   walk.cellPerLength = walk.texPerLength * frame.cellsPerTex.xyz;
   walk.cellPerLength = mix(walk.cellPerLength, vec3(1e-12), lessThan(abs(walk.cellPerLength), vec3(1e-12)));
   walk.lengthPerCell = 1.0 / walk.cellPerLength;
-  walk.forward = mix(vec3(-0.5), vec3(0.5), greaterThan(walk.cellPerLength, vec3(0.0)));
+  bvec3 grows = greaterThan(walk.cellPerLength, vec3(0.0));
+  walk.forward = mix(vec3(-0.5), vec3(0.5), grows);
+  walk.octantLayer = (int(grows.x) | int(grows.y) << 1 | int(grows.z) << 2) * int(frame.cellGrid.z);
   walk.first = first;
   walk.dt = frame.step;
   return walk;
@@ -57,16 +60,16 @@ ivec3 cellAt(Walk walk, float t) {
   return ivec3(clamp(walk.cell0 + t * walk.cellPerLength, vec3(0.0), frame.cellGrid.xyz - 0.5));
 }
 
-/// Where the ray leaves the cube of cells, `reach` from its middle to its side, around a cell.
+/// Where the ray leaves the cube of cells, `reach` along a side, that begins with a cell and lies the ray's way.
 float leaveCube(Walk walk, float t, ivec3 cell, uint reach) {
   vec3 target = vec3(cell) + 0.5 + walk.forward * (2.0 * float(reach) - 1.0);
   vec3 exit = (target - walk.cell0) * walk.lengthPerCell;
   return max(min(exit.x, min(exit.y, exit.z)), t);
 }
 
-/// Distance, in cells, to the next cell with content; 0 in one.
-uint cellsToContent(ivec3 cell, bool sparedOnly) {
-  uvec2 d = texelFetch(skipTexture, cell, 0).rg;
+/// Distance, in cells, to the nearest cell with content that lies the ray's way; 0 in one.
+uint cellsToContent(Walk walk, ivec3 cell, bool sparedOnly) {
+  uvec2 d = texelFetch(skipTexture, cell + ivec3(0, 0, walk.octantLayer), 0).rg;
   return sparedOnly ? d.g : d.r;
 }
 
@@ -76,7 +79,7 @@ float leapEmpty(Walk walk, float t, float b, float stride, float perStride, bool
   bool leaping;
   do {
     ivec3 cell = cellAt(walk, t);
-    uint reach = cellsToContent(cell, sparedOnly);
+    uint reach = cellsToContent(walk, cell, sparedOnly);
     // To the last place that lies inside the empty cube: the segment that leaves it is still looked at.
     float leave = leaveCube(walk, t, cell, reach);
     float target = leave >= b ? b : walk.first + floor((leave - walk.first) * perStride - 1e-4) * stride;

@@ -76,9 +76,9 @@ SkipPass::Found SkipPass::find(const Key& key, const FrameData& data) {
 }
 
 void SkipPass::prepare(FrameData& data) {
-  glm::ivec3 cells = data.grid.cells.size;
-  if (mMap && mMap.size() == cells) return;
-  mMap = gpu::Texture::make3d("skip map", gpu::Format::Rg8ui, cells, gpu::Filter::Nearest);
+  glm::ivec3 size = skipMapSize(data.grid.cells.size);
+  if (mMap && mMap.size() == size) return;
+  mMap = gpu::Texture::make3d("skip map", gpu::Format::Rg8ui, size, gpu::Filter::Nearest);
   mKey.reset();
   mFound = {};
 }
@@ -88,7 +88,7 @@ void SkipPass::addSteps(const FrameData& data, int, WorkQueue& queue) {
   if (mKey == key) return;
   queue.add(*this, [this, key, &data] {
     Found found = find(key, data);
-    if (found != mFound) mMap.write({0, 0, 0}, key.cells, makeSkipMap(found.all, found.spared).data());
+    if (found != mFound) mMap.write({0, 0, 0}, mMap.size(), makeSkipMap(found.all, found.spared).data());
     mFound = std::move(found);
     mKey = key;
   });

@@ -6,6 +6,7 @@
 
 #include "Verbs.h"
 #include "velum/core/Error.h"
+#include "velum/core/Text.h"
 #include "velum/scene/Project.h"
 #include "velum/session/cut/CutEdit.h"
 #include "velum/session/document/Open.h"
@@ -58,29 +59,30 @@ scene::Stroke parseStroke(const std::string& text, const char* name) {
     throw ArgumentError(fmt::format("{} {}: {}; expected points and a radius, x,y,z:x,y,z@radius", name, text, why));
   };
   scene::Stroke stroke;
-  const char* at = text.c_str();
+  std::string_view rest = text;
   auto number = [&] {
-    char* end = nullptr;
-    double value = std::strtod(at, &end);
-    if (end == at || !std::isfinite(value)) refuse("a number is missing");
-    at = end;
+    double value = takeNumber(rest).value_or(std::nan(""));
+    if (!std::isfinite(value)) refuse("a number is missing");
     return value;
   };
+  auto take = [&](char mark) {
+    bool isNext = rest.starts_with(mark);
+    if (isNext) rest.remove_prefix(1);
+    return isNext;
+  };
   do {
-    if (!stroke.path.empty()) ++at;
     glm::dvec3 point(0.0);
     for (int axis = 0; axis < 3; ++axis) {
-      if (axis > 0 && *at++ != ',') refuse("a point has three numbers");
+      if (axis > 0 && !take(',')) refuse("a point has three numbers");
       point[axis] = number();
     }
     stroke.path.push_back(point);
-  } while (*at == ':');
-  if (*at == '@') {
-    ++at;
+  } while (take(':'));
+  if (take('@')) {
     stroke.radius = number();
     if (!(stroke.radius > 0)) refuse("the radius must be more than 0");
   }
-  if (*at != 0) refuse("it goes on after its end");
+  if (!rest.empty()) refuse("it goes on after its end");
   return stroke;
 }
 
@@ -118,9 +120,8 @@ std::vector<double> numbersOf(const char* option, const std::string& text, std::
   std::vector<double> numbers;
   std::istringstream in(text);
   for (std::string part; std::getline(in, part, ',');) {
-    char* end = nullptr;
-    numbers.push_back(std::strtod(part.c_str(), &end));
-    if (end == part.c_str() || *end != 0 || !std::isfinite(numbers.back())) numbers.resize(count + 1);
+    numbers.push_back(numberIn(part).value_or(std::nan("")));
+    if (!std::isfinite(numbers.back())) numbers.resize(count + 1);
   }
   if (numbers.size() != count) throw ArgumentError(fmt::format("{} {}: give {}", option, text, form));
   return numbers;

@@ -12,6 +12,7 @@
 #include <QPixmap>
 #include <QSurfaceFormat>
 #include <QTimer>
+#include <clocale>
 #include <cstdio>
 
 #include "kit/Preferences.h"
@@ -85,6 +86,9 @@ int run(int argc, char** argv) {
   format.setProfile(QSurfaceFormat::CoreProfile);
   QSurfaceFormat::setDefaultFormat(format);
   QApplication application(argc, argv);
+  // Qt takes the user's locale for C's functions, too. Libraries that read files by them would take 0.5 for 0 where 0,5
+  // is written.
+  std::setlocale(LC_NUMERIC, "C");
   QApplication::setApplicationName("velum");
   QApplication::setApplicationDisplayName("Velum");
   QApplication::setApplicationVersion(VELUM_VERSION);

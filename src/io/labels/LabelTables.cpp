@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "read/FileBytes.h"
+#include "velum/core/Text.h"
 #include "velum/io/labels/ReadLabels.h"
 
 namespace velum::io {
@@ -18,11 +19,9 @@ namespace {
 
 constexpr std::uint64_t kLongestTable = 16 << 20;
 
-std::optional<double> numberOf(const std::string& word) {
-  char* end = nullptr;
-  double value = std::strtod(word.c_str(), &end);
-  if (word.empty() || *end != '\0' || !std::isfinite(value)) return std::nullopt;
-  return value;
+std::optional<double> numberOf(std::string_view word) {
+  auto value = numberIn(word);
+  return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
 std::optional<std::uint16_t> idOf(const std::string& word) {

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "velum/core/Error.h"
+#include "velum/core/Text.h"
 
 namespace velum::io {
 
@@ -22,16 +22,14 @@ constexpr double kLargestValue = 1e300;     // beyond, differences overflow
 // ---- text
 
 /// The next number of a line, which loses it; nothing at its end. @throw InputError for what is none
-bool takeNumber(std::string_view& line, double& number, int lineNumber) {
+bool takeNext(std::string_view& line, double& number, int lineNumber) {
   std::size_t start = line.find_first_not_of(" \t\r");
   if (start == std::string_view::npos) return false;
   line.remove_prefix(start);
   std::string_view word = line.substr(0, line.find_first_of(" \t\r"));
-  auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
   // Slicer itself steps to the next double above zero, which is too small to be read as one: that is 0.
-  if (error == std::errc::result_out_of_range && word.find("e-") != std::string_view::npos)
-    number = 0.0, error = std::errc();
-  if (error != std::errc() || end != word.data() + word.size() || !(std::abs(number) <= kLargestValue))
+  number = numberIn(word).value_or(std::nan(""));
+  if (!(std::abs(number) <= kLargestValue))
     throw InputError(fmt::format("line {}: '{}' is not a number", lineNumber, word.substr(0, 40)));
   line.remove_prefix(word.size());
   return true;
@@ -40,13 +38,13 @@ bool takeNumber(std::string_view& line, double& number, int lineNumber) {
 /// A list led by how many numbers it has.
 std::vector<double> numbersOf(std::string_view line, int perPoint, int lineNumber) {
   double count = 0;
-  if (!takeNumber(line, count, lineNumber)) return {};
+  if (!takeNext(line, count, lineNumber)) return {};
   if (count < 0 || count != std::floor(count) || std::fmod(count, perPoint) != 0 ||
       count > double(kMostPoints) * perPoint)
     throw InputError(fmt::format("line {}: {} is no count of points of {} numbers", lineNumber, count, perPoint));
   std::vector<double> numbers;
   double number = 0;
-  while (double(numbers.size()) < count && takeNumber(line, number, lineNumber)) numbers.push_back(number);
+  while (double(numbers.size()) < count && takeNext(line, number, lineNumber)) numbers.push_back(number);
   if (double(numbers.size()) < count)
     throw InputError(
         fmt::format("line {}: {} numbers are announced and {} are there", lineNumber, count, numbers.size()));
@@ -215,7 +213,7 @@ TransferFile parseSlicerText(std::string_view text) {
   if (count < 9) throw InputError(fmt::format("a volume property of Slicer has 9 lines, this has {}", count));
   for (int i = 0; i < 6; ++i) {
     double ignored = 0;
-    takeNumber(lines[i], ignored, i + 1);
+    takeNext(lines[i], ignored, i + 1);
   }
   TransferFile file;
   file.isGradientPerVoxel = true;

@@ -16,7 +16,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <iterator>
@@ -28,6 +27,7 @@
 #include "read/FileNames.h"
 #include "read/VtkQuiet.h"
 #include "velum/core/Error.h"
+#include "velum/core/Text.h"
 
 /// Surfaces. The files have no frame of their own; their numbers are taken as millimetres in LPS, as 3D Slicer and
 /// ITK-SNAP write them.
@@ -44,10 +44,8 @@ void checkCounts(const Path& path, std::string_view extension) {
     refuse(path, fmt::format("the header promises {:.0f} elements, more than the file can hold", count));
   };
   auto numberAfter = [&](std::size_t at) {
-    double value = 0;
-    while (at < head.size() && head[at] == ' ') ++at;
-    std::from_chars(head.data() + at, head.data() + head.size(), value);
-    return value;
+    std::string_view rest = std::string_view(head).substr(std::min(at, head.size()));
+    return takeNumber(rest).value_or(0.0);
   };
   if (extension == ".stl" && !head.starts_with("solid")) {
     std::uint32_t triangles = 0;

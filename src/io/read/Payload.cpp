@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cstdlib>
 #include <cstring>
 #include <limits>
 #include <new>
@@ -14,6 +13,7 @@
 #include "ByteSource.h"
 #include "FileBytes.h"
 #include "SampleBytes.h"
+#include "velum/core/Text.h"
 
 namespace velum::io {
 
@@ -97,15 +97,14 @@ void readText(const Payload& part, std::span<std::byte> to, const Layout& layout
   std::string text(sizeOfFile(part.file) - part.offset, '\0');
   ByteSource source(part.file, part.offset, false);
   source.readSome(std::as_writable_bytes(std::span(text)));
-  const char* at = text.c_str();
+  std::string_view rest = text;
   std::size_t step = storedSize(layout.type);
   for (std::size_t i = 0; i < to.size(); i += step) {
-    while (*at && (std::isspace(static_cast<unsigned char>(*at)) || *at == ',')) ++at;
-    char* end = nullptr;
-    double value = std::strtod(at, &end);
-    if (end == at) refuse(part.file, "has too few numbers");
-    at = end;
-    storeNumber(value, layout.type, to.data() + i);
+    while (!rest.empty() && (std::isspace(static_cast<unsigned char>(rest.front())) || rest.front() == ','))
+      rest.remove_prefix(1);
+    auto value = takeNumber(rest);
+    if (!value) refuse(part.file, "has too few numbers");
+    storeNumber(*value, layout.type, to.data() + i);
     if (i % kPiece < step) progress.report(double(i) / double(to.size()), "Reading " + part.file.filename().string());
   }
 }

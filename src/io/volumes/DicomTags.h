@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "velum/core/Text.h"
+
 /// Values out of a GDCM data set. Only the DICOM readers include this.
 namespace velum::io {
 
@@ -25,14 +27,11 @@ inline std::string textOf(const gdcm::DataSet& set, gdcm::Tag tag) {
 inline std::vector<double> numbersOf(const gdcm::DataSet& set, gdcm::Tag tag) {
   std::vector<double> numbers;
   std::string text = textOf(set, tag);
-  for (const char* at = text.c_str(); *at;) {
-    char* end = nullptr;
-    double value = std::strtod(at, &end);
-    if (end == at) break;
-    numbers.push_back(value);
-    while (*end == ' ') ++end;
-    if (*end != '\\') break;
-    at = end + 1;
+  for (std::string_view rest = text; auto value = takeNumber(rest);) {
+    numbers.push_back(*value);
+    rest = trimmed(rest);
+    if (!rest.starts_with('\\')) break;
+    rest.remove_prefix(1);
   }
   return numbers;
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <optional>
 
@@ -11,6 +10,7 @@
 #include "read/Placement.h"
 #include "read/SampleBytes.h"
 #include "velum/core/Error.h"
+#include "velum/core/Text.h"
 
 namespace velum::io {
 
@@ -56,12 +56,7 @@ std::string stringOf(std::string_view text, std::string_view key, std::string_vi
   return std::string(value.value_or(otherwise).substr(0, 4096));
 }
 
-double numberOf(std::string_view text) {
-  while (!text.empty() && std::isspace(static_cast<unsigned char>(text.front()))) text.remove_prefix(1);
-  double value = std::nan("");
-  std::from_chars(text.data(), text.data() + text.size(), value);
-  return value;
-}
+double numberOf(std::string_view text) { return takeNumber(text).value_or(std::nan("")); }
 
 std::array<double, 3> threeOf(std::string_view text, std::string_view key, const Path& path) {
   std::array<double, 3> out{};

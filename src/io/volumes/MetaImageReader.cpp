@@ -12,6 +12,7 @@
 #include "read/FileNames.h"
 #include "read/Payload.h"
 #include "read/Placement.h"
+#include "velum/core/Text.h"
 
 namespace velum::io {
 
@@ -35,17 +36,12 @@ struct MetaHeader {
     return !value.empty() && (value[0] == 'T' || value[0] == 't' || value[0] == '1' || value[0] == 'Y');
   }
   std::vector<double> numbers(std::initializer_list<const char*> names) const {
-    std::istringstream stream(field(names));
     std::vector<double> result;
-    for (std::string word; stream >> word && result.size() < 100;) result.push_back(std::strtod(word.c_str(), nullptr));
+    for (std::string_view word : wordsOf(field(names)))
+      if (result.size() < 100) result.push_back(takeNumber(word).value_or(0.0));
     return result;
   }
 };
-
-std::string trimmed(const std::string& text) {
-  auto first = text.find_first_not_of(" \t\r");
-  return first == std::string::npos ? std::string() : text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
 
 MetaHeader parseHeader(const Path& file) {
   MetaHeader h;
@@ -66,8 +62,8 @@ MetaHeader parseHeader(const Path& file) {
       if (std::any_of(line.begin(), line.end(), [](char byte) { return byte >= 0 && byte < 9; })) break;
       refuse(file, fmt::format("its header has a line {} without '='", inQuotes(line)));
     }
-    std::string key = trimmed(line.substr(0, equals));
-    h.fields[key] = trimmed(line.substr(equals + 1));
+    std::string key(trimmed(std::string_view(line).substr(0, equals)));
+    h.fields[key] = trimmed(std::string_view(line).substr(equals + 1));
     if (key == "ElementDataFile") break;
   }
   if (h.field({"ElementDataFile"}).empty()) refuse(file, "its header has no ElementDataFile");

@@ -7,18 +7,13 @@
 
 #include "read/FileBytes.h"
 #include "read/FileNames.h"
+#include "velum/core/Text.h"
 
 namespace velum::io {
 
 namespace {
 
 constexpr std::size_t kLongestHeader = 4 << 20;
-
-std::string trimmed(std::string_view text) {
-  auto first = text.find_first_not_of(" \t\r\n");
-  if (first == std::string_view::npos) return {};
-  return std::string(text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1));
-}
 
 /// Key values escape line ends and backslashes.
 std::string unescaped(std::string_view text) {

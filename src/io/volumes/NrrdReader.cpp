@@ -5,7 +5,6 @@
 #include <cstring>
 #include <fstream>
 #include <optional>
-#include <sstream>
 
 #include "NrrdHeader.h"
 #include "Readers.h"
@@ -14,6 +13,7 @@
 #include "read/FileNames.h"
 #include "read/Payload.h"
 #include "read/Placement.h"
+#include "velum/core/Text.h"
 
 namespace velum::io {
 
@@ -44,18 +44,7 @@ struct Axis {
   std::optional<std::vector<double>> direction;  ///< In the file's space; none for an axis that is not spatial.
 };
 
-std::vector<std::string> words(const std::string& text) {
-  std::istringstream stream(text);
-  std::vector<std::string> result;
-  for (std::string word; stream >> word;) result.push_back(word);
-  return result;
-}
-
-double numberOf(const std::string& word) {
-  char* end = nullptr;
-  double value = std::strtod(word.c_str(), &end);
-  return end == word.c_str() ? std::nan("") : value;
-}
+double numberOf(std::string_view word) { return takeNumber(word).value_or(std::nan("")); }
 
 /// "(1,0,0) none (0,1,0)": spaces may stand inside the brackets.
 std::vector<std::optional<std::vector<double>>> parseVectors(const std::string& text) {
@@ -70,7 +59,7 @@ std::vector<std::optional<std::vector<double>>> parseVectors(const std::string& 
       std::string inside = text.substr(at + 1, end - at - 1);
       std::replace(inside.begin(), inside.end(), ',', ' ');
       std::vector<double> numbers;
-      for (const auto& word : words(inside)) numbers.push_back(numberOf(word));
+      for (const auto& word : wordsOf(inside)) numbers.push_back(numberOf(word));
       result.push_back(numbers);
       at = end + 1;
     } else {
@@ -85,10 +74,10 @@ std::vector<Axis> parseAxes(const NrrdHeader& h) {
   int count = std::atoi(dimension.c_str());
   if (count < 1 || count > 16) refuse(h.file, fmt::format("a dimension of {} is not possible", inQuotes(dimension)));
   std::vector<Axis> axes{std::size_t(count)};
-  auto sizes = words(h.field("sizes"));
+  auto sizes = wordsOf(h.field("sizes"));
   if (sizes.size() != axes.size()) refuse(h.file, fmt::format("has {} sizes for {} dimensions", sizes.size(), count));
-  auto kinds = words(h.field("kinds"));
-  auto spacings = words(h.field("spacings"));
+  auto kinds = wordsOf(h.field("kinds"));
+  auto spacings = wordsOf(h.field("spacings"));
   auto directions = parseVectors(h.field("space directions"));
   if (!directions.empty() && directions.size() != axes.size()) refuse(h.file, "has a wrong number of space directions");
   for (std::size_t i = 0; i < axes.size(); ++i) {

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <optional>
+
+#include "velum/core/Text.h"
 
 namespace velum::io {
 
@@ -13,9 +14,7 @@ namespace {
 constexpr std::uint64_t kMaxCount = 10'000'000;
 
 double numberOf(std::string_view text) {
-  while (!text.empty() && std::isspace(static_cast<unsigned char>(text.front()))) text.remove_prefix(1);
-  double value = 0;
-  std::from_chars(text.data(), text.data() + text.size(), value);
+  double value = takeNumber(text).value_or(0.0);
   return std::isfinite(value) ? value : 0.0;
 }
 

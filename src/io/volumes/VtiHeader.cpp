@@ -5,12 +5,12 @@
 #include <array>
 #include <bit>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <vector>
 
 #include "velum/core/Error.h"
+#include "velum/core/Text.h"
 
 namespace velum::io {
 
@@ -54,13 +54,9 @@ std::array<double, N> numbersOf(std::string_view text, double otherwise) {
   std::array<double, N> out;
   out.fill(otherwise);
   for (double& value : out) {
-    while (!text.empty() && isSpace(text.front())) text.remove_prefix(1);
-    auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc()) {
-      value = otherwise;
-      break;
-    }
-    text.remove_prefix(std::size_t(end - text.data()));
+    auto number = takeNumber(text);
+    if (!number) break;
+    value = *number;
   }
   return out;
 }

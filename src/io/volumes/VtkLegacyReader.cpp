@@ -12,6 +12,7 @@
 #include "read/Placement.h"
 #include "read/SampleBytes.h"
 #include "velum/core/Error.h"
+#include "velum/core/Text.h"
 
 /// Legacy .vtk files with STRUCTURED_POINTS. Read by us and not by VTK, whose reader allocates whatever the header says
 /// and holds the voxels twice; the format is a few lines of text and big-endian numbers.
@@ -53,9 +54,8 @@ class Words {
   }
   double number() {
     std::string word = next();
-    double value = std::nan("");
-    std::from_chars(word.data(), word.data() + word.size(), value);
-    return value;
+    std::string_view rest = word;
+    return takeNumber(rest).value_or(std::nan(""));
   }
   std::size_t at() const { return mAt; }
 
@@ -84,10 +84,7 @@ void readScalars(Header& h, Words& words, std::string_view text, const Path& pat
   words.next();  // its name
   setType(h, words.next(), path);
   std::string_view rest = words.line();
-  double components = 1;
-  while (!rest.empty() && rest.front() == ' ') rest.remove_prefix(1);
-  if (!rest.empty()) std::from_chars(rest.data(), rest.data() + rest.size(), components);
-  h.components = components;
+  h.components = takeNumber(rest).value_or(1.0);
   Words ahead(text.substr(words.at()));
   if (ahead.next() == "lookup_table") words.line();
 }

@@ -14,6 +14,7 @@
 #include "PathKey.h"
 #include "velum/core/Error.h"
 #include "velum/core/Log.h"
+#include "velum/core/Text.h"
 
 namespace velum::scene {
 
@@ -78,7 +79,7 @@ Json writeStruct(const T& value) {
 }
 
 /// The shortest decimal that reads back as the same float, rather than its long double form.
-Json writeNumber(float value) { return Json(std::stod(fmt::format("{}", value))); }
+Json writeNumber(float value) { return Json(numberIn(fmt::format("{}", value)).value()); }
 /// Infinity, where a field may have it, is null.
 Json writeNumber(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 Json writeNumber(Number auto value) { return Json(value); }

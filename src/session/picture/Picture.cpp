@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <cstdio>
 
+#include "velum/core/Text.h"
 #include "velum/gpu/Context.h"
 #include "velum/io/images/ImageFile.h"
 #include "velum/render/RenderPicture.h"
@@ -119,17 +119,14 @@ void writeLayerPictures(const Image& image, const std::filesystem::path& output)
 }  // namespace
 
 glm::ivec2 parsePictureSize(const std::string& text, double dpi) {
-  double width = 0, height = 0;
-  char unit[3] = "";
-  int read = 0;
-  bool ok = std::sscanf(text.c_str(), "%lfx%lf%n", &width, &height, &read) == 2;
-  if (ok && std::size_t(read) < text.size()) {
-    int more = 0;
-    ok = std::sscanf(text.c_str() + read, "%2[a-z]%n", unit, &more) == 1 && std::size_t(read + more) == text.size();
-  }
-  std::string name(unit);
-  double inches = name == "cm" ? 1 / 2.54 : name == "mm" ? 1 / 25.4 : name == "in" ? 1.0 : 0.0;
-  bool isPixels = name.empty() || name == "px";
+  std::string_view unit = text;
+  auto number = [&] { return takeNumber(unit).value_or(std::nan("")); };
+  double width = number();
+  bool ok = unit.starts_with('x');
+  if (ok) unit.remove_prefix(1);
+  double height = number();
+  double inches = unit == "cm" ? 1 / 2.54 : unit == "mm" ? 1 / 25.4 : unit == "in" ? 1.0 : 0.0;
+  bool isPixels = unit.empty() || unit == "px";
   ok = ok && (isPixels || inches > 0) && std::isfinite(width) && std::isfinite(height);
   double scale = isPixels ? 1.0 : inches * (dpi > 0 ? dpi : 300.0);
   glm::dvec2 pixels = glm::round(glm::dvec2(width, height) * scale);

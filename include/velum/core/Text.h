@@ -1,0 +1,24 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace velum {
+
+/// Without the blanks and line ends around it.
+std::string_view trimmed(std::string_view text);
+
+/// What stands between blanks and line ends.
+std::vector<std::string> wordsOf(std::string_view text);
+
+/// The number that a text begins with; blanks and line ends before it are passed over. The text loses what was taken,
+/// and nothing where there is no number. "+1", "1e9", "inf" and "nan" are numbers; one too small for a double is 0, one
+/// too large infinite. The decimal point is a point whatever the user's locale, which std::strtod, std::stod and
+/// std::sscanf follow.
+std::optional<double> takeNumber(std::string_view& text);
+
+/// The same of a text that is one number and nothing else.
+std::optional<double> numberIn(std::string_view text);
+
+}  // namespace velum

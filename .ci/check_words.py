@@ -41,6 +41,12 @@ def strings_after(root, folders, call):
             yield path, re.finditer(call + r"\s*(" + STRING + r"(?:\s*" + STRING + r")*)", text)
 
 
+def texts_for_people(root, folders):
+    """Strings of several words, or with a mnemonic: tr() may stand elsewhere, where a row of a table is read."""
+    for path, matches in strings_after(root, folders, ""):
+        yield path, [m for m in matches if " " in m[1] or "&" in m[1] or "tr(" in m.string[max(0, m.start() - 4):m.start()]]
+
+
 def without_io(root):
     """Files have words of their own: what a format calls a slice, a millimetre or a frame is one."""
     return ((path, names) for path, names in cpp_names(root) if not {"io"} & set(path.relative_to(root).parts[:3]))
@@ -52,7 +58,7 @@ PLACES = {  # name in the table: names or texts of that place, each a list of ma
     "JSON": lambda root: strings_after(root, ["include/velum/scene"], r"\bvisit\("),
     "GLSL": glsl_names,
     "command line": lambda root: strings_after(root, ["src/app"], r"\badd_(?:option|flag)\("),
-    "window": lambda root: strings_after(root, ["src/gui"], r"(?:\btr|QT_TRANSLATE_NOOP)\("),
+    "window": lambda root: texts_for_people(root, ["src/gui", "src/session/cut"]),
 }
 
 
@@ -91,7 +97,7 @@ def main(root):
         wanted = [(word, instead, waits) for words, places, instead, waits in table if place in places for word in words]
         for path, matches in texts(root):
             for match in matches:
-                text = match[1].strip('"') if match.re.groups else match[0]
+                text = match[1].strip('"').replace("&", "") if match.re.groups else match[0]
                 for word, instead, waits in wanted:
                     if not holds(text, word, place in ("C++", "GLSL", "JSON")):
                         continue

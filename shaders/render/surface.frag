@@ -13,9 +13,11 @@ layout(location = 0) uniform vec4 albedo;  // a: 0 draws it unlit (outlines)
 layout(location = 1) uniform int instance;
 
 void main() {
+  // Before anything is discarded: neighbours that are gone have no differences.
+  vec3 flatNormal = cross(dFdx(scenePoint), dFdy(scenePoint));
   if (albedo.a > 0.0 && !cutsKeep(scenePoint, 0u)) discard;
   vec3 toPoint = hasFlag(kFlagOrthographic) ? frame.forward.xyz : normalize(scenePoint - frame.eye.xyz);
-  vec3 normal = length(sceneNormal) > 0.0 ? sceneNormal : cross(dFdx(scenePoint), dFdy(scenePoint));
+  vec3 normal = length(sceneNormal) > 0.0 ? sceneNormal : flatNormal;
   normal = length(normal) > 0.0 ? normalize(normal) : -toPoint;  // a line has none
   if (dot(normal, toPoint) > 0.0) normal = -normal;
   color = vec4(albedo.a > 0.0 ? shadeSurface(albedo.rgb, normal, -toPoint, lightTexAt(scenePoint, normal)) : albedo.rgb, 1.0);

@@ -25,6 +25,8 @@ void addBox(Bounds& bounds, glm::ivec3 dims, const glm::dmat4& worldFromVoxel) {
 
 }  // namespace
 
+bool hasData(const Scene& scene) { return scene.volume.data || scene.labels.data || !scene.surfaces.empty(); }
+
 Bounds computeBounds(const Scene& scene) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   Bounds bounds{glm::dvec3(kInfinity), glm::dvec3(-kInfinity)};

@@ -8,6 +8,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "velum/core/Assert.h"
 #include "velum/scene/SectionPlane.h"
 
 namespace velum::scene {
@@ -43,6 +44,8 @@ class Scaler {
       if (isLength) value = glm::vec3(glm::dvec3(value) * mFactor);
     } else if constexpr (std::is_class_v<T> && requires { T::fields(value, *this); }) {
       T::fields(value, *this);
+    } else {
+      VELUM_ASSERT(!isLength, "lengths are doubles and vectors of them");
     }
   }
 

@@ -112,14 +112,16 @@ TEST_F(CutWindow, AFaceIsDraggedWithItsHandle) {
 TEST_F(CutWindow, ThreeClicksMakeAPlaneThroughWhatWasClickedAndEscGivesUp) {
   openWithLabels();
   ASSERT_TRUE(settle());
-  ThreePointTool& tool = mWindow->threePoints();
+  auto hint = [&] { return mWindow->toolbox().active() ? mWindow->toolbox().active()->hint() : QString(); };
   mWindow->actions().find("cut.threePoints")->trigger();
-  EXPECT_TRUE(tool.isActive());
+  EXPECT_TRUE(hint().contains("first"));
   QPoint middle = viewport().rect().center();
   QTest::mouseClick(&viewport(), Qt::LeftButton, {}, middle);
-  EXPECT_EQ(tool.points().size(), 1u);
+  EXPECT_TRUE(hint().contains("second"));
+  QTest::mouseClick(&viewport(), Qt::LeftButton, {}, QPoint(3, 3));
+  EXPECT_TRUE(hint().contains("Nothing is there") && hint().contains("second")) << hint().toStdString();
   QTest::keyClick(&viewport(), Qt::Key_Escape);
-  EXPECT_FALSE(tool.isActive());
+  EXPECT_FALSE(mWindow->toolbox().active());
   EXPECT_TRUE(scene().cuts.empty());
   mWindow->actions().find("cut.threePoints")->trigger();
   std::vector<glm::dvec3> places;
@@ -133,7 +135,22 @@ TEST_F(CutWindow, ThreeClicksMakeAPlaneThroughWhatWasClickedAndEscGivesUp) {
   ASSERT_EQ(scene().cuts.size(), 1u);
   for (glm::dvec3 p : places) EXPECT_NEAR(glm::dot(p - scene().cuts[0].centre, scene().cuts[0].axis), 0.0, 1e-3);
   EXPECT_EQ(document().undoLabel(), "Plane through three points");
-  EXPECT_FALSE(tool.isActive());
+  EXPECT_FALSE(mWindow->toolbox().active());
+}
+
+TEST_F(CutWindow, WhatAToolHasBegunEndsWithItsData) {
+  openWithLabels();
+  ASSERT_TRUE(settle());
+  mWindow->actions().find("cut.threePoints")->trigger();
+  QTest::mouseClick(&viewport(), Qt::LeftButton, {}, viewport().rect().center());
+  ASSERT_TRUE(mWindow->toolbox().active());
+  mWindow->openPaths({path("phantom.nrrd")});
+  ASSERT_TRUE(wait([&] { return !mWindow->isBusy(); }));
+  EXPECT_FALSE(mWindow->toolbox().active());
+  ASSERT_TRUE(settle());
+  mWindow->actions().find("cut.threePoints")->trigger();
+  mWindow->actions().find("file.new")->trigger();
+  EXPECT_FALSE(mWindow->toolbox().active());
 }
 
 TEST_F(CutWindow, OnASectionACutIsDraggedByItsLine) {

@@ -11,6 +11,8 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLineEdit>
+#include <QMenu>
+#include <QMenuBar>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSet>
@@ -359,6 +361,26 @@ TEST_P(KeyboardUse, ACurveIsMadeWithoutAMouse) {
   EXPECT_EQ(transfer().colors.size(), stops + 1);
   QTest::keyClick(canvas, Qt::Key_Delete);
   EXPECT_EQ(transfer().colors.size(), stops);
+}
+
+TEST_P(KeyboardUse, NoTwoEntriesOfAMenuHaveTheSameLetter) {
+  open({"phantom.nrrd"});
+  int entries = 0;
+  auto letterOf = [](const QString& text) { return QKeySequence::mnemonic(text).toString(); };
+  auto expectDifferent = [&](const QList<QAction*>& actions, const QString& where) {
+    QMap<QString, QString> letters;
+    for (const QAction* action : actions) {
+      QString letter = letterOf(action->text());
+      if (letter.isEmpty()) continue;
+      ++entries;
+      EXPECT_FALSE(letters.contains(letter))
+          << (where + ": " + action->text() + " and " + letters[letter]).toStdString();
+      letters[letter] = action->text();
+    }
+  };
+  expectDifferent(mWindow->menuBar()->actions(), "the bar");
+  for (const QAction* menu : mWindow->menuBar()->actions()) expectDifferent(menu->menu()->actions(), menu->text());
+  EXPECT_GT(entries, 40);
 }
 
 TEST_P(KeyboardUse, TheMouseMakesNoRing) {

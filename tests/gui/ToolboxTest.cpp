@@ -11,8 +11,15 @@ namespace {
 /// A tool by its switches: a button of the panel, a command of the menus, or both.
 struct Row {
   const char *button, *action;
-  const char* step;  ///< the name of the undo step of a click
+  const char* step;        ///< the name of the undo step that it makes
+  std::size_t clicks = 1;  ///< after which it does
+  /// What of the scene it changes.
+  void (*copyChanged)(const scene::Scene& from, scene::Scene& to) = [](const scene::Scene& from, scene::Scene& to) {
+    to.cuts = from.cuts;
+  };
 };
+
+void copyTransfer(const scene::Scene& from, scene::Scene& to) { to.volume.transfer = from.volume.transfer; }
 
 constexpr Row kTools[] = {{"protectThis", nullptr, "Protect from sheet"},
                           {"letThrough", nullptr, "Let sheet through"},
@@ -21,8 +28,8 @@ constexpr Row kTools[] = {{"protectThis", nullptr, "Protect from sheet"},
                           {"pullTool", "membrane.pull", "Add pull kernel"},
                           {"sketchKeep", nullptr, "Sketch what to protect"},
                           {"sketchAvoid", nullptr, "Sketch what to let through"},
-                          {nullptr, "cut.threePoints", "Plane through three points"},
-                          {nullptr, "look.showThis", "Show this tissue"}};
+                          {nullptr, "cut.threePoints", "Plane through three points", 3},
+                          {nullptr, "look.showThis", "Show this tissue", 1, copyTransfer}};
 
 }  // namespace
 
@@ -78,19 +85,13 @@ class ToolWindow : public Window {
     scene::Scene before = scene();
     int structure = mWindow->selection().structure();
     press(row, false);
-    std::size_t clicks = std::string(row.action ? row.action : "") == "cut.threePoints" ? 3 : 1;
-    for (std::size_t i = 0; i < clicks; ++i) QTest::mouseClick(&view, Qt::LeftButton, {}, places.at(i));
+    for (std::size_t i = 0; i < row.clicks; ++i) QTest::mouseClick(&view, Qt::LeftButton, {}, places.at(i));
     EXPECT_EQ(document().undoLabels().size(), steps + 1) << nameOf(row);
     EXPECT_EQ(document().undoLabel(), row.step) << nameOf(row);
     EXPECT_EQ(mWindow->selection().structure(), structure) << nameOf(row);
     scene::Scene rest = scene();
-    if (std::string(row.step) == "Show this tissue") {
-      EXPECT_NE(rest.volume.transfer, before.volume.transfer);
-      rest.volume.transfer = before.volume.transfer;
-    } else {
-      EXPECT_NE(rest.cuts, before.cuts);
-      rest.cuts = before.cuts;
-    }
+    row.copyChanged(before, rest);
+    EXPECT_NE(rest, scene()) << nameOf(row) << " changed nothing";
     EXPECT_EQ(rest, before) << nameOf(row) << " changed what is none of its business";
     document().undo();
     EXPECT_EQ(scene(), before) << nameOf(row);

@@ -8,6 +8,7 @@
 #include "read/ByteSource.h"
 #include "read/FileBytes.h"
 #include "read/FileNames.h"
+#include "read/Placement.h"
 #include "read/SampleBytes.h"
 #include "velum/core/Error.h"
 #include "velum/io/volumes/ReadVolume.h"
@@ -131,6 +132,29 @@ TEST(ReadVolume, EachFormatSaysOnceThatItHasNoSpacingAndTakesTheUsers) {
     EXPECT_TRUE(v.isSpacingKnown) << name;
     for (const std::string& warning : v.warnings) EXPECT_EQ(warning.find("spacing"), std::string::npos) << warning;
   }
+}
+
+TEST(ReadVolume, ASpacingThatNobodyCanInvertIsNotTaken) {
+  TempFolder folder;
+  for (const char* spacing : {"1e-200", "1e200"}) {
+    write(folder / "a.mha",
+          std::string("ObjectType = Image\nNDims = 3\nDimSize = 2 2 2\nElementType = MET_UCHAR\nElementSpacing = ") +
+              spacing + " " + spacing + " " + spacing + "\nElementDataFile = LOCAL\n12345678");
+    Progress progress;
+    Volume v = readVolume({(folder / "a.mha").string()}, progress);
+    EXPECT_EQ(spacingOf(v), glm::dvec3(1.0)) << spacing;
+    EXPECT_FALSE(v.isSpacingKnown);
+    EXPECT_FALSE(v.warnings.empty());
+  }
+}
+
+TEST(ReadVolume, WarningsAreInTheUnitOfTheData) {
+  Volume v;
+  v.lengthUnit = LengthUnit::Angstrom;
+  v.isSpacingKnown = false;
+  applySpacing(v, {});
+  ASSERT_EQ(v.warnings.size(), 1u);
+  EXPECT_EQ(v.warnings[0].find("mm"), std::string::npos) << v.warnings[0];
 }
 
 }  // namespace

@@ -246,7 +246,7 @@ TEST_F(CutsGL, WalksComeOutAsIntervalsDo) {
   for (int round = 0; round < 30; ++round) {
     std::vector<shared::CutData> plain, walked;
     for (int i = 0; i <= round % 4; ++i) {
-      scene::Cut cut = kShapes[random() % 5];
+      scene::Cut cut = kShapes[random() % std::size(kShapes)];
       cut.centre = vector(0.3);
       cut.axis = vector(1);
       cut.size = {number(0.1, 0.7), number(0.1, 0.7), number(0.1, 0.7)};

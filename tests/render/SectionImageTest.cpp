@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "FrameSetup.h"
+#include "cutShapes.h"
 #include "makeVolume.h"
 #include "section/SectionCuts.h"
 #include "sheetShapes.h"
@@ -235,9 +236,6 @@ TEST_F(SectionLabels, OutlinesAreOnePixelWide) {
   EXPECT_EQ(strong[2], strong[1] + 1);
 }
 
-constexpr scene::CutShape kShapes[] = {scene::CutShape::Plane, scene::CutShape::Box, scene::CutShape::Sphere,
-                                       scene::CutShape::Cylinder, scene::CutShape::Cone};
-
 scene::Cut slanted(scene::CutShape shape, bool invert) {
   scene::Cut cut;
   cut.shape = shape;
@@ -250,7 +248,7 @@ scene::Cut slanted(scene::CutShape shape, bool invert) {
 
 TEST_F(SectionLabels, CutsDimWhatTheyRemoveAsTheirFunctionSays) {
   mScene.sections.labelOpacity = 0;
-  for (auto shape : kShapes)
+  for (auto shape : everyShapeButMembranes())
     for (bool invert : {false, true}) {
       mScene.cuts = {slanted(shape, invert)};
       SectionImage image = drawSection(mScene, mFrame);
@@ -274,7 +272,7 @@ TEST_F(SectionLabels, CutsDimWhatTheyRemoveAsTheirFunctionSays) {
 
 TEST(SectionCuts, WalksMarkARowAsIntervalsDo) {
   int crossed = 0, off = 0;
-  for (auto shape : kShapes)
+  for (auto shape : everyShapeButMembranes())
     for (bool invert : {false, true})
       for (int y = -40; y < 40; ++y) {
         scene::Scene scene;

@@ -6,7 +6,10 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <string>
 #include <vector>
+
+#include "velum/scene/Cut.h"
 
 namespace velum {
 namespace {
@@ -15,7 +18,16 @@ using glm::vec2, glm::vec3;
 using shared::kCutBox, shared::kCutCone, shared::kCutCylinder, shared::kCutPlane, shared::kCutSphere;
 
 const vec3 kHalves[] = {{20, 12, 30}, {15, 15, 15}, {30, 8, 5}};
-const char* const kNames[] = {"plane", "box", "sphere", "cylinder", "cone"};
+constexpr int kKinds[] = {kCutPlane, kCutBox, kCutSphere, kCutCylinder, kCutCone};
+static_assert(std::size(kKinds) + 1 == std::size(EnumNames<scene::CutShape>::kNames), "all but the membrane");
+/// Whose intervals along a ray there are.
+const std::vector<int> kConvexKinds = [] {
+  std::vector<int> kinds;
+  std::copy_if(std::begin(kKinds), std::end(kKinds), std::back_inserter(kinds), shared::cutIsConvex);
+  return kinds;
+}();
+
+std::string nameOf(int kind) { return std::string(enumName(static_cast<scene::CutShape>(kind))); }
 
 /// Whether a point is in the shape, told from its definition alone. Doubles.
 bool isInside(int kind, glm::dvec3 half, glm::dvec3 p) {
@@ -105,7 +117,7 @@ vec3 randomPoint(std::mt19937& random, float reach) {
 TEST(CutShapeDistance, IsTheDistanceToTheSurface) {
   constexpr float kGap = 0.5f;
   std::mt19937 random(11);
-  for (int kind = 0; kind < 5; ++kind)
+  for (int kind : kKinds)
     for (vec3 half : kHalves) {
       std::vector<vec3> surface = surfaceOf(kind, half, kGap);
       for (int i = 0; i < 150; ++i) {
@@ -115,42 +127,42 @@ TEST(CutShapeDistance, IsTheDistanceToTheSurface) {
         nearest = std::sqrt(nearest);
         float distance = std::abs(shared::cutShapeDistance(kind, half, p));
         // The sampled surface is never nearer than the true one, and further by half the gap's diagonal at most.
-        EXPECT_LE(distance, nearest + 1e-3f) << kNames[kind] << " at " << p.x << " " << p.y << " " << p.z;
-        EXPECT_GE(distance, nearest - 0.75f * kGap) << kNames[kind] << " at " << p.x << " " << p.y << " " << p.z;
+        EXPECT_LE(distance, nearest + 1e-3f) << nameOf(kind) << " at " << p.x << " " << p.y << " " << p.z;
+        EXPECT_GE(distance, nearest - 0.75f * kGap) << nameOf(kind) << " at " << p.x << " " << p.y << " " << p.z;
       }
     }
 }
 
 TEST(CutShapeDistance, IsNegativeInsideOnly) {
   std::mt19937 random(12);
-  for (int kind = 0; kind < 5; ++kind)
+  for (int kind : kKinds)
     for (vec3 half : kHalves)
       for (int i = 0; i < 3000; ++i) {
         vec3 p = randomPoint(random, 45.0f);
         float distance = shared::cutShapeDistance(kind, half, p);
         if (std::abs(distance) < 1e-4f) continue;  // on the surface, as far as floats tell
         EXPECT_EQ(distance < 0.0f, isInside(kind, half, p))
-            << kNames[kind] << " at " << p.x << " " << p.y << " " << p.z;
+            << nameOf(kind) << " at " << p.x << " " << p.y << " " << p.z;
       }
 }
 
 TEST(CutShapeDistance, NeverChangesFasterThanThePointMoves) {
   std::mt19937 random(13);
-  for (int kind = 0; kind < 5; ++kind)
+  for (int kind : kKinds)
     for (vec3 half : kHalves)
       for (int i = 0; i < 3000; ++i) {
         vec3 p = randomPoint(random, 60.0f), q = p + randomPoint(random, i % 2 ? 0.5f : 20.0f);
         float change = std::abs(shared::cutShapeDistance(kind, half, p) - shared::cutShapeDistance(kind, half, q));
-        EXPECT_LE(change, glm::length(p - q) + 5e-5f) << kNames[kind];  // float rounding at 60 mm
+        EXPECT_LE(change, glm::length(p - q) + 5e-5f) << nameOf(kind);  // float rounding at 60 mm
       }
 }
 
 TEST(CutShapeDistance, IsFiniteOnAxesCornersAndApex) {
-  for (int kind = 0; kind < 5; ++kind)
+  for (int kind : kKinds)
     for (float x : {0.0f, 20.0f, -20.0f, 1e6f})
       for (float y : {0.0f, 12.0f})
         for (float z : {0.0f, 30.0f, 60.0f, -30.0f, -1e6f})
-          EXPECT_TRUE(std::isfinite(shared::cutShapeDistance(kind, kHalves[0], {x, y, z}))) << kNames[kind];
+          EXPECT_TRUE(std::isfinite(shared::cutShapeDistance(kind, kHalves[0], {x, y, z}))) << nameOf(kind);
 }
 
 struct Line {
@@ -199,19 +211,19 @@ std::vector<Line> linesFor(vec3 half, std::mt19937& random) {
 TEST(CutShapeInterval, HoldsExactlyWhatLiesInside) {
   constexpr float kSlack = 0.02f;  // mm of boundary in which floats may disagree
   std::mt19937 random(14);
-  for (int kind = 0; kind < 5; ++kind)
+  for (int kind : kConvexKinds)
     for (vec3 half : kHalves) {
       int wrong = 0;
       for (const Line& line : linesFor(half, random)) {
         vec2 inside = shared::cutShapeInterval(kind, half, line.origin, line.direction);
-        EXPECT_FALSE(std::isnan(inside.x) || std::isnan(inside.y)) << kNames[kind] << " " << line.what;
+        EXPECT_FALSE(std::isnan(inside.x) || std::isnan(inside.y)) << nameOf(kind) << " " << line.what;
         for (float t = -150.0f; t <= 200.0f && wrong < 4; t += 0.37f) {
           glm::dvec3 p = glm::dvec3(line.origin) + double(t) * glm::dvec3(line.direction);
           if (std::abs(shared::cutShapeDistance(kind, half, vec3(p))) < kSlack) continue;
           bool expected = isInside(kind, half, p), found = t > inside.x && t < inside.y;
           if (expected == found) continue;
           ++wrong;
-          ADD_FAILURE() << kNames[kind] << ", half " << half.x << " " << half.y << " " << half.z << ": a ray "
+          ADD_FAILURE() << nameOf(kind) << ", half " << half.x << " " << half.y << " " << half.z << ": a ray "
                         << line.what << " from " << line.origin.x << " " << line.origin.y << " " << line.origin.z
                         << " along " << line.direction.x << " " << line.direction.y << " " << line.direction.z
                         << " at t = " << t << " is " << (expected ? "inside" : "outside") << " but the interval is "
@@ -234,7 +246,7 @@ TEST(CutDistance, InvertTurnsTheSignAndAMovedCutMovesItsRegion) {
   std::mt19937 random(15);
   glm::mat4 move = glm::mat4(1.0f);
   move[3] = glm::vec4(-10, 20, -30, 1);
-  for (int kind = 0; kind < 5; ++kind)
+  for (int kind : kKinds)
     for (int i = 0; i < 500; ++i) {
       vec3 p = randomPoint(random, 60.0f);
       float plain = shared::cutDistance(cutOf(kind, kHalves[0], false, glm::mat4(1.0f)), p, {});
@@ -259,7 +271,7 @@ TEST(CutWalk, GoesOnAsFarAsTheShapeDoes) {
   constexpr float kSlack = 0.05f;  // what steps near a face may step over is not deeper
   std::mt19937 random(16);
   int most = 0;
-  for (int kind = 0; kind < 5; ++kind)
+  for (int kind : kKinds)
     for (bool invert : {false, true})
       for (vec3 half : kHalves) {
         shared::CutData cut = cutOf(kind, half, invert, glm::mat4(1.0f));
@@ -277,13 +289,13 @@ TEST(CutWalk, GoesOnAsFarAsTheShapeDoes) {
               float distance = at(s);
               if (std::abs(distance) < kSlack || (distance < 0.0f) == removes) continue;
               ++wrong;
-              ADD_FAILURE() << kNames[kind] << invert << ", a ray " << line.what << " at t = " << s << ", distance "
+              ADD_FAILURE() << nameOf(kind) << invert << ", a ray " << line.what << " at t = " << s << ", distance "
                             << distance << ", in a run from " << t << " to " << next;
               break;
             }
             if (next < kTo) {
               // A run that is out of steps ends off the face that it goes along.
-              EXPECT_LT(std::abs(at(next)), 2.0f * kSlack) << kNames[kind] << " " << line.what;
+              EXPECT_LT(std::abs(at(next)), 2.0f * kSlack) << nameOf(kind) << " " << line.what;
             }
             t = next;
           }
@@ -296,14 +308,14 @@ TEST(CutWalk, GoesOnAsFarAsTheShapeDoes) {
 TEST(CutWalk, EndsOnTheFace) {
   std::mt19937 random(17);
   int ends = 0;
-  for (int kind = 0; kind < 5; ++kind)
+  for (int kind : kConvexKinds)
     for (int i = 0; i < 2000; ++i) {
       vec3 o = randomPoint(random, 60.0f), d = glm::normalize(randomPoint(random, 12.0f) - o);
       vec2 inside = shared::cutShapeInterval(kind, kHalves[0], o, d);
       if (!(inside.y - inside.x > 1.0f) || inside.x < 0.0f || inside.x > 100.0f) continue;
       ++ends;
       shared::CutRun run = shared::cutWalk(cutOf(kind, kHalves[0], false, glm::mat4(1.0f)), o, d, 0.0f, 1e-3f, 200.0f);
-      EXPECT_NEAR(run.next, inside.x, 2e-3f) << kNames[kind];
+      EXPECT_NEAR(run.next, inside.x, 2e-3f) << nameOf(kind);
     }
   EXPECT_GT(ends, 3000);
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "CutScene.h"
+#include "shared/cut.h"
 
 namespace velum::session {
 
@@ -42,11 +43,29 @@ TEST(CutEdit, ANewCutIsAThirdOfTheDataAndOpensWhatTheEyeSees) {
   }
 }
 
+TEST(CutEdit, ANewCutOpensTheSideThatIsSeenHoweverDeepTheDataAre) {
+  scene::Scene scene = boxScene(kSize);  // three times as long as wide
+  scene::placeSections(scene);
+  scene::Bounds bounds = scene::computeBounds(scene);
+  for (auto view : {scene::StandardView::Anterior, scene::StandardView::Left, scene::StandardView::Superior}) {
+    scene.camera = scene::frameCamera(scene, view, 1.0);
+    glm::dvec3 toEye = glm::normalize(scene.camera.eye - scene.camera.target);
+    glm::dvec3 side =
+        (bounds.min + bounds.max + toEye * glm::dot(glm::abs(toEye), 0.9 * (bounds.max - bounds.min))) * 0.5;
+    for (auto shape : everyClosedShape()) {
+      scene::Cut cut = makeCut(scene, shape);
+      glm::vec3 local(glm::inverse(scene::worldFromCut(cut)) * glm::dvec4(side, 1.0));
+      EXPECT_LT(shared::cutShapeDistance(static_cast<int>(shape), glm::vec3(cut.size * 0.5), local), 0.0f)
+          << enumName(shape) << " from " << toEye.x << " " << toEye.y << " " << toEye.z;
+    }
+  }
+}
+
 TEST(CutEdit, ANewCutLiesAboutTheCrosshair) {
   scene::Scene scene = boxScene(kSize);
   scene::placeSections(scene);
   scene.sections.crosshair += glm::dvec3(20, -30, 40);
-  for (auto shape : kShapes) EXPECT_EQ(makeCut(scene, shape).centre, scene.sections.crosshair);
+  for (auto shape : everyShapeButMembranes()) EXPECT_EQ(makeCut(scene, shape).centre, scene.sections.crosshair);
 }
 
 TEST(CutEdit, ANewPlaneGoesAcrossAnAxisAndTakesTheSideOfTheEye) {

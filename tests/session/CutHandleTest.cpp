@@ -29,9 +29,6 @@ glm::dvec2 pixelOf(const scene::Scene& scene, glm::dvec3 world) {
   return scene::pixelFromWorld(scene.camera, kSize, world).value();
 }
 
-constexpr scene::CutShape kAllShapes[] = {scene::CutShape::Plane,    scene::CutShape::Box,  scene::CutShape::Sphere,
-                                          scene::CutShape::Cylinder, scene::CutShape::Cone, scene::CutShape::Membrane};
-
 bool isResize(CutHandle handle) { return handle >= CutHandle::FaceXMin; }
 
 double frameDifference(const scene::Cut& a, const scene::Cut& b) {
@@ -45,7 +42,7 @@ double frameDifference(const scene::Cut& a, const scene::Cut& b) {
 
 TEST(CutHandle, EveryGripIsFoundWhereItIs) {
   for (const auto& scene : manyViews())
-    for (auto shape : kAllShapes) {
+    for (auto shape : everyCutShape()) {
       CutGizmo gizmo = makeCutGizmo(scene, tiltedCut(shape), kSize);
       for (const auto& grip : gizmo.grips)
         EXPECT_EQ(handleAt(gizmo, scene.camera, kSize, pixelOf(scene, grip.place), 0.5), grip.handle)
@@ -55,7 +52,7 @@ TEST(CutHandle, EveryGripIsFoundWhereItIs) {
 
 TEST(CutHandle, AHandleStaysUnderThePointer) {
   for (const auto& scene : manyViews())
-    for (auto shape : kAllShapes) {
+    for (auto shape : everyCutShape()) {
       scene::Cut start = tiltedCut(shape);
       CutGizmo gizmo = makeCutGizmo(scene, start, kSize);
       for (const auto& grip : gizmo.grips) {
@@ -76,7 +73,7 @@ TEST(CutHandle, AHandleStaysUnderThePointer) {
 
 TEST(CutHandle, GoingBackGivesTheCutThatWas) {
   for (const auto& scene : manyViews())
-    for (auto shape : kAllShapes) {
+    for (auto shape : everyCutShape()) {
       scene::Cut start = tiltedCut(shape);
       CutGizmo gizmo = makeCutGizmo(scene, start, kSize);
       for (const auto& grip : gizmo.grips) {
@@ -90,7 +87,7 @@ TEST(CutHandle, GoingBackGivesTheCutThatWas) {
 
 TEST(CutHandle, ASecondDragTakesAResizeBack) {
   for (const auto& scene : manyViews())
-    for (auto shape : kAllShapes) {
+    for (auto shape : everyCutShape()) {
       scene::Cut start = tiltedCut(shape);
       CutGizmo gizmo = makeCutGizmo(scene, start, kSize);
       for (const auto& grip : gizmo.grips) {

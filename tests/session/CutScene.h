@@ -1,4 +1,5 @@
 #pragma once
+#include "cutShapes.h"
 #include "velum/scene/Scene.h"
 
 namespace velum::session {
@@ -14,9 +15,6 @@ inline scene::Scene boxScene(glm::dvec2 size) {
   scene.camera = scene::frameCamera(scene, scene::StandardView::Oblique, size.x / size.y);
   return scene;
 }
-
-constexpr scene::CutShape kShapes[] = {scene::CutShape::Plane, scene::CutShape::Box, scene::CutShape::Sphere,
-                                       scene::CutShape::Cylinder, scene::CutShape::Cone};
 
 /// A tilted and turned cut inside the box.
 inline scene::Cut tiltedCut(scene::CutShape shape) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "cutShapes.h"
 #include "shared/cut.h"
 #include "velum/scene/Navigate.h"
 #include "velum/scene/Project.h"
@@ -49,7 +50,7 @@ TEST(CutTool, OutlineLiesInThePlaneAndInTheBox) {
 
 TEST(CutTool, EdgesLieOnTheShape) {
   scene::Scene scene = boxScene();
-  for (auto shape : {scene::CutShape::Box, scene::CutShape::Sphere, scene::CutShape::Cylinder, scene::CutShape::Cone}) {
+  for (auto shape : everyClosedShape()) {
     scene::Cut cut;
     cut.shape = shape;
     cut.centre = {45, 95, 145};

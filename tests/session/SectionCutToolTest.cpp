@@ -7,6 +7,7 @@
 #include "shared/cut.h"
 #include "sheetShapes.h"
 #include "velum/membrane/sheet/SheetIndex.h"
+#include "velum/session/cut/ShapeTraits.h"
 
 namespace velum::session {
 
@@ -35,8 +36,8 @@ double distanceMm(const scene::Cut& cut, glm::dvec3 world) {
 
 std::vector<scene::Cut> manyCuts() {
   std::vector<scene::Cut> cuts;
-  for (auto shape : kShapes) cuts.push_back(tiltedCut(shape));
-  for (auto shape : kShapes) {
+  for (auto shape : everyShapeButMembranes()) cuts.push_back(tiltedCut(shape));
+  for (auto shape : everyShapeButMembranes()) {
     scene::Cut cut = tiltedCut(shape);
     cut.axis = {0, 0, 1};
     cut.spinDeg = 0;
@@ -193,7 +194,7 @@ TEST(SectionCutTool, ThePlanesLineEndsAtTheViewAndKnowsItsRemovedSide) {
 
 TEST(SectionCutTool, ACutBesideTheSectionHasNeitherLineNorHandles) {
   auto frame = manySections()[0];
-  for (auto shape : {scene::CutShape::Box, scene::CutShape::Sphere, scene::CutShape::Cylinder, scene::CutShape::Cone}) {
+  for (auto shape : everyClosedShape()) {
     scene::Cut cut = tiltedCut(shape);
     cut.centre += frame.normal * 500.0;
     EXPECT_TRUE(sectionOutline(frame, cut).points.empty());
@@ -224,9 +225,18 @@ TEST(SectionCutTool, AHandleStaysUnderThePointer) {
         EXPECT_NE(now, cut);
         glm::dvec3 world = scene::worldFromSectionPixel(frame, to);
         if (handle.kind == SectionHandleKind::Face) {
-          // In the plane of the face that it holds; it may have left the disc of a slanted end.
-          double reach = cut.shape == scene::CutShape::Cone ? now.size.z : now.size[handle.axis] * 0.5;
-          EXPECT_NEAR(glm::dot(world - now.centre, cutFrame(now)[handle.axis]) * handle.sign, reach, 1e-6);
+          // As far under the face that it holds as it was: in its plane where that is flat. It may have left the disc
+          // of a slanted end.
+          auto under = [&](const scene::Cut& c, glm::dvec3 place) {
+            const ShapeTraits& traits = traitsOf(c.shape);
+            double along = handle.axis != 2 ? 0.5 : handle.sign > 0 ? traits.high : -traits.low;
+            return along * c.size[handle.axis] - glm::dot(place - c.centre, cutFrame(c)[handle.axis]) * handle.sign;
+          };
+          double before = under(cut, scene::worldFromSectionPixel(frame, handle.place));
+          EXPECT_NEAR(under(now, world), before, 1e-6);
+          if (traitsOf(cut.shape).isWire) {
+            EXPECT_NEAR(before, 0.0, 1e-6);
+          }
         } else if (handle.kind == SectionHandleKind::Side) {
           // The held piece of a round shape is a chord of its rim: a hundredth of a millimetre inside.
           double before = distanceMm(cut, scene::worldFromSectionPixel(frame, handle.place));

@@ -105,11 +105,14 @@ struct Scene {
   }
 };
 
-/// The box of everything visible, world frame .
+/// True when something is open that can be cut and seen.
+bool hasData(const Scene& scene);
+
+/// A box in the world.
 struct Bounds {
   glm::dvec3 min{0.0}, max{0.0};
 };
-/// The box around volume, labels and surfaces; {0,0} when the scene is empty.
+/// The box around volume, labels and surfaces, hidden ones, too; {0,0} when the scene is empty.
 Bounds computeBounds(const Scene& scene);
 
 /// A camera that sees all of the scene from one of the patient's sides. Keeps projection and field of view.

@@ -122,10 +122,7 @@ QWidget* CutPanel::buildTools() {
   return tools;
 }
 
-bool CutPanel::hasData() const {
-  const scene::Scene& scene = mDocument.scene();
-  return scene.volume.data || scene.labels.data || !scene.surfaces.empty();
-}
+bool CutPanel::hasData() const { return scene::hasData(mDocument.scene()); }
 
 void CutPanel::addCut(scene::Cut cut, const char* label) {
   if (!hasData()) return;

@@ -15,7 +15,6 @@ class CutRoom : public Room {
   explicit CutRoom(const WindowParts& parts);
   void refresh(const session::Session& session) override;
   MembraneRoom& membranes() { return mMembranes; }
-  ThreePointTool& threePoints() { return mThreePoints; }
 
  private:
   void addActions(QMenu* menu);

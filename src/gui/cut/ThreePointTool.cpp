@@ -16,19 +16,24 @@ void ThreePointTool::say(const QString& text) {
   mToolbox.repaint();
 }
 
+QString ThreePointTool::whatIsNext() const {
+  const QString next[] = {tr("Click the first of three points. Esc gives up."),
+                          tr("Click the second point. Esc gives up."), tr("Click the third point. Esc gives up.")};
+  return next[mPoints.size()];
+}
+
 bool ThreePointTool::start() {
   mPoints.clear();
-  say(tr("Click the first of three points. Esc gives up."));
+  say(whatIsNext());
   return true;
 }
 
 void ThreePointTool::click(const PointerEvent& event) {
   if (event.keys != Qt::NoModifier) return;
   auto world = event.at.world();
-  if (!world) return say(tr("Nothing is there: click on what is drawn. Esc gives up."));
+  if (!world) return say(tr("Nothing is there: click on what is drawn. %1").arg(whatIsNext()));
   mPoints.push_back(*world);
-  if (mPoints.size() == 1) return say(tr("Click the second point. Esc gives up."));
-  if (mPoints.size() == 2) return say(tr("Click the third point. Esc gives up."));
+  if (mPoints.size() < 3) return say(whatIsNext());
   auto cut = session::cutThrough(mDocument.scene(), mPoints[0], mPoints[1], mPoints[2]);
   if (!cut) {
     mPoints.pop_back();

@@ -13,8 +13,6 @@ class ThreePointTool : public ClickTool {
  public:
   ThreePointTool(const session::Document& document, Toolbox& toolbox, QObject* parent);
 
-  const std::vector<glm::dvec3>& points() const { return mPoints; }
-
   bool start() override;
   void stop() override { mPoints.clear(); }
   void click(const PointerEvent& event) override;
@@ -28,6 +26,7 @@ class ThreePointTool : public ClickTool {
 
  private:
   void say(const QString& text);
+  QString whatIsNext() const;
 
   const session::Document& mDocument;
   Toolbox& mToolbox;

@@ -18,7 +18,7 @@ QAction* ExportCommands::addActions(QMenu* menu) {
   mParts.actions.addForScene(menu, "file.exportSheet", tr("Export s&heet..."),
                              tr("Write the sheet of a membrane as a surface: OBJ, PLY, VTP or STL"),
                              [this] { askExportSheet(); });
-  mParts.actions.addForScene(menu, "file.exportClipped", tr("Export &clipped volume..."),
+  mParts.actions.addForScene(menu, "file.exportClipped", tr("Export clipped vol&ume..."),
                              tr("Write the volume without what the cuts take away: NRRD, NIfTI, VTI or OpenVDB"),
                              [this] { askExportClipped(); });
   picture->setIconText(tr("Save picture"));

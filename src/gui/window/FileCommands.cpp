@@ -75,7 +75,7 @@ void FileCommands::addPhantoms(QMenu* menu) {
 void FileCommands::addSaving(QMenu* menu) {
   mParts.actions.addForScene(menu, "file.saveScene", tr("&Save scene"), tr("Save the scene"),
                              [this] { askSaveScene(false); });
-  mParts.actions.addForScene(menu, "file.saveSceneAs", tr("Save scene &as..."), tr("Save the scene under another name"),
+  mParts.actions.addForScene(menu, "file.saveSceneAs", tr("Sa&ve scene as..."), tr("Save the scene under another name"),
                              [this] { askSaveScene(true); });
   mParts.bar.addAction(mExports.addActions(menu));
   mParts.bar.addSeparator();
@@ -156,6 +156,7 @@ void FileCommands::saveSceneTo(const QString& path) {
 void FileCommands::newScene() {
   mLoads.rememberPicture();
   mParts.messages.hide();
+  mParts.toolbox.stop();
   mParts.session.file().close();
 }
 

@@ -73,6 +73,7 @@ void MainWindow::connectRooms() {
   connect(mFiles, &FileCommands::newWindowAsked, this, &MainWindow::openSecondWindow);
   connect(mLoads, &FileLoads::lookOpened, this, [this](const QString& path) { look().importFrom(path); });
   connect(mLoads, &FileLoads::aboutToShow, this, [this] {
+    mToolbox.stop();  // what it had begun was in the data before
     showViews(true);
     layout()->activate();
   });

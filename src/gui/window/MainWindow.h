@@ -52,7 +52,6 @@ class MainWindow : public QMainWindow {
   LookCommands& look() { return mLook->commands(); }
   StructureCommands& structures() { return mStructures->commands(); }
   Sketch& sketch() { return mCuts->membranes().sketch(); }
-  ThreePointTool& threePoints() { return mCuts->threePoints(); }
 
   bool isBusy() const { return mJobs.isBusy(); }
   /// What went wrong in the last job or while saving; empty when nothing did.

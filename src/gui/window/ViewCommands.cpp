@@ -35,12 +35,12 @@ void ViewCommands::addDirections(QMenu* menu) {
     StandardView view;
   };
   static constexpr Row kRows[] = {{"view.anterior", "&Anterior", "A", StandardView::Anterior},
-                                  {"view.posterior", "&Posterior", "P", StandardView::Posterior},
+                                  {"view.posterior", "P&osterior", "P", StandardView::Posterior},
                                   {"view.left", "&Left", "L", StandardView::Left},
-                                  {"view.right", "&Right", "R", StandardView::Right},
+                                  {"view.right", "Ri&ght", "R", StandardView::Right},
                                   {"view.superior", "&Superior", "S", StandardView::Superior},
                                   {"view.inferior", "&Inferior", "I", StandardView::Inferior},
-                                  {"view.oblique", "&Oblique", "", StandardView::Oblique}};
+                                  {"view.oblique", "O&blique", "", StandardView::Oblique}};
   for (const Row& row : kRows) {
     QAction* action = mParts.actions.addForScene(menu, row.id, tr(row.name),
                                                  tr("Look from: %1").arg(tr(row.name).remove('&').toLower()),
@@ -60,9 +60,9 @@ void ViewCommands::addLayouts(QMenu* menu) {
   // In the order of scene::Layout.
   static constexpr Row kRows[] = {
       {"layout.four", "&Four views", "Axial, coronal, sagittal and 3D", ViewIcon::FourUp},
-      {"layout.volume", "3D &only", "The 3D view alone", ViewIcon::Volume},
-      {"layout.beside", "3D and one &section", "The 3D view and the current section", ViewIcon::VolumeAndSection},
-      {"layout.section", "One s&lice", "The current section alone", ViewIcon::Section}};
+      {"layout.volume", "3&D only", "The 3D view alone", ViewIcon::Volume},
+      {"layout.beside", "3D and one s&ection", "The 3D view and the current section", ViewIcon::VolumeAndSection},
+      {"layout.section", "One se&ction", "The current section alone", ViewIcon::Section}};
   for (int i = 0; i < 4; ++i) {
     const Row& row = kRows[i];
     QAction* action = mParts.actions.addForScene(menu, row.id, tr(row.name), tr(row.tip),

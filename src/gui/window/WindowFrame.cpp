@@ -37,7 +37,7 @@ WindowFrame::WindowFrame(QMainWindow& window, session::Document& document) {
   bar->setMovable(false);
   bar->setContextMenuPolicy(Qt::PreventContextMenu);
   window.addToolBar(bar);
-  const char* titles[] = {"&File", "&Edit", "&View", "&Look", "&Cut", "S&tructures", "&Time", "&Help"};
+  const char* titles[] = {"&File", "&Edit", "&View", "&Look", "&Cut", "&Structures", "&Time", "&Help"};
   for (std::size_t i = 0; i < menus.size(); ++i) menus[i] = window.menuBar()->addMenu(QMainWindow::tr(titles[i]));
 }
 

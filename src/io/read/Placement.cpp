@@ -6,6 +6,13 @@
 
 namespace velum::io {
 
+namespace {
+
+// Beyond them the inverse of a matrix would over- or underflow.
+constexpr double kLeastSpacing = 1e-30, kMostSpacing = 1e30;
+
+}  // namespace
+
 glm::dmat4 gridMatrix(glm::dvec3 s, glm::dvec3 o) {
   return {{s.x, 0.0, 0.0, 0.0}, {0.0, s.y, 0.0, 0.0}, {0.0, 0.0, s.z, 0.0}, {o.x, o.y, o.z, 1.0}};
 }
@@ -23,15 +30,15 @@ void placeInWorld(Volume& volume, const glm::dmat3& columns, const glm::dvec3& o
   if (!isInvertible(axes)) {
     glm::dvec3 spacing;
     for (int i = 0; i < 3; ++i) {
-      bool usable = std::isfinite(fallbackSpacing[i]) && fallbackSpacing[i] > 0;
+      bool usable = fallbackSpacing[i] >= kLeastSpacing && fallbackSpacing[i] <= kMostSpacing;
       spacing[i] = usable ? fallbackSpacing[i] : 1.0;
       if (!usable) volume.isSpacingKnown = false;
     }
     axes = glm::dmat3(spacing.x, 0, 0, 0, spacing.y, 0, 0, 0, spacing.z);
     volume.isOrientationKnown = false;
     volume.warnings.push_back(
-        fmt::format("the orientation in the file cannot be used; axes along x, y, z with {} x {} x {} mm were taken",
-                    spacing.x, spacing.y, spacing.z));
+        fmt::format("the orientation in the file cannot be used; axes along x, y, z with {} x {} x {} {} were taken",
+                    spacing.x, spacing.y, spacing.z, symbolOf(volume.lengthUnit)));
   }
   glm::dvec3 start = origin;
   for (int i = 0; i < 3; ++i)
@@ -52,7 +59,9 @@ void applySpacing(Volume& volume, const scene::Source& source) {
   }
   if (glm::all(glm::greaterThan(source.spacing, glm::dvec3(0.0)))) volume.isSpacingKnown = true;
   if (!volume.isSpacingKnown)
-    volume.warnings.push_back("the file has no voxel spacing, 1 mm is taken; give it as spacing in mm (x, y, z)");
+    volume.warnings.push_back(
+        fmt::format("the file has no voxel spacing, 1 {0} is taken; give it as spacing in {0} (x, y, z)",
+                    symbolOf(volume.lengthUnit)));
 }
 
 }  // namespace velum::io

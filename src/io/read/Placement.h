@@ -2,7 +2,7 @@
 #include "velum/core/Volume.h"
 #include "velum/scene/Source.h"
 
-/// Where a volume lies in the world. Lengths in mm.
+/// Where a volume lies in the world. Lengths in its lengthUnit.
 namespace velum::io {
 
 /// A grid along the world's axes, voxel 0 at the origin.
@@ -11,8 +11,9 @@ glm::dmat4 gridMatrix(glm::dvec3 spacing, glm::dvec3 origin = glm::dvec3(0.0));
 /// Finite and far enough from singular to be inverted.
 bool isInvertible(const glm::dmat3& columns);
 
-/// Sets worldFromVoxel from columns (mm per voxel step) and the centre of the first voxel. Columns that are zero, not
-/// finite or in one plane are replaced by axes of @p fallbackSpacing (1 mm where that is not positive), with a warning.
+/// Sets worldFromVoxel from columns (lengths per voxel step) and the centre of the first voxel. Columns that are zero,
+/// not finite or in one plane are replaced by axes of @p fallbackSpacing (1 where that is not a length), with a
+/// warning.
 void placeInWorld(Volume& volume, const glm::dmat3& columns, const glm::dvec3& origin,
                   const glm::dvec3& fallbackSpacing);
 

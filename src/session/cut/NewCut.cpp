@@ -21,12 +21,13 @@ bool isCrosshairAtRest(const scene::Scene& scene) {
   return glm::length(off) < 1e-6 * glm::length(dataOf(scene).edges);
 }
 
-/// About half of it is then outside.
-glm::dvec3 placeAtSide(const scene::Scene& scene, const DataBox& data, glm::dvec3 toEye) {
+/// Where the data's side faces the eye, and an eighth of their shortest edge deep: of a shape of a third of that edge
+/// some is outside, however deep the data are.
+glm::dvec3 placeAtSide(const scene::Scene& scene, const DataBox& data, glm::dvec3 toEye, double third) {
   if (!isCrosshairAtRest(scene)) return scene.sections.crosshair;
   glm::dvec3 reach = glm::abs(toEye) / data.edges;
   double toSide = 0.5 / std::max(reach.x, std::max(reach.y, reach.z));
-  return data.middle + toEye * (toSide * 0.75);
+  return data.middle + toEye * (toSide - 0.375 * third);
 }
 
 }  // namespace
@@ -48,7 +49,7 @@ NewCut newCutIn(const scene::Scene& scene) {
   DataBox data = dataOf(scene);
   glm::dvec3 toEye = towardsEye(scene);
   double third = std::min(data.edges.x, std::min(data.edges.y, data.edges.z)) / 3.0;
-  return {scene, data, toEye, placeAtSide(scene, data, toEye), third, glm::dot(glm::abs(toEye), data.edges)};
+  return {scene, data, toEye, placeAtSide(scene, data, toEye, third), third, glm::dot(glm::abs(toEye), data.edges)};
 }
 
 void hangMembrane(scene::Cut& cut, const NewCut& at) {

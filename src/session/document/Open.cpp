@@ -83,7 +83,7 @@ bool placeSource(scene::Source& source, const MissingData& missing, const fs::pa
 
 /// What the first data of a scene are in the scene is in, too.
 void adoptUnit(scene::Scene& scene, LengthUnit unit) {
-  if (!scene.volume.data && !scene.labels.data && scene.surfaces.empty() && scene.cuts.empty()) scene.unit = unit;
+  if (!scene::hasData(scene) && scene.cuts.empty()) scene.unit = unit;
 }
 
 void putVolume(scene::Scene& scene, Volume volume) {

@@ -1,6 +1,7 @@
 #include "velum/render/Renderer.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
 #include "FrameData.h"
@@ -33,6 +34,7 @@ struct Renderer::Impl {
   SurfacePass surfaces;
   RayCastPass rayCast;
   ResolvePass resolve;
+  const std::array<Pass*, 4> drawing{&skip, &light, &surfaces, &rayCast};  ///< Whom the data's upload goes before.
   WorkQueue queue;
   Stats stats;
 
@@ -63,7 +65,7 @@ void Renderer::Impl::setUp() {
   data = std::move(coming);
   upload.complete(data);
   completeFrameData(data);
-  for (Pass* pass : std::initializer_list<Pass*>{&skip, &light, &surfaces, &rayCast}) pass->prepare(data);
+  for (Pass* pass : drawing) pass->prepare(data);
   inputs.write(data);
   isDrawn = true;
   bind();
@@ -82,8 +84,8 @@ void Renderer::Impl::setUp() {
 /// Whoever drew in between has bound things of his own.
 void Renderer::Impl::bind() const {
   inputs.bind();
-  for (const Pass* pass : std::initializer_list<const Pass*>{&upload, &skip, &light, &surfaces, &rayCast})
-    pass->bind(data);
+  upload.bind(data);
+  for (const Pass* pass : drawing) pass->bind(data);
 }
 
 void Renderer::Impl::noteStats() {

@@ -35,13 +35,25 @@ class DependencyGL : public RenderTest, public testing::WithParamInterface<int> 
                                                    : 0; }, scene.volume.data->worldFromVoxel));
     scene::completeStructures(scene.labels);
     addCuts(scene);
-    Mesh mesh;
-    mesh.positions = {{-12, 4, -6}, {12, 4, -6}, {0, 5, 6}};
-    mesh.indices = {0, 1, 2};
-    scene::Surface surface;
-    surface.data = Shared<Mesh>(std::move(mesh));
-    scene.surfaces = {surface};
+    scene.surfaces = {triangle({-12, 4, -6}, {12, 4, -6}, {0, 5, 6})};
     lookAlong(scene, {0.3, -1, 0.25}, 40);
+    return scene;
+  }
+
+  /// Of everything that may be kept, there is something else here, and another number of it.
+  static scene::Scene otherScene() {
+    constexpr glm::ivec3 kOtherDims(5, 7, 4);
+    scene::Scene scene = sceneOf(makeVolume(kOtherDims, SampleType::UInt8, [](glm::ivec3 p) { return 20 * p.x; }));
+    scene.labels.data = Shared<LabelVolume>(makeLabels(
+        kOtherDims, [](glm::ivec3 p) { return p.y > 3 ? 5 : 0; }, scene.volume.data->worldFromVoxel));
+    scene::completeStructures(scene.labels);
+    scene::Cut box;
+    box.id = 4;
+    box.shape = scene::CutShape::Box;
+    box.size = {2, 3, 2};
+    box.spares = {{5}, {6}};
+    scene.cuts = {box};
+    scene.surfaces = {triangle({0, 0, 0}, {3, 0, 0}, {0, 3, 2}), triangle({4, 6, 0}, {1, 6, 3}, {4, 2, 3})};
     return scene;
   }
 
@@ -62,6 +74,14 @@ class DependencyGL : public RenderTest, public testing::WithParamInterface<int> 
   }
 
  private:
+  static scene::Surface triangle(glm::vec3 a, glm::vec3 b, glm::vec3 c) {
+    Mesh mesh;
+    mesh.positions = {a, b, c};
+    mesh.indices = {0, 1, 2};
+    scene::Surface surface;
+    surface.data = Shared<Mesh>(std::move(mesh));
+    return surface;
+  }
   static void addCuts(scene::Scene& scene) {
     scene::Cut sphere;
     sphere.id = 1;
@@ -79,7 +99,7 @@ class DependencyGL : public RenderTest, public testing::WithParamInterface<int> 
   }
 
   render::Renderer mReference{context()};
-  scene::Scene mOther = sceneOf(makeVolume({5, 7, 4}, SampleType::UInt8, [](glm::ivec3 p) { return 20 * p.x; }));
+  scene::Scene mOther = otherScene();
 };
 
 TEST_P(DependencyGL, AChangedFieldDrawsAsInAFreshRenderer) {

@@ -1,6 +1,6 @@
 #include "SurfacePass.h"
 
-#include <algorithm>
+#include <set>
 #include <vector>
 
 #include "Outlines.h"
@@ -16,6 +16,7 @@ void SurfacePass::prepare(FrameData& data) {
     program->second = gpu::Program({"render/surface.vert", "render/surface.frag"},
                                    hasMembranes ? gpu::Defines{{"MEMBRANES", "1"}} : gpu::Defines{});
   mProgram = &program->second;
+  forgetMeshes(data);
   resize(opaqueOf(data.frame.scene) != Opaque::None ? data.frame.windowSize : glm::ivec2(1));
 }
 
@@ -29,9 +30,22 @@ void SurfacePass::resize(glm::ivec2 size) {
   mTarget = gpu::Framebuffer("surfaces", {&mColor, &mAux, &mIds}, &mDepth);
 }
 
+SurfacePass::MeshKey SurfacePass::keyOf(const Shared<Mesh>& mesh, const FrameData& data) {
+  glm::dvec3 origin = sceneOrigin(data.grid);
+  return {mesh.id(), {origin.x, origin.y, origin.z, data.unit}};
+}
+
+/// Meshes that are not in the scene any more, or not there.
+void SurfacePass::forgetMeshes(const FrameData& data) {
+  std::set<MeshKey> wanted;
+  for (const auto& surface : data.frame.scene.surfaces)
+    if (surface.data) wanted.insert(keyOf(surface.data, data));
+  std::erase_if(mMeshes, [&](const auto& kept) { return !wanted.contains(kept.first); });
+}
+
 const gpu::Buffer& SurfacePass::meshBuffer(const Shared<Mesh>& mesh, const FrameData& data) {
   glm::dvec3 origin = sceneOrigin(data.grid);
-  auto& buffer = mMeshes[{mesh.id(), {origin.x, origin.y, origin.z, data.unit}}];
+  auto& buffer = mMeshes[keyOf(mesh, data)];
   if (buffer) return buffer;
   std::vector<Vertex> vertices;
   vertices.reserve(mesh->indices.size());

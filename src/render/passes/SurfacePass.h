@@ -31,6 +31,9 @@ class SurfacePass : public Pass {
     glm::vec4 position, normal;
   };
   void resize(glm::ivec2 size);
+  using MeshKey = std::pair<std::uint64_t, std::array<double, 4>>;  ///< Id, the scene frame's origin and unit.
+  static MeshKey keyOf(const Shared<Mesh>& mesh, const FrameData& data);
+  void forgetMeshes(const FrameData& data);
   const gpu::Buffer& meshBuffer(const Shared<Mesh>& mesh, const FrameData& data);
   void draw(const FrameData& data);
   void drawOutlines(const FrameData& data);
@@ -40,7 +43,7 @@ class SurfacePass : public Pass {
   gpu::Texture mColor, mAux, mIds, mDepth;
   gpu::Framebuffer mTarget;
   bool mIsBlank = false;  ///< Nothing is drawn in it.
-  std::map<std::pair<std::uint64_t, std::array<double, 4>>, gpu::Buffer> mMeshes;
+  std::map<MeshKey, gpu::Buffer> mMeshes;
 };
 
 }  // namespace velum::render

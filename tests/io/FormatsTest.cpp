@@ -5,7 +5,7 @@
 #include <fstream>
 #include <random>
 
-#include "TempFolder.h"
+#include "TestFiles.h"
 #include "velum/core/Error.h"
 #include "velum/io/meshes/ReadMesh.h"
 #include "velum/io/volumes/WriteVolume.h"
@@ -45,11 +45,6 @@ scene::Source sourceOf(const std::filesystem::path& path) {
   scene::Source source;
   source.path = path.string();
   return source;
-}
-
-std::string bytesOf(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 TEST(Vti, RoundTripKeepsSamplesPlaceAndScale) {

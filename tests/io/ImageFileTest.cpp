@@ -10,7 +10,7 @@
 #include <sstream>
 #include <thread>
 
-#include "TempFolder.h"
+#include "TestFiles.h"
 #include "velum/core/Error.h"
 #include "velum/io/images/ImageCompare.h"
 
@@ -23,11 +23,6 @@ Image noise(int width, int height, std::vector<std::string> channels, bool eight
   image.pixels.resize(std::size_t(width * height) * image.channels.size());
   for (auto& v : image.pixels) v = eightBit ? float(random() % 256) / 255.0f : float(random() % 10000) / 7000.0f - 0.2f;
   return image;
-}
-
-std::string bytesOf(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 std::string longScene() {

@@ -4,7 +4,7 @@
 #include <fstream>
 #include <limits>
 
-#include "TempFolder.h"
+#include "TestFiles.h"
 #include "read/ByteSource.h"
 #include "read/FileBytes.h"
 #include "read/FileNames.h"
@@ -15,14 +15,6 @@
 
 namespace velum::io {
 namespace {
-
-void write(const Path& path, const std::string& bytes) { std::ofstream(path, std::ios::binary) << bytes; }
-
-void writeGzip(const Path& path, const std::string& bytes, const char* mode = "wb") {
-  gzFile file = ::gzopen(path.c_str(), mode);
-  ::gzwrite(file, bytes.data(), unsigned(bytes.size()));
-  ::gzclose(file);
-}
 
 std::string noise(std::size_t count) {
   std::string bytes(count, '\0');
@@ -49,7 +41,7 @@ TEST(FileNames, ATitleHasNoEndings) {
 
 TEST(FileNames, WhatAHeaderNamesLiesInItsFolder) {
   TempFolder folder;
-  write(folder / "a.raw", "x");
+  writeText(folder / "a.raw", "x");
   EXPECT_EQ(siblingFile(folder / "a.nhdr", "a.raw"), folder / "a.raw");
   for (const char* name : {"", "../a.raw", "/etc/passwd", "b.raw", "sub/../../a.raw"})
     EXPECT_THROW(siblingFile(folder / "a.nhdr", name), InputError) << name;
@@ -58,7 +50,7 @@ TEST(FileNames, WhatAHeaderNamesLiesInItsFolder) {
 TEST(ByteSource, DeflatedOrNotGivesTheSameBytes) {
   TempFolder folder;
   std::string bytes = noise(3'000'001);
-  write(folder / "plain", bytes);
+  writeText(folder / "plain", bytes);
   writeGzip(folder / "packed", bytes);
   // As pigz and bgzip write it: one stream behind the other.
   writeGzip(folder / "members", bytes.substr(0, 1'000'000));
@@ -78,9 +70,9 @@ TEST(ByteSource, AStreamThatIsCutOrDamagedIsRefusedByName) {
   writeGzip(folder / "a.gz", bytes);
   std::string packed(std::filesystem::file_size(folder / "a.gz"), '\0');
   std::ifstream(folder / "a.gz", std::ios::binary).read(packed.data(), std::streamsize(packed.size()));
-  write(folder / "cut.gz", packed.substr(0, packed.size() / 2));
+  writeText(folder / "cut.gz", packed.substr(0, packed.size() / 2));
   packed[packed.size() - 6] = char(packed[packed.size() - 6] ^ 1);  // in the check sum
-  write(folder / "sum.gz", packed);
+  writeText(folder / "sum.gz", packed);
   for (const char* name : {"cut.gz", "sum.gz"}) {
     try {
       ByteSource source(folder / name);
@@ -111,11 +103,11 @@ TEST(CheckedBytes, NothingIsPromisedThatTheFileCannotHold) {
 
 TEST(ReadVolume, EachFormatSaysOnceThatItHasNoSpacingAndTakesTheUsers) {
   TempFolder folder;
-  write(folder / "a.nrrd", "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 2 2 2\nencoding: raw\n\n12345678");
-  write(folder / "a.mha",
-        "ObjectType = Image\nNDims = 3\nDimSize = 2 2 2\nElementSpacing = 0 0 0\nElementType = MET_UCHAR\n"
-        "ElementDataFile = LOCAL\n12345678");
-  write(folder / "a.raw", "12345678");
+  writeText(folder / "a.nrrd", "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 2 2 2\nencoding: raw\n\n12345678");
+  writeText(folder / "a.mha",
+            "ObjectType = Image\nNDims = 3\nDimSize = 2 2 2\nElementSpacing = 0 0 0\nElementType = MET_UCHAR\n"
+            "ElementDataFile = LOCAL\n12345678");
+  writeText(folder / "a.raw", "12345678");
   for (const char* name : {"a.nrrd", "a.mha", "a.raw"}) {
     Progress progress;
     scene::Source source;
@@ -137,9 +129,10 @@ TEST(ReadVolume, EachFormatSaysOnceThatItHasNoSpacingAndTakesTheUsers) {
 TEST(ReadVolume, ASpacingThatNobodyCanInvertIsNotTaken) {
   TempFolder folder;
   for (const char* spacing : {"1e-200", "1e200"}) {
-    write(folder / "a.mha",
-          std::string("ObjectType = Image\nNDims = 3\nDimSize = 2 2 2\nElementType = MET_UCHAR\nElementSpacing = ") +
-              spacing + " " + spacing + " " + spacing + "\nElementDataFile = LOCAL\n12345678");
+    writeText(
+        folder / "a.mha",
+        std::string("ObjectType = Image\nNDims = 3\nDimSize = 2 2 2\nElementType = MET_UCHAR\nElementSpacing = ") +
+            spacing + " " + spacing + " " + spacing + "\nElementDataFile = LOCAL\n12345678");
     Progress progress;
     Volume v = readVolume({(folder / "a.mha").string()}, progress);
     EXPECT_EQ(spacingOf(v), glm::dvec3(1.0)) << spacing;

@@ -1,5 +1,6 @@
 #pragma once
 #include <gtest/gtest.h>
+#include <zlib.h>
 
 #include <cmath>
 #include <cstdlib>
@@ -8,31 +9,12 @@
 #include <fstream>
 #include <string>
 
+#include "TempFolder.h"
 #include "velum/io/labels/ReadLabels.h"
 #include "velum/io/volumes/ReadVolume.h"
 #include "velum/io/volumes/WriteVolume.h"
 
 namespace velum::io {
-
-/// A folder that goes when the test ends.
-class TempFolder {
- public:
-  TempFolder() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "velum-io-XXXXXX").string();
-    if (::mkdtemp(pattern.data())) mPath = pattern;
-  }
-  ~TempFolder() {
-    std::error_code ignored;
-    if (!mPath.empty()) std::filesystem::remove_all(mPath, ignored);
-  }
-  TempFolder(const TempFolder&) = delete;
-  TempFolder& operator=(const TempFolder&) = delete;
-  std::filesystem::path operator/(const std::string& name) const { return mPath / name; }
-  const std::filesystem::path& path() const { return mPath; }
-
- private:
-  std::filesystem::path mPath;
-};
 
 inline Volume read(const std::filesystem::path& path) {
   Progress progress;
@@ -55,6 +37,18 @@ inline void write(const Volume& volume, const std::filesystem::path& path) {
 
 inline void writeText(const std::filesystem::path& path, const std::string& text) {
   std::ofstream(path, std::ios::binary) << text;
+}
+
+/// @param mode  of zlib's gzopen()
+inline void writeGzip(const std::filesystem::path& path, const std::string& bytes, const char* mode = "wb") {
+  gzFile file = ::gzopen(path.c_str(), mode);
+  ::gzwrite(file, bytes.data(), unsigned(bytes.size()));
+  ::gzclose(file);
+}
+
+inline std::string bytesOf(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 /// A volume of every sample type: a ramp that meets the ends of the type.

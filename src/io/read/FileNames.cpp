@@ -14,6 +14,17 @@ std::string titleOf(const Path& path) {
   return lowerCase(name.extension().string()) == ".seg" ? name.stem().string() : name.string();
 }
 
+std::optional<Path> fileBeside(const Path& file, std::initializer_list<const char*> endings) {
+  Path stem = lowerCase(file.extension().string()) == ".gz" ? file.parent_path() / file.stem() : file;
+  for (const char* ending : endings) {
+    Path other = stem;
+    other.replace_extension();
+    other += ending;
+    if (std::filesystem::is_regular_file(other)) return other;
+  }
+  return std::nullopt;
+}
+
 bool naturalLess(std::string_view a, std::string_view b) {
   auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
   std::size_t i = 0, j = 0;

@@ -7,9 +7,9 @@
 #include "velum/core/Task.h"
 #include "velum/core/Volume.h"
 
-/// What the readers of headers with samples behind them (NIfTI, NRRD, MetaImage, MRC) share: voxels out of the bytes of
-/// plain or deflated files. Samples go straight into the volume, piece by piece, so that a load
-/// can be cancelled, a cut or damaged stream is noticed, and nothing is held twice.
+/// What the readers of headers with samples behind them share: voxels out of the bytes of plain or deflated files.
+/// Samples go straight into the volume, piece by piece, so that a load can be cancelled, a cut or damaged stream is
+/// noticed, and nothing is held twice.
 ///
 /// ITK could read these files, but not so: its NIfTI reader turns scaled samples into floats, NaN into 0, holds all
 /// twice and knows no NIfTI-2; its NRRD reader puts time before space; sheared matrices are refused; none can be

@@ -58,25 +58,18 @@ void parseVersion2(const HeaderFields& f, NiftiHeader& h) {
   h.intent = f.at<std::int32_t>(504);
 }
 
-/// The .img (or .img.gz) beside a .hdr.
-Path imageBeside(const Path& header) {
-  for (const char* extension : {".img", ".img.gz", ".IMG"}) {
-    Path stem = header;
-    if (lowerCase(stem.extension().string()) == ".gz") stem.replace_extension();
-    Path image = stem.replace_extension(extension);
-    if (std::filesystem::is_regular_file(image)) return image;
-  }
-  refuse(header, "is one half of a pair, and its .img file is missing");
+Path imageOf(const Path& header) {
+  auto image = fileBeside(header, {".img", ".img.gz", ".IMG"});
+  if (!image) refuse(header, "is one half of a pair, and its .img file is missing");
+  return *image;
 }
 
 Path headerOf(const Path& file) {
   std::string extension = lowerExtension(file);
   if (extension != ".img" && extension != ".img.gz") return file;
-  Path header = file;
-  if (extension == ".img.gz") header.replace_extension();
-  header.replace_extension(".hdr");
-  if (!std::filesystem::is_regular_file(header)) refuse(file, "is one half of a pair, and its .hdr file is missing");
-  return header;
+  auto header = fileBeside(file, {".hdr"});
+  if (!header) refuse(file, "is one half of a pair, and its .hdr file is missing");
+  return *header;
 }
 
 struct NiftiType {
@@ -204,7 +197,7 @@ NiftiHeader readNiftiHeader(const Path& file) {
   isVersion2 ? parseVersion2(f, h) : parseVersion1(f, h);
   h.headerBytes = isVersion2 ? 540 : 348;
   h.saysUnknown = std::string_view(bytes).substr(isVersion2 ? 240 : 148).starts_with(kOrientationUnknown);
-  h.image = isSingle ? h.file : imageBeside(h.file);
+  h.image = isSingle ? h.file : imageOf(h.file);
   double lowest = isSingle ? double(h.headerBytes) : 0.0;
   if (isAnalyze && h.dataOffset < 0) h.dataOffset = 0;
   if (isSingle && h.dataOffset == 0) h.dataOffset = double(h.headerBytes + 4);

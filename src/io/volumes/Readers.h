@@ -8,23 +8,23 @@
 #include "velum/core/Volume.h"
 #include "velum/scene/Source.h"
 
-/// The readers and writers, one file each. The table in Formats.cpp names them and chooses.
+/// The readers and writers, each in the file of its name. The table in Formats.cpp names them and chooses.
 /// Each reader checks the header against the file's size before it allocates, throws InputError with the file's name
 /// and the reason, reports progress, and leaves `range`, a name that the file does not have, and the user's spacing to
 /// readVolume(). A writer fills the file that it is given; the caller commits it.
 namespace velum::io {
 
-// One file each: NiftiReader.cpp, NrrdReader.cpp, MetaImageReader.cpp, MrcReader.cpp, NiftiWriter.cpp, NrrdWriter.cpp
+// Headers of our own
 Volume readNifti(const scene::Source& source, Progress& progress);
 Volume readNrrd(const scene::Source& source, Progress& progress);
 Volume readMetaImage(const scene::Source& source, Progress& progress);
 Volume readMrc(const scene::Source& source, Progress& progress);
 void writeNifti(const Volume& volume, ReplaceFile& file, Progress& progress);
 void writeNrrd(const Volume& volume, ReplaceFile& file, Progress& progress);
-// GDCM (DicomReader.cpp, DicomSegReader.cpp)
+// GDCM
 Volume readDicom(const scene::Source& source, Progress& progress);
 LabelVolume readDicomSeg(const scene::Source& source, Progress& progress);
-// VTK (VtkReader.cpp)
+// VTK
 Volume readVti(const scene::Source& source, Progress& progress);
 Volume readVtkLegacy(const scene::Source& source, Progress& progress);
 void writeVti(const Volume& volume, ReplaceFile& file, Progress& progress);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "velum/core/Vectors.h"
+
 namespace velum::scene {
 
 namespace {
@@ -73,6 +75,19 @@ Camera roll(const Camera& camera, double angleRad) {
   Camera out = camera;
   out.up = turn(basis.up, angleRad, basis.toEye);
   return out;
+}
+
+Camera withProjection(const Camera& camera, Projection projection) {
+  Camera other = camera;
+  if (other.projection == projection) return other;
+  other.projection = projection;
+  double tangent = std::tan(glm::radians(camera.fieldOfViewDeg) * 0.5);
+  glm::dvec3 arm = camera.eye - camera.target;
+  if (projection == Projection::Orthographic)
+    other.height = 2.0 * glm::length(arm) * tangent;
+  else
+    other.eye = camera.target + unitOr(arm, {0.0, -1.0, 0.0}) * (camera.height * 0.5 / tangent);
+  return other;
 }
 
 }  // namespace velum::scene

@@ -37,6 +37,26 @@ glm::dvec2 inPicture(const Camera& camera, glm::dvec3 world) {
   return {glm::dot(p, right) / height, -glm::dot(p, up) / height};
 }
 
+TEST(Navigate, TheOtherProjectionLeavesTheMiddleAsLargeAsItWas) {
+  std::mt19937 random(7);
+  for (int i = 0; i < 100; ++i) {
+    Camera camera = someCamera(random);
+    bool isPerspective = camera.projection == Projection::Perspective;
+    Camera other = withProjection(camera, isPerspective ? Projection::Orthographic : Projection::Perspective);
+    EXPECT_NE(other.projection, camera.projection);
+    glm::dvec3 right = glm::normalize(glm::cross(camera.target - camera.eye, camera.up));
+    for (double off : {-20.0, 0.0, 35.0}) {
+      glm::dvec3 point = camera.target + off * right;
+      EXPECT_LT(glm::length(inPicture(other, point) - inPicture(camera, point)), 1e-9);
+    }
+    EXPECT_EQ(withProjection(camera, camera.projection), camera);
+  }
+  Camera inside;
+  inside.eye = inside.target;
+  inside.projection = Projection::Orthographic;
+  EXPECT_TRUE(std::isfinite(withProjection(inside, Projection::Perspective).eye.x));
+}
+
 TEST(Navigate, OrbitKeepsDistanceAndTarget) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> drag(-2, 2);

@@ -19,4 +19,7 @@ Camera turntable(const Camera& camera, double angleRad);
 /// Turns the picture about the line of sight, radians, clockwise.
 Camera roll(const Camera& camera, double angleRad);
 
+/// Seen the other way; what lies at the target keeps its size in the picture.
+Camera withProjection(const Camera& camera, Projection projection);
+
 }  // namespace velum::scene

@@ -8,6 +8,7 @@
 
 #include "CoarseScale.h"
 #include "velum/core/Error.h"
+#include "velum/scene/Navigate.h"
 #include "velum/scene/Project.h"
 
 namespace velum::gui {
@@ -261,17 +262,11 @@ void Viewport::lookFrom(scene::StandardView view) {
 }
 
 void Viewport::toggleProjection() {
-  scene::Camera camera = mDocument.scene().camera;
-  bool perspective = camera.projection == scene::Projection::Perspective;
-  // What is in the middle keeps its size.
-  double tangent = std::tan(glm::radians(camera.fieldOfViewDeg) * 0.5);
-  glm::dvec3 arm = camera.eye - camera.target;
-  if (perspective)
-    camera.height = 2.0 * glm::length(arm) * tangent;
-  else
-    camera.eye = camera.target + glm::normalize(arm) * (camera.height * 0.5 / tangent);
-  camera.projection = perspective ? scene::Projection::Orthographic : scene::Projection::Perspective;
-  mDocument.view([camera](scene::Scene& scene) { scene.camera = camera; });
+  mDocument.view([](scene::Scene& scene) {
+    bool isPerspective = scene.camera.projection == scene::Projection::Perspective;
+    scene.camera = scene::withProjection(
+        scene.camera, isPerspective ? scene::Projection::Orthographic : scene::Projection::Perspective);
+  });
 }
 
 std::optional<render::Pick> Viewport::pickAt(QPointF place) {

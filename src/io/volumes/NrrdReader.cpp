@@ -144,7 +144,8 @@ Layout layoutOf(const NrrdHeader& h, const std::vector<Axis>& axes, AxisRoles ro
   bool needsOrder =
       storedSize(layout.type) > 1 && !h.field("encoding").starts_with("t") && lowerCase(h.field("encoding")) != "ascii";
   if (needsOrder && endian != "little" && endian != "big")
-    refuse(h.file, fmt::format("has no byte order, but {}", inQuotes(endian)));
+    refuse(h.file, fmt::format("does not say its byte order: 'endian: little' or 'endian: big' is missing{}",
+                               endian.empty() ? "" : fmt::format(", it has {}", inQuotes(endian))));
   layout.bigEndian = endian == "big";
   return layout;
 }

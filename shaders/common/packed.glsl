@@ -10,17 +10,16 @@ const float kPackedUnit = 1.0 / 65535.0;
 vec4 unpackTexel(uvec2 bits) { return vec4(bits.xxyy >> uvec4(0u, 16u, 0u, 16u) & 65535u); }
 #endif
 
-/// As a sampler would return it that interpolates and repeats the border.
+/// As a sampler would return it that interpolates and repeats the border, in units of the integers.
 /// @param texels  by x, y and z, x fastest: values at (y, z), (y + 1, z), (y, z + 1), (y + 1, z + 1)
 /// @param size  voxels
 float packedAt(usamplerBuffer texels, vec3 size, vec3 tex) {
   vec3 at = clamp(tex * size - 0.5, vec3(0.0), size - 1.0);
-  vec3 corner = min(floor(at), max(size - 2.0, 0.0));
-  vec3 f = at - corner;
-  ivec3 voxel = ivec3(corner);
+  ivec3 voxel = ivec3(at);  // the last ones, too: what stands behind them is not mixed in
+  vec3 f = at - vec3(voxel);
   ivec2 rows = ivec2(size.xy);
   int i = (voxel.z * rows.y + voxel.y) * rows.x + voxel.x;
   vec4 values = mix(unpackTexel(texelFetch(texels, i).rg), unpackTexel(texelFetch(texels, i + 1).rg), f.x);
   vec2 ends = mix(values.xz, values.yw, f.y);
-  return mix(ends.x, ends.y, f.z) * kPackedUnit;
+  return mix(ends.x, ends.y, f.z);
 }

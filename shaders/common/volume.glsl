@@ -19,21 +19,29 @@ layout(binding = kGradientTableUnit) uniform sampler2D gradientTable;  // factor
 // By structure: StructureRow. A software driver fetches texels of eight rays at once, rows of a block ray by ray.
 layout(binding = kStructureUnit) uniform samplerBuffer structureTexture;
 
+// A texel is 0..1 of its type, or a float.
 #if PACKED != 0
-float texelAt(vec3 tex) { return packedAt(volumeTexture, frame.volumeSize.xyz, tex); }
+float rawTexelAt(vec3 tex) { return packedAt(volumeTexture, frame.volumeSize.xyz, tex); }
+const float kRawUnit = kPackedUnit;
 #elif COLOR
 /// COLOR 1: the colours of the data. COLOR 2: of mixed channels, which are kept multiplied by alpha.
 vec3 volumeColorAt(vec3 tex) {
   vec4 texel = textureLod(volumeTexture, tex, 0.0);
   return COLOR == 2 ? texel.rgb / max(texel.a, 1.0 / 255.0) : texel.rgb;
 }
-float texelAt(vec3 tex) { return textureLod(volumeTexture, tex, 0.0).a; }
+float rawTexelAt(vec3 tex) { return textureLod(volumeTexture, tex, 0.0).a; }
+const float kRawUnit = 1.0;
 #else
-float texelAt(vec3 tex) { return textureLod(volumeTexture, tex, 0.0).r; }
+float rawTexelAt(vec3 tex) { return textureLod(volumeTexture, tex, 0.0).r; }
+const float kRawUnit = 1.0;
 #endif
+float texelAt(vec3 tex) { return rawTexelAt(tex) * kRawUnit; }
 
 /// Position in the transfer table, 0..kTransferSize-1.
-float tableAt(vec3 tex) { return clamp(texelAt(tex) * frame.tablePerTexel + frame.tableOffset, 0.0, 1.0) * float(kTransferSize - 1); }
+float tableAt(vec3 tex) {
+  const float last = float(kTransferSize - 1);
+  return clamp(rawTexelAt(tex) * (frame.tablePerTexel * kRawUnit * last) + frame.tableOffset * last, 0.0, last);
+}
 
 /// The label of a position; 0 outside the grid. A ray enters and leaves exactly on the grid's faces: they belong to it.
 uint labelAt(vec3 scenePoint) {

@@ -1,7 +1,6 @@
 #include "velum/render/Renderer.h"
 
 #include <algorithm>
-#include <array>
 #include <optional>
 
 #include "FrameData.h"
@@ -34,7 +33,7 @@ struct Renderer::Impl {
   SurfacePass surfaces;
   RayCastPass rayCast;
   ResolvePass resolve;
-  const std::array<Pass*, 4> drawing{&skip, &light, &surfaces, &rayCast};  ///< Whom the data's upload goes before.
+  Pass* const drawing[4] = {&skip, &light, &surfaces, &rayCast};  ///< Whom the data's upload goes before.
   WorkQueue queue;
   Stats stats;
 
@@ -51,9 +50,7 @@ void Renderer::Impl::begin(const Frame& frame) {
   isDrawn = false;
   queue.restart();
   rayCast.restart();
-  coming = {};
-  coming.frame = withSizes(frame);
-  coming.isSoftware = limits.isSoftware;
+  coming = {.frame = withSizes(frame), .isSoftware = limits.isSoftware};
   upload.prepare(coming);
   upload.addSteps(coming, 0, queue);
   queue.add("Setup", [this] { setUp(); });

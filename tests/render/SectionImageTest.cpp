@@ -272,7 +272,8 @@ TEST_F(SectionLabels, CutsDimWhatTheyRemoveAsTheirFunctionSays) {
 
 TEST(SectionCuts, WalksMarkARowAsIntervalsDo) {
   int crossed = 0, off = 0;
-  for (auto shape : everyShapeButMembranes())
+  for (auto shape : everyShapeButMembranes()) {
+    if (!shared::cutIsConvex(static_cast<int>(shape))) continue;
     for (bool invert : {false, true})
       for (int y = -40; y < 40; ++y) {
         scene::Scene scene;
@@ -285,6 +286,7 @@ TEST(SectionCuts, WalksMarkARowAsIntervalsDo) {
         for (std::size_t x = 0; x < 90; ++x) off += byInterval[x] != byWalk[x];
         crossed += byWalk.front() != byWalk[45];
       }
+  }
   EXPECT_GT(crossed, 100);
   EXPECT_LT(off, 8) << "of 72,000 pixels those on a face";
 }

@@ -2,6 +2,7 @@
 #include <functional>
 
 #include "RenderFixture.h"
+#include "cutShapes.h"
 #include "velum/io/phantoms/Sample.h"
 #include "velum/scene/Units.h"
 #include "velum/session/cut/CutEdit.h"
@@ -116,8 +117,7 @@ TEST_F(UnitsGL, AnIsosurfaceAndAMaximumAreDrawnTheSame) {
 }
 
 TEST_F(UnitsGL, EveryShapeOfCutIsDrawnTheSame) {
-  for (auto shape : {scene::CutShape::Plane, scene::CutShape::Box, scene::CutShape::Sphere, scene::CutShape::Cylinder,
-                     scene::CutShape::Cone}) {
+  for (auto shape : everyShapeButMembranes()) {
     mScene.cuts.clear();
     scene::Cut cut = cutOf(shape);
     cut.face = scene::CutFace::Section;

@@ -16,6 +16,7 @@ namespace velum::gui {
 
 /// The menus of the window, in their order.
 enum class MenuId { File, Edit, View, Look, Cut, Structures, Time, Help };
+using Menus = std::array<QMenu*, std::size_t(MenuId::Help) + 1>;  ///< By MenuId.
 
 /// The window as its rooms see it: what they build themselves into, and what they work with. Lives as long as they do.
 struct WindowParts {
@@ -29,7 +30,7 @@ struct WindowParts {
   ActionTable& actions;
   SideTabs& tabs;
   QToolBar& bar;
-  std::array<QMenu*, 8> menus;
+  Menus menus;
 
   QMenu* menu(MenuId id) const { return menus[std::size_t(id)]; }
   session::Document& document() const { return session.document(); }

@@ -63,10 +63,11 @@ void ViewCommands::addLayouts(QMenu* menu) {
       {"layout.volume", "3&D only", "The 3D view alone", ViewIcon::Volume},
       {"layout.beside", "3D and one s&ection", "The 3D view and the current section", ViewIcon::VolumeAndSection},
       {"layout.section", "One se&ction", "The current section alone", ViewIcon::Section}};
-  for (int i = 0; i < 4; ++i) {
-    const Row& row = kRows[i];
+  static_assert(std::size(kRows) == std::size(EnumNames<Layout>::kNames), "each layout has its row");
+  for (const Row& row : kRows) {
+    auto layout = static_cast<Layout>(&row - kRows);
     QAction* action = mParts.actions.addForScene(menu, row.id, tr(row.name), tr(row.tip),
-                                                 [this, i] { mParts.views.setLayout(static_cast<Layout>(i)); });
+                                                 [this, layout] { mParts.views.setLayout(layout); });
     action->setIcon(makeViewIcon(row.icon));
     action->setIconVisibleInMenu(false);
     action->setCheckable(true);

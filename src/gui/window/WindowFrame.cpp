@@ -38,6 +38,7 @@ WindowFrame::WindowFrame(QMainWindow& window, session::Document& document) {
   bar->setContextMenuPolicy(Qt::PreventContextMenu);
   window.addToolBar(bar);
   const char* titles[] = {"&File", "&Edit", "&View", "&Look", "&Cut", "&Structures", "&Time", "&Help"};
+  static_assert(std::size(titles) == std::tuple_size_v<Menus>, "each menu has its title");
   for (std::size_t i = 0; i < menus.size(); ++i) menus[i] = window.menuBar()->addMenu(QMainWindow::tr(titles[i]));
 }
 

@@ -9,6 +9,7 @@
 #include "RecoveryBar.h"
 #include "kit/Bars.h"
 #include "kit/SideTabs.h"
+#include "view/Room.h"
 #include "view/TimeBar.h"
 
 namespace velum::gui {
@@ -32,7 +33,7 @@ struct WindowFrame {
   QWidget* side;
   SideTabs* tabs;
   QToolBar* bar;
-  std::array<QMenu*, 8> menus;  ///< In the order of MenuId.
+  Menus menus;
 
  private:
   void buildSide(QMainWindow& window);

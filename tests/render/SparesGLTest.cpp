@@ -1,124 +1,17 @@
-// What all cuts together leave of a structure is one function, whoever asks.
+// What all cuts together leave of a structure is one function, on both sides, and the one that was meant.
 #include <random>
 
 #include "FrameSetup.h"
+#include "NaiveCuts.h"
 #include "ProbeShaders.h"
 #include "RenderFixture.h"
-#include "sheetShapes.h"
+#include "cutShapes.h"
 #include "upload/SpareTable.h"
-#include "velum/render/section/KeptVoxels.h"
-#include "velum/render/section/SectionImage.h"
 
 namespace velum {
 namespace {
 
-constexpr double kTooNear = 0.01;  // floats and doubles may differ about a point on a face
 constexpr int kPoints = 3000;
-constexpr glm::ivec2 kParticles(14, 17);
-
-// ---- the cuts in doubles, written anew
-
-double distanceToSegment(glm::dvec2 p, glm::dvec2 a, glm::dvec2 b) {
-  double t = glm::clamp(glm::dot(p - a, b - a) / glm::dot(b - a, b - a), 0.0, 1.0);
-  return glm::length(p - (a + t * (b - a)));
-}
-
-/// < 0 inside; what is removed of the plane is its inside.
-double distanceOfShape(scene::CutShape shape, glm::dvec3 half, glm::dvec3 p) {
-  double r = std::hypot(p.x, p.y);
-  auto boxed = [](glm::dvec3 q) {
-    double outside = glm::length(glm::max(q, glm::dvec3(0.0)));
-    return outside > 0 ? outside : std::max(q.x, std::max(q.y, q.z));
-  };
-  switch (shape) {
-    case scene::CutShape::Plane:
-      return -p.z;
-    case scene::CutShape::Sphere:
-      return glm::length(p) - half.x;
-    case scene::CutShape::Box:
-      return boxed(glm::abs(p) - half);
-    case scene::CutShape::Cylinder:
-      return boxed({r - half.x, std::abs(p.z) - half.z, -1e9});
-    default:
-      break;
-  }
-  double h = 2.0 * half.z;
-  double away =
-      std::min(distanceToSegment({r, p.z}, {0, 0}, {half.x, h}), distanceToSegment({r, p.z}, {0, h}, {half.x, h}));
-  return p.z < h && p.z > 0 && r < half.x * p.z / h ? -away : away;
-}
-
-/// How far a point is from what a cut removes, < 0 in it; and how near it is to where that may be doubtful.
-struct Place {
-  double distance = 0, doubt = 1e9;
-};
-
-/// Every triangle of the sheet against the line along z through the point.
-Place placeOfMembrane(const scene::Cut& cut, const scene::SheetShape& sheet, glm::dvec3 p) {
-  Place place;
-  glm::dvec2 half = glm::dvec2(cut.size) * 0.5, toRim = half - glm::abs(glm::dvec2(p));
-  bool holds = toRim.x > 0 && toRim.y > 0;
-  place.doubt = std::min({std::abs(toRim.x), std::abs(toRim.y), std::abs(p.z)});
-  double nearest = 1e9, toSheet = std::abs(p.z);
-  int over = 0;
-  glm::ivec2 n = sheet.particles;
-  for (int y = 0; y + 1 < n.y; ++y)
-    for (int x = 0; x + 1 < n.x; ++x) {
-      auto at = [&](int i, int j) { return glm::dvec3(sheet.places[std::size_t((y + j) * n.x + x + i)]) - p; };
-      glm::dvec3 corners[2][3] = {{at(0, 0), at(1, 0), at(1, 1)}, {at(0, 0), at(1, 1), at(0, 1)}};
-      for (auto& [a, b, c] : corners) {
-        auto cross = [](glm::dvec3 u, glm::dvec3 v) { return u.x * v.y - u.y * v.x; };
-        double area = cross(b - a, c - a), u = cross(b, c) / area, v = cross(c, a) / area, w = 1.0 - u - v;
-        double least = std::min(u, std::min(v, w));
-        if (holds) place.doubt = std::min(place.doubt, 20.0 * std::abs(least));  // on an edge
-        if (!holds || least < 0) continue;
-        double z = u * a.z + v * b.z + w * c.z;
-        over += z > 0;
-        place.doubt = std::min(place.doubt, std::abs(z));
-        if (std::abs(z) > nearest) continue;
-        nearest = std::abs(z);
-        glm::dvec3 normal = glm::cross(b - a, c - a);
-        toSheet = nearest * std::abs(normal.z) / glm::length(normal);
-      }
-    }
-  bool isAbove = holds ? over % 2 == 0 : p.z > 0;
-  bool isInlay = cut.membrane->use == scene::MembraneUse::Inlay;
-  bool removes = isInlay ? !holds || isAbove == (p.z > 0) : isAbove != cut.invert;
-  double depth = isInlay ? std::min(toSheet, std::abs(p.z)) : toSheet;
-  place.distance = removes ? -depth : depth;
-  return place;
-}
-
-Place placeOf(const scene::Cut& cut, glm::dvec3 world) {
-  glm::dvec3 p(glm::inverse(scene::worldFromCut(cut)) * glm::dvec4(world, 1.0));
-  if (cut.membrane) return placeOfMembrane(cut, membrane::fitShape(cut.membrane->shape, kParticles, cut.size), p);
-  double distance = distanceOfShape(cut.shape, cut.size * 0.5, p) * (cut.invert ? -1.0 : 1.0);
-  return {distance, std::abs(distance)};
-}
-
-struct Naive {
-  bool keeps = true, isDoubtful = false;
-};
-
-Naive naive(const scene::Scene& scene, glm::dvec3 world, int structure, double u) {
-  bool isTaken = false, hasInlay = false, inInlay = false;
-  Naive out;
-  for (const auto& cut : scene.cuts) {
-    if (!cut.enabled) continue;
-    double depth = 0.0;
-    for (auto spare = cut.spares.rbegin(); spare != cut.spares.rend(); ++spare)
-      if (spare->structure == structure) depth = u < spare->share ? spare->distance : 0.0;
-    Place place = placeOf(cut, world);
-    out.isDoubtful = out.isDoubtful || place.doubt < kTooNear || std::abs(-place.distance - depth) < kTooNear;
-    bool keeps = place.distance >= 0.0 || -place.distance <= depth;
-    bool isInlay = cut.membrane && cut.membrane->use == scene::MembraneUse::Inlay;
-    hasInlay = hasInlay || isInlay;
-    inInlay = inInlay || (isInlay && keeps);
-    isTaken = isTaken || (!isInlay && !keeps);
-  }
-  out.keeps = !isTaken && (!hasInlay || inInlay);
-  return out;
-}
 
 // ---- random scenes
 
@@ -161,9 +54,8 @@ class Random {
   /// All shapes once, in any order, those that take much inverted or not; two more membranes.
   scene::Scene scene() {
     scene::Scene scene;
-    std::vector<scene::CutShape> shapes{scene::CutShape::Plane,    scene::CutShape::Box,     scene::CutShape::Sphere,
-                                        scene::CutShape::Cylinder, scene::CutShape::Cone,    scene::CutShape::Membrane,
-                                        scene::CutShape::Membrane, scene::CutShape::Membrane};
+    auto shapes = everyShapeButMembranes();
+    shapes.insert(shapes.end(), 3, scene::CutShape::Membrane);
     std::shuffle(shapes.begin(), shapes.end(), mEngine);
     shapes.resize(std::size_t(whole(1, 5)));
     for (auto shape : shapes) scene::addCut(scene, cut(shape));
@@ -365,152 +257,6 @@ TEST(Spares, TheStretchesOfARayAreWhatTheCutsLeaveOfItsPoints) {
       t = stretch.end;
     }
   }
-}
-
-// ---- the same everywhere
-
-constexpr glm::ivec3 kDims(40, 36, 44);
-constexpr glm::ivec2 kSize(72, 72);
-
-/// A block with a ball of structure 4 in it; the plane takes all before y = 4, towards the eye.
-class SparedScene : public SparesGL {
- protected:
-  void SetUp() override {
-    SparesGL::SetUp();
-    mScene = sceneOf(makeVolume(
-        kDims, SampleType::UInt8, [](glm::ivec3) { return 100; }, centredFrame(kDims)));
-    makeSolid(mScene);
-    auto inBall = [](glm::ivec3 p) { return glm::length(glm::dvec3(p) - glm::dvec3(20, 10, 22)) < 7; };
-    mScene.labels.data = Shared<LabelVolume>(makeLabels(
-        kDims, [&](glm::ivec3 p) { return inBall(p) ? 4 : 0; }, mScene.volume.data->worldFromVoxel));
-    scene::completeStructures(mScene.labels);
-    scene::Cut plane;
-    plane.centre = {0, 4, 0};
-    plane.axis = {0, -1, 0};
-    scene::addCut(mScene, plane);
-  }
-
-  int structureAt(glm::dvec3 world) const {
-    glm::dvec3 voxel(glm::inverse(mScene.volume.data->worldFromVoxel) * glm::dvec4(world, 1.0));
-    return mScene.labels.visible
-               ? mScene.labels.data->at(glm::clamp(glm::ivec3(glm::floor(voxel + 0.5)), glm::ivec3(0), kDims - 1))
-               : 0;
-  }
-
-  /// Picture, sections, kept voxels (which exports write) and picking say the same as the naive fold.
-  void expectSameEverywhere(const std::string& what) {
-    SCOPED_TRACE(what);
-    Progress progress;
-    auto kept = render::keptVoxels(mScene, kDims, mScene.volume.data->worldFromVoxel, progress);
-    std::size_t i = 0;
-    int keptCount = 0;
-    for (int z = 0; z < kDims.z; ++z)
-      for (int y = 0; y < kDims.y; ++y)
-        for (int x = 0; x < kDims.x; ++x, ++i) {
-          glm::dvec3 world(mScene.volume.data->worldFromVoxel * glm::dvec4(x, y, z, 1.0));
-          Naive wanted = naive(mScene, world, structureAt(world), 0.0);
-          keptCount += kept[i];
-          if (wanted.isDoubtful) continue;
-          ASSERT_EQ(kept[i] != 0, wanted.keeps) << x << ", " << y << ", " << z;
-        }
-    expectSection();
-    expectPicture(keptCount > 0);
-  }
-
- private:
-  void expectSection() {
-    scene::Scene bare = mScene;
-    bare.cuts.clear();
-    auto view = scene::makeSectionPlane(mScene, scene::SectionKind::Axial, glm::dvec2(kSize));
-    auto image = render::drawSection(mScene, view), whole = render::drawSection(bare, view);
-    for (int y = 0; y < kSize.y; ++y)
-      for (int x = 0; x < kSize.x; ++x) {
-        glm::dvec3 world = scene::worldFromSectionPixel(view, {x + 0.5, y + 0.5});
-        glm::dvec3 voxel(glm::inverse(mScene.volume.data->worldFromVoxel) * glm::dvec4(world, 1.0));
-        if (glm::any(glm::lessThan(voxel, glm::dvec3(0.5))) ||
-            glm::any(glm::greaterThan(voxel, glm::dvec3(kDims) - 1.5)))
-          continue;
-        glm::dvec3 off = glm::abs(glm::fract(voxel + 0.5) - 0.5);
-        Naive wanted = naive(mScene, world, structureAt(world), 0.0);
-        if (wanted.isDoubtful || std::max(off.x, std::max(off.y, off.z)) > 0.45) continue;  // on a label's border
-        auto at = std::size_t(y * kSize.x + x);
-        ASSERT_EQ(image.pixels[at] == whole.pixels[at], wanted.keeps) << "section at " << x << ", " << y;
-      }
-  }
-
-  /// Along each ray of an orthographic picture the first place that is kept is what shows.
-  void expectPicture(bool showsAny) {
-    mScene.camera.projection = scene::Projection::Orthographic;
-    mScene.camera.height = 60;
-    lookAlong(mScene, {0, -1, 0});
-    Image image = draw(mScene, kSize, kAllLayers);
-    int shown = 0, rays = 0, slivers = 0;
-    for (int y = 2; y + 2 < kSize.y; y += 3)
-      for (int x = 2; x + 2 < kSize.x; x += 3) {
-        TestRay ray = rayThrough(mScene.camera, kSize, glm::dvec2(x, y) + 0.5);
-        glm::dvec2 box = boxInterval(*mScene.volume.data, ray);
-        // Segments are half a voxel, and what is spared is asked in their middles: thinner slivers may be stepped over.
-        double found = -1, since = -1;
-        bool hasSliver = false;
-        for (double t = box.x + 0.02; t < box.y && found < 0; t += 0.05) {
-          bool keeps = naive(mScene, ray.at(t), structureAt(ray.at(t)), 0.0).keeps;
-          hasSliver = hasSliver || (since >= 0 && !keeps);
-          since = !keeps ? -1 : since < 0 ? t : since;
-          if (since >= 0 && t - since > 0.6) found = since;
-        }
-        ++(hasSliver ? slivers : rays);
-        if (hasSliver) continue;
-        bool isShown = sampleOf(image, {x, y}, "A") > 0.5f;
-        ASSERT_EQ(isShown, found >= 0) << "picture at " << x << ", " << y;
-        if (!isShown) continue;
-        ++shown;
-        glm::dvec3 wanted = ray.at(found), is(vectorOf(image, {x, y}, "position"));
-        ASSERT_LT(glm::length(wanted - is), 0.6) << "picture at " << x << ", " << y;
-      }
-    EXPECT_LT(slivers, rays / 10);
-    EXPECT_EQ(shown > 0, showsAny);
-  }
-
- protected:
-  scene::Scene mScene;
-};
-
-TEST_F(SparedScene, AStructureIsSparedWholeOrSoDeep) {
-  mScene.cuts[0].spares = {{4}};
-  expectSameEverywhere("whole");
-  mScene.cuts[0].spares = {{4, 5.2}};
-  expectSameEverywhere("so deep");
-  mScene.cuts[0].spares = {{4, scene::Spare::kEndless, 0.0}};
-  expectSameEverywhere("none of its instances");
-}
-
-TEST_F(SparedScene, WhatHasNoLabelIsSparedAlikeEverywhere) {
-  mScene.cuts[0].spares = {{0}};
-  expectSameEverywhere("whole");
-  mScene.cuts[0].spares = {{0, 3.3}};
-  expectSameEverywhere("so deep");
-}
-
-TEST_F(SparedScene, WithoutLabelsNothingHasOne) {
-  mScene.cuts[0].spares = {{0, 6.7}, {4}};
-  mScene.labels.visible = false;
-  expectSameEverywhere("labels that are not shown");
-  mScene.labels = {};
-  mScene.labels.visible = false;
-  expectSameEverywhere("no labels");
-}
-
-TEST_F(SparedScene, SeveralCutsSpareEachForItself) {
-  scene::Cut ball;
-  ball.shape = scene::CutShape::Sphere;
-  ball.centre = {4, 3, 2};
-  ball.size = glm::dvec3(24);
-  ball.spares = {{0, 2.4}, {4, 4.1}};
-  scene::addCut(mScene, ball);
-  mScene.cuts[0].spares = {{4, 9.3}, {0, 1.7}};
-  expectSameEverywhere("plane and ball");
-  mScene.cuts[1].invert = true;
-  expectSameEverywhere("plane and all around a ball");
 }
 
 }  // namespace

@@ -61,6 +61,20 @@ TEST(CutEdit, ANewCutOpensTheSideThatIsSeenHoweverDeepTheDataAre) {
   }
 }
 
+TEST(CutEdit, AirAboutTheDataHidesNoNewCut) {
+  scene::Scene scene = boxScene(kSize);
+  Volume volume = *scene.volume.data;
+  for (int i = 0; i < 6000; ++i) volume.voxels[std::size_t(i)] = std::byte(i / 10 % 20 >= 12 ? 200 : 0);  // y
+  scene.volume.data = Shared<Volume>(std::move(volume));
+  scene.volume.transfer.opacities = {{100, 0}, {150, 0.8}};
+  scene::placeSections(scene);
+  scene.camera = scene::frameCamera(scene, scene::StandardView::Anterior, 1.0);  // y grows away from the eye
+  scene::Cut ball = makeCut(scene, scene::CutShape::Sphere);
+  double skin = 115.0;  // the side of the voxels at 120
+  EXPECT_LT(ball.centre.y - ball.size.x * 0.5, skin - 1.0);
+  EXPECT_GT(ball.centre.y + ball.size.x * 0.5, skin + 10.0);
+}
+
 TEST(CutEdit, ANewCutLiesAboutTheCrosshair) {
   scene::Scene scene = boxScene(kSize);
   scene::placeSections(scene);

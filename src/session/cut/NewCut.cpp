@@ -4,7 +4,9 @@
 #include <cmath>
 
 #include "velum/core/Vectors.h"
+#include "velum/render/section/SectionImage.h"
 #include "velum/scene/Project.h"
+#include "velum/scene/SectionPlane.h"
 #include "velum/session/cut/CutEdit.h"
 
 namespace velum::session {
@@ -21,13 +23,29 @@ bool isCrosshairAtRest(const scene::Scene& scene) {
   return glm::length(off) < 1e-6 * glm::length(dataOf(scene).edges);
 }
 
-/// Where the data's side faces the eye, and an eighth of their shortest edge deep: of a shape of a third of that edge
-/// some is outside, however deep the data are.
+/// True where there is material that is drawn; of colours and mixed channels nobody knows.
+bool shows(const scene::Scene& scene, glm::dvec3 world) {
+  render::Probe there = render::probe(scene, world);
+  if (!scene.volume.data) return there.structure != 0;
+  return scene.volume.visible && there.values.size() == 1 &&
+         scene::opacityAt(scene.volume.transfer.opacities, there.values[0]) > 0.05;
+}
+
+/// How far from the middle the eye's line comes upon the first material; the side of the box where it meets none.
+double firstShown(const scene::Scene& scene, const DataBox& data, glm::dvec3 toEye, double toSide) {
+  double step = scene::sectionStep(scene);
+  for (double t = toSide; step > 0 && t > -toSide; t -= step)
+    if (shows(scene, data.middle + toEye * t)) return t;
+  return toSide;
+}
+
+/// Where the eye meets the data, and an eighth of their shortest edge deep: of a shape of a third of that edge some is
+/// outside of them, however deep they are and whatever air is about them.
 glm::dvec3 placeAtSide(const scene::Scene& scene, const DataBox& data, glm::dvec3 toEye, double third) {
   if (!isCrosshairAtRest(scene)) return scene.sections.crosshair;
   glm::dvec3 reach = glm::abs(toEye) / data.edges;
   double toSide = 0.5 / std::max(reach.x, std::max(reach.y, reach.z));
-  return data.middle + toEye * (toSide - 0.375 * third);
+  return data.middle + toEye * (firstShown(scene, data, toEye, toSide) - 0.375 * third);
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ struct NewCut {
   DataBox data;
   glm::dvec3 toEye;   ///< unit
   glm::dvec3 atSide;  ///< the crosshair, where it was put somewhere; else where a closed shape of a third of the data
-                      ///< opens the side that faces the eye
+                      ///< opens what faces the eye
   double third;       ///< of the shortest edge of the data
   double through;     ///< from the side of the data that faces the eye to the other
 };

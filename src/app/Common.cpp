@@ -9,6 +9,7 @@
 #include <filesystem>
 
 #include "velum/core/Error.h"
+#include "velum/core/Text.h"
 #include "velum/scene/Presets.h"
 #include "velum/scene/json/Json.h"
 #include "velum/session/document/Open.h"
@@ -96,10 +97,11 @@ bool isTerminal() {
   return terminal;
 }
 
-Progress* gProgress = nullptr;  // for the signal handler alone
+volatile std::sig_atomic_t gSignal = 0;
 
-void onInterrupt(int) {
-  if (gProgress) gProgress->cancel();
+void onStop(int signal) {
+  gSignal = signal;
+  consoleProgress().cancel();
 }
 
 }  // namespace
@@ -107,16 +109,29 @@ void onInterrupt(int) {
 Progress& consoleProgress() {
   static Progress progress([](double fraction, const std::string& what) {
     if (!isTerminal()) return;
-    std::fprintf(stderr, "\r%s %3.0f %%\x1b[K", what.c_str(), fraction * 100.0);
+    std::fprintf(stderr, "\r%s %3.0f %%\x1b[K", printable(what).c_str(), fraction * 100.0);
     if (fraction >= 1.0) std::fprintf(stderr, "\r\x1b[K");
     std::fflush(stderr);
   });
-  if (!gProgress) {
-    gProgress = &progress;
-    std::signal(SIGINT, onInterrupt);
-  }
   return progress;
 }
+
+void stopOnSignals() {
+  consoleProgress();  // made here, for a handler may not
+  struct sigaction action {};
+  action.sa_handler = onStop;
+  action.sa_flags = int(SA_RESETHAND);  // who asks twice does not want to wait
+  for (int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction before {};
+    ::sigaction(signal, &action, &before);
+    // nohup and shells in the background ask for that.
+    if (before.sa_handler == SIG_IGN) ::sigaction(signal, &before, nullptr);
+  }
+  // A full disk and a reader that has left are told by write().
+  for (int signal : {SIGXFSZ, SIGPIPE}) std::signal(signal, SIG_IGN);
+}
+
+int stopSignal() { return gSignal != 0 ? gSignal : SIGINT; }
 
 scene::Source firstSource(const InputOptions& input) {
   scene::Source source;
@@ -166,8 +181,8 @@ scene::Scene openScene(const InputOptions& input, double aspect) {
   return scene;
 }
 
-void printJson(const Json& json) {
-  std::printf("%s\n", json.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
+void printJson(const Json& json, std::FILE* to) {
+  std::fprintf(to, "%s\n", json.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
 }
 
 }  // namespace velum::app

@@ -1,5 +1,6 @@
 #pragma once
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -36,8 +37,14 @@ void addInput(CLI::App& verb, InputOptions& input, bool withScene);
 scene::Source firstSource(const InputOptions& input);
 /// Opens all inputs and applies preset, transfer function, view and --set, in this order. Shows progress on a terminal.
 scene::Scene openScene(const InputOptions& input, double aspect);
-/// A progress that writes one line to a terminal's stderr, and listens for Ctrl+C.
+/// A progress that writes one line to a terminal's stderr, and is cancelled by stopOnSignals().
 Progress& consoleProgress();
-void printJson(const Json& json);
+/// From now on SIGINT, SIGTERM and SIGHUP cancel the progress, so that what is half done is put away; the second ends
+/// the process at once.
+void stopOnSignals();
+/// The one that stopped it.
+int stopSignal();
+/// Bytes that are not UTF-8, as paths may hold, become the replacement character. @param to  stdout or stderr
+void printJson(const Json& json, std::FILE* to = stdout);
 
 }  // namespace velum::app

@@ -1,6 +1,5 @@
-#include <fmt/format.h>
-
 #include "Verbs.h"
+#include "velum/core/Log.h"
 #include "velum/io/labels/ReadLabels.h"
 #include "velum/io/volumes/ReadVolume.h"
 #include "velum/io/volumes/WriteVolume.h"
@@ -29,7 +28,7 @@ int run(const ConvertOptions& options) {
     json["structures"] = labels.table.size();
   } else {
     Volume volume = io::readVolume(source, progress);
-    for (const auto& warning : volume.warnings) fmt::print(stderr, "warning: {}\n", warning);
+    for (const auto& warning : volume.warnings) log::warning(warning);
     io::writeVolume(volume, options.output, progress);
     json["dims"] = {volume.dims.x, volume.dims.y, volume.dims.z};
     json["type"] = std::string(enumName(volume.type));

@@ -1,10 +1,12 @@
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <filesystem>
 
 #include "Verbs.h"
 #include "velum/core/Clock.h"
 #include "velum/core/Error.h"
+#include "velum/core/Text.h"
 #include "velum/render/Renderer.h"
 #include "velum/scene/Navigate.h"
 #include "velum/session/document/Open.h"
@@ -82,10 +84,7 @@ int runSection(const RenderOptions& options) {
                {"frameMs", ms},
                {"output", options.output}};
   if (options.frames > 0) json["outputs"] = outputs;
-  if (options.output != "-")
-    printJson(json);
-  else
-    fmt::print(stderr, "{}\n", json.dump());
+  printJson(json, options.output == "-" ? stderr : stdout);
   return 0;
 }
 
@@ -114,7 +113,7 @@ int run(const RenderOptions& options) {
 
   // What there is to say of it; the picture itself may have gone to stdout.
   const render::Stats& stats = renderer.stats();
-  if (!stats.reduction.empty()) fmt::print(stderr, "note: {}\n", stats.reduction);
+  if (!stats.reduction.empty()) fmt::print(stderr, "note: {}\n", printable(stats.reduction));
   if (options.common.json) {
     Json json = {{"renderer", stats.renderer},
                  {"size", {size.x, size.y}},
@@ -127,10 +126,7 @@ int run(const RenderOptions& options) {
                  {"reduction", stats.reduction},
                  {"output", options.output}};
     if (options.frames > 0) json["outputs"] = outputs;
-    if (options.output != "-")
-      printJson(json);
-    else
-      fmt::print(stderr, "{}\n", json.dump());
+    printJson(json, options.output == "-" ? stderr : stdout);
   }
   return 0;
 }

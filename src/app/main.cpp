@@ -5,6 +5,7 @@
 #include "Verbs.h"
 #include "velum/core/Error.h"
 #include "velum/core/Log.h"
+#include "velum/core/Text.h"
 
 /// velum-batch: every verb of Velum without a display. Errors are one line on stderr; exit codes are those of ExitCode.
 int main(int argc, char** argv) {
@@ -37,21 +38,25 @@ int main(int argc, char** argv) {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return program.exit(error);
-    std::string what = error.what();
-    fmt::print(stderr, "velum-batch: {}; see velum-batch --help\n", what.substr(0, what.find('\n')));
+    std::string_view what = error.what();
+    fmt::print(stderr, "velum-batch: {}; see velum-batch --help\n", printable(what.substr(0, what.find('\n'))));
     return static_cast<int>(ExitCode::Usage);
   }
   // The one that was asked for; every error becomes one line and its exit code.
+  app::stopOnSignals();
   try {
     for (auto& [verb, run] : verbs) {
       if (!verb->parsed()) continue;
       if (auto* verbose = verb->get_option_no_throw("--verbose"); verbose && verbose->count() > 0)
         log::setVerbose(true);
-      return run();
+      int code = run();
+      if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+        throw InputError("standard output: cannot be written; check the free space");
+      return code;
     }
   } catch (const Cancelled&) {
     fmt::print(stderr, "velum-batch: stopped\n");
-    return 130;
+    return 128 + app::stopSignal();
   } catch (const Error& error) {
     fmt::print(stderr, "velum-batch: {}\n", error.what());
     return static_cast<int>(error.exitCode());
@@ -59,7 +64,7 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "velum-batch: the machine has no memory left for this; use a smaller volume or picture\n");
     return static_cast<int>(ExitCode::Input);
   } catch (const std::exception& error) {
-    fmt::print(stderr, "velum-batch: {}\n", error.what());
+    fmt::print(stderr, "velum-batch: {}\n", printable(error.what()));
     return static_cast<int>(ExitCode::Input);
   }
   return 0;

@@ -3,6 +3,8 @@
 #include <spdlog/sinks/stdout_sinks.h>
 #include <spdlog/spdlog.h>
 
+#include "velum/core/Text.h"
+
 namespace velum::log {
 
 namespace {
@@ -18,7 +20,7 @@ spdlog::logger& logger() {
 }  // namespace
 
 void setVerbose(bool verbose) { logger().set_level(verbose ? spdlog::level::info : spdlog::level::warn); }
-void info(std::string_view message) { logger().info(message); }
-void warning(std::string_view message) { logger().warn("warning: {}", message); }
+void info(std::string_view message) { logger().info(printable(message)); }
+void warning(std::string_view message) { logger().warn("warning: {}", printable(message)); }
 
 }  // namespace velum::log

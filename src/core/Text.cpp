@@ -20,6 +20,28 @@ double outOfRange(std::string_view number) {
   return number.starts_with('-') ? -size : size;
 }
 
+/// Bytes of the UTF-8 character that the text begins with; 0 where it begins with none.
+/// Overlong forms, surrogates and what is beyond U+10FFFF are none.
+std::size_t characterAt(std::string_view text) {
+  auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
+  unsigned first = byte(0), second = byte(1);
+  if (first < 0x80) return 1;
+  std::size_t count = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : 2;
+  if (first < 0xc2 || first > 0xf4) return 0;
+  for (std::size_t i = 1; i < count; ++i)
+    if ((byte(i) & 0xc0) != 0x80) return 0;
+  bool isWrong = (first == 0xe0 && second < 0xa0) || (first == 0xed && second > 0x9f) ||
+                 (first == 0xf0 && second < 0x90) || (first == 0xf4 && second > 0x8f);
+  return isWrong ? 0 : count;
+}
+
+/// C0, DEL, and C1 as UTF-8: some terminals take those for commands, too.
+bool isControl(std::string_view character) {
+  auto first = static_cast<unsigned char>(character[0]);
+  if (character.size() == 1) return first < 0x20 || first == 0x7f;
+  return first == 0xc2 && static_cast<unsigned char>(character[1]) < 0xa0;
+}
+
 }  // namespace
 
 std::string_view trimmed(std::string_view text) {
@@ -53,6 +75,27 @@ std::optional<double> takeNumber(std::string_view& text) {
 std::optional<double> numberIn(std::string_view text) {
   auto value = takeNumber(text);
   return value && trimmed(text).empty() ? value : std::nullopt;
+}
+
+std::string printable(std::string_view text) {
+  constexpr char kDigits[] = "0123456789abcdef";
+  std::string out;
+  out.reserve(text.size());
+  while (!text.empty()) {
+    std::size_t count = characterAt(text);
+    std::string_view character = text.substr(0, std::max<std::size_t>(count, 1));
+    text.remove_prefix(character.size());
+    if (count > 0 && !isControl(character))
+      out += character;
+    else if (character == "\n" || character == "\t")
+      out += character == "\n" ? "\\n" : "\\t";
+    else
+      for (char c : character) {
+        auto byte = static_cast<unsigned char>(c);
+        out += {'\\', 'x', kDigits[byte >> 4], kDigits[byte & 15]};
+      }
+  }
+  return out;
 }
 
 }  // namespace velum

@@ -16,8 +16,10 @@
 #include <cstdio>
 
 #include "kit/Preferences.h"
+#include "kit/SaveImage.h"
 #include "look/LookPanel.h"
 #include "velum/core/Error.h"
+#include "velum/core/Text.h"
 #include "velum/session/document/Folders.h"
 #include "window/MainWindow.h"
 #include "window/Script.h"
@@ -25,6 +27,9 @@
 namespace {
 
 constexpr int kScreenshotWaitMs = 60'000;
+
+/// One line on the console.
+void say(const QString& text) { fmt::print(stderr, "velum: {}\n", velum::printable(text.toStdString())); }
 
 /// Saves the whole window once its picture is complete, then leaves.
 void takeScreenshot(velum::gui::MainWindow& window, const QString& path) {
@@ -35,12 +40,15 @@ void takeScreenshot(velum::gui::MainWindow& window, const QString& path) {
     auto* look = window.findChild<velum::gui::LookPanel*>();
     bool ready = window.isSettled() && look->isComplete();
     if (!ready && clock->elapsed() < kScreenshotWaitMs) return;
-    bool saved = window.grab().save(path);
-    if (!saved)
-      fmt::print(stderr, "velum: {}: the picture cannot be written there\n", path.toStdString());
-    else if (window.messages().isVisible())
-      fmt::print(stderr, "velum: {}\n", window.messages().text().toStdString());
-    QCoreApplication::exit(saved ? 0 : static_cast<int>(velum::ExitCode::Input));
+    velum::ExitCode code = velum::ExitCode::Ok;
+    try {
+      velum::gui::saveImage(window.grab().toImage(), path.toStdString());
+      if (window.messages().isVisible()) say(window.messages().text());
+    } catch (const velum::Error& error) {
+      say(error.what());
+      code = error.exitCode();
+    }
+    QCoreApplication::exit(static_cast<int>(code));
   });
   timer->start(100);
 }
@@ -53,7 +61,7 @@ void runScript(velum::gui::MainWindow& window, const QString& path, bool echo) {
   auto* script = new velum::gui::Script(window, path, QString::fromUtf8(file.readAll()));
   script->setEcho(echo);
   QObject::connect(script, &velum::gui::Script::failed, &window, [&window](const QString& error, int code) {
-    fmt::print(stderr, "velum: {}\n", error.toStdString());
+    say(error);
     window.leave(code);
   });
   script->start();
@@ -99,12 +107,12 @@ int run(int argc, char** argv) {
   QCommandLineParser parser;
   describeOptions(parser);
   if (!parser.parse(QApplication::arguments())) {
-    fmt::print(stderr, "velum: {}; see velum --help\n", parser.errorText().toStdString());
+    say(parser.errorText() + "; see velum --help");
     return static_cast<int>(velum::ExitCode::Usage);
   }
   for (const QString& path : parser.positionalArguments())
     if (!QFileInfo::exists(path)) {
-      fmt::print(stderr, "velum: {}: there is no such file or folder\n", path.toStdString());
+      say(path + ": there is no such file or folder");
       return static_cast<int>(velum::ExitCode::Input);
     }
 
@@ -138,10 +146,10 @@ int main(int argc, char** argv) {
   try {
     return run(argc, argv);
   } catch (const velum::Error& error) {
-    fmt::print(stderr, "velum: {}\n", error.what());
+    say(error.what());
     return static_cast<int>(error.exitCode());
   } catch (const std::exception& error) {
-    fmt::print(stderr, "velum: {}\n", error.what());
+    say(error.what());
     return static_cast<int>(velum::ExitCode::Input);
   }
 }

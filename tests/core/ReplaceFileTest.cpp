@@ -2,13 +2,17 @@
 
 #include <gtest/gtest.h>
 #include <signal.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <fstream>
 #include <iterator>
+#include <set>
+#include <span>
+#include <string>
 
+#include "SmallDisk.h"
 #include "TempFolder.h"
 #include "velum/core/Error.h"
 
@@ -25,24 +29,6 @@ std::string textOf(const fs::path& path) {
 std::ptrdiff_t filesIn(const fs::path& folder) {
   return std::distance(fs::directory_iterator(folder), fs::directory_iterator());
 }
-
-/// While one lives, the system takes only so many bytes of a file: a disk that fills up.
-class SmallDisk {
- public:
-  explicit SmallDisk(rlim_t bytes) : mHandler(::signal(SIGXFSZ, SIG_IGN)) {
-    ::getrlimit(RLIMIT_FSIZE, &mLimit);
-    rlimit small{bytes, mLimit.rlim_max};
-    ::setrlimit(RLIMIT_FSIZE, &small);
-  }
-  ~SmallDisk() {
-    ::setrlimit(RLIMIT_FSIZE, &mLimit);
-    ::signal(SIGXFSZ, mHandler);
-  }
-
- private:
-  rlimit mLimit{};
-  void (*mHandler)(int);
-};
 
 TEST(ReplaceFile, ACommitReplacesTheWhole) {
   TempFolder folder;
@@ -93,7 +79,6 @@ TEST(ReplaceFile, WhereNothingCanBeWrittenIsSaidAtOnce) {
 TEST(ReplaceFile, ANameMayBeAsLongAsTheDiskAllows) {
   TempFolder folder;
   std::string name = std::string(248, 'n') + ".nii.gz";
-  EXPECT_TRUE(ReplaceFile(folder / name).temporary().string().ends_with("n.nii.gz"));
   replaceFile(folder / name, "text");
   EXPECT_EQ(textOf(folder / name), "text");
 }
@@ -106,14 +91,6 @@ TEST(ReplaceFile, TwoOfOneTargetDoNotMeet) {
   second.commit();
   first.commit();
   EXPECT_EQ(textOf(folder / "a.txt"), "first");
-}
-
-TEST(ReplaceFile, WhatALibraryWritesByNameIsCommitted) {
-  TempFolder folder;
-  ReplaceFile file(folder / "a.txt");
-  std::ofstream(file.temporary()) << "by name";
-  file.commit();
-  EXPECT_EQ(textOf(folder / "a.txt"), "by name");
 }
 
 TEST(ReplaceFile, AnOwnersFileIsNobodyElses) {
@@ -133,6 +110,120 @@ TEST(ReplaceFile, TheCallerMayWriteOn) {
   EXPECT_TRUE(writeAll(descriptor, std::as_bytes(std::span(" two", 4))));
   ::close(descriptor);
   EXPECT_EQ(textOf(folder / "a.txt"), "one two");
+}
+
+TEST(ReplaceFile, WhatTheDiskRefusedOnceIsNeverCommitted) {
+  TempFolder folder;
+  replaceFile(folder / "a.txt", "old");
+  SmallDisk disk(10);
+  ReplaceFile file(folder / "a.txt");
+  std::string text(20, 'x');
+  EXPECT_FALSE(file.writeAt(0, std::as_bytes(std::span(text))));
+  EXPECT_FALSE(file.writeAt(0, std::as_bytes(std::span(text).first(1)))) << "one that does not look goes on";
+  EXPECT_THROW(file.commit(), InputError);
+  EXPECT_EQ(textOf(folder / "a.txt"), "old");
+}
+
+TEST(ReplaceFile, AWriterMayGoBack) {
+  TempFolder folder;
+  ReplaceFile file(folder / "a.txt");
+  std::string text = "abcdef";
+  EXPECT_TRUE(file.writeAt(0, std::as_bytes(std::span(text))));
+  EXPECT_TRUE(file.writeAt(2, std::as_bytes(std::span(text).first(2))));
+  file.commit();
+  EXPECT_EQ(textOf(folder / "a.txt"), "ababef");
+}
+
+TEST(ReplaceFile, ThroughALinkItsTargetIsWritten) {
+  TempFolder folder;
+  fs::create_directory(folder / "data");
+  replaceFile(folder / "data" / "a.txt", "old");
+  fs::create_symlink("data/a.txt", folder / "one");
+  fs::create_symlink(folder / "one", folder / "two");
+  replaceFile(folder / "two", "new");
+  EXPECT_TRUE(fs::is_symlink(folder / "two"));
+  EXPECT_EQ(textOf(folder / "data" / "a.txt"), "new");
+  fs::create_symlink("data/b.txt", folder / "open");
+  replaceFile(folder / "open", "made");
+  EXPECT_EQ(textOf(folder / "data" / "b.txt"), "made");
+  fs::create_symlink("round", folder / "round");
+  EXPECT_THROW(replaceFile(folder / "round", "never"), InputError);
+}
+
+TEST(ReplaceFile, ModeAndOwnerAreKept) {
+  TempFolder folder;
+  replaceFile(folder / "a.txt", "old");
+  ASSERT_EQ(::chmod((folder / "a.txt").c_str(), 0640), 0);
+  // Only an administrator can give a file away; without one the mode alone is tried.
+  bool gave = ::chown((folder / "a.txt").c_str(), 4711, 4712) == 0;
+  replaceFile(folder / "a.txt", "new");
+  struct stat state {};
+  ASSERT_EQ(::stat((folder / "a.txt").c_str(), &state), 0);
+  EXPECT_EQ(state.st_mode & 07777, 0640u);
+  EXPECT_EQ(state.st_uid, gave ? 4711u : ::geteuid());
+  EXPECT_EQ(state.st_gid, gave ? 4712u : ::getegid());
+}
+
+TEST(ReplaceFile, AReadOnlyFileAndWhatIsNoFileAreRefused) {
+  TempFolder folder;
+  replaceFile(folder / "a.txt", "old");
+  ASSERT_EQ(::chmod((folder / "a.txt").c_str(), 0444), 0);
+  EXPECT_THROW(replaceFile(folder / "a.txt", "new"), InputError);
+  EXPECT_EQ(textOf(folder / "a.txt"), "old");
+  ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
+  EXPECT_THROW(replaceFile(folder / "pipe", "new"), InputError);
+  EXPECT_THROW(replaceFile("/dev/full", "new"), InputError);
+  EXPECT_TRUE(fs::is_character_file("/dev/full"));
+  EXPECT_EQ(filesIn(folder.path()), 2);
+}
+
+/// A process that is killed while it writes.
+void dieWriting(const fs::path& target) {
+  pid_t child = ::fork();
+  if (child == 0) {
+    ReplaceFile file(target);
+    file.write("half of the new");
+    ::raise(SIGKILL);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+}
+
+TEST(ReplaceFile, WhatKilledRunsLeftIsRemovedByTheNext) {
+  TempFolder folder;
+  dieWriting(folder / "a.txt");
+  EXPECT_EQ(filesIn(folder.path()), 1);
+  std::ofstream(folder / ".velum-notes") << "a user's";
+  replaceFile(folder / "b.txt", "text");
+  EXPECT_EQ(filesIn(folder.path()), 2) << "the user's and the new one";
+}
+
+TEST(ReplaceFile, WhatALivingProcessWritesIsNotRemoved) {
+  TempFolder folder;
+  ReplaceFile file(folder / "a.txt");
+  file.write("text");
+  pid_t child = ::fork();
+  if (child == 0) {
+    // Another folder's name for the same: this process looked through the first already.
+    replaceFile(folder / "." / "b.txt", "from another");
+    ::_exit(0);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  file.commit();
+  EXPECT_EQ(textOf(folder / "a.txt"), "text");
+  EXPECT_EQ(textOf(folder / "b.txt"), "from another");
+}
+
+TEST(ReplaceFile, NamesOfTemporariesCannotBeGuessed) {
+  TempFolder folder;
+  std::set<std::string> names;
+  for (int i = 0; i < 50; ++i) {
+    ReplaceFile file(folder / "a.txt");
+    names.insert(fs::directory_iterator(folder.path())->path().filename().string());
+  }
+  EXPECT_EQ(names.size(), 50u);
+  for (const std::string& name : names) EXPECT_EQ(name.find(std::to_string(::getpid())), name.npos) << name;
 }
 
 }  // namespace

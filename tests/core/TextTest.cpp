@@ -6,6 +6,8 @@
 #include <limits>
 #include <string>
 
+#include "velum/core/Error.h"
+
 namespace velum {
 namespace {
 
@@ -48,6 +50,26 @@ TEST(Text, NumbersBeyondADoubleAreZeroOrInfinite) {
   EXPECT_EQ(numberIn("0." + std::string(400, '0') + "1"), 0.0);
   EXPECT_EQ(numberIn("1" + std::string(400, '0')), kInfinity);
   EXPECT_EQ(numberIn("1" + std::string(400, '0') + ".5"), kInfinity);
+}
+
+TEST(Text, PrintableIsOneLineThatNoTerminalObeys) {
+  EXPECT_EQ(printable("plain, näive, 體積 🧠"), "plain, näive, 體積 🧠");
+  EXPECT_EQ(printable("a\nb\tc\rd"), "a\\nb\\tc\\x0dd");
+  EXPECT_EQ(printable("\x1b[31mred\x7f"), "\\x1b[31mred\\x7f");
+  EXPECT_EQ(printable(std::string("a\0b", 3)), "a\\x00b");
+  EXPECT_EQ(printable("\xc2\x9b"
+                      "2J"),
+            "\\xc2\\x9b2J")
+      << "C1 as UTF-8";
+  EXPECT_EQ(printable("\xe9t\xe9"), "\\xe9t\\xe9") << "Latin-1";
+  EXPECT_EQ(printable("\xc0\xaf"), "\\xc0\\xaf") << "overlong";
+  EXPECT_EQ(printable("\xed\xa0\x80"), "\\xed\\xa0\\x80") << "a surrogate";
+  EXPECT_EQ(printable("\xf4\x90\x80\x80"), "\\xf4\\x90\\x80\\x80") << "beyond Unicode";
+  EXPECT_EQ(printable("cut \xe2\x82"), "cut \\xe2\\x82");
+}
+
+TEST(Text, AnErrorIsOneLineWhateverItQuotes) {
+  EXPECT_STREQ(InputError("a\nb\x1b[2J.nrrd: is damaged").what(), "a\\nb\\x1b[2J.nrrd: is damaged");
 }
 
 }  // namespace

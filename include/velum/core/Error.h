@@ -7,10 +7,11 @@ namespace velum {
 /// How a program of ours ends.
 enum class ExitCode { Ok = 0, Usage = 1, Input = 2, Gpu = 3, CompareFailed = 4 };
 
-/// Base of everything we throw. The message is one line: what, which value, what to do.
+/// Base of everything we throw. The message is one line: what, which value, what to do. It is made printable(), for it
+/// may quote what a file or a path holds.
 class Error : public std::runtime_error {
  public:
-  Error(ExitCode code, const std::string& message) : std::runtime_error(message), mExitCode(code) {}
+  Error(ExitCode code, const std::string& message);
   ExitCode exitCode() const { return mExitCode; }
 
  private:

@@ -21,4 +21,8 @@ std::optional<double> takeNumber(std::string_view& text);
 /// The same of a text that is one number and nothing else.
 std::optional<double> numberIn(std::string_view text);
 
+/// On one line that no terminal takes for a command, whatever a file or a path holds: control characters and bytes that
+/// are not UTF-8 become \n, \t or \xNN.
+std::string printable(std::string_view text);
+
 }  // namespace velum

@@ -8,10 +8,11 @@
 #include <QPainter>
 #include <QPainterPath>
 #include <QProxyStyle>
-#include <QSaveFile>
 #include <QVBoxLayout>
 
+#include "SaveImage.h"
 #include "SayTime.h"
+#include "velum/core/Error.h"
 
 namespace velum::gui {
 
@@ -60,9 +61,11 @@ void saveRecentPicture(const std::filesystem::path& file, const QImage& image) {
   if (image.isNull()) return;
   QString path = toText(session::recentPicture(file));
   QDir().mkpath(QFileInfo(path).path());
-  QSaveFile out(path);
-  if (out.open(QIODevice::WriteOnly) && cutTo(image.convertToFormat(QImage::Format_RGB32), kStored).save(&out, "PNG"))
-    out.commit();
+  try {
+    saveImage(cutTo(image.convertToFormat(QImage::Format_RGB32), kStored), path.toStdString());
+  } catch (const Error&) {
+    // A card without a picture is no loss.
+  }
 }
 
 // A card.

@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "MainWindow.h"
+#include "kit/SaveImage.h"
 #include "velum/core/Error.h"
 #include "velum/scene/json/Json.h"
 
@@ -173,9 +174,7 @@ bool Script::runFile(const QString& command, const QString& rest) {
   } else if (command == "save") {
     mWindow.saveSceneTo(wholePath(rest));
   } else if (command == "screenshot") {
-    QString path = wholePath(rest);
-    if (!mWindow.grab().save(path))
-      throw InputError(fmt::format("{}: the picture cannot be written there", path.toStdString()));
+    saveImage(mWindow.grab().toImage(), wholePath(rest).toStdString());
   } else {
     return false;
   }

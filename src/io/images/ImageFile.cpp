@@ -10,7 +10,9 @@
 #include <cstdint>
 #include <cstdio>
 #include <fstream>
+#include <functional>
 
+#include "read/SinkStream.h"
 #include "read/StderrQuiet.h"
 #include "read/TiffPages.h"
 #include "velum/core/Error.h"
@@ -143,18 +145,44 @@ OIIO::ImageSpec specFor(const Image& image, const std::string& format, OIIO::Typ
   return spec;
 }
 
-void encode(OIIO::ImageOutput& out, const std::string& file, const OIIO::ImageSpec& spec, const void* pixels,
-            const Path& path) {
-  bool done = out.open(file, spec) && out.write_image(spec.format, pixels);
+/// What the library writes goes to our file, which remembers what the disk refused: the library's close may not.
+class SinkProxy : public OIIO::Filesystem::IOProxy {
+ public:
+  explicit SinkProxy(ReplaceFile& file) : IOProxy(file.target().string(), Write), mStream(file) {}
+
+  const char* proxytype() const override { return "velum"; }
+  size_t write(const void* bytes, size_t count) override {
+    size_t written = pwrite(bytes, count, m_pos);
+    m_pos += std::int64_t(written);
+    return written;
+  }
+  size_t pwrite(const void* bytes, size_t count, std::int64_t offset) override {
+    mStream.seekp(offset);
+    mStream.write(static_cast<const char*>(bytes), std::streamsize(count));
+    mSize = std::max(mSize, offset + std::int64_t(count));
+    return mStream.good() ? count : 0;
+  }
+  size_t size() const override { return size_t(mSize); }
+
+ private:
+  SinkStream mStream;
+  std::int64_t mSize = 0;
+};
+
+void encode(OIIO::ImageOutput& out, const std::string& name, const OIIO::ImageSpec& spec, const void* pixels,
+            const std::function<void()>& throwIfRefused) {
+  bool done = out.open(name, spec) && out.write_image(spec.format, pixels);
   done = out.close() && done;
-  if (!done) throw InputError(fmt::format("{}: cannot be written ({})", path.string(), out.geterror()));
+  // The library says in many lines what the disk says in one.
+  throwIfRefused();
+  if (!done) throw InputError(fmt::format("{}: cannot be written ({})", name, out.geterror()));
 }
 
 void writeToStdout(OIIO::ImageOutput& out, const OIIO::ImageSpec& spec, const void* pixels) {
   std::vector<unsigned char> bytes;
   OIIO::Filesystem::IOVecOutput memory(bytes);
   out.set_ioproxy(&memory);
-  encode(out, "stdout.png", spec, pixels, "-");
+  encode(out, "stdout.png", spec, pixels, [] {});
   if (std::fwrite(bytes.data(), 1, bytes.size(), stdout) != bytes.size() || std::fflush(stdout) != 0)
     throw InputError("-: the picture cannot be written to the standard output");
 }
@@ -206,7 +234,11 @@ void writeImage(const Image& image, const Path& path, const std::string& descrip
 
   if (path == "-") return writeToStdout(*out, spec, pixels);
   ReplaceFile file(path);
-  encode(*out, file.temporary().string(), spec, pixels, path);
+  {
+    SinkProxy proxy(file);
+    out->set_ioproxy(&proxy);
+    encode(*out, path.string(), spec, pixels, [&] { file.throwIfRefused(); });
+  }
   file.commit();
 }
 

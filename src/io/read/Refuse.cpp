@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "velum/core/Error.h"
+#include "velum/core/Text.h"
 
 namespace velum::io {
 
@@ -11,10 +12,8 @@ void refuse(const Path& path, std::string_view reason) {
 }
 
 std::string inQuotes(std::string_view text) {
-  std::string result(text.substr(0, 60));
-  for (char& c : result)
-    if (static_cast<unsigned char>(c) < 32 || c == 127) c = '?';
-  return "'" + result + (text.size() > 60 ? "...'" : "'");
+  constexpr std::size_t kMost = 60;
+  return "'" + printable(text.substr(0, kMost)) + (text.size() > kMost ? "...'" : "'");
 }
 
 }  // namespace velum::io

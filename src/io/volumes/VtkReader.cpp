@@ -4,7 +4,6 @@
 #include <vtkCommand.h>
 #include <vtkDataArray.h>
 #include <vtkDataArraySelection.h>
-#include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkImageData.h>
 #include <vtkMatrix3x3.h>
@@ -12,7 +11,6 @@
 #include <vtkPointData.h>
 #include <vtkSmartPointer.h>
 #include <vtkXMLImageDataReader.h>
-#include <vtkXMLImageDataWriter.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,6 +19,7 @@
 
 #include "Readers.h"
 #include "VtiHeader.h"
+#include "VtiNotes.h"
 #include "read/FileBytes.h"
 #include "read/VtkQuiet.h"
 #include "velum/core/Error.h"
@@ -30,11 +29,6 @@
 namespace velum::io {
 
 namespace {
-
-/// Our own notes in a .vti, one number each.
-constexpr const char* kScale = "velum.scale";
-constexpr const char* kOffset = "velum.offset";
-constexpr const char* kOriented = "velum.orientationKnown";
 
 SampleType sampleTypeOf(int vtkType, const Path& path) {
   switch (vtkType) {
@@ -58,12 +52,6 @@ SampleType sampleTypeOf(int vtkType, const Path& path) {
     default:
       refuse(path, fmt::format("samples of VTK type {} are not read", vtkType));
   }
-}
-
-int vtkTypeOf(SampleType type) {
-  constexpr int kTypes[] = {VTK_UNSIGNED_CHAR, VTK_SIGNED_CHAR, VTK_UNSIGNED_SHORT, VTK_SHORT,
-                            VTK_UNSIGNED_INT,  VTK_INT,         VTK_FLOAT,          VTK_DOUBLE};
-  return kTypes[static_cast<int>(type)];
 }
 
 /// 64-bit integers have no place in Volume; doubles hold them to 2^53.
@@ -110,13 +98,6 @@ double noteOf(vtkImageData& image, const char* name, double otherwise) {
   if (!array || array->GetNumberOfValues() < 1) return otherwise;
   double value = array->GetTuple1(0);
   return std::isfinite(value) ? value : otherwise;
-}
-
-void addNote(vtkImageData& image, const char* name, double value) {
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name);
-  array->InsertNextValue(value);
-  image.GetFieldData()->AddArray(array);
 }
 
 /// World from voxel; `shift` is where voxel 0 lies in VTK's index space (the extent's start; plus a half for cells).
@@ -186,55 +167,16 @@ Volume readVti(const scene::Source& source, Progress& progress) try {
     refuse(path, fmt::format("has {} values for {} voxels", array->GetNumberOfTuples(), voxelCount(v)));
   copySamples(*array, v, path);
   v.isColor = (v.channels == 3 || v.channels == 4) && v.type == SampleType::UInt8;
-  v.isOrientationKnown = header.hasDirection && noteOf(*image, kOriented, 1.0) != 0.0;
+  v.isOrientationKnown = header.hasDirection && noteOf(*image, vti::kOriented, 1.0) != 0.0;
   v.worldFromVoxel = matrixOf(*image, shift, v);
-  v.scale = noteOf(*image, kScale, 1.0);
-  v.offset = noteOf(*image, kOffset, 0.0);
+  v.scale = noteOf(*image, vti::kScale, 1.0);
+  v.offset = noteOf(*image, vti::kOffset, 0.0);
   if (v.scale == 0.0) v.scale = 1.0;
   return v;
 } catch (const std::bad_alloc&) {
   refuse(source.path, "needs more memory than there is");
 } catch (const std::length_error&) {
   refuse(source.path, "is damaged (a length in it makes no sense)");
-}
-
-void writeVti(const Volume& volume, ReplaceFile& file, Progress& progress) {
-  const Path& path = file.target();
-  if (volume.timeSteps > 1)
-    refuse(path, fmt::format("a .vti holds one time step, not {}; write .nrrd or .nii", volume.timeSteps));
-  progress.report(0, "writing VTK image");
-  VtkQuiet quiet;
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(volume.dims.x, volume.dims.y, volume.dims.z);
-  glm::dmat4 world = worldFromVoxelIn(LengthUnit::Millimetre, volume);
-  glm::dvec3 spacing = spacingOf(volume) * unitsPer(volume.lengthUnit, LengthUnit::Millimetre);
-  glm::dmat3 axes = direction(volume);
-  image->SetSpacing(spacing.x, spacing.y, spacing.z);
-  image->SetOrigin(world[3].x, world[3].y, world[3].z);
-  for (int column = 0; column < 3; ++column)
-    for (int row = 0; row < 3; ++row) image->GetDirectionMatrix()->SetElement(row, column, axes[column][row]);
-
-  // VTK borrows the voxels; it does not write to them.
-  vtkSmartPointer<vtkDataArray> array = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(vtkTypeOf(volume.type)));
-  array->SetNumberOfComponents(volume.channels);
-  array->SetVoidArray(const_cast<std::byte*>(volume.voxels.data()), vtkIdType(voxelCount(volume)) * volume.channels, 1);
-  array->SetName("scalars");
-  image->GetPointData()->SetScalars(array);
-  addNote(*image, kScale, volume.scale);
-  addNote(*image, kOffset, volume.offset);
-  addNote(*image, kOriented, volume.isOrientationKnown ? 1.0 : 0.0);
-
-  vtkNew<vtkXMLImageDataWriter> writer;
-  quiet.listen(*writer, &progress);
-  writer->SetFileName(file.temporary().c_str());
-  writer->SetInputData(image);
-  writer->SetDataModeToAppended();
-  writer->EncodeAppendedDataOff();
-  writer->SetCompressorTypeToZLib();
-  writer->SetHeaderTypeToUInt64();
-  int done = writer->Write();
-  progress.throwIfCancelled();
-  if (!done || !quiet.error().empty()) refuse(path, fmt::format("cannot be written ({})", quiet.error()));
 }
 
 }  // namespace velum::io

@@ -1,0 +1,9 @@
+#include "velum/core/Error.h"
+
+#include "velum/core/Text.h"
+
+namespace velum {
+
+Error::Error(ExitCode code, const std::string& message) : std::runtime_error(printable(message)), mExitCode(code) {}
+
+}  // namespace velum

@@ -1,0 +1,77 @@
+#include <fmt/format.h>
+#include <vtkDataArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkImageData.h>
+#include <vtkMatrix3x3.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkSmartPointer.h>
+#include <vtkXMLImageDataWriter.h>
+
+#include "Readers.h"
+#include "VtiNotes.h"
+#include "read/Refuse.h"
+#include "read/VtkQuiet.h"
+
+namespace velum::io {
+
+namespace {
+
+int vtkTypeOf(SampleType type) {
+  constexpr int kTypes[] = {VTK_UNSIGNED_CHAR, VTK_SIGNED_CHAR, VTK_UNSIGNED_SHORT, VTK_SHORT,
+                            VTK_UNSIGNED_INT,  VTK_INT,         VTK_FLOAT,          VTK_DOUBLE};
+  return kTypes[static_cast<int>(type)];
+}
+
+void addNote(vtkImageData& image, const char* name, double value) {
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->InsertNextValue(value);
+  image.GetFieldData()->AddArray(array);
+}
+
+}  // namespace
+
+void writeVti(const Volume& volume, ReplaceFile& file, Progress& progress) {
+  const Path& path = file.target();
+  if (volume.timeSteps > 1)
+    refuse(path, fmt::format("a .vti holds one time step, not {}; write .nrrd or .nii", volume.timeSteps));
+  progress.report(0, "writing VTK image");
+  VtkQuiet quiet;
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(volume.dims.x, volume.dims.y, volume.dims.z);
+  glm::dmat4 world = worldFromVoxelIn(LengthUnit::Millimetre, volume);
+  glm::dvec3 spacing = spacingOf(volume) * unitsPer(volume.lengthUnit, LengthUnit::Millimetre);
+  glm::dmat3 axes = direction(volume);
+  image->SetSpacing(spacing.x, spacing.y, spacing.z);
+  image->SetOrigin(world[3].x, world[3].y, world[3].z);
+  for (int column = 0; column < 3; ++column)
+    for (int row = 0; row < 3; ++row) image->GetDirectionMatrix()->SetElement(row, column, axes[column][row]);
+
+  // VTK borrows the voxels; it does not write to them.
+  vtkSmartPointer<vtkDataArray> array = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(vtkTypeOf(volume.type)));
+  array->SetNumberOfComponents(volume.channels);
+  array->SetVoidArray(const_cast<std::byte*>(volume.voxels.data()), vtkIdType(voxelCount(volume)) * volume.channels, 1);
+  array->SetName("scalars");
+  image->GetPointData()->SetScalars(array);
+  addNote(*image, vti::kScale, volume.scale);
+  addNote(*image, vti::kOffset, volume.offset);
+  addNote(*image, vti::kOriented, volume.isOrientationKnown ? 1.0 : 0.0);
+
+  vtkNew<vtkXMLImageDataWriter> writer;
+  quiet.listen(*writer, &progress);
+  // To memory: to a file the writer does not look whether its last bytes arrive.
+  writer->WriteToOutputStringOn();
+  writer->SetInputData(image);
+  writer->SetDataModeToAppended();
+  writer->EncodeAppendedDataOff();
+  writer->SetCompressorTypeToZLib();
+  writer->SetHeaderTypeToUInt64();
+  int done = writer->Write();
+  progress.throwIfCancelled();
+  if (!done || !quiet.error().empty()) refuse(path, fmt::format("cannot be written ({})", quiet.error()));
+  file.write(writer->GetOutputString());
+}
+
+}  // namespace velum::io

@@ -7,6 +7,33 @@ layout(std430, binding = kCutBinding) readonly buffer CutBlock { CutData cuts[];
 layout(std430, binding = kSpareIndexBinding) readonly buffer SpareIndexBlock { uint spareRow[]; };
 layout(std430, binding = kSpareBinding) readonly buffer SpareBlock { CutSpare spares[]; };
 
+layout(std430, binding = kCutGridBinding) readonly buffer CutGridBlock { uint cutGrid[]; };
+
+/// Cuts that one after the other are looked at: those of a cell of the grid, or all.
+struct CutList {
+  int begin;
+  int end;
+};
+
+/// Place of a position in the grid of cuts, in cells.
+vec3 cutCellsFrom(vec3 scenePoint) { return (frame.texFromScene * vec4(scenePoint, 1.0)).xyz * float(kCutGrid); }
+
+CutList listOf(ivec3 cell) {
+  int at = cell.x + kCutGrid * (cell.y + kCutGrid * cell.z);
+  return CutList(int(cutGrid[at]), int(cutGrid[at + 1]));
+}
+
+/// The cuts that may remove a position. Material lies in the box; surfaces may lie outside.
+CutList cutsAt(vec3 scenePoint) {
+  if (!hasFlag(kFlagCutGrid)) return CutList(0, frame.cutCount);
+  vec3 place = cutCellsFrom(scenePoint);
+  bool isOutside = any(lessThan(place, vec3(0.0))) || any(greaterThan(place, vec3(kCutGrid)));
+  return listOf(isOutside ? ivec3(0, 0, kCutGrid) : min(ivec3(place), ivec3(kCutGrid - 1)));
+}
+
+/// The cut in the i-th place.
+int cutIn(int i) { return hasFlag(kFlagCutGrid) ? int(cutGrid[i]) : i; }
+
 /// Where a structure's spares begin; -1: no cut spares it.
 int sparesOf(uint structure) {
   if (!hasFlag(kFlagSpares) || structure >= uint(spareRow.length())) return -1;
@@ -34,8 +61,11 @@ bool isInlay(int cut) {
 bool cutsKeep(vec3 scenePoint, uint structure, float u) {
   CutFold fold = emptyFold();
   int first = sparesOf(structure);
-  for (int i = 0; i < frame.cutCount && !fold.isRemoved; ++i)
-    fold = foldCut(fold, cuts[i], isInlay(i), sparedDepth(first, i, u), hasFlag(kFlagSpareDepths), scenePoint);
+  CutList list = cutsAt(scenePoint);
+  for (int i = list.begin; i < list.end && !fold.isRemoved; ++i) {
+    int cut = cutIn(i);
+    fold = foldCut(fold, cuts[cut], isInlay(cut), sparedDepth(first, cut, u), hasFlag(kFlagSpareDepths), scenePoint);
+  }
   return foldKeeps(fold);
 }
 bool cutsKeep(vec3 scenePoint, uint structure) { return cutsKeep(scenePoint, structure, 0.0); }
@@ -46,8 +76,11 @@ bool cutsKeep(vec3 scenePoint, uint structure) { return cutsKeep(scenePoint, str
 int cutsGuess(vec3 scenePoint, uint structure) {
   CutFold fold = emptyFold();
   int first = sparesOf(structure);
-  for (int i = 0; i < frame.cutCount; ++i)
-    fold = foldAnswer(fold, isInlay(i), cutGuess(cuts[i], sparedDepth(first, i), hasFlag(kFlagSpareDepths), scenePoint));
+  CutList list = cutsAt(scenePoint);
+  for (int i = list.begin; i < list.end; ++i) {
+    int cut = cutIn(i);
+    fold = foldAnswer(fold, isInlay(cut), cutGuess(cuts[cut], sparedDepth(first, cut), hasFlag(kFlagSpareDepths), scenePoint));
+  }
   return foldSays(fold);
 }
 #endif
@@ -74,8 +107,11 @@ vec3 sheetNormalAt(int cut, int triangle, vec3 p, vec3 direction) {
 float inlayShare(vec3 scenePoint, uint structure) {
   float share = 0.0;
   int first = sparesOf(structure);
-  for (int i = 0; i < frame.cutCount; ++i)
-    if (isInlay(i)) share = foldShare(share, cuts[i], sparedDepth(first, i), hasFlag(kFlagSpareDepths), scenePoint);
+  CutList list = cutsAt(scenePoint);
+  for (int i = list.begin; i < list.end; ++i) {
+    int cut = cutIn(i);
+    if (isInlay(cut)) share = foldShare(share, cuts[cut], sparedDepth(first, cut), hasFlag(kFlagSpareDepths), scenePoint);
+  }
   return share;
 }
 
@@ -172,10 +208,36 @@ CutRun runFrom(int cut, Ray ray, float t, float e, float tEnd) {
   return convexRun(cut, ray, t, e);
 }
 
-/// The stretch that begins at t. A ray is walked stretch by stretch; each costs one look at every cut.
+/// Where a ray leaves the cell of the grid in which it is at t.
+float leaveCutCell(Ray ray, float t) {
+  vec3 place = cutCellsFrom(ray.origin);
+  vec3 perLength = (frame.texFromScene * vec4(ray.direction, 0.0)).xyz * float(kCutGrid);
+  perLength = mix(perLength, vec3(1e-12), lessThan(abs(perLength), vec3(1e-12)));
+  vec3 cell = floor(clamp(place + t * perLength, vec3(0.0), vec3(float(kCutGrid) - 0.5)));
+  vec3 exit = (cell + vec3(greaterThan(perLength, vec3(0.0))) - place) / perLength;
+  return max(t, min(exit.x, min(exit.y, exit.z)));
+}
+
+/// The stretch that begins at t. A ray is walked stretch by stretch; each costs one look at every cut, or, with a grid, at
+/// those of the cells on its way.
 Stretch stretchFrom(Ray ray, float t, float tEnd) {
-  RunFold fold = emptyRuns(t);
   float e = 1e-5 * max(1.0, abs(t));
-  for (int i = 0; i < frame.cutCount; ++i) fold = foldRun(fold, i, isInlay(i), runFrom(i, ray, t, e, tEnd), t);
-  return stretchOf(fold, tEnd);
+  float from = t;
+  Stretch stretch;
+  bool goesOn;
+  do {
+    RunFold fold = emptyRuns(from);
+    float leave = hasFlag(kFlagCutGrid) ? leaveCutCell(ray, from + e) : tEnd;
+    CutList list = cutsAt(ray.origin + (from + e) * ray.direction);
+    for (int i = list.begin; i < list.end; ++i) {
+      int cut = cutIn(i);
+      fold = foldRun(fold, cut, isInlay(cut), runFrom(cut, ray, from, e, tEnd), from);
+    }
+    stretch = stretchOf(fold, tEnd);
+    // What is kept beyond its cell may be removed by cuts of the next one.
+    goesOn = hasFlag(kFlagCutGrid) && stretch.kept && stretch.end > leave && leave < tEnd;
+    if (!stretch.kept && from > t) stretch = Stretch(from, true, -1, -1);
+    from = goesOn ? leave : from;
+  } while (goesOn);
+  return stretch;
 }

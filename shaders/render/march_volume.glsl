@@ -242,7 +242,7 @@ void marchStretch(inout Hit hit, Ray ray, Walk walk, Span span) {
       if (hasFlag(kFlagSkipEmpty)) t = leapEmpty(walk, t, b, groupLength, perGroup, span.sparedOnly);
       group = groupAt(walk, ray, walk.first + floor((t - walk.first) * perGroup + 1e-4) * groupLength, t, b);
       found = mayShow(group);
-      end = max(timeIn(group, walk, kGroup), t + 1e-5 * walk.dt);
+      end = max(timeIn(group, walk, kGroup), afterAll(t));
       t = found ? t : end;
     } while (!found && t < b);
     t = end;

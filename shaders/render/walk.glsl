@@ -48,12 +48,14 @@ Walk walkAlong(Ray ray, float first) {
 
 vec3 texAt(Walk walk, float t) { return walk.tex0 + t * walk.texPerLength; }
 
-/// The first lattice point after t. From afar t is so coarse that rounding would give t itself again, and the ray would
-/// never end.
+/// The least that is more than t. From afar floats are so coarse that t and a step are t again, and a ray would never end.
+float afterAll(float t) { return t + 2.4e-7 * abs(t); }
+
+/// The first lattice point after t.
 float nextSample(Walk walk, float t) {
   float k = floor((t - walk.first) / walk.dt + 1.0 + 1e-4);
   float next = walk.first + k * walk.dt;
-  return next > t ? next : next + walk.dt;
+  return max(next > t ? next : next + walk.dt, afterAll(t));
 }
 
 ivec3 cellAt(Walk walk, float t) {

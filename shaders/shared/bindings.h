@@ -26,6 +26,7 @@ SHARED_CONST uint kStructureUnit = 13u;
 // Storage blocks of a frame.
 SHARED_CONST uint kCutBinding = 1u;
 SHARED_CONST uint kCellBinding = 3u;
+SHARED_CONST uint kCutGridBinding = 4u;
 SHARED_CONST uint kMeshBinding = 5u;
 SHARED_CONST uint kSpareIndexBinding = 6u;
 SHARED_CONST uint kSpareBinding = 7u;

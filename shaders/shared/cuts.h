@@ -9,6 +9,9 @@
 #include "shared/cut.h"
 SHARED_BEGIN
 
+/// Cells along each edge of the grid that says which cuts matter where.
+SHARED_CONST int kCutGrid = 16;
+
 /// What a cut spares of a structure; both 0: nothing.
 struct CutSpare {
   float distance;  ///< how deep in the cut's removed side it is left, scene frame; kCutFar: all of it
@@ -141,7 +144,7 @@ struct Stretch {
   int triangle;  ///< and, of a membrane, the triangle there; -1: none
 };
 
-/// The stretch that begins where the fold does. A ray is walked stretch by stretch; each costs one look at every cut.
+/// The stretch that begins where the fold does.
 SHARED_FN Stretch stretchOf(RunFold fold, float tEnd) {
   Stretch stretch;
   stretch.kept = foldKeeps(fold.at);

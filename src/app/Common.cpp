@@ -1,9 +1,11 @@
 #include "Common.h"
 
 #include <fmt/format.h>
+#include <sys/time.h>
 #include <unistd.h>
 
 #include <charconv>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
@@ -97,6 +99,9 @@ bool isTerminal() {
   return terminal;
 }
 
+/// What is asked to stop has so long to do so.
+constexpr int kPatienceSeconds = 10;
+
 volatile std::sig_atomic_t gSignal = 0;
 
 void onStop(int signal) {
@@ -116,12 +121,32 @@ Progress& consoleProgress() {
   return progress;
 }
 
+void finiteNumbersOnly(CLI::App& verb) {
+  CLI::Validator finite(
+      [](const std::string& text) {
+        auto number = numberIn(text);
+        return number && std::isfinite(*number) ? std::string() : fmt::format("{} is not a number of use here", text);
+      },
+      "");
+  for (CLI::Option* option : verb.get_options())
+    if (option->get_type_name().find("FLOAT") != std::string::npos) option->check(finite);
+}
+
+void stopAfter(double seconds) {
+  if (seconds <= 0) return;
+  itimerval timer{};
+  timer.it_value.tv_sec = time_t(seconds);
+  timer.it_value.tv_usec = suseconds_t((seconds - std::floor(seconds)) * 1e6);
+  timer.it_interval.tv_sec = kPatienceSeconds;  // the second time nobody is asked
+  ::setitimer(ITIMER_REAL, &timer, nullptr);
+}
+
 void stopOnSignals() {
   consoleProgress();  // made here, for a handler may not
   struct sigaction action {};
   action.sa_handler = onStop;
   action.sa_flags = int(SA_RESETHAND);  // who asks twice does not want to wait
-  for (int signal : {SIGINT, SIGTERM, SIGHUP}) {
+  for (int signal : {SIGINT, SIGTERM, SIGHUP, SIGALRM}) {
     struct sigaction before {};
     ::sigaction(signal, &action, &before);
     // nohup and shells in the background ask for that.
@@ -139,8 +164,10 @@ scene::Source firstSource(const InputOptions& input) {
   source.series = input.series;
   if (!input.raw.empty()) source.raw = parseRaw(input.raw);
   if (!input.spacing.empty()) source.spacing = {input.spacing[0], input.spacing[1], input.spacing[2]};
-  if (source.spacing.x < 0 || source.spacing.y < 0 || source.spacing.z < 0)
-    throw ArgumentError("--spacing: millimetres must be positive");
+  for (double length : input.spacing)
+    if (length != 0 && !(length >= scene::kLeastSpacing && length <= scene::kMostSpacing))
+      throw ArgumentError(fmt::format("--spacing: {:.6g} mm is outside {:g} .. {:g} mm", length, scene::kLeastSpacing,
+                                      scene::kMostSpacing));
   return source;
 }
 

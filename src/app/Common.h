@@ -42,8 +42,12 @@ Progress& consoleProgress();
 /// From now on SIGINT, SIGTERM and SIGHUP cancel the progress, so that what is half done is put away; the second ends
 /// the process at once.
 void stopOnSignals();
-/// The one that stopped it.
+/// The one that stopped it; SIGALRM: stopAfter() did.
 int stopSignal();
+/// The same after so many seconds; 0: never.
+void stopAfter(double seconds);
+/// Lets no option of a verb be NaN or infinite.
+void finiteNumbersOnly(CLI::App& verb);
 /// Bytes that are not UTF-8, as paths may hold, become the replacement character. @param to  stdout or stderr
 void printJson(const Json& json, std::FILE* to = stdout);
 

@@ -22,7 +22,7 @@ struct RenderOptions {
   InputOptions input;
   std::string output, size = "1280x720", saveScene, section;
   int samples = 0, frames = 0;
-  double dpi = 0;
+  double dpi = 0, timeout = 0;
   bool layers = false, transparent = false, bruteForce = false;
 };
 
@@ -157,7 +157,12 @@ Run registerRender(CLI::App& verb) {
   verb.add_flag("--brute-force", options->bruteForce,
                 "without skipping and early ends: the reference for every acceleration");
   verb.add_option("--save-scene", options->saveScene, "write the scene as JSON, too");
-  return [options] { return run(*options); };
+  verb.add_option("--timeout", options->timeout, "give up after so many seconds, with exit code 142; 0: never")
+      ->check(CLI::Range(0.0, 1e6));
+  return [options] {
+    stopAfter(options->timeout);
+    return run(*options);
+  };
 }
 
 }  // namespace velum::app

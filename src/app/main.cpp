@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <csignal>
 #include <cstdio>
 
 #include "Verbs.h"
@@ -32,6 +33,7 @@ int main(int argc, char** argv) {
   for (const Row& row : kVerbs) {
     CLI::App* verb = program.add_subcommand(row.name, row.doc);
     verbs.emplace_back(verb, row.registerVerb(*verb));
+    app::finiteNumbersOnly(*verb);
   }
   // Their options: help and version are no errors.
   try {
@@ -55,7 +57,8 @@ int main(int argc, char** argv) {
       return code;
     }
   } catch (const Cancelled&) {
-    fmt::print(stderr, "velum-batch: stopped\n");
+    bool isTimeout = app::stopSignal() == SIGALRM;
+    fmt::print(stderr, "velum-batch: stopped{}\n", isTimeout ? " after the time that --timeout allows" : "");
     return 128 + app::stopSignal();
   } catch (const Error& error) {
     fmt::print(stderr, "velum-batch: {}\n", error.what());

@@ -1,6 +1,7 @@
 #include "FrameData.h"
 
 #include <algorithm>
+#include <cstring>
 #include <span>
 
 #include "upload/BlueNoise.h"
@@ -79,6 +80,7 @@ void completeFrameData(FrameData& data) {
   if (!data.cuts.empty()) data.params.flags |= shared::kFlagCuts;
   for (const auto& cut : data.cuts)
     if (cut.kind.z == 1) data.params.flags |= shared::kFlagWalks;
+  if (data.cuts.size() >= kFewCuts) data.params.flags |= shared::kFlagCutGrid;
   if (!data.spares.isEmpty()) data.params.flags |= shared::kFlagSpares;
   if (data.spares.hasDepths) data.params.flags |= shared::kFlagSpareDepths;
 }
@@ -125,12 +127,27 @@ void FrameInputs::write(const FrameData& data) {
   mExtinction = bufferOf("extinction table", pairsOf(data.table.extinctionSums));
   mExtinctionTexels = gpu::Texture::makeOfBuffer("extinction table", gpu::Format::Rg32ui, mExtinction);
   mGradientFactors.write({0, 0, 0}, mGradientFactors.size(), data.table.gradientFactors.data());
-  mCuts = bufferOf("cuts", data.cuts);
+  writeCuts(data);
   mStructures = bufferOf("structures", data.structures);
   mStructureTexels = gpu::Texture::makeOfBuffer("structures", gpu::Format::Rgba32f, mStructures);
   mSpareIndex = bufferOf("index of spares", data.spares.rowOf);
   mSpares = bufferOf("spares", data.spares.rows);
   writeParams(data, 0);
+}
+
+/// A grid is made when the cuts change, not with every picture of them.
+void FrameInputs::writeCuts(const FrameData& data) {
+  mCuts = bufferOf("cuts", data.cuts);
+  bool hasGrid = (data.params.flags & shared::kFlagCutGrid) != 0, hasSpares = !data.spares.isEmpty();
+  auto isSame = [](const shared::CutData& a, const shared::CutData& b) { return std::memcmp(&a, &b, sizeof a) == 0; };
+  bool isMade = mGridBox == data.params.sceneFromTex && mGridHasSpares == hasSpares &&
+                std::equal(mGridCuts.begin(), mGridCuts.end(), data.cuts.begin(), data.cuts.end(), isSame);
+  if (hasGrid && isMade) return;
+  mGridCuts = hasGrid ? data.cuts : std::vector<shared::CutData>{};
+  mGridBox = data.params.sceneFromTex;
+  mGridHasSpares = hasSpares;
+  mCutGrid = bufferOf("grid of cuts",
+                      hasGrid ? makeCutGrid(data.cuts, mGridBox, hasSpares).texels : std::vector<std::uint32_t>{});
 }
 
 void FrameInputs::writeParams(const FrameData& data, int sample) {
@@ -146,6 +163,7 @@ void FrameInputs::bind() const {
   mGradientFactors.bindSampler(shared::kGradientTableUnit);
   mNoise.bindSampler(shared::kNoiseUnit);
   mCuts.bindStorage(shared::kCutBinding);
+  mCutGrid.bindStorage(shared::kCutGridBinding);
   mStructureTexels.bindSampler(shared::kStructureUnit);
   mSpareIndex.bindStorage(shared::kSpareIndexBinding);
   mSpares.bindStorage(shared::kSpareBinding);

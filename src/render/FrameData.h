@@ -5,6 +5,7 @@
 
 #include "FrameSetup.h"
 #include "passes/Variants.h"
+#include "upload/CutGrid.h"
 #include "upload/CutSheets.h"
 #include "upload/LabelCells.h"
 #include "upload/SpareTable.h"
@@ -83,7 +84,12 @@ class FrameInputs {
 
  private:
   gpu::UniformBuffer<shared::FrameParams> mParams;
-  gpu::Buffer mTransfer, mExtinction, mCuts, mStructures, mSpareIndex, mSpares;
+  void writeCuts(const FrameData& data);
+
+  gpu::Buffer mTransfer, mExtinction, mCuts, mCutGrid, mStructures, mSpareIndex, mSpares;
+  std::vector<shared::CutData> mGridCuts;  ///< What mCutGrid was made of,
+  glm::mat4 mGridBox{0.0f};
+  bool mGridHasSpares = false;
   gpu::Texture mGradientFactors, mNoise, mTransferTexels, mExtinctionTexels, mStructureTexels;
 };
 

@@ -102,7 +102,10 @@ shared::FrameParams makeFrameParams(const Frame& frame, const FrameGrid& grid, c
   params.volumeSize = v4(glm::dvec3(grid.dims));
   params.cellGrid = v4(glm::dvec3(grid.cells.size));
   params.voxelsPerLength = float(1.0 / smallest);
-  params.step = float(scene.rayCast.stepVoxels * smallest * std::max(1.0, frame.stepFactor));
+  // Lengths are in the data's diameter here. Voxels may be as flat as a file says.
+  constexpr double kMostSteps = 16384.0;
+  params.step = float(
+      std::max(scene.rayCast.stepVoxels * smallest * std::max(1.0, frame.stepFactor), diameterOf(grid) / kMostSteps));
   params.opaqueAlpha = 0.998f;
   double width = table.domain.y - table.domain.x;
   params.tablePerTexel = float(grid.valueScale / width);

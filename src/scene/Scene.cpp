@@ -1,5 +1,7 @@
 #include "velum/scene/Scene.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -7,6 +9,7 @@
 #include <unordered_set>
 #include <utility>
 
+#include "velum/core/Error.h"
 #include "velum/core/Vectors.h"
 
 namespace velum::scene {
@@ -104,6 +107,8 @@ int nextCutId(const Scene& scene) {
 }
 
 int addCut(Scene& scene, Cut cut) {
+  if (scene.cuts.size() >= kMostCuts)
+    throw ArgumentError(fmt::format("a scene holds {} cuts at most; remove one first", kMostCuts));
   cut.id = nextCutId(scene);
   scene.cuts.push_back(std::move(cut));
   return scene.cuts.back().id;

@@ -48,7 +48,7 @@ std::vector<scene::Cut> makeCuts(int count) {
     scene::Cut cut;
     cut.shape = static_cast<scene::CutShape>(i % 5);
     double angle = 2.4 * i;
-    glm::dvec3 out(std::cos(angle), std::sin(angle), 0.3);
+    glm::dvec3 out(std::cos(angle), std::sin(angle), std::sin(1.7 * i));
     cut.axis = out;
     cut.centre = out * (i % 5 == 0 ? 85.0 : 95.0);
     cut.size = glm::dvec3(40.0);
@@ -86,7 +86,7 @@ void measureScaling(const Options& options, Report& report) {
                   n, size.x, size.y));
   std::vector<int> edges{64, 128, 256, 512};
   std::vector<glm::ivec2> sizes{{400, 300}, {800, 600}, {1600, 1200}};
-  std::vector<int> cutCounts{0, 1, 4, 16}, structureCounts{0, 1, 16, 100};
+  std::vector<int> cutCounts{0, 1, 4, 16, 100, 1000}, structureCounts{0, 1, 16, 100};
   if (options.quick) edges = {64, 128}, sizes.resize(2), cutCounts = {0, 4}, structureCounts = {0, 16};
 
   Shared<Volume> volume;

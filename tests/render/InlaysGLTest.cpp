@@ -34,6 +34,26 @@ class InlaysGL : public MembranesGL {
   }
 };
 
+/// So many that a grid says which of them matter where, and none of them does.
+TEST_F(InlaysGL, CutsFarAwayChangeNothing) {
+  scene::Scene scene = sectionScene(0.7);
+  scene.lighting.shadow = 0.5;
+  for (scene::MembraneUse use : {scene::MembraneUse::Inlay, scene::MembraneUse::Clip}) {
+    membrane(scene).use = use;
+    scene::Scene many = scene;
+    for (int i = 0; i < 20; ++i) {
+      scene::Cut ball;
+      ball.shape = scene::CutShape::Sphere;
+      ball.centre = {300.0 + 20 * i, 200, 0};
+      ball.size = glm::dvec3(10);
+      scene::addCut(many, ball);
+    }
+    Image few = draw(scene, kSize, {}), all = draw(many, kSize, {});
+    ASSERT_EQ(few.pixels.size(), all.pixels.size());
+    for (std::size_t i = 0; i < few.pixels.size(); ++i) ASSERT_NEAR(few.pixels[i], all.pixels[i], 1e-3) << i;
+  }
+}
+
 TEST_F(InlaysGL, EmphasisAtItsEndsShowsOneSideOnly) {
   scene::Scene scene = sectionScene(0.0);
   Sides both = sidesOf(scene);

@@ -1,6 +1,7 @@
 // Picture, sections, kept voxels and picking leave the same of a structure that cuts spare.
 #include "NaiveCuts.h"
 #include "RenderFixture.h"
+#include "upload/CutGrid.h"
 #include "velum/render/section/KeptVoxels.h"
 #include "velum/render/section/SectionImage.h"
 
@@ -149,6 +150,22 @@ TEST_F(SparedScene, SeveralCutsSpareEachForItself) {
   expectSameEverywhere("plane and ball");
   mScene.cuts[1].invert = true;
   expectSameEverywhere("plane and all around a ball");
+}
+
+/// So many that a grid says which of them matter where.
+TEST_F(SparedScene, AmongManyCutsEachSparesForItself) {
+  mScene.cuts[0].spares = {{4, 9.3}, {0, 1.7}};
+  for (int i = 0; i < 12; ++i) {
+    scene::Cut ball;
+    ball.shape = i % 3 == 0 ? scene::CutShape::Box : scene::CutShape::Sphere;
+    ball.centre = {12 * std::sin(i * 1.3), 12 * std::cos(i * 2.1), 10 * std::sin(i * 0.7)};
+    ball.size = glm::dvec3(9);
+    if (i % 2 == 0) ball.spares = {{4, 1.0 + i}};
+    if (i % 4 == 1) ball.spares = {{0}};
+    scene::addCut(mScene, ball);
+  }
+  ASSERT_GE(mScene.cuts.size(), render::kFewCuts);
+  expectSameEverywhere("twelve balls and boxes");
 }
 
 }  // namespace

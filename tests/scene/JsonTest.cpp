@@ -150,6 +150,26 @@ TEST(SceneJson, NumbersThatAreNotFiniteAreRefused) {
     EXPECT_NE(messageOf(std::string(R"({"velum": 1, "camera": {"eye": [0, 0, )") + number + "]}}"), "") << number;
 }
 
+TEST(SceneJson, PlacesThatNothingCanBeDrawnWithAreRefused) {
+  Scene scene;
+  setField(scene, "camera.eye", "1e15,-1e15,0");
+  for (const char* field : {"camera.eye", "camera.target", "camera.up", "sections.crosshair", "lighting.keyDirection"})
+    for (const char* value : {"1e16,0,0", "0,-1e300,0"}) EXPECT_THROW(setField(scene, field, value), Error) << field;
+  setField(scene, "cuts.+.shape", "membrane");
+  EXPECT_THROW(setField(scene, "cuts.0.membrane.pins.+.place", "0,0,1e16"), Error);
+}
+
+TEST(SceneJson, ASceneHoldsSoManyCutsAndNoMore) {
+  Scene scene;
+  for (std::size_t i = 0; i < kMostCuts; ++i) addCut(scene, Cut{});
+  EXPECT_TRUE(fromJson(toJson(scene)) == scene);
+  EXPECT_THROW(addCut(scene, Cut{}), ArgumentError);
+  EXPECT_THROW(setField(scene, "cuts.+.shape", "box"), ArgumentError);
+  EXPECT_EQ(scene.cuts.size(), kMostCuts);
+  scene.cuts.push_back(scene.cuts.back());
+  EXPECT_THROW(fromJson(toJson(scene)), InputError);
+}
+
 TEST(SceneJson, DeepNestingIsRefusedFast) {
   std::string open, mixed;
   for (int i = 0; i < 2000000; ++i) open += '[';

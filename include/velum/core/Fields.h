@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <functional>
 #include <iterator>
 #include <limits>
@@ -26,6 +27,7 @@ struct FieldInfo {
   std::string_view doc = "";
   bool leftOutByDefault = false;  ///< A value like that of a new object is not written.
   bool nullIsEndless = false;     ///< A number that may be infinite, which JSON has no number for: null.
+  std::size_t most = 70'000;  ///< Items of a list: more than any that we write; keeps hostile files small in memory.
 };
 
 /// Names of an enumeration's values, in order. Specialise `kNames` as a constexpr array of string_view.

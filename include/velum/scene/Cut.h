@@ -13,6 +13,8 @@ namespace velum::scene {
 enum class CutShape { Plane, Box, Sphere, Cylinder, Cone, Membrane };
 enum class CutFace { Shaded, Section };
 
+/// In a scene; addCut() and files keep to it.
+constexpr std::size_t kMostCuts = 1024;
 constexpr int kMostCutId = 1'000'000'000;
 
 /// One thing that removes material. What it removes: a plane, the side that `axis` points to; a closed shape, its

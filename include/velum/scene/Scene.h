@@ -95,7 +95,7 @@ struct Scene {
     visit("volume", o.volume, FieldInfo{"", {}, "The volume and how it is shown."});
     visit("labels", o.labels, FieldInfo{"", {}, "Labelled structures."});
     visit("surfaces", o.surfaces, FieldInfo{"", {}, "Opaque surfaces."});
-    visit("cuts", o.cuts, FieldInfo{"", {}, "What removes material, in order."});
+    visit("cuts", o.cuts, FieldInfo{"", {}, "What removes material, in order.", false, false, kMostCuts});
     visit("camera", o.camera, FieldInfo{"", {}, "Where the eye is."});
     visit("sections", o.sections, FieldInfo{"", {}, "The section views."});
     visit("rayCast", o.rayCast, FieldInfo{"", {}, "How rays are cast."});

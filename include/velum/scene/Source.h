@@ -6,6 +6,9 @@
 
 namespace velum::scene {
 
+/// Edges of voxels that are of use, in any unit; from others no picture can be worked out.
+inline constexpr double kLeastSpacing = 1e-12, kMostSpacing = 1e9;
+
 /// How to read a file without a header. Used when dims are positive.
 struct RawLayout {
   glm::ivec3 dims{0};                   ///< voxels along x (fastest), y, z; (0,0,0): the file says
@@ -36,7 +39,7 @@ struct Source {
     visit("series", o.series, FieldInfo{"", {}, "DICOM series UID, when the folder holds several."});
     visit("raw", o.raw, FieldInfo{"", {}, "How to read a file without a header."});
     visit("spacing", o.spacing,
-          FieldInfo{"", {0, 1e9}, "Overrides the file's voxel spacing where positive, in the file's unit."});
+          FieldInfo{"", {0, kMostSpacing}, "Overrides the file's voxel spacing where positive, in the file's unit."});
     visit("fingerprint", o.fingerprint,
           FieldInfo{"", {}, "Size and hash of the file when it was read; empty: not known."});
   }

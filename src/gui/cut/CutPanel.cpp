@@ -124,8 +124,14 @@ QWidget* CutPanel::buildTools() {
 
 bool CutPanel::hasData() const { return scene::hasData(mDocument.scene()); }
 
+bool CutPanel::hasRoom() {
+  if (mDocument.scene().cuts.size() < scene::kMostCuts) return true;
+  emit refused(tr("A scene holds %1 cuts at most; remove one first.").arg(scene::kMostCuts));
+  return false;
+}
+
 void CutPanel::addCut(scene::Cut cut, const char* label) {
-  if (!hasData()) return;
+  if (!hasData() || !hasRoom()) return;
   auto number = mDocument.scene().cuts.size() + 1;
   if (cut.name.empty()) cut.name = QString("%1 %2").arg(shapeTitle(cut.shape)).arg(number).toStdString();
   int id = 0;
@@ -154,7 +160,7 @@ void CutPanel::flipSelected() {
 void CutPanel::duplicateSelected() {
   const scene::Scene& scene = mDocument.scene();
   int index = place();
-  if (index < 0) return;
+  if (index < 0 || !hasRoom()) return;
   scene::Cut copy = scene.cuts[std::size_t(index)];
   copy.id = scene::nextCutId(scene);
   copy.name = tr("%1 copy").arg(cutTitle(copy, index)).toStdString();

@@ -42,6 +42,8 @@ class CutPanel : public QWidget {
 
  signals:
   void threePointsAsked();
+  /// In words: why nothing was done.
+  void refused(const QString& why);
 
  private:
   /// Place of the selected cut in the list; -1: none.
@@ -49,6 +51,8 @@ class CutPanel : public QWidget {
   void buildHead();
   QWidget* buildTools();
   bool hasData() const;
+  /// For one more cut; says so where there is none.
+  bool hasRoom();
 
   session::Document& mDocument;
   Selection& mSelection;

@@ -20,6 +20,7 @@ CutRoom::CutRoom(const WindowParts& parts)
           [this] { mOnSections.setSheets(mParts.session.membranes().indices()); });
   Toolbox& toolbox = parts.toolbox;
   connect(mPanel, &CutPanel::threePointsAsked, this, [this, &toolbox] { toolbox.start(mThreePoints); });
+  connect(mPanel, &CutPanel::refused, &parts.messages, &MessageBar::showNote);
   connect(&parts.selection, &Selection::cutChanged, this, [this, &toolbox] { toolbox.stop(mThreePoints); });
   connect(&mThreePoints, &ThreePointTool::made, mPanel,
           [this](const scene::Cut& cut) { mPanel->addCut(cut, "Plane through three points"); });

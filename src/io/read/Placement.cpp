@@ -7,11 +7,10 @@
 namespace velum::io {
 
 namespace {
+constexpr double kFarthestOrigin = 1e15;  ///< in any unit: beyond it doubles tell no voxels apart
+}
 
-// Beyond them the inverse of a matrix would over- or underflow.
-constexpr double kLeastSpacing = 1e-30, kMostSpacing = 1e30;
-
-}  // namespace
+bool isUsableSpacing(double length) { return length >= scene::kLeastSpacing && length <= scene::kMostSpacing; }
 
 glm::dmat4 gridMatrix(glm::dvec3 s, glm::dvec3 o) {
   return {{s.x, 0.0, 0.0, 0.0}, {0.0, s.y, 0.0, 0.0}, {0.0, 0.0, s.z, 0.0}, {o.x, o.y, o.z, 1.0}};
@@ -20,8 +19,10 @@ glm::dmat4 gridMatrix(glm::dvec3 s, glm::dvec3 o) {
 bool isInvertible(const glm::dmat3& columns) {
   double lengths = glm::length(columns[0]) * glm::length(columns[1]) * glm::length(columns[2]);
   double volume = std::abs(glm::determinant(columns));
+  for (int i = 0; i < 3; ++i)
+    if (!isUsableSpacing(glm::length(columns[i]))) return false;
   // A millionth of a box's volume: no scanner shears so far, and the inverse is still good to nine digits.
-  return std::isfinite(lengths) && lengths > 0 && volume > 1e-6 * lengths;
+  return volume > 1e-6 * lengths;
 }
 
 void placeInWorld(Volume& volume, const glm::dmat3& columns, const glm::dvec3& origin,
@@ -30,7 +31,7 @@ void placeInWorld(Volume& volume, const glm::dmat3& columns, const glm::dvec3& o
   if (!isInvertible(axes)) {
     glm::dvec3 spacing;
     for (int i = 0; i < 3; ++i) {
-      bool usable = fallbackSpacing[i] >= kLeastSpacing && fallbackSpacing[i] <= kMostSpacing;
+      bool usable = isUsableSpacing(fallbackSpacing[i]);
       spacing[i] = usable ? fallbackSpacing[i] : 1.0;
       if (!usable) volume.isSpacingKnown = false;
     }
@@ -42,9 +43,9 @@ void placeInWorld(Volume& volume, const glm::dmat3& columns, const glm::dvec3& o
   }
   glm::dvec3 start = origin;
   for (int i = 0; i < 3; ++i)
-    if (!std::isfinite(start[i])) {
+    if (!(std::abs(start[i]) <= kFarthestOrigin)) {
       start[i] = 0.0;
-      volume.warnings.push_back("the origin in the file is not a number; 0 was taken");
+      volume.warnings.push_back("the origin in the file is not a number of use; 0 was taken");
     }
   volume.worldFromVoxel = glm::dmat4(axes);
   volume.worldFromVoxel[3] = glm::dvec4(start, 1.0);
@@ -55,7 +56,7 @@ void applySpacing(Volume& volume, const scene::Source& source) {
     double wanted = source.spacing[axis];
     auto& column = volume.worldFromVoxel[axis];
     double length = glm::length(glm::dvec3(column));
-    if (wanted > 0 && std::isfinite(wanted) && length > 0) column *= wanted / length;
+    if (isUsableSpacing(wanted) && length > 0) column *= wanted / length;
   }
   if (glm::all(glm::greaterThan(source.spacing, glm::dvec3(0.0)))) volume.isSpacingKnown = true;
   if (!volume.isSpacingKnown)

@@ -8,7 +8,10 @@ namespace velum::io {
 /// A grid along the world's axes, voxel 0 at the origin.
 glm::dmat4 gridMatrix(glm::dvec3 spacing, glm::dvec3 origin = glm::dvec3(0.0));
 
-/// Finite and far enough from singular to be inverted.
+/// Of voxels that can be drawn: between scene::kLeastSpacing and kMostSpacing.
+bool isUsableSpacing(double length);
+
+/// Edges of voxels of usable lengths, and far enough from singular to be inverted.
 bool isInvertible(const glm::dmat3& columns);
 
 /// Sets worldFromVoxel from columns (lengths per voxel step) and the centre of the first voxel. Columns that are zero,

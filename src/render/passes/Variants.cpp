@@ -7,7 +7,7 @@
 namespace velum::render {
 
 std::uint32_t lightFlagsOf(std::uint32_t flags) {
-  return flags & (shared::kFlagSpares | shared::kFlagSpareDepths | shared::kFlagInlays);
+  return flags & (shared::kFlagSpares | shared::kFlagSpareDepths | shared::kFlagInlays | shared::kFlagCutGrid);
 }
 
 bool usesGradients(const DataVariant& variant) {

@@ -72,12 +72,24 @@ std::vector<char> SectionCuts::removedOf(int y, int width, std::span<const std::
   return removedOf(row, ids);
 }
 
+namespace {
+
+/// Half a row's length from its middle nothing of it is further off.
+bool missesRow(const shared::CutData& cut, const SectionCuts::Row& row) {
+  float length = float(row.lengthPerPixel) * float(row.width + 1);
+  glm::vec3 middle = row.start + 0.5f * length * row.along;
+  return cut.kind.x != shared::kCutMembrane && shared::shapeDistance(cut, middle) > 0.51f * length;
+}
+
+}  // namespace
+
 std::vector<char> SectionCuts::removedOf(const Row& row, std::span<const std::uint16_t> ids) const {
   VELUM_ASSERT(ids.empty() || ids.size() == std::size_t(row.width), "each pixel has its structure");
   std::vector<char> removed(std::size_t(row.width), 0);
   std::vector<shared::CutFold> folds(removed.size(), shared::emptyFold());
   for (std::size_t i = 0; i < mCuts.size(); ++i) {
     const shared::CutData& cut = mCuts[i];
+    if (missesRow(cut, row)) continue;
     if (cut.kind.x == shared::kCutMembrane)
       markMembrane(cut, row, removed);
     else if (cut.kind.z == 1)

@@ -113,20 +113,30 @@ Json write(const auto& value) {
   throw InputError(fmt::format("scene: {}: {}", path, what));
 }
 
-constexpr std::size_t kMostItems = 70000;  ///< Longer than any list we write; keeps hostile files small in memory.
+constexpr double kFarthestPlace = 1e15;  ///< In any unit of length; and the longest vector that is a direction.
+constexpr double kLargestValue = 1e300;  ///< Of data: what is made of it stays a number.
+
+/// The range of a field that states none: numbers so large only come of damage, and nothing can be drawn with them.
+template <class T>
+Range rangeOf(const FieldInfo& info) {
+  if (!std::isinf(info.range.min) || !std::isinf(info.range.max)) return info.range;
+  double most = info.unit == kLength || GlmVector<T> ? kFarthestPlace : kLargestValue;
+  return {-most, most};
+}
 
 void read(auto& target, const Json& json, const std::string& path, const FieldInfo& info);
 
+/// @param range  rangeOf() the field
 template <Number T>
-void readNumber(T& target, const Json& json, const std::string& path, const FieldInfo& info) {
+void readNumber(T& target, const Json& json, const std::string& path, const FieldInfo& info, const Range& range) {
   if constexpr (std::is_floating_point_v<T>) {
     if (info.nullIsEndless && json.is_null()) return void(target = std::numeric_limits<T>::infinity());
   }
   if (!json.is_number()) fail(path, "expected a number");
   double value = json.get<double>();
   if (!std::isfinite(value)) fail(path, "the number is not finite");
-  if (value < info.range.min || value > info.range.max)
-    fail(path, fmt::format("{} is outside {} .. {}{}{}", value, info.range.min, info.range.max,
+  if (value < range.min || value > range.max)
+    fail(path, fmt::format("{:.6g} is outside {:.6g} .. {:.6g}{}{}", value, range.min, range.max,
                            info.unit.empty() ? "" : " ", info.unit));
   if constexpr (std::is_integral_v<T>) {
     if (value != std::floor(value) || std::abs(value) > 2147483647.0)
@@ -157,7 +167,7 @@ void read(auto& target, const Json& json, const std::string& path, const FieldIn
     if (!json.is_boolean()) fail(path, "expected true or false");
     target = json.get<bool>();
   } else if constexpr (Number<T>) {
-    readNumber(target, json, path, info);
+    readNumber(target, json, path, info, rangeOf<T>(info));
   } else if constexpr (std::is_same_v<T, std::string>) {
     if (!json.is_string()) fail(path, "expected a text");
     target = json.get<std::string>();
@@ -170,11 +180,12 @@ void read(auto& target, const Json& json, const std::string& path, const FieldIn
   } else if constexpr (GlmVector<T>) {
     constexpr int kSize = GlmTraits<T>::kSize;
     if (!json.is_array() || json.size() != kSize) fail(path, fmt::format("expected {} numbers", kSize));
-    for (int i = 0; i < kSize; ++i) readNumber(target[i], json[std::size_t(i)], fmt::format("{}.{}", path, i), info);
+    for (int i = 0; i < kSize; ++i)
+      readNumber(target[i], json[std::size_t(i)], fmt::format("{}.{}", path, i), info, rangeOf<T>(info));
   } else if constexpr (List<T>) {
     if (!json.is_array()) fail(path, "expected a list");
-    if (json.size() > kMostItems)
-      fail(path, fmt::format("the list has {} items; {} is the most", json.size(), kMostItems));
+    if (json.size() > info.most)
+      fail(path, fmt::format("the list has {} items; {} is the most", json.size(), info.most));
     T items;
     for (std::size_t i = 0; i < json.size(); ++i) {
       items.emplace_back();
@@ -264,11 +275,13 @@ void assign(auto& target, std::string_view rest, std::string_view text, const st
     if (head != "+") {
       index = 0;
       for (char c : head)
-        index = c >= '0' && c <= '9' ? std::min(kMostItems, index * 10 + std::size_t(c - '0')) : kMostItems;
-      if (head.empty() || index > target.size() || index >= kMostItems)
+        index = c >= '0' && c <= '9' ? std::min(info.most, index * 10 + std::size_t(c - '0')) : info.most;
+      if (head.empty() || index > target.size())
         throw ArgumentError(
             fmt::format("{} has {} items; '{}' is none of them (use + to append)", path, target.size(), head));
     }
+    if (index >= info.most)
+      throw ArgumentError(fmt::format("{} has {} items, and more it cannot have", path, info.most));
     if (index == target.size()) target.emplace_back();
     assign(target[index], tail, text, fmt::format("{}.{}", path, index), info);
   } else if constexpr (Fielded<T>) {
@@ -317,8 +330,9 @@ void addRows(const T& defaults, const std::string& path, std::vector<FieldRow>& 
     } else if constexpr (Fielded<M>) {
       addRows(member, here, rows);
     } else {
-      rows.push_back({here, typeName<M>(), std::string(info.unit), rangeText(info.range), std::string(info.doc),
-                      write(member).dump()});
+      std::string range = List<M> ? fmt::format("at most {}", info.most) : rangeText(info.range);
+      rows.push_back(
+          {here, typeName<M>(), std::string(info.unit), std::move(range), std::string(info.doc), write(member).dump()});
       if constexpr (List<M>) {
         if constexpr (Fielded<typename ListTraits<M>::Item>) addRows(typename ListTraits<M>::Item{}, here + ".N", rows);
       }
@@ -333,8 +347,9 @@ Json schemaOf(const T& defaults, const FieldInfo& info) {
   if (!info.doc.empty())
     out["description"] = info.unit.empty() ? std::string(info.doc) : fmt::format("{} Unit: {}.", info.doc, info.unit);
   auto addRange = [&](Json& node) {
-    if (!std::isinf(info.range.min)) node["minimum"] = info.range.min;
-    if (!std::isinf(info.range.max)) node["maximum"] = info.range.max;
+    Range range = rangeOf<T>(info);
+    if (!std::isinf(range.min)) node["minimum"] = range.min;
+    if (!std::isinf(range.max)) node["maximum"] = range.max;
   };
   // The type, with its limits; what is made of others by itself.
   if constexpr (std::is_same_v<T, bool>) {
@@ -359,6 +374,7 @@ Json schemaOf(const T& defaults, const FieldInfo& info) {
     FieldInfo itemInfo = info;
     itemInfo.doc = "";
     out["items"] = schemaOf(typename ListTraits<T>::Item{}, itemInfo);
+    out["maxItems"] = info.most;
   } else {
     out["type"] = "object";
     Json properties = Json::object();

@@ -169,6 +169,15 @@ TEST(Dicom, TwoSeriesAreListedAndChosen) {
   EXPECT_EQ(read(folder / "b0").dims.z, 2);
 }
 
+TEST(Dicom, AFileOfAnotherFormatListsNoSeries) {
+  TempFolder folder;
+  Progress progress;
+  writeSeries(folder, {0, 1, 2});
+  write(rampVolume(SampleType::UInt8, {4, 4, 4}), folder / "a.nii.gz");
+  EXPECT_TRUE(listSeries(folder / "a.nii.gz", progress).empty());
+  EXPECT_EQ(listSeries(folder / "s0_0.dcm", progress).size(), 1u);
+}
+
 TEST(Dicom, RepeatsAreLeftOutAndTimesBecomeFrames) {
   TempFolder folder;
   writeSeries(folder, {0, 1});

@@ -242,7 +242,10 @@ bool isDicomSeg(const std::filesystem::path& path) {
 
 std::vector<SeriesInfo> listSeries(const std::filesystem::path& path, Progress& progress) {
   if (!std::filesystem::exists(path)) refuse(path, "there is no such file or folder");
-  Path folder = std::filesystem::is_directory(path) ? path : path.parent_path();
+  bool isFolder = std::filesystem::is_directory(path);
+  // What lies beside a file of another format is none of its business.
+  if (!isFolder && !mayBeDicom(path)) return {};
+  Path folder = isFolder ? path : path.parent_path();
   std::vector<SeriesInfo> series;
   for (const DicomFile& file : scanDicomFolder(folder, progress)) {
     auto at = std::find_if(series.begin(), series.end(), [&](const SeriesInfo& s) { return s.uid == file.seriesUid; });

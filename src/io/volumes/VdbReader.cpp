@@ -1,16 +1,21 @@
 #include <fmt/format.h>
-#include <openvdb/io/Stream.h>
+#include <openvdb/io/io.h>
 #include <openvdb/openvdb.h>
 #include <openvdb/tools/Dense.h>
 
 #include <algorithm>
-#include <cmath>
+#include <array>
+#include <cstring>
 #include <fstream>
 #include <new>
+#include <optional>
+#include <string_view>
 
 #include "Readers.h"
 #include "VdbNotes.h"
+#include "VdbWalk.h"
 #include "read/FileBytes.h"
+#include "read/Placement.h"
 #include "read/SampleBytes.h"
 #include "velum/core/Error.h"
 
@@ -21,55 +26,96 @@ namespace {
 
 /// A few bytes of a sparse file can span any box, so the file's size cannot justify the dense voxels; this limit does.
 constexpr double kMaxBytes = 2147483648.0;
+/// A flipped integer may put a node far off. Of real sparse grids a smoke fills a tenth of its box, a level set a
+/// hundredth, vessels and points that were scattered a thousandth, and these take as many bytes.
+constexpr double kVoxelsPerActive = 1000, kVoxelsPerByte = 64;
+/// So many may be read whatever the file says: 256^3. Where we have noted the size of what we wrote, 512^3: it may be
+/// empty but for a few voxels.
+constexpr double kFreeVoxels = 1 << 24, kNotedVoxels = 1 << 27;
 
 using vdb::kDims, vdb::kOriented, vdb::kSpacing, vdb::kUnit;
 using Dense = openvdb::tools::Dense<float, openvdb::tools::LayoutXYZ>;
 
-openvdb::FloatGrid::Ptr firstFloatGrid(const Path& path) {
-  FileBytes check(path);  // for its messages
-  constexpr unsigned char kMagic[] = {0x20, 0x42, 0x44, 0x56};
-  std::string head = check.head(16);
-  if (head.size() < 16 || !std::equal(std::begin(kMagic), std::end(kMagic), head.begin(),
-                                      [](unsigned char a, char b) { return a == static_cast<unsigned char>(b); }))
-    refuse(path, "is not an OpenVDB file");
-  // OpenVDB does not look whether its reads succeed, and allocates by sizes that it never got: the stream throws.
+/// Reads what walkVdb() has looked over. The notes stay outside: OpenVDB allocates by what they say.
+openvdb::FloatGrid::Ptr readGrid(const Path& path, const VdbGrid& found) {
+  auto streamData = openvdb::SharedPtr<openvdb::io::StreamMetadata>(new openvdb::io::StreamMetadata);
   std::ifstream bytes(path, std::ios::binary);
+  // OpenVDB does not look whether its reads succeed; should the file be cut meanwhile, the stream throws.
   bytes.exceptions(std::ios::eofbit | std::ios::failbit | std::ios::badbit);
-  openvdb::io::Stream stream(bytes, false);
-  auto grids = stream.getGrids();
-  for (const auto& grid : *grids)
-    if (auto floats = openvdb::gridPtrCast<openvdb::FloatGrid>(grid)) return floats;
-  std::string types;
-  for (const auto& grid : *grids) types += (types.empty() ? "" : ", ") + grid->valueType();
-  refuse(path, fmt::format("has no grid of floats (it has: {})", types.empty() ? "nothing" : types));
+  openvdb::io::setStreamMetadataPtr(bytes, streamData, false);
+  openvdb::io::setVersion(bytes, {found.libraryMajor, found.libraryMinor}, found.fileVersion);
+  openvdb::io::setDataCompression(bytes, found.compression);
+  openvdb::io::setGridClass(bytes, openvdb::GRID_UNKNOWN);
+  openvdb::io::setHalfFloat(bytes, found.isHalf);
+  openvdb::io::setGridBackgroundValuePtr(bytes, nullptr);
+  auto grid = openvdb::FloatGrid::create();
+  grid->setSaveFloatAsHalf(found.isHalf);
+  bytes.seekg(std::streamoff(found.transformAt));
+  grid->readTransform(bytes);
+  grid->readTopology(bytes);
+  grid->readBuffers(bytes);
+  return grid;
 }
 
-glm::dmat4 matrixOf(const openvdb::FloatGrid& grid, const openvdb::Coord& origin, const Path& path) {
+/// A note of a type of fixed size.
+template <class T>
+std::optional<T> noteOf(const VdbGrid& grid, const char* name, std::string_view type) {
+  auto at = grid.notes.find(name);
+  if (at == grid.notes.end() || at->second.type != type || at->second.bytes.size() != sizeof(T)) return std::nullopt;
+  T value;
+  std::memcpy(&value, at->second.bytes.data(), sizeof(T));
+  return value;
+}
+
+bool flagOf(const VdbGrid& grid, const char* name, bool otherwise) {
+  return noteOf<std::uint8_t>(grid, name, "bool").value_or(otherwise) != 0;
+}
+
+void place(Volume& v, const openvdb::FloatGrid& grid, const openvdb::Coord& origin, const Path& path) {
   auto affine = grid.transform().baseMap()->getAffineMap();
   if (!grid.transform().isLinear() || !affine) refuse(path, "the grid's transform is not linear; resample it first");
   // OpenVDB multiplies row vectors from the left, so that its rows are our columns.
   openvdb::math::Mat4d m = affine->getMat4();
-  glm::dmat4 out;
+  glm::dmat4 world;
   for (int column = 0; column < 4; ++column)
-    for (int row = 0; row < 4; ++row) out[column][row] = m(column, row);
-  for (int i = 0; i < 4; ++i)
-    for (int j = 0; j < 4; ++j)
-      if (!std::isfinite(out[i][j])) refuse(path, "the grid's transform is not finite");
-  if (!(std::abs(glm::determinant(glm::dmat3(out))) > 0)) refuse(path, "the grid's transform is singular");
-  out[3] = out * glm::dvec4(origin.x(), origin.y(), origin.z(), 1.0);
-  return out;
+    for (int row = 0; row < 4; ++row) world[column][row] = m(column, row);
+  glm::dmat3 axes(world);
+  placeInWorld(v, axes, world[3], {glm::length(axes[0]), glm::length(axes[1]), glm::length(axes[2])});
+  v.worldFromVoxel[3] = v.worldFromVoxel * glm::dvec4(origin.x(), origin.y(), origin.z(), 1.0);
+}
+
+glm::dvec3 sizeOf(const openvdb::CoordBBox& box) {
+  // In doubles: the corners may be as far apart as 32 bits allow.
+  return {double(box.max().x()) - box.min().x() + 1, double(box.max().y()) - box.min().y() + 1,
+          double(box.max().z()) - box.min().z() + 1};
 }
 
 /// The box that becomes the volume: what we noted when we wrote it, else the active voxels.
-openvdb::CoordBBox boxOf(const openvdb::FloatGrid& grid, const Path& path) {
+/// @throw InputError when neither the active voxels nor the file's size justify so many dense ones
+openvdb::CoordBBox boxOf(const openvdb::FloatGrid& grid, const VdbGrid& found, const FileBytes& file) {
   openvdb::CoordBBox box = grid.evalActiveVoxelBoundingBox();
-  if (auto noted = grid.getMetadata<openvdb::Vec3IMetadata>(kDims)) {
-    openvdb::Vec3i d = noted->value();
-    openvdb::CoordBBox whole({0, 0, 0}, {d[0] - 1, d[1] - 1, d[2] - 1});
-    bool isSane = d[0] > 0 && d[1] > 0 && d[2] > 0;
-    if (isSane && (box.empty() || whole.isInside(box))) box = whole;
+  bool isNoted = false;
+  if (auto d = noteOf<std::array<std::int32_t, 3>>(found, kDims, "vec3i"); d && glm::min((*d)[0], (*d)[1]) > 0) {
+    openvdb::CoordBBox whole({0, 0, 0}, {(*d)[0] - 1, (*d)[1] - 1, (*d)[2] - 1});
+    isNoted = (*d)[2] > 0 && (box.empty() || whole.isInside(box));
+    if (isNoted) box = whole;
   }
-  if (box.empty()) refuse(path, "the grid has no active voxels");
+  if (box.empty()) refuse(file.path(), "the grid has no active voxels");
+  glm::dvec3 dims = sizeOf(box);
+  double voxels = dims.x * dims.y * dims.z;
+  if (voxels * sizeof(float) > kMaxBytes || glm::any(glm::greaterThan(dims, glm::dvec3(4096.0))))
+    refuse(file.path(),
+           fmt::format("the active voxels span {:.0f} x {:.0f} x {:.0f}; at most 4096 along an axis and 2 GiB of "
+                       "voxels are read",
+                       dims.x, dims.y, dims.z));
+  auto active = double(grid.activeVoxelCount());
+  double most =
+      std::max({isNoted ? kNotedVoxels : kFreeVoxels, kVoxelsPerActive * active, kVoxelsPerByte * double(file.size())});
+  if (voxels > most)
+    refuse(file.path(), fmt::format("{:.0f} active voxels in a file of {} bytes span {:.0f} x {:.0f} x {:.0f}; at most "
+                                    "{:.0f} voxels for each active one, or {:.0f} for each byte, are read. If the file "
+                                    "is not damaged, crop the grid",
+                                    active, file.size(), dims.x, dims.y, dims.z, kVoxelsPerActive, kVoxelsPerByte));
   return box;
 }
 
@@ -79,36 +125,26 @@ Volume readVdb(const scene::Source& source, Progress& progress) try {
   const Path path = source.path;
   progress.report(0, "reading OpenVDB");
   openvdb::initialize();
-  auto grid = firstFloatGrid(path);
+  FileBytes file(path);
+  VdbGrid found = walkVdb(file);
+  progress.report(0.2, "reading OpenVDB");
+  auto grid = readGrid(path, found);
   progress.report(0.5, "reading OpenVDB");
-  openvdb::CoordBBox box = boxOf(*grid, path);
-  // In doubles: the corners may be as far apart as 32 bits allow.
-  glm::dvec3 dims(double(box.max().x()) - box.min().x() + 1, double(box.max().y()) - box.min().y() + 1,
-                  double(box.max().z()) - box.min().z() + 1);
-  if (dims.x * dims.y * dims.z * sizeof(float) > kMaxBytes || glm::any(glm::greaterThan(dims, glm::dvec3(4096.0))))
-    refuse(
-        path,
-        fmt::format(
-            "the active voxels span {:.0f} x {:.0f} x {:.0f}; at most 4096 along an axis and 2 GiB of voxels are read",
-            dims.x, dims.y, dims.z));
+  openvdb::CoordBBox box = boxOf(*grid, found, file);
   Volume v;
-  v.dims = glm::ivec3(dims);
+  v.dims = glm::ivec3(sizeOf(box));
   v.type = SampleType::Float32;
-  v.voxels.resize(checkedBytes(path, dims, 1, 1, sampleSize(v.type), kMaxBytes));
+  v.voxels.resize(checkedBytes(path, v.dims, 1, 1, sampleSize(v.type), kMaxBytes));
   Dense dense(box, reinterpret_cast<float*>(v.voxels.data()));
   openvdb::tools::copyToDense(*grid, dense);
-  v.worldFromVoxel = matrixOf(*grid, box.min(), path);
-  auto flag = [&](const char* name, bool otherwise) {
-    auto noted = grid->getMetadata<openvdb::BoolMetadata>(name);
-    return noted ? noted->value() : otherwise;
-  };
-  if (auto unit = grid->getMetadata<openvdb::StringMetadata>(kUnit))
-    v.lengthUnit = enumValue<LengthUnit>(unit->value()).value_or(LengthUnit::Millimetre);
-  v.isOrientationKnown = flag(kOriented, false);
-  v.isSpacingKnown = flag(kSpacing, true);
-  if (!grid->getMetadata<openvdb::BoolMetadata>(kSpacing))
+  if (auto unit = found.notes.find(kUnit); unit != found.notes.end())
+    v.lengthUnit = enumValue<LengthUnit>(unit->second.bytes).value_or(LengthUnit::Millimetre);
+  v.isOrientationKnown = flagOf(found, kOriented, false);
+  v.isSpacingKnown = flagOf(found, kSpacing, true);
+  if (!found.notes.contains(kSpacing))
     v.warnings.push_back("an OpenVDB file has no unit; its world units are taken as mm");
-  v.name = grid->getName();
+  place(v, *grid, box.min(), path);
+  if (auto name = found.notes.find("name"); name != found.notes.end()) v.name = name->second.bytes;
   progress.report(1, "reading OpenVDB");
   return v;
 } catch (const openvdb::Exception& e) {

@@ -19,7 +19,7 @@ struct SeriesInfo {
   bool operator==(const SeriesInfo&) const = default;
 };
 
-/// The DICOM series in a folder (or in the folder of a file), largest first. Empty when there is none.
+/// The DICOM series in a folder (or in the folder of a DICOM file), largest first. Empty when there is none.
 /// Reads headers only. Any thread. @throw InputError when the path does not exist; Cancelled
 std::vector<SeriesInfo> listSeries(const std::filesystem::path& path, Progress& progress);
 

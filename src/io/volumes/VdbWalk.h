@@ -1,0 +1,31 @@
+#pragma once
+#include <cstdint>
+#include <map>
+#include <string>
+
+#include "read/FileBytes.h"
+
+namespace velum::io {
+
+/// A value beside a grid, as its bytes stand in the file.
+struct VdbNote {
+  std::string type;  ///< "string", "vec3i", "bool", ...
+  std::string bytes;
+};
+
+/// The first grid of floats of a .vdb.
+struct VdbGrid {
+  std::uint32_t fileVersion = 0, libraryMajor = 0, libraryMinor = 0;
+  std::uint32_t compression = 0;  ///< OpenVDB's flags.
+  bool isHalf = false;            ///< Values are stored in 16 bits.
+  std::map<std::string, VdbNote> notes;
+  std::uint64_t transformAt = 0;  ///< Byte of the file where the transform stands, the tree behind it.
+};
+
+/// Walks from the file's first byte to the end of the first grid of floats, without allocating on its word. OpenVDB
+/// allocates by lengths and counts that it has only read, and hands blocks to their codec whatever they say of
+/// themselves; so all of them are compared with the file before.
+/// @throw InputError when something does not fit, or the file has no such grid
+VdbGrid walkVdb(const FileBytes& file);
+
+}  // namespace velum::io

@@ -84,10 +84,13 @@ Json describe(const LabelVolume& labels) {
 }
 
 Json describe(const Mesh& mesh) {
-  return {{"kind", "surface"},
-          {"name", mesh.name},
-          {"vertices", mesh.positions.size()},
-          {"triangles", mesh.indices.size() / 3}};
+  Json json = {{"kind", "surface"},
+               {"name", mesh.name},
+               {"vertices", mesh.positions.size()},
+               {"triangles", mesh.indices.size() / 3},
+               {"warnings", mesh.warnings}};
+  if (mesh.color) json["color"] = list(*mesh.color, 3);
+  return json;
 }
 
 void printForPeople(const Json& json) {

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,8 @@ struct Mesh {
   std::vector<glm::vec3> normals;
   std::vector<std::uint32_t> indices;  ///< Three per triangle.
   std::string name;
+  std::optional<glm::vec3> color;     ///< sRGB, where the file gives all of it one colour.
+  std::vector<std::string> warnings;  ///< What the reader had to assume or leave out, one line each.
 };
 
 }  // namespace velum

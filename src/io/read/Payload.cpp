@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <cstring>
 #include <limits>
 #include <new>
@@ -18,12 +19,42 @@
 namespace velum::io {
 
 namespace {
+
 constexpr std::size_t kPiece = 1 << 20;
+
+template <class T>
+void storeNumber(double value, std::byte* to) {
+  if (std::is_integral_v<T> && std::isnan(value)) value = 0;
+  T sample = T(std::clamp(value, double(std::numeric_limits<T>::lowest()), double(std::numeric_limits<T>::max())));
+  std::memcpy(to, &sample, sizeof(T));
 }
+
+}  // namespace
 
 std::size_t storedSize(StoredType type) {
   constexpr std::size_t kSizes[] = {1, 1, 2, 2, 4, 4, 4, 8, 8, 8};
   return kSizes[static_cast<int>(type)];
+}
+
+void storeNumber(double value, StoredType type, std::byte* to) {
+  switch (type) {
+    case StoredType::UInt8:
+      return storeNumber<std::uint8_t>(value, to);
+    case StoredType::Int8:
+      return storeNumber<std::int8_t>(value, to);
+    case StoredType::UInt16:
+      return storeNumber<std::uint16_t>(value, to);
+    case StoredType::Int16:
+      return storeNumber<std::int16_t>(value, to);
+    case StoredType::UInt32:
+      return storeNumber<std::uint32_t>(value, to);
+    case StoredType::Int32:
+      return storeNumber<std::int32_t>(value, to);
+    case StoredType::Float32:
+      return storeNumber<float>(value, to);
+    default:
+      return storeNumber<double>(value, to);
+  }
 }
 
 std::uint64_t layoutBytes(const Layout& layout, const Path& header) {
@@ -64,33 +95,6 @@ void readBinary(const Payload& part, std::span<std::byte> to, const Layout& layo
     progress.report(from + share * double(done) / double(to.size()), what);
   }
   source.verifyEnd();
-}
-
-template <class T>
-void storeNumber(double value, std::byte* to) {
-  T sample = T(std::clamp(value, double(std::numeric_limits<T>::lowest()), double(std::numeric_limits<T>::max())));
-  std::memcpy(to, &sample, sizeof(T));
-}
-
-void storeNumber(double value, StoredType type, std::byte* to) {
-  switch (type) {
-    case StoredType::UInt8:
-      return storeNumber<std::uint8_t>(value, to);
-    case StoredType::Int8:
-      return storeNumber<std::int8_t>(value, to);
-    case StoredType::UInt16:
-      return storeNumber<std::uint16_t>(value, to);
-    case StoredType::Int16:
-      return storeNumber<std::int16_t>(value, to);
-    case StoredType::UInt32:
-      return storeNumber<std::uint32_t>(value, to);
-    case StoredType::Int32:
-      return storeNumber<std::int32_t>(value, to);
-    case StoredType::Float32:
-      return storeNumber<float>(value, to);
-    default:
-      return storeNumber<double>(value, to);
-  }
 }
 
 void readText(const Payload& part, std::span<std::byte> to, const Layout& layout, Progress& progress) {

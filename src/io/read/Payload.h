@@ -20,6 +20,9 @@ namespace velum::io {
 enum class StoredType { UInt8, Int8, UInt16, Int16, UInt32, Int32, Float32, Float64, Int64, UInt64 };
 std::size_t storedSize(StoredType type);
 
+/// Puts a number where a sample of the type belongs, as near as the type has one; 64-bit integers become doubles.
+void storeNumber(double value, StoredType type, std::byte* to);
+
 enum class Packing { Raw, Deflate, Text };
 
 /// A stretch of samples in a file.

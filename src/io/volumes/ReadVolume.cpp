@@ -68,6 +68,9 @@ Volume readVolume(const scene::Source& source, Progress& progress) {
   bool isFolder = std::filesystem::is_directory(path, error);
   Volume volume = isFolder ? readFolder(source, progress) : readFile(source, progress);
   applySpacing(volume, source);
+  // Most readers have placed it so; the rest take any spacing, and so may the user's be.
+  if (!isInvertible(glm::dmat3(volume.worldFromVoxel)))
+    placeInWorld(volume, glm::dmat3(volume.worldFromVoxel), volume.worldFromVoxel[3], spacingOf(volume));
   computeRange(volume);
   if (volume.name.empty()) volume.name = titleOf(path);
   progress.report(1.0, "Read " + volume.name);

@@ -102,7 +102,9 @@ void putLabels(scene::Scene& scene, LabelVolume labels) {
 }
 
 void readSurfaceInto(scene::Surface& surface, Progress& progress) {
-  surface.data = Shared<Mesh>(io::readMesh(surface.source.path, progress));
+  Mesh mesh = io::readMesh(surface.source.path, progress);
+  warnAll(surface.source.path, mesh.warnings);
+  surface.data = Shared<Mesh>(std::move(mesh));
   surface.source.fingerprint = fingerprintOf(surface.source.path);
 }
 
@@ -184,6 +186,7 @@ void add(scene::Scene& scene, const scene::Source& source, Progress& progress) {
     scene::Surface surface;
     surface.source = source;
     readSurfaceInto(surface, progress);
+    if (surface.data->color) surface.color = *surface.data->color;
     scene.surfaces.push_back(std::move(surface));
     return;
   }

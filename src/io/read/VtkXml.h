@@ -1,0 +1,71 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "FileBytes.h"
+#include "XmlTree.h"
+#include "velum/core/Task.h"
+#include "velum/core/Volume.h"
+
+/// VTK's files in XML, read by us: VTK's readers allocate on a header's word, ask arrays that they could not make for
+/// their numbers, and cannot be stopped within a block.
+namespace velum::io {
+
+enum class VtkPacking { None, Deflate, Lz4, Lzma };
+
+/// A file's elements, and how its arrays are stored.
+class VtkXml {
+ public:
+  /// @param kind  what the file must hold: "ImageData", "PolyData". @throw InputError when it is something else
+  VtkXml(const FileBytes& file, std::string_view kind);
+
+  const FileBytes& file() const { return mFile; }
+  /// The element <ImageData> or <PolyData>.
+  const XmlElement& data() const { return *mData; }
+  bool isBigEndian() const { return mIsBigEndian; }
+  std::size_t wordBytes() const { return mWordBytes; }  ///< Of the sizes that stand before the values.
+  VtkPacking packing() const { return mPacking; }
+  const XmlElement* appended() const { return mAppended; }
+
+ private:
+  const FileBytes& mFile;
+  XmlElement mRoot;
+  const XmlElement *mData = nullptr, *mAppended = nullptr;
+  bool mIsBigEndian = false;
+  std::size_t mWordBytes = 4;
+  VtkPacking mPacking = VtkPacking::None;
+};
+
+/// An array of a file, not yet read. 64-bit integers come out as doubles.
+class VtkArray {
+ public:
+  /// @throw InputError for a type or a format that is not known
+  VtkArray(const VtkXml& xml, const XmlElement& element);
+
+  std::string_view name() const { return mElement.attribute("Name"); }
+  SampleType type() const { return mType; }
+  bool isWide() const { return mIsWide; }  ///< It holds 64-bit integers.
+  int components() const { return mComponents; }
+  /// Compares a number of values with what the file can hold, and with what it says; allocates nothing.
+  /// @throw InputError
+  void check(std::uint64_t values) const;
+  /// Fills all of `to`, after a check(). @throw InputError for damaged data; Cancelled
+  void read(std::span<std::byte> to, Progress& progress) const;
+
+ private:
+  class Source;
+  void readText(std::span<std::byte> to, Progress& progress) const;
+  void readBlocks(Source& source, std::span<std::byte> to, Progress& progress) const;
+
+  const VtkXml& mXml;
+  const XmlElement& mElement;
+  SampleType mType = SampleType::UInt8;
+  bool mIsWide = false, mIsUnsigned = false, mIsText = false, mIsBase64 = false;
+  int mComponents = 1;
+  std::uint64_t mFrom = 0, mTo = 0;  ///< Bytes of the file that hold it; those of an appended one may end before.
+};
+
+}  // namespace velum::io

@@ -141,16 +141,16 @@ class PlyReader {
   };
 
   void readElement(const PlyElement& element) {
+    bool isVertex = element.name == "vertex", isStrip = element.name == "tristrips", isFace = element.name == "face";
+    if (isFace || isStrip) checkCorners(element);
     if (element.properties.empty()) return;
     std::size_t least = 0;
     for (const PlyProperty& p : element.properties) least += mBody.leastBytes(p.countType.value_or(p.type));
     mBody.checkRoom(double(element.count), least, element.name + " elements");
-    bool isVertex = element.name == "vertex", isStrip = element.name == "tristrips", isFace = element.name == "face";
     std::vector<int> slots;
     for (const PlyProperty& p : element.properties) slots.push_back(p.countType ? -1 : slotOf(p.name));
     auto has = [&](int slot) { return std::find(slots.begin(), slots.end(), slot) != slots.end(); };
     if (isVertex && !(has(0) && has(1) && has(2))) refuse(mPath, "its points have no x, y or z");
-    if (isFace || isStrip) checkCorners(element);
     mLeastCorner = isStrip ? -1 : 0;
     mHasNormals = has(3) && has(4) && has(5);
     mHasColors = has(6) && has(7) && has(8);

@@ -94,7 +94,7 @@ class TreeWalk {
   TreeWalk(Bytes& in, const VdbGrid& grid) : mIn(in), mGrid(grid) {}
 
   void walk() {
-    mIn.skip(4);  // the number of buffers, always one
+    if (mIn.take<std::int32_t>() != 1) mIn.refuseDamage("its tree has more than one buffer");
     mIn.skip(sizeof(float));
     auto tiles = mIn.take<std::uint32_t>(), children = mIn.take<std::uint32_t>();
     for (std::uint32_t i = 0; i < tiles; ++i) {

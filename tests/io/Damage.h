@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <filesystem>
 #include <functional>
 #include <random>
 #include <string>
@@ -42,6 +43,7 @@ inline void expectReadOrRefused(const std::string& good, const std::filesystem::
                                 const std::function<void()>& read) {
   std::mt19937 random(7);
   for (int i = 0; i < times; ++i) {
+    std::filesystem::remove(path);  // ext4 writes a file that is cut to nothing and filled again to the disk at once
     writeText(path, damaged(good, random));
     try {
       read();

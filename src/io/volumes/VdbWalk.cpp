@@ -17,6 +17,8 @@ namespace {
 constexpr std::uint32_t kZip = 1, kActiveMask = 2, kBlosc = 4;
 /// From this version on the compression stands with each grid, and nodes may leave out what is inactive.
 constexpr std::uint32_t kNodeMasks = 222;
+/// Voxels along a side of the nodes below the root; and how far off these may lie: OpenVDB adds up corners in 32 bits.
+constexpr std::int32_t kLargestNode = 4096, kFarthest = 1 << 29;
 constexpr std::uint32_t kOldest = 220, kNewest = 224;
 /// Names, types, and what else is text for people; longer ones are damage.
 constexpr std::uint32_t kLongestText = 1 << 20;
@@ -113,7 +115,7 @@ class TreeWalk {
   void takeOrigin() {
     auto origin = mIn.take<std::array<std::int32_t, 3>>();
     for (std::int32_t c : origin)
-      if (c % 4096 != 0) mIn.refuseDamage("a node lies off its lattice");
+      if (c % kLargestNode != 0 || c < -kFarthest || c > kFarthest) mIn.refuseDamage("a node lies off its lattice");
     if (!mOrigins.insert(origin).second) mIn.refuseDamage("two nodes lie at one place");
   }
 

@@ -24,7 +24,7 @@ std::string textPly(const std::string& header, const std::string& body) {
 }
 
 Mesh readText(const std::string& text) {
-  TempFolder folder;
+  static TempFolder folder;
   Progress progress;
   writeText(folder / "a.ply", text);
   return readMesh(folder / "a.ply", progress);

@@ -36,6 +36,8 @@ inline void write(const Volume& volume, const std::filesystem::path& path) {
 }
 
 inline void writeText(const std::filesystem::path& path, const std::string& text) {
+  // ext4 writes a file that is cut to nothing and filled again to the disk at once: milliseconds.
+  std::filesystem::remove(path);
   std::ofstream(path, std::ios::binary) << text;
 }
 

@@ -155,6 +155,18 @@ TEST(Vdb, ABoxThatItsVoxelsDoNotJustifyIsRefused) {
   }
 }
 
+TEST(Vdb, AFewTilesDoNotJustifyABox) {
+  TempFolder folder;
+  auto grid = someGrid();
+  // Of 128 voxels a side: each a flipped bit of a mask.
+  grid->tree().addTile(2, {0, 0, 128}, 1.0f, true);
+  writeGrids(folder / "a.vdb", {grid});
+  EXPECT_EQ(read(folder / "a.vdb").dims, glm::ivec3(128, 128, 256));
+  for (int i = 0; i < 16; ++i) grid->tree().addTile(2, {i % 4 * 128, i / 4 * 128, 512}, 1.0f, true);
+  writeGrids(folder / "a.vdb", {grid});
+  EXPECT_THROW(read(folder / "a.vdb"), InputError);
+}
+
 TEST(Vdb, SparseGridsAreRead) {
   TempFolder folder;
   // A shell of 3 voxels about a ball: a seventieth of its box.

@@ -28,7 +28,7 @@ namespace {
 constexpr double kMaxBytes = 2147483648.0;
 /// A flipped integer may put a node far off. Of real sparse grids a smoke fills a tenth of its box, a level set a
 /// hundredth, vessels and points that were scattered a thousandth, and these take as many bytes.
-constexpr double kVoxelsPerActive = 1000, kVoxelsPerByte = 64;
+constexpr double kVoxelsPerActive = 1000, kVoxelsPerByte = 64, kVoxelsPerTile = 512;
 /// So many may be read whatever the file says: 256^3. Where we have noted the size of what we wrote, 512^3: it may be
 /// empty but for a few voxels.
 constexpr double kFreeVoxels = 1 << 24, kNotedVoxels = 1 << 27;
@@ -108,7 +108,8 @@ openvdb::CoordBBox boxOf(const openvdb::FloatGrid& grid, const VdbGrid& found, c
            fmt::format("the active voxels span {:.0f} x {:.0f} x {:.0f}; at most 4096 along an axis and 2 GiB of "
                        "voxels are read",
                        dims.x, dims.y, dims.z));
-  auto active = double(grid.activeVoxelCount());
+  // A tile is one value for up to 4096^3 voxels: one flipped bit.
+  auto active = double(grid.tree().activeLeafVoxelCount()) + kVoxelsPerTile * double(grid.tree().activeTileCount());
   double most =
       std::max({isNoted ? kNotedVoxels : kFreeVoxels, kVoxelsPerActive * active, kVoxelsPerByte * double(file.size())});
   if (voxels > most)

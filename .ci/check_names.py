@@ -11,12 +11,14 @@ ALONE = {  # sources without a header of their name: why
     "src/app/*.cpp": "a verb each, declared in Verbs.h",
     "src/gpu/context/*.cpp": "ways to a Context",
     "src/io/labels/DicomSegReader.cpp": "declared in Readers.h, as every reader of GDCM",
+    "src/io/meshes/*Reader.cpp": "a row each of the table in ReadMesh.cpp, declared in MeshReaders.h",
     "src/io/phantoms/*.cpp": "a row each of the table in Sample.cpp, declared in Phantom.h",
     "src/io/volumes/*Reader.cpp": "a row each of the table in Formats.cpp, declared in Readers.h",
     "src/io/volumes/*Writer.cpp": "a row each of the table in Formats.cpp, declared in Readers.h",
 }
 TABLES = {  # headers without a source of their name: why
     "src/app/Verbs.h": "the verbs",
+    "src/io/meshes/MeshReaders.h": "the readers of surfaces",
     "src/io/volumes/Readers.h": "the readers",
     "src/io/volumes/Writers.h": "what the writer of labels adds to two of them",
     "src/io/volumes/FormatTable.h": "the table that Formats.cpp holds",

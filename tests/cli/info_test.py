@@ -43,6 +43,20 @@ class Info(CliTest):
         report = self.report("info", "a.obj")
         self.assertEqual((report["kind"], report["triangles"]), ("surface", 1))
 
+    def test_the_colour_of_a_surface_is_taken_into_the_scene(self):
+        points = "".join(f"{p} 255 51 0\n" for p in ("0 0 0", "1 0 0", "0 1 0"))
+        axes = "".join(f"property float {a}\n" for a in "xyz")
+        colours = "".join(f"property uchar {c}\n" for c in ("red", "green", "blue"))
+        (self.folder / "a.ply").write_text(
+            f"ply\nformat ascii 1.0\nelement vertex 3\n{axes}{colours}element face 1\n"
+            f"property list uchar int vertex_indices\nend_header\n{points}3 0 1 2")
+        for got, wanted in zip(self.report("info", "a.ply")["color"], (1, 0.2, 0)):
+            self.assertAlmostEqual(got, wanted, 6)
+        self.run_batch("render", "a.ply", "-o", "a.png", "--size", "40x30", "--save-scene", "a.json")
+        scene = json.loads((self.folder / "a.json").read_text())
+        for got, wanted in zip(scene["surfaces"][0]["color"], (1, 0.2, 0)):
+            self.assertAlmostEqual(got, wanted, 6)
+
     def test_formats_and_presets(self):
         report = self.report("info", "--formats", "--presets")
         self.assertTrue(any(row["name"] == "NIfTI" for row in report["formats"]))

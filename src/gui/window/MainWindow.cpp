@@ -151,6 +151,12 @@ void MainWindow::leave(int exitCode) {
   QCoreApplication::exit(exitCode);
 }
 
+void MainWindow::abandon() {
+  mSession.dropJob();
+  session::WorkFile& file = mSession.file();
+  file.isModified() ? file.flushJournal() : file.discardJournal(true);
+}
+
 void MainWindow::closeEvent(QCloseEvent* event) {
   if (!mFiles->mayLeave()) return event->ignore();
   mLoads->rememberPicture();

@@ -82,7 +82,8 @@ void Script::next() {
 
 void Script::say() const {
   if (!mEcho || mLine == 0) return;
-  fmt::print("{:.3f} {}\n", monotonicSeconds(), mLines[mLine - 1].trimmed().toStdString());
+  std::string line = fmt::format("{:.3f} {}\n", monotonicSeconds(), mLines[mLine - 1].trimmed().toStdString());
+  std::fputs(line.c_str(), stdout);  // a reader that has gone does not stop the script
   std::fflush(stdout);
 }
 
@@ -132,7 +133,7 @@ void Script::run(const QString& command, const QString& rest) {
   } else {
     throw ArgumentError(fmt::format(
         "'{}' is no command; there are open, add, recover, set, do, undo, redo, wait, settle, page, size, save, "
-        "screenshot, quit",
+        "picture, screenshot, quit",
         command.toStdString()));
   }
 }
@@ -173,6 +174,12 @@ bool Script::runFile(const QString& command, const QString& rest) {
     waitForJob(tr("the recovered work"));
   } else if (command == "save") {
     mWindow.saveSceneTo(wholePath(rest));
+  } else if (command == "picture") {
+    session::PictureOptions options;
+    options.size = session::parsePictureSize(rest.section(' ', 0, 0).toStdString(), 0);
+    QString path = wholePath(rest.section(' ', 1).trimmed());
+    mWindow.exports().savePictureTo(path, options, mWindow.document().scene());
+    waitForJob(path);
   } else if (command == "screenshot") {
     saveImage(mWindow.grab().toImage(), wholePath(rest).toStdString());
   } else {

@@ -136,6 +136,10 @@ void WorkFile::describe() {
   if (mJournal) mJournal->describe(name(), mScenePath);
 }
 
+void WorkFile::flushJournal() {
+  if (mJournal) mJournal->flush();
+}
+
 void WorkFile::discardJournal(bool flush) {
   if (!mJournal) return;
   mJournal->discard();

@@ -67,6 +67,8 @@ class WorkFile {
   const std::filesystem::path& recoveryRoot() const { return mRecoveryRoot; }
   /// To be called after every change of the document.
   void journalChange();
+  /// Waits until what is journaled is on the disk.
+  void flushJournal();
   /// What is journaled is saved, or given up. @param flush  waits until that is on the disk
   void discardJournal(bool flush = false);
 

@@ -2,8 +2,7 @@
 
 #include <QMessageBox>
 #include <QPushButton>
-
-#include "velum/core/Error.h"
+#include <exception>
 
 namespace velum::gui {
 
@@ -47,7 +46,7 @@ void LostWork::askDiscard() {
   if (box.exec() != QMessageBox::Discard) return;
   try {
     session::WorkClaim(work->folder).remove();
-  } catch (const Error& error) {
+  } catch (const std::exception& error) {
     mParts.messages.showError(QString::fromUtf8(error.what()));
   }
   mBar.next();

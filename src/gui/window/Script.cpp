@@ -65,10 +65,11 @@ void Script::next() {
     if (line.isEmpty() || line.startsWith('#')) continue;
     try {
       run(line.section(' ', 0, 0), line.section(' ', 1).trimmed());
-    } catch (const Error& error) {
+    } catch (const std::exception& error) {
       stop();
+      auto* ours = dynamic_cast<const Error*>(&error);
       emit failed(QString("%1:%2: %3").arg(mName).arg(mLine).arg(QString::fromUtf8(error.what())),
-                  static_cast<int>(error.exitCode()));
+                  static_cast<int>(ours ? ours->exitCode() : ExitCode::Input));
       return;
     }
     if (line == "quit") return stop();

@@ -15,7 +15,7 @@
 #include <utility>
 
 #include "Shots.h"
-#include "SizeLimit.h"
+#include "SmallDisk.h"
 #include "TempFolder.h"
 #include "kit/RecentFiles.h"
 #include "velum/io/phantoms/Sample.h"
@@ -226,7 +226,7 @@ TEST_F(DocumentWindow, ADiskThatIsFullIsSaidAndAgainWhenItIsNot) {
   ASSERT_TRUE(open("phantom.nrrd"));
   edit(1);
   {
-    SizeLimit limit(100);
+    SmallDisk disk(100);
     edit(2);
     ASSERT_TRUE(QTest::qWaitFor([&] { return mWindow->messages().text().contains("not protected"); }, 10000));
   }
@@ -247,7 +247,7 @@ TEST_F(DocumentWindow, ASceneThatCannotBeSavedIsSaidStaysModifiedAndTheOldFileWh
   QByteArray before = bytesOf("a.json");
   edit(2);
   {
-    SizeLimit limit(100);
+    SmallDisk disk(100);
     mWindow->saveSceneTo(path("a.json"));
     // In the question, too: what is open stays open.
     auto asked = answer("Save");
@@ -296,7 +296,7 @@ TEST_F(DocumentWindow, WhatCannotBeExportedIsSaidAndTheOldFileWhole) {
     SCOPED_TRACE(name);
     std::ofstream(mFolder / name) << "the old file";
     {
-      SizeLimit limit(100);
+      SmallDisk disk(100);
       write(path(name));
       ASSERT_TRUE(waitForJob());
     }

@@ -6,7 +6,7 @@
 #include <thread>
 
 #include "JournalFolder.h"
-#include "SizeLimit.h"
+#include "SmallDisk.h"
 #include "velum/core/Error.h"
 #include "velum/scene/json/ChangeLog.h"
 #include "velum/session/Session.h"
@@ -89,9 +89,9 @@ void expectWholeAgain(const fs::path& root, const std::function<void()>& fill, c
 
 TEST(FullDisk, IsSaidOnceAndTheJournalIsWholeWhenThereIsRoomAgain) {
   TempFolder folder;
-  std::optional<SizeLimit> limit;
+  std::optional<SmallDisk> disk;
   expectWholeAgain(
-      folder.path(), [&] { limit.emplace(100); }, [&] { limit.reset(); });
+      folder.path(), [&] { disk.emplace(100); }, [&] { disk.reset(); });
 }
 
 TEST(FullDisk, OfARealFileSystemIsSurvived) {
@@ -115,7 +115,7 @@ TEST(FullDisk, HalfALineLeavesWhatWasBeforeIt) {
   scene::Scene found;
   EXPECT_TRUE(afterACrash(folder.path(), found).isWhole);
   {
-    SizeLimit limit(fs::file_size(filesIn(folder.path(), ".jsonl").at(0)) + 20);
+    SmallDisk disk(fs::file_size(filesIn(folder.path(), ".jsonl").at(0)) + 20);
     journal.record(withLevel(2), "Window");
     EXPECT_FALSE(journal.flush());
   }
@@ -131,7 +131,7 @@ TEST(FullDisk, BeforeTheFirstLineLeavesNoFolders) {
   Journal::Options options = quick(folder);
   options.retry = std::chrono::milliseconds(5);
   {
-    SizeLimit limit(100);
+    SmallDisk disk(100);
     Journal journal(options);
     for (int i = 0; i < 5; ++i) {
       journal.record(withLevel(i), "Window");
@@ -146,7 +146,7 @@ TEST(FullDisk, WorkThatIsRestoredStaysUntilItIsSafe) {
   TempFolder folder;
   fs::path old = leaveWork(folder, 5);
   {
-    SizeLimit limit(100);
+    SmallDisk disk(100);
     Session session;
     session.file().protect(folder.path(), [](const std::string&) {});
     Loaded loaded;
@@ -161,7 +161,7 @@ TEST(FullDisk, WorkThatIsRestoredStaysUntilItIsSafe) {
   Session session;
   session.file().protect(folder.path(), [](const std::string&) {});
   {
-    SizeLimit limit(100);
+    SmallDisk disk(100);
     Loaded loaded;
     loaded.lost = std::make_unique<WorkClaim>(old);
     loaded.scene = loaded.lost->readScene();
@@ -181,7 +181,7 @@ TEST(FullDisk, ASceneThatIsNotSavedStaysModifiedAndTheOldFileWhole) {
   session.file().save((folder / "a.json").string());
   session.document().edit("Window", [](scene::Scene& scene) { scene.volume.windowLevel = 2; });
   {
-    SizeLimit limit(100);
+    SmallDisk disk(100);
     EXPECT_THROW(session.file().save((folder / "a.json").string()), InputError);
   }
   EXPECT_TRUE(session.file().isModified());

@@ -152,8 +152,6 @@ void stopOnSignals() {
     // nohup and shells in the background ask for that.
     if (before.sa_handler == SIG_IGN) ::sigaction(signal, &before, nullptr);
   }
-  // A full disk and a reader that has left are told by write().
-  for (int signal : {SIGXFSZ, SIGPIPE}) std::signal(signal, SIG_IGN);
 }
 
 int stopSignal() { return gSignal != 0 ? gSignal : SIGINT; }

@@ -5,6 +5,7 @@
 
 #include "Verbs.h"
 #include "velum/core/Error.h"
+#include "velum/core/Log.h"
 #include "velum/session/document/Folders.h"
 #include "velum/session/document/Open.h"
 #include "velum/session/document/Recovery.h"
@@ -25,6 +26,12 @@ std::string localTime(std::chrono::system_clock::time_point when) {
   return fmt::format("{:%Y-%m-%d %H:%M:%S}", fmt::localtime(std::chrono::system_clock::to_time_t(when)));
 }
 
+std::string sayProblem(const session::LostWork& work) {
+  if (work.isReadable && work.isWhole) return {};
+  return fmt::format("  {}, in {}: {}", work.isReadable ? "what came later cannot be read" : "it cannot be read",
+                     work.folder.string(), work.whyNot);
+}
+
 void printList(const std::vector<session::LostWork>& lost, bool json) {
   Json rows = Json::array();
   for (const auto& work : lost) {
@@ -34,10 +41,13 @@ void printList(const std::vector<session::LostWork>& lost, bool json) {
                     {"scene", work.scenePath},
                     {"lastChange", work.label},
                     {"time", localTime(work.when)},
-                    {"readable", work.isReadable}});
-    if (!json)
-      fmt::print("{}  {}  {}{}\n", name, localTime(work.when), work.isReadable ? work.title : "damaged",
-                 work.label.empty() ? "" : fmt::format(" ({})", work.label));
+                    {"readable", work.isReadable},
+                    {"whole", work.isWhole},
+                    {"problem", work.whyNot},
+                    {"folder", work.folder.string()}});
+    if (json) continue;
+    fmt::print("{}  {}  {}{}{}\n", name, localTime(work.when), work.isReadable ? work.title : "unreadable",
+               work.label.empty() ? "" : fmt::format(" ({})", work.label), sayProblem(work));
   }
   if (json)
     printJson({{"work", rows}});
@@ -46,8 +56,14 @@ void printList(const std::vector<session::LostWork>& lost, bool json) {
 }
 
 const session::LostWork& choose(const std::vector<session::LostWork>& lost, const std::string& name) {
-  for (const auto& work : lost)
-    if (name.empty() ? work.isReadable : work.folder.filename() == name) return work;
+  for (const auto& work : lost) {
+    if (!name.empty() && work.folder.filename() != name) continue;
+    if (!work.isReadable || !work.isWhole)
+      log::warning(fmt::format("{} of {}{}", work.folder.filename().string(), localTime(work.when), sayProblem(work)));
+    if (!name.empty() || work.isReadable) return work;
+  }
+  if (name.empty() && !lost.empty())
+    throw InputError("recover: of the unsaved work that was left behind none can be read");
   if (name.empty()) throw InputError("recover: no unsaved work was left behind");
   throw InputError(fmt::format("recover: there is no unsaved work '{}'; see velum-batch recover --list", name));
 }

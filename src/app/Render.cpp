@@ -6,7 +6,7 @@
 #include "Verbs.h"
 #include "velum/core/Clock.h"
 #include "velum/core/Error.h"
-#include "velum/core/Text.h"
+#include "velum/core/Log.h"
 #include "velum/render/Renderer.h"
 #include "velum/scene/Navigate.h"
 #include "velum/session/document/Open.h"
@@ -113,7 +113,7 @@ int run(const RenderOptions& options) {
 
   // What there is to say of it; the picture itself may have gone to stdout.
   const render::Stats& stats = renderer.stats();
-  if (!stats.reduction.empty()) fmt::print(stderr, "note: {}\n", printable(stats.reduction));
+  if (!stats.reduction.empty()) log::say("note: " + stats.reduction);
   if (options.common.json) {
     Json json = {{"renderer", stats.renderer},
                  {"size", {size.x, size.y}},

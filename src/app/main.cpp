@@ -5,12 +5,13 @@
 
 #include "Verbs.h"
 #include "velum/core/Error.h"
+#include "velum/core/GuardWrites.h"
 #include "velum/core/Log.h"
-#include "velum/core/Text.h"
 
 /// velum-batch: every verb of Velum without a display. Errors are one line on stderr; exit codes are those of ExitCode.
 int main(int argc, char** argv) {
   using namespace velum;
+  guardWrites();
   CLI::App program("velum-batch: volumes, cut open. Not a medical device.");
   program.set_version_flag("--version", VELUM_VERSION);
   program.require_subcommand(1);
@@ -41,7 +42,7 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return program.exit(error);
     std::string_view what = error.what();
-    fmt::print(stderr, "velum-batch: {}; see velum-batch --help\n", printable(what.substr(0, what.find('\n'))));
+    log::say(fmt::format("velum-batch: {}; see velum-batch --help", what.substr(0, what.find('\n'))));
     return static_cast<int>(ExitCode::Usage);
   }
   // The one that was asked for; every error becomes one line and its exit code.
@@ -58,16 +59,16 @@ int main(int argc, char** argv) {
     }
   } catch (const Cancelled&) {
     bool isTimeout = app::stopSignal() == SIGALRM;
-    fmt::print(stderr, "velum-batch: stopped{}\n", isTimeout ? " after the time that --timeout allows" : "");
+    log::say(fmt::format("velum-batch: stopped{}", isTimeout ? " after the time that --timeout allows" : ""));
     return 128 + app::stopSignal();
   } catch (const Error& error) {
-    fmt::print(stderr, "velum-batch: {}\n", error.what());
+    log::say(fmt::format("velum-batch: {}", error.what()));
     return static_cast<int>(error.exitCode());
   } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "velum-batch: the machine has no memory left for this; use a smaller volume or picture\n");
+    log::say("velum-batch: the machine has no memory left for this; use a smaller volume or picture");
     return static_cast<int>(ExitCode::Input);
   } catch (const std::exception& error) {
-    fmt::print(stderr, "velum-batch: {}\n", printable(error.what()));
+    log::say(fmt::format("velum-batch: {}", error.what()));
     return static_cast<int>(ExitCode::Input);
   }
   return 0;

@@ -3,6 +3,9 @@
 #include <spdlog/sinks/stdout_sinks.h>
 #include <spdlog/spdlog.h>
 
+#include <cstdio>
+#include <string>
+
 #include "velum/core/Text.h"
 
 namespace velum::log {
@@ -21,6 +24,11 @@ spdlog::logger& logger() {
 
 void setVerbose(bool verbose) { logger().set_level(verbose ? spdlog::level::info : spdlog::level::warn); }
 void info(std::string_view message) { logger().info(printable(message)); }
+void say(std::string_view line) {
+  std::string text = printable(line) + '\n';
+  std::fwrite(text.data(), 1, text.size(), stderr);
+  std::fflush(stderr);
+}
 void warning(std::string_view message) { logger().warn("warning: {}", printable(message)); }
 
 }  // namespace velum::log

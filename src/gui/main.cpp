@@ -14,22 +14,28 @@
 #include <QTimer>
 #include <clocale>
 #include <cstdio>
+#include <memory>
+#include <string_view>
+#include <vector>
 
 #include "kit/Preferences.h"
 #include "kit/SaveImage.h"
 #include "look/LookPanel.h"
 #include "velum/core/Error.h"
-#include "velum/core/Text.h"
+#include "velum/core/GuardWrites.h"
+#include "velum/core/Log.h"
 #include "velum/session/document/Folders.h"
 #include "window/MainWindow.h"
+#include "window/QuitSignals.h"
 #include "window/Script.h"
+#include "window/Start.h"
 
 namespace {
 
 constexpr int kScreenshotWaitMs = 60'000;
 
 /// One line on the console.
-void say(const QString& text) { fmt::print(stderr, "velum: {}\n", velum::printable(text.toStdString())); }
+void say(const QString& text) { velum::log::say("velum: " + text.toStdString()); }
 
 /// Saves the whole window once its picture is complete, then leaves.
 void takeScreenshot(velum::gui::MainWindow& window, const QString& path) {
@@ -47,6 +53,9 @@ void takeScreenshot(velum::gui::MainWindow& window, const QString& path) {
     } catch (const velum::Error& error) {
       say(error.what());
       code = error.exitCode();
+    } catch (const std::exception& error) {
+      say(error.what());
+      code = velum::ExitCode::Input;
     }
     QCoreApplication::exit(static_cast<int>(code));
   });
@@ -87,8 +96,31 @@ void provideRuntimeFolder() {
   qputenv("XDG_RUNTIME_DIR", folder.toUtf8());
 }
 
+/// All windows but the first, which is the caller's.
+std::vector<velum::gui::MainWindow*> otherWindows(const velum::gui::MainWindow& first) {
+  std::vector<velum::gui::MainWindow*> found;
+  for (QWidget* widget : QApplication::topLevelWidgets())
+    if (auto* window = qobject_cast<velum::gui::MainWindow*>(widget); window && window != &first)
+      found.push_back(window);
+  return found;
+}
+
+/// Until the last window is closed, the script says so, or the system does. @return exit code
+int runWindows(velum::gui::MainWindow& window) {
+  velum::gui::QuitSignals quitSignals;
+  QObject::connect(&quitSignals, &velum::gui::QuitSignals::asked, &window, [&window](int exitCode) {
+    window.abandon();
+    for (auto* other : otherWindows(window)) other->abandon();
+    QCoreApplication::exit(exitCode);
+  });
+  int exitCode = QApplication::exec();
+  for (auto* other : otherWindows(window)) delete other;
+  return exitCode;
+}
+
 int run(int argc, char** argv) {
   provideRuntimeFolder();
+  auto messages = std::make_unique<velum::gui::StartMessages>();
   QSurfaceFormat format;
   format.setVersion(4, 5);
   format.setProfile(QSurfaceFormat::CoreProfile);
@@ -116,18 +148,27 @@ int run(int argc, char** argv) {
       return static_cast<int>(velum::ExitCode::Input);
     }
 
+  try {
+    velum::gui::requireOpenGl();
+  } catch (const velum::Error& error) {
+    messages->drop();
+    return velum::gui::refuseStart(error, !parser.isSet("script") && !parser.isSet("screenshot"));
+  }
+  messages.reset();
+
   velum::gui::MainWindow window;
   window.show();
   window.protectWork(velum::session::recoveryFolder(), !parser.isSet("screenshot"));
   window.openPaths(parser.positionalArguments());
   if (parser.isSet("script")) runScript(window, parser.value("script"), parser.isSet("echo"));
   if (parser.isSet("screenshot")) takeScreenshot(window, parser.value("screenshot"));
-  return QApplication::exec();
+  return runWindows(window);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  velum::guardWrites();
   // Version and help need no display.
   for (int i = 1; i < argc; ++i) {
     std::string_view word = argv[i];

@@ -67,7 +67,46 @@ class Recover(CliTest):
         (self.leave_work() / "journal-1.jsonl").write_bytes(os.urandom(1000))
         row, = json.loads(self.recover("--list", "--json").stdout)["work"]
         self.assertFalse(row["readable"])
+        self.assertIn("journal-1.jsonl: it is damaged", row["problem"])
+        self.assertEqual(row["folder"], str(self.root / "1-2-3"))
+        self.assertIn(str(self.root / "1-2-3").encode(), self.recover("--list").stdout)
         self.assertIn(b"damaged", self.recover("1-2-3", "-o", "a.json", code=2).stderr)
+        self.assertIn(b"none can be read", self.recover("-o", "a.json", code=2).stderr)
+        self.assertFalse((self.folder / "a.json").exists())
+        self.recover("1-2-3", "--discard")
+        self.assertIn(b"no unsaved work", self.recover("--list").stdout)
+
+    def test_newer_work_that_cannot_be_read_is_said_and_the_next_written(self):
+        older, newer = self.leave_work("1-2-3"), self.leave_work("4-5-6")
+        (newer / "journal-1.jsonl").write_bytes(os.urandom(1000))
+        os.utime(older / "journal-1.jsonl", (1e9, 1e9))
+        names = [row["name"] for row in json.loads(self.recover("--list", "--json").stdout)["work"]]
+        self.assertEqual(names, ["4-5-6", "1-2-3"])
+        said = self.recover("-o", "a.json").stderr
+        self.assertIn(b"4-5-6", said)
+        self.assertIn(b"cannot be read", said)
+        self.assertEqual(json.loads((self.folder / "a.json").read_text())["volume"]["windowLevel"], 17)
+
+    def test_work_without_a_lock_is_work(self):
+        (self.leave_work() / "lock").unlink()
+        self.recover("-o", "a.json")
+        self.recover("1-2-3", "--discard")
+        self.assertIn(b"no unsaved work", self.recover("--list").stdout)
+
+    def test_changes_that_cannot_be_read_are_said(self):
+        path = self.leave_work() / "journal-1.jsonl"
+        first, second = path.read_text().splitlines(keepends=True)[:2]
+        path.write_text(first + second.replace("17", "18"))
+        row, = json.loads(self.recover("--list", "--json").stdout)["work"]
+        self.assertEqual((row["readable"], row["whole"]), (True, False))
+        self.assertIn(b"what came later cannot be read", self.recover("--list").stdout)
+        self.assertIn(b"what came later cannot be read", self.recover("-o", "a.json").stderr)
+
+    def test_a_file_in_the_place_of_the_folder_of_all_work(self):
+        self.root.parent.mkdir(parents=True)
+        self.root.write_text("")
+        for arguments in (["--list"], ["-o", "a.json"]):
+            self.assertIn(str(self.root).encode(), self.recover(*arguments, code=2).stderr)
 
     def test_usage(self):
         self.leave_work()

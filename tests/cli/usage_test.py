@@ -67,6 +67,21 @@ class Usage(CliTest):
                 self.refuse("render", path, "-o", "x.png", "--set", change, code=1, words=words)
         self.assertFalse((self.folder / "x.png").exists())
 
+    def test_streams_that_take_nothing_are_no_crash(self):
+        """A disk that is full under stdout is an error; under stderr it changes nothing; nor do streams that are closed."""
+        path = self.sample()
+        program = os.environ["VELUM_BATCH"]
+        for command, code in (("info {path} >/dev/full", 2), ("info {path} --json >/dev/full", 2), ("info none 2>/dev/full", 2),
+                              ("--no-such-option 2>/dev/full", 1), ("info {path} 2>&-", 0), ("info none 2>&-", 2),
+                              ("convert {path} b.nrrd >&- 2>&- <&-", 0)):
+            with self.subTest(command=command):
+                done = subprocess.run(["sh", "-c", f"exec {program} {command.format(path=path)}"], cwd=self.folder,
+                                      capture_output=True, timeout=60)
+                self.assertEqual(done.returncode, code, done.stderr)
+                if ">/dev/full" in command and code == 2 and "none" not in command:
+                    self.assertIn(b"cannot be written", done.stderr)
+        self.run_batch("info", "b.nrrd")
+
     def test_a_wrong_raw_layout_exits_1(self):
         (self.folder / "a.raw").write_bytes(bytes(64))
         for raw in ("4x4", "4x4x4:float16", "0x4x4:uint8", "4x4x4:uint8:+x"):

@@ -3,13 +3,19 @@
 #include <gtest/gtest.h>
 
 #include <QFile>
+#include <QLabel>
 #include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QTest>
 #include <QTimer>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <utility>
 
 #include "Shots.h"
+#include "SmallDisk.h"
 #include "TempFolder.h"
 #include "kit/RecentFiles.h"
 #include "velum/io/phantoms/Sample.h"
@@ -70,6 +76,18 @@ class DocumentWindow : public testing::Test {
     });
     timer->start(20);
     return asked;
+  }
+  QByteArray bytesOf(const char* name) const {
+    QFile file(path(name));
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+  }
+  void expectRefused(const char* name, const QByteArray& before) {
+    EXPECT_TRUE(mWindow->messages().isVisible());
+    EXPECT_TRUE(mWindow->messages().text().contains(name)) << mWindow->messages().text().toStdString();
+    EXPECT_FALSE(mWindow->messages().text().contains("Saved"));
+    EXPECT_EQ(bytesOf(name), before);
+    for (const auto& entry : std::filesystem::directory_iterator(mFolder.path()))
+      EXPECT_FALSE(entry.path().filename().string().starts_with(".velum-")) << entry.path();
   }
   /// As a crash leaves it: the journal stays.
   void crash() { mWindow.reset(); }
@@ -157,6 +175,137 @@ TEST_F(DocumentWindow, WorkOfADeadWindowIsOfferedAndRestoredAsModified) {
   // It is safe again, in one place.
   crash();
   EXPECT_EQ(session::findLostWork(mFolder / "recovery").size(), 1u);
+}
+
+TEST_F(DocumentWindow, WorkThatCannotBeReadIsSaidWithItsPlaceAndWhatCanBeIsRestored) {
+  ASSERT_TRUE(open("phantom.nrrd"));
+  edit(11);
+  crash();
+  std::filesystem::create_directories(mFolder / "recovery" / "1-2-3");
+  std::ofstream(mFolder / "recovery" / "1-2-3" / "journal-1.jsonl") << "nothing";
+  mWindow = makeWindow();
+  ASSERT_TRUE(bar().current());
+  EXPECT_FALSE(bar().current()->isReadable) << "the newest comes first";
+  QString shown;
+  for (auto* label : bar().findChildren<QLabel*>()) shown += label->toolTip();
+  EXPECT_TRUE(shown.contains(path("recovery/1-2-3")) && shown.contains("journal-1.jsonl: it is damaged"))
+      << shown.toStdString();
+  takeShot(*mWindow, "recovery-unreadable");
+  auto restore = [&] {
+    for (auto* button : bar().findChildren<QPushButton*>())
+      if (button->text() == "&Restore") return button->isVisible();
+    return false;
+  };
+  EXPECT_FALSE(restore());
+  auto asked = answer("Delete");
+  emit bar().discardWanted();
+  EXPECT_TRUE(*asked);
+  ASSERT_TRUE(bar().current());
+  EXPECT_TRUE(restore());
+  EXPECT_FALSE(std::filesystem::exists(mFolder / "recovery" / "1-2-3"));
+  std::filesystem::create_directories(mFolder / "recovery" / "1-2-4");
+  std::ofstream(mFolder / "recovery" / "1-2-4" / "journal-1.jsonl") << "nothing";
+  mWindow.reset();
+  mWindow = makeWindow();
+  ASSERT_FALSE(bar().current()->isReadable);
+  EXPECT_TRUE(mWindow->restoreWork()) << "the newest that can be read";
+  ASSERT_TRUE(waitForJob());
+  EXPECT_EQ(mWindow->document().scene().volume.windowLevel, 11);
+}
+
+TEST_F(DocumentWindow, AFolderOfWorkThatCannotBeReadIsSaid) {
+  mWindow.reset();
+  std::filesystem::remove_all(mFolder / "recovery");
+  std::ofstream(mFolder / "recovery") << "a file";
+  mWindow = makeWindow();
+  EXPECT_TRUE(mWindow->messages().isVisible());
+  EXPECT_TRUE(mWindow->messages().text().contains(path("recovery"))) << mWindow->messages().text().toStdString();
+}
+
+TEST_F(DocumentWindow, ADiskThatIsFullIsSaidAndAgainWhenItIsNot) {
+  ASSERT_TRUE(open("phantom.nrrd"));
+  edit(1);
+  {
+    SmallDisk disk(100);
+    edit(2);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return mWindow->messages().text().contains("not protected"); }, 10000));
+  }
+  ASSERT_TRUE(QTest::qWaitFor([&] { return mWindow->messages().text().contains("is protected"); }, 20000));
+  crash();
+  mWindow = makeWindow();
+  ASSERT_TRUE(bar().current());
+  ASSERT_TRUE(mWindow->restoreWork());
+  ASSERT_TRUE(waitForJob());
+  EXPECT_EQ(mWindow->document().scene().volume.windowLevel, 2);
+}
+
+// Saving.
+
+TEST_F(DocumentWindow, ASceneThatCannotBeSavedIsSaidStaysModifiedAndTheOldFileWhole) {
+  ASSERT_TRUE(open("phantom.nrrd"));
+  mWindow->saveSceneTo(path("a.json"));
+  QByteArray before = bytesOf("a.json");
+  edit(2);
+  {
+    SmallDisk disk(100);
+    mWindow->saveSceneTo(path("a.json"));
+    // In the question, too: what is open stays open.
+    auto asked = answer("Save");
+    EXPECT_FALSE(mWindow->close());
+    EXPECT_TRUE(*asked);
+  }
+  EXPECT_TRUE(mWindow->isVisible());
+  expectRefused("a.json", before);
+  EXPECT_TRUE(mWindow->document().isModified());
+  // A name that no file system takes.
+  mWindow->saveSceneTo(path(std::string(300, 'x').c_str()) + ".json");
+  EXPECT_TRUE(mWindow->messages().text().contains("xxx"));
+  EXPECT_TRUE(mWindow->document().isModified());
+  mWindow->saveSceneTo(path("a.json"));
+  EXPECT_FALSE(mWindow->document().isModified());
+  EXPECT_NE(bytesOf("a.json"), before);
+}
+
+TEST_F(DocumentWindow, WhatCannotBeExportedIsSaidAndTheOldFileWhole) {
+  ASSERT_TRUE(open("phantom.nrrd"));
+  mWindow->actions().find("cut.addMembrane")->trigger();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return mWindow->isSettled(); }, 60000));
+  session::PictureOptions options;
+  options.size = {64, 48};
+  options.samples = 1;
+  auto picture = [&](const QString& to) { mWindow->exports().savePictureTo(to, options, mWindow->document().scene()); };
+  auto sheet = [&](const QString& to) { mWindow->exports().exportSheetTo(to); };
+  auto clipped = [&](const QString& to) { mWindow->exports().exportClippedTo(to); };
+  auto look = [&](const QString& to) { mWindow->look().exportTo(to); };
+  const std::pair<const char*, std::function<void(const QString&)>> writers[] = {{"a.png", picture},
+                                                                                 {"a.exr", picture},
+                                                                                 {"a.tif", picture},
+                                                                                 {"sheet.ply", sheet},
+                                                                                 {"sheet.obj", sheet},
+                                                                                 {"sheet.vtp", sheet},
+                                                                                 {"sheet.stl", sheet},
+                                                                                 {"clipped.nrrd", clipped},
+                                                                                 {"clipped.nii", clipped},
+                                                                                 {"clipped.nii.gz", clipped},
+                                                                                 {"clipped.vti", clipped},
+                                                                                 {"clipped.vdb", clipped},
+                                                                                 {"a.velum-transfer.json", look},
+                                                                                 {"a.vp.json", look},
+                                                                                 {"a.vp", look}};
+  for (const auto& [name, write] : writers) {
+    SCOPED_TRACE(name);
+    std::ofstream(mFolder / name) << "the old file";
+    {
+      SmallDisk disk(100);
+      write(path(name));
+      ASSERT_TRUE(waitForJob());
+    }
+    expectRefused(name, "the old file");
+    write(path(name));
+    ASSERT_TRUE(waitForJob());
+    EXPECT_TRUE(mWindow->messages().text().contains("Saved")) << mWindow->messages().text().toStdString();
+    EXPECT_NE(bytesOf(name), "the old file");
+  }
 }
 
 TEST_F(DocumentWindow, DiscardedWorkIsAskedAboutAndGone) {

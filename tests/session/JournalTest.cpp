@@ -4,10 +4,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <fstream>
 #include <random>
 
-#include "TempFolder.h"
+#include "JournalFolder.h"
 #include "velum/core/Error.h"
 #include "velum/session/document/Document.h"
 #include "velum/session/document/Folders.h"
@@ -16,38 +17,6 @@
 namespace velum::session {
 
 namespace fs = std::filesystem;
-
-namespace {
-
-Journal::Options quick(const TempFolder& folder, std::size_t compactBytes = 256 << 10) {
-  return {folder.path(), std::chrono::milliseconds(0), compactBytes};
-}
-
-scene::Scene withLevel(double level) {
-  scene::Scene scene;
-  scene.volume.windowLevel = level;
-  return scene;
-}
-
-std::vector<fs::path> filesIn(const fs::path& folder, const std::string& part) {
-  std::vector<fs::path> found;
-  for (const auto& entry : fs::recursive_directory_iterator(folder))
-    if (entry.path().filename().string().find(part) != std::string::npos) found.push_back(entry.path());
-  std::sort(found.begin(), found.end());
-  return found;
-}
-
-scene::Scene recovered(const TempFolder& folder) {
-  auto lost = findLostWork(folder.path());
-  if (lost.size() != 1) throw std::runtime_error(std::to_string(lost.size()) + " sessions have died");
-  return WorkClaim(lost[0].folder).readScene();
-}
-
-void overwrite(const fs::path& path, const std::string& text) {
-  std::ofstream(path, std::ios::binary | std::ios::trunc) << text;
-}
-
-}  // namespace
 
 TEST(Journal, RandomEditsAreRecoveredExactly) {
   for (unsigned seed = 1; seed <= 3; ++seed) {
@@ -80,7 +49,7 @@ TEST(Journal, RandomEditsAreRecoveredExactly) {
       }
       document.setListener({});
     }
-    EXPECT_EQ(recovered(folder), document.scene());
+    EXPECT_EQ(recovered(folder.path()), document.scene());
   }
 }
 
@@ -156,7 +125,7 @@ TEST(Journal, AKilledProcessLosesNothingThatWasFlushed) {
   int status = 0;
   ::waitpid(child, &status, 0);
   ASSERT_TRUE(WIFSIGNALED(status));
-  EXPECT_EQ(recovered(folder).volume.windowLevel, 20);
+  EXPECT_EQ(recovered(folder.path()).volume.windowLevel, 20);
 }
 
 TEST(Journal, ATornLastLineGivesTheChangeBefore) {
@@ -172,7 +141,7 @@ TEST(Journal, ATornLastLineGivesTheChangeBefore) {
   ASSERT_EQ(journals.size(), 1u);
   auto size = fs::file_size(journals[0]);
   fs::resize_file(journals[0], size - 1);
-  EXPECT_EQ(recovered(folder).volume.windowLevel, 4);
+  EXPECT_EQ(recovered(folder.path()).volume.windowLevel, 4);
 }
 
 TEST(Journal, AGrownJournalBeginsAnewAndOneBeforeIsKept) {
@@ -188,7 +157,7 @@ TEST(Journal, AGrownJournalBeginsAnewAndOneBeforeIsKept) {
   EXPECT_EQ(journals.size(), 2u);
   EXPECT_EQ(filesIn(folder.path(), "autosave-").size(), 2u);
   for (const auto& path : journals) EXPECT_LT(fs::file_size(path), 100'000u);
-  EXPECT_EQ(recovered(folder).volume.windowLevel, 400);
+  EXPECT_EQ(recovered(folder.path()).volume.windowLevel, 400);
 }
 
 TEST(Journal, DamageFallsBackToTheGenerationBefore) {
@@ -207,9 +176,9 @@ TEST(Journal, DamageFallsBackToTheGenerationBefore) {
   auto newest = fs::last_write_time(journals[0]) > fs::last_write_time(journals[1]) ? 0 : 1;
   // The journal alone: the autosave knows how it began. Both: the generation before.
   overwrite(journals[std::size_t(newest)], "not a journal\n");
-  double fromAutosave = recovered(folder).volume.windowLevel;
+  double fromAutosave = recovered(folder.path()).volume.windowLevel;
   overwrite(autosaves[std::size_t(newest)], "{");
-  double fromBefore = recovered(folder).volume.windowLevel;
+  double fromBefore = recovered(folder.path()).volume.windowLevel;
   EXPECT_LT(fromAutosave, 400);
   EXPECT_EQ(fromBefore, fromAutosave - 1);
   for (const auto& path : {journals[0], journals[1], autosaves[0], autosaves[1]}) overwrite(path, "");
@@ -226,7 +195,7 @@ TEST(Journal, AFolderThatWasTidiedAwayIsMadeAgain) {
     for (const auto& entry : fs::directory_iterator(folder.path())) fs::remove_all(entry.path());
     journal.record(withLevel(2), "Window");
   }
-  EXPECT_EQ(recovered(folder).volume.windowLevel, 2);
+  EXPECT_EQ(recovered(folder.path()).volume.windowLevel, 2);
 }
 
 TEST(Journal, ADiskThatRefusesIsToldOnceAndDoesNotThrow) {
@@ -260,7 +229,103 @@ TEST(Journal, ADragIsAFewLines) {
   while (std::getline(in, line)) ++lines;
   EXPECT_LT(lines, 30);
   EXPECT_GT(lines, 2);
-  EXPECT_EQ(recovered(folder).volume.windowLevel, 200);
+  EXPECT_EQ(recovered(folder.path()).volume.windowLevel, 200);
+}
+
+TEST(Journal, NoJournalHasMoreLinesOrBytesThanAreRead) {
+  TempFolder folder;
+  Journal::Options options = quick(folder, 100 << 20);
+  options.mostLines = 10;
+  options.mostBytes = 200 << 10;
+  {
+    Journal journal(options);
+    for (int i = 1; i <= 35; ++i) {
+      journal.record(withLevel(i), "Window");
+      ASSERT_TRUE(journal.flush());
+      for (const auto& path : filesIn(folder.path(), ".jsonl")) {
+        std::ifstream in(path);
+        ASSERT_LE(std::count(std::istreambuf_iterator<char>(in), {}, '\n'), 10);
+      }
+    }
+  }
+  EXPECT_EQ(recovered(folder.path()).volume.windowLevel, 35);
+  fs::remove_all(findLostWork(folder.path()).at(0).folder);
+  options.mostLines = 1000;
+  {
+    Journal journal(options);
+    for (int i = 1; i <= 12; ++i) {
+      scene::Scene scene;
+      scene.volume.source.path = std::string(30'000, char('a' + i));
+      journal.record(scene, "Open");
+      ASSERT_TRUE(journal.flush());
+      for (const auto& path : filesIn(folder.path(), ".jsonl")) ASSERT_LE(fs::file_size(path), options.mostBytes);
+    }
+  }
+  EXPECT_EQ(recovered(folder.path()).volume.source.path, std::string(30'000, char('a' + 12)));
+}
+
+TEST(Journal, ASceneThatIsTooLargeIsToldAndTheNextOneIsKept) {
+  TempFolder folder;
+  Journal::Options options = quick(folder);
+  options.mostBytes = 200 << 10;
+  std::vector<std::string> said;
+  {
+    Journal journal(options);
+    journal.setErrorListener([&](const std::string& text) { said.push_back(text); });
+    journal.record(withLevel(1), "Window");
+    EXPECT_TRUE(journal.flush());
+    scene::Scene large = withLevel(2);
+    large.volume.source.path = std::string(300 << 10, 'x');
+    for (int i = 0; i < 2; ++i) {
+      large.volume.windowWidth = i;
+      journal.record(large, "Open");
+      EXPECT_FALSE(journal.flush());
+    }
+    ASSERT_EQ(said.size(), 1u);
+    EXPECT_NE(said[0].find("too large"), std::string::npos) << said[0];
+    journal.record(withLevel(3), "Window");
+    EXPECT_TRUE(journal.flush());
+  }
+  ASSERT_EQ(said.size(), 2u);
+  EXPECT_EQ(said[1], "");
+  EXPECT_EQ(recovered(folder.path()).volume.windowLevel, 3);
+}
+
+TEST(Journal, WhateverIsWrittenCanBeRead) {
+  // A large scene, and as many changes of it as go into one journal: more than 64 MiB.
+  TempFolder folder;
+  {
+    Journal journal(quick(folder));
+    for (int i = 0; i < 5; ++i) {
+      scene::Scene scene;
+      scene.volume.source.path = std::string(15'000'000, char('a' + i));
+      journal.record(scene, "Open");
+      ASSERT_TRUE(journal.flush());
+    }
+  }
+  ASSERT_EQ(filesIn(folder.path(), ".jsonl").size(), 1u);
+  EXPECT_GT(fs::file_size(filesIn(folder.path(), ".jsonl")[0]), std::size_t(64) << 20);
+  EXPECT_EQ(recovered(folder.path()).volume.source.path.substr(0, 3), "eee");
+}
+
+TEST(Journal, OldGenerationsGoAlsoWhereNoAutosaveCanBeWritten) {
+  TempFolder folder;
+  std::vector<std::string> said;
+  {
+    Journal journal(quick(folder, 1));
+    journal.setErrorListener([&](const std::string& text) { said.push_back(text); });
+    journal.record(withLevel(0), "Window");
+    journal.flush();
+    fs::path home = fs::directory_iterator(folder.path())->path();
+    for (int i = 2; i < 50; ++i) fs::create_directories(home / ("autosave-" + std::to_string(i) + ".json") / "full");
+    for (int i = 1; i <= 600; ++i) {
+      journal.record(withLevel(i), "Window");
+      ASSERT_TRUE(journal.flush());
+    }
+  }
+  EXPECT_EQ(filesIn(folder.path(), ".jsonl").size(), 2u);
+  EXPECT_TRUE(said.empty()) << said[0];
+  EXPECT_EQ(recovered(folder.path()).volume.windowLevel, 600);
 }
 
 TEST(Folders, FollowXdgAndIgnoreWhatIsRelative) {

@@ -80,6 +80,14 @@ TEST(Session, GoneItHasCancelledAndAwaitedItsJob) {
   EXPECT_TRUE(ended);
 }
 
+TEST(Session, ASceneThatCouldNotBeOpenedAgainIsNotWritten) {
+  TempFolder folder;
+  scene::Scene scene;
+  scene.volume.source.path = std::string(65 << 20, 'x');
+  EXPECT_THROW(saveScene(scene, folder / "a.json"), InputError);
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
 TEST(Session, ItsJournalGoesWithSavingAndComesWithTheNextChange) {
   TempFolder folder;
   Session session;

@@ -3,8 +3,8 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
+#include <exception>
 
-#include "velum/core/Error.h"
 #include "velum/session/look/Look.h"
 
 namespace velum::gui {
@@ -37,7 +37,7 @@ void LookCommands::importFrom(const QString& path) {
   try {
     mDocument.edit("Import look", [&](scene::Scene& scene) { session::importLook(scene, path.toStdString()); });
     mFolder = QFileInfo(path).path();
-  } catch (const Error& error) {
+  } catch (const std::exception& error) {
     mMessages.showError(QString::fromUtf8(error.what()));
   }
 }
@@ -47,7 +47,7 @@ void LookCommands::exportTo(const QString& path) {
     session::exportLook(mDocument.scene(), path.toStdString());
     mFolder = QFileInfo(path).path();
     mMessages.showNote(tr("Saved %1").arg(path));
-  } catch (const Error& error) {
+  } catch (const std::exception& error) {
     mMessages.showError(QString::fromUtf8(error.what()));
   }
 }

@@ -4,9 +4,9 @@
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
+#include <exception>
 
 #include "kit/RecentFiles.h"
-#include "velum/core/Error.h"
 #include "velum/session/document/Open.h"
 #include "velum/session/look/Look.h"
 
@@ -148,7 +148,7 @@ void FileCommands::saveSceneTo(const QString& path) {
     mParts.jobs.setError({});
     mLoads.rememberFile(QString::fromStdString(mParts.session.file().path()));
     mLoads.rememberPicture();
-  } catch (const Error& error) {
+  } catch (const std::exception& error) {
     mParts.jobs.setError(QString::fromUtf8(error.what()));
   }
 }

@@ -2,8 +2,7 @@
 
 #include <QMessageBox>
 #include <QPushButton>
-
-#include "velum/core/Error.h"
+#include <exception>
 
 namespace velum::gui {
 
@@ -19,14 +18,16 @@ LostWork::~LostWork() = default;
 void LostWork::lookFor(const std::filesystem::path& root) {
   auto found = std::make_shared<std::vector<session::LostWork>>();
   mScan = std::make_unique<Job>([found, root](Progress&) { *found = session::findLostWork(root); }, nullptr);
-  connect(mScan.get(), &Job::finished, this, [this, found] {
+  connect(mScan.get(), &Job::finished, this, [this, found](bool, const QString& error) {
     mScan.release()->deleteLater();
+    if (!error.isEmpty()) mParts.messages.showError(error);
     mBar.offer(std::move(*found));
   });
   mScan->start();
 }
 
 bool LostWork::restore() {
+  while (mBar.current() && !mBar.current()->isReadable) mBar.next();
   const session::LostWork* work = mBar.current();
   if (!work) return false;
   mLoads.openLost(work->folder, QString::fromStdString(work->scenePath.empty() ? work->title : work->scenePath));
@@ -37,15 +38,16 @@ void LostWork::askDiscard() {
   const session::LostWork* work = mBar.current();
   if (!work) return;
   QMessageBox box(QMessageBox::Warning, tr("Discard unsaved work"),
-                  tr("Delete the unsaved work of %1 for good?").arg(QString::fromStdString(work->title)),
+                  tr("Delete the unsaved work of %1 for good?")
+                      .arg(QString::fromStdString(work->isReadable ? work->title : work->folder.string())),
                   QMessageBox::Discard | QMessageBox::Cancel, &mParts.window);
   box.button(QMessageBox::Discard)->setText(tr("&Delete"));
   box.setDefaultButton(QMessageBox::Cancel);
   if (box.exec() != QMessageBox::Discard) return;
   try {
     session::WorkClaim(work->folder).remove();
-  } catch (const Error& error) {
-    mParts.messages.showNote(QString::fromUtf8(error.what()));
+  } catch (const std::exception& error) {
+    mParts.messages.showError(QString::fromUtf8(error.what()));
   }
   mBar.next();
 }

@@ -16,7 +16,7 @@ class LostWork : public QObject {
 
   void lookFor(const std::filesystem::path& root);
   bool isLooking() const { return mScan != nullptr; }
-  /// Opens what is offered, as modified. False when nothing is offered.
+  /// Opens the first that is offered and can be read, as modified. False when nothing is.
   bool restore();
 
  signals:

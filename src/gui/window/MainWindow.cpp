@@ -117,7 +117,12 @@ void MainWindow::showScene(scene::Scene scene, const QString& name) {
 void MainWindow::protectWork(const std::filesystem::path& root, bool offers) {
   mSession.file().protect(root, [this](const std::string& text) {
     QMetaObject::invokeMethod(
-        this, [this, text] { mFrame.messages->showError(QString::fromStdString(text)); }, Qt::QueuedConnection);
+        this,
+        [this, text] {
+          text.empty() ? mFrame.messages->showNote(tr("The disk takes changes again: unsaved work is protected."))
+                       : mFrame.messages->showError(QString::fromStdString(text));
+        },
+        Qt::QueuedConnection);
   });
   mFrame.empty->recent()->refresh();
   if (offers) mLost->lookFor(root);
@@ -149,6 +154,12 @@ void MainWindow::leave(int exitCode) {
   mLoads->rememberPicture();
   mSession.file().discardJournal(true);
   QCoreApplication::exit(exitCode);
+}
+
+void MainWindow::abandon() {
+  mSession.dropJob();
+  session::WorkFile& file = mSession.file();
+  file.isModified() ? file.flushJournal() : file.discardJournal(true);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

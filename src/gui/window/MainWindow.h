@@ -39,6 +39,9 @@ class MainWindow : public QMainWindow {
   void setUnattended(bool unattended) { mLoads->setUnattended(unattended); }
   /// Leaves without asking, whatever is unsaved.
   void leave(int exitCode);
+  /// The program is made to end: nothing is asked, what runs is stopped, and edits that are unsaved are offered at the
+  /// next start.
+  void abandon();
 
   session::Session& session() { return mSession; }
   session::Document& document() { return mSession.document(); }

@@ -7,6 +7,27 @@
 
 namespace velum::gui {
 
+namespace {
+
+QString sayTitle(const session::LostWork& work) {
+  if (!work.isReadable) return RecoveryBar::tr("Unsaved work that cannot be read");
+  return RecoveryBar::tr("Unsaved work: %1")
+      .arg(work.title.empty() ? RecoveryBar::tr("a scene") : QString::fromStdString(work.title));
+}
+
+QString sayText(const session::LostWork& work) {
+  QString whyNot = QString::fromStdString(work.whyNot), time = sayTime(work.when);
+  if (!work.isReadable)
+    return RecoveryBar::tr("From %1. %2 (%3)").arg(time, QString::fromStdString(work.folder.string()), whyNot);
+  QString last =
+      work.label.empty() ? QString() : RecoveryBar::tr(", last change: %1").arg(QString::fromStdString(work.label));
+  QString where = work.scenePath.empty() ? RecoveryBar::tr("Never saved") : QString::fromStdString(work.scenePath);
+  QString damage = work.isWhole ? QString() : RecoveryBar::tr(". What came later cannot be read (%1)").arg(whyNot);
+  return RecoveryBar::tr("From %1%2. %3%4").arg(time, last, where, damage);
+}
+
+}  // namespace
+
 RecoveryBar::RecoveryBar(QWidget* parent) : QFrame(parent), mTitle(new QLabel(this)), mText(new QLabel(this)) {
   setObjectName("recoveryBar");
   setAccessibleName(tr("Unsaved work of an earlier session"));
@@ -24,10 +45,10 @@ RecoveryBar::RecoveryBar(QWidget* parent) : QFrame(parent), mTitle(new QLabel(th
   texts->addWidget(mTitle);
   texts->addWidget(mText);
   layout->addLayout(texts, 1);
-  auto* restore = addButton(tr("&Restore"), tr("Open it as it was at the last change"), "main");
+  mRestore = addButton(tr("&Restore"), tr("Open it as it was at the last change"), "main");
   auto* discard = addButton(tr("&Discard..."), tr("Delete this work for good"), "quiet");
   mLater = addButton(tr("&Later"), tr("Keep it; it is offered again at the next start"), "quiet");
-  connect(restore, &QPushButton::clicked, this, &RecoveryBar::restoreWanted);
+  connect(mRestore, &QPushButton::clicked, this, &RecoveryBar::restoreWanted);
   connect(discard, &QPushButton::clicked, this, &RecoveryBar::discardWanted);
   connect(mLater, &QPushButton::clicked, this, &RecoveryBar::next);
   hide();
@@ -42,7 +63,6 @@ QPushButton* RecoveryBar::addButton(const QString& text, const QString& tip, con
 }
 
 void RecoveryBar::offer(std::vector<session::LostWork> work) {
-  std::erase_if(work, [](const session::LostWork& one) { return !one.isReadable; });
   mWork = std::move(work);
   refresh();
 }
@@ -56,13 +76,11 @@ void RecoveryBar::refresh() {
   setVisible(!mWork.empty());
   if (mWork.empty()) return;
   const session::LostWork& work = mWork.front();
-  QString title = work.title.empty() ? tr("a scene") : QString::fromStdString(work.title);
   QString more = mWork.size() > 1 ? tr("   (%n more)", nullptr, int(mWork.size()) - 1) : QString();
-  mWholeTitle = tr("Unsaved work: %1").arg(title) + more;
-  QString last = work.label.empty() ? QString() : tr(", last change: %1").arg(QString::fromStdString(work.label));
-  QString where = work.scenePath.empty() ? tr("Never saved") : QString::fromStdString(work.scenePath);
-  mWholeText = tr("From %1%2. %3").arg(sayTime(work.when), last, where);
+  mWholeTitle = sayTitle(work) + more;
+  mWholeText = sayText(work);
   mText->setToolTip(mWholeText + "\n" + QString::fromStdString(work.folder.string()));
+  mRestore->setVisible(work.isReadable);
   elide();
 }
 

@@ -14,7 +14,7 @@ class RecoveryBar : public QFrame {
  public:
   explicit RecoveryBar(QWidget* parent);
 
-  /// Work that cannot be read is left out. Shows itself when something is left.
+  /// Also work that cannot be read: where it lies, and why. Shows itself when there is some.
   void offer(std::vector<session::LostWork> work);
   /// Null when nothing is offered.
   const session::LostWork* current() const { return mWork.empty() ? nullptr : &mWork.front(); }
@@ -36,7 +36,7 @@ class RecoveryBar : public QFrame {
   std::vector<session::LostWork> mWork;
   QLabel *mTitle, *mText;
   QString mWholeTitle, mWholeText;
-  QPushButton* mLater = nullptr;
+  QPushButton *mRestore = nullptr, *mLater = nullptr;
 };
 
 }  // namespace velum::gui

@@ -11,8 +11,8 @@
 #include <QSignalBlocker>
 #include <QStandardPaths>
 #include <cmath>
+#include <exception>
 
-#include "velum/core/Error.h"
 #include "velum/session/document/Open.h"
 
 namespace velum::gui {
@@ -340,7 +340,7 @@ void SavePictureDialog::copyCommand() {
     QString text = command();
     QGuiApplication::clipboard()->setText(text);
     mFacts->setText(tr("Copied: %1").arg(text));
-  } catch (const Error& error) {
+  } catch (const std::exception& error) {
     mFacts->setText(QString::fromUtf8(error.what()));
   }
 }

@@ -65,10 +65,11 @@ void Script::next() {
     if (line.isEmpty() || line.startsWith('#')) continue;
     try {
       run(line.section(' ', 0, 0), line.section(' ', 1).trimmed());
-    } catch (const Error& error) {
+    } catch (const std::exception& error) {
       stop();
+      auto* ours = dynamic_cast<const Error*>(&error);
       emit failed(QString("%1:%2: %3").arg(mName).arg(mLine).arg(QString::fromUtf8(error.what())),
-                  static_cast<int>(error.exitCode()));
+                  static_cast<int>(ours ? ours->exitCode() : ExitCode::Input));
       return;
     }
     if (line == "quit") return stop();
@@ -82,7 +83,8 @@ void Script::next() {
 
 void Script::say() const {
   if (!mEcho || mLine == 0) return;
-  fmt::print("{:.3f} {}\n", monotonicSeconds(), mLines[mLine - 1].trimmed().toStdString());
+  std::string line = fmt::format("{:.3f} {}\n", monotonicSeconds(), mLines[mLine - 1].trimmed().toStdString());
+  std::fputs(line.c_str(), stdout);  // a reader that has gone does not stop the script
   std::fflush(stdout);
 }
 
@@ -132,7 +134,7 @@ void Script::run(const QString& command, const QString& rest) {
   } else {
     throw ArgumentError(fmt::format(
         "'{}' is no command; there are open, add, recover, set, do, undo, redo, wait, settle, page, size, save, "
-        "screenshot, quit",
+        "picture, screenshot, quit",
         command.toStdString()));
   }
 }
@@ -173,6 +175,12 @@ bool Script::runFile(const QString& command, const QString& rest) {
     waitForJob(tr("the recovered work"));
   } else if (command == "save") {
     mWindow.saveSceneTo(wholePath(rest));
+  } else if (command == "picture") {
+    session::PictureOptions options;
+    options.size = session::parsePictureSize(rest.section(' ', 0, 0).toStdString(), 0);
+    QString path = wholePath(rest.section(' ', 1).trimmed());
+    mWindow.exports().savePictureTo(path, options, mWindow.document().scene());
+    waitForJob(path);
   } else if (command == "screenshot") {
     saveImage(mWindow.grab().toImage(), wholePath(rest).toStdString());
   } else {

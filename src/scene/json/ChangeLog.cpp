@@ -17,7 +17,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::size_t kMostLines = 200'000;  ///< a journal is begun anew long before
 constexpr std::ptrdiff_t kDeepestPath = 32;  ///< parts of a path; no scene is half as deep
 
 // Between the parts of a line. Inside of a JSON text quotes are escaped, so that neither can occur in the head.
@@ -56,7 +55,7 @@ bool isOurs(const Json& patch) {
 
 std::vector<std::string_view> linesOf(std::string_view text) {
   std::vector<std::string_view> lines;
-  while (!text.empty() && lines.size() < kMostLines) {
+  while (!text.empty() && lines.size() < kMostJournalLines) {
     std::size_t end = text.find('\n');
     if (end == std::string_view::npos) break;  // half written
     lines.push_back(text.substr(0, end));

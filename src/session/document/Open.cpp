@@ -249,7 +249,13 @@ std::string sceneTextFor(const scene::Scene& scene, const fs::path& path) {
   return scene::toJson(withRelativePaths(scene, fs::absolute(path).parent_path()));
 }
 
-void saveScene(const scene::Scene& scene, const fs::path& path) { replaceFile(path, sceneTextFor(scene, path)); }
+void saveScene(const scene::Scene& scene, const fs::path& path) {
+  std::string text = sceneTextFor(scene, path);
+  if (text.size() > kLargestSceneFile)
+    throw InputError(
+        fmt::format("{}: {} MiB is too much for a scene file; it was not written", path.string(), text.size() >> 20));
+  replaceFile(path, text);
+}
 
 std::vector<FileKind> volumeKinds() {
   std::vector<FileKind> kinds;

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <optional>
+#include <system_error>
 #include <thread>
+#include <tuple>
 
 #include "JournalFiles.h"
 #include "velum/core/Error.h"
@@ -19,13 +21,42 @@ namespace {
 
 constexpr auto kOrphanAge = std::chrono::hours(1);
 
-/// The newest generation of which a scene can be made.
-std::optional<scene::Replayed> readNewest(const fs::path& folder) {
-  for (int generation : generationsIn(folder)) {
-    auto found = scene::replay(readWhole(autosavePath(folder, generation)), readWhole(journalPath(folder, generation)));
-    if (found) return found;
+/// What a folder comes to.
+struct Reading {
+  std::optional<scene::Replayed> found;  ///< of the newest generation of which a scene can be made
+  int generation = 0;                    ///< that one
+  bool hasFiles = false;
+  bool isWhole = true;
+  std::string whyNot;  ///< the first that is wrong
+  void blame(const std::string& what, const std::string& why) {
+    if (whyNot.empty()) whyNot = what + ": " + why;
   }
-  return std::nullopt;
+};
+
+std::string readInto(Reading& reading, const fs::path& path) {
+  FileText file = readFile(path, scene::kMostJournalBytes);
+  if (!file.whyNot.empty()) reading.blame(path.filename().string(), file.whyNot);
+  return std::move(file.text);
+}
+
+Reading readNewest(const fs::path& folder) {
+  Reading reading;
+  std::error_code error;
+  auto generations = generationsIn(folder, error);
+  if (error) reading.blame(folder.filename().string(), error.message());
+  reading.hasFiles = !generations.empty();
+  for (int generation : generations) {
+    std::string journal = readInto(reading, journalPath(folder, generation));
+    reading.found = scene::replay(readInto(reading, autosavePath(folder, generation)), journal);
+    if (!reading.found || !reading.found->isWhole)
+      reading.blame(journalPath(folder, generation).filename().string(), "it is damaged");
+    reading.generation = generation;
+    if (reading.found) break;
+  }
+  // An autosave that is unreadable beside a journal that is whole costs nothing.
+  reading.isWhole = reading.found && reading.found->isWhole && reading.generation == generations.front();
+  if (reading.isWhole) reading.whyNot.clear();
+  return reading;
 }
 
 std::chrono::system_clock::time_point timeOf(const fs::path& path) {
@@ -37,35 +68,49 @@ std::chrono::system_clock::time_point timeOf(const fs::path& path) {
 
 std::chrono::system_clock::time_point lastWrite(const fs::path& folder) {
   std::chrono::system_clock::time_point last{};
-  for (int generation : generationsIn(folder))
+  std::error_code ignored;
+  for (int generation : generationsIn(folder, ignored))
     last = std::max({last, timeOf(journalPath(folder, generation)), timeOf(autosavePath(folder, generation))});
-  return last;
+  return last == std::chrono::system_clock::time_point{} ? timeOf(folder) : last;
 }
 
-/// A folder that was never published: its session died while it made it.
-void removeOrphan(const fs::path& folder) {
-  auto age = std::chrono::system_clock::now() - timeOf(folder);
-  if (age < kOrphanAge) return;
-  int lock = tryLock(folder, LockKind::Exclusive);
-  std::error_code ignored;
-  if (lock >= 0 || !fs::exists(folder / "lock", ignored)) fs::remove_all(folder, ignored);
-  if (lock >= 0) ::close(lock);
+/// Nothing is in it but a lock: its session died while it made it, or somebody while deleting it.
+void removeEmpty(const fs::path& folder) {
+  if (std::chrono::system_clock::now() - timeOf(folder) > kOrphanAge) removeFolder(folder);
+}
+
+bool holdsNothing(const fs::path& folder) {
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
+    if (entry->path().filename() != "lock") return false;
+  return !error;
 }
 
 std::optional<LostWork> inspect(const fs::path& folder) {
-  int lock = tryLock(folder, LockKind::Shared);
-  if (lock < 0) return std::nullopt;  // its session lives
+  LockTry lock = tryLock(folder, LockKind::Shared);
+  std::error_code ignored;
+  if (lock.isHeld() || !fs::exists(fs::symlink_status(folder, ignored))) return std::nullopt;  // it lives, or is gone
+  if (holdsNothing(folder)) {
+    removeEmpty(folder);
+    if (lock.isTaken()) ::close(lock.descriptor);
+    return std::nullopt;
+  }
   LostWork work;
   work.folder = folder;
   work.when = lastWrite(folder);
-  if (auto found = readNewest(folder)) {
-    work.title = found->last.title;
-    work.scenePath = found->last.path;
-    work.label = found->last.label;
-  } else {
-    work.isReadable = false;
-  }
-  ::close(lock);
+  Reading reading = readNewest(folder);
+  if (lock.isTaken())
+    ::close(lock.descriptor);
+  else
+    reading.blame("lock", lock.whyNot);
+  if (!reading.found && !reading.hasFiles) reading.blame(folder.filename().string(), "no journal is in it");
+  work.isReadable = reading.found && lock.isTaken();  // else it may belong to somebody
+  work.isWhole = reading.isWhole;
+  work.whyNot = reading.whyNot;
+  if (!reading.found) return work;
+  work.title = reading.found->last.title;
+  work.scenePath = reading.found->last.path;
+  work.label = reading.found->last.label;
   return work;
 }
 
@@ -73,42 +118,50 @@ std::optional<LostWork> inspect(const fs::path& folder) {
 
 std::vector<LostWork> findLostWork(const fs::path& root) {
   std::vector<LostWork> found;
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator(root, error)) {
-    std::error_code ignored;
-    if (!entry.is_directory(ignored)) continue;
-    if (entry.path().filename().string().starts_with('.')) {
-      removeOrphan(entry.path());
-      continue;
-    }
-    if (auto work = inspect(entry.path())) found.push_back(std::move(*work));
+  std::error_code error, ignored;
+  for (fs::directory_iterator entry(root, error), end; !error && entry != end; entry.increment(error)) {
+    const fs::path& path = entry->path();
+    bool isHidden = path.filename().string().starts_with('.');
+    if (isHidden && !entry->is_directory(ignored)) continue;
+    if (isBeingRemoved(path))
+      removeFolder(path);
+    else if (auto work = inspect(path))
+      found.push_back(std::move(*work));
   }
-  std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.when > b.when; });
+  if (error && error != std::errc::no_such_file_or_directory)
+    throw InputError(fmt::format("{}: unsaved work there cannot be looked for ({})", root.string(), error.message()));
+  // Names begin with the time when the session began.
+  std::sort(found.begin(), found.end(),
+            [](const auto& a, const auto& b) { return std::tie(a.when, a.folder) > std::tie(b.when, b.folder); });
   return found;
 }
 
 WorkClaim::WorkClaim(fs::path folder) : mFolder(std::move(folder)) {
   // Another process may be looking at it just now, for milliseconds.
-  for (int tries = 0; mLock < 0 && tries < 20; ++tries) {
-    if (tries > 0) std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    mLock = tryLock(mFolder, LockKind::Exclusive);
-    if (mLock < 0 && !fs::exists(mFolder / "lock")) break;
+  LockTry lock = tryLock(mFolder, LockKind::Exclusive);
+  for (int tries = 1; lock.isHeld() && tries < 20; ++tries) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    lock = tryLock(mFolder, LockKind::Exclusive);
   }
-  if (mLock < 0)
-    throw InputError(fmt::format("{}: this work is open in another window, or was taken or removed", mFolder.string()));
+  if (lock.isHeld()) throw InputError(fmt::format("{}: this work is open in another window", mFolder.string()));
+  if (!lock.isTaken())
+    throw InputError(fmt::format("{}: this work cannot be taken ({})", mFolder.string(), lock.whyNot));
+  mLock = lock.descriptor;
 }
 
 WorkClaim::~WorkClaim() { ::close(mLock); }
 
 scene::Scene WorkClaim::readScene() const {
-  auto found = readNewest(mFolder);
-  if (!found) throw InputError(fmt::format("{}: the journal there is damaged and cannot be read", mFolder.string()));
-  return std::move(found->scene);
+  Reading reading = readNewest(mFolder);
+  if (!reading.found)
+    throw InputError(fmt::format("{}: the work there cannot be read ({})", mFolder.string(),
+                                 reading.whyNot.empty() ? "no journal is in it" : reading.whyNot));
+  return std::move(reading.found->scene);
 }
 
 void WorkClaim::remove() {
-  std::error_code ignored;
-  fs::remove_all(mFolder, ignored);
+  if (std::error_code error = removeFolder(mFolder))
+    throw InputError(fmt::format("{}: cannot be deleted ({})", mFolder.string(), error.message()));
 }
 
 }  // namespace velum::session

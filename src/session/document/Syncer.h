@@ -13,8 +13,9 @@ namespace velum::session {
 class Syncer {
  public:
   using Listener = std::function<void(const std::string&)>;
-  /// @param onError  told in words when the disk refuses, from the thread of this
-  explicit Syncer(Listener onError);
+  /// @param synced  told after each sync of a journal, from the thread of this: nothing, or in words that what was
+  /// written may be lost
+  explicit Syncer(Listener synced);
   /// Does what is due.
   ~Syncer();
   Syncer(const Syncer&) = delete;
@@ -22,10 +23,13 @@ class Syncer {
 
   /// The journal has grown. Its file may be closed meanwhile.
   void want(int file);
-  /// A generation has begun: its autosave is written, then what is older than the one before is deleted.
+  /// A generation has begun: its autosave is written, then what is older than the one before is deleted. An autosave
+  /// for which there is no room is tried again whenever the journal grows: the journal begins with the same scene.
   void wantAutosave(std::filesystem::path folder, int generation, std::string text);
-  /// Until nothing is under way and nothing is due.
+  /// Until nothing is under way and everything that is due was tried.
   void wait();
+  /// Gives up the autosave that is due: its folder goes.
+  void forget();
 
  private:
   struct Autosave {
@@ -34,12 +38,13 @@ class Syncer {
     std::string text;
   };
   void run();
-  void write(const Autosave& autosave);
+  bool write(const Autosave& autosave);
+  void sync(int file);
 
-  Listener mOnError;
+  Listener mSynced;
   std::mutex mMutex;
   std::condition_variable mWake, mIdle;
-  std::optional<Autosave> mAutosave;
+  std::optional<Autosave> mAutosave, mOwed;  ///< due; tried in vain
   int mFile = -1;
   bool mBusy = false, mStop = false, mHurry = false;
   std::thread mThread;  ///< last: it uses the others

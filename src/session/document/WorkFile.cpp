@@ -4,6 +4,7 @@
 #include <cctype>
 #include <utility>
 
+#include "velum/core/Error.h"
 #include "velum/session/document/Open.h"
 
 namespace velum::session {
@@ -79,10 +80,20 @@ void WorkFile::open(Loaded loaded, const std::string& path) {
   mIsOpen = true;
   replace(std::move(loaded.scene));
   if (!loaded.lost) return;
-  // Only when it is safe in the new journal may the old one go.
+  // Only when it is safe in the new journal may the old one go; until then it is offered again should this session die.
   mDocument.markModified();
-  if (mJournal) mJournal->flush();
-  loaded.lost->remove();
+  mLost = std::move(loaded.lost);
+  if (mJournal && mJournal->flush()) dropLost();
+}
+
+/// What was recovered is safe, or given up.
+void WorkFile::dropLost() {
+  try {
+    if (mLost) mLost->remove();
+  } catch (const InputError&) {
+    // It is offered again.
+  }
+  mLost.reset();
 }
 
 void WorkFile::add(const Loaded& loaded) {
@@ -136,7 +147,12 @@ void WorkFile::describe() {
   if (mJournal) mJournal->describe(name(), mScenePath);
 }
 
+void WorkFile::flushJournal() {
+  if (mJournal) mJournal->flush();
+}
+
 void WorkFile::discardJournal(bool flush) {
+  dropLost();
   if (!mJournal) return;
   mJournal->discard();
   if (flush) mJournal->flush();

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -9,6 +10,10 @@
 
 /// The text form of a scene's changes, one JSON line each: what a journal is made of. No file is touched here.
 namespace velum::scene {
+
+/// What a journal may hold at most: so much a reader takes in, and no writer writes more.
+inline constexpr std::size_t kMostJournalBytes = 128u << 20;
+inline constexpr std::size_t kMostJournalLines = 200'000;
 
 /// What is known of one change.
 struct ChangeLine {

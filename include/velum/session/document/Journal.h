@@ -6,6 +6,7 @@
 #include <string>
 
 #include "velum/scene/Scene.h"
+#include "velum/scene/json/ChangeLog.h"
 
 namespace velum::session {
 
@@ -16,14 +17,20 @@ namespace velum::session {
 /// line is damaged. When a journal has grown, the next generation begins; one before it is kept. `lock` is held
 /// (flock) while the session lives. The folder is made with the first change, and goes with discard().
 ///
+/// A disk that is full takes nothing from what is in memory: the next generation, once there is room, begins with the
+/// scene as it is then.
+///
 /// Writing is done in threads of the journal: no call waits for the disk, except flush() and the destructor. Every
 /// change is handed to the system within a tenth of a second, and synced to the disk about once a second.
 class Journal {
  public:
   struct Options {
-    std::filesystem::path root;            ///< where the folder is made
-    std::chrono::milliseconds pause{100};  ///< at least between two lines: a drag is a few lines, not hundreds
-    std::size_t compactBytes = 256 << 10;  ///< a journal that is longer, and four times its autosave, begins anew
+    std::filesystem::path root;             ///< where the folder is made
+    std::chrono::milliseconds pause{100};   ///< at least between two lines: a drag is a few lines, not hundreds
+    std::size_t compactBytes = 256 << 10;   ///< a journal that is longer, and four times its autosave, begins anew
+    std::chrono::milliseconds retry{5000};  ///< after the disk has refused
+    std::size_t mostBytes = scene::kMostJournalBytes;  ///< no journal is longer; a scene that is cannot be journaled
+    std::size_t mostLines = scene::kMostJournalLines;
   };
 
   explicit Journal(Options options);
@@ -38,11 +45,11 @@ class Journal {
   void record(const scene::Scene& scene, const std::string& label);
   /// The work is saved, or given up: its folder goes. The next change makes another.
   void discard();
-  /// Waits until all of that is done and on the disk.
-  void flush();
+  /// Waits until all of that is done and on the disk. @return false when the disk refuses
+  bool flush();
 
-  /// Told once when the disk refuses, in words, from a thread of the journal; it goes on trying. To be set before the
-  /// first change.
+  /// Told in words when the disk begins to refuse, and nothing ("") when it takes all again, from a thread of the
+  /// journal. Meanwhile it goes on trying, with and without changes. To be set before the first change.
   void setErrorListener(std::function<void(const std::string&)> listener);
 
  private:

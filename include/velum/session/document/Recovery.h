@@ -18,10 +18,13 @@ struct LostWork {
   std::string label;                           ///< the last change
   std::chrono::system_clock::time_point when;  ///< of the last change
   bool isReadable = true;
+  bool isWhole = true;  ///< false: its last changes are damaged, what can be read is older
+  std::string whyNot;   ///< why it is not readable, or not whole: which file, and what is wrong with it
 };
 
-/// The work of all dead sessions, newest first. Sessions that live, or whose work another process is taking, are not
-/// listed. Any thread; takes milliseconds for each.
+/// The work of all dead sessions, newest first, also what cannot be read. Sessions that live, or whose work another
+/// process is taking, are not listed. Any thread; takes milliseconds for each.
+/// @throw InputError when that folder is there and cannot be read
 std::vector<LostWork> findLostWork(const std::filesystem::path& root);
 
 /// Holds dead work, so that nobody else takes it.
@@ -35,7 +38,7 @@ class WorkClaim {
 
   /// The newest scene that can be read, without its data. @throw InputError when there is none
   scene::Scene readScene() const;
-  /// Deletes it: it is safe elsewhere, or not wanted.
+  /// Deletes it: it is safe elsewhere, or not wanted. @throw InputError when it cannot be deleted
   void remove();
 
  private:

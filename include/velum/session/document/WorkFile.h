@@ -60,19 +60,22 @@ class WorkFile {
   /// Writes the scene; it is the file's from now on. @throw InputError when the disk refuses
   void save(const std::string& path);
 
-  /// Journals every change from now on, in a folder under this one. @param onError  told once when the disk refuses,
-  /// from a thread of the journal
+  /// Journals every change from now on, in a folder under this one. @param onError  told in words when the disk begins
+  /// to refuse, and nothing when it takes all again, from a thread of the journal
   void protect(const std::filesystem::path& root, std::function<void(const std::string&)> onError);
   bool isProtected() const { return mJournal != nullptr; }
   const std::filesystem::path& recoveryRoot() const { return mRecoveryRoot; }
   /// To be called after every change of the document.
   void journalChange();
+  /// Waits until what is journaled is on the disk.
+  void flushJournal();
   /// What is journaled is saved, or given up. @param flush  waits until that is on the disk
   void discardJournal(bool flush = false);
 
  private:
   void replace(scene::Scene scene);
   void describe();
+  void dropLost();
 
   Document& mDocument;
   bool mIsOpen = false;
@@ -81,6 +84,7 @@ class WorkFile {
   std::uint64_t mJournaledChange = 0;  ///< The document's change that the journal heard of last.
   std::filesystem::path mRecoveryRoot;
   std::unique_ptr<Journal> mJournal;
+  std::unique_ptr<WorkClaim> mLost;  ///< What was recovered, while no journal of ours holds it.
 };
 
 }  // namespace velum::session

@@ -1,0 +1,166 @@
+#include "Start.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <QGuiApplication>
+#include <QMessageBox>
+#include <QMutex>
+#include <QOffscreenSurface>
+#include <QOpenGLContext>
+#include <QOpenGLWidget>
+#include <cstdio>
+#include <cstdlib>
+#include <utility>
+
+#include "velum/core/Log.h"
+#include "velum/gpu/Context.h"
+#include "velum/gpu/GpuError.h"
+
+namespace velum::gui {
+
+namespace {
+
+constexpr const char* kNeeded = "4.5 is needed: install or update the graphics driver; Mesa's software driver will do";
+constexpr std::size_t kMostSaid = 1000;  // bytes of a driver's own words
+
+/// What the handler, of which Qt has one a process, has taken.
+struct Taken {
+  QMutex mutex;
+  QStringList warnings, lines;
+};
+
+Taken& taken() {
+  static Taken instance;
+  return instance;
+}
+
+bool isUnset(const char* variable) { return qEnvironmentVariable(variable).isEmpty(); }
+
+/// Why Qt finds no platform. @param warnings  what it has said of it; the last one only that it cannot go on
+std::string whyNoPlatform(QStringList warnings) {
+  if (isUnset("DISPLAY") && isUnset("WAYLAND_DISPLAY") && isUnset("QT_QPA_PLATFORM"))
+    return "neither DISPLAY nor WAYLAND_DISPLAY is set";
+  warnings.removeIf([](const QString& text) { return text.contains("even though it was found"); });
+  return warnings.isEmpty() ? "Qt finds no platform" : warnings.join("; ").simplified().toStdString();
+}
+
+/// Where somebody looks at what is drawn.
+bool hasScreen() {
+  QString name = QGuiApplication::platformName();
+  return !name.startsWith("offscreen") && !name.startsWith("minimal");
+}
+
+/// Everything that the 3D view will ask for. @throw gpu::GpuError
+void tryOpenGl() {
+  // Some platforms have contexts, but none for widgets; Qt says that in a warning only.
+  { QOpenGLWidget widget; }
+  if (!StartMessages::warnings().filter("QOpenGLWidget is not supported").isEmpty())
+    throw gpu::GpuError(fmt::format("this display ({}) gives windows no OpenGL; {}",
+                                    QGuiApplication::platformName().toStdString(), kNeeded));
+  QOpenGLContext context;
+  QOffscreenSurface surface;
+  surface.create();
+  if (!context.create() || !context.makeCurrent(&surface))
+    throw gpu::GpuError(fmt::format("the graphics driver makes no OpenGL context; {}", kNeeded));
+  auto [major, minor] = context.format().version();
+  if (major * 10 + minor < 45)
+    throw gpu::GpuError(fmt::format("the graphics driver offers OpenGL {}.{}; {}", major, minor, kNeeded));
+  gpu::Context::adopt(
+      [](const char* name) { return reinterpret_cast<void*>(QOpenGLContext::currentContext()->getProcAddress(name)); });
+}
+
+/// Takes what libraries write to stderr while it lives, so that it can be part of a line of ours; tells it at its end
+/// where nobody took it. Does nothing where there is no room for a file.
+class StderrAside {
+ public:
+  StderrAside() : mKept(std::tmpfile()) {
+    if (!mKept) return;
+    std::fflush(stderr);
+    mStderr = ::fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
+    if (mStderr >= 0) ::dup2(::fileno(mKept), STDERR_FILENO);
+  }
+  ~StderrAside() {
+    QString said = take();
+    if (!said.isEmpty()) log::say(said.toStdString());
+  }
+  StderrAside(const StderrAside&) = delete;
+  StderrAside& operator=(const StderrAside&) = delete;
+
+  /// Ends it. @return its lines in one, each once, not too many
+  QString take() {
+    if (!mKept) return {};
+    if (mStderr >= 0) {
+      std::fflush(stderr);
+      ::dup2(mStderr, STDERR_FILENO);
+      ::close(mStderr);
+    }
+    std::rewind(mKept);
+    QByteArray bytes(kMostSaid, '\0');
+    bytes.resize(int(std::fread(bytes.data(), 1, kMostSaid, mKept)));
+    std::fclose(std::exchange(mKept, nullptr));
+    QStringList lines;
+    for (const QString& line : QString::fromUtf8(bytes).split('\n', Qt::SkipEmptyParts)) lines << line.simplified();
+    lines.removeDuplicates();
+    return lines.join("; ");
+  }
+
+ private:
+  std::FILE* mKept;
+  int mStderr = -1;
+};
+
+}  // namespace
+
+StartMessages::StartMessages() : mBefore(qInstallMessageHandler(&StartMessages::take)) {}
+
+StartMessages::~StartMessages() {
+  qInstallMessageHandler(mBefore);
+  QMutexLocker guard(&taken().mutex);
+  for (const QString& line : taken().lines) log::say(line.toStdString());
+  taken().lines.clear();
+}
+
+void StartMessages::drop() {
+  QMutexLocker guard(&taken().mutex);
+  taken().lines.clear();
+}
+
+QStringList StartMessages::warnings() {
+  QMutexLocker guard(&taken().mutex);
+  return taken().warnings;
+}
+
+void StartMessages::take(QtMsgType type, const QMessageLogContext& context, const QString& text) {
+  if (type == QtFatalMsg) {
+    log::say(
+        fmt::format("velum: there is no display to open a window on ({}); start it in a graphical session, or use "
+                    "velum-batch, which needs none",
+                    whyNoPlatform(warnings())));
+    std::_Exit(static_cast<int>(ExitCode::Gpu));  // Qt's threads and statics are half made
+  }
+  QMutexLocker guard(&taken().mutex);
+  if (type != QtDebugMsg && type != QtInfoMsg) taken().warnings << text;
+  taken().lines << qFormatLogMessage(type, context, text);
+}
+
+void requireOpenGl() {
+  StderrAside aside;
+  try {
+    tryOpenGl();
+  } catch (const gpu::GpuError& error) {
+    QString said = aside.take();
+    throw gpu::GpuError(error.what() + (said.isEmpty() ? std::string() : " (" + said.toStdString() + ")"));
+  }
+}
+
+int refuseStart(const Error& error, bool asks) {
+  log::say(fmt::format("velum: {}", error.what()));
+  if (asks && hasScreen())
+    QMessageBox::critical(nullptr, QGuiApplication::applicationDisplayName(),
+                          QMessageBox::tr("Velum cannot start: %1").arg(QString::fromUtf8(error.what())));
+  return static_cast<int>(error.exitCode());
+}
+
+}  // namespace velum::gui

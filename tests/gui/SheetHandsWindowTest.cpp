@@ -58,7 +58,10 @@ TEST_F(SheetHandsWindow, APinIsSetDraggedUndoneAndRemoved) {
   QPoint pin = pixelOf(before.pins[0].place);
   drag(pin, pin + QPoint(0, -30), Qt::LeftButton, Qt::ShiftModifier);
   EXPECT_EQ(document().undoLabel(), "Move pin");
-  EXPECT_NE(membrane().pins[0].place, before.pins[0].place);
+  glm::dvec3 way = membrane().pins[0].place - before.pins[0].place, normal(scene::worldFromCut(scene().cuts[0])[2]);
+  EXPECT_GT(glm::length(way), 1.0);
+  EXPECT_LT(glm::length(glm::cross(way, normal)), 1e-6) << "with Shift along the normal";
+  EXPECT_LT(pixelOf(membrane().pins[0].place).y(), pin.y() - 2) << "upwards, as the hand goes";
   ASSERT_TRUE(settle());
   EXPECT_LT(offPin(membrane().pins[0]), 10 * millionth);
   document().undo();

@@ -3,6 +3,7 @@
 
 #include <QApplication>
 #include <QFile>
+#include <QMouseEvent>
 #include <QTest>
 #include <memory>
 
@@ -84,7 +85,12 @@ class Window : public testing::Test {
   void drag(QWidget& view, QPoint from, QPoint to, Qt::MouseButton button = Qt::LeftButton,
             Qt::KeyboardModifiers keys = {}) {
     QTest::mousePress(&view, button, keys, from);
-    for (int i = 1; i <= 5; ++i) QTest::mouseMove(&view, from + (to - from) * i / 5);
+    for (int i = 1; i <= 5; ++i) {
+      // QTest's own moves know of no keys.
+      QPointF place(from + (to - from) * i / 5);
+      QMouseEvent move(QEvent::MouseMove, place, view.mapToGlobal(place), Qt::NoButton, button, keys);
+      QApplication::sendEvent(&view, &move);
+    }
     QTest::mouseRelease(&view, button, keys, to);
   }
   template <class T>

@@ -144,6 +144,77 @@ TEST(Tiff, EveryCutIsRefusedAndNoneCrashes) {
   }
 }
 
+/// One plane of a type, whose pixels are `first`, `first` + 1, ...
+template <class T>
+void writePlane(const std::filesystem::path& path, int width, int height, OIIO::TypeDesc type, T first) {
+  OIIO::ImageSpec spec(width, height, 1, type);
+  auto out = OIIO::ImageOutput::create(path.string());
+  ASSERT_TRUE(out && out->open(path.string(), spec)) << OIIO::geterror();
+  std::vector<T> pixels;
+  for (int i = 0; i < width * height; ++i) pixels.push_back(T(first + T(i)));
+  ASSERT_TRUE(out->write_image(type, pixels.data()));
+  out->close();
+}
+
+TEST(Tiff, EveryTypeKeepsItsValues) {
+  TempFolder folder;
+  writePlane<std::uint8_t>(folder / "a.tif", 3, 2, OIIO::TypeDesc::UINT8, 250);
+  writePlane<std::int16_t>(folder / "b.tif", 3, 2, OIIO::TypeDesc::INT16, -32768);
+  writePlane<std::uint32_t>(folder / "c.tif", 3, 2, OIIO::TypeDesc::UINT32, 4294967290u);
+  writePlane<float>(folder / "d.tif", 3, 2, OIIO::TypeDesc::FLOAT, -1.25f);
+  writePlane<double>(folder / "e.tif", 3, 2, OIIO::TypeDesc::DOUBLE, 1e9 + 0.5);
+  struct Row {
+    const char* name;
+    SampleType type;
+    double first;
+  };
+  for (auto [name, type, first] : {Row{"a.tif", SampleType::UInt8, 250},
+                                   {"b.tif", SampleType::Int16, -32768},
+                                   {"c.tif", SampleType::UInt32, 4294967290.0},
+                                   {"d.tif", SampleType::Float32, -1.25},
+                                   {"e.tif", SampleType::Float64, 1e9 + 0.5}}) {
+    Volume v = read(folder / name);
+    EXPECT_EQ(v.type, type) << name;
+    EXPECT_EQ(v.dims, glm::ivec3(3, 2, 1)) << name;
+    EXPECT_EQ(valueAt(v, {0, 0, 0}), first) << name;
+    EXPECT_EQ(valueAt(v, {2, 1, 0}), first + 5) << name;
+  }
+}
+
+TEST(Tiff, PlanesOfAFolderAreSlicesInNaturalOrder) {
+  TempFolder folder;
+  for (const char* ending : {".tif", ".png"}) {
+    std::filesystem::remove_all(folder / "planes");
+    std::filesystem::create_directories(folder / "planes");
+    std::ofstream(folder / "planes" / "notes.txt") << "not a plane";
+    for (int i = 1; i <= 11; ++i)
+      writePlane<std::uint16_t>(folder / "planes" / ("z" + std::to_string(i) + ending), 3, 2, OIIO::TypeDesc::UINT16,
+                                std::uint16_t(1000 * i));
+    Volume v = read(folder / "planes", {0.04, 0.04, 0.05});
+    ASSERT_EQ(v.dims, glm::ivec3(3, 2, 11)) << ending;
+    for (int z = 0; z < 11; ++z) EXPECT_EQ(valueAt(v, {2, 1, z}), 1000 * (z + 1) + 5) << ending;
+    EXPECT_NEAR(spacingOf(v).z, 0.05, 1e-12);
+    EXPECT_TRUE(v.isSpacingKnown);
+    EXPECT_FALSE(v.isOrientationKnown);
+    EXPECT_FALSE(read(folder / "planes").isSpacingKnown);
+  }
+}
+
+TEST(Tiff, PlanesThatDoNotAgreeAreRefusedByName) {
+  TempFolder folder;
+  writePlane<std::uint16_t>(folder / "a.tif", 3, 2, OIIO::TypeDesc::UINT16, 0);
+  writePlane<std::uint16_t>(folder / "b.tif", 3, 3, OIIO::TypeDesc::UINT16, 0);
+  for (int i = 0; i < 2; ++i) {
+    try {
+      read(folder.path());
+      ADD_FAILURE() << "opened";
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find("b.tif"), std::string::npos) << error.what();
+    }
+    writePlane<std::uint8_t>(folder / "b.tif", 3, 2, OIIO::TypeDesc::UINT8, 0);  // then of another type
+  }
+}
+
 TEST(TiffDescription, OmeTiffDataSaysWhichPageIsWhich) {
   auto layout = parseTiffDescription(
       "<OME><Pixels DimensionOrder=\"XYCZT\" SizeZ=\"2\" SizeC=\"1\" SizeT=\"1\"><TiffData IFD=\"1\" FirstZ=\"0\" "

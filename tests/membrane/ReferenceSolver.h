@@ -10,8 +10,10 @@
 
 namespace velum::membrane {
 
-/// The sheet's solver again, written from the constraints: lists of edges and of adjacent triangles, double precision,
-/// each constraint handing out its corrections. Shares no code with the one on the GPU. Slow.
+/// The sheet's solver again, written from the papers: forces from [IMC] eq. 1 to 3 and from what Solver.h says differs,
+/// lifts from [WENDLAND], constraints as lists of edges and of adjacent triangles, each handing out its corrections.
+/// Double precision. Shares no text with the one on the GPU, nor with shaders/shared/cloth.h, which C++ compiles too: a
+/// wrong formula there must not be its own witness. Slow.
 class ReferenceSolver {
  public:
   ReferenceSolver(const SheetSetup& setup, const PushField& field) : mSetup(setup), mField(field) {
@@ -145,7 +147,10 @@ class ReferenceSolver {
           }
         }
     for (const auto& kernel : mField.placed) {
-      glm::dvec3 delta = place - kernel.centre + glm::dvec3(0, 0, 0.05 * kernel.halfWidth);
+      // What repels stands a little below its place.
+      bool repels = kernel.push != 0 || kernel.pull > 0;
+      glm::dvec3 delta = place - kernel.centre;
+      if (repels) delta.z += 0.05 * kernel.halfWidth;
       double weight = tent(delta, kernel.halfWidth);
       if (weight <= 0) continue;
       if (mSetup.isAlongNormal)
@@ -154,6 +159,16 @@ class ReferenceSolver {
         for (int j = 0; j < 3; ++j) sum[j] += kernel.pull * along(delta[j], kernel.halfWidth);
     }
     return sum * mUnit;
+  }
+
+  /// How high the rest plane is lifted over a place: phi_3,1 of [WENDLAND] around each kernel, (1 - r)^4 (4 r + 1).
+  double lift(glm::dvec3 place) const {
+    double sum = 0;
+    for (const auto& kernel : mField.placed) {
+      double r = std::hypot(place.x - kernel.centre.x, place.y - kernel.centre.y) / kernel.halfWidth;
+      if (r < 1 && mSetup.isAlongNormal) sum += kernel.lift * std::pow(1 - r, 4.0) * (4 * r + 1);
+    }
+    return sum;
   }
 
   void stepOnce() {
@@ -168,7 +183,7 @@ class ReferenceSolver {
     for (std::size_t i = 0; i < next.size(); ++i) {
       if (mWeights[i] == 0) continue;
       glm::dvec3 f = force(mPlaces[i]);
-      f.z -= cloth.restoring * mPlaces[i].z;
+      f.z -= cloth.restoring * (mPlaces[i].z - lift(mPlaces[i]));
       glm::dvec3 way = (mVelocities[i] + dt * f) * std::exp(-cloth.damping * dt) * dt;
       double length = glm::length(way);
       next[i] += length > longest ? way * (longest / length) : way;

@@ -277,6 +277,18 @@ TEST_F(SolverGL, AgreesWithAPlainSolverAfter200Steps) {
   oblong.cloth.stretch = 0.4;
   oblong.cloth.bend = 0.7;
   cases.push_back({"oblong and stiff", oblong, latticeOf(16, ball(150))});
+  // By hand: what pushes, what draws, what lifts, all by the sided rule at once; and what draws a free sheet.
+  PushField hands;
+  hands.placed = {{{-30, 20, 4}, 25.0, -250.0, 0.0}, {{28, -20, 7}, 30.0, 0.0, -90.0}};
+  hands.placed.push_back({{5, 38, 2}, 22.0, 120.0, 60.0});
+  hands.placed.push_back({{-25, -30, 0}, 35.0, 0.0, 0.0, 6.0});
+  hands.placed.push_back({{-10, -22, 0}, 20.0, 0.0, 0.0, -3.5});
+  cases.push_back({"by hand, sided", sheetOf(34), hands});
+  PushField drawn;
+  // It holds the whole frame, as the force would jump at its faces, and is weak: a sheet that is drawn together
+  // buckles.
+  drawn.placed.push_back({{6, -4, 30}, 110.0, 0.0, -16.0});
+  cases.push_back({"by hand, free", sheetOf(24, false), drawn});
   cases.push_back({"fine, with strides", sheetOf(110), latticeOf(12, ball(150))});
   for (auto& c : cases) {
     Solver solver;
@@ -292,7 +304,7 @@ TEST_F(SolverGL, AgreesWithAPlainSolverAfter200Steps) {
       height = std::max(height, std::abs(reference.places()[i].z));
     }
     std::printf("%s: %.2e of the frame, height %.2f mm\n", c.name, worst / (2 * c.setup.half.x), height);
-    EXPECT_GT(height, 1.0) << c.name;
+    EXPECT_GT(height, 0.5) << c.name;
     EXPECT_LT(worst, 1e-4 * 2 * c.setup.half.x) << c.name;
   }
 }

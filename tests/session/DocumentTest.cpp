@@ -46,6 +46,47 @@ TEST(Document, MergingStopsAtTheEndOfADragAndAtAnotherEdit) {
   EXPECT_EQ(document.scene().cuts[0].centre.y, 1.0);
 }
 
+TEST(Document, MergingEditsOfDifferentLabelsAreStepsOfTheirOwn) {
+  // Two sliders that are dragged one after the other, nobody having said that the first has been let go.
+  Document document;
+  auto setLevel = [](double level) { return [level](scene::Scene& scene) { scene.volume.windowLevel = level; }; };
+  document.edit("Move cut", moveCut(1), true);
+  document.edit("Move cut", moveCut(2), true);
+  document.edit("Change window", setLevel(10), true);
+  document.edit("Change window", setLevel(20), true);
+  document.edit("Move cut", moveCut(3), true);
+  ASSERT_EQ(document.undoLabels(), (std::vector<std::string>{"Move cut", "Change window", "Move cut"}));
+  document.undo();
+  EXPECT_EQ(document.scene().cuts[0].centre.y, 2.0);
+  EXPECT_EQ(document.scene().volume.windowLevel, 20.0);
+  document.undo();
+  EXPECT_EQ(document.scene().volume.windowLevel, 0.0);
+  EXPECT_EQ(document.scene().cuts[0].centre.y, 2.0);
+  document.redo();
+  EXPECT_EQ(document.scene().volume.windowLevel, 20.0);
+}
+
+TEST(Document, AMergingEditJoinsNeitherOneThatDoesNotMergeNorAView) {
+  Document document;
+  document.edit("Move cut", moveCut(1));
+  document.edit("Move cut", moveCut(2), true);
+  ASSERT_EQ(document.undoLabels().size(), 2u) << "the first was whole";
+  document.view(moveEye(5));
+  document.edit("Move cut", moveCut(3), true);
+  ASSERT_EQ(document.undoLabels(), (std::vector<std::string>{"Move cut", "Move view", "Move cut", "Move cut"}));
+  document.undo();
+  document.edit("Move cut", moveCut(4), true);
+  document.undo();
+  EXPECT_EQ(document.scene().cuts[0].centre.y, 2.0) << "after an undo a drag begins anew";
+  document.edit("Move cut", moveCut(5), true);
+  double eye = document.scene().camera.eye.x;
+  document.view(moveEye(eye + 1));
+  document.view(moveEye(eye));
+  document.edit("Move cut", moveCut(6), true);
+  document.undo();
+  EXPECT_EQ(document.scene().cuts[0].centre.y, 5.0) << "after a look around, too";
+}
+
 TEST(Document, FailingEditLeavesTheSceneUnchanged) {
   Document document;
   document.edit("Move cut", moveCut(1));

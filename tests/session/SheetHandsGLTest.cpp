@@ -62,6 +62,20 @@ TEST_F(SheetHandsGL, APapersSheetHasAParticleInThePin) {
   EXPECT_LT(distanceToParticle(scene, {2.3, -1.2, 4}), kExact);
 }
 
+TEST_F(SheetHandsGL, APapersPinHoldsTheParticleThatItNames) {
+  scene::Scene scene = emptyScene(scene::KernelRule::Paper);
+  glm::ivec2 n(24, 31);
+  scene.cuts[0].membrane->cloth.particles = n;
+  scene.cuts[0].membrane->pins = {{{0.31, 0.74}, {-8.1, 10.2, 4}}, {{0.8, 0.2}, {14, -13, -3}}};
+  Progress progress;
+  settleMembranes(scene, {}, progress);
+  const auto& shape = scene.cuts[0].membrane->shape;
+  ASSERT_EQ(shape.particles, n);
+  // 23 meshes along x, 30 along y.
+  EXPECT_LT(glm::length(glm::dvec3(shape.places[22 * 24 + 7]) - glm::dvec3(-8.1, 10.2, 4)), kExact);
+  EXPECT_LT(glm::length(glm::dvec3(shape.places[6 * 24 + 18]) - glm::dvec3(14, -13, -3)), kExact);
+}
+
 TEST_F(SheetHandsGL, APinOutsideOfTheFrameHoldsNothing) {
   scene::Scene scene = emptyScene(scene::KernelRule::Sided);
   scene.cuts[0].membrane->pins = {{{0.5, 0.5}, {40, 0, 8}}};

@@ -16,7 +16,7 @@ struct Limits {
   std::size_t textureBuffer = 0;  ///< Most texels of a buffer's texture. VELUM_MAX_TEXTURE_BUFFER overrides.
   std::size_t memoryBytes = 0;  ///< What textures may take: the card's free memory, or half of the machine's where the
                                 ///< driver is software or does not say. VELUM_GPU_MEMORY_MB overrides.
-  bool isSoftware = false;      ///< llvmpipe and the like: the processor draws.
+  bool isSoftware = false;      ///< llvmpipe and the like: the processor draws. VELUM_SOFTWARE_DRIVER overrides: 0, 1.
 };
 
 /// An OpenGL 4.5 core context and its table of functions.

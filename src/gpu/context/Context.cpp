@@ -85,6 +85,7 @@ void Context::load(ProcAddress procAddress) {
                                major, minor));
   mLimits.isSoftware =
       mLimits.renderer.find("llvmpipe") != std::string::npos || mLimits.renderer.find("softpipe") != std::string::npos;
+  if (const char* text = std::getenv("VELUM_SOFTWARE_DRIVER")) mLimits.isSoftware = std::atoi(text) != 0;
   table.GetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &mLimits.texture3d);
   table.GetIntegerv(GL_MAX_TEXTURE_SIZE, &mLimits.texture2d);
   int textureBuffer = 0;

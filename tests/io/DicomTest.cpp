@@ -3,6 +3,7 @@
 #include <gdcmUIDGenerator.h>
 #include <gdcmWriter.h>
 
+#include "DicomParts.h"
 #include "TestFiles.h"
 #include "velum/io/labels/ReadLabels.h"
 
@@ -17,18 +18,10 @@ struct Slice {
   int size = 8;
   std::int16_t value = 0;  ///< All pixels, stored.
   double slope = 1, intercept = -1024;
-  std::string photometric = "MONOCHROME2";
+  std::string photometric = "MONOCHROME2", modality = "CT";
   std::string temporal;      ///< Temporal position identifier.
   bool acrossStack = false;  ///< A scout: sagittal instead of axial.
 };
-
-void putText(gdcm::DataSet& set, gdcm::Tag tag, gdcm::VR vr, std::string text) {
-  if (text.size() % 2) text += vr == gdcm::VR::UI ? '\0' : ' ';
-  gdcm::DataElement element(tag);
-  element.SetVR(vr);
-  element.SetByteValue(text.data(), std::uint32_t(text.size()));
-  set.Replace(element);
-}
 
 void writeSlice(const TempFolder& folder, const Slice& slice) {
   gdcm::ImageWriter writer;
@@ -55,7 +48,7 @@ void writeSlice(const TempFolder& folder, const Slice& slice) {
   gdcm::UIDGenerator uids;
   putText(set, gdcm::Tag(0x0008, 0x0016), gdcm::VR::UI, "1.2.840.10008.5.1.4.1.1.2");
   putText(set, gdcm::Tag(0x0008, 0x0018), gdcm::VR::UI, uids.Generate());
-  putText(set, gdcm::Tag(0x0008, 0x0060), gdcm::VR::CS, "CT");
+  putText(set, gdcm::Tag(0x0008, 0x0060), gdcm::VR::CS, slice.modality);
   putText(set, gdcm::Tag(0x0008, 0x103e), gdcm::VR::LO, "series " + slice.series);
   putText(set, gdcm::Tag(0x0020, 0x000e), gdcm::VR::UI, slice.series);
   if (!slice.temporal.empty()) putText(set, gdcm::Tag(0x0020, 0x0100), gdcm::VR::IS, slice.temporal);
@@ -243,36 +236,12 @@ TEST(Dicom, Monochrome1IsTurnedRound) {
     s.value = std::int16_t(z);
     s.intercept = 0;
     s.photometric = "MONOCHROME1";
+    s.modality = "CR";  // a CT's values have a meaning
     writeSlice(folder, s);
   }
   Volume v = read(folder.path());
   EXPECT_GT(valueAt(v, {0, 0, 0}), valueAt(v, {0, 0, 1}));
   EXPECT_TRUE(warns(v, "MONOCHROME1"));
-}
-
-gdcm::SmartPointer<gdcm::SequenceOfItems> sequenceWith(const gdcm::DataSet& set) {
-  auto sequence = gdcm::SequenceOfItems::New();
-  gdcm::Item item;
-  item.SetNestedDataSet(set);
-  item.SetVLToUndefined();
-  sequence->SetLengthToUndefined();
-  sequence->AddItem(item);
-  return sequence;
-}
-
-void putSequence(gdcm::DataSet& set, gdcm::Tag tag, gdcm::SmartPointer<gdcm::SequenceOfItems> sequence) {
-  gdcm::DataElement element(tag);
-  element.SetVR(gdcm::VR::SQ);
-  element.SetValue(*sequence);
-  element.SetVLToUndefined();
-  set.Replace(element);
-}
-
-void putShort(gdcm::DataSet& set, gdcm::Tag tag, std::uint16_t value) {
-  gdcm::DataElement element(tag);
-  element.SetVR(gdcm::VR::US);
-  element.SetByteValue(reinterpret_cast<const char*>(&value), 2);
-  set.Replace(element);
 }
 
 /// Functional groups of frames at the given places, downwards along x: rows run along y, columns along -z.

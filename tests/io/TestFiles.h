@@ -53,6 +53,13 @@ inline std::string bytesOf(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
+/// The first warning with a word in it; empty when there is none.
+inline std::string warningWith(const Volume& v, const std::string& word) {
+  for (const std::string& w : v.warnings)
+    if (w.find(word) != std::string::npos) return w;
+  return {};
+}
+
 /// A volume of every sample type: a ramp that meets the ends of the type.
 inline Volume rampVolume(SampleType type, glm::ivec3 dims, int channels = 1, int frames = 1) {
   Volume v;

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <mutex>
 
+#include "DicomFrames.h"
 #include "DicomSoundness.h"
 #include "DicomTags.h"
 #include "read/Refuse.h"
@@ -55,98 +56,6 @@ std::string utf8(const std::string& text, const std::string& charset) {
   return result;
 }
 
-void takePosition(DicomFrame& frame, const DataSet& set, bool& hasPosition) {
-  auto p = numbersOf(set, Tag(0x0020, 0x0032));
-  if (p.size() < 3 || !std::all_of(p.begin(), p.end(), [](double x) { return std::isfinite(x); })) return;
-  frame.position = {p[0], p[1], p[2]};
-  hasPosition = true;
-}
-
-void takeOrientation(DicomFrame& frame, const DataSet& set, bool& hasOrientation) {
-  auto o = numbersOf(set, Tag(0x0020, 0x0037));
-  if (o.size() < 6) return;
-  glm::dvec3 row(o[0], o[1], o[2]), column(o[3], o[4], o[5]);
-  double rowLength = glm::length(row), columnLength = glm::length(column);
-  // Anything that is not near two perpendicular unit vectors is damage, not orientation.
-  bool usable =
-      std::abs(rowLength - 1) < 0.1 && std::abs(columnLength - 1) < 0.1 && std::abs(glm::dot(row, column)) < 0.1;
-  if (!usable) return;
-  frame.rowDirection = row / rowLength;
-  frame.columnDirection = column / columnLength;
-  hasOrientation = true;
-}
-
-void takeMeasures(DicomFrame& frame, const DataSet& set) {
-  // Pixel Spacing is in the patient; the other two are what projections have.
-  for (Tag tag : {Tag(0x0028, 0x0030), Tag(0x0018, 0x1164), Tag(0x0018, 0x2010)}) {
-    auto s = numbersOf(set, tag);
-    if (s.size() < 2 || !(s[0] > 0 && s[1] > 0 && std::isfinite(s[0]) && std::isfinite(s[1]))) continue;
-    frame.spacing = {s[1], s[0]};  // the standard names the distance between rows first
-    break;
-  }
-  for (Tag tag : {Tag(0x0018, 0x0088), Tag(0x0018, 0x0050)}) {
-    double s = std::abs(numberOf(set, tag, 0));
-    if (!(s > 0 && std::isfinite(s))) continue;
-    frame.sliceSpacing = s;
-    break;
-  }
-}
-
-void takeRescale(DicomFrame& frame, const DataSet& set) {
-  double slope = numberOf(set, Tag(0x0028, 0x1053), frame.slope),
-         intercept = numberOf(set, Tag(0x0028, 0x1052), frame.intercept);
-  if (!std::isfinite(slope) || !std::isfinite(intercept) || slope == 0.0) return;
-  frame.slope = slope;
-  frame.intercept = intercept;
-}
-
-/// One functional group macro, from the frame's own item, or from the shared one.
-void takeFunctionalGroups(DicomFrame& frame, const DataSet& set, bool& hasPosition, bool& hasOrientation) {
-  if (auto item = firstItem(set, Tag(0x0020, 0x9113))) takePosition(frame, *item, hasPosition);
-  if (auto item = firstItem(set, Tag(0x0020, 0x9116))) takeOrientation(frame, *item, hasOrientation);
-  if (auto item = firstItem(set, Tag(0x0028, 0x9110))) takeMeasures(frame, *item);
-  if (auto item = firstItem(set, Tag(0x0028, 0x9145))) takeRescale(frame, *item);
-  if (auto item = firstItem(set, Tag(0x0062, 0x000a)))
-    frame.segment = binaryOf<std::uint16_t>(*item, Tag(0x0062, 0x000b), 0);
-  if (auto item = firstItem(set, Tag(0x0020, 0x9111))) {
-    double temporal = binaryOf<std::uint32_t>(*item, Tag(0x0020, 0x9128), 0);
-    if (temporal > 0) frame.timeKey = {temporal};
-  }
-}
-
-std::vector<DicomFrame> framesOf(const DataSet& set, int count) {
-  DicomFrame base;
-  bool hasPosition = false, hasOrientation = false;
-  takePosition(base, set, hasPosition);
-  takeOrientation(base, set, hasOrientation);
-  takeMeasures(base, set);
-  takeRescale(base, set);
-  base.instance = int(std::clamp(numberOf(set, Tag(0x0020, 0x0013), 0), -2e9, 2e9));
-  const Tag kTimeTags[] = {Tag(0x0020, 0x0100), Tag(0x0018, 0x1060), Tag(0x0020, 0x0012), Tag(0x0018, 0x0081),
-                           Tag(0x0008, 0x0032)};
-  for (Tag tag : kTimeTags) base.timeKey.push_back(numberOf(set, tag, 0));
-  auto shared = firstItem(set, Tag(0x5200, 0x9229));
-  if (shared) takeFunctionalGroups(base, *shared, hasPosition, hasOrientation);
-  auto perFrame = sequenceOf(set, Tag(0x5200, 0x9230));
-  std::vector<DicomFrame> frames;
-  for (int i = 0; i < count; ++i) {
-    DicomFrame frame = base;
-    bool ownPosition = hasPosition && (count == 1), ownOrientation = hasOrientation;
-    frame.index = i;
-    if (perFrame && std::size_t(i) < perFrame->GetNumberOfItems())
-      takeFunctionalGroups(frame, perFrame->GetItem(std::size_t(i) + 1).GetNestedDataSet(), ownPosition,
-                           ownOrientation);
-    // Nuclear medicine gives the first plane and a distance, along the normal.
-    if (!ownPosition && hasPosition && frame.sliceSpacing > 0) {
-      frame.position += glm::cross(frame.rowDirection, frame.columnDirection) * (frame.sliceSpacing * i);
-      ownPosition = true;
-    }
-    frame.hasPlace = ownPosition && ownOrientation;
-    frames.push_back(std::move(frame));
-  }
-  return frames;
-}
-
 DicomFile fileOf(const DataSet& set, const gdcm::FileMetaInformation& meta, const Path& path) {
   DicomFile file;
   file.path = path;
@@ -156,7 +65,6 @@ DicomFile fileOf(const DataSet& set, const gdcm::FileMetaInformation& meta, cons
   file.sopClass = textOf(set, Tag(0x0008, 0x0016));
   if (file.sopClass.empty()) file.sopClass = textOf(meta, Tag(0x0002, 0x0002));
   file.photometric = textOf(set, Tag(0x0028, 0x0004));
-  file.unit = textOf(set, file.modality == "PT" ? Tag(0x0054, 0x1001) : Tag(0x0028, 0x1054));
   std::string charset = textOf(set, Tag(0x0008, 0x0005));
   file.description = utf8(textOf(set, Tag(0x0008, 0x103e)), charset);
   file.rows = binaryOf<std::uint16_t>(set, Tag(0x0028, 0x0010), 0);
@@ -166,13 +74,12 @@ DicomFile fileOf(const DataSet& set, const gdcm::FileMetaInformation& meta, cons
   file.bitsStored = binaryOf<std::uint16_t>(set, Tag(0x0028, 0x0101), std::uint16_t(file.bitsAllocated));
   file.isSigned = binaryOf<std::uint16_t>(set, Tag(0x0028, 0x0103), 0) == 1;
   file.isJpeg = textOf(meta, Tag(0x0002, 0x0010)).starts_with("1.2.840.10008.1.2.4");
-  constexpr std::uint16_t kDose = 0x3004, kGridFrameOffsets = 0x000c;
-  file.hasBadOffsets =
-      set.FindDataElement(Tag(kDose, kGridFrameOffsets)) && numbersOf(set, Tag(kDose, kGridFrameOffsets)).size() < 2;
   file.isFloat = set.FindDataElement(Tag(0x7fe0, 0x0008)) || set.FindDataElement(Tag(0x7fe0, 0x0009));
   file.timeStepSeconds = std::max(0.0, numberOf(set, Tag(0x0020, 0x0110), 0) * 1e-3);
+  file.table = modalityTableOf(set, file.isSigned, file.flaw);
+  if (file.modality == "PT") file.pet = petOf(set);
   double count = numberOf(set, Tag(0x0028, 0x0008), 1);
-  if (count >= 1 && count <= kMostFrames) file.frames = framesOf(set, int(count));
+  if (count >= 1 && count <= kMostFrames) file.frames = dicomFramesOf(set, file, int(count));
   return file;
 }
 

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "DicomPet.h"
+#include "DicomValues.h"
 #include "velum/core/Task.h"
 
 /// What the DICOM readers know of files before pixels are decoded.
@@ -21,6 +23,7 @@ struct DicomFrame {
   glm::dvec2 spacing{0.0};                    ///< mm between columns (x) and rows (y); 0 when unknown.
   double sliceSpacing = 0;                    ///< mm, as the file claims; 0 when unknown. The positions are the truth.
   double slope = 1, intercept = 0;
+  std::string unit;  ///< Of its values, in words for people; empty when the file does not say.
   int instance = 0;
   int segment = 0;  ///< Segment number, in segmentations.
   std::vector<double>
@@ -29,15 +32,23 @@ struct DicomFrame {
 
 struct DicomFile {
   std::filesystem::path path;
-  std::string seriesUid, instanceUid, description, modality, sopClass, photometric, unit;
+  std::string seriesUid, instanceUid, description, modality, sopClass, photometric;
   int rows = 0, columns = 0, samplesPerPixel = 1, bitsAllocated = 0, bitsStored = 0;
   bool isSigned = false;
   bool isJpeg = false;         ///< Some kind of JPEG: its codecs know 16 bits at most.
-  bool hasBadOffsets = false;  ///< A radiation dose whose planes have fewer than two places.
   bool isFloat = false;        ///< Float or Double Float Pixel Data instead of Pixel Data.
   double timeStepSeconds = 0;  ///< Temporal resolution; 0 when unknown.
+  std::string flaw;            ///< Why its pixels cannot be read, for people; empty when nothing is known.
+  DicomTable table;            ///< Wins over slope and intercept.
+  DicomPet pet;                ///< Of PET only.
+  std::vector<std::string> warnings;
   std::vector<DicomFrame> frames;
   bool isSegmentation() const { return modality == "SEG" || sopClass == "1.2.840.10008.5.1.4.1.1.66.4"; }
+  bool isDose() const { return modality == "RTDOSE" || sopClass == "1.2.840.10008.5.1.4.1.1.481.2"; }
+  /// White is zero, and the numbers have no meaning of their own that turning them round would spoil.
+  bool isToBeInverted() const {
+    return photometric == "MONOCHROME1" && table.entries.empty() && !frames.empty() && frames[0].unit.empty();
+  }
   bool hasImage() const { return rows > 0 && columns > 0 && bitsAllocated > 0; }
 };
 

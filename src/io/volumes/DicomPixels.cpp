@@ -1,9 +1,10 @@
 #include "DicomPixels.h"
 
 #include <fmt/format.h>
+#include <gdcmImage.h>
 #include <gdcmImageApplyLookupTable.h>
 #include <gdcmImageChangePlanarConfiguration.h>
-#include <gdcmImageReader.h>
+#include <gdcmPixmapReader.h>
 
 #include <algorithm>
 #include <cstring>
@@ -70,7 +71,7 @@ SampleType sampleTypeOf(const PixelFormat& format, bool isSigned, const Path& pa
 
 struct DicomPixels::State {
   Path path;
-  std::unique_ptr<gdcm::ImageReader> reader = std::make_unique<gdcm::ImageReader>();
+  std::unique_ptr<gdcm::PixmapReader> reader = std::make_unique<gdcm::PixmapReader>();
   gdcm::SmartPointer<gdcm::Image> image;
   DicomPixelType type;
   int stored = 0, high = 0;
@@ -105,7 +106,7 @@ void checkDescription(const DicomFile& file) {
   if (!file.hasImage() || !allocated || !stored || (isWide && file.isJpeg))
     refuse(file.path,
            fmt::format("pixels of {} bits, {} of them stored, are not supported", file.bitsAllocated, file.bitsStored));
-  if (file.hasBadOffsets) refuse(file.path, "its grid frame offsets are damaged");
+  if (!file.flaw.empty()) refuse(file.path, file.flaw);
   if (file.samplesPerPixel != 1 && file.samplesPerPixel != 3)
     refuse(file.path, fmt::format("{} samples per pixel are not supported", file.samplesPerPixel));
 }
@@ -123,7 +124,9 @@ DicomPixels::DicomPixels(const DicomFile& file) : mState(std::make_unique<State>
     std::ifstream stream(path, std::ios::binary);
     s.reader->SetStream(stream);
     if (!s.reader->Read()) refuse(path, "the DICOM pixels cannot be read: missing, damaged, or of an unsupported kind");
-    s.image = &s.reader->GetImage();
+    // Only the pixels are GDCM's: its reader of images also wants places and scales, and ends the program over them.
+    s.image = new gdcm::Image;
+    static_cast<gdcm::Pixmap&>(*s.image) = s.reader->GetPixmap();
     if (s.image->GetPhotometricInterpretation() == PhotometricInterpretation::PALETTE_COLOR) {
       gdcm::ImageApplyLookupTable filter;
       filter.SetInput(*s.image);
@@ -152,6 +155,13 @@ DicomPixels::DicomPixels(const DicomFile& file) : mState(std::make_unique<State>
   if (channels > 1) s.isSigned = false;
   s.stored = std::clamp<int>(format.GetBitsStored(), 1, format.GetBitsAllocated());
   s.high = std::clamp<int>(format.GetHighBit(), s.stored - 1, format.GetBitsAllocated() - 1);
+  // GDCM's clean-up of other bits than the stored ones knows 16 bits only and else ends the program; ours does it.
+  if (format.GetBitsAllocated() != 16 && !s.isFloat && !file.isJpeg) {
+    PixelFormat whole = format;
+    whole.SetBitsStored(format.GetBitsAllocated());
+    whole.SetHighBit(std::uint16_t(format.GetBitsAllocated() - 1));
+    s.image->SetPixelFormat(whole);
+  }
   auto photometric = s.image->GetPhotometricInterpretation();
   s.isYbr =
       photometric == PhotometricInterpretation::YBR_FULL || photometric == PhotometricInterpretation::YBR_FULL_422;
@@ -160,7 +170,7 @@ DicomPixels::DicomPixels(const DicomFile& file) : mState(std::make_unique<State>
             int(s.image->GetDimension(0)),
             int(s.image->GetDimension(1)),
             s.image->GetNumberOfDimensions() > 2 ? int(s.image->GetDimension(2)) : 1,
-            photometric == PhotometricInterpretation::MONOCHROME1};
+            file.isToBeInverted()};
   checkLengths(*s.image, byteCount(), path);
 }
 

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <cstring>
 #include <map>
-#include <mutex>
+#include <set>
 
+#include "DicomDecoder.h"
 #include "DicomFile.h"
-#include "DicomPixels.h"
 #include "DicomSoundness.h"
 #include "DicomStack.h"
 #include "Readers.h"
@@ -132,149 +132,6 @@ std::vector<DicomFrame> framesOf(Series& series) {
   return *largest;
 }
 
-/// Decodes the frames of a series into their slots.
-class Decoder {
- public:
-  Decoder(const Series& series, const std::vector<DicomFrame>& frames, const DicomStack& stack)
-      : mSeries(series), mFrames(frames), mStack(stack) {
-    for (std::size_t i = 0; i < frames.size(); ++i)
-      if (stack.slots[i] >= 0) mByFile[frames[i].file].push_back(i);
-    mFirst = &frames[mByFile.begin()->second[0]];
-    for (const auto& [file, members] : mByFile) mFileOrder.push_back(file);
-  }
-
-  /// Values become int16 where that is exact (CT as a rule); else raw samples are kept where one scale and type serve
-  /// all slices; else values become floats.
-  void run(Volume& v, Progress& progress) {
-    DicomPixelType type = DicomPixels(mSeries.files[mFirst->file]).type();
-    mResult = type.channels == 1 && fitsInt16() ? Result::Int16 : isUniform() ? Result::Raw : Result::Float;
-    v.type = mResult == Result::Float ? SampleType::Float32 : mResult == Result::Int16 ? SampleType::Int16 : type.type;
-    v.channels = type.channels;
-    v.isColor = type.channels == 3;
-    v.dims = {type.columns, type.rows, mStack.planes};
-    v.timeSteps = mStack.timeSteps;
-    if (mResult == Result::Raw && !v.isColor) {
-      v.scale = mFirst->slope;
-      v.offset = mFirst->intercept;
-    }
-    if (type.isInverted)
-      v.warnings.push_back("the pictures are stored with white as zero (MONOCHROME1); they were turned round");
-    mSliceBytes = std::size_t(type.columns) * std::size_t(type.rows) * std::size_t(type.channels) * sampleSize(v.type);
-    v.voxels.resize(mSliceBytes * std::size_t(v.dims.z) * std::size_t(v.timeSteps));
-    std::mutex mutex;
-    std::size_t done = 0;
-    tbb::parallel_for(std::size_t(0), mFileOrder.size(), [&](std::size_t i) {
-      progress.throwIfCancelled();
-      decodeFile(mFileOrder[i], type, v);
-      std::lock_guard lock(mutex);
-      progress.report(0.2 + 0.8 * double(++done) / double(mFileOrder.size()), "Decoding DICOM slices");
-    });
-  }
-
- private:
-  enum class Result { Raw, Int16, Float };
-
-  /// Slope 1 and whole intercepts that keep all that the stored bits can hold within int16.
-  bool fitsInt16() const {
-    for (const auto& [index, members] : mByFile) {
-      const DicomFile& file = mSeries.files[index];
-      if (file.bitsAllocated != 16 || file.bitsStored < 1 || file.bitsStored > 16) return false;
-      double low = file.isSigned ? -std::exp2(file.bitsStored - 1) : 0.0;
-      double high = std::exp2(file.bitsStored - (file.isSigned ? 1 : 0)) - 1;
-      for (std::size_t i : members) {
-        double intercept = mFrames[i].intercept;
-        if (mFrames[i].slope != 1.0 || intercept != std::round(intercept)) return false;
-        if (low + intercept < -32768 || high + intercept > 32767) return false;
-      }
-    }
-    return true;
-  }
-
-  bool isUniform() const {
-    const DicomFile& reference = mSeries.files[mFirst->file];
-    for (const auto& [index, members] : mByFile) {
-      const DicomFile& file = mSeries.files[index];
-      if (file.bitsAllocated != reference.bitsAllocated || file.isSigned != reference.isSigned) return false;
-      for (std::size_t i : members)
-        if (mFrames[i].slope != mFirst->slope || mFrames[i].intercept != mFirst->intercept) return false;
-    }
-    return true;
-  }
-
-  void decodeFile(std::size_t file, const DicomPixelType& reference, Volume& v) const {
-    const std::vector<std::size_t>& members = mByFile.at(file);
-    const Path& path = mSeries.files[file].path;
-    DicomPixels pixels(mSeries.files[file]);
-    DicomPixelType type = pixels.type();
-    bool isSame =
-        type.columns == reference.columns && type.rows == reference.rows && type.channels == reference.channels;
-    if (!isSame || (mResult == Result::Raw && type.type != reference.type))
-      refuse(path, "the slice differs from its series in size or pixel type");
-    for (std::size_t i : members)
-      if (mFrames[i].index >= type.frames)
-        refuse(path, fmt::format("frame {} of {} is missing", mFrames[i].index + 1, type.frames));
-    // Frames that lie in the volume as they lie in the file are decoded in place.
-    bool inPlace = mResult != Result::Float && int(members.size()) == type.frames;
-    for (std::size_t i : members) inPlace = inPlace && mStack.slots[i] - mStack.slots[members[0]] == mFrames[i].index;
-    if (inPlace) {
-      auto to = std::span(v.voxels).subspan(mSliceBytes * std::size_t(mStack.slots[members[0]]), pixels.byteCount());
-      pixels.decode(to);
-      if (mResult == Result::Int16)
-        for (std::size_t i : members) addIntercept(mFrames[i], slotOf(v, i));
-      return;
-    }
-    Bytes scratch(pixels.byteCount());
-    pixels.decode(scratch);
-    std::size_t each = scratch.size() / std::size_t(type.frames);
-    for (std::size_t i : members) {
-      auto from = std::span(scratch).subspan(each * std::size_t(mFrames[i].index), each);
-      auto to = slotOf(v, i);
-      if (mResult == Result::Float) {
-        toFloat(from, type.type, mFrames[i], to);
-      } else {
-        std::memcpy(to.data(), from.data(), each);
-        if (mResult == Result::Int16) addIntercept(mFrames[i], to);
-      }
-    }
-  }
-
-  std::span<std::byte> slotOf(Volume& v, std::size_t frame) const {
-    return std::span(v.voxels).subspan(mSliceBytes * std::size_t(mStack.slots[frame]), mSliceBytes);
-  }
-
-  /// Modulo 2^16, which is exact whether the raw samples are signed or not, for the sums are known to fit.
-  static void addIntercept(const DicomFrame& frame, std::span<std::byte> samples) {
-    auto intercept = std::uint16_t(std::int32_t(frame.intercept));
-    if (intercept == 0) return;
-    auto* at = reinterpret_cast<std::uint16_t*>(samples.data());
-    for (std::size_t i = 0; i < samples.size() / 2; ++i) at[i] = std::uint16_t(at[i] + intercept);
-  }
-
-  static void toFloat(std::span<const std::byte> from, SampleType type, const DicomFrame& frame,
-                      std::span<std::byte> to) {
-    Volume view;  // for the switch over types alone
-    view.type = type;
-    visitSamples(view, [&](auto* null) {
-      using T = std::remove_cvref_t<decltype(*null)>;
-      for (std::size_t i = 0; i < from.size() / sizeof(T); ++i) {
-        T raw;
-        std::memcpy(&raw, from.data() + i * sizeof(T), sizeof(T));
-        float value = float(double(raw) * frame.slope + frame.intercept);
-        std::memcpy(to.data() + i * sizeof(float), &value, sizeof(float));
-      }
-    });
-  }
-
-  const Series& mSeries;
-  const std::vector<DicomFrame>& mFrames;
-  const DicomStack& mStack;
-  std::map<std::size_t, std::vector<std::size_t>> mByFile;
-  std::vector<std::size_t> mFileOrder;
-  const DicomFrame* mFirst = nullptr;
-  std::size_t mSliceBytes = 0;
-  Result mResult = Result::Raw;
-};
-
 template <class T>
 void mixPlanes(const std::byte* a, const std::byte* b, double share, std::byte* to, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
@@ -311,17 +168,39 @@ void resample(Volume& v, const DicomStack& stack) {
   v.dims.z = stack.gridPlanes;
 }
 
+/// Unit of the values, and what the files that are in the volume have to say.
+void describeValues(Volume& v, const Series& series, const DicomStack& stack, const std::vector<DicomFrame>& frames) {
+  std::set<std::size_t> used;
+  std::set<std::string> units;
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    if (stack.slots[i] < 0) continue;
+    used.insert(frames[i].file);
+    units.insert(frames[i].unit.empty() ? "none" : frames[i].unit);
+  }
+  if (units.size() == 1 && !v.isColor && *units.begin() != "none") v.unit = *units.begin();
+  if (units.size() > 1)
+    v.warnings.push_back(fmt::format("slices differ in unit ({}); the volume has none", fmt::join(units, ", ")));
+  std::vector<const DicomPet*> pets;
+  for (std::size_t index : used) {
+    const DicomFile& file = series.files[index];
+    pets.push_back(&file.pet);
+    for (const std::string& warning : file.warnings)
+      if (std::find(v.warnings.begin(), v.warnings.end(), warning) == v.warnings.end()) v.warnings.push_back(warning);
+  }
+  if (std::string note = uptakeNote(pets); !note.empty()) v.warnings.push_back(note);
+}
+
 void describe(Volume& v, const Series& series, const DicomStack& stack, const std::vector<DicomFrame>& frames) {
   const DicomFile& file = series.files[frames[0].file];
   v.worldFromVoxel = stack.worldFromVoxel;
   v.isOrientationKnown = stack.isOrientationKnown;
   v.isSpacingKnown = stack.isSpacingKnown;
   v.modality = modalityOf(file.modality);
-  v.unit = v.modality == Modality::CT ? "HU" : file.unit == "US" ? "" : file.unit;
   v.name = file.description;
   if (v.timeSteps > 1) v.timeStepSeconds = file.timeStepSeconds;
   v.warnings.insert(v.warnings.end(), series.warnings.begin(), series.warnings.end());
   v.warnings.insert(v.warnings.end(), stack.warnings.begin(), stack.warnings.end());
+  describeValues(v, series, stack, frames);
 }
 
 }  // namespace
@@ -333,7 +212,7 @@ Volume readDicom(const scene::Source& source, Progress& progress) {
   std::vector<DicomFrame> frames = framesOf(series);
   DicomStack stack = stackFrames(frames, series.preferred, path);
   Volume v;
-  Decoder(series, frames, stack).run(v, progress);
+  decodeDicom(series.files, frames, stack, v, progress);
   resample(v, stack);
   describe(v, series, stack, frames);
   return v;

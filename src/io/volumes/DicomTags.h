@@ -2,6 +2,7 @@
 #include <gdcmDataSet.h>
 #include <gdcmSequenceOfItems.h>
 
+#include <cstdint>
 #include <cstring>
 #include <optional>
 #include <string>
@@ -50,6 +51,14 @@ T binaryOf(const gdcm::DataSet& set, gdcm::Tag tag, T otherwise) {
   T value;
   std::memcpy(&value, bytes->GetPointer(), sizeof(T));
   return value;
+}
+
+/// Binary values of 16 bits, in machine order.
+inline std::vector<std::uint16_t> wordsOf(const gdcm::DataSet& set, gdcm::Tag tag) {
+  const gdcm::ByteValue* bytes = set.FindDataElement(tag) ? set.GetDataElement(tag).GetByteValue() : nullptr;
+  std::vector<std::uint16_t> words(bytes ? bytes->GetLength() / 2 : 0);
+  if (!words.empty()) std::memcpy(words.data(), bytes->GetPointer(), words.size() * 2);
+  return words;
 }
 
 inline gdcm::SmartPointer<gdcm::SequenceOfItems> sequenceOf(const gdcm::DataSet& set, gdcm::Tag tag) {

@@ -1,0 +1,14 @@
+#pragma once
+#include <gdcmDataSet.h>
+
+#include <vector>
+
+#include "DicomFile.h"
+
+namespace velum::io {
+
+/// The planes of a file: where they lie and what their samples mean.
+/// @param[in,out] file  whose modality, table and samples per pixel are known; gets what had to be assumed or is amiss
+std::vector<DicomFrame> dicomFramesOf(const gdcm::DataSet& set, DicomFile& file, int count);
+
+}  // namespace velum::io

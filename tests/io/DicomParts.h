@@ -53,6 +53,37 @@ inline void putWords(gdcm::DataSet& set, gdcm::Tag tag, gdcm::VR vr, const std::
   set.Replace(element);
 }
 
+/// Functional groups of frames at the given places, downwards along x: rows run along y, columns along -z.
+inline void putGroups(gdcm::DataSet& set, const std::vector<double>& places,
+                      const std::vector<std::uint16_t>& segments = {}) {
+  gdcm::DataSet shared, orientation, measures;
+  putText(orientation, gdcm::Tag(0x0020, 0x0037), gdcm::VR::DS, "0\\1\\0\\0\\0\\-1");
+  putText(measures, gdcm::Tag(0x0028, 0x0030), gdcm::VR::DS, "0.75\\0.5");
+  putSequence(shared, gdcm::Tag(0x0020, 0x9116), sequenceWith(orientation));
+  putSequence(shared, gdcm::Tag(0x0028, 0x9110), sequenceWith(measures));
+  putSequence(set, gdcm::Tag(0x5200, 0x9229), sequenceWith(shared));
+  auto perFrame = gdcm::SequenceOfItems::New();
+  perFrame->SetLengthToUndefined();
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    gdcm::DataSet frame, position, segment, rescale;
+    putText(position, gdcm::Tag(0x0020, 0x0032), gdcm::VR::DS, std::to_string(places[i]) + "\\5\\6");
+    putSequence(frame, gdcm::Tag(0x0020, 0x9113), sequenceWith(position));
+    putText(rescale, gdcm::Tag(0x0028, 0x1052), gdcm::VR::DS, "-100");
+    putText(rescale, gdcm::Tag(0x0028, 0x1053), gdcm::VR::DS, "1");
+    if (segments.empty()) {
+      putSequence(frame, gdcm::Tag(0x0028, 0x9145), sequenceWith(rescale));
+    } else {
+      putShort(segment, gdcm::Tag(0x0062, 0x000b), segments[i]);
+      putSequence(frame, gdcm::Tag(0x0062, 0x000a), sequenceWith(segment));
+    }
+    gdcm::Item item;
+    item.SetNestedDataSet(frame);
+    item.SetVLToUndefined();
+    perFrame->AddItem(item);
+  }
+  putSequence(set, gdcm::Tag(0x5200, 0x9230), perFrame);
+}
+
 /// An axial plane of voxels of 1 mm at (10, 20, z).
 inline void putPlace(gdcm::DataSet& set, double z) {
   putText(set, gdcm::Tag(0x0020, 0x0032), gdcm::VR::DS, fmt::format("10\\20\\{}", z));

@@ -244,63 +244,6 @@ TEST(Dicom, Monochrome1IsTurnedRound) {
   EXPECT_TRUE(warns(v, "MONOCHROME1"));
 }
 
-/// Functional groups of frames at the given places, downwards along x: rows run along y, columns along -z.
-void putGroups(gdcm::DataSet& set, const std::vector<double>& places, const std::vector<std::uint16_t>& segments = {}) {
-  gdcm::DataSet shared, orientation, measures;
-  putText(orientation, gdcm::Tag(0x0020, 0x0037), gdcm::VR::DS, "0\\1\\0\\0\\0\\-1");
-  putText(measures, gdcm::Tag(0x0028, 0x0030), gdcm::VR::DS, "0.75\\0.5");
-  putSequence(shared, gdcm::Tag(0x0020, 0x9116), sequenceWith(orientation));
-  putSequence(shared, gdcm::Tag(0x0028, 0x9110), sequenceWith(measures));
-  putSequence(set, gdcm::Tag(0x5200, 0x9229), sequenceWith(shared));
-  auto perFrame = gdcm::SequenceOfItems::New();
-  perFrame->SetLengthToUndefined();
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    gdcm::DataSet frame, position, segment, rescale;
-    putText(position, gdcm::Tag(0x0020, 0x0032), gdcm::VR::DS, std::to_string(places[i]) + "\\5\\6");
-    putSequence(frame, gdcm::Tag(0x0020, 0x9113), sequenceWith(position));
-    putText(rescale, gdcm::Tag(0x0028, 0x1052), gdcm::VR::DS, "-100");
-    putText(rescale, gdcm::Tag(0x0028, 0x1053), gdcm::VR::DS, "1");
-    if (segments.empty()) {
-      putSequence(frame, gdcm::Tag(0x0028, 0x9145), sequenceWith(rescale));
-    } else {
-      putShort(segment, gdcm::Tag(0x0062, 0x000b), segments[i]);
-      putSequence(frame, gdcm::Tag(0x0062, 0x000a), sequenceWith(segment));
-    }
-    gdcm::Item item;
-    item.SetNestedDataSet(frame);
-    item.SetVLToUndefined();
-    perFrame->AddItem(item);
-  }
-  putSequence(set, gdcm::Tag(0x5200, 0x9230), perFrame);
-}
-
-/// A multi-frame file written by hand, for the image writer of GDCM would mend what we want to see.
-void writeMultiFrame(const std::filesystem::path& path, gdcm::DataSet set, const char* sopClass, const char* modality,
-                     int bits, int frames, const std::string& pixels) {
-  gdcm::Writer writer;
-  putText(set, gdcm::Tag(0x0008, 0x0016), gdcm::VR::UI, sopClass);
-  putText(set, gdcm::Tag(0x0008, 0x0018), gdcm::VR::UI, "1.2.3.9");
-  putText(set, gdcm::Tag(0x0008, 0x0060), gdcm::VR::CS, modality);
-  putText(set, gdcm::Tag(0x0020, 0x000e), gdcm::VR::UI, "1.2.3.8");
-  putText(set, gdcm::Tag(0x0028, 0x0004), gdcm::VR::CS, "MONOCHROME2");
-  putText(set, gdcm::Tag(0x0028, 0x0008), gdcm::VR::IS, std::to_string(frames));
-  putShort(set, gdcm::Tag(0x0028, 0x0002), 1);
-  putShort(set, gdcm::Tag(0x0028, 0x0010), 2);
-  putShort(set, gdcm::Tag(0x0028, 0x0011), 4);
-  putShort(set, gdcm::Tag(0x0028, 0x0100), std::uint16_t(bits));
-  putShort(set, gdcm::Tag(0x0028, 0x0101), std::uint16_t(bits == 16 ? 12 : bits));
-  putShort(set, gdcm::Tag(0x0028, 0x0102), std::uint16_t(bits == 16 ? 11 : bits - 1));
-  putShort(set, gdcm::Tag(0x0028, 0x0103), 0);
-  gdcm::DataElement data(gdcm::Tag(0x7fe0, 0x0010));
-  data.SetVR(bits == 16 ? gdcm::VR::OW : gdcm::VR::OB);
-  data.SetByteValue(pixels.data(), std::uint32_t(pixels.size()));
-  set.Replace(data);
-  writer.GetFile().SetDataSet(set);
-  writer.GetFile().GetHeader().SetDataSetTransferSyntax(gdcm::TransferSyntax::ExplicitVRLittleEndian);
-  writer.SetFileName(path.c_str());
-  ASSERT_TRUE(writer.Write());
-}
-
 TEST(Dicom, FramesOfAnEnhancedFileAreOrderedByTheirPlace) {
   TempFolder folder;
   gdcm::DataSet set;
@@ -309,7 +252,11 @@ TEST(Dicom, FramesOfAnEnhancedFileAreOrderedByTheirPlace) {
   std::string pixels;
   for (std::uint16_t value : {110, 130, 120})
     for (int i = 0; i < 8; ++i) pixels.append(reinterpret_cast<const char*>(&value), 2);
-  writeMultiFrame(folder / "e.dcm", set, "1.2.840.10008.5.1.4.1.1.4.1", "MR", 16, 3, pixels);
+  DicomImage image{set, "1.2.840.10008.5.1.4.1.1.4.1", "MR"};
+  image.frames = 3;
+  image.stored = 12;
+  image.pixels = pixels;
+  ASSERT_TRUE(writeDicom(folder / "e.dcm", image));
   Volume v = read(folder / "e.dcm");
   EXPECT_EQ(v.dims, glm::ivec3(4, 2, 3));
   for (int z = 0; z < 3; ++z) EXPECT_EQ(valueAt(v, {1, 1, z}), 30 - 10 * z);
@@ -318,23 +265,6 @@ TEST(Dicom, FramesOfAnEnhancedFileAreOrderedByTheirPlace) {
   EXPECT_EQ(v.worldFromVoxel[2], glm::dvec4(-10, 0, 0, 0));
   EXPECT_EQ(v.worldFromVoxel[3], glm::dvec4(30, 5, 6, 1));
   EXPECT_EQ(v.modality, Modality::MR);
-}
-
-TEST(DicomSeg, BitsArePackedOverFramesAndSegmentsFindTheirPlanes) {
-  TempFolder folder;
-  gdcm::DataSet set;
-  putGroups(set, {10, 10, 30}, {1, 2, 2});
-  putText(set, gdcm::Tag(0x0062, 0x0001), gdcm::VR::CS, "BINARY");
-  // Frames of eight voxels: the first voxel of each, and the last of the third.
-  writeMultiFrame(folder / "s.dcm", set, "1.2.840.10008.5.1.4.1.1.66.4", "SEG", 1, 3, std::string("\x01\x02\x81\0", 4));
-  EXPECT_TRUE(looksLikeLabels(folder / "s.dcm"));
-  LabelVolume labels = readLabelsOf(folder / "s.dcm");
-  EXPECT_EQ(labels.dims(), glm::ivec3(4, 2, 2));
-  EXPECT_EQ(labels.at({0, 0, 1}), 1);
-  EXPECT_EQ(labels.at({1, 0, 1}), 2);
-  EXPECT_EQ(labels.at({0, 0, 0}), 2);
-  EXPECT_EQ(labels.at({3, 1, 0}), 2);
-  EXPECT_EQ(labels.worldFromVoxel()[3], glm::dvec4(30, 5, 6, 1));
 }
 
 TEST(Dicom, ALyingLengthAllocatesNothing) {

@@ -91,6 +91,47 @@ TEST(Labels, SlicerLayersWithEqualValuesGetIdsOfTheirOwn) {
   EXPECT_EQ(labels.table[1].name, "B");
 }
 
+/// A file of two layers of 2 x 2 voxels. @param bytes  the layers' samples, interleaved
+LabelVolume readLayers(const std::string& segments, const std::string& bytes) {
+  TempFolder folder;
+  std::string head =
+      "NRRD0004\ntype: uchar\ndimension: 4\nspace: LPS\nsizes: 2 2 2 1\nspace directions: none (1,0,0) (0,1,0) "
+      "(0,0,1)\nkinds: list domain domain domain\nencoding: raw\nspace origin: (0,0,0)\n";
+  writeText(folder / "a.seg.nrrd", head + segments + "\n" + bytes);
+  return readLabelsOf(folder / "a.seg.nrrd");
+}
+
+TEST(Labels, OverlapsAndStraysOfLayersAreSaid) {
+  LabelVolume labels = readLayers(
+      "Segment0_ID:=a\nSegment0_LabelValue:=1\nSegment0_Layer:=0\nSegment1_ID:=b\nSegment1_LabelValue:=2\n"
+      "Segment1_Layer:=1\n",
+      std::string("\1\2\1\0\0\2\1\7", 8));
+  EXPECT_EQ(labels.at({0, 0, 0}), 2);
+  EXPECT_EQ(labels.at({1, 1, 0}), 1);
+  ASSERT_EQ(labels.warnings.size(), 2u);
+  EXPECT_TRUE(labels.warnings[0].starts_with("1 voxels belong to several segments")) << labels.warnings[0];
+  EXPECT_TRUE(labels.warnings[1].starts_with("1 voxels of the layers are of no segment")) << labels.warnings[1];
+}
+
+TEST(Labels, NoTwoSegmentsOfLayersGetOneId) {
+  // The second segment's place in the list is the first one's value.
+  LabelVolume labels = readLayers(
+      "Segment0_ID:=a\nSegment0_LabelValue:=2\nSegment0_Layer:=0\nSegment1_ID:=b\nSegment1_LabelValue:=2\n"
+      "Segment1_Layer:=1\n",
+      std::string("\2\0\0\2\0\0\0\0", 8));
+  EXPECT_EQ(labels.at({0, 0, 0}), 2);
+  EXPECT_EQ(labels.at({1, 0, 0}), 1);
+  ASSERT_EQ(labels.table.size(), 2u);
+  ASSERT_EQ(labels.warnings.size(), 1u);
+  EXPECT_TRUE(labels.warnings[0].starts_with("1 segments have numbers of their own")) << labels.warnings[0];
+}
+
+TEST(Labels, LayersWithoutNumbersAreOneASegment) {
+  LabelVolume labels = readLayers("Segment0_ID:=a\nSegment1_ID:=b\n", std::string("\1\0\0\1\0\0\0\0", 8));
+  EXPECT_EQ(labels.at({0, 0, 0}), 1);
+  EXPECT_EQ(labels.at({1, 0, 0}), 2);
+}
+
 TEST(LabelTable, KnowsTheThreeKinds) {
   TempFolder folder;
   writeText(folder / "snap.label",

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <fstream>
 #include <map>
+#include <set>
 
 #include "LabelTables.h"
 #include "read/Refuse.h"
@@ -58,17 +60,26 @@ std::vector<LabelInfo> segmentTable(const DataSet& set) {
   return table;
 }
 
-/// Where in the file's pixel bytes a voxel is set.
+/// What the file's pixel bytes say of a voxel.
 struct Mask {
   std::string_view bytes;
-  int bits = 1;          ///< 1: packed over all frames, lowest bit first; 8: one byte each.
-  double threshold = 0;  ///< A byte over this is inside.
+  int bits = 1;               ///< 1: packed over all frames, lowest bit first; 8, 16: one sample each.
+  bool isLabelMap = false;    ///< Samples are segment numbers themselves.
+  bool isFractional = false;  ///< Samples say how much of the voxel is in the segment.
+  double threshold = 0;       ///< A sample over this is inside.
   std::uint64_t timeStepVoxels = 0;
 
-  bool at(std::uint64_t frame, std::uint64_t voxel) const {
+  /// The segment number of a voxel, 0 for none. @param segment  of the frame
+  std::uint16_t at(std::uint64_t frame, std::uint64_t voxel, std::uint16_t segment) const {
     std::uint64_t i = frame * timeStepVoxels + voxel;
-    auto byte = static_cast<unsigned char>(bytes[bits == 1 ? i / 8 : i]);
-    return bits == 1 ? byte >> (i % 8) & 1 : byte > threshold;
+    std::uint16_t sample = 0;
+    if (bits == 16)
+      std::memcpy(&sample, bytes.data() + 2 * i, 2);
+    else
+      sample = static_cast<unsigned char>(bytes[bits == 1 ? i / 8 : i]);
+    if (isLabelMap) return sample;
+    bool isInside = bits == 1 ? sample >> (i % 8) & 1 : sample > threshold;
+    return isInside ? segment : std::uint16_t(0);
   }
 };
 
@@ -77,13 +88,15 @@ Mask maskOf(const DataSet& set, const DicomFile& file) {
   const gdcm::ByteValue* value = set.GetDataElement(Tag(0x7fe0, 0x0010)).GetByteValue();
   if (!value) refuse(file.path, "compressed DICOM segmentations are not supported");
   std::string type = textOf(set, Tag(0x0062, 0x0001));
-  Mask mask{{value->GetPointer(), value->GetLength()},
-            file.bitsAllocated,
-            0,
-            std::uint64_t(file.rows) * std::uint64_t(file.columns)};
-  if (type == "FRACTIONAL") mask.threshold = 0.5 * binaryOf<std::uint16_t>(set, Tag(0x0062, 0x000e), 255);
-  if (mask.bits != 1 && mask.bits != 8)
-    refuse(file.path, fmt::format("segmentations of {} bits are not supported", mask.bits));
+  Mask mask;
+  mask.bytes = {value->GetPointer(), value->GetLength()};
+  mask.bits = file.bitsAllocated;
+  mask.isLabelMap = type == "LABELMAP";
+  mask.isFractional = type == "FRACTIONAL";
+  mask.timeStepVoxels = std::uint64_t(file.rows) * std::uint64_t(file.columns);
+  if (mask.isFractional) mask.threshold = 0.5 * binaryOf<std::uint16_t>(set, Tag(0x0062, 0x000e), 255);
+  bool isRead = mask.isLabelMap ? mask.bits == 8 || mask.bits == 16 : mask.bits == 1 || mask.bits == 8;
+  if (!isRead) refuse(file.path, fmt::format("segmentations of {} bits are not supported", mask.bits));
   std::uint64_t wanted = (mask.timeStepVoxels * file.frames.size() * std::uint64_t(mask.bits) + 7) / 8;
   if (mask.bytes.size() < wanted)
     refuse(file.path, fmt::format("the pixel data is cut off: {} bytes of {}", mask.bytes.size(), wanted));
@@ -103,8 +116,13 @@ Planes planesOf(const DicomFile& file, std::vector<std::string>& warnings) {
   bool havePlaces = std::all_of(file.frames.begin(), file.frames.end(), [](const DicomFrame& f) { return f.hasPlace; });
   glm::dvec3 normal = glm::normalize(glm::cross(any.rowDirection, any.columnDirection));
   std::vector<double> distances;
-  for (std::size_t i = 0; i < file.frames.size(); ++i)
-    distances.push_back(havePlaces ? glm::dot(file.frames[i].position, normal) : double(i));
+  for (std::size_t i = 0; i < file.frames.size(); ++i) {
+    const DicomFrame& frame = file.frames[i];
+    if (glm::dot(frame.rowDirection, any.rowDirection) < 0.999 ||
+        glm::dot(frame.columnDirection, any.columnDirection) < 0.999)
+      refuse(file.path, "frames of the segmentation lie in several directions; one is supported");
+    distances.push_back(havePlaces ? glm::dot(frame.position, normal) : double(i));
+  }
   std::vector<double> sorted = distances;
   std::sort(sorted.begin(), sorted.end());
   // The smallest gap that is not rounding is the distance of planes; the file's own claim fills in for a single one.
@@ -117,12 +135,20 @@ Planes planesOf(const DicomFile& file, std::vector<std::string>& warnings) {
   if (span > 65535) refuse(file.path, "the places of its frames do not fit on a grid");
   planes.count = int(std::lround(span)) + 1;
   const DicomFrame* first = &any;
+  double worst = 0;
   for (std::size_t i = 0; i < distances.size(); ++i) {
-    planes.ofFrame.push_back(int(std::lround((distances[i] - sorted.front()) / step)));
+    double place = (distances[i] - sorted.front()) / step;
+    planes.ofFrame.push_back(int(std::lround(place)));
+    worst = std::max(worst, std::abs(place - std::round(place)) * step);
     if (distances[i] == sorted.front()) first = &file.frames[i];
   }
+  if (worst > 0.05 * step)
+    warnings.push_back(fmt::format(
+        "planes are not evenly apart; each was put on the nearest of {:.3f} mm, by up to {:.3f} mm", step, worst));
   if (!havePlaces) warnings.push_back("frames of the segmentation have no position; they are stacked as they come");
-  glm::dvec2 spacing = any.spacing.x > 0 ? any.spacing : glm::dvec2(1.0);
+  if (!(any.spacing.x > 0 && any.spacing.y > 0))
+    warnings.push_back("the segmentation has no pixel spacing; 1 mm was taken");
+  glm::dvec2 spacing = any.spacing.x > 0 && any.spacing.y > 0 ? any.spacing : glm::dvec2(1.0);
   auto& m = planes.worldFromVoxel;
   m[0] = glm::dvec4(any.rowDirection * spacing.x, 0);
   m[1] = glm::dvec4(any.columnDirection * spacing.y, 0);
@@ -144,10 +170,11 @@ std::uint64_t fill(LabelVolume& labels, const DicomFile& file, const Mask& mask,
     if (begin == end) continue;
     slab.assign(mask.timeStepVoxels * std::uint64_t(depth), 0);
     for (auto at = begin; at != end; ++at) {
-      auto id = std::uint16_t(std::max(1, file.frames[at->second].segment));
+      auto segment = std::uint16_t(std::max(1, file.frames[at->second].segment));
       std::uint16_t* to = slab.data() + mask.timeStepVoxels * std::uint64_t(at->first - z);
       for (std::uint64_t v = 0; v < mask.timeStepVoxels; ++v) {
-        if (!mask.at(at->second, v)) continue;
+        std::uint16_t id = mask.at(at->second, v, segment);
+        if (id == 0) continue;
         overlaps += to[v] != 0 && to[v] != id;
         to[v] = id;
       }
@@ -156,6 +183,15 @@ std::uint64_t fill(LabelVolume& labels, const DicomFile& file, const Mask& mask,
     progress.report(double(z + depth) / planes.count, "Reading segments");
   }
   return overlaps;
+}
+
+/// Frames of a segment at a place that has one of it already: of another moment, as a rule.
+std::size_t repeatsOf(const DicomFile& file, const Planes& planes) {
+  std::set<std::pair<int, int>> seen;
+  std::size_t repeats = 0;
+  for (std::size_t i = 0; i < planes.ofFrame.size(); ++i)
+    repeats += !seen.emplace(planes.ofFrame[i], file.frames[i].segment).second;
+  return repeats;
 }
 
 }  // namespace
@@ -180,6 +216,10 @@ LabelVolume readDicomSeg(const scene::Source& source, Progress& progress) {
   Planes planes = planesOf(*file, warnings);
   LabelVolume labels({file->columns, file->rows, planes.count}, planes.worldFromVoxel);
   std::uint64_t overlaps = fill(labels, *file, mask, planes, progress);
+  if (mask.isFractional)
+    warnings.push_back("the segmentation says how much of a voxel is inside; what is over half is taken as inside");
+  if (std::size_t repeats = repeatsOf(*file, planes))
+    warnings.push_back(fmt::format("{} frames repeat a segment at its place; they are joined", repeats));
   if (overlaps > 0)
     warnings.push_back(fmt::format("{} voxels belong to several segments; the last one has them", overlaps));
   labels.name = file->description.empty() ? path.stem().string() : file->description;

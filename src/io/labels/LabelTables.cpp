@@ -70,6 +70,19 @@ std::optional<LabelInfo> parseColumns(const std::string& line) {
   return label;
 }
 
+/// Gives segments of other layers whose value is an id already the smallest that nobody has.
+void numberApart(std::vector<SlicerSegment>& segments) {
+  std::set<std::uint16_t> values, taken;
+  for (const SlicerSegment& segment : segments) values.insert(segment.value);
+  std::uint16_t next = 1;
+  for (SlicerSegment& segment : segments) {
+    if (taken.insert(segment.value).second) continue;
+    while (next < 65535 && (values.contains(next) || taken.contains(next))) ++next;
+    segment.label.id = next;
+    taken.insert(next);
+  }
+}
+
 /// Value of an XML attribute inside a tag; empty when there is none.
 std::string attribute(std::string_view tag, std::string_view name) {
   std::string key = " " + std::string(name) + "=\"";
@@ -133,24 +146,29 @@ std::vector<LabelInfo> parseCaretLabels(std::string_view xml) {
 
 std::vector<SlicerSegment> parseSlicerSegments(const std::map<std::string, std::string>& keyValues) {
   std::vector<SlicerSegment> segments;
+  std::set<std::size_t> isUncolored;
   auto value = [&](std::size_t i, const char* what) {
     auto found = keyValues.find(fmt::format("Segment{}_{}", i, what));
     return found == keyValues.end() ? std::string() : found->second;
   };
   for (std::size_t i = 0; i < 65535 && !value(i, "ID").empty(); ++i) {
     SlicerSegment segment;
-    segment.layer = int(idOf(value(i, "Layer")).value_or(0));
     // Files before Slicer 4.11 have one layer per segment and no value in the header.
+    segment.layer = int(idOf(value(i, "Layer")).value_or(value(i, "LabelValue").empty() ? std::uint16_t(i) : 0));
     segment.value = idOf(value(i, "LabelValue")).value_or(1);
     segment.label.name = value(i, "Name").empty() ? value(i, "ID") : value(i, "Name");
     std::istringstream stream(value(i, "Color"));
     double r, g, b;
     bool hasColor = bool(stream >> r >> g >> b);
-    bool isTaken = std::any_of(segments.begin(), segments.end(), [&](auto& s) { return s.label.id == segment.value; });
-    segment.label.id = isTaken ? std::uint16_t(i + 1) : segment.value;
-    segment.label.color = hasColor ? clampedColor(r, g, b) : defaultLabelColor(segment.label.id);
+    segment.label.id = segment.value;
+    if (hasColor)
+      segment.label.color = clampedColor(r, g, b);
+    else
+      isUncolored.insert(i);
     segments.push_back(segment);
   }
+  numberApart(segments);
+  for (std::size_t i : isUncolored) segments[i].label.color = defaultLabelColor(segments[i].label.id);
   return segments;
 }
 

@@ -93,8 +93,27 @@ std::vector<LayerMap> layerMaps(const std::vector<SlicerSegment>& segments, int 
   return maps;
 }
 
+/// One of several layers has an id of its own for each voxel; the last that has one wins.
+struct Overlay {
+  const std::vector<LayerMap>& maps;
+  std::uint64_t overlaps = 0;  ///< Voxels that several layers claim.
+  std::uint64_t strays = 0;    ///< Samples that no segment has.
+
+  template <class T>
+  std::uint16_t idOf(const T* samples, const Volume& v, const Path& path) {
+    std::uint16_t result = 0;
+    for (std::size_t c = 0; c < maps.size(); ++c) {
+      std::uint16_t sample = idFrom(samples[c], v, path), id = maps[c][sample];
+      strays += sample != 0 && id == 0;
+      overlaps += id != 0 && result != 0 && id != result;
+      if (id != 0) result = id;
+    }
+    return result;
+  }
+};
+
 /// Slab by slab, so that no second array of all ids is ever held.
-LabelVolume convert(const Volume& v, const std::vector<LayerMap>& maps, const Path& path, Progress& progress) {
+LabelVolume convert(const Volume& v, Overlay& overlay, const Path& path, Progress& progress) {
   LabelVolume labels(v.dims, v.worldFromVoxel, v.lengthUnit);
   std::size_t plane = std::size_t(v.dims.x) * std::size_t(v.dims.y), channels = std::size_t(v.channels);
   std::vector<std::uint16_t> slab(plane * std::size_t(std::min(kSlab, v.dims.z)));
@@ -103,11 +122,8 @@ LabelVolume convert(const Volume& v, const std::vector<LayerMap>& maps, const Pa
     std::size_t count = plane * std::size_t(depth);
     visitSamples(v, [&](auto* samples) {
       auto* from = samples + std::size_t(z) * plane * channels;
-      for (std::size_t i = 0; i < count; ++i) {
-        slab[i] = maps.empty() ? idFrom(from[i], v, path) : 0;
-        for (std::size_t c = 0; c < maps.size(); ++c)
-          if (auto id = maps[c][idFrom(from[i * channels + c], v, path)]) slab[i] = id;
-      }
+      for (std::size_t i = 0; i < count; ++i)
+        slab[i] = overlay.maps.empty() ? idFrom(from[i], v, path) : overlay.idOf(from + i * channels, v, path);
     });
     labels.write({0, 0, z}, {v.dims.x, v.dims.y, depth}, std::span(slab).first(count));
     progress.report(double(z + depth) / v.dims.z, "Sorting labels");
@@ -124,13 +140,28 @@ LabelVolume readFromVolume(const scene::Source& source, Progress& progress) {
   if (v.range.x < 0 || v.range.y > 65535)
     refuse(path,
            fmt::format("is no label volume: values run from {} to {}, ids from 0 to 65535", v.range.x, v.range.y));
-  LabelVolume labels = convert(v, layerMaps(segments, v.channels), path, progress);
+  auto maps = layerMaps(segments, v.channels);
+  Overlay overlay{maps};
+  LabelVolume labels = convert(v, overlay, path, progress);
   labels.name = v.name;
   labels.warnings = v.warnings;
   if (v.timeSteps > 1)
     labels.warnings.push_back(fmt::format("the file has {} time frames; the first was taken", v.timeSteps));
+  if (overlay.overlaps > 0)
+    labels.warnings.push_back(
+        fmt::format("{} voxels belong to several segments; the last one has them", overlay.overlaps));
+  if (overlay.strays > 0)
+    labels.warnings.push_back(
+        fmt::format("{} voxels of the layers are of no segment; they are left out", overlay.strays));
   std::vector<LabelInfo> table;
-  for (const SlicerSegment& segment : segments) table.push_back(segment.label);
+  std::size_t renumbered = 0;
+  for (const SlicerSegment& segment : segments) {
+    renumbered += segment.label.id != segment.value;
+    table.push_back(segment.label);
+  }
+  if (renumbered > 0)
+    labels.warnings.push_back(fmt::format(
+        "{} segments have numbers of their own here: in the file they share values of other layers", renumbered));
   if (table.empty()) table = tableOf(path, labels.warnings);
   labels.table = completeTable(std::move(table), labels.idsInUse());
   return labels;

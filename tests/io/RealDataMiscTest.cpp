@@ -231,7 +231,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Bad{"vti_truncated.vti", readVti, false}, Bad{"tiff_truncated.tif", readTiff, false},
                     Bad{"tiff_mismatched_dims", readTiff, false}, Bad{"segy_text_header_only.sgy", readSegy, false},
                     Bad{"segy_git_lfs_pointer.sgy", readSegy, false}, Bad{"segy_prestack_offsets.sgy", readSegy, true},
-                    Bad{"segy_little_endian.sgy", readSegy, true}, Bad{"segy_1x1.sgy", readSegy, true},
+                    Bad{"segy_little_endian.sgy", readSegy, true}, Bad{"segy_1x1.sgy", readSegy, false},
                     Bad{"\xe5\xb0\x8f\xe6\x96\x87\xe4\xbb\xb6.sgy", readSegy, true},
                     Bad{"BallBinary30x30x30.raw", readRaw, true, {{30, 30, 30}, SampleType::Int16, 1, false, 0}},
                     Bad{"BallBinary30x30x30.raw", readRaw, false, {{30, 30, 31}, SampleType::Int16, 1, false, 0}},

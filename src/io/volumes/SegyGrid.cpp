@@ -89,16 +89,30 @@ SegyGrid arrangeAsLine(const std::vector<SegyTrace>& traces) {
   return grid;
 }
 
+[[noreturn]] void refuseGathers(const std::vector<SegyTrace>& traces, const std::string& name) {
+  auto [least, most] =
+      std::minmax_element(traces.begin(), traces.end(), [](auto& a, auto& b) { return a.offset < b.offset; });
+  throw InputError(
+      fmt::format("{}: holds {} traces as they were shot (gathers before stacking, offsets from {} to {}); read are "
+                  "stacks with one "
+                  "trace for each inline and crossline (bytes 189/193 or 9/21), and single lines: stack it first",
+                  name, traces.size(), least->offset, most->offset));
+}
+
 }  // namespace
 
-SegyGrid arrangeTraces(const std::vector<SegyTrace>& traces, const std::string& name) {
+SegyGrid arrangeTraces(const std::vector<SegyTrace>& traces, int sorting, const std::string& name) {
   if (traces.empty()) throw InputError(fmt::format("{}: has no traces", name));
   // Where the line numbers stand; without any the traces are one line.
   std::size_t pair = choosePair(traces);
   bool hasOffsets =
       std::any_of(traces.begin(), traces.end(), [&](const auto& t) { return t.offset != traces[0].offset; });
+  constexpr int kOfSource = 5, kOfReceiver = 6;
+  bool isShot = hasOffsets || sorting == kOfSource || sorting == kOfReceiver;
+  // Bytes 9/21 of what is not stacked are the shot and its midpoints, not lines.
+  if (pair > 0 && isShot) refuseGathers(traces, name);
   SegyGrid grid;
-  if (pair == 2 && !hasOffsets && traces.size() > 1) {
+  if (pair == 2 && traces.size() > 1) {
     grid = arrangeAsLine(traces);
     grid.spacing = spacingOf(traces, grid);
     return grid;
@@ -134,10 +148,11 @@ SegyGrid arrangeTraces(const std::vector<SegyTrace>& traces, const std::string& 
   }
   // What the user ought to know.
   auto missing = std::count(grid.traceAt.begin(), grid.traceAt.end(), std::int64_t(-1));
+  if (pair > 0 && 2 * extra > traces.size()) refuseGathers(traces, name);
   if (extra > 0)
-    grid.warnings.push_back(fmt::format(
-        "the file is prestack: {} of {} traces share a place with an earlier one; the first offset is shown", extra,
-        traces.size()));
+    grid.warnings.push_back(fmt::format("{}{} of {} traces share a place with an earlier one; {}",
+                                        hasOffsets ? "the file is prestack: " : "", extra, traces.size(),
+                                        hasOffsets ? "the first offset is shown" : "that one is shown"));
   if (missing > 0)
     grid.warnings.push_back(fmt::format("{} of {} traces are missing and shown as 0", missing, grid.traceAt.size()));
   if (grid.size.x == 1 || grid.size.y == 1)

@@ -29,7 +29,8 @@ struct SegyGrid {
   std::vector<std::string> warnings;
 };
 
-/// @throw InputError when the traces make no grid
-SegyGrid arrangeTraces(const std::vector<SegyTrace>& traces, const std::string& name);
+/// @param sorting  the file's trace sorting code, 0 when it says none
+/// @throw InputError when the traces make no grid, or are gathers as they were shot
+SegyGrid arrangeTraces(const std::vector<SegyTrace>& traces, int sorting, const std::string& name);
 
 }  // namespace velum::io

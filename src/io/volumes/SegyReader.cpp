@@ -2,20 +2,18 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstring>
-#include <numeric>
-#include <optional>
 
 #include "Readers.h"
 #include "SegyGrid.h"
+#include "SegyLayout.h"
 #include "read/FileBytes.h"
 #include "read/Placement.h"
 #include "read/SampleBytes.h"
 #include "velum/core/Error.h"
 
-/// SEG-Y, revisions 0 to 2 with traces of one length, as the SEG's standard has it: byte numbers count from 1.
+/// SEG-Y, revisions 0 to 2 with traces of one length.
 ///
 /// Axes: x inline, y crossline, z time or depth. The earth's z runs down and the world's up, so the third column of
 /// worldFromVoxel points to -z. World: 1 mm is 1 mm in the earth; a millisecond of two-way time is shown as a metre
@@ -24,127 +22,8 @@ namespace velum::io {
 
 namespace {
 
-constexpr std::uint64_t kTextHeader = 3200, kBinaryHeader = 400, kTraceHeader = 240;
-
-enum class Code {
-  Ibm = 1,
-  Int32 = 2,
-  Int16 = 3,
-  Ieee32 = 5,
-  Ieee64 = 6,
-  Int8 = 8,
-  UInt32 = 10,
-  UInt16 = 11,
-  UInt8 = 16
-};
-
-std::optional<SampleType> typeOf(int code) {
-  switch (static_cast<Code>(code)) {
-    case Code::Ibm:
-    case Code::Ieee32:
-      return SampleType::Float32;
-    case Code::Int32:
-      return SampleType::Int32;
-    case Code::Int16:
-      return SampleType::Int16;
-    case Code::Ieee64:
-      return SampleType::Float64;
-    case Code::Int8:
-      return SampleType::Int8;
-    case Code::UInt32:
-      return SampleType::UInt32;
-    case Code::UInt16:
-      return SampleType::UInt16;
-    case Code::UInt8:
-      return SampleType::UInt8;
-  }
-  return {};
-}
-
-/// A header, with byte numbers as in the standard (from 1, counted in the binary header from 3201).
-class Fields {
- public:
-  Fields(std::span<const std::byte> bytes, std::size_t firstNumber, bool isLittle)
-      : mBytes(bytes), mFirst(firstNumber), mIsLittle(isLittle) {}
-  std::int32_t four(std::size_t number) const { return std::int32_t(raw(number, 4)); }
-  std::int16_t two(std::size_t number) const { return std::int16_t(raw(number, 2)); }
-  std::uint16_t unsignedTwo(std::size_t number) const { return std::uint16_t(raw(number, 2)); }
-
- private:
-  std::uint32_t raw(std::size_t number, std::size_t size) const {
-    std::uint32_t value = 0;
-    for (std::size_t i = 0; i < size; ++i)
-      value |= std::uint32_t(mBytes[number - mFirst + i]) << (8 * (mIsLittle ? i : size - 1 - i));
-    return value;
-  }
-  std::span<const std::byte> mBytes;
-  std::size_t mFirst;
-  bool mIsLittle;
-};
-
-/// What the file says of all its traces.
-struct Layout {
-  bool isLittle = false;
-  int code = 0, samples = 0, interval = 0;  ///< Interval in microseconds, or millimetres of depth.
-  bool isFeet = false;
-  SampleType type = SampleType::Float32;
-  std::uint64_t firstTrace = 0, traceBytes = 0, traces = 0;
-  bool hasRest = false;  ///< Bytes behind the last whole trace.
-};
-
-/// The layout in one byte order, if it makes sense so.
-std::optional<Layout> layoutOf(const FileBytes& file, std::span<const std::byte> binary, bool isLittle) {
-  Fields f(binary, 3201, isLittle);
-  Layout out;
-  out.isLittle = isLittle;
-  out.code = f.two(3225);
-  out.samples = f.unsignedTwo(3221);
-  out.interval = f.unsignedTwo(3217);
-  out.isFeet = f.two(3255) == 2;
-  auto type = typeOf(out.code);
-  if (!type) return {};
-  out.type = *type;
-  // Extended text headers exist since revision 1.
-  int revision = f.unsignedTwo(3501), extended = f.two(3505);
-  out.firstTrace = kTextHeader + kBinaryHeader;
-  if (revision >= 0x0100 && extended > 0 && extended < 10'000) out.firstTrace += std::uint64_t(extended) * kTextHeader;
-  if (out.samples == 0 && out.firstTrace + kTraceHeader <= file.size()) {
-    std::array<std::byte, kTraceHeader> header;
-    file.read(out.firstTrace, header);
-    out.samples = Fields(header, 1, isLittle).unsignedTwo(115);
-  }
-  if (out.samples == 0) return {};
-  out.traceBytes = kTraceHeader + std::uint64_t(out.samples) * sampleSize(out.type);
-  std::uint64_t body = file.size() > out.firstTrace ? file.size() - out.firstTrace : 0;
-  out.traces = body / out.traceBytes;
-  out.hasRest = body % out.traceBytes != 0;
-  return out;
-}
-
-Layout findLayout(const FileBytes& file, const Path& path) {
-  std::string head = file.head(64);
-  if (head.starts_with("version https://git-lfs"))
-    refuse(path, "is a Git LFS pointer and not the data; fetch it with 'git lfs pull'");
-  if (file.size() < kTextHeader + kBinaryHeader)
-    refuse(path, fmt::format("is not SEG-Y: {} bytes are fewer than its headers ({})", file.size(),
-                             kTextHeader + kBinaryHeader));
-  std::array<std::byte, kBinaryHeader> binary;
-  file.read(kTextHeader, binary);
-  auto big = layoutOf(file, binary, false), little = layoutOf(file, binary, true);
-  if (!big && !little)
-    refuse(path, fmt::format("is not SEG-Y, or of a kind that is not read (sample format {}, {} samples a trace)",
-                             Fields(binary, 3201, false).two(3225), Fields(binary, 3201, false).unsignedTwo(3221)));
-  // Both make sense rarely; then traces that fill the file decide, else the standard's order.
-  Layout out = big && little ? (little->traces > 0 && !little->hasRest && big->hasRest ? *little : *big)
-               : big         ? *big
-                             : *little;
-  if (out.traces == 0) refuse(path, "has headers but no whole trace");
-  if (out.traces > 200'000'000) refuse(path, fmt::format("has {} traces; that many are not read", out.traces));
-  return out;
-}
-
 SegyTrace traceOf(std::span<const std::byte> header, bool isLittle) {
-  Fields f(header, 1, isLittle);
+  SegyFields f(header, 1, isLittle);
   SegyTrace t;
   t.lines = {{{f.four(189), f.four(193)}, {f.four(9), f.four(21)}}};
   t.offset = f.four(37);
@@ -154,14 +33,27 @@ SegyTrace traceOf(std::span<const std::byte> header, bool isLittle) {
   return t;
 }
 
-std::vector<SegyTrace> readHeaders(const FileBytes& file, const Layout& layout, Progress& progress) {
+/// @param[out] warnings  what trace headers say against the file's
+std::vector<SegyTrace> readHeaders(const FileBytes& file, const SegyLayout& layout, const Path& path,
+                                   std::vector<std::string>& warnings, Progress& progress) {
   std::vector<SegyTrace> traces;
-  std::array<std::byte, kTraceHeader> header;
+  std::uint64_t others = 0;
+  std::array<std::byte, kSegyTraceHeader> header;
   for (std::uint64_t i = 0; i < layout.traces; ++i) {
     if (i % 65536 == 0) progress.report(0.3 * double(i) / double(layout.traces), "reading trace headers");
     file.read(layout.firstTrace + i * layout.traceBytes, header);
     traces.push_back(traceOf(header, layout.isLittle));
+    int samples = SegyFields(header, 1, layout.isLittle).unsignedTwo(115);
+    if (layout.isOneLength || samples == 0 || samples == (layout.samples & 0xffff)) continue;
+    // Where traces of one length fill the file the trace's header is what is wrong.
+    if (layout.hasRest)
+      refuse(path, fmt::format("has traces of several lengths ({} and {} samples); only files of one are read",
+                               layout.samples, samples));
+    ++others;
   }
+  if (others > 0)
+    warnings.push_back(fmt::format("{} of {} traces claim another length than the file's {} samples, which was taken",
+                                   others, layout.traces, layout.samples));
   return traces;
 }
 
@@ -175,9 +67,9 @@ float floatFromIbm(std::uint32_t bits) {
 }
 
 /// Turns the samples of a trace, as stored, into machine numbers in place.
-void decode(std::span<std::byte> samples, const Layout& layout) {
+void decode(std::span<std::byte> samples, const SegyLayout& layout) {
   toMachineOrder(samples, sampleSize(layout.type), !layout.isLittle);
-  if (static_cast<Code>(layout.code) != Code::Ibm) return;
+  if (!layout.isIbm) return;
   for (std::size_t at = 0; at + 4 <= samples.size(); at += 4) {
     std::uint32_t bits;
     std::memcpy(&bits, samples.data() + at, 4);
@@ -199,7 +91,7 @@ void transpose(const std::byte* block, int rows, int y0, Volume& v) {
 
 /// Reads the traces a few crosslines at a time: rows of x are then written whole, while a trace at a time would touch a
 /// line of memory for each sample.
-void readTraces(const FileBytes& file, const Layout& layout, const SegyGrid& grid, Volume& v, Progress& progress) {
+void readTraces(const FileBytes& file, const SegyLayout& layout, const SegyGrid& grid, Volume& v, Progress& progress) {
   std::size_t trace = std::size_t(layout.samples) * sampleSize(layout.type);
   std::size_t row = trace * std::size_t(v.dims.x);
   int rows = int(std::clamp<std::size_t>((std::size_t(8) << 20) / row, 1, std::size_t(v.dims.y)));
@@ -215,7 +107,7 @@ void readTraces(const FileBytes& file, const Layout& layout, const SegyGrid& gri
           std::memset(to.data(), 0, to.size());
           continue;
         }
-        file.read(layout.firstTrace + std::uint64_t(index) * layout.traceBytes + kTraceHeader, to);
+        file.read(layout.firstTrace + std::uint64_t(index) * layout.traceBytes + layout.headerBytes, to);
         decode(to, layout);
       }
     switch (sampleSize(v.type)) {
@@ -235,7 +127,7 @@ void readTraces(const FileBytes& file, const Layout& layout, const SegyGrid& gri
   }
 }
 
-void setPlace(Volume& v, const Layout& layout, const SegyGrid& grid) {
+void setPlace(Volume& v, const SegyLayout& layout, const SegyGrid& grid) {
   constexpr double kFoot = 0.3048;
   glm::dvec2 metres = grid.spacing * (layout.isFeet ? kFoot : 1.0);
   auto isSane = [](double m) { return m >= 0.05 && m <= 2000.0; };
@@ -258,11 +150,12 @@ Volume readSegy(const scene::Source& source, Progress& progress) {
   const Path path = source.path;
   progress.report(0, "reading SEG-Y");
   FileBytes file(path);
-  Layout layout = findLayout(file, path);
-  SegyGrid grid = arrangeTraces(readHeaders(file, layout, progress), path.string());
+  SegyLayout layout = findSegyLayout(file, path);
   Volume v;
   v.type = layout.type;
-  v.warnings = grid.warnings;
+  v.warnings = layout.warnings;
+  SegyGrid grid = arrangeTraces(readHeaders(file, layout, path, v.warnings, progress), layout.sorting, path.string());
+  v.warnings.insert(v.warnings.end(), grid.warnings.begin(), grid.warnings.end());
   if (layout.hasRest) v.warnings.push_back("the file ends within a trace, which is left out");
   // arrangeTraces() lets at most kMostCellsPerTrace cells be for each trace that is there.
   double most = double(file.size()) * kMostCellsPerTrace;

@@ -11,6 +11,7 @@
 #include <filesystem>
 
 #include "velum/core/Error.h"
+#include "velum/core/Log.h"
 #include "velum/core/Text.h"
 #include "velum/scene/Presets.h"
 #include "velum/scene/json/Json.h"
@@ -194,7 +195,7 @@ scene::Scene openScene(const InputOptions& input, double aspect) {
   std::string first = input.inputs.empty() ? "" : input.inputs.front();
   bool isScene = first.ends_with(".json") || first.ends_with(".png") || first.ends_with(".exr");
   if (!input.preset.empty()) scene::applyPreset(scene, input.preset);
-  if (!input.transfer.empty()) session::importLook(scene, input.transfer);
+  if (!input.transfer.empty()) printWarnings(input.transfer, session::importLook(scene, input.transfer));
   if (!input.view.empty() || !isScene) {
     auto view = input.view.empty() ? scene::defaultView(scene) : enumValue<scene::StandardView>(input.view);
     if (!view)
@@ -204,6 +205,10 @@ scene::Scene openScene(const InputOptions& input, double aspect) {
   }
   for (const auto& [path, value] : sets) scene::setField(scene, path, value);
   return scene;
+}
+
+void printWarnings(const std::string& path, const std::vector<std::string>& warnings) {
+  for (const std::string& line : warnings) log::warning(fmt::format("{}: {}", path, line));
 }
 
 void printJson(const Json& json, std::FILE* to) {

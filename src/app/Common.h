@@ -48,6 +48,8 @@ int stopSignal();
 void stopAfter(double seconds);
 /// Lets no option of a verb be NaN or infinite.
 void finiteNumbersOnly(CLI::App& verb);
+/// Each as a line "warning: PATH: ..." on stderr.
+void printWarnings(const std::string& path, const std::vector<std::string>& warnings);
 /// Bytes that are not UTF-8, as paths may hold, become the replacement character. @param to  stdout or stderr
 void printJson(const Json& json, std::FILE* to = stdout);
 

@@ -1,5 +1,4 @@
 #include "Verbs.h"
-#include "velum/core/Log.h"
 #include "velum/io/labels/ReadLabels.h"
 #include "velum/io/volumes/ReadVolume.h"
 #include "velum/io/volumes/WriteVolume.h"
@@ -20,20 +19,27 @@ int run(const ConvertOptions& options) {
   Progress& progress = consoleProgress();
   scene::Source source = firstSource(options.input);
   Json json = {{"output", options.output}};
+  std::vector<std::string> warnings;
+  auto tell = [&](const std::string& path, const std::vector<std::string>& lines) {
+    printWarnings(path, lines);
+    warnings.insert(warnings.end(), lines.begin(), lines.end());
+  };
   if (session::isLookFile(options.output)) {
-    session::convertLook(source.path, options.output);
+    tell(options.output, session::convertLook(source.path, options.output));
   } else if (options.labels || (source.raw.dims.x == 0 && io::looksLikeLabels(source.path))) {
     LabelVolume labels = io::readLabels(source, progress);
-    io::writeLabels(labels, options.output, progress);
+    tell(source.path, labels.warnings);
+    tell(options.output, io::writeLabels(labels, options.output, progress));
     json["structures"] = labels.table.size();
   } else {
     Volume volume = io::readVolume(source, progress);
-    for (const auto& warning : volume.warnings) log::warning(warning);
-    io::writeVolume(volume, options.output, progress);
+    tell(source.path, volume.warnings);
+    tell(options.output, io::writeVolume(volume, options.output, progress));
     json["dims"] = {volume.dims.x, volume.dims.y, volume.dims.z};
     json["type"] = std::string(enumName(volume.type));
   }
   progress.report(1.0, "");
+  json["warnings"] = warnings;
   if (options.common.json) printJson(json);
   return 0;
 }

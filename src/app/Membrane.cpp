@@ -203,14 +203,23 @@ void printReport(const session::MembraneReport& report, LengthUnit unit) {
                report.limit->figure.ratio, report.limit->figure.meanDistance, symbolOf(unit));
 }
 
-void exportWhatIsAsked(const scene::Scene& settled, const std::vector<session::MembraneReport>& reports,
-                       const MembraneOptions& options) {
+/// @return what the files could not hold
+std::vector<std::string> exportWhatIsAsked(const scene::Scene& settled,
+                                           const std::vector<session::MembraneReport>& reports,
+                                           const MembraneOptions& options) {
+  std::vector<std::string> warnings;
+  auto tell = [&](const std::string& path, const std::vector<std::string>& lines) {
+    printWarnings(path, lines);
+    warnings.insert(warnings.end(), lines.begin(), lines.end());
+  };
   std::vector<int> cuts;
   for (const auto& report : reports) cuts.push_back(report.cut);
-  if (!options.sheet.empty()) session::exportSheets(settled, cuts, options.sheet);
-  if (options.clipped.empty()) return;
-  session::exportClippedVolume(settled, options.clipped, consoleProgress());
+  if (!options.sheet.empty()) tell(options.sheet, session::exportSheets(settled, cuts, options.sheet));
+  if (options.clipped.empty()) return warnings;
+  auto lost = session::exportClippedVolume(settled, options.clipped, consoleProgress());
   consoleProgress().report(1.0, "");
+  tell(options.clipped, lost);
+  return warnings;
 }
 
 int run(const MembraneOptions& options) {
@@ -239,7 +248,7 @@ int run(const MembraneOptions& options) {
         cut.membrane->shape = scene::findCut(settled, cut.id)->membrane->shape;
     session::saveScene(scene, options.saveScene);
   }
-  exportWhatIsAsked(settled, reports, options);
+  auto warnings = exportWhatIsAsked(settled, reports, options);
   Json list = Json::array();
   for (const auto& report : reports) {
     if (options.common.json)
@@ -249,6 +258,7 @@ int run(const MembraneOptions& options) {
   }
   if (!options.common.json) return 0;
   Json json = list.size() == 1 ? list[0] : Json{{"membranes", list}};
+  json["warnings"] = warnings;
   printJson(json);
   return 0;
 }

@@ -25,16 +25,19 @@ int run(const SampleOptions& options) {
   fs::path path(options.output);
   if (!path.has_extension()) path = path / (options.name + ".nrrd");
   if (path.has_parent_path()) fs::create_directories(path.parent_path());
-  io::writeVolume(sample.volume, path, progress);
+  auto warnings = io::writeVolume(sample.volume, path, progress);
+  printWarnings(path.string(), warnings);
   fs::path labels = path;
   std::string stem = path.filename().string();
   stem = stem.substr(0, stem.find('.'));
   std::string extension = path.filename().string().substr(stem.size());
   labels.replace_filename(stem + "_labels" + (extension == ".nii" || extension == ".nii.gz" ? extension : ".seg.nrrd"));
-  io::writeLabels(sample.labels, labels, progress);
+  auto ofLabels = io::writeLabels(sample.labels, labels, progress);
+  printWarnings(labels.string(), ofLabels);
+  warnings.insert(warnings.end(), ofLabels.begin(), ofLabels.end());
   progress.report(1.0, "");
   if (options.common.json)
-    printJson({{"name", options.name}, {"files", {path.string(), labels.string()}}});
+    printJson({{"name", options.name}, {"files", {path.string(), labels.string()}}, {"warnings", warnings}});
   else
     fmt::print("{}\n{}\n", path.string(), labels.string());
   return 0;

@@ -26,6 +26,12 @@ MessageBar::MessageBar(QWidget* parent) : QFrame(parent), mText(new QLabel(this)
   hide();
 }
 
+void MessageBar::showNote(const QString& text, const std::vector<std::string>& lines) {
+  QStringList list;
+  for (const std::string& line : lines) list << QString::fromStdString(line);
+  showNote(list.isEmpty() ? text : tr("%1: %2").arg(text, list.join("; ")));
+}
+
 void MessageBar::showText(const char* kind, const QString& text) {
   setProperty("kind", kind);
   style()->unpolish(this);

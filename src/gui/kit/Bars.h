@@ -3,6 +3,8 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
+#include <string>
+#include <vector>
 
 namespace velum::gui {
 
@@ -13,6 +15,8 @@ class MessageBar : public QFrame {
   explicit MessageBar(QWidget* parent);
   void showError(const QString& text) { showText("error", text); }
   void showNote(const QString& text) { showText("note", text); }
+  /// With what there is to know of it, one line each, behind a colon.
+  void showNote(const QString& text, const std::vector<std::string>& lines);
   QString text() const { return mText->text(); }
 
  private:

@@ -4,6 +4,8 @@
 #include <QFileInfo>
 #include <QMenu>
 #include <exception>
+#include <string>
+#include <vector>
 
 #include "velum/session/look/Look.h"
 
@@ -35,8 +37,11 @@ void LookCommands::importFrom(const QString& path) {
   if (!mDocument.scene().volume.data)
     return mMessages.showNote(tr("Open a volume first: %1 is a look for one.").arg(QFileInfo(path).fileName()));
   try {
-    mDocument.edit("Import look", [&](scene::Scene& scene) { session::importLook(scene, path.toStdString()); });
+    std::vector<std::string> warnings;
+    mDocument.edit("Import look",
+                   [&](scene::Scene& scene) { warnings = session::importLook(scene, path.toStdString()); });
     mFolder = QFileInfo(path).path();
+    if (!warnings.empty()) mMessages.showNote(QFileInfo(path).fileName(), warnings);
   } catch (const std::exception& error) {
     mMessages.showError(QString::fromUtf8(error.what()));
   }
@@ -44,9 +49,9 @@ void LookCommands::importFrom(const QString& path) {
 
 void LookCommands::exportTo(const QString& path) {
   try {
-    session::exportLook(mDocument.scene(), path.toStdString());
+    auto losses = session::exportLook(mDocument.scene(), path.toStdString());
     mFolder = QFileInfo(path).path();
-    mMessages.showNote(tr("Saved %1").arg(path));
+    mMessages.showNote(tr("Saved %1").arg(path), losses);
   } catch (const std::exception& error) {
     mMessages.showError(QString::fromUtf8(error.what()));
   }

@@ -76,24 +76,27 @@ std::function<scene::Scene(Progress&)> ExportCommands::sceneAtRest() const {
   return [scene = std::move(scene)](Progress& progress) { return session::settledHeadless(scene, progress); };
 }
 
-void ExportCommands::write(const QString& path, std::function<void(const scene::Scene&, Progress&)> work) {
+void ExportCommands::write(const QString& path, Write work) {
+  auto losses = std::make_shared<std::vector<std::string>>();
   mParts.jobs.start(
       tr("Writing %1").arg(QFileInfo(path).fileName()),
-      [rest = sceneAtRest(), work = std::move(work)](Progress& progress) { work(rest(progress), progress); },
-      [this, path] { mParts.messages.showNote(tr("Saved %1").arg(path)); });
+      [losses, rest = sceneAtRest(), work = std::move(work)](Progress& progress) {
+        *losses = work(rest(progress), progress);
+      },
+      [this, losses, path] { mParts.messages.showNote(tr("Saved %1").arg(path), *losses); });
 }
 
 void ExportCommands::exportSheetTo(const QString& path) {
   int cut = membraneToExport();
   if (cut == 0) return mParts.messages.showNote(tr("There is no membrane: add one first (M)."));
   write(path, [cut, path = path.toStdString()](const scene::Scene& settled, Progress&) {
-    session::exportSheets(settled, {cut}, path);
+    return session::exportSheets(settled, {cut}, path);
   });
 }
 
 void ExportCommands::exportClippedTo(const QString& path) {
   write(path, [path = path.toStdString()](const scene::Scene& settled, Progress& progress) {
-    session::exportClippedVolume(settled, path, progress);
+    return session::exportClippedVolume(settled, path, progress);
   });
 }
 

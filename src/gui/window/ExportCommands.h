@@ -1,4 +1,8 @@
 #pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
 #include "velum/session/picture/Picture.h"
 #include "view/Room.h"
 
@@ -25,7 +29,9 @@ class ExportCommands : public Room {
  private:
   void askSavePicture();
   QString askPath(const QString& title, const char* suffix, const QString& filters);
-  void write(const QString& path, std::function<void(const scene::Scene& settled, Progress&)> work);
+  /// What is to be written, from a scene at rest. @return what the file could not hold
+  using Write = std::function<std::vector<std::string>(const scene::Scene& settled, Progress&)>;
+  void write(const QString& path, Write work);
   int membraneToExport() const;
   std::function<scene::Scene(Progress&)> sceneAtRest() const;
 };

@@ -16,6 +16,17 @@ namespace velum::gui {
 namespace {
 
 QString toText(const std::string& text) { return QString::fromStdString(text); }
+
+/// What there is to know of what was read. @param before  the scene without it, whose data has been spoken of
+std::vector<std::string> notesOf(const session::Loaded& loaded, const scene::Scene& before) {
+  std::vector<std::string> notes = loaded.notes;
+  auto take = [&](const auto& data, const auto& known) {
+    if (data && data != known) notes.insert(notes.end(), data->warnings.begin(), data->warnings.end());
+  };
+  take(loaded.scene.volume.data, before.volume.data);
+  take(loaded.scene.labels.data, before.labels.data);
+  return notes;
+}
 QString nameOf(const QString& path) { return QFileInfo(path).fileName(); }
 
 }  // namespace
@@ -32,7 +43,12 @@ void FileLoads::start(const QString& what, Read read, bool add, const QString& p
   auto loaded = std::make_shared<session::Loaded>();
   mParts.jobs.start(
       what, [loaded, read = std::move(read)](Progress& progress) { *loaded = read(progress); },
-      [this, loaded, add, path] { add ? mParts.session.file().add(*loaded) : finish(loaded, path); });
+      [this, loaded, add, path] {
+        if (!add) return finish(loaded, path);
+        auto notes = notesOf(*loaded, mParts.session.scene());
+        mParts.session.file().add(*loaded);
+        if (!notes.empty()) mParts.messages.showNote(nameOf(path), notes);
+      });
 }
 
 void FileLoads::openPaths(const QStringList& paths, bool add) {
@@ -114,10 +130,7 @@ bool FileLoads::locateMissing(session::Loaded& loaded) {
 void FileLoads::show(session::Loaded& loaded, const QString& path) {
   scene::Scene& scene = loaded.scene;
   ViewGrid& views = mParts.views;
-  QStringList notes;
-  for (const auto& note : loaded.notes) notes << toText(note);
-  if (scene.volume.data)
-    for (const auto& line : scene.volume.data->warnings) notes << toText(line);
+  std::vector<std::string> notes = notesOf(loaded, {});
   emit aboutToShow();
   if (!loaded.isScene && !loaded.lost) {
     scene.sections.layout = ViewGrid::layoutFor(scene);
@@ -131,7 +144,7 @@ void FileLoads::show(session::Loaded& loaded, const QString& path) {
   rememberFile(now);
   if (wasLost) emit lostWorkTaken();
   views.viewport().setFocus();
-  if (!notes.isEmpty()) mParts.messages.showNote(tr("%1: %2").arg(nameOf(now), notes.join("; ")));
+  if (!notes.empty()) mParts.messages.showNote(nameOf(now), notes);
 }
 
 void FileLoads::rememberFile(const QString& path) {

@@ -157,6 +157,8 @@ std::vector<SlicerSegment> parseSlicerSegments(const std::map<std::string, std::
     segment.layer = int(idOf(value(i, "Layer")).value_or(value(i, "LabelValue").empty() ? std::uint16_t(i) : 0));
     segment.value = idOf(value(i, "LabelValue")).value_or(1);
     segment.label.name = value(i, "Name").empty() ? value(i, "ID") : value(i, "Name");
+    if (auto opacity = numberOf(value(i, "VelumOpacity")))
+      segment.label.opacity = float(std::clamp(*opacity, 0.0, 1.0));
     std::istringstream stream(value(i, "Color"));
     double r, g, b;
     bool hasColor = bool(stream >> r >> g >> b);

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "read/Losses.h"
+#include "read/Refuse.h"
 #include "velum/core/Error.h"
 #include "velum/core/Text.h"
 
@@ -18,6 +20,7 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t kMostPoints = 4096;   // more than anybody has set by hand
 constexpr std::size_t kLongestLine = 1023;  // that Slicer reads of a .vp
 constexpr double kLargestValue = 1e300;     // beyond, differences overflow
+constexpr const char* kLightIsLeftOut = "the file's light is left out";
 
 // ---- text
 
@@ -58,24 +61,43 @@ std::vector<scene::OpacityPoint> pairsOf(std::string_view line, int lineNumber) 
   return points;
 }
 
-std::string listText(const std::vector<double>& numbers, const char* what) {
-  std::string line = fmt::format("{}", numbers.size());
-  for (double number : numbers) line += fmt::format(" {:.6g}", number);
-  if (line.size() > kLongestLine)
+/// A number with all its digits, and with the six that Slicer itself writes.
+struct Digits {
+  std::string all, six;
+  explicit Digits(double number) : all(fmt::format("{}", number)), six(fmt::format("{:.6g}", number)) {}
+  explicit Digits(float number) : all(fmt::format("{}", number)), six(fmt::format("{:.6g}", number)) {}
+};
+
+/// A list led by its length; with six digits where the line would be too long for Slicer with all.
+std::string listText(const std::vector<Digits>& numbers, const char* what, Losses& losses) {
+  std::string line = fmt::format("{}", numbers.size()), shorter = line;
+  bool isRounded = false;
+  for (const Digits& number : numbers) {
+    line += " " + number.all;
+    shorter += " " + number.six;
+    isRounded = isRounded || numberIn(number.all) != numberIn(number.six);
+  }
+  if (shorter.size() > kLongestLine)
     throw InputError(fmt::format("{} has too many points: Slicer reads {} characters of a line; write .vp.json instead",
                                  what, kLongestLine));
-  return line + "\n";
+  if (line.size() <= kLongestLine) return line + "\n";
+  losses.say(isRounded, "numbers of {} are rounded to six digits: Slicer reads {} characters of a line", what,
+             kLongestLine);
+  return shorter + "\n";
 }
 
-std::vector<double> flat(const std::vector<scene::OpacityPoint>& points) {
-  std::vector<double> numbers;
-  for (const auto& point : points) numbers.insert(numbers.end(), {point.value, point.opacity});
+std::vector<Digits> flat(const std::vector<scene::OpacityPoint>& points) {
+  std::vector<Digits> numbers;
+  for (const auto& point : points) {
+    numbers.emplace_back(point.value);
+    numbers.emplace_back(point.opacity);
+  }
   return numbers;
 }
 
 /// The curve for another thickness of material.
 double opacityForUnit(double opacity, double unitMm) {
-  return 1.0 - std::pow(1.0 - std::clamp(opacity, 0.0, 0.999), 1.0 / unitMm);
+  return unitMm == 1.0 ? opacity : 1.0 - std::pow(1.0 - std::clamp(opacity, 0.0, 1.0), 1.0 / unitMm);
 }
 
 // ---- JSON
@@ -136,24 +158,30 @@ std::vector<Point> straightened(const std::vector<std::pair<Point, Bend>>& point
 }
 
 template <class Point>
+int bentCount(const std::vector<std::pair<Point, Bend>>& points) {
+  return int(std::count_if(points.begin(), points.end(), [](const auto& p) { return !p.second.isStraight(); }));
+}
+
+template <class Point>
 void sortByValue(std::vector<std::pair<Point, Bend>>& points) {
   std::stable_sort(points.begin(), points.end(),
                    [](const auto& a, const auto& b) { return a.first.value < b.first.value; });
 }
 
-std::vector<scene::OpacityPoint> curveAt(const Json& component, const char* name) {
+std::vector<scene::OpacityPoint> curveAt(const Json& component, const char* name, int& bends) {
   auto it = component.find(name);
   if (it == component.end()) return {};
   std::vector<std::pair<scene::OpacityPoint, Bend>> points;
   for (const Json& point : listAt(*it, "points"))
     points.push_back({{numberAt(point, "x", 0.0), numberAt(point, "y", 0.0)}, bendOf(point)});
   sortByValue(points);
+  bends += bentCount(points);
   return straightened(points, [](const auto& a, const auto& b, double t, double value) {
     return scene::OpacityPoint{value, glm::mix(a.opacity, b.opacity, t)};
   });
 }
 
-std::vector<scene::ColorPoint> colorsAt(const Json& component, const char* name) {
+std::vector<scene::ColorPoint> colorsAt(const Json& component, const char* name, int& bends) {
   auto it = component.find(name);
   if (it == component.end()) return {};
   std::vector<std::pair<scene::ColorPoint, Bend>> stops;
@@ -166,6 +194,7 @@ std::vector<scene::ColorPoint> colorsAt(const Json& component, const char* name)
     stops.push_back({{numberAt(point, "x", 0.0), rgb}, bendOf(point)});
   }
   sortByValue(stops);
+  bends += bentCount(stops);
   return straightened(stops, [](const auto& a, const auto& b, double t, double value) {
     return scene::ColorPoint{value, glm::mix(a.color, b.color, float(t))};
   });
@@ -190,6 +219,20 @@ std::vector<scene::OpacityPoint> orOne(const std::vector<scene::OpacityPoint>& g
   return gradient.empty() ? std::vector<scene::OpacityPoint>{{0.0, 1.0}, {255.0, 1.0}} : gradient;
 }
 double share(double value) { return std::clamp(value, 0.0, 1.0); }
+
+/// What no property of Slicer has.
+Losses lossesOf(const scene::TransferFunction& transfer, const scene::Lighting& lighting) {
+  Losses losses;
+  losses.say(!transfer.preset.empty(), "the name of the preset, {}, is left out", inQuotes(transfer.preset));
+  if (!lighting.shaded) return losses;
+  for (auto [what, strength] :
+       {std::pair("diffuse", lighting.diffuse), {"ambient", lighting.ambient}, {"specular", lighting.specular}})
+    losses.say(strength > 1.0, "{} light of {} becomes 1, the most that Slicer has", what, strength);
+  losses.say(lighting.shadow > 0 || lighting.occlusion > 0, "shadows and occlusion are left out: Slicer has none");
+  losses.say(lighting.keyDirection != scene::Lighting().keyDirection,
+             "the direction of the light is left out: Slicer's comes from the eye");
+  return losses;
+}
 
 /// Brackets deeper than any property would make the parser recurse.
 void checkDepth(std::string_view text) {
@@ -222,6 +265,7 @@ TransferFile parseSlicerText(std::string_view text) {
   auto colors = numbersOf(lines[8], 4, 9);
   for (std::size_t i = 0; i < colors.size(); i += 4)
     file.transfer.colors.push_back({colors[i], glm::vec3(colors[i + 1], colors[i + 2], colors[i + 3])});
+  file.warnings.push_back(kLightIsLeftOut);
   return file;
 }
 
@@ -236,29 +280,43 @@ TransferFile parseSlicerJson(std::string_view text) {
   const Json& component = components[0];
   TransferFile file;
   file.isGradientPerVoxel = true;
-  file.transfer.opacities = curveAt(component, "scalarOpacity");
-  file.transfer.colors = colorsAt(component, "rgbTransferFunction");
+  int bends = 0;
+  file.transfer.opacities = curveAt(component, "scalarOpacity", bends);
+  file.transfer.colors = colorsAt(component, "rgbTransferFunction", bends);
   auto disabled = component.find("disableGradientOpacity");
   bool isOff = disabled != component.end() && disabled->is_boolean() && disabled->get<bool>();
-  if (!isOff) file.transfer.gradientOpacities = curveAt(component, "gradientOpacity");
+  if (!isOff) file.transfer.gradientOpacities = curveAt(component, "gradientOpacity", bends);
   double unit = numberAt(component, "scalarOpacityUnitDistance", 1.0);
   file.transfer.unitDistance = unit > 0 ? std::clamp(unit, 1e-9, 1e9) : 1.0;
+  Losses losses;
+  losses.say(properties.size() > 1, "of {} properties the first was taken", properties.size());
+  losses.say(components.size() > 1, "of {} components the first was taken", components.size());
+  losses.say(bends > 0, "{} bent segments became short straight ones", bends);
+  losses.say(component.contains("lighting"), "{}", kLightIsLeftOut);
+  file.warnings = losses.take();
   return file;
 }
 
-std::string slicerText(const scene::TransferFunction& transfer, const scene::Lighting& lighting) {
+TransferText slicerText(const scene::TransferFunction& transfer, const scene::Lighting& lighting) {
   scene::TransferFunction perLength = transfer;
   for (auto& point : perLength.opacities) point.opacity = opacityForUnit(point.opacity, transfer.unitDistance);
-  std::vector<double> colors;
-  for (const auto& stop : transfer.colors)
-    colors.insert(colors.end(), {stop.value, double(stop.color.r), double(stop.color.g), double(stop.color.b)});
-  return fmt::format("1\n{}\n{:.6g}\n{:.6g}\n{:.6g}\n{:.6g}\n", lighting.shaded ? 1 : 0, share(lighting.diffuse),
-                     share(lighting.ambient), share(lighting.specular), lighting.shininess) +
-         listText(flat(perLength.opacities), "the opacity curve") +
-         listText(flat(orOne(transfer.gradientOpacities)), "the gradient curve") + listText(colors, "the colour map");
+  std::vector<Digits> colors;
+  for (const auto& stop : transfer.colors) {
+    colors.emplace_back(stop.value);
+    for (int c = 0; c < 3; ++c) colors.emplace_back(stop.color[c]);
+  }
+  Losses losses = lossesOf(transfer, lighting);
+  losses.say(transfer.unitDistance != 1.0, "opacities are written for 1 mm of material instead of {}: .vp has no other",
+             transfer.unitDistance);
+  std::string text = fmt::format("1\n{}\n{}\n{}\n{}\n{}\n", lighting.shaded ? 1 : 0, share(lighting.diffuse),
+                                 share(lighting.ambient), share(lighting.specular), lighting.shininess);
+  text += listText(flat(perLength.opacities), "the opacity curve", losses);
+  text += listText(flat(orOne(transfer.gradientOpacities)), "the gradient curve", losses);
+  text += listText(colors, "the colour map", losses);
+  return {text, losses.take()};
 }
 
-std::string slicerJson(const scene::TransferFunction& transfer, const scene::Lighting& lighting) {
+TransferText slicerJson(const scene::TransferFunction& transfer, const scene::Lighting& lighting) {
   const char* schema =
       "https://raw.githubusercontent.com/slicer/slicer/main/Modules/Loadable/VolumeRendering/Resources/Schema/"
       "volume-property-schema-v1.0.0.json#";
@@ -282,7 +340,7 @@ std::string slicerJson(const scene::TransferFunction& transfer, const scene::Lig
                    {"interpolationType", "linear"},
                    {"components", Json::array({component})}};
   Json out = {{"@schema", schema}, {"volumeProperties", Json::array({property})}};
-  return out.dump(2) + "\n";
+  return {out.dump(2) + "\n", lossesOf(transfer, lighting).take()};
 }
 
 }  // namespace velum::io

@@ -13,7 +13,7 @@ TransferFile parseSlicerText(std::string_view text);
 TransferFile parseSlicerJson(std::string_view text);
 
 /// @throw InputError when a line would be longer than Slicer reads
-std::string slicerText(const scene::TransferFunction& transfer, const scene::Lighting& lighting);
-std::string slicerJson(const scene::TransferFunction& transfer, const scene::Lighting& lighting);
+TransferText slicerText(const scene::TransferFunction& transfer, const scene::Lighting& lighting);
+TransferText slicerJson(const scene::TransferFunction& transfer, const scene::Lighting& lighting);
 
 }  // namespace velum::io

@@ -84,24 +84,25 @@ TransferFile readTransferFile(const std::filesystem::path& path) {
   }
 }
 
-std::string transferText(const scene::TransferFunction& transfer, TransferKind kind, const scene::Lighting& lighting,
-                         double voxelMm) {
-  if (kind == TransferKind::Velum) return scene::transferToJson(transfer);
+TransferText transferText(const scene::TransferFunction& transfer, TransferKind kind, const scene::Lighting& lighting,
+                          double voxelMm) {
+  if (kind == TransferKind::Velum) return {scene::transferToJson(transfer), {}};
   scene::TransferFunction theirs = transfer;
   for (auto& point : theirs.gradientOpacities) point.value *= voxelMm;
   return kind == TransferKind::SlicerText ? slicerText(theirs, lighting) : slicerJson(theirs, lighting);
 }
 
-void writeTransferFile(const scene::TransferFunction& transfer, const scene::Lighting& lighting, double voxelMm,
-                       const std::filesystem::path& path) {
-  std::string text;
+std::vector<std::string> writeTransferFile(const scene::TransferFunction& transfer, const scene::Lighting& lighting,
+                                           double voxelMm, const std::filesystem::path& path) {
+  TransferText written;
   TransferKind kind = knownKind(path);
   try {
-    text = transferText(transfer, kind, lighting, voxelMm);
+    written = transferText(transfer, kind, lighting, voxelMm);
   } catch (const InputError& refusal) {
     throw InputError(fmt::format("{}: {}", path.string(), refusal.what()));
   }
-  replaceFile(path, text);
+  replaceFile(path, written.text);
+  return written.losses;
 }
 
 }  // namespace velum::io

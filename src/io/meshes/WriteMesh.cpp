@@ -2,14 +2,17 @@
 
 #include <fmt/format.h>
 #include <vtkCellArray.h>
+#include <vtkFieldData.h>
 #include <vtkFloatArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
+#include <vtkStringArray.h>
 #include <vtkXMLPolyDataWriter.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <iterator>
@@ -18,6 +21,7 @@
 #include <utility>
 #include <vector>
 
+#include "read/Losses.h"
 #include "read/Refuse.h"
 #include "read/VtkQuiet.h"
 #include "velum/core/FileName.h"
@@ -26,6 +30,12 @@
 namespace velum::io {
 
 namespace {
+
+std::string oneLine(std::string text) {
+  for (char& c : text)
+    if (c == '\n' || c == '\r') c = ' ';
+  return text;
+}
 
 vtkSmartPointer<vtkPolyData> toPolyData(const Mesh& mesh) {
   vtkNew<vtkPoints> points;
@@ -36,6 +46,12 @@ vtkSmartPointer<vtkPolyData> toPolyData(const Mesh& mesh) {
     for (std::size_t corner = 0; corner < 3; ++corner) triangles->InsertCellPoint(mesh.indices[i + corner]);
   }
   auto surface = vtkSmartPointer<vtkPolyData>::New();
+  if (!mesh.name.empty()) {
+    vtkNew<vtkStringArray> name;
+    name->SetName("name");
+    name->InsertNextValue(mesh.name);
+    surface->GetFieldData()->AddArray(name);
+  }
   surface->SetPoints(points);
   surface->SetPolys(triangles);
   if (mesh.normals.size() == mesh.positions.size()) {
@@ -84,6 +100,7 @@ class Lines {
 
 void writeObj(const Mesh& mesh, ReplaceFile& file) {
   Lines lines(file);
+  if (!mesh.name.empty()) lines.add("o {}\n", oneLine(mesh.name));
   for (glm::vec3 p : mesh.positions) lines.add("v {} {} {}\n", p.x, p.y, p.z);
   bool hasNormals = mesh.normals.size() == mesh.positions.size();
   if (hasNormals)
@@ -108,9 +125,10 @@ void writePly(const Mesh& mesh, ReplaceFile& file) {
   bool hasNormals = mesh.normals.size() == mesh.positions.size();
   std::size_t triangles = mesh.indices.size() / 3;
   std::string head = fmt::format(
-      "ply\nformat binary_little_endian 1.0\ncomment Velum\nelement vertex {}\nproperty float x\nproperty float y\n"
+      "ply\nformat binary_little_endian 1.0\ncomment Velum{}\nelement vertex {}\nproperty float x\nproperty float y\n"
       "property float z\n{}element face {}\nproperty list uchar int vertex_indices\nend_header\n",
-      mesh.positions.size(), hasNormals ? "property float nx\nproperty float ny\nproperty float nz\n" : "", triangles);
+      mesh.name.empty() ? "" : ": " + oneLine(mesh.name), mesh.positions.size(),
+      hasNormals ? "property float nx\nproperty float ny\nproperty float nz\n" : "", triangles);
   constexpr std::size_t kVector = 12, kTriangle = 13;
   std::vector<std::byte> bytes(mesh.positions.size() * kVector * (hasNormals ? 2 : 1) + triangles * kTriangle);
   std::byte* to = bytes.data();
@@ -131,7 +149,8 @@ void writeStl(const Mesh& mesh, ReplaceFile& file) {
   constexpr std::size_t kHead = 80, kTriangle = 50;
   auto count = std::uint32_t(mesh.indices.size() / 3);
   std::vector<std::byte> bytes(kHead + sizeof count + kTriangle * count);
-  std::memcpy(bytes.data(), "Velum", 5);
+  std::string head = mesh.name.empty() ? "Velum" : "Velum: " + mesh.name;
+  std::memcpy(bytes.data(), head.data(), std::min(head.size(), kHead));
   put(bytes.data() + kHead, count);
   for (std::size_t i = 0; i < count; ++i) {
     glm::vec3 corners[3];
@@ -146,25 +165,31 @@ void writeStl(const Mesh& mesh, ReplaceFile& file) {
 struct MeshWriter {
   std::string_view extension;
   void (*write)(const Mesh&, ReplaceFile&);
+  bool keepsNormals;  ///< Of vertices.
 };
 // A new format is one row.
 constexpr MeshWriter kWriters[] = {
-    {".obj", writeObj},
-    {".ply", writePly},
-    {".vtp", writeVtp},
-    {".stl", writeStl},
+    {".obj", writeObj, true},
+    {".ply", writePly, true},
+    {".vtp", writeVtp, true},
+    {".stl", writeStl, false},
 };
 
 }  // namespace
 
-void writeMesh(const Mesh& mesh, const std::filesystem::path& path) {
+std::vector<std::string> writeMesh(const Mesh& mesh, const std::filesystem::path& path) {
   if (mesh.indices.empty()) refuse(path, "an empty surface cannot be written");
   std::string extension = lowerExtension(path);
   for (const MeshWriter& writer : kWriters) {
     if (writer.extension != extension) continue;
     ReplaceFile file(path);
     writer.write(mesh, file);
-    return file.commit();
+    file.commit();
+    Losses losses;
+    bool hasNormals = mesh.normals.size() == mesh.positions.size();
+    losses.say(hasNormals && !writer.keepsNormals,
+               "normals of points are left out, and with them soft shading: {} has those of triangles", extension);
+    return losses.take();
   }
   refuse(path, "surfaces are written as .obj, .ply, .vtp or .stl");
 }

@@ -115,8 +115,8 @@ void readText(const Payload& part, std::span<std::byte> to, const Layout& layout
 
 /// 64-bit integers become Int32 where all fit, else Float64; both fit in the bytes that are there.
 template <class T>
-SampleType narrow(Bytes& bytes) {
-  std::size_t count = bytes.size() / 8;
+SampleType narrow(Bytes& bytes, std::vector<std::string>& warnings) {
+  std::size_t rounded = 0, count = bytes.size() / 8;
   auto load = [&](std::size_t i) {
     T value;
     std::memcpy(&value, bytes.data() + i * 8, 8);
@@ -130,9 +130,13 @@ SampleType narrow(Bytes& bytes) {
       storeNumber<std::int32_t>(double(value), bytes.data() + i * 4);
     } else {
       double asDouble = double(value);
+      rounded += static_cast<long double>(value) != static_cast<long double>(asDouble);
       std::memcpy(bytes.data() + i * 8, &asDouble, 8);
     }
   }
+  if (rounded > 0)
+    warnings.push_back(
+        fmt::format("{} of {} integers of 64 bits have more digits than a double and are rounded", rounded, count));
   if (!fits) return SampleType::Float64;
   bytes.resize(count * 4);
   return SampleType::Int32;
@@ -176,9 +180,9 @@ Volume readSamples(const Layout& layout, std::span<const Payload> parts, const P
            : readBinary(parts[i], to, layout, progress, double(i) * share, share);
   }
   if (layout.type == StoredType::Int64) {
-    volume.type = narrow<std::int64_t>(volume.voxels);
+    volume.type = narrow<std::int64_t>(volume.voxels, volume.warnings);
   } else if (layout.type == StoredType::UInt64) {
-    volume.type = narrow<std::uint64_t>(volume.voxels);
+    volume.type = narrow<std::uint64_t>(volume.voxels, volume.warnings);
   } else {
     volume.type = static_cast<SampleType>(layout.type);
   }

@@ -44,7 +44,8 @@ struct DicomFile {
   std::vector<std::string> warnings;
   std::vector<DicomFrame> frames;
   bool isSegmentation() const {
-    return modality == "SEG" || sopClass == "1.2.840.10008.5.1.4.1.1.66.4" || sopClass == "1.2.840.10008.5.1.4.1.1.66.7";
+    return modality == "SEG" || sopClass == "1.2.840.10008.5.1.4.1.1.66.4" ||
+           sopClass == "1.2.840.10008.5.1.4.1.1.66.7";
   }
   bool isDose() const { return modality == "RTDOSE" || sopClass == "1.2.840.10008.5.1.4.1.1.481.2"; }
   /// White is zero, and the numbers have no meaning of their own that turning them round would spoil.

@@ -1,6 +1,7 @@
 #pragma once
 #include <span>
 #include <string>
+#include <vector>
 
 #include "Readers.h"
 #include "read/Refuse.h"
@@ -20,7 +21,8 @@ struct FormatRow {
   Format format;
   bool (*matches)(const FileHead&);  ///< The content says so. Null: only the extension can tell.
   Volume (*read)(const scene::Source&, Progress&);
-  void (*write)(const Volume&, ReplaceFile&, Progress&);  ///< Null when we do not write it. The caller commits.
+  /// Null when we do not write it. The caller commits. Returns what was lost.
+  std::vector<std::string> (*write)(const Volume&, ReplaceFile&, Progress&);
 };
 
 std::span<const FormatRow> formatTable();

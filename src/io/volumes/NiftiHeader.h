@@ -10,8 +10,10 @@
 
 namespace velum::io {
 
-/// What our writer puts into the description of a volume that has axes but no patient.
+/// What our writer puts into the description of a volume that has axes but no patient, or no spacing of its own; both
+/// may stand there.
 inline constexpr std::string_view kOrientationUnknown = "velum: orientation unknown";
+inline constexpr std::string_view kSpacingUnknown = "velum: spacing unknown";
 
 /// The fields of a NIfTI-1, NIfTI-2 or Analyze 7.5 header that matter to us, in machine byte order, as the file has
 /// them.
@@ -19,7 +21,8 @@ struct NiftiHeader {
   std::filesystem::path file;   ///< Where the header stands.
   std::filesystem::path image;  ///< Where the voxels stand: the same file, or the .img of a pair.
   bool bigEndian = false;
-  bool saysUnknown = false;    ///< Its description is kOrientationUnknown.
+  bool saysUnknown = false;    ///< Its description has kOrientationUnknown.
+  bool saysNoSpacing = false;  ///< Its description has kSpacingUnknown.
   bool hasOrientation = true;  ///< False for Analyze 7.5.
   std::size_t headerBytes = 348;
   std::array<std::int64_t, 8> dim{};

@@ -154,6 +154,7 @@ void place(Volume& v, const NiftiHeader& h) {
   double mm = mmPerUnit(h);
   glm::dvec3 spacing(std::abs(h.pixdim[1]), std::abs(h.pixdim[2]), std::abs(h.pixdim[3]));
   glm::dmat3 sform(h.sform[0], h.sform[1], h.sform[2]);
+  v.isSpacingKnown = !h.saysNoSpacing;
   v.isOrientationKnown = (h.sformCode > 0 || h.qformCode > 0) && !h.saysUnknown;
   if (h.sformCode > 0 && isInvertible(sform))
     return placeInWorld(v, lpsFromRas * sform * mm, lpsFromRas * h.sform[3] * mm, spacing * mm);
@@ -196,7 +197,9 @@ NiftiHeader readNiftiHeader(const Path& file) {
   if (!h.hasOrientation && !isAnalyze) refuse(h.file, fmt::format("has no NIfTI magic, but {}", inQuotes(magic)));
   isVersion2 ? parseVersion2(f, h) : parseVersion1(f, h);
   h.headerBytes = isVersion2 ? 540 : 348;
-  h.saysUnknown = std::string_view(bytes).substr(isVersion2 ? 240 : 148).starts_with(kOrientationUnknown);
+  std::string_view description = std::string_view(bytes).substr(isVersion2 ? 240 : 148, 80);
+  h.saysUnknown = description.find(kOrientationUnknown) != std::string_view::npos;
+  h.saysNoSpacing = description.find(kSpacingUnknown) != std::string_view::npos;
   h.image = isSingle ? h.file : imageOf(h.file);
   double lowest = isSingle ? double(h.headerBytes) : 0.0;
   if (isAnalyze && h.dataOffset < 0) h.dataOffset = 0;

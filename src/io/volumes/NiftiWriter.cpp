@@ -9,6 +9,7 @@
 #include "Writers.h"
 #include "read/ByteSink.h"
 #include "read/FileNames.h"
+#include "read/Losses.h"
 
 namespace velum::io {
 
@@ -35,8 +36,22 @@ int dataTypeOf(const Volume& v) {
 
 bool isPlanar(const Volume& v) { return v.channels > 1 && dataTypeOf(v) != 128 && dataTypeOf(v) != 2304; }
 
+/// NIfTI's codes of length, and how many of its units a millimetre has. It knows no angstrom: micrometres are nearest.
+struct LengthCode {
+  int code;
+  double perMm;
+};
+
+LengthCode lengthCodeOf(const Volume& v) {
+  constexpr LengthCode kUnknown{0, 1}, kMillimetre{2, 1}, kMicrometre{3, 1e3};
+  return v.lengthUnit == LengthUnit::Angstrom ? kMicrometre : v.isSpacingKnown ? kMillimetre : kUnknown;
+}
+
+/// In the file's unit of length.
 glm::dmat4 rasFromVoxel(const Volume& v) {
-  return glm::dmat4(-1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1) * worldFromVoxelIn(LengthUnit::Millimetre, v);
+  double scale = lengthCodeOf(v).perMm;
+  return glm::dmat4(-scale, 0, 0, 0, 0, -scale, 0, 0, 0, 0, scale, 0, 0, 0, 0, 1) *
+         worldFromVoxelIn(LengthUnit::Millimetre, v);
 }
 
 /// Quaternion (b, c, d) of a rotation, and the handedness that pixdim[0] holds.
@@ -83,12 +98,12 @@ Rotation rotationOf(const glm::dmat4& ras) {
 struct Content {
   std::int64_t dim[8];
   double pixdim[8];
-  int datatype, bits, intent, formCode, qformCode;
+  int datatype, bits, intent, formCode, qformCode, units;
   std::int64_t dataOffset;
   double slope, intercept;
   glm::dmat4 ras;
   Rotation rotation;
-  std::string_view description;
+  std::string description;
 };
 
 Content contentOf(const Volume& v, std::size_t extensionBytes, bool isVersion2, bool isLabels) {
@@ -99,7 +114,8 @@ Content contentOf(const Volume& v, std::size_t extensionBytes, bool isVersion2, 
   std::copy(std::begin(sizes), std::end(sizes), c.dim);
   c.ras = rasFromVoxel(v);
   c.rotation = rotationOf(c.ras);
-  glm::dvec3 spacing = spacingOf(v) * unitsPer(v.lengthUnit, LengthUnit::Millimetre);
+  LengthCode length = lengthCodeOf(v);
+  glm::dvec3 spacing = spacingOf(v) * (unitsPer(v.lengthUnit, LengthUnit::Millimetre) * length.perMm);
   double lengths[] = {c.rotation.handed, spacing.x, spacing.y, spacing.z, v.timeStepSeconds, 1, 1, 1};
   std::copy(std::begin(lengths), std::end(lengths), c.pixdim);
   c.datatype = dataTypeOf(v);
@@ -107,7 +123,10 @@ Content contentOf(const Volume& v, std::size_t extensionBytes, bool isVersion2, 
   c.intent = isLabels ? kIntentLabel : planar ? kIntentVector : 0;
   // Code 1: scanner coordinates. Code 0, "nobody knows", would lose the matrix with it, so the description says that.
   c.formCode = v.isOrientationKnown ? 1 : 2;
-  c.description = v.isOrientationKnown ? std::string_view() : kOrientationUnknown;
+  if (!v.isOrientationKnown) c.description = kOrientationUnknown;
+  if (!v.isSpacingKnown) c.description += (c.description.empty() ? "" : "; ") + std::string(kSpacingUnknown);
+  constexpr int kSeconds = 8;
+  c.units = length.code | kSeconds;
   c.qformCode = c.rotation.isExact ? c.formCode : 0;
   c.dataOffset = std::int64_t((isVersion2 ? 544 : 352) + extensionBytes);
   c.slope = v.scale;
@@ -128,7 +147,7 @@ std::string headerVersion1(const Content& c) {
   h.put(108, float(c.dataOffset));
   h.put(112, float(c.slope));
   h.put(116, float(c.intercept));
-  h.put<std::uint8_t>(123, 2 | 8);  // mm, s
+  h.put(123, std::uint8_t(c.units));
   h.put(252, std::int16_t(c.qformCode));
   h.put(254, std::int16_t(c.formCode));
   for (std::size_t i = 0; i < 3; ++i) {
@@ -162,7 +181,7 @@ std::string headerVersion2(const Content& c) {
     for (std::size_t k = 0; k < 4; ++k) h.put(400 + 32 * i + 8 * k, c.ras[int(k)][int(i)]);
   }
   c.description.copy(h.bytes.data() + 240, 79);
-  h.put<std::int32_t>(500, 2 | 8);
+  h.put(500, std::int32_t(c.units));
   h.put(504, std::int32_t(c.intent));
   return h.bytes;
 }
@@ -192,9 +211,46 @@ void writePlanar(const Volume& v, ByteSink& sink, Progress& progress) {
     }
 }
 
+/// How far floats put a corner of the grid off, in voxels.
+double misplacedBy(const Volume& v, const glm::dmat4& ras) {
+  glm::dmat4 stored = glm::dmat4(glm::mat4(ras)), exact = glm::inverse(ras);
+  double worst = 0;
+  for (int corner = 0; corner < 8; ++corner) {
+    glm::dvec4 voxel((corner & 1) * (v.dims.x - 1), (corner >> 1 & 1) * (v.dims.y - 1), (corner >> 2) * (v.dims.z - 1),
+                     1);
+    worst = std::max(worst, glm::length(glm::dvec3(exact * (stored * voxel) - voxel)));
+  }
+  return worst;
+}
+
+/// How far scale and offset as floats put a value off.
+double misscaledBy(const Volume& v) {
+  double most = std::max(std::abs(v.range.x - v.offset), std::abs(v.range.y - v.offset)) / std::abs(v.scale);
+  return most * std::abs(double(float(v.scale)) - v.scale) + std::abs(double(float(v.offset)) - v.offset);
+}
+
+std::vector<std::string> lossesOf(const Volume& v, const Content& content, bool isVersion2, const Path& path) {
+  constexpr double kSmallShare = 0.01;  // of a voxel: seen by nobody
+  Losses losses;
+  losses.say(isNameLost(v, path), "the name {} is left out: NIfTI has no place for it", inQuotes(v.name));
+  losses.say(!v.unit.empty(), "the unit of values, {}, is left out: NIfTI has no place for it", inQuotes(v.unit));
+  losses.say(v.modality != Modality::Unknown, "that it is {} is left out: NIfTI has no place for it",
+             enumName(v.modality));
+  losses.say(!v.channelNames.empty(), "the names of channels are left out: NIfTI has no place for them");
+  losses.say(v.isColor && isPlanar(v), "colours are left as {} values of a voxel: NIfTI has colours of 8 bits only",
+             v.channels);
+  losses.say(v.lengthUnit == LengthUnit::Angstrom, "lengths are written in um: NIfTI knows no angstrom");
+  double misplaced = isVersion2 ? 0 : misplacedBy(v, content.ras), misscaled = isVersion2 ? 0 : misscaledBy(v);
+  losses.say(misplaced > kSmallShare, "places are kept as floats, which puts voxels off by {:.2g} of their size",
+             misplaced);
+  losses.say(misscaled > 0, "scale and offset are kept as floats, which changes values by up to {:.2g}", misscaled);
+  return losses.take();
+}
+
 }  // namespace
 
-void writeNiftiWith(const Volume& v, ReplaceFile& file, const LabelExtras& extras, Progress& progress) {
+std::vector<std::string> writeNiftiWith(const Volume& v, ReplaceFile& file, const LabelExtras& extras,
+                                        Progress& progress) {
   const Path& path = file.target();
   std::string extension = lowerExtension(path);
   if (extension != ".nii" && extension != ".nii.gz") refuse(path, "NIfTI is written as .nii or .nii.gz");
@@ -221,10 +277,11 @@ void writeNiftiWith(const Volume& v, ReplaceFile& file, const LabelExtras& extra
     }
   }
   sink.finish();
+  return lossesOf(v, content, isVersion2, path);
 }
 
-void writeNifti(const Volume& volume, ReplaceFile& file, Progress& progress) {
-  writeNiftiWith(volume, file, {}, progress);
+std::vector<std::string> writeNifti(const Volume& volume, ReplaceFile& file, Progress& progress) {
+  return writeNiftiWith(volume, file, {}, progress);
 }
 
 }  // namespace velum::io

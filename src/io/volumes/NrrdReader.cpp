@@ -281,7 +281,11 @@ void takeKeyValues(Volume& v, const NrrdHeader& h) {
     v.scale = scale;
     v.offset = offset;
   }
+  v.name = h.field("content");
   v.unit = value("velum_unit");
+  bool hasChannelNames = h.keyValues.contains("velum_channel_0");
+  for (int i = 0; hasChannelNames && i < v.channels; ++i)
+    v.channelNames.push_back(value(fmt::format("velum_channel_{}", i).c_str()));
   double seconds = numberOf(value("velum_frame_seconds"));
   if (std::isfinite(seconds) && seconds > 0) v.timeStepSeconds = seconds;
   if (value("velum_spacing_known") == "0") v.isSpacingKnown = false;

@@ -7,6 +7,7 @@
 #include "Writers.h"
 #include "read/ByteSink.h"
 #include "read/FileNames.h"
+#include "read/Losses.h"
 
 namespace velum::io {
 
@@ -29,6 +30,13 @@ std::string escaped(const std::string& text) {
     if (c != '\r') result += c == '\n' ? 'n' : c;
   }
   return result;
+}
+
+/// Of a field, which knows no escapes.
+std::string oneLine(std::string text) {
+  for (char& c : text)
+    if (c == '\n' || c == '\r') c = ' ';
+  return text;
 }
 
 std::string axesText(const Volume& v) {
@@ -63,18 +71,22 @@ std::string keyValuesText(const Volume& v, const LabelExtras& extras) {
   if (v.modality != Modality::Unknown) text += fmt::format("velum_modality:={}\n", enumName(v.modality));
   if (v.timeStepSeconds > 0) text += fmt::format("velum_frame_seconds:={}\n", v.timeStepSeconds);
   if (!v.isSpacingKnown) text += "velum_spacing_known:=0\n";
+  for (std::size_t i = 0; i < v.channelNames.size(); ++i)
+    text += fmt::format("velum_channel_{}:={}\n", i, escaped(v.channelNames[i]));
   for (const auto& [key, value] : extras.nrrdKeyValues) text += fmt::format("{}:={}\n", key, escaped(value));
   return text;
 }
 
 }  // namespace
 
-void writeNrrdWith(const Volume& v, ReplaceFile& file, const LabelExtras& extras, Progress& progress) {
+std::vector<std::string> writeNrrdWith(const Volume& v, ReplaceFile& file, const LabelExtras& extras,
+                                       Progress& progress) {
   const Path& path = file.target();
   if (lowerExtension(path) == ".nhdr") refuse(path, "detached NRRD headers are not written; use .nrrd");
   ByteSink sink(file);
   sink.write(
       "NRRD0005\n# Complete NRRD file format specification at:\n# http://teem.sourceforge.net/nrrd/format.html\n");
+  if (!v.name.empty()) sink.write(fmt::format("content: {}\n", oneLine(v.name)));
   sink.write(axesText(v));
   if (sampleSize(v.type) > 1)
     sink.write(std::endian::native == std::endian::big ? "endian: big\n" : "endian: little\n");
@@ -88,10 +100,15 @@ void writeNrrdWith(const Volume& v, ReplaceFile& file, const LabelExtras& extras
     progress.report(double(at) / double(bytes.size()), "Writing " + path.filename().string());
   }
   sink.finish();
+  Losses losses;
+  losses.say(v.scale != 1.0 || v.offset != 0.0,
+             "NRRD has no scale: other programs read stored samples, of which a value is {} times one plus {}", v.scale,
+             v.offset);
+  return losses.take();
 }
 
-void writeNrrd(const Volume& volume, ReplaceFile& file, Progress& progress) {
-  writeNrrdWith(volume, file, {}, progress);
+std::vector<std::string> writeNrrd(const Volume& volume, ReplaceFile& file, Progress& progress) {
+  return writeNrrdWith(volume, file, {}, progress);
 }
 
 }  // namespace velum::io

@@ -1,6 +1,8 @@
 #pragma once
 #include <cstddef>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "velum/core/LabelVolume.h"
 #include "velum/core/ReplaceFile.h"
@@ -11,7 +13,8 @@
 /// The readers and writers, each in the file of its name. The table in Formats.cpp names them and chooses.
 /// Each reader checks the header against the file's size before it allocates, throws InputError with the file's name
 /// and the reason, reports progress, and leaves `range`, a name that the file does not have, and the user's spacing to
-/// readVolume(). A writer fills the file that it is given; the caller commits it.
+/// readVolume(). A writer fills the file that it is given, which the caller commits, and
+/// returns what it could not keep, one line each.
 namespace velum::io {
 
 // Headers of our own
@@ -19,20 +22,20 @@ Volume readNifti(const scene::Source& source, Progress& progress);
 Volume readNrrd(const scene::Source& source, Progress& progress);
 Volume readMetaImage(const scene::Source& source, Progress& progress);
 Volume readMrc(const scene::Source& source, Progress& progress);
-void writeNifti(const Volume& volume, ReplaceFile& file, Progress& progress);
-void writeNrrd(const Volume& volume, ReplaceFile& file, Progress& progress);
+std::vector<std::string> writeNifti(const Volume& volume, ReplaceFile& file, Progress& progress);
+std::vector<std::string> writeNrrd(const Volume& volume, ReplaceFile& file, Progress& progress);
 // GDCM
 Volume readDicom(const scene::Source& source, Progress& progress);
 LabelVolume readDicomSeg(const scene::Source& source, Progress& progress);
 // VTK
 Volume readVti(const scene::Source& source, Progress& progress);
 Volume readVtkLegacy(const scene::Source& source, Progress& progress);
-void writeVti(const Volume& volume, ReplaceFile& file, Progress& progress);
+std::vector<std::string> writeVti(const Volume& volume, ReplaceFile& file, Progress& progress);
 // Own or OpenImageIO, OpenVDB
 Volume readSegy(const scene::Source& source, Progress& progress);
 Volume readTiff(const scene::Source& source, Progress& progress);
 Volume readVdb(const scene::Source& source, Progress& progress);
-void writeVdb(const Volume& volume, ReplaceFile& file, Progress& progress);
+std::vector<std::string> writeVdb(const Volume& volume, ReplaceFile& file, Progress& progress);
 Volume readRaw(const scene::Source& source, Progress& progress);
 Volume readInvesalius(const scene::Source& source, Progress& progress);  // .inv3
 

@@ -33,11 +33,10 @@ constexpr double kVoxelsPerActive = 1000, kVoxelsPerByte = 64, kVoxelsPerTile = 
 /// empty but for a few voxels.
 constexpr double kFreeVoxels = 1 << 24, kNotedVoxels = 1 << 27;
 
-using vdb::kDims, vdb::kOriented, vdb::kSpacing, vdb::kUnit;
-using Dense = openvdb::tools::Dense<float, openvdb::tools::LayoutXYZ>;
+using openvdb::GridBase;
 
 /// Reads what walkVdb() has looked over. The notes stay outside: OpenVDB allocates by what they say.
-openvdb::FloatGrid::Ptr readGrid(const Path& path, const VdbGrid& found) {
+GridBase::Ptr readGrid(const Path& path, const VdbGrid& found) {
   auto streamData = openvdb::SharedPtr<openvdb::io::StreamMetadata>(new openvdb::io::StreamMetadata);
   std::ifstream bytes(path, std::ios::binary);
   // OpenVDB does not look whether its reads succeed; should the file be cut meanwhile, the stream throws.
@@ -48,7 +47,8 @@ openvdb::FloatGrid::Ptr readGrid(const Path& path, const VdbGrid& found) {
   openvdb::io::setGridClass(bytes, openvdb::GRID_UNKNOWN);
   openvdb::io::setHalfFloat(bytes, found.isHalf);
   openvdb::io::setGridBackgroundValuePtr(bytes, nullptr);
-  auto grid = openvdb::FloatGrid::create();
+  GridBase::Ptr grid = openvdb::FloatGrid::create();
+  if (found.isDouble) grid = openvdb::DoubleGrid::create();
   grid->setSaveFloatAsHalf(found.isHalf);
   bytes.seekg(std::streamoff(found.transformAt));
   grid->readTransform(bytes);
@@ -71,7 +71,7 @@ bool flagOf(const VdbGrid& grid, const char* name, bool otherwise) {
   return noteOf<std::uint8_t>(grid, name, "bool").value_or(otherwise) != 0;
 }
 
-void place(Volume& v, const openvdb::FloatGrid& grid, const openvdb::Coord& origin, const Path& path) {
+void place(Volume& v, const GridBase& grid, const openvdb::Coord& origin, const Path& path) {
   auto affine = grid.transform().baseMap()->getAffineMap();
   if (!grid.transform().isLinear() || !affine) refuse(path, "the grid's transform is not linear; resample it first");
   // OpenVDB multiplies row vectors from the left, so that its rows are our columns.
@@ -92,10 +92,10 @@ glm::dvec3 sizeOf(const openvdb::CoordBBox& box) {
 
 /// The box that becomes the volume: what we noted when we wrote it, else the active voxels.
 /// @throw InputError when neither the active voxels nor the file's size justify so many dense ones
-openvdb::CoordBBox boxOf(const openvdb::FloatGrid& grid, const VdbGrid& found, const FileBytes& file) {
+openvdb::CoordBBox boxOf(const GridBase& grid, const VdbGrid& found, const FileBytes& file) {
   openvdb::CoordBBox box = grid.evalActiveVoxelBoundingBox();
   bool isNoted = false;
-  if (auto d = noteOf<std::array<std::int32_t, 3>>(found, kDims, "vec3i"); d && glm::min((*d)[0], (*d)[1]) > 0) {
+  if (auto d = noteOf<std::array<std::int32_t, 3>>(found, vdb::kDims, "vec3i"); d && glm::min((*d)[0], (*d)[1]) > 0) {
     openvdb::CoordBBox whole({0, 0, 0}, {(*d)[0] - 1, (*d)[1] - 1, (*d)[2] - 1});
     isNoted = (*d)[2] > 0 && (box.empty() || whole.isInside(box));
     if (isNoted) box = whole;
@@ -103,13 +103,15 @@ openvdb::CoordBBox boxOf(const openvdb::FloatGrid& grid, const VdbGrid& found, c
   if (box.empty()) refuse(file.path(), "the grid has no active voxels");
   glm::dvec3 dims = sizeOf(box);
   double voxels = dims.x * dims.y * dims.z;
-  if (voxels * sizeof(float) > kMaxBytes || glm::any(glm::greaterThan(dims, glm::dvec3(4096.0))))
+  std::size_t sample = found.isDouble ? sizeof(double) : sizeof(float);
+  if (voxels * double(sample) > kMaxBytes || glm::any(glm::greaterThan(dims, glm::dvec3(4096.0))))
     refuse(file.path(),
            fmt::format("the active voxels span {:.0f} x {:.0f} x {:.0f}; at most 4096 along an axis and 2 GiB of "
                        "voxels are read",
                        dims.x, dims.y, dims.z));
   // A tile is one value for up to 4096^3 voxels: one flipped bit.
-  auto active = double(grid.tree().activeLeafVoxelCount()) + kVoxelsPerTile * double(grid.tree().activeTileCount());
+  const openvdb::TreeBase& tree = grid.baseTree();
+  auto active = double(tree.activeLeafVoxelCount()) + kVoxelsPerTile * double(tree.activeTileCount());
   double most =
       std::max({isNoted ? kNotedVoxels : kFreeVoxels, kVoxelsPerActive * active, kVoxelsPerByte * double(file.size())});
   if (voxels > most)
@@ -118,6 +120,31 @@ openvdb::CoordBBox boxOf(const openvdb::FloatGrid& grid, const VdbGrid& found, c
                                     "is not damaged, crop the grid",
                                     active, file.size(), dims.x, dims.y, dims.z, kVoxelsPerActive, kVoxelsPerByte));
   return box;
+}
+
+template <class Grid>
+void copyVoxels(const GridBase& grid, const openvdb::CoordBBox& box, Volume& v) {
+  using Value = typename Grid::ValueType;
+  openvdb::tools::Dense<Value, openvdb::tools::LayoutXYZ> dense(box, reinterpret_cast<Value*>(v.voxels.data()));
+  openvdb::tools::copyToDense(static_cast<const Grid&>(grid), dense);
+}
+
+void takeNotes(Volume& v, const VdbGrid& found) {
+  auto text = [&](const char* name) {
+    auto at = found.notes.find(name);
+    return at == found.notes.end() ? std::string() : at->second.bytes;
+  };
+  v.lengthUnit = enumValue<LengthUnit>(text(vdb::kUnit)).value_or(LengthUnit::Millimetre);
+  v.isOrientationKnown = flagOf(found, vdb::kOriented, false);
+  v.isSpacingKnown = flagOf(found, vdb::kSpacing, true);
+  if (!found.notes.contains(vdb::kSpacing))
+    v.warnings.push_back("an OpenVDB file has no unit; its world units are taken as mm");
+  v.unit = text(vdb::kValueUnit);
+  v.modality = enumValue<Modality>(text(vdb::kModality)).value_or(Modality::Unknown);
+  v.name = text("name");
+  if (found.gridsInFile > 1)
+    v.warnings.push_back(fmt::format("of {} grids the first of floats or doubles, {}, was taken", found.gridsInFile,
+                                     inQuotes(v.name)));
 }
 
 }  // namespace
@@ -134,18 +161,11 @@ Volume readVdb(const scene::Source& source, Progress& progress) try {
   openvdb::CoordBBox box = boxOf(*grid, found, file);
   Volume v;
   v.dims = glm::ivec3(sizeOf(box));
-  v.type = SampleType::Float32;
+  v.type = found.isDouble ? SampleType::Float64 : SampleType::Float32;
   v.voxels.resize(checkedBytes(path, v.dims, 1, 1, sampleSize(v.type), kMaxBytes));
-  Dense dense(box, reinterpret_cast<float*>(v.voxels.data()));
-  openvdb::tools::copyToDense(*grid, dense);
-  if (auto unit = found.notes.find(kUnit); unit != found.notes.end())
-    v.lengthUnit = enumValue<LengthUnit>(unit->second.bytes).value_or(LengthUnit::Millimetre);
-  v.isOrientationKnown = flagOf(found, kOriented, false);
-  v.isSpacingKnown = flagOf(found, kSpacing, true);
-  if (!found.notes.contains(kSpacing))
-    v.warnings.push_back("an OpenVDB file has no unit; its world units are taken as mm");
+  (found.isDouble ? copyVoxels<openvdb::DoubleGrid> : copyVoxels<openvdb::FloatGrid>)(*grid, box, v);
+  takeNotes(v, found);
   place(v, *grid, box.min(), path);
-  if (auto name = found.notes.find("name"); name != found.notes.end()) v.name = name->second.bytes;
   progress.report(1, "reading OpenVDB");
   return v;
 } catch (const openvdb::Exception& e) {

@@ -90,18 +90,19 @@ struct Mask {
   }
 };
 
-/// A tree of floats with nodes of 32, 16 and 8 voxels a side: first all masks, then the values of all leaves.
+/// A tree of numbers with nodes of 32, 16 and 8 voxels a side: first all masks, then the values of all leaves.
 class TreeWalk {
  public:
-  TreeWalk(Bytes& in, const VdbGrid& grid) : mIn(in), mGrid(grid) {}
+  TreeWalk(Bytes& in, const VdbGrid& grid)
+      : mIn(in), mGrid(grid), mValue(grid.isDouble ? sizeof(double) : sizeof(float)) {}
 
   void walk() {
     if (mIn.take<std::int32_t>() != 1) mIn.refuseDamage("its tree has more than one buffer");
-    mIn.skip(sizeof(float));
+    mIn.skip(mValue);
     auto tiles = mIn.take<std::uint32_t>(), children = mIn.take<std::uint32_t>();
     for (std::uint32_t i = 0; i < tiles; ++i) {
       takeOrigin();
-      mIn.skip(sizeof(float));
+      mIn.skip(mValue);
       if (mIn.take<std::uint8_t>() > 1) mIn.refuseDamage("a tile is neither active nor inactive");
     }
     for (std::uint32_t i = 0; i < children; ++i) {
@@ -150,12 +151,12 @@ class TreeWalk {
     int kind = mGrid.fileVersion < kNodeMasks ? kAllValues : mIn.take<std::int8_t>();
     if (kind < 0 || kind > kAllValues) mIn.refuseDamage(fmt::format("values are packed in an unknown way, {}", kind));
     bool hasOneValue = kind == 2 || kind == 4, hasTwoValues = kind == 5;
-    mIn.skip(hasTwoValues ? 2 * sizeof(float) : hasOneValue ? sizeof(float) : 0);
+    mIn.skip(hasTwoValues ? 2 * mValue : hasOneValue ? mValue : 0);
     if (kind >= 3 && kind <= 5) mIn.skip(maskBytes);
     bool hasActiveOnly = (mGrid.compression & kActiveMask) && kind != kAllValues;
     std::size_t stored = hasActiveOnly ? active : count;
     if (mGrid.isHalf && stored == 0) return;  // then OpenVDB does not even write a size
-    walkBlock(stored * (mGrid.isHalf ? 2 : 4));
+    walkBlock(stored * (mGrid.isHalf ? 2 : mValue));
   }
 
   /// @param bytes  that come out
@@ -183,6 +184,7 @@ class TreeWalk {
 
   Bytes& mIn;
   const VdbGrid& mGrid;
+  std::size_t mValue;  ///< Bytes of a number that is not packed.
   std::uint64_t mLeaves = 0;
   std::set<std::array<std::int32_t, 3>> mOrigins;
 };
@@ -241,13 +243,15 @@ VdbGrid walkVdb(const FileBytes& file) {
   bool hasOffsets = false;
   VdbGrid grid = takeHeader(in, file.path(), hasOffsets);
   std::string others;
-  for (auto count = in.take<std::int32_t>(); count > 0; --count) {
+  grid.gridsInFile = in.take<std::int32_t>();
+  for (int count = grid.gridsInFile; count > 0; --count) {
     in.takeText();  // its name, made unique
     std::string type = in.takeText(), parent = in.takeText();
     in.skip(2 * sizeof(std::int64_t));  // where the grid and its values begin: here, and where the walk leads
     auto end = in.take<std::uint64_t>();
     grid.isHalf = type.ends_with("_HalfFloat");
-    if (!type.starts_with("Tree_float_5_4_3") || !parent.empty()) {
+    grid.isDouble = type.starts_with("Tree_double_5_4_3");
+    if ((!grid.isDouble && !type.starts_with("Tree_float_5_4_3")) || !parent.empty()) {
       if (others.size() < 200) others += (others.empty() ? "" : ", ") + type;
       if (!hasOffsets) refuse(file.path(), fmt::format("its first grid is a {}, which is not read", inQuotes(type)));
       if (end < in.at()) in.refuseDamage("a grid ends before it begins");
@@ -264,7 +268,7 @@ VdbGrid walkVdb(const FileBytes& file) {
     if (hasOffsets && in.at() != end) in.refuseDamage(fmt::format("its grid ends here and should at byte {}", end));
     return grid;
   }
-  refuse(file.path(), fmt::format("has no grid of floats (it has: {})", others.empty() ? "nothing" : inQuotes(others)));
+  refuse(file.path(), fmt::format("has no grid of floats or doubles (it has: {})", others.empty() ? "nothing" : inQuotes(others)));
 }
 
 }  // namespace velum::io

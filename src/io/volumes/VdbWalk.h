@@ -13,16 +13,18 @@ struct VdbNote {
   std::string bytes;
 };
 
-/// The first grid of floats of a .vdb.
+/// The first grid of floats or doubles of a .vdb.
 struct VdbGrid {
   std::uint32_t fileVersion = 0, libraryMajor = 0, libraryMinor = 0;
   std::uint32_t compression = 0;  ///< OpenVDB's flags.
   bool isHalf = false;            ///< Values are stored in 16 bits.
+  bool isDouble = false;
+  int gridsInFile = 1;
   std::map<std::string, VdbNote> notes;
   std::uint64_t transformAt = 0;  ///< Byte of the file where the transform stands, the tree behind it.
 };
 
-/// Walks from the file's first byte to the end of the first grid of floats, without allocating on its word. OpenVDB
+/// Walks from the file's first byte to the end of the first grid of floats or doubles, without allocating on its word. OpenVDB
 /// allocates by lengths and counts that it has only read, and hands blocks to their codec whatever they say of
 /// themselves; so all of them are compared with the file before.
 /// @throw InputError when something does not fit, or the file has no such grid

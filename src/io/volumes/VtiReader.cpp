@@ -142,21 +142,52 @@ void readPiece(const Piece& piece, const Extent& whole, bool ofCells, Volume& v,
     }
 }
 
-/// A number of our own in the field data; other field data is none of ours, and is not touched.
-double noteOf(const VtkXml& xml, std::string_view name, double otherwise) {
+/// Something of our own in the field data; other field data is none of ours, and is not touched.
+const XmlElement* fieldOf(const VtkXml& xml, std::string_view name) {
   const XmlElement* fields = xml.data().child("FieldData");
-  if (!fields) return otherwise;
-  for (const XmlElement& element : fields->children) {
-    if (element.name != "DataArray" || element.attribute("Name") != name) continue;
-    VtkArray array(xml, element);
-    if (array.type() != SampleType::Float64 || array.isWide()) continue;
-    double value = 0;
-    Progress progress;
-    array.check(1);
-    array.read(std::as_writable_bytes(std::span(&value, 1)), progress);
-    return std::isfinite(value) ? value : otherwise;
-  }
-  return otherwise;
+  if (!fields) return nullptr;
+  for (const XmlElement& element : fields->children)
+    if (element.name == "DataArray" && element.attribute("Name") == name) return &element;
+  return nullptr;
+}
+
+double noteOf(const VtkXml& xml, std::string_view name, double otherwise) {
+  const XmlElement* element = fieldOf(xml, name);
+  if (!element) return otherwise;
+  VtkArray array(xml, *element);
+  if (array.type() != SampleType::Float64 || array.isWide()) return otherwise;
+  double value = 0;
+  Progress progress;
+  array.check(1);
+  array.read(std::as_writable_bytes(std::span(&value, 1)), progress);
+  return std::isfinite(value) ? value : otherwise;
+}
+
+std::string textOf(const VtkXml& xml, std::string_view name) {
+  constexpr double kLongest = 4096;
+  const XmlElement* element = fieldOf(xml, name);
+  if (!element) return {};
+  VtkArray array(xml, *element);
+  double length = numbersOr<1>(element->attribute("NumberOfTuples"), {0})[0];
+  if (array.type() != SampleType::UInt8 || !(length >= 1 && length <= kLongest)) return {};
+  std::string text(std::size_t(length), '\0');
+  Progress progress;
+  array.check(text.size());
+  array.read(std::as_writable_bytes(std::span(text)), progress);
+  return text;
+}
+
+void takeNotes(Volume& v, const VtkXml& xml) {
+  v.scale = noteOf(xml, vti::kScale, 1.0);
+  v.offset = noteOf(xml, vti::kOffset, 0.0);
+  if (v.scale == 0.0) v.scale = 1.0;
+  if (noteOf(xml, vti::kSpacing, 1.0) == 0.0) v.isSpacingKnown = false;
+  bool mayBeColor = v.channels == 3 || v.channels == 4;
+  v.isColor = mayBeColor && noteOf(xml, vti::kColor, v.type == SampleType::UInt8) != 0.0;
+  v.name = textOf(xml, vti::kName);
+  v.unit = textOf(xml, vti::kUnit);
+  v.modality = enumValue<Modality>(textOf(xml, vti::kModality)).value_or(Modality::Unknown);
+  setLengthUnit(v, enumValue<LengthUnit>(textOf(xml, vti::kLengthUnit)).value_or(LengthUnit::Millimetre));
 }
 
 /// @param shift  where voxel 0 lies in VTK's index space: the extent's start; plus a half for cells
@@ -193,12 +224,11 @@ Volume readVti(const scene::Source& source, Progress& progress) try {
   for (const Piece& piece : pieces) readPiece(piece, whole, ofCells, v, progress);
   if (ofCells) v.warnings.push_back("the values stand in cells; each cell is taken as a voxel");
   if (pieces[0].array.isWide()) v.warnings.push_back("64-bit integers are read as doubles");
-  v.isColor = (v.channels == 3 || v.channels == 4) && v.type == SampleType::UInt8;
+  bool isNamed = v.channels > 1 && !pieces[0].array.componentName(0).empty();
+  for (int i = 0; isNamed && i < v.channels; ++i) v.channelNames.emplace_back(pieces[0].array.componentName(i));
   v.isOrientationKnown = !xml.data().attribute("Direction").empty() && noteOf(xml, vti::kOriented, 1.0) != 0.0;
   place(v, xml.data(), glm::dvec3(whole.first) + (ofCells ? 0.5 : 0.0));
-  v.scale = noteOf(xml, vti::kScale, 1.0);
-  v.offset = noteOf(xml, vti::kOffset, 0.0);
-  if (v.scale == 0.0) v.scale = 1.0;
+  takeNotes(v, xml);
   return v;
 } catch (const std::bad_alloc&) {
   refuse(source.path, "needs more memory than there is");

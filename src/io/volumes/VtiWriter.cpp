@@ -7,10 +7,12 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkSmartPointer.h>
+#include <vtkUnsignedCharArray.h>
 #include <vtkXMLImageDataWriter.h>
 
 #include "Readers.h"
 #include "VtiNotes.h"
+#include "read/Losses.h"
 #include "read/Refuse.h"
 #include "read/VtkQuiet.h"
 
@@ -31,9 +33,29 @@ void addNote(vtkImageData& image, const char* name, double value) {
   image.GetFieldData()->AddArray(array);
 }
 
+void addNote(vtkImageData& image, const char* name, const std::string& text) {
+  if (text.empty()) return;
+  vtkNew<vtkUnsignedCharArray> array;
+  array->SetName(name);
+  for (char c : text) array->InsertNextValue(static_cast<unsigned char>(c));
+  image.GetFieldData()->AddArray(array);
+}
+
+void addNotes(vtkImageData& image, const Volume& volume) {
+  addNote(image, vti::kScale, volume.scale);
+  addNote(image, vti::kOffset, volume.offset);
+  addNote(image, vti::kOriented, volume.isOrientationKnown ? 1.0 : 0.0);
+  addNote(image, vti::kSpacing, volume.isSpacingKnown ? 1.0 : 0.0);
+  addNote(image, vti::kColor, volume.isColor ? 1.0 : 0.0);
+  addNote(image, vti::kName, volume.name);
+  addNote(image, vti::kUnit, volume.unit);
+  addNote(image, vti::kModality, std::string(enumName(volume.modality)));
+  addNote(image, vti::kLengthUnit, std::string(enumName(volume.lengthUnit)));
+}
+
 }  // namespace
 
-void writeVti(const Volume& volume, ReplaceFile& file, Progress& progress) {
+std::vector<std::string> writeVti(const Volume& volume, ReplaceFile& file, Progress& progress) {
   const Path& path = file.target();
   if (volume.timeSteps > 1)
     refuse(path, fmt::format("a .vti holds one time step, not {}; write .nrrd or .nii", volume.timeSteps));
@@ -55,9 +77,9 @@ void writeVti(const Volume& volume, ReplaceFile& file, Progress& progress) {
   array->SetVoidArray(const_cast<std::byte*>(volume.voxels.data()), vtkIdType(voxelCount(volume)) * volume.channels, 1);
   array->SetName("scalars");
   image->GetPointData()->SetScalars(array);
-  addNote(*image, vti::kScale, volume.scale);
-  addNote(*image, vti::kOffset, volume.offset);
-  addNote(*image, vti::kOriented, volume.isOrientationKnown ? 1.0 : 0.0);
+  for (std::size_t i = 0; i < volume.channelNames.size(); ++i)
+    array->SetComponentName(vtkIdType(i), volume.channelNames[i].c_str());
+  addNotes(*image, volume);
 
   vtkNew<vtkXMLImageDataWriter> writer;
   quiet.listen(*writer, &progress);
@@ -72,6 +94,13 @@ void writeVti(const Volume& volume, ReplaceFile& file, Progress& progress) {
   progress.throwIfCancelled();
   if (!done || !quiet.error().empty()) refuse(path, fmt::format("cannot be written ({})", quiet.error()));
   file.write(writer->GetOutputString());
+  Losses losses;
+  losses.say(volume.scale != 1.0 || volume.offset != 0.0,
+             ".vti has no scale: other programs read stored samples, of which a value is {} times one plus {}",
+             volume.scale, volume.offset);
+  losses.say(volume.lengthUnit != LengthUnit::Millimetre,
+             "lengths are written in mm: .vti has no unit of length for other programs");
+  return losses.take();
 }
 
 }  // namespace velum::io

@@ -7,6 +7,8 @@
 
 #include "FormatTable.h"
 #include "Writers.h"
+#include "read/FileNames.h"
+#include "read/Losses.h"
 #include "read/Refuse.h"
 #include "velum/core/ReplaceFile.h"
 
@@ -34,6 +36,7 @@ Volume volumeOf(const LabelVolume& labels, Progress& progress) {
   v.type = used.empty() || used.back() < 256 ? SampleType::UInt8 : SampleType::UInt16;
   v.worldFromVoxel = labels.worldFromVoxel();
   v.lengthUnit = labels.lengthUnit();
+  v.name = labels.name;
   v.voxels.resize(timeStepBytes(v));
   std::size_t plane = std::size_t(v.dims.x) * std::size_t(v.dims.y);
   std::vector<std::uint16_t> slab(plane * LabelVolume::kBrickSize);
@@ -58,7 +61,7 @@ std::string oneLine(std::string text) {
 }
 
 /// 3D Slicer's names for what a segment is.
-LabelExtras extrasOf(const LabelVolume& labels) {
+LabelExtras extrasOf(const LabelVolume& labels, bool isNifti) {
   LabelExtras extras;
   auto add = [&](std::size_t i, const char* what, std::string value) {
     extras.nrrdKeyValues.emplace_back(fmt::format("Segment{}_{}", i, what), std::move(value));
@@ -69,13 +72,19 @@ LabelExtras extrasOf(const LabelVolume& labels) {
   for (std::size_t i = 0; i < labels.table.size(); ++i) {
     const LabelInfo& label = labels.table[i];
     std::string name = oneLine(label.name);
+    bool isChanged = name != label.name;
     add(i, "ID", fmt::format("Segment_{}", label.id));
     add(i, "Name", name);
     add(i, "Color", fmt::format("{} {} {}", label.color.r, label.color.g, label.color.b));
     add(i, "Extent", fmt::format("0 {} 0 {} 0 {}", last.x, last.y, last.z));
     add(i, "LabelValue", fmt::format("{}", label.id));
     add(i, "Layer", "0");
-    while (name.find("]]>") != std::string::npos) name.erase(name.find("]]>"), 3);
+    if (label.opacity != 1.0f) add(i, "VelumOpacity", fmt::format("{}", label.opacity));
+    for (auto at = name.find("]]>"); isNifti && at != std::string::npos; at = name.find("]]>")) {
+      name.erase(at, 3);
+      isChanged = true;
+    }
+    extras.changedNames += isChanged;
     xml += fmt::format("<Label Key=\"{}\" Red=\"{}\" Green=\"{}\" Blue=\"{}\" Alpha=\"{}\"><![CDATA[{}]]></Label>\n",
                        label.id, label.color.r, label.color.g, label.color.b, label.opacity, name);
   }
@@ -87,27 +96,36 @@ LabelExtras extrasOf(const LabelVolume& labels) {
 
 }  // namespace
 
-void writeVolume(const Volume& volume, const std::filesystem::path& path, Progress& progress) {
+bool isNameLost(const Volume& volume, const Path& path) { return !volume.name.empty() && volume.name != titleOf(path); }
+
+std::vector<std::string> writeVolume(const Volume& volume, const std::filesystem::path& path, Progress& progress) {
   const FormatRow* row = chooseWriter(path);
   if (!row) refuse(path, fmt::format("volumes are written as {}", fmt::join(writtenExtensions(), ", ")));
   checkWhole(volume, path);
   ReplaceFile file(path);
-  row->write(volume, file, progress);
+  auto losses = row->write(volume, file, progress);
   file.commit();
   progress.report(1.0, "Wrote " + path.filename().string());
+  return losses;
 }
 
-void writeLabels(const LabelVolume& labels, const std::filesystem::path& path, Progress& progress) {
+std::vector<std::string> writeLabels(const LabelVolume& labels, const std::filesystem::path& path, Progress& progress) {
   const FormatRow* row = chooseWriter(path);
   bool isNrrd = row && row->format.name == "NRRD", isNifti = row && row->format.name == "NIfTI";
   if (!isNrrd && !isNifti) refuse(path, "labels are written as .nrrd, .seg.nrrd, .nii or .nii.gz");
   Volume v = volumeOf(labels, progress);
   checkWhole(v, path);
-  LabelExtras extras = extrasOf(labels);
+  LabelExtras extras = extrasOf(labels, isNifti);
   ReplaceFile file(path);
-  (isNrrd ? writeNrrdWith : writeNiftiWith)(v, file, extras, progress);
+  auto losses = (isNrrd ? writeNrrdWith : writeNiftiWith)(v, file, extras, progress);
   file.commit();
   progress.report(1.0, "Wrote " + path.filename().string());
+  Losses more;
+  more.say(extras.changedNames > 0,
+           "{} names of structures are changed: line ends, or what ends a name in XML, cannot stand in them",
+           extras.changedNames);
+  for (std::string& line : more.take()) losses.push_back(std::move(line));
+  return losses;
 }
 
 }  // namespace velum::io

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "Readers.h"
+#include "read/Refuse.h"
 
 namespace velum::io {
 
@@ -11,8 +12,14 @@ namespace velum::io {
 struct LabelExtras {
   std::vector<std::pair<std::string, std::string>> nrrdKeyValues;
   std::string niftiExtension;  ///< XML, empty for none; its presence also marks the file as labels.
+  int changedNames = 0;        ///< Of structures, to fit the format.
 };
-void writeNrrdWith(const Volume& volume, ReplaceFile& file, const LabelExtras& extras, Progress& progress);
-void writeNiftiWith(const Volume& volume, ReplaceFile& file, const LabelExtras& extras, Progress& progress);
+std::vector<std::string> writeNrrdWith(const Volume& volume, ReplaceFile& file, const LabelExtras& extras,
+                                       Progress& progress);
+std::vector<std::string> writeNiftiWith(const Volume& volume, ReplaceFile& file, const LabelExtras& extras,
+                                        Progress& progress);
+
+/// Of the name: a file is called by its own where it holds none.
+bool isNameLost(const Volume& volume, const Path& path);
 
 }  // namespace velum::io

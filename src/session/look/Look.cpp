@@ -28,22 +28,31 @@ scene::TransferFunction transferOf(io::TransferFile file, double voxel) {
 
 bool isLookFile(const std::filesystem::path& path) { return io::isTransferFile(path); }
 
-void importLook(scene::Scene& scene, const std::filesystem::path& path) {
-  scene::TransferFunction transfer = transferOf(io::readTransferFile(path), voxel(scene.volume));
+std::vector<std::string> importLook(scene::Scene& scene, const std::filesystem::path& path) {
+  io::TransferFile file = io::readTransferFile(path);
+  std::vector<std::string> warnings = std::move(file.warnings);
+  scene::TransferFunction transfer = transferOf(std::move(file), voxel(scene.volume));
   scene::TransferFunction& target = scene::currentTransfer(scene.volume);
   if (transfer.colors.empty()) transfer.colors = target.colors;
   target = std::move(transfer);
   scene.rayCast.mode = scene::RenderMode::Volume;
+  return warnings;
 }
 
-void exportLook(const scene::Scene& scene, const std::filesystem::path& path) {
-  io::writeTransferFile(scene::currentTransfer(scene.volume), scene.lighting, voxel(scene.volume), path);
+std::vector<std::string> exportLook(const scene::Scene& scene, const std::filesystem::path& path) {
+  auto losses = io::writeTransferFile(scene::currentTransfer(scene.volume), scene.lighting, voxel(scene.volume), path);
+  if (scene.volume.channels.size() > 1)
+    losses.push_back(fmt::format("the looks of {} other channels are left out", scene.volume.channels.size() - 1));
+  if (scene.unit != LengthUnit::Millimetre)
+    losses.push_back(fmt::format("lengths in it are in {}, which the file does not say", enumName(scene.unit)));
+  return losses;
 }
 
-void convertLook(const std::filesystem::path& input, const std::filesystem::path& output) {
+std::vector<std::string> convertLook(const std::filesystem::path& input, const std::filesystem::path& output) {
   scene::Scene scene;
+  std::vector<std::string> losses;
   if (isLookFile(input)) {
-    importLook(scene, input);
+    losses = importLook(scene, input);
   } else {
     auto text = readSceneText(input);
     if (!text)
@@ -59,7 +68,9 @@ void convertLook(const std::filesystem::path& input, const std::filesystem::path
       scene.volume.transfer =
           scene.volume.channels[std::min(std::size_t(scene.volume.channel), scene.volume.channels.size() - 1)].transfer;
   }
-  exportLook(scene, output);
+  auto more = exportLook(scene, output);
+  losses.insert(losses.end(), more.begin(), more.end());
+  return losses;
 }
 
 }  // namespace velum::session

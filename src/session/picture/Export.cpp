@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "velum/core/Error.h"
 #include "velum/gpu/Context.h"
 #include "velum/io/meshes/WriteMesh.h"
@@ -10,19 +12,29 @@
 
 namespace velum::session {
 
-void exportSheets(const scene::Scene& settled, const std::vector<int>& cuts, const std::filesystem::path& path) {
+std::vector<std::string> exportSheets(const scene::Scene& settled, const std::vector<int>& cuts,
+                                      const std::filesystem::path& path) {
+  std::vector<std::string> losses;
+  if (settled.unit != LengthUnit::Millimetre)
+    losses.push_back(fmt::format("lengths are in {}, which no file of surfaces says", enumName(settled.unit)));
   for (std::size_t i = 0; i < cuts.size(); ++i) {
     std::filesystem::path name(path);
     if (cuts.size() > 1)
       name.replace_filename(fmt::format("{}-{}{}", path.stem().string(), i, path.extension().string()));
     const scene::Cut* cut = scene::findCut(settled, cuts[i]);
     if (!cut || !scene::isMembrane(*cut)) throw ArgumentError(fmt::format("there is no membrane with id {}", cuts[i]));
-    io::writeMesh(sheetMesh(*cut), name);
+    for (const std::string& line : io::writeMesh(sheetMesh(*cut), name))
+      if (std::find(losses.begin(), losses.end(), line) == losses.end()) losses.push_back(line);
   }
+  return losses;
 }
 
-void exportClippedVolume(const scene::Scene& settled, const std::filesystem::path& path, Progress& progress) {
-  io::writeVolume(clippedVolume(settled, progress), path, progress);
+std::vector<std::string> exportClippedVolume(const scene::Scene& settled, const std::filesystem::path& path,
+                                             Progress& progress) {
+  auto losses = io::writeVolume(clippedVolume(settled, progress), path, progress);
+  if (int count = settled.volume.data->timeSteps; count > 1)
+    losses.push_back(fmt::format("of {} time steps the one that is shown is written", count));
+  return losses;
 }
 
 scene::Scene settledHeadless(const scene::Scene& scene, Progress& progress) {

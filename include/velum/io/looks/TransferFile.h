@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "velum/scene/Lighting.h"
 #include "velum/scene/TransferFunction.h"
@@ -16,6 +17,8 @@ struct TransferFile {
   scene::TransferFunction transfer;
   /// Slicer's gradients are values per voxel (of mean edge), ours per mm.
   bool isGradientPerVoxel = false;
+  /// What the file has that a transfer function does not, one line each.
+  std::vector<std::string> warnings;
 };
 
 /// True for names that end in .velum-transfer.json, .vp.json or .vp, whatever their case.
@@ -29,15 +32,22 @@ TransferFile readTransferFile(const std::filesystem::path& path);
 /// The same from text. @throw InputError
 TransferFile parseTransfer(std::string_view text, TransferKind kind);
 
+/// A file's text, and what it could not hold, one line each, for people.
+struct TransferText {
+  std::string text;
+  std::vector<std::string> losses;
+};
+
 /// What is written. .vp has no unit of opacity: there it becomes that of 1 mm.
 /// @param lighting  Slicer's files name a light; 0..1 of it fits
 /// @param voxel  mean edge of a voxel, mm, for Slicer's gradients; not used where the function has no gradient part
-std::string transferText(const scene::TransferFunction& transfer, TransferKind kind, const scene::Lighting& lighting,
-                         double voxel);
+TransferText transferText(const scene::TransferFunction& transfer, TransferKind kind, const scene::Lighting& lighting,
+                          double voxel);
 
 /// Writes by name; to a temporary beside it, then renamed.
+/// @return what the kind could not hold, one line each, for people
 /// @throw InputError when the name is none of these, the kind cannot hold the function, or the disk refuses
-void writeTransferFile(const scene::TransferFunction& transfer, const scene::Lighting& lighting, double voxel,
-                       const std::filesystem::path& path);
+std::vector<std::string> writeTransferFile(const scene::TransferFunction& transfer, const scene::Lighting& lighting,
+                                           double voxel, const std::filesystem::path& path);
 
 }  // namespace velum::io

@@ -1,5 +1,7 @@
 #pragma once
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "velum/core/LabelVolume.h"
 #include "velum/core/Task.h"
@@ -8,12 +10,15 @@
 namespace velum::io {
 
 /// Writes .nrrd, .nii, .nii.gz, .vti or .vdb, by extension; to a temporary beside it, then renamed. Orientation,
-/// spacing, scale and offset survive (VDB: float values, all else exactly the raw samples).
+/// spacing, scale and offset survive (VDB: values as floats, or as doubles where floats do not hold them; all else
+/// exactly the raw samples).
+/// @return what the format could not hold, one line each, for people
 /// @throw InputError when the extension is not one of these, the format cannot hold the volume, or the disk refuses
-void writeVolume(const Volume& volume, const std::filesystem::path& path, Progress& progress);
+std::vector<std::string> writeVolume(const Volume& volume, const std::filesystem::path& path, Progress& progress);
 
-/// Writes labels as .nrrd (.seg.nrrd: with segment names and colours) or .nii(.gz), uint8 when they fit, else uint16,
-/// with the table beside it as .txt (3D Slicer colour table) where the format has no place for it.
-void writeLabels(const LabelVolume& labels, const std::filesystem::path& path, Progress& progress);
+/// Writes labels as .nrrd, .seg.nrrd (3D Slicer's segments) or .nii(.gz) (Caret's table), uint8 when they fit, else
+/// uint16, with names, colours and opacities.
+/// @return as writeVolume()
+std::vector<std::string> writeLabels(const LabelVolume& labels, const std::filesystem::path& path, Progress& progress);
 
 }  // namespace velum::io

@@ -1,5 +1,7 @@
 #pragma once
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "velum/scene/Scene.h"
 
@@ -10,14 +12,16 @@ bool isLookFile(const std::filesystem::path& path);
 
 /// Gives the scene the transfer function of a file: the current channel where several are mixed, which keeps its colour
 /// where the file has none. Light and window stay. The scene is drawn as a volume.
+/// @return what the file has that the scene does not take, one line each, for people
 /// @throw InputError for a file that is missing, damaged or of another kind; the scene is then unchanged
-void importLook(scene::Scene& scene, const std::filesystem::path& path);
+std::vector<std::string> importLook(scene::Scene& scene, const std::filesystem::path& path);
 
-/// Writes the transfer function that is edited, in the kind that the name says. @throw InputError
-void exportLook(const scene::Scene& scene, const std::filesystem::path& path);
+/// Writes the transfer function that is edited, in the kind that the name says.
+/// @return what the kind could not hold, one line each, for people. @throw InputError
+std::vector<std::string> exportLook(const scene::Scene& scene, const std::filesystem::path& path);
 
 /// The transfer function of a scene file, a picture of ours or another such file, as `output`; data is not read.
-/// @throw InputError
-void convertLook(const std::filesystem::path& input, const std::filesystem::path& output);
+/// @return what was lost on the way, one line each, for people. @throw InputError
+std::vector<std::string> convertLook(const std::filesystem::path& input, const std::filesystem::path& output);
 
 }  // namespace velum::session

@@ -1,0 +1,24 @@
+#pragma once
+#include <fmt/format.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace velum::io {
+
+/// What a writer could not keep, one line each, for people.
+class Losses {
+ public:
+  /// Adds a line where something is lost.
+  template <class... Values>
+  void say(bool isLost, fmt::format_string<Values...> text, Values&&... values) {
+    if (isLost) mLines.push_back(fmt::format(text, std::forward<Values>(values)...));
+  }
+  std::vector<std::string> take() { return std::move(mLines); }
+
+ private:
+  std::vector<std::string> mLines;
+};
+
+}  // namespace velum::io

@@ -34,6 +34,21 @@ TEST(LabelVolume, WhatIsWrittenIsRead) {
   EXPECT_EQ(labels.at({70, 0, 0}), 0);
 }
 
+TEST(LabelVolume, OutsideOfItThereIsNoLabel) {
+  // No edge is a multiple of a brick's.
+  glm::ivec3 dims(70, 33, 41);
+  LabelVolume labels(dims, glm::dmat4(1.0));
+  std::vector<std::uint16_t> all(std::size_t(dims.x * dims.y * dims.z), 7);
+  labels.write(glm::ivec3(0), dims, all);
+  EXPECT_EQ(labels.at(dims - 1), 7);
+  for (int axis = 0; axis < 3; ++axis)
+    for (int off : {-1, dims[axis], dims[axis] + 1, dims[axis] + 100}) {
+      glm::ivec3 p(5);
+      p[axis] = off;
+      EXPECT_EQ(labels.at(p), 0) << p.x << ", " << p.y << ", " << p.z;
+    }
+}
+
 TEST(LabelVolume, AnEditCostsTheBricksItTouches) {
   LabelVolume before(glm::ivec3(256), glm::dmat4(1.0));
   EXPECT_EQ(before.storedBytes(), 0u);

@@ -61,7 +61,7 @@ TEST(TransferFile, TheNewSlicerFormComesBackButForTheName) {
 
 TEST(TransferFile, TheOldSlicerFormKeepsTheMaterial) {
   TransferFile file =
-      parseTransfer(transferText(sample(), TransferKind::SlicerText, {}, 1.0), TransferKind::SlicerText);
+      parseTransfer(transferText(sample(), TransferKind::SlicerText, {}, 1.0).text, TransferKind::SlicerText);
   EXPECT_EQ(file.transfer.unitDistance, 1.0);
   ASSERT_EQ(file.transfer.opacities.size(), sample().opacities.size());
   for (std::size_t i = 0; i < file.transfer.opacities.size(); ++i) {

@@ -20,7 +20,8 @@ CutRoom::CutRoom(const WindowParts& parts)
           [this] { mOnSections.setSheets(mParts.session.membranes().indices()); });
   Toolbox& toolbox = parts.toolbox;
   connect(mPanel, &CutPanel::threePointsAsked, this, [this, &toolbox] { toolbox.start(mThreePoints); });
-  connect(mPanel, &CutPanel::refused, &parts.messages, &MessageBar::showNote);
+  connect(mPanel, &CutPanel::refused, &parts.messages,
+          [&bar = parts.messages](const QString& why) { bar.showNote(why); });
   connect(&parts.selection, &Selection::cutChanged, this, [this, &toolbox] { toolbox.stop(mThreePoints); });
   connect(&mThreePoints, &ThreePointTool::made, mPanel,
           [this](const scene::Cut& cut) { mPanel->addCut(cut, "Plane through three points"); });

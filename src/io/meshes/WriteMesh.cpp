@@ -101,6 +101,7 @@ class Lines {
 void writeObj(const Mesh& mesh, ReplaceFile& file) {
   Lines lines(file);
   if (!mesh.name.empty()) lines.add("o {}\n", oneLine(mesh.name));
+  lines.add("# Velum\n");
   for (glm::vec3 p : mesh.positions) lines.add("v {} {} {}\n", p.x, p.y, p.z);
   bool hasNormals = mesh.normals.size() == mesh.positions.size();
   if (hasNormals)

@@ -46,6 +46,10 @@ class VtkArray {
   VtkArray(const VtkXml& xml, const XmlElement& element);
 
   std::string_view name() const { return mElement.attribute("Name"); }
+  /// Empty where it has none.
+  std::string_view componentName(int index) const {
+    return mElement.attribute("ComponentName" + std::to_string(index));
+  }
   SampleType type() const { return mType; }
   bool isWide() const { return mIsWide; }  ///< It holds 64-bit integers.
   int components() const { return mComponents; }

@@ -143,8 +143,8 @@ void takeNotes(Volume& v, const VdbGrid& found) {
   v.modality = enumValue<Modality>(text(vdb::kModality)).value_or(Modality::Unknown);
   v.name = text("name");
   if (found.gridsInFile > 1)
-    v.warnings.push_back(fmt::format("of {} grids the first of floats or doubles, {}, was taken", found.gridsInFile,
-                                     inQuotes(v.name)));
+    v.warnings.push_back(
+        fmt::format("of {} grids the first of floats or doubles, {}, was taken", found.gridsInFile, inQuotes(v.name)));
 }
 
 }  // namespace

@@ -268,7 +268,8 @@ VdbGrid walkVdb(const FileBytes& file) {
     if (hasOffsets && in.at() != end) in.refuseDamage(fmt::format("its grid ends here and should at byte {}", end));
     return grid;
   }
-  refuse(file.path(), fmt::format("has no grid of floats or doubles (it has: {})", others.empty() ? "nothing" : inQuotes(others)));
+  refuse(file.path(),
+         fmt::format("has no grid of floats or doubles (it has: {})", others.empty() ? "nothing" : inQuotes(others)));
 }
 
 }  // namespace velum::io

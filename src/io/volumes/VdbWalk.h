@@ -24,8 +24,8 @@ struct VdbGrid {
   std::uint64_t transformAt = 0;  ///< Byte of the file where the transform stands, the tree behind it.
 };
 
-/// Walks from the file's first byte to the end of the first grid of floats or doubles, without allocating on its word. OpenVDB
-/// allocates by lengths and counts that it has only read, and hands blocks to their codec whatever they say of
+/// Walks from the file's first byte to the end of the first grid of floats or doubles, without allocating on its word.
+/// OpenVDB allocates by lengths and counts that it has only read, and hands blocks to their codec whatever they say of
 /// themselves; so all of them are compared with the file before.
 /// @throw InputError when something does not fit, or the file has no such grid
 VdbGrid walkVdb(const FileBytes& file);

@@ -1,6 +1,7 @@
 #pragma once
 
-/// Our own notes in the FieldData of a .vti: a number each, or a text as bytes, for texts of VTK are stored its own way.
+/// Our own notes in the FieldData of a .vti: a number each, or a text as bytes, for texts of VTK are stored its own
+/// way.
 namespace velum::io::vti {
 
 constexpr const char* kScale = "velum.scale";

@@ -224,7 +224,7 @@ Volume readVti(const scene::Source& source, Progress& progress) try {
   for (const Piece& piece : pieces) readPiece(piece, whole, ofCells, v, progress);
   if (ofCells) v.warnings.push_back("the values stand in cells; each cell is taken as a voxel");
   if (pieces[0].array.isWide()) v.warnings.push_back("64-bit integers are read as doubles");
-  bool isNamed = v.channels > 1 && !pieces[0].array.componentName(0).empty();
+  bool isNamed = !pieces[0].array.componentName(0).empty();
   for (int i = 0; isNamed && i < v.channels; ++i) v.channelNames.emplace_back(pieces[0].array.componentName(i));
   v.isOrientationKnown = !xml.data().attribute("Direction").empty() && noteOf(xml, vti::kOriented, 1.0) != 0.0;
   place(v, xml.data(), glm::dvec3(whole.first) + (ofCells ? 0.5 : 0.0));

@@ -252,7 +252,7 @@ TEST(LengthUnits, AMapKeepsItsSizeInEveryFormat) {
     SCOPED_TRACE(name);
     writeVolume(map, folder / name, progress);
     Volume again = read(folder / name);
-    bool holdsUnits = std::string_view(name) == "a.nrrd" || std::string_view(name) == "a.vdb";
+    bool holdsUnits = std::string_view(name) != "a.nii";
     EXPECT_EQ(again.lengthUnit == LengthUnit::Angstrom, holdsUnits);
     glm::dvec3 spacing = spacingOf(again) * unitsPer(again.lengthUnit, LengthUnit::Angstrom);
     EXPECT_NEAR(spacing.x, 1.5, 1e-5);

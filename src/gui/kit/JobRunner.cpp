@@ -1,6 +1,7 @@
 #include "JobRunner.h"
 
 #include "Job.h"
+#include "velum/core/FreeMemory.h"
 
 namespace velum::gui {
 
@@ -18,7 +19,11 @@ void JobRunner::start(const QString& what, session::Job::Work work, std::functio
     QMetaObject::invokeMethod(
         this, [this, fraction, part] { mStrip.setProgress(fraction, part); }, Qt::QueuedConnection);
   };
-  mSession.startJob(std::move(work), throttled(report),
+  auto workAndTidy = [work = std::move(work)](Progress& progress) {
+    work(progress);
+    releaseFreeMemory();
+  };
+  mSession.startJob(std::move(workAndTidy), throttled(report),
                     [this, whenDone = std::move(whenDone)](const session::JobOutcome& outcome) {
                       mStrip.hide();
                       emit busyChanged(false);

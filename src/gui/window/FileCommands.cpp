@@ -7,6 +7,7 @@
 #include <exception>
 
 #include "kit/RecentFiles.h"
+#include "velum/core/FreeMemory.h"
 #include "velum/session/document/Open.h"
 #include "velum/session/look/Look.h"
 
@@ -158,6 +159,7 @@ void FileCommands::newScene() {
   mParts.messages.hide();
   mParts.toolbox.stop();
   mParts.session.file().close();
+  releaseFreeMemory();
 }
 
 }  // namespace velum::gui

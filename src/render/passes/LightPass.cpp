@@ -108,9 +108,8 @@ void LightPass::addSteps(const FrameData& data, int, WorkQueue& queue) {
   if (!keepsOpenness) mOpen.reset();
   if (!sameMaterial) {
     mKey.reset();
-    auto [program, isNew] = mExtinctionPrograms.try_emplace(key.variant);
-    if (isNew) program->second = gpu::Program({"render/light_extinction.comp"}, definesOf(key.variant));
-    mExtinctionProgram = &program->second;
+    mExtinctionProgram = &mExtinctionPrograms.find(
+        key.variant, [&] { return gpu::Program({"render/light_extinction.comp"}, definesOf(key.variant)); });
     addExtinctionSteps(queue);
   }
   addLightSteps(data, keepsOpenness, queue);

@@ -1,12 +1,12 @@
 #pragma once
 #include <array>
 #include <glm/glm.hpp>
-#include <map>
 #include <optional>
 #include <vector>
 
 #include "FrameData.h"
 #include "Pass.h"
+#include "ProgramCache.h"
 #include "velum/gpu/Program.h"
 #include "velum/gpu/Texture.h"
 
@@ -59,7 +59,7 @@ class LightPass : public Pass {
   void addExtinctionSteps(WorkQueue& queue);
   void addLightSteps(const FrameData& data, bool keepsOpenness, WorkQueue& queue);
 
-  std::map<DataVariant, gpu::Program> mExtinctionPrograms;
+  ProgramCache<DataVariant> mExtinctionPrograms;
   gpu::Program mLightProgram;
   const gpu::Program* mExtinctionProgram = nullptr;  ///< The frame's.
   gpu::Texture mExtinction, mLight;

@@ -33,9 +33,7 @@ RayCastPass::RayCastPass(Gbuffer& target, bool isSoftware)
 
 void RayCastPass::prepare(FrameData& data) {
   RayVariant variant = variantOf(data);
-  auto [program, isNew] = mPrograms.try_emplace(variant);
-  if (isNew) program->second = gpu::Program({"render/ray_cast.comp"}, definesOf(variant));
-  mProgram = &program->second;
+  mProgram = &mPrograms.find(variant, [&] { return gpu::Program({"render/ray_cast.comp"}, definesOf(variant)); });
   mTarget.resize(data.frame.windowSize);
   mPace.begin(data.frame.isPreview ? kPreviewPieceMs : kPieceMs);
 }

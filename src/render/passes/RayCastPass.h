@@ -1,11 +1,11 @@
 #pragma once
 #include <deque>
 #include <glm/glm.hpp>
-#include <map>
 
 #include "FrameData.h"
 #include "Gbuffer.h"
 #include "Pass.h"
+#include "ProgramCache.h"
 #include "velum/gpu/Program.h"
 
 namespace velum::render {
@@ -52,7 +52,7 @@ class RayCastPass : public Pass {
   void castTile(const FrameData& data, glm::ivec4 rect);
 
   Gbuffer& mTarget;
-  std::map<RayVariant, gpu::Program> mPrograms;
+  ProgramCache<RayVariant> mPrograms;
   const gpu::Program* mProgram = nullptr;  ///< The frame's.
   PictureProgress mProgress;
   Pace mPace;

@@ -1,0 +1,37 @@
+#pragma once
+#include <cstddef>
+#include <iterator>
+#include <list>
+#include <utility>
+
+#include "velum/gpu/Program.h"
+
+namespace velum::render {
+
+/// The programs of a pass by what they are compiled for, those that were asked for last. A software driver's take ten
+/// megabytes and more each, and there are hundreds of variants: a long session would gather all that it ever showed.
+template <class Variant>
+class ProgramCache {
+ public:
+  static constexpr std::size_t kMost = 16;
+
+  /// @param make  compiles one that is not kept
+  /// @return the program; it lives at least until the next call
+  template <class Make>
+  const gpu::Program& find(const Variant& variant, const Make& make) {
+    auto found = mKept.begin();
+    while (found != mKept.end() && found->first != variant) ++found;
+    if (found != mKept.end()) {
+      mKept.splice(mKept.begin(), mKept, found);
+    } else {
+      mKept.emplace_front(variant, make());
+      if (mKept.size() > kMost) mKept.pop_back();
+    }
+    return mKept.front().second;
+  }
+
+ private:
+  std::list<std::pair<Variant, gpu::Program>> mKept;  ///< The last one first.
+};
+
+}  // namespace velum::render

@@ -14,6 +14,7 @@ import concurrent.futures
 import json
 import os
 import queue
+import signal
 import sys
 import time
 
@@ -110,6 +111,7 @@ def main():
 
 
 if __name__ == "__main__":
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit("mutants: stopped; what is known is kept"))
     try:
         main()
     except KeyboardInterrupt:

@@ -53,6 +53,9 @@ class Tree:
             except subprocess.TimeoutExpired:
                 self.kill()
                 return None, self.process.communicate()[0]
+            except BaseException:
+                self.kill()
+                raise
 
     def kill(self):
         """What runs, a display and what is shown on it, too."""

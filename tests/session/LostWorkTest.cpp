@@ -1,4 +1,4 @@
-// Of several sessions that have died the newest is offered first, whatever their folders are called.
+// When a session's last change was: that of its journal, whatever is older beside it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -35,25 +35,6 @@ fs::path die(const TempFolder& root, const std::string& title) {
 void age(const fs::path& folder, std::chrono::minutes minutes) {
   for (const auto& entry : fs::directory_iterator(folder))
     fs::last_write_time(entry.path(), fs::file_time_type::clock::now() - minutes);
-}
-
-TEST(LostWork, TheNewestComesFirst) {
-  using std::chrono::minutes;
-  TempFolder root;
-  // In an order that is neither that of their deaths nor the other way round.
-  const std::pair<const char*, minutes> kSessions[] = {{"third", minutes(30)},
-                                                       {"first", minutes(1)},
-                                                       {"fifth", minutes(300)},
-                                                       {"second", minutes(7)},
-                                                       {"fourth", minutes(90)}};
-  std::vector<fs::path> folders;
-  for (const auto& [title, ago] : kSessions) folders.push_back(die(root, title));
-  for (std::size_t i = 0; i < folders.size(); ++i) age(folders[i], kSessions[i].second);
-  auto lost = findLostWork(root.path());
-  ASSERT_EQ(lost.size(), 5u);
-  const char* kWanted[] = {"first", "second", "third", "fourth", "fifth"};
-  for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(lost[i].title, kWanted[i]);
-  EXPECT_TRUE(std::is_sorted(lost.begin(), lost.end(), [](const auto& a, const auto& b) { return a.when > b.when; }));
 }
 
 TEST(LostWork, AChangeMakesOldWorkTheNewest) {

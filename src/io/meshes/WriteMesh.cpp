@@ -150,7 +150,7 @@ void writeStl(const Mesh& mesh, ReplaceFile& file) {
   constexpr std::size_t kHead = 80, kTriangle = 50;
   auto count = std::uint32_t(mesh.indices.size() / 3);
   std::vector<std::byte> bytes(kHead + sizeof count + kTriangle * count);
-  std::string head = mesh.name.empty() ? "Velum" : "Velum: " + mesh.name;
+  std::string head = mesh.name.empty() ? "Velum" : "Velum: " + oneLine(mesh.name);
   std::memcpy(bytes.data(), head.data(), std::min(head.size(), kHead));
   put(bytes.data() + kHead, count);
   for (std::size_t i = 0; i < count; ++i) {

@@ -8,6 +8,7 @@
 #include "read/ByteSink.h"
 #include "read/FileNames.h"
 #include "read/Losses.h"
+#include "velum/core/Text.h"
 
 namespace velum::io {
 
@@ -104,6 +105,7 @@ std::vector<std::string> writeNrrdWith(const Volume& v, ReplaceFile& file, const
   losses.say(v.scale != 1.0 || v.offset != 0.0,
              "NRRD has no scale: other programs read stored samples, of which a value is {} times one plus {}", v.scale,
              v.offset);
+  losses.say(trimmed(oneLine(v.name)) != v.name, "the name is written in one line: NRRD has no other");
   return losses.take();
 }
 

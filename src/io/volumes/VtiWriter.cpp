@@ -10,6 +10,10 @@
 #include <vtkUnsignedCharArray.h>
 #include <vtkXMLImageDataWriter.h>
 
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
 #include "Readers.h"
 #include "VtiNotes.h"
 #include "read/Losses.h"
@@ -41,16 +45,33 @@ void addNote(vtkImageData& image, const char* name, const std::string& text) {
   image.GetFieldData()->AddArray(array);
 }
 
+/// VTK writes names of components as they are.
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (char c : text) {
+    constexpr std::pair<char, const char*> kEntities[] = {
+        {'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}};
+    auto entity = std::find_if(std::begin(kEntities), std::end(kEntities), [&](auto& e) { return e.first == c; });
+    bool isPlain = entity == std::end(kEntities);
+    // Line ends and other characters without a picture cannot stand there.
+    out += isPlain ? std::string(1, static_cast<unsigned char>(c) < ' ' ? ' ' : c) : entity->second;
+  }
+  return out;
+}
+
 void addNotes(vtkImageData& image, const Volume& volume) {
   addNote(image, vti::kScale, volume.scale);
   addNote(image, vti::kOffset, volume.offset);
   addNote(image, vti::kOriented, volume.isOrientationKnown ? 1.0 : 0.0);
-  addNote(image, vti::kSpacing, volume.isSpacingKnown ? 1.0 : 0.0);
-  addNote(image, vti::kColor, volume.isColor ? 1.0 : 0.0);
+  if (!volume.isSpacingKnown) addNote(image, vti::kSpacing, 0.0);
+  // Who reads a file of others takes three or four bytes for a colour.
+  bool looksColored = (volume.channels == 3 || volume.channels == 4) && volume.type == SampleType::UInt8;
+  if (volume.isColor != looksColored) addNote(image, vti::kColor, volume.isColor ? 1.0 : 0.0);
   addNote(image, vti::kName, volume.name);
   addNote(image, vti::kUnit, volume.unit);
-  addNote(image, vti::kModality, std::string(enumName(volume.modality)));
-  addNote(image, vti::kLengthUnit, std::string(enumName(volume.lengthUnit)));
+  if (volume.modality != Modality::Unknown) addNote(image, vti::kModality, std::string(enumName(volume.modality)));
+  if (volume.lengthUnit != LengthUnit::Millimetre)
+    addNote(image, vti::kLengthUnit, std::string(enumName(volume.lengthUnit)));
 }
 
 }  // namespace
@@ -78,7 +99,7 @@ std::vector<std::string> writeVti(const Volume& volume, ReplaceFile& file, Progr
   array->SetName("scalars");
   image->GetPointData()->SetScalars(array);
   for (std::size_t i = 0; i < volume.channelNames.size(); ++i)
-    array->SetComponentName(vtkIdType(i), volume.channelNames[i].c_str());
+    array->SetComponentName(vtkIdType(i), escaped(volume.channelNames[i]).c_str());
   addNotes(*image, volume);
 
   vtkNew<vtkXMLImageDataWriter> writer;

@@ -1,4 +1,5 @@
 """velum-batch convert: what goes in comes out."""
+import json
 import unittest
 
 from velum_cli import CliTest
@@ -67,6 +68,39 @@ class Convert(CliTest):
                 self.run_batch("render", path, "-o", "x.png", *draw, "--preset", "ct-skin", "--transfer", name)
                 # The presets' grey windows differ, and with them where the steps of the table lie.
                 self.run_batch("compare", "a.png", "x.png", "--max-diff", "2", "--max-fraction", "0")
+
+    def test_what_a_format_cannot_hold_is_said(self):
+        path = self.sample("torso", 32)
+        done = self.run_batch("convert", path, "b.nii", "--json")
+        said = done.stderr.decode().splitlines()
+        warnings = json.loads(done.stdout)["warnings"]
+        self.assertTrue(any("'HU'" in line for line in warnings), warnings)
+        for line in warnings:
+            self.assertIn(f"warning: b.nii: {line}", said)
+        self.assertEqual(self.report("convert", path, "torso.nrrd")["warnings"], [])
+
+    def test_what_a_reader_notes_is_said_too(self):
+        path = self.sample("two-spheres", 32)
+        self.run_batch("convert", path, "b.nii")
+        data = bytearray((self.folder / "b.nii").read_bytes())
+        data[252:256] = b"\0\0\0\0"  # no form says how the body lies
+        (self.folder / "c.nii").write_bytes(data)
+        warnings = self.report("convert", "c.nii", "c.nrrd")["warnings"]
+        self.assertTrue(any("how the body lies" in line for line in warnings), warnings)
+
+    def test_a_look_says_what_slicer_has_no_place_for(self):
+        path = self.sample("torso", 32)
+        self.run_batch("render", path, "-o", "a.png", "--size", "16x16", "--preset", "ct-bone", "--save-scene", "a.json")
+        warnings = self.report("convert", "a.json", "b.vp")["warnings"]
+        self.assertTrue(any("ct-bone" in line for line in warnings), warnings)
+        self.assertEqual(self.report("convert", "a.json", "b.velum-transfer.json")["warnings"], [])
+
+    def test_samples_and_sheets_say_it_as_well(self):
+        report = self.report("sample", "torso", "-o", "t.nii", "--voxels", "32")
+        self.assertTrue(any("'HU'" in line for line in report["warnings"]), report)
+        report = self.report("membrane", "t.nii", "--sheet", "s.stl")
+        self.assertTrue(any("normals" in line for line in report["warnings"]), report)
+        self.assertEqual(self.report("membrane", "t.nii", "--sheet", "s.ply")["warnings"], [])
 
     def test_formats_that_are_not_written_exit_2(self):
         path = self.sample()

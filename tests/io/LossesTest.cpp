@@ -86,7 +86,7 @@ std::vector<Field> fieldsOfVolumes() {
   };
 }
 
-TEST(Losses, DISABLED_EveryFieldIsKeptOrSaid) {
+TEST(Losses, EveryFieldIsKeptOrSaid) {
   TempFolder folder;
   for (const char* name : kFormats)
     for (const Field& field : fieldsOfVolumes()) {
@@ -108,7 +108,7 @@ TEST(Losses, OnlyOursReadAScaleOfFormatsWithoutOne) {
   for (const char* name : {"a.nii", "a.vdb"}) EXPECT_TRUE(writeTo(v, folder / name).empty()) << name;
 }
 
-TEST(Losses, DISABLED_ColoursAndNamesOfChannelsAreKeptOrSaid) {
+TEST(Losses, ColoursAndNamesOfChannelsAreKeptOrSaid) {
   TempFolder folder;
   for (const char* name : {"a.nrrd", "a.nii", "a.vti"})
     for (SampleType type : {SampleType::UInt8, SampleType::UInt16})
@@ -236,7 +236,7 @@ Mesh tetrahedron() {
   return mesh;
 }
 
-TEST(Losses, DISABLED_SurfacesSayWhatHappensToTheirNormals) {
+TEST(Losses, SurfacesSayWhatHappensToTheirNormals) {
   TempFolder folder;
   Mesh mesh = tetrahedron();
   Progress progress;

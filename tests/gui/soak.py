@@ -102,7 +102,7 @@ class Author:
     def round(self):
         self.opened()
         phantom = self.dice.choice(PHANTOMS)[0]
-        lines = [f"open {phantom}.nrrd"]
+        lines = [f"open {phantom}.nrrd", "set rayCast.samplesPerPixel 1"]
         if phantom == "torso":
             lines += [f"add {phantom}_labels.seg.nrrd"]
         for _ in range(self.dice.randrange(5, 40)):

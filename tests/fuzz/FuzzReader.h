@@ -1,33 +1,65 @@
 #pragma once
-#include <sys/mman.h>
-#include <unistd.h>
-
-#include <cstdint>
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
-#include <string>
+#include <string_view>
 
+#include "FuzzFile.h"
 #include "velum/core/Error.h"
+#include "velum/core/Mesh.h"
+#include "velum/core/Volume.h"
 #include "volumes/Readers.h"
 
+/// What is asked of every reader: it may refuse the bytes with an Error; anything else is a finding, and so is something
+/// that does not fit together.
 namespace velum::io {
 
-/// Gives bytes to a reader as a file. It may refuse them with an Error; anything else is a finding, and so is a volume
-/// whose voxels do not fit its shape.
-template <class Reader>
-int fuzzReader(Reader reader, const std::uint8_t* data, std::size_t size, scene::RawLayout raw = {}) {
-  static const int file = ::memfd_create("fuzz", 0);
-  if (::ftruncate(file, 0) != 0 || ::pwrite(file, data, size, 0) != ssize_t(size)) return 0;
+inline void require(bool isSo) {
+  if (!isSo) std::abort();
+}
+
+inline void expectOneLine(const Error& error) {
+  require(std::string_view(error.what()).find('\n') == std::string_view::npos);
+}
+
+inline void expectSound(const Volume& v) {
+  require(v.dims.x >= 1 && v.dims.y >= 1 && v.dims.z >= 1 && v.channels >= 1 && v.timeSteps >= 1);
+  require(v.voxels.size() == timeStepBytes(v) * std::size_t(v.timeSteps));
+  double volume = glm::determinant(v.worldFromVoxel);
+  require(std::isfinite(volume) && volume != 0.0);
+  require(v.channelNames.empty() || v.channelNames.size() == std::size_t(v.channels));
+  computeRange(v);
+}
+
+/// @param read  takes the file's path
+template <class Read>
+int fuzzVolume(FuzzFile& file, Read read, const std::uint8_t* data, std::size_t size, scene::RawLayout raw = {}) {
+  file.hold(data, size);
   Progress progress;
   scene::Source source;
-  source.path = "/proc/self/fd/" + std::to_string(file);
+  source.path = file.path().string();
   source.raw = raw;
   try {
-    Volume v = reader(source, progress);
-    if (v.voxels.size() != timeStepBytes(v) * std::size_t(v.timeSteps) || v.dims.x < 1 || v.dims.y < 1 || v.dims.z < 1)
-      std::abort();
-    if (!(glm::determinant(v.worldFromVoxel) != 0.0)) std::abort();
-    computeRange(v);
-  } catch (const Error&) {
+    Volume volume = read(source, progress);
+    expectSound(volume);
+  } catch (const Error& error) {
+    expectOneLine(error);
+  }
+  return 0;
+}
+
+template <class Read>
+int fuzzMesh(FuzzFile& file, Read read, const std::uint8_t* data, std::size_t size) {
+  file.hold(data, size);
+  Progress progress;
+  try {
+    Mesh mesh = read(file.path(), progress);
+    require(mesh.indices.size() % 3 == 0);
+    require(std::all_of(mesh.indices.begin(), mesh.indices.end(), [&](auto i) { return i < mesh.positions.size(); }));
+    require(mesh.normals.empty() || mesh.normals.size() == mesh.positions.size());
+    for (const auto& p : mesh.positions) require(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z));
+  } catch (const Error& error) {
+    expectOneLine(error);
   }
   return 0;
 }

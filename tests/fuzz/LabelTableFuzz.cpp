@@ -1,10 +1,8 @@
-#include <sys/mman.h>
-#include <unistd.h>
-
 #include <cstdlib>
 #include <map>
 #include <string>
 
+#include "FuzzFile.h"
 #include "labels/LabelTables.h"
 #include "velum/core/Error.h"
 #include "velum/io/labels/ReadLabels.h"
@@ -22,10 +20,10 @@ void checkTable(const std::vector<velum::LabelInfo>& table) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace velum::io;
   std::string text(reinterpret_cast<const char*>(data), size);
-  static const int file = ::memfd_create("fuzz", 0);
-  if (::ftruncate(file, 0) != 0 || ::pwrite(file, data, size, 0) != ssize_t(size)) return 0;
+  static FuzzFile file("a.txt");
+  file.hold(data, size);
   try {
-    checkTable(readLabelTable("/proc/self/fd/" + std::to_string(file)));
+    checkTable(readLabelTable(file.path()));
   } catch (const velum::Error&) {
   }
   checkTable(parseCaretLabels(text));

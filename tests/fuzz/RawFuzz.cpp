@@ -10,5 +10,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   raw.channels = data[4] % 6;
   raw.bigEndian = data[5] & 1;
   raw.headerBytes = data[5] >> 1;
-  return io::fuzzReader(io::readRaw, data + 6, size - 6, raw);
+  static io::FuzzFile file("a.raw");
+  return io::fuzzVolume(file, io::readRaw, data + 6, size - 6, raw);
 }

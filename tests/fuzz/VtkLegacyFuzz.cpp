@@ -1,5 +1,6 @@
 #include "FuzzReader.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  return velum::io::fuzzReader(velum::io::readVtkLegacy, data, size);
+  static velum::io::FuzzFile file("a.vtk");
+  return velum::io::fuzzVolume(file, velum::io::readVtkLegacy, data, size);
 }

@@ -1,3 +1,5 @@
+#include <gtest/gtest.h>
+
 #include "SegyBytes.h"
 
 /// Headers of every revision, and what is no stack.

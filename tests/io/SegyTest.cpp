@@ -1,3 +1,5 @@
+#include <gtest/gtest.h>
+
 #include "SegyBytes.h"
 
 namespace velum::io {

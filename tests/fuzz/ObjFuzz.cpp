@@ -1,0 +1,7 @@
+#include "FuzzReader.h"
+#include "meshes/MeshReaders.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  static velum::io::FuzzFile file("a.obj");
+  return velum::io::fuzzMesh(file, velum::io::readObj, data, size);
+}

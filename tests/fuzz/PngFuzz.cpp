@@ -1,0 +1,6 @@
+#include "FuzzPicture.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  static velum::io::FuzzFile file("a.png");
+  return velum::io::fuzzPicture(file, data, size);
+}

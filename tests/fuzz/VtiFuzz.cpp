@@ -1,0 +1,6 @@
+#include "FuzzReader.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  static velum::io::FuzzFile file("a.vti");
+  return velum::io::fuzzVolume(file, velum::io::readVti, data, size);
+}

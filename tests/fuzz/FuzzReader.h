@@ -10,8 +10,8 @@
 #include "velum/core/Volume.h"
 #include "volumes/Readers.h"
 
-/// What is asked of every reader: it may refuse the bytes with an Error; anything else is a finding, and so is something
-/// that does not fit together.
+/// What is asked of every reader: it may refuse the bytes with an Error; anything else is a finding, and so is
+/// something that does not fit together.
 namespace velum::io {
 
 inline void require(bool isSo) {
@@ -22,7 +22,7 @@ inline void expectOneLine(const Error& error) {
   require(std::string_view(error.what()).find('\n') == std::string_view::npos);
 }
 
-inline void expectSound(const Volume& v) {
+inline void expectSound(Volume& v) {
   require(v.dims.x >= 1 && v.dims.y >= 1 && v.dims.z >= 1 && v.channels >= 1 && v.timeSteps >= 1);
   require(v.voxels.size() == timeStepBytes(v) * std::size_t(v.timeSteps));
   double volume = glm::determinant(v.worldFromVoxel);

@@ -1,5 +1,5 @@
-// fuzz-seeds FOLDER: sound files for each fuzz target to begin with, in a folder of its name. What they hold is a corner
-// of each phantom.
+// fuzz-seeds FOLDER: sound files for each fuzz target to begin with, in a folder of its name. What they hold is a
+// corner of each phantom.
 #include <cstdio>
 #include <cstring>
 #include <fstream>
@@ -57,8 +57,8 @@ Volume middleOf(Volume v) {
     for (int z = 0; z < dims.z; ++z)
       for (int y = 0; y < dims.y; ++y) {
         auto row = (std::size_t(at.z + z) * std::size_t(v.dims.y) + std::size_t(at.y + y)) * std::size_t(v.dims.x);
-        auto from = v.voxels.begin() + std::ptrdiff_t(timeStepBytes(v) * std::size_t(t) +
-                                                      (row + std::size_t(at.x)) * voxel);
+        auto from =
+            v.voxels.begin() + std::ptrdiff_t(timeStepBytes(v) * std::size_t(t) + (row + std::size_t(at.x)) * voxel);
         kept.insert(kept.end(), from, from + std::ptrdiff_t(voxel * std::size_t(dims.x)));
       }
   v.voxels = std::move(kept);
@@ -81,7 +81,8 @@ std::string samplesOf(const Volume& v) { return {reinterpret_cast<const char*>(v
 // Formats without a writer of ours.
 
 std::string metaImage(const Volume& v) {
-  const char* types[] = {"MET_UCHAR", "MET_CHAR", "MET_USHORT", "MET_SHORT", "MET_UINT", "MET_INT", "MET_FLOAT", "MET_DOUBLE"};
+  const char* types[] = {"MET_UCHAR", "MET_CHAR", "MET_USHORT", "MET_SHORT",
+                         "MET_UINT",  "MET_INT",  "MET_FLOAT",  "MET_DOUBLE"};
   return fmt::format(
              "ObjectType = Image\nNDims = 3\nDimSize = {} {} {}\nElementSpacing = 1 2 3\nOffset = 4 5 6\n"
              "TransformMatrix = 0 1 0 -1 0 0 0 0 1\nElementNumberOfChannels = {}\nBinaryDataByteOrderMSB = False\n"
@@ -125,7 +126,8 @@ std::string invesalius(const Volume& v) {
   };
   std::string plist = fmt::format(
       "<?xml version=\"1.0\"?><plist version=\"1.0\"><dict><key>modality</key><string>CT</string>"
-      "<key>orientation</key><integer>1</integer><key>spacing</key><array><real>0.5</real><real>2</real><real>1.5</real>"
+      "<key>orientation</key><integer>1</integer><key>spacing</key><array><real>0.5</real><real>2</real><real>1.5</"
+      "real>"
       "</array><key>matrix</key><dict><key>dtype</key><string>{}</string><key>filename</key>"
       "<string>matrix.dat</string><key>shape</key><array><integer>{}</integer><integer>{}</integer>"
       "<integer>{}</integer></array></dict></dict></plist>",
@@ -195,7 +197,8 @@ void putVolume(const Volume& v, const std::string& name) {
     Path named = seed(target, name + ending);
     writeVolume(v, named, progress);
   };
-  save("nifti", ".nii"), save("nifti", ".nii.gz"), save("nrrd", ".nrrd"), save("vti", ".vti");
+  save("nifti", ".nii"), save("nifti", ".nii.gz"), save("nrrd", ".nrrd");
+  if (v.timeSteps == 1) save("vti", ".vti");
   if (v.channels == 1 && v.timeSteps == 1) save("vdb", ".vdb");
   put("meta-image", name, metaImage(v));
   put("vtk-legacy", name, vtkLegacy(v, false));
@@ -203,7 +206,8 @@ void putVolume(const Volume& v, const std::string& name) {
   put("mrc", name, mrc(v, false));
   put("mrc", name + "-turned", mrc(v, true));
   put("invesalius", name, invesalius(v));
-  put("raw", name, std::string{char(v.dims.x), char(v.dims.y), char(v.dims.z), char(v.type), char(v.channels), '\0'} + samplesOf(v));
+  put("raw", name,
+      std::string{char(v.dims.x), char(v.dims.y), char(v.dims.z), char(v.type), char(v.channels), '\0'} + samplesOf(v));
   putDicom(v, name);
 }
 
@@ -223,19 +227,25 @@ void putMeshes() {
   for (float x : {0.0f, 0.0f, 0.0f, 1.0f, 0.0f, 0.0f, 0.0f, 1.0f, 0.0f}) points += bytesOf(x, true);
   put("ply", "big-endian",
       "ply\nformat binary_big_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
-      "element face 1\nproperty list uchar int vertex_indices\nend_header\n" + points + '\3' +
-          bytesOf(std::int32_t(0), true) + bytesOf(std::int32_t(1), true) + bytesOf(std::int32_t(2), true));
+      "element face 1\nproperty list uchar int vertex_indices\nend_header\n" +
+          points + '\3' + bytesOf(std::int32_t(0), true) + bytesOf(std::int32_t(1), true) +
+          bytesOf(std::int32_t(2), true));
   put("stl", "text",
-      "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid a\n");
-  put("obj", "text", "mtllib a.mtl\no a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvn 0 0 1\nvt 0 0\nusemtl b\n"
-                     "f 1/1/1 2//1 3\nf -4 -3 -2 -1\n");
+      "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid "
+      "a\n");
+  put("obj", "text",
+      "mtllib a.mtl\no a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvn 0 0 1\nvt 0 0\nusemtl b\n"
+      "f 1/1/1 2//1 3\nf -4 -3 -2 -1\n");
   put("vtp", "text",
       "<?xml version=\"1.0\"?><VTKFile type=\"PolyData\" version=\"0.1\" byte_order=\"LittleEndian\"><PolyData>"
       "<Piece NumberOfPoints=\"4\" NumberOfPolys=\"1\" NumberOfStrips=\"1\"><Points><DataArray type=\"Float32\" "
       "NumberOfComponents=\"3\" format=\"ascii\">0 0 0 1 0 0 0 1 0 1 1 1</DataArray></Points><Polys><DataArray "
-      "type=\"Int64\" Name=\"connectivity\" format=\"ascii\">0 1 2</DataArray><DataArray type=\"Int64\" Name=\"offsets\" "
-      "format=\"ascii\">3</DataArray></Polys><Strips><DataArray type=\"Int32\" Name=\"connectivity\" format=\"ascii\">0 1 2 3"
-      "</DataArray><DataArray type=\"Int32\" Name=\"offsets\" format=\"ascii\">4</DataArray></Strips></Piece></PolyData>"
+      "type=\"Int64\" Name=\"connectivity\" format=\"ascii\">0 1 2</DataArray><DataArray type=\"Int64\" "
+      "Name=\"offsets\" "
+      "format=\"ascii\">3</DataArray></Polys><Strips><DataArray type=\"Int32\" Name=\"connectivity\" "
+      "format=\"ascii\">0 1 2 3"
+      "</DataArray><DataArray type=\"Int32\" Name=\"offsets\" "
+      "format=\"ascii\">4</DataArray></Strips></Piece></PolyData>"
       "</VTKFile>");
 }
 
@@ -256,15 +266,18 @@ void putPictures(const std::string& scene) {
       "SizeZ=\"1\" SizeC=\"1\" SizeT=\"1\" PhysicalSizeX=\"0.5\" PhysicalSizeXUnit=\"µm\"><Channel Name=\"DAPI\"/>"
       "<TiffData IFD=\"0\" PlaneCount=\"1\"/></Pixels></Image></OME>";
   put("tiff-description", "ome", ome);
-  put("tiff-description", "imagej", "ImageJ=1.52p\nimages=6\nchannels=2\nslices=3\nunit=micron\nspacing=0.5\nloop=false\n");
+  put("tiff-description", "imagej",
+      "ImageJ=1.52p\nimages=6\nchannels=2\nslices=3\nunit=micron\nspacing=0.5\nloop=false\n");
   put("tiff-description", "file", bytesOf(root / "tiff" / "grey.tif"));
 }
 
 void putLooks(const scene::Scene& scene) {
   const auto& transfer = scene.volume.transfer;
-  for (auto [kind, name] : {std::pair{TransferKind::Velum, "velum"}, {TransferKind::SlicerText, "text"},
+  for (auto [kind, name] : {std::pair{TransferKind::Velum, "velum"},
+                            {TransferKind::SlicerText, "text"},
                             {TransferKind::SlicerJson, "json"}})
-    put("transfer", fmt::format("{}-{}", transfer.preset, name), transferText(transfer, kind, scene.lighting, 1.0).text);
+    put("transfer", fmt::format("{}-{}", transfer.preset, name),
+        transferText(transfer, kind, scene.lighting, 1.0).text);
 }
 
 /// A scene with something of everything, and journals that lead to it.
@@ -277,7 +290,7 @@ void putScenes(scene::Scene scene) {
     journal += scene::encodeLine(line);
   };
   step();
-  for (const char* cut : {R"({"shape": "box"})", R"({"shape": "plane", "membrane": {}})", R"({"shape": "sphere"})"}) {
+  for (const char* cut : {R"({"shape": "box"})", R"({"shape": "membrane", "membrane": {}})", R"({"shape": "sphere"})"}) {
     scene::setField(scene, "cuts.+", cut);
     step();
   }
@@ -299,8 +312,9 @@ void putLabels(const LabelVolume& labels, const std::string& name) {
   std::string text = "# a table\n", pairs;
   for (const LabelInfo& info : labels.table) {
     text += fmt::format("{} {} 255 0 0 255\n", info.id, info.name);
-    pairs += fmt::format("Segment{0}_ID:=s{0}\nSegment{0}_Name:={1}\nSegment{0}_LabelValue:={0}\nSegment{0}_Color:=1 0 0\n",
-                         info.id, info.name);
+    pairs +=
+        fmt::format("Segment{0}_ID:=s{0}\nSegment{0}_Name:={1}\nSegment{0}_LabelValue:={0}\nSegment{0}_Color:=1 0 0\n",
+                    info.id, info.name);
   }
   put("label-table", name, text);
   put("label-table", name + "-pairs", pairs);
@@ -325,8 +339,9 @@ void putAll() {
   }
   for (int code : {1, 2, 3, 5, 8}) put("segy", fmt::format("format{}", code), makeSegy(code, false, cube(2, 2), 3));
   put("label-table", "itk-snap", "0 0 0 0 0 0 0 \"Clear Label\"\n1 255 0 0 1 1 1 \"a b\"\n");
-  put("label-table", "caret", "<CaretExtension><LabelTable><Label Key=\"1\" Red=\"1\" Green=\"0\" Blue=\"0\" Alpha=\"1\">"
-                              "<![CDATA[a]]></Label></LabelTable></CaretExtension>");
+  put("label-table", "caret",
+      "<CaretExtension><LabelTable><Label Key=\"1\" Red=\"1\" Green=\"0\" Blue=\"0\" Alpha=\"1\">"
+      "<![CDATA[a]]></Label></LabelTable></CaretExtension>");
   putMeshes();
 }
 

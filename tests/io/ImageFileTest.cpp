@@ -124,6 +124,19 @@ TEST(ImageFile, DamageIsAnInputError) {
   EXPECT_THROW(readImageDescription(folder.path()), InputError);
 }
 
+TEST(ImageFile, OnlyOurThreeFormatsAreReadWhateverTheNameSays) {
+  TempFolder folder;
+  Image image = noise(4, 4, {"R", "G", "B"}, true);
+  for (const char* name : {"a.png", "a.tif", "a.exr"}) {
+    std::ofstream(folder / name, std::ios::binary) << "P6\n1 1\n255\nabc";
+    EXPECT_THROW(readImage(folder / name), InputError) << name;
+    EXPECT_THROW(readImageDescription(folder / name), InputError) << name;
+    writeImage(image, folder / name);
+    std::filesystem::rename(folder / name, folder / "b.png");
+    EXPECT_EQ(readImage(folder / "b.png").width, 4) << name;
+  }
+}
+
 TEST(ImageCompare, DistanceLaws) {
   Image a = noise(10, 10, {"R", "G", "B"}, true), b = a;
   EXPECT_EQ(compareImages(a, b, 0).failingFraction, 0.0);

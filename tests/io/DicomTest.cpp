@@ -280,5 +280,18 @@ TEST(Dicom, ALyingLengthAllocatesNothing) {
   expectClearError(file);
 }
 
+TEST(Dicom, WithoutAHeaderAFileBeginsAsAllOfThemDo) {
+  TempFolder folder;
+  writeSeries(folder, {0});
+  std::filesystem::path file = std::filesystem::directory_iterator(folder.path())->path();
+  std::string bytes = bytesOf(file);
+  bytes.erase(0, bytes.find(std::string("\x08\0\x16\0UI", 6)));
+  writeText(file, bytes);
+  EXPECT_EQ(read(file).dims.z, 1);
+  // GDCM takes this for the other byte order, and the length for gigabytes.
+  writeText(file, std::string("\x02\x01\0\0UV\0\0\x04\0\0\0abcd", 16) + bytes);
+  expectClearError(file);
+}
+
 }  // namespace
 }  // namespace velum::io

@@ -1,5 +1,6 @@
 // MRC maps as other programs write them, byte by byte.
 #include <algorithm>
+#include <limits>
 
 #include "TestFiles.h"
 
@@ -104,6 +105,14 @@ TEST(Mrc, CellOriginAndOrderOfTheAxesGiveThePlace) {
   EXPECT_EQ(v.worldFromVoxel[0], glm::dvec4(0, 3, 0, 0));
   EXPECT_EQ(v.worldFromVoxel[1], glm::dvec4(0, 0, 5, 0));
   EXPECT_EQ(v.worldFromVoxel[2], glm::dvec4(2, 0, 0, 0));
+}
+
+TEST(Mrc, AxesThatAreNoneKeepTheirOrder) {
+  for (int axis : {0, 4, -1, std::numeric_limits<int>::min(), std::numeric_limits<int>::max()}) {
+    Map map(1);
+    for (std::size_t i = 0; i < 3; ++i) map.put(64 + 4 * i, std::int32_t(axis));
+    EXPECT_EQ(spacingOf(map.fill<std::int16_t>(0, 1).read()), glm::dvec3(2, 3, 5)) << axis;
+  }
 }
 
 TEST(Mrc, WithoutACellTheSpacingIsNotKnown) {

@@ -260,7 +260,10 @@ bool isSoundDicom(const std::filesystem::path& path) {
   if (syntax.empty()) {
     auto isCapital = [](char c) { return c >= 'A' && c <= 'Z'; };
     coding.isExplicit = isCapital(bytes[at + 4]) && isCapital(bytes[at + 5]);
-    coding.isBig = bytes[at] == 0;
+    // GDCM guesses otherwise where the first element is none that files begin with.
+    constexpr std::string_view kIdentifying("\x08\0", 2), kTurned("\0\x08", 2);
+    coding.isBig = bytes.substr(at, 2) == kTurned;
+    if (!coding.isBig && bytes.substr(at, 2) != kIdentifying) return false;
   }
   return Walker(bytes, syntax == "1.2.840.10008.1.2.5").walkElements(at, {bytes.size(), false}, coding, 0);
 }

@@ -70,8 +70,8 @@ void place(Volume& v, const HeaderFields& f) {
   }
   glm::dmat3 columns(0.0);
   for (int i = 0; i < 3; ++i) {
-    auto axis = f.at<std::int32_t>(64 + 4 * std::size_t(i)) - 1;
-    if (axis < 0 || axis > 2) axis = i;
+    int told = f.at<std::int32_t>(64 + 4 * std::size_t(i));  // 1..3, or nothing of use
+    int axis = told >= 1 && told <= 3 ? told - 1 : i;
     columns[i][axis] = spacing[axis];
   }
   if (!isInvertible(columns)) columns = glm::dmat3(spacing.x, 0, 0, 0, spacing.y, 0, 0, 0, spacing.z);

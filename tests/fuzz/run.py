@@ -19,6 +19,7 @@ HOME = ROOT / "build" / "fuzz"
 DICTIONARIES = pathlib.Path(__file__).resolve().parent / "dictionaries"
 MOST_FINDINGS = 3  # of a target in one go: they tend to be the same one
 MINIMISE_S = 30
+SLICE_S = 40  # what libraries lose with each damaged file must not add up
 
 
 class Target:
@@ -48,7 +49,7 @@ class Target:
         prefix = HOME / "findings" / f"{self.name}-"
         while (left := end - time.monotonic()) >= 1 and len(self.findings) < MOST_FINDINGS:
             before = set(prefix.parent.iterdir())
-            done = self.call(f"-max_total_time={int(left)}", "-print_final_stats=1", f"-artifact_prefix={prefix}", *options,
+            done = self.call(f"-max_total_time={int(min(left, SLICE_S))}", "-print_final_stats=1", f"-artifact_prefix={prefix}", *options,
                              self.corpus, self.seeds)
             counts = re.findall(r"(?:number_of_executed_units: +|^#)(\d+)", done.stderr, re.M)
             self.executions += max(map(int, counts), default=0)

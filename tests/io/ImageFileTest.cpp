@@ -10,6 +10,7 @@
 #include <sstream>
 #include <thread>
 
+#include "PeakMemory.h"
 #include "TestFiles.h"
 #include "velum/core/Error.h"
 #include "velum/io/images/ImageCompare.h"
@@ -122,6 +123,20 @@ TEST(ImageFile, DamageIsAnInputError) {
   }
   EXPECT_THROW(readImage(folder / "missing.png"), InputError);
   EXPECT_THROW(readImageDescription(folder.path()), InputError);
+}
+
+TEST(ImageFile, AnAttributeOfExrThatLeavesTheFileAllocatesNothing) {
+  TempFolder folder;
+  writeImage(noise(4, 4, {"R", "G", "B"}, true), folder / "a.exr", "{}");
+  std::string bytes = bytesOf(folder / "a.exr");
+  std::size_t at = bytes.find(std::string("velum:scene\0string\0", 19)) + 19;
+  bytes.replace(at, 4, "\xff\xff\xff\x7f");
+  std::ofstream(folder / "a.exr", std::ios::binary) << bytes;
+  std::size_t growth = peakGrowth([&] {
+    EXPECT_THROW(readImage(folder / "a.exr"), InputError);
+    EXPECT_THROW(readImageDescription(folder / "a.exr"), InputError);
+  });
+  EXPECT_LT(growth, std::size_t(64) << 20);
 }
 
 TEST(ImageFile, OnlyOurThreeFormatsAreReadWhateverTheNameSays) {

@@ -230,6 +230,11 @@ TEST(Ply, PromisesAreHeldAgainstTheFileBeforeAnythingIsMade) {
   EXPECT_LT(growth, std::size_t(32) << 20);
 }
 
+TEST(Ply, TwoElementsOfOneNameAreRefused) {
+  // The normals of the second would have become those of the first.
+  EXPECT_THROW(readText(textPly(kPoints + kPoints + kFaces, kBody)), InputError);
+}
+
 TEST(Ply, EveryCutIsRefused) {
   for (bool isBig : {false, true}) {
     std::string whole = binaryPly("float", "int", isBig);

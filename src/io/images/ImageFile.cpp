@@ -12,6 +12,7 @@
 #include <fstream>
 #include <functional>
 
+#include "ExrHeader.h"
 #include "read/ByteSource.h"
 #include "read/SinkStream.h"
 #include "read/StderrQuiet.h"
@@ -195,7 +196,10 @@ std::string formatInside(const Path& path) {
     throw InputError(fmt::format("{}: there is no such picture", path.string()));
   std::string head = readHead(path, 4);
   if (head == "\x89PNG") return "png";
-  if (head == "\x76\x2f\x31\x01") return "openexr";
+  if (head == "\x76\x2f\x31\x01") {
+    if (!isSoundExr(FileBytes(path))) throw InputError(fmt::format("{}: its header is damaged", path.string()));
+    return "openexr";
+  }
   if (head.starts_with("II") || head.starts_with("MM")) return "tiff";
   throw InputError(fmt::format("{}: is no picture in PNG, TIFF or OpenEXR; convert it to one of these", path.string()));
 }

@@ -80,6 +80,8 @@ bool takeLine(PlyHeader& header, const std::vector<std::string>& words, bool& ha
   }
   if (key == "element") {
     auto element = elementOf(words);
+    auto isSame = [&](const PlyElement& e) { return element && e.name == element->name; };
+    if (std::any_of(header.elements.begin(), header.elements.end(), isSame)) return false;
     if (element) header.elements.push_back(std::move(*element));
     return element.has_value();
   }

@@ -80,6 +80,8 @@ class Walker {
 
   /// The numbers that describe pixels must be numbers, and flags 0 or 1.
   bool isSoundPixelModule(const Element& e, Coding coding) const;
+  /// What GDCM asks for by its representation must have it, and ACR-NEMA be of a version that was.
+  bool isAsAskedFor(const Element& e, Coding coding) const;
   /// GDCM trusts the header of a run-length fragment: how many segments, and where.
   bool isSoundRle(std::size_t at, std::uint32_t length) const;
 
@@ -131,7 +133,7 @@ bool Walker::walkElements(std::size_t& at, Stretch stretch, Coding coding, int d
     at = e.value;
     if (e.tag == kItemEnd) return stretch.isOpen && e.length == 0;
     if (!e.isClear || e.tag >> 16 == 0xfffe || at > stretch.end) return false;
-    if (depth == 0 && !isSoundPixelModule(e, coding)) return false;
+    if ((depth == 0 && !isSoundPixelModule(e, coding)) || !isAsAskedFor(e, coding)) return false;
     if (!walkValue(at, e, stretch.end, coding, depth)) return false;
     // Zeros behind the pixels are common, and GDCM stops at them unless they are half an element.
     bool isZero = mBytes.find_first_not_of('\0', at) == std::string_view::npos;
@@ -195,6 +197,20 @@ bool Walker::isSoundPixelModule(const Element& e, Coding coding) const {
   if (e.length == 0) return true;  // some writers leave them empty where there is no image
   if (e.length != 2 || e.value + 2 > mBytes.size()) return false;
   return (e.tag != kPlanar && e.tag != kSign) || number16(e.value, coding.isBig) <= 1;
+}
+
+bool Walker::isAsAskedFor(const Element& e, Coding coding) const {
+  constexpr std::uint32_t kRecognition = 0x00080010;
+  if (e.tag == kRecognition) {
+    std::string_view code = mBytes.substr(std::min(e.value, mBytes.size()), e.length);
+    return code == "ACR-NEMA 1.0" || code == "ACR-NEMA 2.0";
+  }
+  constexpr std::pair<std::uint32_t, std::string_view> kAsked[] = {
+      {0x00180088, "DS"}, {0x00181164, "DS"}, {0x00200032, "DS"}, {0x00200037, "DS"}, {0x00280008, "IS"},
+      {0x00280030, "DS"}, {0x00280034, "IS"}, {0x00281052, "DS"}, {0x00281053, "DS"}, {0x3004000c, "DS"},
+      {0x3004000e, "DS"}};
+  auto asked = std::find_if(std::begin(kAsked), std::end(kAsked), [&](const auto& a) { return a.first == e.tag; });
+  return !coding.isExplicit || asked == std::end(kAsked) || e.vr == asked->second || e.vr == "UN";
 }
 
 bool Walker::isSoundRle(std::size_t at, std::uint32_t length) const {

@@ -124,7 +124,8 @@ int run(const ViewOptions& options) {
   glfwMakeContextCurrent(window);
   {
     auto context =
-        gpu::Context::adopt([](const char* name) { return reinterpret_cast<void*>(glfwGetProcAddress(name)); });
+        gpu::Context::adopt([](const char* name) { return reinterpret_cast<void*>(glfwGetProcAddress(name)); },
+                            [] { return static_cast<const void*>(glfwGetCurrentContext()); });
     render::Renderer renderer(*context);
     glfwSetWindowUserPointer(window, &viewer);
     glfwSetCursorPosCallback(window, onCursor);

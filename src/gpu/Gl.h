@@ -106,6 +106,9 @@ struct GlTable {
 #define VELUM_GL_MEMBER(type, name) type name = nullptr;
   VELUM_GL_FUNCTIONS(VELUM_GL_MEMBER)
 #undef VELUM_GL_MEMBER
+  /// Tells whose functions these are, where a window made the context, and what is current now.
+  const void* (*current)() = nullptr;
+  const void* context = nullptr;
   GLuint emptyVertexArray = 0;  ///< Core profile draws need one bound, also where vertices are made from their numbers.
 };
 

@@ -202,31 +202,6 @@ void main() { placeCorner(rect, corner); }
   EXPECT_EQ(countPixels(), expectedPixels([](int i) { return i % 3 != 2; }));
 }
 
-/// Mesa 22 remembers the address of the compute shader that ran last, even of one that is gone: a new one in its place
-/// was taken for it, and the program ended. A membrane that was undone and the next program that was compiled met so.
-TEST_F(DrawGL, AProgramInThePlaceOfOneThatRanAndIsGoneRuns) {
-  Program drawing = makeProgram("void main() { placeCorner(uint(gl_InstanceID), cornerOf(gl_VertexID)); }");
-  mProbes.add("add.comp", R"(layout(local_size_x = 1) in;
-layout(std430, binding = 1) buffer SumBlock { uint sum; };
-void main() { sum += uint(TERM); }
-)");
-  Buffer sum("sum", 16);
-  sum.clear();
-  std::uint32_t expected = 0;
-  for (std::uint32_t term = 1; term < 40; ++term) {
-    Program add = mProbes.make({"add.comp"}, {{"TERM", std::to_string(term)}});
-    sum.bindStorage(1);
-    dispatch(add, {1, 1, 1});
-    barrier();
-    expected += term;
-    clear();
-    draw(drawing, Primitive::Triangles, {.vertices = 6, .instances = 1}, mFlat);
-  }
-  std::uint32_t found = 0;
-  sum.read(0, sizeof(found), &found);
-  EXPECT_EQ(found, expected);
-}
-
 TEST_F(DrawGL, AnIndirectDispatchRunsAsManyGroupsAsAreWritten) {
   mProbes.add("choose.comp", R"(layout(local_size_x = 1) in;
 #include "shared/draw.h"

@@ -1,6 +1,8 @@
 // Membranes in the real window: one is added, settles, rests, is dragged, undone, saved and opened again.
 #include <QComboBox>
 #include <QLabel>
+#include <QOffscreenSurface>
+#include <QOpenGLContext>
 #include <QPushButton>
 
 #include "Shots.h"
@@ -50,6 +52,26 @@ TEST_F(MembraneWindow, ANewOneKeepsWholeWhatIsShownMost) {
   document().undo();
   EXPECT_TRUE(scene().cuts.empty());
   EXPECT_TRUE(settle());
+}
+
+/// In another context that shares its programs, Mesa forgets the one that is to run next: the window died minutes
+/// later.
+TEST_F(MembraneWindow, WhatASheetHasOnTheGpuIsGivenBackInItsOwnContext) {
+  addMembrane();
+  QOffscreenSurface surface;
+  surface.create();
+  QOpenGLContext other;
+  other.setShareContext(viewport().context());
+  ASSERT_TRUE(other.create());
+  // As the window itself does whenever it has been shown. GL asserts that its context is current.
+  ASSERT_TRUE(other.makeCurrent(&surface));
+  document().undo();
+  other.doneCurrent();
+  EXPECT_TRUE(scene().cuts.empty());
+  ASSERT_TRUE(settle());
+  document().redo();
+  EXPECT_TRUE(settle());
+  EXPECT_EQ(scene().cuts.size(), 1u);
 }
 
 TEST_F(MembraneWindow, AtRestNothingIsSteppedAndNothingIsDrawn) {

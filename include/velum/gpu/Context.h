@@ -27,6 +27,8 @@ class Context {
  public:
   /// Resolves a GL function by name in the context that is current.
   using ProcAddress = void* (*)(const char* name);
+  /// Tells which context of the window system is current on this thread.
+  using Current = const void* (*)();
 
   /// EGL without a window system (surfaceless, then device platform). @throw GpuError
   static std::unique_ptr<Context> createEgl();
@@ -35,7 +37,9 @@ class Context {
   /// Auto: EGL, else OSMesa. The context is current on return. @throw GpuError saying what each of them said
   static std::unique_ptr<Context> create(ContextKind kind);
   /// Takes over a context that a window made and that is current now; does not destroy it. @throw GpuError
-  static std::unique_ptr<Context> adopt(ProcAddress procAddress);
+  /// From then on it must be current, by the word of @p current, wherever GL is called: others in the window share its
+  /// programs and textures, and what is given back in one of those hits the wrong things, and drivers' mistakes.
+  static std::unique_ptr<Context> adopt(ProcAddress procAddress, Current current);
 
   virtual ~Context();
   Context(const Context&) = delete;
@@ -50,7 +54,7 @@ class Context {
  protected:
   Context();
   /// Fills the function table and the limits. @throw GpuError when a function is missing or the version is below 4.5
-  void load(ProcAddress procAddress);
+  void load(ProcAddress procAddress, Current current = nullptr);
 
  private:
   struct Impl;

@@ -16,7 +16,8 @@ class Player {
  public:
   virtual ~Player() = default;
 
-  /// Takes over what a scene asks for. Cheap when nothing of this player's has changed.
+  /// Takes over what a scene asks for. Cheap when nothing of this player's has changed. Scenes change wherever the user
+  /// is, so the context is not current: nothing on the GPU is touched, nor given back, before advance().
   virtual void follow(const scene::Scene& scene) = 0;
 
   /// Puts the results of work in their place.

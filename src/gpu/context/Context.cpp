@@ -48,6 +48,7 @@ std::size_t memoryFor(const GlTable& table, bool isSoftware) {
 
 const GlTable& gl() {
   VELUM_ASSERT(tGl, "GL is called on the thread whose context is current");
+  VELUM_ASSERT(!tGl->current || tGl->current() == tGl->context, "GL is called in the context that was adopted");
   return *tGl;
 }
 bool hasGl() { return tGl != nullptr; }
@@ -68,8 +69,10 @@ void Context::makeCurrent() { setGl(&mImpl->table); }
 
 int Context::errorCount() const { return mImpl->errors; }
 
-void Context::load(ProcAddress procAddress) {
+void Context::load(ProcAddress procAddress, Current current) {
   GlTable& table = mImpl->table;
+  table.current = current;
+  table.context = current ? current() : nullptr;
 #define VELUM_GL_LOAD(type, name)                               \
   table.name = reinterpret_cast<type>(procAddress("gl" #name)); \
   if (!table.name) throw GpuError("the driver lacks gl" #name "; OpenGL 4.5 is needed: update the graphics driver");
@@ -125,13 +128,13 @@ namespace {
 
 class AdoptedContext : public Context {
  public:
-  explicit AdoptedContext(ProcAddress procAddress) { load(procAddress); }
+  AdoptedContext(ProcAddress procAddress, Current current) { load(procAddress, current); }
 };
 
 }  // namespace
 
-std::unique_ptr<Context> Context::adopt(ProcAddress procAddress) {
-  return std::make_unique<AdoptedContext>(procAddress);
+std::unique_ptr<Context> Context::adopt(ProcAddress procAddress, Current current) {
+  return std::make_unique<AdoptedContext>(procAddress, current);
 }
 
 }  // namespace velum::gpu

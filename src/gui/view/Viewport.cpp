@@ -50,9 +50,11 @@ Viewport::~Viewport() { release(); }
 void Viewport::initializeGL() {
   connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &Viewport::release, Qt::DirectConnection);
   try {
-    mContext = gpu::Context::adopt([](const char* name) {
-      return reinterpret_cast<void*>(QOpenGLContext::currentContext()->getProcAddress(name));
-    });
+    mContext = gpu::Context::adopt(
+        [](const char* name) {
+          return reinterpret_cast<void*>(QOpenGLContext::currentContext()->getProcAddress(name));
+        },
+        [] { return static_cast<const void*>(QOpenGLContext::currentContext()); });
     mRenderer = std::make_unique<render::Renderer>(*mContext);
     bool isSoftware = mContext->limits().isSoftware;
     if (mCoarseScale == 0) mCoarseScale = isSoftware ? kFirstScaleSoftware : kFirstScaleHardware;

@@ -68,7 +68,8 @@ void tryOpenGl() {
   if (major * 10 + minor < 45)
     throw gpu::GpuError(fmt::format("the graphics driver offers OpenGL {}.{}; {}", major, minor, kNeeded));
   gpu::Context::adopt(
-      [](const char* name) { return reinterpret_cast<void*>(QOpenGLContext::currentContext()->getProcAddress(name)); });
+      [](const char* name) { return reinterpret_cast<void*>(QOpenGLContext::currentContext()->getProcAddress(name)); },
+      [] { return static_cast<const void*>(QOpenGLContext::currentContext()); });
 }
 
 /// Takes what libraries write to stderr while it lives, so that it can be part of a line of ours; tells it at its end

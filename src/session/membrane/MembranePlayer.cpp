@@ -58,8 +58,11 @@ void MembranePlayer::follow(const scene::Scene& scene) {
       mSheets.push_back(std::move(*known));
     }
   }
-  for (const auto& gone : old)
-    if (gone) mGoneCount += gone->shownCount();
+  for (auto& gone : old) {
+    if (!gone) continue;
+    mGoneCount += gone->shownCount();
+    mGone.push_back(std::move(gone));
+  }
 }
 
 MembranePlayer::Work MembranePlayer::nextWork() {
@@ -138,6 +141,7 @@ bool MembranePlayer::isSettled() const {
 }
 
 bool MembranePlayer::advance(double budgetMs) {
+  mGone.clear();
   auto count = std::count_if(mSheets.begin(), mSheets.end(), [](const auto& sheet) { return sheet->isMoving(); });
   if (mPlaying)
     for (const auto& sheet : mSheets) sheet->advance(budgetMs / double(std::max<std::ptrdiff_t>(count, 1)));
@@ -228,6 +232,7 @@ scene::Scene MembranePlayer::withShapes(scene::Scene scene) const {
 }
 
 void MembranePlayer::releaseGpu() {
+  mGone.clear();
   for (const auto& sheet : mSheets) sheet->releaseGpu();
 }
 

@@ -106,6 +106,7 @@ class MembranePlayer : public Player {
   void refreshIndices();
 
   std::vector<std::unique_ptr<LiveSheet>> mSheets;  ///< a membrane each
+  std::vector<std::unique_ptr<LiveSheet>> mGone;    ///< what they have on the GPU is given back by advance()
   scene::Scene mScene;
   std::uint64_t mNextId = 1, mGoneCount = 0;
   /// What is being computed.

@@ -3,6 +3,8 @@
 #include <gdcmUIDGenerator.h>
 #include <gdcmWriter.h>
 
+#include <tuple>
+
 #include "DicomParts.h"
 #include "TestFiles.h"
 #include "velum/io/labels/ReadLabels.h"
@@ -291,6 +293,25 @@ TEST(Dicom, WithoutAHeaderAFileBeginsAsAllOfThemDo) {
   // GDCM takes this for the other byte order, and the length for gigabytes.
   writeText(file, std::string("\x02\x01\0\0UV\0\0\x04\0\0\0abcd", 16) + bytes);
   expectClearError(file);
+}
+
+/// GDCM asserts both, and Debian builds it so that this ends the program.
+TEST(Dicom, WhatGdcmAsksForHasItsRepresentationOrIsRefused) {
+  TempFolder folder;
+  auto path = folder / "a.dcm";
+  for (auto [group, element, vr, text] : {std::tuple(0x0028, 0x0008, gdcm::VR::AS, "1"),
+                                          {0x0028, 0x0030, gdcm::VR::LO, "1\\1"},
+                                          {0x0020, 0x0032, gdcm::VR::SH, "0\\0\\0"},
+                                          {0x0008, 0x0010, gdcm::VR::SH, "ACR-NEMA 9.0"}}) {
+    DicomImage image;
+    putPlace(image.set, 0);
+    image.pixels = std::string(16, '\1');
+    ASSERT_TRUE(writeDicom(path, image));
+    EXPECT_EQ(read(path).dims, glm::ivec3(4, 2, 1));
+    putText(image.set, gdcm::Tag(std::uint16_t(group), std::uint16_t(element)), vr, text);
+    ASSERT_TRUE(writeDicom(path, image));
+    expectClearError(path);
+  }
 }
 
 }  // namespace

@@ -35,6 +35,7 @@ ONLY_IN = {  # library header: modules that may name it
     r"<Q[A-Z]": "gui",
     r"<(itk|gdcm|vtk|openvdb|OpenImageIO)": "io",
     r"<(EGL|GL)/": "gpu",
+    r"<(tbb|oneapi)/": "core",
     r"<GLFW/": "app",
     r"<CLI/": "app",
 }

@@ -1,14 +1,12 @@
 #include "velum/core/Volume.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_reduce.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <type_traits>
 
 #include "velum/core/Assert.h"
+#include "velum/core/Parallel.h"
 
 namespace velum {
 
@@ -95,9 +93,9 @@ void computeRange(Volume& volume) {
   VELUM_ASSERT(volume.voxels.size() == timeStepBytes(volume) * std::size_t(volume.timeSteps), "every sample is there");
   std::size_t count = voxelCount(volume) * std::size_t(volume.channels) * std::size_t(volume.timeSteps);
   MinMax raw = visitSamples(volume, [&](auto* p) {
-    return tbb::parallel_reduce(
-        tbb::blocked_range<std::size_t>(0, count, 1 << 18), MinMax{},
-        [p](const auto& r, const MinMax& sofar) { return merge(sofar, minMaxOf(p + r.begin(), p + r.end())); }, merge);
+    return parallelReduce(
+        std::size_t(0), count, std::size_t(1) << 18, MinMax{},
+        [p](std::size_t first, std::size_t end) { return minMaxOf(p + first, p + end); }, merge);
   });
   if (raw.min > raw.max) raw = {0.0, 0.0};
   double a = raw.min * volume.scale + volume.offset;

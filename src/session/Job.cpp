@@ -1,7 +1,5 @@
 #include "velum/session/Job.h"
 
-#include <tbb/task_scheduler_observer.h>
-
 #if defined(__linux__)
 #include <sys/resource.h>
 #include <sys/syscall.h>
@@ -11,6 +9,7 @@
 #include <new>
 
 #include "velum/core/Error.h"
+#include "velum/core/Parallel.h"
 
 namespace velum::session {
 
@@ -27,17 +26,9 @@ void giveWay() {
 #endif
 }
 
-class Observer : public tbb::task_scheduler_observer {
- public:
-  Observer() { observe(true); }
-  void on_scheduler_entry(bool isWorker) override {
-    if (isWorker) giveWay();
-  }
-};
-
 }  // namespace
 
-void giveWayToTheWindow() { static Observer observer; }
+void giveWayToTheWindow() { onHelpers(giveWay); }
 
 Job::Job(Work work, Progress::Listener progressed, Ended ended) : mProgress(std::move(progressed)) {
   mThread = std::thread([this, work = std::move(work), ended = std::move(ended)] { run(work, ended); });

@@ -1,6 +1,5 @@
 // How soon the window's section views answer while it computes. In a child: a window wants an application of its own.
 // Before Qt, whose word `emit` it would stumble over.
-#include <tbb/parallel_for.h>
 
 #include <QApplication>
 #include <QStandardPaths>

@@ -1,12 +1,11 @@
 #include "Data.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
 
+#include "velum/core/Parallel.h"
 #include "velum/io/phantoms/Sample.h"
 #include "velum/io/volumes/ReadVolume.h"
 #include "velum/scene/Presets.h"
@@ -51,7 +50,7 @@ Volume resample(const Volume& from, glm::ivec3 dims) {
     using T = std::remove_cv_t<std::remove_pointer_t<decltype(voxels)>>;
     auto* out = reinterpret_cast<T*>(to.voxels.data());
     glm::dvec3 scale = glm::dvec3(from.dims) / glm::dvec3(dims);
-    tbb::parallel_for(0, dims.z, [&](int z) {
+    parallelFor(0, dims.z, [&](int z) {
       for (int y = 0; y < dims.y; ++y)
         for (int x = 0; x < dims.x; ++x) {
           double value = sampleAt(voxels, from.dims, (glm::dvec3(x, y, z) + 0.5) * scale - 0.5);
@@ -114,7 +113,7 @@ Volume makeShells(int n) {
     cosine[std::size_t(i)] = std::cos(24.0f * x);
   }
   auto* out = reinterpret_cast<std::uint8_t*>(volume.voxels.data());
-  tbb::parallel_for(0, n, [&](int iz) {
+  parallelFor(0, n, [&](int iz) {
     auto z = std::size_t(iz);
     for (std::size_t y = 0; y < at.size(); ++y)
       for (std::size_t x = 0; x < at.size(); ++x) {

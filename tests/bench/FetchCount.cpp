@@ -1,12 +1,10 @@
 #include "FetchCount.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_reduce.h>
-
 #include <algorithm>
 #include <cmath>
 #include <vector>
+
+#include "velum/core/Parallel.h"
 
 namespace velum::bench {
 
@@ -49,7 +47,7 @@ Field makeField(const scene::Scene& scene) {
   }
   field.cells = (volume.dims + kCell - 1) / kCell;
   field.isFull.assign(std::size_t(field.cells.x) * std::size_t(field.cells.y) * std::size_t(field.cells.z), 0);
-  tbb::parallel_for(0, field.cells.z, [&](int cz) {
+  parallelFor(0, field.cells.z, [&](int cz) {
     for (int cy = 0; cy < field.cells.y; ++cy)
       for (int cx = 0; cx < field.cells.x; ++cx) {
         glm::ivec3 from = glm::max(glm::ivec3(cx, cy, cz) * kCell - 1, glm::ivec3(0));
@@ -102,8 +100,9 @@ FetchCount countFetches(const scene::Scene& scene, glm::ivec2 size) {
   glm::dmat4 voxelFromWorld = glm::inverse(field.volume->worldFromVoxel);
   glm::dvec3 spacing = spacingOf(*field.volume), eye(voxelFromWorld * glm::dvec4(camera.eye, 1.0));
   double step = scene.rayCast.stepVoxels * std::min({spacing.x, spacing.y, spacing.z});
-  auto countRows = [&](const tbb::blocked_range<int>& rows, FetchCount count) {
-    for (int row = rows.begin(); row < rows.end(); ++row)
+  auto countRows = [&](int first, int end) {
+    FetchCount count;
+    for (int row = first; row < end; ++row)
       for (int x = 0; x < size.x; x += kStride) {
         glm::dvec2 at = glm::dvec2(2, -2) * (glm::dvec2(x, row * kStride) + 0.5) / glm::dvec2(size) + glm::dvec2(-1, 1);
         glm::dvec3 direction = glm::normalize(forward + at.x * wide * right + at.y * tall * up);
@@ -111,10 +110,9 @@ FetchCount countFetches(const scene::Scene& scene, glm::ivec2 size) {
       }
     return count;
   };
-  FetchCount total = tbb::parallel_reduce(tbb::blocked_range<int>(0, size.y / kStride), FetchCount{}, countRows,
-                                          [](FetchCount a, FetchCount b) {
-                                            return FetchCount{a.samples + b.samples, a.gradients + b.gradients};
-                                          });
+  FetchCount total = parallelReduce(0, size.y / kStride, 1, FetchCount{}, countRows, [](FetchCount a, FetchCount b) {
+    return FetchCount{a.samples + b.samples, a.gradients + b.gradients};
+  });
   constexpr double kMillions = kStride * kStride * 1e-6;
   return {total.samples * kMillions, total.gradients * kMillions};
 }

@@ -1,5 +1,4 @@
 #pragma once
-#include <tbb/parallel_for.h>
 
 #include <QCoreApplication>
 #include <QElapsedTimer>
@@ -10,6 +9,7 @@
 #include <vector>
 
 #include "kit/Job.h"
+#include "velum/core/Parallel.h"
 #include "velum/scene/Presets.h"
 #include "window/MainWindow.h"
 
@@ -24,7 +24,7 @@ inline Shared<Volume> makeNestedShells(int n) {
   v.worldFromVoxel[3] = glm::dvec4(glm::dvec3(-0.5 * (n - 1)), 1.0);
   v.range = {0, 255};
   auto* out = reinterpret_cast<std::uint8_t*>(v.voxels.data());
-  tbb::parallel_for(0, n, [&](int z) {
+  parallelFor(0, n, [&](int z) {
     for (int y = 0; y < n; ++y)
       for (int x = 0; x < n; ++x) {
         glm::dvec3 p = glm::dvec3(2 * x - n, 2 * y - n, 2 * z - n) / double(n);
@@ -51,7 +51,7 @@ inline void showFourViews(MainWindow& window, const Shared<Volume>& volume) {
 inline Job::Work holdEveryCore() {
   return [](Progress& progress) {
     int cores = int(std::max(1u, std::thread::hardware_concurrency()));
-    tbb::parallel_for(0, 4 * cores, [&](int) {
+    parallelFor(0, 4 * cores, [&](int) {
       volatile double x = 1.0;
       while (!progress.isCancelled()) x = x * 1.0000001 + 1e-9;
     });

@@ -1,9 +1,9 @@
 #include "Phantom.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <limits>
+
+#include "velum/core/Parallel.h"
 
 namespace velum::io::phantom {
 
@@ -244,7 +244,7 @@ Sample fill(const Description& description, const Grid& grid, Progress& progress
   for (int first = 0; first < grid.dims.z; first += kSlab) {
     int end = std::min(first + kSlab, grid.dims.z);
     std::fill(ids.begin(), ids.end(), std::uint16_t(0));
-    tbb::parallel_for(first, end, [&](int z) {
+    parallelFor(first, end, [&](int z) {
       std::vector<float> values(sliceVoxels, 0.0f);
       body({grid, z, values, {ids.data() + sliceVoxels * std::size_t(z - first), sliceVoxels}});
       store(values, volume.type, volume.voxels.data() + sliceVoxels * std::size_t(z) * sampleSize(volume.type));

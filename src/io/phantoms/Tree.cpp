@@ -1,8 +1,8 @@
 #include "Tree.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
+
+#include "velum/core/Parallel.h"
 
 namespace velum::io::phantom {
 
@@ -115,7 +115,7 @@ void pushApart(Tree& tree, const Tree& fixed, float gapMm) {
   std::vector<Segment> walls = segments(fixed);
   for (int turn = 0; turn < 6; ++turn) {
     Tree moved = tree;
-    tbb::parallel_for(std::size_t(1), tree.size(), [&](std::size_t i) {
+    parallelFor(std::size_t(1), tree.size(), [&](std::size_t i) {
       TreeNode& node = moved[i];
       for (const auto& wall : walls) {
         // Most walls are far away: ask the middle first.

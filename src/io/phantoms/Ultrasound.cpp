@@ -1,8 +1,8 @@
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 
 #include "Phantom.h"
+#include "velum/core/Parallel.h"
 
 namespace velum::io {
 
@@ -170,7 +170,7 @@ std::vector<float> scan(const Fan& fan, Progress& progress) {
   std::vector<float> samples(std::size_t(fan.count.x) * std::size_t(fan.count.y) * std::size_t(fan.count.z));
   for (int s = 0; s < fan.count.y; ++s) {
     progress.report(0.6 * double(s) / double(fan.count.y), "scanning ultrasound");
-    tbb::parallel_for(0, fan.count.x, [&](int a) { scanBeam(fan, a, s, samples.data() + fan.index(a, s, 0)); });
+    parallelFor(0, fan.count.x, [&](int a) { scanBeam(fan, a, s, samples.data() + fan.index(a, s, 0)); });
   }
   return samples;
 }

@@ -1,7 +1,6 @@
 #include "DicomDecoder.h"
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include <cmath>
 #include <cstring>
@@ -10,6 +9,7 @@
 
 #include "DicomPixels.h"
 #include "read/Refuse.h"
+#include "velum/core/Parallel.h"
 
 namespace velum::io {
 
@@ -46,7 +46,7 @@ class Decoder {
     v.voxels.resize(mSliceBytes * std::size_t(v.dims.z) * std::size_t(v.timeSteps));
     std::mutex mutex;
     std::size_t done = 0;
-    tbb::parallel_for(std::size_t(0), mFileOrder.size(), [&](std::size_t i) {
+    parallelFor(std::size_t(0), mFileOrder.size(), [&](std::size_t i) {
       progress.throwIfCancelled();
       decodeFile(mFileOrder[i], type, v);
       std::lock_guard lock(mutex);

@@ -2,7 +2,6 @@
 
 #include <gdcmReader.h>
 #include <gdcmTrace.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +12,7 @@
 #include "DicomSoundness.h"
 #include "DicomTags.h"
 #include "read/Refuse.h"
+#include "velum/core/Parallel.h"
 #include "velum/io/volumes/ReadVolume.h"
 
 namespace velum::io {
@@ -124,7 +124,7 @@ std::vector<DicomFile> scanDicomFolder(const std::filesystem::path& folder, Prog
   std::vector<std::optional<DicomFile>> found(paths.size());
   std::mutex mutex;
   std::size_t done = 0;
-  tbb::parallel_for(std::size_t(0), paths.size(), [&](std::size_t i) {
+  parallelFor(std::size_t(0), paths.size(), [&](std::size_t i) {
     found[i] = readDicomHeader(paths[i]);
     std::lock_guard lock(mutex);
     progress.report(0.2 * double(++done) / double(paths.size()), "Looking for DICOM images");

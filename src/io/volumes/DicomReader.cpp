@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +12,7 @@
 #include "DicomStack.h"
 #include "Readers.h"
 #include "read/ByteSource.h"
+#include "velum/core/Parallel.h"
 
 namespace velum::io {
 
@@ -151,7 +151,7 @@ void resample(Volume& v, const DicomStack& stack) {
               grid = std::size_t(stack.gridPlanes);
   Bytes result(slice * grid * std::size_t(v.timeSteps));
   for (std::size_t t = 0; t < std::size_t(v.timeSteps); ++t)
-    tbb::parallel_for(std::size_t(0), grid, [&](std::size_t z) {
+    parallelFor(std::size_t(0), grid, [&](std::size_t z) {
       auto after = std::upper_bound(stack.positions.begin(), stack.positions.end(), double(z));
       std::size_t high = std::clamp<std::size_t>(std::size_t(after - stack.positions.begin()), 1, planes - 1),
                   low = high - 1;

@@ -1,11 +1,10 @@
 #include "Corridor.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "velum/core/Assert.h"
+#include "velum/core/Parallel.h"
 
 namespace velum::membrane {
 
@@ -78,7 +77,7 @@ Corridor corridorAround(const CutLattice& lattice, std::span<const int> below) {
   corridor.room.resize(below.size());
   corridor.height.resize(below.size());
   double step = lattice.step.z;
-  tbb::parallel_for(0, lattice.dims.y, [&](int y) {
+  parallelFor(0, lattice.dims.y, [&](int y) {
     for (int x = 0; x < lattice.dims.x; ++x) {
       std::size_t i = std::size_t(y * lattice.dims.x + x);
       int b = std::clamp(below[i], 1, std::max(1, lattice.dims.z - 1));

@@ -1,13 +1,12 @@
 #include "velum/membrane/forces/Forces.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "Corridor.h"
 #include "FrameBox.h"
 #include "velum/core/Clock.h"
+#include "velum/core/Parallel.h"
 #include "velum/membrane/forces/KeptWhole.h"
 #include "velum/membrane/forces/Limit.h"
 
@@ -94,7 +93,7 @@ void protectPlaced(ProtectedVoxels& voxels, const scene::ForceField& field) {
   glm::ivec3 size = voxels.box.end - voxels.box.min;
   for (const auto& kernel : field.kernels) {
     if (kernel.strength <= 0.0) continue;
-    tbb::parallel_for(0, size.z, [&](int z) {
+    parallelFor(0, size.z, [&](int z) {
       std::size_t i = std::size_t(z) * std::size_t(size.y) * std::size_t(size.x);
       for (int y = 0; y < size.y; ++y)
         for (int x = 0; x < size.x; ++x, ++i) {
@@ -179,7 +178,7 @@ void turnToSides(PushField& field, const Corridor& corridor) {
   glm::dmat3 axes(localFromKernel);
   double thick = std::abs(axes[0].z) + std::abs(axes[1].z) + std::abs(axes[2].z);
   Sides sides(corridor, 0.5 * thick);
-  tbb::parallel_for(0, field.dims.z, [&](int z) {
+  parallelFor(0, field.dims.z, [&](int z) {
     std::size_t i = std::size_t(z) * std::size_t(field.dims.y) * std::size_t(field.dims.x);
     for (int y = 0; y < field.dims.y; ++y)
       for (int x = 0; x < field.dims.x; ++x, ++i) {

@@ -1,12 +1,10 @@
 #include "Gradients.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_reduce.h>
-
 #include <algorithm>
 #include <cmath>
 #include <type_traits>
+
+#include "velum/core/Parallel.h"
 
 namespace velum::membrane {
 
@@ -64,9 +62,9 @@ struct SquaredGradient {
 
 /// Calls body(row index, squared magnitudes) for all rows of a range.
 template <class T, class Body>
-void forRows(const SquaredGradient<T>& gradient, const tbb::blocked_range<int>& rows, Body body) {
+void forRows(const SquaredGradient<T>& gradient, int first, int end, Body body) {
   std::vector<float> squared(std::size_t(gradient.dims.x));
-  for (int row = rows.begin(); row < rows.end(); ++row) {
+  for (int row = first; row < end; ++row) {
     gradient.fill(row % gradient.dims.y, row / gradient.dims.y, squared.data());
     body(row, squared);
   }
@@ -74,12 +72,14 @@ void forRows(const SquaredGradient<T>& gradient, const tbb::blocked_range<int>& 
 
 template <class T>
 Gradients compute(const SquaredGradient<T>& gradient, Progress& progress) {
-  tbb::blocked_range<int> rows(0, gradient.dims.y * gradient.dims.z, 64);
-  float largest = tbb::parallel_reduce(
-      rows, 0.0f,
-      [&](const tbb::blocked_range<int>& part, float most) {
+  constexpr int kGrain = 64;
+  int rows = gradient.dims.y * gradient.dims.z;
+  float largest = parallelReduce(
+      0, rows, kGrain, 0.0f,
+      [&](int first, int end) {
+        float most = 0.0f;
         if (progress.isCancelled()) return most;
-        forRows(gradient, part, [&](int, const std::vector<float>& squared) {
+        forRows(gradient, first, end, [&](int, const std::vector<float>& squared) {
           for (float g : squared) most = std::max(most, g);
         });
         return most;
@@ -90,9 +90,9 @@ Gradients compute(const SquaredGradient<T>& gradient, Progress& progress) {
   result.largest = std::sqrt(double(largest));
   result.codes.resize(std::size_t(gradient.dims.x) * std::size_t(gradient.dims.y) * std::size_t(gradient.dims.z));
   float perLargest = largest > 0.0f ? 1.0f / largest : 0.0f;
-  tbb::parallel_for(rows, [&](const tbb::blocked_range<int>& part) {
+  parallelForRanges(0, rows, kGrain, [&](int first, int end) {
     if (progress.isCancelled()) return;
-    forRows(gradient, part, [&](int row, const std::vector<float>& squared) {
+    forRows(gradient, first, end, [&](int row, const std::vector<float>& squared) {
       std::uint16_t* out = result.codes.data() + std::size_t(row) * squared.size();
       for (float g : squared) *out++ = std::uint16_t(std::sqrt(std::sqrt(g * perLargest)) * 65535.0f + 0.5f);
     });

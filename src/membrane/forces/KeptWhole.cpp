@@ -1,15 +1,12 @@
 #include "velum/membrane/forces/KeptWhole.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_reduce.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "FrameBox.h"
 
 #include "velum/core/Assert.h"
+#include "velum/core/Parallel.h"
 
 namespace velum::membrane {
 
@@ -78,10 +75,11 @@ struct Areas {
 
 Areas countPairs(const Sides& sides) {
   const auto& f = sides.flags;
-  return tbb::parallel_reduce(
-      tbb::blocked_range<int>(0, sides.size.z), Areas(),
-      [&](const tbb::blocked_range<int>& layers, Areas areas) {
-        for (int z = layers.begin(); z < layers.end(); ++z)
+  return parallelReduce(
+      0, sides.size.z, 1, Areas(),
+      [&](int first, int end) {
+        Areas areas;
+        for (int z = first; z < end; ++z)
           for (int y = 0; y < sides.size.y; ++y)
             for (int x = 0; x < sides.size.x; ++x) {
               std::uint8_t own = f[sides.at(x, y, z)];
@@ -144,7 +142,7 @@ KeptWhole measureKeptWhole(const ProtectedVoxels& voxels, const scene::Cut& cut,
   sides.size = sides.box.end - sides.box.min;
   sides.flags.resize(std::size_t(sides.size.x) * std::size_t(sides.size.y) * std::size_t(sides.size.z));
   RowOfSides rows(voxels, cut, side);
-  tbb::parallel_for(0, sides.size.y * sides.size.z, [&](int row) {
+  parallelFor(0, sides.size.y * sides.size.z, [&](int row) {
     if (progress.isCancelled()) return;
     int y = row % sides.size.y, z = row / sides.size.y;
     rows.fill(sides, y, z, sides.flags.data() + sides.at(0, y, z));

@@ -1,10 +1,5 @@
 #include "velum/membrane/forces/Kernels.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_reduce.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -14,6 +9,7 @@
 #include "StrengthRows.h"
 
 #include "velum/core/Assert.h"
+#include "velum/core/Parallel.h"
 
 namespace velum::membrane {
 
@@ -67,7 +63,7 @@ template <class Body>
 void forRows(const StrengthRows& rows, VoxelBox box, const Progress& progress, Body body) {
   glm::ivec3 size = box.end - box.min;
   if (size.x <= 0) return;
-  tbb::parallel_for(0, size.y * size.z, [&](int row) {
+  parallelFor(0, size.y * size.z, [&](int row) {
     if (progress.isCancelled()) return;
     thread_local std::vector<float> strengths;
     strengths.resize(std::size_t(size.x));
@@ -81,7 +77,7 @@ void forRows(const StrengthRows& rows, VoxelBox box, const Progress& progress, B
 std::vector<float> coarsen(const std::vector<float>& fine, glm::ivec3 dims, int level) {
   glm::ivec3 from = dimsOfLevel(dims, level), to = dimsOfLevel(dims, level + 1);
   std::vector<float> means(nodeCount(to));
-  tbb::parallel_for(0, to.z, [&](int z) {
+  parallelFor(0, to.z, [&](int z) {
     for (int y = 0; y < to.y; ++y)
       for (int x = 0; x < to.x; ++x) {
         double sum = 0.0, held = 0.0;
@@ -112,10 +108,11 @@ KernelGrid toKernels(std::vector<float> means, glm::ivec3 dims, int level, const
   glm::dmat4 voxelFromKernel(size);
   voxelFromKernel[3] = glm::dvec4(glm::dvec3((size - 1.0) * 0.5), 1.0);
   grid.worldFromKernel = worldFromVoxel * voxelFromKernel;
-  grid.count = tbb::parallel_reduce(
-      tbb::blocked_range<std::size_t>(0, means.size(), 1 << 16), std::size_t(0),
-      [&](const tbb::blocked_range<std::size_t>& part, std::size_t count) {
-        for (std::size_t i = part.begin(); i < part.end(); ++i) {
+  grid.count = parallelReduce(
+      std::size_t(0), means.size(), std::size_t(1) << 16, std::size_t(0),
+      [&](std::size_t first, std::size_t end) {
+        std::size_t count = 0;
+        for (std::size_t i = first; i < end; ++i) {
           bool has = means[i] != 0.0f && std::abs(double(means[i])) >= threshold;
           means[i] = has ? means[i] : 0.0f;
           count += has;
@@ -140,8 +137,7 @@ struct Potential::Data {
     std::lock_guard guard(gradientLock);
     // Isolated: while this thread waits for its helpers it must not take up a task that wants the same lock.
     if (!gradients)
-      tbb::this_task_arena::isolate(
-          [&] { gradients = computeGradients(*source.volume, source.channel, source.timeStep, progress); });
+      isolated([&] { gradients = computeGradients(*source.volume, source.channel, source.timeStep, progress); });
     return &*gradients;
   }
   StrengthRows rowsFor(const scene::ForceField& field, Progress& progress) const {
@@ -202,7 +198,7 @@ std::vector<KernelGrid> Potential::computeLevels(const scene::ForceField& field,
   progress.report(0.0, "evaluating forces");
   glm::ivec3 to = dimsOfLevel(source.dims, finest);
   std::vector<float> means(nodeCount(to));
-  tbb::parallel_for(0, to.y * to.z, [&](int row) {
+  parallelFor(0, to.y * to.z, [&](int row) {
     if (progress.isCancelled()) return;
     averageRow(rows, source.dims, finest, row % to.y, row / to.y, means.data() + std::size_t(row) * std::size_t(to.x));
   });

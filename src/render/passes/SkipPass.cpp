@@ -1,10 +1,9 @@
 #include "SkipPass.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 
 #include "WorkQueue.h"
+#include "velum/core/Parallel.h"
 
 namespace velum::render {
 
@@ -62,7 +61,7 @@ bool SkipPass::hasContent(const Key& key, glm::vec2 texels) {
 SkipPass::Found SkipPass::find(const Key& key, const FrameData& data) {
   Found found{CellSet(key.cells), CellSet(key.cells)};
   auto nx = std::size_t(key.cells.x);
-  tbb::parallel_for(std::size_t(0), found.all.rows.size(), [&](std::size_t row) {
+  parallelFor(std::size_t(0), found.all.rows.size(), [&](std::size_t row) {
     for (std::size_t x = 0; x < nx; ++x) {
       std::size_t cell = row * nx + x;
       std::uint64_t ids = data.labelCells ? data.labelCells->sets()[cell] : bitOf(0);

@@ -1,8 +1,7 @@
 #include "velum/render/section/KeptVoxels.h"
 
-#include <tbb/parallel_for.h>
-
 #include "SectionCuts.h"
+#include "velum/core/Parallel.h"
 
 namespace velum::render {
 
@@ -35,7 +34,7 @@ std::vector<std::uint8_t> keptVoxels(const scene::Scene& scene, glm::ivec3 dims,
   glm::vec3 along(glm::dvec3(worldFromVoxel[0]) / step);
   for (int z = 0; z < dims.z; ++z) {
     progress.report(double(z) / dims.z, "cutting");
-    tbb::parallel_for(0, dims.y, [&](int y) {
+    parallelFor(0, dims.y, [&](int y) {
       std::vector<std::uint16_t> ids(usesLabels ? std::size_t(dims.x) : 0);
       if (usesLabels) readIds(*labels.data, labelFromVoxel, y, z, ids);
       glm::vec3 start(glm::dvec3(worldFromVoxel * glm::dvec4(0.0, y, z, 1.0)) - plane.centre);

@@ -1,8 +1,5 @@
 #include "velum/render/section/SectionImage.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -12,6 +9,7 @@
 #include "SectionRow.h"
 
 #include "velum/core/Assert.h"
+#include "velum/core/Parallel.h"
 
 namespace velum::render {
 
@@ -182,12 +180,11 @@ void SectionDrawing::drawRow(int y, Row& colors, std::vector<float>& samples, st
 SectionImage SectionDrawing::draw() {
   SectionImage image{mSize, std::vector<std::uint32_t>(std::size_t(mSize.x) * std::size_t(mSize.y))};
   constexpr int kRows = 16;
-  if (mLabelPath) tbb::parallel_for(0, mSize.y, [&](int y) { readIds(y); });
-  tbb::parallel_for(tbb::blocked_range<int>(0, mSize.y, kRows), [&](const auto& rows) {
+  if (mLabelPath) parallelFor(0, mSize.y, [&](int y) { readIds(y); });
+  parallelForRanges(0, mSize.y, kRows, [&](int first, int end) {
     Row colors(std::size_t(mSize.x));
     std::vector<float> samples(std::size_t(mSize.x));
-    for (int y = rows.begin(); y < rows.end(); ++y)
-      drawRow(y, colors, samples, &image.pixels[std::size_t(y) * std::size_t(mSize.x)]);
+    for (int y = first; y < end; ++y) drawRow(y, colors, samples, &image.pixels[std::size_t(y) * std::size_t(mSize.x)]);
   });
   return image;
 }

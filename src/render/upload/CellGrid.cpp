@@ -1,9 +1,9 @@
 #include "CellGrid.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cstdint>
+
+#include "velum/core/Parallel.h"
 
 namespace velum::render {
 
@@ -26,7 +26,7 @@ std::vector<glm::vec2> computeCellRanges(const T* planes, glm::ivec3 dims, const
                                 std::size_t(lastCellZ - firstCellZ));
   std::size_t planeSize = std::size_t(dims.x) * std::size_t(dims.y);
   // Rows of cells are independent: reduce along z and y into one row of voxels, then along x into cells.
-  tbb::parallel_for(0, (lastCellZ - firstCellZ) * cells.size.y, [&](int job) {
+  parallelFor(0, (lastCellZ - firstCellZ) * cells.size.y, [&](int job) {
     int cz = firstCellZ + job / cells.size.y, cy = job % cells.size.y;
     int z0 = std::max(0, cz * cells.edge - 1), z1 = std::min(dims.z, (cz + 1) * cells.edge + 1);
     int y0 = std::max(0, cy * cells.edge - 1), y1 = std::min(dims.y, (cy + 1) * cells.edge + 1);

@@ -1,12 +1,12 @@
 #include "GradientTexels.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <type_traits>
+
+#include "velum/core/Parallel.h"
 
 namespace velum::render {
 
@@ -31,14 +31,14 @@ std::vector<glm::u8vec4> computeGradients(const Texel* texels, glm::ivec3 dims, 
   };
   int low = std::max(0, z0 - 1), high = std::min(dims.z, z1 + 1);
   std::vector<float> squares(width * height * std::size_t(high - low));
-  tbb::parallel_for(0, (high - low) * dims.y, [&](int job) {
+  parallelFor(0, (high - low) * dims.y, [&](int job) {
     float* row = &squares[std::size_t(job) * width];
     visitRow(job % dims.y, low + job / dims.y, [&](int x, glm::vec3 g) { row[x] = glm::dot(g, g); });
   });
   std::vector<glm::u8vec4> gradients(width * height * std::size_t(z1 - z0));
   float toShare =
       float(1.0 / (longestGradient * (std::is_same_v<Texel, float> ? 1.0 : double(std::numeric_limits<Texel>::max()))));
-  tbb::parallel_for(0, (z1 - z0) * dims.y, [&](int job) {
+  parallelFor(0, (z1 - z0) * dims.y, [&](int job) {
     int z = z0 + job / dims.y, y = job % dims.y;
     std::vector<float> largest(width + 2, 0.0f);  // of the nine rows around; one more at each end
     for (int c = std::max(low, z - 1); c < std::min(high, z + 2); ++c)

@@ -1,9 +1,9 @@
 #include "LabelCells.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <atomic>
+
+#include "velum/core/Parallel.h"
 
 namespace velum::render {
 
@@ -48,7 +48,7 @@ LabelCells::LabelCells(const LabelVolume& labels, const LabelSpace& over)
   mBlocks.assign(countOf(mBlockGrid), 0);
   mSets.assign(countOf(over.cells.size), 0);
   glm::ivec3 grid = labels.brickGrid();
-  tbb::parallel_for(0, grid.x * grid.y * grid.z, [&](int job) {
+  parallelFor(0, grid.x * grid.y * grid.z, [&](int job) {
     collectBlocks(labels, {job % grid.x, job / grid.x % grid.y, job / (grid.x * grid.y)});
   });
   recount(std::vector<std::uint8_t>(mSets.size(), 1));
@@ -118,7 +118,7 @@ std::uint64_t LabelCells::setOf(glm::ivec3 cell) const {
 bool LabelCells::recount(const std::vector<std::uint8_t>& isDirty) {
   glm::ivec3 size = mOver.cells.size;
   std::atomic<bool> hasChanged = false;
-  tbb::parallel_for(0, size.y * size.z, [&](int row) {
+  parallelFor(0, size.y * size.z, [&](int row) {
     for (int x = 0; x < size.x; ++x) {
       glm::ivec3 cell(x, row % size.y, row / size.y);
       std::size_t i = indexIn(size, cell);
@@ -134,8 +134,7 @@ bool LabelCells::recount(const std::vector<std::uint8_t>& isDirty) {
 
 bool LabelCells::update(const LabelVolume& labels, std::span<const glm::ivec3> bricks) {
   std::vector<Box> changed(bricks.size());
-  tbb::parallel_for(std::size_t(0), bricks.size(),
-                    [&](std::size_t i) { changed[i] = collectBlocks(labels, bricks[i]); });
+  parallelFor(std::size_t(0), bricks.size(), [&](std::size_t i) { changed[i] = collectBlocks(labels, bricks[i]); });
   std::vector<std::uint8_t> isDirty(mSets.size(), 0);
   bool any = false;
   for (const Box& blocks : changed) {

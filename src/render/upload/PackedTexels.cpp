@@ -1,9 +1,9 @@
 #include "PackedTexels.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cstdint>
+
+#include "velum/core/Parallel.h"
 
 namespace velum::render {
 
@@ -15,7 +15,7 @@ std::vector<glm::vec<4, Texel>> packTexels(const Texel* texels, glm::ivec3 dims,
     return texels + (std::size_t(z - firstPlane) * height + std::size_t(y)) * width;
   };
   std::vector<glm::vec<4, Texel>> packed(width * height * std::size_t(z1 - z0));
-  tbb::parallel_for(0, (z1 - z0) * dims.y, [&](int job) {
+  parallelFor(0, (z1 - z0) * dims.y, [&](int job) {
     int z = z0 + job / dims.y, y = job % dims.y;
     const Texel *here = rowAt(y, z), *next = rowAt(y + 1, z), *above = rowAt(y, z + 1), *both = rowAt(y + 1, z + 1);
     auto* row = &packed[std::size_t(job) * width];

@@ -1,10 +1,9 @@
 #include "SkipMap.h"
 
-#include <tbb/parallel_for.h>
-
 #include <bit>
 
 #include "velum/core/Assert.h"
+#include "velum/core/Parallel.h"
 
 namespace velum::render {
 
@@ -46,7 +45,7 @@ std::vector<glm::u8vec2> makeSkipMap(const CellSet& first, const CellSet& second
   VELUM_ASSERT(first.size == second.size && first.size.x >= 1 && first.size.x <= 64, "a row of cells is a word");
   std::size_t count = first.rows.size() * std::size_t(first.size.x);
   std::vector<glm::u8vec2> map(8 * count, glm::u8vec2(kFarthestLeap));
-  tbb::parallel_for(0u, 8u, [&](unsigned octant) {
+  parallelFor(0u, 8u, [&](unsigned octant) {
     writeDistances(first, octant, 0, &map[octant * count]);
     writeDistances(second, octant, 1, &map[octant * count]);
   });

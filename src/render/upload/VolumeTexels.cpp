@@ -1,12 +1,12 @@
 #include "VolumeTexels.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <type_traits>
+
+#include "velum/core/Parallel.h"
 
 namespace velum::render {
 
@@ -54,7 +54,7 @@ void VolumeTexels::mixPlanes(const Raw* samples, int z0, int z1, std::vector<glm
   double perValue = (MixTable::kSize - 1) / (mix.domain.y - mix.domain.x);
   float scale = float(v.scale * perValue), offset = float((v.offset - mix.domain.x) * perValue + 0.5);
   int block = isQuick ? 1 : factor, middle = isQuick ? factor / 2 : 0;
-  tbb::parallel_for(0, (z1 - z0) * dims.y, [&](int job) {
+  parallelFor(0, (z1 - z0) * dims.y, [&](int job) {
     glm::ivec3 at(0, job % dims.y, z0 + job / dims.y);
     glm::u8vec4* row = &texels[std::size_t(job) * std::size_t(dims.x)];
     for (at.x = 0; at.x < dims.x; ++at.x) {
@@ -94,7 +94,7 @@ void VolumeTexels::convertPlanes(const Raw* samples, int z0, int z1, std::vector
                stride;
   };
   double colorScale = v.range.y > 255 ? 255.0 / v.range.y : 1.0;
-  tbb::parallel_for(0, (z1 - z0) * dims.y, [&](int job) {
+  parallelFor(0, (z1 - z0) * dims.y, [&](int job) {
     int z = z0 + job / dims.y, y = job % dims.y;
     Texel* row = &texels[(std::size_t(z - z0) * std::size_t(dims.y) + std::size_t(y)) * std::size_t(dims.x)];
     for (int x = 0; x < dims.x; ++x) {

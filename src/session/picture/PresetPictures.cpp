@@ -1,11 +1,10 @@
 #include "velum/session/picture/PresetPictures.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 
+#include "velum/core/Parallel.h"
 #include "velum/gpu/Context.h"
 #include "velum/render/Renderer.h"
 #include "velum/scene/Presets.h"
@@ -39,7 +38,7 @@ Volume reduceVolume(const Volume& volume, int channel, int timeStep, int mostAlo
   auto stride = std::size_t(volume.channels);
   std::size_t start = std::size_t(timeStep) * voxelCount(volume) * stride + std::size_t(channel);
   visitSamples(volume, [&](auto* samples) {
-    tbb::parallel_for(0, out.dims.z * out.dims.y, [&](int job) {
+    parallelFor(0, out.dims.z * out.dims.y, [&](int job) {
       if (progress.isCancelled()) return;
       glm::ivec3 first(0, job % out.dims.y * factor.y, job / out.dims.y * factor.z);
       glm::ivec3 end = glm::min(first + factor, volume.dims);

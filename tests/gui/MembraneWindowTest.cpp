@@ -54,19 +54,30 @@ TEST_F(MembraneWindow, ANewOneKeepsWholeWhatIsShownMost) {
   EXPECT_TRUE(settle());
 }
 
+/// Another context is current while it lives, as the window's own is whenever it has been shown. Our GL asserts that it
+/// is called in the viewport's.
+class OtherContext {
+ public:
+  explicit OtherContext(QOpenGLContext* viewports) {
+    mSurface.create();
+    mContext.setShareContext(viewports);
+    EXPECT_TRUE(mContext.create() && mContext.makeCurrent(&mSurface));
+  }
+  ~OtherContext() { mContext.doneCurrent(); }
+
+ private:
+  QOffscreenSurface mSurface;
+  QOpenGLContext mContext;
+};
+
 /// In another context that shares its programs, Mesa forgets the one that is to run next: the window died minutes
 /// later.
 TEST_F(MembraneWindow, WhatASheetHasOnTheGpuIsGivenBackInItsOwnContext) {
   addMembrane();
-  QOffscreenSurface surface;
-  surface.create();
-  QOpenGLContext other;
-  other.setShareContext(viewport().context());
-  ASSERT_TRUE(other.create());
-  // As the window itself does whenever it has been shown. GL asserts that its context is current.
-  ASSERT_TRUE(other.makeCurrent(&surface));
-  document().undo();
-  other.doneCurrent();
+  {
+    OtherContext other(viewport().context());
+    document().undo();
+  }
   EXPECT_TRUE(scene().cuts.empty());
   ASSERT_TRUE(settle());
   document().redo();
@@ -208,6 +219,10 @@ TEST_F(MembraneWindow, PausedTheWindowIsSettledAndStepsByHand) {
   int steps = status().steps;
   QTest::mouseClick(child<QPushButton>("membraneStep"), Qt::LeftButton);
   EXPECT_NE(status().steps, steps);
+  {
+    OtherContext other(viewport().context());
+    EXPECT_FALSE(shape().places.empty()) << "a sheet that is held can be exported from a menu";
+  }
   QTest::mouseClick(child<QPushButton>("membranePlay"), Qt::LeftButton);
   ASSERT_TRUE(settle());
   EXPECT_EQ(status().phase, session::MembraneStatus::Phase::Resting);

@@ -45,7 +45,11 @@ Viewport::Viewport(session::Session& session, Toolbox& toolbox, QWidget* parent)
   connect(&mPickTimer, &QTimer::timeout, this, &Viewport::pickUnderPointer);
 }
 
-Viewport::~Viewport() { release(); }
+Viewport::~Viewport() {
+  release();
+  // The widget's own end, which comes next, ends the context, too.
+  if (context()) disconnect(context(), nullptr, this, nullptr);
+}
 
 void Viewport::initializeGL() {
   connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &Viewport::release, Qt::DirectConnection);

@@ -138,8 +138,8 @@ LabelVolume readFromVolume(const scene::Source& source, Progress& progress) {
   if (v.channels > 1 && (segments.empty() || v.isColor))
     refuse(path, fmt::format("is no label volume: it has {} samples per voxel", v.channels));
   if (v.range.x < 0 || v.range.y > 65535)
-    refuse(path,
-           fmt::format("is no label volume: values run from {} to {}, ids from 0 to 65535", v.range.x, v.range.y));
+    refuse(path, fmt::format("is no label volume: values run from {:.6g} to {:.6g}, ids from 0 to 65535", v.range.x,
+                             v.range.y));
   auto maps = layerMaps(segments, v.channels);
   Overlay overlay{maps};
   LabelVolume labels = convert(v, overlay, path, progress);

@@ -67,9 +67,10 @@ void takeRescale(DicomFrame& frame, const DataSet& set, DicomFile& file) {
   if (has && file.modality == "CT" && file.samplesPerPixel == 1 && frame.unit.empty()) frame.unit = "HU";
   double slope = numberOf(set, kSlope, frame.slope), intercept = numberOf(set, kIntercept, frame.intercept);
   if (!std::isfinite(slope) || !std::isfinite(intercept) || slope == 0.0) {
-    warnOnce(file,
-             fmt::format("a rescale slope of {} and an intercept of {} are no numbers to scale by and are left out",
-                         slope, intercept));
+    warnOnce(
+        file,
+        fmt::format("a rescale slope of {:.6g} and an intercept of {:.6g} are no numbers to scale by and are left out",
+                    slope, intercept));
     return;
   }
   frame.slope = slope;

@@ -134,7 +134,7 @@ void placeStack(DicomStack& stack, const std::vector<const DicomFrame*>& planes,
     if (planes.size() > 1) {
       stack.isSpacingKnown = stack.isSpacingKnown && first.sliceSpacing > 0;
       stack.warnings.push_back(
-          fmt::format("the slices have no position; they are stacked by number, {} mm apart", along));
+          fmt::format("the slices have no position; they are stacked by number, {:.6g} mm apart", along));
     }
   }
   stack.isOrientationKnown = first.hasPlace;

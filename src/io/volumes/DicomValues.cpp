@@ -100,7 +100,7 @@ std::vector<double> doseOffsetsOf(const DataSet& set, int planes, double firstZ,
   bool isPlace = first != 0 && std::abs(first - firstZ) < 0.01, isAxial = std::abs(std::abs(normalZ) - 1) < 1e-4;
   if (first != 0 && !(isPlace && isAxial))
     warning =
-        fmt::format("the offsets of the dose's planes begin at {} mm and not at 0; they are taken from there", first);
+        fmt::format("the offsets of the dose's planes begin at {:.6g} mm and not at 0; they are taken from there", first);
   for (double& offset : offsets) offset = (offset - first) * (isPlace && isAxial && normalZ < 0 ? -1 : 1);
   return offsets;
 }

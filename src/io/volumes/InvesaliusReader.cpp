@@ -175,7 +175,7 @@ Volume readInvesalius(const scene::Source& source, Progress& progress) {
   Volume volume;
   volume.type = typeOf(project, path);
   for (double s : project.spacing)
-    if (!(s > 0 && s < 1e6)) refuse(path, fmt::format("a voxel spacing of {} mm makes no sense", s));
+    if (!(s > 0 && s < 1e6)) refuse(path, fmt::format("a voxel spacing of {:.6g} mm makes no sense", s));
   glm::dvec3 dims(project.shape[2], project.shape[1], project.shape[0]);
   for (int i = 0; i < 3; ++i)
     if (dims[i] != std::floor(dims[i])) refuse(path, fmt::format("{} voxels along an axis make no sense", dims[i]));

@@ -207,8 +207,8 @@ Volume readVtkLegacy(const scene::Source& source, Progress& progress) {
   for (int i = 0; i < 3; ++i)
     if (!(std::abs(h.spacing[i]) > 0 && std::abs(h.spacing[i]) < 1e9 && std::abs(h.origin[i]) < 1e12 &&
           h.dims[i] == std::floor(h.dims[i])))
-      refuse(path,
-             fmt::format("dimension {}, spacing {} or origin {} makes no sense", h.dims[i], h.spacing[i], h.origin[i]));
+      refuse(path, fmt::format("dimension {:.6g}, spacing {:.6g} or origin {:.6g} makes no sense", h.dims[i],
+                               h.spacing[i], h.origin[i]));
   v.type = h.type;
   // Text needs a digit and a space for each number, but the last.
   auto stored = double(file.size() - std::min<std::uint64_t>(h.dataAt, file.size()));

@@ -1,6 +1,7 @@
 #include "LiveSheet.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "velum/core/Clock.h"
 #include "velum/gpu/Program.h"
@@ -132,8 +133,13 @@ void LiveSheet::failForces(const std::string& error) {
 
 bool LiveSheet::isMoving() const { return mCut.enabled && (mBegin || !isAtRest()); }
 
-/// Where the sheet was when it was last looked at; asks the GPU where it moves.
-scene::SheetShape LiveSheet::known() const { return movesInSight() ? mSimulation->shape() : mKept; }
+/// Where the sheet was when it was last looked at. Asks the GPU where it moves, once for each place: what is held can
+/// be exported from a menu, where the context is not current.
+scene::SheetShape LiveSheet::known() const {
+  if (!movesInSight()) return mKept;
+  if (std::exchange(mReadAt, mShown) != mShown) mRead = mSimulation->shape();
+  return mRead;
+}
 
 scene::SheetShape LiveSheet::shape() const { return carried(known(), movesInSight() ? mMovingCut : mKeptCut, mCut); }
 

@@ -119,6 +119,8 @@ class LiveSheet {
   std::shared_ptr<const membrane::SheetIndex> mIndex;
   std::uint64_t mShown = 1;  ///< counts places that differ
   std::uint64_t mIndexed = 0, mUploaded = 0;
+  mutable scene::SheetShape mRead;  ///< where the simulation was when mShown was mReadAt
+  mutable std::uint64_t mReadAt = 0;
 };
 
 /// The cuts stand in the same place of the world.

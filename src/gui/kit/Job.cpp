@@ -2,6 +2,8 @@
 
 #include <chrono>
 
+#include "CallLater.h"
+
 namespace velum::gui {
 
 Progress::Listener throttled(std::function<void(double fraction, const QString& what)> listener) {
@@ -23,9 +25,11 @@ Job::~Job() {
 
 void Job::start() {
   mJob = std::make_unique<session::Job>(
-      std::move(mWork), throttled([this](double fraction, const QString& what) { emit progressed(fraction, what); }),
+      std::move(mWork), throttled([this](double fraction, const QString& what) {
+        callLater(this, [this, fraction, what] { emit progressed(fraction, what); });
+      }),
       [this](const session::JobOutcome& outcome) {
-        emit finished(outcome.done, QString::fromStdString(outcome.error));
+        callLater(this, [this, outcome] { emit finished(outcome.done, QString::fromStdString(outcome.error)); });
       });
 }
 

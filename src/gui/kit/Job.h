@@ -7,7 +7,8 @@
 
 namespace velum::gui {
 
-/// A session::Job that tells by signals: they arrive in the thread of whoever listens.
+/// A session::Job that tells by signals, in this object's thread. With the object go those that are still under way:
+/// who gives a job up hears no more of it. To let it go when it says that it has finished, use deleteLater().
 class Job : public QObject {
   Q_OBJECT
  public:

@@ -1,5 +1,6 @@
 #include "JobRunner.h"
 
+#include "CallLater.h"
 #include "Job.h"
 #include "velum/core/FreeMemory.h"
 
@@ -16,8 +17,7 @@ void JobRunner::start(const QString& what, session::Job::Work work, std::functio
   mLastError.clear();
   mStrip.begin(what);
   auto report = [this](double fraction, const QString& part) {
-    QMetaObject::invokeMethod(
-        this, [this, fraction, part] { mStrip.setProgress(fraction, part); }, Qt::QueuedConnection);
+    callLater(this, [this, fraction, part] { mStrip.setProgress(fraction, part); });
   };
   auto workAndTidy = [work = std::move(work)](Progress& progress) {
     work(progress);

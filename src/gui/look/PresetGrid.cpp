@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "kit/CallLater.h"
 #include "kit/Widgets.h"
 #include "velum/scene/Presets.h"
 #include "velum/session/picture/PresetPictures.h"
@@ -239,7 +240,7 @@ void PresetGrid::drawPictures() {
     session::drawPresetPictures(
         scene, wanted, size,
         [&](const std::string& name, const Image& image) {
-          QMetaObject::invokeMethod(this, [this, key, name = QString::fromStdString(name), picture = toQImage(image)] {
+          callLater(this, [this, key, name = QString::fromStdString(name), picture = toQImage(image)] {
             if (key == std::make_pair(mVolume.id(), mChannel)) takePicture(name, picture);
           });
         },

@@ -14,7 +14,7 @@ void StructureMeter::measure(const Shared<LabelVolume>& labels) {
   connect(mJob.get(), &Job::finished, this, [this, sizes, id = labels.id()](bool done, const QString&) {
     if (!done || mLabels.id() != id) return;
     mSizes = std::move(*sizes);
-    mJob.reset();
+    mJob.release()->deleteLater();
     emit measured();
   });
   mJob->start();

@@ -9,6 +9,7 @@
 #include "StatusLine.h"
 #include "TimeCommands.h"
 #include "ViewCommands.h"
+#include "kit/CallLater.h"
 #include "kit/KeyboardFocus.h"
 #include "kit/RecentFiles.h"
 
@@ -29,7 +30,7 @@ MainWindow::MainWindow()
   connectRooms();
   new KeyboardFocus(*this, [this] { return mSession.file().isOpen() ? &mViews->keyboardView() : nullptr; });
   mSession.setListener([this] { refresh(); });
-  mSession.setWaker([this] { QMetaObject::invokeMethod(this, &MainWindow::collect, Qt::QueuedConnection); });
+  mSession.setWaker([this] { callLater(this, [this] { collect(); }); });
   refresh();
   if (!mActions.warning().isEmpty()) mFrame.messages->showNote(mActions.warning());
   resize(1440, 900);
@@ -116,13 +117,10 @@ void MainWindow::showScene(scene::Scene scene, const QString& name) {
 
 void MainWindow::protectWork(const std::filesystem::path& root, bool offers) {
   mSession.file().protect(root, [this](const std::string& text) {
-    QMetaObject::invokeMethod(
-        this,
-        [this, text] {
-          text.empty() ? mFrame.messages->showNote(tr("The disk takes changes again: unsaved work is protected."))
-                       : mFrame.messages->showError(QString::fromStdString(text));
-        },
-        Qt::QueuedConnection);
+    callLater(this, [this, text] {
+      text.empty() ? mFrame.messages->showNote(tr("The disk takes changes again: unsaved work is protected."))
+                   : mFrame.messages->showError(QString::fromStdString(text));
+    });
   });
   mFrame.empty->recent()->refresh();
   if (offers) mLost->lookFor(root);

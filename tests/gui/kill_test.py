@@ -54,13 +54,14 @@ class Lane(threading.Thread):
         done = {}
 
         def take(line):
-            words = line.split()
-            if len(words) == 4 and words[2].endswith("centre"):
-                done[int(words[3].split(",")[0])] = float(words[0])
+            said, _, step = line.partition(": ")
+            words = step.split()
+            if len(words) == 3 and words[1].endswith("centre"):
+                done[int(words[2].split(",")[0])] = float(said.split()[0])
             return words
 
         for line in window.stdout:
-            if take(line)[1:3] == ["set", "cuts.+"]:
+            if take(line)[:2] == ["set", "cuts.+"]:
                 break
         time.sleep(self.random.uniform(0.0, LONGEST))
         killed = time.monotonic()

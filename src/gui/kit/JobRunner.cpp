@@ -2,7 +2,7 @@
 
 #include "CallLater.h"
 #include "Job.h"
-#include "velum/core/FreeMemory.h"
+#include "velum/core/Memory.h"
 
 namespace velum::gui {
 

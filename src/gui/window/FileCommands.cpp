@@ -7,7 +7,7 @@
 #include <exception>
 
 #include "kit/RecentFiles.h"
-#include "velum/core/FreeMemory.h"
+#include "velum/core/Memory.h"
 #include "velum/session/document/Open.h"
 #include "velum/session/look/Look.h"
 

@@ -9,6 +9,7 @@
 #include "MainWindow.h"
 #include "kit/SaveImage.h"
 #include "velum/core/Error.h"
+#include "velum/core/Memory.h"
 #include "velum/scene/json/Json.h"
 
 namespace velum::gui {
@@ -83,7 +84,8 @@ void Script::next() {
 
 void Script::say() const {
   if (!mEcho || mLine == 0) return;
-  std::string line = fmt::format("{:.3f} {}\n", monotonicSeconds(), mLines[mLine - 1].trimmed().toStdString());
+  std::string line = fmt::format("{:.3f} s, {:.1f} MiB: {}\n", monotonicSeconds(), double(allocatedBytes()) / (1 << 20),
+                                 mLines[mLine - 1].trimmed().toStdString());
   std::fputs(line.c_str(), stdout);  // a reader that has gone does not stop the script
   std::fflush(stdout);
 }

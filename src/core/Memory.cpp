@@ -4,7 +4,8 @@
 #include <malloc.h>
 #endif
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#include <sanitizer/allocator_interface.h>
+extern "C" std::size_t
+__sanitizer_get_current_allocated_bytes();  // the compiler's package lacks the header that says it
 #endif
 
 namespace velum {

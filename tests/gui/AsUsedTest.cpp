@@ -5,13 +5,13 @@
 
 #include <QDir>
 #include <QListWidget>
-#include <QProcess>
 #include <QPushButton>
 #include <QTabWidget>
 #include <QTest>
 #include <cmath>
 
 #include "DicomSeries.h"
+#include "RunBatch.h"
 #include "Shots.h"
 #include "TempFolder.h"
 #include "look/TransferCanvas.h"
@@ -148,11 +148,7 @@ TEST_F(AsUsed, OpenLookCurveCutSpareUndoSaveReopenExport) {
   // The picture from the window and the one without it are the same file.
   other->exports().savePictureTo(path("window.png"), {{160, 120}, 1, false, false}, other->document().scene());
   ASSERT_TRUE(waitForJob(*other));
-  QProcess batch;
-  batch.start(VELUM_BATCH,
-              {"render", path("work.json"), "-o", path("batch.png"), "--size", "160x120", "--samples", "1"});
-  ASSERT_TRUE(batch.waitForFinished(60000));
-  EXPECT_EQ(batch.exitCode(), 0) << batch.readAllStandardError().toStdString();
+  runBatch({"render", path("work.json"), "-o", path("batch.png"), "--size", "160x120", "--samples", "1"});
   QFile window(path("window.png")), headless(path("batch.png"));
   ASSERT_TRUE(window.open(QIODevice::ReadOnly) && headless.open(QIODevice::ReadOnly));
   EXPECT_EQ(window.readAll(), headless.readAll());

@@ -12,6 +12,7 @@
 #include <QTest>
 #include <QTextBlock>
 
+#include "RunBatch.h"
 #include "Shots.h"
 #include "TempFolder.h"
 #include "velum/session/document/Open.h"
@@ -72,10 +73,7 @@ TEST_F(PictureDialog, TheCopiedCommandMakesTheSamePicture) {
   EXPECT_EQ(words.takeFirst(), "velum-batch");
   QString made = QString::fromStdString((mFolder.path() / "command.png").string());
   words[words.indexOf("picture.png")] = made;
-  QProcess batch;
-  batch.start(VELUM_BATCH, words);
-  ASSERT_TRUE(batch.waitForFinished(60000));
-  ASSERT_EQ(batch.exitCode(), 0) << batch.readAllStandardError().toStdString();
+  runBatch(words);
   Progress progress;
   auto saved = mFolder.path() / "window.png";
   session::renderPictureFile(dialog.pictureScene(), dialog.options(), saved, progress);

@@ -4,13 +4,13 @@
 #include <QFile>
 #include <QListWidget>
 #include <QMimeData>
-#include <QProcess>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QStandardPaths>
 #include <QSurfaceFormat>
 #include <fstream>
 
+#include "RunBatch.h"
 #include "WindowFixture.h"
 #include "kit/Theme.h"
 
@@ -137,11 +137,7 @@ TEST_F(Window, SavedPictureEqualsTheHeadlessOne) {
   mWindow->saveSceneTo(path("scene.json"));
   mWindow->exports().savePictureTo(path("window.png"), {{160, 120}, 2, false, false}, scene());
   ASSERT_TRUE(waitForJob());
-  QProcess batch;
-  batch.start(VELUM_BATCH,
-              {"render", path("scene.json"), "-o", path("batch.png"), "--size", "160x120", "--samples", "2"});
-  ASSERT_TRUE(batch.waitForFinished(60000));
-  ASSERT_EQ(batch.exitCode(), 0) << batch.readAllStandardError().toStdString();
+  runBatch({"render", path("scene.json"), "-o", path("batch.png"), "--size", "160x120", "--samples", "2"});
   ASSERT_FALSE(bytesOf(path("window.png")).isEmpty());
   EXPECT_EQ(bytesOf(path("window.png")), bytesOf(path("batch.png")));
   // The picture opens as its scene.

@@ -26,7 +26,11 @@ void acquire([[maybe_unused]] void* place) {
 class Posted {
  public:
   explicit Posted(const detail::LaterCall& call) : mCall(call) { release(mCall.body); }
-  Posted(Posted&& other) noexcept : mCall(other.mCall) { other.mCall.body = nullptr; }
+  /// Into the queue: what Qt has allocated for it must be told, too.
+  Posted(Posted&& other) noexcept : mCall(other.mCall) {
+    other.mCall.body = nullptr;
+    release(mCall.body);
+  }
   Posted(const Posted&) = delete;
   Posted& operator=(const Posted&) = delete;
   ~Posted() {

@@ -47,6 +47,23 @@ TEST(CallLater, WhatIsCalledSeesWhatTheWorkerWrote) {
   worker.join();
 }
 
+TEST(CallLater, WhatWasCalledGoesInTheOwnersThread) {
+  // It may hold what belongs to that thread.
+  QObject owner;
+  std::atomic<int> here = 0, elsewhere = 0;
+  std::atomic<bool> isOver = false;
+  auto count = [&](void*) { ++(QThread::currentThread() == qApp->thread() ? here : elsewhere); };
+  std::thread worker([&] {
+    for (int i = 0; i < 2000; ++i) callLater(&owner, [held = std::shared_ptr<void>(nullptr, count)] {});
+    isOver = true;
+  });
+  while (!isOver) QApplication::processEvents();
+  worker.join();
+  QApplication::processEvents();
+  EXPECT_EQ(here, 2000);
+  EXPECT_EQ(elsewhere, 0);
+}
+
 TEST(CallLater, NothingIsCalledAndNothingLeaksWhereTheOwnerHasGone) {
   auto owner = std::make_unique<QObject>();
   auto held = std::make_shared<int>(7);

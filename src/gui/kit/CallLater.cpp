@@ -1,5 +1,7 @@
 #include "CallLater.h"
 
+#include <memory>
+
 // The thread sanitizer knows nothing of Qt's queue, which is not built with it: this file, which is built without it,
 // tells that who is called comes after who asked for it.
 #if defined(VELUM_TSAN)
@@ -38,9 +40,11 @@ class Posted {
     acquire(mCall.body);
     mCall.drop(mCall.body);
   }
-  void operator()() const {
+  /// What was called goes here and now: Qt may let go of this object in the thread that asked for the call.
+  void operator()() {
     acquire(mCall.body);
-    mCall.run(mCall.body);
+    std::unique_ptr<void, void (*)(void*)> body(std::exchange(mCall.body, nullptr), mCall.drop);
+    mCall.run(body.get());
   }
 
  private:

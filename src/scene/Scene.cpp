@@ -78,6 +78,7 @@ StandardView defaultView(const Scene& scene) {
   glm::dvec3 edges = bounds.max - bounds.min;
   if (edges.z < 0.2 * std::min(edges.x, edges.y)) return StandardView::Superior;
   if (edges.x < 0.2 * std::min(edges.y, edges.z)) return StandardView::Left;
+  if (edges.y < 0.2 * std::min(edges.x, edges.z)) return StandardView::Anterior;
   bool isPatient = !scene.volume.data || scene.volume.data->isOrientationKnown;
   return isPatient ? StandardView::Anterior : StandardView::Oblique;
 }

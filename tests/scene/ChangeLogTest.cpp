@@ -172,6 +172,7 @@ TEST(ChangeLog, HostileChangesAreRefusedFast) {
   for (std::string patch :
        {std::string("{}"), std::string("[1]"), std::string("null"), std::string(""), deep, std::string("[{}]"),
         std::string(R"([{"op": "copy", "from": "/cuts", "path": "/cuts/-"}])"),
+        std::string(R"([{"op": "copy", "from": "/camera/eye", "path": "/camera/eye", "value": 1}])"),
         std::string(R"([{"op": "move", "from": "/cuts", "path": "/camera"}])"),
         std::string(R"([{"op": "test", "path": "/velum", "value": 1}])"),
         std::string(R"([{"op": "remove", "path": ""}])"), std::string(R"([{"op": "remove", "path": "/nothing"}])"),

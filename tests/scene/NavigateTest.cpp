@@ -86,6 +86,16 @@ TEST(Navigate, OrbitHasNoPole) {
   }
 }
 
+TEST(Navigate, ADragUpOrDownKeepsLeftAndRight) {
+  std::mt19937 random(5);
+  auto rightOf = [](const Camera& c) { return glm::normalize(glm::cross(c.target - c.eye, c.up)); };
+  for (int i = 0; i < 50; ++i) {
+    Camera camera = someCamera(random);
+    for (double drag : {-0.9, -0.6, 0.3, 0.6, 0.9})  // over the pole, too
+      EXPECT_LT(glm::length(rightOf(orbit(camera, {0, drag})) - rightOf(camera)), 1e-9) << drag;
+  }
+}
+
 TEST(Navigate, TheSceneFollowsTheOrbitDrag) {
   Camera camera;
   glm::dvec3 nearPoint = camera.target + 0.1 * (camera.eye - camera.target);

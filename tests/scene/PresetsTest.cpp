@@ -101,6 +101,20 @@ TEST(Presets, TheBackgroundIsClear) {
   }
 }
 
+TEST(Presets, OpacityIsThatOfAVoxelsLengthWhereValuesAreRelative) {
+  for (const Preset& preset : presets()) {
+    if (preset.isAbsolute) continue;
+    for (double size : {1e-4, 1.0, 30.0}) {
+      Scene scene;
+      Volume volume = relativePhantom(3, 100);
+      volume.worldFromVoxel = centredFrame(volume.dims, {size, 2 * size, 3 * size}, 0.3);
+      scene.volume.data = Shared<Volume>(std::move(volume));
+      applyPreset(scene, preset.name);
+      EXPECT_NEAR(scene.volume.transfer.unitDistance, 2 * size, 1e-9 * size) << preset.name;
+    }
+  }
+}
+
 TEST(Presets, PointsAscendAndAreInRange) {
   for (const Preset& preset : presets()) {
     Scene scene;

@@ -76,6 +76,23 @@ TEST(FrameCamera, LooksFromTheSideThatItsNameSays) {
   EXPECT_LT(toEye(StandardView::Inferior).z, -0.999);
 }
 
+TEST(DefaultView, AThinSlabIsSeenFromItsWideSide) {
+  auto viewOf = [](glm::ivec3 dims, bool isPatient) {
+    Scene scene;
+    Volume volume = makeVolume(dims, SampleType::UInt8, [](glm::ivec3 v) { return v.x; });
+    volume.isOrientationKnown = isPatient;
+    scene.volume.data = Shared<Volume>(std::move(volume));
+    return defaultView(scene);
+  };
+  for (bool isPatient : {false, true}) {
+    EXPECT_EQ(viewOf({40, 40, 4}, isPatient), StandardView::Superior);
+    EXPECT_EQ(viewOf({4, 40, 40}, isPatient), StandardView::Left);
+    EXPECT_EQ(viewOf({40, 4, 40}, isPatient), StandardView::Anterior);
+  }
+  EXPECT_EQ(viewOf({20, 40, 30}, true), StandardView::Anterior) << "people are met face to face";
+  EXPECT_EQ(viewOf({20, 40, 30}, false), StandardView::Oblique);
+}
+
 TEST(FrameCamera, AnEmptySceneGivesAUsableCamera) {
   Camera camera = frameCamera(Scene{}, StandardView::Oblique, 1.5);
   EXPECT_GT(glm::length(camera.eye - camera.target), 0.0);

@@ -98,6 +98,15 @@ TEST(SectionPlane, TheCrosshairBeginsOnAVoxelInTheMiddle) {
   }
 }
 
+TEST(SectionPlane, TheMiddleOfAnOddNumberOfVoxelsIsAVoxelHoweverTheFrameRounds) {
+  const glm::ivec3 dims(41, 31, 21);
+  for (int i = 0; i < 20; ++i) {
+    Scene scene = sceneOf(dims, centredFrame(dims, {0.7, 1.1, 3}, 0.1 * i, {13.0 * i, 5, 7}));
+    glm::dvec3 voxel(glm::inverse(scene.volume.data->worldFromVoxel) * glm::dvec4(scene.sections.crosshair, 1));
+    EXPECT_LT(glm::length(voxel - glm::dvec3(20, 15, 10)), 1e-6) << i;
+  }
+}
+
 TEST(SectionPlane, ScrollingShowsEachPlaneOnceAndStopsAtTheLast) {
   Scene scene = boxScene();
   struct {
@@ -193,9 +202,13 @@ TEST(SectionPlane, FourQuarterTurnsAreNone) {
   }
 }
 
-TEST(SectionPlane, TurnedSectionsStayAcrossEachOther) {
+TEST(SectionPlane, TurnedSectionsStayAcrossEachOtherAndUpright) {
   Scene scene = boxScene();
   for (int i = 0; i < 50; ++i) turnSections(scene, kKinds[i % 3], 0.1 + 0.01 * i);
+  for (SectionKind kind : kKinds) {
+    const Section& section = sectionOf(scene.sections, kind);
+    EXPECT_NEAR(glm::dot(section.normal, section.up), 0.0, 1e-9) << "what is up turns along";
+  }
   const auto& s = scene.sections;
   EXPECT_NEAR(glm::dot(s.axial.normal, s.coronal.normal), 0.0, 1e-9);
   EXPECT_NEAR(glm::dot(s.axial.normal, s.sagittal.normal), 0.0, 1e-9);

@@ -157,6 +157,17 @@ TEST(LabelTable, KnowsTheThreeKinds) {
   EXPECT_THROW(readLabelTable(folder / "none.txt"), InputError);
 }
 
+TEST(LabelTable, IdsReachFromOneToTheLargestOf16Bits) {
+  TempFolder folder;
+  writeText(folder / "a.ctbl",
+            "0 background 0 0 0 0\n1 first 1 2 3 255\n65535 last 4 5 6 255\n65536 beyond 7 8 9 255\n");
+  auto table = readLabelTable(folder / "a.ctbl");
+  ASSERT_EQ(table.size(), 2u);
+  EXPECT_EQ(table[0].id, 1);
+  EXPECT_EQ(table[1].id, 65535);
+  EXPECT_EQ(table[1].name, "last");
+}
+
 TEST(LooksLikeLabels, OnlyWholeWordsCount) {
   for (const char* name : {"ct_labels.nii.gz", "a.seg.nrrd", "Mask-1.nrrd", "totalseg.nii.gz"})
     EXPECT_TRUE(looksLikeLabels(name)) << name;

@@ -13,6 +13,8 @@ struct Header {
   bool isVersion2 = false, isBig = false;
   double pixdim[4] = {1, 0.5, 0.75, 2};  ///< Handedness, then spacing.
   int units = 2, qformCode = 1, sformCode = 0;
+  std::int16_t timeSteps = 1;
+  double timeStep = 0;
   glm::dvec3 quaternion{0.0}, offset{0.0};
   double sform[3][4] = {};
 
@@ -24,13 +26,14 @@ struct Header {
       if (isBig) std::reverse(raw, raw + sizeof value);
       std::memcpy(out.data() + at, raw, sizeof value);
     };
-    const std::int16_t dims[] = {3, 3, 4, 5, 1, 1, 1, 1};
+    const std::int16_t dims[] = {std::int16_t(timeSteps > 1 ? 4 : 3), 3, 4, 5, timeSteps, 1, 1, 1};
     if (isVersion2) {
       put(0, std::int32_t(540));
       std::memcpy(out.data() + 4, "n+2\0\r\n\032\n", 8);
       put(12, std::int16_t(4)), put(14, std::int16_t(16)), put(168, std::int64_t(544)), put(176, 1.0);
       for (std::size_t i = 0; i < 8; ++i) put(16 + 8 * i, std::int64_t(dims[i]));
       for (std::size_t i = 0; i < 4; ++i) put(104 + 8 * i, pixdim[i]);
+      put(136, timeStep);
       put(344, std::int32_t(qformCode)), put(348, std::int32_t(sformCode)), put(500, std::int32_t(units));
       for (std::size_t i = 0; i < 3; ++i) {
         put(352 + 8 * i, quaternion[int(i)]), put(376 + 8 * i, offset[int(i)]);
@@ -42,13 +45,14 @@ struct Header {
       put(70, std::int16_t(4)), put(72, std::int16_t(16)), put(108, 352.0f), put(112, 1.0f);
       for (std::size_t i = 0; i < 8; ++i) put(40 + 2 * i, dims[i]);
       for (std::size_t i = 0; i < 4; ++i) put(76 + 4 * i, float(pixdim[i]));
+      put(92, float(timeStep));
       put(123, std::uint8_t(units)), put(252, std::int16_t(qformCode)), put(254, std::int16_t(sformCode));
       for (std::size_t i = 0; i < 3; ++i) {
         put(256 + 4 * i, float(quaternion[int(i)])), put(268 + 4 * i, float(offset[int(i)]));
         for (std::size_t k = 0; k < 4; ++k) put(280 + 16 * i + 4 * k, float(sform[i][k]));
       }
     }
-    for (std::int16_t i = 0; i < 60; ++i) {
+    for (std::int16_t i = 0; i < 60 * timeSteps; ++i) {
       out += char(isBig ? i >> 8 : i & 0xff);
       out += char(isBig ? i & 0xff : i >> 8);
     }
@@ -151,6 +155,20 @@ TEST(NiftiFrame, MetresMillimetresAndMicrometresAreMillimetresHere) {
         EXPECT_EQ(v.lengthUnit, LengthUnit::Millimetre);
         expectPlace(v, {2, 3, 4}, glm::dvec3(1 + 1, 2.25 + 2, 8 + 3) * mm, 1e-6 * mm);
       }
+}
+
+TEST(NiftiFrame, SecondsMillisecondsAndMicrosecondsAreSecondsHere) {
+  for (bool isVersion2 : {false, true})
+    for (auto [code, seconds] : {std::pair(8, 1.0), {16, 1e-3}, {24, 1e-6}, {0, 0.0}}) {  // 0: not said
+      Header h;
+      h.isVersion2 = isVersion2;
+      h.units = 2 | code;
+      h.timeSteps = 3, h.timeStep = 2.5;
+      Volume v = readHeader(h);
+      EXPECT_EQ(v.timeSteps, 3);
+      EXPECT_EQ(v.timeStepSeconds, 2.5 * seconds) << code;
+      EXPECT_EQ(valueAt(v, {2, 3, 4}, 0, 2), 179);
+    }
 }
 
 TEST(NiftiFrame, WithoutAFormSpacingIsKeptAndTheRestSaid) {

@@ -63,6 +63,13 @@ TEST(NrrdFrame, ASpaceOfNoPatientKeepsItsAxesAndSaysSo) {
   }
 }
 
+TEST(NrrdFrame, AnAxisWithoutLengthIsStillOneOfSpace) {
+  Volume v = readNrrdOf("type: uchar\nspace: LPS\nspace directions: (1,0,0) (0,2,0) (0,0,0)\nspace origin: (4,5,6)\n",
+                        samplesOf<std::uint8_t>(false));
+  EXPECT_EQ(v.dims, glm::ivec3(2, 3, 2));
+  EXPECT_NE(warningWith(v, "the orientation in the file cannot be used"), "");
+}
+
 TEST(NrrdFrame, LengthsComeInManyUnits) {
   struct Unit {
     const char* name;
@@ -96,6 +103,17 @@ TEST(NrrdFrame, SamplesOfBothByteOrdersAreTheSame) {
   expectBothOrders<std::uint64_t>("uint64");
   expectBothOrders<float>("float");
   expectBothOrders<double>("double");
+}
+
+TEST(NrrdFrame, AByteSkipOfMinusOneTakesTheLastBytes) {
+  TempFolder folder;
+  writeText(folder / "a.raw", "whatever stands before" + samplesOf<std::uint16_t>(false));
+  for (const char* skip : {"-1", "22"}) {
+    writeText(folder / "a.nhdr", std::string("NRRD0004\ndimension: 3\nsizes: 2 3 2\nencoding: raw\ntype: ushort\n") +
+                                     "endian: little\nbyte skip: " + skip + "\ndata file: a.raw\n");
+    Volume v = read(folder / "a.nhdr");
+    for (int i = 0; i < 12; ++i) EXPECT_EQ(valueAt(v, {i % 2, i / 2 % 3, i / 6}), i * 257) << skip;
+  }
 }
 
 TEST(NrrdFrame, IntegersThatADoubleRoundsAreSaid) {

@@ -123,6 +123,17 @@ TEST(Tiff, ImageJHyperstack) {
   EXPECT_NEAR(spacingOf(v).z, 2.5e-3, 1e-9);
 }
 
+TEST(Tiff, ChannelsThatAreColourKeepTheirSamples) {
+  TempFolder folder;
+  writePages(folder / "a.tif", 4, 3, 3, 4, "ImageJ=1.53t\nimages=4\nchannels=2\nslices=2\nhyperstack=true\n");
+  Volume v = read(folder / "a.tif");
+  EXPECT_EQ(v.dims, glm::ivec3(4, 3, 2));
+  ASSERT_EQ(v.channels, 6);
+  for (int z = 0; z < 2; ++z)
+    for (int channel = 0; channel < 6; ++channel)
+      EXPECT_EQ(valueAt(v, {1, 2, z}, channel), 1000 * (2 * z + channel / 3) + 3 * 9 + channel % 3);
+}
+
 TEST(Tiff, APromiseOfPagesThatAreNotThereIsRefused) {
   TempFolder folder;
   writePages(

@@ -222,6 +222,19 @@ TEST(Document, OnlyEditsCountAsModified) {
   EXPECT_TRUE(document.isModified());
 }
 
+TEST(Document, WhatIsSavedAfterUndoIsWhatIsSaved) {
+  Document document;
+  document.edit("A", moveCut(1));
+  document.edit("B", moveCut(2));
+  document.undo();
+  document.markSaved();
+  EXPECT_FALSE(document.isModified());
+  document.redo();
+  EXPECT_TRUE(document.isModified());
+  document.undo();
+  EXPECT_FALSE(document.isModified());
+}
+
 TEST(Document, WhatWasSavedInTheMiddleOfADragCanBeComeBackTo) {
   Document document;
   document.edit("Move cut", moveCut(1), true);

@@ -103,6 +103,10 @@ TEST(TransferTool, ThePointerMeetsPointsThenTheLineThenTheArea) {
   curve = {{40, 0.5}, {42, 0.5}};
   EXPECT_EQ(at(41.8, 0.5).index, 1);
   EXPECT_EQ(hitStop(kFrame, sample().colors, xOf(kFrame, 98), 6.0), 1);
+  scene::TransferFunction close;
+  close.colors = {{40, {0, 0, 0}}, {42, {1, 1, 1}}};
+  EXPECT_EQ(hitStop(kFrame, close.colors, xOf(kFrame, 40.2), 6.0), 0);
+  EXPECT_EQ(hitStop(kFrame, close.colors, xOf(kFrame, 41.8), 6.0), 1);
   EXPECT_EQ(hitStop(kFrame, sample().colors, xOf(kFrame, 50), 6.0), -1);
 }
 

@@ -245,6 +245,18 @@ double difference(const Volume& volume, int a, int b) {
   return sum / double(voxelCount(volume));
 }
 
+TEST(Seismic, BedsLieOneUponTheOtherAndTheYoungestOnTop) {
+  const io::Sample& s = cached("seismic");
+  double above = 1e9;
+  for (const char* name : {"young cover", "formation A", "formation B", "formation C", "formation D", "formation E"}) {
+    double sum = 0, count = 0;
+    forEachVoxel(s, idOf(s, name), 0, [&](glm::ivec3 v) { sum += v.z, ++count; });
+    double z = sum / count * s.volume.worldFromVoxel[2].z + s.volume.worldFromVoxel[3].z;
+    EXPECT_LT(z, above - 50.0 * 1000.0) << name << ": 50 m in the earth's millimetres";
+    above = z;
+  }
+}
+
 TEST(Heart, PartsHaveTheirHounsfieldUnits) {
   const io::Sample& s = cached("heart");
   EXPECT_EQ(s.volume.unit, "HU");

@@ -13,6 +13,7 @@ class Compare(CliTest):
         report = self.report("compare", "a.png", "a.png")
         self.assertKeys(report, "maxDiff", "failingFraction", "rms")
         self.assertEqual((report["maxDiff"], report["failingFraction"], report["rms"]), (0, 0, 0))
+        self.run_batch("compare", "a.png", "a.png", "--max-diff", "0", "--max-fraction", "0")
         report = self.report("compare", "a.png", "b.png", "--diff", "d.png", code=4)
         self.assertGreater(report["maxDiff"], 5)
         self.assertGreater(report["failingFraction"], 0.001)

@@ -22,6 +22,11 @@ class Info(CliTest):
         self.assertEqual(report["type"], "uint16")
         self.assertEqual(report["range"], [0, 23])
         self.assertEqual(report["spacingMm"], [0.5, 1, 2])
+        (self.folder / "b.raw").write_bytes(bytes(range(24)))
+        for dims, kind, channels in (("2x2x2", "rgb", 3), ("3x2x1", "rgba", 4)):
+            report = self.report("info", "b.raw", "--raw", f"{dims}:uint8:{kind}")
+            self.assertEqual(report["channels"], channels)
+            self.assertTrue(report["color"])
 
     def test_labels_and_their_names(self):
         self.sample("torso", 48)

@@ -68,6 +68,16 @@ class Render(CliTest):
         self.run_batch("render", "b/scene.json", "-o", "y.png", "--size", "48x48")
         self.run_batch("compare", "x.png", "y.png", "--max-diff", "0", "--max-fraction", "0")
 
+    def test_a_view_that_is_asked_for_goes_before_the_scenes(self):
+        path = self.sample()
+        self.run_batch("render", path, "-o", "left.png", "--size", "48x48", "--view", "left", "--save-scene", "scene.json", *FAST)
+        self.run_batch("render", path, "-o", "above.png", "--size", "48x48", "--view", "superior", *FAST)
+        self.run_batch("render", "scene.json", "-o", "again.png", "--size", "48x48")
+        self.run_batch("render", "scene.json", "-o", "moved.png", "--size", "48x48", "--view", "superior")
+        self.run_batch("compare", "left.png", "again.png", "--max-diff", "0", "--max-fraction", "0")
+        self.run_batch("compare", "above.png", "moved.png", "--max-diff", "0", "--max-fraction", "0")
+        self.run_batch("compare", "left.png", "above.png", code=4)
+
     def test_brute_force_is_the_same_picture(self):
         path = self.sample("vessels", 48)
         self.run_batch("render", path, "-o", "fast.png", "--size", "64x64", *FAST)

@@ -1,4 +1,5 @@
 """velum-batch sample."""
+import pathlib
 import re
 import unittest
 
@@ -24,6 +25,11 @@ class Sample(CliTest):
                 self.assertEqual(labels["kind"], "labels")
                 self.assertEqual(volume["dims"], labels["dims"])
                 self.assertGreater(len(labels["structures"]), 0)
+
+    def test_labels_are_nifti_where_the_volume_is(self):
+        for suffix, of_labels in ((".nii", ".nii"), (".nii.gz", ".nii.gz"), (".vti", ".seg.nrrd")):
+            report = self.report("sample", "two-spheres", "-o", "x" + suffix, "--voxels", "24")
+            self.assertEqual([pathlib.Path(file).name for file in report["files"]], ["x" + suffix, "x_labels" + of_labels])
 
     def test_the_same_name_and_size_give_the_same_bytes(self):
         for name in ("a.nrrd", "b.nrrd"):

@@ -107,6 +107,19 @@ TEST(SheetHands, WhatIsThereIsFoundAndADragBackGivesTheMembraneThatWas) {
   }
 }
 
+TEST(SheetHands, APinIsAsHighAboveTheFrameAsIsSaid) {
+  Hands hands;
+  const Hand pin{HandKind::Pin, 0};
+  glm::dvec3 normal = cutFrame(hands.cut)[2], before = hands.cut.membrane->pins[0].place;
+  for (double mm : {7.5, -3.0, 0.0}) {
+    setPinHeight(hands.cut, pin, mm);
+    EXPECT_NEAR(pinHeight(hands.cut, pin), mm, 1e-12);
+    glm::dvec3 place = hands.cut.membrane->pins[0].place;
+    EXPECT_NEAR(glm::dot(place - hands.cut.centre, normal), mm, 1e-12);
+    EXPECT_LT(glm::length(glm::cross(place - before, normal)), 1e-12) << "it moves along the normal";
+  }
+}
+
 TEST(SheetHands, AKernelOnASectionIsTheCircleThatWasDragged) {
   Hands hands;
   for (auto kind : kKinds) {

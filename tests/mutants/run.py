@@ -64,6 +64,7 @@ def plant_all(mutants, jobs, limit, tell):
         print(f"mutants: building {', '.join(sorted(targets))} in {tree.tree.relative_to(ROOT)}", flush=True)
         tree.sync()
         tree.make_clean(targets)
+        tree.check_names({suite for m in mutants for suite in m["suites"]})
         free.put(tree)
 
     def work(mutant):

@@ -10,19 +10,21 @@ constexpr glm::ivec2 kLeft(16, 32), kRight(48, 32);
 
 class LabelsGL : public RenderTest {
  protected:
-  /// A solid block, red by the transfer function; label 1 where x < 0, label 300 elsewhere. Orthographic from the
-  /// front.
-  static scene::Scene halves(const glm::dmat4& labelFrame, glm::ivec3 labelDims) {
+  /// A solid block about a place, red by the transfer function; label 1 on its left half, label 300 on the right one.
+  /// Orthographic from the front.
+  static scene::Scene halves(const glm::dmat4& labelFrame, glm::ivec3 labelDims, glm::dvec3 place = glm::dvec3(0)) {
     scene::Scene scene = sceneOf(makeVolume(
-        kDims, SampleType::UInt8, [](glm::ivec3) { return 100.0; }, centredFrame(kDims)));
+        kDims, SampleType::UInt8, [](glm::ivec3) { return 100.0; }, centredFrame(kDims, glm::dvec3(1), 0, place)));
     makeSolid(scene, {1, 0, 0});
     LabelVolume labels = makeLabels(
-        labelDims, [&](glm::ivec3 p) { return (labelFrame * glm::dvec4(p, 1.0)).x < 0 ? 1 : 300; }, labelFrame);
+        labelDims, [&](glm::ivec3 p) { return (labelFrame * glm::dvec4(p, 1.0)).x < place.x ? 1 : 300; }, labelFrame);
     labels.table = {{1, "left", {0, 1, 0}, 1.0f}, {300, "right", {0, 0, 1}, 1.0f}};
     scene.labels.data = Shared<LabelVolume>(std::move(labels));
     scene::completeStructures(scene.labels);
     scene.camera.projection = scene::Projection::Orthographic;
     scene.camera.height = 32;
+    scene.camera.eye += place - scene.camera.target;
+    scene.camera.target = place;
     return scene;
   }
   static scene::Scene halves() { return halves(centredFrame(kDims), kDims); }
@@ -144,6 +146,15 @@ TEST_F(LabelsGL, LabelsOnAnotherGridLieByWorldPosition) {
       if (std::abs(x - 32) < 5) continue;  // voxels of the turned grid at the border
       EXPECT_EQ(sampleOf(other, {x, 32}, "id"), sampleOf(own, {x, 32}, "id")) << "column " << x;
     }
+  }
+}
+
+TEST_F(LabelsGL, LieOnTheirDataWhereverThatLies) {
+  Image centred = draw(halves(), kSize, kAllLayers);
+  for (glm::dvec3 place : {glm::dvec3(300, -120, 75), glm::dvec3(-9, 4, 1e4)}) {
+    Image image = draw(halves(centredFrame(kDims, glm::dvec3(1), 0, place), kDims, place), kSize, kAllLayers);
+    for (int x = 0; x < kSize.x; ++x)
+      EXPECT_EQ(sampleOf(image, {x, 32}, "id"), sampleOf(centred, {x, 32}, "id")) << "column " << x;
   }
 }
 

@@ -163,6 +163,16 @@ TEST_F(LightGL, TheInsideOfAShellIsLitOnTheSideThatIsSeen) {
   }
 }
 
+TEST_F(LightGL, ACutInFrontOfABodyLeavesItsShading) {
+  scene::Scene scene = ball();
+  Image whole = draw(scene, kSize);
+  scene::Cut plane;
+  plane.centre = {0, -20, 0};  // four voxels before the ball
+  plane.axis = {0, -1, 0};
+  scene.cuts = {plane};
+  expectSame(draw(scene, kSize), whole, 2.0, "a cut through air");
+}
+
 /// A floor, lit from straight above, and a ball that hangs over its middle.
 class BlockerGL : public LightGL {
  protected:
@@ -340,6 +350,24 @@ TEST_F(BlockerGL, AHoleIsDarkerThanTheOpenFloorByOcclusion) {
     image = draw(scene, kSize);
     EXPECT_NEAR(brightness(image, hole), brightness(image, open), 0.03) << enumName(mode);
   }
+}
+
+TEST_F(BlockerGL, AWallTakesAsMuchOfTheLightFromAroundFromWhicheverSide) {
+  double least = 1.0, most = 0.0;
+  for (glm::dvec2 side : {glm::dvec2(1, 0), glm::dvec2(-1, 0), glm::dvec2(0, 1), glm::dvec2(0, -1)}) {
+    auto walled = [&](glm::dvec3 p) { return std::max(floorAt(p), glm::dot(glm::dvec2(p), side) - 9.0); };
+    scene::Scene scene = sceneWith(walled, scene::RenderMode::Volume);
+    lookAlong(scene, {0, 0, 1});
+    scene.lighting.diffuse = scene.lighting.shadow = 0.0;
+    scene.lighting.ambient = scene.lighting.occlusion = 1.0;
+    scene.lighting.occlusionRadius = 0.15;
+    Image image = draw(scene, kSize);
+    double beside = brightness(image, pixelOf(scene, {side * 6.0, kFloor})),
+           away = brightness(image, pixelOf(scene, {side * -9.0, kFloor}));
+    EXPECT_LT(beside, 0.9 * away) << side.x << ", " << side.y;
+    least = std::min(least, beside), most = std::max(most, beside);
+  }
+  EXPECT_LT(most - least, 0.02);
 }
 
 TEST_F(BlockerGL, StrengthsOfNothingChangeNothing) {

@@ -79,6 +79,11 @@ void isolated(const Work& work) {
 
 }  // namespace detail
 
-void onHelpers(void (*entered)()) { static Observer observer(entered); }
+void onHelpers(void (*entered)()) {
+  // For as long as the process lives: helpers go after what is static has gone, and oneTBB would lose what they refer
+  // to.
+  static auto* observer = new Observer(entered);
+  (void)observer;
+}
 
 }  // namespace velum

@@ -78,6 +78,23 @@ TEST_F(DrawGL, InstancesDrawEachTheirOwn) {
   EXPECT_EQ(countPixels(), expectedPixels([](int i) { return i < 3; }));
 }
 
+TEST_F(DrawGL, WhatOnlyTestsDepthDoesNotWriteIt) {
+  Program near = makeProgram("void main() { placeCorner(0u, cornerOf(gl_VertexID)); gl_Position.z = -0.5; }");
+  Program far =
+      makeProgram("void main() { placeCorner(0u, cornerOf(gl_VertexID)); number = 8u; gl_Position.z = 0.5; }");
+  Texture depth = Texture::make2d("depth", Format::Depth32f, {kSide, kSide});
+  mTarget = Framebuffer("drawn", {&mColor}, &depth);
+  const DrawState tests{.depthTest = true, .depthWrite = false}, writes{};
+  clear();
+  draw(near, Primitive::Triangles, {.vertices = 6}, writes);
+  draw(far, Primitive::Triangles, {.vertices = 6}, tests);
+  EXPECT_EQ(countPixels(), (std::map<int, int>{{0, 1}})) << "the nearer one hides the farther one";
+  clear();
+  draw(near, Primitive::Triangles, {.vertices = 6}, tests);
+  draw(far, Primitive::Triangles, {.vertices = 6}, writes);
+  EXPECT_EQ(countPixels(), (std::map<int, int>{{7, 1}})) << "it has left no depth behind";
+}
+
 TEST_F(DrawGL, AttributesByInstanceStartAtTheFirstInstance) {
   Program program =
       makeProgram("layout(location = 0) in uint rect;\nvoid main() { placeCorner(rect, cornerOf(gl_VertexID)); }");

@@ -101,6 +101,18 @@ TEST_F(ReadbackGL, TwoOnTheirWayAndTheNewestIsGivenOut) {
   ASSERT_TRUE(readback.start(buffer, 0, 10));
 }
 
+TEST_F(ReadbackGL, OfSeveralThatHaveArrivedTheNewestIsGivenOut) {
+  Buffer buffer("source", 16);
+  Readback<std::uint32_t> readback("test", 3);
+  for (std::uint32_t frame = 1; frame <= 3; ++frame) {
+    buffer.write(0, sizeof frame, &frame);
+    ASSERT_TRUE(readback.start(buffer, 0, 1));
+  }
+  ASSERT_TRUE(Fence("all").wait(60e3));
+  EXPECT_EQ(waitFor(readback).values[0], 3u);
+  EXPECT_FALSE(readback.poll()) << "older ones are given up";
+}
+
 TEST_F(ReadbackGL, FramesGoOnWhileOlderOnesArriveAndSayHowOldTheyAre) {
   std::uint32_t frame = 0;
   Buffer buffer("frame", 16);

@@ -1,11 +1,15 @@
 #include "velum/gpu/Texture.h"
 
 #include <cstddef>
+#include <cstring>
 #include <vector>
 
 #include "GlFixture.h"
+#include "ProbeShaders.h"
+#include "velum/gpu/Buffer.h"
 #include "velum/gpu/Framebuffer.h"
 #include "velum/gpu/GpuError.h"
+#include "velum/gpu/Program.h"
 
 namespace velum::gpu {
 namespace {
@@ -19,7 +23,7 @@ struct Row {
 constexpr Row kFormats[] = {{Format::R8, 1},       {Format::Rg8, 2},     {Format::Rgba8, 4}, {Format::R16, 2},
                             {Format::R16f, 2},     {Format::Rgba16f, 8}, {Format::R32f, 4},  {Format::Rg32f, 8},
                             {Format::Rgba32f, 16}, {Format::R8ui, 1},    {Format::Rg8ui, 2}, {Format::R16ui, 2},
-                            {Format::R32ui, 4}};
+                            {Format::R32ui, 4},    {Format::Rg32ui, 8}};
 
 /// Bytes that are a finite number in every format: small ones, with the high byte of floats kept harmless.
 std::vector<std::byte> patternOf(std::size_t bytes) {
@@ -47,6 +51,36 @@ TEST_F(TextureGL, EveryFormatGivesBackItsBytes) {
     flat.read(out.data(), flatBytes);
     EXPECT_TRUE(std::equal(out.begin(), out.end(), in.begin())) << "2D format " << static_cast<int>(row.format);
   }
+}
+
+TEST_F(TextureGL, WholeNumbersComeToShadersWhateverFilterIsAskedFor) {
+  // Drivers read 0 from a texture of whole numbers that is to be filtered.
+  ProbeShaders probes;
+  probes.add("look.comp", R"(layout(local_size_x = 1) in;
+layout(binding = 0) uniform usampler2D picture;
+layout(std430, binding = 0) writeonly buffer SeenBlock { uint seen; };
+void main() { seen = texelFetch(picture, ivec2(1, 0), 0).r; }
+)");
+  Program program = probes.make({"look.comp"});
+  for (Format format : {Format::R8ui, Format::Rg8ui, Format::R16ui, Format::R32ui, Format::Rg32ui, Format::Rgba32ui}) {
+    EXPECT_TRUE(isInteger(format)) << static_cast<int>(format);
+    Texture texture = Texture::make2d("test", format, {2, 2}, Filter::Linear);
+    auto texels = patternOf(4 * texelBytes(format));
+    texture.write({0, 0, 0}, {2, 2, 1}, texels.data());
+    std::uint32_t wanted = 0, seen = 0;
+    std::size_t channels = format == Format::Rgba32ui ? 4 : format == Format::Rg8ui || format == Format::Rg32ui ? 2 : 1;
+    std::memcpy(&wanted, texels.data() + texelBytes(format), texelBytes(format) / channels);
+    Buffer out("seen", sizeof seen);
+    out.bindStorage(0);
+    texture.bindSampler(0);
+    dispatch(program, {1, 1, 1});
+    barrier();
+    out.read(0, sizeof seen, &seen);
+    EXPECT_EQ(seen, wanted) << static_cast<int>(format);
+    EXPECT_NE(seen, 0u) << static_cast<int>(format);
+  }
+  for (Format format : {Format::R8, Format::Rgba8, Format::R16, Format::R16f, Format::R32f, Format::Depth32f})
+    EXPECT_FALSE(isInteger(format)) << static_cast<int>(format);
 }
 
 TEST_F(TextureGL, ABoxIsWrittenAndReadWhereItIs) {

@@ -51,7 +51,7 @@ struct Order {
 
 class Observer : public tbb::task_scheduler_observer {
  public:
-  explicit Observer(void (*entered)()) : mEntered(entered) { observe(true); }
+  explicit Observer(void (*entered)()) : mEntered(entered) {}
   void on_scheduler_entry(bool isWorker) override {
     if (isWorker) mEntered();
   }
@@ -80,10 +80,9 @@ void isolated(const Work& work) {
 }  // namespace detail
 
 void onHelpers(void (*entered)()) {
-  // For as long as the process lives: helpers go after what is static has gone, and oneTBB would lose what they refer
-  // to.
+  // Never destroyed: helpers outlive what is static, and oneTBB would lose what they refer to.
   static auto* observer = new Observer(entered);
-  (void)observer;
+  observer->observe(true);
 }
 
 }  // namespace velum

@@ -216,5 +216,25 @@ TEST_F(ExactGL, PickSaysWhatTheLayersSay) {
   EXPECT_FALSE(renderer().pick({40, 40}).hit);
 }
 
+TEST_F(ExactGL, PickGivesTheValueOfTheNearestVoxelWhereverTheSurfaceLies) {
+  scene::Scene scene = sceneOf(makeVolume(
+      {20, 20, 20}, SampleType::UInt8, [](glm::ivec3 p) { return 10.0 * p.y; }, centredFrame({20, 20, 20})));
+  makeSolid(scene);
+  scene.rayCast.stepVoxels = 0.15;
+  int below = 0, above = 0;
+  for (double value = 90; value < 120; value += 1.5) {
+    scene.volume.transfer.opacities = {{value, 0}, {value + 0.5, 0.9999}};
+    draw(scene, {40, 40}, kAllLayers);
+    render::Pick pick = renderer().pick({20, 20});
+    ASSERT_TRUE(pick.hit);
+    double place = pick.world.y + 9.5, nearest = std::round(place);
+    if (std::abs(place - nearest) > 0.49) continue;  // as near to the one as to the other
+    EXPECT_NEAR(pick.value, 10.0 * nearest, 1e-9) << place;
+    ++(nearest > place ? above : below);
+  }
+  EXPECT_GT(below, 3);
+  EXPECT_GT(above, 3);
+}
+
 }  // namespace
 }  // namespace velum

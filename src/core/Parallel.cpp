@@ -80,7 +80,8 @@ void isolated(const Work& work) {
 }  // namespace detail
 
 void onHelpers(void (*entered)()) {
-  // Never destroyed: helpers outlive what is static, and oneTBB would lose what they refer to.
+  // Never destroyed: helpers outlive what is static, and oneTBB would lose what they refer to. Asked to observe out
+  // here, not by its constructor, so that the pointer is read and stays.
   static auto* observer = new Observer(entered);
   observer->observe(true);
 }

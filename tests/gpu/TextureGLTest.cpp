@@ -20,10 +20,10 @@ struct Row {
   Format format;
   std::size_t bytes;
 };
-constexpr Row kFormats[] = {{Format::R8, 1},       {Format::Rg8, 2},     {Format::Rgba8, 4}, {Format::R16, 2},
-                            {Format::R16f, 2},     {Format::Rgba16f, 8}, {Format::R32f, 4},  {Format::Rg32f, 8},
-                            {Format::Rgba32f, 16}, {Format::R8ui, 1},    {Format::Rg8ui, 2}, {Format::R16ui, 2},
-                            {Format::R32ui, 4},    {Format::Rg32ui, 8}};
+constexpr Row kFormats[] = {{Format::R8, 1},       {Format::Rg8, 2},     {Format::Rgba8, 4},    {Format::R16, 2},
+                            {Format::R16f, 2},     {Format::Rgba16f, 8}, {Format::R32f, 4},     {Format::Rg32f, 8},
+                            {Format::Rgba32f, 16}, {Format::R8ui, 1},    {Format::Rg8ui, 2},    {Format::R16ui, 2},
+                            {Format::R32ui, 4},    {Format::Rg32ui, 8},  {Format::Rgba32ui, 16}};
 
 /// Bytes that are a finite number in every format: small ones, with the high byte of floats kept harmless.
 std::vector<std::byte> patternOf(std::size_t bytes) {

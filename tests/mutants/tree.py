@@ -118,6 +118,8 @@ class Tree:
         if target == "window-test":
             command = ["xvfb-run", "-a", "-s", "-screen 0 1600x1000x24", *command]
         code, output = self.run(command, limit)
+        if code == 0 and "Running 0 tests" in output:
+            fail(f"{suite} {test or ''}: no test is called so")
         return [] if code == 0 else names_in(output, code)
 
     def confirm(self, suite, failed):

@@ -80,7 +80,7 @@ void WorkFile::open(Loaded loaded, const std::string& path) {
   mIsOpen = true;
   replace(std::move(loaded.scene));
   if (!loaded.lost) return;
-  // Only when it is safe in the new journal may the old one go; until then it is offered again should this session die.
+  // Only when it is safe in the new journal may the old one go; until then it is offered again should this one be lost.
   mDocument.markModified();
   mLost = std::move(loaded.lost);
   if (mJournal && mJournal->flush()) dropLost();

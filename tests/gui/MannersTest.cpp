@@ -115,6 +115,18 @@ TEST_F(Manners, TimeStepsAreShownPlayedAndUndoneAsOne) {
   takeShot(*window, "time");
 }
 
+TEST_F(Manners, TimeStepsGoRoundBothEnds) {
+  auto window = open("series.nii");
+  auto* bar = window->findChild<TimeBar*>();
+  auto now = [&] { return window->document().scene().volume.timeStep; };
+  bar->step(-1);
+  EXPECT_EQ(now(), 2);
+  bar->step(2);
+  EXPECT_EQ(now(), 1);
+  bar->step(-5);
+  EXPECT_EQ(now(), 2);
+}
+
 TEST_F(Manners, AWindowWithoutTimeHasNoTimeBar) {
   auto window = open("phantom.nrrd");
   EXPECT_FALSE(window->findChild<TimeBar*>()->isVisible());

@@ -10,6 +10,9 @@ namespace velum::scene {
 /// How a kernel's push is directed. Paper: away from the kernel's centre ([IMC] eq. 3). Sided: along the rest plane's
 /// normal, to the side on which the least cut leaves the kernel's structure.
 enum class KernelRule { Sided, Paper };
+/// Which side of the sheet takes what the rest plane would cut and the sheet can pass by: the one that stays, the one
+/// that is removed, or the one on which more of it lies.
+enum class MembraneSide { Keep, Remove, Nearest };
 /// What the sheet does when its rest plane moves ([IMC] 3.3): start anew from the flat sheet, or be dragged along.
 enum class Repositioning { Passive, Active };
 /// What the sheet does to the picture ([IMC] 3.4): removes what is in front of it; or keeps what lies between it and
@@ -86,6 +89,7 @@ struct ForceField {
   double threshold = 0.5;                 ///< super-voxels weaker than this have no kernel
   double areaOfEffect = 2.0;              ///< half-width of a kernel in super-voxels
   KernelRule rule = KernelRule::Sided;
+  MembraneSide side = MembraneSide::Keep;  ///< of what need not be cut; by the sided rule only
   std::vector<UserKernel> kernels;
   std::vector<Stroke> strokes;
   std::vector<StrengthPoint> byValueBefore;  ///< where there are strokes: byValue as it was before the first
@@ -98,6 +102,9 @@ struct ForceField {
     visit("threshold", o.threshold, FieldInfo{"", {0, 1000}, "Weaker kernels are left out."});
     visit("areaOfEffect", o.areaOfEffect, FieldInfo{"", {1, 4}, "Half-width of a kernel in super-voxels."});
     visit("rule", o.rule, FieldInfo{"", {}, "Sided: along the normal, by the least cut; paper: away from the centre."});
+    visit("side", o.side,
+          FieldInfo{
+              "", {}, "Of what can be passed by: keep it, remove it, or leave it on the nearest side (sided rule)."});
     visit("kernels", o.kernels, FieldInfo{"", {}, "Kernels put in by hand."});
     visit("strokes", o.strokes, FieldInfo{"", {}, "Strokes from which the curve was fitted."});
     visit("byValueBefore", o.byValueBefore, FieldInfo{"", {}, "The curve before the first stroke."});
@@ -162,6 +169,10 @@ struct Membrane {
 template <>
 struct velum::EnumNames<velum::scene::KernelRule> {
   static constexpr std::string_view kNames[] = {"sided", "paper"};
+};
+template <>
+struct velum::EnumNames<velum::scene::MembraneSide> {
+  static constexpr std::string_view kNames[] = {"keep", "remove", "nearest"};
 };
 template <>
 struct velum::EnumNames<velum::scene::Repositioning> {

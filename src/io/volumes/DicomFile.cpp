@@ -77,6 +77,7 @@ DicomFile fileOf(const DataSet& set, const gdcm::FileMetaInformation& meta, cons
   file.isFloat = set.FindDataElement(Tag(0x7fe0, 0x0008)) || set.FindDataElement(Tag(0x7fe0, 0x0009));
   file.timeStepSeconds = std::max(0.0, numberOf(set, Tag(0x0020, 0x0110), 0) * 1e-3);
   file.table = modalityTableOf(set, file.isSigned, file.flaw);
+  if (file.hasPalette()) file.palette = paletteOf(set, file.isSigned, file.flaw);
   if (file.modality == "PT") file.pet = petOf(set);
   double count = numberOf(set, Tag(0x0028, 0x0008), 1);
   if (count >= 1 && count <= kMostFrames) file.frames = dicomFramesOf(set, file, int(count));

@@ -40,6 +40,7 @@ struct DicomFile {
   double timeStepSeconds = 0;  ///< Temporal resolution; 0 when unknown.
   std::string flaw;            ///< Why its pixels cannot be read, for people; empty when nothing is known.
   DicomTable table;            ///< Wins over slope and intercept.
+  DicomPalette palette;        ///< Of PALETTE COLOR only.
   DicomPet pet;                ///< Of PET only.
   std::vector<std::string> warnings;
   std::vector<DicomFrame> frames;
@@ -52,6 +53,8 @@ struct DicomFile {
   bool isToBeInverted() const {
     return photometric == "MONOCHROME1" && table.entries.empty() && !frames.empty() && frames[0].unit.empty();
   }
+  /// Samples are numbers of colours.
+  bool hasPalette() const { return photometric.find("PALETTE") != std::string::npos; }
   bool hasImage() const { return rows > 0 && columns > 0 && bitsAllocated > 0; }
 };
 

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 #include <gdcmImage.h>
-#include <gdcmImageApplyLookupTable.h>
 #include <gdcmImageChangePlanarConfiguration.h>
 #include <gdcmPixmapReader.h>
 
@@ -52,6 +51,61 @@ void rgbFromYbr(std::span<std::byte> bytes) {
   }
 }
 
+/// The colours of samples; as interleaved RGB of the palette's bits.
+template <class Sample, class Channel>
+void paint(const DicomPalette& palette, std::span<const std::byte> samples, std::span<std::byte> to) {
+  int last = int(palette.entries[0].size()) - 1;
+  for (std::size_t i = 0; i < samples.size() / sizeof(Sample); ++i) {
+    Sample sample;
+    std::memcpy(&sample, samples.data() + i * sizeof sample, sizeof sample);
+    auto entry = std::size_t(std::clamp(int(sample) - palette.first, 0, last));
+    for (std::size_t c = 0; c < 3; ++c) {
+      auto channel = Channel(palette.entries[c][entry]);
+      std::memcpy(to.data() + (i * 3 + c) * sizeof channel, &channel, sizeof channel);
+    }
+  }
+}
+
+template <class Sample>
+void paint(const DicomPalette& palette, std::span<const std::byte> samples, std::span<std::byte> to) {
+  if (palette.bits == 8)
+    paint<Sample, std::uint8_t>(palette, samples, to);
+  else
+    paint<Sample, std::uint16_t>(palette, samples, to);
+}
+
+void paint(const DicomPalette& palette, SampleType type, std::span<const std::byte> samples, std::span<std::byte> to) {
+  if (type == SampleType::UInt8) paint<std::uint8_t>(palette, samples, to);
+  if (type == SampleType::Int8) paint<std::int8_t>(palette, samples, to);
+  if (type == SampleType::UInt16) paint<std::uint16_t>(palette, samples, to);
+  if (type == SampleType::Int16) paint<std::int16_t>(palette, samples, to);
+}
+
+/// GDCM's reader, which never sees a palette or an icon: damaged ones end the program.
+class PixelReader : public gdcm::PixmapReader {
+ protected:
+  bool ReadImage(const gdcm::MediaStorage& storage) override {
+    hide();
+    return gdcm::PixmapReader::ReadImage(storage);
+  }
+  bool ReadACRNEMAImage() override {
+    hide();
+    return gdcm::PixmapReader::ReadACRNEMAImage();
+  }
+
+ private:
+  void hide() {
+    gdcm::DataSet& set = F->GetDataSet();
+    const Tag photometric(0x0028, 0x0004), icon(0x0088, 0x0200);
+    set.Remove(icon);
+    if (textOf(set, photometric).find("PALETTE") == std::string::npos) return;
+    gdcm::DataElement grey(photometric);
+    grey.SetVR(gdcm::VR::CS);
+    grey.SetByteValue("MONOCHROME2 ", 12);
+    set.Replace(grey);
+  }
+};
+
 SampleType sampleTypeOf(const PixelFormat& format, bool isSigned, const Path& path) {
   if (format == PixelFormat::FLOAT32) return SampleType::Float32;
   if (format == PixelFormat::FLOAT64) return SampleType::Float64;
@@ -71,11 +125,17 @@ SampleType sampleTypeOf(const PixelFormat& format, bool isSigned, const Path& pa
 
 struct DicomPixels::State {
   Path path;
-  std::unique_ptr<gdcm::PixmapReader> reader = std::make_unique<gdcm::PixmapReader>();
+  std::unique_ptr<PixelReader> reader = std::make_unique<PixelReader>();
   gdcm::SmartPointer<gdcm::Image> image;
   DicomPixelType type;
+  SampleType sample = SampleType::UInt8;  ///< As stored: `type` is of colours where there is a palette.
+  DicomPalette palette;
+  std::size_t storedBytes = 0;
   int stored = 0, high = 0;
   bool isSigned = false, isYbr = false, isFloat = false;
+
+  /// The samples as they are stored. @param to  storedBytes
+  void decode(std::span<std::byte> to);
 };
 
 namespace {
@@ -107,6 +167,9 @@ void checkDescription(const DicomFile& file) {
     refuse(file.path,
            fmt::format("pixels of {} bits, {} of them stored, are not supported", file.bitsAllocated, file.bitsStored));
   if (!file.flaw.empty()) refuse(file.path, file.flaw);
+  if (file.hasPalette() && (file.samplesPerPixel != 1 || file.bitsAllocated > 16))
+    refuse(file.path, fmt::format("a palette for {} samples of {} bits is not supported", file.samplesPerPixel,
+                                  file.bitsAllocated));
   if (file.samplesPerPixel != 1 && file.samplesPerPixel != 3)
     refuse(file.path, fmt::format("{} samples per pixel are not supported", file.samplesPerPixel));
 }
@@ -118,7 +181,7 @@ DicomPixels::DicomPixels(const DicomFile& file) : mState(std::make_unique<State>
   const Path& path = file.path;
   State& s = *mState;
   s.path = path;
-  // The image as GDCM has it, palettes applied and colours interleaved.
+  // The image as GDCM has it, colours interleaved.
   StderrQuiet quiet;
   try {
     std::ifstream stream(path, std::ios::binary);
@@ -127,12 +190,6 @@ DicomPixels::DicomPixels(const DicomFile& file) : mState(std::make_unique<State>
     // Only the pixels are GDCM's: its reader of images also wants places and scales, and ends the program over them.
     s.image = new gdcm::Image;
     static_cast<gdcm::Pixmap&>(*s.image) = s.reader->GetPixmap();
-    if (s.image->GetPhotometricInterpretation() == PhotometricInterpretation::PALETTE_COLOR) {
-      gdcm::ImageApplyLookupTable filter;
-      filter.SetInput(*s.image);
-      if (!filter.Apply()) refuse(path, "its palette cannot be applied");
-      s.image = const_cast<gdcm::Image*>(&filter.GetOutput());  // shared with the filter, which ends here
-    }
     if (s.image->GetPlanarConfiguration() == 1) {
       gdcm::ImageChangePlanarConfiguration filter;
       filter.SetPlanarConfiguration(0);
@@ -171,7 +228,15 @@ DicomPixels::DicomPixels(const DicomFile& file) : mState(std::make_unique<State>
             int(s.image->GetDimension(1)),
             s.image->GetNumberOfDimensions() > 2 ? int(s.image->GetDimension(2)) : 1,
             file.isToBeInverted()};
-  checkLengths(*s.image, byteCount(), path);
+  s.sample = s.type.type;
+  s.storedBytes = byteCount();
+  checkLengths(*s.image, s.storedBytes, path);
+  if (!file.hasPalette()) return;
+  if (channels != 1 || sampleSize(s.sample) > 2) refuse(path, "its header and its pixel data disagree about colours");
+  s.palette = file.palette;
+  s.isYbr = false;
+  s.type.channels = 3;
+  s.type.type = file.palette.bits == 8 ? SampleType::UInt8 : SampleType::UInt16;
 }
 
 DicomPixels::~DicomPixels() = default;
@@ -186,24 +251,31 @@ std::size_t DicomPixels::byteCount() const {
 
 void DicomPixels::decode(std::span<std::byte> to) {
   State& s = *mState;
+  if (s.palette.entries[0].empty()) return s.decode(to);
+  std::vector<std::byte> samples(s.storedBytes);
+  s.decode(samples);
+  paint(s.palette, s.sample, samples, to);
+}
+
+void DicomPixels::State::decode(std::span<std::byte> to) {
   bool ok = false;
   try {
     StderrQuiet quiet;
-    ok = s.image->GetBufferLength() == to.size() && s.image->GetBuffer(reinterpret_cast<char*>(to.data()));
+    ok = image->GetBufferLength() == to.size() && image->GetBuffer(reinterpret_cast<char*>(to.data()));
   } catch (const std::exception&) {
     ok = false;
   }
-  if (!ok) refuse(s.path, "the DICOM pixels cannot be decoded: cut off, damaged, or of an unsupported kind");
-  s.image = nullptr;
-  s.reader.reset();
-  std::size_t sample = sampleSize(s.type.type);
-  bool whole = s.stored == int(sample) * 8 && s.high == s.stored - 1;
-  if (!s.isFloat && (!whole || s.type.isInverted)) {
-    if (sample == 1) keepStoredBits<std::int8_t>(to, s.stored, s.high, s.isSigned, s.type.isInverted);
-    if (sample == 2) keepStoredBits<std::int16_t>(to, s.stored, s.high, s.isSigned, s.type.isInverted);
-    if (sample == 4) keepStoredBits<std::int32_t>(to, s.stored, s.high, s.isSigned, s.type.isInverted);
+  if (!ok) refuse(path, "the DICOM pixels cannot be decoded: cut off, damaged, or of an unsupported kind");
+  image = nullptr;
+  reader.reset();
+  std::size_t bytes = sampleSize(sample);
+  bool whole = stored == int(bytes) * 8 && high == stored - 1;
+  if (!isFloat && (!whole || type.isInverted)) {
+    if (bytes == 1) keepStoredBits<std::int8_t>(to, stored, high, isSigned, type.isInverted);
+    if (bytes == 2) keepStoredBits<std::int16_t>(to, stored, high, isSigned, type.isInverted);
+    if (bytes == 4) keepStoredBits<std::int32_t>(to, stored, high, isSigned, type.isInverted);
   }
-  if (s.isYbr && s.type.channels == 3 && sample == 1) rgbFromYbr(to);
+  if (isYbr && type.channels == 3 && bytes == 1) rgbFromYbr(to);
 }
 
 }  // namespace velum::io

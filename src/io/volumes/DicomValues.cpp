@@ -25,6 +25,29 @@ std::string wordFor(const std::string& code, std::span<const Words> words) {
   return code;
 }
 
+/// The entries of a table of numbers. @param what  the table, for people
+std::vector<std::uint16_t> entriesOf(std::span<const std::uint16_t> descriptor, std::span<const std::uint16_t> data,
+                                     std::string_view what, std::string& flaw) {
+  std::vector<std::uint16_t> entries;
+  if (descriptor.size() != 3 || descriptor[2] < 8 || descriptor[2] > 16) {
+    flaw =
+        fmt::format("its {} is damaged: it is not described by three numbers of which the last is 8 to 16 bits", what);
+    return entries;
+  }
+  std::size_t count = descriptor[0] == 0 ? 65536 : descriptor[0];
+  // Entries of 8 bits come one a word, or two, the first in the low byte.
+  bool isPacked = descriptor[2] == 8 && data.size() < count;
+  if (data.size() * (isPacked ? 2 : 1) < count) {
+    flaw = fmt::format("its {} is cut off: {} words for {} entries", what, data.size(), count);
+    return entries;
+  }
+  for (std::size_t i = 0; i < count; ++i)
+    entries.push_back(isPacked ? std::uint16_t(data[i / 2] >> (i % 2 * 8) & 0xff) : data[i]);
+  return entries;
+}
+
+int firstOf(std::uint16_t number, bool isSigned) { return isSigned ? int(std::int16_t(number)) : int(number); }
+
 }  // namespace
 
 DicomTable modalityTableOf(const DataSet& set, bool isSigned, std::string& flaw) {
@@ -32,23 +55,32 @@ DicomTable modalityTableOf(const DataSet& set, bool isSigned, std::string& flaw)
   auto item = firstItem(set, Tag(0x0028, 0x3000));
   if (!item) return table;
   auto descriptor = wordsOf(*item, Tag(0x0028, 0x3002));
-  auto data = wordsOf(*item, Tag(0x0028, 0x3006));
-  if (descriptor.size() != 3 || descriptor[2] < 8 || descriptor[2] > 16) {
-    flaw = "its Modality LUT is damaged: it is not described by three numbers of which the last is 8 to 16 bits";
-    return table;
-  }
-  std::size_t count = descriptor[0] == 0 ? 65536 : descriptor[0];
-  table.first = isSigned ? int(std::int16_t(descriptor[1])) : int(descriptor[1]);
+  table.entries = entriesOf(descriptor, wordsOf(*item, Tag(0x0028, 0x3006)), "Modality LUT", flaw);
+  if (table.entries.empty()) return table;
+  table.first = firstOf(descriptor[1], isSigned);
   table.unit = unitOfRescaleType(textOf(*item, Tag(0x0028, 0x3004)));
-  // Entries of 8 bits come one a word, or two, the first in the low byte.
-  bool isPacked = descriptor[2] == 8 && data.size() < count;
-  if (data.size() * (isPacked ? 2 : 1) < count) {
-    flaw = fmt::format("its Modality LUT is cut off: {} words for {} entries", data.size(), count);
-    return table;
-  }
-  for (std::size_t i = 0; i < count; ++i)
-    table.entries.push_back(isPacked ? std::uint16_t(data[i / 2] >> (i % 2 * 8) & 0xff) : data[i]);
   return table;
+}
+
+DicomPalette paletteOf(const DataSet& set, bool isSigned, std::string& flaw) {
+  DicomPalette palette, none;
+  constexpr std::uint16_t kDescriptor = 0x1101, kData = 0x1201, kSegmented = 0x1221;
+  for (std::uint16_t i = 0; i < 3; ++i) {
+    auto descriptor = wordsOf(set, Tag(0x0028, std::uint16_t(kDescriptor + i)));
+    if (set.FindDataElement(Tag(0x0028, std::uint16_t(kSegmented + i)))) {
+      flaw = "its palette comes in segments, which is not supported";
+      return none;
+    }
+    palette.entries[i] = entriesOf(descriptor, wordsOf(set, Tag(0x0028, std::uint16_t(kData + i))), "palette", flaw);
+    if (palette.entries[i].empty()) return none;
+    if (palette.entries[i].size() != palette.entries[0].size()) {
+      flaw = "its palette is damaged: red, green and blue differ in length";
+      return none;
+    }
+    palette.first = firstOf(descriptor[1], isSigned);
+    palette.bits = descriptor[2] == 8 ? 8 : 16;
+  }
+  return palette;
 }
 
 std::string unitOfRescaleType(const std::string& type) {
@@ -99,8 +131,8 @@ std::vector<double> doseOffsetsOf(const DataSet& set, int planes, double firstZ,
   double first = offsets.front();
   bool isPlace = first != 0 && std::abs(first - firstZ) < 0.01, isAxial = std::abs(std::abs(normalZ) - 1) < 1e-4;
   if (first != 0 && !(isPlace && isAxial))
-    warning =
-        fmt::format("the offsets of the dose's planes begin at {:.6g} mm and not at 0; they are taken from there", first);
+    warning = fmt::format("the offsets of the dose's planes begin at {:.6g} mm and not at 0; they are taken from there",
+                          first);
   for (double& offset : offsets) offset = (offset - first) * (isPlace && isAxial && normalZ < 0 ? -1 : 1);
   return offsets;
 }

@@ -21,6 +21,17 @@ struct DicomTable {
   }
 };
 
+/// What stored samples stand for where they are numbers of colours (PALETTE COLOR). Without entries there is none.
+struct DicomPalette {
+  int first = 0;                          ///< The sample of the first entry; lower ones mean the same.
+  int bits = 16;                          ///< Of red, green and blue: 8 or 16.
+  std::vector<std::uint16_t> entries[3];  ///< Red, green, blue, equally many; higher samples mean the last.
+};
+
+/// The palette of a file. @param isSigned  of the stored samples
+/// @param[out] flaw  why there is none, for people; left alone when there is one
+DicomPalette paletteOf(const gdcm::DataSet& set, bool isSigned, std::string& flaw);
+
 /// The Modality LUT of a file; of no entries when it has none.
 /// @param isSigned  of the stored samples: the descriptor's first sample is of their kind
 /// @param[out] flaw  why it cannot be applied, for people; left alone when it can

@@ -18,6 +18,7 @@
 #include "read/Placement.h"
 #include "read/SampleBytes.h"
 #include "velum/core/Error.h"
+#include "velum/core/Parallel.h"
 
 /// OpenVDB. Its world units are taken as millimetres, and a grid has no patient axes, unless we wrote it.
 namespace velum::io {
@@ -125,8 +126,20 @@ openvdb::CoordBBox boxOf(const GridBase& grid, const VdbGrid& found, const FileB
 template <class Grid>
 void copyVoxels(const GridBase& grid, const openvdb::CoordBBox& box, Volume& v) {
   using Value = typename Grid::ValueType;
-  openvdb::tools::Dense<Value, openvdb::tools::LayoutXYZ> dense(box, reinterpret_cast<Value*>(v.voxels.data()));
-  openvdb::tools::copyToDense(static_cast<const Grid&>(grid), dense);
+  const auto& typed = static_cast<const Grid&>(grid);
+  auto* values = reinterpret_cast<Value*>(v.voxels.data());
+  std::size_t slice = std::size_t(v.dims.x) * std::size_t(v.dims.y);
+  // Leaf by leaf in our own loop, which the thread sanitizer knows, rather than in the library's.
+  constexpr int kLeaf = 8;
+  int low = box.min().z(), high = box.max().z(), first = low & ~(kLeaf - 1);
+  parallelFor(0, (high - first) / kLeaf + 1, [&](int i) {
+    openvdb::CoordBBox layer = box;
+    layer.min().z() = std::max(low, first + i * kLeaf);
+    layer.max().z() = std::min(high, first + (i + 1) * kLeaf - 1);
+    Value* to = values + slice * std::size_t(layer.min().z() - low);
+    openvdb::tools::Dense<Value, openvdb::tools::LayoutXYZ> dense(layer, to);
+    openvdb::tools::copyToDense(typed, dense, true);
+  });
 }
 
 void takeNotes(Volume& v, const VdbGrid& found) {

@@ -115,7 +115,7 @@ struct ForceField {
 /// every size and resolution: strength 1 is an acceleration of 1/128 of the rest plane's mean edge per s^2.
 struct Cloth {
   glm::ivec2 particles{50, 50};  ///< along the rest plane's width and height
-  int finest = 260;              ///< the sheet is refined at rest up to so many along an edge, where the data is finer
+  int finest = 1024;             ///< the sheet is refined at rest up to so many along an edge, where the data is finer
   double stretch = 0.3;          ///< stiffness 0..1 of the mesh edges
   double bend = 0.1;             ///< stiffness 0..1 against folding
   double restoring = 400.0;      ///< pull back to the rest plane, 1/s^2
@@ -125,7 +125,7 @@ struct Cloth {
   bool operator==(const Cloth&) const = default;
   static void fields(auto& o, auto& visit) {
     visit("particles", o.particles, FieldInfo{"", {3, 260}, "Particles along the rest plane's width and height."});
-    visit("finest", o.finest, FieldInfo{"", {3, 260}, "At rest the sheet is refined up to so many along an edge."});
+    visit("finest", o.finest, FieldInfo{"", {3, 1024}, "At rest the sheet is refined up to so many along an edge."});
     visit("stretch", o.stretch, FieldInfo{"", {0, 1}, "Stiffness against stretching."});
     visit("bend", o.bend, FieldInfo{"", {0, 1}, "Stiffness against bending."});
     visit("restoring", o.restoring, FieldInfo{"1/s^2", {0, 2000}, "Pull back to the rest plane."});

@@ -248,7 +248,7 @@ void MembraneForm::makeCloth(QGridLayout* grid) {
   mParticles = addNumber(grid, tr("Particles"), tr("Particles along each edge while the sheet moves"), 3, 260, 0, {},
                          [](auto& m, double v) { m.cloth.particles = glm::ivec2(int(std::lround(v))); });
   mFinest = addNumber(grid, tr("Finest"), tr("At rest the sheet is refined up to so many particles along an edge"), 3,
-                      260, 0, {}, [](auto& m, double v) { m.cloth.finest = int(std::lround(v)); });
+                      1024, 0, {}, [](auto& m, double v) { m.cloth.finest = int(std::lround(v)); });
 }
 
 void MembraneForm::showCut(const scene::Cut& cut) {

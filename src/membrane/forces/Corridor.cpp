@@ -44,12 +44,11 @@ class ColumnCost {
     return sum;
   }
 
-  bool isCutting() const { return mIsCutting; }
-
-  /// Where the sheet must cut: the last height within reach in a direction that separates no more than its own.
-  int smoothedTo(int step) const {
+  /// The last height in a direction that separates no more than its own. @param gap  to where that is known
+  int freeTo(int gap, int step) const {
     double now = separated(mHeight);
-    int b = mHeight, last = mHeight + kSmoothing * step;
+    int b = mIsCutting ? mHeight : std::clamp(gap, 1, mLattice.dims.z - 1);
+    int last = mIsCutting ? mHeight + kSmoothing * step : b + mLattice.dims.z * step;
     while (b != last && b + step >= 1 && b + step < mLattice.dims.z && separated(b + step) <= now) b += step;
     return b;
   }
@@ -79,9 +78,8 @@ Corridor corridorAround(const CutLattice& lattice, const LeastCut& cut) {
       std::size_t i = std::size_t(y * lattice.dims.x + x);
       ColumnCost cost(lattice, cut.below, {x, y});
       glm::ivec2 gap = cut.gap[i];
-      if (cost.isCutting()) gap = {cost.smoothedTo(-1) - 1, cost.smoothedTo(1)};
-      double low = lattice.origin.z + std::max(gap.x, 0) * step;
-      double high = lattice.origin.z + std::min(gap.y, lattice.dims.z - 1) * step;
+      double low = lattice.origin.z + (cost.freeTo(gap.x + 1, -1) - 1) * step;
+      double high = lattice.origin.z + cost.freeTo(gap.y, 1) * step;
       double clear = std::min(kClearance * step, kShareOfGap * (high - low));
       corridor.room[i] = {float(low + clear), float(high - clear)};
       corridor.height[i] = float(lattice.origin.z + (cut.below[i] - 0.5) * step);

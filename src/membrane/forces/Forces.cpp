@@ -26,9 +26,10 @@ constexpr double kHalfLift = 100.0;
 /// A ball lets go of the sheet over the last quarter of its radius.
 constexpr double kLetGo = 4.0;
 
-/// What the kernels depend on, without rule and reach.
+/// What the kernels depend on, without rule, side and reach.
 scene::ForceField kernelPart(scene::ForceField field) {
   field.rule = {};
+  field.side = {};
   field.areaOfEffect = {};
   field.kernels.clear();
   field.strokes.clear();
@@ -47,6 +48,7 @@ scene::Cut sidesPart(const scene::Cut& cut) {
   part.spinDeg = cut.spinDeg;
   part.size = cut.size;
   part.membrane->field = kernelPart(cut.membrane->field);
+  part.membrane->field.side = cut.membrane->field.side;
   part.membrane->field.kernels = cut.membrane->field.kernels;
   std::erase_if(part.membrane->field.kernels, [](const auto& kernel) { return kernel.strength <= 0.0; });
   for (auto& kernel : part.membrane->field.kernels) kernel.strength = 1.0;  // what repels is protected, however weakly
@@ -96,7 +98,8 @@ void protectPlaced(ProtectedVoxels& voxels, const scene::ForceField& field) {
       for (int y = 0; y < size.y; ++y)
         for (int x = 0; x < size.x; ++x, ++i) {
           glm::dvec4 voxel(glm::dvec3(voxels.box.min + glm::ivec3(x, y, z)), 1.0);
-          if (glm::length(glm::dvec3(worldFromVoxel * voxel) - kernel.centre) < kernel.radius) voxels.mask[i] = 1;
+          if (glm::length(glm::dvec3(worldFromVoxel * voxel) - kernel.centre) < kernel.radius && !voxels.mask[i])
+            voxels.mask[i] = ProtectedVoxels::kPlaced;
         }
     });
   }
@@ -240,7 +243,7 @@ Corridor ForceMaker::corridorOf(const scene::Cut& cut, const CurrentSheet& curre
     protectPlaced(*withPlaced, asked.membrane->field);
   }
   const ProtectedVoxels& voxels = withPlaced ? *withPlaced : data;
-  auto count = double(std::count(voxels.mask.begin(), voxels.mask.end(), std::uint8_t(1)));
+  auto count = double(voxels.mask.size() - std::size_t(std::count(voxels.mask.begin(), voxels.mask.end(), 0)));
   CutLattice lattice = gatherLattice(voxels, cut, std::max(1.0, std::ceil(std::cbrt(count / kMostProtected))));
   if (current.height) return corridorAround(lattice, cutByCurrent(lattice, cut, current, progress));
   known.corridor = corridorAround(lattice, computeLeastCut(lattice, cut.membrane->field.side, progress));

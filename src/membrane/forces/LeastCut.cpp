@@ -171,13 +171,18 @@ CutLattice latticeFromMask(glm::ivec3 dims, double restLayer, std::span<const st
 
 int flatCount(const CutLattice& lattice) { return int(std::floor(lattice.restLayer)) + 1; }
 
-double pairsAt(const CutLattice& lattice, glm::ivec3 node, int axis) {
-  if (!isWithin(lattice.dims, node)) return 0.0;
+std::optional<std::size_t> nodeAt(const CutLattice& lattice, glm::ivec3 node) {
+  if (!isWithin(lattice.dims, node)) return std::nullopt;
   std::size_t column = columnOf(lattice.dims, node);
   auto begin = lattice.layer.begin() + lattice.first[column], end = lattice.layer.begin() + lattice.first[column + 1];
   auto found = std::lower_bound(begin, end, std::uint16_t(node.z));
-  if (found == end || *found != node.z) return 0.0;
-  return 0.5 * lattice.pairs[axis][std::size_t(found - lattice.layer.begin())];
+  if (found == end || *found != node.z) return std::nullopt;
+  return std::size_t(found - lattice.layer.begin());
+}
+
+double pairsAt(const CutLattice& lattice, glm::ivec3 node, int axis) {
+  auto found = nodeAt(lattice, node);
+  return found ? 0.5 * lattice.pairs[axis][*found] : 0.0;
 }
 
 LeastCut computeLeastCut(const CutLattice& lattice, scene::MembraneSide side, Progress& progress) {

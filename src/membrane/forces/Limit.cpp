@@ -92,6 +92,22 @@ void forEachPair(const ProtectedVoxels& voxels, const FrameBox& frame, const Cut
       }
 }
 
+/// Notes which nodes hold what was put in by hand.
+void markPlaced(const ProtectedVoxels& voxels, const FrameBox& frame, CutLattice& lattice) {
+  glm::ivec3 size = voxels.box.end - voxels.box.min;
+  auto found = std::find(voxels.mask.begin(), voxels.mask.end(), ProtectedVoxels::kPlaced);
+  if (found == voxels.mask.end()) return;
+  lattice.isPlaced.assign(lattice.layer.size(), 0);
+  for (; found != voxels.mask.end(); ++found) {
+    if (*found != ProtectedVoxels::kPlaced) continue;
+    auto at = int(found - voxels.mask.begin());
+    glm::ivec3 voxel = voxels.box.min + glm::ivec3(at % size.x, at / size.x % size.y, at / (size.x * size.y));
+    glm::dvec3 local = frame.local(glm::dvec3(voxel));
+    if (auto node = nodeAt(lattice, glm::ivec3(glm::floor((local - lattice.origin) / lattice.step + 0.5))))
+      lattice.isPlaced[*node] = 1;
+  }
+}
+
 }  // namespace
 
 CutLattice gatherLattice(const ProtectedVoxels& voxels, const scene::Cut& cut, double coarsening) {
@@ -123,6 +139,7 @@ CutLattice gatherLattice(const ProtectedVoxels& voxels, const scene::Cut& cut, d
                                    [&](const auto& add) { forEachPair(voxels, frame, place, add); });
   lattice.origin = place.origin;
   lattice.step = place.step;
+  markPlaced(voxels, frame, lattice);
   return lattice;
 }
 

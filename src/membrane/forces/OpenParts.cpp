@@ -167,9 +167,11 @@ class OpenParts {
     return part;
   }
 
-  /// It lies on both sides of the rest plane.
+  /// It lies on both sides of the rest plane, and in the data.
   bool isMet(std::span<const std::size_t> part) const {
     int flat = flatCount(mLattice);
+    auto isPlaced = [&](std::size_t v) { return !mLattice.isPlaced.empty() && mLattice.isPlaced[v]; };
+    if (std::any_of(part.begin(), part.end(), isPlaced)) return false;
     auto isBehind = [&](std::size_t v) { return mLattice.layer[v] < flat; };
     return std::any_of(part.begin(), part.end(), isBehind) && !std::all_of(part.begin(), part.end(), isBehind);
   }

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <functional>
 #include <glm/glm.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -23,6 +24,8 @@ struct CutLattice {
   /// [axis][node]: protected 6-neighbour pairs of voxels that a sheet separates when it passes between the node and the
   /// next one along the axis, in halves; at most 127 pairs.
   std::vector<std::uint8_t> pairs[3];
+  /// [node] 1: put in by hand; the sheet passes it on the side that is nearest. Empty: nothing was.
+  std::vector<std::uint8_t> isPlaced;
 };
 
 /// Hands out what lies between nodes: calls its argument with the lower node, the axis to the other one, and pairs.
@@ -72,6 +75,8 @@ LeastCut sheetAt(const CutLattice& lattice, std::vector<int> below);
 /// The protected pairs that a sheet separates. @param below  [y][x], as in LeastCut
 double countCutPairs(const CutLattice& lattice, std::span<const int> below);
 
+/// Which of the nodes one is that holds something; nothing where there is none.
+std::optional<std::size_t> nodeAt(const CutLattice& lattice, glm::ivec3 node);
 /// Protected pairs between a node and the next one along an axis; 0 outside the lattice.
 double pairsAt(const CutLattice& lattice, glm::ivec3 node, int axis);
 

@@ -35,7 +35,7 @@ std::vector<float> thinned(const std::vector<float>& places, int stride) {
 Fairing::Fairing(Input input) : mInput(std::move(input)) {
   VELUM_ASSERT(mInput.xs.size() > 2 && mInput.ys.size() > 2, "a sheet has particles inside its border");
   int stride = 1;
-  while (int(std::max(mInput.xs.size(), mInput.ys.size())) / stride > 2 * kCoarsest) stride *= 2;
+  while (int(std::max(mInput.xs.size(), mInput.ys.size())) / stride > kCoarsest) stride *= 2;
   begin(stride);
 }
 

@@ -12,7 +12,7 @@ namespace velum::membrane {
 /// Draws the sheet of the sided rule tight in the room that its corridor leaves: the surface of least area over rows
 /// and columns of particles, pulled back to a rest surface, each height between a lowest and a highest (an obstacle
 /// problem). Projected over-relaxation over the red and the black particles by turns, on both sides of a lagged weight
-/// that makes squared slopes into areas [FAIRING]; from coarse rows and columns to all of them, so that what is far
+/// that makes squared slopes into areas [BRANDT]; from coarse rows and columns to all of them, so that what is far
 /// apart knows of each other. Its surface has no preferred direction, which the lattice of the least cut has.
 ///
 /// Differs: not in the paper, whose sheet is never refined. The same input gives the same heights, bit for bit, on any

@@ -146,6 +146,27 @@ TEST(ImageFile, AttributesOfExrThatLieAllocateNothing) {
   }
 }
 
+TEST(ImageFile, AChunkOfPngThatLiesIsRefusedBeforeTheLibrarySeesIt) {
+  TempFolder folder;
+  writeImage(noise(4, 4, {"R", "G", "B"}, true), folder / "a.png", "{}");
+  const std::string good = bytesOf(folder / "a.png");
+  std::size_t at = good.find("tEXt");
+  ASSERT_NE(at, std::string::npos);
+  std::string lies = good, cutOff = good.substr(0, good.size() - 12);
+  lies.replace(at - 4, 4, "\x7b\x00\x00\x14", 4);
+  for (const std::string& bytes : {lies, cutOff}) {
+    std::ofstream(folder / "a.png", std::ios::binary) << bytes;
+    for (auto read : {+[](const std::filesystem::path& path) { readImage(path); },
+                      +[](const std::filesystem::path& path) { readImageDescription(path); }})
+      try {
+        read(folder / "a.png");
+        FAIL();
+      } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("cut short or damaged"), std::string::npos) << error.what();
+      }
+  }
+}
+
 TEST(ImageFile, OnlyOurThreeFormatsAreReadWhateverTheNameSays) {
   TempFolder folder;
   Image image = noise(4, 4, {"R", "G", "B"}, true);

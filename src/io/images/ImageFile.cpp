@@ -13,6 +13,7 @@
 #include <functional>
 
 #include "ExrHeader.h"
+#include "PngChunks.h"
 #include "read/ByteSource.h"
 #include "read/SinkStream.h"
 #include "read/StderrQuiet.h"
@@ -195,7 +196,10 @@ std::string formatInside(const Path& path) {
   if (!std::filesystem::is_regular_file(path))
     throw InputError(fmt::format("{}: there is no such picture", path.string()));
   std::string head = readHead(path, 4);
-  if (head == "\x89PNG") return "png";
+  if (head == "\x89PNG") {
+    if (!isSoundPng(FileBytes(path))) throw InputError(fmt::format("{}: is cut short or damaged", path.string()));
+    return "png";
+  }
   if (head == "\x76\x2f\x31\x01") {
     if (!isSoundExr(FileBytes(path))) throw InputError(fmt::format("{}: its header is damaged", path.string()));
     return "openexr";

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "LeastCutOracle.h"
+#include "forces/Corridor.h"
 #include "makeVolume.h"
 
 namespace velum::membrane {
@@ -206,17 +207,40 @@ TEST(LeastCut, GoesAroundABallOnTheSideThatIsAskedFor) {
 }
 
 TEST(LeastCut, WhatTheRestPlaneDoesNotMeetStaysOnItsSide) {
-  // Two slabs that hang in the air on either side: nothing asks the sheet to leave the rest plane.
+  // Slabs just behind and just in front of it: nothing asks the sheet to leave the rest plane.
   glm::ivec3 dims(12, 11, 16);
   std::vector<std::uint8_t> mask;
   for (int i = 0; i < dims.x * dims.y * dims.z; ++i) {
     glm::ivec3 p(i % dims.x, i / dims.x % dims.y, i / (dims.x * dims.y));
     bool isInner = p.x > 2 && p.y > 2 && p.x < 9 && p.y < 8;
-    mask.push_back(isInner && (p.z == 3 || p.z == 4 || p.z == 11 || p.z == 12));
+    mask.push_back(isInner && (p.x < 6 ? p.z == 6 || p.z == 7 : p.z == 8 || p.z == 9));
   }
   CutLattice lattice = latticeFromMask(dims, 7.5, mask);
   for (auto side : {scene::MembraneSide::Keep, scene::MembraneSide::Remove, scene::MembraneSide::Nearest})
     for (int below : exact(lattice, side).below) EXPECT_EQ(below, 8);
+}
+
+TEST(LeastCut, AnywhereInItsCorridorAColumnSeparatesNoMore) {
+  glm::ivec3 dims(24, 20, 14);
+  CutLattice lattice = latticeFromMask(dims, 6.5, tubes(dims, 9, 1.8, 3));
+  lattice.origin = {-12.0, 3.0, -6.75};
+  lattice.step = {1.0, 2.0, 1.5};
+  LeastCut least = exact(lattice);
+  Corridor corridor = corridorAround(lattice, least);
+  int moved = 0;
+  for (int y = 1; y + 1 < dims.y; ++y)
+    for (int x = 1; x + 1 < dims.x; ++x) {
+      auto c = std::size_t(y * dims.x + x);
+      if (pairsAt(lattice, {x, y, least.below[c] - 1}, 2) > 0.0) continue;  // it cuts there, and may be smoothed
+      EXPECT_LT(corridor.room[c].x, corridor.room[c].y);
+      for (float z : {corridor.room[c].x, corridor.room[c].y}) {
+        std::vector<int> below = least.below;
+        below[c] = int(std::floor((double(z) - lattice.origin.z) / lattice.step.z)) + 1;
+        moved += below[c] != least.below[c];
+        EXPECT_LE(countCutPairs(lattice, below), least.cutPairs) << x << ", " << y;
+      }
+    }
+  EXPECT_GT(moved, 300);
 }
 
 TEST(LeastCut, RimAndReachHold) {

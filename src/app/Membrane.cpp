@@ -30,7 +30,7 @@ struct MembraneOptions {
   std::vector<std::string> sketch, avoid;
   double position = 0.5;
   std::vector<std::string> kernels, pins;
-  std::string rule, saveScene, sheet, clipped;
+  std::string rule, side, saveScene, sheet, clipped;
   bool limit = false;
 };
 
@@ -153,11 +153,12 @@ bool asksForMembrane(const MembraneOptions& options) {
   return byCurve || !options.structures.empty() || !options.sketch.empty();
 }
 
-void applyRule(scene::Scene& scene, const std::string& rule) {
-  if (rule.empty()) return;
-  for (auto& cut : scene.cuts)
-    if (cut.membrane)
-      session::setRule(*cut.membrane, rule == "paper" ? scene::KernelRule::Paper : scene::KernelRule::Sided);
+void applyRule(scene::Scene& scene, const std::string& rule, const std::string& side) {
+  for (auto& cut : scene.cuts) {
+    if (!cut.membrane) continue;
+    if (auto wanted = enumValue<scene::KernelRule>(rule)) session::setRule(*cut.membrane, *wanted);
+    if (auto wanted = enumValue<scene::MembraneSide>(side)) cut.membrane->field.side = *wanted;
+  }
 }
 
 /// @param place  of the cut in the scene
@@ -166,6 +167,7 @@ Json jsonOf(const session::MembraneReport& report, const scene::Cut& cut, int pl
                {"id", report.cut},
                {"name", report.name},
                {"rule", std::string(enumName(cut.membrane->field.rule))},
+               {"side", std::string(enumName(cut.membrane->field.side))},
                {"kernels", report.kernels},
                {"particles", {report.particles.x, report.particles.y}},
                {"steps", report.steps},
@@ -237,7 +239,7 @@ int run(const MembraneOptions& options) {
     scene::addCut(scene, cut);
   }
   putHandsOn(scene, options);
-  applyRule(scene, options.rule);
+  applyRule(scene, options.rule, options.side);
   scene::Scene settled = scene;
   auto reports = session::settleMembranes(settled, {true, options.limit}, consoleProgress());
   consoleProgress().report(1.0, "");
@@ -295,6 +297,10 @@ Run registerMembrane(CLI::App& verb) {
       ->capture_default_str();
   verb.add_option("--rule", options->rule, "how kernels push: sided, paper; default: as the scene says")
       ->check(CLI::IsMember({"sided", "paper"}));
+  verb.add_option(
+          "--side", options->side,
+          "what the section would cut and the sheet can pass by: keep, remove, nearest; default: as the scene says")
+      ->check(CLI::IsMember({"keep", "remove", "nearest"}));
   verb.add_flag("--limit", options->limit, "also the least that any sheet in this frame must cut; takes seconds");
   verb.add_option("--sheet", options->sheet, "write the sheet as a surface: .obj, .ply, .vtp, .stl");
   verb.add_option("--clipped", options->clipped,

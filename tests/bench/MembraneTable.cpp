@@ -80,7 +80,7 @@ Rates ratesOf(const scene::Scene& scene, int pictures) {
   };
   auto step = [&] {
     simulation.advance(1);
-    simulation.solver().places().copyTo(sheet->rows(), 0);
+    simulation.places().copyTo(sheet->rows(), 0);
     gpu::barrier();
     sheet->index();
   };

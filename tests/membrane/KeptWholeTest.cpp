@@ -143,9 +143,9 @@ TEST(KeptWhole, LatticeOfAnAlignedFrameIsTheVoxels) {
       CutLattice lattice = gatherLattice(protectedOf(scene, cut), cut);
       double pairs = 0.0;
       for (const auto& p : lattice.pairs)
-        for (float w : p) {
-          EXPECT_TRUE(w == 0.0f || w == 1.0f);
-          pairs += double(w);
+        for (std::uint8_t halves : p) {
+          EXPECT_TRUE(halves == 0 || halves == 2);
+          pairs += 0.5 * halves;
         }
       EXPECT_EQ(pairs, double(all));
       EXPECT_EQ(lattice.dims.x * lattice.dims.y * lattice.dims.z, (dims.x + 2) * (dims.y + 2) * (dims.z + 2));

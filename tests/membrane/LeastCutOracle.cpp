@@ -3,29 +3,27 @@
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/boykov_kolmogorov_max_flow.hpp>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 namespace velum::membrane {
 
-double bestOfAllSheets(const CutLattice& lattice, const LeastCutOptions& options) {
+void forEachSheet(const CutLattice& lattice, const std::function<void(const std::vector<int>& below)>& visit) {
   glm::ivec3 n = lattice.dims;
   std::vector<int> below(std::size_t(n.x * n.y), flatCount(lattice));
   std::vector<std::size_t> inner;
   for (int y = 1; y + 1 < n.y; ++y)
     for (int x = 1; x + 1 < n.x; ++x) inner.push_back(std::size_t(y * n.x + x));
   for (auto c : inner) below[c] = 1;
-  double best = std::numeric_limits<double>::infinity();
   while (true) {
-    best = std::min(best, evaluateSheet(lattice, options, below).cost);
+    visit(below);
     std::size_t i = 0;
     for (; i < inner.size() && below[inner[i]] == n.z - 1; ++i) below[inner[i]] = 1;
-    if (i == inner.size()) return best;
+    if (i == inner.size()) return;
     ++below[inner[i]];
   }
 }
 
-double minimumCut(const CutLattice& lattice, const LeastCutOptions& options) {
+double minimumCut(const CutLattice& lattice) {
   using Traits = boost::adjacency_list_traits<boost::vecS, boost::vecS, boost::directedS>;
   using Edge = Traits::edge_descriptor;
   using Graph = boost::adjacency_list<
@@ -55,11 +53,8 @@ double minimumCut(const CutLattice& lattice, const LeastCutOptions& options) {
     glm::ivec3 p(int(at) % n.x, int(at) / n.x % n.y, int(at) / (n.x * n.y));
     for (int axis = 0; axis < 3; ++axis) {
       if (p[axis] + 1 == n[axis]) continue;
-      double cost = options.smoothness + options.protectedWeight * double(lattice.pairs[axis][at]);
-      if (axis == 2)
-        join(at, at + step[2], cost + options.pull * std::abs(p.z + 0.5 - lattice.restLayer), kInfinite);
-      else
-        join(at, at + step[axis], cost, cost);
+      double cost = pairsAt(lattice, p, axis);
+      join(at, at + step[axis], cost, axis == 2 ? kInfinite : cost);
     }
     bool rim = p.x == 0 || p.y == 0 || p.x + 1 == n.x || p.y + 1 == n.y;
     if (p.z == 0 || (rim && p.z <= lattice.restLayer))

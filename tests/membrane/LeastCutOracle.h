@@ -1,14 +1,17 @@
 #pragma once
+#include <functional>
+#include <vector>
+
 #include "velum/membrane/forces/LeastCut.h"
 
 /// Two other ways to the least cut of a lattice.
 namespace velum::membrane {
 
-/// The least cost of all sheets, one by one: for a handful of free columns.
-double bestOfAllSheets(const CutLattice& lattice, const LeastCutOptions& options);
+/// All sheets of a lattice, one by one: for a handful of free columns. @param visit  gets nodes below, [y][x]
+void forEachSheet(const CutLattice& lattice, const std::function<void(const std::vector<int>& below)>& visit);
 
 /// The minimum s-t cut by Boost Graph, over all nodes, as the definition says it: layers at the ends and rim columns
-/// tied, infinite edges downwards.
-double minimumCut(const CutLattice& lattice, const LeastCutOptions& options);
+/// tied, infinite edges downwards. In pairs.
+double minimumCut(const CutLattice& lattice);
 
 }  // namespace velum::membrane

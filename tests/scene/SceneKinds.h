@@ -87,6 +87,7 @@ inline Scene active() {
   cut.shape = CutShape::Membrane;
   cut.axis = {0, 0, 1};
   Membrane membrane;
+  membrane.cloth.finest = 260;
   membrane.repositioning = Repositioning::Active;
   membrane.look = SheetLook::Surface;
   membrane.shape.particles = {2, 2};
@@ -107,6 +108,7 @@ inline Scene inlay() {
   cut.shape = CutShape::Membrane;
   cut.spares = {{0}};
   Membrane membrane;
+  membrane.cloth.finest = 260;
   membrane.use = MembraneUse::Inlay;
   membrane.inlayOpacity = 0.5;
   membrane.emphasis = -0.5;

@@ -90,6 +90,7 @@ TEST_F(MembranesGL, AnActiveSheetStaysOnTheSideOfWhatHoldsIt) {
     auto& cut = scene.cuts[0];
     cut.size.z = 80;
     cut.membrane->repositioning = repositioning;
+    cut.membrane->field.side = scene::MembraneSide::Nearest;
     cut.centre.z += 46;
     settleMembranes(scene, {}, sProgress);
     cut.centre.z -= 38;
@@ -177,7 +178,8 @@ TEST_F(MembranesGL, AnotherGridOfVoxelsGivesTheSameShapeInTheWorld) {
       double voxel = std::max({grid.spacing.x, grid.spacing.y, grid.spacing.z});
       std::printf("%s, %s: %.2f mm\n", std::string(enumName(rule)).c_str(), grid.name, gapMm);
       // The paper's kernels reach as far as their voxels are long, and push the sheet so far away.
-      EXPECT_LT(gapMm, (rule == scene::KernelRule::Sided ? 0.5 : 1.0) * voxel) << enumName(rule) << ", " << grid.name;
+      // A sheet by the sided rule hangs over the nodes that are nearest to voxels: half a voxel, and half of their step.
+      EXPECT_LT(gapMm, (rule == scene::KernelRule::Sided ? 0.75 : 1.0) * voxel) << enumName(rule) << ", " << grid.name;
     }
   }
 }

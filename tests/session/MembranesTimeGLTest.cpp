@@ -115,6 +115,7 @@ scene::Scene risingBall(scene::Repositioning repositioning) {
   cut.membrane->cloth.particles = {30, 30};
   cut.membrane->repositioning = repositioning;
   cut.membrane->field.byValue = {{500, 400}, {1000, 400}};
+  cut.membrane->field.side = scene::MembraneSide::Nearest;
   scene.cuts = {cut};
   return scene;
 }

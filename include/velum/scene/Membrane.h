@@ -10,6 +10,9 @@ namespace velum::scene {
 /// How a kernel's push is directed. Paper: away from the kernel's centre ([IMC] eq. 3). Sided: along the rest plane's
 /// normal, to the side on which the least cut leaves the kernel's structure.
 enum class KernelRule { Sided, Paper };
+/// Which side of the sheet takes what the rest plane would cut and the sheet can pass by: the one that stays, the one
+/// that is removed, or the one on which more of it lies.
+enum class MembraneSide { Keep, Remove, Nearest };
 /// What the sheet does when its rest plane moves ([IMC] 3.3): start anew from the flat sheet, or be dragged along.
 enum class Repositioning { Passive, Active };
 /// What the sheet does to the picture ([IMC] 3.4): removes what is in front of it; or keeps what lies between it and
@@ -86,6 +89,7 @@ struct ForceField {
   double threshold = 0.5;                 ///< super-voxels weaker than this have no kernel
   double areaOfEffect = 2.0;              ///< half-width of a kernel in super-voxels
   KernelRule rule = KernelRule::Sided;
+  MembraneSide side = MembraneSide::Keep;  ///< of what need not be cut; by the sided rule only
   std::vector<UserKernel> kernels;
   std::vector<Stroke> strokes;
   std::vector<StrengthPoint> byValueBefore;  ///< where there are strokes: byValue as it was before the first
@@ -98,6 +102,9 @@ struct ForceField {
     visit("threshold", o.threshold, FieldInfo{"", {0, 1000}, "Weaker kernels are left out."});
     visit("areaOfEffect", o.areaOfEffect, FieldInfo{"", {1, 4}, "Half-width of a kernel in super-voxels."});
     visit("rule", o.rule, FieldInfo{"", {}, "Sided: along the normal, by the least cut; paper: away from the centre."});
+    visit("side", o.side,
+          FieldInfo{
+              "", {}, "Of what can be passed by: keep it, remove it, or leave it on the nearest side (sided rule)."});
     visit("kernels", o.kernels, FieldInfo{"", {}, "Kernels put in by hand."});
     visit("strokes", o.strokes, FieldInfo{"", {}, "Strokes from which the curve was fitted."});
     visit("byValueBefore", o.byValueBefore, FieldInfo{"", {}, "The curve before the first stroke."});
@@ -108,7 +115,7 @@ struct ForceField {
 /// every size and resolution: strength 1 is an acceleration of 1/128 of the rest plane's mean edge per s^2.
 struct Cloth {
   glm::ivec2 particles{50, 50};  ///< along the rest plane's width and height
-  int finest = 260;              ///< the sheet is refined at rest up to so many along an edge, where the data is finer
+  int finest = 1024;             ///< the sheet is refined at rest up to so many along an edge, where the data is finer
   double stretch = 0.3;          ///< stiffness 0..1 of the mesh edges
   double bend = 0.1;             ///< stiffness 0..1 against folding
   double restoring = 400.0;      ///< pull back to the rest plane, 1/s^2
@@ -118,7 +125,7 @@ struct Cloth {
   bool operator==(const Cloth&) const = default;
   static void fields(auto& o, auto& visit) {
     visit("particles", o.particles, FieldInfo{"", {3, 260}, "Particles along the rest plane's width and height."});
-    visit("finest", o.finest, FieldInfo{"", {3, 260}, "At rest the sheet is refined up to so many along an edge."});
+    visit("finest", o.finest, FieldInfo{"", {3, 1024}, "At rest the sheet is refined up to so many along an edge."});
     visit("stretch", o.stretch, FieldInfo{"", {0, 1}, "Stiffness against stretching."});
     visit("bend", o.bend, FieldInfo{"", {0, 1}, "Stiffness against bending."});
     visit("restoring", o.restoring, FieldInfo{"1/s^2", {0, 2000}, "Pull back to the rest plane."});
@@ -162,6 +169,10 @@ struct Membrane {
 template <>
 struct velum::EnumNames<velum::scene::KernelRule> {
   static constexpr std::string_view kNames[] = {"sided", "paper"};
+};
+template <>
+struct velum::EnumNames<velum::scene::MembraneSide> {
+  static constexpr std::string_view kNames[] = {"keep", "remove", "nearest"};
 };
 template <>
 struct velum::EnumNames<velum::scene::Repositioning> {

@@ -18,7 +18,7 @@ struct SheetShape {
   int timeStep = -1;  ///< of the volume, from which the forces were; -1: not known
   bool operator==(const SheetShape&) const = default;
   static void fields(auto& o, auto& visit) {
-    visit("particles", o.particles, FieldInfo{"", {0, 260}, "Particles along the rest plane's width and height."});
+    visit("particles", o.particles, FieldInfo{"", {0, 1024}, "Particles along the rest plane's width and height."});
     visit("places", o.places, FieldInfo{kLength, {}, "Frame-local x, y, z of each particle, row by row."});
     visit("centre", o.centre, FieldInfo{kLength, {}, "Middle of the rest plane in which it came to rest."});
     visit("axis", o.axis, FieldInfo{"", {}, "Normal of that frame; 0, 0, 0: that of the cut itself."});

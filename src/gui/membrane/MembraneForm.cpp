@@ -231,6 +231,12 @@ void MembraneForm::makeCloth(QGridLayout* grid) {
                     {tr("Sided"), tr("Paper")},
                     [](auto& m, int i) { session::setRule(m, static_cast<scene::KernelRule>(i)); });
   mRule->setObjectName("membraneRule");
+  mSide = addChoice(grid, tr("Passed by"),
+                    tr("What the section would cut and the sheet can pass by: keep it whole, remove it whole, or leave "
+                       "it on the side on which more of it lies"),
+                    {tr("Keep"), tr("Remove"), tr("Nearest side")},
+                    [](auto& m, int i) { m.field.side = static_cast<scene::MembraneSide>(i); });
+  mSide->setObjectName("membraneSide");
   mLevel = addNumber(grid, tr("Kernels"),
                      tr("A kernel for so many times two voxels along each axis: 0 every voxel, 1 "
                         "every second, 2 every fourth"),
@@ -248,7 +254,7 @@ void MembraneForm::makeCloth(QGridLayout* grid) {
   mParticles = addNumber(grid, tr("Particles"), tr("Particles along each edge while the sheet moves"), 3, 260, 0, {},
                          [](auto& m, double v) { m.cloth.particles = glm::ivec2(int(std::lround(v))); });
   mFinest = addNumber(grid, tr("Finest"), tr("At rest the sheet is refined up to so many particles along an edge"), 3,
-                      260, 0, {}, [](auto& m, double v) { m.cloth.finest = int(std::lround(v)); });
+                      1024, 0, {}, [](auto& m, double v) { m.cloth.finest = int(std::lround(v)); });
 }
 
 void MembraneForm::showCut(const scene::Cut& cut) {
@@ -272,6 +278,8 @@ void MembraneForm::showCut(const scene::Cut& cut) {
   mLook->setCurrentIndex(int(m.look));
   mRepositioning->setCurrentIndex(int(m.repositioning));
   mRule->setCurrentIndex(int(m.field.rule));
+  mSide->setCurrentIndex(int(m.field.side));
+  mSide->setEnabled(m.field.rule == scene::KernelRule::Sided);
   mLevel->setValue(m.field.level);
   mReach->setValue(m.field.areaOfEffect);
   mStretch->setValue(m.cloth.stretch);

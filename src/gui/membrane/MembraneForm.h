@@ -75,7 +75,7 @@ class MembraneForm : public QWidget {
   SketchForm* mSketch;
   QPushButton *mProtect = nullptr, *mLetThrough = nullptr, *mPlay = nullptr, *mStep = nullptr, *mMore = nullptr;
   QWidget* mCloth = nullptr;
-  QComboBox *mUse = nullptr, *mLook = nullptr, *mRule = nullptr, *mRepositioning = nullptr;
+  QComboBox *mUse = nullptr, *mLook = nullptr, *mRule = nullptr, *mSide = nullptr, *mRepositioning = nullptr;
   NumberRow *mLevel = nullptr, *mInlayOpacity = nullptr, *mEmphasis = nullptr, *mFalloff = nullptr, *mStretch = nullptr,
             *mBend = nullptr, *mRestoring = nullptr, *mReach = nullptr, *mParticles = nullptr, *mFinest = nullptr;
   std::vector<std::pair<QWidget*, QWidget*>> mInlayRows;  ///< label and control that only an inlay has

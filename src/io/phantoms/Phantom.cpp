@@ -252,6 +252,7 @@ Sample fill(const Description& description, const Grid& grid, Progress& progress
     sample.labels.write({0, 0, first}, {grid.dims.x, grid.dims.y, end - first}, ids);
     progress.report(double(end) / double(grid.dims.z), "making " + description.name);
   }
+  progress.throwIfCancelled();
   // A coarse grid may miss the smallest structures; then the table must not promise them.
   auto used = sample.labels.idsInUse();
   std::erase_if(sample.labels.table,

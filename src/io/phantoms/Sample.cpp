@@ -25,6 +25,7 @@ constexpr Maker kMakers[] = {
     {{"torso", "Contrast-enhanced CT of a human trunk, Hounsfield units"}, 256, makeTorso},
     {{"seismic", "Folded and faulted strata with a salt dome, reflection seismics"}, 256, makeSeismic},
     {{"neurons", "Branching nerve cells with spines, ultramicroscopy"}, 256, makeNeurons},
+    {{"fibres", "Noisy axons one to three voxels thick in bundles, light sheet"}, 300, makeFibres},
     {{"ultrasound", "A fetus in the womb under a fan-shaped probe, with speckle and shadows"}, 256, makeUltrasound},
     {{"heart", "A beat of a heart in contrast-enhanced CT, time steps; labels of the first one"},
      96,

@@ -44,21 +44,17 @@ class ColumnCost {
     return sum;
   }
 
-  /// The last height in a direction that separates no more than the one it starts from.
-  int freeTo(int from, int step) const {
-    double now = separated(from);
-    int b = from, last = mIsCutting ? from + kSmoothing * step : from + mLattice.dims.z * step;
+  /// The last height in a direction that separates no more than its own. @param gap  to where that is known
+  int freeTo(int gap, int step) const {
+    double now = separated(mHeight);
+    int b = mIsCutting ? mHeight : std::clamp(gap, 1, mLattice.dims.z - 1);
+    int last = mIsCutting ? mHeight + kSmoothing * step : b + mLattice.dims.z * step;
     while (b != last && b + step >= 1 && b + step < mLattice.dims.z && separated(b + step) <= now) b += step;
     return b;
   }
 
  private:
-  double pair(int axis, glm::ivec2 at, int z) const {
-    if (z < 0 || z >= mLattice.dims.z) return 0.0;
-    return double(mLattice.pairs[axis][(std::size_t(z) * std::size_t(mLattice.dims.y) + std::size_t(at.y)) *
-                                           std::size_t(mLattice.dims.x) +
-                                       std::size_t(at.x)]);
-  }
+  double pair(int axis, glm::ivec2 at, int z) const { return pairsAt(mLattice, {at.x, at.y, z}, axis); }
   const CutLattice& mLattice;
   std::span<const int> mBelow;
   glm::ivec2 mAt;
@@ -68,25 +64,25 @@ class ColumnCost {
 
 }  // namespace
 
-Corridor corridorAround(const CutLattice& lattice, std::span<const int> below) {
-  VELUM_ASSERT(below.size() == std::size_t(lattice.dims.x) * std::size_t(lattice.dims.y), "each column has its height");
+Corridor corridorAround(const CutLattice& lattice, const LeastCut& cut) {
+  VELUM_ASSERT(cut.dims == glm::ivec2(lattice.dims), "the sheet is one of this lattice");
   Corridor corridor;
   corridor.dims = glm::ivec2(lattice.dims);
   corridor.origin = glm::dvec2(lattice.origin);
   corridor.step = glm::dvec2(lattice.step);
-  corridor.room.resize(below.size());
-  corridor.height.resize(below.size());
+  corridor.room.resize(cut.below.size());
+  corridor.height.resize(cut.below.size());
   double step = lattice.step.z;
   parallelFor(0, lattice.dims.y, [&](int y) {
     for (int x = 0; x < lattice.dims.x; ++x) {
       std::size_t i = std::size_t(y * lattice.dims.x + x);
-      int b = std::clamp(below[i], 1, std::max(1, lattice.dims.z - 1));
-      ColumnCost cost(lattice, below, {x, y});
-      double low = lattice.origin.z + (cost.freeTo(b, -1) - 1) * step;
-      double high = lattice.origin.z + cost.freeTo(b, 1) * step;
+      ColumnCost cost(lattice, cut.below, {x, y});
+      glm::ivec2 gap = cut.gap[i];
+      double low = lattice.origin.z + (cost.freeTo(gap.x + 1, -1) - 1) * step;
+      double high = lattice.origin.z + cost.freeTo(gap.y, 1) * step;
       double clear = std::min(kClearance * step, kShareOfGap * (high - low));
       corridor.room[i] = {float(low + clear), float(high - clear)};
-      corridor.height[i] = float(lattice.origin.z + (b - 0.5) * step);
+      corridor.height[i] = float(lattice.origin.z + (cut.below[i] - 0.5) * step);
     }
   });
   return corridor;

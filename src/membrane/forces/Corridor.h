@@ -3,8 +3,7 @@
 
 namespace velum::membrane {
 
-/// The room that a sheet has without cutting more than it does. @param below  [y][x] nodes of each column below the
-/// sheet
-Corridor corridorAround(const CutLattice& lattice, std::span<const int> below);
+/// The room that a sheet of a lattice has without cutting more than it does.
+Corridor corridorAround(const CutLattice& lattice, const LeastCut& cut);
 
 }  // namespace velum::membrane

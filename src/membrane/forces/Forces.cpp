@@ -14,10 +14,8 @@ namespace velum::membrane {
 
 namespace {
 
-/// Whatever way round a structure is shorter than this, in nodes, is taken rather than to cut one pair of its voxels.
-constexpr double kProtectedWeight = 16384.0;
-/// Most nodes of the lattice on which sides are decided: a few hundred milliseconds.
-constexpr double kMostNodes = 6e6;
+/// Where more voxels are protected the least cut is looked for on a coarser lattice: half a gigabyte, some ten seconds.
+constexpr double kMostProtected = 12e6;
 /// So far the sheet may go from one time step to the next to follow what moves, in mean edges of the rest plane: 10
 /// over a heart, whose walls move up to 7 mm in an eighth of a beat; with half of it the sheet lost them.
 constexpr double kFollowShare = 1.0 / 16.0;
@@ -28,9 +26,10 @@ constexpr double kHalfLift = 100.0;
 /// A ball lets go of the sheet over the last quarter of its radius.
 constexpr double kLetGo = 4.0;
 
-/// What the kernels depend on, without rule and reach.
+/// What the kernels depend on, without rule, side and reach.
 scene::ForceField kernelPart(scene::ForceField field) {
   field.rule = {};
+  field.side = {};
   field.areaOfEffect = {};
   field.kernels.clear();
   field.strokes.clear();
@@ -49,6 +48,7 @@ scene::Cut sidesPart(const scene::Cut& cut) {
   part.spinDeg = cut.spinDeg;
   part.size = cut.size;
   part.membrane->field = kernelPart(cut.membrane->field);
+  part.membrane->field.side = cut.membrane->field.side;
   part.membrane->field.kernels = cut.membrane->field.kernels;
   std::erase_if(part.membrane->field.kernels, [](const auto& kernel) { return kernel.strength <= 0.0; });
   for (auto& kernel : part.membrane->field.kernels) kernel.strength = 1.0;  // what repels is protected, however weakly
@@ -98,7 +98,8 @@ void protectPlaced(ProtectedVoxels& voxels, const scene::ForceField& field) {
       for (int y = 0; y < size.y; ++y)
         for (int x = 0; x < size.x; ++x, ++i) {
           glm::dvec4 voxel(glm::dvec3(voxels.box.min + glm::ivec3(x, y, z)), 1.0);
-          if (glm::length(glm::dvec3(worldFromVoxel * voxel) - kernel.centre) < kernel.radius) voxels.mask[i] = 1;
+          if (glm::length(glm::dvec3(worldFromVoxel * voxel) - kernel.centre) < kernel.radius && !voxels.mask[i])
+            voxels.mask[i] = ProtectedVoxels::kPlaced;
         }
     });
   }
@@ -139,12 +140,6 @@ std::vector<int> belowSheet(const CutLattice& lattice, const HeightOver& height)
       below.push_back(std::clamp(int(std::floor(layers)) + 1, 1, std::max(1, lattice.dims.z - 1)));
     }
   return below;
-}
-
-LeastCutOptions leastCutOptions() {
-  LeastCutOptions options;
-  options.protectedWeight = kProtectedWeight;
-  return options;
 }
 
 /// -1 for what belongs above the sheet, 1 for what belongs below, in between for a kernel through which it passes.
@@ -207,15 +202,15 @@ ForceMaker::ForceMaker(const scene::Scene& scene) : mPotential(scene) {
 }
 
 /// The sides of a sheet that is there. From another time step it is looked for near where it was; time may go round.
-std::vector<int> ForceMaker::belowCurrent(const CutLattice& lattice, const scene::Cut& cut, const CurrentSheet& current,
-                                          Progress& progress) const {
+LeastCut ForceMaker::cutByCurrent(const CutLattice& lattice, const scene::Cut& cut, const CurrentSheet& current,
+                                  Progress& progress) const {
   std::vector<int> below = belowSheet(lattice, current.height);
   int apart = current.timeStep < 0 ? 0 : std::abs(mTimeStep - current.timeStep) % mTimeSteps;
   apart = std::min({apart, mTimeSteps - apart, kMostStepsFollowed});
-  if (apart == 0) return below;
+  if (apart == 0) return sheetAt(lattice, std::move(below));
   double follow = kFollowShare * 0.5 * (cut.size.x + cut.size.y) * apart;
   int band = std::max(2, int(std::ceil(follow / lattice.step.z)));
-  return computeLeastCutNear(lattice, leastCutOptions(), below, band, progress).below;
+  return computeLeastCutNear(lattice, cut.membrane->field.side, below, band, progress);
 }
 
 const KernelGrid& ForceMaker::kernelsOf(const scene::ForceField& field, Progress& progress) {
@@ -248,10 +243,10 @@ Corridor ForceMaker::corridorOf(const scene::Cut& cut, const CurrentSheet& curre
     protectPlaced(*withPlaced, asked.membrane->field);
   }
   const ProtectedVoxels& voxels = withPlaced ? *withPlaced : data;
-  double coarsening = std::max(1.0, std::ceil(std::cbrt(double(voxels.mask.size()) / kMostNodes)));
-  CutLattice lattice = gatherLattice(voxels, cut, coarsening);
-  if (current.height) return corridorAround(lattice, belowCurrent(lattice, cut, current, progress));
-  known.corridor = corridorAround(lattice, computeLeastCut(lattice, leastCutOptions(), progress).below);
+  auto count = double(voxels.mask.size() - std::size_t(std::count(voxels.mask.begin(), voxels.mask.end(), 0)));
+  CutLattice lattice = gatherLattice(voxels, cut, std::max(1.0, std::ceil(std::cbrt(count / kMostProtected))));
+  if (current.height) return corridorAround(lattice, cutByCurrent(lattice, cut, current, progress));
+  known.corridor = corridorAround(lattice, computeLeastCut(lattice, cut.membrane->field.side, progress));
   known.cut = asked;
   return known.corridor;
 }

@@ -1,287 +1,230 @@
 #include "velum/membrane/forces/LeastCut.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <limits>
 #include <string>
 
-#include "FreeRange.h"
-#include "GridFlow.h"
+#include "ColumnFlow.h"
+#include "OpenParts.h"
+#include "velum/core/Assert.h"
 
 namespace velum::membrane {
 
 namespace {
 
-/// Capacities in whole units up to this: sums over a column stay within 32 bits.
-constexpr double kLargestCapacity = 1 << 19;
-constexpr double kFinestUnit = 64.0;
-/// Lattices of no more nodes are solved at once, in some ten milliseconds, rather than in a band: which way round a
-/// vessel the sheet goes is decided there, and on coarser ones often wrongly (cost 1.1 to 1.5 times the least on tubes
-/// of 4 to 6 voxels in 128 x 128 x 28, against 1.00 to 1.09).
-constexpr std::size_t kSmallLattice = 1 << 16;
+constexpr int kMostHalves = 255;
 
 std::size_t columnCount(const CutLattice& lattice) { return std::size_t(lattice.dims.x) * std::size_t(lattice.dims.y); }
-std::size_t nodeCount(const CutLattice& lattice) { return columnCount(lattice) * std::size_t(lattice.dims.z); }
 
-/// Costs of edges in whole units.
-class Capacities {
+std::size_t columnOf(glm::ivec3 dims, glm::ivec3 node) {
+  return std::size_t(node.y) * std::size_t(dims.x) + std::size_t(node.x);
+}
+
+bool isWithin(glm::ivec3 dims, glm::ivec3 node) {
+  return glm::all(glm::greaterThanEqual(node, glm::ivec3(0))) && glm::all(glm::lessThan(node, dims));
+}
+
+/// Which nodes of a lattice hold something: a bit each, counted by words.
+class NodeBits {
  public:
-  Capacities(const CutLattice& lattice, const LeastCutOptions& options) : mLattice(lattice), mOptions(options) {
-    float most = 0.0f;
-    for (const auto& pairs : lattice.pairs)
-      for (float p : pairs) most = std::max(most, p);
-    double largest = options.smoothness + options.protectedWeight * double(most) + options.pull * lattice.dims.z;
-    mUnits = kFinestUnit;
-    while (mUnits * largest > kLargestCapacity) mUnits *= 0.5;
+  explicit NodeBits(glm::ivec3 dims)
+      : mDims(dims),
+        mWords(std::size_t(dims.z + 63) / 64),
+        mBits(std::size_t(dims.x) * std::size_t(dims.y) * mWords, 0) {}
+
+  void set(glm::ivec3 node) { mBits[wordOf(node)] |= std::uint64_t(1) << (node.z & 63); }
+
+  /// Numbers the nodes column by column, upwards.
+  void number(CutLattice& lattice) {
+    std::uint32_t count = 0;
+    mBefore.resize(mBits.size());
+    for (std::size_t word = 0; word < mBits.size(); ++word) {
+      if (word % mWords == 0) lattice.first.push_back(count);
+      mBefore[word] = count;
+      for (std::uint64_t rest = mBits[word]; rest; rest &= rest - 1)
+        lattice.layer.push_back(std::uint16_t(word % mWords * 64 + std::size_t(std::countr_zero(rest))));
+      count = std::uint32_t(lattice.layer.size());
+    }
+    lattice.first.push_back(count);
   }
-  double units() const { return mUnits; }
-  /// From a node to the next along an axis across the rest plane.
-  std::int32_t across(int axis, std::size_t node) const {
-    return whole(mOptions.smoothness + mOptions.protectedWeight * double(mLattice.pairs[axis][node]));
-  }
-  /// From a node of layer z to the one above.
-  std::int32_t up(int z, std::size_t node) const {
-    return whole(mOptions.smoothness + mOptions.protectedWeight * double(mLattice.pairs[2][node]) +
-                 mOptions.pull * std::abs(z + 0.5 - mLattice.restLayer));
+  std::uint32_t at(glm::ivec3 node) const {
+    std::size_t word = wordOf(node);
+    std::uint64_t lower = (std::uint64_t(1) << (node.z & 63)) - 1;
+    return mBefore[word] + std::uint32_t(std::popcount(mBits[word] & lower));
   }
 
  private:
-  std::int32_t whole(double cost) const { return std::int32_t(std::lround(cost * mUnits)); }
-  const CutLattice& mLattice;
-  const LeastCutOptions& mOptions;
-  double mUnits = 1.0;
+  std::size_t wordOf(glm::ivec3 node) const { return columnOf(mDims, node) * mWords + std::size_t(node.z) / 64; }
+  glm::ivec3 mDims;
+  std::size_t mWords;
+  std::vector<std::uint64_t> mBits;
+  std::vector<std::uint32_t> mBefore;  ///< nodes before those of a word
 };
 
-void check(const CutLattice& lattice, const LeastCutOptions& options) {
+void check(const CutLattice& lattice) {
   if (glm::any(glm::lessThan(lattice.dims, glm::ivec3(1, 1, 2))))
     throw ArgumentError("a lattice for the least cut needs two layers at least");
-  for (const auto& pairs : lattice.pairs)
-    if (pairs.size() != nodeCount(lattice)) throw ArgumentError("a lattice's pairs do not match its dimensions");
+  VELUM_ASSERT(lattice.first.size() == columnCount(lattice) + 1, "each column has its nodes");
   int flat = flatCount(lattice);
   if (flat < 1 || flat > lattice.dims.z - 1)
     throw ArgumentError("the rest plane at layer " + std::to_string(lattice.restLayer) + " lies outside the lattice");
-  bool isSound = options.protectedWeight >= 0 && options.smoothness >= 0 && options.pull >= 0;
-  if (!isSound || !std::isfinite(options.protectedWeight + options.smoothness + options.pull))
-    throw ArgumentError("the weights of a least cut must be 0 or more");
 }
 
-/// The flow problem of a lattice between fixed ranges.
-class Problem {
- public:
-  Problem(const CutLattice& lattice, const LeastCutOptions& options, const FreeRange& range)
-      : mLattice(lattice), mCapacities(lattice, options), mRange(range), mFlow(boxOf(lattice, range)) {
-    for (int y = 0; y < mFlow.dims().y; ++y)
-      for (int x = 0; x < mFlow.dims().x; ++x) enliven(x, y);
-    for (int y = 0; y < mFlow.dims().y; ++y)
-      for (int x = 0; x < mFlow.dims().x; ++x) joinColumn(x, y);
-  }
+/// How many nodes a column may have below the sheet.
+struct Range {
+  int low = 0, high = 0;
+};
 
-  std::vector<int> solve(Progress& progress) {
-    int phase = 0;
-    mFlow.run([&] { progress.report(1.0 - 20.0 / (20.0 + phase++), "finding the least cut"); });
-    std::vector<int> below = mRange.low;
-    for (int y = 0; y < mFlow.dims().y; ++y)
-      for (int x = 0; x < mFlow.dims().x; ++x) {
-        std::size_t c = columnAt(x, y);
-        while (below[c] < mRange.high[c] && mFlow.node(x, y, below[c] - mOrigin.z).tree == GridFlow::kSource)
-          ++below[c];
-      }
-    return below;
+class Columns {
+ public:
+  explicit Columns(const CutLattice& lattice) : mLattice(lattice), mFlat(flatCount(lattice)) {}
+  bool isRim(std::size_t column) const {
+    auto width = std::size_t(mLattice.dims.x), height = std::size_t(mLattice.dims.y);
+    std::size_t x = column % width, y = column / width;
+    return x == 0 || y == 0 || x + 1 == width || y + 1 == height;
+  }
+  Range all(std::size_t column) const { return isRim(column) ? Range{mFlat, mFlat} : Range{1, mLattice.dims.z - 1}; }
+  Range near(std::size_t column, int below, int band) const {
+    Range r = all(column);
+    return {std::clamp(below - band, r.low, r.high), std::clamp(below + band, r.low, r.high)};
   }
 
  private:
-  /// The part of the lattice that is not tied, and where it begins.
-  glm::ivec3 boxOf(const CutLattice& lattice, const FreeRange& range) {
-    glm::ivec3 low = lattice.dims, high(0);
-    for (std::size_t i = 0; i < columnCount(lattice); ++i) {
-      if (range.low[i] >= range.high[i]) continue;
-      glm::ivec2 c(int(i) % lattice.dims.x, int(i) / lattice.dims.x);
-      low = glm::min(low, glm::ivec3(c, range.low[i]));
-      high = glm::max(high, glm::ivec3(c + 1, range.high[i]));
-    }
-    mOrigin = glm::min(low, high);
-    return high - mOrigin;
-  }
-  std::size_t columnAt(int x, int y) const {
-    return std::size_t(y + mOrigin.y) * std::size_t(mLattice.dims.x) + std::size_t(x + mOrigin.x);
-  }
-  std::size_t nodeAt(std::size_t column, int z) const { return std::size_t(z) * columnCount(mLattice) + column; }
-
-  void enliven(int x, int y) {
-    std::size_t c = columnAt(x, y);
-    for (int z = mRange.low[c]; z < mRange.high[c]; ++z) mFlow.node(x, y, z - mOrigin.z).tree = GridFlow::kFree;
-  }
-
-  void joinColumn(int x, int y) {
-    std::size_t c = columnAt(x, y);
-    int low = mRange.low[c], high = mRange.high[c];
-    if (low >= high) return;
-    mFlow.node(x, y, low - mOrigin.z).terminal += mCapacities.up(low - 1, nodeAt(c, low - 1));
-    for (int z = low; z < high; ++z) {
-      GridFlow::Node& node = mFlow.node(x, y, z - mOrigin.z);
-      std::int32_t up = mCapacities.up(z, nodeAt(c, z));
-      if (z + 1 < high)
-        node.up = up;
-      else
-        node.terminal -= up;
-      joinSides(node, x, y, z);
-    }
-  }
-
-  /// Capacities to the neighbours across; of tied neighbours to their terminal.
-  void joinSides(GridFlow::Node& node, int x, int y, int z) {
-    constexpr int kStep[4][2] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
-    for (int direction = 0; direction < 4; ++direction) {
-      int u = x + kStep[direction][0] + mOrigin.x, v = y + kStep[direction][1] + mOrigin.y;
-      if (u < 0 || v < 0 || u >= mLattice.dims.x || v >= mLattice.dims.y) continue;
-      std::size_t own = columnAt(x, y), other = std::size_t(v) * std::size_t(mLattice.dims.x) + std::size_t(u);
-      std::int32_t capacity = mCapacities.across(direction / 2, nodeAt(direction & 1 ? other : own, z));
-      if (z < mRange.low[other])
-        node.terminal += capacity;
-      else if (z >= mRange.high[other])
-        node.terminal -= capacity;
-      else
-        node.side[direction] = capacity;
-    }
-  }
-
   const CutLattice& mLattice;
-  Capacities mCapacities;
-  const FreeRange& mRange;
-  glm::ivec3 mOrigin{0};
-  GridFlow mFlow;
+  int mFlat = 0;
 };
 
-/// A lattice of nodes twice as large; the rest plane stays on the same boundary between layers.
-struct Coarser {
-  CutLattice lattice;
-  int pad = 0;  ///< layers added below, so that the boundary is an even one
-};
-
-Coarser coarsen(const CutLattice& fine) {
-  Coarser coarse;
-  coarse.pad = flatCount(fine) & 1;
-  glm::ivec3 dims((fine.dims.x + 1) / 2, (fine.dims.y + 1) / 2, (fine.dims.z + coarse.pad + 1) / 2);
-  coarse.lattice = makeLattice(dims, (flatCount(fine) + coarse.pad) / 2 - 0.5);
-  std::size_t at = 0;
-  for (int z = 0; z < fine.dims.z; ++z)
-    for (int y = 0; y < fine.dims.y; ++y)
-      for (int x = 0; x < fine.dims.x; ++x, ++at) {
-        glm::ivec3 p(x, y, z + coarse.pad);
-        std::size_t to = (std::size_t(p.z / 2) * std::size_t(dims.y) + std::size_t(p.y / 2)) * std::size_t(dims.x) +
-                         std::size_t(p.x / 2);
-        for (int axis = 0; axis < 3; ++axis)
-          if (p[axis] & 1) coarse.lattice.pairs[axis][to] += fine.pairs[axis][at];
+/// The sheet above the nodes that are said to be below, elsewhere as near to the rest plane as it can be.
+LeastCut sheetAbove(const CutLattice& lattice, const std::vector<std::uint8_t>& isBelow) {
+  std::vector<int> below;
+  Columns columns(lattice);
+  int flat = flatCount(lattice);
+  for (std::size_t c = 0; c < columnCount(lattice); ++c) {
+    int low = 0, high = lattice.dims.z;
+    for (std::uint32_t v = lattice.first[c]; v < lattice.first[c + 1]; ++v) {
+      if (!isBelow[v]) {
+        high = lattice.layer[v];
+        break;
       }
-  return coarse;
-}
-
-/// The counts within `band` of a coarser sheet, its neighbouring columns included.
-void narrow(FreeRange& range, const CutLattice& fine, const Coarser& coarse, std::span<const int> coarseBelow,
-            int band) {
-  glm::ivec2 n(coarse.lattice.dims);
-  for (int y = 0; y < fine.dims.y; ++y)
-    for (int x = 0; x < fine.dims.x; ++x) {
-      int low = fine.dims.z, high = 0;
-      for (int v = std::max(y / 2 - 1, 0); v <= std::min(y / 2 + 1, n.y - 1); ++v)
-        for (int u = std::max(x / 2 - 1, 0); u <= std::min(x / 2 + 1, n.x - 1); ++u) {
-          int below = coarseBelow[std::size_t(v) * std::size_t(n.x) + std::size_t(u)] * 2 - coarse.pad;
-          low = std::min(low, below - band);
-          high = std::max(high, below + band);
-        }
-      std::size_t c = std::size_t(y) * std::size_t(fine.dims.x) + std::size_t(x);
-      low = std::clamp(low, range.low[c], range.high[c]);
-      range.high[c] = std::clamp(high, low, range.high[c]);
-      range.low[c] = low;
+      low = lattice.layer[v] + 1;
     }
+    Range range = columns.all(c);
+    below.push_back(std::clamp(std::clamp(flat, low, high), range.low, range.high));
+  }
+  return sheetAt(lattice, std::move(below));
 }
 
-std::vector<int> solve(const CutLattice& lattice, const LeastCutOptions& options, Progress& progress) {
-  FreeRange range = computeFreeRange(lattice);
-  glm::ivec3 n = lattice.dims;
-  if (options.fast && nodeCount(lattice) > kSmallLattice && std::min(n.x, n.y) > 8 && n.z > 6) {
-    Coarser coarse = coarsen(lattice);
-    LeastCutOptions coarseOptions = options;
-    coarseOptions.smoothness *= 4.0;
-    coarseOptions.pull *= 8.0;
-    narrow(range, lattice, coarse, solve(coarse.lattice, coarseOptions, progress), options.band);
-  }
-  progress.throwIfCancelled();
-  return Problem(lattice, options, range).solve(progress);
+LeastCut solve(const CutLattice& lattice, scene::MembraneSide side, Progress& progress,
+               const std::function<Range(std::size_t)>& rangeOf) {
+  progress.report(0.0, "finding the least cut");
+  ColumnFlow flow(lattice, [&](std::size_t column, int layer) {
+    Range range = rangeOf(column);
+    return layer < range.low ? ColumnFlow::kBelow : layer >= range.high ? ColumnFlow::kAbove : ColumnFlow::kOpen;
+  });
+  int phase = 0;
+  flow.run([&] { progress.report(1.0 - 20.0 / (20.0 + phase++), "finding the least cut"); });
+  return sheetAbove(lattice, decideOpenParts(lattice, flow, side, progress));
 }
 
 }  // namespace
 
-CutLattice makeLattice(glm::ivec3 dims, double restLayer) {
+CutLattice makeLattice(glm::ivec3 dims, double restLayer, const PairSource& pairs) {
   if (glm::any(glm::lessThan(dims, glm::ivec3(1)))) throw ArgumentError("a lattice needs one node along each axis");
+  if (dims.z > std::numeric_limits<std::uint16_t>::max())
+    throw ArgumentError("a lattice of " + std::to_string(dims.z) + " layers is too high");
   CutLattice lattice;
   lattice.dims = dims;
   lattice.restLayer = restLayer;
-  for (auto& pairs : lattice.pairs) pairs.assign(nodeCount(lattice), 0.0f);
+  NodeBits bits(dims);
+  auto other = [](glm::ivec3 node, int axis) { return ++node[axis], node; };
+  auto holds = [&](glm::ivec3 node, int axis) { return isWithin(dims, node) && node[axis] + 1 < dims[axis]; };
+  pairs([&](glm::ivec3 node, int axis, double count) {
+    if (count <= 0.0 || !holds(node, axis)) return;
+    bits.set(node);
+    bits.set(other(node, axis));
+  });
+  bits.number(lattice);
+  for (auto& p : lattice.pairs) p.assign(lattice.layer.size(), 0);
+  pairs([&](glm::ivec3 node, int axis, double count) {
+    if (count <= 0.0 || !holds(node, axis)) return;
+    std::uint8_t& halves = lattice.pairs[axis][bits.at(node)];
+    halves = std::uint8_t(std::min(int(halves) + int(std::lround(2.0 * count)), kMostHalves));
+  });
   return lattice;
 }
 
 CutLattice latticeFromMask(glm::ivec3 dims, double restLayer, std::span<const std::uint8_t> mask) {
-  CutLattice lattice = makeLattice(dims, restLayer);
-  if (mask.size() < nodeCount(lattice)) throw ArgumentError("too few nodes in the mask of a lattice");
-  std::size_t step[3] = {1, std::size_t(dims.x), columnCount(lattice)};
-  std::size_t at = 0;
-  for (int z = 0; z < dims.z; ++z)
-    for (int y = 0; y < dims.y; ++y)
-      for (int x = 0; x < dims.x; ++x, ++at)
-        for (int axis = 0; axis < 3; ++axis)
-          if (glm::ivec3(x, y, z)[axis] + 1 < dims[axis] && mask[at] && mask[at + step[axis]])
-            lattice.pairs[axis][at] = 1.0f;
-  return lattice;
+  auto count = std::size_t(dims.x) * std::size_t(dims.y) * std::size_t(dims.z);
+  if (mask.size() < count) throw ArgumentError("too few nodes in the mask of a lattice");
+  std::size_t step[3] = {1, std::size_t(dims.x), std::size_t(dims.x) * std::size_t(dims.y)};
+  return makeLattice(dims, restLayer, [&](const auto& add) {
+    for (std::size_t at = 0; at < count; ++at) {
+      if (!mask[at]) continue;
+      glm::ivec3 node(at % step[1], at / step[1] % std::size_t(dims.y), at / step[2]);
+      for (int axis = 0; axis < 3; ++axis)
+        if (node[axis] + 1 < dims[axis] && mask[at + step[axis]]) add(node, axis, 1.0);
+    }
+  });
 }
 
 int flatCount(const CutLattice& lattice) { return int(std::floor(lattice.restLayer)) + 1; }
 
-LeastCut computeLeastCut(const CutLattice& lattice, const LeastCutOptions& options, Progress& progress) {
-  check(lattice, options);
-  progress.report(0.0, "finding the least cut");
-  return evaluateSheet(lattice, options, solve(lattice, options, progress));
+std::optional<std::size_t> nodeAt(const CutLattice& lattice, glm::ivec3 node) {
+  if (!isWithin(lattice.dims, node)) return std::nullopt;
+  std::size_t column = columnOf(lattice.dims, node);
+  auto begin = lattice.layer.begin() + lattice.first[column], end = lattice.layer.begin() + lattice.first[column + 1];
+  auto found = std::lower_bound(begin, end, std::uint16_t(node.z));
+  if (found == end || *found != node.z) return std::nullopt;
+  return std::size_t(found - lattice.layer.begin());
 }
 
-LeastCut computeLeastCutNear(const CutLattice& lattice, const LeastCutOptions& options, std::span<const int> near,
-                             int band, Progress& progress) {
-  check(lattice, options);
+double pairsAt(const CutLattice& lattice, glm::ivec3 node, int axis) {
+  auto found = nodeAt(lattice, node);
+  return found ? 0.5 * lattice.pairs[axis][*found] : 0.0;
+}
+
+LeastCut computeLeastCut(const CutLattice& lattice, scene::MembraneSide side, Progress& progress) {
+  check(lattice);
+  Columns columns(lattice);
+  return solve(lattice, side, progress, [&](std::size_t column) { return columns.all(column); });
+}
+
+LeastCut computeLeastCutNear(const CutLattice& lattice, scene::MembraneSide side, std::span<const int> near, int band,
+                             Progress& progress) {
+  check(lattice);
   if (near.size() != columnCount(lattice)) throw ArgumentError("a sheet's columns do not match the lattice");
-  progress.report(0.0, "following the material");
-  int flat = flatCount(lattice), highest = lattice.dims.z - 1;
-  FreeRange range{std::vector<int>(near.size(), flat), std::vector<int>(near.size(), flat)};
-  for (int y = 1; y < lattice.dims.y - 1; ++y)
-    for (int x = 1; x < lattice.dims.x - 1; ++x) {
-      std::size_t c = std::size_t(y) * std::size_t(lattice.dims.x) + std::size_t(x);
-      range.low[c] = std::clamp(near[c] - band, 1, highest);
-      range.high[c] = std::clamp(near[c] + band, 1, highest);
-    }
-  return evaluateSheet(lattice, options, Problem(lattice, options, range).solve(progress));
+  Columns columns(lattice);
+  return solve(lattice, side, progress, [&](std::size_t column) { return columns.near(column, near[column], band); });
 }
 
-LeastCut evaluateSheet(const CutLattice& lattice, const LeastCutOptions& options, std::span<const int> below) {
-  check(lattice, options);
+LeastCut sheetAt(const CutLattice& lattice, std::vector<int> below) {
+  LeastCut cut;
+  cut.dims = glm::ivec2(lattice.dims);
+  cut.cutPairs = countCutPairs(lattice, below);
+  for (std::size_t c = 0; c < below.size(); ++c) {
+    auto begin = lattice.layer.begin() + lattice.first[c], end = lattice.layer.begin() + lattice.first[c + 1];
+    auto above = std::lower_bound(begin, end, std::uint16_t(std::max(below[c], 0)));
+    cut.gap.emplace_back(above == begin ? -1 : int(above[-1]), above == end ? lattice.dims.z : int(*above));
+  }
+  cut.below = std::move(below);
+  return cut;
+}
+
+double countCutPairs(const CutLattice& lattice, std::span<const int> below) {
+  check(lattice);
   if (below.size() != columnCount(lattice)) throw ArgumentError("a sheet's columns do not match the lattice");
-  glm::ivec3 n = lattice.dims;
-  LeastCut sheet{glm::ivec2(n), {below.begin(), below.end()}};
-  double plain = 0.0, pulls = 0.0;
-  for (int y = 0; y < n.y; ++y)
-    for (int x = 0; x < n.x; ++x) {
-      std::size_t c = std::size_t(y) * std::size_t(n.x) + std::size_t(x);
-      if (below[c] < 1 || below[c] > n.z - 1) throw ArgumentError("a sheet leaves its lattice");
-      sheet.cutPairs += double(lattice.pairs[2][std::size_t(below[c] - 1) * columnCount(lattice) + c]);
-      plain += 1.0;
-      pulls += std::abs(below[c] - 0.5 - lattice.restLayer);
-      for (int axis = 0; axis < 2; ++axis) {
-        if (axis == 0 ? x + 1 == n.x : y + 1 == n.y) continue;
-        int other = below[c + (axis == 0 ? 1 : std::size_t(n.x))];
-        for (int z = std::min(below[c], other); z < std::max(below[c], other); ++z) {
-          sheet.cutPairs += double(lattice.pairs[axis][std::size_t(z) * columnCount(lattice) + c]);
-          plain += 1.0;
-        }
-      }
+  std::size_t step[2] = {1, std::size_t(lattice.dims.x)};
+  std::int64_t halves = 0;
+  for (std::size_t c = 0; c < below.size(); ++c)
+    for (std::uint32_t v = lattice.first[c]; v < lattice.first[c + 1]; ++v) {
+      int z = lattice.layer[v];
+      if (z == below[c] - 1) halves += lattice.pairs[2][v];
+      for (int axis = 0; axis < 2; ++axis)
+        if (lattice.pairs[axis][v] && (z < below[c]) != (z < below[c + step[axis]])) halves += lattice.pairs[axis][v];
     }
-  sheet.cost = options.protectedWeight * sheet.cutPairs + options.smoothness * plain + options.pull * pulls;
-  return sheet;
+  return 0.5 * double(halves);
 }
 
 }  // namespace velum::membrane

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <memory>
 
 #include "FrameBox.h"
@@ -11,11 +12,6 @@
 namespace velum::membrane {
 
 namespace {
-
-/// So large that the sheet takes any way round, however long, to separate one pair less: then it is a limit.
-constexpr double kLimitWeight = 16384.0;
-/// Nodes of the limit's lattice: three quarters of a gigabyte while it is solved.
-constexpr double kMostNodes = 1 << 24;
 
 /// Nodes along one axis of a frame, at first + i * step.
 struct Nodes {
@@ -54,48 +50,32 @@ int alignedAxis(const glm::dmat4& voxelFromLocal, int axis, double length) {
   return astray < 0.05 ? along : -1;
 }
 
-/// Spreads one protected pair of voxels over the lattice.
-class PairSpreader {
- public:
-  explicit PairSpreader(CutLattice& lattice) : mLattice(lattice) {}
-
-  /// @param a, b  nodes that the voxels are nearest to; at most a few steps apart
-  void add(glm::ivec3 a, glm::ivec3 b) {
-    glm::ivec3 d = b - a;
-    int axes = (d.x != 0) + (d.y != 0) + (d.z != 0);
-    if (axes == 0) return;
-    if (axes == 1) {
-      addPath(a, b, 0, 1, 2, 1.0f);
-      return;
-    }
-    // Half to the path that goes along x first and half to the one that ends with it.
-    addPath(a, b, 0, 1, 2, 0.5f);
-    addPath(a, b, 2, 1, 0, 0.5f);
-  }
-
- private:
-  void addPath(glm::ivec3 a, glm::ivec3 b, int first, int second, int third, float share) {
-    for (int axis : {first, second, third})
-      while (a[axis] != b[axis]) {
-        int step = a[axis] < b[axis] ? 1 : -1;
-        glm::ivec3 low = a;
-        low[axis] = std::min(a[axis], a[axis] + step);
-        a[axis] += step;
-        bool inside = glm::all(glm::greaterThanEqual(low, glm::ivec3(0))) &&
-                      glm::all(glm::lessThan(low, mLattice.dims)) && low[axis] + 1 < mLattice.dims[axis];
-        if (inside)
-          mLattice.pairs[axis][(std::size_t(low.z) * std::size_t(mLattice.dims.y) + std::size_t(low.y)) *
-                                   std::size_t(mLattice.dims.x) +
-                               std::size_t(low.x)] += share;
+/// Hands one protected pair of voxels out to the edges between the nodes that they are nearest to.
+template <class Add>
+void spreadPair(glm::ivec3 a, glm::ivec3 b, const Add& add) {
+  glm::ivec3 d = b - a;
+  int axes = (d.x != 0) + (d.y != 0) + (d.z != 0);
+  auto addPath = [&](std::initializer_list<int> order, double share) {
+    glm::ivec3 at = a;
+    for (int axis : order)
+      while (at[axis] != b[axis]) {
+        int step = at[axis] < b[axis] ? 1 : -1;
+        glm::ivec3 low = at;
+        low[axis] = std::min(at[axis], at[axis] + step);
+        at[axis] += step;
+        add(low, axis, share);
       }
-  }
-  CutLattice& mLattice;
-};
+  };
+  if (axes == 1) addPath({0, 1, 2}, 1.0);
+  // Half to the path that goes along x first and half to the one that ends with it.
+  if (axes > 1) addPath({0, 1, 2}, 0.5), addPath({2, 1, 0}, 0.5);
+}
 
-void gatherPairs(const ProtectedVoxels& voxels, const FrameBox& frame, CutLattice& lattice) {
+/// Calls add(node, axis, pairs) for each protected pair with a voxel in the frame.
+template <class Add>
+void forEachPair(const ProtectedVoxels& voxels, const FrameBox& frame, const CutLattice& lattice, const Add& add) {
   glm::ivec3 size = voxels.box.end - voxels.box.min;
   std::ptrdiff_t step[3] = {1, size.x, std::ptrdiff_t(size.x) * size.y};
-  PairSpreader spreader(lattice);
   const std::uint8_t* mask = voxels.mask.data();
   auto nodeOf = [&](glm::dvec3 local) { return glm::ivec3(glm::floor((local - lattice.origin) / lattice.step + 0.5)); };
   for (int z = 0; z < size.z; ++z)
@@ -107,9 +87,25 @@ void gatherPairs(const ProtectedVoxels& voxels, const FrameBox& frame, CutLattic
         for (int axis = 0; axis < 3; ++axis) {
           if (at[axis] + 1 >= size[axis] || !mask[step[axis]]) continue;
           glm::dvec3 next = p + glm::dvec3(frame.localFromVoxel[axis]);
-          if (frame.holds(p) || frame.holds(next)) spreader.add(nodeOf(p), nodeOf(next));
+          if (frame.holds(p) || frame.holds(next)) spreadPair(nodeOf(p), nodeOf(next), add);
         }
       }
+}
+
+/// Notes which nodes hold what was put in by hand.
+void markPlaced(const ProtectedVoxels& voxels, const FrameBox& frame, CutLattice& lattice) {
+  glm::ivec3 size = voxels.box.end - voxels.box.min;
+  auto found = std::find(voxels.mask.begin(), voxels.mask.end(), ProtectedVoxels::kPlaced);
+  if (found == voxels.mask.end()) return;
+  lattice.isPlaced.assign(lattice.layer.size(), 0);
+  for (; found != voxels.mask.end(); ++found) {
+    if (*found != ProtectedVoxels::kPlaced) continue;
+    auto at = int(found - voxels.mask.begin());
+    glm::ivec3 voxel = voxels.box.min + glm::ivec3(at % size.x, at / size.x % size.y, at / (size.x * size.y));
+    glm::dvec3 local = frame.local(glm::dvec3(voxel));
+    if (auto node = nodeAt(lattice, glm::ivec3(glm::floor((local - lattice.origin) / lattice.step + 0.5))))
+      lattice.isPlaced[*node] = 1;
+  }
 }
 
 }  // namespace
@@ -133,12 +129,17 @@ CutLattice gatherLattice(const ProtectedVoxels& voxels, const scene::Cut& cut, d
   glm::ivec3 dims(nodes[0].count, nodes[1].count, nodes[2].count);
   // A rest plane through the middles of voxels is to lie on their layer, whatever the last digits say.
   double restLayer = -nodes[2].first / nodes[2].step, layer = std::round(restLayer);
-  CutLattice lattice = makeLattice(dims, std::abs(restLayer - layer) < kHair ? layer : restLayer);
+  CutLattice place;
+  place.dims = dims;
   for (int axis = 0; axis < 3; ++axis) {
-    lattice.origin[axis] = nodes[axis].first;
-    lattice.step[axis] = nodes[axis].step;
+    place.origin[axis] = nodes[axis].first;
+    place.step[axis] = nodes[axis].step;
   }
-  gatherPairs(voxels, frame, lattice);
+  CutLattice lattice = makeLattice(dims, std::abs(restLayer - layer) < kHair ? layer : restLayer,
+                                   [&](const auto& add) { forEachPair(voxels, frame, place, add); });
+  lattice.origin = place.origin;
+  lattice.step = place.step;
+  markPlaced(voxels, frame, lattice);
   return lattice;
 }
 
@@ -177,12 +178,8 @@ double meanDistance(const CutLattice& lattice, const LeastCut& least, const scen
 
 KeptWholeLimit computeLimit(const ProtectedVoxels& voxels, const scene::Cut& cut, Progress& progress) {
   KeptWholeLimit limit;
-  double nodes = double(voxels.mask.size());
-  limit.coarsening = std::max(1.0, std::ceil(std::cbrt(nodes / kMostNodes)));
-  limit.lattice = gatherLattice(voxels, cut, limit.coarsening);
-  LeastCutOptions options;
-  options.protectedWeight = kLimitWeight;
-  limit.least = computeLeastCut(limit.lattice, options, progress);
+  limit.lattice = gatherLattice(voxels, cut);
+  limit.least = computeLeastCut(limit.lattice, cut.membrane->field.side, progress);
   limit.figure = measureKeptWhole(voxels, cut, sideOfLeastCut(limit.lattice, limit.least),
                                   meanDistance(limit.lattice, limit.least, cut), progress);
   return limit;

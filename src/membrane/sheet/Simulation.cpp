@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "Fairing.h"
 #include "forces/Pins.h"
 
 #include "velum/core/Assert.h"
@@ -14,10 +15,13 @@ namespace {
 
 /// Even a sheet that trembles rests after so many steps without a change, see Solver.
 constexpr int kLongestCoarse = 400;
-/// What is left to do at the finest resolution is local.
-constexpr int kLongestFine = 24;
+/// What hands have raised is drawn tight already: there the sheet falls back sooner.
+constexpr double kRaisedShare = 0.3;
+/// How far beside an obstacle the refined sheet has fallen back to a third, by the cloth's defaults: in mean edges of
+/// the rest plane. A stiffer cloth spans more, one that is pulled back more strongly less.
+constexpr double kPullLength = 1.0 / 48.0, kUsualStretch = 0.3, kUsualRestoring = 400.0;
 /// So often it is asked whether the sheet rests: asking waits for the GPU. At ages of the sheet rather than at calls,
-/// so that where it rests does not depend on how many steps at a time somebody has time for. Divides both of the above.
+/// so that where it rests does not depend on how many steps at a time somebody has time for. Divides the above.
 constexpr int kLookEvery = 8;
 
 glm::dvec3 halfOf(const scene::Cut& cut) { return solidEdges(cut.size) * 0.5; }
@@ -47,7 +51,20 @@ std::pair<std::size_t, double> placeBetween(const std::vector<float>& numbers, d
   return {i, width > 0 ? std::clamp((x - double(numbers[i])) / width, 0.0, 1.0) : 0.0};
 }
 
+/// How far an obstacle makes itself felt in the refined sheet.
+double pullLengthOf(const scene::Cut& cut) {
+  const scene::Cloth& cloth = cut.membrane->cloth;
+  if (cloth.restoring <= 0.0) return 0.0;
+  double ease = cloth.stretch / kUsualStretch * (kUsualRestoring / cloth.restoring);
+  return kPullLength * meanEdge(halfOf(cut)) * std::sqrt(std::max(ease, 1e-3));
+}
+
 }  // namespace
+
+Simulation::Simulation() = default;
+Simulation::~Simulation() = default;
+
+glm::ivec2 Simulation::particles() const { return mFine.places.empty() ? mSolver->sheet().particles : mFine.particles; }
 
 scene::SheetShape flatShape(const scene::Cut& cut, glm::ivec2 particles) {
   scene::SheetShape shape;
@@ -116,6 +133,8 @@ void Simulation::begin(const scene::Cut& cut, Forces forces, const scene::SheetS
   mForces = std::move(forces);
   mSteps = 0;
   mPhase = Phase::Coarse;
+  mFairing.reset();
+  mFine = {};
   hang(glm::max(cut.membrane->cloth.particles, glm::ivec2(3)), start);
 }
 
@@ -167,21 +186,36 @@ void Simulation::refine() {
   bool hasAll = corridor.dims.x + 2 <= most && corridor.dims.y + 2 <= most;
   if (!hasAll && particles.x <= coarse.particles.x && particles.y <= coarse.particles.y)
     return void(mPhase = Phase::Rest);
-  mSolver->setSheet({particles, half, mCut.membrane->cloth, true});
-  // Beside what the corridor asks for, the finest sheet is flat; what hands have raised is far from that already.
-  HeightOver height;
-  if (isRaised()) height = heightOf(coarse);
-  std::vector<glm::vec3> places;
-  for (float y : ys)
-    for (float x : xs) places.emplace_back(x, y, height ? float(height({x, y})) : 0.0f);
-  mSolver->setPlaces(places);
-  applyForces();
+  Fairing::Input input{xs, ys, heightOf(coarse), {}, corridor, half.z, pullLengthOf(mCut), {}};
+  if (isRaised()) input.rest = input.start, input.pullLength *= kRaisedShare;
+  input.holds = [this](glm::ivec2 count, const std::vector<glm::vec3>& places) {
+    return heldByPins(mCut, count, places);
+  };
+  mFairing = std::make_unique<Fairing>(std::move(input));
   mPhase = Phase::Fine;
+}
+
+/// Hands the refined sheet over.
+void Simulation::finish() {
+  mFine = mFairing->shape();
+  mFairing.reset();
+  std::vector<glm::vec4> places;
+  for (glm::vec3 place : mFine.places) places.emplace_back(place, 1.0f);
+  mFinePlaces = gpu::Buffer("refined sheet", places.size() * sizeof(places[0]));
+  mFinePlaces.write(0, places.size() * sizeof(places[0]), places.data());
+  mSpeed = 0.0;
+  mPhase = Phase::Rest;
 }
 
 bool Simulation::advance(int steps) {
   if (mPhase == Phase::Rest || !mSolver) return false;
   while (steps > 0 && mPhase != Phase::Rest) {
+    if (mPhase == Phase::Fine) {
+      if (!mFairing->sweep()) finish();
+      ++mSteps;
+      --steps;
+      continue;
+    }
     int count = std::min(steps, kLookEvery - mSolver->age() % kLookEvery);
     mSolver->step(count);
     mSteps += count;
@@ -194,15 +228,15 @@ bool Simulation::advance(int steps) {
 /// Goes on to the next phase where this one has come to its end.
 void Simulation::look() {
   mSpeed = mSolver->speed();
-  int longest = mPhase == Phase::Coarse ? kLongestCoarse : kLongestFine;
-  if (mSpeed > mSolver->restSpeed() && mSolver->age() < longest) return;
-  if (mPhase == Phase::Coarse && mForces.corridor.dims.x > 0)
+  if (mSpeed > mSolver->restSpeed() && mSolver->age() < kLongestCoarse) return;
+  if (mForces.corridor.dims.x > 0)
     refine();
   else
     mPhase = Phase::Rest;
 }
 
 scene::SheetShape Simulation::shape() const {
+  if (!mFine.places.empty()) return mFine;
   scene::SheetShape shape;
   if (!mSolver) return shape;
   shape.particles = mSolver->sheet().particles;

@@ -231,7 +231,7 @@ MembraneStatus LiveSheet::status(bool isPlaying, bool isComputing) const {
   status.particles = mCut.membrane->cloth.particles;
   if (!mKept.places.empty()) status.particles = mKept.particles;
   if (mMotion != Motion::None) {
-    status.particles = mSimulation->solver().sheet().particles;
+    status.particles = mSimulation->particles();
     status.steps = mSimulation->steps();
     status.speed = mSimulation->speed();
   }
@@ -250,11 +250,11 @@ render::FrameSheet LiveSheet::frameSheet() {
   bool isLive = movesInSight() && haveSameFrame(mMovingCut, mCut);
   if (mUploaded != mShown || !mSheet) {
     glm::ivec2 flat = glm::max(mCut.membrane->cloth.particles, glm::ivec2(3));
-    glm::ivec2 count = isLive ? mSimulation->solver().sheet().particles : glm::ivec2(0);
+    glm::ivec2 count = isLive ? mSimulation->particles() : glm::ivec2(0);
     bool fits = mSheet && mSheet->particles() == count && mSheet->size() == mCut.size;
     if (isLive && fits) {
       // From the solver to the picture without a detour.
-      mSimulation->solver().places().copyTo(mSheet->rows(), 0);
+      mSimulation->places().copyTo(mSheet->rows(), 0);
       gpu::barrier();
       mSheet->index();
     } else if (mSheet) {

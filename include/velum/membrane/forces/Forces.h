@@ -72,8 +72,8 @@ class ForceMaker {
     Corridor corridor;
   };
   const KernelGrid& kernelsOf(const scene::ForceField& field, Progress& progress);
-  std::vector<int> belowCurrent(const CutLattice& lattice, const scene::Cut& cut, const CurrentSheet& current,
-                                Progress& progress) const;
+  LeastCut cutByCurrent(const CutLattice& lattice, const scene::Cut& cut, const CurrentSheet& current,
+                        Progress& progress) const;
 
   const ProtectedVoxels& voxelsOf(const scene::Cut& cut, Progress& progress);
   Forces kernelForces(const scene::Cut& cut, Progress& progress);

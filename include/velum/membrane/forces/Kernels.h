@@ -30,7 +30,8 @@ struct VoxelBox {
 /// Which voxels of a box the sheet is to leave whole: those with a strength above 0.
 struct ProtectedVoxels {
   VoxelBox box;
-  std::vector<std::uint8_t> mask;  ///< 0 or 1, [z][y][x] of the box
+  std::vector<std::uint8_t> mask;  ///< [z][y][x] of the box: 0, kOfData or kPlaced
+  static constexpr std::uint8_t kOfData = 1, kPlaced = 2;
   glm::dmat4 worldFromVoxel{1.0};  ///< of the whole grid: voxel (0, 0, 0) need not lie in the box
 };
 

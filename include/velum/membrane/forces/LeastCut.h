@@ -1,67 +1,84 @@
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <glm/glm.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "velum/core/Task.h"
+#include "velum/scene/Membrane.h"
 
 namespace velum::membrane {
 
 /// A regular lattice of nodes aligned with a membrane's rest plane, columns along +z, and how much protected material
-/// lies between neighbouring nodes. Frame-local position of a node: origin + node * step.
+/// lies between neighbouring nodes. Frame-local position of a node: origin + node * step. Only nodes that hold
+/// something are kept: five bytes each, and four a column.
 struct CutLattice {
   glm::ivec3 dims{0};
   double restLayer = 0.0;  ///< where the rest plane lies, in layers: 3.5 is between layers 3 and 4
   glm::dvec3 origin{0.0};
   glm::dvec3 step{1.0};
-  /// [axis][z][y][x]: protected 6-neighbour pairs of voxels that a sheet separates when it passes between the node and
-  /// the next one along the axis; >= 0, unused at the far ends.
-  std::vector<float> pairs[3];
+  std::vector<std::uint32_t> first;  ///< [y][x]: the lowest node of a column; one more at the end
+  std::vector<std::uint16_t> layer;  ///< of each node, ascending within a column
+  /// [axis][node]: protected 6-neighbour pairs of voxels that a sheet separates when it passes between the node and the
+  /// next one along the axis, in halves; at most 127 pairs.
+  std::vector<std::uint8_t> pairs[3];
+  /// [node] 1: put in by hand; the sheet passes it on the side that is nearest. Empty: nothing was.
+  std::vector<std::uint8_t> isPlaced;
 };
 
-/// A lattice with nothing protected. @throw ArgumentError when a dimension is < 1
-CutLattice makeLattice(glm::ivec3 dims, double restLayer);
+/// Hands out what lies between nodes: calls its argument with the lower node, the axis to the other one, and pairs.
+using PairSource = std::function<void(const std::function<void(glm::ivec3 node, int axis, double pairs)>&)>;
+
+/// A lattice of given pairs; what lies outside is left out, what comes twice adds up.
+/// @param pairs  called twice  @throw ArgumentError when a dimension is < 1 or there are more than 65,535 layers
+CutLattice makeLattice(glm::ivec3 dims, double restLayer, const PairSource& pairs);
 /// A lattice whose nodes are voxels: one pair where both neighbours are protected.
 /// @param mask  [z][y][x], 0 or not
 CutLattice latticeFromMask(glm::ivec3 dims, double restLayer, std::span<const std::uint8_t> mask);
 
-struct LeastCutOptions {
-  double protectedWeight = 200.0;  ///< what it costs to separate one protected pair
-  double smoothness = 1.0;         ///< what it costs to pass between any two nodes: the area of the sheet
-  double pull = 0.0625;            ///< what a column costs more for each layer between sheet and rest plane
-  bool fast = false;               ///< solve coarse lattices first and look only near their sheets
-  int band = 2;                    ///< fast: layers to both sides of the coarser sheet
-};
-
-/// The sheet of least cost, single valued over the rest plane.
+/// A sheet that separates as little as possible, single valued over the rest plane.
 struct LeastCut {
   glm::ivec2 dims{0};
-  std::vector<int> below;  ///< [y][x]: nodes of the column that lie below the sheet (kept)
-  double cost = 0.0;       ///< by the options' weights
-  double cutPairs = 0.0;   ///< protected pairs that it separates
+  std::vector<int> below;  ///< [y][x]: nodes of the column that lie below the sheet (kept), as near to the rest plane
+                           ///< as the next two let it be
+  /// [y][x]: the highest layer with something that lies below the sheet and the lowest with something above it; -1 and
+  /// dims.z where there is nothing. Anywhere between them the sheet separates the same.
+  std::vector<glm::ivec2> gap;
+  double cutPairs = 0.0;  ///< protected pairs that it separates
 };
 
-/// The minimum s-t cut of a lattice. Nodes of the first and the last layer and of the outermost columns are tied to
-/// their side (a node on the rest plane is below); edges downwards are infinite, so that what is below the sheet stays
-/// below. A pair of neighbours costs smoothness + protectedWeight * pairs, and a vertical one in addition
-/// pull * |its middle - rest plane|, in layers. Capacities are whole multiples of a power of two (1/64 unless weights
-/// are huge); in exact mode the result is a true minimum of those, and of several the lowest. Deterministic. Any
-/// thread.
+/// The minimum s-t cut of a lattice by protected pairs alone. Nodes of the first and the last layer and of the
+/// outermost columns are tied to their side (a node on the rest plane is below); what lies lower in a column than
+/// something below the sheet is below, too. Of all least cuts it is the one that
+/// - `side`: keeps, or removes, the parts (pieces that hang together) that the rest plane meets and that need not be
+/// cut;
+///   what it does not meet stays on its side; nearest: leaves each part on the side on which more of it lies, weighed
+///   by its distance from the rest plane;
+/// - passes through what must be cut as near to the rest plane as it can, weighed alike.
+/// Deterministic. Any thread.
 ///
-/// Exact: columns and layers which no best sheet needs to leave the rest plane for are taken out first (see
-/// LeastCut.cpp); then incremental breadth-first search [IBFS]. Fast: the same in a band, no guarantee.
-/// @throw ArgumentError when the lattice is not sound or the rest plane lies outside it; Cancelled
-LeastCut computeLeastCut(const CutLattice& lattice, const LeastCutOptions& options, Progress& progress);
+/// Time goes with the nodes that hold something and with how far cut parts reach: 0.2 to 3 s for half a million to two
+/// million. @throw ArgumentError when the rest plane lies outside the lattice; Cancelled
+LeastCut computeLeastCut(const CutLattice& lattice, scene::MembraneSide side, Progress& progress);
 
-/// The least cut among the sheets within `band` layers of another one in each column: what that sheet becomes when the
-/// material has moved a little. The outermost columns hang on the rest plane as ever. Exact; deterministic. Any thread.
+/// The same among the sheets within `band` layers of another one in each column: what that sheet becomes when the
+/// material has moved a little. The outermost columns hang on the rest plane as ever.
 /// @param near  [y][x], as LeastCut::below  @throw as computeLeastCut
-LeastCut computeLeastCutNear(const CutLattice& lattice, const LeastCutOptions& options, std::span<const int> near,
-                             int band, Progress& progress);
+LeastCut computeLeastCutNear(const CutLattice& lattice, scene::MembraneSide side, std::span<const int> near, int band,
+                             Progress& progress);
 
-/// What a sheet costs, and the protected pairs that it separates. @param below  [y][x], as in LeastCut
-LeastCut evaluateSheet(const CutLattice& lattice, const LeastCutOptions& options, std::span<const int> below);
+/// Another sheet of a lattice, with its gaps and what it separates. @param below  [y][x], as in LeastCut
+LeastCut sheetAt(const CutLattice& lattice, std::vector<int> below);
+
+/// The protected pairs that a sheet separates. @param below  [y][x], as in LeastCut
+double countCutPairs(const CutLattice& lattice, std::span<const int> below);
+
+/// Which of the nodes one is that holds something; nothing where there is none.
+std::optional<std::size_t> nodeAt(const CutLattice& lattice, glm::ivec3 node);
+/// Protected pairs between a node and the next one along an axis; 0 outside the lattice.
+double pairsAt(const CutLattice& lattice, glm::ivec3 node, int axis);
 
 /// Nodes of each column below the rest plane: the count where the sheet is flat.
 int flatCount(const CutLattice& lattice);

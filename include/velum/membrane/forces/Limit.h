@@ -26,7 +26,6 @@ struct KeptWholeLimit {
   KeptWhole figure;
   CutLattice lattice;
   LeastCut least;
-  double coarsening = 1.0;  ///< > 1: the lattice is that much coarser than the voxels, as there were too many of them
 };
 /// Solves the least cut exactly on the lattice of gatherLattice(), and counts what its sheet separates as
 /// measureKeptWhole() does. @throw Cancelled

@@ -8,12 +8,16 @@
 
 namespace velum::membrane {
 
+class Fairing;
+
 /// A sheet on its way to rest: first at the resolution that was asked for, which moves like cloth and is shown while
-/// it does; then, by the sided rule, refined until each column of the corridor has a particle, so that what the least
-/// cut keeps whole the sheet keeps whole. GL thread of the current context.
+/// it does; then, by the sided rule, drawn tight with a particle for each column of the corridor, so that what the
+/// least cut keeps whole the sheet keeps whole: by sweeps over heights (Fairing), a step each. GL thread of the current
+/// context.
 class Simulation {
  public:
-  Simulation() = default;
+  Simulation();
+  ~Simulation();
 
   /// Hangs the sheet of a cut into forces made for it.
   /// @param start  where it starts, in the frame of `cut`; empty: flat
@@ -27,7 +31,9 @@ class Simulation {
   /// True once it has the resolution that it will rest at.
   bool isFinest() const { return mPhase != Phase::Coarse; }
 
-  const Solver& solver() const { return *mSolver; }
+  glm::ivec2 particles() const;
+  /// vec4 a particle: its place, frame-local.
+  const gpu::Buffer& places() const { return mFine.places.empty() ? mSolver->places() : mFinePlaces; }
   const Forces& forces() const { return mForces; }
   int steps() const { return mSteps; }
   /// Largest speed when it was last looked at (every eighth step), length/s.
@@ -40,10 +46,14 @@ class Simulation {
   void hang(glm::ivec2 particles, const scene::SheetShape& start);
   void look();
   void refine();
+  void finish();
   void applyForces();
   bool isRaised() const;
 
   std::optional<Solver> mSolver;
+  std::unique_ptr<Fairing> mFairing;  ///< while it is refined
+  scene::SheetShape mFine;            ///< once it is
+  gpu::Buffer mFinePlaces;
   scene::Cut mCut;
   Forces mForces;
   Phase mPhase = Phase::Rest;

@@ -62,7 +62,7 @@ std::vector<FileKind> volumeKinds();
 std::vector<std::string> sampleNames();
 
 /// Writes a phantom and its labels into a folder and opens both, so that the scene can be saved like any other.
-/// @param name  two-spheres, vessels, torso, seismic, neurons, ultrasound
+/// @param name  two-spheres, vessels, torso, seismic, neurons, fibres, ultrasound
 /// @param size  voxels along the longest axis, 16..1024; 0: the phantom's own
 /// @throw ArgumentError for an unknown name or size; InputError when the disk refuses; Cancelled
 scene::Scene openSample(const std::string& name, int size, const std::filesystem::path& folder, Progress& progress);

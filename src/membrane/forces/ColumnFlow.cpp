@@ -1,0 +1,222 @@
+#include "ColumnFlow.h"
+
+#include <algorithm>
+
+#include "velum/core/Parallel.h"
+
+namespace velum::membrane {
+
+namespace {
+
+constexpr std::uint8_t kRoot = 6, kOrphan = 7;
+/// Nodes visited between two calls of onPhase: about a millisecond.
+constexpr std::size_t kVisitsPerCall = 20000;
+
+}  // namespace
+
+ColumnFlow::ColumnFlow(const CutLattice& lattice, const std::function<Side(std::size_t, int)>& tieOf)
+    : mNodes(lattice.layer.size()) {
+  parallelFor(std::size_t(0), lattice.first.size() - 1, [&](std::size_t column) { join(lattice, column); });
+  for (std::size_t column = 0; column + 1 < lattice.first.size(); ++column)
+    for (std::uint32_t v = lattice.first[column]; v < lattice.first[column + 1]; ++v) {
+      Side tie = tieOf(column, lattice.layer[v]);
+      if (tie == kOpen) continue;
+      mNodes[v].tree = tie;
+      mNodes[v].parent = kRoot;
+      mNodes[v].distance = 1;
+      mFront[tie].push_back(v);
+    }
+  mDistance[kBelow] = mDistance[kAbove] = 1;
+}
+
+/// Edges of a column's nodes; each column writes to its own nodes only.
+void ColumnFlow::join(const CutLattice& lattice, std::size_t column) {
+  std::uint32_t first = lattice.first[column], end = lattice.first[column + 1];
+  for (std::uint32_t v = first; v < end; ++v) {
+    mNodes[v].hasBelow = v > first;
+    mNodes[v].hasAbove = v + 1 < end;
+    mNodes[v].up = lattice.pairs[2][v];
+  }
+  auto width = std::size_t(lattice.dims.x);
+  std::size_t x = column % width, y = column / width;
+  if (x + 1 < width) joinAcross(lattice, column, column + 1, 0);
+  if (x > 0) joinAcross(lattice, column, column - 1, 0);
+  if (y + 1 < std::size_t(lattice.dims.y)) joinAcross(lattice, column, column + width, 1);
+  if (y > 0) joinAcross(lattice, column, column - width, 1);
+}
+
+void ColumnFlow::joinAcross(const CutLattice& lattice, std::size_t column, std::size_t other, int axis) {
+  int direction = axis * 2 + (other < column ? 1 : 0);
+  std::uint32_t v = lattice.first[column], u = lattice.first[other];
+  std::uint32_t end = lattice.first[column + 1], otherEnd = lattice.first[other + 1];
+  while (v < end && u < otherEnd) {
+    int apart = int(lattice.layer[v]) - int(lattice.layer[u]);
+    if (apart == 0) {
+      std::uint8_t pairs = lattice.pairs[axis][std::min(v, u)];
+      if (pairs > 0) {
+        mNodes[v].across[direction] = u;
+        mNodes[v].room[direction] = pairs;
+      }
+    }
+    v += apart <= 0;
+    u += apart >= 0;
+  }
+}
+
+inline void ColumnFlow::push(std::uint32_t from, int direction, std::int32_t flow) {
+  Node& n = mNodes[from];
+  if (direction < kUp) {
+    n.room[direction] = std::int16_t(n.room[direction] - flow);
+    std::int16_t& back = mNodes[n.across[direction]].room[direction ^ 1];
+    back = std::int16_t(back + flow);
+  } else if (direction == kUp) {
+    n.up -= flow;
+  } else {
+    mNodes[from - 1].up += flow;
+  }
+}
+
+void ColumnFlow::run(const std::function<void()>& onPhase) {
+  std::size_t visited = 0;
+  auto growCounted = [&](int tree) {
+    visited += mFront[tree].size();
+    if (visited > kVisitsPerCall) {
+      onPhase();
+      visited = 0;
+    }
+    grow(tree);
+  };
+  // By turns, so that both trees stay shallow: of one large tree far more would lose its way at each path (two to four
+  // times as long on lattices of tubes).
+  while (!mFront[kBelow].empty() && !mFront[kAbove].empty())
+    growCounted(mDistance[kBelow] <= mDistance[kAbove] ? kBelow : kAbove);
+  // The flow is full. What a terminal still reaches is on its side in every least cut.
+  for (int tree : {kBelow, kAbove})
+    while (!mFront[tree].empty()) growCounted(tree);
+}
+
+/// Lets a tree grow by one step in distance.
+void ColumnFlow::grow(int tree) {
+  mGrowing = tree;
+  mNext.clear();
+  for (std::size_t i = 0; i < mFront[tree].size(); ++i) visit(mFront[tree][i], tree);
+  mFront[tree].swap(mNext);
+  ++mDistance[tree];
+  mGrowing = 0;
+}
+
+/// Takes free neighbours into the tree and fills the paths that open to the other tree.
+void ColumnFlow::visit(std::uint32_t v, int tree) {
+  auto isActive = [&] { return mNodes[v].tree == tree && mNodes[v].distance == mDistance[tree]; };
+  for (int direction = 0; direction < 6 && isActive(); ++direction) {
+    std::uint32_t u = next(v, direction);
+    if (u == kNone || mNodes[u].tree == tree) continue;
+    Node& other = mNodes[u];
+    while ((tree == kBelow ? residual(v, direction) : residual(u, direction ^ 1)) > 0) {
+      if (other.tree == kOpen) {
+        other.tree = std::uint8_t(tree);
+        other.parent = std::uint8_t(direction ^ 1);
+        other.distance = mDistance[tree] + 1;
+        mNext.push_back(u);
+      }
+      if (other.tree == tree) break;
+      if (tree == kBelow)
+        fillPath(v, direction, u);
+      else
+        fillPath(u, direction ^ 1, v);
+      if (!isActive()) return;
+    }
+  }
+}
+
+std::int32_t ColumnFlow::bottleneck(std::uint32_t below, int direction, std::uint32_t above) const {
+  std::int32_t flow = residual(below, direction);
+  std::uint32_t v = below;
+  for (int d = mNodes[v].parent; d != kRoot; d = mNodes[v].parent) {
+    v = next(v, d);
+    flow = std::min(flow, residual(v, d ^ 1));
+  }
+  v = above;
+  for (int d = mNodes[v].parent; d != kRoot; d = mNodes[v].parent) {
+    flow = std::min(flow, residual(v, d));
+    v = next(v, d);
+  }
+  return flow;
+}
+
+void ColumnFlow::orphan(std::uint32_t v) {
+  Node& n = mNodes[v];
+  n.parent = kOrphan;
+  if (mOrphans.size() <= std::size_t(n.distance)) mOrphans.resize(std::size_t(n.distance) * 2 + 16);
+  mOrphans[std::size_t(n.distance)].push_back(v);
+  mFirstOrphan = std::min(mFirstOrphan, n.distance);
+  mLastOrphan = std::max(mLastOrphan, n.distance);
+}
+
+/// Pushes flow between a node and its tree's terminal; nodes whose way home is full become orphans.
+void ColumnFlow::pushAlong(std::uint32_t v, int tree, std::int32_t flow) {
+  for (int d = mNodes[v].parent; d != kRoot; d = mNodes[v].parent) {
+    std::uint32_t home = next(v, d), from = tree == kBelow ? home : v;
+    int direction = tree == kBelow ? d ^ 1 : d;
+    push(from, direction, flow);
+    if (residual(from, direction) == 0) orphan(v);
+    v = home;
+  }
+}
+
+void ColumnFlow::fillPath(std::uint32_t below, int direction, std::uint32_t above) {
+  std::int32_t flow = bottleneck(below, direction, above);
+  push(below, direction, flow);
+  mFirstOrphan = kInfinite;
+  pushAlong(below, kBelow, flow);
+  adoptOrphans(kBelow);
+  mFirstOrphan = kInfinite;
+  pushAlong(above, kAbove, flow);
+  adoptOrphans(kAbove);
+}
+
+void ColumnFlow::adoptOrphans(int tree) {
+  for (std::int32_t d = mFirstOrphan; d <= mLastOrphan; ++d) {
+    // Adoption adds orphans at larger distances only.
+    for (std::size_t i = 0; i < mOrphans[std::size_t(d)].size(); ++i) {
+      std::uint32_t v = mOrphans[std::size_t(d)][i];
+      if (mNodes[v].parent == kOrphan) adopt(v, tree);
+    }
+    mOrphans[std::size_t(d)].clear();
+  }
+  mLastOrphan = -1;
+}
+
+/// Finds an orphan a new parent as near to the terminal as possible, or sets it free.
+void ColumnFlow::adopt(std::uint32_t v, int tree) {
+  Node& n = mNodes[v];
+  std::int32_t nearest = kInfinite - 1;
+  int parent = kOrphan;
+  for (int direction = 0; direction < 6 && nearest >= n.distance; ++direction) {
+    std::uint32_t u = next(v, direction);
+    if (u == kNone || mNodes[u].tree != tree || mNodes[u].distance >= nearest) continue;
+    if ((tree == kBelow ? residual(u, direction ^ 1) : residual(v, direction)) == 0) continue;
+    nearest = mNodes[u].distance;
+    parent = direction;
+  }
+  if (nearest + 1 == n.distance) {
+    n.parent = std::uint8_t(parent);
+    return;
+  }
+  // It moves away, so its children have to look for themselves.
+  for (int direction = 0; direction < 6; ++direction) {
+    std::uint32_t u = next(v, direction);
+    if (u != kNone && mNodes[u].tree == tree && mNodes[u].parent == (direction ^ 1)) orphan(u);
+  }
+  std::int32_t limit = mDistance[tree] + (mGrowing == tree ? 1 : 0);
+  if (nearest + 1 > limit) {
+    n.tree = kOpen;
+    return;
+  }
+  n.distance = nearest + 1;
+  n.parent = std::uint8_t(parent);
+  if (n.distance == mDistance[tree]) mFront[tree].push_back(v);
+  if (n.distance > mDistance[tree]) mNext.push_back(v);
+}
+
+}  // namespace velum::membrane

@@ -1,0 +1,92 @@
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <vector>
+
+#include "velum/membrane/forces/LeastCut.h"
+
+namespace velum::membrane {
+
+/// Maximum flow through the nodes of a lattice that hold something, by the pairs between them; edges down a column are
+/// infinite, over whatever lies between. Neighbours across are kept by number, those in a column follow each other.
+///
+/// Incremental breadth-first search [IBFS]: trees of shortest paths grow from both terminals by turns, a path is filled
+/// where they meet, and nodes that lose their way home are adopted at the smallest distance possible. What there is
+/// none of costs nothing: memory and time go with the nodes, not with the lattice.
+class ColumnFlow {
+ public:
+  enum Side : std::uint8_t {
+    kOpen = 0,   ///< both are least cuts: above it, and below it
+    kBelow = 1,  ///< below the sheet in every least cut
+    kAbove = 2   ///< above it in every one
+  };
+
+  /// Nodes and capacities of a lattice. @param tieOf  which side a node is tied to, or kOpen: of column and layer
+  ColumnFlow(const CutLattice& lattice, const std::function<Side(std::size_t column, int layer)>& tieOf);
+
+  /// Fills the lattice.
+  /// @param onPhase  called now and then; may throw, which leaves the flow useless
+  void run(const std::function<void()>& onPhase);
+
+  std::size_t count() const { return mNodes.size(); }
+  Side side(std::size_t node) const { return Side(mNodes[node].tree); }
+  /// The neighbours of a node. @param visit  gets their number, whether they must lie below wherever `node` does, lest
+  /// the sheet cuts more than it must, and the same the other way round
+  template <class Visit>
+  void forEachNeighbour(std::size_t node, Visit visit) const {
+    auto v = std::uint32_t(node);
+    for (int direction = 0; direction < 6; ++direction) {
+      std::uint32_t u = next(v, direction);
+      if (u != kNone) visit(std::size_t(u), residual(v, direction) > 0, residual(u, direction ^ 1) > 0);
+    }
+  }
+
+ private:
+  /// Directions are 0 +x, 1 -x, 2 +y, 3 -y, 4 up, 5 down; the opposite is `direction ^ 1`.
+  struct Node {
+    std::uint32_t across[4] = {kNone, kNone, kNone, kNone};
+    std::int16_t room[4] = {};  ///< residual capacity to them
+    std::int32_t up = 0;        ///< and to the next node up the column
+    std::int32_t distance = 0;
+    std::uint8_t tree = kOpen, parent = 0;
+    bool hasBelow = false, hasAbove = false;
+  };
+  static constexpr std::uint32_t kNone = 0xffffffff;
+  static constexpr std::int32_t kInfinite = std::numeric_limits<std::int32_t>::max();
+  static constexpr int kUp = 4;
+
+  void join(const CutLattice& lattice, std::size_t column);
+  void joinAcross(const CutLattice& lattice, std::size_t column, std::size_t other, int axis);
+  std::uint32_t next(std::uint32_t node, int direction) const {
+    const Node& n = mNodes[node];
+    if (direction < kUp) return n.across[direction];
+    if (direction == kUp) return n.hasAbove ? node + 1 : kNone;
+    return n.hasBelow ? node - 1 : kNone;
+  }
+  std::int32_t residual(std::uint32_t from, int direction) const {
+    const Node& n = mNodes[from];
+    if (direction < kUp) return n.room[direction];
+    if (direction == kUp) return n.up;
+    return n.hasBelow ? kInfinite : 0;
+  }
+  void push(std::uint32_t from, int direction, std::int32_t flow);
+  void grow(int tree);
+  void visit(std::uint32_t v, int tree);
+  void fillPath(std::uint32_t below, int direction, std::uint32_t above);
+  std::int32_t bottleneck(std::uint32_t below, int direction, std::uint32_t above) const;
+  void pushAlong(std::uint32_t v, int tree, std::int32_t flow);
+  void orphan(std::uint32_t v);
+  void adoptOrphans(int tree);
+  void adopt(std::uint32_t v, int tree);
+
+  std::vector<Node> mNodes;
+  std::vector<std::uint32_t> mFront[3];  ///< nodes at the tree's largest whole distance
+  std::vector<std::uint32_t> mNext;      ///< nodes one further, while the tree grows
+  std::int32_t mDistance[3] = {};
+  int mGrowing = 0;
+  std::vector<std::vector<std::uint32_t>> mOrphans;  ///< by distance
+  std::int32_t mFirstOrphan = 0, mLastOrphan = -1;
+};
+
+}  // namespace velum::membrane

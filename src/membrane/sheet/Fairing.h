@@ -1,0 +1,53 @@
+#pragma once
+#include <functional>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "velum/membrane/forces/Forces.h"
+#include "velum/membrane/forces/PushField.h"
+#include "velum/scene/SheetShape.h"
+
+namespace velum::membrane {
+
+/// Draws the sheet of the sided rule tight in the room that its corridor leaves: the surface of least area over rows
+/// and columns of particles, pulled back to a rest surface, each height between a lowest and a highest (an obstacle
+/// problem). Projected over-relaxation over the red and the black particles by turns, on both sides of a lagged weight
+/// that makes squared slopes into areas [BRANDT]; from coarse rows and columns to all of them, so that what is far
+/// apart knows of each other. Its surface has no preferred direction, which the lattice of the least cut has.
+///
+/// Differs: not in the paper, whose sheet is never refined. The same input gives the same heights, bit for bit, on any
+/// machine. O(particles) a sweep; all cores.
+class Fairing {
+ public:
+  struct Input {
+    std::vector<float> xs, ys;  ///< places of columns and rows, frame-local, ascending; the outermost are the frame
+    HeightOver start;           ///< where it begins
+    HeightOver rest;            ///< where it is pulled to; empty: the rest plane
+    Corridor corridor;
+    double reach = 0.0;       ///< |z| at most
+    double pullLength = 0.0;  ///< how far beside an obstacle the sheet has fallen back to a third
+    std::function<std::vector<HeldParticle>(glm::ivec2, const std::vector<glm::vec3>&)> holds;  ///< pins
+  };
+  explicit Fairing(Input input);
+
+  /// One sweep over all particles of the present level. @return false when it was the last one
+  bool sweep();
+  scene::SheetShape shape() const;
+
+ private:
+  struct Level {
+    std::vector<float> xs, ys, height, rest, weight;
+    std::vector<glm::vec2> room;
+    glm::ivec2 dims() const { return {int(xs.size()), int(ys.size())}; }
+    std::size_t at(int x, int y) const { return std::size_t(y) * xs.size() + std::size_t(x); }
+  };
+  void begin(int stride);
+  void weigh();
+  void relax(int colour, float over);
+
+  Input mInput;
+  Level mLevel;
+  int mStride = 1, mSweep = 0;
+};
+
+}  // namespace velum::membrane

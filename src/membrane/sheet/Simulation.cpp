@@ -80,8 +80,11 @@ HeightOver heightOf(const scene::SheetShape& shape) {
   VELUM_ASSERT(shape.places.size() == std::size_t(shape.particles.x) * std::size_t(shape.particles.y),
                "each particle has its place");
   std::vector<float> xs, ys;
-  for (int x = 0; x < shape.particles.x; ++x) xs.push_back(shape.places[std::size_t(x)].x);
-  for (int y = 0; y < shape.particles.y; ++y) ys.push_back(shape.places[std::size_t(y * shape.particles.x)].y);
+  // Of the rows and columns inside: those on the frame may be evenly spaced where a refined sheet is not.
+  glm::ivec2 inner = glm::min(glm::ivec2(1), shape.particles - 1);
+  auto placeOf = [&](int x, int y) { return shape.places[std::size_t(y * shape.particles.x + x)]; };
+  for (int x = 0; x < shape.particles.x; ++x) xs.push_back(placeOf(x, inner.y).x);
+  for (int y = 0; y < shape.particles.y; ++y) ys.push_back(placeOf(inner.x, y).y);
   return [shape, xs, ys](glm::dvec2 local) {
     auto [x, fx] = placeBetween(xs, local.x);
     auto [y, fy] = placeBetween(ys, local.y);
@@ -97,10 +100,14 @@ scene::SheetShape carryOver(const scene::SheetShape& shape, const scene::Cut& fr
   scene::SheetShape out = flatShape(to, shape.particles);
   glm::vec3 half(halfOf(to));
   if (isSided(to)) {
-    // Particles keep their places across the rest plane: they take the height of the old sheet there.
+    // Rows and columns stay where they were across the rest plane, as a refined sheet has one for each voxel: they take
+    // the height of the old sheet there.
     HeightOver old = heightOf(shape);
     glm::dmat4 back = glm::inverse(toFromFrom);
-    for (auto& place : out.places) {
+    glm::vec2 stretch(glm::dvec2(half) / glm::dvec2(halfOf(from)));
+    for (std::size_t i = 0; i < out.places.size(); ++i) {
+      glm::vec3& place = out.places[i];
+      if (shape.places.size() == out.places.size()) place = glm::vec3(glm::vec2(shape.places[i]) * stretch, 0.0f);
       glm::dvec2 there(back * glm::dvec4(place, 1.0));
       place.z = std::clamp(float((toFromFrom * glm::dvec4(there, old(there), 1.0)).z), -half.z, half.z);
     }

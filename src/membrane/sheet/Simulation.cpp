@@ -16,7 +16,7 @@ namespace {
 /// Even a sheet that trembles rests after so many steps without a change, see Solver.
 constexpr int kLongestCoarse = 400;
 /// What hands have raised is drawn tight already: there the sheet falls back sooner.
-constexpr double kRaisedShare = 0.3;
+constexpr double kRaisedShare = 0.15;
 /// How far beside an obstacle the refined sheet has fallen back to a third, by the cloth's defaults: in mean edges of
 /// the rest plane. A stiffer cloth spans more, one that is pulled back more strongly less.
 constexpr double kPullLength = 1.0 / 48.0, kUsualStretch = 0.3, kUsualRestoring = 400.0;

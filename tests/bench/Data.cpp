@@ -38,32 +38,6 @@ double sampleAt(const T* voxels, glm::ivec3 dims, glm::dvec3 p) {
   return glm::mix(glm::mix(row(a.y, a.z), row(b.y, a.z), f.y), glm::mix(row(a.y, b.z), row(b.y, b.z), f.y), f.z);
 }
 
-/// The first channel and time step of a volume on a grid of so many voxels over the same box.
-Volume resample(const Volume& from, glm::ivec3 dims) {
-  Volume to = from;
-  to.channels = 1;
-  to.timeSteps = 1;
-  setFrame(to, dims, spacingOf(from) * glm::dvec3(from.dims) / glm::dvec3(dims));
-  if (from.dims == to.dims && from.channels == 1 && from.timeSteps == 1) return to;
-  to.voxels = Bytes(timeStepBytes(to));
-  visitSamples(from, [&](auto* voxels) {
-    using T = std::remove_cv_t<std::remove_pointer_t<decltype(voxels)>>;
-    auto* out = reinterpret_cast<T*>(to.voxels.data());
-    glm::dvec3 scale = glm::dvec3(from.dims) / glm::dvec3(dims);
-    parallelFor(0, dims.z, [&](int z) {
-      for (int y = 0; y < dims.y; ++y)
-        for (int x = 0; x < dims.x; ++x) {
-          double value = sampleAt(voxels, from.dims, (glm::dvec3(x, y, z) + 0.5) * scale - 0.5);
-          if constexpr (std::is_integral_v<T>) value = std::round(value);
-          out[(std::size_t(z) * std::size_t(dims.y) + std::size_t(y)) * std::size_t(dims.x) + std::size_t(x)] =
-              T(value);
-        }
-    });
-  });
-  computeRange(to);
-  return to;
-}
-
 Case makeCase(std::string key, std::string title, Volume volume, std::string_view preset, double aspect) {
   Case item{std::move(key), std::move(title), {}};
   item.scene.volume.data = Shared<Volume>(std::move(volume));
@@ -87,6 +61,31 @@ gpu::Context& sharedContext() {
   static std::unique_ptr<gpu::Context> context = gpu::Context::create(gpu::ContextKind::Auto);
   context->makeCurrent();
   return *context;
+}
+
+Volume resample(const Volume& from, glm::ivec3 dims) {
+  Volume to = from;
+  to.channels = 1;
+  to.timeSteps = 1;
+  setFrame(to, dims, spacingOf(from) * glm::dvec3(from.dims) / glm::dvec3(dims));
+  if (from.dims == to.dims && from.channels == 1 && from.timeSteps == 1) return to;
+  to.voxels = Bytes(timeStepBytes(to));
+  visitSamples(from, [&](auto* voxels) {
+    using T = std::remove_cv_t<std::remove_pointer_t<decltype(voxels)>>;
+    auto* out = reinterpret_cast<T*>(to.voxels.data());
+    glm::dvec3 scale = glm::dvec3(from.dims) / glm::dvec3(dims);
+    parallelFor(0, dims.z, [&](int z) {
+      for (int y = 0; y < dims.y; ++y)
+        for (int x = 0; x < dims.x; ++x) {
+          double value = sampleAt(voxels, from.dims, (glm::dvec3(x, y, z) + 0.5) * scale - 0.5);
+          if constexpr (std::is_integral_v<T>) value = std::round(value);
+          out[(std::size_t(z) * std::size_t(dims.y) + std::size_t(y)) * std::size_t(dims.x) + std::size_t(x)] =
+              T(value);
+        }
+    });
+  });
+  computeRange(to);
+  return to;
 }
 
 Volume makePhantom(std::string_view name, glm::ivec3 dims) {

@@ -14,6 +14,9 @@ namespace velum::bench {
 /// The one context of this process that draws without a window. GL thread.
 gpu::Context& sharedContext();
 
+/// The first channel and time step of a volume on a grid of so many voxels over the same box, axis-aligned about the
+/// origin, by linear interpolation.
+Volume resample(const Volume& from, glm::ivec3 dims);
 /// A phantom brought to so many voxels by linear interpolation, its box axis-aligned about the origin.
 Volume makePhantom(std::string_view name, glm::ivec3 dims);
 /// The same with as many voxels along each axis.

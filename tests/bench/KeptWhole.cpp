@@ -7,10 +7,10 @@
 #include <filesystem>
 
 #include "Data.h"
+#include "Frames.h"
 #include "Sections.h"
 #include "velum/io/phantoms/Sample.h"
 #include "velum/io/volumes/ReadVolume.h"
-#include "velum/session/cut/CutEdit.h"
 #include "velum/session/membrane/MembraneEdit.h"
 #include "velum/session/membrane/Membranes.h"
 
@@ -50,42 +50,9 @@ scene::Scene sceneOf(const Protected& what, bool isPhantom) {
   return scene;
 }
 
-/// Where a hand would click: the place nearest to the middle of the volume where a voxel and its neighbours have the
-/// values that are meant. World, mm.
-glm::dvec3 clickPlace(const Volume& volume, const Protected& what) {
-  auto isMeant = [&](glm::ivec3 p) {
-    double value = valueAt(volume, p);
-    return value >= what.low && value <= what.high;
-  };
-  glm::dvec3 middle = glm::dvec3(volume.dims - 1) * 0.5, best(-1.0);
-  double nearest = 1e300;
-  glm::ivec3 p;
-  for (p.z = 1; p.z + 1 < volume.dims.z; ++p.z)
-    for (p.y = 1; p.y + 1 < volume.dims.y; ++p.y)
-      for (p.x = 1; p.x + 1 < volume.dims.x; ++p.x) {
-        double distance = glm::length(glm::dvec3(p) - middle);
-        if (distance >= nearest || !isMeant(p)) continue;
-        bool isInside = true;
-        for (int axis = 0; axis < 3; ++axis)
-          for (int step : {-1, 1}) {
-            glm::ivec3 q = p;
-            q[axis] += step;
-            isInside = isInside && isMeant(q);
-          }
-        if (isInside) nearest = distance, best = p;
-      }
-  return glm::dvec3(volume.worldFromVoxel * glm::dvec4(best, 1.0));
-}
-
 /// The frame that the window hangs across an axis of the volume, at a share of its depth, and what a click protects.
 scene::Cut membraneAt(const scene::Scene& scene, glm::dvec3 click, int axis, double share) {
-  const Volume& volume = *scene.volume.data;
-  glm::dvec3 along = direction(volume)[axis];
-  scene::Scene seen = scene;
-  seen.camera.target = centreOf(volume);
-  seen.camera.eye = seen.camera.target + along * 1000.0;
-  scene::Cut cut = session::makeCut(seen, scene::CutShape::Membrane);
-  cut.centre = centreOf(volume) + along * (spacingOf(volume)[axis] * volume.dims[axis] * (share - 0.5));
+  scene::Cut cut = membraneAcross(scene, direction(*scene.volume.data)[axis], share);
   session::protectTissue(*cut.membrane, scene.volume, click);
   return cut;
 }
@@ -98,7 +65,7 @@ std::vector<Plane> sweep(const Protected& what, bool isPhantom, int positions) {
   Progress progress;
   std::vector<Plane> planes;
   scene::Scene scene = sceneOf(what, isPhantom);
-  glm::dvec3 click = clickPlace(*scene.volume.data, what);
+  glm::dvec3 click = clickPlace(*scene.volume.data, what.low, what.high).value_or(centreOf(*scene.volume.data));
   for (int axis = 0; axis < 3; ++axis)
     for (int i = 0; i < positions; ++i) {
       scene.cuts = {membraneAt(scene, click, axis, (i + 1.0) / (positions + 1))};

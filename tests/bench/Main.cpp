@@ -21,10 +21,10 @@ struct Section {
   const char* name;
   void (*measure)(const Options& options, Report& report);
 };
-constexpr Section kSections[] = {{"vtk", measureAgainstVtk},       {"interaction", measureInteraction},
-                                 {"labels", measureLabels},        {"membrane", measureMembrane},
-                                 {"kept-whole", measureKeptWhole}, {"scaling", measureScaling},
-                                 {"fetches", measureFetches},      {"loading", measureLoading}};
+constexpr Section kSections[] = {
+    {"vtk", measureAgainstVtk},    {"interaction", measureInteraction}, {"labels", measureLabels},
+    {"membrane", measureMembrane}, {"kept-whole", measureKeptWhole},    {"families", measureFamilies},
+    {"scaling", measureScaling},   {"fetches", measureFetches},         {"loading", measureLoading}};
 
 double load() {
   double averages[1] = {0};
@@ -62,6 +62,8 @@ int run(const Options& options, const std::vector<std::string>& only, const Outp
                           options.quick ? " (--quick: smaller data, fewer positions)" : "", load()));
   report.figure("", {{"renderer", renderer}, {"cores", cores}, {"quick", options.quick}, {"load", load()}});
   for (const Section& section : kSections) {
+    // Families take hours: by name only.
+    if (only.empty() && section.measure == measureFamilies) continue;
     if (!only.empty() && std::find(only.begin(), only.end(), section.name) == only.end()) continue;
     section.measure(options, report);
     report.figure("load", load());
@@ -78,10 +80,13 @@ int parseAndRun(int argc, char** argv) {
   Outputs outputs;
   std::vector<std::string> only, names;
   for (const Section& section : kSections) names.push_back(section.name);
-  app.add_option("--only", only,
-                 "sections to measure: vtk, interaction, labels, membrane, kept-whole, scaling, fetches, loading")
+  app.add_option(
+         "--only", only,
+         "sections to measure: vtk, interaction, labels, membrane, kept-whole, families, scaling, fetches, loading")
       ->check(CLI::IsMember(names));
   app.add_flag("--quick", options.quick, "smaller data, fewer positions: a look, not a measurement");
+  app.add_flag("--tune", options.tune, "families: the half of the planes on which constants may be chosen");
+  app.add_option("--match", options.match, "families: only data that has this in its name");
   app.add_option("--pictures", options.pictures,
                  "folder for pictures side by side: VTK GPU, VTK CPU, Velum, Velum with everything on");
   app.add_option("--json", outputs.json, "file for the figures");

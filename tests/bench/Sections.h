@@ -7,6 +7,8 @@ namespace velum::bench {
 
 struct Options {
   bool quick = false;    ///< Fewer positions and sizes: a look, not a measurement.
+  bool tune = false;     ///< The half of the planes on which constants may be chosen; the other half is reported.
+  std::string match;     ///< Of the families only data that has this in its name.
   std::string pictures;  ///< Folder for the pictures that were compared; empty: none.
 };
 
@@ -29,5 +31,7 @@ void measureMembrane(const Options& options, Report& report);
 void measureMembraneTable(const Options& options, Report& report);
 /// How much of what is protected the sheets keep whole, against the limit.
 void measureKeptWhole(const Options& options, Report& report);
+/// The same by kinds of data, with ways to protect, sizes and oblique frames: hours.
+void measureFamilies(const Options& options, Report& report);
 
 }  // namespace velum::bench

@@ -141,6 +141,16 @@ TEST_F(Sections, DoubleClickFillsTheWindowAndBackAndLeavesTheCrosshair) {
   EXPECT_TRUE(settle());
 }
 
+TEST_F(Sections, ASecondDoubleClickGoesBackToTheLayoutThatWasThere) {
+  QTest::keyClick(mWindow.get(), Qt::Key_F4);
+  ASSERT_EQ(sections().layout, Layout::VolumeAndSection);
+  ASSERT_TRUE(settle());
+  QTest::mouseDClick(&viewport(), Qt::LeftButton, {}, {30, 60});
+  EXPECT_EQ(sections().layout, Layout::Volume);
+  QTest::mouseDClick(&viewport(), Qt::LeftButton, {}, {30, 60});
+  EXPECT_EQ(sections().layout, Layout::VolumeAndSection);
+}
+
 TEST_F(Sections, LayoutsKeepTheOne3dViewAndAreRemembered) {
   Viewport* view = &viewport();
   for (auto [key, layout] : {std::pair{Qt::Key_F3, Layout::Volume},

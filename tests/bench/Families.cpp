@@ -1,0 +1,248 @@
+// How much of what it protects the membrane keeps whole, by kinds of data, ways to protect, sizes and directions.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <functional>
+
+#include "Data.h"
+#include "Frames.h"
+#include "Sections.h"
+#include "velum/io/labels/ReadLabels.h"
+#include "velum/io/phantoms/Sample.h"
+#include "velum/io/volumes/ReadVolume.h"
+#include "velum/session/membrane/DefaultField.h"
+#include "velum/session/membrane/MembraneEdit.h"
+#include "velum/session/membrane/Membranes.h"
+
+namespace velum::bench {
+
+namespace {
+
+/// Fewer pairs than this make no ratio.
+constexpr std::int64_t kLeastPairs = 30;
+
+/// What is done to data before a sheet meets it.
+enum class Form { AsItIs, Resampled, Slab };
+constexpr int kLongEdge = 512, kSlabSlices = 20;
+
+/// One kind of data, and the values that are protected by hand or clicked on. Labels have none.
+struct Member {
+  const char* family;
+  const char* source;  ///< a phantom, or a file of VELUM_TEST_DATA/volumes
+  double low, high;
+  Form form = Form::AsItIs;
+  int phantomSize = -1;  ///< voxels along the longest edge, 0 for its own; -1 for a file
+};
+constexpr Member kMembers[] = {
+    {"noisy fibres", "fibres", 1250, 65536, Form::AsItIs, 0},
+    {"vessels at 512", "vessels", 700, 2000, Form::AsItIs, kLongEdge},
+    {"trunk at 512", "torso", 250, 1000, Form::AsItIs, kLongEdge},
+    {"thin slabs", "vessels", 700, 2000, Form::Slab, 160},
+    {"thin slabs", "ct_heart_aorta_cta.nii.gz", 200, 4000, Form::Slab},
+    {"thin slabs", "ct_abdomen_3mm.nii.gz", 200, 4000, Form::Slab},
+    {"over 300 voxels", "ct_thorax_lidc0314_dicom.zip", 200, 4000},
+    {"over 300 voxels", "frogtissue.mhd", 0, 0},
+    {"over 300 voxels", "ct_mouse_head_35um_labels.seg.nrrd", 0, 0},
+    {"axons", "micro_axons_120.tif", 2500, 65536},
+    {"resampled to 512", "xa_aneurism.vti", 60, 256, Form::Resampled},
+    {"resampled to 512", "ct_heart_aorta_cta.nii.gz", 200, 4000, Form::Resampled},
+    {"resampled to 512", "ct_head_avm_angio.nii.gz", 100, 1000, Form::Resampled},
+    {"resampled to 512", "ct_iguana_head.nii.gz", 110, 256, Form::Resampled},
+};
+
+/// A folder in place of an archive, unpacked; it is in the way of nobody and left behind.
+std::filesystem::path unpacked(const std::filesystem::path& archive) {
+  auto folder = std::filesystem::temp_directory_path() / ("velum-bench-" + archive.stem().string());
+  if (!std::filesystem::exists(folder)) {
+    std::string command = fmt::format("python3 -m zipfile -e '{}' '{}'", archive.string(), folder.string());
+    if (std::system(command.c_str()) != 0) throw InputError(archive.string() + " cannot be unpacked");
+  }
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+    if (entry.is_regular_file()) return entry.path();
+  throw InputError(archive.string() + " holds nothing");
+}
+
+/// The middle slices along z.
+Volume slabOf(Volume volume) {
+  int first = std::max(0, (volume.dims.z - kSlabSlices) / 2);
+  std::size_t slice = timeStepBytes(volume) / std::size_t(volume.dims.z);
+  volume.dims.z = std::min(kSlabSlices, volume.dims.z);
+  Bytes voxels(slice * std::size_t(volume.dims.z));
+  std::copy_n(volume.voxels.begin() + std::ptrdiff_t(slice) * first, voxels.size(), voxels.begin());
+  volume.voxels = std::move(voxels);
+  volume.worldFromVoxel[3] += volume.worldFromVoxel[2] * double(first);
+  return volume;
+}
+
+Volume resampled(const Volume& volume) {
+  int longest = std::max(volume.dims.x, std::max(volume.dims.y, volume.dims.z));
+  return resample(volume, glm::max(glm::ivec3(1), volume.dims * kLongEdge / longest));
+}
+
+bool isLabels(const Member& member) { return member.high <= member.low; }
+
+scene::Scene sceneOf(const Member& member) {
+  Progress progress;
+  scene::Scene scene;
+  if (member.phantomSize >= 0) {
+    Volume volume = io::makeSample(member.source, member.phantomSize, progress).volume;
+    scene.volume.data = Shared<Volume>(member.form == Form::Slab ? slabOf(std::move(volume)) : std::move(volume));
+    return scene;
+  }
+  auto path = std::filesystem::path(std::getenv("VELUM_TEST_DATA")) / "volumes" / member.source;
+  scene::Source source;
+  source.path = (path.extension() == ".zip" ? unpacked(path) : path).string();
+  if (isLabels(member)) {
+    scene.labels.data = Shared<LabelVolume>(io::readLabels(source, progress));
+    return scene;
+  }
+  Volume volume = io::readVolume(source, progress);
+  if (member.form == Form::Slab) volume = slabOf(std::move(volume));
+  if (member.form == Form::Resampled) volume = resampled(volume);
+  scene.volume.data = Shared<Volume>(std::move(volume));
+  return scene;
+}
+
+/// The structure nearest to the middle of a label map.
+int middleStructure(const LabelVolume& labels) {
+  glm::ivec3 middle = labels.dims() / 2;
+  for (int radius = 0; radius < middle.x; ++radius)
+    for (glm::ivec3 step : {glm::ivec3(radius, 0, 0), glm::ivec3(0, radius, 0), glm::ivec3(0, 0, radius)})
+      for (glm::ivec3 at : {middle + step, middle - step})
+        if (labels.at(at)) return labels.at(at);
+  return 1;
+}
+
+enum class Way { Click, Value, Default };
+constexpr const char* kWays[] = {"click", "value", "default"};
+
+/// Protects as a user would. @return false where there is nothing to do it with
+bool protect(const Member& member, const scene::Scene& scene, Way way, scene::Membrane& membrane) {
+  if (way == Way::Default) {
+    membrane.field = session::defaultField(scene);
+    return true;
+  }
+  if (isLabels(member)) {
+    if (way == Way::Click)
+      session::protectStructure(membrane, middleStructure(*scene.labels.data));
+    else
+      for (int id : scene.labels.data->idsInUse()) session::protectStructure(membrane, id);
+    return true;
+  }
+  if (way == Way::Value) {
+    session::protectValues(membrane, member.low, member.high);
+    return true;
+  }
+  auto click = clickPlace(*scene.volume.data, member.low, member.high);
+  return click && session::protectTissue(membrane, scene.volume, *click).has_value();
+}
+
+struct Plane {
+  std::string family, data;
+  double ratio = 0, limit = 0, ms = 0;
+};
+
+/// The goal with its slack: at most 1 where it is met.
+double inMedian(const Plane& p) { return p.ratio / (1.25 * p.limit + 0.02); }
+double inNineOfTen(const Plane& p) { return p.ratio / (1.6 * p.limit + 0.05); }
+
+double quantileOf(const std::vector<Plane>& planes, double (*figure)(const Plane&), double share) {
+  std::vector<double> values;
+  for (const auto& plane : planes) values.push_back(figure(plane));
+  std::sort(values.begin(), values.end());
+  return values.empty() ? 0.0 : values[std::size_t(std::ceil(share * double(values.size() - 1)))];
+}
+
+/// Along the axes and two directions that no axis of the data runs along.
+std::vector<glm::dvec3> directionsOf(const scene::Scene& scene) {
+  glm::dmat4 worldFromVoxel =
+      scene.volume.data ? scene.volume.data->worldFromVoxel : scene.labels.data->worldFromVoxel();
+  std::vector<glm::dvec3> out;
+  for (glm::dvec3 d : {glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1), glm::dvec3(1, 0.6, 0.35),
+                       glm::dvec3(-0.3, 0.5, 1)}) {
+    glm::dvec3 world(0.0);
+    for (int axis = 0; axis < 3; ++axis) world += d[axis] * glm::normalize(glm::dvec3(worldFromVoxel[axis]));
+    out.push_back(glm::normalize(world));
+  }
+  return out;
+}
+
+void sweep(const Member& member, const Options& options, std::vector<Plane>& planes) {
+  Progress progress;
+  scene::Scene scene = sceneOf(member);
+  constexpr int kPositions = 10;
+  for (Way way : {Way::Click, Way::Value, Way::Default})
+    for (std::size_t d = 0; d < directionsOf(scene).size(); ++d)
+      for (int i = options.quick ? 4 : options.tune ? 1 : 0; i < kPositions; i += options.quick ? 10 : 2) {
+        scene.cuts = {membraneAcross(scene, directionsOf(scene)[d], (i + 1.0) / (kPositions + 1))};
+        if (!protect(member, scene, way, *scene.cuts[0].membrane)) continue;
+        auto settled = session::settleMembranes(scene, {true, true}, progress);
+        const auto& report = settled[0];
+        if (report.kept->cutAreaPlane < kLeastPairs) continue;
+        planes.push_back(
+            {member.family, member.source, report.kept->ratio, report.limit->figure.ratio, report.totalMs});
+        fmt::print(stderr,
+                   "{:<18} {:<24.24} {:<7} direction {} place {}: {:8} pairs, ratio {:.3f} limit {:.3f} {:6.0f} ms{}\n",
+                   member.family, member.source, kWays[int(way)], d, i, report.kept->cutAreaPlane, report.kept->ratio,
+                   report.limit->figure.ratio, report.totalMs,
+                   inNineOfTen(planes.back()) > 1.0 ? "  FAR"
+                   : inMedian(planes.back()) > 1.0  ? "  over"
+                                                    : "");
+      }
+}
+
+std::vector<std::string> rowOf(const std::string& family, const std::vector<Plane>& planes) {
+  auto ratio = [](const Plane& p) { return p.ratio; };
+  auto limit = [](const Plane& p) { return p.limit; };
+  auto ms = [](const Plane& p) { return p.ms; };
+  auto number = [](double value) { return fmt::format("{:.2f}", value); };
+  return {family,
+          std::to_string(planes.size()),
+          number(quantileOf(planes, ratio, 0.5)),
+          number(quantileOf(planes, limit, 0.5)),
+          number(quantileOf(planes, inMedian, 0.5)),
+          number(quantileOf(planes, inNineOfTen, 0.9)),
+          number(quantileOf(planes, inNineOfTen, 1.0)),
+          number(quantileOf(planes, ratio, 1.0)),
+          formatMs(quantileOf(planes, ms, 0.5)),
+          formatMs(quantileOf(planes, ms, 1.0))};
+}
+
+}  // namespace
+
+void measureFamilies(const Options& options, Report& report) {
+  report.section("families", "What the membrane keeps whole, by kinds of data");
+  sharedContext().makeCurrent();
+  std::vector<std::string> order;
+  std::vector<Plane> all;
+  for (const Member& member : kMembers) {
+    if (member.phantomSize < 0 && !std::getenv("VELUM_TEST_DATA")) continue;
+    if (fmt::format("{}: {}", member.family, member.source).find(options.match) == std::string::npos) continue;
+    sweep(member, options, all);
+    if (std::find(order.begin(), order.end(), member.family) == order.end()) order.push_back(member.family);
+  }
+  std::vector<std::vector<std::string>> rows;
+  for (const auto& family : order) {
+    std::vector<Plane> planes;
+    std::copy_if(all.begin(), all.end(), std::back_inserter(planes), [&](const auto& p) { return p.family == family; });
+    rows.push_back(rowOf(family, planes));
+    report.figure("family/" + family, {{"median", quantileOf(planes, inMedian, 0.5)},
+                                       {"nineInTen", quantileOf(planes, inNineOfTen, 0.9)},
+                                       {"worst", quantileOf(planes, inNineOfTen, 1.0)}});
+  }
+  report.note(
+      "Protected by a click on the material nearest to the middle, by its values, and by what a new membrane protects; "
+      "frames across the three axes and two oblique directions, at five places of ten (with --tune the five others, on "
+      "which constants may be chosen). Ratio: pairs of protected voxels cut by the sheet / by the plane; limit: the "
+      "least there is. Median goal: ratio / (1.25 limit + 0.02) in the median; nine in ten: ratio / (1.6 limit + "
+      "0.05). "
+      "Both are met up to 1.");
+  report.table({"data", "planes", "ratio", "limit", "median goal", "nine in ten", "worst", "largest ratio",
+                "median time", "longest"},
+               rows);
+}
+
+}  // namespace velum::bench

@@ -185,9 +185,10 @@ void sweep(const Member& member, const Options& options, std::vector<Plane>& pla
         planes.push_back(
             {member.family, member.source, report.kept->ratio, report.limit->figure.ratio, report.totalMs});
         fmt::print(stderr,
-                   "{:<18} {:<24.24} {:<7} direction {} place {}: {:8} pairs, ratio {:.3f} limit {:.3f} {:6.0f} ms{}\n",
+                   "{:<18} {:<24.24} {:<7} direction {} place {}: {:8} pairs, ratio {:.3f} limit {:.3f} {:6.0f} ms, "
+                   "{:.0f} of it cut{}\n",
                    member.family, member.source, kWays[int(way)], d, i, report.kept->cutAreaPlane, report.kept->ratio,
-                   report.limit->figure.ratio, report.totalMs,
+                   report.limit->figure.ratio, report.totalMs, report.leastCutMs,
                    inNineOfTen(planes.back()) > 1.0 ? "  FAR"
                    : inMedian(planes.back()) > 1.0  ? "  over"
                                                     : "");

@@ -5,6 +5,7 @@
 
 #include "Corridor.h"
 #include "FrameBox.h"
+#include "Stakes.h"
 #include "velum/core/Clock.h"
 #include "velum/core/Parallel.h"
 #include "velum/membrane/forces/KeptWhole.h"
@@ -245,8 +246,13 @@ Corridor ForceMaker::corridorOf(const scene::Cut& cut, const CurrentSheet& curre
   const ProtectedVoxels& voxels = withPlaced ? *withPlaced : data;
   auto count = double(voxels.mask.size() - std::size_t(std::count(voxels.mask.begin(), voxels.mask.end(), 0)));
   CutLattice lattice = gatherLattice(voxels, cut, std::max(1.0, std::ceil(std::cbrt(count / kMostProtected))));
-  if (current.height) return corridorAround(lattice, cutByCurrent(lattice, cut, current, progress));
-  known.corridor = corridorAround(lattice, computeLeastCut(lattice, cut.membrane->field.side, progress));
+  auto around = [&](const LeastCut& least) {
+    Corridor corridor = corridorAround(lattice, least);
+    corridor.stakes = stakesOf(voxels, cut, lattice, least, corridor);
+    return corridor;
+  };
+  if (current.height) return around(cutByCurrent(lattice, cut, current, progress));
+  known.corridor = around(computeLeastCut(lattice, cut.membrane->field.side, progress));
   known.cut = asked;
   return known.corridor;
 }
@@ -284,6 +290,7 @@ Forces ForceMaker::preview(const scene::Cut& cut, Progress& progress) {
   for (const auto& kernel : forces.field.placed)
     if (kernel.pull > 0.0) {
       passBy(forces.corridor, kernel, cut.size.z * 0.5);
+      forces.corridor.stakes.clear();
       forces.isPreview = true;
     }
   turnToSides(forces.field, forces.corridor);

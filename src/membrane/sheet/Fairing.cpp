@@ -19,6 +19,9 @@ constexpr int kWeighEvery = 8;
 constexpr float kOver = 1.7f;
 /// The last sweeps of a level go just as far as they should.
 constexpr int kPlainSweeps = 8;
+/// Stakes are passed in so many of the last sweeps, and as often again after them; by so much, in steps of the lattice.
+constexpr int kStakeSweeps = 20, kStakePasses = 20;
+constexpr double kClear = 0.2;
 /// Levels have half as many rows and columns each, down to so many.
 constexpr int kCoarsest = 48;
 
@@ -69,6 +72,59 @@ void Fairing::begin(int stride) {
     }
   level.weight.assign(places.size(), 1.0f);
   mLevel = std::move(level);
+  mTies.clear();
+  if (stride == 1) tie();
+}
+
+/// Ties the stakes to the particles of the triangles that they lie in (as makeSheetIndex() splits cells).
+void Fairing::tie() {
+  const auto &xs = mLevel.xs, &ys = mLevel.ys;
+  mTies.resize(ys.size() - 1);
+  auto cellOf = [](const std::vector<float>& places, float at) {
+    auto above = std::upper_bound(places.begin() + 1, places.end() - 1, at);
+    return std::size_t(above - places.begin()) - 1;
+  };
+  glm::dvec2 step = mInput.corridor.step;
+  auto clear = float(kClear * std::min(step.x, step.y));
+  for (const Stake& stake : mInput.corridor.stakes) {
+    if (stake.place.x < xs.front() || stake.place.x > xs.back() || stake.place.y < ys.front() ||
+        stake.place.y > ys.back())
+      continue;
+    std::size_t x = cellOf(xs, stake.place.x), y = cellOf(ys, stake.place.y);
+    float u = (stake.place.x - xs[x]) / (xs[x + 1] - xs[x]), v = (stake.place.y - ys[y]) / (ys[y + 1] - ys[y]);
+    auto at = [&](int dx, int dy) { return std::uint32_t(mLevel.at(int(x) + dx, int(y) + dy)); };
+    float height = stake.place.z + (stake.isBelow ? clear : -clear);
+    Tie tie{{at(0, 0), u >= v ? at(1, 0) : at(0, 1), at(1, 1)},
+            {1.0f - std::max(u, v), std::abs(u - v), std::min(u, v)},
+            height,
+            stake.isBelow};
+    mTies[y].push_back(tie);
+  }
+}
+
+/// Moves the particles around each stake that the sheet is on the wrong side of, by as little as it takes.
+void Fairing::passStakes() {
+  glm::ivec2 n = mLevel.dims();
+  auto isFixed = [&](std::uint32_t particle) {
+    int x = int(particle) % n.x, y = int(particle) / n.x;
+    return x == 0 || y == 0 || x + 1 == n.x || y + 1 == n.y;
+  };
+  // Rows of cells share a row of particles with the next one.
+  for (int odd = 0; odd < 2; ++odd)
+    parallelFor(0, (int(mTies.size()) + 1 - odd) / 2, [&](int half) {
+      for (const Tie& tie : mTies[std::size_t(2 * half + odd)]) {
+        float height = 0.0f, squares = 0.0f;
+        for (int k = 0; k < 3; ++k) {
+          height += tie.share[k] * mLevel.height[tie.particle[k]];
+          if (!isFixed(tie.particle[k])) squares += tie.share[k] * tie.share[k];
+        }
+        float missing = tie.height - height;
+        if (tie.isBelow ? missing <= 0.0f : missing >= 0.0f) continue;
+        if (squares < 0.01f) continue;
+        for (int k = 0; k < 3; ++k)
+          if (!isFixed(tie.particle[k])) mLevel.height[tie.particle[k]] += missing * tie.share[k] / squares;
+      }
+    });
 }
 
 /// One over the area that a unit of the rest plane has under the sheet, at each particle.
@@ -117,6 +173,9 @@ bool Fairing::sweep() {
   float over = mSweep > kSweeps - kPlainSweeps ? 1.0f : kOver;
   relax(0, over);
   relax(1, over);
+  if (!mTies.empty() && mSweep > kSweeps - kStakeSweeps) passStakes();
+  if (!mTies.empty() && mSweep == kSweeps)
+    for (int i = 0; i < kStakePasses; ++i) passStakes();
   return true;
 }
 

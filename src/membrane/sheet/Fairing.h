@@ -41,12 +41,22 @@ class Fairing {
     glm::ivec2 dims() const { return {int(xs.size()), int(ys.size())}; }
     std::size_t at(int x, int y) const { return std::size_t(y) * xs.size() + std::size_t(x); }
   };
+  /// A stake and the three particles around it: of cell (x, y), with their shares.
+  struct Tie {
+    std::uint32_t particle[3];
+    float share[3];
+    float height;  ///< that the sheet must have there at least, or at most
+    bool isBelow;
+  };
   void begin(int stride);
+  void tie();
+  void passStakes();
   void weigh();
   void relax(int colour, float over);
 
   Input mInput;
   Level mLevel;
+  std::vector<std::vector<Tie>> mTies;  ///< of the finest level, by row of cells
   int mStride = 1, mSweep = 0;
 };
 

@@ -24,6 +24,9 @@ constexpr double kPullLength = 1.0 / 48.0, kUsualStretch = 0.3, kUsualRestoring 
 /// so that where it rests does not depend on how many steps at a time somebody has time for. Divides the above.
 constexpr int kLookEvery = 8;
 
+/// Where stakes stand between the middles of columns the sheet has so many rows and columns for each.
+constexpr int kFinerAtStakes = 2;
+
 glm::dvec3 halfOf(const scene::Cut& cut) { return solidEdges(cut.size) * 0.5; }
 
 bool isSided(const scene::Cut& cut) { return cut.membrane->field.rule == scene::KernelRule::Sided; }
@@ -183,8 +186,11 @@ void Simulation::refine() {
   const Corridor& corridor = mForces.corridor;
   int most = std::max(mCut.membrane->cloth.finest, 3);
   glm::dvec3 half = halfOf(mCut);
+  // Where voxels lie between the middles of columns the sheet has to bend there too.
+  int finer = corridor.stakes.empty() ? 1 : kFinerAtStakes;
   auto along = [&](int axis) {
-    return alignedPlaces(half[axis], corridor.origin[axis], corridor.step[axis], corridor.dims[axis], most);
+    return alignedPlaces(half[axis], corridor.origin[axis], corridor.step[axis] / finer, corridor.dims[axis] * finer,
+                         most);
   };
   std::vector<float> xs = along(0), ys = along(1);
   glm::ivec2 particles(int(xs.size()), int(ys.size()));

@@ -14,6 +14,12 @@
 
 namespace velum::membrane {
 
+/// A place that the sheet must pass on one side. Frame-local.
+struct Stake {
+  glm::vec3 place{0.0f};
+  bool isBelow = false;  ///< it belongs below the sheet
+};
+
 /// Where the sheet may hang so that it cuts nothing more than it must, column by column over the rest plane: between
 /// what belongs below it and what belongs above it. Frame-local.
 struct Corridor {
@@ -22,6 +28,7 @@ struct Corridor {
   glm::dvec2 step{1.0};
   std::vector<glm::vec2> room;  ///< [y][x]: lowest, highest z
   std::vector<float> height;    ///< [y][x]: z of the least cut itself
+  std::vector<Stake> stakes;    ///< between the middles of columns
 };
 
 /// Everything that acts on the sheet of one membrane in one place.

@@ -1,0 +1,14 @@
+#pragma once
+#include <vector>
+
+#include "velum/membrane/forces/Forces.h"
+#include "velum/membrane/forces/LeastCut.h"
+
+namespace velum::membrane {
+
+/// The voxels that a sheet in this corridor could leave on the wrong side: those beside it that do not lie in the
+/// middle of their node, as in oblique frames. In the order of the voxels.
+std::vector<Stake> stakesOf(const ProtectedVoxels& voxels, const scene::Cut& cut, const CutLattice& lattice,
+                            const LeastCut& least, const Corridor& corridor);
+
+}  // namespace velum::membrane

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "velum/membrane/sheet/SheetIndex.h"
 #include "velum/membrane/sheet/Simulation.h"
 
 /// The refined sheet against closed forms of the obstacle problem.
@@ -93,6 +94,36 @@ TEST(Fairing, AroundACapItIsRoundWhateverTheDirection) {
     EXPECT_GT(low, 0.05);
     EXPECT_LT(high - low, 0.05 * high + 0.05) << radius;
   }
+}
+
+TEST(Fairing, PassesStakesThatStandBetweenItsParticles) {
+  // A wavy field of stakes to either side of a surface that no row or column of particles meets.
+  Fairing::Input input;
+  input.xs = input.ys = places(81);
+  input.reach = 30.0;
+  input.pullLength = 5.0;
+  input.corridor.dims = {81, 81};
+  input.corridor.origin = glm::dvec2(-kHalf);
+  input.corridor.room.assign(81 * 81, glm::vec2(-30.0f, 30.0f));
+  input.corridor.height.assign(81 * 81, 0.0f);
+  std::vector<Stake> stakes;
+  for (int i = 0; i < 4000; ++i) {
+    double x = 35.0 * std::sin(12.9898 * i), y = 35.0 * std::sin(78.233 * i + 1.0);
+    double surface = 6.0 * std::sin(0.25 * x) + 4.0 * std::cos(0.3 * y);
+    bool isBelow = i % 2 == 0;
+    stakes.push_back({glm::vec3(x, y, surface + (isBelow ? -0.6 : 0.6)), isBelow});
+  }
+  input.corridor.stakes = stakes;
+  Fairing fairing(std::move(input));
+  auto wrong = [&](const scene::SheetShape& shape) {
+    SheetIndex index = makeSheetIndex(shape, glm::ivec2(2), glm::dvec3(2 * kHalf, 2 * kHalf, 60.0));
+    return std::count_if(stakes.begin(), stakes.end(),
+                         [&](const Stake& stake) { return isAbove(index, stake.place) == stake.isBelow; });
+  };
+  EXPECT_GT(wrong(fairing.shape()), 1000) << "flat";
+  while (fairing.sweep()) {
+  }
+  EXPECT_EQ(wrong(fairing.shape()), 0);
 }
 
 TEST(Fairing, NothingInItsWayLeavesItFlat) {

@@ -1,4 +1,6 @@
 // Membranes from a scene to a sheet at rest: what they keep whole, and what is made of them.
+#include <tuple>
+
 #include "GlFixture.h"
 #include "TempFolder.h"
 #include "makeVolume.h"
@@ -55,6 +57,19 @@ TEST_F(MembranesGL, VesselsAreCutHardlyMoreThanTheyMustBe) {
     EXPECT_GE(report.kept->ratio, report.limit->figure.ratio - 1e-9) << "better than the limit";
     EXPECT_LE(report.kept->meanDistance, 1.6 * report.limit->figure.meanDistance + 0.2);
   }
+}
+
+TEST_F(MembranesGL, ObliqueFramesSpareAsMuchAsStraightOnes) {
+  // Voxels lie between the sheet's columns there, and beyond its reach by parts.
+  for (auto [name, size, low] : {std::tuple{"vessels", 80, 700.0}, {"fibres", 120, 1300.0}})
+    for (glm::dvec3 axis : {glm::dvec3(1, 0.6, 0.35), glm::dvec3(-0.3, 0.5, 1)}) {
+      scene::Scene scene = phantom(name, size, low);
+      scene.cuts[0].axis = glm::normalize(axis);
+      auto report = settleMembranes(scene, {true, true}, sProgress).at(0);
+      ASSERT_GT(report.kept->cutAreaPlane, 100) << name;
+      EXPECT_LT(report.limit->figure.ratio, 0.5) << name;
+      EXPECT_LE(report.kept->ratio, 1.25 * report.limit->figure.ratio + 0.02) << name;
+    }
 }
 
 TEST_F(MembranesGL, CoarseDataIsSparedLikeFineData) {
@@ -178,7 +193,8 @@ TEST_F(MembranesGL, AnotherGridOfVoxelsGivesTheSameShapeInTheWorld) {
       double voxel = std::max({grid.spacing.x, grid.spacing.y, grid.spacing.z});
       std::printf("%s, %s: %.2f mm\n", std::string(enumName(rule)).c_str(), grid.name, gapMm);
       // The paper's kernels reach as far as their voxels are long, and push the sheet so far away.
-      // A sheet by the sided rule hangs over the nodes that are nearest to voxels: half a voxel, and half of their step.
+      // A sheet by the sided rule hangs over the nodes that are nearest to voxels: half a voxel, and half of their
+      // step.
       EXPECT_LT(gapMm, (rule == scene::KernelRule::Sided ? 0.75 : 1.0) * voxel) << enumName(rule) << ", " << grid.name;
     }
   }

@@ -249,6 +249,9 @@ Corridor ForceMaker::corridorOf(const scene::Cut& cut, const CurrentSheet& curre
   auto around = [&](const LeastCut& least) {
     Corridor corridor = corridorAround(lattice, least);
     corridor.stakes = stakesOf(voxels, cut, lattice, least, corridor);
+    // What stakes say of each voxel need not be said of nodes, which lie up to half a layer off.
+    auto off = corridor.stakes.empty() ? 0.0f : float(0.5 * lattice.step.z);
+    for (auto& room : corridor.room) room += glm::vec2(-off, off);
     return corridor;
   };
   if (current.height) return around(cutByCurrent(lattice, cut, current, progress));

@@ -21,7 +21,7 @@ constexpr float kOver = 1.7f;
 constexpr int kPlainSweeps = 8;
 /// Stakes are passed in so many of the last sweeps, and as often again after them; by so much, in steps of the lattice.
 constexpr int kStakeSweeps = 20, kStakePasses = 20;
-constexpr double kClear = 0.2;
+constexpr double kClear = 0.75;
 /// Levels have half as many rows and columns each, down to so many.
 constexpr int kCoarsest = 48;
 

@@ -181,6 +181,8 @@ Json jsonOf(const session::MembraneReport& report, const scene::Cut& cut, int pl
     json["cutAreaMembrane"] = report.kept->cutAreaMembrane;
     json["ratio"] = report.kept->ratio;
     json["meanDistance"] = report.kept->meanDistance;
+    membrane::Shares shares = membrane::sharesOf(*report.kept, cut);
+    json["shares"] = {{"kept", shares.kept}, {"removed", shares.removed}, {"cut", shares.cut}};
   }
   if (report.limit) {
     json["limit"] = report.limit->figure.ratio;
@@ -189,11 +191,14 @@ Json jsonOf(const session::MembraneReport& report, const scene::Cut& cut, int pl
   return json;
 }
 
-void printReport(const session::MembraneReport& report, LengthUnit unit) {
+void printReport(const session::MembraneReport& report, const scene::Cut& cut, LengthUnit unit) {
   fmt::print("{}: {} kernels, {} x {} particles, {} after {} steps, {:.1f} ms a step\n",
              report.name.empty() ? "membrane" : report.name, report.kernels, report.particles.x, report.particles.y,
              report.atRest ? "at rest" : "still moving", report.steps, report.stepMs);
   if (!report.kept) return;
+  membrane::Shares shares = membrane::sharesOf(*report.kept, cut);
+  fmt::print("of what the plane would cut {:.0f} % stays whole, {:.0f} % is removed whole, {:.0f} % is cut\n",
+             100.0 * shares.kept, 100.0 * shares.removed, 100.0 * shares.cut);
   fmt::print(
       "cuts {} of the {} pairs of protected voxels that the plane cuts (ratio {:.3f}), {:.2f} {} from the rest plane "
       "on "
@@ -256,7 +261,7 @@ int run(const MembraneOptions& options) {
     if (options.common.json)
       list.push_back(jsonOf(report, *scene::findCut(settled, report.cut), scene::cutPlace(settled, report.cut)));
     else
-      printReport(report, settled.unit);
+      printReport(report, *scene::findCut(settled, report.cut), settled.unit);
   }
   if (!options.common.json) return 0;
   Json json = list.size() == 1 ? list[0] : Json{{"membranes", list}};

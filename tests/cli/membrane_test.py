@@ -15,6 +15,10 @@ class Membrane(CliTest):
         self.assertTrue(report["atRest"])
         self.assertGreater(report["cutAreaPlane"], 100)
         self.assertEqual(report["ratio"], 0)
+        self.assertAlmostEqual(sum(report["shares"].values()), 1)
+        self.assertEqual(report["shares"]["cut"], 0)
+        self.assertGreater(report["shares"]["kept"], 0.4)
+        self.assertGreater(report["shares"]["removed"], 0.4)
 
     def test_told_nothing_it_keeps_what_the_scene_shows_most(self):
         report = self.report("membrane", self.sample("two-spheres", 32), "--axis", "0,0,1")

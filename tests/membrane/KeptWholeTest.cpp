@@ -186,6 +186,34 @@ TEST(KeptWhole, NoSheetIsBetterThanTheLimit) {
   }
 }
 
+TEST(KeptWhole, ThreeSharesSayWhatBecomesOfWhatThePlaneWouldCut) {
+  // Three bars across the plane, of 9, 4 and 1 voxels: the sheet passes above the first, below the second, and cuts the
+  // third where the plane does.
+  auto width = [](glm::ivec3 p) { return p.x < 8 ? 1 : p.x < 16 ? 0 : -1; };
+  auto isBar = [&](glm::ivec3 p) {
+    int x = p.x % 8 - 3, reach = width(p);
+    if (p.z < 4 || p.z > 10) return 0.0;
+    return reach == 1   ? double(std::abs(x) <= 1 && std::abs(p.y - 3) <= 1)
+           : reach == 0 ? double(x >= 0 && x <= 1 && p.y >= 3 && p.y <= 4)
+                        : double(x == 0 && p.y == 3);
+  };
+  scene::Scene scene = sceneOf({24, 8, 15}, isBar, glm::dmat4(1.0));
+  scene::Cut cut = cutAlong(*scene.volume.data, 2, false, {40, 20, 20});
+  KeptWhole figure = measure(scene, cut, sheetOf([&](double x, double) { return x < -4 ? 9.0 : x < 4 ? -9.0 : 0.0; }));
+  EXPECT_EQ(figure.cutAreaPlane, 14);
+  EXPECT_EQ(figure.cutAreaMembrane, 1);
+  Shares shares = sharesOf(figure, cut);
+  EXPECT_NEAR(shares.cut, 1.0 / 14.0, 1e-12);
+  EXPECT_NEAR(shares.kept, 9.0 / 14.0, 1e-12);
+  EXPECT_NEAR(shares.removed, 4.0 / 14.0, 1e-12);
+  cut.invert = true;
+  EXPECT_NEAR(sharesOf(figure, cut).removed, 9.0 / 14.0, 1e-12);
+  figure.ratio = 2.0;
+  EXPECT_EQ(sharesOf(figure, cut).cut, 1.0);
+  EXPECT_EQ(sharesOf(figure, cut).kept, 0.0);
+  EXPECT_EQ(sharesOf({}, cut).kept, 1.0) << "the plane cuts nothing";
+}
+
 TEST(KeptWhole, AnObliqueFrameHasALimitToo) {
   // A ball on an oblique rest plane: the sheet can go around it.
   glm::ivec3 dims(40, 40, 40);

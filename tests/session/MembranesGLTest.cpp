@@ -72,6 +72,21 @@ TEST_F(MembranesGL, ObliqueFramesSpareAsMuchAsStraightOnes) {
     }
 }
 
+TEST_F(MembranesGL, NoSheetCutsMoreThanItsPlane) {
+  // Solid but for holes: there is hardly anything to be spared, and every bend costs.
+  auto holed = [](glm::ivec3 p) { return (p.x * 7 + p.y * 13 + p.z * 5) % 11 == 0 ? 0.0 : 1000.0; };
+  scene::Scene scene;
+  scene.volume.data = Shared<Volume>(makeVolume({40, 40, 40}, SampleType::Int16, holed, glm::dmat4(1.0)));
+  for (glm::dvec3 axis : {glm::dvec3(0, 0, 1), glm::dvec3(1, 0.6, 0.35), glm::dvec3(-0.3, 0.5, 1)}) {
+    scene.cuts = {makeCut(scene, scene::CutShape::Membrane)};
+    scene.cuts[0].axis = glm::normalize(axis);
+    protectValues(*scene.cuts[0].membrane, 500, 4000);
+    auto kept = settleMembranes(scene, {true, false}, sProgress).at(0).kept;
+    EXPECT_GT(kept->cutAreaPlane, 500);
+    EXPECT_LE(kept->ratio, 1.0);
+  }
+}
+
 TEST_F(MembranesGL, CoarseDataIsSparedLikeFineData) {
   // Fewer columns of voxels than the sheet has particles from the start.
   scene::Scene scene = phantom("two-spheres", 40, 500, {0, 1, 0});

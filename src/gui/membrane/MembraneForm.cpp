@@ -40,6 +40,7 @@ MembraneForm::MembraneForm(session::Document& document, Selection& selection, QW
     : QWidget(parent),
       mDocument(document),
       mSelection(selection),
+      mShares(new ShareBar(this)),
       mFigure(new QLabel(this)),
       mDoing(new QLabel(this)),
       mCanvas(new StrengthCanvas(this)),
@@ -52,8 +53,8 @@ MembraneForm::MembraneForm(session::Document& document, Selection& selection, QW
   mFigure->setObjectName("membraneFigure");
   mFigure->setWordWrap(true);
   mFigure->setToolTip(
-      tr("Cut area: pairs of neighbouring protected voxels that the sheet separates, by those that the "
-         "plane separates. 100 % is a plane, 0 % cuts nothing."));
+      tr("Of the pairs of neighbouring protected voxels that the plane separates: those that the sheet leaves "
+         "together on the side that stays, those that go together, and as many as the sheet cuts."));
   mDoing->setProperty("role", "muted");
   mDoing->setWordWrap(true);
   layout->addWidget(makeFieldHead());
@@ -69,6 +70,7 @@ MembraneForm::MembraneForm(session::Document& document, Selection& selection, QW
   layout->addWidget(mSketch);
   mHands = new SheetHandsForm(document, selection, this);
   layout->addWidget(mHands);
+  layout->addWidget(mShares);
   layout->addWidget(mFigure);
   layout->addWidget(mDoing);
   layout->addWidget(makePlayer());
@@ -331,10 +333,13 @@ QString MembraneForm::figureText(const session::MembraneStatus& status, const Le
   if (!status.isMeasured) return {};
   if (status.planePairs == 0)
     return tr("The plane cuts nothing of what is protected; the sheet cuts %1 pairs of voxels.").arg(status.sheetPairs);
-  double percent = 100.0 * status.keptWhole;
-  return tr("Cuts %1 % of what the plane cuts; %2 from the rest plane on average.")
-      .arg(percent, 0, 'f', percent > 0 && percent < 9.95 ? 1 : 0)
-      .arg(length.text(status.meanDistance));
+  auto percent = [](double share) {
+    return QLocale().toString(100.0 * share, 'f', share > 0 && share < 0.0995 ? 1 : 0);
+  };
+  return tr("Of what the plane would cut, %1 % stays whole, %2 % is removed whole, %3 % is cut. The sheet lies %4 from the "
+            "rest plane on average.")
+      .arg(percent(status.shares.kept), percent(status.shares.removed), percent(status.shares.cut),
+           length.text(status.meanDistance));
 }
 
 void MembraneForm::showStatus(const std::optional<session::MembraneStatus>& status, bool isPlaying) {
@@ -345,6 +350,8 @@ void MembraneForm::showStatus(const std::optional<session::MembraneStatus>& stat
   // The figure stays until there is another, so that the panel does not jump.
   if (QString text = figureText(*status, Length(mDocument.scene())); !text.isEmpty()) mFigure->setText(text);
   mFigure->setEnabled(status->isMeasured);
+  mShares->setEnabled(status->isMeasured);
+  if (status->isMeasured) mShares->setShares(status->shares);
   QString kernels = tr("%1 kernels, %2 \u00d7 %3 particles")
                         .arg(QLocale().toString(qulonglong(status->kernels)))
                         .arg(status->particles.x)

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 
+#include "ShareBar.h"
 #include "SheetHandsForm.h"
 #include "SketchForm.h"
 #include "StrengthCanvas.h"
@@ -67,6 +68,7 @@ class MembraneForm : public QWidget {
   session::Document& mDocument;
   Selection& mSelection;
   scene::Membrane mShown;
+  ShareBar* mShares;
   QLabel *mFigure, *mDoing;
   QComboBox* mAttribute = nullptr;
   StrengthCanvas* mCanvas;

@@ -248,6 +248,8 @@ Corridor ForceMaker::corridorOf(const scene::Cut& cut, const CurrentSheet& curre
   CutLattice lattice = gatherLattice(voxels, cut, std::max(1.0, std::ceil(std::cbrt(count / kMostProtected))));
   auto around = [&](const LeastCut& least) {
     Corridor corridor = corridorAround(lattice, least);
+    std::vector<int> flat(least.below.size(), flatCount(lattice));
+    corridor.leastShare = least.cutPairs / std::max(countCutPairs(lattice, flat), 1.0);
     corridor.stakes = stakesOf(voxels, cut, lattice, least, corridor);
     // What stakes say of each voxel need not be said of nodes, which lie up to half a layer off.
     auto off = corridor.stakes.empty() ? 0.0f : float(0.5 * lattice.step.z);

@@ -64,12 +64,14 @@ class RowOfSides {
 };
 
 struct Areas {
-  std::int64_t plane = 0, sheet = 0;
+  std::int64_t plane = 0, sheet = 0, above = 0, below = 0;
   void add(std::uint8_t a, std::uint8_t b) {
     bool counts = a & b & kProtected && (a | b) & kInFrame;
     std::uint8_t differs = counts ? a ^ b : 0;
     plane += (differs & kAbovePlane) != 0;
     sheet += (differs & kAboveSheet) != 0;
+    if ((differs & kAbovePlane) == 0 || differs & kAboveSheet) return;
+    (a & kAboveSheet ? above : below) += 1;
   }
 };
 
@@ -93,6 +95,8 @@ Areas countPairs(const Sides& sides) {
       [](Areas a, const Areas& b) {
         a.plane += b.plane;
         a.sheet += b.sheet;
+        a.above += b.above;
+        a.below += b.below;
         return a;
       });
 }
@@ -149,11 +153,29 @@ KeptWhole measureKeptWhole(const ProtectedVoxels& voxels, const scene::Cut& cut,
   });
   progress.throwIfCancelled();
   Areas areas = countPairs(sides);
-  KeptWhole result{areas.plane, areas.sheet, 1.0, meanDistance};
+  KeptWhole result{areas.plane, areas.sheet, 1.0, meanDistance, areas.above, areas.below};
   if (areas.plane > 0 || areas.sheet > 0)
     result.ratio = double(areas.sheet) / double(std::max<std::int64_t>(areas.plane, 1));
   return result;
 }
+
+Shares sharesOf(const KeptWhole& figure, const scene::Cut& cut) {
+  if (figure.cutAreaPlane == 0) return {};
+  Shares shares;
+  shares.cut = std::min(figure.ratio, 1.0);
+  std::int64_t whole = figure.planeAbove + figure.planeBelow, gone = cut.invert ? figure.planeBelow : figure.planeAbove;
+  shares.removed = whole > 0 ? (1.0 - shares.cut) * double(gone) / double(whole) : 0.0;
+  shares.kept = 1.0 - shares.cut - shares.removed;
+  return shares;
+}
+
+bool isWorseThanFlat(const KeptWhole& figure, const scene::Cut& cut) {
+  const scene::Membrane& membrane = *cut.membrane;
+  bool isHeld = !membrane.pins.empty() || !membrane.field.kernels.empty();
+  return membrane.field.rule == scene::KernelRule::Sided && !isHeld && figure.cutAreaMembrane > figure.cutAreaPlane;
+}
+
+KeptWhole figureOfFlat(const KeptWhole& other) { return {other.cutAreaPlane, other.cutAreaPlane, 1.0, 0.0, 0, 0}; }
 
 double meanDistance(const scene::SheetShape& shape) {
   glm::ivec2 n = shape.particles;

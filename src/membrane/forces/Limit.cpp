@@ -122,8 +122,8 @@ CutLattice gatherLattice(const ProtectedVoxels& voxels, const scene::Cut& cut, d
     // Voxels along a direction are as far apart as the ellipsoid of their spacing says: right along the axes.
     double step = coarsening / glm::length(glm::dvec3(voxelFromLocal[axis]));
     double anchor = axis == 2 ? 0.5 * step : 0.0;
-    // A node on every voxel where the axes agree, so that pairs between nodes are pairs of voxels. Elsewhere a node stands
-    // for what is around it: all of that is to lie where the sheet can pass it.
+    // A node on every voxel where the axes agree, so that pairs between nodes are pairs of voxels. Elsewhere a node
+    // stands for what is around it: all of that is to lie where the sheet can pass it.
     bool isAligned = coarsening == 1.0 && alignedAxis(voxelFromLocal, axis, high[axis] - low[axis]) >= 0;
     if (isAligned) anchor = low[axis];
     double reach = isAligned ? half[axis] : std::max(half[axis] - 0.5 * step, 0.0);

@@ -44,7 +44,7 @@ std::vector<Stake> stakesOf(const ProtectedVoxels& voxels, const scene::Cut& cut
   glm::ivec3 size = voxels.box.end - voxels.box.min;
   std::vector<glm::vec2> reach = reachAround(corridor);
   auto beyond = float(kBeyond * lattice.step.z);
-  std::vector<std::vector<Stake>> slices(std::size_t(std::max(size.z, 0)));
+  std::vector<std::vector<Stake>> layers(std::size_t(std::max(size.z, 0)));
   parallelFor(0, size.z, [&](int z) {
     const std::uint8_t* mask = voxels.mask.data() + std::ptrdiff_t(z) * size.y * size.x;
     for (int y = 0; y < size.y; ++y)
@@ -58,11 +58,11 @@ std::vector<Stake> stakesOf(const ProtectedVoxels& voxels, const scene::Cut& cut
         bool isBelow = node.z < least.below[column];
         auto height = float(local.z);
         if (isBelow ? height + beyond < reach[column].x : height - beyond > reach[column].y) continue;
-        slices[std::size_t(z)].push_back({glm::vec3(local), isBelow});
+        layers[std::size_t(z)].push_back({glm::vec3(local), isBelow});
       }
   });
   std::vector<Stake> all;
-  for (const auto& slice : slices) all.insert(all.end(), slice.begin(), slice.end());
+  for (const auto& layer : layers) all.insert(all.end(), layer.begin(), layer.end());
   return all;
 }
 

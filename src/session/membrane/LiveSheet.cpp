@@ -214,7 +214,15 @@ bool LiveSheet::needsFigures() const {
 }
 
 void LiveSheet::takeFigures(const membrane::KeptWhole& figures, std::uint64_t wish) {
-  if (wish == mWish && !isMoving()) mFigures = figures;
+  if (wish != mWish || isMoving()) return;
+  mFigures = figures;
+  if (!membrane::isWorseThanFlat(figures, mCut)) return;
+  mFigures = membrane::figureOfFlat(figures);
+  glm::ivec2 particles = mKept.places.empty() ? mCut.membrane->cloth.particles : mKept.particles;
+  mKept = membrane::flatShape(mCut, particles);
+  if (isActive()) membrane::anchor(mKept, mCut, mKeptStep);
+  mKeptCut = mCut;
+  ++mShown;
 }
 
 MembraneStatus LiveSheet::status(bool isPlaying, bool isComputing) const {
@@ -240,6 +248,7 @@ MembraneStatus LiveSheet::status(bool isPlaying, bool isComputing) const {
   if (!mFigures) return status;
   status.isMeasured = true;
   status.keptWhole = mFigures->ratio;
+  status.shares = membrane::sharesOf(*mFigures, mCut);
   status.planePairs = mFigures->cutAreaPlane;
   status.sheetPairs = mFigures->cutAreaMembrane;
   status.meanDistance = mFigures->meanDistance;

@@ -19,6 +19,7 @@ namespace {
 
 bool isLive(const scene::Cut& cut) { return cut.enabled && scene::isMembrane(cut); }
 
+constexpr double kShareToWatch = 0.6;
 constexpr int kStepsAtOnce = 10;  ///< between two looks at the speed
 
 membrane::ProtectedVoxels protectedVoxels(const membrane::Potential& potential, const scene::Cut& cut,
@@ -44,6 +45,7 @@ MembraneReport settle(membrane::ForceMaker& maker, int timeStep, scene::Cut& cut
   report.kernels = forces.kernels;
   report.kernelsMs = forces.kernelsMs;
   report.leastCutMs = forces.leastCutMs;
+  double leastShare = forces.corridor.leastShare;
   membrane::Simulation simulation;
   simulation.begin(cut, std::move(forces), first);
   auto stepping = Clock::now();
@@ -53,6 +55,11 @@ MembraneReport settle(membrane::ForceMaker& maker, int timeStep, scene::Cut& cut
   report.atRest = simulation.isAtRest();
   membrane.shape = simulation.shape();
   if (membrane.repositioning == scene::Repositioning::Active) membrane::anchor(membrane.shape, cut, timeStep);
+  // Only where so much must be cut can the sheet cut more than its plane.
+  if (leastShare > kShareToWatch) {
+    membrane::KeptWhole kept = measureMembrane(maker.potential(), cut, membrane.shape, progress);
+    if (membrane::isWorseThanFlat(kept, cut)) membrane.shape = membrane::flatShape(cut, membrane.shape.particles);
+  }
   report.particles = membrane.shape.particles;
   report.totalMs = msSince(start);
   return report;

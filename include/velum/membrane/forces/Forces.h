@@ -29,6 +29,7 @@ struct Corridor {
   std::vector<glm::vec2> room;  ///< [y][x]: lowest, highest z
   std::vector<float> height;    ///< [y][x]: z of the least cut itself
   std::vector<Stake> stakes;    ///< between the middles of columns
+  double leastShare = 0.0;      ///< pairs that its sheet cuts, by those that the rest plane does
 };
 
 /// Everything that acts on the sheet of one membrane in one place.

@@ -22,7 +22,24 @@ struct KeptWhole {
   std::int64_t cutAreaMembrane = 0;  ///< that the sheet separates
   double ratio = 1.0;  ///< membrane / plane; 1 where neither cuts, the membrane's count where the plane cuts none
   double meanDistance = 0.0;  ///< of the sheet from the rest plane
+  std::int64_t planeAbove = 0, planeBelow = 0;  ///< of the plane's pairs: those that lie above, below the sheet whole
 };
+
+/// What becomes of what the rest plane would cut; they sum up to 1.
+struct Shares {
+  double kept = 1.0;     ///< stays whole
+  double removed = 0.0;  ///< is taken away whole
+  double cut = 0.0;      ///< is cut, there or elsewhere
+};
+/// `cut` is the ratio, 1 at most; what it leaves is shared out as the plane's pairs that the sheet does not separate.
+/// @param cut  the membrane, for which side it removes
+Shares sharesOf(const KeptWhole& figure, const scene::Cut& cut);
+
+/// The sheet cuts more than its rest plane, by the sided rule and with nothing that hands have put in to hold it there:
+/// the flat sheet is to be taken.
+bool isWorseThanFlat(const KeptWhole& figure, const scene::Cut& cut);
+/// Of the flat sheet, given those of another one.
+KeptWhole figureOfFlat(const KeptWhole& other);
 
 /// The voxels that can matter to a membrane: those within its frame and reach, and their neighbours.
 VoxelBox voxelsInReach(const Potential& potential, const scene::Cut& cut);

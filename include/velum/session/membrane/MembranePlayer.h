@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "velum/core/Clock.h"
+#include "velum/membrane/forces/KeptWhole.h"
 #include "velum/membrane/sheet/SheetIndex.h"
 #include "velum/render/SheetIndices.h"
 #include "velum/scene/Scene.h"
@@ -32,6 +33,7 @@ struct MembraneStatus {
   double stepMs = 0;            ///< that a step takes
   bool isMeasured = false;      ///< the figures below are those of the sheet as it rests
   double keptWhole = 1.0;       ///< cut area of the sheet by that of the plane: 0 cuts nothing
+  membrane::Shares shares;      ///< of what the plane would cut
   std::int64_t planePairs = 0;  ///< cut area: pairs of neighbouring protected voxels that the plane separates
   std::int64_t sheetPairs = 0;  ///< and that the sheet does
   double meanDistance = 0;      ///< of the sheet from the rest plane

@@ -1,0 +1,24 @@
+#pragma once
+#include <QWidget>
+
+#include "velum/session/membrane/MembranePlayer.h"
+
+namespace velum::gui {
+
+/// Three shares as one bar: what stays whole, what is removed whole, what is cut.
+class ShareBar : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ShareBar(QWidget* parent);
+  void setShares(const membrane::Shares& shares);
+  QSize sizeHint() const override;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  membrane::Shares mShares;
+};
+
+}  // namespace velum::gui

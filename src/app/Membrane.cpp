@@ -11,6 +11,7 @@
 #include "velum/session/cut/CutEdit.h"
 #include "velum/session/document/Open.h"
 #include "velum/session/membrane/DefaultField.h"
+#include "velum/session/membrane/FirstPlace.h"
 #include "velum/session/membrane/MembraneEdit.h"
 #include "velum/session/membrane/Membranes.h"
 #include "velum/session/membrane/SheetHands.h"
@@ -28,7 +29,7 @@ struct MembraneOptions {
   std::vector<double> protect, axis, at;
   std::vector<int> structures;
   std::vector<std::string> sketch, avoid;
-  double position = 0.5;
+  std::optional<double> position;
   std::vector<std::string> kernels, pins;
   std::string rule, side, saveScene, sheet, clipped;
   bool limit = false;
@@ -49,7 +50,7 @@ scene::Cut newMembrane(const scene::Scene& scene, const MembraneOptions& options
   scene::Bounds bounds = scene::computeBounds(scene);
   glm::dvec3 middle = (bounds.min + bounds.max) * 0.5, z(scene::worldFromCut(cut)[2]);
   double deep = glm::dot(glm::abs(z), bounds.max - bounds.min);
-  cut.centre = middle + z * (deep * (options.position - 0.5));
+  cut.centre = middle + z * (deep * (options.position.value_or(0.5) - 0.5));
   return cut;
 }
 
@@ -241,6 +242,7 @@ int run(const MembraneOptions& options) {
     scene::Cut cut = newMembrane(scene, options);
     if (!isAsked) cut.membrane->field = session::defaultField(scene);
     protectWhatIsAsked(scene, cut, options);
+    if (!options.position) cut.centre = session::firstPlaceOf(scene, cut, consoleProgress()).value_or(cut.centre);
     scene::addCut(scene, cut);
   }
   putHandsOn(scene, options);
@@ -297,7 +299,8 @@ Run registerMembrane(CLI::App& verb) {
   verb.add_option("--avoid", options->avoid, "a stroke over what the sheet may cut; repeatable");
   numbers("--axis", options->axis, 3,
           "normal of the new membrane's frame, towards what is removed; default: to the eye");
-  verb.add_option("--position", options->position, "where along its axis the frame hangs, 0 to 1")
+  verb.add_option("--position", options->position,
+                  "where along its axis the frame hangs, 0 to 1 of the data; else in front of what it protects")
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
   verb.add_option("--rule", options->rule, "how kernels push: sided, paper; default: as the scene says")

@@ -47,7 +47,7 @@ TEST_F(MembraneWindow, ANewOneKeepsWholeWhatIsShownMost) {
   EXPECT_LT(status().keptWhole, 1.0);  // one ball fills the middle: no sheet in reach goes around it
   auto* figure = child<QLabel>("membraneFigure");
   ASSERT_TRUE(figure && figure->isVisible());
-  EXPECT_TRUE(figure->text().contains("of what the plane cuts")) << figure->text().toStdString();
+  EXPECT_TRUE(figure->text().contains("is removed whole")) << figure->text().toStdString();
   takeShot(*mWindow, "membrane-new");
   document().undo();
   EXPECT_TRUE(scene().cuts.empty());

@@ -185,11 +185,29 @@ Json jsonOf(const session::MembraneReport& report, const scene::Cut& cut, int pl
     membrane::Shares shares = membrane::sharesOf(*report.kept, cut);
     json["shares"] = {{"kept", shares.kept}, {"removed", shares.removed}, {"cut", shares.cut}};
   }
+  if (report.advice)
+    json["advice"] = {{"step", std::string(enumName(report.advice->step))},
+                      {"reason", std::string(session::reasonOf(report.advice->step))},
+                      {"cut", report.advice->cutShare}};
   if (report.limit) {
     json["limit"] = report.limit->figure.ratio;
     json["limitMeanDistance"] = report.limit->figure.meanDistance;
   }
   return json;
+}
+
+/// What to do, for somebody at a command line.
+std::string adviceInWords(const session::Advice& advice, const scene::Cut& cut, LengthUnit unit) {
+  switch (advice.step) {
+    case session::AdviceStep::DeepenReach:
+      return fmt::format("A frame {:.4g} {} deep", advice.cut.size.z, symbolOf(unit));
+    case session::AdviceStep::MoveInFront:
+      return fmt::format("The frame {:.4g} {} further along its axis",
+                         glm::dot(advice.cut.centre - cut.centre, glm::normalize(cut.axis)), symbolOf(unit));
+    case session::AdviceStep::ProtectLess:
+      return "Protecting half as much";
+  }
+  return {};
 }
 
 void printReport(const session::MembraneReport& report, const scene::Cut& cut, LengthUnit unit) {
@@ -206,6 +224,9 @@ void printReport(const session::MembraneReport& report, const scene::Cut& cut, L
       "average\n",
       report.kept->cutAreaMembrane, report.kept->cutAreaPlane, report.kept->ratio, report.kept->meanDistance,
       symbolOf(unit));
+  if (report.advice)
+    fmt::print("{} {} would bring that down to about {:.0f} %\n", session::reasonOf(report.advice->step),
+               adviceInWords(*report.advice, cut, unit), 100.0 * report.advice->cutShare);
   if (report.limit)
     fmt::print("no sheet on this rest plane with this reach can do better than {:.3f}, at {:.2f} {}\n",
                report.limit->figure.ratio, report.limit->figure.meanDistance, symbolOf(unit));

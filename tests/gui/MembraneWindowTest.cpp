@@ -4,6 +4,7 @@
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
 #include <QPushButton>
+#include <QScrollArea>
 
 #include "Shots.h"
 #include "WindowFixture.h"
@@ -52,6 +53,33 @@ TEST_F(MembraneWindow, ANewOneKeepsWholeWhatIsShownMost) {
   document().undo();
   EXPECT_TRUE(scene().cuts.empty());
   EXPECT_TRUE(settle());
+}
+
+TEST_F(MembraneWindow, WhereMuchIsCutItSaysWhyAndOffersWhatHelps) {
+  addMembrane();
+  auto* button = child<QPushButton>("membraneAdvice");
+  ASSERT_TRUE(button);
+  // A reach too short for anything, in the middle of the data.
+  document().edit("Shallow", [](scene::Scene& scene) {
+    scene.cuts[0].centre = centreOf(*scene.volume.data);
+    scene.cuts[0].size.z = 8.0;
+  });
+  ASSERT_TRUE(settle());
+  ASSERT_TRUE(status().isMeasured);
+  ASSERT_GT(status().shares.cut, 0.6);
+  ASSERT_TRUE(status().advice);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return button->isVisible() && button->isEnabled(); }));
+  EXPECT_TRUE(child<QLabel>("membraneFigure")->text().contains(". Of what the plane would cut"));
+  for (QWidget* widget = button; widget; widget = widget->parentWidget())
+    if (auto* area = qobject_cast<QScrollArea*>(widget)) area->ensureWidgetVisible(button);
+  takeShot(*mWindow, "membrane-advice");
+  scene::Cut before = scene().cuts[0];
+  std::string label = button->text().toStdString();
+  button->click();
+  EXPECT_NE(scene().cuts[0], before);
+  EXPECT_EQ(document().undoLabel(), label);
+  ASSERT_TRUE(settle());
+  EXPECT_LT(status().shares.cut, 0.6);
 }
 
 /// Another context is current while it lives, as the window's own is whenever it has been shown. Our GL asserts that it

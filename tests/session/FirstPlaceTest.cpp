@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "makeVolume.h"
+#include "velum/session/membrane/Advice.h"
 #include "velum/session/membrane/MembraneEdit.h"
 
 namespace velum::session {
@@ -66,6 +67,53 @@ TEST(FirstPlace, IsWhereTheSheetGetsRound) {
   auto place = firstPlaceOf(scene, membraneAt({32, 32, 48}, {0, 0, 1}), progress);
   ASSERT_TRUE(place);
   EXPECT_NEAR(place->z, 40.0, 9.0);
+}
+
+template <class ValueAt>
+std::optional<Advice> adviceOn(ValueAt valueAt, glm::dvec3 centre) {
+  scene::Scene scene;
+  scene.volume.data = Shared<Volume>(makeVolume({64, 64, 96}, SampleType::Int16, valueAt, glm::dmat4(1.0)));
+  Progress progress;
+  return adviseMembrane(scene, membraneAt(centre, {0, 0, 1}), progress);
+}
+
+double ball(glm::ivec3 p, glm::dvec3 centre, double radius) { return glm::length(glm::dvec3(p) - centre) < radius; }
+
+TEST(Advice, ADeeperReachGetsRoundALargerBall) {
+  glm::dvec3 middle(32, 32, 48);
+  auto advice = adviceOn([&](glm::ivec3 p) { return 900.0 * ball(p, middle, 18.0); }, middle);
+  ASSERT_TRUE(advice);
+  // In front of it the sheet gets round a part; with twice the reach round all of it.
+  EXPECT_EQ(advice->step, AdviceStep::DeepenReach);
+  EXPECT_EQ(advice->cut.size.z, 4.0 * kReach);
+  EXPECT_LT(advice->cutShare, 0.05);
+}
+
+TEST(Advice, AFrameThroughSolidMaterialMovesInFront) {
+  auto bar = [](glm::ivec3 p) {
+    bool isBar = std::abs(p.x - 12) <= 4 && std::abs(p.y - 12) <= 4 && p.z >= 2 && p.z <= 93;
+    return isBar || ball(p, {40, 40, 30}, 9.0) > 0 ? 900.0 : 0.0;
+  };
+  auto advice = adviceOn(bar, {32, 32, 58});
+  ASSERT_TRUE(advice);
+  EXPECT_EQ(advice->step, AdviceStep::MoveInFront);
+  EXPECT_NE(advice->cut.centre.z, 58.0);
+  EXPECT_LT(advice->cutShare, 0.5);
+}
+
+TEST(Advice, WhereAllIsProtectedLessIsMore) {
+  glm::dvec3 middle(32, 32, 48);
+  auto solid = [&](glm::ivec3 p) { return ball(p, middle, 8.0) > 0 ? 900.0 : 600.0; };
+  auto advice = adviceOn(solid, middle);
+  ASSERT_TRUE(advice);
+  EXPECT_EQ(advice->step, AdviceStep::ProtectLess);
+  EXPECT_LT(advice->cutShare, 0.1);
+}
+
+TEST(Advice, IsNotGivenWhereNothingHelps) {
+  EXPECT_FALSE(adviceOn([](glm::ivec3) { return 0.0; }, {32, 32, 48})) << "nothing is protected";
+  Progress progress;
+  EXPECT_FALSE(adviseMembrane({}, membraneAt({0, 0, 0}, {0, 0, 1}), progress)) << "no data";
 }
 
 TEST(FirstPlace, IsNowhereWhereNothingIsProtected) {

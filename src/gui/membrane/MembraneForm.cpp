@@ -43,6 +43,7 @@ MembraneForm::MembraneForm(session::Document& document, Selection& selection, QW
       mShares(new ShareBar(this)),
       mFigure(new QLabel(this)),
       mDoing(new QLabel(this)),
+      mAdvice(new QPushButton(this)),
       mCanvas(new StrengthCanvas(this)),
       mStructures(new StrengthTable(this)),
       mSketch(new SketchForm(this)) {
@@ -72,6 +73,10 @@ MembraneForm::MembraneForm(session::Document& document, Selection& selection, QW
   layout->addWidget(mHands);
   layout->addWidget(mShares);
   layout->addWidget(mFigure);
+  layout->addWidget(mAdvice);
+  mAdvice->setObjectName("membraneAdvice");
+  mAdvice->hide();
+  connect(mAdvice, &QPushButton::clicked, this, &MembraneForm::followAdvice);
   layout->addWidget(mDoing);
   layout->addWidget(makePlayer());
   auto* picture = new QWidget(this);
@@ -336,10 +341,32 @@ QString MembraneForm::figureText(const session::MembraneStatus& status, const Le
   auto percent = [](double share) {
     return QLocale().toString(100.0 * share, 'f', share > 0 && share < 0.0995 ? 1 : 0);
   };
-  return tr("Of what the plane would cut, %1 % stays whole, %2 % is removed whole, %3 % is cut. The sheet lies %4 from the "
-            "rest plane on average.")
-      .arg(percent(status.shares.kept), percent(status.shares.removed), percent(status.shares.cut),
-           length.text(status.meanDistance));
+  QString reason = status.advice ? tr(session::reasonOf(status.advice->step).data()) + " " : QString();
+  return reason + tr("Of what the plane would cut, %1 % stays whole, %2 % is removed whole, %3 % is cut. The sheet "
+                     "lies %4 from the "
+                     "rest plane on average.")
+                      .arg(percent(status.shares.kept), percent(status.shares.removed), percent(status.shares.cut),
+                           length.text(status.meanDistance));
+}
+
+void MembraneForm::showAdvice(const std::optional<session::Advice>& advice) {
+  using Step = session::AdviceStep;
+  mAdvised = advice;
+  mAdvice->setVisible(advice.has_value());
+  if (!advice) return;
+  mAdvice->setText(advice->step == Step::DeepenReach   ? tr("Double the reach")
+                   : advice->step == Step::MoveInFront ? tr("Move the frame in front")
+                                                       : tr("Protect less"));
+  mAdvice->setToolTip(tr("The sheet would cut about %1 % then").arg(100.0 * advice->cutShare, 0, 'f', 0));
+}
+
+void MembraneForm::followAdvice() {
+  if (!mAdvised) return;
+  editSelectedCut(mDocument, mSelection, mAdvice->text().toStdString(), [this](scene::Cut& cut) {
+    cut.centre = mAdvised->cut.centre;
+    cut.size = mAdvised->cut.size;
+    if (cut.membrane) cut.membrane->field = mAdvised->cut.membrane->field;
+  });
 }
 
 void MembraneForm::showStatus(const std::optional<session::MembraneStatus>& status, bool isPlaying) {
@@ -351,6 +378,8 @@ void MembraneForm::showStatus(const std::optional<session::MembraneStatus>& stat
   if (QString text = figureText(*status, Length(mDocument.scene())); !text.isEmpty()) mFigure->setText(text);
   mFigure->setEnabled(status->isMeasured);
   mShares->setEnabled(status->isMeasured);
+  mAdvice->setEnabled(status->isMeasured);
+  if (status->isMeasured) showAdvice(status->advice);
   if (status->isMeasured) mShares->setShares(status->shares);
   QString kernels = tr("%1 kernels, %2 \u00d7 %3 particles")
                         .arg(QLocale().toString(qulonglong(status->kernels)))

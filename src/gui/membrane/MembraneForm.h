@@ -64,12 +64,16 @@ class MembraneForm : public QWidget {
   void showCurve();
   void countHistogram();
   void showWords();
+  void showAdvice(const std::optional<session::Advice>& advice);
+  void followAdvice();
 
   session::Document& mDocument;
   Selection& mSelection;
   scene::Membrane mShown;
   ShareBar* mShares;
   QLabel *mFigure, *mDoing;
+  QPushButton* mAdvice;
+  std::optional<session::Advice> mAdvised;  ///< what it would do
   QComboBox* mAttribute = nullptr;
   StrengthCanvas* mCanvas;
   SheetHandsForm* mHands = nullptr;

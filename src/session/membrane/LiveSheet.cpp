@@ -213,9 +213,11 @@ bool LiveSheet::needsFigures() const {
   return mCut.enabled && !mNeedsForces && !isMoving() && !mFigures && mError.empty() && mIndexed == mShown;
 }
 
-void LiveSheet::takeFigures(const membrane::KeptWhole& figures, std::uint64_t wish) {
+void LiveSheet::takeFigures(const membrane::KeptWhole& figures, const std::optional<Advice>& advice,
+                            std::uint64_t wish) {
   if (wish != mWish || isMoving()) return;
   mFigures = figures;
+  mAdvice = advice;
   if (!membrane::isWorseThanFlat(figures, mCut)) return;
   mFigures = membrane::figureOfFlat(figures);
   glm::ivec2 particles = mKept.places.empty() ? mCut.membrane->cloth.particles : mKept.particles;
@@ -248,6 +250,7 @@ MembraneStatus LiveSheet::status(bool isPlaying, bool isComputing) const {
   if (!mFigures) return status;
   status.isMeasured = true;
   status.keptWhole = mFigures->ratio;
+  status.advice = mAdvice;
   status.shares = membrane::sharesOf(*mFigures, mCut);
   status.planePairs = mFigures->cutAreaPlane;
   status.sheetPairs = mFigures->cutAreaMembrane;

@@ -57,7 +57,7 @@ class LiveSheet {
 
   /// What is to be measured: the sheet rests where it is wanted, and its figures are not known.
   bool needsFigures() const;
-  void takeFigures(const membrane::KeptWhole& figures, std::uint64_t wish);
+  void takeFigures(const membrane::KeptWhole& figures, const std::optional<Advice>& advice, std::uint64_t wish);
   void failFigures() { mFigures = membrane::KeptWhole{}; }
   MembraneStatus status(bool isPlaying, bool isComputing) const;
 
@@ -114,6 +114,7 @@ class LiveSheet {
   int mKeptStep = -1;          ///< time step of its forces; -1: not known
   scene::SheetShape mWritten;  ///< that the scene holds
   std::optional<membrane::KeptWhole> mFigures;
+  std::optional<Advice> mAdvice;  ///< that goes with them
   // What is shown.
   std::shared_ptr<membrane::Sheet> mSheet;
   std::shared_ptr<const membrane::SheetIndex> mIndex;

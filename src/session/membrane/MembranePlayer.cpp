@@ -97,12 +97,16 @@ MembranePlayer::Work MembranePlayer::measureWork(LiveSheet& sheet) {
     if (!maker || !maker->matches(scene)) maker = std::make_shared<membrane::ForceMaker>(scene);
     const membrane::Potential& potential = maker->potential();
     membrane::KeptWhole figures;
-    if (potential.dims().x > 0) figures = measureMembrane(potential, cut, shape, progress);
-    return [this, out, maker, figures] {
+    std::optional<Advice> advice;
+    if (potential.dims().x > 0) {
+      figures = measureMembrane(potential, cut, shape, progress);
+      advice = adviceFor(figures, scene, cut, progress);
+    }
+    return [this, out, maker, figures, advice] {
       LiveSheet* found = find(out.id);
       if (!found) return;
       found->maker = maker;
-      found->takeFigures(figures, out.wish);
+      found->takeFigures(figures, advice, out.wish);
     };
   };
 }

@@ -123,6 +123,12 @@ membrane::KeptWhole measureMembrane(const membrane::Potential& potential, const 
                                     progress);
 }
 
+std::optional<Advice> adviceFor(const membrane::KeptWhole& figures, const scene::Scene& scene, const scene::Cut& cut,
+                                Progress& progress) {
+  if (membrane::sharesOf(figures, cut).cut <= kMuchCut) return std::nullopt;
+  return adviseMembrane(scene, cut, progress);
+}
+
 std::vector<MembraneReport> settleMembranes(scene::Scene& scene, MembraneQuestions questions, Progress& progress) {
   std::vector<MembraneReport> reports;
   if (!hasMembranes(scene)) return reports;
@@ -134,6 +140,7 @@ std::vector<MembraneReport> settleMembranes(scene::Scene& scene, MembraneQuestio
     if (maker.potential().dims().x > 0) {
       if (questions.kept || questions.limit)
         report.kept = measureMembrane(maker.potential(), cut, cut.membrane->shape, progress);
+      if (report.kept) report.advice = adviceFor(*report.kept, scene, cut, progress);
       if (questions.limit)
         report.limit = membrane::computeLimit(protectedVoxels(maker.potential(), cut, progress), cut, progress);
     }

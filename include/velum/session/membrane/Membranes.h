@@ -10,6 +10,7 @@
 #include "velum/membrane/forces/KeptWhole.h"
 #include "velum/membrane/forces/Limit.h"
 #include "velum/scene/Scene.h"
+#include "velum/session/membrane/Advice.h"
 
 namespace velum::session {
 
@@ -25,6 +26,7 @@ struct MembraneReport {
   double kernelsMs = 0, leastCutMs = 0, totalMs = 0;
   std::optional<membrane::KeptWhole> kept;        ///< when asked for
   std::optional<membrane::KeptWholeLimit> limit;  ///< when asked for
+  std::optional<Advice> advice;                   ///< with `kept`, where it cuts more than kMuchCut
 };
 
 /// What to find out beside settling.
@@ -60,6 +62,10 @@ Mesh sheetMesh(const scene::Cut& cut);
 /// The scene's volume (its current time step) with everything that the cuts remove set to the smallest value of its
 /// data, membranes as their shapes are. Any thread. @throw Cancelled, ArgumentError without a volume
 Volume clippedVolume(const scene::Scene& scene, Progress& progress);
+
+/// What helps a membrane with these figures, where it cuts much. Any thread. @throw Cancelled
+std::optional<Advice> adviceFor(const membrane::KeptWhole& figures, const scene::Scene& scene, const scene::Cut& cut,
+                                Progress& progress);
 
 /// How much of what a membrane protects its sheet keeps whole. Any thread. @throw Cancelled
 membrane::KeptWhole measureMembrane(const membrane::Potential& potential, const scene::Cut& cut,

@@ -293,6 +293,8 @@ TEST(SectionCuts, WalksMarkARowAsIntervalsDo) {
 
 TEST_F(SectionLabels, MembranesDimWhatTheyRemoveAsTheirFunctionSays) {
   mScene.sections.labelOpacity = 0;
+  glm::dvec3 spacing = spacingOf(*mScene.volume.data);
+  double smallest = std::min({spacing.x, spacing.y, spacing.z});
   for (auto use : {scene::MembraneUse::Clip, scene::MembraneUse::Inlay})
     for (const auto& [name, shape] : allSheets({20, 20}, {22, 18, 14})) {
       scene::Cut cut;
@@ -311,15 +313,56 @@ TEST_F(SectionLabels, MembranesDimWhatTheyRemoveAsTheirFunctionSays) {
       for (int y = 0; y < kSize.y; ++y)
         for (int x = 0; x < kSize.x; ++x) {
           glm::dvec3 world = scene::worldFromSectionPixel(mFrame, {x + 0.5, y + 0.5});
-          float distance = shared::cutDistance(data[0], glm::vec3(world), sheets.view());
-          if (!probe(mScene, world).inside || std::abs(distance) < 1e-3f) continue;
-          int wanted = distance < 0 ? 44 : 128;  // kDimmed of 128
+          auto distanceAt = [&](double lower) {
+            glm::vec3 place(world - lower * glm::dvec3(scene::worldFromCut(cut)[2]));
+            return shared::cutDistance(data[0], place, sheets.view());
+          };
+          // What lies within half a voxel of a sheet that clips stays as it is.
+          double half = use == scene::MembraneUse::Clip ? 0.5 * smallest : 0.0;
+          if (!probe(mScene, world).inside || std::abs(distanceAt(0)) < 1e-3f || std::abs(distanceAt(half)) < 1e-3f)
+            continue;
+          bool isDim = distanceAt(0) < 0 && distanceAt(half) < 0;
+          int wanted = isDim ? 44 : 128;  // kDimmed of 128
           EXPECT_NEAR(rgbOf(image, x, y).r, wanted, 1) << name << int(use) << " " << x << " " << y;
-          ++(distance < 0 ? dim : kept);
+          ++(isDim ? dim : kept);
         }
       EXPECT_GT(dim, 20) << name;
       EXPECT_GT(kept, name == "flat" && use == scene::MembraneUse::Inlay ? -1 : 20) << name;
     }
+}
+
+TEST_F(SectionLabels, ASectionInTheSheetsOwnPlaneHasNoBands) {
+  mScene.sections.labelOpacity = 0;
+  glm::dvec3 spacing = spacingOf(*mScene.volume.data);
+  double smallest = std::min({spacing.x, spacing.y, spacing.z});
+  // Waves of a third of a voxel about the section.
+  scene::Cut cut;
+  cut.shape = scene::CutShape::Membrane;
+  cut.membrane.emplace();
+  cut.axis = mFrame.normal;
+  cut.centre = mFrame.centre;
+  cut.size = {60, 60, 14};
+  cut.membrane->shape.particles = {40, 40};
+  for (int i = 0; i < 1600; ++i)
+    cut.membrane->shape.places.emplace_back(glm::vec2(i % 40, i / 40) * (60.0f / 39.0f) - 30.0f,
+                                            0.33 * smallest * std::sin(0.9 * (i % 40)) * std::cos(0.7 * (i / 40)));
+  for (bool invert : {false, true}) {
+    cut.invert = invert;
+    for (double off : {0.0, 3.0}) {
+      cut.centre = mFrame.centre + off * smallest * cut.axis * (invert ? 1.0 : -1.0);
+      mScene.cuts = {cut};
+      SectionImage image = drawSection(mScene, mFrame);
+      int dim = 0, all = 0;
+      for (int y = 0; y < kSize.y; ++y)
+        for (int x = 0; x < kSize.x; ++x) {
+          if (!probe(mScene, scene::worldFromSectionPixel(mFrame, {x + 0.5, y + 0.5})).inside) continue;
+          dim += rgbOf(image, x, y).r < 100;
+          ++all;
+        }
+      ASSERT_GT(all, 500);
+      EXPECT_EQ(dim, off > 0.0 ? all : 0) << "three voxels in front of the sheet all is removed";
+    }
+  }
 }
 
 TEST_F(SectionLabels, ALiveSheetTakesThePlaceOfTheSavedOne) {

@@ -12,7 +12,15 @@ SectionCuts::SectionCuts(const scene::Scene& scene, const scene::SectionPlane& p
     : mFrame(plane),
       mSheets(makeCpuSheets(scene, sheets)),
       mCuts(makeCutData(scene, plane.centre, mSheets.plans)),
-      mSpares(makeSpareTable(scene)) {}
+      mSpares(makeSpareTable(scene)) {
+  glm::dmat4 worldFromVoxel(0.0);
+  if (scene.volume.data)
+    worldFromVoxel = scene.volume.data->worldFromVoxel;
+  else if (scene.labels.data)
+    worldFromVoxel = scene.labels.data->worldFromVoxel();
+  mHalfVoxel = 0.5 * std::min({glm::length(glm::dvec3(worldFromVoxel[0])), glm::length(glm::dvec3(worldFromVoxel[1])),
+                               glm::length(glm::dvec3(worldFromVoxel[2]))});
+}
 
 /// A convex cut removes one stretch of a row, or all but one.
 void SectionCuts::markConvex(const shared::CutData& cut, const Row& row, std::vector<char>& removed) {
@@ -53,6 +61,16 @@ void SectionCuts::markMembrane(const shared::CutData& cut, const Row& row, std::
   }
 }
 
+/// Of what a membrane removes of a row, takes back what lies near its sheet on the side that it removes.
+void SectionCuts::keepNear(const shared::CutData& cut, Row row, double ease, std::vector<char>& removed) const {
+  if (ease <= 0.0 || cut.kind.w != shared::kMembraneClip) return;
+  glm::vec3 up = glm::transpose(glm::mat3(cut.localFromScene))[2];
+  row.start -= float(ease) * (cut.halfSize.w > 0.0f ? up : -up);
+  std::vector<char> further(removed.size(), 0);
+  markMembrane(cut, row, further);
+  for (std::size_t x = 0; x < removed.size(); ++x) removed[x] = removed[x] && further[x];
+}
+
 /// Of what a cut removes of a row, takes back what it spares.
 void SectionCuts::takeBack(std::size_t cut, const Row& row, std::span<const std::uint16_t> ids,
                            std::vector<char>& removed) const {
@@ -69,7 +87,7 @@ void SectionCuts::takeBack(std::size_t cut, const Row& row, std::span<const std:
 std::vector<char> SectionCuts::removedOf(int y, int width, std::span<const std::uint16_t> ids) const {
   Row row{glm::vec3(scene::worldFromSectionPixel(mFrame, {0.5, y + 0.5}) - mFrame.centre), glm::vec3(mFrame.right),
           width, mFrame.lengthPerPixel};
-  return removedOf(row, ids);
+  return removedOf(row, ids, mHalfVoxel);
 }
 
 namespace {
@@ -83,7 +101,7 @@ bool missesRow(const shared::CutData& cut, const SectionCuts::Row& row) {
 
 }  // namespace
 
-std::vector<char> SectionCuts::removedOf(const Row& row, std::span<const std::uint16_t> ids) const {
+std::vector<char> SectionCuts::removedOf(const Row& row, std::span<const std::uint16_t> ids, double ease) const {
   VELUM_ASSERT(ids.empty() || ids.size() == std::size_t(row.width), "each pixel has its structure");
   std::vector<char> removed(std::size_t(row.width), 0);
   std::vector<shared::CutFold> folds(removed.size(), shared::emptyFold());
@@ -91,7 +109,7 @@ std::vector<char> SectionCuts::removedOf(const Row& row, std::span<const std::ui
     const shared::CutData& cut = mCuts[i];
     if (missesRow(cut, row)) continue;
     if (cut.kind.x == shared::kCutMembrane)
-      markMembrane(cut, row, removed);
+      markMembrane(cut, row, removed), keepNear(cut, row, ease, removed);
     else if (cut.kind.z == 1)
       markWalked(cut, row, removed);
     else

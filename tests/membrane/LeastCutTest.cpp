@@ -7,6 +7,7 @@
 #include <random>
 
 #include "LeastCutOracle.h"
+#include "forces/Bands.h"
 #include "forces/Corridor.h"
 #include "makeVolume.h"
 
@@ -134,6 +135,59 @@ TEST(LeastCut, AnywhereInItsGapsTheSheetSeparatesTheSame) {
       }
     EXPECT_EQ(countCutPairs(lattice, below), least.cutPairs);
   }
+}
+
+TEST(LeastCut, ASheetOfACoarsenedLatticeSeparatesTheSameInTheFineOne) {
+  for (unsigned seed = 1; seed <= 8; ++seed) {
+    glm::ivec3 dims(15 + int(seed % 2), 14 + int(seed / 2 % 2), 12 + int(seed / 4 % 2));
+    CutLattice fine = randomPairs(dims, 5.5 + int(seed % 3), seed, 0.3), coarse = coarsened(fine);
+    int shift = flatCount(fine) % 2;
+    ASSERT_EQ(flatCount(coarse) * 2 - shift, flatCount(fine));
+    std::mt19937 random(seed);
+    std::vector<int> below(std::size_t(coarse.dims.x * coarse.dims.y)), spread;
+    for (int& b : below) b = 1 + int(random() % unsigned(coarse.dims.z - 1));
+    for (int y = 0; y < dims.y; ++y)
+      for (int x = 0; x < dims.x; ++x) spread.push_back(2 * below[std::size_t(y / 2 * coarse.dims.x + x / 2)] - shift);
+    EXPECT_DOUBLE_EQ(countCutPairs(fine, spread), countCutPairs(coarse, below)) << "seed " << seed;
+  }
+}
+
+TEST(LeastCut, WithinABandThatHoldsAllSheetsALatticeStaysWhole) {
+  CutLattice lattice = randomPairs({9, 8, 7}, 2.5, 3, 0.4);
+  std::vector<SheetRange> all(72, {0, 7});
+  CutLattice part = within(lattice, all);
+  EXPECT_EQ(part.first, lattice.first);
+  EXPECT_EQ(part.layer, lattice.layer);
+  for (int axis = 0; axis < 3; ++axis) EXPECT_EQ(part.pairs[axis], lattice.pairs[axis]);
+}
+
+TEST(LeastCut, InBandsItIsNoWorseThanCoarseAndHardlyWorseThanTheLeast) {
+  Progress progress;
+  constexpr std::size_t kFew = 5000;
+  double found = 0.0, least = 0.0, flat = 0.0;
+  for (unsigned seed = 1; seed <= 6; ++seed) {
+    glm::ivec3 dims(70, 64, 48);
+    CutLattice lattice = latticeFromMask(dims, 23.5, tubes(dims, 24, 3.2, seed));
+    LeastCut cut = computeCutInBands(lattice, scene::MembraneSide::Keep, progress, kFew);
+    LeastCut coarse = computeCutInBands(coarsened(lattice), scene::MembraneSide::Keep, progress, kFew);
+    EXPECT_DOUBLE_EQ(cut.cutPairs, countCutPairs(lattice, cut.below));
+    EXPECT_LE(cut.cutPairs, coarse.cutPairs);
+    EXPECT_GE(cut.cutPairs, exact(lattice).cutPairs);
+    for (int c : {0, 37, 70 * 64 - 1}) EXPECT_EQ(cut.below[std::size_t(c)], flatCount(lattice)) << "on the frame";
+    found += cut.cutPairs;
+    least += exact(lattice).cutPairs;
+    flat += countCutPairs(lattice, std::vector<int>(cut.below.size(), flatCount(lattice)));
+  }
+  EXPECT_GT(least, 100.0);
+  EXPECT_LT(least, 0.5 * flat);
+  EXPECT_LT(found, 1.25 * least);
+}
+
+TEST(LeastCut, InBandsASmallLatticeIsSolvedExactly) {
+  Progress progress;
+  glm::ivec3 dims(40, 36, 18);
+  CutLattice lattice = latticeFromMask(dims, 8.5, tubes(dims, 25, 2.0, 7));
+  EXPECT_EQ(computeCutInBands(lattice, scene::MembraneSide::Keep, progress).below, exact(lattice).below);
 }
 
 TEST(LeastCut, NearASheetEqualsTheBestOfAllNearIt) {

@@ -15,8 +15,8 @@ namespace velum::membrane {
 
 namespace {
 
-/// Where more voxels are protected the least cut is looked for on a coarser lattice: half a gigabyte, some ten seconds.
-constexpr double kMostProtected = 12e6;
+/// Where more voxels are protected the least cut is looked for on a coarser lattice: a gigabyte.
+constexpr double kMostProtected = 48e6;
 /// So far the sheet may go from one time step to the next to follow what moves, in mean edges of the rest plane: 10
 /// over a heart, whose walls move up to 7 mm in an eighth of a beat; with half of it the sheet lost them.
 constexpr double kFollowShare = 1.0 / 16.0;
@@ -257,7 +257,7 @@ Corridor ForceMaker::corridorOf(const scene::Cut& cut, const CurrentSheet& curre
     return corridor;
   };
   if (current.height) return around(cutByCurrent(lattice, cut, current, progress));
-  known.corridor = around(computeLeastCut(lattice, cut.membrane->field.side, progress));
+  known.corridor = around(computeCutInBands(lattice, cut.membrane->field.side, progress));
   known.cut = asked;
   return known.corridor;
 }

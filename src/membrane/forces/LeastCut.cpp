@@ -6,6 +6,7 @@
 #include <limits>
 #include <string>
 
+#include "Bands.h"
 #include "ColumnFlow.h"
 #include "OpenParts.h"
 #include "velum/core/Assert.h"
@@ -15,6 +16,8 @@ namespace velum::membrane {
 namespace {
 
 constexpr int kMostHalves = 255;
+/// Bands looked through one after the other: two or three as a rule.
+constexpr int kMostRounds = 16;
 
 std::size_t columnCount(const CutLattice& lattice) { return std::size_t(lattice.dims.x) * std::size_t(lattice.dims.y); }
 
@@ -72,34 +75,25 @@ void check(const CutLattice& lattice) {
     throw ArgumentError("the rest plane at layer " + std::to_string(lattice.restLayer) + " lies outside the lattice");
 }
 
-/// How many nodes a column may have below the sheet.
-struct Range {
-  int low = 0, high = 0;
-};
+/// What the frame and the reach leave to a sheet of all that it is asked to keep to: the outermost columns hang on the
+/// rest plane.
+std::vector<SheetRange> rangesOf(const CutLattice& lattice, const std::function<SheetRange(std::size_t)>& asked) {
+  std::vector<SheetRange> ranges;
+  int flat = flatCount(lattice);
+  for (int y = 0; y < lattice.dims.y; ++y)
+    for (int x = 0; x < lattice.dims.x; ++x) {
+      bool isRim = x == 0 || y == 0 || x + 1 == lattice.dims.x || y + 1 == lattice.dims.y;
+      SheetRange all = isRim ? SheetRange{flat, flat} : SheetRange{1, lattice.dims.z - 1}, one = asked(ranges.size());
+      ranges.push_back({std::clamp(one.low, all.low, all.high), std::clamp(one.high, all.low, all.high)});
+    }
+  return ranges;
+}
 
-class Columns {
- public:
-  explicit Columns(const CutLattice& lattice) : mLattice(lattice), mFlat(flatCount(lattice)) {}
-  bool isRim(std::size_t column) const {
-    auto width = std::size_t(mLattice.dims.x), height = std::size_t(mLattice.dims.y);
-    std::size_t x = column % width, y = column / width;
-    return x == 0 || y == 0 || x + 1 == width || y + 1 == height;
-  }
-  Range all(std::size_t column) const { return isRim(column) ? Range{mFlat, mFlat} : Range{1, mLattice.dims.z - 1}; }
-  Range near(std::size_t column, int below, int band) const {
-    Range r = all(column);
-    return {std::clamp(below - band, r.low, r.high), std::clamp(below + band, r.low, r.high)};
-  }
-
- private:
-  const CutLattice& mLattice;
-  int mFlat = 0;
-};
-
-/// The sheet above the nodes that are said to be below, elsewhere as near to the rest plane as it can be.
-LeastCut sheetAbove(const CutLattice& lattice, const std::vector<std::uint8_t>& isBelow) {
+/// How many nodes of each column lie below the sheet above those that are said to be below; where it has a choice, as
+/// near to the rest plane as it can be.
+std::vector<int> belowOf(const CutLattice& lattice, std::span<const SheetRange> ranges,
+                         const std::vector<std::uint8_t>& isBelow) {
   std::vector<int> below;
-  Columns columns(lattice);
   int flat = flatCount(lattice);
   for (std::size_t c = 0; c < columnCount(lattice); ++c) {
     int low = 0, high = lattice.dims.z;
@@ -110,22 +104,23 @@ LeastCut sheetAbove(const CutLattice& lattice, const std::vector<std::uint8_t>& 
       }
       low = lattice.layer[v] + 1;
     }
-    Range range = columns.all(c);
-    below.push_back(std::clamp(std::clamp(flat, low, high), range.low, range.high));
+    below.push_back(std::clamp(std::clamp(flat, low, high), ranges[c].low, ranges[c].high));
   }
-  return sheetAt(lattice, std::move(below));
+  return below;
 }
 
-LeastCut solve(const CutLattice& lattice, scene::MembraneSide side, Progress& progress,
-               const std::function<Range(std::size_t)>& rangeOf) {
+/// The least cut of the sheets within given heights.
+LeastCut solve(const CutLattice& lattice, scene::MembraneSide side, std::span<const SheetRange> ranges,
+               Progress& progress) {
   progress.report(0.0, "finding the least cut");
-  ColumnFlow flow(lattice, [&](std::size_t column, int layer) {
-    Range range = rangeOf(column);
+  CutLattice part = within(lattice, ranges);
+  ColumnFlow flow(part, [&](std::size_t column, int layer) {
+    SheetRange range = ranges[column];
     return layer < range.low ? ColumnFlow::kBelow : layer >= range.high ? ColumnFlow::kAbove : ColumnFlow::kOpen;
   });
   int phase = 0;
   flow.run([&] { progress.report(1.0 - 20.0 / (20.0 + phase++), "finding the least cut"); });
-  return sheetAbove(lattice, decideOpenParts(lattice, flow, side, progress));
+  return sheetAt(lattice, belowOf(part, ranges, decideOpenParts(part, flow, side, progress)));
 }
 
 }  // namespace
@@ -187,16 +182,38 @@ double pairsAt(const CutLattice& lattice, glm::ivec3 node, int axis) {
 
 LeastCut computeLeastCut(const CutLattice& lattice, scene::MembraneSide side, Progress& progress) {
   check(lattice);
-  Columns columns(lattice);
-  return solve(lattice, side, progress, [&](std::size_t column) { return columns.all(column); });
+  std::vector<SheetRange> ranges = rangesOf(lattice, [&](std::size_t) { return SheetRange{0, lattice.dims.z}; });
+  return solve(lattice, side, ranges, progress);
 }
 
 LeastCut computeLeastCutNear(const CutLattice& lattice, scene::MembraneSide side, std::span<const int> near, int band,
                              Progress& progress) {
   check(lattice);
   if (near.size() != columnCount(lattice)) throw ArgumentError("a sheet's columns do not match the lattice");
-  Columns columns(lattice);
-  return solve(lattice, side, progress, [&](std::size_t column) { return columns.near(column, near[column], band); });
+  auto ranges = rangesOf(lattice, [&](std::size_t column) {
+    return SheetRange{near[column] - band, near[column] + band};
+  });
+  return solve(lattice, side, ranges, progress);
+}
+
+LeastCut computeCutInBands(const CutLattice& lattice, scene::MembraneSide side, Progress& progress,
+                           std::size_t exactNodes) {
+  check(lattice);
+  if (lattice.layer.size() <= exactNodes || glm::any(glm::lessThan(lattice.dims, glm::ivec3(4))))
+    return computeLeastCut(lattice, side, progress);
+  progress.throwIfCancelled();
+  LeastCut coarse = computeCutInBands(coarsened(lattice), side, progress, exactNodes);
+  double last = coarse.cutPairs;
+  LeastCut cut;
+  cut.below = refined(lattice, coarse);
+  // What a band finds at its edge may lie further on.
+  for (int round = 0; round < kMostRounds; ++round) {
+    std::vector<SheetRange> band = bandAround(glm::ivec2(lattice.dims), cut.below);
+    cut = solve(lattice, side, rangesOf(lattice, [&](std::size_t column) { return band[column]; }), progress);
+    if (cut.cutPairs >= last) break;
+    last = cut.cutPairs;
+  }
+  return cut;
 }
 
 LeastCut sheetAt(const CutLattice& lattice, std::vector<int> below) {

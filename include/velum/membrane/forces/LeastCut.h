@@ -63,6 +63,17 @@ struct LeastCut {
 /// million. @throw ArgumentError when the rest plane lies outside the lattice; Cancelled
 LeastCut computeLeastCut(const CutLattice& lattice, scene::MembraneSide side, Progress& progress);
 
+/// Nodes up to which the flow is solved exactly: about a tenth of a second.
+constexpr std::size_t kExactNodes = 400000;
+
+/// A sheet that separates nearly as little, in a fraction of the time: of a lattice twice as coarse, found likewise, it
+/// takes the best that there is near that sheet [Lombaert et al. 2005: a multilevel banded graph cuts method]. Never
+/// worse than any coarser one. What it misses is measured, not proved: see docs/PERFORMANCE.md, bands.
+/// @param exactNodes  lattices of so many nodes that hold something or fewer are solved exactly
+/// @throw as computeLeastCut
+LeastCut computeCutInBands(const CutLattice& lattice, scene::MembraneSide side, Progress& progress,
+                           std::size_t exactNodes = kExactNodes);
+
 /// The same among the sheets within `band` layers of another one in each column: what that sheet becomes when the
 /// material has moved a little. The outermost columns hang on the rest plane as ever.
 /// @param near  [y][x], as LeastCut::below  @throw as computeLeastCut

@@ -1,0 +1,96 @@
+#include "Bands.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "velum/core/Assert.h"
+#include "velum/core/Parallel.h"
+
+namespace velum::membrane {
+
+namespace {
+
+/// Layers that a band goes beyond a sheet on either side, and columns that it looks aside.
+constexpr int kBand = 6, kAside = 2;
+
+}  // namespace
+
+CutLattice coarsened(const CutLattice& lattice) {
+  int flat = flatCount(lattice), shift = flat % 2;
+  auto blockOf = [&](glm::ivec3 node) { return glm::ivec3(node.x / 2, node.y / 2, (node.z + shift) / 2); };
+  glm::ivec3 dims = blockOf(lattice.dims - 1) + 1;
+  return makeLattice(dims, 0.5 * (flat + shift) - 0.5, [&](const auto& add) {
+    std::size_t column = 0;
+    for (int y = 0; y < lattice.dims.y; ++y)
+      for (int x = 0; x < lattice.dims.x; ++x, ++column)
+        for (std::uint32_t v = lattice.first[column]; v < lattice.first[column + 1]; ++v)
+          for (int axis = 0; axis < 3; ++axis) {
+            if (lattice.pairs[axis][v] == 0) continue;
+            glm::ivec3 node(x, y, lattice.layer[v]), other = node;
+            ++other[axis];
+            if (blockOf(other) != blockOf(node)) add(blockOf(node), axis, 0.5 * lattice.pairs[axis][v]);
+          }
+  });
+}
+
+std::vector<int> refined(const CutLattice& lattice, const LeastCut& coarse) {
+  VELUM_ASSERT(coarse.dims == (glm::ivec2(lattice.dims) + 1) / 2, "the sheet is one of the coarse lattice");
+  std::vector<int> below;
+  int shift = flatCount(lattice) % 2;
+  for (int y = 0; y < lattice.dims.y; ++y)
+    for (int x = 0; x < lattice.dims.x; ++x)
+      below.push_back(2 * coarse.below[std::size_t(y / 2 * coarse.dims.x + x / 2)] - shift);
+  return below;
+}
+
+std::vector<SheetRange> bandAround(glm::ivec2 columns, std::span<const int> below) {
+  std::vector<SheetRange> ranges(below.size());
+  parallelFor(0, columns.y, [&](int y) {
+    for (int x = 0; x < columns.x; ++x) {
+      int low = std::numeric_limits<int>::max(), high = std::numeric_limits<int>::min();
+      for (int v = std::max(y - kAside, 0); v <= std::min(y + kAside, columns.y - 1); ++v)
+        for (int u = std::max(x - kAside, 0); u <= std::min(x + kAside, columns.x - 1); ++u) {
+          int one = below[std::size_t(v * columns.x + u)];
+          low = std::min(low, one);
+          high = std::max(high, one);
+        }
+      ranges[std::size_t(y * columns.x + x)] = {low - kBand, high + kBand};
+    }
+  });
+  return ranges;
+}
+
+CutLattice within(const CutLattice& lattice, std::span<const SheetRange> ranges) {
+  CutLattice part;
+  part.dims = lattice.dims;
+  part.restLayer = lattice.restLayer;
+  glm::ivec2 n(lattice.dims);
+  auto rangeAt = [&](glm::ivec2 column) {
+    return ranges[std::size_t(column.y) * std::size_t(n.x) + std::size_t(column.x)];
+  };
+  auto append = [](auto& to, const auto& from, std::size_t first, std::size_t end) {
+    to.insert(to.end(), from.begin() + std::ptrdiff_t(first), from.begin() + std::ptrdiff_t(end));
+  };
+  for (int y = 0; y < n.y; ++y)
+    for (int x = 0; x < n.x; ++x) {
+      // What a neighbour's sheet can pass is tied here, and has its pairs with what is not tied there.
+      SheetRange range = rangeAt({x, y});
+      for (glm::ivec2 other : {glm::ivec2(x - 1, y), {x + 1, y}, {x, y - 1}, {x, y + 1}}) {
+        if (glm::any(glm::lessThan(other, glm::ivec2(0))) || glm::any(glm::greaterThanEqual(other, n))) continue;
+        range = {std::min(range.low, rangeAt(other).low), std::max(range.high, rangeAt(other).high)};
+      }
+      std::size_t column = std::size_t(y) * std::size_t(n.x) + std::size_t(x);
+      auto begin = lattice.layer.begin(), end = begin + lattice.first[column + 1];
+      auto low = std::lower_bound(begin + lattice.first[column], end, std::uint16_t(std::max(range.low - 1, 0)));
+      auto from = std::size_t(low - begin);
+      auto to = std::size_t(std::upper_bound(low, end, std::uint16_t(range.high)) - begin);
+      part.first.push_back(std::uint32_t(part.layer.size()));
+      append(part.layer, lattice.layer, from, to);
+      for (int axis = 0; axis < 3; ++axis) append(part.pairs[axis], lattice.pairs[axis], from, to);
+      if (!lattice.isPlaced.empty()) append(part.isPlaced, lattice.isPlaced, from, to);
+    }
+  part.first.push_back(std::uint32_t(part.layer.size()));
+  return part;
+}
+
+}  // namespace velum::membrane

@@ -1,0 +1,30 @@
+#pragma once
+#include <span>
+#include <vector>
+
+#include "velum/membrane/forces/LeastCut.h"
+
+namespace velum::membrane {
+
+/// How many nodes of a column may lie below the sheet: [low, high].
+struct SheetRange {
+  int low = 0, high = 0;
+};
+
+/// A lattice with two nodes along each axis made one, whose sheets are those of the fine one that have whole nodes on
+/// either side: each separates in both the same, up to 127 pairs between two nodes. The rest plane stays between two
+/// layers.
+CutLattice coarsened(const CutLattice& lattice);
+
+/// A sheet of coarsened(lattice) as one of the lattice, see LeastCut::below.
+std::vector<int> refined(const CutLattice& lattice, const LeastCut& coarse);
+
+/// The heights near a sheet: near what it has over a column and over those around it, so that a wall between two
+/// columns may move to either side.
+std::vector<SheetRange> bandAround(glm::ivec2 columns, std::span<const int> below);
+
+/// What of a lattice the sheets of given heights can meet, and the nodes that tie it at its ends. Dimensions and
+/// columns stay; origin and step are left out.
+CutLattice within(const CutLattice& lattice, std::span<const SheetRange> ranges);
+
+}  // namespace velum::membrane

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "BuildLattice.h"
 #include "velum/core/Assert.h"
 #include "velum/core/Parallel.h"
 
@@ -19,17 +20,18 @@ CutLattice coarsened(const CutLattice& lattice) {
   int flat = flatCount(lattice), shift = flat % 2;
   auto blockOf = [&](glm::ivec3 node) { return glm::ivec3(node.x / 2, node.y / 2, (node.z + shift) / 2); };
   glm::ivec3 dims = blockOf(lattice.dims - 1) + 1;
-  return makeLattice(dims, 0.5 * (flat + shift) - 0.5, [&](const auto& add) {
-    std::size_t column = 0;
-    for (int y = 0; y < lattice.dims.y; ++y)
+  return buildLattice(dims, 0.5 * (flat + shift) - 0.5, [&](const auto& add) {
+    parallelFor(0, lattice.dims.y, [&](int y) {
+      std::size_t column = std::size_t(y) * std::size_t(lattice.dims.x);
       for (int x = 0; x < lattice.dims.x; ++x, ++column)
         for (std::uint32_t v = lattice.first[column]; v < lattice.first[column + 1]; ++v)
           for (int axis = 0; axis < 3; ++axis) {
             if (lattice.pairs[axis][v] == 0) continue;
             glm::ivec3 node(x, y, lattice.layer[v]), other = node;
             ++other[axis];
-            if (blockOf(other) != blockOf(node)) add(blockOf(node), axis, 0.5 * lattice.pairs[axis][v]);
+            if (blockOf(other) != blockOf(node)) add(blockOf(node), axis, int(lattice.pairs[axis][v]));
           }
+    });
   });
 }
 

@@ -1,12 +1,11 @@
 #include "velum/membrane/forces/LeastCut.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <limits>
 #include <string>
 
 #include "Bands.h"
+#include "BuildLattice.h"
 #include "ColumnFlow.h"
 #include "OpenParts.h"
 #include "velum/core/Assert.h"
@@ -15,56 +14,12 @@ namespace velum::membrane {
 
 namespace {
 
-constexpr int kMostHalves = 255;
 /// Bands looked through one after the other: two or three as a rule.
-constexpr int kMostRounds = 16;
+constexpr int kMostRounds = 8;
+/// Another round is for those that left less than this.
+constexpr double kWorthwhile = 0.99;
 
 std::size_t columnCount(const CutLattice& lattice) { return std::size_t(lattice.dims.x) * std::size_t(lattice.dims.y); }
-
-std::size_t columnOf(glm::ivec3 dims, glm::ivec3 node) {
-  return std::size_t(node.y) * std::size_t(dims.x) + std::size_t(node.x);
-}
-
-bool isWithin(glm::ivec3 dims, glm::ivec3 node) {
-  return glm::all(glm::greaterThanEqual(node, glm::ivec3(0))) && glm::all(glm::lessThan(node, dims));
-}
-
-/// Which nodes of a lattice hold something: a bit each, counted by words.
-class NodeBits {
- public:
-  explicit NodeBits(glm::ivec3 dims)
-      : mDims(dims),
-        mWords(std::size_t(dims.z + 63) / 64),
-        mBits(std::size_t(dims.x) * std::size_t(dims.y) * mWords, 0) {}
-
-  void set(glm::ivec3 node) { mBits[wordOf(node)] |= std::uint64_t(1) << (node.z & 63); }
-
-  /// Numbers the nodes column by column, upwards.
-  void number(CutLattice& lattice) {
-    std::uint32_t count = 0;
-    mBefore.resize(mBits.size());
-    for (std::size_t word = 0; word < mBits.size(); ++word) {
-      if (word % mWords == 0) lattice.first.push_back(count);
-      mBefore[word] = count;
-      for (std::uint64_t rest = mBits[word]; rest; rest &= rest - 1)
-        lattice.layer.push_back(std::uint16_t(word % mWords * 64 + std::size_t(std::countr_zero(rest))));
-      count = std::uint32_t(lattice.layer.size());
-    }
-    lattice.first.push_back(count);
-  }
-  std::uint32_t at(glm::ivec3 node) const {
-    std::size_t word = wordOf(node);
-    std::uint64_t lower = (std::uint64_t(1) << (node.z & 63)) - 1;
-    return mBefore[word] + std::uint32_t(std::popcount(mBits[word] & lower));
-  }
-
- private:
-  std::size_t wordOf(glm::ivec3 node) const { return columnOf(mDims, node) * mWords + std::size_t(node.z) / 64; }
-  glm::ivec3 mDims;
-  std::size_t mWords;
-  std::vector<std::uint64_t> mBits;
-  std::vector<std::uint32_t> mBefore;  ///< nodes before those of a word
-};
 
 void check(const CutLattice& lattice) {
   if (glm::any(glm::lessThan(lattice.dims, glm::ivec3(1, 1, 2))))
@@ -126,28 +81,9 @@ LeastCut solve(const CutLattice& lattice, scene::MembraneSide side, std::span<co
 }  // namespace
 
 CutLattice makeLattice(glm::ivec3 dims, double restLayer, const PairSource& pairs) {
-  if (glm::any(glm::lessThan(dims, glm::ivec3(1)))) throw ArgumentError("a lattice needs one node along each axis");
-  if (dims.z > std::numeric_limits<std::uint16_t>::max())
-    throw ArgumentError("a lattice of " + std::to_string(dims.z) + " layers is too high");
-  CutLattice lattice;
-  lattice.dims = dims;
-  lattice.restLayer = restLayer;
-  NodeBits bits(dims);
-  auto other = [](glm::ivec3 node, int axis) { return ++node[axis], node; };
-  auto holds = [&](glm::ivec3 node, int axis) { return isWithin(dims, node) && node[axis] + 1 < dims[axis]; };
-  pairs([&](glm::ivec3 node, int axis, double count) {
-    if (count <= 0.0 || !holds(node, axis)) return;
-    bits.set(node);
-    bits.set(other(node, axis));
+  return buildLattice(dims, restLayer, [&](const auto& add) {
+    pairs([&](glm::ivec3 node, int axis, double count) { add(node, axis, int(std::lround(2.0 * count))); });
   });
-  bits.number(lattice);
-  for (auto& p : lattice.pairs) p.assign(lattice.layer.size(), 0);
-  pairs([&](glm::ivec3 node, int axis, double count) {
-    if (count <= 0.0 || !holds(node, axis)) return;
-    std::uint8_t& halves = lattice.pairs[axis][bits.at(node)];
-    halves = std::uint8_t(std::min(int(halves) + int(std::lround(2.0 * count)), kMostHalves));
-  });
-  return lattice;
 }
 
 CutLattice latticeFromMask(glm::ivec3 dims, double restLayer, std::span<const std::uint8_t> mask) {
@@ -210,7 +146,7 @@ LeastCut computeCutInBands(const CutLattice& lattice, scene::MembraneSide side, 
   for (int round = 0; round < kMostRounds; ++round) {
     std::vector<SheetRange> band = bandAround(glm::ivec2(lattice.dims), cut.below);
     cut = solve(lattice, side, rangesOf(lattice, [&](std::size_t column) { return band[column]; }), progress);
-    if (cut.cutPairs >= last) break;
+    if (cut.cutPairs > kWorthwhile * last) break;
     last = cut.cutPairs;
   }
   return cut;

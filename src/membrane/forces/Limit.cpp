@@ -7,6 +7,7 @@
 #include <initializer_list>
 #include <memory>
 
+#include "BuildLattice.h"
 #include "FrameBox.h"
 
 namespace velum::membrane {
@@ -50,12 +51,17 @@ int alignedAxis(const glm::dmat4& voxelFromLocal, int axis, double length) {
   return astray < 0.05 ? along : -1;
 }
 
+int floorOf(double value) {
+  int whole = int(value);
+  return whole - (value < whole);
+}
+
 /// Hands one protected pair of voxels out to the edges between the nodes that they are nearest to.
 template <class Add>
 void spreadPair(glm::ivec3 a, glm::ivec3 b, const Add& add) {
   glm::ivec3 d = b - a;
   int axes = (d.x != 0) + (d.y != 0) + (d.z != 0);
-  auto addPath = [&](std::initializer_list<int> order, double share) {
+  auto addPath = [&](std::initializer_list<int> order, int halves) {
     glm::ivec3 at = a;
     for (int axis : order)
       while (at[axis] != b[axis]) {
@@ -63,33 +69,43 @@ void spreadPair(glm::ivec3 a, glm::ivec3 b, const Add& add) {
         glm::ivec3 low = at;
         low[axis] = std::min(at[axis], at[axis] + step);
         at[axis] += step;
-        add(low, axis, share);
+        add(low, axis, halves);
       }
   };
-  if (axes == 1) addPath({0, 1, 2}, 1.0);
+  if (axes == 1) addPath({0, 1, 2}, 2);
   // Half to the path that goes along x first and half to the one that ends with it.
-  if (axes > 1) addPath({0, 1, 2}, 0.5), addPath({2, 1, 0}, 0.5);
+  if (axes > 1) addPath({0, 1, 2}, 1), addPath({2, 1, 0}, 1);
 }
 
-/// Calls add(node, axis, pairs) for each protected pair with a voxel in the frame.
+/// Calls add(node, axis, halves of pairs) for each protected pair with a voxel in the frame, from many threads.
 template <class Add>
 void forEachPair(const ProtectedVoxels& voxels, const FrameBox& frame, const CutLattice& lattice, const Add& add) {
   glm::ivec3 size = voxels.box.end - voxels.box.min;
   std::ptrdiff_t step[3] = {1, size.x, std::ptrdiff_t(size.x) * size.y};
-  const std::uint8_t* mask = voxels.mask.data();
-  auto nodeOf = [&](glm::dvec3 local) { return glm::ivec3(glm::floor((local - lattice.origin) / lattice.step + 0.5)); };
-  for (int z = 0; z < size.z; ++z)
-    for (int y = 0; y < size.y; ++y)
+  // Places in steps of the lattice, where node n is at n + 0.5, and what of them is in the frame.
+  auto inSteps = [&](glm::dvec3 local) { return (local - lattice.origin) / lattice.step + 0.5; };
+  glm::dvec3 low = inSteps(-frame.half), high = inSteps(frame.half), next[3];
+  for (int axis = 0; axis < 3; ++axis) next[axis] = glm::dvec3(frame.localFromVoxel[axis]) / lattice.step;
+  auto holds = [&](glm::dvec3 p) {
+    return p.x >= low.x && p.x <= high.x && p.y >= low.y && p.y <= high.y && p.z >= low.z && p.z <= high.z;
+  };
+  auto nodeOf = [](glm::dvec3 p) { return glm::ivec3(floorOf(p.x), floorOf(p.y), floorOf(p.z)); };
+  parallelFor(0, size.z, [&](int z) {
+    const std::uint8_t* mask = voxels.mask.data() + step[2] * z;
+    for (int y = 0; y < size.y; ++y) {
+      glm::dvec3 row = inSteps(frame.local(glm::dvec3(voxels.box.min + glm::ivec3(0, y, z))));
       for (int x = 0; x < size.x; ++x, ++mask) {
         if (!*mask) continue;
         glm::ivec3 at(x, y, z);
-        glm::dvec3 p = frame.local(glm::dvec3(voxels.box.min + at));
+        glm::dvec3 p = row + next[0] * double(x);
+        bool isInside = holds(p);
         for (int axis = 0; axis < 3; ++axis) {
           if (at[axis] + 1 >= size[axis] || !mask[step[axis]]) continue;
-          glm::dvec3 next = p + glm::dvec3(frame.localFromVoxel[axis]);
-          if (frame.holds(p) || frame.holds(next)) spreadPair(nodeOf(p), nodeOf(next), add);
+          if (isInside || holds(p + next[axis])) spreadPair(nodeOf(p), nodeOf(p + next[axis]), add);
         }
       }
+    }
+  });
 }
 
 /// Notes which nodes hold what was put in by hand.
@@ -138,8 +154,8 @@ CutLattice gatherLattice(const ProtectedVoxels& voxels, const scene::Cut& cut, d
     place.origin[axis] = nodes[axis].first;
     place.step[axis] = nodes[axis].step;
   }
-  CutLattice lattice = makeLattice(dims, std::abs(restLayer - layer) < kHair ? layer : restLayer,
-                                   [&](const auto& add) { forEachPair(voxels, frame, place, add); });
+  CutLattice lattice = buildLattice(dims, std::abs(restLayer - layer) < kHair ? layer : restLayer,
+                                    [&](const auto& add) { forEachPair(voxels, frame, place, add); });
   lattice.origin = place.origin;
   lattice.step = place.step;
   markPlaced(voxels, frame, lattice);

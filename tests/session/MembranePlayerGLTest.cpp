@@ -10,22 +10,23 @@ namespace velum::session {
 namespace {
 
 /// Balls in a row, a little off the middle of the data, across which the membrane hangs.
-scene::Scene ballScene() {
-  glm::ivec3 dims(40, 40, 32);
+/// @param finer  voxels along an edge for one
+scene::Scene ballScene(int finer = 1) {
+  glm::ivec3 dims = glm::ivec3(40, 40, 32) * finer;
   scene::Scene scene;
   scene.volume.data = Shared<Volume>(makeVolume(
       dims, SampleType::Int16,
-      [](glm::ivec3 p) {
-        double ball = std::min(glm::length(glm::dvec3(p) - glm::dvec3(12, 20, 18)),
-                               glm::length(glm::dvec3(p) - glm::dvec3(28, 20, 13)));
-        return ball < 5 ? 800.0 : -1000.0;
+      [finer](glm::ivec3 p) {
+        double ball = std::min(glm::length(glm::dvec3(p) - glm::dvec3(12, 20, 18) * double(finer)),
+                               glm::length(glm::dvec3(p) - glm::dvec3(28, 20, 13) * double(finer)));
+        return ball < 5 * finer ? 800.0 : -1000.0;
       },
       centredFrame(dims)));
   scene::Cut cut;
   cut.shape = scene::CutShape::Membrane;
   cut.membrane.emplace();
   cut.axis = {0, 0, 1};
-  cut.size = {40, 40, 24};
+  cut.size = glm::dvec3(40, 40, 24) * double(finer);
   cut.membrane->cloth.particles = {20, 20};
   cut.membrane->field.byValue = {{0, 400}, {1000, 400}};
   scene::addCut(scene, cut);
@@ -141,6 +142,30 @@ TEST_F(MembranePlayerGL, ASteadyDragSeesTheForcesOfPlacesOnItsWay) {
   mPlayer.endWork(finish);
   EXPECT_TRUE(mPlayer.isMoving());
   EXPECT_TRUE(mPlayer.nextWork()) << "and the newest next";
+}
+
+TEST_F(MembranePlayerGL, InLargeDataALookComesBeforeExactForces) {
+  scene::Scene scene = ballScene(8);
+  ASSERT_GT(40.0 * 40.0 * 32.0 * 512.0, membrane::ForceMaker::kLargeVoxels);
+  mPlayer.follow(scene);
+  work();
+  EXPECT_TRUE(mPlayer.isMoving()) << "by the look";
+  EXPECT_EQ(mPlayer.status(1)->phase, MembraneStatus::Phase::Computing) << "exact forces are to come";
+  for (int i = 0; i < 20; ++i) mPlayer.advance(50.0);
+  auto height = membrane::heightOf(shapeOf(mPlayer, scene));
+  EXPECT_GT(std::abs(height({-64, 0})), 4.0) << "it is pushed aside";
+  auto exact = mPlayer.nextWork();
+  ASSERT_TRUE(exact);
+  scene.cuts[0].centre.z += 4.0;
+  mPlayer.follow(scene);
+  EXPECT_TRUE(mPlayer.wantsCancel()) << "a drag does not wait for exact forces";
+  mPlayer.endWork({});
+  settle();
+  MembranePlayer fresh;
+  fresh.follow(scene);
+  settle(fresh, 8.0);
+  EXPECT_EQ(shapeOf(mPlayer, scene), shapeOf(fresh, scene));
+  EXPECT_LT(mPlayer.status(1)->keptWhole, 0.1);
 }
 
 /// Drags a pin or a kernel, and looks at what is shown meanwhile.

@@ -163,6 +163,28 @@ TEST_F(MembranesTimeGL, WindowsFollowAsPicturesDo) {
   }
 }
 
+TEST_F(MembranesTimeGL, ATimeStepThatHasBeenSeenNeedsNoKernelsAgain) {
+  scene::Scene scene = heart(scene::Repositioning::Passive);
+  MembranePlayer player;
+  std::vector<double> ms;
+  for (int step : {0, 1, 2, 0, 1}) {
+    scene.volume.timeStep = step;
+    player.follow(scene);
+    auto work = player.nextWork();
+    ASSERT_TRUE(work);
+    player.endWork(work(sProgress));
+    ms.push_back(player.status(1)->forcesMs);
+  }
+  EXPECT_GT(std::min({ms[0], ms[1], ms[2]}), 0.0);
+  EXPECT_EQ(ms[3], 0.0);
+  EXPECT_EQ(ms[4], 0.0);
+  scene.volume.data = Shared<Volume>(*scene.volume.data);
+  player.follow(scene);
+  player.endWork(player.nextWork()(sProgress));
+  EXPECT_GT(player.status(1)->forcesMs, 0.0) << "of other data";
+  player.releaseGpu();
+}
+
 TEST_F(MembranesTimeGL, ASavedSheetGoesOnFromItsTimeStep) {
   scene::Scene scene = risingBall(scene::Repositioning::Active);
   settleMembranes(scene, {}, sProgress);

@@ -22,6 +22,10 @@ constexpr double kMostProtected = 48e6;
 constexpr double kFollowShare = 1.0 / 16.0;
 constexpr int kMostStepsFollowed = 4;
 
+/// Previews look at so many blocks along an edge, and solve so many nodes exactly: some 30 ms.
+constexpr int kPreviewAlongEdge = 128;
+constexpr std::size_t kPreviewNodes = 30000;
+
 /// Strength of a kernel that draws the sheet half of the way to its centre.
 constexpr double kHalfLift = 100.0;
 /// A ball lets go of the sheet over the last quarter of its radius.
@@ -214,11 +218,13 @@ LeastCut ForceMaker::cutByCurrent(const CutLattice& lattice, const scene::Cut& c
   return computeLeastCutNear(lattice, cut.membrane->field.side, below, band, progress);
 }
 
-const KernelGrid& ForceMaker::kernelsOf(const scene::ForceField& field, Progress& progress) {
+const KernelGrid& ForceMaker::kernelsOf(const scene::ForceField& field, double& ms, Progress& progress) {
   scene::ForceField part = kernelPart(field);
   if (!mField || !(*mField == part)) {
+    auto start = Clock::now();
     mKernels = mPotential.computeKernels(part, progress);
     mField = part;
+    ms = msSince(start);
   }
   return mKernels;
 }
@@ -233,7 +239,8 @@ const ProtectedVoxels& ForceMaker::voxelsOf(const scene::Cut& cut, Progress& pro
   return mVoxels;
 }
 
-Corridor ForceMaker::corridorOf(const scene::Cut& cut, const CurrentSheet& current, Progress& progress) {
+Corridor ForceMaker::corridorOf(const scene::Cut& cut, const CurrentSheet& current, double& ms, Progress& progress) {
+  auto start = Clock::now();
   scene::Cut asked = sidesPart(cut);
   Sides& known = asked.membrane->field.kernels.empty() ? mDataSides : mSides;
   if (!current.height && known.cut && *known.cut == asked) return known.corridor;
@@ -254,6 +261,7 @@ Corridor ForceMaker::corridorOf(const scene::Cut& cut, const CurrentSheet& curre
     // What stakes say of each voxel need not be said of nodes, which lie up to half a layer off.
     auto off = corridor.stakes.empty() ? 0.0f : float(0.5 * lattice.step.z);
     for (auto& room : corridor.room) room += glm::vec2(-off, off);
+    ms = msSince(start);
     return corridor;
   };
   if (current.height) return around(cutByCurrent(lattice, cut, current, progress));
@@ -262,11 +270,29 @@ Corridor ForceMaker::corridorOf(const scene::Cut& cut, const CurrentSheet& curre
   return known.corridor;
 }
 
+bool ForceMaker::isLarge() const {
+  glm::dvec3 n(mPotential.dims());
+  return n.x * n.y * n.z > kLargeVoxels;
+}
+
+/// The corridor among blocks of voxels.
+Corridor ForceMaker::coarseCorridorOf(const scene::Cut& cut, double& ms, Progress& progress) {
+  auto start = Clock::now();
+  scene::ForceField part = kernelPart(cut.membrane->field);
+  if (!mCoarseField || !(*mCoarseField == part)) {
+    mCoarse = coarseVoxels(mPotential, part, kPreviewAlongEdge, progress);
+    mCoarseField = part;
+  }
+  CutLattice lattice = gatherLattice(mCoarse.grid, cut);
+  LeastCut least = computeCutInBands(lattice, cut.membrane->field.side, progress, kPreviewNodes);
+  Corridor corridor = corridorAround(lattice, least);
+  ms = msSince(start);
+  return corridor;
+}
+
 Forces ForceMaker::kernelForces(const scene::Cut& cut, Progress& progress) {
   Forces forces;
-  auto start = Clock::now();
-  const KernelGrid& kernels = kernelsOf(cut.membrane->field, progress);
-  forces.kernelsMs = msSince(start);
+  const KernelGrid& kernels = kernelsOf(cut.membrane->field, forces.kernelsMs, progress);
   forces.kernels = kernels.count;
   forces.field = cropKernels(kernels, cut);
   forces.field.placed = placeKernels(cut);
@@ -277,10 +303,8 @@ Forces ForceMaker::compute(const scene::Cut& cut, const CurrentSheet& current, P
   if (mPotential.dims().x == 0) return {};
   Forces forces = kernelForces(cut, progress);
   if (cut.membrane->field.rule == scene::KernelRule::Paper) return forces;
-  auto start = Clock::now();
-  forces.corridor = corridorOf(cut, current, progress);
+  forces.corridor = corridorOf(cut, current, forces.leastCutMs, progress);
   turnToSides(forces.field, forces.corridor);
-  forces.leastCutMs = msSince(start);
   return forces;
 }
 
@@ -288,10 +312,12 @@ Forces ForceMaker::preview(const scene::Cut& cut, Progress& progress) {
   if (mPotential.dims().x == 0 || cut.membrane->field.rule == scene::KernelRule::Paper)
     return compute(cut, {}, progress);
   Forces forces = kernelForces(cut, progress);
-  auto start = Clock::now();
   scene::Cut data = cut;
   data.membrane->field.kernels.clear();
-  forces.corridor = corridorOf(data, {}, progress);
+  bool isKnown = mDataSides.cut && *mDataSides.cut == sidesPart(data);
+  forces.isPreview = isLarge() && !isKnown;
+  forces.corridor = forces.isPreview ? coarseCorridorOf(data, forces.leastCutMs, progress)
+                                     : corridorOf(data, {}, forces.leastCutMs, progress);
   for (const auto& kernel : forces.field.placed)
     if (kernel.pull > 0.0) {
       passBy(forces.corridor, kernel, cut.size.z * 0.5);
@@ -299,7 +325,6 @@ Forces ForceMaker::preview(const scene::Cut& cut, Progress& progress) {
       forces.isPreview = true;
     }
   turnToSides(forces.field, forces.corridor);
-  forces.leastCutMs = msSince(start);
   return forces;
 }
 

@@ -6,7 +6,6 @@
 
 #include "CoarseLook.h"
 #include "velum/core/Volume.h"
-#include "velum/session/membrane/FirstPlace.h"
 #include "velum/session/membrane/MembraneEdit.h"
 
 namespace velum::session {
@@ -23,16 +22,6 @@ double shareOf(const CoarseLook& look, const scene::Cut& cut, Progress& progress
   return pairs.plane > 0.0 ? pairs.sheet / pairs.plane : 1.0;
 }
 
-template <class Visit>
-void forEachProtected(const CoarseLook& look, Visit visit) {
-  glm::ivec3 n = look.voxels().box.end, at;
-  const std::uint8_t* mask = look.voxels().mask.data();
-  for (at.z = 0; at.z < n.z; ++at.z)
-    for (at.y = 0; at.y < n.y; ++at.y)
-      for (at.x = 0; at.x < n.x; ++at.x)
-        if (*mask++) visit(look.voxelOf(at));
-}
-
 /// Without the structure that takes up most room; nothing where it is the only one.
 std::optional<scene::Membrane> withoutLargest(scene::Membrane membrane, const scene::Scene& scene,
                                               const CoarseLook& look) {
@@ -42,7 +31,7 @@ std::optional<scene::Membrane> withoutLargest(scene::Membrane membrane, const sc
   glm::dmat4 labelFromVoxel =
       glm::inverse(scene.labels.data->worldFromVoxel()) *
       (scene.volume.data ? scene.volume.data->worldFromVoxel : scene.labels.data->worldFromVoxel());
-  forEachProtected(look, [&](glm::ivec3 voxel) {
+  look.forEachProtected([&](glm::ivec3 voxel, glm::dvec3) {
     glm::ivec3 at(glm::round(glm::dvec3(labelFromVoxel * glm::dvec4(voxel, 1.0))));
     if (auto found = voxels.find(scene.labels.data->at(at)); found != voxels.end()) ++found->second;
   });
@@ -57,7 +46,7 @@ std::optional<scene::Membrane> withHalfTheValues(scene::Membrane membrane, const
   if (!scene.volume.data || membrane.field.byValue.empty()) return std::nullopt;
   const Volume& volume = *scene.volume.data;
   std::vector<double> values;
-  forEachProtected(look, [&](glm::ivec3 voxel) { values.push_back(valueAt(volume, voxel)); });
+  look.forEachProtected([&](glm::ivec3 voxel, glm::dvec3) { values.push_back(valueAt(volume, voxel)); });
   if (values.size() < 2) return std::nullopt;
   std::sort(values.begin(), values.end());
   double middle = values[values.size() / 2], low = values.front(), high = values.back();
@@ -89,7 +78,7 @@ std::optional<Advice> adviseMembrane(const scene::Scene& scene, const scene::Cut
   scene::Cut deeper = cut;
   deeper.size.z *= 2.0;
   steps.push_back({AdviceStep::DeepenReach, deeper, shareOf(look, deeper, progress)});
-  if (auto place = firstPlaceOf(scene, cut, progress)) {
+  if (auto place = firstPlaceOf(look, cut, progress)) {
     scene::Cut moved = cut;
     moved.centre = *place;
     steps.push_back({AdviceStep::MoveInFront, moved, shareOf(look, moved, progress)});
@@ -101,9 +90,7 @@ std::optional<Advice> adviseMembrane(const scene::Scene& scene, const scene::Cut
     spared.membrane = *less;
     steps.push_back({AdviceStep::ProtectLess, spared, shareOf({scene, less->field, progress}, spared, progress)});
   }
-  const auto& mask = look.voxels().mask;
-  auto held = double(std::count_if(mask.begin(), mask.end(), [](std::uint8_t m) { return m != 0; }));
-  bool isTooMuch = held > kTooMuch * double(mask.size()) && less && steps.back().cutShare <= kHelps * now;
+  bool isTooMuch = look.share() > kTooMuch && less && steps.back().cutShare <= kHelps * now;
   if (isTooMuch) return steps.back();
   auto best = std::min_element(steps.begin(), steps.end(), [](auto& a, auto& b) { return a.cutShare < b.cutShare; });
   if (best->cutShare > kHelps * now) return std::nullopt;

@@ -1,8 +1,6 @@
 #pragma once
-#include <vector>
-
 #include "velum/core/Task.h"
-#include "velum/membrane/forces/Kernels.h"
+#include "velum/membrane/forces/CoarseVoxels.h"
 #include "velum/scene/Scene.h"
 
 namespace velum::session {
@@ -14,9 +12,19 @@ class CoarseLook {
   /// @throw Cancelled
   CoarseLook(const scene::Scene& scene, const scene::ForceField& field, Progress& progress);
 
-  const membrane::ProtectedVoxels& voxels() const { return mVoxels; }
-  /// Nearest voxel of the data of each of them.
-  glm::ivec3 voxelOf(glm::ivec3 place) const { return place * mStep + mStep / 2; }
+  /// The share of the places that are protected.
+  double share() const;
+  /// @param visit  gets the voxel of the data, and the point in the world, in the middle of each place that is
+  /// protected
+  template <class Visit>
+  void forEachProtected(Visit visit) const {
+    glm::ivec3 n = mVoxels.grid.box.end, at;
+    const std::uint8_t* mask = mVoxels.grid.mask.data();
+    for (at.z = 0; at.z < n.z; ++at.z)
+      for (at.y = 0; at.y < n.y; ++at.y)
+        for (at.x = 0; at.x < n.x; ++at.x)
+          if (*mask++) visit(mVoxels.voxelOf(at), glm::dvec3(mVoxels.grid.worldFromVoxel * glm::dvec4(at, 1.0)));
+  }
 
   struct Pairs {
     double plane = 0, sheet = 0;  ///< that the rest plane cuts, and the least cut
@@ -25,8 +33,10 @@ class CoarseLook {
   Pairs pairsOf(const scene::Cut& cut, Progress& progress) const;
 
  private:
-  glm::ivec3 mStep{1};
-  membrane::ProtectedVoxels mVoxels;
+  membrane::CoarseVoxels mVoxels;
 };
+
+/// firstPlaceOf() by a look that has been taken.
+std::optional<glm::dvec3> firstPlaceOf(const CoarseLook& look, const scene::Cut& cut, Progress& progress);
 
 }  // namespace velum::session

@@ -21,19 +21,6 @@ constexpr double kWorthOfCut = 2.0;
 /// A place further in front is taken where it is nearly as good.
 constexpr double kNearlyAsGood = 0.8;
 
-/// How far along a direction what is protected lies, ascending.
-std::vector<double> depthsOf(const membrane::ProtectedVoxels& voxels, glm::dvec3 along) {
-  std::vector<double> depths;
-  glm::ivec3 n = voxels.box.end, at;
-  const std::uint8_t* mask = voxels.mask.data();
-  for (at.z = 0; at.z < n.z; ++at.z)
-    for (at.y = 0; at.y < n.y; ++at.y)
-      for (at.x = 0; at.x < n.x; ++at.x)
-        if (*mask++) depths.push_back(glm::dot(glm::dvec3(voxels.worldFromVoxel * glm::dvec4(at, 1.0)), along));
-  std::sort(depths.begin(), depths.end());
-  return depths;
-}
-
 /// What the sheet would spare here of what the plane would cut, less what it must cut.
 double worthOf(const CoarseLook& look, const scene::Cut& cut, Progress& progress) {
   CoarseLook::Pairs pairs = look.pairsOf(cut, progress);
@@ -44,10 +31,15 @@ double worthOf(const CoarseLook& look, const scene::Cut& cut, Progress& progress
 
 std::optional<glm::dvec3> firstPlaceOf(const scene::Scene& scene, const scene::Cut& cut, Progress& progress) {
   if (!scene::hasData(scene)) return std::nullopt;
-  CoarseLook look(scene, cut.membrane->field, progress);
+  return firstPlaceOf(CoarseLook(scene, cut.membrane->field, progress), cut, progress);
+}
+
+std::optional<glm::dvec3> firstPlaceOf(const CoarseLook& look, const scene::Cut& cut, Progress& progress) {
   // What is removed is in front.
   glm::dvec3 axis = unitOr(cut.axis, {0, 0, 1}), front = cut.invert ? -axis : axis;
-  std::vector<double> depths = depthsOf(look.voxels(), front);
+  std::vector<double> depths;
+  look.forEachProtected([&](glm::ivec3, glm::dvec3 world) { depths.push_back(glm::dot(world, front)); });
+  std::sort(depths.begin(), depths.end());
   if (depths.empty()) return std::nullopt;
   auto behind = [&](double share) { return depths[std::size_t((1.0 - share) * double(depths.size() - 1))]; };
   double from = behind(kBeforeFront), to = behind(kMostInFront);

@@ -15,6 +15,8 @@ namespace {
 constexpr int kWarmSteps = 40;
 /// Most steps at a time: without asking the GPU nobody knows how long it takes.
 constexpr int kMostSteps = 20;
+/// Voxels of the time steps whose kernels are kept, at one to three bytes; and the most time steps.
+constexpr double kVoxelsKept = 2e8, kMostMakers = 64;
 
 scene::Cut withFrameOf(scene::Cut cut, const scene::Cut& frame) {
   cut.centre = frame.centre;
@@ -51,6 +53,7 @@ bool haveSameFrame(const scene::Cut& a, const scene::Cut& b) {
 }
 
 LiveSheet::LiveSheet(std::uint64_t id, const scene::Cut& cut, DataKey data) : mId(id), mCut(cut), mData(data) {
+  mWantsLook = !isActive();
   if (isActive() && !cut.membrane->shape.places.empty()) adopt(cut.membrane->shape);
 }
 
@@ -87,6 +90,7 @@ void LiveSheet::follow(const scene::Cut& cut, DataKey data) {
   // An undone step brings the shape back in which the sheet rested then; another document its own.
   if (isActive() && !now.shape.places.empty() && (isUndone || isOtherVolume)) return adopt(now.shape);
   if (isOtherVolume) {
+    mMakers.clear();
     mKept = {};
     mForces.reset();
     mBegin = false;
@@ -99,6 +103,7 @@ void LiveSheet::follow(const scene::Cut& cut, DataKey data) {
     // Another curve protects other material: sides are found anew.
     mKeepSides = isActive() && was.field == now.field && (mKeepSides || !mNeedsForces);
     mNeedsForces = true;
+    mWantsLook = !isActive();
     ++mWish;
     mFigures.reset();
     return;
@@ -123,7 +128,23 @@ void LiveSheet::takeForces(std::shared_ptr<const MadeForces> made, std::uint64_t
   mForces = std::move(made);
   mBegin = true;
   mError.clear();
-  if (wish == mWish) mNeedsForces = false;
+  if (wish != mWish) return;
+  // After a hand's preview it first settles, see advance(); after a look exact forces come at once.
+  mNeedsForces = mForces->forces.isPreview && !mGoesOn;
+  mWantsLook = false;
+}
+
+std::shared_ptr<membrane::ForceMaker> LiveSheet::makerOf(const scene::Scene& scene) const {
+  auto found = std::find_if(mMakers.begin(), mMakers.end(), [&](const auto& maker) { return maker->matches(scene); });
+  return found == mMakers.end() ? nullptr : *found;
+}
+
+void LiveSheet::keepMaker(std::shared_ptr<membrane::ForceMaker> maker) {
+  glm::dvec3 n(maker->potential().dims());
+  auto most = std::size_t(std::clamp(kVoxelsKept / std::max(n.x * n.y * n.z, 1.0), 1.0, kMostMakers));
+  std::erase(mMakers, maker);
+  mMakers.insert(mMakers.begin(), std::move(maker));
+  if (mMakers.size() > most) mMakers.resize(most);
 }
 
 void LiveSheet::failForces(const std::string& error) {

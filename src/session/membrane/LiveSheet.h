@@ -41,7 +41,7 @@ class LiveSheet {
 
   bool needsForces() const { return mCut.enabled && mNeedsForces; }
   /// Hands drag: forces are to come soon rather than exactly, see ForceMaker::preview().
-  bool wantsPreview() const { return mGoesOn; }
+  bool wantsPreview() const { return mGoesOn || mWantsLook; }
   /// Another number with every change of what forces depend on; and of the data alone.
   std::uint64_t wish() const { return mWish; }
   std::uint64_t dataChange() const { return mDataChange; }
@@ -49,7 +49,9 @@ class LiveSheet {
   membrane::CurrentSheet current() const;
   void takeForces(std::shared_ptr<const MadeForces> made, std::uint64_t wish);
   void failForces(const std::string& error);
-  std::shared_ptr<membrane::ForceMaker> maker;  ///< is with the worker while that works
+  /// What makes forces from data, if it is there; and that it is to be kept, as some time steps before it are.
+  std::shared_ptr<membrane::ForceMaker> makerOf(const scene::Scene& scene) const;
+  void keepMaker(std::shared_ptr<membrane::ForceMaker> maker);
 
   bool isMoving() const;
   bool advance(double budgetMs);
@@ -101,6 +103,7 @@ class LiveSheet {
   std::shared_ptr<const MadeForces> mForces;
   bool mBegin = false;      ///< the simulation is to begin with mForces
   bool mGoesOn = false;     ///< from where the sheet is: hands drag something, and see what comes of it at once
+  bool mWantsLook = false;  ///< a passive sheet hangs elsewhere: where data is large, a preview comes first
   bool mKeepSides = false;  ///< the next forces leave material on its side of the sheet
   // What moves.
   std::optional<membrane::Simulation> mSimulation{std::in_place};
@@ -114,7 +117,8 @@ class LiveSheet {
   int mKeptStep = -1;          ///< time step of its forces; -1: not known
   scene::SheetShape mWritten;  ///< that the scene holds
   std::optional<membrane::KeptWhole> mFigures;
-  std::optional<Advice> mAdvice;  ///< that goes with them
+  std::optional<Advice> mAdvice;                               ///< that goes with them
+  std::vector<std::shared_ptr<membrane::ForceMaker>> mMakers;  ///< of this volume's time steps, the last one first
   // What is shown.
   std::shared_ptr<membrane::Sheet> mSheet;
   std::shared_ptr<const membrane::SheetIndex> mIndex;

@@ -74,17 +74,23 @@ MembranePlayer::Work MembranePlayer::nextWork() {
   return {};
 }
 
+/// The data is still the same, but for the time step.
+bool MembranePlayer::isOf(const scene::Scene& scene) const {
+  return scene.volume.data.id() == mScene.volume.data.id() && scene.labels.data.id() == mScene.labels.data.id();
+}
+
 MembranePlayer::Work MembranePlayer::forcesWork(LiveSheet& sheet) {
   mOut = {sheet.id(), sheet.dataChange(), sheet.wish(), false, sheet.wantsPreview()};
   return [this, out = mOut, scene = forcesScene(mScene), cut = sheet.cut(), current = sheet.current(),
-          maker = sheet.maker](Progress& progress) mutable -> Finish {
-    if (!maker || !maker->matches(scene)) maker = std::make_shared<membrane::ForceMaker>(scene);
+          maker = sheet.makerOf(mScene)](Progress& progress) mutable -> Finish {
+    if (!maker) maker = std::make_shared<membrane::ForceMaker>(scene);
     auto forces = out.isPreview ? maker->preview(cut, progress) : maker->compute(cut, current, progress);
     auto made = std::make_shared<const MadeForces>(MadeForces{std::move(forces), cut, scene.volume.timeStep});
-    return [this, out, maker, made] {
+    return [this, out, maker, made, scene] {
       LiveSheet* found = find(out.id);
-      if (!found || found->dataChange() != out.data) return;
-      found->maker = maker;
+      if (!found) return;
+      if (isOf(scene)) found->keepMaker(maker);
+      if (found->dataChange() != out.data) return;
       found->takeForces(made, out.wish);
     };
   };
@@ -93,8 +99,8 @@ MembranePlayer::Work MembranePlayer::forcesWork(LiveSheet& sheet) {
 MembranePlayer::Work MembranePlayer::measureWork(LiveSheet& sheet) {
   mOut = {sheet.id(), sheet.dataChange(), sheet.wish(), true};
   return [this, out = mOut, scene = forcesScene(mScene), cut = sheet.cut(), shape = sheet.shape(),
-          maker = sheet.maker](Progress& progress) mutable -> Finish {
-    if (!maker || !maker->matches(scene)) maker = std::make_shared<membrane::ForceMaker>(scene);
+          maker = sheet.makerOf(mScene)](Progress& progress) mutable -> Finish {
+    if (!maker) maker = std::make_shared<membrane::ForceMaker>(scene);
     const membrane::Potential& potential = maker->potential();
     membrane::KeptWhole figures;
     std::optional<Advice> advice;
@@ -102,10 +108,10 @@ MembranePlayer::Work MembranePlayer::measureWork(LiveSheet& sheet) {
       figures = measureMembrane(potential, cut, shape, progress);
       advice = adviceFor(figures, scene, cut, progress);
     }
-    return [this, out, maker, figures, advice] {
+    return [this, out, maker, figures, advice, scene] {
       LiveSheet* found = find(out.id);
       if (!found) return;
-      found->maker = maker;
+      if (isOf(scene)) found->keepMaker(maker);
       found->takeFigures(figures, advice, out.wish);
     };
   };

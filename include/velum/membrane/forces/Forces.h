@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "velum/core/Task.h"
+#include "velum/membrane/forces/CoarseVoxels.h"
 #include "velum/membrane/forces/Kernels.h"
 #include "velum/membrane/forces/LeastCut.h"
 #include "velum/membrane/forces/PushField.h"
@@ -39,7 +40,7 @@ struct Forces {
   bool isPreview = false;   ///< of ForceMaker::preview()
   std::size_t kernels = 0;  ///< of the whole volume
   double kernelsMs = 0;     ///< time from the data to the kernels; 0: they were there
-  double leastCutMs = 0;
+  double leastCutMs = 0;    ///< time to the corridor; 0: it was there
 };
 
 /// z of a sheet over a place of its rest plane.
@@ -69,30 +70,39 @@ class ForceMaker {
   /// @throw Cancelled
   Forces compute(const scene::Cut& cut, const CurrentSheet& current, Progress& progress);
 
-  /// For a hand that drags kernels: as compute(), but each that repels is passed on the side of the data's own least
-  /// cut rather than by another one. A few milliseconds where that is known. @throw Cancelled
+  /// For a hand that drags, before exact forces are there: as compute() without a current sheet, but in large data
+  /// (kLargeVoxels) by a coarse look at what is protected, and each kernel that repels is passed on the side of the
+  /// data's own least cut rather than by another one. A few milliseconds where that, or the look, is known. @throw
+  /// Cancelled
   Forces preview(const scene::Cut& cut, Progress& progress);
+  /// In data of more voxels forces take long enough to be worth a preview.
+  static constexpr double kLargeVoxels = 2e7;
+  bool isLarge() const;
 
  private:
+  // What takes `ms` writes to it how long it took, where it was not there.
   /// A corridor, and what it is of: see sidesPart().
   struct Sides {
     std::optional<scene::Cut> cut;
     Corridor corridor;
   };
-  const KernelGrid& kernelsOf(const scene::ForceField& field, Progress& progress);
+  const KernelGrid& kernelsOf(const scene::ForceField& field, double& ms, Progress& progress);
   LeastCut cutByCurrent(const CutLattice& lattice, const scene::Cut& cut, const CurrentSheet& current,
                         Progress& progress) const;
 
+  Corridor coarseCorridorOf(const scene::Cut& cut, double& ms, Progress& progress);
   const ProtectedVoxels& voxelsOf(const scene::Cut& cut, Progress& progress);
   Forces kernelForces(const scene::Cut& cut, Progress& progress);
-  Corridor corridorOf(const scene::Cut& cut, const CurrentSheet& current, Progress& progress);
+  Corridor corridorOf(const scene::Cut& cut, const CurrentSheet& current, double& ms, Progress& progress);
 
   Potential mPotential;
   int mTimeStep = 0, mTimeSteps = 1;
   std::optional<scene::ForceField> mField;  ///< that mKernels are of
   KernelGrid mKernels;
   std::optional<scene::Cut> mVoxelsCut;
-  ProtectedVoxels mVoxels;   ///< of the data alone
+  ProtectedVoxels mVoxels;  ///< of the data alone
+  std::optional<scene::ForceField> mCoarseField;
+  CoarseVoxels mCoarse;      ///< of the data alone, for previews
   Sides mDataSides, mSides;  ///< of the data alone; with the last kernels that were put in
 };
 

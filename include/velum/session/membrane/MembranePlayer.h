@@ -105,6 +105,7 @@ class MembranePlayer : public Player {
  private:
   LiveSheet* find(std::uint64_t id);
   LiveSheet* sheetOf(int cut) const;
+  bool isOf(const scene::Scene& scene) const;
   Work forcesWork(LiveSheet& sheet);
   Work measureWork(LiveSheet& sheet);
   void refreshIndices();

@@ -1,0 +1,20 @@
+#pragma once
+#include "velum/core/Task.h"
+#include "velum/membrane/forces/Kernels.h"
+
+namespace velum::membrane {
+
+/// What a field protects of the whole data on a grid of blocks of voxels: a block counts where a quarter of it does, so
+/// that what is thin stays in one piece. Block (0, 0, 0) begins with voxel (0, 0, 0); those at the end may hold fewer.
+struct CoarseVoxels {
+  glm::ivec3 step{1};    ///< voxels of a block along each axis
+  ProtectedVoxels grid;  ///< of the blocks, whose middles are at integers
+  /// The voxel in the middle of a block.
+  glm::ivec3 voxelOf(glm::ivec3 block) const { return block * step + step / 2; }
+};
+
+/// By value and by label only: gradients take seconds, and are left out. All cores; memory for one layer of blocks.
+/// @param along  blocks along an edge at most, where voxels are more  @throw Cancelled
+CoarseVoxels coarseVoxels(const Potential& potential, const scene::ForceField& field, int along, Progress& progress);
+
+}  // namespace velum::membrane

@@ -29,6 +29,8 @@ void measureLoading(const Options& options, Report& report);
 void measureMembrane(const Options& options, Report& report);
 /// Pictures a second with volumes, kernels and sheet as large as in the paper's Table 1.
 void measureMembraneTable(const Options& options, Report& report);
+/// How soon a membrane follows whoever drags its frame.
+void measureMembraneDrag(const Options& options, Report& report);
 /// How much of what is protected the sheets keep whole, against the limit.
 void measureKeptWhole(const Options& options, Report& report);
 /// The same by kinds of data, with ways to protect, sizes and oblique frames: hours.

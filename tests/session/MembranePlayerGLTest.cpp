@@ -145,15 +145,15 @@ TEST_F(MembranePlayerGL, ASteadyDragSeesTheForcesOfPlacesOnItsWay) {
 }
 
 TEST_F(MembranePlayerGL, InLargeDataALookComesBeforeExactForces) {
-  scene::Scene scene = ballScene(8);
-  ASSERT_GT(40.0 * 40.0 * 32.0 * 512.0, membrane::ForceMaker::kLargeVoxels);
+  scene::Scene scene = ballScene(5);
+  ASSERT_GT(40.0 * 40.0 * 32.0 * 125.0, membrane::ForceMaker::kLargeVoxels);
   mPlayer.follow(scene);
   work();
   EXPECT_TRUE(mPlayer.isMoving()) << "by the look";
   EXPECT_EQ(mPlayer.status(1)->phase, MembraneStatus::Phase::Computing) << "exact forces are to come";
   for (int i = 0; i < 20; ++i) mPlayer.advance(50.0);
   auto height = membrane::heightOf(shapeOf(mPlayer, scene));
-  EXPECT_GT(std::abs(height({-64, 0})), 4.0) << "it is pushed aside";
+  EXPECT_GT(std::abs(height({-40, 0})), 2.5) << "it is pushed aside";
   auto exact = mPlayer.nextWork();
   ASSERT_TRUE(exact);
   scene.cuts[0].centre.z += 4.0;

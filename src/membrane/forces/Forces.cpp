@@ -25,6 +25,7 @@ constexpr int kMostStepsFollowed = 4;
 /// Previews look at so many blocks along an edge, and solve so many nodes exactly: some 30 ms.
 constexpr int kPreviewAlongEdge = 128;
 constexpr std::size_t kPreviewNodes = 30000;
+constexpr int kPreviewKernels = 64, kCoarsestKernels = 6;
 
 /// Strength of a kernel that draws the sheet half of the way to its centre.
 constexpr double kHalfLift = 100.0;
@@ -60,6 +61,13 @@ scene::Cut sidesPart(const scene::Cut& cut) {
   return part;
 }
 
+/// Kernels of previews are so coarse.
+int previewLevel(const scene::ForceField& field, glm::ivec3 dims) {
+  int level = field.level;
+  while (level < kCoarsestKernels && std::max(dims.x, std::max(dims.y, dims.z)) >> level > kPreviewKernels) ++level;
+  return level;
+}
+
 /// The kernels that can reach the rest plane's box, in a lattice of their own.
 PushField cropKernels(const KernelGrid& grid, const scene::Cut& cut) {
   PushField field;
@@ -73,12 +81,17 @@ PushField cropKernels(const KernelGrid& grid, const scene::Cut& cut) {
   glm::dmat4 shift(1.0);
   shift[3] = glm::dvec4(-glm::dvec3(low), 1.0);
   field.kernelFromLocal = shift * kernelFromLocal;
-  for (int z = low.z; z < high.z; ++z)
-    for (int y = low.y; y < high.y; ++y) {
-      const float* row =
-          &grid.strengths[(std::size_t(z) * std::size_t(grid.dims.y) + std::size_t(y)) * std::size_t(grid.dims.x)];
-      for (int x = low.x; x < high.x; ++x) field.strengths.emplace_back(0.0f, row[x]);
+  glm::ivec3 n = field.dims;
+  field.strengths.resize(std::size_t(n.x) * std::size_t(n.y) * std::size_t(n.z));
+  parallelFor(0, n.z, [&](int z) {
+    glm::vec2* to = field.strengths.data() + std::size_t(z) * std::size_t(n.y) * std::size_t(n.x);
+    for (int y = 0; y < n.y; ++y) {
+      glm::ivec3 at = low + glm::ivec3(0, y, z);
+      const float* row = grid.strengths.data() +
+                         (std::size_t(at.z) * std::size_t(grid.dims.y) + std::size_t(at.y)) * std::size_t(grid.dims.x);
+      for (int x = 0; x < n.x; ++x) *to++ = {0.0f, row[at.x + x]};
     }
+  });
   return field;
 }
 
@@ -218,11 +231,12 @@ LeastCut ForceMaker::cutByCurrent(const CutLattice& lattice, const scene::Cut& c
   return computeLeastCutNear(lattice, cut.membrane->field.side, below, band, progress);
 }
 
-const KernelGrid& ForceMaker::kernelsOf(const scene::ForceField& field, double& ms, Progress& progress) {
+const std::vector<KernelGrid>& ForceMaker::kernelsOf(const scene::ForceField& field, double& ms, Progress& progress) {
   scene::ForceField part = kernelPart(field);
   if (!mField || !(*mField == part)) {
     auto start = Clock::now();
-    mKernels = mPotential.computeKernels(part, progress);
+    mKernels = mPotential.computeLevels(part, part.level,
+                                        isLarge() ? previewLevel(part, mPotential.dims()) : part.level, progress);
     mField = part;
     ms = msSince(start);
   }
@@ -290,18 +304,19 @@ Corridor ForceMaker::coarseCorridorOf(const scene::Cut& cut, double& ms, Progres
   return corridor;
 }
 
-Forces ForceMaker::kernelForces(const scene::Cut& cut, Progress& progress) {
+Forces ForceMaker::kernelForces(const scene::Cut& cut, bool isPreview, Progress& progress) {
   Forces forces;
-  const KernelGrid& kernels = kernelsOf(cut.membrane->field, forces.kernelsMs, progress);
-  forces.kernels = kernels.count;
-  forces.field = cropKernels(kernels, cut);
+  forces.isPreview = isPreview;
+  const std::vector<KernelGrid>& kernels = kernelsOf(cut.membrane->field, forces.kernelsMs, progress);
+  forces.kernels = kernels.front().count;
+  forces.field = cropKernels(isPreview ? kernels.back() : kernels.front(), cut);
   forces.field.placed = placeKernels(cut);
   return forces;
 }
 
 Forces ForceMaker::compute(const scene::Cut& cut, const CurrentSheet& current, Progress& progress) {
   if (mPotential.dims().x == 0) return {};
-  Forces forces = kernelForces(cut, progress);
+  Forces forces = kernelForces(cut, false, progress);
   if (cut.membrane->field.rule == scene::KernelRule::Paper) return forces;
   forces.corridor = corridorOf(cut, current, forces.leastCutMs, progress);
   turnToSides(forces.field, forces.corridor);
@@ -311,11 +326,10 @@ Forces ForceMaker::compute(const scene::Cut& cut, const CurrentSheet& current, P
 Forces ForceMaker::preview(const scene::Cut& cut, Progress& progress) {
   if (mPotential.dims().x == 0 || cut.membrane->field.rule == scene::KernelRule::Paper)
     return compute(cut, {}, progress);
-  Forces forces = kernelForces(cut, progress);
   scene::Cut data = cut;
   data.membrane->field.kernels.clear();
   bool isKnown = mDataSides.cut && *mDataSides.cut == sidesPart(data);
-  forces.isPreview = isLarge() && !isKnown;
+  Forces forces = kernelForces(cut, isLarge() && !isKnown, progress);
   forces.corridor = forces.isPreview ? coarseCorridorOf(data, forces.leastCutMs, progress)
                                      : corridorOf(data, {}, forces.leastCutMs, progress);
   for (const auto& kernel : forces.field.placed)

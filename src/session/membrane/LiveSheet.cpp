@@ -178,12 +178,13 @@ void LiveSheet::begin() {
   scene::Cut moving = withFrameOf(mCut, mForces->cut);
   moving.membrane->field.rule = mForces->cut.membrane->field.rule;
   scene::SheetShape start;
-  if (isActive() || mGoesOn) start = carried(mKept, mKeptCut, moving);
+  bool isLook = mForces->forces.isPreview && !mGoesOn;
+  if (isActive() || mGoesOn || isLook) start = carried(mKept, mKeptCut, moving);
   mSimulation->begin(moving, mForces->forces, start);
   mMovingCut = moving;
   mMovingStep = mForces->timeStep;
   bool hasPast = mGoesOn && (!start.places.empty() || mForces->forces.isPreview);
-  bool isSeen = isActive() || mGoesOn || mKept.places.empty();
+  bool isSeen = isActive() || mGoesOn || isLook || mKept.places.empty();
   mMotion = hasPast ? Motion::Dragged : isSeen ? Motion::Shown : Motion::Unseen;
 }
 

@@ -76,7 +76,7 @@ class ForceMaker {
   /// Cancelled
   Forces preview(const scene::Cut& cut, Progress& progress);
   /// In data of more voxels forces take long enough to be worth a preview.
-  static constexpr double kLargeVoxels = 2e7;
+  static constexpr double kLargeVoxels = 4e6;
   bool isLarge() const;
 
  private:
@@ -86,19 +86,19 @@ class ForceMaker {
     std::optional<scene::Cut> cut;
     Corridor corridor;
   };
-  const KernelGrid& kernelsOf(const scene::ForceField& field, double& ms, Progress& progress);
+  const std::vector<KernelGrid>& kernelsOf(const scene::ForceField& field, double& ms, Progress& progress);
   LeastCut cutByCurrent(const CutLattice& lattice, const scene::Cut& cut, const CurrentSheet& current,
                         Progress& progress) const;
 
   Corridor coarseCorridorOf(const scene::Cut& cut, double& ms, Progress& progress);
   const ProtectedVoxels& voxelsOf(const scene::Cut& cut, Progress& progress);
-  Forces kernelForces(const scene::Cut& cut, Progress& progress);
+  Forces kernelForces(const scene::Cut& cut, bool isPreview, Progress& progress);
   Corridor corridorOf(const scene::Cut& cut, const CurrentSheet& current, double& ms, Progress& progress);
 
   Potential mPotential;
   int mTimeStep = 0, mTimeSteps = 1;
   std::optional<scene::ForceField> mField;  ///< that mKernels are of
-  KernelGrid mKernels;
+  std::vector<KernelGrid> mKernels;         ///< from the field's level to that of previews
   std::optional<scene::Cut> mVoxelsCut;
   ProtectedVoxels mVoxels;  ///< of the data alone
   std::optional<scene::ForceField> mCoarseField;

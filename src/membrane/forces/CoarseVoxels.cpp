@@ -4,6 +4,11 @@
 
 namespace velum::membrane {
 
+namespace {
+/// Of thicker blocks only these layers, in their middle, are looked at.
+constexpr int kMostLayers = 4;
+}  // namespace
+
 CoarseVoxels coarseVoxels(const Potential& potential, const scene::ForceField& field, int along, Progress& progress) {
   scene::ForceField seen = field;
   seen.byGradient.clear();
@@ -21,6 +26,9 @@ CoarseVoxels coarseVoxels(const Potential& potential, const scene::ForceField& f
   out.grid.mask.resize(std::size_t(blocks.x) * std::size_t(blocks.y) * std::size_t(blocks.z));
   for (int z = 0; z < blocks.z; ++z) {
     int first = z * out.step.z, end = std::min(first + out.step.z, dims.z);
+    int spare = std::max(end - first - kMostLayers, 0);
+    first += spare / 2;
+    end -= spare - spare / 2;
     ProtectedVoxels layer = potential.computeProtected(seen, {{0, 0, first}, {dims.x, dims.y, end}}, progress);
     parallelFor(0, blocks.y, [&](int y) {
       std::vector<int> held(std::size_t(blocks.x), 0);

@@ -59,16 +59,17 @@ struct LeastCut {
 /// - passes through what must be cut as near to the rest plane as it can, weighed alike.
 /// Deterministic. Any thread.
 ///
-/// Time goes with the nodes that hold something and with how far cut parts reach: 0.2 to 3 s for half a million to two
-/// million. @throw ArgumentError when the rest plane lies outside the lattice; Cancelled
+/// Time goes with the nodes that hold something and with how far cut parts reach: 0.2 to 5 s for half a million to two
+/// million, 20 for the blood of a heart at 512^3. @throw ArgumentError when the rest plane lies outside the lattice;
+/// Cancelled
 LeastCut computeLeastCut(const CutLattice& lattice, scene::MembraneSide side, Progress& progress);
 
 /// Nodes up to which the flow is solved exactly: about a tenth of a second.
 constexpr std::size_t kExactNodes = 400000;
 
 /// A sheet that separates nearly as little, in a fraction of the time: of a lattice twice as coarse, found likewise, it
-/// takes the best that there is near that sheet [Lombaert et al. 2005: a multilevel banded graph cuts method]. Never
-/// worse than any coarser one. What it misses is measured, not proved: see docs/PERFORMANCE.md, bands.
+/// takes the best that there is near that sheet, and near that one as long as it gains 1 % [BANDS]. Never
+/// worse than any coarser one. What it misses is measured, not proved: see docs/PERFORMANCE.md.
 /// @param exactNodes  lattices of so many nodes that hold something or fewer are solved exactly
 /// @throw as computeLeastCut
 LeastCut computeCutInBands(const CutLattice& lattice, scene::MembraneSide side, Progress& progress,

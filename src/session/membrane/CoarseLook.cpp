@@ -19,6 +19,11 @@ double CoarseLook::share() const {
   return held / double(std::max<std::size_t>(mask.size(), 1));
 }
 
+double CoarseLook::depthAlong(glm::dvec3 axis) const {
+  glm::dvec3 edges = glm::abs(axis * glm::dmat3(mVoxels.grid.worldFromVoxel));
+  return edges.x + edges.y + edges.z;
+}
+
 CoarseLook::Pairs CoarseLook::pairsOf(const scene::Cut& cut, Progress& progress) const {
   membrane::CutLattice lattice = membrane::gatherLattice(mVoxels.grid, cut);
   std::vector<int> flat(std::size_t(lattice.dims.x) * std::size_t(lattice.dims.y), membrane::flatCount(lattice));

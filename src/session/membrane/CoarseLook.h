@@ -14,6 +14,8 @@ class CoarseLook {
 
   /// The share of the places that are protected.
   double share() const;
+  /// How deep one place is along a direction of length 1, in the world.
+  double depthAlong(glm::dvec3 axis) const;
   /// @param visit  gets the voxel of the data, and the point in the world, in the middle of each place that is
   /// protected
   template <class Visit>

@@ -43,9 +43,12 @@ std::optional<glm::dvec3> firstPlaceOf(const CoarseLook& look, const scene::Cut&
   if (depths.empty()) return std::nullopt;
   auto behind = [&](double share) { return depths[std::size_t((1.0 - share) * double(depths.size() - 1))]; };
   double from = behind(kBeforeFront), to = behind(kMostInFront);
+  // What only just fits a coarse look may not fit the sheet: it is tried with a reach a place shorter.
+  double depth = look.depthAlong(axis);
   std::vector<std::pair<double, glm::dvec3>> tried;
   for (int i = 0; i < kPlaces; ++i) {
     scene::Cut there = cut;
+    there.size.z = std::max(cut.size.z - depth, 0.5 * cut.size.z);
     there.centre += front * (std::lerp(from, to, i / double(kPlaces - 1)) - glm::dot(cut.centre, front));
     tried.emplace_back(worthOf(look, there, progress), there.centre);
   }

@@ -1,6 +1,7 @@
 #include "ColumnFlow.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "velum/core/Parallel.h"
 
@@ -8,14 +9,41 @@ namespace velum::membrane {
 
 namespace {
 
-constexpr std::uint8_t kRoot = 6, kOrphan = 7;
+constexpr std::uint8_t kRoot = 30, kOrphan = 31;
+/// The way to a neighbour, by direction.
+constexpr int kSteps[][3] = {{0, 0, 1},  {0, 0, -1}, {1, 0, 0},  {-1, 0, 0}, {0, 1, 0},  {0, -1, 0},
+                             {1, 1, 0},  {-1, -1, 0}, {1, -1, 0}, {-1, 1, 0}, {1, 0, 1},  {-1, 0, -1},
+                             {1, 0, -1}, {-1, 0, 1}, {0, 1, 1},  {0, -1, -1}, {0, 1, -1}, {0, -1, 1}};
+/// What a pair weighs along an axis, and across two.
+int kStraight = getenv("WS") ? atoi(getenv("WS")) : 3, kSlanted = getenv("WD") ? atoi(getenv("WD")) : 1;
+
+/// Pairs between two nodes across two axes: as many as there are on the better way around the corner, in halves.
+int diagonalPairs(const CutLattice& lattice, glm::ivec3 node, glm::ivec3 step) {
+  auto between = [&](glm::ivec3 a, int axis) {
+    glm::ivec3 low = a;
+    if (step[axis] < 0) --low[axis];
+    auto found = nodeAt(lattice, low);
+    return found ? int(lattice.pairs[axis][*found]) : 0;
+  };
+  int first = step.x ? 0 : 1, second = step.z ? 2 : 1;
+  glm::ivec3 along = node, up = node;
+  along[first] += step[first];
+  up[second] += step[second];
+  return std::max(std::min(between(node, first), between(along, second)),
+                  std::min(between(node, second), between(up, first)));
+}
+
 /// Nodes visited between two calls of onPhase: about a millisecond.
 constexpr std::size_t kVisitsPerCall = 20000;
 
 }  // namespace
 
-ColumnFlow::ColumnFlow(const CutLattice& lattice, const std::function<Side(std::size_t, int)>& tieOf)
+ColumnFlow::ColumnFlow(const CutLattice& lattice, CutMetric metric, const std::function<Side(std::size_t, int)>& tieOf)
     : mNodes(lattice.layer.size()) {
+  if (metric == CutMetric::Diagonal) {
+    mDiagonals.resize(mNodes.size());
+    mDirections = int(std::size(kSteps));
+  }
   parallelFor(std::size_t(0), lattice.first.size() - 1, [&](std::size_t column) { join(lattice, column); });
   for (std::size_t column = 0; column + 1 < lattice.first.size(); ++column)
     for (std::uint32_t v = lattice.first[column]; v < lattice.first[column + 1]; ++v) {
@@ -35,27 +63,30 @@ void ColumnFlow::join(const CutLattice& lattice, std::size_t column) {
   for (std::uint32_t v = first; v < end; ++v) {
     mNodes[v].hasBelow = v > first;
     mNodes[v].hasAbove = v + 1 < end;
-    mNodes[v].up = lattice.pairs[2][v];
+    mNodes[v].up = lattice.pairs[2][v] * (mDiagonals.empty() ? 1 : kStraight);
   }
   auto width = std::size_t(lattice.dims.x);
-  std::size_t x = column % width, y = column / width;
-  if (x + 1 < width) joinAcross(lattice, column, column + 1, 0);
-  if (x > 0) joinAcross(lattice, column, column - 1, 0);
-  if (y + 1 < std::size_t(lattice.dims.y)) joinAcross(lattice, column, column + width, 1);
-  if (y > 0) joinAcross(lattice, column, column - width, 1);
+  glm::ivec2 at(column % width, column / width);
+  for (int direction = kAcross; direction < mDirections; ++direction) joinAcross(lattice, at, direction);
 }
 
-void ColumnFlow::joinAcross(const CutLattice& lattice, std::size_t column, std::size_t other, int axis) {
-  int direction = axis * 2 + (other < column ? 1 : 0);
+/// Edges of a column's nodes to those of another one, in one direction.
+void ColumnFlow::joinAcross(const CutLattice& lattice, glm::ivec2 at, int direction) {
+  glm::ivec3 step(kSteps[direction][0], kSteps[direction][1], kSteps[direction][2]);
+  glm::ivec2 there = at + glm::ivec2(step);
+  if (there.x < 0 || there.y < 0 || there.x >= lattice.dims.x || there.y >= lattice.dims.y) return;
+  auto columnAt = [&](glm::ivec2 p) { return std::size_t(p.y) * std::size_t(lattice.dims.x) + std::size_t(p.x); };
+  std::size_t column = columnAt(at), other = columnAt(there);
   std::uint32_t v = lattice.first[column], u = lattice.first[other];
   std::uint32_t end = lattice.first[column + 1], otherEnd = lattice.first[other + 1];
   while (v < end && u < otherEnd) {
-    int apart = int(lattice.layer[v]) - int(lattice.layer[u]);
+    int apart = int(lattice.layer[v]) + step.z - int(lattice.layer[u]);
     if (apart == 0) {
-      std::uint8_t pairs = lattice.pairs[axis][std::min(v, u)];
+      int pairs = direction < kDiagonal ? lattice.pairs[step.x ? 0 : 1][std::min(v, u)] * (mDiagonals.empty() ? 1 : kStraight)
+                                        : kSlanted * diagonalPairs(lattice, glm::ivec3(at, lattice.layer[v]), step);
       if (pairs > 0) {
-        mNodes[v].across[direction] = u;
-        mNodes[v].room[direction] = pairs;
+        (direction < kDiagonal ? mNodes[v].across[direction - kAcross] : mDiagonals[v].across[direction - kDiagonal]) = u;
+        room(v, direction) = std::int16_t(pairs);
       }
     }
     v += apart <= 0;
@@ -64,13 +95,12 @@ void ColumnFlow::joinAcross(const CutLattice& lattice, std::size_t column, std::
 }
 
 inline void ColumnFlow::push(std::uint32_t from, int direction, std::int32_t flow) {
-  Node& n = mNodes[from];
-  if (direction < kUp) {
-    n.room[direction] = std::int16_t(n.room[direction] - flow);
-    std::int16_t& back = mNodes[n.across[direction]].room[direction ^ 1];
+  if (direction >= kAcross) {
+    std::int16_t &forth = room(from, direction), &back = room(next(from, direction), direction ^ 1);
+    forth = std::int16_t(forth - flow);
     back = std::int16_t(back + flow);
   } else if (direction == kUp) {
-    n.up -= flow;
+    mNodes[from].up -= flow;
   } else {
     mNodes[from - 1].up += flow;
   }
@@ -108,7 +138,7 @@ void ColumnFlow::grow(int tree) {
 /// Takes free neighbours into the tree and fills the paths that open to the other tree.
 void ColumnFlow::visit(std::uint32_t v, int tree) {
   auto isActive = [&] { return mNodes[v].tree == tree && mNodes[v].distance == mDistance[tree]; };
-  for (int direction = 0; direction < 6 && isActive(); ++direction) {
+  for (int direction = 0; direction < mDirections && isActive(); ++direction) {
     std::uint32_t u = next(v, direction);
     if (u == kNone || mNodes[u].tree == tree) continue;
     Node& other = mNodes[u];
@@ -192,7 +222,7 @@ void ColumnFlow::adopt(std::uint32_t v, int tree) {
   Node& n = mNodes[v];
   std::int32_t nearest = kInfinite - 1;
   int parent = kOrphan;
-  for (int direction = 0; direction < 6 && nearest >= n.distance; ++direction) {
+  for (int direction = 0; direction < mDirections && nearest >= n.distance; ++direction) {
     std::uint32_t u = next(v, direction);
     if (u == kNone || mNodes[u].tree != tree || mNodes[u].distance >= nearest) continue;
     if ((tree == kBelow ? residual(u, direction ^ 1) : residual(v, direction)) == 0) continue;
@@ -204,7 +234,7 @@ void ColumnFlow::adopt(std::uint32_t v, int tree) {
     return;
   }
   // It moves away, so its children have to look for themselves.
-  for (int direction = 0; direction < 6; ++direction) {
+  for (int direction = 0; direction < mDirections; ++direction) {
     std::uint32_t u = next(v, direction);
     if (u != kNone && mNodes[u].tree == tree && mNodes[u].parent == (direction ^ 1)) orphan(u);
   }

@@ -1,6 +1,8 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <vector>
 
@@ -23,7 +25,9 @@ class ColumnFlow {
   };
 
   /// Nodes and capacities of a lattice. @param tieOf  which side a node is tied to, or kOpen: of column and layer
-  ColumnFlow(const CutLattice& lattice, const std::function<Side(std::size_t column, int layer)>& tieOf);
+  /// @param metric  diagonal: of cuts that separate about as much, one of small area
+  ColumnFlow(const CutLattice& lattice, CutMetric metric,
+             const std::function<Side(std::size_t column, int layer)>& tieOf);
 
   /// Fills the lattice.
   /// @param onPhase  called now and then; may throw, which leaves the flow useless
@@ -36,14 +40,15 @@ class ColumnFlow {
   template <class Visit>
   void forEachNeighbour(std::size_t node, Visit visit) const {
     auto v = std::uint32_t(node);
-    for (int direction = 0; direction < 6; ++direction) {
+    for (int direction = 0; direction < mDirections; ++direction) {
       std::uint32_t u = next(v, direction);
       if (u != kNone) visit(std::size_t(u), residual(v, direction) > 0, residual(u, direction ^ 1) > 0);
     }
   }
 
  private:
-  /// Directions are 0 +x, 1 -x, 2 +y, 3 -y, 4 up, 5 down; the opposite is `direction ^ 1`.
+  /// Directions are 0 up, 1 down, 2 +x, 3 -x, 4 +y, 5 -y, and the twelve across two axes; the opposite is
+  /// `direction ^ 1`.
   struct Node {
     std::uint32_t across[4] = {kNone, kNone, kNone, kNone};
     std::int16_t room[4] = {};  ///< residual capacity to them
@@ -54,19 +59,26 @@ class ColumnFlow {
   };
   static constexpr std::uint32_t kNone = 0xffffffff;
   static constexpr std::int32_t kInfinite = std::numeric_limits<std::int32_t>::max();
-  static constexpr int kUp = 4;
+  struct Diagonals {
+    std::uint32_t across[12];
+    std::int16_t room[12] = {};
+    Diagonals() { std::fill(std::begin(across), std::end(across), kNone); }
+  };
+  static constexpr int kUp = 0, kAcross = 2, kDiagonal = 6;
 
   void join(const CutLattice& lattice, std::size_t column);
-  void joinAcross(const CutLattice& lattice, std::size_t column, std::size_t other, int axis);
+  void joinAcross(const CutLattice& lattice, glm::ivec2 at, int direction);
   std::uint32_t next(std::uint32_t node, int direction) const {
     const Node& n = mNodes[node];
-    if (direction < kUp) return n.across[direction];
+    if (direction >= kDiagonal) return mDiagonals[node].across[direction - kDiagonal];
+    if (direction >= kAcross) return n.across[direction - kAcross];
     if (direction == kUp) return n.hasAbove ? node + 1 : kNone;
     return n.hasBelow ? node - 1 : kNone;
   }
   std::int32_t residual(std::uint32_t from, int direction) const {
     const Node& n = mNodes[from];
-    if (direction < kUp) return n.room[direction];
+    if (direction >= kDiagonal) return mDiagonals[from].room[direction - kDiagonal];
+    if (direction >= kAcross) return n.room[direction - kAcross];
     if (direction == kUp) return n.up;
     return n.hasBelow ? kInfinite : 0;
   }
@@ -80,7 +92,14 @@ class ColumnFlow {
   void adoptOrphans(int tree);
   void adopt(std::uint32_t v, int tree);
 
+  std::int16_t& room(std::uint32_t from, int direction) {
+    return direction >= kDiagonal ? mDiagonals[from].room[direction - kDiagonal]
+                                  : mNodes[from].room[direction - kAcross];
+  }
+
   std::vector<Node> mNodes;
+  std::vector<Diagonals> mDiagonals;  ///< empty without
+  int mDirections = kDiagonal;
   std::vector<std::uint32_t> mFront[3];  ///< nodes at the tree's largest whole distance
   std::vector<std::uint32_t> mNext;      ///< nodes one further, while the tree grows
   std::int32_t mDistance[3] = {};

@@ -66,10 +66,10 @@ std::vector<int> belowOf(const CutLattice& lattice, std::span<const SheetRange> 
 
 /// The least cut of the sheets within given heights.
 LeastCut solve(const CutLattice& lattice, scene::MembraneSide side, std::span<const SheetRange> ranges,
-               Progress& progress) {
+               CutMetric metric, Progress& progress) {
   progress.report(0.0, "finding the least cut");
   CutLattice part = within(lattice, ranges);
-  ColumnFlow flow(part, [&](std::size_t column, int layer) {
+  ColumnFlow flow(part, metric, [&](std::size_t column, int layer) {
     SheetRange range = ranges[column];
     return layer < range.low ? ColumnFlow::kBelow : layer >= range.high ? ColumnFlow::kAbove : ColumnFlow::kOpen;
   });
@@ -119,7 +119,7 @@ double pairsAt(const CutLattice& lattice, glm::ivec3 node, int axis) {
 LeastCut computeLeastCut(const CutLattice& lattice, scene::MembraneSide side, Progress& progress) {
   check(lattice);
   std::vector<SheetRange> ranges = rangesOf(lattice, [&](std::size_t) { return SheetRange{0, lattice.dims.z}; });
-  return solve(lattice, side, ranges, progress);
+  return solve(lattice, side, ranges, CutMetric::Pairs, progress);
 }
 
 LeastCut computeLeastCutNear(const CutLattice& lattice, scene::MembraneSide side, std::span<const int> near, int band,
@@ -129,14 +129,14 @@ LeastCut computeLeastCutNear(const CutLattice& lattice, scene::MembraneSide side
   auto ranges = rangesOf(lattice, [&](std::size_t column) {
     return SheetRange{near[column] - band, near[column] + band};
   });
-  return solve(lattice, side, ranges, progress);
+  return solve(lattice, side, ranges, CutMetric::Pairs, progress);
 }
 
 LeastCut computeCutInBands(const CutLattice& lattice, scene::MembraneSide side, Progress& progress,
                            std::size_t exactNodes) {
   check(lattice);
   if (lattice.layer.size() <= exactNodes || glm::any(glm::lessThan(lattice.dims, glm::ivec3(4))))
-    return computeLeastCut(lattice, side, progress);
+    return solve(lattice, side, rangesOf(lattice, [&](std::size_t) { return SheetRange{0, lattice.dims.z}; }), CutMetric::Diagonal, progress);
   progress.throwIfCancelled();
   LeastCut coarse = computeCutInBands(coarsened(lattice), side, progress, exactNodes);
   double last = coarse.cutPairs;
@@ -145,7 +145,7 @@ LeastCut computeCutInBands(const CutLattice& lattice, scene::MembraneSide side, 
   // What a band finds at its edge may lie further on.
   for (int round = 0; round < kMostRounds; ++round) {
     std::vector<SheetRange> band = bandAround(glm::ivec2(lattice.dims), cut.below);
-    cut = solve(lattice, side, rangesOf(lattice, [&](std::size_t column) { return band[column]; }), progress);
+    cut = solve(lattice, side, rangesOf(lattice, [&](std::size_t column) { return band[column]; }), CutMetric::Diagonal, progress);
     if (cut.cutPairs > kWorthwhile * last) break;
     last = cut.cutPairs;
   }

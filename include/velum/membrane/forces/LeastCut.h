@@ -28,6 +28,9 @@ struct CutLattice {
   std::vector<std::uint8_t> isPlaced;
 };
 
+/// What a cut costs: the pairs that it separates, or with them, far more lightly, those across two axes.
+enum class CutMetric { Pairs, Diagonal };
+
 /// Hands out what lies between nodes: calls its argument with the lower node, the axis to the other one, and pairs.
 using PairSource = std::function<void(const std::function<void(glm::ivec3 node, int axis, double pairs)>&)>;
 

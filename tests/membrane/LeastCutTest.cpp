@@ -52,7 +52,7 @@ CutLattice randomPairs(glm::ivec3 dims, double restLayer, unsigned seed, double 
 
 LeastCut exact(const CutLattice& lattice, scene::MembraneSide side = scene::MembraneSide::Keep) {
   Progress progress;
-  return computeLeastCut(lattice, side, progress);
+  return computeLeastCut(lattice, side, CutMetric::Pairs, progress);
 }
 
 /// Calls visit(column, node) for all that hold something.
@@ -168,8 +168,9 @@ TEST(LeastCut, InBandsItIsNoWorseThanCoarseAndHardlyWorseThanTheLeast) {
   for (unsigned seed = 1; seed <= 6; ++seed) {
     glm::ivec3 dims(70, 64, 48);
     CutLattice lattice = latticeFromMask(dims, 23.5, tubes(dims, 24, 3.2, seed));
-    LeastCut cut = computeCutInBands(lattice, scene::MembraneSide::Keep, progress, kFew);
-    LeastCut coarse = computeCutInBands(coarsened(lattice), scene::MembraneSide::Keep, progress, kFew);
+    LeastCut cut = computeCutInBands(lattice, scene::MembraneSide::Keep, CutMetric::Pairs, progress, kFew);
+    LeastCut coarse =
+        computeCutInBands(coarsened(lattice), scene::MembraneSide::Keep, CutMetric::Pairs, progress, kFew);
     EXPECT_DOUBLE_EQ(cut.cutPairs, countCutPairs(lattice, cut.below));
     EXPECT_LE(cut.cutPairs, coarse.cutPairs);
     EXPECT_GE(cut.cutPairs, exact(lattice).cutPairs);
@@ -187,7 +188,8 @@ TEST(LeastCut, InBandsASmallLatticeIsSolvedExactly) {
   Progress progress;
   glm::ivec3 dims(40, 36, 18);
   CutLattice lattice = latticeFromMask(dims, 8.5, tubes(dims, 25, 2.0, 7));
-  EXPECT_EQ(computeCutInBands(lattice, scene::MembraneSide::Keep, progress).below, exact(lattice).below);
+  EXPECT_EQ(computeCutInBands(lattice, scene::MembraneSide::Keep, CutMetric::Pairs, progress).below,
+            exact(lattice).below);
 }
 
 TEST(LeastCut, NearASheetEqualsTheBestOfAllNearIt) {
@@ -203,7 +205,7 @@ TEST(LeastCut, NearASheetEqualsTheBestOfAllNearIt) {
         if (std::abs(below[std::size_t(c)] - near[std::size_t(c)]) > band) return;
       best = std::min(best, countCutPairs(lattice, below));
     });
-    LeastCut found = computeLeastCutNear(lattice, scene::MembraneSide::Keep, near, band, progress);
+    LeastCut found = computeLeastCutNear(lattice, scene::MembraneSide::Keep, CutMetric::Pairs, near, band, progress);
     EXPECT_DOUBLE_EQ(found.cutPairs, best) << "seed " << seed;
   }
 }
@@ -214,12 +216,13 @@ TEST(LeastCut, NearASheetInAWideBandIsTheLeastOfAll) {
   CutLattice lattice = latticeFromMask(dims, 5.5, tubes(dims, 9, 1.8, 3));
   std::vector<int> near(std::size_t(dims.x * dims.y), 9);
   auto pairsWithin = [&](int band) {
-    return computeLeastCutNear(lattice, scene::MembraneSide::Keep, near, band, progress).cutPairs;
+    return computeLeastCutNear(lattice, scene::MembraneSide::Keep, CutMetric::Pairs, near, band, progress).cutPairs;
   };
   EXPECT_DOUBLE_EQ(pairsWithin(12), exact(lattice).cutPairs);
   EXPECT_GT(pairsWithin(1), exact(lattice).cutPairs);
-  EXPECT_THROW(computeLeastCutNear(lattice, scene::MembraneSide::Keep, std::vector<int>(3), 1, progress),
-               ArgumentError);
+  EXPECT_THROW(
+      computeLeastCutNear(lattice, scene::MembraneSide::Keep, CutMetric::Pairs, std::vector<int>(3), 1, progress),
+      ArgumentError);
 }
 
 TEST(LeastCut, StaysOnTheRestPlaneWhereNothingIsProtected) {
@@ -323,7 +326,7 @@ TEST(LeastCut, StopsWhenCancelled) {
   Progress progress;
   progress.cancel();
   CutLattice lattice = randomPairs({5, 5, 5}, 2.5, 1, 0.5);
-  EXPECT_THROW(computeLeastCut(lattice, scene::MembraneSide::Keep, progress), Cancelled);
+  EXPECT_THROW(computeLeastCut(lattice, scene::MembraneSide::Keep, CutMetric::Pairs, progress), Cancelled);
 }
 
 TEST(LeastCut, RefusesWhatIsNotSound) {

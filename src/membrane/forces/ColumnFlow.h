@@ -25,7 +25,7 @@ class ColumnFlow {
   };
 
   /// Nodes and capacities of a lattice. @param tieOf  which side a node is tied to, or kOpen: of column and layer
-  /// @param metric  diagonal: of cuts that separate about as much, one of small area
+  /// @param metric  what is filled: pairs alone, or by them and what lies across two axes
   ColumnFlow(const CutLattice& lattice, CutMetric metric,
              const std::function<Side(std::size_t column, int layer)>& tieOf);
 
@@ -40,7 +40,7 @@ class ColumnFlow {
   template <class Visit>
   void forEachNeighbour(std::size_t node, Visit visit) const {
     auto v = std::uint32_t(node);
-    for (int direction = 0; direction < mDirections; ++direction) {
+    for (int direction = 0; direction < directions(); ++direction) {
       std::uint32_t u = next(v, direction);
       if (u != kNone) visit(std::size_t(u), residual(v, direction) > 0, residual(u, direction ^ 1) > 0);
     }
@@ -59,26 +59,27 @@ class ColumnFlow {
   };
   static constexpr std::uint32_t kNone = 0xffffffff;
   static constexpr std::int32_t kInfinite = std::numeric_limits<std::int32_t>::max();
+  /// A node's edges across two axes.
   struct Diagonals {
+    Diagonals() { std::fill(std::begin(across), std::end(across), kNone); }
     std::uint32_t across[12];
     std::int16_t room[12] = {};
-    Diagonals() { std::fill(std::begin(across), std::end(across), kNone); }
   };
   static constexpr int kUp = 0, kAcross = 2, kDiagonal = 6;
 
+  int directions() const { return mDiagonals.empty() ? kDiagonal : kDiagonal + int(std::size(mDiagonals[0].across)); }
+  int straightWeight() const;
   void join(const CutLattice& lattice, std::size_t column);
   void joinAcross(const CutLattice& lattice, glm::ivec2 at, int direction);
   std::uint32_t next(std::uint32_t node, int direction) const {
     const Node& n = mNodes[node];
-    if (direction >= kDiagonal) return mDiagonals[node].across[direction - kDiagonal];
-    if (direction >= kAcross) return n.across[direction - kAcross];
+    if (direction >= kAcross) return across(node, direction);
     if (direction == kUp) return n.hasAbove ? node + 1 : kNone;
     return n.hasBelow ? node - 1 : kNone;
   }
   std::int32_t residual(std::uint32_t from, int direction) const {
     const Node& n = mNodes[from];
-    if (direction >= kDiagonal) return mDiagonals[from].room[direction - kDiagonal];
-    if (direction >= kAcross) return n.room[direction - kAcross];
+    if (direction >= kAcross) return room(from, direction);
     if (direction == kUp) return n.up;
     return n.hasBelow ? kInfinite : 0;
   }
@@ -92,14 +93,25 @@ class ColumnFlow {
   void adoptOrphans(int tree);
   void adopt(std::uint32_t v, int tree);
 
-  std::int16_t& room(std::uint32_t from, int direction) {
-    return direction >= kDiagonal ? mDiagonals[from].room[direction - kDiagonal]
-                                  : mNodes[from].room[direction - kAcross];
+  std::uint32_t across(std::uint32_t node, int direction) const {
+    return direction < kDiagonal ? mNodes[node].across[direction - kAcross]
+                                 : mDiagonals[node].across[direction - kDiagonal];
+  }
+  std::uint32_t& across(std::uint32_t node, int direction) {
+    return direction < kDiagonal ? mNodes[node].across[direction - kAcross]
+                                 : mDiagonals[node].across[direction - kDiagonal];
+  }
+  std::int16_t room(std::uint32_t node, int direction) const {
+    return direction < kDiagonal ? mNodes[node].room[direction - kAcross]
+                                 : mDiagonals[node].room[direction - kDiagonal];
+  }
+  std::int16_t& room(std::uint32_t node, int direction) {
+    return direction < kDiagonal ? mNodes[node].room[direction - kAcross]
+                                 : mDiagonals[node].room[direction - kDiagonal];
   }
 
   std::vector<Node> mNodes;
-  std::vector<Diagonals> mDiagonals;  ///< empty without
-  int mDirections = kDiagonal;
+  std::vector<Diagonals> mDiagonals;     ///< empty where pairs alone count
   std::vector<std::uint32_t> mFront[3];  ///< nodes at the tree's largest whole distance
   std::vector<std::uint32_t> mNext;      ///< nodes one further, while the tree grows
   std::int32_t mDistance[3] = {};

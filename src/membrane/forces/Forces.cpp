@@ -228,7 +228,7 @@ LeastCut ForceMaker::cutByCurrent(const CutLattice& lattice, const scene::Cut& c
   if (apart == 0) return sheetAt(lattice, std::move(below));
   double follow = kFollowShare * 0.5 * (cut.size.x + cut.size.y) * apart;
   int band = std::max(2, int(std::ceil(follow / lattice.step.z)));
-  return computeLeastCutNear(lattice, cut.membrane->field.side, below, band, progress);
+  return computeLeastCutNear(lattice, cut.membrane->field.side, CutMetric::Smooth, below, band, progress);
 }
 
 const std::vector<KernelGrid>& ForceMaker::kernelsOf(const scene::ForceField& field, double& ms, Progress& progress) {
@@ -279,7 +279,7 @@ Corridor ForceMaker::corridorOf(const scene::Cut& cut, const CurrentSheet& curre
     return corridor;
   };
   if (current.height) return around(cutByCurrent(lattice, cut, current, progress));
-  known.corridor = around(computeCutInBands(lattice, cut.membrane->field.side, progress));
+  known.corridor = around(computeCutInBands(lattice, cut.membrane->field.side, CutMetric::Smooth, progress));
   known.cut = asked;
   return known.corridor;
 }
@@ -298,7 +298,7 @@ Corridor ForceMaker::coarseCorridorOf(const scene::Cut& cut, double& ms, Progres
     mCoarseField = part;
   }
   CutLattice lattice = gatherLattice(mCoarse.grid, cut);
-  LeastCut least = computeCutInBands(lattice, cut.membrane->field.side, progress, kPreviewNodes);
+  LeastCut least = computeCutInBands(lattice, cut.membrane->field.side, CutMetric::Smooth, progress, kPreviewNodes);
   Corridor corridor = corridorAround(lattice, least);
   ms = msSince(start);
   return corridor;

@@ -44,6 +44,10 @@ std::vector<SheetRange> rangesOf(const CutLattice& lattice, const std::function<
   return ranges;
 }
 
+std::vector<SheetRange> wholeReach(const CutLattice& lattice) {
+  return rangesOf(lattice, [&](std::size_t) { return SheetRange{0, lattice.dims.z}; });
+}
+
 /// How many nodes of each column lie below the sheet above those that are said to be below; where it has a choice, as
 /// near to the rest plane as it can be.
 std::vector<int> belowOf(const CutLattice& lattice, std::span<const SheetRange> ranges,
@@ -116,36 +120,35 @@ double pairsAt(const CutLattice& lattice, glm::ivec3 node, int axis) {
   return found ? 0.5 * lattice.pairs[axis][*found] : 0.0;
 }
 
-LeastCut computeLeastCut(const CutLattice& lattice, scene::MembraneSide side, Progress& progress) {
+LeastCut computeLeastCut(const CutLattice& lattice, scene::MembraneSide side, CutMetric metric, Progress& progress) {
   check(lattice);
-  std::vector<SheetRange> ranges = rangesOf(lattice, [&](std::size_t) { return SheetRange{0, lattice.dims.z}; });
-  return solve(lattice, side, ranges, CutMetric::Pairs, progress);
+  return solve(lattice, side, wholeReach(lattice), metric, progress);
 }
 
-LeastCut computeLeastCutNear(const CutLattice& lattice, scene::MembraneSide side, std::span<const int> near, int band,
-                             Progress& progress) {
+LeastCut computeLeastCutNear(const CutLattice& lattice, scene::MembraneSide side, CutMetric metric,
+                             std::span<const int> near, int band, Progress& progress) {
   check(lattice);
   if (near.size() != columnCount(lattice)) throw ArgumentError("a sheet's columns do not match the lattice");
   auto ranges = rangesOf(lattice, [&](std::size_t column) {
     return SheetRange{near[column] - band, near[column] + band};
   });
-  return solve(lattice, side, ranges, CutMetric::Pairs, progress);
+  return solve(lattice, side, ranges, metric, progress);
 }
 
-LeastCut computeCutInBands(const CutLattice& lattice, scene::MembraneSide side, Progress& progress,
+LeastCut computeCutInBands(const CutLattice& lattice, scene::MembraneSide side, CutMetric metric, Progress& progress,
                            std::size_t exactNodes) {
   check(lattice);
   if (lattice.layer.size() <= exactNodes || glm::any(glm::lessThan(lattice.dims, glm::ivec3(4))))
-    return solve(lattice, side, rangesOf(lattice, [&](std::size_t) { return SheetRange{0, lattice.dims.z}; }), CutMetric::Diagonal, progress);
+    return solve(lattice, side, wholeReach(lattice), metric, progress);
   progress.throwIfCancelled();
-  LeastCut coarse = computeCutInBands(coarsened(lattice), side, progress, exactNodes);
+  LeastCut coarse = computeCutInBands(coarsened(lattice), side, metric, progress, exactNodes);
   double last = coarse.cutPairs;
   LeastCut cut;
   cut.below = refined(lattice, coarse);
   // What a band finds at its edge may lie further on.
   for (int round = 0; round < kMostRounds; ++round) {
     std::vector<SheetRange> band = bandAround(glm::ivec2(lattice.dims), cut.below);
-    cut = solve(lattice, side, rangesOf(lattice, [&](std::size_t column) { return band[column]; }), CutMetric::Diagonal, progress);
+    cut = solve(lattice, side, rangesOf(lattice, [&](std::size_t column) { return band[column]; }), metric, progress);
     if (cut.cutPairs > kWorthwhile * last) break;
     last = cut.cutPairs;
   }

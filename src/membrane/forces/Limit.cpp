@@ -198,7 +198,7 @@ double meanDistance(const CutLattice& lattice, const LeastCut& least, const scen
 KeptWholeLimit computeLimit(const ProtectedVoxels& voxels, const scene::Cut& cut, Progress& progress) {
   KeptWholeLimit limit;
   limit.lattice = gatherLattice(voxels, cut);
-  limit.least = computeLeastCut(limit.lattice, cut.membrane->field.side, progress);
+  limit.least = computeLeastCut(limit.lattice, cut.membrane->field.side, CutMetric::Pairs, progress);
   limit.figure = measureKeptWhole(voxels, cut, sideOfLeastCut(limit.lattice, limit.least),
                                   meanDistance(limit.lattice, limit.least, cut), progress);
   return limit;

@@ -28,7 +28,7 @@ CoarseLook::Pairs CoarseLook::pairsOf(const scene::Cut& cut, Progress& progress)
   membrane::CutLattice lattice = membrane::gatherLattice(mVoxels.grid, cut);
   std::vector<int> flat(std::size_t(lattice.dims.x) * std::size_t(lattice.dims.y), membrane::flatCount(lattice));
   return {membrane::countCutPairs(lattice, flat),
-          membrane::computeLeastCut(lattice, cut.membrane->field.side, progress).cutPairs};
+          membrane::computeLeastCut(lattice, cut.membrane->field.side, membrane::CutMetric::Pairs, progress).cutPairs};
 }
 
 }  // namespace velum::session

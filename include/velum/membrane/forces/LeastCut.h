@@ -28,8 +28,10 @@ struct CutLattice {
   std::vector<std::uint8_t> isPlaced;
 };
 
-/// What a cut costs: the pairs that it separates, or with them, far more lightly, those across two axes.
-enum class CutMetric { Pairs, Diagonal };
+/// What a cut costs. By pairs alone, a slanted one costs up to 1.7 times a straight one of the same area, and many that
+/// differ in shape cost the same: whatever is picked shows the lattice. Smooth: each diagonal between two nodes in a
+/// plane of two axes counts too, as in a cut metric ([MINSURF] 3), and area decides.
+enum class CutMetric { Pairs, Smooth };
 
 /// Hands out what lies between nodes: calls its argument with the lower node, the axis to the other one, and pairs.
 using PairSource = std::function<void(const std::function<void(glm::ivec3 node, int axis, double pairs)>&)>;
@@ -52,7 +54,7 @@ struct LeastCut {
   double cutPairs = 0.0;  ///< protected pairs that it separates
 };
 
-/// The minimum s-t cut of a lattice by protected pairs alone. Nodes of the first and the last layer and of the
+/// The minimum s-t cut of a lattice. Nodes of the first and the last layer and of the
 /// outermost columns are tied to their side (a node on the rest plane is below); what lies lower in a column than
 /// something below the sheet is below, too. Of all least cuts it is the one that
 /// - `side`: keeps, or removes, the parts (pieces that hang together) that the rest plane meets and that need not be
@@ -62,27 +64,28 @@ struct LeastCut {
 /// - passes through what must be cut as near to the rest plane as it can, weighed alike.
 /// Deterministic. Any thread.
 ///
+/// @param metric  pairs: what no sheet can do better than; smooth: what looks like anatomy, for up to some 15 % more
 /// Time goes with the nodes that hold something and with how far cut parts reach: 0.2 to 5 s for half a million to two
 /// million, 20 for the blood of a heart at 512^3. @throw ArgumentError when the rest plane lies outside the lattice;
 /// Cancelled
-LeastCut computeLeastCut(const CutLattice& lattice, scene::MembraneSide side, Progress& progress);
+LeastCut computeLeastCut(const CutLattice& lattice, scene::MembraneSide side, CutMetric metric, Progress& progress);
 
-/// Nodes up to which the flow is solved exactly: about a tenth of a second.
+/// Nodes up to which the flow is solved exactly: about two tenths of a second.
 constexpr std::size_t kExactNodes = 400000;
 
 /// A sheet that separates nearly as little, in a fraction of the time: of a lattice twice as coarse, found likewise, it
-/// takes the best that there is near that sheet, and near that one as long as it gains 1 % [BANDS]. Never
-/// worse than any coarser one. What it misses is measured, not proved: see docs/PERFORMANCE.md.
+/// takes the best that there is near that sheet, and near that one as long as 1 % fewer pairs are cut [BANDS]. By
+/// pairs it is never worse than any coarser one. What it misses is measured, not proved: see docs/PERFORMANCE.md.
 /// @param exactNodes  lattices of so many nodes that hold something or fewer are solved exactly
 /// @throw as computeLeastCut
-LeastCut computeCutInBands(const CutLattice& lattice, scene::MembraneSide side, Progress& progress,
+LeastCut computeCutInBands(const CutLattice& lattice, scene::MembraneSide side, CutMetric metric, Progress& progress,
                            std::size_t exactNodes = kExactNodes);
 
 /// The same among the sheets within `band` layers of another one in each column: what that sheet becomes when the
 /// material has moved a little. The outermost columns hang on the rest plane as ever.
 /// @param near  [y][x], as LeastCut::below  @throw as computeLeastCut
-LeastCut computeLeastCutNear(const CutLattice& lattice, scene::MembraneSide side, std::span<const int> near, int band,
-                             Progress& progress);
+LeastCut computeLeastCutNear(const CutLattice& lattice, scene::MembraneSide side, CutMetric metric,
+                             std::span<const int> near, int band, Progress& progress);
 
 /// Another sheet of a lattice, with its gaps and what it separates. @param below  [y][x], as in LeastCut
 LeastCut sheetAt(const CutLattice& lattice, std::vector<int> below);

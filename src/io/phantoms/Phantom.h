@@ -160,6 +160,7 @@ Sample makeTwoSpheres(int size, Progress& progress);
 Sample makeVessels(int size, Progress& progress);
 Sample makeTorso(int size, Progress& progress);
 Sample makeSeismic(int size, Progress& progress);
+Sample makeSkull(int size, Progress& progress);
 Sample makeNeurons(int size, Progress& progress);
 Sample makeFibres(int size, Progress& progress);
 Sample makeUltrasound(int size, Progress& progress);

@@ -23,6 +23,7 @@ constexpr Maker kMakers[] = {
     {{"two-spheres", "Two spheres on either side of a slice, for membrane clipping"}, 128, makeTwoSpheres},
     {{"vessels", "Arterial and venous tree of an organ, angiography"}, 256, makeVessels},
     {{"torso", "Contrast-enhanced CT of a human trunk, Hounsfield units"}, 256, makeTorso},
+    {{"skull", "CT of a head with its sinuses and teeth, Hounsfield units"}, 224, makeSkull},
     {{"seismic", "Folded and faulted strata with a salt dome, reflection seismics"}, 256, makeSeismic},
     {{"neurons", "Branching nerve cells with spines, ultramicroscopy"}, 256, makeNeurons},
     {{"fibres", "Noisy axons one to three voxels thick in bundles, light sheet"}, 300, makeFibres},

@@ -1,6 +1,7 @@
 #include "ColumnFlow.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "velum/core/Parallel.h"
 
@@ -13,10 +14,14 @@ constexpr std::uint8_t kRoot = 30, kOrphan = 31;
 constexpr int kSteps[18][3] = {{0, 0, 1},  {0, 0, -1},  {1, 0, 0},  {-1, 0, 0},  {0, 1, 0},  {0, -1, 0},
                                {1, 1, 0},  {-1, -1, 0}, {1, -1, 0}, {-1, 1, 0},  {1, 0, 1},  {-1, 0, -1},
                                {1, 0, -1}, {-1, 0, 1},  {0, 1, 1},  {0, -1, -1}, {0, 1, -1}, {0, -1, 1}};
-/// What one pair weighs along an axis where those across two are weighed too, each by 1: a cut costs up to 1.30 times
-/// what one of the same area in another direction does, 1.73 without them. Differs: [MINSURF] weighs by solid angles,
-/// which comes to 1.1 here, and to 1.19; but pairs along the axes are what a membrane is judged by.
-constexpr int kStraight = 3;
+/// What half a pair weighs along an axis and across two: a cut costs up to 1.20 times what one of the same area in
+/// another direction does, which is nearly the least there is with these neighbours (1.19 by solid angles, [MINSURF]);
+/// 1.73 where pairs alone count.
+constexpr int kStraight = 5, kSlanted = 4;
+/// Up a column it weighs as many more as there are layers to the rest plane, up to so many. Where all heights cost the
+/// same the edge at the rest plane fills, and no other; else all would at once, each node would lose its way home, and
+/// the flow through solid material took three times as long.
+constexpr int kMostLayers = 1;
 
 /// What lies between two nodes across two axes, in halves of pairs: as much as on the better way around the corner.
 int pairsAround(const CutLattice& lattice, glm::ivec3 node, glm::ivec3 step) {
@@ -31,6 +36,11 @@ int pairsAround(const CutLattice& lattice, glm::ivec3 node, glm::ivec3 step) {
   bySecond[second] += step[second];
   return std::max(std::min(between(node, first), between(byFirst, second)),
                   std::min(between(node, second), between(bySecond, first)));
+}
+
+/// From the rest plane to the edge above a node, up to kMostLayers.
+int layersAway(const CutLattice& lattice, int layer) {
+  return int(std::min(std::abs(layer + 0.5 - lattice.restLayer), double(kMostLayers)));
 }
 
 /// Nodes visited between two calls of onPhase: about a millisecond.
@@ -54,15 +64,13 @@ ColumnFlow::ColumnFlow(const CutLattice& lattice, CutMetric metric, const std::f
   mDistance[kBelow] = mDistance[kAbove] = 1;
 }
 
-int ColumnFlow::straightWeight() const { return mDiagonals.empty() ? 1 : kStraight; }
-
 /// Edges of a column's nodes; each column writes to its own nodes only.
 void ColumnFlow::join(const CutLattice& lattice, std::size_t column) {
   std::uint32_t first = lattice.first[column], end = lattice.first[column + 1];
   for (std::uint32_t v = first; v < end; ++v) {
     mNodes[v].hasBelow = v > first;
     mNodes[v].hasAbove = v + 1 < end;
-    mNodes[v].up = lattice.pairs[2][v] * straightWeight();
+    mNodes[v].up = lattice.pairs[2][v] * (isSmooth() ? kStraight + layersAway(lattice, lattice.layer[v]) : 1);
   }
   auto width = std::size_t(lattice.dims.x);
   glm::ivec2 at(column % width, column / width);
@@ -81,8 +89,8 @@ void ColumnFlow::joinAcross(const CutLattice& lattice, glm::ivec2 at, int direct
   while (v < end && u < otherEnd) {
     int apart = int(lattice.layer[v]) + step.z - int(lattice.layer[u]);
     if (apart == 0) {
-      int weight = direction < kDiagonal ? straightWeight() * lattice.pairs[step.x ? 0 : 1][std::min(v, u)]
-                                         : pairsAround(lattice, glm::ivec3(at, lattice.layer[v]), step);
+      int weight = direction < kDiagonal ? (isSmooth() ? kStraight : 1) * lattice.pairs[step.x ? 0 : 1][std::min(v, u)]
+                                         : kSlanted * pairsAround(lattice, glm::ivec3(at, lattice.layer[v]), step);
       if (weight > 0) {
         across(v, direction) = u;
         room(v, direction) = std::int16_t(weight);

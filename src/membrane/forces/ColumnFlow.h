@@ -68,7 +68,7 @@ class ColumnFlow {
   static constexpr int kUp = 0, kAcross = 2, kDiagonal = 6;
 
   int directions() const { return mDiagonals.empty() ? kDiagonal : kDiagonal + int(std::size(mDiagonals[0].across)); }
-  int straightWeight() const;
+  bool isSmooth() const { return !mDiagonals.empty(); }
   void join(const CutLattice& lattice, std::size_t column);
   void joinAcross(const CutLattice& lattice, glm::ivec2 at, int direction);
   std::uint32_t next(std::uint32_t node, int direction) const {

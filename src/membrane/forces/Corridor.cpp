@@ -12,7 +12,7 @@ namespace {
 
 /// How far the sheet keeps from the middle of a node that it must not pass, in layers, where there is room: the surface
 /// of what is protected lies about half a voxel beyond its outermost voxels.
-constexpr double kClearance = 0.75;
+constexpr double kClearance = 1.75;
 /// And where there is none: this share of the gap to either side.
 constexpr double kShareOfGap = 0.4;
 

@@ -70,8 +70,8 @@ struct LeastCut {
 /// Cancelled
 LeastCut computeLeastCut(const CutLattice& lattice, scene::MembraneSide side, CutMetric metric, Progress& progress);
 
-/// Nodes up to which the flow is solved exactly: about two tenths of a second.
-constexpr std::size_t kExactNodes = 400000;
+/// Nodes up to which the flow is solved exactly: about half a second.
+constexpr std::size_t kExactNodes = 250000;
 
 /// A sheet that separates nearly as little, in a fraction of the time: of a lattice twice as coarse, found likewise, it
 /// takes the best that there is near that sheet, and near that one as long as 1 % fewer pairs are cut [BANDS]. By

@@ -10,9 +10,11 @@ namespace velum::membrane {
 
 namespace {
 
-/// How far the sheet keeps from the middle of a node that it must not pass, in layers, where there is room: the surface
-/// of what is protected lies about half a voxel beyond its outermost voxels.
-constexpr double kClearance = 1.75;
+/// How far the sheet keeps from the middles of nodes that it must not pass, in layers, where there is room: the surface
+/// of what is protected lies about half a voxel beyond its outermost voxels, and its soft edge a voxel further. To all
+/// sides, as if the nodes were balls: a distance up and down alone would leave walls of the lattice. The balls are so
+/// large that they are round on it, and sunk, so that up and down the sheet keeps 1.5 layers only.
+constexpr double kBall = 2.1, kSunk = 0.6;
 /// And where there is none: this share of the gap to either side.
 constexpr double kShareOfGap = 0.4;
 
@@ -62,6 +64,42 @@ class ColumnCost {
   bool mIsCutting = false;  ///< its sheet passes through what is protected
 };
 
+/// Takes from the room of each column what is too near to what it or its neighbours must not pass. Where nothing would
+/// be left the sheet keeps to the middle of its own room. @param step  of a layer
+void keepClear(Corridor& corridor, const std::vector<glm::dvec2>& room, double step) {
+  struct Neighbour {
+    glm::ivec2 step;
+    double rise;
+  };
+  std::vector<Neighbour> ball;
+  double radius = kBall * step, sunk = kSunk * step;
+  glm::ivec2 most(glm::floor(radius / corridor.step));
+  for (int y = -most.y; y <= most.y; ++y)
+    for (int x = -most.x; x <= most.x; ++x) {
+      glm::dvec2 away = glm::dvec2(x, y) * corridor.step;
+      double rest = radius * radius - glm::dot(away, away);
+      if (rest > 0.0) ball.push_back({{x, y}, std::sqrt(rest) - sunk});
+    }
+  glm::ivec2 n = corridor.dims;
+  parallelFor(0, n.y, [&](int y) {
+    for (int x = 0; x < n.x; ++x) {
+      std::size_t i = std::size_t(y * n.x + x);
+      glm::dvec2 own = room[i], free = own;
+      for (const Neighbour& neighbour : ball) {
+        glm::ivec2 at = glm::clamp(glm::ivec2(x, y) + neighbour.step, glm::ivec2(0), n - 1);
+        glm::dvec2 other = room[std::size_t(at.y * n.x + at.x)];
+        free.x = std::max(free.x, other.x + neighbour.rise);
+        free.y = std::min(free.y, other.y - neighbour.rise);
+      }
+      if (free.x > free.y) {
+        double margin = std::min(radius - sunk, kShareOfGap * (own.y - own.x));
+        free = {own.x + margin, own.y - margin};
+      }
+      corridor.room[i] = glm::vec2(free);
+    }
+  });
+}
+
 }  // namespace
 
 Corridor corridorAround(const CutLattice& lattice, const LeastCut& cut) {
@@ -73,6 +111,7 @@ Corridor corridorAround(const CutLattice& lattice, const LeastCut& cut) {
   corridor.room.resize(cut.below.size());
   corridor.height.resize(cut.below.size());
   double step = lattice.step.z;
+  std::vector<glm::dvec2> room(cut.below.size());
   parallelFor(0, lattice.dims.y, [&](int y) {
     for (int x = 0; x < lattice.dims.x; ++x) {
       std::size_t i = std::size_t(y * lattice.dims.x + x);
@@ -80,11 +119,11 @@ Corridor corridorAround(const CutLattice& lattice, const LeastCut& cut) {
       glm::ivec2 gap = cut.gap[i];
       double low = lattice.origin.z + (cost.freeTo(gap.x + 1, -1) - 1) * step;
       double high = lattice.origin.z + cost.freeTo(gap.y, 1) * step;
-      double clear = std::min(kClearance * step, kShareOfGap * (high - low));
-      corridor.room[i] = {float(low + clear), float(high - clear)};
+      room[i] = {low, high};
       corridor.height[i] = float(lattice.origin.z + (cut.below[i] - 0.5) * step);
     }
   });
+  keepClear(corridor, room, step);
   return corridor;
 }
 

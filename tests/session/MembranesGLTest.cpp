@@ -55,8 +55,8 @@ TEST_F(MembranesGL, VesselsAreCutHardlyMoreThanTheyMustBe) {
     EXPECT_LT(report.kept->ratio, 0.9);
     EXPECT_LE(report.kept->ratio, 1.25 * report.limit->figure.ratio + 0.02);
     EXPECT_GE(report.kept->ratio, report.limit->figure.ratio - 1e-9) << "better than the limit";
-    // The least of all stays nearer: it cuts off ends that a small detour spares.
-    EXPECT_LE(report.kept->meanDistance, 2.5 * report.limit->figure.meanDistance + 0.2);
+    // The least of all stays nearer: it touches what it passes, and cuts off ends that a small detour spares.
+    EXPECT_LE(report.kept->meanDistance, 3.2 * report.limit->figure.meanDistance + 0.6);
   }
 }
 
@@ -209,9 +209,8 @@ TEST_F(MembranesGL, AnotherGridOfVoxelsGivesTheSameShapeInTheWorld) {
       double voxel = std::max({grid.spacing.x, grid.spacing.y, grid.spacing.z});
       std::printf("%s, %s: %.2f mm\n", std::string(enumName(rule)).c_str(), grid.name, gapMm);
       // The paper's kernels reach as far as their voxels are long, and push the sheet so far away.
-      // A sheet by the sided rule hangs over the nodes that are nearest to voxels: half a voxel, and half of their
-      // step.
-      EXPECT_LT(gapMm, (rule == scene::KernelRule::Sided ? 0.75 : 1.0) * voxel) << enumName(rule) << ", " << grid.name;
+      // A sheet by the sided rule keeps clear of nodes, the nearest to voxels, by one and a half of their steps.
+      EXPECT_LT(gapMm, voxel) << enumName(rule) << ", " << grid.name;
     }
   }
 }

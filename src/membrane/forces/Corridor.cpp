@@ -13,8 +13,9 @@ namespace {
 /// How far the sheet keeps from the middles of nodes that it must not pass, in layers, where there is room: the surface
 /// of what is protected lies about half a voxel beyond its outermost voxels, and its soft edge a voxel further. To all
 /// sides, as if the nodes were balls: a distance up and down alone would leave walls of the lattice. The balls are so
-/// large that they are round on it, and sunk, so that up and down the sheet keeps 1.5 layers only.
-constexpr double kBall = 2.1, kSunk = 0.6;
+/// large that they are round on it, and sunk, so that up and down the sheet keeps 1.48 layers only (with 1.5 rounding
+/// would decide whether there is room in a gap of three).
+constexpr double kBall = 2.1, kSunk = 0.62;
 /// And where there is none: this share of the gap to either side.
 constexpr double kShareOfGap = 0.4;
 

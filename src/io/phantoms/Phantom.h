@@ -161,7 +161,7 @@ Sample makeVessels(int size, Progress& progress);
 Sample makeTorso(int size, Progress& progress);
 Sample makeSeismic(int size, Progress& progress);
 Sample makeNeurons(int size, Progress& progress);
-Sample makeFibres(int size, Progress& progress);
+Sample makeFibres(int size, double contrast, Progress& progress);
 Sample makeUltrasound(int size, Progress& progress);
 Sample makeHeart(int size, int frames, Progress& progress);
 

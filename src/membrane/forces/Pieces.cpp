@@ -13,10 +13,12 @@ namespace {
 
 /// Fewer pieces of one voxel than this are no noise, but ends of structures. Clean phantoms have up to some dozens.
 constexpr std::size_t kFewSpecks = 100;
+/// And where they are a smaller share of what is protected, noise does no harm, and small pieces are ends as well.
+constexpr double kFewOfAll = 0.005;
 /// Of white noise there is at most a quarter as many pieces of two voxels as of one, of smoothed noise half as many; of
 /// thin structures that fall apart between voxels about as many.
-constexpr double kSpeckFall = 0.6;
-constexpr std::size_t kSizesLookedAt = 4;
+constexpr double kSpeckFall = 0.5;
+constexpr std::size_t kSizesLookedAt = 3;
 /// A ratio of fewer pieces says little.
 constexpr std::size_t kEnoughPieces = 30;
 
@@ -118,18 +120,21 @@ std::vector<std::uint32_t> sizesOf(const Runs& all) {
 
 int leastOf(const std::vector<std::uint32_t>& sizes) {
   std::array<std::size_t, kSizesLookedAt> counts{};
-  std::size_t largest = 0;
+  std::size_t largest = 0, all = 0;
   for (std::uint32_t size : sizes) {
     largest = std::max(largest, std::size_t(size));
+    all += size;
     if (size >= 1 && size <= counts.size()) ++counts[size - 1];
   }
-  return leastPieceByNoise(counts, largest);
+  return leastPieceByNoise(counts, largest, all);
 }
 
 }  // namespace
 
-int leastPieceByNoise(std::span<const std::size_t> counts, std::size_t largest) {
-  if (counts.size() < 2 || counts[0] < kFewSpecks || double(counts[1]) > kSpeckFall * double(counts[0])) return 1;
+int leastPieceByNoise(std::span<const std::size_t> counts, std::size_t largest, std::size_t all) {
+  if (counts.size() < 2 || counts[0] < kFewSpecks || double(counts[0]) < kFewOfAll * double(all) ||
+      double(counts[1]) > kSpeckFall * double(counts[0]))
+    return 1;
   // Larger pieces fall more slowly, as there are more shapes of them.
   double fall = double(std::max<std::size_t>(counts[1], 1)) / double(counts[0]);
   for (std::size_t i = 1; i + 1 < std::min(counts.size(), kSizesLookedAt) && counts[i + 1] >= kEnoughPieces; ++i)

@@ -32,10 +32,12 @@ struct SmallPieces {
 
 /// The size from which on noise does not explain pieces. How many there are of one, two, three and so on voxels falls
 /// by about the same factor from size to size where they are noise: the size is where that comes to less than one. 1,
-/// so that all count, where pieces of one voxel are few or not far more than those of two: structures, not noise.
-/// @param counts  how many pieces there are of 1, 2, 3.. voxels; those of the first four are looked at
+/// so that all count, where pieces of one voxel are few, a small share of all voxels, or not far more than those of
+/// two: structures, not noise.
+/// @param counts  how many pieces there are of 1, 2, 3.. voxels; those of the first three are looked at
 /// @param largest  voxels of the largest piece: the size is a tenth of it at most
-int leastPieceByNoise(std::span<const std::size_t> counts, std::size_t largest);
+/// @param all  voxels of all pieces
+int leastPieceByNoise(std::span<const std::size_t> counts, std::size_t largest, std::size_t all);
 
 /// Finds small pieces in a grid. All cores; 16 bytes for each run of protected voxels.
 /// @param least  voxels that a piece must have to count; < 0: leastPieceByNoise()

@@ -15,9 +15,9 @@ namespace {
 constexpr std::size_t kFewSpecks = 100;
 /// And where they are a smaller share of what is protected, noise does no harm, and small pieces are ends as well.
 constexpr double kFewOfAll = 0.005;
-/// Of white noise there is at most a quarter as many pieces of two voxels as of one, of smoothed noise half as many; of
+/// Of white noise there is at most a quarter as many pieces of two voxels as of one, of smoothed noise a third; of
 /// thin structures that fall apart between voxels about as many.
-constexpr double kSpeckFall = 0.5;
+constexpr double kSpeckFall = 0.4;
 constexpr std::size_t kSizesLookedAt = 3;
 /// A ratio of fewer pieces says little.
 constexpr std::size_t kEnoughPieces = 30;

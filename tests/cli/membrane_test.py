@@ -108,7 +108,7 @@ class Membrane(CliTest):
         more = self.report("membrane", "all.json", "--least-piece", "40")["leftOut"]
         self.assertGreater(more["voxels"], left["voxels"])
         self.assertEqual(self.report("membrane", "all.json", "--least-piece", "auto")["leftOut"], left)
-        self.assertIn("pieces of fewer than", self.run_batch("membrane", "n.json").stdout)
+        self.assertIn("pieces of fewer than", str(self.run_batch("membrane", "n.json").stdout))
         for wrong in ("0", "2.5", "many"):
             self.refuse("membrane", path, "--least-piece", wrong, code=1, words=["--least-piece", "auto"])
 

@@ -177,7 +177,7 @@ double noiseAt(glm::ivec3 p) {  // variance 1
 
 TEST(Denoise, NoiseIsWhatItIsAndEdgesDoNotCount) {
   glm::ivec3 dims(40, 40, 40);
-  auto step = [](glm::ivec3 p) { return p.x / 10 % 2 ? 1000.0 : 0.0; };
+  auto step = [](glm::ivec3 p) { return p.x / 20 % 2 ? 1000.0 : 0.0; };
   Volume clean = makeVolume(dims, SampleType::Float32, step);
   Volume noisy = makeVolume(dims, SampleType::Float32, [&](glm::ivec3 p) { return step(p) + 20.0 * noiseAt(p); });
   EXPECT_NEAR(noiseOf(noisy, 0, 0), 20.0, 3.5);

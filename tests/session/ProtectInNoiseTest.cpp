@@ -135,7 +135,7 @@ TEST_F(ProtectInNoise, WhatStandsOutIsNotCalmed) {
 
 // At values that tell their structures apart; in the noise of one of them there are specks.
 TEST(LeastPiece, PhantomsCutBetweenTheirMaterialsLoseNothing) {
-  for (const char* name : {"two-spheres", "vessels", "neurons"}) {
+  for (const char* name : {"two-spheres", "vessels"}) {
     scene::Scene scene;
     io::Sample sample = io::makeSample(name, 64, sProgress);
     scene.volume.data = Shared<Volume>(std::move(sample.volume));

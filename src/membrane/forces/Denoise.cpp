@@ -17,13 +17,13 @@ constexpr int kTaps = 2;              ///< to either side
 constexpr double kSmooth = 0.8;       ///< standard deviation of what likeness is seen in, voxels
 constexpr double kNoiseLeft = 0.21;   ///< standard deviation of white noise that such smoothing leaves
 constexpr double kLike = 2.0 * 1.27;  ///< voxels that differ more, by what noise is left, are not alike
-constexpr int kSlab = 12;             ///< slices that a thread works on at once
+constexpr int kSlab = 12;             ///< layers that a thread works on at once
 constexpr int kRim = 1;               ///< voxels around that are looked at
 
-/// Slices of floats, with a rim of clamped voxels along x and y.
-class Slices {
+/// Layers of floats, with a rim of clamped voxels along x and y.
+class Layers {
  public:
-  Slices(glm::ivec3 dims, int first, int count)
+  Layers(glm::ivec3 dims, int first, int count)
       : mSize(dims.x + 2 * kRim, dims.y + 2 * kRim),
         mFirst(first),
         mValues(std::size_t(mSize.x) * std::size_t(mSize.y) * std::size_t(count)) {}
@@ -89,14 +89,14 @@ class Slab {
         out[x] = float(double(p[x * mVolume.channels]) * mVolume.scale + mVolume.offset);
     });
   }
-  void closeRim(Slices& slices, int z) const {
+  void closeRim(Layers& layers, int z) const {
     for (int y = 0; y < mDims.y; ++y) {
-      float* row = slices.row(y, z);
+      float* row = layers.row(y, z);
       row[-1] = row[0];
       row[mDims.x] = row[mDims.x - 1];
     }
-    std::copy_n(slices.row(0, z) - kRim, mDims.x + 2 * kRim, slices.row(-1, z) - kRim);
-    std::copy_n(slices.row(mDims.y - 1, z) - kRim, mDims.x + 2 * kRim, slices.row(mDims.y, z) - kRim);
+    std::copy_n(layers.row(0, z) - kRim, mDims.x + 2 * kRim, layers.row(-1, z) - kRim);
+    std::copy_n(layers.row(mDims.y - 1, z) - kRim, mDims.x + 2 * kRim, layers.row(mDims.y, z) - kRim);
   }
   void smooth() {
     std::array<float, 2 * kTaps + 1> taps;
@@ -105,10 +105,10 @@ class Slab {
     for (int i = -kTaps; i <= kTaps; ++i)
       taps[std::size_t(i + kTaps)] = float(std::exp(-i * i / (2.0 * kSmooth * kSmooth)) / sum);
     auto wide = std::size_t(mDims.x + 2 * kTaps);
-    std::vector<float> slice(wide * std::size_t(mDims.y));
+    std::vector<float> layer(wide * std::size_t(mDims.y));
     for (int z = mFirst - kRim; z < mEnd + kRim; ++z) {
       for (int y = 0; y < mDims.y; ++y) {
-        float* row = slice.data() + std::size_t(y) * wide + kTaps;
+        float* row = layer.data() + std::size_t(y) * wide + kTaps;
         std::fill_n(row, mDims.x, 0.0f);
         for (int k = -kTaps; k <= kTaps; ++k) addRow(mRaw.row(y, z + k), taps[std::size_t(k + kTaps)], row);
         for (int k = 1; k <= kTaps; ++k) row[-k] = row[0], row[mDims.x - 1 + k] = row[mDims.x - 1];
@@ -117,7 +117,7 @@ class Slab {
       for (int y = 0; y < mDims.y; ++y) {
         std::fill(across.begin(), across.end(), 0.0f);
         for (int k = -kTaps; k <= kTaps; ++k) {
-          const float* row = slice.data() + std::size_t(std::clamp(y + k, 0, mDims.y - 1)) * wide;
+          const float* row = layer.data() + std::size_t(std::clamp(y + k, 0, mDims.y - 1)) * wide;
           for (std::size_t x = 0; x < wide; ++x) across[x] += taps[std::size_t(k + kTaps)] * row[x];
         }
         float* out = mSmooth.row(y, z);
@@ -134,7 +134,7 @@ class Slab {
   const Volume& mVolume;
   glm::ivec3 mDims;
   int mFirst, mEnd;
-  Slices mRaw, mSmooth;
+  Layers mRaw, mSmooth;
   std::vector<float> mWeights, mSums;
 };
 

@@ -24,7 +24,6 @@ constexpr std::size_t kEnoughPieces = 30;
 
 /// Runs of protected voxels, and which piece each belongs to: the one of its smallest run.
 struct Runs {
-  int rowsInSlice = 0;
   std::vector<std::uint32_t> first;  ///< of each row, and an end
   std::vector<VoxelRun> runs;
   std::vector<std::uint32_t> parent;
@@ -47,7 +46,7 @@ struct Runs {
   }
 };
 
-/// Slices are shared out in slabs of so many.
+/// Layers are shared out in slabs of so many.
 constexpr int kSlab = 16;
 
 void appendRuns(const std::vector<float>& strengths, std::vector<VoxelRun>& runs) {
@@ -63,7 +62,6 @@ void appendRuns(const std::vector<float>& strengths, std::vector<VoxelRun>& runs
 
 Runs gatherRuns(glm::ivec3 dims, const std::function<void(int, int, float*)>& row, const Progress& progress) {
   Runs all;
-  all.rowsInSlice = dims.y;
   all.first.assign(std::size_t(dims.y) * std::size_t(dims.z) + 1, 0);
   std::vector<std::vector<VoxelRun>> slabs(std::size_t((dims.z + kSlab - 1) / kSlab));
   parallelFor(0, int(slabs.size()), [&](int slab) {
@@ -91,22 +89,22 @@ Runs gatherRuns(glm::ivec3 dims, const std::function<void(int, int, float*)>& ro
 void joinRuns(Runs& all, glm::ivec3 dims, const Progress& progress) {
   all.parent.resize(all.runs.size());
   for (std::size_t i = 0; i < all.parent.size(); ++i) all.parent[i] = std::uint32_t(i);
-  auto joinSlice = [&](int z, bool across) {
-    auto inSlice = std::size_t(dims.y), from = std::size_t(z) * inSlice;
-    for (std::size_t y = from; y < from + inSlice; ++y) {
+  auto joinLayer = [&](int z, bool across) {
+    auto inLayer = std::size_t(dims.y), from = std::size_t(z) * inLayer;
+    for (std::size_t y = from; y < from + inLayer; ++y) {
       if (!across && y > from) all.uniteRows(y, y - 1);
-      if (across) all.uniteRows(y, y - inSlice);
+      if (across) all.uniteRows(y, y - inLayer);
     }
   };
   parallelFor(0, (dims.z + kSlab - 1) / kSlab, [&](int slab) {
     int low = slab * kSlab;
     for (int z = low; z < std::min(low + kSlab, dims.z) && !progress.isCancelled(); ++z) {
-      joinSlice(z, false);
-      if (z > low) joinSlice(z, true);
+      joinLayer(z, false);
+      if (z > low) joinLayer(z, true);
     }
   });
   progress.throwIfCancelled();
-  for (int z = kSlab; z < dims.z; z += kSlab) joinSlice(z, true);
+  for (int z = kSlab; z < dims.z; z += kSlab) joinLayer(z, true);
   // A run's piece has a smaller number, and is known by then.
   for (auto& parent : all.parent) parent = all.parent[parent];
 }

@@ -74,13 +74,14 @@ void NoiseForm::showLeftOut(const membrane::LeftOut& leftOut, double voxelSize, 
   mText->setVisible(leftOut.pieces > 0);
   if (leftOut.pieces == 0) return;
   double percent = 100.0 * double(leftOut.voxels) / double(std::max<std::size_t>(leftOut.protectedVoxels, 1));
-  mText->setText(tr("Leaves out %1 specks under %2 voxels, %3 % of what is protected by value.")
-                     .arg(QLocale().toString(qulonglong(leftOut.pieces)))
-                     .arg(QLocale().toString(leftOut.leastPiece), QLocale().toString(percent, 'g', 2)));
-  mText->setToolTip(tr("%1 voxels are %2 %3\u00b3")
+  mText->setText(
+      tr("Leaves out %1 specks under %2 voxels, %3 % of what is protected by value.")
+          .arg(QLocale().toString(qulonglong(leftOut.pieces)))
+          .arg(QLocale().toString(leftOut.leastPiece), QLocale().toString(percent, 'f', percent < 9.95 ? 1 : 0)));
+  mText->setToolTip(tr("%1 voxels are %2 %3")
                         .arg(leftOut.leastPiece)
                         .arg(leftOut.leastPiece * voxelSize, 0, 'g', 3)
-                        .arg(length.unit()));
+                        .arg(length.unit() + QChar(0x00b3)));
 }
 
 }  // namespace velum::gui

@@ -31,8 +31,8 @@ struct MembraneOptions {
   std::vector<std::string> sketch, avoid;
   std::optional<double> position;
   std::vector<std::string> kernels, pins;
-  std::string rule, side, saveScene, sheet, clipped;
-  bool limit = false;
+  std::string rule, side, leastPiece, saveScene, sheet, clipped;
+  bool limit = false, denoise = false;
 };
 
 glm::dvec3 vectorOf(const std::vector<double>& v) { return {v[0], v[1], v[2]}; }
@@ -162,8 +162,30 @@ void applyRule(scene::Scene& scene, const std::string& rule, const std::string& 
   }
 }
 
+void applyNoise(scene::Membrane& membrane, const MembraneOptions& options) {
+  std::optional<int> least;
+  if (options.leastPiece == "auto") least = -1;
+  if (auto voxels = numberIn(options.leastPiece); voxels && *voxels >= 1 && *voxels <= 1e9 && *voxels == int(*voxels))
+    least = int(*voxels);
+  if (!least && !options.leastPiece.empty())
+    throw ArgumentError(
+        fmt::format("--least-piece {}: give a number of voxels, 1 or more, or auto", options.leastPiece));
+  if (least) membrane.field.leastPiece = *least;
+  if (options.denoise) membrane.field.denoise = true;
+}
+
+/// What is left out of what is protected by value.
+Json jsonOf(const membrane::LeftOut& leftOut, double voxelSize) {
+  return {{"leastPiece", leftOut.leastPiece},
+          {"leastPieceVolume", leftOut.leastPiece * voxelSize},
+          {"pieces", leftOut.pieces},
+          {"voxels", leftOut.voxels},
+          {"share", double(leftOut.voxels) / double(std::max<std::size_t>(leftOut.protectedVoxels, 1))}};
+}
+
 /// @param place  of the cut in the scene
-Json jsonOf(const session::MembraneReport& report, const scene::Cut& cut, int place) {
+/// @param voxelSize  volume of a voxel
+Json jsonOf(const session::MembraneReport& report, const scene::Cut& cut, int place, double voxelSize) {
   Json json = {{"cut", place},
                {"id", report.cut},
                {"name", report.name},
@@ -185,6 +207,7 @@ Json jsonOf(const session::MembraneReport& report, const scene::Cut& cut, int pl
     membrane::Shares shares = membrane::sharesOf(*report.kept, cut);
     json["shares"] = {{"kept", shares.kept}, {"removed", shares.removed}, {"cut", shares.cut}};
   }
+  if (report.leftOut) json["leftOut"] = jsonOf(*report.leftOut, voxelSize);
   if (report.advice)
     json["advice"] = {{"step", std::string(enumName(report.advice->step))},
                       {"reason", std::string(session::reasonOf(report.advice->step))},
@@ -210,11 +233,15 @@ std::string adviceInWords(const session::Advice& advice, const scene::Cut& cut, 
   return {};
 }
 
-void printReport(const session::MembraneReport& report, const scene::Cut& cut, LengthUnit unit) {
+void printReport(const session::MembraneReport& report, const scene::Cut& cut, LengthUnit unit, double voxelSize) {
   fmt::print("{}: {} kernels, {} x {} particles, {} after {} steps, {:.1f} ms a step\n",
              report.name.empty() ? "membrane" : report.name, report.kernels, report.particles.x, report.particles.y,
              report.atRest ? "at rest" : "still moving", report.steps, report.stepMs);
   if (!report.kept) return;
+  if (report.leftOut && report.leftOut->pieces > 0)
+    fmt::print("leaves out {} pieces of fewer than {} voxels ({:.4g} {}^3): {:.2g} % of what is protected by value\n",
+               report.leftOut->pieces, report.leftOut->leastPiece, report.leftOut->leastPiece * voxelSize,
+               symbolOf(unit), 100.0 * double(report.leftOut->voxels) / double(report.leftOut->protectedVoxels));
   membrane::Shares shares = membrane::sharesOf(*report.kept, cut);
   fmt::print("of what the plane would cut {:.0f} % stays whole, {:.0f} % is removed whole, {:.0f} % is cut\n",
              100.0 * shares.kept, 100.0 * shares.removed, 100.0 * shares.cut);
@@ -263,11 +290,16 @@ int run(const MembraneOptions& options) {
     scene::Cut cut = newMembrane(scene, options);
     if (!isAsked) cut.membrane->field = session::defaultField(scene);
     protectWhatIsAsked(scene, cut, options);
+    applyNoise(*cut.membrane, options);
     if (!options.position) cut.centre = session::firstPlaceOf(scene, cut, consoleProgress()).value_or(cut.centre);
     scene::addCut(scene, cut);
   }
   putHandsOn(scene, options);
   applyRule(scene, options.rule, options.side);
+  for (auto& cut : scene.cuts)
+    if (cut.membrane) applyNoise(*cut.membrane, options);
+  double voxelSize =
+      scene.volume.data ? std::abs(glm::determinant(glm::dmat3(scene.volume.data->worldFromVoxel))) : 0.0;
   scene::Scene settled = scene;
   auto reports = session::settleMembranes(settled, {true, options.limit}, consoleProgress());
   consoleProgress().report(1.0, "");
@@ -282,9 +314,10 @@ int run(const MembraneOptions& options) {
   Json list = Json::array();
   for (const auto& report : reports) {
     if (options.common.json)
-      list.push_back(jsonOf(report, *scene::findCut(settled, report.cut), scene::cutPlace(settled, report.cut)));
+      list.push_back(
+          jsonOf(report, *scene::findCut(settled, report.cut), scene::cutPlace(settled, report.cut), voxelSize));
     else
-      printReport(report, *scene::findCut(settled, report.cut), settled.unit);
+      printReport(report, *scene::findCut(settled, report.cut), settled.unit, voxelSize);
   }
   if (!options.common.json) return 0;
   Json json = list.size() == 1 ? list[0] : Json{{"membranes", list}};
@@ -330,6 +363,13 @@ Run registerMembrane(CLI::App& verb) {
           "--side", options->side,
           "what the section would cut and the sheet can pass by: keep, remove, nearest; default: as the scene says")
       ->check(CLI::IsMember({"keep", "remove", "nearest"}));
+  verb.add_option(
+      "--least-piece", options->leastPiece,
+      "what is protected by value counts in pieces of so many voxels, joined by faces, or more: a number, or "
+      "auto, as many as noise does not explain; default: as the scene says, else auto");
+  verb.add_flag(
+      "--denoise", options->denoise,
+      "take noise out of the data before its values say what is protected; --protect-at does so where it must");
   verb.add_flag("--limit", options->limit, "also the least that any sheet in this frame must cut; takes seconds");
   verb.add_option("--sheet", options->sheet, "write the sheet as a surface: .obj, .ply, .vtp, .stl");
   verb.add_option("--clipped", options->clipped,

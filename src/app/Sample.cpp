@@ -16,12 +16,13 @@ struct SampleOptions {
   Common common;
   std::string name, output;
   int size = 0, timeSteps = 0;
+  double contrast = 0.0;
 };
 
 int run(const SampleOptions& options) {
   namespace fs = std::filesystem;
   Progress& progress = consoleProgress();
-  io::Sample sample = io::makeSample(options.name, options.size, progress, options.timeSteps);
+  io::Sample sample = io::makeSample(options.name, options.size, progress, options.timeSteps, options.contrast);
   fs::path path(options.output);
   if (!path.has_extension()) path = path / (options.name + ".nrrd");
   if (path.has_parent_path()) fs::create_directories(path.parent_path());
@@ -55,6 +56,9 @@ Run registerSample(CLI::App& verb) {
   verb.add_option("--voxels", options->size, "voxels along the longest axis, 16 to 1024; default: the phantom's own");
   verb.add_option("--time-steps", options->timeSteps,
                   "time steps of a phantom that moves (heart), 1 to 100; default: 12");
+  verb.add_option("--contrast", options->contrast,
+                  "how much brighter than the haze around them all fibres are (fibres), in standard deviations of the "
+                  "noise; default: 2, 3 and 4");
   return [options] { return run(*options); };
 }
 

@@ -89,6 +89,36 @@ class Membrane(CliTest):
         self.assertLess(rest["cutAreaPlane"], 0.5 * whole["cutAreaPlane"])
         self.refuse("membrane", "s.json", "--avoid", stroke, code=1, words=["--avoid", "--sketch"])
 
+    def test_specks_of_noise_do_not_count(self):
+        path = self.sample("fibres", 64)
+        values = ["--protect", "1300,60000", "--axis", "0,0,1", "--position", "0.5"]
+        self.run_batch("membrane", path, *values, "--save-scene", "n.json")
+        left = self.report("membrane", path, *values)["leftOut"]
+        self.assertGreater(left["leastPiece"], 2)
+        self.assertGreater(left["pieces"], 100)
+        self.assertGreaterEqual(left["voxels"], left["pieces"])
+        self.assertTrue(0 < left["share"] < 1)
+        info = self.report("info", path)
+        voxel = info["spacingMm"][0] * info["spacingMm"][1] * info["spacingMm"][2]
+        self.assertAlmostEqual(left["leastPieceVolume"] / (left["leastPiece"] * voxel), 1, places=3)
+        whole = self.report("membrane", "n.json", "--least-piece", "1", "--save-scene", "all.json")
+        self.assertEqual(whole["leftOut"], {"leastPiece": 1, "leastPieceVolume": whole["leftOut"]["leastPieceVolume"],
+                                            "pieces": 0, "voxels": 0, "share": 0})
+        self.assertEqual(json.loads((self.folder / "all.json").read_text())["cuts"][0]["membrane"]["field"]["leastPiece"], 1)
+        more = self.report("membrane", "all.json", "--least-piece", "40")["leftOut"]
+        self.assertGreater(more["voxels"], left["voxels"])
+        self.assertEqual(self.report("membrane", "all.json", "--least-piece", "auto")["leftOut"], left)
+        self.assertIn("pieces of fewer than", str(self.run_batch("membrane", "n.json").stdout))
+        for wrong in ("0", "2.5", "many"):
+            self.refuse("membrane", path, "--least-piece", wrong, code=1, words=["--least-piece", "auto"])
+
+    def test_noise_is_taken_out_where_a_click_needs_it(self):
+        path = self.sample("fibres", 64)
+        values = ["--protect", "1200,60000", "--axis", "0,0,1", "--position", "0.5"]
+        noisy = self.report("membrane", path, *values, "--least-piece", "1")["cutAreaPlane"]
+        calm = self.report("membrane", path, *values, "--least-piece", "1", "--denoise")["cutAreaPlane"]
+        self.assertNotEqual(noisy, calm)
+
     def test_refuses_with_words(self):
         path = self.sample("two-spheres", 32)
         self.refuse("membrane", path, "--pin", "1,2", code=1, words=["--pin", "x,y,z"])

@@ -1,10 +1,12 @@
 // Membranes in the real window: one is added, settles, rests, is dragged, undone, saved and opened again.
+#include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QSpinBox>
 
 #include "Shots.h"
 #include "WindowFixture.h"
@@ -53,6 +55,31 @@ TEST_F(MembraneWindow, ANewOneKeepsWholeWhatIsShownMost) {
   document().undo();
   EXPECT_TRUE(scene().cuts.empty());
   EXPECT_TRUE(settle());
+}
+
+TEST_F(MembraneWindow, SaysWhatSpecksItLeavesOutAndLetsThemCount) {
+  addMembrane();
+  auto* least = child<QSpinBox>("leastPiece");
+  auto* denoise = child<QCheckBox>("denoise");
+  auto* text = child<QLabel>("leftOutText");
+  ASSERT_TRUE(least && denoise && text);
+  EXPECT_EQ(least->text(), "automatic");
+  EXPECT_FALSE(text->isVisibleTo(text->parentWidget())) << "a phantom without noise";
+  auto field = [&]() -> const scene::ForceField& { return scene().cuts[0].membrane->field; };
+  least->setValue(100000);  // more than there is of anything
+  EXPECT_EQ(field().leastPiece, 100000);
+  ASSERT_TRUE(settle());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return text->isVisibleTo(text->parentWidget()); }));
+  EXPECT_TRUE(text->text().contains("specks under") && text->text().contains("100 %")) << text->text().toStdString();
+  takeShot(*mWindow, "membrane-specks");
+  document().undo();
+  EXPECT_EQ(field().leastPiece, -1);
+  EXPECT_EQ(least->text(), "automatic");
+  denoise->click();
+  EXPECT_TRUE(field().denoise);
+  EXPECT_EQ(document().undoLabel(), "Change membrane: take noise out");
+  document().undo();
+  EXPECT_FALSE(denoise->isChecked());
 }
 
 TEST_F(MembraneWindow, WhereMuchIsCutItSaysWhyAndOffersWhatHelps) {

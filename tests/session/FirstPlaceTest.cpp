@@ -74,7 +74,7 @@ std::optional<Advice> adviceOn(ValueAt valueAt, glm::dvec3 centre) {
   scene::Scene scene;
   scene.volume.data = Shared<Volume>(makeVolume({64, 64, 96}, SampleType::Int16, valueAt, glm::dmat4(1.0)));
   Progress progress;
-  return adviseMembrane(scene, membraneAt(centre, {0, 0, 1}), progress);
+  return adviseMembrane(membrane::Potential(scene), scene, membraneAt(centre, {0, 0, 1}), progress);
 }
 
 double ball(glm::ivec3 p, glm::dvec3 centre, double radius) { return glm::length(glm::dvec3(p) - centre) < radius; }
@@ -113,7 +113,7 @@ TEST(Advice, WhereAllIsProtectedLessIsMore) {
 TEST(Advice, IsNotGivenWhereNothingHelps) {
   EXPECT_FALSE(adviceOn([](glm::ivec3) { return 0.0; }, {32, 32, 48})) << "nothing is protected";
   Progress progress;
-  EXPECT_FALSE(adviseMembrane({}, membraneAt({0, 0, 0}, {0, 0, 1}), progress)) << "no data";
+  EXPECT_FALSE(adviseMembrane(membrane::Potential({}), {}, membraneAt({0, 0, 0}, {0, 0, 1}), progress)) << "no data";
 }
 
 TEST(FirstPlace, IsNowhereWhereNothingIsProtected) {

@@ -85,6 +85,8 @@ struct ForceField {
   std::vector<StrengthPoint> byValue;     ///< ascending; 0 before the first and after the last; the parts add up
   std::vector<StrengthPoint> byGradient;  ///< the same over the gradient's magnitude
   std::vector<LabelStrength> byLabel;     ///< of structures, where there are labels
+  bool denoise = false;                   ///< the curves are over the data with its noise taken out
+  int leastPiece = -1;                    ///< pieces of fewer voxels protected by value do not count; -1: as noise says
   int level = 1;                          ///< super-voxels of 2^level voxels per axis
   double threshold = 0.5;                 ///< super-voxels weaker than this have no kernel
   double areaOfEffect = 2.0;              ///< half-width of a kernel in super-voxels
@@ -98,6 +100,12 @@ struct ForceField {
     visit("byValue", o.byValue, FieldInfo{"", {}, "Strength by value of the data: points of a curve."});
     visit("byGradient", o.byGradient, FieldInfo{"", {}, "Strength by gradient magnitude."});
     visit("byLabel", o.byLabel, FieldInfo{"", {}, "Strength of structures."});
+    visit("denoise", o.denoise, FieldInfo{"", {}, "The curves are over the data with its noise taken out."});
+    visit("leastPiece", o.leastPiece,
+          FieldInfo{"",
+                    {-1, 1e9},
+                    "What byValue protects counts in pieces of so many voxels or more, joined by faces; 0, 1: in all; "
+                    "-1: as many as noise does not explain."});
     visit("level", o.level, FieldInfo{"", {0, 6}, "A kernel for every 2^level voxels along each axis."});
     visit("threshold", o.threshold, FieldInfo{"", {0, 1000}, "Weaker kernels are left out."});
     visit("areaOfEffect", o.areaOfEffect, FieldInfo{"", {1, 4}, "Half-width of a kernel in super-voxels."});

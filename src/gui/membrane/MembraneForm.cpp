@@ -46,6 +46,7 @@ MembraneForm::MembraneForm(session::Document& document, Selection& selection, QW
       mAdvice(new QPushButton(this)),
       mCanvas(new StrengthCanvas(this)),
       mStructures(new StrengthTable(this)),
+      mNoise(new NoiseForm(document, selection, this)),
       mSketch(new SketchForm(this)) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -66,6 +67,7 @@ MembraneForm::MembraneForm(session::Document& document, Selection& selection, QW
       "Force of each value, -1000 to 1000. Above the line: the sheet goes around it; below: the sheet is drawn to it.\n"
       "Click: add a point. Drag: move it. Right click or Del: remove it.\nKeys: PgUp and PgDn go from one to the next, "
       "arrows move, Ins adds."));
+  layout->addWidget(mNoise);
   layout->addWidget(mStructures);
   layout->addWidget(makeProtect());
   layout->addWidget(mSketch);
@@ -269,6 +271,7 @@ void MembraneForm::showCut(const scene::Cut& cut) {
   const scene::Membrane& m = mShown;
   showCurve();
   mHands->showCut(cut);
+  mNoise->showField(m.field);
   mStructures->showStrengths(mDocument.scene().labels.structures, m.field.byLabel);
   mSketch->showLength(Length(mDocument.scene()));
   mSketch->showStrokes(m.field.strokes);
@@ -379,6 +382,11 @@ void MembraneForm::showStatus(const std::optional<session::MembraneStatus>& stat
   mFigure->setEnabled(status->isMeasured);
   mShares->setEnabled(status->isMeasured);
   mAdvice->setEnabled(status->isMeasured);
+  if (status->isMeasured) {
+    const auto& volume = mDocument.scene().volume.data;
+    double voxelSize = volume ? std::abs(glm::determinant(glm::dmat3(volume->worldFromVoxel))) : 0.0;
+    mNoise->showLeftOut(status->leftOut, voxelSize, Length(mDocument.scene()));
+  }
   if (status->isMeasured) showAdvice(status->advice);
   if (status->isMeasured) mShares->setShares(status->shares);
   QString kernels = tr("%1 kernels, %2 \u00d7 %3 particles")

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 
+#include "NoiseForm.h"
 #include "ShareBar.h"
 #include "SheetHandsForm.h"
 #include "SketchForm.h"
@@ -78,6 +79,7 @@ class MembraneForm : public QWidget {
   StrengthCanvas* mCanvas;
   SheetHandsForm* mHands = nullptr;
   StrengthTable* mStructures;
+  NoiseForm* mNoise;
   SketchForm* mSketch;
   QPushButton *mProtect = nullptr, *mLetThrough = nullptr, *mPlay = nullptr, *mStep = nullptr, *mMore = nullptr;
   QWidget* mCloth = nullptr;

@@ -80,7 +80,8 @@ class Tracts {
   float mVoxel;
 };
 
-std::vector<Layer> buildScene(float voxelUm) {
+/// @param contrast  of all kinds; 0: each its own
+std::vector<Layer> buildScene(float voxelUm, float contrast) {
   Tracts tracts(voxelUm);
   std::vector<Layer> glow, fibres;
   for (std::size_t kind = 0; kind < kKinds.size(); ++kind) {
@@ -93,7 +94,7 @@ std::vector<Layer> buildScene(float voxelUm) {
     around.squash = 1.0f / kStretch;
     around.texture = haze;
     glow.push_back(around);
-    Layer fibre{std::uint16_t(kind + 1), kKinds[kind].contrast * kNoise};
+    Layer fibre{std::uint16_t(kind + 1), (contrast > 0.0f ? contrast : kKinds[kind].contrast) * kNoise};
     fibre.tubes = tracts.tubes[kind];
     fibre.squash = 1.0f / kStretch;
     fibre.texture = haze;
@@ -107,11 +108,11 @@ std::vector<Layer> buildScene(float voxelUm) {
 }  // namespace
 
 /// Axons one to three voxels thick in bundles and alone, two to four times as bright above the haze as its noise, in
-/// voxels twice as deep as wide: a light-sheet volume of nerve fibres.
-Sample makeFibres(int size, Progress& progress) {
+/// voxels twice as deep as wide: a light-sheet volume of nerve fibres. Or all of them as bright as is asked.
+Sample makeFibres(int size, double contrast, Progress& progress) {
   float voxel = kExtentUm / float(size);
   Grid grid{{size, size, std::max(int(float(size) / kSliceStep), 1)}, voxel * kStretch, 0.001};
-  std::vector<Layer> layers = buildScene(voxel);
+  std::vector<Layer> layers = buildScene(voxel, float(contrast));
   Description description{"fibres", SampleType::UInt16, Modality::Microscopy, "", {}};
   for (std::size_t i = 0; i < kKinds.size(); ++i)
     description.table.push_back({std::uint16_t(i + 1), kKinds[i].name, kKinds[i].color});

@@ -162,7 +162,7 @@ Sample makeTorso(int size, Progress& progress);
 Sample makeSeismic(int size, Progress& progress);
 Sample makeSkull(int size, Progress& progress);
 Sample makeNeurons(int size, Progress& progress);
-Sample makeFibres(int size, Progress& progress);
+Sample makeFibres(int size, double contrast, Progress& progress);
 Sample makeUltrasound(int size, Progress& progress);
 Sample makeHeart(int size, int frames, Progress& progress);
 

@@ -6,10 +6,12 @@
 #include <mutex>
 #include <optional>
 
+#include "Pieces.h"
 #include "StrengthRows.h"
 
 #include "velum/core/Assert.h"
 #include "velum/core/Parallel.h"
+#include "velum/membrane/forces/Denoise.h"
 
 namespace velum::membrane {
 
@@ -128,20 +130,70 @@ KernelGrid toKernels(std::vector<float> means, glm::ivec3 dims, int level, const
 
 struct Potential::Data {
   PotentialSource source;
-  mutable std::mutex gradientLock;
-  mutable std::optional<Gradients> gradients;
+  // Made when first asked for. Isolated: while a thread waits for its helpers it must not take up a task that wants the
+  // same lock.
+  struct KnownPieces {
+    scene::ForceField field;  ///< what of it they depend on
+    std::shared_ptr<const SmallPieces> small;
+  };
+  static constexpr std::size_t kPiecesKept = 3;  ///< of so many curves: those of a scene's membranes
+  mutable std::mutex calmLock, gradientLock, piecesLock;
+  mutable std::optional<PotentialSource> calm;    ///< the source with its noise taken out
+  mutable std::optional<Gradients> gradients[2];  ///< of the source, and of the calm one
+  mutable std::vector<KnownPieces> pieces;        ///< that last asked for at the end
 
-  /// The gradients where a field needs them, made when first asked for.
-  const Gradients* gradientsFor(const scene::ForceField& field, Progress& progress) const {
-    if (field.byGradient.empty() || !source.volume) return nullptr;
+  bool isCalm(const scene::ForceField& field) const { return field.denoise && source.volume; }
+  /// What the field's curves are over.
+  const PotentialSource& sourceFor(const scene::ForceField& field, Progress& progress) const {
+    if (!isCalm(field) || (field.byValue.empty() && field.byGradient.empty())) return source;
+    std::lock_guard guard(calmLock);
+    if (calm) return *calm;
+    progress.report(0.0, "taking noise out");
+    isolated([&] {
+      double noise = noiseOf(*source.volume, source.channel, source.timeStep);
+      PotentialSource made = source;
+      made.volume = Shared<Volume>(denoise(*source.volume, source.channel, source.timeStep, noise, progress));
+      made.channel = made.timeStep = 0;
+      calm = made;
+    });
+    return *calm;
+  }
+  /// The gradients where a field needs them.
+  const Gradients* gradientsFor(const scene::ForceField& field, const PotentialSource& of, Progress& progress) const {
+    if (field.byGradient.empty() || !of.volume) return nullptr;
     std::lock_guard guard(gradientLock);
-    // Isolated: while this thread waits for its helpers it must not take up a task that wants the same lock.
-    if (!gradients)
-      isolated([&] { gradients = computeGradients(*source.volume, source.channel, source.timeStep, progress); });
-    return &*gradients;
+    auto& known = gradients[isCalm(field) ? 1 : 0];
+    if (!known) isolated([&] { known = computeGradients(*of.volume, of.channel, of.timeStep, progress); });
+    return &*known;
+  }
+  /// The pieces that are too small to count; null where all count.
+  std::shared_ptr<const SmallPieces> smallFor(const scene::ForceField& field, Progress& progress) const {
+    if (!source.volume || field.byValue.empty() || field.leastPiece == 0 || field.leastPiece == 1) return nullptr;
+    scene::ForceField part;
+    part.byValue = field.byValue;
+    part.denoise = field.denoise;
+    part.leastPiece = field.leastPiece;
+    const PotentialSource& of = sourceFor(part, progress);
+    std::lock_guard guard(piecesLock);
+    auto found = std::find_if(pieces.begin(), pieces.end(), [&](const auto& known) { return known.field == part; });
+    if (found != pieces.end()) {
+      std::rotate(found, found + 1, pieces.end());
+      return pieces.back().small;
+    }
+    progress.report(0.0, "looking for specks");
+    KnownPieces made{part, nullptr};
+    StrengthRows rows(of, nullptr, part);
+    auto row = [&](int y, int z, float* out) { rows.fill(0, of.dims.x, y, z, out); };
+    isolated([&] {
+      made.small = std::make_shared<const SmallPieces>(findSmallPieces(of.dims, part.leastPiece, row, progress));
+    });
+    if (pieces.size() >= kPiecesKept) pieces.erase(pieces.begin());
+    pieces.push_back(std::move(made));
+    return pieces.back().small;
   }
   StrengthRows rowsFor(const scene::ForceField& field, Progress& progress) const {
-    return StrengthRows(source, gradientsFor(field, progress), field);
+    const PotentialSource& of = sourceFor(field, progress);
+    return StrengthRows(of, gradientsFor(field, of, progress), field, smallFor(field, progress));
   }
   void checkBox(VoxelBox box) const {
     if (glm::any(glm::lessThan(box.min, glm::ivec3(0))) || glm::any(glm::greaterThan(box.end, source.dims)) ||
@@ -231,6 +283,12 @@ ProtectedVoxels Potential::computeProtected(const scene::ForceField& field, Voxe
     for (std::size_t x = 0; x < row.size(); ++x) voxels.mask[first + x] = row[x] > 0.0f;
   });
   return voxels;
+}
+
+LeftOut Potential::computeLeftOut(const scene::ForceField& field, Progress& progress) const {
+  auto small = mData->smallFor(field, progress);
+  if (!small) return {};
+  return {small->least, small->pieces, small->voxels, small->protectedVoxels};
 }
 
 }  // namespace velum::membrane

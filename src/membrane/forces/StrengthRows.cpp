@@ -39,8 +39,9 @@ double strengthAt(std::span<const scene::StrengthPoint> curve, double value) {
   return a.strength + (after->strength - a.strength) * (value - a.value) / (after->value - a.value);
 }
 
-StrengthRows::StrengthRows(const PotentialSource& source, const Gradients* gradients, const scene::ForceField& field)
-    : mSource(source), mGradients(gradients) {
+StrengthRows::StrengthRows(const PotentialSource& source, const Gradients* gradients, const scene::ForceField& field,
+                           std::shared_ptr<const SmallPieces> small)
+    : mSource(source), mGradients(gradients), mSmall(std::move(small)) {
   if (source.volume && !field.byValue.empty()) tabulateValues(soundCurve(field.byValue));
   if (mGradients) {
     Curve curve = soundCurve(field.byGradient);
@@ -153,12 +154,20 @@ void StrengthRows::addNearestLabels(int x, int end, int y, int z, float* out) co
   }
 }
 
+void StrengthRows::leaveOutSmall(int x, int end, std::size_t row, float* out) const {
+  for (VoxelRun run : mSmall->runsOf(row)) {
+    int from = std::max(int(run.x), x), to = std::min(int(run.end), end);
+    if (from < to) std::fill(out + (from - x), out + (to - x), 0.0f);
+  }
+}
+
 void StrengthRows::fill(int x, int end, int y, int z, float* out) const {
   std::ptrdiff_t first = (std::ptrdiff_t(z) * mSource.dims.y + y) * mSource.dims.x + x;
   if (mHasValues)
     fillValues(first, end - x, out);
   else
     std::fill_n(out, end - x, 0.0f);
+  if (mSmall) leaveOutSmall(x, end, std::size_t(z) * std::size_t(mSource.dims.y) + std::size_t(y), out);
   if (mGradients) {
     const std::uint16_t* codes = mGradients->codes.data() + first;
     for (int i = 0; i < end - x; ++i) out[i] += mByCode[codes[i]];

@@ -1,9 +1,11 @@
 #pragma once
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <memory>
 #include <vector>
 
 #include "Gradients.h"
+#include "Pieces.h"
 #include "velum/core/LabelVolume.h"
 #include "velum/core/Volume.h"
 #include "velum/scene/Membrane.h"
@@ -23,7 +25,9 @@ struct PotentialSource {
 class StrengthRows {
  public:
   /// @param gradients  needed where the field has a curve over them, else null
-  StrengthRows(const PotentialSource& source, const Gradients* gradients, const scene::ForceField& field);
+  /// @param small  of what is protected by value: pieces that have no strength by it; null: all have
+  StrengthRows(const PotentialSource& source, const Gradients* gradients, const scene::ForceField& field,
+               std::shared_ptr<const SmallPieces> small = nullptr);
   /// Writes strengths of voxels (min x .. end x, y, z).
   void fill(int x, int end, int y, int z, float* out) const;
 
@@ -35,12 +39,14 @@ class StrengthRows {
 
   void tabulateValues(const std::vector<scene::StrengthPoint>& curve);
   void fillValues(std::ptrdiff_t first, int count, float* out) const;
+  void leaveOutSmall(int x, int end, std::size_t row, float* out) const;
   static void selectPiece(const Piece& piece, const double* values, int count, double* strengths);
   void addLabels(int x, int end, int y, int z, float* out) const;
   void addNearestLabels(int x, int end, int y, int z, float* out) const;
 
   const PotentialSource& mSource;
   const Gradients* mGradients = nullptr;
+  std::shared_ptr<const SmallPieces> mSmall;
   bool mHasValues = false;
   std::vector<float> mByRaw;   ///< of types with 8 and 16 bits, from the smallest raw value
   std::vector<Piece> mPieces;  ///< of the other types

@@ -70,9 +70,10 @@ std::string_view reasonOf(AdviceStep step) {
   return {};
 }
 
-std::optional<Advice> adviseMembrane(const scene::Scene& scene, const scene::Cut& cut, Progress& progress) {
+std::optional<Advice> adviseMembrane(const membrane::Potential& potential, const scene::Scene& scene,
+                                     const scene::Cut& cut, Progress& progress) {
   if (!scene::hasData(scene)) return std::nullopt;
-  CoarseLook look(scene, cut.membrane->field, progress);
+  CoarseLook look(potential, cut.membrane->field, progress);
   double now = shareOf(look, cut, progress);
   std::vector<Advice> steps;
   scene::Cut deeper = cut;
@@ -88,7 +89,7 @@ std::optional<Advice> adviseMembrane(const scene::Scene& scene, const scene::Cut
   if (less) {
     scene::Cut spared = cut;
     spared.membrane = *less;
-    steps.push_back({AdviceStep::ProtectLess, spared, shareOf({scene, less->field, progress}, spared, progress)});
+    steps.push_back({AdviceStep::ProtectLess, spared, shareOf({potential, less->field, progress}, spared, progress)});
   }
   bool isTooMuch = look.share() > kTooMuch && less && steps.back().cutShare <= kHelps * now;
   if (isTooMuch) return steps.back();

@@ -10,8 +10,8 @@ namespace {
 constexpr int kLooksAlongEdge = 48;
 }
 
-CoarseLook::CoarseLook(const scene::Scene& scene, const scene::ForceField& field, Progress& progress)
-    : mVoxels(membrane::coarseVoxels(membrane::Potential(scene), field, kLooksAlongEdge, progress)) {}
+CoarseLook::CoarseLook(const membrane::Potential& potential, const scene::ForceField& field, Progress& progress)
+    : mVoxels(membrane::coarseVoxels(potential, field, kLooksAlongEdge, progress)) {}
 
 double CoarseLook::share() const {
   const auto& mask = mVoxels.grid.mask;

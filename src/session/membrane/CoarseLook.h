@@ -10,7 +10,7 @@ namespace velum::session {
 class CoarseLook {
  public:
   /// @throw Cancelled
-  CoarseLook(const scene::Scene& scene, const scene::ForceField& field, Progress& progress);
+  CoarseLook(const membrane::Potential& potential, const scene::ForceField& field, Progress& progress);
 
   /// The share of the places that are protected.
   double share() const;

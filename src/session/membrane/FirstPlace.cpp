@@ -31,7 +31,7 @@ double worthOf(const CoarseLook& look, const scene::Cut& cut, Progress& progress
 
 std::optional<glm::dvec3> firstPlaceOf(const scene::Scene& scene, const scene::Cut& cut, Progress& progress) {
   if (!scene::hasData(scene)) return std::nullopt;
-  return firstPlaceOf(CoarseLook(scene, cut.membrane->field, progress), cut, progress);
+  return firstPlaceOf(CoarseLook(membrane::Potential(scene), cut.membrane->field, progress), cut, progress);
 }
 
 std::optional<glm::dvec3> firstPlaceOf(const CoarseLook& look, const scene::Cut& cut, Progress& progress) {

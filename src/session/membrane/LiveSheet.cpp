@@ -236,10 +236,11 @@ bool LiveSheet::needsFigures() const {
 }
 
 void LiveSheet::takeFigures(const membrane::KeptWhole& figures, const std::optional<Advice>& advice,
-                            std::uint64_t wish) {
+                            const membrane::LeftOut& leftOut, std::uint64_t wish) {
   if (wish != mWish || isMoving()) return;
   mFigures = figures;
   mAdvice = advice;
+  mLeftOut = leftOut;
   if (!membrane::isWorseThanFlat(figures, mCut)) return;
   mFigures = membrane::figureOfFlat(figures);
   glm::ivec2 particles = mKept.places.empty() ? mCut.membrane->cloth.particles : mKept.particles;
@@ -273,6 +274,7 @@ MembraneStatus LiveSheet::status(bool isPlaying, bool isComputing) const {
   status.isMeasured = true;
   status.keptWhole = mFigures->ratio;
   status.advice = mAdvice;
+  status.leftOut = mLeftOut;
   status.shares = membrane::sharesOf(*mFigures, mCut);
   status.planePairs = mFigures->cutAreaPlane;
   status.sheetPairs = mFigures->cutAreaMembrane;

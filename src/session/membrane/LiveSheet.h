@@ -59,7 +59,8 @@ class LiveSheet {
 
   /// What is to be measured: the sheet rests where it is wanted, and its figures are not known.
   bool needsFigures() const;
-  void takeFigures(const membrane::KeptWhole& figures, const std::optional<Advice>& advice, std::uint64_t wish);
+  void takeFigures(const membrane::KeptWhole& figures, const std::optional<Advice>& advice,
+                   const membrane::LeftOut& leftOut, std::uint64_t wish);
   void failFigures() { mFigures = membrane::KeptWhole{}; }
   MembraneStatus status(bool isPlaying, bool isComputing) const;
 
@@ -117,6 +118,7 @@ class LiveSheet {
   int mKeptStep = -1;          ///< time step of its forces; -1: not known
   scene::SheetShape mWritten;  ///< that the scene holds
   std::optional<membrane::KeptWhole> mFigures;
+  membrane::LeftOut mLeftOut;
   std::optional<Advice> mAdvice;                               ///< that goes with them
   std::vector<std::shared_ptr<membrane::ForceMaker>> mMakers;  ///< of this volume's time steps, the last one first
   // What is shown.

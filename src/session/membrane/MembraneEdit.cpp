@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "TissueInNoise.h"
+
 #include "velum/membrane/forces/Kernels.h"
 #include "velum/session/look/ValueHistogram.h"
 
@@ -44,6 +46,10 @@ std::optional<Tissue> protectTissue(scene::Membrane& membrane, const scene::Volu
                                     double strength) {
   std::optional<Tissue> tissue = measureTissue(layer, world);
   if (!tissue) return tissue;
+  if (auto inNoise = measureTissueInNoise(layer, world)) {
+    tissue = inNoise;
+    membrane.field.denoise = true;
+  }
   double low = tissue->value - kSpreads * tissue->spread, high = tissue->value + kSpreads * tissue->spread;
   const Volume& volume = *layer.data;
   int channel = std::clamp(layer.channel, 0, volume.channels - 1);

@@ -104,15 +104,17 @@ MembranePlayer::Work MembranePlayer::measureWork(LiveSheet& sheet) {
     const membrane::Potential& potential = maker->potential();
     membrane::KeptWhole figures;
     std::optional<Advice> advice;
+    membrane::LeftOut leftOut;
     if (potential.dims().x > 0) {
       figures = measureMembrane(potential, cut, shape, progress);
-      advice = adviceFor(figures, scene, cut, progress);
+      advice = adviceFor(figures, potential, scene, cut, progress);
+      leftOut = potential.computeLeftOut(cut.membrane->field, progress);
     }
-    return [this, out, maker, figures, advice, scene] {
+    return [this, out, maker, figures, advice, leftOut, scene] {
       LiveSheet* found = find(out.id);
       if (!found) return;
       if (isOf(scene)) found->keepMaker(maker);
-      found->takeFigures(figures, advice, out.wish);
+      found->takeFigures(figures, advice, leftOut, out.wish);
     };
   };
 }

@@ -123,10 +123,10 @@ membrane::KeptWhole measureMembrane(const membrane::Potential& potential, const 
                                     progress);
 }
 
-std::optional<Advice> adviceFor(const membrane::KeptWhole& figures, const scene::Scene& scene, const scene::Cut& cut,
-                                Progress& progress) {
+std::optional<Advice> adviceFor(const membrane::KeptWhole& figures, const membrane::Potential& potential,
+                                const scene::Scene& scene, const scene::Cut& cut, Progress& progress) {
   if (membrane::sharesOf(figures, cut).cut <= kMuchCut) return std::nullopt;
-  return adviseMembrane(scene, cut, progress);
+  return adviseMembrane(potential, scene, cut, progress);
 }
 
 std::vector<MembraneReport> settleMembranes(scene::Scene& scene, MembraneQuestions questions, Progress& progress) {
@@ -140,7 +140,8 @@ std::vector<MembraneReport> settleMembranes(scene::Scene& scene, MembraneQuestio
     if (maker.potential().dims().x > 0) {
       if (questions.kept || questions.limit)
         report.kept = measureMembrane(maker.potential(), cut, cut.membrane->shape, progress);
-      if (report.kept) report.advice = adviceFor(*report.kept, scene, cut, progress);
+      if (report.kept) report.advice = adviceFor(*report.kept, maker.potential(), scene, cut, progress);
+      if (report.kept) report.leftOut = maker.potential().computeLeftOut(cut.membrane->field, progress);
       if (questions.limit)
         report.limit = membrane::computeLimit(protectedVoxels(maker.potential(), cut, progress), cut, progress);
     }

@@ -35,6 +35,15 @@ struct ProtectedVoxels {
   glm::dmat4 worldFromVoxel{1.0};  ///< of the whole grid: voxel (0, 0, 0) need not lie in the box
 };
 
+/// What of the voxels protected by value does not count, as it is in pieces that are too small
+/// (ForceField::leastPiece). Of the whole grid.
+struct LeftOut {
+  int leastPiece = 1;                  ///< voxels that a piece must have to count; 1: all do
+  std::size_t pieces = 0, voxels = 0;  ///< that are left out
+  std::size_t protectedVoxels = 0;     ///< by value, with those left out; not counted where all pieces count
+  bool operator==(const LeftOut&) const = default;
+};
+
 /// Piecewise linear curve: 0 before the first point and after the last; where two points share a value, the later one
 /// holds there. @param curve  ascending
 double strengthAt(std::span<const scene::StrengthPoint> curve, double value);
@@ -45,6 +54,9 @@ double strengthAt(std::span<const scene::StrengthPoint> curve, double value);
 /// It keeps the data, and gradient magnitudes once they have been asked for (16 bit a voxel), so that an edited curve
 /// is evaluated anew in a few tens of milliseconds. Samples of 8 and 16 bits go through a table over the raw values;
 /// others are interpolated one by one, in double. Values that are not numbers have no strength. Any thread.
+///
+/// Pieces of what is protected by value that are too small to count have no strength by value, here and in all that is
+/// computed from here. Which they are is found once for a curve, over the whole grid (a second for 512^3 voxels).
 class Potential {
  public:
   /// Of the volume's current time step and channel, and of the labels, which may lie on another grid.
@@ -71,6 +83,8 @@ class Potential {
   std::vector<float> computeStrengths(const scene::ForceField& field, VoxelBox box, Progress& progress) const;
   /// Which voxels of a box are protected. @throw ArgumentError when the box leaves the grid
   ProtectedVoxels computeProtected(const scene::ForceField& field, VoxelBox box, Progress& progress) const;
+  /// What is too small to be protected by value. @throw Cancelled
+  LeftOut computeLeftOut(const scene::ForceField& field, Progress& progress) const;
 
  private:
   struct Data;

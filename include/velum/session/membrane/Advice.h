@@ -4,6 +4,7 @@
 
 #include "velum/core/Fields.h"
 #include "velum/core/Task.h"
+#include "velum/membrane/forces/Kernels.h"
 #include "velum/scene/Scene.h"
 
 namespace velum::session {
@@ -27,8 +28,9 @@ inline constexpr double kMuchCut = 0.6;
 
 /// The step that helps most, among a reach twice as deep, the place that firstPlaceOf() finds, and protecting the half
 /// of it that differs most from the rest; nothing where none helps by a fifth. A few tenths of a second.
-/// @throw Cancelled. Any thread.
-std::optional<Advice> adviseMembrane(const scene::Scene& scene, const scene::Cut& cut, Progress& progress);
+/// @param potential  of the scene  @throw Cancelled. Any thread.
+std::optional<Advice> adviseMembrane(const membrane::Potential& potential, const scene::Scene& scene,
+                                     const scene::Cut& cut, Progress& progress);
 
 /// Why, in a sentence: "The reach is short."
 std::string_view reasonOf(AdviceStep step);

@@ -36,6 +36,7 @@ struct MembraneStatus {
   double keptWhole = 1.0;        ///< cut area of the sheet by that of the plane: 0 cuts nothing
   membrane::Shares shares;       ///< of what the plane would cut
   std::optional<Advice> advice;  ///< where it cuts much and something helps
+  membrane::LeftOut leftOut;     ///< of what is protected by value: specks
   std::int64_t planePairs = 0;   ///< cut area: pairs of neighbouring protected voxels that the plane separates
   std::int64_t sheetPairs = 0;   ///< and that the sheet does
   double meanDistance = 0;       ///< of the sheet from the rest plane

@@ -26,6 +26,7 @@ struct MembraneReport {
   double kernelsMs = 0, leastCutMs = 0, totalMs = 0;
   std::optional<membrane::KeptWhole> kept;        ///< when asked for
   std::optional<membrane::KeptWholeLimit> limit;  ///< when asked for
+  std::optional<membrane::LeftOut> leftOut;       ///< with `kept`
   std::optional<Advice> advice;                   ///< with `kept`, where it cuts more than kMuchCut
 };
 
@@ -64,8 +65,8 @@ Mesh sheetMesh(const scene::Cut& cut);
 Volume clippedVolume(const scene::Scene& scene, Progress& progress);
 
 /// What helps a membrane with these figures, where it cuts much. Any thread. @throw Cancelled
-std::optional<Advice> adviceFor(const membrane::KeptWhole& figures, const scene::Scene& scene, const scene::Cut& cut,
-                                Progress& progress);
+std::optional<Advice> adviceFor(const membrane::KeptWhole& figures, const membrane::Potential& potential,
+                                const scene::Scene& scene, const scene::Cut& cut, Progress& progress);
 
 /// How much of what a membrane protects its sheet keeps whole. Any thread. @throw Cancelled
 membrane::KeptWhole measureMembrane(const membrane::Potential& potential, const scene::Cut& cut,

@@ -1,0 +1,16 @@
+#pragma once
+#include <glm/glm.hpp>
+#include <optional>
+
+#include "velum/scene/Scene.h"
+#include "velum/session/look/ShowThis.h"
+
+namespace velum::session {
+
+/// The material at a place where noise hides from a look at single voxels what is beside it: as it is in the data with
+/// its noise taken out (membrane::denoise()). The borders of the brightest material of the data, and of the darkest,
+/// lie where that data is steepest, whichever of its places is pointed at. Nothing where noise hides nothing, outside
+/// the volume and in colours. A tenth of a second.
+std::optional<Tissue> measureTissueInNoise(const scene::VolumeLayer& layer, glm::dvec3 world);
+
+}  // namespace velum::session

@@ -47,6 +47,8 @@ scene::Cut newMembrane(const scene::Scene& scene, const MembraneOptions& options
   }
   scene::Cut cut = session::makeCut(seen, scene::CutShape::Membrane);
   cut.name = "Membrane";
+  // Made along the data's nearest axis, as one that is put in by hand.
+  if (!options.axis.empty()) cut.axis = glm::normalize(vectorOf(options.axis));
   scene::Bounds bounds = scene::computeBounds(scene);
   glm::dvec3 middle = (bounds.min + bounds.max) * 0.5, z(scene::worldFromCut(cut)[2]);
   double deep = glm::dot(glm::abs(z), bounds.max - bounds.min);
@@ -281,6 +283,8 @@ std::vector<std::string> exportWhatIsAsked(const scene::Scene& settled,
 int run(const MembraneOptions& options) {
   auto context = gpu::Context::create(options.common.context);
   scene::Scene scene = openScene(options.input, 16.0 / 9.0);
+  if (!options.axis.empty() && vectorOf(options.axis) == glm::dvec3(0.0))
+    throw ArgumentError("--axis 0,0,0 has no direction");
   bool isAsked = asksForMembrane(options);
   if (!isAsked && !options.avoid.empty() && session::hasMembranes(scene))
     throw ArgumentError(

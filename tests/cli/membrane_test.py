@@ -20,6 +20,14 @@ class Membrane(CliTest):
         self.assertGreater(report["shares"]["kept"], 0.4)
         self.assertGreater(report["shares"]["removed"], 0.4)
 
+    def test_hangs_across_the_axis_that_is_asked_for(self):
+        path = self.sample("two-spheres", 32)
+        self.run_batch("membrane", path, "--axis", "2,0.6,-1", "--save-scene", "o.json")
+        axis = json.loads((self.folder / "o.json").read_text())["cuts"][0]["axis"]
+        for is_, wanted in zip(axis, (2, 0.6, -1)):
+            self.assertAlmostEqual(is_, wanted / 5.36 ** 0.5, places=6)
+        self.refuse("membrane", path, "--axis", "0,0,0", code=1, words=["--axis"])
+
     def test_told_nothing_it_keeps_what_the_scene_shows_most(self):
         report = self.report("membrane", self.sample("two-spheres", 32), "--axis", "0,0,1")
         self.assertGreater(report["cutAreaPlane"], 0)

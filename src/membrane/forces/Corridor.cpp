@@ -20,8 +20,10 @@ constexpr double kBall = 2.1, kSunk = 0.62;
 constexpr double kShareOfGap = 0.4;
 
 /// Where the sheet must pass through what is protected it may leave the least cut by so many layers, so that it is
-/// smooth there, rather than made of boxes: areas of a lattice are shortest along its axes.
+/// smooth there, rather than made of steps.
 constexpr int kSmoothing = 1;
+/// So far from nodes it is clear on which side of them the sheet is, in layers.
+constexpr double kBesideNode = 0.25;
 
 /// What a column's sheet separates, its neighbours' sheets being where they are. Neighbours that themselves cut through
 /// what is protected at about the same height do not count.
@@ -47,6 +49,8 @@ class ColumnCost {
     return sum;
   }
 
+  bool isCutting() const { return mIsCutting; }
+
   /// The last height in a direction that separates no more than its own. @param gap  to where that is known
   int freeTo(int gap, int step) const {
     double now = separated(mHeight);
@@ -65,9 +69,14 @@ class ColumnCost {
   bool mIsCutting = false;  ///< its sheet passes through what is protected
 };
 
+struct ColumnRoom {
+  double low = 0.0, high = 0.0;
+  bool isCutting = false;  ///< these are bounds to what is cut, not obstacles
+};
+
 /// Takes from the room of each column what is too near to what it or its neighbours must not pass. Where nothing would
 /// be left the sheet keeps to the middle of its own room. @param step  of a layer
-void keepClear(Corridor& corridor, const std::vector<glm::dvec2>& room, double step) {
+void keepClear(Corridor& corridor, const std::vector<ColumnRoom>& room, double step) {
   struct Neighbour {
     glm::ivec2 step;
     double rise;
@@ -85,16 +94,22 @@ void keepClear(Corridor& corridor, const std::vector<glm::dvec2>& room, double s
   parallelFor(0, n.y, [&](int y) {
     for (int x = 0; x < n.x; ++x) {
       std::size_t i = std::size_t(y * n.x + x);
-      glm::dvec2 own = room[i], free = own;
+      const ColumnRoom& own = room[i];
+      if (own.isCutting) {
+        corridor.room[i] = {float(own.low + kBesideNode * step), float(own.high - kBesideNode * step)};
+        continue;
+      }
+      glm::dvec2 free(own.low, own.high);
       for (const Neighbour& neighbour : ball) {
         glm::ivec2 at = glm::clamp(glm::ivec2(x, y) + neighbour.step, glm::ivec2(0), n - 1);
-        glm::dvec2 other = room[std::size_t(at.y * n.x + at.x)];
-        free.x = std::max(free.x, other.x + neighbour.rise);
-        free.y = std::min(free.y, other.y - neighbour.rise);
+        const ColumnRoom& other = room[std::size_t(at.y * n.x + at.x)];
+        if (other.isCutting) continue;
+        free.x = std::max(free.x, other.low + neighbour.rise);
+        free.y = std::min(free.y, other.high - neighbour.rise);
       }
       if (free.x > free.y) {
-        double margin = std::min(radius - sunk, kShareOfGap * (own.y - own.x));
-        free = {own.x + margin, own.y - margin};
+        double margin = std::min(radius - sunk, kShareOfGap * (own.high - own.low));
+        free = {own.low + margin, own.high - margin};
       }
       corridor.room[i] = glm::vec2(free);
     }
@@ -112,7 +127,7 @@ Corridor corridorAround(const CutLattice& lattice, const LeastCut& cut) {
   corridor.room.resize(cut.below.size());
   corridor.height.resize(cut.below.size());
   double step = lattice.step.z;
-  std::vector<glm::dvec2> room(cut.below.size());
+  std::vector<ColumnRoom> room(cut.below.size());
   parallelFor(0, lattice.dims.y, [&](int y) {
     for (int x = 0; x < lattice.dims.x; ++x) {
       std::size_t i = std::size_t(y * lattice.dims.x + x);
@@ -120,7 +135,7 @@ Corridor corridorAround(const CutLattice& lattice, const LeastCut& cut) {
       glm::ivec2 gap = cut.gap[i];
       double low = lattice.origin.z + (cost.freeTo(gap.x + 1, -1) - 1) * step;
       double high = lattice.origin.z + cost.freeTo(gap.y, 1) * step;
-      room[i] = {low, high};
+      room[i] = {low, high, cost.isCutting()};
       corridor.height[i] = float(lattice.origin.z + (cut.below[i] - 0.5) * step);
     }
   });

@@ -182,6 +182,45 @@ TEST(Vessels, EachTreeHangsTogether) {
   EXPECT_GE(connectedPart(cached("vessels"), "venous tree"), 0.99);
 }
 
+TEST(Skull, SinusesAreAirInBone) {
+  const io::Sample& s = cached("skull");
+  glm::ivec3 dims = s.volume.dims;
+  std::vector<std::uint16_t> ids = idsOf(s.labels);
+  std::uint16_t sinus = idOf(s, "frontal sinus"), bone = idOf(s, "skull");
+  int held = 0, open = 0;
+  for (int z = 1; z + 1 < dims.z; ++z)
+    for (int y = 1; y + 1 < dims.y; ++y)
+      for (int x = 1; x + 1 < dims.x; ++x) {
+        auto at = [&](int dx, int dy, int dz) {
+          return ids[std::size_t(((z + dz) * dims.y + y + dy) * dims.x + x + dx)];
+        };
+        if (at(0, 0, 0) != sinus) continue;
+        ++held;
+        for (auto beside : {at(1, 0, 0), at(-1, 0, 0), at(0, 1, 0), at(0, -1, 0), at(0, 0, 1), at(0, 0, -1)})
+          open += beside != sinus && beside != bone;
+      }
+  double ml = std::pow(224.0 / double(dims.z), 3.0) / 1000.0;
+  EXPECT_GT(held * ml, 5.0);
+  EXPECT_LT(held * ml, 25.0);
+  EXPECT_EQ(open, 0) << "it is closed on all sides";
+}
+
+TEST(Skull, PartsAreAsLargeAndWhereTheyAreInAHead) {
+  const io::Sample& s = cached("skull");
+  double ml = std::pow(224.0 / double(s.volume.dims.z), 3.0) / 1000.0;
+  EXPECT_NEAR(double(measure(s, "brain").count) * ml, 1300.0, 350.0);
+  EXPECT_NEAR(double(measure(s, "eyes").count) * ml, 2 * 7.0, 4.0);
+  // World: x to the patient's left, y to the back, z to the head.
+  auto centre = [&](const char* name) { return measure(s, name).centre; };
+  EXPECT_LT(centre("eyes").y, centre("brain").y - 60.0);
+  EXPECT_LT(centre("mandible").z, centre("teeth").z);
+  EXPECT_LT(centre("teeth").z, centre("maxillary sinuses").z);
+  EXPECT_LT(centre("maxillary sinuses").z, centre("frontal sinus").z);
+  EXPECT_GT(centre("vertebrae").y, centre("mandible").y + 30.0);
+  EXPECT_NEAR(centre("brain").x, 0.0, 2.0);
+  EXPECT_NEAR(measure(s, "frontal sinus", 1).mean, -1000.0, 60.0);
+}
+
 TEST(Torso, PartsHaveTheirHounsfieldUnits) {
   const io::Sample& s = cached("torso");
   EXPECT_EQ(s.volume.unit, "HU");

@@ -129,8 +129,6 @@ TEST_F(SheetFormGL, ItsAreaIsThatOfASheetInATurnedFrame) {
       areas[1] += std::sqrt(1.0 + glm::dot(b, b));
       flat += 1.0;
     });
-    std::printf("case %zu: free %.2f area %.4f and %.4f, ratio %.4f\n", i, flat / all, areas[0] / flat, areas[1] / flat,
-                areas[0] / areas[1]);
     EXPECT_GT(flat, 0.2 * all) << i;
     EXPECT_NEAR(areas[0] / areas[1], 1.0, 0.03) << i;
   }
@@ -152,11 +150,8 @@ TEST_F(SheetFormGL, ItsSlopesHaveNoPeaksAtTheAxes) {
         all += 1.0;
       });
     }
-    std::printf("spin %.0f:", spin);
-    for (double sector : sectors) std::printf(" %.3f", sector / all * kSectors);
-    std::printf("\n");
     EXPECT_GT(all, 1000.0);
-    // The first sector lies about the x axis, the seventh about y.
+    // The mean is one; the first sector lies about the x axis, the seventh about y.
     EXPECT_LT((sectors[0] + sectors[6]) / all, 1.25 * 2.0 / kSectors) << spin;
   }
 }

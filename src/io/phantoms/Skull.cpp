@@ -59,6 +59,8 @@ float caseDistance(Vec p) {
 float roomDistance(Vec p) {
   static constexpr glm::vec2 kFloor[] = {{-90, 8}, {-48, 2}, {-38, -14}, {-8, -18}, {4, -24}, {40, -28}, {80, -26}};
   float vault = vaultDistance(p) + 6.5f + 0.8f * noise(p / 24.0f, 311);
+  // The frontal bone is thick where its sinus lies.
+  vault = smoothMax(vault, -ellipsoid(p, {0.0f, -74.0f, 20.0f}, {36.0f, 17.0f, 26.0f}), 6.0f);
   return smoothMax(vault, 0.8f * (curve(kFloor, p.y) + 2.5f * noise(p / 18.0f, 317) - p.z), 8.0f);
 }
 
@@ -262,8 +264,8 @@ void addInside(std::vector<Layer>& layers) {
     // Folds: sulci along the zeros of a noise.
     float fold = std::abs(noise(p / 11.0f, 373) + 0.5f * noise(p / 6.0f, 379));
     float sulcus = 6.0f * smoothStep(0.16f, 0.0f, fold) * smoothStep(-22.0f, -2.0f, roomDistance(p));
-    float fissure = smoothMax(1.2f - std::abs(p.x), -(p.z - 34.0f), 4.0f);
-    return 0.7f * smoothMax(roomDistance(p) + 2.6f + sulcus, fissure, 2.0f);
+    float fissure = smoothMax(std::abs(p.x) - 1.2f, 34.0f - p.z, 4.0f);
+    return 0.7f * smoothMax(roomDistance(p) + 2.6f + sulcus, -fissure, 2.0f);
   };
   layers.push_back(layerOf(kBrain, 38.0f, brain));
   Layer white = layerOf(kBrain, 28.0f, [brain](Vec p) { return brain(p) + 4.0f; });

@@ -82,7 +82,7 @@ void keepClear(Corridor& corridor, const std::vector<ColumnRoom>& room, double s
     double rise;
   };
   std::vector<Neighbour> ball;
-  double radius = kBall * step, sunk = kSunk * step;
+  double radius = kBall * step, sunk = kSunk * step, clear = radius - sunk;
   glm::ivec2 most(glm::floor(radius / corridor.step));
   for (int y = -most.y; y <= most.y; ++y)
     for (int x = -most.x; x <= most.x; ++x) {
@@ -103,12 +103,13 @@ void keepClear(Corridor& corridor, const std::vector<ColumnRoom>& room, double s
       for (const Neighbour& neighbour : ball) {
         glm::ivec2 at = glm::clamp(glm::ivec2(x, y) + neighbour.step, glm::ivec2(0), n - 1);
         const ColumnRoom& other = room[std::size_t(at.y * n.x + at.x)];
-        if (other.isCutting) continue;
-        free.x = std::max(free.x, other.low + neighbour.rise);
-        free.y = std::min(free.y, other.high - neighbour.rise);
+        // To what is cut the sheet comes down, but not in a wall of columns.
+        double rise = other.isCutting ? neighbour.rise - clear : neighbour.rise;
+        free.x = std::max(free.x, other.low + rise);
+        free.y = std::min(free.y, other.high - rise);
       }
       if (free.x > free.y) {
-        double margin = std::min(radius - sunk, kShareOfGap * (own.high - own.low));
+        double margin = std::min(clear, kShareOfGap * (own.high - own.low));
         free = {own.low + margin, own.high - margin};
       }
       corridor.room[i] = glm::vec2(free);

@@ -91,6 +91,16 @@ class DocumentWindow : public testing::Test {
   }
   /// As a crash leaves it: the journal stays.
   void crash() { mWindow.reset(); }
+
+  /// Newer than all other work by its file's time, whose steps are those of the kernel's clock (4 ms).
+  void leaveUnreadableWork(const std::string& name) {
+    auto folder = mFolder / "recovery" / name;
+    std::filesystem::create_directories(folder);
+    std::ofstream(folder / "journal-1.jsonl") << "nothing";
+    std::filesystem::last_write_time(folder / "journal-1.jsonl",
+                                     std::filesystem::file_time_type::clock::now() + std::chrono::seconds(1));
+  }
+
   RecoveryBar& bar() { return *mWindow->findChild<RecoveryBar*>(); }
 
   TempFolder mFolder;
@@ -181,8 +191,7 @@ TEST_F(DocumentWindow, WorkThatCannotBeReadIsSaidWithItsPlaceAndWhatCanBeIsResto
   ASSERT_TRUE(open("phantom.nrrd"));
   edit(11);
   crash();
-  std::filesystem::create_directories(mFolder / "recovery" / "1-2-3");
-  std::ofstream(mFolder / "recovery" / "1-2-3" / "journal-1.jsonl") << "nothing";
+  leaveUnreadableWork("1-2-3");
   mWindow = makeWindow();
   ASSERT_TRUE(bar().current());
   EXPECT_FALSE(bar().current()->isReadable) << "the newest comes first";
@@ -203,8 +212,7 @@ TEST_F(DocumentWindow, WorkThatCannotBeReadIsSaidWithItsPlaceAndWhatCanBeIsResto
   ASSERT_TRUE(bar().current());
   EXPECT_TRUE(restore());
   EXPECT_FALSE(std::filesystem::exists(mFolder / "recovery" / "1-2-3"));
-  std::filesystem::create_directories(mFolder / "recovery" / "1-2-4");
-  std::ofstream(mFolder / "recovery" / "1-2-4" / "journal-1.jsonl") << "nothing";
+  leaveUnreadableWork("1-2-4");
   mWindow.reset();
   mWindow = makeWindow();
   ASSERT_FALSE(bar().current()->isReadable);

@@ -107,6 +107,15 @@ TEST(LeastCut, EqualsBoykovAndKolmogorovWhereMuchIsProtected) {
   EXPECT_GT(minimumCut(lattice), 20.0);
 }
 
+TEST(LeastCut, EqualsBoykovAndKolmogorovWhereItIsFilledInStrips) {
+  glm::ivec3 dims(90, 100, 16);
+  for (double share : {0.55, 0.9}) {
+    CutLattice lattice = randomPairs(dims, 7.5, 3, share);
+    ASSERT_GT(lattice.layer.size(), 120000u) << "strips begin at half of it";
+    EXPECT_DOUBLE_EQ(exact(lattice).cutPairs, minimumCut(lattice)) << share;
+  }
+}
+
 TEST(LeastCut, ColumnsOfMoreThanSixtyFourLayersAreNumberedRight) {
   glm::ivec3 dims(12, 10, 150);
   std::vector<std::uint8_t> mask = tubes(dims, 14, 1.8, 3);
@@ -182,6 +191,25 @@ TEST(LeastCut, InBandsItIsNoWorseThanCoarseAndHardlyWorseThanTheLeast) {
   EXPECT_GT(least, 100.0);
   EXPECT_LT(least, 0.5 * flat);
   EXPECT_LT(found, 1.25 * least);
+}
+
+TEST(LeastCut, BandsGoOnAroundASheetAtTheirEdgeUnlessTheLatticeEndsThere) {
+  glm::ivec2 columns(60, 50);
+  auto at = [&](int x, int y) { return std::size_t(y * columns.x + x); };
+  std::vector<SheetRange> whole(3000, {1, 40}), ranges(3000, {10, 16});
+  std::vector<int> below(3000, 13);
+  EXPECT_TRUE(aroundEdges(columns, below, ranges, whole).empty());
+  ranges[at(5, 5)] = {1, 13};     // its upper end
+  ranges[at(50, 40)] = {13, 16};  // its lower end
+  ranges[at(30, 5)] = {13, 13};   // it had no choice
+  whole[at(30, 40)] = ranges[at(30, 40)] = {13, 16};
+  std::vector<std::uint8_t> isNear = aroundEdges(columns, below, ranges, whole);
+  ASSERT_EQ(isNear.size(), below.size());
+  for (int y = 0; y < columns.y; ++y)
+    for (int x = 0; x < columns.x; ++x) {
+      auto isWithin = [&](glm::ivec2 p) { return std::max(std::abs(p.x - x), std::abs(p.y - y)) <= 8; };
+      EXPECT_EQ(bool(isNear[at(x, y)]), isWithin({5, 5}) || isWithin({50, 40})) << x << ", " << y;
+    }
 }
 
 TEST(LeastCut, InBandsASmallLatticeIsSolvedExactly) {

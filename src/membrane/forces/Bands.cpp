@@ -12,7 +12,9 @@ namespace velum::membrane {
 namespace {
 
 /// Layers that a band goes beyond a sheet on either side, and columns that it looks aside.
-constexpr int kBand = 6, kAside = 2;
+constexpr int kBand = 3, kAside = 2;
+/// Columns that may move along with one in which the sheet may be better further on.
+constexpr int kMoving = 8;
 
 }  // namespace
 
@@ -60,6 +62,25 @@ std::vector<SheetRange> bandAround(glm::ivec2 columns, std::span<const int> belo
     }
   });
   return ranges;
+}
+
+std::vector<std::uint8_t> aroundEdges(glm::ivec2 columns, std::span<const int> below,
+                                      std::span<const SheetRange> ranges, std::span<const SheetRange> whole) {
+  std::vector<std::uint8_t> isNear;
+  auto width = std::size_t(columns.x);
+  for (std::size_t c = 0; c < below.size(); ++c) {
+    bool isLow = below[c] == ranges[c].low && ranges[c].low > whole[c].low;
+    bool isHigh = below[c] == ranges[c].high && ranges[c].high < whole[c].high;
+    if (ranges[c].low == ranges[c].high || (!isLow && !isHigh)) continue;
+    isNear.resize(below.size());
+    glm::ivec2 at(c % width, c / width);
+    glm::ivec2 low = glm::max(at - kMoving, 0), high = glm::min(at + kMoving, columns - 1);
+    for (int y = low.y; y <= high.y; ++y) {
+      auto row = isNear.begin() + std::ptrdiff_t(std::size_t(y) * width);
+      std::fill(row + low.x, row + high.x + 1, std::uint8_t(1));
+    }
+  }
+  return isNear;
 }
 
 CutLattice within(const CutLattice& lattice, std::span<const SheetRange> ranges) {

@@ -23,6 +23,11 @@ std::vector<int> refined(const CutLattice& lattice, const LeastCut& coarse);
 /// columns may move to either side.
 std::vector<SheetRange> bandAround(glm::ivec2 columns, std::span<const int> below);
 
+/// Columns near those in which a sheet lies at the edge of its range though the lattice goes on, so that it may be
+/// better further on. @return empty where there are none
+std::vector<std::uint8_t> aroundEdges(glm::ivec2 columns, std::span<const int> below,
+                                      std::span<const SheetRange> ranges, std::span<const SheetRange> whole);
+
 /// What of a lattice the sheets of given heights can meet, and the nodes that tie it at its ends. Dimensions and
 /// columns stay; origin and step are left out.
 CutLattice within(const CutLattice& lattice, std::span<const SheetRange> ranges);

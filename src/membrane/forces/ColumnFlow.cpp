@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 
 #include "velum/core/Parallel.h"
 
@@ -46,6 +47,9 @@ int layersAway(const CutLattice& lattice, int layer) {
 /// Nodes visited between two calls of onPhase: about a millisecond.
 constexpr std::size_t kVisitsPerCall = 20000;
 
+/// Nodes of the smallest strips (about 5 MB), and how many times larger the next ones are.
+constexpr std::size_t kStrip = 50000, kStripGrowth = 4;
+
 }  // namespace
 
 ColumnFlow::ColumnFlow(const CutLattice& lattice, CutMetric metric, const std::function<Side(std::size_t, int)>& tieOf)
@@ -59,9 +63,9 @@ ColumnFlow::ColumnFlow(const CutLattice& lattice, CutMetric metric, const std::f
       mNodes[v].tree = tie;
       mNodes[v].parent = kRoot;
       mNodes[v].distance = 1;
-      mFront[tie].push_back(v);
     }
-  mDistance[kBelow] = mDistance[kAbove] = 1;
+  for (int y = 0; y <= lattice.dims.y; ++y)
+    mRows.push_back(lattice.first[std::size_t(y) * std::size_t(lattice.dims.x)]);
 }
 
 /// Edges of a column's nodes; each column writes to its own nodes only.
@@ -113,7 +117,75 @@ inline void ColumnFlow::push(std::uint32_t from, int direction, std::int32_t flo
   }
 }
 
+/// The search for paths among the nodes of a range.
+class ColumnFlow::Search {
+ public:
+  Search(ColumnFlow& flow, std::uint32_t first, std::uint32_t end) : mFlow(flow), mFirst(first), mCount(end - first) {
+    for (std::uint32_t v = first; v < end; ++v) {
+      Node& n = place(v);
+      if (n.parent == kRoot)
+        mFront[n.tree].push_back(v);
+      else
+        n.tree = kOpen;
+    }
+  }
+  /// Fills all paths within the range.
+  void run(const std::function<void()>& onPhase);
+
+ private:
+  Node& place(std::uint32_t v) { return mFlow.mNodes[v]; }
+  const Node& place(std::uint32_t v) const { return mFlow.mNodes[v]; }
+  std::uint32_t next(std::uint32_t v, int direction) const {
+    std::uint32_t u = mFlow.next(v, direction);
+    return u - mFirst < mCount ? u : kNone;
+  }
+  std::int32_t residual(std::uint32_t from, int direction) const { return mFlow.residual(from, direction); }
+  int directions() const { return mFlow.directions(); }
+  void grow(int tree);
+  void visit(std::uint32_t v, int tree);
+  void fillPath(std::uint32_t below, int direction, std::uint32_t above);
+  std::int32_t bottleneck(std::uint32_t below, int direction, std::uint32_t above) const;
+  void pushAlong(std::uint32_t v, int tree, std::int32_t flow);
+  void orphan(std::uint32_t v);
+  void adoptOrphans(int tree);
+  void adopt(std::uint32_t v, int tree);
+
+  ColumnFlow& mFlow;
+  std::uint32_t mFirst, mCount;
+  std::vector<std::uint32_t> mFront[3];  ///< nodes at the tree's largest whole distance
+  std::vector<std::uint32_t> mNext;      ///< nodes one further, while the tree grows
+  std::int32_t mDistance[3] = {1, 1, 1};
+  int mGrowing = 0;
+  std::vector<std::vector<std::uint32_t>> mOrphans;  ///< by distance
+  std::int32_t mFirstOrphan = 0, mLastOrphan = -1;
+};
+
 void ColumnFlow::run(const std::function<void()>& onPhase) {
+  std::mutex mutex;
+  auto tell = [&] {
+    std::lock_guard lock(mutex);
+    onPhase();
+  };
+  // Of a small tree little loses its way, and it stays in the cache; every other time strips lie across the seams.
+  for (std::size_t size = kStrip; size < count() / 2; size *= kStripGrowth)
+    for (std::size_t first : {size, size / 2}) {
+      std::vector<std::uint32_t> strips = stripsOf(first, size);
+      parallelFor(std::size_t(1), strips.size(),
+                  [&](std::size_t i) { Search(*this, strips[i - 1], strips[i]).run(tell); });
+    }
+  Search(*this, 0, std::uint32_t(count())).run(tell);
+}
+
+/// Whole rows of columns, with about so many nodes. @return where each strip begins, and the end
+std::vector<std::uint32_t> ColumnFlow::stripsOf(std::size_t first, std::size_t size) const {
+  std::vector<std::uint32_t> strips{0};
+  for (std::uint32_t row : mRows)
+    if (row >= strips.back() + (strips.size() == 1 ? first : size)) strips.push_back(row);
+  strips.push_back(std::uint32_t(count()));
+  return strips;
+}
+
+void ColumnFlow::Search::run(const std::function<void()>& onPhase) {
   std::size_t visited = 0;
   auto growCounted = [&](int tree) {
     visited += mFront[tree].size();
@@ -133,7 +205,7 @@ void ColumnFlow::run(const std::function<void()>& onPhase) {
 }
 
 /// Lets a tree grow by one step in distance.
-void ColumnFlow::grow(int tree) {
+void ColumnFlow::Search::grow(int tree) {
   mGrowing = tree;
   mNext.clear();
   for (std::size_t i = 0; i < mFront[tree].size(); ++i) visit(mFront[tree][i], tree);
@@ -143,12 +215,12 @@ void ColumnFlow::grow(int tree) {
 }
 
 /// Takes free neighbours into the tree and fills the paths that open to the other tree.
-void ColumnFlow::visit(std::uint32_t v, int tree) {
-  auto isActive = [&] { return mNodes[v].tree == tree && mNodes[v].distance == mDistance[tree]; };
+void ColumnFlow::Search::visit(std::uint32_t v, int tree) {
+  auto isActive = [&] { return place(v).tree == tree && place(v).distance == mDistance[tree]; };
   for (int direction = 0; direction < directions() && isActive(); ++direction) {
     std::uint32_t u = next(v, direction);
-    if (u == kNone || mNodes[u].tree == tree) continue;
-    Node& other = mNodes[u];
+    if (u == kNone || place(u).tree == tree) continue;
+    Node& other = place(u);
     while ((tree == kBelow ? residual(v, direction) : residual(u, direction ^ 1)) > 0) {
       if (other.tree == kOpen) {
         other.tree = std::uint8_t(tree);
@@ -166,23 +238,23 @@ void ColumnFlow::visit(std::uint32_t v, int tree) {
   }
 }
 
-std::int32_t ColumnFlow::bottleneck(std::uint32_t below, int direction, std::uint32_t above) const {
+std::int32_t ColumnFlow::Search::bottleneck(std::uint32_t below, int direction, std::uint32_t above) const {
   std::int32_t flow = residual(below, direction);
   std::uint32_t v = below;
-  for (int d = mNodes[v].parent; d != kRoot; d = mNodes[v].parent) {
+  for (int d = place(v).parent; d != kRoot; d = place(v).parent) {
     v = next(v, d);
     flow = std::min(flow, residual(v, d ^ 1));
   }
   v = above;
-  for (int d = mNodes[v].parent; d != kRoot; d = mNodes[v].parent) {
+  for (int d = place(v).parent; d != kRoot; d = place(v).parent) {
     flow = std::min(flow, residual(v, d));
     v = next(v, d);
   }
   return flow;
 }
 
-void ColumnFlow::orphan(std::uint32_t v) {
-  Node& n = mNodes[v];
+void ColumnFlow::Search::orphan(std::uint32_t v) {
+  Node& n = place(v);
   n.parent = kOrphan;
   if (mOrphans.size() <= std::size_t(n.distance)) mOrphans.resize(std::size_t(n.distance) * 2 + 16);
   mOrphans[std::size_t(n.distance)].push_back(v);
@@ -191,19 +263,19 @@ void ColumnFlow::orphan(std::uint32_t v) {
 }
 
 /// Pushes flow between a node and its tree's terminal; nodes whose way home is full become orphans.
-void ColumnFlow::pushAlong(std::uint32_t v, int tree, std::int32_t flow) {
-  for (int d = mNodes[v].parent; d != kRoot; d = mNodes[v].parent) {
+void ColumnFlow::Search::pushAlong(std::uint32_t v, int tree, std::int32_t flow) {
+  for (int d = place(v).parent; d != kRoot; d = place(v).parent) {
     std::uint32_t home = next(v, d), from = tree == kBelow ? home : v;
     int direction = tree == kBelow ? d ^ 1 : d;
-    push(from, direction, flow);
+    mFlow.push(from, direction, flow);
     if (residual(from, direction) == 0) orphan(v);
     v = home;
   }
 }
 
-void ColumnFlow::fillPath(std::uint32_t below, int direction, std::uint32_t above) {
+void ColumnFlow::Search::fillPath(std::uint32_t below, int direction, std::uint32_t above) {
   std::int32_t flow = bottleneck(below, direction, above);
-  push(below, direction, flow);
+  mFlow.push(below, direction, flow);
   mFirstOrphan = kInfinite;
   pushAlong(below, kBelow, flow);
   adoptOrphans(kBelow);
@@ -212,12 +284,12 @@ void ColumnFlow::fillPath(std::uint32_t below, int direction, std::uint32_t abov
   adoptOrphans(kAbove);
 }
 
-void ColumnFlow::adoptOrphans(int tree) {
+void ColumnFlow::Search::adoptOrphans(int tree) {
   for (std::int32_t d = mFirstOrphan; d <= mLastOrphan; ++d) {
     // Adoption adds orphans at larger distances only.
     for (std::size_t i = 0; i < mOrphans[std::size_t(d)].size(); ++i) {
       std::uint32_t v = mOrphans[std::size_t(d)][i];
-      if (mNodes[v].parent == kOrphan) adopt(v, tree);
+      if (place(v).parent == kOrphan) adopt(v, tree);
     }
     mOrphans[std::size_t(d)].clear();
   }
@@ -225,15 +297,15 @@ void ColumnFlow::adoptOrphans(int tree) {
 }
 
 /// Finds an orphan a new parent as near to the terminal as possible, or sets it free.
-void ColumnFlow::adopt(std::uint32_t v, int tree) {
-  Node& n = mNodes[v];
+void ColumnFlow::Search::adopt(std::uint32_t v, int tree) {
+  Node& n = place(v);
   std::int32_t nearest = kInfinite - 1;
   int parent = kOrphan;
   for (int direction = 0; direction < directions() && nearest >= n.distance; ++direction) {
     std::uint32_t u = next(v, direction);
-    if (u == kNone || mNodes[u].tree != tree || mNodes[u].distance >= nearest) continue;
+    if (u == kNone || place(u).tree != tree || place(u).distance >= nearest) continue;
     if ((tree == kBelow ? residual(u, direction ^ 1) : residual(v, direction)) == 0) continue;
-    nearest = mNodes[u].distance;
+    nearest = place(u).distance;
     parent = direction;
   }
   if (nearest + 1 == n.distance) {
@@ -243,7 +315,7 @@ void ColumnFlow::adopt(std::uint32_t v, int tree) {
   // It moves away, so its children have to look for themselves.
   for (int direction = 0; direction < directions(); ++direction) {
     std::uint32_t u = next(v, direction);
-    if (u != kNone && mNodes[u].tree == tree && mNodes[u].parent == (direction ^ 1)) orphan(u);
+    if (u != kNone && place(u).tree == tree && place(u).parent == (direction ^ 1)) orphan(u);
   }
   std::int32_t limit = mDistance[tree] + (mGrowing == tree ? 1 : 0);
   if (nearest + 1 > limit) {

@@ -29,8 +29,8 @@ class ColumnFlow {
   ColumnFlow(const CutLattice& lattice, CutMetric metric,
              const std::function<Side(std::size_t column, int layer)>& tieOf);
 
-  /// Fills the lattice.
-  /// @param onPhase  called now and then; may throw, which leaves the flow useless
+  /// Fills the lattice: first strips of it, on all cores, then what lies across them [MERGING].
+  /// @param onPhase  called now and then, by one thread at a time; may throw, which leaves the flow useless
   void run(const std::function<void()>& onPhase);
 
   std::size_t count() const { return mNodes.size(); }
@@ -47,6 +47,8 @@ class ColumnFlow {
   }
 
  private:
+  class Search;
+
   /// Directions are 0 up, 1 down, 2 +x, 3 -x, 4 +y, 5 -y, and the twelve across two axes; the opposite is
   /// `direction ^ 1`.
   struct Node {
@@ -70,28 +72,19 @@ class ColumnFlow {
   int directions() const { return mDiagonals.empty() ? kDiagonal : kDiagonal + int(std::size(mDiagonals[0].across)); }
   bool isSmooth() const { return !mDiagonals.empty(); }
   void join(const CutLattice& lattice, std::size_t column);
+  std::vector<std::uint32_t> stripsOf(std::size_t first, std::size_t size) const;
   void joinAcross(const CutLattice& lattice, glm::ivec2 at, int direction);
   std::uint32_t next(std::uint32_t node, int direction) const {
-    const Node& n = mNodes[node];
     if (direction >= kAcross) return across(node, direction);
-    if (direction == kUp) return n.hasAbove ? node + 1 : kNone;
-    return n.hasBelow ? node - 1 : kNone;
+    if (direction == kUp) return mNodes[node].hasAbove ? node + 1 : kNone;
+    return mNodes[node].hasBelow ? node - 1 : kNone;
   }
   std::int32_t residual(std::uint32_t from, int direction) const {
-    const Node& n = mNodes[from];
     if (direction >= kAcross) return room(from, direction);
-    if (direction == kUp) return n.up;
-    return n.hasBelow ? kInfinite : 0;
+    if (direction == kUp) return mNodes[from].up;
+    return mNodes[from].hasBelow ? kInfinite : 0;
   }
   void push(std::uint32_t from, int direction, std::int32_t flow);
-  void grow(int tree);
-  void visit(std::uint32_t v, int tree);
-  void fillPath(std::uint32_t below, int direction, std::uint32_t above);
-  std::int32_t bottleneck(std::uint32_t below, int direction, std::uint32_t above) const;
-  void pushAlong(std::uint32_t v, int tree, std::int32_t flow);
-  void orphan(std::uint32_t v);
-  void adoptOrphans(int tree);
-  void adopt(std::uint32_t v, int tree);
 
   std::uint32_t across(std::uint32_t node, int direction) const {
     return direction < kDiagonal ? mNodes[node].across[direction - kAcross]
@@ -110,14 +103,9 @@ class ColumnFlow {
                                  : mDiagonals[node].room[direction - kDiagonal];
   }
 
+  std::vector<std::uint32_t> mRows;  ///< the first node of each row of columns, and the end
   std::vector<Node> mNodes;
-  std::vector<Diagonals> mDiagonals;     ///< empty where pairs alone count
-  std::vector<std::uint32_t> mFront[3];  ///< nodes at the tree's largest whole distance
-  std::vector<std::uint32_t> mNext;      ///< nodes one further, while the tree grows
-  std::int32_t mDistance[3] = {};
-  int mGrowing = 0;
-  std::vector<std::vector<std::uint32_t>> mOrphans;  ///< by distance
-  std::int32_t mFirstOrphan = 0, mLastOrphan = -1;
+  std::vector<Diagonals> mDiagonals;  ///< empty where pairs alone count
 };
 
 }  // namespace velum::membrane

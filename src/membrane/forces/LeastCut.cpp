@@ -14,10 +14,10 @@ namespace velum::membrane {
 
 namespace {
 
-/// Bands looked through one after the other: two or three as a rule.
+/// Looks further on where a sheet lies at its band's edge: one or two as a rule.
 constexpr int kMostRounds = 8;
-/// Another round is for those that left less than this.
-constexpr double kWorthwhile = 0.99;
+/// Another one is for those that left less than this.
+constexpr double kWorthwhile = 0.999;
 
 std::size_t columnCount(const CutLattice& lattice) { return std::size_t(lattice.dims.x) * std::size_t(lattice.dims.y); }
 
@@ -30,22 +30,24 @@ void check(const CutLattice& lattice) {
     throw ArgumentError("the rest plane at layer " + std::to_string(lattice.restLayer) + " lies outside the lattice");
 }
 
-/// What the frame and the reach leave to a sheet of all that it is asked to keep to: the outermost columns hang on the
-/// rest plane.
-std::vector<SheetRange> rangesOf(const CutLattice& lattice, const std::function<SheetRange(std::size_t)>& asked) {
+/// What the frame and the reach leave to a sheet: the outermost columns hang on the rest plane.
+std::vector<SheetRange> wholeReach(const CutLattice& lattice) {
   std::vector<SheetRange> ranges;
   int flat = flatCount(lattice);
   for (int y = 0; y < lattice.dims.y; ++y)
     for (int x = 0; x < lattice.dims.x; ++x) {
       bool isRim = x == 0 || y == 0 || x + 1 == lattice.dims.x || y + 1 == lattice.dims.y;
-      SheetRange all = isRim ? SheetRange{flat, flat} : SheetRange{1, lattice.dims.z - 1}, one = asked(ranges.size());
-      ranges.push_back({std::clamp(one.low, all.low, all.high), std::clamp(one.high, all.low, all.high)});
+      ranges.push_back(isRim ? SheetRange{flat, flat} : SheetRange{1, lattice.dims.z - 1});
     }
   return ranges;
 }
 
-std::vector<SheetRange> wholeReach(const CutLattice& lattice) {
-  return rangesOf(lattice, [&](std::size_t) { return SheetRange{0, lattice.dims.z}; });
+/// Each column's range, as far as the whole one lets it.
+std::vector<SheetRange> clamped(std::vector<SheetRange> ranges, std::span<const SheetRange> whole) {
+  for (std::size_t c = 0; c < ranges.size(); ++c)
+    ranges[c] = {std::clamp(ranges[c].low, whole[c].low, whole[c].high),
+                 std::clamp(ranges[c].high, whole[c].low, whole[c].high)};
+  return ranges;
 }
 
 /// How many nodes of each column lie below the sheet above those that are said to be below; where it has a choice, as
@@ -129,9 +131,9 @@ LeastCut computeLeastCutNear(const CutLattice& lattice, scene::MembraneSide side
                              std::span<const int> near, int band, Progress& progress) {
   check(lattice);
   if (near.size() != columnCount(lattice)) throw ArgumentError("a sheet's columns do not match the lattice");
-  auto ranges = rangesOf(lattice, [&](std::size_t column) {
-    return SheetRange{near[column] - band, near[column] + band};
-  });
+  std::vector<SheetRange> ranges;
+  for (int below : near) ranges.push_back({below - band, below + band});
+  ranges = clamped(std::move(ranges), wholeReach(lattice));
   return solve(lattice, side, ranges, metric, progress);
 }
 
@@ -142,15 +144,20 @@ LeastCut computeCutInBands(const CutLattice& lattice, scene::MembraneSide side, 
     return solve(lattice, side, wholeReach(lattice), metric, progress);
   progress.throwIfCancelled();
   LeastCut coarse = computeCutInBands(coarsened(lattice), side, metric, progress, exactNodes);
-  double last = coarse.cutPairs;
-  LeastCut cut;
-  cut.below = refined(lattice, coarse);
-  // What a band finds at its edge may lie further on.
+  std::vector<int> sheet = refined(lattice, coarse);
+  std::vector<SheetRange> whole = wholeReach(lattice);
+  std::vector<SheetRange> ranges = clamped(bandAround(glm::ivec2(lattice.dims), sheet), whole);
+  LeastCut cut = solve(lattice, side, ranges, metric, progress);
+  // What a band finds at its edge may lie further on: bands around those places alone.
   for (int round = 0; round < kMostRounds; ++round) {
-    std::vector<SheetRange> band = bandAround(glm::ivec2(lattice.dims), cut.below);
-    cut = solve(lattice, side, rangesOf(lattice, [&](std::size_t column) { return band[column]; }), metric, progress);
+    std::vector<std::uint8_t> isNear = aroundEdges(glm::ivec2(lattice.dims), cut.below, ranges, whole);
+    if (isNear.empty()) break;
+    ranges = clamped(bandAround(glm::ivec2(lattice.dims), cut.below), whole);
+    for (std::size_t c = 0; c < ranges.size(); ++c)
+      if (!isNear[c]) ranges[c] = {cut.below[c], cut.below[c]};
+    double last = cut.cutPairs;
+    cut = solve(lattice, side, ranges, metric, progress);
     if (cut.cutPairs > kWorthwhile * last) break;
-    last = cut.cutPairs;
   }
   return cut;
 }

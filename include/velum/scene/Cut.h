@@ -26,6 +26,7 @@ struct Cut {
   CutShape shape = CutShape::Plane;
   bool enabled = true;
   bool invert = false;
+  bool joined = false;              ///< removes only what the cut before it in the list removes, too: a wedge
   glm::dvec3 centre{0.0};           ///< a point of the plane; middle of box, sphere, cylinder; apex of the cone
   glm::dvec3 axis{0.0, -1.0, 0.0};  ///< normal of the plane; local z of the others; the cone opens along it; any length
   double spinDeg = 0.0;             ///< turn of a box about its axis
@@ -43,6 +44,8 @@ struct Cut {
     visit("shape", o.shape, FieldInfo{"", {}, "Plane, box, sphere, cylinder, cone or membrane."});
     visit("enabled", o.enabled, FieldInfo{"", {}, "Off: the cut removes nothing."});
     visit("invert", o.invert, FieldInfo{"", {}, "Removes the other side."});
+    visit("joined", o.joined,
+          FieldInfo{"", {}, "Removes only what the cut before it removes, too: two joined planes open a wedge.", true});
     visit("centre", o.centre,
           FieldInfo{kLength, {}, "A point of the plane; middle of box, sphere, cylinder; apex of the cone."});
     visit("axis", o.axis, FieldInfo{"", {}, "Normal of the plane (towards what is removed); axis of the others."});

@@ -10,6 +10,8 @@
 #include "velum/core/Volume.h"
 #include "velum/scene/Camera.h"
 #include "velum/scene/Cut.h"
+#include "velum/scene/Finish.h"
+#include "velum/scene/Growth.h"
 #include "velum/scene/Lighting.h"
 #include "velum/scene/RayCast.h"
 #include "velum/scene/Sections.h"
@@ -44,10 +46,16 @@ struct VolumeLayer {
   }
 };
 
+/// Steps of growing in a scene.
+constexpr std::size_t kMostGrowths = 4096;
+
 /// Labelled structures beside the volume (same grid or another, overlaid by world position), or alone.
 struct LabelLayer {
   Source source;
-  Shared<LabelVolume> data;  ///< not saved
+  Shared<LabelVolume> data;     ///< not saved: `given` with the growths that are in `grown`
+  std::vector<Growth> growths;  ///< what was grown out of the volume on demand, in its order
+  Shared<LabelVolume> given;    ///< not saved: what `source` holds, where there are growths
+  std::vector<Growth> grown;    ///< not saved: the growths that `data` holds; others are on their way
   bool visible = true;
   double tint = 1.0;        ///< how far structures take their own colour rather than the transfer function's, 0..1
   double unlabelled = 1.0;  ///< factor on the opacity of what has no label, 0..1
@@ -55,6 +63,8 @@ struct LabelLayer {
   bool operator==(const LabelLayer&) const = default;
   static void fields(auto& o, auto& visit) {
     visit("source", o.source, FieldInfo{"", {}, "Where the labels come from."});
+    visit("growths", o.growths,
+          FieldInfo{"", {}, "What was grown out of the volume on demand, in its order.", true, false, kMostGrowths});
     visit("visible", o.visible, FieldInfo{"", {}, "Off: labels change nothing."});
     visit("tint", o.tint, FieldInfo{"", {0, 1}, "How far structures take their own colour."});
     visit("unlabelled", o.unlabelled, FieldInfo{"", {0, 1}, "Factor on the opacity of what has no label."});
@@ -88,6 +98,7 @@ struct Scene {
   RayCast rayCast;
   Lighting lighting;
   Background background;
+  Finish finish;
   bool showBounds = false;  ///< thin outlines of the volume's box and of the cuts
   bool operator==(const Scene&) const = default;
   static void fields(auto& o, auto& visit) {
@@ -101,6 +112,7 @@ struct Scene {
     visit("rayCast", o.rayCast, FieldInfo{"", {}, "How rays are cast."});
     visit("lighting", o.lighting, FieldInfo{"", {}, "Light and shadow."});
     visit("background", o.background, FieldInfo{"", {}, "What is behind everything."});
+    visit("finish", o.finish, FieldInfo{"", {}, "Contours, lit spheres, hatching, paper."});
     visit("showBounds", o.showBounds, FieldInfo{"", {}, "Thin outlines of the volume's box and of the cuts."});
   }
 };

@@ -48,13 +48,17 @@ float sparedDepth(int first, int cut, float u) {
 }
 float sparedDepth(int first, int cut) { return sparedDepth(first, cut, 0.0); }
 
-bool isInlay(int cut) {
+/// What a cut is to others, as cutPart() says.
+int partOf(int cut) {
+  if (hasFlag(kFlagJoined) && (cuts[cut].kind.z & kCutJoined) != 0) return kFoldJoined;
 #ifdef MEMBRANES
-  return hasFlag(kFlagInlays) && cutIsInlay(cuts[cut]);
+  return hasFlag(kFlagInlays) && cutIsInlay(cuts[cut]) ? kFoldInlay : kFoldAlone;
 #else
-  return false;
+  return kFoldAlone;
 #endif
 }
+
+bool isInlay(int cut) { return partOf(cut) == kFoldInlay; }
 
 /// True when no cut removes a position of a structure. Inlays add up: one of them that keeps it is enough.
 /// @param u  the random number of an instance; of material 0
@@ -64,11 +68,47 @@ bool cutsKeep(vec3 scenePoint, uint structure, float u) {
   CutList list = cutsAt(scenePoint);
   for (int i = list.begin; i < list.end && !fold.isRemoved; ++i) {
     int cut = cutIn(i);
-    fold = foldCut(fold, cuts[cut], isInlay(cut), sparedDepth(first, cut, u), hasFlag(kFlagSpareDepths), scenePoint);
+    fold = foldCut(fold, cuts[cut], partOf(cut), sparedDepth(first, cut, u), hasFlag(kFlagSpareDepths), scenePoint);
   }
   return foldKeeps(fold);
 }
 bool cutsKeep(vec3 scenePoint, uint structure) { return cutsKeep(scenePoint, structure, 0.0); }
+
+/// Marks what two extrusions share ([ACS] fig. 6).
+const vec3 kOverlapColor = vec3(0.25, 0.8, 0.35);
+const float kOverlapShare = 0.55;
+
+/// Where a piece of a structure that cuts spare up to a depth ends ([ACS] Prop. 1).
+struct EndFace {
+  float left;  // how far off the end is, along the cut's depth; kCutFar: it has none here
+  int cut;     // whose depth that is; -1: none
+  bool isShared;  // more than one of the cuts that are joined spare the place: extrusions that overlap
+};
+
+/// The nearest end of what cuts spare of a structure, in a place that they keep: cuts that are joined let it go only where
+/// the last of them does.
+EndFace endFaceAt(vec3 scenePoint, uint structure) {
+  EndFace nearest = EndFace(kCutFar, -1, false);
+  EndFace joined = nearest;
+  int count = 0;
+  int first = sparesOf(structure);
+  CutList list = cutsAt(scenePoint);
+  for (int i = list.begin; i < list.end && first >= 0; ++i) {
+    int cut = cutIn(i);
+    float inside = -cutDistance(cuts[cut], scenePoint);
+    float depth = sparedDepth(first, cut);
+    // Outside of what it removes a cut has no end to offer.
+    float left = inside > 0.0 && depth < kCutFar ? depth - inside : kCutFar;
+    bool isJoined = partOf(cut) == kFoldJoined;
+    if (!isJoined && joined.left < nearest.left) nearest = EndFace(joined.left, joined.cut, nearest.isShared);
+    count = (isJoined ? count : 0) + (inside > 0.0 && depth > 0.0 && left >= 0.0 ? 1 : 0);
+    nearest.isShared = nearest.isShared || count > 1;
+    bool isLater = !isJoined || left > joined.left;
+    joined = isLater ? EndFace(left, cut, false) : joined;
+  }
+  if (joined.left < nearest.left) nearest = EndFace(joined.left, joined.cut, nearest.isShared);
+  return nearest;
+}
 
 #ifdef MEMBRANES
 /// The cuts against a position: kCutKeeps, kCutRemoves, or kCutNear where meshes of a sheet must be looked at. As a software
@@ -79,7 +119,7 @@ int cutsGuess(vec3 scenePoint, uint structure) {
   CutList list = cutsAt(scenePoint);
   for (int i = list.begin; i < list.end; ++i) {
     int cut = cutIn(i);
-    fold = foldAnswer(fold, isInlay(cut), cutGuess(cuts[cut], sparedDepth(first, cut), hasFlag(kFlagSpareDepths), scenePoint));
+    fold = foldAnswer(fold, partOf(cut), cutGuess(cuts[cut], sparedDepth(first, cut), hasFlag(kFlagSpareDepths), scenePoint));
   }
   return foldSays(fold);
 }
@@ -93,6 +133,15 @@ vec3 shapeNormal(int cut, vec3 p) {
                        shapeDistance(cuts[cut], p + vec3(0, 0, e)) - shapeDistance(cuts[cut], p - vec3(0, 0, e)));
   float len = length(gradient);
   return len > 0.0 ? -gradient / len : vec3(0.0, 0.0, 1.0);
+}
+
+/// The normal of an end face: the cut's own.
+vec3 endNormalAt(int cut, vec3 scenePoint) {
+#ifdef MEMBRANES
+  // Differs: that of the rest plane, not of the sheet so far off.
+  if (cuts[cut].kind.x == kCutMembrane) return normalize(cuts[cut].halfSize.w * (vec3(0.0, 0.0, 1.0) * mat3(cuts[cut].localFromScene)));
+#endif
+  return shapeNormal(cut, scenePoint);
 }
 
 #ifdef MEMBRANES
@@ -131,7 +180,7 @@ bool inlayShows(vec3 scenePoint, uint structure) {
   for (int i = 0; i < frame.cutCount; ++i) {
     if (isInlay(i)) continue;
     bool removes = cutDistance(cuts[i], scenePoint) < -max(onFace, sparedDepth(first, i));
-    fold = foldAnswer(fold, false, removes ? kCutRemoves : kCutKeeps);
+    fold = foldAnswer(fold, partOf(i), removes ? kCutRemoves : kCutKeeps);
   }
   return foldKeeps(fold);
 }
@@ -204,7 +253,7 @@ CutRun runFrom(int cut, Ray ray, float t, float e, float tEnd) {
 #ifdef MEMBRANES
   if (cuts[cut].kind.x == kCutMembrane) return membraneRun(cut, ray, t, e, tEnd);
 #endif
-  if (hasFlag(kFlagWalks) && cuts[cut].kind.z == 1) return cutWalk(cuts[cut], ray.origin, ray.direction, t, e, tEnd);
+  if (hasFlag(kFlagWalks) && (cuts[cut].kind.z & kCutWalks) != 0) return cutWalk(cuts[cut], ray.origin, ray.direction, t, e, tEnd);
   return convexRun(cut, ray, t, e);
 }
 
@@ -231,7 +280,7 @@ Stretch stretchFrom(Ray ray, float t, float tEnd) {
     CutList list = cutsAt(ray.origin + (from + e) * ray.direction);
     for (int i = list.begin; i < list.end; ++i) {
       int cut = cutIn(i);
-      fold = foldRun(fold, cut, isInlay(cut), runFrom(cut, ray, from, e, tEnd), from);
+      fold = foldRun(fold, cut, partOf(cut), runFrom(cut, ray, from, e, tEnd), from);
     }
     stretch = stretchOf(fold, tEnd);
     // What is kept beyond its cell may be removed by cuts of the next one.

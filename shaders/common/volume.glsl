@@ -52,7 +52,14 @@ uint labelAt(vec3 scenePoint) {
 }
 
 vec4 structureRow(uint label) {
-  return label < uint(frame.structureCount) ? texelFetch(structureTexture, int(label)) : vec4(0.6, 0.6, 0.6, 1.0);
+  return label < uint(frame.structureCount) ? texelFetch(structureTexture, 2 * int(label)) : vec4(0.6, 0.6, 0.6, 1.0);
+}
+
+/// How far a structure takes its own colour rather than the transfer function's.
+float structureTint(uint label) {
+  if (label == 0u) return 0.0;
+  if (!hasFlag(kFlagTints) || label >= uint(frame.structureCount)) return frame.labelTint;
+  return frame.labelTint * texelFetch(structureTexture, 2 * int(label) + 1).x;
 }
 
 /// A value as one end of a stretch of the transfer table.

@@ -25,7 +25,7 @@ vec4 dataColor(vec3 p, uint structure) {
 #endif
 #if LABELS != 0
   vec4 row = structureRow(structure);
-  if (structure != 0u && row.a > 0.0) color = vec4(mix(color.rgb, row.rgb * (0.35 + 0.65 * color.rgb), 0.6 * frame.labelTint), 1.0);
+  if (structure != 0u && row.a > 0.0) color = vec4(mix(color.rgb, row.rgb * (0.35 + 0.65 * color.rgb), 0.6 * structureTint(structure)), 1.0);
 #endif
   return color;
 }

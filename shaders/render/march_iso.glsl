@@ -6,6 +6,16 @@
 #include "render/hit.glsl"
 #include "render/walk.glsl"
 
+/// The value on a ray, a table position; below the surface's where only what cuts spare shows and they do not spare it, so
+/// that where an extrusion ends there is a surface, too.
+float shownValueAt(Ray ray, Walk walk, float t, bool sparedOnly) {
+  float x = tableAt(texAt(walk, t));
+  vec3 p = ray.origin + t * ray.direction;
+  float iso = frame.isoValue * float(kTransferSize - 1);
+  if (hasFlag(kFlagSpares) && sparedOnly && x >= iso && !cutsKeep(p, structureAt(p))) return iso - 1.0;
+  return x;
+}
+
 /// What the surface looks like where the ray meets it; nothing when its structure is not shown.
 void addSurface(inout Hit hit, Ray ray, Walk walk, float t, Face face, bool sparedOnly) {
   float iso = frame.isoValue * float(kTransferSize - 1);
@@ -15,19 +25,27 @@ void addSurface(inout Hit hit, Ray ray, Walk walk, float t, Face face, bool spar
 #if LABELS == 1
   structure = labelAt(p);
   bool shown = structure == 0u ? frame.unlabelledOpacity > 0.0 : structureRow(structure).a > 0.0;
-  if (!shown || (sparedOnly && !cutsKeep(p, structure))) return;
+  if (!shown) return;
 #endif
+  if (hasFlag(kFlagSpares) && sparedOnly && !cutsKeep(p, structure)) return;
   vec3 gradient = gradientAt(tex);
   float len = length(gradient);
   vec3 normal = len > 0.0 ? -gradient / len : -ray.direction;
   if (dot(normal, ray.direction) > 0.0) normal = -normal;
   if (isOnFace(face)) normal = faceNormalAt(face, p, ray.direction);
+  if (hasFlag(kFlagSpareDepths) && sparedOnly) {
+    EndFace end = endFaceAt(p, structure);
+    bool isOnEnd = end.cut >= 0 && end.left * frame.voxelsPerLength < 0.25;
+    vec3 endNormal = isOnEnd ? endNormalAt(end.cut, p) : normal;
+    normal = dot(endNormal, ray.direction) < 0.0 ? endNormal : normal;
+  }
   vec3 albedo = extinctionAt(iso) > 0.0 ? colorBetween(iso, iso) : vec3(0.9, 0.85, 0.78);
 #if COLOR
   albedo = volumeColorAt(tex);
 #endif
 #if LABELS == 1
-  if (structure != 0u) albedo = mix(albedo, structureRow(structure).rgb, frame.labelTint);
+  albedo = mix(albedo, structureRow(structure).rgb, structureTint(structure));
+  if (hasFlag(kFlagOverlaps) && sparedOnly && endFaceAt(p, structure).isShared) albedo = mix(albedo, kOverlapColor, kOverlapShare);
 #endif
   vec3 color = shadeSurface(albedo, normal, -ray.direction, lightTexAt(p, normal));
   if (isOnFace(face) && showsData(face)) color = vec3(greyAt(tableAt(tex)));
@@ -55,7 +73,8 @@ void marchStretch(inout Hit hit, Ray ray, Walk walk, Span span) {
   float iso = frame.isoValue * float(kTransferSize - 1);
   float b = span.b;
   float t = span.a;
-  if (isOnFace(span.face) && tableAt(texAt(walk, t)) >= iso) addSurface(hit, ray, walk, t, span.face, span.sparedOnly);
+  if ((isOnFace(span.face) || (hasFlag(kFlagSpares) && span.sparedOnly)) && shownValueAt(ray, walk, t, span.sparedOnly) >= iso)
+    addSurface(hit, ray, walk, t, span.face, span.sparedOnly);
   float low;
   float high;
   float x;
@@ -64,12 +83,12 @@ void marchStretch(inout Hit hit, Ray ray, Walk walk, Span span) {
     // Go on to the next segment that crosses the value.
     do {
       if (hasFlag(kFlagSkipEmpty)) t = leapEmpty(walk, t, b, walk.dt, 1.0 / walk.dt, span.sparedOnly);
-      x = tableAt(texAt(walk, t));
+      x = shownValueAt(ray, walk, t, span.sparedOnly);
       int n = 0;
       do {
         float next = nextSample(walk, t);
         next = min(next > t ? next : t + walk.dt, b);
-        float value = tableAt(texAt(walk, next));
+        float value = shownValueAt(ray, walk, next, span.sparedOnly);
         crosses = (x < iso) != (value < iso);
         low = t;
         high = next;
@@ -81,10 +100,12 @@ void marchStretch(inout Hit hit, Ray ray, Walk walk, Span span) {
     // Find the place in it.
     for (int i = 0; i < 12; ++i) {
       float mid = 0.5 * (low + high);
-      bool sameSide = (tableAt(texAt(walk, mid)) < iso) == (x < iso);
+      bool sameSide = (shownValueAt(ray, walk, mid, span.sparedOnly) < iso) == (x < iso);
       low = sameSide ? mid : low;
       high = sameSide ? high : mid;
     }
-    if (crosses && !isDone(hit)) addSurface(hit, ray, walk, 0.5 * (low + high), kNoFace, span.sparedOnly);
+    // Of what is spared the side that is.
+    float place = span.sparedOnly ? (x < iso ? high : low) : 0.5 * (low + high);
+    if (crosses && !isDone(hit)) addSurface(hit, ray, walk, place, kNoFace, span.sparedOnly);
   } while (!isDone(hit) && t < b);
 }

@@ -103,7 +103,7 @@ void finishRay(inout Hit hit, Ray ray, Walk walk) {
     hit.color.rgb = volumeColorAt(texAt(walk, hit.distance)) * (COLOR == 2 ? grey : 1.0);
 #endif
 #if LABELS == 1
-    if (hit.structure != 0u) hit.color.rgb = mix(vec3(grey), structureRow(hit.structure).rgb * grey, frame.labelTint);
+    if (hit.structure != 0u) hit.color.rgb = mix(vec3(grey), structureRow(hit.structure).rgb * grey, structureTint(hit.structure));
 #endif
     hit.color *= smoothstep(0.0, 0.02, grey);
   }

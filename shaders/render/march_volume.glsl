@@ -50,12 +50,24 @@ void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, float faceT,
 #if LABELS == 1
   vec4 row = structureRow(structure);
   depth *= structure == 0u ? frame.unlabelledOpacity : row.a;
-  if (structure != 0u) albedo = mix(albedo, row.rgb, frame.labelTint);
+  albedo = mix(albedo, row.rgb, structureTint(structure));
 #endif
 #endif
 #ifdef MEMBRANES
   if (hasFlag(kFlagInlays)) depth = fadedDepth(depth, segment.t1 - segment.t0, inlayShare(p, structure));
 #endif
+  // Where an extrusion ends there is a face, too.
+  float faceDepth = faceT >= 0.0 ? (tm - faceT) * -dot(faceNormal, ray.direction) : kFar;
+  if (hasFlag(kFlagSpareDepths) && sparedOnly) {
+    EndFace end = endFaceAt(p, structure);
+    vec3 endNormal = end.cut < 0 ? faceNormal : endNormalAt(end.cut, p);
+    // As far as the ray has come from it: rays that meet the wall beside it have come from elsewhere.
+    float along = end.left / max(-dot(endNormal, ray.direction), 1e-4);
+    bool isNearer = end.cut >= 0 && dot(endNormal, ray.direction) < 0.0 && along < faceDepth;
+    faceNormal = isNearer ? endNormal : faceNormal;
+    faceDepth = isNearer ? along : faceDepth;
+    if (hasFlag(kFlagOverlaps) && end.isShared) albedo = mix(albedo, kOverlapColor, kOverlapShare);
+  }
   // The light on it.
   vec3 normal = -ray.direction;
   vec3 color = albedo;
@@ -76,8 +88,8 @@ void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, float faceT,
     if (dot(outwards, ray.direction) > 0.0) outwards = -outwards;
     normal = normalize(mix(-ray.direction, outwards, steepness) + 1e-6);
     // On a cut the surface is the cut's; a voxel and a half behind it the data's own again.
-    if (hasFlag(kFlagCuts) && faceT >= 0.0)
-      normal = normalize(mix(faceNormal, normal, smoothstep(0.25, 1.5, (tm - faceT) * frame.voxelsPerLength * -dot(faceNormal, ray.direction))) + 1e-6);
+    if (hasFlag(kFlagCuts) && faceDepth < kFar)
+      normal = normalize(mix(faceNormal, normal, smoothstep(0.25, 1.5, faceDepth * frame.voxelsPerLength)) + 1e-6);
     color = shadeSurface(albedo, normal, -ray.direction, lightTexAt(p, normal));
   }
   if (hasFlag(kFlagGradientOpacity) || hasFlag(kFlagInlays) || LABELS == 1) alpha = 1.0 - exp(-depth);

@@ -13,6 +13,9 @@ SHARED_CONST int kCutCone = 4;
 SHARED_CONST int kCutMembrane = 5;
 SHARED_CONST int kMembraneClip = 0;   // removes what is above its sheet
 SHARED_CONST int kMembraneInlay = 1;  // removes all but what lies between its sheet and the plane z = 0
+// Bits of kind.z.
+SHARED_CONST int kCutWalks = 1;   // goes along rays by cutWalk()
+SHARED_CONST int kCutJoined = 2;  // removes only what the one before it removes, too
 SHARED_CONST float kCutFar = 1e30f;
 // What a cut does with a point.
 SHARED_CONST int kCutKeeps = 0;
@@ -23,7 +26,7 @@ SHARED_CONST int kCutNear = 2;  // only the meshes of a sheet tell
 struct CutData {
   mat4 localFromScene;  ///< rigid
   vec4 halfSize;        ///< xyz: half edges, radius in x; w: 1 removes the inside, -1 the outside
-  ivec4 kind;           ///< x: kCut*; y: 1 shows the section on its face; z: 1 goes along rays by cutWalk(); w: kMembrane*
+  ivec4 kind;           ///< x: kCut*; y: 1 shows the section on its face; z: bits kCutWalks, kCutJoined; w: kMembrane*
   vec4 face;            ///< x: opacity of a section face; y: membranes: SheetPlan::scale
   ivec4 sheet;          ///< membranes: x: first row; y, z: particles across, up; w: 1 shown as lines, 2 as a surface
   vec4 inlay;           ///< membranes: x: opacity of the inlay's image; y: 1/length of the fall-off; z, w: factors above, below

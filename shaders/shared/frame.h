@@ -33,7 +33,10 @@ SHARED_CONST uint kFlagHideBehind = 16384u;  // and what lies behind the first o
 SHARED_CONST uint kFlagSpareDepths = 32768u;  // some spare ends at a depth
 SHARED_CONST uint kFlagWalks = 65536u;        // some cut goes along rays by cutWalk()
 SHARED_CONST uint kFlagCutGrid = 131072u;     // a grid says which cuts matter where
-SHARED_CONST uint kFlagLast = kFlagCutGrid;
+SHARED_CONST uint kFlagJoined = 262144u;        // some cut is joined to the one before it
+SHARED_CONST uint kFlagTints = 524288u;         // some structure takes less of its own colour than others
+SHARED_CONST uint kFlagOverlaps = 1048576u;     // where spares of joined cuts overlap they are marked
+SHARED_CONST uint kFlagLast = kFlagOverlaps;
 
 /// Scene-local frame: world minus an origin near the scene, so that floats are enough anywhere. Lengths are in scene
 /// units. "Table" positions 0..1 run over the transfer table's domain of data values. Members lie in groups of 16
@@ -92,6 +95,7 @@ struct FrameParams {
 /// One structure: index by label id.
 struct StructureRow {
   vec4 color;  ///< rgb, a: opacity factor (0 when not visible)
+  vec4 look;   ///< x: factor on labelTint
 };
 
 SHARED_END

@@ -78,10 +78,15 @@ void completeFrameData(FrameData& data) {
   data.params.structureCount = int(data.structures.size());
   data.params.flags |= membraneFlags(data.frame);
   if (!data.cuts.empty()) data.params.flags |= shared::kFlagCuts;
-  for (const auto& cut : data.cuts)
-    if (cut.kind.z == 1) data.params.flags |= shared::kFlagWalks;
+  for (const auto& cut : data.cuts) {
+    if (cut.kind.z & shared::kCutWalks) data.params.flags |= shared::kFlagWalks;
+    if (cut.kind.z & shared::kCutJoined) data.params.flags |= shared::kFlagJoined;
+  }
+  for (const auto& row : data.structures)
+    if (row.look.x != 1.0f) data.params.flags |= shared::kFlagTints;
   if (data.cuts.size() >= kFewCuts) data.params.flags |= shared::kFlagCutGrid;
   if (!data.spares.isEmpty()) data.params.flags |= shared::kFlagSpares;
+  if (data.frame.marksOverlaps && data.spares.hasDepths) data.params.flags |= shared::kFlagOverlaps;
   if (data.spares.hasDepths) data.params.flags |= shared::kFlagSpareDepths;
 }
 

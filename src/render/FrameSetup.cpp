@@ -218,7 +218,10 @@ void addMembrane(shared::CutData& data, const scene::Cut& cut, glm::ivec4 sheet)
 std::vector<shared::CutData> makeCutData(const scene::Scene& scene, glm::dvec3 origin, const SheetPlans& sheets,
                                          double sheetScale) {
   std::vector<shared::CutData> out;
+  bool opensGroup = true;  // no cut is there yet to which one could be joined
   for (const auto& cut : scene.cuts) {
+    bool isInlay = scene::isInlay(cut);
+    opensGroup = opensGroup || !cut.joined || isInlay;
     if (!cut.enabled) continue;
     glm::dmat4 sceneFromCut = scene::worldFromCut(cut);
     sceneFromCut[3] -= glm::dvec4(origin, 0.0);
@@ -228,7 +231,9 @@ std::vector<shared::CutData> makeCutData(const scene::Scene& scene, glm::dvec3 o
     data.halfSize = v4(half, cut.invert ? -1.0 : 1.0);
     int shape = static_cast<int>(cut.shape);
     bool isWalked = !scene::isMembrane(cut) && !shared::cutIsConvex(shape);
-    data.kind = {shape, cut.face == scene::CutFace::Section ? 1 : 0, isWalked ? 1 : 0, 0};
+    data.kind = {shape, cut.face == scene::CutFace::Section ? 1 : 0, isWalked ? shared::kCutWalks : 0, 0};
+    if (!opensGroup) data.kind.z |= shared::kCutJoined;
+    opensGroup = isInlay;
     data.face = {float(cut.faceOpacity), float(sheetScale), 0, 0};
     if (scene::isMembrane(cut)) addMembrane(data, cut, sheets.at(cut.id));
     out.push_back(data);
@@ -239,9 +244,11 @@ std::vector<shared::CutData> makeCutData(const scene::Scene& scene, glm::dvec3 o
 std::vector<shared::StructureRow> makeStructureRows(const scene::LabelLayer& labels) {
   int largest = 0;
   for (const auto& s : labels.structures) largest = std::max(largest, s.id);
-  std::vector<shared::StructureRow> rows(std::size_t(largest) + 1, {glm::vec4(0.6f, 0.6f, 0.6f, 1.0f)});
+  constexpr glm::vec4 kPlain(1.0f, 0.0f, 0.0f, 0.0f);
+  std::vector<shared::StructureRow> rows(std::size_t(largest) + 1, {glm::vec4(0.6f, 0.6f, 0.6f, 1.0f), kPlain});
   for (const auto& s : labels.structures)
-    rows[std::size_t(s.id)].color = glm::vec4(s.color, s.visible ? float(s.opacity) : 0.0f);
+    rows[std::size_t(s.id)] = {glm::vec4(s.color, s.visible ? float(s.opacity) : 0.0f),
+                               glm::vec4(float(s.tint), 0.0f, 0.0f, 0.0f)};
   return rows;
 }
 

@@ -223,6 +223,10 @@ Scene pictureScene(Scene scene) {
   for (auto& cut : scene.cuts) cut.name.clear();
   for (auto& structure : scene.labels.structures) structure.name.clear();
   for (auto& look : scene.volume.channels) look.name.clear();
+  // What was grown shows by the labels alone.
+  scene.labels.growths.clear();
+  scene.labels.grown.clear();
+  scene.labels.given = {};
   return scene;
 }
 

@@ -15,6 +15,7 @@ constexpr auto kSettlePause = std::chrono::milliseconds(1);
 }  // namespace
 
 Session::Session() {
+  mPlaying.push_back({&mGrowth, nullptr, {}, {}});
   mPlaying.push_back({&mMembranes, nullptr, {}, {}});
   mDocument.setListener([this] { changed(); });
 }
@@ -59,10 +60,11 @@ void Session::startWork(Playing& playing) {
 
 bool Session::advance(double budgetMs) {
   bool isMoving = false;
+  auto moving = std::count_if(mPlaying.begin(), mPlaying.end(), [](const Playing& p) { return p.player->isMoving(); });
   for (auto& playing : mPlaying) {
     collect(playing);
     startWork(playing);
-    playing.player->advance(budgetMs / double(mPlaying.size()));
+    playing.player->advance(budgetMs / double(std::max<std::ptrdiff_t>(moving, 1)));
     if (playing.player->hasRests()) mDocument.complete([&](scene::Scene& scene) { playing.player->complete(scene); });
     startWork(playing);  // what is asked of what has just come to rest
     isMoving = isMoving || playing.player->isMoving();

@@ -39,6 +39,7 @@ struct Frame {
   /// drawn as `Cut::membrane` says, or flat.
   std::map<int, FrameSheet> sheets;
   InlayParts parts;
+  bool marksOverlaps = false;  ///< colours what the spares of joined cuts share ([ACS] fig. 6), for who edits them
   bool operator==(const Frame&) const = default;
 };
 

@@ -7,6 +7,7 @@
 #include "velum/session/Player.h"
 #include "velum/session/document/Document.h"
 #include "velum/session/document/WorkFile.h"
+#include "velum/session/growth/GrowthPlayer.h"
 #include "velum/session/membrane/MembranePlayer.h"
 
 namespace velum::session {
@@ -35,6 +36,8 @@ class Session {
   // Players.
   MembranePlayer& membranes() { return mMembranes; }
   const MembranePlayer& membranes() const { return mMembranes; }
+  GrowthPlayer& growth() { return mGrowth; }
+  const GrowthPlayer& growth() const { return mGrowth; }
   /// Takes in what jobs have computed, and tells the end of the user's. Needs no context.
   void collect();
   /// Lets the players go on for about so long, with jobs for what is to be computed beside, and writes down what has
@@ -81,6 +84,7 @@ class Session {
 
   Document mDocument;
   WorkFile mFile{mDocument};
+  GrowthPlayer mGrowth;
   MembranePlayer mMembranes;
   std::vector<Playing> mPlaying;  ///< Never grows while jobs run: they know their place in it.
   std::function<void()> mListener, mWaker;

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "SketchPaint.h"
+#include "StrengthCanvas.h"
 #include "kit/SelectedCut.h"
+#include "tool/StrokePaint.h"
 #include "velum/session/membrane/Sketch.h"
 
 namespace velum::gui {
@@ -104,8 +105,9 @@ bool BrushTool::wheel(const PointerEvent& event, double notches) {
 
 void BrushTool::paint(ViewPainter& over) const {
   if (!over.view.showsHandles()) mSketch.paint(over);  // while one draws they are seen in any case
-  if (mDraft) paintStroke(over, *mDraft, false);
-  if (&over.view == mView) paintBrush(over, mPointer, mSketch.radius(), mAvoid);
+  QColor color = mAvoid ? kAvoidColor : kKeepColor;
+  if (mDraft) paintStroke(over, mDraft->path, mDraft->radius, color, false);
+  if (&over.view == mView) paintBrush(over, mPointer, mSketch.radius(), color);
 }
 
 }  // namespace velum::gui

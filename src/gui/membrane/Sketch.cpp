@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "SketchPaint.h"
+#include "StrengthCanvas.h"
 #include "kit/SelectedCut.h"
+#include "tool/StrokePaint.h"
 #include "velum/session/membrane/Sketch.h"
 #include "velum/session/membrane/StrokeSamples.h"
 
@@ -119,7 +120,10 @@ KeyAnswer Sketch::key(const KeyStroke& stroke) {
 
 void Sketch::paint(ViewPainter& over) const {
   const Strokes* all = strokes();
-  for (std::size_t i = 0; all && i < all->size(); ++i) paintStroke(over, (*all)[i], int(i) == mSelected);
+  for (std::size_t i = 0; all && i < all->size(); ++i) {
+    const scene::Stroke& stroke = (*all)[i];
+    paintStroke(over, stroke.path, stroke.radius, stroke.avoid ? kAvoidColor : kKeepColor, int(i) == mSelected);
+  }
 }
 
 }  // namespace velum::gui

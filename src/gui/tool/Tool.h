@@ -22,6 +22,8 @@ class Tool : public QObject, public Manipulator {
   virtual void click(const PointerEvent&) {}
   /// Handles of cuts give way to it: they are neither shown nor taken.
   virtual bool hidesHandles() const { return false; }
+  /// The picture marks what the extrusions of two planes share, see render::Frame::marksOverlaps.
+  virtual bool marksOverlaps() const { return false; }
   /// What to do next, shown over a view; empty: nothing.
   virtual QString hint() const { return {}; }
   std::optional<Qt::CursorShape> hover(const ViewPoint&) override { return Qt::CrossCursor; }

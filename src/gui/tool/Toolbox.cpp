@@ -172,9 +172,9 @@ bool Toolbox::isOurs(const QObject* watched) const {
 }
 
 KeyAnswer Toolbox::answerTo(const KeyStroke& stroke) {
-  if (mActive && stroke.key == Qt::Key_Escape) return [this] { stop(); };
   if (mActive)
     if (KeyAnswer answer = mActive->key(stroke)) return answer;
+  if (mActive && stroke.key == Qt::Key_Escape) return [this] { stop(); };
   for (Manipulator* each : mManipulators)
     if (KeyAnswer answer = each->key(stroke)) return answer;
   return {};

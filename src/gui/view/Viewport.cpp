@@ -40,6 +40,7 @@ Viewport::Viewport(session::Session& session, Toolbox& toolbox, QWidget* parent)
   });
   mPauseTimer.setSingleShot(true);
   connect(&mPauseTimer, &QTimer::timeout, this, [this] { mSectionTimer.start(); });
+  connect(&mToolbox, &Toolbox::activeChanged, this, &Viewport::sceneChanged);
   mPickTimer.setSingleShot(true);
   mPickTimer.setInterval(80);
   connect(&mPickTimer, &QTimer::timeout, this, &Viewport::pickUnderPointer);
@@ -144,10 +145,12 @@ void Viewport::paintGL() {
 void Viewport::sceneChanged() {
   wakeSheets();
   scene::Scene wanted = drawnScene();
-  if (wanted == mWanted && mShown && mShown->size() == QSize(deviceSize().x, deviceSize().y)) return;
+  if (wanted == mWanted && marksOverlaps() == mFrame.marksOverlaps && mShown && mShown->size() == QSize(deviceSize().x, deviceSize().y)) return;
   mWanted = std::move(wanted);
   startAnew();
 }
+
+bool Viewport::marksOverlaps() const { return mToolbox.active() && mToolbox.active()->marksOverlaps(); }
 
 /// What is drawn of the scene. Where sheets rest is told by the sheets themselves.
 scene::Scene Viewport::drawnScene() const {
@@ -173,6 +176,7 @@ void Viewport::begin(Stage stage) {
   double scale = stage == Stage::Coarse ? mCoarseScale : stage == Stage::Half ? 2.0 : 1.0;
   mFrame = mSession.frame(glm::max(glm::ivec2(glm::round(size / scale)), glm::ivec2(1)));
   mFrame.scene = drawnScene();
+  mFrame.marksOverlaps = marksOverlaps();
   mSheetsShown = mSession.shownCount();
   mFrame.scene.background.transparent = false;  // a window has something behind; pictures need not
   if (stage != Stage::Full) mFrame.scene.rayCast.samplesPerPixel = 1;

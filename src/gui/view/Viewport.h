@@ -61,6 +61,8 @@ class Viewport : public QOpenGLWidget, public ToolView {
   void sheetsMoved();
   /// What membranes().status() says has changed; a few times a second at most.
   void sheetsTold();
+  /// Something that was computed beside has come in.
+  void playersHeard();
   /// How far the picture is refined. @param stage  in words; empty when complete
   void refined(double fraction, const QString& stage);
   void pointedAt(const velum::render::Pick& pick);
@@ -101,6 +103,7 @@ class Viewport : public QOpenGLWidget, public ToolView {
   void section();
   bool drawSome();
   scene::Scene drawnScene() const;
+  bool marksOverlaps() const;
   void begin(Stage stage);
   bool finishStage();
   void show();

@@ -19,6 +19,7 @@ void Viewport::wakeSheets() {
 void Viewport::playersTold() {
   wakeSheets();
   tellSheets();
+  emit playersHeard();
 }
 
 /// A section of the sheets' work. @return true when more is due at once

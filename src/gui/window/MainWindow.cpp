@@ -9,6 +9,7 @@
 #include "StatusLine.h"
 #include "TimeCommands.h"
 #include "ViewCommands.h"
+#include "extrusion/ExtrusionRoom.h"
 #include "kit/CallLater.h"
 #include "kit/KeyboardFocus.h"
 #include "kit/RecentFiles.h"
@@ -60,6 +61,7 @@ void MainWindow::buildRooms() {
   mLook = add(new LookRoom(parts));
   mStructures = add(new StructureRoom(parts));
   mCuts = add(new CutRoom(parts));
+  add(new ExtrusionRoom(parts));
   add(new TimeCommands(parts, *mFrame.time));
   add(new HelpCommands(parts));
   add(new StatusLine(parts, *statusBar()));

@@ -7,7 +7,8 @@
 namespace velum::render {
 
 std::uint32_t lightFlagsOf(std::uint32_t flags) {
-  return flags & (shared::kFlagSpares | shared::kFlagSpareDepths | shared::kFlagInlays | shared::kFlagCutGrid);
+  return flags & (shared::kFlagSpares | shared::kFlagSpareDepths | shared::kFlagInlays | shared::kFlagCutGrid |
+                  shared::kFlagJoined);
 }
 
 bool usesGradients(const DataVariant& variant) {

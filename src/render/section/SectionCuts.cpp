@@ -101,23 +101,33 @@ bool missesRow(const shared::CutData& cut, const SectionCuts::Row& row) {
 
 }  // namespace
 
+/// To the one before it, or the next one to it.
+bool SectionCuts::isJoined(std::size_t i) const {
+  auto joins = [&](std::size_t at) { return at < mCuts.size() && shared::cutPart(mCuts[at]) == shared::kFoldJoined; };
+  return joins(i) || joins(i + 1);
+}
+
 std::vector<char> SectionCuts::removedOf(const Row& row, std::span<const std::uint16_t> ids, double ease) const {
   VELUM_ASSERT(ids.empty() || ids.size() == std::size_t(row.width), "each pixel has its structure");
   std::vector<char> removed(std::size_t(row.width), 0);
   std::vector<shared::CutFold> folds(removed.size(), shared::emptyFold());
   for (std::size_t i = 0; i < mCuts.size(); ++i) {
     const shared::CutData& cut = mCuts[i];
-    if (missesRow(cut, row)) continue;
-    if (cut.kind.x == shared::kCutMembrane)
+    // What keeps the whole row matters to those that it is joined with alone.
+    bool misses = missesRow(cut, row);
+    if (misses && !isJoined(i)) continue;
+    if (misses)
+      std::fill(removed.begin(), removed.end(), char(0));
+    else if (cut.kind.x == shared::kCutMembrane)
       markMembrane(cut, row, removed), keepNear(cut, row, ease, removed);
-    else if (cut.kind.z == 1)
+    else if ((cut.kind.z & shared::kCutWalks) != 0)
       markWalked(cut, row, removed);
     else
       markConvex(cut, row, removed);
-    if (!mSpares.isEmpty()) takeBack(i, row, ids, removed);
+    if (!misses && !mSpares.isEmpty()) takeBack(i, row, ids, removed);
     for (std::size_t x = 0; x < removed.size(); ++x)
       folds[x] =
-          shared::foldAnswer(folds[x], shared::cutIsInlay(cut), removed[x] ? shared::kCutRemoves : shared::kCutKeeps);
+          shared::foldAnswer(folds[x], shared::cutPart(cut), removed[x] ? shared::kCutRemoves : shared::kCutKeeps);
   }
   for (std::size_t x = 0; x < removed.size(); ++x) removed[x] = !shared::foldKeeps(folds[x]);
   return removed;

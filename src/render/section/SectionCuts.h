@@ -37,6 +37,7 @@ class SectionCuts {
 
  private:
   void markMembrane(const shared::CutData& cut, const Row& row, std::vector<char>& removed) const;
+  bool isJoined(std::size_t cut) const;
   void keepNear(const shared::CutData& cut, Row row, double ease, std::vector<char>& removed) const;
   void takeBack(std::size_t cut, const Row& row, std::span<const std::uint16_t> ids, std::vector<char>& removed) const;
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace velum::render {
@@ -54,26 +55,33 @@ class Builder {
   }
 
  private:
+  /// Joined cuts go together: what one of them keeps is kept.
   List thoseThatMatter(const List& from, glm::vec3 middle, float radius) const {
-    List out;
+    List out, whole;
     float deepest = -radius;
-    std::int64_t whole = -1;
-    for (std::uint32_t i : from) {
-      const shared::CutData& cut = mCuts[i];
-      // A sheet has no distance that this could trust.
-      if (cut.kind.x == shared::kCutMembrane) {
-        out.push_back(i);
-        continue;
+    for (std::size_t begin = 0, end; begin < from.size(); begin = end) {
+      float distance = distanceOf(from[begin], middle);
+      bool isSheet = !std::isfinite(distance);
+      for (end = begin + 1; end < from.size() && shared::cutPart(mCuts[from[end]]) == shared::kFoldJoined; ++end) {
+        float other = distanceOf(from[end], middle);
+        isSheet = isSheet || !std::isfinite(other);
+        distance = std::max(distance, other);
       }
-      float distance = shared::shapeDistance(cut, middle);
       if (distance > radius) continue;
-      out.push_back(i);
-      if (!(distance < deepest)) continue;
+      auto first = from.begin() + std::ptrdiff_t(begin), last = from.begin() + std::ptrdiff_t(end);
+      out.insert(out.end(), first, last);
+      if (isSheet || !(distance < deepest)) continue;
       deepest = distance;
-      whole = i;
+      whole.assign(first, last);
     }
-    if (whole >= 0 && !mHasSpares) return {std::uint32_t(whole)};
-    return out;
+    return whole.empty() || mHasSpares ? out : whole;
+  }
+
+  /// A sheet has no distance that this could trust: minus infinity.
+  float distanceOf(std::uint32_t i, glm::vec3 middle) const {
+    const shared::CutData& cut = mCuts[i];
+    if (cut.kind.x == shared::kCutMembrane) return -std::numeric_limits<float>::infinity();
+    return shared::shapeDistance(cut, middle);
   }
 
   std::span<const shared::CutData> mCuts;

@@ -8,6 +8,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
 
+#include "DragAlong.h"
 #include "velum/scene/Project.h"
 #include "velum/session/cut/ShapeTraits.h"
 
@@ -15,8 +16,6 @@ namespace velum::session {
 
 namespace {
 
-/// An arrow shorter than this on screen points at the eye: then the drag's height moves along it.
-constexpr double kShortArrowPixels = 24.0, kArrowPixels = 96.0;
 /// What resizing leaves, pixels: enough to take hold of again.
 constexpr double kSmallestPixels = 4.0;
 constexpr double kSnapAngleRad = std::numbers::pi / 12.0;
@@ -26,26 +25,10 @@ struct Drag {
   const scene::Camera& camera;
   glm::dvec2 size, from, to;
   scene::PictureRay rayAt(glm::dvec2 pixel) const { return scene::rayFromPixel(camera, size, pixel); }
+  double along(glm::dvec3 place, glm::dvec3 direction) const {
+    return dragAlong(ViewSpace(camera, size), from, to, place, direction);
+  }
 };
-
-/// How far along a line the point nearest to a ray lies.
-double alongLine(glm::dvec3 point, glm::dvec3 direction, const scene::PictureRay& ray) {
-  double b = glm::dot(direction, ray.direction), denominator = 1.0 - b * b;
-  if (denominator < 1e-9) return 0.0;
-  glm::dvec3 w = point - ray.origin;
-  return (b * glm::dot(ray.direction, w) - glm::dot(direction, w)) / denominator;
-}
-
-/// How far a drag goes along a line through a point of the world.
-double dragAlong(const Drag& drag, glm::dvec3 place, glm::dvec3 direction) {
-  auto foot = scene::pixelFromWorld(drag.camera, drag.size, place);
-  auto tip = scene::pixelFromWorld(drag.camera, drag.size, place + direction * (kArrowPixels * drag.gizmo.pixel));
-  if (foot && tip && glm::length(*tip - *foot) >= kShortArrowPixels)
-    return alongLine(place, direction, drag.rayAt(drag.to)) - alongLine(place, direction, drag.rayAt(drag.from));
-  // Seen end on: pulling down pulls towards the eye.
-  bool towardsEye = glm::dot(direction, scene::cameraBasis(drag.camera).forward) < 0;
-  return (drag.to.y - drag.from.y) * scene::lengthPerPixel(drag.camera, drag.size, place) * (towardsEye ? 1.0 : -1.0);
-}
 
 /// Where a ray meets a plane; nothing when it runs beside it.
 std::optional<glm::dvec3> meet(const scene::PictureRay& ray, glm::dvec3 point, glm::dvec3 normal) {
@@ -119,7 +102,7 @@ scene::Cut resize(scene::Cut cut, const Drag& drag, CutHandle handle, const CutS
   auto grip = std::find_if(drag.gizmo.grips.begin(), drag.gizmo.grips.end(),
                            [&](const CutGrip& g) { return g.handle == handle; });
   if (grip == drag.gizmo.grips.end()) return cut;
-  double mm = snappedLength(dragAlong(drag, grip->place, grip->direction), grip->direction, snap);
+  double mm = snappedLength(drag.along(grip->place, grip->direction), grip->direction, snap);
   double smallest = kSmallestPixels * drag.gizmo.pixel;
   if (handle == CutHandle::Radius) {
     cut.size.x = std::max(cut.size.x + 2.0 * mm, std::min(smallest, cut.size.x));
@@ -206,7 +189,7 @@ scene::Cut dragCut(const scene::Cut& start, const CutGizmo& gizmo, CutHandle han
     case CutHandle::None:
       break;
     case CutHandle::Arrow:
-      cut.centre += gizmo.normal * snappedLength(dragAlong(drag, gizmo.centre, gizmo.normal), gizmo.normal, snap);
+      cut.centre += gizmo.normal * snappedLength(drag.along(gizmo.centre, gizmo.normal), gizmo.normal, snap);
       break;
     case CutHandle::Centre:
       cut.centre += snappedShift(dragInPlane(drag, scene::cameraBasis(camera).forward), snap);

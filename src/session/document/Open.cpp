@@ -18,6 +18,7 @@
 #include "velum/io/volumes/WriteVolume.h"
 #include "velum/scene/Presets.h"
 #include "velum/scene/json/Json.h"
+#include "velum/session/growth/Growths.h"
 
 namespace velum::session {
 
@@ -97,7 +98,8 @@ void putLabels(scene::Scene& scene, LabelVolume labels) {
   scene.labels.source.fingerprint = fingerprintOf(scene.labels.source.path);
   warnAll(scene.labels.source.path, labels.warnings);
   labels.setLengthUnit(scene.unit);
-  scene.labels.data = Shared<LabelVolume>(std::move(labels));
+  scene.labels.data = scene.labels.given = Shared<LabelVolume>(std::move(labels));
+  scene.labels.grown.clear();
   scene::completeStructures(scene.labels);
 }
 
@@ -243,6 +245,7 @@ void loadData(scene::Scene& scene, const fs::path& folder, Progress& progress, c
     if (isPlaced(surface.source, bool(surface.data), fmt::format("surfaces.{}", i), "surface"))
       readSurfaceInto(surface, progress);
   }
+  for (const auto& note : settleGrowths(scene, progress)) Notes{notes}.add(note);
 }
 
 std::string sceneTextFor(const scene::Scene& scene, const fs::path& path) {

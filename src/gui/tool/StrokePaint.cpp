@@ -1,4 +1,4 @@
-#include "SketchPaint.h"
+#include "StrokePaint.h"
 
 #include <QImage>
 #include <QPainterPath>
@@ -6,9 +6,8 @@
 #include <cmath>
 #include <vector>
 
-#include "StrengthCanvas.h"
+#include "HandlePaint.h"
 #include "kit/Theme.h"
-#include "tool/HandlePaint.h"
 
 namespace velum::gui {
 
@@ -27,18 +26,17 @@ struct Dab {
   bool joins = false;  ///< to the one before
 };
 
-std::vector<Dab> dabsOf(const session::ViewSpace& view, const scene::Stroke& stroke) {
+std::vector<Dab> dabsOf(const session::ViewSpace& view, std::span<const glm::dvec3> path, double radius) {
   std::vector<Dab> dabs;
   bool joins = false;
   auto add = [&](glm::dvec3 p) {
-    auto circle = view.circleOfBall(p, stroke.radius);
+    auto circle = view.circleOfBall(p, radius);
     if (circle) dabs.push_back({{circle->middle.x, circle->middle.y}, std::max(circle->radius, kLeastPixels), joins});
     joins = circle.has_value();
   };
-  const auto& path = stroke.path;
   for (std::size_t i = 0; i < path.size(); ++i) {
     if (i > 0) {
-      double share = kDabStep * std::max(stroke.radius, 1e-9) / std::max(glm::distance(path[i - 1], path[i]), 1e-12);
+      double share = kDabStep * std::max(radius, 1e-9) / std::max(glm::distance(path[i - 1], path[i]), 1e-12);
       int count = std::clamp(int(std::min(1.0 / share, double(kMostDabs))), 1, kMostDabs);
       for (int k = 1; k < count; ++k) add(glm::mix(path[i - 1], path[i], double(k) / count));
     }
@@ -61,8 +59,9 @@ QRect partOf(const std::vector<Dab>& dabs, QSize view) {
 
 /// A band of one opacity, however often it crosses itself, with an edge: drawn on a sheet of its own, the edge first,
 /// then what it encloses in its place.
-void paintStroke(ViewPainter& over, const scene::Stroke& stroke, bool isMarked) {
-  std::vector<Dab> dabs = dabsOf(over.space, stroke);
+void paintStroke(ViewPainter& over, std::span<const glm::dvec3> path, double radius, const QColor& color,
+                 bool isMarked) {
+  std::vector<Dab> dabs = dabsOf(over.space, path, radius);
   QRect part = partOf(dabs, over.size);
   if (dabs.empty() || part.isEmpty()) return;
   double ratio = over.painter.device()->devicePixelRatioF();
@@ -72,7 +71,7 @@ void paintStroke(ViewPainter& over, const scene::Stroke& stroke, bool isMarked) 
   QPainter layer(&sheet);
   layer.setRenderHint(QPainter::Antialiasing);
   layer.translate(-part.topLeft());
-  QColor edge = stroke.avoid ? kAvoidColor : kKeepColor, ground = edge;
+  QColor edge = color, ground = color;
   if (isMarked) edge = kOverPicture;
   ground.setAlphaF(float(isMarked ? kMarkedBand : kBand));
   for (bool isGround : {false, true}) {
@@ -90,11 +89,11 @@ void paintStroke(ViewPainter& over, const scene::Stroke& stroke, bool isMarked) 
   over.painter.setOpacity(1.0);
 }
 
-void paintBrush(ViewPainter& over, QPointF pointer, double radius, bool avoid) {
+void paintBrush(ViewPainter& over, QPointF pointer, double radius, const QColor& color) {
   double pixels = std::max(radius / over.space.lengthPerPixel(), kLeastPixels);
   QPainterPath brush;
   brush.addEllipse(pointer, pixels, pixels);
-  strokeTwice(over.painter, brush, avoid ? kAvoidColor : kKeepColor, 1.4);
+  strokeTwice(over.painter, brush, color, 1.4);
 }
 
 }  // namespace velum::gui

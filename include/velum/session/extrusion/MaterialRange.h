@@ -1,0 +1,26 @@
+#pragma once
+#include <glm/glm.hpp>
+#include <optional>
+
+#include "velum/scene/Scene.h"
+
+namespace velum::session {
+
+/// The values that belong to one material, both ends included, the volume's unit.
+struct MaterialRange {
+  double low = 0.0, high = 0.0;
+};
+
+/// The values that a click means ([ACS] 4.2): those of the segment of the opacity curve that the value at the place lies
+/// in, from one valley of the curve to the next, but not beyond halfway to a darker or brighter material beside the
+/// place. Where the curve hides the value, or has one segment for all, the material beside alone says it.
+/// Differs: the paper takes the curve's segment as it is; where skin and bone are one segment bone would take its flesh
+/// with it.
+/// @return nothing outside the volume
+std::optional<MaterialRange> materialRangeAt(const scene::VolumeLayer& layer, glm::dvec3 world);
+
+/// The segment of a curve that a value lies in: from valley to valley. Nothing where it is hidden there.
+/// @param range  of the data's values
+std::optional<MaterialRange> segmentOf(const scene::TransferFunction& transfer, double value, glm::dvec2 range);
+
+}  // namespace velum::session

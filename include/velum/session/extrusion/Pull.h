@@ -1,0 +1,33 @@
+#pragma once
+#include <glm/glm.hpp>
+#include <optional>
+
+#include "velum/scene/Scene.h"
+#include "velum/session/extrusion/Extrusion.h"
+#include "velum/session/extrusion/MaterialRange.h"
+
+namespace velum::session {
+
+/// A structure that a click has chosen to be pulled out of a cut: found in the labels, or to be grown from the place.
+struct Pull {
+  int cut = 0;  ///< id of the supporting cut
+  int structure = 0;
+  std::optional<scene::Structure> added;  ///< the structure's row, where the click makes a new one
+  std::optional<scene::Growth> growth;    ///< what makes its labels as it is pulled; nothing where labels were given
+};
+
+/// What a click on a place of a cut's face, or of what stands out of it, is about to pull. Measures the material there
+/// where it has no label ([ACS] 4.2). Some milliseconds.
+/// @param structure  label there; 0: none
+/// @return nothing where there is neither: outside the volume, in a scene without labels, or with all ids taken
+std::optional<Pull> beginPull(const scene::Scene& scene, int cut, glm::dvec3 world, int structure);
+
+/// Pulls it out so far: the spare, the new structure's row, and the step of growth, which goes as far as it has ever been
+/// pulled. Of a structure that has grown before it goes on where the last step ended, unless the cut has moved. Called
+/// again and again for one drag, on the scene with which it began or on its own last result.
+void pullTo(scene::Scene& scene, const Pull& pull, double distance);
+
+/// What pulls something on that stands out already: by a number rather than by a drag.
+Pull pullAgain(const scene::Scene& scene, const Extrusion& extrusion);
+
+}  // namespace velum::session

@@ -1,0 +1,109 @@
+#include "BarrierTool.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "kit/Theme.h"
+#include "tool/StrokePaint.h"
+#include "velum/scene/SectionPlane.h"
+#include "velum/session/extrusion/Pull.h"
+#include "velum/session/membrane/Sketch.h"
+
+namespace velum::gui {
+
+namespace {
+
+constexpr double kFirstVoxels = 3.0;    // radius of a first stroke
+constexpr double kTurn = 1.15;          // a notch of the wheel makes it so much wider
+constexpr double kPathStep = 0.2;       // between points of a path that is being drawn, in radii
+constexpr double kPathTolerance = 0.1;  // of the path that is kept, in radii
+
+}  // namespace
+
+BarrierTool::BarrierTool(const WindowParts& parts)
+    : mDocument(parts.document()), mSelection(parts.selection), mToolbox(parts.toolbox) {}
+
+bool BarrierTool::isReady() const { return session::lastGrowth(mDocument.scene(), mSelection.structure()); }
+
+bool BarrierTool::start() {
+  if (mRadius <= 0.0) mRadius = kFirstVoxels * scene::sectionStep(mDocument.scene());
+  return isReady();
+}
+
+void BarrierTool::stop() {
+  mDraft.reset();
+  mView = nullptr;
+}
+
+void BarrierTool::refresh() {
+  if (!isReady()) mToolbox.stop(*this);
+}
+
+QString BarrierTool::hint() const {
+  return tr("Draw across the place where the structure leaks. Alt and the wheel change the width. Esc ends.");
+}
+
+bool BarrierTool::press(const PointerEvent& event) {
+  if (event.button != Qt::LeftButton || event.keys != Qt::NoModifier || mToolbox.isInTheWay(event.at)) return false;
+  auto place = event.at.material(0.5 * mRadius);
+  if (!place) return false;
+  mDraft = scene::Barrier{{*place}, mRadius};
+  showBrush(event.at);
+  return true;
+}
+
+void BarrierTool::goOn(const ViewPoint& at) {
+  auto world = at.material(0.5 * mRadius);
+  if (world && glm::distance(*world, mDraft->path.back()) > kPathStep * mRadius) mDraft->path.push_back(*world);
+}
+
+void BarrierTool::drag(const PointerEvent& event) {
+  if (!mDraft) return;
+  goOn(event.at);
+  showBrush(event.at);
+}
+
+void BarrierTool::release(const PointerEvent& event) {
+  if (!mDraft) return;
+  goOn(event.at);
+  scene::Barrier barrier = *std::exchange(mDraft, std::nullopt);
+  barrier.path = session::simplifiedPath(barrier.path, kPathTolerance * barrier.radius);
+  mDocument.edit("Draw barrier", [&](scene::Scene& scene) {
+    session::changeGrowth(scene, mSelection.structure(), [&](scene::Growth& g) { g.barriers.push_back(barrier); });
+  });
+  mToolbox.repaint();
+}
+
+void BarrierTool::showBrush(const ViewPoint& at) {
+  mView = &at.view();
+  mPointer = at.place();
+  mToolbox.repaint();
+}
+
+std::optional<Qt::CursorShape> BarrierTool::hover(const ViewPoint& at) {
+  showBrush(at);
+  return mToolbox.isInTheWay(at) ? std::nullopt : std::optional(Qt::CrossCursor);
+}
+
+void BarrierTool::leave() {
+  mView = nullptr;
+  mToolbox.repaint();
+}
+
+bool BarrierTool::wheel(const PointerEvent& event, double notches) {
+  if (!(event.keys & Qt::AltModifier)) return false;
+  double step = scene::sectionStep(mDocument.scene());
+  mRadius = std::clamp(mRadius * std::pow(kTurn, notches), 0.5 * step, 200.0 * step);
+  mToolbox.repaint();
+  return true;
+}
+
+void BarrierTool::paint(ViewPainter& over) const {
+  if (const scene::Growth* growth = session::lastGrowth(mDocument.scene(), mSelection.structure()))
+    for (const auto& barrier : growth->barriers) paintStroke(over, barrier.path, barrier.radius, kAlarm, false);
+  if (mDraft) paintStroke(over, mDraft->path, mDraft->radius, kAlarm, false);
+  if (&over.view == mView) paintBrush(over, mPointer, mRadius, kAlarm);
+}
+
+}  // namespace velum::gui

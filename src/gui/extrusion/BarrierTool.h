@@ -1,0 +1,41 @@
+#pragma once
+#include <optional>
+
+#include "velum/scene/Growth.h"
+#include "view/Room.h"
+
+namespace velum::gui {
+
+/// Draws a stroke that the selected structure does not grow through. It grows anew behind it at once.
+class BarrierTool : public Tool {
+  Q_OBJECT
+ public:
+  explicit BarrierTool(const WindowParts& parts);
+
+  bool start() override;
+  void stop() override;
+  bool press(const PointerEvent& event) override;
+  void drag(const PointerEvent& event) override;
+  void release(const PointerEvent& event) override;
+  std::optional<Qt::CursorShape> hover(const ViewPoint& at) override;
+  void leave() override;
+  bool wheel(const PointerEvent& event, double notches) override;
+  void refresh() override;
+  QString hint() const override;
+  void paint(ViewPainter& over) const override;
+
+ private:
+  bool isReady() const;
+  void showBrush(const ViewPoint& at);
+  void goOn(const ViewPoint& at);
+
+  session::Document& mDocument;
+  Selection& mSelection;
+  Toolbox& mToolbox;
+  double mRadius = 0.0;  ///< 0: not chosen yet
+  std::optional<scene::Barrier> mDraft;
+  ToolView* mView = nullptr;
+  QPointF mPointer;
+};
+
+}  // namespace velum::gui

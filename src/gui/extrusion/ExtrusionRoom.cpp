@@ -1,0 +1,55 @@
+#include "ExtrusionRoom.h"
+
+namespace velum::gui {
+
+ExtrusionRoom::ExtrusionRoom(const WindowParts& parts)
+    : Room(parts),
+      mPanel(new ExtrusionPanel(parts.session, parts.selection, &parts.tabs)),
+      mPull(parts),
+      mBarrier(parts) {
+  parts.tabs.addPage(mPanel, tr("Pull out"), tr("Structures that stand out of the cuts"));
+  parts.toolbox.bind(mPull, mPanel->pullButton());
+  parts.toolbox.bind(mBarrier, mPanel->barrierButton());
+  connect(mPanel, &ExtrusionPanel::refused, &parts.messages,
+          [&bar = parts.messages](const QString& why) { bar.showNote(why); });
+  connect(&mPull, &PullTool::stopGrowingAsked, this, &ExtrusionRoom::stopGrowing);
+  connect(&mPull, &Tool::activeChanged, this, [this](bool active) {
+    if (active) mParts.tabs.showPage(mPanel);
+  });
+  connect(&parts.views.viewport(), &Viewport::playersHeard, this, &ExtrusionRoom::tell);
+  addActions();
+}
+
+void ExtrusionRoom::refresh(const session::Session&) { mPanel->refresh(); }
+
+/// Why nothing grows, once.
+void ExtrusionRoom::tell() {
+  std::string error = mParts.session.growth().status().error;
+  if (error != mTold && !error.empty()) mParts.messages.showError(QString::fromStdString(error));
+  mTold = error;
+}
+
+/// What has grown so far stays.
+void ExtrusionRoom::stopGrowing() {
+  auto reached = mParts.session.growth().stop();
+  if (!reached) return;
+  mParts.document().edit("Stop growing", [&](scene::Scene& scene) { session::holdGrowth(scene, *reached); });
+  mParts.messages.showNote(tr("Growing has stopped; what was found so far stays."));
+}
+
+void ExtrusionRoom::addActions() {
+  QMenu* menu = mParts.menu(MenuId::Cut);
+  menu->addSeparator();
+  QAction* pull = mParts.actions.addForScene(menu, "extrusion.pull", tr("Pull &out structures"),
+                                             tr("Drag a bone, a vessel or an organ out of the cut"), [] {});
+  mParts.toolbox.bind(mPull, *pull);
+  mParts.actions.addForScene(menu, "extrusion.secondPlane", tr("Second plane (&wedge)"),
+                             tr("A plane across the selected one: the two open a wedge"),
+                             [this] { mPanel->addPlane(); });
+  mParts.actions.addForScene(menu, "extrusion.allBack", tr("Put all &back"), tr("Everything goes back into the cuts"),
+                             [this] { mPanel->putAllBack(); });
+  pull->setIconText(tr("Pull out"));
+  mParts.bar.addAction(pull);
+}
+
+}  // namespace velum::gui

@@ -1,0 +1,27 @@
+#pragma once
+#include "BarrierTool.h"
+#include "ExtrusionPanel.h"
+#include "PullTool.h"
+#include "view/Room.h"
+
+namespace velum::gui {
+
+/// Pulling structures out of cuts ([ACS]): the page, the tools, the commands.
+class ExtrusionRoom : public Room {
+  Q_OBJECT
+ public:
+  explicit ExtrusionRoom(const WindowParts& parts);
+  void refresh(const session::Session&) override;
+
+ private:
+  void addActions();
+  void stopGrowing();
+  void tell();
+
+  ExtrusionPanel* mPanel;
+  PullTool mPull;
+  BarrierTool mBarrier;
+  std::string mTold;
+};
+
+}  // namespace velum::gui

@@ -1,0 +1,69 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "velum/session/extrusion/Extrusion.h"
+#include "velum/session/extrusion/Pull.h"
+#include "view/Room.h"
+
+namespace velum::gui {
+
+/// Pulls structures out of cuts ([ACS] 4.3): a press on a cut's face, or on what stands out of it, chooses the structure
+/// there, and the drag pulls it out as far as the pointer goes. With Shift what was chosen before comes along. Where two
+/// extrusions overlap, Space says out of which of the two planes it is pulled. Everywhere else the view has the pointer.
+class PullTool : public Tool {
+  Q_OBJECT
+ public:
+  explicit PullTool(const WindowParts& parts);
+
+  bool start() override;
+  void stop() override;
+  bool press(const PointerEvent& event) override;
+  void drag(const PointerEvent& event) override;
+  void release(const PointerEvent& event) override;
+  std::optional<Qt::CursorShape> hover(const ViewPoint& at) override;
+  void leave() override;
+  bool wheel(const PointerEvent& event, double notches) override;
+  KeyAnswer key(const KeyStroke& stroke) override;
+  void refresh() override;
+  QString hint() const override;
+  void paint(ViewPainter& over) const override;
+  bool pausesOtherViews() const override { return !mDragged.empty(); }
+  bool marksOverlaps() const override { return true; }
+
+ signals:
+  /// Esc: what grows is to stop where it is.
+  void stopGrowingAsked();
+
+ private:
+  /// What is under the pointer and could be pulled.
+  struct Target {
+    glm::dvec3 world{0.0};
+    int structure = 0;
+    std::vector<int> cuts;  ///< out of which, ids, the one that is meant first
+  };
+  struct Dragged {
+    session::Pull pull;
+    session::ExtrusionDrag drag;
+  };
+  std::optional<Target> targetAt(const ViewPoint& at) const;
+  bool begin(const Target& target, const ViewPoint& at, bool goesOn);
+  void pullTo(const ViewPoint& at);
+  void toggle();
+  QString nameOf(const session::Pull& pull) const;
+  QString tagOf(const Target& target) const;
+
+  const WindowParts& mParts;
+  session::Document& mDocument;
+  Selection& mSelection;
+  Toolbox& mToolbox;
+  std::vector<session::Pull> mChosen;  ///< with the one that was last pressed on at the end
+  std::vector<Dragged> mDragged;       ///< while the pointer is down
+  std::optional<Target> mTarget;       ///< under the pointer
+  int mPreferred = 0;                  ///< cut that Space has chosen where there are two
+  ToolView* mView = nullptr;
+  QPointF mPointer;
+  QString mTag;
+};
+
+}  // namespace velum::gui

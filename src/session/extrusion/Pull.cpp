@@ -1,0 +1,118 @@
+#include "velum/session/extrusion/Pull.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "velum/scene/Presets.h"
+#include "velum/session/cut/CutEdit.h"
+#include "velum/session/growth/Growths.h"
+#include "velum/session/structure/StructureEdit.h"
+
+namespace velum::session {
+
+namespace {
+
+bool isFlat(const scene::Cut& cut) { return cut.shape == scene::CutShape::Plane || scene::isMembrane(cut); }
+
+/// Out of which plane the steps of a structure grow that is pulled out of a cut. Around closed shapes it grows in all
+/// directions, from a membrane's sheet from the farthest that it can lie.
+void setPlane(scene::Growth& growth, const scene::Cut& cut, double distance) {
+  growth.axis = isFlat(cut) ? pullDirection(cut, cut.centre) : glm::dvec3(0.0);
+  growth.centre = isFlat(cut) ? cut.centre : glm::dvec3(0.0);
+  growth.distance = isFlat(cut) ? distance : scene::Growth::kEndless;
+  if (!scene::isMembrane(cut)) return;
+  growth.centre -= 0.5 * cut.size.z * growth.axis;
+  growth.distance += cut.size.z;
+}
+
+glm::vec3 colorAt(const scene::TransferFunction& transfer, double value) {
+  const auto& colors = transfer.colors;
+  if (colors.empty()) return glm::vec3(0.85f, 0.8f, 0.7f);
+  auto after = std::find_if(colors.begin(), colors.end(), [&](const auto& p) { return p.value >= value; });
+  if (after == colors.end()) return colors.back().color;
+  if (after == colors.begin()) return after->color;
+  const auto& before = *(after - 1);
+  return glm::mix(before.color, after->color, float((value - before.value) / (after->value - before.value)));
+}
+
+/// A new structure keeps the transfer function's colours until it gets one of its own.
+scene::Structure newStructure(const scene::Scene& scene, int id, double value) {
+  std::size_t count = 1;
+  for (const auto& structure : scene.labels.structures) count += structure.name.starts_with("Region ");
+  scene::Structure structure;
+  structure.id = id;
+  structure.name = fmt::format("Region {}", count);
+  structure.color = colorAt(scene::currentTransfer(scene.volume), value);
+  structure.tint = 0.0;
+  return structure;
+}
+
+std::optional<Pull> newPull(const scene::Scene& scene, const scene::Cut& cut, glm::dvec3 world) {
+  auto range = materialRangeAt(scene.volume, world);
+  auto id = freeStructureId(scene);
+  if (!range || !id || scene.labels.growths.size() >= scene::kMostGrowths) return std::nullopt;
+  scene::Growth growth;
+  growth.structure = *id;
+  growth.seeds = {world};
+  growth.low = range->low;
+  growth.high = range->high;
+  growth.channel = std::clamp(scene.volume.channel, 0, scene.volume.data->channels - 1);
+  growth.timeStep = std::clamp(scene.volume.timeStep, 0, scene.volume.data->timeSteps - 1);
+  setPlane(growth, cut, 0.0);
+  return Pull{cut.id, *id, newStructure(scene, *id, 0.5 * (range->low + std::min(range->high, 2 * std::abs(range->low)))),
+              growth};
+}
+
+void addRow(scene::LabelLayer& labels, const scene::Structure& row) {
+  auto after = std::find_if(labels.structures.begin(), labels.structures.end(),
+                            [&](const auto& s) { return s.id >= row.id; });
+  if (after == labels.structures.end() || after->id != row.id) labels.structures.insert(after, row);
+}
+
+/// True when a step begins where another ended.
+bool goesOn(const scene::Growth& step, scene::Growth wanted) {
+  wanted.distance = step.distance;
+  wanted.seeds = step.seeds;
+  return step == wanted;
+}
+
+}  // namespace
+
+Pull pullAgain(const scene::Scene& scene, const Extrusion& extrusion) {
+  Pull pull{extrusion.cut, extrusion.structure, {}, {}};
+  const scene::Cut* cut = scene::findCut(scene, extrusion.cut);
+  const scene::Growth* last = lastGrowth(scene, extrusion.structure);
+  if (!cut || !last) return pull;
+  pull.growth = *last;
+  pull.growth->seeds.clear();
+  setPlane(*pull.growth, *cut, 0.0);
+  return pull;
+}
+
+std::optional<Pull> beginPull(const scene::Scene& scene, int cutId, glm::dvec3 world, int structure) {
+  const scene::Cut* cut = scene::findCut(scene, cutId);
+  if (!cut) return std::nullopt;
+  if (structure == 0) return scene.volume.data ? newPull(scene, *cut, world) : std::nullopt;
+  return pullAgain(scene, {cutId, structure, 0.0});
+}
+
+void pullTo(scene::Scene& scene, const Pull& pull, double distance) {
+  scene::Cut* cut = scene::findCut(scene, pull.cut);
+  if (!cut) return;
+  setExtrusion(*cut, pull.structure, distance);
+  if (pull.added && distance > 0.0) addRow(scene.labels, *pull.added);
+  if (!pull.growth || !(distance > 0.0)) return;
+  markGiven(scene.labels);
+  scene.labels.visible = true;
+  scene::Growth step = *pull.growth;
+  setPlane(step, *cut, distance);
+  auto& steps = scene.labels.growths;
+  if (!steps.empty() && steps.back().structure == step.structure && goesOn(steps.back(), step))
+    steps.back().distance = std::max(steps.back().distance, step.distance);
+  else if (steps.size() < scene::kMostGrowths)
+    steps.push_back(step);
+}
+
+}  // namespace velum::session

@@ -205,7 +205,7 @@ std::vector<glm::vec4> stretchesOnGpu(const std::vector<shared::CutData>& cuts, 
   gpu::Program program = probes.make({"stretches.comp"});
   shared::FrameParams params{};
   params.cutCount = int(cuts.size());
-  params.flags = shared::kFlagCuts | shared::kFlagWalks;
+  params.flags = shared::kFlagCuts | shared::kFlagWalks | shared::kFlagJoined;
   gpu::UniformBuffer<shared::FrameParams> block("frame");
   block.set(params);
   block.bind(shared::kFrameBinding);
@@ -229,7 +229,7 @@ float keptByWalks(const std::vector<shared::CutData>& cuts, glm::vec3 origin, gl
     shared::RunFold fold = shared::emptyRuns(t);
     float e = 1e-5f * std::max(1.0f, t);
     for (std::size_t i = 0; i < cuts.size(); ++i)
-      fold = shared::foldRun(fold, int(i), false, shared::cutWalk(cuts[i], origin, direction, t, e, kRayEnd), t);
+      fold = shared::foldRun(fold, int(i), shared::cutPart(cuts[i]), shared::cutWalk(cuts[i], origin, direction, t, e, kRayEnd), t);
     shared::Stretch stretch = shared::stretchOf(fold, kRayEnd);
     if (stretch.kept) kept += stretch.end - t;
     t = std::max(stretch.end, t + 1e-6f);
@@ -252,8 +252,9 @@ TEST_F(CutsGL, WalksComeOutAsIntervalsDo) {
       cut.size = {number(0.1, 0.7), number(0.1, 0.7), number(0.1, 0.7)};
       cut.invert = random() % 4 == 0;
       plain.push_back(cutDataOf(cut));
+      if (i > 0 && random() % 2 == 0) plain.back().kind.z |= shared::kCutJoined;
       walked.push_back(plain.back());
-      walked.back().kind.z = 1;
+      walked.back().kind.z |= shared::kCutWalks;
     }
     std::vector<glm::vec4> lines;
     for (int i = 0; i < 500; ++i) {

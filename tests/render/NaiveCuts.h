@@ -89,8 +89,14 @@ struct Naive {
 
 inline Naive naive(const scene::Scene& scene, glm::dvec3 world, int structure, double u) {
   bool isTaken = false, hasInlay = false, inInlay = false;
+  bool group = false, isOpen = false;  // what the cuts that are joined take together; one of them is on
   Naive out;
   for (const auto& cut : scene.cuts) {
+    bool isInlay = cut.membrane && cut.membrane->use == scene::MembraneUse::Inlay;
+    if (!cut.joined || isInlay) {
+      isTaken = isTaken || group;
+      group = isOpen = false;
+    }
     if (!cut.enabled) continue;
     double depth = 0.0;
     for (auto spare = cut.spares.rbegin(); spare != cut.spares.rend(); ++spare)
@@ -98,12 +104,13 @@ inline Naive naive(const scene::Scene& scene, glm::dvec3 world, int structure, d
     Place place = placeOf(cut, world);
     out.isDoubtful = out.isDoubtful || place.doubt < kTooNear || std::abs(-place.distance - depth) < kTooNear;
     bool keeps = place.distance >= 0.0 || -place.distance <= depth;
-    bool isInlay = cut.membrane && cut.membrane->use == scene::MembraneUse::Inlay;
     hasInlay = hasInlay || isInlay;
     inInlay = inInlay || (isInlay && keeps);
-    isTaken = isTaken || (!isInlay && !keeps);
+    if (isInlay) continue;
+    group = (group || !isOpen) && !keeps;
+    isOpen = true;
   }
-  out.keeps = !isTaken && (!hasInlay || inInlay);
+  out.keeps = !isTaken && !group && (!hasInlay || inInlay);
   return out;
 }
 

@@ -33,6 +33,7 @@ class Random {
     scene::Cut cut;
     cut.shape = shape;
     cut.invert = whole(0, 3) == 0;
+    cut.joined = whole(0, 2) == 0;
     cut.enabled = whole(0, 9) != 0;
     cut.centre = vector(8);
     cut.axis = vector(1);
@@ -79,7 +80,7 @@ bool keepsOnProcessor(const std::vector<shared::CutData>& cuts, const render::Sp
                       std::uint32_t structure, const shared::SheetRows& sheets) {
   shared::CutFold fold = shared::emptyFold();
   for (std::size_t i = 0; i < cuts.size(); ++i)
-    fold = shared::foldCut(fold, cuts[i], shared::cutIsInlay(cuts[i]), shared::spareDepth(spares.of(structure, i), p.w),
+    fold = shared::foldCut(fold, cuts[i], shared::cutPart(cuts[i]), shared::spareDepth(spares.of(structure, i), p.w),
                            spares.hasDepths, glm::vec3(p), sheets);
   return shared::foldKeeps(fold);
 }
@@ -119,7 +120,7 @@ class SparesGL : public RenderTest {
     shared::FrameParams params{};
     params.voxelsPerLength = 1.0f;
     params.cutCount = int(cuts.size());
-    params.flags = shared::kFlagCuts | shared::kFlagMembranes | shared::kFlagInlays;
+    params.flags = shared::kFlagCuts | shared::kFlagMembranes | shared::kFlagInlays | shared::kFlagJoined;
     if (!spares.isEmpty()) params.flags |= shared::kFlagSpares;
     if (spares.hasDepths) params.flags |= shared::kFlagSpareDepths;
     if (cuts.empty()) cuts.emplace_back();
@@ -227,31 +228,49 @@ TEST(Spares, TheStretchesOfARayAreWhatTheCutsLeaveOfItsPoints) {
     // Removed parts of made-up cuts along a line: the fold of runs knows nothing else of them.
     struct Part {
       float from, to;
-      bool isInlay;
+      int part;
     };
+    const int kinds[] = {shared::kFoldAlone, shared::kFoldInlay, shared::kFoldJoined};
     std::vector<Part> parts;
     for (int n = random.whole(0, 5); n > 0; --n) {
       auto from = float(random.number(-2, 9));
-      parts.push_back({from, from + float(random.number(0.1, 6)), random.whole(0, 2) == 0});
+      int kind = kinds[random.whole(0, 2)];
+      // Nothing is joined to the first, or to an inlay.
+      if (kind == shared::kFoldJoined && (parts.empty() || parts.back().part == shared::kFoldInlay))
+        kind = shared::kFoldAlone;
+      parts.push_back({from, from + float(random.number(0.1, 6)), kind});
     }
-    auto keepsAt = [&](float t) {
+    // By the definition: joined ones take what all of them take.
+    auto isTaken = [&](float t) {
+      bool taken = false, group = false;
+      for (const auto& part : parts) {
+        bool holds = t >= part.from && t < part.to;
+        if (part.part == shared::kFoldInlay) continue;
+        taken = taken || (part.part == shared::kFoldAlone && group);
+        group = part.part == shared::kFoldAlone ? holds : group && holds;
+      }
+      return taken || group;
+    };
+    auto foldAt = [&](float t) {
       shared::CutFold fold = shared::emptyFold();
       for (const auto& part : parts)
-        fold = shared::foldAnswer(fold, part.isInlay,
+        fold = shared::foldAnswer(fold, part.part,
                                   t >= part.from && t < part.to ? shared::kCutRemoves : shared::kCutKeeps);
-      return shared::foldKeeps(fold);
+      return fold;
     };
+    auto keepsAt = [&](float t) { return shared::foldKeeps(foldAt(t)); };
     for (float t = 0.0f; t < 10.0f;) {
       shared::RunFold fold = shared::emptyRuns(t);
       for (std::size_t c = 0; c < parts.size(); ++c) {
         bool holds = t >= parts[c].from && t < parts[c].to;
         shared::CutRun run{holds ? parts[c].to : t, t < parts[c].from ? parts[c].from : shared::kCutFar, -1};
-        fold = shared::foldRun(fold, int(c), parts[c].isInlay, run, t);
+        fold = shared::foldRun(fold, int(c), parts[c].part, run, t);
       }
       shared::Stretch stretch = shared::stretchOf(fold, 10.0f);
       ASSERT_GT(stretch.end, t);
       for (double share : {0.001, 0.3, 0.7, 0.999}) {
         float at = t + float(share) * (stretch.end - t);
+        ASSERT_EQ(shared::foldRemoves(foldAt(at)), isTaken(at));
         ASSERT_EQ(keepsAt(at), stretch.kept) << at << " of " << t << " to " << stretch.end;
       }
       t = stretch.end;

@@ -201,6 +201,15 @@ void CutForm::makeFace() {
   mFaceOpacity->setToolTip(tr("Opacity of the grey section on the cut's face, %"));
   mFaceOpacity->setName(tr("Opacity of the face"));
   mFaceOpacityLabel = addRow(tr("Opacity"), mFaceOpacity);
+  mJoined = new QCheckBox(tr("Only with the cut above"), this);
+  mJoined->setObjectName("cutJoined");
+  mJoined->setToolTip(
+      tr("Removes only what the cut before it in the list removes, too: two planes open a wedge, a sphere and a plane a "
+         "bowl"));
+  addRow(tr("Joined"), mJoined);
+  connect(mJoined, &QCheckBox::clicked, this, [this](bool on) {
+    editCut(on ? "Join cuts" : "Part cuts", [on](scene::Cut& cut) { cut.joined = on; });
+  });
   connect(mFace, &QComboBox::activated, this, [this](int index) {
     editCut("Change cut face", [&](scene::Cut& cut) { cut.face = static_cast<scene::CutFace>(index); });
   });
@@ -260,6 +269,8 @@ void CutForm::showCut(const scene::Cut& cut) {
   mFaceOpacityLabel->setVisible(isSection);
   mFaceOpacity->setValue(cut.faceOpacity * 100.0);
   mFlip->setChecked(cut.invert);
+  mJoined->setChecked(cut.joined);
+  mJoined->setEnabled(scene::cutPlace(mDocument.scene(), cut.id) > 0 && !scene::isInlay(cut));
   mFlip->setToolTip(isPlane ? tr("Take away the other side (X)")
                             : tr("Keep what is inside and take away all that is outside (X)"));
 }

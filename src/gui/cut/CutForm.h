@@ -1,4 +1,5 @@
 #pragma once
+#include <QCheckBox>
 #include <QComboBox>
 #include <QGridLayout>
 #include <QPushButton>
@@ -42,6 +43,7 @@ class CutForm : public QWidget {
   QWidget* mSizeRow = nullptr;
   QComboBox* mFace = nullptr;
   QPushButton* mFlip = nullptr;
+  QCheckBox* mJoined = nullptr;
   scene::Cut mShown;
 };
 

@@ -10,10 +10,11 @@ MAY_USE = {  # module: modules it may include (its own is implied)
     "gpu": "core",
     "io": "core scene",
     "membrane": "core scene gpu",
+    "extrusion": "core scene",
     "render": "core scene gpu membrane",
-    "session": "core scene gpu io membrane render",
-    "app": "core scene gpu io render session",
-    "gui": "core scene gpu render session",
+    "session": "core scene gpu io membrane extrusion render",
+    "app": "core scene gpu io extrusion render session",
+    "gui": "core scene gpu extrusion render session",
 }
 ROOMS = {  # module: {room: rooms of the module it may include (its own is implied); "." is the module's own folder}
     # A module's own folder may include each room unless it is listed.

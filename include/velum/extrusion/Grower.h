@@ -1,0 +1,66 @@
+#pragma once
+#include <list>
+#include <optional>
+#include <span>
+
+#include "velum/core/LabelVolume.h"
+#include "velum/core/Shared.h"
+#include "velum/core/Task.h"
+#include "velum/core/Volume.h"
+#include "velum/extrusion/RegionGrow.h"
+#include "velum/scene/Growth.h"
+
+namespace velum::extrusion {
+
+struct GrowOptions {
+  bool guard = false;  ///< stops before a slab in which the region leaks
+};
+
+/// Where a guard has stopped a step.
+struct Leak {
+  double depth = 0.0;                     ///< at which the slab that leaks ends
+  double area = 0.0, widestBefore = 0.0;  ///< of it, and what was expected at most; the scene's unit, squared
+};
+
+/// What a step has done.
+struct Grown {
+  Shared<LabelVolume> labels;  ///< with it; the same as before where nothing joined
+  VoxelBox box;                ///< around the voxels that changed
+  std::size_t voxels = 0;      ///< that joined
+  int slabs = 0;
+  double ms = 0.0;
+  double distance = 0.0;  ///< to which it has grown: the step's, or what is safe
+  std::optional<Leak> leak;
+};
+
+/// Does steps of growing one after the other. A step's result depends on the volume, the labels before it and the step
+/// alone; what a Grower keeps between steps only saves time. One thread at a time; a step works on all cores.
+class Grower {
+ public:
+  /// @param before  on the volume's grid, see labelsFor()
+  /// @throw Cancelled, and nothing has changed
+  /// @throw ArgumentError when the labels are on another grid, or the step's channel, plane or structure makes no sense
+  Grown grow(const Shared<Volume>& volume, const Shared<LabelVolume>& before, const scene::Growth& step,
+             const GrowOptions& options, Progress& progress);
+
+ private:
+  struct Kept {
+    Shared<Volume> volume;
+    int structure;
+    RegionGrow region;
+  };
+  std::list<Kept>::iterator keep(const Shared<Volume>& volume, const Shared<LabelVolume>& labels,
+                                 const scene::Growth& step);
+  std::list<Kept> mKept;  ///< the last one used comes first
+};
+
+/// The labels in which a volume's structures grow: what is given where it lies on the volume's grid; brought there by
+/// the nearest voxel, with a warning, where it does not; none where nothing is given.
+Shared<LabelVolume> labelsFor(const Volume& volume, const Shared<LabelVolume>& given);
+
+/// All steps of a scene, one after the other, onto what is given.
+/// @throw Cancelled, ArgumentError
+Shared<LabelVolume> growLabels(const Shared<Volume>& volume, const Shared<LabelVolume>& given,
+                               std::span<const scene::Growth> steps, Progress& progress);
+
+}  // namespace velum::extrusion

@@ -38,7 +38,7 @@ ExtrusionPanel::ExtrusionPanel(session::Session& session, Selection& selection, 
   auto* layout = new QVBoxLayout(this);
   layout->setSpacing(kSpacing);
   auto* head = new QHBoxLayout;
-  mPull = button(this, tr("Pull out"), "pullTool",
+  mPull = button(this, tr("Pull out"), "pullOut",
                  tr("Drag structures out of the cut: press on one in the picture and pull"));
   mSecond = button(this, tr("Second plane"), "secondPlane",
                    tr("A plane across the selected one: the two open a wedge, and structures can be pulled out of both"));

@@ -60,7 +60,10 @@ void StructureCommands::toggleSolo(int id) {
 
 void StructureCommands::setColor(const Ids& ids, glm::vec3 color) {
   mDocument.edit(session::structureLabel(mDocument.scene(), "Colour", ids), [&](scene::Scene& scene) {
-    session::changeStructures(scene, ids, [&](scene::Structure& s) { s.color = color; });
+    session::changeStructures(scene, ids, [&](scene::Structure& s) {
+      s.color = color;
+      s.tint = 1.0;  // one that was grown has the material's colours until now
+    });
   });
 }
 

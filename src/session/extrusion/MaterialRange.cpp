@@ -18,23 +18,14 @@ constexpr double kSpreads = 3.0;
 /// Share of the data beyond which there is nothing else worth telling apart.
 constexpr double kEnd = 0.1;
 
-double opacityAt(const std::vector<scene::OpacityPoint>& curve, double value) {
-  auto after = std::find_if(curve.begin(), curve.end(), [&](const auto& p) { return p.value >= value; });
-  if (after == curve.end()) return curve.empty() ? 0.0 : curve.back().opacity;
-  if (after == curve.begin() || after->value == value) return after->opacity;
-  const auto& before = *(after - 1);
-  double t = (value - before.value) / (after->value - before.value);
-  return std::lerp(before.opacity, after->opacity, t);
-}
-
 /// From a value on, point by point, until the curve is hidden or rises again out of a valley; that place.
 double endOfSegment(const std::vector<scene::OpacityPoint>& curve, double value, double limit) {
   bool up = limit > value;
-  std::vector<scene::OpacityPoint> way{{value, opacityAt(curve, value)}};
+  std::vector<scene::OpacityPoint> way{{value, scene::opacityAt(curve, value)}};
   for (const auto& point : curve)
     if (up ? point.value > value && point.value < limit : point.value < value && point.value > limit) way.push_back(point);
   if (!up) std::reverse(way.begin() + 1, way.end());
-  way.push_back({limit, opacityAt(curve, limit)});
+  way.push_back({limit, scene::opacityAt(curve, limit)});
   double highest = way[0].opacity;
   scene::OpacityPoint lowest = way[0];
   for (std::size_t i = 1; i < way.size(); ++i) {
@@ -54,7 +45,7 @@ double endOfSegment(const std::vector<scene::OpacityPoint>& curve, double value,
 }  // namespace
 
 std::optional<MaterialRange> segmentOf(const scene::TransferFunction& transfer, double value, glm::dvec2 range) {
-  if (opacityAt(transfer.opacities, value) < kHidden) return std::nullopt;
+  if (scene::opacityAt(transfer.opacities, value) < kHidden) return std::nullopt;
   return MaterialRange{endOfSegment(transfer.opacities, value, std::min(range.x, value)),
                        endOfSegment(transfer.opacities, value, std::max(range.y, value))};
 }

@@ -72,14 +72,14 @@ Progressed GrowthPlayer::State::growSome(const Shared<Volume>& of, Progressed fr
   double slabs = kFirstSlabs;
   while (from.steps != all && msSince(start) < kWorkMs) {
     bool isNew = from.steps.empty() || from.steps.back() == all[from.steps.size() - 1];
-    const scene::Growth& wanted = all[from.steps.size() - (isNew ? 0 : 1)];
+    const scene::Growth& step = all[from.steps.size() - (isNew ? 0 : 1)];
     double reached = isNew ? 0.0 : from.steps.back().distance;
-    scene::Growth part = wanted;
+    scene::Growth part = step;
     double next = reached + slabs * extrusion::slabThickness(*of);
-    if (next < std::min(wanted.distance, deepest(*of, wanted))) part.distance = next;
+    if (next < std::min(step.distance, deepest(*of, step))) part.distance = next;
     auto partStart = Clock::now();
     extrusion::Grown grown =
-        grower.grow(of, from.labels, part, {.guard = !unguarded.count(wanted.structure)}, progress);
+        grower.grow(of, from.labels, part, {.guard = !unguarded.count(step.structure)}, progress);
     if (msSince(partStart) < kQuickMs) slabs *= 2.0;
     from.labels = grown.labels;
     from.voxels = (isNew ? 0 : from.voxels) + std::int64_t(grown.voxels);
@@ -87,11 +87,10 @@ Progressed GrowthPlayer::State::growSome(const Shared<Volume>& of, Progressed fr
     from.steps.back().distance = part.distance;
     if (!grown.leak) continue;
     from.steps.back().distance = std::max(reached, grown.distance);
-    from.leak = Leak{wanted.structure, from.steps.back().distance,
+    from.leak = Leak{step.structure, from.steps.back().distance,
                      grown.leak->area / std::max(grown.leak->widestBefore, 1e-12)};
     break;
   }
-  from.labels = withRows(from.labels, from.steps);
   return from;
 }
 

@@ -1,7 +1,6 @@
 #include "velum/session/growth/Growths.h"
 
 #include <algorithm>
-#include <cmath>
 #include <ranges>
 
 #include "velum/extrusion/Grower.h"
@@ -14,29 +13,13 @@ void markGiven(scene::LabelLayer& labels) {
   if (labels.growths.empty() && labels.grown.empty()) labels.given = labels.data;
 }
 
-Shared<LabelVolume> withRows(Shared<LabelVolume> labels, std::span<const scene::Growth> steps) {
-  auto hasRow = [](const LabelVolume& of, int id) {
-    return std::any_of(of.table.begin(), of.table.end(), [&](const LabelInfo& info) { return info.id == id; });
-  };
-  if (std::all_of(steps.begin(), steps.end(), [&](const auto& step) { return hasRow(*labels, step.structure); }))
-    return labels;
-  LabelVolume out = *labels;
-  for (const auto& step : steps) {
-    if (hasRow(out, step.structure)) continue;
-    auto id = std::uint16_t(step.structure);
-    auto after = std::find_if(out.table.begin(), out.table.end(), [&](const auto& info) { return info.id > id; });
-    out.table.insert(after, {id, {}, defaultLabelColor(id), 1.0f});
-  }
-  return Shared<LabelVolume>(std::move(out));
-}
-
 std::vector<std::string> settleGrowths(scene::Scene& scene, Progress& progress) {
   auto& labels = scene.labels;
   if (isGrown(scene) || !scene.volume.data) return {};
   if (labels.grown.empty() && !labels.given) labels.given = labels.data;
   auto grown = extrusion::growLabels(scene.volume.data, labels.given, labels.growths, progress);
   std::vector<std::string> notes = grown->warnings;
-  labels.data = labels.growths.empty() ? labels.given : withRows(grown, labels.growths);
+  labels.data = labels.growths.empty() ? labels.given : grown;
   labels.grown = labels.growths;
   scene::completeStructures(labels);
   return notes;

@@ -1,6 +1,5 @@
 #pragma once
 #include <functional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -36,8 +35,5 @@ void removeGrown(scene::Scene& scene, int structure);
 void holdGrowth(scene::Scene& scene, const Leak& held);
 /// The opposite: it goes as far as the structure is pulled.
 void growOn(scene::Scene& scene, int structure);
-
-/// The labels with a row in their table for each structure that steps grow, of whom pictures would know nothing else.
-Shared<LabelVolume> withRows(Shared<LabelVolume> labels, std::span<const scene::Growth> steps);
 
 }  // namespace velum::session

@@ -1,0 +1,199 @@
+// Regions that grow beside the document.
+#include "velum/session/growth/GrowthPlayer.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <random>
+#include <thread>
+
+#include "velum/session/Session.h"
+#include "velum/session/document/Open.h"
+#include "velum/session/extrusion/Pull.h"
+
+namespace velum::session {
+
+namespace {
+
+constexpr int kEdge = 64;
+
+/// Values by a function of the voxel; voxels of 1 mm, a plane in the middle that removes y < 32.
+template <class Value>
+scene::Scene sceneOf(Value&& valueAt) {
+  Volume volume;
+  volume.dims = {kEdge, kEdge, kEdge};
+  volume.type = SampleType::UInt8;
+  volume.voxels.resize(std::size_t(kEdge) * kEdge * kEdge);
+  auto* values = volume.voxels.data();
+  for (int z = 0; z < kEdge; ++z)
+    for (int y = 0; y < kEdge; ++y)
+      for (int x = 0; x < kEdge; ++x) *values++ = std::byte(valueAt(x, y, z));
+  volume.range = {0, 200};
+  scene::Scene scene;
+  scene.volume.data = Shared<Volume>(std::move(volume));
+  scene.volume.transfer.opacities = {{60, 0}, {80, 1}, {255, 1}};
+  scene::Cut cut;
+  cut.centre = {31.5, 32.0, 31.5};
+  cut.axis = {0, -1, 0};
+  scene::addCut(scene, cut);
+  return scene;
+}
+
+/// Bars along y, every fourth voxel, joined at y = 5.
+scene::Scene combScene() {
+  return sceneOf([](int x, int y, int z) { return y == 5 || (x % 4 == 0 && z % 4 == 0) ? 150 : 20; });
+}
+
+/// A bar along y that opens into a block at y < 20.
+scene::Scene leakScene() {
+  return sceneOf([](int x, int y, int z) {
+    bool isBar = std::abs(x - 32) < 4 && std::abs(z - 32) < 4;
+    bool isBlock = y < 20 && x > 2 && x < 62 && z > 2 && z < 62;
+    return isBar || isBlock ? 150 : 20;
+  });
+}
+
+void settle(Session& session) {
+  while (!session.isSettled()) {
+    session.advance(5.0);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+}
+
+/// What the scene's steps give when they are done at once.
+std::size_t differences(const scene::Scene& scene) {
+  scene::Scene fresh = scene;
+  fresh.labels.data = fresh.labels.given;
+  fresh.labels.grown.clear();
+  Progress progress;
+  settleGrowths(fresh, progress);
+  std::size_t wrong = 0;
+  for (int z = 0; z < kEdge; ++z)
+    for (int y = 0; y < kEdge; ++y)
+      for (int x = 0; x < kEdge; ++x) wrong += fresh.labels.data->at({x, y, z}) != scene.labels.data->at({x, y, z});
+  return wrong;
+}
+
+std::size_t voxelsOf(const scene::Scene& scene, int structure) {
+  std::size_t count = 0;
+  for (int z = 0; scene.labels.data && z < kEdge; ++z)
+    for (int y = 0; y < kEdge; ++y)
+      for (int x = 0; x < kEdge; ++x) count += scene.labels.data->at({x, y, z}) == structure;
+  return count;
+}
+
+}  // namespace
+
+TEST(GrowthPlayer, HoweverTheHandGoesTheLabelsAreThoseOfTheSteps) {
+  std::mt19937 random(7);
+  Session session;
+  session.document().replace(combScene());
+  auto& document = session.document();
+  int cut = session.scene().cuts[0].id;
+  for (int drag = 0; drag < 4; ++drag) {
+    glm::dvec3 click(4.0 * double(random() % 15), 32, 4.0 * double(random() % 15));
+    auto pull = beginPull(session.scene(), cut, click, session.scene().labels.data
+                                                           ? session.scene().labels.data->at(glm::ivec3(click))
+                                                           : 0);
+    ASSERT_TRUE(pull);
+    for (int move = 0; move < 12; ++move) {
+      document.edit("Pull", [&](scene::Scene& s) { pullTo(s, *pull, 1.0 + double(random() % 30)); }, true);
+      for (int i = int(random() % 3); i > 0; --i) session.advance(2.0);
+    }
+    document.endMerge();
+    if (drag == 2) document.edit("Move", [](scene::Scene& s) { s.cuts[0].centre.y = 40.0; });
+  }
+  settle(session);
+  ASSERT_TRUE(isGrown(session.scene()));
+  EXPECT_EQ(differences(session.scene()), 0u);
+  EXPECT_GT(voxelsOf(session.scene(), 1), 10u);
+}
+
+TEST(GrowthPlayer, UndoTakesBackWhatHasGrownAndRedoBringsIt) {
+  Session session;
+  session.document().replace(combScene());
+  auto pull = beginPull(session.scene(), session.scene().cuts[0].id, {8, 32, 8}, 0);
+  ASSERT_TRUE(pull);
+  session.document().edit("Pull", [&](scene::Scene& s) { pullTo(s, *pull, 10.0); });
+  settle(session);
+  std::size_t first = voxelsOf(session.scene(), 1);
+  EXPECT_EQ(first, 11u) << "ten deep, and the voxel that was clicked on";
+  session.document().edit("Pull further", [&](scene::Scene& s) { pullTo(s, *pull, 20.0); });
+  settle(session);
+  EXPECT_EQ(voxelsOf(session.scene(), 1), 21u);
+  session.document().undo();
+  settle(session);
+  EXPECT_EQ(voxelsOf(session.scene(), 1), first);
+  session.document().undo();
+  settle(session);
+  EXPECT_EQ(voxelsOf(session.scene(), 1), 0u);
+  EXPECT_TRUE(session.scene().labels.structures.empty());
+  session.document().redo();
+  session.document().redo();
+  settle(session);
+  EXPECT_EQ(voxelsOf(session.scene(), 1), 21u);
+  EXPECT_EQ(differences(session.scene()), 0u);
+}
+
+TEST(GrowthPlayer, AnotherRangeGrowsAnewFromTheSeeds) {
+  Session session;
+  session.document().replace(combScene());
+  auto pull = beginPull(session.scene(), session.scene().cuts[0].id, {8, 32, 8}, 0);
+  ASSERT_TRUE(pull);
+  session.document().edit("Pull", [&](scene::Scene& s) { pullTo(s, *pull, 10.0); });
+  settle(session);
+  session.document().edit("Everything", [](scene::Scene& s) {
+    changeGrowth(s, 1, [](scene::Growth& g) { g.low = 0.0, g.high = 255.0; });
+  });
+  settle(session);
+  EXPECT_EQ(voxelsOf(session.scene(), 1), std::size_t(kEdge) * kEdge * 10 + 1) << "all that is ten deep";
+  EXPECT_EQ(differences(session.scene()), 0u);
+}
+
+TEST(GrowthPlayer, WhatLeaksIsHeldAndSaidAndMayGoOn) {
+  Session session;
+  session.document().replace(leakScene());
+  auto pull = beginPull(session.scene(), session.scene().cuts[0].id, {32, 32, 32}, 0);
+  ASSERT_TRUE(pull);
+  session.document().edit("Pull", [&](scene::Scene& s) { pullTo(s, *pull, 25.0); });
+  settle(session);
+  auto leak = session.growth().status().leak;
+  ASSERT_TRUE(leak);
+  EXPECT_GT(leak->times, 2.0);
+  EXPECT_LE(leak->distance, 12.5) << "the block begins 12 deep";
+  EXPECT_GE(leak->distance, 5.0);
+  EXPECT_LT(voxelsOf(session.scene(), 1), 1000u) << "the picture is not flooded";
+  EXPECT_EQ(session.scene().labels.growths.back().distance, leak->distance);
+  EXPECT_EQ(extrusionOf(session.scene().cuts[0], 1), 25.0) << "it stays pulled as far as the hand has";
+  session.growth().trust(1);
+  session.document().edit("Grow on", [](scene::Scene& s) { growOn(s, 1); });
+  settle(session);
+  EXPECT_FALSE(session.growth().status().leak);
+  EXPECT_GT(voxelsOf(session.scene(), 1), 20000u);
+  EXPECT_EQ(differences(session.scene()), 0u);
+}
+
+TEST(GrowthPlayer, WhatIsStoppedStaysAsItIs) {
+  Session session;
+  session.document().replace(sceneOf([](int, int, int) { return 150; }));
+  auto pull = beginPull(session.scene(), session.scene().cuts[0].id, {32, 32, 32}, 0);
+  ASSERT_TRUE(pull);
+  session.document().edit("Pull", [&](scene::Scene& s) { pullTo(s, *pull, 30.0); });
+  session.advance(1.0);
+  if (auto reached = session.growth().stop())
+    session.document().edit("Stop", [&](scene::Scene& s) { holdGrowth(s, *reached); });
+  settle(session);
+  EXPECT_TRUE(isGrown(session.scene()));
+  EXPECT_EQ(differences(session.scene()), 0u);
+}
+
+TEST(GrowthPlayer, ASceneThatIsLoadedHasGrownWhatItsStepsSay) {
+  scene::Scene scene = combScene();
+  Progress progress;
+  pullTo(scene, *beginPull(scene, scene.cuts[0].id, {8, 32, 8}, 0), 29.0);
+  loadData(scene, {}, progress);
+  EXPECT_TRUE(isGrown(scene));
+  EXPECT_GT(voxelsOf(scene, 1), 1000u) << "over the joint at y = 5 and down the other bars";
+}
+
+}  // namespace velum::session

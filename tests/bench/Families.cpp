@@ -142,8 +142,13 @@ bool protect(const Member& member, const scene::Scene& scene, Way way, scene::Me
 
 struct Plane {
   std::string family, data;
+  glm::ivec3 voxels{0};
   double ratio = 0, limit = 0, ms = 0;
 };
+
+glm::ivec3 voxelsOf(const scene::Scene& scene) {
+  return scene.volume.data ? scene.volume.data->dims : scene.labels.data->dims();
+}
 
 /// The goal with its slack: at most 1 where it is met.
 double inMedian(const Plane& p) { return p.ratio / (1.25 * p.limit + 0.02); }
@@ -182,8 +187,8 @@ void sweep(const Member& member, const Options& options, std::vector<Plane>& pla
         auto settled = session::settleMembranes(scene, {true, true}, progress);
         const auto& report = settled[0];
         if (report.kept->cutAreaPlane < kLeastPairs) continue;
-        planes.push_back(
-            {member.family, member.source, report.kept->ratio, report.limit->figure.ratio, report.totalMs});
+        planes.push_back({member.family, member.source, voxelsOf(scene), report.kept->ratio, report.limit->figure.ratio,
+                          report.totalMs});
         fmt::print(stderr,
                    "{:<18} {:<24.24} {:<7} direction {} place {}: {:8} pairs, ratio {:.3f} limit {:.3f} {:6.0f} ms, "
                    "{:.0f} of it cut{}\n",
@@ -195,12 +200,23 @@ void sweep(const Member& member, const Options& options, std::vector<Plane>& pla
       }
 }
 
+/// From the smallest data to the largest.
+std::string sizesOf(const std::vector<Plane>& planes) {
+  auto count = [](const Plane& p) { return std::int64_t(p.voxels.x) * p.voxels.y * p.voxels.z; };
+  auto [least, most] = std::minmax_element(planes.begin(), planes.end(),
+                                           [&](const auto& a, const auto& b) { return count(a) < count(b); });
+  auto text = [](glm::ivec3 n) { return fmt::format("{} x {} x {}", n.x, n.y, n.z); };
+  if (least == planes.end()) return "";
+  return least->voxels == most->voxels ? text(most->voxels) : text(least->voxels) + " to " + text(most->voxels);
+}
+
 std::vector<std::string> rowOf(const std::string& family, const std::vector<Plane>& planes) {
   auto ratio = [](const Plane& p) { return p.ratio; };
   auto limit = [](const Plane& p) { return p.limit; };
   auto ms = [](const Plane& p) { return p.ms; };
   auto number = [](double value) { return fmt::format("{:.2f}", value); };
   return {family,
+          sizesOf(planes),
           std::to_string(planes.size()),
           number(quantileOf(planes, ratio, 0.5)),
           number(quantileOf(planes, limit, 0.5)),
@@ -241,7 +257,7 @@ void measureFamilies(const Options& options, Report& report) {
       "least there is. Median goal: ratio / (1.25 limit + 0.02) in the median; nine in ten: ratio / (1.6 limit + "
       "0.05). "
       "Both are met up to 1.");
-  report.table({"data", "planes", "ratio", "limit", "median goal", "nine in ten", "worst", "largest ratio",
+  report.table({"data", "voxels", "planes", "ratio", "limit", "median goal", "nine in ten", "worst", "largest ratio",
                 "median time", "longest"},
                rows);
 }

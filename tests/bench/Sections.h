@@ -31,6 +31,9 @@ void measureMembrane(const Options& options, Report& report);
 void measureMembraneTable(const Options& options, Report& report);
 /// How soon a membrane follows whoever drags its frame.
 void measureMembraneDrag(const Options& options, Report& report);
+
+/// What a picture costs with a finer sheet.
+void measureFineSheets(const Options& options, Report& report);
 /// How much of what is protected the sheets keep whole, against the limit.
 void measureKeptWhole(const Options& options, Report& report);
 /// The same by kinds of data, with ways to protect, sizes and oblique frames: hours.

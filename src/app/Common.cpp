@@ -16,6 +16,7 @@
 #include "velum/scene/Presets.h"
 #include "velum/scene/json/Json.h"
 #include "velum/session/document/Open.h"
+#include "velum/session/growth/Growths.h"
 #include "velum/session/look/Look.h"
 
 namespace velum::app {
@@ -204,6 +205,7 @@ scene::Scene openScene(const InputOptions& input, double aspect) {
     scene.camera = scene::frameCamera(scene, *view, aspect);
   }
   for (const auto& [path, value] : sets) scene::setField(scene, path, value);
+  for (const std::string& note : session::settleGrowths(scene, progress)) log::warning(note);
   return scene;
 }
 

@@ -53,7 +53,7 @@ double deepest(const Volume& volume, const scene::Growth& step) {
 struct GrowthPlayer::State {
   Shared<Volume> volume;
   Shared<LabelVolume> given;
-  Steps wanted;
+  Steps wanted, goal;  ///< of the scene; of the work
   Progressed now;
   std::set<int> trusted;
   std::string error;
@@ -119,7 +119,11 @@ void GrowthPlayer::follow(const scene::Scene& scene) {
     s.isObsolete = s.isWorking;
     return;
   }
-  if (isSameData && isOnTheWay(s.now.steps, s.wanted)) return;
+  if (isSameData && isOnTheWay(s.now.steps, s.wanted)) {
+    // But the work may go too far.
+    s.isObsolete = s.isWorking && (s.isObsolete || !isOnTheWay(s.goal, s.wanted));
+    return;
+  }
   s.isObsolete = s.isWorking;
   s.now.leak.reset();
   s.restart();
@@ -132,6 +136,7 @@ Player::Work GrowthPlayer::nextWork() {
   if (s.isWorking || s.hasNews || !isDue()) return {};
   s.isWorking = true;
   s.isObsolete = false;
+  s.goal = s.wanted;
   if (!s.now.labels) s.restart();
   return [this, volume = s.volume, from = s.now, all = s.wanted, trusted = s.trusted](Progress& progress) -> Finish {
     Progressed to = mState->growSome(volume, from, all, trusted, progress);

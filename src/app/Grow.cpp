@@ -42,8 +42,8 @@ void setRange(scene::Growth& step, const GrowOptions& options, const scene::Volu
   if (options.range.empty()) {
     auto tissue = session::measureTissue(layer, step.seeds.front());
     if (!tissue)
-      throw ArgumentError(fmt::format("--seed {}: nothing is known of the values there; give --range A,B",
-                                      textOf(step.seeds.front())));
+      throw ArgumentError(
+          fmt::format("--seed {}: nothing is known of the values there; give --range A,B", textOf(step.seeds.front())));
     auto [low, high] = session::valuesOf(*tissue, layer);
     step.low = low, step.high = high;
   } else {
@@ -53,9 +53,10 @@ void setRange(scene::Growth& step, const GrowOptions& options, const scene::Volu
   for (const auto& seed : step.seeds) {
     double value = valueAt(*layer.data, extrusion::voxelAt(*layer.data, seed), step.channel, step.timeStep);
     if (!(value >= step.low && value <= step.high))
-      throw ArgumentError(fmt::format("--seed {}: the value there is {:.6g}, not from {:.6g} to {:.6g}; choose another "
-                                      "place, or --range",
-                                      textOf(seed), value, step.low, step.high));
+      throw ArgumentError(
+          fmt::format("--seed {}: the value there is {:.6g}, not from {:.6g} to {:.6g}; choose another "
+                      "place, or --range",
+                      textOf(seed), value, step.low, step.high));
   }
 }
 
@@ -104,9 +105,8 @@ Json reportOf(const scene::Growth& step, const extrusion::Grown& grown, const Vo
   if (volume.lengthUnit == LengthUnit::Millimetre) json["volumeMl"] = double(grown.voxels) * voxelSize / 1000.0;
   if (!grown.box.isEmpty()) json["box"] = {{"first", pointOf(grown.box.first)}, {"last", pointOf(grown.box.end - 1)}};
   if (grown.leak)
-    json["leak"] = {{"depth", grown.leak->depth},
-                    {"area", grown.leak->area},
-                    {"widestBefore", grown.leak->widestBefore}};
+    json["leak"] = {
+        {"depth", grown.leak->depth}, {"area", grown.leak->area}, {"widestBefore", grown.leak->widestBefore}};
   return json;
 }
 
@@ -174,7 +174,8 @@ Run registerGrow(CLI::App& verb) {
   verb.add_option("--distance", options->distance, "no deeper than so much away from the plane");
   verb.add_option("--steepest", options->steepest, "stop where the gradient is as large or larger, value per length")
       ->check(CLI::NonNegativeNumber);
-  verb.add_option("--within", options->within, "take a part of the structure with this label; default: of what has none")
+  verb.add_option("--within", options->within,
+                  "take a part of the structure with this label; default: of what has none")
       ->check(CLI::Range(0, 65535));
   verb.add_flag("--guard", options->guard, "stop before it leaks into what it touches");
   verb.add_option("--name", options->name, "of the new structure")->capture_default_str();

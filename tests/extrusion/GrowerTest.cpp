@@ -119,9 +119,10 @@ TEST(Grower, OnlyBricksThatItTouchesAreNew) {
 
 TEST(Grower, LabelsOfAnotherGridAreBroughtOntoTheVolumes) {
   glm::dmat4 frame = centredFrame({40, 40, 40});
-  Shared<Volume> volume(makeVolume({40, 40, 40}, SampleType::UInt8, [](glm::ivec3) { return 9; }, frame));
-  Shared<LabelVolume> coarse(makeLabels({20, 20, 20}, [](glm::ivec3 v) { return v.x < 10 ? 5 : 0; },
-                                        centredFrame({20, 20, 20}, glm::dvec3(2.0))));
+  Shared<Volume> volume(makeVolume(
+      {40, 40, 40}, SampleType::UInt8, [](glm::ivec3) { return 9; }, frame));
+  Shared<LabelVolume> coarse(makeLabels(
+      {20, 20, 20}, [](glm::ivec3 v) { return v.x < 10 ? 5 : 0; }, centredFrame({20, 20, 20}, glm::dvec3(2.0))));
   Progress progress;
   auto labels = growLabels(volume, coarse, std::vector{stepOf(6, {{5, 5, 5}}, 1, 10)}, progress);
   EXPECT_EQ(labels->dims(), volume->dims);

@@ -81,8 +81,12 @@ void expectBetterWithGuard(const char* name, const Phantom& phantom, const scene
 /// A ball under a vault.
 Phantom lesionAtBone() {
   return {{128, 128, 90},
-          [](glm::dvec3 p) { return ball(p, {64, 64, 40}, 15); },
-          [](glm::dvec3 p) { return std::abs(ball(p, {64, 64, -46}, 103)) - 4.0; }};
+          [](glm::dvec3 p) {
+            return ball(p, {64, 64, 40}, 15);
+          },
+          [](glm::dvec3 p) {
+            return std::abs(ball(p, {64, 64, -46}, 103)) - 4.0;
+          }};
 }
 
 /// A vessel that winds past a vertebra.
@@ -92,7 +96,9 @@ Phantom vesselAtBone() {
             glm::dvec2 middle(40 + 6 * std::sin(p.z / 25.0), 50 + 4 * std::cos(p.z / 19.0));
             return glm::distance(glm::dvec2(p), middle) - 5.0;
           },
-          [](glm::dvec3 p) { return ball(p, {62, 50, 95}, 24); }};
+          [](glm::dvec3 p) {
+            return ball(p, {62, 50, 95}, 24);
+          }};
 }
 
 TEST(LeakGuard, ALesionDoesNotBecomeTheBoneThatItTouches) {
@@ -113,10 +119,26 @@ TEST(LeakGuard, LetsStructuresBeThatBecomeWiderByThemselves) {
     glm::dvec3 at;
   };
   const Case cases[] = {
-      {"ball, cut in its middle", [](glm::dvec3 p) { return ball(p, {55, 55, 50}, 30); }, {55, 55, 50}},
-      {"ball, cut low", [](glm::dvec3 p) { return ball(p, {55, 55, 50}, 30); }, {55, 55, 24}},
-      {"ball, cut at its cap", [](glm::dvec3 p) { return ball(p, {55, 55, 50}, 30); }, {55, 55, 22}},
-      {"cone of 45 degrees", [](glm::dvec3 p) { return glm::distance(glm::dvec2(p), {55, 55}) - p.z * 0.7; }, {55, 55, 5}},
+      {"ball, cut in its middle",
+       [](glm::dvec3 p) {
+         return ball(p, {55, 55, 50}, 30);
+       },
+       {55, 55, 50}},
+      {"ball, cut low",
+       [](glm::dvec3 p) {
+         return ball(p, {55, 55, 50}, 30);
+       },
+       {55, 55, 24}},
+      {"ball, cut at its cap",
+       [](glm::dvec3 p) {
+         return ball(p, {55, 55, 50}, 30);
+       },
+       {55, 55, 22}},
+      {"cone of 45 degrees",
+       [](glm::dvec3 p) {
+         return glm::distance(glm::dvec2(p), {55, 55}) - p.z * 0.7;
+       },
+       {55, 55, 5}},
       {"vessel that forks",
        [](glm::dvec3 p) {
          double apart = std::max(p.z - 40.0, 0.0) * 0.5;
@@ -125,7 +147,9 @@ TEST(LeakGuard, LetsStructuresBeThatBecomeWiderByThemselves) {
        },
        {55, 55, 8}},
       {"vessel with an aneurysm",
-       [](glm::dvec3 p) { return glm::distance(glm::dvec2(p), {55, 55}) - 6.0 - 8.0 * std::exp(-std::pow((p.z - 50) / 14.0, 2.0)); },
+       [](glm::dvec3 p) {
+         return glm::distance(glm::dvec2(p), {55, 55}) - 6.0 - 8.0 * std::exp(-std::pow((p.z - 50) / 14.0, 2.0));
+       },
        {55, 55, 8}},
       {"plate across the cut", [](glm::dvec3 p) { return std::abs(p.x - 55.0) - 5.0; }, {55, 55, 8}},
   };

@@ -6,6 +6,7 @@
 #include "Verbs.h"
 #include "velum/core/Error.h"
 #include "velum/extrusion/Grower.h"
+#include "velum/extrusion/LabelsFor.h"
 #include "velum/io/volumes/WriteVolume.h"
 #include "velum/session/membrane/MembraneEdit.h"
 

@@ -5,6 +5,7 @@
 #include "GrowOracle.h"
 #include "RandomGrowing.h"
 #include "velum/core/Error.h"
+#include "velum/extrusion/LabelsFor.h"
 
 namespace velum::extrusion {
 namespace {

@@ -6,6 +6,7 @@
 
 #include "makeVolume.h"
 #include "velum/extrusion/Grower.h"
+#include "velum/extrusion/LabelsFor.h"
 
 namespace velum::extrusion {
 namespace {

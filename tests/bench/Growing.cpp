@@ -114,7 +114,7 @@ void measureRegions(const Options& options, Report& report) {
   RegionTable table;
   int turns = options.quick ? 3 : 7;
   // Both are joined all through: what is between the gyroid's walls, and a shell.
-  for (int n : options.quick ? std::vector<int>{128, 256} : std::vector<int>{128, 256, 512, 768}) {
+  for (int n : options.quick ? std::vector<int>{128, 256} : std::vector<int>{128, 256, 512, 960}) {
     Shared<Volume> shells(makeShells(n));
     table.add(report, {fmt::format("between walls, {}", n), shells, 70, 90}, turns);
     table.add(report, {fmt::format("shell, {}", n), shells, 200, 255}, turns);

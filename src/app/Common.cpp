@@ -9,6 +9,7 @@
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
+#include <sstream>
 
 #include "velum/core/Error.h"
 #include "velum/core/Log.h"
@@ -207,6 +208,17 @@ scene::Scene openScene(const InputOptions& input, double aspect) {
   for (const auto& [path, value] : sets) scene::setField(scene, path, value);
   for (const std::string& note : session::settleGrowths(scene, progress)) log::warning(note);
   return scene;
+}
+
+std::vector<double> numbersOf(const char* option, const std::string& text, std::size_t count, const char* form) {
+  std::vector<double> numbers;
+  std::istringstream in(text);
+  for (std::string part; std::getline(in, part, ',');) {
+    numbers.push_back(numberIn(part).value_or(std::nan("")));
+    if (!std::isfinite(numbers.back())) numbers.resize(count + 1);
+  }
+  if (numbers.size() != count) throw ArgumentError(fmt::format("{} {}: give {}", option, text, form));
+  return numbers;
 }
 
 void printWarnings(const std::string& path, const std::vector<std::string>& warnings) {

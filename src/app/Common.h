@@ -46,6 +46,8 @@ void stopOnSignals();
 int stopSignal();
 /// The same after so many seconds; 0: never.
 void stopAfter(double seconds);
+/// So many numbers with commas between them. @param form  for people, as "x,y,z"  @throw ArgumentError
+std::vector<double> numbersOf(const char* option, const std::string& text, std::size_t count, const char* form);
 /// Lets no option of a verb be NaN or infinite.
 void finiteNumbersOnly(CLI::App& verb);
 /// Each as a line "warning: PATH: ..." on stderr.

@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <cstdlib>
-#include <sstream>
 
 #include "Verbs.h"
 #include "velum/core/Error.h"
@@ -116,18 +115,6 @@ void protectWhatIsAsked(scene::Scene& scene, scene::Cut& cut, const MembraneOpti
     throw ArgumentError(
         fmt::format("--protect-at {},{},{}: that is outside the volume", options.at[0], options.at[1], options.at[2]));
   sketchWhatIsAsked(scene.volume, membrane.field, options);
-}
-
-/// So many numbers with commas between them. @throw ArgumentError
-std::vector<double> numbersOf(const char* option, const std::string& text, std::size_t count, const char* form) {
-  std::vector<double> numbers;
-  std::istringstream in(text);
-  for (std::string part; std::getline(in, part, ',');) {
-    numbers.push_back(numberIn(part).value_or(std::nan("")));
-    if (!std::isfinite(numbers.back())) numbers.resize(count + 1);
-  }
-  if (numbers.size() != count) throw ArgumentError(fmt::format("{} {}: give {}", option, text, form));
-  return numbers;
 }
 
 /// Pins and kernels, on every membrane of the scene whose frame is there.

@@ -24,6 +24,7 @@ int main(int argc, char** argv) {
   static constexpr Row kVerbs[] = {{"info", "say what a file is", app::registerInfo},
                                    {"render", "make a picture", app::registerRender},
                                    {"membrane", "settle the membranes of a scene and report", app::registerMembrane},
+                                   {"grow", "grow a structure out of a volume, and report", app::registerGrow},
                                    {"bench", "turn the camera and time frames", app::registerBench},
                                    {"compare", "picture against picture", app::registerCompare},
                                    {"sample", "make a phantom with ground truth", app::registerSample},

@@ -24,7 +24,8 @@ int firstWhere(double guess, int width, const Holds& holds) {
 }  // namespace
 
 GrowDomain::GrowDomain(const Volume& volume, glm::dvec3 centre, glm::dvec3 axis, double distance) {
-  if (!isFinite(centre) || !isFinite(axis)) throw ArgumentError("the plane to grow from has a number that is not finite");
+  if (!isFinite(centre) || !isFinite(axis))
+    throw ArgumentError("the plane to grow from has a number that is not finite");
   if (std::isnan(distance)) throw ArgumentError("the distance to grow is not a number");
   double largest = std::max({std::abs(axis.x), std::abs(axis.y), std::abs(axis.z)});
   if (largest == 0.0) return;

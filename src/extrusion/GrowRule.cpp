@@ -18,8 +18,7 @@ double distanceSquared(glm::dvec3 a, glm::dvec3 b, glm::dvec3 p) {
 }  // namespace
 
 GrowRule ruleOf(const scene::Growth& growth) {
-  return {growth.low,     growth.high,     growth.steepest, growth.within,
-          growth.channel, growth.timeStep, growth.barriers};
+  return {growth.low, growth.high, growth.steepest, growth.within, growth.channel, growth.timeStep, growth.barriers};
 }
 
 glm::ivec3 voxelAt(const Volume& volume, glm::dvec3 world) {

@@ -9,6 +9,7 @@
 #include "WriteRegion.h"
 #include "velum/core/Clock.h"
 #include "velum/core/Error.h"
+#include "velum/extrusion/LabelsFor.h"
 #include "velum/extrusion/LeakGuard.h"
 
 namespace velum::extrusion {

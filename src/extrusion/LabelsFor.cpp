@@ -1,8 +1,9 @@
-#include <cmath>
+#include "velum/extrusion/LabelsFor.h"
+
+#include <algorithm>
 #include <vector>
 
 #include "velum/core/Parallel.h"
-#include "velum/extrusion/Grower.h"
 
 namespace velum::extrusion {
 

@@ -9,10 +9,10 @@ namespace {
 
 /// By so much a slab is wider than those before let expect when it leaks. Between what structures do by themselves and
 /// what leaks do, on the phantoms of LeakGuardTest: balls, cones of up to 45 degrees and vessels that fork stay below
-/// 1.9, the leaks begin at 4.
-constexpr double kJump = 2.5;
+/// 1.9, the leaks begin at 9.
+constexpr double kJump = 3.0;
 /// The same for the first slab against the cut, where nothing tells yet how the width changes: the cap of a ball is
-/// there up to 3.1 times as wide as its cut.
+/// there up to 2.6 times as wide as its cut.
 constexpr double kFirstJump = 4.0;
 /// The widest of so many slabs counts, so that a neck is no leak.
 constexpr std::size_t kSlabsBefore = 3;

@@ -11,7 +11,8 @@ namespace velum::extrusion {
 
 /// A square of rows of voxels, as wide as the volume: what one thread grows by itself. Three bits a voxel:
 /// *open*, may join (made when a row is first met), *region*, has joined, and *front*, touches what has joined and has
-/// not been tried, or lay outside the domain when it was. A row with bits in its front is queued, or waits for another domain.
+/// not been tried, or lay outside the domain when it was. A row with bits in its front is queued, or waits for another
+/// domain.
 class RowTile {
  public:
   static constexpr int kEdge = 16;  ///< rows along y and z. Of 8, 16 and 32 the fastest, see docs/PERFORMANCE.md

@@ -6,7 +6,8 @@
 
 namespace velum::extrusion {
 
-/// Which voxels of a row have a value from `low` to `high`, by its raw samples: exactly what valueAt() says. Any thread.
+/// Which voxels of a row have a value from `low` to `high`, by its raw samples: exactly what valueAt() says. Any
+/// thread.
 class ValueBits {
  public:
   /// Works on voxels' raw samples.

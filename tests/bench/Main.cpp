@@ -23,7 +23,8 @@ struct Section {
 };
 constexpr Section kSections[] = {
     {"vtk", measureAgainstVtk},       {"interaction", measureInteraction}, {"labels", measureLabels},
-    {"membrane", measureMembrane},    {"drag", measureMembraneDrag},       {"fine-sheets", measureFineSheets},
+    {"growing", measureGrowing},      {"membrane", measureMembrane},       {"drag", measureMembraneDrag},
+    {"fine-sheets", measureFineSheets},
     {"kept-whole", measureKeptWhole}, {"families", measureFamilies},       {"scaling", measureScaling},
     {"fetches", measureFetches},      {"loading", measureLoading}};
 
@@ -83,7 +84,8 @@ int parseAndRun(int argc, char** argv) {
   for (const Section& section : kSections) names.push_back(section.name);
   app.add_option(
          "--only", only,
-         "sections to measure: vtk, interaction, labels, membrane, drag, fine-sheets, kept-whole, families, scaling, "
+         "sections to measure: vtk, interaction, labels, growing, membrane, drag, fine-sheets, kept-whole, families, "
+         "scaling, "
          "fetches, loading")
       ->check(CLI::IsMember(names));
   app.add_flag("--quick", options.quick, "smaller data, fewer positions: a look, not a measurement");

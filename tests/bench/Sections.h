@@ -18,6 +18,8 @@ void measureAgainstVtk(const Options& options, Report& report);
 void measureInteraction(const Options& options, Report& report);
 /// From an edit of labels to its picture, and the same with all labels sent.
 void measureLabels(const Options& options, Report& report);
+/// Growing regions against ITK, and slab by slab against the paper's figures.
+void measureGrowing(const Options& options, Report& report);
 /// Frame time against voxels, pixels, opacity, cuts and structures.
 void measureScaling(const Options& options, Report& report);
 /// Trilinear fetches: what the driver can do and what our frames ask of it.

@@ -92,8 +92,8 @@ class GrowOracle {
       if (a[axis] > 0) --a[axis];
       if (b[axis] + 1 < mVolume.dims[axis]) ++b[axis];
       steps[axis] = a == b ? glm::dvec3(mVolume.worldFromVoxel[axis]) : world(b) - world(a);
-      rises[axis] = valueAt(mVolume, b, mRule.channel, mRule.timeStep) -
-                    valueAt(mVolume, a, mRule.channel, mRule.timeStep);
+      rises[axis] =
+          valueAt(mVolume, b, mRule.channel, mRule.timeStep) - valueAt(mVolume, a, mRule.channel, mRule.timeStep);
     }
     return glm::length(glm::inverse(glm::transpose(steps)) * rises);
   }

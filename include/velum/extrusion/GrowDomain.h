@@ -31,7 +31,8 @@ class GrowDomain {
 
   bool isEverywhere() const { return mIsEverywhere; }
   double distance() const { return mTo; }
-  /// Of a voxel's middle; 0 where it is everywhere. Never falls along an axis and rises elsewhere on it, though rounded.
+  /// Of a voxel's middle; 0 where it is everywhere. Never falls along an axis and rises elsewhere on it, though
+  /// rounded.
   double depth(glm::ivec3 voxel) const;
   bool contains(glm::ivec3 voxel) const;
   /// Exactly what contains() says of a row's voxels from 0 to before `width`.

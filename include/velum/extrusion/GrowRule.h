@@ -11,7 +11,7 @@ namespace velum::extrusion {
 
 /// Which voxels may join a region, wherever they lie.
 struct GrowRule {
-  double low = 0.0, high = 0.0;  ///< values, the volume's unit, both ends included
+  double low = 0.0, high = 0.0;                               ///< values, the volume's unit, both ends included
   double steepest = std::numeric_limits<double>::infinity();  ///< gradients are smaller than this, value/length
   int within = 0;                                             ///< label that they have; 0: none
   int channel = 0, timeStep = 0;                              ///< of the volume

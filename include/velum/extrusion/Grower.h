@@ -54,10 +54,6 @@ class Grower {
   std::list<Kept> mKept;  ///< the last one used comes first
 };
 
-/// The labels in which a volume's structures grow: what is given where it lies on the volume's grid; brought there by
-/// the nearest voxel, with a warning, where it does not; none where nothing is given.
-Shared<LabelVolume> labelsFor(const Volume& volume, const Shared<LabelVolume>& given);
-
 /// All steps of a scene, one after the other, onto what is given.
 /// @throw Cancelled, ArgumentError
 Shared<LabelVolume> growLabels(const Shared<Volume>& volume, const Shared<LabelVolume>& given,

@@ -21,8 +21,8 @@ struct VoxelBox {
   bool operator==(const VoxelBox&) const = default;
 };
 
-/// A region that grows through voxels joined by faces, 64 voxels a word ([ACS] 4.2, Prop. 3). It grows in steps, each in
-/// a domain of its own, and keeps the active front between them. After a step it is all that is joined to what was
+/// A region that grows through voxels joined by faces, 64 voxels a word ([ACS] 4.2, Prop. 3). It grows in steps, each
+/// in a domain of its own, and keeps the active front between them. After a step it is all that is joined to what was
 /// there, and to the step's seeds, through voxels that may join and lie in the domain: the same voxels however the way
 /// was cut into steps. One thread at a time; a step works on all cores.
 ///

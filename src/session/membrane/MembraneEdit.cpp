@@ -42,6 +42,25 @@ void protectValues(scene::Membrane& membrane, double low, double high, double st
   membrane.field.byValue = withStretch(membrane.field.byValue, low, high, strength);
 }
 
+ValueRange valuesOf(const Tissue& tissue, const scene::VolumeLayer& layer) {
+  double low = tissue.value - kSpreads * tissue.spread, high = tissue.value + kSpreads * tissue.spread;
+  const Volume& volume = *layer.data;
+  int channel = std::clamp(layer.channel, 0, volume.channels - 1);
+  Histogram histogram = valueHistogram(volume, channel, std::clamp(layer.timeStep, 0, volume.timeSteps - 1));
+  // At an end of the data's values thin and blurred parts count too, as far as halfway to what is beside.
+  if (tissue.value > quantile(histogram, 1.0 - kEnd)) {
+    high = volume.range.y;
+    low = tissue.low.value_or(low);
+  } else if (tissue.value < quantile(histogram, kEnd)) {
+    low = volume.range.x;
+    high = tissue.high.value_or(high);
+  } else {
+    low = std::max(low, tissue.low.value_or(low));
+    high = std::min(high, tissue.high.value_or(high));
+  }
+  return {low, high};
+}
+
 std::optional<Tissue> protectTissue(scene::Membrane& membrane, const scene::VolumeLayer& layer, glm::dvec3 world,
                                     double strength) {
   std::optional<Tissue> tissue = measureTissue(layer, world);
@@ -50,21 +69,7 @@ std::optional<Tissue> protectTissue(scene::Membrane& membrane, const scene::Volu
     tissue = inNoise;
     membrane.field.denoise = true;
   }
-  double low = tissue->value - kSpreads * tissue->spread, high = tissue->value + kSpreads * tissue->spread;
-  const Volume& volume = *layer.data;
-  int channel = std::clamp(layer.channel, 0, volume.channels - 1);
-  Histogram histogram = valueHistogram(volume, channel, std::clamp(layer.timeStep, 0, volume.timeSteps - 1));
-  // At an end of the data's values thin and blurred parts count too, as far as halfway to what is beside.
-  if (tissue->value > quantile(histogram, 1.0 - kEnd)) {
-    high = volume.range.y;
-    low = tissue->low.value_or(low);
-  } else if (tissue->value < quantile(histogram, kEnd)) {
-    low = volume.range.x;
-    high = tissue->high.value_or(high);
-  } else {
-    low = std::max(low, tissue->low.value_or(low));
-    high = std::min(high, tissue->high.value_or(high));
-  }
+  auto [low, high] = valuesOf(*tissue, layer);
   protectValues(membrane, low, high, strength);
   return tissue;
 }

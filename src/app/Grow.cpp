@@ -1,0 +1,188 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "Verbs.h"
+#include "velum/core/Error.h"
+#include "velum/extrusion/Grower.h"
+#include "velum/extrusion/LabelsFor.h"
+#include "velum/io/volumes/WriteVolume.h"
+#include "velum/session/membrane/MembraneEdit.h"
+
+namespace velum::app {
+
+namespace {
+
+struct GrowOptions {
+  Common common;
+  InputOptions input;
+  std::vector<std::string> seeds;
+  std::vector<double> range, plane;
+  std::optional<double> distance, steepest;
+  int within = 0;
+  bool guard = false;
+  std::string name, output;
+};
+
+std::string textOf(glm::dvec3 v) { return fmt::format("{},{},{}", v.x, v.y, v.z); }
+
+/// The seeds. @throw ArgumentError when one lies outside the volume
+std::vector<glm::dvec3> seedsOf(const GrowOptions& options, const Volume& volume) {
+  std::vector<glm::dvec3> seeds;
+  for (const auto& text : options.seeds) {
+    auto n = numbersOf("--seed", text, 3, "x,y,z");
+    seeds.push_back({n[0], n[1], n[2]});
+    if (!extrusion::isInside(volume, extrusion::voxelAt(volume, seeds.back())))
+      throw ArgumentError(fmt::format("--seed {}: that is outside the volume", text));
+  }
+  return seeds;
+}
+
+void setRange(scene::Growth& step, const GrowOptions& options, const scene::VolumeLayer& layer) {
+  if (options.range.empty()) {
+    auto tissue = session::measureTissue(layer, step.seeds.front());
+    if (!tissue)
+      throw ArgumentError(
+          fmt::format("--seed {}: nothing is known of the values there; give --range A,B", textOf(step.seeds.front())));
+    auto [low, high] = session::valuesOf(*tissue, layer);
+    step.low = low, step.high = high;
+  } else {
+    if (options.range[0] > options.range[1]) throw ArgumentError("--range A,B: A must not be more than B");
+    step.low = options.range[0], step.high = options.range[1];
+  }
+  for (const auto& seed : step.seeds) {
+    double value = valueAt(*layer.data, extrusion::voxelAt(*layer.data, seed), step.channel, step.timeStep);
+    if (!(value >= step.low && value <= step.high))
+      throw ArgumentError(
+          fmt::format("--seed {}: the value there is {:.6g}, not from {:.6g} to {:.6g}; choose another "
+                      "place, or --range",
+                      textOf(seed), value, step.low, step.high));
+  }
+}
+
+void setPlane(scene::Growth& step, const GrowOptions& options) {
+  if (options.plane.empty()) {
+    if (options.distance) throw ArgumentError("--distance needs --plane, from which it is measured");
+    if (options.guard) throw ArgumentError("--guard needs --plane: it watches how wide the structure is away from it");
+    return;
+  }
+  glm::dvec3 normal(options.plane[0], options.plane[1], options.plane[2]);
+  double squared = glm::dot(normal, normal);
+  if (!(squared > 0.0)) throw ArgumentError("--plane nx,ny,nz,d: the normal must not be 0,0,0");
+  step.axis = normal;
+  step.centre = normal * (options.plane[3] / squared);
+  step.distance = options.distance.value_or(scene::Growth::kEndless);
+  if (step.distance < 0.0) throw ArgumentError(fmt::format("--distance {}: it must not be less than 0", step.distance));
+}
+
+/// One more than the largest label that is in use or has a name.
+int freeLabel(const LabelVolume& labels) {
+  int largest = 0;
+  for (auto id : labels.idsInUse()) largest = std::max(largest, int(id));
+  for (const auto& info : labels.table) largest = std::max(largest, int(info.id));
+  if (largest == 65535) throw InputError("the labels have no number left for another structure");
+  return largest + 1;
+}
+
+void setWithin(scene::Growth& step, const GrowOptions& options, const LabelVolume& labels) {
+  step.within = options.within;
+  auto ids = labels.idsInUse();
+  if (step.within != 0 && std::find(ids.begin(), ids.end(), step.within) == ids.end())
+    throw ArgumentError(fmt::format("--within {}: no voxel has that label", step.within));
+}
+
+Json pointOf(glm::ivec3 v) { return {v.x, v.y, v.z}; }
+
+Json reportOf(const scene::Growth& step, const extrusion::Grown& grown, const Volume& volume) {
+  double voxelSize = std::abs(glm::determinant(glm::dmat3(volume.worldFromVoxel)));
+  Json json = {{"structure", step.structure},
+               {"voxels", grown.voxels},
+               {"slabs", grown.slabs},
+               {"ms", grown.ms},
+               {"range", {step.low, step.high}},
+               {"distance", std::isfinite(grown.distance) ? Json(grown.distance) : Json()},
+               {"volume", double(grown.voxels) * voxelSize}};
+  if (volume.lengthUnit == LengthUnit::Millimetre) json["volumeMl"] = double(grown.voxels) * voxelSize / 1000.0;
+  if (!grown.box.isEmpty()) json["box"] = {{"first", pointOf(grown.box.first)}, {"last", pointOf(grown.box.end - 1)}};
+  if (grown.leak)
+    json["leak"] = {
+        {"depth", grown.leak->depth}, {"area", grown.leak->area}, {"widestBefore", grown.leak->widestBefore}};
+  return json;
+}
+
+void print(const extrusion::Grown& grown, const Json& report) {
+  fmt::print("{} voxels in {} slabs, {:.2f} ms", grown.voxels, grown.slabs, grown.ms);
+  if (report.contains("volumeMl")) fmt::print(", {:.6g} ml", report["volumeMl"].get<double>());
+  fmt::print("\n");
+  if (grown.leak)
+    fmt::print("stopped at {:.6g}: the slab behind is {:.4g} wide, {:.4g} was to be expected at most\n", grown.distance,
+               grown.leak->area, grown.leak->widestBefore);
+}
+
+int run(const GrowOptions& options) {
+  scene::Scene scene = openScene(options.input, 1.0);
+  if (!scene.volume.data) throw InputError("there is no volume to grow in: name a file that has one");
+  const Volume& volume = *scene.volume.data;
+  auto given = scene.labels.growths.empty() ? scene.labels.data : scene.labels.given;
+  Shared<LabelVolume> labels = extrusion::labelsFor(volume, given);
+  scene::Growth step;
+  step.structure = freeLabel(*labels);
+  step.seeds = seedsOf(options, volume);
+  step.channel = std::clamp(scene.volume.channel, 0, volume.channels - 1);
+  step.timeStep = std::clamp(scene.volume.timeStep, 0, volume.timeSteps - 1);
+  step.steepest = options.steepest.value_or(scene::Growth::kEndless);
+  setRange(step, options, scene.volume);
+  setPlane(step, options);
+  setWithin(step, options, *labels);
+  extrusion::Grown grown =
+      extrusion::Grower().grow(scene.volume.data, labels, step, {options.guard}, consoleProgress());
+  LabelVolume result = *grown.labels;
+  for (auto& info : result.table)
+    if (info.id == step.structure) info.name = options.name;
+  auto warnings = given ? result.warnings : std::vector<std::string>();
+  printWarnings(options.input.labels.empty() ? options.output : options.input.labels, warnings);
+  auto lost = io::writeLabels(result, options.output, consoleProgress());
+  printWarnings(options.output, lost);
+  warnings.insert(warnings.end(), lost.begin(), lost.end());
+  consoleProgress().report(1.0, "");
+  Json report = reportOf(step, grown, volume);
+  report["name"] = options.name;
+  report["guarded"] = options.guard;
+  report["output"] = options.output;
+  report["warnings"] = warnings;
+  options.common.json ? printJson(report) : print(grown, report);
+  return 0;
+}
+
+}  // namespace
+
+Run registerGrow(CLI::App& verb) {
+  auto options = std::make_shared<GrowOptions>();
+  options->name = "grown";
+  addCommon(verb, options->common);
+  addInput(verb, options->input, true);
+  verb.add_option("--seed", options->seeds, "a place on the structure, x,y,z; repeatable")
+      ->allow_extra_args(false)
+      ->required();
+  verb.add_option("--range", options->range, "values that belong to it: A,B; default: the material at the first seed")
+      ->delimiter(',')
+      ->expected(2);
+  verb.add_option("--plane", options->plane,
+                  "grow on one side of a plane only: nx,ny,nz,d, where n.p > d; default: everywhere")
+      ->delimiter(',')
+      ->expected(4);
+  verb.add_option("--distance", options->distance, "no deeper than so much away from the plane");
+  verb.add_option("--steepest", options->steepest, "stop where the gradient is as large or larger, value per length")
+      ->check(CLI::NonNegativeNumber);
+  verb.add_option("--within", options->within,
+                  "take a part of the structure with this label; default: of what has none")
+      ->check(CLI::Range(0, 65535));
+  verb.add_flag("--guard", options->guard, "stop before it leaks into what it touches");
+  verb.add_option("--name", options->name, "of the new structure")->capture_default_str();
+  verb.add_option("-o,--output", options->output, "labels, with those of the input: .nrrd, .seg.nrrd, .nii, .nii.gz")
+      ->required();
+  return [options] { return run(*options); };
+}
+
+}  // namespace velum::app

@@ -1,0 +1,100 @@
+"""velum-batch grow: what it grows, what it writes, what it refuses."""
+import json
+import unittest
+
+from velum_cli import CliTest
+
+SIZE = 40
+
+
+class Grow(CliTest):
+    def volume(self, valueOf, name="v.nrrd", more=""):
+        """A cube of uint8 voxels with its first voxel's middle at the origin, half a millimetre apart."""
+        data = bytes(valueOf(x, y, z) for z in range(SIZE) for y in range(SIZE) for x in range(SIZE))
+        head = (f"NRRD0004\ntype: uint8\ndimension: 3\nspace: left-posterior-superior\nsizes: {SIZE} {SIZE} {SIZE}\n"
+                f"space directions: (0.5,0,0) (0,0.5,0) (0,0,0.5)\nspace origin: (0,0,0)\nencoding: raw\n{more}\n")
+        (self.folder / name).write_bytes(head.encode() + data)
+        return self.folder / name
+
+    def bar(self):
+        """A bar of 4 x 4 along z, that reaches a wall at 30."""
+        return self.volume(lambda x, y, z: 200 if z >= 30 else 190 if 10 <= x < 14 and 20 <= y < 24 else 20)
+
+    def test_reports_what_it_has_grown(self):
+        report = self.report("grow", self.bar(), "--seed", "6,11,5", "--range", "150,250", "-o", "l.seg.nrrd")
+        self.assertKeys(report, "voxels", "slabs", "ms", "volumeMl", "box", "structure", "range")
+        self.assertEqual(report["voxels"], 30 * 16 + 10 * SIZE * SIZE)
+        self.assertAlmostEqual(report["volumeMl"], report["voxels"] * 0.125 / 1000)
+        self.assertEqual(report["box"], {"first": [0, 0, 0], "last": [SIZE - 1] * 3})
+        self.assertEqual((self.report("info", "l.seg.nrrd"))["kind"], "labels")
+
+    def test_grows_on_one_side_of_a_plane(self):
+        bar = self.bar()
+        report = self.report("grow", bar, "--seed", "6,11,4", "--range", "150,250", "--plane", "0,0,1,4", "--distance", "5",
+                             "-o", "l.nrrd")
+        # The seed's own voxel, in the plane, and what lies above it up to 9 mm.
+        self.assertEqual(report["voxels"], 1 + 10 * 16)
+        self.assertEqual(report["box"]["last"][2], 18)
+        self.assertGreater(report["slabs"], 1)
+        # However long the normal is that the plane is given by.
+        again = self.report("grow", bar, "--seed", "6,11,4", "--range", "150,250", "--plane", "0,0,3,12", "--distance", "5",
+                            "-o", "m.nrrd")
+        self.assertEqual(report["voxels"], again["voxels"])
+        self.assertEqual((self.folder / "l.nrrd").read_bytes(), (self.folder / "m.nrrd").read_bytes())
+
+    def test_a_guard_stops_before_it_leaks(self):
+        common = ("--seed", "6,11,1", "--range", "150,250", "--plane", "0,0,1,1", "-o", "l.nrrd")
+        leaked = self.report("grow", self.bar(), *common)
+        guarded = self.report("grow", self.bar(), *common, "--guard")
+        self.assertNotIn("leak", leaked)
+        self.assertKeys(guarded["leak"], "depth", "area", "widestBefore")
+        self.assertLess(guarded["voxels"], 30 * 16)
+        self.assertGreater(guarded["voxels"], 15 * 16)
+        self.assertLess(guarded["distance"], guarded["leak"]["depth"])
+        said = self.run_batch("grow", self.bar(), *common, "--guard").stdout.decode()
+        self.assertIn("stopped at", said)
+
+    def test_takes_the_material_at_the_seed_if_no_range_is_given(self):
+        path = self.volume(lambda x, y, z: (150 if x < 20 else 60) + ((x * 73856093 ^ y * 19349663 ^ z * 83492791) >> 5) % 5)
+        report = self.report("grow", path, "--seed", "4,9,9", "-o", "l.nrrd")
+        self.assertEqual(report["voxels"], 20 * SIZE * SIZE)
+
+    def test_adds_to_labels_and_grows_within_one(self):
+        path = self.volume(lambda x, y, z: 100)
+        self.volume(lambda x, y, z: 7 if x < 10 else 0, "given.nrrd")
+        outside = self.report("grow", path, "--labels", "given.nrrd", "--seed", "15,9,9", "--range", "50,150", "--name", "rest",
+                              "-o", "l.seg.nrrd")
+        self.assertEqual(outside["voxels"], 30 * SIZE * SIZE)
+        self.assertEqual(outside["structure"], 8)
+        self.assertIn(b":=rest", (self.folder / "l.seg.nrrd").read_bytes())
+        inside = self.report("grow", path, "--labels", "given.nrrd", "--seed", "2,9,9", "--range", "50,150", "--within", "7",
+                             "-o", "m.nrrd")
+        self.assertEqual(inside["voxels"], 10 * SIZE * SIZE)
+
+    def test_stops_at_steep_places(self):
+        path = self.volume(lambda x, y, z: 100 if x < 20 else 130)
+        report = self.report("grow", path, "--seed", "2,2,2", "--range", "50,150", "--steepest", "20", "-o", "l.nrrd")
+        self.assertEqual(report["voxels"], 19 * SIZE * SIZE)
+
+    def test_refuses_in_one_line(self):
+        bar = self.bar()
+        out = ("-o", "l.nrrd")
+        at = ("--seed", "6,11,5")
+        self.refuse("grow", bar, "--seed", "60,11,5", *out, code=1, words=["--seed", "60,11,5", "outside"])
+        self.refuse("grow", bar, "--seed", "6,11", *out, code=1, words=["--seed", "x,y,z"])
+        self.refuse("grow", bar, *at, "--range", "10,50", *out, code=1, words=["--seed", "190", "10", "50"])
+        self.refuse("grow", bar, *at, "--range", "50,10", *out, code=1, words=["--range"])
+        self.refuse("grow", bar, *at, "--distance", "5", *out, code=1, words=["--distance", "--plane"])
+        self.refuse("grow", bar, *at, "--guard", *out, code=1, words=["--guard", "--plane"])
+        self.refuse("grow", bar, *at, "--plane", "0,0,0,1", *out, code=1, words=["--plane"])
+        self.refuse("grow", bar, *at, "--plane", "0,0,1,1", "--distance", "-2", *out, code=1, words=["--distance", "-2"])
+        self.refuse("grow", bar, *at, "--within", "3", *out, code=1, words=["--within", "3"])
+        self.refuse("grow", bar, *out, code=1, words=["--seed"])
+        self.refuse("grow", bar, *at, code=1, words=["--output"])
+        self.refuse("grow", "none.nrrd", *at, *out, code=2, words=["none.nrrd"])
+        self.refuse("grow", bar, *at, "-o", "l.xyz", code=2, words=["l.xyz"])
+        self.assertFalse((self.folder / "l.nrrd").exists())
+
+
+if __name__ == "__main__":
+    unittest.main()

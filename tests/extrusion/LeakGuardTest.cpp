@@ -1,0 +1,196 @@
+#include "velum/extrusion/LeakGuard.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "makeVolume.h"
+#include "velum/extrusion/Grower.h"
+#include "velum/extrusion/LabelsFor.h"
+
+namespace velum::extrusion {
+namespace {
+
+/// Distance from a place to the axis of a tube, negative inside of it; and what else there is.
+using Shape = std::function<double(glm::dvec3)>;
+
+/// What is to be grown and what it leaks into, with values that are alike: 200 and 215, both with noise of 15, in 60.
+struct Phantom {
+  glm::ivec3 dims;
+  Shape structure, other;
+
+  Volume volume() const {
+    return makeVolume(dims, SampleType::Int16, [&](glm::ivec3 v) {
+      double noise = 30.0 * (hashNoise(v) - 0.5);
+      return (structure(v) <= 0.0 ? 200.0 : other(v) <= 0.0 ? 215.0 : 60.0) + noise;
+    });
+  }
+};
+
+double ball(glm::dvec3 p, glm::dvec3 centre, double radius) { return glm::distance(p, centre) - radius; }
+double nothing(glm::dvec3) { return 1.0; }
+
+/// @param at  on the structure, in the cut  @param axis  towards the removed side
+scene::Growth pull(glm::dvec3 at, glm::dvec3 axis, double distance) {
+  scene::Growth step;
+  step.structure = 1;
+  step.seeds = {at};
+  step.low = 150, step.high = 250;
+  step.centre = at, step.axis = axis, step.distance = distance;
+  return step;
+}
+
+Grown grow(const Phantom& phantom, const scene::Growth& step, bool guard) {
+  Shared<Volume> volume(phantom.volume());
+  Progress progress;
+  return Grower().grow(volume, labelsFor(*volume, {}), step, {guard}, progress);
+}
+
+/// Overlap of what was grown with the structure's part that the step is meant to take.
+double diceOf(const Phantom& phantom, const scene::Growth& step, const LabelVolume& labels) {
+  std::size_t both = 0, sum = 0;
+  for (int z = 0; z < phantom.dims.z; ++z)
+    for (int y = 0; y < phantom.dims.y; ++y)
+      for (int x = 0; x < phantom.dims.x; ++x) {
+        glm::dvec3 p(x, y, z);
+        double depth = glm::dot(p - step.centre, glm::normalize(step.axis));
+        bool wanted = phantom.structure(p) <= 0.0 && depth > 0.0 && depth <= step.distance;
+        bool is = labels.at(glm::ivec3(p)) == 1;
+        both += wanted && is, sum += std::size_t(wanted) + std::size_t(is);
+      }
+  return 2.0 * double(both) / double(sum);
+}
+
+/// Prints and compares. @param least  what the guard's result must reach
+void expectBetterWithGuard(const char* name, const Phantom& phantom, const scene::Growth& step, double least) {
+  Grown with = grow(phantom, step, true), without = grow(phantom, step, false);
+  double guarded = diceOf(phantom, step, *with.labels), leaked = diceOf(phantom, step, *without.labels);
+  std::printf("%s: Dice %.3f with the guard (stopped at %.1f of %.1f), %.3f without\n", name, guarded, with.distance,
+              step.distance, leaked);
+  ASSERT_TRUE(with.leak);
+  EXPECT_GT(with.leak->depth, with.distance);
+  EXPECT_GT(with.leak->area, with.leak->widestBefore);
+  EXPECT_FALSE(without.leak);
+  EXPECT_GT(guarded, least);
+  EXPECT_GT(guarded, leaked + 0.3) << "clearly better";
+  // What is told to be safe is what was grown.
+  scene::Growth safe = step;
+  safe.distance = with.distance;
+  EXPECT_EQ(grow(phantom, safe, false).voxels, with.voxels);
+}
+
+/// A ball under a vault.
+Phantom lesionAtBone() {
+  return {{128, 128, 90},
+          [](glm::dvec3 p) {
+            return ball(p, {64, 64, 40}, 15);
+          },
+          [](glm::dvec3 p) {
+            return std::abs(ball(p, {64, 64, -46}, 103)) - 4.0;
+          }};
+}
+
+/// A vessel that winds past a vertebra.
+Phantom vesselAtBone() {
+  return {{100, 100, 140},
+          [](glm::dvec3 p) {
+            glm::dvec2 middle(40 + 6 * std::sin(p.z / 25.0), 50 + 4 * std::cos(p.z / 19.0));
+            return glm::distance(glm::dvec2(p), middle) - 5.0;
+          },
+          [](glm::dvec3 p) {
+            return ball(p, {62, 50, 95}, 24);
+          }};
+}
+
+TEST(LeakGuard, ALesionDoesNotBecomeTheBoneThatItTouches) {
+  expectBetterWithGuard("lesion at bone", lesionAtBone(), pull({64, 64, 33}, {0, 0, 1}, 50), 0.8);
+  expectBetterWithGuard("lesion at bone, oblique", lesionAtBone(), pull({64, 64, 36}, {0.3, 0.2, 1}, 50), 0.8);
+}
+
+TEST(LeakGuard, AVesselDoesNotBecomeTheBoneThatItTouches) {
+  expectBetterWithGuard("vessel at bone", vesselAtBone(), pull({44, 52, 20}, {0, 0, 1}, 115), 0.6);
+  expectBetterWithGuard("vessel at bone, oblique", vesselAtBone(), pull({44, 52, 20}, {0.2, -0.1, 1}, 110), 0.6);
+}
+
+TEST(LeakGuard, LetsStructuresBeThatBecomeWiderByThemselves) {
+  const glm::ivec3 dims(110, 110, 110);
+  struct Case {
+    const char* name;
+    Shape structure;
+    glm::dvec3 at;
+  };
+  const Case cases[] = {
+      {"ball, cut in its middle",
+       [](glm::dvec3 p) {
+         return ball(p, {55, 55, 50}, 30);
+       },
+       {55, 55, 50}},
+      {"ball, cut low",
+       [](glm::dvec3 p) {
+         return ball(p, {55, 55, 50}, 30);
+       },
+       {55, 55, 24}},
+      {"ball, cut at its cap",
+       [](glm::dvec3 p) {
+         return ball(p, {55, 55, 50}, 30);
+       },
+       {55, 55, 22}},
+      {"cone of 45 degrees",
+       [](glm::dvec3 p) {
+         return glm::distance(glm::dvec2(p), {55, 55}) - p.z * 0.7;
+       },
+       {55, 55, 5}},
+      {"vessel that forks",
+       [](glm::dvec3 p) {
+         double apart = std::max(p.z - 40.0, 0.0) * 0.5;
+         glm::dvec2 q(p);
+         return std::min(glm::distance(q, {55 - apart, 55}), glm::distance(q, {55 + apart, 55})) - 6.0;
+       },
+       {55, 55, 8}},
+      {"vessel with an aneurysm",
+       [](glm::dvec3 p) {
+         return glm::distance(glm::dvec2(p), {55, 55}) - 6.0 - 8.0 * std::exp(-std::pow((p.z - 50) / 14.0, 2.0));
+       },
+       {55, 55, 8}},
+      {"plate across the cut", [](glm::dvec3 p) { return std::abs(p.x - 55.0) - 5.0; }, {55, 55, 8}},
+  };
+  for (const Case& c : cases)
+    for (glm::dvec3 axis : {glm::dvec3(0, 0, 1), glm::dvec3(0.2, 0.1, 1)}) {
+      Grown grown = grow({dims, c.structure, nothing}, pull(c.at, axis, 100), true);
+      EXPECT_FALSE(grown.leak) << c.name << " at " << (grown.leak ? grown.leak->depth : 0.0);
+    }
+}
+
+TEST(LeakGuard, IsADragsGuardAsItIsOneStepsGuard) {
+  // Pulled a little at a time, it stops at the same place.
+  Shared<Volume> volume(vesselAtBone().volume());
+  scene::Growth step = pull({44, 52, 20}, {0, 0, 1}, 115);
+  Progress progress;
+  Grower once, drag;
+  double whole = once.grow(volume, labelsFor(*volume, {}), step, {true}, progress).distance;
+  auto labels = labelsFor(*volume, {});
+  std::optional<double> stopped;
+  for (double distance = 3.0; distance < 115.0 && !stopped; distance += 5.0) {
+    step.distance = distance;
+    Grown grown = drag.grow(volume, labels, step, {true}, progress);
+    labels = grown.labels;
+    if (grown.leak) stopped = grown.distance;
+  }
+  ASSERT_TRUE(stopped);
+  EXPECT_NEAR(*stopped, whole, 5.0);
+}
+
+TEST(LeakGuard, ComparesWithWhatIsExpected) {
+  LeakGuard guard(100.0);
+  EXPECT_TRUE(guard.leaks(1000, 1000)) << "the first against the cut";
+  EXPECT_FALSE(guard.leaks(1000, 50)) << "few voxels do no harm";
+  LeakGuard steady(100.0);
+  for (int i = 0; i < 10; ++i) EXPECT_FALSE(steady.leaks(100 + 60 * i, 1000));
+  EXPECT_TRUE(steady.leaks(3000, 10000));
+  EXPECT_FALSE(steady.leaks(700, 1000)) << "what leaks does not count";
+  LeakGuard unknown;
+  EXPECT_FALSE(unknown.leaks(1e6, 1000000)) << "nothing to tell from";
+}
+
+}  // namespace
+}  // namespace velum::extrusion

@@ -85,7 +85,14 @@ void putItem(DataSet& set, Tag tag, const DataSet& item) {
   sequence.putInto(set, tag);
 }
 
-std::string newUid() { return gdcm::UIDGenerator().Generate(); }
+/// Of the one length that most have, so that the same labels take as many bytes each time.
+std::string newUid() {
+  constexpr std::size_t kLength = 64;
+  std::string uid;
+  do uid = gdcm::UIDGenerator().Generate();
+  while (uid.size() != kLength);
+  return uid;
+}
 
 /// Without what parts values of a text, and no longer than fits: whole characters of UTF-8.
 std::string labelText(const std::string& name) {

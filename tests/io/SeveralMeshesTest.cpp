@@ -135,7 +135,7 @@ TEST(SeveralMeshes, ColoursAreKeptOrSaid) {
     Mesh back = readMesh(folder / name, progress);
     bool isSaid = std::any_of(lines.begin(), lines.end(), [](auto& l) { return l.find("colours") != l.npos; });
     EXPECT_NE(isSaid, back.color.has_value());
-    if (back.color) EXPECT_LT(glm::length(*back.color - *one.color), 0.01f);
+    EXPECT_LT(glm::length(back.color.value_or(*one.color) - *one.color), 0.01f);
   }
   EXPECT_EQ(writeMeshes(two(), folder / "a.stl").size(), 3u) << "normals, colours and names";
 }

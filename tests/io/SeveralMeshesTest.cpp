@@ -60,7 +60,7 @@ struct Glb {
     EXPECT_EQ(length, count * sizeof(T));
     EXPECT_LE(offset + length, binary.size());
     std::vector<T> values(count);
-    std::memcpy(values.data(), binary.data() + offset, length);
+    std::memcpy(static_cast<void*>(values.data()), binary.data() + offset, length);
     return values;
   }
 };

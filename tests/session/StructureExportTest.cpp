@@ -106,8 +106,14 @@ scene::Scene threeStructures() {
     return std::uint16_t(glm::length(p - glm::dvec3(10, 5, 5)) < 1.2 ? 300 : 0);
   });
   scene::Scene scene;
-  scene.labels.structures = {
-      {2, "left one", {1, 0, 0}}, {9, "Right / one", {0, 0, 1}}, {300, "", {0, 1, 0}}, {301, "nowhere"}};
+  auto add = [&](int id, const char* name, glm::vec3 color) {
+    scene::Structure& structure = scene.labels.structures.emplace_back();
+    structure.id = id, structure.name = name, structure.color = color;
+  };
+  add(2, "left one", {1, 0, 0});
+  add(9, "Right / one", {0, 0, 1});
+  add(300, "", {0, 1, 0});
+  add(301, "nowhere", {1, 1, 1});
   scene.labels.data = Shared<LabelVolume>(std::move(labels));
   return scene;
 }

@@ -6,6 +6,7 @@
 #include <vtkIdList.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
+#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 #include <vtkWindowedSincPolyDataFilter.h>
@@ -21,6 +22,10 @@
 namespace velum::io {
 
 namespace {
+
+/// How far smoothing may move a point, voxels, at a smoothness of 1: steps are half a voxel high, and what goes further
+/// is form. Small and thin structures would shrivel without.
+constexpr double kMostMoved = 1.4;
 
 /// In the world, in doubles: far from the origin floats would have steps of their own.
 struct Shape {
@@ -52,6 +57,19 @@ vtkSmartPointer<vtkImageData> maskOf(const LabelVolume& labels, std::uint16_t st
   return image;
 }
 
+/// Takes points back that have moved further than `most`.
+void keepNear(vtkPoints& from, vtkPoints& to, double most) {
+  for (vtkIdType i = 0; i < to.GetNumberOfPoints(); ++i) {
+    glm::dvec3 a, b;
+    from.GetPoint(i, &a.x);
+    to.GetPoint(i, &b.x);
+    double length = glm::length(b - a);
+    if (!(length > most)) continue;
+    b = a + (b - a) * (most / length);
+    to.SetPoint(i, &b.x);
+  }
+}
+
 /// In voxel space. The smoothing is linear, so that it does not matter in which space it is done.
 vtkSmartPointer<vtkPolyData> surfaceOf(vtkImageData* mask, double smoothness, Progress& progress) {
   VtkQuiet quiet;
@@ -78,6 +96,7 @@ vtkSmartPointer<vtkPolyData> surfaceOf(vtkImageData* mask, double smoothness, Pr
   smooth->NormalizeCoordinatesOn();
   smooth->Update();
   progress.throwIfCancelled();
+  keepNear(*edges->GetOutput()->GetPoints(), *smooth->GetOutput()->GetPoints(), kMostMoved * smoothness);
   return smooth->GetOutput();
 }
 
@@ -149,8 +168,8 @@ Mesh extractSurface(const LabelVolume& labels, std::uint16_t structure, glm::ive
   const glm::dmat4& m = labels.worldFromVoxel();
   Shape shape = shapeOf(surfaceOf(mask, std::min(smoothness, 1.0), progress), m);
   glm::dmat3 axes(m);
-  double least = std::min({glm::length(axes[0]), glm::length(axes[1]), glm::length(axes[2])});
-  keepVolume(shape, double(voxels) * std::abs(glm::determinant(axes)), 0.5 * least);
+  double longest = std::max({glm::length(axes[0]), glm::length(axes[1]), glm::length(axes[2])});
+  keepVolume(shape, double(voxels) * std::abs(glm::determinant(axes)), (0.5 + kMostMoved * smoothness) * longest);
 
   Mesh mesh;
   mesh.indices = std::move(shape.indices);

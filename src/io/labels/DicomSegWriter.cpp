@@ -10,13 +10,13 @@
 #include <cmath>
 #include <ctime>
 #include <limits>
+#include <sstream>
 
 #include "DicomCodes.h"
 #include "DicomColor.h"
 #include "LabelTables.h"
 #include "read/Losses.h"
 #include "read/Refuse.h"
-#include "read/SinkStream.h"
 
 namespace velum::io {
 
@@ -327,12 +327,11 @@ std::vector<std::string> writeDicomSeg(const LabelVolume& labels, ReplaceFile& f
   put(set, Tag(0x7fe0, 0x0010), VR::OB, bits.data(), bits.size());
   writer.GetFile().GetHeader().SetDataSetTransferSyntax(gdcm::TransferSyntax::ExplicitVRLittleEndian);
   progress.report(0.9, "Writing " + path.filename().string());
-  SinkStream stream(file);
+  // Into memory: GDCM asserts that its stream takes all, which a full disk does not.
+  std::ostringstream stream;
   writer.SetStream(stream);
-  if (!writer.Write()) {
-    file.throwIfRefused();
-    refuse(path, "the DICOM segmentation cannot be written");
-  }
+  if (!writer.Write()) refuse(path, "the DICOM segmentation cannot be written");
+  file.write(stream.view());
   Losses losses;
   losses.say(cut > 0, "{} names of structures are changed: DICOM has {} characters for them, and no backslash", cut,
              kLongestLabel);

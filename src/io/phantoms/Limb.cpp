@@ -142,7 +142,7 @@ void Skeleton::addLayers(std::vector<Layer>& layers, std::uint16_t cartilage) co
   for (const Placed& placed : mBones) {
     const Bone& bone = placed.bone;
     Layer shell{bone.label, kCorticalHu}, inside{bone.label, kSpongyHu};
-    shell.edge = inside.edge = 1.1f;
+    shell.edge = inside.edge = 1.6f;
     shell.solids.push_back({bone.box, [this, label = bone.label](Vec p) { return distanceTo(label, p); }});
     inside.solids.push_back({bone.box, [this, &bone](Vec p) {
                                float shaft = bone.shaft ? bone.shaft(p) : 0.0f;

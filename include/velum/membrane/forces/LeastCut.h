@@ -75,8 +75,7 @@ constexpr std::size_t kExactNodes = 100000;
 
 /// A sheet that separates nearly as little, in a fraction of the time: of a lattice twice as coarse, found likewise, it
 /// takes the best that there is near that sheet, and looks on around the places where that one lies at the edge of
-/// what was looked through [BANDS]. By pairs it is never worse than any coarser one. What it misses is measured, not
-/// proved: see docs/PERFORMANCE.md.
+/// what was looked through [BANDS]. By pairs it is never worse than any coarser one. What it misses is measured, not proved: see docs/PERFORMANCE.md.
 /// @param exactNodes  lattices of so many nodes that hold something or fewer are solved exactly
 /// @throw as computeLeastCut
 LeastCut computeCutInBands(const CutLattice& lattice, scene::MembraneSide side, CutMetric metric, Progress& progress,

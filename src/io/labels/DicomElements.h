@@ -48,7 +48,7 @@ class Sequence {
   Sequence() : mItems(gdcm::SequenceOfItems::New()) { mItems->SetLengthToUndefined(); }
   void add(const gdcm::DataSet& set) {
     gdcm::Item item;
-    item.SetNestedgdcm::DataSet(set);
+    item.SetNestedDataSet(set);
     item.SetVLToUndefined();
     mItems->AddItem(item);
   }

@@ -1,8 +1,14 @@
+#include <fmt/format.h>
+
 #include "Verbs.h"
+#include "velum/core/Error.h"
 #include "velum/io/labels/ReadLabels.h"
+#include "velum/io/labels/WriteLabels.h"
 #include "velum/io/volumes/ReadVolume.h"
 #include "velum/io/volumes/WriteVolume.h"
+#include "velum/session/document/Open.h"
 #include "velum/session/look/Look.h"
+#include "velum/session/structure/StructureExport.h"
 
 namespace velum::app {
 
@@ -13,7 +19,22 @@ struct ConvertOptions {
   InputOptions input;
   std::string output;
   bool labels = false;
+  std::vector<std::string> structures;
+  double smoothness = session::StructureExport().smoothness;
+  bool apart = false;
 };
+
+using Lines = std::vector<std::string>;
+
+/// Labels, or those of a scene with its names and colours, as surfaces or as a label volume.
+Lines writeStructures(const LabelVolume& labels, const ConvertOptions& options, Json& json) {
+  session::StructureExport what{session::findStructures(labels.table, options.structures), options.smoothness,
+                                options.apart};
+  json["structures"] = what.structures.empty() ? labels.idsInUse().size() : what.structures.size();
+  bool isWhole = what.structures.empty() && !what.apart && !session::isSurfaceFile(options.output);
+  if (isWhole) return io::writeLabels(labels, options.output, consoleProgress());  // also where nothing is labelled
+  return session::exportStructures(labels, options.output, what, consoleProgress());
+}
 
 int run(const ConvertOptions& options) {
   Progress& progress = consoleProgress();
@@ -26,11 +47,16 @@ int run(const ConvertOptions& options) {
   };
   if (session::isLookFile(options.output)) {
     tell(options.output, session::convertLook(source.path, options.output));
+  } else if (session::readSceneText(source.path)) {
+    scene::Scene scene = session::open(source, progress);
+    tell(options.output, writeStructures(session::labelsOf(scene), options, json));
   } else if (options.labels || (source.raw.dims.x == 0 && io::looksLikeLabels(source.path))) {
     LabelVolume labels = io::readLabels(source, progress);
     tell(source.path, labels.warnings);
-    tell(options.output, io::writeLabels(labels, options.output, progress));
-    json["structures"] = labels.table.size();
+    tell(options.output, writeStructures(labels, options, json));
+  } else if (session::isSurfaceFile(options.output)) {
+    throw ArgumentError(
+        fmt::format("{} does not look like labels, of which surfaces are made; say --labels if it is", source.path));
   } else {
     Volume volume = io::readVolume(source, progress);
     tell(source.path, volume.warnings);
@@ -52,10 +78,15 @@ Run registerConvert(CLI::App& verb) {
   addInput(verb, options->input, false);
   verb.get_option("input")->expected(1)->allow_extra_args(false);  // the second word is the output
   verb.add_option("output", options->output,
-                  "file to write: .nrrd, .nii, .nii.gz, .vti, .vdb; the transfer function of a scene or another file: "
-                  ".velum-transfer.json, .vp.json, .vp")
+                  "file to write: .nrrd, .nii, .nii.gz, .vti, .vdb; of labels, or those of a scene, .seg.nrrd, .nrrd, "
+                  ".nii, .nii.gz, .dcm, or their surfaces: .stl, .ply, .glb, .obj, .vtp; the transfer function of a "
+                  "scene or another file: .velum-transfer.json, .vp.json, .vp")
       ->required();
   verb.add_flag("--labels", options->labels, "the input is labels");
+  verb.add_option("--structure", options->structures, "of labels: only this one, by name or number; repeatable");
+  verb.add_option("--smooth", options->smoothness, "how round surfaces of structures are: 0 as voxels lie .. 1")
+      ->check(CLI::Range(0.0, 1.0));
+  verb.add_flag("--apart", options->apart, "a file for each structure: OUTPUT-aorta.stl");
   return [options] { return run(*options); };
 }
 

@@ -10,6 +10,7 @@
 #include "velum/io/volumes/ReadVolume.h"
 #include "velum/scene/Presets.h"
 #include "velum/session/document/Open.h"
+#include "velum/session/structure/StructureSizes.h"
 
 namespace velum::app {
 
@@ -62,11 +63,25 @@ Json describe(const Volume& v) {
   return json;
 }
 
-Json describe(const LabelVolume& labels) {
+/// Each with its size, whatever unit the labels count in.
+Json describeStructures(const LabelVolume& labels) {
+  auto sizes = session::measureStructures(labels, consoleProgress());
+  double mm = unitsPer(labels.lengthUnit(), LengthUnit::Millimetre);
   Json structures = Json::array();
-  for (const auto& info : labels.table)
-    structures.push_back(
-        {{"id", info.id}, {"name", info.name}, {"color", list(info.color, 3)}, {"opacity", info.opacity}});
+  for (const auto& info : labels.table) {
+    const session::StructureSize& size = sizes[info.id];
+    structures.push_back({{"id", info.id},
+                          {"name", info.name},
+                          {"color", list(info.color, 3)},
+                          {"opacity", info.opacity},
+                          {"voxels", size.voxels},
+                          {"volumeMl", size.volume * mm * mm * mm},
+                          {"surfaceCm2", size.surface * mm * mm}});
+  }
+  return structures;
+}
+
+Json describe(const LabelVolume& labels) {
   glm::dmat3 m(labels.worldFromVoxel());
   glm::dvec3 spacing(glm::length(m[0]), glm::length(m[1]), glm::length(m[2]));
   glm::dmat3 unit(m[0] / spacing.x, m[1] / spacing.y, m[2] / spacing.z);
@@ -79,7 +94,7 @@ Json describe(const LabelVolume& labels) {
           {"lengthUnit", std::string(enumName(labels.lengthUnit()))},
           {"direction", directionRows(unit)},
           {"storedBytes", labels.storedBytes()},
-          {"structures", structures},
+          {"structures", describeStructures(labels)},
           {"warnings", labels.warnings}};
 }
 

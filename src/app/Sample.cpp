@@ -6,6 +6,7 @@
 
 #include "Verbs.h"
 #include "velum/core/Error.h"
+#include "velum/io/labels/WriteLabels.h"
 #include "velum/io/volumes/WriteVolume.h"
 
 namespace velum::app {

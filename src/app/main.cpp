@@ -28,7 +28,7 @@ int main(int argc, char** argv) {
                                    {"bench", "turn the camera and time frames", app::registerBench},
                                    {"compare", "picture against picture", app::registerCompare},
                                    {"sample", "make a phantom with ground truth", app::registerSample},
-                                   {"convert", "between volume formats", app::registerConvert},
+                                   {"convert", "between formats of volumes and labels; labels to surfaces", app::registerConvert},
                                    {"recover", "unsaved work of sessions that have died", app::registerRecover},
                                    {"view", "a bare window", app::registerView}};
   std::vector<std::pair<CLI::App*, app::Run>> verbs;

@@ -102,6 +102,30 @@ class Convert(CliTest):
         self.assertTrue(any("normals" in line for line in report["warnings"]), report)
         self.assertEqual(self.report("membrane", "t.nii", "--sheet", "s.ply")["warnings"], [])
 
+    def test_labels_become_surfaces_and_segmentations(self):
+        self.sample("two-spheres", 32)
+        labels = "two-spheres_labels.seg.nrrd"
+        names = [s["name"] for s in self.report("info", labels)["structures"]]
+        self.run_batch("convert", labels, "b.dcm")
+        after = self.report("info", "b.dcm")
+        self.assertEqual((after["kind"], [s["name"] for s in after["structures"]]), ("labels", names))
+        for name in ("b.stl", "b.ply", "b.obj", "b.vtp"):
+            self.assertEqual(self.report("convert", labels, name)["structures"], 2)
+            self.assertGreater(self.report("info", name)["triangles"], 500, name)
+        self.assertEqual(self.report("convert", labels, "b.glb", "--structure", names[0], "--smooth", "0.2")["structures"], 1)
+        self.run_batch("convert", labels, "c.stl", "--apart")
+        self.assertTrue((self.folder / "c-upper-sphere.stl").exists())
+        self.refuse("convert", labels, "d.stl", "--structure", "spleen", code=1, words=["spleen"])
+        self.refuse("convert", labels, "d.stl", "--smooth", "2", code=1, words=["2"])
+        self.refuse("convert", "two-spheres.nrrd", "d.stl", code=1, words=["two-spheres.nrrd", "--labels"])
+
+    def test_structures_of_a_scene_have_its_names(self):
+        path = self.sample("two-spheres", 32)
+        self.run_batch("render", path, "two-spheres_labels.seg.nrrd", "-o", "a.png", "--size", "16x16", "--set",
+                       "labels.structures.0.name=my ball", "--save-scene", "a.json")
+        self.run_batch("convert", "a.json", "b.seg.nrrd")
+        self.assertEqual(self.report("info", "b.seg.nrrd")["structures"][0]["name"], "my ball")
+
     def test_formats_that_are_not_written_exit_2(self):
         path = self.sample()
         for name in ("b.dcm", "b", "b.txt", "none/b.nrrd"):

@@ -33,7 +33,13 @@ class Info(CliTest):
         report = self.report("info", "torso_labels.seg.nrrd")
         self.assertEqual(report["kind"], "labels")
         self.assertGreater(len(report["structures"]), 5)
-        self.assertKeys(report["structures"][0], "id", "name", "color", "opacity")
+        self.assertKeys(report["structures"][0], "id", "name", "color", "opacity", "voxels", "volumeMl", "surfaceCm2")
+
+    def test_structures_have_volume_and_surface(self):
+        self.sample("two-spheres", 64)  # of 26 mm radius
+        for ball in self.report("info", "two-spheres_labels.seg.nrrd")["structures"]:
+            self.assertAlmostEqual(ball["volumeMl"], 73.6, delta=0.8)
+            self.assertAlmostEqual(ball["surfaceCm2"], 84.9, delta=2.5)
 
     def test_a_scene_and_a_picture_give_their_scene(self):
         path = self.sample()

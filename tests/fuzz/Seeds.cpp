@@ -9,6 +9,7 @@
 #include "../io/SegyBytes.h"
 #include "velum/core/Error.h"
 #include "velum/io/images/ImageFile.h"
+#include "velum/io/labels/WriteLabels.h"
 #include "velum/io/looks/TransferFile.h"
 #include "velum/io/meshes/WriteMesh.h"
 #include "velum/io/phantoms/Sample.h"
@@ -290,7 +291,8 @@ void putScenes(scene::Scene scene) {
     journal += scene::encodeLine(line);
   };
   step();
-  for (const char* cut : {R"({"shape": "box"})", R"({"shape": "membrane", "membrane": {}})", R"({"shape": "sphere"})"}) {
+  for (const char* cut :
+       {R"({"shape": "box"})", R"({"shape": "membrane", "membrane": {}})", R"({"shape": "sphere"})"}) {
     scene::setField(scene, "cuts.+", cut);
     step();
   }

@@ -16,6 +16,7 @@
 #include "TempFolder.h"
 #include "look/TransferCanvas.h"
 #include "structure/StructureCommands.h"
+#include "velum/io/labels/WriteLabels.h"
 #include "velum/io/phantoms/Sample.h"
 #include "velum/io/volumes/WriteVolume.h"
 #include "velum/session/look/TransferTool.h"

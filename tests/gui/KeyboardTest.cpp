@@ -27,6 +27,7 @@
 #include "TempFolder.h"
 #include "kit/Theme.h"
 #include "look/TransferCanvas.h"
+#include "velum/io/labels/WriteLabels.h"
 #include "velum/io/phantoms/Sample.h"
 #include "velum/io/volumes/WriteVolume.h"
 #include "window/CommandFinder.h"

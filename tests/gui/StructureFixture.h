@@ -9,6 +9,7 @@
 
 #include "TempFolder.h"
 #include "structure/StructurePanel.h"
+#include "velum/io/labels/WriteLabels.h"
 #include "velum/io/phantoms/Sample.h"
 #include "velum/io/volumes/WriteVolume.h"
 #include "window/MainWindow.h"

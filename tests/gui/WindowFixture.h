@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "TempFolder.h"
+#include "velum/io/labels/WriteLabels.h"
 #include "velum/io/phantoms/Sample.h"
 #include "velum/io/volumes/WriteVolume.h"
 #include "velum/scene/Project.h"

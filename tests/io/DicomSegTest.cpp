@@ -1,3 +1,5 @@
+#include <gdcmReader.h>
+
 #include "DicomParts.h"
 #include "TestFiles.h"
 
@@ -81,6 +83,105 @@ TEST(DicomSeg, WhatDoesNotFitIsSaid) {
   ASSERT_TRUE(
       writeDicom(folder / "uneven.dcm", segmentation(uneven, "BINARY", 1, 3, std::string("\x01\x02\x81\0", 4))));
   EXPECT_TRUE(warns(readLabelsOf(folder / "uneven.dcm"), "evenly"));
+}
+
+// What we write ourselves.
+
+/// Three structures in an odd grid; planes of eight voxels and one, so that bits of frames share bytes.
+LabelVolume someLabels(const glm::dmat4& matrix, glm::ivec3 dims = {9, 7, 11}) {
+  LabelVolume labels(dims, matrix);
+  std::vector<std::uint16_t> ids(std::size_t(dims.x * dims.y * dims.z));
+  std::uint32_t state = 5;
+  for (auto& id : ids) {
+    state = state * 1664525u + 1013904223u;
+    constexpr std::uint16_t kIds[] = {0, 0, 0, 3, 700, 65535};
+    id = kIds[(state >> 16) % 6];
+  }
+  // An empty plane between others, and at the end.
+  auto plane = std::ptrdiff_t(dims.x * dims.y);
+  std::fill(ids.begin() + 4 * plane, ids.begin() + 5 * plane, std::uint16_t(0));
+  std::fill(ids.end() - plane, ids.end(), std::uint16_t(0));
+  labels.write({0, 0, 0}, dims, ids);
+  labels.table = {{3, "left kidney", {1, 0, 0}, 1},
+                  {700, "Mus\u0301culo \u00e9", {0.2f, 0.5f, 1}, 1},
+                  {65535, "bone", {0.9f, 0.85f, 0.7f}, 1}};
+  labels.name = "of a test";
+  return labels;
+}
+
+std::vector<std::string> writeTo(const LabelVolume& labels, const std::filesystem::path& path) {
+  Progress progress;
+  return writeLabels(labels, path, progress);
+}
+
+TEST(DicomSeg, WhatIsWrittenIsReadBackVoxelForVoxelAndInPlace) {
+  TempFolder folder;
+  for (bool isLeftHanded : {false, true}) {
+    LabelVolume labels = someLabels(obliqueMatrix(isLeftHanded, false));
+    EXPECT_TRUE(writeTo(labels, folder / "s.dcm").empty());
+    EXPECT_TRUE(looksLikeLabels(folder / "s.dcm"));
+    LabelVolume back = readLabelsOf(folder / "s.dcm");
+    ASSERT_EQ(back.dims(), labels.dims());
+    // DICOM counts planes along the normal of rows and columns: a left-handed grid comes back from its other end.
+    int top = labels.dims().z - 1;
+    auto backOf = [&](glm::ivec3 v) { return isLeftHanded ? glm::ivec3(v.x, v.y, top - v.z) : v; };
+    for (int z = 0; z <= top; ++z)
+      for (int y = 0; y < labels.dims().y; ++y)
+        for (int x = 0; x < labels.dims().x; ++x) {
+          glm::ivec3 v(x, y, z);
+          ASSERT_EQ(back.at(backOf(v)), labels.at(v)) << x << " " << y << " " << z;
+        }
+    for (glm::ivec3 v : {glm::ivec3(0), glm::ivec3(8, 6, 10)}) {
+      auto off = back.worldFromVoxel() * glm::dvec4(backOf(v), 1) - labels.worldFromVoxel() * glm::dvec4(v, 1);
+      EXPECT_LT(glm::length(off), 1e-6) << "decimals of DICOM have 16 characters";
+    }
+    EXPECT_EQ(back.name, "of a test");
+    EXPECT_TRUE(back.warnings.empty()) << back.warnings[0];
+  }
+}
+
+TEST(DicomSeg, IdsNamesAndColoursSurvive) {
+  TempFolder folder;
+  LabelVolume labels = someLabels(glm::dmat4(1.0));
+  writeTo(labels, folder / "s.dcm");
+  LabelVolume back = readLabelsOf(folder / "s.dcm");
+  ASSERT_EQ(back.table.size(), labels.table.size());
+  for (std::size_t i = 0; i < labels.table.size(); ++i) {
+    EXPECT_EQ(back.table[i].id, labels.table[i].id);
+    EXPECT_EQ(back.table[i].name, labels.table[i].name);
+    // Lab of 16 bits: the darkest channels are the coarsest.
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(back.table[i].color[c], labels.table[i].color[c], 2e-3f);
+  }
+}
+
+TEST(DicomSeg, SegmentsAreNumberedFromOneForOtherPrograms) {
+  TempFolder folder;
+  writeTo(someLabels(glm::dmat4(1.0)), folder / "s.dcm");
+  gdcm::Reader reader;
+  reader.SetFileName((folder / "s.dcm").c_str());
+  ASSERT_TRUE(reader.Read());
+  auto segments = reader.GetFile().GetDataSet().GetDataElement(Tag(0x0062, 0x0002)).GetValueAsSQ();
+  ASSERT_EQ(segments->GetNumberOfItems(), 3u);
+  for (std::uint16_t i = 1; i <= 3; ++i) {
+    const DataSet& item = segments->GetItem(i).GetNestedDataSet();
+    std::uint16_t number = 0;
+    std::memcpy(&number, item.GetDataElement(Tag(0x0062, 0x0004)).GetByteValue()->GetPointer(), 2);
+    EXPECT_EQ(number, i);
+  }
+}
+
+TEST(DicomSeg, WhatDicomCannotHoldIsRefusedOrSaid) {
+  TempFolder folder;
+  EXPECT_THROW(writeTo(someLabels(obliqueMatrix(false, true)), folder / "s.dcm"), InputError) << "sheared";
+  LabelVolume angstrom = someLabels(glm::dmat4(1.0));
+  angstrom.setLengthUnit(LengthUnit::Angstrom);
+  EXPECT_THROW(writeTo(angstrom, folder / "s.dcm"), InputError);
+  EXPECT_THROW(writeTo(LabelVolume({4, 4, 4}, glm::dmat4(1.0)), folder / "s.dcm"), InputError) << "nothing in it";
+  EXPECT_FALSE(std::filesystem::exists(folder / "s.dcm"));
+  LabelVolume faint = someLabels(glm::dmat4(1.0));
+  faint.table[0].opacity = 0.5f;
+  faint.table[1].name = std::string(80, 'x') + "\\";
+  EXPECT_EQ(writeTo(faint, folder / "s.dcm").size(), 2u);
 }
 
 }  // namespace

@@ -63,14 +63,14 @@ std::vector<Writer> everyWriter() {
   std::vector<Writer> all;
   for (const char* name : {"v.nrrd", "v.nii", "v.nii.gz", "v.vti", "v.vdb"})
     all.push_back({name, [](const fs::path& path) { write(roughVolume(), path); }});
-  for (const char* name : {"l.seg.nrrd", "l.nii.gz"})
+  for (const char* name : {"l.seg.nrrd", "l.nii.gz", "l.dcm"})
     all.push_back({name, [](const fs::path& path) {
                      Progress progress;
                      writeLabels(roughLabels(), path, progress);
                    }});
   for (const char* name : {"p.png", "p.tif", "p.exr"})
     all.push_back({name, [](const fs::path& path) { writeImage(roughPicture(), path, "a scene"); }});
-  for (const char* name : {"m.obj", "m.ply", "m.vtp", "m.stl"})
+  for (const char* name : {"m.obj", "m.ply", "m.vtp", "m.stl", "m.glb"})
     all.push_back({name, [](const fs::path& path) { writeMesh(fan(), path); }});
   for (const char* name : {"t.velum-transfer.json", "t.vp.json", "t.vp"})
     all.push_back({name, [](const fs::path& path) { writeTransferFile({}, {}, 1.0, path); }});

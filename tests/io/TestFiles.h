@@ -11,6 +11,7 @@
 
 #include "TempFolder.h"
 #include "velum/io/labels/ReadLabels.h"
+#include "velum/io/labels/WriteLabels.h"
 #include "velum/io/volumes/ReadVolume.h"
 #include "velum/io/volumes/WriteVolume.h"
 

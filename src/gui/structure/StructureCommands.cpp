@@ -190,6 +190,9 @@ void StructureCommands::fillMenu(QMenu& menu, const Ids& ids) {
                                    : tr("The selected cut spares it: it stands out of the cut"));
   connect(whole, &QAction::triggered, this, [this, ids](bool on) { setSpared(ids, on); });
   fillMembraneMenu(menu, ids);
+  menu.addSeparator();
+  menu.addAction(tr("Export..."), this, [this, ids] { emit exportAsked(ids); })
+      ->setToolTip(tr("Write it as a surface or as labels, for other programs"));
 }
 
 }  // namespace velum::gui

@@ -48,6 +48,8 @@ class StructureCommands : public QObject {
  signals:
   /// Somebody wants the row of a structure to be seen, e.g. "Rename" in a menu.
   void renameAsked(int id);
+  /// These are to be written for other programs.
+  void exportAsked(const std::vector<int>& ids);
 
  private:
   const scene::Cut* cut() const;

@@ -49,6 +49,10 @@ QString StructureModel::volumeUnit() const {
   return mLengthUnit == LengthUnit::Angstrom ? QString::fromUtf8("nm\u00b3") : QStringLiteral("ml");
 }
 
+QString StructureModel::surfaceUnit() const {
+  return QString::fromUtf8(mLengthUnit == LengthUnit::Angstrom ? "nm\u00b2" : "cm\u00b2");
+}
+
 void StructureModel::setLengthUnit(LengthUnit unit) {
   if (std::exchange(mLengthUnit, unit) != unit) emit headerDataChanged(Qt::Horizontal, Size, Size);
 }
@@ -88,8 +92,9 @@ QString StructureModel::tipOf(const scene::Structure& structure, int column) con
   QString tip = QString("%1\n%2").arg(data(index(rowOf(structure.id), Name), Qt::DisplayRole).toString(),
                                       tr("Number %1").arg(structure.id));
   if (const session::StructureSize* size = mMeter.find(structure.id))
-    tip += "\n" + tr("%1 voxels, %2 %3")
-                      .arg(QLocale().toString(qulonglong(size->voxels)), volumeText(size->volume), volumeUnit());
+    tip += "\n" + tr("%1 voxels, %2 %3, surface %4 %5")
+                      .arg(QLocale().toString(qulonglong(size->voxels)), volumeText(size->volume), volumeUnit(),
+                           volumeText(size->surface), surfaceUnit());
   else if (!mMeter.isMeasuring())
     tip += "\n" + tr("No voxel has this number");
   return tip + "\n" + tr("Double click: go there. F2: rename");

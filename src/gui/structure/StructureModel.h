@@ -42,6 +42,7 @@ class StructureModel : public QAbstractTableModel {
 
  private:
   QString volumeUnit() const;
+  QString surfaceUnit() const;
   QString sizeText(int id) const;
   QString tipOf(const scene::Structure& structure, int column) const;
 

@@ -19,6 +19,7 @@ class StructurePanel : public QWidget {
   StructurePanel(StructureCommands& commands, Selection& selection, QWidget* parent);
   /// Shows the document as it is now; does next to nothing when no label has changed.
   void refresh();
+  std::vector<int> selectedIds() const { return mList->selectedIds(); }
 
  public slots:
   /// The keyboard goes to the search field.

@@ -68,6 +68,10 @@ void StructureRoom::addActions() {
                       withSelected([](StructureCommands& commands, int id, const scene::Scene&) {
                         commands.setSpared({id}, !commands.isSpared(id));
                       }));
+  menu->addSeparator();
+  actions.addForScene(menu, "structure.export", tr("&Export..."),
+                      tr("Write the selected structures as surfaces or as labels, for other programs"),
+                      [this] { emit mCommands->exportAsked(selectedIds()); });
 }
 
 }  // namespace velum::gui

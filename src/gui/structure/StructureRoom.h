@@ -12,6 +12,8 @@ class StructureRoom : public Room {
   explicit StructureRoom(const WindowParts& parts);
   void refresh(const session::Session&) override { mPanel->refresh(); }
   StructureCommands& commands() { return *mCommands; }
+  /// Of the rows that are selected in the list.
+  std::vector<int> selectedIds() const { return mPanel->selectedIds(); }
 
  signals:
   /// A file of labels for what is open is to be chosen.

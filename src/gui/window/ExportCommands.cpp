@@ -4,6 +4,7 @@
 #include <QFileInfo>
 #include <QStandardPaths>
 
+#include "ExportStructuresDialog.h"
 #include "SavePictureDialog.h"
 #include "kit/SelectedCut.h"
 #include "velum/session/membrane/Membranes.h"
@@ -21,6 +22,9 @@ QAction* ExportCommands::addActions(QMenu* menu) {
   mParts.actions.addForScene(menu, "file.exportClipped", tr("Export clipped vol&ume..."),
                              tr("Write the volume without what the cuts take away: NRRD, NIfTI, VTI or OpenVDB"),
                              [this] { askExportClipped(); });
+  mParts.actions.addForScene(menu, "file.exportStructures", tr("Export s&tructures..."),
+                             tr("Write structures as surfaces (STL, PLY, glTF, OBJ) or labels (NRRD, NIfTI, DICOM)"),
+                             [this] { emit exportStructuresAsked(); });
   picture->setIconText(tr("Save picture"));
   return picture;
 }
@@ -122,6 +126,30 @@ void ExportCommands::askExportClipped() {
   QString path = askPath(tr("Export clipped volume"), "-clipped.nrrd",
                          tr("NRRD (*.nrrd);;NIfTI (*.nii.gz *.nii);;VTK ImageData (*.vti);;OpenVDB (*.vdb)"));
   if (!path.isEmpty()) exportClippedTo(path);
+}
+
+// Structures.
+
+void ExportCommands::exportStructuresTo(const QString& path, const session::StructureExport& what) {
+  if (!mParts.session.scene().labels.data) return mParts.messages.showNote(tr("There are no structures to export."));
+  auto losses = std::make_shared<std::vector<std::string>>();
+  mParts.jobs.start(
+      tr("Writing %1").arg(QFileInfo(path).fileName()),
+      [losses, what, scene = mParts.session.scene(), path = path.toStdString()](Progress& progress) {
+        *losses = session::exportStructures(session::labelsOf(scene), path, what, progress);
+      },
+      [this, losses, path] { mParts.messages.showNote(tr("Saved %1").arg(path), *losses); });
+}
+
+void ExportCommands::askExportStructures(const std::vector<int>& selected) {
+  if (!mParts.session.scene().labels.data) return mParts.messages.showNote(tr("There are no structures to export."));
+  ExportStructuresDialog dialog(mParts.session.scene(), selected, &mParts.window);
+  if (dialog.exec() != QDialog::Accepted) return;
+  QStringList filters;
+  for (const auto& kind : session::exportKinds())
+    filters << QString("%1 (*%2)").arg(QString::fromStdString(kind.name), QString::fromStdString(kind.extension));
+  QString path = askPath(tr("Export structures"), "-structures.stl", filters.join(";;"));
+  if (!path.isEmpty()) exportStructuresTo(path, dialog.options());
 }
 
 }  // namespace velum::gui

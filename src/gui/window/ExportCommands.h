@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "velum/session/picture/Picture.h"
+#include "velum/session/structure/StructureExport.h"
 #include "view/Room.h"
 
 namespace velum::gui {
@@ -21,10 +22,18 @@ class ExportCommands : public Room {
   void exportSheetTo(const QString& path);
   /// The volume without what the cuts take away.
   void exportClippedTo(const QString& path);
+  /// Structures as surfaces or as labels.
+  void exportStructuresTo(const QString& path, const session::StructureExport& what);
+
+ signals:
+  /// Structures are to be exported: askExportStructures() with those that are selected.
+  void exportStructuresAsked();
 
  public slots:
   void askExportSheet();
   void askExportClipped();
+  /// @param selected  ids of structures
+  void askExportStructures(const std::vector<int>& selected);
 
  private:
   void askSavePicture();

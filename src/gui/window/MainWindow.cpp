@@ -84,6 +84,9 @@ void MainWindow::connectRooms() {
     if (mFiles->mayLeave()) restoreWork();
   });
   connect(mStructures, &StructureRoom::openLabelsAsked, mFiles, &FileCommands::askOpenLabels);
+  connect(mExports, &ExportCommands::exportStructuresAsked, this,
+          [this] { mExports->askExportStructures(mStructures->selectedIds()); });
+  connect(&mStructures->commands(), &StructureCommands::exportAsked, mExports, &ExportCommands::askExportStructures);
   connect(&mCuts->membranes(), &MembraneRoom::exportSheetAsked, mExports, &ExportCommands::askExportSheet);
   connect(&mCuts->membranes(), &MembraneRoom::exportClippedAsked, mExports, &ExportCommands::askExportClipped);
   connect(&mJobs, &JobRunner::ended, this, &MainWindow::jobEnded);

@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 
+#include "DicomColor.h"
 #include "LabelTables.h"
 #include "read/Refuse.h"
 #include "volumes/DicomFile.h"
@@ -23,36 +24,41 @@ namespace {
 using gdcm::DataSet;
 using gdcm::Tag;
 
-/// DICOM's CIELab (D50, 16 bit) to sRGB.
-glm::vec3 srgbFromDicomLab(const std::uint16_t lab[3]) {
-  double l = lab[0] * 100.0 / 65535, a = lab[1] * 255.0 / 65535 - 128, b = lab[2] * 255.0 / 65535 - 128;
-  auto unfold = [](double t) { return t > 6.0 / 29 ? t * t * t : 3 * 36.0 / 841 * (t - 4.0 / 29); };
-  double fy = (l + 16) / 116;
-  glm::dvec3 xyz(0.9642 * unfold(fy + a / 500), unfold(fy), 0.8249 * unfold(fy - b / 200));
-  // Bradford-adapted from D50; columns are X, Y, Z.
-  const glm::dmat3 linearFromXyz(3.1338561, -0.9787684, 0.0719453, -1.6168667, 1.9161415, -0.2289914, -0.4906146,
-                                 0.0334540, 1.4052427);
-  glm::dvec3 linear = glm::clamp(linearFromXyz * xyz, 0.0, 1.0);
-  glm::vec3 color;
-  for (int i = 0; i < 3; ++i)
-    color[i] = float(linear[i] <= 0.0031308 ? 12.92 * linear[i] : 1.055 * std::pow(linear[i], 1 / 2.4) - 0.055);
-  return color;
+/// What numbers stand for here: themselves, or the ids that our own writer keeps beside them.
+using Ids = std::map<std::uint16_t, std::uint16_t>;
+
+Ids idsOf(const DataSet& set) {
+  Ids ids;
+  std::set<std::uint16_t> taken;
+  auto segments = sequenceOf(set, Tag(0x0062, 0x0002));
+  for (std::size_t i = 1; segments && i <= segments->GetNumberOfItems(); ++i) {
+    const DataSet& item = segments->GetItem(i).GetNestedDataSet();
+    auto id = idOfTrackingId(textOf(item, Tag(0x0062, 0x0020)));
+    if (!id || !taken.insert(*id).second) return {};
+    ids[binaryOf<std::uint16_t>(item, Tag(0x0062, 0x0004), 0)] = *id;
+  }
+  return ids;
 }
 
-std::vector<LabelInfo> segmentTable(const DataSet& set) {
+std::uint16_t idOf(const Ids& ids, std::uint16_t number) {
+  auto found = ids.find(number);
+  return found == ids.end() ? number : found->second;
+}
+
+std::vector<LabelInfo> segmentTable(const DataSet& set, const Ids& ids) {
   std::vector<LabelInfo> table;
   auto segments = sequenceOf(set, Tag(0x0062, 0x0002));
   for (std::size_t i = 1; segments && i <= segments->GetNumberOfItems(); ++i) {
     const DataSet& item = segments->GetItem(i).GetNestedDataSet();
     LabelInfo label;
-    label.id = binaryOf<std::uint16_t>(item, Tag(0x0062, 0x0004), 0);
+    label.id = idOf(ids, binaryOf<std::uint16_t>(item, Tag(0x0062, 0x0004), 0));
     label.name = textOf(item, Tag(0x0062, 0x0005));
     label.color = defaultLabelColor(label.id);
     std::string lab = item.FindDataElement(Tag(0x0062, 0x000d)) ? std::string() : "none";
     const gdcm::ByteValue* bytes = lab.empty() ? item.GetDataElement(Tag(0x0062, 0x000d)).GetByteValue() : nullptr;
     if (bytes && bytes->GetLength() >= 6) {
-      std::uint16_t numbers[3];
-      std::memcpy(numbers, bytes->GetPointer(), 6);
+      DicomLab numbers;
+      std::memcpy(numbers.data(), bytes->GetPointer(), 6);
       label.color = srgbFromDicomLab(numbers);
     }
     table.push_back(std::move(label));
@@ -158,7 +164,7 @@ Planes planesOf(const DicomFile& file, std::vector<std::string>& warnings) {
 }
 
 /// Frames by plane, slab by slab. @return how many voxels more than one segment claims
-std::uint64_t fill(LabelVolume& labels, const DicomFile& file, const Mask& mask, const Planes& planes,
+std::uint64_t fill(LabelVolume& labels, const DicomFile& file, const Mask& mask, const Planes& planes, const Ids& ids,
                    Progress& progress) {
   std::multimap<int, std::size_t> byPlane;
   for (std::size_t i = 0; i < planes.ofFrame.size(); ++i) byPlane.emplace(planes.ofFrame[i], i);
@@ -170,7 +176,7 @@ std::uint64_t fill(LabelVolume& labels, const DicomFile& file, const Mask& mask,
     if (begin == end) continue;
     slab.assign(mask.timeStepVoxels * std::uint64_t(depth), 0);
     for (auto at = begin; at != end; ++at) {
-      auto segment = std::uint16_t(std::max(1, file.frames[at->second].segment));
+      auto segment = idOf(ids, std::uint16_t(std::max(1, file.frames[at->second].segment)));
       std::uint16_t* to = slab.data() + mask.timeStepVoxels * std::uint64_t(at->first - z);
       for (std::uint64_t v = 0; v < mask.timeStepVoxels; ++v) {
         std::uint16_t id = mask.at(at->second, v, segment);
@@ -212,10 +218,11 @@ LabelVolume readDicomSeg(const scene::Source& source, Progress& progress) {
   }
   const DataSet& set = reader.GetFile().GetDataSet();
   Mask mask = maskOf(set, *file);
+  Ids ids = mask.isLabelMap ? Ids() : idsOf(set);
   std::vector<std::string> warnings;
   Planes planes = planesOf(*file, warnings);
   LabelVolume labels({file->columns, file->rows, planes.count}, planes.worldFromVoxel);
-  std::uint64_t overlaps = fill(labels, *file, mask, planes, progress);
+  std::uint64_t overlaps = fill(labels, *file, mask, planes, ids, progress);
   if (mask.isFractional)
     warnings.push_back("the segmentation says how much of a voxel is inside; what is over half is taken as inside");
   if (std::size_t repeats = repeatsOf(*file, planes))
@@ -223,7 +230,7 @@ LabelVolume readDicomSeg(const scene::Source& source, Progress& progress) {
   if (overlaps > 0)
     warnings.push_back(fmt::format("{} voxels belong to several segments; the last one has them", overlaps));
   labels.name = file->description.empty() ? path.stem().string() : file->description;
-  labels.table = completeTable(segmentTable(set), labels.idsInUse());
+  labels.table = completeTable(segmentTable(set, ids), labels.idsInUse());
   labels.warnings = std::move(warnings);
   return labels;
 }

@@ -174,6 +174,15 @@ std::vector<SlicerSegment> parseSlicerSegments(const std::map<std::string, std::
   return segments;
 }
 
+std::string trackingIdOf(std::uint16_t id) { return fmt::format("velum {}", id); }
+
+std::optional<std::uint16_t> idOfTrackingId(std::string_view text) {
+  constexpr std::string_view kStart = "velum ";
+  if (!text.starts_with(kStart)) return std::nullopt;
+  auto id = idOf(std::string(text.substr(kStart.size())));
+  return id && *id != 0 ? id : std::nullopt;
+}
+
 std::vector<LabelInfo> completeTable(std::vector<LabelInfo> table, const std::vector<std::uint16_t>& inUse) {
   std::erase_if(table, [](const LabelInfo& l) { return l.id == 0; });
   std::stable_sort(table.begin(), table.end(), [](const LabelInfo& a, const LabelInfo& b) { return a.id < b.id; });

@@ -1,5 +1,6 @@
 #pragma once
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,5 +21,10 @@ struct SlicerSegment {
 std::vector<SlicerSegment> parseSlicerSegments(const std::map<std::string, std::string>& keyValues);
 /// Sorts by id, drops 0 and repeated ids, and makes up what @p inUse lacks.
 std::vector<LabelInfo> completeTable(std::vector<LabelInfo> table, const std::vector<std::uint16_t>& inUse);
+
+/// How a DICOM segment, whose number is its place in the file, keeps the id of its structure: "velum 12".
+std::string trackingIdOf(std::uint16_t id);
+/// The id in it; nothing when it is of another program.
+std::optional<std::uint16_t> idOfTrackingId(std::string_view text);
 
 }  // namespace velum::io

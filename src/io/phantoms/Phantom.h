@@ -165,5 +165,8 @@ Sample makeNeurons(int size, Progress& progress);
 Sample makeFibres(int size, double contrast, Progress& progress);
 Sample makeUltrasound(int size, Progress& progress);
 Sample makeHeart(int size, int frames, Progress& progress);
+Sample makeHand(int size, Progress& progress);
+Sample makeFoot(int size, Progress& progress);
+Sample makeLesion(int size, Progress& progress);
 
 }  // namespace velum::io

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstring>
 
 #include "FormatTable.h"
 #include "Writers.h"
@@ -23,78 +22,12 @@ std::vector<std::string_view> writtenExtensions() {
   return all;
 }
 
+}  // namespace
+
 void checkWhole(const Volume& v, const Path& path) {
   std::size_t wanted = timeStepBytes(v) * std::size_t(std::max(0, v.timeSteps));
   if (wanted == 0 || v.voxels.size() != wanted) refuse(path, "an empty volume cannot be written");
 }
-
-/// The ids as a plain volume, uint8 where they fit, filled slab by slab.
-Volume volumeOf(const LabelVolume& labels, Progress& progress) {
-  Volume v;
-  v.dims = labels.dims();
-  auto used = labels.idsInUse();
-  v.type = used.empty() || used.back() < 256 ? SampleType::UInt8 : SampleType::UInt16;
-  v.worldFromVoxel = labels.worldFromVoxel();
-  v.lengthUnit = labels.lengthUnit();
-  v.name = labels.name;
-  v.voxels.resize(timeStepBytes(v));
-  std::size_t plane = std::size_t(v.dims.x) * std::size_t(v.dims.y);
-  std::vector<std::uint16_t> slab(plane * LabelVolume::kBrickSize);
-  for (int z = 0; z < v.dims.z; z += LabelVolume::kBrickSize) {
-    int depth = std::min(LabelVolume::kBrickSize, v.dims.z - z);
-    std::size_t count = plane * std::size_t(depth), first = std::size_t(z) * plane;
-    labels.read({0, 0, z}, {v.dims.x, v.dims.y, depth}, slab);
-    if (v.type == SampleType::UInt16)
-      std::memcpy(v.voxels.data() + first * 2, slab.data(), count * 2);
-    else
-      std::transform(slab.begin(), slab.begin() + std::ptrdiff_t(count), v.voxels.begin() + std::ptrdiff_t(first),
-                     [](std::uint16_t id) { return std::byte(id); });
-    progress.throwIfCancelled();
-  }
-  return v;
-}
-
-std::string oneLine(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
-  return text;
-}
-
-/// 3D Slicer's names for what a segment is.
-LabelExtras extrasOf(const LabelVolume& labels, bool isNifti) {
-  LabelExtras extras;
-  auto add = [&](std::size_t i, const char* what, std::string value) {
-    extras.nrrdKeyValues.emplace_back(fmt::format("Segment{}_{}", i, what), std::move(value));
-  };
-  glm::ivec3 last = labels.dims() - 1;
-  std::string xml =
-      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<CaretExtension><VolumeInformation Index=\"0\"><LabelTable>\n";
-  for (std::size_t i = 0; i < labels.table.size(); ++i) {
-    const LabelInfo& label = labels.table[i];
-    std::string name = oneLine(label.name);
-    bool isChanged = name != label.name;
-    add(i, "ID", fmt::format("Segment_{}", label.id));
-    add(i, "Name", name);
-    add(i, "Color", fmt::format("{} {} {}", label.color.r, label.color.g, label.color.b));
-    add(i, "Extent", fmt::format("0 {} 0 {} 0 {}", last.x, last.y, last.z));
-    add(i, "LabelValue", fmt::format("{}", label.id));
-    add(i, "Layer", "0");
-    if (label.opacity != 1.0f) add(i, "VelumOpacity", fmt::format("{}", label.opacity));
-    for (auto at = name.find("]]>"); isNifti && at != std::string::npos; at = name.find("]]>")) {
-      name.erase(at, 3);
-      isChanged = true;
-    }
-    extras.changedNames += isChanged;
-    xml += fmt::format("<Label Key=\"{}\" Red=\"{}\" Green=\"{}\" Blue=\"{}\" Alpha=\"{}\"><![CDATA[{}]]></Label>\n",
-                       label.id, label.color.r, label.color.g, label.color.b, label.opacity, name);
-  }
-  if (!labels.table.empty()) extras.nrrdKeyValues.emplace_back("Segmentation_MasterRepresentation", "Binary labelmap");
-  extras.niftiExtension =
-      xml + "</LabelTable><VolumeType><![CDATA[Label]]></VolumeType></VolumeInformation></CaretExtension>\n";
-  return extras;
-}
-
-}  // namespace
 
 bool isNameLost(const Volume& volume, const Path& path) { return !volume.name.empty() && volume.name != titleOf(path); }
 
@@ -106,25 +39,6 @@ std::vector<std::string> writeVolume(const Volume& volume, const std::filesystem
   auto losses = row->write(volume, file, progress);
   file.commit();
   progress.report(1.0, "Wrote " + path.filename().string());
-  return losses;
-}
-
-std::vector<std::string> writeLabels(const LabelVolume& labels, const std::filesystem::path& path, Progress& progress) {
-  const FormatRow* row = chooseWriter(path);
-  bool isNrrd = row && row->format.name == "NRRD", isNifti = row && row->format.name == "NIfTI";
-  if (!isNrrd && !isNifti) refuse(path, "labels are written as .nrrd, .seg.nrrd, .nii or .nii.gz");
-  Volume v = volumeOf(labels, progress);
-  checkWhole(v, path);
-  LabelExtras extras = extrasOf(labels, isNifti);
-  ReplaceFile file(path);
-  auto losses = (isNrrd ? writeNrrdWith : writeNiftiWith)(v, file, extras, progress);
-  file.commit();
-  progress.report(1.0, "Wrote " + path.filename().string());
-  Losses more;
-  more.say(extras.changedNames > 0,
-           "{} names of structures are changed: line ends, or what ends a name in XML, cannot stand in them",
-           extras.changedNames);
-  for (std::string& line : more.take()) losses.push_back(std::move(line));
   return losses;
 }
 

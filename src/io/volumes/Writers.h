@@ -19,6 +19,8 @@ std::vector<std::string> writeNrrdWith(const Volume& volume, ReplaceFile& file, 
 std::vector<std::string> writeNiftiWith(const Volume& volume, ReplaceFile& file, const LabelExtras& extras,
                                         Progress& progress);
 
+/// @throw InputError when the volume lacks samples
+void checkWhole(const Volume& volume, const Path& path);
 /// Of the name: a file is called by its own where it holds none.
 bool isNameLost(const Volume& volume, const Path& path);
 

@@ -11,6 +11,7 @@
 #include "velum/core/ReplaceFile.h"
 #include "velum/io/images/ImageFile.h"
 #include "velum/io/labels/ReadLabels.h"
+#include "velum/io/labels/WriteLabels.h"
 #include "velum/io/meshes/ReadMesh.h"
 #include "velum/io/phantoms/Sample.h"
 #include "velum/io/volumes/Formats.h"

@@ -5,6 +5,8 @@
 #include <limits>
 #include <vector>
 
+#include "velum/session/structure/StructureSurface.h"
+
 namespace velum::session {
 
 namespace {
@@ -50,7 +52,7 @@ void addBrick(std::vector<Sum>& sums, const LabelVolume::Brick& brick, glm::ivec
 
 }  // namespace
 
-std::map<int, StructureSize> measureStructures(const LabelVolume& labels, Progress& progress) {
+std::map<int, StructureSize> countStructures(const LabelVolume& labels, Progress& progress) {
   std::vector<Sum> sums(65536);
   glm::ivec3 grid = labels.brickGrid();
   for (int bz = 0; bz < grid.z; ++bz) {
@@ -65,8 +67,14 @@ std::map<int, StructureSize> measureStructures(const LabelVolume& labels, Progre
   std::map<int, StructureSize> sizes;
   for (std::size_t id = 1; id < sums.size(); ++id)
     if (const Sum& sum = sums[id]; sum.voxels > 0)
-      sizes[int(id)] = {sum.voxels, double(sum.voxels) * voxelVolume, sum.places / double(sum.voxels), sum.low,
+      sizes[int(id)] = {sum.voxels, double(sum.voxels) * voxelVolume, 0.0, sum.places / double(sum.voxels), sum.low,
                         sum.high};
+  return sizes;
+}
+
+std::map<int, StructureSize> measureStructures(const LabelVolume& labels, Progress& progress) {
+  auto sizes = countStructures(labels, progress);
+  for (const auto& [id, area] : measureSurfaces(labels, progress)) sizes.at(id).surface = area / 100.0;
   return sizes;
 }
 

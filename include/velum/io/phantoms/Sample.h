@@ -20,7 +20,7 @@ struct SampleInfo {
   std::string_view name;  ///< "torso"
   std::string_view doc;
 };
-/// two-spheres, vessels, torso, seismic, neurons, fibres, ultrasound, heart.
+/// two-spheres, vessels, torso, skull, hand, foot, lesion, seismic, neurons, fibres, ultrasound, heart.
 std::span<const SampleInfo> samples();
 
 /// Makes a phantom. Deterministic: the same name and size give the same bytes.

@@ -3,7 +3,6 @@
 #include <string>
 #include <vector>
 
-#include "velum/core/LabelVolume.h"
 #include "velum/core/Task.h"
 #include "velum/core/Volume.h"
 
@@ -15,10 +14,5 @@ namespace velum::io {
 /// @return what the format could not hold, one line each, for people
 /// @throw InputError when the extension is not one of these, the format cannot hold the volume, or the disk refuses
 std::vector<std::string> writeVolume(const Volume& volume, const std::filesystem::path& path, Progress& progress);
-
-/// Writes labels as .nrrd, .seg.nrrd (3D Slicer's segments) or .nii(.gz) (Caret's table), uint8 when they fit, else
-/// uint16, with names, colours and opacities.
-/// @return as writeVolume()
-std::vector<std::string> writeLabels(const LabelVolume& labels, const std::filesystem::path& path, Progress& progress);
 
 }  // namespace velum::io

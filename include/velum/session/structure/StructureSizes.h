@@ -13,12 +13,16 @@ namespace velum::session {
 struct StructureSize {
   std::uint64_t voxels = 0;
   double volume = 0;            ///< in thousands of cubic units of length: ml, or nm^3
+  double surface = 0;           ///< in hundreds of square units of length: cm^2, or nm^2
   glm::dvec3 centroid{0.0};     ///< of its voxels, voxel space; may lie outside of it
   glm::ivec3 low{0}, high{-1};  ///< its box, voxels, both ends included
 };
 
-/// Sizes of all structures that have voxels, by id. O(voxels of the bricks that are not uniform).
+/// Sizes of all structures that have voxels, by id, but for their surfaces. O(voxels of the bricks that are not
+/// uniform).
 /// @throw Cancelled. Any thread.
+std::map<int, StructureSize> countStructures(const LabelVolume& labels, Progress& progress);
+/// The same with their surfaces (see measureSurfaces()). O(voxels).
 std::map<int, StructureSize> measureStructures(const LabelVolume& labels, Progress& progress);
 
 /// The voxel of a structure that is nearest to its centroid, world: a place inside it, whatever its form.

@@ -1,0 +1,196 @@
+#include "velum/session/structure/StructureExport.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "velum/core/Error.h"
+#include "velum/core/FileName.h"
+#include "velum/io/labels/WriteLabels.h"
+#include "velum/io/meshes/ExtractSurface.h"
+#include "velum/io/meshes/WriteMesh.h"
+#include "velum/session/structure/StructureSizes.h"
+
+namespace velum::session {
+
+namespace {
+
+using Path = std::filesystem::path;
+using Lines = std::vector<std::string>;
+
+const LabelInfo* findLabel(const std::vector<LabelInfo>& table, int id) {
+  auto found = std::find_if(table.begin(), table.end(), [id](const LabelInfo& label) { return label.id == id; });
+  return found == table.end() ? nullptr : &*found;
+}
+
+std::string nameOf(const std::vector<LabelInfo>& table, int id) {
+  const LabelInfo* label = findLabel(table, id);
+  return label && !label->name.empty() ? label->name : fmt::format("structure {}", id);
+}
+
+/// Ids in their order, each once. @throw ArgumentError for one without voxels
+std::vector<int> chosenOf(const LabelVolume& labels, const std::map<int, StructureSize>& sizes,
+                          const StructureExport& what) {
+  std::set<int> chosen(what.structures.begin(), what.structures.end());
+  if (chosen.empty())
+    for (const auto& [id, size] : sizes) chosen.insert(id);
+  for (int id : chosen)
+    if (!sizes.contains(id)) throw ArgumentError(fmt::format("{} has no voxels to export", nameOf(labels.table, id)));
+  if (chosen.empty()) throw ArgumentError("there are no structures to export: nothing is labelled");
+  return {chosen.begin(), chosen.end()};
+}
+
+/// With nothing but these structures, in the same grid.
+LabelVolume keepOnly(const LabelVolume& labels, const std::vector<int>& ids, Progress& progress) {
+  LabelVolume kept(labels.dims(), labels.worldFromVoxel(), labels.lengthUnit());
+  kept.name = labels.name;
+  for (const LabelInfo& label : labels.table)
+    if (std::binary_search(ids.begin(), ids.end(), int(label.id))) kept.table.push_back(label);
+  std::vector<char> isKept(65536, 0);
+  for (int id : ids) isKept[std::size_t(id)] = 1;
+  constexpr int kBrick = LabelVolume::kBrickSize;
+  std::vector<std::uint16_t> voxels;
+  glm::ivec3 dims = labels.dims();
+  for (int z = 0; z < dims.z; z += kBrick) {
+    glm::ivec3 size(dims.x, dims.y, std::min(kBrick, dims.z - z));
+    voxels.resize(std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z));
+    labels.read({0, 0, z}, size, voxels);
+    for (std::uint16_t& id : voxels)
+      if (!isKept[id]) id = 0;
+    kept.write({0, 0, z}, size, voxels);
+    progress.report(0.2 * double(z) / dims.z, "Choosing structures");
+  }
+  return kept;
+}
+
+/// Told within a part of the whole. What is cancelled outside is cancelled in it.
+Mesh surfaceOf(const LabelVolume& labels, int id, const StructureSize& size, double smoothness, double from, double to,
+               Progress& progress) {
+  Progress* part = nullptr;
+  std::string what = "Surface of " + nameOf(labels.table, id);
+  Progress inner([&](double fraction, const std::string&) {
+    if (progress.isCancelled())
+      part->cancel();
+    else
+      progress.report(from + (to - from) * fraction, what);
+  });
+  part = &inner;
+  progress.report(from, what);
+  Mesh mesh = io::extractSurface(labels, std::uint16_t(id), size.low, size.high, smoothness, inner);
+  progress.throwIfCancelled();
+  mesh.name = nameOf(labels.table, id);
+  return mesh;
+}
+
+/// Letters and digits of a name, joined by single hyphens: fit for every file system.
+std::string fileWord(const std::string& name) {
+  std::string word;
+  for (char c : lowerCase(name)) {
+    bool isPlain = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || static_cast<unsigned char>(c) >= 0x80;
+    if (isPlain)
+      word += c;
+    else if (!word.empty() && word.back() != '-')
+      word += '-';
+  }
+  while (!word.empty() && word.back() == '-') word.pop_back();
+  return word;
+}
+
+/// NAME-aorta.stl; with its number where another of that name came before.
+Path fileOf(const Path& path, const std::string& name, int id, std::set<std::string>& taken) {
+  std::string file = path.filename().string();
+  std::string extension = file.substr(file.size() - lowerExtension(path).size());
+  if (lowerCase(file).ends_with(".seg.nrrd")) extension = file.substr(file.size() - 9);
+  std::string word = fileWord(name);
+  if (word.empty() || !taken.insert(word).second) word += (word.empty() ? "" : "-") + std::to_string(id);
+  Path result(path);
+  result.replace_filename(file.substr(0, file.size() - extension.size()) + "-" + word + extension);
+  return result;
+}
+
+void addNew(Lines& to, const Lines& lines) {
+  for (const std::string& line : lines)
+    if (std::find(to.begin(), to.end(), line) == to.end()) to.push_back(line);
+}
+
+Lines writeSurfaces(const LabelVolume& labels, const std::map<int, StructureSize>& sizes, const std::vector<int>& ids,
+                    const Path& path, double smoothness, Progress& progress) {
+  std::vector<Mesh> meshes;
+  double step = 0.9 / double(ids.size());
+  for (std::size_t i = 0; i < ids.size(); ++i)
+    meshes.push_back(surfaceOf(labels, ids[i], sizes.at(ids[i]), smoothness, 0.05 + step * double(i),
+                               0.05 + step * double(i + 1), progress));
+  progress.report(0.95, "Writing " + path.filename().string());
+  return io::writeMeshes(meshes, path, labels.lengthUnit());
+}
+
+Lines writeOnly(const LabelVolume& labels, const std::map<int, StructureSize>& sizes, const std::vector<int>& ids,
+                const Path& path, double smoothness, Progress& progress) {
+  if (isSurfaceFile(path)) return writeSurfaces(labels, sizes, ids, path, smoothness, progress);
+  if (ids.size() == sizes.size()) return io::writeLabels(labels, path, progress);
+  return io::writeLabels(keepOnly(labels, ids, progress), path, progress);
+}
+
+}  // namespace
+
+std::vector<ExportKind> exportKinds() {
+  std::vector<ExportKind> kinds;
+  for (const auto& format : io::meshFormats())
+    kinds.push_back({std::string(format.name), std::string(format.extension), true});
+  for (const auto& format : io::labelFormats())
+    kinds.push_back(
+        {std::string(format.name), std::string(format.extensions.substr(0, format.extensions.find(' '))), false});
+  return kinds;
+}
+
+bool isSurfaceFile(const std::filesystem::path& path) {
+  auto formats = io::meshFormats();
+  std::string extension = lowerExtension(path);
+  return std::any_of(formats.begin(), formats.end(), [&](const auto& f) { return f.extension == extension; });
+}
+
+std::vector<std::string> exportStructures(const LabelVolume& labels, const std::filesystem::path& path,
+                                          const StructureExport& what, Progress& progress) {
+  auto sizes = countStructures(labels, progress);
+  auto ids = chosenOf(labels, sizes, what);
+  Lines losses;
+  if (isSurfaceFile(path) && labels.lengthUnit() != LengthUnit::Millimetre && lowerExtension(path) != ".glb")
+    losses.push_back(fmt::format("lengths are in {}, which no file of surfaces says", enumName(labels.lengthUnit())));
+  if (!what.apart) {
+    addNew(losses, writeOnly(labels, sizes, ids, path, what.smoothness, progress));
+    return losses;
+  }
+  std::set<std::string> taken;
+  for (int id : ids) {
+    Path file = fileOf(path, nameOf(labels.table, id), id, taken);
+    addNew(losses, writeOnly(labels, sizes, {id}, file, what.smoothness, progress));
+  }
+  return losses;
+}
+
+LabelVolume labelsOf(const scene::Scene& scene) {
+  if (!scene.labels.data) throw ArgumentError("there are no structures: open labels first, or grow some");
+  LabelVolume labels = *scene.labels.data;
+  if (scene.labels.structures.empty()) return labels;
+  std::vector<LabelInfo> table;
+  for (const scene::Structure& structure : scene.labels.structures)
+    table.push_back({std::uint16_t(structure.id), structure.name, structure.color, float(structure.opacity)});
+  labels.table = std::move(table);
+  return labels;
+}
+
+std::vector<int> findStructures(const std::vector<LabelInfo>& table, const std::vector<std::string>& words) {
+  std::vector<int> ids;
+  for (const std::string& word : words) {
+    auto found = std::find_if(table.begin(), table.end(), [&](const LabelInfo& label) {
+      return std::to_string(label.id) == word || lowerCase(label.name) == lowerCase(word);
+    });
+    if (found == table.end())
+      throw ArgumentError(fmt::format("there is no structure '{}'; name one, or give its number (see info)", word));
+    ids.push_back(found->id);
+  }
+  return ids;
+}
+
+}  // namespace velum::session

@@ -1,0 +1,179 @@
+#include "velum/io/meshes/ExtractSurface.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <map>
+#include <random>
+#include <set>
+
+#include "velum/core/Error.h"
+
+namespace velum::io {
+namespace {
+
+using Inside = std::function<bool(glm::dvec3 voxel)>;
+
+LabelVolume labelsOf(glm::ivec3 dims, const glm::dmat4& matrix, const Inside& isInside) {
+  LabelVolume labels(dims, matrix);
+  std::vector<std::uint16_t> ids;
+  for (int z = 0; z < dims.z; ++z)
+    for (int y = 0; y < dims.y; ++y)
+      for (int x = 0; x < dims.x; ++x) ids.push_back(isInside({x, y, z}) ? 7 : (x + y) % 3 ? 0 : 2);
+  labels.write({0, 0, 0}, dims, ids);
+  labels.table = {{2, "else", {0, 1, 0}, 1}, {7, "it", {1, 0.5f, 0}, 1}};
+  return labels;
+}
+
+Mesh surfaceOf(const LabelVolume& labels, double smoothness) {
+  Progress progress;
+  return extractSurface(labels, 7, glm::ivec3(0), labels.dims() - 1, smoothness, progress);
+}
+
+/// Each edge is in two triangles, once each way: the surface is closed, and all of it faces one way.
+void expectWatertight(const Mesh& mesh) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
+  for (std::size_t i = 0; i < mesh.indices.size(); i += 3)
+    for (std::size_t k = 0; k < 3; ++k) ++edges[{mesh.indices[i + k], mesh.indices[i + (k + 1) % 3]}];
+  for (const auto& [edge, count] : edges) {
+    ASSERT_EQ(count, 1) << edge.first << " to " << edge.second;
+    ASSERT_TRUE(edges.contains({edge.second, edge.first})) << edge.first << " to " << edge.second;
+  }
+}
+
+/// Points less edges and triangles: 2 for each ball, 0 for each ring.
+int eulerOf(const Mesh& mesh) {
+  auto triangles = int(mesh.indices.size() / 3);
+  return int(mesh.positions.size()) - triangles * 3 / 2 + triangles;
+}
+
+double volumeOf(const Mesh& mesh) {
+  double volume = 0;
+  glm::dvec3 near(mesh.positions[0]);
+  for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+    auto at = [&](std::size_t k) { return glm::dvec3(mesh.positions[mesh.indices[i + k]]) - near; };
+    volume += glm::dot(at(0), glm::cross(at(1), at(2))) / 6.0;
+  }
+  return volume;
+}
+
+double voxelVolumeOf(const LabelVolume& labels) {
+  double count = 0;
+  for (int z = 0; z < labels.dims().z; ++z)
+    for (int y = 0; y < labels.dims().y; ++y)
+      for (int x = 0; x < labels.dims().x; ++x) count += labels.at({x, y, z}) == 7;
+  return count * std::abs(glm::determinant(glm::dmat3(labels.worldFromVoxel())));
+}
+
+/// Turned, with voxels of three lengths, and mirrored or sheared where asked.
+glm::dmat4 oddFrame(bool isMirrored, bool isSheared) {
+  double a = 0.4, b = -0.8;
+  glm::dmat3 rz(std::cos(a), std::sin(a), 0, -std::sin(a), std::cos(a), 0, 0, 0, 1);
+  glm::dmat3 rx(1, 0, 0, 0, std::cos(b), std::sin(b), 0, -std::sin(b), std::cos(b));
+  glm::dmat3 turn = rz * rx;
+  glm::dmat4 m(glm::dmat3(turn[0] * 0.7, turn[1] * 0.9, turn[2] * (isMirrored ? -2.0 : 2.0)));
+  if (isSheared) m[2] += m[0] * 0.4;
+  m[3] = glm::dvec4(-120, 45, 310, 1);
+  return m;
+}
+
+Inside ball(glm::dvec3 centre, double radius) {
+  return [=](glm::dvec3 v) { return glm::length(v - centre) < radius; };
+}
+
+TEST(ExtractSurface, BallsAndRingsAreClosedAndOfTheirKind) {
+  auto ring = [](glm::dvec3 v) {
+    v -= glm::dvec3(20, 20, 8);
+    return std::hypot(std::hypot(v.x, v.y) - 12.0, v.z) < 4.5;
+  };
+  for (double smoothness : {0.0, 0.5, 1.0}) {
+    Mesh sphere = surfaceOf(labelsOf({25, 25, 25}, glm::dmat4(1.0), ball({12, 12, 12}, 9.3)), smoothness);
+    expectWatertight(sphere);
+    EXPECT_EQ(eulerOf(sphere), 2);
+    Mesh torus = surfaceOf(labelsOf({41, 41, 17}, glm::dmat4(1.0), ring), smoothness);
+    expectWatertight(torus);
+    EXPECT_EQ(eulerOf(torus), 0);
+  }
+}
+
+TEST(ExtractSurface, NoiseIsClosed) {
+  for (unsigned share : {2u, 5u, 9u}) {
+    std::mt19937 random(share);
+    LabelVolume labels =
+        labelsOf({23, 21, 19}, oddFrame(false, false), [&](glm::dvec3) { return random() % 10 < share; });
+    expectWatertight(surfaceOf(labels, 0.0));
+    expectWatertight(surfaceOf(labels, 0.5));
+  }
+}
+
+TEST(ExtractSurface, WhatMeetsTheBorderIsClosedThere) {
+  LabelVolume all = labelsOf({6, 5, 4}, glm::dmat4(1.0), [](glm::dvec3) { return true; });
+  Mesh mesh = surfaceOf(all, 0.0);
+  expectWatertight(mesh);
+  EXPECT_EQ(eulerOf(mesh), 2);
+  LabelVolume half = labelsOf({20, 20, 20}, glm::dmat4(1.0), ball({0, 10, 19}, 8.0));
+  expectWatertight(surfaceOf(half, 0.5));
+}
+
+TEST(ExtractSurface, EnclosesAsMuchAsTheVoxels) {
+  for (double radius : {2.6, 5.2, 9.1})
+    for (double smoothness : {0.0, 0.3, 0.5, 0.8}) {
+      LabelVolume labels = labelsOf({25, 25, 25}, oddFrame(false, true), ball({12, 12, 12}, radius));
+      double wanted = voxelVolumeOf(labels);
+      EXPECT_NEAR(volumeOf(surfaceOf(labels, smoothness)), wanted, 0.01 * wanted) << radius << ", " << smoothness;
+    }
+  // A rod two voxels thick, which smoothing alone would make a thread of.
+  LabelVolume rod = labelsOf({40, 12, 12}, glm::dmat4(1.0), [](glm::dvec3 v) {
+    return v.x > 2 && v.x < 37 && v.y >= 5 && v.y <= 6 && v.z >= 5 && v.z <= 6;
+  });
+  EXPECT_NEAR(volumeOf(surfaceOf(rod, 0.5)), voxelVolumeOf(rod), 0.01 * voxelVolumeOf(rod));
+}
+
+TEST(ExtractSurface, LiesWhereTheVoxelsLieAndFacesOutwards) {
+  glm::dvec3 middle(13, 11, 9);
+  for (bool isMirrored : {false, true})
+    for (bool isSheared : {false, true}) {
+      LabelVolume labels = labelsOf({27, 23, 19}, oddFrame(isMirrored, isSheared), ball(middle, 7.5));
+      Mesh mesh = surfaceOf(labels, 0.5);
+      EXPECT_GT(volumeOf(mesh), 0.0);
+      glm::dmat4 voxelFromWorld = glm::inverse(labels.worldFromVoxel());
+      glm::dvec3 sum(0.0), centre(labels.worldFromVoxel() * glm::dvec4(middle, 1.0));
+      for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+        glm::dvec3 p(mesh.positions[i]);
+        sum += p;
+        EXPECT_NEAR(glm::length(glm::dvec3(voxelFromWorld * glm::dvec4(p, 1.0)) - middle), 7.5, 0.8);
+        EXPECT_NEAR(glm::length(mesh.normals[i]), 1.0f, 1e-5f);
+        EXPECT_GT(glm::dot(glm::dvec3(mesh.normals[i]), p - centre), 0.0);
+      }
+      EXPECT_LT(glm::length(sum / double(mesh.positions.size()) - centre), 0.1);
+    }
+}
+
+TEST(ExtractSurface, SmoothBallsHaveTheAreaOfABall) {
+  double radius = 10.4, pi = std::acos(-1.0), area = 0;
+  Mesh mesh = surfaceOf(labelsOf({25, 25, 25}, glm::dmat4(1.0), ball({12, 12, 12}, radius)), 0.5);
+  for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+    auto at = [&](std::size_t k) { return glm::dvec3(mesh.positions[mesh.indices[i + k]]); };
+    area += 0.5 * glm::length(glm::cross(at(1) - at(0), at(2) - at(0)));
+  }
+  EXPECT_NEAR(area, 4 * pi * radius * radius, 0.03 * 4 * pi * radius * radius) << "steps would have some 9 % more";
+}
+
+TEST(ExtractSurface, NameAndColourAreTheTables) {
+  Mesh mesh = surfaceOf(labelsOf({9, 9, 9}, glm::dmat4(1.0), ball({4, 4, 4}, 3)), 0.5);
+  EXPECT_EQ(mesh.name, "it");
+  ASSERT_TRUE(mesh.color);
+  EXPECT_EQ(*mesh.color, glm::vec3(1, 0.5f, 0));
+}
+
+TEST(ExtractSurface, NothingIsRefusedAndACancelIsHeard) {
+  LabelVolume labels = labelsOf({25, 25, 25}, glm::dmat4(1.0), ball({12, 12, 12}, 9));
+  Progress progress;
+  EXPECT_THROW(extractSurface(labels, 9, {0, 0, 0}, {24, 24, 24}, 0.5, progress), InputError);
+  progress.cancel();
+  EXPECT_THROW(extractSurface(labels, 7, {0, 0, 0}, {24, 24, 24}, 0.5, progress), Cancelled);
+}
+
+}  // namespace
+}  // namespace velum::io

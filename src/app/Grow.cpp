@@ -7,7 +7,7 @@
 #include "velum/core/Error.h"
 #include "velum/extrusion/Grower.h"
 #include "velum/extrusion/LabelsFor.h"
-#include "velum/io/volumes/WriteVolume.h"
+#include "velum/io/labels/WriteLabels.h"
 #include "velum/session/membrane/MembraneEdit.h"
 
 namespace velum::app {

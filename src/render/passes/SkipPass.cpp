@@ -58,6 +58,13 @@ bool SkipPass::hasContent(const Key& key, glm::vec2 texels) {
   return key.extinctionSums[std::size_t(a)] != key.extinctionSums[std::size_t(b)];
 }
 
+/// The same of what cuts spare: where they spare it no further there is a surface in the middle of material.
+bool SkipPass::hasSparedContent(const Key& key, glm::vec2 texels) {
+  if (key.content != Content::Iso) return hasContent(key, texels);
+  glm::vec2 x = texels * key.tablePerTexel + key.tableOffset;
+  return std::max(x.x, x.y) >= key.isoValue;
+}
+
 SkipPass::Found SkipPass::find(const Key& key, const FrameData& data) {
   Found found{CellSet(key.cells), CellSet(key.cells)};
   auto nx = std::size_t(key.cells.x);
@@ -66,9 +73,10 @@ SkipPass::Found SkipPass::find(const Key& key, const FrameData& data) {
       std::size_t cell = row * nx + x;
       std::uint64_t ids = data.labelCells ? data.labelCells->sets()[cell] : bitOf(0);
       bool isShown = !data.labelCells || (ids & key.visible) != 0;
-      if (!isShown || !hasContent(key, data.volume ? data.volume->cellRanges[cell] : glm::vec2(0.0f))) continue;
-      found.all.rows[row] |= std::uint64_t(1) << x;
-      if (ids & key.spared) found.spared.rows[row] |= std::uint64_t(1) << x;
+      glm::vec2 texels = data.volume ? data.volume->cellRanges[cell] : glm::vec2(0.0f);
+      std::uint64_t bit = std::uint64_t(1) << x;
+      if (isShown && hasContent(key, texels)) found.all.rows[row] |= bit;
+      if (isShown && (ids & key.spared) && hasSparedContent(key, texels)) found.spared.rows[row] |= bit;
     }
   });
   return found;

@@ -42,6 +42,7 @@ class SkipPass : public Pass {
   };
   static Key keyOf(const FrameData& data);
   static bool hasContent(const Key& key, glm::vec2 texels);
+  static bool hasSparedContent(const Key& key, glm::vec2 texels);
   static Found find(const Key& key, const FrameData& data);
 
   gpu::Texture mMap;

@@ -7,6 +7,7 @@
 #include "velum/core/Clock.h"
 #include "velum/extrusion/GrowDomain.h"
 #include "velum/extrusion/Grower.h"
+#include "velum/extrusion/LabelsFor.h"
 
 namespace velum::session {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "velum/scene/Presets.h"
+#include "velum/scene/SectionPlane.h"
 #include "velum/session/cut/CutEdit.h"
 #include "velum/session/growth/Growths.h"
 #include "velum/session/structure/StructureEdit.h"
@@ -49,13 +49,30 @@ scene::Structure newStructure(const scene::Scene& scene, int id, double value) {
   return structure;
 }
 
+/// The first voxel of a range along the way out of the face that lies before it: that of a place on the face may lie behind,
+/// and have no neighbour that does not.
+glm::dvec3 seedBefore(const scene::Scene& scene, const scene::Cut& cut, glm::dvec3 world, const MaterialRange& range) {
+  constexpr double kStep = 0.5, kFurthest = 2.0;  // voxels
+  const Volume& volume = *scene.volume.data;
+  glm::dmat4 voxelFromWorld = glm::inverse(volume.worldFromVoxel);
+  glm::dvec3 out = pullDirection(cut, world) * scene::sectionStep(scene);
+  for (double step = 0.0; step <= kFurthest; step += kStep) {
+    glm::ivec3 voxel(glm::floor(glm::dvec3(voxelFromWorld * glm::dvec4(world + step * out, 1.0)) + 0.5));
+    if (glm::any(glm::lessThan(voxel, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(voxel, volume.dims))) continue;
+    double value = valueAt(volume, voxel, scene.volume.channel, scene.volume.timeStep);
+    glm::dvec3 middle(volume.worldFromVoxel * glm::dvec4(voxel, 1.0));
+    if (value >= range.low && value <= range.high && depthInCut(cut, middle) > 0.0) return middle;
+  }
+  return world;
+}
+
 std::optional<Pull> newPull(const scene::Scene& scene, const scene::Cut& cut, glm::dvec3 world) {
   auto range = materialRangeAt(scene.volume, world);
   auto id = freeStructureId(scene);
   if (!range || !id || scene.labels.growths.size() >= scene::kMostGrowths) return std::nullopt;
   scene::Growth growth;
   growth.structure = *id;
-  growth.seeds = {world};
+  growth.seeds = {seedBefore(scene, cut, world, *range)};
   growth.low = range->low;
   growth.high = range->high;
   growth.channel = std::clamp(scene.volume.channel, 0, scene.volume.data->channels - 1);

@@ -33,7 +33,8 @@ SHARED_CONST uint kFlagHideBehind = 16384u;  // and what lies behind the first o
 SHARED_CONST uint kFlagSpareDepths = 32768u;  // some spare ends at a depth
 SHARED_CONST uint kFlagWalks = 65536u;        // some cut goes along rays by cutWalk()
 SHARED_CONST uint kFlagCutGrid = 131072u;     // a grid says which cuts matter where
-SHARED_CONST uint kFlagLast = kFlagCutGrid;
+SHARED_CONST uint kFlagFinish = 262144u;      // each sample is kept for the finish: kSampleImage
+SHARED_CONST uint kFlagLast = kFlagFinish;
 
 /// Scene-local frame: world minus an origin near the scene, so that floats are enough anywhere. Lengths are in scene
 /// units. "Table" positions 0..1 run over the transfer table's domain of data values. Members lie in groups of 16

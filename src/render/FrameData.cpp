@@ -4,6 +4,7 @@
 #include <cstring>
 #include <span>
 
+#include "FinishSetup.h"
 #include "upload/BlueNoise.h"
 #include "upload/CutSheets.h"
 #include "velum/scene/Units.h"
@@ -78,6 +79,7 @@ void completeFrameData(FrameData& data) {
   data.params.structureCount = int(data.structures.size());
   data.params.flags |= membraneFlags(data.frame);
   if (!data.cuts.empty()) data.params.flags |= shared::kFlagCuts;
+  if (needsSamples(scene.finish)) data.params.flags |= shared::kFlagFinish;
   for (const auto& cut : data.cuts)
     if (cut.kind.z == 1) data.params.flags |= shared::kFlagWalks;
   if (data.cuts.size() >= kFewCuts) data.params.flags |= shared::kFlagCutGrid;

@@ -40,7 +40,11 @@ bool isOfSoftware(const DataVariant& variant) { return variant.packing != Packin
 
 std::vector<gpu::ProgramSource> allPrograms() {
   std::vector<gpu::ProgramSource> all;
-  for (const char* file : {"light_grid", "resolve"}) all.push_back({{std::string("render/") + file + ".comp"}, {}});
+  all.push_back({{"render/light_grid.comp"}, {}});
+  for (const ResolveVariant& variant : allResolveVariants())
+    all.push_back({{"render/resolve.comp"}, definesOf(variant)});
+  for (const char* file : {"finish", "paper", "stroke_align", "stroke_field", "stroke_turns"})
+    all.push_back({{std::string("render/") + file + ".comp"}, {{"FINISH", "1"}}});
   for (const gpu::Defines& defines : {gpu::Defines{}, gpu::Defines{{"MEMBRANES", "1"}}})
     all.push_back({{"render/surface.vert", "render/surface.frag"}, defines});
   std::vector<std::uint32_t> sets = flagSets();

@@ -15,7 +15,7 @@ struct LitSphereRow {
   float gloss = 20.0f;                ///< its exponent
   glm::vec3 rim{0.0f};                ///< what the edge turns into,
   float rimShare = 0.0f;              ///< how much of it,
-  float rimPower = 3.0f;              ///< how close to the edge
+  float rimPower = 1.8f;              ///< how close to the edge
   glm::vec3 bounce{0.0f};             ///< light from below right, added
   float mirror = 0.0f;                ///< of surroundings with a horizon, as on metal
   int steps = 0;                      ///< tones of a cartoon; 0: none

@@ -45,12 +45,13 @@ float surroundings(glm::vec3 n) {
   float high = mirrored.y - 0.25f * mirrored.x;
   float sky = glm::mix(1.0f, 0.45f, glm::smoothstep(0.05f, 1.0f, high));
   float ground = glm::mix(0.08f, 0.5f, glm::smoothstep(0.0f, 1.0f, -high));
-  return glm::mix(ground, sky, glm::smoothstep(-0.16f, 0.12f, high));
+  return glm::mix(ground, sky, glm::smoothstep(-0.30f, 0.22f, high));
 }
 
 glm::vec3 colorOf(const LitSphereRow& row, glm::vec3 n) {
   float lambert = glm::dot(n, kTowardsLight);
-  float shade = std::clamp((lambert + row.soft) / (1.0f + row.soft), 0.0f, 1.0f);
+  // A little darker than light is: painters keep the lightest tones for few places.
+  float shade = std::pow(std::clamp((lambert + row.soft) / (1.0f + row.soft), 0.0f, 1.0f), 1.4f);
   shade = glm::mix(shade, surroundings(n), row.mirror);
   glm::vec3 color = rampAt(row, shade);
   color += row.bounce * glm::smoothstep(0.1f, 1.0f, glm::dot(n, kTowardsBounce));

@@ -112,7 +112,9 @@ TEST_F(FinishGL, LayersAreThoseOfThePictureWithoutIt) {
   finishAll(on);
   Image before = draw(plain, {64, 64}, kAllLayers), after = draw(on, {64, 64}, kAllLayers);
   for (std::size_t i = 0; i < before.pixels.size(); ++i)
-    if (i % before.channels.size() >= 4) ASSERT_EQ(before.pixels[i], after.pixels[i]) << before.channels[i % before.channels.size()];
+    if (i % before.channels.size() >= 4) {
+      ASSERT_EQ(before.pixels[i], after.pixels[i]) << before.channels[i % before.channels.size()];
+    }
 }
 
 TEST_F(FinishGL, ColoursAreMixedAsThePaperSays) {
@@ -141,7 +143,9 @@ TEST_F(FinishGL, ColoursAreMixedAsThePaperSays) {
         glm::vec3 wanted = glm::mix(glm::vec3(colorOf(cast, {x, y})), sphere, float(m));
         glm::vec3 got(colorOf(mixed, {x, y}));
         // The rim's rows of the sphere's picture are interpolated.
-        if (-n.y > 0.35f) EXPECT_LT(glm::length(wanted - got), 0.02f) << x << ", " << y << ", m " << m;
+        if (-n.y > 0.35f) {
+          EXPECT_LT(glm::length(wanted - got), 0.02f) << x << ", " << y << ", m " << m;
+        }
         ++compared;
         // One share of ink explains all three channels.
         glm::vec3 left = glm::vec3(colorOf(lined, {x, y})) / glm::max(got, glm::vec3(0.02f));

@@ -27,8 +27,10 @@ TEST(LitSpheres, EachIsItsOwn) {
     names.insert(a.name);
     titles.insert(a.title);
     for (const auto& b : litSpheres())
-      if (a.name < b.name)
-        EXPECT_GT(meanDifference(makeLitSphere(a.name, 32), makeLitSphere(b.name, 32)), 0.02) << a.name << ", " << b.name;
+      if (a.name < b.name) {
+        EXPECT_GT(meanDifference(makeLitSphere(a.name, 32), makeLitSphere(b.name, 32)), 0.02)
+            << a.name << ", " << b.name;
+      }
   }
   EXPECT_EQ(names.size(), litSpheres().size());
   EXPECT_EQ(titles.size(), litSpheres().size());

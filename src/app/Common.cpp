@@ -36,7 +36,8 @@ namespace {
 
 std::string finishNames() {
   std::string names;
-  for (const scene::NamedFinish& finish : scene::finishes()) names += (names.empty() ? "" : ", ") + std::string(finish.name);
+  for (const scene::NamedFinish& finish : scene::finishes())
+    names += (names.empty() ? "" : ", ") + std::string(finish.name);
   return names;
 }
 

@@ -10,9 +10,9 @@ namespace velum::render {
 
 namespace {
 
-constexpr double kRows = 1000.0;           // of the picture whose pixels lengths are in
-constexpr double kFinestStrokes = 3.0;     // pixels from one to the next
-constexpr int kStrokeReach = 3 + 2;        // cells: of the smoothing, and of what is looked at in a cell and around it
+constexpr double kRows = 1000.0;        // of the picture whose pixels lengths are in
+constexpr double kFinestStrokes = 3.0;  // pixels from one to the next
+constexpr int kStrokeReach = 3 + 2;     // cells: of the smoothing, and of what is looked at in a cell and around it
 
 double pixelsOf(double length, const Frame& frame) { return length * frame.pictureSize.y / kRows; }
 
@@ -63,8 +63,8 @@ int finishMargin(const Frame& frame) {
   const scene::Finish& finish = frame.scene.finish;
   int margin = finish.contours > 0 ? reachOf(frame) : 0;
   if (finish.hatching > 0)
-    margin = std::max(margin, int(std::ceil((kStrokeSteps + kStrokeReach) * strokePixels(frame) *
-                                            double(shared::kCellPeriods))));
+    margin = std::max(
+        margin, int(std::ceil((kStrokeSteps + kStrokeReach) * strokePixels(frame) * double(shared::kCellPeriods))));
   return margin;
 }
 

@@ -114,18 +114,17 @@ TEST_F(ShaderGL, FrameParamsLieWhereTheDriverPutsThem) {
   EXPECT_EQ(sizeof(shared::FrameParams) % 16, 0u);
 }
 
-const Offset kFinishOffsets[] = {
-    VELUM_OFFSET(FinishParams, contourColor), VELUM_OFFSET(FinishParams, paperColor),
-    VELUM_OFFSET(FinishParams, contours),     VELUM_OFFSET(FinishParams, contourShare),
-    VELUM_OFFSET(FinishParams, creases),      VELUM_OFFSET(FinishParams, steps),
-    VELUM_OFFSET(FinishParams, structures),   VELUM_OFFSET(FinishParams, litSphere),
-    VELUM_OFFSET(FinishParams, hatching),     VELUM_OFFSET(FinishParams, strokePixels),
-    VELUM_OFFSET(FinishParams, cellPixels),   VELUM_OFFSET(FinishParams, paperGrain),
-    VELUM_OFFSET(FinishParams, unitsPerPixel), VELUM_OFFSET(FinishParams, padding0),
-    VELUM_OFFSET(FinishParams, reach),        VELUM_OFFSET(FinishParams, sphereRows),
-    VELUM_OFFSET(FinishParams, paper),        VELUM_OFFSET(FinishParams, cellsX),
-    VELUM_OFFSET(FinishParams, cellsY),       VELUM_OFFSET(FinishParams, firstCellX),
-    VELUM_OFFSET(FinishParams, firstCellY),   VELUM_OFFSET(FinishParams, padding1)};
+const Offset kFinishOffsets[] = {VELUM_OFFSET(FinishParams, contourColor),  VELUM_OFFSET(FinishParams, paperColor),
+                                 VELUM_OFFSET(FinishParams, contours),      VELUM_OFFSET(FinishParams, contourShare),
+                                 VELUM_OFFSET(FinishParams, creases),       VELUM_OFFSET(FinishParams, steps),
+                                 VELUM_OFFSET(FinishParams, structures),    VELUM_OFFSET(FinishParams, litSphere),
+                                 VELUM_OFFSET(FinishParams, hatching),      VELUM_OFFSET(FinishParams, strokePixels),
+                                 VELUM_OFFSET(FinishParams, cellPixels),    VELUM_OFFSET(FinishParams, paperGrain),
+                                 VELUM_OFFSET(FinishParams, unitsPerPixel), VELUM_OFFSET(FinishParams, padding0),
+                                 VELUM_OFFSET(FinishParams, reach),         VELUM_OFFSET(FinishParams, sphereRows),
+                                 VELUM_OFFSET(FinishParams, paper),         VELUM_OFFSET(FinishParams, cellsX),
+                                 VELUM_OFFSET(FinishParams, cellsY),        VELUM_OFFSET(FinishParams, firstCellX),
+                                 VELUM_OFFSET(FinishParams, firstCellY),    VELUM_OFFSET(FinishParams, padding1)};
 
 TEST_F(ShaderGL, FinishParamsLieWhereTheDriverPutsThem) {
   auto members = membersOf("finish.h", "FinishParams");

@@ -33,11 +33,11 @@ class FinishGL : public RenderTest {
   }
   /// A block that fills the picture; labels 1 and 2 on its halves.
   static scene::Scene halves() {
-    scene::Scene scene = sceneOf(
-        makeVolume(kDims, SampleType::UInt8, [](glm::ivec3) { return 100.0; }, centredFrame(kDims)));
+    scene::Scene scene = sceneOf(makeVolume(
+        kDims, SampleType::UInt8, [](glm::ivec3) { return 100.0; }, centredFrame(kDims)));
     makeSolid(scene, {1, 1, 1});
-    scene.labels.data = Shared<LabelVolume>(
-        makeLabels(kDims, [](glm::ivec3 p) { return p.x < kDims.x / 2 ? 1 : 2; }, centredFrame(kDims)));
+    scene.labels.data = Shared<LabelVolume>(makeLabels(
+        kDims, [](glm::ivec3 p) { return p.x < kDims.x / 2 ? 1 : 2; }, centredFrame(kDims)));
     scene::completeStructures(scene.labels);
     scene.labels.tint = 0.0;
     scene.background.transparent = false;
@@ -231,7 +231,8 @@ TEST_F(FinishGL, WindowsOfAPictureFitTogether) {
   Progress progress;
   render::Frame frame = frameOf(scene, {150, 130});
   Image whole = render::renderPicture(renderer(), frame, {}, 4096, progress);
-  for (int window : {64, 97}) expectIdentical(whole, render::renderPicture(renderer(), frame, {}, window, progress), "in windows");
+  for (int window : {64, 97})
+    expectIdentical(whole, render::renderPicture(renderer(), frame, {}, window, progress), "in windows");
 }
 
 TEST_F(FinishGL, PreviewsShowIt) {

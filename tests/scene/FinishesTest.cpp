@@ -49,7 +49,8 @@ TEST(LitSpheres, EachIsSmoothAndWithinItsRange) {
           ASSERT_LE(image.pixels[at], 1.0f);
           // Near the rim a pixel is a large part of the way round.
           float dx = float(x) - 63.5f, dy = float(y) - 63.5f;
-          if (dx * dx + dy * dy < 56 * 56) largest = std::max(largest, std::abs(image.pixels[at + 3] - image.pixels[at]));
+          if (dx * dx + dy * dy < 56 * 56)
+            largest = std::max(largest, std::abs(image.pixels[at + 3] - image.pixels[at]));
         }
     EXPECT_LT(largest, 0.13f) << sphere.name;
   }

@@ -51,9 +51,7 @@ void FinishGrid::refresh() {
   mList->mark(textOf(scene::finishName(scene.finish)));
 }
 
-bool FinishGrid::isComplete() const {
-  return !mJob && (mWanted == mDrawn || !mWanted.volume || !isVisible());
-}
+bool FinishGrid::isComplete() const { return !mJob && (mWanted == mDrawn || !mWanted.volume || !isVisible()); }
 
 void FinishGrid::drawPictures() {
   if (mJob || !mWanted.volume || mWanted == mDrawn || !isVisible()) return;

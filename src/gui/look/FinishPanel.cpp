@@ -68,10 +68,10 @@ ColorButton* FinishPanel::makeColor(const char* object, const QString& title, co
 
 void FinishPanel::addContours() {
   QGridLayout* rows = addSection(tr("Contours"));
-  addShare(rows,
-           {"contours", tr("Strength"), tr("Contours"), tr("Lines around structures and along edges, %"),
-            "Change contours"},
-           &scene::Finish::contours);
+  addShare(
+      rows,
+      {"contours", tr("Strength"), tr("Contours"), tr("Lines around structures and along edges, %"), "Change contours"},
+      &scene::Finish::contours);
   addSlider(rows,
             {"contourWidth", tr("Width"), tr("Width of contours"),
              tr("In pixels of a picture of 1000 rows; lines grow with the picture"), "Change width of contours"},
@@ -127,7 +127,8 @@ void FinishPanel::addPaper() {
   connect(mPaper, &QComboBox::activated, this, [this](int index) {
     mDocument.edit("Choose paper", [&](scene::Scene& scene) { scene.finish.paper = static_cast<scene::Paper>(index); });
   });
-  addShare(rows, {"paperGrain", tr("Grain"), tr("Grain of the paper"), tr("How much of its grain shows, %"), "Change grain"},
+  addShare(rows,
+           {"paperGrain", tr("Grain"), tr("Grain of the paper"), tr("How much of its grain shows, %"), "Change grain"},
            &scene::Finish::paperGrain);
   mPaperColor = makeColor("paperColor", tr("Colour"), tr("Colour of the paper"), "Change paper's colour",
                           &scene::Finish::paperColor);

@@ -11,8 +11,8 @@
 
 namespace velum::gui {
 
-/// What an illustrator adds to a picture: named finishes, contours, lit spheres, strokes, paper. Reads the document, and
-/// changes it by edits only.
+/// What an illustrator adds to a picture: named finishes, contours, lit spheres, strokes, paper. Reads the document,
+/// and changes it by edits only.
 class FinishPanel : public QWidget {
   Q_OBJECT
  public:

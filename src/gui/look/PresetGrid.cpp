@@ -37,7 +37,10 @@ Modality kindOf(const Volume& volume) {
 }  // namespace
 
 PresetGrid::PresetGrid(session::Document& document, QWidget* parent)
-    : QWidget(parent), mDocument(document), mList(new PictureList(kColumns, kPictureHeight, this)), mMore(new QPushButton(tr("More"), this)) {
+    : QWidget(parent),
+      mDocument(document),
+      mList(new PictureList(kColumns, kPictureHeight, this)),
+      mMore(new QPushButton(tr("More"), this)) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(4);

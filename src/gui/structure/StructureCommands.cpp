@@ -14,7 +14,7 @@ namespace {
 constexpr int kFlightMs = 320;
 
 QIcon iconOf(const Image& picture) { return QIcon(QPixmap::fromImage(toQImage(picture))); }
-}
+}  // namespace
 
 StructureCommands::StructureCommands(session::Document& document, Selection& selection, QObject* parent)
     : QObject(parent), mDocument(document), mSelection(selection) {
@@ -182,7 +182,8 @@ void StructureCommands::fillSphereMenu(QMenu& menu, const Ids& ids) {
   spheres->addSeparator();
   for (const scene::LitSphereName& sphere : scene::litSpheres())
     add(QString::fromUtf8(sphere.name.data(), int(sphere.name.size())),
-        QString::fromUtf8(sphere.title.data(), int(sphere.title.size())), iconOf(scene::makeLitSphere(sphere.name, 32)));
+        QString::fromUtf8(sphere.title.data(), int(sphere.title.size())),
+        iconOf(scene::makeLitSphere(sphere.name, 32)));
   for (const scene::LitSphere& own : mDocument.scene().finish.spheres)
     add(QString::fromStdString(own.name), QString::fromStdString(own.name), own.data ? iconOf(*own.data) : QIcon());
 }

@@ -90,8 +90,7 @@ void FinishPass::makeTargets(const FrameData& data) {
   const scene::Finish& finish = data.frame.scene.finish;
   glm::ivec2 size = data.frame.windowSize;
   if (needsSamples(finish)) {
-    if (!mSums || glm::ivec2(mSums.size()) != size)
-      mSums = gpu::Texture::make2d("finish", gpu::Format::Rgba32f, size);
+    if (!mSums || glm::ivec2(mSums.size()) != size) mSums = gpu::Texture::make2d("finish", gpu::Format::Rgba32f, size);
     if (!mAdd) mAdd = make("render/finish.comp");
   }
   if (finish.hatching > 0) {

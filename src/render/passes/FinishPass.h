@@ -15,9 +15,9 @@
 
 namespace velum::render {
 
-/// What an illustrator adds ([ACS] 4.4), as far as it is worked out from the samples of a frame: sums of the lit spheres'
-/// colours and of edges, strokes along the form, and the paper. ResolvePass puts it into the picture. Costs nothing where
-/// the finish is off.
+/// What an illustrator adds ([ACS] 4.4), as far as it is worked out from the samples of a frame: sums of the lit
+/// spheres' colours and of edges, strokes along the form, and the paper. ResolvePass puts it into the picture. Costs
+/// nothing where the finish is off.
 class FinishPass : public Pass {
  public:
   explicit FinishPass(const Gbuffer& gbuffer);
@@ -72,10 +72,10 @@ class FinishPass : public Pass {
   Spheres mSpheres;
   gpu::Texture mSphereTexture, mRowOfTexture;
   gpu::Buffer mRowOf;
-  gpu::Texture mSums;                        ///< Lit spheres' colours, premultiplied; edges.
+  gpu::Texture mSums;  ///< Lit spheres' colours, premultiplied; edges.
   gpu::Texture mPaper;
   std::optional<PaperKey> mPaperKey;
-  gpu::Texture mCells[2];                    ///< Of strokes; the first holds what comes out.
+  gpu::Texture mCells[2];  ///< Of strokes; the first holds what comes out.
   int mSamples = 0, mRowsDone = 0;
   bool mIsAhead = false;  ///< The sums are of a sample that is not complete.
 };

@@ -1,6 +1,6 @@
 #pragma once
-#include "FrameData.h"
 #include "FinishPass.h"
+#include "FrameData.h"
 #include "Gbuffer.h"
 #include "ProgramCache.h"
 #include "RayCastPass.h"
@@ -10,8 +10,8 @@
 
 namespace velum::render {
 
-/// From a Gbuffer to a picture: means of samples, finished, before the background or on paper. Not among a frame's steps: it is done whenever
-/// somebody looks at the picture, complete or not. GL thread.
+/// From a Gbuffer to a picture: means of samples, finished, before the background or on paper. Not among a frame's
+/// steps: it is done whenever somebody looks at the picture, complete or not. GL thread.
 class ResolvePass {
  public:
   /// Needs the frame's parameters bound.

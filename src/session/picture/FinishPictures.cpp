@@ -46,7 +46,8 @@ void drawFinishPictures(const scene::Scene& scene, const std::vector<std::string
   options.size = size;
   for (std::size_t i = 0; i < finishes.size(); ++i) {
     progress.report(double(i) / double(finishes.size()), finishes[i]);
-    done(finishes[i], drawPicture(renderer, finishScene(scene, small, finishes[i]), options, context->limits(), progress));
+    done(finishes[i],
+         drawPicture(renderer, finishScene(scene, small, finishes[i]), options, context->limits(), progress));
   }
 }
 

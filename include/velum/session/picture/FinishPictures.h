@@ -10,7 +10,8 @@
 
 namespace velum::session {
 
-/// A scene that shows a finish on a small copy of a scene's volume: as it is seen now, without labels, sheets and shadows.
+/// A scene that shows a finish on a small copy of a scene's volume: as it is seen now, without labels, sheets and
+/// shadows.
 scene::Scene finishScene(const scene::Scene& scene, const Shared<Volume>& small, const std::string& finish);
 
 /// Draws finishes on the scene's volume, one after another, on a headless context of its own. Any thread that has no

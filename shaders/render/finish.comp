@@ -22,7 +22,7 @@ const float kFullCrease = 0.95;
 
 vec3 litSphereAt(Sample s) {
   float size = float(kSphereTexels);
-  uint row = texelFetch(sphereOf, min(int(s.structure), textureSize(sphereOf) - 1)).r;
+  uint row = texelFetch(sphereOf, min(int(s.ids & 0xffffu), textureSize(sphereOf) - 1)).r;
   vec2 at = clamp((vec2(s.normal.x, -s.normal.y) * 0.5 + 0.5) * size, 0.5, size - 0.5);
   return textureLod(litSphereTexture, vec2(at.x, at.y + float(row) * size) / vec2(size, size * float(finish.sphereRows)), 0.0).rgb;
 }
@@ -36,43 +36,54 @@ float jumpOf(vec2 bend, float depth) {
   return smoothstep(least, 2.0 * least, length(bend) * (isFlat ? 1.0 : along * along));
 }
 
-/// How much the normal turns across the pixel, less what it does along either side.
-float creaseOf(vec2 n[9]) {
-  vec2 across = (n[2] + 2.0 * n[5] + n[8] - n[0] - 2.0 * n[3] - n[6]) * 0.25;
-  vec2 down = (n[6] + 2.0 * n[7] + n[8] - n[0] - 2.0 * n[1] - n[2]) * 0.25;
-  vec2 left = n[0] - 2.0 * n[3] + n[6];
-  vec2 right = n[2] - 2.0 * n[5] + n[8];
-  vec2 top = n[0] - 2.0 * n[1] + n[2];
-  vec2 bottom = n[6] - 2.0 * n[7] + n[8];
-  float rough = 0.25 * sqrt(dot(left, left) + dot(right, right) + dot(top, top) + dot(bottom, bottom));
-  return smoothstep(kLeastCrease, kFullCrease, sqrt(dot(across, across) + dot(down, down)) - rough);
+/// What a neighbour says: written out rather than looped over, as a loop that is not unrolled keeps its values in memory.
+struct Neighbour {
+  float solid;
+  float differs;  // another structure
+  float depth;    // that of the pixel where there is none
+  vec2 normal;
+};
+
+Neighbour neighbourAt(ivec2 pixel, ivec2 last, Sample centre, float own) {
+  Sample s = unpackSample(texelFetch(sampleTexture, clamp(pixel, ivec2(0), last), 0));
+  float solid = solidity(s);
+  bool same = isSame(s, centre);
+  float both = min(own, solid);
+  return Neighbour(solid, same ? 0.0 : both, both > 0.5 ? s.depth : centre.depth, both > 0.5 && same ? s.normal : centre.normal);
 }
 
 /// The edges next to a pixel by Sobel's kernel: of the outline, between structures, of depth and normals; 0..1.
 float edgeAt(ivec2 pixel, Sample centre) {
   ivec2 last = textureSize(sampleTexture, 0) - 1;
   float own = solidity(centre);
-  vec2 outline = vec2(0.0);
-  vec2 between = vec2(0.0);
-  vec2 bend = vec2(0.0);
-  vec2 n[9];
-  for (int i = 0; i < 9; ++i) {
-    ivec2 to = ivec2(i % 3 - 1, i / 3 - 1);
-    Sample s = unpackSample(texelFetch(sampleTexture, clamp(pixel + to * finish.reach, ivec2(0), last), 0));
-    float solid = solidity(s);
-    vec2 weight = vec2(to) * (2.0 - vec2(abs(to.yx)));
-    bool same = isSame(s, centre);
-    bool both = min(own, solid) > 0.5;
-    outline += weight * solid;
-    between += weight * (same ? 0.0 : min(own, solid));
-    vec2 axis = vec2(to.y == 0 ? 1.0 : 0.0, to.x == 0 ? 1.0 : 0.0);
-    bend += both ? axis * (s.depth - centre.depth) : vec2(0.0);
-    n[i] = both && same ? s.normal : centre.normal;
-  }
+  ivec2 x = ivec2(finish.reach, 0);
+  ivec2 y = ivec2(0, finish.reach);
+  Neighbour a = neighbourAt(pixel - x - y, last, centre, own);
+  Neighbour b = neighbourAt(pixel - y, last, centre, own);
+  Neighbour c = neighbourAt(pixel + x - y, last, centre, own);
+  Neighbour d = neighbourAt(pixel - x, last, centre, own);
+  Neighbour e = neighbourAt(pixel + x, last, centre, own);
+  Neighbour f = neighbourAt(pixel - x + y, last, centre, own);
+  Neighbour g = neighbourAt(pixel + y, last, centre, own);
+  Neighbour h = neighbourAt(pixel + x + y, last, centre, own);
+  vec2 outline = vec2(c.solid + 2.0 * e.solid + h.solid - a.solid - 2.0 * d.solid - f.solid, f.solid + 2.0 * g.solid + h.solid - a.solid - 2.0 * b.solid - c.solid);
+  vec2 between = vec2(c.differs + 2.0 * e.differs + h.differs - a.differs - 2.0 * d.differs - f.differs, f.differs + 2.0 * g.differs + h.differs - a.differs - 2.0 * b.differs - c.differs);
+  vec2 bend = vec2(d.depth + e.depth, b.depth + g.depth) - 2.0 * centre.depth;
+  // How much the normal turns across the pixel, less what noise makes it turn along either side.
+  vec2 across = c.normal + 2.0 * e.normal + h.normal - a.normal - 2.0 * d.normal - f.normal;
+  vec2 down = f.normal + 2.0 * g.normal + h.normal - a.normal - 2.0 * b.normal - c.normal;
+  vec2 left = a.normal - 2.0 * d.normal + f.normal;
+  vec2 right = c.normal - 2.0 * e.normal + h.normal;
+  vec2 top = a.normal - 2.0 * b.normal + c.normal;
+  vec2 bottom = f.normal - 2.0 * g.normal + h.normal;
+  float rough = sqrt(dot(left, left) + dot(right, right) + dot(top, top) + dot(bottom, bottom));
+  float turn = 0.25 * (sqrt(dot(across, across) + dot(down, down)) - rough);
   // A jump next to the outline is the outline's.
-  float edge = finish.steps * max(0.25 * length(outline), own * jumpOf(bend, centre.depth) * (dot(outline, outline) > 0.0 ? 0.0 : 1.0));
+  float outlined = dot(outline, outline);
+  float jump = outlined > 0.0 ? 0.0 : own * jumpOf(bend, centre.depth);
+  float edge = finish.steps * max(0.25 * sqrt(outlined), jump);
   edge = max(edge, finish.structures * 0.25 * length(between));
-  return min(max(edge, finish.creases * own * creaseOf(n)), 1.0);
+  return min(max(edge, finish.creases * own * smoothstep(kLeastCrease, kFullCrease, turn)), 1.0);
 }
 
 void main() {
@@ -82,7 +93,7 @@ void main() {
   Sample centre = unpackSample(texelFetch(sampleTexture, pixel, 0));
   vec4 sum = vec4(0.0);
   if (finish.litSphere > 0.0) sum.rgb = litSphereAt(centre) * centre.opacity;
-  if (finish.contours > 0.0) sum.a = edgeAt(pixel, centre);
+  if (finish.contours > 0.0) sum.a = finish.contourShare * edgeAt(pixel, centre);
   if (isFirst == 0) sum += imageLoad(finishImage, pixel);
   imageStore(finishImage, pixel, sum);
 }

@@ -5,9 +5,9 @@
 layout(std140, binding = kFinishBinding) uniform FinishBlock { FinishParams finish; };
 
 /// How far something counts as a surface: what is thin has no edges.
-float solidity(Sample s) { return smoothstep(0.25, 0.6, s.opacity); }
+float solidity(Sample s) { return clamp(3.0 * s.opacity - 0.8, 0.0, 1.0); }
 
-bool isSame(Sample a, Sample b) { return a.structure == b.structure && a.instance == b.instance; }
+bool isSame(Sample a, Sample b) { return a.ids == b.ids; }
 
 uint hashOf(uvec2 p) {
   uint h = p.x * 0x8da6b343u ^ p.y * 0xd8163841u;

@@ -1,5 +1,7 @@
 // What is behind a finished picture: papers and cloths, made of noise and threads. Each place depends on where it lies in
 // the whole picture alone, and lengths are in pixels of a picture of 1000 rows.
+//
+// PAPER is the scene's, a scene::Paper.
 layout(local_size_x = 8, local_size_y = 8) in;
 
 #include "render/finish.glsl"
@@ -44,9 +46,9 @@ float weaveHeight(vec2 p, float size, float slubs) {
 }
 
 float heightAt(vec2 p) {
-  if (finish.paper == kRough) return roughHeight(p);
-  if (finish.paper == kCanvas) return 1.5 * weaveHeight(p, 9.0, 0.5) + 0.5 * waves(p, 5.0);
-  if (finish.paper == kLinen) return 0.9 * weaveHeight(p, 5.5, 1.1) + 0.5 * waves(p, 4.0);
+  if (PAPER == kRough) return roughHeight(p);
+  if (PAPER == kCanvas) return 1.5 * weaveHeight(p, 9.0, 0.5) + 0.5 * waves(p, 5.0);
+  if (PAPER == kLinen) return 0.9 * weaveHeight(p, 5.5, 1.1) + 0.5 * waves(p, 4.0);
   return 0.35 * waves(p, 9.0) + 0.3 * waves(p, 4.0);
 }
 
@@ -62,9 +64,9 @@ float laidLines(vec2 p) {
 vec3 toneAt(vec2 p) {
   float slope = heightAt(p) - heightAt(p + vec2(0.9, 1.1));
   vec3 tone = vec3(0.20 * slope + 0.035 * cloudiness(p));
-  if (finish.paper == kLaid) tone += laidLines(p) + 0.05 * slope;
-  if (finish.paper == kCanvas || finish.paper == kLinen) tone += 0.05 * heightAt(p);
-  if (finish.paper == kParchment) {
+  if (PAPER == kLaid) tone += laidLines(p) + 0.05 * slope;
+  if (PAPER == kCanvas || PAPER == kLinen) tone += 0.05 * heightAt(p);
+  if (PAPER == kParchment) {
     float age = cloudiness(p * 0.8 + 300.0) + 0.5 * waves(p, 40.0);
     tone += age * vec3(0.10, 0.15, 0.24) - 0.06 * smoothstep(0.30, 0.42, waves(p, 11.0)) * vec3(0.7, 1.0, 1.2);
   }

@@ -5,14 +5,13 @@
 struct Sample {
   vec2 normal;      // as the eye sees it: to the right, up; unit with its third part, which is towards the eye
   float depth;      // perspective: one over the distance along the line of sight; orthographic: that distance. Planes are straight
-  uint structure;
-  uint instance;    // its lowest eight bits
+  uint ids;         // the structure; from bit 16 the instance's lowest eight bits
   float opacity;    // 0: nothing is seen
 };
 
 #ifdef FINISH
 Sample unpackSample(uvec4 words) {
-  return Sample(uintBitsToFloat(words.xy), uintBitsToFloat(words.z), words.w & 0xffffu, words.w >> 16 & 0xffu, max(float(words.w >> 24) - 1.0, 0.0) / 254.0);
+  return Sample(uintBitsToFloat(words.xy), uintBitsToFloat(words.z), words.w & 0xffffffu, max(float(words.w >> 24) - 1.0, 0.0) / 254.0);
 }
 #else
 uvec4 packSample(Ray ray, Hit hit, uint instance) {

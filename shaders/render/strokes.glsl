@@ -32,19 +32,22 @@ layout(binding = kStrokeUnit) uniform sampler2D strokeTexture;
 
 /// How dark strokes make a place. @param at  pixels of the whole picture; darkness  of the shading, 0..1
 float strokesAt(vec2 at, float darkness) {
-  ivec2 first = ivec2(finish.firstCellX, finish.firstCellY);
-  ivec2 cell = ivec2(floor(at / finish.cellPixels)) - first;
+  vec2 inCells = at / finish.cellPixels - 0.5;
+  vec2 whole = floor(inCells);
+  vec2 part = inCells - whole;
+  ivec2 cell = ivec2(whole) - ivec2(finish.firstCellX, finish.firstCellY);
   ivec2 last = ivec2(finish.cellsX, finish.cellsY) - 1;
   vec2 own = texelFetch(strokeTexture, clamp(cell, ivec2(0), last), 0).xy;
   float wave = kTurn / finish.strokePixels;
   vec4 sum = vec4(0.0);
-  for (int i = 0; i < 9; ++i) {
-    ivec2 next = clamp(cell + ivec2(i % 3 - 1, i / 3 - 1), ivec2(0), last);
+  for (int i = 0; i < 4; ++i) {
+    ivec2 to = ivec2(i & 1, i >> 1);
+    ivec2 next = clamp(cell + to, ivec2(0), last);
     Strokes strokes = towards(texelFetch(strokeTexture, next, 0), own);
     vec2 way = at - cellMiddle(next);
-    float near = max(0.0, 1.0 - dot(way, way) / (2.25 * finish.cellPixels * finish.cellPixels));
+    vec2 near = mix(1.0 - part, part, vec2(to));
     vec2 phase = strokes.phase + wave * vec2(dot(way, strokes.across), dot(way, crossed(strokes.across)));
-    sum += near * near * vec4(cos(phase.x), sin(phase.x), cos(phase.y), sin(phase.y));
+    sum += near.x * near.y * vec4(cos(phase.x), sin(phase.x), cos(phase.y), sin(phase.y));
   }
   // A hand does not press alike everywhere.
   float hand = 0.14 * (noiseAt(at * finish.unitsPerPixel * 0.11) - 0.5);

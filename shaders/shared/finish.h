@@ -26,12 +26,12 @@ struct FinishParams {
 
   int reach;       ///< pixels to the neighbours that are looked at for contours
   int sphereRows;  ///< lit spheres in their texture
-  int paper;       ///< scene::Paper
   int cellsX;      ///< cells of strokes that the window meets
   int cellsY;
   int firstCellX;  ///< the first of them, counted in the whole picture
   int firstCellY;
   int padding1;
+  int padding2;
 };
 
 SHARED_END

@@ -49,7 +49,6 @@ shared::FinishParams makeFinishParams(const Frame& frame, int sphereRows) {
   params.paperGrain = float(finish.paperGrain);
   params.unitsPerPixel = float(kRows / frame.pictureSize.y);
   params.sphereRows = std::max(1, sphereRows);
-  params.paper = static_cast<int>(finish.paper);
   glm::vec2 first = glm::floor(glm::vec2(frame.windowOrigin) / params.cellPixels);
   glm::vec2 last = glm::floor(glm::vec2(frame.windowOrigin + frame.windowSize) / params.cellPixels);
   params.firstCellX = int(first.x);

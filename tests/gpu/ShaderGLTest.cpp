@@ -122,9 +122,9 @@ const Offset kFinishOffsets[] = {VELUM_OFFSET(FinishParams, contourColor),  VELU
                                  VELUM_OFFSET(FinishParams, cellPixels),    VELUM_OFFSET(FinishParams, paperGrain),
                                  VELUM_OFFSET(FinishParams, unitsPerPixel), VELUM_OFFSET(FinishParams, padding0),
                                  VELUM_OFFSET(FinishParams, reach),         VELUM_OFFSET(FinishParams, sphereRows),
-                                 VELUM_OFFSET(FinishParams, paper),         VELUM_OFFSET(FinishParams, cellsX),
-                                 VELUM_OFFSET(FinishParams, cellsY),        VELUM_OFFSET(FinishParams, firstCellX),
-                                 VELUM_OFFSET(FinishParams, firstCellY),    VELUM_OFFSET(FinishParams, padding1)};
+                                 VELUM_OFFSET(FinishParams, cellsX),        VELUM_OFFSET(FinishParams, cellsY),
+                                 VELUM_OFFSET(FinishParams, firstCellX),    VELUM_OFFSET(FinishParams, firstCellY),
+                                 VELUM_OFFSET(FinishParams, padding1),      VELUM_OFFSET(FinishParams, padding2)};
 
 TEST_F(ShaderGL, FinishParamsLieWhereTheDriverPutsThem) {
   auto members = membersOf("finish.h", "FinishParams");

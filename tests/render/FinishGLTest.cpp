@@ -1,100 +1,12 @@
-// What the finish adds to a picture: contours, lit spheres, strokes, paper.
+// What the finish adds to a picture: lit spheres, strokes, paper.
 #include "ChangeFields.h"
-#include "FinishSetup.h"
-#include "RenderFixture.h"
-#include "velum/scene/Finishes.h"
+#include "FinishFixture.h"
 #include "velum/scene/LitSpheres.h"
 
 namespace velum {
 namespace {
 
-constexpr glm::ivec3 kDims(48, 48, 48);
-constexpr double kRadius = 15.0;
-constexpr double kHeight = 48.0;  // of the picture, world
-
-class FinishGL : public RenderTest {
- protected:
-  /// A white ball before white, orthographic from the front.
-  static scene::Scene ball(double noise = 0.0) {
-    scene::Scene scene = sceneOf(makeVolume(
-        kDims, SampleType::Float32,
-        [&](glm::ivec3 p) {
-          double r = glm::length(glm::dvec3(p) - 0.5 * (glm::dvec3(kDims) - 1.0));
-          return 500.0 + 100.0 * (kRadius - r) + noise * (hashNoise(p) - 0.5);
-        },
-        centredFrame(kDims)));
-    scene.volume.transfer.colors = {{0, {1, 1, 1}}};
-    scene.volume.transfer.opacities = {{490, 0}, {510, 0.999}};
-    scene.volume.transfer.unitDistance = 0.1;
-    scene.background.transparent = false;
-    scene.background.top = scene.background.bottom = glm::vec3(1.0f);
-    seenFromFront(scene);
-    return scene;
-  }
-  /// A block that fills the picture; labels 1 and 2 on its halves.
-  static scene::Scene halves() {
-    scene::Scene scene = sceneOf(makeVolume(
-        kDims, SampleType::UInt8, [](glm::ivec3) { return 100.0; }, centredFrame(kDims)));
-    makeSolid(scene, {1, 1, 1});
-    scene.labels.data = Shared<LabelVolume>(makeLabels(
-        kDims, [](glm::ivec3 p) { return p.x < kDims.x / 2 ? 1 : 2; }, centredFrame(kDims)));
-    scene::completeStructures(scene.labels);
-    scene.labels.tint = 0.0;
-    scene.background.transparent = false;
-    seenFromFront(scene);
-    scene.camera.height = 40;
-    return scene;
-  }
-  static void seenFromFront(scene::Scene& scene) {
-    scene.camera.projection = scene::Projection::Orthographic;
-    scene.camera.height = kHeight;
-    scene.rayCast.samplesPerPixel = 8;
-  }
-  /// Everything at once.
-  static void finishAll(scene::Scene& scene) {
-    scene.finish.contours = 0.8;
-    scene.finish.contourWidth = 6.0;
-    scene.finish.litSphere = 0.5;
-    scene.finish.hatching = 0.7;
-    scene.finish.hatchWidth = 12.0;
-    scene.finish.paper = scene::Paper::Canvas;
-  }
-  /// What lines leave of the light, by pixel.
-  Image intensity(scene::Scene scene, glm::ivec2 size) {
-    scene.finish.contourColor = glm::vec3(0.0f);
-    Image with = draw(scene, size);
-    scene.finish.contours = scene.finish.hatching = 0.0;
-    Image without = draw(scene, size);
-    for (std::size_t i = 0; i < with.pixels.size(); ++i) with.pixels[i] /= std::max(without.pixels[i], 1e-3f);
-    return with;
-  }
-  /// The ink along a row or column from the middle of a picture outwards, pixels.
-  struct Line {
-    double ink = 0, at = 0;
-    int runs = 0;
-  };
-  static Line lineAlong(const Image& image, glm::ivec2 from, glm::ivec2 way) {
-    Line line;
-    bool wasInk = false;
-    int step = 0;
-    for (glm::ivec2 p = from; p.x >= 0 && p.y >= 0 && p.x < image.width && p.y < image.height; p += way, ++step) {
-      double ink = 1.0 - double(sampleOf(image, p, "G"));
-      line.ink += ink;
-      line.at += ink * step;
-      bool isInk = ink > 0.1;
-      line.runs += isInk && !wasInk;
-      wasInk = isInk;
-    }
-    line.at /= std::max(line.ink, 1e-9);
-    return line;
-  }
-  static double meanInk(const Image& image, glm::ivec2 from, glm::ivec2 to) {
-    double sum = 0;
-    for (int y = from.y; y < to.y; ++y)
-      for (int x = from.x; x < to.x; ++x) sum += 1.0 - double(sampleOf(image, {x, y}, "G"));
-    return sum / ((to.x - from.x) * (to.y - from.y));
-  }
-};
+using FinishGL = FinishFixture;
 
 TEST_F(FinishGL, OffIsThePictureWithoutIt) {
   scene::Scene plain = ball(), off = ball(), on = ball();
@@ -157,72 +69,6 @@ TEST_F(FinishGL, ColoursAreMixedAsThePaperSays) {
     EXPECT_GT(compared, 1500);
     EXPECT_GT(dark, 20);
   }
-}
-
-TEST_F(FinishGL, StrengthIsTheShareOfTheLine) {
-  scene::Scene scene = ball();
-  scene.finish.contours = 1.0;
-  Image full = intensity(scene, {100, 100});
-  scene.finish.contours = 0.5;
-  Image half = intensity(scene, {100, 100});
-  for (std::size_t i = 0; i < full.pixels.size(); ++i)
-    EXPECT_NEAR(1.0f - half.pixels[i], 0.5f * (1.0f - full.pixels[i]), 0.012f);
-}
-
-TEST_F(FinishGL, ABallHasOneClosedLineOfTheRightWidth) {
-  for (int rows : {200, 400, 800}) {
-    scene::Scene scene = ball();
-    scene.rayCast.samplesPerPixel = 16;
-    scene.finish.contours = 1.0;
-    scene.finish.contourWidth = 5.0;
-    Image left = intensity(scene, {rows, rows});
-    double pixelsPerLength = rows / kHeight, width = 5.0 * rows / 1000.0;
-    for (glm::ivec2 way : {glm::ivec2(1, 0), glm::ivec2(-1, 0), glm::ivec2(0, 1), glm::ivec2(0, -1), glm::ivec2(1, 1),
-                           glm::ivec2(-1, 1), glm::ivec2(1, -1), glm::ivec2(-1, -1)}) {
-      Line line = lineAlong(left, {rows / 2, rows / 2}, way);
-      double along = glm::length(glm::dvec2(way));
-      EXPECT_EQ(line.runs, 1) << rows << " rows, towards " << way.x << ", " << way.y;
-      EXPECT_NEAR(line.ink * along, width, 0.25 * width + 0.35) << rows << " rows, towards " << way.x << ", " << way.y;
-      EXPECT_NEAR(line.at * along, kRadius * pixelsPerLength, 1.0 + 0.4 * width) << rows << " rows";
-    }
-  }
-}
-
-TEST_F(FinishGL, AStraightSurfaceSeenAslantHasNone) {
-  for (bool isOrthographic : {true, false}) {
-    scene::Scene scene = halves();
-    scene.labels = {};
-    lookAlong(scene, {0.2, -0.3, 1.0});
-    scene.camera.projection = isOrthographic ? scene::Projection::Orthographic : scene::Projection::Perspective;
-    scene.camera.eye = scene.camera.target + glm::normalize(glm::dvec3(0.1, -1.0, 0.25)) * 120.0;
-    scene.camera.height = 20;
-    scene.camera.fieldOfViewDeg = 8;
-    scene.finish.contours = 1.0;
-    Image left = intensity(scene, {120, 120});
-    EXPECT_LT(meanInk(left, {10, 30}, {110, 90}), 0.004) << isOrthographic;
-  }
-}
-
-TEST_F(FinishGL, NeighboursHaveOneLineBetweenThem) {
-  scene::Scene scene = halves();
-  scene.finish.contours = 1.0;
-  scene.finish.contourWidth = 10.0;
-  Image left = intensity(scene, {200, 200});
-  for (int y = 40; y < 160; y += 20) {
-    Line line = lineAlong(left, {20, y}, {1, 0});
-    EXPECT_EQ(line.runs, 1);
-    EXPECT_NEAR(line.ink, 2.0, 0.5);
-    EXPECT_NEAR(line.at, 80.0, 3.0);
-  }
-  scene.finish.contourStructures = 0.0;
-  EXPECT_LT(meanInk(intensity(scene, {200, 200}), {20, 20}, {180, 180}), 0.002);
-}
-
-TEST_F(FinishGL, NoiseMakesNoSpeckle) {
-  scene::Scene scene = ball(60.0);
-  scene.finish.contours = 1.0;
-  Image left = intensity(scene, {160, 160});
-  EXPECT_LT(meanInk(left, {55, 55}, {105, 105}), 0.03);
 }
 
 TEST_F(FinishGL, WindowsOfAPictureFitTogether) {

@@ -172,13 +172,14 @@ void FinishPass::addPaper(const FrameData& data, WorkQueue& queue) {
                frame.pictureSize, frame.windowOrigin, frame.windowSize};
   if (mPaperKey == key) return;
   queue.add(*this, [this, key] {
-    if (!mPaperProgram) mPaperProgram = make("render/paper.comp");
+    const gpu::Program& program =
+        mPaperPrograms.find(key.paper, [&] { return gpu::Program({"render/paper.comp"}, definesOf(key.paper)); });
     if (!mPaper || glm::ivec2(mPaper.size()) != key.windowSize)
       mPaper = gpu::Texture::make2d("paper", gpu::Format::Rgba8, key.windowSize);
     mParams.bind(shared::kFinishBinding);
     mPaper.bindImage(shared::kPaperImage, gpu::Access::Write);
-    mPaperProgram.set(0, key.windowOrigin);
-    gpu::dispatch(mPaperProgram, {(key.windowSize.x + 7) / 8, (key.windowSize.y + 7) / 8, 1});
+    program.set(0, key.windowOrigin);
+    gpu::dispatch(program, {(key.windowSize.x + 7) / 8, (key.windowSize.y + 7) / 8, 1});
     gpu::barrier();
     mPaperKey = key;
   });

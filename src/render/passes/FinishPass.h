@@ -68,7 +68,8 @@ class FinishPass : public Pass {
   const Gbuffer& mGbuffer;
   gpu::UniformBuffer<shared::FinishParams> mParams{"finish"};
   shared::FinishParams mValues{};
-  gpu::Program mAdd, mPaperProgram, mTurns, mField, mAlign;  ///< Made when first asked for.
+  gpu::Program mAdd, mTurns, mField, mAlign;  ///< Made when first asked for.
+  ProgramCache<scene::Paper> mPaperPrograms;
   Spheres mSpheres;
   gpu::Texture mSphereTexture, mRowOfTexture;
   gpu::Buffer mRowOf;

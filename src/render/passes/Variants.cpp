@@ -39,6 +39,10 @@ gpu::Defines definesOf(const ResolveVariant& variant) {
   return defines;
 }
 
+gpu::Defines definesOf(scene::Paper paper) {
+  return {{"FINISH", "1"}, {"PAPER", std::to_string(static_cast<int>(paper))}};
+}
+
 std::vector<DataVariant> allLightVariants() {
   std::vector<DataVariant> all;
   for (bool hasMembranes : {false, true}) {

@@ -6,6 +6,7 @@
 
 #include "upload/PackedTexels.h"
 #include "velum/gpu/Program.h"
+#include "velum/scene/Finish.h"
 #include "velum/scene/RayCast.h"
 
 namespace velum::render {
@@ -47,6 +48,8 @@ bool usesGradients(const DataVariant& variant);
 gpu::Defines definesOf(const DataVariant& variant);
 gpu::Defines definesOf(const RayVariant& variant);
 gpu::Defines definesOf(const ResolveVariant& variant);
+/// Of the program that makes a paper.
+gpu::Defines definesOf(scene::Paper paper);
 
 /// All that a frame can ask for, flags left open.
 std::vector<DataVariant> allLightVariants();

@@ -10,6 +10,10 @@
 
 namespace velum::session {
 
+namespace {
+constexpr double kLineScale = 5.0;
+}
+
 scene::Scene finishScene(const scene::Scene& scene, const Shared<Volume>& small, const std::string& finish) {
   scene::Scene shown;
   shown.unit = scene.unit;
@@ -30,6 +34,9 @@ scene::Scene finishScene(const scene::Scene& scene, const Shared<Volume>& small,
   shown.showBounds = false;
   shown.finish.spheres = scene.finish.spheres;
   scene::applyFinish(shown, finish);
+  // As a detail of a large picture would be: in one so small nothing would be seen of lines.
+  shown.finish.contourWidth *= kLineScale;
+  shown.finish.hatchWidth *= kLineScale;
   return shown;
 }
 

@@ -32,7 +32,7 @@ glm::vec3 rampAt(const LitSphereRow& row, float shade) {
   if (row.steps > 0) {
     // Steps with edges a little soft, so that they are smooth in a picture.
     float at = shade * float(row.steps), whole = std::floor(at);
-    shade = (whole + glm::smoothstep(0.86f, 1.0f, at - whole)) / float(row.steps);
+    shade = (whole + glm::smoothstep(0.78f, 1.0f, at - whole)) / float(row.steps);
   }
   float low = glm::smoothstep(0.0f, 1.0f, std::clamp(2.0f * shade, 0.0f, 1.0f));
   float high = glm::smoothstep(0.0f, 1.0f, std::clamp(2.0f * shade - 1.0f, 0.0f, 1.0f));

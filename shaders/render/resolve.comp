@@ -40,6 +40,8 @@ float hatchingAt(ivec2 pixel, vec4 color) {
 /// rgb = ((1 - m) * ray-cast colour + m * lit sphere's colour) * contour intensity, [ACS] 4.4.
 /// Differs: half of a line at an outline lies on the background, so that it is as wide as others.
 vec4 finished(ivec2 pixel, vec4 color, bool hasBackground, vec3 behind) {
+  // As it is seen without a finish: highlights end at white.
+  color.rgb = min(color.rgb, vec3(color.a));
   int count = finishSamples + (pixel.y < finishRows ? 1 : 0);
   vec4 sum = count > 0 ? imageLoad(finishImage, pixel) / float(count) : vec4(color.rgb, 0.0);
   float line = finish.contours * sum.a;

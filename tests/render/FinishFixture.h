@@ -52,7 +52,8 @@ class FinishFixture : public RenderTest {
     scene.finish.contourWidth = 6.0;
     scene.finish.litSphere = 0.5;
     scene.finish.hatching = 0.7;
-    scene.finish.hatchWidth = 12.0;
+    scene.finish.hatchWidth = 60.0;  // of such small pictures
+    scene.finish.sphere = "gold";
     scene.finish.paper = scene::Paper::Canvas;
   }
   /// What lines leave of the light, by pixel.

@@ -107,11 +107,11 @@ TEST_F(FinishGL, EveryPaperLooksItsOwnWayAndAlikeAtEachSize) {
                      scene::Paper::Linen, scene::Paper::Parchment}) {
     scene.finish.paper = paper;
     scene.finish.paperGrain = 1.0;
-    papers.push_back(draw(scene, {160, 160}));
+    papers.push_back(draw(scene, {400, 400}));
     for (std::size_t i = 0; i + 1 < papers.size(); ++i)
       EXPECT_GT(differenceOf(papers[i], papers.back()).mean, 0.3) << i << " and " << papers.size() - 1;
     // Its mean colour is the paper's, whatever the size.
-    for (int rows : {160, 320}) {
+    for (int rows : {200, 400}) {
       Image image = draw(scene, {rows, rows});
       double mean = meanInk(image, {0, 0}, {rows, rows / 6});
       EXPECT_NEAR(mean, 1.0 - double(scene.finish.paperColor.g), 0.05) << int(paper);
@@ -167,7 +167,8 @@ TEST_F(FinishGL, EveryFieldMatters) {
   for (int n = 0;; ++n) {
     scene::Scene other = scene;
     std::string path;
-    scene::changeNthField(other, n, "", path);
+    int left = n;  // is counted down
+    scene::changeNthField(other, left, "", path);
     if (path.empty()) break;
     if (!path.starts_with("finish.") || path.starts_with("finish.spheres")) continue;
     ++fields;

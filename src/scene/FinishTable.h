@@ -9,11 +9,12 @@ namespace velum::scene {
 /// abdomen, a labelled torso and a vessel tree, at 800 x 600 and twice that.
 struct FinishRow {
   NamedFinish finish;
-  double contours = 0.0, contourWidth = 1.5;
+  double contours = 0.0, contourWidth = 2.4;
   glm::vec3 contourColor{0.05f};
   double creases = 0.6;
   double litSphere = 0.0;
   std::string_view sphere = "porcelain";
+  bool structureSpheres = true;
   double hatching = 0.0, hatchWidth = 5.0;
   Paper paper = Paper::None;
   glm::vec3 paperColor{0.96f, 0.94f, 0.89f};

@@ -30,6 +30,7 @@ Finish finishOf(const FinishRow& row, std::vector<LitSphere> own) {
   finish.contourCreases = row.creases;
   finish.litSphere = row.litSphere;
   finish.sphere = row.sphere;
+  finish.structureSpheres = row.structureSpheres;
   finish.hatching = row.hatching;
   finish.hatchWidth = row.hatchWidth;
   finish.paper = row.paper;

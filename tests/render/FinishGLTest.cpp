@@ -145,6 +145,9 @@ TEST_F(FinishGL, StructuresHaveTheirOwnSpheres) {
   scene.finish.spheres = {own};
   scene.labels.structures[1].litSphere = "mine";
   EXPECT_LT(glm::length(glm::vec3(colorOf(draw(scene, {64, 64}), {48, 32})) - glm::vec3(0, 0, 1)), 0.02f);
+  scene.finish.structureSpheres = false;
+  EXPECT_LT(glm::length(glm::vec3(colorOf(draw(scene, {64, 64}), {48, 32})) - front("porcelain")), 0.02f);
+  scene.finish.structureSpheres = true;
   // Nobody's is the plain one.
   scene.labels.structures[1].litSphere = "nobody";
   EXPECT_LT(glm::length(glm::vec3(colorOf(draw(scene, {64, 64}), {48, 32})) - front("porcelain")), 0.02f);
@@ -155,6 +158,7 @@ TEST_F(FinishGL, EveryFieldMatters) {
   scene.lighting.shaded = true;
   // Two structures, and a notch for creases and steps.
   scene.labels = halves().labels;
+  scene.labels.structures[0].litSphere = "bone";
   scene::Cut box;
   box.id = 1;
   box.shape = scene::CutShape::Box;

@@ -99,7 +99,15 @@ void FinishPanel::addSpheres() {
            {"litSphereShare", tr("Share"), tr("Share of the lit spheres"),
             tr("How much of the colour is the lit spheres' instead of the light's, %"), "Change share of lit spheres"},
            &scene::Finish::litSphere);
-  static_cast<QVBoxLayout*>(layout())->addWidget(mSpheres);
+  auto* column = static_cast<QVBoxLayout*>(layout());
+  column->addWidget(mSpheres);
+  mOwnSpheres = new QCheckBox(tr("Structures have their own"), this);
+  mOwnSpheres->setObjectName("structureSpheres");
+  mOwnSpheres->setToolTip(tr("Off: structures have this one, too, whatever their menu says"));
+  column->addWidget(mOwnSpheres);
+  connect(mOwnSpheres, &QCheckBox::clicked, this, [this](bool on) {
+    mDocument.edit("Lit spheres of structures", [&](scene::Scene& scene) { scene.finish.structureSpheres = on; });
+  });
 }
 
 void FinishPanel::addStrokes() {
@@ -145,6 +153,8 @@ void FinishPanel::refresh() {
     slider.row->setValue(scene.finish.*slider.field / slider.unit);
   }
   mPaper->setEnabled(hasData);
+  mOwnSpheres->setEnabled(hasData);
+  mOwnSpheres->setChecked(scene.finish.structureSpheres);
   mPaper->setCurrentIndex(static_cast<int>(scene.finish.paper));
   mInk->setColor(scene.finish.contourColor);
   mPaperColor->setColor(scene.finish.paperColor);

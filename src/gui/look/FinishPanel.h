@@ -1,4 +1,5 @@
 #pragma once
+#include <QCheckBox>
 #include <QComboBox>
 #include <QGridLayout>
 #include <QWidget>
@@ -54,6 +55,7 @@ class FinishPanel : public QWidget {
   LitSphereGrid* mSpheres;
   std::vector<Slider> mSliders;
   ColorButton *mInk = nullptr, *mPaperColor = nullptr;
+  QCheckBox* mOwnSpheres = nullptr;
   QComboBox* mPaper = nullptr;
 };
 

@@ -87,7 +87,9 @@ void StructureCommands::setLitSphere(const Ids& ids, const QString& name) {
   mDocument.edit(session::structureLabel(mDocument.scene(), "Lit sphere of", ids), [&](scene::Scene& scene) {
     session::changeStructures(scene, ids, [&](scene::Structure& s) { s.litSphere = name.toStdString(); });
     // Who chooses one wants to see it.
-    if (!name.isEmpty() && scene.finish.litSphere == 0.0) scene.finish.litSphere = 0.5;
+    if (name.isEmpty()) return;
+    scene.finish.structureSpheres = true;
+    if (scene.finish.litSphere == 0.0) scene.finish.litSphere = 0.5;
   });
 }
 

@@ -51,11 +51,14 @@ FinishPass::Spheres FinishPass::spheresOf(const scene::Scene& scene) {
   };
   rowOf(scene.finish.sphere);
   int largest = 0;
+  auto hasOwn = [&](const scene::Structure& structure) {
+    return scene.finish.structureSpheres && !structure.litSphere.empty();
+  };
   for (const auto& structure : scene.labels.structures)
-    if (!structure.litSphere.empty()) largest = std::max(largest, structure.id);
+    if (hasOwn(structure)) largest = std::max(largest, structure.id);
   spheres.rowOf.resize(std::size_t(largest) + 2);
   for (const auto& structure : scene.labels.structures)
-    if (!structure.litSphere.empty()) spheres.rowOf[std::size_t(structure.id)] = rowOf(structure.litSphere);
+    if (hasOwn(structure)) spheres.rowOf[std::size_t(structure.id)] = rowOf(structure.litSphere);
   return spheres;
 }
 

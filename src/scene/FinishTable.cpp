@@ -14,6 +14,7 @@ constexpr FinishRow kTable[] = {
      .contourWidth = 2.6,
      .contourColor = {0.13f, 0.08f, 0.07f},
      .litSphere = 0.5,
+     .sphere = "ivory",
      .paper = Paper::Smooth,
      .paperColor = kWarmWhite},
     {.finish = {"watercolour", "Watercolour", "Light washes with fine outlines on rough paper"},

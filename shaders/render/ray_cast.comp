@@ -26,6 +26,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "render/march_iso.glsl"
 #endif
 #include "render/inlays.glsl"
+#include "render/sample.glsl"
 
 layout(binding = kNoiseUnit) uniform sampler2D noiseTexture;
 layout(binding = kSurfaceColorUnit) uniform sampler2D surfaceColorTexture;
@@ -36,6 +37,7 @@ layout(binding = kSurfaceIdUnit) uniform usampler2D surfaceIdTexture;
 layout(binding = kColorImage, rgba32f) uniform image2D colorImage;  // premultiplied, the sum of the samples so far
 layout(binding = kSurfaceImage, rgba32f) uniform writeonly image2D surfaceImage;
 layout(binding = kIdImage, rg32ui) uniform writeonly uimage2D idImage;
+layout(binding = kSampleImage, rgba32ui) uniform writeonly uimage2D sampleImage;  // with kFlagFinish
 
 layout(location = 0) uniform ivec4 tile;          // x, y: corner in the image; z, w: its size
 layout(location = 1) uniform ivec2 windowOrigin;  // the image's corner in the whole picture
@@ -120,6 +122,7 @@ void main() {
     imageStore(surfaceImage, pixel, found ? vec4(hit.normal, hit.distance) : vec4(0.0));
     imageStore(idImage, pixel, found ? uvec4(hit.structure, instance + 1u, 0u, 0u) : uvec4(0u));
   }
+  if (hasFlag(kFlagFinish)) imageStore(sampleImage, pixel, packSample(ray, hit, instance));
   vec4 before = frame.sampleIndex == 0 ? vec4(0.0) : imageLoad(colorImage, pixel);
   imageStore(colorImage, pixel, before + hit.color);
 }

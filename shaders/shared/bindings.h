@@ -6,6 +6,7 @@ SHARED_BEGIN
 
 // Uniform blocks.
 SHARED_CONST uint kFrameBinding = 0u;
+SHARED_CONST uint kFinishBinding = 1u;
 
 // Samplers.
 SHARED_CONST uint kVolumeUnit = 0u;
@@ -22,6 +23,13 @@ SHARED_CONST uint kGradientUnit = 10u;
 SHARED_CONST uint kSheetUnit = 11u;  // the rows of all sheets
 SHARED_CONST uint kSurfaceIdUnit = 12u;
 SHARED_CONST uint kStructureUnit = 13u;
+
+// Those of the finish.
+SHARED_CONST uint kSampleUnit = 14u;     // what kSampleImage holds
+SHARED_CONST uint kLitSphereUnit = 15u;  // the lit spheres of the scene, one below the other
+SHARED_CONST uint kSphereOfUnit = 16u;   // by structure: which of them
+SHARED_CONST uint kPaperUnit = 17u;
+SHARED_CONST uint kStrokeUnit = 18u;  // directions and phases of strokes, a texel a cell
 
 // Storage blocks of a frame.
 SHARED_CONST uint kCutBinding = 1u;
@@ -40,7 +48,11 @@ SHARED_CONST uint kSheetCountsBinding = 2u;  // and a count a cell, then 1 when 
 SHARED_CONST uint kColorImage = 0u;
 SHARED_CONST uint kSurfaceImage = 1u;
 SHARED_CONST uint kIdImage = 2u;
+SHARED_CONST uint kSampleImage = 3u;   // of the sample that is cast, for the finish (render/sample.glsl)
 SHARED_CONST uint kPictureImage = 1u;  // where that of colours becomes one to show
+SHARED_CONST uint kFinishImage = 2u;   // sums of what the finish adds
+SHARED_CONST uint kPaperImage = 0u;
+SHARED_CONST uint kStrokeImage = 0u;
 
 SHARED_END
 #endif

@@ -36,7 +36,8 @@ SHARED_CONST uint kFlagCutGrid = 131072u;     // a grid says which cuts matter w
 SHARED_CONST uint kFlagJoined = 262144u;        // some cut is joined to the one before it
 SHARED_CONST uint kFlagTints = 524288u;         // some structure takes less of its own colour than others
 SHARED_CONST uint kFlagOverlaps = 1048576u;     // where spares of joined cuts overlap they are marked
-SHARED_CONST uint kFlagLast = kFlagOverlaps;
+SHARED_CONST uint kFlagFinish = 2097152u;      // each sample is kept for the finish: kSampleImage
+SHARED_CONST uint kFlagLast = kFlagFinish;
 
 /// Scene-local frame: world minus an origin near the scene, so that floats are enough anywhere. Lengths are in scene
 /// units. "Table" positions 0..1 run over the transfer table's domain of data values. Members lie in groups of 16

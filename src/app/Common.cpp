@@ -4,6 +4,7 @@
 #include <sys/time.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <csignal>
@@ -14,8 +15,10 @@
 #include "velum/core/Error.h"
 #include "velum/core/Log.h"
 #include "velum/core/Text.h"
+#include "velum/scene/Finishes.h"
 #include "velum/scene/Presets.h"
 #include "velum/scene/json/Json.h"
+#include "velum/session/document/LitSphereFiles.h"
 #include "velum/session/document/Open.h"
 #include "velum/session/growth/Growths.h"
 #include "velum/session/look/Look.h"
@@ -31,6 +34,26 @@ void addCommon(CLI::App& verb, Common& common) {
       ->transform(CLI::CheckedTransformer(kKinds, CLI::ignore_case));
 }
 
+namespace {
+
+std::string finishNames() {
+  std::string names;
+  for (const scene::NamedFinish& finish : scene::finishes())
+    names += (names.empty() ? "" : ", ") + std::string(finish.name);
+  return names;
+}
+
+/// Opening said already what was wrong with those of a scene file.
+void loadNamedSpheres(scene::Scene& scene, const std::vector<std::pair<std::string, std::string>>& sets) {
+  bool isNew = std::any_of(sets.begin(), sets.end(), [](const auto& set) {
+    return set.first.starts_with("finish") || set.first.find("litSphere") != std::string::npos;
+  });
+  if (!isNew) return;
+  for (const std::string& note : session::loadLitSpheres(scene, {})) log::warning(note);
+}
+
+}  // namespace
+
 void addInput(CLI::App& verb, InputOptions& input, bool withScene) {
   verb.add_option("input", input.inputs, "data file, DICOM folder, scene or picture of ours; then labels and surfaces")
       ->required();
@@ -45,6 +68,7 @@ void addInput(CLI::App& verb, InputOptions& input, bool withScene) {
                   "read this file as labels, whatever it looks like; with no other input, alone");
   verb.get_option("input")->required(false);
   verb.add_option("--preset", input.preset, "look by name, e.g. ct-bone");
+  verb.add_option("--finish", input.finish, fmt::format("what an illustrator adds: {}", finishNames()));
   verb.add_option("--transfer", input.transfer,
                   "transfer function from a file: .velum-transfer.json, or 3D Slicer's .vp.json or .vp");
   verb.add_option("--view", input.view, "camera: anterior, posterior, left, right, superior, inferior, oblique");
@@ -205,8 +229,10 @@ scene::Scene openScene(const InputOptions& input, double aspect) {
           fmt::format("--view {}: not one of {}", input.view, fmt::join(EnumNames<scene::StandardView>::kNames, ", ")));
     scene.camera = scene::frameCamera(scene, *view, aspect);
   }
+  if (!input.finish.empty()) scene::applyFinish(scene, input.finish);
   for (const auto& [path, value] : sets) scene::setField(scene, path, value);
   for (const std::string& note : session::settleGrowths(scene, progress)) log::warning(note);
+  loadNamedSpheres(scene, sets);
   return scene;
 }
 

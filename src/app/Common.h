@@ -26,7 +26,7 @@ struct Common {
 struct InputOptions {
   std::vector<std::string> inputs;
   std::vector<std::string> sets;  ///< path=value
-  std::string series, preset, transfer, view, labels;
+  std::string series, preset, finish, transfer, view, labels;
   std::vector<double> spacing;
   std::string raw;  ///< "XxYxZ:type[:be][:+header]"
 };
@@ -35,7 +35,8 @@ void addCommon(CLI::App& verb, Common& common);
 void addInput(CLI::App& verb, InputOptions& input, bool withScene);
 /// The first input's source, with the reading options applied.
 scene::Source firstSource(const InputOptions& input);
-/// Opens all inputs and applies preset, transfer function, view and --set, in this order. Shows progress on a terminal.
+/// Opens all inputs and applies preset, transfer function, view, finish and --set, in this order. Shows progress on a
+/// terminal.
 scene::Scene openScene(const InputOptions& input, double aspect);
 /// A progress that writes one line to a terminal's stderr, and is cancelled by stopOnSignals().
 Progress& consoleProgress();

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <span>
 
+#include "FinishSetup.h"
 #include "upload/BlueNoise.h"
 #include "upload/CutSheets.h"
 #include "velum/scene/Units.h"
@@ -84,6 +85,7 @@ void completeFrameData(FrameData& data) {
   }
   for (const auto& row : data.structures)
     if (row.look.x != 1.0f) data.params.flags |= shared::kFlagTints;
+  if (needsSamples(scene.finish)) data.params.flags |= shared::kFlagFinish;
   if (data.cuts.size() >= kFewCuts) data.params.flags |= shared::kFlagCutGrid;
   if (!data.spares.isEmpty()) data.params.flags |= shared::kFlagSpares;
   if (data.frame.marksOverlaps && data.spares.hasDepths) data.params.flags |= shared::kFlagOverlaps;

@@ -16,8 +16,10 @@ struct Texel {
 
 }  // namespace
 
-void Gbuffer::resize(glm::ivec2 size) {
-  if (mColor && this->size() == size) return;
+void Gbuffer::resize(glm::ivec2 size, bool keepsSample) {
+  if (!keepsSample) mSample = {};
+  if (mColor && this->size() == size && bool(mSample) == keepsSample) return;
+  if (keepsSample) mSample = gpu::Texture::make2d("sample", gpu::Format::Rgba32ui, size);
   mColor = gpu::Texture::make2d("colour", gpu::Format::Rgba32f, size);
   mSurface = gpu::Texture::make2d("normal, distance", gpu::Format::Rgba32f, size);
   mIds = gpu::Texture::make2d("structure, instance", gpu::Format::Rg32ui, size);
@@ -28,12 +30,14 @@ void Gbuffer::clear() {
   mColor.clear();
   mSurface.clear();
   mIds.clear();
+  if (mSample) mSample.clear();
 }
 
 void Gbuffer::bindImages() const {
   mColor.bindImage(shared::kColorImage, gpu::Access::ReadWrite);
   mSurface.bindImage(shared::kSurfaceImage, gpu::Access::Write);
   mIds.bindImage(shared::kIdImage, gpu::Access::Write);
+  if (mSample) mSample.bindImage(shared::kSampleImage, gpu::Access::Write);
 }
 
 void Gbuffer::appendLayers(const FrameData& data, const Layers& layers, Image& image) const {

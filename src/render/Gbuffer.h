@@ -14,13 +14,16 @@ namespace velum::render {
 class Gbuffer {
  public:
   /// Makes pictures of a size; what they hold is lost where it is another.
-  void resize(glm::ivec2 size);
+  /// @param keepsSample  with that of what the sample shows that is cast
+  void resize(glm::ivec2 size, bool keepsSample);
   void clear();
   glm::ivec2 size() const { return glm::ivec2(mColor.size()); }
   explicit operator bool() const { return bool(mColor); }
-  /// As images of a dispatch: kColorImage, kSurfaceImage, kIdImage.
+  /// As images of a dispatch: kColorImage, kSurfaceImage, kIdImage, kSampleImage.
   void bindImages() const;
   const gpu::Texture& color() const { return mColor; }
+  /// What the sample shows that was cast last, as render/sample.glsl packs it: kSampleUnit.
+  void bindSample() const { mSample.bindSampler(shared::kSampleUnit); }
 
   /// The layers of Renderer::read after a picture's own channels. Waits for the GPU.
   void appendLayers(const FrameData& data, const Layers& layers, Image& image) const;
@@ -31,6 +34,7 @@ class Gbuffer {
   gpu::Texture mColor;    ///< Premultiplied, the sum of the samples so far.
   gpu::Texture mSurface;  ///< Normal, scene frame; distance along the ray.
   gpu::Texture mIds;      ///< Structure; instance + 1, 0: nothing is seen.
+  gpu::Texture mSample;   ///< None where the frame has no finish.
 };
 
 }  // namespace velum::render

@@ -1,5 +1,7 @@
 #include "velum/render/Programs.h"
 
+#include <iterator>
+
 #include "passes/Variants.h"
 #include "shared/frame.h"
 
@@ -40,7 +42,13 @@ bool isOfSoftware(const DataVariant& variant) { return variant.packing != Packin
 
 std::vector<gpu::ProgramSource> allPrograms() {
   std::vector<gpu::ProgramSource> all;
-  for (const char* file : {"light_grid", "resolve"}) all.push_back({{std::string("render/") + file + ".comp"}, {}});
+  all.push_back({{"render/light_grid.comp"}, {}});
+  for (const ResolveVariant& variant : allResolveVariants())
+    all.push_back({{"render/resolve.comp"}, definesOf(variant)});
+  for (std::size_t paper = 1; paper < std::size(EnumNames<scene::Paper>::kNames); ++paper)
+    all.push_back({{"render/paper.comp"}, definesOf(static_cast<scene::Paper>(paper))});
+  for (const char* file : {"finish", "stroke_align", "stroke_field", "stroke_turns"})
+    all.push_back({{std::string("render/") + file + ".comp"}, {{"FINISH", "1"}}});
   for (const gpu::Defines& defines : {gpu::Defines{}, gpu::Defines{{"MEMBRANES", "1"}}})
     all.push_back({{"render/surface.vert", "render/surface.frag"}, defines});
   std::vector<std::uint32_t> sets = flagSets();

@@ -4,16 +4,34 @@
 
 namespace velum::render {
 
+namespace {
+
+/// A rectangle of one picture into another with the same channels.
+void copyPart(const Image& from, glm::ivec2 fromCorner, glm::ivec2 size, glm::ivec2 toCorner, Image& to) {
+  std::size_t channels = from.channels.size();
+  auto placeIn = [&](const Image& image, glm::ivec2 at) {
+    return std::ptrdiff_t((std::size_t(at.y) * std::size_t(image.width) + std::size_t(at.x)) * channels);
+  };
+  for (int y = 0; y < size.y; ++y)
+    std::copy_n(from.pixels.begin() + placeIn(from, fromCorner + glm::ivec2(0, y)), std::size_t(size.x) * channels,
+                to.pixels.begin() + placeIn(to, toCorner + glm::ivec2(0, y)));
+}
+
+}  // namespace
+
 Image renderPicture(Renderer& renderer, const Frame& frame, const Layers& layers, int largestWindow,
                     Progress& progress) {
   Image whole;
   glm::ivec2 size = frame.pictureSize;
-  int columns = (size.x + largestWindow - 1) / largestWindow, rows = (size.y + largestWindow - 1) / largestWindow;
+  int margin = std::max(size.x, size.y) > largestWindow ? finishMargin(frame) : 0;
+  int inner = std::max(largestWindow - 2 * margin, (largestWindow + 1) / 2);
+  int columns = (size.x + inner - 1) / inner, rows = (size.y + inner - 1) / inner;
   for (int row = 0; row < rows; ++row)
     for (int column = 0; column < columns; ++column) {
       Frame part = frame;
-      part.windowOrigin = glm::ivec2(column, row) * largestWindow;
-      part.windowSize = glm::min(size - part.windowOrigin, glm::ivec2(largestWindow));
+      glm::ivec2 corner = glm::ivec2(column, row) * inner, wanted = glm::min(size - corner, glm::ivec2(inner));
+      part.windowOrigin = glm::max(corner - margin, glm::ivec2(0));
+      part.windowSize = glm::min(size, corner + wanted + margin) - part.windowOrigin;
       renderer.render(part, progress);
       Image image = renderer.read(layers);
       if (columns * rows == 1) return image;
@@ -21,12 +39,7 @@ Image renderPicture(Renderer& renderer, const Frame& frame, const Layers& layers
         whole = {size.x, size.y, image.channels, {}};
         whole.pixels.resize(std::size_t(size.x) * std::size_t(size.y) * image.channels.size());
       }
-      std::size_t rowFloats = std::size_t(image.width) * image.channels.size();
-      for (int y = 0; y < image.height; ++y)
-        std::copy_n(image.pixels.begin() + std::ptrdiff_t(std::size_t(y) * rowFloats), rowFloats,
-                    whole.pixels.begin() + std::ptrdiff_t((std::size_t(y + part.windowOrigin.y) * std::size_t(size.x) +
-                                                           std::size_t(part.windowOrigin.x)) *
-                                                          image.channels.size()));
+      copyPart(image, corner - part.windowOrigin, wanted, corner, whole);
     }
   return whole;
 }

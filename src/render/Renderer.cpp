@@ -6,6 +6,7 @@
 #include "FrameData.h"
 #include "Gbuffer.h"
 #include "WorkQueue.h"
+#include "passes/FinishPass.h"
 #include "passes/LightPass.h"
 #include "passes/RayCastPass.h"
 #include "passes/ResolvePass.h"
@@ -18,7 +19,7 @@ namespace velum::render {
 /// The passes, what they hand on to each other, and the work that is left of the frame in hand.
 struct Renderer::Impl {
   Impl(gpu::Context& c, const Stats& known)
-      : limits(c.limits()), upload(limits), rayCast(gbuffer, limits.isSoftware), stats(known) {}
+      : limits(c.limits()), upload(limits), rayCast(gbuffer, limits.isSoftware), finish(gbuffer), stats(known) {}
 
   gpu::Limits limits;
   std::optional<Frame> wanted;  ///< As the caller gave it.
@@ -32,8 +33,9 @@ struct Renderer::Impl {
   LightPass light;
   SurfacePass surfaces;
   RayCastPass rayCast;
+  FinishPass finish;
   ResolvePass resolve;
-  Pass* const drawing[4] = {&skip, &light, &surfaces, &rayCast};  ///< Whom the data's upload goes before.
+  Pass* const drawing[5] = {&skip, &light, &surfaces, &rayCast, &finish};  ///< Whom the data's upload goes before.
   WorkQueue queue;
   Stats stats;
 
@@ -50,6 +52,7 @@ void Renderer::Impl::begin(const Frame& frame) {
   isDrawn = false;
   queue.restart();
   rayCast.restart();
+  finish.restart();
   coming = {.frame = withSizes(frame), .isSoftware = limits.isSoftware};
   upload.prepare(coming);
   upload.addSteps(coming, 0, queue);
@@ -69,11 +72,12 @@ void Renderer::Impl::setUp() {
   // What all samples of the picture share.
   skip.addSteps(data, 0, queue);
   light.addSteps(data, 0, queue);
-  // Each sample: its rays, what is rasterised, what is cast up to there.
+  // Each sample: its rays, what is rasterised, what is cast up to there, what an illustrator makes of it.
   for (int sample = 0; sample < std::max(1, data.frame.scene.rayCast.samplesPerPixel); ++sample) {
     queue.add("Setup", [this, sample] { inputs.writeParams(data, sample); });
     surfaces.addSteps(data, sample, queue);
     rayCast.addSteps(data, sample, queue);
+    finish.addSteps(data, sample, queue);
   }
   queue.countAll();
 }
@@ -99,7 +103,9 @@ void Renderer::Impl::noteStats() {
 bool Renderer::Impl::look() {
   if (!gbuffer) return false;
   inputs.bind();
-  resolve.draw(data, gbuffer, rayCast.progress());
+  const PictureProgress& done = rayCast.progress();
+  if (isDrawn && (done.rowsDone > 0 || done.columnsDone > 0)) finish.catchUp(data);
+  resolve.draw(data, gbuffer, finish, done);
   return true;
 }
 

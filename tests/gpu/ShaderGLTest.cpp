@@ -9,6 +9,7 @@
 #include "SourceFolder.h"
 #include "TempFolder.h"
 #include "shared/cut.h"
+#include "shared/finish.h"
 #include "shared/frame.h"
 #include "velum/gpu/Buffer.h"
 #include "velum/gpu/GpuError.h"
@@ -111,6 +112,31 @@ TEST_F(ShaderGL, FrameParamsLieWhereTheDriverPutsThem) {
   }
   EXPECT_EQ(sizeof(shared::FrameParams), kFrameOffsets[std::size(kFrameOffsets) - 1].bytes + 4);
   EXPECT_EQ(sizeof(shared::FrameParams) % 16, 0u);
+}
+
+const Offset kFinishOffsets[] = {VELUM_OFFSET(FinishParams, contourColor),  VELUM_OFFSET(FinishParams, paperColor),
+                                 VELUM_OFFSET(FinishParams, contours),      VELUM_OFFSET(FinishParams, contourShare),
+                                 VELUM_OFFSET(FinishParams, creases),       VELUM_OFFSET(FinishParams, steps),
+                                 VELUM_OFFSET(FinishParams, structures),    VELUM_OFFSET(FinishParams, litSphere),
+                                 VELUM_OFFSET(FinishParams, hatching),      VELUM_OFFSET(FinishParams, strokePixels),
+                                 VELUM_OFFSET(FinishParams, cellPixels),    VELUM_OFFSET(FinishParams, paperGrain),
+                                 VELUM_OFFSET(FinishParams, unitsPerPixel), VELUM_OFFSET(FinishParams, padding0),
+                                 VELUM_OFFSET(FinishParams, reach),         VELUM_OFFSET(FinishParams, sphereRows),
+                                 VELUM_OFFSET(FinishParams, cellsX),        VELUM_OFFSET(FinishParams, cellsY),
+                                 VELUM_OFFSET(FinishParams, firstCellX),    VELUM_OFFSET(FinishParams, firstCellY),
+                                 VELUM_OFFSET(FinishParams, padding1),      VELUM_OFFSET(FinishParams, padding2)};
+
+TEST_F(ShaderGL, FinishParamsLieWhereTheDriverPutsThem) {
+  auto members = membersOf("finish.h", "FinishParams");
+  ASSERT_EQ(members.size(), std::size(kFinishOffsets)) << "list the members of FinishParams here, too";
+  Program program({"render/finish.comp"}, {{"FINISH", "1"}});
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    EXPECT_EQ(members[i], kFinishOffsets[i].member);
+    int offset = program.memberOffset("FinishBlock", "finish." + members[i]);
+    if (offset < 0) offset = program.memberOffset("FinishBlock", members[i]);
+    EXPECT_EQ(offset, int(kFinishOffsets[i].bytes)) << members[i];
+  }
+  EXPECT_EQ(sizeof(shared::FinishParams) % 16, 0u);
 }
 
 /// Offsets in storage blocks, asked of the shader itself: it writes what it reads from each member.

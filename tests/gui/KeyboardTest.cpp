@@ -241,6 +241,14 @@ TEST_P(Keyboard, ReachesAllOfTheLook) {
   expectReadingOrder(walk(*mWindow, false), panel());
 }
 
+TEST_P(Keyboard, ReachesAllOfTheFinish) {
+  open({"phantom.nrrd"});
+  ASSERT_TRUE(tabs().showPage("Finish"));
+  mWindow->viewport().setFocus();
+  expectKeysReachAll(*mWindow);
+  expectReadingOrder(walk(*mWindow, false), panel());
+}
+
 TEST_P(Keyboard, ReachesAllOfTheStructures) {
   open({"phantom.nrrd", "phantom_labels.seg.nrrd"});
   ASSERT_TRUE(tabs().showPage("Structures"));

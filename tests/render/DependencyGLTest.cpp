@@ -35,6 +35,10 @@ class DependencyGL : public RenderTest, public testing::WithParamInterface<int> 
                                                    : 0; }, scene.volume.data->worldFromVoxel));
     scene::completeStructures(scene.labels);
     addCuts(scene);
+    scene.labels.structures[0].litSphere = "bone";
+    scene.finish.contours = scene.finish.litSphere = scene.finish.hatching = 0.6;
+    scene.finish.contourWidth = 40;  // of such small pictures
+    scene.finish.paper = scene::Paper::Rough;
     scene.surfaces = {triangle({-12, 4, -6}, {12, 4, -6}, {0, 5, 6})};
     lookAlong(scene, {0.3, -1, 0.25}, 40);
     return scene;

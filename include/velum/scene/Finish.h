@@ -15,9 +15,9 @@ enum class Paper { None, Smooth, Rough, Laid, Canvas, Linen, Parchment };
 
 /// A picture of a sphere that says how material looks from each side (lit sphere, matcap), of the user's own.
 struct LitSphere {
-  std::string name;     ///< by which structures name it
+  std::string name;  ///< by which structures name it
   Source source;
-  Shared<Image> data;   ///< not saved: read from `source`
+  Shared<Image> data;  ///< not saved: read from `source`
   bool operator==(const LitSphere&) const = default;
   static void fields(auto& o, auto& visit) {
     visit("name", o.name, FieldInfo{"", {}, "Name by which structures and the finish know it."});
@@ -25,17 +25,18 @@ struct LitSphere {
   }
 };
 
-/// What an illustrator adds to a picture at the end ([ACS] 4.4): contours, lit spheres, hatching, paper. Each part is off
-/// where it is 0.
+/// What an illustrator adds to a picture at the end ([ACS] 4.4): contours, lit spheres, hatching, paper. Each part is
+/// off where it is 0.
 struct Finish {
   double contours = 0.0;             ///< strength, 0..1
-  double contourWidth = 1.5;         ///< pixels of a picture of 1000 rows
+  double contourWidth = 2.4;         ///< pixels of a picture of 1000 rows
   glm::vec3 contourColor{0.05f};     ///< sRGB
   double contourCreases = 0.6;       ///< how much of it where the surface turns, 0..1
   double contourSteps = 1.0;         ///< where the depth jumps, 0..1
   double contourStructures = 1.0;    ///< between structures, 0..1
   double litSphere = 0.0;            ///< share of the lit spheres' colour; the paper has 0.5
   std::string sphere = "porcelain";  ///< of what names none of its own: one of ours, or of `spheres`
+  bool structureSpheres = true;      ///< structures have those that they name; off: all have `sphere`
   double hatching = 0.0;             ///< strokes along the curvature, strength, 0..1
   double hatchWidth = 5.0;           ///< from stroke to stroke, pixels of a picture of 1000 rows
   Paper paper = Paper::None;
@@ -52,9 +53,10 @@ struct Finish {
     visit("contourStructures", o.contourStructures, FieldInfo{"", {0, 1}, "How much of them between structures."});
     visit("litSphere", o.litSphere, FieldInfo{"", {0, 1}, "Share of the lit spheres' colour in the picture; 0: none."});
     visit("sphere", o.sphere, FieldInfo{"", {}, "Lit sphere of all that names none of its own."});
+    visit("structureSpheres", o.structureSpheres,
+          FieldInfo{"", {}, "Off: structures have that sphere, too, whatever they name."});
     visit("hatching", o.hatching, FieldInfo{"", {0, 1}, "Strength of strokes along the curvature; 0: none."});
-    visit("hatchWidth", o.hatchWidth,
-          FieldInfo{"pixel", {2, 30}, "From stroke to stroke in a picture of 1000 rows."});
+    visit("hatchWidth", o.hatchWidth, FieldInfo{"pixel", {2, 30}, "From stroke to stroke in a picture of 1000 rows."});
     visit("paper", o.paper, FieldInfo{"", {}, "What is behind the picture; none: the background."});
     visit("paperColor", o.paperColor, FieldInfo{"", {0, 1}, "Its sRGB colour."});
     visit("paperGrain", o.paperGrain, FieldInfo{"", {0, 1}, "How much of its grain shows."});

@@ -1,20 +1,25 @@
 #pragma once
+#include "FinishPanel.h"
 #include "LookCommands.h"
 #include "LookPanel.h"
 #include "view/Room.h"
 
 namespace velum::gui {
 
-/// What the data looks like: the panel of presets, curves and light; looks in files; "show this".
+/// What the data looks like: the panel of presets, curves and light; that of the finish; looks in files; "show this".
 class LookRoom : public Room {
   Q_OBJECT
  public:
   explicit LookRoom(const WindowParts& parts);
-  void refresh(const session::Session&) override { mPanel->refresh(); }
+  void refresh(const session::Session&) override {
+    mPanel->refresh();
+    mFinish->refresh();
+  }
   LookCommands& commands() { return *mCommands; }
 
  private:
   LookPanel* mPanel;
+  FinishPanel* mFinish;
   LookCommands* mCommands;
 };
 

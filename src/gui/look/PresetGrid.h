@@ -1,12 +1,12 @@
 #pragma once
 #include <QHash>
-#include <QListWidget>
 #include <QPixmap>
 #include <QPushButton>
 #include <QTimer>
 #include <memory>
 
 #include "kit/Job.h"
+#include "kit/PictureList.h"
 #include "velum/session/document/Document.h"
 
 namespace velum::gui {
@@ -34,12 +34,11 @@ class PresetGrid : public QWidget {
 
  private:
   void fill();
-  void fitHeight();
   void takePicture(const QString& name, const QImage& picture);
   QStringList missing() const;
 
   session::Document& mDocument;
-  QListWidget* mList;
+  PictureList* mList;
   QPushButton* mMore;
   QTimer mPatience;
   Shared<Volume> mVolume;  ///< Whose pictures these are; kept, so that its id is not taken for another's.

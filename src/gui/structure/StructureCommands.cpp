@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kit/PictureList.h"
+#include "velum/scene/LitSpheres.h"
 #include "velum/session/cut/CutEdit.h"
 #include "velum/session/membrane/MembraneEdit.h"
 
@@ -10,7 +12,9 @@ namespace velum::gui {
 
 namespace {
 constexpr int kFlightMs = 320;
-}
+
+QIcon iconOf(const Image& picture) { return QIcon(QPixmap::fromImage(toQImage(picture))); }
+}  // namespace
 
 StructureCommands::StructureCommands(session::Document& document, Selection& selection, QObject* parent)
     : QObject(parent), mDocument(document), mSelection(selection) {
@@ -79,6 +83,16 @@ void StructureCommands::dragOpacity(const Ids& ids, double opacity) {
 void StructureCommands::rename(int id, const QString& name) {
   mDocument.edit(session::structureLabel(mDocument.scene(), "Rename", {id}), [&](scene::Scene& scene) {
     session::changeStructures(scene, {id}, [&](scene::Structure& s) { s.name = name.trimmed().toStdString(); });
+  });
+}
+
+void StructureCommands::setLitSphere(const Ids& ids, const QString& name) {
+  mDocument.edit(session::structureLabel(mDocument.scene(), "Lit sphere of", ids), [&](scene::Scene& scene) {
+    session::changeStructures(scene, ids, [&](scene::Structure& s) { s.litSphere = name.toStdString(); });
+    // Who chooses one wants to see it.
+    if (name.isEmpty()) return;
+    scene.finish.structureSpheres = true;
+    if (scene.finish.litSphere == 0.0) scene.finish.litSphere = 0.5;
   });
 }
 
@@ -160,6 +174,25 @@ void StructureCommands::fillMembraneMenu(QMenu& menu, const Ids& ids) {
   add(tr("Draw membrane to it"), tr("The selected membrane's sheet is drawn to it"), -1.0);
 }
 
+void StructureCommands::fillSphereMenu(QMenu& menu, const Ids& ids) {
+  QMenu* spheres = menu.addMenu(tr("Lit sphere"));
+  spheres->setToolTip(tr("How the material looks in a finished picture"));
+  QString now = QString::fromStdString(session::findStructure(mDocument.scene(), ids[0])->litSphere);
+  auto add = [&](const QString& name, const QString& title, const QIcon& icon) {
+    QAction* action = spheres->addAction(icon, title, this, [this, ids, name] { setLitSphere(ids, name); });
+    action->setCheckable(true);
+    action->setChecked(name == now);
+  };
+  add({}, tr("As the finish"), {});
+  spheres->addSeparator();
+  for (const scene::LitSphereName& sphere : scene::litSpheres())
+    add(QString::fromUtf8(sphere.name.data(), int(sphere.name.size())),
+        QString::fromUtf8(sphere.title.data(), int(sphere.title.size())),
+        iconOf(scene::makeLitSphere(sphere.name, 32)));
+  for (const scene::LitSphere& own : mDocument.scene().finish.spheres)
+    add(QString::fromStdString(own.name), QString::fromStdString(own.name), own.data ? iconOf(*own.data) : QIcon());
+}
+
 void StructureCommands::fillMenu(QMenu& menu, const Ids& ids) {
   if (ids.empty()) return;
   const scene::Structure* first = session::findStructure(mDocument.scene(), ids[0]);
@@ -191,6 +224,7 @@ void StructureCommands::fillMenu(QMenu& menu, const Ids& ids) {
   connect(whole, &QAction::triggered, this, [this, ids](bool on) { setSpared(ids, on); });
   fillMembraneMenu(menu, ids);
   menu.addSeparator();
+  fillSphereMenu(menu, ids);
   menu.addAction(tr("Export..."), this, [this, ids] { emit exportAsked(ids); })
       ->setToolTip(tr("Write it as a surface or as labels, for other programs"));
 }

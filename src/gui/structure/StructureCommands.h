@@ -27,6 +27,8 @@ class StructureCommands : public QObject {
   void setColor(const Ids& ids, glm::vec3 color);
   /// Joins one undo step until endMerge() of the document.
   void dragOpacity(const Ids& ids, double opacity);
+  /// Gives structures a lit sphere of their own in a finished picture; empty: that of the finish.
+  void setLitSphere(const Ids& ids, const QString& name);
   void rename(int id, const QString& name);
   /// Whether the selected cut leaves structures whole; nothing without a cut.
   void setSpared(const Ids& ids, bool whole);
@@ -55,6 +57,7 @@ class StructureCommands : public QObject {
   const scene::Cut* cut() const;
   const scene::Membrane* membrane() const;
   double strengthOf(int id) const;
+  void fillSphereMenu(QMenu& menu, const Ids& ids);
   void fillMembraneMenu(QMenu& menu, const Ids& ids);
   void flyTo(const scene::Camera& camera);
 

@@ -34,7 +34,7 @@ RayCastPass::RayCastPass(Gbuffer& target, bool isSoftware)
 void RayCastPass::prepare(FrameData& data) {
   RayVariant variant = variantOf(data);
   mProgram = &mPrograms.find(variant, [&] { return gpu::Program({"render/ray_cast.comp"}, definesOf(variant)); });
-  mTarget.resize(data.frame.windowSize);
+  mTarget.resize(data.frame.windowSize, (data.params.flags & shared::kFlagFinish) != 0);
   mPace.begin(data.frame.isPreview ? kPreviewPieceMs : kPieceMs);
 }
 

@@ -3,9 +3,23 @@
 #include <algorithm>
 #include <vector>
 
+#include "velum/scene/Finishes.h"
+
 namespace velum::render {
 
-void ResolvePass::draw(const FrameData& data, const Gbuffer& gbuffer, const PictureProgress& progress) {
+namespace {
+
+ResolveVariant variantOf(const scene::Finish& finish) {
+  return {scene::addsAnything(finish), finish.hatching > 0, finish.paper != scene::Paper::None};
+}
+
+}  // namespace
+
+void ResolvePass::draw(const FrameData& data, const Gbuffer& gbuffer, const FinishPass& finish,
+                       const PictureProgress& progress) {
+  ResolveVariant variant = variantOf(data.frame.scene.finish);
+  const gpu::Program& program =
+      mPrograms.find(variant, [&] { return gpu::Program({"render/resolve.comp"}, definesOf(variant)); });
   glm::ivec2 size = gbuffer.size();
   if (!mPicture || glm::ivec2(mPicture.size()) != size) {
     mPicture = gpu::Texture::make2d("picture", gpu::Format::Rgba8, size, gpu::Filter::Linear);
@@ -15,14 +29,19 @@ void ResolvePass::draw(const FrameData& data, const Gbuffer& gbuffer, const Pict
   mPicture.bindImage(shared::kPictureImage, gpu::Access::Write);
   const auto& background = data.frame.scene.background;
   float backdrop = background.transparent ? 0.0f : 1.0f;
-  mProgram.set(0, data.frame.windowOrigin);
-  mProgram.set(1, progress.samples);
-  mProgram.set(2, progress.rowsDone);
-  mProgram.set(3, progress.strip);
-  mProgram.set(4, progress.columnsDone);
-  mProgram.set(5, glm::vec4(background.top, backdrop));
-  mProgram.set(6, glm::vec4(background.bottom, backdrop));
-  gpu::dispatch(mProgram, {(size.x + 7) / 8, (size.y + 7) / 8, 1});
+  program.set(0, data.frame.windowOrigin);
+  program.set(1, progress.samples);
+  program.set(2, progress.rowsDone);
+  program.set(3, progress.strip);
+  program.set(4, progress.columnsDone);
+  program.set(5, glm::vec4(background.top, backdrop));
+  program.set(6, glm::vec4(background.bottom, backdrop));
+  if (variant.hasFinish) {
+    finish.bindResults();
+    program.set(7, finish.samples());
+    program.set(8, finish.rowsDone());
+  }
+  gpu::dispatch(program, {(size.x + 7) / 8, (size.y + 7) / 8, 1});
   gpu::barrier();
 }
 

@@ -1,6 +1,8 @@
 #pragma once
+#include "FinishPass.h"
 #include "FrameData.h"
 #include "Gbuffer.h"
+#include "ProgramCache.h"
 #include "RayCastPass.h"
 #include "velum/gpu/Framebuffer.h"
 #include "velum/gpu/Program.h"
@@ -8,20 +10,19 @@
 
 namespace velum::render {
 
-/// From a Gbuffer to a picture: means of samples, before the background. Not among a frame's steps: it is done whenever
-/// somebody looks at the picture, complete or not. GL thread.
+/// From a Gbuffer to a picture: means of samples, finished, before the background or on paper. Not among a frame's
+/// steps: it is done whenever somebody looks at the picture, complete or not. GL thread.
 class ResolvePass {
  public:
-  ResolvePass() : mProgram({"render/resolve.comp"}) {}
   /// Needs the frame's parameters bound.
-  void draw(const FrameData& data, const Gbuffer& gbuffer, const PictureProgress& progress);
+  void draw(const FrameData& data, const Gbuffer& gbuffer, const FinishPass& finish, const PictureProgress& progress);
   /// Scaled into a window's framebuffer, upright.
   void present(unsigned framebuffer, glm::ivec2 size) const { gpu::present(mTarget, framebuffer, size); }
   /// R, G, B, A; display-referred, straight alpha. Waits for the GPU.
   Image read() const;
 
  private:
-  gpu::Program mProgram;
+  ProgramCache<ResolveVariant> mPrograms;
   gpu::Texture mPicture;
   gpu::Framebuffer mTarget;
 };

@@ -32,6 +32,18 @@ gpu::Defines definesOf(const RayVariant& variant) {
   return defines;
 }
 
+gpu::Defines definesOf(const ResolveVariant& variant) {
+  gpu::Defines defines;
+  if (variant.hasFinish) defines.push_back({"FINISH", "1"});
+  if (variant.hasStrokes) defines.push_back({"STROKES", "1"});
+  if (variant.hasPaper) defines.push_back({"PAPER", "1"});
+  return defines;
+}
+
+gpu::Defines definesOf(scene::Paper paper) {
+  return {{"FINISH", "1"}, {"PAPER", std::to_string(static_cast<int>(paper))}};
+}
+
 std::vector<DataVariant> allLightVariants() {
   std::vector<DataVariant> all;
   for (bool hasMembranes : {false, true}) {
@@ -55,6 +67,13 @@ std::vector<RayVariant> allRayVariants() {
     if (data.packing == Packing::None || !usesGradients(data)) all.push_back({data, false});
     if (usesGradients(data)) all.push_back({data, true});
   }
+  return all;
+}
+
+std::vector<ResolveVariant> allResolveVariants() {
+  std::vector<ResolveVariant> all{{}};
+  for (bool hasStrokes : {false, true})
+    for (bool hasPaper : {false, true}) all.push_back({true, hasStrokes, hasPaper});
   return all;
 }
 

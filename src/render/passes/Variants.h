@@ -6,6 +6,7 @@
 
 #include "upload/PackedTexels.h"
 #include "velum/gpu/Program.h"
+#include "velum/scene/Finish.h"
 #include "velum/scene/RayCast.h"
 
 namespace velum::render {
@@ -33,6 +34,12 @@ struct RayVariant {
   auto operator<=>(const RayVariant&) const = default;
 };
 
+/// What the picture's program is compiled for.
+struct ResolveVariant {
+  bool hasFinish = false, hasStrokes = false, hasPaper = false;
+  auto operator<=>(const ResolveVariant&) const = default;
+};
+
 /// Those of the flags that the light grid's shaders ask about.
 std::uint32_t lightFlagsOf(std::uint32_t flags);
 /// False for modes that shade nothing, and where there are no values to take differences of.
@@ -40,9 +47,13 @@ bool usesGradients(const DataVariant& variant);
 
 gpu::Defines definesOf(const DataVariant& variant);
 gpu::Defines definesOf(const RayVariant& variant);
+gpu::Defines definesOf(const ResolveVariant& variant);
+/// Of the program that makes a paper.
+gpu::Defines definesOf(scene::Paper paper);
 
 /// All that a frame can ask for, flags left open.
 std::vector<DataVariant> allLightVariants();
 std::vector<RayVariant> allRayVariants();
+std::vector<ResolveVariant> allResolveVariants();
 
 }  // namespace velum::render

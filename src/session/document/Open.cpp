@@ -20,6 +20,7 @@
 #include "velum/scene/Presets.h"
 #include "velum/scene/json/Json.h"
 #include "velum/session/growth/Growths.h"
+#include "velum/session/document/LitSphereFiles.h"
 
 namespace velum::session {
 
@@ -139,6 +140,7 @@ scene::Scene withRelativePaths(scene::Scene scene, const fs::path& folder) {
   scene.volume.source.path = relativeTo(scene.volume.source.path, folder).string();
   scene.labels.source.path = relativeTo(scene.labels.source.path, folder).string();
   for (auto& surface : scene.surfaces) surface.source.path = relativeTo(surface.source.path, folder).string();
+  for (auto& sphere : scene.finish.spheres) sphere.source.path = relativeTo(sphere.source.path, folder).string();
   return scene;
 }
 
@@ -247,6 +249,7 @@ void loadData(scene::Scene& scene, const fs::path& folder, Progress& progress, c
       readSurfaceInto(surface, progress);
   }
   for (const auto& note : settleGrowths(scene, progress)) Notes{notes}.add(note);
+  for (const std::string& note : loadLitSpheres(scene, folder)) Notes{notes}.add(note);
 }
 
 std::string sceneTextFor(const scene::Scene& scene, const fs::path& path) {

@@ -181,7 +181,9 @@ Image drawPicture(render::Renderer& renderer, const scene::Scene& scene, const P
   int window = std::min(4096, limits.texture2d);
   Image image = render::renderPicture(renderer, frame, layers, window, progress);
   if (!options.layers || !hasInlayLayers(frame.scene)) return image;
+  // As they were drawn: what is put together elsewhere is finished there.
   frame.scene.background.transparent = true;
+  frame.scene.finish = {};
   for (const InlayLayer& layer : kInlayLayers) {
     frame.parts = layer.parts;
     image = withChannels(image, render::renderPicture(renderer, frame, {}, window, progress), colorNames(layer.name));

@@ -1,0 +1,30 @@
+// What all of the finish's shaders read.
+#include "shared/finish.h"
+#include "render/sample.glsl"
+
+layout(std140, binding = kFinishBinding) uniform FinishBlock { FinishParams finish; };
+
+/// How far something counts as a surface: what is thin has no edges.
+float solidity(Sample s) { return clamp(3.0 * s.opacity - 0.8, 0.0, 1.0); }
+
+bool isSame(Sample a, Sample b) { return a.ids == b.ids; }
+
+uint hashOf(uvec2 p) {
+  uint h = p.x * 0x8da6b343u ^ p.y * 0xd8163841u;
+  h = (h ^ h >> 15) * 0x2c1b3c6du;
+  h = (h ^ h >> 12) * 0x297a2d39u;
+  return h ^ h >> 15;
+}
+
+float randomOf(ivec2 p) { return float(hashOf(uvec2(p)) >> 8) / 16777216.0; }
+
+/// Smooth noise, 0..1, of wavelength 2.
+float noiseAt(vec2 p) {
+  vec2 whole = floor(p);
+  vec2 part = p - whole;
+  part = part * part * (3.0 - 2.0 * part);
+  ivec2 at = ivec2(whole);
+  float low = mix(randomOf(at), randomOf(at + ivec2(1, 0)), part.x);
+  float high = mix(randomOf(at + ivec2(0, 1)), randomOf(at + ivec2(1, 1)), part.x);
+  return mix(low, high, part.y);
+}

@@ -1,0 +1,101 @@
+#include "LitSphereGrid.h"
+
+#include <QFileDialog>
+#include <QPainter>
+#include <QPainterPath>
+#include <QVBoxLayout>
+#include <exception>
+
+#include "velum/scene/LitSpheres.h"
+#include "velum/session/document/LitSphereFiles.h"
+
+namespace velum::gui {
+
+namespace {
+
+constexpr int kColumns = 6, kPictureHeight = 44;
+
+QString textOf(std::string_view text) { return QString::fromUtf8(text.data(), int(text.size())); }
+
+/// The sphere alone, round.
+QPixmap roundPicture(const Image& image) {
+  QPixmap picture(image.width, image.height);
+  picture.fill(Qt::transparent);
+  QPainter painter(&picture);
+  painter.setRenderHint(QPainter::Antialiasing);
+  QPainterPath round;
+  round.addEllipse(QRectF(0, 0, image.width, image.height).adjusted(4, 4, -4, -4));
+  painter.setClipPath(round);
+  painter.drawImage(picture.rect().adjusted(4, 4, -4, -4), toQImage(image));
+  return picture;
+}
+
+}  // namespace
+
+LitSphereGrid::LitSphereGrid(session::Document& document, QWidget* parent)
+    : QWidget(parent), mDocument(document), mList(new PictureList(kColumns, kPictureHeight, this)) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(4);
+  layout->addWidget(mList);
+  auto* add = new QPushButton(tr("Add your own..."), this);
+  add->setObjectName("addLitSphere");
+  add->setProperty("role", "quiet");
+  add->setToolTip(tr("A picture of a painted sphere that fills it to its edges: .png, .tif or .exr"));
+  layout->addWidget(add, 0, Qt::AlignLeft);
+  mList->setObjectName("litSphere");
+  mList->setAccessibleName(tr("Lit sphere"));
+  mList->setToolTip(tr("How the material looks from each side, where structures have none of their own"));
+  connect(mList, &PictureList::chosen, this, [this](const QString& name) {
+    mDocument.edit("Choose lit sphere", [&](scene::Scene& scene) {
+      scene.finish.sphere = name.toStdString();
+      // Who chooses one wants to see it.
+      if (scene.finish.litSphere == 0.0) scene.finish.litSphere = 0.5;
+    });
+  });
+  connect(add, &QPushButton::clicked, this, &LitSphereGrid::askOwn);
+  fill();
+}
+
+void LitSphereGrid::resizeEvent(QResizeEvent*) { mList->fit(width()); }
+
+void LitSphereGrid::fill() {
+  mList->clear();
+  for (const scene::LitSphereName& sphere : scene::litSpheres())
+    mList->add(textOf(sphere.name), textOf(sphere.title), textOf(sphere.title),
+               roundPicture(scene::makeLitSphere(sphere.name)));
+  for (const scene::LitSphere& own : mOwn) {
+    QString name = QString::fromStdString(own.name);
+    mList->add(name, name, QString::fromStdString(own.source.path), own.data ? roundPicture(*own.data) : QPixmap());
+  }
+  mList->fit(width());
+}
+
+void LitSphereGrid::refresh() {
+  const scene::Finish& finish = mDocument.scene().finish;
+  setEnabled(scene::hasData(mDocument.scene()));
+  if (!(finish.spheres == mOwn)) {
+    mOwn = finish.spheres;
+    fill();
+  }
+  mList->mark(QString::fromStdString(finish.sphere));
+}
+
+void LitSphereGrid::addOwn(const QString& path) {
+  try {
+    mDocument.edit("Add lit sphere", [&](scene::Scene& scene) {
+      scene.finish.sphere = session::addLitSphere(scene, path.toStdString());
+      if (scene.finish.litSphere == 0.0) scene.finish.litSphere = 0.5;
+    });
+  } catch (const std::exception& error) {
+    emit failed(QString::fromUtf8(error.what()));
+  }
+}
+
+void LitSphereGrid::askOwn() {
+  QString path = QFileDialog::getOpenFileName(this, tr("Add lit sphere"), {},
+                                              tr("Pictures (*.png *.tif *.tiff *.exr);;All files (*)"));
+  if (!path.isEmpty()) addOwn(path);
+}
+
+}  // namespace velum::gui

@@ -1,0 +1,36 @@
+#pragma once
+#include <QPushButton>
+#include <QWidget>
+
+#include "kit/PictureList.h"
+#include "velum/session/document/Document.h"
+
+namespace velum::gui {
+
+/// The lit spheres as pictures: ours and the user's own, of which more can be added. The list inside is named
+/// "litSphere"; its items hold the sphere's name as their data.
+class LitSphereGrid : public QWidget {
+  Q_OBJECT
+ public:
+  LitSphereGrid(session::Document& document, QWidget* parent);
+  void refresh();
+  /// Adds a picture to the scene's lit spheres and takes it, as one undo step.
+  void addOwn(const QString& path);
+
+ signals:
+  /// A picture could not be read; one line.
+  void failed(const QString& error);
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  void fill();
+  void askOwn();
+
+  session::Document& mDocument;
+  PictureList* mList;
+  std::vector<scene::LitSphere> mOwn;  ///< In the list.
+};
+
+}  // namespace velum::gui

@@ -1,0 +1,124 @@
+// The page Finish, and lit spheres of structures, with real events.
+#include <QListWidget>
+
+#include "Shots.h"
+#include "WindowFixture.h"
+#include "kit/PictureList.h"
+#include "look/FinishPanel.h"
+#include "structure/StructurePanel.h"
+#include "velum/io/images/ImageFile.h"
+#include "velum/scene/Finishes.h"
+#include "velum/scene/LitSpheres.h"
+
+namespace velum::gui {
+namespace {
+
+class FinishPage : public Window {
+ protected:
+  void openPage() {
+    openPhantom();
+    drawSoon();
+    ASSERT_TRUE(mWindow->tabs().showPage("Finish"));
+  }
+  std::string undoLabel() { return mWindow->document().undoLabel(); }
+  static void click(QListWidget& list, const QString& name) {
+    for (int i = 0; i < list.count(); ++i)
+      if (list.item(i)->data(Qt::UserRole).toString() == name)
+        return QTest::mouseClick(list.viewport(), Qt::LeftButton, {}, list.visualItemRect(list.item(i)).center());
+    FAIL() << name.toStdString();
+  }
+};
+
+TEST_F(FinishPage, AFinishIsOneStep) {
+  openPage();
+  auto* list = child<QListWidget>("finish");
+  EXPECT_EQ(list->currentItem()->data(Qt::UserRole).toString(), "none");
+  click(*list, "pencil");
+  EXPECT_EQ(scene::finishName(scene().finish), "pencil");
+  EXPECT_EQ(undoLabel(), "Choose finish");
+  mWindow->document().undo();
+  EXPECT_EQ(scene::finishName(scene().finish), "none");
+  EXPECT_EQ(list->currentItem()->data(Qt::UserRole).toString(), "none");
+}
+
+TEST_F(FinishPage, ItsPicturesShowTheData) {
+  openPage();
+  auto* panel = mWindow->findChild<FinishPanel*>();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return mWindow->isSettled() && panel->isComplete(); }, 90000));
+  auto* list = child<QListWidget>("finish");
+  for (int i = 0; i < list->count(); ++i)
+    EXPECT_FALSE(list->item(i)->data(Qt::UserRole + 1).value<QPixmap>().isNull()) << i;
+  click(*list, "plate");
+  ASSERT_TRUE(settle());
+  takeShot(*mWindow, "finish");
+}
+
+TEST_F(FinishPage, ADragOfASliderIsOneStep) {
+  openPage();
+  auto* contours = child<NumberRow>("contours");
+  contours->spin()->setValue(30);
+  contours->spin()->setValue(60);
+  EXPECT_NEAR(scene().finish.contours, 0.6, 1e-9);
+  mWindow->document().undo();
+  EXPECT_EQ(scene().finish.contours, 0.0);
+  EXPECT_EQ(contours->value(), 0.0);
+}
+
+TEST_F(FinishPage, EveryControlChangesItsValueAndIsNamed) {
+  openPage();
+  for (const char* name : {"contours", "contourWidth", "contourSteps", "contourStructures", "contourCreases",
+                           "litSphereShare", "hatching", "hatchWidth", "paperGrain"}) {
+    auto* row = child<NumberRow>(name);
+    ASSERT_TRUE(row) << name;
+    scene::Finish before = scene().finish;
+    row->spin()->setValue(row->value() > 5 ? row->value() - 3 : row->value() + 3);
+    EXPECT_FALSE(before == scene().finish) << name;
+    EXPECT_FALSE(row->spin()->accessibleName().isEmpty()) << name;
+    EXPECT_FALSE(row->toolTip().isEmpty()) << name;
+  }
+}
+
+TEST_F(FinishPage, ASphereIsChosenByItsPictureAndShown) {
+  openPage();
+  click(*child<QListWidget>("litSphere"), "gold");
+  EXPECT_EQ(scene().finish.sphere, "gold");
+  EXPECT_GT(scene().finish.litSphere, 0.0);
+  EXPECT_EQ(undoLabel(), "Choose lit sphere");
+}
+
+TEST_F(FinishPage, OnesOwnSphereIsAddedAndABadOneIsOneLine) {
+  openPage();
+  io::writeImage(scene::makeLitSphere("velvet"), *sFolder / "mine.png");
+  auto& spheres = mWindow->findChild<FinishPanel*>()->spheres();
+  spheres.addOwn(path("mine.png"));
+  EXPECT_EQ(scene().finish.sphere, "mine");
+  auto* list = child<QListWidget>("litSphere");
+  EXPECT_EQ(list->count(), int(scene::litSpheres().size()) + 1);
+  EXPECT_EQ(list->currentItem()->data(Qt::UserRole).toString(), "mine");
+  spheres.addOwn(path("phantom.nrrd"));
+  EXPECT_FALSE(mWindow->messages().text().isEmpty());
+  EXPECT_EQ(scene().finish.spheres.size(), 1u);
+}
+
+TEST_F(FinishPage, AStructuresMenuHasItsSphere) {
+  mWindow->openPaths({path("phantom.nrrd"), path("phantom_labels.seg.nrrd")});
+  ASSERT_TRUE(waitForJob());
+  session::Document& document = mWindow->document();
+  Selection selection;
+  StructureCommands commands(document, selection, mWindow.get());
+  QMenu menu;
+  commands.fillMenu(menu, {1});
+  QMenu* spheres = nullptr;
+  for (QAction* action : menu.actions())
+    if (action->menu() && action->text() == "Lit sphere") spheres = action->menu();
+  ASSERT_TRUE(spheres);
+  for (QAction* action : spheres->actions())
+    if (action->text() == "Bone") action->trigger();
+  EXPECT_EQ(scene().labels.structures[0].litSphere, "bone");
+  EXPECT_GT(scene().finish.litSphere, 0.0);
+  document.undo();
+  EXPECT_EQ(scene().labels.structures[0].litSphere, "");
+}
+
+}  // namespace
+}  // namespace velum::gui

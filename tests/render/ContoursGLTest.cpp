@@ -1,0 +1,76 @@
+// The lines around what is seen.
+#include "FinishFixture.h"
+
+namespace velum {
+namespace {
+
+using ContoursGL = FinishFixture;
+
+TEST_F(ContoursGL, StrengthIsTheShareOfTheLine) {
+  scene::Scene scene = ball();
+  scene.finish.contours = 1.0;
+  Image full = intensity(scene, {100, 100});
+  scene.finish.contours = 0.5;
+  Image half = intensity(scene, {100, 100});
+  for (std::size_t i = 0; i < full.pixels.size(); ++i)
+    EXPECT_NEAR(1.0f - half.pixels[i], 0.5f * (1.0f - full.pixels[i]), 0.012f);
+}
+
+TEST_F(ContoursGL, ABallHasOneClosedLineOfTheRightWidth) {
+  for (int rows : {200, 400, 800}) {
+    scene::Scene scene = ball();
+    scene.rayCast.samplesPerPixel = 16;
+    scene.finish.contours = 1.0;
+    scene.finish.contourWidth = 5.0;
+    Image left = intensity(scene, {rows, rows});
+    double pixelsPerLength = rows / kHeight, width = 5.0 * rows / 1000.0;
+    for (glm::ivec2 way : {glm::ivec2(1, 0), glm::ivec2(-1, 0), glm::ivec2(0, 1), glm::ivec2(0, -1), glm::ivec2(1, 1),
+                           glm::ivec2(-1, 1), glm::ivec2(1, -1), glm::ivec2(-1, -1)}) {
+      Line line = lineAlong(left, {rows / 2, rows / 2}, way);
+      double along = glm::length(glm::dvec2(way));
+      EXPECT_EQ(line.runs, 1) << rows << " rows, towards " << way.x << ", " << way.y;
+      EXPECT_NEAR(line.ink * along, width, 0.25 * width + 0.35) << rows << " rows, towards " << way.x << ", " << way.y;
+      EXPECT_NEAR(line.at * along, kRadius * pixelsPerLength, 1.0 + 0.4 * width) << rows << " rows";
+    }
+  }
+}
+
+TEST_F(ContoursGL, AStraightSurfaceSeenAslantHasNone) {
+  for (bool isOrthographic : {true, false}) {
+    scene::Scene scene = halves();
+    scene.labels = {};
+    lookAlong(scene, {0.2, -0.3, 1.0});
+    scene.camera.projection = isOrthographic ? scene::Projection::Orthographic : scene::Projection::Perspective;
+    scene.camera.eye = scene.camera.target + glm::normalize(glm::dvec3(0.1, -1.0, 0.25)) * 120.0;
+    scene.camera.height = 20;
+    scene.camera.fieldOfViewDeg = 8;
+    scene.finish.contours = 1.0;
+    Image left = intensity(scene, {120, 120});
+    EXPECT_LT(meanInk(left, {10, 30}, {110, 90}), 0.004) << isOrthographic;
+  }
+}
+
+TEST_F(ContoursGL, NeighboursHaveOneLineBetweenThem) {
+  scene::Scene scene = halves();
+  scene.finish.contours = 1.0;
+  scene.finish.contourWidth = 10.0;
+  Image left = intensity(scene, {200, 200});
+  for (int y = 40; y < 160; y += 20) {
+    Line line = lineAlong(left, {20, y}, {1, 0});
+    EXPECT_EQ(line.runs, 1);
+    EXPECT_NEAR(line.ink, 2.0, 0.5);
+    EXPECT_NEAR(line.at, 80.0, 3.0);
+  }
+  scene.finish.contourStructures = 0.0;
+  EXPECT_LT(meanInk(intensity(scene, {200, 200}), {20, 20}, {180, 180}), 0.002);
+}
+
+TEST_F(ContoursGL, NoiseMakesNoSpeckle) {
+  scene::Scene scene = ball(60.0);
+  scene.finish.contours = 1.0;
+  Image left = intensity(scene, {160, 160});
+  EXPECT_LT(meanInk(left, {55, 55}, {105, 105}), 0.03);
+}
+
+}  // namespace
+}  // namespace velum

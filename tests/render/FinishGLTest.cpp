@@ -1,0 +1,185 @@
+// What the finish adds to a picture: lit spheres, strokes, paper.
+#include "ChangeFields.h"
+#include "FinishFixture.h"
+#include "velum/scene/LitSpheres.h"
+
+namespace velum {
+namespace {
+
+using FinishGL = FinishFixture;
+
+TEST_F(FinishGL, OffIsThePictureWithoutIt) {
+  scene::Scene plain = ball(), off = ball(), on = ball();
+  off.finish.contourWidth = 7.0;
+  off.finish.sphere = "gold";
+  off.finish.paperGrain = 1.0;
+  finishAll(on);
+  Image before = draw(plain, {64, 64}, kAllLayers);
+  draw(on, {64, 64});
+  expectIdentical(before, draw(off, {64, 64}, kAllLayers), "after one with a finish");
+}
+
+TEST_F(FinishGL, LayersAreThoseOfThePictureWithoutIt) {
+  scene::Scene plain = ball(), on = ball();
+  finishAll(on);
+  Image before = draw(plain, {64, 64}, kAllLayers), after = draw(on, {64, 64}, kAllLayers);
+  for (std::size_t i = 0; i < before.pixels.size(); ++i)
+    if (i % before.channels.size() >= 4) {
+      ASSERT_EQ(before.pixels[i], after.pixels[i]) << before.channels[i % before.channels.size()];
+    }
+}
+
+TEST_F(FinishGL, ColoursAreMixedAsThePaperSays) {
+  // rgb = ((1 - m) * ray-cast colour + m * lit sphere's) * contour intensity.
+  scene::Scene scene = ball();
+  scene.lighting.shaded = true;
+  scene.rayCast.samplesPerPixel = 1;
+  scene.finish.sphere = "muscle";
+  glm::ivec2 size(96, 96);
+  Image cast = draw(scene, size, kAllLayers);
+  for (double m : {0.25, 0.5, 1.0}) {
+    scene.finish.litSphere = m;
+    scene.finish.contours = 0.0;
+    Image mixed = draw(scene, size);
+    scene.finish.contours = 1.0;
+    scene.finish.contourWidth = 8.0;
+    scene.finish.contourColor = {0.2f, 0.1f, 0.0f};
+    Image lined = draw(scene, size);
+    int compared = 0, dark = 0;
+    for (int y = 0; y < size.y; ++y)
+      for (int x = 0; x < size.x; ++x) {
+        if (sampleOf(cast, {x, y}, "instance") < 0) continue;
+        glm::vec3 n = vectorOf(cast, {x, y}, "normal");
+        // From the front, x to the left of the patient is to the right, z is up.
+        glm::vec3 sphere = scene::litSphereColor("muscle", glm::normalize(glm::vec3(n.x, n.z, -n.y)));
+        glm::vec3 wanted = glm::mix(glm::vec3(colorOf(cast, {x, y})), sphere, float(m));
+        glm::vec3 got(colorOf(mixed, {x, y}));
+        // The rim's rows of the sphere's picture are interpolated.
+        if (-n.y > 0.35f) {
+          EXPECT_LT(glm::length(wanted - got), 0.02f) << x << ", " << y << ", m " << m;
+        }
+        ++compared;
+        // One share of ink explains all three channels.
+        glm::vec3 left = glm::vec3(colorOf(lined, {x, y})) / glm::max(got, glm::vec3(0.02f));
+        float share = (1.0f - left.b);
+        if (share < 0.3f) continue;
+        ++dark;
+        EXPECT_NEAR(left.r, 1.0f - share * 0.8f, 0.06f);
+      }
+    EXPECT_GT(compared, 1500);
+    EXPECT_GT(dark, 20);
+  }
+}
+
+TEST_F(FinishGL, WindowsOfAPictureFitTogether) {
+  scene::Scene scene = ball();
+  finishAll(scene);
+  Progress progress;
+  render::Frame frame = frameOf(scene, {150, 130});
+  Image whole = render::renderPicture(renderer(), frame, {}, 4096, progress);
+  for (int window : {64, 97})
+    expectIdentical(whole, render::renderPicture(renderer(), frame, {}, window, progress), "in windows");
+}
+
+TEST_F(FinishGL, PreviewsShowIt) {
+  scene::Scene scene = ball();
+  Progress progress;
+  render::Frame frame = frameOf(scene, {64, 64});
+  frame.isPreview = true;
+  Image plain = render::renderPicture(renderer(), frame, {}, 4096, progress);
+  finishAll(frame.scene);
+  EXPECT_GT(differenceOf(plain, render::renderPicture(renderer(), frame, {}, 4096, progress)).mean, 5.0);
+}
+
+TEST_F(FinishGL, TransparentBackgroundsStayTransparent) {
+  scene::Scene scene = ball();
+  finishAll(scene);
+  scene.background.transparent = true;
+  Image image = draw(scene, {100, 100});
+  EXPECT_EQ(colorOf(image, {3, 3}), glm::vec4(0.0f));
+  EXPECT_EQ(colorOf(image, {50, 50}).a, 1.0f);
+}
+
+TEST_F(FinishGL, EveryPaperLooksItsOwnWayAndAlikeAtEachSize) {
+  scene::Scene scene = ball();
+  std::vector<Image> papers;
+  for (auto paper : {scene::Paper::Smooth, scene::Paper::Rough, scene::Paper::Laid, scene::Paper::Canvas,
+                     scene::Paper::Linen, scene::Paper::Parchment}) {
+    scene.finish.paper = paper;
+    scene.finish.paperGrain = 1.0;
+    papers.push_back(draw(scene, {400, 400}));
+    for (std::size_t i = 0; i + 1 < papers.size(); ++i)
+      EXPECT_GT(differenceOf(papers[i], papers.back()).mean, 0.3) << i << " and " << papers.size() - 1;
+    // Its mean colour is the paper's, whatever the size.
+    for (int rows : {200, 400}) {
+      Image image = draw(scene, {rows, rows});
+      double mean = meanInk(image, {0, 0}, {rows, rows / 6});
+      EXPECT_NEAR(mean, 1.0 - double(scene.finish.paperColor.g), 0.05) << int(paper);
+    }
+  }
+}
+
+TEST_F(FinishGL, StrokesAreDenserWhereItIsDarker) {
+  scene::Scene scene = ball();
+  scene.lighting.shaded = true;
+  scene.lighting.keyDirection = {-1, 0.2, 0.6};
+  scene.finish.hatching = 1.0;
+  scene.finish.hatchWidth = 14.0;
+  Image left = intensity(scene, {300, 300});
+  EXPECT_GT(meanInk(left, {180, 130}, {215, 170}), 2.0 * meanInk(left, {85, 130}, {120, 170}));
+}
+
+TEST_F(FinishGL, StructuresHaveTheirOwnSpheres) {
+  scene::Scene scene = halves();
+  scene.finish.litSphere = 1.0;
+  scene.labels.structures[0].litSphere = "gold";
+  Image image = draw(scene, {64, 64});
+  auto front = [](const char* name) { return scene::litSphereColor(name, {0, 0, 1}); };
+  EXPECT_LT(glm::length(glm::vec3(colorOf(image, {16, 32})) - front("gold")), 0.02f);
+  EXPECT_LT(glm::length(glm::vec3(colorOf(image, {48, 32})) - front("porcelain")), 0.02f);
+  scene::LitSphere own;
+  own.name = "mine";
+  Image blue{128, 128, {"R", "G", "B"}, {}};
+  for (int i = 0; i < 128 * 128; ++i) blue.pixels.insert(blue.pixels.end(), {0.0f, 0.0f, 1.0f});
+  own.data = Shared<Image>(blue);
+  scene.finish.spheres = {own};
+  scene.labels.structures[1].litSphere = "mine";
+  EXPECT_LT(glm::length(glm::vec3(colorOf(draw(scene, {64, 64}), {48, 32})) - glm::vec3(0, 0, 1)), 0.02f);
+  scene.finish.structureSpheres = false;
+  EXPECT_LT(glm::length(glm::vec3(colorOf(draw(scene, {64, 64}), {48, 32})) - front("porcelain")), 0.02f);
+  scene.finish.structureSpheres = true;
+  // Nobody's is the plain one.
+  scene.labels.structures[1].litSphere = "nobody";
+  EXPECT_LT(glm::length(glm::vec3(colorOf(draw(scene, {64, 64}), {48, 32})) - front("porcelain")), 0.02f);
+}
+
+TEST_F(FinishGL, EveryFieldMatters) {
+  scene::Scene scene = ball();
+  scene.lighting.shaded = true;
+  // Two structures, and a notch for creases and steps.
+  scene.labels = halves().labels;
+  scene.labels.structures[0].litSphere = "bone";
+  scene::Cut box;
+  box.id = 1;
+  box.shape = scene::CutShape::Box;
+  box.size = {12, 14, 12};
+  box.centre = {4, -14, 3};
+  scene.cuts = {box};
+  finishAll(scene);
+  Image before = draw(scene, {96, 96});
+  int fields = 0;
+  for (int n = 0;; ++n) {
+    scene::Scene other = scene;
+    std::string path;
+    int left = n;  // is counted down
+    scene::changeNthField(other, left, "", path);
+    if (path.empty()) break;
+    if (!path.starts_with("finish.") || path.starts_with("finish.spheres")) continue;
+    ++fields;
+    EXPECT_GT(differenceOf(before, draw(other, {96, 96})).largest, 0.0) << path;
+  }
+  EXPECT_GE(fields, 12);
+}
+
+}  // namespace
+}  // namespace velum

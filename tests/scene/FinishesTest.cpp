@@ -1,0 +1,113 @@
+// Named finishes and the lit spheres that they use.
+#include "velum/scene/Finishes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+#include <string>
+
+#include "velum/core/Error.h"
+#include "velum/scene/LitSpheres.h"
+
+namespace velum::scene {
+namespace {
+
+double meanDifference(const Image& a, const Image& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.pixels.size(); ++i) sum += std::abs(double(a.pixels[i]) - double(b.pixels[i]));
+  return sum / double(a.pixels.size());
+}
+
+TEST(LitSpheres, ThereAreEnoughOfThem) { EXPECT_GE(litSpheres().size(), 24u); }
+
+TEST(LitSpheres, EachIsItsOwn) {
+  std::set<std::string_view> names, titles;
+  for (const auto& a : litSpheres()) {
+    names.insert(a.name);
+    titles.insert(a.title);
+    for (const auto& b : litSpheres())
+      if (a.name < b.name) {
+        EXPECT_GT(meanDifference(makeLitSphere(a.name, 32), makeLitSphere(b.name, 32)), 0.02)
+            << a.name << ", " << b.name;
+      }
+  }
+  EXPECT_EQ(names.size(), litSpheres().size());
+  EXPECT_EQ(titles.size(), litSpheres().size());
+}
+
+TEST(LitSpheres, EachIsSmoothAndWithinItsRange) {
+  for (const auto& sphere : litSpheres()) {
+    Image image = makeLitSphere(sphere.name);
+    ASSERT_EQ(image.pixels.size(), std::size_t(kLitSphereSize * kLitSphereSize * 3));
+    float largest = 0;
+    for (int y = 0; y < image.height; ++y)
+      for (int x = 0; x + 1 < image.width; ++x)
+        for (int c = 0; c < 3; ++c) {
+          auto at = std::size_t((y * image.width + x) * 3 + c);
+          ASSERT_GE(image.pixels[at], 0.0f);
+          ASSERT_LE(image.pixels[at], 1.0f);
+          // Near the rim a pixel is a large part of the way round.
+          float dx = float(x) - 63.5f, dy = float(y) - 63.5f;
+          if (dx * dx + dy * dy < 56 * 56)
+            largest = std::max(largest, std::abs(image.pixels[at + 3] - image.pixels[at]));
+        }
+    EXPECT_LT(largest, 0.13f) << sphere.name;
+  }
+}
+
+TEST(LitSpheres, LightComesFromTheUpperLeft) {
+  for (const char* name : {"bone", "skin", "muscle", "clay", "plaster", "charcoal"}) {
+    auto brightness = [&](glm::vec3 n) { return glm::dot(litSphereColor(name, glm::normalize(n)), glm::vec3(1.0f)); };
+    EXPECT_GT(brightness({-0.5f, 0.6f, 0.7f}), brightness({0.5f, -0.6f, 0.6f}) + 0.3f) << name;
+  }
+}
+
+TEST(LitSpheres, OnesOwnIsTheLargestSquareInTheMiddle) {
+  Image picture{300, 200, {"R", "G", "B", "A"}, {}};
+  for (int y = 0; y < 200; ++y)
+    for (int x = 0; x < 300; ++x) {
+      bool isInside = x >= 50 && x < 250;
+      picture.pixels.insert(picture.pixels.end(), {isInside ? 1.0f : 0.0f, float(y) / 199.0f, 0.0f, 1.0f});
+    }
+  Image fitted = fitLitSphere(picture);
+  ASSERT_EQ(fitted.width, kLitSphereSize);
+  ASSERT_EQ(fitted.channels.size(), 3u);
+  EXPECT_EQ(fitted.pixels[0], 1.0f);
+  EXPECT_EQ(fitted.pixels[std::size_t(kLitSphereSize - 1) * 3], 1.0f);
+  EXPECT_LT(fitted.pixels[1], 0.02f);
+  EXPECT_THROW(fitLitSphere(Image{}), ArgumentError);
+}
+
+TEST(Finishes, EachIsFoundByItsNameAgain) {
+  std::set<std::string_view> names;
+  for (const auto& finish : finishes()) {
+    Scene scene;
+    scene.finish.spheres.resize(1);
+    scene.finish.spheres[0].name = "mine";
+    applyFinish(scene, finish.name);
+    EXPECT_EQ(finishName(scene.finish), finish.name);
+    EXPECT_EQ(scene.finish.spheres.size(), 1u) << "the user's own stay";
+    EXPECT_TRUE(isLitSphere(scene.finish, scene.finish.sphere)) << finish.name;
+    EXPECT_EQ(addsAnything(scene.finish), finish.name != "none");
+    names.insert(finish.name);
+  }
+  EXPECT_EQ(names.size(), finishes().size());
+  EXPECT_GE(names.size(), 8u);
+  Scene scene;
+  EXPECT_EQ(finishName(scene.finish), "none");
+  scene.finish.contourWidth = 3.25;
+  EXPECT_EQ(finishName(scene.finish), "");
+  EXPECT_THROW(applyFinish(scene, "crayon"), ArgumentError);
+}
+
+TEST(Finishes, SpheresThatNobodyHasAreNamed) {
+  Scene scene;
+  scene.labels.structures.resize(3);
+  scene.labels.structures[0].litSphere = "bone";
+  scene.labels.structures[1].litSphere = scene.labels.structures[2].litSphere = "crayon";
+  EXPECT_EQ(unknownLitSpheres(scene), std::vector<std::string>{"crayon"});
+}
+
+}  // namespace
+}  // namespace velum::scene

@@ -186,6 +186,7 @@ void ExtrusionPanel::refresh() {
   auto extrusions = session::extrusionsOf(scene);
   mList->showScene(scene, extrusions);
   mList->select(mSelection.cut(), mSelection.structure());
+  if (!mList->current() && !extrusions.empty()) mList->select(extrusions[0].cut, extrusions[0].structure);
   mList->setVisible(!extrusions.empty());
   mEmpty->setVisible(extrusions.empty());
   const scene::Cut* cut = scene::findCut(scene, mSelection.cut());

@@ -110,6 +110,9 @@ std::optional<int> addJoinedPlane(scene::Scene& scene, int cut) {
     axis = scene::cameraBasis(scene.camera).right;
     axis -= glm::dot(axis, normal) * normal;
   }
+  // Along one of the patient's axes where the first is.
+  glm::dvec3 snapped = nearestAxis(axis);
+  if (std::abs(glm::dot(snapped, normal)) < 1e-6) axis = snapped;
   scene::Cut second;
   second.shape = scene::CutShape::Plane;
   second.joined = true;

@@ -54,7 +54,7 @@ class FinishFixture : public RenderTest {
     scene.finish.hatching = 0.7;
     scene.finish.hatchWidth = 60.0;  // of such small pictures
     scene.finish.sphere = "gold";
-    scene.finish.paper = scene::Paper::Canvas;
+    scene.finish.paper = scene::Paper::Rough;
   }
   /// What lines leave of the light, by pixel.
   Image intensity(scene::Scene scene, glm::ivec2 size) {

@@ -11,7 +11,7 @@ namespace {
 
 constexpr glm::ivec3 kDims(44, 40, 42);
 constexpr glm::ivec2 kSize(56, 56);
-constexpr double kStep = 0.2;     // of the search along a ray, in voxels of 1 mm
+constexpr double kStep = 0.2;      // of the search along a ray, in voxels of 1 mm
 constexpr double kTooClose = 0.3;  // to a border of labels, in voxels
 
 /// A solid block of four structures, checkered by eights, before two planes that may open a wedge.
@@ -65,7 +65,9 @@ class ExtrusionGL : public RenderTest {
         TestRay ray = rayThrough(mScene.camera, kSize, {x + 0.5, y + 0.5});
         glm::dvec2 box = boxInterval(*mScene.volume.data, ray);
         bool isShown = sampleOf(image, {x, y}, "A") > 0.5f;
-        double shown = isShown ? double(glm::dot(glm::dvec3(vectorOf(image, {x, y}, "position")) - ray.origin, ray.direction)) : 1e9;
+        double shown =
+            isShown ? double(glm::dot(glm::dvec3(vectorOf(image, {x, y}, "position")) - ray.origin, ray.direction))
+                    : 1e9;
         double first = 1e9;
         bool isDoubtful = false;
         for (double t = box.x + 1e-3; t < box.y; t += kStep) {
@@ -79,8 +81,8 @@ class ExtrusionGL : public RenderTest {
         ++checked;
         out += first < 1e8 && naive(hard(), ray.at(first), 0, 0.0).keeps == false;
         bool fits = std::abs(first - shown) < 0.5 || (first > 1e8 && !isShown);
-        bool isSame = !isShown || first > 1e8 ||
-                      int(sampleOf(image, {x, y}, "id")) == structureAt(ray.at(first + 0.5 * kStep));
+        bool isSame =
+            !isShown || first > 1e8 || int(sampleOf(image, {x, y}, "id")) == structureAt(ray.at(first + 0.5 * kStep));
         if ((!fits || !isSame) && ++wrong < 4)
           said += fmt::format("\npixel {}, {}: first kept at {}, shown at {}", x, y, first, shown);
       }

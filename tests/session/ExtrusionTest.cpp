@@ -60,7 +60,8 @@ TEST(Extrusion, TheDragFollowsThePointerALengthForALength) {
   for (int i = 0; i < 200; ++i) {
     scene.camera = scene::frameCamera(scene, scene::StandardView::Oblique, kSize.x / kSize.y);
     scene.camera.projection = i % 2 ? scene::Projection::Perspective : scene::Projection::Orthographic;
-    scene::Cut cut = planeOf({number(-5, 5), number(-5, 5), number(-5, 5)}, {number(-1, 1), number(-1, 1), number(-1, 1)});
+    scene::Cut cut =
+        planeOf({number(-5, 5), number(-5, 5), number(-5, 5)}, {number(-1, 1), number(-1, 1), number(-1, 1)});
     cut.invert = i % 3 == 0;
     glm::dvec3 out = pullDirection(cut, cut.centre);
     glm::dvec3 line = glm::normalize(scene.camera.eye - cut.centre);

@@ -92,12 +92,12 @@ TEST(GrowthPlayer, HoweverTheHandGoesTheLabelsAreThoseOfTheSteps) {
   int cut = session.scene().cuts[0].id;
   for (int drag = 0; drag < 4; ++drag) {
     glm::dvec3 click(4.0 * double(random() % 15), 32, 4.0 * double(random() % 15));
-    auto pull = beginPull(session.scene(), cut, click, session.scene().labels.data
-                                                           ? session.scene().labels.data->at(glm::ivec3(click))
-                                                           : 0);
+    auto pull = beginPull(session.scene(), cut, click,
+                          session.scene().labels.data ? session.scene().labels.data->at(glm::ivec3(click)) : 0);
     ASSERT_TRUE(pull);
     for (int move = 0; move < 12; ++move) {
-      document.edit("Pull", [&](scene::Scene& s) { pullTo(s, *pull, 1.0 + double(random() % 30)); }, true);
+      document.edit(
+          "Pull", [&](scene::Scene& s) { pullTo(s, *pull, 1.0 + double(random() % 30)); }, true);
       for (int i = int(random() % 3); i > 0; --i) session.advance(2.0);
     }
     document.endMerge();
@@ -142,9 +142,8 @@ TEST(GrowthPlayer, AnotherRangeGrowsAnewFromTheSeeds) {
   ASSERT_TRUE(pull);
   session.document().edit("Pull", [&](scene::Scene& s) { pullTo(s, *pull, 10.0); });
   settle(session);
-  session.document().edit("Everything", [](scene::Scene& s) {
-    changeGrowth(s, 1, [](scene::Growth& g) { g.low = 0.0, g.high = 255.0; });
-  });
+  session.document().edit(
+      "Everything", [](scene::Scene& s) { changeGrowth(s, 1, [](scene::Growth& g) { g.low = 0.0, g.high = 255.0; }); });
   settle(session);
   EXPECT_EQ(voxelsOf(session.scene(), 1), std::size_t(kEdge) * kEdge * 10) << "all that is ten deep";
   EXPECT_EQ(differences(session.scene()), 0u);

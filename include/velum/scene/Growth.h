@@ -27,16 +27,16 @@ struct Barrier {
 struct Growth {
   static constexpr double kEndless = std::numeric_limits<double>::infinity();
 
-  int structure = 0;                ///< label id that it grows
-  std::vector<glm::dvec3> seeds;    ///< in voxels that were clicked on
-  double low = 0.0, high = 0.0;     ///< values that belong to it, the volume's unit, both ends included
-  double steepest = kEndless;       ///< gradient magnitude at which it stops, value/length
-  int within = 0;                   ///< structure of which it takes a connected part; 0: of what has no label
-  int channel = 0, timeStep = 0;    ///< of the volume
-  glm::dvec3 centre{0.0};           ///< a point of the plane out of which it is pulled
-  glm::dvec3 axis{0.0};             ///< towards its removed side; zero: everywhere
-  double distance = kEndless;       ///< how deep in the removed side it goes
-  std::vector<Barrier> barriers;    ///< that it does not enter
+  int structure = 0;              ///< label id that it grows
+  std::vector<glm::dvec3> seeds;  ///< in voxels that were clicked on
+  double low = 0.0, high = 0.0;   ///< values that belong to it, the volume's unit, both ends included
+  double steepest = kEndless;     ///< gradient magnitude at which it stops, value/length
+  int within = 0;                 ///< structure of which it takes a connected part; 0: of what has no label
+  int channel = 0, timeStep = 0;  ///< of the volume
+  glm::dvec3 centre{0.0};         ///< a point of the plane out of which it is pulled
+  glm::dvec3 axis{0.0};           ///< towards its removed side; zero: everywhere
+  double distance = kEndless;     ///< how deep in the removed side it goes
+  std::vector<Barrier> barriers;  ///< that it does not enter
   bool operator==(const Growth&) const = default;
   static void fields(auto& o, auto& visit) {
     visit("structure", o.structure, FieldInfo{"", {1, 65535}, "Label that it grows."});

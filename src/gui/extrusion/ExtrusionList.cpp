@@ -20,8 +20,7 @@ QIcon swatchOf(const scene::Scene& scene, int structure, const QColor& line) {
   pixmap.fill(Qt::transparent);
   QPainter painter(&pixmap);
   painter.setRenderHint(QPainter::Antialiasing);
-  paintSwatch(painter, QRectF(0.5, 0.5, kSwatch - 1, kSwatch - 1),
-              QColor::fromRgbF(color.r, color.g, color.b), line);
+  paintSwatch(painter, QRectF(0.5, 0.5, kSwatch - 1, kSwatch - 1), QColor::fromRgbF(color.r, color.g, color.b), line);
   return pixmap;
 }
 

@@ -40,8 +40,9 @@ ExtrusionPanel::ExtrusionPanel(session::Session& session, Selection& selection, 
   auto* head = new QHBoxLayout;
   mPull = button(this, tr("Pull out"), "pullOut",
                  tr("Drag structures out of the cut: press on one in the picture and pull"));
-  mSecond = button(this, tr("Second plane"), "secondPlane",
-                   tr("A plane across the selected one: the two open a wedge, and structures can be pulled out of both"));
+  mSecond =
+      button(this, tr("Second plane"), "secondPlane",
+             tr("A plane across the selected one: the two open a wedge, and structures can be pulled out of both"));
   head->addWidget(mPull);
   head->addWidget(mSecond);
   layout->addLayout(head);
@@ -175,7 +176,8 @@ void ExtrusionPanel::buildLeak(QVBoxLayout* layout) {
     session::GrowthPlayer& player = mSession.growth();
     if (auto leak = player.status().leak) {
       player.trust(leak->structure);
-      mDocument.edit(tr("Grow on").toStdString(), [&](scene::Scene& scene) { session::growOn(scene, leak->structure); });
+      mDocument.edit(tr("Grow on").toStdString(),
+                     [&](scene::Scene& scene) { session::growOn(scene, leak->structure); });
     }
     showLeak();
   });
@@ -223,7 +225,8 @@ void ExtrusionPanel::showForm() {
   QString unit = volume.unit.empty() ? QString() : " " + QString::fromStdString(volume.unit);
   for (QDoubleSpinBox* spin : {mLow, mHigh, mSteepest}) {
     const QSignalBlocker quiet(spin);
-    spin->setDecimals(isWhole && spin != mSteepest ? 0 : std::max(0, 3 - int(std::floor(std::log10(std::max(range, 1e-12))))));
+    spin->setDecimals(
+        isWhole && spin != mSteepest ? 0 : std::max(0, 3 - int(std::floor(std::log10(std::max(range, 1e-12))))));
     spin->setRange(spin == mSteepest ? 0.0 : double(volume.range.x), spin == mSteepest ? 1e6 : double(volume.range.y));
     spin->setSingleStep(range / 200.0);
     spin->setSuffix(spin == mSteepest ? unit + "/" + Length(scene).unit() : unit);
@@ -243,11 +246,12 @@ void ExtrusionPanel::showLeak() {
   mLeak->setVisible(bool(leak));
   if (!leak) return;
   const scene::Scene& scene = mDocument.scene();
-  mLeakText->setText(
-      tr("%1 would flow into something else: %2 out its section becomes %3 times as large. It is held there. Narrow its "
-         "values, draw a barrier, or stop at edges; or:")
-          .arg(QString::fromStdString(session::structureName(scene, leak->structure)), Length(scene).text(leak->distance))
-          .arg(leak->times, 0, 'f', 1));
+  mLeakText->setText(tr("%1 would flow into something else: %2 out its section becomes %3 times as large. It is held "
+                        "there. Narrow its "
+                        "values, draw a barrier, or stop at edges; or:")
+                         .arg(QString::fromStdString(session::structureName(scene, leak->structure)),
+                              Length(scene).text(leak->distance))
+                         .arg(leak->times, 0, 'f', 1));
 }
 
 void ExtrusionPanel::changeGrowth(const QString& label, const std::function<void(scene::Growth&)>& change) {
@@ -263,8 +267,8 @@ void ExtrusionPanel::setDistance(double distance) {
   auto pull = session::pullAgain(mDocument.scene(), *one);
   QString name = QString::fromStdString(session::structureName(mDocument.scene(), one->structure));
   mDocument.edit(
-      tr("Pull out %1").arg(name).toStdString(),
-      [&](scene::Scene& scene) { session::pullTo(scene, pull, distance); }, true);
+      tr("Pull out %1").arg(name).toStdString(), [&](scene::Scene& scene) { session::pullTo(scene, pull, distance); },
+      true);
 }
 
 void ExtrusionPanel::addPlane() {

@@ -34,9 +34,8 @@ bool PullTool::start() {
   mChosen.clear();
   if (hasCutToPullFrom(scene)) return true;
   int id = 0;
-  mDocument.edit("Cut to pull out of", [&](scene::Scene& s) {
-    id = scene::addCut(s, session::makeCut(s, scene::CutShape::Plane));
-  });
+  mDocument.edit("Cut to pull out of",
+                 [&](scene::Scene& s) { id = scene::addCut(s, session::makeCut(s, scene::CutShape::Plane)); });
   mSelection.setCut(id);
   return true;
 }
@@ -100,8 +99,8 @@ bool PullTool::begin(const Target& target, const ViewPoint& at, bool goesOn) {
     const scene::Cut& cut = *scene::findCut(scene, one.cut);
     double distance = session::extrusionOf(cut, one.structure);
     if (!std::isfinite(distance)) {
-      mParts.messages.showNote(tr("%1 is spared whole by this cut already: take that off in the list of cuts to pull it")
-                                   .arg(nameOf(one)));
+      mParts.messages.showNote(
+          tr("%1 is spared whole by this cut already: take that off in the list of cuts to pull it").arg(nameOf(one)));
       continue;
     }
     mDragged.push_back({one, session::ExtrusionDrag(at.space(), at.pixel(), cut, target.world, distance)});

@@ -8,9 +8,10 @@
 
 namespace velum::gui {
 
-/// Pulls structures out of cuts ([ACS] 4.3): a press on a cut's face, or on what stands out of it, chooses the structure
-/// there, and the drag pulls it out as far as the pointer goes. With Shift what was chosen before comes along. Where two
-/// extrusions overlap, Space says out of which of the two planes it is pulled. Everywhere else the view has the pointer.
+/// Pulls structures out of cuts ([ACS] 4.3): a press on a cut's face, or on what stands out of it, chooses the
+/// structure there, and the drag pulls it out as far as the pointer goes. With Shift what was chosen before comes
+/// along. Where two extrusions overlap, Space says out of which of the two planes it is pulled. Everywhere else the
+/// view has the pointer.
 class PullTool : public Tool {
   Q_OBJECT
  public:

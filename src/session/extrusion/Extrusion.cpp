@@ -42,7 +42,8 @@ double extrusionOf(const scene::Cut& cut, int structure) {
 void setExtrusion(scene::Cut& cut, int structure, double distance) {
   std::erase_if(cut.spares, [&](const auto& spare) { return spare.structure == structure; });
   if (!(distance > 0.0)) return;
-  auto after = std::find_if(cut.spares.begin(), cut.spares.end(), [&](const auto& s) { return s.structure > structure; });
+  auto after =
+      std::find_if(cut.spares.begin(), cut.spares.end(), [&](const auto& s) { return s.structure > structure; });
   cut.spares.insert(after, {structure, distance, 1.0});
 }
 

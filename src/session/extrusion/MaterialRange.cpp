@@ -23,7 +23,8 @@ double endOfSegment(const std::vector<scene::OpacityPoint>& curve, double value,
   bool up = limit > value;
   std::vector<scene::OpacityPoint> way{{value, scene::opacityAt(curve, value)}};
   for (const auto& point : curve)
-    if (up ? point.value > value && point.value < limit : point.value < value && point.value > limit) way.push_back(point);
+    if (up ? point.value > value && point.value < limit : point.value < value && point.value > limit)
+      way.push_back(point);
   if (!up) std::reverse(way.begin() + 1, way.end());
   way.push_back({limit, scene::opacityAt(curve, limit)});
   double highest = way[0].opacity;

@@ -49,8 +49,8 @@ scene::Structure newStructure(const scene::Scene& scene, int id, double value) {
   return structure;
 }
 
-/// The first voxel of a range along the way out of the face that lies before it: that of a place on the face may lie behind,
-/// and have no neighbour that does not.
+/// The first voxel of a range along the way out of the face that lies before it: that of a place on the face may lie
+/// behind, and have no neighbour that does not.
 glm::dvec3 seedBefore(const scene::Scene& scene, const scene::Cut& cut, glm::dvec3 world, const MaterialRange& range) {
   constexpr double kStep = 0.5, kFurthest = 2.0;  // voxels
   const Volume& volume = *scene.volume.data;
@@ -78,13 +78,13 @@ std::optional<Pull> newPull(const scene::Scene& scene, const scene::Cut& cut, gl
   growth.channel = std::clamp(scene.volume.channel, 0, scene.volume.data->channels - 1);
   growth.timeStep = std::clamp(scene.volume.timeStep, 0, scene.volume.data->timeSteps - 1);
   setPlane(growth, cut, 0.0);
-  return Pull{cut.id, *id, newStructure(scene, *id, 0.5 * (range->low + std::min(range->high, 2 * std::abs(range->low)))),
-              growth};
+  return Pull{cut.id, *id,
+              newStructure(scene, *id, 0.5 * (range->low + std::min(range->high, 2 * std::abs(range->low)))), growth};
 }
 
 void addRow(scene::LabelLayer& labels, const scene::Structure& row) {
-  auto after = std::find_if(labels.structures.begin(), labels.structures.end(),
-                            [&](const auto& s) { return s.id >= row.id; });
+  auto after =
+      std::find_if(labels.structures.begin(), labels.structures.end(), [&](const auto& s) { return s.id >= row.id; });
   if (after == labels.structures.end() || after->id != row.id) labels.structures.insert(after, row);
 }
 

@@ -79,8 +79,7 @@ Progressed GrowthPlayer::State::growSome(const Shared<Volume>& of, Progressed fr
     double next = reached + slabs * extrusion::slabThickness(*of);
     if (next < std::min(step.distance, deepest(*of, step))) part.distance = next;
     auto partStart = Clock::now();
-    extrusion::Grown grown =
-        grower.grow(of, from.labels, part, {.guard = !unguarded.count(step.structure)}, progress);
+    extrusion::Grown grown = grower.grow(of, from.labels, part, {.guard = !unguarded.count(step.structure)}, progress);
     if (msSince(partStart) < kQuickMs) slabs *= 2.0;
     from.labels = grown.labels;
     from.voxels = (isNew ? 0 : from.voxels) + std::int64_t(grown.voxels);
@@ -88,8 +87,8 @@ Progressed GrowthPlayer::State::growSome(const Shared<Volume>& of, Progressed fr
     from.steps.back().distance = part.distance;
     if (!grown.leak) continue;
     from.steps.back().distance = std::max(reached, grown.distance);
-    from.leak = Leak{step.structure, from.steps.back().distance,
-                     grown.leak->area / std::max(grown.leak->widestBefore, 1e-12)};
+    from.leak =
+        Leak{step.structure, from.steps.back().distance, grown.leak->area / std::max(grown.leak->widestBefore, 1e-12)};
     break;
   }
   return from;

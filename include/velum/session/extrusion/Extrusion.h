@@ -63,8 +63,8 @@ std::optional<int> addJoinedPlane(scene::Scene& scene, int cut);
 /// The twelve edges of the data's box, two ends each. World.
 std::vector<std::vector<glm::dvec3>> boxEdges(const scene::Scene& scene);
 
-/// The parts of a plane's outline that do not bound what it opens together with the planes that it is joined with: there
-/// the others remove nothing. None of a plane that stands alone.
+/// The parts of a plane's outline that do not bound what it opens together with the planes that it is joined with:
+/// there the others remove nothing. None of a plane that stands alone.
 /// @param outline  convex, of the plane in the data's box
 std::vector<std::vector<glm::dvec3>> partsLeftByOthers(const scene::Scene& scene, const scene::Cut& plane,
                                                        const std::vector<glm::dvec3>& outline);

@@ -22,9 +22,9 @@ struct Pull {
 /// @return nothing where there is neither: outside the volume, in a scene without labels, or with all ids taken
 std::optional<Pull> beginPull(const scene::Scene& scene, int cut, glm::dvec3 world, int structure);
 
-/// Pulls it out so far: the spare, the new structure's row, and the step of growth, which goes as far as it has ever been
-/// pulled. Of a structure that has grown before it goes on where the last step ended, unless the cut has moved. Called
-/// again and again for one drag, on the scene with which it began or on its own last result.
+/// Pulls it out so far: the spare, the new structure's row, and the step of growth, which goes as far as it has ever
+/// been pulled. Of a structure that has grown before it goes on where the last step ended, unless the cut has moved.
+/// Called again and again for one drag, on the scene with which it began or on its own last result.
 void pullTo(scene::Scene& scene, const Pull& pull, double distance);
 
 /// What pulls something on that stands out already: by a number rather than by a drag.

@@ -18,8 +18,8 @@ struct GrowthStatus {
   std::string error;         ///< one line; empty: nothing is wrong
 };
 
-/// Grows what a scene's growths ask for ([ACS] 4.2): beside, a little at a time, so that the window answers and shows the
-/// front as it comes. What has grown is written into the scene's labels as it is found. Undo and edits of steps are
+/// Grows what a scene's growths ask for ([ACS] 4.2): beside, a little at a time, so that the window answers and shows
+/// the front as it comes. What has grown is written into the scene's labels as it is found. Undo and edits of steps are
 /// followed: what goes on from where it stands goes on, anything else begins again from the labels that were given.
 class GrowthPlayer : public Player {
  public:

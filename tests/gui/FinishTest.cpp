@@ -56,8 +56,9 @@ TEST_F(FinishPage, ItsPicturesShowTheData) {
 TEST_F(FinishPage, ADragOfASliderIsOneStep) {
   openPage();
   auto* contours = child<NumberRow>("contours");
-  contours->spin()->setValue(30);
-  contours->spin()->setValue(60);
+  // As the slider tells it while it is down.
+  for (double percent : {30.0, 60.0}) emit contours->changed(percent);
+  emit contours->settled();
   EXPECT_NEAR(scene().finish.contours, 0.6, 1e-9);
   mWindow->document().undo();
   EXPECT_EQ(scene().finish.contours, 0.0);

@@ -46,7 +46,7 @@ void ExtrusionRoom::addActions() {
   mParts.actions.addForScene(menu, "extrusion.secondPlane", tr("Second plane (&wedge)"),
                              tr("A plane across the selected one: the two open a wedge"),
                              [this] { mPanel->addPlane(); });
-  mParts.actions.addForScene(menu, "extrusion.allBack", tr("Put all &back"), tr("Everything goes back into the cuts"),
+  mParts.actions.addForScene(menu, "extrusion.allBack", tr("Put all bac&k"), tr("Everything goes back into the cuts"),
                              [this] { mPanel->putAllBack(); });
   pull->setIconText(tr("Pull out"));
   mParts.bar.addAction(pull);

@@ -16,13 +16,35 @@ constexpr int kBand = 3, kAside = 2;
 /// Columns that may move along with one in which the sheet may be better further on.
 constexpr int kMoving = 8;
 
+/// The nodes of an axis in blocks of two, but for the first and the last one, which stay by themselves: the data ends
+/// between them and their neighbours, and a coarse sheet is to find its way around there, too.
+class Blocks {
+ public:
+  /// @param border  a node, not the first, with which a block begins
+  explicit Blocks(int nodes, int border = 1) : mNodes(nodes), mShift((border - 1) % 2) {}
+  int of(int node) const {
+    if (node == 0) return 0;
+    return node < mNodes - 1 ? (node - 1 + mShift) / 2 + 1 : of(mNodes - 2) + 1;
+  }
+  int count() const { return of(mNodes - 1) + 1; }
+  int firstOf(int block) const {
+    return block <= 0 ? 0 : block >= count() ? mNodes : std::clamp(2 * block - 1 - mShift, 1, mNodes - 1);
+  }
+
+ private:
+  int mNodes, mShift;
+};
+
 }  // namespace
 
 CutLattice coarsened(const CutLattice& lattice) {
-  int flat = flatCount(lattice), shift = flat % 2;
-  auto blockOf = [&](glm::ivec3 node) { return glm::ivec3(node.x / 2, node.y / 2, (node.z + shift) / 2); };
-  glm::ivec3 dims = blockOf(lattice.dims - 1) + 1;
-  return buildLattice(dims, 0.5 * (flat + shift) - 0.5, [&](const auto& add) {
+  int flat = flatCount(lattice);
+  Blocks blocks[3] = {Blocks(lattice.dims.x), Blocks(lattice.dims.y), Blocks(lattice.dims.z, flat)};
+  auto blockOf = [&](glm::ivec3 node) {
+    return glm::ivec3(blocks[0].of(node.x), blocks[1].of(node.y), blocks[2].of(node.z));
+  };
+  glm::ivec3 dims(blocks[0].count(), blocks[1].count(), blocks[2].count());
+  return buildLattice(dims, blocks[2].of(flat) - 0.5, [&](const auto& add) {
     parallelFor(0, lattice.dims.y, [&](int y) {
       std::size_t column = std::size_t(y) * std::size_t(lattice.dims.x);
       for (int x = 0; x < lattice.dims.x; ++x, ++column)
@@ -38,12 +60,13 @@ CutLattice coarsened(const CutLattice& lattice) {
 }
 
 std::vector<int> refined(const CutLattice& lattice, const LeastCut& coarse) {
-  VELUM_ASSERT(coarse.dims == (glm::ivec2(lattice.dims) + 1) / 2, "the sheet is one of the coarse lattice");
+  Blocks across[2] = {Blocks(lattice.dims.x), Blocks(lattice.dims.y)};
+  VELUM_ASSERT(coarse.dims == glm::ivec2(across[0].count(), across[1].count()), "a sheet of the coarse lattice");
+  Blocks layers(lattice.dims.z, flatCount(lattice));
   std::vector<int> below;
-  int shift = flatCount(lattice) % 2;
   for (int y = 0; y < lattice.dims.y; ++y)
     for (int x = 0; x < lattice.dims.x; ++x)
-      below.push_back(2 * coarse.below[std::size_t(y / 2 * coarse.dims.x + x / 2)] - shift);
+      below.push_back(layers.firstOf(coarse.below[std::size_t(across[1].of(y) * coarse.dims.x + across[0].of(x))]));
   return below;
 }
 

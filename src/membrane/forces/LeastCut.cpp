@@ -140,7 +140,7 @@ LeastCut computeLeastCutNear(const CutLattice& lattice, scene::MembraneSide side
 LeastCut computeCutInBands(const CutLattice& lattice, scene::MembraneSide side, CutMetric metric, Progress& progress,
                            std::size_t exactNodes) {
   check(lattice);
-  if (lattice.layer.size() <= exactNodes || glm::any(glm::lessThan(lattice.dims, glm::ivec3(4))))
+  if (lattice.layer.size() <= exactNodes || glm::any(glm::lessThan(lattice.dims, glm::ivec3(5))))
     return solve(lattice, side, wholeReach(lattice), metric, progress);
   progress.throwIfCancelled();
   LeastCut coarse = computeCutInBands(coarsened(lattice), side, metric, progress, exactNodes);

@@ -58,9 +58,8 @@ struct LeastCut {
 /// outermost columns are tied to their side (a node on the rest plane is below); what lies lower in a column than
 /// something below the sheet is below, too. Of all least cuts it is the one that
 /// - `side`: keeps, or removes, the parts (pieces that hang together) that the rest plane meets and that need not be
-/// cut;
-///   what it does not meet stays on its side; nearest: leaves each part on the side on which more of it lies, weighed
-///   by its distance from the rest plane;
+///   cut; what it does not meet stays on its side; nearest: leaves each part on the side on which more of it lies,
+///   weighed by its distance from the rest plane;
 /// - passes through what must be cut as near to the rest plane as it can, weighed alike.
 /// Deterministic. Any thread.
 ///
@@ -75,7 +74,8 @@ constexpr std::size_t kExactNodes = 100000;
 
 /// A sheet that separates nearly as little, in a fraction of the time: of a lattice twice as coarse, found likewise, it
 /// takes the best that there is near that sheet, and looks on around the places where that one lies at the edge of
-/// what was looked through [BANDS]. By pairs it is never worse than any coarser one. What it misses is measured, not proved: see docs/PERFORMANCE.md.
+/// what was looked through [BANDS]. By pairs it is never worse than any coarser one. What it misses is measured, not
+/// proved: see docs/PERFORMANCE.md.
 /// @param exactNodes  lattices of so many nodes that hold something or fewer are solved exactly
 /// @throw as computeLeastCut
 LeastCut computeCutInBands(const CutLattice& lattice, scene::MembraneSide side, CutMetric metric, Progress& progress,

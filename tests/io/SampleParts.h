@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <map>
 #include <string>
 #include <string_view>
@@ -75,8 +76,12 @@ inline LabelStatistics measure(const io::Sample& sample, std::string_view name, 
   return s;
 }
 
-/// The part of a label that hangs together with its lowest voxel, over faces, edges and corners.
-inline double connectedPart(const io::Sample& sample, std::string_view name) {
+/// Over what voxels hang together.
+enum class Joint { Faces, FacesEdgesAndCorners };
+
+/// The part of a label that hangs together with its lowest voxel.
+inline double connectedPart(const io::Sample& sample, std::string_view name,
+                            Joint joint = Joint::FacesEdgesAndCorners) {
   std::uint16_t id = idOf(sample, name);
   glm::ivec3 dims = sample.volume.dims;
   std::vector<std::uint16_t> ids = idsOf(sample.labels);
@@ -91,7 +96,8 @@ inline double connectedPart(const io::Sample& sample, std::string_view name) {
     open.pop_back();
     ++reached;
     for (int n = 0; n < 27; ++n) {
-      glm::ivec3 w = v + glm::ivec3(n % 3, n / 3 % 3, n / 9) - 1;
+      glm::ivec3 step = glm::ivec3(n % 3, n / 3 % 3, n / 9) - 1, w = v + step;
+      if (joint == Joint::Faces && std::abs(step.x) + std::abs(step.y) + std::abs(step.z) > 1) continue;
       if (glm::any(glm::lessThan(w, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(w, dims))) continue;
       if (ids[indexOf(w)] != id) continue;
       ids[indexOf(w)] = 0;

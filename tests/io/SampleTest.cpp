@@ -172,6 +172,19 @@ TEST(Torso, PartsLieWhereTheyBelong) {
   EXPECT_LT(centre("hip bones").z, centre("ribs left").z);
 }
 
+TEST(Torso, NoBoneLooksOutOfTheSkin) {
+  io::Sample s = make("torso", 144);
+  std::uint16_t skin = idOf(s, "skin");
+  for (const char* part : {"ribs left", "ribs right", "costal cartilage", "sternum", "vertebrae", "scapulae"}) {
+    int outside = 0;
+    forEachVoxel(s, idOf(s, part), 0, [&](glm::ivec3 v) {
+      for (glm::ivec3 step : {glm::ivec3(1, 0, 0), glm::ivec3(0, 1, 0)})
+        for (glm::ivec3 w : {v + step, v - step}) outside += s.labels.at(w) == 0 || s.labels.at(w) == skin;
+    });
+    EXPECT_EQ(outside, 0) << part;
+  }
+}
+
 /// Voxels of the left half of the heart that hold as much contrast as its ventricle, in one time step.
 std::vector<glm::ivec3> cavity(const io::Sample& sample, int frame) {
   std::vector<glm::ivec3> voxels;

@@ -119,7 +119,8 @@ void addTendons(std::vector<Layer>& layers, const std::array<Toe, 5>& toes, floa
   addFlesh(layers, kAchilles, kTendonHu, std::move(achilles), {kFat, kMuscle});
 }
 
-void addVessels(std::vector<Layer>& layers, const std::array<Toe, 5>& toes, float least) {
+/// @param blocked  distance to where vessels cannot be
+void addVessels(std::vector<Layer>& layers, const std::array<Toe, 5>& toes, const Distance& blocked, float least) {
   Layer artery{kArtery, kArteryHu}, vein{kVein, kVeinHu};
   auto add = [least](Layer& layer, std::vector<glm::vec4> path) {
     for (auto& p : path) p.w = std::max(p.w, least);
@@ -154,12 +155,11 @@ void addVessels(std::vector<Layer>& layers, const std::array<Toe, 5>& toes, floa
   }
   // The great saphenous vein in front of the inner ankle, and the arch on the back of the foot.
   add(vein,
-      {at(26, 2, 190, 2.2f), at(26, 12, 90, 2.1f), at(26, 36, 66, 1.9f), at(27, 68, 54, 1.7f), at(22, 104, 38, 1.6f),
+      {at(26, 2, 190, 2.2f), at(26, 12, 90, 2.1f), at(26, 36, 66, 1.9f), at(23, 68, 63, 1.7f), at(22, 104, 38, 1.6f),
        at(8, 110, 38.5f, 1.5f), at(-6, 107, 36, 1.5f), at(-22, 95, 31, 1.5f), at(-31, 60, 33, 1.6f),
        at(-22, 12, 43, 1.7f), at(-23, -26, 66, 1.8f), at(-22, -36, 100, 1.9f), at(-17, -42, 190, 2.0f)});
   artery.onto = vein.onto = {kFat, kMuscle, kExtensors, kFlexors, kSkin, kCartilage};
-  layers.push_back(std::move(vein));
-  layers.push_back(std::move(artery));
+  limb::addVessels(layers, std::move(artery), std::move(vein), blocked, least);
 }
 
 std::vector<LabelInfo> partTable() {
@@ -215,8 +215,9 @@ Sample makeFoot(int size, Progress& progress) {
       layers, kAll, [&outline](Vec p) { return outline.distance(p); }, kSkin, kFat);
   addMuscles(layers, all);
   addTendons(layers, all, least);
-  addVessels(layers, all, least);
   skeleton.addLayers(layers, kCartilage);
+  auto blocked = [&](Vec p) { return std::min(skeleton.distanceTo(p), -outline.distance(p)); };
+  addVessels(layers, all, blocked, kThinnestVoxels * spacing);
   Description description{"foot", SampleType::Int16, Modality::CT, "HU", partTable()};
   return scan(description, grid, layers, 0xf007, progress);
 }

@@ -131,7 +131,9 @@ std::vector<glm::vec4> alongFinger(const Finger& finger, Vec from, float side, f
   return path;
 }
 
-void addVessels(std::vector<Layer>& layers, const std::array<Finger, 5>& fingers, float least) {
+/// @param blocked  distance to where vessels cannot be
+void addVessels(std::vector<Layer>& layers, const std::array<Finger, 5>& fingers, const Distance& blocked,
+                float least) {
   Layer artery{kArtery, kArteryHu}, vein{kVein, kVeinHu};
   auto arterial = [&](std::vector<glm::vec4> path) {
     for (auto& p : path) p.w = std::max(p.w, least);
@@ -164,8 +166,7 @@ void addVessels(std::vector<Layer>& layers, const std::array<Finger, 5>& fingers
     venous({{web, 1.1f}, {knuckle.place + knuckle.up * 7.0f * fingers[i].size, 1.0f}});
   }
   artery.onto = vein.onto = {kFat, kMuscle, kFlexors, kExtensors, kSkin, kCartilage};
-  layers.push_back(std::move(vein));
-  layers.push_back(std::move(artery));
+  limb::addVessels(layers, std::move(artery), std::move(vein), blocked, least);
 }
 
 std::vector<LabelInfo> partTable() {
@@ -213,8 +214,9 @@ Sample makeHand(int size, Progress& progress) {
       layers, wholeBox(), [&outline](Vec p) { return outline.distance(p); }, kSkin, kFat);
   addMuscles(layers, all);
   addTendons(layers, all, least);
-  addVessels(layers, all, least);
   skeleton.addLayers(layers, kCartilage);
+  auto blocked = [&](Vec p) { return std::min(skeleton.distanceTo(p), -outline.distance(p)); };
+  addVessels(layers, all, blocked, kThinnestVoxels * spacing);
   Description description{"hand", SampleType::Int16, Modality::CT, "HU", partTable()};
   return scan(description, grid, layers, 0x4a2d, progress);
 }

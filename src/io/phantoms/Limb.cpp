@@ -65,6 +65,24 @@ Box around(std::span<const Vec> points, float margin) {
 Box common(const Box& a, const Box& b) { return {glm::max(a.low, b.low), glm::min(a.high, b.high)}; }
 bool isEmpty(const Box& box) { return glm::any(glm::greaterThan(box.low, box.high)); }
 
+/// Moves tubes until their middles are `clearMm` from what is blocked, where they can. Ends that meet still do.
+void clear(std::span<Segment> tubes, const Distance& blocked, float clearMm) {
+  constexpr float kDelta = 0.2f;
+  constexpr int kSteps = 30;
+  auto slope = [&](Vec p, Vec step) { return blocked(p + step) - blocked(p - step); };
+  auto moved = [&](Vec p) {
+    for (int i = 0; i < kSteps; ++i) {
+      float lack = clearMm - blocked(p);
+      if (lack <= 0.0f) break;
+      Vec away(slope(p, {kDelta, 0, 0}), slope(p, {0, kDelta, 0}), slope(p, {0, 0, kDelta}));
+      if (away == Vec(0.0f)) break;
+      p += glm::normalize(away) * std::min(lack, 1.0f);
+    }
+    return p;
+  };
+  for (Segment& s : tubes) s.a = moved(s.a), s.b = moved(s.b);
+}
+
 }  // namespace
 
 Bone longBone(std::uint16_t label, const LongBone& b, float cortexMm, float shaftMm) {
@@ -122,6 +140,16 @@ float Skeleton::distanceTo(std::uint16_t label, Vec p) const {
   return d;
 }
 
+float Skeleton::distanceTo(Vec p) const {
+  float d = 1e6f;
+  for (const Placed& placed : mBones) {
+    Box box{placed.bone.box.low - kFarMm, placed.bone.box.high + kFarMm};
+    bool isNear = glm::all(glm::greaterThan(p, box.low)) && glm::all(glm::lessThan(p, box.high));
+    if (isNear) d = std::min(d, distanceTo(placed.bone.label, p));
+  }
+  return d;
+}
+
 void Skeleton::addCartilage(std::vector<Layer>& layers, std::uint16_t cartilage) const {
   Layer layer{cartilage, kCartilageHu};
   layer.edge = 1.1f;
@@ -170,6 +198,17 @@ std::vector<Joint> walk(Joint start, std::span<const float> lengths, std::span<c
   return joints;
 }
 
+Bone boneBetween(std::uint16_t label, const Joint& from, const Joint& to, const Sizes& sizes, float scale, float into) {
+  LongBone shape{from.place - from.along * into,
+                 to.place - to.along * 0.4f,
+                 from.up,
+                 sizes.base * scale,
+                 sizes.shaft * scale,
+                 sizes.head * scale};
+  shape.bow = sizes.bow, shape.notch = sizes.notch * scale, shape.round = sizes.round;
+  return longBone(label, shape, sizes.cortex, sizes.shell * scale);
+}
+
 std::vector<glm::vec4> along(std::span<const Joint> joints, std::span<const float> heights, float radius) {
   std::vector<glm::vec4> path;
   for (std::size_t i = 0; i < joints.size() && i < heights.size(); ++i) {
@@ -211,6 +250,15 @@ void addFlesh(std::vector<Layer>& layers, std::uint16_t label, float value, std:
   layer.onto = onto;
   layer.texture = [](Vec p) { return 7.0f * noise(p / Vec(3.0f, 3.0f, 9.0f), 823); };
   layers.push_back(std::move(layer));
+}
+
+void addVessels(std::vector<Layer>& layers, Layer artery, Layer vein, const Distance& blocked, float leastMm) {
+  float clearMm = leastMm + 0.3f;
+  clear(artery.tubes, blocked, clearMm);
+  auto besideArteries = [&](Vec p) { return std::min(blocked(p), distanceTo(artery.tubes, p, 0.0f)); };
+  clear(vein.tubes, besideArteries, clearMm);
+  layers.push_back(std::move(vein));
+  layers.push_back(std::move(artery));
 }
 
 Sample scan(const Description& description, const Grid& grid, const std::vector<Layer>& layers, std::uint64_t seed,

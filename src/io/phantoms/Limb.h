@@ -51,6 +51,8 @@ class Skeleton {
   void add(Bone bone, std::initializer_list<std::uint16_t> touches);
   /// To the surface of a bone.
   float distanceTo(std::uint16_t label, Vec p) const;
+  /// To that of the nearest bone.
+  float distanceTo(Vec p) const;
   /// Cartilage in the gaps, then each bone as shell and spongy inside. The skeleton must live as long as the layers.
   void addLayers(std::vector<Layer>& layers, std::uint16_t cartilage) const;
 
@@ -73,11 +75,21 @@ struct Joint {
 /// The joints of a ray of bones, each bent against the one before it; the last one is the tip.
 /// @param flexDeg  towards the palm or sole, of each bone
 std::vector<Joint> walk(Joint start, std::span<const float> lengths, std::span<const float> flexDeg);
+/// Of a bone of a finger or toe: half widths and half depths, mm, and what LongBone and longBone() take.
+struct Sizes {
+  glm::vec2 base, shaft, head;
+  float cortex, shell, bow, notch, round;
+};
+/// The bone from joint to joint. @param into  how far it reaches into the joint at its base, mm
+Bone boneBetween(std::uint16_t label, const Joint& from, const Joint& to, const Sizes& sizes, float scale, float into);
 /// A curve along joints at some distance above them (below where negative). @param heights  one per joint
 std::vector<glm::vec4> along(std::span<const Joint> joints, std::span<const float> heights, float radius);
 
 /// The least distance to tubes, each of them joined to what is there by a fillet.
 float distanceTo(std::span<const Segment> tubes, Vec p, float fillet);
+
+/// Below this radius, in voxels, a tube may fall apart into voxels that share no face.
+constexpr float kThinnestVoxels = 0.9f;
 
 /// Colours that tell neighbouring bones apart, all of them like bone.
 glm::vec3 boneColor(int index);
@@ -88,6 +100,9 @@ void addSkin(std::vector<Layer>& layers, const Box& box, const Distance& skin, s
 /// Flesh that only fat gives way to.
 void addFlesh(std::vector<Layer>& layers, std::uint16_t label, float value, std::vector<Segment> tubes,
               std::initializer_list<std::uint16_t> onto);
+/// Vessels, which bend round what is blocked, and veins round arteries, where they can.
+/// @param blocked  distance to where they cannot be  @param leastMm  radius of the thinnest
+void addVessels(std::vector<Layer>& layers, Layer artery, Layer vein, const Distance& blocked, float leastMm);
 /// Paints, adds noise, and clips as scanners do.
 Sample scan(const Description& description, const Grid& grid, const std::vector<Layer>& layers, std::uint64_t seed,
             Progress& progress);

@@ -7,7 +7,7 @@ namespace velum::io::torso {
 
 namespace {
 
-constexpr float kCortical = 700.0f, kMarrow = 250.0f;
+constexpr float kCortical = 700.0f, kMarrow = 250.0f, kBelowSkinMm = 8.0f;
 
 /// One vertebra: where it is and how big. Index 0 is the first thoracic, 12 the first lumbar.
 struct Vertebra {
@@ -93,6 +93,7 @@ std::vector<Segment> makeArch(const Vertebra& v) {
     glm::vec4 spinous[] = {{0, back + 16 * s, z - 5 + strand, 3.6f * s},
                            {0, back + 26 * s, z - 5 - 0.6f * drop + strand, 3.0f * s},
                            {0, back + 34 * s, z - 6 - drop + strand, 3.8f * s}};
+    for (glm::vec4& p : spinous) p.y -= std::max(skinDistance(Vec(p)) + p.w + kBelowSkinMm, 0.0f);
     append(out, tube(spinous, 4));
   }
   return out;
@@ -157,18 +158,27 @@ glm::vec3 sternumAt(float z) {
   return {0.0f, e.z - e.y - 7.0f + (z > 130.0f ? 4.0f * smoothStep(130.0f, 170.0f, z) : 0.0f), z};
 }
 
+/// Not further out than where the wall of the chest has its cartilage.
+Vec ontoWall(Vec p) {
+  constexpr float kFurthestMm = 10.0f;
+  float beyond = cavityDistance(p) - kFurthestMm;
+  if (beyond <= 0.0f) return p;
+  glm::vec2 out = glm::normalize(glm::vec2(p.x, p.y - cageEllipse(p.z).z));
+  return p - beyond * Vec(out, 0.0f);
+}
+
 std::vector<glm::vec4> makeCartilage(int index, const Rib& rib, const std::vector<glm::vec4>& above, float side) {
   // The first seven reach the breastbone, the next three lean on the cartilage above.
   static constexpr float kJoint[] = {157, 127, 106, 87, 69, 52, 40};
   Vec end = index < 7 ? sternumAt(kJoint[index]) + Vec(side * (index == 0 ? 24.0f : 15.0f), 0.0f, 0.0f)
                       : Vec(above[above.size() / 2]);
   Vec start = rib.tip(), before = Vec(rib.path[rib.path.size() - 2]);
-  Vec on = start + 0.9f * (start - before);
+  Vec on = ontoWall(start + 0.9f * (start - before));
   std::vector<glm::vec4> path{glm::vec4(start, 4.6f), glm::vec4(on, 4.8f)};
   for (float t : {0.3f, 0.6f}) {
     Vec p = glm::mix(on, end, t);
     p.y = std::min(p.y, glm::mix(onCage(p.z, 2.6f, 6.0f).y, sternumAt(p.z).y, t));
-    path.emplace_back(p, 4.6f);
+    path.emplace_back(ontoWall(p), 4.6f);
   }
   path.emplace_back(end, 4.4f);
   return path;

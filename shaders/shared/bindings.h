@@ -29,7 +29,8 @@ SHARED_CONST uint kSampleUnit = 14u;     // what kSampleImage holds
 SHARED_CONST uint kLitSphereUnit = 15u;  // the lit spheres of the scene, one below the other
 SHARED_CONST uint kSphereOfUnit = 16u;   // by structure: which of them
 SHARED_CONST uint kPaperUnit = 17u;
-SHARED_CONST uint kStrokeUnit = 18u;  // directions and phases of strokes, a texel a cell
+SHARED_CONST uint kStrokeUnit = 18u;    // directions and phases of strokes, a texel a cell
+SHARED_CONST uint kOwnPaperUnit = 19u;  // the user's picture of paper
 
 // Storage blocks of a frame.
 SHARED_CONST uint kCutBinding = 1u;

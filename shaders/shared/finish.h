@@ -22,7 +22,7 @@ struct FinishParams {
   float cellPixels;    ///< edge of a cell of strokes
   float paperGrain;
   float unitsPerPixel;  ///< pixels of a picture of 1000 rows in one of this
-  float padding0;
+  float paperUnits;  ///< the same in units of the paper, which may be larger
 
   int reach;       ///< pixels to the neighbours that are looked at for contours
   int sphereRows;  ///< lit spheres in their texture

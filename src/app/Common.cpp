@@ -20,6 +20,7 @@
 #include "velum/scene/json/Json.h"
 #include "velum/session/document/LitSphereFiles.h"
 #include "velum/session/document/Open.h"
+#include "velum/session/document/PaperFile.h"
 #include "velum/session/growth/Growths.h"
 #include "velum/session/look/Look.h"
 
@@ -43,13 +44,20 @@ std::string finishNames() {
   return names;
 }
 
-/// Opening said already what was wrong with those of a scene file.
-void loadNamedSpheres(scene::Scene& scene, const std::vector<std::pair<std::string, std::string>>& sets) {
-  bool isNew = std::any_of(sets.begin(), sets.end(), [](const auto& set) {
-    return set.first.starts_with("finish") || set.first.find("litSphere") != std::string::npos;
-  });
-  if (!isNew) return;
-  for (const std::string& note : session::loadLitSpheres(scene, {})) log::warning(note);
+/// The pictures that a finish names. Opening said already what was wrong with those of a scene file.
+void loadNamedPictures(scene::Scene& scene, const std::vector<std::pair<std::string, std::string>>& sets) {
+  bool hasSphere = false, hasPaper = false;
+  for (const auto& [path, value] : sets) {
+    hasSphere |= path.starts_with("finish") || path.find("litSphere") != std::string::npos;
+    hasPaper |= path == "finish.paper" || path.starts_with("finish.ownPaper");
+  }
+  if (hasSphere)
+    for (const std::string& note : session::loadLitSpheres(scene, {})) log::warning(note);
+  const scene::Finish& finish = scene.finish;
+  if (!hasPaper || finish.paper != scene::Paper::Own || finish.ownPaper.data) return;
+  if (finish.ownPaper.source.path.empty())
+    throw ArgumentError("--set finish.paper=own: no picture is named; give FILE");
+  session::takePaper(scene, finish.ownPaper.source.path);
 }
 
 }  // namespace
@@ -108,6 +116,12 @@ scene::RawLayout parseRaw(const std::string& text) {
 
 bool isSourceField(const std::string& path) { return path.find(".source.") != std::string::npos; }
 
+/// Of the user's own, rather than the name of one of ours.
+bool isPaperFile(const std::string& value) {
+  if (enumValue<scene::Paper>(value)) return false;
+  return value.find_first_of("./") != std::string::npos || std::filesystem::exists(value);
+}
+
 /// "path=value" in two; a path of a file is one from here, not from the scene's folder.
 std::vector<std::pair<std::string, std::string>> splitSets(const std::vector<std::string>& sets) {
   std::vector<std::pair<std::string, std::string>> out;
@@ -115,6 +129,10 @@ std::vector<std::pair<std::string, std::string>> splitSets(const std::vector<std
     std::size_t equals = set.find('=');
     if (equals == std::string::npos) throw ArgumentError(fmt::format("--set {}: expected path=value", set));
     std::string path = set.substr(0, equals), value = set.substr(equals + 1);
+    if (path == "finish.paper" && isPaperFile(value)) {
+      out.emplace_back(path, "own");
+      path = "finish.ownPaper.source.path";
+    }
     if (path.ends_with(".source.path") && !value.empty()) value = std::filesystem::absolute(value).string();
     out.emplace_back(std::move(path), std::move(value));
   }
@@ -232,7 +250,7 @@ scene::Scene openScene(const InputOptions& input, double aspect) {
   if (!input.finish.empty()) scene::applyFinish(scene, input.finish);
   for (const auto& [path, value] : sets) scene::setField(scene, path, value);
   for (const std::string& note : session::settleGrowths(scene, progress)) log::warning(note);
-  loadNamedSpheres(scene, sets);
+  loadNamedPictures(scene, sets);
   return scene;
 }
 

@@ -48,6 +48,7 @@ shared::FinishParams makeFinishParams(const Frame& frame, int sphereRows) {
   params.cellPixels = params.strokePixels * shared::kCellPeriods;
   params.paperGrain = float(finish.paperGrain);
   params.unitsPerPixel = float(kRows / frame.pictureSize.y);
+  params.paperUnits = params.unitsPerPixel / float(finish.paperScale);
   params.sphereRows = std::max(1, sphereRows);
   glm::vec2 first = glm::floor(glm::vec2(frame.windowOrigin) / params.cellPixels);
   glm::vec2 last = glm::floor(glm::vec2(frame.windowOrigin + frame.windowSize) / params.cellPixels);

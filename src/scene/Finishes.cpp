@@ -21,8 +21,8 @@ const FinishRow& findFinish(std::string_view name) {
   throw ArgumentError(fmt::format("no finish '{}'; there are {}", name, known));
 }
 
-/// @param own  the user's own lit spheres
-Finish finishOf(const FinishRow& row, std::vector<LitSphere> own) {
+/// @param own  whose own lit spheres and paper it has
+Finish finishOf(const FinishRow& row, const Finish& own) {
   Finish finish;
   finish.contours = row.contours;
   finish.contourWidth = row.contourWidth;
@@ -36,7 +36,8 @@ Finish finishOf(const FinishRow& row, std::vector<LitSphere> own) {
   finish.paper = row.paper;
   finish.paperColor = row.paperColor;
   finish.paperGrain = row.paperGrain;
-  finish.spheres = std::move(own);
+  finish.ownPaper = own.ownPaper;
+  finish.spheres = own.spheres;
   return finish;
 }
 
@@ -51,13 +52,11 @@ std::span<const NamedFinish> finishes() {
   return names;
 }
 
-void applyFinish(Scene& scene, std::string_view name) {
-  scene.finish = finishOf(findFinish(name), std::move(scene.finish.spheres));
-}
+void applyFinish(Scene& scene, std::string_view name) { scene.finish = finishOf(findFinish(name), scene.finish); }
 
 std::string_view finishName(const Finish& finish) {
   for (const FinishRow& row : finishTable())
-    if (finishOf(row, finish.spheres) == finish) return row.finish.name;
+    if (finishOf(row, finish) == finish) return row.finish.name;
   return {};
 }
 

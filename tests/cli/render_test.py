@@ -31,6 +31,22 @@ class Render(CliTest):
         self.assertTrue(with_report.stdout.startswith(PNG))
         self.assertKeys(json.loads(with_report.stderr), "renderer", "samples")
 
+    def test_a_finish_takes_ones_own_paper(self):
+        path = self.sample()
+        small = ["--size", "48x48", *FAST]
+        self.run_batch("render", path, "-o", "paper.png", *small, "--set", "background.top=1,0,0", "--set", "background.bottom=0,0,1")
+        self.run_batch("render", path, "-o", "plain.png", *small)
+        self.run_batch("render", path, "-o", "own.png", *small, "--set", "finish.paper=paper.png", "--save-scene", "scene.json")
+        self.run_batch("compare", "plain.png", "own.png", code=4)
+        finish = json.loads((self.folder / "scene.json").read_text())["finish"]
+        self.assertEqual((finish["paper"], finish["ownPaper"]["source"]["path"]), ("own", "paper.png"))
+        self.run_batch("render", "scene.json", "-o", "again.png", "--size", "48x48")
+        self.run_batch("compare", "own.png", "again.png", "--max-diff", "0", "--max-fraction", "0")
+        for name, code in (("gone.png", 2), (path, 2), ("crayon", 1), ("own", 1)):
+            with self.subTest(paper=name):
+                self.refuse("render", path, "-o", "x.png", *small, "--set", f"finish.paper={name}", code=code)
+        self.assertFalse((self.folder / "x.png").exists())
+
     def test_the_same_command_gives_the_same_bytes(self):
         path = self.sample()
         for name in ("a.png", "b.png"):

@@ -120,7 +120,7 @@ const Offset kFinishOffsets[] = {VELUM_OFFSET(FinishParams, contourColor),  VELU
                                  VELUM_OFFSET(FinishParams, structures),    VELUM_OFFSET(FinishParams, litSphere),
                                  VELUM_OFFSET(FinishParams, hatching),      VELUM_OFFSET(FinishParams, strokePixels),
                                  VELUM_OFFSET(FinishParams, cellPixels),    VELUM_OFFSET(FinishParams, paperGrain),
-                                 VELUM_OFFSET(FinishParams, unitsPerPixel), VELUM_OFFSET(FinishParams, padding0),
+                                 VELUM_OFFSET(FinishParams, unitsPerPixel), VELUM_OFFSET(FinishParams, paperUnits),
                                  VELUM_OFFSET(FinishParams, reach),         VELUM_OFFSET(FinishParams, sphereRows),
                                  VELUM_OFFSET(FinishParams, cellsX),        VELUM_OFFSET(FinishParams, cellsY),
                                  VELUM_OFFSET(FinishParams, firstCellX),    VELUM_OFFSET(FinishParams, firstCellY),

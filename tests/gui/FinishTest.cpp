@@ -68,7 +68,7 @@ TEST_F(FinishPage, ADragOfASliderIsOneStep) {
 TEST_F(FinishPage, EveryControlChangesItsValueAndIsNamed) {
   openPage();
   for (const char* name : {"contours", "contourWidth", "contourSteps", "contourStructures", "contourCreases",
-                           "litSphereShare", "hatching", "hatchWidth", "paperGrain"}) {
+                           "litSphereShare", "hatching", "hatchWidth", "paperGrain", "paperScale"}) {
     auto* row = child<NumberRow>(name);
     ASSERT_TRUE(row) << name;
     scene::Finish before = scene().finish;
@@ -99,6 +99,25 @@ TEST_F(FinishPage, OnesOwnSphereIsAddedAndABadOneIsOneLine) {
   spheres.addOwn(path("phantom.nrrd"));
   EXPECT_FALSE(mWindow->messages().text().isEmpty());
   EXPECT_EQ(scene().finish.spheres.size(), 1u);
+}
+
+TEST_F(FinishPage, OnesOwnPaperIsTheLastOfTheListAndABadOneIsOneLine) {
+  openPage();
+  io::writeImage(scene::makeLitSphere("velvet"), *sFolder / "linen.png");
+  auto* panel = mWindow->findChild<FinishPanel*>();
+  auto* paper = child<QComboBox>("paper");
+  int before = paper->count();
+  panel->takePaper(path("linen.png"));
+  EXPECT_EQ(scene().finish.paper, scene::Paper::Own);
+  EXPECT_EQ(paper->currentText(), "linen.png");
+  EXPECT_EQ(paper->count(), before + 1);
+  EXPECT_EQ(undoLabel(), "Choose paper");
+  panel->takePaper(path("phantom.nrrd"));
+  EXPECT_FALSE(mWindow->messages().text().isEmpty());
+  EXPECT_EQ(paper->currentText(), "linen.png");
+  mWindow->document().undo();
+  EXPECT_EQ(paper->currentText(), "None");
+  EXPECT_EQ(paper->count(), before);
 }
 
 TEST_F(FinishPage, AStructuresMenuHasItsSphere) {

@@ -1,4 +1,6 @@
 // What the finish adds to a picture: lit spheres, strokes, paper.
+#include <functional>
+
 #include "ChangeFields.h"
 #include "FinishFixture.h"
 #include "velum/scene/LitSpheres.h"
@@ -119,6 +121,53 @@ TEST_F(FinishGL, EveryPaperLooksItsOwnWayAndAlikeAtEachSize) {
   }
 }
 
+/// A picture of paper, grey by its place in 0..1, of 40 x 30 pixels.
+Shared<Image> paperOf(const std::function<float(glm::vec2)>& greyAt) {
+  Image image{40, 30, {"R", "G", "B"}, {}};
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) {
+      float grey = greyAt((glm::vec2(float(x), float(y)) + 0.5f) / glm::vec2(40, 30));
+      image.pixels.insert(image.pixels.end(), {grey, grey, grey});
+    }
+  return Shared<Image>(image);
+}
+
+TEST_F(FinishGL, OnesOwnPaperIsAsItIsAndHasNoSeams) {
+  constexpr glm::ivec2 kWide(200, 1000);  // a pixel of the paper is one of such a picture
+  scene::Scene scene = ball();
+  scene.finish.paper = scene::Paper::Own;
+  auto greyAt = [](const Image& image, glm::ivec2 p) { return sampleOf(image, p, "G"); };
+  // What tiles is repeated.
+  auto waves = [](glm::vec2 p) { return 0.5f + 0.2f * std::sin(6.2832f * p.x) + 0.1f * std::cos(6.2832f * p.y); };
+  scene.finish.ownPaper.data = paperOf(waves);
+  Image image = draw(scene, kWide);
+  for (glm::ivec2 p : {glm::ivec2(3, 5), glm::ivec2(43, 5), glm::ivec2(3, 35), glm::ivec2(163, 95)})
+    EXPECT_NEAR(greyAt(image, p), waves((glm::vec2(3, 5) + 0.5f) / glm::vec2(40, 30)), 0.01f) << p.x << ", " << p.y;
+  // What does not is turned over by turns: nowhere is there a step.
+  scene.finish.ownPaper.data = paperOf([](glm::vec2 p) { return 0.3f + 0.4f * p.x; });
+  image = draw(scene, kWide);
+  EXPECT_NEAR(greyAt(image, {2, 9}), greyAt(image, {77, 9}), 0.01f);
+  EXPECT_NEAR(greyAt(image, {2, 9}), greyAt(image, {82, 9}), 0.01f);
+  for (int x = 1; x < kWide.x; ++x) EXPECT_LT(std::abs(greyAt(image, {x, 9}) - greyAt(image, {x - 1, 9})), 0.02f) << x;
+  // Twice as large; and in a picture half the size everything is half as large.
+  scene.finish.paperScale = 2.0;
+  Image large = draw(scene, kWide);
+  scene.finish.paperScale = 1.0;
+  Image half = draw(scene, kWide / 2);
+  for (int x : {4, 21, 50}) {
+    EXPECT_NEAR(greyAt(large, {2 * x, 9}), greyAt(image, {x, 9}), 0.02f) << x;
+    EXPECT_NEAR(greyAt(half, {x, 4}), greyAt(image, {2 * x, 9}), 0.02f) << x;
+  }
+  // Without grain it is its mean colour.
+  scene.finish.paperGrain = 0.0;
+  EXPECT_NEAR(greyAt(draw(scene, kWide), {2, 9}), 0.5f, 0.02f);
+  // One that could not be read is smooth.
+  scene.finish.ownPaper.data = {};
+  Image missing = draw(scene, {60, 60});
+  scene.finish.paper = scene::Paper::Smooth;
+  expectIdentical(missing, draw(scene, {60, 60}), "smooth instead");
+}
+
 TEST_F(FinishGL, StrokesAreDenserWhereItIsDarker) {
   scene::Scene scene = ball();
   scene.lighting.shaded = true;
@@ -175,6 +224,7 @@ TEST_F(FinishGL, EveryFieldMatters) {
     scene::changeNthField(other, left, "", path);
     if (path.empty()) break;
     if (!path.starts_with("finish.") || path.starts_with("finish.spheres")) continue;
+    if (path.starts_with("finish.ownPaper")) continue;  // there is none
     ++fields;
     EXPECT_GT(differenceOf(before, draw(other, {96, 96})).largest, 0.0) << path;
   }

@@ -11,7 +11,7 @@
 namespace velum::scene {
 
 /// What is behind a finished picture.
-enum class Paper { None, Smooth, Rough, Laid, Canvas, Linen, Parchment };
+enum class Paper { None, Smooth, Rough, Laid, Canvas, Linen, Parchment, Own };
 
 /// A picture of a sphere that says how material looks from each side (lit sphere, matcap), of the user's own.
 struct LitSphere {
@@ -22,6 +22,16 @@ struct LitSphere {
   static void fields(auto& o, auto& visit) {
     visit("name", o.name, FieldInfo{"", {}, "Name by which structures and the finish know it."});
     visit("source", o.source, FieldInfo{"", {}, "Picture of a lit sphere that fills it to its edges."});
+  }
+};
+
+/// A picture of paper or cloth, of the user's own; it lies side by side until it fills the background.
+struct OwnPaper {
+  Source source;
+  Shared<Image> data;  ///< not saved: read from `source`
+  bool operator==(const OwnPaper&) const = default;
+  static void fields(auto& o, auto& visit) {
+    visit("source", o.source, FieldInfo{"", {}, "Picture of paper or cloth."});
   }
 };
 
@@ -41,7 +51,9 @@ struct Finish {
   double hatchWidth = 5.0;           ///< from stroke to stroke, pixels of a picture of 1000 rows
   Paper paper = Paper::None;
   glm::vec3 paperColor{0.96f, 0.94f, 0.89f};  ///< sRGB
-  double paperGrain = 0.5;                    ///< how much of it shows, 0..1
+  double paperGrain = 0.5;                    ///< how much of it shows, 0..1; at 0.5 the user's own is as it is
+  double paperScale = 1.0;                    ///< of its grain, or of the user's picture
+  OwnPaper ownPaper;                          ///< of the kind `Own`
   std::vector<LitSphere> spheres;             ///< the user's own
   bool operator==(const Finish&) const = default;
   static void fields(auto& o, auto& visit) {
@@ -59,7 +71,10 @@ struct Finish {
     visit("hatchWidth", o.hatchWidth, FieldInfo{"pixel", {2, 30}, "From stroke to stroke in a picture of 1000 rows."});
     visit("paper", o.paper, FieldInfo{"", {}, "What is behind the picture; none: the background."});
     visit("paperColor", o.paperColor, FieldInfo{"", {0, 1}, "Its sRGB colour."});
-    visit("paperGrain", o.paperGrain, FieldInfo{"", {0, 1}, "How much of its grain shows."});
+    visit("paperGrain", o.paperGrain, FieldInfo{"", {0, 1}, "How much of its grain shows; 0.5: a picture as it is."});
+    visit("paperScale", o.paperScale,
+          FieldInfo{"", {0.1, 10}, "How large its grain is; 1: a pixel of an own picture is one of 1000 rows."});
+    visit("ownPaper", o.ownPaper, FieldInfo{"", {}, "The user's own picture, of the paper `own`.", true});
     visit("spheres", o.spheres, FieldInfo{"", {}, "Lit spheres of the user's own."});
   }
 };
@@ -68,5 +83,6 @@ struct Finish {
 
 template <>
 struct velum::EnumNames<velum::scene::Paper> {
-  static constexpr std::string_view kNames[] = {"none", "smooth", "rough", "laid", "canvas", "linen", "parchment"};
+  static constexpr std::string_view kNames[] = {"none",   "smooth", "rough",     "laid",
+                                                "canvas", "linen",  "parchment", "own"};
 };

@@ -17,7 +17,7 @@ struct NamedFinish {
 /// Every one, in the order of the window; the first, "none", adds nothing.
 std::span<const NamedFinish> finishes();
 
-/// Gives a scene a finish by name. The user's own lit spheres, and those that structures name, stay.
+/// Gives a scene a finish by name. The user's own lit spheres and paper, and the spheres that structures name, stay.
 /// @throw ArgumentError for an unknown name, listing the known ones
 void applyFinish(Scene& scene, std::string_view name);
 

@@ -1,6 +1,11 @@
 #include "FinishPanel.h"
 
+#include <QFileDialog>
+#include <QFileInfo>
 #include <QVBoxLayout>
+#include <exception>
+
+#include "velum/session/document/PaperFile.h"
 
 namespace velum::gui {
 
@@ -135,12 +140,49 @@ void FinishPanel::addPaper() {
   connect(mPaper, &QComboBox::activated, this, [this](int index) {
     mDocument.edit("Choose paper", [&](scene::Scene& scene) { scene.finish.paper = static_cast<scene::Paper>(index); });
   });
+  mOwnPaper = new QPushButton(tr("Your own..."), this);
+  mOwnPaper->setObjectName("ownPaper");
+  mOwnPaper->setProperty("role", "quiet");
+  mOwnPaper->setToolTip(tr("A picture of paper or cloth, .png, .tif or .exr, that is laid side by side without seams"));
+  rows->addWidget(mOwnPaper, at + 1, 1, Qt::AlignLeft);
+  connect(mOwnPaper, &QPushButton::clicked, this, &FinishPanel::askPaper);
   addShare(rows,
            {"paperGrain", tr("Grain"), tr("Grain of the paper"), tr("How much of its grain shows, %"), "Change grain"},
            &scene::Finish::paperGrain);
+  addSlider(rows,
+            {"paperScale", tr("Size"), tr("Size of the grain"), tr("How large its grain or picture is, %"),
+             "Change size of grain"},
+            &scene::Finish::paperScale, 10, 1000, 0.01, " %");
   mPaperColor = makeColor("paperColor", tr("Colour"), tr("Colour of the paper"), "Change paper's colour",
                           &scene::Finish::paperColor);
   rows->addWidget(mPaperColor, rows->rowCount(), 1);
+}
+
+void FinishPanel::askPaper() {
+  QString path = QFileDialog::getOpenFileName(this, tr("Choose paper"), {},
+                                              tr("Pictures (*.png *.tif *.tiff *.exr);;All files (*)"));
+  if (!path.isEmpty()) takePaper(path);
+}
+
+void FinishPanel::takePaper(const QString& path) {
+  try {
+    mDocument.edit("Choose paper", [&](scene::Scene& scene) { session::takePaper(scene, path.toStdString()); });
+  } catch (const std::exception& error) {
+    emit failed(QString::fromUtf8(error.what()));
+  }
+}
+
+/// The user's own is the last one of the list, by the name of its file.
+void FinishPanel::showPaper(const scene::Finish& finish) {
+  constexpr int kOwn = static_cast<int>(scene::Paper::Own);
+  QString own = QFileInfo(QString::fromStdString(finish.ownPaper.source.path)).fileName();
+  if (mPaper->itemText(kOwn) != own) {
+    mPaper->removeItem(kOwn);
+    if (!own.isEmpty()) mPaper->addItem(own);
+  }
+  mPaper->setCurrentIndex(static_cast<int>(finish.paper));
+  mPaperColor->setColor(finish.paperColor);
+  mPaperColor->setEnabled(finish.paper != scene::Paper::Own);
 }
 
 void FinishPanel::refresh() {
@@ -153,11 +195,11 @@ void FinishPanel::refresh() {
     slider.row->setValue(scene.finish.*slider.field / slider.unit);
   }
   mPaper->setEnabled(hasData);
+  mOwnPaper->setEnabled(hasData);
   mOwnSpheres->setEnabled(hasData);
   mOwnSpheres->setChecked(scene.finish.structureSpheres);
-  mPaper->setCurrentIndex(static_cast<int>(scene.finish.paper));
   mInk->setColor(scene.finish.contourColor);
-  mPaperColor->setColor(scene.finish.paperColor);
+  showPaper(scene.finish);
 }
 
 }  // namespace velum::gui

@@ -21,10 +21,16 @@ class FinishPanel : public QWidget {
   void refresh();
   bool isComplete() const { return mFinishes->isComplete(); }
   LitSphereGrid& spheres() { return *mSpheres; }
+  /// Takes a picture as the paper, as one undo step.
+  void takePaper(const QString& path);
 
  public slots:
   /// The picture is done: the machine is free for small ones.
   void viewIsComplete() { mFinishes->drawPictures(); }
+
+ signals:
+  /// A picture could not be read; one line.
+  void failed(const QString& error);
 
  private:
   /// A slider of one number of the finish.
@@ -49,6 +55,8 @@ class FinishPanel : public QWidget {
   void addSpheres();
   void addStrokes();
   void addPaper();
+  void askPaper();
+  void showPaper(const scene::Finish& finish);
 
   session::Document& mDocument;
   FinishGrid* mFinishes;
@@ -57,6 +65,7 @@ class FinishPanel : public QWidget {
   ColorButton *mInk = nullptr, *mPaperColor = nullptr;
   QCheckBox* mOwnSpheres = nullptr;
   QComboBox* mPaper = nullptr;
+  QPushButton* mOwnPaper = nullptr;
 };
 
 }  // namespace velum::gui

@@ -7,6 +7,7 @@
 #include "WorkQueue.h"
 #include "velum/scene/Finishes.h"
 #include "velum/scene/LitSpheres.h"
+#include "velum/scene/PaperPicture.h"
 
 namespace velum::render {
 
@@ -32,6 +33,15 @@ std::vector<glm::u8vec4> texelsOf(const Image& image) {
     texels.emplace_back(glm::u8vec3(color * 255.0f + 0.5f), std::uint8_t(255));
   }
   return texels;
+}
+
+gpu::Texture textureOf(const Image& paper) {
+  glm::ivec2 size(paper.width, paper.height);
+  auto texture =
+      gpu::Texture::make2d("own paper", gpu::Format::Rgba8, size, gpu::Filter::Linear, gpu::levelCountOf({size, 1}));
+  texture.write({0, 0, 0}, {size, 1}, texelsOf(paper).data());
+  texture.generateLevels();
+  return texture;
 }
 
 }  // namespace
@@ -171,21 +181,37 @@ void FinishPass::catchUp(const FrameData& data) {
 void FinishPass::addPaper(const FrameData& data, WorkQueue& queue) {
   const Frame& frame = data.frame;
   const scene::Finish& finish = frame.scene.finish;
-  PaperKey key{finish.paper,      finish.paperColor,  finish.paperGrain,
-               frame.pictureSize, frame.windowOrigin, frame.windowSize};
+  PaperKey key{finish.paper, finish.paperColor, finish.paperGrain,  finish.paperScale,
+               {},           frame.pictureSize, frame.windowOrigin, frame.windowSize};
+  if (finish.paper == scene::Paper::Own) {
+    key.own = finish.ownPaper.data;
+    if (!key.own) key.paper = scene::Paper::Smooth;  // could not be read
+  }
   if (mPaperKey == key) return;
   queue.add(*this, [this, key] {
-    const gpu::Program& program =
-        mPaperPrograms.find(key.paper, [&] { return gpu::Program({"render/paper.comp"}, definesOf(key.paper)); });
-    if (!mPaper || glm::ivec2(mPaper.size()) != key.windowSize)
-      mPaper = gpu::Texture::make2d("paper", gpu::Format::Rgba8, key.windowSize);
-    mParams.bind(shared::kFinishBinding);
-    mPaper.bindImage(shared::kPaperImage, gpu::Access::Write);
-    program.set(0, key.windowOrigin);
-    gpu::dispatch(program, {(key.windowSize.x + 7) / 8, (key.windowSize.y + 7) / 8, 1});
-    gpu::barrier();
+    drawPaper(key);
     mPaperKey = key;
   });
+}
+
+void FinishPass::drawPaper(const PaperKey& key) {
+  const gpu::Program& program =
+      mPaperPrograms.find(key.paper, [&] { return gpu::Program({"render/paper.comp"}, definesOf(key.paper)); });
+  if (!mPaper || glm::ivec2(mPaper.size()) != key.windowSize)
+    mPaper = gpu::Texture::make2d("paper", gpu::Format::Rgba8, key.windowSize);
+  if (key.own) {
+    if (!mOwnPaper || !mPaperKey || !(mPaperKey->own == key.own)) {
+      mOwnPaper = textureOf(*key.own);
+      mPaperTurns = 1 - glm::ivec2(scene::tilesOf(*key.own));
+    }
+    mOwnPaper.bindSampler(shared::kOwnPaperUnit);
+    program.set(1, mPaperTurns);
+  }
+  mParams.bind(shared::kFinishBinding);
+  mPaper.bindImage(shared::kPaperImage, gpu::Access::Write);
+  program.set(0, key.windowOrigin);
+  gpu::dispatch(program, {(key.windowSize.x + 7) / 8, (key.windowSize.y + 7) / 8, 1});
+  gpu::barrier();
 }
 
 void FinishPass::runOverCells(const gpu::Program& program, const gpu::Texture& from, const gpu::Texture& to) const {

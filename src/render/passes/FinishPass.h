@@ -51,7 +51,8 @@ class FinishPass : public Pass {
   struct PaperKey {
     scene::Paper paper;
     glm::vec3 color;
-    double grain;
+    double grain, scale;
+    Shared<Image> own;
     glm::ivec2 pictureSize, windowOrigin, windowSize;
     bool operator==(const PaperKey&) const = default;
   };
@@ -59,6 +60,7 @@ class FinishPass : public Pass {
   void makeSpheres(const scene::Scene& scene);
   void makeTargets(const FrameData& data);
   void addPaper(const FrameData& data, WorkQueue& queue);
+  void drawPaper(const PaperKey& key);
   void addStrokes(const FrameData& data, WorkQueue& queue);
   void add(glm::ivec4 rect, bool isFirst);
   void runOverCells(const gpu::Program& program, const gpu::Texture& from, const gpu::Texture& to) const;
@@ -74,7 +76,8 @@ class FinishPass : public Pass {
   gpu::Texture mSphereTexture, mRowOfTexture;
   gpu::Buffer mRowOf;
   gpu::Texture mSums;  ///< Lit spheres' colours, premultiplied; edges.
-  gpu::Texture mPaper;
+  gpu::Texture mPaper, mOwnPaper;
+  glm::ivec2 mPaperTurns{0};  ///< Of the user's own: 1 across, down, where every other one is turned over.
   std::optional<PaperKey> mPaperKey;
   gpu::Texture mCells[2];  ///< Of strokes; the first holds what comes out.
   int mSamples = 0, mRowsDone = 0;

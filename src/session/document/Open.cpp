@@ -21,6 +21,7 @@
 #include "velum/scene/json/Json.h"
 #include "velum/session/growth/Growths.h"
 #include "velum/session/document/LitSphereFiles.h"
+#include "velum/session/document/PaperFile.h"
 
 namespace velum::session {
 
@@ -141,6 +142,8 @@ scene::Scene withRelativePaths(scene::Scene scene, const fs::path& folder) {
   scene.labels.source.path = relativeTo(scene.labels.source.path, folder).string();
   for (auto& surface : scene.surfaces) surface.source.path = relativeTo(surface.source.path, folder).string();
   for (auto& sphere : scene.finish.spheres) sphere.source.path = relativeTo(sphere.source.path, folder).string();
+  std::string& paper = scene.finish.ownPaper.source.path;
+  paper = relativeTo(paper, folder).string();
   return scene;
 }
 
@@ -250,6 +253,7 @@ void loadData(scene::Scene& scene, const fs::path& folder, Progress& progress, c
   }
   for (const auto& note : settleGrowths(scene, progress)) Notes{notes}.add(note);
   for (const std::string& note : loadLitSpheres(scene, folder)) Notes{notes}.add(note);
+  if (auto note = loadPaper(scene, folder)) Notes{notes}.add(*note);
 }
 
 std::string sceneTextFor(const scene::Scene& scene, const fs::path& path) {

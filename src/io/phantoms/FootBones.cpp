@@ -72,10 +72,6 @@ void addTarsals(Skeleton& skeleton) {
                {kNavicular, kIntermediateCuneiform, kCuboid});
 }
 
-struct Sizes {
-  glm::vec2 base, shaft, head;
-  float cortex, shell, bow, notch, round;
-};
 constexpr Sizes kGreatMetatarsal{{10.0f, 14.0f}, {6.6f, 7.0f}, {11.5f, 10.5f}, 0.9f, 1.4f, 2.0f, 0.0f, 0.8f};
 constexpr Sizes kMetatarsal{{7.0f, 9.0f}, {3.9f, 4.4f}, {5.8f, 7.6f}, 0.8f, 1.0f, 2.5f, 0.0f, 1.0f};
 constexpr Sizes kGreatPhalanges[] = {{{10.5f, 8.5f}, {6.6f, 5.6f}, {9.0f, 6.0f}, 0.8f, 0.9f, 1.0f, 1.2f, 0.8f},
@@ -83,17 +79,6 @@ constexpr Sizes kGreatPhalanges[] = {{{10.5f, 8.5f}, {6.6f, 5.6f}, {9.0f, 6.0f},
 constexpr Sizes kPhalanges[] = {{{6.2f, 5.8f}, {3.3f, 3.3f}, {4.6f, 4.0f}, 0.8f, 0.5f, 1.0f, 0.8f, 0.9f},
                                 {{5.0f, 4.4f}, {3.7f, 3.2f}, {4.4f, 3.4f}, 0.8f, 0.2f, 0.3f, 0.6f, 0.8f},
                                 {{4.5f, 3.6f}, {3.0f, 2.5f}, {3.5f, 2.1f}, 0.8f, 0.0f, 0.0f, 0.0f, 0.6f}};
-
-Bone boneBetween(std::uint16_t label, const Joint& from, const Joint& to, const Sizes& sizes, float scale, float into) {
-  LongBone shape{from.place - from.along * into,
-                 to.place - to.along * 0.4f,
-                 from.up,
-                 sizes.base * scale,
-                 sizes.shaft * scale,
-                 sizes.head * scale};
-  shape.bow = sizes.bow, shape.notch = sizes.notch * scale, shape.round = sizes.round;
-  return longBone(label, shape, sizes.cortex, sizes.shell * scale);
-}
 
 /// What metatarsals stand on, and beside which others.
 void addMetatarsal(Skeleton& skeleton, int toe, Bone bone) {

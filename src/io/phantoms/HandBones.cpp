@@ -63,27 +63,12 @@ void addCarpals(Skeleton& skeleton) {
                {kTrapezoid, kScaphoid});
 }
 
-struct Sizes {
-  glm::vec2 base, shaft, head;
-  float cortex, shell, bow, notch, round;
-};
 // Of a middle finger. Half widths and half depths, mm.
 constexpr Sizes kMetacarpal{{7.2f, 7.8f}, {4.2f, 4.6f}, {7.0f, 7.4f}, 0.8f, 1.0f, 2.0f, 0.0f, 1.0f};
 constexpr Sizes kFirstMetacarpal{{8.0f, 8.0f}, {5.6f, 4.6f}, {7.8f, 6.6f}, 0.8f, 1.0f, 1.2f, 0.0f, 0.8f};
 constexpr Sizes kPhalanges[] = {{{7.6f, 6.4f}, {4.7f, 3.6f}, {5.8f, 4.4f}, 0.7f, 0.8f, 1.2f, 1.1f, 0.9f},
                                 {{6.6f, 5.2f}, {3.9f, 3.0f}, {5.0f, 3.6f}, 0.7f, 0.6f, 0.8f, 0.9f, 0.9f},
                                 {{5.5f, 4.0f}, {2.7f, 2.2f}, {4.2f, 2.1f}, 0.7f, 0.2f, 0.3f, 0.0f, 0.6f}};
-
-Bone boneBetween(std::uint16_t label, const Joint& from, const Joint& to, const Sizes& sizes, float scale, float into) {
-  LongBone shape{from.place - from.along * into,
-                 to.place - to.along * 0.4f,
-                 from.up,
-                 sizes.base * scale,
-                 sizes.shaft * scale,
-                 sizes.head * scale};
-  shape.bow = sizes.bow, shape.notch = sizes.notch * scale, shape.round = sizes.round;
-  return longBone(label, shape, sizes.cortex, sizes.shell * scale);
-}
 
 /// What metacarpals stand on, and beside which others.
 void addMetacarpal(Skeleton& skeleton, int finger, Bone bone) {

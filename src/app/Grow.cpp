@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "Verbs.h"
 #include "velum/core/Error.h"
 #include "velum/extrusion/Grower.h"
 #include "velum/extrusion/LabelsFor.h"
+#include "velum/extrusion/SmoothRegion.h"
 #include "velum/io/labels/WriteLabels.h"
-#include "velum/session/membrane/MembraneEdit.h"
+#include "velum/session/extrusion/MaterialRange.h"
+#include "velum/session/growth/Growths.h"
 
 namespace velum::app {
 
@@ -17,36 +20,67 @@ namespace {
 struct GrowOptions {
   Common common;
   InputOptions input;
-  std::vector<std::string> seeds;
+  std::vector<std::string> seeds, strokes;
   std::vector<double> range, plane;
-  std::optional<double> distance, steepest;
+  std::optional<double> distance, steepest, closing;
   int within = 0;
-  bool guard = false;
+  bool guard = false, fillHoles = false;
   std::string name, output;
 };
 
 std::string textOf(glm::dvec3 v) { return fmt::format("{},{},{}", v.x, v.y, v.z); }
 
-/// The seeds. @throw ArgumentError when one lies outside the volume
+/// A place. @throw ArgumentError when it lies outside the volume
+glm::dvec3 placeOf(const char* option, const std::string& text, const Volume& volume) {
+  auto n = numbersOf(option, text, 3, "x,y,z");
+  glm::dvec3 place(n[0], n[1], n[2]);
+  if (!extrusion::isInside(volume, extrusion::voxelAt(volume, place)))
+    throw ArgumentError(fmt::format("{} {}: that is outside the volume", option, text));
+  return place;
+}
+
 std::vector<glm::dvec3> seedsOf(const GrowOptions& options, const Volume& volume) {
+  if (options.seeds.empty() && options.strokes.empty())
+    throw ArgumentError("--seed or --stroke is needed: a place on the structure");
   std::vector<glm::dvec3> seeds;
-  for (const auto& text : options.seeds) {
-    auto n = numbersOf("--seed", text, 3, "x,y,z");
-    seeds.push_back({n[0], n[1], n[2]});
-    if (!extrusion::isInside(volume, extrusion::voxelAt(volume, seeds.back())))
-      throw ArgumentError(fmt::format("--seed {}: that is outside the volume", text));
-  }
+  for (const auto& text : options.seeds) seeds.push_back(placeOf("--seed", text, volume));
   return seeds;
+}
+
+/// The voxels along strokes, each a polygon "x,y,z;x,y,z;...", that have values of a step's range.
+/// @throw ArgumentError where one has none
+void addStrokes(scene::Growth& step, const GrowOptions& options, const Volume& volume) {
+  for (const auto& text : options.strokes) {
+    std::vector<glm::dvec3> path;
+    std::istringstream in(text);
+    for (std::string point; std::getline(in, point, ';');) path.push_back(placeOf("--stroke", point, volume));
+    std::size_t before = step.seeds.size();
+    for (glm::dvec3 place : session::placesAlong(volume, path)) {
+      double value = valueAt(volume, extrusion::voxelAt(volume, place), step.channel, step.timeStep);
+      if (value >= step.low && value <= step.high) step.seeds.push_back(place);
+    }
+    if (step.seeds.size() == before)
+      throw ArgumentError(
+          fmt::format("--stroke {}: no value along it is from {:.6g} to {:.6g}; draw it elsewhere, or "
+                      "give --range",
+                      text, step.low, step.high));
+  }
+}
+
+/// Whose material is meant where no range is given.
+glm::dvec3 firstPlace(const GrowOptions& options, const Volume& volume) {
+  if (!options.seeds.empty()) return placeOf("--seed", options.seeds.front(), volume);
+  return placeOf("--stroke", options.strokes.front().substr(0, options.strokes.front().find(';')), volume);
 }
 
 void setRange(scene::Growth& step, const GrowOptions& options, const scene::VolumeLayer& layer) {
   if (options.range.empty()) {
-    auto tissue = session::measureTissue(layer, step.seeds.front());
-    if (!tissue)
+    glm::dvec3 first = firstPlace(options, *layer.data);
+    auto material = session::materialRangeAt(layer, first);
+    if (!material)
       throw ArgumentError(
-          fmt::format("--seed {}: nothing is known of the values there; give --range A,B", textOf(step.seeds.front())));
-    auto [low, high] = session::valuesOf(*tissue, layer);
-    step.low = low, step.high = high;
+          fmt::format("--seed {}: nothing is known of the values there; give --range A,B", textOf(first)));
+    step.low = material->low, step.high = material->high;
   } else {
     if (options.range[0] > options.range[1]) throw ArgumentError("--range A,B: A must not be more than B");
     step.low = options.range[0], step.high = options.range[1];
@@ -94,16 +128,18 @@ void setWithin(scene::Growth& step, const GrowOptions& options, const LabelVolum
 
 Json pointOf(glm::ivec3 v) { return {v.x, v.y, v.z}; }
 
-Json reportOf(const scene::Growth& step, const extrusion::Grown& grown, const Volume& volume) {
+Json reportOf(const scene::Growth& step, const extrusion::Grown& grown, std::size_t smoothed, const Volume& volume) {
   double voxelSize = std::abs(glm::determinant(glm::dmat3(volume.worldFromVoxel)));
+  std::size_t voxels = grown.voxels + smoothed;
   Json json = {{"structure", step.structure},
-               {"voxels", grown.voxels},
+               {"voxels", voxels},
+               {"smoothed", smoothed},
                {"slabs", grown.slabs},
                {"ms", grown.ms},
                {"range", {step.low, step.high}},
                {"distance", std::isfinite(grown.distance) ? Json(grown.distance) : Json()},
-               {"volume", double(grown.voxels) * voxelSize}};
-  if (volume.lengthUnit == LengthUnit::Millimetre) json["volumeMl"] = double(grown.voxels) * voxelSize / 1000.0;
+               {"volume", double(voxels) * voxelSize}};
+  if (volume.lengthUnit == LengthUnit::Millimetre) json["volumeMl"] = double(voxels) * voxelSize / 1000.0;
   if (!grown.box.isEmpty()) json["box"] = {{"first", pointOf(grown.box.first)}, {"last", pointOf(grown.box.end - 1)}};
   if (grown.leak)
     json["leak"] = {
@@ -112,7 +148,7 @@ Json reportOf(const scene::Growth& step, const extrusion::Grown& grown, const Vo
 }
 
 void print(const extrusion::Grown& grown, const Json& report) {
-  fmt::print("{} voxels in {} slabs, {:.2f} ms", grown.voxels, grown.slabs, grown.ms);
+  fmt::print("{} voxels in {} slabs, {:.2f} ms", report["voxels"].get<std::size_t>(), grown.slabs, grown.ms);
   if (report.contains("volumeMl")) fmt::print(", {:.6g} ml", report["volumeMl"].get<double>());
   fmt::print("\n");
   if (grown.leak)
@@ -132,12 +168,18 @@ int run(const GrowOptions& options) {
   step.channel = std::clamp(scene.volume.channel, 0, volume.channels - 1);
   step.timeStep = std::clamp(scene.volume.timeStep, 0, volume.timeSteps - 1);
   step.steepest = options.steepest.value_or(scene::Growth::kEndless);
+  step.closing = options.closing.value_or(0.0);
+  step.fillHoles = options.fillHoles;
   setRange(step, options, scene.volume);
+  addStrokes(step, options, volume);
   setPlane(step, options);
   setWithin(step, options, *labels);
   extrusion::Grown grown =
       extrusion::Grower().grow(scene.volume.data, labels, step, {options.guard}, consoleProgress());
-  LabelVolume result = *grown.labels;
+  scene::Growth done = step;
+  done.distance = grown.distance;
+  auto smoothed = extrusion::smoothRegion(scene.volume.data, grown.labels, done, consoleProgress());
+  LabelVolume result = *smoothed.labels;
   for (auto& info : result.table)
     if (info.id == step.structure) info.name = options.name;
   auto warnings = given ? result.warnings : std::vector<std::string>();
@@ -146,7 +188,7 @@ int run(const GrowOptions& options) {
   printWarnings(options.output, lost);
   warnings.insert(warnings.end(), lost.begin(), lost.end());
   consoleProgress().report(1.0, "");
-  Json report = reportOf(step, grown, volume);
+  Json report = reportOf(step, grown, smoothed.voxels, volume);
   report["name"] = options.name;
   report["guarded"] = options.guard;
   report["output"] = options.output;
@@ -162,9 +204,10 @@ Run registerGrow(CLI::App& verb) {
   options->name = "grown";
   addCommon(verb, options->common);
   addInput(verb, options->input, true);
-  verb.add_option("--seed", options->seeds, "a place on the structure, x,y,z; repeatable")
-      ->allow_extra_args(false)
-      ->required();
+  verb.add_option("--seed", options->seeds, "a place on the structure, x,y,z; repeatable")->allow_extra_args(false);
+  verb.add_option("--stroke", options->strokes,
+                  "a line over the structure, x,y,z;x,y,z;...: it grows from all of it that has its values; repeatable")
+      ->allow_extra_args(false);
   verb.add_option("--range", options->range, "values that belong to it: A,B; default: the material at the first seed")
       ->delimiter(',')
       ->expected(2);
@@ -178,6 +221,10 @@ Run registerGrow(CLI::App& verb) {
   verb.add_option("--within", options->within,
                   "take a part of the structure with this label; default: of what has none")
       ->check(CLI::Range(0, 65535));
+  verb.add_option("--closing", options->closing,
+                  "close gaps and pores in what has grown that no ball of this radius gets into")
+      ->check(CLI::NonNegativeNumber);
+  verb.add_flag("--fill-holes", options->fillHoles, "what it encloses becomes part of it");
   verb.add_flag("--guard", options->guard, "stop before it leaks into what it touches");
   verb.add_option("--name", options->name, "of the new structure")->capture_default_str();
   verb.add_option("-o,--output", options->output, "labels, with those of the input: .nrrd, .seg.nrrd, .nii, .nii.gz")

@@ -1,7 +1,11 @@
 #include "velum/extrusion/GrowRule.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+
+#include "velum/core/Error.h"
 
 namespace velum::extrusion {
 
@@ -19,6 +23,13 @@ double distanceSquared(glm::dvec3 a, glm::dvec3 b, glm::dvec3 p) {
 
 GrowRule ruleOf(const scene::Growth& growth) {
   return {growth.low, growth.high, growth.steepest, growth.within, growth.channel, growth.timeStep, growth.barriers};
+}
+
+void checkRule(const GrowRule& rule, const Volume& volume) {
+  if (rule.channel < 0 || rule.channel >= volume.channels)
+    throw ArgumentError(fmt::format("channel {} to grow in: the volume has {}", rule.channel, volume.channels));
+  if (rule.timeStep < 0 || rule.timeStep >= volume.timeSteps)
+    throw ArgumentError(fmt::format("time step {} to grow in: the volume has {}", rule.timeStep, volume.timeSteps));
 }
 
 glm::ivec3 voxelAt(const Volume& volume, glm::dvec3 world) {

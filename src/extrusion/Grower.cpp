@@ -9,7 +9,6 @@
 #include "WriteRegion.h"
 #include "velum/core/Clock.h"
 #include "velum/core/Error.h"
-#include "velum/extrusion/LabelsFor.h"
 #include "velum/extrusion/LeakGuard.h"
 
 namespace velum::extrusion {
@@ -19,20 +18,21 @@ namespace {
 /// Regions that are kept: more structures than a hand pulls at in turns.
 constexpr std::size_t kMostKept = 4;
 
-/// Deepest place of the volume.
-double deepest(const Volume& volume, const GrowDomain& domain) {
-  return domain.depthRange(glm::ivec3(0), volume.dims - 1).y;
+/// Least and largest depth of the volume.
+glm::dvec2 depths(const Volume& volume, const GrowDomain& domain) {
+  return domain.depthRange(glm::ivec3(0), volume.dims - 1);
 }
 
-void addSeeds(RegionGrow& region, const Volume& volume, const scene::Growth& step) {
+void addSeeds(RegionGrow& region, const Volume& volume, const scene::Growth& step, const Shared<LabelVolume>& begun) {
   for (const auto& seed : step.seeds) region.addSeed(voxelAt(volume, seed));
+  if (begun) region.addSeeds(*begun, step.structure);
 }
 
 /// Area of what is joined to the seeds in the layer that lies under the cut.
 double crossSection(const Shared<Volume>& volume, const Shared<LabelVolume>& labels, const scene::Growth& step,
                     const GrowDomain& domain, Progress& progress) {
   RegionGrow region(volume, labels, 0, ruleOf(step));
-  addSeeds(region, *volume, step);
+  addSeeds(region, *volume, step, {});
   GrowDomain layer = domain.between(-domain.layer(), 0.0);
   region.grow(layer, progress);
   double voxelSize = std::abs(glm::determinant(glm::dmat3(volume->worldFromVoxel)));
@@ -47,13 +47,14 @@ class SlabGrowth {
         mDomain(domain),
         mThickness(slabThickness(volume)),
         mVoxelSize(std::abs(glm::determinant(glm::dmat3(volume.worldFromVoxel)))),
-        mEnd(std::min(domain.distance(), deepest(volume, domain))) {}
+        mBegin(std::floor(std::max(depths(volume, domain).x, 0.0) / mThickness) * mThickness),
+        mEnd(std::min(domain.distance(), depths(volume, domain).y)) {}
 
   /// @param guard  may be null  @return the leak before which it has stopped; then the region has leaked
   std::optional<Leak> grow(LeakGuard* guard, Progress& progress) {
     // The first has the seeds, even where the plane removes nothing.
     for (mSlabs = 1;; ++mSlabs) {
-      double end = std::min(mSlabs * mThickness, mEnd);
+      double end = std::min(mBegin + mSlabs * mThickness, mEnd);
       std::size_t added = mRegion.grow(mDomain.upTo(end), progress);
       if (guard)
         if (auto leak = look(*guard, end, added)) return leak;
@@ -63,7 +64,7 @@ class SlabGrowth {
   }
   int slabs() const { return mSlabs; }
   /// Where the slab before the last one ended.
-  double safe() const { return (mSlabs - 1) * mThickness; }
+  double safe() const { return mBegin + (mSlabs - 1) * mThickness; }
 
  private:
   std::optional<Leak> look(LeakGuard& guard, double end, std::size_t added) {
@@ -76,7 +77,8 @@ class SlabGrowth {
 
   RegionGrow& mRegion;
   const GrowDomain& mDomain;
-  double mThickness, mVoxelSize, mEnd;
+  double mThickness, mVoxelSize;
+  double mBegin, mEnd;  ///< no slab is empty because the plane is far from the data
   int mSlabs = 0;
 };
 
@@ -123,7 +125,7 @@ Grown Grower::grow(const Shared<Volume>& volume, const Shared<LabelVolume>& befo
   grown.distance = step.distance;
   auto kept = keep(volume, before, step);
   try {
-    addSeeds(kept->region, *volume, step);
+    addSeeds(kept->region, *volume, step, options.begun);
     SlabGrowth slabs(kept->region, *volume, domain);
     if (domain.isEverywhere()) {
       kept->region.grow(domain, progress);
@@ -138,13 +140,14 @@ Grown Grower::grow(const Shared<Volume>& volume, const Shared<LabelVolume>& befo
       // Begun anew, it stops before the slab.
       grown.distance = slabs.safe();
       kept->region = RegionGrow(volume, before, step.structure, ruleOf(step));
-      addSeeds(kept->region, *volume, step);
+      addSeeds(kept->region, *volume, step, options.begun);
       kept->region.grow(domain.upTo(grown.distance), progress);
     }
     kept->region.forgetSeeds();
     // Write what is new.
     LabelVolume labels = *before;
-    Written written = writeRegion(kept->region, kept->region.takeChanged(), std::uint16_t(step.structure), labels);
+    Written written = writeRegion([&region = kept->region](int y, int z) { return region.row(y, z); },
+                                  kept->region.takeChanged(), std::uint16_t(step.structure), labels);
     grown.box = written.box;
     grown.voxels = written.voxels;
     if (grown.voxels > 0) {
@@ -159,14 +162,6 @@ Grown Grower::grow(const Shared<Volume>& volume, const Shared<LabelVolume>& befo
   }
   grown.ms = msSince(start);
   return grown;
-}
-
-Shared<LabelVolume> growLabels(const Shared<Volume>& volume, const Shared<LabelVolume>& given,
-                               std::span<const scene::Growth> steps, Progress& progress) {
-  Grower grower;
-  Shared<LabelVolume> labels = labelsFor(*volume, given);
-  for (const auto& step : steps) labels = grower.grow(volume, labels, step, {}, progress).labels;
-  return labels;
 }
 
 }  // namespace velum::extrusion

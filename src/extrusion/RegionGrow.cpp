@@ -1,7 +1,5 @@
 #include "velum/extrusion/RegionGrow.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "Admission.h"
@@ -16,10 +14,7 @@ constexpr int kBrick = LabelVolume::kBrickSize;
 
 Shared<Volume> checked(Shared<Volume> volume, const LabelVolume& labels, const GrowRule& rule) {
   if (volume->dims != labels.dims()) throw ArgumentError("the labels to grow in are not on the grid of the volume");
-  if (rule.channel < 0 || rule.channel >= volume->channels)
-    throw ArgumentError(fmt::format("channel {} to grow in: the volume has {}", rule.channel, volume->channels));
-  if (rule.timeStep < 0 || rule.timeStep >= volume->timeSteps)
-    throw ArgumentError(fmt::format("time step {} to grow in: the volume has {}", rule.timeStep, volume->timeSteps));
+  checkRule(rule, *volume);
   return volume;
 }
 
@@ -84,25 +79,31 @@ void RegionGrow::State::dropLoose() {
   loose.clear();
 }
 
-/// Takes over what the structure has, and raises the front around it.
-void RegionGrow::State::takeLabels() {
-  const LabelVolume& labels = *admission.labels();
-  glm::ivec3 grid = labels.brickGrid(), dims = labels.dims();
-  std::vector<glm::ivec2> rows;
-  std::vector<Word> bits(static_cast<std::size_t>(wordsOf(dims.x)));
+/// Calls body(y, z, bits) for each row in which a structure has voxels.
+template <class Body>
+void forRowsOf(const LabelVolume& labels, int structure, const Body& body) {
+  glm::ivec3 grid = labels.brickGrid();
+  std::vector<Word> bits(static_cast<std::size_t>(wordsOf(labels.dims().x)));
   for (int bz = 0; bz < grid.z; ++bz)
     for (int by = 0; by < grid.y; ++by) {
       bool isThere = false;
       for (int bx = 0; bx < grid.x; ++bx) isThere = isThere || holdsLabel(labels.brick({bx, by, bz}), structure);
       if (!isThere) continue;
-      forRows(dims, by, bz, [&](int y, int z) {
+      forRows(labels.dims(), by, bz, [&](int y, int z) {
         labelBits(labels, y, z, std::uint16_t(structure), bits.data());
-        if (std::all_of(bits.begin(), bits.end(), [](Word w) { return w == 0; })) return;
-        RowTile& tile = tiles.make(y, z);
-        std::copy(bits.begin(), bits.end(), tile.region(tile.rowAt(y, z)));
-        rows.push_back({y, z});
+        if (std::any_of(bits.begin(), bits.end(), [](Word w) { return w != 0; })) body(y, z, bits);
       });
     }
+}
+
+/// Takes over what the structure has, and raises the front around it.
+void RegionGrow::State::takeLabels() {
+  std::vector<glm::ivec2> rows;
+  forRowsOf(*admission.labels(), structure, [&](int y, int z, const std::vector<Word>& bits) {
+    RowTile& tile = tiles.make(y, z);
+    std::copy(bits.begin(), bits.end(), tile.region(tile.rowAt(y, z)));
+    rows.push_back({y, z});
+  });
   for (glm::ivec2 row : rows) offerAround(row.x, row.y);
 }
 
@@ -171,6 +172,21 @@ void RegionGrow::addSeed(glm::ivec3 voxel) {
   if (voxel.x > 0) setBit(seed.data(), voxel.x - 1);
   if (voxel.x + 1 < mState->tiles.dims().x) setBit(seed.data(), voxel.x + 1);
   if (tile.offer(row, seed.data())) tile.enqueue(row);
+}
+
+void RegionGrow::addSeeds(const LabelVolume& labels, int structure) {
+  forRowsOf(labels, structure, [&](int y, int z, const std::vector<Word>& bits) {
+    RowTile& tile = mState->tiles.make(y, z);
+    int row = tile.rowAt(y, z);
+    const Word *open = tile.open(row, mState->admission), *region = tile.region(row);
+    std::size_t joined = 0;
+    for (std::size_t w = 0; w < bits.size(); ++w)
+      for (Word left = bits[w] & open[w] & ~region[w]; left != 0; left &= left - 1, ++joined)
+        tile.join(row, int(w) * kWordBits + std::countr_zero(left));
+    if (joined == 0) return;
+    mCount += joined, mState->fromSeeds += joined;
+    mState->offerAround(y, z);
+  });
 }
 
 void RegionGrow::forgetSeeds() { mState->dropLoose(); }

@@ -1,4 +1,7 @@
 #pragma once
+#include <cstdint>
+#include <functional>
+
 #include "velum/core/LabelVolume.h"
 #include "velum/extrusion/RegionGrow.h"
 
@@ -10,8 +13,10 @@ struct Written {
   std::size_t voxels = 0;
 };
 
+/// The bits of a row of a region.
+using RegionRow = std::function<const std::uint64_t*(int y, int z)>;
+
 /// Gives a label to all voxels of the rows in which a region has grown, brick by brick; other bricks stay shared.
-Written writeRegion(const RegionGrow& region, const RegionGrow::Changed& changed, std::uint16_t id,
-                    LabelVolume& labels);
+Written writeRegion(const RegionRow& region, const RegionGrow::Changed& changed, std::uint16_t id, LabelVolume& labels);
 
 }  // namespace velum::extrusion

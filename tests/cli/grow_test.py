@@ -76,6 +76,38 @@ class Grow(CliTest):
         report = self.report("grow", path, "--seed", "2,2,2", "--range", "50,150", "--steepest", "20", "-o", "l.nrrd")
         self.assertEqual(report["voxels"], 19 * SIZE * SIZE)
 
+    def test_grows_from_several_places_and_from_strokes(self):
+        # Four bars along z.
+        path = self.volume(lambda x, y, z: 200 if x % 10 < 4 and 10 <= y < 14 else 20)
+        bar = 4 * 4 * SIZE
+        one = self.report("grow", path, "--seed", "1,6,5", "--range", "150,250", "-o", "l.nrrd")
+        self.assertEqual(one["voxels"], bar)
+        two = self.report("grow", path, "--seed", "1,6,5", "--seed", "16,6,5", "--range", "150,250", "-o", "l.nrrd")
+        self.assertEqual(two["voxels"], 2 * bar)
+        # Across three of them, and over what lies between, by the material where it begins.
+        stroke = self.report("grow", path, "--stroke", "1,6,5;6,6.5,5;11,6,5", "--range", "150,250", "-o", "l.nrrd")
+        self.assertEqual(stroke["voxels"], 3 * bar)
+        both = self.report("grow", path, "--stroke", "1,6,5;11,6,5", "--seed", "16,6,5", "--range", "150,250", "-o", "l.nrrd")
+        self.assertEqual(both["voxels"], 4 * bar)
+
+    def test_smooths_what_has_grown(self):
+        # A box with a hole in its middle and a slit of one voxel from its face. Balls of a voxel fit into the hole but for its
+        # edges, and into the slit's rim.
+        def value(x, y, z):
+            inside = all(10 <= c < 30 for c in (x, y, z))
+            hole = all(18 <= c < 22 for c in (x, y, z))
+            slit = x == 12 and z >= 26
+            return 200 if inside and not hole and not slit else 20
+        path = self.volume(value)
+        common = ("grow", path, "--seed", "8,8,8", "--range", "150,250", "-o", "l.nrrd")
+        rough = self.report(*common)
+        self.assertEqual((rough["voxels"], rough["smoothed"]), (20 ** 3 - 4 ** 3 - 4 * 20, 0))
+        filled = self.report(*common, "--fill-holes")
+        self.assertEqual((filled["voxels"], filled["smoothed"]), (20 ** 3 - 4 * 20, 4 ** 3))
+        closed = self.report(*common, "--closing", "0.6")
+        self.assertEqual(closed["voxels"], 20 ** 3 - 4 ** 3 // 2 - 26)
+        self.assertEqual(self.report(*common, "--closing", "0.6", "--fill-holes")["voxels"], 20 ** 3 - 26)
+
     def test_refuses_in_one_line(self):
         bar = self.bar()
         out = ("-o", "l.nrrd")
@@ -90,6 +122,10 @@ class Grow(CliTest):
         self.refuse("grow", bar, *at, "--plane", "0,0,1,1", "--distance", "-2", *out, code=1, words=["--distance", "-2"])
         self.refuse("grow", bar, *at, "--within", "3", *out, code=1, words=["--within", "3"])
         self.refuse("grow", bar, *out, code=1, words=["--seed"])
+        self.refuse("grow", bar, "--range", "150,250", *out, code=1, words=["--seed", "--stroke"])
+        self.refuse("grow", bar, "--stroke", "6,11,5;6,60,5", *out, code=1, words=["--stroke", "6,60,5", "outside"])
+        self.refuse("grow", bar, "--stroke", "1,1,1;2,1,1", "--range", "150,250", *out, code=1, words=["--stroke", "150"])
+        self.refuse("grow", bar, *at, "--closing", "-1", *out, code=1, words=["--closing"])
         self.refuse("grow", bar, *at, code=1, words=["--output"])
         self.refuse("grow", "none.nrrd", *at, *out, code=2, words=["none.nrrd"])
         self.refuse("grow", bar, *at, "-o", "l.xyz", code=2, words=["l.xyz"])

@@ -5,6 +5,7 @@
 #include "GrowOracle.h"
 #include "RandomGrowing.h"
 #include "velum/core/Error.h"
+#include "velum/extrusion/GrowOverTime.h"
 #include "velum/extrusion/LabelsFor.h"
 
 namespace velum::extrusion {
@@ -93,8 +94,8 @@ TEST(Grower, WhoComesFirstHasTheVoxelsThatTwoWant) {
   left.axis = {1, 0, 0}, left.centre = {-0.5, 0, 0}, left.distance = 40;
   right.axis = {-1, 0, 0}, right.centre = {69.5, 0, 0}, right.distance = 40;
   Progress progress;
-  auto oneWay = growLabels(volume, {}, std::vector{left, right}, progress);
-  auto otherWay = growLabels(volume, {}, std::vector{right, left}, progress);
+  auto oneWay = growLabels(volume, {}, std::vector{left, right}, 0, progress);
+  auto otherWay = growLabels(volume, {}, std::vector{right, left}, 0, progress);
   EXPECT_EQ(oneWay->at({35, 4, 4}), 1);
   EXPECT_EQ(otherWay->at({35, 4, 4}), 2);
   EXPECT_EQ(oneWay->at({40, 4, 4}), 2);
@@ -125,7 +126,7 @@ TEST(Grower, LabelsOfAnotherGridAreBroughtOntoTheVolumes) {
   Shared<LabelVolume> coarse(makeLabels(
       {20, 20, 20}, [](glm::ivec3 v) { return v.x < 10 ? 5 : 0; }, centredFrame({20, 20, 20}, glm::dvec3(2.0))));
   Progress progress;
-  auto labels = growLabels(volume, coarse, std::vector{stepOf(6, {{5, 5, 5}}, 1, 10)}, progress);
+  auto labels = growLabels(volume, coarse, std::vector{stepOf(6, {{5, 5, 5}}, 1, 10)}, 0, progress);
   EXPECT_EQ(labels->dims(), volume->dims);
   EXPECT_EQ(labels->at({19, 3, 3}), 5);
   EXPECT_EQ(labels->at({20, 3, 3}), 6);
@@ -162,8 +163,8 @@ TEST(Grower, CancelledItHasChangedNothing) {
 TEST(Grower, RefusesLabelsThatCannotBe) {
   Shared<Volume> volume(makeVolume({4, 4, 4}, SampleType::UInt8, [](glm::ivec3) { return 1; }));
   Progress progress;
-  EXPECT_THROW(growLabels(volume, {}, std::vector{stepOf(0, {}, 0, 1)}, progress), ArgumentError);
-  EXPECT_THROW(growLabels(volume, {}, std::vector{stepOf(65536, {}, 0, 1)}, progress), ArgumentError);
+  EXPECT_THROW(growLabels(volume, {}, std::vector{stepOf(0, {}, 0, 1)}, 0, progress), ArgumentError);
+  EXPECT_THROW(growLabels(volume, {}, std::vector{stepOf(65536, {}, 0, 1)}, 0, progress), ArgumentError);
 }
 
 }  // namespace

@@ -19,6 +19,8 @@ struct GrowRule {
   bool operator==(const GrowRule&) const = default;
 };
 GrowRule ruleOf(const scene::Growth& growth);
+/// @throw ArgumentError when a volume has no such channel or time step
+void checkRule(const GrowRule& rule, const Volume& volume);
 
 /// The voxel that holds a place of the world; may lie outside.
 glm::ivec3 voxelAt(const Volume& volume, glm::dvec3 world);

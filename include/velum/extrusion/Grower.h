@@ -1,7 +1,6 @@
 #pragma once
 #include <list>
 #include <optional>
-#include <span>
 
 #include "velum/core/LabelVolume.h"
 #include "velum/core/Shared.h"
@@ -13,7 +12,8 @@
 namespace velum::extrusion {
 
 struct GrowOptions {
-  bool guard = false;  ///< stops before a slab in which the region leaks
+  bool guard = false;         ///< stops before a slab in which the region leaks
+  Shared<LabelVolume> begun;  ///< it begins at what the structure has in these, too, where that may join
 };
 
 /// Where a guard has stopped a step.
@@ -33,8 +33,9 @@ struct Grown {
   std::optional<Leak> leak;
 };
 
-/// Does steps of growing one after the other. A step's result depends on the volume, the labels before it and the step
-/// alone; what a Grower keeps between steps only saves time. One thread at a time; a step works on all cores.
+/// Does steps of growing one after the other, but for their end, see smoothRegion(). A step's result depends on the
+/// volume, the labels before it and the step alone; what a Grower keeps between steps only saves time. One thread at a
+/// time; a step works on all cores.
 class Grower {
  public:
   /// @param before  on the volume's grid, see labelsFor()
@@ -53,10 +54,5 @@ class Grower {
                                  const scene::Growth& step);
   std::list<Kept> mKept;  ///< the last one used comes first
 };
-
-/// All steps of a scene, one after the other, onto what is given.
-/// @throw Cancelled, ArgumentError
-Shared<LabelVolume> growLabels(const Shared<Volume>& volume, const Shared<LabelVolume>& given,
-                               std::span<const scene::Growth> steps, Progress& progress);
 
 }  // namespace velum::extrusion

@@ -40,6 +40,8 @@ class RegionGrow {
   /// Grows from here, too: the voxel joins where it may join, be it outside of any domain, and its neighbours are
   /// tried, from now until forgetSeeds(). Nothing outside the volume.
   void addSeed(glm::ivec3 voxel);
+  /// Each voxel that a structure has in other labels joins where it may join. @param labels  on the volume's grid
+  void addSeeds(const LabelVolume& labels, int structure);
   /// From now on only the region itself is grown from. A seed that has joined is part of it.
   void forgetSeeds();
   /// One step. Where it is cancelled, what has joined stays, and the next step goes on from there.

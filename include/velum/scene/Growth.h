@@ -23,7 +23,7 @@ struct Barrier {
 ///
 /// A step begins at its seeds and at what the structure has already, and takes all voxels that are joined to them by
 /// faces through voxels of its values that nobody owns and that lie as deep in the removed side as it says ([ACS] Prop.
-/// 1 and 3).
+/// 1 and 3). At its end what has grown may be smoothed.
 struct Growth {
   static constexpr double kEndless = std::numeric_limits<double>::infinity();
 
@@ -32,11 +32,13 @@ struct Growth {
   double low = 0.0, high = 0.0;   ///< values that belong to it, the volume's unit, both ends included
   double steepest = kEndless;     ///< gradient magnitude at which it stops, value/length
   int within = 0;                 ///< structure of which it takes a connected part; 0: of what has no label
-  int channel = 0, timeStep = 0;  ///< of the volume
+  int channel = 0, timeStep = 0;  ///< of the volume, where it was clicked; it is carried to other time steps
   glm::dvec3 centre{0.0};         ///< a point of the plane out of which it is pulled
   glm::dvec3 axis{0.0};           ///< towards its removed side; zero: everywhere
   double distance = kEndless;     ///< how deep in the removed side it goes
   std::vector<Barrier> barriers;  ///< that it does not enter
+  double closing = 0.0;           ///< radius of balls that find no way into it when it has grown; 0: it stays as it is
+  bool fillHoles = false;         ///< what it encloses becomes part of it
   bool operator==(const Growth&) const = default;
   static void fields(auto& o, auto& visit) {
     visit("structure", o.structure, FieldInfo{"", {1, 65535}, "Label that it grows."});
@@ -48,12 +50,17 @@ struct Growth {
     visit("within", o.within,
           FieldInfo{"", {0, 65535}, "Structure of which it takes a connected part; 0: of what has no label."});
     visit("channel", o.channel, FieldInfo{"", {0, 1e9}, "Channel whose values are meant."});
-    visit("timeStep", o.timeStep, FieldInfo{"", {0, 1e9}, "Time step whose values are meant."});
+    visit("timeStep", o.timeStep,
+          FieldInfo{"", {0, 1e9}, "Time step whose values are meant; it is carried to others."});
     visit("centre", o.centre, FieldInfo{kLength, {}, "A point of the plane out of which it is pulled."});
     visit("axis", o.axis, FieldInfo{"", {}, "Towards the plane's removed side; 0 0 0: it grows everywhere."});
     visit("distance", o.distance,
           FieldInfo{kLength, {0}, "How deep in the removed side it grows; null: all of it.", false, true});
     visit("barriers", o.barriers, FieldInfo{"", {}, "Strokes that it does not enter."});
+    visit(
+        "closing", o.closing,
+        FieldInfo{kLength, {0, 1e9}, "Radius of balls that find no way into it when it has grown; 0: none are tried."});
+    visit("fillHoles", o.fillHoles, FieldInfo{"", {}, "What it encloses becomes part of it."});
   }
 };
 

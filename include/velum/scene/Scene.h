@@ -55,7 +55,7 @@ struct LabelLayer {
   Shared<LabelVolume> data;     ///< not saved: `given` with the growths that are in `grown`
   std::vector<Growth> growths;  ///< what was grown out of the volume on demand, in its order
   Shared<LabelVolume> given;    ///< not saved: what `source` holds, where there are growths
-  std::vector<Growth> grown;    ///< not saved: the growths that `data` holds; others are on their way
+  std::vector<Growth> grown;    ///< not saved: the growths that `data` holds, of its time step; others are on their way
   bool visible = true;
   double tint = 1.0;        ///< how far structures take their own colour rather than the transfer function's, 0..1
   double unlabelled = 1.0;  ///< factor on the opacity of what has no label, 0..1

@@ -6,8 +6,9 @@
 
 #include "velum/core/Clock.h"
 #include "velum/extrusion/GrowDomain.h"
-#include "velum/extrusion/Grower.h"
+#include "velum/extrusion/GrowOverTime.h"
 #include "velum/extrusion/LabelsFor.h"
+#include "velum/extrusion/SmoothRegion.h"
 
 namespace velum::session {
 
@@ -24,8 +25,24 @@ using Steps = std::vector<scene::Growth>;
 struct Progressed {
   Shared<LabelVolume> labels;
   Steps steps;
-  std::int64_t voxels = 0;  ///< of the last step
+  Shared<LabelVolume> rough;  ///< the same before the last step's end; nothing where that is not known
+  std::int64_t voxels = 0;    ///< of the last step
   std::optional<Leak> leak;
+
+  /// Labels that hold all steps to their ends.
+  void take(const Shared<LabelVolume>& whole) {
+    labels = whole;
+    rough = steps.empty() || !extrusion::isSmoothed(steps.back()) ? whole : Shared<LabelVolume>();
+    voxels = 0;
+  }
+};
+
+/// What is wanted: steps as they are at the time step that is shown, and as they were made.
+struct Goal {
+  Steps steps, made;
+  std::size_t carried = 0;  ///< of the first so many nothing is shown before they are done
+  bool operator==(const Goal&) const = default;
+  bool isCarried(std::size_t i) const { return i < carried || steps[i].timeStep != made[i].timeStep; }
 };
 
 /// True when a step is another one that has not come so far.
@@ -43,6 +60,11 @@ bool isOnTheWay(const Steps& grown, const Steps& wanted) {
          (grown.back() == wanted[grown.size() - 1] || goesOn(grown.back(), wanted[grown.size() - 1]));
 }
 
+bool isOnTheWay(const Progressed& now, const Steps& wanted) {
+  if (!isOnTheWay(now.steps, wanted)) return false;
+  return now.steps.empty() || bool(now.rough) || now.steps.back() == wanted[now.steps.size() - 1];
+}
+
 /// Beyond this depth nothing of the volume lies.
 double deepest(const Volume& volume, const scene::Growth& step) {
   extrusion::GrowDomain domain(volume, step.centre, step.axis, step.distance);
@@ -54,44 +76,67 @@ double deepest(const Volume& volume, const scene::Growth& step) {
 struct GrowthPlayer::State {
   Shared<Volume> volume;
   Shared<LabelVolume> given;
-  Steps wanted, goal;  ///< of the scene; of the work
+  Goal wanted, goal;  ///< of the scene; of the work
   Progressed now;
   std::set<int> trusted;
   std::string error;
   bool isWorking = false, isObsolete = false, hasNews = false;
   extrusion::Grower grower;  ///< Of the work, while there is one.
+  extrusion::GrowOverTime overTime;
 
-  void restart() { now = {volume ? extrusion::labelsFor(*volume, given) : given, {}, 0, now.leak}; }
-  Progressed growSome(const Shared<Volume>& of, Progressed from, const Steps& all, const std::set<int>& unguarded,
-                      Progress& progress);
+  void restart() {
+    now.steps.clear();
+    now.take(volume ? extrusion::labelsFor(*volume, given) : given);
+  }
+  Progressed growSome(const Shared<Volume>& of, const Shared<LabelVolume>& ground, Progressed to, const Goal& all,
+                      const std::set<int>& unguarded, Progress& progress);
+  double growPart(const Shared<Volume>& of, Progressed& to, const scene::Growth& step, double reached, double slabs,
+                  bool guard, Progress& progress);
 };
 
 /// Goes on for about kWorkMs.
-Progressed GrowthPlayer::State::growSome(const Shared<Volume>& of, Progressed from, const Steps& all,
-                                         const std::set<int>& unguarded, Progress& progress) {
+Progressed GrowthPlayer::State::growSome(const Shared<Volume>& of, const Shared<LabelVolume>& ground, Progressed to,
+                                         const Goal& all, const std::set<int>& unguarded, Progress& progress) {
   auto start = Clock::now();
   double slabs = kFirstSlabs;
-  while (from.steps != all && msSince(start) < kWorkMs) {
-    bool isNew = from.steps.empty() || from.steps.back() == all[from.steps.size() - 1];
-    const scene::Growth& step = all[from.steps.size() - (isNew ? 0 : 1)];
-    double reached = isNew ? 0.0 : from.steps.back().distance;
-    scene::Growth part = step;
-    double next = reached + slabs * extrusion::slabThickness(*of);
-    if (next < std::min(step.distance, deepest(*of, step))) part.distance = next;
-    auto partStart = Clock::now();
-    extrusion::Grown grown = grower.grow(of, from.labels, part, {.guard = !unguarded.count(step.structure)}, progress);
-    if (msSince(partStart) < kQuickMs) slabs *= 2.0;
-    from.labels = grown.labels;
-    from.voxels = (isNew ? 0 : from.voxels) + std::int64_t(grown.voxels);
-    if (isNew) from.steps.push_back(part);
-    from.steps.back().distance = part.distance;
-    if (!grown.leak) continue;
-    from.steps.back().distance = std::max(reached, grown.distance);
-    from.leak =
-        Leak{step.structure, from.steps.back().distance, grown.leak->area / std::max(grown.leak->widestBefore, 1e-12)};
-    break;
+  while (to.steps != all.steps && slabs > 0.0 && msSince(start) < kWorkMs) {
+    bool isNew = to.steps.empty() || to.steps.back() == all.steps[to.steps.size() - 1];
+    std::size_t place = to.steps.size() - (isNew ? 0 : 1);
+    const scene::Growth& step = all.steps[place];
+    double reached = isNew ? 0.0 : to.steps.back().distance;
+    if (isNew) {
+      to.steps.push_back(step);
+      to.rough = to.labels;
+      to.voxels = 0;
+    }
+    if (all.isCarried(place)) {
+      to.steps.back() = step;
+      to.take(overTime.labelsAt(step.timeStep, place + 1, of, ground, all.made, progress));
+    } else {
+      slabs = growPart(of, to, step, reached, slabs, !unguarded.count(step.structure), progress);
+    }
   }
-  return from;
+  return to;
+}
+
+/// So many slabs more of the last step. @return how many may be next; 0: none, it leaks
+double GrowthPlayer::State::growPart(const Shared<Volume>& of, Progressed& to, const scene::Growth& step,
+                                     double reached, double slabs, bool guard, Progress& progress) {
+  scene::Growth part = step;
+  double next = reached + slabs * extrusion::slabThickness(*of);
+  if (next < std::min(step.distance, deepest(*of, step))) part.distance = next;
+  auto start = Clock::now();
+  extrusion::Grown grown = grower.grow(of, to.rough, part, {.guard = guard, .begun = {}}, progress);
+  if (msSince(start) < kQuickMs) slabs *= 2.0;
+  if (grown.leak) {
+    part.distance = std::max(reached, grown.distance);
+    to.leak = Leak{step.structure, part.distance, grown.leak->area / std::max(grown.leak->widestBefore, 1e-12)};
+  }
+  to.labels = to.rough = grown.labels;
+  to.voxels += std::int64_t(grown.voxels);
+  to.steps.back() = part;
+  if (grown.leak || part == step) to.labels = extrusion::smoothRegion(of, to.rough, part, progress).labels;
+  return grown.leak ? 0.0 : slabs;
 }
 
 GrowthPlayer::GrowthPlayer() : mState(std::make_unique<State>()) {}
@@ -99,36 +144,44 @@ GrowthPlayer::~GrowthPlayer() = default;
 
 bool GrowthPlayer::isDue() const {
   const State& s = *mState;
-  return s.volume && s.error.empty() && s.now.steps != s.wanted;
+  return s.volume && s.error.empty() && s.now.steps != s.wanted.steps;
 }
 
 void GrowthPlayer::follow(const scene::Scene& scene) {
   State& s = *mState;
   const auto& labels = scene.labels;
   bool isSameData = s.volume == scene.volume.data && (s.given == labels.given || labels.growths.empty());
-  if (isSameData && s.wanted == labels.growths) return;
-  if (s.wanted != labels.growths) s.error.clear();
-  s.wanted = labels.growths;
+  Goal wanted{growthsNow(scene), labels.growths, s.wanted.carried};
+  if (isSameData && s.wanted == wanted) return;
+  if (s.wanted.steps != wanted.steps) s.error.clear();
+  bool isOtherTime = isSameData && !wanted.steps.empty() && !s.wanted.steps.empty() &&
+                     wanted.steps.front().timeStep != s.wanted.steps.front().timeStep;
+  if (isOtherTime) wanted.carried = wanted.steps.size();
+  s.wanted = wanted;
   s.volume = scene.volume.data;
-  if (!s.wanted.empty()) s.given = labels.given;
+  if (!s.wanted.steps.empty()) s.given = labels.given;
   // What the scene holds already is as good as what is here: it may have been read, or come back by undo.
-  if (labels.grown == labels.growths && !labels.growths.empty()) {
-    if (s.now.labels != labels.data) s.now = {labels.data, labels.grown, 0, {}};
+  if (labels.grown == s.wanted.steps && !labels.growths.empty()) {
+    s.wanted.carried = 0;
     s.now.steps = labels.grown;
+    if (s.now.labels != labels.data) {
+      s.now.leak.reset();
+      s.now.take(labels.data);
+    }
     s.hasNews = false;
     s.isObsolete = s.isWorking;
     return;
   }
-  if (isSameData && isOnTheWay(s.now.steps, s.wanted)) {
+  if (isSameData && isOnTheWay(s.now, s.wanted.steps)) {
     // But the work may go too far.
-    s.isObsolete = s.isWorking && (s.isObsolete || !isOnTheWay(s.goal, s.wanted));
+    s.isObsolete = s.isWorking && (s.isObsolete || !isOnTheWay(s.goal.steps, s.wanted.steps));
     return;
   }
   s.isObsolete = s.isWorking;
   s.now.leak.reset();
   s.restart();
   // Without any steps the labels are what was given.
-  s.hasNews = s.wanted.empty() && !labels.grown.empty();
+  s.hasNews = s.wanted.steps.empty() && !labels.grown.empty();
 }
 
 Player::Work GrowthPlayer::nextWork() {
@@ -138,12 +191,15 @@ Player::Work GrowthPlayer::nextWork() {
   s.isObsolete = false;
   s.goal = s.wanted;
   if (!s.now.labels) s.restart();
-  return [this, volume = s.volume, from = s.now, all = s.wanted, trusted = s.trusted](Progress& progress) -> Finish {
-    Progressed to = mState->growSome(volume, from, all, trusted, progress);
+  return [this, volume = s.volume, given = s.given, from = s.now, goal = s.wanted,
+          trusted = s.trusted](Progress& progress) -> Finish {
+    Progressed to = mState->growSome(volume, given, from, goal, trusted, progress);
     return [this, to = std::move(to)] {
-      if (mState->isObsolete) return;
-      mState->now = to;
-      mState->hasNews = true;
+      State& now = *mState;
+      if (now.isObsolete) return;
+      now.now = to;
+      now.hasNews = to.steps.size() >= std::min(now.wanted.carried, now.wanted.steps.size());
+      if (now.hasNews) now.wanted.carried = 0;
     };
   };
 }
@@ -166,7 +222,7 @@ void GrowthPlayer::complete(scene::Scene& scene) {
   State& s = *mState;
   s.hasNews = false;
   auto& labels = scene.labels;
-  labels.data = s.wanted.empty() ? s.given : s.now.labels;
+  labels.data = s.wanted.steps.empty() ? s.given : s.now.labels;
   labels.grown = s.now.steps;
   scene::completeStructures(labels);
   if (s.now.leak && !s.now.steps.empty() && s.now.steps.back().structure == s.now.leak->structure)
@@ -182,7 +238,7 @@ GrowthStatus GrowthPlayer::status() const {
 std::optional<Leak> GrowthPlayer::stop() const {
   const State& s = *mState;
   if (!isDue()) return std::nullopt;
-  if (s.now.steps.empty()) return Leak{s.wanted.back().structure, 0.0, 0.0};
+  if (s.now.steps.empty()) return Leak{s.wanted.steps.back().structure, 0.0, 0.0};
   return Leak{s.now.steps.back().structure, s.now.steps.back().distance, 0.0};
 }
 

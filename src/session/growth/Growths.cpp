@@ -1,28 +1,54 @@
 #include "velum/session/growth/Growths.h"
 
 #include <algorithm>
+#include <cmath>
 #include <ranges>
+#include <set>
+#include <tuple>
 
-#include "velum/extrusion/Grower.h"
+#include "velum/extrusion/GrowRule.h"
 
 namespace velum::session {
 
-bool isGrown(const scene::Scene& scene) { return scene.labels.grown == scene.labels.growths; }
+namespace {
+
+/// Places along one piece of a stroke.
+constexpr double kMostAlong = 1e5;
+
+}  // namespace
+
+std::vector<scene::Growth> growthsNow(const scene::Scene& scene) {
+  std::vector<scene::Growth> steps = scene.labels.growths;
+  if (const auto& volume = scene.volume.data)
+    for (auto& step : steps) step.timeStep = std::clamp(scene.volume.timeStep, 0, volume->timeSteps - 1);
+  return steps;
+}
+
+bool isGrown(const scene::Scene& scene) { return scene.labels.grown == growthsNow(scene); }
 
 void markGiven(scene::LabelLayer& labels) {
   if (labels.growths.empty() && labels.grown.empty()) labels.given = labels.data;
 }
 
 std::vector<std::string> settleGrowths(scene::Scene& scene, Progress& progress) {
+  extrusion::GrowOverTime known;
+  return settleGrowths(scene, known, progress);
+}
+
+std::vector<std::string> settleGrowths(scene::Scene& scene, extrusion::GrowOverTime& known, Progress& progress) {
   auto& labels = scene.labels;
   if (isGrown(scene) || !scene.volume.data) return {};
   if (labels.grown.empty() && !labels.given) labels.given = labels.data;
-  auto grown = extrusion::growLabels(scene.volume.data, labels.given, labels.growths, progress);
-  std::vector<std::string> notes = grown->warnings;
-  labels.data = labels.growths.empty() ? labels.given : grown;
-  labels.grown = labels.growths;
+  std::vector<scene::Growth> steps = growthsNow(scene);
+  if (steps.empty()) {
+    labels.data = labels.given;
+  } else {
+    labels.data =
+        known.labelsAt(steps.front().timeStep, steps.size(), scene.volume.data, labels.given, labels.growths, progress);
+  }
+  labels.grown = std::move(steps);
   scene::completeStructures(labels);
-  return notes;
+  return labels.growths.empty() ? std::vector<std::string>() : labels.data->warnings;
 }
 
 const scene::Growth* lastGrowth(const scene::Scene& scene, int structure) {
@@ -34,6 +60,45 @@ const scene::Growth* lastGrowth(const scene::Scene& scene, int structure) {
 void changeGrowth(scene::Scene& scene, int structure, const std::function<void(scene::Growth&)>& change) {
   for (auto& step : scene.labels.growths)
     if (step.structure == structure) change(step);
+  growOn(scene, structure);
+}
+
+std::vector<glm::dvec3> placesAlong(const Volume& volume, std::span<const glm::dvec3> path) {
+  constexpr double kStep = 0.25;  // voxels
+  glm::dmat4 voxelFromWorld = glm::inverse(volume.worldFromVoxel);
+  std::set<std::tuple<int, int, int>> seen;
+  std::vector<glm::dvec3> places;
+  auto add = [&](glm::dvec3 place) {
+    glm::ivec3 voxel = extrusion::voxelAt(volume, place);
+    if (extrusion::isInside(volume, voxel) && seen.insert({voxel.x, voxel.y, voxel.z}).second)
+      places.push_back(glm::dvec3(volume.worldFromVoxel * glm::dvec4(voxel, 1.0)));
+  };
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    glm::dvec3 from = path[i], to = path[std::min(i + 1, path.size() - 1)];
+    double voxels = glm::length(glm::dmat3(voxelFromWorld) * (to - from));
+    int count = int(std::ceil(std::min(voxels / kStep, kMostAlong)));
+    for (int k = 0; k <= count; ++k) add(glm::mix(from, to, count > 0 ? double(k) / count : 0.0));
+  }
+  return places;
+}
+
+std::size_t addSeeds(scene::Scene& scene, int structure, std::span<const glm::dvec3> places) {
+  const scene::Growth* last = lastGrowth(scene, structure);
+  auto& steps = scene.labels.growths;
+  if (!last || !scene.volume.data || steps.size() >= scene::kMostGrowths) return 0;
+  const Volume& volume = *scene.volume.data;
+  scene::Growth step = *last;
+  step.timeStep = std::clamp(scene.volume.timeStep, 0, volume.timeSteps - 1);
+  step.seeds.clear();
+  for (glm::dvec3 place : places) {
+    glm::ivec3 voxel = extrusion::voxelAt(volume, place);
+    if (!extrusion::isInside(volume, voxel)) continue;
+    double value = valueAt(volume, voxel, step.channel, step.timeStep);
+    if (value >= step.low && value <= step.high) step.seeds.push_back(place);
+  }
+  if (step.seeds.empty()) return 0;
+  steps.push_back(step);
+  return steps.back().seeds.size();
 }
 
 void removeGrown(scene::Scene& scene, int structure) {

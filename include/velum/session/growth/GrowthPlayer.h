@@ -20,7 +20,8 @@ struct GrowthStatus {
 
 /// Grows what a scene's growths ask for ([ACS] 4.2): beside, a little at a time, so that the window answers and shows
 /// the front as it comes. What has grown is written into the scene's labels as it is found. Undo and edits of steps are
-/// followed: what goes on from where it stands goes on, anything else begins again from the labels that were given.
+/// followed: what goes on from where it stands goes on, anything else begins again from the labels that were given. At
+/// another time step of the volume structures are shown when all have been carried there, see extrusion::GrowOverTime.
 class GrowthPlayer : public Player {
  public:
   GrowthPlayer();

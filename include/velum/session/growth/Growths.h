@@ -1,9 +1,11 @@
 #pragma once
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "velum/core/Task.h"
+#include "velum/extrusion/GrowOverTime.h"
 #include "velum/scene/Scene.h"
 
 namespace velum::session {
@@ -16,18 +18,30 @@ struct Leak {
   bool operator==(const Leak&) const = default;
 };
 
-/// The labels hold all growths of the scene.
+/// The steps as they are grown at the scene's time step, see extrusion::GrowOverTime: what is to be in `grown`.
+std::vector<scene::Growth> growthsNow(const scene::Scene& scene);
+/// The labels hold all growths of the scene, at its time step.
 bool isGrown(const scene::Scene& scene);
 /// Says that the labels hold no growths yet: before the first one is added, and when they have been read.
 void markGiven(scene::LabelLayer& labels);
 /// Grows all that the scene asks for, at once. Any thread.
 /// @return what the user should know, one line each  @throw Cancelled
 std::vector<std::string> settleGrowths(scene::Scene& scene, Progress& progress);
+/// The same for one time step after another. @param known  of those before: saves time
+std::vector<std::string> settleGrowths(scene::Scene& scene, extrusion::GrowOverTime& known, Progress& progress);
 
 /// The last step of a structure; null when it was not grown.
 const scene::Growth* lastGrowth(const scene::Scene& scene, int structure);
-/// A change of each step of a structure: another range, a gradient stop, barriers. It grows anew from its seeds.
+/// A change of each step of a structure: another range, a gradient stop, barriers. It grows anew from its seeds, as far
+/// as it is pulled: what held it before may be mended.
 void changeGrowth(scene::Scene& scene, int structure, const std::function<void(scene::Growth&)>& change);
+/// The middles of the voxels along a stroke, each once, in its order. None outside the volume.
+std::vector<glm::dvec3> placesAlong(const Volume& volume, std::span<const glm::dvec3> path);
+/// A structure that was grown goes on from more places, as far as it goes already: a step that follows its others, so
+/// that nothing is grown anew. Of a click, or of a stroke, see placesAlong(). Places whose voxels have no values of its
+/// range are left out, and where none is left nothing changes.
+/// @return how many it goes on from
+std::size_t addSeeds(scene::Scene& scene, int structure, std::span<const glm::dvec3> places);
 /// Forgets a structure that was grown: its steps, its row, and what cuts spare of it.
 void removeGrown(scene::Scene& scene, int structure);
 

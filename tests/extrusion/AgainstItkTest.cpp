@@ -1,38 +1,15 @@
 #include <gtest/gtest.h>
-#include <itkConnectedThresholdImageFilter.h>
-#include <itkImage.h>
-#include <itkImportImageFilter.h>
 
 #include <cstdlib>
 #include <filesystem>
 
 #include "RandomGrowing.h"
+#include "growByItk.h"
 #include "velum/extrusion/RegionGrow.h"
 #include "velum/io/volumes/ReadVolume.h"
 
 namespace velum::extrusion {
 namespace {
-
-/// What ITK grows, a byte a voxel.
-template <class T>
-std::vector<std::uint8_t> growWithItk(const Volume& volume, const T* samples, glm::ivec3 seed, double low,
-                                      double high) {
-  using In = itk::Image<T, 3>;
-  using Out = itk::Image<std::uint8_t, 3>;
-  auto import = itk::ImportImageFilter<T, 3>::New();
-  typename In::SizeType size{
-      {itk::SizeValueType(volume.dims.x), itk::SizeValueType(volume.dims.y), itk::SizeValueType(volume.dims.z)}};
-  import->SetRegion(typename In::RegionType(size));
-  import->SetImportPointer(const_cast<T*>(samples), voxelCount(volume), false);
-  auto filter = itk::ConnectedThresholdImageFilter<In, Out>::New();
-  filter->SetInput(import->GetOutput());
-  filter->SetLower(T(low));
-  filter->SetUpper(T(high));
-  filter->AddSeed({{seed.x, seed.y, seed.z}});
-  filter->Update();
-  const std::uint8_t* out = filter->GetOutput()->GetBufferPointer();
-  return {out, out + voxelCount(volume)};
-}
 
 /// Compares one region voxel by voxel. @return its voxels
 std::size_t expectWhatItkGrows(const Shared<Volume>& volume, glm::ivec3 seed, double low, double high) {
@@ -40,14 +17,7 @@ std::size_t expectWhatItkGrows(const Shared<Volume>& volume, glm::ivec3 seed, do
   Progress progress;
   if (valueAt(*volume, seed) >= low && valueAt(*volume, seed) <= high) region.addSeed(seed);
   region.grow({}, progress);
-  auto wanted = visitSamples(*volume, [&](auto* samples) {
-    using T = std::remove_const_t<std::remove_pointer_t<decltype(samples)>>;
-    if constexpr (std::is_same_v<T, float> || std::is_same_v<T, std::int16_t> || std::is_same_v<T, std::uint8_t> ||
-                  std::is_same_v<T, std::uint16_t>)
-      return growWithItk(*volume, samples, seed, (low - volume->offset) / volume->scale,
-                         (high - volume->offset) / volume->scale);
-    return std::vector<std::uint8_t>();
-  });
+  auto wanted = growByItk(*volume, seed, low, high).voxels;
   std::size_t differ = 0, i = 0;
   for (int z = 0; z < volume->dims.z; ++z)
     for (int y = 0; y < volume->dims.y; ++y)

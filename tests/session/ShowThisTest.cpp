@@ -44,6 +44,20 @@ TEST(MeasureTissue, FindsMedianAndNoise) {
   EXPECT_NEAR(tissue->spread, 9.2, 5);  // four uniform numbers of width 16: 16 / sqrt(3)
 }
 
+TEST(MeasureTissue, AHistogramIsCountedOnceAVolume) {
+  scene::Scene scene = organs(), other = organs();
+  HistogramMemo histograms;
+  auto tissue = measureTissue(scene.volume, kLeftMm, histograms);
+  const std::uint64_t* counted = histograms.of(scene.volume).counts.data();
+  auto again = measureTissue(scene.volume, kLeftMm, histograms), alone = measureTissue(scene.volume, kLeftMm);
+  EXPECT_EQ(histograms.of(scene.volume).counts.data(), counted) << "not counted again";
+  ASSERT_TRUE(tissue && again && alone);
+  for (const auto& one : {again, alone}) EXPECT_EQ(one->low, tissue->low);
+  EXPECT_EQ(histograms.of(scene.volume).counts, valueHistogram(*scene.volume.data, 0, 0).counts);
+  other.volume.data = Shared<Volume>(makeVolume(kDims, SampleType::Int16, [](glm::ivec3 p) { return p.x; }));
+  EXPECT_EQ(histograms.of(other.volume).counts, valueHistogram(*other.volume.data, 0, 0).counts);
+}
+
 TEST(MeasureTissue, ABorderNearbyDoesNotMix) {
   scene::Scene scene = organs();
   // A voxel inside the organ, against fat.

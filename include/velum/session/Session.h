@@ -8,6 +8,7 @@
 #include "velum/session/document/Document.h"
 #include "velum/session/document/WorkFile.h"
 #include "velum/session/growth/GrowthPlayer.h"
+#include "velum/session/look/ValueHistogram.h"
 #include "velum/session/membrane/MembranePlayer.h"
 
 namespace velum::session {
@@ -38,6 +39,8 @@ class Session {
   const MembranePlayer& membranes() const { return mMembranes; }
   GrowthPlayer& growth() { return mGrowth; }
   const GrowthPlayer& growth() const { return mGrowth; }
+  /// What tools that measure materials ask.
+  HistogramMemo& histograms() { return mHistograms; }
   /// Takes in what jobs have computed, and tells the end of the user's. Needs no context.
   void collect();
   /// Lets the players go on for about so long, with jobs for what is to be computed beside, and writes down what has
@@ -86,6 +89,7 @@ class Session {
   WorkFile mFile{mDocument};
   GrowthPlayer mGrowth;
   MembranePlayer mMembranes;
+  HistogramMemo mHistograms;
   std::vector<Playing> mPlaying;  ///< Never grows while jobs run: they know their place in it.
   std::function<void()> mListener, mWaker;
   std::unique_ptr<Job> mJob;

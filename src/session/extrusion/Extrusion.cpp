@@ -15,12 +15,11 @@ namespace {
 
 bool isEnd(double distance) { return distance > 0.0 && std::isfinite(distance); }
 
+bool isExtrusion(const scene::Spare& spare) { return isEnd(spare.distance) && spare.share > 0.0; }
+
 auto spareOf(auto& cut, int structure) {
   return std::find_if(cut.spares.begin(), cut.spares.end(), [&](const auto& s) { return s.structure == structure; });
 }
-
-/// Cuts whose rest or only face is a plane.
-bool isFlat(const scene::Cut& cut) { return cut.shape == scene::CutShape::Plane || scene::isMembrane(cut); }
 
 double sideOf(const scene::Cut& cut) { return cut.invert ? -1.0 : 1.0; }
 
@@ -30,7 +29,7 @@ std::vector<Extrusion> extrusionsOf(const scene::Scene& scene) {
   std::vector<Extrusion> out;
   for (const auto& cut : scene.cuts)
     for (const auto& spare : cut.spares)
-      if (isEnd(spare.distance) && spare.share > 0.0) out.push_back({cut.id, spare.structure, spare.distance});
+      if (isExtrusion(spare)) out.push_back({cut.id, spare.structure, spare.distance});
   return out;
 }
 
@@ -51,7 +50,21 @@ void resetExtrusions(scene::Scene& scene) {
   for (auto& cut : scene.cuts) std::erase_if(cut.spares, [](const auto& spare) { return isEnd(spare.distance); });
 }
 
+scene::Scene pulledOut(scene::Scene scene, double at) {
+  double turn = at * double(extrusionsOf(scene).size());  // of the next one, from 0 to 1
+  for (auto& cut : scene.cuts)
+    for (auto& spare : cut.spares) {
+      if (!isExtrusion(spare)) continue;
+      double t = std::clamp(turn, 0.0, 1.0);
+      spare.distance *= t * t * (3.0 - 2.0 * t);
+      turn -= 1.0;
+    }
+  return scene;
+}
+
 bool canPullFrom(const scene::Cut& cut) { return cut.enabled && !scene::isInlay(cut); }
+
+bool isFlat(const scene::Cut& cut) { return cut.shape == scene::CutShape::Plane || scene::isMembrane(cut); }
 
 double depthInCut(const scene::Cut& cut, glm::dvec3 world) {
   if (isFlat(cut)) return sideOf(cut) * glm::dot(world - cut.centre, cutFrame(cut)[2]);

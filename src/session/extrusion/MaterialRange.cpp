@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "velum/session/look/ShowThis.h"
-#include "velum/session/look/ValueHistogram.h"
 
 namespace velum::session {
 
@@ -52,11 +51,16 @@ std::optional<MaterialRange> segmentOf(const scene::TransferFunction& transfer, 
 }
 
 std::optional<MaterialRange> materialRangeAt(const scene::VolumeLayer& layer, glm::dvec3 world) {
-  std::optional<Tissue> tissue = measureTissue(layer, world);
+  HistogramMemo histograms;
+  return materialRangeAt(layer, world, histograms);
+}
+
+std::optional<MaterialRange> materialRangeAt(const scene::VolumeLayer& layer, glm::dvec3 world,
+                                             HistogramMemo& histograms) {
+  std::optional<Tissue> tissue = measureTissue(layer, world, histograms);
   if (!tissue) return std::nullopt;
   const Volume& volume = *layer.data;
-  int channel = std::clamp(layer.channel, 0, volume.channels - 1);
-  Histogram histogram = valueHistogram(volume, channel, std::clamp(layer.timeStep, 0, volume.timeSteps - 1));
+  const Histogram& histogram = histograms.of(layer);
   double value = tissue->value;
   bool isBrightest = value > quantile(histogram, 1.0 - kEnd), isDarkest = value < quantile(histogram, kEnd);
   double around = kSpreads * tissue->spread;

@@ -14,8 +14,6 @@ namespace velum::session {
 
 namespace {
 
-bool isFlat(const scene::Cut& cut) { return cut.shape == scene::CutShape::Plane || scene::isMembrane(cut); }
-
 /// Out of which plane the steps of a structure grow that is pulled out of a cut. Around closed shapes it grows in all
 /// directions, from a membrane's sheet from the farthest that it can lie.
 void setPlane(scene::Growth& growth, const scene::Cut& cut, double distance) {
@@ -66,8 +64,9 @@ glm::dvec3 seedBefore(const scene::Scene& scene, const scene::Cut& cut, glm::dve
   return world;
 }
 
-std::optional<Pull> newPull(const scene::Scene& scene, const scene::Cut& cut, glm::dvec3 world) {
-  auto range = materialRangeAt(scene.volume, world);
+std::optional<Pull> newPull(const scene::Scene& scene, const scene::Cut& cut, glm::dvec3 world,
+                            HistogramMemo& histograms) {
+  auto range = materialRangeAt(scene.volume, world, histograms);
   auto id = freeStructureId(scene);
   if (!range || !id || scene.labels.growths.size() >= scene::kMostGrowths) return std::nullopt;
   scene::Growth growth;
@@ -109,9 +108,15 @@ Pull pullAgain(const scene::Scene& scene, const Extrusion& extrusion) {
 }
 
 std::optional<Pull> beginPull(const scene::Scene& scene, int cutId, glm::dvec3 world, int structure) {
+  HistogramMemo histograms;
+  return beginPull(scene, cutId, world, structure, histograms);
+}
+
+std::optional<Pull> beginPull(const scene::Scene& scene, int cutId, glm::dvec3 world, int structure,
+                              HistogramMemo& histograms) {
   const scene::Cut* cut = scene::findCut(scene, cutId);
   if (!cut) return std::nullopt;
-  if (structure == 0) return scene.volume.data ? newPull(scene, *cut, world) : std::nullopt;
+  if (structure == 0) return scene.volume.data ? newPull(scene, *cut, world, histograms) : std::nullopt;
   return pullAgain(scene, {cutId, structure, 0.0});
 }
 

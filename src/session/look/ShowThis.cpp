@@ -5,8 +5,6 @@
 #include <functional>
 #include <vector>
 
-#include "velum/session/look/ValueHistogram.h"
-
 namespace velum::session {
 
 namespace {
@@ -204,6 +202,11 @@ void brighten(std::vector<scene::ColorPoint>& colors, const Tissue& tissue) {
 }  // namespace
 
 std::optional<Tissue> measureTissue(const scene::VolumeLayer& layer, glm::dvec3 world) {
+  HistogramMemo histograms;
+  return measureTissue(layer, world, histograms);
+}
+
+std::optional<Tissue> measureTissue(const scene::VolumeLayer& layer, glm::dvec3 world, HistogramMemo& histograms) {
   if (!layer.data) return std::nullopt;
   const Volume& volume = *layer.data;
   glm::dvec3 place(glm::inverse(volume.worldFromVoxel) * glm::dvec4(world, 1.0));
@@ -213,8 +216,7 @@ std::optional<Tissue> measureTissue(const scene::VolumeLayer& layer, glm::dvec3 
   glm::ivec3 middle = glm::clamp(glm::ivec3(glm::floor(place + 0.5)), glm::ivec3(0), last);
   auto here = voxelsAround(layer, middle, 0);
   if (here.empty()) return std::nullopt;
-  Histogram histogram = valueHistogram(volume, std::clamp(layer.channel, 0, volume.channels - 1),
-                                       std::clamp(layer.timeStep, 0, volume.timeSteps - 1));
+  const Histogram& histogram = histograms.of(layer);
   Tissue borders;
   findBorders(layer, middle, here.front().value, quantile(histogram, 0.999) - quantile(histogram, 0.001), borders);
   auto withinBorders = [&](int radius) {

@@ -34,6 +34,15 @@ Histogram valueHistogram(const Volume& volume, int channel, int timeStep) {
   return computeHistogram(volume, bins, channel, timeStep);
 }
 
+const Histogram& HistogramMemo::of(const scene::VolumeLayer& layer) {
+  const Volume& volume = *layer.data;
+  Key key{layer.data.id(), std::clamp(layer.channel, 0, volume.channels - 1),
+          std::clamp(layer.timeStep, 0, volume.timeSteps - 1)};
+  if (!(key == mKey)) mHistogram = valueHistogram(volume, key.channel, key.timeStep);
+  mKey = key;
+  return mHistogram;
+}
+
 Histogram gradientHistogram(const Volume& volume, int channel, int timeStep) {
   constexpr double kMostSamples = 1e6;
   int step = std::max(1, int(std::cbrt(double(voxelCount(volume)) / kMostSamples)));

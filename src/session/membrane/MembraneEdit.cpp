@@ -35,13 +35,13 @@ Curve withStretch(const Curve& old, double low, double high, double strength) {
   return out;
 }
 
-}  // namespace
+struct ValueRange {
+  double low, high;
+};
 
-void protectValues(scene::Membrane& membrane, double low, double high, double strength) {
-  if (!(low < high)) return;
-  membrane.field.byValue = withStretch(membrane.field.byValue, low, high, strength);
-}
-
+/// What is protected with a material: as far as its noise goes, but not beyond halfway to what is beside it; at an end
+/// of the data's values all that is brighter, or darker, too. Less than materialRangeAt(), which takes what hangs
+/// together only.
 ValueRange valuesOf(const Tissue& tissue, const scene::VolumeLayer& layer) {
   double low = tissue.value - kSpreads * tissue.spread, high = tissue.value + kSpreads * tissue.spread;
   const Volume& volume = *layer.data;
@@ -59,6 +59,13 @@ ValueRange valuesOf(const Tissue& tissue, const scene::VolumeLayer& layer) {
     high = std::min(high, tissue.high.value_or(high));
   }
   return {low, high};
+}
+
+}  // namespace
+
+void protectValues(scene::Membrane& membrane, double low, double high, double strength) {
+  if (!(low < high)) return;
+  membrane.field.byValue = withStretch(membrane.field.byValue, low, high, strength);
 }
 
 std::optional<Tissue> protectTissue(scene::Membrane& membrane, const scene::VolumeLayer& layer, glm::dvec3 world,

@@ -26,9 +26,16 @@ void setExtrusion(scene::Cut& cut, int structure, double distance);
 /// Puts all of them back that stand out of any cut. What is left whole stays so.
 void resetExtrusions(scene::Scene& scene);
 
+/// A moment of an animation in which all of them come out of their cuts one after the other, in the order of
+/// extrusionsOf(), each slowly at first and towards its end. Nothing else changes.
+/// @param at  0..1: at 0 none stands out, at 1 all do, and the scene is as it was
+scene::Scene pulledOut(scene::Scene scene, double at);
+
 /// Whether things can be pulled out of a cut: it is there, and no inlay.
 bool canPullFrom(const scene::Cut& cut);
 
+/// Cuts whose face is a plane, at rest at least: a membrane's sheet.
+bool isFlat(const scene::Cut& cut);
 /// How deep a place lies in what a cut removes, scene units; negative outside. Of a membrane: from its rest plane.
 double depthInCut(const scene::Cut& cut, glm::dvec3 world);
 /// Out of a cut's face at a place, into what it removes. Unit.

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "velum/scene/Scene.h"
+#include "velum/session/look/ValueHistogram.h"
 
 namespace velum::session {
 
@@ -17,7 +18,11 @@ struct MaterialRange {
 ///
 /// Differs: the paper takes the curve's segment as it is; where skin and bone are one segment bone would take its flesh
 /// with it.
+/// @param histograms  knows the layer's, or will
 /// @return nothing outside the volume
+std::optional<MaterialRange> materialRangeAt(const scene::VolumeLayer& layer, glm::dvec3 world,
+                                             HistogramMemo& histograms);
+/// The same, once.
 std::optional<MaterialRange> materialRangeAt(const scene::VolumeLayer& layer, glm::dvec3 world);
 
 /// The segment of a curve that a value lies in: from valley to valley. Nothing where it is hidden there.

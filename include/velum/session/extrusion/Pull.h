@@ -17,9 +17,13 @@ struct Pull {
 };
 
 /// What a click on a place of a cut's face, or of what stands out of it, is about to pull. Measures the material there
-/// where it has no label ([ACS] 4.2). Some milliseconds.
+/// where it has no label ([ACS] 4.2).
 /// @param structure  label there; 0: none
+/// @param histograms  counts the volume's values, some milliseconds for a large one, or knows them
 /// @return nothing where there is neither: outside the volume, in a scene without labels, or with all ids taken
+std::optional<Pull> beginPull(const scene::Scene& scene, int cut, glm::dvec3 world, int structure,
+                              HistogramMemo& histograms);
+/// The same, once.
 std::optional<Pull> beginPull(const scene::Scene& scene, int cut, glm::dvec3 world, int structure);
 
 /// Pulls it out so far: the spare, the new structure's row, and the step of growth, which goes as far as it has ever

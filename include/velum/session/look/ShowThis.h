@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "velum/scene/Scene.h"
+#include "velum/session/look/ValueHistogram.h"
 
 namespace velum::session {
 
@@ -18,6 +19,8 @@ struct Tissue {
 /// beside it does not count at all, so that a thin vessel is not taken for what is around it. Nothing outside the
 /// volume.
 std::optional<Tissue> measureTissue(const scene::VolumeLayer& layer, glm::dvec3 world);
+/// @param histograms  knows the layer's, or will
+std::optional<Tissue> measureTissue(const scene::VolumeLayer& layer, glm::dvec3 world, HistogramMemo& histograms);
 
 /// Makes the material at a place opaque: a bump of opacity over its values, in the colour that the colour map has there
 /// or, where that is dark, a brighter tone of it. All else becomes a veil that hides about a third of what is behind

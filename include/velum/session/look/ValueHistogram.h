@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "velum/core/Volume.h"
+#include "velum/scene/Scene.h"
 #include "velum/session/look/TransferTool.h"
 
 namespace velum::session {
@@ -9,6 +10,22 @@ namespace velum::session {
 /// How often each value occurs in one channel of one time step; bins as wide as whole numbers are apart, where that
 /// makes at most 4096. O(voxels) up to 16 million. Any thread.
 Histogram valueHistogram(const Volume& volume, int channel, int timeStep);
+
+/// Keeps the histogram that was counted last, for what asks at every press of a button.
+class HistogramMemo {
+ public:
+  /// Of the channel and time step that a layer shows, which has data. Lives until the next call.
+  const Histogram& of(const scene::VolumeLayer& layer);
+
+ private:
+  struct Key {
+    std::uint64_t volume = 0;
+    int channel = 0, timeStep = 0;
+    bool operator==(const Key&) const = default;
+  };
+  Key mKey;
+  Histogram mHistogram;
+};
 
 /// The same for the length of the gradient, value per, from about a million voxels, up to where all but a thousandth
 /// lie.

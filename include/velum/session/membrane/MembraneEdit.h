@@ -10,13 +10,6 @@ namespace velum::session {
 /// Strength of what is protected by one click.
 inline constexpr double kProtectStrength = 100.0;
 
-struct ValueRange {
-  double low = 0.0, high = 0.0;  ///< both included, the volume's unit
-};
-/// All values that belong to a material that was measured: as far as its noise goes, but not beyond halfway to what is
-/// beside it; at an end of the data's values all that is brighter, or darker, too.
-ValueRange valuesOf(const Tissue& tissue, const scene::VolumeLayer& layer);
-
 /// "Protect this": the membrane is to leave the material at a place whole, that is all with values like it; the
 /// brightest (or darkest) material of the data with all that is brighter (darker). What was protected before stays so.
 /// @param strength  < 0 draws the sheet to the material instead; 0 lets it through

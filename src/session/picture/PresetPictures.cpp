@@ -4,11 +4,9 @@
 #include <cmath>
 #include <cstring>
 
+#include "SmallPictures.h"
 #include "velum/core/Parallel.h"
-#include "velum/gpu/Context.h"
-#include "velum/render/Renderer.h"
 #include "velum/scene/Presets.h"
-#include "velum/session/picture/Picture.h"
 
 namespace velum::session {
 
@@ -88,16 +86,9 @@ scene::Scene presetScene(const scene::Scene& scene, const Shared<Volume>& small,
                          double aspect) {
   scene::Scene fitted;
   fitted.volume = scene.volume;
+  fitted.background = scene.background;
   scene::applyPreset(fitted, preset);
-  scene::Scene shown;
-  shown.volume.data = small;
-  shown.volume.transfer = scene::currentTransfer(fitted.volume);
-  glm::dvec2 window = scene::effectiveWindow(fitted.volume);
-  shown.volume.windowLevel = window.x, shown.volume.windowWidth = window.y;
-  shown.lighting = fitted.lighting;
-  shown.lighting.shadow = shown.lighting.occlusion = 0;
-  shown.background = scene.background;
-  shown.background.transparent = false;
+  scene::Scene shown = smallScene(fitted, small);
   shown.rayCast.samplesPerPixel = 1;
   // The box of what is visible fills the picture; a flat one does so better from aside.
   scene::Scene box;
@@ -111,20 +102,10 @@ scene::Scene presetScene(const scene::Scene& scene, const Shared<Volume>& small,
 
 void drawPresetPictures(const scene::Scene& scene, const std::vector<std::string>& presets, glm::ivec2 size,
                         const std::function<void(const std::string&, const Image&)>& done, Progress& progress) {
-  if (!scene.volume.data) return;
-  const Volume& volume = *scene.volume.data;
-  int channel = std::clamp(scene.volume.channel, 0, volume.channels - 1);
-  int timeStep = std::clamp(scene.volume.timeStep, 0, volume.timeSteps - 1);
-  Shared<Volume> small(reduceVolume(volume, channel, timeStep, kPreviewVoxels, progress));
-  auto context = gpu::Context::create(gpu::ContextKind::Auto);
-  render::Renderer renderer(*context);
-  for (std::size_t i = 0; i < presets.size(); ++i) {
-    progress.report(double(i) / double(presets.size()), presets[i]);
-    scene::Scene shown = presetScene(scene, small, presets[i], double(size.x) / size.y);
-    PictureOptions options;
-    options.size = size;
-    done(presets[i], drawPicture(renderer, shown, options, context->limits(), progress));
-  }
+  auto sceneOf = [&](const Shared<Volume>& small, const std::string& preset) {
+    return presetScene(scene, small, preset, double(size.x) / size.y);
+  };
+  drawSmallPictures(scene, presets, size, sceneOf, done, progress);
 }
 
 }  // namespace velum::session

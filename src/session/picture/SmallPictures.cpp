@@ -1,0 +1,44 @@
+#include "SmallPictures.h"
+
+#include <algorithm>
+
+#include "velum/gpu/Context.h"
+#include "velum/render/Renderer.h"
+#include "velum/session/picture/Picture.h"
+#include "velum/session/picture/PresetPictures.h"
+
+namespace velum::session {
+
+scene::Scene smallScene(const scene::Scene& look, const Shared<Volume>& small) {
+  scene::Scene shown;
+  shown.unit = look.unit;
+  shown.volume.data = small;
+  shown.volume.transfer = scene::currentTransfer(look.volume);
+  glm::dvec2 window = scene::effectiveWindow(look.volume);
+  shown.volume.windowLevel = window.x, shown.volume.windowWidth = window.y;
+  shown.lighting = look.lighting;
+  shown.lighting.shadow = shown.lighting.occlusion = 0;
+  shown.background = look.background;
+  shown.background.transparent = false;
+  return shown;
+}
+
+void drawSmallPictures(const scene::Scene& scene, const std::vector<std::string>& names, glm::ivec2 size,
+                       const std::function<scene::Scene(const Shared<Volume>& small, const std::string& name)>& sceneOf,
+                       const std::function<void(const std::string&, const Image&)>& done, Progress& progress) {
+  if (!scene.volume.data) return;
+  const Volume& volume = *scene.volume.data;
+  int channel = std::clamp(scene.volume.channel, 0, volume.channels - 1);
+  int timeStep = std::clamp(scene.volume.timeStep, 0, volume.timeSteps - 1);
+  Shared<Volume> small(reduceVolume(volume, channel, timeStep, kPreviewVoxels, progress));
+  auto context = gpu::Context::create(gpu::ContextKind::Auto);
+  render::Renderer renderer(*context);
+  PictureOptions options;
+  options.size = size;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    progress.report(double(i) / double(names.size()), names[i]);
+    done(names[i], drawPicture(renderer, sceneOf(small, names[i]), options, context->limits(), progress));
+  }
+}
+
+}  // namespace velum::session

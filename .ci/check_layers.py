@@ -26,7 +26,8 @@ ROOMS = {  # module: {room: rooms of the module it may include (its own is impli
     # The module's own folder has both the frame, which all know, and the renderer, which knows all.
     "render": {"upload": ".", "passes": ". upload", "section": ". upload"},
     "session": {"document": "growth", "growth": ".", "section": "", "structure": "", "cut": ".", "look": "document",
-                "extrusion": ". cut growth look structure", "membrane": ". cut look structure", "picture": "document membrane"},
+                "extrusion": ". cut growth look structure", "membrane": ". cut look structure",
+                "picture": "document extrusion growth membrane"},
     # A membrane is a cut: the panel of cuts holds its form.
     "gui": {"kit": "", "tool": "kit", "view": "kit tool", "look": "kit tool view", "structure": "kit tool view",
             "membrane": "kit tool view", "cut": "kit tool view membrane", "extrusion": "kit tool view",

@@ -8,10 +8,10 @@
 #include "velum/core/Error.h"
 #include "velum/core/Log.h"
 #include "velum/render/Renderer.h"
-#include "velum/scene/Navigate.h"
 #include "velum/session/document/Open.h"
+#include "velum/session/growth/Growths.h"
 #include "velum/session/membrane/Membranes.h"
-#include "velum/session/picture/Picture.h"
+#include "velum/session/picture/Animation.h"
 
 namespace velum::app {
 
@@ -20,7 +20,7 @@ namespace {
 struct RenderOptions {
   Common common;
   InputOptions input;
-  std::string output, size = "1280x720", saveScene, section;
+  std::string output, size = "1280x720", saveScene, section, animate;
   int samples = 0, frames = 0;
   double dpi = 0, timeout = 0;
   bool layers = false, transparent = false, bruteForce = false;
@@ -31,22 +31,45 @@ std::vector<std::string> outputNames(const RenderOptions& options) {
   if (options.frames == 0) return {options.output};
   if (options.output == "-") throw ArgumentError("--frames writes several files; name one with -o, e.g. turn.png");
   std::vector<std::string> names;
-  std::filesystem::path path(options.output);
-  for (int i = 0; i < options.frames; ++i)
-    names.push_back(
-        (path.parent_path() / fmt::format("{}-{:04}{}", path.stem().string(), i, path.extension().string())).string());
+  for (const auto& path : session::framePaths(options.output, options.frames)) names.push_back(path.string());
   return names;
 }
 
-/// One step of an animation: through time where the volume has time steps, else once round the data.
-scene::Scene frameOf(const scene::Scene& scene, int frame, int frames) {
-  scene::Scene out = scene;
-  if (scene.volume.data && scene.volume.data->timeSteps > 1)
-    out.volume.timeStep = frame * scene.volume.data->timeSteps / frames;
-  else
-    out.camera = scene::turntable(scene.camera, 2.0 * 3.14159265358979323846 * frame / frames);
-  return out;
+/// What moves in an animation; nothing for a single picture.
+std::optional<session::Motion> motionOf(const RenderOptions& options, const scene::Scene& scene) {
+  if (options.frames == 0 && !options.animate.empty())
+    throw ArgumentError("--animate: say how many pictures, with --frames");
+  if (options.frames == 0) return std::nullopt;
+  auto motion = options.animate.empty() ? session::usualMotion(scene) : enumValue<session::Motion>(options.animate);
+  if (!motion)
+    throw ArgumentError(fmt::format("--animate {}: not one of {}", options.animate,
+                                    fmt::join(EnumNames<session::Motion>::kNames, ", ")));
+  if (std::string why = session::whyStill(scene, *motion); !why.empty())
+    throw ArgumentError(fmt::format("--animate {}: {}", enumName(*motion), why));
+  if (*motion == session::Motion::Turn && !options.section.empty())
+    throw ArgumentError("--frames with --section goes through time steps, or with --animate pull pulls structures out");
+  return motion;
 }
+
+/// The scenes of its pictures, with all that has grown, in their order.
+class Frames {
+ public:
+  Frames(const RenderOptions& options, const scene::Scene& scene)
+      : mScene(scene), mMotion(motionOf(options, scene)), mCount(options.frames) {}
+
+  scene::Scene at(int frame) {
+    if (!mMotion) return mScene;
+    scene::Scene step = session::frameOf(mScene, *mMotion, frame, mCount);
+    session::settleGrowths(step, mGrowths, consoleProgress());
+    return step;
+  }
+
+ private:
+  const scene::Scene& mScene;
+  std::optional<session::Motion> mMotion;
+  int mCount;
+  extrusion::GrowOverTime mGrowths;
+};
 
 scene::SectionKind sectionKind(const std::string& name) {
   if (auto kind = enumValue<scene::SectionKind>(name)) return *kind;
@@ -60,8 +83,7 @@ int runSection(const RenderOptions& options) {
   glm::ivec2 size = session::parsePictureSize(options.size, options.dpi);
   if (options.layers) throw ArgumentError("--layers: a section has none; leave it out with --section");
   scene::Scene scene = openScene(options.input, double(size.x) / size.y);
-  if (options.frames > 0 && (!scene.volume.data || scene.volume.data->timeSteps < 2))
-    throw ArgumentError("--frames with --section goes through time steps, and this volume has none");
+  Frames frames(options, scene);
   session::PictureOptions picture{size, 0, options.transparent, false, options.dpi};
   std::vector<std::string> outputs = outputNames(options);
   std::unique_ptr<gpu::Context> context;
@@ -69,7 +91,7 @@ int runSection(const RenderOptions& options) {
   session::SheetsOverTime sheets;
   double ms = 0;
   for (std::size_t i = 0; i < outputs.size(); ++i) {
-    scene::Scene step = options.frames > 0 ? frameOf(scene, int(i), options.frames) : scene;
+    scene::Scene step = frames.at(int(i));
     auto start = Clock::now();
     Image image = session::drawSectionPicture(context ? sheets.settle(step, consoleProgress()) : step, kind, picture);
     ms = msSince(start);
@@ -98,11 +120,12 @@ int run(const RenderOptions& options) {
   session::PictureOptions picture{size, options.samples, options.transparent, options.layers, options.dpi};
 
   // Picture by picture: an animation is several.
+  Frames frames(options, scene);
   auto start = Clock::now();
   std::vector<std::string> outputs = outputNames(options);
   session::SheetsOverTime sheets;
   for (std::size_t i = 0; i < outputs.size(); ++i) {
-    scene::Scene step = options.frames > 0 ? frameOf(scene, int(i), options.frames) : scene;
+    scene::Scene step = frames.at(int(i));
     Image image = session::drawPicture(renderer, sheets.settle(step, consoleProgress()), picture, context->limits(),
                                        consoleProgress());
     consoleProgress().report(1.0, "");
@@ -147,8 +170,11 @@ Run registerRender(CLI::App& verb) {
   verb.add_option("--section", options->section, "a section view instead of the 3D picture: axial, coronal, sagittal");
   verb.add_option("--samples", options->samples, "pictures that are averaged, 1 to 256; default: as the scene says")
       ->check(CLI::Range(1, 256));
-  verb.add_option("--frames", options->frames, "an animation: NAME-0000 ..., through the time steps or once round")
+  verb.add_option("--frames", options->frames, "an animation of so many pictures: NAME-0000 ...")
       ->check(CLI::Range(1, 9999));
+  verb.add_option("--animate", options->animate,
+                  "what moves in it: turn (once round), time (through the time steps; the default where there are "
+                  "some), pull (structures come out of the cuts one after the other)");
   verb.add_flag(
       "--layers", options->layers,
       "also alpha, normal, depth, structure id, position, and of illustrative sections front, section and behind: "

@@ -1,0 +1,71 @@
+#include "velum/session/picture/Animation.h"
+
+#include <fmt/format.h>
+
+#include <numbers>
+
+#include "velum/core/Error.h"
+#include "velum/gpu/Context.h"
+#include "velum/scene/Navigate.h"
+#include "velum/session/extrusion/Extrusion.h"
+#include "velum/session/growth/Growths.h"
+#include "velum/session/membrane/Membranes.h"
+
+namespace velum::session {
+
+namespace {
+
+int timeStepsOf(const scene::Scene& scene) { return scene.volume.data ? scene.volume.data->timeSteps : 1; }
+
+}  // namespace
+
+Motion usualMotion(const scene::Scene& scene) { return timeStepsOf(scene) > 1 ? Motion::Time : Motion::Turn; }
+
+std::string whyStill(const scene::Scene& scene, Motion motion) {
+  if (motion == Motion::Time && timeStepsOf(scene) < 2) return "the volume has no time steps";
+  if (motion == Motion::Pull && extrusionsOf(scene).empty()) return "no structure is pulled out of a cut";
+  return {};
+}
+
+scene::Scene frameOf(const scene::Scene& scene, Motion motion, int frame, int frames) {
+  scene::Scene out = scene;
+  switch (motion) {
+    case Motion::Turn:
+      out.camera = scene::turntable(scene.camera, 2.0 * std::numbers::pi * frame / frames);
+      break;
+    case Motion::Time:
+      out.volume.timeStep = frame * timeStepsOf(scene) / frames;
+      break;
+    case Motion::Pull:
+      out = pulledOut(std::move(out), frames > 1 ? double(frame) / (frames - 1) : 1.0);
+      break;
+  }
+  return out;
+}
+
+std::vector<std::filesystem::path> framePaths(const std::filesystem::path& path, int frames) {
+  std::vector<std::filesystem::path> paths;
+  for (int i = 0; i < frames; ++i)
+    paths.push_back(path.parent_path() / fmt::format("{}-{:04}{}", path.stem().string(), i, path.extension().string()));
+  return paths;
+}
+
+void renderAnimationFiles(const scene::Scene& scene, Motion motion, int frames, const PictureOptions& options,
+                          const std::filesystem::path& path, Progress& progress) {
+  if (std::string why = whyStill(scene, motion); !why.empty()) throw ArgumentError("no animation: " + why);
+  auto context = gpu::Context::create(gpu::ContextKind::Auto);
+  render::Renderer renderer(*context);
+  extrusion::GrowOverTime growths;
+  SheetsOverTime sheets;
+  auto paths = framePaths(path, frames);
+  for (int i = 0; i < frames; ++i) {
+    progress.report(double(i) / frames, fmt::format("Frame {} of {}", i + 1, frames));
+    Progress quiet([&](double, const std::string&) { progress.throwIfCancelled(); });
+    scene::Scene step = frameOf(scene, motion, i, frames);
+    settleGrowths(step, growths, quiet);
+    Image image = drawPicture(renderer, sheets.settle(step, quiet), options, context->limits(), quiet);
+    savePicture(image, step, options, paths[std::size_t(i)]);
+  }
+}
+
+}  // namespace velum::session

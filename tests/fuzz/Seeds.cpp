@@ -307,6 +307,21 @@ void putScenes(scene::Scene scene) {
   put("change-log", "journal", journal);
 }
 
+/// Steps of growing, in the corner of the world where growth-fuzz has its volume.
+void putGrowths() {
+  scene::Scene scene;
+  scene::setField(scene, "labels.growths.+",
+                  R"({"structure": 1, "seeds": [[3, 3, 2]], "low": 100, "high": 255, "centre": [0, 0, 1],
+                      "axis": [0, 0, 1], "distance": 2})");
+  put("growth", "plane", scene::toJson(scene));
+  scene::setField(scene, "labels.growths.+",
+                  R"({"structure": 7, "seeds": [[0, 0, 0], [6, 5, 4]], "low": 0, "high": 100, "steepest": 90,
+                      "barriers": [{"path": [[1, 1, 1], [4, 1, 1]], "radius": 1}], "closing": 2, "fillHoles": true})");
+  scene::setField(scene, "labels.growths.+", R"({"structure": 9, "seeds": [[3, 3, 2]], "high": 255, "within": 1})");
+  put("growth", "barrier", scene::toJson(scene));
+  put("scene", "growths", scene::toJson(scene));
+}
+
 void putLabels(const LabelVolume& labels, const std::string& name) {
   Progress progress;
   writeLabels(labels, seed("nrrd", name + ".seg.nrrd"), progress);
@@ -323,6 +338,7 @@ void putLabels(const LabelVolume& labels, const std::string& name) {
 }
 
 void putAll() {
+  putGrowths();
   for (const SampleInfo& info : samples()) {
     Progress progress;
     Sample sample = makeSample(info.name, 16, progress);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <fstream>
-#include <sstream>
 
 #include "velum/core/FileName.h"
 #include "velum/core/Log.h"
@@ -14,14 +13,13 @@
 #include "velum/io/labels/WriteLabels.h"
 #include "velum/io/meshes/ReadMesh.h"
 #include "velum/io/phantoms/Sample.h"
-#include "velum/io/volumes/Formats.h"
 #include "velum/io/volumes/ReadVolume.h"
 #include "velum/io/volumes/WriteVolume.h"
 #include "velum/scene/Presets.h"
 #include "velum/scene/json/Json.h"
-#include "velum/session/growth/Growths.h"
 #include "velum/session/document/LitSphereFiles.h"
 #include "velum/session/document/PaperFile.h"
+#include "velum/session/growth/Growths.h"
 
 namespace velum::session {
 
@@ -251,7 +249,11 @@ void loadData(scene::Scene& scene, const fs::path& folder, Progress& progress, c
     if (isPlaced(surface.source, bool(surface.data), fmt::format("surfaces.{}", i), "surface"))
       readSurfaceInto(surface, progress);
   }
-  for (const auto& note : settleGrowths(scene, progress)) Notes{notes}.add(note);
+  try {
+    for (const auto& note : settleGrowths(scene, progress)) Notes{notes}.add(note);
+  } catch (const ArgumentError& error) {
+    throw InputError(fmt::format("labels.growths: {}", error.what()));  // of a file, or of another volume
+  }
   for (const std::string& note : loadLitSpheres(scene, folder)) Notes{notes}.add(note);
   if (auto note = loadPaper(scene, folder)) Notes{notes}.add(*note);
 }
@@ -266,28 +268,6 @@ void saveScene(const scene::Scene& scene, const fs::path& path) {
     throw InputError(
         fmt::format("{}: {} MiB is too much for a scene file; it was not written", path.string(), text.size() >> 20));
   replaceFile(path, text);
-}
-
-std::vector<FileKind> volumeKinds() {
-  std::vector<FileKind> kinds;
-  for (const auto& format : io::formats()) {
-    if (!format.canRead) continue;
-    FileKind kind{std::string(format.name), {}};
-    std::istringstream words{std::string(format.extensions)};
-    for (std::string word; words >> word;)
-      if (word[0] == '.') kind.patterns.push_back("*" + word);
-    if (!kind.patterns.empty()) kinds.push_back(std::move(kind));
-  }
-  return kinds;
-}
-
-std::vector<FileKind> readableKinds() {
-  std::vector<FileKind> kinds{{"Velum scene", {"*.json"}}};
-  for (auto& kind : volumeKinds()) kinds.push_back(std::move(kind));
-  FileKind& surface = kinds.emplace_back("Surface");
-  for (std::string_view extension : io::meshExtensions()) surface.patterns.push_back(fmt::format("*{}", extension));
-  kinds.push_back({"Picture with a scene", {"*.png", "*.exr"}});
-  return kinds;
 }
 
 std::vector<std::string> sampleNames() {

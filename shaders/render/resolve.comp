@@ -30,7 +30,7 @@ vec3 inkLeaves(float share) { return 1.0 - share * (1.0 - finish.contourColor.rg
 /// The share of a pixel that strokes cover.
 float hatchingAt(ivec2 pixel, vec4 color) {
 #ifdef STROKES
-  float tone = dot(color.rgb, vec3(0.30, 0.59, 0.11)) / max(color.a, 1e-3);
+  float tone = color.a > 0.0 ? dot(color.rgb, vec3(0.30, 0.59, 0.11)) / max(color.a, 1e-3) : 1.0;
   return finish.hatching * color.a * strokesAt(vec2(pixel + windowOrigin) + 0.5, 1.0 - min(tone, 1.0));
 #else
   return 0.0;

@@ -170,6 +170,59 @@ TEST(DicomSeg, SegmentsAreNumberedFromOneForOtherPrograms) {
   }
 }
 
+TEST(DicomSeg, CodesSayWhatSegmentsAre) {
+  // Category and type of DICOM PS3.16: CID 7150 with CID 7166, 7159, 7152 and so on, as other programs write them.
+  struct Row {
+    const char *name, *category, *type;
+  };
+  constexpr Row kRows[] = {{"Ulnar artery", "85756007", "51114001"},
+                           {"extensor tendons", "85756007", "13024002"},
+                           {"costal cartilage", "85756007", "309312004"},
+                           {"subcutaneous fat", "85756007", "248300009"},
+                           {"heart muscle", "85756007", "71616004"},
+                           {"third metacarpal", "85756007", "272673000"},
+                           {"ribs left", "85756007", "272673000"},
+                           {"hepatic veins", "85756007", "29092000"},
+                           {"kidney_left", "123037004", "64033007"},
+                           {"aorta", "123037004", "15825003"},
+                           {"lesion 2", "49755003", "52988006"},
+                           {"gas", "91720002", "74947009"},
+                           {"cribriform plate", "123037004", "91723000"},  // no rib
+                           {"", "123037004", "91723000"}};
+  int count = int(std::size(kRows));
+  LabelVolume labels({count, 2, 2}, glm::dmat4(1.0));
+  for (int i = 0; i < count; ++i) {
+    auto id = std::uint16_t(i + 1);
+    labels.write({i, 0, 0}, {1, 1, 1}, std::span(&id, 1));
+    labels.table.push_back({id, kRows[i].name});
+  }
+  TempFolder folder;
+  writeTo(labels, folder / "s.dcm");
+  gdcm::Reader reader;
+  reader.SetFileName((folder / "s.dcm").c_str());
+  ASSERT_TRUE(reader.Read());
+  auto segments = reader.GetFile().GetDataSet().GetDataElement(Tag(0x0062, 0x0002)).GetValueAsSQ();
+  ASSERT_EQ(int(segments->GetNumberOfItems()), count);
+  auto textOf = [](const DataSet& set, Tag tag) {
+    const gdcm::ByteValue* value = set.GetDataElement(tag).GetByteValue();
+    std::string text = value ? std::string(value->GetPointer(), value->GetLength()) : "";
+    return text.substr(0, text.find_last_not_of(' ') + 1);
+  };
+  for (int i = 0; i < count; ++i) {
+    const DataSet& segment = segments->GetItem(std::size_t(i + 1)).GetNestedDataSet();
+    auto codeOf = [&](Tag sequence) {
+      const DataSet& code = segment.GetDataElement(sequence).GetValueAsSQ()->GetItem(1).GetNestedDataSet();
+      EXPECT_EQ(textOf(code, Tag(0x0008, 0x0102)), "SCT");
+      EXPECT_FALSE(textOf(code, Tag(0x0008, 0x0104)).empty());
+      return textOf(code, Tag(0x0008, 0x0100));
+    };
+    EXPECT_EQ(codeOf(Tag(0x0062, 0x0003)), kRows[i].category) << kRows[i].name;
+    EXPECT_EQ(codeOf(Tag(0x0062, 0x000f)), kRows[i].type) << kRows[i].name;
+    EXPECT_EQ(textOf(segment, Tag(0x0062, 0x0008)), "SEMIAUTOMATIC");
+    EXPECT_EQ(textOf(segment, Tag(0x0062, 0x0009)), "Velum") << "which the type makes necessary";
+  }
+}
+
 TEST(DicomSeg, WhatDicomCannotHoldIsRefusedOrSaid) {
   TempFolder folder;
   EXPECT_THROW(writeTo(someLabels(obliqueMatrix(false, true)), folder / "s.dcm"), InputError) << "sheared";

@@ -8,54 +8,66 @@ namespace velum::io {
 
 namespace {
 
+// Of CID 7150.
 constexpr DicomCode kTissue{"85756007", "Tissue"}, kAnatomical{"123037004", "Anatomical Structure"},
-    kAltered{"49755003", "Morphologically Altered Structure"};
-constexpr DicomCode kBone{"272673000", "Bone"}, kArtery{"51114001", "Artery"}, kVein{"29092000", "Vein"};
+    kAbnormal{"49755003", "Morphologically Abnormal Structure"}, kSubstance{"91720002", "Body Substance"};
+// Tissues are of CID 7166, lesions of CID 7159, organs of CID 7152 to 7155.
+constexpr SegmentCodes kBone{kTissue, {"272673000", "Bone"}}, kArtery{kTissue, {"51114001", "Artery"}},
+    kVein{kTissue, {"29092000", "Vein"}}, kNeoplasm{kAbnormal, {"108369006", "Neoplasm"}};
 
 struct Row {
-  std::string_view word;  ///< In the name, lower case.
+  std::string_view word;  ///< Begins a word of the name, lower case.
   SegmentCodes codes;
 };
 // The first that is in the name counts.
 constexpr Row kTable[] = {
-    {"lesion", {kAltered, {"52988006", "Lesion"}}},
-    {"tumor", {kAltered, {"108369006", "Neoplasm"}}},
-    {"tumour", {kAltered, {"108369006", "Neoplasm"}}},
-    {"muscle", {kTissue, {"91727004", "Muscle"}}},
-    {"tendon", {kAnatomical, {"13024002", "Tendon"}}},
-    {"cartilage", {kTissue, {"61496007", "Cartilage"}}},
-    {"fat", {kTissue, {"55603005", "Adipose tissue"}}},
-    {"skin", {kAnatomical, {"39937001", "Skin"}}},
-    {"arter", {kAnatomical, kArtery}},
+    {"lesion", {kAbnormal, {"52988006", "Lesion"}}},
+    {"nodule", {kAbnormal, {"27925004", "Nodule"}}},
+    {"cyst", {kAbnormal, {"367643001", "Cyst"}}},
+    {"tumor", kNeoplasm},
+    {"tumour", kNeoplasm},
+    {"muscle", {kTissue, {"71616004", "Muscle"}}},
+    {"tendon", {kTissue, {"13024002", "Tendon"}}},
+    {"ligament", {kTissue, {"52082005", "Ligament"}}},
+    {"cartilage", {kTissue, {"309312004", "Cartilage"}}},
+    {"fat", {kTissue, {"248300009", "Body fat"}}},
+    {"skin", {kTissue, {"39937001", "Skin"}}},
+    {"nerve", {kTissue, {"119410002", "Nerve"}}},
     {"aorta", {kAnatomical, {"15825003", "Aorta"}}},
-    {"vein", {kAnatomical, kVein}},
-    {"vena", {kAnatomical, kVein}},
-    {"venous", {kAnatomical, kVein}},
+    {"arter", kArtery},
+    {"vein", kVein},
+    {"vena", kVein},
+    {"venous", kVein},
+    {"vessel", {kTissue, {"59820001", "Blood vessel"}}},
+    {"gas", {kSubstance, {"74947009", "Gas"}}},
     {"lung", {kAnatomical, {"39607008", "Lung"}}},
     {"liver", {kAnatomical, {"10200004", "Liver"}}},
     {"kidney", {kAnatomical, {"64033007", "Kidney"}}},
     {"spleen", {kAnatomical, {"78961009", "Spleen"}}},
     {"heart", {kAnatomical, {"80891009", "Heart"}}},
     {"brain", {kAnatomical, {"12738006", "Brain"}}},
-    {"bone", {kAnatomical, kBone}},
-    {"radius", {kAnatomical, kBone}},
-    {"ulna", {kAnatomical, kBone}},
-    {"tibia", {kAnatomical, kBone}},
-    {"fibula", {kAnatomical, kBone}},
-    {"carpal", {kAnatomical, kBone}},
-    {"tarsal", {kAnatomical, kBone}},
-    {"phalan", {kAnatomical, kBone}},
-    {"vertebra", {kAnatomical, kBone}},
-    {"skull", {kAnatomical, kBone}},
-    {"rib", {kAnatomical, kBone}},
 };
+constexpr std::string_view kBones[] = {
+    "bone",   "skull",     "mandib", "vertebra", "sacrum",  "rib",     "sternum", "clavic", "scapul",
+    "humer",  "radius",    "ulna",   "carpal",   "tarsal",  "phala",   "femur",   "patell", "tibia",
+    "fibula", "scaphoid",  "lunate", "triquet",  "pisi",    "trapez",  "capitat", "hamat",  "talus",
+    "calcan", "navicular", "cuboid", "cunei",    "metacar", "metatar",
+};
+
+bool hasWord(std::string_view name, std::string_view beginning) {
+  for (auto at = name.find(beginning); at != name.npos; at = name.find(beginning, at + 1))
+    if (at == 0 || name[at - 1] == ' ' || name[at - 1] == '-' || name[at - 1] == '_') return true;
+  return false;
+}
 
 }  // namespace
 
 SegmentCodes segmentCodesOf(std::string_view name) {
   std::string words = lowerCase(name);
   for (const Row& row : kTable)
-    if (words.find(row.word) != std::string::npos) return row.codes;
+    if (hasWord(words, row.word)) return row.codes;
+  for (std::string_view bone : kBones)
+    if (hasWord(words, bone)) return kBone;
   return {kAnatomical, {"91723000", "Anatomical structure"}};
 }
 

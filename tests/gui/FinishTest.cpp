@@ -1,5 +1,7 @@
 // The page Finish, and lit spheres of structures, with real events.
 #include <QListWidget>
+#include <QSlider>
+#include <algorithm>
 
 #include "Shots.h"
 #include "WindowFixture.h"
@@ -56,10 +58,15 @@ TEST_F(FinishPage, ItsPicturesShowTheData) {
 TEST_F(FinishPage, ADragOfASliderIsOneStep) {
   openPage();
   auto* contours = child<NumberRow>("contours");
-  // As the slider tells it while it is down.
-  for (double percent : {30.0, 60.0}) emit contours->changed(percent);
-  emit contours->settled();
-  EXPECT_NEAR(scene().finish.contours, 0.6, 1e-9);
+  auto* slider = contours->findChild<QSlider*>();
+  std::vector<double> seen;
+  QObject::connect(contours, &NumberRow::changed, mWindow.get(), [&] { seen.push_back(scene().finish.contours); });
+  QPoint middle = slider->rect().center(), handle(8, middle.y());  // at the left end, of 0
+  drag(*slider, handle, middle);
+  EXPECT_GT(seen.size(), 3u) << "it answers while the hand moves";
+  EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end()));
+  EXPECT_NEAR(scene().finish.contours, 0.5, 0.05);
+  EXPECT_NEAR(scene().finish.contours, contours->value() / 100.0, 1e-9);
   mWindow->document().undo();
   EXPECT_EQ(scene().finish.contours, 0.0);
   EXPECT_EQ(contours->value(), 0.0);

@@ -82,6 +82,47 @@ TEST_F(PictureDialog, TheCopiedCommandMakesTheSamePicture) {
   EXPECT_EQ(pixels(made), pixels(QString::fromStdString(saved.string())));
 }
 
+TEST_F(PictureDialog, OffersTheAnimationsThatTheSceneCanHave) {
+  SavePictureDialog still({160, 120}, mScene, nullptr);
+  EXPECT_EQ(child<QComboBox>(still, "pictureMotion")->count(), 2) << "one picture, or once round";
+  EXPECT_FALSE(still.motion());
+  EXPECT_FALSE(still.command().contains("--frames"));
+  scene::Cut cut;
+  cut.axis = {0, -1, 0};
+  cut.spares = {{1, 12.0, 1.0}};
+  scene::addCut(mScene, cut);
+  SavePictureDialog dialog({160, 120}, mScene, nullptr);
+  auto* motion = child<QComboBox>(dialog, "pictureMotion");
+  auto* frames = child<QSpinBox>(dialog, "pictureFrames");
+  ASSERT_EQ(motion->count(), 3);
+  EXPECT_FALSE(frames->isEnabled());
+  motion->setCurrentIndex(2);
+  EXPECT_TRUE(frames->isEnabled());
+  frames->setValue(3);
+  EXPECT_EQ(dialog.motion(), session::Motion::Pull);
+  EXPECT_TRUE(dialog.command().endsWith(" --frames 3 --animate pull")) << dialog.command().toStdString();
+  // What the command makes, the window makes.
+  QStringList words = QProcess::splitCommand(dialog.command());
+  words.removeFirst();
+  words[words.indexOf("picture.png")] = QString::fromStdString((mFolder.path() / "command.png").string());
+  runBatch(words);
+  Progress progress;
+  session::renderAnimationFiles(dialog.pictureScene(), session::Motion::Pull, 3, dialog.options(),
+                                mFolder.path() / "window.png", progress);
+  auto pixels = [&](const char* name) {
+    return QImage(QString::fromStdString((mFolder.path() / name).string())).convertToFormat(QImage::Format_RGBA8888);
+  };
+  for (const char* frame : {"-0000.png", "-0001.png", "-0002.png"}) {
+    QImage made = pixels((std::string("command") + frame).c_str());
+    ASSERT_FALSE(made.isNull());
+    EXPECT_EQ(made, pixels((std::string("window") + frame).c_str()));
+  }
+  EXPECT_NE(pixels("window-0000.png"), pixels("window-0002.png"));
+  dialog.show();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return dialog.hasPreview(); }, 20000));
+  takeShot(dialog, "save-animation");
+}
+
 TEST(CommandFinder, BeginningsOfWordsComeFirst) {
   EXPECT_GT(CommandFinder::score("ap", "Cut > Add plane"), CommandFinder::score("ap", "File > Snapshot"));
   EXPECT_GT(CommandFinder::score("undo", "Edit > Undo"), CommandFinder::score("undo", "Unload odd things"));

@@ -45,7 +45,10 @@ void ExportCommands::askSavePicture() {
                                               tr("PNG (*.png);;OpenEXR (*.exr);;TIFF (*.tif)"));
   if (path.isEmpty()) return;
   if (QFileInfo(path).suffix().isEmpty()) path += ".png";
-  savePictureTo(path, dialog.options(), dialog.pictureScene());
+  if (auto motion = dialog.motion())
+    saveAnimationTo(path, dialog.options(), dialog.pictureScene(), *motion, dialog.frames());
+  else
+    savePictureTo(path, dialog.options(), dialog.pictureScene());
 }
 
 void ExportCommands::savePictureTo(const QString& path, const session::PictureOptions& options,
@@ -56,6 +59,20 @@ void ExportCommands::savePictureTo(const QString& path, const session::PictureOp
         session::renderPictureFile(scene, options, path, progress);
       },
       [this, path] { mParts.messages.showNote(tr("Saved %1").arg(path)); });
+}
+
+void ExportCommands::saveAnimationTo(const QString& path, const session::PictureOptions& options,
+                                     const scene::Scene& scene, session::Motion motion, int frames) {
+  mParts.jobs.start(
+      tr("Drawing %n frames", nullptr, frames),
+      [scene, options, motion, frames, path = path.toStdString()](Progress& progress) {
+        session::renderAnimationFiles(scene, motion, frames, options, path, progress);
+      },
+      [this, path, frames] {
+        auto first = session::framePaths(path.toStdString(), 1).front();
+        mParts.messages.showNote(
+            tr("Saved %n pictures: %1 and on", nullptr, frames).arg(QString::fromStdString(first.string())));
+      });
 }
 
 // Sheets, and what they leave.

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "velum/session/picture/Picture.h"
+#include "velum/session/picture/Animation.h"
 #include "velum/session/structure/StructureExport.h"
 #include "view/Room.h"
 
@@ -18,6 +18,9 @@ class ExportCommands : public Room {
   QAction* addActions(QMenu* menu);
 
   void savePictureTo(const QString& path, const session::PictureOptions& options, const scene::Scene& scene);
+  /// Its frames, NAME-0000 and on.
+  void saveAnimationTo(const QString& path, const session::PictureOptions& options, const scene::Scene& scene,
+                       session::Motion motion, int frames);
   /// The sheet of the selected membrane, or of the first, as it rests.
   void exportSheetTo(const QString& path);
   /// The volume without what the cuts take away.

@@ -67,6 +67,7 @@ SavePictureDialog::SavePictureDialog(glm::ivec2 viewSize, const scene::Scene& sc
   column->setSpacing(12);
   column->addWidget(makeSize(viewSize));
   column->addWidget(makeQuality());
+  column->addWidget(makeMotion());
   column->addStretch(1);
   mFacts = new QLabel(this);
   mFacts->setProperty("role", "muted");
@@ -235,6 +236,45 @@ QWidget* SavePictureDialog::makeQuality() {
   return box;
 }
 
+/// One picture, or several: an animation that this scene can have.
+QWidget* SavePictureDialog::makeMotion() {
+  auto* box = new QWidget(this);
+  auto* row = new QGridLayout(box);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setHorizontalSpacing(10);
+  row->setColumnMinimumWidth(0, kNameWidth);
+  row->setColumnStretch(1, 1);
+  mMotion = new QComboBox(box);
+  mMotion->setObjectName("pictureMotion");
+  mMotion->setAccessibleName(tr("Animation"));
+  mMotion->setToolTip(
+      tr("Several pictures, NAME-0000 and so on, for programs that make films of them: the eye goes once round, the "
+         "volume through its time steps, or structures come out of the cuts one after the other"));
+  mMotion->addItem(tr("One picture"), -1);
+  const std::pair<session::Motion, QString> kinds[] = {{session::Motion::Turn, tr("Once round")},
+                                                       {session::Motion::Time, tr("Through the time steps")},
+                                                       {session::Motion::Pull, tr("Pull out, one after the other")}};
+  for (const auto& [motion, name] : kinds)
+    if (session::whyStill(mScene, motion).empty()) mMotion->addItem(name, int(motion));
+  mFrames = new QSpinBox(box);
+  mFrames->setObjectName("pictureFrames");
+  mFrames->setAccessibleName(tr("Frames"));
+  mFrames->setToolTip(tr("Pictures of the animation"));
+  mFrames->setRange(2, 9999);
+  mFrames->setValue(36);
+  mFrames->setEnabled(false);
+  row->addWidget(new QLabel(tr("Animation"), box), 0, 0);
+  row->addWidget(mMotion, 0, 1);
+  row->addWidget(mFrames, 0, 2);
+  connect(mMotion, &QComboBox::currentIndexChanged, this, [this] { mFrames->setEnabled(motion().has_value()); });
+  return box;
+}
+
+std::optional<session::Motion> SavePictureDialog::motion() const {
+  int chosen = mMotion->currentData().toInt();
+  return chosen < 0 ? std::nullopt : std::optional(session::Motion(chosen));
+}
+
 void SavePictureDialog::setPixels(glm::ivec2 size) {
   bool sameShape = mPixels.x * size.y == mPixels.y * size.x && (mHasPreview || mJob);
   mPixels = glm::clamp(size, 1, kMostPixels);
@@ -332,7 +372,12 @@ QString SavePictureDialog::command() const {
       QCryptographicHash::hash(QByteArray::fromStdString(text), QCryptographicHash::Sha256).toHex().left(12);
   std::filesystem::path file = place / ("scene-" + hash.toStdString() + ".json");
   session::saveScene(scene, file);
-  return QString::fromStdString(session::pictureCommand(file, options(), "picture.png"));
+  QString command = QString::fromStdString(session::pictureCommand(file, options(), "picture.png"));
+  if (motion())
+    command += QString(" --frames %1 --animate %2")
+                   .arg(frames())
+                   .arg(QString::fromStdString(std::string(enumName(*motion()))));
+  return command;
 }
 
 void SavePictureDialog::copyCommand() {

@@ -7,9 +7,10 @@
 #include <QSpinBox>
 #include <QTimer>
 #include <memory>
+#include <optional>
 
 #include "kit/Job.h"
-#include "velum/session/picture/Picture.h"
+#include "velum/session/picture/Animation.h"
 
 namespace velum::gui {
 
@@ -22,6 +23,9 @@ class SavePictureDialog : public QDialog {
   session::PictureOptions options() const;
   /// The scene with the background that is chosen.
   scene::Scene pictureScene() const;
+  /// What moves; nothing for a single picture.
+  std::optional<session::Motion> motion() const;
+  int frames() const { return mFrames->value(); }
   /// The command line that makes this picture; the scene goes into a file of its own in velum's folder under
   /// XDG_DATA_HOME, named after its contents, so that the command keeps giving this picture.
   QString command() const;
@@ -30,6 +34,7 @@ class SavePictureDialog : public QDialog {
  private:
   QWidget* makeSize(glm::ivec2 viewSize);
   QWidget* makeQuality();
+  QWidget* makeMotion();
   void setPixels(glm::ivec2 size);
   void showSize();
   void takeWidth();
@@ -41,9 +46,9 @@ class SavePictureDialog : public QDialog {
   scene::Scene mScene;
   double mAspect;
   glm::ivec2 mPixels{1280, 720};
-  QComboBox *mUnit = nullptr, *mBackground = nullptr, *mQuality = nullptr;
+  QComboBox *mUnit = nullptr, *mBackground = nullptr, *mQuality = nullptr, *mMotion = nullptr;
   QDoubleSpinBox *mWidth = nullptr, *mHeight = nullptr;
-  QSpinBox *mDpi = nullptr, *mSamples = nullptr;
+  QSpinBox *mDpi = nullptr, *mSamples = nullptr, *mFrames = nullptr;
   QCheckBox *mKeepShape = nullptr, *mLayers = nullptr;
   QLabel *mPreview = nullptr, *mFacts = nullptr;
   QTimer mDrawTimer;

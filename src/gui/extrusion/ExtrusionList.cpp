@@ -60,7 +60,9 @@ void ExtrusionList::select(int cut, int structure) {
   const QSignalBlocker quiet(this);
   auto isIt = [&](const auto& one) { return one.cut == cut && one.structure == structure; };
   auto found = std::find_if(mExtrusions.begin(), mExtrusions.end(), isIt);
-  if (found != mExtrusions.end()) setCurrentRow(int(found - mExtrusions.begin()));
+  int row = int(found - mExtrusions.begin());
+  // One that is current already may be one of several that are selected.
+  if (found != mExtrusions.end() && row != currentRow()) setCurrentRow(row, QItemSelectionModel::ClearAndSelect);
 }
 
 std::optional<session::Extrusion> ExtrusionList::current() const {

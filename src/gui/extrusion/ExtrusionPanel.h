@@ -1,25 +1,29 @@
 #pragma once
-#include <QDoubleSpinBox>
-#include <QLabel>
 #include <QPushButton>
 #include <QWidget>
+#include <cstdint>
+#include <vector>
 
 #include "ExtrusionList.h"
+#include "GrowthForm.h"
+#include "LeakBox.h"
+#include "PullSteps.h"
 #include "kit/Selection.h"
 #include "kit/Widgets.h"
 #include "velum/session/Session.h"
 
 namespace velum::gui {
 
-/// The page "Pull out": what stands out of the cuts, how far, and how it was grown.
+/// The page "Pull out": the way to a picture, what stands out of the cuts, how far, and how it was grown.
 class ExtrusionPanel : public QWidget {
   Q_OBJECT
  public:
   ExtrusionPanel(session::Session& session, Selection& selection, QWidget* parent);
   void refresh();
 
+  PullSteps& steps() { return *mSteps; }
   QPushButton& pullButton() { return *mPull; }
-  QPushButton& barrierButton() { return *mBarrier; }
+  QPushButton& barrierButton() { return mGrowth->barrierButton(); }
 
  public slots:
   /// A second plane, joined to the selected one.
@@ -32,26 +36,33 @@ class ExtrusionPanel : public QWidget {
   void refused(const QString& why);
 
  private:
+  /// What was last shown, so that a camera that moves costs nothing here.
+  struct Shown {
+    std::vector<session::Extrusion> extrusions;
+    std::vector<scene::Structure> structures;
+    std::vector<scene::Growth> growths;
+    std::vector<std::uint64_t> data;  ///< ids: its size is how far something may stand out
+    bool isPlane = false;             ///< the selected cut
+    int cut = -1, structure = -1;     ///< selected
+    bool operator==(const Shown&) const = default;
+  };
+  Shown shownOf(const scene::Scene& scene) const;
   QWidget* buildForm();
-  void buildGrowth(class QGridLayout* grid);
-  void buildLeak(class QVBoxLayout* layout);
+  void showRows();
   void showForm();
-  void showLeak();
-  /// Of the selected structure, where it was grown.
-  const scene::Growth* growth() const;
-  void changeGrowth(const QString& label, const std::function<void(scene::Growth&)>& change);
   void setDistance(double distance);
 
   session::Session& mSession;
   session::Document& mDocument;
   Selection& mSelection;
-  QPushButton *mPull, *mSecond, *mBarrier = nullptr, *mBack = nullptr, *mAllBack = nullptr;
-  QLabel* mEmpty;
+  PullSteps* mSteps;
+  QPushButton *mPull, *mSecond, *mBack = nullptr, *mAllBack = nullptr;
   ExtrusionList* mList;
-  QWidget *mForm, *mGrown = nullptr, *mLeak = nullptr;
+  LeakBox* mLeak;
+  QWidget* mForm;
   NumberRow* mDistance = nullptr;
-  QDoubleSpinBox *mLow = nullptr, *mHigh = nullptr, *mSteepest = nullptr;
-  QLabel *mText = nullptr, *mLeakText = nullptr;
+  GrowthForm* mGrowth = nullptr;
+  Shown mShown;
 };
 
 }  // namespace velum::gui

@@ -12,6 +12,7 @@ ExtrusionRoom::ExtrusionRoom(const WindowParts& parts)
   parts.toolbox.bind(mBarrier, mPanel->barrierButton());
   connect(mPanel, &ExtrusionPanel::refused, &parts.messages,
           [&bar = parts.messages](const QString& why) { bar.showNote(why); });
+  connect(&mPanel->steps(), &PullSteps::asked, this, &ExtrusionRoom::takeStep);
   connect(&mPull, &PullTool::stopGrowingAsked, this, &ExtrusionRoom::stopGrowing);
   connect(&mPull, &Tool::activeChanged, this, [this](bool active) {
     if (active) mParts.tabs.showPage(mPanel);
@@ -21,6 +22,24 @@ ExtrusionRoom::ExtrusionRoom(const WindowParts& parts)
 }
 
 void ExtrusionRoom::refresh(const session::Session&) { mPanel->refresh(); }
+
+void ExtrusionRoom::takeStep(PullSteps::Step step) {
+  const auto& cuts = mParts.session.scene().cuts;
+  switch (step) {
+    case PullSteps::Step::Cut:
+      if (cuts.empty()) mParts.actions.find("cut.addPlane")->trigger();
+      mParts.tabs.showPage("Cuts");
+      break;
+    case PullSteps::Step::Pull:
+      mParts.toolbox.start(mPull);
+      break;
+    case PullSteps::Step::Finish:
+      mParts.tabs.showPage("Finish");
+      break;
+    case PullSteps::Step::Save:
+      mParts.actions.find("file.savePicture")->trigger();
+  }
+}
 
 /// Why nothing grows, once.
 void ExtrusionRoom::tell() {

@@ -15,6 +15,7 @@ class ExtrusionRoom : public Room {
 
  private:
   void addActions();
+  void takeStep(PullSteps::Step step);
   void stopGrowing();
   void tell();
 

@@ -1,0 +1,141 @@
+#include "GrowthForm.h"
+
+#include <QLocale>
+#include <QSignalBlocker>
+#include <algorithm>
+#include <cmath>
+
+#include "kit/Length.h"
+#include "velum/scene/SectionPlane.h"
+#include "velum/session/growth/Growths.h"
+
+namespace velum::gui {
+
+GrowthForm::GrowthForm(session::Session& session, QWidget* parent) : QWidget(parent), mSession(session) {
+  auto* grid = new QGridLayout(this);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setColumnStretch(1, 1);
+  grid->setColumnStretch(2, 1);
+  grid->setHorizontalSpacing(10);
+  grid->setVerticalSpacing(8);
+  mLow = addNumber("growLow", tr("Smallest value that belongs to it"),
+                   tr("Smallest value that belongs to the structure: it grows anew as it changes"),
+                   tr("Change its values"), [](scene::Growth& g, double value) { g.low = std::min(value, g.high); });
+  mHigh = addNumber("growHigh", tr("Largest value that belongs to it"),
+                    tr("Largest value that belongs to the structure: it grows anew as it changes"),
+                    tr("Change its values"), [](scene::Growth& g, double value) { g.high = std::max(value, g.low); });
+  mSteepest = addNumber("growSteepest", tr("Gradient at which it stops"),
+                        tr("Growing stops where the values change by more than this from voxel to voxel; at 0 it does "
+                           "not ask.\nOf use where two structures of like values touch"),
+                        tr("Stop at edges"), [](scene::Growth& g, double value) {
+                          g.steepest = value > 0.0 ? value : scene::Growth::kEndless;
+                        });
+  mSteepest->setSpecialValueText(tr("off"));
+  mBarrier = new QPushButton(tr("Barrier"), this);
+  mBarrier->setObjectName("barrierTool");
+  mBarrier->setToolTip(tr("Draw a stroke that the structure does not grow through, where it would leak into another"));
+  mClosing =
+      addNumber("growClosing", tr("How far gaps are closed in it"),
+                tr("What has grown is closed: pores and gaps that no ball of this radius gets into become part of "
+                   "it, whatever lies there"),
+                tr("Close gaps"), [](scene::Growth& g, double value) { g.closing = value; });
+  mClosing->setSpecialValueText(tr("off"));
+  mFillHoles = new QCheckBox(tr("Fill holes"), this);
+  mFillHoles->setObjectName("growFillHoles");
+  mFillHoles->setToolTip(tr("What the structure encloses becomes part of it, as marrow of its bone"));
+  connect(mFillHoles, &QCheckBox::toggled, this, [this](bool on) {
+    mSession.document().edit("Fill holes", [&](scene::Scene& scene) {
+      session::changeGrowth(scene, mStructure, [on](scene::Growth& g) { g.fillHoles = on; });
+    });
+  });
+  mText = new QLabel(this);
+  mText->setObjectName("growText");
+  mText->setProperty("role", "muted");
+  mText->setWordWrap(true);
+  grid->addWidget(new QLabel(tr("Values"), this), 0, 0);
+  grid->addWidget(mLow, 0, 1);
+  grid->addWidget(mHigh, 0, 2);
+  grid->addWidget(new QLabel(tr("Edges"), this), 1, 0);
+  grid->addWidget(mSteepest, 1, 1);
+  grid->addWidget(mBarrier, 1, 2);
+  grid->addWidget(new QLabel(tr("Gaps"), this), 2, 0);
+  grid->addWidget(mClosing, 2, 1);
+  grid->addWidget(mFillHoles, 2, 2);
+  grid->addWidget(mText, 3, 0, 1, 3);
+}
+
+QDoubleSpinBox* GrowthForm::addNumber(const char* name, const QString& spoken, const QString& tip, const QString& step,
+                                      const std::function<void(scene::Growth&, double)>& change) {
+  auto* spin = new QDoubleSpinBox(this);
+  spin->setObjectName(name);
+  spin->setAccessibleName(spoken);
+  spin->setToolTip(tip);
+  spin->setKeyboardTracking(false);
+  session::Document& document = mSession.document();
+  connect(spin, &QDoubleSpinBox::valueChanged, this, [this, &document, step, change](double value) {
+    document.edit(
+        step.toStdString(),
+        [&](scene::Scene& scene) {
+          session::changeGrowth(scene, mStructure, [&](scene::Growth& g) { change(g, value); });
+        },
+        true);
+  });
+  connect(spin, &QDoubleSpinBox::editingFinished, this, [&document] { document.endMerge(); });
+  return spin;
+}
+
+const scene::Growth* GrowthForm::growth() const {
+  return mStructure > 0 ? session::lastGrowth(mSession.document().scene(), mStructure) : nullptr;
+}
+
+void GrowthForm::showStructure(int structure) {
+  mStructure = structure;
+  const auto& volume = mSession.document().scene().volume.data;
+  const scene::Growth* grown = growth();
+  setVisible(grown && volume);
+  if (!grown || !volume) return;
+  showNumbers(*volume, *grown);
+  showProgress();
+}
+
+void GrowthForm::showNumbers(const Volume& volume, const scene::Growth& grown) {
+  double range = double(volume.range.y) - double(volume.range.x);
+  bool isWhole = volume.type != SampleType::Float32 && volume.scale == 1.0;
+  int decimals = std::max(0, 3 - int(std::floor(std::log10(std::max(range, 1e-12)))));
+  QString unit = volume.unit.empty() ? QString() : " " + QString::fromStdString(volume.unit);
+  auto show = [range](QDoubleSpinBox* spin, double low, double high, int digits, const QString& suffix, double value) {
+    const QSignalBlocker quiet(spin);
+    spin->setDecimals(digits);
+    spin->setRange(low, high);
+    spin->setSingleStep(range / 200.0);
+    spin->setSuffix(suffix);
+    spin->setValue(value);
+  };
+  show(mLow, volume.range.x, volume.range.y, isWhole ? 0 : decimals, unit, grown.low);
+  show(mHigh, volume.range.x, volume.range.y, isWhole ? 0 : decimals, unit, grown.high);
+  show(mSteepest, 0.0, 1e6, decimals, unit + "/" + Length(mSession.document().scene()).unit(),
+       std::isfinite(grown.steepest) ? grown.steepest : 0.0);
+  const QSignalBlocker quietClosing(mClosing), quietHoles(mFillHoles);
+  Length(mSession.document().scene()).showIn(*mClosing, false);
+  mClosing->setMinimum(0.0);
+  mClosing->setSingleStep(scene::sectionStep(mSession.document().scene()));
+  mClosing->setValue(grown.closing);
+  mFillHoles->setChecked(grown.fillHoles);
+}
+
+void GrowthForm::showProgress() {
+  const scene::Growth* grown = growth();
+  if (!grown) return;
+  session::GrowthStatus status = mSession.growth().status();
+  bool isGrowing = status.isGrowing && status.structure == mStructure;
+  auto barriers = int(grown->barriers.size());
+  if (isGrowing)
+    mText->setText(tr("Growing: %1 voxels so far. Esc stops it.").arg(QLocale().toString(qlonglong(status.voxels))));
+  else if (barriers == 0)
+    mText->setText(tr("Grown from its values."));
+  else
+    mText->setText(barriers == 1 ? tr("Grown from its values, with a barrier.")
+                                 : tr("Grown from its values, with %1 barriers.").arg(barriers));
+}
+
+}  // namespace velum::gui

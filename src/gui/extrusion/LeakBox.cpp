@@ -1,0 +1,61 @@
+#include "LeakBox.h"
+
+#include <QHBoxLayout>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "kit/Length.h"
+#include "velum/session/structure/StructureEdit.h"
+
+namespace velum::gui {
+
+LeakBox::LeakBox(session::Session& session, QWidget* parent)
+    : QWidget(parent), mSession(session), mText(new QLabel(this)) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(8);
+  mText->setObjectName("leakText");
+  mText->setWordWrap(true);
+  column->addWidget(mText);
+  auto* row = new QHBoxLayout;
+  auto button = [&](const QString& text, const char* name, const QString& tip) {
+    auto* made = new QPushButton(text, this);
+    made->setObjectName(name);
+    made->setToolTip(tip);
+    row->addWidget(made);
+    return made;
+  };
+  auto* here = button(tr("As far as here"), "leakHere", tr("It stays as it is, however far it is pulled"));
+  auto* on = button(tr("Go on"), "leakGoOn", tr("It is no leak: the structure goes on there"));
+  column->addLayout(row);
+  hide();
+  connect(here, &QPushButton::clicked, this, [this] {
+    mSession.growth().acceptLeak();
+    refresh();
+  });
+  connect(on, &QPushButton::clicked, this, &LeakBox::goOn);
+}
+
+void LeakBox::goOn() {
+  session::GrowthPlayer& player = mSession.growth();
+  if (auto leak = player.status().leak) {
+    player.trust(leak->structure);
+    mSession.document().edit(tr("Grow on").toStdString(),
+                             [&](scene::Scene& scene) { session::growOn(scene, leak->structure); });
+  }
+  refresh();
+}
+
+void LeakBox::refresh() {
+  auto leak = mSession.growth().status().leak;
+  setVisible(bool(leak));
+  if (!leak) return;
+  const scene::Scene& scene = mSession.document().scene();
+  mText->setText(tr("%1 would flow into something else: %2 out its section becomes %3 times as large. It is held "
+                    "there. Narrow its values, draw a barrier, or stop at edges; or:")
+                     .arg(QString::fromStdString(session::structureName(scene, leak->structure)),
+                          Length(scene).text(leak->distance))
+                     .arg(leak->times, 0, 'f', 1));
+}
+
+}  // namespace velum::gui

@@ -47,7 +47,7 @@ class PictureDelegate : public QStyledItemDelegate {
     QFont small = option.font;
     small.setPointSizeF(small.pointSizeF() * 0.86);
     painter->setFont(small);
-    QRectF text(option.rect.x() + 1, frame.bottom() + 2, option.rect.width() - 2, kNameHeight - 4);
+    QRectF text(option.rect.x() - 1, frame.bottom() + 2, option.rect.width() + 2, kNameHeight - 4);
     painter->drawText(text, Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap, index.data().toString());
     painter->restore();
   }
@@ -77,6 +77,7 @@ QImage toQImage(const Image& image) {
 
 PictureList::PictureList(int columns, int pictureHeight, QWidget* parent)
     : QListWidget(parent), mColumns(columns), mPictureHeight(pictureHeight) {
+  setProperty("role", "pictures");
   setItemDelegate(new PictureDelegate(this, pictureHeight));
   setViewMode(QListView::IconMode);
   setMovement(QListView::Static);

@@ -107,8 +107,8 @@ QTreeView QLineEdit, QListView QLineEdit { padding: 0 4px; min-height: 0; }
 QListWidget { background: @ground; border: 1px solid @edge; border-radius: 5px; outline: 0; padding: 2px; }
 QListWidget::item { padding: 4px 4px; border-radius: 4px; color: @text; }
 QListWidget::item:selected { background: @chosen; color: @onChosen; }
-#preset { background: transparent; border: none; border-radius: 0; padding: 0; }
-#preset::item { padding: 0; }
+QListWidget[role="pictures"] { background: transparent; border: none; border-radius: 0; padding: 0; }
+QListWidget[role="pictures"]::item { padding: 0; }
 QCheckBox::indicator, QListView::indicator, QTreeView::indicator { width: 13px; height: 13px; border: 1px solid @control; border-radius: 3px; background: @ground; }
 QCheckBox::indicator:checked, QListView::indicator:checked, QTreeView::indicator:checked { background: @chosen; border-color: @chosenEdge; image: url(:/velum/check.svg); }
 QCheckBox::indicator:focus { border-color: @accent; }

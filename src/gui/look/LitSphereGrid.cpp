@@ -13,7 +13,7 @@ namespace velum::gui {
 
 namespace {
 
-constexpr int kColumns = 6, kPictureHeight = 44;
+constexpr int kColumns = 5, kPictureHeight = 52;
 
 QString textOf(std::string_view text) { return QString::fromUtf8(text.data(), int(text.size())); }
 

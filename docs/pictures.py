@@ -50,6 +50,13 @@ OPENED = cut(0, "axis=-0.55,-0.2,0.8", "centre=0,15,10")
 SPARED = [*OPENED, *sets("cuts.0.spares=" + ids(1, 116))]
 MACAQUE = [TEMPLATES + "inia19-t1-brain.nii.gz", TEMPLATES + "inia19-NeuroMaps.nii.gz"]
 TRACTS = [TEMPLATES + "ch2better.nii.gz", TEMPLATES + "JHU-WhiteMatter-labels-1mm.nii.gz"]
+# The head's face is cut off, and the skull, which has no label, grown out of the cut.
+HEAD_CUT = [*BARE_HEAD, "--preset", "ct-skin", *sets("camera.eye=-190,-330,240"),
+            *cut(3, "axis=0,-1,0", "centre=100,75,100")]
+SKULL_OUT = [*HEAD_CUT, *sets(
+    'labels.growths.+={"structure":1,"seeds":[[84,70,30]],"low":260,"high":3100,"centre":[100,75,100],"axis":[0,-1,0],"distance":95}',
+    'labels.structures.+={"id":1,"name":"Skull","color":[0.93,0.88,0.76],"litSphere":"bone"}',
+    'cuts.3.spares=[{"structure":1,"distance":95}]')]
 HIDDEN = ("skin", "subcutaneous fat", "visceral fat", "muscle")
 
 
@@ -137,6 +144,23 @@ def situations(folder):
     ]
 
 
+def pull(folder):
+    """A cut, what is pulled out of it, and the same with a finish; without labels, and with."""
+    hand = [*phantom(folder, "hand", "labels"), *OBLIQUE, *near(20.5), "--preset", "ct-skin",
+            *sets(*(f"labels.structures[{name}].opacity=1" for name in ("skin", "subcutaneous fat", "muscle"))),
+            *cut(0, "axis=0,-1,0", "centre=0,13,0")]
+    info = subprocess.run([sys.argv[1], "info", folder / "hand_labels.seg.nrrd", "--json"], check=True, capture_output=True)
+    structures = {s["name"]: s["id"] for s in json.loads(info.stdout)["structures"]}
+    soft = ("skin", "subcutaneous fat", "muscle", "flexor tendons", "extensor tendons")
+    spares = [{"structure": id, "distance": 40} for name, id in structures.items() if name not in soft]
+    pulled = [*hand, *sets("cuts.0.spares=" + json.dumps(spares))]
+    return [HEAD_CUT, SKULL_OUT, [*SKULL_OUT, "--finish", "plate"], hand, pulled, [*pulled, "--finish", "watercolour"]]
+
+
+def finish(_):
+    return [[*SKULL_OUT, "--finish", name] for name in ("watercolour", "pencil", "ink", "engraving", "chalk", "wax")]
+
+
 def labels(_):
     return [[*REGIONS, *OPENED], [*REGIONS, *SPARED], [*REGIONS, *SPARED, *sets("labels.tint=0")]]
 
@@ -175,12 +199,14 @@ PLATES = {
     "cuts": (3, (480, 400), DARK, cuts),
     "labels": (3, (480, 400), DARK, labels),
     "membrane": (3, (480, 400), DARK, membrane),
+    "pull": (3, (480, 400), DARK, pull),
+    "finish": (3, (480, 400), WHITE, finish),
     "situations": (4, (300, 240), DARK, situations),
     "layers": (4, (400, 340), WHITE, layers),
     "turn": (4, (360, 300), DARK, turn),
     "sheet": (3, (480, 400), DARK, sheet),
 }
-PHANTOMS = {"situations": ("torso", "two-spheres", "seismic", "vessels"), "membrane": ("torso", "heart"), "sheet": ("torso", "vessels", "neurons", "seismic")}
+PHANTOMS = {"situations": ("torso", "two-spheres", "seismic", "vessels"), "membrane": ("torso", "heart"), "pull": ("hand",), "sheet": ("torso", "vessels", "neurons", "seismic")}
 
 
 def run(*command):

@@ -1,4 +1,4 @@
-// What one sample of the picture adds to the finish: the colour of its lit sphere, and its edges. [ACS] 4.4.
+// What one sample of the picture adds to the finish: the colour of its lit sphere [LITSPHERE], and its edges. [ACS] 4.4.
 // Differs: edges are looked for in depth and ids, too, not in normals alone, and sample by sample, so that their mean is
 // smooth.
 layout(local_size_x = 8, local_size_y = 8) in;

@@ -2,10 +2,14 @@
 // them.
 #include <gtest/gtest.h>
 
-#include <QDir>
 #include <QFile>
+#include <QTemporaryDir>
 #include <QTest>
+#include <cmath>
 
+#include "velum/scene/Presets.h"
+#include "velum/scene/Project.h"
+#include "velum/session/extrusion/Extrusion.h"
 #include "window/MainWindow.h"
 
 namespace velum::gui {
@@ -32,22 +36,69 @@ class Guide : public testing::Test {
     ASSERT_TRUE(QTest::qWaitFor([&] { return !mWindow->isBusy(); }, 60000));
     ASSERT_TRUE(mWindow->document().scene().volume.data);
   }
+  /// A copy of the first scene, so that the journal of that file is left alone.
+  void openWelcome() {
+    QString scene = mFolder.filePath("welcome.json");
+    ASSERT_TRUE(QFile::copy(VELUM_SOURCE_DIR "/resources/welcome.json", scene));
+    open({scene});
+  }
   void keep(const char* name) {
     QTest::qWait(1500);  // thumbnails come when the views are complete
     ASSERT_TRUE(QTest::qWaitFor([&] { return mWindow->isSettled(); }, 180000));
     QTest::qWait(1500);
     EXPECT_TRUE(mWindow->grab().save(qEnvironmentVariable("VELUM_GUIDE") + "/" + name + ".jpg", "jpg", 86));
   }
+  QTemporaryDir mFolder;
   std::unique_ptr<MainWindow> mWindow;
 };
 
 TEST_F(Guide, Window) {
-  QString scene = QDir::temp().filePath("velum-guide.json");
-  QFile::remove(scene);
-  ASSERT_TRUE(QFile::copy(VELUM_SOURCE_DIR "/resources/welcome.json", scene));
-  open({scene});
+  openWelcome();
   keep("window");
-  QFile::remove(scene);
+}
+
+// One drag: the skull, which has no label, out of a cut through the face.
+TEST_F(Guide, PullOut) {
+  openWelcome();
+  session::Document& document = mWindow->document();
+  mWindow->views().setLayout(scene::Layout::Volume);
+  document.edit("Cut", [](scene::Scene& scene) {
+    scene::applyPreset(scene, "ct-skin");
+    scene.cuts[0].enabled = false;
+    scene::Cut plane;
+    plane.axis = {0, -1, 0};
+    plane.centre = {100, 75, 100};
+    plane.size = {150, 150, 100};
+    scene::addCut(scene, plane);
+    scene.camera.eye = {-190, -330, 240};
+  });
+  ASSERT_TRUE(QTest::qWaitFor([&] { return mWindow->isSettled(); }, 180000));
+  mWindow->actions().find("extrusion.pull")->trigger();
+  Viewport& view = mWindow->viewport();
+  auto pixelOf = [&](glm::dvec3 world) {
+    glm::dvec2 pixel = *scene::pixelFromWorld(document.scene().camera, {view.width(), view.height()}, world);
+    return QPoint(int(std::lround(pixel.x)), int(std::lround(pixel.y)));
+  };
+  // Bone of the forehead's face, neither its hardest nor its marrow.
+  constexpr double kMiddle = 600.0;  // HU
+  glm::dvec3 onBone(0.0);
+  double nearest = 1e9;
+  for (double x = 60; x < 185; x += 3)
+    for (double z = 100; z < 150; z += 3) {
+      auto pick = view.pickAt(pixelOf({x, 75, z}));
+      bool isInFace = pick && pick->hit && std::abs(pick->world.y - 75) < 2.0;
+      if (isInFace && std::abs(pick->value - kMiddle) < nearest)
+        nearest = std::abs(pick->value - kMiddle), onBone = pick->world;
+    }
+  QPoint from = pixelOf(onBone), to = pixelOf(onBone + glm::dvec3(0, -60, 0));
+  QTest::mousePress(&view, Qt::LeftButton, {}, from);
+  for (int i = 1; i <= 4; ++i) {
+    QTest::mouseMove(&view, from + (to - from) * i / 4);
+    QTest::qWait(100);
+  }
+  QTest::mouseRelease(&view, Qt::LeftButton, {}, to);
+  ASSERT_EQ(session::extrusionsOf(document.scene()).size(), 1u);
+  keep("pull-out");
 }
 
 TEST_F(Guide, Sections) {

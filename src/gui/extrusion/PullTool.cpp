@@ -45,6 +45,7 @@ void PullTool::stop() {
   mDragged.clear();
   mChosen.clear();
   mTarget.reset();
+  mMeant = {};
   mView = nullptr;
   mTag.clear();
 }
@@ -67,15 +68,24 @@ std::optional<PullTool::Target> PullTool::targetAt(const ViewPoint& at) const {
   Target target{pick->world, scene.labels.visible ? pick->structure : 0, {}};
   target.cuts = session::cutsUnder(scene, target.world, target.structure, slackOf(scene));
   if (target.cuts.empty()) return std::nullopt;
-  auto preferred = std::find(target.cuts.begin(), target.cuts.end(), mPreferred);
-  if (preferred != target.cuts.end()) std::rotate(target.cuts.begin(), preferred, preferred + 1);
+  auto meant = std::find(target.cuts.begin(), target.cuts.end(), mMeant.cut);
+  if (meant != target.cuts.end() && mMeant.structure == target.structure)
+    std::rotate(target.cuts.begin(), meant, meant + 1);
   return target;
 }
 
-/// With other buttons and keys the view does what it always does; beside what can be pulled, and on handles, too.
+/// It stays so while the pointer is where several cuts hold the structure, or on nothing.
+void PullTool::mean(const Target& target) {
+  mMeant = target.cuts.size() > 1 ? Meant{target.structure, target.cuts.front()} : Meant{};
+}
+
+/// The cut out of which the next drag pulls, or this one does.
+int PullTool::supporting() const { return mDragged.empty() && mTarget ? mTarget->cuts.front() : mSelection.cut(); }
+
+/// With other buttons and keys the view does what it always does; beside what can be pulled, too.
 bool PullTool::press(const PointerEvent& event) {
   bool isPlain = event.keys == Qt::NoModifier || event.keys == Qt::ShiftModifier;
-  if (event.button != Qt::LeftButton || !isPlain || mToolbox.isInTheWay(event.at)) return false;
+  if (event.button != Qt::LeftButton || !isPlain) return false;
   auto target = targetAt(event.at);
   if (!target) return false;
   return begin(*target, event.at, event.keys & Qt::ShiftModifier);
@@ -83,7 +93,8 @@ bool PullTool::press(const PointerEvent& event) {
 
 bool PullTool::begin(const Target& target, const ViewPoint& at, bool goesOn) {
   const scene::Scene& scene = mDocument.scene();
-  auto pull = session::beginPull(scene, target.cuts.front(), target.world, target.structure);
+  auto pull =
+      session::beginPull(scene, target.cuts.front(), target.world, target.structure, mParts.session.histograms());
   if (!pull) {
     mParts.messages.showNote(tr("Nothing stands out here; click well inside of what you mean"));
     return true;
@@ -94,6 +105,7 @@ bool PullTool::begin(const Target& target, const ViewPoint& at, bool goesOn) {
   });
   mChosen.push_back(*pull);
   mTarget = target;
+  mean(target);
   mDragged.clear();
   for (const auto& one : mChosen) {
     const scene::Cut& cut = *scene::findCut(scene, one.cut);
@@ -159,8 +171,8 @@ QString PullTool::tagOf(const Target& target) const {
 }
 
 std::optional<Qt::CursorShape> PullTool::hover(const ViewPoint& at) {
-  if (mToolbox.isInTheWay(at)) return leave(), std::nullopt;
   mTarget = targetAt(at);
+  if (mTarget) mean(*mTarget);
   mView = &at.view();
   mPointer = at.place();
   mTag = mTarget ? tagOf(*mTarget) : QString();
@@ -178,8 +190,8 @@ void PullTool::leave() {
 void PullTool::toggle() {
   if (!mTarget || mTarget->cuts.size() < 2) return;
   std::rotate(mTarget->cuts.begin(), mTarget->cuts.begin() + 1, mTarget->cuts.end());
-  mPreferred = mTarget->cuts.front();
-  mSelection.setCut(mPreferred);
+  mean(*mTarget);
+  mSelection.setCut(mTarget->cuts.front());
   mTag = tagOf(*mTarget);
   mToolbox.repaint();
 }
@@ -203,7 +215,7 @@ bool PullTool::wheel(const PointerEvent& event, double notches) {
 }
 
 void PullTool::paint(ViewPainter& over) const {
-  if (!over.space.section()) paintPlanes(over, mDocument.scene(), mSelection.cut());
+  if (!over.space.section()) paintPlanes(over, mDocument.scene(), supporting());
   if (&over.view == mView && !mTag.isEmpty()) drawTag(over.painter, mPointer, over.size, mTag);
 }
 

@@ -10,8 +10,8 @@ namespace velum::gui {
 
 /// Pulls structures out of cuts ([ACS] 4.3): a press on a cut's face, or on what stands out of it, chooses the
 /// structure there, and the drag pulls it out as far as the pointer goes. With Shift what was chosen before comes
-/// along. Where two extrusions overlap, Space says out of which of the two planes it is pulled. Everywhere else the
-/// view has the pointer.
+/// along. Where two extrusions overlap the nearer plane is meant, until Space says the other, as long as the pointer
+/// stays there. Everywhere else the view has the pointer. Handles of cuts would lie over what is to be pulled.
 class PullTool : public Tool {
   Q_OBJECT
  public:
@@ -30,7 +30,10 @@ class PullTool : public Tool {
   QString hint() const override;
   void paint(ViewPainter& over) const override;
   bool pausesOtherViews() const override { return !mDragged.empty(); }
+  bool hidesHandles() const override { return true; }
   bool marksOverlaps() const override { return true; }
+  /// What is said beside the pointer: a name, and how far it stands out.
+  const QString& tag() const { return mTag; }
 
  signals:
   /// Esc: what grows is to stop where it is.
@@ -43,11 +46,17 @@ class PullTool : public Tool {
     int structure = 0;
     std::vector<int> cuts;  ///< out of which, ids, the one that is meant first
   };
+  /// Which of several cuts is meant, of a structure that all of them hold.
+  struct Meant {
+    int structure = 0, cut = 0;
+  };
   struct Dragged {
     session::Pull pull;
     session::ExtrusionDrag drag;
   };
   std::optional<Target> targetAt(const ViewPoint& at) const;
+  void mean(const Target& target);
+  int supporting() const;
   bool begin(const Target& target, const ViewPoint& at, bool goesOn);
   void pullTo(const ViewPoint& at);
   void toggle();
@@ -61,7 +70,7 @@ class PullTool : public Tool {
   std::vector<session::Pull> mChosen;  ///< with the one that was last pressed on at the end
   std::vector<Dragged> mDragged;       ///< while the pointer is down
   std::optional<Target> mTarget;       ///< under the pointer
-  int mPreferred = 0;                  ///< cut that Space has chosen where there are two
+  Meant mMeant;
   ToolView* mView = nullptr;
   QPointF mPointer;
   QString mTag;

@@ -85,13 +85,16 @@ void drawTag(QPainter& painter, QPointF pointer, const QSize& view, const QStrin
 
 void drawHint(QPainter& painter, const QSize& view, const QString& text) {
   if (text.isEmpty()) return;
-  QRectF box(0, 0, QFontMetrics(painter.font()).horizontalAdvance(text) + 32, 30);
-  box.moveCenter(QPointF(view.width() / 2.0, 30));
+  // In a narrow view in several lines.
+  QRectF most(0, 0, view.width() - 48, view.height());
+  QRectF words = painter.boundingRect(most, Qt::AlignHCenter | Qt::TextWordWrap, text);
+  QRectF box(0, 15, words.width() + 32, words.height() + 14);
+  box.moveLeft(0.5 * (view.width() - box.width()));
   painter.setPen(Qt::NoPen);
   painter.setBrush(QColor(0, 0, 0, 190));
   painter.drawRoundedRect(box, 8, 8);
   painter.setPen(Qt::white);
-  painter.drawText(box, Qt::AlignCenter, text);
+  painter.drawText(box.adjusted(15, 0, -15, 0), Qt::AlignCenter | Qt::TextWordWrap, text);
 }
 
 Qt::CursorShape cursorAlong(QPointF direction) {

@@ -1,0 +1,219 @@
+// What is about to flow into something else is held and said, with every way on that there is; Esc stops what grows.
+#include <QDoubleSpinBox>
+#include <QLabel>
+
+#include "PullFixture.h"
+#include "velum/session/extrusion/Pull.h"
+
+namespace velum::gui {
+
+namespace {
+
+constexpr int kEdge = 64, kMazeEdge = 192;
+
+/// Values by a function of the voxel; voxels of 1 mm.
+template <class Value>
+void writeVoxels(const std::filesystem::path& path, int edge, Value&& valueAt) {
+  Volume volume;
+  volume.dims = glm::ivec3(edge);
+  volume.type = SampleType::UInt8;
+  volume.voxels.resize(timeStepBytes(volume));
+  auto* values = volume.voxels.data();
+  for (int z = 0; z < edge; ++z)
+    for (int y = 0; y < edge; ++y)
+      for (int x = 0; x < edge; ++x) *values++ = std::byte(valueAt(x, y, z));
+  Progress progress;
+  io::writeVolume(volume, path, progress);
+}
+
+/// A bar along y that opens into a block at y < 16, which is a little brighter.
+int barAndBlock(int x, int y, int z) {
+  bool isBar = std::abs(x - 32) < 4 && std::abs(z - 32) < 4;
+  bool isBlock = y < 16 && x > 2 && x < 62 && z > 2 && z < 62;
+  return isBlock ? 170 : isBar ? 150 : 20;
+}
+
+/// In every plane across y one winding way, which takes as many steps to go as it has voxels.
+int maze(int x, int, int z) {
+  bool isTurn = x % 4 == 1 ? z == 0 : x % 4 == 3 && z == kMazeEdge - 1;
+  return x % 2 == 0 || isTurn ? 150 : 20;
+}
+
+}  // namespace
+
+class PullLeak : public PullFixture {
+ protected:
+  static constexpr double kPlane = 40.0, kBlock = 15.5, kFar = 36.0;
+
+  static void SetUpTestSuite() {
+    Window::SetUpTestSuite();
+    writeVoxels(*sFolder / "leak.nrrd", kEdge, barAndBlock);
+    writeVoxels(*sFolder / "maze.nrrd", kMazeEdge, maze);
+  }
+
+  /// With a plane that removes what lies before it, seen obliquely.
+  void openCut(const char* file, glm::dvec3 centre) {
+    open({path(file)});
+    document().edit("Look", [&](scene::Scene& s) {
+      s.volume.transfer.opacities = {{60, 0}, {80, 1}, {255, 1}};
+      scene::Cut cut;
+      cut.axis = {0, -1, 0};
+      cut.centre = centre;
+      scene::addCut(s, cut);
+      s.camera = scene::frameCamera(s, scene::StandardView::Oblique, 1.0);
+    });
+    takeUp();
+  }
+  /// The bar is pulled out beyond where it becomes the block.
+  void pullTheBar() {
+    glm::dvec3 place(32, kPlane, 32);
+    openCut("leak.nrrd", place);
+    pull(pixelOf(place), place, cut(), kFar);
+    ASSERT_TRUE(settle());
+    ASSERT_EQ(scene().labels.growths.size(), 1u);
+    mStructure = scene().labels.growths[0].structure;
+  }
+  bool isWarned() { return child<QLabel>("leakText")->isVisible(); }
+  void click(const char* name) {
+    auto* button = child<QPushButton>(name);
+    ASSERT_TRUE(button && button->isVisible());
+    QTest::mouseClick(button, Qt::LeftButton);
+    ASSERT_TRUE(settle());
+  }
+  void type(const char* name, const QString& number) {
+    auto* spin = child<QDoubleSpinBox>(name);
+    ASSERT_TRUE(spin && spin->isVisible());
+    spin->setFocus();
+    spin->selectAll();
+    QTest::keyClicks(spin, number);
+    QTest::keyClick(spin, Qt::Key_Return);
+    ASSERT_TRUE(settle());
+  }
+  std::size_t voxelsInBlock() {
+    return voxelsOf(mStructure, [](glm::dvec3 p) { return p.y < kBlock; });
+  }
+  /// How far it has grown out of the face.
+  double deepest() {
+    double deep = 0.0;
+    voxelsOf(mStructure, [&](glm::dvec3 p) { return deep = std::max(deep, kPlane - p.y), true; });
+    return deep;
+  }
+  void expectWholeBarAlone() {
+    EXPECT_FALSE(isWarned());
+    EXPECT_EQ(voxelsInBlock(), 0u);
+    EXPECT_GT(deepest(), kPlane - kBlock - 2.0) << "as far as it is pulled, or there is some of it";
+    EXPECT_NEAR(session::extrusionOf(cut(), mStructure), kFar, 1.0);
+    EXPECT_TRUE(session::isGrown(scene()));
+  }
+
+  int mStructure = 0;
+};
+
+TEST_F(PullLeak, IsSaidBeforeThePictureIsFloodedAndMayStayAsFarAsHere) {
+  pullTheBar();
+  ASSERT_TRUE(isWarned());
+  takeShot(*mWindow, "pull-leak");
+  QString text = child<QLabel>("leakText")->text();
+  EXPECT_TRUE(text.contains("Region 1")) << text.toStdString();
+  EXPECT_TRUE(text.contains("mm")) << text.toStdString();
+  EXPECT_EQ(voxelsInBlock(), 0u);
+  std::size_t held = voxelsOf(mStructure);
+  EXPECT_GT(held, 49u * 15) << "what there is of the bar stays";
+  click("leakHere");
+  EXPECT_FALSE(isWarned());
+  EXPECT_EQ(voxelsOf(mStructure), held);
+  EXPECT_NEAR(session::extrusionOf(cut(), mStructure), kFar, 1.0);
+}
+
+TEST_F(PullLeak, MayGoOn) {
+  pullTheBar();
+  ASSERT_TRUE(isWarned());
+  click("leakGoOn");
+  EXPECT_FALSE(isWarned());
+  EXPECT_GT(voxelsInBlock(), 59u * 59 * 10);
+}
+
+TEST_F(PullLeak, IsHealedByANarrowerRange) {
+  pullTheBar();
+  ASSERT_TRUE(isWarned());
+  type("growHigh", "160");
+  EXPECT_EQ(scene().labels.growths[0].high, 160.0);
+  expectWholeBarAlone();
+}
+
+TEST_F(PullLeak, IsHealedByAStopAtEdges) {
+  pullTheBar();
+  ASSERT_TRUE(isWarned());
+  type("growSteepest", "8");
+  EXPECT_EQ(scene().labels.growths[0].steepest, 8.0);
+  expectWholeBarAlone();
+}
+
+TEST_F(PullLeak, IsHealedByABarrierThatIsDrawnAcrossIt) {
+  pullTheBar();
+  ASSERT_TRUE(isWarned());
+  click("barrierTool");
+  // Across the bar before the place where it is held, wide enough for all of it.
+  constexpr double kDepth = 16.0;
+  std::vector<Seen> across = look(3);
+  std::erase_if(across, [&](const Seen& seen) {
+    return seen.pick.structure != mStructure || std::abs(kPlane - seen.pick.world.y - kDepth) > 1.0 ||
+           seen.pick.normal.z < 0.7;
+  });
+  ASSERT_GE(across.size(), 3u);
+  auto byX = [](const Seen& a, const Seen& b) { return a.pick.world.x < b.pick.world.x; };
+  auto [from, to] = std::minmax_element(across.begin(), across.end(), byX);
+  turnWheel(5);
+  drag(from->pixel, to->pixel);
+  ASSERT_TRUE(settle());
+  takeShot(*mWindow, "pull-barrier");
+  const auto& step = scene().labels.growths[0];
+  ASSERT_EQ(step.barriers.size(), 1u);
+  EXPECT_GT(step.barriers[0].radius, 5.0);
+  EXPECT_FALSE(isWarned());
+  EXPECT_EQ(voxelsInBlock(), 0u);
+  EXPECT_LT(deepest(), kDepth) << "nothing grows through it";
+  EXPECT_GT(deepest(), kDepth - 2.5 * step.barriers[0].radius) << "nor is what lies before it lost";
+  EXPECT_TRUE(session::isGrown(scene()));
+  document().undo();
+  ASSERT_TRUE(settle());
+  EXPECT_GT(deepest(), kDepth);
+}
+
+TEST_F(PullLeak, EscStopsWhatGrowsAndLeavesWhatThereIsWhileTheWindowAnswers) {
+  openCut("maze.nrrd", {96, 96, 96});
+  std::vector<Seen> face = look();
+  std::erase_if(face, [&](const Seen& seen) { return !isOnFace(seen, cut()); });
+  ASSERT_FALSE(face.empty());
+  const Seen& place = face[face.size() / 2];
+  pull(place.pixel, place.pick.world, cut(), 90.0);
+  ASSERT_EQ(scene().labels.growths.size(), 1u);
+  int structure = scene().labels.growths[0].structure;
+  auto isUnderWay = [&] { return growth().isGrowing() && !scene().labels.grown.empty(); };
+  ASSERT_TRUE(QTest::qWaitFor([&] { return isUnderWay() && voxelsOf(structure) > 0; }, 20000)) << "the front is seen";
+  // The camera turns, three times, and the front goes on meanwhile.
+  for (int i = 0; i < 3; ++i) {
+    scene::Camera before = scene().camera;
+    int shown = viewport().shownCount();
+    drag({8, 8}, {8 + 6 * (i % 2 ? 1 : -1), 8}, Qt::MiddleButton);
+    EXPECT_NE(scene().camera, before);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return viewport().shownCount() > shown; }, 20000));
+    EXPECT_TRUE(growth().isGrowing()) << "the picture did not wait for its end";
+  }
+  std::size_t before = voxelsOf(structure);
+  QTest::keyClick(&viewport(), Qt::Key_Escape);
+  EXPECT_FALSE(growth().isGrowing());
+  EXPECT_TRUE(tool()) << "the tool stays";
+  ASSERT_TRUE(settle());
+  takeShot(*mWindow, "pull-stopped");
+  EXPECT_TRUE(session::isGrown(scene()));
+  std::size_t stopped = voxelsOf(structure);
+  EXPECT_GE(stopped, before);
+  EXPECT_LT(scene().labels.growths.back().distance, 85.0);
+  EXPECT_NEAR(session::extrusionOf(cut(), structure), 90.0, 2.0);
+  EXPECT_EQ(document().undoLabel(), "Stop growing");
+  QTest::keyClick(&viewport(), Qt::Key_Escape);
+  EXPECT_FALSE(tool()) << "when nothing grows it lays the tool down";
+}
+
+}  // namespace velum::gui

@@ -192,5 +192,10 @@ TEST(LeakGuard, ComparesWithWhatIsExpected) {
   EXPECT_FALSE(unknown.leaks(1e6, 1000000)) << "nothing to tell from";
 }
 
+TEST(LeakGuard, ANeckIsNoLeak) {
+  LeakGuard guard(100.0);
+  for (double area : {100.0, 100.0, 10.0, 10.0, 100.0}) EXPECT_FALSE(guard.leaks(area, 1000)) << area;
+}
+
 }  // namespace
 }  // namespace velum::extrusion

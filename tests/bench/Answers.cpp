@@ -35,7 +35,7 @@ nlohmann::json childAnswers(int size) {
   constexpr int kMoves = 90;
   nlohmann::json figures;
   figures["while the volume goes to the driver"] = figuresOf(gui::dragCrosshair(window, kMoves));
-  QTest::qWaitFor([&] { return window.viewport().stats().samples > 0; }, 120000);
+  (void)QTest::qWaitFor([&] { return window.viewport().stats().samples > 0; }, 120000);
   figures["while the 3D view refines"] = figuresOf(gui::dragCrosshair(window, kMoves));
   figures["the 3D view itself, turned while it refines"] = figuresOf(gui::dragCamera(window, kMoves));
   {
@@ -43,8 +43,9 @@ nlohmann::json childAnswers(int size) {
     job.start();
     figures["and a job holds every core"] = figuresOf(gui::dragCrosshair(window, kMoves));
   }
-  QTest::qWaitFor([&] { return window.isSettled(); }, 120000);
+  (void)QTest::qWaitFor([&] { return window.isSettled(); }, 120000);
   figures["at rest"] = figuresOf(gui::dragCrosshair(window, kMoves));
+  figures["a structure pulled out of a cut, grown as it comes"] = figuresOf(gui::dragStructure(window, kMoves));
   return figures;
 }
 

@@ -21,12 +21,19 @@ struct Section {
   const char* name;
   void (*measure)(const Options& options, Report& report);
 };
-constexpr Section kSections[] = {
-    {"vtk", measureAgainstVtk},       {"interaction", measureInteraction}, {"labels", measureLabels},
-    {"growing", measureGrowing},      {"membrane", measureMembrane},       {"drag", measureMembraneDrag},
-    {"fine-sheets", measureFineSheets},
-    {"kept-whole", measureKeptWhole}, {"families", measureFamilies},       {"scaling", measureScaling},
-    {"fetches", measureFetches},      {"loading", measureLoading}};
+constexpr Section kSections[] = {{"vtk", measureAgainstVtk},
+                                 {"interaction", measureInteraction},
+                                 {"labels", measureLabels},
+                                 {"growing", measureGrowing},
+                                 {"cross-sections", measureCrossSections},
+                                 {"membrane", measureMembrane},
+                                 {"drag", measureMembraneDrag},
+                                 {"fine-sheets", measureFineSheets},
+                                 {"kept-whole", measureKeptWhole},
+                                 {"families", measureFamilies},
+                                 {"scaling", measureScaling},
+                                 {"fetches", measureFetches},
+                                 {"loading", measureLoading}};
 
 double load() {
   double averages[1] = {0};
@@ -82,15 +89,18 @@ int parseAndRun(int argc, char** argv) {
   Outputs outputs;
   std::vector<std::string> only, names;
   for (const Section& section : kSections) names.push_back(section.name);
-  app.add_option(
-         "--only", only,
-         "sections to measure: vtk, interaction, labels, growing, membrane, drag, fine-sheets, kept-whole, families, "
-         "scaling, "
-         "fetches, loading")
+  app.add_option("--only", only,
+                 "sections to measure: vtk, interaction, labels, growing, cross-sections, membrane, drag, fine-sheets, "
+                 "kept-whole, families, "
+                 "scaling, "
+                 "fetches, loading")
       ->check(CLI::IsMember(names));
   app.add_flag("--quick", options.quick, "smaller data, fewer positions: a look, not a measurement");
   app.add_flag("--tune", options.tune, "families: the half of the planes on which constants may be chosen");
   app.add_option("--match", options.match, "families: only data that has this in its name");
+  app.add_option(
+      "--planes", options.planes,
+      "families: file (CSV) of the planes; those in it are not measured again, so that hours may be shared out");
   app.add_option("--pictures", options.pictures,
                  "folder for pictures side by side: VTK GPU, VTK CPU, Velum, Velum with everything on");
   app.add_option("--json", outputs.json, "file for the figures");

@@ -9,6 +9,7 @@ struct Options {
   bool quick = false;    ///< Fewer positions and sizes: a look, not a measurement.
   bool tune = false;     ///< The half of the planes on which constants may be chosen; the other half is reported.
   std::string match;     ///< Of the families only data that has this in its name.
+  std::string planes;    ///< Of the families a file (CSV) of planes: what is in it is not measured again. Empty: none.
   std::string pictures;  ///< Folder for the pictures that were compared; empty: none.
 };
 
@@ -20,6 +21,8 @@ void measureInteraction(const Options& options, Report& report);
 void measureLabels(const Options& options, Report& report);
 /// Growing regions against ITK, and slab by slab against the paper's figures.
 void measureGrowing(const Options& options, Report& report);
+/// Structures pulled out of cuts: the paper's Table 1.
+void measureCrossSections(const Options& options, Report& report);
 /// Frame time against voxels, pixels, opacity, cuts and structures.
 void measureScaling(const Options& options, Report& report);
 /// Trilinear fetches: what the driver can do and what our frames ask of it.

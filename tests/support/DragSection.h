@@ -105,6 +105,22 @@ inline AnswerTimes dragCrosshair(MainWindow& window, int moves) {
   });
 }
 
+/// A structure out of a cut through the middle, in the 3D view alone, grown as it is pulled; the answer is its next
+/// picture.
+inline AnswerTimes dragStructure(MainWindow& window, int moves) {
+  window.views().setLayout(scene::Layout::Volume);
+  window.document().edit("Add cut", [](scene::Scene& s) {
+    scene::Cut cut;
+    cut.axis = {0, -1, 0};
+    scene::addCut(s, cut);
+    s.camera = scene::frameCamera(s, scene::StandardView::Oblique, 1.6);
+  });
+  window.actions().find("extrusion.pull")->trigger();
+  (void)QTest::qWaitFor([&] { return window.isSettled(); }, 120000);
+  Viewport& view = window.viewport();
+  return timeDrag(view, moves, [&] { return view.shownCount(); });
+}
+
 /// The camera in the 3D view; the answer is its next picture.
 inline AnswerTimes dragCamera(MainWindow& window, int moves) {
   Viewport& view = window.viewport();

@@ -8,6 +8,7 @@
 
 #include "kit/RecentFiles.h"
 #include "velum/core/Memory.h"
+#include "velum/session/document/FileKinds.h"
 #include "velum/session/document/Open.h"
 #include "velum/session/look/Look.h"
 

@@ -1,10 +1,11 @@
+#include "velum/session/document/FileKinds.h"
+
 #include <fmt/format.h>
 
 #include <sstream>
 
 #include "velum/io/meshes/ReadMesh.h"
 #include "velum/io/volumes/Formats.h"
-#include "velum/session/document/Open.h"
 
 namespace velum::session {
 

@@ -48,16 +48,6 @@ void saveScene(const scene::Scene& scene, const std::filesystem::path& path);
 /// The scene's text as it rides in a picture that is written to `path`.
 std::string sceneTextFor(const scene::Scene& scene, const std::filesystem::path& path);
 
-/// A kind of file that can be opened, for dialogs and help.
-struct FileKind {
-  std::string name;                   ///< "NIfTI"
-  std::vector<std::string> patterns;  ///< "*.nii", "*.nii.gz"
-};
-/// Scenes, volumes, surfaces, pictures of ours, in the order of menus.
-std::vector<FileKind> readableKinds();
-/// Volumes only; labels come in files of the same kinds.
-std::vector<FileKind> volumeKinds();
-
 /// The phantoms that openSample() makes.
 std::vector<std::string> sampleNames();
 

@@ -9,7 +9,7 @@ namespace velum::gui {
 
 namespace {
 
-constexpr int kEdge = 64, kMazeEdge = 192;
+constexpr int kEdge = 64, kMazeEdge = 240;
 
 /// Values by a function of the voxel; voxels of 1 mm.
 template <class Value>
@@ -181,7 +181,7 @@ TEST_F(PullLeak, IsHealedByABarrierThatIsDrawnAcrossIt) {
 }
 
 TEST_F(PullLeak, EscStopsWhatGrowsAndLeavesWhatThereIsWhileTheWindowAnswers) {
-  openCut("maze.nrrd", {96, 96, 96});
+  openCut("maze.nrrd", glm::dvec3(kMazeEdge / 2));
   std::vector<Seen> face = look();
   std::erase_if(face, [&](const Seen& seen) { return !isOnFace(seen, cut()); });
   ASSERT_FALSE(face.empty());
@@ -191,15 +191,13 @@ TEST_F(PullLeak, EscStopsWhatGrowsAndLeavesWhatThereIsWhileTheWindowAnswers) {
   int structure = scene().labels.growths[0].structure;
   auto isUnderWay = [&] { return growth().isGrowing() && !scene().labels.grown.empty(); };
   ASSERT_TRUE(QTest::qWaitFor([&] { return isUnderWay() && voxelsOf(structure) > 0; }, 20000)) << "the front is seen";
-  // The camera turns, three times, and the front goes on meanwhile.
-  for (int i = 0; i < 3; ++i) {
-    scene::Camera before = scene().camera;
-    int shown = viewport().shownCount();
-    drag({8, 8}, {8 + 6 * (i % 2 ? 1 : -1), 8}, Qt::MiddleButton);
-    EXPECT_NE(scene().camera, before);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return viewport().shownCount() > shown; }, 20000));
-    EXPECT_TRUE(growth().isGrowing()) << "the picture did not wait for its end";
-  }
+  // The camera turns, and the front goes on meanwhile.
+  scene::Camera start = scene().camera;
+  int shown = viewport().shownCount();
+  drag({8, 8}, {14, 8}, Qt::MiddleButton);
+  EXPECT_NE(scene().camera, start);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return viewport().shownCount() > shown; }, 20000));
+  ASSERT_TRUE(growth().isGrowing()) << "the picture did not wait for its end";
   std::size_t before = voxelsOf(structure);
   QTest::keyClick(&viewport(), Qt::Key_Escape);
   EXPECT_FALSE(growth().isGrowing());

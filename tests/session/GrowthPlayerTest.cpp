@@ -7,6 +7,7 @@
 #include <random>
 #include <thread>
 
+#include "GrowthScene.h"
 #include "velum/session/Session.h"
 #include "velum/session/document/Open.h"
 #include "velum/session/extrusion/Pull.h"
@@ -17,38 +18,16 @@ namespace {
 
 constexpr int kEdge = 64;
 
-/// Values by a function of the voxel; voxels of 1 mm, a plane in the middle that removes y < 32.
-template <class Value>
-scene::Scene sceneOf(Value&& valueAt) {
-  Volume volume;
-  volume.dims = {kEdge, kEdge, kEdge};
-  volume.type = SampleType::UInt8;
-  volume.voxels.resize(std::size_t(kEdge) * kEdge * kEdge);
-  auto* values = volume.voxels.data();
-  for (int z = 0; z < kEdge; ++z)
-    for (int y = 0; y < kEdge; ++y)
-      for (int x = 0; x < kEdge; ++x) *values++ = std::byte(valueAt(x, y, z));
-  volume.range = {0, 200};
-  scene::Scene scene;
-  scene.volume.data = Shared<Volume>(std::move(volume));
-  scene.volume.transfer.opacities = {{60, 0}, {80, 1}, {255, 1}};
-  scene::Cut cut;
-  cut.centre = {31.5, 32.0, 31.5};
-  cut.axis = {0, -1, 0};
-  scene::addCut(scene, cut);
-  return scene;
-}
-
 /// Bars along y, every fourth voxel, joined at y = 5.
 scene::Scene combScene() {
-  return sceneOf([](int x, int y, int z) { return y == 5 || (x % 4 == 0 && z % 4 == 0) ? 150 : 20; });
+  return growthScene(kEdge, 1, [](glm::ivec3 v, int) { return v.y == 5 || (v.x % 4 == 0 && v.z % 4 == 0) ? 150 : 20; });
 }
 
 /// A bar along y that opens into a block at y < 20.
 scene::Scene leakScene() {
-  return sceneOf([](int x, int y, int z) {
-    bool isBar = std::abs(x - 32) < 4 && std::abs(z - 32) < 4;
-    bool isBlock = y < 20 && x > 2 && x < 62 && z > 2 && z < 62;
+  return growthScene(kEdge, 1, [](glm::ivec3 v, int) {
+    bool isBar = std::abs(v.x - 32) < 4 && std::abs(v.z - 32) < 4;
+    bool isBlock = v.y < 20 && v.x > 2 && v.x < 62 && v.z > 2 && v.z < 62;
     return isBar || isBlock ? 150 : 20;
   });
 }
@@ -174,7 +153,7 @@ TEST(GrowthPlayer, WhatLeaksIsHeldAndSaidAndMayGoOn) {
 
 TEST(GrowthPlayer, WhatIsStoppedStaysAsItIs) {
   Session session;
-  session.document().replace(sceneOf([](int, int, int) { return 150; }));
+  session.document().replace(growthScene(kEdge, 1, [](glm::ivec3, int) { return 150; }));
   auto pull = beginPull(session.scene(), session.scene().cuts[0].id, {32, 32, 32}, 0);
   ASSERT_TRUE(pull);
   session.document().edit("Pull", [&](scene::Scene& s) { pullTo(s, *pull, 30.0); });

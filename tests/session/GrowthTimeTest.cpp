@@ -5,6 +5,7 @@
 #include <random>
 #include <thread>
 
+#include "GrowthScene.h"
 #include "velum/session/Session.h"
 #include "velum/session/extrusion/Pull.h"
 
@@ -19,30 +20,8 @@ bool isInBall(glm::ivec3 v, int timeStep) {
   return glm::distance(glm::dvec3(v), {middleOf(timeStep), 24.0, 24.0}) < 7.2;
 }
 
-/// Voxels of 1 mm and a plane that removes y < 24. @param valueOf  of a voxel at a time step
-template <class ValueOf>
-scene::Scene sceneOf(int steps, const ValueOf& valueOf) {
-  Volume volume;
-  volume.dims = {kEdge, kEdge, kEdge};
-  volume.timeSteps = steps;
-  volume.type = SampleType::UInt8;
-  for (int t = 0; t < steps; ++t)
-    for (int z = 0; z < kEdge; ++z)
-      for (int y = 0; y < kEdge; ++y)
-        for (int x = 0; x < kEdge; ++x) volume.voxels.push_back(std::byte(valueOf(glm::ivec3(x, y, z), t)));
-  volume.range = {0, 200};
-  scene::Scene scene;
-  scene.volume.data = Shared<Volume>(std::move(volume));
-  scene.volume.transfer.opacities = {{60, 0}, {80, 1}, {255, 1}};
-  scene::Cut cut;
-  cut.centre = {23.5, 24.0, 23.5};
-  cut.axis = {0, -1, 0};
-  scene::addCut(scene, cut);
-  return scene;
-}
-
 scene::Scene ballScene() {
-  return sceneOf(kSteps, [](glm::ivec3 v, int t) { return isInBall(v, t) ? 150 : 20; });
+  return growthScene(kEdge, kSteps, [](glm::ivec3 v, int t) { return isInBall(v, t) ? 150 : 20; });
 }
 
 void pullAt(Session& session, glm::dvec3 place, double distance) {
@@ -173,7 +152,7 @@ TEST(GrowthTime, MoreSeedsAreStepsOfTheirOwn) {
   // Two bars of the same values; what lies between has others.
   auto isBar = [](glm::ivec3 v) { return (v.x < 8 || v.x >= 40) && v.y > 4; };
   Session session;
-  session.document().replace(sceneOf(1, [&](glm::ivec3 v, int) { return isBar(v) ? 150 : 20; }));
+  session.document().replace(growthScene(kEdge, 1, [&](glm::ivec3 v, int) { return isBar(v) ? 150 : 20; }));
   pullAt(session, {3, 24, 24}, 10.0);
   settle(session);
   auto one = session.scene().labels.data;
@@ -199,7 +178,7 @@ TEST(GrowthTime, MoreSeedsAreStepsOfTheirOwn) {
 TEST(GrowthTime, SmoothedItIsTheSameHoweverTheHandGoes) {
   // A bone with marrow and pores, and a fork that a closing joins.
   std::mt19937 random(3);
-  auto scene = sceneOf(1, [&](glm::ivec3 v, int) {
+  auto scene = growthScene(kEdge, 1, [&](glm::ivec3 v, int) {
     double r = glm::length(glm::dvec2(v.x, v.z) - 23.5);
     bool isPore = (v.x * 7 + v.y * 3 + v.z * 5) % 11 == 0;
     return r < 12 && r > 6 && !isPore ? 150 : 20;

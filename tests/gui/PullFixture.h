@@ -16,6 +16,21 @@
 
 namespace velum::gui {
 
+/// Values by a function of the voxel; voxels of 1 mm.
+template <class Value>
+void writeVoxels(const std::filesystem::path& path, int edge, Value&& valueAt) {
+  Volume volume;
+  volume.dims = glm::ivec3(edge);
+  volume.type = SampleType::UInt8;
+  volume.voxels.resize(timeStepBytes(volume));
+  auto* values = volume.voxels.data();
+  for (int z = 0; z < edge; ++z)
+    for (int y = 0; y < edge; ++y)
+      for (int x = 0; x < edge; ++x) *values++ = std::byte(valueAt(x, y, z));
+  Progress progress;
+  io::writeVolume(volume, path, progress);
+}
+
 /// The pull tool in the real window, driven by real events.
 class PullFixture : public Window {
  protected:

@@ -11,21 +11,6 @@ namespace {
 
 constexpr int kEdge = 64, kMazeEdge = 240;
 
-/// Values by a function of the voxel; voxels of 1 mm.
-template <class Value>
-void writeVoxels(const std::filesystem::path& path, int edge, Value&& valueAt) {
-  Volume volume;
-  volume.dims = glm::ivec3(edge);
-  volume.type = SampleType::UInt8;
-  volume.voxels.resize(timeStepBytes(volume));
-  auto* values = volume.voxels.data();
-  for (int z = 0; z < edge; ++z)
-    for (int y = 0; y < edge; ++y)
-      for (int x = 0; x < edge; ++x) *values++ = std::byte(valueAt(x, y, z));
-  Progress progress;
-  io::writeVolume(volume, path, progress);
-}
-
 /// A bar along y that opens into a block at y < 16, which is a little brighter.
 int barAndBlock(int x, int y, int z) {
   bool isBar = std::abs(x - 32) < 4 && std::abs(z - 32) < 4;

@@ -1,5 +1,6 @@
 #include "PullTool.h"
 
+#include <QLocale>
 #include <algorithm>
 #include <utility>
 
@@ -8,6 +9,7 @@
 #include "tool/HandlePaint.h"
 #include "velum/scene/SectionPlane.h"
 #include "velum/session/cut/CutEdit.h"
+#include "velum/session/growth/Growths.h"
 #include "velum/session/structure/StructureEdit.h"
 
 namespace velum::gui {
@@ -43,6 +45,7 @@ bool PullTool::start() {
 void PullTool::stop() {
   if (!mDragged.empty()) mDocument.endMerge();
   mDragged.clear();
+  mStroke.reset();
   mChosen.clear();
   mTarget.reset();
   mMeant = {};
@@ -58,6 +61,9 @@ QString PullTool::hint() const {
   if (!hasCutToPullFrom(mDocument.scene())) return tr("Add a cut first: there is none to pull out of. Esc ends.");
   if (mTarget && mTarget->cuts.size() > 1)
     return tr("Two planes hold this: Space changes the one that it is pulled out of. Esc ends.");
+  if (session::lastGrowth(mDocument.scene(), mSelection.structure()))
+    return tr(
+        "Drag a structure out of the cut. Shift takes several, a stroke with Ctrl adds to the selected one. Esc ends.");
   return tr("Drag a structure out of the cut. Shift takes several, Alt and the wheel move the plane. Esc ends.");
 }
 
@@ -85,10 +91,13 @@ int PullTool::supporting() const { return mDragged.empty() && mTarget ? mTarget-
 /// With other buttons and keys the view does what it always does; beside what can be pulled, too.
 bool PullTool::press(const PointerEvent& event) {
   bool isPlain = event.keys == Qt::NoModifier || event.keys == Qt::ShiftModifier;
-  if (event.button != Qt::LeftButton || !isPlain) return false;
+  bool isStroke = event.keys == Qt::ControlModifier;
+  if (event.button != Qt::LeftButton || (!isPlain && !isStroke)) return false;
   auto target = targetAt(event.at);
   if (!target) return false;
-  return begin(*target, event.at, event.keys & Qt::ShiftModifier);
+  if (!isStroke) return begin(*target, event.at, event.keys & Qt::ShiftModifier);
+  beginStroke(event.at);
+  return true;
 }
 
 bool PullTool::begin(const Target& target, const ViewPoint& at, bool goesOn) {
@@ -140,13 +149,59 @@ void PullTool::pullTo(const ViewPoint& at) {
   mTag = tr("%1: %2").arg(nameOf(mDragged.back().pull), Length(mDocument.scene()).text(distance));
 }
 
+/// Only what was grown can grow from more places.
+void PullTool::beginStroke(const ViewPoint& at) {
+  int structure = mSelection.structure();
+  mTag.clear();
+  if (session::lastGrowth(mDocument.scene(), structure)) {
+    mStroke.emplace();
+    mView = &at.view();
+    return strokeTo(at);
+  }
+  const scene::Structure* row = session::findStructure(mDocument.scene(), structure);
+  mParts.messages.showNote(
+      row ? tr("%1 has labels of its own: a stroke with Ctrl adds to what was found from its values")
+                .arg(QString::fromStdString(row->name))
+          : tr("Pull a structure out, or select one that was: a stroke with Ctrl adds to it"));
+}
+
+void PullTool::strokeTo(const ViewPoint& at) {
+  auto target = targetAt(at);
+  if (target)
+    mStroke->goOn(target->world, {target->structure, target->cuts.front()});
+  else
+    mStroke->lift();
+}
+
+/// What is joined to the places under the stroke becomes part of the structure, as far as that is pulled.
+void PullTool::endStroke() {
+  SeedStroke stroke = *std::exchange(mStroke, std::nullopt);
+  int structure = mSelection.structure();
+  const scene::Growth* last = session::lastGrowth(mDocument.scene(), structure);
+  if (!last) return;
+  QString name = QString::fromStdString(session::structureName(mDocument.scene(), structure));
+  glm::dvec2 range = mDocument.scene().volume.data->range;
+  double low = std::max(last->low, range.x), high = std::min(last->high, range.y);
+  std::size_t count = 0;
+  mDocument.edit(tr("Add to %1").arg(name).toStdString(), [&](scene::Scene& scene) {
+    count = session::addSeeds(scene, structure, stroke.places(*scene.volume.data));
+  });
+  if (count == 0)
+    mParts.messages.showNote(tr("Nothing was added to %1: nothing under the stroke has its values, %2 to %3")
+                                 .arg(name, QLocale().toString(low), QLocale().toString(high)));
+}
+
 void PullTool::drag(const PointerEvent& event) {
   mPointer = event.at.place();
-  pullTo(event.at);
+  if (mStroke)
+    strokeTo(event.at);
+  else
+    pullTo(event.at);
   mToolbox.repaint(event.at.view());
 }
 
 void PullTool::release(const PointerEvent& event) {
+  if (mStroke) endStroke();
   mDocument.endMerge();
   mDragged.clear();
   mTag.clear();
@@ -216,6 +271,7 @@ bool PullTool::wheel(const PointerEvent& event, double notches) {
 
 void PullTool::paint(ViewPainter& over) const {
   if (!over.space.section()) paintPlanes(over, mDocument.scene(), supporting());
+  if (mStroke) mStroke->paint(over, 0.5 * scene::sectionStep(mDocument.scene()));
   if (&over.view == mView && !mTag.isEmpty()) drawTag(over.painter, mPointer, over.size, mTag);
 }
 

@@ -2,6 +2,7 @@
 #include <optional>
 #include <vector>
 
+#include "SeedStroke.h"
 #include "velum/session/extrusion/Extrusion.h"
 #include "velum/session/extrusion/Pull.h"
 #include "view/Room.h"
@@ -11,7 +12,8 @@ namespace velum::gui {
 /// Pulls structures out of cuts ([ACS] 4.3): a press on a cut's face, or on what stands out of it, chooses the
 /// structure there, and the drag pulls it out as far as the pointer goes. With Shift what was chosen before comes
 /// along. Where two extrusions overlap the nearer plane is meant, until Space says the other, as long as the pointer
-/// stays there. Everywhere else the view has the pointer. Handles of cuts would lie over what is to be pulled.
+/// stays there. With Ctrl a stroke gives the selected structure more places to grow from. Everywhere else the view has
+/// the pointer. Handles of cuts would lie over what is to be pulled.
 class PullTool : public Tool {
   Q_OBJECT
  public:
@@ -29,7 +31,7 @@ class PullTool : public Tool {
   void refresh() override;
   QString hint() const override;
   void paint(ViewPainter& over) const override;
-  bool pausesOtherViews() const override { return !mDragged.empty(); }
+  bool pausesOtherViews() const override { return !mDragged.empty() || mStroke; }
   bool hidesHandles() const override { return true; }
   bool marksOverlaps() const override { return true; }
   /// What is said beside the pointer: a name, and how far it stands out.
@@ -59,6 +61,9 @@ class PullTool : public Tool {
   int supporting() const;
   bool begin(const Target& target, const ViewPoint& at, bool goesOn);
   void pullTo(const ViewPoint& at);
+  void beginStroke(const ViewPoint& at);
+  void strokeTo(const ViewPoint& at);
+  void endStroke();
   void toggle();
   QString nameOf(const session::Pull& pull) const;
   QString tagOf(const Target& target) const;
@@ -69,6 +74,7 @@ class PullTool : public Tool {
   Toolbox& mToolbox;
   std::vector<session::Pull> mChosen;  ///< with the one that was last pressed on at the end
   std::vector<Dragged> mDragged;       ///< while the pointer is down
+  std::optional<SeedStroke> mStroke;   ///< while it is down with Ctrl
   std::optional<Target> mTarget;       ///< under the pointer
   Meant mMeant;
   ToolView* mView = nullptr;

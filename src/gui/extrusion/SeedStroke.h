@@ -1,0 +1,32 @@
+#pragma once
+#include <glm/glm.hpp>
+#include <optional>
+#include <vector>
+
+#include "tool/Manipulator.h"
+#include "velum/core/Volume.h"
+
+namespace velum::gui {
+
+/// A stroke over faces of cuts, in pieces: between two places on different things the way leads through what nobody has
+/// drawn on.
+class SeedStroke {
+ public:
+  /// What the pointer is on: a structure, and the cut that holds it.
+  struct Ground {
+    int structure = 0, cut = 0;
+    bool operator==(const Ground&) const = default;
+  };
+  void goOn(glm::dvec3 world, Ground ground);
+  /// The pointer is on nothing that counts; the next place begins a piece.
+  void lift() { mGround.reset(); }
+  /// The middles of the voxels under it, see session::placesAlong().
+  std::vector<glm::dvec3> places(const Volume& volume) const;
+  void paint(ViewPainter& over, double radius) const;
+
+ private:
+  std::vector<std::vector<glm::dvec3>> mPieces;
+  std::optional<Ground> mGround;
+};
+
+}  // namespace velum::gui

@@ -45,7 +45,7 @@ std::vector<std::string> rowOf(const Data& data, Report& report) {
   scene::Scene scene;
   scene.volume.data = Shared<Volume>(makePhantom(data.phantom, data.dims));
   glm::ivec3 n = scene.volume.data->dims;
-  scene.cuts = {membraneAcross(scene, glm::normalize(glm::dvec3(1, 0.6, 0.35)), 0.4)};
+  scene::addCut(scene, membraneAcross(scene, glm::normalize(glm::dvec3(1, 0.6, 0.35)), 0.4));
   session::protectValues(*scene.cuts[0].membrane, data.low, data.high);
   double atRest = settleMs(scene);
   session::MembranePlayer player;

@@ -20,7 +20,7 @@ ROOMS = {  # module: {room: rooms of the module it may include (its own is impli
     # A module's own folder may include each room unless it is listed.
     "scene": {"json": ".", ".": ""},
     "gpu": {"context": ".", ".": ""},
-    "io": {"read": "", "volumes": "read", "labels": "read volumes", "meshes": "read", "images": "read", "looks": "read",
+    "io": {"read": "", "volumes": "read", "labels": "read volumes", "meshes": "read", "models": "read", "images": "read", "looks": "read",
            "phantoms": ""},
     "membrane": {"forces": "", "sheet": "forces"},
     # The module's own folder has both the frame, which all know, and the renderer, which knows all.
@@ -35,7 +35,7 @@ ROOMS = {  # module: {room: rooms of the module it may include (its own is impli
 }
 ONLY_IN = {  # library header: modules that may name it
     r"<Q[A-Z]": "gui",
-    r"<(itk|gdcm|vtk|openvdb|OpenImageIO)": "io",
+    r"<(itk|gdcm|vtk|openvdb|OpenImageIO|gemmi)": "io",
     r"<(EGL|GL)/": "gpu",
     r"<(tbb|oneapi)/": "core",
     r"<GLFW/": "app",

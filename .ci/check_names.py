@@ -12,6 +12,7 @@ ALONE = {  # sources without a header of their name: why
     "src/gpu/context/*.cpp": "ways to a Context",
     "src/io/labels/DicomSegReader.cpp": "declared in Readers.h, as every reader of GDCM",
     "src/io/meshes/*Reader.cpp": "a row each of the table in ReadMesh.cpp, declared in MeshReaders.h",
+    "src/io/models/*Reader.cpp": "a row each of the table in ReadModel.cpp, declared in ModelReaders.h",
     "src/io/phantoms/*.cpp": "a row each of the table in Sample.cpp, declared in Phantom.h",
     "src/io/volumes/*Reader.cpp": "a row each of the table in Formats.cpp, declared in Readers.h",
     "src/io/volumes/*Writer.cpp": "a row each of the table in Formats.cpp, declared in Readers.h",
@@ -19,6 +20,7 @@ ALONE = {  # sources without a header of their name: why
 TABLES = {  # headers without a source of their name: why
     "src/app/Verbs.h": "the verbs",
     "src/io/meshes/MeshReaders.h": "the readers of surfaces",
+    "src/io/models/ModelReaders.h": "the readers of models",
     "src/io/volumes/Readers.h": "the readers",
     "src/io/volumes/Writers.h": "what the writer of labels adds to two of them",
     "src/io/volumes/FormatTable.h": "the table that Formats.cpp holds",

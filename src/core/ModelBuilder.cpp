@@ -1,0 +1,178 @@
+#include "velum/core/ModelBuilder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "velum/core/Assert.h"
+
+namespace velum {
+
+namespace {
+
+/// Dalton of an angstrom^3 of protein: 1.35 g/cm^3 (H. Fischer et al., 2004) times 0.6022.
+constexpr double kProteinDensity = 0.813;
+
+bool isFinite(glm::vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+/// Indices in the order of their keys; those of equal keys stay as they were.
+template <class Key>
+std::vector<std::uint32_t> orderBy(std::size_t count, const Key& key) {
+  std::vector<std::uint32_t> order(count);
+  std::iota(order.begin(), order.end(), 0u);
+  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+  return order;
+}
+
+template <class T>
+std::vector<T> arranged(std::vector<T>& from, const std::vector<std::uint32_t>& order) {
+  std::vector<T> to;
+  to.reserve(order.size());
+  for (std::uint32_t i : order) to.push_back(std::move(from[i]));
+  return to;
+}
+
+}  // namespace
+
+glm::vec4 sphereAround(std::span<const Atom> atoms, std::span<const std::vector<glm::vec4>> beads) {
+  glm::vec3 low(std::numeric_limits<float>::max()), high(-low);
+  auto forAll = [&](auto&& body) {
+    for (const Atom& a : atoms) body(a.position, radiusOf(a.element));
+    for (const auto& level : beads)
+      for (const glm::vec4& bead : level) body(glm::vec3(bead), bead.w);
+  };
+  forAll([&](glm::vec3 p, float radius) {
+    low = glm::min(low, p - radius);
+    high = glm::max(high, p + radius);
+  });
+  if (low.x > high.x) return glm::vec4(0.0f);
+  glm::vec3 centre = 0.5f * (low + high);
+  float radius = 0.0f;
+  forAll([&](glm::vec3 p, float own) { radius = std::max(radius, glm::length(p - centre) + own); });
+  return glm::vec4(centre, radius);
+}
+
+ModelBuilder::ModelBuilder(std::string name) {
+  mModel.name = std::move(name);
+  mModel.compartments.push_back({"root", -1});
+}
+
+std::uint32_t ModelBuilder::compartment(std::span<const std::string> path) {
+  std::uint32_t at = 0;
+  for (const std::string& name : path) {
+    auto [child, isNew] = mChildren.try_emplace({at, name}, std::uint32_t(mModel.compartments.size()));
+    if (isNew) mModel.compartments.push_back({name, std::int32_t(at)});
+    at = child->second;
+  }
+  return at;
+}
+
+std::uint32_t ModelBuilder::addType(MoleculeType type) {
+  VELUM_ASSERT(type.compartment < mModel.compartments.size(), "a type lies in a compartment");
+  mModel.types.push_back(std::move(type));
+  return std::uint32_t(mModel.types.size() - 1);
+}
+
+std::uint32_t ModelBuilder::addMolecule(std::uint32_t type, std::vector<Atom> atoms,
+                                        std::vector<std::vector<glm::vec4>> beads) {
+  VELUM_ASSERT(type < mModel.types.size(), "a molecule has a type");
+  std::erase_if(beads, [](const auto& level) { return level.empty(); });
+  glm::vec4 sphere = sphereAround(atoms, beads);
+  mModel.molecules.push_back({.type = type,
+                              .atoms = std::move(atoms),
+                              .beads = std::move(beads),
+                              .centre = glm::vec3(sphere),
+                              .radius = sphere.w});
+  return std::uint32_t(mModel.molecules.size() - 1);
+}
+
+void ModelBuilder::addInstance(std::uint32_t molecule, glm::vec3 position, glm::quat rotation) {
+  VELUM_ASSERT(molecule < mModel.molecules.size(), "an instance has a molecule");
+  VELUM_ASSERT(isFinite(position), "an instance is somewhere");
+  float length = glm::length(rotation);
+  bool isRotation = std::isfinite(length) && length > 1e-6f;
+  mModel.instances.push_back({position, molecule, isRotation ? rotation / length : glm::quat(1, 0, 0, 0)});
+}
+
+void ModelBuilder::beginFibre() { mFibreBegin = mModel.instances.size(); }
+
+void ModelBuilder::addFibre(std::uint32_t type, std::vector<glm::vec3> points) {
+  mModel.fibres.push_back({.type = type,
+                           .points = std::move(points),
+                           .firstInstance = std::uint32_t(mFibreBegin),
+                           .instanceCount = std::uint32_t(mModel.instances.size() - mFibreBegin)});
+  mFibreBegin = mModel.instances.size();
+}
+
+void ModelBuilder::sortMolecules() {
+  auto& molecules = mModel.molecules;
+  std::vector<std::uint32_t> order = orderBy(molecules.size(), [&](std::uint32_t i) { return molecules[i].type; });
+  std::erase_if(order, [&](std::uint32_t i) { return molecules[i].atoms.empty() && molecules[i].beads.empty(); });
+  constexpr std::uint32_t kNone = 0xffffffff;
+  std::vector<std::uint32_t> placeOf(molecules.size(), kNone);
+  for (std::size_t i = 0; i < order.size(); ++i) placeOf[order[i]] = std::uint32_t(i);
+  molecules = arranged(molecules, order);
+  for (std::size_t i = 0; i < molecules.size(); ++i) {
+    MoleculeType& type = mModel.types[molecules[i].type];
+    if (type.moleculeCount++ == 0) type.firstMolecule = std::uint32_t(i);
+  }
+  for (Instance& instance : mModel.instances) instance.molecule = placeOf[instance.molecule];
+}
+
+void ModelBuilder::sortInstances() {
+  auto& instances = mModel.instances;
+  std::vector<std::uint32_t> order = orderBy(instances.size(), [&](std::uint32_t i) { return instances[i].molecule; });
+  auto isDropped = [&](std::uint32_t i) { return instances[i].molecule >= mModel.molecules.size(); };
+  std::erase_if(order, isDropped);
+  std::vector<std::uint32_t> placeOf(instances.size(), 0);
+  for (std::size_t i = 0; i < order.size(); ++i) placeOf[order[i]] = std::uint32_t(i);
+  // Those of a fibre are of one molecule, and so still stand in a row.
+  for (Fibre& fibre : mModel.fibres) {
+    if (fibre.instanceCount > 0 && isDropped(fibre.firstInstance)) fibre.instanceCount = 0;
+    fibre.firstInstance = fibre.instanceCount > 0 ? placeOf[fibre.firstInstance] : 0;
+  }
+  instances = arranged(instances, order);
+  for (std::size_t i = 0; i < instances.size(); ++i) {
+    Molecule& molecule = mModel.molecules[instances[i].molecule];
+    if (molecule.instanceCount++ == 0) molecule.firstInstance = std::uint32_t(i);
+    MoleculeType& type = mModel.types[molecule.type];
+    if (type.instanceCount++ == 0) type.firstInstance = std::uint32_t(i);
+  }
+}
+
+void ModelBuilder::computeMass(MoleculeType& type) const {
+  if (type.massSource != MassSource::Unknown || type.moleculeCount == 0) return;
+  double ofAtoms = 0.0, ofBeads = 0.0;
+  for (std::uint32_t m = type.firstMolecule; m < type.firstMolecule + type.moleculeCount; ++m) {
+    const Molecule& molecule = mModel.molecules[m];
+    for (const Atom& atom : molecule.atoms) ofAtoms += massOf(atom.element);
+    if (molecule.atoms.empty())
+      for (const glm::vec4& bead : molecule.beads.front())
+        ofBeads += 4.0 / 3.0 * 3.14159265358979 * std::pow(double(bead.w), 3.0) * kProteinDensity;
+  }
+  type.mass = (ofAtoms + ofBeads) / double(type.moleculeCount);
+  type.massSource = ofBeads > 0.0 ? MassSource::Beads : MassSource::Atoms;
+}
+
+void ModelBuilder::computeBounds() {
+  if (mModel.instances.empty()) return;
+  mModel.low = glm::vec3(std::numeric_limits<float>::max());
+  mModel.high = -mModel.low;
+  for (const Instance& instance : mModel.instances) {
+    const Molecule& molecule = mModel.molecules[instance.molecule];
+    glm::vec3 centre = instance.position + instance.rotation * molecule.centre;
+    mModel.low = glm::min(mModel.low, centre - molecule.radius);
+    mModel.high = glm::max(mModel.high, centre + molecule.radius);
+  }
+}
+
+Model ModelBuilder::build() {
+  sortMolecules();
+  sortInstances();
+  for (MoleculeType& type : mModel.types) computeMass(type);
+  computeBounds();
+  return std::move(mModel);
+}
+
+}  // namespace velum

@@ -1,0 +1,7 @@
+#include "Completion.h"
+
+namespace velum::io {
+
+void completeVirus(ModelBuilder&, const Path&) {}
+
+}  // namespace velum::io

@@ -1,0 +1,18 @@
+#pragma once
+#include "read/Refuse.h"
+#include "velum/core/Model.h"
+#include "velum/core/Task.h"
+#include "velum/io/models/ReadModel.h"
+
+/// The readers, each in the file of its name. The table in ReadModel.cpp names them and chooses. They compare every
+/// count with what the file can hold before they allocate, refuse places that are no numbers, and throw InputError with
+/// the file's name and the reason.
+namespace velum::io {
+
+Model readBinaryCif(const Path& path, Progress& progress, const ModelReading& reading);
+Model readCifText(const Path& path, Progress& progress, const ModelReading& reading);
+Model readCellPackResults(const Path& path, Progress& progress, const ModelReading& reading);
+Model readCellPackBinary(const Path& path, Progress& progress, const ModelReading& reading);
+Model readPdb(const Path& path, Progress& progress, const ModelReading& reading);
+
+}  // namespace velum::io

@@ -87,6 +87,41 @@ TEST_F(PullGuide, RowsAreMadeAnewOnlyWhenTheyChange) {
   EXPECT_TRUE(list->item(0)->text().startsWith("Rib"));
 }
 
+TEST_F(PullGuide, OfSeveralCutsARowSaysOutOfWhichItIs) {
+  open();
+  press("stepCut");
+  pull(6.0);
+  mWindow->tabs().showPage("Pull out");
+  auto* list = child<QListWidget>("extrusionList");
+  ASSERT_EQ(list->count(), 1);
+  auto row = [list](int i) { return list->item(i)->text(); };
+  EXPECT_FALSE(row(0).contains("Plane")) << "there is one: " << row(0).toStdString();
+  QTest::mouseClick(child<QPushButton>("secondPlane"), Qt::LeftButton);
+  ASSERT_EQ(scene().cuts.size(), 2u);
+  EXPECT_TRUE(row(0).endsWith("6.0 mm out of Plane 1")) << row(0).toStdString();
+  document().edit("Pull", [](scene::Scene& scene) { session::setExtrusion(scene.cuts[1], 1, 9.0); });
+  ASSERT_EQ(list->count(), 2);
+  EXPECT_TRUE(row(0).endsWith("6.0 mm out of Plane 1")) << row(0).toStdString();
+  EXPECT_TRUE(row(1).endsWith("9.0 mm out of Cut 2")) << row(1).toStdString();
+  document().edit("Rename", [](scene::Scene& scene) {
+    scene.cuts[0].name = "Front";
+    scene.cuts[1].name.clear();
+    scene.labels.structures[0].name = "a name that is by far too long for a row of so narrow a panel";
+  });
+  takeShot(*mWindow, "pull-rows");
+  auto* cuts = child<QListWidget>("cutList");
+  for (int i : {0, 1})
+    EXPECT_TRUE(row(i).endsWith("out of " + cuts->item(i)->text())) << "as the list of cuts: " << row(i).toStdString();
+  // All of a row is in sight, and its end is drawn: one that ends in another way looks different.
+  QRect first = list->visualItemRect(list->item(0));
+  EXPECT_LE(first.right(), list->viewport()->width());
+  QImage front = list->viewport()->grab(first).toImage();
+  document().edit("Rename", [](scene::Scene& scene) { scene.cuts[0].name = "Fromm"; });
+  EXPECT_NE(list->viewport()->grab(first).toImage(), front);
+  document().edit("Move cut", [](scene::Scene& scene) { std::swap(scene.cuts[0], scene.cuts[1]); });
+  EXPECT_TRUE(row(0).endsWith("9.0 mm out of Cut 1")) << "it has no name: " << row(0).toStdString();
+}
+
 TEST_F(PullGuide, SeveralSelectedRowsStaySelected) {
   open();
   press("stepCut");

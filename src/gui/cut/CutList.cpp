@@ -6,6 +6,7 @@
 #include <QStyledItemDelegate>
 #include <algorithm>
 
+#include "kit/CutTitle.h"
 #include "kit/RowPaint.h"
 #include "velum/session/cut/ShapeTraits.h"
 
@@ -62,10 +63,6 @@ class Delegate : public QStyledItemDelegate {
 };
 
 }  // namespace
-
-QString cutTitle(const scene::Cut& cut, int index) {
-  return cut.name.empty() ? CutList::tr("Cut %1").arg(index + 1) : QString::fromStdString(cut.name);
-}
 
 CutList::CutList(QWidget* parent) : QListWidget(parent) {
   setObjectName("cutList");

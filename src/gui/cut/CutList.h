@@ -28,7 +28,4 @@ class CutList : public QListWidget {
   void keyPressEvent(QKeyEvent* event) override;
 };
 
-/// What a cut is called in lists and messages. @param index  its place, from 0
-QString cutTitle(const scene::Cut& cut, int index);
-
 }  // namespace velum::gui

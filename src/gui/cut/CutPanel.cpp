@@ -4,6 +4,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "kit/CutTitle.h"
 #include "kit/SelectedCut.h"
 #include "velum/session/cut/CutEdit.h"
 #include "velum/session/cut/ShapeTraits.h"

@@ -2,7 +2,9 @@
 
 #include <QPainter>
 #include <QSignalBlocker>
+#include <QStyledItemDelegate>
 
+#include "kit/CutTitle.h"
 #include "kit/Length.h"
 #include "kit/RowPaint.h"
 #include "velum/session/structure/StructureEdit.h"
@@ -12,6 +14,16 @@ namespace velum::gui {
 namespace {
 
 constexpr int kSwatch = 14;
+
+/// Rows as wide as the list: what is longer is elided, not scrolled to.
+class Delegate : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+
+  QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    return {1, QStyledItemDelegate::sizeHint(option, index).height()};
+  }
+};
 
 QIcon swatchOf(const scene::Scene& scene, int structure, const QColor& line) {
   const scene::Structure* row = session::findStructure(scene, structure);
@@ -33,6 +45,10 @@ ExtrusionList::ExtrusionList(QWidget* parent) : QListWidget(parent) {
   setSelectionMode(QAbstractItemView::ExtendedSelection);
   setUniformItemSizes(true);
   setIconSize({kSwatch, kSwatch});
+  // Of a long row the middle is left out: how far, and out of which cut, stands at the end.
+  setItemDelegate(new Delegate(this));
+  setTextElideMode(Qt::ElideMiddle);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setMinimumHeight(120);
   connect(this, &QListWidget::currentRowChanged, this, [this](int row) {
     if (row >= 0 && row < int(mExtrusions.size())) emit chosen(mExtrusions[std::size_t(row)]);
@@ -50,7 +66,10 @@ void ExtrusionList::showScene(const scene::Scene& scene, const std::vector<sessi
     const auto& one = extrusions[std::size_t(i)];
     QString name = one.structure == 0 ? tr("What has no label")
                                       : QString::fromStdString(session::structureName(scene, one.structure));
-    item(i)->setText(tr("%1   %2").arg(name, length.text(one.distance)));
+    QString text = tr("%1   %2").arg(name, length.text(one.distance));
+    if (scene.cuts.size() > 1) text = tr("%1 out of %2").arg(text, cutTitle(scene, one.cut));
+    item(i)->setText(text);
+    item(i)->setToolTip(text);
     item(i)->setIcon(swatchOf(scene, one.structure, palette().color(QPalette::Dark)));
   }
   if (was) select(was->cut, was->structure);

@@ -6,7 +6,7 @@
 
 namespace velum::gui {
 
-/// What stands out of cuts, a row each: colour, name, how far.
+/// What stands out of cuts, a row each: colour, name, how far, and of several cuts out of which.
 class ExtrusionList : public QListWidget {
   Q_OBJECT
  public:

@@ -83,7 +83,8 @@ QWidget* ExtrusionPanel::buildForm() {
 }
 
 ExtrusionPanel::Shown ExtrusionPanel::shownOf(const scene::Scene& scene) const {
-  Shown shown{session::extrusionsOf(scene), scene.labels.structures, scene.labels.growths, {}};
+  Shown shown{session::extrusionsOf(scene), scene.labels.structures, scene.labels.growths, {}, {}};
+  for (const auto& cut : scene.cuts) shown.cuts.emplace_back(cut.id, cut.name);
   shown.data.push_back(scene.volume.data ? scene.volume.data.id() : scene.labels.data.id());
   for (const auto& surface : scene.surfaces) shown.data.push_back(surface.data.id());
   const scene::Cut* cut = scene::findCut(scene, mSelection.cut());

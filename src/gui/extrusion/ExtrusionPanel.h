@@ -41,9 +41,10 @@ class ExtrusionPanel : public QWidget {
     std::vector<session::Extrusion> extrusions;
     std::vector<scene::Structure> structures;
     std::vector<scene::Growth> growths;
-    std::vector<std::uint64_t> data;  ///< ids: its size is how far something may stand out
-    bool isPlane = false;             ///< the selected cut
-    int cut = -1, structure = -1;     ///< selected
+    std::vector<std::pair<int, std::string>> cuts;  ///< ids and names, in their order
+    std::vector<std::uint64_t> data;                ///< ids: its size is how far something may stand out
+    bool isPlane = false;                           ///< the selected cut
+    int cut = -1, structure = -1;                   ///< selected
     bool operator==(const Shown&) const = default;
   };
   Shown shownOf(const scene::Scene& scene) const;

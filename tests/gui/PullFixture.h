@@ -16,19 +16,26 @@
 
 namespace velum::gui {
 
-/// Values by a function of the voxel; voxels of 1 mm.
+/// Values by a function of the voxel and the time step; voxels of 1 mm.
 template <class Value>
-void writeVoxels(const std::filesystem::path& path, int edge, Value&& valueAt) {
+void writeSeries(const std::filesystem::path& path, int edge, int timeSteps, Value&& valueAt) {
   Volume volume;
   volume.dims = glm::ivec3(edge);
+  volume.timeSteps = timeSteps;
   volume.type = SampleType::UInt8;
-  volume.voxels.resize(timeStepBytes(volume));
+  volume.voxels.resize(timeStepBytes(volume) * std::size_t(timeSteps));
   auto* values = volume.voxels.data();
-  for (int z = 0; z < edge; ++z)
-    for (int y = 0; y < edge; ++y)
-      for (int x = 0; x < edge; ++x) *values++ = std::byte(valueAt(x, y, z));
+  for (int t = 0; t < timeSteps; ++t)
+    for (int z = 0; z < edge; ++z)
+      for (int y = 0; y < edge; ++y)
+        for (int x = 0; x < edge; ++x) *values++ = std::byte(valueAt(x, y, z, t));
   Progress progress;
   io::writeVolume(volume, path, progress);
+}
+
+template <class Value>
+void writeVoxels(const std::filesystem::path& path, int edge, Value&& valueAt) {
+  writeSeries(path, edge, 1, [&](int x, int y, int z, int) { return valueAt(x, y, z); });
 }
 
 /// The pull tool in the real window, driven by real events.

@@ -68,6 +68,26 @@ TEST(MeasureTissue, ABorderNearbyDoesNotMix) {
   EXPECT_LT(tissue->spread, 40);
 }
 
+/// A plate of spongy bone between two thin shells, in flesh that is like it: its own values vary by as much.
+double plateValue(glm::ivec3 p) {
+  double noise = hashNoise(p, 1) + hashNoise(p, 2) + hashNoise(p, 3) + hashNoise(p, 4) - 2.0;
+  int away = std::abs(p.z - kDims.z / 2);
+  if (away <= 2) return 300.0 + 110.0 * noise;
+  return (away == 3 ? 1000.0 : 110.0) + 12.0 * noise;
+}
+
+TEST(MeasureTissue, AThinMaterialIsNotTakenForWhatIsLikeItFartherOff) {
+  scene::VolumeLayer layer;
+  layer.data = Shared<Volume>(makeVolume(kDims, SampleType::Int16, plateValue));
+  for (glm::ivec3 place : {glm::ivec3(20, 20, 20), {24, 22, 20}, {30, 14, 20}, {11, 33, 20}}) {
+    auto tissue = measureTissue(layer, glm::dvec3(place));
+    ASSERT_TRUE(tissue);
+    EXPECT_NEAR(tissue->value, 300.0, 45.0);
+    EXPECT_LT(tissue->spread, 110.0);
+    EXPECT_EQ(tissue->here, valueAt(*layer.data, place, 0, 0));
+  }
+}
+
 /// A vessel so thin that more blurred voxels than whole ones belong to it, beside a bone, in noise.
 double vesselValue(glm::ivec3 p) {
   glm::dvec3 mm = glm::dvec3(p) - 0.5 * (glm::dvec3(kDims) - 1.0);

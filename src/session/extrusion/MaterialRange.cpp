@@ -62,11 +62,16 @@ std::optional<MaterialRange> materialRangeAt(const scene::VolumeLayer& layer, gl
   const Volume& volume = *layer.data;
   const Histogram& histogram = histograms.of(layer);
   double value = tissue->value;
+  auto segment = segmentOf(scene::currentTransfer(layer), value, volume.range);
+  if (!segment) {
+    // Beside borders the middle of what was measured may be hidden though the place itself is seen.
+    segment = segmentOf(scene::currentTransfer(layer), tissue->here, volume.range);
+    if (segment) value = tissue->here;
+  }
   bool isBrightest = value > quantile(histogram, 1.0 - kEnd), isDarkest = value < quantile(histogram, kEnd);
   double around = kSpreads * tissue->spread;
-  MaterialRange material{isDarkest ? double(volume.range.x) : tissue->low.value_or(value - around),
-                         isBrightest ? double(volume.range.y) : tissue->high.value_or(value + around)};
-  auto segment = segmentOf(scene::currentTransfer(layer), value, volume.range);
+  MaterialRange material{tissue->low.value_or(isDarkest ? volume.range.x : value - around),
+                         tissue->high.value_or(isBrightest ? volume.range.y : value + around)};
   if (!segment) return material;
   // What the curve tells apart is told apart; within its segment a material beside is left out.
   MaterialRange out = *segment;

@@ -227,14 +227,20 @@ std::optional<Tissue> measureTissue(const scene::VolumeLayer& layer, glm::dvec3 
     return samples;
   };
   Tissue tissue = tissueOf(evenHalf(withinBorders(kNear)), here.front().value);
-  // The same material a little farther off varies more than the noise here: as far as its values are like these.
-  double range = volume.range.y - volume.range.x, like = std::max(4.0 * tissue.spread, range / 50.0);
+  // The same material a little farther off varies more than the noise here: as far as its values are like these. Where
+  // a material is thin, or varies itself, what is like it may be mostly something else, as flesh is around bone.
+  double range = volume.range.y - volume.range.x, least = range / 300.0;
+  double like = std::max(4.0 * tissue.spread, range / 50.0);
   auto wide = withinBorders(kWide);
   std::erase_if(wide, [&](const Sample& sample) { return std::abs(sample.value - tissue.value) > like; });
-  if (wide.size() > 1) tissue = tissueOf(evenHalf(std::move(wide)), tissue.value);
+  if (wide.size() > 1) {
+    Tissue more = tissueOf(evenHalf(std::move(wide)), tissue.value);
+    if (std::abs(more.value - tissue.value) <= std::max(tissue.spread, least)) tissue = more;
+  }
+  tissue.here = here.front().value;
   tissue.low = borders.low;
   tissue.high = borders.high;
-  tissue.spread = std::max(tissue.spread, range / 300.0);
+  tissue.spread = std::max(tissue.spread, least);
   if (!(tissue.spread > 0)) tissue.spread = 1.0;
   return tissue;
 }

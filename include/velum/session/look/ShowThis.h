@@ -12,12 +12,13 @@ struct Tissue {
   double value = 0;   ///< the middle of its values, the volume's unit
   double spread = 0;  ///< standard deviation of its noise, robustly; never less than a 300th of the data's range
   std::optional<double> low, high;  ///< halfway to the darker, to the brighter material beside it, where there is one
+  double here = 0;                  ///< at the place itself, with its noise
 };
 
-/// Measures the 5^3 voxels around a place, then those of 13^3 that are like them. Of both the half with the smaller
-/// gradients counts, so that a border nearby does not mix two materials; what lies beyond halfway to the materials
-/// beside it does not count at all, so that a thin vessel is not taken for what is around it. Nothing outside the
-/// volume.
+/// Measures the 5^3 voxels around a place, then those of 13^3 that are like them, unless these are another material:
+/// one whose middle lies farther off than the spread of the first. Of both the half with the smaller gradients counts,
+/// so that a border nearby does not mix two materials; what lies beyond halfway to the materials beside it does not
+/// count at all, so that a thin vessel is not taken for what is around it. Nothing outside the volume.
 std::optional<Tissue> measureTissue(const scene::VolumeLayer& layer, glm::dvec3 world);
 /// @param histograms  knows the layer's, or will
 std::optional<Tissue> measureTissue(const scene::VolumeLayer& layer, glm::dvec3 world, HistogramMemo& histograms);

@@ -1,0 +1,163 @@
+// The values that a click on a phantom's bone means, and what grows by them, against the phantom's truth.
+#include "velum/session/extrusion/MaterialRange.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <ostream>
+#include <random>
+#include <set>
+#include <string>
+
+#include "makeVolume.h"
+#include "velum/extrusion/Grower.h"
+#include "velum/extrusion/LabelsFor.h"
+#include "velum/io/phantoms/Sample.h"
+#include "velum/scene/Presets.h"
+
+namespace velum::session {
+
+namespace {
+
+/// Of flesh in the phantoms, cartilage included; vessels are full of contrast.
+constexpr double kSoftHu = 120.0;
+/// Spongy bone, between marrow and the shell.
+constexpr double kSpongyHu[] = {200.0, 400.0};
+
+struct Bones {
+  const char* phantom;
+  bool hasFlesh;                   ///< the words are of all that is no bone; else of its bones
+  std::vector<std::string> words;  ///< of names in its table
+  double leastMean, least;         ///< Dice of what grows from a click with all bone
+};
+
+void PrintTo(const Bones& bones, std::ostream* out) { *out << bones.phantom; }
+
+struct PrintName {
+  template <class Info>
+  std::string operator()(const Info& info) const {
+    return info.param.phantom;
+  }
+};
+
+}  // namespace
+
+class BoneRange : public testing::TestWithParam<Bones> {
+ protected:
+  void SetUp() override {
+    Progress progress;
+    io::Sample sample = io::makeSample(GetParam().phantom, 96, progress);
+    mTruth = std::move(sample.labels);
+    mScene.volume.data = Shared<Volume>(std::move(sample.volume));
+    scene::applyPreset(mScene, "ct-bone");
+    for (const auto& info : mTruth.table)
+      if (isBone(info.name)) mBones.insert(info.id);
+    for (glm::ivec3 v(0); v.z < mTruth.dims().z; ++v.z)
+      for (v.y = 0; v.y < mTruth.dims().y; ++v.y)
+        for (v.x = 0; v.x < mTruth.dims().x; ++v.x)
+          if (isBoneAt(v)) {
+            ++mBoneCount;
+            if (valueOf(v) >= kSpongyHu[0] && valueOf(v) <= kSpongyHu[1]) mSpongy.push_back(v);
+          }
+  }
+  static bool isBone(const std::string& name) {
+    const auto& words = GetParam().words;
+    bool isNamed =
+        std::any_of(words.begin(), words.end(), [&](const auto& word) { return name.find(word) != name.npos; });
+    return isNamed != GetParam().hasFlesh;
+  }
+  bool isBoneAt(glm::ivec3 v) const { return mBones.count(int(mTruth.at(v))) > 0; }
+  double valueOf(glm::ivec3 v) const { return valueAt(volume(), v, 0, 0); }
+  const Volume& volume() const { return *mScene.volume.data; }
+  glm::dvec3 worldOf(glm::ivec3 v) const { return glm::dvec3(volume().worldFromVoxel * glm::dvec4(v, 1.0)); }
+  std::vector<glm::ivec3> clicks(std::size_t count) const {
+    std::mt19937 random(11);
+    std::vector<glm::ivec3> places;
+    for (std::size_t i = 0; i < count; ++i) places.push_back(mSpongy[random() % mSpongy.size()]);
+    return places;
+  }
+  /// Of what grows from a place by a range with all bone.
+  double dice(glm::ivec3 place, const MaterialRange& range) const {
+    scene::Growth step;
+    step.structure = 1;
+    step.seeds = {worldOf(place)};
+    step.low = range.low, step.high = range.high;
+    Progress progress;
+    auto labels =
+        extrusion::Grower().grow(mScene.volume.data, extrusion::labelsFor(volume(), {}), step, {}, progress).labels;
+    std::size_t grown = 0, both = 0;
+    for (glm::ivec3 v(0); v.z < mTruth.dims().z; ++v.z)
+      for (v.y = 0; v.y < mTruth.dims().y; ++v.y)
+        for (v.x = 0; v.x < mTruth.dims().x; ++v.x)
+          if (labels->at(v) == 1) ++grown, both += isBoneAt(v);
+    return 2.0 * double(both) / double(grown + mBoneCount);
+  }
+
+  scene::Scene mScene;
+  LabelVolume mTruth;
+  std::set<int> mBones;
+  std::vector<glm::ivec3> mSpongy;
+  std::size_t mBoneCount = 0;
+};
+
+TEST_P(BoneRange, OfSpongyBoneBesideMarrowLiesAboveFlesh) {
+  HistogramMemo histograms;
+  for (glm::ivec3 place : clicks(150)) {
+    auto range = materialRangeAt(mScene.volume, worldOf(place), histograms);
+    ASSERT_TRUE(range);
+    SCOPED_TRACE(testing::Message() << place.x << " " << place.y << " " << place.z << ": value " << valueOf(place)
+                                    << ", " << range->low << " to " << range->high);
+    EXPECT_GT(range->low, kSoftHu);
+    EXPECT_LE(range->low, valueOf(place));
+    EXPECT_GE(range->high, valueOf(place));
+  }
+}
+
+TEST_P(BoneRange, GrowsToBone) {
+  HistogramMemo histograms;
+  double sum = 0.0, least = 1.0;
+  auto places = clicks(40);
+  for (glm::ivec3 place : places) {
+    auto range = materialRangeAt(mScene.volume, worldOf(place), histograms);
+    ASSERT_TRUE(range);
+    double one = dice(place, *range);
+    sum += one, least = std::min(least, one);
+  }
+  double mean = sum / double(places.size());
+  std::printf("%s: Dice %.3f, at least %.3f\n", GetParam().phantom, mean, least);
+  EXPECT_GT(mean, GetParam().leastMean);
+  EXPECT_GT(least, GetParam().least);
+}
+
+constexpr const char* kFlesh[] = {"skin", "fat", "muscle", "tendon", "artery", "vein", "cartilage"};
+/// A little less than they give. In the hand flesh of a range that ended at -483 HU gave 0.643, at least 0.320. The
+/// torso's bones hang together with its vessels, and the upper arms with nothing.
+INSTANTIATE_TEST_SUITE_P(Phantoms, BoneRange,
+                         testing::Values(Bones{"hand", true, {std::begin(kFlesh), std::end(kFlesh)}, 0.66, 0.64},
+                                         Bones{"foot", true, {std::begin(kFlesh), std::end(kFlesh)}, 0.78, 0.77},
+                                         Bones{"torso",
+                                               false,
+                                               {"ribs", "sternum", "vertebrae", "sacrum", "hip bones", "scapulae",
+                                                "clavicles", "humeri"},
+                                               0.53,
+                                               0.33}),
+                         PrintName());
+
+/// Marrow in a shell of bone, in air.
+TEST(MaterialRange, WhatTheCurveHidesEndsHalfwayToWhatIsBesideIt) {
+  constexpr glm::ivec3 kDims(40);
+  scene::VolumeLayer layer;
+  layer.data = Shared<Volume>(makeVolume(kDims, SampleType::Int16, [](glm::ivec3 p) {
+    double away = glm::distance(glm::dvec3(p), glm::dvec3(20.0));
+    return (away < 5.0 ? -10.0 : away < 8.0 ? 1000.0 : -1000.0) + 20.0 * (hashNoise(p, 1) - 0.5);
+  }));
+  layer.transfer.opacities = {{130, 0}, {220, 0.25}, {700, 0.95}};
+  auto marrow = materialRangeAt(layer, {20, 20, 20});
+  ASSERT_TRUE(marrow);
+  EXPECT_GT(marrow->low, -120.0);
+  EXPECT_LT(marrow->low, -20.0);
+  EXPECT_NEAR(marrow->high, 495.0, 60.0) << "though it is brighter than nine tenths of the data";
+}
+
+}  // namespace velum::session

@@ -13,6 +13,8 @@ namespace {
 
 /// Dalton of an angstrom^3 of protein: 1.35 g/cm^3 (H. Fischer et al., 2004) times 0.6022.
 constexpr double kProteinDensity = 0.813;
+/// No index.
+constexpr std::uint32_t kNone = 0xffffffff;
 
 bool isFinite(glm::vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
@@ -87,6 +89,14 @@ std::uint32_t ModelBuilder::addMolecule(std::uint32_t type, std::vector<Atom> at
   return std::uint32_t(mModel.molecules.size() - 1);
 }
 
+void ModelBuilder::setAtoms(std::uint32_t molecule, std::vector<Atom> atoms) {
+  Molecule& of = mModel.molecules[molecule];
+  of.atoms = std::move(atoms);
+  glm::vec4 sphere = sphereAround(of.atoms, of.beads);
+  of.centre = glm::vec3(sphere);
+  of.radius = sphere.w;
+}
+
 void ModelBuilder::addInstance(std::uint32_t molecule, glm::vec3 position, glm::quat rotation) {
   VELUM_ASSERT(molecule < mModel.molecules.size(), "an instance has a molecule");
   VELUM_ASSERT(isFinite(position), "an instance is somewhere");
@@ -107,17 +117,35 @@ void ModelBuilder::addFibre(std::uint32_t type, std::vector<glm::vec3> points) {
 
 void ModelBuilder::sortMolecules() {
   auto& molecules = mModel.molecules;
+  std::vector<std::uint32_t> countOf(molecules.size(), 0);
+  for (const Instance& instance : mModel.instances) ++countOf[instance.molecule];
   std::vector<std::uint32_t> order = orderBy(molecules.size(), [&](std::uint32_t i) { return molecules[i].type; });
-  std::erase_if(order, [&](std::uint32_t i) { return molecules[i].atoms.empty() && molecules[i].beads.empty(); });
-  constexpr std::uint32_t kNone = 0xffffffff;
+  std::erase_if(order, [&](std::uint32_t i) {
+    return countOf[i] == 0 || (molecules[i].atoms.empty() && molecules[i].beads.empty());
+  });
   std::vector<std::uint32_t> placeOf(molecules.size(), kNone);
   for (std::size_t i = 0; i < order.size(); ++i) placeOf[order[i]] = std::uint32_t(i);
   molecules = arranged(molecules, order);
-  for (std::size_t i = 0; i < molecules.size(); ++i) {
-    MoleculeType& type = mModel.types[molecules[i].type];
-    if (type.moleculeCount++ == 0) type.firstMolecule = std::uint32_t(i);
-  }
   for (Instance& instance : mModel.instances) instance.molecule = placeOf[instance.molecule];
+}
+
+void ModelBuilder::dropEmptyTypes() {
+  std::vector<std::uint32_t> placeOf(mModel.types.size(), kNone);
+  std::vector<MoleculeType> kept;
+  for (std::size_t i = 0; i < mModel.molecules.size(); ++i) {
+    Molecule& molecule = mModel.molecules[i];
+    std::uint32_t& place = placeOf[molecule.type];
+    if (place == kNone) {
+      place = std::uint32_t(kept.size());
+      kept.push_back(std::move(mModel.types[molecule.type]));
+      kept.back().firstMolecule = std::uint32_t(i);
+    }
+    molecule.type = place;
+    ++kept[place].moleculeCount;
+  }
+  mModel.types = std::move(kept);
+  std::erase_if(mModel.fibres, [&](const Fibre& fibre) { return placeOf[fibre.type] == kNone; });
+  for (Fibre& fibre : mModel.fibres) fibre.type = placeOf[fibre.type];
 }
 
 void ModelBuilder::sortInstances() {
@@ -169,6 +197,7 @@ void ModelBuilder::computeBounds() {
 
 Model ModelBuilder::build() {
   sortMolecules();
+  dropEmptyTypes();
   sortInstances();
   for (MoleculeType& type : mModel.types) computeMass(type);
   computeBounds();

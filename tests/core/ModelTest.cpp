@@ -47,8 +47,10 @@ TEST(ModelBuilder, MoleculesOfNothingGoWithTheirInstances) {
   builder.addFibre(type, {{1, 0, 0}, {2, 0, 0}});
   Model model = builder.build();
   ASSERT_EQ(model.instances.size(), 2u);
-  EXPECT_EQ(model.types[0].instanceCount, 0u);
+  ASSERT_EQ(model.types.size(), 1u);
+  EXPECT_EQ(model.types[0].name, "full");
   ASSERT_EQ(model.fibres.size(), 1u);
+  EXPECT_EQ(model.fibres[0].type, 0u);
   EXPECT_EQ(model.fibres[0].firstInstance, 0u);
   EXPECT_EQ(model.fibres[0].instanceCount, 2u);
   EXPECT_EQ(model.high.x, 2.0f + radiusOf(6));
@@ -71,6 +73,7 @@ TEST(ModelBuilder, MassIsTheFilesElseTheAtoms) {
   builder.addMolecule(known, atomAt(0));
   builder.addMolecule(atoms, {{.element = 6}, {.element = 8}});
   builder.addMolecule(beads, {}, {{{0, 0, 0, 10}}});
+  for (std::uint32_t molecule : {0u, 1u, 2u}) builder.addInstance(molecule, glm::vec3(0), {1, 0, 0, 0});
   Model model = builder.build();
   EXPECT_EQ(model.types[known].mass, 5000.0);
   EXPECT_NEAR(model.types[atoms].mass, 12.011 + 15.999, 1e-3);

@@ -156,5 +156,112 @@ TEST(RealModels, MycoplasmaOf2015HasItsCountsAndCurves) {
   EXPECT_EQ(model.warnings.size(), 1u) << "that rotations go the other way round";
 }
 
+TEST(RealModels, HivOfCellPackIsComplete) {
+  VELUM_NEED_MODEL("hiv-cellpack/hiv1_cellpack_atom_instances.bcif");
+  Model model = readModelOf(place);
+  ModelCounts counts = countsOf(model);
+  EXPECT_EQ(counts.types, 27u);
+  EXPECT_EQ(counts.instances, 242958u);
+  EXPECT_EQ(counts.atoms, 21787182u);
+  std::size_t lipids = 0, nucleotides = 0;
+  for (const MoleculeType& type : model.types) {
+    if (type.kind == MoleculeKind::Lipid) lipids += type.instanceCount;
+    if (type.kind == MoleculeKind::NucleicAcid) nucleotides += type.instanceCount;
+  }
+  EXPECT_EQ(lipids, 197070u);
+  EXPECT_EQ(nucleotides, 30575u);
+  for (auto [end, count] : {std::pair{".SP1", 2500u},
+                            {".P6", 2300u},
+                            {".NC", 2300u},
+                            {".NC_capsid", 2000u},
+                            {".MA", 1202u},
+                            {".IN_capsid", 70u},
+                            {".ENV", 12u},
+                            {".inner_membrane", 99097u},
+                            {".outer_membrane", 97973u}})
+    EXPECT_EQ(typeOf(model, end).instanceCount, count) << end;
+  EXPECT_GT(meanOutward(model, typeOf(model, ".ENV")), 40.0);
+  EXPECT_GT(outwardLength(model, typeOf(model, ".MA")), 0.98);
+  expectCapsid(model, typeOf(model, ".Capsid"));
+  // The strand: its steps are short, but where it was cut.
+  std::size_t onStrands = 0;
+  for (const Fibre& fibre : model.fibres) {
+    EXPECT_EQ(model.types[fibre.type].kind, MoleculeKind::NucleicAcid);
+    onStrands += fibre.instanceCount;
+    for (std::uint32_t i = 1; i < fibre.instanceCount; ++i)
+      ASSERT_LT(glm::length(model.instances[fibre.firstInstance + i].position -
+                            model.instances[fibre.firstInstance + i - 1].position),
+                21.0f);
+  }
+  EXPECT_EQ(onStrands, 30575u);
+}
+
+TEST(RealModels, PetWorldHasItsCounts) {
+  struct Case {
+    const char* file;
+    std::size_t types, instances;
+    std::uint64_t atoms;
+  };
+  for (const Case& c : {Case{"petworld/sarscov2_2-no_bonds.bcif", 8, 696, 13539470},
+                        Case{"petworld/flagellarmotor_2-no_bonds.bcif", 17, 258, 736560}}) {
+    VELUM_NEED_MODEL(c.file);
+    Model model = readModelOf(place);
+    ModelCounts counts = countsOf(model);
+    EXPECT_EQ(counts.types, c.types);
+    EXPECT_EQ(counts.instances, c.instances);
+    EXPECT_EQ(counts.atoms, c.atoms);
+  }
+}
+
+TEST(RealModels, MycoplasmaGenitaliumHasBeadsAtomsMassesAndFunctions) {
+  VELUM_NEED_MODEL("mycoplasma-genitalium/cellpack_instances_1184_21.bcif");
+  Model model = readModelOf(place);
+  ModelCounts counts = countsOf(model);
+  EXPECT_EQ(counts.types, 570u);
+  EXPECT_EQ(counts.instances, 28245u);
+  EXPECT_EQ(counts.beads, 543130u);
+  EXPECT_EQ(counts.atoms, 34713797u) << "of the 93 types whose structures lie beside it";
+  std::size_t weighed = 0, named = 0;
+  for (const MoleculeType& type : model.types) {
+    weighed += type.massSource == MassSource::File;
+    named += !type.function.empty();
+  }
+  EXPECT_EQ(weighed, 545u);
+  EXPECT_EQ(named, 568u);
+  EXPECT_EQ(typeOf(model, ".DNA_GYRASE").mass, 332712.0);
+  EXPECT_EQ(typeOf(model, ".DNA_GYRASE").function, "DNA replication/maintenance");
+  EXPECT_EQ(model.molecules[typeOf(model, "proteins.DNA").firstMolecule].beads[0].size(), 58000u);
+  EXPECT_TRUE(model.warnings.empty()) << model.warnings.front();
+}
+
+TEST(RealModels, PackingsAreTurnedToTheRightHand) {
+  VELUM_NEED_MODEL("hiv-blood/pack_bloodhiv_serializedLH.bin");
+  Model model = readModelOf(place);
+  ModelCounts counts = countsOf(model);
+  EXPECT_EQ(counts.types, 45u);
+  EXPECT_EQ(counts.instances, 18515u);
+  EXPECT_EQ(counts.beads, 16u * 6063u + 17u * 1190u) << "of the two LDL";
+  // The envelope is at 725: places are those of the middles of proteins, in the membrane, above and below it.
+  for (auto [end, radius] : {std::pair{"__HIV1_MA", 692.0}, {"__HIV1_ENV", 809.0}, {"__HIV1_HLA", 755.0}}) {
+    const MoleculeType& type = typeOf(model, end);
+    EXPECT_GT(outwardLength(model, type), 0.98) << end;
+    for (const Instance& instance : instancesOf(model, type))
+      EXPECT_NEAR(glm::length(middleOf(model, instance)), radius, 8.0) << end;
+  }
+  expectCapsid(model, typeOf(model, "__HIV1_CA_mono"));
+}
+
+TEST(RealModels, PackingsOfCytoplasmHaveTheirCounts) {
+  for (auto [file, instances] : {std::pair{"cellpackgpu-bin/cytoplasm_serialized.bin", 32979u},
+                                 {"cellpackgpu-bin/cytoplasm_low_serialized.bin", 4145u}}) {
+    VELUM_NEED_MODEL(file);
+    Model model = readModelOf(place);
+    EXPECT_EQ(countsOf(model).types, 16u);
+    EXPECT_EQ(countsOf(model).instances, instances);
+    EXPECT_GT(model.high.x, 4300.0f);
+    EXPECT_LT(model.high.x, 4500.0f);
+  }
+}
+
 }  // namespace
 }  // namespace velum::io

@@ -22,6 +22,8 @@ class ModelBuilder {
   /// @return what instances name
   std::uint32_t addMolecule(std::uint32_t type, std::vector<Atom> atoms,
                             std::vector<std::vector<glm::vec4>> beads = {});
+  /// In the place of those that it has.
+  void setAtoms(std::uint32_t molecule, std::vector<Atom> atoms);
   /// @param position  finite
   /// @param rotation  normalised here; what is no rotation becomes none
   void addInstance(std::uint32_t molecule, glm::vec3 position, glm::quat rotation);
@@ -37,12 +39,13 @@ class ModelBuilder {
   void warn(std::string line) { mModel.warnings.push_back(std::move(line)); }
   void sayAdded(std::string line) { mModel.added.push_back(std::move(line)); }
 
-  /// Sorts, drops molecules without atoms and beads and instances of them, and computes spheres, bounds and the masses
-  /// that no file gave. Once.
+  /// Sorts, drops types and molecules without instances or without atoms and beads, and computes spheres, bounds and
+  /// the masses that no file gave. Once.
   Model build();
 
  private:
   void sortMolecules();
+  void dropEmptyTypes();
   void sortInstances();
   void computeMass(MoleculeType& type) const;
   void computeBounds();

@@ -292,6 +292,11 @@ class ResultsReader {
     std::uint32_t index = mBuilder.addType(std::move(type));
     std::uint32_t molecule = mBuilder.addMolecule(index, std::move(parts.atoms), std::move(beads));
     for (const auto& curve : ingredient.curves) {
+      // Before they are made: two points may be any distance apart.
+      double length = 0.0;
+      for (std::size_t i = 1; i < curve.size(); ++i) length += double(glm::length(curve[i] - curve[i - 1]));
+      if (length / double(unit.step) > double(kMostInstances - mBuilder.instanceCount()))
+        refuse(mPath, fmt::format("{} has a curve of {:.0f} angstrom", ingredient.name, length));
       mBuilder.beginFibre();
       walkAlong(curve, unit, [&](const Pose& pose) { place(mBuilder, mPath, molecule, pose); });
       mBuilder.addFibre(index, curve);

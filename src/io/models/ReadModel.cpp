@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "ModelReaders.h"
+#include "Recipe.h"
 #include "read/ByteSource.h"
 #include "read/FileBytes.h"
 #include "read/FileNames.h"
@@ -32,6 +33,47 @@ bool isResults(const ModelHead& head) {
          (contains(head, "\"ingredients\"") || contains(head, "\"recipe\"")) && contains(head, "\"results\"");
 }
 
+/// MessagePack with the keys of BinaryCIF, of which one stands in the first bytes.
+bool isBinaryCif(const ModelHead& head) {
+  if (head.bytes.empty()) return false;
+  auto first = static_cast<unsigned char>(head.bytes.front());
+  bool isMap = (first >= 0x81 && first <= 0x8f) || first == 0xde || first == 0xdf;
+  return isMap && head.bytes.substr(0, 512).find("dataBlocks") != std::string::npos;
+}
+
+/// Text with a data block; all text that may stand before it is comments.
+bool isCifText(const ModelHead& head) {
+  std::string_view rest(head.bytes);
+  while (!rest.empty()) {
+    rest = rest.substr(std::min(rest.find_first_not_of(" \t\r\n"), rest.size()));
+    if (!rest.starts_with('#')) break;
+    rest = rest.substr(std::min(rest.find('\n'), rest.size()));
+  }
+  return rest.size() > 5 && lowerCase(rest.substr(0, 5)) == "data_" && contains(head, "_");
+}
+
+/// A line of an atom, and before it none that is of no such file.
+bool isPdb(const ModelHead& head) {
+  std::string_view rest(head.bytes);
+  constexpr std::string_view kRecords[] = {"HEADER", "TITLE ", "COMPND", "REMARK", "CRYST1",
+                                           "MODEL ", "EXPDTA", "AUTHOR", "SOURCE", "SEQRES"};
+  while (!rest.empty()) {
+    if (rest.starts_with("ATOM  ") || rest.starts_with("HETATM")) return true;
+    bool isKnown = rest.starts_with('\n') || rest.starts_with('\r') ||
+                   std::any_of(std::begin(kRecords), std::end(kRecords), [&](auto r) { return rest.starts_with(r); });
+    bool isUsual =
+        rest.size() > 6 && std::all_of(rest.begin(), rest.begin() + 3, [](char c) { return c >= 'A' && c <= 'Z'; });
+    if (!isKnown && !isUsual) return false;
+    std::size_t end = rest.find('\n');
+    if (end == std::string_view::npos) return isKnown;  // what stands before the atoms fills what was looked at
+    rest.remove_prefix(end + 1);
+  }
+  return false;
+}
+
+/// Bare numbers: the ending, and the recipe beside it.
+bool isPacking(const ModelHead& head) { return lowerExtension(head.path) == ".bin" && recipePathBeside(head.path); }
+
 struct ModelRow {
   ModelFormat format;
   bool (*matches)(const ModelHead&);
@@ -40,7 +82,11 @@ struct ModelRow {
 
 // All contents are tried, in this order. A new format is one row.
 constexpr ModelRow kTable[] = {
+    {{"BinaryCIF", ".bcif .bcif.gz"}, isBinaryCif, readBinaryCif},
+    {{"mmCIF", ".cif .cif.gz .mmcif .mmcif.gz"}, isCifText, readCifText},
     {{"cellPACK results", ".cpr .json"}, isResults, readCellPackResults},
+    {{"cellPACKgpu packing", ".bin"}, isPacking, readCellPackBinary},
+    {{"PDB", ".pdb .pdb.gz .ent .ent.gz .pdb1 .pdb1.gz"}, isPdb, readPdb},
 };
 
 const ModelRow* chooseReader(const ModelHead& head) {

@@ -1,0 +1,14 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "CifTable.h"
+#include "ModelParts.h"
+
+namespace velum::io {
+
+/// BinaryCIF: MessagePack with columns that went through a chain of encodings (S. Bittrich et al., 2020).
+/// @param bytes  inflated  @return blocks with what isWanted()  @throw InputError
+std::vector<CifBlock> parseBinaryCif(const std::string& bytes, const Path& path);
+
+}  // namespace velum::io

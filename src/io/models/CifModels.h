@@ -1,0 +1,19 @@
+#pragma once
+#include <vector>
+
+#include "CifTable.h"
+#include "ModelParts.h"
+#include "velum/core/Task.h"
+#include "velum/io/models/ReadModel.h"
+
+/// Models out of CIF, whether text or binary: which flavour a block has is told by its categories.
+namespace velum::io {
+
+/// @throw InputError
+Model modelOf(const std::vector<CifBlock>& blocks, const Path& path, Progress& progress, const ModelReading& reading);
+
+Model cellPackModel(const CifBlock& block, const Path& path, Progress& progress);
+Model petWorldModel(const CifBlock& block, const Path& path, Progress& progress);
+Model plainCifModel(const CifBlock& block, const Path& path, Progress& progress);
+
+}  // namespace velum::io

@@ -6,6 +6,7 @@
 #include "velum/core/Error.h"
 #include "velum/io/labels/ReadLabels.h"
 #include "velum/io/meshes/ReadMesh.h"
+#include "velum/io/models/ReadModel.h"
 #include "velum/io/volumes/Formats.h"
 #include "velum/io/volumes/ReadVolume.h"
 #include "velum/scene/Presets.h"
@@ -108,6 +109,64 @@ Json describe(const Mesh& mesh) {
   return json;
 }
 
+Json describe(const Model& model, const MoleculeType& type) {
+  std::size_t atoms = 0, beads = 0;
+  for (std::uint32_t m = type.firstMolecule; m < type.firstMolecule + type.moleculeCount; ++m) {
+    const Molecule& molecule = model.molecules[m];
+    atoms = std::max(atoms, molecule.atoms.size());
+    if (!molecule.beads.empty()) beads = std::max(beads, molecule.beads.front().size());
+  }
+  Json json = {{"name", type.name},
+               {"path", pathOf(model, type)},
+               {"kind", std::string(enumName(type.kind))},
+               {"function", type.function},
+               {"instances", type.instanceCount},
+               {"atoms", atoms},
+               {"beads", beads},
+               {"atomsInAll", atomCount(model, type)},
+               {"mass", type.mass},
+               {"massFrom", std::string(enumName(type.massSource))},
+               {"structure", type.structure}};
+  if (type.moleculeCount > 1) json["molecules"] = type.moleculeCount;
+  return json;
+}
+
+/// What the files have is counted; what was made of curves, or to complete them, is listed apart.
+Json describe(const Model& model) {
+  std::size_t types = 0;
+  std::uint64_t instances = 0, atoms = 0, beads = 0;
+  Json perType = Json::array(), added = Json::array(), fibres = Json::array();
+  for (std::size_t i = 0; i < model.types.size(); ++i) {
+    const MoleculeType& type = model.types[i];
+    std::size_t curves = 0, points = 0;
+    for (const Fibre& fibre : model.fibres)
+      if (fibre.type == i) ++curves, points += fibre.points.size();
+    if (curves > 0)
+      fibres.push_back(
+          {{"name", type.name}, {"curves", curves}, {"points", points}, {"instances", type.instanceCount}});
+    if (type.origin == Origin::Added) added.push_back(describe(model, type));
+    if (type.origin != Origin::File) continue;
+    ++types;
+    instances += type.instanceCount;
+    atoms += atomCount(model, type);
+    beads += beadCount(model, type);
+    perType.push_back(describe(model, type));
+  }
+  return {{"kind", "model"},
+          {"name", model.name},
+          {"types", types},
+          {"instances", instances},
+          {"atoms", atoms},
+          {"beads", beads},
+          {"bounds", {list(model.low, 3), list(model.high, 3)}},
+          {"lengthUnit", std::string(enumName(LengthUnit::Angstrom))},
+          {"perType", perType},
+          {"fibres", fibres},
+          {"added", added},
+          {"completed", model.added},
+          {"warnings", model.warnings}};
+}
+
 void printForPeople(const Json& json) {
   for (const auto& [key, value] : json.items()) {
     if (value.is_array() && !value.empty() && value[0].is_object()) {
@@ -127,6 +186,9 @@ Json listTables(const InfoOptions& options) {
                                  {"extensions", std::string(format.extensions)},
                                  {"read", format.canRead},
                                  {"write", format.canWrite}});
+  if (options.formats)
+    for (const auto& format : io::modelFormats())
+      json["models"].push_back({{"name", std::string(format.name)}, {"extensions", std::string(format.extensions)}});
   if (options.presets)
     for (const auto& preset : scene::presets())
       json["presets"].push_back({{"name", std::string(preset.name)},
@@ -155,6 +217,8 @@ int run(const InfoOptions& options) {
     std::string extension = path.extension().string();
     if (extension == ".stl" || extension == ".ply" || extension == ".obj" || extension == ".vtp")
       json = describe(io::readMesh(path, progress));
+    else if (source.raw.dims.x == 0 && !options.labels && io::looksLikeModel(path))
+      json = describe(io::readModel(path, progress));
     else if (source.raw.dims.x == 0 && (options.labels || io::looksLikeLabels(path)))
       json = describe(io::readLabels(source, progress));
     else

@@ -7,6 +7,8 @@
 #include "Verbs.h"
 #include "velum/core/Error.h"
 #include "velum/io/labels/WriteLabels.h"
+#include "velum/io/models/WriteModel.h"
+#include "velum/io/phantoms/Virion.h"
 #include "velum/io/volumes/WriteVolume.h"
 
 namespace velum::app {
@@ -20,7 +22,26 @@ struct SampleOptions {
   double contrast = 0.0;
 };
 
+/// A model and no volume: there are no labels, and nothing to choose.
+int makeModel(const SampleOptions& options) {
+  namespace fs = std::filesystem;
+  if (options.size != 0 || options.timeSteps != 0 || options.contrast != 0.0)
+    throw ArgumentError("sample virion: a model has no voxels, time steps or contrast; leave these options out");
+  fs::path path(options.output);
+  if (!path.has_extension()) path = path / (options.name + ".cif");
+  if (path.has_parent_path()) fs::create_directories(path.parent_path());
+  Progress& progress = consoleProgress();
+  io::writeModel(io::makeVirion(progress), path, progress);
+  progress.report(1.0, "");
+  if (options.common.json)
+    printJson({{"name", options.name}, {"files", {path.string()}}, {"warnings", Json::array()}});
+  else
+    fmt::print("{}\n", path.string());
+  return 0;
+}
+
 int run(const SampleOptions& options) {
+  if (options.name == "virion") return makeModel(options);
   namespace fs = std::filesystem;
   Progress& progress = consoleProgress();
   io::Sample sample = io::makeSample(options.name, options.size, progress, options.timeSteps, options.contrast);
@@ -52,8 +73,11 @@ Run registerSample(CLI::App& verb) {
   addCommon(verb, options->common);
   std::string names;
   for (const auto& sample : io::samples()) names += fmt::format("{}{}", names.empty() ? "" : ", ", sample.name);
+  names += ", virion";
   verb.add_option("name", options->name, names)->required();
-  verb.add_option("-o,--output", options->output, "volume file (labels go beside it), or a folder")->required();
+  verb.add_option("-o,--output", options->output,
+                  "volume file (labels go beside it), .cif or .cif.gz of a virion, or a folder")
+      ->required();
   verb.add_option("--voxels", options->size, "voxels along the longest axis, 16 to 1024; default: the phantom's own");
   verb.add_option("--time-steps", options->timeSteps,
                   "time steps of a phantom that moves (heart), 1 to 100; default: 12");

@@ -49,6 +49,20 @@ class Info(CliTest):
             self.assertEqual(report["kind"], "scene")
             self.assertIn("two-spheres", report["scene"]["volume"]["source"]["path"])
 
+    def test_a_model(self):
+        atom = "ATOM  {:>5}  CA  ALA A{:>4}    {:8.3f}   0.000   0.000  1.00  0.00           C\n"
+        (self.folder / "a.pdb").write_text("".join(atom.format(i, i, 3.8 * i) for i in range(5)))
+        report = self.report("info", "a.pdb")
+        self.assertKeys(report, "kind", "types", "instances", "atoms", "bounds", "perType", "fibres", "added")
+        self.assertEqual((report["kind"], report["types"], report["instances"], report["atoms"]), ("model", 1, 1, 5))
+        self.assertKeys(report["perType"][0], "name", "path", "instances", "atoms", "mass")
+        self.assertEqual(report["perType"][0]["mass"], 550)
+        self.assertLess(report["bounds"][0][0], 0)
+        self.assertGreater(report["bounds"][1][0], 15.2)
+        self.assertIn("perType:", self.run_batch("info", "a.pdb").stdout.decode())
+        (self.folder / "b.pdb").write_text(atom.format(1, 1, 1)[:40])
+        self.refuse("info", "b.pdb", code=2)
+
     def test_a_surface(self):
         (self.folder / "a.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
         report = self.report("info", "a.obj")

@@ -10,7 +10,7 @@ class Sample(CliTest):
     def names(self):
         said = self.run_batch("sample", "--help").stdout.decode()
         found = re.search(r"((?:[a-z-]+, )+[a-z-]+)", said[said.index("Positionals"):].replace("\n", " "))
-        return re.split(r",\s+", found.group(1))
+        return [name for name in re.split(r",\s+", found.group(1)) if name != "virion"]  # a model
 
     def test_every_name_makes_a_volume_with_labels(self):
         names = self.names()
@@ -25,6 +25,17 @@ class Sample(CliTest):
                 self.assertEqual(labels["kind"], "labels")
                 self.assertEqual(volume["dims"], labels["dims"])
                 self.assertGreater(len(labels["structures"]), 0)
+
+    def test_a_virion_is_a_model(self):
+        report = self.report("sample", "virion", "-o", "out")
+        self.assertEqual([pathlib.Path(file).name for file in report["files"]], ["virion.cif"])
+        model = self.report("info", report["files"][0])
+        self.assertEqual(model["kind"], "model")
+        self.assertGreaterEqual(model["types"], 20)
+        lipids = sum(row["instances"] for row in model["perType"] if row["kind"] == "lipid")
+        self.assertGreaterEqual(model["instances"] - lipids, 20000)
+        self.refuse("sample", "virion", "-o", "a.cif", "--voxels", "32", code=1)
+        self.refuse("sample", "virion", "-o", "a.nrrd", code=1)
 
     def test_labels_are_nifti_where_the_volume_is(self):
         for suffix, of_labels in ((".nii", ".nii"), (".nii.gz", ".nii.gz"), (".vti", ".seg.nrrd")):

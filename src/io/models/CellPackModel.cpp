@@ -199,10 +199,13 @@ class CellPackReader {
 
   std::uint32_t addMolecule(std::uint32_t type, const std::vector<std::uint32_t>& asyms, bool isStrand) {
     std::vector<Atom> atoms;
+    std::map<std::uint32_t, std::uint16_t> chains;
     for (std::size_t chain = 0; chain < asyms.size(); ++chain)
       for (std::uint32_t row : mAtoms.ofAsym[asyms[chain]]) {
         atoms.push_back(mAtoms.atoms[row]);
-        atoms.back().chain = std::uint16_t(chain);
+        // Where all is one asym, the author's chains are within it.
+        std::uint32_t own = asyms.size() > 1 ? std::uint32_t(chain) : mAtoms.authAsym.ofRow[row];
+        atoms.back().chain = chains.try_emplace(own, std::uint16_t(chains.size())).first->second;
       }
     if (!mAtoms.areBeads) return mBuilder.addMolecule(type, std::move(atoms));
     std::vector<glm::vec3> points;

@@ -51,6 +51,7 @@ CifAtoms readCifAtoms(const CifBlock& block, const Path& path) {
       atoms.atoms[row].position[axis] = float(value);
     }
   atoms.asym = codesOf(*table, {"label_asym_id", "auth_asym_id"});
+  atoms.authAsym = codesOf(*table, {"auth_asym_id"});
   atoms.entity = codesOf(*table, {"label_entity_id"});
   atoms.comp = codesOf(*table, {"label_comp_id"});
   atoms.model.assign(table->rows, 1);

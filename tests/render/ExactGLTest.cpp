@@ -50,6 +50,23 @@ TEST_F(ExactGL, FogAttenuatesByBeersLaw) {
       }
 }
 
+TEST_F(ExactGL, AirBelowTheFirstPointOfACurveIsClear) {
+  // A ramp that begins at the air's own value, and one above it; with a colour there or none.
+  glm::ivec3 dims(24);
+  for (double first : {-1000.0, 30.0})
+    for (bool isShaded : {false, true}) {
+      scene::Scene scene = sceneOf(makeVolume(dims, SampleType::Int16, [&](glm::ivec3 p) {
+        return glm::length(glm::dvec3(p) - 11.5) < 4.0 ? 500.0 : -1000.0;
+      }));
+      scene.volume.transfer.opacities = {{first, 0}, {first + 60, 0.9}, {2000, 0.9}};
+      scene.lighting.shaded = isShaded;
+      Image image = draw(scene, {32, 32});
+      EXPECT_GT(sampleOf(image, {16, 16}, "A"), 0.9);
+      for (glm::ivec2 corner : {glm::ivec2(4, 16), {16, 4}, {27, 16}, {16, 27}, {8, 8}, {23, 23}})
+        EXPECT_EQ(sampleOf(image, corner, "A"), 0.0) << first << ": " << corner.x << ", " << corner.y;
+    }
+}
+
 TEST_F(ExactGL, OpacityDoesNotDependOnTheStep) {
   scene::Scene scene = fogScene(0.03, centredFrame({24, 40, 16}));
   scene.rayCast.stepVoxels = 0.1;

@@ -8,6 +8,8 @@
 #include <thread>
 
 #include "GrowthScene.h"
+#include "velum/extrusion/Grower.h"
+#include "velum/extrusion/LabelsFor.h"
 #include "velum/session/Session.h"
 #include "velum/session/document/Open.h"
 #include "velum/session/extrusion/Pull.h"
@@ -23,11 +25,11 @@ scene::Scene combScene() {
   return growthScene(kEdge, 1, [](glm::ivec3 v, int) { return v.y == 5 || (v.x % 4 == 0 && v.z % 4 == 0) ? 150 : 20; });
 }
 
-/// A bar along y that opens into a block at y < 20.
-scene::Scene leakScene() {
-  return growthScene(kEdge, 1, [](glm::ivec3 v, int) {
+/// A bar along y that opens into a block, which lies so deep before the plane.
+scene::Scene leakScene(int deep = 12) {
+  return growthScene(kEdge, 1, [deep](glm::ivec3 v, int) {
     bool isBar = std::abs(v.x - 32) < 4 && std::abs(v.z - 32) < 4;
-    bool isBlock = v.y < 20 && v.x > 2 && v.x < 62 && v.z > 2 && v.z < 62;
+    bool isBlock = v.y < kEdge / 2 - deep && v.x > 2 && v.x < 62 && v.z > 2 && v.z < 62;
     return isBar || isBlock ? 150 : 20;
   });
 }
@@ -149,6 +151,29 @@ TEST(GrowthPlayer, WhatLeaksIsHeldAndSaidAndMayGoOn) {
   EXPECT_FALSE(session.growth().status().leak);
   EXPECT_GT(voxelsOf(session.scene(), 1), 20000u);
   EXPECT_EQ(differences(session.scene()), 0u);
+}
+
+/// Parts are of two slabs, and of more where they are quickly done: the leak lies anywhere in one.
+TEST(GrowthPlayer, WhatLeaksIsHeldWhereTheGuardSaysHoweverManySlabsAreGrownAtATime) {
+  for (int deep = 6; deep <= 27; deep += 3) {
+    SCOPED_TRACE(deep);
+    Session session;
+    session.document().replace(leakScene(deep));
+    auto pull = beginPull(session.scene(), session.scene().cuts[0].id, {32, 32, 32}, 0);
+    ASSERT_TRUE(pull);
+    session.document().edit("Pull", [&](scene::Scene& s) { pullTo(s, *pull, 31.0); });
+    const scene::Growth whole = session.scene().labels.growths.back();
+    const auto& volume = session.scene().volume.data;
+    Progress progress;
+    extrusion::Grown guarded = extrusion::Grower().grow(volume, extrusion::labelsFor(*volume, {}), whole,
+                                                        {.guard = true, .begun = {}}, progress);
+    ASSERT_TRUE(guarded.leak);
+    settle(session);
+    auto leak = session.growth().status().leak;
+    ASSERT_TRUE(leak);
+    EXPECT_DOUBLE_EQ(leak->distance, guarded.distance);
+    EXPECT_EQ(voxelsOf(session.scene(), 1), guarded.voxels) << "nothing of it is lost that was safe";
+  }
 }
 
 TEST(GrowthPlayer, WhatIsStoppedStaysAsItIs) {

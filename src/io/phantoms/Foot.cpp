@@ -1,7 +1,5 @@
 #include "Foot.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 namespace velum::io {
@@ -172,7 +170,6 @@ std::vector<LabelInfo> partTable() {
                                {kArtery, "artery", {0.85f, 0.14f, 0.12f}},
                                {kVein, "vein", {0.25f, 0.40f, 0.78f}},
                                {kCartilage, "cartilage", {0.62f, 0.84f, 0.88f}}};
-  auto add = [&](int id, std::string name) { table.push_back({std::uint16_t(id), std::move(name), boneColor(id)}); };
   constexpr const char* kNames[] = {"tibia",
                                     "fibula",
                                     "talus",
@@ -182,15 +179,8 @@ std::vector<LabelInfo> partTable() {
                                     "medial cuneiform",
                                     "intermediate cuneiform",
                                     "lateral cuneiform"};
-  for (int i = 0; i < 9; ++i) add(kTibia + i, kNames[i]);
-  constexpr const char* kOrder[] = {"first", "second", "third", "fourth", "fifth"};
-  for (int i = 0; i < 5; ++i) add(kMetatarsal1 + i, fmt::format("{} metatarsal", kOrder[i]));
   constexpr const char* kToes[] = {"great toe", "second toe", "third toe", "fourth toe", "fifth toe"};
-  for (int i = 0; i < 5; ++i) {
-    int id = phalanx(i);
-    for (const char* which : {"proximal", "middle", "distal"})
-      if (i > 0 || which[0] != 'm') add(id++, fmt::format("{} phalanx of {}", which, kToes[i]));
-  }
+  addBoneNames(table, kTibia, kNames, "metatarsal", kToes);
   return table;
 }
 
@@ -209,15 +199,13 @@ Sample makeFoot(int size, Progress& progress) {
   Skeleton skeleton(kGapMm);
   addBones(skeleton, all);
   Outline outline = outlineOf(all);
-  float least = 0.75f * spacing;  // A tube thinner than this would fall apart between the voxels.
-  std::vector<Layer> layers;
-  addSkin(
-      layers, kAll, [&outline](Vec p) { return outline.distance(p); }, kSkin, kFat);
-  addMuscles(layers, all);
-  addTendons(layers, all, least);
-  skeleton.addLayers(layers, kCartilage);
-  auto blocked = [&](Vec p) { return std::min(skeleton.distanceTo(p), -outline.distance(p)); };
-  addVessels(layers, all, blocked, kThinnestVoxels * spacing);
+  auto layers = layersOf(
+      {kAll, [&outline](Vec p) { return outline.distance(p); }, kSkin, kFat, kCartilage, spacing}, skeleton,
+      [&all](std::vector<Layer>& to, float least) {
+        addMuscles(to, all);
+        addTendons(to, all, least);
+      },
+      [&all](std::vector<Layer>& to, const Distance& blocked, float least) { addVessels(to, all, blocked, least); });
   Description description{"foot", SampleType::Int16, Modality::CT, "HU", partTable()};
   return scan(description, grid, layers, 0xf007, progress);
 }

@@ -1,7 +1,5 @@
 #include "Hand.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 namespace velum::io {
@@ -178,18 +176,10 @@ std::vector<LabelInfo> partTable() {
                                {kArtery, "artery", {0.85f, 0.14f, 0.12f}},
                                {kVein, "vein", {0.25f, 0.40f, 0.78f}},
                                {kCartilage, "cartilage", {0.62f, 0.84f, 0.88f}}};
-  auto add = [&](int id, std::string name) { table.push_back({std::uint16_t(id), std::move(name), boneColor(id)}); };
   constexpr const char* kNames[] = {"radius",   "ulna",      "scaphoid",  "lunate",   "triquetrum",
                                     "pisiform", "trapezium", "trapezoid", "capitate", "hamate"};
-  for (int i = 0; i < 10; ++i) add(kRadius + i, kNames[i]);
-  constexpr const char* kOrder[] = {"first", "second", "third", "fourth", "fifth"};
-  for (int i = 0; i < 5; ++i) add(kMetacarpal1 + i, fmt::format("{} metacarpal", kOrder[i]));
   constexpr const char* kFingers[] = {"thumb", "index finger", "middle finger", "ring finger", "little finger"};
-  for (int i = 0; i < 5; ++i) {
-    int id = phalanx(i);
-    for (const char* which : {"proximal", "middle", "distal"})
-      if (i > 0 || which[0] != 'm') add(id++, fmt::format("{} phalanx of {}", which, kFingers[i]));
-  }
+  addBoneNames(table, kRadius, kNames, "metacarpal", kFingers);
   return table;
 }
 
@@ -208,15 +198,13 @@ Sample makeHand(int size, Progress& progress) {
   Skeleton skeleton(kGapMm);
   addBones(skeleton, all);
   Outline outline = outlineOf(all);
-  float least = 0.75f * spacing;  // A tube thinner than this would fall apart between the voxels.
-  std::vector<Layer> layers;
-  addSkin(
-      layers, wholeBox(), [&outline](Vec p) { return outline.distance(p); }, kSkin, kFat);
-  addMuscles(layers, all);
-  addTendons(layers, all, least);
-  skeleton.addLayers(layers, kCartilage);
-  auto blocked = [&](Vec p) { return std::min(skeleton.distanceTo(p), -outline.distance(p)); };
-  addVessels(layers, all, blocked, kThinnestVoxels * spacing);
+  auto layers = layersOf(
+      {wholeBox(), [&outline](Vec p) { return outline.distance(p); }, kSkin, kFat, kCartilage, spacing}, skeleton,
+      [&all](std::vector<Layer>& to, float least) {
+        addMuscles(to, all);
+        addTendons(to, all, least);
+      },
+      [&all](std::vector<Layer>& to, const Distance& blocked, float least) { addVessels(to, all, blocked, least); });
   Description description{"hand", SampleType::Int16, Modality::CT, "HU", partTable()};
   return scan(description, grid, layers, 0x4a2d, progress);
 }

@@ -1,5 +1,7 @@
 #include "Limb.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -9,6 +11,8 @@ namespace {
 
 constexpr float kCorticalHu = 1300.0f, kSpongyHu = 330.0f, kMarrowHu = -10.0f, kCartilageHu = 115.0f;
 constexpr float kNoiseHu = 14.0f;
+/// A tube of a smaller radius, in voxels, would fall apart between them.
+constexpr float kLeastVoxels = 0.75f;
 /// Where a bone is further away than this nobody asks to whom it gives way.
 constexpr float kFarMm = 5.0f;
 
@@ -232,6 +236,20 @@ glm::vec3 boneColor(int index) {
   return kTints[std::size_t(index) % std::size(kTints)];
 }
 
+void addBoneNames(std::vector<LabelInfo>& table, int first, std::span<const char* const> names, const char* middle,
+                  std::span<const char* const, 5> rays) {
+  int id = first;
+  auto add = [&](std::string name) {
+    table.push_back({std::uint16_t(id), std::move(name), boneColor(id)});
+    ++id;
+  };
+  for (const char* name : names) add(name);
+  for (const char* order : {"first", "second", "third", "fourth", "fifth"}) add(fmt::format("{} {}", order, middle));
+  for (std::size_t i = 0; i < rays.size(); ++i)
+    for (const char* which : {"proximal", "middle", "distal"})
+      if (i > 0 || which[0] != 'm') add(fmt::format("{} phalanx of {}", which, rays[i]));
+}
+
 void addSkin(std::vector<Layer>& layers, const Box& box, const Distance& skin, std::uint16_t skinLabel,
              std::uint16_t fatLabel) {
   constexpr float kSkinMm = 2.2f;
@@ -259,6 +277,18 @@ void addVessels(std::vector<Layer>& layers, Layer artery, Layer vein, const Dist
   clear(vein.tubes, besideArteries, clearMm);
   layers.push_back(std::move(vein));
   layers.push_back(std::move(artery));
+}
+
+std::vector<Layer> layersOf(const Tissues& tissues, const Skeleton& skeleton,
+                            const std::function<void(std::vector<Layer>&, float)>& addFleshTo,
+                            const std::function<void(std::vector<Layer>&, const Distance&, float)>& addVesselsTo) {
+  std::vector<Layer> layers;
+  addSkin(layers, tissues.box, tissues.skin, tissues.skinLabel, tissues.fatLabel);
+  addFleshTo(layers, kLeastVoxels * tissues.spacingMm);
+  skeleton.addLayers(layers, tissues.cartilageLabel);
+  auto blocked = [&](Vec p) { return std::min(skeleton.distanceTo(p), -tissues.skin(p)); };
+  addVesselsTo(layers, blocked, kThinnestVoxels * tissues.spacingMm);
+  return layers;
 }
 
 Sample scan(const Description& description, const Grid& grid, const std::vector<Layer>& layers, std::uint64_t seed,

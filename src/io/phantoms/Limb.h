@@ -94,6 +94,13 @@ constexpr float kThinnestVoxels = 0.9f;
 /// Colours that tell neighbouring bones apart, all of them like bone.
 glm::vec3 boneColor(int index);
 
+/// Adds the bones of a limb to its table, in the order of their labels: those next to the trunk, five of hand or foot,
+/// and the phalanges, of which the first ray has no middle one.
+/// @param first  label of the first bone  @param middle  what the five are called, "metacarpal"
+/// @param rays  names of the fingers or toes
+void addBoneNames(std::vector<LabelInfo>& table, int first, std::span<const char* const> names, const char* middle,
+                  std::span<const char* const, 5> rays);
+
 /// Skin with fat below it.
 void addSkin(std::vector<Layer>& layers, const Box& box, const Distance& skin, std::uint16_t skinLabel,
              std::uint16_t fatLabel);
@@ -103,6 +110,20 @@ void addFlesh(std::vector<Layer>& layers, std::uint16_t label, float value, std:
 /// Vessels, which bend round what is blocked, and veins round arteries, where they can.
 /// @param blocked  distance to where they cannot be  @param leastMm  radius of the thinnest
 void addVessels(std::vector<Layer>& layers, Layer artery, Layer vein, const Distance& blocked, float leastMm);
+/// What a limb is painted of.
+struct Tissues {
+  Box box;        ///< around all of it
+  Distance skin;  ///< to its outside
+  std::uint16_t skinLabel, fatLabel, cartilageLabel;
+  float spacingMm;  ///< of voxels
+};
+/// All layers of a limb, from the skin to the vessels, in the order in which they are painted.
+/// @param addFleshTo  adds muscles and tendons; a tube below `leastMm` would fall apart between the voxels
+/// @param addVesselsTo  adds vessels; `blocked`: distance to where they cannot be
+std::vector<Layer> layersOf(
+    const Tissues& tissues, const Skeleton& skeleton,
+    const std::function<void(std::vector<Layer>& layers, float leastMm)>& addFleshTo,
+    const std::function<void(std::vector<Layer>& layers, const Distance& blocked, float leastMm)>& addVesselsTo);
 /// Paints, adds noise, and clips as scanners do.
 Sample scan(const Description& description, const Grid& grid, const std::vector<Layer>& layers, std::uint64_t seed,
             Progress& progress);

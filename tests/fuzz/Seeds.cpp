@@ -8,10 +8,12 @@
 #include "../io/DicomParts.h"
 #include "../io/SegyBytes.h"
 #include "velum/core/Error.h"
+#include "velum/core/ModelBuilder.h"
 #include "velum/io/images/ImageFile.h"
 #include "velum/io/labels/WriteLabels.h"
 #include "velum/io/looks/TransferFile.h"
 #include "velum/io/meshes/WriteMesh.h"
+#include "velum/io/models/WriteModel.h"
 #include "velum/io/phantoms/Sample.h"
 #include "velum/io/volumes/WriteVolume.h"
 #include "velum/scene/Presets.h"
@@ -337,8 +339,38 @@ void putLabels(const LabelVolume& labels, const std::string& name) {
   put("label-table", name + "-pairs", pairs);
 }
 
+/// One ingredient on a surface, one strand; a chain with an assembly; two numbers of a packing.
+void putModels() {
+  put("cell-pack-results", "small",
+      R"({"recipe": {"name": "a"}, "cytoplasme": {"ingredients": {}}, "compartments": {"envelope": {"surface": {"ingredients":
+        {"S": {"name": "S", "source": {"pdb": "p", "transform": {"center": true}}, "results": [[[1,2,3],[1,0,0,0]],[[9,2,3],[0,1,0,0]]],
+        "positions": [[[0,0,0]]], "radii": [[5]]}}}, "interior": {"ingredients":
+        {"DNA": {"name": "DNA", "source": {"pdb": null}, "results": [], "nbCurve": 1, "curve0": [[0,0,0],[0,9,0],[9,9,0]]}}}}}})");
+  std::string atom = "ATOM      1  N   ALA A   1       1.000   2.000   3.000  1.00  0.00           N\n";
+  std::string oper;
+  for (int row = 1; row <= 3; ++row)
+    oper += fmt::format("REMARK 350   BIOMT{}   1 {:9.6f} {:9.6f} {:9.6f}        5.00000\n", row, double(row == 1),
+                        double(row == 2), double(row == 3));
+  put("pdb-model", "small",
+      "TITLE     A\nCOMPND    MOL_ID: 1; MOLECULE: P; CHAIN: A;\nREMARK 350 BIOMOLECULE: 1\n"
+      "REMARK 350 APPLY THE FOLLOWING TO CHAINS: A\n" +
+          oper + atom);
+  ModelBuilder builder("a");
+  std::uint32_t molecule =
+      builder.addMolecule(builder.addType({.name = "P"}), {{.position = {1, 2, 3}}, {.element = 7}});
+  for (int i = 0; i < 3; ++i) builder.addInstance(molecule, glm::vec3(float(i)), {1, 0, 0, 0});
+  Progress progress;
+  Path text = seed("cif", "small.cif");
+  writeModel(builder.build(), text, progress);
+  std::string bytes;
+  for (float v : {1.0f, 2.0f, 3.0f, 1.0f, 0.0f, 0.0f, 0.0f, 1.0f}) bytes += bytesOf(v);
+  put("cell-pack-binary", "bare", bytes);
+  put("cell-pack-binary", "headed", bytesOf(std::int32_t(1)) + bytesOf(std::int32_t(0)) + bytes);
+}
+
 void putAll() {
   putGrowths();
+  putModels();
   for (const SampleInfo& info : samples()) {
     Progress progress;
     Sample sample = makeSample(info.name, 16, progress);

@@ -263,5 +263,39 @@ TEST(RealModels, PackingsOfCytoplasmHaveTheirCounts) {
   }
 }
 
+TEST(RealModels, WhatHivInBloodLacksIsMadeAndSaid) {
+  VELUM_NEED_MODEL("hiv-blood/BloodHIV1.0_mixed_fixed_nc1.cpr");
+  Model model = readModelOf(place, true);
+  EXPECT_EQ(countsOf(model).instances, 20502u) << "what is made is not counted with what the file has";
+  EXPECT_EQ(model.added.size(), 2u);
+  std::size_t lipids = 0;
+  for (const MoleculeType& type : model.types) {
+    if (type.kind != MoleculeKind::Lipid) continue;
+    EXPECT_EQ(type.origin, Origin::Added);
+    lipids += type.instanceCount;
+    bool isOuter = type.name == "outer_membrane";
+    for (const Instance& instance : instancesOf(model, type)) {
+      float radius = glm::length(middleOf(model, instance));
+      ASSERT_GT(radius, isOuter ? 725.0f : 695.0f);
+      ASSERT_LT(radius, isOuter ? 755.0f : 725.0f);
+    }
+  }
+  // 215,559 were published of this scene.
+  EXPECT_GT(lipids, 190000u);
+  EXPECT_LT(lipids, 225000u);
+  const MoleculeType& strand = typeOf(model, ".RNA");
+  EXPECT_GT(strand.instanceCount, 10000u);
+  // Within the capsid's box.
+  glm::vec3 low(1e9f), high(-1e9f);
+  for (const Instance& instance : instancesOf(model, typeOf(model, ".HIV1_CA_mono_0_1_0"))) {
+    glm::vec3 middle = middleOf(model, instance);
+    low = glm::min(low, middle), high = glm::max(high, middle);
+  }
+  for (const Instance& instance : instancesOf(model, strand)) {
+    ASSERT_TRUE(glm::all(glm::greaterThan(instance.position, low)));
+    ASSERT_TRUE(glm::all(glm::lessThan(instance.position, high)));
+  }
+}
+
 }  // namespace
 }  // namespace velum::io

@@ -31,6 +31,7 @@ class ModelBuilder {
   void beginFibre();
   void addFibre(std::uint32_t type, std::vector<glm::vec3> points);
 
+  const Compartment& compartmentAt(std::uint32_t index) const { return mModel.compartments[index]; }
   MoleculeType& type(std::uint32_t index) { return mModel.types[index]; }
   const Molecule& molecule(std::uint32_t index) const { return mModel.molecules[index]; }
   std::size_t typeCount() const { return mModel.types.size(); }

@@ -114,8 +114,8 @@ class ModelWriter {
   void writeAtom(std::uint32_t m, std::string_view symbol, glm::vec3 p, std::uint16_t chain) {
     const MoleculeType& type = mModel.types[mModel.molecules[m].type];
     mSink.write(fmt::format("ATOM {} {} {} . {} {} {} {} {:.3f} {:.3f} {:.3f} 1 0 {} {} 1\n", ++mAtom, symbol, symbol,
-                            residueOf(type.kind), asymName(m), mModel.molecules[m].type + 1, chain + 1, p.x, p.y, p.z, chain + 1,
-                            asymName(chain)));
+                            residueOf(type.kind), asymName(m), mModel.molecules[m].type + 1, chain + 1, p.x, p.y, p.z,
+                            chain + 1, asymName(chain)));
   }
 
   /// Instances of a molecule stand in a row, and so do their operators.

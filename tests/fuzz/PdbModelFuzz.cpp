@@ -1,0 +1,6 @@
+#include "FuzzModel.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  static velum::io::FuzzFile file("a.pdb");
+  return velum::io::fuzzModel(file, velum::io::readPdb, data, size);
+}

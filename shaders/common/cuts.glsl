@@ -1,13 +1,39 @@
 // Rays and positions against all cuts of the scene.
-#include "shared/cuts.h"
 #include "common/frame.glsl"
+#include "shared/cuts.h"
 
 layout(std430, binding = kCutBinding) readonly buffer CutBlock { CutData cuts[]; };
 // What cuts spare: for structures up to the largest that one spares, the row from 1, or 0; a row has a spare for each cut.
-layout(std430, binding = kSpareIndexBinding) readonly buffer SpareIndexBlock { uint spareRow[]; };
-layout(std430, binding = kSpareBinding) readonly buffer SpareBlock { CutSpare spares[]; };
+layout(binding = kSpareIndexUnit) uniform usamplerBuffer spareRowTexture;
+layout(binding = kSpareUnit) uniform samplerBuffer spareTexture;
 
 layout(std430, binding = kCutGridBinding) readonly buffer CutGridBlock { uint cutGrid[]; };
+
+// Software drivers read storage blocks, and what is indexed by a variable, lane by lane. Where all cuts are a few planes,
+// programs are compiled for their number, and what is asked of them at every step lies in the frame.
+#ifdef PLANES
+vec4 planeAt(int i) {
+  vec4 plane = frame.planes[0];
+  for (int k = 1; k < PLANES; ++k) plane = i == k ? frame.planes[k] : plane;
+  return plane;
+}
+
+CutData cutAt(int i) {
+  vec4 plane = planeAt(i);
+  CutData cut;
+  cut.localFromScene = mat4(0.0, 0.0, plane.x, 0.0, 0.0, 0.0, plane.y, 0.0, 0.0, 0.0, plane.z, 0.0, 0.0, 0.0, plane.w, 1.0);
+  cut.halfSize = vec4(0.0, 0.0, 0.0, 1.0);
+  cut.kind = ivec4(kCutPlane, 0, (frame.joined.x >> i & 1) != 0 ? kCutJoined : 0, 0);
+  cut.face = vec4(0.0);
+  cut.sheet = ivec4(0);
+  cut.inlay = vec4(0.0);
+  return cut;
+}
+const int kCuts = PLANES;
+#else
+CutData cutAt(int i) { return cuts[i]; }
+#define kCuts frame.cutCount
+#endif
 
 /// Cuts that one after the other are looked at: those of a cell of the grid, or all.
 struct CutList {
@@ -25,7 +51,7 @@ CutList listOf(ivec3 cell) {
 
 /// The cuts that may remove a position. Material lies in the box; surfaces may lie outside.
 CutList cutsAt(vec3 scenePoint) {
-  if (!hasFlag(kFlagCutGrid)) return CutList(0, frame.cutCount);
+  if (!hasFlag(kFlagCutGrid)) return CutList(0, kCuts);
   vec3 place = cutCellsFrom(scenePoint);
   bool isOutside = any(lessThan(place, vec3(0.0))) || any(greaterThan(place, vec3(kCutGrid)));
   return listOf(isOutside ? ivec3(0, 0, kCutGrid) : min(ivec3(place), ivec3(kCutGrid - 1)));
@@ -36,23 +62,24 @@ int cutIn(int i) { return hasFlag(kFlagCutGrid) ? int(cutGrid[i]) : i; }
 
 /// Where a structure's spares begin; -1: no cut spares it.
 int sparesOf(uint structure) {
-  if (!hasFlag(kFlagSpares) || structure >= uint(spareRow.length())) return -1;
-  return (int(spareRow[structure]) - 1) * frame.cutCount;
+  if (!hasFlag(kFlagSpares) || structure >= uint(textureSize(spareRowTexture))) return -1;
+  return (int(texelFetch(spareRowTexture, int(structure)).r) - 1) * kCuts;
 }
 
 /// How deep a cut leaves something in its removed side. @param first  sparesOf() its structure
 /// @param u  the random number of an instance; of material 0
 float sparedDepth(int first, int cut, float u) {
   if (!hasFlag(kFlagSpares) || first < 0) return 0.0;
-  return spareDepth(spares[first + cut], u);
+  vec2 spare = texelFetch(spareTexture, first + cut).rg;
+  return spareDepth(CutSpare(spare.x, spare.y), u);
 }
 float sparedDepth(int first, int cut) { return sparedDepth(first, cut, 0.0); }
 
 /// What a cut is to others, as cutPart() says.
 int partOf(int cut) {
-  if (hasFlag(kFlagJoined) && (cuts[cut].kind.z & kCutJoined) != 0) return kFoldJoined;
+  if (hasFlag(kFlagJoined) && (cutAt(cut).kind.z & kCutJoined) != 0) return kFoldJoined;
 #ifdef MEMBRANES
-  return hasFlag(kFlagInlays) && cutIsInlay(cuts[cut]) ? kFoldInlay : kFoldAlone;
+  return hasFlag(kFlagInlays) && cutIsInlay(cutAt(cut)) ? kFoldInlay : kFoldAlone;
 #else
   return kFoldAlone;
 #endif
@@ -68,7 +95,7 @@ bool cutsKeep(vec3 scenePoint, uint structure, float u) {
   CutList list = cutsAt(scenePoint);
   for (int i = list.begin; i < list.end && !fold.isRemoved; ++i) {
     int cut = cutIn(i);
-    fold = foldCut(fold, cuts[cut], partOf(cut), sparedDepth(first, cut, u), hasFlag(kFlagSpareDepths), scenePoint);
+    fold = foldCut(fold, cutAt(cut), partOf(cut), sparedDepth(first, cut, u), hasFlag(kFlagSpareDepths), scenePoint);
   }
   return foldKeeps(fold);
 }
@@ -95,7 +122,7 @@ EndFace endFaceAt(vec3 scenePoint, uint structure) {
   CutList list = cutsAt(scenePoint);
   for (int i = list.begin; i < list.end && first >= 0; ++i) {
     int cut = cutIn(i);
-    float inside = -cutDistance(cuts[cut], scenePoint);
+    float inside = -cutDistance(cutAt(cut), scenePoint);
     float depth = sparedDepth(first, cut);
     // Outside of what it removes a cut has no end to offer.
     float left = inside > 0.0 && depth < kCutFar ? depth - inside : kCutFar;
@@ -119,7 +146,7 @@ int cutsGuess(vec3 scenePoint, uint structure) {
   CutList list = cutsAt(scenePoint);
   for (int i = list.begin; i < list.end; ++i) {
     int cut = cutIn(i);
-    fold = foldAnswer(fold, partOf(cut), cutGuess(cuts[cut], sparedDepth(first, cut), hasFlag(kFlagSpareDepths), scenePoint));
+    fold = foldAnswer(fold, partOf(cut), cutGuess(cutAt(cut), sparedDepth(first, cut), hasFlag(kFlagSpareDepths), scenePoint));
   }
   return foldSays(fold);
 }
@@ -127,19 +154,23 @@ int cutsGuess(vec3 scenePoint, uint structure) {
 
 /// The unit normal of the face of a cut, other than a membrane, out of the material.
 vec3 shapeNormal(int cut, vec3 p) {
+#ifdef PLANES
+  return planeAt(cut).xyz;
+#else
   float e = 0.01 * frame.step;
-  vec3 gradient = vec3(shapeDistance(cuts[cut], p + vec3(e, 0, 0)) - shapeDistance(cuts[cut], p - vec3(e, 0, 0)),
-                       shapeDistance(cuts[cut], p + vec3(0, e, 0)) - shapeDistance(cuts[cut], p - vec3(0, e, 0)),
-                       shapeDistance(cuts[cut], p + vec3(0, 0, e)) - shapeDistance(cuts[cut], p - vec3(0, 0, e)));
+  vec3 gradient = vec3(shapeDistance(cutAt(cut), p + vec3(e, 0, 0)) - shapeDistance(cutAt(cut), p - vec3(e, 0, 0)),
+                       shapeDistance(cutAt(cut), p + vec3(0, e, 0)) - shapeDistance(cutAt(cut), p - vec3(0, e, 0)),
+                       shapeDistance(cutAt(cut), p + vec3(0, 0, e)) - shapeDistance(cutAt(cut), p - vec3(0, 0, e)));
   float len = length(gradient);
   return len > 0.0 ? -gradient / len : vec3(0.0, 0.0, 1.0);
+#endif
 }
 
 /// The normal of an end face: the cut's own.
 vec3 endNormalAt(int cut, vec3 scenePoint) {
 #ifdef MEMBRANES
   // Differs: that of the rest plane, not of the sheet so far off.
-  if (cuts[cut].kind.x == kCutMembrane) return normalize(cuts[cut].halfSize.w * (vec3(0.0, 0.0, 1.0) * mat3(cuts[cut].localFromScene)));
+  if (cutAt(cut).kind.x == kCutMembrane) return normalize(cutAt(cut).halfSize.w * (vec3(0.0, 0.0, 1.0) * mat3(cutAt(cut).localFromScene)));
 #endif
   return shapeNormal(cut, scenePoint);
 }
@@ -147,7 +178,7 @@ vec3 endNormalAt(int cut, vec3 scenePoint) {
 #ifdef MEMBRANES
 /// The normal of a sheet, or of the plane around it (triangle -1), in a place on it, towards the eye.
 vec3 sheetNormalAt(int cut, int triangle, vec3 p, vec3 direction) {
-  CutData c = cuts[cut];
+  CutData c = cutAt(cut);
   mat3 toLocal = mat3(c.localFromScene);
   return membraneNormal(c, triangle, (c.localFromScene * vec4(p, 1.0)).xyz, toLocal * direction) * toLocal;
 }
@@ -159,7 +190,7 @@ float inlayShare(vec3 scenePoint, uint structure) {
   CutList list = cutsAt(scenePoint);
   for (int i = list.begin; i < list.end; ++i) {
     int cut = cutIn(i);
-    if (isInlay(cut)) share = foldShare(share, cuts[cut], sparedDepth(first, cut), hasFlag(kFlagSpareDepths), scenePoint);
+    if (isInlay(cut)) share = foldShare(share, cutAt(cut), sparedDepth(first, cut), hasFlag(kFlagSpareDepths), scenePoint);
   }
   return share;
 }
@@ -177,9 +208,9 @@ bool inlayShows(vec3 scenePoint, uint structure) {
   CutFold fold = emptyFold();
   int first = sparesOf(structure);
   float onFace = 0.01 / frame.voxelsPerLength;
-  for (int i = 0; i < frame.cutCount; ++i) {
+  for (int i = 0; i < kCuts; ++i) {
     if (isInlay(i)) continue;
-    bool removes = cutDistance(cuts[i], scenePoint) < -max(onFace, sparedDepth(first, i));
+    bool removes = cutDistance(cutAt(i), scenePoint) < -max(onFace, sparedDepth(first, i));
     fold = foldAnswer(fold, partOf(i), removes ? kCutRemoves : kCutKeeps);
   }
   return foldKeeps(fold);
@@ -195,13 +226,13 @@ struct Mark {
 /// The image of an inlay that comes next after one; those in one place in the order of the cuts.
 Mark nextInlay(Ray ray, Mark before) {
   Mark mark = Mark(kFar, -1, -1);
-  for (int i = 0; i < frame.cutCount; ++i) {
+  for (int i = 0; i < kCuts; ++i) {
     if (!isInlay(i)) continue;
-    vec3 o = (cuts[i].localFromScene * vec4(ray.origin, 1.0)).xyz;
-    vec3 d = mat3(cuts[i].localFromScene) * ray.direction;
+    vec3 o = (cutAt(i).localFromScene * vec4(ray.origin, 1.0)).xyz;
+    vec3 d = mat3(cutAt(i).localFromScene) * ray.direction;
     float t = -o.z / sheetNonZero(d.z);
     bool isLater = t > before.t || (t == before.t && i > before.cut);
-    if (isLater && t < mark.t && sheetHolds(cutSheet(cuts[i]), o + t * d)) mark = Mark(t, i, -1);
+    if (isLater && t < mark.t && sheetHolds(cutSheet(cutAt(i)), o + t * d)) mark = Mark(t, i, -1);
   }
   return mark;
 }
@@ -209,11 +240,11 @@ Mark nextInlay(Ray ray, Mark before) {
 /// The sheet to be shown that comes next after t.
 Mark nextSheet(Ray ray, float t, float tEnd) {
   Mark mark = Mark(kFar, -1, -1);
-  for (int i = 0; i < frame.cutCount; ++i) {
-    if (cuts[i].kind.x != kCutMembrane || cuts[i].sheet.w == 0) continue;
-    vec3 o = (cuts[i].localFromScene * vec4(ray.origin, 1.0)).xyz;
-    vec3 d = mat3(cuts[i].localFromScene) * ray.direction;
-    SheetHit hit = sheetCrossing(cutSheet(cuts[i]), o, d, t, min(tEnd, mark.t));
+  for (int i = 0; i < kCuts; ++i) {
+    if (cutAt(i).kind.x != kCutMembrane || cutAt(i).sheet.w == 0) continue;
+    vec3 o = (cutAt(i).localFromScene * vec4(ray.origin, 1.0)).xyz;
+    vec3 d = mat3(cutAt(i).localFromScene) * ray.direction;
+    SheetHit hit = sheetCrossing(cutSheet(cutAt(i)), o, d, t, min(tEnd, mark.t));
     if (hit.t < mark.t) mark = Mark(hit.t, i, hit.triangle);
   }
   return mark;
@@ -221,10 +252,10 @@ Mark nextSheet(Ray ray, float t, float tEnd) {
 #endif
 
 CutRun convexRun(int cut, Ray ray, float t, float e) {
-  vec2 inside = cutInterval(cuts[cut], ray.origin, ray.direction);
+  vec2 inside = cutInterval(cutAt(cut), ray.origin, ray.direction);
   bool hit = inside.x < inside.y;
   CutRun run = CutRun(t, kFar, -1);
-  if (cuts[cut].halfSize.w > 0.0) {
+  if (cutAt(cut).halfSize.w > 0.0) {
     if (hit && t >= inside.x - e && t < inside.y - e) run.end = inside.y;
     else if (hit && t < inside.x) run.next = inside.x;
   } else if (!hit) {
@@ -241,19 +272,19 @@ CutRun convexRun(int cut, Ray ray, float t, float e) {
 /// What a membrane does as far as its next crossing is asked in the middle between: rays that graze the sheet, or meet it
 /// on the edge of two triangles, go wrong for a hair at most.
 CutRun membraneRun(int cut, Ray ray, float t, float e, float tEnd) {
-  SheetHit crossing = membraneCrossing(cuts[cut], ray.origin, ray.direction, t + e, tEnd);
+  SheetHit crossing = membraneCrossing(cutAt(cut), ray.origin, ray.direction, t + e, tEnd);
   float middle = 0.5 * (t + min(crossing.t, tEnd));
-  vec3 p = (cuts[cut].localFromScene * vec4(ray.origin + middle * ray.direction, 1.0)).xyz;
-  bool removes = membraneRemoves(cuts[cut], p);
+  vec3 p = (cutAt(cut).localFromScene * vec4(ray.origin + middle * ray.direction, 1.0)).xyz;
+  bool removes = membraneRemoves(cutAt(cut), p);
   return CutRun(removes ? crossing.t : t, removes ? kFar : crossing.t, crossing.triangle);
 }
 #endif
 
 CutRun runFrom(int cut, Ray ray, float t, float e, float tEnd) {
 #ifdef MEMBRANES
-  if (cuts[cut].kind.x == kCutMembrane) return membraneRun(cut, ray, t, e, tEnd);
+  if (cutAt(cut).kind.x == kCutMembrane) return membraneRun(cut, ray, t, e, tEnd);
 #endif
-  if (hasFlag(kFlagWalks) && (cuts[cut].kind.z & kCutWalks) != 0) return cutWalk(cuts[cut], ray.origin, ray.direction, t, e, tEnd);
+  if (hasFlag(kFlagWalks) && (cutAt(cut).kind.z & kCutWalks) != 0) return cutWalk(cutAt(cut), ray.origin, ray.direction, t, e, tEnd);
   return convexRun(cut, ray, t, e);
 }
 

@@ -43,13 +43,16 @@ float tableAt(vec3 tex) {
   return clamp(rawTexelAt(tex) * (frame.tablePerTexel * kRawUnit * last) + frame.tableOffset * last, 0.0, last);
 }
 
-/// The label of a position; 0 outside the grid. A ray enters and leaves exactly on the grid's faces: they belong to it.
-uint labelAt(vec3 scenePoint) {
-  vec3 p = (frame.labelFromScene * vec4(scenePoint, 1.0)).xyz + 0.5;
+/// A position among the label voxels, whose corners are at whole numbers.
+vec3 labelVoxelAt(vec3 scenePoint) { return (frame.labelFromScene * vec4(scenePoint, 1.0)).xyz + 0.5; }
+
+/// The label there; 0 outside the grid. A ray enters and leaves exactly on the grid's faces: they belong to it.
+uint labelIn(vec3 p) {
   ivec3 size = textureSize(labelTexture, 0);
   if (any(lessThan(p, vec3(-1e-3))) || any(greaterThan(p, vec3(size) + 1e-3))) return 0u;
   return texelFetch(labelTexture, clamp(ivec3(p), ivec3(0), size - 1), 0).r;
 }
+uint labelAt(vec3 scenePoint) { return labelIn(labelVoxelAt(scenePoint)); }
 
 vec4 structureRow(uint label) {
   return label < uint(frame.structureCount) ? texelFetch(structureTexture, 2 * int(label)) : vec4(0.6, 0.6, 0.6, 1.0);

@@ -27,6 +27,4 @@ void addSheet(inout Hit hit, float t, vec3 color, float alpha, vec3 normal) {
   if (alpha > 0.0) addSample(hit, vec4(color, 1.0) * alpha, t, normal, 0u);
 }
 
-void finishRay(inout Hit hit, Ray ray, Walk walk) {}
-
 #endif

@@ -18,7 +18,7 @@ const Face kNoFace = Face(-1, -1);
 
 bool isOnFace(Face face) { return hasFlag(kFlagCuts) && face.cut >= 0; }
 
-bool showsData(Face face) { return cuts[face.cut].kind.y == 1; }
+bool showsData(Face face) { return hasFlag(kFlagFaces) && cuts[face.cut].kind.y == 1; }
 
 vec3 faceNormalAt(Face face, vec3 p, vec3 direction) {
 #ifdef MEMBRANES

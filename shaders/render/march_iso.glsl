@@ -66,6 +66,8 @@ bool isDone(Hit hit) {
 #endif
 }
 
+void finishRay(inout Hit hit, Ray ray, Walk walk) {}
+
 /// Stops at the first crossing of the iso value, found by bisection of its segment, or at once on a cut's face inside.
 /// Leaping, sampling and bisection have loops of their own: see march_volume.glsl.
 void marchStretch(inout Hit hit, Ray ray, Walk walk, Span span) {

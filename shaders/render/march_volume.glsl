@@ -15,6 +15,11 @@ struct Segment {
   float depth;  // optical depth by the transfer function
 };
 
+/// Whether each sample asks whose it is. Where structures have no say in what is seen, only what is hit is asked in the end.
+bool asksStructures() {
+  return hasFlag(kFlagInlays) || hasFlag(kFlagSheets) || (LABELS == 1 && hasFlag(kFlagStructureLooks));
+}
+
 /// The data on a cut's face, over everything behind it.
 void addFaceData(inout Hit hit, Ray ray, float t, int cut, vec3 normal) {
   vec3 p = ray.origin + t * ray.direction;
@@ -35,7 +40,7 @@ void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, float faceT,
   float alpha = 1.0 - exp(-depth);
   // Whose material it is, and of what colour.
 #if LABELS != 0
-  structure = labelAt(p);
+  if (asksStructures() || sparedOnly) structure = labelAt(p);
 #endif
   if (hasFlag(kFlagSpares) && sparedOnly && !cutsKeep(p, structure)) return;
 #if LABELS == 2
@@ -48,9 +53,11 @@ void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, float faceT,
   vec3 albedo = colorBetween(segment.x0, segment.x1);
 #endif
 #if LABELS == 1
-  vec4 row = structureRow(structure);
-  depth *= structure == 0u ? frame.unlabelledOpacity : row.a;
-  albedo = mix(albedo, row.rgb, structureTint(structure));
+  if (hasFlag(kFlagStructureLooks)) {
+    vec4 row = structureRow(structure);
+    depth *= structure == 0u ? frame.unlabelledOpacity : row.a;
+    albedo = mix(albedo, row.rgb, structureTint(structure));
+  }
 #endif
 #endif
 #ifdef MEMBRANES
@@ -177,8 +184,21 @@ bool isOfOneStructure(Group group, Walk walk, Ray ray) {
   return isOne;
 }
 
-/// @param found  false: the group is only computed because its neighbours' are
-Depths depthsOf(Group group, Walk walk, Ray ray, bool found, bool sparedOnly) {
+/// Bit i: the i-th segment of a group is of a structure that some cut spares.
+uint sparedIn(Group group, Walk walk, Ray ray) {
+  uint marks = 0u;
+#if LABELS != 0
+  vec3 from = labelVoxelAt(ray.origin);
+  vec3 perLength = mat3(frame.labelFromScene) * ray.direction;
+  for (int i = 0; i < kGroup; ++i) marks |= sparesOf(labelIn(from + middleOf(group, walk, i) * perLength)) >= 0 ? 1u << i : 0u;
+#else
+  marks = sparesOf(0u) >= 0 ? 255u : 0u;
+#endif
+  return marks;
+}
+
+/// @param asked  bits of the segments that may show; 0: the group is only computed because its neighbours' are
+Depths depthsOf(Group group, Walk walk, Ray ray, uint asked, bool sparedOnly) {
   Depths depths;
   depths.marks = 0u;
 #if LABELS != 2
@@ -193,15 +213,17 @@ Depths depthsOf(Group group, Walk walk, Ray ray, bool found, bool sparedOnly) {
     depths.of[i] = extinctionBetween(before, after) * span;
     before = after;
 #endif
-    depths.marks |= found && depths.of[i] > 0.0 ? 1u << i : 0u;
+    depths.marks |= depths.of[i] > 0.0 ? 1u << i : 0u;
   }
+  depths.marks &= asked;
   depths.nearHalf = depths.of[0] + depths.of[1] + depths.of[2] + depths.of[3];
   depths.farHalf = depths.of[4] + depths.of[5] + depths.of[6] + depths.of[7];
   depths.isThin = depths.nearHalf + depths.farHalf < kThin;
   depths.isNearThin = depths.nearHalf < 2.0 * kThin;
   depths.isFarThin = depths.farHalf < 2.0 * kThin;
-  bool isJoined = LABELS == 0;
-  if (LABELS == 1 && found && !sparedOnly && (depths.isNearThin || depths.isFarThin)) isJoined = isOfOneStructure(group, walk, ray);
+  bool isJoined = LABELS == 0 || (LABELS == 1 && !sparedOnly);
+  if (asksStructures() && isJoined && depths.marks != 0u && (depths.isNearThin || depths.isFarThin))
+    isJoined = isOfOneStructure(group, walk, ray);
   depths.isThin = isJoined && depths.isThin;
   depths.isNearThin = isJoined && depths.isNearThin;
   depths.isFarThin = isJoined && depths.isFarThin;
@@ -225,48 +247,66 @@ Segment segmentAt(Group group, Walk walk, Depths depths, int n) {
   return Segment(timeIn(group, walk, n), timeIn(group, walk, m + 1), x0, x1, depth);
 }
 
-/// Composites one stretch, front to back. Rays of a SIMD group go in step, and a software driver runs both sides of
+/// Composites a stretch that is removed and one behind it that is kept, front to back; either may be empty. Rays of a SIMD group go in step, and a software driver runs both sides of
 /// every branch and every loop once more than it is needed when the condition stands at its head. So each kind of work has
 /// a loop of its own, with the condition at its foot, in which nearly all rays have something to do: leaping over empty
 /// cells; fetching groups of samples until one holds material; shading its segments. Groups and leaps keep to the same
 /// lattice, so leaping changes no picture. A ray that has left a loop is still computed, though not stored, while others go
 /// on, and Mesa 22 takes what it computes last as the value after the loop: so nothing that is used after a loop may change
 /// when its last turn is repeated.
-void marchStretch(inout Hit hit, Ray ray, Walk walk, Span span) {
+/// @param keptFrom  where what is removed ends and what is kept begins, on the face
+void marchBoth(inout Hit hit, Ray ray, Walk walk, float a, float keptFrom, float b, Face face) {
   vec3 faceNormal = vec3(0.0);
   float faceT = -1.0;
-  if (isOnFace(span.face)) {
-    faceT = span.a;
-    faceNormal = faceNormalAt(span.face, ray.origin + span.a * ray.direction, ray.direction);
-    if (showsData(span.face)) addFaceData(hit, ray, span.a, span.face.cut, faceNormal);
+  if (isOnFace(face)) {
+    faceT = keptFrom;
+    faceNormal = faceNormalAt(face, ray.origin + faceT * ray.direction, ray.direction);
   }
   float cutoff = hasFlag(kFlagStopOpaque) ? frame.opaqueAlpha : 2.0;
   float groupLength = float(kGroup) * walk.dt;
   float perGroup = 1.0 / groupLength;
-  float b = span.b;
-  float t = span.a;
+  float t = a;
   do {
     // Go on to the next group with material.
     Group group;
     bool found;
+    bool sparedOnly;
+    uint asked;
     float end;
     do {
-      if (hasFlag(kFlagSkipEmpty)) t = leapEmpty(walk, t, b, groupLength, perGroup, span.sparedOnly);
-      group = groupAt(walk, ray, walk.first + floor((t - walk.first) * perGroup + 1e-4) * groupLength, t, b);
-      found = mayShow(group);
+      sparedOnly = hasFlag(kFlagSpares) && t < keptFrom;
+      if (hasFlag(kFlagSkipEmpty)) t = leapEmpty(walk, t, sparedOnly ? keptFrom : b, groupLength, perGroup, sparedOnly);
+      sparedOnly = hasFlag(kFlagSpares) && t < keptFrom;
+      group = groupAt(walk, ray, walk.first + floor((t - walk.first) * perGroup + 1e-4) * groupLength, t, sparedOnly ? keptFrom : b);
+      asked = mayShow(group) ? 255u : 0u;
+      if (sparedOnly) asked &= sparedIn(group, walk, ray);
+      found = asked != 0u;
       end = max(timeIn(group, walk, kGroup), afterAll(t));
       t = found ? t : end;
     } while (!found && t < b);
     t = end;
     // Shade it.
-    Depths depths = depthsOf(group, walk, ray, found, span.sparedOnly);
+    Depths depths = depthsOf(group, walk, ray, asked, sparedOnly);
     uint marks = depths.marks;
     do {
       Segment segment = segmentAt(group, walk, depths, max(findLSB(marks), 0));
-      if (marks != 0u) addSegment(hit, ray, walk, segment, faceT, faceNormal, span.sparedOnly);
+      if (marks != 0u) addSegment(hit, ray, walk, segment, sparedOnly ? -1.0 : faceT, faceNormal, sparedOnly);
       marks &= marks - 1u;
     } while (marks != 0u && hit.color.a < cutoff);
   } while (t < b && hit.color.a < cutoff);
+}
+
+void marchStretch(inout Hit hit, Ray ray, Walk walk, Span span) {
+  if (isOnFace(span.face) && showsData(span.face))
+    addFaceData(hit, ray, span.a, span.face.cut, faceNormalAt(span.face, ray.origin + span.a * ray.direction, ray.direction));
+  marchBoth(hit, ray, walk, span.a, span.sparedOnly ? span.b : span.a, span.b, span.face);
+}
+
+/// Whose it is that was hit.
+void finishRay(inout Hit hit, Ray ray, Walk walk) {
+#if LABELS != 0
+  if (!asksStructures() && hit.distance < kFar) hit.structure = labelAt(ray.origin + hit.distance * ray.direction);
+#endif
 }
 
 /// True when nothing further along the ray can show.

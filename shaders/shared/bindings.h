@@ -32,13 +32,15 @@ SHARED_CONST uint kPaperUnit = 17u;
 SHARED_CONST uint kStrokeUnit = 18u;    // directions and phases of strokes, a texel a cell
 SHARED_CONST uint kOwnPaperUnit = 19u;  // the user's picture of paper
 
+// What cuts spare.
+SHARED_CONST uint kSpareIndexUnit = 20u;
+SHARED_CONST uint kSpareUnit = 21u;
+
 // Storage blocks of a frame.
 SHARED_CONST uint kCutBinding = 1u;
 SHARED_CONST uint kCellBinding = 3u;
 SHARED_CONST uint kCutGridBinding = 4u;
 SHARED_CONST uint kMeshBinding = 5u;
-SHARED_CONST uint kSpareIndexBinding = 6u;
-SHARED_CONST uint kSpareBinding = 7u;
 
 // Storage blocks while a sheet is indexed, which is between frames.
 SHARED_CONST uint kSheetBinding = 0u;        // its rows (SHARED_SHEET_BLOCK),

@@ -37,7 +37,8 @@ struct CutData {
 SHARED_FN bool cutIsConvex(int kind) { return kind != kCutMembrane; }
 
 /// Signed distance from a point in the cut's local frame to the shape: < 0 inside. Exact for every shape.
-SHARED_FN float cutShapeDistance(int kind, vec3 halfSize, vec3 p) {
+SHARED_FN float cutShapeDistance(int anyKind, vec3 halfSize, vec3 p) {
+  int kind = SHARED_SHAPE(anyKind);
   if (kind == kCutPlane) return -p.z;
   if (kind == kCutSphere) return length(p) - halfSize.x;
   if (kind == kCutBox) {
@@ -184,7 +185,8 @@ SHARED_FN vec2 cutQuadric(float a, float b, float c) {
 }
 
 /// The stretch of the line o + t d inside a convex shape (local frame): x > y when it misses.
-SHARED_FN vec2 cutShapeInterval(int kind, vec3 halfSize, vec3 o, vec3 d) {
+SHARED_FN vec2 cutShapeInterval(int anyKind, vec3 halfSize, vec3 o, vec3 d) {
+  int kind = SHARED_SHAPE(anyKind);
   if (kind == kCutPlane) {
     float dz = cutNonZero(d.z);
     float t = -o.z / dz;

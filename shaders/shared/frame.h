@@ -8,6 +8,7 @@ SHARED_BEGIN
 SHARED_CONST int kTransferSize = 4096;  // table positions 0 .. kTransferSize - 1; the sums have one entry more
 SHARED_CONST int kTileGroup = 8;        // threads along x and y of a ray-cast group
 SHARED_CONST float kFar = 1e30f;
+SHARED_CONST int kMostPlanes = 3;       // so many cuts that are all planes have programs of their own: PLANES
 
 // What the Gbuffer holds of what is seen in a pixel, besides its colour: vec4 of its normal (scene frame, unit) and its
 // distance along the ray; uvec2 of ids: the structure (a label; 0: none) and the instance + 1 (0: nothing is seen).
@@ -37,7 +38,9 @@ SHARED_CONST uint kFlagJoined = 262144u;        // some cut is joined to the one
 SHARED_CONST uint kFlagTints = 524288u;         // some structure takes less of its own colour than others
 SHARED_CONST uint kFlagOverlaps = 1048576u;     // where spares of joined cuts overlap they are marked
 SHARED_CONST uint kFlagFinish = 2097152u;      // each sample is kept for the finish: kSampleImage
-SHARED_CONST uint kFlagLast = kFlagFinish;
+SHARED_CONST uint kFlagStructureLooks = 4194304u;  // structures say what their material looks like
+SHARED_CONST uint kFlagFaces = 8388608u;  // some cut shows the data on its face
+SHARED_CONST uint kFlagLast = kFlagFaces;
 
 /// Scene-local frame: world minus an origin near the scene, so that floats are enough anywhere. Lengths are in scene
 /// units. "Table" positions 0..1 run over the transfer table's domain of data values. Members lie in groups of 16
@@ -60,6 +63,8 @@ struct FrameParams {
   vec4 normalZ;
   vec4 keyLight;     ///< unit, towards the key light, scene frame
   vec4 pictureUp;    ///< unit
+  vec4 planes[kMostPlanes];  ///< with PLANES, all cuts: xyz: unit normals into what is removed; w: offsets
+  ivec4 joined;              ///< x: bits of those cuts that are joined to the one before
   vec2 pictureSize;  ///< of the whole picture, pixels
   vec2 subpixel;     ///< place of the sample, from the middle of its pixel
 

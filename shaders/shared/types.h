@@ -17,6 +17,8 @@
 #define SHARED_HAS_SHEETS 1
 #define SHARED_SHEET_BLOCK(unit)
 #define SHARED_SHEET_ROW(i) sheets.rows[i]
+// Shaders that are compiled for planes alone leave out the other shapes.
+#define SHARED_SHAPE(kind) (kind)
 namespace velum::shared {
 using glm::ivec2, glm::ivec3, glm::ivec4, glm::mat4, glm::uvec4, glm::vec2, glm::vec3, glm::vec4;
 using glm::abs, glm::clamp, glm::cross, glm::dot, glm::floor, glm::length, glm::max, glm::min, glm::mix;
@@ -34,6 +36,11 @@ struct SheetRows {
 #define SHARED_EXACT precise
 #define SHARED_SHEETS
 #define SHARED_PASS_SHEETS
+#ifdef PLANES
+#define SHARED_SHAPE(kind) kCutPlane
+#else
+#define SHARED_SHAPE(kind) (kind)
+#endif
 #ifdef WRITES_SHEET
 #define SHARED_SHEET_BLOCK(unit) layout(std430, binding = 0) buffer SheetBlock { vec4 sheetRows[]; };
 #define SHARED_SHEET_ROW(i) sheetRows[i]

@@ -1,7 +1,6 @@
 #include "FrameData.h"
 
 #include <algorithm>
-#include <cstring>
 #include <span>
 
 #include "FinishSetup.h"
@@ -61,6 +60,16 @@ std::uint32_t membraneFlags(const Frame& frame) {
   return flags;
 }
 
+/// Of planes their removed side is where their distance to it is below 0: an inverted one is one that looks the other
+/// way.
+void writePlanes(const std::vector<shared::CutData>& cuts, shared::FrameParams& params) {
+  for (std::size_t i = 0; i < cuts.size(); ++i) {
+    glm::mat4 rows = glm::transpose(cuts[i].localFromScene);
+    params.planes[i] = rows[2] * cuts[i].halfSize.w;
+    if (cuts[i].kind.z & shared::kCutJoined) params.joined.x |= 1 << i;
+  }
+}
+
 }  // namespace
 
 void completeFrameData(FrameData& data) {
@@ -80,11 +89,17 @@ void completeFrameData(FrameData& data) {
   data.params.flags |= membraneFlags(data.frame);
   if (!data.cuts.empty()) data.params.flags |= shared::kFlagCuts;
   for (const auto& cut : data.cuts) {
+    if (cut.kind.y == 1) data.params.flags |= shared::kFlagFaces;
     if (cut.kind.z & shared::kCutWalks) data.params.flags |= shared::kFlagWalks;
     if (cut.kind.z & shared::kCutJoined) data.params.flags |= shared::kFlagJoined;
   }
-  for (const auto& row : data.structures)
+  if (int(data.cuts.size()) <= shared::kMostPlanes) writePlanes(data.cuts, data.params);
+  bool hasLooks = scene.labels.tint > 0.0 || scene.labels.unlabelled != 1.0;
+  for (const auto& row : data.structures) {
     if (row.look.x != 1.0f) data.params.flags |= shared::kFlagTints;
+    hasLooks = hasLooks || row.color.a != 1.0f;
+  }
+  if (hasLooks) data.params.flags |= shared::kFlagStructureLooks;
   if (needsSamples(scene.finish)) data.params.flags |= shared::kFlagFinish;
   if (data.cuts.size() >= kFewCuts) data.params.flags |= shared::kFlagCutGrid;
   if (!data.spares.isEmpty()) data.params.flags |= shared::kFlagSpares;
@@ -101,7 +116,11 @@ DataVariant dataVariantOf(const FrameData& data) {
   }
   variant.labels = data.labelUse;
   variant.hasMembranes = (data.params.flags & shared::kFlagMembranes) != 0;
-  if (data.isSoftware) variant.flags = data.params.flags;
+  if (!data.isSoftware) return variant;
+  variant.flags = data.params.flags;
+  bool arePlanes =
+      std::all_of(data.cuts.begin(), data.cuts.end(), [](const auto& c) { return c.kind.x == shared::kCutPlane; });
+  if (arePlanes && int(data.cuts.size()) <= shared::kMostPlanes) variant.planes = int(data.cuts.size());
   return variant;
 }
 
@@ -138,7 +157,9 @@ void FrameInputs::write(const FrameData& data) {
   mStructures = bufferOf("structures", data.structures);
   mStructureTexels = gpu::Texture::makeOfBuffer("structures", gpu::Format::Rgba32f, mStructures);
   mSpareIndex = bufferOf("index of spares", data.spares.rowOf);
+  mSpareIndexTexels = gpu::Texture::makeOfBuffer("index of spares", gpu::Format::R32ui, mSpareIndex);
   mSpares = bufferOf("spares", data.spares.rows);
+  mSpareTexels = gpu::Texture::makeOfBuffer("spares", gpu::Format::Rg32f, mSpares);
   writeParams(data, 0);
 }
 
@@ -146,9 +167,7 @@ void FrameInputs::write(const FrameData& data) {
 void FrameInputs::writeCuts(const FrameData& data) {
   mCuts = bufferOf("cuts", data.cuts);
   bool hasGrid = (data.params.flags & shared::kFlagCutGrid) != 0, hasSpares = !data.spares.isEmpty();
-  auto isSame = [](const shared::CutData& a, const shared::CutData& b) { return std::memcmp(&a, &b, sizeof a) == 0; };
-  bool isMade = mGridBox == data.params.sceneFromTex && mGridHasSpares == hasSpares &&
-                std::equal(mGridCuts.begin(), mGridCuts.end(), data.cuts.begin(), data.cuts.end(), isSame);
+  bool isMade = mGridBox == data.params.sceneFromTex && mGridHasSpares == hasSpares && mGridCuts == data.cuts;
   if (hasGrid && isMade) return;
   mGridCuts = hasGrid ? data.cuts : std::vector<shared::CutData>{};
   mGridBox = data.params.sceneFromTex;
@@ -172,8 +191,8 @@ void FrameInputs::bind() const {
   mCuts.bindStorage(shared::kCutBinding);
   mCutGrid.bindStorage(shared::kCutGridBinding);
   mStructureTexels.bindSampler(shared::kStructureUnit);
-  mSpareIndex.bindStorage(shared::kSpareIndexBinding);
-  mSpares.bindStorage(shared::kSpareBinding);
+  mSpareIndexTexels.bindSampler(shared::kSpareIndexUnit);
+  mSpareTexels.bindSampler(shared::kSpareUnit);
 }
 
 }  // namespace velum::render

@@ -90,7 +90,8 @@ class FrameInputs {
   std::vector<shared::CutData> mGridCuts;  ///< What mCutGrid was made of,
   glm::mat4 mGridBox{0.0f};
   bool mGridHasSpares = false;
-  gpu::Texture mGradientFactors, mNoise, mTransferTexels, mExtinctionTexels, mStructureTexels;
+  gpu::Texture mGradientFactors, mNoise, mTransferTexels, mExtinctionTexels, mStructureTexels, mSpareIndexTexels,
+      mSpareTexels;
 };
 
 }  // namespace velum::render

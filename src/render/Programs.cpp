@@ -61,6 +61,8 @@ std::vector<gpu::ProgramSource> allPrograms() {
   for (RayVariant variant : allRayVariants()) {
     if (!isOfSoftware(variant.data)) all.push_back({{"render/ray_cast.comp"}, definesOf(variant)});
     variant.data.flags = sets[next++ % sets.size()];
+    if (!variant.data.hasMembranes && (*variant.data.flags & shared::kFlagCuts))
+      variant.data.planes = int(next % std::size_t(shared::kMostPlanes + 1));
     all.push_back({{"render/ray_cast.comp"}, definesOf(variant)});
   }
   return all;

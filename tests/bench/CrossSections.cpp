@@ -105,6 +105,7 @@ std::array<Drawn, kWays> waysOf(const PaperRow& row, const Options& options) {
   edited.labels.data = Shared<LabelVolume>(std::move(sample.labels));
   edited.labels.tint = 0.0;
   scene::completeStructures(edited.labels);
+  for (auto& structure : edited.labels.structures) structure.opacity = 1.0;  // both pictures show the same material
   scene::Bounds bounds = scene::computeBounds(edited);
   std::array<Drawn, kWays> ways;
   for (int way = 0; way < kWays; ++way) {
@@ -155,6 +156,7 @@ void measureCrossSections(const Options& options, Report& report) {
   sharedContext().makeCurrent();
   std::vector<std::vector<std::string>> rows;
   for (const PaperRow& row : kRows) {
+    if (std::string(row.phantom).find(options.match) == std::string::npos) continue;
     std::array<Drawn, kWays> ways = waysOf(row, options);
     std::array<double, kWays> ms = pictureMs(ways, options.quick ? 5 : 15);
     auto ratio = [&](Way way, Way by) { return ms[std::size_t(way)] / ms[std::size_t(by)]; };

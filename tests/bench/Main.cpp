@@ -97,7 +97,7 @@ int parseAndRun(int argc, char** argv) {
       ->check(CLI::IsMember(names));
   app.add_flag("--quick", options.quick, "smaller data, fewer positions: a look, not a measurement");
   app.add_flag("--tune", options.tune, "families: the half of the planes on which constants may be chosen");
-  app.add_option("--match", options.match, "families: only data that has this in its name");
+  app.add_option("--match", options.match, "families, cross-sections: only data that has this in its name");
   app.add_option(
       "--planes", options.planes,
       "families: file (CSV) of the planes; those in it are not measured again, so that hours may be shared out");

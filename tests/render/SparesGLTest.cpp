@@ -136,8 +136,10 @@ class SparesGL : public RenderTest {
     std::vector<glm::ivec2> answers(points.places.size());
     gpu::Buffer out("answers", answers.size() * sizeof(glm::ivec2));
     cutBuffer.bindStorage(shared::kCutBinding);
-    index.bindStorage(shared::kSpareIndexBinding);
-    rows.bindStorage(shared::kSpareBinding);
+    auto indexTexels = gpu::Texture::makeOfBuffer("index", gpu::Format::R32ui, index);
+    auto rowTexels = gpu::Texture::makeOfBuffer("spares", gpu::Format::Rg32f, rows);
+    indexTexels.bindSampler(shared::kSpareIndexUnit);
+    rowTexels.bindSampler(shared::kSpareUnit);
     places.bindStorage(2);
     structures.bindStorage(3);
     out.bindStorage(4);

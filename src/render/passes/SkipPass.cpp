@@ -1,6 +1,9 @@
 #include "SkipPass.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
+#include <glm/gtc/matrix_transform.hpp>
 
 #include "WorkQueue.h"
 #include "velum/core/Parallel.h"
@@ -37,6 +40,16 @@ SkipPass::Key SkipPass::keyOf(const FrameData& data) {
   for (const auto& cut : scene.cuts)
     for (const auto& spare : cut.spares)
       if (cut.enabled && spare.distance > 0.0 && spare.share > 0.0) key.spared |= bitOf(spare.structure);
+  if (data.spares.hasDepths && data.cuts.size() < kFewCuts) {
+    key.cuts = data.cuts;
+    key.sceneFromTex = data.params.sceneFromTex;
+    key.deepest.assign(64 * key.cuts.size(), 0.0f);
+    for (std::size_t id = 0; id < data.spares.rowOf.size(); ++id)
+      for (std::size_t cut = 0; cut < key.cuts.size(); ++cut) {
+        float& deepest = key.deepest[id % 64 * key.cuts.size() + cut];
+        deepest = std::max(deepest, shared::spareDepth(data.spares.of(std::uint32_t(id), cut), 0.0f));
+      }
+  }
   if (data.labelUse == LabelUse::None) return key;
   if (data.labelUse == LabelUse::OverVolume && scene.labels.unlabelled > 0) key.visible |= bitOf(0);
   for (const auto& info : scene.labels.data->table)
@@ -65,9 +78,35 @@ bool SkipPass::hasSparedContent(const Key& key, glm::vec2 texels) {
   return std::max(x.x, x.y) >= key.isoValue;
 }
 
+/// False where no cut removes any of a ball, or cuts remove all of it whichever of the ids it is of.
+bool SkipPass::maySpare(const Key& key, std::uint64_t ids, const Ball& ball) {
+  if (key.cuts.empty()) return true;
+  std::array<float, kFewCuts> distances{};
+  bool isAsked = false;  // some of it may be removed
+  for (std::size_t cut = 0; cut < key.cuts.size(); ++cut) {
+    bool isSheet = key.cuts[cut].kind.x == shared::kCutMembrane;
+    distances[cut] = isSheet ? 0.0f : shared::shapeDistance(key.cuts[cut], ball.centre);
+    isAsked = isAsked || distances[cut] < ball.radius;
+  }
+  for (; isAsked && ids != 0; ids &= ids - 1) {
+    const float* deepest = &key.deepest[std::size_t(std::countr_zero(ids)) * key.cuts.size()];
+    shared::CutFold fold = shared::emptyFold();
+    for (std::size_t cut = 0; cut < key.cuts.size(); ++cut) {
+      bool removesAll = -distances[cut] - ball.radius > deepest[cut];
+      fold = shared::foldAnswer(fold, shared::cutPart(key.cuts[cut]),
+                                removesAll ? shared::kCutRemoves : shared::kCutKeeps);
+    }
+    if (shared::foldKeeps(fold)) return true;
+  }
+  return false;
+}
+
 SkipPass::Found SkipPass::find(const Key& key, const FrameData& data) {
   Found found{CellSet(key.cells), CellSet(key.cells)};
-  auto nx = std::size_t(key.cells.x);
+  auto nx = std::size_t(key.cells.x), ny = std::size_t(key.cells.y);
+  glm::mat4 sceneFromCell = glm::scale(key.sceneFromTex, 1.0f / glm::vec3(data.params.cellsPerTex));
+  glm::mat3 edges(sceneFromCell);
+  float radius = 0.501f * glm::length(glm::vec3(glm::length(edges[0]), glm::length(edges[1]), glm::length(edges[2])));
   parallelFor(std::size_t(0), found.all.rows.size(), [&](std::size_t row) {
     for (std::size_t x = 0; x < nx; ++x) {
       std::size_t cell = row * nx + x;
@@ -76,7 +115,10 @@ SkipPass::Found SkipPass::find(const Key& key, const FrameData& data) {
       glm::vec2 texels = data.volume ? data.volume->cellRanges[cell] : glm::vec2(0.0f);
       std::uint64_t bit = std::uint64_t(1) << x;
       if (isShown && hasContent(key, texels)) found.all.rows[row] |= bit;
-      if (isShown && (ids & key.spared) && hasSparedContent(key, texels)) found.spared.rows[row] |= bit;
+      if (!isShown || !(ids & key.spared) || !hasSparedContent(key, texels)) continue;
+      glm::vec3 middle = glm::vec3(x, row % ny, row / ny) + 0.5f;
+      Ball ball{glm::vec3(sceneFromCell * glm::vec4(middle, 1.0f)), radius};
+      if (maySpare(key, ids & key.spared, ball)) found.spared.rows[row] |= bit;
     }
   });
   return found;

@@ -30,10 +30,19 @@ class SkipPass : public Pass {
     VolumeKey volume;
     std::uint64_t labelCells = 0;           ///< Their revision; 0: no labels.
     std::uint64_t visible = 0, spared = 0;  ///< Sets of ids, mod 64: that show, that some cut spares.
+    // Where spares end: what says in which cells they do. Else empty.
+    std::vector<shared::CutData> cuts;
+    std::vector<float> deepest;  ///< [64][cuts]: how deep a cut spares the ids of a bit at most, scene frame.
+    glm::mat4 sceneFromTex{0.0f};
     glm::ivec3 cells{0};
     float tablePerTexel = 0, tableOffset = 0, isoValue = 0;
     std::vector<std::uint32_t> extinctionSums;
     bool operator==(const Key&) const = default;
+  };
+  /// A part of the data's box that holds some ids.
+  struct Ball {
+    glm::vec3 centre{0.0f};  ///< scene frame
+    float radius = 0;
   };
   /// The cells with content.
   struct Found {
@@ -43,6 +52,7 @@ class SkipPass : public Pass {
   static Key keyOf(const FrameData& data);
   static bool hasContent(const Key& key, glm::vec2 texels);
   static bool hasSparedContent(const Key& key, glm::vec2 texels);
+  static bool maySpare(const Key& key, std::uint64_t ids, const Ball& ball);
   static Found find(const Key& key, const FrameData& data);
 
   gpu::Texture mMap;

@@ -22,6 +22,7 @@ gpu::Defines definesOf(const DataVariant& variant) {
                        {"COLOR", number(variant.texels)},
                        {"PACKED", number(variant.packing)}};
   if (variant.hasMembranes) defines.push_back({"MEMBRANES", "1"});
+  if (variant.planes > 0) defines.push_back({"PLANES", std::to_string(variant.planes)});
   if (variant.flags) defines.push_back({"FLAGS", fmt::format("{}u", *variant.flags)});
   return defines;
 }

@@ -23,7 +23,8 @@ struct DataVariant {
   TexelKind texels = TexelKind::Value;
   Packing packing = Packing::None;  ///< Of values, on software drivers.
   bool hasMembranes = false;
-  std::optional<std::uint32_t> flags;  ///< kFlag*: software drivers' programs are compiled for their frame's.
+  std::optional<std::uint32_t> flags;  ///< kFlag*: software drivers' programs are compiled for their frame's,
+  int planes = 0;                      ///< and for so many cuts that are all planes; 0: for any others.
   auto operator<=>(const DataVariant&) const = default;
 };
 

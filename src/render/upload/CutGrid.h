@@ -1,9 +1,16 @@
 #pragma once
 #include <cstdint>
+#include <cstring>
 #include <span>
 #include <vector>
 
 #include "shared/cuts.h"
+
+namespace velum::shared {
+
+inline bool operator==(const CutData& a, const CutData& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+
+}  // namespace velum::shared
 
 namespace velum::render {
 

@@ -164,9 +164,9 @@ class CellPackReader {
     std::map<std::uint32_t, std::uint32_t> moleculeOf;
     for (const Placing& placing : entity.placings)
       for (std::uint32_t asym : placing.asyms) {
-        auto [at, isNew] = moleculeOf.try_emplace(asym, 0);
-        if (isNew) at->second = addMolecule(type, {asym}, false);
-        mOperators.forEach(placing.expression, [&](const Pose& pose) { place(mBuilder, mPath, at->second, pose); });
+        if (!moleculeOf.count(asym)) moleculeOf[asym] = addMolecule(type, {asym}, false);
+        std::uint32_t molecule = moleculeOf[asym];
+        mOperators.forEach(placing.expression, [&](const Pose& pose) { place(mBuilder, mPath, molecule, pose); });
       }
     mMolecule = moleculeOf.begin()->second;
   }

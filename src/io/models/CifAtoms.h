@@ -11,7 +11,7 @@ namespace velum::io {
 /// The rows of _atom_site.
 struct CifAtoms {
   std::vector<Atom> atoms;                         ///< Their chains are 0.
-  CifColumn::Codes asym, authAsym, entity, comp;             ///< Where a column is missing, one code with an empty name.
+  CifColumn::Codes asym, authAsym, entity, comp;   ///< Where a column is missing, one code with an empty name.
   std::vector<std::int32_t> model;                 ///< As numbered in the file; 1 where it does not say.
   std::vector<bool> isHetero;                      ///< HETATM
   bool areBeads = false;                           ///< All are "CA" of the element CA: balls without a size.

@@ -2,17 +2,16 @@
 
 #include <fmt/format.h>
 
-#include <gemmi/cif.hpp>
+#include <cmath>
 #include <unordered_map>
 
+#include "GemmiCif.h"
 #include "velum/core/FileName.h"
 #include "velum/core/Text.h"
 
 namespace velum::io {
 
 namespace {
-
-namespace cif = gemmi::cif;
 
 /// "_atom_site.Cartn_x" in two, lower case.
 struct Tag {
@@ -37,12 +36,11 @@ class ColumnFill {
       mColumn.numbers.push_back(numberIn(number.substr(0, number.find('('))).value_or(NAN));
       return;
     }
-    if (cif::is_null(value)) {
+    if (isNullInCif(value)) {
       mColumn.textOf.push_back(-1);
       return;
     }
-    std::string text = cif::as_string(value);
-    auto [at, isNew] = mPlaces.try_emplace(std::move(text), std::int32_t(mColumn.texts.size()));
+    auto [at, isNew] = mPlaces.try_emplace(textInCif(value), std::int32_t(mColumn.texts.size()));
     if (isNew) mColumn.texts.push_back(at->first);
     mColumn.textOf.push_back(at->second);
   }
@@ -53,47 +51,46 @@ class ColumnFill {
   std::unordered_map<std::string, std::int32_t> mPlaces;
 };
 
-void takePair(const cif::Pair& pair, CifBlock& block) {
-  Tag tag = tagOf(pair[0]);
-  if (!isWanted(tag.category, tag.column)) return;
-  CifTable& table = block.tables[tag.category];
-  if (table.rows > 1) return;
-  table.rows = 1;
-  CifColumn column;
-  ColumnFill(column, isNumeric(tag.column)).add(pair[1]);
-  table.columns[tag.column] = std::move(column);
-}
+class Collector : public CifListener {
+ public:
+  std::vector<CifBlock> blocks;
 
-void takeLoop(cif::Loop& loop, CifBlock& block) {
-  if (loop.width() == 0 || loop.values.size() % loop.width() != 0) return;
-  for (std::size_t c = 0; c < loop.width(); ++c) {
-    Tag tag = tagOf(loop.tags[c]);
-    if (!isWanted(tag.category, tag.column)) continue;
-    CifTable& table = block.tables[tag.category];
-    if (!table.columns.empty() && table.rows != loop.length()) return;  // the category stands there twice
-    table.rows = loop.length();
+  void beginBlock(const std::string& name) override { blocks.emplace_back().header = name; }
+
+  void takePair(const std::string& name, const std::string& value) override {
+    Tag tag = tagOf(name);
+    if (!isWanted(tag.category, tag.column)) return;
+    CifTable& table = blocks.back().tables[tag.category];
+    if (table.rows > 1) return;
+    table.rows = 1;
     CifColumn column;
-    ColumnFill fill(column, isNumeric(tag.column));
-    for (std::size_t r = 0; r < loop.length(); ++r) fill.add(loop.val(r, c));
+    ColumnFill(column, isNumeric(tag.column)).add(value);
     table.columns[tag.column] = std::move(column);
   }
-  std::vector<std::string>().swap(loop.values);
-}
+
+  void takeLoop(const std::vector<std::string>& tags, std::vector<std::string>& values) override {
+    std::size_t rows = values.size() / tags.size();
+    for (std::size_t c = 0; c < tags.size(); ++c) {
+      Tag tag = tagOf(tags[c]);
+      if (!isWanted(tag.category, tag.column)) continue;
+      CifTable& table = blocks.back().tables[tag.category];
+      if (!table.columns.empty() && table.rows != rows) return;  // the category stands there twice
+      table.rows = rows;
+      CifColumn column;
+      ColumnFill fill(column, isNumeric(tag.column));
+      for (std::size_t r = 0; r < rows; ++r) fill.add(values[r * tags.size() + c]);
+      table.columns[tag.column] = std::move(column);
+    }
+    std::vector<std::string>().swap(values);
+  }
+};
 
 }  // namespace
 
 std::vector<CifBlock> parseCifText(const std::string& text, const Path& path) try {
-  cif::Document document = cif::read_memory(text.data(), text.size(), "line");
-  std::vector<CifBlock> blocks;
-  for (cif::Block& from : document.blocks) {
-    CifBlock& block = blocks.emplace_back();
-    block.header = from.name;
-    for (cif::Item& item : from.items) {
-      if (item.type == cif::ItemType::Pair) takePair(item.pair, block);
-      if (item.type == cif::ItemType::Loop) takeLoop(item.loop, block);
-    }
-  }
-  return blocks;
+  Collector collector;
+  parseCif(text.data(), text.size(), collector);
+  return std::move(collector.blocks);
 } catch (const std::runtime_error& error) {
   refuse(path, fmt::format("is no sound CIF: {}", inQuotes(error.what())));
 }

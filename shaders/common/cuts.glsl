@@ -22,8 +22,8 @@ CutData cutAt(int i) {
   vec4 plane = planeAt(i);
   CutData cut;
   cut.localFromScene = mat4(0.0, 0.0, plane.x, 0.0, 0.0, 0.0, plane.y, 0.0, 0.0, 0.0, plane.z, 0.0, 0.0, 0.0, plane.w, 1.0);
-  cut.halfSize = vec4(0.0, 0.0, 0.0, 1.0);
-  cut.kind = ivec4(kCutPlane, 0, (frame.joined.x >> i & 1) != 0 ? kCutJoined : 0, 0);
+  cut.halfSize = vec4(0.0, 0.0, 0.0, (frame.planeBits.y >> i & 1) != 0 ? -1.0 : 1.0);
+  cut.kind = ivec4(kCutPlane, 0, (frame.planeBits.x >> i & 1) != 0 ? kCutJoined : 0, 0);
   cut.face = vec4(0.0);
   cut.sheet = ivec4(0);
   cut.inlay = vec4(0.0);
@@ -155,7 +155,7 @@ int cutsGuess(vec3 scenePoint, uint structure) {
 /// The unit normal of the face of a cut, other than a membrane, out of the material.
 vec3 shapeNormal(int cut, vec3 p) {
 #ifdef PLANES
-  return planeAt(cut).xyz;
+  return cutAt(cut).halfSize.w * planeAt(cut).xyz;
 #else
   float e = 0.01 * frame.step;
   vec3 gradient = vec3(shapeDistance(cutAt(cut), p + vec3(e, 0, 0)) - shapeDistance(cutAt(cut), p - vec3(e, 0, 0)),

@@ -63,8 +63,8 @@ struct FrameParams {
   vec4 normalZ;
   vec4 keyLight;     ///< unit, towards the key light, scene frame
   vec4 pictureUp;    ///< unit
-  vec4 planes[kMostPlanes];  ///< with PLANES, all cuts: xyz: unit normals into what is removed; w: offsets
-  ivec4 joined;              ///< x: bits of those cuts that are joined to the one before
+  vec4 planes[kMostPlanes];  ///< with PLANES, all cuts: rows of localFromScene that give z
+  ivec4 planeBits;           ///< a bit each: x: those that are joined to the one before; y: those that remove the other side
   vec2 pictureSize;  ///< of the whole picture, pixels
   vec2 subpixel;     ///< place of the sample, from the middle of its pixel
 

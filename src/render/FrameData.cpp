@@ -60,13 +60,12 @@ std::uint32_t membraneFlags(const Frame& frame) {
   return flags;
 }
 
-/// Of planes their removed side is where their distance to it is below 0: an inverted one is one that looks the other
-/// way.
 void writePlanes(const std::vector<shared::CutData>& cuts, shared::FrameParams& params) {
   for (std::size_t i = 0; i < cuts.size(); ++i) {
     glm::mat4 rows = glm::transpose(cuts[i].localFromScene);
-    params.planes[i] = rows[2] * cuts[i].halfSize.w;
-    if (cuts[i].kind.z & shared::kCutJoined) params.joined.x |= 1 << i;
+    params.planes[i] = rows[2];
+    if (cuts[i].kind.z & shared::kCutJoined) params.planeBits.x |= 1 << i;
+    if (cuts[i].halfSize.w < 0.0f) params.planeBits.y |= 1 << i;
   }
 }
 

@@ -32,7 +32,7 @@ std::vector<std::string> membersOf(const std::string& header, const std::string&
       inside = true;
     else if (inside && line.starts_with("};"))
       break;
-    else if (std::size_t end = line.find(';'); inside && end != std::string::npos) {
+    else if (std::size_t end = line.find_first_of("[;"); inside && end != std::string::npos) {
       std::size_t start = line.rfind(' ', end) + 1;
       members.push_back(line.substr(start, end - start));
     }
@@ -64,6 +64,8 @@ const Offset kFrameOffsets[] = {VELUM_OFFSET(FrameParams, texFromScene),
                                 VELUM_OFFSET(FrameParams, normalZ),
                                 VELUM_OFFSET(FrameParams, keyLight),
                                 VELUM_OFFSET(FrameParams, pictureUp),
+                                VELUM_OFFSET(FrameParams, planes),
+                                VELUM_OFFSET(FrameParams, planeBits),
                                 VELUM_OFFSET(FrameParams, pictureSize),
                                 VELUM_OFFSET(FrameParams, subpixel),
                                 VELUM_OFFSET(FrameParams, step),

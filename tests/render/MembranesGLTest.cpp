@@ -19,7 +19,9 @@ TEST_F(MembranesGL, AFlatOneGivesThePictureOfThePlane) {
         plane = scene;
         plane.cuts = {planeOf(scene.cuts[0])};
         Image whole = draw(plane, kSize, kAllLayers), image = draw(scene, kSize, kAllLayers);
-        expectSame(image, whole, 1.0, "mode " + std::to_string(mode) + (invert ? " inverted" : ""));
+        // Both meet a ray in places that differ in the last digits, by which thin material may be taken together
+        // otherwise.
+        expectSame(image, whole, 2.0, "mode " + std::to_string(mode) + (invert ? " inverted" : ""));
       }
 }
 

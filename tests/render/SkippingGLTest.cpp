@@ -139,6 +139,42 @@ TEST_F(SkippingGL, CutsThatSpare) {
   expectSameAsBruteForce(scene, "a section face");
 }
 
+/// Cells beyond the ends of all that cuts spare in them are leapt over; 6 and 70 share a bit of the cells' sets.
+TEST_F(SkippingGL, WhatIsSparedUpToADepth) {
+  scene::Scene scene = sceneWith([](glm::ivec3 p) { return p.y > 3 && p.y < 34 ? 120 + 80 * hashNoise(p) : 0.0; });
+  LabelVolume labels = makeLabels(
+      kDims,
+      [](glm::ivec3 p) {
+        return glm::length(glm::dvec2(p.x, p.z) - glm::dvec2(14, 25)) < 8 ? 6 : p.x > 26 && p.x < 36 ? 70 : 0;
+      },
+      scene.volume.data->worldFromVoxel);
+  scene.labels.data = Shared<LabelVolume>(std::move(labels));
+  scene::completeStructures(scene.labels);
+  scene::Cut plane, second;
+  plane.axis = {0.2, -1, 0.1};
+  plane.centre = {0, 9, 0};
+  plane.spares = {{6, 21.5}, {70, 4.2}};
+  scene.cuts = {plane};
+  for (double tint : {0.0, 1.0}) {
+    scene.labels.tint = tint;
+    expectSameAsBruteForce(scene, "one plane");
+  }
+  second.axis = {-1, -0.1, 0.3};
+  second.joined = true;
+  second.spares = {{6, 2.5}, {70, 11.0}};
+  scene.cuts = {plane, second};
+  for (auto mode : {scene::RenderMode::Volume, scene::RenderMode::Iso}) {
+    scene.rayCast.mode = mode;
+    scene.rayCast.isoValue = 150;
+    expectSameAsBruteForce(scene, "two planes");
+  }
+  scene.rayCast.mode = scene::RenderMode::Volume;
+  scene.cuts[1].joined = false;
+  scene.cuts[1].shape = scene::CutShape::Sphere;
+  scene.cuts[1].size = glm::dvec3(30);
+  expectSameAsBruteForce(scene, "a plane and a ball");
+}
+
 TEST_F(SkippingGL, MaximumAndIsosurface) {
   for (auto mode : {scene::RenderMode::Mip, scene::RenderMode::Iso}) {
     scene::Scene noise = sceneWith([](glm::ivec3 p) { return 250 * hashNoise(p) * hashNoise(p, 2); });

@@ -20,8 +20,8 @@ TEST_F(MembranesGL, AFlatOneGivesThePictureOfThePlane) {
         plane.cuts = {planeOf(scene.cuts[0])};
         Image whole = draw(plane, kSize, kAllLayers), image = draw(scene, kSize, kAllLayers);
         // Both meet a ray in places that differ in the last digits, by which thin material may be taken together
-        // otherwise.
-        expectSame(image, whole, 2.0, "mode " + std::to_string(mode) + (invert ? " inverted" : ""));
+        // otherwise: that moves a pixel or two by two grey levels.
+        expectSame(image, whole, mode == 0 ? 2.0 : 1.0, "mode " + std::to_string(mode) + (invert ? " inverted" : ""));
       }
 }
 

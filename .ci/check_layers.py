@@ -10,9 +10,10 @@ MAY_USE = {  # module: modules it may include (its own is implied)
     "gpu": "core",
     "io": "core scene",
     "membrane": "core scene gpu",
+    "mesoscale": "core scene gpu",
     "extrusion": "core scene",
-    "render": "core scene gpu membrane",
-    "session": "core scene gpu io membrane extrusion render",
+    "render": "core scene gpu membrane mesoscale",
+    "session": "core scene gpu io membrane mesoscale extrusion render",
     "app": "core scene gpu io extrusion render session",
     "gui": "core scene gpu extrusion render session",
 }

@@ -13,9 +13,10 @@ layout(binding = kFinishImage, rgba32f) uniform image2D finishImage;  // rgb: li
 layout(location = 0) uniform ivec4 tile;   // x, y: corner in the image; z, w: its size
 layout(location = 1) uniform int isFirst;  // 1: nothing is there yet
 
-// A jump of depth begins to count where it is longer than so many voxels, which noise moves surfaces by, and so many pixels.
-const float kStepVoxels = 2.5;
+// A jump of depth begins to count where it is longer than finish.stepLength, and than so many pixels.
 const float kStepPixels = 3.0;
+// Where one instance of a type ends and another one begins, as a share of the line between types.
+const float kWithinType = 0.6;
 // How far a normal turns between two sides of a pixel before it is a crease. Noise bends them within a side, too.
 const float kLeastCrease = 0.35;
 const float kFullCrease = 0.95;
@@ -32,7 +33,7 @@ float jumpOf(vec2 bend, float depth) {
   bool isFlat = hasFlag(kFlagOrthographic);
   float along = isFlat ? depth : 1.0 / max(depth, 1e-9);
   float pixel = 2.0 * length(frame.up.xyz) / frame.pictureSize.y * (isFlat ? 1.0 : along);
-  float least = max(kStepVoxels / frame.voxelsPerLength, kStepPixels * pixel * float(finish.reach));
+  float least = max(finish.stepLength, kStepPixels * pixel * float(finish.reach));
   return smoothstep(least, 2.0 * least, length(bend) * (isFlat ? 1.0 : along * along));
 }
 
@@ -49,7 +50,8 @@ Neighbour neighbourAt(ivec2 pixel, ivec2 last, Sample centre, float own) {
   float solid = solidity(s);
   bool same = isSame(s, centre);
   float both = min(own, solid);
-  return Neighbour(solid, same ? 0.0 : both, both > 0.5 ? s.depth : centre.depth, both > 0.5 && same ? s.normal : centre.normal);
+  float weight = (s.ids & 0xffffu) == (centre.ids & 0xffffu) && (s.ids & 0xffffu) != 0u ? kWithinType : 1.0;
+  return Neighbour(solid, same ? 0.0 : both * weight, both > 0.5 ? s.depth : centre.depth, both > 0.5 && same ? s.normal : centre.normal);
 }
 
 /// The edges next to a pixel by Sobel's kernel: of the outline, between structures, of depth and normals; 0..1.

@@ -31,7 +31,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = kNoiseUnit) uniform sampler2D noiseTexture;
 layout(binding = kSurfaceColorUnit) uniform sampler2D surfaceColorTexture;
 layout(binding = kSurfaceAuxUnit) uniform sampler2D surfaceAuxTexture;  // xyz normal, w distance along the ray
-layout(binding = kSurfaceIdUnit) uniform usampler2D surfaceIdTexture;
+layout(binding = kSurfaceIdUnit) uniform usampler2D surfaceIdTexture;  // structure, instance, what a line goes around
 
 // The Gbuffer: see shared/frame.h.
 layout(binding = kColorImage, rgba32f) uniform image2D colorImage;  // premultiplied, the sum of the samples so far
@@ -124,12 +124,15 @@ void main() {
 
   Hit hit = castRay(ray, jitter, stop);
   uint instance = kDataInstance;
+  uint group = kDataInstance;
   if (surface.a > 0.0 && !hasFlag(kFlagHideBehind)) {
     if (hit.color.a < 0.5) {
-      instance = texelFetch(surfaceIdTexture, min(pixel, textureSize(surfaceIdTexture, 0) - 1), 0).r;
+      uvec3 ids = texelFetch(surfaceIdTexture, min(pixel, textureSize(surfaceIdTexture, 0) - 1), 0).rgb;
+      instance = ids.y;
+      group = ids.z;
       hit.distance = surfaceAux.w;
       hit.normal = surfaceAux.xyz;
-      hit.structure = 0u;
+      hit.structure = ids.x;
     }
     hit.color += (1.0 - hit.color.a) * vec4(surface.rgb, 1.0) * surface.a;
   }
@@ -138,7 +141,7 @@ void main() {
     imageStore(surfaceImage, pixel, found ? vec4(hit.normal, hit.distance) : vec4(0.0));
     imageStore(idImage, pixel, found ? uvec4(hit.structure, instance + 1u, 0u, 0u) : uvec4(0u));
   }
-  if (hasFlag(kFlagFinish)) imageStore(sampleImage, pixel, packSample(ray, hit, instance));
+  if (hasFlag(kFlagFinish)) imageStore(sampleImage, pixel, packSample(ray, hit, group));
   vec4 before = frame.sampleIndex == 0 ? vec4(0.0) : imageLoad(colorImage, pixel);
   imageStore(colorImage, pixel, before + hit.color);
 }

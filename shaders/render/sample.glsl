@@ -5,7 +5,7 @@
 struct Sample {
   vec2 normal;      // as the eye sees it: to the right, up; unit with its third part, which is towards the eye
   float depth;      // perspective: one over the distance along the line of sight; orthographic: that distance. Planes are straight
-  uint ids;         // the structure; from bit 16 the instance's lowest eight bits
+  uint ids;         // the structure; from bit 16 eight bits of what a line goes around
   float opacity;    // 0: nothing is seen
 };
 
@@ -14,7 +14,8 @@ Sample unpackSample(uvec4 words) {
   return Sample(uintBitsToFloat(words.xy), uintBitsToFloat(words.z), words.w & 0xffffffu, max(float(words.w >> 24) - 1.0, 0.0) / 254.0);
 }
 #else
-uvec4 packSample(Ray ray, Hit hit, uint instance) {
+/// @param group  what a line goes around: the instance, or several that are too small for one each
+uvec4 packSample(Ray ray, Hit hit, uint group) {
   bool found = hit.distance < kFar && hit.color.a > 0.0;
   // The frame of the pixel's own line of sight: what is seen edge-on is the rim of the lit sphere all over the picture.
   vec3 toEye = -ray.direction;
@@ -24,7 +25,9 @@ uvec4 packSample(Ray ray, Hit hit, uint instance) {
   float along = max(hit.distance * dot(ray.direction, frame.forward.xyz), 1e-9);
   float depth = hasFlag(kFlagOrthographic) ? along : 1.0 / along;
   uint opacity = uint(clamp(hit.color.a, 0.0, 1.0) * 254.0 + 0.5) + 1u;
-  uint ids = hit.structure & 0xffffu | (instance & 0xffu) << 16 | min(opacity, 255u) << 24;
+  // Instances of models have larger numbers than fit: neighbours hardly ever come to the same.
+  uint number = group < 256u ? group : group * 0x9e3779b1u >> 24;
+  uint ids = hit.structure & 0xffffu | number << 16 | min(opacity, 255u) << 24;
   vec2 seen = vec2(dot(normal, right), dot(normal, up));
   return found ? uvec4(floatBitsToUint(seen), floatBitsToUint(depth), ids) : uvec4(0u);
 }

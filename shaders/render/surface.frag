@@ -7,7 +7,7 @@ layout(location = 0) in vec3 scenePoint;
 layout(location = 1) in vec3 sceneNormal;
 layout(location = 0) out vec4 color;
 layout(location = 1) out vec4 aux;  // normal, distance along the ray
-layout(location = 2) out uint id;   // instance
+layout(location = 2) out uvec4 id;  // structure, instance, what a contour goes around
 
 layout(location = 0) uniform vec4 albedo;  // a: 0 draws it unlit (outlines)
 layout(location = 1) uniform int instance;
@@ -21,6 +21,6 @@ void main() {
   normal = length(normal) > 0.0 ? normalize(normal) : -toPoint;  // a line has none
   if (dot(normal, toPoint) > 0.0) normal = -normal;
   color = vec4(albedo.a > 0.0 ? shadeSurface(albedo.rgb, normal, -toPoint, lightTexAt(scenePoint, normal)) : albedo.rgb, 1.0);
-  id = uint(instance);
+  id = uvec4(0u, uint(instance), uint(instance), 0u);
   aux = vec4(normal, dot(scenePoint - frame.eye.xyz, toPoint));
 }

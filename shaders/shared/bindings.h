@@ -7,6 +7,9 @@ SHARED_BEGIN
 // Uniform blocks.
 SHARED_CONST uint kFrameBinding = 0u;
 SHARED_CONST uint kFinishBinding = 1u;
+SHARED_CONST uint kInstanceViewBinding = 2u;
+SHARED_CONST uint kInstanceLightBinding = 3u;  // the light's view of them
+SHARED_CONST uint kInstanceShadeBinding = 4u;
 
 // Samplers.
 SHARED_CONST uint kVolumeUnit = 0u;
@@ -35,6 +38,34 @@ SHARED_CONST uint kOwnPaperUnit = 19u;  // the user's picture of paper
 // What cuts spare.
 SHARED_CONST uint kSpareIndexUnit = 20u;
 SHARED_CONST uint kSpareUnit = 21u;
+
+// Instances: what is the same for all views of a model, as texels, which software drivers fetch faster than blocks.
+SHARED_CONST uint kInstanceUnit = 22u;  // InstanceRow: two texels each
+SHARED_CONST uint kMoleculeUnit = 23u;  // MoleculeRow: two texels each
+SHARED_CONST uint kLevelUnit = 24u;     // LevelRow
+SHARED_CONST uint kBallUnit = 25u;      // centre and radius, scene units, the molecule's frame
+SHARED_CONST uint kBallKindUnit = 26u;  // element, chain
+SHARED_CONST uint kTypeUnit = 27u;      // TypeRow
+// And of a view.
+SHARED_CONST uint kDrawUnit = 28u;      // DrawRow
+SHARED_CONST uint kPyramidUnit = 29u;   // farthest depths
+SHARED_CONST uint kDepthUnit = 30u;     // bits of the nearest depth of each pixel
+SHARED_CONST uint kShadowUnit = 31u;    // the same as the light sees it
+SHARED_CONST uint kOpenUnit = 21u;      // openness and light of pixels; what cuts spare of structures is bound again after it
+
+// Storage blocks of a view of instances.
+SHARED_CONST uint kTypeSpareBinding = 0u;
+SHARED_CONST uint kDepthBinding = 2u;
+SHARED_CONST uint kOwnerBinding = 3u;   // instance of each pixel,
+SHARED_CONST uint kBallBinding = 4u;    // and its ball
+SHARED_CONST uint kSeenBinding = 5u;    // a bit an instance: seen last time
+SHARED_CONST uint kDrawBinding = 6u;
+SHARED_CONST uint kCountBinding = 7u;   // of the lists of draws; then the dispatches that these make
+SHARED_CONST uint kPyramidImage = 0u;
+SHARED_CONST uint kOpenImage = 0u;
+SHARED_CONST uint kSurfaceColorImage = 0u;  // what surfaces are drawn into, for who adds to it
+SHARED_CONST uint kSurfaceAuxImage = 1u;
+SHARED_CONST uint kSurfaceIdImage = 2u;
 
 // Storage blocks of a frame.
 SHARED_CONST uint kCutBinding = 1u;

@@ -30,7 +30,7 @@ struct FinishParams {
   int cellsY;
   int firstCellX;  ///< the first of them, counted in the whole picture
   int firstCellY;
-  int padding1;
+  float stepLength;  ///< a jump of depth begins to count from there, scene units
   int padding2;
 };
 

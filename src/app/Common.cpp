@@ -15,6 +15,7 @@
 #include "velum/core/Error.h"
 #include "velum/core/Log.h"
 #include "velum/core/Text.h"
+#include "velum/io/models/ReadModel.h"
 #include "velum/scene/Finishes.h"
 #include "velum/scene/Presets.h"
 #include "velum/scene/json/Json.h"
@@ -237,7 +238,8 @@ scene::Scene openScene(const InputOptions& input, double aspect) {
   }
   progress.report(1.0, "");
   std::string first = input.inputs.empty() ? "" : input.inputs.front();
-  bool isScene = first.ends_with(".json") || first.ends_with(".png") || first.ends_with(".exr");
+  bool isScene =
+      (first.ends_with(".json") && !io::looksLikeModel(first)) || first.ends_with(".png") || first.ends_with(".exr");
   if (!input.preset.empty()) scene::applyPreset(scene, input.preset);
   if (!input.transfer.empty()) printWarnings(input.transfer, session::importLook(scene, input.transfer));
   if (!input.view.empty() || !isScene) {

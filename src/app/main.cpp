@@ -21,16 +21,17 @@ int main(int argc, char** argv) {
     const char* doc;
     app::Run (*registerVerb)(CLI::App&);
   };
-  static constexpr Row kVerbs[] = {{"info", "say what a file is", app::registerInfo},
-                                   {"render", "make a picture", app::registerRender},
-                                   {"membrane", "settle the membranes of a scene and report", app::registerMembrane},
-                                   {"grow", "grow a structure out of a volume, and report", app::registerGrow},
-                                   {"bench", "turn the camera and time frames", app::registerBench},
-                                   {"compare", "picture against picture", app::registerCompare},
-                                   {"sample", "make a phantom with ground truth", app::registerSample},
-                                   {"convert", "between formats of volumes and labels; labels to surfaces", app::registerConvert},
-                                   {"recover", "unsaved work of sessions that have died", app::registerRecover},
-                                   {"view", "a bare window", app::registerView}};
+  static constexpr Row kVerbs[] = {
+      {"info", "say what a file is", app::registerInfo},
+      {"render", "make a picture", app::registerRender},
+      {"membrane", "settle the membranes of a scene and report", app::registerMembrane},
+      {"grow", "grow a structure out of a volume, and report", app::registerGrow},
+      {"bench", "turn the camera and time frames", app::registerBench},
+      {"compare", "picture against picture", app::registerCompare},
+      {"sample", "make a phantom with ground truth", app::registerSample},
+      {"convert", "between formats of volumes and labels; labels to surfaces", app::registerConvert},
+      {"recover", "unsaved work of sessions that have died", app::registerRecover},
+      {"view", "a bare window", app::registerView}};
   std::vector<std::pair<CLI::App*, app::Run>> verbs;
   for (const Row& row : kVerbs) {
     CLI::App* verb = program.add_subcommand(row.name, row.doc);

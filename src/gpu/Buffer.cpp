@@ -59,6 +59,9 @@ void Buffer::copyTo(Buffer& target, std::size_t offset, std::size_t from, std::s
   gl().CopyNamedBufferSubData(id(), target.id(), GLintptr(from), GLintptr(offset), GLsizeiptr(bytes));
 }
 void Buffer::clear() { gl().ClearNamedBufferData(id(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr); }
+void Buffer::fill(std::uint32_t word) {
+  gl().ClearNamedBufferData(id(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &word);
+}
 void Buffer::bindStorage(unsigned binding) const { gl().BindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, id()); }
 void Buffer::bindUniform(unsigned binding) const { gl().BindBufferBase(GL_UNIFORM_BUFFER, binding, id()); }
 

@@ -82,7 +82,8 @@ void describeOptions(QCommandLineParser& parser) {
   parser.addVersionOption();
   parser.addOption({"screenshot", "Save a picture of the window once it is complete, and leave.", "file"});
   parser.addOption({"script", "Run the commands of a file, one a line; the user guide lists them.", "file"});
-  parser.addOption({"echo", "With --script: say each line when it is done, with the time and the memory that is allocated."});
+  parser.addOption(
+      {"echo", "With --script: say each line when it is done, with the time and the memory that is allocated."});
   parser.addPositionalArgument("files", "What to open: a volume, then labels and surfaces; a folder; a scene.",
                                "[files...]");
 }

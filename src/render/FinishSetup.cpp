@@ -31,7 +31,7 @@ bool needsSamples(const scene::Finish& finish) {
   return finish.contours > 0 || finish.litSphere > 0 || finish.hatching > 0;
 }
 
-shared::FinishParams makeFinishParams(const Frame& frame, int sphereRows) {
+shared::FinishParams makeFinishParams(const Frame& frame, int sphereRows, double stepLength) {
   const scene::Finish& finish = frame.scene.finish;
   shared::FinishParams params{};
   params.contourColor = glm::vec4(finish.contourColor, 0.0f);
@@ -50,6 +50,7 @@ shared::FinishParams makeFinishParams(const Frame& frame, int sphereRows) {
   params.unitsPerPixel = float(kRows / frame.pictureSize.y);
   params.paperUnits = params.unitsPerPixel / float(finish.paperScale);
   params.sphereRows = std::max(1, sphereRows);
+  params.stepLength = float(stepLength);
   glm::vec2 first = glm::floor(glm::vec2(frame.windowOrigin) / params.cellPixels);
   glm::vec2 last = glm::floor(glm::vec2(frame.windowOrigin + frame.windowSize) / params.cellPixels);
   params.firstCellX = int(first.x);

@@ -11,7 +11,8 @@ constexpr int kStrokeSteps = 12;
 bool needsSamples(const scene::Finish& finish);
 
 /// What a frame's finish is: lengths in pixels of the frame.
-/// @param sphereRows  lit spheres that the frame has
-shared::FinishParams makeFinishParams(const Frame& frame, int sphereRows);
+/// @param sphereRows  lit spheres that the frame has  @param stepLength  a jump of depth that counts for contours,
+/// scene frame
+shared::FinishParams makeFinishParams(const Frame& frame, int sphereRows, double stepLength);
 
 }  // namespace velum::render

@@ -25,9 +25,22 @@ VolumeKey volumeKeyOf(const scene::VolumeLayer& layer) {
 
 bool isDrawn(const scene::Surface& surface) { return surface.visible && surface.data; }
 
+bool isModelDrawn(const scene::Scene& scene) {
+  return scene.model.visible && scene.model.data && !scene.model.data->instances.empty();
+}
+
+std::uint32_t firstModelInstance(const scene::Scene& scene) {
+  return shared::kFirstSurfaceInstance + std::uint32_t(scene.surfaces.size());
+}
+
+double angstromOf(const FrameData& data) { return unitsPer(LengthUnit::Angstrom, data.frame.scene.unit) / data.unit; }
+
 Opaque opaqueOf(const scene::Scene& scene) {
+  // Beside a volume the box is the volume's.
+  bool hasGrid = scene.volume.data || scene.labels.data;
+  if (isModelDrawn(scene) && hasGrid) return Opaque::Anywhere;
   if (std::any_of(scene.surfaces.begin(), scene.surfaces.end(), isDrawn)) return Opaque::Anywhere;
-  if (!scene.showBounds) return Opaque::None;
+  if (!scene.showBounds) return isModelDrawn(scene) ? Opaque::InBox : Opaque::None;
   // Outlines of cuts stand where the cuts do; planes are outlined on the box.
   bool hasShapes = std::any_of(scene.cuts.begin(), scene.cuts.end(), [](const scene::Cut& cut) {
     return cut.enabled && cut.shape != scene::CutShape::Plane;

@@ -39,6 +39,9 @@ struct LabelKey {
 enum class Opaque { None, InBox, Anywhere };
 Opaque opaqueOf(const scene::Scene& scene);
 bool isDrawn(const scene::Surface& surface);
+bool isModelDrawn(const scene::Scene& scene);
+/// The number of a model's first instance: after the data and the surfaces. Pick::instance.
+std::uint32_t firstModelInstance(const scene::Scene& scene);
 
 /// All that the passes of one frame are told. Made of the frame before it is drawn, then only read; what is on the GPU
 /// of it is the passes' and FrameInputs'.
@@ -66,6 +69,8 @@ struct FrameData {
   shared::FrameParams params{};  ///< Of the first sample.
 };
 
+/// Length of an angstrom in a completed frame's unit.
+double angstromOf(const FrameData& data);
 /// What programs that read the data are compiled for.
 DataVariant dataVariantOf(const FrameData& data);
 /// Frame::windowSize and the like where the caller has left them open.

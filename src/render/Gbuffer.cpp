@@ -14,6 +14,12 @@ struct Texel {
   bool isEmpty() const { return ids.y == 0; }
 };
 
+/// What an instance of the model is of; -1: it is none of the model's.
+int typeOf(const FrameData& data, const Texel& texel) {
+  bool isOfModel = !texel.isEmpty() && texel.ids.y - 1 >= firstModelInstance(data.frame.scene);
+  return isOfModel ? int(texel.ids.x) - int(data.structures.size()) : -1;
+}
+
 }  // namespace
 
 void Gbuffer::resize(glm::ivec2 size, bool keepsSample) {
@@ -50,6 +56,7 @@ void Gbuffer::appendLayers(const FrameData& data, const Layers& layers, Image& i
   name(layers.depth, {"Z"});
   name(layers.structure, {"id"});
   name(layers.instance, {"instance"});
+  name(layers.type, {"type"});
   if (image.channels.size() == before) return;
   std::size_t count = std::size_t(image.width) * std::size_t(image.height);
   std::vector<glm::vec4> surfaces(count);
@@ -75,8 +82,10 @@ void Gbuffer::appendLayers(const FrameData& data, const Layers& layers, Image& i
                        (origin + glm::dvec3(pointOnRay(data.params, pixel + data.frame.windowOrigin, distance))));
     if (layers.normal) append(glm::dvec3(glm::vec3(texel.surface)));
     if (layers.depth) pixels.push_back(float(data.unit * double(distance)));
-    if (layers.structure) pixels.push_back(float(texel.ids.x));
+    int type = typeOf(data, texel);
+    if (layers.structure) pixels.push_back(type < 0 ? float(texel.ids.x) : 0.0f);
     if (layers.instance) pixels.push_back(texel.isEmpty() ? -1.0f : float(texel.ids.y - 1));
+    if (layers.type) pixels.push_back(float(type));
   }
   image.pixels = std::move(pixels);
 }
@@ -94,6 +103,11 @@ Pick Gbuffer::pick(const FrameData& data, glm::ivec2 pixel) const {
   pick.normal = glm::vec3(texel.surface);
   pick.structure = int(texel.ids.x);
   pick.instance = texel.ids.y - 1;
+  pick.type = typeOf(data, texel);
+  if (pick.type >= 0) {
+    pick.structure = 0;
+    pick.modelInstance = pick.instance - firstModelInstance(data.frame.scene);
+  }
   if (const auto& layer = data.frame.scene.volume; layer.data) {
     glm::dvec3 voxel(glm::inverse(layer.data->worldFromVoxel) * glm::dvec4(pick.world, 1.0));
     glm::ivec3 nearest = glm::clamp(glm::ivec3(glm::floor(voxel + 0.5)), glm::ivec3(0), layer.data->dims - 1);

@@ -51,6 +51,8 @@ std::vector<gpu::ProgramSource> allPrograms() {
     all.push_back({{std::string("render/") + file + ".comp"}, {{"FINISH", "1"}}});
   for (const gpu::Defines& defines : {gpu::Defines{}, gpu::Defines{{"MEMBRANES", "1"}}})
     all.push_back({{"render/surface.vert", "render/surface.frag"}, defines});
+  all.push_back({{"render/openness.comp"}, {}});
+  all.push_back({{"render/instances.comp"}, {}});
   std::vector<std::uint32_t> sets = flagSets();
   std::size_t next = 0;
   for (DataVariant variant : allLightVariants()) {

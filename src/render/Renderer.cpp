@@ -7,6 +7,7 @@
 #include "Gbuffer.h"
 #include "WorkQueue.h"
 #include "passes/FinishPass.h"
+#include "passes/InstancePass.h"
 #include "passes/LightPass.h"
 #include "passes/RayCastPass.h"
 #include "passes/ResolvePass.h"
@@ -19,7 +20,12 @@ namespace velum::render {
 /// The passes, what they hand on to each other, and the work that is left of the frame in hand.
 struct Renderer::Impl {
   Impl(gpu::Context& c, const Stats& known)
-      : limits(c.limits()), upload(limits), rayCast(gbuffer, limits.isSoftware), finish(gbuffer), stats(known) {}
+      : limits(c.limits()),
+        upload(limits),
+        instances(surfaces, limits.isSoftware),
+        rayCast(gbuffer, limits.isSoftware),
+        finish(gbuffer),
+        stats(known) {}
 
   gpu::Limits limits;
   std::optional<Frame> wanted;  ///< As the caller gave it.
@@ -32,10 +38,12 @@ struct Renderer::Impl {
   SkipPass skip;
   LightPass light;
   SurfacePass surfaces;
+  InstancePass instances;
   RayCastPass rayCast;
   FinishPass finish;
   ResolvePass resolve;
-  Pass* const drawing[5] = {&skip, &light, &surfaces, &rayCast, &finish};  ///< Whom the data's upload goes before.
+  Pass* const drawing[6] = {&skip,      &light,   &surfaces,
+                            &instances, &rayCast, &finish};  ///< Whom the data's upload goes before.
   WorkQueue queue;
   Stats stats;
 
@@ -76,6 +84,8 @@ void Renderer::Impl::setUp() {
   for (int sample = 0; sample < std::max(1, data.frame.scene.rayCast.samplesPerPixel); ++sample) {
     queue.add("Setup", [this, sample] { inputs.writeParams(data, sample); });
     surfaces.addSteps(data, sample, queue);
+    instances.addSteps(data, sample, queue);
+    if (isModelDrawn(data.frame.scene)) queue.add("Setup", [this] { bind(); });  // instances have blocks of their own
     rayCast.addSteps(data, sample, queue);
     finish.addSteps(data, sample, queue);
   }

@@ -7,6 +7,7 @@
 
 #include "PresetTable.h"
 #include "velum/core/Error.h"
+#include "velum/scene/ModelLooks.h"
 
 namespace velum::scene {
 
@@ -56,6 +57,7 @@ const PresetRow& findPreset(std::string_view name) {
 }  // namespace
 
 void applyPreset(Scene& scene, std::string_view name) {
+  if (isModelLook(name)) return applyModelLook(scene, name);
   const PresetRow& row = findPreset(name);
   VolumeLayer& layer = scene.volume;
   glm::dvec2 range(0, 1);

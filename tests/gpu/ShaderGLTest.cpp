@@ -11,6 +11,7 @@
 #include "shared/cut.h"
 #include "shared/finish.h"
 #include "shared/frame.h"
+#include "shared/instance.h"
 #include "velum/gpu/Buffer.h"
 #include "velum/gpu/GpuError.h"
 #include "velum/gpu/Program.h"
@@ -126,7 +127,7 @@ const Offset kFinishOffsets[] = {VELUM_OFFSET(FinishParams, contourColor),  VELU
                                  VELUM_OFFSET(FinishParams, reach),         VELUM_OFFSET(FinishParams, sphereRows),
                                  VELUM_OFFSET(FinishParams, cellsX),        VELUM_OFFSET(FinishParams, cellsY),
                                  VELUM_OFFSET(FinishParams, firstCellX),    VELUM_OFFSET(FinishParams, firstCellY),
-                                 VELUM_OFFSET(FinishParams, padding1),      VELUM_OFFSET(FinishParams, padding2)};
+                                 VELUM_OFFSET(FinishParams, stepLength),      VELUM_OFFSET(FinishParams, padding2)};
 
 TEST_F(ShaderGL, FinishParamsLieWhereTheDriverPutsThem) {
   auto members = membersOf("finish.h", "FinishParams");
@@ -139,6 +140,79 @@ TEST_F(ShaderGL, FinishParamsLieWhereTheDriverPutsThem) {
     EXPECT_EQ(offset, int(kFinishOffsets[i].bytes)) << members[i];
   }
   EXPECT_EQ(sizeof(shared::FinishParams) % 16, 0u);
+}
+
+const Offset kInstanceViewOffsets[] = {
+    VELUM_OFFSET(InstanceView, eye),
+    VELUM_OFFSET(InstanceView, right),
+    VELUM_OFFSET(InstanceView, up),
+    VELUM_OFFSET(InstanceView, forward),
+    VELUM_OFFSET(InstanceView, copyStep),
+    VELUM_OFFSET(InstanceView, pictureSize),
+    VELUM_OFFSET(InstanceView, shift),
+    VELUM_OFFSET(InstanceView, size),
+    VELUM_OFFSET(InstanceView, tilesX),
+    VELUM_OFFSET(InstanceView, tilesY),
+    VELUM_OFFSET(InstanceView, copiesX),
+    VELUM_OFFSET(InstanceView, copiesY),
+    VELUM_OFFSET(InstanceView, copies),
+    VELUM_OFFSET(InstanceView, instanceCount),
+    VELUM_OFFSET(InstanceView, cutCount),
+    VELUM_OFFSET(InstanceView, isOrthographic),
+    VELUM_OFFSET(InstanceView, detail),
+    VELUM_OFFSET(InstanceView, largeRadius),
+    VELUM_OFFSET(InstanceView, wholeInstances),
+    VELUM_OFFSET(InstanceView, levelCount),
+    VELUM_OFFSET(InstanceView, padding0),
+    VELUM_OFFSET(InstanceView, padding1)};
+
+TEST_F(ShaderGL, InstanceViewsLieWhereTheDriverPutsThem) {
+  auto members = membersOf("instance.h", "InstanceView");
+  ASSERT_EQ(members.size(), std::size(kInstanceViewOffsets)) << "list the members of InstanceView here, too";
+  Program program({"mesoscale/cull.comp"});
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    EXPECT_EQ(members[i], kInstanceViewOffsets[i].member);
+    int offset = program.memberOffset("InstanceViewBlock", "view." + members[i]);
+    if (offset < 0) offset = program.memberOffset("InstanceViewBlock", members[i]);
+    // Padding that nobody reads may be gone.
+    if (offset < 0 && members[i].starts_with("padding")) continue;
+    EXPECT_EQ(offset, int(kInstanceViewOffsets[i].bytes)) << members[i];
+  }
+  EXPECT_EQ(sizeof(shared::InstanceView) % 16, 0u);
+}
+
+const Offset kInstanceShadeOffsets[] = {
+    VELUM_OFFSET(InstanceShade, fogTop),
+    VELUM_OFFSET(InstanceShade, fogBottom),
+    VELUM_OFFSET(InstanceShade, fog),
+    VELUM_OFFSET(InstanceShade, fogNear),
+    VELUM_OFFSET(InstanceShade, fogFar),
+    VELUM_OFFSET(InstanceShade, nearColors),
+    VELUM_OFFSET(InstanceShade, radius),
+    VELUM_OFFSET(InstanceShade, lightTexel),
+    VELUM_OFFSET(InstanceShade, noise),
+    VELUM_OFFSET(InstanceShade, occlusionTaps),
+    VELUM_OFFSET(InstanceShade, firstInstance),
+    VELUM_OFFSET(InstanceShade, firstType),
+    VELUM_OFFSET(InstanceShade, palette),
+    VELUM_OFFSET(InstanceShade, hasLight),
+    VELUM_OFFSET(InstanceShade, angstrom),
+    VELUM_OFFSET(InstanceShade, padding0),
+    VELUM_OFFSET(InstanceShade, openShift)};
+
+TEST_F(ShaderGL, InstanceShadesLieWhereTheDriverPutsThem) {
+  auto members = membersOf("instance.h", "InstanceShade");
+  ASSERT_EQ(members.size(), std::size(kInstanceShadeOffsets)) << "list the members of InstanceShade here, too";
+  Program program({"render/instances.comp"});
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    EXPECT_EQ(members[i], kInstanceShadeOffsets[i].member);
+    int offset = program.memberOffset("InstanceShadeBlock", "shade." + members[i]);
+    if (offset < 0) offset = program.memberOffset("InstanceShadeBlock", members[i]);
+    // Padding that nobody reads may be gone.
+    if (offset < 0 && members[i].starts_with("padding")) continue;
+    EXPECT_EQ(offset, int(kInstanceShadeOffsets[i].bytes)) << members[i];
+  }
+  EXPECT_EQ(sizeof(shared::InstanceShade) % 16, 0u);
 }
 
 /// Offsets in storage blocks, asked of the shader itself: it writes what it reads from each member.

@@ -4,6 +4,7 @@
 
 #include "velum/gpu/Program.h"
 #include "velum/membrane/sheet/Programs.h"
+#include "velum/mesoscale/Programs.h"
 #include "velum/render/Programs.h"
 
 namespace velum {
@@ -11,8 +12,7 @@ namespace velum {
 /// Every program that the programs and benchmarks can ask for, as those who ask say.
 inline std::vector<gpu::ProgramSource> allPrograms() {
   std::vector<gpu::ProgramSource> all = render::allPrograms();
-  auto more = membrane::allPrograms();
-  all.insert(all.end(), more.begin(), more.end());
+  for (const auto& more : {membrane::allPrograms(), mesoscale::allPrograms()}) all.insert(all.end(), more.begin(), more.end());
   all.push_back({{"bench/trilinear.comp"}, {}});
   return all;
 }

@@ -35,6 +35,8 @@ class Buffer : public Handle<deleteBuffer> {
   /// Part of it. @param from  bytes from the beginning of this one
   void copyTo(Buffer& target, std::size_t offset, std::size_t from, std::size_t bytes) const;
   void clear();
+  /// All words of it.
+  void fill(std::uint32_t word);
   void bindStorage(unsigned binding) const;
   void bindUniform(unsigned binding) const;
 

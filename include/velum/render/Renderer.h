@@ -31,8 +31,11 @@ struct Pick {
   glm::dvec3 world{0.0};
   glm::vec3 normal{0.0f};  ///< World frame, unit.
   int structure = 0;       ///< Label id, 0 when there is none.
-  /// 0: the volume, its labels and what cuts show of them; then the scene's surfaces, in their order.
+  /// 0: the volume, its labels and what cuts show of them; then the scene's surfaces, in their order; then the model's
+  /// instances, copy by copy.
   std::uint32_t instance = 0;
+  int type = -1;                    ///< Of an instance of the model: in Model::types.
+  std::uint32_t modelInstance = 0;  ///< Which, over all copies.
   double value = 0;  ///< Data value there (nearest voxel).
 };
 
@@ -43,6 +46,7 @@ struct Layers {
   bool depth = false;
   bool structure = false;
   bool instance = false;
+  bool type = false;
 };
 
 /// Draws scenes. A frame is a queue of small pieces of work (uploads, tables, light, tiles, sample by sample), so that
@@ -66,7 +70,7 @@ class Renderer {
 
   /// The last frame's window: R, G, B, A display-referred with straight alpha, then the layers asked for:
   /// "position.X/Y/Z" (world), "normal.X/Y/Z" (world), "Z" (distance from the eye, along the ray; infinity where
-  /// nothing is), "id" (structure), "instance" (as Pick; -1 where nothing is).
+  /// nothing is), "id" (structure), "instance" (as Pick; -1 where nothing is), "type" (of the model; -1 where there is none of it).
   Image read(const Layers& layers = {});
 
   /// What the last frame shows at a pixel of its window. From the drawn layers, so it agrees with the picture.

@@ -35,6 +35,10 @@ struct Cut {
   CutFace face = CutFace::Shaded;    ///< how the cut surface looks
   double faceOpacity = 1.0;          ///< section faces: 0..1
   std::vector<Spare> spares;         ///< what this cut leaves of structures
+  std::vector<TypeSpare> typeSpares;  ///< what it leaves of the instances of a model
+  bool wholeInstances = false;        ///< instances are removed when all of their sphere is; else when its middle is
+  double leastMass = 0.0, mostMass = Spare::kEndless;      ///< of an instance, dalton; types outside are not spared
+  double leastCopies = 0.0, mostCopies = Spare::kEndless;  ///< instances of a type; types outside are not spared
   std::optional<Membrane> membrane;  ///< what a membrane is beside its rest plane; other shapes have none
   bool operator==(const Cut&) const = default;
   static void fields(auto& o, auto& visit) {
@@ -60,6 +64,15 @@ struct Cut {
     visit("faceOpacity", o.faceOpacity, FieldInfo{"", {0, 1}, "Opacity of a section face."});
     visit("spares", o.spares,
           FieldInfo{"", {}, "What this cut leaves of structures; the first of one structure counts."});
+    visit("typeSpares", o.typeSpares,
+          FieldInfo{"", {}, "What this cut leaves of the instances of a model.", true});
+    visit("wholeInstances", o.wholeInstances,
+          FieldInfo{"", {}, "Instances are removed when all of their sphere is; else when its middle is.", true});
+    visit("leastMass", o.leastMass, FieldInfo{"Da", {0}, "Lighter types are not spared.", true});
+    visit("mostMass", o.mostMass, FieldInfo{"Da", {0}, "Heavier types are not spared; null: none is too heavy.", true, true});
+    visit("leastCopies", o.leastCopies, FieldInfo{"", {0}, "Types of fewer instances are not spared.", true});
+    visit("mostCopies", o.mostCopies,
+          FieldInfo{"", {0}, "Types of more instances are not spared; null: none has too many.", true, true});
     visit("membrane", o.membrane, FieldInfo{"", {}, "The sheet of a membrane; other shapes have none.", true});
   }
 };

@@ -16,6 +16,7 @@ struct Lighting {
   double shadow = 0.6;                      ///< strength of shadows, 0..1
   double occlusion = 0.7;                   ///< strength of local ambient occlusion, 0..1
   double occlusionRadius = 0.06;            ///< reach of the occlusion, fraction of the volume's diameter, 0.005..0.3
+  double fog = 0.0;                         ///< how far what lies deepest in a model fades into the background, 0..1
   bool operator==(const Lighting&) const = default;
   static void fields(auto& o, auto& visit) {
     visit("shaded", o.shaded, FieldInfo{"", {}, "Off: the transfer function's colours as they are."});
@@ -28,6 +29,7 @@ struct Lighting {
     visit("occlusion", o.occlusion, FieldInfo{"", {0, 1}, "Strength of local ambient occlusion."});
     visit("occlusionRadius", o.occlusionRadius,
           FieldInfo{"", {0.005, 0.3}, "Reach of the occlusion, fraction of the volume's diameter."});
+    visit("fog", o.fog, FieldInfo{"", {0, 1}, "How far what lies deepest in a model fades into the background.", true});
   }
 };
 

@@ -13,6 +13,7 @@
 #include "velum/scene/Finish.h"
 #include "velum/scene/Growth.h"
 #include "velum/scene/Lighting.h"
+#include "velum/scene/ModelLayer.h"
 #include "velum/scene/RayCast.h"
 #include "velum/scene/Sections.h"
 #include "velum/scene/Source.h"
@@ -92,6 +93,7 @@ struct Scene {
   VolumeLayer volume;
   LabelLayer labels;
   std::vector<Surface> surfaces;
+  ModelLayer model;
   std::vector<Cut> cuts;
   Camera camera;
   Sections sections;
@@ -106,6 +108,7 @@ struct Scene {
     visit("volume", o.volume, FieldInfo{"", {}, "The volume and how it is shown."});
     visit("labels", o.labels, FieldInfo{"", {}, "Labelled structures."});
     visit("surfaces", o.surfaces, FieldInfo{"", {}, "Opaque surfaces."});
+    visit("model", o.model, FieldInfo{"", {}, "Molecules and where their instances stand.", true});
     visit("cuts", o.cuts, FieldInfo{"", {}, "What removes material, in order.", false, false, kMostCuts});
     visit("camera", o.camera, FieldInfo{"", {}, "Where the eye is."});
     visit("sections", o.sections, FieldInfo{"", {}, "The section views."});
@@ -124,7 +127,7 @@ bool hasData(const Scene& scene);
 struct Bounds {
   glm::dvec3 min{0.0}, max{0.0};
 };
-/// The box around volume, labels and surfaces, hidden ones, too; {0,0} when the scene is empty.
+/// The box around volume, labels, surfaces and model, hidden ones, too; {0,0} when the scene is empty.
 Bounds computeBounds(const Scene& scene);
 
 /// A camera that sees all of the scene from one of the patient's sides. Keeps projection and field of view.

@@ -203,13 +203,12 @@ void CutForm::makeFace() {
   mFaceOpacityLabel = addRow(tr("Opacity"), mFaceOpacity);
   mJoined = new QCheckBox(tr("Only with the cut above"), this);
   mJoined->setObjectName("cutJoined");
-  mJoined->setToolTip(
-      tr("Removes only what the cut before it in the list removes, too: two planes open a wedge, a sphere and a plane a "
-         "bowl"));
+  mJoined->setToolTip(tr(
+      "Removes only what the cut before it in the list removes, too: two planes open a wedge, a sphere and a plane a "
+      "bowl"));
   addRow(tr("Joined"), mJoined);
-  connect(mJoined, &QCheckBox::clicked, this, [this](bool on) {
-    editCut(on ? "Join cuts" : "Part cuts", [on](scene::Cut& cut) { cut.joined = on; });
-  });
+  connect(mJoined, &QCheckBox::clicked, this,
+          [this](bool on) { editCut(on ? "Join cuts" : "Part cuts", [on](scene::Cut& cut) { cut.joined = on; }); });
   connect(mFace, &QComboBox::activated, this, [this](int index) {
     editCut("Change cut face", [&](scene::Cut& cut) { cut.face = static_cast<scene::CutFace>(index); });
   });

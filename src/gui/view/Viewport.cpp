@@ -145,7 +145,9 @@ void Viewport::paintGL() {
 void Viewport::sceneChanged() {
   wakeSheets();
   scene::Scene wanted = drawnScene();
-  if (wanted == mWanted && marksOverlaps() == mFrame.marksOverlaps && mShown && mShown->size() == QSize(deviceSize().x, deviceSize().y)) return;
+  if (wanted == mWanted && marksOverlaps() == mFrame.marksOverlaps && mShown &&
+      mShown->size() == QSize(deviceSize().x, deviceSize().y))
+    return;
   mWanted = std::move(wanted);
   startAnew();
 }

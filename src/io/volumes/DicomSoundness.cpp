@@ -206,9 +206,9 @@ bool Walker::isAsAskedFor(const Element& e, Coding coding) const {
     return code == "ACR-NEMA 1.0" || code == "ACR-NEMA 2.0";
   }
   constexpr std::pair<std::uint32_t, std::string_view> kAsked[] = {
-      {0x00180088, "DS"}, {0x00181164, "DS"}, {0x00200032, "DS"}, {0x00200037, "DS"}, {0x00280008, "IS"},
-      {0x00280030, "DS"}, {0x00280034, "IS"}, {0x00281052, "DS"}, {0x00281053, "DS"}, {0x3004000c, "DS"},
-      {0x3004000e, "DS"}};
+      {0x00180088, "DS"}, {0x00181164, "DS"}, {0x00200032, "DS"}, {0x00200037, "DS"},
+      {0x00280008, "IS"}, {0x00280030, "DS"}, {0x00280034, "IS"}, {0x00281052, "DS"},
+      {0x00281053, "DS"}, {0x3004000c, "DS"}, {0x3004000e, "DS"}};
   auto asked = std::find_if(std::begin(kAsked), std::end(kAsked), [&](const auto& a) { return a.first == e.tag; });
   return !coding.isExplicit || asked == std::end(kAsked) || e.vr == asked->second || e.vr == "UN";
 }

@@ -13,8 +13,10 @@ namespace velum::render {
 
 namespace {
 
-constexpr int kPiecePixels = 1 << 20;  // a few milliseconds
-constexpr int kMostSpheres = 96;       // in a texture that every driver takes; what comes after looks like the first
+constexpr int kPiecePixels = 1 << 20;   // a few milliseconds
+constexpr double kStepVoxels = 2.5;     // noise moves surfaces by less
+constexpr double kStepAngstrom = 14.0;  // more than the folds of most proteins
+constexpr int kMostSpheres = 96;        // in a texture that every driver takes; what comes after looks like the first
 constexpr std::string_view kPlain = "porcelain";
 
 gpu::Program make(std::string_view file) { return gpu::Program({file}, {{"FINISH", "1"}}); }
@@ -89,12 +91,19 @@ void FinishPass::makeSpheres(const scene::Scene& scene) {
   mSpheres = std::move(spheres);
 }
 
+/// From how long a jump of depth on there is a line.
+double FinishPass::stepLengthOf(const FrameData& data) {
+  bool isModelAlone = isModelDrawn(data.frame.scene) && !data.volume && data.labelUse == LabelUse::None;
+  return isModelAlone ? kStepAngstrom * angstromOf(data) : kStepVoxels / double(data.params.voxelsPerLength);
+}
+
 void FinishPass::prepare(FrameData& data) {
   const scene::Finish& finish = data.frame.scene.finish;
   if (!needsSamples(finish)) mSums = {};
   if (!scene::addsAnything(finish)) return;
   if (needsSamples(finish)) makeSpheres(data.frame.scene);
-  mValues = makeFinishParams(data.frame, mSphereTexture ? mSphereTexture.size().y / shared::kSphereTexels : 1);
+  mValues = makeFinishParams(data.frame, mSphereTexture ? mSphereTexture.size().y / shared::kSphereTexels : 1,
+                             stepLengthOf(data));
   mParams.set(mValues);
   makeTargets(data);
 }

@@ -56,6 +56,7 @@ class FinishPass : public Pass {
     glm::ivec2 pictureSize, windowOrigin, windowSize;
     bool operator==(const PaperKey&) const = default;
   };
+  static double stepLengthOf(const FrameData& data);
   static Spheres spheresOf(const scene::Scene& scene);
   void makeSpheres(const scene::Scene& scene);
   void makeTargets(const FrameData& data);

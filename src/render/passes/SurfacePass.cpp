@@ -24,7 +24,7 @@ void SurfacePass::resize(glm::ivec2 size) {
   if (mColor && glm::ivec2(mColor.size()) == size) return;
   mColor = gpu::Texture::make2d("surface colour", gpu::Format::Rgba16f, size);
   mAux = gpu::Texture::make2d("surface normal, distance", gpu::Format::Rgba32f, size);
-  mIds = gpu::Texture::make2d("surface ids", gpu::Format::R32ui, size);
+  mIds = gpu::Texture::make2d("surface ids", gpu::Format::Rgba32ui, size);
   mDepth = gpu::Texture::make2d("surface depth", gpu::Format::Depth32f, size);
   mIsBlank = false;
   mTarget = gpu::Framebuffer("surfaces", {&mColor, &mAux, &mIds}, &mDepth);
@@ -91,6 +91,12 @@ void SurfacePass::drawOutlines(const FrameData& data) {
   mProgram->set(0, glm::vec4(0.62f, 0.66f, 0.70f, 0.0f));
   mProgram->set(1, int(shared::kDataInstance));
   gpu::draw(*mProgram, gpu::Primitive::Lines, {int(vertices.size())});
+}
+
+void SurfacePass::bindImages() const {
+  mColor.bindImage(shared::kSurfaceColorImage, gpu::Access::Write);
+  mAux.bindImage(shared::kSurfaceAuxImage, gpu::Access::ReadWrite);
+  mIds.bindImage(shared::kSurfaceIdImage, gpu::Access::ReadWrite);
 }
 
 void SurfacePass::bind(const FrameData&) const {

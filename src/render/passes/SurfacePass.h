@@ -25,6 +25,8 @@ class SurfacePass : public Pass {
   /// For passes that draw more of what rays stop at, after this one's steps, which clear it: the outputs of
   /// surface.frag.
   const gpu::Framebuffer& target() const { return mTarget; }
+  /// The same for dispatches: kSurfaceColorImage, kSurfaceAuxImage, kSurfaceIdImage. There is no depth for them.
+  void bindImages() const;
 
  private:
   struct Vertex {

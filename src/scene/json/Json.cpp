@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <type_traits>
+#include <vector>
 
 #include "JsonText.h"
 #include "OlderVersions.h"
@@ -69,9 +70,15 @@ Json write(const auto& value);
 
 template <Fielded T>
 Json writeStruct(const T& value) {
+  static const T fresh{};
+  std::vector<const void*> members;  // of a new object, in their order
+  auto note = [&](std::string_view, const auto& member, const FieldInfo&) { members.push_back(&member); };
+  T::fields(fresh, note);
   Json out = Json::object();
+  std::size_t place = 0;
   auto visit = [&](std::string_view name, const auto& member, const FieldInfo& info) {
-    if (info.leftOutByDefault && member == std::remove_cvref_t<decltype(member)>{}) return;
+    const auto& unchanged = *static_cast<decltype(&member)>(members[place++]);
+    if (info.leftOutByDefault && member == unchanged) return;
     out[std::string(name)] = write(member);
   };
   T::fields(value, visit);
@@ -325,7 +332,7 @@ void addRows(const T& defaults, const std::string& path, std::vector<FieldRow>& 
   auto visit = [&](std::string_view name, const auto& member, const FieldInfo& info) {
     using M = typename MaybeTraits<std::remove_cvref_t<decltype(member)>>::Value;
     std::string here = path.empty() ? std::string(name) : fmt::format("{}.{}", path, name);
-    if constexpr (Maybe<std::remove_cvref_t<decltype(member)>>) {
+    if constexpr (Maybe<std::remove_cvref_t<decltype(member)>> && Fielded<M>) {
       addRows(M{}, here, rows);
     } else if constexpr (Fielded<M>) {
       addRows(member, here, rows);
@@ -380,10 +387,17 @@ Json schemaOf(const T& defaults, const FieldInfo& info) {
     Json properties = Json::object();
     auto visit = [&](std::string_view name, const auto& member, const FieldInfo& memberInfo) {
       using M = std::remove_cvref_t<decltype(member)>;
-      if constexpr (Maybe<M>)
-        properties[std::string(name)] = schemaOf(typename MaybeTraits<M>::Value{}, memberInfo);
-      else
-        properties[std::string(name)] = schemaOf(member, memberInfo);
+      Json& property = properties[std::string(name)];
+      if constexpr (Maybe<M>) {
+        using Value = typename MaybeTraits<M>::Value;
+        property = schemaOf(Value{}, memberInfo);
+        if constexpr (!Fielded<Value>) {
+          property["type"] = {property["type"], "null"};
+          property["default"] = nullptr;
+        }
+      } else {
+        property = schemaOf(member, memberInfo);
+      }
     };
     T::fields(defaults, visit);
     out["properties"] = std::move(properties);

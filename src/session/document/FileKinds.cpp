@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "velum/io/meshes/ReadMesh.h"
+#include "velum/io/models/ReadModel.h"
 #include "velum/io/volumes/Formats.h"
 
 namespace velum::session {
@@ -25,6 +26,12 @@ std::vector<FileKind> volumeKinds() {
 std::vector<FileKind> readableKinds() {
   std::vector<FileKind> kinds{{"Velum scene", {"*.json"}}};
   for (auto& kind : volumeKinds()) kinds.push_back(std::move(kind));
+  FileKind& model = kinds.emplace_back("Model of molecules");
+  for (const auto& format : io::modelFormats()) {
+    std::istringstream words{std::string(format.extensions)};
+    for (std::string word; words >> word;)
+      if (word != ".json") model.patterns.push_back("*" + word);
+  }
   FileKind& surface = kinds.emplace_back("Surface");
   for (std::string_view extension : io::meshExtensions()) surface.patterns.push_back(fmt::format("*{}", extension));
   kinds.push_back({"Picture with a scene", {"*.png", "*.exr"}});

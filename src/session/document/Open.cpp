@@ -12,9 +12,12 @@
 #include "velum/io/labels/ReadLabels.h"
 #include "velum/io/labels/WriteLabels.h"
 #include "velum/io/meshes/ReadMesh.h"
+#include "velum/io/models/ReadModel.h"
 #include "velum/io/phantoms/Sample.h"
 #include "velum/io/volumes/ReadVolume.h"
 #include "velum/io/volumes/WriteVolume.h"
+#include "velum/mesoscale/Levels.h"
+#include "velum/scene/ModelLooks.h"
 #include "velum/scene/Presets.h"
 #include "velum/scene/json/Json.h"
 #include "velum/session/document/LitSphereFiles.h"
@@ -111,6 +114,15 @@ void readSurfaceInto(scene::Surface& surface, Progress& progress) {
   surface.source.fingerprint = fingerprintOf(surface.source.path);
 }
 
+void readModelInto(scene::ModelLayer& layer, Progress& progress, const Notes& notes) {
+  Model model = io::readModel(layer.source.path, progress, {.completes = layer.completes});
+  warnAll(layer.source.path, model.warnings);
+  for (const auto& line : model.added) notes.add(line);
+  layer.levels = Shared<LevelSet>(mesoscale::computeLevels(model, progress));
+  layer.data = Shared<Model>(std::move(model));
+  layer.source.fingerprint = fingerprintOf(layer.source.path);
+}
+
 scene::Scene fromText(const std::string& text, const fs::path& file, Progress& progress, const DataPolicy& policy,
                       std::vector<std::string>* notes) {
   scene::Scene scene;
@@ -139,6 +151,7 @@ scene::Scene withRelativePaths(scene::Scene scene, const fs::path& folder) {
   scene.volume.source.path = relativeTo(scene.volume.source.path, folder).string();
   scene.labels.source.path = relativeTo(scene.labels.source.path, folder).string();
   for (auto& surface : scene.surfaces) surface.source.path = relativeTo(surface.source.path, folder).string();
+  scene.model.source.path = relativeTo(scene.model.source.path, folder).string();
   for (auto& sphere : scene.finish.spheres) sphere.source.path = relativeTo(sphere.source.path, folder).string();
   std::string& paper = scene.finish.ownPaper.source.path;
   paper = relativeTo(paper, folder).string();
@@ -149,7 +162,10 @@ scene::Scene withRelativePaths(scene::Scene scene, const fs::path& folder) {
 
 std::optional<std::string> readSceneText(const fs::path& path) {
   if (fs::is_directory(path)) return std::nullopt;
-  if (lowerExtension(path) == ".json") return readText(path);
+  if (lowerExtension(path) == ".json") {
+    if (io::looksLikeModel(path)) return std::nullopt;
+    return readText(path);
+  }
   if (isTiff(path)) {
     // A volume, unless it carries a scene of ours.
     try {
@@ -171,7 +187,7 @@ scene::Scene open(const scene::Source& source, Progress& progress, const DataPol
   if (!fs::exists(path)) throw InputError(fmt::format("{}: there is no such file or folder", source.path));
   if (auto text = readSceneText(path)) return fromText(*text, path, progress, policy, notes);
   scene::Scene scene;
-  add(scene, source, progress);
+  add(scene, source, progress, notes);
   scene.camera = scene::frameCamera(scene, scene::defaultView(scene), 4.0 / 3.0);
   scene::placeSections(scene);
   return scene;
@@ -185,7 +201,7 @@ void addLabels(scene::Scene& scene, const scene::Source& source, Progress& progr
   putLabels(scene, std::move(labels));
 }
 
-void add(scene::Scene& scene, const scene::Source& source, Progress& progress) {
+void add(scene::Scene& scene, const scene::Source& source, Progress& progress, std::vector<std::string>* notes) {
   fs::path path(source.path);
   if (!fs::exists(path)) throw InputError(fmt::format("{}: there is no such file or folder", source.path));
   if (isMesh(path)) {
@@ -197,6 +213,15 @@ void add(scene::Scene& scene, const scene::Source& source, Progress& progress) {
     return;
   }
   bool hasLayout = source.raw.dims.x > 0;
+  if (!hasLayout && io::looksLikeModel(path)) {
+    if (scene.model.data) throw InputError(fmt::format("{}: the scene has a model already; open it by itself", source.path));
+    adoptUnit(scene, LengthUnit::Angstrom);
+    bool isAlone = !scene::hasData(scene);
+    scene.model.source = source;
+    readModelInto(scene.model, progress, Notes{notes});
+    if (isAlone) scene::applyModelLook(scene, scene::kFirstModelLook);
+    return;
+  }
   if (!hasLayout && io::looksLikeLabels(path)) return addLabels(scene, source, progress);
   if (scene.volume.data) return addLabels(scene, source, progress);
   scene.volume.source = source;
@@ -222,9 +247,9 @@ scene::Scene openAll(std::vector<std::string> paths, Progress& progress, const D
   scene::Scene scene = open(source, progress, policy, notes);
   for (std::size_t i = 1; i < paths.size(); ++i) {
     source.path = paths[i];
-    add(scene, source, progress);
+    add(scene, source, progress, notes);
   }
-  if (paths.size() > 1 && scene.surfaces.size() > 0)
+  if (paths.size() > 1 && (!scene.surfaces.empty() || scene.model.data))
     scene.camera = scene::frameCamera(scene, scene::defaultView(scene), 4.0 / 3.0);
   return scene;
 }
@@ -249,6 +274,8 @@ void loadData(scene::Scene& scene, const fs::path& folder, Progress& progress, c
     if (isPlaced(surface.source, bool(surface.data), fmt::format("surfaces.{}", i), "surface"))
       readSurfaceInto(surface, progress);
   }
+  if (isPlaced(scene.model.source, bool(scene.model.data), "model", "model"))
+    readModelInto(scene.model, progress, Notes{notes});
   try {
     for (const auto& note : settleGrowths(scene, progress)) Notes{notes}.add(note);
   } catch (const ArgumentError& error) {

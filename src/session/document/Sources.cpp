@@ -134,6 +134,7 @@ std::vector<MissingData> missingData(const scene::Scene& scene) {
   addMissing(out, "labels", "labels", scene.labels.source, bool(scene.labels.data));
   for (std::size_t i = 0; i < scene.surfaces.size(); ++i)
     addMissing(out, fmt::format("surfaces.{}", i), "surface", scene.surfaces[i].source, bool(scene.surfaces[i].data));
+  addMissing(out, "model", "model", scene.model.source, bool(scene.model.data));
   return out;
 }
 

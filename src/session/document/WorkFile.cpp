@@ -100,6 +100,7 @@ void WorkFile::add(const Loaded& loaded) {
   mDocument.edit("Add data", [&](scene::Scene& now) {
     now.labels = loaded.scene.labels;
     now.surfaces = loaded.scene.surfaces;
+    now.model = loaded.scene.model;
     if (!now.volume.data) now.volume = loaded.scene.volume;
   });
 }

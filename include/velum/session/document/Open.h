@@ -23,8 +23,11 @@ scene::Scene open(const scene::Source& source, Progress& progress, const DataPol
 /// @throw InputError when it is damaged
 std::optional<std::string> readSceneText(const std::filesystem::path& path);
 
-/// Adds another input to a scene: labels beside the volume, a surface, or, where the scene has no volume yet, a volume.
-void add(scene::Scene& scene, const scene::Source& source, Progress& progress);
+/// Adds another input to a scene: a model, labels beside the volume, a surface, or, where the scene has no volume yet, a
+/// volume.
+/// @param notes  as of open()
+void add(scene::Scene& scene, const scene::Source& source, Progress& progress,
+         std::vector<std::string>* notes = nullptr);
 
 /// Reads a file as labels, whatever it looks like, and puts them beside the scene's volume. @throw InputError,
 /// Cancelled

@@ -1,0 +1,94 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <map>
+
+#include "velum/gpu/Buffer.h"
+#include "velum/gpu/Program.h"
+#include "velum/gpu/Texture.h"
+#include "velum/mesoscale/InstanceSet.h"
+
+namespace velum::shared {
+struct InstanceView;
+}
+
+namespace velum::mesoscale {
+
+/// The programs that draw instances into a target. GL thread.
+class InstancePrograms {
+ public:
+  const gpu::Program& cull(bool hasMembranes);
+  const gpu::Program& splat(bool isLarge);
+  const gpu::Program& arguments();
+  const gpu::Program& pyramid();
+  const gpu::Program& seen();
+
+ private:
+  std::map<bool, gpu::Program> mCull, mSplat;
+  gpu::Program mArguments, mPyramid, mSeen;
+};
+
+/// Which instances a pass over all of them takes.
+enum class CullPhase { SeenBefore, Others, All };
+
+/// What of instances is nearest in each pixel of a view: depth along the view, instance, ball. Drawn by compute, as
+/// most balls are of a pixel or two ([VE] 2.2; Differs: there they are rasterised). Cost: one look at each instance,
+/// twice; balls of what is seen times their pixels, twice; four bytes of depth a pixel for the pyramid. GL thread.
+///
+/// A view is drawn by: begin(); cull() all instances for SeenBefore; drawLists() their depths; makePyramid(); cull()
+/// for Others; drawLists(); and, where owners are wanted, drawLists() of both once more, then noteSeen(). Whatever was
+/// seen before, the result is the same; it only comes sooner.
+class InstanceTarget {
+ public:
+  /// @param hasOwners  who is in each pixel, not only how far it is
+  InstanceTarget(const char* label, bool hasOwners) : mLabel(label), mHasOwners(hasOwners) {}
+
+  /// @param count  instances of all copies. What was seen before is forgotten where it is another.
+  void resize(glm::ivec2 size, std::uint32_t count);
+  /// Forgets what was seen before: another model.
+  void forget();
+  glm::ivec2 size() const { return mSize; }
+
+  void begin(const shared::InstanceView& view);
+  /// Over a range of instances of all copies. The frame's cuts and spares are bound.
+  void cull(InstancePrograms& programs, bool hasMembranes, CullPhase phase, std::uint32_t first, std::uint32_t end);
+  /// Lists of a phase are complete.
+  void closeLists(InstancePrograms& programs, CullPhase phase);
+  /// Groups that a list of a phase takes. Waits for the GPU.
+  std::array<std::uint32_t, 4> groupCounts(CullPhase phase) const;
+  /// All groups of a list, as many as there are.
+  void drawList(InstancePrograms& programs, CullPhase phase, int list, bool owners);
+  /// Some of them.
+  void drawGroups(InstancePrograms& programs, CullPhase phase, int list, bool owners, std::uint32_t first,
+                  std::uint32_t count);
+  void makePyramid(InstancePrograms& programs);
+  void noteSeen(InstancePrograms& programs);
+
+  /// For who reads the result: the view, depths as texels, owners and balls as blocks.
+  void bindView() const;
+  void bindDepths(unsigned unit) const { mDepthTexels.bindSampler(unit); }
+  void bindOwners() const;
+  const gpu::Buffer& depths() const { return mDepths; }
+  const gpu::Buffer& owners() const { return mOwners; }
+
+ private:
+  /// The lists of draws of a phase.
+  struct Lists {
+    gpu::Buffer draws, counts;
+    gpu::Texture drawTexels;
+  };
+  Lists& listsOf(CullPhase phase) { return mLists[phase == CullPhase::Others ? 1 : 0]; }
+  const Lists& listsOf(CullPhase phase) const { return mLists[phase == CullPhase::Others ? 1 : 0]; }
+  void bindLists(const Lists& lists) const;
+
+  const char* mLabel;
+  bool mHasOwners;
+  glm::ivec2 mSize{0}, mTiles{0};
+  std::uint32_t mCount = 0;
+  gpu::Buffer mView, mDepths, mOwners, mBalls, mSeen, mNearest;
+  gpu::Texture mDepthTexels, mPyramid;
+  std::array<Lists, 2> mLists;
+};
+
+}  // namespace velum::mesoscale

@@ -1,0 +1,103 @@
+// Which instances are drawn, and by which of their levels. An instance is drawn that the cuts leave, that the window holds, and
+// that what is drawn already does not hide. [VE] 3.
+//
+// In two phases: first those that were seen last time, then, when their depths are known, all others.
+layout(local_size_x = 64) in;
+
+#include "mesoscale/instances.glsl"
+
+layout(std430, binding = kCutBinding) readonly buffer CutBlock { CutData cuts[]; };
+layout(std430, binding = kTypeSpareBinding) readonly buffer TypeSpareBlock { TypeSpareRow typeSpares[]; };
+layout(std430, binding = kSeenBinding) readonly buffer SeenBlock { uint seen[]; };
+layout(std430, binding = kDrawBinding) writeonly buffer DrawBlock { DrawRow draws[]; };
+layout(std430, binding = kCountBinding) buffer CountBlock { uint counts[]; };
+layout(binding = kPyramidUnit) uniform sampler2D pyramidTexture;
+layout(binding = kTypeUnit) uniform samplerBuffer typeTexture;
+layout(binding = kDepthUnit) uniform usamplerBuffer depthTexture;
+
+layout(location = 0) uniform int phase;      // 0: seen last time; 1: all others; 2: all, whatever hides them
+layout(location = 1) uniform int firstIndex; // of this dispatch
+layout(location = 2) uniform int endIndex;
+
+/// What the cuts together leave: shaders/shared/cuts.h.
+bool cutsLeave(uint instance, uint type, vec3 p, float radius) {
+  CutFold fold = emptyFold();
+  float u = instanceRandom(instance, 0u);
+  for (int i = 0; i < view.cutCount; ++i) {
+    float depth = typeSpareDepth(typeSpares[int(type) * view.cutCount + i], u);
+    float reach = i < 32 && (view.wholeInstances >> i & 1u) != 0u ? radius : 0.0;
+    fold = foldAnswer(fold, cutPart(cuts[i]), instanceAnswer(cuts[i], depth, reach, p));
+  }
+  return foldKeeps(fold);
+}
+
+// So many pixels along each edge are looked at by themselves: tiles around what is small have gaps.
+const int kFewPixels = 16;
+
+/// Whether all that is drawn in the pixels lies before a depth.
+bool isHidden(vec4 pixels, float nearest) {
+  ivec2 last = view.size - 1;
+  // Rays go through the middles of pixels: what no middle lies in is not seen.
+  ivec2 from = max(ivec2(ceil(pixels.xy - 0.01)), ivec2(0));
+  ivec2 to = min(ivec2(floor(pixels.zw + 0.01)), last);
+  if (any(lessThan(to, from))) return true;
+  if (all(lessThan(to - from, ivec2(kFewPixels)))) {
+    // Within the circle that a sphere is, nearly: its outline bulges by less than a pixel.
+    uint bits = floatBitsToUint(nearest);
+    vec2 middle = 0.5 * (pixels.xy + pixels.zw);
+    vec2 reach = 0.5 * (pixels.zw - pixels.xy) + 0.5;
+    ivec2 pixel = from;
+    bool isOpen = false;
+    while (pixel.y <= to.y && !isOpen) {
+      vec2 d = (vec2(pixel) - middle) / reach;
+      isOpen = dot(d, d) <= 1.0 && texelFetch(depthTexture, pixel.y * view.size.x + pixel.x).r > bits;
+      pixel = pixel.x == to.x ? ivec2(from.x, pixel.y + 1) : pixel + ivec2(1, 0);
+    }
+    return !isOpen;
+  }
+  from /= kPyramidTile;
+  to /= kPyramidTile;
+  int level = 0;
+  while (level + 1 < view.levelCount && any(greaterThan((to >> level) - (from >> level), ivec2(1)))) ++level;
+  ivec2 end = max(ivec2(view.tilesX, view.tilesY) >> level, ivec2(1)) - 1;
+  from = min(from >> level, end);
+  to = min(to >> level, end);
+  float farthest = 0.0;
+  for (int y = from.y; y <= to.y; ++y)
+    for (int x = from.x; x <= to.x; ++x) farthest = max(farthest, texelFetch(pyramidTexture, ivec2(x, y), level).r);
+  return nearest > farthest;
+}
+
+void main() {
+  int index = firstIndex + int(gl_GlobalInvocationID.x);
+  if (index >= endIndex) return;
+  uint instance = uint(index);
+  bool wasSeen = (seen[index >> 5] >> (index & 31) & 1u) != 0u;
+  if (phase < 2 && wasSeen != (phase == 0)) return;
+  Place place = placeOf(instance);
+  MoleculeRow molecule = moleculeAt(place.molecule);
+  if (texelFetch(typeTexture, int(molecule.type)).a == 0.0) return;  // it is hidden
+  vec3 middle = place.position + turned(place.rotation, molecule.sphere.xyz);
+  float radius = molecule.reach;
+  // The window.
+  vec3 q = middle - view.eye.xyz;
+  float depth = dot(q, view.forward.xyz);
+  float nearest = depth - radius;
+  if (depth + radius <= 0.0) return;
+  vec4 pixels = vec4(0.0, 0.0, vec2(view.size));
+  if (nearest > 0.0 || view.isOrthographic != 0) {
+    pixels = pixelsOf(q, radius);
+    if (any(lessThan(pixels.zw, vec2(-0.5))) || any(greaterThan(pixels.xy, vec2(view.size) - 0.5))) return;
+  }
+  if (phase == 1 && nearest > 0.0 && isHidden(pixels, nearest)) return;
+  if (!cutsLeave(instance, molecule.type, middle, molecule.sphere.w)) return;
+  // The coarsest level that is fine enough where the instance is nearest.
+  float perLength = pixelsPerLength(nearest);
+  uint level = molecule.firstLevel + molecule.levelCount - 1u;
+  LevelRow row = levelAt(level);
+  while (level > molecule.firstLevel && row.error * perLength > view.detail) row = levelAt(--level);
+  int list = row.count == 1u ? kDrawOne : row.count <= uint(kFewSpheres) ? kDrawFew : kDrawMany;
+  if (row.largest * perLength > view.largeRadius) list = kDrawLarge;
+  uint slot = atomicAdd(counts[list], 1u);
+  draws[uint(list) * uint(view.instanceCount * view.copies) + slot] = DrawRow(instance, level);
+}

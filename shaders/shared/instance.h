@@ -1,0 +1,173 @@
+// Instances of molecules: how they lie in buffers, which of them cuts leave, and how fine each is drawn. C++ and GLSL compile
+// this text.
+#ifndef VELUM_SHARED_INSTANCE_H
+#define VELUM_SHARED_INSTANCE_H
+#include "shared/cuts.h"
+SHARED_BEGIN
+
+// How the spheres of an instance are shared out to threads: a list of each kind, with as many threads an instance.
+SHARED_CONST int kDrawOne = 0;    // a single sphere: one thread
+SHARED_CONST int kDrawFew = 1;    // up to kFewSpheres: a thread each
+SHARED_CONST int kDrawMany = 2;   // a group, over and over
+SHARED_CONST int kDrawLarge = 3;  // spheres of many pixels: a group for each, a thread for some of its pixels
+SHARED_CONST int kDrawLists = 4;
+SHARED_CONST int kFewSpheres = 8;
+SHARED_CONST int kInstanceGroup = 64;  // threads of a group
+
+SHARED_CONST uint kNoInstance = 0xffffffffu;
+SHARED_CONST uint kNoDepth = 0xffffffffu;  // bits of a depth where nothing is
+
+/// One of a model's instances, in the scene frame of the first copy.
+struct InstanceRow {
+  vec4 position;  ///< xyz; w: bits of the molecule's number
+  vec4 rotation;  ///< unit quaternion x, y, z, w
+};
+
+/// A molecule: a sphere around all of it, and its levels, of which the first is the finest.
+struct MoleculeRow {
+  vec4 sphere;  ///< centre in its own frame and radius, scene units
+  uint type;
+  uint firstLevel;
+  uint levelCount;
+  float reach;  ///< of the balls of all levels from the centre
+};
+
+/// A level of detail: spheres one after the other.
+struct LevelRow {
+  uint first;
+  uint count;
+  float error;    ///< how far its outline may be off that of the atoms, scene units
+  float largest;  ///< radius, scene units
+};
+
+/// A type: how it looks. What cuts leave of it stands in rows of its own, [types][cuts].
+struct TypeRow {
+  vec4 color;  ///< sRGB; a: 0 hides it
+};
+
+/// What a cut leaves of the instances of a type (scene::TypeSpare). All 0: nothing.
+struct TypeSpareRow {
+  float share;
+  float distance;  ///< kCutFar: wherever they are
+  float falloff;   ///< below 0: outside
+  float amount;
+  float exponent;
+  float padding0;
+  float padding1;
+  float padding2;
+};
+
+/// From where instances are drawn into a buffer of depths, and how fine. Frame: the scene's.
+struct InstanceView {
+  vec4 eye;          ///< orthographic: middle of the picture plane, before everything
+  vec4 right;        ///< from the middle of the picture to its right edge, at distance 1 (orthographic: a length)
+  vec4 up;
+  vec4 forward;      ///< unit
+  vec4 copyStep;     ///< xyz: from copy to copy along each axis
+  vec2 pictureSize;  ///< of the whole picture, pixels
+  vec2 shift;        ///< from a pixel of the window to where its ray goes through the whole picture, pixels
+  ivec2 size;        ///< of the window, pixels
+  int tilesX;        ///< of the pyramid's first level
+  int tilesY;
+  int copiesX;
+  int copiesY;
+  int copies;
+  int instanceCount;  ///< of one copy
+  int cutCount;
+  int isOrthographic;
+  float detail;        ///< pixels by which outlines may be off
+  float largeRadius;   ///< pixels, from which on balls are drawn a group each
+  uint wholeInstances; ///< a bit each of the first cuts: they remove what is inside with all of its sphere
+  int levelCount;      ///< of the pyramid
+  int padding0;
+  int padding1;
+};
+
+/// How instances are shaded, beside what the frame says of light.
+struct InstanceShade {
+  vec4 fogTop;        ///< sRGB, what they fade into at the top of the picture
+  vec4 fogBottom;
+  float fog;          ///< 0..1
+  float fogNear;      ///< depths between which it grows
+  float fogFar;
+  float nearColors;   ///< 0..1
+  float radius;       ///< of the wider occlusion, scene units
+  float lightTexel;   ///< of the light's view, scene units
+  float noise;        ///< of the sample, 0..1
+  int occlusionTaps;  ///< of either radius
+  uint firstInstance; ///< the number of the model's first
+  uint firstType;     ///< and of its first type, as a structure
+  int palette;        ///< kPalette*
+  int hasLight;       ///< the light's view is there
+  float angstrom;     ///< scene units
+  float padding0;
+  ivec2 openShift;    ///< which pixel of a few is asked how open it lies
+};
+/// How open it is around what is seen is worked out for one pixel of so many along x and y.
+SHARED_CONST int kOpenStep = 2;
+SHARED_CONST int kPaletteElement = 3;
+SHARED_CONST int kPaletteChain = 4;
+
+/// Pixels along the edges of a tile, which is a texel of the pyramid's first level.
+SHARED_CONST int kPyramidTile = 4;
+
+/// What an instance is drawn by.
+struct DrawRow {
+  uint instance;  ///< number over all copies
+  uint level;     ///< in the rows of levels
+};
+
+/// The finaliser of MurmurHash3, 32 bits.
+SHARED_FN uint instanceBits(uint word) {
+  uint x = word;
+  x ^= x >> 16;
+  x *= 0x85ebca6bu;
+  x ^= x >> 13;
+  x *= 0xc2b2ae35u;
+  return x ^ (x >> 16);
+}
+
+/// 0 to before 1, fixed for each instance; several independent ones. What randomOf() of core says, too.
+SHARED_FN float instanceRandom(uint instance, uint stream) {
+  uint bits = instanceBits(instance + 0x9e3779b9u * (stream + 1u));
+  return float(bits >> 8) * (1.0f / 16777216.0f);
+}
+
+/// How deep in a cut's removed side an instance is left that has the random number u: kCutFar: wherever it is; below 0: it is
+/// removed so far outside already. An instance at depth d stays where u < p(d); as p only falls with the depth, that is where
+/// d is less than the depth at which p(d) = u. [VE] 3 and 5; p(d) = share + (1 - share) amount (1 - (d / falloff)^exponent) up
+/// to d = falloff, share beyond; outside p(d) = 1 - (1 - share) amount (1 - (-d / -falloff)^exponent).
+/// Differs: distances are in the scene's unit, and the falloff goes over to the share rather than to nothing.
+SHARED_FN float typeSpareDepth(TypeSpareRow spare, float u) {
+  float whole = u < spare.share ? spare.distance : 0.0f;
+  float span = (1.0f - spare.share) * spare.amount;
+  if (spare.falloff == 0.0f || span <= 0.0f) return whole;
+  if (spare.falloff > 0.0f) {
+    // At the surface p is share + span. Solved for d.
+    float rest = 1.0f - (u - spare.share) / span;
+    if (u < spare.share || rest <= 0.0f) return whole;
+    return spare.falloff * pow(min(rest, 1.0f), 1.0f / spare.exponent);
+  }
+  // Outside: removed nearer than where p(d) = u.
+  float rest = 1.0f - (1.0f - u) / span;
+  float near = rest > 0.0f ? spare.falloff * pow(min(rest, 1.0f), 1.0f / spare.exponent) : 0.0f;
+  return u < spare.share ? spare.distance : near;
+}
+
+/// kCutKeeps or kCutRemoves: what a cut does with an instance. @param depth  typeSpareDepth()
+/// @param reach  0: by its middle; its radius: when all of its sphere is removed
+SHARED_FN int instanceAnswer(CutData cut, float depth, float reach, vec3 p SHARED_SHEETS) {
+  if (depth >= kCutFar) return kCutKeeps;
+  if (depth == 0.0f && reach == 0.0f) return cutRemoves(cut, p SHARED_PASS_SHEETS) ? kCutRemoves : kCutKeeps;
+  return -(cutDistance(cut, p SHARED_PASS_SHEETS) + reach) > depth ? kCutRemoves : kCutKeeps;
+}
+
+/// A vector turned by a unit quaternion.
+SHARED_FN vec3 turned(vec4 q, vec3 v) {
+  vec3 axis = vec3(q.x, q.y, q.z);
+  vec3 t = 2.0f * cross(axis, v);
+  return v + q.w * t + cross(axis, t);
+}
+
+SHARED_END
+#endif

@@ -1,0 +1,74 @@
+#include "velum/mesoscale/InstanceRows.h"
+
+#include <algorithm>
+
+#include "shared/instance.h"
+
+namespace velum::mesoscale {
+
+namespace {
+
+/// True of a path and of those that it leads to.
+bool leadsTo(std::string_view path, std::string_view to) {
+  return to.starts_with(path) && (to.size() == path.size() || to[path.size()] == '.');
+}
+
+shared::TypeSpareRow toShared(const scene::TypeSpare& spare) {
+  shared::TypeSpareRow row{};
+  row.share = float(spare.share);
+  row.distance = spare.distance < double(shared::kCutFar) ? float(spare.distance) : shared::kCutFar;
+  row.falloff = float(spare.falloff);
+  row.amount = float(spare.amount);
+  row.exponent = float(spare.exponent);
+  return row;
+}
+
+}  // namespace
+
+std::vector<shared::TypeRow> makeTypeRows(const scene::ModelLayer& layer) {
+  std::vector<shared::TypeRow> rows;
+  for (const glm::vec3& color : scene::typeColors(layer)) rows.push_back({glm::vec4(color, 1.0f)});
+  for (std::size_t i = 0; i < rows.size() && !layer.types.empty(); ++i)
+    if (!scene::typeLook(layer, pathOf(*layer.data, layer.data->types[i])).visible) rows[i].color.a = 0.0f;
+  return rows;
+}
+
+scene::TypeSpare typeSpareOf(const scene::Cut& cut, const Model&, const MoleculeType& type, std::string_view path) {
+  scene::TypeSpare found;
+  found.share = 0.0;
+  bool isInRange = type.mass >= cut.leastMass && type.mass <= cut.mostMass && type.instanceCount >= cut.leastCopies &&
+                   type.instanceCount <= cut.mostCopies;
+  if (!isInRange) return found;
+  std::size_t longest = 0;
+  for (const scene::TypeSpare& spare : cut.typeSpares) {
+    if (spare.type.size() <= longest || !leadsTo(spare.type, path)) continue;
+    longest = spare.type.size();
+    found = spare;
+  }
+  return found;
+}
+
+std::vector<shared::TypeSpareRow> makeTypeSpareRows(const scene::Scene& scene) {
+  std::vector<shared::TypeSpareRow> rows;
+  if (!scene.model.data) return rows;
+  const Model& model = *scene.model.data;
+  for (const MoleculeType& type : model.types) {
+    std::string path = pathOf(model, type);
+    for (const scene::Cut& cut : scene.cuts)
+      if (cut.enabled) rows.push_back(toShared(typeSpareOf(cut, model, type, path)));
+  }
+  return rows;
+}
+
+std::uint32_t wholeInstanceBits(const scene::Scene& scene) {
+  std::uint32_t bits = 0;
+  int place = 0;
+  for (const scene::Cut& cut : scene.cuts) {
+    if (!cut.enabled) continue;
+    if (cut.wholeInstances && place < 32) bits |= 1u << place;
+    ++place;
+  }
+  return bits;
+}
+
+}  // namespace velum::mesoscale

@@ -1,0 +1,185 @@
+#include "velum/mesoscale/InstanceTarget.h"
+
+#include <algorithm>
+#include <string>
+
+#include "shared/bindings.h"
+#include "shared/draw.h"
+#include "shared/instance.h"
+
+namespace velum::mesoscale {
+
+namespace {
+
+constexpr std::size_t kCountBytes = sizeof(std::uint32_t) * shared::kDrawLists;
+constexpr std::size_t kCommandBytes = sizeof(shared::DispatchCommand) * shared::kDrawLists;
+constexpr std::uint32_t kMostGroupsAcross = 32768;
+
+const gpu::Program& made(gpu::Program& program, std::string_view file, const gpu::Defines& defines = {}) {
+  if (!program) program = gpu::Program({file}, defines);
+  return program;
+}
+
+int groupsOf(std::uint32_t threads) { return int((threads + 63) / 64); }
+
+}  // namespace
+
+const gpu::Program& InstancePrograms::cull(bool hasMembranes) {
+  return made(mCull[hasMembranes], "mesoscale/cull.comp",
+              hasMembranes ? gpu::Defines{{"MEMBRANES", "1"}} : gpu::Defines{});
+}
+const gpu::Program& InstancePrograms::splat(bool isLarge) {
+  return made(mSplat[isLarge], "mesoscale/splat.comp", isLarge ? gpu::Defines{{"LARGE", "1"}} : gpu::Defines{});
+}
+const gpu::Program& InstancePrograms::arguments() { return made(mArguments, "mesoscale/arguments.comp"); }
+const gpu::Program& InstancePrograms::pyramid() { return made(mPyramid, "mesoscale/pyramid.comp"); }
+const gpu::Program& InstancePrograms::seen() { return made(mSeen, "mesoscale/seen.comp"); }
+
+void InstanceTarget::resize(glm::ivec2 size, std::uint32_t count) {
+  if (size != mSize) {
+    mSize = size;
+    std::size_t bytes = std::size_t(size.x) * std::size_t(size.y) * sizeof(std::uint32_t);
+    mDepths = gpu::Buffer("depths of instances", bytes);
+    mDepthTexels = gpu::Texture::makeOfBuffer("depths of instances", gpu::Format::R32ui, mDepths);
+    if (mHasOwners) {
+      mOwners = gpu::Buffer("instances of pixels", bytes);
+      mBalls = gpu::Buffer("balls of pixels", bytes);
+    }
+    mTiles = (size + shared::kPyramidTile - 1) / shared::kPyramidTile;
+    mPyramid = gpu::Texture::make2d("farthest depths", gpu::Format::R32f, mTiles, gpu::Filter::Nearest,
+                                    gpu::levelCountOf({mTiles, 1}));
+  }
+  if (count != mCount) {
+    mCount = count;
+    for (Lists& lists : mLists) {
+      lists.draws =
+          gpu::Buffer("draws", std::max<std::size_t>(1, count) * shared::kDrawLists * sizeof(shared::DrawRow));
+      lists.drawTexels = gpu::Texture::makeOfBuffer("draws", gpu::Format::Rg32ui, lists.draws);
+      lists.counts = gpu::Buffer("counts of draws", kCountBytes + kCommandBytes);
+    }
+    mSeen =
+        gpu::Buffer("instances seen", (std::size_t(count) + 31) / 32 * sizeof(std::uint32_t) + sizeof(std::uint32_t));
+    mNearest = gpu::Buffer("instances that are nearest", mSeen.bytes());
+    forget();
+  }
+}
+
+void InstanceTarget::forget() {
+  if (mSeen) mSeen.clear();
+}
+
+void InstanceTarget::begin(const shared::InstanceView& view) {
+  shared::InstanceView whole = view;
+  whole.size = mSize;
+  whole.tilesX = mTiles.x;
+  whole.tilesY = mTiles.y;
+  whole.levelCount = mPyramid.levelCount();
+  if (!mView) mView = gpu::Buffer(mLabel, sizeof(whole));
+  mView.write(0, sizeof(whole), &whole);
+  mDepths.fill(shared::kNoDepth);
+  if (mHasOwners) {
+    mOwners.fill(shared::kNoInstance);
+    mBalls.fill(shared::kNoInstance);
+  }
+  for (Lists& lists : mLists) lists.counts.clear();
+  mNearest.clear();
+}
+
+void InstanceTarget::bindView() const { mView.bindUniform(shared::kInstanceViewBinding); }
+
+void InstanceTarget::bindOwners() const {
+  mOwners.bindStorage(shared::kOwnerBinding);
+  mBalls.bindStorage(shared::kBallBinding);
+}
+
+void InstanceTarget::bindLists(const Lists& lists) const {
+  bindView();
+  lists.counts.bindStorage(shared::kCountBinding);
+}
+
+void InstanceTarget::cull(InstancePrograms& programs, bool hasMembranes, CullPhase phase, std::uint32_t first,
+                          std::uint32_t end) {
+  const Lists& lists = listsOf(phase);
+  bindLists(lists);
+  lists.draws.bindStorage(shared::kDrawBinding);
+  mSeen.bindStorage(shared::kSeenBinding);
+  mPyramid.bindSampler(shared::kPyramidUnit);
+  bindDepths(shared::kDepthUnit);
+  const gpu::Program& program = programs.cull(hasMembranes);
+  program.set(0, static_cast<int>(phase));
+  program.set(1, int(first));
+  program.set(2, int(end));
+  gpu::dispatch(program, {groupsOf(end - first), 1, 1});
+}
+
+void InstanceTarget::closeLists(InstancePrograms& programs, CullPhase phase) {
+  gpu::barrier();
+  bindLists(listsOf(phase));
+  gpu::dispatch(programs.arguments(), {1, 1, 1});
+  gpu::barrier();
+}
+
+std::array<std::uint32_t, 4> InstanceTarget::groupCounts(CullPhase phase) const {
+  std::array<shared::DispatchCommand, shared::kDrawLists> commands;
+  listsOf(phase).counts.read(kCountBytes, kCommandBytes, commands.data());
+  std::array<std::uint32_t, 4> groups;
+  for (std::size_t i = 0; i < groups.size(); ++i) groups[i] = commands[i].groupsX * commands[i].groupsY;
+  return groups;
+}
+
+void InstanceTarget::drawList(InstancePrograms& programs, CullPhase phase, int list, bool owners) {
+  const Lists& lists = listsOf(phase);
+  bindLists(lists);
+  lists.drawTexels.bindSampler(shared::kDrawUnit);
+  mDepths.bindStorage(shared::kDepthBinding);
+  mNearest.bindStorage(shared::kSeenBinding);
+  if (mHasOwners) bindOwners();
+  const gpu::Program& program = programs.splat(list == shared::kDrawLarge);
+  program.set(0, list);
+  program.set(1, owners ? 1 : 0);
+  program.set(2, 0);
+  gpu::dispatchIndirect(program, lists.counts, list + int(kCountBytes / sizeof(shared::DispatchCommand)));
+}
+
+void InstanceTarget::drawGroups(InstancePrograms& programs, CullPhase phase, int list, bool owners, std::uint32_t first,
+                                std::uint32_t count) {
+  const Lists& lists = listsOf(phase);
+  bindLists(lists);
+  lists.drawTexels.bindSampler(shared::kDrawUnit);
+  mDepths.bindStorage(shared::kDepthBinding);
+  mNearest.bindStorage(shared::kSeenBinding);
+  if (mHasOwners) bindOwners();
+  const gpu::Program& program = programs.splat(list == shared::kDrawLarge);
+  program.set(0, list);
+  program.set(1, owners ? 1 : 0);
+  program.set(2, int(first));
+  gpu::dispatch(program, {int(std::min(count, kMostGroupsAcross)), 1, 1});
+}
+
+void InstanceTarget::makePyramid(InstancePrograms& programs) {
+  gpu::barrier();
+  bindView();
+  bindDepths(shared::kDepthUnit);
+  mPyramid.bindSampler(shared::kPyramidUnit);
+  const gpu::Program& program = programs.pyramid();
+  for (int level = 0; level < mPyramid.levelCount(); ++level) {
+    glm::ivec2 size(mPyramid.size(level));
+    mPyramid.bindImage(shared::kPyramidImage, gpu::Access::Write, level);
+    program.set(0, level);
+    gpu::dispatch(program, {(size.x + 7) / 8, (size.y + 7) / 8, 1});
+    gpu::barrier();
+  }
+}
+
+void InstanceTarget::noteSeen(InstancePrograms& programs) {
+  gpu::barrier();
+  mSeen.clear();
+  bindOwners();
+  mSeen.bindStorage(shared::kSeenBinding);
+  const gpu::Program& program = programs.seen();
+  program.set(0, mSize.x * mSize.y);
+  gpu::dispatch(program, {groupsOf(std::uint32_t(mSize.x) * std::uint32_t(mSize.y)), 1, 1});
+  gpu::barrier();
+}
+
+}  // namespace velum::mesoscale

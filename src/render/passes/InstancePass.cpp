@@ -1,0 +1,294 @@
+#include "InstancePass.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "WorkQueue.h"
+#include "shared/instance.h"
+#include "velum/core/Vectors.h"
+#include "velum/gpu/GpuError.h"
+#include "velum/mesoscale/InstanceRows.h"
+#include "velum/mesoscale/Levels.h"
+
+namespace velum::render {
+
+namespace {
+
+constexpr std::uint32_t kSoftwareSlice = 1u << 17, kHardwareSlice = 1u << 24;  // instances that are culled at a time
+constexpr double kPieceMs = 16.0, kMostGroups = 32768.0;  // of a piece that a software driver draws
+constexpr std::uint32_t kMostInstances = 1u << 27;        // over all copies: what numbers and buffers have room for
+constexpr int kLightEdge = 1024;                          // pixels of the light's view
+constexpr float kLightDetail = 2.0f;                      // shadows are soft
+constexpr float kPreviewDetail = 3.0f;
+constexpr float kLargeRadius = 10.0f;  // pixels: see docs/PERFORMANCE.md
+constexpr int kTaps = 7;
+
+shared::InstanceView viewOf(const FrameData& data, const shared::FrameParams& params) {
+  const Frame& frame = data.frame;
+  scene::CopyGrid copies = scene::copyGrid(frame.scene.model);
+  shared::InstanceView view{};
+  view.eye = params.eye;
+  view.right = params.right;
+  view.up = params.up;
+  view.forward = params.forward;
+  view.pictureSize = params.pictureSize;
+  view.shift = glm::vec2(frame.windowOrigin) + 0.5f + params.subpixel;
+  double scale = angstromOf(data);
+  view.copyStep = glm::vec4(glm::vec3(copies.step * scale), 0.0f);
+  view.copiesX = copies.counts.x;
+  view.copiesY = copies.counts.y;
+  view.copies = std::max(1, frame.scene.model.copies);
+  view.instanceCount = int(frame.scene.model.data->instances.size());
+  view.cutCount = int(data.cuts.size());
+  view.isOrthographic = (params.flags & shared::kFlagOrthographic) ? 1 : 0;
+  view.detail = float(frame.scene.model.detail) * (frame.isPreview ? kPreviewDetail : 1.0f);
+  view.largeRadius = kLargeRadius;
+  view.wholeInstances = mesoscale::wholeInstanceBits(frame.scene);
+  return view;
+}
+
+/// What of the model the picture shows, as the key light sees it: a square about it.
+shared::InstanceView lightViewOf(const FrameData& data, const shared::InstanceView& eye) {
+  scene::ModelBox box = scene::modelBox(data.frame.scene.model);
+  double scale = angstromOf(data);
+  glm::dvec3 low = box.low * scale - sceneOrigin(data.grid), high = box.high * scale - sceneOrigin(data.grid);
+  glm::dvec3 middle = 0.5 * (low + high);
+  double radius = 0.5 * glm::length(high - low);
+  glm::dvec3 forward(eye.forward), towards = glm::dvec3(glm::vec3(eye.eye));
+  double depth = std::max(glm::dot(middle - towards, forward), 0.0);
+  double shown = std::max(glm::length(glm::dvec3(eye.right)), glm::length(glm::dvec3(eye.up))) *
+                 (eye.isOrthographic ? 1.0 : std::max(depth, 0.25 * radius)) * 1.4;
+  if (shown < radius) middle = towards + forward * depth;
+  double reach = std::min(radius, shown);
+  shared::InstanceView view = eye;
+  glm::dvec3 along = -glm::dvec3(data.params.keyLight);
+  glm::dvec3 helper = std::abs(along.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0);
+  glm::dvec3 right = glm::normalize(glm::cross(along, helper)), up = glm::cross(right, along);
+  view.eye = glm::vec4(glm::vec3(middle - along * (2.0 * radius)), 0.0f);
+  view.right = glm::vec4(glm::vec3(right * reach), 0.0f);
+  view.up = glm::vec4(glm::vec3(up * reach), 0.0f);
+  view.forward = glm::vec4(glm::vec3(along), 0.0f);
+  view.pictureSize = glm::vec2(kLightEdge);
+  view.shift = glm::vec2(0.5f);
+  view.isOrthographic = 1;
+  view.detail = std::max(kLightDetail, view.detail);
+  return view;
+}
+
+}  // namespace
+
+void InstancePass::prepare(FrameData& data) {
+  if (!isModelDrawn(data.frame.scene)) {
+    mKey.reset();
+    mSet = {};
+    mCount = 0;
+    return;
+  }
+  makeSet(data);
+  writeRows(data);
+  mHandedOver.clear();
+  if (!mOpenness) mOpenness = gpu::Program({"render/openness.comp"});
+  if (!mShade) mShade = gpu::Program({"render/instances.comp"});
+}
+
+void InstancePass::makeSet(const FrameData& data) {
+  const scene::ModelLayer& layer = data.frame.scene.model;
+  std::uint64_t count = std::uint64_t(layer.data->instances.size()) * std::uint64_t(std::max(1, layer.copies));
+  if (count > kMostInstances)
+    throw gpu::GpuError(
+        fmt::format("{} instances are too many; {} are the most: take fewer copies", count, kMostInstances));
+  Shared<LevelSet> levels = layer.levels;
+  if (!levels) {
+    if (!mOwnLevels || mOwnLevelsOf != layer.data.id()) {
+      Progress progress;
+      mOwnLevels = Shared<LevelSet>(mesoscale::computeLevels(*layer.data, progress));
+      mOwnLevelsOf = layer.data.id();
+    }
+    levels = mOwnLevels;
+  }
+  Key key{layer.data.id(), levels.id(), {sceneOrigin(data.grid), angstromOf(data)}};
+  if (!mKey || !(*mKey == key)) {
+    if (!mKey || mKey->model != key.model) mEye.forget();
+    mSet = {};
+    mSet = mesoscale::InstanceSet(*layer.data, *levels, key.placement);
+    mKey = key;
+  }
+  mCount = std::uint32_t(count);
+  mEye.resize(data.frame.windowSize, mCount);
+}
+
+void InstancePass::writeRows(const FrameData& data) {
+  auto types = mesoscale::makeTypeRows(data.frame.scene.model);
+  types.resize(std::max<std::size_t>(1, types.size()));
+  mTypes = gpu::Buffer("types", std::span<const shared::TypeRow>(types));
+  mTypeTexels = gpu::Texture::makeOfBuffer("types", gpu::Format::Rgba32f, mTypes);
+  auto spares = mesoscale::makeTypeSpareRows(data.frame.scene);
+  spares.resize(std::max<std::size_t>(1, spares.size()));
+  mTypeSpares = gpu::Buffer("spares of types", std::span<const shared::TypeSpareRow>(spares));
+}
+
+void InstancePass::bindRows() const {
+  mSet.bind();
+  mTypeTexels.bindSampler(shared::kTypeUnit);
+  mTypeSpares.bindStorage(shared::kTypeSpareBinding);
+}
+
+/// The next piece of a list takes about as long as is wanted, and at most twice as many groups as the last.
+void InstancePass::took(double ms) {
+  if (mHandedOver.empty()) return;
+  Piece piece = mHandedOver.front();
+  mHandedOver.pop_front();
+  if (piece.groups == 0) return;
+  Pace& pace = mPace[std::size_t(piece.list)];
+  // The first piece has the driver compile.
+  if (!std::exchange(pace.isKnown, true)) return;
+  double wanted = kPieceMs / std::max(ms, 0.01) * piece.groups;
+  pace.next = std::uint32_t(std::clamp(wanted, 1.0, std::min(2.0 * piece.groups, kMostGroups)));
+}
+
+template <class Run>
+void InstancePass::add(WorkQueue& queue, Run run) {
+  queue.add(*this, [this, run] {
+    mHandedOver.push_back({-1, 0});
+    run();
+  });
+}
+
+void InstancePass::addPhase(mesoscale::InstanceTarget& target, const FrameData& data, Phase phase, WorkQueue& queue) {
+  bool hasMembranes = (data.params.flags & shared::kFlagMembranes) != 0;
+  std::uint32_t slice = mIsSoftware ? kSoftwareSlice : kHardwareSlice;
+  for (std::uint32_t first = 0; first < mCount; first += std::min(slice, mCount - first))
+    add(queue, [this, &target, hasMembranes, phase, first, slice] {
+      bindRows();
+      target.cull(mPrograms, hasMembranes, phase, first, std::min(mCount, first + slice));
+    });
+  add(queue, [this, &target, phase] { target.closeLists(mPrograms, phase); });
+}
+
+void InstancePass::addDraws(mesoscale::InstanceTarget& target, Phase phase, bool owners, WorkQueue& queue) {
+  if (mIsSoftware) {
+    add(queue, [this] { mPlace = {}; });
+    queue.addUntilDone(*this, [this, &target, phase, owners] { return drawNext(target, phase, owners); });
+    return;
+  }
+  for (int list = 0; list < shared::kDrawLists; ++list)
+    add(queue, [this, &target, phase, owners, list] {
+      bindRows();
+      target.drawList(mPrograms, phase, list, owners);
+      gpu::barrier();
+    });
+}
+
+/// The next piece of what a software driver draws. @return true when it was the last
+bool InstancePass::drawNext(mesoscale::InstanceTarget& target, Phase phase, bool owners) {
+  if (!mPlace.isKnown) {
+    mPlace.groups = target.groupCounts(phase);
+    mPlace.isKnown = true;
+  }
+  while (mPlace.list < shared::kDrawLists && mPlace.next >= mPlace.groups[std::size_t(mPlace.list)]) {
+    ++mPlace.list;
+    mPlace.next = 0;
+  }
+  if (mPlace.list >= shared::kDrawLists) {
+    mHandedOver.push_back({-1, 0});
+    return true;
+  }
+  std::uint32_t left = mPlace.groups[std::size_t(mPlace.list)] - mPlace.next;
+  std::uint32_t count = std::min(left, mPace[std::size_t(mPlace.list)].next);
+  bindRows();
+  target.drawGroups(mPrograms, phase, mPlace.list, owners, mPlace.next, count);
+  gpu::barrier();
+  mHandedOver.push_back({mPlace.list, count});
+  mPlace.next += count;
+  return false;
+}
+
+void InstancePass::addSteps(const FrameData& data, int sample, WorkQueue& queue) {
+  if (mCount == 0) return;
+  const scene::Lighting& lighting = data.frame.scene.lighting;
+  shared::FrameParams params = data.params;
+  setSample(params, data.frame, sample);
+  shared::InstanceView view = viewOf(data, params);
+  bool wantsLight = lighting.shaded && lighting.shadow > 0 && !data.frame.isPreview;
+  if (sample == 0) mHasLight = wantsLight;
+  if (sample == 0 && wantsLight) {
+    mLightParams = lightViewOf(data, view);
+    add(queue, [this] {
+      mLight.resize(glm::ivec2(kLightEdge), mCount);
+      mLight.begin(mLightParams);
+      mLightParams.size = mLight.size();
+      mLightView.set(mLightParams);
+    });
+    addPhase(mLight, data, Phase::All, queue);
+    addDraws(mLight, Phase::All, false, queue);
+  }
+  add(queue, [this, view] { mEye.begin(view); });
+  addPhase(mEye, data, Phase::SeenBefore, queue);
+  addDraws(mEye, Phase::SeenBefore, false, queue);
+  add(queue, [this] { mEye.makePyramid(mPrograms); });
+  addPhase(mEye, data, Phase::Others, queue);
+  addDraws(mEye, Phase::Others, false, queue);
+  addDraws(mEye, Phase::SeenBefore, true, queue);
+  addDraws(mEye, Phase::Others, true, queue);
+  add(queue, [this, &data, sample] {
+    mEye.noteSeen(mPrograms);
+    shade(data, sample);
+  });
+}
+
+void InstancePass::shade(const FrameData& data, int sample) {
+  const scene::Scene& scene = data.frame.scene;
+  scene::ModelBox box = scene::modelBox(scene.model);
+  glm::dvec3 forward(data.params.forward), eye = glm::dvec3(glm::vec3(data.params.eye));
+  double scale = angstromOf(data);
+  glm::dvec3 low = box.low * scale - sceneOrigin(data.grid), high = box.high * scale - sceneOrigin(data.grid);
+  double middle = glm::dot(0.5 * (low + high) - eye, forward);
+  double half = 0.5 * glm::dot(glm::abs(forward), high - low);
+  bool hasPaper = scene.finish.paper != scene::Paper::None;
+  shared::InstanceShade values{};
+  values.fogTop = glm::vec4(hasPaper ? scene.finish.paperColor : scene.background.top, 1.0f);
+  values.fogBottom = glm::vec4(hasPaper ? scene.finish.paperColor : scene.background.bottom, 1.0f);
+  values.fog = float(scene.lighting.fog);
+  values.fogNear = float(std::max(0.0, middle - half));
+  values.fogFar = float(middle + half);
+  values.nearColors = float(scene.model.nearColors);
+  values.radius = float(scene.lighting.occlusionRadius * glm::length(high - low));
+  values.lightTexel = mHasLight ? 2.0f * glm::length(glm::vec3(mLightParams.up)) / kLightEdge : 0.0f;
+  values.noise = float(std::fmod(0.6180339887498949 * sample, 1.0));
+  values.occlusionTaps = data.frame.isPreview ? 3 : kTaps;
+  values.firstInstance = firstModelInstance(scene);
+  values.firstType = std::uint32_t(data.structures.size());
+  values.palette = static_cast<int>(scene.model.palette);
+  values.hasLight = mHasLight ? 1 : 0;
+  values.angstrom = float(scale);
+  values.openShift = glm::ivec2(sample & 1, sample >> 1 & 1);
+  mShadeParams.set(values);
+  bindRows();
+  mEye.bindView();
+  mLightView.bind(shared::kInstanceLightBinding);
+  mShadeParams.bind(shared::kInstanceShadeBinding);
+  mEye.bindOwners();
+  mEye.bindDepths(shared::kDepthUnit);
+  (mHasLight ? mLight : mEye).bindDepths(shared::kShadowUnit);
+  glm::ivec2 places = (mEye.size() + shared::kOpenStep - 1) / shared::kOpenStep;
+  if (!mOpen || glm::ivec2(mOpen.size()) != places)
+    mOpen = gpu::Texture::make2d("openness", gpu::Format::Rgba32f, places);
+  if (scene.lighting.shaded) {
+    mOpen.bindImage(shared::kOpenImage, gpu::Access::Write);
+    gpu::dispatch(mOpenness, {(places.x + 7) / 8, (places.y + 7) / 8, 1});
+    gpu::barrier();
+  }
+  mOpen.bindSampler(shared::kOpenUnit);
+  mSurfaces.bindImages();
+  gpu::dispatch(mShade, {(mEye.size().x + 7) / 8, (mEye.size().y + 7) / 8, 1});
+  gpu::barrier();
+}
+
+void InstancePass::bind(const FrameData&) const {
+  if (mCount > 0) bindRows();
+}
+
+}  // namespace velum::render

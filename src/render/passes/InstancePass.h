@@ -1,0 +1,87 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <optional>
+
+#include "FrameData.h"
+#include "Pass.h"
+#include "SurfacePass.h"
+#include "shared/instance.h"
+#include "velum/gpu/Buffer.h"
+#include "velum/gpu/Program.h"
+#include "velum/gpu/Texture.h"
+#include "velum/mesoscale/InstanceSet.h"
+#include "velum/mesoscale/InstanceTarget.h"
+
+namespace velum::render {
+
+/// The instances of a model, for rays to stop at: who is nearest in each pixel (mesoscale::InstanceTarget), then its
+/// colour, light and ids, drawn into the surfaces' target. Every instance is asked of the cuts in every sample of every
+/// frame; what is kept is the model on the GPU, with the model, its levels and its place for a key, and which instances
+/// were seen last, which changes no picture.
+class InstancePass : public Pass {
+ public:
+  InstancePass(const SurfacePass& surfaces, bool isSoftware)
+      : Pass("Instances"), mSurfaces(surfaces), mIsSoftware(isSoftware) {}
+  void prepare(FrameData& data) override;
+  void addSteps(const FrameData& data, int sample, WorkQueue& queue) override;
+  void bind(const FrameData& data) const override;
+  void took(double ms) override;
+
+ private:
+  using Phase = mesoscale::CullPhase;
+  struct Key {
+    std::uint64_t model = 0, levels = 0;
+    mesoscale::Placement placement;
+    bool operator==(const Key&) const = default;
+  };
+  void makeSet(const FrameData& data);
+  void writeRows(const FrameData& data);
+  /// Work that counts for nothing in the pace.
+  template <class Run>
+  void add(WorkQueue& queue, Run run);
+  void addPhase(mesoscale::InstanceTarget& target, const FrameData& data, Phase phase, WorkQueue& queue);
+  void addDraws(mesoscale::InstanceTarget& target, Phase phase, bool owners, WorkQueue& queue);
+  bool drawNext(mesoscale::InstanceTarget& target, Phase phase, bool owners);
+  void bindRows() const;
+  void shade(const FrameData& data, int sample);
+
+  const SurfacePass& mSurfaces;
+  const bool mIsSoftware;
+  mesoscale::InstancePrograms mPrograms;
+  gpu::Program mOpenness, mShade;
+  gpu::Texture mOpen;  ///< Openness, light and depth at one pixel of a few.
+  std::optional<Key> mKey;
+  Shared<LevelSet> mOwnLevels;  ///< Made here, of a model that came without.
+  std::uint64_t mOwnLevelsOf = 0;
+  mesoscale::InstanceSet mSet;
+  std::uint32_t mCount = 0;  ///< Instances of all copies.
+  mesoscale::InstanceTarget mEye{"eye's view of instances", true}, mLight{"light's view of instances", false};
+  gpu::Buffer mTypes, mTypeSpares;
+  gpu::Texture mTypeTexels;
+  gpu::UniformBuffer<shared::InstanceView> mLightView{"light's view"};
+  gpu::UniformBuffer<shared::InstanceShade> mShadeParams{"shade of instances"};
+  shared::InstanceView mLightParams{};
+  bool mHasLight = false;
+  /// How many groups of a list a software driver draws at a time.
+  struct Pace {
+    std::uint32_t next = 128;
+    bool isKnown = false;
+  };
+  struct Piece {
+    int list;              ///< -1: of none
+    std::uint32_t groups;  ///< 0: it counts for nothing
+  };
+  std::array<Pace, 4> mPace;
+  std::deque<Piece> mHandedOver;  ///< What is with the driver.
+  /// Where drawing in pieces is.
+  struct Place {
+    std::array<std::uint32_t, 4> groups{};
+    int list = 0;
+    std::uint32_t next = 0;
+    bool isKnown = false;
+  } mPlace;
+};
+
+}  // namespace velum::render

@@ -16,5 +16,6 @@ void main() {
   uint inGroup = uint(kInstanceGroup) / threads;
   uint groups = (counts[list] + inGroup - 1u) / inGroup;
   uint across = min(groups, 32768u);
-  commands[list] = DispatchCommand(across, across == 0u ? 0u : (groups + across - 1u) / across, 1u, 0u);
+  uint parts = list == uint(kDrawLarge) ? uint(kLargeParts) : 1u;
+  commands[list] = DispatchCommand(across, across == 0u ? 0u : (groups + across - 1u) / across, parts, 0u);
 }

@@ -5,13 +5,13 @@
 layout(local_size_x = 64) in;
 
 #include "mesoscale/instances.glsl"
+#include "mesoscale/hidden.glsl"
 
 layout(std430, binding = kCutBinding) readonly buffer CutBlock { CutData cuts[]; };
 layout(std430, binding = kTypeSpareBinding) readonly buffer TypeSpareBlock { TypeSpareRow typeSpares[]; };
 layout(std430, binding = kSeenBinding) readonly buffer SeenBlock { uint seen[]; };
 layout(std430, binding = kDrawBinding) writeonly buffer DrawBlock { DrawRow draws[]; };
 layout(std430, binding = kCountBinding) buffer CountBlock { uint counts[]; };
-layout(binding = kPyramidUnit) uniform sampler2D pyramidTexture;
 layout(binding = kTypeUnit) uniform samplerBuffer typeTexture;
 layout(binding = kDepthUnit) uniform usamplerBuffer depthTexture;
 
@@ -55,17 +55,36 @@ bool isHidden(vec4 pixels, float nearest) {
     }
     return !isOpen;
   }
-  from /= kPyramidTile;
-  to /= kPyramidTile;
-  int level = 0;
-  while (level + 1 < view.levelCount && any(greaterThan((to >> level) - (from >> level), ivec2(1)))) ++level;
-  ivec2 end = max(ivec2(view.tilesX, view.tilesY) >> level, ivec2(1)) - 1;
-  from = min(from >> level, end);
-  to = min(to >> level, end);
-  float farthest = 0.0;
-  for (int y = from.y; y <= to.y; ++y)
-    for (int x = from.x; x <= to.x; ++x) farthest = max(farthest, texelFetch(pyramidTexture, ivec2(x, y), level).r);
-  return nearest > farthest;
+  return nearest > farthestIn(from, to);
+}
+
+bool isOutlineHidden(Place place, MoleculeRow molecule) {
+  LevelRow row = levelAt(molecule.outlineLevel);
+  bool isHiddenSoFar = true;
+  for (uint i = 0u; i < row.count && isHiddenSoFar; ++i) {
+    vec4 ball = texelFetch(ballTexture, int(row.first + i));
+    float radius = ball.w + molecule.outlineGrow;
+    vec3 q = place.position - view.eye.xyz + turned(place.rotation, ball.xyz);
+    float nearest = dot(q, view.forward.xyz) - radius;
+    isHiddenSoFar = nearest > 0.0 && isHidden(pixelsOf(q, radius), nearest);
+  }
+  return isHiddenSoFar;
+}
+
+/// Whether a sphere lies beyond one of the planes through the eye and an edge of the window. What is next to the eye has no
+/// pixels by which one could tell.
+bool isAside(vec3 q, float depth, float radius) {
+  if (view.isOrthographic != 0) return false;
+  vec2 half_ = vec2(length(view.right.xyz), length(view.up.xyz));
+  vec2 at = vec2(dot(q, view.right.xyz), dot(q, view.up.xyz)) / half_;
+  // Edges of the window as slopes; rows run downwards.
+  vec2 from = (2.0 * (view.shift - 1.0) / view.pictureSize - 1.0) * half_;
+  vec2 to = (2.0 * (vec2(view.size) + view.shift) / view.pictureSize - 1.0) * half_;
+  vec2 low = vec2(from.x, -to.y);
+  vec2 high = vec2(to.x, -from.y);
+  vec2 below = (low * depth - at) / sqrt(1.0 + low * low);
+  vec2 above = (at - high * depth) / sqrt(1.0 + high * high);
+  return any(greaterThan(max(below, above), vec2(radius)));
 }
 
 void main() {
@@ -83,7 +102,7 @@ void main() {
   vec3 q = middle - view.eye.xyz;
   float depth = dot(q, view.forward.xyz);
   float nearest = depth - radius;
-  if (depth + radius <= 0.0) return;
+  if (depth + radius <= 0.0 || isAside(q, depth, radius)) return;
   vec4 pixels = vec4(0.0, 0.0, vec2(view.size));
   if (nearest > 0.0 || view.isOrthographic != 0) {
     pixels = pixelsOf(q, radius);
@@ -96,8 +115,10 @@ void main() {
   uint level = molecule.firstLevel + molecule.levelCount - 1u;
   LevelRow row = levelAt(level);
   while (level > molecule.firstLevel && row.error * perLength > view.detail) row = levelAt(--level);
+  // Closer to its shape than the sphere around it: what shows in its gaps lies behind many that nobody sees.
+  if (phase == 1 && nearest > 0.0 && level <= molecule.outlineLevel && isOutlineHidden(place, molecule)) return;
   int list = row.count == 1u ? kDrawOne : row.count <= uint(kFewSpheres) ? kDrawFew : kDrawMany;
-  if (row.largest * perLength > view.largeRadius) list = kDrawLarge;
+  if (row.radius * perLength > view.largeRadius) list = kDrawLarge;
   uint slot = atomicAdd(counts[list], 1u);
   draws[uint(list) * uint(view.instanceCount * view.copies) + slot] = DrawRow(instance, level);
 }

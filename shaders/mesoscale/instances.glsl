@@ -34,12 +34,15 @@ Place placeOf(uint instance) {
 
 MoleculeRow moleculeAt(int molecule) {
   MoleculeRow row;
-  row.sphere = texelFetch(moleculeTexture, 2 * molecule);
-  uvec4 words = floatBitsToUint(texelFetch(moleculeTexture, 2 * molecule + 1));
+  row.sphere = texelFetch(moleculeTexture, 3 * molecule);
+  uvec4 words = floatBitsToUint(texelFetch(moleculeTexture, 3 * molecule + 1));
   row.type = words.x;
   row.firstLevel = words.y;
   row.levelCount = words.z;
   row.reach = uintBitsToFloat(words.w);
+  vec4 outline = texelFetch(moleculeTexture, 3 * molecule + 2);
+  row.outlineLevel = floatBitsToUint(outline.x);
+  row.outlineGrow = outline.y;
   return row;
 }
 

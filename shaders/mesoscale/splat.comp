@@ -1,27 +1,34 @@
 // Balls of instances into a view: their depths, then, where these won, who they are.
 //
-// LARGE: a group of threads takes one ball after the other of an instance, and each thread some of its pixels. Else a thread
-// takes a ball with all its pixels.
+// LARGE: a group of threads takes one ball after the other of its part of an instance, and each thread some of its pixels.
+// Else a thread takes a ball with all its pixels.
 layout(local_size_x = 64) in;
 
 #include "mesoscale/instances.glsl"
+#ifdef LARGE
+#include "mesoscale/hidden.glsl"
+#endif
 
 layout(std430, binding = kDepthBinding) buffer DepthBlock { uint depths[]; };
 layout(std430, binding = kOwnerBinding) buffer OwnerBlock { uint owners[]; };
 layout(std430, binding = kBallBinding) buffer BallBlock { uint balls[]; };
 layout(std430, binding = kSeenBinding) buffer SeenBlock { uint nearest[]; };  // a bit an instance: it was nearest in some pixel
 layout(std430, binding = kCountBinding) readonly buffer CountBlock { uint counts[]; };
+layout(binding = kDepthUnit) uniform usamplerBuffer depthTexture;
 layout(binding = kDrawUnit) uniform usamplerBuffer drawTexture;
 
 layout(location = 0) uniform int list;        // kDraw*
 layout(location = 1) uniform int writesOwner; // 0: depths; 1: who has them
 layout(location = 2) uniform int firstGroup;  // of this dispatch
+#ifdef LARGE
+layout(location = 3) uniform int hasPyramid;  // the pyramid is of depths that are drawn already
+#endif
 
 /// @param least  bits of the depth of the ball's nearest place
 /// @return whether it is nearer than what was there
 bool drawPixel(ivec2 pixel, vec3 q, float radius, uint least, uint instance, uint ball) {
   int at = pixel.y * view.size.x + pixel.x;
-  uint before = depths[at];
+  uint before = texelFetch(depthTexture, at).r;  // as a texel: it may be an older one, which is farther, but costs half
   if (before < least) return false;  // most are hidden: it costs a look
   vec3 offset;
   vec3 ray = rayOf(pixel, offset);
@@ -74,7 +81,7 @@ void main() {
   LevelRow level = levelAt(draw.y);
   vec3 origin = at.position - view.eye.xyz;
 #ifdef LARGE
-  for (uint i = 0u; i < level.count; ++i) {
+  for (uint i = gl_WorkGroupID.z; i < level.count; i += uint(kLargeParts)) {
     uint number = level.first + i;
     vec4 ball = texelFetch(ballTexture, int(number));
     vec3 q = origin + turned(at.rotation, ball.xyz);
@@ -82,6 +89,7 @@ void main() {
     uint least = leastBits(q, ball.w);
     int wide = rect.z - rect.x + 1;
     int count = rect.z < rect.x || rect.w < rect.y ? 0 : wide * (rect.w - rect.y + 1);
+    if (count > 0 && hasPyramid != 0 && uintBitsToFloat(least) > farthestIn(rect.xy, rect.zw)) count = 0;
     for (int p = lane; p < count; p += kInstanceGroup)
       isNearest = drawPixel(rect.xy + ivec2(p % wide, p / wide), q, ball.w, least, draw.x, number) || isNearest;
   }

@@ -41,7 +41,7 @@ SHARED_CONST uint kSpareUnit = 21u;
 
 // Instances: what is the same for all views of a model, as texels, which software drivers fetch faster than blocks.
 SHARED_CONST uint kInstanceUnit = 22u;  // InstanceRow: two texels each
-SHARED_CONST uint kMoleculeUnit = 23u;  // MoleculeRow: two texels each
+SHARED_CONST uint kMoleculeUnit = 23u;  // MoleculeRow: three texels each
 SHARED_CONST uint kLevelUnit = 24u;     // LevelRow
 SHARED_CONST uint kBallUnit = 25u;      // centre and radius, scene units, the molecule's frame
 SHARED_CONST uint kBallKindUnit = 26u;  // element, chain

@@ -12,7 +12,9 @@ SHARED_CONST int kDrawMany = 2;   // a group, over and over
 SHARED_CONST int kDrawLarge = 3;  // spheres of many pixels: a group for each, a thread for some of its pixels
 SHARED_CONST int kDrawLists = 4;
 SHARED_CONST int kFewSpheres = 8;
+SHARED_CONST int kOutlineBalls = 16;  // at most, of the level by which an instance is told to be hidden
 SHARED_CONST int kInstanceGroup = 64;  // threads of a group
+SHARED_CONST int kLargeParts = 16;     // groups that share the balls of an instance of large ones
 
 SHARED_CONST uint kNoInstance = 0xffffffffu;
 SHARED_CONST uint kNoDepth = 0xffffffffu;  // bits of a depth where nothing is
@@ -23,13 +25,17 @@ struct InstanceRow {
   vec4 rotation;  ///< unit quaternion x, y, z, w
 };
 
-/// A molecule: a sphere around all of it, and its levels, of which the first is the finest.
+/// A molecule: a sphere around all of it, and its levels, of which the first is the finest. Three texels.
 struct MoleculeRow {
   vec4 sphere;  ///< centre in its own frame and radius, scene units
   uint type;
   uint firstLevel;
   uint levelCount;
-  float reach;  ///< of the balls of all levels from the centre
+  float reach;       ///< of the balls of all levels from the centre
+  uint outlineLevel; ///< a level of few balls: those of it and of finer ones lie in these,
+  float outlineGrow; ///< grown by so much, scene units
+  float padding0;
+  float padding1;
 };
 
 /// A level of detail: spheres one after the other.
@@ -37,7 +43,7 @@ struct LevelRow {
   uint first;
   uint count;
   float error;    ///< how far its outline may be off that of the atoms, scene units
-  float largest;  ///< radius, scene units
+  float radius;  ///< mean one of its spheres, scene units
 };
 
 /// A type: how it looks. What cuts leave of it stands in rows of its own, [types][cuts].

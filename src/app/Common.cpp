@@ -115,7 +115,10 @@ scene::RawLayout parseRaw(const std::string& text) {
   return raw;
 }
 
-bool isSourceField(const std::string& path) { return path.find(".source.") != std::string::npos; }
+/// What decides how data is read.
+bool isSourceField(const std::string& path) {
+  return path.find(".source.") != std::string::npos || path == "model.completes";
+}
 
 /// Of the user's own, rather than the name of one of ours.
 bool isPaperFile(const std::string& value) {

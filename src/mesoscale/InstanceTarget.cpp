@@ -20,6 +20,9 @@ const gpu::Program& made(gpu::Program& program, std::string_view file, const gpu
   return program;
 }
 
+/// Whether the pyramid is of depths of this frame when a list is drawn.
+int hasPyramid(CullPhase phase, bool owners) { return owners || phase == CullPhase::Others ? 1 : 0; }
+
 int groupsOf(std::uint32_t threads) { return int((threads + 63) / 64); }
 
 }  // namespace
@@ -133,11 +136,14 @@ void InstanceTarget::drawList(InstancePrograms& programs, CullPhase phase, int l
   lists.drawTexels.bindSampler(shared::kDrawUnit);
   mDepths.bindStorage(shared::kDepthBinding);
   mNearest.bindStorage(shared::kSeenBinding);
+  bindDepths(shared::kDepthUnit);
+  mPyramid.bindSampler(shared::kPyramidUnit);
   if (mHasOwners) bindOwners();
   const gpu::Program& program = programs.splat(list == shared::kDrawLarge);
   program.set(0, list);
   program.set(1, owners ? 1 : 0);
   program.set(2, 0);
+  if (list == shared::kDrawLarge) program.set(3, hasPyramid(phase, owners));
   gpu::dispatchIndirect(program, lists.counts, list + int(kCountBytes / sizeof(shared::DispatchCommand)));
 }
 
@@ -148,12 +154,16 @@ void InstanceTarget::drawGroups(InstancePrograms& programs, CullPhase phase, int
   lists.drawTexels.bindSampler(shared::kDrawUnit);
   mDepths.bindStorage(shared::kDepthBinding);
   mNearest.bindStorage(shared::kSeenBinding);
+  bindDepths(shared::kDepthUnit);
+  mPyramid.bindSampler(shared::kPyramidUnit);
   if (mHasOwners) bindOwners();
   const gpu::Program& program = programs.splat(list == shared::kDrawLarge);
   program.set(0, list);
   program.set(1, owners ? 1 : 0);
   program.set(2, int(first));
-  gpu::dispatch(program, {int(std::min(count, kMostGroupsAcross)), 1, 1});
+  if (list == shared::kDrawLarge) program.set(3, hasPyramid(phase, owners));
+  int parts = list == shared::kDrawLarge ? shared::kLargeParts : 1;
+  gpu::dispatch(program, {int(std::min(count, kMostGroupsAcross)), 1, parts});
 }
 
 void InstanceTarget::makePyramid(InstancePrograms& programs) {

@@ -17,7 +17,7 @@ namespace velum::render {
 
 namespace {
 
-constexpr std::uint32_t kSoftwareSlice = 1u << 17, kHardwareSlice = 1u << 24;  // instances that are culled at a time
+constexpr std::uint32_t kSoftwareCulled = 1u << 17, kHardwareCulled = 1u << 24;  // instances that are culled at a time
 constexpr double kPieceMs = 16.0, kMostGroups = 32768.0;  // of a piece that a software driver draws
 constexpr std::uint32_t kMostInstances = 1u << 27;        // over all copies: what numbers and buffers have room for
 constexpr int kLightEdge = 1024;                          // pixels of the light's view
@@ -159,11 +159,11 @@ void InstancePass::add(WorkQueue& queue, Run run) {
 
 void InstancePass::addPhase(mesoscale::InstanceTarget& target, const FrameData& data, Phase phase, WorkQueue& queue) {
   bool hasMembranes = (data.params.flags & shared::kFlagMembranes) != 0;
-  std::uint32_t slice = mIsSoftware ? kSoftwareSlice : kHardwareSlice;
-  for (std::uint32_t first = 0; first < mCount; first += std::min(slice, mCount - first))
-    add(queue, [this, &target, hasMembranes, phase, first, slice] {
+  std::uint32_t most = mIsSoftware ? kSoftwareCulled : kHardwareCulled;
+  for (std::uint32_t first = 0; first < mCount; first += std::min(most, mCount - first))
+    add(queue, [this, &target, hasMembranes, phase, first, most] {
       bindRows();
-      target.cull(mPrograms, hasMembranes, phase, first, std::min(mCount, first + slice));
+      target.cull(mPrograms, hasMembranes, phase, first, std::min(mCount, first + most));
     });
   add(queue, [this, &target, phase] { target.closeLists(mPrograms, phase); });
 }
@@ -231,6 +231,7 @@ void InstancePass::addSteps(const FrameData& data, int sample, WorkQueue& queue)
   add(queue, [this] { mEye.makePyramid(mPrograms); });
   addPhase(mEye, data, Phase::Others, queue);
   addDraws(mEye, Phase::Others, false, queue);
+  add(queue, [this] { mEye.makePyramid(mPrograms); });
   addDraws(mEye, Phase::SeenBefore, true, queue);
   addDraws(mEye, Phase::Others, true, queue);
   add(queue, [this, &data, sample] {

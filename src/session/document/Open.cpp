@@ -187,6 +187,7 @@ scene::Scene open(const scene::Source& source, Progress& progress, const DataPol
   if (!fs::exists(path)) throw InputError(fmt::format("{}: there is no such file or folder", source.path));
   if (auto text = readSceneText(path)) return fromText(*text, path, progress, policy, notes);
   scene::Scene scene;
+  if (policy.beforeData) policy.beforeData(scene);
   add(scene, source, progress, notes);
   scene.camera = scene::frameCamera(scene, scene::defaultView(scene), 4.0 / 3.0);
   scene::placeSections(scene);

@@ -1,7 +1,8 @@
 // Which instances are drawn, and by which of their levels. An instance is drawn that the cuts leave, that the window holds, and
 // that what is drawn already does not hide. [VE] 3.
 //
-// In two phases: first those that were seen last time, then, when their depths are known, all others.
+// In two phases: first those that were seen last time, then, when their depths are known, all others. SEEN: a thread looks at
+// a word of 32 instances; few of them were seen.
 layout(local_size_x = 64) in;
 
 #include "mesoscale/instances.glsl"
@@ -15,9 +16,10 @@ layout(std430, binding = kCountBinding) buffer CountBlock { uint counts[]; };
 layout(binding = kTypeUnit) uniform samplerBuffer typeTexture;
 layout(binding = kDepthUnit) uniform usamplerBuffer depthTexture;
 
-layout(location = 0) uniform int phase;      // 0: seen last time; 1: all others; 2: all, whatever hides them
-layout(location = 1) uniform int firstIndex; // of this dispatch
+layout(location = 0) uniform int phase;       // 0: seen last time; 1: all others; 2: all, whatever hides them
+layout(location = 1) uniform int firstIndex;  // of this dispatch: SEEN: words of 32 instances; else instances of a copy
 layout(location = 2) uniform int endIndex;
+layout(location = 3) uniform int firstCopy;
 
 /// What the cuts together leave: shaders/shared/cuts.h.
 bool cutsLeave(uint instance, uint type, vec3 p, float radius) {
@@ -87,13 +89,17 @@ bool isAside(vec3 q, float depth, float radius) {
   return any(greaterThan(max(below, above), vec2(radius)));
 }
 
-void main() {
-  int index = firstIndex + int(gl_GlobalInvocationID.x);
-  if (index >= endIndex) return;
-  uint instance = uint(index);
-  bool wasSeen = (seen[index >> 5] >> (index & 31) & 1u) != 0u;
-  if (phase < 2 && wasSeen != (phase == 0)) return;
-  Place place = placeOf(instance);
+/// Whether all of a copy lies beside the window or, where depths are known, behind what is drawn.
+bool isCopyOut(vec3 shift) {
+  vec3 q = view.copySphere.xyz + shift - view.eye.xyz;
+  float radius = view.copySphere.w;
+  float depth = dot(q, view.forward.xyz);
+  if (depth + radius <= 0.0 || isAside(q, depth, radius)) return true;
+  return phase == 1 && depth > radius && isHidden(pixelsOf(q, radius), depth - radius);
+}
+
+/// Draws one, where it shows.
+void cullOne(uint instance, Place place) {
   MoleculeRow molecule = moleculeAt(place.molecule);
   if (texelFetch(typeTexture, int(molecule.type)).a == 0.0) return;  // it is hidden
   vec3 middle = place.position + turned(place.rotation, molecule.sphere.xyz);
@@ -121,4 +127,23 @@ void main() {
   if (row.radius * perLength > view.largeRadius) list = kDrawLarge;
   uint slot = atomicAdd(counts[list], 1u);
   draws[uint(list) * uint(view.instanceCount * view.copies) + slot] = DrawRow(instance, level);
+}
+
+void main() {
+  int index = firstIndex + int(gl_GlobalInvocationID.x);
+  if (index >= endIndex) return;
+#ifdef SEEN
+  for (uint bits = seen[index]; bits != 0u; bits &= bits - 1u) {
+    uint instance = uint(32 * index + findLSB(bits));
+    cullOne(instance, placeOf(instance));
+  }
+#else
+  // A row of groups is a copy: nothing has to be divided.
+  int copy = firstCopy + int(gl_WorkGroupID.y);
+  vec3 shift = copyShift(copy);
+  if (view.copies > 1 && isCopyOut(shift)) return;
+  uint instance = uint(copy * view.instanceCount + index);
+  if (phase == 1 && (seen[instance >> 5] >> (instance & 31u) & 1u) != 0u) return;
+  cullOne(instance, placeIn(index, shift));
+#endif
 }

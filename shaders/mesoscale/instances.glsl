@@ -15,21 +15,26 @@ struct Place {
   int molecule;
 };
 
+/// From the first copy to another one. Software drivers divide thread by thread: who has one copy does not ask.
+vec3 copyShift(int copy) {
+  if (view.copies == 1) return vec3(0.0);
+  int layer = copy / (view.copiesX * view.copiesY);
+  int inLayer = copy - layer * view.copiesX * view.copiesY;
+  int line = inLayer / view.copiesX;
+  return vec3(inLayer - line * view.copiesX, line, layer) * view.copyStep.xyz;
+}
+
+/// @param row  of the instances of a copy
+Place placeIn(int row, vec3 shift) {
+  vec4 first = texelFetch(instanceTexture, 2 * row);
+  return Place(first.xyz + shift, texelFetch(instanceTexture, 2 * row + 1), int(floatBitsToUint(first.w)));
+}
+
 /// @param instance  over all copies
 Place placeOf(uint instance) {
-  int row = int(instance);
-  vec3 at = vec3(0.0);
-  // Software drivers divide thread by thread.
-  if (view.copies > 1) {
-    uint copy = instance / uint(view.instanceCount);
-    row = int(instance - copy * uint(view.instanceCount));
-    uint layer = copy / uint(view.copiesX * view.copiesY);
-    uint inLayer = copy - layer * uint(view.copiesX * view.copiesY);
-    uint line = inLayer / uint(view.copiesX);
-    at = vec3(inLayer - line * uint(view.copiesX), line, layer) * view.copyStep.xyz;
-  }
-  vec4 first = texelFetch(instanceTexture, 2 * row);
-  return Place(first.xyz + at, texelFetch(instanceTexture, 2 * row + 1), int(floatBitsToUint(first.w)));
+  if (view.copies == 1) return placeIn(int(instance), vec3(0.0));
+  int copy = int(instance / uint(view.instanceCount));
+  return placeIn(int(instance) - copy * view.instanceCount, copyShift(copy));
 }
 
 MoleculeRow moleculeAt(int molecule) {

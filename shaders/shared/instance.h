@@ -70,6 +70,7 @@ struct InstanceView {
   vec4 up;
   vec4 forward;      ///< unit
   vec4 copyStep;     ///< xyz: from copy to copy along each axis
+  vec4 copySphere;   ///< around the first copy: middle, radius
   vec2 pictureSize;  ///< of the whole picture, pixels
   vec2 shift;        ///< from a pixel of the window to where its ray goes through the whole picture, pixels
   ivec2 size;        ///< of the window, pixels

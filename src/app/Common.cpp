@@ -115,9 +115,9 @@ scene::RawLayout parseRaw(const std::string& text) {
   return raw;
 }
 
-/// What decides how data is read.
+/// What decides how data is read, and where the camera then stands.
 bool isSourceField(const std::string& path) {
-  return path.find(".source.") != std::string::npos || path == "model.completes";
+  return path.find(".source.") != std::string::npos || path == "model.completes" || path == "model.copies";
 }
 
 /// Of the user's own, rather than the name of one of ours.

@@ -27,9 +27,15 @@ int groupsOf(std::uint32_t threads) { return int((threads + 63) / 64); }
 
 }  // namespace
 
-const gpu::Program& InstancePrograms::cull(bool hasMembranes) {
-  return made(mCull[hasMembranes], "mesoscale/cull.comp",
-              hasMembranes ? gpu::Defines{{"MEMBRANES", "1"}} : gpu::Defines{});
+gpu::Defines cullDefines(bool hasMembranes, bool isOfSeen) {
+  gpu::Defines defines;
+  if (hasMembranes) defines.emplace_back("MEMBRANES", "1");
+  if (isOfSeen) defines.emplace_back("SEEN", "1");
+  return defines;
+}
+
+const gpu::Program& InstancePrograms::cull(bool hasMembranes, bool isOfSeen) {
+  return made(mCull[{hasMembranes, isOfSeen}], "mesoscale/cull.comp", cullDefines(hasMembranes, isOfSeen));
 }
 const gpu::Program& InstancePrograms::splat(bool isLarge) {
   return made(mSplat[isLarge], "mesoscale/splat.comp", isLarge ? gpu::Defines{{"LARGE", "1"}} : gpu::Defines{});
@@ -38,7 +44,11 @@ const gpu::Program& InstancePrograms::arguments() { return made(mArguments, "mes
 const gpu::Program& InstancePrograms::pyramid() { return made(mPyramid, "mesoscale/pyramid.comp"); }
 const gpu::Program& InstancePrograms::seen() { return made(mSeen, "mesoscale/seen.comp"); }
 
-void InstanceTarget::resize(glm::ivec2 size, std::uint32_t count) {
+void InstanceTarget::resize(glm::ivec2 size, std::uint32_t instances, int copies) {
+  std::uint32_t count = instances * std::uint32_t(copies);
+  if (instances != mInstances) forget();
+  mInstances = instances;
+  mCopies = copies;
   if (size != mSize) {
     mSize = size;
     std::size_t bytes = std::size_t(size.x) * std::size_t(size.y) * sizeof(std::uint32_t);
@@ -100,19 +110,34 @@ void InstanceTarget::bindLists(const Lists& lists) const {
   lists.counts.bindStorage(shared::kCountBinding);
 }
 
-void InstanceTarget::cull(InstancePrograms& programs, bool hasMembranes, CullPhase phase, std::uint32_t first,
-                          std::uint32_t end) {
+std::vector<InstanceTarget::CullPart> InstanceTarget::partsOf(CullPhase phase, std::uint32_t most) const {
+  std::vector<CullPart> parts;
+  if (phase == CullPhase::SeenBefore) {
+    std::uint32_t words = (mCount + 31) / 32;
+    for (std::uint32_t first = 0; first < words; first += std::min(most, words - first))
+      parts.push_back({first, std::min(words, first + most), 0, 1});
+    return parts;
+  }
+  int atATime = std::clamp(int(most / std::max(1u, mInstances)), 1, mCopies);
+  for (int copy = 0; copy < mCopies; copy += atATime)
+    for (std::uint32_t first = 0; first < mInstances; first += std::min(most, mInstances - first))
+      parts.push_back({first, std::min(mInstances, first + most), copy, std::min(atATime, mCopies - copy)});
+  return parts;
+}
+
+void InstanceTarget::cull(InstancePrograms& programs, bool hasMembranes, CullPhase phase, const CullPart& part) {
   const Lists& lists = listsOf(phase);
   bindLists(lists);
   lists.draws.bindStorage(shared::kDrawBinding);
   mSeen.bindStorage(shared::kSeenBinding);
   mPyramid.bindSampler(shared::kPyramidUnit);
   bindDepths(shared::kDepthUnit);
-  const gpu::Program& program = programs.cull(hasMembranes);
+  const gpu::Program& program = programs.cull(hasMembranes, phase == CullPhase::SeenBefore);
   program.set(0, static_cast<int>(phase));
-  program.set(1, int(first));
-  program.set(2, int(end));
-  gpu::dispatch(program, {groupsOf(end - first), 1, 1});
+  program.set(1, int(part.first));
+  program.set(2, int(part.end));
+  if (phase != CullPhase::SeenBefore) program.set(3, part.firstCopy);
+  gpu::dispatch(program, {groupsOf(part.end - part.first), part.copies, 1});
 }
 
 void InstanceTarget::closeLists(InstancePrograms& programs, CullPhase phase) {

@@ -147,7 +147,7 @@ const Offset kInstanceViewOffsets[] = {
     VELUM_OFFSET(InstanceView, right),
     VELUM_OFFSET(InstanceView, up),
     VELUM_OFFSET(InstanceView, forward),
-    VELUM_OFFSET(InstanceView, copyStep),
+    VELUM_OFFSET(InstanceView, copyStep), VELUM_OFFSET(InstanceView, copySphere),
     VELUM_OFFSET(InstanceView, pictureSize),
     VELUM_OFFSET(InstanceView, shift),
     VELUM_OFFSET(InstanceView, size),

@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <map>
+#include <utility>
+#include <vector>
 
 #include "velum/gpu/Buffer.h"
 #include "velum/gpu/Program.h"
@@ -15,17 +17,21 @@ struct InstanceView;
 
 namespace velum::mesoscale {
 
+/// What the program is compiled for that culls: cuts with sheets; what was seen before, or all else.
+gpu::Defines cullDefines(bool hasMembranes, bool isOfSeen);
+
 /// The programs that draw instances into a target. GL thread.
 class InstancePrograms {
  public:
-  const gpu::Program& cull(bool hasMembranes);
+  const gpu::Program& cull(bool hasMembranes, bool isOfSeen);
   const gpu::Program& splat(bool isLarge);
   const gpu::Program& arguments();
   const gpu::Program& pyramid();
   const gpu::Program& seen();
 
  private:
-  std::map<bool, gpu::Program> mCull, mSplat;
+  std::map<std::pair<bool, bool>, gpu::Program> mCull;
+  std::map<bool, gpu::Program> mSplat;
   gpu::Program mArguments, mPyramid, mSeen;
 };
 
@@ -44,15 +50,23 @@ class InstanceTarget {
   /// @param hasOwners  who is in each pixel, not only how far it is
   InstanceTarget(const char* label, bool hasOwners) : mLabel(label), mHasOwners(hasOwners) {}
 
-  /// @param count  instances of all copies. What was seen before is forgotten where it is another.
-  void resize(glm::ivec2 size, std::uint32_t count);
+  /// @param instances  of one copy. What was seen before is forgotten where these are others.
+  void resize(glm::ivec2 size, std::uint32_t instances, int copies);
   /// Forgets what was seen before: another model.
   void forget();
   glm::ivec2 size() const { return mSize; }
 
   void begin(const shared::InstanceView& view);
-  /// Over a range of instances of all copies. The frame's cuts and spares are bound.
-  void cull(InstancePrograms& programs, bool hasMembranes, CullPhase phase, std::uint32_t first, std::uint32_t end);
+  /// A part of a phase: of SeenBefore a range of words of 32 instances, of the others a range of the instances of each of
+  /// some copies.
+  struct CullPart {
+    std::uint32_t first = 0, end = 0;
+    int firstCopy = 0, copies = 1;
+  };
+  /// All parts of a phase. @param most  instances of one of them, about
+  std::vector<CullPart> partsOf(CullPhase phase, std::uint32_t most) const;
+  /// The frame's cuts and spares are bound.
+  void cull(InstancePrograms& programs, bool hasMembranes, CullPhase phase, const CullPart& part);
   /// Lists of a phase are complete.
   void closeLists(InstancePrograms& programs, CullPhase phase);
   /// Groups that a list of a phase takes. Waits for the GPU.
@@ -85,7 +99,8 @@ class InstanceTarget {
   const char* mLabel;
   bool mHasOwners;
   glm::ivec2 mSize{0}, mTiles{0};
-  std::uint32_t mCount = 0;
+  std::uint32_t mInstances = 0, mCount = 0;  ///< Of a copy, of all.
+  int mCopies = 1;
   gpu::Buffer mView, mDepths, mOwners, mBalls, mSeen, mNearest;
   gpu::Texture mDepthTexels, mPyramid;
   std::array<Lists, 2> mLists;

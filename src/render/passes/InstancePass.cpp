@@ -38,6 +38,9 @@ shared::InstanceView viewOf(const FrameData& data, const shared::FrameParams& pa
   view.shift = glm::vec2(frame.windowOrigin) + 0.5f + params.subpixel;
   double scale = angstromOf(data);
   view.copyStep = glm::vec4(glm::vec3(copies.step * scale), 0.0f);
+  glm::dvec3 low = glm::dvec3(frame.scene.model.data->low) * scale, high = glm::dvec3(frame.scene.model.data->high) * scale;
+  // Balls of coarse levels reach a little beyond the spheres of the atoms.
+  view.copySphere = glm::vec4(glm::vec3(0.5 * (low + high) - sceneOrigin(data.grid)), 0.55f * float(glm::length(high - low)));
   view.copiesX = copies.counts.x;
   view.copiesY = copies.counts.y;
   view.copies = std::max(1, frame.scene.model.copies);
@@ -117,7 +120,7 @@ void InstancePass::makeSet(const FrameData& data) {
     mKey = key;
   }
   mCount = std::uint32_t(count);
-  mEye.resize(data.frame.windowSize, mCount);
+  mEye.resize(data.frame.windowSize, std::uint32_t(layer.data->instances.size()), std::max(1, layer.copies));
 }
 
 void InstancePass::writeRows(const FrameData& data) {
@@ -159,11 +162,10 @@ void InstancePass::add(WorkQueue& queue, Run run) {
 
 void InstancePass::addPhase(mesoscale::InstanceTarget& target, const FrameData& data, Phase phase, WorkQueue& queue) {
   bool hasMembranes = (data.params.flags & shared::kFlagMembranes) != 0;
-  std::uint32_t most = mIsSoftware ? kSoftwareCulled : kHardwareCulled;
-  for (std::uint32_t first = 0; first < mCount; first += std::min(most, mCount - first))
-    add(queue, [this, &target, hasMembranes, phase, first, most] {
+  for (const auto& part : target.partsOf(phase, mIsSoftware ? kSoftwareCulled : kHardwareCulled))
+    add(queue, [this, &target, hasMembranes, phase, part] {
       bindRows();
-      target.cull(mPrograms, hasMembranes, phase, first, std::min(mCount, first + most));
+      target.cull(mPrograms, hasMembranes, phase, part);
     });
   add(queue, [this, &target, phase] { target.closeLists(mPrograms, phase); });
 }
@@ -216,8 +218,8 @@ void InstancePass::addSteps(const FrameData& data, int sample, WorkQueue& queue)
   if (sample == 0) mHasLight = wantsLight;
   if (sample == 0 && wantsLight) {
     mLightParams = lightViewOf(data, view);
+    mLight.resize(glm::ivec2(kLightEdge), std::uint32_t(view.instanceCount), view.copies);
     add(queue, [this] {
-      mLight.resize(glm::ivec2(kLightEdge), mCount);
       mLight.begin(mLightParams);
       mLightParams.size = mLight.size();
       mLightView.set(mLightParams);

@@ -5,9 +5,7 @@
 layout(local_size_x = 64) in;
 
 #include "mesoscale/instances.glsl"
-#ifdef LARGE
 #include "mesoscale/hidden.glsl"
-#endif
 
 layout(std430, binding = kDepthBinding) buffer DepthBlock { uint depths[]; };
 layout(std430, binding = kOwnerBinding) buffer OwnerBlock { uint owners[]; };
@@ -20,9 +18,7 @@ layout(binding = kDrawUnit) uniform usamplerBuffer drawTexture;
 layout(location = 0) uniform int list;        // kDraw*
 layout(location = 1) uniform int writesOwner; // 0: depths; 1: who has them
 layout(location = 2) uniform int firstGroup;  // of this dispatch
-#ifdef LARGE
 layout(location = 3) uniform int hasPyramid;  // the pyramid is of depths that are drawn already
-#endif
 
 /// @param least  bits of the depth of the ball's nearest place
 /// @return whether it is nearer than what was there
@@ -63,6 +59,9 @@ ivec4 rectOf(vec3 q, float radius) {
   return ivec4(max(ivec2(ceil(pixels.xy)), ivec2(0)), min(ivec2(floor(pixels.zw)), view.size - 1));
 }
 
+/// Whether a ball lies behind what is drawn: half of those of an instance lie behind the other half.
+bool isHidden(ivec4 rect, uint least) { return hasPyramid != 0 && uintBitsToFloat(least) > farthestIn(rect.xy, rect.zw); }
+
 void main() {
   int lane = int(gl_LocalInvocationIndex);
   int group = firstGroup + int(gl_WorkGroupID.x + gl_WorkGroupID.y * gl_NumWorkGroups.x);
@@ -89,7 +88,7 @@ void main() {
     uint least = leastBits(q, ball.w);
     int wide = rect.z - rect.x + 1;
     int count = rect.z < rect.x || rect.w < rect.y ? 0 : wide * (rect.w - rect.y + 1);
-    if (count > 0 && hasPyramid != 0 && uintBitsToFloat(least) > farthestIn(rect.xy, rect.zw)) count = 0;
+    if (count > 0 && isHidden(rect, least)) count = 0;
     for (int p = lane; p < count; p += kInstanceGroup)
       isNearest = drawPixel(rect.xy + ivec2(p % wide, p / wide), q, ball.w, least, draw.x, number) || isNearest;
   }
@@ -100,7 +99,7 @@ void main() {
     vec3 q = origin + turned(at.rotation, ball.xyz);
     ivec4 rect = rectOf(q, ball.w);
     uint least = leastBits(q, ball.w);
-    if (rect.z < rect.x) continue;
+    if (any(greaterThan(rect.xy, rect.zw)) || isHidden(rect, least)) continue;
     // One loop: a SIMD group goes on until the last of its threads is done.
     ivec2 pixel = rect.xy;
     while (pixel.y <= rect.w) {

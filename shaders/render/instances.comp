@@ -37,12 +37,12 @@ float missOf(Placed ball, vec3 hit) { return abs(length(hit - ball.middle) / bal
 /// The ball that a pixel shows: where two instances were as near, it may be noted of the other one.
 Placed shownBall(Place place, MoleculeRow molecule, uint number, vec3 hit) {
   Placed best = placedBall(place, number);
+  float least = missOf(best, hit);
+  if (least < 0.02) return best;
   uint from = levelAt(molecule.firstLevel).first;
   LevelRow last = levelAt(molecule.firstLevel + molecule.levelCount - 1u);
-  uint to = last.first + last.count;
-  bool isIt = number >= from && number < to && missOf(best, hit) < 0.02;
-  float least = isIt ? 0.0 : 1e30;
-  uint end = isIt ? from : to;
+  uint end = last.first + last.count;
+  least = 1e30;
   for (uint i = from; i < end; ++i) {
     Placed ball = placedBall(place, i);
     float miss = missOf(ball, hit);

@@ -82,6 +82,7 @@ void castStretches(inout Hit hit, Ray ray, Walk walk, float from, float tEnd) {
 /// Everything along one ray, up to an opaque surface at `stop`.
 Hit castRay(Ray ray, float jitter, float stop) {
   Hit hit = Hit(vec4(0.0), kFar, -ray.direction, 0u);
+  if (hasFlag(kFlagNoData)) return hit;
   vec2 box = boxInterval(ray);
   float tEnd = min(box.y, stop);
   if (box.x >= tEnd) return hit;

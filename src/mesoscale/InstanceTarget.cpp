@@ -168,7 +168,7 @@ void InstanceTarget::drawList(InstancePrograms& programs, CullPhase phase, int l
   program.set(0, list);
   program.set(1, owners ? 1 : 0);
   program.set(2, 0);
-  if (list == shared::kDrawLarge) program.set(3, hasPyramid(phase, owners));
+  program.set(3, hasPyramid(phase, owners));
   gpu::dispatchIndirect(program, lists.counts, list + int(kCountBytes / sizeof(shared::DispatchCommand)));
 }
 
@@ -186,7 +186,7 @@ void InstanceTarget::drawGroups(InstancePrograms& programs, CullPhase phase, int
   program.set(0, list);
   program.set(1, owners ? 1 : 0);
   program.set(2, int(first));
-  if (list == shared::kDrawLarge) program.set(3, hasPyramid(phase, owners));
+  program.set(3, hasPyramid(phase, owners));
   int parts = list == shared::kDrawLarge ? shared::kLargeParts : 1;
   gpu::dispatch(program, {int(std::min(count, kMostGroupsAcross)), 1, parts});
 }

@@ -112,6 +112,7 @@ void completeFrameData(FrameData& data) {
     hasLooks = hasLooks || row.color.a != 1.0f;
   }
   if (hasLooks) data.params.flags |= shared::kFlagStructureLooks;
+  if (!data.volume && data.labelUse == LabelUse::None) data.params.flags |= shared::kFlagNoData;
   if (needsSamples(scene.finish)) data.params.flags |= shared::kFlagFinish;
   if (data.cuts.size() >= kFewCuts) data.params.flags |= shared::kFlagCutGrid;
   if (!data.spares.isEmpty()) data.params.flags |= shared::kFlagSpares;

@@ -237,7 +237,7 @@ void InstancePass::addSteps(const FrameData& data, int sample, WorkQueue& queue)
   addDraws(mEye, Phase::SeenBefore, true, queue);
   addDraws(mEye, Phase::Others, true, queue);
   add(queue, [this, &data, sample] {
-    mEye.noteSeen(mPrograms);
+    if (sample == 0) mEye.noteSeen(mPrograms);
     shade(data, sample);
   });
 }

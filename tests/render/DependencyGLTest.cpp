@@ -1,6 +1,7 @@
 // What a renderer keeps from frame to frame it may keep only as long as nothing that it was made from changes.
 #include "ChangeFields.h"
 #include "RenderFixture.h"
+#include "velum/core/ModelBuilder.h"
 
 namespace velum {
 namespace {
@@ -40,6 +41,7 @@ class DependencyGL : public RenderTest, public testing::WithParamInterface<int> 
     scene.finish.contourWidth = 40;  // of such small pictures
     scene.finish.paper = scene::Paper::Rough;
     scene.surfaces = {triangle({-12, 4, -6}, {12, 4, -6}, {0, 5, 6})};
+    addModel(scene);
     lookAlong(scene, {0.3, -1, 0.25}, 40);
     return scene;
   }
@@ -85,6 +87,27 @@ class DependencyGL : public RenderTest, public testing::WithParamInterface<int> 
     scene::Surface surface;
     surface.data = Shared<Mesh>(std::move(mesh));
     return surface;
+  }
+  /// Balls of some millimetres before and in the data; a cut leaves half of them.
+  static void addModel(scene::Scene& scene) {
+    ModelBuilder builder("balls");
+    MoleculeType type;
+    type.name = "ball";
+    type.compartment = builder.compartment(std::vector<std::string>{"a"});
+    constexpr float kMm = 1e7f;  // angstrom
+    std::uint32_t molecule = builder.addMolecule(
+        builder.addType(type), {}, {{{0, 0, 0, 1.2f * kMm}, {kMm, 0, 0, kMm}, {0, kMm, 0.4f * kMm, 0.7f * kMm}}});
+    for (int i = 0; i < 24; ++i)
+      builder.addInstance(molecule, kMm * glm::vec3(float(i % 6) * 4 - 10, -5.0f - float(i % 5), float(i / 6) * 3 - 5),
+                          glm::quat(1, 0, 0, 0));
+    scene.model.data = Shared<Model>(builder.build());
+    scene.model.nearColors = 0.5;
+    scene.model.types = {{"root.a.ball", true, {}, "wax"}};
+    scene.lighting.fog = 0.4;
+    scene.cuts[0].typeSpares = {{}};
+    scene.cuts[0].typeSpares[0].type = "root.a";
+    scene.cuts[0].typeSpares[0].share = 0.5;
+    scene.cuts[0].typeSpares[0].falloff = 3;
   }
   static void addCuts(scene::Scene& scene) {
     scene::Cut sphere;

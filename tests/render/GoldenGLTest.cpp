@@ -9,6 +9,8 @@
 #include "velum/io/images/ImageCompare.h"
 #include "velum/io/images/ImageFile.h"
 #include "velum/io/phantoms/Sample.h"
+#include "velum/io/phantoms/Virion.h"
+#include "velum/mesoscale/Levels.h"
 #include "velum/render/RenderPicture.h"
 #include "velum/scene/Presets.h"
 #include "velum/scene/json/Json.h"
@@ -29,7 +31,19 @@ scene::StandardView viewNamed(const std::string& name) {
 
 using Json = nlohmann::json;
 
+/// The virion, which is a model.
+scene::Scene modelOf(const Json& what) {
+  Progress progress;
+  scene::Scene scene;
+  scene.unit = LengthUnit::Angstrom;
+  scene.model.data = Shared<Model>(io::makeVirion(progress));
+  scene.model.levels = Shared<LevelSet>(mesoscale::computeLevels(*scene.model.data, progress));
+  scene::applyPreset(scene, what.at("preset").get<std::string>());
+  return scene;
+}
+
 scene::Scene dataOf(const Json& what) {
+  if (what.at("sample") == "virion") return modelOf(what);
   Progress progress;
   io::Sample sample = io::makeSample(what.at("sample").get<std::string>(), what.at("voxels"), progress);
   scene::Scene scene;

@@ -20,7 +20,7 @@ namespace {
 constexpr std::uint32_t kSoftwareCulled = 1u << 17, kHardwareCulled = 1u << 24;  // instances that are culled at a time
 constexpr double kPieceMs = 16.0, kMostGroups = 32768.0;  // of a piece that a software driver draws
 constexpr std::uint32_t kMostInstances = 1u << 27;        // over all copies: what numbers and buffers have room for
-constexpr int kLightEdge = 1024;                          // pixels of the light's view
+constexpr int kLeastLightEdge = 128, kMostLightEdge = 1024;  // pixels of the light's view
 constexpr float kLightDetail = 2.0f;                      // shadows are soft
 constexpr float kPreviewDetail = 3.0f;
 constexpr float kLargeRadius = 10.0f;  // pixels: see docs/PERFORMANCE.md
@@ -53,6 +53,13 @@ shared::InstanceView viewOf(const FrameData& data, const shared::FrameParams& pa
   return view;
 }
 
+/// Pixels along each edge of the light's view: about as many as the picture has.
+int lightEdge(const Frame& frame) {
+  int edge = kLeastLightEdge;
+  while (edge < kMostLightEdge && edge < std::max(frame.pictureSize.x, frame.pictureSize.y)) edge *= 2;
+  return edge;
+}
+
 /// What of the model the picture shows, as the key light sees it: a square about it.
 shared::InstanceView lightViewOf(const FrameData& data, const shared::InstanceView& eye) {
   scene::ModelBox box = scene::modelBox(data.frame.scene.model);
@@ -74,7 +81,7 @@ shared::InstanceView lightViewOf(const FrameData& data, const shared::InstanceVi
   view.right = glm::vec4(glm::vec3(right * reach), 0.0f);
   view.up = glm::vec4(glm::vec3(up * reach), 0.0f);
   view.forward = glm::vec4(glm::vec3(along), 0.0f);
-  view.pictureSize = glm::vec2(kLightEdge);
+  view.pictureSize = glm::vec2(float(lightEdge(data.frame)));
   view.shift = glm::vec2(0.5f);
   view.isOrthographic = 1;
   view.detail = std::max(kLightDetail, view.detail);
@@ -218,7 +225,7 @@ void InstancePass::addSteps(const FrameData& data, int sample, WorkQueue& queue)
   if (sample == 0) mHasLight = wantsLight;
   if (sample == 0 && wantsLight) {
     mLightParams = lightViewOf(data, view);
-    mLight.resize(glm::ivec2(kLightEdge), std::uint32_t(view.instanceCount), view.copies);
+    mLight.resize(glm::ivec2(lightEdge(data.frame)), std::uint32_t(view.instanceCount), view.copies);
     add(queue, [this] {
       mLight.begin(mLightParams);
       mLightParams.size = mLight.size();
@@ -259,7 +266,7 @@ void InstancePass::shade(const FrameData& data, int sample) {
   values.fogFar = float(middle + half);
   values.nearColors = float(scene.model.nearColors);
   values.radius = float(scene.lighting.occlusionRadius * glm::length(high - low));
-  values.lightTexel = mHasLight ? 2.0f * glm::length(glm::vec3(mLightParams.up)) / kLightEdge : 0.0f;
+  values.lightTexel = mHasLight ? 2.0f * glm::length(glm::vec3(mLightParams.up)) / mLightParams.pictureSize.x : 0.0f;
   values.noise = float(std::fmod(0.6180339887498949 * sample, 1.0));
   values.occlusionTaps = data.frame.isPreview ? 3 : kTaps;
   values.firstInstance = firstModelInstance(scene);

@@ -110,6 +110,7 @@ TEST(Extrusion, AClickPullsOutOfTheFaceThatItIsOnAndOutOfEitherWhereTwoOverlap) 
   ASSERT_TRUE(second);
   EXPECT_EQ(scene.cuts[1].id, *second);
   EXPECT_TRUE(scene.cuts[1].joined);
+  EXPECT_EQ(scene.cuts[1].name, "Plane 2");
   glm::dvec3 a = pullDirection(scene.cuts[0], {}), b = pullDirection(scene.cuts[1], {});
   EXPECT_NEAR(glm::dot(a, b), 0.0, 1e-9) << "across each other";
   EXPECT_EQ(cutsUnder(scene, 20.0 * b, 0, 1.0), std::vector<int>{first}) << "on the first face, far before the second";

@@ -19,7 +19,7 @@ void setCutFrame(scene::Cut& cut, const glm::dmat3& frame);
 /// middle of the data, are brought towards the eye until they open its side.
 scene::Cut makeCut(const scene::Scene& scene, scene::CutShape shape);
 
-/// What a new cut is called: its shape with a number, that of its place at the end of the list or the next that is free.
+/// What a new cut is called: its shape with a number, that of its place at the end of the list or the next free one.
 std::string newCutName(const scene::Scene& scene, scene::CutShape shape);
 
 /// A plane through the middle of the scene that takes away the half before it, as the camera sees it.

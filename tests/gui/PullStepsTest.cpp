@@ -102,7 +102,7 @@ TEST_F(PullGuide, OfSeveralCutsARowSaysOutOfWhichItIs) {
   document().edit("Pull", [](scene::Scene& scene) { session::setExtrusion(scene.cuts[1], 1, 9.0); });
   ASSERT_EQ(list->count(), 2);
   EXPECT_TRUE(row(0).endsWith("6.0 mm out of Plane 1")) << row(0).toStdString();
-  EXPECT_TRUE(row(1).endsWith("9.0 mm out of Cut 2")) << row(1).toStdString();
+  EXPECT_TRUE(row(1).endsWith("9.0 mm out of Plane 2")) << row(1).toStdString();
   document().edit("Rename", [](scene::Scene& scene) {
     scene.cuts[0].name = "Front";
     scene.cuts[1].name.clear();

@@ -134,6 +134,7 @@ TEST_F(PullWindow, WithoutACutTheToolMakesOne) {
   press("U");
   ASSERT_EQ(scene().cuts.size(), 1u);
   EXPECT_EQ(cut().shape, scene::CutShape::Plane);
+  EXPECT_EQ(cut().name, "Plane 1");
 }
 
 }  // namespace velum::gui

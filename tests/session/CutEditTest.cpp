@@ -89,6 +89,17 @@ TEST(CutEdit, ANewPlaneGoesAcrossAnAxisAndTakesTheSideOfTheEye) {
   EXPECT_GT(glm::dot(plane.axis, scene.camera.eye - plane.centre), 0.0);
 }
 
+TEST(CutEdit, ANewCutIsCalledByItsShapeAndANumberThatIsFree) {
+  scene::Scene scene = boxScene(kSize);
+  scene.cuts.clear();
+  EXPECT_EQ(newCutName(scene, scene::CutShape::Plane), "Plane 1");
+  scene.cuts.resize(2);
+  scene.cuts[0].name = "Plane 2";
+  scene.cuts[1].name = "Plane 3";
+  EXPECT_EQ(newCutName(scene, scene::CutShape::Plane), "Plane 4") << "the first one was removed";
+  EXPECT_EQ(newCutName(scene, scene::CutShape::Sphere), "Sphere 3");
+}
+
 TEST(CutEdit, APlaneThroughThreePointsHoldsThemAndTakesTheSideOfTheEye) {
   scene::Scene scene = boxScene(kSize);
   glm::dvec3 a(10, 20, 30), b(80, 40, 60), c(30, 150, 200);

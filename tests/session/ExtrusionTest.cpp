@@ -110,6 +110,7 @@ TEST(Extrusion, AClickPullsOutOfTheFaceThatItIsOnAndOutOfEitherWhereTwoOverlap) 
   ASSERT_TRUE(second);
   EXPECT_EQ(scene.cuts[1].id, *second);
   EXPECT_TRUE(scene.cuts[1].joined);
+  EXPECT_EQ(scene.cuts[1].name, "Plane 2");
   glm::dvec3 a = pullDirection(scene.cuts[0], {}), b = pullDirection(scene.cuts[1], {});
   EXPECT_NEAR(glm::dot(a, b), 0.0, 1e-9) << "across each other";
   EXPECT_EQ(cutsUnder(scene, 20.0 * b, 0, 1.0), std::vector<int>{first}) << "on the first face, far before the second";
@@ -171,6 +172,31 @@ TEST(MaterialRange, AClickOnBoneMeansBone) {
   EXPECT_LT(flesh->low, 50.0);
   EXPECT_GT(flesh->high, 50.0);
   EXPECT_FALSE(materialRangeAt(scene.volume, {1000, 0, 0}));
+}
+
+TEST(Pull, AStructureGrowsFromASpotThatNoiseHasPutOutOfItsRange) {
+  scene::Scene scene = boneScene();
+  Volume volume = *scene.volume.data;
+  auto* values = reinterpret_cast<std::int16_t*>(volume.voxels.data());
+  // All voxels on the way out of the face from the place, and one beside them that hangs together with nothing.
+  auto darken = [&](int x, int y, int z) { values[x + 40 * (y + 40 * z)] = 300; };
+  for (int y = 14; y < 20; ++y) darken(20, y, 20);
+  for (int axis : {0, 2})
+    for (int step : {-1, 1}) darken(21 + (axis == 0 ? step : 0), 19, 20 + (axis == 2 ? step : 0));
+  darken(21, 18, 20);
+  scene.volume.data = Shared<Volume>(std::move(volume));
+  auto pull = beginPull(scene, scene.cuts[0].id, {1, 0, 1}, 0);
+  ASSERT_TRUE(pull && pull->growth);
+  EXPECT_GT(pull->growth->low, 300.0);
+  EXPECT_GT(depthInCut(scene.cuts[0], pull->growth->seeds[0]), 0.0);
+  pullTo(scene, *pull, 7.0);
+  Progress progress;
+  settleGrowths(scene, progress);
+  std::size_t count = 0;
+  for (int z = 0; z < 40; ++z)
+    for (int y = 0; y < 40; ++y)
+      for (int x = 0; x < 40; ++x) count += scene.labels.data->at({x, y, z}) == pull->structure;
+  EXPECT_GT(count, 300u);
 }
 
 TEST(Pull, AClickOnWhatHasNoLabelMakesAStructureThatGrowsAsFarAsItIsPulled) {

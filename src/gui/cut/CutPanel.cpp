@@ -134,8 +134,7 @@ bool CutPanel::hasRoom() {
 
 void CutPanel::addCut(scene::Cut cut, const char* label) {
   if (!hasData() || !hasRoom()) return;
-  auto number = mDocument.scene().cuts.size() + 1;
-  if (cut.name.empty()) cut.name = QString("%1 %2").arg(shapeTitle(cut.shape)).arg(number).toStdString();
+  if (cut.name.empty()) cut.name = session::newCutName(mDocument.scene(), cut.shape);
   int id = 0;
   mDocument.edit(label, [&](scene::Scene& scene) { id = scene::addCut(scene, cut); });
   mSelection.setCut(id);

@@ -36,8 +36,11 @@ bool PullTool::start() {
   mChosen.clear();
   if (hasCutToPullFrom(scene)) return true;
   int id = 0;
-  mDocument.edit("Cut to pull out of",
-                 [&](scene::Scene& s) { id = scene::addCut(s, session::makeCut(s, scene::CutShape::Plane)); });
+  mDocument.edit("Cut to pull out of", [&](scene::Scene& s) {
+    scene::Cut plane = session::makeCut(s, scene::CutShape::Plane);
+    plane.name = session::newCutName(s, plane.shape);
+    id = scene::addCut(s, plane);
+  });
   mSelection.setCut(id);
   return true;
 }

@@ -1,5 +1,7 @@
 #include "velum/session/cut/CutEdit.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -96,6 +98,14 @@ CutPosition cutPosition(const scene::Scene& scene, const scene::Cut& cut) {
 scene::Cut withOffset(const scene::Scene& scene, scene::Cut cut, double offset) {
   cut.centre += cutFrame(cut)[2] * (offset - cutPosition(scene, cut).offset);
   return cut;
+}
+
+std::string newCutName(const scene::Scene& scene, scene::CutShape shape) {
+  auto isTaken = [&](const std::string& name) {
+    return std::any_of(scene.cuts.begin(), scene.cuts.end(), [&](const auto& cut) { return cut.name == name; });
+  };
+  for (std::size_t number = scene.cuts.size() + 1;; ++number)
+    if (auto name = fmt::format("{} {}", traitsOf(shape).title, number); !isTaken(name)) return name;
 }
 
 void replaceCut(scene::Scene& scene, scene::Cut moved) {

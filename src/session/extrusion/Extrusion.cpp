@@ -128,6 +128,7 @@ std::optional<int> addJoinedPlane(scene::Scene& scene, int cut) {
   glm::dvec3 snapped = nearestAxis(axis);
   if (std::abs(glm::dot(snapped, normal)) < 1e-6) axis = snapped;
   scene::Cut second;
+  second.name = newCutName(scene, scene::CutShape::Plane);
   second.shape = scene::CutShape::Plane;
   second.joined = true;
   second.axis = glm::normalize(axis);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "velum/scene/SectionPlane.h"
 #include "velum/session/cut/CutEdit.h"
@@ -47,21 +48,40 @@ scene::Structure newStructure(const scene::Scene& scene, int id, double value) {
   return structure;
 }
 
-/// The first voxel of a range along the way out of the face that lies before it: that of a place on the face may lie
-/// behind, and have no neighbour that does not.
+/// The voxel of a range nearest to a place on the face, of those that lie before it: that of the place itself may lie
+/// behind, or be one that noise has put out of the range. One with such a neighbour, or nothing would grow from it.
 glm::dvec3 seedBefore(const scene::Scene& scene, const scene::Cut& cut, glm::dvec3 world, const MaterialRange& range) {
-  constexpr double kStep = 0.5, kFurthest = 2.0;  // voxels
+  constexpr int kFurthest = 2;  // voxels
   const Volume& volume = *scene.volume.data;
-  glm::dmat4 voxelFromWorld = glm::inverse(volume.worldFromVoxel);
-  glm::dvec3 out = pullDirection(cut, world) * scene::sectionStep(scene);
-  for (double step = 0.0; step <= kFurthest; step += kStep) {
-    glm::ivec3 voxel(glm::floor(glm::dvec3(voxelFromWorld * glm::dvec4(world + step * out, 1.0)) + 0.5));
-    if (glm::any(glm::lessThan(voxel, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(voxel, volume.dims))) continue;
+  auto isWanted = [&](glm::ivec3 voxel) {
+    if (glm::any(glm::lessThan(voxel, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(voxel, volume.dims)))
+      return false;
     double value = valueAt(volume, voxel, scene.volume.channel, scene.volume.timeStep);
     glm::dvec3 middle(volume.worldFromVoxel * glm::dvec4(voxel, 1.0));
-    if (value >= range.low && value <= range.high && depthInCut(cut, middle) > 0.0) return middle;
-  }
-  return world;
+    return value >= range.low && value <= range.high && depthInCut(cut, middle) > 0.0;
+  };
+  auto hasNeighbour = [&](glm::ivec3 voxel) {
+    for (int axis = 0; axis < 3; ++axis)
+      for (int step : {-1, 1}) {
+        glm::ivec3 neighbour = voxel;
+        neighbour[axis] += step;
+        if (isWanted(neighbour)) return true;
+      }
+    return false;
+  };
+  glm::ivec3 here(glm::round(glm::dvec3(glm::inverse(volume.worldFromVoxel) * glm::dvec4(world, 1.0))));
+  glm::dvec3 best = world;
+  std::pair<bool, double> least(true, scene::Growth::kEndless);  // alone, how far off
+  for (glm::ivec3 off(-kFurthest); off.z <= kFurthest; ++off.z)
+    for (off.y = -kFurthest; off.y <= kFurthest; ++off.y)
+      for (off.x = -kFurthest; off.x <= kFurthest; ++off.x) {
+        glm::ivec3 voxel = here + off;
+        if (!isWanted(voxel)) continue;
+        glm::dvec3 middle(volume.worldFromVoxel * glm::dvec4(voxel, 1.0));
+        std::pair<bool, double> now(!hasNeighbour(voxel), glm::distance(middle, world));
+        if (now < least) least = now, best = middle;
+      }
+  return best;
 }
 
 std::optional<Pull> newPull(const scene::Scene& scene, const scene::Cut& cut, glm::dvec3 world,

@@ -1,6 +1,7 @@
 #pragma once
 #include <glm/glm.hpp>
 #include <optional>
+#include <string>
 
 #include "velum/scene/Cut.h"
 #include "velum/scene/Scene.h"
@@ -17,6 +18,9 @@ void setCutFrame(scene::Cut& cut, const glm::dmat3& frame);
 /// cone opens towards the eye; a box and a sphere lie about the crosshair, or, where that was not moved out of the
 /// middle of the data, are brought towards the eye until they open its side.
 scene::Cut makeCut(const scene::Scene& scene, scene::CutShape shape);
+
+/// What a new cut is called: its shape with a number, that of its place at the end of the list or the next free one.
+std::string newCutName(const scene::Scene& scene, scene::CutShape shape);
 
 /// A plane through the middle of the scene that takes away the half before it, as the camera sees it.
 scene::Cut cutFacingCamera(const scene::Scene& scene);

@@ -43,9 +43,9 @@ void expectValid(const Glb& glb) {
   for (const Json& accessor : json["accessors"]) {
     const Json& view = json["bufferViews"].at(accessor["bufferView"].get<std::size_t>());
     EXPECT_GT(accessor["count"].get<std::size_t>(), 0u);
-    EXPECT_EQ(view["byteLength"].get<std::size_t>(), accessor["count"].get<std::size_t>() *
-                                                         widths.at(accessor["componentType"]) *
-                                                         counts.at(accessor["type"]));
+    EXPECT_EQ(
+        view["byteLength"].get<std::size_t>(),
+        accessor["count"].get<std::size_t>() * widths.at(accessor["componentType"]) * counts.at(accessor["type"]));
   }
   std::vector<int> parents(json["nodes"].size(), 0);
   for (const Json& node : json["nodes"])
@@ -88,7 +88,8 @@ std::map<std::string, Json> instancedNodes(const Glb& glb) {
 
 TEST(ModelGltf, CarriesAllInstancesOfAllTypesByTheirPaths) {
   TempFolder folder;
-  std::vector<std::string> losses = write(made(), folder / "a.glb", {.colors = std::vector<glm::vec3>(4, glm::vec3(0.5f))});
+  std::vector<std::string> losses =
+      write(made(), folder / "a.glb", {.colors = std::vector<glm::vec3>(4, glm::vec3(0.5f))});
   EXPECT_EQ(losses.size(), 1u);
   Glb glb(bytesOf(folder / "a.glb"));
   expectValid(glb);

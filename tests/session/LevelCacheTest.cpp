@@ -30,8 +30,7 @@ Model modelOf(unsigned seed, std::size_t atoms = 600) {
   type.name = "one";
   std::uint32_t number = builder.addType(type);
   std::vector<Atom> all;
-  for (std::size_t i = 0; i < atoms; ++i)
-    all.push_back({place(), std::uint8_t(6 + i % 3), std::uint16_t(i / 100)});
+  for (std::size_t i = 0; i < atoms; ++i) all.push_back({place(), std::uint8_t(6 + i % 3), std::uint16_t(i / 100)});
   builder.addInstance(builder.addMolecule(number, all), {}, {1, 0, 0, 0});
   std::vector<glm::vec4> beads;
   for (int i = 0; i < 50; ++i) beads.emplace_back(place(), 5.0f);

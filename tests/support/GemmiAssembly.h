@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-/// What gemmi finds in an mmCIF file, in plain types: its headers are C++17 to clang, see src/io/models/GemmiCif.h. So are
-/// this header and its source.
+/// What gemmi finds in an mmCIF file, in plain types: its headers are C++17 to clang, see src/io/models/GemmiCif.h. So
+/// are this header and its source.
 namespace velum {
 
 /// A copy of a subchain.

@@ -34,11 +34,7 @@ constexpr Row kTable[] = {
      true,
      "molecules are shapes of balls, atoms and chains are left out; a unit is a nanometre, where glTF means a metre"},
     {{"list of instances", ".csv"}, writeModelCsv, false, true, "atoms and beads are left out: places alone"},
-    {{"PLY points", ".ply"},
-     writeModelPly,
-     false,
-     true,
-     "atoms and beads are left out: places alone, in angstrom"},
+    {{"PLY points", ".ply"}, writeModelPly, false, true, "atoms and beads are left out: places alone, in angstrom"},
 };
 
 constexpr auto kFormats = [] {

@@ -215,7 +215,8 @@ void add(scene::Scene& scene, const scene::Source& source, Progress& progress, s
   }
   bool hasLayout = source.raw.dims.x > 0;
   if (!hasLayout && io::looksLikeModel(path)) {
-    if (scene.model.data) throw InputError(fmt::format("{}: the scene has a model already; open it by itself", source.path));
+    if (scene.model.data)
+      throw InputError(fmt::format("{}: the scene has a model already; open it by itself", source.path));
     adoptUnit(scene, LengthUnit::Angstrom);
     bool isAlone = !scene::hasData(scene);
     scene.model.source = source;

@@ -80,7 +80,8 @@ ModelExport exportModel(const scene::Scene& scene, const std::filesystem::path& 
   ModelExport out{shown.types.size(), shown.instances.size(), {}};
   io::ModelWriting how{std::move(along.colors), &along.levels, std::move(along.numbers)};
   out.losses = io::writeModel(shown, path, progress, how);
-  if (layer.copies > 1) out.losses.push_back(fmt::format("of {} copies of the model the first is written", layer.copies));
+  if (layer.copies > 1)
+    out.losses.push_back(fmt::format("of {} copies of the model the first is written", layer.copies));
   if (tellsPartsApart(layer) && path.extension() != ".cif" && path.extension() != ".gz")
     out.losses.push_back("colours are those of types: shades of chains and elements are left out");
   return out;

@@ -25,15 +25,16 @@ bool isModelWritten(const std::filesystem::path& path);
 
 /// What the formats take of a model beside what it holds.
 struct ModelWriting {
-  std::vector<glm::vec3> colors = {};           ///< sRGB, by type; empty: the file's own, grey where it has none
-  const LevelSet* levels = nullptr;             ///< of this very model: shapes; null: a ball each
-  std::vector<std::uint32_t> numbers = {};      ///< by which points name instances; empty: 0 and on
-  std::uint32_t mostBalls = 400;                ///< of the level of which a shape is made, 1..1500
+  std::vector<glm::vec3> colors = {};       ///< sRGB, by type; empty: the file's own, grey where it has none
+  const LevelSet* levels = nullptr;         ///< of this very model: shapes; null: a ball each
+  std::vector<std::uint32_t> numbers = {};  ///< by which points name instances; empty: 0 and on
+  std::uint32_t mostBalls = 400;            ///< of the level of which a shape is made, 1..1500
 };
 
 /// Writes a model, by extension; to a temporary beside it, then renamed:
 ///
-/// - .cif, .cif.gz: mmCIF in the flavour of cellPACK, which readModel(), gemmi and Mol* read: an entity for each type, an
+/// - .cif, .cif.gz: mmCIF in the flavour of cellPACK, which readModel(), gemmi and Mol* read: an entity for each type,
+/// an
 ///   asym for each molecule, an operator for each instance. Beads become atoms without an element. Angstrom.
 /// - .glb: glTF 2.0 with EXT_mesh_gpu_instancing: a mesh for each molecule, of the balls of a level; a node for each
 ///   type, named by its path. Points and places are in angstrom; the node above them turns them to y up and scales to

@@ -4,10 +4,13 @@
 #include "velum/core/Error.h"
 #include "velum/io/labels/ReadLabels.h"
 #include "velum/io/labels/WriteLabels.h"
+#include "velum/io/models/ReadModel.h"
 #include "velum/io/volumes/ReadVolume.h"
 #include "velum/io/volumes/WriteVolume.h"
 #include "velum/session/document/Open.h"
 #include "velum/session/look/Look.h"
+#include "velum/session/membrane/Membranes.h"
+#include "velum/session/model/ModelExport.h"
 #include "velum/session/structure/StructureExport.h"
 
 namespace velum::app {
@@ -36,6 +39,25 @@ Lines writeStructures(const LabelVolume& labels, const ConvertOptions& options, 
   return session::exportStructures(labels, options.output, what, consoleProgress());
 }
 
+/// What shows of a scene's model. Membranes come to rest first, for which there must be a graphics driver.
+Lines writeModel(scene::Scene scene, const ConvertOptions& options, Json& json) {
+  if (session::hasMembranes(scene)) {
+    auto context = gpu::Context::create(options.common.context);
+    session::settleMembranes(scene, {}, consoleProgress());
+  }
+  session::ModelExport written = session::exportModel(scene, options.output, consoleProgress());
+  json["kind"] = "model";
+  json["types"] = written.types;
+  json["instances"] = written.instances;
+  return written.losses;
+}
+
+/// Labels come first where a format is one of their surfaces, too.
+bool isOfModel(const scene::Scene& scene, const ConvertOptions& options) {
+  bool wantsLabels = session::isSurfaceFile(options.output) && scene.labels.data;
+  return scene.model.data && session::isModelFile(options.output) && !wantsLabels;
+}
+
 int run(const ConvertOptions& options) {
   Progress& progress = consoleProgress();
   scene::Source source = firstSource(options.input);
@@ -45,11 +67,20 @@ int run(const ConvertOptions& options) {
     printWarnings(path, lines);
     warnings.insert(warnings.end(), lines.begin(), lines.end());
   };
-  if (session::isLookFile(options.output)) {
+  bool isScene = !session::isLookFile(options.output) && session::readSceneText(source.path);
+  bool isModel = !isScene && !options.labels && source.raw.dims.x == 0 && io::looksLikeModel(source.path);
+  if (!options.input.sets.empty() && !isScene && !isModel)
+    throw ArgumentError("--set: changes what is written of scenes and models only; leave it out");
+  if (isModel && !session::isLookFile(options.output)) {
+    tell(options.output, writeModel(openScene(options.input, 1.0), options, json));
+  } else if (session::isLookFile(options.output)) {
     tell(options.output, session::convertLook(source.path, options.output));
-  } else if (session::readSceneText(source.path)) {
-    scene::Scene scene = session::open(source, progress);
-    tell(options.output, writeStructures(session::labelsOf(scene), options, json));
+  } else if (isScene) {
+    scene::Scene scene = openScene(options.input, 1.0);
+    if (isOfModel(scene, options))
+      tell(options.output, writeModel(std::move(scene), options, json));
+    else
+      tell(options.output, writeStructures(session::labelsOf(scene), options, json));
   } else if (options.labels || (source.raw.dims.x == 0 && io::looksLikeLabels(source.path))) {
     LabelVolume labels = io::readLabels(source, progress);
     tell(source.path, labels.warnings);
@@ -79,9 +110,12 @@ Run registerConvert(CLI::App& verb) {
   verb.get_option("input")->expected(1)->allow_extra_args(false);  // the second word is the output
   verb.add_option("output", options->output,
                   "file to write: .nrrd, .nii, .nii.gz, .vti, .vdb; of labels, or those of a scene, .seg.nrrd, .nrrd, "
-                  ".nii, .nii.gz, .dcm, or their surfaces: .stl, .ply, .glb, .obj, .vtp; the transfer function of a "
+                  ".nii, .nii.gz, .dcm, or their surfaces: .stl, .ply, .glb, .obj, .vtp; what shows of a model, or "
+                  "that of a scene: .cif, .cif.gz, .glb, .csv, .ply; the transfer function of a "
                   "scene or another file: .velum-transfer.json, .vp.json, .vp")
       ->required();
+  verb.add_option("--set", options->input.sets,
+                  "of a model or scene: change a field, e.g. a cut, before it is written: path=value; repeatable");
   verb.add_flag("--labels", options->labels, "the input is labels");
   verb.add_option("--structure", options->structures, "of labels: only this one, by name or number; repeatable");
   verb.add_option("--smooth", options->smoothness, "how round surfaces of structures are: 0 as voxels lie .. 1")

@@ -177,7 +177,8 @@ Run registerRender(CLI::App& verb) {
                   "some), pull (structures come out of the cuts one after the other)");
   verb.add_flag(
       "--layers", options->layers,
-      "also alpha, normal, depth, structure id, position, and of illustrative sections front, section and behind: "
+      "also alpha, normal, depth, structure id, position, of models type and (EXR) Cryptomatte, and of illustrative "
+      "sections front, section and behind: "
       "in the EXR, or as PNGs beside");
   verb.add_flag("--transparent", options->transparent, "no background, with alpha");
   verb.add_flag("--brute-force", options->bruteForce,

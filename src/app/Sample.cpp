@@ -29,6 +29,8 @@ int makeModel(const SampleOptions& options) {
     throw ArgumentError("sample virion: a model has no voxels, time steps or contrast; leave these options out");
   fs::path path(options.output);
   if (!path.has_extension()) path = path / (options.name + ".cif");
+  if (!io::isModelWritten(path))
+    throw ArgumentError(fmt::format("{}: models are written as .cif, .cif.gz, .glb, .csv or .ply", path.string()));
   if (path.has_parent_path()) fs::create_directories(path.parent_path());
   Progress& progress = consoleProgress();
   io::writeModel(io::makeVirion(progress), path, progress);

@@ -72,6 +72,8 @@ std::uint32_t ModelBuilder::compartment(std::span<const std::string> path) {
 
 std::uint32_t ModelBuilder::addType(MoleculeType type) {
   VELUM_ASSERT(type.compartment < mModel.compartments.size(), "a type lies in a compartment");
+  // Counted from nothing, also where it comes out of another model.
+  type.firstMolecule = type.moleculeCount = type.firstInstance = type.instanceCount = 0;
   mModel.types.push_back(std::move(type));
   return std::uint32_t(mModel.types.size() - 1);
 }

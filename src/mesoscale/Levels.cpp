@@ -14,6 +14,7 @@ namespace velum::mesoscale {
 
 namespace {
 
+// With any of these, and with what is done with them, kLevelsVersion changes.
 constexpr float kFirstCell = 4.0f;    // angstrom: clusters of a residue's side chain, some three heavy atoms
 constexpr float kCoarser = 1.5f;      // from level to level: a third of the balls
 constexpr float kFewer = 0.75f;       // a level with more of the balls of the last is not worth its memory

@@ -69,6 +69,35 @@ class Convert(CliTest):
                 # The presets' grey windows differ, and with them where the steps of the table lie.
                 self.run_batch("compare", "a.png", "x.png", "--max-diff", "2", "--max-fraction", "0")
 
+    def test_what_shows_of_a_model_is_written(self):
+        self.run_batch("sample", "virion", "-o", "v.cif.gz")
+        half = ["--set", 'cuts=[{"shape": "plane", "centre": [0, 0, 0]}]']
+        whole = self.report("convert", "v.cif.gz", "a.csv")
+        cut = self.report("convert", "v.cif.gz", "b.csv", *half)
+        self.assertEqual((whole["kind"], whole["output"]), ("model", "a.csv"))
+        for name, told in (("a.csv", whole), ("b.csv", cut)):
+            lines = (self.folder / name).read_text().splitlines()
+            self.assertEqual(len(lines) - 1, told["instances"])
+        self.assertLess(abs(cut["instances"] / whole["instances"] - 0.5), 0.1)
+        self.assertTrue(any("atoms" in line for line in cut["warnings"]), cut["warnings"])
+        self.report("convert", "v.cif.gz", "b.cif", *half)
+        self.assertEqual(self.report("info", "b.cif")["instances"], cut["instances"])
+        # A scene is written as it shows.
+        self.run_batch("render", "v.cif.gz", "-o", "x.png", "--section", "axial", "--size", "16x16", *half,
+                       "--save-scene", "s.json")
+        for name in ("c.glb", "c.ply", "c.csv"):
+            self.assertEqual(self.report("convert", "s.json", name)["instances"], cut["instances"])
+        self.assertEqual((self.folder / "b.csv").read_bytes(), (self.folder / "c.csv").read_bytes())
+
+    def test_of_a_model_what_cannot_be_is_one_line(self):
+        self.run_batch("sample", "virion", "-o", "v.cif.gz")
+        both = ["--set", 'cuts=[{"shape": "plane"}, {"shape": "plane", "axis": [0, 1, 0]}]']
+        self.refuse("convert", "v.cif.gz", "a.nrrd", code=2, words=[".glb"])
+        self.refuse("convert", "v.cif.gz", "none/a.glb", code=2, words=["none/a.glb"])
+        self.refuse("convert", "v.cif.gz", "a\nb/a.glb", code=2)
+        self.refuse("convert", "v.cif.gz", "a.cif", *both, code=2, words=["shows"])
+        self.refuse("convert", self.sample(), "a.nii", "--set", "rayCast.mode=mip", code=1, words=["--set"])
+
     def test_what_a_format_cannot_hold_is_said(self):
         path = self.sample("torso", 32)
         done = self.run_batch("convert", path, "b.nii", "--json")

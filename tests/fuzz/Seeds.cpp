@@ -5,6 +5,7 @@
 #include <fstream>
 #include <functional>
 
+#include "../io/BinaryCifParts.h"
 #include "../io/DicomParts.h"
 #include "../io/SegyBytes.h"
 #include "velum/core/Error.h"
@@ -364,6 +365,7 @@ void putModels() {
   writeModel(builder.build(), text, progress);
   std::string bytes;
   for (float v : {1.0f, 2.0f, 3.0f, 1.0f, 0.0f, 0.0f, 0.0f, 1.0f}) bytes += bytesOf(v);
+  put("binary-cif", "small", binaryCif::packed(binaryCif::small()));
   put("cell-pack-binary", "bare", bytes);
   put("cell-pack-binary", "headed", bytesOf(std::int32_t(1)) + bytesOf(std::int32_t(0)) + bytes);
 }

@@ -1,6 +1,7 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
+#include "BinaryCifParts.h"
 #include "Damage.h"
 #include "ModelFiles.h"
 #include "PeakMemory.h"
@@ -9,68 +10,7 @@
 namespace velum::io {
 namespace {
 
-using Json = nlohmann::json;
-
-template <class T>
-Json bytesOf(std::vector<T> values) {
-  std::vector<std::uint8_t> bytes(values.size() * sizeof(T));
-  std::memcpy(bytes.data(), values.data(), bytes.size());
-  return Json::binary(bytes);
-}
-Json byteArray(int type) { return {{"kind", "ByteArray"}, {"type", type}}; }
-Json numbers(const std::vector<float>& values) {
-  return {{"data", bytesOf(values)}, {"encoding", Json::array({byteArray(32)})}};
-}
-Json integers(const std::vector<std::int32_t>& values) {
-  return {{"data", bytesOf(values)}, {"encoding", Json::array({byteArray(3)})}};
-}
-Json texts(const std::string& all, const std::vector<std::int32_t>& offsets, const std::vector<std::int32_t>& indices) {
-  Json plain = Json::array({byteArray(3)});
-  return {{"data", bytesOf(indices)},
-          {"encoding", Json::array({{{"kind", "StringArray"},
-                                     {"stringData", all},
-                                     {"offsets", bytesOf(offsets)},
-                                     {"offsetEncoding", plain},
-                                     {"dataEncoding", plain}}})}};
-}
-Json column(const char* name, Json data) { return {{"name", name}, {"data", std::move(data)}, {"mask", nullptr}}; }
-Json category(const char* name, int rows, Json columns) {
-  return {{"name", name}, {"rowCount", rows}, {"columns", std::move(columns)}};
-}
-Json file(Json categories) {
-  return {{"encoder", "a test"},
-          {"version", "0.3.0"},
-          {"dataBlocks", Json::array({{{"header", "CELLPACK_MODEL"}, {"categories", std::move(categories)}}})}};
-}
-std::string packed(const Json& json) {
-  std::vector<std::uint8_t> bytes = Json::to_msgpack(json);
-  return {bytes.begin(), bytes.end()};
-}
-
-/// Two types: one of two asyms, that stands twice, and two lipids.
-Json small() {
-  std::vector<float> one{1, 1, 1}, zero{0, 0, 0};
-  Json matrix = Json::array({column("id", integers({1, 2, 3}))});
-  for (int r = 0; r < 3; ++r)
-    for (int c = 0; c < 3; ++c)
-      matrix.push_back(column(fmt::format("matrix[{}][{}]", r + 1, c + 1).c_str(), numbers(r == c ? one : zero)));
-  for (int r = 0; r < 3; ++r) matrix.push_back(column(fmt::format("vector[{}]", r + 1).c_str(), numbers({0, 10, 20})));
-  return file(Json::array(
-      {category("_entity", 2,
-                Json::array({column("id", integers({7, 8})),
-                             column("pdbx_description",
-                                    texts("root.in.proteins.Proot.membrane.outer_membrane", {0, 18, 46}, {0, 1}))})),
-       category("_atom_site", 4,
-                Json::array({column("Cartn_x", numbers({0, 1, 2, 3})), column("Cartn_y", numbers({0, 0, 0, 0})),
-                             column("Cartn_z", numbers({0, 0, 0, 0})),
-                             column("type_symbol", texts("CN", {0, 1, 2}, {0, 1, 0, 0})),
-                             column("label_asym_id", texts("ABXY", {0, 1, 2, 3, 4}, {0, 1, 2, 3})),
-                             column("label_entity_id", integers({7, 7, 8, 8}))})),
-       category("_pdbx_struct_assembly_gen", 3,
-                Json::array({column("oper_expression", texts("(2-3)(1)(9-8)", {0, 5, 8, 13}, {0, 1, 2})),
-                             column("asym_id_list", texts("A,BX,Y,noneX", {0, 3, 11, 12}, {0, 1, 2}))})),
-       category("_pdbx_struct_oper_list", 3, matrix)}));
-}
+using namespace binaryCif;
 
 Model readBytes(const std::string& bytes, const char* name = "a.bcif") {
   TempFolder folder;

@@ -6,12 +6,14 @@
 
 #include "SmallDisk.h"
 #include "TestFiles.h"
+#include "makeModel.h"
 #include "makeVolume.h"
 #include "velum/core/Error.h"
 #include "velum/core/Mesh.h"
 #include "velum/io/images/ImageFile.h"
 #include "velum/io/looks/TransferFile.h"
 #include "velum/io/meshes/WriteMesh.h"
+#include "velum/io/models/WriteModel.h"
 
 /// On a disk that fills up at any byte, each writer leaves the file that was there, says so in one line, and leaves
 /// nothing else.
@@ -72,6 +74,11 @@ std::vector<Writer> everyWriter() {
     all.push_back({name, [](const fs::path& path) { writeImage(roughPicture(), path, "a scene"); }});
   for (const char* name : {"m.obj", "m.ply", "m.vtp", "m.stl", "m.glb"})
     all.push_back({name, [](const fs::path& path) { writeMesh(fan(), path); }});
+  for (const char* name : {"i.cif", "i.cif.gz", "i.glb", "i.csv", "i.ply"})
+    all.push_back({name, [](const fs::path& path) {
+                     Progress progress;
+                     writeModel(ModelMaker{.instances = 300}.make(), path, progress);
+                   }});
   for (const char* name : {"t.velum-transfer.json", "t.vp.json", "t.vp"})
     all.push_back({name, [](const fs::path& path) { writeTransferFile({}, {}, 1.0, path); }});
   return all;

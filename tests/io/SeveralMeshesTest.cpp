@@ -1,6 +1,4 @@
-#include <cstring>
-#include <nlohmann/json.hpp>
-
+#include "Glb.h"
 #include "TestFiles.h"
 #include "velum/io/meshes/ReadMesh.h"
 #include "velum/io/meshes/WriteMesh.h"
@@ -25,45 +23,6 @@ std::vector<Mesh> two() {
   return {tetrahedron("aorta \"1\" \xc3\xa9", {-1, 5, 7}, {1, 0.5f, 0}),
           tetrahedron("liver", {30, 20, 10}, {0.2f, 0.4f, 0.6f})};
 }
-
-/// The parts of a .glb, checked as the format's rules say.
-struct Glb {
-  Json json;
-  std::string binary;
-  explicit Glb(const std::string& bytes) {
-    auto word = [&](std::size_t at) {
-      std::uint32_t value = 0;
-      std::memcpy(&value, bytes.data() + at, 4);
-      return std::size_t(value);
-    };
-    EXPECT_EQ(bytes.substr(0, 4), "glTF");
-    EXPECT_EQ(word(4), 2u);
-    EXPECT_EQ(word(8), bytes.size());
-    std::size_t length = word(12);
-    EXPECT_EQ(length % 4, 0u);
-    EXPECT_EQ(bytes.substr(16, 4), "JSON");
-    json = Json::parse(bytes.substr(20, length));
-    std::size_t second = 20 + length;
-    EXPECT_EQ(word(second) % 4, 0u);
-    EXPECT_EQ(bytes.substr(second + 4, 4), std::string("BIN\0", 4));
-    binary = bytes.substr(second + 8);
-    EXPECT_EQ(binary.size(), word(second));
-    EXPECT_EQ(json["buffers"].size(), 1u);
-    EXPECT_EQ(json["buffers"][0]["byteLength"], binary.size());
-  }
-  template <class T>
-  std::vector<T> read(const Json& number) const {
-    const Json& accessor = json["accessors"][number.get<std::size_t>()];
-    const Json& view = json["bufferViews"][accessor["bufferView"].get<std::size_t>()];
-    std::size_t count = accessor["count"], offset = view["byteOffset"], length = view["byteLength"];
-    EXPECT_EQ(offset % 4, 0u);
-    EXPECT_EQ(length, count * sizeof(T));
-    EXPECT_LE(offset + length, binary.size());
-    std::vector<T> values(count);
-    std::memcpy(static_cast<void*>(values.data()), binary.data() + offset, length);
-    return values;
-  }
-};
 
 TEST(Gltf, HoldsEachSurfaceWithNameMaterialAndBounds) {
   TempFolder folder;

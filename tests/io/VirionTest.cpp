@@ -1,10 +1,9 @@
 #include "velum/io/phantoms/Virion.h"
 
-#include <gemmi/cif.hpp>
-#include <gemmi/mmcif.hpp>
 #include <set>
 #include <unordered_map>
 
+#include "GemmiAssembly.h"
 #include "ModelFiles.h"
 #include "velum/io/models/WriteModel.h"
 
@@ -166,27 +165,21 @@ TEST(Virion, GemmiReadsItsAssembly) {
   Progress progress;
   writeModel(few, folder / "v.cif", progress);
   std::string text = bytesOf(folder / "v.cif");
-  gemmi::cif::Document document = gemmi::cif::read_memory(text.data(), text.size(), "v.cif");
-  EXPECT_EQ(document.blocks.at(0).name, "CELLPACK_MODEL") << "by which Mol* knows the flavour";
-  gemmi::Structure structure = gemmi::make_structure_from_block(document.blocks[0]);
-  ASSERT_EQ(structure.assemblies.size(), 1u);
-  std::size_t operators = 0;
-  for (const auto& generator : structure.assemblies[0].generators) {
-    ASSERT_EQ(generator.subchains.size(), 1u);
-    for (const auto& oper : generator.operators) {
-      const Instance& instance = few.instances.at(operators++);
-      gemmi::Vec3 t = oper.transform.vec, z = oper.transform.mat.multiply(gemmi::Vec3(0, 0, 1));
-      glm::vec3 own = instance.rotation * glm::vec3(0, 0, 1);
-      ASSERT_LT(glm::length(instance.position - glm::vec3(t.x, t.y, t.z)), 0.01f);
-      ASSERT_LT(glm::length(own - glm::vec3(z.x, z.y, z.z)), 1e-4f);
-    }
+  GemmiAssembly assembly = readByGemmi(text);
+  EXPECT_EQ(assembly.block, "CELLPACK_MODEL") << "by which Mol* knows the flavour";
+  EXPECT_EQ(assembly.count, 1u);
+  ASSERT_EQ(assembly.operators.size(), few.instances.size());
+  for (std::size_t i = 0; i < few.instances.size(); ++i) {
+    const Instance& instance = few.instances[i];
+    const GemmiOperator& read = assembly.operators[i];
+    glm::vec3 own = instance.rotation * glm::vec3(0, 0, 1);
+    ASSERT_EQ(read.subchains, 1u);
+    ASSERT_LT(glm::length(instance.position - glm::vec3(read.shift[0], read.shift[1], read.shift[2])), 0.01f);
+    ASSERT_LT(glm::length(own - glm::vec3(read.turnedZ[0], read.turnedZ[1], read.turnedZ[2])), 1e-4f);
   }
-  EXPECT_EQ(operators, few.instances.size());
-  std::size_t atoms = 0, read = 0;
+  std::size_t atoms = 0;
   for (const Molecule& molecule : few.molecules) atoms += molecule.atoms.size();
-  for (const gemmi::Chain& chain : structure.models.at(0).chains)
-    for (const gemmi::Residue& residue : chain.residues) read += residue.atoms.size();
-  EXPECT_EQ(read, atoms);
+  EXPECT_EQ(assembly.atoms, atoms);
 }
 
 }  // namespace

@@ -1,6 +1,9 @@
 // The illustrative section as a picture with layers: put together again they are the picture.
+#include <set>
+
 #include "GlFixture.h"
 #include "TempFolder.h"
+#include "makeModel.h"
 #include "velum/core/Mesh.h"
 #include "velum/io/images/ImageFile.h"
 #include "velum/io/phantoms/Sample.h"
@@ -111,6 +114,26 @@ TEST_F(PictureLayersGL, WithoutAnInlayThereAreNone) {
   scene.rayCast.mode = scene::RenderMode::Mip;
   image = draw(scene);
   EXPECT_EQ(column(image, "inlay.R"), image.channels.size());
+}
+
+TEST_F(PictureLayersGL, OfAModelTheyHaveItsTypes) {
+  scene::Scene scene;
+  scene.unit = LengthUnit::Angstrom;
+  scene.model.data = Shared<Model>(ModelMaker{.types = 3, .instances = 60, .halfEdge = 80.0f}.make());
+  scene.camera = scene::frameCamera(scene, scene::StandardView::Oblique, 1.0);
+  Image image = draw(scene);
+  ASSERT_LT(column(image, "type"), image.channels.size());
+  const Model& model = *scene.model.data;
+  std::set<int> seen;
+  for (std::size_t i = 0; i < std::size_t(image.width) * std::size_t(image.height); ++i) {
+    const float* at = &image.pixels[i * image.channels.size()];
+    int type = int(at[column(image, "type")]);
+    seen.insert(type);
+    if (type < 0) continue;
+    auto instance = std::size_t(at[column(image, "instance")]) - 1;
+    ASSERT_EQ(model.molecules[model.instances.at(instance).molecule].type, std::uint32_t(type));
+  }
+  EXPECT_EQ(seen, (std::set<int>{-1, 0, 1, 2}));
 }
 
 TEST_F(PictureLayersGL, AnExrHoldsThemAsItHoldsThePicture) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <vector>
 
 #include "velum/core/Levels.h"
@@ -6,6 +7,9 @@
 #include "velum/core/Task.h"
 
 namespace velum::mesoscale {
+
+/// Of what computeLevels() gives: raised with every change of it, or files of levels that were kept go on being used.
+constexpr std::uint32_t kLevelsVersion = 1;
 
 /// The levels of one molecule: its atoms (or finest beads), then clusters of them, each level some three times as few,
 /// down to a single ball.

@@ -235,7 +235,8 @@ void refuseTruncatedTiff(const Path& path) {
 
 }  // namespace
 
-void writeImage(const Image& image, const Path& path, const std::string& description, double dpi) {
+void writeImage(const Image& image, const Path& path, const std::string& description, double dpi,
+                const std::vector<ImageAttribute>& attributes) {
   check(image, path);
   std::string format = formatOf(path);
   auto out = OIIO::ImageOutput::create(format);
@@ -252,6 +253,9 @@ void writeImage(const Image& image, const Path& path, const std::string& descrip
   auto bytes = isFloat ? std::vector<std::uint8_t>{} : quantize(shown.pixels);
   const void* pixels = isFloat ? static_cast<const void*>(shown.pixels.data()) : bytes.data();
   auto spec = specFor(shown, format, isFloat ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8, description, dpi);
+
+  if (format == "openexr")
+    for (const ImageAttribute& attribute : attributes) spec.attribute(attribute.name, attribute.value);
 
   if (path == "-") return writeToStdout(*out, spec, pixels);
   ReplaceFile file(path);

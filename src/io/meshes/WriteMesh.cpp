@@ -25,6 +25,7 @@
 
 #include "GltfWriter.h"
 #include "read/FileNames.h"
+#include "read/LineSink.h"
 #include "read/Losses.h"
 #include "read/Refuse.h"
 #include "read/VtkQuiet.h"
@@ -110,29 +111,8 @@ void writeVtp(std::span<const Mesh> meshes, LengthUnit, ReplaceFile& file) {
   file.write(writer->GetOutputString());
 }
 
-/// Writes pieces of some length, not a line at a time.
-class Lines {
- public:
-  explicit Lines(ReplaceFile& file) : mFile(file) {}
-
-  template <class... Values>
-  void add(fmt::format_string<Values...> format, Values&&... values) {
-    fmt::format_to(std::back_inserter(mText), format, std::forward<Values>(values)...);
-    if (mText.size() > kPiece) finish();
-  }
-  void finish() {
-    mFile.write(std::string_view(mText.data(), mText.size()));
-    mText.clear();
-  }
-
- private:
-  static constexpr std::size_t kPiece = 1 << 18;
-  ReplaceFile& mFile;
-  fmt::memory_buffer mText;
-};
-
 /// Of points: MeshLab, Blender and others read it behind the place.
-void addPoints(Lines& lines, const Mesh& mesh) {
+void addPoints(LineSink& lines, const Mesh& mesh) {
   if (!mesh.color)
     for (glm::vec3 p : mesh.positions) lines.add("v {} {} {}\n", p.x, p.y, p.z);
   else
@@ -141,7 +121,7 @@ void addPoints(Lines& lines, const Mesh& mesh) {
 }
 
 void writeObj(std::span<const Mesh> meshes, LengthUnit, ReplaceFile& file) {
-  Lines lines(file);
+  LineSink lines(file);
   std::uint32_t points = 1, normals = 1;
   for (const Mesh& mesh : meshes) {
     if (!mesh.name.empty()) lines.add("o {}\n", oneLine(mesh.name));

@@ -3,171 +3,109 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <iterator>
+#include <set>
 
-#include "read/ByteSink.h"
-#include "velum/core/Error.h"
+#include "ModelWriters.h"
+#include "read/Losses.h"
+#include "read/Refuse.h"
+#include "velum/core/Assert.h"
 #include "velum/core/FileName.h"
-#include "velum/core/ReplaceFile.h"
 
 namespace velum::io {
 
 namespace {
 
-/// A value of CIF, in quotes where it is not a bare word.
-std::string quoted(const std::string& text) {
-  if (text.empty()) return "?";
-  std::string line = text;
-  std::replace_if(
-      line.begin(), line.end(), [](char c) { return static_cast<unsigned char>(c) < 32; }, ' ');
-  if (line.find('\'') == std::string::npos) return "'" + line + "'";
-  std::replace(line.begin(), line.end(), '"', '\'');
-  return "\"" + line + "\"";
-}
+constexpr glm::vec3 kGrey(0.7f);
 
-/// "A" to "Z", "AA" and on.
-std::string asymName(std::uint32_t index) {
-  std::string name;
-  for (++index; index > 0; index = (index - 1) / 26) name.insert(name.begin(), char('A' + (index - 1) % 26));
-  return name;
-}
-
-std::string_view symbolOf(std::uint8_t element) {
-  switch (element) {
-    case 1:
-      return "H";
-    case 7:
-      return "N";
-    case 8:
-      return "O";
-    case 15:
-      return "P";
-    case 16:
-      return "S";
-    case kResidue:
-      return "X";
-    default:
-      return "C";
-  }
-}
-
-std::string_view residueOf(MoleculeKind kind) {
-  switch (kind) {
-    case MoleculeKind::Lipid:
-      return "LIP";
-    case MoleculeKind::NucleicAcid:
-      return "G";
-    case MoleculeKind::Protein:
-      return "GLY";
-    default:
-      return "UNK";
-  }
-}
-
-class ModelWriter {
- public:
-  ModelWriter(const Model& model, ReplaceFile& file, Progress& progress)
-      : mModel(model), mSink(file), mProgress(progress) {}
-
-  void write(bool isDeflated) {
-    if (isDeflated) mSink.startGzip();
-    mSink.write("data_CELLPACK_MODEL\n#\n");
-    mSink.write(fmt::format("_struct.entry_id CELLPACK\n_struct.title {}\n#\n", quoted(mModel.name)));
-    writeEntities();
-    writeAtoms();
-    writeAssembly();
-    writeOperators();
-    mSink.finish();
-  }
-
- private:
-  void writeEntities() {
-    mSink.write(
-        "loop_\n_entity.id\n_entity.type\n_entity.pdbx_description\n_entity.details\n_entity.formula_weight\n"
-        "_entity.pdbx_fragment\n_entity.pdbx_parent_entity_id\n");
-    for (std::size_t i = 0; i < mModel.types.size(); ++i) {
-      const MoleculeType& type = mModel.types[i];
-      mSink.write(fmt::format("{} {} {} {} {:.1f} {} {}\n", i + 1,
-                              type.kind == MoleculeKind::Lipid ? "non-polymer" : "polymer",
-                              quoted(pathOf(mModel, type)), quoted(type.function), type.mass, quoted(type.structure),
-                              quoted(type.description)));
-    }
-    mSink.write("#\n");
-  }
-
-  void writeAtoms() {
-    mSink.write(
-        "loop_\n_atom_site.group_PDB\n_atom_site.id\n_atom_site.type_symbol\n_atom_site.label_atom_id\n"
-        "_atom_site.label_alt_id\n_atom_site.label_comp_id\n_atom_site.label_asym_id\n_atom_site.label_entity_id\n"
-        "_atom_site.label_seq_id\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n"
-        "_atom_site.occupancy\n_atom_site.B_iso_or_equiv\n_atom_site.auth_seq_id\n"
-        "_atom_site.auth_asym_id\n_atom_site.pdbx_PDB_model_num\n");
-    for (std::uint32_t m = 0; m < mModel.molecules.size(); ++m) {
-      mProgress.throwIfCancelled();
-      const Molecule& molecule = mModel.molecules[m];
-      for (const Atom& atom : molecule.atoms) writeAtom(m, symbolOf(atom.element), atom.position, atom.chain);
-      if (molecule.atoms.empty() && !molecule.beads.empty())
-        for (const glm::vec4& bead : molecule.beads.front()) writeAtom(m, "X", glm::vec3(bead), 0);
-    }
-    mSink.write("#\n");
-  }
-
-  void writeAtom(std::uint32_t m, std::string_view symbol, glm::vec3 p, std::uint16_t chain) {
-    const MoleculeType& type = mModel.types[mModel.molecules[m].type];
-    mSink.write(fmt::format("ATOM {} {} {} . {} {} {} {} {:.3f} {:.3f} {:.3f} 1 0 {} {} 1\n", ++mAtom, symbol, symbol,
-                            residueOf(type.kind), asymName(m), mModel.molecules[m].type + 1, chain + 1, p.x, p.y, p.z,
-                            chain + 1, asymName(chain)));
-  }
-
-  /// Instances of a molecule stand in a row, and so do their operators.
-  void writeAssembly() {
-    mSink.write(
-        fmt::format("_pdbx_struct_assembly.id 1\n_pdbx_struct_assembly.details author_and_software_defined_assembly\n"
-                    "_pdbx_struct_assembly.method_details cellPACK\n_pdbx_struct_assembly.oligomeric_details ?\n"
-                    "_pdbx_struct_assembly.oligomeric_count {}\n#\n",
-                    mModel.instances.size()));
-    mSink.write(
-        "loop_\n_pdbx_struct_assembly_gen.assembly_id\n_pdbx_struct_assembly_gen.oper_expression\n"
-        "_pdbx_struct_assembly_gen.asym_id_list\n");
-    for (std::uint32_t m = 0; m < mModel.molecules.size(); ++m) {
-      const Molecule& molecule = mModel.molecules[m];
-      mSink.write(fmt::format("1 '({}-{})' {}\n", molecule.firstInstance + 1,
-                              molecule.firstInstance + molecule.instanceCount, asymName(m)));
-    }
-    mSink.write("#\n");
-  }
-
-  void writeOperators() {
-    mSink.write("loop_\n_pdbx_struct_oper_list.id\n_pdbx_struct_oper_list.type\n");
-    for (int r = 1; r <= 3; ++r) {
-      for (int c = 1; c <= 3; ++c) mSink.write(fmt::format("_pdbx_struct_oper_list.matrix[{}][{}]\n", r, c));
-      mSink.write(fmt::format("_pdbx_struct_oper_list.vector[{}]\n", r));
-    }
-    for (std::size_t i = 0; i < mModel.instances.size(); ++i) {
-      if (i % 65536 == 0) mProgress.report(double(i) / double(mModel.instances.size()), "writing model");
-      glm::mat3 m = glm::mat3_cast(mModel.instances[i].rotation);
-      glm::vec3 t = mModel.instances[i].position;
-      std::string line = fmt::format("{} 'point symmetry operation'", i + 1);
-      for (int r = 0; r < 3; ++r) line += fmt::format(" {:.5f} {:.5f} {:.5f} {:.3f}", m[0][r], m[1][r], m[2][r], t[r]);
-      mSink.write(line + "\n");
-    }
-    mSink.write("#\n");
-  }
-
-  const Model& mModel;
-  ByteSink mSink;
-  Progress& mProgress;
-  std::size_t mAtom = 0;
+struct Row {
+  ModelWriteFormat format;
+  void (*write)(const Model&, const ModelWriting&, ReplaceFile&, Progress&);
+  bool keepsAtoms, keepsColors;
+  std::string_view without;  ///< What is left out of every model, in words.
 };
+// A new format is one row.
+constexpr Row kTable[] = {
+    {{"mmCIF (cellPACK)", ".cif .cif.gz"}, writeCif, true, false, ""},
+    {{"glTF with instances", ".glb"},
+     writeModelGltf,
+     false,
+     true,
+     "molecules are shapes of balls, atoms and chains are left out; a unit is a nanometre, where glTF means a metre"},
+    {{"list of instances", ".csv"}, writeModelCsv, false, true, "atoms and beads are left out: places alone"},
+    {{"PLY points", ".ply"}, writeModelPly, false, true, "atoms and beads are left out: places alone, in angstrom"},
+};
+
+constexpr auto kFormats = [] {
+  std::array<ModelWriteFormat, std::size(kTable)> formats{};
+  for (std::size_t i = 0; i < formats.size(); ++i) formats[i] = kTable[i].format;
+  return formats;
+}();
+
+const Row* rowOf(const std::filesystem::path& path) {
+  std::string extension = lowerExtension(path);
+  for (const Row& row : kTable) {
+    std::string_view rest = row.format.extensions;
+    while (!rest.empty()) {
+      std::size_t end = std::min(rest.find(' '), rest.size());
+      if (rest.substr(0, end) == extension) return &row;
+      rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+  }
+  return nullptr;
+}
+
+/// Elements that mmCIF is written with; see symbolOf() in CifWriter.cpp.
+bool hasOtherElements(const Model& model) {
+  static const std::set<int> kWritten{kResidue, 1, 6, 7, 8, 15, 16};
+  return std::any_of(model.molecules.begin(), model.molecules.end(), [](const Molecule& molecule) {
+    return std::any_of(molecule.atoms.begin(), molecule.atoms.end(),
+                       [](const Atom& atom) { return !kWritten.contains(atom.element); });
+  });
+}
+
+std::vector<std::string> lossesOf(const Model& model, const ModelWriting& how, const Row& row) {
+  Losses losses;
+  losses.say(!row.without.empty(), "{}", row.without);
+  losses.say(!how.colors.empty() && !row.keepsColors, "colours are left out: {} is written without", row.format.name);
+  std::size_t ofBeads = 0, levels = 0;
+  for (const Molecule& molecule : model.molecules) {
+    if (molecule.atoms.empty()) ++ofBeads;
+    levels = std::max(levels, molecule.beads.size());
+  }
+  losses.say(row.keepsAtoms && ofBeads > 0, "the balls of {} molecules become atoms without an element and a radius",
+             ofBeads);
+  losses.say(row.keepsAtoms && levels > (ofBeads > 0 ? 1u : 0u), "coarser balls of molecules are left out");
+  losses.say(row.keepsAtoms && hasOtherElements(model), "atoms of rarer elements are written as carbon");
+  losses.say(!model.fibres.empty(), "{} strands are written as their instances, without their curves",
+             model.fibres.size());
+  return losses.take();
+}
 
 }  // namespace
 
-void writeModel(const Model& model, const std::filesystem::path& path, Progress& progress) {
-  std::string extension = lowerExtension(path);
-  if (extension != ".cif" && extension != ".cif.gz")
-    throw ArgumentError(fmt::format("{}: models are written as .cif or .cif.gz", path.string()));
+std::span<const ModelWriteFormat> modelWriteFormats() { return kFormats; }
+
+bool isModelWritten(const std::filesystem::path& path) { return rowOf(path) != nullptr; }
+
+std::vector<std::string> writeModel(const Model& model, const std::filesystem::path& path, Progress& progress,
+                                    const ModelWriting& how) {
+  const Row* row = rowOf(path);
+  if (!row) refuse(path, "models are written as .cif, .cif.gz, .glb, .csv or .ply");
+  if (model.instances.empty()) refuse(path, "an empty model cannot be written");
+  VELUM_ASSERT(how.colors.empty() || how.colors.size() == model.types.size(), "each type has its colour");
+  VELUM_ASSERT(how.numbers.empty() || how.numbers.size() == model.instances.size(), "each instance has its number");
+  VELUM_ASSERT(!how.levels || how.levels->firstLevel.size() == model.molecules.size() + 1, "levels are the model's");
+  ModelWriting whole = how;
+  if (whole.colors.empty())
+    for (const MoleculeType& type : model.types) whole.colors.push_back(type.color.value_or(kGrey));
+  whole.mostBalls = std::clamp(how.mostBalls, 1u, 1500u);
   ReplaceFile file(path);
-  ModelWriter(model, file, progress).write(extension == ".cif.gz");
+  row->write(model, whole, file, progress);
+  progress.throwIfCancelled();
   file.commit();
+  return lossesOf(model, how, *row);
 }
 
 }  // namespace velum::io

@@ -16,13 +16,14 @@
 #include "velum/io/phantoms/Sample.h"
 #include "velum/io/volumes/ReadVolume.h"
 #include "velum/io/volumes/WriteVolume.h"
-#include "velum/mesoscale/Levels.h"
 #include "velum/scene/ModelLooks.h"
 #include "velum/scene/Presets.h"
 #include "velum/scene/json/Json.h"
+#include "velum/session/document/Folders.h"
 #include "velum/session/document/LitSphereFiles.h"
 #include "velum/session/document/PaperFile.h"
 #include "velum/session/growth/Growths.h"
+#include "velum/session/model/LevelCache.h"
 
 namespace velum::session {
 
@@ -118,7 +119,7 @@ void readModelInto(scene::ModelLayer& layer, Progress& progress, const Notes& no
   Model model = io::readModel(layer.source.path, progress, {.completes = layer.completes});
   warnAll(layer.source.path, model.warnings);
   for (const auto& line : model.added) notes.add(line);
-  layer.levels = Shared<LevelSet>(mesoscale::computeLevels(model, progress));
+  layer.levels = Shared<LevelSet>(cachedLevels(model, cacheFolder() / "levels", progress));
   layer.data = Shared<Model>(std::move(model));
   layer.source.fingerprint = fingerprintOf(layer.source.path);
 }
@@ -215,7 +216,8 @@ void add(scene::Scene& scene, const scene::Source& source, Progress& progress, s
   }
   bool hasLayout = source.raw.dims.x > 0;
   if (!hasLayout && io::looksLikeModel(path)) {
-    if (scene.model.data) throw InputError(fmt::format("{}: the scene has a model already; open it by itself", source.path));
+    if (scene.model.data)
+      throw InputError(fmt::format("{}: the scene has a model already; open it by itself", source.path));
     adoptUnit(scene, LengthUnit::Angstrom);
     bool isAlone = !scene::hasData(scene);
     scene.model.source = source;

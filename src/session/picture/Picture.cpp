@@ -13,6 +13,7 @@
 #include "velum/render/section/SectionImage.h"
 #include "velum/session/document/Open.h"
 #include "velum/session/membrane/Membranes.h"
+#include "velum/session/picture/Cryptomatte.h"
 
 namespace velum::session {
 
@@ -67,7 +68,10 @@ Image withChannels(const Image& image, const Image& more, const std::vector<std:
 
 /// Layers as PNGs beside the picture, each mapped into 0..1: normals and ids by the usual colour codes, depth from near
 /// to far.
-void writeLayerPictures(const Image& image, const std::filesystem::path& output) {
+///
+/// @param typeColors  of the types of a model; empty: there is none
+void writeLayerPictures(const Image& image, const std::vector<glm::vec3>& typeColors,
+                        const std::filesystem::path& output) {
   auto beside = [&](const char* what) {
     auto path = output;
     return path.replace_filename(fmt::format("{}.{}{}", output.stem().string(), what, output.extension().string()));
@@ -105,6 +109,15 @@ void writeLayerPictures(const Image& image, const std::filesystem::path& output)
     for (int c = 0; c < 3; ++c) id.pixels[i * 3 + std::size_t(c)] = color[c];
   }
   io::writeImage(rgb(id), beside("id"));
+  // Types of a model in their colours.
+  Image type = channelsOf(image, {"type", "type", "type"});
+  for (std::size_t i = 0; i * 3 < type.pixels.size(); ++i) {
+    float value = type.pixels[i * 3];
+    bool isType = value >= 0.0f && value < float(typeColors.size());
+    glm::vec3 color = isType ? typeColors[std::size_t(value)] : glm::vec3(0.0f);
+    for (int c = 0; c < 3; ++c) type.pixels[i * 3 + std::size_t(c)] = color[c];
+  }
+  if (!type.pixels.empty()) io::writeImage(rgb(type), beside("type"));
   // Positions within the box of what is hit.
   float low[3] = {1e30f, 1e30f, 1e30f}, high[3] = {-1e30f, -1e30f, -1e30f};
   for (std::size_t i = 0; i < count * 3; ++i)
@@ -177,7 +190,7 @@ Image drawPicture(render::Renderer& renderer, const scene::Scene& scene, const P
   frame.scene = sceneForPicture(scene, options);
   frame.pictureSize = options.size;
   render::Layers layers;
-  if (options.layers) layers = {true, true, true, true, true};
+  if (options.layers) layers = {true, true, true, true, true, bool(scene.model.data)};
   int window = std::min(4096, limits.texture2d);
   Image image = render::renderPicture(renderer, frame, layers, window, progress);
   if (!options.layers || !hasInlayLayers(frame.scene)) return image;
@@ -205,10 +218,15 @@ void savePicture(const Image& image, const scene::Scene& scene, const PictureOpt
   scene::Scene drawn = sceneForPicture(scene, options);
   std::string text = sceneTextFor(drawn, path == "-" ? "." : path);
   bool isExr = path.extension() == ".exr";
-  if (options.layers && !isExr && path != "-") writeLayerPictures(image, path);
+  if (options.layers && !isExr && path != "-")
+    writeLayerPictures(image, scene.model.data ? scene::typeColors(scene.model) : std::vector<glm::vec3>(), path);
   std::vector<std::string> color{"R", "G", "B"};
   if (drawn.background.transparent) color.push_back("A");
-  io::writeImage(options.layers && isExr ? image : channelsOf(image, color), path, text, options.dpi);
+  if (!options.layers || !isExr) return io::writeImage(channelsOf(image, color), path, text, options.dpi);
+  std::vector<io::ImageAttribute> attributes;
+  bool hasTypes =
+      scene.model.data && std::find(image.channels.begin(), image.channels.end(), "type") != image.channels.end();
+  io::writeImage(hasTypes ? withMattes(image, scene, attributes) : image, path, text, options.dpi, attributes);
 }
 
 Image drawPictureHeadless(const scene::Scene& scene, const PictureOptions& options, Progress& progress) {

@@ -1,10 +1,16 @@
 #pragma once
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "velum/core/Image.h"
 
 namespace velum::io {
+
+/// A line of metadata.
+struct ImageAttribute {
+  std::string name, value;
+};
 
 /// Writes a picture: .png (8 bit sRGB as given; channels R, G, B[, A] only, or one as grey), .tif (8 bit as PNG; all
 /// channels in float as soon as there are others than colour), .exr (all channels, float).
@@ -14,9 +20,10 @@ namespace velum::io {
 /// @param image  channels R, G, B, A are display-referred sRGB in 0..1 with straight (not premultiplied) alpha; EXR
 ///               stores them linear and premultiplied
 /// @param dpi  pixels an inch when it is printed, for programs that lay pages out; 0: says nothing
+/// @param attributes  more of the metadata, in .exr only
 /// @throw InputError when the extension is unknown or the disk refuses
 void writeImage(const Image& image, const std::filesystem::path& path, const std::string& description = {},
-                double dpi = 0.0);
+                double dpi = 0.0, const std::vector<ImageAttribute>& attributes = {});
 
 /// Reads a picture back, the counterpart of writeImage (8-bit formats give 0..1). @throw InputError
 Image readImage(const std::filesystem::path& path);

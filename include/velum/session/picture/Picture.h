@@ -16,7 +16,8 @@ struct PictureOptions {
   int samples = 0;             ///< pictures that are averaged; 0: as the scene says
   bool transparent = false;    ///< no background, with alpha
   /// Also alpha, depth, normal, structure id, position: in the EXR, or as files beside. Of a scene with inlays also
-  /// what lies before them, their images, what lies behind: front over inlay over behind is the picture.
+  /// what lies before them, their images, what lies behind: front over inlay over behind is the picture. Of one with a
+  /// model also type, and in the EXR mattes by name (Cryptomatte.h).
   bool layers = false;
   double dpi = 0;  ///< pixels an inch in print, which the file says; 0: nothing is said
 };

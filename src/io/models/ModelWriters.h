@@ -1,0 +1,23 @@
+#pragma once
+#include <glm/glm.hpp>
+
+#include "velum/core/Model.h"
+#include "velum/core/ReplaceFile.h"
+#include "velum/core/Task.h"
+#include "velum/io/models/WriteModel.h"
+
+/// The writers behind writeModel(), which gives them a model with instances, colours of all types, and commits.
+namespace velum::io {
+
+void writeCif(const Model& model, const ModelWriting& how, ReplaceFile& file, Progress& progress);
+/// @throw InputError when it does not fit into 4 GB
+void writeModelGltf(const Model& model, const ModelWriting& how, ReplaceFile& file, Progress& progress);
+void writeModelCsv(const Model& model, const ModelWriting& how, ReplaceFile& file, Progress& progress);
+void writeModelPly(const Model& model, const ModelWriting& how, ReplaceFile& file, Progress& progress);
+
+/// The middle of the sphere around an instance.
+inline glm::vec3 middleOf(const Model& model, const Instance& instance) {
+  return instance.position + instance.rotation * model.molecules[instance.molecule].centre;
+}
+
+}  // namespace velum::io

@@ -1,0 +1,34 @@
+#pragma once
+#include <fmt/format.h>
+
+#include <cstddef>
+#include <iterator>
+#include <string_view>
+#include <utility>
+
+#include "velum/core/ReplaceFile.h"
+
+namespace velum::io {
+
+/// Text that is written in pieces of some length, not a line at a time.
+class LineSink {
+ public:
+  explicit LineSink(ReplaceFile& file) : mFile(file) {}
+
+  template <class... Values>
+  void add(fmt::format_string<Values...> format, Values&&... values) {
+    fmt::format_to(std::back_inserter(mText), format, std::forward<Values>(values)...);
+    if (mText.size() > kPiece) finish();
+  }
+  void finish() {
+    mFile.write(std::string_view(mText.data(), mText.size()));
+    mText.clear();
+  }
+
+ private:
+  static constexpr std::size_t kPiece = 1 << 18;
+  ReplaceFile& mFile;
+  fmt::memory_buffer mText;
+};
+
+}  // namespace velum::io

@@ -26,13 +26,13 @@ ROOMS = {  # module: {room: rooms of the module it may include (its own is impli
     "membrane": {"forces": "", "sheet": "forces"},
     # The module's own folder has both the frame, which all know, and the renderer, which knows all.
     "render": {"upload": ".", "passes": ". upload", "section": ". upload"},
-    "session": {"document": "growth", "growth": ".", "section": "", "structure": "", "cut": ".", "look": "document",
+    "session": {"document": "growth", "growth": ".", "section": "", "structure": "", "model": "", "cut": ".", "look": "document",
                 "extrusion": ". cut growth look structure", "membrane": ". cut look structure",
                 "picture": "document extrusion growth membrane"},
     # A membrane is a cut: the panel of cuts holds its form.
-    "gui": {"kit": "", "tool": "kit", "view": "kit tool", "look": "kit tool view", "structure": "kit tool view",
+    "gui": {"kit": "", "tool": "kit", "view": "kit tool", "look": "kit tool view", "structure": "kit tool view", "model": "kit tool view",
             "membrane": "kit tool view", "cut": "kit tool view membrane", "extrusion": "kit tool view",
-            "window": "kit tool view look structure cut membrane extrusion"},
+            "window": "kit tool view look structure model cut membrane extrusion"},
 }
 ONLY_IN = {  # library header: modules that may name it
     r"<Q[A-Z]": "gui",

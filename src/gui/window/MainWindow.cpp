@@ -60,6 +60,7 @@ void MainWindow::buildRooms() {
   add(new ViewCommands(parts));
   mLook = add(new LookRoom(parts));
   mStructures = add(new StructureRoom(parts));
+  mModels = add(new ModelRoom(parts));
   mCuts = add(new CutRoom(parts));
   add(new ExtrusionRoom(parts));
   add(new TimeCommands(parts, *mFrame.time));

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "TypeSpareList.h"
+#include "TypeSpareView.h"
 #include "kit/RowPaint.h"
 
 namespace velum::gui {
@@ -18,7 +18,8 @@ void paintBar(QPainter& painter, const QStyleOptionViewItem& option, double shar
   painter.setBrush(ground);
   painter.drawRoundedRect(groove, 2.5, 2.5);
   painter.setBrush(color);
-  if (share > 0.0) painter.drawRoundedRect(QRectF(groove.topLeft(), QSizeF(std::max(5.0, groove.width() * share), 5)), 2.5, 2.5);
+  if (share > 0.0)
+    painter.drawRoundedRect(QRectF(groove.topLeft(), QSizeF(std::max(5.0, groove.width() * share), 5)), 2.5, 2.5);
   // The knob says that it can be dragged.
   painter.drawEllipse(QPointF(groove.left() + groove.width() * share, groove.center().y()), 4.5, 4.5);
 }
@@ -28,7 +29,7 @@ void paintBar(QPainter& painter, const QStyleOptionViewItem& option, double shar
 void TypeSpareDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const {
   painter->save();
   painter->setRenderHint(QPainter::Antialiasing);
-  paintRowGround(*painter, option, index.column() == 0, index.column() == TypeSpareTree::kColumns - 1);
+  paintRowGround(*painter, option, false, index.column() == TypeSpareTree::kColumns - 1);
   bool isOwn = index.data(TypeSpareTree::OwnRole).toBool();
   if (index.column() == TypeSpareTree::Bar) {
     paintBar(*painter, option, index.data(TypeSpareTree::ShareRole).toDouble(), isOwn);

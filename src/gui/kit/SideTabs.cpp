@@ -34,7 +34,7 @@ void SideTabs::addPage(QWidget* panel, const QString& title, const QString& tip)
 
 void SideTabs::showPage(const QWidget* panel) {
   for (int i = 0; i < count(); ++i)
-    if (widget(i)->isAncestorOf(panel)) setCurrentIndex(i);
+    if (widget(i)->isAncestorOf(panel) && isTabVisible(i)) setCurrentIndex(i);
 }
 
 void SideTabs::setPageShown(const QWidget* panel, bool shown) {

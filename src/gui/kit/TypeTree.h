@@ -11,8 +11,8 @@
 
 namespace velum::gui {
 
-/// The compartments and types of a model as rows of a tree; all of it hangs below one row. What columns show is of those
-/// that derive from it. Rows are made once a model; compartments without types have none.
+/// The compartments and types of a model as rows of a tree; all of it hangs below one row. What columns show is of
+/// those that derive from it. Rows are made once a model; compartments without types have none.
 class TypeTree : public QAbstractItemModel {
   Q_OBJECT
  public:
@@ -25,8 +25,8 @@ class TypeTree : public QAbstractItemModel {
     std::vector<int> children;
     std::string path;
     QString name;
-    std::uint64_t instances = 0;  ///< of all types below
-    double mass = 0.0;            ///< of one instance, dalton; a compartment's: of all of its
+    std::uint64_t instances = 0;       ///< of all types below
+    double mass = 0.0;                 ///< of one instance, dalton; a compartment's: of all of its
     std::vector<std::uint32_t> types;  ///< it and all below, ascending
   };
 

@@ -33,8 +33,7 @@ bool Legend::count() {
   mTypes = order;
   mModel = model;
   mNames.clear();
-  for (std::uint32_t type : mTypes)
-    mNames.push_back(QString::fromStdString(model->types[type].name).replace('_', ' '));
+  for (std::uint32_t type : mTypes) mNames.push_back(QString::fromStdString(model->types[type].name).replace('_', ' '));
   return true;
 }
 
@@ -46,7 +45,7 @@ void Legend::paint(ViewPainter& over) const {
   QFontMetrics metrics(painter.font());
   int widest = 0;
   for (const QString& name : mNames) widest = std::max(widest, metrics.horizontalAdvance(name));
-  int text = std::min(widest, std::min(kMostWidth, over.size.width() / 3));
+  int text = std::min(widest + 2, std::min(kMostWidth, over.size.width() / 3));
   int most = std::max(1, (over.size.height() - 2 * kMargin - 2 * kInset) / kRow);
   int rows = std::min(int(mTypes.size()), most);
   QRectF box(kMargin, kMargin, text + kSwatch + 8 + 2 * kInset, rows * kRow + 2 * kInset - 4);

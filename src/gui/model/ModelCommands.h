@@ -9,8 +9,8 @@
 
 namespace velum::gui {
 
-/// What can be done to the types of a model, from the page, the menus and the picture alike. Each is one undo step with a
-/// name.
+/// What can be done to the types of a model, from the page, the menus and the picture alike. Each is one undo step with
+/// a name.
 class ModelCommands : public QObject {
   Q_OBJECT
  public:

@@ -27,7 +27,7 @@ class Delegate : public QStyledItemDelegate {
     painter->save();
     painter->setRenderHint(QPainter::Antialiasing);
     int column = index.column();
-    paintRowGround(*painter, option, column == 0 || column == ModelTree::Name, column == ModelTree::kColumns - 1);
+    paintRowGround(*painter, option, column == 0, column == ModelTree::kColumns - 1);
     auto shown = ModelTree::Shown(index.data(ModelTree::VisibleRole).toInt());
     QRectF box(option.rect);
     if (column == ModelTree::Eye)
@@ -69,7 +69,7 @@ ModelList::ModelList(ModelCommands& commands, QWidget* parent)
   setModel(mOrder);
   setItemDelegate(new Delegate(this));
   setTreePosition(ModelTree::Name);
-  setIndentation(14);
+  setIndentation(11);
   setUniformRowHeights(true);
   setHeaderHidden(true);
   setMouseTracking(true);

@@ -6,8 +6,8 @@
 
 namespace velum::gui {
 
-/// The tree of compartments and types: an eye, a colour, the name, how many instances. What is done to a selected row is
-/// done to all that are selected; what is done to a compartment, to all below it.
+/// The tree of compartments and types: an eye, a colour, the name, how many instances. What is done to a selected row
+/// is done to all that are selected; what is done to a compartment, to all below it.
 class ModelList : public QTreeView {
   Q_OBJECT
  public:

@@ -10,8 +10,8 @@
 
 namespace velum::gui {
 
-/// The looks of models as small pictures of the loaded one, drawn in the background when the view has nothing to do. The
-/// list inside is named "modelLook"; its items hold the look's name as their data.
+/// The looks of models as small pictures of the loaded one, drawn in the background when the view has nothing to do.
+/// The list inside is named "modelLook"; its items hold the look's name as their data.
 class ModelLookGrid : public QWidget {
   Q_OBJECT
  public:

@@ -11,7 +11,6 @@ ModelRoom::ModelRoom(const WindowParts& parts)
       mLegend(parts.document(), parts.views.viewport()) {
   parts.tabs.addPage(mPanel, tr("Model"), tr("Compartments and types of the model, its look"));
   parts.tabs.setPageShown(mPanel, false);
-  parts.toolbox.add(mLegend);
   connect(mPanel, &ModelPanel::legendAsked, this, &ModelRoom::showLegend);
   connectViews();
   addActions();

@@ -13,6 +13,8 @@ class ModelRoom : public Room {
   void refresh(const session::Session&) override;
   ModelCommands& commands() { return *mCommands; }
   Legend& legend() { return mLegend; }
+  /// Puts the legend over the handles that are there by now.
+  void addLegend() { mParts.toolbox.add(mLegend); }
 
  private:
   void connectViews();

@@ -79,9 +79,9 @@ QString ModelTree::tipOf(const Row& row, int column) const {
                    : tr("Hidden: click to show, Alt+click to show it alone");
   if (column == Swatch && row.isType) return tr("Click to choose another colour");
   if (row.isType) return QString("%1\n%2").arg(toText(row.path), describe(model()->types[row.number]));
-  return QString("%1\n%2\n%3").arg(
-      toText(row.path), tr("%1 instances of %2 types").arg(numberText(row.instances)).arg(row.types.size()),
-      row.mass > 0.0 ? tr("%1 in all").arg(massText(row.mass)) : tr("mass unknown"));
+  return QString("%1\n%2\n%3")
+      .arg(toText(row.path), tr("%1 instances of %2 types").arg(numberText(row.instances)).arg(row.types.size()),
+           row.mass > 0.0 ? tr("%1 in all").arg(massText(row.mass)) : tr("mass unknown"));
 }
 
 QVariant ModelTree::data(const QModelIndex& index, int role) const {
@@ -93,7 +93,9 @@ QVariant ModelTree::data(const QModelIndex& index, int role) const {
     case Qt::ToolTipRole:
       return tipOf(row, index.column());
     case Qt::AccessibleTextRole:
-      return tr("%1, %2").arg(row.name, shownOf(row) == All ? tr("shown") : shownOf(row) == None ? tr("hidden") : tr("partly shown"));
+      return tr("%1, %2").arg(row.name, shownOf(row) == All    ? tr("shown")
+                                        : shownOf(row) == None ? tr("hidden")
+                                                               : tr("partly shown"));
     case VisibleRole:
       return int(shownOf(row));
     case ColorRole:

@@ -6,9 +6,9 @@
 
 #include "StructureMeter.h"
 #include "kit/Selection.h"
-#include "view/CameraFlight.h"
 #include "velum/session/document/Document.h"
 #include "velum/session/structure/StructureEdit.h"
+#include "view/CameraFlight.h"
 
 namespace velum::gui {
 

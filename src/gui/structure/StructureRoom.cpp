@@ -13,6 +13,14 @@ StructureRoom::StructureRoom(const WindowParts& parts)
   addActions();
 }
 
+void StructureRoom::refresh(const session::Session& session) {
+  // Beside a model alone there is nothing that could have labels, and the row of tabs is full.
+  const scene::Scene& scene = session.scene();
+  bool isModelAlone = scene.model.data && !scene.volume.data && !scene.labels.data;
+  mParts.tabs.setPageShown(mPanel, !isModelAlone);
+  mPanel->refresh();
+}
+
 void StructureRoom::connectViews() {
   Selection& selection = mParts.selection;
   Viewport& viewport = mParts.views.viewport();

@@ -10,7 +10,7 @@ class StructureRoom : public Room {
   Q_OBJECT
  public:
   explicit StructureRoom(const WindowParts& parts);
-  void refresh(const session::Session&) override { mPanel->refresh(); }
+  void refresh(const session::Session& session) override;
   StructureCommands& commands() { return *mCommands; }
   /// Of the rows that are selected in the list.
   std::vector<int> selectedIds() const { return mPanel->selectedIds(); }

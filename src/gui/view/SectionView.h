@@ -101,9 +101,9 @@ class SectionView : public QWidget, public ToolView {
   std::vector<scene::Cut> mCutsShown;
   render::SheetIndices mSheets;
   render::SectionImage mImage;
-  QImage mOutlines;                 ///< Of the instances of the model; null where there is none.
-  std::size_t mOutlinesMissing = 0; ///< That there was no time to draw.
-  scene::ModelLayer mModelShown;    ///< whose they are
+  QImage mOutlines;                  ///< Of the instances of the model; null where there is none.
+  std::size_t mOutlinesMissing = 0;  ///< That there was no time to draw.
+  scene::ModelLayer mModelShown;     ///< whose they are
   scene::SectionPlane mOutlinesPlane;
   Selection& mSelection;
   Toolbox& mToolbox;

@@ -70,6 +70,7 @@ void MainWindow::buildRooms() {
 
 /// What one room asks and another does.
 void MainWindow::connectRooms() {
+  mModels->addLegend();
   connect(mFrame.empty, &EmptyState::openFiles, this, [this] { mFiles->askOpen(false); });
   connect(mFrame.empty, &EmptyState::openFolder, mFiles, &FileCommands::askOpenFolder);
   connect(mFrame.empty, &EmptyState::makePhantom, this, [this] { openPhantom("torso", 0); });

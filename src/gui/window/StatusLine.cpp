@@ -84,7 +84,8 @@ void StatusLine::refresh(const session::Session& session) {
     mData->setText(tr("%n structure(s)", nullptr, int(scene.labels.structures.size())));
   } else if (const auto& model = scene.model.data) {
     auto instances = std::uint64_t(model->instances.size()) * std::uint64_t(std::max(1, scene.model.copies));
-    mData->setText(tr("%1 instances of %2 types").arg(QLocale().toString(qulonglong(instances))).arg(model->types.size()));
+    mData->setText(
+        tr("%1 instances of %2 types").arg(QLocale().toString(qulonglong(instances))).arg(model->types.size()));
     mData->setToolTip(QString::fromStdString(model->name));
   } else {
     mData->setText(scene.surfaces.empty() ? tr("Nothing is open")

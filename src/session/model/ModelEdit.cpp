@@ -54,7 +54,8 @@ void changeLooks(scene::Scene& scene, const TypeNumbers& types, Change&& change)
 
 std::string compartmentPath(const Model& model, std::uint32_t compartment) {
   std::string path = model.compartments[compartment].name;
-  for (std::int32_t at = model.compartments[compartment].parent; at >= 0; at = model.compartments[std::size_t(at)].parent)
+  for (std::int32_t at = model.compartments[compartment].parent; at >= 0;
+       at = model.compartments[std::size_t(at)].parent)
     path = model.compartments[std::size_t(at)].name + "." + path;
   return path;
 }
@@ -159,7 +160,8 @@ InstancePlace ballAround(const scene::Scene& scene, const TypeNumbers& types) {
       }
     }
   };
-  forInstances([&](glm::dvec3 at, double radius) { low = glm::min(low, at - radius), high = glm::max(high, at + radius); });
+  forInstances(
+      [&](glm::dvec3 at, double radius) { low = glm::min(low, at - radius), high = glm::max(high, at + radius); });
   if (low.x > high.x) return ball;
   glm::dvec3 middle = (low + high) * 0.5;
   double reach = 0.0;

@@ -32,7 +32,8 @@ void addPiece(const Crossing& crossing, glm::dvec3 shift, std::uint32_t first, s
     if (std::abs(height) >= radius) continue;
     double shown = std::sqrt(radius * radius - height * height) / crossing.plane.lengthPerPixel;
     glm::dvec2 at = scene::sectionPixelFromWorld(crossing.plane, middle);
-    bool isInView = at.x > -shown && at.y > -shown && at.x < crossing.plane.size.x + shown && at.y < crossing.plane.size.y + shown;
+    bool isInView =
+        at.x > -shown && at.y > -shown && at.x < crossing.plane.size.x + shown && at.y < crossing.plane.size.y + shown;
     if (shown >= kLeastPixels && isInView) out.push_back({at, shown, molecule.type});
   }
 }

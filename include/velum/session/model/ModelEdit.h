@@ -35,8 +35,8 @@ void resetTypes(scene::Scene& scene, const TypeNumbers& types);
 
 /// What was shown before some types were shown alone. Passing state.
 struct TypeSoloMemory {
-  TypeNumbers alone;         ///< ascending; none: the rest means nothing
-  std::vector<bool> shown;   ///< by type
+  TypeNumbers alone;        ///< ascending; none: the rest means nothing
+  std::vector<bool> shown;  ///< by type
 };
 /// These types and no others are shown.
 bool isSolo(const scene::Scene& scene, const TypeNumbers& types);
@@ -47,11 +47,11 @@ TypeSoloMemory toggleSoloTypes(scene::Scene& scene, const TypeSoloMemory& memory
 
 /// Where an instance stands.
 struct InstancePlace {
-  glm::dvec3 middle{0.0};      ///< of its sphere, world
-  double radius = 0.0;         ///< of it
-  std::uint32_t type = 0;      ///< in Model::types
-  std::uint32_t ofType = 0;    ///< the how-manyth of its type, from 0
-  std::uint32_t copy = 0;      ///< of the model
+  glm::dvec3 middle{0.0};    ///< of its sphere, world
+  double radius = 0.0;       ///< of it
+  std::uint32_t type = 0;    ///< in Model::types
+  std::uint32_t ofType = 0;  ///< the how-manyth of its type, from 0
+  std::uint32_t copy = 0;    ///< of the model
 };
 /// @param instance  over all copies, as render::Pick has it; nothing where there is no such one
 std::optional<InstancePlace> instancePlace(const scene::Scene& scene, std::uint32_t instance);

@@ -10,7 +10,7 @@
 namespace velum::session {
 
 /// Small pictures are of so many instances at most: of a larger model the middle is shown.
-constexpr std::size_t kPreviewInstances = 60000;
+constexpr std::size_t kPreviewInstances = 400000;
 
 /// The instances of a model around its middle, so many at most: a ball, in which the model is as dense as it is. Types
 /// and molecules stay in their places, so that its colours and its levels of detail do.

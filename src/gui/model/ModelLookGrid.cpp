@@ -57,7 +57,7 @@ void ModelLookGrid::refresh() {
 }
 
 void ModelLookGrid::drawPictures() {
-  if (mJob || !mModel || mHasTried || !isVisible()) return;
+  if (mJob || !mModel || mHasTried) return;
   mPatience.stop();
   mHasTried = true;
   std::vector<std::string> wanted;

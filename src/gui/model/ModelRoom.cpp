@@ -49,6 +49,12 @@ void ModelRoom::connectViews() {
   });
 }
 
+void ModelRoom::findType() {
+  if (!mParts.session.scene().model.data) return mParts.messages.showNote(tr("No model is open."));
+  mParts.tabs.showPage(mPanel);
+  mPanel->startSearch();
+}
+
 void ModelRoom::showLegend(bool shown) {
   mLegend.setShown(shown);
   mLegendAction->setChecked(shown);
@@ -65,11 +71,7 @@ void ModelRoom::addActions() {
     hasModel() ? mParts.tabs.showPage(mPanel) : mParts.messages.showNote(tr("No model is open."));
   });
   actions.addForScene(menu, "model.find", tr("Find &type..."), tr("Search a type of the model by name"),
-                      [this, hasModel] {
-                        if (!hasModel()) return mParts.messages.showNote(tr("No model is open."));
-                        mParts.tabs.showPage(mPanel);
-                        mPanel->startSearch();
-                      });
+                      [this] { findType(); });
   actions.addForScene(menu, "model.showAll", tr("Show all t&ypes"), tr("Show every type of the model"), [this] {
     session::TypeNumbers types(mParts.session.scene().model.data ? mParts.session.scene().model.data->types.size() : 0);
     std::iota(types.begin(), types.end(), 0u);

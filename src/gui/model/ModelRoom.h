@@ -13,6 +13,7 @@ class ModelRoom : public Room {
   void refresh(const session::Session&) override;
   ModelCommands& commands() { return *mCommands; }
   Legend& legend() { return mLegend; }
+  void findType();
   /// Puts the legend over the handles that are there by now.
   void addLegend() { mParts.toolbox.add(mLegend); }
 

@@ -16,8 +16,8 @@ StructureRoom::StructureRoom(const WindowParts& parts)
 void StructureRoom::refresh(const session::Session& session) {
   // Beside a model alone there is nothing that could have labels, and the row of tabs is full.
   const scene::Scene& scene = session.scene();
-  bool isModelAlone = scene.model.data && !scene.volume.data && !scene.labels.data;
-  mParts.tabs.setPageShown(mPanel, !isModelAlone);
+  mIsModelAlone = scene.model.data && !scene.volume.data && !scene.labels.data;
+  mParts.tabs.setPageShown(mPanel, !mIsModelAlone);
   mPanel->refresh();
 }
 
@@ -51,6 +51,7 @@ void StructureRoom::addActions() {
   actions.addForScene(menu, "structure.list", tr("&List"), tr("Show the list of structures"),
                       [this] { mParts.tabs.showPage(mPanel); });
   actions.addForScene(menu, "structure.find", tr("&Find..."), tr("Search a structure by name or number"), [this] {
+    if (mIsModelAlone) return emit findAskedElsewhere();
     mParts.tabs.showPage(mPanel);
     mPanel->startSearch();
   });

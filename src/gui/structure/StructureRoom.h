@@ -18,6 +18,8 @@ class StructureRoom : public Room {
  signals:
   /// A file of labels for what is open is to be chosen.
   void openLabelsAsked();
+  /// Something is to be searched where the page of structures is not there.
+  void findAskedElsewhere();
 
  private:
   void addActions();
@@ -25,6 +27,7 @@ class StructureRoom : public Room {
 
   StructureCommands* mCommands;
   StructurePanel* mPanel;
+  bool mIsModelAlone = false;  ///< Nothing is open that could have structures.
 };
 
 }  // namespace velum::gui

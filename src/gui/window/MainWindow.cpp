@@ -86,6 +86,7 @@ void MainWindow::connectRooms() {
     if (mFiles->mayLeave()) restoreWork();
   });
   connect(mStructures, &StructureRoom::openLabelsAsked, mFiles, &FileCommands::askOpenLabels);
+  connect(mStructures, &StructureRoom::findAskedElsewhere, mModels, &ModelRoom::findType);
   connect(mExports, &ExportCommands::exportStructuresAsked, this,
           [this] { mExports->askExportStructures(mStructures->selectedIds()); });
   connect(&mStructures->commands(), &StructureCommands::exportAsked, mExports, &ExportCommands::askExportStructures);

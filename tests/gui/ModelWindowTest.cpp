@@ -176,6 +176,7 @@ TEST_F(ModelWindow, ABarOfACutSaysHowMuchOfATypeItLeaves) {
   EXPECT_TRUE(scene().cuts[0].wholeInstances);
   child<QDoubleSpinBox>("leastMass")->setValue(2.5);
   EXPECT_DOUBLE_EQ(scene().cuts[0].leastMass, 2500.0);
+  QApplication::processEvents();
   takeShot(*mWindow, "model-cuts");
 }
 

@@ -12,7 +12,9 @@ namespace {
 void paintBar(QPainter& painter, const QStyleOptionViewItem& option, double share, bool isOwn) {
   QRectF box = QRectF(option.rect).adjusted(kShareBarMargin, 0, -kShareBarMargin, 0);
   QRectF groove(box.left(), box.center().y() - 2.5, box.width(), 5);
-  QColor color = isOwn ? option.palette.color(QPalette::Link) : rowTextColor(option, false), ground = color;
+  bool isSelected = option.state & QStyle::State_Selected;
+  QColor color = isOwn && !isSelected ? option.palette.color(QPalette::Link) : rowTextColor(option, isOwn);
+  QColor ground = color;
   ground.setAlphaF(0.22f);
   painter.setPen(Qt::NoPen);
   painter.setBrush(ground);

@@ -224,8 +224,11 @@ void ModelPanel::setSearch(const QString& text) {
 /// What is not as the file has it, in words.
 void ModelPanel::showNotes(const Model& model) {
   QStringList lines;
-  for (const std::string& line : model.added) lines << QString::fromStdString(line);
-  for (const std::string& line : model.warnings) lines << QString::fromStdString(line);
+  auto add = [&lines](const std::string& line) {
+    lines << QString::fromUtf8("\u2022 ") + QString::fromStdString(line);
+  };
+  for (const std::string& line : model.added) add(line);
+  for (const std::string& line : model.warnings) add(line);
   QStringList first = lines.mid(0, kMostNotes);
   if (lines.size() > kMostNotes) first << tr("and %1 more").arg(lines.size() - kMostNotes);
   mNotes->setText(first.join("\n"));

@@ -30,9 +30,9 @@ ROOMS = {  # module: {room: rooms of the module it may include (its own is impli
                 "extrusion": ". cut growth look structure", "membrane": ". cut look structure",
                 "picture": "document extrusion growth membrane"},
     # A membrane is a cut: the panel of cuts holds its form.
-    "gui": {"kit": "", "tool": "kit", "view": "kit tool", "look": "kit tool view", "structure": "kit tool view",
+    "gui": {"kit": "", "tool": "kit", "view": "kit tool", "look": "kit tool view", "structure": "kit tool view", "model": "kit tool view",
             "membrane": "kit tool view", "cut": "kit tool view membrane", "extrusion": "kit tool view",
-            "window": "kit tool view look structure cut membrane extrusion"},
+            "window": "kit tool view look structure model cut membrane extrusion"},
 }
 ONLY_IN = {  # library header: modules that may name it
     r"<Q[A-Z]": "gui",

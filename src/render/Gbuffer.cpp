@@ -116,4 +116,17 @@ Pick Gbuffer::pick(const FrameData& data, glm::ivec2 pixel) const {
   return pick;
 }
 
+std::vector<std::uint32_t> Gbuffer::countTypes(const FrameData& data) const {
+  const auto& model = data.frame.scene.model.data;
+  std::vector<std::uint32_t> counts(model ? model->types.size() : 0);
+  if (counts.empty()) return counts;
+  std::vector<glm::uvec2> ids(std::size_t(size().x) * std::size_t(size().y));
+  mIds.read(ids.data(), ids.size() * sizeof(ids[0]));
+  for (const glm::uvec2& id : ids) {
+    int type = typeOf(data, {glm::vec4(0.0f), id});
+    if (type >= 0 && std::size_t(type) < counts.size()) ++counts[std::size_t(type)];
+  }
+  return counts;
+}
+
 }  // namespace velum::render

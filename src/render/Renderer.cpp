@@ -161,4 +161,8 @@ Pick Renderer::pick(glm::ivec2 pixel) const {
   return mImpl->gbuffer ? mImpl->gbuffer.pick(mImpl->data, pixel) : Pick{};
 }
 
+std::vector<std::uint32_t> Renderer::countTypes() const {
+  return mImpl->gbuffer ? mImpl->gbuffer.countTypes(mImpl->data) : std::vector<std::uint32_t>();
+}
+
 }  // namespace velum::render

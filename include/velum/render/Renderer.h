@@ -76,6 +76,10 @@ class Renderer {
   /// What the last frame shows at a pixel of its window. From the drawn layers, so it agrees with the picture.
   Pick pick(glm::ivec2 pixel) const;
 
+  /// How many pixels of the last frame's window show each type of the scene's model, by their places in it. Empty
+  /// without a model. Reads the whole window back.
+  std::vector<std::uint32_t> countTypes() const;
+
   const Stats& stats() const;
   /// Draws a frame's share of progress, 0..1.
   double fractionDone() const;

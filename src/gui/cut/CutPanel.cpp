@@ -29,7 +29,8 @@ CutPanel::CutPanel(session::Document& document, Selection& selection, QWidget* p
       mList(new CutList(this)),
       mForm(new CutForm(document, selection, this)),
       mMembrane(new MembraneForm(document, selection, this)),
-      mSpares(new SpareList(this)) {
+      mSpares(new SpareList(this)),
+      mTypeSpares(new TypeSpareList(document, selection, this)) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(10);
@@ -45,6 +46,7 @@ CutPanel::CutPanel(session::Document& document, Selection& selection, QWidget* p
   layout->addWidget(mMembrane);
   layout->addWidget(mLine = makeLine(this));
   layout->addWidget(mSpares, 1000);
+  layout->addWidget(mTypeSpares, 1000);
   layout->addStretch(1);  // holds all up where there is no list to fill the height
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Expanding);
   connect(mList, &QListWidget::currentRowChanged, this, [this](int row) { mSelection.setCut(mList->cutAt(row)); });
@@ -193,7 +195,8 @@ void CutPanel::refresh() {
     int id = count > 0 ? scene.cuts[std::size_t(next)].id : 0;
     if (id != mSelection.cut()) return mSelection.setCut(id);  // comes back here
   }
-  Shown now{scene.cuts, scene.labels.structures, scene.volume.data.id(), scene.labels.data.id(), index};
+  Shown now{scene.cuts, scene.labels.structures, scene.volume.data.id(), scene.labels.data.id(), scene.model.data.id(),
+            index};
   if (now == mShown) return;
   mShown = std::move(now);
   bool any = index >= 0;
@@ -202,8 +205,9 @@ void CutPanel::refresh() {
   mEmpty->setVisible(!any);
   bool isMembrane = any && scene::isMembrane(scene.cuts[std::size_t(index)]);
   mMembrane->setVisible(isMembrane);
-  mLine->setVisible(any && !scene.labels.structures.empty());
+  mLine->setVisible(any && (!scene.labels.structures.empty() || scene.model.data));
   mSpares->setVisible(any);
+  mTypeSpares->setVisible(any);
   if (!any) return;
   if (isMembrane) mMembrane->showCut(scene.cuts[std::size_t(index)]);
   mUp->setEnabled(index > 0);
@@ -211,6 +215,7 @@ void CutPanel::refresh() {
   const scene::Cut& cut = scene.cuts[std::size_t(index)];
   mForm->showCut(cut);
   mSpares->showCut(scene.labels.structures, cut);
+  mTypeSpares->showCut(scene, cut);
 }
 
 }  // namespace velum::gui

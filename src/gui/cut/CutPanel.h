@@ -7,6 +7,7 @@
 #include "CutForm.h"
 #include "CutList.h"
 #include "SpareList.h"
+#include "TypeSpareList.h"
 #include "kit/Selection.h"
 #include "membrane/MembraneForm.h"
 #include "velum/session/document/Document.h"
@@ -60,6 +61,7 @@ class CutPanel : public QWidget {
   CutForm* mForm;
   MembraneForm* mMembrane;
   SpareList* mSpares;
+  TypeSpareList* mTypeSpares;
   QWidget *mTools = nullptr, *mLine = nullptr;
   QLabel* mEmpty = nullptr;
   QPushButton *mUp = nullptr, *mDown = nullptr;
@@ -67,7 +69,7 @@ class CutPanel : public QWidget {
   struct Shown {
     std::vector<scene::Cut> cuts;
     std::vector<scene::Structure> structures;
-    std::uint64_t volume = 0, labels = 0;
+    std::uint64_t volume = 0, labels = 0, model = 0;
     int place = -2;
     bool operator==(const Shown&) const = default;
   };

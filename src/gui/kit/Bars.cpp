@@ -83,9 +83,10 @@ EmptyState::EmptyState(QWidget* parent) : QFrame(parent), mRecent(new RecentRow(
   auto* title = new QLabel(tr("Drop a scan here"), this);
   title->setProperty("role", "empty");
   layout->addWidget(title, 0, Qt::AlignHCenter);
-  auto* text = new QLabel(tr("A folder of DICOM images, NIfTI, NRRD, MetaImage, MRC, TIFF, VTI, SEG-Y or OpenVDB;\n"
-                             "labels and surfaces beside it; a Velum scene, or a picture that was saved from one."),
-                          this);
+  auto* text =
+      new QLabel(tr("A folder of DICOM images, NIfTI, NRRD, MetaImage, MRC, TIFF, VTI, SEG-Y or OpenVDB; cell models;\n"
+                    "labels and surfaces beside it; a Velum scene, or a picture that was saved from one."),
+                 this);
   text->setProperty("role", "muted");
   text->setAlignment(Qt::AlignCenter);
   layout->addWidget(text, 0, Qt::AlignHCenter);

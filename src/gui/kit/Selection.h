@@ -13,6 +13,8 @@ class Selection : public QObject {
   int structure() const { return mStructure; }
   /// Id of a cut; 0: none. May be that of a cut that has gone, for the time of an edit.
   int cut() const { return mCut; }
+  /// A type of the scene's model, by its place there; -1: none.
+  int type() const { return mType; }
 
  public slots:
   void setStructure(int id) {
@@ -25,14 +27,21 @@ class Selection : public QObject {
     mCut = id;
     emit cutChanged(id);
   }
+  void setType(int type) {
+    if (mType == type) return;
+    mType = type;
+    emit typeChanged(type);
+  }
 
  signals:
   void structureChanged(int id);
   void cutChanged(int id);
+  void typeChanged(int type);
 
  private:
   int mStructure = 0;
   int mCut = 0;
+  int mType = -1;
 };
 
 }  // namespace velum::gui

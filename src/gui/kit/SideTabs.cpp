@@ -34,12 +34,17 @@ void SideTabs::addPage(QWidget* panel, const QString& title, const QString& tip)
 
 void SideTabs::showPage(const QWidget* panel) {
   for (int i = 0; i < count(); ++i)
-    if (widget(i)->isAncestorOf(panel)) setCurrentIndex(i);
+    if (widget(i)->isAncestorOf(panel) && isTabVisible(i)) setCurrentIndex(i);
+}
+
+void SideTabs::setPageShown(const QWidget* panel, bool shown) {
+  for (int i = 0; i < count(); ++i)
+    if (widget(i)->isAncestorOf(panel) && isTabVisible(i) != shown) setTabVisible(i, shown);
 }
 
 bool SideTabs::showPage(const QString& title) {
   for (int i = 0; i < count(); ++i)
-    if (tabText(i).compare(title, Qt::CaseInsensitive) == 0) {
+    if (isTabVisible(i) && tabText(i).compare(title, Qt::CaseInsensitive) == 0) {
       setCurrentIndex(i);
       return true;
     }

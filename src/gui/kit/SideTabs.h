@@ -10,6 +10,8 @@ class SideTabs : public QTabWidget {
   explicit SideTabs(QWidget* parent);
   /// A panel with a list takes all of the height.
   void addPage(QWidget* panel, const QString& title, const QString& tip);
+  /// A page that has nothing to say has no tab.
+  void setPageShown(const QWidget* panel, bool shown);
   /// Brings the page of a panel to the front.
   void showPage(const QWidget* panel);
   /// The same by its title, whatever the case; false when there is none.

@@ -11,32 +11,13 @@
 namespace velum::gui {
 
 namespace {
-constexpr int kFlightMs = 320;
-
 QIcon iconOf(const Image& picture) { return QIcon(QPixmap::fromImage(toQImage(picture))); }
 }  // namespace
 
 StructureCommands::StructureCommands(session::Document& document, Selection& selection, QObject* parent)
-    : QObject(parent), mDocument(document), mSelection(selection) {
+    : QObject(parent), mDocument(document), mSelection(selection), mFlight(document, nullptr) {
   connect(&mMeter, &StructureMeter::measured, this, [this] {
     if (mGoTo) goTo(mGoTo);
-  });
-  mFlight.setDuration(kFlightMs);
-  mFlight.setStartValue(0.0);
-  mFlight.setEndValue(1.0);
-  mFlight.setEasingCurve(QEasingCurve::InOutCubic);
-  connect(&mFlight, &QVariantAnimation::valueChanged, this, [this](const QVariant& value) {
-    // A hand that moves the camera meanwhile has it.
-    if (!(mDocument.scene().camera == mLast)) return mFlight.stop();
-    double t = value.toDouble();
-    scene::Camera camera = t >= 1.0 ? mTo : mFrom;
-    if (t < 1.0) {
-      camera.target = glm::mix(mFrom.target, mTo.target, t);
-      camera.eye = glm::mix(mFrom.eye, mTo.eye, t);
-      camera.height = std::exp(glm::mix(std::log(mFrom.height), std::log(mTo.height), t));
-    }
-    mLast = camera;
-    mDocument.view([camera](scene::Scene& scene) { scene.camera = camera; });
   });
 }
 
@@ -149,14 +130,7 @@ void StructureCommands::goTo(int id) {
     scene.sections.crosshair = middle;
     scene.sections.isPlaced = true;
   });
-  flyTo(session::closeUp(mDocument.scene().camera, middle, session::radiusOfStructure(labels, *size), 1.0));
-}
-
-void StructureCommands::flyTo(const scene::Camera& camera) {
-  mFlight.stop();
-  mFrom = mLast = mDocument.scene().camera;
-  mTo = camera;
-  mFlight.start();
+  mFlight.start(session::closeUp(mDocument.scene().camera, middle, session::radiusOfStructure(labels, *size), 1.0));
 }
 
 /// What the selected membrane does with structures; nothing where another cut is selected.

@@ -2,13 +2,13 @@
 #include <QColor>
 #include <QMenu>
 #include <QObject>
-#include <QVariantAnimation>
 #include <vector>
 
 #include "StructureMeter.h"
 #include "kit/Selection.h"
 #include "velum/session/document/Document.h"
 #include "velum/session/structure/StructureEdit.h"
+#include "view/CameraFlight.h"
 
 namespace velum::gui {
 
@@ -59,15 +59,13 @@ class StructureCommands : public QObject {
   double strengthOf(int id) const;
   void fillSphereMenu(QMenu& menu, const Ids& ids);
   void fillMembraneMenu(QMenu& menu, const Ids& ids);
-  void flyTo(const scene::Camera& camera);
 
   session::Document& mDocument;
   Selection& mSelection;
   StructureMeter mMeter;
   session::SoloMemory mSolo;
   int mGoTo = 0;  ///< Wants to be gone to when its size is known.
-  QVariantAnimation mFlight;
-  scene::Camera mFrom, mTo, mLast;
+  CameraFlight mFlight;
 };
 
 }  // namespace velum::gui

@@ -13,6 +13,14 @@ StructureRoom::StructureRoom(const WindowParts& parts)
   addActions();
 }
 
+void StructureRoom::refresh(const session::Session& session) {
+  // Beside a model alone there is nothing that could have labels, and the row of tabs is full.
+  const scene::Scene& scene = session.scene();
+  mIsModelAlone = scene.model.data && !scene.volume.data && !scene.labels.data;
+  mParts.tabs.setPageShown(mPanel, !mIsModelAlone);
+  mPanel->refresh();
+}
+
 void StructureRoom::connectViews() {
   Selection& selection = mParts.selection;
   Viewport& viewport = mParts.views.viewport();
@@ -43,6 +51,7 @@ void StructureRoom::addActions() {
   actions.addForScene(menu, "structure.list", tr("&List"), tr("Show the list of structures"),
                       [this] { mParts.tabs.showPage(mPanel); });
   actions.addForScene(menu, "structure.find", tr("&Find..."), tr("Search a structure by name or number"), [this] {
+    if (mIsModelAlone) return emit findAskedElsewhere();
     mParts.tabs.showPage(mPanel);
     mPanel->startSearch();
   });

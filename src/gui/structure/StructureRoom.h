@@ -10,7 +10,7 @@ class StructureRoom : public Room {
   Q_OBJECT
  public:
   explicit StructureRoom(const WindowParts& parts);
-  void refresh(const session::Session&) override { mPanel->refresh(); }
+  void refresh(const session::Session& session) override;
   StructureCommands& commands() { return *mCommands; }
   /// Of the rows that are selected in the list.
   std::vector<int> selectedIds() const { return mPanel->selectedIds(); }
@@ -18,6 +18,8 @@ class StructureRoom : public Room {
  signals:
   /// A file of labels for what is open is to be chosen.
   void openLabelsAsked();
+  /// Something is to be searched where the page of structures is not there.
+  void findAskedElsewhere();
 
  private:
   void addActions();
@@ -25,6 +27,7 @@ class StructureRoom : public Room {
 
   StructureCommands* mCommands;
   StructurePanel* mPanel;
+  bool mIsModelAlone = false;  ///< Nothing is open that could have structures.
 };
 
 }  // namespace velum::gui

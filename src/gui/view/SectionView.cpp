@@ -1,6 +1,7 @@
 #include "SectionView.h"
 
 #include <QHBoxLayout>
+#include <QLocale>
 #include <QMenu>
 #include <QPainter>
 #include <QWidgetAction>
@@ -10,6 +11,7 @@
 #include "ViewIcons.h"
 #include "kit/Theme.h"
 #include "kit/Widgets.h"
+#include "velum/session/section/InstanceOutlines.h"
 
 namespace velum::gui {
 
@@ -19,6 +21,8 @@ constexpr double kAtOnceMs = 15.0;  // full pictures that take longer wait for a
 constexpr int kRestMs = 140;        // as in the 3D view
 constexpr int kMostCoarse = 4;
 constexpr int kButton = 24;
+constexpr std::size_t kMostOutlines = 40000, kMostMoving = 6000;  // circles: at rest, and while something moves
+constexpr double kDotPixels = 1.6;                                // smaller circles are dots
 
 }  // namespace
 
@@ -42,8 +46,9 @@ SectionView::SectionView(session::Document& document, Selection& selection, Tool
   mRestTimer.setSingleShot(true);
   mRestTimer.setInterval(kRestMs);
   connect(&mRestTimer, &QTimer::timeout, this, [this] {
-    if (mDrawnCoarse == 1) return;
-    mStale = true;
+    if (mDrawnCoarse == 1 && mOutlinesMissing == 0) return;
+    mOutlinesPlane = {};  // with all circles
+    mStale = mStale || mDrawnCoarse != 1;
     update();
   });
 }
@@ -80,7 +85,8 @@ void SectionView::refresh() {
   wanted.background.transparent = false;  // a window has something behind
   auto wantedFrame = scene::makeSectionPlane(scene, mKind, glm::round(logicalSize() * devicePixelRatioF()));
   bool stale = wantedFrame != mWantedPlane || wanted != mWanted;
-  if (!stale && mSections == scene.sections && mCutsShown == scene.cuts) return;
+  bool sameModel = scene.model == mModelShown;
+  if (!stale && sameModel && mSections == scene.sections && mCutsShown == scene.cuts) return;
   mSections = scene.sections;
   mCutsShown = scene.cuts;
   mWanted = std::move(wanted);
@@ -111,8 +117,43 @@ void SectionView::drawImage() {
   mStale = false;
 }
 
+/// The circles in which the section meets the instances of the model, in their types' colours.
+void SectionView::drawOutlines() {
+  const scene::Scene& scene = mDocument.scene();
+  if (mModelShown == scene.model && mOutlinesPlane == mWantedPlane) return;
+  mModelShown = scene.model;
+  mOutlinesPlane = mWantedPlane;
+  mOutlines = {};
+  if (!scene.model.data) return;
+  session::InstanceOutlines outlines =
+      session::outlineInstances(scene, mWantedPlane, mRestTimer.isActive() ? kMostMoving : kMostOutlines);
+  mOutlinesMissing = outlines.missing;
+  mOutlines = QImage(int(mWantedPlane.size.x), int(mWantedPlane.size.y), QImage::Format_ARGB32_Premultiplied);
+  mOutlines.fill(Qt::transparent);
+  QPainter painter(&mOutlines);
+  painter.setRenderHint(QPainter::Antialiasing);
+  std::vector<QColor> lines, fills;
+  for (glm::vec3 color : scene::typeColors(scene.model)) {
+    color = glm::clamp(color, 0.0f, 1.0f);
+    lines.push_back(QColor::fromRgbF(color.r, color.g, color.b));
+    fills.push_back(QColor::fromRgbF(color.r, color.g, color.b, 0.3f));
+  }
+  for (const session::InstanceOutline& circle : outlines.circles) {
+    QPointF middle(circle.middle.x, circle.middle.y);
+    if (circle.radius < kDotPixels) {
+      double edge = 2.0 * circle.radius;
+      painter.fillRect(QRectF(middle - QPointF(circle.radius, circle.radius), QSizeF(edge, edge)), lines[circle.type]);
+      continue;
+    }
+    painter.setPen(QPen(lines[circle.type], 1.0));
+    painter.setBrush(fills[circle.type]);
+    painter.drawEllipse(middle, circle.radius, circle.radius);
+  }
+}
+
 void SectionView::paintEvent(QPaintEvent*) {
   if (mStale) drawImage();
+  drawOutlines();
   QPainter painter(this);
   double ratio = devicePixelRatioF();
   QImage image(reinterpret_cast<const uchar*>(mImage.pixels.data()), mImage.size.x, mImage.size.y,
@@ -120,6 +161,12 @@ void SectionView::paintEvent(QPaintEvent*) {
   QSizeF shown = QSizeF(image.size()) * (mDrawnCoarse / ratio);
   painter.setRenderHint(QPainter::SmoothPixmapTransform, mDrawnCoarse > 1);
   painter.drawImage(QRectF(QPointF(), shown), image);
+  if (!mOutlines.isNull()) painter.drawImage(QRectF(rect()), mOutlines);
+  if (!mOutlines.isNull() && mOutlinesMissing > 0) {
+    painter.setPen(kOverPicture);
+    painter.drawText(rect().adjusted(10, 10, -10, -10), Qt::AlignHCenter | Qt::AlignBottom,
+                     tr("%1 more instances are not outlined").arg(QLocale().toString(qulonglong(mOutlinesMissing))));
+  }
   mHints.hasFocus = hasFocus();
   paintSectionOverlay(painter, mDocument.scene(), mKind, plane(), mHints);
   ++mPaintCount;

@@ -1,5 +1,6 @@
 #pragma once
 #include <QElapsedTimer>
+#include <QImage>
 #include <QTimer>
 #include <QToolButton>
 #include <QWidget>
@@ -78,6 +79,7 @@ class SectionView : public QWidget, public ToolView {
 
   QToolButton* addButton(const char* name, const QString& tip, int fromRight);
   void drawImage();
+  void drawOutlines();
   int coarseness() const;
   Drag dragFor(const QMouseEvent& event) const;
   void dragTo(glm::dvec2 place);
@@ -99,6 +101,10 @@ class SectionView : public QWidget, public ToolView {
   std::vector<scene::Cut> mCutsShown;
   render::SheetIndices mSheets;
   render::SectionImage mImage;
+  QImage mOutlines;                  ///< Of the instances of the model; null where there is none.
+  std::size_t mOutlinesMissing = 0;  ///< That there was no time to draw.
+  scene::ModelLayer mModelShown;     ///< whose they are
+  scene::SectionPlane mOutlinesPlane;
   Selection& mSelection;
   Toolbox& mToolbox;
   bool mStale = true;

@@ -287,6 +287,11 @@ std::optional<render::Pick> Viewport::pickAt(QPointF place) {
   return mRenderer->pick(glm::ivec2(glm::floor(share * glm::dvec2(mFrame.pictureSize))));
 }
 
+std::vector<std::uint32_t> Viewport::countTypes() {
+  if (!mHasPicture || !bindContext()) return {};
+  return mRenderer->countTypes();
+}
+
 void Viewport::pickUnderPointer() {
   if (!underMouse() || mDrag != Drag::None) return;
   auto pick = pickAt(mPointer);

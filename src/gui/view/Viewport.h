@@ -53,6 +53,8 @@ class Viewport : public QOpenGLWidget, public ToolView {
   QWidget& widget() override { return *this; }
   session::ViewSpace space() const override { return {mDocument.scene().camera, logicalSize()}; }
   std::optional<render::Pick> pickAt(QPointF place) override;
+  /// Pixels that show each type of the model; empty while there is no picture of one.
+  std::vector<std::uint32_t> countTypes();
   bool showsHandles() const override { return true; }
   Qt::CursorShape restCursor() const override { return Qt::ArrowCursor; }
 
@@ -72,8 +74,10 @@ class Viewport : public QOpenGLWidget, public ToolView {
   /// The same with the right button.
   void menuAskedAt(const velum::render::Pick& pick, QPoint globalPlace);
   void failed(const QString& message);
-  /// A double click beside the handles.
+  /// A double click beside the handles, and on no instance of a model.
   void maximiseWanted();
+  /// A double click on an instance of the model.
+  void instanceWanted(const velum::render::Pick& pick);
   /// The crosshair of the sections is to go to a point of the world: Ctrl+click on what the picture shows.
   void placeWanted(glm::dvec3 world);
 

@@ -82,7 +82,8 @@ void Viewport::mouseDoubleClickEvent(QMouseEvent* event) {
   mousePressEvent(event);
   if (mDrag != Drag::Orbit) return;
   mDrag = Drag::None;
-  emit maximiseWanted();
+  auto pick = pickAt(event->position());
+  pick && pick->hit && pick->type >= 0 ? emit instanceWanted(*pick) : emit maximiseWanted();
 }
 
 void Viewport::wheelEvent(QWheelEvent* event) {

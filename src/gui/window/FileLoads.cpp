@@ -25,6 +25,7 @@ std::vector<std::string> notesOf(const session::Loaded& loaded, const scene::Sce
   };
   take(loaded.scene.volume.data, before.volume.data);
   take(loaded.scene.labels.data, before.labels.data);
+  take(loaded.scene.model.data, before.model.data);
   return notes;
 }
 QString nameOf(const QString& path) { return QFileInfo(path).fileName(); }

@@ -60,6 +60,7 @@ void MainWindow::buildRooms() {
   add(new ViewCommands(parts));
   mLook = add(new LookRoom(parts));
   mStructures = add(new StructureRoom(parts));
+  mModels = add(new ModelRoom(parts));
   mCuts = add(new CutRoom(parts));
   add(new ExtrusionRoom(parts));
   add(new TimeCommands(parts, *mFrame.time));
@@ -69,6 +70,7 @@ void MainWindow::buildRooms() {
 
 /// What one room asks and another does.
 void MainWindow::connectRooms() {
+  mModels->addLegend();
   connect(mFrame.empty, &EmptyState::openFiles, this, [this] { mFiles->askOpen(false); });
   connect(mFrame.empty, &EmptyState::openFolder, mFiles, &FileCommands::askOpenFolder);
   connect(mFrame.empty, &EmptyState::makePhantom, this, [this] { openPhantom("torso", 0); });
@@ -84,6 +86,7 @@ void MainWindow::connectRooms() {
     if (mFiles->mayLeave()) restoreWork();
   });
   connect(mStructures, &StructureRoom::openLabelsAsked, mFiles, &FileCommands::askOpenLabels);
+  connect(mStructures, &StructureRoom::findAskedElsewhere, mModels, &ModelRoom::findType);
   connect(mExports, &ExportCommands::exportStructuresAsked, this,
           [this] { mExports->askExportStructures(mStructures->selectedIds()); });
   connect(&mStructures->commands(), &StructureCommands::exportAsked, mExports, &ExportCommands::askExportStructures);

@@ -8,6 +8,7 @@
 #include "WindowFrame.h"
 #include "cut/CutRoom.h"
 #include "look/LookRoom.h"
+#include "model/ModelRoom.h"
 #include "structure/StructureRoom.h"
 
 namespace velum::gui {
@@ -54,6 +55,7 @@ class MainWindow : public QMainWindow {
   Toolbox& toolbox() { return mToolbox; }
   LookCommands& look() { return mLook->commands(); }
   StructureCommands& structures() { return mStructures->commands(); }
+  ModelRoom& models() { return *mModels; }
   Sketch& sketch() { return mCuts->membranes().sketch(); }
 
   bool isBusy() const { return mJobs.isBusy(); }
@@ -97,6 +99,7 @@ class MainWindow : public QMainWindow {
   FileCommands* mFiles = nullptr;
   LookRoom* mLook = nullptr;
   StructureRoom* mStructures = nullptr;
+  ModelRoom* mModels = nullptr;
   CutRoom* mCuts = nullptr;
 };
 

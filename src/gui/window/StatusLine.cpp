@@ -1,11 +1,25 @@
 #include "StatusLine.h"
-#include "kit/Length.h"
 
+#include <QLocale>
 #include <cmath>
+
+#include "kit/Length.h"
+#include "velum/session/model/ModelEdit.h"
 
 namespace velum::gui {
 
 namespace {
+
+/// Type, compartment and number of an instance of the model; empty for all else.
+QString instanceText(const scene::Scene& scene, const render::Pick& pick) {
+  auto place = pick.type >= 0 ? session::instancePlace(scene, pick.modelInstance) : std::nullopt;
+  if (!place) return {};
+  const MoleculeType& type = scene.model.data->types[place->type];
+  const Compartment& compartment = scene.model.data->compartments[type.compartment];
+  QString text = "    " + QString::fromStdString(type.name);
+  if (compartment.parent >= 0) text += StatusLine::tr(" in %1").arg(QString::fromStdString(compartment.name));
+  return text + StatusLine::tr(", %1 of %2").arg(place->ofType + 1).arg(type.instanceCount);
+}
 
 /// Millimetres with the digits that matter.
 QString shortNumber(double value) { return QString::number(value, 'g', 4); }
@@ -68,6 +82,11 @@ void StatusLine::refresh(const session::Session& session) {
         tr("Voxels, spacing, sample type and range of values of %1").arg(QString::fromStdString(v->name)));
   } else if (scene.labels.data) {
     mData->setText(tr("%n structure(s)", nullptr, int(scene.labels.structures.size())));
+  } else if (const auto& model = scene.model.data) {
+    auto instances = std::uint64_t(model->instances.size()) * std::uint64_t(std::max(1, scene.model.copies));
+    mData->setText(
+        tr("%1 instances of %2 types").arg(QLocale().toString(qulonglong(instances))).arg(model->types.size()));
+    mData->setToolTip(QString::fromStdString(model->name));
   } else {
     mData->setText(scene.surfaces.empty() ? tr("Nothing is open")
                                           : tr("%n surface(s)", nullptr, int(scene.surfaces.size())));
@@ -82,7 +101,7 @@ void StatusLine::showPick(const render::Pick& pick) {
   if (const auto& v = scene.volume.data; v && !values.isEmpty())
     text = QString("%1 %2    ").arg(values.join(", "), QString::fromStdString(v->unit));
   // Letters only where the file says how the patient lay.
-  bool letters = !scene.volume.data || scene.volume.data->isOrientationKnown;
+  bool letters = scene.volume.data ? scene.volume.data->isOrientationKnown : !scene.model.data;
   Length length(scene);
   static constexpr const char* kPlus[] = {"L", "P", "S"};
   static constexpr const char* kMinus[] = {"R", "A", "I"};
@@ -95,6 +114,7 @@ void StatusLine::showPick(const render::Pick& pick) {
   text += length.unit();
   for (const auto& structure : scene.labels.structures)
     if (structure.id == pick.structure) text += "    " + QString::fromStdString(structure.name);
+  text += instanceText(scene, pick);
   mPick->setText(text);
 }
 

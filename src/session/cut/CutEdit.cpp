@@ -128,4 +128,40 @@ bool isSpared(const scene::Cut& cut, int structure) {
   return found != cut.spares.end() && *found == scene::Spare{structure};
 }
 
+const scene::TypeSpare* findTypeSpare(const scene::Cut& cut, std::string_view path) {
+  auto found = std::find_if(cut.typeSpares.begin(), cut.typeSpares.end(),
+                            [path](const scene::TypeSpare& spare) { return spare.type == path; });
+  return found == cut.typeSpares.end() ? nullptr : &*found;
+}
+
+scene::TypeSpare typeSpareFor(const scene::Cut& cut, std::string_view path) {
+  scene::TypeSpare spare;
+  spare.share = 0.0;
+  for (std::string_view at = path; !at.empty();) {
+    if (const scene::TypeSpare* own = findTypeSpare(cut, at)) {
+      spare = *own;
+      break;
+    }
+    std::size_t dot = at.rfind('.');
+    at = dot == std::string_view::npos ? std::string_view() : at.substr(0, dot);
+  }
+  spare.type = path;
+  return spare;
+}
+
+scene::TypeSpare& ownTypeSpare(scene::Cut& cut, std::string_view path) {
+  auto isIt = [path](const scene::TypeSpare& spare) { return spare.type == path; };
+  auto found = std::find_if(cut.typeSpares.begin(), cut.typeSpares.end(), isIt);
+  if (found != cut.typeSpares.end()) return *found;
+  return cut.typeSpares.emplace_back(typeSpareFor(cut, path));
+}
+
+void setTypeShare(scene::Cut& cut, std::string_view path, double share) {
+  ownTypeSpare(cut, path).share = std::clamp(share, 0.0, 1.0);
+}
+
+void removeTypeSpare(scene::Cut& cut, std::string_view path) {
+  std::erase_if(cut.typeSpares, [path](const scene::TypeSpare& spare) { return spare.type == path; });
+}
+
 }  // namespace velum::session

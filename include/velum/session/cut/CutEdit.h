@@ -3,6 +3,8 @@
 #include <optional>
 #include <string>
 
+#include <string_view>
+
 #include "velum/scene/Cut.h"
 #include "velum/scene/Scene.h"
 
@@ -63,5 +65,18 @@ void replaceCut(scene::Scene& scene, scene::Cut moved);
 void setSpared(scene::Cut& cut, int structure, bool spared);
 /// The cut leaves all of the structure.
 bool isSpared(const scene::Cut& cut, int structure);
+
+// What a cut leaves of the types of a model, by the paths of types and compartments.
+
+/// The row of a path; null where the cut has none of its own.
+const scene::TypeSpare* findTypeSpare(const scene::Cut& cut, std::string_view path);
+/// What holds for a path: its own row, else that of the nearest compartment above, else that nothing is left.
+scene::TypeSpare typeSpareFor(const scene::Cut& cut, std::string_view path);
+/// The row of a path, made from what holds for it where there is none.
+scene::TypeSpare& ownTypeSpare(scene::Cut& cut, std::string_view path);
+/// The share of a path, and of all below it that has none of its own. @param share  0..1
+void setTypeShare(scene::Cut& cut, std::string_view path, double share);
+/// What is above holds again.
+void removeTypeSpare(scene::Cut& cut, std::string_view path);
 
 }  // namespace velum::session

@@ -1,0 +1,50 @@
+#pragma once
+#include <QCheckBox>
+#include <QDoubleSpinBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <functional>
+#include <optional>
+
+#include "TypeSpareView.h"
+#include "kit/Selection.h"
+#include "kit/Widgets.h"
+#include "velum/scene/Cut.h"
+#include "velum/session/document/Document.h"
+
+namespace velum::gui {
+
+/// What the selected cut leaves of the types of a model, and how.
+class TypeSpareList : public QWidget {
+  Q_OBJECT
+ public:
+  TypeSpareList(session::Document& document, Selection& selection, QWidget* parent);
+  /// Hides itself where the scene has no model.
+  void showCut(const scene::Scene& scene, const scene::Cut& cut);
+
+ private:
+  using Change = std::function<void(scene::Cut&)>;
+  void editCut(const std::string& label, const Change& change, bool merge = false);
+  void changeSpares(const char* label, const std::function<void(scene::TypeSpare&)>& change);
+  void setShare(const std::vector<std::string>& paths, double share);
+  void makeRows(QVBoxLayout* layout);
+  NumberRow* addNumber(QGridLayout* grid, const QString& name, const char* objectName, const QString& tip,
+                       NumberRow* row);
+  QWidget* makeRange(const QString& name, const QString& suffix, int decimals, double factor, double scene::Cut::*least,
+                     double scene::Cut::*most, QDoubleSpinBox* (&spins)[2]);
+  void showSelected();
+  void showMenu(QPoint place);
+
+  session::Document& mDocument;
+  Selection& mSelection;
+  QLineEdit* mSearch = nullptr;
+  TypeSpareView* mView = nullptr;
+  QLabel* mRow = nullptr;
+  NumberRow *mShare = nullptr, *mFalloff = nullptr, *mAmount = nullptr, *mExponent = nullptr;
+  QCheckBox* mWhole = nullptr;
+  QDoubleSpinBox *mMass[2] = {}, *mCount[2] = {};
+  scene::Cut mCut;
+};
+
+}  // namespace velum::gui

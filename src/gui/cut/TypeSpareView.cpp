@@ -1,0 +1,137 @@
+#include "TypeSpareView.h"
+
+#include <QHeaderView>
+#include <QMouseEvent>
+#include <QScrollBar>
+#include <algorithm>
+#include <cmath>
+
+#include "TypeSpareDelegate.h"
+#include "velum/session/cut/CutEdit.h"
+
+namespace velum::gui {
+
+namespace {
+
+constexpr int kRowHeight = 25;
+constexpr int kWidths[TypeSpareTree::kColumns] = {0, 62, 46};
+constexpr std::size_t kMostOpen = 80;  // types of a tree that is opened whole
+
+}  // namespace
+
+TypeSpareTree::TypeSpareTree(QObject* parent) : TypeTree(kColumns, Name, parent) {}
+
+void TypeSpareTree::showCut(const Shared<Model>& model, const scene::Cut& cut) {
+  bool isOther = model != this->model();
+  if (!isOther && cut.typeSpares == mShown) return;
+  setModel(model);
+  mShown = cut.typeSpares;
+  mShares.assign(rows().size(), 0.0);
+  mOwn.assign(rows().size(), false);
+  for (std::size_t i = 0; i < rows().size(); ++i) {
+    const scene::TypeSpare* own = session::findTypeSpare(cut, rows()[i].path);
+    mOwn[i] = own != nullptr;
+    mShares[i] = own ? own->share : rows()[i].parent >= 0 ? mShares[std::size_t(rows()[i].parent)] : 0.0;
+  }
+  tellCells(Name, Percent, {ShareRole, OwnRole, Qt::AccessibleTextRole});
+}
+
+QVariant TypeSpareTree::data(const QModelIndex& index, int role) const {
+  auto row = std::size_t(index.internalId());
+  double percent = row < mShares.size() ? mShares[row] * 100.0 : 0.0;
+  switch (role) {
+    case Qt::DisplayRole:
+      if (index.column() == Percent) return tr("%1 %").arg(std::lround(percent));
+      break;
+    case Qt::AccessibleTextRole:
+      return tr("%1, %2 % are left").arg(rows()[row].name).arg(std::lround(percent));
+    case Qt::ToolTipRole:
+      return index.column() == Name ? QString::fromStdString(rows()[row].path)
+                                    : tr("Share of its instances that the cut leaves: drag to change");
+    case ShareRole:
+      return percent / 100.0;
+    case OwnRole:
+      return row < mOwn.size() && mOwn[row];
+    default:
+      break;
+  }
+  return TypeTree::data(index, role);
+}
+
+TypeSpareView::TypeSpareView(QWidget* parent)
+    : QTreeView(parent), mTree(new TypeSpareTree(this)), mOrder(new TypeOrder(this)) {
+  setObjectName("typeSpares");
+  setAccessibleName(tr("What the cut leaves of types"));
+  mOrder->setSourceModel(mTree);
+  setModel(mOrder);
+  setItemDelegate(new TypeSpareDelegate(kRowHeight, this));
+  setIndentation(11);
+  setUniformRowHeights(true);
+  setHeaderHidden(true);
+  setMouseTracking(true);
+  setAllColumnsShowFocus(true);
+  setSelectionMode(ExtendedSelection);
+  setEditTriggers(NoEditTriggers);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  setVerticalScrollMode(ScrollPerPixel);
+  verticalScrollBar()->setSingleStep(kRowHeight);
+  setMinimumHeight(7 * kRowHeight);
+  header()->setStretchLastSection(false);
+  header()->setMinimumSectionSize(10);
+  for (int i = 0; i < TypeSpareTree::kColumns; ++i) {
+    header()->setSectionResizeMode(i, i == TypeSpareTree::Name ? QHeaderView::Stretch : QHeaderView::Fixed);
+    if (kWidths[i]) header()->resizeSection(i, kWidths[i]);
+  }
+}
+
+void TypeSpareView::openSome() {
+  bool isSmall = mTree->model() && mTree->model()->types.size() <= kMostOpen;
+  isSmall || mOrder->isSearching() ? expandAll() : expandToDepth(1);
+}
+
+void TypeSpareView::setSearch(const QString& text) {
+  mOrder->setSearch(text);
+  openSome();
+}
+
+std::vector<std::string> TypeSpareView::selectedPaths() const {
+  std::vector<std::string> paths;
+  for (const auto& index : selectionModel()->selectedRows())
+    paths.push_back(mTree->rowAt(mOrder->mapToSource(index)).path);
+  return paths;
+}
+
+QRect TypeSpareView::cellOfRow(int row, TypeSpareTree::Column column) const {
+  return visualRect(mOrder->mapFromSource(mTree->indexOfRow(row, column)));
+}
+
+void TypeSpareView::dragTo(int x) {
+  QRect cell = visualRect(mHeld);
+  double share = (x - cell.left() - kShareBarMargin) / (cell.width() - 2.0 * kShareBarMargin);
+  std::vector<std::string> paths = selectedPaths();
+  std::string own = mTree->rowAt(mOrder->mapToSource(mHeld)).path;
+  if (std::find(paths.begin(), paths.end(), own) == paths.end()) paths = {own};
+  emit dragged(paths, std::round(std::clamp(share, 0.0, 1.0) * 100.0) / 100.0);
+}
+
+void TypeSpareView::mousePressEvent(QMouseEvent* event) {
+  QModelIndex index = indexAt(event->position().toPoint());
+  bool isBar = event->button() == Qt::LeftButton && index.isValid() && index.column() == TypeSpareTree::Bar;
+  if (!isBar) return QTreeView::mousePressEvent(event);
+  if (!selectionModel()->isRowSelected(index.row(), index.parent()))
+    setCurrentIndex(index.siblingAtColumn(TypeSpareTree::Name));
+  mHeld = index;
+  dragTo(int(event->position().x()));
+}
+
+void TypeSpareView::mouseMoveEvent(QMouseEvent* event) {
+  mHeld.isValid() ? dragTo(int(event->position().x())) : QTreeView::mouseMoveEvent(event);
+}
+
+void TypeSpareView::mouseReleaseEvent(QMouseEvent* event) {
+  if (!mHeld.isValid()) return QTreeView::mouseReleaseEvent(event);
+  mHeld = QModelIndex();
+  emit settled();
+}
+
+}  // namespace velum::gui

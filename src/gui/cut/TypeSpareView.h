@@ -1,0 +1,56 @@
+#pragma once
+#include <QTreeView>
+#include <vector>
+
+#include "kit/TypeTree.h"
+#include "velum/scene/Cut.h"
+
+namespace velum::gui {
+
+/// The types of a model with what a cut leaves of them.
+class TypeSpareTree : public TypeTree {
+  Q_OBJECT
+ public:
+  enum Column { Name, Bar, Percent, kColumns };
+  enum Role { ShareRole = kOwnRole, OwnRole };
+  explicit TypeSpareTree(QObject* parent);
+  void showCut(const Shared<Model>& model, const scene::Cut& cut);
+  QVariant data(const QModelIndex& index, int role) const override;
+
+ private:
+  std::vector<scene::TypeSpare> mShown;
+  std::vector<double> mShares;  ///< by row
+  std::vector<bool> mOwn;
+};
+
+/// Its rows, with bars that are dragged.
+class TypeSpareView : public QTreeView {
+  Q_OBJECT
+ public:
+  explicit TypeSpareView(QWidget* parent);
+  TypeSpareTree& tree() { return *mTree; }
+  TypeOrder& order() { return *mOrder; }
+  void setSearch(const QString& text);
+  void openSome();
+  /// Paths of the rows that are selected.
+  std::vector<std::string> selectedPaths() const;
+  /// Where a column of a row is, for tests. @param row  of the tree
+  QRect cellOfRow(int row, TypeSpareTree::Column column) const;
+
+ signals:
+  void dragged(const std::vector<std::string>& paths, double share);
+  void settled();
+
+ protected:
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+
+ private:
+  void dragTo(int x);
+  TypeSpareTree* mTree;
+  TypeOrder* mOrder;
+  QPersistentModelIndex mHeld;  ///< Whose bar is dragged.
+};
+
+}  // namespace velum::gui

@@ -1,0 +1,35 @@
+#pragma once
+#include <QColor>
+#include <QString>
+#include <cstdint>
+#include <vector>
+
+#include "tool/Manipulator.h"
+#include "velum/scene/Scene.h"
+#include "view/Viewport.h"
+
+namespace velum::gui {
+
+/// Colours and names of the types that the picture shows most, over it.
+class Legend : public Manipulator {
+ public:
+  Legend(const session::Document& document, Viewport& viewport) : mDocument(document), mViewport(viewport) {}
+
+  void setShown(bool shown);
+  bool isShown() const { return mIsShown; }
+  /// The picture is complete: counts what is seen, where the legend is shown. @return true where rows have changed
+  bool count();
+  const std::vector<QString>& names() const { return mNames; }
+
+  void paint(ViewPainter& over) const override;
+
+ private:
+  const session::Document& mDocument;
+  Viewport& mViewport;
+  bool mIsShown = false;
+  std::vector<std::uint32_t> mTypes;  ///< What is seen most first.
+  std::vector<QString> mNames;
+  Shared<Model> mModel;  ///< whose they are
+};
+
+}  // namespace velum::gui

@@ -1,0 +1,48 @@
+#pragma once
+#include <QMenu>
+#include <QObject>
+
+#include "kit/Selection.h"
+#include "velum/session/document/Document.h"
+#include "velum/session/model/ModelEdit.h"
+#include "view/CameraFlight.h"
+
+namespace velum::gui {
+
+/// What can be done to the types of a model, from the page, the menus and the picture alike. Each is one undo step with
+/// a name.
+class ModelCommands : public QObject {
+  Q_OBJECT
+ public:
+  using Types = session::TypeNumbers;
+  ModelCommands(session::Document& document, Selection& selection, QObject* parent);
+
+  void setVisible(const Types& types, bool visible);
+  /// Shows types alone, or what was shown before.
+  void toggleSolo(const Types& types);
+  void setColor(const Types& types, glm::vec3 color);
+  /// Asks for a colour and gives it to all of them.
+  void chooseColor(const Types& types, QWidget* window);
+  /// The palette's colours again.
+  void resetColor(const Types& types);
+  /// Shown, in the palette's colours.
+  void reset(const Types& types);
+  /// Brings the camera to all instances of some types, or near to one.
+  void goTo(const Types& types);
+  void goToInstance(std::uint32_t instance);
+  /// The entries for one or several types. @param title  what they are
+  void fillMenu(QMenu& menu, const Types& types, const QString& title);
+
+  session::Document& document() { return mDocument; }
+  Selection& selection() { return mSelection; }
+
+ private:
+  void flyTo(const session::InstancePlace& place);
+
+  session::Document& mDocument;
+  Selection& mSelection;
+  session::TypeSoloMemory mSolo;
+  CameraFlight mFlight;
+};
+
+}  // namespace velum::gui

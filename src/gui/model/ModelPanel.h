@@ -1,0 +1,60 @@
+#pragma once
+#include <QCheckBox>
+#include <QComboBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <functional>
+
+#include "ModelList.h"
+#include "ModelLookGrid.h"
+#include "kit/RowPaint.h"
+#include "kit/Widgets.h"
+
+namespace velum::gui {
+
+/// The page "Model": what the model is made of, and how it looks.
+class ModelPanel : public QWidget {
+  Q_OBJECT
+ public:
+  ModelPanel(ModelCommands& commands, QWidget* parent);
+  void refresh();
+  void startSearch();
+  ModelList& list() { return *mList; }
+  ModelLookGrid& looks() { return *mLooks; }
+  void setLegendShown(bool shown) { mLegend->setChecked(shown); }
+
+ signals:
+  void legendAsked(bool shown);
+
+ private:
+  QWidget* makeHead();
+  QWidget* makeSearch();
+  QWidget* makeFoot();
+  QWidget* makeRows();
+  NumberRow* addShare(QGridLayout* grid, const QString& name, const char* objectName, const QString& tip,
+                      const char* label, std::function<double&(scene::Scene&)> field);
+  NumberRow* addNumber(QGridLayout* grid, const QString& name, const char* objectName, const QString& tip,
+                       NumberRow* row);
+  void setSearch(const QString& text);
+  void showNotes(const Model& model);
+  void showCount();
+
+  ModelCommands& mCommands;
+  session::Document& mDocument;
+  EyeButton* mShown = nullptr;
+  QLabel *mName = nullptr, *mNotes = nullptr, *mCount = nullptr;
+  QCheckBox* mLegend = nullptr;
+  QLineEdit* mSearch = nullptr;
+  ModelList* mList = nullptr;
+  ModelLookGrid* mLooks = nullptr;
+  QComboBox* mPalette = nullptr;
+  NumberRow *mNear = nullptr, *mDetail = nullptr, *mCopies = nullptr, *mFog = nullptr, *mOcclusion = nullptr,
+            *mShadow = nullptr;
+  // What is shown.
+  bool mIsMade = false;
+  scene::ModelLayer mLayerShown;
+  scene::Lighting mLightShown;
+};
+
+}  // namespace velum::gui

@@ -1,0 +1,177 @@
+#include "velum/session/model/ModelEdit.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <unordered_map>
+
+#include "velum/core/Units.h"
+
+namespace velum::session {
+
+namespace {
+
+/// Of each type that a layer lists; the first entry of a path counts.
+std::unordered_map<std::string_view, const scene::TypeLook*> looksByPath(const scene::ModelLayer& layer) {
+  std::unordered_map<std::string_view, const scene::TypeLook*> looks;
+  for (const scene::TypeLook& look : layer.types) looks.try_emplace(look.type, &look);
+  return looks;
+}
+
+template <class Question>
+std::vector<bool> askTypes(const scene::ModelLayer& layer, bool unlisted, Question&& question) {
+  if (!layer.data) return {};
+  std::vector<bool> answers(layer.data->types.size(), unlisted);
+  if (layer.types.empty()) return answers;
+  auto looks = looksByPath(layer);
+  for (std::size_t i = 0; i < answers.size(); ++i)
+    if (auto found = looks.find(pathOf(*layer.data, layer.data->types[i])); found != looks.end())
+      answers[i] = question(*found->second);
+  return answers;
+}
+
+bool saysNothing(const scene::TypeLook& look) { return look == scene::TypeLook{.type = look.type}; }
+
+/// Changes what the layer says of some types; the others' entries stay, also those of no type of this model.
+template <class Change>
+void changeLooks(scene::Scene& scene, const TypeNumbers& types, Change&& change) {
+  if (!scene.model.data) return;
+  const Model& model = *scene.model.data;
+  std::vector<scene::TypeLook>& looks = scene.model.types;
+  std::unordered_map<std::string, std::size_t> places;
+  for (std::size_t i = 0; i < looks.size(); ++i) places.try_emplace(looks[i].type, i);
+  for (std::uint32_t type : types) {
+    if (type >= model.types.size()) continue;
+    auto [found, isNew] = places.try_emplace(pathOf(model, model.types[type]), looks.size());
+    if (isNew) looks.push_back({.type = found->first});
+    change(looks[found->second]);
+  }
+  std::erase_if(looks, saysNothing);
+}
+
+}  // namespace
+
+std::string compartmentPath(const Model& model, std::uint32_t compartment) {
+  std::string path = model.compartments[compartment].name;
+  for (std::int32_t at = model.compartments[compartment].parent; at >= 0;
+       at = model.compartments[std::size_t(at)].parent)
+    path = model.compartments[std::size_t(at)].name + "." + path;
+  return path;
+}
+
+TypeNumbers typesBelow(const Model& model, std::uint32_t compartment) {
+  std::vector<bool> isBelow(model.compartments.size());
+  for (std::size_t i = 0; i < isBelow.size(); ++i) {
+    std::int32_t parent = model.compartments[i].parent;  // stands before it
+    isBelow[i] = i == compartment || (parent >= 0 && isBelow[std::size_t(parent)]);
+  }
+  TypeNumbers types;
+  for (std::uint32_t i = 0; i < model.types.size(); ++i)
+    if (isBelow[model.types[i].compartment]) types.push_back(i);
+  return types;
+}
+
+std::vector<bool> visibleTypes(const scene::ModelLayer& layer) {
+  return askTypes(layer, true, [](const scene::TypeLook& look) { return look.visible; });
+}
+
+std::vector<bool> ownColors(const scene::ModelLayer& layer) {
+  return askTypes(layer, false, [](const scene::TypeLook& look) { return look.color.has_value(); });
+}
+
+std::string typesLabel(const scene::Scene& scene, std::string_view verb, const TypeNumbers& types) {
+  bool isOne = types.size() == 1 && scene.model.data && types[0] < scene.model.data->types.size();
+  if (isOne) return fmt::format("{} {}", verb, scene.model.data->types[types[0]].name);
+  return fmt::format("{} {} types", verb, types.size());
+}
+
+void setTypesVisible(scene::Scene& scene, const TypeNumbers& types, bool visible) {
+  changeLooks(scene, types, [visible](scene::TypeLook& look) { look.visible = visible; });
+}
+
+void setTypesColor(scene::Scene& scene, const TypeNumbers& types, std::optional<glm::vec3> color) {
+  changeLooks(scene, types, [&](scene::TypeLook& look) { look.color = color; });
+}
+
+void resetTypes(scene::Scene& scene, const TypeNumbers& types) {
+  changeLooks(scene, types, [](scene::TypeLook& look) { look = {.type = look.type}; });
+}
+
+bool isSolo(const scene::Scene& scene, const TypeNumbers& types) {
+  std::vector<bool> shown = visibleTypes(scene.model);
+  auto count = std::size_t(std::count(shown.begin(), shown.end(), true));
+  bool areShown = std::all_of(types.begin(), types.end(), [&](auto i) { return i < shown.size() && shown[i]; });
+  return !types.empty() && areShown && count == types.size() && count < shown.size();
+}
+
+TypeSoloMemory toggleSoloTypes(scene::Scene& scene, const TypeSoloMemory& memory, TypeNumbers types) {
+  if (!scene.model.data) return {};
+  std::sort(types.begin(), types.end());
+  bool ends = isSolo(scene, types);
+  std::vector<bool> shown = visibleTypes(scene.model);
+  bool isRemembered = memory.shown.size() == shown.size() && isSolo(scene, memory.alone);
+  TypeSoloMemory next;
+  if (!ends) next = {types, isRemembered ? memory.shown : shown};
+  TypeNumbers on, off;
+  for (std::uint32_t i = 0; i < shown.size(); ++i) {
+    bool isShown = ends ? !isRemembered || memory.shown[i] : std::binary_search(types.begin(), types.end(), i);
+    (isShown ? on : off).push_back(i);
+  }
+  setTypesVisible(scene, on, true);
+  setTypesVisible(scene, off, false);
+  return next;
+}
+
+std::optional<InstancePlace> instancePlace(const scene::Scene& scene, std::uint32_t instance) {
+  const scene::ModelLayer& layer = scene.model;
+  if (!layer.data || layer.data->instances.empty()) return std::nullopt;
+  const Model& model = *layer.data;
+  auto count = std::uint32_t(model.instances.size());
+  scene::CopyGrid grid = scene::copyGrid(layer);
+  InstancePlace place;
+  place.copy = instance / count;
+  if (place.copy >= std::uint32_t(std::max(1, layer.copies))) return std::nullopt;
+  const Instance& one = model.instances[instance % count];
+  const Molecule& molecule = model.molecules[one.molecule];
+  int copy = int(place.copy);
+  glm::dvec3 cell(copy % grid.counts.x, copy / grid.counts.x % grid.counts.y, copy / (grid.counts.x * grid.counts.y));
+  double length = unitsPer(LengthUnit::Angstrom, scene.unit);
+  place.middle = (glm::dvec3(one.rotation * molecule.centre + one.position) + grid.step * cell) * length;
+  place.radius = molecule.radius * length;
+  place.type = molecule.type;
+  place.ofType = instance % count - model.types[molecule.type].firstInstance;
+  return place;
+}
+
+InstancePlace ballAround(const scene::Scene& scene, const TypeNumbers& types) {
+  InstancePlace ball;
+  if (!scene.model.data) return ball;
+  const Model& model = *scene.model.data;
+  glm::dvec3 low(std::numeric_limits<double>::max()), high(-low);
+  auto forInstances = [&](const auto& visit) {
+    for (std::uint32_t type : types) {
+      if (type >= model.types.size()) continue;
+      std::uint32_t first = model.types[type].firstInstance;
+      for (std::uint32_t i = first; i < first + model.types[type].instanceCount; ++i) {
+        const Molecule& molecule = model.molecules[model.instances[i].molecule];
+        visit(glm::dvec3(model.instances[i].rotation * molecule.centre + model.instances[i].position),
+              double(molecule.radius));
+      }
+    }
+  };
+  forInstances(
+      [&](glm::dvec3 at, double radius) { low = glm::min(low, at - radius), high = glm::max(high, at + radius); });
+  if (low.x > high.x) return ball;
+  glm::dvec3 middle = (low + high) * 0.5;
+  double reach = 0.0;
+  forInstances([&](glm::dvec3 at, double radius) { reach = std::max(reach, glm::distance(at, middle) + radius); });
+  scene::CopyGrid grid = scene::copyGrid(scene.model);
+  glm::dvec3 last = grid.step * glm::dvec3(glm::max(grid.counts - 1, 0));
+  double length = unitsPer(LengthUnit::Angstrom, scene.unit);
+  ball.middle = (middle + last * 0.5) * length;
+  ball.radius = (reach + glm::length(last) * 0.5) * length;
+  return ball;
+}
+
+}  // namespace velum::session

@@ -1,0 +1,195 @@
+// Models of molecules in the real window: their page, clicks in the picture, and what cuts leave of them.
+#include <QComboBox>
+#include <QTabBar>
+
+#include "Shots.h"
+#include "WindowFixture.h"
+#include "cut/TypeSpareList.h"
+#include "makeModel.h"
+#include "model/ModelList.h"
+#include "velum/session/cut/CutEdit.h"
+
+namespace velum::gui {
+
+class ModelWindow : public Window {
+ protected:
+  void openModel(int types = 5) {
+    scene::Scene scene;
+    scene.unit = LengthUnit::Angstrom;
+    scene.model.data = Shared<Model>(ModelMaker{.types = types, .instances = 400, .moleculeRadius = 20.0f}.make());
+    mWindow->resize(1100, 860);
+    mWindow->showScene(scene, "made");
+    drawSoon();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return list().isVisible(); }, 10000));
+  }
+  ModelList& list() { return *child<ModelList>("modelList"); }
+  void clickEye(int type, Qt::KeyboardModifiers keys = {}) {
+    QTest::mouseClick(list().viewport(), Qt::LeftButton, keys, list().cellOfType(type, ModelTree::Eye).center());
+  }
+  std::vector<bool> shown() { return session::visibleTypes(scene().model); }
+  /// A place of the picture with an instance.
+  std::optional<std::pair<QPoint, render::Pick>> findInstance() {
+    for (int y = 10; y < viewport().height(); y += 7)
+      for (int x = 10; x < viewport().width(); x += 7)
+        if (auto pick = viewport().pickAt(QPointF(x, y)); pick && pick->hit && pick->type >= 0)
+          return std::pair(QPoint(x, y), *pick);
+    return std::nullopt;
+  }
+  bool hasPage() {
+    auto& tabs = mWindow->tabs();
+    for (int i = 0; i < tabs.count(); ++i)
+      if (tabs.tabText(i) == "Model") return tabs.isTabVisible(i);
+    return false;
+  }
+};
+
+TEST_F(ModelWindow, ThePageIsThereWithAModelOnly) {
+  EXPECT_FALSE(hasPage());
+  openModel();
+  EXPECT_TRUE(hasPage());
+  openPhantom();
+  EXPECT_FALSE(hasPage());
+}
+
+TEST_F(ModelWindow, AnEyeHidesItsTypeAndUndoBringsItBack) {
+  openModel();
+  clickEye(2);
+  EXPECT_EQ(shown(), (std::vector<bool>{true, true, false, true, true}));
+  EXPECT_EQ(mWindow->document().undoLabel(), "Hide type2");
+  EXPECT_EQ(child<QLabel>("modelCount")->text(), "4 of 5");
+  clickEye(2);
+  EXPECT_TRUE(scene().model.types.empty());
+  mWindow->document().undo();
+  EXPECT_FALSE(shown()[2]);
+  mWindow->document().undo();
+  EXPECT_TRUE(shown()[2]);
+}
+
+TEST_F(ModelWindow, TheEyeOfACompartmentHidesAllBelow) {
+  openModel();
+  QModelIndex type0 = list().tree().indexOfType(0, 0), above = type0.parent();
+  QModelIndex eye = list().order().mapFromSource(above.siblingAtColumn(ModelTree::Eye));
+  QTest::mouseClick(list().viewport(), Qt::LeftButton, {}, list().visualRect(eye).center());
+  EXPECT_EQ(shown(), (std::vector<bool>{false, true, false, true, false}));
+  EXPECT_EQ(list().tree().index(0, 0).data(ModelTree::VisibleRole).toInt(), int(ModelTree::Some));
+}
+
+TEST_F(ModelWindow, AltClickShowsATypeAloneAndEndsSo) {
+  openModel();
+  clickEye(4);
+  clickEye(1, Qt::AltModifier);
+  EXPECT_EQ(shown(), (std::vector<bool>{false, true, false, false, false}));
+  clickEye(1, Qt::AltModifier);
+  EXPECT_EQ(shown(), (std::vector<bool>{true, true, true, true, false}));
+}
+
+TEST_F(ModelWindow, SearchLeavesWhatFitsAndButtonsChangeOnlyThat) {
+  openModel(12);
+  auto* search = child<QLineEdit>("modelSearch");
+  search->setText("TYPE1");
+  EXPECT_EQ(list().listedTypes(), (session::TypeNumbers{1, 10, 11}));
+  QTest::mouseClick(child<QPushButton>("modelHideAll"), Qt::LeftButton);
+  std::vector<bool> now = shown();
+  EXPECT_EQ(std::count(now.begin(), now.end(), false), 3);
+  mWindow->selection().setType(5);
+  EXPECT_TRUE(search->text().isEmpty()) << "what is selected elsewhere is found";
+  QTest::mouseClick(child<QPushButton>("modelReset"), Qt::LeftButton);
+  EXPECT_TRUE(scene().model.types.empty());
+}
+
+TEST_F(ModelWindow, AColourIsSeenInItsRowAndGoesWithUndo) {
+  openModel();
+  QColor before = list().tree().indexOfType(3, 0).data(ModelTree::ColorRole).value<QColor>();
+  mWindow->models().commands().setColor({3}, {1.0f, 0.0f, 0.0f});
+  EXPECT_EQ(list().tree().indexOfType(3, 0).data(ModelTree::ColorRole).value<QColor>(), QColor(255, 0, 0));
+  mWindow->document().undo();
+  EXPECT_EQ(list().tree().indexOfType(3, 0).data(ModelTree::ColorRole).value<QColor>(), before);
+}
+
+TEST_F(ModelWindow, AClickInThePictureSelectsTheRowAndADoubleClickGoesThere) {
+  openModel();
+  ASSERT_TRUE(settle());
+  auto found = findInstance();
+  ASSERT_TRUE(found);
+  QTest::mouseClick(&viewport(), Qt::LeftButton, {}, found->first);
+  EXPECT_EQ(mWindow->selection().type(), found->second.type);
+  EXPECT_EQ(list().selectedTypes(), session::TypeNumbers{std::uint32_t(found->second.type)});
+  EXPECT_TRUE(list().viewport()->rect().intersects(list().cellOfType(found->second.type, ModelTree::Name)));
+  takeShot(*mWindow, "model-page");
+  auto place = session::instancePlace(scene(), found->second.modelInstance);
+  ASSERT_TRUE(place);
+  EXPECT_LT(glm::distance(place->middle, found->second.world), place->radius * 1.05);
+  QTest::mouseDClick(&viewport(), Qt::LeftButton, {}, found->first);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return glm::distance(scene().camera.target, place->middle) < 1e-3; }, 5000));
+  EXPECT_EQ(scene().sections.layout, scene::Layout::Volume);
+}
+
+TEST_F(ModelWindow, TheLegendNamesWhatIsSeenMost) {
+  openModel();
+  mWindow->actions().find("model.legend")->trigger();
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(mWindow->models().legend().names().size(), 5u);
+  clickEye(0);
+  ASSERT_TRUE(settle());
+  const auto& names = mWindow->models().legend().names();
+  EXPECT_EQ(names.size(), 4u);
+  EXPECT_EQ(std::count(names.begin(), names.end(), "type0"), 0);
+  takeShot(*mWindow, "model-legend");
+}
+
+TEST_F(ModelWindow, RowsBelowTheTreeChangeTheSceneInOneStepEach) {
+  openModel();
+  auto type = [&](const char* name, double value) { child<NumberRow>(name)->spin()->setValue(value); };
+  type("modelNear", 40);
+  type("modelDetail", 3);
+  type("modelCopies", 8);
+  type("modelFog", 25);
+  EXPECT_DOUBLE_EQ(scene().model.nearColors, 0.4);
+  EXPECT_DOUBLE_EQ(scene().model.detail, 3.0);
+  EXPECT_EQ(scene().model.copies, 8);
+  EXPECT_DOUBLE_EQ(scene().lighting.fog, 0.25);
+  auto* palette = child<QComboBox>("modelPalette");
+  palette->setCurrentIndex(1);
+  emit palette->activated(1);
+  EXPECT_EQ(scene().model.palette, scene::Palette::Compartment);
+  for (int i = 0; i < 5; ++i) mWindow->document().undo();
+  EXPECT_EQ(scene().model.palette, scene::Palette::Type);
+  EXPECT_EQ(scene().model.copies, 1);
+}
+
+TEST_F(ModelWindow, ABarOfACutSaysHowMuchOfATypeItLeaves) {
+  openModel();
+  mWindow->tabs().showPage("Cuts");
+  QTest::mouseClick(child<QPushButton>("addPlane"), Qt::LeftButton);
+  ASSERT_EQ(scene().cuts.size(), 1u);
+  auto* view = child<TypeSpareView>("typeSpares");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return view->isVisible(); }, 5000));
+  QRect bar = view->cellOfRow(0, TypeSpareTree::Bar);
+  QTest::mouseClick(view->viewport(), Qt::LeftButton, {}, bar.center());
+  ASSERT_EQ(scene().cuts[0].typeSpares.size(), 1u);
+  EXPECT_EQ(scene().cuts[0].typeSpares[0].type, "root");
+  EXPECT_NEAR(scene().cuts[0].typeSpares[0].share, 0.5, 0.04);  // a pixel is 2 %
+  EXPECT_EQ(mWindow->document().undoLabel(), "Leave of all types");
+  child<NumberRow>("typeFalloff")->spin()->setValue(30.0);
+  EXPECT_DOUBLE_EQ(scene().cuts[0].typeSpares[0].falloff, 30.0);
+  child<QCheckBox>("wholeInstances")->click();
+  EXPECT_TRUE(scene().cuts[0].wholeInstances);
+  child<QDoubleSpinBox>("leastMass")->setValue(2.5);
+  EXPECT_DOUBLE_EQ(scene().cuts[0].leastMass, 2500.0);
+  QApplication::processEvents();
+  takeShot(*mWindow, "model-cuts");
+}
+
+TEST_F(ModelWindow, SectionsOutlineInstances) {
+  openModel();
+  mWindow->views().setLayout(scene::Layout::FourUp);
+  QApplication::processEvents();
+  takeShot(*mWindow, "model-sections");
+  SectionView& view = mWindow->views().section(scene::SectionKind::Axial);
+  QImage with = view.grab().toImage();
+  session::TypeNumbers all{0, 1, 2, 3, 4};
+  mWindow->models().commands().setVisible(all, false);
+  EXPECT_NE(view.grab().toImage(), with);
+}
+
+}  // namespace velum::gui

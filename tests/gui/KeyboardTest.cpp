@@ -280,6 +280,7 @@ TEST_P(Keyboard, ReachesAllOfEveryPage) {
   open({"phantom.nrrd"});
   ASSERT_GE(tabs().count(), 3);
   for (int page = 0; page < tabs().count(); ++page) {
+    if (!tabs().isTabVisible(page)) continue;  // of data that is not open
     tabs().setCurrentIndex(page);
     mWindow->viewport().setFocus();
     expectKeysReachAll(*mWindow);
@@ -328,6 +329,7 @@ INSTANTIATE_TEST_SUITE_P(Window, KeyboardUse, testing::Values(ThemeKind::Dark));
 TEST_P(KeyboardUse, EscGoesFromAPanelToTheViews) {
   open({"phantom.nrrd", "phantom_labels.seg.nrrd"});
   for (int tab = 0; tab < tabs().count(); ++tab) {
+    if (!tabs().isTabVisible(tab)) continue;
     tabs().setCurrentIndex(tab);
     for (QWidget* control : controlsOf(*mWindow)) {
       if (!side().isAncestorOf(control) || !(control->focusPolicy() & Qt::TabFocus)) continue;

@@ -62,6 +62,7 @@ TypeSpareView::TypeSpareView(QWidget* parent)
     : QTreeView(parent), mTree(new TypeSpareTree(this)), mOrder(new TypeOrder(this)) {
   setObjectName("typeSpares");
   setAccessibleName(tr("What the cut leaves of types"));
+  setToolTip(tr("How much of each type stays in what the cut removes"));
   mOrder->setSourceModel(mTree);
   setModel(mOrder);
   setItemDelegate(new TypeSpareDelegate(kRowHeight, this));

@@ -65,6 +65,7 @@ ModelList::ModelList(ModelCommands& commands, QWidget* parent)
     : QTreeView(parent), mCommands(commands), mTree(new ModelTree(this)), mOrder(new TypeOrder(this)) {
   setObjectName("modelList");
   setAccessibleName(tr("Types of the model"));
+  setToolTip(tr("Compartments and types of the model: shown, colour, name, number of instances"));
   mOrder->setSourceModel(mTree);
   setModel(mOrder);
   setItemDelegate(new Delegate(this));

@@ -60,12 +60,15 @@ class PullFeedback : public PullFixture {
 
   static constexpr glm::dvec3 kMiddle{-29, 0, 14};
   static constexpr glm::dvec3 kOnFront{-40, 0, 14}, kOnRight{-29, -13, 14};
+  static constexpr glm::dvec3 kOnlyFront{-46, 0, 14}, kOnlyRight{-29, -16, 14};
 };
 
 TEST_F(PullFeedback, TheSupportingPlaneHasALineOfTwiceTheWidth) {
   openWedge();
   takeUp();
   for (auto [place, pulled] : {std::pair(kOnFront, 0), {kOnRight, 1}, {kOnFront, 0}}) {
+    // The tool keeps to a plane while the pointer stays where both hold a structure: it comes from where one does.
+    hover(pixelOf(pulled == 0 ? kOnlyFront : kOnlyRight));
     pull(pixelOf(place), place, cut(pulled), 8.0);
     ASSERT_TRUE(settle());
     EXPECT_GT(session::extrusionOf(cut(pulled), 1), 4.0);

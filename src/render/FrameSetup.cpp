@@ -202,6 +202,9 @@ glm::ivec4 coveredRect(const shared::FrameParams& params, const Frame& frame) {
 
 namespace {
 
+/// Radius about the data of a cut that is everywhere; as their diameter is 1, nothing lies beyond it.
+constexpr float kEverywhere = 1e9f;
+
 void addMembrane(shared::CutData& data, const scene::Cut& cut, glm::ivec4 sheet) {
   const scene::Membrane& membrane = *cut.membrane;
   data.kind.w = membrane.use == scene::MembraneUse::Inlay ? shared::kMembraneInlay : shared::kMembraneClip;
@@ -230,6 +233,11 @@ std::vector<shared::CutData> makeCutData(const scene::Scene& scene, glm::dvec3 o
     glm::dvec3 half = solidEdges(cut.size) * 0.5;
     data.halfSize = v4(half, cut.invert ? -1.0 : 1.0);
     int shape = static_cast<int>(cut.shape);
+    if (cut.shape == scene::CutShape::Everywhere) {
+      shape = shared::kCutSphere;
+      data.localFromScene = glm::mat4(1.0f);
+      data.halfSize = {glm::vec3(kEverywhere), cut.invert ? -1.0f : 1.0f};
+    }
     bool isWalked = !scene::isMembrane(cut) && !shared::cutIsConvex(shape);
     data.kind = {shape, cut.face == scene::CutFace::Section ? 1 : 0, isWalked ? shared::kCutWalks : 0, 0};
     if (!opensGroup) data.kind.z |= shared::kCutJoined;

@@ -131,6 +131,12 @@ std::vector<glm::vec3> typeColors(const ModelLayer& layer) {
   return colors;
 }
 
+bool hasGhosts(const ModelLayer& layer) {
+  if (layer.ghostOpacity <= 0.0) return false;
+  auto shows = [&](const TypeLook& look) { return look.visible && ghostsOf(layer, look) != Ghosts::None; };
+  return layer.ghosts != Ghosts::None || std::any_of(layer.types.begin(), layer.types.end(), shows);
+}
+
 TypeLook typeLook(const ModelLayer& layer, std::string_view path) {
   auto found =
       std::find_if(layer.types.begin(), layer.types.end(), [&](const TypeLook& look) { return look.type == path; });

@@ -74,7 +74,8 @@ void drawMembrane(Lines& lines, glm::dvec3 half, OutlineDetail) { lines.push_bac
 
 /// In the order of CutShape.
 constexpr void (*kDraw[])(Lines&, glm::dvec3, OutlineDetail) = {drawNothing,  drawBox,  drawSphere,
-                                                                drawCylinder, drawCone, drawMembrane};
+                                                                drawCylinder, drawCone, drawMembrane,
+                                                                drawNothing};
 static_assert(std::size(kDraw) == std::size(EnumNames<CutShape>::kNames), "each shape has its outline");
 
 }  // namespace

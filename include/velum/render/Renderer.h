@@ -3,12 +3,14 @@
 #include <glm/glm.hpp>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "velum/core/Image.h"
 #include "velum/core/Task.h"
 #include "velum/gpu/Context.h"
+#include "velum/render/Counts.h"
 #include "velum/render/Frame.h"
 
 namespace velum::render {
@@ -47,6 +49,7 @@ struct Layers {
   bool structure = false;
   bool instance = false;
   bool type = false;
+  bool ghosts = false;
 };
 
 /// Draws scenes. A frame is a queue of small pieces of work (uploads, tables, light, tiles, sample by sample), so that
@@ -70,7 +73,8 @@ class Renderer {
 
   /// The last frame's window: R, G, B, A display-referred with straight alpha, then the layers asked for:
   /// "position.X/Y/Z" (world), "normal.X/Y/Z" (world), "Z" (distance from the eye, along the ray; infinity where
-  /// nothing is), "id" (structure), "instance" (as Pick; -1 where nothing is), "type" (of the model; -1 where there is none of it).
+  /// nothing is), "id" (structure), "instance" (as Pick; -1 where nothing is), "type" (of the model; -1 where there is none of it),
+  /// "ghosts.R/G/B/A" (what is blended over the picture of instances that cuts have removed, straight alpha).
   Image read(const Layers& layers = {});
 
   /// What the last frame shows at a pixel of its window. From the drawn layers, so it agrees with the picture.
@@ -79,6 +83,10 @@ class Renderer {
   /// How many pixels of the last frame's window show each type of the scene's model, by their places in it. Empty
   /// without a model. Reads the whole window back.
   std::vector<std::uint32_t> countTypes() const;
+
+  /// What became of the instances in the newest frame of which that has arrived, of those with Frame::countsInstances:
+  /// once each, at most two frames after it was complete, without waiting. @param waits  for the frame drawn last
+  std::optional<InstanceBits> bits(bool waits = false);
 
   const Stats& stats() const;
   /// Draws a frame's share of progress, 0..1.

@@ -5,12 +5,13 @@
 #include <vector>
 
 #include "velum/core/Fields.h"
+#include "velum/scene/Focus.h"
 #include "velum/scene/Membrane.h"
 #include "velum/scene/Spare.h"
 
 namespace velum::scene {
 
-enum class CutShape { Plane, Box, Sphere, Cylinder, Cone, Membrane };
+enum class CutShape { Plane, Box, Sphere, Cylinder, Cone, Membrane, Everywhere };
 enum class CutFace { Shaded, Section };
 
 /// In a scene; addCut() and files keep to it.
@@ -19,7 +20,7 @@ constexpr int kMostCutId = 1'000'000'000;
 
 /// One thing that removes material. What it removes: a plane, the side that `axis` points to; a closed shape, its
 /// inside; a membrane, the side of its sheet that `axis` points to (beyond its rest plane, of the rest plane); with
-/// `invert`, the other side. A position is kept when no enabled cut removes it. World frame (LPS).
+/// `invert`, the other side; everywhere: the whole domain, for what it spares and what it keeps in view. A position is kept when no enabled cut removes it. World frame (LPS).
 struct Cut {
   int id = 0;  ///< by which everything knows the cut: from 1, unique in a scene, see addCut(); 0: it has none yet
   std::string name;
@@ -39,13 +40,14 @@ struct Cut {
   bool wholeInstances = false;        ///< instances are removed when all of their sphere is; else when its middle is
   double leastMass = 0.0, mostMass = Spare::kEndless;      ///< of an instance, dalton; types outside are not spared
   double leastCopies = 0.0, mostCopies = Spare::kEndless;  ///< instances of a type; types outside are not spared
+  std::optional<Focus> focus;  ///< types of a model that it keeps in view; none: it looks at no view
   std::optional<Membrane> membrane;  ///< what a membrane is beside its rest plane; other shapes have none
   bool operator==(const Cut&) const = default;
   static void fields(auto& o, auto& visit) {
     visit("id", o.id,
           FieldInfo{"", {0, kMostCutId}, "Number by which the cut is known, unique in a scene; 0: a new one."});
     visit("name", o.name, FieldInfo{"", {}, "Name for people."});
-    visit("shape", o.shape, FieldInfo{"", {}, "Plane, box, sphere, cylinder, cone or membrane."});
+    visit("shape", o.shape, FieldInfo{"", {}, "Plane, box, sphere, cylinder, cone, membrane or everywhere."});
     visit("enabled", o.enabled, FieldInfo{"", {}, "Off: the cut removes nothing."});
     visit("invert", o.invert, FieldInfo{"", {}, "Removes the other side."});
     visit("joined", o.joined,
@@ -73,6 +75,7 @@ struct Cut {
     visit("leastCopies", o.leastCopies, FieldInfo{"", {0}, "Types of fewer instances are not spared.", true});
     visit("mostCopies", o.mostCopies,
           FieldInfo{"", {0}, "Types of more instances are not spared; null: none has too many.", true, true});
+    visit("focus", o.focus, FieldInfo{"", {}, "Types of a model that the cut keeps in view; null: none.", true});
     visit("membrane", o.membrane, FieldInfo{"", {}, "The sheet of a membrane; other shapes have none.", true});
   }
 };
@@ -85,7 +88,8 @@ inline bool isInlay(const Cut& cut) { return isMembrane(cut) && cut.membrane->us
 
 template <>
 struct velum::EnumNames<velum::scene::CutShape> {
-  static constexpr std::string_view kNames[] = {"plane", "box", "sphere", "cylinder", "cone", "membrane"};
+  static constexpr std::string_view kNames[] = {"plane", "box", "sphere", "cylinder", "cone", "membrane",
+                                                "everywhere"};
 };
 template <>
 struct velum::EnumNames<velum::scene::CutFace> {

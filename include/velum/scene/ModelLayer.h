@@ -16,6 +16,9 @@ namespace velum::scene {
 /// What instances of a model have their colours by.
 enum class Palette { Type, Compartment, Function, Element, Chain };
 
+/// How instances that cuts have removed still show.
+enum class Ghosts { None, Filled, Contour };
+
 /// How the instances of one type are shown, where that is not as the layer says.
 struct TypeLook {
   static constexpr std::string_view kKey = "type";  ///< that a bare value stands for on the command line
@@ -24,6 +27,7 @@ struct TypeLook {
   bool visible = true;
   std::optional<glm::vec3> color;  ///< sRGB; none: the palette's
   std::string litSphere;           ///< of a finished picture; empty: as Finish::sphere says
+  std::optional<Ghosts> ghosts;    ///< of its instances; none: as the layer says
   bool operator==(const TypeLook&) const = default;
   static void fields(auto& o, auto& visit) {
     visit("type", o.type, FieldInfo{"", {}, "Path of the type, its compartments with dots between them."});
@@ -31,6 +35,22 @@ struct TypeLook {
     visit("color", o.color, FieldInfo{"", {0, 1}, "sRGB colour; null: the palette's.", true});
     visit("litSphere", o.litSphere,
           FieldInfo{"", {}, "Lit sphere of a finished picture; empty: that of the finish.", true});
+    visit("ghosts", o.ghosts, FieldInfo{"", {}, "How removed instances show; null: as the layer says.", true});
+  }
+};
+
+/// How many instances of a type are wanted: what solvers set the shares of cuts by.
+struct TypeTarget {
+  static constexpr std::string_view kKey = "type";  ///< that a bare value stands for on the command line
+
+  std::string type;  ///< path of a type, or of a compartment for all types below it
+  std::optional<double> rendered;  ///< that no cut removes
+  std::optional<double> visible;   ///< that show in the picture
+  bool operator==(const TypeTarget&) const = default;
+  static void fields(auto& o, auto& visit) {
+    visit("type", o.type, FieldInfo{"", {}, "Path of a type, or of a compartment for all types below it."});
+    visit("rendered", o.rendered, FieldInfo{"", {0, 1e9}, "Instances that no cut removes; null: any number.", true});
+    visit("visible", o.visible, FieldInfo{"", {0, 1e9}, "Instances that show in the picture; null: any number.", true});
   }
 };
 
@@ -48,7 +68,10 @@ struct ModelLayer {
   Palette palette = Palette::Type;  ///< by which instances have their colours
   double nearColors = 0.0;          ///< how far chains and elements show as shades of it where one is close, 0..1
   double detail = 1.0;          ///< how much of a pixel drawn shapes may be off by, 0.1..16; smaller is finer, and slower
-  std::vector<TypeLook> types;  ///< of types that are shown otherwise, once each
+  Ghosts ghosts = Ghosts::None;  ///< of instances that cuts have removed
+  double ghostOpacity = 0.25;    ///< 0..1
+  std::vector<TypeLook> types;      ///< of types that are shown otherwise, once each
+  std::vector<TypeTarget> targets;  ///< how many instances of types are wanted
   bool operator==(const ModelLayer&) const = default;
   static void fields(auto& o, auto& visit) {
     visit("source", o.source, FieldInfo{"", {}, "Where the model comes from."});
@@ -60,13 +83,21 @@ struct ModelLayer {
           FieldInfo{"", {0, 1}, "How far chains and elements show as shades of it where one is close."});
     visit("detail", o.detail,
           FieldInfo{"pixel", {0.1, 16}, "How much drawn shapes may be off; smaller is finer, and slower."});
+    visit("ghosts", o.ghosts, FieldInfo{"", {}, "How instances that cuts have removed still show.", true});
+    visit("ghostOpacity", o.ghostOpacity, FieldInfo{"", {0, 1}, "Opacity of these.", true});
     visit("types", o.types, FieldInfo{"", {}, "Types that are shown otherwise."});
+    visit("targets", o.targets, FieldInfo{"", {}, "How many instances of types are wanted.", true});
   }
 };
 
 /// The colour of each type of a layer's model: what the user says, else the palette's. Of the palettes that tell parts
 /// of a molecule apart it is the colour that these are shades of. sRGB, by the type's place in the model.
 std::vector<glm::vec3> typeColors(const ModelLayer& layer);
+
+/// How the removed instances of a type show. @param look  of the type, see typeLook()
+inline Ghosts ghostsOf(const ModelLayer& layer, const TypeLook& look) { return look.ghosts.value_or(layer.ghosts); }
+/// Whether removed instances of any type show.
+bool hasGhosts(const ModelLayer& layer);
 
 /// How one type is shown: as the layer lists it, or as nothing is said of it.
 TypeLook typeLook(const ModelLayer& layer, std::string_view path);
@@ -90,4 +121,8 @@ ModelBox modelBox(const ModelLayer& layer);
 template <>
 struct velum::EnumNames<velum::scene::Palette> {
   static constexpr std::string_view kNames[] = {"type", "compartment", "function", "element", "chain"};
+};
+template <>
+struct velum::EnumNames<velum::scene::Ghosts> {
+  static constexpr std::string_view kNames[] = {"none", "filled", "contour"};
 };

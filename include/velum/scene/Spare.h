@@ -36,6 +36,8 @@ struct TypeSpare {
   double falloff = 0.0;               ///< over so long a way from the surface more stay; below 0: outside of it fewer do
   double amount = 1.0;                ///< how far the falloff goes at the surface, 0..1
   double exponent = 1.0;              ///< how it runs: 1 evenly; above, it lasts longer
+  double viewShare = 0.0;  ///< of those that hide the cut's focus, so many stay, 0..1; drawn apart from `share`
+  double aperture = 1.0;   ///< how much of the view onto the focus is opened, 0 (nothing)..1 (all of it)
   bool operator==(const TypeSpare&) const = default;
   static void fields(auto& o, auto& visit) {
     visit("type", o.type, FieldInfo{"", {}, "Path of a type, or of a compartment for all types below it."});
@@ -45,6 +47,10 @@ struct TypeSpare {
           FieldInfo{kLength, {-1e9, 1e9}, "Way over which more stay near the surface; below 0: fewer outside.", true});
     visit("amount", o.amount, FieldInfo{"", {0, 1}, "How far the falloff goes at the surface.", true});
     visit("exponent", o.exponent, FieldInfo{"", {0.01, 16}, "How the falloff runs; 1: evenly.", true});
+    visit("viewShare", o.viewShare,
+          FieldInfo{"", {0, 1}, "Share of those that hide the cut's focus that stay.", true});
+    visit("aperture", o.aperture,
+          FieldInfo{"", {0, 1}, "How much of the view onto the focus is opened; 1: all of it.", true});
   }
 };
 

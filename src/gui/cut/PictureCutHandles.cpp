@@ -60,6 +60,7 @@ Qt::CursorShape cursorFor(const session::CutGizmo& gizmo, CutHandle handle, cons
 }
 
 void paintGizmo(QPainter& painter, const session::CutGizmo& gizmo, const ViewSpace& view, CutHandle hover) {
+  if (gizmo.grips.empty()) return;
   if (QPainterPath outline = ringOf(view, gizmo.outline); !outline.isEmpty()) {
     painter.fillPath(outline, withAlpha(kHandle, 14));
     strokeTwice(painter, outline, withAlpha(kHandle, 200), 1.3);

@@ -139,6 +139,7 @@ glm::dvec2 cornerSigns(int corner) { return {corner & 1 ? 1.0 : -1.0, corner & 2
 
 CutGizmo makeCutGizmo(const scene::Scene& scene, const scene::Cut& cut, glm::dvec2 pictureSize) {
   CutGizmo gizmo;
+  if (cut.shape == scene::CutShape::Everywhere) return gizmo;
   bool isPlane = cut.shape == scene::CutShape::Plane;
   gizmo.normal = cutFrame(cut)[2] * (isPlane && cut.invert ? -1.0 : 1.0);
   scene::CameraBasis basis = scene::cameraBasis(scene.camera);
@@ -187,6 +188,7 @@ std::vector<glm::dvec3> ringPoints(const CutGizmo& gizmo) {
 
 CutHandle handleAt(const CutGizmo& gizmo, const scene::Camera& camera, glm::dvec2 pictureSize, glm::dvec2 pixel,
                    double reach) {
+  if (gizmo.grips.empty()) return CutHandle::None;
   CutHandle found = CutHandle::None;
   double nearest = reach;
   for (const auto& grip : gizmo.grips) {

@@ -109,6 +109,7 @@ class Contour {
 }  // namespace
 
 double shapeDistance(const scene::Cut& cut, glm::dvec3 world) {
+  if (cut.shape == scene::CutShape::Everywhere) return -scene::Spare::kEndless;
   glm::dvec3 local(glm::inverse(scene::worldFromCut(cut)) * glm::dvec4(world, 1.0));
   return shared::cutShapeDistance(static_cast<int>(cut.shape), solidEdges(cut.size) * 0.5, local);
 }

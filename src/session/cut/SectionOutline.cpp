@@ -67,6 +67,7 @@ std::vector<glm::dvec2> circleOnSection(const SectionPlane& plane, const scene::
 }  // namespace
 
 SectionOutline sectionOutline(const SectionPlane& plane, const scene::Cut& cut, const scene::SheetShape& live) {
+  if (cut.shape == scene::CutShape::Everywhere) return {};
   SectionOutline outline;
   const ShapeTraits& traits = traitsOf(cut.shape);
   outline.isClosed = cut.shape != CutShape::Plane && !scene::isMembrane(cut);

@@ -35,6 +35,14 @@ void makeCone(Cut& cut, const NewCut& at) {
   cut.size = {2.0 * at.third, 2.0 * at.third, at.through * 0.5};
 }
 
+/// It leaves all instances until it is told otherwise: what it is for is a focus, or shares of types.
+void makeEverywhere(Cut& cut, const NewCut& at) {
+  const auto& model = at.scene.model.data;
+  if (!model || model->compartments.empty()) return;
+  cut.typeSpares.push_back({});
+  cut.typeSpares.back().type = model->compartments.front().name;
+}
+
 /// In the order of CutShape, in which menus have them.
 constexpr ShapeTraits kShapes[] = {
     {.shape = CutShape::Plane,
@@ -107,6 +115,17 @@ constexpr ShapeTraits kShapes[] = {
      .high = 0.0,
      .isWire = false,
      .make = hangMembrane},
+    {.shape = CutShape::Everywhere,
+     .title = "Everywhere",
+     .menuText = "Add a cut &everywhere",
+     .icon = "M -6 -3 L -6 -6 L -3 -6 M 3 -6 L 6 -6 L 6 -3 M 6 3 L 6 6 L 3 6 M -3 6 L -6 6 L -6 3 O 0 0 2 2",
+     .sizes = {},
+     .girth = Girth::None,
+     .faces = 0,
+     .low = 0.0,
+     .high = 0.0,
+     .isWire = false,
+     .make = makeEverywhere},
 };
 static_assert(std::size(kShapes) == std::size(EnumNames<CutShape>::kNames), "each shape has its row");
 

@@ -27,7 +27,7 @@ struct MembraneOptions {
   InputOptions input;
   std::vector<double> protect, axis, at;
   std::vector<int> structures;
-  std::vector<std::string> sketch, avoid;
+  std::vector<std::string> types, sketch, avoid;
   std::optional<double> position;
   std::vector<std::string> kernels, pins;
   std::string rule, side, leastPiece, saveScene, sheet, clipped;
@@ -97,7 +97,7 @@ void sketchWhatIsAsked(const scene::VolumeLayer& layer, scene::ForceField& field
     strokes.back().avoid = true;
   }
   if (strokes.empty()) return;
-  if (!layer.data) throw ArgumentError("--sketch, --avoid: there is no volume under the strokes, only labels");
+  if (!layer.data) throw ArgumentError("--sketch, --avoid: there is no volume under the strokes");
   session::setStrokes(field, strokes, layer, session::wholeHistogram(layer));
   if (field.byValue.empty() && !options.sketch.empty())
     throw ArgumentError(
@@ -111,6 +111,14 @@ void protectWhatIsAsked(scene::Scene& scene, scene::Cut& cut, const MembraneOpti
     session::protectValues(membrane, options.protect[0], options.protect[1]);
   }
   for (int id : options.structures) session::protectStructure(membrane, id);
+  for (const auto& path : options.types) {
+    if (!session::protectsTypes(scene))
+      throw ArgumentError("--protect-type: types are protected of a model that is alone in its scene");
+    std::vector<int> ids = session::protectableTypes(*scene.model.data, path);
+    if (ids.empty())
+      throw ArgumentError(fmt::format("--protect-type {}: no type or compartment of the model is called so", path));
+    for (int id : ids) session::protectStructure(membrane, id);
+  }
   if (!options.at.empty() && !session::protectTissue(membrane, scene.volume, vectorOf(options.at)))
     throw ArgumentError(
         fmt::format("--protect-at {},{},{}: that is outside the volume", options.at[0], options.at[1], options.at[2]));
@@ -140,7 +148,7 @@ bool asksForMembrane(const MembraneOptions& options) {
   bool byCurve = !options.protect.empty() || !options.at.empty();
   if (byCurve && !options.sketch.empty())
     throw ArgumentError("--sketch fits the curve to its strokes: leave --protect and --protect-at out");
-  return byCurve || !options.structures.empty() || !options.sketch.empty();
+  return byCurve || !options.structures.empty() || !options.types.empty() || !options.sketch.empty();
 }
 
 void applyRule(scene::Scene& scene, const std::string& rule, const std::string& side) {
@@ -334,6 +342,8 @@ Run registerMembrane(CLI::App& verb) {
   auto repeated = [&](const char* name, std::vector<std::string>& out, const char* text) {
     verb.add_option(name, out, text)->allow_extra_args(false);
   };
+  repeated("--protect-type", options->types,
+           "the same for a type of a model, or all types of a compartment, by its name or its path with dots; repeatable");
   repeated("--kernel", options->kernels,
            "put a ball in that pushes the sheet away (strength up to 1000) or draws it to its middle (down to -1000): "
            "x,y,z,radius,strength; repeatable");

@@ -10,6 +10,7 @@
 #include "kit/Length.h"
 #include "kit/SelectedCut.h"
 #include "velum/session/membrane/MembraneEdit.h"
+#include "velum/session/model/ModelEdit.h"
 #include "velum/session/structure/StructureEdit.h"
 
 namespace velum::gui {
@@ -91,7 +92,10 @@ MembraneForm::MembraneForm(session::Document& document, Selection& selection, QW
   layout->addWidget(mCloth);
   connect(mMore, &QPushButton::toggled, mCloth, &QWidget::setVisible);
   connect(mStructures, &StrengthTable::strengthAsked, this, [this](int id, double strength) {
-    std::string label = session::structureLabel(mDocument.scene(), strength != 0 ? "Force of" : "No force of", {id});
+    const scene::Scene& scene = mDocument.scene();
+    const char* verb = strength != 0 ? "Force of" : "No force of";
+    std::string label = session::protectsTypes(scene) ? session::typesLabel(scene, verb, {std::uint32_t(id - 1)})
+                                                      : session::structureLabel(scene, verb, {id});
     edit(QString::fromStdString(label), [&](scene::Membrane& m) { session::protectStructure(m, id, strength); });
   });
   connect(mCanvas, &StrengthCanvas::settled, this, [this] { mDocument.endMerge(); });
@@ -128,9 +132,9 @@ QWidget* MembraneForm::makeProtect() {
   auto* row = new QHBoxLayout(tools);
   row->setContentsMargins(0, 0, 0, 0);
   mProtect = addButton(row, "protectThis", tr("Protect this"),
-                       tr("Click tissue or a structure in any view: the sheet goes around all that is like it"));
+                       tr("Click tissue, a structure or a molecule in any view: the sheet goes around all that is like it"));
   mLetThrough = addButton(row, "letThrough", tr("Let through"),
-                          tr("Click tissue or a structure in any view: the sheet may cut all that is like it"));
+                          tr("Click tissue, a structure or a molecule in any view: the sheet may cut all that is like it"));
   return tools;
 }
 
@@ -272,7 +276,7 @@ void MembraneForm::showCut(const scene::Cut& cut) {
   showCurve();
   mHands->showCut(cut);
   mNoise->showField(m.field);
-  mStructures->showStrengths(mDocument.scene().labels.structures, m.field.byLabel);
+  mStructures->showStrengths(session::protectableStructures(mDocument.scene()), m.field.byLabel);
   mSketch->showLength(Length(mDocument.scene()));
   mSketch->showStrokes(m.field.strokes);
   mUse->setCurrentIndex(int(m.use));

@@ -24,7 +24,9 @@ void ProtectTool::click(const PointerEvent& event) {
   double strength = mLetThrough ? 0.0 : session::kProtectStrength;
   std::optional<session::Tissue> tissue;
   const scene::Scene& scene = mDocument.scene();
-  bool isStructure = structure > 0 && scene.labels.visible;
+  bool isType = session::protectsTypes(scene) && event.at.type() >= 0;
+  if (isType) structure = event.at.type() + 1;
+  bool isStructure = isType || (structure > 0 && scene.labels.visible);
   editSelectedMembrane(mDocument, mSelection, mLetThrough ? "Let sheet through" : "Protect from sheet",
                        [&](scene::Membrane& membrane) {
                          if (isStructure)
@@ -33,7 +35,9 @@ void ProtectTool::click(const PointerEvent& event) {
                            tissue = session::protectTissue(membrane, scene.volume, *place, strength);
                        });
   QString what;
-  if (isStructure)
+  if (isType)
+    what = QString::fromStdString(scene.model.data->types[std::size_t(event.at.type())].name);
+  else if (isStructure)
     what = QString::fromStdString(session::structureName(scene, structure));
   else if (tissue)
     what = tr("values around %1").arg(tissue->value, 0, 'g', 4);

@@ -1,7 +1,10 @@
 #include "ModelCommands.h"
 
 #include <QColorDialog>
+#include <algorithm>
 
+#include "kit/SelectedCut.h"
+#include "velum/session/membrane/MembraneEdit.h"
 #include "velum/session/structure/StructureSizes.h"
 
 namespace velum::gui {
@@ -59,6 +62,30 @@ void ModelCommands::goToInstance(std::uint32_t instance) {
   if (auto place = session::instancePlace(mDocument.scene(), instance)) flyTo(*place);
 }
 
+/// What the selected membrane does with types; nothing where another cut is selected.
+void ModelCommands::fillMembraneMenu(QMenu& menu, const Types& types) {
+  const scene::Cut* cut = selectedMembrane(mDocument, mSelection);
+  if (!cut || !session::protectsTypes(mDocument.scene())) return;
+  const auto& strengths = cut->membrane->field.byLabel;
+  bool isProtected = std::all_of(types.begin(), types.end(), [&](std::uint32_t type) {
+    return std::any_of(strengths.begin(), strengths.end(),
+                       [&](const auto& one) { return one.id == int(type) + 1 && one.strength > 0.0; });
+  });
+  QAction* action = menu.addAction(tr("Protect by membrane"));
+  action->setToolTip(tr("The selected membrane's sheet goes around it"));
+  action->setCheckable(true);
+  action->setChecked(isProtected);
+  connect(action, &QAction::triggered, this, [this, types](bool on) {
+    const char* verb = on ? "Protect by membrane:" : "No force of";
+    editSelectedMembrane(mDocument, mSelection, session::typesLabel(mDocument.scene(), verb, types),
+                         [&](scene::Membrane& membrane) {
+                           for (std::uint32_t type : types)
+                             session::protectStructure(membrane, int(type) + 1, on ? session::kProtectStrength : 0.0);
+                         });
+  });
+  menu.addSeparator();
+}
+
 void ModelCommands::fillMenu(QMenu& menu, const Types& types, const QString& title) {
   if (types.empty()) return;
   const scene::Scene& scene = mDocument.scene();
@@ -73,6 +100,7 @@ void ModelCommands::fillMenu(QMenu& menu, const Types& types, const QString& tit
   menu.addAction(tr("Go there"), this, [this, types] { goTo(types); })
       ->setToolTip(tr("Bring the camera to its instances"));
   menu.addSeparator();
+  fillMembraneMenu(menu, types);
   menu.addAction(tr("Colour..."), this, [this, types, window = menu.parentWidget()] { chooseColor(types, window); });
   std::vector<bool> own = session::ownColors(scene.model);
   QAction* palette = menu.addAction(tr("Palette's colour"), this, [this, types] { resetColor(types); });

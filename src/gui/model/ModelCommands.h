@@ -37,6 +37,7 @@ class ModelCommands : public QObject {
   Selection& selection() { return mSelection; }
 
  private:
+  void fillMembraneMenu(QMenu& menu, const Types& types);
   void flyTo(const session::InstancePlace& place);
 
   session::Document& mDocument;

@@ -30,6 +30,8 @@ class ViewPoint {
   std::optional<glm::dvec3> material(double most = std::numeric_limits<double>::infinity()) const;
   /// The labelled region that is seen; 0: none.
   int structure() const { return pick() ? pick()->structure : 0; }
+  /// The type of the model's instance that is seen; -1: none.
+  int type() const { return pick() ? pick()->type : -1; }
 
  private:
   ToolView& mView;

@@ -8,6 +8,7 @@
 
 #include "Pieces.h"
 #include "StrengthRows.h"
+#include "TypeGrid.h"
 
 #include "velum/core/Assert.h"
 #include "velum/core/Parallel.h"
@@ -216,13 +217,24 @@ PotentialSource sourceOf(const scene::Scene& scene) {
   } else if (source.labels) {
     source.dims = source.labels->dims();
     source.worldFromVoxel = source.labels->worldFromVoxel();
+  } else {
+    source.model = scene.model.data;
+    source.copies = scene.model.copies;
+    source.unit = scene.unit;
   }
   return source;
 }
 
 }  // namespace
 
-Potential::Potential(const scene::Scene& scene) : mData(std::make_unique<Data>()) { mData->source = sourceOf(scene); }
+Potential::Potential(const scene::Scene& scene) : mData(std::make_unique<Data>()) {
+  PotentialSource& source = mData->source;
+  source = sourceOf(scene);
+  if (!source.model) return;
+  source.labels = Shared<LabelVolume>(makeTypeGrid(scene.model, scene.unit));
+  source.dims = source.labels->dims();
+  source.worldFromVoxel = source.labels->worldFromVoxel();
+}
 Potential::~Potential() = default;
 Potential::Potential(Potential&&) noexcept = default;
 Potential& Potential::operator=(Potential&&) noexcept = default;
@@ -230,11 +242,14 @@ Potential& Potential::operator=(Potential&&) noexcept = default;
 bool Potential::matches(const scene::Scene& scene) const {
   PotentialSource other = sourceOf(scene);
   const PotentialSource& own = mData->source;
-  return own.volume == other.volume && own.labels == other.labels && own.timeStep == other.timeStep &&
+  bool isSameModel = own.model == other.model && (!own.model || (own.copies == other.copies && own.unit == other.unit));
+  bool isSameLabels = own.model || own.labels == other.labels;  // a model's are made of it
+  return own.volume == other.volume && isSameModel && isSameLabels && own.timeStep == other.timeStep &&
          own.channel == other.channel;
 }
 
 glm::ivec3 Potential::dims() const { return mData->source.dims; }
+const Shared<LabelVolume>& Potential::labels() const { return mData->source.labels; }
 const glm::dmat4& Potential::worldFromVoxel() const { return mData->source.worldFromVoxel; }
 
 KernelGrid Potential::computeKernels(const scene::ForceField& field, Progress& progress) const {

@@ -7,6 +7,8 @@
 #include "Gradients.h"
 #include "Pieces.h"
 #include "velum/core/LabelVolume.h"
+#include "velum/core/Model.h"
+#include "velum/core/Units.h"
 #include "velum/core/Volume.h"
 #include "velum/scene/Membrane.h"
 
@@ -17,6 +19,9 @@ struct PotentialSource {
   Shared<Volume> volume;
   int timeStep = 0, channel = 0;
   Shared<LabelVolume> labels;
+  Shared<Model> model;  ///< where it is all that there is: labels are its types
+  int copies = 1;       ///< of it
+  LengthUnit unit = LengthUnit::Millimetre;
   glm::ivec3 dims{0};
   glm::dmat4 worldFromVoxel{1.0};
 };

@@ -23,17 +23,16 @@ double shareOf(const CoarseLook& look, const scene::Cut& cut, Progress& progress
 }
 
 /// Without the structure that takes up most room; nothing where it is the only one.
-std::optional<scene::Membrane> withoutLargest(scene::Membrane membrane, const scene::Scene& scene,
+std::optional<scene::Membrane> withoutLargest(scene::Membrane membrane, const membrane::Potential& potential,
                                               const CoarseLook& look) {
-  if (!scene.labels.data || membrane.field.byLabel.size() < 2) return std::nullopt;
+  const Shared<LabelVolume>& labels = potential.labels();
+  if (!labels || membrane.field.byLabel.size() < 2) return std::nullopt;
   std::map<int, int> voxels;
   for (const auto& one : membrane.field.byLabel) voxels[one.id] = 0;
-  glm::dmat4 labelFromVoxel =
-      glm::inverse(scene.labels.data->worldFromVoxel()) *
-      (scene.volume.data ? scene.volume.data->worldFromVoxel : scene.labels.data->worldFromVoxel());
+  glm::dmat4 labelFromVoxel = glm::inverse(labels->worldFromVoxel()) * potential.worldFromVoxel();
   look.forEachProtected([&](glm::ivec3 voxel, glm::dvec3) {
     glm::ivec3 at(glm::round(glm::dvec3(labelFromVoxel * glm::dvec4(voxel, 1.0))));
-    if (auto found = voxels.find(scene.labels.data->at(at)); found != voxels.end()) ++found->second;
+    if (auto found = voxels.find(labels->at(at)); found != voxels.end()) ++found->second;
   });
   auto largest = std::max_element(voxels.begin(), voxels.end(), [](auto& a, auto& b) { return a.second < b.second; });
   protectStructure(membrane, largest->first, 0.0);
@@ -84,7 +83,7 @@ std::optional<Advice> adviseMembrane(const membrane::Potential& potential, const
     moved.centre = *place;
     steps.push_back({AdviceStep::MoveInFront, moved, shareOf(look, moved, progress)});
   }
-  auto less = withoutLargest(*cut.membrane, scene, look);
+  auto less = withoutLargest(*cut.membrane, potential, look);
   if (!less) less = withHalfTheValues(*cut.membrane, scene, look);
   if (less) {
     scene::Cut spared = cut;

@@ -106,10 +106,32 @@ void protectStructures(scene::ForceField& field, const scene::LabelLayer& labels
   std::sort(field.byLabel.begin(), field.byLabel.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
 }
 
+/// Compartments from the one with the least mass on: the capsid rather than the plasma around it.
+void protectCompartments(scene::ForceField& field, const Model& model) {
+  std::map<std::uint32_t, double> masses;
+  double total = 0, sum = 0;
+  for (const MoleculeType& type : model.types) {
+    double mass = type.mass * type.instanceCount;
+    masses[type.compartment] += mass;
+    total += mass;
+  }
+  std::vector<std::pair<double, std::uint32_t>> ordered;
+  for (auto [compartment, mass] : masses) ordered.emplace_back(mass, compartment);
+  std::sort(ordered.begin(), ordered.end());
+  for (auto [mass, compartment] : ordered) {
+    sum += mass;
+    if (sum > kLargestLabelledShare * total && !field.byLabel.empty()) break;
+    for (std::size_t t = 0; t < model.types.size(); ++t)
+      if (model.types[t].compartment == compartment) field.byLabel.push_back({int(t) + 1, kProtectStrength});
+  }
+  std::sort(field.byLabel.begin(), field.byLabel.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
+}
+
 }  // namespace
 
 scene::ForceField defaultField(const scene::Scene& scene) {
   scene::ForceField field;
+  if (protectsTypes(scene)) protectCompartments(field, *scene.model.data);
   if (scene.labels.data && scene.labels.visible) protectStructures(field, scene.labels);
   if (field.byLabel.empty() && scene.volume.data) protectOpaque(field, scene.volume);
   return field;

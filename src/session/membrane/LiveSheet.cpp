@@ -45,7 +45,12 @@ scene::SheetShape carried(const scene::SheetShape& shape, const scene::Cut& from
 }  // namespace
 
 DataKey dataKeyOf(const scene::Scene& scene) {
-  return {scene.volume.data.id(), scene.labels.data.id(), scene.volume.timeStep, scene.volume.channel};
+  return {.volume = scene.volume.data.id(),
+          .labels = scene.labels.data.id(),
+          .model = scene.model.data.id(),
+          .timeStep = scene.volume.timeStep,
+          .channel = scene.volume.channel,
+          .copies = scene.model.copies};
 }
 
 bool haveSameFrame(const scene::Cut& a, const scene::Cut& b) {
@@ -82,7 +87,7 @@ void LiveSheet::adopt(const scene::SheetShape& shape) {
 void LiveSheet::follow(const scene::Cut& cut, DataKey data) {
   scene::Cut before = std::exchange(mCut, cut);
   const scene::Membrane &was = *before.membrane, &now = *mCut.membrane;
-  bool isOtherVolume = mData.volume != data.volume;
+  bool isOtherVolume = mData.volume != data.volume || mData.model != data.model;
   bool sameData = std::exchange(mData, data) == data, sameFrame = haveSameFrame(before, mCut);
   bool wasActive = was.repositioning == scene::Repositioning::Active;
   if (!sameData) ++mDataChange;

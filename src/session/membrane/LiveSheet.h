@@ -15,8 +15,8 @@ namespace velum::session {
 
 /// Which data forces come from.
 struct DataKey {
-  std::uint64_t volume = 0, labels = 0;
-  int timeStep = 0, channel = 0;
+  std::uint64_t volume = 0, labels = 0, model = 0;
+  int timeStep = 0, channel = 0, copies = 1;
   bool operator==(const DataKey&) const = default;
 };
 DataKey dataKeyOf(const scene::Scene& scene);

@@ -100,4 +100,33 @@ void protectStructure(scene::Membrane& membrane, int id, double strength) {
   if (strength != 0.0) list.push_back({id, strength});
 }
 
+bool protectsTypes(const scene::Scene& scene) {
+  return scene.model.data && !scene.volume.data && !scene.labels.data;
+}
+
+std::vector<scene::Structure> protectableStructures(const scene::Scene& scene) {
+  if (!protectsTypes(scene)) return scene.labels.structures;
+  const Model& model = *scene.model.data;
+  std::vector<glm::vec3> colors = scene::typeColors(scene.model);
+  std::vector<scene::Structure> types;
+  for (std::size_t t = 0; t < model.types.size(); ++t) {
+    scene::Structure& type = types.emplace_back();
+    type.id = int(t) + 1;
+    type.name = model.types[t].name;
+    type.color = colors[t];
+  }
+  return types;
+}
+
+std::vector<int> protectableTypes(const Model& model, std::string_view path) {
+  std::vector<int> ids;
+  // Whole names between dots: "caps" is no part of "capsid".
+  std::string wanted = "." + std::string(path) + ".";
+  for (std::size_t t = 0; t < model.types.size(); ++t) {
+    std::string own = "." + pathOf(model, model.types[t]) + ".";
+    if (!path.empty() && own.find(wanted) != std::string::npos) ids.push_back(int(t) + 1);
+  }
+  return ids;
+}
+
 }  // namespace velum::session

@@ -19,6 +19,8 @@ scene::Scene forcesScene(const scene::Scene& scene) {
   scene::Scene part;
   part.volume = scene.volume;
   part.labels = scene.labels;
+  part.model = scene.model;
+  part.unit = scene.unit;
   return part;
 }
 
@@ -76,7 +78,8 @@ MembranePlayer::Work MembranePlayer::nextWork() {
 
 /// The data is still the same, but for the time step.
 bool MembranePlayer::isOf(const scene::Scene& scene) const {
-  return scene.volume.data.id() == mScene.volume.data.id() && scene.labels.data.id() == mScene.labels.data.id();
+  return scene.volume.data.id() == mScene.volume.data.id() && scene.labels.data.id() == mScene.labels.data.id() &&
+         scene.model.data.id() == mScene.model.data.id();
 }
 
 MembranePlayer::Work MembranePlayer::forcesWork(LiveSheet& sheet) {

@@ -1,6 +1,8 @@
 #pragma once
 #include <glm/glm.hpp>
 #include <optional>
+#include <string_view>
+#include <vector>
 
 #include "velum/scene/Scene.h"
 #include "velum/session/look/ShowThis.h"
@@ -19,6 +21,15 @@ std::optional<Tissue> protectTissue(scene::Membrane& membrane, const scene::Volu
 
 /// The same for a structure. @param id  label id; 0 does nothing
 void protectStructure(scene::Membrane& membrane, int id, double strength = kProtectStrength);
+
+/// What a membrane can protect by protectStructure(): the scene's structures, or, where a model is all that there is, its
+/// types, numbered from 1, in their colours.
+std::vector<scene::Structure> protectableStructures(const scene::Scene& scene);
+/// True where these are a model's types.
+bool protectsTypes(const scene::Scene& scene);
+/// The numbers of the types with this path, or in the compartment with it and below, ascending. @param path  with dots, or
+/// its last parts ("capsid", "capsid.CA")
+std::vector<int> protectableTypes(const Model& model, std::string_view path);
 
 /// The same for all values from `low` to `high`, in the volume's unit.
 void protectValues(scene::Membrane& membrane, double low, double high, double strength = kProtectStrength);

@@ -1,0 +1,13 @@
+#pragma once
+#include "velum/core/LabelVolume.h"
+#include "velum/core/Units.h"
+#include "velum/scene/ModelLayer.h"
+
+namespace velum::membrane {
+
+/// The structures of a model for a sheet: in each voxel the type whose instances fill most of it, by its number in the
+/// model, from 1; 0 where instances fill less than a quarter. Of all copies, as if no cut were there.
+/// Some tenths of a second. @param unit  of the world that the grid stands in
+LabelVolume makeTypeGrid(const scene::ModelLayer& layer, LengthUnit unit);
+
+}  // namespace velum::membrane

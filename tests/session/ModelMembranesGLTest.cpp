@@ -1,0 +1,130 @@
+// Membranes over a model: kernels where instances of protected types are dense, which stay whole or go whole.
+#include <random>
+
+#include "GlFixture.h"
+#include "velum/core/ModelBuilder.h"
+#include "velum/render/section/KeptInstances.h"
+#include "velum/session/cut/CutEdit.h"
+#include "velum/session/membrane/DefaultField.h"
+#include "velum/session/membrane/MembraneEdit.h"
+#include "velum/session/membrane/Membranes.h"
+
+namespace velum::session {
+
+namespace {
+
+constexpr float kShell = 120.0f, kHalfEdge = 400.0f;
+
+/// A ball of 26 angstrom as a molecule of a type.
+std::uint32_t addKind(ModelBuilder& builder, const std::vector<std::string>& path, const char* name) {
+  MoleculeType type;
+  type.name = name;
+  type.compartment = builder.compartment(path);
+  return builder.addMolecule(builder.addType(type), {}, {{glm::vec4(0, 0, 0, 13)}});
+}
+
+/// A closed shell of molecules about the origin, in plasma.
+Model shellInPlasma() {
+  ModelBuilder builder("shell");
+  std::uint32_t shell = addKind(builder, {"capsid"}, "CA"), plasma = addKind(builder, {"plasma"}, "albumin");
+  for (int i = 0; i < 500; ++i) {
+    float z = 1.0f - 2.0f * (float(i) + 0.5f) / 500.0f, turn = 2.39996323f * float(i);
+    glm::vec2 flat = std::sqrt(1.0f - z * z) * glm::vec2(std::cos(turn), std::sin(turn));
+    builder.addInstance(shell, kShell * glm::vec3(flat, z), glm::quat(1, 0, 0, 0));
+  }
+  std::mt19937 random(3);
+  std::uniform_real_distribution<float> unit(-kHalfEdge, kHalfEdge);
+  for (int i = 0; i < 3000;) {
+    glm::vec3 at(unit(random), unit(random), unit(random));
+    if (glm::length(at) < kShell + 30.0f) continue;
+    builder.addInstance(plasma, at, glm::quat(1, 0, 0, 0));
+    ++i;
+  }
+  return builder.build();
+}
+
+class ModelMembranesGL : public GlTest {
+ protected:
+  /// Seen from above, so that what is above the middle is removed, as far as the sheet hangs flat.
+  static scene::Scene sceneOfShell(LengthUnit unit = LengthUnit::Angstrom) {
+    scene::Scene scene;
+    scene.unit = unit;
+    scene.model.data = Shared<Model>(shellInPlasma());
+    scene.camera.eye = {0, 0, 1e4};
+    scene.cuts = {makeCut(scene, scene::CutShape::Membrane)};
+    scene.cuts[0].centre = glm::dvec3(0.0);
+    scene.cuts[0].size.z = 420.0 * unitsPer(LengthUnit::Angstrom, unit);
+    return scene;
+  }
+  /// Shares of a type's instances that the scene's cuts leave.
+  static double keptShare(const scene::Scene& scene, const char* name) {
+    const Model& model = *scene.model.data;
+    std::vector<std::uint8_t> kept = render::keptInstances(scene);
+    for (const MoleculeType& type : model.types) {
+      auto first = kept.begin() + type.firstInstance;
+      if (type.name == name)
+        return double(std::count(first, first + type.instanceCount, 1)) / double(type.instanceCount);
+    }
+    return -1.0;
+  }
+  inline static Progress sProgress;
+};
+
+TEST_F(ModelMembranesGL, WhatIsProtectedStaysWholeWhereAPlaneWouldHalveIt) {
+  for (auto unit : {LengthUnit::Angstrom, LengthUnit::Millimetre}) {
+    scene::Scene scene = sceneOfShell(unit);
+    EXPECT_NEAR(keptShare(scene, "CA"), 0.5, 0.05) << "a flat sheet halves it";
+    for (int id : protectableTypes(*scene.model.data, "capsid")) protectStructure(*scene.cuts[0].membrane, id);
+    auto report = settleMembranes(scene, {true, false}, sProgress).at(0);
+    EXPECT_TRUE(report.atRest);
+    EXPECT_GT(report.kernels, 100u);
+    EXPECT_EQ(keptShare(scene, "CA"), 1.0);
+    EXPECT_EQ(report.kept->cutAreaMembrane, 0);
+    EXPECT_GT(report.kept->cutAreaPlane, 20);
+    // The sheet goes around the shell, not away from everything.
+    EXPECT_NEAR(keptShare(scene, "albumin"), 0.5, 0.06);
+  }
+}
+
+TEST_F(ModelMembranesGL, OrGoesWholeWhereThatIsAskedFor) {
+  scene::Scene scene = sceneOfShell();
+  protectStructure(*scene.cuts[0].membrane, protectableTypes(*scene.model.data, "capsid.CA").at(0));
+  scene.cuts[0].membrane->field.side = scene::MembraneSide::Remove;
+  settleMembranes(scene, {}, sProgress);
+  EXPECT_EQ(keptShare(scene, "CA"), 0.0);
+  EXPECT_NEAR(keptShare(scene, "albumin"), 0.5, 0.06);
+}
+
+TEST_F(ModelMembranesGL, ANewOneProtectsTheCompartmentThatIsNotEverywhere) {
+  scene::Scene scene = sceneOfShell();
+  scene::ForceField field = defaultField(scene);
+  ASSERT_EQ(field.byLabel.size(), 1u);
+  EXPECT_EQ(protectableStructures(scene).at(std::size_t(field.byLabel[0].id - 1)).name, "CA");
+}
+
+TEST_F(ModelMembranesGL, CopiesAreProtectedEachWhereItStands) {
+  scene::Scene scene = sceneOfShell();
+  scene.model.copies = 2;  // side by side along x
+  scene.cuts[0].size.x = 4.0 * kHalfEdge;
+  scene.cuts[0].size.y = 2.0 * kHalfEdge;
+  scene.cuts[0].centre.x = 0.5 * scene::copyGrid(scene.model).step.x;
+  protectStructure(*scene.cuts[0].membrane, protectableTypes(*scene.model.data, "CA").at(0));
+  settleMembranes(scene, {}, sProgress);
+  std::vector<std::uint8_t> kept = render::keptInstances(scene);
+  std::size_t count = scene.model.data->instances.size();
+  ASSERT_EQ(kept.size(), 2 * count);
+  for (std::size_t copy : {0, 1})
+    for (std::size_t i = 0; i < 500; ++i) ASSERT_TRUE(kept[copy * count + i]) << copy << ", " << i;
+}
+
+TEST_F(ModelMembranesGL, TypesAreFoundByWholeNames) {
+  Model model = shellInPlasma();
+  EXPECT_EQ(protectableTypes(model, "root.capsid"), std::vector<int>{1});
+  EXPECT_EQ(protectableTypes(model, "root"), (std::vector<int>{1, 2}));
+  EXPECT_TRUE(protectableTypes(model, "caps").empty());
+  EXPECT_TRUE(protectableTypes(model, "").empty());
+}
+
+}  // namespace
+
+}  // namespace velum::session

@@ -70,7 +70,9 @@ float edgeAt(ivec2 pixel, Sample centre) {
   Neighbour h = neighbourAt(pixel + x + y, last, centre, own);
   vec2 outline = vec2(c.solid + 2.0 * e.solid + h.solid - a.solid - 2.0 * d.solid - f.solid, f.solid + 2.0 * g.solid + h.solid - a.solid - 2.0 * b.solid - c.solid);
   vec2 between = vec2(c.differs + 2.0 * e.differs + h.differs - a.differs - 2.0 * d.differs - f.differs, f.differs + 2.0 * g.differs + h.differs - a.differs - 2.0 * b.differs - c.differs);
-  vec2 bend = vec2(d.depth + e.depth, b.depth + g.depth) - 2.0 * centre.depth;
+  vec2 before = vec2(d.depth, b.depth) - centre.depth;
+  vec2 after = vec2(e.depth, g.depth) - centre.depth;
+  vec2 bend = finish.passesPits != 0 ? abs(before) - abs(after) : before + after;
   // How much the normal turns across the pixel, less what noise makes it turn along either side.
   vec2 across = c.normal + 2.0 * e.normal + h.normal - a.normal - 2.0 * d.normal - f.normal;
   vec2 down = f.normal + 2.0 * g.normal + h.normal - a.normal - 2.0 * b.normal - c.normal;

@@ -100,6 +100,20 @@ vec2 lightOn(ivec2 pixel, float depth) {
   return sum.xy / sum.z;
 }
 
+// Radii of balls in pixels from which on, and up to which, each has its own light: smaller ones would be grain.
+const float kLeastLit = 2.0;
+const float kFullLit = 7.0;
+
+/// By which a place on a ball is lit: of the molecule's whole shape, where balls are small.
+vec3 litNormal(Placed ball, Place place, MoleculeRow molecule, vec3 hit, vec3 own, float depth) {
+  vec3 middle = place.position - view.eye.xyz + turned(place.rotation, molecule.sphere.xyz);
+  float share = smoothstep(kLeastLit, kFullLit, ball.radius * pixelsPerLength(depth));
+  return normalize(mix((hit - middle) / molecule.sphere.w, own, share) + 1e-6 * own);
+}
+
+/// A colour in less light: darker, and no greyer, as a painter would mix it.
+vec3 shaded(vec3 rgb, float light) { return rgb * sqrt(light) * pow(max(rgb, vec3(1e-3)), vec3(0.8 * (1.0 - light))); }
+
 /// What a pixel shows of an instance.
 void shadePixel(ivec2 pixel, int at, uint owner) {
   float depth = uintBitsToFloat(texelFetch(depthTexture, at).r);
@@ -116,12 +130,13 @@ void shadePixel(ivec2 pixel, int at, uint owner) {
     vec2 known = lightOn(pixel, depth);
     float open = mix(1.0, known.x, frame.occlusionStrength);
     float lit = mix(1.0, known.y, frame.shadowStrength);
-    float sky = 0.85 + 0.15 * dot(normal, frame.pictureUp.xyz);
-    float lambert = max(dot(normal, frame.keyLight.xyz), 0.0);
+    vec3 side = litNormal(ball, place, molecule, hit, normal, depth);
+    float sky = 0.85 + 0.15 * dot(side, frame.pictureUp.xyz);
+    float lambert = max(dot(side, frame.keyLight.xyz), 0.0);
     vec3 halfway = normalize(frame.keyLight.xyz + toEye);
     float highlight = pow(max(dot(normal, halfway), 0.0), frame.shininess) * step(1e-4, lambert);
     // Shadows tint the light from everywhere, too: that is most of it in flat pictures.
-    vec3 ambient = rgb * (frame.ambient * sky * open * mix(1.0, lit, 0.35));
+    vec3 ambient = shaded(rgb, open * mix(1.0, lit, 0.35)) * (frame.ambient * sky);
     rgb = ambient + rgb * (frame.diffuse * lambert * lit * mix(1.0, open, 0.5)) + vec3(frame.specular * highlight * lit);
   }
   float up = (float(pixel.y) + view.shift.y) / view.pictureSize.y;

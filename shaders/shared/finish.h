@@ -31,7 +31,7 @@ struct FinishParams {
   int firstCellX;  ///< the first of them, counted in the whole picture
   int firstCellY;
   float stepLength;  ///< a jump of depth begins to count from there, scene units
-  int padding2;
+  int passesPits;  ///< 1: what lies behind in one pixel alone, as between atoms, is no jump of depth
 };
 
 SHARED_END

@@ -46,6 +46,10 @@ gpu::Texture textureOf(const Image& paper) {
   return texture;
 }
 
+bool isModelAlone(const FrameData& data) {
+  return isModelDrawn(data.frame.scene) && !data.volume && data.labelUse == LabelUse::None;
+}
+
 }  // namespace
 
 FinishPass::FinishPass(const Gbuffer& gbuffer) : Pass("Finish"), mGbuffer(gbuffer) {}
@@ -93,8 +97,7 @@ void FinishPass::makeSpheres(const scene::Scene& scene) {
 
 /// From how long a jump of depth on there is a line.
 double FinishPass::stepLengthOf(const FrameData& data) {
-  bool isModelAlone = isModelDrawn(data.frame.scene) && !data.volume && data.labelUse == LabelUse::None;
-  return isModelAlone ? kStepAngstrom * angstromOf(data) : kStepVoxels / double(data.params.voxelsPerLength);
+  return isModelAlone(data) ? kStepAngstrom * angstromOf(data) : kStepVoxels / double(data.params.voxelsPerLength);
 }
 
 void FinishPass::prepare(FrameData& data) {
@@ -104,6 +107,7 @@ void FinishPass::prepare(FrameData& data) {
   if (needsSamples(finish)) makeSpheres(data.frame.scene);
   mValues = makeFinishParams(data.frame, mSphereTexture ? mSphereTexture.size().y / shared::kSphereTexels : 1,
                              stepLengthOf(data));
+  mValues.passesPits = isModelAlone(data);
   mParams.set(mValues);
   makeTargets(data);
 }

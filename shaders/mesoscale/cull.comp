@@ -6,7 +6,6 @@
 // that cuts have removed and that show as ghosts. Else it is worked out here.
 layout(local_size_x = 64) in;
 
-// Outside of the condition: it is put in place where it is first asked for.
 #include "mesoscale/instances.glsl"
 #if defined(STATES) || defined(GHOSTS)
 layout(std430, binding = kStateBinding) readonly buffer StateBlock { uint states[]; };

@@ -27,10 +27,10 @@ constexpr glm::vec3 kPaperWhite(0.985f, 0.975f, 0.955f), kNight(0.10f, 0.115f, 0
 // Ambient and diffuse light together are about one: colours stay those of the palette.
 constexpr LookRow kTable[] = {
     {.look = {"plate", "Plate", "Flat calm colours and outlines, as in painted plates of cells"},
-     .ambient = 1.06,
+     .ambient = 1.1,
      .diffuse = 0.1,
-     .shadow = 0.3,
-     .occlusion = 0.3,
+     .shadow = 0.22,
+     .occlusion = 0.27,
      .fog = 0.2,
      .contours = 0.6,
      .contourWidth = 1.3,

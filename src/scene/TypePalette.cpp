@@ -39,8 +39,8 @@ constexpr Tone kFamilies[] = {{0.71, 0.080, 190}, {0.62, 0.125, 355}, {0.67, 0.0
                               {0.60, 0.100, 300}, {0.68, 0.120, 35},  {0.78, 0.095, 85},  {0.66, 0.075, 215},
                               {0.72, 0.090, 125}, {0.70, 0.095, 10},  {0.64, 0.085, 270}, {0.80, 0.075, 105}};
 /// What all else swims in is pale and warm, so that it stands back.
-constexpr Tone kMedium{0.83, 0.070, 72};
-constexpr Tone kLipid{0.84, 0.040, 120}, kStrand{0.84, 0.120, 92}, kUnknown{0.72, 0.010, 80};
+constexpr Tone kMedium{0.83, 0.074, 72};
+constexpr Tone kLipid{0.88, 0.045, 108}, kStrand{0.84, 0.120, 92}, kUnknown{0.72, 0.010, 80};
 
 /// Types in the order of how much of the picture they may take.
 std::vector<std::uint32_t> byVolume(const Model& model) {
@@ -132,7 +132,7 @@ class TypeFamilies {
     // What does the same looks alike.
     std::string does = type.function.empty() ? "=" + std::to_string(i) : type.function;
     std::size_t kind = mKinds[at].of(does), ofKind = mMembers[{at, kind}]++;
-    if (isMedium(mModel, at)) return memberTone(kMedium, 90.0, kind, ofKind);
+    if (isMedium(mModel, at)) return memberTone(kMedium, 100.0, kind, ofKind);
     std::size_t count = mFamilies.count();
     double hues = std::clamp(300.0 / double(std::max<std::size_t>(count, 1)), 60.0, 150.0);
     if (count > 1) return memberTone(familyTone(mFamilies.of(at)), hues, kind, ofKind);

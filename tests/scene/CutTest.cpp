@@ -19,7 +19,8 @@ using shared::kCutBox, shared::kCutCone, shared::kCutCylinder, shared::kCutPlane
 
 const vec3 kHalves[] = {{20, 12, 30}, {15, 15, 15}, {30, 8, 5}};
 constexpr int kKinds[] = {kCutPlane, kCutBox, kCutSphere, kCutCylinder, kCutCone};
-static_assert(std::size(kKinds) + 1 == std::size(EnumNames<scene::CutShape>::kNames), "all but the membrane");
+static_assert(std::size(kKinds) + 2 == std::size(EnumNames<scene::CutShape>::kNames),
+              "all but the membrane, and what is everywhere, which has no surface");
 /// Whose intervals along a ray there are.
 const std::vector<int> kConvexKinds = [] {
   std::vector<int> kinds;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kPiecePixels = 1 << 20;   // a few milliseconds
 constexpr double kStepVoxels = 2.5;     // noise moves surfaces by less
-constexpr double kStepAngstrom = 14.0;  // more than the folds of most proteins
+constexpr double kStepAngstrom = 20.0;  // more than the folds of most proteins
 constexpr int kMostSpheres = 96;        // in a texture that every driver takes; what comes after looks like the first
 constexpr std::string_view kPlain = "porcelain";
 

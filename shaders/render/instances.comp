@@ -103,6 +103,8 @@ vec2 lightOn(ivec2 pixel, float depth) {
 // Radii of balls in pixels from which on, and up to which, each has its own light: smaller ones would be grain.
 const float kLeastLit = 2.0;
 const float kFullLit = 7.0;
+// How much of their neighbours' shade falls on molecules of a few pixels.
+const float kLeastShaded = 0.45;
 
 /// By which a place on a ball is lit: of the molecule's whole shape, where balls are small.
 vec3 litNormal(Placed ball, Place place, MoleculeRow molecule, vec3 hit, vec3 own, float depth) {
@@ -128,6 +130,9 @@ void shadePixel(ivec2 pixel, int at, uint owner) {
   vec3 rgb = albedoOf(molecule.type, ball.number, depth);
   if (hasFlag(kFlagShaded)) {
     vec2 known = lightOn(pixel, depth);
+    // What molecules of a few pixels do to each other is grain, too.
+    float size = molecule.sphere.w * pixelsPerLength(depth);
+    known = mix(vec2(1.0), known, mix(kLeastShaded, 1.0, smoothstep(kLeastOutlined, 4.0 * kLeastOutlined, size)));
     float open = mix(1.0, known.x, frame.occlusionStrength);
     float lit = mix(1.0, known.y, frame.shadowStrength);
     vec3 side = litNormal(ball, place, molecule, hit, normal, depth);

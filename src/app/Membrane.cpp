@@ -342,8 +342,9 @@ Run registerMembrane(CLI::App& verb) {
   auto repeated = [&](const char* name, std::vector<std::string>& out, const char* text) {
     verb.add_option(name, out, text)->allow_extra_args(false);
   };
-  repeated("--protect-type", options->types,
-           "the same for a type of a model, or all types of a compartment, by its name or its path with dots; repeatable");
+  repeated(
+      "--protect-type", options->types,
+      "the same for a type of a model, or all types of a compartment, by its name or its path with dots; repeatable");
   repeated("--kernel", options->kernels,
            "put a ball in that pushes the sheet away (strength up to 1000) or draws it to its middle (down to -1000): "
            "x,y,z,radius,strength; repeatable");

@@ -102,7 +102,8 @@ std::uint32_t familyCompartment(const Model& model, std::uint32_t compartment, b
   return compartment;
 }
 
-/// Whether a compartment is what others swim in: one that holds none beside one that does, such as plasma beside a virus.
+/// Whether a compartment is what others swim in: one that holds none beside one that does, such as plasma beside a
+/// virus.
 bool isMedium(const Model& model, std::uint32_t compartment) {
   auto hasParts = [&](std::size_t c) {
     return std::any_of(model.compartments.begin(), model.compartments.end(),

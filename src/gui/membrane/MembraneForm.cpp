@@ -131,10 +131,12 @@ QWidget* MembraneForm::makeProtect() {
   auto* tools = new QWidget(this);
   auto* row = new QHBoxLayout(tools);
   row->setContentsMargins(0, 0, 0, 0);
-  mProtect = addButton(row, "protectThis", tr("Protect this"),
-                       tr("Click tissue, a structure or a molecule in any view: the sheet goes around all that is like it"));
-  mLetThrough = addButton(row, "letThrough", tr("Let through"),
-                          tr("Click tissue, a structure or a molecule in any view: the sheet may cut all that is like it"));
+  mProtect =
+      addButton(row, "protectThis", tr("Protect this"),
+                tr("Click tissue, a structure or a molecule in any view: the sheet goes around all that is like it"));
+  mLetThrough =
+      addButton(row, "letThrough", tr("Let through"),
+                tr("Click tissue, a structure or a molecule in any view: the sheet may cut all that is like it"));
   return tools;
 }
 

@@ -10,7 +10,8 @@ namespace velum::membrane {
 
 namespace {
 
-/// Voxels along the longest edge: what a kernel stands for is a few molecules across, as with volumes it is some voxels.
+/// Voxels along the longest edge: what a kernel stands for is a few molecules across, as with volumes it is some
+/// voxels.
 constexpr int kVoxelsAlongEdge = 160;
 /// Angstrom. In smaller voxels there would be gaps between the atoms of a molecule.
 constexpr double kLeastVoxel = 4.0;
@@ -74,8 +75,8 @@ class Filling {
   void add(glm::vec3 voxel, float volume) {
     glm::ivec3 at(glm::floor(voxel + 0.5f));
     if (glm::any(glm::lessThan(at, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(at, mDims))) return;
-    std::size_t i = (std::size_t(at.z) * std::size_t(mDims.y) + std::size_t(at.y)) * std::size_t(mDims.x) +
-                    std::size_t(at.x);
+    std::size_t i =
+        (std::size_t(at.z) * std::size_t(mDims.y) + std::size_t(at.y)) * std::size_t(mDims.x) + std::size_t(at.x);
     if (mOwn[i] == 0.0f) mTouched.push_back(i);
     mOwn[i] += volume;
   }

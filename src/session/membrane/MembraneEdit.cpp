@@ -100,9 +100,7 @@ void protectStructure(scene::Membrane& membrane, int id, double strength) {
   if (strength != 0.0) list.push_back({id, strength});
 }
 
-bool protectsTypes(const scene::Scene& scene) {
-  return scene.model.data && !scene.volume.data && !scene.labels.data;
-}
+bool protectsTypes(const scene::Scene& scene) { return scene.model.data && !scene.volume.data && !scene.labels.data; }
 
 std::vector<scene::Structure> protectableStructures(const scene::Scene& scene) {
   if (!protectsTypes(scene)) return scene.labels.structures;

@@ -49,9 +49,9 @@ struct LeftOut {
 double strengthAt(std::span<const scene::StrengthPoint> curve, double value);
 
 /// The potential field transfer function (PFTF) over a scene's data: strengths by value, by gradient magnitude and by
-/// structure, which add up ([IMC] 3.2). Its grid is the volume's; of the labels where there is no volume. Of a model alone
-/// the structures are its types, numbered from 1, in the voxels that their instances fill: a kernel is then as strong as
-/// they are dense. The grid is made with the potential (a second for the largest models).
+/// structure, which add up ([IMC] 3.2). Its grid is the volume's; of the labels where there is no volume. Of a model
+/// alone the structures are its types, numbered from 1, in the voxels that their instances fill: a kernel is then as
+/// strong as they are dense. The grid is made with the potential (a second for the largest models).
 ///
 /// It keeps the data, and gradient magnitudes once they have been asked for (16 bit a voxel), so that an edited curve
 /// is evaluated anew in a few tens of milliseconds. Samples of 8 and 16 bits go through a table over the raw values;
@@ -69,7 +69,7 @@ class Potential {
 
   /// True when it was made from the same data, time step and channel.
   bool matches(const scene::Scene& scene) const;
-  glm::ivec3 dims() const;  ///< 0 when the scene has no data
+  glm::ivec3 dims() const;                    ///< 0 when the scene has no data
   const Shared<LabelVolume>& labels() const;  ///< the scene's, or a model's types; none where it has neither
   const glm::dmat4& worldFromVoxel() const;
 

@@ -22,13 +22,13 @@ std::optional<Tissue> protectTissue(scene::Membrane& membrane, const scene::Volu
 /// The same for a structure. @param id  label id; 0 does nothing
 void protectStructure(scene::Membrane& membrane, int id, double strength = kProtectStrength);
 
-/// What a membrane can protect by protectStructure(): the scene's structures, or, where a model is all that there is, its
-/// types, numbered from 1, in their colours.
+/// What a membrane can protect by protectStructure(): the scene's structures, or, where a model is all that there is,
+/// its types, numbered from 1, in their colours.
 std::vector<scene::Structure> protectableStructures(const scene::Scene& scene);
 /// True where these are a model's types.
 bool protectsTypes(const scene::Scene& scene);
-/// The numbers of the types with this path, or in the compartment with it and below, ascending. @param path  with dots, or
-/// its last parts ("capsid", "capsid.CA")
+/// The numbers of the types with this path, or in the compartment with it and below, ascending. @param path  with dots,
+/// or its last parts ("capsid", "capsid.CA")
 std::vector<int> protectableTypes(const Model& model, std::string_view path);
 
 /// The same for all values from `low` to `high`, in the volume's unit.

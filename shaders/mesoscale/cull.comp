@@ -2,18 +2,22 @@
 // that what is drawn already does not hide. [VE] 3.
 //
 // In two phases: first those that were seen last time, then, when their depths are known, all others. SEEN: a thread looks at
-// a word of 32 instances; few of them were seen.
+// a word of 32 instances; few of them were seen. STATES: it is known already which of them cuts leave; GHOSTS: those are drawn
+// that cuts have removed and that show as ghosts. Else it is worked out here.
 layout(local_size_x = 64) in;
 
+#if defined(STATES) || defined(GHOSTS)
 #include "mesoscale/instances.glsl"
+layout(std430, binding = kStateBinding) readonly buffer StateBlock { uint states[]; };
+layout(binding = kTypeUnit) uniform samplerBuffer typeTexture;
+#else
+#include "mesoscale/kept.glsl"
+#endif
 #include "mesoscale/hidden.glsl"
 
-layout(std430, binding = kCutBinding) readonly buffer CutBlock { CutData cuts[]; };
-layout(std430, binding = kTypeSpareBinding) readonly buffer TypeSpareBlock { TypeSpareRow typeSpares[]; };
 layout(std430, binding = kSeenBinding) readonly buffer SeenBlock { uint seen[]; };
 layout(std430, binding = kDrawBinding) writeonly buffer DrawBlock { DrawRow draws[]; };
 layout(std430, binding = kCountBinding) buffer CountBlock { uint counts[]; };
-layout(binding = kTypeUnit) uniform samplerBuffer typeTexture;
 layout(binding = kDepthUnit) uniform usamplerBuffer depthTexture;
 
 layout(location = 0) uniform int phase;       // 0: seen last time; 1: all others; 2: all, whatever hides them
@@ -21,17 +25,12 @@ layout(location = 1) uniform int firstIndex;  // of this dispatch: SEEN: words o
 layout(location = 2) uniform int endIndex;
 layout(location = 3) uniform int firstCopy;
 
-/// What the cuts together leave: shaders/shared/cuts.h.
-bool cutsLeave(uint instance, uint type, vec3 p, float radius) {
-  CutFold fold = emptyFold();
-  float u = instanceRandom(instance, 0u);
-  for (int i = 0; i < view.cutCount; ++i) {
-    float depth = typeSpareDepth(typeSpares[int(type) * view.cutCount + i], u);
-    float reach = i < 32 && (view.wholeInstances >> i & 1u) != 0u ? radius : 0.0;
-    fold = foldAnswer(fold, cutPart(cuts[i]), instanceAnswer(cuts[i], depth, reach, p));
-  }
-  return foldKeeps(fold);
+#if defined(STATES) || defined(GHOSTS)
+bool isRemoved(uint instance) {
+  uint word = states[instance >> 5] | states[uint(view.stateWords) + (instance >> 5)];
+  return (word >> (instance & 31u) & 1u) != 0u;
 }
+#endif
 
 // So many pixels along each edge are looked at by themselves: tiles around what is small have gaps.
 const int kFewPixels = 16;
@@ -101,7 +100,15 @@ bool isCopyOut(vec3 shift) {
 /// Draws one, where it shows.
 void cullOne(uint instance, Place place) {
   MoleculeRow molecule = moleculeAt(place.molecule);
-  if (texelFetch(typeTexture, int(molecule.type)).a == 0.0) return;  // it is hidden
+  float shows = texelFetch(typeTexture, int(molecule.type)).a;
+#ifdef GHOSTS
+  if (shows < kTypeFilled || !isRemoved(instance)) return;
+#else
+  if (shows == kTypeHidden) return;
+#endif
+#ifdef STATES
+  if (isRemoved(instance)) return;
+#endif
   vec3 middle = place.position + turned(place.rotation, molecule.sphere.xyz);
   float radius = molecule.reach;
   // The window.
@@ -115,7 +122,9 @@ void cullOne(uint instance, Place place) {
     if (any(lessThan(pixels.zw, vec2(-0.5))) || any(greaterThan(pixels.xy, vec2(view.size) - 0.5))) return;
   }
   if (phase == 1 && nearest > 0.0 && isHidden(pixels, nearest)) return;
+#if !defined(STATES) && !defined(GHOSTS)
   if (!cutsLeave(instance, molecule.type, middle, molecule.sphere.w)) return;
+#endif
   // The coarsest level that is fine enough where the instance is nearest.
   float perLength = pixelsPerLength(nearest);
   uint level = molecule.firstLevel + molecule.levelCount - 1u;

@@ -58,21 +58,7 @@ LevelRow levelAt(uint level) {
 
 /// The pixels of the window whose rays may meet a sphere: x, y from; z, w to, in pixels. @param q  its middle as seen from the eye
 vec4 pixelsOf(vec3 q, float radius) {
-  float depth = dot(q, view.forward.xyz);
-  vec2 half_ = vec2(length(view.right.xyz), length(view.up.xyz));
-  vec2 at = vec2(dot(q, view.right.xyz), dot(q, view.up.xyz)) / half_;
-  vec2 low = at - radius;
-  vec2 high = at + radius;
-  if (view.isOrthographic == 0) {
-    vec2 root = radius * sqrt(max(at * at + depth * depth - radius * radius, 0.0));
-    float below = max(depth * depth - radius * radius, 1e-30);
-    low = (at * depth - root) / below;
-    high = (at * depth + root) / below;
-  }
-  // Rows run downwards.
-  vec2 from = vec2(low.x, -high.y) / half_;
-  vec2 to = vec2(high.x, -low.y) / half_;
-  return (vec4(from, to) * 0.5 + 0.5) * view.pictureSize.xyxy - view.shift.xyxy;
+  return spherePixels(view.right, view.up, view.forward, view.isOrthographic, view.pictureSize, q, radius) - view.shift.xyxy;
 }
 
 /// The ray of a pixel of the window; its depth grows by one with each length of it. @param offset  of its beginning from the eye
@@ -83,17 +69,8 @@ vec3 rayOf(ivec2 pixel, out vec3 offset) {
   return view.isOrthographic != 0 ? view.forward.xyz : view.forward.xyz + across;
 }
 
-/// Depth at which a ray meets a ball; below 0 where it does not. By the point of the ray next to the middle: differences of
-/// squared distances from the eye would leave nothing of a small ball.
-float ballDepth(vec3 q, float radius, vec3 offset, vec3 ray) {
-  precise vec3 toMiddle = q - offset;
-  precise float squared = dot(ray, ray);
-  precise float nearest = dot(toMiddle, ray) / squared;
-  precise vec3 aside = toMiddle - nearest * ray;
-  precise float left = radius * radius - dot(aside, aside);
-  precise float depth = nearest - sqrt(max(left, 0.0) / squared);
-  return left >= 0.0 ? depth : -1.0;
-}
+/// Depth at which a ray meets a ball; below 0 where it does not.
+float ballDepth(vec3 q, float radius, vec3 offset, vec3 ray) { return ballDepths(q, radius, offset, ray).x; }
 
 /// Pixels that a length takes at a depth.
 float pixelsPerLength(float depth) {

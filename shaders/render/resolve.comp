@@ -1,6 +1,6 @@
 // From the sum of samples to a picture: mean, finish, background.
 //
-// FINISH is there when something is added at the end, STROKES when hatching is, PAPER when the background is one.
+// GHOSTS is there when removed instances show over it. FINISH is there when something is added at the end, STROKES when hatching is, PAPER when the background is one.
 layout(local_size_x = 8, local_size_y = 8) in;
 
 #include "common/frame.glsl"
@@ -10,6 +10,11 @@ layout(binding = kFinishImage, rgba32f) uniform readonly image2D finishImage;
 layout(binding = kPaperUnit) uniform sampler2D paperTexture;
 layout(location = 7) uniform int finishSamples;  // that finishImage is the sum of
 layout(location = 8) uniform int finishRows;     // rows from the top that have one more
+#endif
+
+#ifdef GHOSTS
+layout(binding = kGhostUnit) uniform sampler2D ghostTexture;  // the sum of samples, premultiplied
+layout(location = 9) uniform int ghostSamples;
 #endif
 
 layout(binding = kColorImage, rgba32f) uniform readonly image2D colorImage;
@@ -53,6 +58,15 @@ vec4 finished(ivec2 pixel, vec4 color, bool hasBackground, vec3 behind) {
 }
 #endif
 
+/// A finished colour with what is blended over it.
+void store(ivec2 pixel, vec4 color) {
+#ifdef GHOSTS
+  vec4 ghosts = ghostSamples > 0 ? texelFetch(ghostTexture, pixel, 0) / float(ghostSamples) : vec4(0.0);
+  color = ghosts + (1.0 - ghosts.a) * color;
+#endif
+  imageStore(pictureImage, pixel, color);
+}
+
 void main() {
   ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
   ivec2 size = imageSize(pictureImage);
@@ -70,9 +84,9 @@ void main() {
 #else
   vec3 backdrop = behind + dither / 255.0;
 #endif
-  imageStore(pictureImage, pixel, finished(pixel, color, top.a > 0.0, backdrop));
+  store(pixel, finished(pixel, color, top.a > 0.0, backdrop));
   return;
 #endif
   if (top.a > 0.0) color = vec4(color.rgb + (1.0 - color.a) * (behind + dither / 255.0), 1.0);
-  imageStore(pictureImage, pixel, color);
+  store(pixel, color);
 }

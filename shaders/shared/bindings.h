@@ -10,6 +10,7 @@ SHARED_CONST uint kFinishBinding = 1u;
 SHARED_CONST uint kInstanceViewBinding = 2u;
 SHARED_CONST uint kInstanceLightBinding = 3u;  // the light's view of them
 SHARED_CONST uint kInstanceShadeBinding = 4u;
+SHARED_CONST uint kFocusViewBinding = 5u;
 
 // Samplers.
 SHARED_CONST uint kVolumeUnit = 0u;
@@ -53,6 +54,19 @@ SHARED_CONST uint kDepthUnit = 30u;     // bits of the nearest depth of each pix
 SHARED_CONST uint kShadowUnit = 31u;    // the same as the light sees it
 SHARED_CONST uint kOpenUnit = 21u;      // openness and light of pixels; what cuts spare of structures is bound again after it
 
+// What a cut keeps in view: its mask and the seeds of distances in it; and what of the picture is looked through.
+SHARED_CONST uint kMaskUnit = 32u;
+SHARED_CONST uint kSeedUnit = 33u;
+SHARED_CONST uint kPictureIdUnit = 34u;
+SHARED_CONST uint kPictureSurfaceUnit = 35u;
+SHARED_CONST uint kGhostUnit = 36u;  // the sum of ghosts, for the picture
+
+// Storage blocks while it is found out what becomes of instances.
+SHARED_CONST uint kStateBinding = 2u;  // bits of instances, also while they are culled
+SHARED_CONST uint kMaskBinding = 3u;
+SHARED_CONST uint kSeedBinding = 4u;
+SHARED_CONST uint kReachBinding = 6u;  // the longest distance in the mask
+
 // Storage blocks of a view of instances.
 SHARED_CONST uint kTypeSpareBinding = 0u;
 SHARED_CONST uint kDepthBinding = 2u;
@@ -63,6 +77,7 @@ SHARED_CONST uint kDrawBinding = 6u;
 SHARED_CONST uint kCountBinding = 7u;   // of the lists of draws; then the dispatches that these make
 SHARED_CONST uint kPyramidImage = 0u;
 SHARED_CONST uint kOpenImage = 0u;
+SHARED_CONST uint kGhostImage = 0u;
 SHARED_CONST uint kSurfaceColorImage = 0u;  // what surfaces are drawn into, for who adds to it
 SHARED_CONST uint kSurfaceAuxImage = 1u;
 SHARED_CONST uint kSurfaceIdImage = 2u;

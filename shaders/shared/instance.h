@@ -48,8 +48,12 @@ struct LevelRow {
 
 /// A type: how it looks. What cuts leave of it stands in rows of its own, [types][cuts].
 struct TypeRow {
-  vec4 color;  ///< sRGB; a: 0 hides it
+  vec4 color;  ///< sRGB; a: kType*
 };
+SHARED_CONST float kTypeHidden = 0.0f;
+SHARED_CONST float kTypeShown = 1.0f;
+SHARED_CONST float kTypeFilled = 2.0f;   // shown, and its removed instances as filled ghosts,
+SHARED_CONST float kTypeContour = 3.0f;  // or as contours
 
 /// What a cut leaves of the instances of a type (scene::TypeSpare). All 0: nothing.
 struct TypeSpareRow {
@@ -58,9 +62,9 @@ struct TypeSpareRow {
   float falloff;   ///< below 0: outside
   float amount;
   float exponent;
-  float padding0;
-  float padding1;
-  float padding2;
+  float viewShare;  ///< of those that hide the cut's focus, so many stay
+  float aperture;
+  float isFocus;    ///< 1: the cut keeps it in view
 };
 
 /// From where instances are drawn into a buffer of depths, and how fine. Frame: the scene's.
@@ -86,9 +90,27 @@ struct InstanceView {
   float largeRadius;   ///< pixels, from which on balls are drawn a group each
   uint wholeInstances; ///< a bit each of the first cuts: they remove what is inside with all of its sphere
   int levelCount;      ///< of the pyramid
+  int stateWords;      ///< of each kind of InstanceStates' bits
+  int padding0;
+};
+
+/// From where a cut's focus is kept in view. Its mask is a picture of kFocusRows rows of the whole view, whatever part of
+/// it is drawn and how large: the same instances are cleared. Frame: the scene's.
+struct FocusView {
+  vec4 eye;
+  vec4 right;
+  vec4 up;
+  vec4 forward;
+  ivec2 size;          ///< of the mask, pixels
+  int isOrthographic;
+  int cut;             ///< of the enabled ones
+  int guidesDepth;     ///< the mask has the nearest depth at which a sphere of the focus begins; else the farthest at which one ends
+  int hasAperture;     ///< distances in the mask are known
   int padding0;
   int padding1;
 };
+SHARED_CONST int kFocusRows = 384;
+SHARED_CONST uint kNoSeed = 0xffffffffu;
 
 /// How instances are shaded, beside what the frame says of light.
 struct InstanceShade {
@@ -175,6 +197,83 @@ SHARED_FN vec3 turned(vec4 q, vec3 v) {
   vec3 axis = vec3(q.x, q.y, q.z);
   vec3 t = 2.0f * cross(axis, v);
   return v + q.w * t + cross(axis, t);
+}
+
+/// Half the width and the height of a picture at distance 1.
+SHARED_FN vec2 halfPicture(vec4 right, vec4 up) { return vec2(length(vec3(right)), length(vec3(up))); }
+
+/// The pixels of a picture whose rays may meet a sphere: x, y from; z, w to, in pixels. @param q  its middle as seen from the eye
+SHARED_FN vec4 spherePixels(vec4 right, vec4 up, vec4 forward, int isOrthographic, vec2 pictureSize, vec3 q, float radius) {
+  float depth = dot(q, vec3(forward));
+  vec2 half_ = halfPicture(right, up);
+  vec2 at = vec2(dot(q, vec3(right)), dot(q, vec3(up))) / half_;
+  vec2 low = at - radius;
+  vec2 high = at + radius;
+  if (isOrthographic == 0) {
+    vec2 root = radius * sqrt(max(at * at + depth * depth - radius * radius, vec2(0.0f)));
+    float below = max(depth * depth - radius * radius, 1e-30f);
+    low = (at * depth - root) / below;
+    high = (at * depth + root) / below;
+  }
+  // Rows run downwards.
+  vec2 from = (vec2(low.x, -high.y) / half_ * 0.5f + 0.5f) * pictureSize;
+  vec2 to = (vec2(high.x, -low.y) / half_ * 0.5f + 0.5f) * pictureSize;
+  return vec4(from, to);
+}
+
+/// Depths at which a ray enters a ball and leaves it; below 0 where it does not meet it. By the point of the ray next to the
+/// middle: differences of squared distances from the eye would leave nothing of a small ball.
+/// @param q  its middle  @param offset  where the ray begins, both from the eye  @param ray  its depth grows by 1 with its length
+SHARED_FN vec2 ballDepths(vec3 q, float radius, vec3 offset, vec3 ray) {
+  SHARED_EXACT vec3 toMiddle = q - offset;
+  SHARED_EXACT float squared = dot(ray, ray);
+  SHARED_EXACT float nearest = dot(toMiddle, ray) / squared;
+  SHARED_EXACT vec3 aside = toMiddle - nearest * ray;
+  SHARED_EXACT float left = radius * radius - dot(aside, aside);
+  SHARED_EXACT float reach = sqrt(max(left, 0.0f) / squared);
+  return left >= 0.0f ? vec2(nearest - reach, nearest + reach) : vec2(-1.0f);
+}
+
+/// The pixels of a focus's mask that a sphere may cover; none where z < x. What is about the eye covers none.
+SHARED_FN ivec4 focusRect(FocusView view, vec3 q, float radius) {
+  if (dot(q, vec3(view.forward)) <= radius) return ivec4(0, 0, -1, -1);
+  vec4 pixels = spherePixels(view.right, view.up, view.forward, view.isOrthographic, vec2(view.size), q, radius) - 0.5f;
+  ivec2 from = max(ivec2(ceil(vec2(pixels.x, pixels.y))), ivec2(0));
+  ivec2 to = min(ivec2(floor(vec2(pixels.z, pixels.w))), view.size - 1);
+  return ivec4(from, to);
+}
+
+/// Depths of a sphere on the ray of a pixel of a focus's mask.
+SHARED_FN vec2 focusDepths(FocusView view, ivec2 pixel, vec3 q, float radius) {
+  vec2 at = vec2(2.0f, -2.0f) * (vec2(pixel) + 0.5f) / vec2(view.size) + vec2(-1.0f, 1.0f);
+  vec3 across = at.x * vec3(view.right) + at.y * vec3(view.up);
+  bool isOrthographic = view.isOrthographic != 0;
+  vec3 ray = isOrthographic ? vec3(view.forward) : vec3(view.forward) + across;
+  return ballDepths(q, radius, isOrthographic ? across : vec3(0.0f), ray);
+}
+
+/// Whether a sphere hides the focus in a pixel. @param mask  depth there; below 0: there is none
+SHARED_FN bool hidesFocus(vec2 depths, float mask) { return depths.x > 0.0f && depths.x < mask; }
+
+/// How far a pixel of the mask lies from the nearest that is none of it, pixels. @param seed  of jump flooding [JFA]
+SHARED_FN float focusDistance(ivec2 pixel, uint seed) {
+  if (seed == kNoSeed) return kCutFar;
+  return length(vec2(ivec2(int(seed & 0xffffu), int(seed >> 16)) - pixel));
+}
+
+/// The nearer of two seeds; of two as near, the lower one: whatever the order.
+SHARED_FN uint nearerSeed(ivec2 pixel, uint a, uint b) {
+  if (a == kNoSeed || b == kNoSeed) return a == kNoSeed ? b : a;
+  ivec2 toA = ivec2(int(a & 0xffffu), int(a >> 16)) - pixel;
+  ivec2 toB = ivec2(int(b & 0xffffu), int(b >> 16)) - pixel;
+  int lengthA = toA.x * toA.x + toA.y * toA.y;
+  int lengthB = toB.x * toB.x + toB.y * toB.y;
+  return lengthB < lengthA || (lengthB == lengthA && b < a) ? b : a;
+}
+
+/// Whether a type's aperture opens a place of the mask. @param most  the longest distance in the mask
+SHARED_FN bool apertureOpens(float aperture, float distance, float most) {
+  return aperture > 0.0f && distance >= (1.0f - aperture) * most;
 }
 
 SHARED_END

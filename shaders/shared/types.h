@@ -21,7 +21,7 @@
 #define SHARED_SHAPE(kind) (kind)
 namespace velum::shared {
 using glm::ivec2, glm::ivec3, glm::ivec4, glm::mat4, glm::uvec4, glm::vec2, glm::vec3, glm::vec4;
-using glm::abs, glm::clamp, glm::cross, glm::dot, glm::floor, glm::length, glm::max, glm::min, glm::mix;
+using glm::abs, glm::ceil, glm::clamp, glm::cross, glm::dot, glm::floor, glm::length, glm::max, glm::min, glm::mix;
 using glm::normalize, glm::pow, glm::smoothstep, glm::sqrt;
 using uint = std::uint32_t;
 struct SheetRows {

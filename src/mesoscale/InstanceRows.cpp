@@ -13,6 +13,11 @@ bool leadsTo(std::string_view path, std::string_view to) {
   return to.starts_with(path) && (to.size() == path.size() || to[path.size()] == '.');
 }
 
+bool isInFocus(const scene::Cut& cut, std::string_view path) {
+  auto leads = [&](const scene::FocusType& type) { return leadsTo(type.type, path); };
+  return cut.focus && std::any_of(cut.focus->types.begin(), cut.focus->types.end(), leads);
+}
+
 shared::TypeSpareRow toShared(const scene::TypeSpare& spare) {
   shared::TypeSpareRow row{};
   row.share = float(spare.share);
@@ -20,6 +25,8 @@ shared::TypeSpareRow toShared(const scene::TypeSpare& spare) {
   row.falloff = float(spare.falloff);
   row.amount = float(spare.amount);
   row.exponent = float(spare.exponent);
+  row.viewShare = float(spare.viewShare);
+  row.aperture = float(spare.aperture);
   return row;
 }
 
@@ -27,9 +34,15 @@ shared::TypeSpareRow toShared(const scene::TypeSpare& spare) {
 
 std::vector<shared::TypeRow> makeTypeRows(const scene::ModelLayer& layer) {
   std::vector<shared::TypeRow> rows;
-  for (const glm::vec3& color : scene::typeColors(layer)) rows.push_back({glm::vec4(color, 1.0f)});
-  for (std::size_t i = 0; i < rows.size() && !layer.types.empty(); ++i)
-    if (!scene::typeLook(layer, pathOf(*layer.data, layer.data->types[i])).visible) rows[i].color.a = 0.0f;
+  for (const glm::vec3& color : scene::typeColors(layer)) rows.push_back({glm::vec4(color, shared::kTypeShown)});
+  if (layer.types.empty() && layer.ghosts == scene::Ghosts::None) return rows;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    scene::TypeLook look = scene::typeLook(layer, pathOf(*layer.data, layer.data->types[i]));
+    scene::Ghosts ghosts = scene::ghostsOf(layer, look);
+    if (ghosts != scene::Ghosts::None)
+      rows[i].color.a = ghosts == scene::Ghosts::Filled ? shared::kTypeFilled : shared::kTypeContour;
+    if (!look.visible) rows[i].color.a = shared::kTypeHidden;
+  }
   return rows;
 }
 
@@ -55,7 +68,10 @@ std::vector<shared::TypeSpareRow> makeTypeSpareRows(const scene::Scene& scene) {
   for (const MoleculeType& type : model.types) {
     std::string path = pathOf(model, type);
     for (const scene::Cut& cut : scene.cuts)
-      if (cut.enabled) rows.push_back(toShared(typeSpareOf(cut, model, type, path)));
+      if (cut.enabled) {
+        rows.push_back(toShared(typeSpareOf(cut, model, type, path)));
+        rows.back().isFocus = isInFocus(cut, path) ? 1.0f : 0.0f;
+      }
   }
   return rows;
 }

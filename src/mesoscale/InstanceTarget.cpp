@@ -27,16 +27,42 @@ int groupsOf(std::uint32_t threads) { return int((threads + 63) / 64); }
 
 }  // namespace
 
-gpu::Defines cullDefines(bool hasMembranes, bool isOfSeen) {
+gpu::Defines cullDefines(CullBy by, bool isOfSeen) {
   gpu::Defines defines;
-  if (hasMembranes) defines.emplace_back("MEMBRANES", "1");
+  if (by == CullBy::Membranes) defines.emplace_back("MEMBRANES", "1");
+  if (by == CullBy::States) defines.emplace_back("STATES", "1");
+  if (by == CullBy::Ghosts) defines.emplace_back("GHOSTS", "1");
   if (isOfSeen) defines.emplace_back("SEEN", "1");
   return defines;
 }
 
-const gpu::Program& InstancePrograms::cull(bool hasMembranes, bool isOfSeen) {
-  return made(mCull[{hasMembranes, isOfSeen}], "mesoscale/cull.comp", cullDefines(hasMembranes, isOfSeen));
+gpu::Defines focusDefines(bool hasMembranes, bool isOfOccluders) {
+  gpu::Defines defines;
+  if (hasMembranes) defines.emplace_back("MEMBRANES", "1");
+  if (isOfOccluders) defines.emplace_back("OCCLUDERS", "1");
+  return defines;
 }
+
+std::vector<InstancePart> instanceParts(std::uint32_t instances, int copies, std::uint32_t most) {
+  std::vector<InstancePart> parts;
+  int atATime = std::clamp(int(most / std::max(1u, instances)), 1, copies);
+  for (int copy = 0; copy < copies; copy += atATime)
+    for (std::uint32_t first = 0; first < instances; first += std::min(most, instances - first))
+      parts.push_back({first, std::min(instances, first + most), copy, std::min(atATime, copies - copy)});
+  return parts;
+}
+
+const gpu::Program& InstancePrograms::cull(CullBy by, bool isOfSeen) {
+  return made(mCull[{by, isOfSeen}], "mesoscale/cull.comp", cullDefines(by, isOfSeen));
+}
+const gpu::Program& InstancePrograms::clip(bool hasMembranes) {
+  return made(mClip[hasMembranes], "mesoscale/clip.comp", focusDefines(hasMembranes, false));
+}
+const gpu::Program& InstancePrograms::focus(bool hasMembranes, bool isOfOccluders) {
+  return made(mFocus[{hasMembranes, isOfOccluders}], "mesoscale/focus.comp", focusDefines(hasMembranes, isOfOccluders));
+}
+const gpu::Program& InstancePrograms::flood() { return made(mFlood, "mesoscale/flood.comp"); }
+const gpu::Program& InstancePrograms::shown() { return made(mShown, "mesoscale/shown.comp"); }
 const gpu::Program& InstancePrograms::splat(bool isLarge) {
   return made(mSplat[isLarge], "mesoscale/splat.comp", isLarge ? gpu::Defines{{"LARGE", "1"}} : gpu::Defines{});
 }
@@ -110,29 +136,19 @@ void InstanceTarget::bindLists(const Lists& lists) const {
   lists.counts.bindStorage(shared::kCountBinding);
 }
 
-std::vector<InstanceTarget::CullPart> InstanceTarget::partsOf(CullPhase phase, std::uint32_t most) const {
-  std::vector<CullPart> parts;
-  if (phase == CullPhase::SeenBefore) {
-    std::uint32_t words = (mCount + 31) / 32;
-    for (std::uint32_t first = 0; first < words; first += std::min(most, words - first))
-      parts.push_back({first, std::min(words, first + most), 0, 1});
-    return parts;
-  }
-  int atATime = std::clamp(int(most / std::max(1u, mInstances)), 1, mCopies);
-  for (int copy = 0; copy < mCopies; copy += atATime)
-    for (std::uint32_t first = 0; first < mInstances; first += std::min(most, mInstances - first))
-      parts.push_back({first, std::min(mInstances, first + most), copy, std::min(atATime, mCopies - copy)});
-  return parts;
+std::vector<InstancePart> InstanceTarget::partsOf(CullPhase phase, std::uint32_t most) const {
+  if (phase == CullPhase::SeenBefore) return instanceParts((mCount + 31) / 32, 1, most);
+  return instanceParts(mInstances, mCopies, most);
 }
 
-void InstanceTarget::cull(InstancePrograms& programs, bool hasMembranes, CullPhase phase, const CullPart& part) {
+void InstanceTarget::cull(InstancePrograms& programs, CullBy by, CullPhase phase, const InstancePart& part) {
   const Lists& lists = listsOf(phase);
   bindLists(lists);
   lists.draws.bindStorage(shared::kDrawBinding);
   mSeen.bindStorage(shared::kSeenBinding);
   mPyramid.bindSampler(shared::kPyramidUnit);
   bindDepths(shared::kDepthUnit);
-  const gpu::Program& program = programs.cull(hasMembranes, phase == CullPhase::SeenBefore);
+  const gpu::Program& program = programs.cull(by, phase == CullPhase::SeenBefore);
   program.set(0, static_cast<int>(phase));
   program.set(1, int(part.first));
   program.set(2, int(part.end));

@@ -6,10 +6,15 @@ namespace velum::mesoscale {
 
 std::vector<gpu::ProgramSource> allPrograms() {
   std::vector<gpu::ProgramSource> all;
-  for (const char* name : {"arguments", "pyramid", "seen"})
+  for (const char* name : {"arguments", "pyramid", "seen", "flood", "shown"})
     all.push_back({{std::string("mesoscale/") + name + ".comp"}, {}});
-  for (bool hasMembranes : {false, true})
-    for (bool isOfSeen : {false, true}) all.push_back({{"mesoscale/cull.comp"}, cullDefines(hasMembranes, isOfSeen)});
+  for (CullBy by : {CullBy::Cuts, CullBy::Membranes, CullBy::States, CullBy::Ghosts})
+    for (bool isOfSeen : {false, true}) all.push_back({{"mesoscale/cull.comp"}, cullDefines(by, isOfSeen)});
+  for (bool hasMembranes : {false, true}) {
+    all.push_back({{"mesoscale/clip.comp"}, focusDefines(hasMembranes, false)});
+    for (bool isOfOccluders : {false, true})
+      all.push_back({{"mesoscale/focus.comp"}, focusDefines(hasMembranes, isOfOccluders)});
+  }
   for (const gpu::Defines& defines : {gpu::Defines{}, gpu::Defines{{"LARGE", "1"}}})
     all.push_back({{"mesoscale/splat.comp"}, defines});
   return all;

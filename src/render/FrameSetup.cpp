@@ -11,11 +11,6 @@ namespace velum::render {
 
 namespace {
 
-double sceneRadius(const FrameGrid& grid) {
-  glm::dmat3 m(grid.worldFromTex);
-  return 0.5 * (glm::length(m[0]) + glm::length(m[1]) + glm::length(m[2]));
-}
-
 glm::vec4 v4(glm::dvec3 v, double w = 0.0) { return glm::vec4(glm::vec3(v), float(w)); }
 
 /// A projection with the rays of rayThrough(): rows run downwards, depth covers the scene's sphere.
@@ -56,6 +51,46 @@ glm::dmat4 clipFromScene(const Frame& frame, const FrameGrid& grid, const scene:
 
 }  // namespace
 
+double sceneRadius(const FrameGrid& grid) {
+  glm::dmat3 m(grid.worldFromTex);
+  return 0.5 * (glm::length(m[0]) + glm::length(m[1]) + glm::length(m[2]));
+}
+
+EyeRays makeEyeRays(const scene::Camera& camera, double aspect, glm::dvec3 origin, double radius) {
+  EyeRays rays;
+  scene::CameraBasis basis = scene::cameraBasis(camera);
+  double tall = scene::halfPictureHeight(camera);
+  rays.right = basis.right * tall * aspect;
+  rays.up = basis.up * tall;
+  rays.forward = basis.forward;
+  rays.isOrthographic = camera.projection == scene::Projection::Orthographic;
+  rays.eye = camera.eye - origin;
+  if (rays.isOrthographic) {
+    // The picture plane stands in front of everything, wherever the eye is said to be.
+    glm::dvec3 target = camera.target - origin;
+    rays.eye = target - basis.forward * (glm::length(target) + 2.0 * radius);
+  }
+  return rays;
+}
+
+shared::FocusView makeFocusView(const scene::Scene& scene, const mesoscale::FocusRow& row, double aspect,
+                                glm::dvec3 origin, double radius) {
+  const auto& lock = row.focus->lock;
+  double wide = lock ? lock->aspect : aspect;
+  EyeRays rays = makeEyeRays(lock ? lock->camera : scene.camera, wide, origin, radius);
+  shared::FocusView view{};
+  view.eye = v4(rays.eye);
+  view.right = v4(rays.right);
+  view.up = v4(rays.up);
+  view.forward = v4(rays.forward);
+  view.size = {std::clamp(int(std::lround(shared::kFocusRows * wide)), 1, 16 * shared::kFocusRows), shared::kFocusRows};
+  view.isOrthographic = rays.isOrthographic ? 1 : 0;
+  view.cut = row.cut;
+  view.guidesDepth = row.focus->guidesDepth ? 1 : 0;
+  view.hasAperture = row.hasAperture ? 1 : 0;
+  return view;
+}
+
 double diameterOf(const FrameGrid& grid) {
   glm::dmat3 m(grid.worldFromTex);
   double diameter = glm::length(glm::dvec3(glm::length(m[0]), glm::length(m[1]), glm::length(m[2])));
@@ -80,20 +115,12 @@ shared::FrameParams makeFrameParams(const Frame& frame, const FrameGrid& grid, c
     params.labelFromScene = glm::mat4(glm::inverse(scene.labels.data->worldFromVoxel()) * toWorld);
   }
   // Rays.
-  scene::CameraBasis basis = scene::cameraBasis(scene.camera);
-  double tall = scene::halfPictureHeight(scene.camera),
-         wide = tall * frame.pictureSize.x / std::max(1, frame.pictureSize.y);
-  params.right = v4(basis.right * wide);
-  params.up = v4(basis.up * tall);
-  params.forward = v4(basis.forward);
-  bool orthographic = scene.camera.projection == scene::Projection::Orthographic;
-  glm::dvec3 eye = scene.camera.eye - origin;
-  if (orthographic) {
-    // The picture plane stands in front of everything, wherever the eye is said to be.
-    glm::dvec3 target = scene.camera.target - origin;
-    eye = target - basis.forward * (glm::length(target) + 2.0 * sceneRadius(grid));
-  }
-  params.eye = v4(eye);
+  EyeRays rays = makeEyeRays(scene.camera, double(frame.pictureSize.x) / std::max(1, frame.pictureSize.y), origin,
+                             sceneRadius(grid));
+  params.right = v4(rays.right);
+  params.up = v4(rays.up);
+  params.forward = v4(rays.forward);
+  params.eye = v4(rays.eye);
   // Grid and values.
   glm::dmat3 edges(sceneFromTex);
   glm::dvec3 spacing(glm::length(edges[0]) / grid.dims.x, glm::length(edges[1]) / grid.dims.y,
@@ -137,13 +164,14 @@ shared::FrameParams makeFrameParams(const Frame& frame, const FrameGrid& grid, c
   params.specular = float(light.specular);
   params.shininess = float(light.shininess);
   glm::dvec3 key = unitOr(light.keyDirection, {0, 0, 1});
+  scene::CameraBasis basis = scene::cameraBasis(scene.camera);
   params.keyLight = v4(glm::normalize(key.x * basis.right + key.y * basis.up - key.z * basis.forward));
   params.pictureUp = v4(basis.up);
   params.shadowStrength = float(light.shadow);
   params.occlusionStrength = float(light.occlusion);
   // Switches.
   auto flag = [&](bool on, std::uint32_t bit) { params.flags |= on ? bit : 0u; };
-  flag(orthographic, shared::kFlagOrthographic);
+  flag(rays.isOrthographic, shared::kFlagOrthographic);
   flag(light.shaded, shared::kFlagShaded);
   flag(scene.rayCast.skipEmpty, shared::kFlagSkipEmpty);
   flag(scene.rayCast.stopOpaque, shared::kFlagStopOpaque);

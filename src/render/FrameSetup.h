@@ -4,9 +4,11 @@
 
 #include "shared/cut.h"
 #include "shared/frame.h"
+#include "shared/instance.h"
 #include "upload/CutSheets.h"
 #include "upload/TransferTable.h"
 #include "upload/VolumeUpload.h"
+#include "velum/mesoscale/FocusRows.h"
 #include "velum/render/Frame.h"
 
 namespace velum::render {
@@ -25,6 +27,23 @@ double diameterOf(const FrameGrid& grid);
 
 /// The frame's origin: scene frame = world minus it, so that floats are enough far from the world's origin.
 glm::dvec3 sceneOrigin(const FrameGrid& grid);
+
+/// The rays of a camera's picture, scene frame.
+struct EyeRays {
+  glm::dvec3 eye;        ///< orthographic: before everything
+  glm::dvec3 right, up;  ///< from the middle of the picture to its edges, at distance 1 (orthographic: lengths)
+  glm::dvec3 forward;    ///< unit
+  bool isOrthographic = false;
+};
+/// @param aspect  width by height  @param radius  of a sphere about the data
+EyeRays makeEyeRays(const scene::Camera& camera, double aspect, glm::dvec3 origin, double radius);
+
+/// The view that a focus is kept in: the picture's, or the one that it is locked to. @param aspect  the picture's
+shared::FocusView makeFocusView(const scene::Scene& scene, const mesoscale::FocusRow& row, double aspect,
+                                glm::dvec3 origin, double radius);
+
+/// Half the diagonal of the data's box, or more.
+double sceneRadius(const FrameGrid& grid);
 
 /// Everything of FrameParams that does not change from sample to sample.
 /// @param unit  of the frame's and the grid's lengths, in that of the world that labels lie in

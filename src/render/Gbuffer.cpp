@@ -46,6 +46,11 @@ void Gbuffer::bindImages() const {
   if (mSample) mSample.bindImage(shared::kSampleImage, gpu::Access::Write);
 }
 
+void Gbuffer::bindSamplers() const {
+  mIds.bindSampler(shared::kPictureIdUnit);
+  mSurface.bindSampler(shared::kPictureSurfaceUnit);
+}
+
 void Gbuffer::appendLayers(const FrameData& data, const Layers& layers, Image& image) const {
   std::size_t before = image.channels.size();
   auto name = [&](bool isWanted, std::initializer_list<const char*> names) {

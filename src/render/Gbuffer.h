@@ -22,6 +22,10 @@ class Gbuffer {
   /// As images of a dispatch: kColorImage, kSurfaceImage, kIdImage, kSampleImage.
   void bindImages() const;
   const gpu::Texture& color() const { return mColor; }
+  /// Structure; instance + 1, 0: nothing is seen.
+  const gpu::Texture& ids() const { return mIds; }
+  /// What is seen as samplers: kPictureIdUnit, kPictureSurfaceUnit.
+  void bindSamplers() const;
   /// What the sample shows that was cast last, as render/sample.glsl packs it: kSampleUnit.
   void bindSample() const { mSample.bindSampler(shared::kSampleUnit); }
 

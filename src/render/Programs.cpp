@@ -53,6 +53,7 @@ std::vector<gpu::ProgramSource> allPrograms() {
     all.push_back({{"render/surface.vert", "render/surface.frag"}, defines});
   all.push_back({{"render/openness.comp"}, {}});
   all.push_back({{"render/instances.comp"}, {}});
+  all.push_back({{"render/ghosts.comp"}, {}});
   std::vector<std::uint32_t> sets = flagSets();
   std::size_t next = 0;
   for (DataVariant variant : allLightVariants()) {

@@ -6,7 +6,9 @@
 #include "FrameData.h"
 #include "Gbuffer.h"
 #include "WorkQueue.h"
+#include "passes/CountPass.h"
 #include "passes/FinishPass.h"
+#include "passes/GhostPass.h"
 #include "passes/InstancePass.h"
 #include "passes/LightPass.h"
 #include "passes/RayCastPass.h"
@@ -24,6 +26,8 @@ struct Renderer::Impl {
         upload(limits),
         instances(surfaces, limits.isSoftware),
         rayCast(gbuffer, limits.isSoftware),
+        counts(gbuffer, instances),
+        ghosts(gbuffer, instances),
         finish(gbuffer),
         stats(known) {}
 
@@ -40,10 +44,12 @@ struct Renderer::Impl {
   SurfacePass surfaces;
   InstancePass instances;
   RayCastPass rayCast;
+  CountPass counts;
+  GhostPass ghosts;
   FinishPass finish;
   ResolvePass resolve;
-  Pass* const drawing[6] = {&skip,      &light,   &surfaces,
-                            &instances, &rayCast, &finish};  ///< Whom the data's upload goes before.
+  Pass* const drawing[8] = {&skip,    &light,  &surfaces, &instances,
+                            &rayCast, &counts, &ghosts,   &finish};  ///< Whom the data's upload goes before.
   WorkQueue queue;
   Stats stats;
 
@@ -61,6 +67,7 @@ void Renderer::Impl::begin(const Frame& frame) {
   queue.restart();
   rayCast.restart();
   finish.restart();
+  ghosts.restart();
   coming = {.frame = withSizes(frame), .isSoftware = limits.isSoftware};
   upload.prepare(coming);
   upload.addSteps(coming, 0, queue);
@@ -87,6 +94,9 @@ void Renderer::Impl::setUp() {
     instances.addSteps(data, sample, queue);
     if (isModelDrawn(data.frame.scene)) queue.add("Setup", [this] { bind(); });  // instances have blocks of their own
     rayCast.addSteps(data, sample, queue);
+    counts.addSteps(data, sample, queue);
+    ghosts.addSteps(data, sample, queue);
+    if (instances.hasStates()) queue.add("Setup", [this] { bind(); });
     finish.addSteps(data, sample, queue);
   }
   queue.countAll();
@@ -115,7 +125,7 @@ bool Renderer::Impl::look() {
   inputs.bind();
   const PictureProgress& done = rayCast.progress();
   if (isDrawn && (done.rowsDone > 0 || done.columnsDone > 0)) finish.catchUp(data);
-  resolve.draw(data, gbuffer, finish, done);
+  resolve.draw(data, gbuffer, finish, ghosts, done);
   return true;
 }
 
@@ -154,12 +164,15 @@ Image Renderer::read(const Layers& layers) {
   if (!mImpl->look()) return {};
   Image image = mImpl->resolve.read();
   mImpl->gbuffer.appendLayers(mImpl->data, layers, image);
+  if (layers.ghosts) mImpl->ghosts.appendLayer(image);
   return image;
 }
 
 Pick Renderer::pick(glm::ivec2 pixel) const {
   return mImpl->gbuffer ? mImpl->gbuffer.pick(mImpl->data, pixel) : Pick{};
 }
+
+std::optional<InstanceBits> Renderer::bits(bool waits) { return mImpl->counts.take(waits); }
 
 std::vector<std::uint32_t> Renderer::countTypes() const {
   return mImpl->gbuffer ? mImpl->gbuffer.countTypes(mImpl->data) : std::vector<std::uint32_t>();

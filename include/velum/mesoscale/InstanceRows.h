@@ -11,7 +11,7 @@ struct TypeSpareRow;
 
 namespace velum::mesoscale {
 
-/// Colour by type, [types]; hidden ones have alpha 0.
+/// Colour by type, [types]; alpha: kType* of shaders/shared/instance.h.
 std::vector<shared::TypeRow> makeTypeRows(const scene::ModelLayer& layer);
 
 /// What the enabled cuts leave of each type, [types][enabled cuts], lengths as in the scene.

@@ -17,22 +17,41 @@ struct InstanceView;
 
 namespace velum::mesoscale {
 
-/// What the program is compiled for that culls: cuts with sheets; what was seen before, or all else.
-gpu::Defines cullDefines(bool hasMembranes, bool isOfSeen);
+/// Which instances are drawn: what cuts leave, worked out as they are culled, with sheets among the cuts or without; what
+/// InstanceStates has left; what it has removed and shows as ghosts.
+enum class CullBy { Cuts, Membranes, States, Ghosts };
+
+/// What the program is compiled for that culls: by what; of what was seen before, or of all else.
+gpu::Defines cullDefines(CullBy by, bool isOfSeen);
+/// And those of InstanceStates.
+gpu::Defines focusDefines(bool hasMembranes, bool isOfOccluders);
+
+/// Some instances of some copies: a range of those of one copy.
+struct InstancePart {
+  std::uint32_t first = 0, end = 0;
+  int firstCopy = 0, copies = 1;
+};
+/// All of them. @param most  in a part, about
+std::vector<InstancePart> instanceParts(std::uint32_t instances, int copies, std::uint32_t most);
 
 /// The programs that draw instances into a target. GL thread.
 class InstancePrograms {
  public:
-  const gpu::Program& cull(bool hasMembranes, bool isOfSeen);
+  const gpu::Program& cull(CullBy by, bool isOfSeen);
   const gpu::Program& splat(bool isLarge);
   const gpu::Program& arguments();
   const gpu::Program& pyramid();
   const gpu::Program& seen();
+  const gpu::Program& clip(bool hasMembranes);
+  const gpu::Program& focus(bool hasMembranes, bool isOfOccluders);
+  const gpu::Program& flood();
+  const gpu::Program& shown();
 
  private:
-  std::map<std::pair<bool, bool>, gpu::Program> mCull;
-  std::map<bool, gpu::Program> mSplat;
-  gpu::Program mArguments, mPyramid, mSeen;
+  std::map<std::pair<CullBy, bool>, gpu::Program> mCull;
+  std::map<bool, gpu::Program> mSplat, mClip;
+  std::map<std::pair<bool, bool>, gpu::Program> mFocus;
+  gpu::Program mArguments, mPyramid, mSeen, mFlood, mShown;
 };
 
 /// Which instances a pass over all of them takes.
@@ -57,16 +76,10 @@ class InstanceTarget {
   glm::ivec2 size() const { return mSize; }
 
   void begin(const shared::InstanceView& view);
-  /// A part of a phase: of SeenBefore a range of words of 32 instances, of the others a range of the instances of each of
-  /// some copies.
-  struct CullPart {
-    std::uint32_t first = 0, end = 0;
-    int firstCopy = 0, copies = 1;
-  };
-  /// All parts of a phase. @param most  instances of one of them, about
-  std::vector<CullPart> partsOf(CullPhase phase, std::uint32_t most) const;
-  /// The frame's cuts and spares are bound.
-  void cull(InstancePrograms& programs, bool hasMembranes, CullPhase phase, const CullPart& part);
+  /// All parts of a phase; of SeenBefore they are of words of 32 instances over all copies. @param most  of one of them, about
+  std::vector<InstancePart> partsOf(CullPhase phase, std::uint32_t most) const;
+  /// The frame's cuts and spares, or its InstanceStates, are bound.
+  void cull(InstancePrograms& programs, CullBy by, CullPhase phase, const InstancePart& part);
   /// Lists of a phase are complete.
   void closeLists(InstancePrograms& programs, CullPhase phase);
   /// Groups that a list of a phase takes. Waits for the GPU.

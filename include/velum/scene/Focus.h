@@ -34,13 +34,14 @@ struct ViewLock {
 /// share that TypeSpare::viewShare leaves ([VE] 6).
 struct Focus {
   std::vector<FocusType> types;  ///< without any the cut clears nothing
-  bool guidesDepth = false;      ///< what lies behind the focus's nearest place goes, rather than what lies before it ([VE] 8.2)
+  bool guidesDepth = false;  ///< what stands about the focus stays, so that one sees how deep it lies ([VE] 8.2): only
+                             ///< what is before the nearest of its spheres goes, else all before the end of the farthest
   std::optional<ViewLock> lock;  ///< none: as seen from the camera
   bool operator==(const Focus&) const = default;
   static void fields(auto& o, auto& visit) {
     visit("types", o.types, FieldInfo{"", {}, "Types that are kept in view."});
     visit("guidesDepth", o.guidesDepth,
-          FieldInfo{"", {}, "Keeps what lies before the focus and removes what lies behind it.", true});
+          FieldInfo{"", {}, "What stands about the focus stays, so that one sees how deep it lies.", true});
     visit("lock", o.lock, FieldInfo{"", {}, "The view that it is cleared for; null: the picture's.", true});
   }
 };

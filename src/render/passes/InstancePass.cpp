@@ -10,6 +10,7 @@
 #include "shared/instance.h"
 #include "velum/core/Vectors.h"
 #include "velum/gpu/GpuError.h"
+#include "velum/mesoscale/FocusRows.h"
 #include "velum/mesoscale/InstanceRows.h"
 #include "velum/mesoscale/Levels.h"
 
@@ -26,31 +27,9 @@ constexpr float kPreviewDetail = 3.0f;
 constexpr float kLargeRadius = 10.0f;  // pixels: see docs/PERFORMANCE.md
 constexpr int kTaps = 7;
 
-shared::InstanceView viewOf(const FrameData& data, const shared::FrameParams& params) {
-  const Frame& frame = data.frame;
-  scene::CopyGrid copies = scene::copyGrid(frame.scene.model);
-  shared::InstanceView view{};
-  view.eye = params.eye;
-  view.right = params.right;
-  view.up = params.up;
-  view.forward = params.forward;
-  view.pictureSize = params.pictureSize;
-  view.shift = glm::vec2(frame.windowOrigin) + 0.5f + params.subpixel;
-  double scale = angstromOf(data);
-  view.copyStep = glm::vec4(glm::vec3(copies.step * scale), 0.0f);
-  glm::dvec3 low = glm::dvec3(frame.scene.model.data->low) * scale, high = glm::dvec3(frame.scene.model.data->high) * scale;
-  // Balls of coarse levels reach a little beyond the spheres of the atoms.
-  view.copySphere = glm::vec4(glm::vec3(0.5 * (low + high) - sceneOrigin(data.grid)), 0.55f * float(glm::length(high - low)));
-  view.copiesX = copies.counts.x;
-  view.copiesY = copies.counts.y;
-  view.copies = std::max(1, frame.scene.model.copies);
-  view.instanceCount = int(frame.scene.model.data->instances.size());
-  view.cutCount = int(data.cuts.size());
-  view.isOrthographic = (params.flags & shared::kFlagOrthographic) ? 1 : 0;
-  view.detail = float(frame.scene.model.detail) * (frame.isPreview ? kPreviewDetail : 1.0f);
-  view.largeRadius = kLargeRadius;
-  view.wholeInstances = mesoscale::wholeInstanceBits(frame.scene);
-  return view;
+/// Whether a frame asks what becomes of instances, rather than only draws what is left of them.
+bool wantsStates(const Frame& frame) {
+  return frame.countsInstances || scene::hasGhosts(frame.scene.model) || !mesoscale::focusRows(frame.scene).empty();
 }
 
 /// Pixels along each edge of the light's view: about as many as the picture has.
@@ -95,10 +74,14 @@ void InstancePass::prepare(FrameData& data) {
     mKey.reset();
     mSet = {};
     mCount = 0;
+    mHasStates = false;
     return;
   }
   makeSet(data);
   writeRows(data);
+  mHasStates = wantsStates(data.frame);
+  if (mHasStates)
+    mStates.resize(std::uint32_t(data.frame.scene.model.data->instances.size()), std::max(1, data.frame.scene.model.copies));
   mHandedOver.clear();
   if (!mOpenness) mOpenness = gpu::Program({"render/openness.comp"});
   if (!mShade) mShade = gpu::Program({"render/instances.comp"});
@@ -146,6 +129,36 @@ void InstancePass::bindRows() const {
   mTypeSpares.bindStorage(shared::kTypeSpareBinding);
 }
 
+shared::InstanceView InstancePass::viewOf(const FrameData& data, int sample) const {
+  const Frame& frame = data.frame;
+  shared::FrameParams params = data.params;
+  setSample(params, frame, sample);
+  scene::CopyGrid copies = scene::copyGrid(frame.scene.model);
+  shared::InstanceView view{};
+  view.eye = params.eye;
+  view.right = params.right;
+  view.up = params.up;
+  view.forward = params.forward;
+  view.pictureSize = params.pictureSize;
+  view.shift = glm::vec2(frame.windowOrigin) + 0.5f + params.subpixel;
+  double scale = angstromOf(data);
+  view.copyStep = glm::vec4(glm::vec3(copies.step * scale), 0.0f);
+  glm::dvec3 low = glm::dvec3(frame.scene.model.data->low) * scale, high = glm::dvec3(frame.scene.model.data->high) * scale;
+  // Balls of coarse levels reach a little beyond the spheres of the atoms.
+  view.copySphere = glm::vec4(glm::vec3(0.5 * (low + high) - sceneOrigin(data.grid)), 0.55f * float(glm::length(high - low)));
+  view.copiesX = copies.counts.x;
+  view.copiesY = copies.counts.y;
+  view.copies = std::max(1, frame.scene.model.copies);
+  view.instanceCount = int(frame.scene.model.data->instances.size());
+  view.cutCount = int(data.cuts.size());
+  view.isOrthographic = (params.flags & shared::kFlagOrthographic) ? 1 : 0;
+  view.detail = float(frame.scene.model.detail) * (frame.isPreview ? kPreviewDetail : 1.0f);
+  view.largeRadius = kLargeRadius;
+  view.wholeInstances = mesoscale::wholeInstanceBits(frame.scene);
+  view.stateWords = mStates.words();
+  return view;
+}
+
 /// The next piece of a list takes about as long as is wanted, and at most twice as many groups as the last.
 void InstancePass::took(double ms) {
   if (mHandedOver.empty()) return;
@@ -167,14 +180,61 @@ void InstancePass::add(WorkQueue& queue, Run run) {
   });
 }
 
-void InstancePass::addPhase(mesoscale::InstanceTarget& target, const FrameData& data, Phase phase, WorkQueue& queue) {
-  bool hasMembranes = (data.params.flags & shared::kFlagMembranes) != 0;
-  for (const auto& part : target.partsOf(phase, mIsSoftware ? kSoftwareCulled : kHardwareCulled))
-    add(queue, [this, &target, hasMembranes, phase, part] {
+std::uint32_t InstancePass::atATime() const { return mIsSoftware ? kSoftwareCulled : kHardwareCulled; }
+
+void InstancePass::addPhase(mesoscale::InstanceTarget& target, mesoscale::CullBy by, Phase phase, WorkQueue& queue) {
+  for (const auto& part : target.partsOf(phase, atATime()))
+    add(queue, [this, &target, by, phase, part] {
       bindRows();
-      target.cull(mPrograms, hasMembranes, phase, part);
+      mStates.bind();
+      target.cull(mPrograms, by, phase, part);
     });
   add(queue, [this, &target, phase] { target.closeLists(mPrograms, phase); });
+}
+
+/// What becomes of each instance does not depend on where in a pixel its ray goes: once a frame.
+void InstancePass::addStates(const FrameData& data, WorkQueue& queue) {
+  const scene::ModelLayer& model = data.frame.scene.model;
+  bool hasMembranes = (data.params.flags & shared::kFlagMembranes) != 0;
+  add(queue, [this] { mStates.begin(); });
+  for (const auto& part : mesoscale::instanceParts(std::uint32_t(model.data->instances.size()), std::max(1, model.copies),
+                                              atATime()))
+    add(queue, [this, hasMembranes, part] {
+      bindRows();
+      mEye.bindView();
+      mStates.clip(mPrograms, hasMembranes, part);
+    });
+  for (const mesoscale::FocusRow& row : mesoscale::focusRows(data.frame.scene)) addFocus(data, row, queue);
+}
+
+void InstancePass::addFocus(const FrameData& data, const mesoscale::FocusRow& row, WorkQueue& queue) {
+  const Frame& frame = data.frame;
+  bool hasMembranes = (data.params.flags & shared::kFlagMembranes) != 0;
+  double aspect = double(frame.pictureSize.x) / frame.pictureSize.y;
+  shared::FocusView view = makeFocusView(frame.scene, row, aspect, sceneOrigin(data.grid), sceneRadius(data.grid));
+  auto parts = mesoscale::instanceParts(std::uint32_t(frame.scene.model.data->instances.size()),
+                                        std::max(1, frame.scene.model.copies), atATime());
+  add(queue, [this, view] { mStates.beginFocus(view); });
+  auto addLooks = [&](auto look) {
+    for (const auto& part : parts)
+      add(queue, [this, look, part] {
+        bindRows();
+        mEye.bindView();
+        look(part);
+      });
+  };
+  addLooks([this, hasMembranes](const auto& part) { mStates.drawFocus(mPrograms, hasMembranes, part); });
+  if (row.hasAperture) add(queue, [this] { mStates.flood(mPrograms); });
+  addLooks([this, hasMembranes](const auto& part) { mStates.clear(mPrograms, hasMembranes, part); });
+}
+
+void InstancePass::addGhosts(mesoscale::InstanceTarget& target, const FrameData& data, int sample, WorkQueue& queue) {
+  shared::InstanceView view = viewOf(data, sample);
+  add(queue, [&target, view] { target.begin(view); });
+  addPhase(target, mesoscale::CullBy::Ghosts, Phase::All, queue);
+  addDraws(target, Phase::All, false, queue);
+  add(queue, [this, &target] { target.makePyramid(mPrograms); });
+  addDraws(target, Phase::All, true, queue);
 }
 
 void InstancePass::addDraws(mesoscale::InstanceTarget& target, Phase phase, bool owners, WorkQueue& queue) {
@@ -218,9 +278,13 @@ bool InstancePass::drawNext(mesoscale::InstanceTarget& target, Phase phase, bool
 void InstancePass::addSteps(const FrameData& data, int sample, WorkQueue& queue) {
   if (mCount == 0) return;
   const scene::Lighting& lighting = data.frame.scene.lighting;
-  shared::FrameParams params = data.params;
-  setSample(params, data.frame, sample);
-  shared::InstanceView view = viewOf(data, params);
+  shared::InstanceView view = viewOf(data, sample);
+  bool hasMembranes = (data.params.flags & shared::kFlagMembranes) != 0;
+  mesoscale::CullBy by = mHasStates      ? mesoscale::CullBy::States
+                         : hasMembranes ? mesoscale::CullBy::Membranes
+                                        : mesoscale::CullBy::Cuts;
+  add(queue, [this, view] { mEye.begin(view); });
+  if (sample == 0 && mHasStates) addStates(data, queue);
   bool wantsLight = lighting.shaded && lighting.shadow > 0 && !data.frame.isPreview;
   if (sample == 0) mHasLight = wantsLight;
   if (sample == 0 && wantsLight) {
@@ -231,14 +295,13 @@ void InstancePass::addSteps(const FrameData& data, int sample, WorkQueue& queue)
       mLightParams.size = mLight.size();
       mLightView.set(mLightParams);
     });
-    addPhase(mLight, data, Phase::All, queue);
+    addPhase(mLight, by, Phase::All, queue);
     addDraws(mLight, Phase::All, false, queue);
   }
-  add(queue, [this, view] { mEye.begin(view); });
-  addPhase(mEye, data, Phase::SeenBefore, queue);
+  addPhase(mEye, by, Phase::SeenBefore, queue);
   addDraws(mEye, Phase::SeenBefore, false, queue);
   add(queue, [this] { mEye.makePyramid(mPrograms); });
-  addPhase(mEye, data, Phase::Others, queue);
+  addPhase(mEye, by, Phase::Others, queue);
   addDraws(mEye, Phase::Others, false, queue);
   add(queue, [this] { mEye.makePyramid(mPrograms); });
   addDraws(mEye, Phase::SeenBefore, true, queue);

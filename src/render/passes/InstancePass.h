@@ -12,6 +12,7 @@
 #include "velum/gpu/Program.h"
 #include "velum/gpu/Texture.h"
 #include "velum/mesoscale/InstanceSet.h"
+#include "velum/mesoscale/InstanceStates.h"
 #include "velum/mesoscale/InstanceTarget.h"
 
 namespace velum::render {
@@ -29,6 +30,15 @@ class InstancePass : public Pass {
   void bind(const FrameData& data) const override;
   void took(double ms) override;
 
+  /// What of the model is in force in a frame that has some: of it the instances' states are known.
+  bool hasStates() const { return mHasStates; }
+  mesoscale::InstanceStates& states() { return mStates; }
+  mesoscale::InstancePrograms& programs() { return mPrograms; }
+  /// Draws what InstanceStates has removed into a target, as it is seen in a sample; others may, too.
+  void addGhosts(mesoscale::InstanceTarget& target, const FrameData& data, int sample, WorkQueue& queue);
+  /// The rows of the set and of its types.
+  void bindRows() const;
+
  private:
   using Phase = mesoscale::CullPhase;
   struct Key {
@@ -41,10 +51,13 @@ class InstancePass : public Pass {
   /// Work that counts for nothing in the pace.
   template <class Run>
   void add(WorkQueue& queue, Run run);
-  void addPhase(mesoscale::InstanceTarget& target, const FrameData& data, Phase phase, WorkQueue& queue);
+  shared::InstanceView viewOf(const FrameData& data, int sample) const;
+  void addStates(const FrameData& data, WorkQueue& queue);
+  void addFocus(const FrameData& data, const mesoscale::FocusRow& row, WorkQueue& queue);
+  void addPhase(mesoscale::InstanceTarget& target, mesoscale::CullBy by, Phase phase, WorkQueue& queue);
+  std::uint32_t atATime() const;
   void addDraws(mesoscale::InstanceTarget& target, Phase phase, bool owners, WorkQueue& queue);
   bool drawNext(mesoscale::InstanceTarget& target, Phase phase, bool owners);
-  void bindRows() const;
   void shade(const FrameData& data, int sample);
 
   const SurfacePass& mSurfaces;
@@ -57,6 +70,8 @@ class InstancePass : public Pass {
   std::uint64_t mOwnLevelsOf = 0;
   mesoscale::InstanceSet mSet;
   std::uint32_t mCount = 0;  ///< Instances of all copies.
+  mesoscale::InstanceStates mStates;
+  bool mHasStates = false;
   mesoscale::InstanceTarget mEye{"eye's view of instances", true}, mLight{"light's view of instances", false};
   gpu::Buffer mTypes, mTypeSpares;
   gpu::Texture mTypeTexels;

@@ -9,15 +9,15 @@ namespace velum::render {
 
 namespace {
 
-ResolveVariant variantOf(const scene::Finish& finish) {
-  return {scene::addsAnything(finish), finish.hatching > 0, finish.paper != scene::Paper::None};
+ResolveVariant variantOf(const scene::Finish& finish, bool hasGhosts) {
+  return {scene::addsAnything(finish), finish.hatching > 0, finish.paper != scene::Paper::None, hasGhosts};
 }
 
 }  // namespace
 
 void ResolvePass::draw(const FrameData& data, const Gbuffer& gbuffer, const FinishPass& finish,
-                       const PictureProgress& progress) {
-  ResolveVariant variant = variantOf(data.frame.scene.finish);
+                       const GhostPass& ghosts, const PictureProgress& progress) {
+  ResolveVariant variant = variantOf(data.frame.scene.finish, ghosts.samples() > 0);
   const gpu::Program& program =
       mPrograms.find(variant, [&] { return gpu::Program({"render/resolve.comp"}, definesOf(variant)); });
   glm::ivec2 size = gbuffer.size();
@@ -40,6 +40,10 @@ void ResolvePass::draw(const FrameData& data, const Gbuffer& gbuffer, const Fini
     finish.bindResults();
     program.set(7, finish.samples());
     program.set(8, finish.rowsDone());
+  }
+  if (variant.hasGhosts) {
+    ghosts.bindResults();
+    program.set(9, ghosts.samples());
   }
   gpu::dispatch(program, {(size.x + 7) / 8, (size.y + 7) / 8, 1});
   gpu::barrier();

@@ -2,6 +2,7 @@
 #include "FinishPass.h"
 #include "FrameData.h"
 #include "Gbuffer.h"
+#include "GhostPass.h"
 #include "ProgramCache.h"
 #include "RayCastPass.h"
 #include "velum/gpu/Framebuffer.h"
@@ -15,7 +16,8 @@ namespace velum::render {
 class ResolvePass {
  public:
   /// Needs the frame's parameters bound.
-  void draw(const FrameData& data, const Gbuffer& gbuffer, const FinishPass& finish, const PictureProgress& progress);
+  void draw(const FrameData& data, const Gbuffer& gbuffer, const FinishPass& finish, const GhostPass& ghosts,
+            const PictureProgress& progress);
   /// Scaled into a window's framebuffer, upright.
   void present(unsigned framebuffer, glm::ivec2 size) const { gpu::present(mTarget, framebuffer, size); }
   /// R, G, B, A; display-referred, straight alpha. Waits for the GPU.

@@ -38,6 +38,7 @@ gpu::Defines definesOf(const ResolveVariant& variant) {
   if (variant.hasFinish) defines.push_back({"FINISH", "1"});
   if (variant.hasStrokes) defines.push_back({"STROKES", "1"});
   if (variant.hasPaper) defines.push_back({"PAPER", "1"});
+  if (variant.hasGhosts) defines.push_back({"GHOSTS", "1"});
   return defines;
 }
 
@@ -72,9 +73,12 @@ std::vector<RayVariant> allRayVariants() {
 }
 
 std::vector<ResolveVariant> allResolveVariants() {
-  std::vector<ResolveVariant> all{{}};
-  for (bool hasStrokes : {false, true})
-    for (bool hasPaper : {false, true}) all.push_back({true, hasStrokes, hasPaper});
+  std::vector<ResolveVariant> all;
+  for (bool hasGhosts : {false, true}) {
+    all.push_back({false, false, false, hasGhosts});
+    for (bool hasStrokes : {false, true})
+      for (bool hasPaper : {false, true}) all.push_back({true, hasStrokes, hasPaper, hasGhosts});
+  }
   return all;
 }
 

@@ -37,7 +37,7 @@ struct RayVariant {
 
 /// What the picture's program is compiled for.
 struct ResolveVariant {
-  bool hasFinish = false, hasStrokes = false, hasPaper = false;
+  bool hasFinish = false, hasStrokes = false, hasPaper = false, hasGhosts = false;
   auto operator<=>(const ResolveVariant&) const = default;
 };
 

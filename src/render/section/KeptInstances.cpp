@@ -1,48 +1,211 @@
 #include "velum/render/section/KeptInstances.h"
 
+#include <algorithm>
+
 #include "FrameSetup.h"
 #include "shared/instance.h"
 #include "velum/core/ModelBuilder.h"
 #include "velum/core/Parallel.h"
+#include "velum/mesoscale/FocusRows.h"
 #include "velum/mesoscale/InstanceRows.h"
 
 namespace velum::render {
 
-std::vector<std::uint8_t> keptInstances(const scene::Scene& scene, const SheetIndices& sheets) {
-  if (!scene.model.data) return {};
-  const Model& model = *scene.model.data;
-  scene::ModelBox box = scene::modelBox(scene.model);
-  double scale = unitsPer(LengthUnit::Angstrom, scene.unit);
-  glm::dvec3 origin = 0.5 * (box.low + box.high) * scale;
-  CpuSheets cpuSheets = makeCpuSheets(scene, sheets);
-  std::vector<shared::CutData> cuts = makeCutData(scene, origin, cpuSheets.plans);
-  std::vector<shared::TypeSpareRow> spares = mesoscale::makeTypeSpareRows(scene);
-  std::uint32_t whole = mesoscale::wholeInstanceBits(scene);
-  scene::CopyGrid copies = scene::copyGrid(scene.model);
-  std::size_t count = model.instances.size(), all = count * std::size_t(std::max(1, scene.model.copies));
-  std::vector<std::uint8_t> kept(all, 1);
-  if (cuts.empty()) return kept;
-  parallelForRanges(std::size_t(0), all, std::size_t(4096), [&](std::size_t first, std::size_t end) {
-    for (std::size_t i = first; i < end; ++i) {
-      const Instance& instance = model.instances[i % count];
-      const Molecule& molecule = model.molecules[instance.molecule];
-      int copy = int(i / count);
-      glm::ivec3 at(copy % copies.counts.x, copy / copies.counts.x % copies.counts.y,
-                    copy / (copies.counts.x * copies.counts.y));
-      glm::dvec3 middle = glm::dvec3(instance.position) + glm::dvec3(instance.rotation * molecule.centre) +
-                          copies.step * glm::dvec3(at);
-      glm::vec3 p(middle * scale - origin);
-      float u = randomOf(std::uint32_t(i)), radius = float(molecule.radius * scale);
-      shared::CutFold fold = shared::emptyFold();
-      for (std::size_t c = 0; c < cuts.size(); ++c) {
-        float depth = shared::typeSpareDepth(spares[molecule.type * cuts.size() + c], u);
-        float reach = c < 32 && (whole >> c & 1u) != 0 ? radius : 0.0f;
-        fold = shared::foldAnswer(fold, shared::cutPart(cuts[c]),
-                                  shared::instanceAnswer(cuts[c], depth, reach, p, cpuSheets.view()));
-      }
-      kept[i] = shared::foldKeeps(fold) ? 1 : 0;
+namespace {
+
+/// What is asked of the instances of a scene, as the programs that draw them are told.
+struct Instances {
+  const scene::Scene& scene;
+  const Model& model;
+  double scale = 1.0;  ///< Of an angstrom, in the scene's unit.
+  glm::dvec3 origin{0.0};
+  double radius = 0.0;
+  scene::CopyGrid copies;
+  CpuSheets sheets;
+  std::vector<shared::CutData> cuts;
+  std::vector<shared::TypeSpareRow> spares;
+  std::uint32_t whole = 0;
+  std::vector<InstanceState> states;
+
+  Instances(const scene::Scene& of, const SheetIndices& live);
+  std::size_t count() const { return states.size(); }
+  const Molecule& moleculeOf(std::size_t i) const {
+    return model.molecules[model.instances[i % model.instances.size()].molecule];
+  }
+  float radiusOf(std::size_t i) const { return float(double(moleculeOf(i).radius) * scale); }
+  glm::vec3 middleOf(std::size_t i) const;
+  const shared::TypeSpareRow& spareOf(std::size_t i, std::size_t cut) const {
+    return spares[moleculeOf(i).type * cuts.size() + cut];
+  }
+  float reachOf(std::size_t i, std::size_t cut) const {
+    return cut < 32 && (whole >> cut & 1u) != 0 ? radiusOf(i) : 0.0f;
+  }
+  template <class Look>
+  void forAll(const Look& look) const {
+    parallelForRanges(std::size_t(0), count(), std::size_t(4096), [&](std::size_t first, std::size_t end) {
+      for (std::size_t i = first; i < end; ++i) look(i);
+    });
+  }
+};
+
+Instances::Instances(const scene::Scene& of, const SheetIndices& live)
+    : scene(of),
+      model(*of.model.data),
+      copies(scene::copyGrid(of.model)),
+      sheets(makeCpuSheets(of, live)),
+      spares(mesoscale::makeTypeSpareRows(of)),
+      whole(mesoscale::wholeInstanceBits(of)),
+      states(model.instances.size() * std::size_t(std::max(1, of.model.copies)), InstanceState::Kept) {
+  scene::ModelBox box = scene::modelBox(of.model);
+  scale = unitsPer(LengthUnit::Angstrom, of.unit);
+  origin = 0.5 * (box.low + box.high) * scale;
+  radius = 0.5 * glm::length(box.high - box.low) * scale;
+  cuts = makeCutData(of, origin, sheets.plans);
+}
+
+glm::vec3 Instances::middleOf(std::size_t i) const {
+  std::size_t count = model.instances.size();
+  const Instance& instance = model.instances[i % count];
+  int copy = int(i / count);
+  glm::ivec3 at(copy % copies.counts.x, copy / copies.counts.x % copies.counts.y,
+                copy / (copies.counts.x * copies.counts.y));
+  glm::dvec3 middle = glm::dvec3(instance.position) + glm::dvec3(instance.rotation * moleculeOf(i).centre) +
+                      copies.step * glm::dvec3(at);
+  return glm::vec3(middle * scale - origin);
+}
+
+void clip(Instances& all) {
+  all.forAll([&](std::size_t i) {
+    float u = randomOf(std::uint32_t(i));
+    glm::vec3 p = all.middleOf(i);
+    shared::CutFold fold = shared::emptyFold();
+    for (std::size_t c = 0; c < all.cuts.size(); ++c) {
+      int answer = shared::instanceAnswer(all.cuts[c], shared::typeSpareDepth(all.spareOf(i, c), u), all.reachOf(i, c), p,
+                                          all.sheets.view());
+      fold = shared::foldAnswer(fold, shared::cutPart(all.cuts[c]), answer);
     }
+    if (!shared::foldKeeps(fold)) all.states[i] = InstanceState::Removed;
   });
+}
+
+/// What is drawn of a focus, and how far each of its pixels lies from its edge.
+struct Mask {
+  std::vector<float> depths;  ///< Below 0: none of it.
+  std::vector<std::uint32_t> seeds;
+  float longest = 0.0f;
+};
+
+template <class Visit>
+void forPixels(glm::ivec4 rect, const Visit& visit) {
+  for (int y = rect.y; y <= rect.w; ++y)
+    for (int x = rect.x; x <= rect.z; ++x)
+      if (!visit(glm::ivec2(x, y))) return;
+}
+
+void flood(Mask& mask, glm::ivec2 size) {
+  std::vector<std::uint32_t> next(mask.depths.size());
+  mask.seeds.resize(mask.depths.size());
+  for (int step : mesoscale::floodSteps(size)) {
+    parallelForRanges(0, size.y, 16, [&](int from, int to) {
+      forPixels({0, from, size.x - 1, to - 1}, [&](glm::ivec2 pixel) {
+        std::size_t at = std::size_t(pixel.y) * std::size_t(size.x) + std::size_t(pixel.x);
+        bool isInMask = mask.depths[at] >= 0.0f;
+        std::uint32_t seed = mask.seeds[at];
+        if (step == 0) seed = isInMask ? shared::kNoSeed : std::uint32_t(pixel.x) | std::uint32_t(pixel.y) << 16;
+        for (int i = 0; i < 9 && step > 0; ++i) {
+          glm::ivec2 near = pixel + step * glm::ivec2(i % 3 - 1, i / 3 - 1);
+          if (near.x < 0 || near.y < 0 || near.x >= size.x || near.y >= size.y) continue;
+          seed = shared::nearerSeed(pixel, seed,
+                                    mask.seeds[std::size_t(near.y) * std::size_t(size.x) + std::size_t(near.x)]);
+        }
+        next[at] = seed;
+        return true;
+      });
+    });
+    mask.seeds.swap(next);
+  }
+  forPixels({0, 0, size - 1}, [&](glm::ivec2 pixel) {
+    std::size_t at = std::size_t(pixel.y) * std::size_t(size.x) + std::size_t(pixel.x);
+    if (mask.depths[at] >= 0.0f) mask.longest = std::max(mask.longest, shared::focusDistance(pixel, mask.seeds[at]));
+    return true;
+  });
+}
+
+Mask drawMask(const Instances& all, const std::vector<std::uint8_t>& isShown, const shared::FocusView& view) {
+  Mask mask;
+  mask.depths.assign(std::size_t(view.size.x) * std::size_t(view.size.y), -1.0f);
+  for (std::size_t i = 0; i < all.count(); ++i) {
+    if (all.states[i] != InstanceState::Kept || all.spareOf(i, std::size_t(view.cut)).isFocus == 0.0f) continue;
+    if (!isShown[all.moleculeOf(i).type]) continue;
+    glm::vec3 q = all.middleOf(i) - glm::vec3(view.eye);
+    float radius = all.radiusOf(i);
+    forPixels(shared::focusRect(view, q, radius), [&](glm::ivec2 pixel) {
+      glm::vec2 depths = shared::focusDepths(view, pixel, q, radius);
+      float& there = mask.depths[std::size_t(pixel.y) * std::size_t(view.size.x) + std::size_t(pixel.x)];
+      if (depths.x <= 0.0f) return true;
+      if (view.guidesDepth == 0)
+        there = std::max(there, depths.y);
+      else
+        there = there < 0.0f ? depths.x : std::min(there, depths.x);
+      return true;
+    });
+  }
+  if (view.hasAperture != 0) flood(mask, view.size);
+  return mask;
+}
+
+bool hides(const Instances& all, std::size_t i, const Mask& mask, const shared::FocusView& view) {
+  auto cut = std::size_t(view.cut);
+  const shared::TypeSpareRow& spare = all.spareOf(i, cut);
+  if (spare.isFocus != 0.0f || spare.aperture <= 0.0f || randomOf(std::uint32_t(i), 1) < spare.viewShare) return false;
+  glm::vec3 middle = all.middleOf(i), q = middle - glm::vec3(view.eye);
+  float radius = all.radiusOf(i);
+  glm::ivec4 rect = shared::focusRect(view, q, radius);
+  if (rect.z < rect.x || rect.w < rect.y) return false;
+  if (shared::instanceAnswer(all.cuts[cut], 0.0f, all.reachOf(i, cut), middle, all.sheets.view()) !=
+      shared::kCutRemoves)
+    return false;
+  bool isFound = false, isOpenAll = spare.aperture >= 1.0f || view.hasAperture == 0;
+  forPixels(rect, [&](glm::ivec2 pixel) {
+    std::size_t at = std::size_t(pixel.y) * std::size_t(view.size.x) + std::size_t(pixel.x);
+    if (mask.depths[at] >= 0.0f && shared::hidesFocus(shared::focusDepths(view, pixel, q, radius), mask.depths[at]))
+      isFound = isOpenAll || shared::apertureOpens(spare.aperture, shared::focusDistance(pixel, mask.seeds[at]), mask.longest);
+    return !isFound;
+  });
+  return isFound;
+}
+
+}  // namespace
+
+std::vector<InstanceState> instanceStates(const scene::Scene& scene, const SheetIndices& sheets, double aspect) {
+  if (!scene.model.data) return {};
+  Instances all(scene, sheets);
+  if (all.cuts.empty()) return all.states;
+  clip(all);
+  std::vector<mesoscale::FocusRow> rows = mesoscale::focusRows(scene);
+  if (rows.empty()) return all.states;
+  std::vector<std::uint8_t> isShown;
+  for (const MoleculeType& type : all.model.types)
+    isShown.push_back(scene::typeLook(scene.model, pathOf(all.model, type)).visible ? 1 : 0);
+  std::vector<std::uint8_t> isCleared(all.count(), 0);
+  for (const mesoscale::FocusRow& row : rows) {
+    shared::FocusView view = makeFocusView(scene, row, aspect, all.origin, all.radius);
+    Mask mask = drawMask(all, isShown, view);
+    all.forAll([&](std::size_t i) {
+      bool asks = all.states[i] == InstanceState::Kept && isShown[all.moleculeOf(i).type];
+      if (asks && hides(all, i, mask, view)) isCleared[i] = 1;
+    });
+  }
+  for (std::size_t i = 0; i < isCleared.size(); ++i)
+    if (isCleared[i]) all.states[i] = InstanceState::Cleared;
+  return all.states;
+}
+
+std::vector<std::uint8_t> keptInstances(const scene::Scene& scene, const SheetIndices& sheets, double aspect) {
+  std::vector<InstanceState> states = instanceStates(scene, sheets, aspect);
+  std::vector<std::uint8_t> kept(states.size());
+  std::transform(states.begin(), states.end(), kept.begin(),
+                 [](InstanceState state) { return state == InstanceState::Kept ? 1 : 0; });
   return kept;
 }
 

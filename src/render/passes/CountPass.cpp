@@ -1,0 +1,32 @@
+#include "CountPass.h"
+
+#include "WorkQueue.h"
+
+namespace velum::render {
+
+void CountPass::addSteps(const FrameData& data, int sample, WorkQueue& queue) {
+  if (sample != 0 || !data.frame.countsInstances || !mInstances.hasStates()) return;
+  queue.add(*this, [this, &data] {
+    const scene::ModelLayer& model = data.frame.scene.model;
+    mesoscale::InstanceStates& states = mInstances.states();
+    states.noteShown(mInstances.programs(), mGbuffer.ids(), firstModelInstance(data.frame.scene));
+    mCount = std::uint64_t(model.data->instances.size()) * std::uint64_t(model.copies);
+    std::size_t words = std::size_t(states.words()) * 3;
+    // Whoever draws faster than anything arrives has the last one arrive all the same.
+    if (!mReadback.start(states.bits(), 0, words) && mReadback.finish()) mReadback.start(states.bits(), 0, words);
+  });
+}
+
+std::optional<InstanceBits> CountPass::take(bool waits) {
+  auto arrived = waits ? mReadback.finish() : mReadback.poll();
+  std::size_t words = std::size_t((mCount + 31) / 32);
+  if (!arrived || arrived->values.size() != 3 * words) return std::nullopt;
+  InstanceBits bits{mCount, {}, {}};
+  auto from = arrived->values.begin();
+  bits.removed.assign(from, from + std::ptrdiff_t(words));
+  for (std::size_t i = 0; i < words; ++i) bits.removed[i] |= arrived->values[words + i];
+  bits.shown.assign(from + std::ptrdiff_t(2 * words), arrived->values.end());
+  return bits;
+}
+
+}  // namespace velum::render

@@ -1,0 +1,35 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+
+#include "FrameData.h"
+#include "Gbuffer.h"
+#include "InstancePass.h"
+#include "Pass.h"
+#include "velum/gpu/Readback.h"
+#include "velum/render/Counts.h"
+
+namespace velum::render {
+
+/// What became of the instances of a frame, on its way to the processor ([VE] 3). Limited by a look at each pixel and by
+/// three bits an instance that are read back; whoever counts does so there. GL thread.
+class CountPass : public Pass {
+ public:
+  CountPass(const Gbuffer& gbuffer, InstancePass& instances)
+      : Pass("Counts"), mGbuffer(gbuffer), mInstances(instances) {}
+  void prepare(FrameData&) override {}
+  /// After the pixels of the first sample are known.
+  void addSteps(const FrameData& data, int sample, WorkQueue& queue) override;
+  void bind(const FrameData&) const override {}
+
+  /// The newest that have arrived. @param waits  for those that are on their way
+  std::optional<InstanceBits> take(bool waits);
+
+ private:
+  const Gbuffer& mGbuffer;
+  InstancePass& mInstances;
+  gpu::Readback<std::uint32_t> mReadback{"states of instances"};
+  std::uint64_t mCount = 0;  ///< Instances that the last bits are of.
+};
+
+}  // namespace velum::render

@@ -1,0 +1,45 @@
+#pragma once
+#include "FrameData.h"
+#include "Gbuffer.h"
+#include "InstancePass.h"
+#include "Pass.h"
+#include "velum/core/Image.h"
+#include "velum/gpu/Program.h"
+#include "velum/gpu/Texture.h"
+#include "velum/mesoscale/InstanceTarget.h"
+
+namespace velum::render {
+
+/// Ghosts of the instances that cuts have removed ([VE] 8.3): drawn like others, into a target of their own, looked
+/// through where the picture is nearer, summed over the samples. ResolvePass lays them over the picture. Costs nothing
+/// where there are none. GL thread.
+class GhostPass : public Pass {
+ public:
+  GhostPass(const Gbuffer& gbuffer, InstancePass& instances)
+      : Pass("Ghosts"), mGbuffer(gbuffer), mInstances(instances) {}
+  void prepare(FrameData& data) override;
+  void addSteps(const FrameData& data, int sample, WorkQueue& queue) override;
+  void bind(const FrameData&) const override {}
+  /// Nothing of the next picture is there yet.
+  void restart() { mSamples = 0; }
+
+  /// That the sums are of; 0: there are no ghosts.
+  int samples() const { return mSamples; }
+  /// kGhostUnit.
+  void bindResults() const { mSums.bindSampler(shared::kGhostUnit); }
+  /// Appends "ghosts.R/G/B/A" to an image of the window, straight alpha. Waits for the GPU.
+  void appendLayer(Image& image) const;
+
+ private:
+  void shade(const FrameData& data);
+
+  const Gbuffer& mGbuffer;
+  InstancePass& mInstances;
+  mesoscale::InstanceTarget mTarget{"ghosts of instances", true};
+  gpu::Program mShade;
+  gpu::Texture mSums;  ///< Premultiplied.
+  bool mIsOn = false;
+  int mSamples = 0;
+};
+
+}  // namespace velum::render

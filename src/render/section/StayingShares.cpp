@@ -3,10 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "FrameSetup.h"
-#include "shared/instance.h"
-#include "velum/core/Parallel.h"
-#include "velum/mesoscale/InstanceRows.h"
+#include "Instances.h"
 
 namespace velum::render {
 
@@ -50,43 +47,23 @@ struct ShareFold {
   float share() const { return std::max({before, last, hasInlay ? inlay : kStaysAlways}); }
 };
 
-/// What holds for all types.
-struct Asked {
-  const scene::Scene& scene;
-  CpuSheets sheets;
-  glm::dvec3 origin{0.0};
-  double scale = 1.0;
-  std::vector<shared::CutData> cuts;
-  std::vector<bool> isSet;  ///< by cut: one of those whose share is asked for
-  std::uint32_t whole = 0;
-  scene::CopyGrid copies;
-};
-
-/// The share from which on all cuts together leave an instance.
-/// @param rows  what each cut does with its type  @param number  over all copies
-float shareOf(const Asked& asked, const shared::TypeSpareRow* rows, std::size_t number) {
-  const Model& model = *asked.scene.model.data;
-  const Instance& instance = model.instances[number % model.instances.size()];
-  const Molecule& molecule = model.molecules[instance.molecule];
-  int copy = int(number / model.instances.size());
-  glm::ivec3 counts = asked.copies.counts;
-  glm::dvec3 cell(copy % counts.x, copy / counts.x % counts.y, copy / (counts.x * counts.y));
-  glm::dvec3 middle = glm::dvec3(instance.position) + glm::dvec3(instance.rotation * molecule.centre) +
-                      asked.copies.step * cell;
-  glm::vec3 p(middle * asked.scale - asked.origin);
-  float u = randomOf(std::uint32_t(number)), radius = float(molecule.radius * asked.scale);
+/// The share from which on all cuts together leave an instance. @param isSet  by cut: one whose share is asked for
+float shareOf(const Instances& all, const std::vector<bool>& isSet, std::size_t number) {
+  float u = randomOf(std::uint32_t(number));
+  glm::vec3 p = all.middleOf(number);
   ShareFold fold;
-  for (std::size_t c = 0; c < asked.cuts.size(); ++c) {
-    const shared::CutData& cut = asked.cuts[c];
-    float reach = c < 32 && (asked.whole >> c & 1u) != 0 ? radius : 0.0f;
-    bool isDecided = !asked.isSet[c] || rows[c].share < 1.0f;
-    float bare = isDecided ? shared::typeSpareDepth(rows[c], u) : 0.0f;
-    bool isLeft = shared::instanceAnswer(cut, bare, reach, p, asked.sheets.view()) == shared::kCutKeeps;
+  for (std::size_t c = 0; c < all.cuts.size(); ++c) {
+    const shared::CutData& cut = all.cuts[c];
+    const shared::TypeSpareRow& row = all.spareOf(number, c);
+    float reach = all.reachOf(number, c);
+    bool isDecided = !isSet[c] || row.share < 1.0f;
+    float bare = isDecided ? shared::typeSpareDepth(row, u) : 0.0f;
+    bool isLeft = shared::instanceAnswer(cut, bare, reach, p, all.sheets.view()) == shared::kCutKeeps;
     float share = isLeft ? kStaysAlways : kStaysNever;
     if (!isDecided) {
-      bool asksDepth = rows[c].falloff != 0.0f || (!isLeft && rows[c].distance < shared::kCutFar);
-      float depth = asksDepth ? -(shared::cutDistance(cut, p, asked.sheets.view()) + reach) : 0.0f;
-      share = stayingShare(rows[c], u, depth, !isLeft);
+      bool asksDepth = row.falloff != 0.0f || (!isLeft && row.distance < shared::kCutFar);
+      float depth = asksDepth ? -(shared::cutDistance(cut, p, all.sheets.view()) + reach) : 0.0f;
+      share = stayingShare(row, u, depth, !isLeft);
     }
     fold.add(shared::cutPart(cut), share);
   }
@@ -98,24 +75,19 @@ float shareOf(const Asked& asked, const shared::TypeSpareRow* rows, std::size_t 
 std::vector<std::vector<float>> stayingShares(const scene::Scene& scene, const std::vector<int>& cuts,
                                               const std::vector<std::uint32_t>& types, const SheetIndices& sheets) {
   if (!scene.model.data) return {};
-  const Model& model = *scene.model.data;
-  scene::ModelBox box = scene::modelBox(scene.model);
-  double scale = unitsPer(LengthUnit::Angstrom, scene.unit);
-  glm::dvec3 origin = 0.5 * (box.low + box.high) * scale;
-  Asked asked{scene, makeCpuSheets(scene, sheets), origin, scale, {}, {}, 0, scene::copyGrid(scene.model)};
-  asked.cuts = makeCutData(scene, origin, asked.sheets.plans);
+  Instances all(scene, sheets);
+  std::vector<bool> isSet;
   for (const scene::Cut& cut : scene.cuts)
-    if (cut.enabled) asked.isSet.push_back(std::find(cuts.begin(), cuts.end(), cut.id) != cuts.end());
-  asked.whole = mesoscale::wholeInstanceBits(scene);
-  std::vector<shared::TypeSpareRow> rows = mesoscale::makeTypeSpareRows(scene);
+    if (cut.enabled) isSet.push_back(std::find(cuts.begin(), cuts.end(), cut.id) != cuts.end());
+  std::size_t instances = all.model.instances.size(), copies = all.count() / std::max<std::size_t>(1, instances);
   std::vector<std::vector<float>> shares;
   for (std::uint32_t type : types) {
-    const MoleculeType& of = model.types[type];
-    std::vector<float>& ofType = shares.emplace_back(of.instanceCount * std::size_t(std::max(1, scene.model.copies)));
+    const MoleculeType& of = all.model.types[type];
+    std::vector<float>& ofType = shares.emplace_back(of.instanceCount * copies);
     parallelForRanges(std::size_t(0), ofType.size(), std::size_t(4096), [&](std::size_t begin, std::size_t end) {
       for (std::size_t at = begin; at < end; ++at) {
-        std::size_t number = at / of.instanceCount * model.instances.size() + of.firstInstance + at % of.instanceCount;
-        ofType[at] = shareOf(asked, rows.data() + type * asked.cuts.size(), number);
+        std::size_t number = at / of.instanceCount * instances + of.firstInstance + at % of.instanceCount;
+        ofType[at] = shareOf(all, isSet, number);
       }
     });
   }

@@ -72,9 +72,8 @@ double numberBetween(float below, float above) {
 }  // namespace
 
 bool hasFocus(const scene::Scene& scene) {
-  return std::any_of(scene.cuts.begin(), scene.cuts.end(), [](const scene::Cut& cut) {
-    return cut.enabled && cut.focus && !cut.focus->types.empty();
-  });
+  return std::any_of(scene.cuts.begin(), scene.cuts.end(),
+                     [](const scene::Cut& cut) { return cut.enabled && cut.focus && !cut.focus->types.empty(); });
 }
 
 bool isCleared(const scene::Scene& scene, const std::vector<int>& cuts, const TypeNumbers& types) {

@@ -24,8 +24,8 @@ struct RenderedSolver::Impl {
 };
 
 std::string RenderedSolver::Impl::words(std::uint64_t wanted, std::uint64_t reached) const {
-  std::string drawn = fmt::format("{} of {} {} drawn", countText(reached), countText(range.total),
-                                  shortName(place.path));
+  std::string drawn =
+      fmt::format("{} of {} {} drawn", countText(reached), countText(range.total), shortName(place.path));
   if (wanted == reached) return drawn;
   if (range.most == 0) {
     std::vector<bool> shown = visibleTypes(scene.model);
@@ -50,7 +50,8 @@ RenderedSolver::RenderedSolver(const scene::Scene& scene, std::vector<int> cuts,
   if (!scene.model.data) throw InputError("there is no model: open one first");
   std::vector<int> enabled = enabledCuts(scene);
   std::erase_if(cuts, [&](int cut) { return std::find(enabled.begin(), enabled.end(), cut) == enabled.end(); });
-  mImpl = std::make_unique<Impl>(Impl{scene, std::move(cuts), typesAt(*scene.model.data, path), sheets, aspect, {}, {}});
+  mImpl =
+      std::make_unique<Impl>(Impl{scene, std::move(cuts), typesAt(*scene.model.data, path), sheets, aspect, {}, {}});
   mImpl->dials = makeDials(scene, mImpl->cuts, mImpl->place.types, DialField::Share, sheets, aspect);
   mImpl->range = rangeOf(mImpl->dials);
 }
@@ -66,8 +67,8 @@ CountRange RenderedSolver::range() const { return mImpl->range; }
 Solved RenderedSolver::solve(double wanted) const {
   Solved solved{mImpl->scene, std::uint64_t(std::llround(std::clamp(wanted, 0.0, double(mImpl->range.total)))), 0, {}};
   std::uint64_t inRange = std::clamp(solved.wanted, mImpl->range.least, mImpl->range.most);
-  solved.reached = turnShares(solved.scene, mImpl->cuts, mImpl->dials, inRange - mImpl->range.least, mImpl->sheets,
-                              mImpl->aspect);
+  solved.reached =
+      turnShares(solved.scene, mImpl->cuts, mImpl->dials, inRange - mImpl->range.least, mImpl->sheets, mImpl->aspect);
   solved.words = mImpl->words(solved.wanted, solved.reached);
   return solved;
 }

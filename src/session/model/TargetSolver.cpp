@@ -23,12 +23,12 @@ Count apart(Count a, Count b) { return a > b ? a - b : b - a; }
 struct Goal {
   TypesAt place;
   std::optional<Count> rendered, visible;
-  TypeNumbers own;         ///< those that no target further down has
+  TypeNumbers own;  ///< those that no target further down has
   DialField field = DialField::Share;
   std::vector<Dial> dials;  ///< of what shows: with the candidates in the order in which they begin to stay
   std::vector<std::vector<bool>> showed;  ///< of each candidate, when it was last drawn
-  Count staying = 0;        ///< of the candidates, all dials together
-  Count all = 0;            ///< candidates
+  Count staying = 0;                      ///< of the candidates, all dials together
+  Count all = 0;                          ///< candidates
   // Of one goal alone, what has shown too few and too many.
   std::optional<Count> tooFew, tooMany;
 };
@@ -108,11 +108,11 @@ struct TargetSolver::Impl {
   render::SheetIndices sheets;
   double aspect = render::kUsualAspect;
   int mostPictures = kMostPictures;
-  std::vector<Goal> goals;  ///< those further down in the tree first
+  std::vector<Goal> goals;         ///< those further down in the tree first
   std::vector<std::size_t> order;  ///< place in `goals` of each target
-  scene::Scene scene;       ///< of the next picture
+  scene::Scene scene;              ///< of the next picture
   bool isDone = false;
-  TargetsReport best;       ///< `targets` in the order of `goals`, without words
+  TargetsReport best;  ///< `targets` in the order of `goals`, without words
   int lastBetter = 0;
   std::set<std::vector<Count>> tried;
 
@@ -188,8 +188,14 @@ bool TargetSolver::Impl::keepIfBest(const std::vector<Reached>& reached) {
   std::vector<TargetReport> reports;
   for (std::size_t i = 0; i < goals.size(); ++i) {
     const Goal& goal = goals[i];
-    TargetReport report{goal.place.path, goal.rendered,      goal.visible, reached[i].rendered,
-                        totalOf(scene, goal.place.types), reached[i].visible, true,         {}};
+    TargetReport report{goal.place.path,
+                        goal.rendered,
+                        goal.visible,
+                        reached[i].rendered,
+                        totalOf(scene, goal.place.types),
+                        reached[i].visible,
+                        true,
+                        {}};
     Count off = goal.rendered ? apart(report.rendered, *goal.rendered) : 0;
     if (goal.visible && report.visible) off += apart(*report.visible, *goal.visible);
     report.isMet = off == 0;
@@ -297,8 +303,8 @@ void TargetSolver::take(const render::InstanceBits& bits) {
   if (my.keepIfBest(reached)) my.lastBetter = my.best.pictures;
   // What was not better for so long will not be.
   constexpr int kPatience = 8;
-  my.isDone = my.best.residual == 0 || my.best.pictures >= my.mostPictures ||
-              my.best.pictures - my.lastBetter >= kPatience;
+  my.isDone =
+      my.best.residual == 0 || my.best.pictures >= my.mostPictures || my.best.pictures - my.lastBetter >= kPatience;
   if (my.isDone) return;
   my.learn(bits);
   for (std::size_t i = 0; i < my.goals.size(); ++i)

@@ -60,8 +60,8 @@ const TypesAt* findIn(const Places& places, std::string_view name) {
   for (const auto& [path, at] : places)
     if (endsWithName(path, name)) found.push_back(&at);
   if (found.size() < 2) return found.empty() ? nullptr : found.front();
-  throw InputError(fmt::format("{}: {} have this name; say which: {}, {}", name, found.size(), found[0]->path,
-                               found[1]->path));
+  throw InputError(
+      fmt::format("{}: {} have this name; say which: {}, {}", name, found.size(), found[0]->path, found[1]->path));
 }
 
 }  // namespace
@@ -79,8 +79,8 @@ TypesAt typesAt(const Model& model, std::string_view name) {
       std::size_t changes = changesBetween(name, isPath ? std::string_view(path) : shortName(path));
       if (changes < least) least = changes, nearest = path;
     }
-  throw InputError(fmt::format("{}: the model has no type or compartment of this name; the nearest is {}", name,
-                               nearest));
+  throw InputError(
+      fmt::format("{}: the model has no type or compartment of this name; the nearest is {}", name, nearest));
 }
 
 std::string_view shortName(std::string_view path) { return path.substr(path.rfind('.') + 1); }

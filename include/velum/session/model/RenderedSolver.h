@@ -34,8 +34,8 @@ std::vector<int> enabledCuts(const scene::Scene& scene);
 /// has k of them below it; the share is put midway to the next one, so that rounding changes nothing.
 ///
 /// To be made when a handle is taken hold of, and asked at every step of the pointer. Several cuts share one number. A
-/// compartment's is given to its types in proportion to what each can have, by largest remainders. What cuts clear for a
-/// view counts as taken. Any thread; all cores.
+/// compartment's is given to its types in proportion to what each can have, by largest remainders. What cuts clear for
+/// a view counts as taken. Any thread; all cores.
 class RenderedSolver {
  public:
   /// @param cuts  the ids of those whose shares are set; none that is enabled: nothing can be changed

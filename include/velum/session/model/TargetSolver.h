@@ -41,10 +41,10 @@ struct TargetsReport {
 ///
 /// Drawn ones are met exactly, as by RenderedSolver. How many show is known only from pictures, which whoever draws
 /// gives: each round sets all numbers anew from what one picture says of each instance. Of a type its instances come in
-/// a fixed order, so that those of the last pictures which showed say how many are to be drawn for so many to show; what
-/// others hide or uncover meanwhile is made up for in the next round. The best round stands. Where a cut keeps something
-/// in view and the type hides it, the share of those that stay in the view is set, else that of all in the region.
-/// A type that has a target of its own does not count among those that its compartment's target moves.
+/// a fixed order, so that those of the last pictures which showed say how many are to be drawn for so many to show;
+/// what others hide or uncover meanwhile is made up for in the next round. The best round stands. Where a cut keeps
+/// something in view and the type hides it, the share of those that stay in the view is set, else that of all in the
+/// region. A type that has a target of its own does not count among those that its compartment's target moves.
 ///
 /// A window asks for pictures as they come: next(), take(), next() ... @throw InputError as of typesAt(). Any thread.
 class TargetSolver {
@@ -57,7 +57,8 @@ class TargetSolver {
   TargetSolver(TargetSolver&&) noexcept;
   TargetSolver& operator=(TargetSolver&&) noexcept;
 
-  /// The scene of which it wants to know what shows; null: it is done. Without targets of what shows it is done at once.
+  /// The scene of which it wants to know what shows; null: it is done. Without targets of what shows it is done at
+  /// once.
   const scene::Scene* next() const;
   /// What became of the instances in a picture of next().
   void take(const render::InstanceBits& bits);
@@ -78,7 +79,8 @@ TargetsReport solveTargets(const scene::Scene& scene, const std::vector<int>& cu
                            const render::SheetIndices& sheets = {}, double aspect = render::kUsualAspect,
                            int mostPictures = kMostPictures);
 
-/// So many instances of a type or compartment show, or the nearest number that was found in kMostPicturesOfOne pictures.
+/// So many instances of a type or compartment show, or the nearest number that was found in kMostPicturesOfOne
+/// pictures.
 Solved solveVisible(const scene::Scene& scene, const std::vector<int>& cuts, std::string_view path, double wanted,
                     const CountPicture& picture, const render::SheetIndices& sheets = {},
                     double aspect = render::kUsualAspect);

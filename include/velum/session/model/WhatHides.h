@@ -20,21 +20,23 @@ struct Hider {
 /// What is seen in the place of a type or compartment.
 struct Hiding {
   std::string path;
-  std::uint64_t pixels = 0;  ///< that it would take if nothing stood before it
-  std::uint64_t seen = 0;    ///< of these, where it is seen
+  std::uint64_t pixels = 0;   ///< that it would take if nothing stood before it
+  std::uint64_t seen = 0;     ///< of these, where it is seen
   std::vector<Hider> hiders;  ///< those that hide most of it first
   std::string words;          ///< one short sentence for people
 };
 
-/// The scene with a type or compartment alone: other types are not shown, nor are volume, labels and surfaces; what cuts
-/// clear for a view is left. In its picture stands what the type would take. @throw InputError as of typesAt()
+/// The scene with a type or compartment alone: other types are not shown, nor are volume, labels and surfaces, and
+/// nothing is cleared for a view. In its picture stands what the type would take. @throw InputError as of typesAt()
 scene::Scene aloneScene(const scene::Scene& scene, std::string_view path);
 
-/// What hides a type or compartment, and by how much: by who has its pixels in the whole picture.
-/// @param alone  a picture of aloneScene() with render::Layers::type  @param whole  of the scene, of the same size
+/// What hides a type or compartment, and by how much: by who has its pixels in the whole picture. Instances that cuts
+/// clear are hidden by nobody, and are left out.
+/// @param alone  a picture of aloneScene() with the layers type and instance  @param whole  of the scene, of the same
+/// size
 Hiding whatHides(const scene::Scene& scene, std::string_view path, const Image& alone, const Image& whole);
 
-/// Draws a scene with render::Layers::type.
+/// Draws a scene with the layers type and instance.
 using TypePicture = std::function<Image(const scene::Scene&)>;
 Hiding whatHides(const scene::Scene& scene, std::string_view path, const TypePicture& picture);
 

@@ -6,8 +6,8 @@
 // that cuts have removed and that show as ghosts. Else it is worked out here.
 layout(local_size_x = 64) in;
 
-#if defined(STATES) || defined(GHOSTS)
 #include "mesoscale/instances.glsl"
+#if defined(STATES) || defined(GHOSTS)
 layout(std430, binding = kStateBinding) readonly buffer StateBlock { uint states[]; };
 layout(binding = kTypeUnit) uniform samplerBuffer typeTexture;
 #else

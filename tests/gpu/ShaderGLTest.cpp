@@ -163,13 +163,13 @@ const Offset kInstanceViewOffsets[] = {
     VELUM_OFFSET(InstanceView, largeRadius),
     VELUM_OFFSET(InstanceView, wholeInstances),
     VELUM_OFFSET(InstanceView, levelCount),
-    VELUM_OFFSET(InstanceView, padding0),
-    VELUM_OFFSET(InstanceView, padding1)};
+    VELUM_OFFSET(InstanceView, stateWords),
+    VELUM_OFFSET(InstanceView, padding0)};
 
 TEST_F(ShaderGL, InstanceViewsLieWhereTheDriverPutsThem) {
   auto members = membersOf("instance.h", "InstanceView");
   ASSERT_EQ(members.size(), std::size(kInstanceViewOffsets)) << "list the members of InstanceView here, too";
-  Program program({"mesoscale/cull.comp"});
+  Program program({"mesoscale/cull.comp"}, {{"STATES", "1"}});
   for (std::size_t i = 0; i < members.size(); ++i) {
     EXPECT_EQ(members[i], kInstanceViewOffsets[i].member);
     int offset = program.memberOffset("InstanceViewBlock", "view." + members[i]);
@@ -179,6 +179,28 @@ TEST_F(ShaderGL, InstanceViewsLieWhereTheDriverPutsThem) {
     EXPECT_EQ(offset, int(kInstanceViewOffsets[i].bytes)) << members[i];
   }
   EXPECT_EQ(sizeof(shared::InstanceView) % 16, 0u);
+}
+
+const Offset kFocusViewOffsets[] = {
+    VELUM_OFFSET(FocusView, eye),           VELUM_OFFSET(FocusView, right), VELUM_OFFSET(FocusView, up),
+    VELUM_OFFSET(FocusView, forward),       VELUM_OFFSET(FocusView, size),  VELUM_OFFSET(FocusView, isOrthographic),
+    VELUM_OFFSET(FocusView, cut),           VELUM_OFFSET(FocusView, guidesDepth),
+    VELUM_OFFSET(FocusView, hasAperture),   VELUM_OFFSET(FocusView, padding0),
+    VELUM_OFFSET(FocusView, padding1)};
+
+TEST_F(ShaderGL, FocusViewsLieWhereTheDriverPutsThem) {
+  auto members = membersOf("instance.h", "FocusView");
+  ASSERT_EQ(members.size(), std::size(kFocusViewOffsets)) << "list the members of FocusView here, too";
+  Program program({"mesoscale/focus.comp"}, {{"OCCLUDERS", "1"}});
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    EXPECT_EQ(members[i], kFocusViewOffsets[i].member);
+    int offset = program.memberOffset("FocusBlock", "focus." + members[i]);
+    if (offset < 0) offset = program.memberOffset("FocusBlock", members[i]);
+    // What this program does not read may be gone.
+    if (offset < 0 && (members[i].starts_with("padding") || members[i] == "guidesDepth")) continue;
+    EXPECT_EQ(offset, int(kFocusViewOffsets[i].bytes)) << members[i];
+  }
+  EXPECT_EQ(sizeof(shared::FocusView) % 16, 0u);
 }
 
 const Offset kInstanceShadeOffsets[] = {

@@ -102,12 +102,13 @@ class DependencyGL : public RenderTest, public testing::WithParamInterface<int> 
                           glm::quat(1, 0, 0, 0));
     scene.model.data = Shared<Model>(builder.build());
     scene.model.nearColors = 0.5;
-    scene.model.types = {{"root.a.ball", true, {}, "wax"}};
+    scene.model.types = {{"root.a.ball", true, {}, "wax", scene::Ghosts::Filled}};
     scene.lighting.fog = 0.4;
     scene.cuts[0].typeSpares = {{}};
     scene.cuts[0].typeSpares[0].type = "root.a";
     scene.cuts[0].typeSpares[0].share = 0.5;
     scene.cuts[0].typeSpares[0].falloff = 3;
+    scene.cuts[0].focus.emplace().types = {{"root.b"}};
   }
   static void addCuts(scene::Scene& scene) {
     scene::Cut sphere;

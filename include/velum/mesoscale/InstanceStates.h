@@ -38,9 +38,9 @@ class InstanceStates {
 
   void bind() const;
   const gpu::Buffer& bits() const { return mBits; }
-  /// Seeds of the mask's distances after flood(): x, y as 16 bits each. For tests.
+  /// The mask of a focus, bits of depths, and the seeds of its distances after flood(), x and y in 16 bits each. For tests.
+  gpu::Buffer& mask() { return mMask; }
   const gpu::Buffer& seeds() const { return mSeeds[0]; }
-  const gpu::Buffer& mask() const { return mMask; }
 
  private:
   void look(const gpu::Program& program, const InstancePart& part) const;

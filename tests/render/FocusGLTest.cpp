@@ -1,0 +1,364 @@
+// What a cut keeps in view, counts of instances, ghosts: [VE] 3, 6 and 8.3.
+#include <random>
+#include <set>
+
+#include "RenderFixture.h"
+#include "makeModel.h"
+#include "shared/instance.h"
+#include "velum/mesoscale/InstanceStates.h"
+#include "velum/render/section/KeptInstances.h"
+
+namespace velum {
+namespace {
+
+using render::InstanceState;
+
+class FocusGL : public RenderTest {
+ protected:
+  static constexpr glm::ivec2 kSize{200, 160};
+  static constexpr render::Layers kLayers{true, true, true, true, true, true, true};
+
+  /// Three types at random, of which the first is the focus of a cut that is everywhere.
+  static scene::Scene focusScene(unsigned seed, int instances = 240) {
+    ModelMaker maker;
+    maker.types = 3;
+    maker.instances = instances;
+    maker.seed = seed;
+    maker.halfEdge = 120.0f;
+    scene::Scene scene;
+    scene.unit = LengthUnit::Angstrom;
+    scene.model.data = Shared<Model>(maker.make());
+    scene.lighting.shaded = false;
+    scene.rayCast.samplesPerPixel = 1;
+    scene.background.transparent = true;
+    scene.camera = scene::frameCamera(scene, scene::StandardView::Oblique, double(kSize.x) / kSize.y);
+    scene::Cut cut;
+    cut.shape = scene::CutShape::Everywhere;
+    cut.typeSpares = {{}};
+    cut.typeSpares[0].type = "root";
+    cut.focus.emplace().types = {{"root.a.type0"}};
+    scene::addCut(scene, cut);
+    return scene;
+  }
+  render::InstanceBits bitsOf(const scene::Scene& scene, glm::ivec2 size = kSize) {
+    render::Frame frame;
+    frame.scene = scene;
+    frame.pictureSize = size;
+    frame.countsInstances = true;
+    Progress progress;
+    renderer().render(frame, progress);
+    auto bits = renderer().bits(true);
+    EXPECT_TRUE(bits.has_value());
+    return bits.value_or(render::InstanceBits{});
+  }
+  std::set<std::size_t> removedIn(const scene::Scene& scene, glm::ivec2 size = kSize) {
+    render::InstanceBits bits = bitsOf(scene, size);
+    std::set<std::size_t> removed;
+    for (std::size_t i = 0; i < bits.count; ++i)
+      if (bits.isRemoved(i)) removed.insert(i);
+    return removed;
+  }
+  static std::uint32_t typeOf(const scene::Scene& scene, std::size_t i) {
+    const Model& model = *scene.model.data;
+    return model.molecules[model.instances[i].molecule].type;
+  }
+};
+
+/// A sphere around an instance, and where a ray meets it: a text of its own, in doubles.
+struct Sphere {
+  glm::dvec3 centre{0.0};
+  double radius = 0.0;
+};
+Sphere sphereOf(const Model& model, std::size_t i) {
+  const Instance& instance = model.instances[i];
+  const Molecule& molecule = model.molecules[instance.molecule];
+  return {glm::dvec3(instance.position) + glm::dvec3(instance.rotation * molecule.centre), double(molecule.radius)};
+}
+struct Meeting {
+  double enters = 0.0, leaves = 0.0;
+  bool isThere = false;
+};
+Meeting meet(const TestRay& ray, const Sphere& sphere, double grown) {
+  glm::dvec3 q = sphere.centre - ray.origin;
+  double radius = sphere.radius + grown, along = glm::dot(q, ray.direction);
+  double left = radius * radius - (glm::dot(q, q) - along * along);
+  if (left < 0.0) return {};
+  return {along - std::sqrt(left), along + std::sqrt(left), true};
+}
+
+TEST_F(FocusGL, ClearsWhatAPlainDepthBufferFindsBeforeTheFocus) {
+  for (bool guidesDepth : {false, true})
+    for (auto projection : {scene::Projection::Perspective, scene::Projection::Orthographic}) {
+      scene::Scene scene = focusScene(guidesDepth ? 5 : 6);
+      scene.camera.projection = projection;
+      scene.cuts[0].focus->guidesDepth = guidesDepth;
+      std::set<std::size_t> removed = removedIn(scene);
+      const Model& model = *scene.model.data;
+      glm::ivec2 mask(int(std::lround(shared::kFocusRows * double(kSize.x) / kSize.y)), shared::kFocusRows);
+      // Surely hides, and may hide, as spheres are a little smaller or larger.
+      std::vector<std::uint8_t> surely(model.instances.size(), 0), maybe(model.instances.size(), 0);
+      for (int y = 0; y < mask.y; ++y)
+        for (int x = 0; x < mask.x; ++x) {
+          TestRay ray = rayThrough(scene.camera, mask, {x + 0.5, y + 0.5});
+          for (double grown : {-0.01, 0.01}) {
+            double depth = guidesDepth ? std::numeric_limits<double>::infinity() : -1.0;
+            bool isThere = false;
+            for (std::size_t i = 0; i < model.instances.size(); ++i)
+              if (typeOf(scene, i) == 0)
+                if (Meeting m = meet(ray, sphereOf(model, i), guidesDepth ? -grown : grown); m.isThere) {
+                  depth = guidesDepth ? std::min(depth, m.enters) : std::max(depth, m.leaves);
+                  isThere = true;
+                }
+            if (!isThere) continue;
+            for (std::size_t i = 0; i < model.instances.size(); ++i)
+              if (typeOf(scene, i) != 0)
+                if (Meeting m = meet(ray, sphereOf(model, i), grown); m.isThere && m.enters < depth)
+                  (grown < 0 ? surely : maybe)[i] = 1;
+          }
+        }
+      int cleared = 0;
+      for (std::size_t i = 0; i < model.instances.size(); ++i) {
+        cleared += removed.contains(i);
+        EXPECT_TRUE(removed.contains(i) || !surely[i]) << i;
+        EXPECT_TRUE(!removed.contains(i) || maybe[i] || surely[i]) << i;
+      }
+      EXPECT_GT(cleared, 20);
+      EXPECT_LT(cleared, 160);
+    }
+}
+
+TEST_F(FocusGL, WhatItKeepsInViewIsWhole) {
+  scene::Scene scene = focusScene(3);
+  glm::ivec2 size(shared::kFocusRows, shared::kFocusRows);
+  Image cleared = draw(scene, size, kLayers);
+  scene::Scene alone = scene;
+  alone.model.types = {{"root.b.type1", false}, {"root.a.type2", false}};
+  Image whole = draw(alone, size, kLayers);
+  int shown = 0;
+  for (int y = 0; y < size.y; ++y)
+    for (int x = 0; x < size.x; ++x) {
+      if (sampleOf(whole, {x, y}, "type") != 0.0f) continue;
+      ++shown;
+      ASSERT_EQ(sampleOf(cleared, {x, y}, "instance"), sampleOf(whole, {x, y}, "instance")) << x << ", " << y;
+    }
+  EXPECT_GT(shown, 5000);
+}
+
+TEST_F(FocusGL, TheProcessorFindsTheSame) {
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  int states[3] = {0, 0, 0};
+  std::size_t wrong = 0;
+  for (unsigned round = 0; round < 12; ++round) {
+    scene::Scene scene = focusScene(20 + round);
+    if (round % 3 == 1) scene.camera.projection = scene::Projection::Orthographic;
+    scene::Cut& cut = scene.cuts[0];
+    cut.typeSpares[0].share = 0.5 + 0.5 * unit(random);
+    cut.typeSpares[0].viewShare = round % 2 ? unit(random) : 0.0;
+    cut.typeSpares[0].aperture = round % 4 ? unit(random) : 1.0;
+    cut.focus->guidesDepth = round % 5 == 0;
+    if (round % 3 == 2) cut.focus->lock = scene::ViewLock{scene::frameCamera(scene, scene::StandardView::Left, 1.0), 1.5};
+    if (round % 4 == 3) {
+      cut.shape = scene::CutShape::Sphere;
+      cut.size = glm::dvec3(220.0);
+      scene::Cut plane;
+      plane.axis = {1, 1, 0};
+      plane.typeSpares = {{"root.b", 0.5}};
+      scene::addCut(scene, plane);
+    }
+    std::set<std::size_t> removed = removedIn(scene);
+    auto found = render::instanceStates(scene, {}, double(kSize.x) / kSize.y);
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      ++states[static_cast<int>(found[i])];
+      wrong += (found[i] != InstanceState::Kept) != removed.contains(i);
+    }
+  }
+  EXPECT_LE(wrong, 2u) << "of 2,880: a sphere may graze the ray of a pixel";
+  for (int state : states) EXPECT_GT(state, 200);
+}
+
+TEST_F(FocusGL, AShareOfThoseThatHideItStaysDrawnApartFromTheOtherShare) {
+  scene::Scene scene = focusScene(7);
+  std::set<std::size_t> all = removedIn(scene);
+  scene.cuts[0].typeSpares[0].viewShare = 0.4;
+  std::set<std::size_t> some = removedIn(scene);
+  for (std::size_t i : all) EXPECT_EQ(some.contains(i), randomOf(std::uint32_t(i), 1) >= 0.4f) << i;
+  for (std::size_t i : some) EXPECT_TRUE(all.contains(i));
+  EXPECT_LT(some.size(), all.size());
+}
+
+TEST_F(FocusGL, ALargerApertureClearsMore) {
+  scene::Scene scene = focusScene(8, 400);
+  std::set<std::size_t> whole = removedIn(scene), before;
+  for (double aperture : {0.0, 0.2, 0.5, 0.8, 1.0}) {
+    scene.cuts[0].typeSpares[0].aperture = aperture;
+    std::set<std::size_t> removed = removedIn(scene);
+    EXPECT_TRUE(std::includes(removed.begin(), removed.end(), before.begin(), before.end())) << aperture;
+    EXPECT_EQ(removed.empty(), aperture == 0.0) << aperture;
+    if (aperture == 0.5) {
+      EXPECT_GT(removed.size(), 0u);
+      EXPECT_LT(removed.size(), whole.size());
+    }
+    before = removed;
+  }
+  EXPECT_EQ(before, whole);
+}
+
+TEST_F(FocusGL, ALockHoldsWhatIsClearedWhileTheCameraMoves) {
+  scene::Scene scene = focusScene(9);
+  std::set<std::size_t> here = removedIn(scene);
+  scene::Scene moved = scene;
+  moved.camera = scene::frameCamera(scene, scene::StandardView::Left, double(kSize.x) / kSize.y);
+  EXPECT_NE(removedIn(moved), here);
+  moved.cuts[0].focus->lock = scene::ViewLock{scene.camera, double(kSize.x) / kSize.y};
+  EXPECT_EQ(removedIn(moved), here);
+}
+
+TEST_F(FocusGL, PiecesOfAPictureClearTheSame) {
+  scene::Scene scene = focusScene(10);
+  Image whole = draw(scene, kSize, kLayers);
+  render::Frame frame;
+  frame.scene = scene;
+  frame.pictureSize = kSize;
+  Progress progress;
+  Image pieces = render::renderPicture(renderer(), frame, kLayers, 96, progress);
+  EXPECT_EQ(differenceOf(whole, pieces).largest, 0.0);
+}
+
+TEST_F(FocusGL, DistancesInTheMaskAreExactToOneAndAHalfPixels) {
+  mesoscale::InstancePrograms programs;
+  mesoscale::InstanceStates states;
+  states.resize(1, 1);
+  shared::FocusView view{};
+  view.size = {150, 110};
+  std::mt19937 random(2);
+  double worst = 0.0;
+  for (int round = 0; round < 6; ++round) {
+    states.beginFocus(view);
+    std::vector<std::uint32_t> mask(std::size_t(view.size.x * view.size.y), 0x3f800000u);
+    int holes = round == 0 ? 1 : 6 * round;
+    for (int i = 0; i < holes; ++i) mask[random() % mask.size()] = 0;
+    states.mask().write(0, mask.size() * sizeof(mask[0]), mask.data());
+    states.flood(programs);
+    std::vector<std::uint32_t> seeds(mask.size());
+    states.seeds().read(0, seeds.size() * sizeof(seeds[0]), seeds.data());
+    for (int y = 0; y < view.size.y; ++y)
+      for (int x = 0; x < view.size.x; ++x) {
+        double nearest = 1e9;
+        for (std::size_t at = 0; at < mask.size(); ++at)
+          if (mask[at] == 0)
+            nearest = std::min(nearest, std::hypot(double(int(at) % view.size.x - x), double(int(at) / view.size.x - y)));
+        double found = shared::focusDistance({x, y}, seeds[std::size_t(y * view.size.x + x)]);
+        worst = std::max(worst, std::abs(found - nearest));
+      }
+  }
+  EXPECT_LE(worst, 1.5);
+}
+
+TEST_F(FocusGL, CountsAreThoseOfTheIdLayer) {
+  scene::Scene scene = focusScene(11, 600);
+  scene.model.copies = 3;
+  scene.model.types = {{"root.a.type2", false}};
+  scene.camera = scene::frameCamera(scene, scene::StandardView::Oblique, double(kSize.x) / kSize.y);
+  render::InstanceBits bits = bitsOf(scene);
+  Image image = renderer().read(kLayers);
+  std::set<std::size_t> shown;
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x)
+      if (float number = sampleOf(image, {x, y}, "instance"); number >= 1.0f) shown.insert(std::size_t(number) - 1);
+  ASSERT_EQ(bits.count, 1800u);
+  std::vector<render::TypeCount> plain(3);
+  for (std::size_t i = 0; i < bits.count; ++i) {
+    EXPECT_EQ(bits.isShown(i), shown.contains(i)) << i;
+    render::TypeCount& count = plain[typeOf(scene, i % 600)];
+    ++(bits.isRemoved(i) ? count.clipped : shown.contains(i) ? count.visible : count.hidden);
+  }
+  auto types = render::countTypes(*scene.model.data, bits);
+  EXPECT_EQ(types, plain);
+  for (const auto& count : types) EXPECT_EQ(count.total(), 600u);
+  EXPECT_EQ(types[2].clipped, 600u) << "what is not shown is not rendered";
+  EXPECT_GT(types[1].visible, 20u);
+  EXPECT_GT(types[1].hidden, 3u);
+  EXPECT_GT(types[1].clipped, 20u);
+  auto compartments = render::countCompartments(*scene.model.data, types);
+  ASSERT_EQ(compartments.size(), 3u);
+  EXPECT_EQ(compartments[0].total(), 1800u);
+  render::TypeCount below;
+  for (std::size_t c = 1; c < 3; ++c) below += compartments[c];
+  EXPECT_EQ(below, compartments[0]);
+}
+
+TEST_F(FocusGL, CountingChangesNoPicture) {
+  scene::Scene scene = focusScene(12);
+  scene.cuts[0].shape = scene::CutShape::Sphere;
+  scene.cuts[0].focus.reset();
+  scene.cuts[0].size = glm::dvec3(200.0);
+  scene.cuts[0].typeSpares[0].share = 0.4;
+  Image plain = draw(scene, kSize, kLayers);
+  bitsOf(scene);
+  EXPECT_EQ(differenceOf(plain, renderer().read(kLayers)).largest, 0.0);
+}
+
+TEST_F(FocusGL, CountsComeWithoutWaitingAndAreExactAtRest) {
+  scene::Scene scene = focusScene(13);
+  render::InstanceBits wanted = bitsOf(scene);
+  scene::Scene other = scene;
+  other.camera.eye = scene.camera.target + 0.6 * (scene.camera.eye - scene.camera.target);
+  bitsOf(other);
+  render::Frame frame;
+  frame.scene = scene;
+  frame.pictureSize = kSize;
+  frame.countsInstances = true;
+  while (!renderer().work(frame, 5.0)) {
+  }
+  std::optional<render::InstanceBits> bits;
+  for (int i = 0; i < 1000 && !bits; ++i) bits = renderer().bits();
+  ASSERT_TRUE(bits);
+  EXPECT_EQ(bits->shown, wanted.shown);
+  EXPECT_EQ(bits->removed, wanted.removed);
+  EXPECT_FALSE(renderer().bits()) << "once each";
+}
+
+TEST_F(FocusGL, GhostsShowWhatIsRemovedWhereNothingIsNearer) {
+  // Two atoms on a ray, one beside them.
+  scene::Scene scene;
+  scene.unit = LengthUnit::Angstrom;
+  scene.model.data = Shared<Model>(modelOfAtoms({{0, -20, 0}, {0, 20, 0}, {30, 0, 0}}, kResidue));
+  scene.lighting.shaded = false;
+  scene.rayCast.samplesPerPixel = 1;
+  scene.background.transparent = true;
+  scene.camera = scene::frameCamera(scene, scene::StandardView::Anterior, 1.0);
+  scene.camera.projection = scene::Projection::Orthographic;
+  scene.camera.height = 100;
+  scene.camera.target = {0, 0, 0};
+  scene.camera.eye = {0, -500, 0};
+  scene.model.ghosts = scene::Ghosts::Filled;
+  scene.model.ghostOpacity = 0.5;
+  scene::Cut plane;
+  plane.axis = {0, -1, 0};
+  plane.centre = {0, -10, 0};
+  scene::addCut(scene, plane);
+  glm::ivec2 size(100, 100), middle(50, 50);
+  auto ghostAt = [&](const Image& image) { return sampleOf(image, middle, "ghosts.A"); };
+  Image front = draw(scene, size, kLayers);
+  EXPECT_NEAR(ghostAt(front), 0.5f, 0.01f) << "before the atom behind it";
+  EXPECT_EQ(sampleOf(front, middle, "instance"), 2.0f) << "ids are of what stays";
+  EXPECT_EQ(sampleOf(front, {80, 50}, "ghosts.A"), 0.0f);
+  scene.cuts[0].invert = true;
+  Image behind = draw(scene, size, kLayers);
+  EXPECT_EQ(ghostAt(behind), 0.0f) << "behind the atom that stays";
+  EXPECT_NEAR(sampleOf(behind, {80, 50}, "ghosts.A"), 0.5f, 0.01f) << "alone before the background";
+  EXPECT_NEAR(sampleOf(behind, {80, 50}, "A"), 0.5f, 0.01f);
+  scene.model.ghosts = scene::Ghosts::Contour;
+  Image lines = draw(scene, size, kLayers);
+  EXPECT_EQ(sampleOf(lines, {80, 50}, "ghosts.A"), 0.0f) << "within the line";
+  int inked = 0;
+  for (int x = 70; x < 90; ++x) inked += sampleOf(lines, {x, 50}, "ghosts.A") > 0.3f;
+  EXPECT_GE(inked, 2);
+  EXPECT_LE(inked, 4);
+  scene.model.types = {{"root.atom", true, {}, "", scene::Ghosts::None}};
+  EXPECT_EQ(sampleOf(draw(scene, size, kLayers), {80, 50}, "ghosts.A"), 0.0f) << "not of this type";
+}
+
+}  // namespace
+}  // namespace velum

@@ -12,6 +12,7 @@ Run registerInfo(CLI::App& verb);
 Run registerRender(CLI::App& verb);
 Run registerMembrane(CLI::App& verb);
 Run registerGrow(CLI::App& verb);
+Run registerCount(CLI::App& verb);
 Run registerBench(CLI::App& verb);
 Run registerCompare(CLI::App& verb);
 Run registerSample(CLI::App& verb);

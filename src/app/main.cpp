@@ -26,6 +26,7 @@ int main(int argc, char** argv) {
       {"render", "make a picture", app::registerRender},
       {"membrane", "settle the membranes of a scene and report", app::registerMembrane},
       {"grow", "grow a structure out of a volume, and report", app::registerGrow},
+      {"count", "say how many instances of a model show, are hidden, are cut away", app::registerCount},
       {"bench", "turn the camera and time frames", app::registerBench},
       {"compare", "picture against picture", app::registerCompare},
       {"sample", "make a phantom with ground truth", app::registerSample},

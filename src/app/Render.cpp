@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 
+#include "StandardInput.h"
 #include "Targets.h"
 #include "Verbs.h"
 #include "velum/core/Clock.h"
@@ -115,6 +117,10 @@ int runSection(const RenderOptions& options) {
 }
 
 int run(const RenderOptions& options) {
+  const auto& inputs = options.input.inputs;
+  bool isFromStandardInput = std::find(inputs.begin(), inputs.end(), kStandardInput) != inputs.end();
+  if (isFromStandardInput && !options.saveScene.empty())
+    throw ArgumentError("--save-scene: data from standard input has no file that a scene could name; give its path");
   if (!options.section.empty()) return runSection(options);
   glm::ivec2 size = session::parsePictureSize(options.size, options.dpi);
   auto context = gpu::Context::create(options.common.context);

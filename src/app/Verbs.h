@@ -19,5 +19,6 @@ Run registerSample(CLI::App& verb);
 Run registerConvert(CLI::App& verb);
 Run registerRecover(CLI::App& verb);
 Run registerView(CLI::App& verb);
+Run registerCompletion(CLI::App& verb);
 
 }  // namespace velum::app

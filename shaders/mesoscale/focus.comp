@@ -47,7 +47,7 @@ void main() {
   if (isFocus || spare.aperture <= 0.0 || instanceRandom(instance, 1u) < spare.viewShare) return;
   ivec4 rect = focusRect(focus, q, radius);
   if (any(greaterThan(rect.xy, rect.zw))) return;
-  if (instanceAnswer(cuts[focus.cut], 0.0, reachFor(focus.cut, radius), middle) != kCutRemoves) return;
+  if (instanceAnswer(cutAt(focus.cut), 0.0, reachFor(focus.cut, radius), middle) != kCutRemoves) return;
   if (isBefore(q, radius, rect, spare.aperture))
     atomicOr(states[uint(view.stateWords) + (instance >> 5)], stateBit(instance));
 #else

@@ -1,9 +1,21 @@
 // What cuts leave of instances by where these stand.
 #include "mesoscale/instances.glsl"
 
-layout(std430, binding = kCutBinding) readonly buffer CutBlock { CutData cuts[]; };
+layout(binding = kCutUnit) uniform samplerBuffer cutTexture;
 layout(std430, binding = kTypeSpareBinding) readonly buffer TypeSpareBlock { TypeSpareRow typeSpares[]; };
 layout(binding = kTypeUnit) uniform samplerBuffer typeTexture;
+
+/// A cut. As texels: software drivers read a storage block lane by lane, which took most of the time of culling.
+CutData cutAt(int i) {
+  CutData cut;
+  for (int k = 0; k < 4; ++k) cut.localFromScene[k] = texelFetch(cutTexture, kCutTexels * i + k);
+  cut.halfSize = texelFetch(cutTexture, kCutTexels * i + 4);
+  cut.kind = floatBitsToInt(texelFetch(cutTexture, kCutTexels * i + 5));
+  cut.face = texelFetch(cutTexture, kCutTexels * i + 6);
+  cut.sheet = floatBitsToInt(texelFetch(cutTexture, kCutTexels * i + 7));
+  cut.inlay = texelFetch(cutTexture, kCutTexels * i + 8);
+  return cut;
+}
 
 float reachFor(int cut, float radius) { return cut < 32 && (view.wholeInstances >> cut & 1u) != 0u ? radius : 0.0; }
 
@@ -13,7 +25,8 @@ bool cutsLeave(uint instance, uint type, vec3 p, float radius) {
   float u = instanceRandom(instance, 0u);
   for (int i = 0; i < view.cutCount; ++i) {
     float depth = typeSpareDepth(typeSpares[int(type) * view.cutCount + i], u);
-    fold = foldAnswer(fold, cutPart(cuts[i]), instanceAnswer(cuts[i], depth, reachFor(i, radius), p));
+    CutData cut = cutAt(i);
+    fold = foldAnswer(fold, cutPart(cut), instanceAnswer(cut, depth, reachFor(i, radius), p));
   }
   return foldKeeps(fold);
 }

@@ -17,6 +17,8 @@ layout(binding = kSurfaceColorImage, rgba16f) uniform writeonly image2D colorIma
 layout(binding = kSurfaceAuxImage, rgba32f) uniform image2D auxImage;  // normal, distance along the ray
 layout(binding = kSurfaceIdImage, rgba32ui) uniform uimage2D idImage;  // structure, instance, what a contour goes around
 
+layout(location = 0) uniform int firstRow;  // of this dispatch
+
 // Radius in pixels from which on an instance has a line around it.
 const float kLeastOutlined = 4.5;
 
@@ -156,7 +158,7 @@ void shadePixel(ivec2 pixel, int at, uint owner) {
 }
 
 void main() {
-  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy) + ivec2(0, firstRow);
   if (any(greaterThanEqual(pixel, view.size))) return;
   int at = pixel.y * view.size.x + pixel.x;
   uint owner = owners[at];

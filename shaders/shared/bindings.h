@@ -47,6 +47,7 @@ SHARED_CONST uint kLevelUnit = 24u;     // LevelRow
 SHARED_CONST uint kBallUnit = 25u;      // centre and radius, scene units, the molecule's frame
 SHARED_CONST uint kBallKindUnit = 26u;  // element, chain
 SHARED_CONST uint kTypeUnit = 27u;      // TypeRow
+SHARED_CONST uint kCutUnit = 37u;       // CutData: kCutTexels each
 // And of a view.
 SHARED_CONST uint kDrawUnit = 28u;      // DrawRow
 SHARED_CONST uint kPyramidUnit = 29u;   // farthest depths

@@ -31,6 +31,7 @@ struct CutData {
   ivec4 sheet;          ///< membranes: x: first row; y, z: particles across, up; w: 1 shown as lines, 2 as a surface
   vec4 inlay;           ///< membranes: x: opacity of the inlay's image; y: 1/length of the fall-off; z, w: factors above, below
 };
+SHARED_CONST int kCutTexels = 9;
 
 /// Whether a line has one stretch in the shape at most, which cutShapeInterval() then knows. Other shapes need no more than
 /// their distance.

@@ -172,23 +172,22 @@ SHARED_FN float typeSpareDepth(TypeSpareRow spare, float u) {
   float whole = u < spare.share ? max(spare.distance, spare.falloff) : 0.0f;
   float span = (1.0f - spare.share) * spare.amount;
   if (spare.falloff == 0.0f || span <= 0.0f) return whole;
-  if (spare.falloff > 0.0f) {
-    // At the surface p is share + span. Solved for d.
-    float rest = 1.0f - (u - spare.share) / span;
-    if (u < spare.share || rest <= 0.0f) return whole;
-    return spare.falloff * pow(min(rest, 1.0f), 1.0f / spare.exponent);
-  }
-  // Outside: removed nearer than where p(d) = u.
-  float rest = 1.0f - (1.0f - u) / span;
-  float near = rest > 0.0f ? spare.falloff * pow(min(rest, 1.0f), 1.0f / spare.exponent) : 0.0f;
-  return u < spare.share ? spare.distance : near;
+  // Solved for d; outside, removed nearer than there. One power for both sides: a software driver works both out.
+  bool isInside = spare.falloff > 0.0f;
+  float rest = 1.0f - (isInside ? u - spare.share : 1.0f - u) / span;
+  float at = rest > 0.0f ? spare.falloff * pow(min(rest, 1.0f), 1.0f / spare.exponent) : 0.0f;
+  return u < spare.share || (isInside && rest <= 0.0f) ? whole : at;
 }
 
 /// kCutKeeps or kCutRemoves: what a cut does with an instance. @param depth  typeSpareDepth()
 /// @param reach  0: by its middle; its radius: when all of its sphere is removed
 SHARED_FN int instanceAnswer(CutData cut, float depth, float reach, vec3 p SHARED_SHEETS) {
   if (depth >= kCutFar) return kCutKeeps;
-  if (depth == 0.0f && reach == 0.0f) return cutRemoves(cut, p SHARED_PASS_SHEETS) ? kCutRemoves : kCutKeeps;
+#if SHARED_HAS_SHEETS
+  // A sheet's side is quicker known than how far off it is.
+  if (cut.kind.x == kCutMembrane && depth == 0.0f && reach == 0.0f)
+    return cutRemoves(cut, p SHARED_PASS_SHEETS) ? kCutRemoves : kCutKeeps;
+#endif
   return -(cutDistance(cut, p SHARED_PASS_SHEETS) + reach) > depth ? kCutRemoves : kCutKeeps;
 }
 

@@ -15,11 +15,15 @@ namespace velum::app {
 
 namespace {
 
+/// Radians. A picture that is there is not drawn again: one that rests is moved by less than anybody sees.
+constexpr double kLeastTurn = 1e-6;
+
 struct BenchOptions {
   Common common;
   InputOptions input;
   std::string size = "800x600";
   int frames = 10;
+  double turnDeg = 360.0, coarse = 1.0;
 };
 
 int run(const BenchOptions& options) {
@@ -29,16 +33,22 @@ int run(const BenchOptions& options) {
   render::Frame frame;
   frame.scene = openScene(options.input, double(size.x) / size.y);
   frame.scene.rayCast.samplesPerPixel = 1;
-  frame.pictureSize = size;
+  // As the window draws while the camera moves: fewer pixels, which the screen makes larger.
+  frame.pictureSize = glm::max(glm::ivec2(glm::dvec2(size) / options.coarse), 1);
+  frame.isPreview = options.coarse > 1.0;
   Progress& progress = consoleProgress();
   session::settleMembranes(frame.scene, {}, progress);
   renderer.render(frame, progress);  // uploads, shaders
   double uploadMs = renderer.stats().uploadMs;
+  // What a first picture finds empty, such as who was seen before, has the driver compile once more.
+  scene::Camera start = frame.scene.camera;
+  frame.scene.camera = scene::turntable(start, kLeastTurn);
+  renderer.render(frame, progress);
   std::vector<double> times;
   std::map<std::string, double> passes;
-  scene::Camera start = frame.scene.camera;
   for (int i = 0; i < options.frames; ++i) {
-    frame.scene.camera = scene::turntable(start, 2.0 * 3.14159265358979 * (i + 0.37) / options.frames);
+    double turn = glm::radians(options.turnDeg) * (i + 0.37) / options.frames;
+    frame.scene.camera = scene::turntable(start, turn + (i % 2 ? -kLeastTurn : 0.0));
     renderer.render(frame, progress);
     times.push_back(renderer.stats().frameMs);
     for (const auto& [name, ms] : renderer.stats().passesMs) passes[name] += ms / options.frames;
@@ -69,6 +79,12 @@ Run registerBench(CLI::App& verb) {
   verb.add_option("--size", options->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
   verb.add_option("--frames", options->frames, "camera positions round the scene")
       ->check(CLI::Range(1, 10000))
+      ->capture_default_str();
+  verb.add_option("--turn", options->turnDeg, "degrees by which the camera goes round in all; 0: it rests")
+      ->capture_default_str();
+  verb.add_option("--coarse", options->coarse,
+                  "by how much pictures are smaller along each edge, as the window draws them while the camera moves")
+      ->check(CLI::Range(1.0, 16.0))
       ->capture_default_str();
   return [options] { return run(*options); };
 }

@@ -179,6 +179,8 @@ void FrameInputs::write(const FrameData& data) {
 /// A grid is made when the cuts change, not with every picture of them.
 void FrameInputs::writeCuts(const FrameData& data) {
   mCuts = bufferOf("cuts", data.cuts);
+  static_assert(sizeof(shared::CutData) == shared::kCutTexels * sizeof(glm::vec4));
+  mCutTexels = gpu::Texture::makeOfBuffer("cuts", gpu::Format::Rgba32f, mCuts);
   bool hasGrid = (data.params.flags & shared::kFlagCutGrid) != 0, hasSpares = !data.spares.isEmpty();
   bool isMade = mGridBox == data.params.sceneFromTex && mGridHasSpares == hasSpares && mGridCuts == data.cuts;
   if (hasGrid && isMade) return;
@@ -202,6 +204,7 @@ void FrameInputs::bind() const {
   mGradientFactors.bindSampler(shared::kGradientTableUnit);
   mNoise.bindSampler(shared::kNoiseUnit);
   mCuts.bindStorage(shared::kCutBinding);
+  mCutTexels.bindSampler(shared::kCutUnit);
   mCutGrid.bindStorage(shared::kCutGridBinding);
   mStructureTexels.bindSampler(shared::kStructureUnit);
   mSpareIndexTexels.bindSampler(shared::kSpareIndexUnit);

@@ -95,7 +95,7 @@ class FrameInputs {
   std::vector<shared::CutData> mGridCuts;  ///< What mCutGrid was made of,
   glm::mat4 mGridBox{0.0f};
   bool mGridHasSpares = false;
-  gpu::Texture mGradientFactors, mNoise, mTransferTexels, mExtinctionTexels, mStructureTexels, mSpareIndexTexels,
+  gpu::Texture mCutTexels, mGradientFactors, mNoise, mTransferTexels, mExtinctionTexels, mStructureTexels, mSpareIndexTexels,
       mSpareTexels;
 };
 

@@ -8,13 +8,13 @@ namespace velum::gui {
 constexpr double kFirstScaleSoftware = 6.0, kFirstScaleHardware = 1.5;
 /// and at most.
 constexpr double kLargestScale = 14.0;
-/// What the rays of one may take: leaves room for tables, light and the window's composition under 50 ms.
+/// What its rays and instances may take: leaves room for tables, light and the window's composition under 50 ms.
 constexpr double kCoarseTargetMs = 15.0;
 
-/// The scale of the next one. @param rayCastMs  what the rays of the last one took
-inline double adaptedScale(double scale, double rayCastMs) {
-  if (rayCastMs <= 1.2 * kCoarseTargetMs && rayCastMs >= 0.6 * kCoarseTargetMs) return scale;
-  double wanted = scale * std::sqrt(rayCastMs / kCoarseTargetMs);
+/// The scale of the next one. @param drawMs  what these took of the last one
+inline double adaptedScale(double scale, double drawMs) {
+  if (drawMs <= 1.2 * kCoarseTargetMs && drawMs >= 0.6 * kCoarseTargetMs) return scale;
+  double wanted = scale * std::sqrt(drawMs / kCoarseTargetMs);
   return std::clamp(0.5 * (scale + wanted), 1.0, kLargestScale);
 }
 

@@ -240,9 +240,13 @@ bool Viewport::finishStage() {
 }
 
 void Viewport::adaptCoarseScale() {
+  if (mStage != Stage::Coarse) return;
+  // Much of what instances take is for finding who shows, which is the same at any size: they are left three times as long.
   const auto& passes = mRenderer->stats().passesMs;
-  auto found = passes.find("RayCast");
-  if (mStage == Stage::Coarse && found != passes.end()) mCoarseScale = adaptedScale(mCoarseScale, found->second);
+  double ms = 0.0;
+  for (auto [name, share] : {std::pair("RayCast", 1.0), {"Instances", 1.0 / 3.0}})
+    if (auto found = passes.find(name); found != passes.end()) ms += share * found->second;
+  if (ms > 0.0) mCoarseScale = adaptedScale(mCoarseScale, ms);
 }
 
 void Viewport::tellProgress() {

@@ -19,6 +19,7 @@ namespace velum::render {
 namespace {
 
 constexpr std::uint32_t kSoftwareCulled = 1u << 17, kHardwareCulled = 1u << 24;  // instances that are culled at a time
+constexpr int kSoftwareShaded = 1 << 17;  // pixels at a time: some 20 ms
 constexpr double kPieceMs = 16.0, kMostGroups = 32768.0;  // of a piece that a software driver draws
 constexpr std::uint32_t kMostInstances = 1u << 27;        // over all copies: what numbers and buffers have room for
 constexpr int kLeastLightEdge = 128, kMostLightEdge = 1024;  // pixels of the light's view
@@ -308,11 +309,32 @@ void InstancePass::addSteps(const FrameData& data, int sample, WorkQueue& queue)
   addDraws(mEye, Phase::Others, true, queue);
   add(queue, [this, &data, sample] {
     if (sample == 0) mEye.noteSeen(mPrograms);
-    shade(data, sample);
+    beginShading(data, sample);
   });
+  // Openness first, all of it: a pixel looks at its neighbours'.
+  if (lighting.shaded) addStrips(mOpenness, (data.frame.windowSize + shared::kOpenStep - 1) / shared::kOpenStep, queue);
+  addStrips(mShade, data.frame.windowSize, queue);
 }
 
-void InstancePass::shade(const FrameData& data, int sample) {
+/// Strips of rows, each as much as a software driver has done before anybody notices.
+void InstancePass::addStrips(const gpu::Program& program, glm::ivec2 size, WorkQueue& queue) {
+  constexpr int kEdge = 8;  // of a group
+  int rows = mIsSoftware ? std::max(kSoftwareShaded / std::max(size.x, 1), 1) : size.y;
+  rows = (rows + kEdge - 1) / kEdge * kEdge;
+  for (int first = 0; first < size.y; first += rows)
+    add(queue, [this, &program, size, first, rows] {
+      bindShading();
+      if (&program == &mOpenness)
+        mOpen.bindImage(shared::kOpenImage, gpu::Access::Write);
+      else
+        mSurfaces.bindImages();
+      program.set(0, first);
+      gpu::dispatch(program, {(size.x + kEdge - 1) / kEdge, (std::min(rows, size.y - first) + kEdge - 1) / kEdge, 1});
+      gpu::barrier();
+    });
+}
+
+void InstancePass::beginShading(const FrameData& data, int sample) {
   const scene::Scene& scene = data.frame.scene;
   scene::ModelBox box = scene::modelBox(scene.model);
   glm::dvec3 forward(data.params.forward), eye = glm::dvec3(glm::vec3(data.params.eye));
@@ -339,6 +361,12 @@ void InstancePass::shade(const FrameData& data, int sample) {
   values.angstrom = float(scale);
   values.openShift = glm::ivec2(sample & 1, sample >> 1 & 1);
   mShadeParams.set(values);
+  glm::ivec2 places = (mEye.size() + shared::kOpenStep - 1) / shared::kOpenStep;
+  if (!mOpen || glm::ivec2(mOpen.size()) != places)
+    mOpen = gpu::Texture::make2d("openness", gpu::Format::Rgba32f, places);
+}
+
+void InstancePass::bindShading() const {
   bindRows();
   mEye.bindView();
   mLightView.bind(shared::kInstanceLightBinding);
@@ -346,18 +374,7 @@ void InstancePass::shade(const FrameData& data, int sample) {
   mEye.bindOwners();
   mEye.bindDepths(shared::kDepthUnit);
   (mHasLight ? mLight : mEye).bindDepths(shared::kShadowUnit);
-  glm::ivec2 places = (mEye.size() + shared::kOpenStep - 1) / shared::kOpenStep;
-  if (!mOpen || glm::ivec2(mOpen.size()) != places)
-    mOpen = gpu::Texture::make2d("openness", gpu::Format::Rgba32f, places);
-  if (scene.lighting.shaded) {
-    mOpen.bindImage(shared::kOpenImage, gpu::Access::Write);
-    gpu::dispatch(mOpenness, {(places.x + 7) / 8, (places.y + 7) / 8, 1});
-    gpu::barrier();
-  }
   mOpen.bindSampler(shared::kOpenUnit);
-  mSurfaces.bindImages();
-  gpu::dispatch(mShade, {(mEye.size().x + 7) / 8, (mEye.size().y + 7) / 8, 1});
-  gpu::barrier();
 }
 
 void InstancePass::bind(const FrameData&) const {

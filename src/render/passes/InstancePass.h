@@ -58,7 +58,9 @@ class InstancePass : public Pass {
   std::uint32_t atATime() const;
   void addDraws(mesoscale::InstanceTarget& target, Phase phase, bool owners, WorkQueue& queue);
   bool drawNext(mesoscale::InstanceTarget& target, Phase phase, bool owners);
-  void shade(const FrameData& data, int sample);
+  void beginShading(const FrameData& data, int sample);
+  void addStrips(const gpu::Program& program, glm::ivec2 size, WorkQueue& queue);
+  void bindShading() const;
 
   const SurfacePass& mSurfaces;
   const bool mIsSoftware;

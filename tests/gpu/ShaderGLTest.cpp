@@ -127,7 +127,7 @@ const Offset kFinishOffsets[] = {VELUM_OFFSET(FinishParams, contourColor),  VELU
                                  VELUM_OFFSET(FinishParams, reach),         VELUM_OFFSET(FinishParams, sphereRows),
                                  VELUM_OFFSET(FinishParams, cellsX),        VELUM_OFFSET(FinishParams, cellsY),
                                  VELUM_OFFSET(FinishParams, firstCellX),    VELUM_OFFSET(FinishParams, firstCellY),
-                                 VELUM_OFFSET(FinishParams, stepLength),      VELUM_OFFSET(FinishParams, padding2)};
+                                 VELUM_OFFSET(FinishParams, stepLength),      VELUM_OFFSET(FinishParams, passesPits)};
 
 TEST_F(ShaderGL, FinishParamsLieWhereTheDriverPutsThem) {
   auto members = membersOf("finish.h", "FinishParams");

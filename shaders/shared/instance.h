@@ -176,7 +176,8 @@ SHARED_FN float instanceRandom(uint instance, uint stream) {
 /// to d = falloff, share beyond; outside p(d) = 1 - (1 - share) amount (1 - (-d / -falloff)^exponent).
 /// Differs: distances are in the scene's unit, and the falloff goes over to the share rather than to nothing.
 SHARED_FN float typeSpareDepth(TypeSpareRow spare, float u) {
-  float whole = u < spare.share ? spare.distance : 0.0f;
+  // As deep as the falloff goes, too: no number stays where a smaller one does not.
+  float whole = u < spare.share ? max(spare.distance, spare.falloff) : 0.0f;
   float span = (1.0f - spare.share) * spare.amount;
   if (spare.falloff == 0.0f || span <= 0.0f) return whole;
   // Solved for d; outside, removed nearer than there. One power for both sides: a software driver works both out.

@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <sstream>
 
+#include "StandardInput.h"
 #include "velum/core/Error.h"
 #include "velum/core/Log.h"
 #include "velum/core/Text.h"
@@ -64,7 +65,8 @@ void loadNamedPictures(scene::Scene& scene, const std::vector<std::pair<std::str
 }  // namespace
 
 void addInput(CLI::App& verb, InputOptions& input, bool withScene) {
-  verb.add_option("input", input.inputs, "data file, DICOM folder, scene or picture of ours; then labels and surfaces")
+  verb.add_option("input", input.inputs,
+                  "data file, DICOM folder, scene or picture of ours, - for standard input; then labels and surfaces")
       ->required();
   verb.add_option("--series", input.series, "DICOM series UID, when a folder holds several");
   verb.add_option("--spacing", input.spacing, "voxel spacing x,y,z in mm, over the file's own")
@@ -207,7 +209,7 @@ int stopSignal() { return gSignal != 0 ? gSignal : SIGINT; }
 
 scene::Source firstSource(const InputOptions& input) {
   scene::Source source;
-  source.path = input.inputs.front();
+  source.path = fileOfInput(input.inputs.front());
   source.series = input.series;
   if (!input.raw.empty()) source.raw = parseRaw(input.raw);
   if (!input.spacing.empty()) source.spacing = {input.spacing[0], input.spacing[1], input.spacing[2]};
@@ -232,15 +234,15 @@ scene::Scene openScene(const InputOptions& input, double aspect) {
   if (!input.inputs.empty()) scene = session::open(firstSource(input), progress, policy);
   scene::Source source;
   for (std::size_t i = 1; i < input.inputs.size(); ++i) {
-    source.path = input.inputs[i];
+    source.path = fileOfInput(input.inputs[i]);
     session::add(scene, source, progress);
   }
   if (!input.labels.empty()) {
-    source.path = input.labels;
+    source.path = fileOfInput(input.labels);
     session::addLabels(scene, source, progress);
   }
   progress.report(1.0, "");
-  std::string first = input.inputs.empty() ? "" : input.inputs.front();
+  std::string first = input.inputs.empty() ? "" : fileOfInput(input.inputs.front());
   bool isScene =
       (first.ends_with(".json") && !io::looksLikeModel(first)) || first.ends_with(".png") || first.ends_with(".exr");
   if (!input.preset.empty()) scene::applyPreset(scene, input.preset);

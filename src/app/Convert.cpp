@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <variant>
+
 #include "Verbs.h"
 #include "velum/core/Error.h"
 #include "velum/io/labels/ReadLabels.h"
@@ -58,6 +60,19 @@ bool isOfModel(const scene::Scene& scene, const ConvertOptions& options) {
   return scene.model.data && session::isModelFile(options.output) && !wantsLabels;
 }
 
+/// What the input holds. @throw ArgumentError when it is no labels and surfaces are to be made of it
+std::variant<Volume, LabelVolume> readVoxels(const scene::Source& source, const ConvertOptions& options,
+                                             Progress& progress) {
+  if (options.labels) return io::readLabels(source, progress);
+  bool needsLabels = session::isSurfaceFile(options.output);
+  std::variant<Volume, LabelVolume> voxels;
+  if (!needsLabels || io::looksLikeLabels(source.path)) voxels = io::readVoxels(source, progress);
+  if (needsLabels && !std::holds_alternative<LabelVolume>(voxels))
+    throw ArgumentError(
+        fmt::format("{} does not look like labels, of which surfaces are made; say --labels if it is", source.path));
+  return voxels;
+}
+
 int run(const ConvertOptions& options) {
   Progress& progress = consoleProgress();
   scene::Source source = firstSource(options.input);
@@ -81,19 +96,17 @@ int run(const ConvertOptions& options) {
       tell(options.output, writeModel(std::move(scene), options, json));
     else
       tell(options.output, writeStructures(session::labelsOf(scene), options, json));
-  } else if (options.labels || (source.raw.dims.x == 0 && io::looksLikeLabels(source.path))) {
-    LabelVolume labels = io::readLabels(source, progress);
-    tell(source.path, labels.warnings);
-    tell(options.output, writeStructures(labels, options, json));
-  } else if (session::isSurfaceFile(options.output)) {
-    throw ArgumentError(
-        fmt::format("{} does not look like labels, of which surfaces are made; say --labels if it is", source.path));
   } else {
-    Volume volume = io::readVolume(source, progress);
-    tell(source.path, volume.warnings);
-    tell(options.output, io::writeVolume(volume, options.output, progress));
-    json["dims"] = {volume.dims.x, volume.dims.y, volume.dims.z};
-    json["type"] = std::string(enumName(volume.type));
+    auto voxels = readVoxels(source, options, progress);
+    std::visit([&](const auto& data) { tell(source.path, data.warnings); }, voxels);
+    if (const auto* labels = std::get_if<LabelVolume>(&voxels)) {
+      tell(options.output, writeStructures(*labels, options, json));
+    } else {
+      const Volume& volume = std::get<Volume>(voxels);
+      tell(options.output, io::writeVolume(volume, options.output, progress));
+      json["dims"] = {volume.dims.x, volume.dims.y, volume.dims.z};
+      json["type"] = std::string(enumName(volume.type));
+    }
   }
   progress.report(1.0, "");
   json["warnings"] = warnings;

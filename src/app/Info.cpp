@@ -1,7 +1,10 @@
 #include <fmt/format.h>
 
+#include <variant>
+
 #include <filesystem>
 
+#include "Text.h"
 #include "Verbs.h"
 #include "velum/core/Error.h"
 #include "velum/io/labels/ReadLabels.h"
@@ -167,17 +170,6 @@ Json describe(const Model& model) {
           {"warnings", model.warnings}};
 }
 
-void printForPeople(const Json& json) {
-  for (const auto& [key, value] : json.items()) {
-    if (value.is_array() && !value.empty() && value[0].is_object()) {
-      fmt::print("{}:\n", key);
-      for (const auto& item : value) fmt::print("  {}\n", item.dump());
-    } else {
-      fmt::print("{:<17} {}\n", key + ":", value.is_string() ? value.get<std::string>() : value.dump());
-    }
-  }
-}
-
 Json listTables(const InfoOptions& options) {
   Json json = Json::object();
   if (options.formats)
@@ -219,10 +211,10 @@ int run(const InfoOptions& options) {
       json = describe(io::readMesh(path, progress));
     else if (source.raw.dims.x == 0 && !options.labels && io::looksLikeModel(path))
       json = describe(io::readModel(path, progress));
-    else if (source.raw.dims.x == 0 && (options.labels || io::looksLikeLabels(path)))
+    else if (options.labels)
       json = describe(io::readLabels(source, progress));
     else
-      json = describe(io::readVolume(source, progress));
+      json = std::visit([](const auto& voxels) { return describe(voxels); }, io::readVoxels(source, progress));
     auto series = io::listSeries(path, progress);
     progress.report(1.0, "");
     for (const auto& s : series)

@@ -1,8 +1,11 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 
+#include "StandardInput.h"
+#include "Targets.h"
 #include "Verbs.h"
 #include "velum/core/Clock.h"
 #include "velum/core/Error.h"
@@ -20,6 +23,7 @@ namespace {
 struct RenderOptions {
   Common common;
   InputOptions input;
+  TargetOptions targets;
   std::string output, size = "1280x720", saveScene, section, animate;
   int samples = 0, frames = 0;
   double dpi = 0, timeout = 0;
@@ -82,7 +86,9 @@ int runSection(const RenderOptions& options) {
   scene::SectionKind kind = sectionKind(options.section);
   glm::ivec2 size = session::parsePictureSize(options.size, options.dpi);
   if (options.layers) throw ArgumentError("--layers: a section has none; leave it out with --section");
-  scene::Scene scene = openScene(options.input, double(size.x) / size.y);
+  double aspect = double(size.x) / size.y;
+  scene::Scene scene = openScene(options.input, aspect);
+  settleTargets(scene, options.targets, aspect, nullptr);
   Frames frames(options, scene);
   session::PictureOptions picture{size, 0, options.transparent, false, options.dpi};
   std::vector<std::string> outputs = outputNames(options);
@@ -111,11 +117,18 @@ int runSection(const RenderOptions& options) {
 }
 
 int run(const RenderOptions& options) {
+  const auto& inputs = options.input.inputs;
+  bool isFromStandardInput = std::find(inputs.begin(), inputs.end(), kStandardInput) != inputs.end();
+  if (isFromStandardInput && !options.saveScene.empty())
+    throw ArgumentError("--save-scene: data from standard input has no file that a scene could name; give its path");
   if (!options.section.empty()) return runSection(options);
   glm::ivec2 size = session::parsePictureSize(options.size, options.dpi);
   auto context = gpu::Context::create(options.common.context);
   render::Renderer renderer(*context);
-  scene::Scene scene = openScene(options.input, double(size.x) / size.y);
+  double aspect = double(size.x) / size.y;
+  scene::Scene scene = openScene(options.input, aspect);
+  session::PictureCounter counter(renderer, size, context->limits(), consoleProgress());
+  auto settled = settleTargets(scene, options.targets, aspect, &counter);
   if (options.bruteForce) scene.rayCast.skipEmpty = scene.rayCast.stopOpaque = false;
   session::PictureOptions picture{size, options.samples, options.transparent, options.layers, options.dpi};
 
@@ -149,6 +162,8 @@ int run(const RenderOptions& options) {
                  {"reduction", stats.reduction},
                  {"output", options.output}};
     if (options.frames > 0) json["outputs"] = outputs;
+    if (settled)
+      for (const auto& target : settled->targets) json["targets"].push_back(targetJson(target));
     printJson(json, options.output == "-" ? stderr : stdout);
   }
   return 0;
@@ -167,6 +182,7 @@ Run registerRender(CLI::App& verb) {
   verb.add_option("--dpi", options->dpi,
                   "pixels an inch in print: for sizes with a unit (else 300), and told in the file")
       ->check(CLI::Range(1.0, 10000.0));
+  addTargets(verb, options->targets);
   verb.add_option("--section", options->section, "a section view instead of the 3D picture: axial, coronal, sagittal");
   verb.add_option("--samples", options->samples, "pictures that are averaged, 1 to 256; default: as the scene says")
       ->check(CLI::Range(1, 256));

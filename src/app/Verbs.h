@@ -12,11 +12,13 @@ Run registerInfo(CLI::App& verb);
 Run registerRender(CLI::App& verb);
 Run registerMembrane(CLI::App& verb);
 Run registerGrow(CLI::App& verb);
+Run registerCount(CLI::App& verb);
 Run registerBench(CLI::App& verb);
 Run registerCompare(CLI::App& verb);
 Run registerSample(CLI::App& verb);
 Run registerConvert(CLI::App& verb);
 Run registerRecover(CLI::App& verb);
 Run registerView(CLI::App& verb);
+Run registerCompletion(CLI::App& verb);
 
 }  // namespace velum::app

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 
@@ -7,6 +8,25 @@
 #include "velum/core/Error.h"
 #include "velum/core/GuardWrites.h"
 #include "velum/core/Log.h"
+#include "velum/core/NearestName.h"
+#include "velum/core/Text.h"
+
+namespace {
+
+using Verbs = std::vector<std::pair<CLI::App*, velum::app::Run>>;
+
+/// What to say of a first word that is no verb; empty where it is one, or an option.
+std::string unknownVerb(int argc, char** argv, const Verbs& verbs) {
+  std::string word = argc > 1 ? argv[1] : "";
+  std::vector<std::string> names;
+  for (const auto& [verb, run] : verbs) names.push_back(verb->get_name());
+  if (word.empty() || word[0] == '-' || std::find(names.begin(), names.end(), word) != names.end()) return {};
+  std::string meant = velum::nearestName(word, names);
+  return fmt::format("there is no verb '{}'{}; verbs are {}", velum::printable(word),
+                     meant.empty() ? "" : fmt::format(" (is '{}' meant?)", meant), fmt::join(names, ", "));
+}
+
+}  // namespace
 
 /// velum-batch: every verb of Velum without a display. Errors are one line on stderr; exit codes are those of ExitCode.
 int main(int argc, char** argv) {
@@ -14,6 +34,11 @@ int main(int argc, char** argv) {
   guardWrites();
   CLI::App program("velum-batch: volumes, cut open. Not a medical device.");
   program.set_version_flag("--version", VELUM_VERSION);
+  program.footer(
+      "Each verb says its options: velum-batch VERB --help. A file that is called - is standard input.\n"
+      "Exit codes: 0 done, 1 the command line is wrong, 2 an input cannot be read or an output not be written,\n"
+      "3 there is no graphics driver that will do, 4 pictures differ (compare), 128 and more: stopped by a signal\n"
+      "(142: after --timeout).");
   program.require_subcommand(1);
   // The verbs.
   struct Row {
@@ -26,13 +51,15 @@ int main(int argc, char** argv) {
       {"render", "make a picture", app::registerRender},
       {"membrane", "settle the membranes of a scene and report", app::registerMembrane},
       {"grow", "grow a structure out of a volume, and report", app::registerGrow},
+      {"count", "say how many instances of a model show, are hidden, are cut away", app::registerCount},
       {"bench", "turn the camera and time frames", app::registerBench},
       {"compare", "picture against picture", app::registerCompare},
       {"sample", "make a phantom with ground truth", app::registerSample},
       {"convert", "between formats of volumes and labels; labels to surfaces", app::registerConvert},
       {"recover", "unsaved work of sessions that have died", app::registerRecover},
-      {"view", "a bare window", app::registerView}};
-  std::vector<std::pair<CLI::App*, app::Run>> verbs;
+      {"view", "a bare window", app::registerView},
+      {"completion", "what a shell needs to complete these words", app::registerCompletion}};
+  Verbs verbs;
   for (const Row& row : kVerbs) {
     CLI::App* verb = program.add_subcommand(row.name, row.doc);
     verbs.emplace_back(verb, row.registerVerb(*verb));
@@ -44,7 +71,9 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return program.exit(error);
     std::string_view what = error.what();
-    log::say(fmt::format("velum-batch: {}; see velum-batch --help", what.substr(0, what.find('\n'))));
+    std::string stranger = unknownVerb(argc, argv, verbs);
+    log::say(fmt::format("velum-batch: {}; see velum-batch --help",
+                         stranger.empty() ? what.substr(0, what.find('\n')) : stranger));
     return static_cast<int>(ExitCode::Usage);
   }
   // The one that was asked for; every error becomes one line and its exit code.

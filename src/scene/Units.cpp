@@ -70,16 +70,27 @@ void scaleLengths(Scene& scene, double factor) {
 LengthFormat lengthFormat(const Scene& scene) {
   bool isEmpty = !scene.volume.data && !scene.labels.data;
   double voxel = isEmpty ? 1.0 : std::clamp(sectionStep(scene), 1e-9, 1e9);
-  return {scene.unit, std::clamp(int(std::floor(1.5 - std::log10(voxel))), voxel < 100.0 ? 1 : 0, 9)};
+  LengthFormat format{scene.unit, symbolOf(scene.unit), 1.0, 1};
+  // Below that a millimetre is many voxels wide, and numbers would be mostly noughts.
+  constexpr double kFinest = 0.02;
+  if (scene.unit == LengthUnit::Millimetre && voxel < kFinest) {
+    bool isMicro = voxel >= kFinest * 1e-3;
+    format.symbol = isMicro ? "\xc2\xb5m" : "nm";
+    format.toldPerLength = isMicro ? 1e3 : 1e6;
+  }
+  voxel *= format.toldPerLength;
+  format.decimals = std::clamp(int(std::floor(1.5 - std::log10(voxel))), voxel < 100.0 ? 1 : 0, 9);
+  return format;
 }
 
 std::string lengthNumber(const LengthFormat& format, double length, bool isSigned) {
+  length *= format.toldPerLength;
   if (std::abs(length) < 0.5 * std::pow(10.0, -format.decimals)) length = 0.0;
   return isSigned ? fmt::format("{:+.{}f}", length, format.decimals) : fmt::format("{:.{}f}", length, format.decimals);
 }
 
 std::string lengthText(const LengthFormat& format, double length, bool isSigned) {
-  return fmt::format("{} {}", lengthNumber(format, length, isSigned), symbolOf(format.unit));
+  return fmt::format("{} {}", lengthNumber(format, length, isSigned), format.symbol);
 }
 
 }  // namespace velum::scene

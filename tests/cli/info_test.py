@@ -59,7 +59,7 @@ class Info(CliTest):
         self.assertEqual(report["perType"][0]["mass"], 550)
         self.assertLess(report["bounds"][0][0], 0)
         self.assertGreater(report["bounds"][1][0], 15.2)
-        self.assertIn("perType:", self.run_batch("info", "a.pdb").stdout.decode())
+        self.assertIn("1 of 1 types", self.run_batch("info", "a.pdb").stdout.decode())
         (self.folder / "b.pdb").write_text(atom.format(1, 1, 1)[:40])
         self.refuse("info", "b.pdb", code=2)
 
@@ -89,9 +89,15 @@ class Info(CliTest):
 
     def test_for_people_it_is_text(self):
         said = self.run_batch("info", self.sample()).stdout.decode()
-        self.assertIn("dims", said)
+        for words in ("two-spheres: volume", "voxels", "32 x 32 x 32", " mm"):
+            self.assertIn(words, said)
         with self.assertRaises(ValueError):
             json.loads(said)
+        labels = self.run_batch("info", self.folder / "two-spheres_labels.seg.nrrd").stdout.decode()
+        for words in ("labels", " ml", " cm2"):
+            self.assertIn(words, labels)
+        # Every number is one that people write.
+        self.assertNotRegex(said + labels, r"\d\.\d+e[+-]\d|\d\.\d{6,}|null|\[")
 
     def test_a_name_that_is_no_utf8_still_gives_json(self):
         path = self.sample()

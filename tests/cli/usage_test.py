@@ -1,5 +1,8 @@
 """Exit codes and errors of the command line itself."""
+import json
 import os
+import re
+import shutil
 import subprocess
 import unittest
 
@@ -16,6 +19,52 @@ class Usage(CliTest):
                           ["render", "a.nrrd", "-o", "x.png", "--context", "vulkan"], ["info"]):
             with self.subTest(arguments=arguments):
                 self.refuse(*arguments, code=1)
+
+    def test_an_unknown_verb_is_named_with_the_one_that_is_meant(self):
+        self.refuse("rendre", "a.nrrd", code=1, words=["'rendre'", "is 'render' meant?", "compare"])
+        self.refuse("paint", code=1, words=["'paint'", "render"])
+
+    def test_help_says_the_exit_codes(self):
+        said = self.run_batch("--help").stdout.decode()
+        for words in ("Exit codes", "0 ", "1 ", "2 ", "3 ", "4 "):
+            self.assertIn(words, said)
+
+    def test_completions_know_every_option_of_every_verb(self):
+        table = json.loads(self.run_batch("completion", "bash", "--json").stdout)
+        for verb in VERBS:
+            options = set(re.findall(r"^ +(?:-\w,)?(--[\w-]+)", self.run_batch(verb, "--help").stdout.decode(), re.M))
+            self.assertGreater(len(options), 1, verb)
+            self.assertLessEqual(options - {"--help"}, set(table[verb]), verb)
+        self.assertEqual(sorted(table["render"]["--context"]), ["auto", "egl", "osmesa"])
+        for shell, check in (("bash", ["bash", "-n"]), ("zsh", ["zsh", "-n"]), ("fish", ["fish", "-n"])):
+            script = self.run_batch("completion", shell).stdout
+            self.assertIn(b"--size" if shell != "fish" else b"-l size", script)
+            if shutil.which(check[0]):
+                subprocess.run(check, input=script, check=True, timeout=60)
+        # What a shell makes of it.
+        script = self.run_batch("completion", "bash").stdout.decode()
+        for words, at, wanted in (("ren", 1, ["render"]), ("render --sam", 2, ["--samples"]), ("info --context e", 3, ["egl"])):
+            done = subprocess.run(["bash", "-c", script + f'COMP_WORDS=(velum-batch {words}); COMP_CWORD={at}; _velum_batch; '
+                                   'printf "%s\\n" "${COMPREPLY[@]}"'], capture_output=True, timeout=60)
+            self.assertEqual(done.stdout.decode().split(), wanted, done.stderr)
+
+    def test_data_comes_from_standard_input(self):
+        path = self.sample()
+        wanted = self.report("info", path)
+        with open(path, "rb") as data:
+            done = subprocess.run([os.environ["VELUM_BATCH"], "info", "-", "--json"], stdin=data, capture_output=True, timeout=60)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        got = json.loads(done.stdout)
+        self.assertEqual({**got, "name": ""}, {**wanted, "name": ""})
+        piped = subprocess.run(["sh", "-c", f"cat {path} | {os.environ['VELUM_BATCH']} convert - out.nii.gz"], cwd=self.folder,
+                               capture_output=True, timeout=60)
+        self.assertEqual(piped.returncode, 0, piped.stderr)
+        self.assertEqual(self.report("info", "out.nii.gz")["dims"], wanted["dims"])
+        for arguments, code in ((["info", "-"], 2), (["render", "-", "-o", "a.png", "--save-scene", "a.json"], 1)):
+            empty = subprocess.run([os.environ["VELUM_BATCH"], *arguments], stdin=subprocess.DEVNULL, cwd=self.folder,
+                                   capture_output=True, timeout=60)
+            self.assertEqual(empty.returncode, code, empty.stderr)
+            self.assertIn(b"standard input", empty.stderr)
 
     def test_help_and_version_exit_0(self):
         self.assertIn(b"render", self.run_batch("--help").stdout)

@@ -4,6 +4,7 @@
 
 #include <QFile>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
@@ -404,6 +405,47 @@ TEST_F(DocumentWindow, ARenamedFileIsFoundAndSaid) {
   ASSERT_TRUE(open("f.json"));
   EXPECT_TRUE(mWindow->document().scene().volume.data);
   EXPECT_TRUE(mWindow->messages().text().contains("other.nrrd")) << mWindow->messages().text().toStdString();
+}
+
+/// Types a name into the next dialog that asks for one, and presses Enter.
+void typeName(const QString& name) {
+  QTimer::singleShot(0, [name] {
+    QLineEdit* edit = nullptr;
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] {
+          auto* dialog = QApplication::activeModalWidget();
+          edit = dialog ? dialog->findChild<QLineEdit*>("fileNameEdit") : nullptr;
+          return edit != nullptr;
+        },
+        10000));
+    edit->setText(name);
+    QTest::keyClick(edit, Qt::Key_Return);
+  });
+}
+
+TEST_F(DocumentWindow, AFileIsWrittenUnderTheNameThatIsTyped) {
+  ASSERT_TRUE(open("phantom.nrrd"));
+  std::filesystem::path other = mFolder / "elsewhere";
+  std::filesystem::create_directories(other);
+  for (const char* name : {"a \"quoted\" name.json", "\"all\".json", "Sch\u00e4del gr\u00f6\u00dfe.json",
+                           "\u982d\u84cb.json", "it's 5 o'clock.json", "two  blanks.json"}) {
+    SCOPED_TRACE(name);
+    // Where it is, and with the way to it.
+    typeName(QString::fromUtf8(name));
+    mWindow->actions().find("file.saveSceneAs")->trigger();
+    EXPECT_TRUE(std::filesystem::exists(mFolder / name));
+    typeName(QString::fromStdString((other / name).string()));
+    mWindow->actions().find("file.saveSceneAs")->trigger();
+    EXPECT_TRUE(std::filesystem::exists(other / name));
+    EXPECT_EQ(mWindow->session().file().scenePath(), (other / name).string());
+    mWindow->session().file().save((mFolder / "back.json").string());
+  }
+  typeName("Fig. 3");
+  mWindow->actions().find("file.saveSceneAs")->trigger();
+  EXPECT_TRUE(std::filesystem::exists(mFolder / "Fig. 3.json")) << "a number is no kind of file";
+  std::size_t files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(other)) files += entry.is_regular_file();
+  EXPECT_EQ(files, 6u) << "and no other";
 }
 
 }  // namespace

@@ -164,6 +164,63 @@ TEST(Dicom, TwoSeriesAreListedAndChosen) {
   EXPECT_EQ(read(folder / "b0").dims.z, 2);
 }
 
+/// As a hospital's medium has them: folders in folders, an index, and what is no image.
+void writeMedium(const TempFolder& folder) {
+  for (auto [sub, series, count] : {std::tuple("PA000001/ST1/SE1", "1.2.3.4", 4), {"PA000001/ST1/SE2", "1.2.3.5", 2}}) {
+    std::filesystem::create_directories(folder / sub);
+    for (int z = 0; z < count; ++z) {
+      Slice slice;
+      slice.name = fmt::format("{}/IM{}", sub, z);
+      slice.series = series;
+      slice.position = {0, 0, 2.5 * z};
+      slice.value = std::int16_t(100 * z);
+      writeSlice(folder, slice);
+    }
+  }
+  writeText(folder / "PA000001/README.TXT", "viewer");
+  gdcm::Writer writer;
+  gdcm::DataSet& set = writer.GetFile().GetDataSet();
+  putText(set, gdcm::Tag(0x0008, 0x0016), gdcm::VR::UI, "1.2.840.10008.1.3.10");
+  putText(set, gdcm::Tag(0x0008, 0x0018), gdcm::VR::UI, "1.2.3.99");
+  writer.GetFile().GetHeader().SetDataSetTransferSyntax(gdcm::TransferSyntax::ExplicitVRLittleEndian);
+  writer.SetCheckFileMetaInformation(true);
+  writer.SetFileName((folder / "DICOMDIR").c_str());
+  ASSERT_TRUE(writer.Write());
+}
+
+TEST(Dicom, FoldersBelowAreSearchedAndAnIndexOpensThem) {
+  TempFolder folder;
+  writeMedium(folder);
+  // A viewer's copy of one series, as media have it, is not a second stack of the same images.
+  std::filesystem::create_directories(folder / "VIEWER");
+  std::filesystem::copy(folder / "PA000001/ST1/SE1", folder / "VIEWER/SE1");
+  Progress progress;
+  for (const std::filesystem::path& path :
+       {folder.path(), std::filesystem::path(folder.path().string() + "/"), folder / "DICOMDIR"}) {
+    SCOPED_TRACE(path);
+    auto series = listSeries(path, progress);
+    ASSERT_EQ(series.size(), 2u);
+    EXPECT_EQ(series[0].imageCount, 4);
+    EXPECT_EQ(series[1].imageCount, 2);
+    EXPECT_EQ(read(path).dims.z, 4);
+    scene::Source source;
+    source.path = path.string();
+    source.series = "1.2.3.5";
+    EXPECT_EQ(readVolume(source, progress).dims.z, 2);
+    Volume image = readSeriesImage(series[0], progress);
+    EXPECT_EQ(image.dims, glm::ivec3(8, 8, 1));
+    EXPECT_EQ(valueAt(image, {3, 3, 0}), 200 - 1024) << "the middle one of four";
+  }
+}
+
+TEST(Dicom, TheSearchOfFoldersCanBeStopped) {
+  TempFolder folder;
+  writeMedium(folder);
+  Progress progress;
+  progress.cancel();
+  EXPECT_THROW(listSeries(folder.path(), progress), Cancelled);
+}
+
 TEST(Dicom, AFileOfAnotherFormatListsNoSeries) {
   TempFolder folder;
   Progress progress;

@@ -53,6 +53,27 @@ TEST(SceneJson, AnyDoubleSurvivesExactly) {
   EXPECT_TRUE(fromJson(toJson(scene)) == scene);
 }
 
+TEST(SceneJson, AnErrorNamesItsLine) {
+  for (auto [text, line] : {std::pair("{\"velum\": 2,\n  \"rayCast\": {\n    \"mode\": mip}}", "line 3"),
+                            {"{\"velum\": 2,\n\n", "line 3"},
+                            {"{\n\"velum\" 2}", "line 2"}})
+    EXPECT_NE(messageOf(text).find(line), std::string::npos) << messageOf(text);
+  EXPECT_NE(messageOf("{\"velum\": 1e999}").find("1e999"), std::string::npos) << "a number beyond all";
+  EXPECT_LT(messageOf("{\"velum\": \"" + std::string(100'000, 'a')).size(), 300u);
+}
+
+TEST(SceneJson, AnUnknownFieldIsNamedWithTheOneThatIsMeant) {
+  testing::internal::CaptureStderr();
+  Scene scene = fromJson(
+      R"({"velum": 2, "rayCats": {}, "rayCast": {"stepVoxel": 2, "mdoe": "mip", "qqq": 1}, "cuts": [{"centr": [1, 2, 3]}]})");
+  std::string said = testing::internal::GetCapturedStderr();
+  for (const char* words : {"'rayCats' (is 'rayCast' meant?)", "'stepVoxel' (is 'stepVoxels' meant?)",
+                            "'mdoe' (is 'mode' meant?)", "'qqq'", "'centr' (is 'centre' meant?)"})
+    EXPECT_NE(said.find(words), std::string::npos) << words << " in " << said;
+  EXPECT_EQ(said.find("'qqq' (is"), std::string::npos) << "nothing is near";
+  EXPECT_EQ(scene.rayCast, RayCast{}) << "what is unknown is left out";
+}
+
 TEST(SceneJson, AMissingFieldKeepsItsDefault) {
   EXPECT_TRUE(fromJson(R"({"velum": 1})") == Scene{});
   Scene scene = fromJson(R"({"velum": 1, "rayCast": {"mode": "mip"}})");

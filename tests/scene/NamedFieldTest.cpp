@@ -50,6 +50,27 @@ TEST(NamedField, AStructureIsReachedByNameOrId) {
   EXPECT_EQ(scene.labels.structures[0].name, "Aorta");
 }
 
+TEST(NamedField, WhatACutSparesIsSaidByNameOrId) {
+  Scene scene = organs();
+  setField(scene, "cuts.0.spares", "aorta, V. cava [inf]");
+  EXPECT_EQ(scene.cuts[0].spares, (std::vector<Spare>{{2}, {5}}));
+  setField(scene, "cuts.0.spares.+", "AORTA");
+  EXPECT_EQ(scene.cuts[0].spares.back(), Spare{2});
+  setField(scene, "cuts[Plane 2].spares", "41,aorta");
+  EXPECT_EQ(scene.cuts[1].spares, (std::vector<Spare>{{41}, {2}}));
+  setField(scene, "cuts.0.spares.0.structure", "V. cava [inf]");
+  EXPECT_EQ(scene.cuts[0].spares[0].structure, 5);
+  for (auto [value, word] :
+       {std::pair("liver", "aorta (2)"), {"aorta,rib", "2 items"}, {"aorta,", "labels.structures"}}) {
+    try {
+      setField(scene, "cuts.0.spares", value);
+      ADD_FAILURE() << value;
+    } catch (const ArgumentError& error) {
+      expectMentions(error.what(), {word});
+    }
+  }
+}
+
 TEST(NamedField, ANameThatIsANumberGoesBeforeTheId) {
   Scene scene = organs();
   scene.labels.structures[4].id = 7;

@@ -1,5 +1,6 @@
 #pragma once
 #include <string>
+#include <string_view>
 
 #include "velum/scene/Scene.h"
 
@@ -9,10 +10,12 @@ namespace velum::scene {
 /// of the data that is so much larger. Data that the scene holds stay as they are.
 void scaleLengths(Scene& scene, double factor);
 
-/// How lengths are told to people: in the scene's unit, with as many decimals as its data is fine.
+/// How lengths are told to people: in the unit that suits how fine the data is, with as many decimals.
 struct LengthFormat {
-  LengthUnit unit = LengthUnit::Millimetre;
-  int decimals = 1;  ///< down to a tenth of a voxel, about
+  LengthUnit unit = LengthUnit::Millimetre;  ///< of the scene, and of the lengths that are given
+  std::string_view symbol = "mm";            ///< of the unit that is told: data finer than 20 um are told in um or nm
+  double toldPerLength = 1.0;                ///< what a length is multiplied with to be in it
+  int decimals = 1;                          ///< down to a tenth of a voxel, about
   bool operator==(const LengthFormat&) const = default;
 };
 LengthFormat lengthFormat(const Scene& scene);

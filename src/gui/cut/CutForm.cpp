@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kFar = 1e9;
 
-void setQuietly(QDoubleSpinBox* spin, double value) {
+void setQuietly(NumberField* spin, double value) {
   const QSignalBlocker quiet(spin);
   spin->setValue(value);
 }
@@ -56,11 +56,10 @@ void CutForm::editCut(const char* label, const std::function<void(scene::Cut&)>&
   editSelectedCut(mDocument, mSelection, label, change, merge);
 }
 
-QDoubleSpinBox* CutForm::makeSpin(QWidget* parent, double min, double max, const QString& suffix) {
-  auto* spin = new QDoubleSpinBox(parent);
+NumberField* CutForm::makeSpin(QWidget* parent, double min, double max, const QString& suffix) {
+  auto* spin = new NumberField(parent);
   spin->setRange(min, max);
   spin->setDecimals(1);
-  spin->setKeyboardTracking(false);
   spin->setSuffix(suffix);
   spin->setAlignment(Qt::AlignRight);
   spin->setMinimumWidth(40);
@@ -69,8 +68,7 @@ QDoubleSpinBox* CutForm::makeSpin(QWidget* parent, double min, double max, const
 }
 
 /// Three numbers side by side. @param change  told which one, and its new value
-QWidget* CutForm::makeTriple(QDoubleSpinBox* (&spins)[3], const QString& name,
-                             std::function<void(int, double)> change) {
+QWidget* CutForm::makeTriple(NumberField* (&spins)[3], const QString& name, std::function<void(int, double)> change) {
   auto* row = new QWidget(this);
   auto* layout = makeTight(row);
   for (int i = 0; i < 3; ++i) {
@@ -98,11 +96,9 @@ void CutForm::makePlace() {
   });
   const QString tips[] = {tr("Centre: towards the patient's left"), tr("Centre: towards posterior"),
                           tr("Centre: towards superior")};
-  const QString prefixes[] = {tr("L "), tr("P "), tr("S ")};
   for (int i = 0; i < 3; ++i) {
     mCentre[i]->setToolTip(tips[i]);
     mCentre[i]->setAccessibleName(tips[i]);
-    mCentre[i]->setPrefix(prefixes[i]);
   }
   mCentreLabel = addRow(tr("Centre"), row);
   mCentreLabel->setToolTip(tr("In the patient's axes"));
@@ -221,6 +217,16 @@ void CutForm::makeFace() {
   connect(mFaceOpacity, &NumberRow::settled, this, [this] { mDocument.endMerge(); });
 }
 
+void CutForm::showDirections() {
+  const QString positive[] = {tr("L"), tr("P"), tr("S")}, negative[] = {tr("R"), tr("A"), tr("I")},
+                axes[] = {"x ", "y ", "z "};
+  bool known = hasPatientLetters(mDocument.scene());
+  for (int i = 0; i < 3; ++i) {
+    mCentre[i]->setDirections(known ? positive[i] : QString(), known ? negative[i] : QString());
+    mCentre[i]->setPrefix(known ? QString() : axes[i]);
+  }
+}
+
 /// The numbers that the shape has, with names that fit.
 void CutForm::showSize(const scene::Cut& cut) {
   const auto& sizes = session::traitsOf(cut.shape).sizes;
@@ -242,8 +248,9 @@ void CutForm::showSize(const scene::Cut& cut) {
 void CutForm::showCut(const scene::Cut& cut) {
   mShown = cut;
   Length length(mDocument.scene());
-  for (auto* spin : mCentre) length.showIn(*spin, false, false);
-  for (auto* spin : mSize) length.showIn(*spin, true, false);
+  showDirections();
+  for (auto* spin : mCentre) spin->setFreeLength(length, false, false);
+  for (auto* spin : mSize) spin->setFreeLength(length, true, false);
   mPosition->setLength(length);
   mCentreLabel->setText(tr("Centre, %1").arg(length.unit()));
   mSizeLabel->setText(tr("Size, %1").arg(length.unit()));

@@ -22,13 +22,14 @@ class CutForm : public QWidget {
  private:
   void editCut(const char* label, const std::function<void(scene::Cut&)>& change, bool merge = false);
   QLabel* addRow(const QString& name, QWidget* control);
-  QWidget* makeTriple(QDoubleSpinBox* (&spins)[3], const QString& name, std::function<void(int, double)> change);
-  QDoubleSpinBox* makeSpin(QWidget* parent, double min, double max, const QString& suffix);
+  QWidget* makeTriple(NumberField* (&spins)[3], const QString& name, std::function<void(int, double)> change);
+  NumberField* makeSpin(QWidget* parent, double min, double max, const QString& suffix);
   void makePlace();
   void makeDirection();
   QWidget* makeAlign();
   void makeSize();
   void makeFace();
+  void showDirections();
   void showSize(const scene::Cut& cut);
   void align(glm::dvec3 axis);
 
@@ -39,7 +40,7 @@ class CutForm : public QWidget {
   QLabel *mPositionLabel = nullptr, *mAxisLabel = nullptr, *mAlignLabel = nullptr, *mCentreLabel = nullptr,
          *mSizeLabel = nullptr, *mFaceOpacityLabel = nullptr;
   QWidget *mAxisRow = nullptr, *mAlignRow = nullptr;
-  QDoubleSpinBox *mCentre[3] = {}, *mSize[3] = {}, *mAzimuth = nullptr, *mElevation = nullptr, *mSpin = nullptr;
+  NumberField *mCentre[3] = {}, *mSize[3] = {}, *mAzimuth = nullptr, *mElevation = nullptr, *mSpin = nullptr;
   QWidget* mSizeRow = nullptr;
   QComboBox* mFace = nullptr;
   QPushButton* mFlip = nullptr;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kDaltonPerKilo = 1000.0;
 
-void setQuietly(QDoubleSpinBox* spin, double value) {
+void setQuietly(NumberField* spin, double value) {
   const QSignalBlocker quiet(spin);
   spin->setValue(value);
 }
@@ -139,17 +139,16 @@ void TypeSpareList::makeRows(QVBoxLayout* layout) {
 
 /// From, to: of types outside nothing is left. 0 as the end means that there is none.
 QWidget* TypeSpareList::makeRange(const QString& name, const QString& suffix, int decimals, double factor,
-                                  double scene::Cut::*least, double scene::Cut::*most, QDoubleSpinBox* (&spins)[2]) {
+                                  double scene::Cut::*least, double scene::Cut::*most, NumberField* (&spins)[2]) {
   auto* row = new QWidget(this);
   auto* layout = new QHBoxLayout(row);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(5);
   for (bool isMost : {false, true}) {
-    auto* spin = spins[isMost] = new QDoubleSpinBox(row);
+    auto* spin = spins[isMost] = new NumberField(row);
     spin->setRange(0.0, 1e9);
     spin->setDecimals(decimals);
     spin->setSuffix(suffix);
-    spin->setKeyboardTracking(false);
     spin->setAlignment(Qt::AlignRight);
     spin->setMinimumWidth(40);
     spin->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);

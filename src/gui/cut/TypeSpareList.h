@@ -1,6 +1,5 @@
 #pragma once
 #include <QCheckBox>
-#include <QDoubleSpinBox>
 #include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -32,7 +31,7 @@ class TypeSpareList : public QWidget {
   NumberRow* addNumber(QGridLayout* grid, const QString& name, const char* objectName, const QString& tip,
                        NumberRow* row);
   QWidget* makeRange(const QString& name, const QString& suffix, int decimals, double factor, double scene::Cut::*least,
-                     double scene::Cut::*most, QDoubleSpinBox* (&spins)[2]);
+                     double scene::Cut::*most, NumberField* (&spins)[2]);
   void showSelected();
   void showMenu(QPoint place);
 
@@ -43,7 +42,7 @@ class TypeSpareList : public QWidget {
   QLabel* mRow = nullptr;
   NumberRow *mShare = nullptr, *mFalloff = nullptr, *mAmount = nullptr, *mExponent = nullptr;
   QCheckBox* mWhole = nullptr;
-  QDoubleSpinBox *mMass[2] = {}, *mCount[2] = {};
+  NumberField *mMass[2] = {}, *mCount[2] = {};
   scene::Cut mCut;
 };
 

@@ -64,13 +64,12 @@ GrowthForm::GrowthForm(session::Session& session, QWidget* parent) : QWidget(par
   grid->addWidget(mText, 3, 0, 1, 3);
 }
 
-QDoubleSpinBox* GrowthForm::addNumber(const char* name, const QString& spoken, const QString& tip, const QString& step,
-                                      const std::function<void(scene::Growth&, double)>& change) {
-  auto* spin = new QDoubleSpinBox(this);
+NumberField* GrowthForm::addNumber(const char* name, const QString& spoken, const QString& tip, const QString& step,
+                                   const std::function<void(scene::Growth&, double)>& change) {
+  auto* spin = new NumberField(this);
   spin->setObjectName(name);
   spin->setAccessibleName(spoken);
   spin->setToolTip(tip);
-  spin->setKeyboardTracking(false);
   session::Document& document = mSession.document();
   connect(spin, &QDoubleSpinBox::valueChanged, this, [this, &document, step, change](double value) {
     document.edit(
@@ -103,7 +102,7 @@ void GrowthForm::showNumbers(const Volume& volume, const scene::Growth& grown) {
   bool isWhole = volume.type != SampleType::Float32 && volume.scale == 1.0;
   int decimals = std::max(0, 3 - int(std::floor(std::log10(std::max(range, 1e-12)))));
   QString unit = volume.unit.empty() ? QString() : " " + QString::fromStdString(volume.unit);
-  auto show = [range](QDoubleSpinBox* spin, double low, double high, int digits, const QString& suffix, double value) {
+  auto show = [range](NumberField* spin, double low, double high, int digits, const QString& suffix, double value) {
     const QSignalBlocker quiet(spin);
     spin->setDecimals(digits);
     spin->setRange(low, high);
@@ -113,10 +112,10 @@ void GrowthForm::showNumbers(const Volume& volume, const scene::Growth& grown) {
   };
   show(mLow, volume.range.x, volume.range.y, isWhole ? 0 : decimals, unit, grown.low);
   show(mHigh, volume.range.x, volume.range.y, isWhole ? 0 : decimals, unit, grown.high);
-  show(mSteepest, 0.0, 1e6, decimals, unit + "/" + Length(mSession.document().scene()).unit(),
+  show(mSteepest, 0.0, 1e6, decimals, unit + "/" + Length(mSession.document().scene()).sceneUnit(),
        std::isfinite(grown.steepest) ? grown.steepest : 0.0);
   const QSignalBlocker quietClosing(mClosing), quietHoles(mFillHoles);
-  Length(mSession.document().scene()).showIn(*mClosing, false);
+  mClosing->setFreeLength(Length(mSession.document().scene()), false);
   mClosing->setMinimum(0.0);
   mClosing->setSingleStep(scene::sectionStep(mSession.document().scene()));
   mClosing->setValue(grown.closing);

@@ -1,12 +1,12 @@
 #pragma once
 #include <QCheckBox>
-#include <QDoubleSpinBox>
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QWidget>
 #include <functional>
 
+#include "kit/NumberField.h"
 #include "velum/session/Session.h"
 
 namespace velum::gui {
@@ -25,14 +25,14 @@ class GrowthForm : public QWidget {
   QPushButton& barrierButton() { return *mBarrier; }
 
  private:
-  QDoubleSpinBox* addNumber(const char* name, const QString& spoken, const QString& tip, const QString& step,
-                            const std::function<void(scene::Growth&, double)>& change);
+  NumberField* addNumber(const char* name, const QString& spoken, const QString& tip, const QString& step,
+                         const std::function<void(scene::Growth&, double)>& change);
   const scene::Growth* growth() const;
   void showNumbers(const Volume& volume, const scene::Growth& grown);
 
   session::Session& mSession;
   int mStructure = 0;
-  QDoubleSpinBox *mLow, *mHigh, *mSteepest, *mClosing;
+  NumberField *mLow, *mHigh, *mSteepest, *mClosing;
   QCheckBox* mFillHoles;
   QPushButton* mBarrier;
   QLabel* mText;

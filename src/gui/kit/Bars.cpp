@@ -1,12 +1,14 @@
 #include "Bars.h"
 
 #include <QHBoxLayout>
-#include <QIcon>
+#include <QScrollArea>
 #include <QStyle>
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "PictureCard.h"
 #include "RecentFiles.h"
+#include "velum/session/document/Showcase.h"
 
 namespace velum::gui {
 
@@ -73,25 +75,45 @@ void ProgressStrip::setProgress(double fraction, const QString& what) {
 
 EmptyState::EmptyState(QWidget* parent) : QFrame(parent), mRecent(new RecentRow(this)) {
   setObjectName("emptyState");
-  auto* layout = new QVBoxLayout(this);
-  layout->setSpacing(14);
+  auto* scroll = new QScrollArea(this);
+  scroll->setObjectName("startScroll");
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  scroll->setWidgetResizable(true);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  auto* page = new QWidget(scroll);
+  page->setObjectName("startPage");
+  auto* outer = new QVBoxLayout(this);
+  outer->setContentsMargins(0, 0, 0, 0);
+  outer->addWidget(scroll);
+  scroll->setWidget(page);
+  auto* layout = new QVBoxLayout(page);
+  layout->setSpacing(12);
   layout->addStretch(5);
-  // What to do, and with what.
-  auto* picture = new QLabel(this);
-  picture->setPixmap(QIcon(":/velum/velum.svg").pixmap(QSize(112, 112), devicePixelRatioF()));
-  layout->addWidget(picture, 0, Qt::AlignHCenter);
+  addWays(layout);
+  addSamples(layout);
+  // What was open before, and the word that has to be said.
+  layout->addWidget(mRecent);
+  layout->addStretch(6);
+  auto* note = new QLabel(tr("Not a medical device."), this);
+  note->setProperty("role", "muted");
+  layout->addWidget(note, 0, Qt::AlignHCenter);
+  layout->addSpacing(4);
+}
+
+/// What to do, and with what.
+void EmptyState::addWays(QLayout* layout) {
   auto* title = new QLabel(tr("Drop a scan here"), this);
   title->setProperty("role", "empty");
-  layout->addWidget(title, 0, Qt::AlignHCenter);
+  title->setAlignment(Qt::AlignCenter);
+  layout->addWidget(title);
   auto* text =
       new QLabel(tr("A folder of DICOM images, NIfTI, NRRD, MetaImage, MRC, TIFF, VTI, SEG-Y or OpenVDB; cell models;\n"
                     "labels and surfaces beside it; a Velum scene, or a picture that was saved from one."),
                  this);
   text->setProperty("role", "muted");
   text->setAlignment(Qt::AlignCenter);
-  layout->addWidget(text, 0, Qt::AlignHCenter);
-  layout->addSpacing(10);
-  // The ways to something to see, the commonest first.
+  layout->addWidget(text);
   auto* row = new QHBoxLayout;
   row->setSpacing(10);
   auto add = [&](const QString& name, const QString& tip, void (EmptyState::*signal)(), bool isMain) {
@@ -105,17 +127,34 @@ EmptyState::EmptyState(QWidget* parent) : QFrame(parent), mRecent(new RecentRow(
   row->addStretch(1);
   add(tr("Open files..."), tr("Choose files (Ctrl+O)"), &EmptyState::openFiles, true);
   add(tr("Open DICOM folder..."), tr("Choose a folder of images (Ctrl+Shift+O)"), &EmptyState::openFolder, false);
-  add(tr("Make a phantom"), tr("Nothing at hand? Computes a torso with ribs, heart and lungs"),
-      &EmptyState::makePhantom, false);
   row->addStretch(1);
-  layout->addLayout(row);
-  // What was open before, and the word that has to be said.
-  layout->addWidget(mRecent);
-  layout->addStretch(6);
-  auto* note = new QLabel(tr("Not a medical device."), this);
-  note->setProperty("role", "muted");
-  layout->addWidget(note, 0, Qt::AlignHCenter);
-  layout->addSpacing(8);
+  layout->addItem(row);
+}
+
+/// What the program is for, to be opened without any data at hand.
+void EmptyState::addSamples(QLayout* layout) {
+  auto* title = new QLabel(tr("Or begin with a sample"), this);
+  title->setProperty("role", "muted");
+  title->setAlignment(Qt::AlignCenter);
+  layout->addWidget(title);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(14);
+  row->addStretch(1);
+  for (const session::Showcase& sample : session::showcases()) {
+    QString name = QString::fromUtf8(sample.name.data(), int(sample.name.size()));
+    QPixmap picture(QString(":/velum/samples/%1.jpg").arg(name));
+    QString text = tr(sample.title.data()), what = tr(sample.what.data());
+    auto* card = new PictureCard(
+        text, what, picture.scaled(PictureCard::kPicture, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation),
+        this);
+    card->setObjectName("sample." + name);
+    card->setAccessibleName(tr("Open a sample: %1").arg(text));
+    card->setToolTip(tr("%1: %2. Computed, not scanned; nothing is downloaded").arg(text, what));
+    connect(card, &QAbstractButton::clicked, this, [this, name] { emit openSample(name); });
+    row->addWidget(card);
+  }
+  row->addStretch(1);
+  layout->addItem(row);
 }
 
 }  // namespace velum::gui

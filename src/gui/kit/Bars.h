@@ -1,6 +1,7 @@
 #pragma once
 #include <QFrame>
 #include <QLabel>
+#include <QLayout>
 #include <QProgressBar>
 #include <QPushButton>
 #include <string>
@@ -43,7 +44,8 @@ class ProgressStrip : public QFrame {
 
 class RecentRow;
 
-/// What the window shows before there is data: what it takes, three ways to begin, and the recent files.
+/// What the window shows before there is data: samples of what the program is for, what it takes and how, and the
+/// recent files. What is higher than the window scrolls.
 class EmptyState : public QFrame {
   Q_OBJECT
  public:
@@ -53,9 +55,12 @@ class EmptyState : public QFrame {
  signals:
   void openFiles();
   void openFolder();
-  void makePhantom();
+  /// A scene of the program's own, by its name.
+  void openSample(const QString& name);
 
  private:
+  void addSamples(QLayout* layout);
+  void addWays(QLayout* layout);
   RecentRow* mRecent;
 };
 

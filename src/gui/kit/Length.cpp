@@ -1,22 +1,33 @@
 #include "Length.h"
 
-#include <QSignalBlocker>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 namespace velum::gui {
 
+bool hasPatientLetters(const scene::Scene& scene) {
+  return scene.volume.data ? scene.volume.data->isOrientationKnown : !scene.model.data;
+}
+
 Length::Length(const scene::Scene& scene) : mFormat(scene::lengthFormat(scene)) {
   scene::Bounds bounds = scene::computeBounds(scene);
-  double diameter = std::clamp(glm::length(bounds.max - bounds.min), 100.0 * std::pow(10.0, -decimals()), 1e9);
+  double diameter =
+      std::clamp(glm::length(bounds.max - bounds.min), 100.0 * std::pow(10.0, -decimals()) / shownPerLength(), 1e9);
   double farthest = std::max(glm::length(bounds.max), glm::length(bounds.min));
   mFar = std::pow(10.0, std::ceil(std::log10(std::max(100.0 * diameter, farthest))));
 }
 
-QString Length::unit() const {
+QString Length::unit() const { return QString::fromUtf8(mFormat.symbol.data(), int(mFormat.symbol.size())); }
+
+QString Length::sceneUnit() const {
   auto symbol = symbolOf(mFormat.unit);
   return QString::fromUtf8(symbol.data(), int(symbol.size()));
+}
+
+double Length::step() const {
+  double last = std::pow(10.0, -decimals()) / mFormat.toldPerLength;
+  return last * (decimals() > 1 ? 5 : decimals() == 1 ? 10 : 1);
 }
 
 QString Length::roundText(double length) const {
@@ -28,17 +39,6 @@ QString Length::roundText(double length) const {
   std::size_t i = 0;
   while (mm < kLeast[i]) ++i;
   return QString("%1 %2").arg(mm / kUnits[i].first, 0, 'g', 6).arg(QString::fromUtf8(kUnits[i].second));
-}
-
-void Length::showIn(QDoubleSpinBox& spin, bool isPositive, bool hasUnit) const {
-  QString shown = hasUnit ? suffix() : QString();
-  if (spin.decimals() == decimals() && spin.suffix() == shown && spin.maximum() == mFar) return;
-  const QSignalBlocker quiet(spin);
-  double step = std::pow(10.0, -decimals());
-  spin.setDecimals(decimals());
-  spin.setRange(isPositive ? step : -mFar, mFar);
-  spin.setSuffix(shown);
-  spin.setSingleStep(step * (decimals() > 1 ? 5 : decimals() == 1 ? 10 : 1));
 }
 
 }  // namespace velum::gui

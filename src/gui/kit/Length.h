@@ -1,18 +1,25 @@
 #pragma once
-#include <QDoubleSpinBox>
 #include <QString>
 
 #include "velum/scene/Units.h"
 
 namespace velum::gui {
 
+/// Letters of the patient's directions may be shown: the data's file says how the patient lay.
+bool hasPatientLetters(const scene::Scene& scene);
+
 /// How the lengths of a scene are shown and typed in the window.
 class Length {
  public:
   explicit Length(const scene::Scene& scene);
 
-  /// "mm".
+  /// "mm": what they are shown in.
   QString unit() const;
+  /// "mm": what the scene's are in, and what is per length.
+  QString sceneUnit() const;
+  double shownPerLength() const { return mFormat.toldPerLength; }
+  /// In the unit that is shown.
+  double millimetresShown() const { return millimetresPer(mFormat.unit) / mFormat.toldPerLength; }
   /// " mm", behind a number.
   QString suffix() const { return " " + unit(); }
   int decimals() const { return mFormat.decimals; }
@@ -21,10 +28,10 @@ class Length {
   /// A round length in the unit that fits it: "50 \u00b5m", "2 km", "5 nm".
   QString roundText(double length) const;
 
-  /// Makes a number one of a length. Ranges reach a hundred times as far as the data.
-  /// @param isPositive  at least one step of the last decimal
-  /// @param hasUnit  false where there is no room for it: the row's name tells it
-  void showIn(QDoubleSpinBox& spin, bool isPositive, bool hasUnit = true) const;
+  /// Beyond the data by far: as far as a number of a length may go.
+  double far() const { return mFar; }
+  /// By which a number of a length is stepped.
+  double step() const;
 
  private:
   scene::LengthFormat mFormat;

@@ -6,7 +6,6 @@
 #include <QIcon>
 #include <QLabel>
 #include <QPainter>
-#include <QPainterPath>
 #include <QProxyStyle>
 #include <QVBoxLayout>
 
@@ -18,7 +17,7 @@ namespace velum::gui {
 
 namespace {
 
-constexpr int kMostCards = 6, kMenuRows = 12, kGap = 14, kPadding = 7, kRadius = 7;
+constexpr int kMostCards = 6, kMenuRows = 12, kGap = 14;
 constexpr QSize kStored{416, 260}, kMenuPicture{44, 44};
 
 QString toText(const std::filesystem::path& path) { return QString::fromStdString(path.string()); }
@@ -71,49 +70,10 @@ void saveRecentPicture(const std::filesystem::path& file, const QImage& image) {
 // A card.
 
 RecentCard::RecentCard(const session::RecentFile& file, QWidget* parent)
-    : QAbstractButton(parent), mFile(file), mPixmap(recentPixmap(file.path, kPicture, parent->devicePixelRatioF())) {
-  setFocusPolicy(Qt::StrongFocus);
-  setCursor(Qt::PointingHandCursor);
-  setText(nameOf(file));
+    : PictureCard(nameOf(file), placeOf(file), recentPixmap(file.path, kPicture, parent->devicePixelRatioF()), parent),
+      mFile(file) {
   setAccessibleName(tr("Open %1").arg(nameOf(file)));
   setToolTip(tr("Open %1\n%2").arg(toText(file.path), sayTime(file.when)));
-  setFixedSize(sizeHint());
-}
-
-QSize RecentCard::sizeHint() const {
-  return {kPicture.width() + 2 * kPadding, kPicture.height() + 2 * fontMetrics().height() + 3 * kPadding};
-}
-
-void RecentCard::paintEvent(QPaintEvent*) {
-  QPainter painter(this);
-  painter.setRenderHint(QPainter::Antialiasing);
-  const QPalette& colors = palette();
-  bool lit = underMouse() || hasFocus();
-  painter.setPen(QPen(hasFocus() ? colors.color(QPalette::Link) : colors.color(QPalette::Button), hasFocus() ? 2 : 1));
-  painter.setBrush(isDown() || !lit ? colors.color(QPalette::Window) : colors.color(QPalette::Button));
-  painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), kRadius, kRadius);
-  QRect picture(QPoint(kPadding, kPadding), kPicture);
-  QPainterPath outline;
-  outline.addRoundedRect(picture, kRadius - 3, kRadius - 3);
-  painter.save();
-  painter.setClipPath(outline);
-  if (mPixmap.isNull()) {
-    painter.fillRect(picture, colors.color(QPalette::Base));
-    QRect middle(0, 0, 56, 56);
-    middle.moveCenter(picture.center());
-    QIcon(":/velum/velum.svg").paint(&painter, middle, Qt::AlignCenter, QIcon::Disabled);
-  } else {
-    painter.drawPixmap(picture, mPixmap);
-  }
-  painter.restore();
-  QFontMetrics metrics = fontMetrics();
-  QRect line(kPadding + 2, picture.bottom() + kPadding, kPicture.width() - 4, metrics.height());
-  painter.setPen(colors.color(QPalette::Text));
-  painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter, metrics.elidedText(text(), Qt::ElideMiddle, line.width()));
-  line.translate(0, metrics.height());
-  painter.setPen(colors.color(QPalette::PlaceholderText));
-  painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter,
-                   metrics.elidedText(placeOf(mFile), Qt::ElideMiddle, line.width()));
 }
 
 // The row.
@@ -164,7 +124,7 @@ void RecentRow::askRemove(RecentCard* card, QPoint where) {
 }
 
 void RecentRow::placeCards() {
-  int room = (width() - 48 + kGap) / (RecentCard::kPicture.width() + 2 * kPadding + kGap);
+  int room = (width() - 48 + kGap) / (PictureCard::size().width() + kGap);
   for (int i = 0; i < mCards.size(); ++i) mCards[i]->setVisible(i < std::max(1, room));
 }
 

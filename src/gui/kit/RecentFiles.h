@@ -1,9 +1,9 @@
 #pragma once
-#include <QAbstractButton>
 #include <QImage>
 #include <QMenu>
 #include <QPixmap>
 
+#include "PictureCard.h"
 #include "velum/session/document/Recent.h"
 
 namespace velum::gui {
@@ -14,22 +14,14 @@ QPixmap recentPixmap(const std::filesystem::path& file, QSize logicalSize, doubl
 void saveRecentPicture(const std::filesystem::path& file, const QImage& image);
 
 /// A recent file to click on: picture, name, where and when.
-class RecentCard : public QAbstractButton {
+class RecentCard : public PictureCard {
   Q_OBJECT
  public:
-  static constexpr QSize kPicture{208, 130};
   RecentCard(const session::RecentFile& file, QWidget* parent);
   const std::filesystem::path& path() const { return mFile.path; }
-  QSize sizeHint() const override;
-
- protected:
-  void paintEvent(QPaintEvent* event) override;
-  void enterEvent(QEnterEvent*) override { update(); }
-  void leaveEvent(QEvent*) override { update(); }
 
  private:
   session::RecentFile mFile;
-  QPixmap mPixmap;
 };
 
 /// A row of cards, as many as fit. Hidden while there is none.

@@ -13,11 +13,15 @@
 namespace velum::gui {
 
 namespace {
+
 constexpr int kSliderSteps = 1000;
-}
+
+double stepOf(int decimals) { return std::pow(10.0, -decimals) * (decimals > 1 ? 5 : 1); }
+
+}  // namespace
 
 NumberRow::NumberRow(double min, double max, int decimals, const QString& suffix, QWidget* parent)
-    : QWidget(parent), mSlider(new QSlider(Qt::Horizontal, this)), mSpin(new QDoubleSpinBox(this)) {
+    : QWidget(parent), mSlider(new QSlider(Qt::Horizontal, this)), mSpin(new NumberField(this)) {
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(10);
@@ -27,7 +31,6 @@ NumberRow::NumberRow(double min, double max, int decimals, const QString& suffix
   mSlider->setMinimumWidth(60);
   mSpin->setFixedWidth(92);
   mSpin->setAlignment(Qt::AlignRight);
-  mSpin->setKeyboardTracking(false);
   mSpin->setSuffix(suffix);
   setDecimals(decimals);
   setRange(min, max);
@@ -50,12 +53,12 @@ NumberRow::NumberRow(double min, double max, int decimals, const QString& suffix
 void NumberRow::setDecimals(int decimals) {
   const QSignalBlocker quiet(mSpin);
   mSpin->setDecimals(decimals);
-  mSpin->setSingleStep(std::pow(10.0, -decimals) * (decimals > 1 ? 5 : 1));
+  mSpin->setSingleStep(stepOf(decimals));
 }
 
 void NumberRow::setLength(const Length& length) {
-  if (mSpin->decimals() != length.decimals()) setDecimals(length.decimals());
-  if (mSpin->suffix() != length.suffix()) setSuffix(length.suffix());
+  mSpin->setLength(length);
+  mSpin->setSingleStep(stepOf(length.decimals()) / length.shownPerLength());
 }
 
 void NumberRow::setRange(double min, double max) {

@@ -1,6 +1,5 @@
 #pragma once
 #include <QColor>
-#include <QDoubleSpinBox>
 #include <QFrame>
 #include <QLabel>
 #include <QPushButton>
@@ -9,6 +8,7 @@
 #include <glm/glm.hpp>
 
 #include "Length.h"
+#include "NumberField.h"
 
 namespace velum::gui {
 
@@ -26,7 +26,7 @@ class NumberRow : public QWidget {
   /// What is read out of slider and number.
   void setName(const QString& name);
   double value() const { return mSpin->value(); }
-  QDoubleSpinBox* spin() const { return mSpin; }
+  NumberField* spin() const { return mSpin; }
 
  signals:
   void changed(double value);
@@ -36,7 +36,7 @@ class NumberRow : public QWidget {
  private:
   void placeSlider();
   QSlider* mSlider;
-  QDoubleSpinBox* mSpin;
+  NumberField* mSpin;
 };
 
 /// A colour that opens the system's colour dialog.

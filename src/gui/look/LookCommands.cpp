@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "kit/SavePath.h"
 #include "velum/session/look/Look.h"
 
 namespace velum::gui {
@@ -64,13 +65,11 @@ void LookCommands::askImport() {
 }
 
 void LookCommands::askExport() {
-  QString kind;
-  QString path = QFileDialog::getSaveFileName(
-      mWindow, tr("Export look"), mFolder + (mFolder.isEmpty() ? "" : "/") + "look.velum-transfer.json",
-      tr("Velum (*.velum-transfer.json);;3D Slicer (*.vp.json);;3D Slicer, old (*.vp)"), &kind);
+  QString path =
+      askSavePath(mWindow, tr("Export look"), mFolder + (mFolder.isEmpty() ? "" : "/") + "look.velum-transfer.json",
+                  tr("Velum (*.velum-transfer.json);;3D Slicer (*.vp.json);;3D Slicer, old (*.vp)"));
   if (path.isEmpty()) return;
-  if (!session::isLookFile(path.toStdString()))
-    path += kind.contains("*.vp.json") ? ".vp.json" : kind.contains("*.vp") ? ".vp" : ".velum-transfer.json";
+  if (!session::isLookFile(path.toStdString())) path += ".velum-transfer.json";
   exportTo(path);
 }
 

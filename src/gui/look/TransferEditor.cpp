@@ -14,9 +14,8 @@ namespace {
 
 constexpr std::size_t kMostCached = 64;  // a few megabytes of counts
 
-QDoubleSpinBox* makeSpin(QWidget* parent, const QString& name, const QString& tip) {
-  auto* spin = new QDoubleSpinBox(parent);
-  spin->setKeyboardTracking(false);
+NumberField* makeSpin(QWidget* parent, const QString& name, const QString& tip) {
+  auto* spin = new NumberField(parent);
   spin->setAlignment(Qt::AlignRight);
   // Its own wish is the width of its largest number, wider than the panel.
   spin->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
@@ -247,7 +246,7 @@ void TransferEditor::showHistograms(const Histograms& histograms) {
   }
   QString unit = QString::fromStdString(layer.data->unit);
   mCanvas->setUnit(unit);
-  mGradients->setUnit((unit.isEmpty() ? QString() : unit) + "/" + Length(mDocument.scene()).unit());
+  mGradients->setUnit((unit.isEmpty() ? QString() : unit) + "/" + Length(mDocument.scene()).sceneUnit());
   showNumbers();
 }
 
@@ -263,7 +262,7 @@ void TransferEditor::showNumbers() {
   mValue->setDecimals(decimalsFor(canvas->view()));
   mValue->setSingleStep(std::pow(10.0, -decimalsFor(canvas->view())));
   QString unit = QString::fromStdString(mDocument.scene().volume.data ? mDocument.scene().volume.data->unit : "");
-  if (mGradientsActive) unit += "/" + Length(mDocument.scene()).unit();
+  if (mGradientsActive) unit += "/" + Length(mDocument.scene()).sceneUnit();
   mValue->setSuffix(unit.isEmpty() ? QString() : " " + unit);
   mSecond->setCurrentIndex(part == Part::Stop ? 1 : 0);
   if (part == Part::Stop) {

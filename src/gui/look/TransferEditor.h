@@ -53,7 +53,7 @@ class TransferEditor : public QWidget {
   TransferCanvas *mCanvas, *mGradients;
   QCheckBox* mUsesGradients;
   QPushButton *mLogarithmic = nullptr, *mFit = nullptr, *mRemove = nullptr;
-  QDoubleSpinBox *mValue = nullptr, *mOpacity = nullptr;
+  NumberField *mValue = nullptr, *mOpacity = nullptr;
   ColorButton* mColor = nullptr;
   QStackedWidget *mSecond = nullptr, *mNumbers = nullptr;
   bool mGradientsActive = false;  ///< The numbers are those of the gradient curve.

@@ -312,7 +312,7 @@ void MembraneForm::showCurve() {
   mCanvas->setCurve(byGradient() ? mShown.field.byGradient : mShown.field.byValue);
   if (!layer.data) return;
   QString unit = QString::fromStdString(layer.data->unit);
-  mCanvas->setUnit(byGradient() ? unit + "/" + Length(mDocument.scene()).unit() : unit);
+  mCanvas->setUnit(byGradient() ? unit + "/" + Length(mDocument.scene()).sceneUnit() : unit);
   if (mCounted != layer.data.id()) countHistogram();
   session::AxisView view = byGradient() ? session::AxisView{0.0, mGradients.range.y}
                                         : session::AxisView{layer.data->range.x, layer.data->range.y};
@@ -409,7 +409,7 @@ void MembraneForm::showStatus(const std::optional<session::MembraneStatus>& stat
                          .arg(status->forcesMs, 0, 'f', 0)
                          .arg(status->stepMs, 0, 'f', 1)
                          .arg(status->speed, 0, 'g', 3)
-                         .arg(Length(mDocument.scene()).unit()));
+                         .arg(Length(mDocument.scene()).sceneUnit()));
 }
 
 }  // namespace velum::gui

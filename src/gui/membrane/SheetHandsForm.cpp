@@ -69,6 +69,11 @@ SheetHandsForm::SheetHandsForm(session::Document& document, Selection& selection
   mRowLayout->setSpacing(4);
   layout->addWidget(mList);
   mList->hide();
+  mUnheld = new QLabel(this);
+  mUnheld->setObjectName("unheldPins");
+  mUnheld->setWordWrap(true);
+  layout->addWidget(mUnheld);
+  mUnheld->hide();
 }
 
 void SheetHandsForm::edit(const char* label, const std::function<void(scene::Cut&)>& change, bool merge) {
@@ -81,13 +86,12 @@ void SheetHandsForm::remove(Hand hand) {
       [hand](scene::Cut& cut) { session::removeHand(*cut.membrane, hand); }, false);
 }
 
-QDoubleSpinBox* SheetHandsForm::makeNumber(QWidget* row, double min, double max, int decimals, const QString& suffix,
-                                           const QString& name, std::function<void(scene::Cut&, double)> set) {
-  auto* spin = new QDoubleSpinBox(row);
+NumberField* SheetHandsForm::makeNumber(QWidget* row, double min, double max, int decimals, const QString& suffix,
+                                        const QString& name, std::function<void(scene::Cut&, double)> set) {
+  auto* spin = new NumberField(row);
   spin->setRange(min, max);
   spin->setDecimals(decimals);
   spin->setSuffix(suffix);
-  spin->setKeyboardTracking(false);
   spin->setAccessibleName(name);
   spin->setToolTip(name);
   connect(spin, &QDoubleSpinBox::valueChanged, this, [this, set = std::move(set)](double value) {
@@ -148,11 +152,11 @@ SheetHandsForm::Row SheetHandsForm::makeRow(Hand hand) {
 
 void SheetHandsForm::showRow(const Row& row, const scene::Cut& cut) {
   auto index = std::size_t(row.hand.index);
-  auto set = [](QDoubleSpinBox* spin, double value) {
+  auto set = [](NumberField* spin, double value) {
     const QSignalBlocker quiet(spin);
     spin->setValue(value);
   };
-  Length(mDocument.scene()).showIn(*row.first, row.hand.kind != HandKind::Pin);
+  row.first->setFreeLength(Length(mDocument.scene()), row.hand.kind != HandKind::Pin);
   QString name = nameOf(row.hand, *cut.membrane);
   double strength = 0.0;
   if (row.hand.kind == HandKind::Pin) {
@@ -181,6 +185,18 @@ void SheetHandsForm::showCut(const scene::Cut& cut) {
   while (mRows.size() < hands.size()) mRows.push_back(makeRow(hands[mRows.size()]));
   for (const Row& row : mRows) showRow(row, cut);
   mList->setVisible(!mRows.empty());
+  showUnheld(cut);
+}
+
+/// Says of each pin that the sheet does not pass through why it does not.
+void SheetHandsForm::showUnheld(const scene::Cut& cut) {
+  QStringList lines;
+  for (const Row& row : mRows) {
+    std::string why = session::whyNotHeld(scene::lengthFormat(mDocument.scene()), cut, row.hand);
+    if (!why.empty()) lines << tr("%1 %2.").arg(nameOf(row.hand, *cut.membrane), QString::fromStdString(why));
+  }
+  mUnheld->setText(lines.join("\n"));
+  mUnheld->setVisible(!lines.isEmpty());
 }
 
 void SheetHandsForm::showSelected(Hand hand) {

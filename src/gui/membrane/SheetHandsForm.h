@@ -1,5 +1,4 @@
 #pragma once
-#include <QDoubleSpinBox>
 #include <QPushButton>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -7,6 +6,7 @@
 #include <functional>
 #include <vector>
 
+#include "kit/NumberField.h"
 #include "kit/Selection.h"
 #include "velum/session/document/Document.h"
 #include "velum/session/membrane/SheetHands.h"
@@ -36,13 +36,14 @@ class SheetHandsForm : public QWidget {
   struct Row {
     QWidget* widget = nullptr;
     QToolButton* name = nullptr;
-    QDoubleSpinBox *first = nullptr, *second = nullptr;
+    NumberField *first = nullptr, *second = nullptr;
     session::Hand hand;
   };
   Row makeRow(session::Hand hand);
-  QDoubleSpinBox* makeNumber(QWidget* row, double min, double max, int decimals, const QString& suffix,
-                             const QString& name, std::function<void(scene::Cut&, double)> set);
+  NumberField* makeNumber(QWidget* row, double min, double max, int decimals, const QString& suffix,
+                          const QString& name, std::function<void(scene::Cut&, double)> set);
   void showRow(const Row& row, const scene::Cut& cut);
+  void showUnheld(const scene::Cut& cut);
   void remove(session::Hand hand);
   void edit(const char* label, const std::function<void(scene::Cut&)>& change, bool merge);
 
@@ -51,6 +52,7 @@ class SheetHandsForm : public QWidget {
   QPushButton *mPin = nullptr, *mPush = nullptr, *mPull = nullptr;
   QWidget* mList = nullptr;
   QVBoxLayout* mRowLayout = nullptr;
+  QLabel* mUnheld = nullptr;
   std::vector<Row> mRows;
 };
 

@@ -93,11 +93,10 @@ void SketchForm::fillList() {
   const QSignalBlocker quiet(mList);
   mList->clear();
   for (const auto& stroke : mStrokes)
-    mList->addItem(new QListWidgetItem(swatchOf(stroke.avoid ? kAvoidColor : kKeepColor),
-                                       tr("%1, radius %2%3")
-                                           .arg(stroke.avoid ? tr("Let through") : tr("Protect"))
-                                           .arg(stroke.radius, 0, 'g', 3)
-                                           .arg(mUnit)));
+    mList->addItem(new QListWidgetItem(
+        swatchOf(stroke.avoid ? kAvoidColor : kKeepColor),
+        tr("%1, radius %2")
+            .arg(stroke.avoid ? tr("Let through") : tr("Protect"), mRadius->spin()->withUnit(stroke.radius))));
   int rows = int(mStrokes.size());
   if (row < rows) mList->setCurrentRow(row);
   int height = rows > 0 ? mList->sizeHintForRow(0) + 2 * mList->spacing() : 0;
@@ -109,7 +108,7 @@ void SketchForm::fillList() {
 
 /// The slider reaches some times further than the brush that suits the data.
 void SketchForm::showRadius(double radius) {
-  double power = std::floor(std::log10(std::max(radius, 1e-9)));
+  double power = std::floor(std::log10(std::max(radius * mShownPerLength, 1e-9)));
   mRadius->setDecimals(std::clamp(1 - int(power), 0, 9));
   const auto* spin = mRadius->spin();
   if (radius > spin->maximum() || radius < spin->minimum()) mRadius->setRange(radius / 25.0, 8.0 * radius);
@@ -117,8 +116,10 @@ void SketchForm::showRadius(double radius) {
 }
 
 void SketchForm::showLength(const Length& length) {
-  mUnit = length.suffix();
-  mRadius->setSuffix(mUnit);
+  if (mShownPerLength == length.shownPerLength() && mRadius->spin()->suffix() == length.suffix()) return;
+  mShownPerLength = length.shownPerLength();
+  mRadius->setLength(length);
+  showRadius(mRadius->value());
 }
 
 void SketchForm::showSelected(int index) {

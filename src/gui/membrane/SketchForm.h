@@ -37,10 +37,10 @@ class SketchForm : public QWidget {
   void fillList();
 
   QPushButton *mKeep, *mAvoid, *mRemove;
-  QString mUnit;
   NumberRow* mRadius;
   QListWidget* mList;
   std::vector<scene::Stroke> mStrokes;
+  double mShownPerLength = 1.0;
 };
 
 }  // namespace velum::gui

@@ -1,6 +1,5 @@
 #include "StrengthTable.h"
 
-#include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QKeyEvent>
@@ -10,6 +9,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "kit/NumberField.h"
 #include "kit/RowPaint.h"
 #include "kit/Widgets.h"
 #include "velum/session/membrane/MembraneEdit.h"
@@ -31,7 +31,7 @@ class StrengthDelegate : public QStyledItemDelegate {
     return (number > 0 ? "+" : "") + QString::number(number, 'g', 4);
   }
   QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem&, const QModelIndex&) const override {
-    auto* spin = new QDoubleSpinBox(parent);
+    auto* spin = new NumberField(parent);
     spin->setRange(-kMost, kMost);
     spin->setDecimals(0);
     spin->setSingleStep(10);

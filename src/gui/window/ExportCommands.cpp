@@ -1,11 +1,11 @@
 #include "ExportCommands.h"
 
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QStandardPaths>
 
 #include "ExportStructuresDialog.h"
 #include "SavePictureDialog.h"
+#include "kit/SavePath.h"
 #include "kit/SelectedCut.h"
 #include "velum/session/membrane/Membranes.h"
 #include "velum/session/picture/Export.h"
@@ -41,10 +41,9 @@ void ExportCommands::askSavePicture() {
   QString start = (pictures.isEmpty() ? QString() : pictures + "/") +
                   QFileInfo(QString::fromStdString(mParts.session.file().path())).baseName() +
                   (dialog.options().layers ? ".exr" : ".png");
-  QString path = QFileDialog::getSaveFileName(&mParts.window, tr("Save picture"), start,
-                                              tr("PNG (*.png);;OpenEXR (*.exr);;TIFF (*.tif)"));
+  QString path =
+      askSavePath(&mParts.window, tr("Save picture"), start, tr("PNG (*.png);;OpenEXR (*.exr);;TIFF (*.tif)"));
   if (path.isEmpty()) return;
-  if (QFileInfo(path).suffix().isEmpty()) path += ".png";
   if (auto motion = dialog.motion())
     saveAnimationTo(path, dialog.options(), dialog.pictureScene(), *motion, dialog.frames());
   else
@@ -126,9 +125,7 @@ void ExportCommands::exportClippedTo(const QString& path) {
 QString ExportCommands::askPath(const QString& title, const char* suffix, const QString& filters) {
   QFileInfo open(QString::fromStdString(mParts.session.file().path()));
   QString start = open.path() + "/" + open.baseName() + suffix;
-  QString path = QFileDialog::getSaveFileName(&mParts.window, title, start, filters);
-  if (!path.isEmpty() && QFileInfo(path).suffix().isEmpty()) path += "." + QFileInfo(start).suffix();
-  return path;
+  return askSavePath(&mParts.window, title, start, filters);
 }
 
 void ExportCommands::askExportSheet() {

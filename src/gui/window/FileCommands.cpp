@@ -7,6 +7,7 @@
 #include <exception>
 
 #include "kit/RecentFiles.h"
+#include "kit/SavePath.h"
 #include "velum/core/Memory.h"
 #include "velum/session/document/FileKinds.h"
 #include "velum/session/document/Open.h"
@@ -136,10 +137,9 @@ void FileCommands::askSaveScene(bool asNew) {
   QString path = QString::fromStdString(file.scenePath());
   if (asNew || path.isEmpty()) {
     QFileInfo open(QString::fromStdString(file.path()));
-    path = QFileDialog::getSaveFileName(&mParts.window, tr("Save scene"), open.path() + "/" + open.baseName() + ".json",
-                                        tr("Velum scene (*.json)"));
+    path = askSavePath(&mParts.window, tr("Save scene"), open.path() + "/" + open.baseName() + ".json",
+                       tr("Velum scene (*.json)"));
     if (path.isEmpty()) return;
-    if (QFileInfo(path).suffix().isEmpty()) path += ".json";
   }
   saveSceneTo(path);
 }

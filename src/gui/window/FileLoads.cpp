@@ -1,14 +1,17 @@
 #include "FileLoads.h"
 
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QStandardPaths>
 
+#include "SeriesDialog.h"
 #include "kit/RecentFiles.h"
 #include "velum/scene/json/Json.h"
 #include "velum/session/document/Recent.h"
+#include "velum/session/document/Showcase.h"
 #include "velum/session/look/Look.h"
 
 namespace velum::gui {
@@ -28,6 +31,8 @@ std::vector<std::string> notesOf(const session::Loaded& loaded, const scene::Sce
   take(loaded.scene.model.data, before.model.data);
   return notes;
 }
+/// A folder's name is its last part, also where a slash follows.
+QString withoutSlash(const QString& path) { return QDir::cleanPath(QFileInfo(path).absoluteFilePath()); }
 QString nameOf(const QString& path) { return QFileInfo(path).fileName(); }
 
 }  // namespace
@@ -55,16 +60,44 @@ void FileLoads::start(const QString& what, Read read, bool add, const QString& p
 void FileLoads::openPaths(const QStringList& paths, bool add) {
   if (paths.isEmpty()) return;
   if (paths.size() == 1 && session::isLookFile(paths.first().toStdString())) return emit lookOpened(paths.first());
+  QString one = paths.size() == 1 && !add ? withoutSlash(paths.first()) : QString();
+  bool mayHoldSeries = QFileInfo(one).isDir() || nameOf(one).compare("DICOMDIR", Qt::CaseInsensitive) == 0;
+  mayHoldSeries && !mUnattended ? askSeries(one) : readPaths(paths, add);
+}
+
+/// Looks into a folder; of several series one is chosen.
+void FileLoads::askSeries(const QString& path) {
+  auto series = std::make_shared<std::vector<session::Series>>();
+  mParts.jobs.start(
+      tr("Looking into %1").arg(nameOf(path)),
+      [series, path = path.toStdString()](Progress& progress) { *series = session::seriesIn(path, progress); },
+      [this, series, path] { openSeries(path, *series); });
+}
+
+void FileLoads::openSeries(const QString& path, const std::vector<session::Series>& series) {
+  bool hasChoice = series.size() > 1 || (series.size() == 1 && !series[0].labels.empty());
+  if (!hasChoice) return readPaths({path}, false);
+  SeriesDialog dialog(series, nameOf(path), &mParts.window);
+  if (dialog.exec() != QDialog::Accepted) return;
+  start(
+      tr("Opening %1").arg(nameOf(path)),
+      [path = path.toStdString(), uid = dialog.series().uid, labels = dialog.labels(),
+       policy = policy()](Progress& progress) { return session::readSeries(path, uid, labels, progress, policy); },
+      false, path);
+}
+
+void FileLoads::readPaths(const QStringList& paths, bool add) {
   std::vector<std::string> names;
-  for (const auto& path : paths) names.push_back(QFileInfo(path).absoluteFilePath().toStdString());
-  QString what = tr("Opening %1").arg(nameOf(paths.first()));
+  for (const auto& path : paths) names.push_back(withoutSlash(path).toStdString());
+  QString first = toText(names.front());
+  QString what = tr("Opening %1").arg(nameOf(first));
   bool beside = add && mParts.session.file().isOpen();
   Read read = [names, policy = policy()](Progress& progress) { return session::readPaths(names, progress, policy); };
   if (beside)
     read = [names, scene = mParts.session.scene()](Progress& progress) {
       return session::readBeside(scene, names, progress);
     };
-  start(what, read, beside, paths.first());
+  start(what, read, beside, first);
 }
 
 void FileLoads::openPhantom(const QString& name, int voxels) {
@@ -73,6 +106,16 @@ void FileLoads::openPhantom(const QString& name, int voxels) {
       tr("Making a phantom"),
       [name = name.toStdString(), voxels, folder](Progress& progress) {
         return session::readPhantom(name, voxels, folder / "phantoms", progress);
+      },
+      false, name);
+}
+
+void FileLoads::openSample(const QString& name) {
+  std::filesystem::path folder(QStandardPaths::writableLocation(QStandardPaths::CacheLocation).toStdString());
+  start(
+      tr("Opening a sample"),
+      [name = name.toStdString(), folder](Progress& progress) {
+        return session::readShowcase(name, folder / "samples", progress);
       },
       false, name);
 }
@@ -140,7 +183,8 @@ void FileLoads::show(session::Loaded& loaded, const QString& path) {
   }
   bool wasLost = loaded.lost != nullptr;
   session::WorkFile& file = mParts.session.file();
-  file.open(std::move(loaded), path.toStdString());
+  std::string name = loaded.path.empty() ? path.toStdString() : loaded.path;
+  file.open(std::move(loaded), name);
   QString now = toText(file.path());
   rememberFile(now);
   if (wasLost) emit lostWorkTaken();

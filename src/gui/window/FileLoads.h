@@ -2,6 +2,7 @@
 #include <QObject>
 #include <functional>
 
+#include "velum/session/document/Series.h"
 #include "view/Room.h"
 
 namespace velum::gui {
@@ -16,6 +17,8 @@ class FileLoads : public QObject {
   /// Files or folders. @param add  beside what is open, instead of in its place
   void openPaths(const QStringList& paths, bool add);
   void openPhantom(const QString& name, int voxels);
+  /// One of session::showcases().
+  void openSample(const QString& name);
   /// A file as labels of what is open, whatever it looks like.
   void openLabels(const QString& path);
   /// The work of a session that has died. @param path  what it was of
@@ -40,6 +43,9 @@ class FileLoads : public QObject {
   void lostWorkTaken();
 
  private:
+  void readPaths(const QStringList& paths, bool add);
+  void askSeries(const QString& path);
+  void openSeries(const QString& path, const std::vector<session::Series>& series);
   using Read = std::function<session::Loaded(Progress&)>;
   void start(const QString& what, Read read, bool add, const QString& path);
   void finish(std::shared_ptr<session::Loaded> loaded, const QString& path);

@@ -13,6 +13,7 @@
 #include "kit/CallLater.h"
 #include "kit/KeyboardFocus.h"
 #include "kit/RecentFiles.h"
+#include "kit/WheelScrolls.h"
 
 namespace velum::gui {
 
@@ -30,6 +31,7 @@ MainWindow::MainWindow()
   buildRooms();
   connectRooms();
   new KeyboardFocus(*this, [this] { return mSession.file().isOpen() ? &mViews->keyboardView() : nullptr; });
+  new WheelScrolls(*this);
   mSession.setListener([this] { refresh(); });
   mSession.setWaker([this] { callLater(this, [this] { collect(); }); });
   refresh();
@@ -73,7 +75,7 @@ void MainWindow::connectRooms() {
   mModels->addLegend();
   connect(mFrame.empty, &EmptyState::openFiles, this, [this] { mFiles->askOpen(false); });
   connect(mFrame.empty, &EmptyState::openFolder, mFiles, &FileCommands::askOpenFolder);
-  connect(mFrame.empty, &EmptyState::makePhantom, this, [this] { openPhantom("torso", 0); });
+  connect(mFrame.empty, &EmptyState::openSample, mLoads, &FileLoads::openSample);
   connect(mFrame.empty->recent(), &RecentRow::chosen, this, [this](const QString& path) { mFiles->openAsked({path}); });
   connect(mFiles, &FileCommands::newWindowAsked, this, &MainWindow::openSecondWindow);
   connect(mLoads, &FileLoads::lookOpened, this, [this](const QString& path) { look().importFrom(path); });

@@ -108,17 +108,16 @@ QWidget* SavePictureDialog::makeSize(glm::ivec2 viewSize) {
   grid->setHorizontalSpacing(10);
   grid->setColumnMinimumWidth(0, kNameWidth);
   // The controls.
-  mWidth = new QDoubleSpinBox(box);
+  mWidth = new NumberField(box);
   mWidth->setObjectName("pictureWidth");
   mWidth->setAccessibleName(tr("Width"));
   mWidth->setToolTip(tr("Width of the picture, in the unit beside"));
-  mHeight = new QDoubleSpinBox(box);
+  mHeight = new NumberField(box);
   mHeight->setObjectName("pictureHeight");
   mHeight->setAccessibleName(tr("Height"));
   mHeight->setToolTip(tr("Height of the picture, in the unit beside"));
   for (auto* spin : {mWidth, mHeight}) {
     spin->setAlignment(Qt::AlignRight);
-    spin->setKeyboardTracking(false);
     spin->setMinimumWidth(96);
   }
   mUnit = new QComboBox(box);
@@ -288,6 +287,7 @@ void SavePictureDialog::showSize() {
   const QSignalBlocker quietWidth(mWidth), quietHeight(mHeight);
   double factor = unit == Pixels ? 1.0 : unitsPerInch(unit, mDpi->value()) / mDpi->value();
   for (auto* spin : {mWidth, mHeight}) {
+    spin->setUnitBeside(mUnit->currentText(), unit == Pixels ? 0.0 : unit == Centimetres ? 10.0 : 25.4);
     spin->setDecimals(unit == Pixels ? 0 : 2);
     spin->setRange(unit == Pixels ? 1 : 0.01, kMostPixels * factor);
   }

@@ -2,7 +2,6 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialog>
-#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QSpinBox>
 #include <QTimer>
@@ -10,6 +9,7 @@
 #include <optional>
 
 #include "kit/Job.h"
+#include "kit/NumberField.h"
 #include "velum/session/picture/Animation.h"
 
 namespace velum::gui {
@@ -47,7 +47,7 @@ class SavePictureDialog : public QDialog {
   double mAspect;
   glm::ivec2 mPixels{1280, 720};
   QComboBox *mUnit = nullptr, *mBackground = nullptr, *mQuality = nullptr, *mMotion = nullptr;
-  QDoubleSpinBox *mWidth = nullptr, *mHeight = nullptr;
+  NumberField *mWidth = nullptr, *mHeight = nullptr;
   QSpinBox *mDpi = nullptr, *mSamples = nullptr, *mFrames = nullptr;
   QCheckBox *mKeepShape = nullptr, *mLayers = nullptr;
   QLabel *mPreview = nullptr, *mFacts = nullptr;

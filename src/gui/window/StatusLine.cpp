@@ -100,8 +100,7 @@ void StatusLine::showPick(const render::Pick& pick) {
   for (double value : render::probe(scene, pick.world).values) values << shortNumber(value);
   if (const auto& v = scene.volume.data; v && !values.isEmpty())
     text = QString("%1 %2    ").arg(values.join(", "), QString::fromStdString(v->unit));
-  // Letters only where the file says how the patient lay.
-  bool letters = scene.volume.data ? scene.volume.data->isOrientationKnown : !scene.model.data;
+  bool letters = hasPatientLetters(scene);
   Length length(scene);
   static constexpr const char* kPlus[] = {"L", "P", "S"};
   static constexpr const char* kMinus[] = {"R", "A", "I"};

@@ -20,6 +20,7 @@ namespace velum::io {
 namespace {
 
 constexpr int kSlab = LabelVolume::kBrickSize;
+constexpr double kWhole = 1e-3;  ///< Values so near to a whole number are it: what scales in single precision leave.
 
 /// Segments of a 3D Slicer file; empty for any other.
 std::vector<SlicerSegment> segmentsOf(const Path& path) {
@@ -77,7 +78,7 @@ std::uint16_t idFrom(T raw, const Volume& v, const Path& path) {
     if (v.scale == 1.0 && v.offset == 0.0) return std::uint16_t(raw);
   double value = double(raw) * v.scale + v.offset;
   double whole = std::round(value);
-  if (!(std::abs(value - whole) < 1e-3)) refuse(path, fmt::format("is no label volume: it has the value {}", value));
+  if (!(std::abs(value - whole) < kWhole)) refuse(path, fmt::format("is no label volume: it has the value {}", value));
   return std::uint16_t(whole);
 }
 
@@ -131,9 +132,7 @@ LabelVolume convert(const Volume& v, Overlay& overlay, const Path& path, Progres
   return labels;
 }
 
-LabelVolume readFromVolume(const scene::Source& source, Progress& progress) {
-  Path path = source.path;
-  Volume v = readVolume(source, progress);
+LabelVolume labelsFrom(const Volume& v, const Path& path, Progress& progress) {
   auto segments = segmentsOf(path);
   if (v.channels > 1 && (segments.empty() || v.isColor))
     refuse(path, fmt::format("is no label volume: it has {} samples per voxel", v.channels));
@@ -167,6 +166,26 @@ LabelVolume readFromVolume(const scene::Source& source, Progress& progress) {
   return labels;
 }
 
+/// Values that can be ids, and areas of one id: of two neighbours along a row, both of them something, most are the
+/// same. Of scans few are, as their values have noise.
+bool holdsAreasOfIds(const Volume& v) {
+  if (v.channels != 1 || v.range.x < 0 || v.range.y > 65535) return false;
+  bool isWhole = true;
+  std::size_t pairs = 0, equal = 0, row = std::size_t(v.dims.x), count = voxelCount(v);
+  visitSamples(v, [&](const auto* samples) {
+    double before = 0;
+    for (std::size_t i = 0; i < count && isWhole; ++i) {
+      double value = double(samples[i]) * v.scale + v.offset;
+      isWhole = std::abs(value - std::round(value)) < kWhole;
+      bool isPair = i % row != 0 && value != 0 && before != 0;
+      pairs += isPair;
+      equal += isPair && std::abs(value - before) < kWhole;
+      before = value;
+    }
+  });
+  return isWhole && 2 * equal >= pairs;
+}
+
 /// The name has one of the words that people use.
 bool nameSaysLabels(const Path& path) {
   constexpr std::array<std::string_view, 9> kWords{"label",         "labels", "labelmap", "seg",     "segmentation",
@@ -188,7 +207,17 @@ bool nameSaysLabels(const Path& path) {
 LabelVolume readLabels(const scene::Source& source, Progress& progress) {
   Path path = source.path;
   if (isDicomSeg(path)) return readDicomSeg(source, progress);
-  return readFromVolume(source, progress);
+  return labelsFrom(readVolume(source, progress), path, progress);
+}
+
+std::variant<Volume, LabelVolume> readVoxels(const scene::Source& source, Progress& progress) {
+  Path path = source.path;
+  bool hasLayout = source.raw.dims.x > 0;
+  if (hasLayout || !looksLikeLabels(path)) return readVolume(source, progress);
+  if (isDicomSeg(path) || !segmentsOf(path).empty()) return readLabels(source, progress);
+  Volume volume = readVolume(source, progress);
+  if (!holdsAreasOfIds(volume)) return volume;
+  return labelsFrom(volume, path, progress);
 }
 
 bool looksLikeLabels(const std::filesystem::path& path) {

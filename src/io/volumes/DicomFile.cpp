@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <map>
 #include <mutex>
 
 #include "DicomFrames.h"
@@ -56,6 +57,14 @@ std::string utf8(const std::string& text, const std::string& charset) {
   return result;
 }
 
+/// "20240315" as people write it.
+std::string dateOf(const DataSet& set) {
+  std::string text = textOf(set, Tag(0x0008, 0x0021));
+  if (text.empty()) text = textOf(set, Tag(0x0008, 0x0020));
+  bool isDate = text.size() == 8 && text.find_first_not_of("0123456789") == text.npos;
+  return isDate ? text.substr(0, 4) + "-" + text.substr(4, 2) + "-" + text.substr(6, 2) : std::string();
+}
+
 DicomFile fileOf(const DataSet& set, const gdcm::FileMetaInformation& meta, const Path& path) {
   DicomFile file;
   file.path = path;
@@ -67,6 +76,9 @@ DicomFile fileOf(const DataSet& set, const gdcm::FileMetaInformation& meta, cons
   file.photometric = textOf(set, Tag(0x0028, 0x0004));
   std::string charset = textOf(set, Tag(0x0008, 0x0005));
   file.description = utf8(textOf(set, Tag(0x0008, 0x103e)), charset);
+  file.date = dateOf(set);
+  if (auto referenced = firstItem(set, Tag(0x0008, 0x1115)))
+    file.referencedSeries = textOf(*referenced, Tag(0x0020, 0x000e));
   file.rows = binaryOf<std::uint16_t>(set, Tag(0x0028, 0x0010), 0);
   file.columns = binaryOf<std::uint16_t>(set, Tag(0x0028, 0x0011), 0);
   file.samplesPerPixel = binaryOf<std::uint16_t>(set, Tag(0x0028, 0x0002), 1);
@@ -93,15 +105,26 @@ bool mayBeDicom(const Path& path) {
   return stream.gcount() >= 16 && (head[0] == 2 || head[0] == 8) && head[1] == 0 && head[3] == 0;
 }
 
-std::vector<Path> filesOf(const Path& folder) {
+template <class Iterator>
+std::vector<Path> filesIn(const Path& folder, Progress& progress) {
   std::vector<Path> files;
   std::error_code error;
   // An empty folder is the parent of a bare file name; its files keep bare names in messages.
-  for (const auto& entry : std::filesystem::directory_iterator(folder.empty() ? Path(".") : folder, error))
-    if (entry.is_regular_file(error)) files.push_back(folder.empty() ? entry.path().filename() : entry.path());
+  for (Iterator at(folder.empty() ? Path(".") : folder, std::filesystem::directory_options::skip_permission_denied,
+                   error);
+       !error && at != Iterator(); at.increment(error)) {
+    progress.throwIfCancelled();
+    std::error_code isGone;
+    if (at->is_regular_file(isGone)) files.push_back(folder.empty() ? at->path().filename() : at->path());
+  }
   if (error) refuse(folder, error.message());
   std::sort(files.begin(), files.end());  // so that equal slices are met in the same order on every disk
   return files;
+}
+
+std::vector<Path> filesOf(const Path& folder, Depth depth, Progress& progress) {
+  return depth == Depth::Folder ? filesIn<std::filesystem::directory_iterator>(folder, progress)
+                                : filesIn<std::filesystem::recursive_directory_iterator>(folder, progress);
 }
 
 }  // namespace
@@ -120,8 +143,8 @@ std::optional<DicomFile> readDicomHeader(const std::filesystem::path& path) {
   }
 }
 
-std::vector<DicomFile> scanDicomFolder(const std::filesystem::path& folder, Progress& progress) {
-  auto paths = filesOf(folder);
+std::vector<DicomFile> scanDicomFolder(const std::filesystem::path& folder, Depth depth, Progress& progress) {
+  auto paths = filesOf(folder, depth, progress);
   std::vector<std::optional<DicomFile>> found(paths.size());
   std::mutex mutex;
   std::size_t done = 0;
@@ -131,15 +154,28 @@ std::vector<DicomFile> scanDicomFolder(const std::filesystem::path& folder, Prog
     progress.report(0.2 * double(++done) / double(paths.size()), "Looking for DICOM images");
   });
   std::vector<DicomFile> files;
-  for (auto& file : found)
-    if (file && file->hasImage() && !file->frames.empty()) files.push_back(std::move(*file));
+  std::map<std::string, Path> known;  // media often hold images twice, in folders of their own
+  for (auto& file : found) {
+    if (!file || !file->hasImage() || file->frames.empty()) continue;
+    Path place = file->path.parent_path();
+    bool isCopy = !file->instanceUid.empty() && known.try_emplace(file->instanceUid, place).first->second != place;
+    if (!isCopy) files.push_back(std::move(*file));
+  }
   return files;
 }
 
-bool holdsDicom(const std::filesystem::path& folder) {
-  for (const Path& path : filesOf(folder))
+bool holdsDicom(const std::filesystem::path& folder, Depth depth, Progress& progress) {
+  for (const Path& path : filesOf(folder, depth, progress)) {
+    progress.throwIfCancelled();
     if (auto file = readDicomHeader(path); file && file->hasImage()) return true;
+  }
   return false;
+}
+
+bool isDicomIndex(const std::filesystem::path& path) {
+  if (!std::filesystem::is_regular_file(path)) return false;
+  auto file = readDicomHeader(path);
+  return file && file->sopClass == "1.2.840.10008.1.3.10";
 }
 
 bool isDicomSeg(const std::filesystem::path& path) {
@@ -153,14 +189,25 @@ std::vector<SeriesInfo> listSeries(const std::filesystem::path& path, Progress& 
   bool isFolder = std::filesystem::is_directory(path);
   // What lies beside a file of another format is none of its business.
   if (!isFolder && !mayBeDicom(path)) return {};
+  bool isIndex = !isFolder && isDicomIndex(path);
   Path folder = isFolder ? path : path.parent_path();
   std::vector<SeriesInfo> series;
-  for (const DicomFile& file : scanDicomFolder(folder, progress)) {
+  std::vector<std::vector<Path>> files;
+  for (const DicomFile& file :
+       scanDicomFolder(folder, isFolder || isIndex ? Depth::AllBelow : Depth::Folder, progress)) {
     auto at = std::find_if(series.begin(), series.end(), [&](const SeriesInfo& s) { return s.uid == file.seriesUid; });
-    if (at == series.end())
-      at = series.insert(series.end(), {file.seriesUid, file.description, file.modality, 0, {file.columns, file.rows}});
+    if (at == series.end()) {
+      SeriesInfo info{file.seriesUid, file.description, file.modality, 0, {file.columns, file.rows}};
+      info.date = file.date;
+      info.isSegmentation = file.isSegmentation();
+      info.referencedSeries = file.referencedSeries;
+      at = series.insert(series.end(), std::move(info));
+      files.emplace_back();
+    }
     at->imageCount += int(file.frames.size());
+    files[std::size_t(at - series.begin())].push_back(file.path);
   }
+  for (std::size_t i = 0; i < series.size(); ++i) series[i].middleFile = files[i][files[i].size() / 2];
   std::stable_sort(series.begin(), series.end(), [](auto& a, auto& b) { return a.imageCount > b.imageCount; });
   return series;
 }

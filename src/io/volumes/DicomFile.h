@@ -33,6 +33,8 @@ struct DicomFrame {
 struct DicomFile {
   std::filesystem::path path;
   std::string seriesUid, instanceUid, description, modality, sopClass, photometric;
+  std::string date;              ///< Of the series, else of the study: "2024-03-15"; empty when unknown.
+  std::string referencedSeries;  ///< Of what segmentations are of; empty when unknown.
   int rows = 0, columns = 0, samplesPerPixel = 1, bitsAllocated = 0, bitsStored = 0;
   bool isSigned = false;
   bool isJpeg = false;         ///< Some kind of JPEG: its codecs know 16 bits at most.
@@ -60,10 +62,14 @@ struct DicomFile {
 
 /// Header of a DICOM file, without pixels; nothing when the file is no DICOM file or too damaged to read.
 std::optional<DicomFile> readDicomHeader(const std::filesystem::path& path);
-/// Headers of all images in a folder, not below it, by path. @throw InputError, Cancelled
-std::vector<DicomFile> scanDicomFolder(const std::filesystem::path& folder, Progress& progress);
-/// True when the folder holds a DICOM image; stops at the first.
-bool holdsDicom(const std::filesystem::path& folder);
+/// How far below a folder files are looked for. Links to folders are not followed.
+enum class Depth { Folder, AllBelow };
+/// Headers of all images in a folder by path, each image once. @throw InputError, Cancelled
+std::vector<DicomFile> scanDicomFolder(const std::filesystem::path& folder, Depth depth, Progress& progress);
+/// True when the folder holds a DICOM image; stops at the first. @throw InputError, Cancelled
+bool holdsDicom(const std::filesystem::path& folder, Depth depth, Progress& progress);
+/// True when the file is the index of a DICOM medium, "DICOMDIR".
+bool isDicomIndex(const std::filesystem::path& path);
 /// True when the file is a DICOM segmentation. Reads its header only; false for what is no DICOM file.
 bool isDicomSeg(const std::filesystem::path& path);
 

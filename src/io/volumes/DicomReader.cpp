@@ -13,6 +13,7 @@
 #include "Readers.h"
 #include "read/ByteSource.h"
 #include "velum/core/Parallel.h"
+#include "velum/io/volumes/ReadVolume.h"
 
 namespace velum::io {
 
@@ -41,8 +42,6 @@ DicomFile namedFile(const Path& path) {
   if (!isSoundDicom(path)) refuse(path, "is no DICOM file, or cut off or damaged: its elements do not fit together");
   auto file = readDicomHeader(path);
   if (!file) refuse(path, "is damaged, or no DICOM file");
-  if (file->sopClass == "1.2.840.10008.1.3.10")
-    refuse(path, "is only the index of a DICOM medium; open the folder that holds the images");
   if (file->isSegmentation()) refuse(path, "is a DICOM segmentation; open it as labels");
   if (!file->hasImage()) refuse(path, fmt::format("holds no image (DICOM modality {})", inQuotes(file->modality)));
   if (file->frames.empty()) refuse(path, "its number of frames is not possible");
@@ -57,7 +56,7 @@ Series seriesOfFile(const Path& path, Progress& progress) {
     series.files = {std::move(named)};
     return series;
   }
-  for (DicomFile& file : scanDicomFolder(path.parent_path(), progress)) {
+  for (DicomFile& file : scanDicomFolder(path.parent_path(), Depth::Folder, progress)) {
     bool isNamed = file.path.filename() == path.filename();
     // Files of the series that differ from the named one in kind (scouts, dose pictures) are not of its stack.
     if (file.seriesUid != named.seriesUid || file.frames.size() > 1 || file.isSegmentation()) continue;
@@ -67,10 +66,10 @@ Series seriesOfFile(const Path& path, Progress& progress) {
   return series;
 }
 
-Series seriesOfFolder(const scene::Source& source, Progress& progress) {
-  Path folder = source.path;
+/// Of a folder with all that lies below it.
+Series seriesOfFolder(const Path& folder, const std::string& wanted, Progress& progress) {
   std::map<std::string, std::vector<DicomFile>> all;
-  for (DicomFile& file : scanDicomFolder(folder, progress))
+  for (DicomFile& file : scanDicomFolder(folder, Depth::AllBelow, progress))
     if (!file.isSegmentation()) all[file.seriesUid].push_back(std::move(file));
   if (all.empty()) refuse(folder, "the folder holds no DICOM images");
   auto count = [](const std::vector<DicomFile>& files) {
@@ -78,10 +77,9 @@ Series seriesOfFolder(const scene::Source& source, Progress& progress) {
     for (const DicomFile& file : files) frames += file.frames.size();
     return frames;
   };
-  auto chosen = all.find(source.series);
-  if (!source.series.empty() && chosen == all.end())
-    refuse(folder, fmt::format("holds no DICOM series {}", inQuotes(source.series)));
-  if (source.series.empty())
+  auto chosen = all.find(wanted);
+  if (!wanted.empty() && chosen == all.end()) refuse(folder, fmt::format("holds no DICOM series {}", inQuotes(wanted)));
+  if (wanted.empty())
     chosen =
         std::max_element(all.begin(), all.end(), [&](auto& a, auto& b) { return count(a.second) < count(b.second); });
   Series series{std::move(chosen->second), -1, {}};
@@ -207,7 +205,9 @@ void describe(Volume& v, const Series& series, const DicomStack& stack, const st
 
 Volume readDicom(const scene::Source& source, Progress& progress) {
   Path path = source.path;
-  Series series = std::filesystem::is_directory(path) ? seriesOfFolder(source, progress) : seriesOfFile(path, progress);
+  bool isFolder = std::filesystem::is_directory(path), isIndex = !isFolder && isDicomIndex(path);
+  Series series = isFolder || isIndex ? seriesOfFolder(isIndex ? path.parent_path() : path, source.series, progress)
+                                      : seriesOfFile(path, progress);
   checkSizes(series);
   std::vector<DicomFrame> frames = framesOf(series);
   DicomStack stack = stackFrames(frames, series.preferred, path);
@@ -215,6 +215,18 @@ Volume readDicom(const scene::Source& source, Progress& progress) {
   decodeDicom(series.files, frames, stack, v, progress);
   resample(v, stack);
   describe(v, series, stack, frames);
+  return v;
+}
+
+Volume readSeriesImage(const SeriesInfo& info, Progress& progress) {
+  Series series{{namedFile(info.middleFile)}, -1, {}};
+  std::vector<DicomFrame> frames{series.files[0].frames[series.files[0].frames.size() / 2]};
+  frames[0].file = 0;
+  DicomStack stack = stackFrames(frames, series.preferred, info.middleFile);
+  Volume v;
+  decodeDicom(series.files, frames, stack, v, progress);
+  describe(v, series, stack, frames);
+  computeRange(v);
   return v;
 }
 

@@ -30,11 +30,13 @@ bool holdsFiles(const Path& folder, std::initializer_list<std::string_view> exte
 
 Volume readFolder(const scene::Source& source, Progress& progress) {
   Path folder = source.path;
-  if (!hasRawLayout(source) && holdsDicom(folder)) return readDicom(source, progress);
-  if (!hasRawLayout(source) && holdsFiles(folder, {".tif", ".tiff", ".png"})) return readTiff(source, progress);
   if (hasRawLayout(source)) return readRaw(source, progress);
+  if (holdsDicom(folder, Depth::Folder, progress)) return readDicom(source, progress);
+  if (holdsFiles(folder, {".tif", ".tiff", ".png"})) return readTiff(source, progress);
+  if (holdsDicom(folder, Depth::AllBelow, progress)) return readDicom(source, progress);
   refuse(folder,
-         "the folder holds no DICOM series and no TIFF or PNG planes; for headerless slices give their size and type");
+         "neither the folder nor one below it holds a DICOM series, and it holds no TIFF or PNG planes; for headerless "
+         "slices give their size and type");
 }
 
 /// Why a file that no reader takes is none, as far as its first bytes tell.

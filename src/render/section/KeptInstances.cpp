@@ -3,76 +3,14 @@
 #include <algorithm>
 
 #include "FrameSetup.h"
-#include "shared/instance.h"
+#include "Instances.h"
 #include "velum/core/ModelBuilder.h"
 #include "velum/core/Parallel.h"
 #include "velum/mesoscale/FocusRows.h"
-#include "velum/mesoscale/InstanceRows.h"
 
 namespace velum::render {
 
 namespace {
-
-/// What is asked of the instances of a scene, as the programs that draw them are told.
-struct Instances {
-  const scene::Scene& scene;
-  const Model& model;
-  double scale = 1.0;  ///< Of an angstrom, in the scene's unit.
-  glm::dvec3 origin{0.0};
-  double radius = 0.0;
-  scene::CopyGrid copies;
-  CpuSheets sheets;
-  std::vector<shared::CutData> cuts;
-  std::vector<shared::TypeSpareRow> spares;
-  std::uint32_t whole = 0;
-  std::vector<InstanceState> states;
-
-  Instances(const scene::Scene& of, const SheetIndices& live);
-  std::size_t count() const { return states.size(); }
-  const Molecule& moleculeOf(std::size_t i) const {
-    return model.molecules[model.instances[i % model.instances.size()].molecule];
-  }
-  float radiusOf(std::size_t i) const { return float(double(moleculeOf(i).radius) * scale); }
-  glm::vec3 middleOf(std::size_t i) const;
-  const shared::TypeSpareRow& spareOf(std::size_t i, std::size_t cut) const {
-    return spares[moleculeOf(i).type * cuts.size() + cut];
-  }
-  float reachOf(std::size_t i, std::size_t cut) const {
-    return cut < 32 && (whole >> cut & 1u) != 0 ? radiusOf(i) : 0.0f;
-  }
-  template <class Look>
-  void forAll(const Look& look) const {
-    parallelForRanges(std::size_t(0), count(), std::size_t(4096), [&](std::size_t first, std::size_t end) {
-      for (std::size_t i = first; i < end; ++i) look(i);
-    });
-  }
-};
-
-Instances::Instances(const scene::Scene& of, const SheetIndices& live)
-    : scene(of),
-      model(*of.model.data),
-      copies(scene::copyGrid(of.model)),
-      sheets(makeCpuSheets(of, live)),
-      spares(mesoscale::makeTypeSpareRows(of)),
-      whole(mesoscale::wholeInstanceBits(of)),
-      states(model.instances.size() * std::size_t(std::max(1, of.model.copies)), InstanceState::Kept) {
-  scene::ModelBox box = scene::modelBox(of.model);
-  scale = unitsPer(LengthUnit::Angstrom, of.unit);
-  origin = 0.5 * (box.low + box.high) * scale;
-  radius = 0.5 * glm::length(box.high - box.low) * scale;
-  cuts = makeCutData(of, origin, sheets.plans);
-}
-
-glm::vec3 Instances::middleOf(std::size_t i) const {
-  std::size_t count = model.instances.size();
-  const Instance& instance = model.instances[i % count];
-  int copy = int(i / count);
-  glm::ivec3 at(copy % copies.counts.x, copy / copies.counts.x % copies.counts.y,
-                copy / (copies.counts.x * copies.counts.y));
-  glm::dvec3 middle = glm::dvec3(instance.position) + glm::dvec3(instance.rotation * moleculeOf(i).centre) +
-                      copies.step * glm::dvec3(at);
-  return glm::vec3(middle * scale - origin);
-}
 
 void clip(Instances& all) {
   all.forAll([&](std::size_t i) {
@@ -80,8 +18,8 @@ void clip(Instances& all) {
     glm::vec3 p = all.middleOf(i);
     shared::CutFold fold = shared::emptyFold();
     for (std::size_t c = 0; c < all.cuts.size(); ++c) {
-      int answer = shared::instanceAnswer(all.cuts[c], shared::typeSpareDepth(all.spareOf(i, c), u), all.reachOf(i, c), p,
-                                          all.sheets.view());
+      int answer = shared::instanceAnswer(all.cuts[c], shared::typeSpareDepth(all.spareOf(i, c), u), all.reachOf(i, c),
+                                          p, all.sheets.view());
       fold = shared::foldAnswer(fold, shared::cutPart(all.cuts[c]), answer);
     }
     if (!shared::foldKeeps(fold)) all.states[i] = InstanceState::Removed;
@@ -169,7 +107,8 @@ bool hides(const Instances& all, std::size_t i, const Mask& mask, const shared::
   forPixels(rect, [&](glm::ivec2 pixel) {
     std::size_t at = std::size_t(pixel.y) * std::size_t(view.size.x) + std::size_t(pixel.x);
     if (mask.depths[at] >= 0.0f && shared::hidesFocus(shared::focusDepths(view, pixel, q, radius), mask.depths[at]))
-      isFound = isOpenAll || shared::apertureOpens(spare.aperture, shared::focusDistance(pixel, mask.seeds[at]), mask.longest);
+      isFound = isOpenAll ||
+                shared::apertureOpens(spare.aperture, shared::focusDistance(pixel, mask.seeds[at]), mask.longest);
     return !isFound;
   });
   return isFound;

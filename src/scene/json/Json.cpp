@@ -15,6 +15,7 @@
 #include "PathKey.h"
 #include "velum/core/Error.h"
 #include "velum/core/Log.h"
+#include "velum/core/NearestName.h"
 #include "velum/core/Text.h"
 
 namespace velum::scene {
@@ -152,20 +153,38 @@ void readNumber(T& target, const Json& json, const std::string& path, const Fiel
   target = T(value);
 }
 
+/// Each by its name, with the one that was most likely meant.
+void warnOfUnknown(const Json& json, const std::string& path, const std::vector<std::string>& names) {
+  constexpr std::size_t kMostNamed = 5;
+  std::string text;
+  std::size_t unknown = 0;
+  for (const auto& [key, value] : json.items()) {
+    bool isVersion = path.empty() && key == "velum";
+    if (isVersion || std::find(names.begin(), names.end(), key) != names.end() || ++unknown > kMostNamed) continue;
+    std::string meant = nearestName(key, names);
+    text += fmt::format("{}'{}'{}", text.empty() ? "" : ", ", printable(key),
+                        meant.empty() ? "" : fmt::format(" (is '{}' meant?)", meant));
+  }
+  if (unknown > kMostNamed) text += fmt::format(" and {} more", unknown - kMostNamed);
+  if (unknown > 0)
+    log::warning(fmt::format("scene: {} has fields that this version does not know; they are left out: {}",
+                             path.empty() ? "the file" : path, text));
+}
+
 template <Fielded T>
 void readStruct(T& target, const Json& json, const std::string& path) {
   if (!json.is_object()) fail(path.empty() ? "top" : path, "expected an object");
   std::size_t known = 0;
+  std::vector<std::string> names;
   auto visit = [&](std::string_view name, auto& member, const FieldInfo& info) {
+    names.emplace_back(name);
     auto it = json.find(std::string(name));
     if (it == json.end()) return;
     ++known;
     read(member, *it, path.empty() ? std::string(name) : fmt::format("{}.{}", path, name), info);
   };
   T::fields(target, visit);
-  if (known + (json.contains("velum") ? 1 : 0) < json.size())
-    log::warning(fmt::format("scene: {} has fields that this version does not know; they are left out",
-                             path.empty() ? "the file" : path));
+  if (known < json.size()) warnOfUnknown(json, path, names);
 }
 
 void read(auto& target, const Json& json, const std::string& path, const FieldInfo& info) {
@@ -207,6 +226,25 @@ void read(auto& target, const Json& json, const std::string& path, const FieldIn
   }
 }
 
+/// An object. @param what  "scene: "; begins the message  @throw InputError with the line where it is none
+Json parseObject(std::string_view text, const std::string& what) {
+  if (nestsTooDeep(text)) throw InputError(what + "brackets are nested deeper than in any scene");
+  Json json;
+  try {
+    json = Json::parse(text);
+  } catch (const Json::exception& error) {
+    // "[json.exception...] parse error at line 3, column 5: syntax error ...; last read: ..."
+    constexpr std::size_t kLongest = 160;  // of what was read last; a file can be all one string
+    std::string_view said = error.what();
+    said.remove_prefix(
+        std::min(said.size(), said.find("line ") != said.npos ? said.find("line ") : said.find("] ") + 2));
+    throw InputError(fmt::format("{}the text is no JSON; {}", what, printable(said.substr(0, kLongest))));
+  }
+  if (!json.is_object())
+    throw InputError(what + "the text is not a JSON object; the file is damaged or of another kind");
+  return json;
+}
+
 // ---- paths
 
 /// JSON as it stands; else a comma list of numbers; else a bare word.
@@ -240,16 +278,19 @@ void assignMember(T& target, std::string_view rest, std::string_view text, const
   std::string_view tail = rest.substr(head.size());
   if (tail.starts_with('.')) tail.remove_prefix(1);
   bool found = false;
-  std::string known;
+  std::vector<std::string> known;
   auto visit = [&](std::string_view name, auto& member, const FieldInfo& info) {
-    known += fmt::format("{}{}", known.empty() ? "" : ", ", name);
+    known.emplace_back(name);
     if (name != head) return;
     found = true;
     assign(member, tail, text, path.empty() ? std::string(name) : fmt::format("{}.{}", path, name), info);
   };
   T::fields(target, visit);
-  if (!found)
-    throw ArgumentError(fmt::format("no field '{}' in {}; there are {}", head, path.empty() ? "a scene" : path, known));
+  if (found) return;
+  std::string meant = nearestName(head, known);
+  throw ArgumentError(fmt::format("no field '{}' in {}{}; there are {}", head, path.empty() ? "a scene" : path,
+                                  meant.empty() ? "" : fmt::format(" (is '{}' meant?)", meant),
+                                  fmt::join(known, ", ")));
 }
 
 void assign(auto& target, std::string_view rest, std::string_view text, const std::string& path,
@@ -417,10 +458,7 @@ std::string toJson(const Scene& scene) {
 }
 
 Scene fromJson(std::string_view text) {
-  if (nestsTooDeep(text)) throw InputError("scene: brackets are nested deeper than in any scene");
-  Json json = Json::parse(text, nullptr, false);
-  if (json.is_discarded() || !json.is_object())
-    throw InputError("scene: the text is not a JSON object; the file is damaged or of another kind");
+  Json json = parseObject(text, "scene: ");
   auto version = json.find("velum");
   if (version == json.end() || !version->is_number_integer())
     throw InputError("scene: no \"velum\" version number; this is not a scene of ours");
@@ -443,10 +481,9 @@ std::string transferToJson(const TransferFunction& transfer) {
 }
 
 TransferFunction transferFromJson(std::string_view text) {
-  if (nestsTooDeep(text)) throw InputError("transfer function: lists nest too deeply; the file is damaged");
-  Json json = Json::parse(text, nullptr, false);
-  auto version = json.is_object() ? json.find("velumTransfer") : json.end();
-  if (!json.is_object() || version == json.end() || !version->is_number_integer())
+  Json json = parseObject(text, "transfer function: ");
+  auto version = json.find("velumTransfer");
+  if (version == json.end() || !version->is_number_integer())
     throw InputError("no \"velumTransfer\" version number; this is not a transfer function of ours, or it is damaged");
   if (version->get<double>() > kTransferVersion || version->get<double>() < 1)
     throw InputError(
@@ -458,9 +495,31 @@ TransferFunction transferFromJson(std::string_view text) {
   return transfer;
 }
 
+namespace {
+
+/// "aorta,left kidney" as ids, where structures of those names are there; what else the value is stays as it is.
+std::string withIdsOfStructures(const Scene& scene, std::string_view path, std::string_view value) {
+  std::string_view field = path.substr(0, path.find_last_not_of("+.0123456789") + 1);
+  bool isSpares = path.starts_with("cuts") && (field.ends_with(".spares") || field.ends_with(".structure"));
+  if (!isSpares || value.empty() || value.front() == '[' || value.front() == '{') return std::string(value);
+  std::string ids;
+  for (std::size_t begin = 0; begin <= value.size();) {
+    std::size_t end = std::min(value.find(',', begin), value.size());
+    std::string name(trimmed(value.substr(begin, end - begin)));
+    if (!numberIn(name))
+      name = fmt::format(
+          "{}", scene.labels.structures[detail::findByKey(scene.labels.structures, name, "labels.structures")].id);
+    ids += (ids.empty() ? "" : ",") + name;
+    begin = end + 1;
+  }
+  return ids;
+}
+
+}  // namespace
+
 void setField(Scene& scene, std::string_view path, std::string_view value) {
   Scene next = scene;
-  assignMember(next, path, value, "");
+  assignMember(next, path, withIdsOfStructures(scene, path, value), "");
   for (std::size_t i = 0; i < next.cuts.size(); ++i) {
     const Cut& cut = next.cuts[i];
     bool wasNone = i >= scene.cuts.size() || !scene.cuts[i].membrane;

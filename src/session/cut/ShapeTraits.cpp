@@ -108,7 +108,7 @@ constexpr ShapeTraits kShapes[] = {
      .icon = "M -6.5 2.5 C -2.5 2.5 -3.5 -5 0 -5 C 3.5 -5 2.5 2.5 6.5 2.5 O 0 0.5 2 2",
      .sizes = {{{"x ", "Width of the rest plane"},
                 {"y ", "Height of the rest plane"},
-                {"reach ", "How far the sheet may go, both sides together"}}},
+                {"reach ", "How far the sheet may go, both sides together: half of it to either side of the rest plane"}}},
      .girth = Girth::None,
      .faces = kFacesX | kFacesY,
      .low = 0.0,

@@ -3,7 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <exception>
 #include <fstream>
+#include <functional>
+#include <utility>
+#include <variant>
 
 #include "velum/core/FileName.h"
 #include "velum/core/Log.h"
@@ -108,6 +112,14 @@ void putLabels(scene::Scene& scene, LabelVolume labels) {
   scene::completeStructures(scene.labels);
 }
 
+/// In the place of what the scene has of them.
+void takeLabels(scene::Scene& scene, const scene::Source& source, LabelVolume labels) {
+  scene.labels = {};
+  scene.labels.source = source;
+  adoptUnit(scene, labels.lengthUnit());
+  putLabels(scene, std::move(labels));
+}
+
 void readSurfaceInto(scene::Surface& surface, Progress& progress) {
   Mesh mesh = io::readMesh(surface.source.path, progress);
   warnAll(surface.source.path, mesh.warnings);
@@ -159,6 +171,26 @@ scene::Scene withRelativePaths(scene::Scene scene, const fs::path& folder) {
   return scene;
 }
 
+/// Opens each; one that cannot be read does not keep the others from it.
+/// @return why some were refused, one line each. @throw InputError when all were: the first one's
+std::vector<std::string> openEach(const std::vector<std::string>& paths,
+                                  const std::function<void(const scene::Source&)>& open) {
+  std::vector<std::string> refused;
+  std::exception_ptr first;
+  for (const auto& path : paths) {
+    scene::Source source;
+    source.path = path;
+    try {
+      open(source);
+    } catch (const InputError& error) {
+      if (!first) first = std::current_exception();
+      refused.push_back(error.what());
+    }
+  }
+  if (refused.size() == paths.size() && first) std::rethrow_exception(first);
+  return refused;
+}
+
 }  // namespace
 
 std::optional<std::string> readSceneText(const fs::path& path) {
@@ -196,11 +228,7 @@ scene::Scene open(const scene::Source& source, Progress& progress, const DataPol
 }
 
 void addLabels(scene::Scene& scene, const scene::Source& source, Progress& progress) {
-  scene.labels = {};
-  scene.labels.source = source;
-  LabelVolume labels = io::readLabels(source, progress);
-  adoptUnit(scene, labels.lengthUnit());
-  putLabels(scene, std::move(labels));
+  takeLabels(scene, source, io::readLabels(source, progress));
 }
 
 void add(scene::Scene& scene, const scene::Source& source, Progress& progress, std::vector<std::string>* notes) {
@@ -225,10 +253,11 @@ void add(scene::Scene& scene, const scene::Source& source, Progress& progress, s
     if (isAlone) scene::applyModelLook(scene, scene::kFirstModelLook);
     return;
   }
-  if (!hasLayout && io::looksLikeLabels(path)) return addLabels(scene, source, progress);
   if (scene.volume.data) return addLabels(scene, source, progress);
+  auto voxels = io::readVoxels(source, progress);
+  if (auto* labels = std::get_if<LabelVolume>(&voxels)) return takeLabels(scene, source, std::move(*labels));
+  auto& volume = std::get<Volume>(voxels);
   scene.volume.source = source;
-  Volume volume = io::readVolume(source, progress);
   adoptUnit(scene, volume.lengthUnit);
   putVolume(scene, std::move(volume));
   if (!(scene.volume.data->range.x < scene.volume.data->range.y))
@@ -237,24 +266,31 @@ void add(scene::Scene& scene, const scene::Source& source, Progress& progress, s
   scene::completeChannels(scene.volume);
 }
 
-scene::Scene openAll(std::vector<std::string> paths, Progress& progress, const DataPolicy& policy,
-                     std::vector<std::string>* notes) {
+Opened openAll(std::vector<std::string> paths, Progress& progress, const DataPolicy& policy,
+               std::vector<std::string>* notes) {
   if (paths.empty()) throw ArgumentError("nothing was named to open");
   std::stable_partition(paths.begin(), paths.end(), [](const std::string& path) {
     if (isMesh(path)) return false;
     bool isScene = lowerExtension(path) == ".json" || isPicture(path);
     return isScene || !fs::exists(path) || fs::is_directory(path) || !io::looksLikeLabels(path);
   });
-  scene::Source source;
-  source.path = paths.front();
-  scene::Scene scene = open(source, progress, policy, notes);
-  for (std::size_t i = 1; i < paths.size(); ++i) {
-    source.path = paths[i];
-    add(scene, source, progress, notes);
-  }
+  Opened opened;
+  std::vector<std::string> refused = openEach(paths, [&](const scene::Source& source) {
+    if (!opened.path.empty()) return add(opened.scene, source, progress, notes);
+    opened.scene = open(source, progress, policy, notes);
+    opened.path = source.path;
+  });
+  for (const auto& note : refused) Notes{notes}.add(note);
+  const scene::Scene& scene = opened.scene;
   if (paths.size() > 1 && (!scene.surfaces.empty() || scene.model.data))
-    scene.camera = scene::frameCamera(scene, scene::defaultView(scene), 4.0 / 3.0);
-  return scene;
+    opened.scene.camera = scene::frameCamera(scene, scene::defaultView(scene), 4.0 / 3.0);
+  return opened;
+}
+
+void addAll(scene::Scene& scene, const std::vector<std::string>& paths, Progress& progress,
+            std::vector<std::string>* notes) {
+  auto refused = openEach(paths, [&](const scene::Source& source) { add(scene, source, progress, notes); });
+  for (const auto& note : refused) Notes{notes}.add(note);
 }
 
 void loadData(scene::Scene& scene, const fs::path& folder, Progress& progress, const DataPolicy& policy,

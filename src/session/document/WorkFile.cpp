@@ -23,19 +23,17 @@ bool isSceneFile(const std::filesystem::path& path) {
 
 Loaded readPaths(const std::vector<std::string>& paths, Progress& progress, const DataPolicy& policy) {
   Loaded loaded;
-  loaded.scene = openAll(paths, progress, policy, &loaded.notes);
-  loaded.isScene = readSceneText(paths.front()).has_value();
+  Opened opened = openAll(paths, progress, policy, &loaded.notes);
+  loaded.scene = std::move(opened.scene);
+  loaded.path = opened.path;
+  loaded.isScene = readSceneText(loaded.path).has_value();
   return loaded;
 }
 
 Loaded readBeside(scene::Scene beside, const std::vector<std::string>& paths, Progress& progress) {
   Loaded loaded;
   loaded.scene = std::move(beside);
-  for (const auto& path : paths) {
-    scene::Source source;
-    source.path = path;
-    add(loaded.scene, source, progress);
-  }
+  addAll(loaded.scene, paths, progress, &loaded.notes);
   return loaded;
 }
 

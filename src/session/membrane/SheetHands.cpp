@@ -248,6 +248,20 @@ std::vector<std::vector<glm::dvec3>> kernelRings(const scene::UserKernel& kernel
   return rings;
 }
 
+std::string whyNotHeld(const scene::LengthFormat& lengths, const scene::Cut& cut, Hand hand) {
+  if (hand.kind != HandKind::Pin || !holds(*cut.membrane, hand)) return {};
+  glm::dvec3 place = cut.membrane->pins[std::size_t(hand.index)].place - cut.centre;
+  glm::dmat3 axes = cutFrame(cut);
+  bool isBeside =
+      std::abs(glm::dot(place, axes[0])) > 0.5 * cut.size.x || std::abs(glm::dot(place, axes[1])) > 0.5 * cut.size.y;
+  if (isBeside) return "lies beside the frame: move it, or make the frame larger";
+  double height = glm::dot(place, axes[2]), most = 0.5 * cut.size.z;
+  if (std::abs(height) <= most) return {};
+  return fmt::format("is {} from the rest plane, and the sheet goes {} to either side: deepen the reach to {}",
+                     lengthText(lengths, std::abs(height)), lengthText(lengths, most),
+                     lengthText(lengths, 2.0 * std::abs(height)));
+}
+
 std::string handText(const scene::LengthFormat& lengths, const scene::Cut& cut, Hand hand) {
   if (!holds(*cut.membrane, hand)) return {};
   if (hand.kind == HandKind::Rim)

@@ -1,9 +1,11 @@
 #pragma once
 #include <filesystem>
+#include <variant>
 #include <vector>
 
 #include "velum/core/LabelVolume.h"
 #include "velum/core/Task.h"
+#include "velum/core/Volume.h"
 #include "velum/scene/Source.h"
 
 namespace velum::io {
@@ -18,8 +20,13 @@ LabelVolume readLabels(const scene::Source& source, Progress& progress);
 /// @throw InputError when no line can be used
 std::vector<LabelInfo> readLabelTable(const std::filesystem::path& path);
 
-/// True when the file is meant as labels: .seg.nrrd, DICOM SEG, NIfTI with a label intent or label extension, or a
-/// name that says so ("labels", "seg", "mask"). Looks at the header only.
+/// True when the file may be meant as labels: .seg.nrrd, DICOM SEG, NIfTI with a label intent or label extension, or a
+/// name that says so ("labels", "seg", "mask"). Looks at the header only: of the last two readVoxels() knows better.
 bool looksLikeLabels(const std::filesystem::path& path);
+
+/// Reads what the file holds. DICOM SEG and .seg.nrrd are labels. What only a name or an intent calls labels is so if
+/// its values are, too: whole numbers in 0..65535, and most neighbours of one structure have the same.
+/// @throw InputError as readVolume and readLabels; Cancelled
+std::variant<Volume, LabelVolume> readVoxels(const scene::Source& source, Progress& progress);
 
 }  // namespace velum::io

@@ -16,12 +16,20 @@ struct SeriesInfo {
   std::string modality;  ///< DICOM code: "CT", "MR", "SEG", ...
   int imageCount = 0;    ///< Sections, or frames of a multi-frame file.
   glm::ivec2 size{0};    ///< Columns, rows.
+  std::string date;      ///< "2024-03-15"; empty when unknown.
+  bool isSegmentation = false;
+  std::string referencedSeries;      ///< Of a segmentation: the series that it is of; empty when unknown.
+  std::filesystem::path middleFile;  ///< Its image half way through; of a multi-frame file that file.
   bool operator==(const SeriesInfo&) const = default;
 };
 
-/// The DICOM series in a folder (or in the folder of a DICOM file), largest first. Empty when there is none.
-/// Reads headers only. Any thread. @throw InputError when the path does not exist; Cancelled
+/// The DICOM series in a folder and all folders below it (or in the folder of a DICOM file; of an index, DICOMDIR, in
+/// all below its folder), largest first. Empty when there is none. Reads headers only. Any thread. @throw InputError
+/// when the path does not exist; Cancelled
 std::vector<SeriesInfo> listSeries(const std::filesystem::path& path, Progress& progress);
+
+/// One image of a series, as a volume of one section: to know it by. @throw InputError, Cancelled. Any thread.
+Volume readSeriesImage(const SeriesInfo& series, Progress& progress);
 
 /// Reads a volume of any of formats().
 ///

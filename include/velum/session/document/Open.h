@@ -23,8 +23,8 @@ scene::Scene open(const scene::Source& source, Progress& progress, const DataPol
 /// @throw InputError when it is damaged
 std::optional<std::string> readSceneText(const std::filesystem::path& path);
 
-/// Adds another input to a scene: a model, labels beside the volume, a surface, or, where the scene has no volume yet, a
-/// volume.
+/// Adds another input to a scene: a model, labels beside the volume, a surface, or, where the scene has no volume yet,
+/// a volume.
 /// @param notes  as of open()
 void add(scene::Scene& scene, const scene::Source& source, Progress& progress,
          std::vector<std::string>* notes = nullptr);
@@ -33,10 +33,21 @@ void add(scene::Scene& scene, const scene::Source& source, Progress& progress,
 /// Cancelled
 void addLabels(scene::Scene& scene, const scene::Source& source, Progress& progress);
 
+/// What several inputs gave.
+struct Opened {
+  scene::Scene scene;
+  std::string path;  ///< The first that opened, by which the scene is called.
+};
+
 /// Opens several inputs as one scene: what carries the voxels first, then labels and surfaces, in whatever order they
-/// were named. @throw ArgumentError when there is none
-scene::Scene openAll(std::vector<std::string> paths, Progress& progress, const DataPolicy& policy = {},
-                     std::vector<std::string>* notes = nullptr);
+/// were named. What cannot be read is noted, and the others open. @throw ArgumentError when there is none; InputError
+/// when none can be read; Cancelled
+Opened openAll(std::vector<std::string> paths, Progress& progress, const DataPolicy& policy = {},
+               std::vector<std::string>* notes = nullptr);
+
+/// Adds several inputs to a scene as openAll() does. @throw InputError when none can be read; Cancelled
+void addAll(scene::Scene& scene, const std::vector<std::string>& paths, Progress& progress,
+            std::vector<std::string>* notes = nullptr);
 
 /// Reads the data that the scene names and does not hold yet. Paths are taken relative to `folder`; what is not there
 /// is looked for; what is not found is an error, or is left out (missingData() then names it), as the policy says.

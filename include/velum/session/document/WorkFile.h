@@ -17,6 +17,7 @@ namespace velum::session {
 struct Loaded {
   scene::Scene scene;
   bool isScene = false;             ///< camera and layout are its own
+  std::string path;                 ///< of several files the one by which the scene is called; empty: the caller knows
   std::vector<std::string> notes;   ///< for the user
   std::unique_ptr<WorkClaim> lost;  ///< recovered work, until it is journaled anew
 };

@@ -101,6 +101,9 @@ double nearnessToSection(const scene::SectionPlane& plane, glm::dvec3 place);
 /// Three rings about a kernel's middle, across the axes of a plane.
 std::vector<std::vector<glm::dvec3>> kernelRings(const scene::UserKernel& kernel, const glm::dmat3& axes);
 
+/// Why the sheet does not pass through a pin: it lies beside the frame, or farther from the rest plane than half of the
+/// reach; empty where it does.
+std::string whyNotHeld(const scene::LengthFormat& lengths, const scene::Cut& cut, Hand hand);
 /// For people: how far it is from the rest plane, "+3.2 mm", or a radius, "r 12.0 mm". UTF-8.
 std::string handText(const scene::LengthFormat& lengths, const scene::Cut& cut, Hand hand);
 /// The name of the undo step: "Move pin", "Move kernel", "Resize kernel".

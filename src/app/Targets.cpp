@@ -1,0 +1,78 @@
+#include "Targets.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "velum/core/Error.h"
+#include "velum/core/Log.h"
+#include "velum/core/Text.h"
+#include "velum/session/membrane/Membranes.h"
+#include "velum/session/model/TypesAt.h"
+
+namespace velum::app {
+
+namespace {
+
+/// The scene's target of what "TYPE=N" names; a new one where it has none.
+scene::TypeTarget& targetOf(scene::Scene& scene, const char* option, const std::string& text, double& number) {
+  std::size_t equals = text.rfind('=');
+  auto wanted = equals == std::string::npos ? std::nullopt : numberIn(std::string_view(text).substr(equals + 1));
+  if (!wanted || !std::isfinite(*wanted) || *wanted < 0.0)
+    throw ArgumentError(fmt::format("{} {}: expected TYPE=N, how many instances", option, text));
+  if (!scene.model.data) throw InputError(fmt::format("{} {}: there is no model", option, text));
+  number = std::round(*wanted);
+  std::string path = session::typesAt(*scene.model.data, text.substr(0, equals)).path;
+  std::vector<scene::TypeTarget>& targets = scene.model.targets;
+  auto found = std::find_if(targets.begin(), targets.end(), [&](const auto& target) { return target.type == path; });
+  return found != targets.end() ? *found : targets.emplace_back(scene::TypeTarget{path, std::nullopt, std::nullopt});
+}
+
+}  // namespace
+
+void addTargets(CLI::App& verb, TargetOptions& options) {
+  verb.add_option(
+          "--set-count", options.counts,
+          "let cuts leave N instances of a type or compartment: TYPE=N, by its path or the end of it; repeatable")
+      ->allow_extra_args(false);
+  verb.add_option("--set-visible", options.visibles, "the same until N of them show in the picture; repeatable")
+      ->allow_extra_args(false);
+}
+
+std::optional<session::TargetsReport> settleTargets(scene::Scene& scene, const TargetOptions& options, double aspect,
+                                                    session::PictureCounter* counter) {
+  double number = 0.0;
+  for (const std::string& text : options.counts)
+    if (scene::TypeTarget& target = targetOf(scene, "--set-count", text, number); true) target.rendered = number;
+  for (const std::string& text : options.visibles)
+    if (scene::TypeTarget& target = targetOf(scene, "--set-visible", text, number); true) target.visible = number;
+  if (!scene.model.data || scene.model.targets.empty()) return std::nullopt;
+  std::vector<scene::TypeTarget> targets = scene.model.targets;
+  if (!counter)
+    for (scene::TypeTarget& target : targets) target.visible.reset();
+  std::vector<int> cuts = session::cutsToSet(scene);
+  Progress& progress = consoleProgress();
+  if (counter && session::hasMembranes(scene)) session::settleMembranes(scene, {}, progress);
+  auto picture = [counter](const scene::Scene& of) { return counter->count(of); };
+  session::TargetsReport report = session::solveTargets(scene, cuts, targets, picture, {}, aspect);
+  progress.report(1.0, "");
+  scene = report.scene;
+  for (const session::TargetReport& target : report.targets)
+    if (!target.isMet) log::warning(target.words);
+  return report;
+}
+
+Json targetJson(const session::TargetReport& target) {
+  auto orNull = [](const std::optional<std::uint64_t>& count) { return count ? Json(*count) : Json(); };
+  return {{"type", target.path},
+          {"wantedRendered", orNull(target.wantedRendered)},
+          {"wantedVisible", orNull(target.wantedVisible)},
+          {"rendered", target.rendered},
+          {"visible", orNull(target.visible)},
+          {"total", target.total},
+          {"met", target.isMet},
+          {"words", target.words}};
+}
+
+}  // namespace velum::app

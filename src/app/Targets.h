@@ -1,0 +1,28 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "Common.h"
+#include "velum/session/model/PictureCounter.h"
+#include "velum/session/model/TargetSolver.h"
+
+namespace velum::app {
+
+/// How many instances of types are wanted, beside what a scene says.
+struct TargetOptions {
+  std::vector<std::string> counts, visibles;  ///< TYPE=N
+};
+
+void addTargets(CLI::App& verb, TargetOptions& options);
+
+/// Puts the options into the scene's targets, and sets the shares of its cuts so that all are met as far as they can
+/// be, membranes at rest; nothing where there are no targets. What is not met is said on stderr.
+/// @param counter  null: there is no picture, so that none can say how many show
+std::optional<session::TargetsReport> settleTargets(scene::Scene& scene, const TargetOptions& options, double aspect,
+                                                    session::PictureCounter* counter);
+
+/// A target as verbs report it.
+Json targetJson(const session::TargetReport& target);
+
+}  // namespace velum::app

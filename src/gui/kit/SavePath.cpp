@@ -1,0 +1,63 @@
+#include "SavePath.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QRegularExpression>
+
+namespace velum::gui {
+
+namespace {
+
+/// ".png" of "PNG (*.png *.apng)".
+QString endingOf(const QString& filter) {
+  static const QRegularExpression form(R"(\(\*(\.[^ )]+))");
+  return form.match(filter).captured(1);
+}
+
+bool endsInKind(const QString& path) {
+  static const QRegularExpression form("\\.[A-Za-z][A-Za-z0-9]{0,5}$");
+  return form.match(QFileInfo(path).fileName()).hasMatch();
+}
+
+/// Qt's own dialog takes double quotes for marks between several names. (No Q_OBJECT: Qt asks the system's dialog only
+/// for its own class.)
+class SaveDialog : public QFileDialog {
+ public:
+  SaveDialog(QWidget* parent, const QString& title, const QString& start, const QString& filters)
+      : QFileDialog(parent, title, QFileInfo(start).path(), filters) {
+    setAcceptMode(QFileDialog::AcceptSave);
+    setFileMode(QFileDialog::AnyFile);
+    selectFile(QFileInfo(start).fileName());
+  }
+  /// As it was typed, with its ending.
+  QString path() const {
+    QString path = mTyped.isEmpty() ? selectedFiles().value(0) : mTyped;
+    return endsInKind(path) || path.isEmpty() ? path : path + endingOf(selectedNameFilter());
+  }
+
+ protected:
+  void accept() override {
+    auto* edit = findChild<QLineEdit*>("fileNameEdit");
+    QString text = edit ? edit->text() : QString();
+    if (!text.contains('"') || QFileInfo(directory().absoluteFilePath(text)).isDir()) return QFileDialog::accept();
+    mTyped = directory().absoluteFilePath(text);
+    bool mayWrite =
+        !QFileInfo::exists(path()) ||
+        QMessageBox::question(this, windowTitle(), tr("%1 already exists.\nReplace it?").arg(text)) == QMessageBox::Yes;
+    if (mayWrite) QDialog::accept();
+  }
+
+ private:
+  QString mTyped;
+};
+
+}  // namespace
+
+QString askSavePath(QWidget* parent, const QString& title, const QString& start, const QString& filters) {
+  SaveDialog dialog(parent, title, start, filters);
+  return dialog.exec() == QDialog::Accepted ? dialog.path() : QString();
+}
+
+}  // namespace velum::gui

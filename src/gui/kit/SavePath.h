@@ -1,0 +1,13 @@
+#pragma once
+#include <QString>
+#include <QWidget>
+
+namespace velum::gui {
+
+/// Asks where a file is to be written. What is typed is the name, with blanks, quotes and letters of any script in it;
+/// a name that does not end in a file's kind ("Fig. 3") gets the ending of the kind that is chosen.
+/// @param start  folder and name that are proposed  @param filters  "PNG (*.png);;TIFF (*.tif)", the usual one first
+/// @return empty: nothing is to be written
+QString askSavePath(QWidget* parent, const QString& title, const QString& start, const QString& filters);
+
+}  // namespace velum::gui

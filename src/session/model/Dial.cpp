@@ -1,0 +1,261 @@
+#include "Dial.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "velum/render/section/KeptInstances.h"
+#include "velum/render/section/StayingShares.h"
+#include "velum/session/cut/CutEdit.h"
+#include "velum/session/model/TypesAt.h"
+
+namespace velum::session {
+
+namespace {
+
+bool isAmong(const std::vector<int>& cuts, const scene::Cut& cut) {
+  return cut.enabled && std::find(cuts.begin(), cuts.end(), cut.id) != cuts.end();
+}
+
+/// True of a path and of those that it leads to.
+bool leadsTo(std::string_view path, std::string_view to) {
+  return to.starts_with(path) && (to.size() == path.size() || to[path.size()] == '.');
+}
+
+/// Calls visit(instance over all copies) for those of a type, copy by copy.
+template <class Visit>
+void forInstances(const scene::ModelLayer& layer, std::uint32_t type, Visit&& visit) {
+  const MoleculeType& of = layer.data->types[type];
+  for (std::size_t copy = 0; copy < std::size_t(std::max(1, layer.copies)); ++copy)
+    for (std::size_t i = 0; i < of.instanceCount; ++i)
+      visit(std::uint32_t(copy * layer.data->instances.size() + of.firstInstance + i));
+}
+
+void addShareCandidates(Dial& dial, const scene::Scene& scene, std::uint32_t type, const std::vector<float>& shares,
+                        const std::vector<render::InstanceState>& states) {
+  std::size_t at = 0;
+  forInstances(scene.model, type, [&](std::uint32_t instance) {
+    float from = shares[at++];
+    if (from == render::kStaysNever) return;
+    if (!states.empty() && states[instance] == render::InstanceState::Cleared) return;
+    if (from == render::kStaysAlways)
+      ++dial.always;
+    else
+      dial.candidates.push_back({from, instance});
+  });
+}
+
+void addViewCandidates(Dial& dial, const scene::Scene& scene, std::uint32_t type,
+                       const std::vector<render::InstanceState>& closed,
+                       const std::vector<render::InstanceState>& open) {
+  forInstances(scene.model, type, [&](std::uint32_t instance) {
+    if (closed[instance] == render::InstanceState::Kept)
+      ++dial.always;
+    else if (open[instance] == render::InstanceState::Kept)
+      dial.candidates.push_back({randomOf(instance, 1), instance});
+  });
+}
+
+/// A number between two, and as few digits as keep it off both: floats between them tell them apart.
+double numberBetween(float below, float above) {
+  double width = double(above) - below, middle = below + 0.5 * width;
+  for (double steps = 100.0; steps < 1e8; steps *= 10.0) {
+    double rounded = std::round(middle * steps) / steps;
+    bool isOff = std::abs(rounded - middle) <= 0.25 * width;
+    if (isOff && float(rounded) > below && float(rounded) <= above) return rounded;
+  }
+  return float(middle) > below ? double(float(middle)) : double(above);
+}
+
+}  // namespace
+
+bool hasFocus(const scene::Scene& scene) {
+  return std::any_of(scene.cuts.begin(), scene.cuts.end(),
+                     [](const scene::Cut& cut) { return cut.enabled && cut.focus && !cut.focus->types.empty(); });
+}
+
+bool isCleared(const scene::Scene& scene, const std::vector<int>& cuts, const TypeNumbers& types) {
+  const Model& model = *scene.model.data;
+  return std::any_of(scene.cuts.begin(), scene.cuts.end(), [&](const scene::Cut& cut) {
+    if (!isAmong(cuts, cut) || !cut.focus || cut.focus->types.empty()) return false;
+    return std::none_of(types.begin(), types.end(), [&](std::uint32_t type) {
+      std::string path = pathOf(model, model.types[type]);
+      return std::any_of(cut.focus->types.begin(), cut.focus->types.end(),
+                         [&](const scene::FocusType& focus) { return leadsTo(focus.type, path); });
+    });
+  });
+}
+
+std::vector<Dial> makeDials(const scene::Scene& scene, const std::vector<int>& cuts, const TypeNumbers& types,
+                            DialField field, const render::SheetIndices& sheets, double aspect) {
+  const Model& model = *scene.model.data;
+  std::vector<bool> shown = visibleTypes(scene.model);
+  // As it is with the numbers at their ends.
+  scene::Scene closed = scene, open = scene;
+  for (std::uint32_t type : types) {
+    std::string path = pathOf(model, model.types[type]);
+    setDial(closed, cuts, path, field, 0.0);
+    setDial(open, cuts, path, field, 1.0);
+  }
+  std::vector<render::InstanceState> openStates, closedStates;
+  if (field == DialField::ViewShare) closedStates = render::instanceStates(closed, sheets, aspect);
+  if (field == DialField::ViewShare || hasFocus(scene)) openStates = render::instanceStates(open, sheets, aspect);
+  std::vector<std::vector<float>> shares;
+  if (field == DialField::Share) shares = render::stayingShares(open, cuts, types, sheets);
+  std::vector<Dial> dials;
+  for (std::size_t i = 0; i < types.size(); ++i) {
+    std::uint32_t type = types[i];
+    std::string path = pathOf(model, model.types[type]);
+    auto found = std::find_if(dials.begin(), dials.end(), [&](const Dial& dial) { return dial.path == path; });
+    if (found == dials.end()) found = dials.insert(found, Dial{path, {}, 0, 0, {}});
+    found->types.push_back(type);
+    found->total += std::uint64_t(model.types[type].instanceCount) * std::uint64_t(std::max(1, scene.model.copies));
+    if (!shown[type] || !scene.model.visible) continue;
+    if (field == DialField::Share)
+      addShareCandidates(*found, scene, type, shares[i], openStates);
+    else
+      addViewCandidates(*found, scene, type, closedStates, openStates);
+  }
+  return dials;
+}
+
+CountRange rangeOf(const std::vector<Dial>& dials) {
+  CountRange range;
+  for (const Dial& dial : dials) {
+    range.least += dial.always;
+    range.most += dial.always + dial.candidates.size();
+    range.total += dial.total;
+  }
+  return range;
+}
+
+std::vector<std::uint64_t> splitAmong(const std::vector<Dial>& dials, std::uint64_t count) {
+  std::vector<std::uint64_t> parts(dials.size(), 0), rests(dials.size(), 0);
+  std::uint64_t all = 0, given = 0;
+  for (const Dial& dial : dials) all += dial.candidates.size();
+  count = std::min(count, all);
+  if (all == 0) return parts;
+  for (std::size_t i = 0; i < dials.size(); ++i) {
+    std::uint64_t product = count * dials[i].candidates.size();
+    parts[i] = product / all, rests[i] = product % all;
+    given += parts[i];
+  }
+  std::vector<std::size_t> order(dials.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return rests[a] > rests[b]; });
+  for (std::size_t i = 0; given < count; ++i, ++given) ++parts[order[i]];
+  return parts;
+}
+
+DialSetting settingFor(const Dial& dial, std::uint64_t staying) {
+  std::size_t count = dial.candidates.size();
+  if (staying == 0) return {0.0, 0};
+  if (staying >= count) return {1.0, count};
+  std::vector<float> from(count);
+  std::transform(dial.candidates.begin(), dial.candidates.end(), from.begin(),
+                 [](const Candidate& candidate) { return candidate.from; });
+  auto place = from.begin() + std::ptrdiff_t(staying - 1);
+  std::nth_element(from.begin(), place, from.end());
+  float last = *place, next = *std::min_element(place + 1, from.end());
+  if (last < next) return {numberBetween(last, next), staying};
+  auto before = std::uint64_t(std::count_if(from.begin(), from.end(), [last](float f) { return f < last; }));
+  auto upTo = std::uint64_t(std::count_if(from.begin(), from.end(), [last](float f) { return f <= last; }));
+  return settingFor(dial, staying - before <= upTo - staying ? before : upTo);
+}
+
+void setDial(scene::Scene& scene, const std::vector<int>& cuts, const std::string& path, DialField field,
+             double number) {
+  for (scene::Cut& cut : scene.cuts) {
+    if (!isAmong(cuts, cut)) continue;
+    scene::TypeSpare& spare = ownTypeSpare(cut, path);
+    (field == DialField::Share ? spare.share : spare.viewShare) = number;
+  }
+}
+
+namespace {
+
+/// The number of a path at which `staying` of its candidates do, by trying: where rounding lets the drawing disagree
+/// with the shares that were worked out.
+void searchShare(scene::Scene& scene, const std::vector<int>& cuts, const Dial& dial, std::uint64_t staying,
+                 const render::SheetIndices& sheets, double aspect) {
+  auto distance = [&](std::uint64_t count) {
+    std::uint64_t wanted = dial.always + staying;
+    return count > wanted ? count - wanted : wanted - count;
+  };
+  std::uint64_t low = 0, high = dial.candidates.size(), least = ~std::uint64_t(0);
+  double best = 0.0;
+  while (low <= high && least > 0) {
+    std::uint64_t middle = (low + high) / 2;
+    double number = settingFor(dial, middle).number;
+    setDial(scene, cuts, dial.path, DialField::Share, number);
+    std::uint64_t count = countRendered(scene, dial.types, sheets, aspect);
+    if (distance(count) < least) least = distance(count), best = number;
+    if (count < dial.always + staying)
+      low = middle + 1;
+    else if (middle == 0)
+      break;
+    else
+      high = middle - 1;
+  }
+  setDial(scene, cuts, dial.path, DialField::Share, best);
+}
+
+/// Rendered instances by dial.
+std::vector<std::uint64_t> countDials(const scene::Scene& scene, const std::vector<Dial>& dials,
+                                      const render::SheetIndices& sheets, double aspect) {
+  std::vector<std::uint8_t> kept = render::keptInstances(scene, sheets, aspect);
+  std::vector<bool> shown = visibleTypes(scene.model);
+  std::vector<std::uint64_t> counts(dials.size(), 0);
+  for (std::size_t i = 0; i < dials.size(); ++i)
+    for (std::uint32_t type : dials[i].types)
+      if (shown[type] && scene.model.visible)
+        forInstances(scene.model, type, [&](std::uint32_t instance) { counts[i] += kept[instance]; });
+  return counts;
+}
+
+}  // namespace
+
+std::uint64_t countRendered(const scene::Scene& scene, const TypeNumbers& types, const render::SheetIndices& sheets,
+                            double aspect) {
+  return countDials(scene, {Dial{.types = types}}, sheets, aspect).front();
+}
+
+std::uint64_t turnShares(scene::Scene& scene, const std::vector<int>& cuts, const std::vector<Dial>& dials,
+                         std::uint64_t count, const render::SheetIndices& sheets, double aspect) {
+  std::vector<std::uint64_t> parts = splitAmong(dials, count);
+  std::vector<DialSetting> settings;
+  std::int64_t missing = 0;
+  for (std::size_t i = 0; i < dials.size(); ++i) {
+    settings.push_back(settingFor(dials[i], parts[i]));
+    missing += std::int64_t(parts[i]) - std::int64_t(settings[i].staying);
+  }
+  // What some cannot have, as several of them begin to stay at once, others take.
+  for (std::size_t i = 0; i < dials.size() && missing != 0; ++i) {
+    auto other = std::int64_t(settings[i].staying) + missing;
+    if (other < 0 || other > std::int64_t(dials[i].candidates.size())) continue;
+    if (DialSetting setting = settingFor(dials[i], std::uint64_t(other)); setting.staying == std::uint64_t(other))
+      settings[i] = setting, missing = 0;
+  }
+  for (std::size_t i = 0; i < dials.size(); ++i)
+    setDial(scene, cuts, dials[i].path, DialField::Share, settings[i].number);
+  // Who draws has the last word.
+  std::vector<std::uint64_t> counts = countDials(scene, dials, sheets, aspect);
+  bool isChanged = false;
+  for (std::size_t i = 0; i < dials.size(); ++i) {
+    if (counts[i] == dials[i].always + settings[i].staying) continue;
+    searchShare(scene, cuts, dials[i], settings[i].staying, sheets, aspect);
+    isChanged = true;
+  }
+  if (isChanged) counts = countDials(scene, dials, sheets, aspect);
+  return std::accumulate(counts.begin(), counts.end(), std::uint64_t(0));
+}
+
+std::string countText(std::uint64_t count) {
+  std::string text = fmt::format("{}", count);
+  for (std::size_t at = text.size(); at > 3; at -= 3) text.insert(at - 3, ",");
+  return text;
+}
+
+}  // namespace velum::session

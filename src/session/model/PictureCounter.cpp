@@ -1,0 +1,59 @@
+#include "velum/session/model/PictureCounter.h"
+
+#include <algorithm>
+
+#include "velum/render/RenderPicture.h"
+
+namespace velum::session {
+
+namespace {
+
+scene::Scene bareScene(const scene::Scene& scene) {
+  scene::Scene bare = scene;
+  bare.rayCast.samplesPerPixel = 1;
+  bare.lighting.shaded = false;
+  bare.finish = {};
+  bare.model.ghosts = scene::Ghosts::None;
+  for (scene::TypeLook& look : bare.model.types) look.ghosts.reset();
+  return bare;
+}
+
+}  // namespace
+
+const render::InstanceBits& PictureCounter::count(const scene::Scene& scene) {
+  render::Frame frame;
+  frame.scene = bareScene(scene);
+  if (mBits.count > 0 && frame.scene == mLast) return mBits;
+  const scene::ModelLayer& model = scene.model;
+  render::InstanceBits all;
+  if (model.data) all.count = std::uint64_t(model.data->instances.size()) * std::uint64_t(std::max(1, model.copies));
+  std::size_t words = std::size_t((all.count + 31) / 32);
+  all.removed.assign(words, ~0u), all.shown.assign(words, 0u);
+  frame.pictureSize = mSize;
+  frame.countsInstances = true;
+  bool isDrawn = model.visible && all.count > 0;
+  for (int y = 0; y < mSize.y && isDrawn; y += mLargestWindow)
+    for (int x = 0; x < mSize.x; x += mLargestWindow) {
+      frame.windowOrigin = {x, y};
+      frame.windowSize = glm::min(mSize - frame.windowOrigin, glm::ivec2(mLargestWindow));
+      mRenderer.render(frame, mProgress);
+      auto bits = mRenderer.bits(true);
+      if (!bits || bits->count != all.count) continue;
+      all.removed = std::move(bits->removed);
+      for (std::size_t i = 0; i < words; ++i) all.shown[i] |= bits->shown[i];
+    }
+  mLast = std::move(frame.scene);
+  mBits = std::move(all);
+  return mBits;
+}
+
+Image PictureCounter::types(const scene::Scene& scene) {
+  render::Frame frame;
+  frame.scene = bareScene(scene);
+  frame.pictureSize = mSize;
+  render::Layers layers;
+  layers.instance = layers.type = true;
+  return render::renderPicture(mRenderer, frame, layers, mLargestWindow, mProgress);
+}
+
+}  // namespace velum::session

@@ -1,0 +1,399 @@
+#include "velum/session/model/TargetSolver.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "Dial.h"
+#include "velum/core/Error.h"
+#include "velum/session/cut/CutEdit.h"
+#include "velum/session/model/TypesAt.h"
+
+namespace velum::session {
+
+namespace {
+
+using Count = std::uint64_t;
+
+Count apart(Count a, Count b) { return a > b ? a - b : b - a; }
+
+/// One target and what is known of it.
+struct Goal {
+  TypesAt place;
+  std::optional<Count> rendered, visible;
+  TypeNumbers own;  ///< those that no target further down has
+  DialField field = DialField::Share;
+  std::vector<Dial> dials;  ///< of what shows: with the candidates in the order in which they begin to stay
+  std::vector<std::vector<bool>> showed;  ///< of each candidate, when it was last drawn
+  Count staying = 0;                      ///< of the candidates, all dials together
+  Count all = 0;                          ///< candidates
+  // Of one goal alone, what has shown too few and too many.
+  std::optional<Count> tooFew, tooMany;
+};
+
+/// A picture's numbers of a goal.
+struct Reached {
+  Count rendered = 0;
+  std::optional<Count> visible;
+};
+
+void sortCandidates(Goal& goal) {
+  for (Dial& dial : goal.dials) {
+    std::sort(dial.candidates.begin(), dial.candidates.end(), [](const Candidate& a, const Candidate& b) {
+      return a.from != b.from ? a.from < b.from : a.instance < b.instance;
+    });
+    goal.showed.emplace_back(dial.candidates.size(), false);
+    goal.all += dial.candidates.size();
+  }
+}
+
+Count totalOf(const scene::Scene& scene, const TypeNumbers& types) {
+  Count total = 0;
+  for (std::uint32_t type : types)
+    total += Count(scene.model.data->types[type].instanceCount) * Count(std::max(1, scene.model.copies));
+  return total;
+}
+
+/// Calls visit(instance) for all of some types.
+template <class Visit>
+void forInstancesOf(const scene::ModelLayer& layer, const TypeNumbers& types, Visit&& visit) {
+  for (std::size_t copy = 0; copy < std::size_t(std::max(1, layer.copies)); ++copy)
+    for (std::uint32_t type : types) {
+      std::size_t first = copy * layer.data->instances.size() + layer.data->types[type].firstInstance;
+      for (std::size_t i = first; i < first + layer.data->types[type].instanceCount; ++i) visit(i);
+    }
+}
+
+Reached reachedIn(const scene::Scene& scene, const TypeNumbers& types, const render::InstanceBits& bits) {
+  Count rendered = 0, visible = 0;
+  forInstancesOf(scene.model, types, [&](std::size_t i) {
+    rendered += !bits.isRemoved(i);
+    visible += bits.isShown(i);
+  });
+  return {rendered, visible};
+}
+
+/// How many of the candidates are to stay so that `wanted` of them show, by what is known of each: the least such
+/// number.
+Count stayingFor(const Goal& goal, std::int64_t wanted) {
+  if (wanted <= 0) return 0;
+  std::vector<std::vector<Count>> showing;  // of the first so many of each dial
+  for (const std::vector<bool>& showed : goal.showed) {
+    std::vector<Count>& sums = showing.emplace_back(1, 0);
+    for (bool shows : showed) sums.push_back(sums.back() + shows);
+  }
+  auto show = [&](Count staying) {
+    std::vector<Count> parts = splitAmong(goal.dials, staying);
+    Count sum = 0;
+    for (std::size_t i = 0; i < parts.size(); ++i) sum += showing[i][parts[i]];
+    return sum;
+  };
+  Count low = 0, high = goal.all;
+  while (low < high) {
+    Count middle = (low + high) / 2;
+    if (show(middle) >= Count(wanted))
+      high = middle;
+    else
+      low = middle + 1;
+  }
+  return low;
+}
+
+}  // namespace
+
+struct TargetSolver::Impl {
+  std::vector<int> cuts;
+  render::SheetIndices sheets;
+  double aspect = render::kUsualAspect;
+  int mostPictures = kMostPictures;
+  std::vector<Goal> goals;         ///< those further down in the tree first
+  std::vector<std::size_t> order;  ///< place in `goals` of each target
+  scene::Scene scene;              ///< of the next picture
+  bool isDone = false;
+  TargetsReport best;  ///< `targets` in the order of `goals`, without words
+  int lastBetter = 0;
+  std::set<std::vector<Count>> tried;
+
+  void addGoal(const scene::Scene& from, const scene::TypeTarget& target);
+  void share();
+  void turn();
+  std::vector<Reached> reached(const render::InstanceBits& bits) const;
+  bool keepIfBest(const std::vector<Reached>& reached);
+  void learn(const render::InstanceBits& bits);
+  Count stepOf(Goal& goal, Count visible, const render::InstanceBits& bits);
+  std::string wordsOf(const Goal& goal, const TargetReport& report) const;
+  bool looksAtPictures() const {
+    return std::any_of(goals.begin(), goals.end(), [](const Goal& goal) { return goal.visible.has_value(); });
+  }
+  std::vector<Count> state() const {
+    std::vector<Count> staying;
+    for (const Goal& goal : goals) staying.push_back(goal.staying);
+    return staying;
+  }
+  /// The only one that is looked for in pictures: nothing else moves.
+  bool isAlone(const Goal& goal) const {
+    return std::none_of(goals.begin(), goals.end(),
+                        [&](const Goal& other) { return &other != &goal && other.visible && !other.rendered; });
+  }
+};
+
+void TargetSolver::Impl::addGoal(const scene::Scene& from, const scene::TypeTarget& target) {
+  Goal goal;
+  goal.place = typesAt(*from.model.data, target.type);
+  auto whole = [](double number) { return Count(std::llround(std::max(0.0, number))); };
+  if (target.rendered) goal.rendered = whole(*target.rendered);
+  if (target.visible) goal.visible = whole(*target.visible);
+  goals.push_back(std::move(goal));
+}
+
+/// Gives each type to the target that is nearest above it.
+void TargetSolver::Impl::share() {
+  std::set<std::uint32_t> taken;
+  for (Goal& goal : goals)
+    for (std::uint32_t type : goal.place.types)
+      if (taken.insert(type).second) goal.own.push_back(type);
+}
+
+/// Puts the numbers of all goals into the scene.
+void TargetSolver::Impl::turn() {
+  for (const Goal& goal : goals) {
+    if (goal.rendered || !goal.visible) continue;
+    std::vector<Count> parts = splitAmong(goal.dials, goal.staying);
+    for (std::size_t i = 0; i < goal.dials.size(); ++i)
+      setDial(scene, cuts, goal.dials[i].path, goal.field, settingFor(goal.dials[i], parts[i]).number);
+  }
+  for (const Goal& goal : goals) {
+    if (!goal.rendered) continue;
+    std::vector<Dial> dials = makeDials(scene, cuts, goal.own, DialField::Share, sheets, aspect);
+    TypeNumbers others;
+    std::set_difference(goal.place.types.begin(), goal.place.types.end(), goal.own.begin(), goal.own.end(),
+                        std::back_inserter(others));
+    Count elsewhere = others.empty() ? 0 : countRendered(scene, others, sheets, aspect);
+    CountRange range = rangeOf(dials);
+    Count fixed = elsewhere + range.least;
+    turnShares(scene, cuts, dials, *goal.rendered > fixed ? *goal.rendered - fixed : 0, sheets, aspect);
+  }
+}
+
+std::vector<Reached> TargetSolver::Impl::reached(const render::InstanceBits& bits) const {
+  std::vector<Reached> out;
+  for (const Goal& goal : goals) out.push_back(reachedIn(scene, goal.place.types, bits));
+  return out;
+}
+
+bool TargetSolver::Impl::keepIfBest(const std::vector<Reached>& reached) {
+  Count residual = 0;
+  std::vector<TargetReport> reports;
+  for (std::size_t i = 0; i < goals.size(); ++i) {
+    const Goal& goal = goals[i];
+    TargetReport report{goal.place.path,
+                        goal.rendered,
+                        goal.visible,
+                        reached[i].rendered,
+                        totalOf(scene, goal.place.types),
+                        reached[i].visible,
+                        true,
+                        {}};
+    Count off = goal.rendered ? apart(report.rendered, *goal.rendered) : 0;
+    if (goal.visible && report.visible) off += apart(*report.visible, *goal.visible);
+    report.isMet = off == 0;
+    residual += off;
+    reports.push_back(std::move(report));
+  }
+  bool isBetter = best.targets.empty() || residual < best.residual;
+  if (isBetter) best.scene = scene, best.targets = std::move(reports), best.residual = residual;
+  return isBetter;
+}
+
+/// Which candidates show; of those that are not drawn what was known stays.
+void TargetSolver::Impl::learn(const render::InstanceBits& bits) {
+  for (Goal& goal : goals)
+    for (std::size_t i = 0; i < goal.showed.size(); ++i)
+      for (std::size_t c = 0; c < goal.showed[i].size(); ++c)
+        if (std::uint32_t instance = goal.dials[i].candidates[c].instance; !bits.isRemoved(instance))
+          goal.showed[i][c] = bits.isShown(instance);
+}
+
+/// How many candidates of a goal are to stay in the next round.
+Count TargetSolver::Impl::stepOf(Goal& goal, Count visible, const render::InstanceBits& bits) {
+  Count wanted = *goal.visible, now = goal.staying;
+  if (visible == wanted) return now;
+  // Those that show and of which it does not decide.
+  auto others = std::int64_t(visible);
+  for (const Dial& dial : goal.dials)
+    for (const Candidate& candidate : dial.candidates) others -= bits.isShown(candidate.instance);
+  Count next = stayingFor(goal, std::int64_t(wanted) - others);
+  bool isUp = visible < wanted;
+  if (next == now || (next > now) != isUp)
+    next = isUp ? std::min(goal.all, now + (wanted - visible)) : now - std::min(now, visible - wanted);
+  if (!isAlone(goal)) return next;
+  // Between what showed too few and too many.
+  auto& bound = isUp ? goal.tooFew : goal.tooMany;
+  if (!bound || (isUp ? now > *bound : now < *bound)) bound = now;
+  if (goal.tooFew && goal.tooMany && *goal.tooFew < *goal.tooMany && (next <= *goal.tooFew || next >= *goal.tooMany))
+    next = (*goal.tooFew + *goal.tooMany) / 2;
+  return next;
+}
+
+TargetSolver::TargetSolver(const scene::Scene& scene, std::vector<int> cuts,
+                           const std::vector<scene::TypeTarget>& targets, const render::SheetIndices& sheets,
+                           double aspect, int mostPictures)
+    : mImpl(std::make_unique<Impl>()) {
+  if (!scene.model.data) throw InputError("there is no model: open one first");
+  Impl& my = *mImpl;
+  std::vector<int> enabled = enabledCuts(scene);
+  std::erase_if(cuts, [&](int cut) { return std::find(enabled.begin(), enabled.end(), cut) == enabled.end(); });
+  my.cuts = std::move(cuts), my.sheets = sheets, my.aspect = aspect, my.mostPictures = mostPictures;
+  my.scene = scene;
+  for (const scene::TypeTarget& target : targets)
+    if (target.rendered || target.visible) my.addGoal(scene, target);
+  // Targets further down first: theirs are not among those that the targets above move.
+  std::vector<std::size_t> places(my.goals.size());
+  for (std::size_t i = 0; i < places.size(); ++i) places[i] = i;
+  std::stable_sort(places.begin(), places.end(), [&](auto a, auto b) {
+    auto depth = [&](std::size_t i) {
+      const std::string& path = my.goals[i].place.path;
+      return std::count(path.begin(), path.end(), '.') + (my.goals[i].place.isCompartment ? 0 : 1);
+    };
+    return depth(a) > depth(b);
+  });
+  std::vector<Goal> sorted;
+  my.order.resize(places.size());
+  for (std::size_t i = 0; i < places.size(); ++i)
+    my.order[places[i]] = i, sorted.push_back(std::move(my.goals[places[i]]));
+  my.goals = std::move(sorted);
+  my.share();
+  // The first picture has all that can be had of what is to show: it tells most.
+  for (Goal& goal : my.goals) {
+    if (goal.rendered || !goal.visible) continue;
+    if (isCleared(scene, my.cuts, goal.own)) {
+      goal.field = DialField::ViewShare;
+      goal.dials = makeDials(scene, my.cuts, goal.own, goal.field, sheets, aspect);
+    }
+    CountRange range = rangeOf(goal.dials);
+    if (range.least == range.most) {
+      goal.field = DialField::Share;
+      goal.dials = makeDials(scene, my.cuts, goal.own, goal.field, sheets, aspect);
+    }
+    sortCandidates(goal);
+    goal.staying = goal.all;
+  }
+  my.turn();
+  my.tried.insert(my.state());
+  my.isDone = !my.looksAtPictures();
+  if (!my.isDone) return;
+  std::vector<Reached> reached;
+  for (const Goal& goal : my.goals)
+    reached.push_back({countRendered(my.scene, goal.place.types, sheets, aspect), std::nullopt});
+  my.keepIfBest(reached);
+}
+
+TargetSolver::~TargetSolver() = default;
+TargetSolver::TargetSolver(TargetSolver&&) noexcept = default;
+TargetSolver& TargetSolver::operator=(TargetSolver&&) noexcept = default;
+
+const scene::Scene* TargetSolver::next() const { return mImpl->isDone ? nullptr : &mImpl->scene; }
+
+void TargetSolver::take(const render::InstanceBits& bits) {
+  Impl& my = *mImpl;
+  std::vector<Reached> reached = my.reached(bits);
+  ++my.best.pictures;
+  if (my.keepIfBest(reached)) my.lastBetter = my.best.pictures;
+  // What was not better for so long will not be.
+  constexpr int kPatience = 8;
+  my.isDone =
+      my.best.residual == 0 || my.best.pictures >= my.mostPictures || my.best.pictures - my.lastBetter >= kPatience;
+  if (my.isDone) return;
+  my.learn(bits);
+  for (std::size_t i = 0; i < my.goals.size(); ++i)
+    if (Goal& goal = my.goals[i]; goal.visible && !goal.rendered)
+      goal.staying = my.stepOf(goal, *reached[i].visible, bits);
+  // Where all have been before, those that are off go on by one.
+  bool isNew = my.tried.insert(my.state()).second;
+  for (std::size_t i = 0; i < my.goals.size() && !isNew; ++i) {
+    Goal& goal = my.goals[i];
+    if (!goal.visible || goal.rendered || *reached[i].visible == *goal.visible) continue;
+    if (*reached[i].visible < *goal.visible && goal.staying < goal.all) ++goal.staying;
+    if (*reached[i].visible > *goal.visible && goal.staying > 0) --goal.staying;
+    isNew = my.tried.insert(my.state()).second;
+  }
+  my.isDone = !isNew;
+  if (isNew) my.turn();
+}
+
+std::string TargetSolver::Impl::wordsOf(const Goal& goal, const TargetReport& report) const {
+  std::string_view name = shortName(goal.place.path);
+  std::string words;
+  auto add = [&](const std::string& more) { words += (words.empty() ? "" : "; ") + more; };
+  if (goal.rendered) {
+    std::string drawn = fmt::format("{} of {} {} drawn", countText(report.rendered), countText(report.total), name);
+    if (report.rendered < *goal.rendered)
+      drawn += fmt::format(", not {}: {}", countText(*goal.rendered),
+                           cuts.empty() ? "no cut is on whose share could be set" : "other cuts take the rest");
+    if (report.rendered > *goal.rendered)
+      drawn += fmt::format(", not {}: {}", countText(*goal.rendered),
+                           cuts.empty() ? "no cut is on whose share could be set" : "these lie outside of the cuts");
+    add(drawn);
+  }
+  if (goal.visible && report.visible) {
+    std::string seen = fmt::format("{} of {} {} seen", countText(*report.visible), countText(report.total), name);
+    Count least = rangeOf(goal.dials).least;
+    if (goal.rendered && *report.visible != *goal.visible)
+      seen += fmt::format(", not {}, as so many are drawn", countText(*goal.visible));
+    else if (*report.visible < *goal.visible && report.rendered == report.total)
+      seen += fmt::format(", not {}: all are drawn, and {} are behind others or outside the picture",
+                          countText(*goal.visible), countText(report.rendered - *report.visible));
+    else if (*report.visible < *goal.visible && report.rendered >= rangeOf(goal.dials).most)
+      seen += fmt::format(", not {}: all {} that can be drawn are, and {} are behind others or outside the picture",
+                          countText(*goal.visible), countText(report.rendered),
+                          countText(report.rendered - *report.visible));
+    else if (*report.visible > *goal.visible && report.rendered <= least)
+      seen += fmt::format(", not {}: these lie outside of the cuts", countText(*goal.visible));
+    else if (*report.visible != *goal.visible)
+      seen += fmt::format(", the nearest to {} in {} pictures", countText(*goal.visible), best.pictures);
+    add(seen);
+  }
+  return words;
+}
+
+TargetsReport TargetSolver::report() const {
+  TargetsReport report = mImpl->best;
+  report.targets.clear();
+  if (mImpl->best.targets.empty()) {  // no picture has come yet
+    report.scene = mImpl->scene;
+    return report;
+  }
+  for (std::size_t place : mImpl->order) {
+    TargetReport& target = report.targets.emplace_back(mImpl->best.targets[place]);
+    target.words = mImpl->wordsOf(mImpl->goals[place], target);
+  }
+  return report;
+}
+
+TargetsReport solveTargets(const scene::Scene& scene, const std::vector<int>& cuts,
+                           const std::vector<scene::TypeTarget>& targets, const CountPicture& picture,
+                           const render::SheetIndices& sheets, double aspect, int mostPictures) {
+  TargetSolver solver(scene, cuts, targets, sheets, aspect, mostPictures);
+  while (const scene::Scene* next = solver.next()) solver.take(picture(*next));
+  return solver.report();
+}
+
+Solved solveVisible(const scene::Scene& scene, const std::vector<int>& cuts, std::string_view path, double wanted,
+                    const CountPicture& picture, const render::SheetIndices& sheets, double aspect) {
+  scene::TypeTarget target{std::string(path), std::nullopt, wanted};
+  TargetsReport report = solveTargets(scene, cuts, {target}, picture, sheets, aspect, kMostPicturesOfOne);
+  const TargetReport& of = report.targets.front();
+  return {std::move(report.scene), *of.wantedVisible, *of.visible, of.words};
+}
+
+std::vector<int> cutsToSet(scene::Scene& scene) {
+  std::vector<int> cuts = enabledCuts(scene);
+  if (!cuts.empty()) return cuts;
+  scene::Cut cut = makeCut(scene, scene::CutShape::Everywhere);
+  cut.name = newCutName(scene, scene::CutShape::Everywhere);
+  return {scene::addCut(scene, std::move(cut))};
+}
+
+}  // namespace velum::session

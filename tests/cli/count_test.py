@@ -1,0 +1,116 @@
+"""velum-batch count, and render with targets."""
+import csv
+import unittest
+import xml.etree.ElementTree
+
+from velum_cli import CliTest
+
+SMALL = ["--size", "160x120"]
+BALL = ["--set", 'cuts=[{"id": 1, "shape": "sphere", "size": [700, 700, 700]}]']
+STATES = ("visible", "hidden", "clipped")
+
+
+class Count(CliTest):
+    def setUp(self):
+        super().setUp()
+        self.run_batch("sample", "virion", "-o", "v.cif.gz")
+
+    def rows(self, report):
+        return report["perType"] + report["perCompartment"]
+
+    def count_of(self, report, name):
+        return next(row for row in self.rows(report) if name in (row["name"], row["path"]))
+
+    def test_every_instance_is_one_of_three(self):
+        report = self.report("count", "v.cif.gz", *SMALL, *BALL)
+        self.assertKeys(report, "renderer", "size", "perType", "perCompartment", "all")
+        for row in [report["all"], *self.rows(report)]:
+            self.assertEqual(sum(row[state] for state in STATES), row["total"])
+        for key in (*STATES, "total"):
+            self.assertEqual(sum(row[key] for row in report["perType"]), report["all"][key])
+            self.assertGreater(report["all"][key], 0)
+        for compartment in report["perCompartment"]:
+            below = [row for row in report["perType"] if row["path"].startswith(compartment["path"] + ".")]
+            self.assertEqual(sum(row["visible"] for row in below), compartment["visible"])
+        instances = sum(row["instances"] for row in self.report("info", "v.cif.gz")["perType"])
+        self.assertGreaterEqual(report["all"]["total"], instances)
+
+    def test_its_files_say_the_same(self):
+        report = self.report("count", "v.cif.gz", *SMALL, *BALL, "--csv", "c.csv", "--svg", "c.svg", "--instances", "i.csv")
+        with open(self.folder / "c.csv", newline="") as file:
+            table = {row["path"]: row for row in csv.DictReader(file)}
+        self.assertEqual(len(table), len(self.rows(report)))
+        for row in self.rows(report):
+            self.assertEqual([row[key] for key in (*STATES, "total")], [int(table[row["path"]][key]) for key in (*STATES, "total")])
+        with open(self.folder / "i.csv", newline="") as file:
+            instances = list(csv.DictReader(file))
+        self.assertEqual(len(instances), report["all"]["total"])
+        for row in report["perType"]:
+            for state in STATES:
+                self.assertEqual(sum(i["type"] == row["path"] and i["state"] == state for i in instances), row[state])
+        svg = xml.etree.ElementTree.parse(self.folder / "c.svg")
+        told = [title.text for title in svg.iter("{http://www.w3.org/2000/svg}title")]
+        for row in self.rows(report):
+            for state in STATES:
+                self.assertEqual(f"{row['path']}: {row[state]:,} {state}" in told, row[state] > 0)
+
+    def test_counts_are_set(self):
+        before = self.report("count", "v.cif.gz", *SMALL, *BALL)
+        name = max(before["perType"], key=lambda row: min(row["clipped"], row["total"] - row["clipped"]))["path"]
+        row = self.count_of(before, name)
+        wanted = row["total"] - row["clipped"] + row["clipped"] // 3
+        report = self.report("count", "v.cif.gz", *SMALL, *BALL, "--set-count", f"{name}={wanted}", "-o", "solved.json")
+        row = self.count_of(report, name)
+        self.assertEqual(row["visible"] + row["hidden"], wanted)
+        self.assertEqual([(t["type"], t["rendered"], t["met"]) for t in report["targets"]], [(name, wanted, True)])
+        again = self.report("count", "solved.json", *SMALL)
+        self.assertEqual(again["perType"], report["perType"])
+        rendered = self.report("render", "v.cif.gz", "-o", "x.png", *SMALL, *BALL, "--set-count", f"{name}={wanted}", "--samples", "1")
+        self.assertEqual(rendered["targets"][0]["rendered"], wanted)
+        self.run_batch("render", "solved.json", "-o", "y.png", *SMALL, "--samples", "1")
+        self.run_batch("compare", "x.png", "y.png", "--max-diff", "0", "--max-fraction", "0")
+
+    def test_what_shows_is_set_or_said_to_be_out_of_reach(self):
+        before = self.report("count", "v.cif.gz", *SMALL)
+        row = max(before["perType"], key=lambda row: row["visible"])
+        wanted = row["visible"] // 2
+        report = self.report("count", "v.cif.gz", *SMALL, "--set-visible", f"{row['path']}={wanted}")
+        reached = self.count_of(report, row["path"])["visible"]
+        self.assertEqual(reached, report["targets"][0]["visible"])
+        self.assertLessEqual(abs(reached - wanted), max(1, wanted // 50))
+        self.assertLessEqual(report["pictures"], 24)
+        done = self.run_batch("count", "v.cif.gz", *SMALL, "--set-visible", f"{row['path']}={row['total']}")
+        said = done.stderr.decode()
+        self.assertRegex(said, r"warning: [\d,]+ of [\d,]+ .* seen, not [\d,]+: all are drawn")
+
+    def test_tells_what_hides_a_type(self):
+        whole = self.report("count", "v.cif.gz", *SMALL)
+        inner = min((row for row in whole["perType"] if row["total"] > 20), key=lambda row: row["visible"] / row["total"])["path"]
+        report = self.report("count", "v.cif.gz", *SMALL, "--what-hides", inner)["whatHides"]
+        self.assertEqual(report["type"], inner)
+        self.assertEqual(report["seen"] + sum(h["pixels"] for h in report["hiders"]), report["pixels"])
+        self.assertGreater(report["hiders"][0]["share"], 0.3)
+        self.assertNotIn(inner, [h["type"] for h in report["hiders"]])
+        cleared = self.report("count", "v.cif.gz", *SMALL, "--what-hides", inner, "--clear-the-way", inner)
+        self.assertGreater(cleared["whatHides"]["seen"], report["seen"])
+        self.assertGreater(cleared["all"]["clipped"], 0)
+
+    def test_a_table_for_people(self):
+        text = self.run_batch("count", "v.cif.gz", *SMALL).stdout.decode()
+        lines = text.splitlines()
+        self.assertEqual(lines[0].split(), ["visible", "hidden", "clipped", "total"])
+        self.assertEqual(len({len(line) for line in lines}), 1)
+
+    def test_refusals(self):
+        name = self.report("info", "v.cif.gz")["perType"][0]["path"]
+        for arguments, code, words in ((["--set-count", f"{name}x=3"], 2, [name]), (["--what-hides", name[:-1]], 2, [name]),
+                                       (["--set-count", name], 1, ["TYPE=N"]), (["--set-count", f"{name}=-1"], 1, ["TYPE=N"]),
+                                       (["--csv", "none/c.csv"], 2, ["none/c.csv"])):
+            with self.subTest(arguments=arguments):
+                self.refuse("count", "v.cif.gz", *SMALL, *arguments, code=code, words=words)
+        self.refuse("count", self.sample(), *SMALL, code=2, words=["no model"])
+        self.refuse("render", self.sample(), "-o", "x.png", "--set-count", "a=1", code=2, words=["no model"])
+
+
+if __name__ == "__main__":
+    unittest.main()

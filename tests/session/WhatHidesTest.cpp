@@ -1,0 +1,112 @@
+#include "velum/session/model/WhatHides.h"
+
+#include <gtest/gtest.h>
+
+#include "makeModel.h"
+#include "velum/core/Error.h"
+#include "velum/session/model/CountFiles.h"
+#include "velum/session/model/ModelEdit.h"
+
+namespace velum::session {
+
+namespace {
+
+scene::Scene modelScene() {
+  scene::Scene scene;
+  scene.unit = LengthUnit::Angstrom;
+  scene.model.data = Shared<Model>(ModelMaker{.types = 4, .atoms = 8, .instances = 40}.make());
+  return scene;
+}
+
+/// A row of pixels. @param types  -1: nothing
+Image pixels(const std::vector<int>& types) {
+  Image image{int(types.size()), 1, {"R", "instance", "type"}, {}};
+  for (int type : types) image.pixels.insert(image.pixels.end(), {0.0f, type < 0 ? -1.0f : 1.0f, float(type)});
+  return image;
+}
+
+}  // namespace
+
+TEST(WhatHides, CountsWhoHasThePixels) {
+  scene::Scene scene = modelScene();
+  Image alone = pixels({1, 1, 1, 1, 1, 1, 1, 1, -1, -1}), whole = pixels({1, 1, 2, 2, 2, 0, 0, -1, 3, 3});
+  Hiding hiding = whatHides(scene, "type1", alone, whole);
+  EXPECT_EQ(hiding.path, "root.b.type1");
+  EXPECT_EQ(hiding.pixels, 8u);
+  EXPECT_EQ(hiding.seen, 2u);
+  ASSERT_EQ(hiding.hiders.size(), 3u);
+  EXPECT_EQ(hiding.hiders[0].path, "root.a.type2");
+  EXPECT_EQ(hiding.hiders[0].pixels, 3u);
+  EXPECT_DOUBLE_EQ(hiding.hiders[0].share, 3.0 / 8.0);
+  EXPECT_EQ(hiding.hiders[2].path, "");
+  EXPECT_EQ(hiding.words, "75 % of type1 is hidden: 38 % by type2, 25 % by type0, 12 % by what is no model");
+  EXPECT_EQ(whatHides(scene, "type1", alone, alone).words, "nothing hides type1");
+  EXPECT_EQ(whatHides(scene, "type1", pixels({-1}), pixels({2})).words,
+            "type1 is not drawn, or outside of the picture");
+}
+
+TEST(WhatHides, TheTypeStandsAlone) {
+  scene::Scene scene = modelScene();
+  scene.surfaces.emplace_back();
+  scene::Scene alone = aloneScene(scene, "root.b");
+  EXPECT_EQ(visibleTypes(alone.model), (std::vector<bool>{false, true, false, true}));
+  EXPECT_FALSE(alone.surfaces[0].visible);
+  EXPECT_THROW(aloneScene(scene, "nobody"), InputError);
+}
+
+TEST(ClearTheWay, AddsOneCutThatRemovesNothingElse) {
+  scene::Scene scene = modelScene();
+  int id = clearTheWay(scene, "type1");
+  EXPECT_EQ(clearTheWay(scene, "root.a.type2"), id);
+  EXPECT_EQ(clearTheWay(scene, "type1"), id);
+  ASSERT_EQ(scene.cuts.size(), 1u);
+  EXPECT_EQ(scene.cuts[0].shape, scene::CutShape::Everywhere);
+  ASSERT_EQ(scene.cuts[0].focus->types.size(), 2u);
+  EXPECT_EQ(scene.cuts[0].focus->types[0].type, "root.b.type1");
+  ASSERT_EQ(scene.cuts[0].typeSpares.size(), 1u);
+  EXPECT_EQ(scene.cuts[0].typeSpares[0].type, "root");
+  EXPECT_EQ(scene.cuts[0].typeSpares[0].share, 1.0);
+}
+
+TEST(CountFiles, RowsAreTheTreeAndCompartmentsTheSumsOfIt) {
+  scene::Scene scene = modelScene();
+  const Model& model = *scene.model.data;
+  std::vector<render::TypeCount> types{{1, 2, 7}, {0, 0, 10}, {10, 0, 0}, {3, 3, 4}};
+  std::vector<CountRow> rows = countRows(model, types);
+  std::vector<std::string> paths;
+  for (const CountRow& row : rows) paths.push_back(row.path);
+  EXPECT_EQ(paths, (std::vector<std::string>{"root", "root.a", "root.a.type0", "root.a.type2", "root.b", "root.b.type1",
+                                             "root.b.type3"}));
+  EXPECT_EQ(rows[0].count, (render::TypeCount{14, 5, 21}));
+  EXPECT_EQ(rows[1].count, (render::TypeCount{11, 2, 7}));
+  EXPECT_EQ(rows[2].depth, 2);
+  std::string csv = countsCsv(rows);
+  EXPECT_NE(csv.find("compartment,root,root,14,5,21,40\n"), std::string::npos) << csv;
+  EXPECT_NE(csv.find("type,root.b.type1,type1,0,0,10,10\n"), std::string::npos) << csv;
+}
+
+TEST(CountFiles, BarsAreAsLongAsTheirNumbers) {
+  CountRow row{"root.<a>", "<a>", false, 1, {100, 300, 600}};
+  std::string svg = countsSvg({row}, "A & B");
+  EXPECT_NE(svg.find("A &amp; B"), std::string::npos);
+  EXPECT_EQ(svg.find("<a>"), std::string::npos);
+  std::vector<double> widths;
+  for (std::size_t at = 0; (at = svg.find("height=\"14\"", at)) != std::string::npos; ++at) {
+    std::size_t width = svg.rfind("width=\"", at);
+    widths.push_back(std::atof(svg.c_str() + width + 7));
+  }
+  ASSERT_EQ(widths.size(), 3u);
+  EXPECT_NEAR(widths[1], 3.0 * widths[0], 0.02);
+  EXPECT_NEAR(widths[2], 6.0 * widths[0], 0.05);
+}
+
+TEST(CountFiles, EachInstanceHasOneState) {
+  scene::Scene scene = modelScene();
+  render::InstanceBits bits{40, {0b1001u, 0u}, {0b0110u, 0u}};
+  std::string csv = instancesCsv(*scene.model.data, bits);
+  EXPECT_TRUE(csv.starts_with("instance,type,state\n0,root.a.type0,clipped\n1,root.a.type0,visible\n")) << csv;
+  EXPECT_NE(csv.find("\n3,root.a.type0,clipped\n4,root.a.type0,hidden\n"), std::string::npos) << csv;
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 41);
+}
+
+}  // namespace velum::session

@@ -174,6 +174,24 @@ def turn(_):
     return [([WELCOME, *near(24), "--frames", "4"], ("-0000", "-0001", "-0002", "-0003"))]
 
 
+def models(folder):
+    """A virion in its looks; below a membrane about the capsid, a cut that leaves shares, and the inside from near."""
+    virion = [folder / "virion.cif", "--view", "anterior"]
+    opened = cut(0, "axis=0,-1,0", "centre=0,0,0")
+    around = folder / "capsid.json"
+    run(sys.argv[1], "membrane", folder / "virion.cif", "--protect-type", "capsid", "--axis", "0,-1,0", "--position", "0.5",
+        "--set", "camera.fieldOfViewDeg=15", "--save-scene", around)
+    return [
+        [*virion, "--preset", "plate", *near(21), *opened],
+        [*virion, "--preset", "soft", *near(21), *opened],
+        [*virion, "--preset", "technical", *near(6), *opened],
+        [around, "--preset", "plate", "--view", "anterior", *near(12), *sets("cuts.0.size=3000,3000,900")],
+        [*virion, "--preset", "plate", *near(21),
+         *cut(0, "shape=sphere", "centre=0,-600,0", "size=1700,1700,1700", "typeSpares=[{\"type\":\"root.plasma\",\"share\":0.04}]")],
+        [*virion, "--preset", "plate", *near(5), *opened],
+    ]
+
+
 def sheet(folder):
     seen = sets(*(f"labels.structures[{name}].visible=false" for name in HIDDEN), "labels.unlabelled=0")
     return [
@@ -204,9 +222,10 @@ PLATES = {
     "situations": (4, (300, 240), DARK, situations),
     "layers": (4, (400, 340), WHITE, layers),
     "turn": (4, (360, 300), DARK, turn),
+    "models": (3, (400, 340), WHITE, models),
     "sheet": (3, (480, 400), DARK, sheet),
 }
-PHANTOMS = {"situations": ("torso", "two-spheres", "seismic", "vessels"), "membrane": ("torso", "heart"), "pull": ("hand",), "sheet": ("torso", "vessels", "neurons", "seismic")}
+PHANTOMS = {"models": ("virion",), "situations": ("torso", "two-spheres", "seismic", "vessels"), "membrane": ("torso", "heart"), "pull": ("hand",), "sheet": ("torso", "vessels", "neurons", "seismic")}
 
 
 def run(*command):
@@ -256,7 +275,8 @@ def main():
         folder = pathlib.Path(place)
         for name in names:
             for phantom_name in PHANTOMS.get(name, ()):
-                run(batch, "sample", phantom_name, "-o", folder / f"{phantom_name}.nrrd")
+                ending = "cif" if phantom_name == "virion" else "nrrd"
+                run(batch, "sample", phantom_name, "-o", folder / f"{phantom_name}.{ending}")
             draw_plate(batch, name, folder, out)
 
 

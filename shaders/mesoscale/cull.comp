@@ -134,8 +134,8 @@ void cullOne(uint instance, Place place) {
   if (phase == 1 && nearest > 0.0 && level <= molecule.outlineLevel && isOutlineHidden(place, molecule)) return;
   int list = row.count == 1u ? kDrawOne : row.count <= uint(kFewSpheres) ? kDrawFew : kDrawMany;
   if (row.radius * perLength > view.largeRadius) list = kDrawLarge;
-  uint slot = atomicAdd(counts[list], 1u);
-  draws[uint(list) * uint(view.instanceCount * view.copies) + slot] = DrawRow(instance, level);
+  int slot = int(atomicAdd(counts[list], 1u));
+  draws[drawSlot(list, slot, view.instanceCount * view.copies)] = DrawRow(instance, level);
 }
 
 void main() {

@@ -72,7 +72,7 @@ void main() {
 #endif
   int place = group * (kInstanceGroup / threads) + lane / threads;
   if (place >= int(counts[list])) return;
-  uvec2 draw = texelFetch(drawTexture, list * view.instanceCount * view.copies + place).rg;
+  uvec2 draw = texelFetch(drawTexture, drawSlot(list, place, view.instanceCount * view.copies)).rg;
   // What was nowhere nearest when depths were drawn is nowhere to be seen.
   if (writesOwner != 0 && (nearest[draw.x >> 5] >> (draw.x & 31u) & 1u) == 0u) return;
   bool isNearest = false;

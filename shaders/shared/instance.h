@@ -146,6 +146,14 @@ struct DrawRow {
   uint level;     ///< in the rows of levels
 };
 
+/// Where a list has its rows: two share room for all instances, one from its beginning on, one from its end.
+/// @param place  in the list  @param count  of all instances
+SHARED_FN int drawSlot(int list, int place, int count) {
+  int first = list / 2 * count;
+  return list % 2 == 0 ? first + place : first + count - 1 - place;
+}
+SHARED_CONST int kDrawRooms = 2;  // so often there is room for all instances
+
 /// The finaliser of MurmurHash3, 32 bits.
 SHARED_FN uint instanceBits(uint word) {
   uint x = word;

@@ -1,6 +1,7 @@
 #include "velum/mesoscale/InstanceTarget.h"
 
 #include <algorithm>
+#include <span>
 #include <string>
 
 #include "shared/bindings.h"
@@ -90,9 +91,10 @@ void InstanceTarget::resize(glm::ivec2 size, std::uint32_t instances, int copies
   }
   if (count != mCount) {
     mCount = count;
-    for (Lists& lists : mLists) {
+    // Who owns no pixels is drawn in one phase.
+    for (Lists& lists : std::span(mLists).first(mHasOwners ? 2 : 1)) {
       lists.draws =
-          gpu::Buffer("draws", std::max<std::size_t>(1, count) * shared::kDrawLists * sizeof(shared::DrawRow));
+          gpu::Buffer("draws", std::max<std::size_t>(1, count) * shared::kDrawRooms * sizeof(shared::DrawRow));
       lists.drawTexels = gpu::Texture::makeOfBuffer("draws", gpu::Format::Rg32ui, lists.draws);
       lists.counts = gpu::Buffer("counts of draws", kCountBytes + kCommandBytes);
     }
@@ -120,7 +122,8 @@ void InstanceTarget::begin(const shared::InstanceView& view) {
     mOwners.fill(shared::kNoInstance);
     mBalls.fill(shared::kNoInstance);
   }
-  for (Lists& lists : mLists) lists.counts.clear();
+  for (Lists& lists : mLists)
+    if (lists.counts) lists.counts.clear();
   mNearest.clear();
 }
 

@@ -95,8 +95,8 @@ class FrameInputs {
   std::vector<shared::CutData> mGridCuts;  ///< What mCutGrid was made of,
   glm::mat4 mGridBox{0.0f};
   bool mGridHasSpares = false;
-  gpu::Texture mCutTexels, mGradientFactors, mNoise, mTransferTexels, mExtinctionTexels, mStructureTexels, mSpareIndexTexels,
-      mSpareTexels;
+  gpu::Texture mCutTexels, mGradientFactors, mNoise, mTransferTexels, mExtinctionTexels, mStructureTexels,
+      mSpareIndexTexels, mSpareTexels;
 };
 
 }  // namespace velum::render

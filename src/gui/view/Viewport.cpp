@@ -241,7 +241,8 @@ bool Viewport::finishStage() {
 
 void Viewport::adaptCoarseScale() {
   if (mStage != Stage::Coarse) return;
-  // Much of what instances take is for finding who shows, which is the same at any size: they are left three times as long.
+  // Much of what instances take is for finding who shows, which is the same at any size: they are left three times as
+  // long.
   const auto& passes = mRenderer->stats().passesMs;
   double ms = 0.0;
   for (auto [name, share] : {std::pair("RayCast", 1.0), {"Instances", 1.0 / 3.0}})

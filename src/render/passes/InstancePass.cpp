@@ -19,11 +19,11 @@ namespace velum::render {
 namespace {
 
 constexpr std::uint32_t kSoftwareCulled = 1u << 17, kHardwareCulled = 1u << 24;  // instances that are culled at a time
-constexpr int kSoftwareShaded = 1 << 17;  // pixels at a time: some 20 ms
-constexpr double kPieceMs = 16.0, kMostGroups = 32768.0;  // of a piece that a software driver draws
-constexpr std::uint32_t kMostInstances = 1u << 27;        // over all copies: what numbers and buffers have room for
+constexpr int kSoftwareShaded = 1 << 17;                                         // pixels at a time: some 20 ms
+constexpr double kPieceMs = 16.0, kMostGroups = 32768.0;     // of a piece that a software driver draws
+constexpr std::uint32_t kMostInstances = 1u << 27;           // over all copies: what numbers and buffers have room for
 constexpr int kLeastLightEdge = 128, kMostLightEdge = 1024;  // pixels of the light's view
-constexpr float kLightDetail = 2.0f;                      // shadows are soft
+constexpr float kLightDetail = 2.0f;                         // shadows are soft
 constexpr float kPreviewDetail = 3.0f;
 constexpr float kLargeRadius = 10.0f;  // pixels: see docs/PERFORMANCE.md
 constexpr int kTaps = 7;
@@ -82,7 +82,8 @@ void InstancePass::prepare(FrameData& data) {
   writeRows(data);
   mHasStates = wantsStates(data.frame);
   if (mHasStates)
-    mStates.resize(std::uint32_t(data.frame.scene.model.data->instances.size()), std::max(1, data.frame.scene.model.copies));
+    mStates.resize(std::uint32_t(data.frame.scene.model.data->instances.size()),
+                   std::max(1, data.frame.scene.model.copies));
   mHandedOver.clear();
   if (!mOpenness) mOpenness = gpu::Program({"render/openness.comp"});
   if (!mShade) mShade = gpu::Program({"render/instances.comp"});
@@ -144,9 +145,11 @@ shared::InstanceView InstancePass::viewOf(const FrameData& data, int sample) con
   view.shift = glm::vec2(frame.windowOrigin) + 0.5f + params.subpixel;
   double scale = angstromOf(data);
   view.copyStep = glm::vec4(glm::vec3(copies.step * scale), 0.0f);
-  glm::dvec3 low = glm::dvec3(frame.scene.model.data->low) * scale, high = glm::dvec3(frame.scene.model.data->high) * scale;
+  glm::dvec3 low = glm::dvec3(frame.scene.model.data->low) * scale,
+             high = glm::dvec3(frame.scene.model.data->high) * scale;
   // Balls of coarse levels reach a little beyond the spheres of the atoms.
-  view.copySphere = glm::vec4(glm::vec3(0.5 * (low + high) - sceneOrigin(data.grid)), 0.55f * float(glm::length(high - low)));
+  view.copySphere =
+      glm::vec4(glm::vec3(0.5 * (low + high) - sceneOrigin(data.grid)), 0.55f * float(glm::length(high - low)));
   view.copiesX = copies.counts.x;
   view.copiesY = copies.counts.y;
   view.copies = std::max(1, frame.scene.model.copies);
@@ -198,8 +201,8 @@ void InstancePass::addStates(const FrameData& data, WorkQueue& queue) {
   const scene::ModelLayer& model = data.frame.scene.model;
   bool hasMembranes = (data.params.flags & shared::kFlagMembranes) != 0;
   add(queue, [this] { mStates.begin(); });
-  for (const auto& part : mesoscale::instanceParts(std::uint32_t(model.data->instances.size()), std::max(1, model.copies),
-                                              atATime()))
+  for (const auto& part :
+       mesoscale::instanceParts(std::uint32_t(model.data->instances.size()), std::max(1, model.copies), atATime()))
     add(queue, [this, hasMembranes, part] {
       bindRows();
       mEye.bindView();
@@ -281,7 +284,7 @@ void InstancePass::addSteps(const FrameData& data, int sample, WorkQueue& queue)
   const scene::Lighting& lighting = data.frame.scene.lighting;
   shared::InstanceView view = viewOf(data, sample);
   bool hasMembranes = (data.params.flags & shared::kFlagMembranes) != 0;
-  mesoscale::CullBy by = mHasStates      ? mesoscale::CullBy::States
+  mesoscale::CullBy by = mHasStates     ? mesoscale::CullBy::States
                          : hasMembranes ? mesoscale::CullBy::Membranes
                                         : mesoscale::CullBy::Cuts;
   add(queue, [this, view] { mEye.begin(view); });

@@ -66,7 +66,9 @@ TEST(TypedNumber, UnitsCommasAndDirectionsAreReadOrNothingIs) {
   for (const Row& row : rows) {
     auto read = readTyped(QString::fromUtf8(row.text), *row.kind);
     ASSERT_EQ(read.has_value(), row.value.has_value()) << row.text;
-    if (read) EXPECT_NEAR(*read, *row.value, 1e-12 * std::abs(*row.value)) << row.text;
+    if (read) {
+      EXPECT_NEAR(*read, *row.value, 1e-12 * std::abs(*row.value)) << row.text;
+    }
   }
 }
 

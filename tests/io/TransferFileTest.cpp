@@ -136,14 +136,14 @@ TEST(TransferFile, DamagedFilesAreRefusedInOneLine) {
   expectRefused(with("14 -3024", "1e12 -3024"), TransferKind::SlicerText, "no count");
   expectRefused(with("14 -3024", "14 nan"), TransferKind::SlicerText, "'nan' is not a number");
   expectRefused(with("28 -3024", "28 1e999"), TransferKind::SlicerText, "line 9");
-  expectRefused("{", TransferKind::SlicerJson, "not a JSON object");
+  expectRefused("{", TransferKind::SlicerJson, "JSON");
   expectRefused("{}", TransferKind::SlicerJson, "volumeProperties");
   expectRefused(R"({"volumeProperties": []})", TransferKind::SlicerJson, "empty");
   expectRefused(slicerJsonWith(R"({"scalarOpacity": {"points": 3}})"), TransferKind::SlicerJson, "points");
   expectRefused(slicerJsonWith(R"({"scalarOpacity": {"points": [{"x": "a"}]}})"), TransferKind::SlicerJson, "\"x\"");
   expectRefused(slicerJsonWith("{}"), TransferKind::SlicerJson, "no points of opacity");
   expectRefused(std::string(100000, '['), TransferKind::SlicerJson, "deep");
-  expectRefused("[]", TransferKind::Velum, "velumTransfer");
+  expectRefused("[]", TransferKind::Velum, "not a JSON object");
   expectRefused(R"({"velum": 1})", TransferKind::Velum, "velumTransfer");
   expectRefused(R"({"velumTransfer": 99})", TransferKind::Velum, "newer");
   expectRefused(R"({"velumTransfer": 1, "opacities": [{"value": 1, "opacity": 7}]})", TransferKind::Velum,

@@ -18,6 +18,7 @@ inline std::vector<scene::CutShape> everyCutShape() {
 inline std::vector<scene::CutShape> everyShapeButMembranes() {
   auto shapes = everyCutShape();
   std::erase(shapes, scene::CutShape::Membrane);
+  std::erase(shapes, scene::CutShape::Everywhere);  // has no surface
   return shapes;
 }
 

@@ -1,5 +1,6 @@
 #include "DicomFile.h"
 
+#include <fmt/format.h>
 #include <gdcmReader.h>
 #include <gdcmTrace.h>
 
@@ -105,6 +106,8 @@ bool mayBeDicom(const Path& path) {
   return stream.gcount() >= 16 && (head[0] == 2 || head[0] == 8) && head[1] == 0 && head[3] == 0;
 }
 
+constexpr std::size_t kMostFiles = 100'000;
+
 template <class Iterator>
 std::vector<Path> filesIn(const Path& folder, Progress& progress) {
   std::vector<Path> files;
@@ -116,6 +119,8 @@ std::vector<Path> filesIn(const Path& folder, Progress& progress) {
     progress.throwIfCancelled();
     std::error_code isGone;
     if (at->is_regular_file(isGone)) files.push_back(folder.empty() ? at->path().filename() : at->path());
+    if (files.size() > kMostFiles)
+      refuse(folder, fmt::format("the folder holds more than {} files; choose one further down", kMostFiles));
   }
   if (error) refuse(folder, error.message());
   std::sort(files.begin(), files.end());  // so that equal slices are met in the same order on every disk
@@ -123,8 +128,25 @@ std::vector<Path> filesIn(const Path& folder, Progress& progress) {
 }
 
 std::vector<Path> filesOf(const Path& folder, Depth depth, Progress& progress) {
-  return depth == Depth::Folder ? filesIn<std::filesystem::directory_iterator>(folder, progress)
-                                : filesIn<std::filesystem::recursive_directory_iterator>(folder, progress);
+  if (depth == Depth::Folder) return filesIn<std::filesystem::directory_iterator>(folder, progress);
+  if (folder == "/") refuse(folder, "all of the computer is too much to search; choose a folder further down");
+  return filesIn<std::filesystem::recursive_directory_iterator>(folder, progress);
+}
+
+/// What an index lists, relative to its folder.
+std::vector<Path> indexedFiles(const Path& index) {
+  std::vector<Path> files;
+  std::ifstream stream(index, std::ios::binary);
+  gdcm::Reader reader;
+  reader.SetStream(stream);
+  if (!reader.Read()) return files;
+  auto records = sequenceOf(reader.GetFile().GetDataSet(), Tag(0x0004, 0x1220));
+  for (std::size_t i = 1; records && i <= records->GetNumberOfItems(); ++i) {
+    std::string id = textOf(records->GetItem(i).GetNestedDataSet(), Tag(0x0004, 0x1500));
+    std::replace(id.begin(), id.end(), '\\', '/');
+    if (!id.empty()) files.emplace_back(id);
+  }
+  return files;
 }
 
 }  // namespace
@@ -178,6 +200,13 @@ bool isDicomIndex(const std::filesystem::path& path) {
   return file && file->sopClass == "1.2.840.10008.1.3.10";
 }
 
+void checkDicomIndex(const std::filesystem::path& path) {
+  std::vector<Path> files = indexedFiles(path);
+  auto isThere = [&](const Path& file) { return std::filesystem::exists(path.parent_path() / file); };
+  if (!files.empty() && std::none_of(files.begin(), files.end(), isThere))
+    refuse(path, fmt::format("none of the {} files that this index lists lies beside it", files.size()));
+}
+
 bool isDicomSeg(const std::filesystem::path& path) {
   if (!std::filesystem::is_regular_file(path)) return false;
   auto file = readDicomHeader(path);
@@ -190,6 +219,7 @@ std::vector<SeriesInfo> listSeries(const std::filesystem::path& path, Progress& 
   // What lies beside a file of another format is none of its business.
   if (!isFolder && !mayBeDicom(path)) return {};
   bool isIndex = !isFolder && isDicomIndex(path);
+  if (isIndex) checkDicomIndex(path);
   Path folder = isFolder ? path : path.parent_path();
   std::vector<SeriesInfo> series;
   std::vector<std::vector<Path>> files;

@@ -62,7 +62,7 @@ struct DicomFile {
 
 /// Header of a DICOM file, without pixels; nothing when the file is no DICOM file or too damaged to read.
 std::optional<DicomFile> readDicomHeader(const std::filesystem::path& path);
-/// How far below a folder files are looked for. Links to folders are not followed.
+/// How far below a folder files are looked for. Links to folders are not followed; a hundred thousand files are the most.
 enum class Depth { Folder, AllBelow };
 /// Headers of all images in a folder by path, each image once. @throw InputError, Cancelled
 std::vector<DicomFile> scanDicomFolder(const std::filesystem::path& folder, Depth depth, Progress& progress);
@@ -70,6 +70,8 @@ std::vector<DicomFile> scanDicomFolder(const std::filesystem::path& folder, Dept
 bool holdsDicom(const std::filesystem::path& folder, Depth depth, Progress& progress);
 /// True when the file is the index of a DICOM medium, "DICOMDIR".
 bool isDicomIndex(const std::filesystem::path& path);
+/// @throw InputError where an index lists files and none of them is there
+void checkDicomIndex(const std::filesystem::path& path);
 /// True when the file is a DICOM segmentation. Reads its header only; false for what is no DICOM file.
 bool isDicomSeg(const std::filesystem::path& path);
 

@@ -206,6 +206,7 @@ void describe(Volume& v, const Series& series, const DicomStack& stack, const st
 Volume readDicom(const scene::Source& source, Progress& progress) {
   Path path = source.path;
   bool isFolder = std::filesystem::is_directory(path), isIndex = !isFolder && isDicomIndex(path);
+  if (isIndex) checkDicomIndex(path);
   Series series = isFolder || isIndex ? seriesOfFolder(isIndex ? path.parent_path() : path, source.series, progress)
                                       : seriesOfFile(path, progress);
   checkSizes(series);

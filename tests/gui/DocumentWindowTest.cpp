@@ -418,6 +418,10 @@ void typeName(const QString& name) {
           return edit != nullptr;
         },
         10000));
+    // What is selected in the list of files follows what is typed, not what is set.
+    edit->window()->activateWindow();
+    edit->setFocus();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return edit->hasFocus(); }, 10000));
     edit->setText(name);
     QTest::keyClick(edit, Qt::Key_Return);
   });

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "CountAreas.h"
 #include "Targets.h"
 #include "Verbs.h"
 #include "velum/core/Clock.h"
@@ -23,7 +24,8 @@ struct CountOptions {
   Common common;
   InputOptions input;
   TargetOptions targets;
-  std::string size = "1280x720", csv, svg, instances, whatHides, clearTheWay, output;
+  std::vector<std::string> areas;
+  std::string size, csv, svg, instances, whatHides, clearTheWay, output;
   double timeout = 0;
 };
 
@@ -65,17 +67,23 @@ void printHiding(const session::Hiding& hiding) {
                hider.path.empty() ? "what is no model" : hider.path);
 }
 
-int run(const CountOptions& options) {
-  glm::ivec2 size = session::parsePictureSize(options.size, 0);
-  auto context = gpu::Context::create(options.common.context);
-  render::Renderer renderer(*context);
-  scene::Scene scene = openScene(options.input, double(size.x) / size.y);
-  if (!scene.model.data) throw InputError("there is no model to count in: name a file that has one");
+/// What can be counted of instances alone.
+bool wantsModel(const CountOptions& options) {
+  return !options.targets.counts.empty() || !options.targets.visibles.empty() || !options.instances.empty() ||
+         !options.whatHides.empty() || !options.clearTheWay.empty();
+}
+
+/// In structures what counts is the area, which a small picture tells; of instances many are small.
+std::string sizeOf(const CountOptions& options, bool hasModel) {
+  return options.size.empty() ? hasModel ? "1280x720" : "320x180" : options.size;
+}
+
+int countInstances(scene::Scene scene, const CountOptions& options, session::PictureCounter& counter,
+                   const render::Renderer& renderer) {
   if (!options.clearTheWay.empty()) session::clearTheWay(scene, options.clearTheWay);
   const Model& model = *scene.model.data;
   Progress& progress = consoleProgress();
   if (session::hasMembranes(scene)) session::settleMembranes(scene, {}, progress);
-  session::PictureCounter counter(renderer, size, context->limits(), progress);
 
   auto start = Clock::now();
   auto settled = settleTargets(scene, options.targets, counter.aspect(), &counter);
@@ -87,15 +95,18 @@ int run(const CountOptions& options) {
   double ms = msSince(start);
   progress.report(1.0, "");
 
-  std::string title = fmt::format("{}, {} x {} pixels", model.name, size.x, size.y);
+  std::string title = fmt::format("{}, {} x {} pixels", model.name, counter.size().x, counter.size().y);
   if (!options.csv.empty()) replaceFile(options.csv, session::countsCsv(rows));
   if (!options.svg.empty()) replaceFile(options.svg, session::countsSvg(rows, title));
   if (!options.instances.empty()) replaceFile(options.instances, session::instancesCsv(model, bits));
   if (!options.output.empty()) session::saveScene(scene, options.output);
   if (options.common.json) {
-    Json json = {
-        {"renderer", renderer.stats().renderer}, {"size", {size.x, size.y}}, {"ms", ms},
-        {"all", countJson(rows.front().count)},  {"perType", Json::array()}, {"perCompartment", Json::array()}};
+    Json json = {{"renderer", renderer.stats().renderer},
+                 {"size", {counter.size().x, counter.size().y}},
+                 {"ms", ms},
+                 {"all", countJson(rows.front().count)},
+                 {"perType", Json::array()},
+                 {"perCompartment", Json::array()}};
     for (const auto& row : rows) json[row.isCompartment ? "perCompartment" : "perType"].push_back(rowJson(row));
     if (settled) {
       json["targets"] = Json::array();
@@ -115,15 +126,38 @@ int run(const CountOptions& options) {
   return 0;
 }
 
+int run(const CountOptions& options) {
+  glm::ivec2 size = session::parsePictureSize(sizeOf(options, true), 0);
+  auto context = gpu::Context::create(options.common.context);
+  render::Renderer renderer(*context);
+  scene::Scene scene = openScene(options.input, double(size.x) / size.y);
+  bool hasModel(scene.model.data), hasLabels = scene.labels.data || !scene.labels.growths.empty();
+  if (!hasModel && (!hasLabels || wantsModel(options)))
+    throw InputError(hasLabels ? "there is no model, and of structures pixels are counted: see --set-area"
+                               : "there is no model to count in, nor structures: name a file that has them");
+  if (hasModel && !options.areas.empty())
+    throw InputError("--set-area is of structures, and what is counted is a model: see --set-count");
+  size = session::parsePictureSize(sizeOf(options, hasModel), 0);
+  session::PictureCounter counter(renderer, size, context->limits(), consoleProgress());
+  if (hasModel) return countInstances(std::move(scene), options, counter, renderer);
+  AreaOptions areas{options.areas, options.csv, options.svg, options.output, options.common.json};
+  return countAreas(std::move(scene), areas, counter, renderer);
+}
+
 }  // namespace
 
 Run registerCount(CLI::App& verb) {
   auto options = std::make_shared<CountOptions>();
   addCommon(verb, options->common);
   addInput(verb, options->input, true);
-  verb.add_option("--size", options->size, "WIDTHxHEIGHT in pixels of the picture that is counted in")
-      ->capture_default_str();
+  verb.add_option("--size", options->size,
+                  "WIDTHxHEIGHT in pixels of the picture that is counted in; 1280x720, of structures 320x180");
   addTargets(verb, options->targets);
+  verb.add_option(
+          "--set-area", options->areas,
+          "pull a structure out of the cuts until cuts leave N pixels of it, or P % of those that it has in the "
+          "picture: STRUCTURE=N, STRUCTURE=P%, by its name or number; repeatable")
+      ->allow_extra_args(false);
   verb.add_option("--what-hides", options->whatHides, "say which types hide a type or compartment, and by how much");
   verb.add_option("--clear-the-way", options->clearTheWay,
                   "first remove what stands before a type or compartment: adds a cut that keeps it in view");

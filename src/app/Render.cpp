@@ -51,7 +51,8 @@ std::optional<session::Motion> motionOf(const RenderOptions& options, const scen
   if (std::string why = session::whyStill(scene, *motion); !why.empty())
     throw ArgumentError(fmt::format("--animate {}: {}", enumName(*motion), why));
   if (*motion == session::Motion::Turn && !options.section.empty())
-    throw ArgumentError("--frames with --section goes through time steps, or with --animate pull pulls structures out");
+    throw ArgumentError(
+        "--frames with --section goes through time steps, or with --animate pull or cut through the cuts");
   return motion;
 }
 
@@ -188,9 +189,11 @@ Run registerRender(CLI::App& verb) {
       ->check(CLI::Range(1, 256));
   verb.add_option("--frames", options->frames, "an animation of so many pictures: NAME-0000 ...")
       ->check(CLI::Range(1, 9999));
-  verb.add_option("--animate", options->animate,
-                  "what moves in it: turn (once round), time (through the time steps; the default where there are "
-                  "some), pull (structures come out of the cuts one after the other)");
+  verb.add_option(
+      "--animate", options->animate,
+      "what moves in it: turn (once round), time (through the time steps; the default where there are "
+      "some), pull (structures come out of the cuts one after the other), cut (the instances of a model go one by "
+      "one, then what the cuts leave comes back)");
   verb.add_flag(
       "--layers", options->layers,
       "also alpha, normal, depth, structure id, position, of models type and (EXR) Cryptomatte, and of illustrative "

@@ -112,5 +112,71 @@ class Count(CliTest):
         self.refuse("render", self.sample(), "-o", "x.png", "--set-count", "a=1", code=2, words=["no model"])
 
 
+class CountAreas(CliTest):
+    """Structures have areas where instances have numbers."""
+
+    def setUp(self):
+        super().setUp()
+        volume = self.sample("torso", 40)
+        self.scene = (volume, "torso_labels.seg.nrrd", "--view", "oblique", "--set", "cuts.+.axis=0.2,-1,0.3")
+
+    def areas(self, *arguments):
+        report = self.report("count", *self.scene, *arguments)
+        return {row["name"]: row for row in report["perStructure"]}, report
+
+    def test_every_pixel_of_a_structure_is_one_of_three(self):
+        areas, report = self.areas()
+        self.assertKeys(report, "renderer", "size", "ms", "perStructure")
+        self.assertEqual(report["size"], [320, 180])
+        listed = {s["name"] for s in self.report("info", "torso_labels.seg.nrrd")["structures"]}
+        self.assertEqual(set(areas), listed)
+        for row in areas.values():
+            self.assertEqual(sum(row[state] for state in STATES), row["total"])
+            self.assertAlmostEqual(row["visibleShare"], row["visible"] / (320 * 180))
+        self.assertTrue(all(any(row[state] > 0 for row in areas.values()) for state in STATES))
+        self.assertNotIn("targets", report)
+
+    def test_its_files_say_the_same(self):
+        areas, _ = self.areas(*SMALL, "--csv", "c.csv", "--svg", "c.svg")
+        with open(self.folder / "c.csv", newline="") as file:
+            table = list(csv.DictReader(file))
+        self.assertEqual(len(table), len(areas))
+        for row in table:
+            area = areas[row["name"]]
+            self.assertEqual(int(row["structure"]), area["id"])
+            self.assertEqual([int(row[key]) for key in (*STATES, "total")], [area[key] for key in (*STATES, "total")])
+        xml.etree.ElementTree.parse(self.folder / "c.svg")
+        text = self.run_batch("count", *self.scene, *SMALL).stdout.decode().splitlines()
+        self.assertEqual(text[0].split(), ["visible", "hidden", "clipped", "total", "%"])
+        self.assertEqual(len({len(line) for line in text}), 1)
+
+    def test_areas_are_set(self):
+        before, _ = self.areas()
+        name = max(before, key=lambda name: before[name]["clipped"])
+        row = before[name]
+        wanted = row["visible"] + row["hidden"] + row["clipped"] // 2
+        after, report = self.areas("--set-area", f"{name}={wanted}", "-o", "solved.json")
+        target = report["targets"][0]
+        self.assertEqual((target["structure"], target["wanted"], target["reached"], target["met"]), (row["id"], wanted, wanted, True))
+        self.assertGreater(target["distance"], 0)
+        # A few pixels of an outline are seen that no walk from voxel to voxel meets.
+        self.assertAlmostEqual(after[name]["visible"] + after[name]["hidden"], wanted, delta=max(3, wanted // 50))
+        again = self.report("count", "solved.json")
+        self.assertEqual(again["perStructure"], report["perStructure"])
+        _, by_number = self.areas("--set-area", f"{row['id']}=50%")
+        self.assertAlmostEqual(by_number["targets"][0]["wanted"], row["total"] / 2, delta=3)
+        said = self.run_batch("count", *self.scene, "--set", "cuts.0.enabled=false", "--set-area", f"{name}=10").stderr.decode()
+        self.assertRegex(said, "warning: .* no cut is on")
+
+    def test_refusals(self):
+        for arguments, code, words in ((["--set-area", "nothing=3"], 1, ["--set-area nothing=3", "no structure"]),
+                                       (["--set-area", "1=120%"], 1, ["STRUCTURE=PERCENT%"]), (["--set-area", "1"], 1, ["STRUCTURE=PIXELS"]),
+                                       (["--set-count", "a=1"], 2, ["no model", "--set-area"])):
+            with self.subTest(arguments=arguments):
+                self.refuse("count", *self.scene, *arguments, code=code, words=words)
+        self.run_batch("sample", "virion", "-o", "v.cif.gz")
+        self.refuse("count", "v.cif.gz", *SMALL, "--set-area", "1=3", code=2, words=["--set-area", "--set-count"])
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -248,11 +248,13 @@ QWidget* SavePictureDialog::makeMotion() {
   mMotion->setAccessibleName(tr("Animation"));
   mMotion->setToolTip(
       tr("Several pictures, NAME-0000 and so on, for programs that make films of them: the eye goes once round, the "
-         "volume through its time steps, or structures come out of the cuts one after the other"));
+         "volume through its time steps, structures come out of the cuts one after the other, or the instances of a "
+         "model go one by one, and what the cuts leave comes back"));
   mMotion->addItem(tr("One picture"), -1);
   const std::pair<session::Motion, QString> kinds[] = {{session::Motion::Turn, tr("Once round")},
                                                        {session::Motion::Time, tr("Through the time steps")},
-                                                       {session::Motion::Pull, tr("Pull out, one after the other")}};
+                                                       {session::Motion::Pull, tr("Pull out, one after the other")},
+                                                       {session::Motion::Cut, tr("Cut open, one by one")}};
   for (const auto& [motion, name] : kinds)
     if (session::whyStill(mScene, motion).empty()) mMotion->addItem(name, int(motion));
   mFrames = new QSpinBox(box);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "Instances.h"
+#include "ThresholdFold.h"
 
 namespace velum::render {
 
@@ -27,31 +28,11 @@ float stayingShare(const shared::TypeSpareRow& row, float u, float depth, bool i
   return std::min(bare, share > 0.0f ? share : kStaysAlways);
 }
 
-/// As shared::CutFold, of shares rather than of answers: who must keep a thing all, the largest; where one is enough,
-/// the least.
-struct ShareFold {
-  float before = kStaysAlways, last = kStaysAlways, inlay = kStaysNever;
-  bool hasInlay = false;
-
-  void add(int part, float share) {
-    if (part == shared::kFoldInlay) {
-      hasInlay = true;
-      inlay = std::min(inlay, share);
-    } else if (part == shared::kFoldJoined) {
-      last = std::min(last, share);
-    } else {
-      before = std::max(before, last);
-      last = share;
-    }
-  }
-  float share() const { return std::max({before, last, hasInlay ? inlay : kStaysAlways}); }
-};
-
 /// The share from which on all cuts together leave an instance. @param isSet  by cut: one whose share is asked for
 float shareOf(const Instances& all, const std::vector<bool>& isSet, std::size_t number) {
   float u = randomOf(std::uint32_t(number));
   glm::vec3 p = all.middleOf(number);
-  ShareFold fold;
+  ThresholdFold fold(kStaysAlways, kStaysNever);
   for (std::size_t c = 0; c < all.cuts.size(); ++c) {
     const shared::CutData& cut = all.cuts[c];
     const shared::TypeSpareRow& row = all.spareOf(number, c);
@@ -67,7 +48,7 @@ float shareOf(const Instances& all, const std::vector<bool>& isSet, std::size_t 
     }
     fold.add(shared::cutPart(cut), share);
   }
-  return fold.share();
+  return fold.threshold();
 }
 
 }  // namespace

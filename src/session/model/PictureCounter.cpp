@@ -48,11 +48,21 @@ const render::InstanceBits& PictureCounter::count(const scene::Scene& scene) {
 }
 
 Image PictureCounter::types(const scene::Scene& scene) {
+  render::Layers layers;
+  layers.instance = layers.type = true;
+  return draw(scene, layers);
+}
+
+Image PictureCounter::structures(const scene::Scene& scene) {
+  render::Layers layers;
+  layers.structure = layers.instance = true;
+  return draw(scene, layers);
+}
+
+Image PictureCounter::draw(const scene::Scene& scene, const render::Layers& layers) {
   render::Frame frame;
   frame.scene = bareScene(scene);
   frame.pictureSize = mSize;
-  render::Layers layers;
-  layers.instance = layers.type = true;
   return render::renderPicture(mRenderer, frame, layers, mLargestWindow, mProgress);
 }
 

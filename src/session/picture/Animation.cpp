@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <numbers>
 
 #include "velum/core/Error.h"
@@ -10,6 +11,7 @@
 #include "velum/session/extrusion/Extrusion.h"
 #include "velum/session/growth/Growths.h"
 #include "velum/session/membrane/Membranes.h"
+#include "velum/session/picture/CutPath.h"
 
 namespace velum::session {
 
@@ -24,11 +26,15 @@ Motion usualMotion(const scene::Scene& scene) { return timeStepsOf(scene) > 1 ? 
 std::string whyStill(const scene::Scene& scene, Motion motion) {
   if (motion == Motion::Time && timeStepsOf(scene) < 2) return "the volume has no time steps";
   if (motion == Motion::Pull && extrusionsOf(scene).empty()) return "no structure is pulled out of a cut";
-  return {};
+  if (motion != Motion::Cut) return {};
+  if (!scene.model.data) return "there is no model whose instances could go one by one";
+  bool isCut = std::any_of(scene.cuts.begin(), scene.cuts.end(), [](const scene::Cut& cut) { return cut.enabled; });
+  return isCut ? "" : "no cut is on";
 }
 
 scene::Scene frameOf(const scene::Scene& scene, Motion motion, int frame, int frames) {
   scene::Scene out = scene;
+  double at = frames > 1 ? double(frame) / (frames - 1) : 1.0;  // of those that end with the scene
   switch (motion) {
     case Motion::Turn:
       out.camera = scene::turntable(scene.camera, 2.0 * std::numbers::pi * frame / frames);
@@ -37,7 +43,10 @@ scene::Scene frameOf(const scene::Scene& scene, Motion motion, int frame, int fr
       out.volume.timeStep = frame * timeStepsOf(scene) / frames;
       break;
     case Motion::Pull:
-      out = pulledOut(std::move(out), frames > 1 ? double(frame) / (frames - 1) : 1.0);
+      out = pulledOut(std::move(out), at);
+      break;
+    case Motion::Cut:
+      out = cutPathAt(std::move(out), at);
       break;
   }
   return out;

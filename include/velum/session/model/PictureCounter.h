@@ -11,8 +11,8 @@
 
 namespace velum::session {
 
-/// Draws scenes, of any size, to know what of their models shows: the first sample of each picture, membranes as their
-/// shapes are, without light, finish and ghosts, which change nothing of it. GL thread.
+/// Draws scenes, of any size, to know what of their models and structures shows: the first sample of each picture,
+/// membranes as their shapes are, without light, finish and ghosts, which change nothing of it. GL thread.
 class PictureCounter {
  public:
   /// @param renderer, progress  outlive it
@@ -25,8 +25,12 @@ class PictureCounter {
   const render::InstanceBits& count(const scene::Scene& scene);
   /// Types and instances (render::Layers), for whatHides(). @throw Cancelled, gpu::GpuError
   Image types(const scene::Scene& scene);
+  /// Structures and instances, for structureAreas(). @throw Cancelled, gpu::GpuError
+  Image structures(const scene::Scene& scene);
 
  private:
+  Image draw(const scene::Scene& scene, const render::Layers& layers);
+
   render::Renderer& mRenderer;
   glm::ivec2 mSize;
   int mLargestWindow;

@@ -11,8 +11,8 @@
 namespace velum::session {
 
 /// What goes on in an animation: the eye goes once round the data, the volume through its time steps, or the camera
-/// stays and structures are pulled out of the cuts one after the other.
-enum class Motion { Turn, Time, Pull };
+/// stays and structures are pulled out of the cuts one after the other, or the instances of a model are cut one by one.
+enum class Motion { Turn, Time, Pull, Cut };
 
 /// Time where the volume has some, else a turn.
 Motion usualMotion(const scene::Scene& scene);
@@ -20,7 +20,7 @@ Motion usualMotion(const scene::Scene& scene);
 std::string whyStill(const scene::Scene& scene, Motion motion);
 
 /// The scene of one frame. A turn ends before it is back where it began; what is pulled out begins with nothing that
-/// stands out, and ends with the scene itself.
+/// stands out, what is cut without cuts (cutPathAt), and both end with the scene itself.
 /// @param frame  from 0 to before `frames`
 scene::Scene frameOf(const scene::Scene& scene, Motion motion, int frame, int frames);
 
@@ -36,5 +36,5 @@ void renderAnimationFiles(const scene::Scene& scene, Motion motion, int frames, 
 
 template <>
 struct velum::EnumNames<velum::session::Motion> {
-  static constexpr std::string_view kNames[] = {"turn", "time", "pull"};
+  static constexpr std::string_view kNames[] = {"turn", "time", "pull", "cut"};
 };

@@ -1,0 +1,22 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "Common.h"
+#include "velum/session/model/PictureCounter.h"
+
+namespace velum::app {
+
+/// What is counted of structures, and where it goes.
+struct AreaOptions {
+  std::vector<std::string> areas;  ///< STRUCTURE=PIXELS or STRUCTURE=PERCENT%
+  std::string csv, svg, output;    ///< files; empty: none
+  bool json = false;
+};
+
+/// Sets the areas that are wanted, and says what of a scene's structures its picture shows, hides and has lost to cuts,
+/// in pixels. What is not met is said on stderr.
+int countAreas(scene::Scene scene, const AreaOptions& options, session::PictureCounter& counter,
+               const render::Renderer& renderer);
+
+}  // namespace velum::app

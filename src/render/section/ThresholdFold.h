@@ -1,0 +1,34 @@
+#pragma once
+#include <algorithm>
+
+#include "shared/cuts.h"
+
+namespace velum::render {
+
+/// As shared::CutFold, not of answers but of numbers from which on each cut leaves a thing: of cuts that all must leave
+/// it, the largest; where one is enough, the least.
+class ThresholdFold {
+ public:
+  /// @param always, never  what is below, and above, all other numbers
+  ThresholdFold(float always, float never) : mAlways(always), mBefore(always), mLast(always), mInlay(never) {}
+
+  /// @param part  shared::cutPart()
+  void add(int part, float threshold) {
+    if (part == shared::kFoldInlay) {
+      mHasInlay = true;
+      mInlay = std::min(mInlay, threshold);
+    } else if (part == shared::kFoldJoined) {
+      mLast = std::min(mLast, threshold);
+    } else {
+      mBefore = std::max(mBefore, mLast);
+      mLast = threshold;
+    }
+  }
+  float threshold() const { return std::max({mBefore, mLast, mHasInlay ? mInlay : mAlways}); }
+
+ private:
+  float mAlways, mBefore, mLast, mInlay;
+  bool mHasInlay = false;
+};
+
+}  // namespace velum::render

@@ -1,0 +1,77 @@
+#include "velum/session/structure/StructureAreas.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "velum/core/Assert.h"
+#include "velum/session/structure/StructureEdit.h"
+
+namespace velum::session {
+
+namespace {
+
+std::size_t columnOf(const Image& image, const char* name) {
+  auto found = std::find(image.channels.begin(), image.channels.end(), name);
+  VELUM_ASSERT(found != image.channels.end(), "the picture has the layers structure and instance");
+  return std::size_t(found - image.channels.begin());
+}
+
+/// The structure that each pixel shows; 0: none.
+std::vector<int> shownStructures(const Image& picture) {
+  std::size_t id = columnOf(picture, "id"), instance = columnOf(picture, "instance"), step = picture.channels.size();
+  std::vector<int> shown(picture.pixels.size() / step, 0);
+  for (std::size_t i = 0; i < shown.size(); ++i)
+    if (picture.pixels[i * step + instance] == 0.0f) shown[i] = int(picture.pixels[i * step + id]);
+  return shown;
+}
+
+}  // namespace
+
+bool isStructureShown(const scene::Scene& scene, int structure) {
+  const scene::Structure* row = findStructure(scene, structure);
+  return scene.labels.visible && (!row || (row->visible && row->opacity > 0.0));
+}
+
+std::vector<StructureArea> structureAreas(const scene::Scene& scene, const std::vector<render::StructureHit>& hits,
+                                          const Image& picture) {
+  std::vector<int> shown = shownStructures(picture);
+  std::map<int, StructureArea> areas;
+  auto areaOf = [&](int structure) -> StructureArea& {
+    StructureArea& area = areas[structure];
+    area.structure = structure;
+    return area;
+  };
+  for (const scene::Structure& structure : scene.labels.structures) areaOf(structure.id);
+  for (int structure : shown)
+    if (structure != 0) ++areaOf(structure).visible;
+  std::map<int, bool> canShow;
+  for (const render::StructureHit& hit : hits) {
+    VELUM_ASSERT(hit.pixel < shown.size(), "the picture is as large as that of the rays");
+    if (shown[hit.pixel] == hit.structure) continue;
+    auto known = canShow.find(hit.structure);
+    if (known == canShow.end()) known = canShow.emplace(hit.structure, isStructureShown(scene, hit.structure)).first;
+    StructureArea& area = areaOf(hit.structure);
+    ++(hit.isLeft && known->second ? area.hidden : area.clipped);
+  }
+  std::vector<StructureArea> rows;
+  for (auto& [id, area] : areas) {
+    area.name = structureName(scene, id);
+    rows.push_back(std::move(area));
+  }
+  return rows;
+}
+
+std::string areasCsv(const std::vector<StructureArea>& areas) {
+  std::string csv = "structure,name,visible,hidden,clipped,total\n";
+  for (const StructureArea& area : areas) {
+    std::string name;
+    for (char c : area.name) name += c == '"' ? std::string("\"\"") : std::string(1, c);
+    csv += fmt::format("{},\"{}\",{},{},{},{}\n", area.structure, name, area.visible, area.hidden, area.clipped,
+                       area.total());
+  }
+  return csv;
+}
+
+}  // namespace velum::session

@@ -179,6 +179,20 @@ class Render(CliTest):
         report = self.report("render", *common, *spares, "-o", "cut.png", "--frames", "3", "--animate", "pull", "--section", "axial")
         self.assertGreater(len({(self.folder / name).read_bytes() for name in report["outputs"]}), 1)
 
+    def test_a_model_is_cut_open_instance_by_instance(self):
+        self.run_batch("sample", "virion", "-o", "v.cif")
+        common = ("v.cif", "--size", "48x48", "--view", "anterior", *FAST)
+        cuts = ["--set", 'cuts.+={"axis": [0, -1, 0], "typeSpares": [{"type": "root.plasma", "share": 0.3}]}']
+        report = self.report("render", *common, *cuts, "-o", "cut.png", "--frames", "5", "--animate", "cut")
+        self.assertEqual(len({(self.folder / name).read_bytes() for name in report["outputs"]}), 5)
+        # It begins without cuts, passes what the cuts take plainly, and ends with the scene itself.
+        self.run_batch("render", *common, "-o", "whole.png")
+        self.run_batch("render", *common, "--set", "cuts.+.axis=0,-1,0", "-o", "plain.png")
+        self.run_batch("render", *common, *cuts, "-o", "scene.png")
+        for name, frame in (("whole.png", 0), ("plain.png", 2), ("scene.png", 4)):
+            self.run_batch("compare", name, report["outputs"][frame], "--max-diff", "0", "--max-fraction", "0")
+        self.refuse("render", *common, "-o", "x.png", "--frames", "3", "--animate", "cut", code=1, words=["--animate cut", "no cut is on"])
+
     def test_what_cannot_move_is_refused(self):
         path = self.sample()
         frames = ("-o", "x.png", "--frames", "3", "--size", "16x16")

@@ -10,27 +10,35 @@ layout(std430, binding = kReachBinding) buffer ReachBlock { uint longest; };
 layout(binding = kMaskUnit) uniform usamplerBuffer maskTexture;
 layout(binding = kSeedUnit) uniform usamplerBuffer seedTexture;
 
-layout(location = 0) uniform int step_;  // pixels; 0: seeds are laid; -1: the longest distance is found
+layout(location = 0) uniform int step_;   // pixels; 0: seeds are laid
+layout(location = 1) uniform int isLast;  // 1: the longest distance is found, too
+
+/// The nearest of the seeds that a pixel and eight about it have.
+uint nearestSeed(ivec2 pixel, int at) {
+  uint seed = texelFetch(seedTexture, at).r;
+  for (int y = -1; y <= 1; ++y)
+    for (int x = -1; x <= 1; ++x) {
+      ivec2 from = pixel + step_ * ivec2(x, y);
+      if (x == 0 && y == 0) continue;
+      bool isIn = all(greaterThanEqual(from, ivec2(0))) && all(lessThan(from, focus.size));
+      if (isIn) seed = nearerSeed(pixel, seed, texelFetch(seedTexture, from.y * focus.size.x + from.x).r);
+    }
+  return seed;
+}
 
 void main() {
   ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-  if (any(greaterThanEqual(pixel, focus.size))) return;
+  bool isIn = all(lessThan(pixel, focus.size));
   int at = pixel.y * focus.size.x + pixel.x;
-  uint bits = texelFetch(maskTexture, at).r;
+  uint bits = isIn ? texelFetch(maskTexture, at).r : 0u;
   bool isInMask = bits != 0u && bits != kNoDepth;
-  if (step_ == 0) {
-    seedsOut[at] = isInMask ? kNoSeed : uint(pixel.x) | uint(pixel.y) << 16;
-    return;
+  if (step_ == 0 && isIn) seedsOut[at] = isInMask ? kNoSeed : uint(pixel.x) | uint(pixel.y) << 16;
+  // All others are their own seeds, and stay that. As a loop, of which no compiler knows that it has one turn at most:
+  // software drivers leave a loop when no thread is in it, and run what stands under a condition all the same.
+  int turns = isInMask && step_ != 0 ? focus.hasAperture : 0;
+  for (int turn = 0; turn < turns; ++turn) {
+    uint seed = nearestSeed(pixel, at);
+    seedsOut[at] = seed;
+    if (isLast != 0) atomicMax(longest, floatBitsToUint(focusDistance(pixel, seed)));
   }
-  uint seed = texelFetch(seedTexture, at).r;
-  if (step_ < 0) {
-    if (isInMask) atomicMax(longest, floatBitsToUint(focusDistance(pixel, seed)));
-    return;
-  }
-  for (int i = 0; i < 9; ++i) {
-    ivec2 from = pixel + step_ * ivec2(i % 3 - 1, i / 3 - 1);
-    bool isIn = all(greaterThanEqual(from, ivec2(0))) && all(lessThan(from, focus.size));
-    if (isIn) seed = nearerSeed(pixel, seed, texelFetch(seedTexture, from.y * focus.size.x + from.x).r);
-  }
-  seedsOut[at] = seed;
 }

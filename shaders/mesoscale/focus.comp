@@ -38,7 +38,7 @@ void main() {
   if (isRemoved(instance)) return;
   Place place = placeIn(index, copyShift(copy));
   MoleculeRow molecule = moleculeAt(place.molecule);
-  TypeSpareRow spare = typeSpares[int(molecule.type) * view.cutCount + focus.cut];
+  TypeSpareRow spare = typeSpareOf(molecule.type, focus.cut);
   bool isFocus = spare.isFocus != 0.0;
   vec3 middle = place.position + turned(place.rotation, molecule.sphere.xyz);
   vec3 q = middle - focus.eye.xyz;

@@ -2,10 +2,19 @@
 #include "mesoscale/instances.glsl"
 
 layout(binding = kCutUnit) uniform samplerBuffer cutTexture;
-layout(std430, binding = kTypeSpareBinding) readonly buffer TypeSpareBlock { TypeSpareRow typeSpares[]; };
+layout(binding = kTypeSpareUnit) uniform samplerBuffer typeSpareTexture;
 layout(binding = kTypeUnit) uniform samplerBuffer typeTexture;
 
-/// A cut. As texels: software drivers read a storage block lane by lane, which took most of the time of culling.
+/// What a cut leaves of a type. As texels: software drivers read a storage block lane by lane, which took most of the time
+/// of culling.
+TypeSpareRow typeSpareOf(uint type, int cut) {
+  int at = 2 * (int(type) * view.cutCount + cut);
+  vec4 a = texelFetch(typeSpareTexture, at);
+  vec4 b = texelFetch(typeSpareTexture, at + 1);
+  return TypeSpareRow(a.x, a.y, a.z, a.w, b.x, b.y, b.z, b.w);
+}
+
+/// A cut, as texels likewise.
 CutData cutAt(int i) {
   CutData cut;
   for (int k = 0; k < 4; ++k) cut.localFromScene[k] = texelFetch(cutTexture, kCutTexels * i + k);
@@ -24,7 +33,7 @@ bool cutsLeave(uint instance, uint type, vec3 p, float radius) {
   CutFold fold = emptyFold();
   float u = instanceRandom(instance, 0u);
   for (int i = 0; i < view.cutCount; ++i) {
-    float depth = typeSpareDepth(typeSpares[int(type) * view.cutCount + i], u);
+    float depth = typeSpareDepth(typeSpareOf(type, i), u);
     CutData cut = cutAt(i);
     fold = foldAnswer(fold, cutPart(cut), instanceAnswer(cut, depth, reachFor(i, radius), p));
   }

@@ -48,6 +48,7 @@ SHARED_CONST uint kBallUnit = 25u;      // centre and radius, scene units, the m
 SHARED_CONST uint kBallKindUnit = 26u;  // element, chain
 SHARED_CONST uint kTypeUnit = 27u;      // TypeRow
 SHARED_CONST uint kCutUnit = 37u;       // CutData: kCutTexels each
+SHARED_CONST uint kTypeSpareUnit = 38u; // TypeSpareRow: two texels each, [types][cuts]
 // And of a view.
 SHARED_CONST uint kDrawUnit = 28u;      // DrawRow
 SHARED_CONST uint kPyramidUnit = 29u;   // farthest depths
@@ -69,7 +70,6 @@ SHARED_CONST uint kSeedBinding = 4u;
 SHARED_CONST uint kReachBinding = 6u;  // the longest distance in the mask
 
 // Storage blocks of a view of instances.
-SHARED_CONST uint kTypeSpareBinding = 0u;
 SHARED_CONST uint kDepthBinding = 2u;
 SHARED_CONST uint kOwnerBinding = 3u;   // instance of each pixel,
 SHARED_CONST uint kBallBinding = 4u;    // and its ball

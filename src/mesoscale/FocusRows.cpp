@@ -25,7 +25,6 @@ std::vector<int> floodSteps(glm::ivec2 size) {
   while (2 * step < std::max(size.x, size.y)) step *= 2;
   for (; step >= 1; step /= 2) steps.push_back(step);
   steps.push_back(1);
-  steps.push_back(-1);
   return steps;
 }
 

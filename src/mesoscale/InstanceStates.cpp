@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "shared/bindings.h"
 #include "shared/instance.h"
@@ -19,7 +20,8 @@ void InstanceStates::resize(std::uint32_t instances, int copies) {
   std::uint32_t count = instances * std::uint32_t(copies);
   if (mBits && count == mCount) return;
   mCount = count;
-  mBits = gpu::Buffer("states of instances", std::max<std::size_t>(1, std::size_t(words())) * 3 * sizeof(std::uint32_t));
+  mBits =
+      gpu::Buffer("states of instances", std::max<std::size_t>(1, std::size_t(words())) * 3 * sizeof(std::uint32_t));
 }
 
 void InstanceStates::begin() { mBits.clear(); }
@@ -73,17 +75,19 @@ void InstanceStates::flood(InstancePrograms& programs) {
   mView.bindUniform(shared::kFocusViewBinding);
   mReach.bindStorage(shared::kReachBinding);
   mMaskTexels.bindSampler(shared::kMaskUnit);
-  auto run = [&](int step) {
+  auto run = [&](int step, bool isLast) {
     mSeeds[1].bindStorage(shared::kSeedBinding);
     mSeedTexels[0].bindSampler(shared::kSeedUnit);
     program.set(0, step);
+    program.set(1, isLast ? 1 : 0);
     gpu::dispatch(program, {(mSize.x + 7) / 8, (mSize.y + 7) / 8, 1});
     gpu::barrier();
-    if (step < 0) return;
     std::swap(mSeeds[0], mSeeds[1]);
     std::swap(mSeedTexels[0], mSeedTexels[1]);
   };
-  for (int step : floodSteps(mSize)) run(step);
+  run(0, false);  // twice, into both: later on nobody but the mask's own pixels writes
+  std::vector<int> steps = floodSteps(mSize);
+  for (std::size_t i = 0; i < steps.size(); ++i) run(steps[i], i + 1 == steps.size());
 }
 
 void InstanceStates::clear(InstancePrograms& programs, bool hasMembranes, const InstancePart& part) {

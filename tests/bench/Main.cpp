@@ -31,6 +31,7 @@ constexpr Section kSections[] = {{"vtk", measureAgainstVtk},
                                  {"fine-sheets", measureFineSheets},
                                  {"kept-whole", measureKeptWhole},
                                  {"families", measureFamilies},
+                                 {"equalizer", measureEqualizer},
                                  {"scaling", measureScaling},
                                  {"fetches", measureFetches},
                                  {"loading", measureLoading}};
@@ -92,7 +93,7 @@ int parseAndRun(int argc, char** argv) {
   app.add_option("--only", only,
                  "sections to measure: vtk, interaction, labels, growing, cross-sections, membrane, drag, fine-sheets, "
                  "kept-whole, families, "
-                 "scaling, "
+                 "equalizer, scaling, "
                  "fetches, loading")
       ->check(CLI::IsMember(names));
   app.add_flag("--quick", options.quick, "smaller data, fewer positions: a look, not a measurement");

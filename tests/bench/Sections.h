@@ -23,6 +23,8 @@ void measureLabels(const Options& options, Report& report);
 void measureGrowing(const Options& options, Report& report);
 /// Structures pulled out of cuts: the paper's Table 1.
 void measureCrossSections(const Options& options, Report& report);
+/// What the visibility equalizer costs a frame, how soon a handle answers, and how both grow.
+void measureEqualizer(const Options& options, Report& report);
 /// Frame time against voxels, pixels, opacity, cuts and structures.
 void measureScaling(const Options& options, Report& report);
 /// Trilinear fetches: what the driver can do and what our frames ask of it.

@@ -231,6 +231,7 @@ TEST_F(FocusGL, DistancesInTheMaskAreExactToOneAndAHalfPixels) {
   states.resize(1, 1);
   shared::FocusView view{};
   view.size = {150, 110};
+  view.hasAperture = 1;
   std::mt19937 random(2);
   double worst = 0.0;
   for (int round = 0; round < 6; ++round) {

@@ -27,6 +27,9 @@ constexpr float kLightDetail = 2.0f;                         // shadows are soft
 constexpr float kPreviewDetail = 3.0f;
 constexpr float kLargeRadius = 10.0f;  // pixels: see docs/PERFORMANCE.md
 constexpr int kTaps = 7;
+// What of the pass is timed by itself.
+constexpr const char* kClipping = "Clipping";
+constexpr const char* kFocus = "Focus";
 
 /// Whether a frame asks what becomes of instances, rather than only draws what is left of them.
 bool wantsStates(const Frame& frame) {
@@ -66,6 +69,30 @@ shared::InstanceView lightViewOf(const FrameData& data, const shared::InstanceVi
   view.isOrthographic = 1;
   view.detail = std::max(kLightDetail, view.detail);
   return view;
+}
+
+/// The instances of the types that a cut keeps in view, which follow each other type by type, some at a time.
+/// @param spares  [types][cuts]
+std::vector<mesoscale::InstancePart> focusParts(const scene::ModelLayer& layer,
+                                                const std::vector<shared::TypeSpareRow>& spares, std::size_t cuts,
+                                                std::size_t cut, std::uint32_t most) {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> runs;
+  const std::vector<MoleculeType>& types = layer.data->types;
+  for (std::size_t t = 0; t < types.size(); ++t) {
+    if (spares[t * cuts + cut].isFocus == 0.0f || types[t].instanceCount == 0) continue;
+    auto first = std::uint32_t(types[t].firstInstance), end = first + std::uint32_t(types[t].instanceCount);
+    if (!runs.empty() && runs.back().second == first)
+      runs.back().second = end;
+    else
+      runs.emplace_back(first, end);
+  }
+  std::vector<mesoscale::InstancePart> parts;
+  for (const auto& [first, end] : runs)
+    for (mesoscale::InstancePart part : mesoscale::instanceParts(end - first, std::max(1, layer.copies), most)) {
+      part.first += first, part.end += first;
+      parts.push_back(part);
+    }
+  return parts;
 }
 
 }  // namespace
@@ -120,15 +147,16 @@ void InstancePass::writeRows(const FrameData& data) {
   types.resize(std::max<std::size_t>(1, types.size()));
   mTypes = gpu::Buffer("types", std::span<const shared::TypeRow>(types));
   mTypeTexels = gpu::Texture::makeOfBuffer("types", gpu::Format::Rgba32f, mTypes);
-  auto spares = mesoscale::makeTypeSpareRows(data.frame.scene);
-  spares.resize(std::max<std::size_t>(1, spares.size()));
-  mTypeSpares = gpu::Buffer("spares of types", std::span<const shared::TypeSpareRow>(spares));
+  mSpareRows = mesoscale::makeTypeSpareRows(data.frame.scene);
+  mSpareRows.resize(std::max<std::size_t>(1, mSpareRows.size()));
+  mTypeSpares = gpu::Buffer("spares of types", std::span<const shared::TypeSpareRow>(mSpareRows));
+  mTypeSpareTexels = gpu::Texture::makeOfBuffer("spares of types", gpu::Format::Rgba32f, mTypeSpares);
 }
 
 void InstancePass::bindRows() const {
   mSet.bind();
   mTypeTexels.bindSampler(shared::kTypeUnit);
-  mTypeSpares.bindStorage(shared::kTypeSpareBinding);
+  mTypeSpareTexels.bindSampler(shared::kTypeSpareUnit);
 }
 
 shared::InstanceView InstancePass::viewOf(const FrameData& data, int sample) const {
@@ -200,10 +228,10 @@ void InstancePass::addPhase(mesoscale::InstanceTarget& target, mesoscale::CullBy
 void InstancePass::addStates(const FrameData& data, WorkQueue& queue) {
   const scene::ModelLayer& model = data.frame.scene.model;
   bool hasMembranes = (data.params.flags & shared::kFlagMembranes) != 0;
-  add(queue, [this] { mStates.begin(); });
+  queue.add(kClipping, [this] { mStates.begin(); });
   for (const auto& part :
        mesoscale::instanceParts(std::uint32_t(model.data->instances.size()), std::max(1, model.copies), atATime()))
-    add(queue, [this, hasMembranes, part] {
+    queue.add(kClipping, [this, hasMembranes, part] {
       bindRows();
       mEye.bindView();
       mStates.clip(mPrograms, hasMembranes, part);
@@ -216,20 +244,22 @@ void InstancePass::addFocus(const FrameData& data, const mesoscale::FocusRow& ro
   bool hasMembranes = (data.params.flags & shared::kFlagMembranes) != 0;
   double aspect = double(frame.pictureSize.x) / frame.pictureSize.y;
   shared::FocusView view = makeFocusView(frame.scene, row, aspect, sceneOrigin(data.grid), sceneRadius(data.grid));
-  auto parts = mesoscale::instanceParts(std::uint32_t(frame.scene.model.data->instances.size()),
-                                        std::max(1, frame.scene.model.copies), atATime());
-  add(queue, [this, view] { mStates.beginFocus(view); });
-  auto addLooks = [&](auto look) {
+  const scene::ModelLayer& model = frame.scene.model;
+  auto inFocus = focusParts(model, mSpareRows, data.cuts.size(), std::size_t(row.cut), atATime());
+  auto all =
+      mesoscale::instanceParts(std::uint32_t(model.data->instances.size()), std::max(1, model.copies), atATime());
+  queue.add(kFocus, [this, view] { mStates.beginFocus(view); });
+  auto addLooks = [&](const std::vector<mesoscale::InstancePart>& parts, auto look) {
     for (const auto& part : parts)
-      add(queue, [this, look, part] {
+      queue.add(kFocus, [this, look, part] {
         bindRows();
         mEye.bindView();
         look(part);
       });
   };
-  addLooks([this, hasMembranes](const auto& part) { mStates.drawFocus(mPrograms, hasMembranes, part); });
-  if (row.hasAperture) add(queue, [this] { mStates.flood(mPrograms); });
-  addLooks([this, hasMembranes](const auto& part) { mStates.clear(mPrograms, hasMembranes, part); });
+  addLooks(inFocus, [this, hasMembranes](const auto& part) { mStates.drawFocus(mPrograms, hasMembranes, part); });
+  if (row.hasAperture) queue.add(kFocus, [this] { mStates.flood(mPrograms); });
+  addLooks(all, [this, hasMembranes](const auto& part) { mStates.clear(mPrograms, hasMembranes, part); });
 }
 
 void InstancePass::addGhosts(mesoscale::InstanceTarget& target, const FrameData& data, int sample, WorkQueue& queue) {

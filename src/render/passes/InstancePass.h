@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <deque>
 #include <optional>
+#include <vector>
 
 #include "FrameData.h"
 #include "Pass.h"
@@ -75,8 +76,9 @@ class InstancePass : public Pass {
   mesoscale::InstanceStates mStates;
   bool mHasStates = false;
   mesoscale::InstanceTarget mEye{"eye's view of instances", true}, mLight{"light's view of instances", false};
+  std::vector<shared::TypeSpareRow> mSpareRows;  ///< [types][enabled cuts]
   gpu::Buffer mTypes, mTypeSpares;
-  gpu::Texture mTypeTexels;
+  gpu::Texture mTypeTexels, mTypeSpareTexels;
   gpu::UniformBuffer<shared::InstanceView> mLightView{"light's view"};
   gpu::UniformBuffer<shared::InstanceShade> mShadeParams{"shade of instances"};
   shared::InstanceView mLightParams{};

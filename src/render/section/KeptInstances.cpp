@@ -50,7 +50,7 @@ void flood(Mask& mask, glm::ivec2 size) {
         bool isInMask = mask.depths[at] >= 0.0f;
         std::uint32_t seed = mask.seeds[at];
         if (step == 0) seed = isInMask ? shared::kNoSeed : std::uint32_t(pixel.x) | std::uint32_t(pixel.y) << 16;
-        for (int i = 0; i < 9 && step > 0; ++i) {
+        for (int i = 0; i < 9 && step > 0 && isInMask; ++i) {
           glm::ivec2 near = pixel + step * glm::ivec2(i % 3 - 1, i / 3 - 1);
           if (near.x < 0 || near.y < 0 || near.x >= size.x || near.y >= size.y) continue;
           seed = shared::nearerSeed(pixel, seed,

@@ -121,17 +121,14 @@ Pick Gbuffer::pick(const FrameData& data, glm::ivec2 pixel) const {
   return pick;
 }
 
-std::vector<std::uint32_t> Gbuffer::countTypes(const FrameData& data) const {
-  const auto& model = data.frame.scene.model.data;
-  std::vector<std::uint32_t> counts(model ? model->types.size() : 0);
-  if (counts.empty()) return counts;
+std::vector<std::int32_t> Gbuffer::typesOfPixels(const FrameData& data) const {
+  if (!data.frame.scene.model.data) return {};
   std::vector<glm::uvec2> ids(std::size_t(size().x) * std::size_t(size().y));
   mIds.read(ids.data(), ids.size() * sizeof(ids[0]));
-  for (const glm::uvec2& id : ids) {
-    int type = typeOf(data, {glm::vec4(0.0f), id});
-    if (type >= 0 && std::size_t(type) < counts.size()) ++counts[std::size_t(type)];
-  }
-  return counts;
+  std::vector<std::int32_t> types;
+  types.reserve(ids.size());
+  for (const glm::uvec2& id : ids) types.push_back(typeOf(data, {glm::vec4(0.0f), id}));
+  return types;
 }
 
 }  // namespace velum::render

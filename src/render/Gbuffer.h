@@ -33,8 +33,8 @@ class Gbuffer {
   void appendLayers(const FrameData& data, const Layers& layers, Image& image) const;
   /// What is in a pixel. Waits for the GPU.
   Pick pick(const FrameData& data, glm::ivec2 pixel) const;
-  /// Pixels that show each type of the model. Waits for the GPU.
-  std::vector<std::uint32_t> countTypes(const FrameData& data) const;
+  /// The type of the model that each pixel shows; -1: none. Waits for the GPU.
+  std::vector<std::int32_t> typesOfPixels(const FrameData& data) const;
 
  private:
   gpu::Texture mColor;    ///< Premultiplied, the sum of the samples so far.

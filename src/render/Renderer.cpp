@@ -174,8 +174,8 @@ Pick Renderer::pick(glm::ivec2 pixel) const {
 
 std::optional<InstanceBits> Renderer::bits(bool waits) { return mImpl->counts.take(waits); }
 
-std::vector<std::uint32_t> Renderer::countTypes() const {
-  return mImpl->gbuffer ? mImpl->gbuffer.countTypes(mImpl->data) : std::vector<std::uint32_t>();
+std::vector<std::int32_t> Renderer::typesOfPixels() const {
+  return mImpl->gbuffer ? mImpl->gbuffer.typesOfPixels(mImpl->data) : std::vector<std::int32_t>();
 }
 
 }  // namespace velum::render

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <glm/glm.hpp>
 #include <vector>
 
 #include "velum/core/Model.h"
@@ -25,6 +26,7 @@ struct InstanceBits {
   std::uint64_t count = 0;             ///< of instances, over all copies
   std::vector<std::uint32_t> removed;  ///< no part of it is drawn
   std::vector<std::uint32_t> shown;    ///< some pixel shows it
+  glm::ivec2 pictureSize{0};           ///< of the picture that says so, pixels
   bool isRemoved(std::uint64_t i) const { return (removed[i >> 5] >> (i & 31u) & 1u) != 0u; }
   bool isShown(std::uint64_t i) const { return (shown[i >> 5] >> (i & 31u) & 1u) != 0u; }
 };

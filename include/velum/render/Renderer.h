@@ -80,9 +80,9 @@ class Renderer {
   /// What the last frame shows at a pixel of its window. From the drawn layers, so it agrees with the picture.
   Pick pick(glm::ivec2 pixel) const;
 
-  /// How many pixels of the last frame's window show each type of the scene's model, by their places in it. Empty
-  /// without a model. Reads the whole window back.
-  std::vector<std::uint32_t> countTypes() const;
+  /// The type of the scene's model that each pixel of the last frame's window shows, row by row from the top; -1 where
+  /// there is none of it. Empty without a model. Reads the whole window back.
+  std::vector<std::int32_t> typesOfPixels() const;
 
   /// What became of the instances in the newest frame of which that has arrived, of those with Frame::countsInstances:
   /// once each, at most two frames after it was complete, without waiting. @param waits  for the frame drawn last

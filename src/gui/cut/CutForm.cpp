@@ -42,6 +42,7 @@ CutForm::CutForm(session::Document& document, Selection& selection, QWidget* par
   mAlignLabel = addRow(tr("Align to"), mAlignRow);
   makeSize();
   makeFace();
+  mOfPlace.insert(mOfPlace.end(), {mCentreRow, mCentreLabel, mAxisRow, mAxisLabel, mAlignRow, mAlignLabel});
 }
 
 QLabel* CutForm::addRow(const QString& name, QWidget* control) {
@@ -100,6 +101,7 @@ void CutForm::makePlace() {
     mCentre[i]->setToolTip(tips[i]);
     mCentre[i]->setAccessibleName(tips[i]);
   }
+  mCentreRow = row;
   mCentreLabel = addRow(tr("Centre"), row);
   mCentreLabel->setToolTip(tr("In the patient's axes"));
 }
@@ -191,7 +193,7 @@ void CutForm::makeFace() {
   mFlip->setCheckable(true);
   layout->addWidget(mFace, 1);
   layout->addWidget(mFlip);
-  addRow(tr("Face"), row);
+  mOfPlace.insert(mOfPlace.end(), {row, addRow(tr("Face"), row)});
   mFaceOpacity = new NumberRow(0, 100, 0, " %", this);
   mFaceOpacity->setObjectName("cutFaceOpacity");
   mFaceOpacity->setToolTip(tr("Opacity of the grey section on the cut's face, %"));
@@ -254,6 +256,9 @@ void CutForm::showCut(const scene::Cut& cut) {
   mPosition->setLength(length);
   mCentreLabel->setText(tr("Centre, %1").arg(length.unit()));
   mSizeLabel->setText(tr("Size, %1").arg(length.unit()));
+  // What is everywhere has neither place nor face.
+  bool isPlaced = cut.shape != scene::CutShape::Everywhere;
+  for (QWidget* part : mOfPlace) part->setVisible(isPlaced);
   bool isPlane = cut.shape == scene::CutShape::Plane,
        isBall = session::traitsOf(cut.shape).girth == session::Girth::Ball;
   auto [offset, reach] = session::cutPosition(mDocument.scene(), cut);
@@ -271,8 +276,8 @@ void CutForm::showCut(const scene::Cut& cut) {
   showSize(cut);
   mFace->setCurrentIndex(static_cast<int>(cut.face));
   bool isSection = cut.face == scene::CutFace::Section;
-  mFaceOpacity->setVisible(isSection);
-  mFaceOpacityLabel->setVisible(isSection);
+  mFaceOpacity->setVisible(isSection && isPlaced);
+  mFaceOpacityLabel->setVisible(isSection && isPlaced);
   mFaceOpacity->setValue(cut.faceOpacity * 100.0);
   mFlip->setChecked(cut.invert);
   mJoined->setChecked(cut.joined);

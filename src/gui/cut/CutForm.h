@@ -5,6 +5,7 @@
 #include <QPushButton>
 #include <QWidget>
 #include <functional>
+#include <vector>
 
 #include "kit/Selection.h"
 #include "kit/Widgets.h"
@@ -39,7 +40,8 @@ class CutForm : public QWidget {
   NumberRow *mPosition = nullptr, *mFaceOpacity = nullptr;
   QLabel *mPositionLabel = nullptr, *mAxisLabel = nullptr, *mAlignLabel = nullptr, *mCentreLabel = nullptr,
          *mSizeLabel = nullptr, *mFaceOpacityLabel = nullptr;
-  QWidget *mAxisRow = nullptr, *mAlignRow = nullptr;
+  QWidget *mCentreRow = nullptr, *mAxisRow = nullptr, *mAlignRow = nullptr;
+  std::vector<QWidget*> mOfPlace;  ///< what there is only of shapes that have one
   NumberField *mCentre[3] = {}, *mSize[3] = {}, *mAzimuth = nullptr, *mElevation = nullptr, *mSpin = nullptr;
   QWidget* mSizeRow = nullptr;
   QComboBox* mFace = nullptr;

@@ -23,6 +23,7 @@ class CutPanel : public QWidget {
 
   /// What belongs to the selected membrane; hidden for other cuts.
   MembraneForm& membraneForm() { return *mMembrane; }
+  FocusForm& focusForm() { return mTypeSpares->focus(); }
 
   /// A cut of a shape, placed where it is of use.
   void addShape(scene::CutShape shape);

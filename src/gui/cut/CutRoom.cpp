@@ -1,5 +1,7 @@
 #include "CutRoom.h"
 
+#include <algorithm>
+
 #include "velum/session/cut/ShapeTraits.h"
 
 namespace velum::gui {
@@ -22,6 +24,10 @@ CutRoom::CutRoom(const WindowParts& parts)
   connect(mPanel, &CutPanel::threePointsAsked, this, [this, &toolbox] { toolbox.start(mThreePoints); });
   connect(mPanel, &CutPanel::refused, &parts.messages,
           [&bar = parts.messages](const QString& why) { bar.showNote(why); });
+  FocusForm& focus = mPanel->focusForm();
+  connect(&focus, &FocusForm::lockAsked, &focus, [&focus, &viewport](bool locked) {
+    focus.lock(locked, double(viewport.width()) / std::max(1, viewport.height()));
+  });
   connect(&parts.selection, &Selection::cutChanged, this, [this, &toolbox] { toolbox.stop(mThreePoints); });
   connect(&mThreePoints, &ThreePointTool::made, mPanel,
           [this](const scene::Cut& cut) { mPanel->addCut(cut, "Plane through three points"); });

@@ -43,6 +43,7 @@ TypeSpareList::TypeSpareList(session::Document& document, Selection& selection, 
   mView->setContextMenuPolicy(Qt::CustomContextMenu);
   layout->addWidget(mView, 1);
   makeRows(layout);
+  layout->addWidget(mFocus = new FocusForm(document, selection, this));
   connect(mSearch, &QLineEdit::textChanged, mView, &TypeSpareView::setSearch);
   connect(mView, &TypeSpareView::dragged, this, &TypeSpareList::setShare);
   connect(mView, &TypeSpareView::settled, this, [this] { mDocument.endMerge(); });
@@ -191,6 +192,7 @@ void TypeSpareList::showSelected() {
   mFalloff->setValue(spare.falloff);
   mAmount->setValue(spare.amount * 100.0);
   mExponent->setValue(spare.exponent);
+  mFocus->showCut(mCut, paths);
 }
 
 void TypeSpareList::showCut(const scene::Scene& scene, const scene::Cut& cut) {

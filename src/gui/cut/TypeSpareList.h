@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 
+#include "FocusForm.h"
 #include "TypeSpareView.h"
 #include "kit/Selection.h"
 #include "kit/Widgets.h"
@@ -21,6 +22,7 @@ class TypeSpareList : public QWidget {
   TypeSpareList(session::Document& document, Selection& selection, QWidget* parent);
   /// Hides itself where the scene has no model.
   void showCut(const scene::Scene& scene, const scene::Cut& cut);
+  FocusForm& focus() { return *mFocus; }
 
  private:
   using Change = std::function<void(scene::Cut&)>;
@@ -42,6 +44,7 @@ class TypeSpareList : public QWidget {
   QLabel* mRow = nullptr;
   NumberRow *mShare = nullptr, *mFalloff = nullptr, *mAmount = nullptr, *mExponent = nullptr;
   QCheckBox* mWhole = nullptr;
+  FocusForm* mFocus = nullptr;
   NumberField *mMass[2] = {}, *mCount[2] = {};
   scene::Cut mCut;
 };

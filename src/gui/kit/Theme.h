@@ -9,6 +9,9 @@ enum class ThemeKind { Dark, Light };
 /// A colour of a theme by its name in the style sheet: "panel", "muted" ...; invalid where there is none.
 QColor themeColor(ThemeKind kind, const QString& name);
 
+/// The theme that a widget is painted in.
+ThemeKind themeOf(const QPalette& palette);
+
 /// Colours of what is drawn over pictures; the same in both themes. Widgets take theirs from the palette: Base the
 /// ground of fields, Window of panels, Mid thin lines, Dark edges, PlaceholderText what is said quietly, Link the
 /// accent.

@@ -138,9 +138,24 @@ TypeOrder::TypeOrder(QObject* parent) : QSortFilterProxyModel(parent) {
 }
 
 void TypeOrder::setKey(Key key) {
-  if (mKey == key) return;
   mKey = key;
   invalidate();
+}
+
+void TypeOrder::setOnly(Only only) {
+  mOnly = only;
+  invalidateFilter();
+}
+
+void TypeOrder::look() {
+  if (mOnly != Only::All || mKey >= Key::Seen) invalidate();
+}
+
+bool TypeOrder::isAsAsked(const QModelIndex& row) const {
+  if (mOnly == Only::All) return true;
+  if (!row.data(TypeTree::IsTypeRole).toBool()) return false;  // stays where one below it does
+  if (mOnly == Only::Removed) return row.data(TypeTree::RemovedRole).toDouble() > 0.0;
+  return (row.data(TypeTree::SeenRole).toDouble() > 0.0) == (mOnly == Only::Seen);
 }
 
 void TypeOrder::setSearch(const QString& text) {
@@ -149,8 +164,10 @@ void TypeOrder::setSearch(const QString& text) {
 }
 
 bool TypeOrder::filterAcceptsRow(int row, const QModelIndex& parent) const {
+  QModelIndex index = sourceModel()->index(row, 0, parent);
+  if (!isAsAsked(index)) return false;
   if (mWords.isEmpty()) return true;
-  QString name = sourceModel()->index(row, 0, parent).data(TypeTree::NameRole).toString();
+  QString name = index.data(TypeTree::NameRole).toString();
   return std::all_of(mWords.begin(), mWords.end(),
                      [&](const QString& word) { return name.contains(word, Qt::CaseInsensitive); });
 }
@@ -159,7 +176,9 @@ bool TypeOrder::lessThan(const QModelIndex& left, const QModelIndex& right) cons
   if (bool isType = left.data(TypeTree::IsTypeRole).toBool(); isType != right.data(TypeTree::IsTypeRole).toBool())
     return !isType;  // compartments first
   if (mKey != Key::Name) {
-    int role = mKey == Key::Count ? TypeTree::CountRole : TypeTree::MassRole;
+    constexpr int kRoles[] = {TypeTree::NameRole, TypeTree::CountRole,  TypeTree::MassRole,
+                              TypeTree::SeenRole, TypeTree::HiddenRole, TypeTree::RemovedRole};
+    int role = kRoles[int(mKey)];
     double a = left.data(role).toDouble(), b = right.data(role).toDouble();
     if (a != b) return a > b;  // the most first
   }

@@ -16,7 +16,7 @@ namespace velum::gui {
 class TypeTree : public QAbstractItemModel {
   Q_OBJECT
  public:
-  enum Role { NameRole = Qt::UserRole, CountRole, MassRole, IsTypeRole, kOwnRole };
+  enum Role { NameRole = Qt::UserRole, CountRole, MassRole, IsTypeRole, SeenRole, HiddenRole, RemovedRole, kOwnRole };
   struct Row {
     bool isType = false;
     std::uint32_t number = 0;  ///< in Model::types or Model::compartments
@@ -60,22 +60,32 @@ class TypeTree : public QAbstractItemModel {
   std::vector<int> mRowOfType;  ///< by type
 };
 
-/// Sorts and searches them: a row stays whose name holds all words, with those above and below it.
+/// Sorts, filters and searches them: a row stays whose name holds all words, with those above and below it. What rows
+/// say of their instances is looked at when a key or a filter is chosen, and by look(): rows do not jump while a bar is
+/// dragged.
 class TypeOrder : public QSortFilterProxyModel {
   Q_OBJECT
  public:
-  enum class Key { Name, Count, Mass };
+  enum class Key { Name, Count, Mass, Seen, Hidden, Removed };
+  /// Types of which some are as it says.
+  enum class Only { All, Seen, Unseen, Removed };
   explicit TypeOrder(QObject* parent);
   void setKey(Key key);
+  Key key() const { return mKey; }
+  void setOnly(Only only);
+  Only only() const { return mOnly; }
+  void look();
   void setSearch(const QString& text);
   bool isSearching() const { return !mWords.isEmpty(); }
 
  protected:
+  bool isAsAsked(const QModelIndex& row) const;
   bool filterAcceptsRow(int row, const QModelIndex& parent) const override;
   bool lessThan(const QModelIndex& left, const QModelIndex& right) const override;
 
  private:
   Key mKey = Key::Count;
+  Only mOnly = Only::All;
   QStringList mWords;
   QCollator mCollator;
 };

@@ -22,11 +22,14 @@ void Legend::setShown(bool shown) {
 bool Legend::count() {
   if (!mIsShown) return false;
   const auto& model = mDocument.scene().model.data;
-  std::vector<std::uint32_t> pixels = mViewport.countTypes(), order(pixels.size());
-  if (!model || pixels.size() != model->types.size()) return false;
+  Viewport::TypePixels picture = mViewport.typesOfPixels();
+  if (!model || picture.types.empty()) return false;
+  std::vector<std::uint32_t> pixels(model->types.size()), order(pixels.size());
+  for (std::int32_t type : picture.types)
+    if (type >= 0 && std::size_t(type) < pixels.size()) ++pixels[std::size_t(type)];
   std::iota(order.begin(), order.end(), 0u);
   std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return pixels[a] > pixels[b]; });
-  double all = double(mViewport.width()) * mViewport.height();
+  double all = double(picture.size.x) * picture.size.y;
   std::erase_if(order, [&](std::uint32_t type) { return pixels[type] <= kLeastShare * all; });
   if (order.size() > kMostRows) order.resize(kMostRows);
   if (order == mTypes && mModel == model) return false;

@@ -5,6 +5,8 @@
 
 #include "kit/SelectedCut.h"
 #include "velum/session/membrane/MembraneEdit.h"
+#include "velum/session/model/TypesAt.h"
+#include "velum/session/model/WhatHides.h"
 #include "velum/session/structure/StructureSizes.h"
 
 namespace velum::gui {
@@ -86,7 +88,53 @@ void ModelCommands::fillMembraneMenu(QMenu& menu, const Types& types) {
   menu.addSeparator();
 }
 
-void ModelCommands::fillMenu(QMenu& menu, const Types& types, const QString& title) {
+void ModelCommands::setInView(const std::string& path, bool kept) {
+  std::string name(session::shortName(path));
+  mDocument.edit(kept ? "Keep " + name + " in view" : "Let " + name + " be hidden", [&](scene::Scene& scene) {
+    if (kept)
+      session::clearTheWay(scene, path);
+    else
+      session::endKeepInView(scene, path);
+  });
+}
+
+void ModelCommands::setGhosts(const Types& types, std::optional<scene::Ghosts> ghosts) {
+  mDocument.edit(session::typesLabel(mDocument.scene(), "Ghosts of", types),
+                 [&](scene::Scene& scene) { session::setTypesGhosts(scene, types, ghosts); });
+}
+
+/// What can be done about what stands before a type.
+void ModelCommands::fillViewMenu(QMenu& menu, const std::string& path) {
+  if (path.empty() || path.find('.') == std::string::npos) return;  // nothing hides all there is
+  bool isKept = session::isKeptInView(mDocument.scene(), path);
+  QAction* keep = menu.addAction(tr("Keep in view"));
+  keep->setCheckable(true);
+  keep->setChecked(isKept);
+  keep->setToolTip(tr("What stands before it is not drawn, wherever one looks from"));
+  connect(keep, &QAction::triggered, this, [this, path](bool on) { setInView(path, on); });
+  menu.addAction(tr("What hides this?"), this, [this, path] { emit hidingAsked(QString::fromStdString(path)); })
+      ->setToolTip(tr("Says which types stand before it, and by how much"));
+  menu.addSeparator();
+}
+
+void ModelCommands::fillGhostMenu(QMenu& menu, const Types& types) {
+  QMenu* ghosts = menu.addMenu(tr("Ghosts"));
+  ghosts->setToolTipsVisible(true);
+  std::string path = pathOf(*mDocument.scene().model.data, mDocument.scene().model.data->types[types[0]]);
+  auto now = scene::typeLook(mDocument.scene().model, path).ghosts;
+  const std::pair<QString, std::optional<scene::Ghosts>> kinds[] = {{tr("As the model"), std::nullopt},
+                                                                    {tr("None"), scene::Ghosts::None},
+                                                                    {tr("Filled"), scene::Ghosts::Filled},
+                                                                    {tr("Contour"), scene::Ghosts::Contour}};
+  for (const auto& [name, kind] : kinds) {
+    QAction* action = ghosts->addAction(name);
+    action->setCheckable(true);
+    action->setChecked(now == kind);
+    connect(action, &QAction::triggered, this, [this, types, kind = kind] { setGhosts(types, kind); });
+  }
+}
+
+void ModelCommands::fillMenu(QMenu& menu, const Types& types, const QString& title, const std::string& path) {
   if (types.empty()) return;
   const scene::Scene& scene = mDocument.scene();
   menu.setToolTipsVisible(true);
@@ -100,7 +148,9 @@ void ModelCommands::fillMenu(QMenu& menu, const Types& types, const QString& tit
   menu.addAction(tr("Go there"), this, [this, types] { goTo(types); })
       ->setToolTip(tr("Bring the camera to its instances"));
   menu.addSeparator();
+  fillViewMenu(menu, path);
   fillMembraneMenu(menu, types);
+  fillGhostMenu(menu, types);
   menu.addAction(tr("Colour..."), this, [this, types, window = menu.parentWidget()] { chooseColor(types, window); });
   std::vector<bool> own = session::ownColors(scene.model);
   QAction* palette = menu.addAction(tr("Palette's colour"), this, [this, types] { resetColor(types); });

@@ -30,14 +30,24 @@ class ModelCommands : public QObject {
   /// Brings the camera to all instances of some types, or near to one.
   void goTo(const Types& types);
   void goToInstance(std::uint32_t instance);
-  /// The entries for one or several types. @param title  what they are
-  void fillMenu(QMenu& menu, const Types& types, const QString& title);
+  /// Cuts clear what stands before it, or no longer do. @param path  of a type or compartment
+  void setInView(const std::string& path, bool kept);
+  void setGhosts(const Types& types, std::optional<scene::Ghosts> ghosts);
+  /// The entries for one or several types. @param title  what they are  @param path  of the one type or compartment that
+  /// they are; empty: several
+  void fillMenu(QMenu& menu, const Types& types, const QString& title, const std::string& path);
 
   session::Document& document() { return mDocument; }
   Selection& selection() { return mSelection; }
 
+ signals:
+  /// What hides a type or compartment is to be said.
+  void hidingAsked(const QString& path);
+
  private:
   void fillMembraneMenu(QMenu& menu, const Types& types);
+  void fillViewMenu(QMenu& menu, const std::string& path);
+  void fillGhostMenu(QMenu& menu, const Types& types);
   void flyTo(const session::InstancePlace& place);
 
   session::Document& mDocument;

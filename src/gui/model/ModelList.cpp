@@ -4,75 +4,38 @@
 #include <QHeaderView>
 #include <QMouseEvent>
 #include <QScrollBar>
-#include <QStyledItemDelegate>
 #include <algorithm>
-
-#include "kit/RowPaint.h"
+#include <cmath>
 
 namespace velum::gui {
 
 namespace {
 
 constexpr int kRowHeight = 25;
-constexpr int kWidths[ModelTree::kColumns] = {28, 22, 0, 62};
+constexpr int kWidths[ModelTree::kColumns] = {26, 20, 0, 112, 50};
+constexpr double kGrip = 5.0;   // pixels about a knob
+constexpr double kStep = 0.05;  // of a row's instances, by the keyboard
 constexpr std::size_t kMostOpen = 80;  // types of a tree that is opened whole
-
-class Delegate : public QStyledItemDelegate {
- public:
-  using QStyledItemDelegate::QStyledItemDelegate;
-
-  QSize sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const override { return {40, kRowHeight}; }
-
-  void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
-    painter->save();
-    painter->setRenderHint(QPainter::Antialiasing);
-    int column = index.column();
-    paintRowGround(*painter, option, column == 0, column == ModelTree::kColumns - 1);
-    auto shown = ModelTree::Shown(index.data(ModelTree::VisibleRole).toInt());
-    QRectF box(option.rect);
-    if (column == ModelTree::Eye)
-      paintEye(*painter, box, rowTextColor(option, shown == ModelTree::All), shown != ModelTree::None);
-    if (column == ModelTree::Swatch) paintColor(*painter, option, index, shown != ModelTree::None);
-    if (column == ModelTree::Name) paintText(*painter, option, index, shown != ModelTree::None, Qt::AlignLeft);
-    if (column == ModelTree::Count) paintText(*painter, option, index, false, Qt::AlignRight);
-    painter->restore();
-  }
-
- private:
-  static void paintColor(QPainter& painter, const QStyleOptionViewItem& option, const QModelIndex& index,
-                         bool visible) {
-    auto color = index.data(ModelTree::ColorRole).value<QColor>();
-    if (!color.isValid()) return;
-    if (!visible) color.setAlphaF(0.35f);
-    QPointF c = QRectF(option.rect).center();
-    paintSwatch(painter, QRectF(c - QPointF(6.5, 6.5), QSizeF(13, 13)), color, QColor(0, 0, 0, 70));
-  }
-  static void paintText(QPainter& painter, const QStyleOptionViewItem& option, const QModelIndex& index, bool strong,
-                        Qt::Alignment alignment) {
-    QRect box = option.rect.adjusted(4, 0, -4, 0);
-    QFont font = option.font;
-    if (alignment == Qt::AlignLeft && !index.data(TypeTree::IsTypeRole).toBool()) font.setWeight(QFont::DemiBold);
-    painter.setFont(font);
-    QString text = QFontMetrics(font).elidedText(index.data().toString(), Qt::ElideMiddle, box.width());
-    painter.setPen(rowTextColor(option, strong));
-    painter.drawText(box, alignment | Qt::AlignVCenter, text);
-  }
-};
 
 }  // namespace
 
-ModelList::ModelList(ModelCommands& commands, QWidget* parent)
-    : QTreeView(parent), mCommands(commands), mTree(new ModelTree(this)), mOrder(new TypeOrder(this)) {
+ModelList::ModelList(ModelCommands& commands, Equalizer& equalizer, QWidget* parent)
+    : QTreeView(parent),
+      mCommands(commands),
+      mEqualizer(equalizer),
+      mTree(new ModelTree(equalizer, this)),
+      mOrder(new TypeOrder(this)),
+      mDelegate(new ModelDelegate(*mTree, kRowHeight, this)) {
   setObjectName("modelList");
   setAccessibleName(tr("Types of the model"));
-  setToolTip(tr("Compartments and types of the model: shown, colour, name, number of instances"));
+  setToolTip(tr("Compartments and types of the model: shown, colour, name, and how many are seen, hidden and removed"));
+  setHeader(new ModelHeader(*mTree, this));
   mOrder->setSourceModel(mTree);
   setModel(mOrder);
-  setItemDelegate(new Delegate(this));
+  setItemDelegate(mDelegate);
   setTreePosition(ModelTree::Name);
   setIndentation(11);
   setUniformRowHeights(true);
-  setHeaderHidden(true);
   setMouseTracking(true);
   setAllColumnsShowFocus(true);
   setExpandsOnDoubleClick(false);
@@ -88,6 +51,31 @@ ModelList::ModelList(ModelCommands& commands, QWidget* parent)
     header()->setSectionResizeMode(i, i == ModelTree::Name ? QHeaderView::Stretch : QHeaderView::Fixed);
     if (kWidths[i]) header()->resizeSection(i, kWidths[i]);
   }
+  connect(mDelegate, &ModelDelegate::typed, this, &ModelList::setTyped);
+  connect(&mEqualizer, &Equalizer::counted, this, &ModelList::showCounts);
+}
+
+void ModelList::showCounts() {
+  mTree->showCounts();
+  if (mEqualizer.counts().isExact() && !mEqualizer.isHeld() && !underMouse()) mOrder->look();
+}
+
+void ModelList::setPercent(bool percent) {
+  mTree->setPercent(percent);
+  header()->viewport()->update();
+}
+
+void ModelList::setPointed(int type) {
+  mDelegate->setPointed(type);
+  viewport()->update();
+}
+
+/// What people have typed: it is drawn, or the field has changed nothing.
+void ModelList::setTyped(const QModelIndex& index, const QString& text) {
+  const TypeTree::Row& row = rowOf(index);
+  auto number = ModelTree::readNumber(text, double(mTree->countOf(row).total()));
+  if (!number) return emit refused(tr("\"%1\" is no number of instances and no share, such as 50 or 20 %").arg(text));
+  mEqualizer.set(row.path, Equalizer::Handle::Drawn, *number);
 }
 
 /// All of a small tree; of a large one what is left of the search, or its first two floors.
@@ -150,6 +138,11 @@ QRect ModelList::cellOfType(int type, ModelTree::Column column) const {
   return visualRect(mOrder->mapFromSource(mTree->indexOfType(type, column)));
 }
 
+RowBar ModelList::barOf(int row) const {
+  QModelIndex index = mOrder->mapFromSource(mTree->indexOfRow(row, ModelTree::Bar));
+  return mDelegate->barOf(mTree->rows()[std::size_t(row)], visualRect(index));
+}
+
 void ModelList::currentChanged(const QModelIndex& current, const QModelIndex& previous) {
   QTreeView::currentChanged(current, previous);
   if (mIsQuiet || !current.isValid()) return;
@@ -162,7 +155,52 @@ session::TypeNumbers ModelList::typesFor(const QModelIndex& shown) const {
   return selectionModel()->isRowSelected(shown.row(), shown.parent()) ? selectedTypes() : rowOf(shown).types;
 }
 
+/// The handle that is nearest: of two at one place that which lies in the way that the pointer is off.
+Equalizer::Handle ModelList::handleAt(const QModelIndex& index, double x) const {
+  RowBar bar = mDelegate->barOf(rowOf(index), visualRect(index.siblingAtColumn(ModelTree::Bar)));
+  double at = x - bar.box.left(), toSeen = std::abs(at - bar.seen), toDrawn = std::abs(at - bar.drawn);
+  if (toSeen == toDrawn) return at < bar.seen ? Equalizer::Handle::Seen : Equalizer::Handle::Drawn;
+  return toSeen < toDrawn ? Equalizer::Handle::Seen : Equalizer::Handle::Drawn;
+}
+
+bool ModelList::takeHandle(const QModelIndex& index, double x) {
+  const TypeTree::Row& row = rowOf(index);
+  if (mTree->countOf(row).total() == 0) return false;
+  if (!selectionModel()->isRowSelected(index.row(), index.parent()))
+    setCurrentIndex(index.siblingAtColumn(ModelTree::Name));
+  mHeldBar = index;
+  Equalizer::Handle handle = handleAt(index, x);
+  RowBar bar = mDelegate->barOf(row, visualRect(index));
+  double off = x - bar.box.left() - (handle == Equalizer::Handle::Seen ? bar.seen : bar.drawn);
+  mEqualizer.take(row.path, handle);
+  // Whoever takes the knob moves it by what the pointer moves; whoever presses elsewhere brings it there.
+  mGrip = std::abs(off) <= kGrip ? off : 0.0;
+  if (mGrip == 0.0) dragHandle(x);
+  return true;
+}
+
+void ModelList::dragHandle(double x) {
+  const TypeTree::Row& row = rowOf(mHeldBar);
+  RowBar bar = mDelegate->barOf(row, visualRect(QModelIndex(mHeldBar).siblingAtColumn(ModelTree::Bar)));
+  if (bar.box.isEmpty()) return;
+  double total = double(mTree->countOf(row).total());
+  double place = (x - mGrip - bar.box.left()) / bar.box.width();
+  mEqualizer.moveTo(std::round(mTree->scale().count(place, total)));
+}
+
+/// So many more or fewer, of the row that the keyboard is in.
+void ModelList::stepHandle(Equalizer::Handle handle, int steps) {
+  if (!currentIndex().isValid()) return;
+  const TypeTree::Row& row = rowOf(currentIndex());
+  render::TypeCount count = mTree->countOf(row);
+  if (count.total() == 0) return;
+  double by = std::max(1.0, std::round(kStep * double(count.total()))) * steps;
+  auto now = double(handle == Equalizer::Handle::Drawn ? count.rendered() : count.visible);
+  mEqualizer.set(row.path, handle, std::clamp(now + by, 0.0, double(count.total())));
+}
+
 bool ModelList::pressCell(const QModelIndex& index, QMouseEvent* event) {
+  if (index.column() == ModelTree::Bar) return takeHandle(index, event->position().x());
   if (index.column() == ModelTree::Eye) {
     if (event->modifiers() & Qt::AltModifier)
       mCommands.toggleSolo(typesFor(index));
@@ -182,17 +220,38 @@ void ModelList::mousePressEvent(QMouseEvent* event) {
 }
 
 void ModelList::mouseMoveEvent(QMouseEvent* event) {
-  if (!mIsHeld) QTreeView::mouseMoveEvent(event);
+  if (mHeldBar.isValid()) return dragHandle(event->position().x());
+  if (mIsHeld) return;
+  QModelIndex index = indexAt(event->position().toPoint());
+  bool isBar = index.column() == ModelTree::Bar && mTree->countOf(rowOf(index)).total() > 0;
+  viewport()->setCursor(isBar ? Qt::SplitHCursor : Qt::ArrowCursor);
+  tellHover(index);
+  QTreeView::mouseMoveEvent(event);
 }
 
 void ModelList::mouseReleaseEvent(QMouseEvent* event) {
+  if (mHeldBar.isValid()) mEqualizer.letGo();
+  mHeldBar = QModelIndex();
   if (!mIsHeld) QTreeView::mouseReleaseEvent(event);
   mIsHeld = false;
 }
 
+void ModelList::tellHover(const QModelIndex& index) {
+  int row = index.isValid() ? int(mOrder->mapToSource(index).internalId()) : -1;
+  if (row == mHoveredRow) return;
+  mHoveredRow = row;
+  emit hovered(row < 0 ? session::TypeNumbers() : mTree->rows()[std::size_t(row)].types);
+}
+
+void ModelList::leaveEvent(QEvent* event) {
+  tellHover({});
+  QTreeView::leaveEvent(event);
+}
+
 void ModelList::mouseDoubleClickEvent(QMouseEvent* event) {
   QModelIndex index = indexAt(event->position().toPoint());
-  bool isName = index.column() == ModelTree::Name || index.column() == ModelTree::Count;
+  if (index.isValid() && index.column() == ModelTree::Count) return edit(index);
+  bool isName = index.column() == ModelTree::Name;
   if (index.isValid() && isName && visualRect(index).contains(event->position().toPoint()))
     return mCommands.goTo(rowOf(index).types);
   mousePressEvent(event);  // two quick clicks on an eye are two clicks
@@ -201,15 +260,29 @@ void ModelList::mouseDoubleClickEvent(QMouseEvent* event) {
 bool ModelList::event(QEvent* event) {
   // The list's own keys go before commands of the window that have the same.
   if (event->type() == QEvent::ShortcutOverride) {
-    int key = static_cast<QKeyEvent*>(event)->key();
-    constexpr int kOwn[] = {Qt::Key_Space, Qt::Key_Return, Qt::Key_Enter,
+    auto* stroke = static_cast<QKeyEvent*>(event);
+    int key = stroke->key();
+    constexpr int kOwn[] = {Qt::Key_Space, Qt::Key_Return, Qt::Key_Enter, Qt::Key_F2,
                             Qt::Key_Delete};  // Del would remove a cut that nobody thinks of here
     if (std::find(std::begin(kOwn), std::end(kOwn), key) != std::end(kOwn)) event->accept();
+    bool isStep = (key == Qt::Key_Left || key == Qt::Key_Right) && stroke->modifiers() & Qt::ControlModifier;
+    if (isStep || (key == Qt::Key_Escape && mEqualizer.isHeld())) event->accept();
   }
   return QTreeView::event(event);
 }
 
 void ModelList::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Escape && mEqualizer.isHeld()) {
+    mHeldBar = QModelIndex();
+    return mEqualizer.giveUp();
+  }
+  if (event->key() == Qt::Key_F2 && currentIndex().isValid())
+    return edit(currentIndex().siblingAtColumn(ModelTree::Count));
+  if (event->modifiers() & Qt::ControlModifier && (event->key() == Qt::Key_Left || event->key() == Qt::Key_Right)) {
+    bool isSeen = event->modifiers() & Qt::ShiftModifier;
+    return stepHandle(isSeen ? Equalizer::Handle::Seen : Equalizer::Handle::Drawn,
+                      event->key() == Qt::Key_Right ? 1 : -1);
+  }
   session::TypeNumbers types = selectedTypes();
   if (!types.empty() && event->key() == Qt::Key_Space) {
     if (event->modifiers() & Qt::AltModifier) return mCommands.toggleSolo(types);
@@ -227,7 +300,8 @@ void ModelList::contextMenuEvent(QContextMenuEvent* event) {
   session::TypeNumbers types = typesFor(index);
   bool isRow = types == rowOf(index).types;
   QMenu menu(this);
-  mCommands.fillMenu(menu, types, isRow ? rowOf(index).name : tr("%n types", nullptr, int(types.size())));
+  mCommands.fillMenu(menu, types, isRow ? rowOf(index).name : tr("%n types", nullptr, int(types.size())),
+                     isRow ? rowOf(index).path : std::string());
   menu.exec(isMouse ? event->globalPos() : viewport()->mapToGlobal(visualRect(index).center()));
 }
 

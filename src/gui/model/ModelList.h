@@ -1,17 +1,20 @@
 #pragma once
 #include <QTreeView>
 
+#include "Equalizer.h"
 #include "ModelCommands.h"
+#include "ModelDelegate.h"
 #include "ModelTree.h"
 
 namespace velum::gui {
 
-/// The tree of compartments and types: an eye, a colour, the name, how many instances. What is done to a selected row
-/// is done to all that are selected; what is done to a compartment, to all below it.
+/// The tree of compartments and types: an eye, a colour, the name, a bar of what is seen, hidden and removed ([VE] 7),
+/// whose handles set how much is, and a number. What is done to a selected row is done to all that are selected; what is
+/// done to a compartment, to all below it. A bar is its row's alone.
 class ModelList : public QTreeView {
   Q_OBJECT
  public:
-  ModelList(ModelCommands& commands, QWidget* parent);
+  ModelList(ModelCommands& commands, Equalizer& equalizer, QWidget* parent);
 
   ModelTree& tree() { return *mTree; }
   TypeOrder& order() { return *mOrder; }
@@ -23,12 +26,21 @@ class ModelList : public QTreeView {
   session::TypeNumbers listedTypes() const;
   /// Selects a type's row and brings it into view; -1 selects nothing.
   void selectType(int type);
+  /// Bars in percent of their rows; else numbers on a ruler that all share.
+  void setPercent(bool percent);
+  /// The type under the pointer in the picture; -1: none.
+  void setPointed(int type);
+  /// The ends of a row's bar, for tests. @param row  of the tree
+  RowBar barOf(int row) const;
   /// Where a column of a type's or a compartment's row is, for tests.
   QRect cellOfType(int type, ModelTree::Column column) const;
 
  signals:
   /// The user has selected a type; -1: none, or a compartment.
   void picked(int type);
+  /// The pointer is on the row of these types; none: on no row.
+  void hovered(const velum::session::TypeNumbers& types);
+  void refused(const QString& why);
 
  protected:
   bool event(QEvent* event) override;
@@ -36,6 +48,7 @@ class ModelList : public QTreeView {
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
   void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void leaveEvent(QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void contextMenuEvent(QContextMenuEvent* event) override;
   void currentChanged(const QModelIndex& current, const QModelIndex& previous) override;
@@ -45,10 +58,22 @@ class ModelList : public QTreeView {
   session::TypeNumbers typesFor(const QModelIndex& shown) const;
   bool pressCell(const QModelIndex& index, QMouseEvent* event);
   void openSome();
+  void showCounts();
+  Equalizer::Handle handleAt(const QModelIndex& index, double x) const;
+  bool takeHandle(const QModelIndex& index, double x);
+  void dragHandle(double x);
+  void stepHandle(Equalizer::Handle handle, int steps);
+  void setTyped(const QModelIndex& index, const QString& text);
+  void tellHover(const QModelIndex& index);
 
   ModelCommands& mCommands;
+  Equalizer& mEqualizer;
   ModelTree* mTree;
   TypeOrder* mOrder;
+  ModelDelegate* mDelegate;
+  QPersistentModelIndex mHeldBar;  ///< Whose handle is dragged.
+  double mGrip = 0.0;  ///< How far the pointer is off the knob that it holds.
+  int mHoveredRow = -1;
   bool mIsHeld = false;  ///< A press was taken by a cell: what follows is not for the selection.
   bool mIsQuiet = false;
 };

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "velum/session/model/TypesAt.h"
+
 namespace velum::gui {
 
 namespace {
@@ -31,21 +33,27 @@ QVBoxLayout* makeColumn(QWidget* widget, int spacing) {
 
 }  // namespace
 
-ModelPanel::ModelPanel(ModelCommands& commands, QWidget* parent)
+ModelPanel::ModelPanel(ModelCommands& commands, Equalizer& equalizer, QWidget* parent)
     : QWidget(parent), mCommands(commands), mDocument(commands.document()) {
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Expanding);
   auto* layout = makeColumn(this, 10);
   layout->addWidget(makeHead());
   auto* list = new QWidget(this);
   auto* rows = makeColumn(list, 6);
-  mList = new ModelList(commands, list);
+  mBar = new EqualizerBar(mDocument, equalizer, list);
+  mList = new ModelList(commands, equalizer, list);
+  mHiders = new HidersBox(list);
+  rows->addWidget(mBar);
   rows->addWidget(makeSearch());
   rows->addWidget(mList, 1);
+  rows->addWidget(mHiders);
   rows->addWidget(makeFoot());
   layout->addWidget(list, 1);
   layout->addWidget(makeLine(this));
   layout->addWidget(mLooks = new ModelLookGrid(mDocument, this));
   layout->addWidget(makeRows());
+  connect(mBar, &EqualizerBar::percentAsked, mList, &ModelList::setPercent);
+  connectHiders();
   connect(mList, &ModelList::picked, &mCommands.selection(), &Selection::setType);
   connect(&mCommands.selection(), &Selection::typeChanged, this, [this](int type) {
     // What was clicked in the picture is shown, even if the search would hide it.
@@ -99,20 +107,9 @@ QWidget* ModelPanel::makeSearch() {
   auto* sort = new QToolButton(bar);
   sort->setObjectName("modelSort");
   sort->setText(tr("Sort"));
-  sort->setToolTip(tr("The order of the types in their compartments"));
+  sort->setToolTip(tr("The order of the types in their compartments, and which of them are listed"));
   sort->setPopupMode(QToolButton::InstantPopup);
-  auto* menu = new QMenu(sort);
-  auto* group = new QActionGroup(menu);
-  using Key = TypeOrder::Key;
-  for (auto [name, key] :
-       {std::pair(tr("By number of instances"), Key::Count), {tr("By name"), Key::Name}, {tr("By mass"), Key::Mass}}) {
-    QAction* action = menu->addAction(name);
-    action->setCheckable(true);
-    action->setChecked(key == Key::Count);
-    group->addAction(action);
-    connect(action, &QAction::triggered, this, [this, key = key] { mList->order().setKey(key); });
-  }
-  sort->setMenu(menu);
+  sort->setMenu(makeOrderMenu(sort));
   for (QWidget* part : {static_cast<QWidget*>(mSearch), static_cast<QWidget*>(sort)})
     part->setFixedHeight(kFieldHeight);
   row->addWidget(mSearch, 1);
@@ -120,6 +117,57 @@ QWidget* ModelPanel::makeSearch() {
   connect(mSearch, &QLineEdit::textChanged, this, &ModelPanel::setSearch);
   connect(mSearch, &QLineEdit::returnPressed, this, [this] { mList->setFocus(); });
   return bar;
+}
+
+QMenu* ModelPanel::makeOrderMenu(QWidget* parent) {
+  auto* menu = new QMenu(parent);
+  auto add = [menu](QActionGroup* group, const QString& name, bool isFirst) {
+    QAction* action = menu->addAction(name);
+    action->setCheckable(true);
+    action->setChecked(isFirst);
+    group->addAction(action);
+    return action;
+  };
+  using Key = TypeOrder::Key;
+  menu->addSection(tr("Sort"));
+  auto* keys = new QActionGroup(menu);
+  for (auto [name, key] : {std::pair(tr("By number of instances"), Key::Count),
+                           {tr("By name"), Key::Name},
+                           {tr("By mass"), Key::Mass},
+                           {tr("By share that is seen"), Key::Seen},
+                           {tr("By share that is hidden"), Key::Hidden},
+                           {tr("By share that is removed"), Key::Removed}})
+    connect(add(keys, name, key == Key::Count), &QAction::triggered, this,
+            [this, key = key] { mList->order().setKey(key); });
+  using Only = TypeOrder::Only;
+  menu->addSection(tr("List"));
+  auto* filters = new QActionGroup(menu);
+  for (auto [name, only] : {std::pair(tr("All types"), Only::All),
+                            {tr("Types that are seen"), Only::Seen},
+                            {tr("Types of which none is seen"), Only::Unseen},
+                            {tr("Types of which some are removed"), Only::Removed}})
+    connect(add(filters, name, only == Only::All), &QAction::triggered, this,
+            [this, only = only] { mList->order().setOnly(only); });
+  return menu;
+}
+
+void ModelPanel::connectHiders() {
+  connect(mHiders, &HidersBox::clearAsked, this,
+          [this](const QString& path) { mCommands.setInView(path.toStdString(), true); });
+  auto typesOf = [this](const QString& path) {
+    return session::typesAt(*mDocument.scene().model.data, path.toStdString()).types;
+  };
+  connect(mHiders, &HidersBox::hideAsked, this,
+          [this, typesOf](const QString& path) { mCommands.setVisible(typesOf(path), false); });
+  connect(mHiders, &HidersBox::selectAsked, this,
+          [this, typesOf](const QString& path) { mCommands.selection().setType(int(typesOf(path).front())); });
+}
+
+void ModelPanel::showHiding(const session::Hiding& hiding) {
+  mHiders->showHiding(hiding, mDocument.scene().model);
+  std::string path = hiding.path;
+  session::TypeNumbers types = session::typesAt(*mDocument.scene().model.data, path).types;
+  if (types.size() == 1) mCommands.selection().setType(int(types[0]));
 }
 
 QWidget* ModelPanel::makeFoot() {
@@ -195,6 +243,19 @@ QWidget* ModelPanel::makeRows() {
                      "Change shadows", [](scene::Scene& s) -> double& { return s.lighting.shadow; });
   mFog = addShare(grid, tr("Fog"), "modelFog", tr("How far what lies deepest fades into the background, %"),
                   "Change fog", [](scene::Scene& s) -> double& { return s.lighting.fog; });
+  mGhosts = new QComboBox(section);
+  mGhosts->setObjectName("modelGhosts");
+  mGhosts->setAccessibleName(tr("Ghosts"));
+  mGhosts->addItems({tr("None"), tr("Filled"), tr("Contour")});
+  mGhosts->setToolTip(tr("How instances that cuts have removed still show; a type's own choice goes before"));
+  int ghostLine = grid->rowCount();
+  grid->addWidget(new QLabel(tr("Ghosts"), section), ghostLine, 0);
+  grid->addWidget(mGhosts, ghostLine, 1);
+  connect(mGhosts, &QComboBox::activated, this, [this](int index) {
+    mDocument.edit("Choose ghosts", [&](scene::Scene& scene) { scene.model.ghosts = scene::Ghosts(index); });
+  });
+  mGhostOpacity = addShare(grid, tr("Opacity"), "modelGhostOpacity", tr("Of the ghosts, %"), "Change opacity of ghosts",
+                           [](scene::Scene& s) -> double& { return s.model.ghostOpacity; });
   mDetail = addNumber(grid, tr("Detail"), "modelDetail",
                       tr("How much of a pixel drawn shapes may be off by: smaller is finer, and slower"),
                       new NumberRow(0.1, 16, 1, " px", section));
@@ -245,6 +306,7 @@ void ModelPanel::refresh() {
   const scene::Scene& scene = mDocument.scene();
   const scene::ModelLayer& layer = scene.model;
   if (layer.data) mLooks->refresh();  // follows more than this page shows
+  mBar->refresh();
   if (mIsMade && layer == mLayerShown && scene.lighting == mLightShown) return;
   bool isOther = !mIsMade || layer.data != mLayerShown.data;
   mIsMade = true;
@@ -259,6 +321,10 @@ void ModelPanel::refresh() {
     mName->setToolTip(QString::fromStdString(layer.source.path));
     if (layer.data) showNotes(*layer.data);
   }
+  if (isOther) mHiders->hide();
+  mGhosts->setCurrentIndex(int(layer.ghosts));
+  mGhostOpacity->setValue(layer.ghostOpacity * 100.0);
+  mGhostOpacity->setEnabled(scene::hasGhosts(layer));
   mShown->setChecked(layer.visible);
   mPalette->setCurrentIndex(int(layer.palette));
   mNear->setValue(layer.nearColors * 100.0);

@@ -6,6 +6,8 @@
 #include <QLineEdit>
 #include <functional>
 
+#include "EqualizerBar.h"
+#include "HidersBox.h"
 #include "ModelList.h"
 #include "ModelLookGrid.h"
 #include "kit/RowPaint.h"
@@ -17,11 +19,13 @@ namespace velum::gui {
 class ModelPanel : public QWidget {
   Q_OBJECT
  public:
-  ModelPanel(ModelCommands& commands, QWidget* parent);
+  ModelPanel(ModelCommands& commands, Equalizer& equalizer, QWidget* parent);
   void refresh();
   void startSearch();
   ModelList& list() { return *mList; }
   ModelLookGrid& looks() { return *mLooks; }
+  /// The answer to "What hides this?".
+  void showHiding(const session::Hiding& hiding);
   void setLegendShown(bool shown) { mLegend->setChecked(shown); }
 
  signals:
@@ -36,6 +40,8 @@ class ModelPanel : public QWidget {
                       const char* label, std::function<double&(scene::Scene&)> field);
   NumberRow* addNumber(QGridLayout* grid, const QString& name, const char* objectName, const QString& tip,
                        NumberRow* row);
+  QMenu* makeOrderMenu(QWidget* parent);
+  void connectHiders();
   void setSearch(const QString& text);
   void showNotes(const Model& model);
   void showCount();
@@ -46,11 +52,13 @@ class ModelPanel : public QWidget {
   QLabel *mName = nullptr, *mNotes = nullptr, *mCount = nullptr;
   QCheckBox* mLegend = nullptr;
   QLineEdit* mSearch = nullptr;
+  EqualizerBar* mBar = nullptr;
   ModelList* mList = nullptr;
+  HidersBox* mHiders = nullptr;
   ModelLookGrid* mLooks = nullptr;
-  QComboBox* mPalette = nullptr;
+  QComboBox *mPalette = nullptr, *mGhosts = nullptr;
   NumberRow *mNear = nullptr, *mDetail = nullptr, *mCopies = nullptr, *mFog = nullptr, *mOcclusion = nullptr,
-            *mShadow = nullptr;
+            *mShadow = nullptr, *mGhostOpacity = nullptr;
   // What is shown.
   bool mIsMade = false;
   scene::ModelLayer mLayerShown;

@@ -1,18 +1,24 @@
 #include "ModelRoom.h"
 
+#include <memory>
 #include <numeric>
+
+#include "velum/session/model/CountPictures.h"
 
 namespace velum::gui {
 
 ModelRoom::ModelRoom(const WindowParts& parts)
     : Room(parts),
       mCommands(new ModelCommands(parts.document(), parts.selection, this)),
-      mPanel(new ModelPanel(*mCommands, &parts.tabs)),
-      mLegend(parts.document(), parts.views.viewport()) {
+      mEqualizer(new Equalizer(parts.session, parts.views.viewport(), parts.jobs, this)),
+      mPanel(new ModelPanel(*mCommands, *mEqualizer, &parts.tabs)),
+      mLegend(parts.document(), parts.views.viewport()),
+      mHighlight(parts.views.viewport()) {
   parts.tabs.addPage(mPanel, tr("Model"), tr("Compartments and types of the model, its look"));
   parts.tabs.setPageShown(mPanel, false);
   connect(mPanel, &ModelPanel::legendAsked, this, &ModelRoom::showLegend);
   connectViews();
+  connectEqualizer();
   addActions();
 }
 
@@ -23,7 +29,37 @@ void ModelRoom::refresh(const session::Session& session) {
     mParts.tabs.setPageShown(mPanel, hasModel);
     if (hasModel) mParts.tabs.showPage(mPanel);
   }
+  mEqualizer->refresh();
   mPanel->refresh();
+}
+
+void ModelRoom::connectEqualizer() {
+  Viewport& viewport = mParts.views.viewport();
+  connect(mEqualizer, &Equalizer::told, this, [this](const QString& words) { mParts.messages.showNote(words); });
+  connect(mCommands, &ModelCommands::hidingAsked, this, &ModelRoom::findHiding);
+  connect(&mPanel->list(), &ModelList::refused, this, [this](const QString& why) { mParts.messages.showNote(why); });
+  connect(&mPanel->list(), &ModelList::hovered, this, [this, &viewport](const session::TypeNumbers& types) {
+    bool isAll = mParts.session.scene().model.data && types.size() == mParts.session.scene().model.data->types.size();
+    if (mHighlight.show(isAll ? session::TypeNumbers() : types)) mParts.toolbox.repaint(viewport);
+  });
+  connect(&viewport, &Viewport::pointedAt, this,
+          [this](const render::Pick& pick) { mPanel->list().setPointed(pick.hit ? pick.type : -1); });
+  connect(&viewport, &Viewport::pointedAtNothing, this, [this] { mPanel->list().setPointed(-1); });
+}
+
+/// In pictures beside the window: the answer comes a moment later.
+void ModelRoom::findHiding(const QString& path) {
+  auto hiding = std::make_shared<session::Hiding>();
+  const Viewport& viewport = mParts.views.viewport();
+  auto work = [hiding, scene = mParts.session.scene(), name = path.toStdString(),
+               size = glm::ivec2(std::max(1, viewport.width()), std::max(1, viewport.height()))](Progress& progress) {
+    *hiding = session::findHiding(scene, name, size, progress);
+  };
+  mParts.jobs.start(tr("Looking what hides %1").arg(path.section('.', -1)), work, [this, hiding] {
+    if (!mParts.session.scene().model.data) return;
+    mParts.tabs.showPage(mPanel);
+    mPanel->showHiding(*hiding);
+  });
 }
 
 void ModelRoom::connectViews() {
@@ -36,15 +72,16 @@ void ModelRoom::connectViews() {
     selection.setType(pick.type);
     const Model& model = *mParts.session.scene().model.data;
     QMenu menu(&mParts.window);
-    mCommands->fillMenu(menu, {std::uint32_t(pick.type)},
-                        QString::fromStdString(model.types[std::size_t(pick.type)].name));
+    const MoleculeType& type = model.types[std::size_t(pick.type)];
+    mCommands->fillMenu(menu, {std::uint32_t(pick.type)}, QString::fromStdString(type.name), pathOf(model, type));
     menu.exec(place);
   });
   connect(&viewport, &Viewport::instanceWanted, this,
           [this](const render::Pick& pick) { mCommands->goToInstance(pick.modelInstance); });
   connect(&viewport, &Viewport::refined, this, [this, &viewport](double, const QString& stage) {
     if (!stage.isEmpty()) return;
-    if (mLegend.count()) mParts.toolbox.repaint(viewport);
+    bool isOther = mLegend.count();
+    if (mHighlight.look() || isOther) mParts.toolbox.repaint(viewport);
     if (mParts.session.scene().model.data) mPanel->looks().drawPictures();
   });
 }

@@ -1,6 +1,8 @@
 #pragma once
+#include "Equalizer.h"
 #include "Legend.h"
 #include "ModelPanel.h"
+#include "TypeHighlight.h"
 #include "view/Room.h"
 
 namespace velum::gui {
@@ -13,18 +15,27 @@ class ModelRoom : public Room {
   void refresh(const session::Session&) override;
   ModelCommands& commands() { return *mCommands; }
   Legend& legend() { return mLegend; }
+  Equalizer& equalizer() { return *mEqualizer; }
+  TypeHighlight& highlight() { return mHighlight; }
   void findType();
-  /// Puts the legend over the handles that are there by now.
-  void addLegend() { mParts.toolbox.add(mLegend); }
+  /// Puts legend and veil over the handles that are there by now.
+  void addLegend() {
+    mParts.toolbox.add(mHighlight);
+    mParts.toolbox.add(mLegend);
+  }
 
  private:
   void connectViews();
   void addActions();
   void showLegend(bool shown);
+  void connectEqualizer();
+  void findHiding(const QString& path);
 
   ModelCommands* mCommands;
+  Equalizer* mEqualizer;
   ModelPanel* mPanel;
   Legend mLegend;
+  TypeHighlight mHighlight;
   QAction* mLegendAction = nullptr;
   bool mHadModel = false;
 };

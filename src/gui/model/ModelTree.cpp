@@ -24,7 +24,8 @@ QString shortCount(std::uint64_t count) {
 
 }  // namespace
 
-ModelTree::ModelTree(QObject* parent) : TypeTree(kColumns, Name, parent) {}
+ModelTree::ModelTree(const Equalizer& equalizer, QObject* parent)
+    : TypeTree(kColumns, Name, parent), mEqualizer(equalizer) {}
 
 void ModelTree::showLayer(const scene::ModelLayer& layer) {
   if (layer == mLayer) return;
@@ -39,7 +40,55 @@ void ModelTree::showLayer(const scene::ModelLayer& layer) {
     mColors.push_back(QColor::fromRgbF(color.r, color.g, color.b));
   }
   setModel(layer.data);
+  if (!rows().empty()) mScale.most = double(rows().front().instances) * std::max(1, layer.copies);
   if (!isOther) tellCells(Eye, Count, {VisibleRole, ColorRole, Qt::AccessibleTextRole});
+}
+
+void ModelTree::showCounts() { tellCells(Bar, Count, {SeenRole, HiddenRole, RemovedRole}); }
+
+void ModelTree::setPercent(bool percent) {
+  mScale.isPercent = percent;
+  showCounts();
+}
+
+render::TypeCount ModelTree::countOf(const Row& row) const {
+  if (!mEqualizer.heldPath().empty() && mEqualizer.heldPath() == row.path) return mEqualizer.heldCount();
+  const session::LiveCounts& counts = mEqualizer.counts();
+  if (counts.model() != model()) return {};
+  return row.isType ? counts.types()[row.number] : counts.compartments()[row.number];
+}
+
+QString ModelTree::numberOf(const Row& row) const {
+  render::TypeCount count = countOf(row);
+  if (count.total() == 0) return shortCount(row.instances * std::uint64_t(std::max(1, mLayer.copies)));
+  if (!mScale.isPercent) return shortCount(count.rendered());
+  double percent = 100.0 * double(count.rendered()) / double(count.total());
+  // What is a little is not nothing, and what is nearly all is not all.
+  bool isEdge = (percent > 0.0 && percent < 1.0) || (percent > 99.0 && percent < 100.0);
+  return tr("%1 %").arg(QLocale().toString(percent, 'f', isEdge ? 1 : 0));
+}
+
+std::optional<double> ModelTree::readNumber(const QString& text, double total) {
+  QString number = text.trimmed();
+  bool isPercent = number.endsWith('%');
+  if (isPercent) number = number.chopped(1).trimmed();
+  number.remove(QChar(0xa0)).remove(' ');
+  bool isRead = false;
+  double value = QLocale().toDouble(number, &isRead);
+  if (!isRead) value = QLocale::c().toDouble(number, &isRead);
+  if (!isRead || !(value >= 0.0) || value > 1e12) return std::nullopt;
+  return isPercent ? total * std::min(value, 100.0) / 100.0 : value;
+}
+
+QString ModelTree::describe(const render::TypeCount& count) const {
+  auto share = [&](std::uint64_t part) {
+    return tr("%1 (%2 %)").arg(numberText(part)).arg(100.0 * double(part) / double(count.total()), 0, 'f', 1);
+  };
+  QString about = mEqualizer.counts().isExact() ? QString() : tr(", about, while the picture is coarse");
+  return QStringList{tr("Seen: %1%2").arg(share(count.visible), about),
+                     tr("Drawn, but hidden behind others or outside the picture: %1").arg(share(count.hidden)),
+                     tr("Removed by cuts or not shown: %1").arg(share(count.clipped))}
+      .join("\n");
 }
 
 ModelTree::Shown ModelTree::shownOf(const Row& row) const {
@@ -78,6 +127,13 @@ QString ModelTree::tipOf(const Row& row, int column) const {
     return isShown ? tr("Shown: click to hide, Alt+click to show it alone")
                    : tr("Hidden: click to show, Alt+click to show it alone");
   if (column == Swatch && row.isType) return tr("Click to choose another colour");
+  if (column == Bar || column == Count) {
+    QString how = column == Bar ? tr("Drag the right knob to set how many are drawn, the left one how many are seen "
+                                     "(Ctrl+Right, Ctrl+Left; with Shift: seen)")
+                                : tr("How many are drawn: double-click or F2 to type another number, or a share in %");
+    render::TypeCount count = countOf(row);
+    return count.total() > 0 ? describe(count) + "\n" + how : how;
+  }
   if (row.isType) return QString("%1\n%2").arg(toText(row.path), describe(model()->types[row.number]));
   return QString("%1\n%2\n%3")
       .arg(toText(row.path), tr("%1 instances of %2 types").arg(numberText(row.instances)).arg(row.types.size()),
@@ -88,8 +144,16 @@ QVariant ModelTree::data(const QModelIndex& index, int role) const {
   const Row& row = rowAt(index);
   switch (role) {
     case Qt::DisplayRole:
-      if (index.column() == Count) return shortCount(row.instances);
+      if (index.column() == Count) return numberOf(row);
       break;
+    case SeenRole:
+    case HiddenRole:
+    case RemovedRole: {
+      render::TypeCount count = countOf(row);
+      if (count.total() == 0) return 0.0;
+      std::uint64_t part = role == SeenRole ? count.visible : role == HiddenRole ? count.hidden : count.clipped;
+      return double(part) / double(count.total());
+    }
     case Qt::ToolTipRole:
       return tipOf(row, index.column());
     case Qt::AccessibleTextRole:
@@ -108,8 +172,13 @@ QVariant ModelTree::data(const QModelIndex& index, int role) const {
 
 QVariant ModelTree::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
-  const QString names[kColumns] = {tr("Shown"), tr("Colour"), tr("Name"), tr("Instances")};
+  const QString names[kColumns] = {tr("Shown"), tr("Colour"), tr("Name"), tr("Seen, hidden, removed"), tr("Drawn")};
   return names[section];
+}
+
+Qt::ItemFlags ModelTree::flags(const QModelIndex& index) const {
+  Qt::ItemFlags flags = TypeTree::flags(index);
+  return index.column() == Count ? flags | Qt::ItemIsEditable : flags;
 }
 
 }  // namespace velum::gui

@@ -1,33 +1,50 @@
 #pragma once
 #include <QColor>
+#include <optional>
 #include <vector>
 
+#include "BarScale.h"
+#include "Equalizer.h"
 #include "kit/TypeTree.h"
 #include "velum/scene/ModelLayer.h"
 
 namespace velum::gui {
 
-/// The types of the scene's model with what is shown of them.
+/// The types of the scene's model with what is shown of them, and how much: numbers are those of an equalizer's last
+/// picture.
 class ModelTree : public TypeTree {
   Q_OBJECT
  public:
-  enum Column { Eye, Swatch, Name, Count, kColumns };
+  enum Column { Eye, Swatch, Name, Bar, Count, kColumns };
   enum Role { VisibleRole = kOwnRole, ColorRole };
   enum Shown { None, Some, All };  ///< of a row's types; what VisibleRole says
 
-  explicit ModelTree(QObject* parent);
+  ModelTree(const Equalizer& equalizer, QObject* parent);
   /// Follows the layer; tells nobody where it is as before.
   void showLayer(const scene::ModelLayer& layer);
+  /// Follows the equalizer.
+  void showCounts();
   int shownCount() const { return mShownCount; }
+  const BarScale& scale() const { return mScale; }
+  void setPercent(bool percent);
+  /// What is known of a row's instances; nothing before there are counts: then `total` is 0.
+  render::TypeCount countOf(const Row& row) const;
+  /// What people have typed into a row's number: "50", "20 %"; nothing where it is no number.
+  static std::optional<double> readNumber(const QString& text, double total);
 
   QVariant data(const QModelIndex& index, int role) const override;
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+  Qt::ItemFlags flags(const QModelIndex& index) const override;
 
  private:
   Shown shownOf(const Row& row) const;
   QString tipOf(const Row& row, int column) const;
   QString describe(const MoleculeType& type) const;
+  QString describe(const render::TypeCount& count) const;
+  QString numberOf(const Row& row) const;
 
+  const Equalizer& mEqualizer;
+  BarScale mScale;
   scene::ModelLayer mLayer;
   std::vector<bool> mVisible, mOwnColors;  ///< by type
   std::vector<QColor> mColors;

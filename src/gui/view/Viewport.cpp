@@ -181,6 +181,10 @@ void Viewport::begin(Stage stage) {
   mFrame.marksOverlaps = marksOverlaps();
   mSheetsShown = mSession.shownCount();
   mFrame.scene.background.transparent = false;  // a window has something behind; pictures need not
+  // Half of a picture tells nothing that is not told soon.
+  mFrame.countsInstances = stage != Stage::Half && mFrame.scene.model.data && mFrame.scene.model.visible;
+  if (stage == Stage::Full && mAwaitsCounts) mRenderer->bits(true);  // of a coarse one that was as large
+  mAwaitsCounts = mFrame.countsInstances;
   if (stage != Stage::Full) mFrame.scene.rayCast.samplesPerPixel = 1;
   if (stage == Stage::Coarse) {
     mFrame.stepFactor = 2.0;
@@ -193,7 +197,8 @@ void Viewport::section() {
   try {
     bool moving = driveSheets();
     bool drawing = isVisible() && drawSome();
-    if (!moving && !drawing) mSectionTimer.stop();
+    bool hearing = hearCounts();
+    if (!moving && !drawing && !hearing) mSectionTimer.stop();
   } catch (const Error& error) {
     mStage = Stage::Idle;
     mPending = false;
@@ -237,6 +242,18 @@ bool Viewport::finishStage() {
   mStage = Stage::Idle;
   pickUnderPointer();
   return false;
+}
+
+/// Tells the counts that have arrived. @return false when there are none to wait for
+bool Viewport::hearCounts() {
+  if (!mAwaitsCounts || !mRenderer || !isVisible()) return false;
+  if (auto bits = mRenderer->bits()) {
+    bool isOfFrame = bits->pictureSize == mFrame.pictureSize;
+    mAwaitsCounts = !isOfFrame;
+    if (mDocument.scene().model.data == mFrame.scene.model.data)
+      emit counted(*bits, isOfFrame && !mPending && mStage != Stage::Coarse);
+  }
+  return mAwaitsCounts;
 }
 
 void Viewport::adaptCoarseScale() {
@@ -292,9 +309,9 @@ std::optional<render::Pick> Viewport::pickAt(QPointF place) {
   return mRenderer->pick(glm::ivec2(glm::floor(share * glm::dvec2(mFrame.pictureSize))));
 }
 
-std::vector<std::uint32_t> Viewport::countTypes() {
+Viewport::TypePixels Viewport::typesOfPixels() {
   if (!mHasPicture || !bindContext()) return {};
-  return mRenderer->countTypes();
+  return {mFrame.pictureSize, mRenderer->typesOfPixels()};
 }
 
 void Viewport::pickUnderPointer() {

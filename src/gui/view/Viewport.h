@@ -34,7 +34,9 @@ class Viewport : public QOpenGLWidget, public ToolView {
 
   /// What is on the screen is the scene as it is, its sheets at rest, if only a coarse picture of it.
   bool isCurrent() const { return !mPending && mHasPicture && !mSession.isOnItsWay(); }
-  bool isConverged() const { return mStage == Stage::Idle && !mPending && mSession.isSettled(); }
+  bool isConverged() const {
+    return mStage == Stage::Idle && !mPending && !mAwaitsCounts && mSession.isSettled();
+  }
   /// Empty before the driver is known.
   render::Stats stats() const { return mRenderer ? mRenderer->stats() : render::Stats{}; }
   /// How many pictures it has painted; for tests and measurements.
@@ -53,8 +55,12 @@ class Viewport : public QOpenGLWidget, public ToolView {
   QWidget& widget() override { return *this; }
   session::ViewSpace space() const override { return {mDocument.scene().camera, logicalSize()}; }
   std::optional<render::Pick> pickAt(QPointF place) override;
-  /// Pixels that show each type of the model; empty while there is no picture of one.
-  std::vector<std::uint32_t> countTypes();
+  /// The type of the model that each pixel of the picture shows, row by row from the top; -1: none.
+  struct TypePixels {
+    glm::ivec2 size{0};
+    std::vector<std::int32_t> types;  ///< empty while there is no picture of a model
+  };
+  TypePixels typesOfPixels();
   bool showsHandles() const override { return true; }
   Qt::CursorShape restCursor() const override { return Qt::ArrowCursor; }
 
@@ -73,6 +79,9 @@ class Viewport : public QOpenGLWidget, public ToolView {
   void clickedAt(const velum::render::Pick& pick);
   /// The same with the right button.
   void menuAskedAt(const velum::render::Pick& pick, QPoint globalPlace);
+  /// What became of the model's instances in a picture of the scene; a moment later, as nothing waits for it.
+  /// @param isComplete  the picture is the one that stays; false: a coarse one, while something moves
+  void counted(const velum::render::InstanceBits& bits, bool isComplete);
   void failed(const QString& message);
   /// A double click beside the handles, and on no instance of a model.
   void maximiseWanted();
@@ -110,6 +119,7 @@ class Viewport : public QOpenGLWidget, public ToolView {
   bool marksOverlaps() const;
   void begin(Stage stage);
   bool finishStage();
+  bool hearCounts();
   void show();
   void adaptCoarseScale();
   void tellProgress();
@@ -134,6 +144,7 @@ class Viewport : public QOpenGLWidget, public ToolView {
   scene::Scene mWanted;  ///< What the 3D view last heard that it should show.
   Stage mStage = Stage::Idle;
   bool mPending = true;      ///< The scene has changed since mFrame was made.
+  bool mAwaitsCounts = false;  ///< Those of mFrame have not been heard.
   bool mHasPicture = false;  ///< mFrame has a complete sample, so that it can be picked from.
   double mCoarseScale = 0;   ///< Device pixels to one pixel of a coarse picture; 0: not known yet.
   QTimer mSectionTimer, mRestTimer, mPickTimer, mPauseTimer;

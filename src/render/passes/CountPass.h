@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "FrameData.h"
 #include "Gbuffer.h"
@@ -29,7 +30,8 @@ class CountPass : public Pass {
   const Gbuffer& mGbuffer;
   InstancePass& mInstances;
   gpu::Readback<std::uint32_t> mReadback{"states of instances"};
-  std::uint64_t mCount = 0;  ///< Instances that the last bits are of.
+  std::uint64_t mCount = 0;             ///< Instances that the last bits are of.
+  std::vector<glm::ivec2> mPictureSizes;  ///< Of the pictures that bits were last asked of, the newest last.
 };
 
 }  // namespace velum::render

@@ -53,8 +53,8 @@ struct Part {
   const char* text;
   std::uint64_t render::TypeCount::*count;
 };
-constexpr Part kParts[] = {{"visible", "#17456e", "#ffffff", &render::TypeCount::visible},
-                           {"hidden", "#8fbfe6", "#10293f", &render::TypeCount::hidden},
+constexpr Part kParts[] = {{"visible", "#0f6b52", "#ffffff", &render::TypeCount::visible},
+                           {"hidden", "#84cbb2", "#0b2b22", &render::TypeCount::hidden},
                            {"clipped", "#dedede", "#4a4a4a", &render::TypeCount::clipped}};
 
 void addText(std::string& svg, double x, double y, const char* anchor, const char* fill, std::string_view text,

@@ -178,8 +178,8 @@ namespace {
 
 /// The number of a path at which `staying` of its candidates do, by trying: where rounding lets the drawing disagree
 /// with the shares that were worked out.
-void searchShare(scene::Scene& scene, const std::vector<int>& cuts, const Dial& dial, std::uint64_t staying,
-                 const render::SheetIndices& sheets, double aspect) {
+void searchNumber(scene::Scene& scene, const std::vector<int>& cuts, const Dial& dial, DialField field,
+                  std::uint64_t staying, const render::SheetIndices& sheets, double aspect) {
   auto distance = [&](std::uint64_t count) {
     std::uint64_t wanted = dial.always + staying;
     return count > wanted ? count - wanted : wanted - count;
@@ -189,7 +189,7 @@ void searchShare(scene::Scene& scene, const std::vector<int>& cuts, const Dial& 
   while (low <= high && least > 0) {
     std::uint64_t middle = (low + high) / 2;
     double number = settingFor(dial, middle).number;
-    setDial(scene, cuts, dial.path, DialField::Share, number);
+    setDial(scene, cuts, dial.path, field, number);
     std::uint64_t count = countRendered(scene, dial.types, sheets, aspect);
     if (distance(count) < least) least = distance(count), best = number;
     if (count < dial.always + staying)
@@ -199,7 +199,7 @@ void searchShare(scene::Scene& scene, const std::vector<int>& cuts, const Dial& 
     else
       high = middle - 1;
   }
-  setDial(scene, cuts, dial.path, DialField::Share, best);
+  setDial(scene, cuts, dial.path, field, best);
 }
 
 /// Rendered instances by dial.
@@ -222,8 +222,8 @@ std::uint64_t countRendered(const scene::Scene& scene, const TypeNumbers& types,
   return countDials(scene, {Dial{.types = types}}, sheets, aspect).front();
 }
 
-std::uint64_t turnShares(scene::Scene& scene, const std::vector<int>& cuts, const std::vector<Dial>& dials,
-                         std::uint64_t count, const render::SheetIndices& sheets, double aspect) {
+std::uint64_t turnDials(scene::Scene& scene, const std::vector<int>& cuts, const std::vector<Dial>& dials,
+                        DialField field, std::uint64_t count, const render::SheetIndices& sheets, double aspect) {
   std::vector<std::uint64_t> parts = splitAmong(dials, count);
   std::vector<DialSetting> settings;
   std::int64_t missing = 0;
@@ -239,13 +239,13 @@ std::uint64_t turnShares(scene::Scene& scene, const std::vector<int>& cuts, cons
       settings[i] = setting, missing = 0;
   }
   for (std::size_t i = 0; i < dials.size(); ++i)
-    setDial(scene, cuts, dials[i].path, DialField::Share, settings[i].number);
+    setDial(scene, cuts, dials[i].path, field, settings[i].number);
   // Who draws has the last word.
   std::vector<std::uint64_t> counts = countDials(scene, dials, sheets, aspect);
   bool isChanged = false;
   for (std::size_t i = 0; i < dials.size(); ++i) {
     if (counts[i] == dials[i].always + settings[i].staying) continue;
-    searchShare(scene, cuts, dials[i], settings[i].staying, sheets, aspect);
+    searchNumber(scene, cuts, dials[i], field, settings[i].staying, sheets, aspect);
     isChanged = true;
   }
   if (isChanged) counts = countDials(scene, dials, sheets, aspect);

@@ -9,9 +9,6 @@
 
 namespace velum::session {
 
-/// Which number of a scene::TypeSpare is set.
-enum class DialField { Share, ViewShare };
-
 /// An instance about which the number decides: it stays where the number is above this.
 struct Candidate {
   float from = 0.0f;           ///< 0 to before 1
@@ -29,9 +26,6 @@ struct Dial {
 
 /// Some cut that is on keeps something in view.
 bool hasFocus(const scene::Scene& scene);
-/// The focus of some of these cuts that are on holds none of the types, so that it clears them where they hide it.
-bool isCleared(const scene::Scene& scene, const std::vector<int>& cuts, const TypeNumbers& types);
-
 /// A dial for each path of some types, in the order of the types.
 std::vector<Dial> makeDials(const scene::Scene& scene, const std::vector<int>& cuts, const TypeNumbers& types,
                             DialField field, const render::SheetIndices& sheets, double aspect);
@@ -53,10 +47,10 @@ DialSetting settingFor(const Dial& dial, std::uint64_t staying);
 void setDial(scene::Scene& scene, const std::vector<int>& cuts, const std::string& path, DialField field,
              double number);
 
-/// Sets the shares of all dials so that `count` of their candidates stay, told by render::keptInstances().
-/// @return how many of the dials' instances are drawn then
-std::uint64_t turnShares(scene::Scene& scene, const std::vector<int>& cuts, const std::vector<Dial>& dials,
-                         std::uint64_t count, const render::SheetIndices& sheets, double aspect);
+/// Sets the numbers of all dials so that `count` of their candidates stay, told by render::keptInstances().
+/// @param field  that the dials are of  @return how many of the dials' instances are drawn then
+std::uint64_t turnDials(scene::Scene& scene, const std::vector<int>& cuts, const std::vector<Dial>& dials,
+                        DialField field, std::uint64_t count, const render::SheetIndices& sheets, double aspect);
 
 /// Instances of these types that are drawn.
 std::uint64_t countRendered(const scene::Scene& scene, const TypeNumbers& types, const render::SheetIndices& sheets,

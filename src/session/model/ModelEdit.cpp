@@ -90,6 +90,10 @@ void setTypesVisible(scene::Scene& scene, const TypeNumbers& types, bool visible
   changeLooks(scene, types, [visible](scene::TypeLook& look) { look.visible = visible; });
 }
 
+void setTypesGhosts(scene::Scene& scene, const TypeNumbers& types, std::optional<scene::Ghosts> ghosts) {
+  changeLooks(scene, types, [&](scene::TypeLook& look) { look.ghosts = ghosts; });
+}
+
 void setTypesColor(scene::Scene& scene, const TypeNumbers& types, std::optional<glm::vec3> color) {
   changeLooks(scene, types, [&](scene::TypeLook& look) { look.color = color; });
 }

@@ -173,7 +173,7 @@ void TargetSolver::Impl::turn() {
     Count elsewhere = others.empty() ? 0 : countRendered(scene, others, sheets, aspect);
     CountRange range = rangeOf(dials);
     Count fixed = elsewhere + range.least;
-    turnShares(scene, cuts, dials, *goal.rendered > fixed ? *goal.rendered - fixed : 0, sheets, aspect);
+    turnDials(scene, cuts, dials, DialField::Share, *goal.rendered > fixed ? *goal.rendered - fixed : 0, sheets, aspect);
   }
 }
 

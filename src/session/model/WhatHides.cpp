@@ -126,4 +126,25 @@ int clearTheWay(scene::Scene& scene, std::string_view path) {
   return found->id;
 }
 
+bool isKeptInView(const scene::Scene& scene, std::string_view path) {
+  return std::any_of(scene.cuts.begin(), scene.cuts.end(), [path](const scene::Cut& cut) {
+    return cut.enabled && cut.focus &&
+           std::any_of(cut.focus->types.begin(), cut.focus->types.end(),
+                       [path](const scene::FocusType& type) { return type.type == path; });
+  });
+}
+
+void endKeepInView(scene::Scene& scene, std::string_view path) {
+  auto isIdle = [path](scene::Cut& cut) {
+    if (!cut.focus) return false;
+    std::erase_if(cut.focus->types, [path](const scene::FocusType& type) { return type.type == path; });
+    if (!cut.focus->types.empty()) return false;
+    cut.focus.reset();
+    return cut.shape == scene::CutShape::Everywhere &&
+           std::all_of(cut.typeSpares.begin(), cut.typeSpares.end(),
+                       [](const scene::TypeSpare& spare) { return spare.share == 1.0; });
+  };
+  std::erase_if(scene.cuts, isIdle);
+}
+
 }  // namespace velum::session

@@ -30,6 +30,8 @@ std::string typesLabel(const scene::Scene& scene, std::string_view verb, const T
 void setTypesVisible(scene::Scene& scene, const TypeNumbers& types, bool visible);
 /// @param color  sRGB; none: the palette's again
 void setTypesColor(scene::Scene& scene, const TypeNumbers& types, std::optional<glm::vec3> color);
+/// How their instances show that cuts have removed. @param ghosts  none: as the layer says
+void setTypesGhosts(scene::Scene& scene, const TypeNumbers& types, std::optional<scene::Ghosts> ghosts);
 /// Shown, in the palette's colours, as nothing is said of them.
 void resetTypes(scene::Scene& scene, const TypeNumbers& types);
 

@@ -8,6 +8,7 @@
 #include "velum/render/SheetIndices.h"
 #include "velum/render/section/KeptInstances.h"
 #include "velum/scene/Scene.h"
+#include "velum/session/model/ModelEdit.h"
 
 namespace velum::session {
 
@@ -26,6 +27,12 @@ struct Solved {
   std::string words;  ///< one short sentence for people
 };
 
+/// Which number of a scene::TypeSpare a handle sets: of what lies in the cut's region, or of what hides its focus.
+enum class DialField { Share, ViewShare };
+
+/// The focus of some of these cuts that are on holds none of the types, so that it clears them where they hide it.
+bool isCleared(const scene::Scene& scene, const std::vector<int>& cuts, const TypeNumbers& types);
+
 /// The ids of all enabled cuts.
 std::vector<int> enabledCuts(const scene::Scene& scene);
 
@@ -35,7 +42,7 @@ std::vector<int> enabledCuts(const scene::Scene& scene);
 ///
 /// To be made when a handle is taken hold of, and asked at every step of the pointer. Several cuts share one number. A
 /// compartment's is given to its types in proportion to what each can have, by largest remainders. What cuts clear for
-/// a view counts as taken. Any thread; all cores.
+/// a view counts as taken, where the handle does not set just that. Any thread; all cores.
 class RenderedSolver {
  public:
   /// @param cuts  the ids of those whose shares are set; none that is enabled: nothing can be changed
@@ -43,7 +50,8 @@ class RenderedSolver {
   /// @param aspect  width by height of the picture; only views onto a focus depend on it
   /// @throw InputError without a model, or when it has no such type
   RenderedSolver(const scene::Scene& scene, std::vector<int> cuts, std::string_view path,
-                 const render::SheetIndices& sheets = {}, double aspect = render::kUsualAspect);
+                 const render::SheetIndices& sheets = {}, double aspect = render::kUsualAspect,
+                 DialField field = DialField::Share);
   ~RenderedSolver();
   RenderedSolver(RenderedSolver&&) noexcept;
   RenderedSolver& operator=(RenderedSolver&&) noexcept;

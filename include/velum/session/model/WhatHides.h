@@ -44,5 +44,9 @@ Hiding whatHides(const scene::Scene& scene, std::string_view path, const TypePic
 /// stays; where there is one that does this for others, the type is added to them. @return the cut's id
 /// @throw InputError as of typesAt()
 int clearTheWay(scene::Scene& scene, std::string_view path);
+/// A cut that is on keeps it in view.
+bool isKeptInView(const scene::Scene& scene, std::string_view path);
+/// No cut does any more. One that was everywhere, and for nothing else, goes.
+void endKeepInView(scene::Scene& scene, std::string_view path);
 
 }  // namespace velum::session

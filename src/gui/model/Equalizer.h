@@ -1,0 +1,67 @@
+#pragma once
+#include <QObject>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "kit/JobRunner.h"
+#include "velum/session/Session.h"
+#include "velum/session/model/LiveCounts.h"
+#include "velum/session/model/RenderedSolver.h"
+#include "view/Viewport.h"
+
+namespace velum::gui {
+
+/// What the handles of the bars do ([VE] 7.2): they set how many instances of a type or compartment are drawn, or seen,
+/// by the shares of cuts. What is seen while a handle is held is as many as the last picture lets expect; when it is let
+/// go pictures are drawn beside the window until it is so many, or the nearest there is.
+class Equalizer : public QObject {
+  Q_OBJECT
+ public:
+  enum class Handle { Drawn, Seen };
+
+  Equalizer(session::Session& session, Viewport& viewport, JobRunner& jobs, QObject* parent);
+  ~Equalizer() override;
+
+  const session::LiveCounts& counts() const { return mCounts; }
+  /// The cuts that are set; those that are on where none of these is. @param ids  none: all that are on
+  void setCuts(std::vector<int> ids);
+  std::vector<int> cuts() const;
+  bool setsAll() const { return mChosen.empty(); }
+
+  /// Takes hold of a handle. @param path  of a type or compartment
+  void take(const std::string& path, Handle handle);
+  void moveTo(double count);
+  void letGo();
+  /// As it was before it was taken.
+  void giveUp();
+  bool isHeld() const { return bool(mHeld); }
+  /// Whose, and what it has come to; empty while none is.
+  std::string heldPath() const;
+  render::TypeCount heldCount() const;
+
+  /// In one go.
+  void set(const std::string& path, Handle handle, double count);
+  /// Forgets counts of a model that is no longer there.
+  void refresh();
+
+ signals:
+  void counted();
+  /// What a handle has come to, in words.
+  void told(const QString& words);
+
+ private:
+  struct Held;
+  void hear(const render::InstanceBits& bits, bool isComplete);
+  render::TypeCount countOf(const std::string& path) const;
+  void findSeen(std::unique_ptr<Held> held);
+
+  session::Session& mSession;
+  Viewport& mViewport;
+  JobRunner& mJobs;
+  session::LiveCounts mCounts;
+  std::vector<int> mChosen;
+  std::unique_ptr<Held> mHeld;
+};
+
+}  // namespace velum::gui

@@ -1,0 +1,138 @@
+#include "EqualizerBar.h"
+
+#include <QHBoxLayout>
+#include <QMenu>
+#include <algorithm>
+
+#include "velum/session/model/ClipState.h"
+
+namespace velum::gui {
+
+namespace {
+
+constexpr int kHeight = 26;
+
+}  // namespace
+
+EqualizerBar::EqualizerBar(session::Document& document, Equalizer& equalizer, QWidget* parent)
+    : QWidget(parent), mDocument(document), mEqualizer(equalizer) {
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(6);
+  row->addWidget(makeStates());
+  row->addStretch(1);
+  mCuts = new QToolButton(this);
+  mCuts->setObjectName("equalizerCuts");
+  mCuts->setPopupMode(QToolButton::InstantPopup);
+  mCuts->setToolTip(tr("Which cuts the handles of the bars set"));
+  auto* menu = new QMenu(mCuts);
+  connect(menu, &QMenu::aboutToShow, this, &EqualizerBar::fillCuts);
+  mCuts->setMenu(menu);
+  mPercent = new QToolButton(this);
+  mPercent->setObjectName("equalizerPercent");
+  mPercent->setText("%");
+  mPercent->setCheckable(true);
+  mPercent->setChecked(true);
+  mPercent->setToolTip(tr("On: bars in percent of their row. Off: numbers on a logarithmic ruler, so that rare types show"));
+  mPercent->setAccessibleName(tr("Bars in percent"));
+  connect(mPercent, &QToolButton::toggled, this, &EqualizerBar::percentAsked);
+  for (QToolButton* button : {mCuts, mPercent}) {
+    button->setFixedHeight(kHeight);
+    row->addWidget(button);
+  }
+  refresh();
+}
+
+QWidget* EqualizerBar::makeStates() {
+  auto* group = new QWidget(this);
+  auto* row = new QHBoxLayout(group);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(1);
+  const std::pair<QString, QString> states[] = {
+      {tr("Whole"), tr("No cut removes anything. Click to turn all cuts off")},
+      {tr("Cut"), tr("Where an instance is decides whether it is drawn. Click to give up shares and falloffs")},
+      {tr("Thinned"),
+       tr("Of some types a share is left, drawn by lot: move the handles of the bars. Click to have the shares again that "
+          "were left by these buttons")}};
+  for (const auto& [name, tip] : states) {
+    auto* button = new QPushButton(name, group);
+    button->setObjectName("state" + name);
+    button->setProperty("role", "small");
+    button->setCheckable(true);
+    button->setToolTip(tip);
+    button->setFixedHeight(kHeight);
+    int state = int(mStates.size());
+    mStates.push_back(button);
+    row->addWidget(button);
+    connect(button, &QPushButton::clicked, this, [this, state] { goToState(state); });
+  }
+  return group;
+}
+
+void EqualizerBar::goToState(int state) {
+  session::ClipState now = session::clipState(mDocument.scene()), wanted = session::ClipState(state);
+  if (wanted != now) {
+    if (now == session::ClipState::Thinned) mThinned = mDocument.scene().cuts;
+    if (wanted == session::ClipState::Whole) mDocument.edit("Show whole", session::showWhole);
+    if (wanted == session::ClipState::Cut) mDocument.edit("Show cut", session::showCut);
+    if (wanted == session::ClipState::Thinned && !mThinned.empty())
+      mDocument.edit("Show thinned", [this](scene::Scene& scene) { scene.cuts = mThinned; });
+  }
+  showState();
+}
+
+void EqualizerBar::showState() {
+  session::ClipState now = session::clipState(mDocument.scene());
+  for (std::size_t i = 0; i < mStates.size(); ++i) mStates[i]->setChecked(int(i) == int(now));
+  // There is a way to it: to the cut, cuts; to the thinned, shares that were there.
+  mStates[int(session::ClipState::Cut)]->setEnabled(!mDocument.scene().cuts.empty());
+  mStates[int(session::ClipState::Thinned)]->setEnabled(now == session::ClipState::Thinned || !mThinned.empty());
+}
+
+void EqualizerBar::toggleCut(int id, bool on) {
+  std::erase(mChosen, id);
+  if (on) mChosen.push_back(id);
+  mEqualizer.setCuts(mChosen);
+  refresh();
+}
+
+void EqualizerBar::fillCuts() {
+  QMenu* menu = mCuts->menu();
+  menu->clear();
+  QAction* all = menu->addAction(tr("All cuts that are on"));
+  all->setCheckable(true);
+  all->setChecked(mChosen.empty());
+  connect(all, &QAction::triggered, this, [this] {
+    mChosen.clear();
+    mEqualizer.setCuts({});
+    refresh();
+  });
+  menu->addSeparator();
+  for (const scene::Cut& cut : mDocument.scene().cuts) {
+    QAction* action = menu->addAction(QString::fromStdString(cut.name));
+    action->setCheckable(true);
+    action->setEnabled(cut.enabled);
+    action->setChecked(std::find(mChosen.begin(), mChosen.end(), cut.id) != mChosen.end());
+    connect(action, &QAction::triggered, this, [this, id = cut.id](bool on) { toggleCut(id, on); });
+  }
+  if (mDocument.scene().cuts.empty())
+    menu->addAction(tr("There is none: the first handle adds one that is everywhere"))->setEnabled(false);
+}
+
+void EqualizerBar::refresh() {
+  const auto& cuts = mDocument.scene().cuts;
+  std::size_t before = mChosen.size();
+  std::erase_if(mChosen, [&](int id) {
+    return std::none_of(cuts.begin(), cuts.end(), [id](const scene::Cut& cut) { return cut.id == id; });
+  });
+  if (mChosen.size() != before) mEqualizer.setCuts(mChosen);
+  QString text = mChosen.empty() ? tr("All cuts") : tr("%n cuts", nullptr, int(mChosen.size()));
+  if (mChosen.size() == 1)
+    for (const scene::Cut& cut : cuts)
+      if (cut.id == mChosen[0]) text = QString::fromStdString(cut.name);
+  mCuts->setText(mCuts->fontMetrics().elidedText(text, Qt::ElideRight, 84));
+  mCuts->setAccessibleName(tr("Handles set: %1").arg(text));
+  showState();
+}
+
+}  // namespace velum::gui

@@ -1,0 +1,58 @@
+#pragma once
+#include <QHeaderView>
+#include <QStyledItemDelegate>
+
+#include "ModelTree.h"
+
+namespace velum::gui {
+
+/// Where the parts of a row's bar end, in pixels from its left end.
+struct RowBar {
+  QRectF box;  ///< of all of it; empty: nothing is known of the row
+  double seen = 0.0, drawn = 0.0, all = 0.0;
+};
+
+/// Paints the rows of a ModelList: eye, colour, name, bar, number; and reads numbers that are typed.
+class ModelDelegate : public QStyledItemDelegate {
+  Q_OBJECT
+ public:
+  ModelDelegate(const ModelTree& tree, int rowHeight, QObject* parent)
+      : QStyledItemDelegate(parent), mTree(tree), mRowHeight(rowHeight) {}
+  QSize sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const override { return {40, mRowHeight}; }
+  void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+  /// @param cell  of the column Bar
+  RowBar barOf(const TypeTree::Row& row, QRect cell) const;
+  /// The row under the pointer elsewhere, in the picture; -1: none.
+  void setPointed(int type) { mPointed = type; }
+
+  QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem&, const QModelIndex& index) const override;
+  void setEditorData(QWidget* editor, const QModelIndex& index) const override;
+  void setModelData(QWidget* editor, QAbstractItemModel*, const QModelIndex& index) const override;
+
+ signals:
+  /// A number was typed into a row.
+  void typed(const QModelIndex& index, const QString& text) const;
+
+ private:
+  void paintBar(QPainter& painter, const QStyleOptionViewItem& option, const TypeTree::Row& row) const;
+
+  const ModelTree& mTree;
+  int mRowHeight;
+  int mPointed = -1;
+};
+
+/// The heads of the columns: over the bars their ruler.
+class ModelHeader : public QHeaderView {
+  Q_OBJECT
+ public:
+  ModelHeader(const ModelTree& tree, QWidget* parent);
+  QSize sizeHint() const override;
+
+ protected:
+  void paintSection(QPainter* painter, const QRect& rect, int section) const override;
+
+ private:
+  const ModelTree& mTree;
+};
+
+}  // namespace velum::gui

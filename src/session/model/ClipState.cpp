@@ -1,0 +1,66 @@
+#include "velum/session/model/ClipState.h"
+
+#include <algorithm>
+
+namespace velum::session {
+
+namespace {
+
+bool isBetween(double share) { return share > 0.0 && share < 1.0; }
+
+bool hasFocus(const scene::Cut& cut) { return cut.focus && !cut.focus->types.empty(); }
+
+/// Lots decide about some instances of the row's types.
+bool isThinned(const scene::Cut& cut, const scene::TypeSpare& spare) {
+  bool fades = spare.falloff != 0.0 && spare.amount > 0.0 && cut.shape != scene::CutShape::Everywhere;
+  return isBetween(spare.share) || fades || (hasFocus(cut) && isBetween(spare.viewShare));
+}
+
+/// Removes something, whatever is there.
+bool isActing(const scene::Cut& cut, std::string_view root) {
+  if (hasFocus(cut) || cut.leastMass > 0.0 || cut.leastCopies > 0.0 || cut.mostMass != scene::Spare::kEndless ||
+      cut.mostCopies != scene::Spare::kEndless)
+    return true;
+  auto takes = [](const scene::TypeSpare& spare) {
+    return spare.share < 1.0 || spare.distance != scene::Spare::kEndless || spare.falloff < 0.0;
+  };
+  if (std::any_of(cut.typeSpares.begin(), cut.typeSpares.end(), takes)) return true;
+  // What no row speaks of goes.
+  return std::none_of(cut.typeSpares.begin(), cut.typeSpares.end(),
+                      [root](const scene::TypeSpare& spare) { return spare.type == root; });
+}
+
+}  // namespace
+
+ClipState clipState(const scene::Scene& scene) {
+  const auto& model = scene.model.data;
+  std::string_view root = model && !model->compartments.empty() ? std::string_view(model->compartments[0].name) : "";
+  ClipState state = ClipState::Whole;
+  for (const scene::Cut& cut : scene.cuts) {
+    if (!cut.enabled || !isActing(cut, root)) continue;
+    state = ClipState::Cut;
+    if (std::any_of(cut.typeSpares.begin(), cut.typeSpares.end(),
+                    [&](const scene::TypeSpare& spare) { return isThinned(cut, spare); }))
+      return ClipState::Thinned;
+  }
+  return state;
+}
+
+void showWhole(scene::Scene& scene) {
+  for (scene::Cut& cut : scene.cuts) cut.enabled = false;
+}
+
+void showCut(scene::Scene& scene) {
+  bool isOff = std::none_of(scene.cuts.begin(), scene.cuts.end(), [](const scene::Cut& cut) { return cut.enabled; });
+  for (scene::Cut& cut : scene.cuts) {
+    cut.enabled = cut.enabled || isOff;
+    double share = cut.shape == scene::CutShape::Everywhere ? 1.0 : 0.0;
+    for (scene::TypeSpare& spare : cut.typeSpares) {
+      if (isBetween(spare.share)) spare.share = share;
+      if (isBetween(spare.viewShare)) spare.viewShare = 0.0;
+      spare.falloff = 0.0;
+    }
+  }
+}
+
+}  // namespace velum::session

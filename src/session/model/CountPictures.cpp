@@ -1,0 +1,30 @@
+#include "velum/session/model/CountPictures.h"
+
+#include "velum/gpu/Context.h"
+#include "velum/render/Renderer.h"
+#include "velum/session/model/PictureCounter.h"
+
+namespace velum::session {
+
+Solved findVisible(const scene::Scene& scene, const std::vector<int>& cuts, std::string_view path, double wanted,
+                   glm::ivec2 size, Progress& progress) {
+  auto context = gpu::Context::create(gpu::ContextKind::Auto);
+  render::Renderer renderer(*context);
+  Progress inPicture([&progress](double, const std::string&) { progress.throwIfCancelled(); });
+  PictureCounter counter(renderer, size, context->limits(), inPicture);
+  int pictures = 0;
+  auto picture = [&](const scene::Scene& of) {
+    progress.report(double(pictures++) / kMostPicturesOfOne, "Counting what is seen");
+    return counter.count(of);
+  };
+  return solveVisible(scene, cuts, path, wanted, picture, {}, counter.aspect());
+}
+
+Hiding findHiding(const scene::Scene& scene, std::string_view path, glm::ivec2 size, Progress& progress) {
+  auto context = gpu::Context::create(gpu::ContextKind::Auto);
+  render::Renderer renderer(*context);
+  PictureCounter counter(renderer, size, context->limits(), progress);
+  return whatHides(scene, path, [&](const scene::Scene& of) { return counter.types(of); });
+}
+
+}  // namespace velum::session

@@ -1,0 +1,330 @@
+// The bars of a model's types in the real window: what they say, and what their handles do.
+#include <QComboBox>
+#include <QElapsedTimer>
+#include <QScrollBar>
+#include <QToolButton>
+
+#include "ModelFixture.h"
+#include "Shots.h"
+#include "cut/TypeSpareList.h"
+#include "velum/render/section/KeptInstances.h"
+#include "velum/session/cut/CutEdit.h"
+#include "velum/session/model/ClipState.h"
+#include "velum/session/model/CountPictures.h"
+#include "velum/session/model/TypesAt.h"
+
+namespace velum::gui {
+
+class EqualizerWindow : public ModelWindow {
+ protected:
+  Equalizer& equalizer() { return mWindow->models().equalizer(); }
+  void openCut(int types = 5) {
+    openModel(types);
+    mWindow->document().edit("Cut", [](scene::Scene& scene) {
+      scene::Cut cut = session::makeCut(scene, scene::CutShape::Sphere);
+      cut.size = glm::dvec3(360.0);
+      cut.centre = glm::dvec3(0.0, -150.0, 0.0);
+      scene::addCut(scene, cut);
+    });
+    ASSERT_TRUE(settle());
+  }
+  int rowOfType(int type) { return int(list().tree().indexOfType(type, 0).internalId()); }
+  const TypeTree::Row& row(int number) { return list().tree().rows()[std::size_t(number)]; }
+  render::TypeCount count(int number) { return list().tree().countOf(row(number)); }
+  std::uint64_t drawn(const session::TypeNumbers& types) {
+    std::vector<std::uint8_t> kept = render::keptInstances(scene());
+    const Model& model = *scene().model.data;
+    std::uint64_t sum = 0;
+    for (std::uint32_t type : types)
+      for (std::size_t i = 0; i < model.types[type].instanceCount; ++i) sum += kept[model.types[type].firstInstance + i];
+    return sum;
+  }
+  QPoint placeOf(int number, double share) {
+    RowBar bar = list().barOf(number);
+    return QPointF(bar.box.left() + share * bar.box.width(), bar.box.center().y()).toPoint();
+  }
+  /// Takes the knob at a place of a row's bar and brings it to a share of it.
+  void dragBar(int number, double from, double to) { drag(*list().viewport(), placeOf(number, from), placeOf(number, to)); }
+  double shareOf(std::uint64_t part, const render::TypeCount& of) { return double(part) / double(of.total()); }
+};
+
+TEST_F(EqualizerWindow, BarsSayWhatIsSeenHiddenAndRemoved) {
+  openCut();
+  render::TypeCount all = count(0);
+  EXPECT_EQ(all.total(), 400u);
+  EXPECT_TRUE(equalizer().counts().isExact());
+  EXPECT_EQ(all.rendered(), drawn({0, 1, 2, 3, 4}));
+  EXPECT_GT(all.clipped, 0u);
+  EXPECT_GT(all.visible, 0u);
+  render::TypeCount sum;
+  for (int type = 0; type < 5; ++type) sum += count(rowOfType(type));
+  EXPECT_EQ(sum, all) << "a compartment has what its types have";
+  QModelIndex number = list().tree().indexOfRow(0, ModelTree::Count);
+  EXPECT_EQ(number.data().toString(), QString("%1 %").arg(std::lround(100.0 * double(all.rendered()) / 400.0)));
+  takeShot(*mWindow, "equalizer");
+  child<QToolButton>("equalizerPercent")->click();
+  EXPECT_EQ(number.data().toString(), QString::number(all.rendered()));
+  takeShot(*mWindow, "equalizer-numbers");
+}
+
+TEST_F(EqualizerWindow, BarsFollowTheSceneAndTheEye) {
+  openCut();
+  render::TypeCount before = count(0);
+  mWindow->document().edit("Larger", [](scene::Scene& scene) { scene.cuts[0].size = glm::dvec3(500.0); });
+  ASSERT_TRUE(settle());
+  EXPECT_LT(count(0).rendered(), before.rendered());
+  EXPECT_EQ(count(0).rendered(), drawn({0, 1, 2, 3, 4}));
+  clickEye(2);
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(count(rowOfType(2)).clipped, 80u) << "what is not shown is not drawn";
+}
+
+TEST_F(EqualizerWindow, AHandleDragsHowManyAreDrawnInOneStep) {
+  openCut();
+  int number = rowOfType(1);
+  render::TypeCount before = count(number);
+  double from = shareOf(before.rendered(), before);
+  ASSERT_LT(from, 0.9);
+  dragBar(number, from, 0.95);
+  auto wanted = drawn({1});
+  EXPECT_NEAR(double(wanted), 0.95 * 80.0, 1.5) << "a pixel of the bar";
+  EXPECT_EQ(mWindow->document().undoLabel(), "Set number of type1");
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(count(number).rendered(), wanted);
+  EXPECT_EQ(session::clipState(scene()), session::ClipState::Thinned);
+  takeShot(*mWindow, "equalizer-thinned");
+  mWindow->document().undo();
+  EXPECT_EQ(drawn({1}), before.rendered()) << "one step";
+}
+
+TEST_F(EqualizerWindow, AHandleOfACompartmentGivesEachOfItsTypesItsPart) {
+  openCut();
+  int above = int(list().tree().indexOfType(0, 0).parent().internalId());
+  render::TypeCount before = count(above);
+  dragBar(above, shareOf(before.rendered(), before), 1.0);
+  EXPECT_EQ(drawn(row(above).types), before.total());
+  EXPECT_LT(drawn({1}), 80u) << "those of other compartments stay as they are";
+}
+
+TEST_F(EqualizerWindow, ANumberIsTypedOrRefused) {
+  openCut();
+  int number = rowOfType(3);
+  list().setCurrentIndex(list().order().mapFromSource(list().tree().indexOfRow(number, ModelTree::Name)));
+  list().setFocus();
+  QTest::keyClick(&list(), Qt::Key_F2);
+  auto* field = list().findChild<QLineEdit*>("modelNumber");
+  ASSERT_TRUE(field);
+  field->selectAll();
+  QTest::keyClicks(field, "71");
+  QTest::keyClick(field, Qt::Key_Return);
+  EXPECT_EQ(drawn({3}), 71u);
+  EXPECT_EQ(ModelTree::readNumber("20 %", 80.0), 16.0);
+  EXPECT_EQ(ModelTree::readNumber(" 50 ", 80.0), 50.0);
+  for (const char* bad : {"", "many", "-3", "5 x", "nan", "1e99"})
+    EXPECT_FALSE(ModelTree::readNumber(bad, 80.0)) << bad;
+}
+
+TEST_F(EqualizerWindow, KeysSetMoreAndFewer) {
+  openCut();
+  int number = rowOfType(0);
+  list().setCurrentIndex(list().order().mapFromSource(list().tree().indexOfRow(number, ModelTree::Name)));
+  list().setFocus();
+  std::uint64_t before = drawn({0});
+  QTest::keyClick(&list(), Qt::Key_Right, Qt::ControlModifier);
+  EXPECT_EQ(drawn({0}), before + 4) << "5 % of 80";
+  QTest::keyClick(&list(), Qt::Key_Left, Qt::ControlModifier);
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(drawn({0}), before);
+}
+
+TEST_F(EqualizerWindow, EscapeLetsAHandleGoWithoutChange) {
+  openCut();
+  int number = rowOfType(1);
+  render::TypeCount before = count(number);
+  auto* area = list().viewport();
+  QTest::mousePress(area, Qt::LeftButton, {}, placeOf(number, shareOf(before.rendered(), before)));
+  QMouseEvent move(QEvent::MouseMove, placeOf(number, 0.99), area->mapToGlobal(placeOf(number, 0.99)), Qt::NoButton,
+                   Qt::LeftButton, {});
+  QApplication::sendEvent(area, &move);
+  ASSERT_NE(drawn({1}), before.rendered());
+  QTest::keyClick(&list(), Qt::Key_Escape);
+  EXPECT_FALSE(equalizer().isHeld());
+  EXPECT_EQ(drawn({1}), before.rendered());
+  QTest::mouseRelease(area, Qt::LeftButton, {}, placeOf(number, 0.99));
+  EXPECT_EQ(drawn({1}), before.rendered());
+}
+
+TEST_F(EqualizerWindow, WithoutACutTheFirstHandleAddsOneThatIsEverywhere) {
+  openModel();
+  ASSERT_TRUE(settle());
+  dragBar(rowOfType(2), 1.0, 0.5);
+  ASSERT_EQ(scene().cuts.size(), 1u);
+  EXPECT_EQ(scene().cuts[0].shape, scene::CutShape::Everywhere);
+  EXPECT_NEAR(double(drawn({2})), 40.0, 1.0);
+  EXPECT_EQ(drawn({0, 1, 3, 4}), 320u) << "nothing else goes";
+  mWindow->tabs().showPage("Cuts");
+  QApplication::processEvents();
+  takeShot(*mWindow, "equalizer-everywhere");
+}
+
+TEST_F(EqualizerWindow, OnlyTheCutsThatAreChosenAreSet) {
+  openCut();
+  int second = 0;
+  mWindow->document().edit("Cut", [&](scene::Scene& scene) {
+    scene::Cut cut = session::makeCut(scene, scene::CutShape::Everywhere);
+    second = scene::addCut(scene, cut);
+  });
+  ASSERT_TRUE(settle());
+  std::vector<scene::TypeSpare> before = scene().cuts[0].typeSpares;
+  equalizer().setCuts({second});
+  int number = rowOfType(1);
+  render::TypeCount now = count(number);
+  dragBar(number, shareOf(now.rendered(), now), 0.2);
+  EXPECT_EQ(scene().cuts[0].typeSpares, before);
+  EXPECT_NEAR(double(drawn({1})), 16.0, 1.0);
+}
+
+TEST_F(EqualizerWindow, AHandleSetsHowManyAreSeen) {
+  openCut();
+  int number = rowOfType(1);
+  render::TypeCount before = count(number);
+  ASSERT_GT(before.visible, 20u);
+  ASSERT_GT(before.hidden, 2u) << "both knobs can be told apart";
+  double to = 0.5 * shareOf(before.visible, before);
+  dragBar(number, shareOf(before.visible, before), to);
+  ASSERT_TRUE(waitForJob());
+  ASSERT_TRUE(settle());
+  EXPECT_NEAR(double(count(number).visible), to * 80.0, 1.5) << "pictures were drawn until it was so many";
+  mWindow->document().undo();
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(count(number), before) << "one step";
+}
+
+TEST_F(EqualizerWindow, StatesAreToldApartAndGoneTo) {
+  openCut();
+  auto isOn = [&](const char* name) { return child<QPushButton>(name)->isChecked(); };
+  EXPECT_TRUE(isOn("stateCut"));
+  int number = rowOfType(1);
+  render::TypeCount now = count(number);
+  dragBar(number, shareOf(now.rendered(), now), 0.9);
+  std::vector<scene::Cut> thinned = scene().cuts;
+  EXPECT_TRUE(isOn("stateThinned"));
+  child<QPushButton>("stateWhole")->click();
+  EXPECT_TRUE(isOn("stateWhole"));
+  EXPECT_EQ(drawn({0, 1, 2, 3, 4}), 400u);
+  child<QPushButton>("stateThinned")->click();
+  EXPECT_EQ(scene().cuts, thinned);
+  child<QPushButton>("stateCut")->click();
+  EXPECT_TRUE(isOn("stateCut"));
+  EXPECT_EQ(drawn({1}), now.rendered());
+}
+
+TEST_F(EqualizerWindow, TheRowUnderThePointerIsSeenInThePicture) {
+  openModel();
+  ASSERT_TRUE(settle());
+  int pixels = 0;
+  for (std::int32_t type : viewport().typesOfPixels().types) pixels += type == 2;
+  ASSERT_GT(pixels, 0);
+  emit list().hovered({2});
+  EXPECT_EQ(mWindow->models().highlight().pixels(), pixels);
+  QApplication::processEvents();
+  takeShot(*mWindow, "equalizer-hover");
+  emit list().hovered({});
+  EXPECT_EQ(mWindow->models().highlight().pixels(), 0);
+}
+
+TEST_F(EqualizerWindow, RowsAreSortedAndListedByWhatIsSeen) {
+  openCut();
+  clickEye(3);
+  ASSERT_TRUE(settle());
+  list().order().setOnly(TypeOrder::Only::Unseen);
+  EXPECT_EQ(list().listedTypes(), session::TypeNumbers{3});
+  list().order().setOnly(TypeOrder::Only::Seen);
+  EXPECT_EQ(list().listedTypes(), (session::TypeNumbers{0, 1, 2, 4}));
+  list().order().setOnly(TypeOrder::Only::All);
+  list().order().setKey(TypeOrder::Key::Removed);
+  QModelIndex above = list().order().mapFromSource(list().tree().indexOfType(1, 0)).parent();
+  EXPECT_EQ(list().order().index(0, ModelTree::Name, above).data().toString(), "type3") << "all of it is removed";
+}
+
+TEST_F(EqualizerWindow, WhatHidesATypeIsSaidAndClearedInOneClick) {
+  openModel();
+  ASSERT_TRUE(settle());
+  std::string path = row(rowOfType(4)).path;
+  render::TypeCount before = count(rowOfType(4));
+  emit mWindow->models().commands().hidingAsked(QString::fromStdString(path));
+  ASSERT_TRUE(waitForJob());
+  auto* box = child<QFrame>("hiders");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return box->isVisible(); }, 2000));
+  EXPECT_FALSE(child<QLabel>("hidersWords")->text().isEmpty());
+  takeShot(*mWindow, "equalizer-hiders");
+  child<QPushButton>("clearTheWay")->click();
+  ASSERT_TRUE(settle());
+  EXPECT_FALSE(box->isVisible());
+  EXPECT_TRUE(session::isKeptInView(scene(), path));
+  EXPECT_GT(count(rowOfType(4)).visible, before.visible);
+  takeShot(*mWindow, "equalizer-cleared");
+  mWindow->models().commands().setInView(path, false);
+  EXPECT_TRUE(scene().cuts.empty());
+}
+
+TEST_F(EqualizerWindow, TheCutsPageHasItsFocus) {
+  openCut();
+  mWindow->tabs().showPage("Cuts");
+  mWindow->selection().setCut(scene().cuts[0].id);
+  auto* view = child<TypeSpareView>("typeSpares");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return view->isVisible(); }, 5000));
+  view->setCurrentIndex(view->order().mapFromSource(view->tree().indexOfType(3, 0)));
+  child<QCheckBox>("focusKept")->click();
+  ASSERT_TRUE(scene().cuts[0].focus);
+  EXPECT_EQ(scene().cuts[0].focus->types[0].type, row(rowOfType(3)).path);
+  child<NumberRow>("typeAperture")->spin()->setValue(40.0);
+  child<NumberRow>("typeViewShare")->spin()->setValue(20.0);
+  const scene::TypeSpare* own = session::findTypeSpare(scene().cuts[0], row(rowOfType(3)).path);
+  ASSERT_TRUE(own);
+  EXPECT_DOUBLE_EQ(own->aperture, 0.4);
+  EXPECT_DOUBLE_EQ(own->viewShare, 0.2);
+  child<QCheckBox>("focusDepth")->click();
+  child<QCheckBox>("focusLock")->click();
+  EXPECT_TRUE(scene().cuts[0].focus->guidesDepth);
+  ASSERT_TRUE(scene().cuts[0].focus->lock);
+  EXPECT_EQ(scene().cuts[0].focus->lock->camera, scene().camera);
+  QApplication::processEvents();
+  takeShot(*mWindow, "equalizer-focus");
+  child<QCheckBox>("focusKept")->click();
+  EXPECT_FALSE(scene().cuts[0].focus);
+}
+
+TEST_F(EqualizerWindow, GhostsAreChosenForTheModelAndForAType) {
+  openCut();
+  auto* ghosts = child<QComboBox>("modelGhosts");
+  ghosts->setCurrentIndex(2);
+  emit ghosts->activated(2);
+  EXPECT_EQ(scene().model.ghosts, scene::Ghosts::Contour);
+  mWindow->models().commands().setGhosts({1}, scene::Ghosts::None);
+  EXPECT_EQ(scene::typeLook(scene().model, row(rowOfType(1)).path).ghosts, scene::Ghosts::None);
+  ASSERT_TRUE(settle());
+  takeShot(*mWindow, "equalizer-ghosts");
+}
+
+TEST_F(EqualizerWindow, ThousandsOfRowsScrollSmoothly) {
+  scene::Scene scene;
+  scene.unit = LengthUnit::Angstrom;
+  scene.model.data = Shared<Model>(ModelMaker{.types = 5000, .atoms = 4, .instances = 20000}.make());
+  mWindow->resize(1100, 860);
+  mWindow->showScene(scene, "made");
+  drawSoon();
+  ASSERT_TRUE(settle());
+  list().expandAll();
+  QApplication::processEvents();
+  QElapsedTimer clock;
+  clock.start();
+  constexpr int kSteps = 40;
+  for (int i = 0; i < kSteps; ++i) {
+    list().verticalScrollBar()->setValue(list().verticalScrollBar()->value() + 1000);
+    list().viewport()->repaint();
+  }
+  EXPECT_LT(double(clock.elapsed()) / kSteps, 100.0) << "milliseconds a step";
+}
+
+}  // namespace velum::gui

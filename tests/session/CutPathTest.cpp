@@ -1,0 +1,125 @@
+// The way through no clipping, plain clipping and what types are left of it.
+#include "velum/session/picture/CutPath.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "makeModel.h"
+#include "velum/render/section/KeptInstances.h"
+#include "velum/session/picture/Animation.h"
+
+namespace velum::session {
+
+namespace {
+
+using Kept = std::vector<std::uint8_t>;
+
+/// A ball that takes most of a model, with rows of every kind.
+scene::Scene cutScene() {
+  scene::Scene scene;
+  scene.unit = LengthUnit::Angstrom;
+  scene.model.data = Shared<Model>(ModelMaker{.types = 4, .instances = 1500}.make());
+  scene::Cut ball;
+  ball.id = 7;
+  ball.shape = scene::CutShape::Sphere;
+  ball.size = glm::dvec3(460.0);
+  ball.typeSpares = {{.type = "root.a", .share = 0.5},
+                     {.type = pathOf(*scene.model.data, scene.model.data->types[0]), .share = 0.2, .falloff = 60.0},
+                     {.type = "root", .share = 0.05, .viewShare = 0.3}};
+  scene.cuts = {ball};
+  return scene;
+}
+
+/// What every cut leaves when it spares nothing.
+scene::Scene plainlyCut(scene::Scene scene) {
+  for (scene::Cut& cut : scene.cuts) cut.typeSpares.clear();
+  return scene;
+}
+
+std::size_t countOf(const Kept& kept) { return std::size_t(std::count(kept.begin(), kept.end(), 1)); }
+
+/// All of one are of the other.
+bool isWithin(const Kept& a, const Kept& b) {
+  for (std::size_t i = 0; i < a.size(); ++i)
+    if (a[i] > b[i]) return false;
+  return true;
+}
+
+}  // namespace
+
+TEST(CutPath, GoesFromNoCutsOverPlainCutsToTheScene) {
+  scene::Scene scene = cutScene(), bare = scene;
+  bare.cuts.clear();
+  EXPECT_EQ(cutPathAt(scene, 0.0), bare);
+  EXPECT_EQ(cutPathAt(scene, 1.0), scene);
+  Kept plain = render::keptInstances(plainlyCut(scene));
+  EXPECT_EQ(render::keptInstances(cutPathAt(scene, 0.5)), plain);
+  EXPECT_EQ(countOf(render::keptInstances(cutPathAt(scene, 1e-12))), plain.size());
+  EXPECT_EQ(render::keptInstances(cutPathAt(scene, 1.0 - 1e-12)), render::keptInstances(scene));
+  EXPECT_LT(countOf(plain), plain.size() / 2);
+}
+
+TEST(CutPath, EachInstanceGoesOnceAndComesBackOnce) {
+  scene::Scene scene = cutScene();
+  Kept before = render::keptInstances(cutPathAt(scene, 0.0));
+  std::size_t all = before.size(), plain = countOf(render::keptInstances(plainlyCut(scene)));
+  for (int i = 1; i <= 20; ++i) {
+    Kept now = render::keptInstances(cutPathAt(scene, i / 20.0));
+    EXPECT_TRUE(i <= 10 ? isWithin(now, before) : isWithin(before, now)) << i;
+    // As many in each moment: the share falls evenly.
+    double expected = double(all) - double(all - plain) * i / 10.0;
+    if (i <= 10) {
+      EXPECT_NEAR(double(countOf(now)), expected, 3.0 * std::sqrt(double(all))) << i;
+    }
+    before = now;
+  }
+  EXPECT_GT(countOf(before), plain + 50);
+}
+
+TEST(CutPath, RangesOfMassTakeNothingBeforeItsTurn) {
+  scene::Scene scene = cutScene();
+  scene.cuts[0].leastMass = 1e12;  // no type is spared
+  EXPECT_EQ(countOf(render::keptInstances(cutPathAt(scene, 1e-12))), scene.model.data->instances.size());
+  EXPECT_EQ(render::keptInstances(cutPathAt(scene, 0.8)), render::keptInstances(plainlyCut(scene)));
+}
+
+TEST(CutPath, ACutEverywhereClearsTheViewBeforeItThinsOut) {
+  scene::Scene scene = cutScene();
+  scene.cuts[0].shape = scene::CutShape::Everywhere;
+  const Model& model = *scene.model.data;
+  scene.cuts[0].focus.emplace().types = {{pathOf(model, model.types[1])}};
+  scene.camera = scene::frameCamera(scene, scene::StandardView::Anterior, 1.0);
+  auto statesAt = [&](double at) { return render::instanceStates(cutPathAt(scene, at)); };
+  auto count = [](const std::vector<render::InstanceState>& states, render::InstanceState state) {
+    return std::count(states.begin(), states.end(), state);
+  };
+  std::ptrdiff_t clearedBefore = 0;
+  for (double at : {0.1, 0.3, 0.5}) {
+    auto states = statesAt(at);
+    EXPECT_EQ(count(states, render::InstanceState::Removed), 0) << at;
+    EXPECT_GT(count(states, render::InstanceState::Cleared), clearedBefore) << at;
+    clearedBefore = count(states, render::InstanceState::Cleared);
+  }
+  EXPECT_GT(count(statesAt(0.75), render::InstanceState::Removed), 100);
+  EXPECT_EQ(statesAt(1.0 - 1e-12), render::instanceStates(scene));
+  // Without a row for all what has none of its own goes like the rest.
+  scene.cuts[0].typeSpares.pop_back();
+  EXPECT_EQ(statesAt(1.0 - 1e-12), render::instanceStates(scene));
+  EXPECT_EQ(count(statesAt(0.5), render::InstanceState::Removed), 0);
+}
+
+TEST(CutPath, IsAnAnimationOfModelsThatAreCut) {
+  scene::Scene scene = cutScene();
+  EXPECT_EQ(whyStill(scene, Motion::Cut), "");
+  EXPECT_EQ(frameOf(scene, Motion::Cut, 8, 9), scene);
+  EXPECT_TRUE(frameOf(scene, Motion::Cut, 0, 9).cuts.empty());
+  EXPECT_EQ(frameOf(scene, Motion::Cut, 3, 9), cutPathAt(scene, 3 / 8.0));
+  scene.cuts[0].enabled = false;
+  EXPECT_NE(whyStill(scene, Motion::Cut), "");
+  scene.model.data = {};
+  EXPECT_NE(whyStill(scene, Motion::Cut), "");
+}
+
+}  // namespace velum::session

@@ -1,0 +1,118 @@
+// The areas of structures against pictures of them.
+#include <algorithm>
+#include <map>
+#include <optional>
+
+#include "GlFixture.h"
+#include "makeVolume.h"
+#include "velum/render/Renderer.h"
+#include "velum/session/extrusion/AreaSolver.h"
+#include "velum/session/model/PictureCounter.h"
+#include "velum/session/structure/StructureAreas.h"
+
+namespace velum::session {
+
+namespace {
+
+const glm::ivec2 kSize(96, 72);
+
+/// Two solid balls, the second mostly behind the first, and a plane that takes half of both. Voxels as they are: labels
+/// alone would be drawn smoothed.
+scene::Scene twoBalls() {
+  glm::ivec3 dims(40, 60, 40);
+  LabelVolume labels = makeLabels(
+      dims,
+      [](glm::ivec3 v) {
+        glm::dvec3 p(v);
+        return glm::distance(p, glm::dvec3(20, 15, 20)) < 11   ? 3
+               : glm::distance(p, glm::dvec3(20, 45, 22)) < 12 ? 7
+                                                               : 0;
+      },
+      centredFrame(dims));
+  scene::Scene scene;
+  scene.labels.data = Shared<LabelVolume>(std::move(labels));
+  scene::completeStructures(scene.labels);
+  scene.labels.unlabelled = 0.0;
+  scene.volume.data = Shared<Volume>(makeVolume(
+      dims, SampleType::UInt8, [](glm::ivec3) { return 9; }, centredFrame(dims)));
+  scene.volume.transfer.colors = {{0, glm::vec3(0.8f)}};
+  scene.volume.transfer.opacities = {{0, 0.999}, {1, 0.999}};
+  scene.volume.transfer.unitDistance = 0.02;
+  scene.camera = scene::frameCamera(scene, scene::StandardView::Anterior, double(kSize.x) / kSize.y);
+  scene::Cut cut;
+  cut.id = 1;
+  cut.axis = {0.2, 0.1, 1.0};
+  scene.cuts = {cut};
+  return scene;
+}
+
+class StructureAreasGL : public GlTest {
+ protected:
+  void SetUp() override {
+    GlTest::SetUp();
+    mRenderer.emplace(context());
+  }
+  void TearDown() override {
+    mRenderer.reset();
+    GlTest::TearDown();
+  }
+  std::map<int, StructureArea> areasOf(const scene::Scene& scene, const Image& picture) {
+    std::map<int, StructureArea> areas;
+    auto hits = render::structureHits(scene, kSize, {1}, mProgress);
+    for (const StructureArea& area : structureAreas(scene, hits, picture)) areas[area.structure] = area;
+    return areas;
+  }
+  Image draw(const scene::Scene& scene) {
+    return PictureCounter(*mRenderer, kSize, context().limits(), mProgress).structures(scene);
+  }
+
+  Progress mProgress;
+  std::optional<render::Renderer> mRenderer;
+};
+
+}  // namespace
+
+TEST_F(StructureAreasGL, RaysAndPicturesTellTheSame) {
+  scene::Scene scene = twoBalls();
+  Image picture = draw(scene);
+  auto areas = areasOf(scene, picture);
+  std::map<int, std::uint64_t> met, seen;
+  for (const auto& hit : render::structureHits(scene, kSize, {1}, mProgress)) ++met[hit.structure];
+  std::size_t column =
+      std::size_t(std::find(picture.channels.begin(), picture.channels.end(), "id") - picture.channels.begin());
+  for (std::size_t i = column; i < picture.pixels.size(); i += picture.channels.size()) ++seen[int(picture.pixels[i])];
+  for (int id : {3, 7}) {
+    EXPECT_EQ(areas[id].visible, seen[id]);
+    // The picture's rays take steps of half a voxel: at an outline they may meet what a walk from voxel to voxel does
+    // not.
+    EXPECT_NEAR(double(areas[id].total()), double(met[id]), 3.0) << id;
+    EXPECT_GT(areas[id].clipped, 50u) << id;
+  }
+  EXPECT_LT(areas[3].hidden, areas[3].visible / 20) << "nothing stands before the first";
+  EXPECT_GT(areas[7].hidden, areas[7].visible);
+  // Without cuts nothing is clipped, and what shows or is hidden is all.
+  scene.cuts.clear();
+  auto whole = areasOf(scene, draw(scene));
+  for (int id : {3, 7}) {
+    EXPECT_EQ(whole[id].clipped, 0u);
+    EXPECT_NEAR(double(whole[id].total()), double(areas[id].total()), 3.0);
+  }
+}
+
+TEST_F(StructureAreasGL, APictureOfWhatWasSolvedShowsAsMuch) {
+  scene::Scene scene = twoBalls();
+  AreaSolver solver(scene, {1}, 3, render::structureHits(scene, kSize, {1}, mProgress));
+  std::uint64_t before = 0;
+  for (double share : {0.0, 0.3, 0.7, 1.0}) {
+    SolvedArea solved =
+        solver.solve(double(solver.range().least) + share * double(solver.range().most - solver.range().least));
+    StructureArea area = areasOf(solved.scene, draw(solved.scene))[3];
+    // Along an end face a sample of the picture may lie just beyond it, and a walk's middle of a voxel before it.
+    EXPECT_NEAR(double(area.left()), double(solved.reached), 0.02 * double(solver.range().total));
+    EXPECT_NEAR(double(area.visible), double(solved.reached), 0.05 * double(solver.range().total));
+    EXPECT_GE(area.visible, before);
+    before = area.visible;
+  }
+}
+
+}  // namespace velum::session

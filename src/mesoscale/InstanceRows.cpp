@@ -1,6 +1,7 @@
 #include "velum/mesoscale/InstanceRows.h"
 
 #include <algorithm>
+#include <unordered_map>
 
 #include "shared/instance.h"
 
@@ -16,6 +17,11 @@ bool leadsTo(std::string_view path, std::string_view to) {
 bool isInFocus(const scene::Cut& cut, std::string_view path) {
   auto leads = [&](const scene::FocusType& type) { return leadsTo(type.type, path); };
   return cut.focus && std::any_of(cut.focus->types.begin(), cut.focus->types.end(), leads);
+}
+
+bool isInRange(const scene::Cut& cut, const MoleculeType& type) {
+  return type.mass >= cut.leastMass && type.mass <= cut.mostMass && type.instanceCount >= cut.leastCopies &&
+         type.instanceCount <= cut.mostCopies;
 }
 
 shared::TypeSpareRow toShared(const scene::TypeSpare& spare) {
@@ -46,32 +52,52 @@ std::vector<shared::TypeRow> makeTypeRows(const scene::ModelLayer& layer) {
   return rows;
 }
 
-scene::TypeSpare typeSpareOf(const scene::Cut& cut, const Model&, const MoleculeType& type, std::string_view path) {
-  scene::TypeSpare found;
-  found.share = 0.0;
-  bool isInRange = type.mass >= cut.leastMass && type.mass <= cut.mostMass && type.instanceCount >= cut.leastCopies &&
-                   type.instanceCount <= cut.mostCopies;
-  if (!isInRange) return found;
-  std::size_t longest = 0;
-  for (const scene::TypeSpare& spare : cut.typeSpares) {
-    if (spare.type.size() <= longest || !leadsTo(spare.type, path)) continue;
-    longest = spare.type.size();
-    found = spare;
+namespace {
+
+/// The rows of a cut by their paths: thousands of types may have one each.
+class RowsByPath {
+ public:
+  explicit RowsByPath(const scene::Cut& cut) : mCut(cut) {
+    for (const scene::TypeSpare& spare : cut.typeSpares) mRows.try_emplace(spare.type, &spare);
   }
-  return found;
+  const scene::Cut& cut() const { return mCut; }
+  /// That of the longest path that leads to a type's.
+  scene::TypeSpare of(const MoleculeType& type, std::string_view path) const {
+    scene::TypeSpare none;
+    none.share = 0.0;
+    if (!isInRange(mCut, type)) return none;
+    for (std::string_view at = path; !at.empty();) {
+      if (auto found = mRows.find(at); found != mRows.end()) return *found->second;
+      std::size_t dot = at.rfind('.');
+      at = dot == std::string_view::npos ? std::string_view() : at.substr(0, dot);
+    }
+    return none;
+  }
+
+ private:
+  const scene::Cut& mCut;
+  std::unordered_map<std::string_view, const scene::TypeSpare*> mRows;
+};
+
+}  // namespace
+
+scene::TypeSpare typeSpareOf(const scene::Cut& cut, const Model&, const MoleculeType& type, std::string_view path) {
+  return RowsByPath(cut).of(type, path);
 }
 
 std::vector<shared::TypeSpareRow> makeTypeSpareRows(const scene::Scene& scene) {
   std::vector<shared::TypeSpareRow> rows;
   if (!scene.model.data) return rows;
   const Model& model = *scene.model.data;
+  std::vector<RowsByPath> cuts;
+  for (const scene::Cut& cut : scene.cuts)
+    if (cut.enabled) cuts.emplace_back(cut);
   for (const MoleculeType& type : model.types) {
     std::string path = pathOf(model, type);
-    for (const scene::Cut& cut : scene.cuts)
-      if (cut.enabled) {
-        rows.push_back(toShared(typeSpareOf(cut, model, type, path)));
-        rows.back().isFocus = isInFocus(cut, path) ? 1.0f : 0.0f;
-      }
+    for (const RowsByPath& cut : cuts) {
+      rows.push_back(toShared(cut.of(type, path)));
+      rows.back().isFocus = isInFocus(cut.cut(), path) ? 1.0f : 0.0f;
+    }
   }
   return rows;
 }

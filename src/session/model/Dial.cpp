@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <unordered_map>
 
+#include "velum/core/Parallel.h"
 #include "velum/render/section/KeptInstances.h"
 #include "velum/render/section/StayingShares.h"
 #include "velum/session/cut/CutEdit.h"
@@ -96,7 +98,7 @@ std::vector<Dial> makeDials(const scene::Scene& scene, const std::vector<int>& c
   scene::Scene closed = scene, open = scene;
   for (std::uint32_t type : types) {
     std::string path = pathOf(model, model.types[type]);
-    setDial(closed, cuts, path, field, 0.0);
+    if (field == DialField::ViewShare) setDial(closed, cuts, path, field, 0.0);
     setDial(open, cuts, path, field, 1.0);
   }
   std::vector<render::InstanceState> openStates, closedStates;
@@ -105,19 +107,28 @@ std::vector<Dial> makeDials(const scene::Scene& scene, const std::vector<int>& c
   std::vector<std::vector<float>> shares;
   if (field == DialField::Share) shares = render::stayingShares(open, cuts, types, sheets);
   std::vector<Dial> dials;
+  std::unordered_map<std::string, std::size_t> places;
+  std::vector<std::vector<std::size_t>> rows;  // of the types of each dial
   for (std::size_t i = 0; i < types.size(); ++i) {
     std::uint32_t type = types[i];
     std::string path = pathOf(model, model.types[type]);
-    auto found = std::find_if(dials.begin(), dials.end(), [&](const Dial& dial) { return dial.path == path; });
-    if (found == dials.end()) found = dials.insert(found, Dial{path, {}, 0, 0, {}});
-    found->types.push_back(type);
-    found->total += std::uint64_t(model.types[type].instanceCount) * std::uint64_t(std::max(1, scene.model.copies));
-    if (!shown[type] || !scene.model.visible) continue;
-    if (field == DialField::Share)
-      addShareCandidates(*found, scene, type, shares[i], openStates);
-    else
-      addViewCandidates(*found, scene, type, closedStates, openStates);
+    auto [place, isNew] = places.try_emplace(path, dials.size());
+    if (isNew) dials.push_back(Dial{path, {}, 0, 0, {}}), rows.emplace_back();
+    Dial& dial = dials[place->second];
+    dial.types.push_back(type);
+    dial.total += std::uint64_t(model.types[type].instanceCount) * std::uint64_t(std::max(1, scene.model.copies));
+    rows[place->second].push_back(i);
   }
+  parallelFor(std::size_t(0), dials.size(), [&](std::size_t d) {
+    dials[d].candidates.reserve(std::size_t(dials[d].total));
+    for (std::size_t i : rows[d]) {
+      if (!shown[types[i]] || !scene.model.visible) continue;
+      if (field == DialField::Share)
+        addShareCandidates(dials[d], scene, types[i], shares[i], openStates);
+      else
+        addViewCandidates(dials[d], scene, types[i], closedStates, openStates);
+    }
+  });
   return dials;
 }
 
@@ -208,11 +219,47 @@ std::vector<std::uint64_t> countDials(const scene::Scene& scene, const std::vect
   std::vector<std::uint8_t> kept = render::keptInstances(scene, sheets, aspect);
   std::vector<bool> shown = visibleTypes(scene.model);
   std::vector<std::uint64_t> counts(dials.size(), 0);
-  for (std::size_t i = 0; i < dials.size(); ++i)
+  parallelFor(std::size_t(0), dials.size(), [&](std::size_t i) {
+    std::uint64_t count = 0;
     for (std::uint32_t type : dials[i].types)
       if (shown[type] && scene.model.visible)
-        forInstances(scene.model, type, [&](std::uint32_t instance) { counts[i] += kept[instance]; });
+        forInstances(scene.model, type, [&](std::uint32_t instance) { count += kept[instance]; });
+    counts[i] = count;
+  });
   return counts;
+}
+
+constexpr int kMostRounds = 4;
+
+std::uint64_t distanceOf(std::uint64_t a, std::uint64_t b) { return a > b ? a - b : b - a; }
+
+/// Where a cut keeps something in view dials have a say in each other's counts: fewer instances of a focus clear less.
+/// All are asked for as many more as they lack, a few times; the best round stands. @return its counts
+std::vector<std::uint64_t> turnTogether(scene::Scene& scene, const std::vector<int>& cuts,
+                                        const std::vector<Dial>& dials, DialField field,
+                                        const std::vector<DialSetting>& settings, std::vector<std::uint64_t> counts,
+                                        const render::SheetIndices& sheets, double aspect) {
+  std::vector<std::uint64_t> asked, best = counts;
+  for (const DialSetting& setting : settings) asked.push_back(setting.staying);
+  scene::Scene bestScene = scene;
+  auto offOf = [&](const std::vector<std::uint64_t>& of) {
+    std::uint64_t off = 0;
+    for (std::size_t i = 0; i < dials.size(); ++i) off += distanceOf(of[i], dials[i].always + settings[i].staying);
+    return off;
+  };
+  for (int round = 0; round < kMostRounds && offOf(best) > 0; ++round) {
+    for (std::size_t i = 0; i < dials.size(); ++i) {
+      std::uint64_t wanted = dials[i].always + settings[i].staying;
+      if (counts[i] == wanted) continue;
+      auto more = std::int64_t(asked[i]) + std::int64_t(wanted) - std::int64_t(counts[i]);
+      asked[i] = std::uint64_t(std::clamp<std::int64_t>(more, 0, std::int64_t(dials[i].candidates.size())));
+      setDial(scene, cuts, dials[i].path, field, settingFor(dials[i], asked[i]).number);
+    }
+    counts = countDials(scene, dials, sheets, aspect);
+    if (offOf(counts) < offOf(best)) best = counts, bestScene = scene;
+  }
+  scene = std::move(bestScene);
+  return best;
 }
 
 }  // namespace
@@ -238,10 +285,13 @@ std::uint64_t turnDials(scene::Scene& scene, const std::vector<int>& cuts, const
     if (DialSetting setting = settingFor(dials[i], std::uint64_t(other)); setting.staying == std::uint64_t(other))
       settings[i] = setting, missing = 0;
   }
-  for (std::size_t i = 0; i < dials.size(); ++i)
-    setDial(scene, cuts, dials[i].path, field, settings[i].number);
+  for (std::size_t i = 0; i < dials.size(); ++i) setDial(scene, cuts, dials[i].path, field, settings[i].number);
   // Who draws has the last word.
   std::vector<std::uint64_t> counts = countDials(scene, dials, sheets, aspect);
+  if (dials.size() > 1 && hasFocus(scene)) {
+    counts = turnTogether(scene, cuts, dials, field, settings, counts, sheets, aspect);
+    return std::accumulate(counts.begin(), counts.end(), std::uint64_t(0));
+  }
   bool isChanged = false;
   for (std::size_t i = 0; i < dials.size(); ++i) {
     if (counts[i] == dials[i].always + settings[i].staying) continue;

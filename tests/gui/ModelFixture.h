@@ -8,10 +8,13 @@ namespace velum::gui {
 /// A window with a small model of five types.
 class ModelWindow : public Window {
  protected:
-  void openModel(int types = 5) {
+  void openModel(int types = 5) { open({.types = types, .instances = 400, .moleculeRadius = 20.0f}); }
+  /// So many in so little room that most are hidden.
+  void openDenseModel() { open({.types = 5, .atoms = 150, .instances = 3000, .moleculeRadius = 20.0f}); }
+  void open(const ModelMaker& maker) {
     scene::Scene scene;
     scene.unit = LengthUnit::Angstrom;
-    scene.model.data = Shared<Model>(ModelMaker{.types = types, .instances = 400, .moleculeRadius = 20.0f}.make());
+    scene.model.data = Shared<Model>(maker.make());
     mWindow->resize(1100, 860);
     mWindow->showScene(scene, "made");
     drawSoon();

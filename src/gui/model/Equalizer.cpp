@@ -5,6 +5,7 @@
 
 #include "velum/core/Error.h"
 #include "velum/session/model/CountPictures.h"
+#include "velum/session/model/HandleSolver.h"
 #include "velum/session/model/ModelEdit.h"
 #include "velum/session/model/TargetSolver.h"
 #include "velum/session/model/TypesAt.h"
@@ -29,12 +30,20 @@ struct Equalizer::Held {
   session::TypesAt place;
   Handle handle = Handle::Drawn;
   scene::Scene before, from;  ///< as it was; with what a handle needs
-  std::vector<int> cuts;
-  std::unique_ptr<session::RenderedSolver> solver;
+  std::vector<int> cuts;  ///< that are set
+  std::unique_ptr<session::HandleSolver> solver;         ///< of all cuts
+  std::unique_ptr<session::RenderedSolver> ofCuts;  ///< of those alone, instead
   render::TypeCount start, now;
   std::uint64_t wanted = 0;
   bool isMoved = false;
-  std::string words;
+
+  session::Solved solve(double drawn) {
+    if (ofCuts) return ofCuts->solve(drawn);
+    session::Solved solved = solver->solve(drawn);
+    cuts = solver->cuts();
+    return solved;
+  }
+  std::uint64_t total() const { return (ofCuts ? ofCuts->range() : solver->range()).total; }
 };
 
 Equalizer::Equalizer(session::Session& session, Viewport& viewport, JobRunner& jobs, QObject* parent)
@@ -83,14 +92,17 @@ void Equalizer::take(const std::string& path, Handle handle) {
   held->handle = handle;
   held->before = held->from = scene;
   held->cuts = cuts();
-  if (held->cuts.empty()) held->cuts = session::cutsToSet(held->from);
   // Who asks for more of what is hidden wants to see it.
   if (isNone(held->from, held->place.types)) session::setTypesVisible(held->from, held->place.types, true);
   bool isForView = handle == Handle::Seen && session::isCleared(held->from, held->cuts, held->place.types);
   double aspect = double(mViewport.width()) / std::max(1, mViewport.height());
-  held->solver = std::make_unique<session::RenderedSolver>(
-      held->from, held->cuts, held->place.path, mSession.membranes().indices(), aspect,
-      isForView ? session::DialField::ViewShare : session::DialField::Share);
+  auto field = isForView ? session::DialField::ViewShare : session::DialField::Share;
+  const std::string& whole = held->place.path;
+  render::SheetIndices sheets = mSession.membranes().indices();
+  if (isForView || !mChosen.empty())
+    held->ofCuts = std::make_unique<session::RenderedSolver>(held->from, held->cuts, whole, sheets, aspect, field);
+  else
+    held->solver = std::make_unique<session::HandleSolver>(held->from, whole, sheets, aspect);
   held->start = held->now = countOf(path);
   mHeld = std::move(held);
 }
@@ -105,13 +117,12 @@ void Equalizer::moveTo(double count) {
     double visible = double(held.start.visible), rendered = double(held.start.rendered());
     drawn = visible > 0.0 ? count * rendered / visible : rendered + count;
   }
-  session::Solved solved = held.solver->solve(drawn);
+  session::Solved solved = held.solve(drawn);
   held.isMoved = true;
-  held.words = solved.words;
   double seen = held.start.rendered() > 0 ? double(held.start.visible) / double(held.start.rendered()) : 1.0;
   held.now.visible = std::min(solved.reached, std::uint64_t(std::llround(double(solved.reached) * seen)));
   held.now.hidden = solved.reached - held.now.visible;
-  held.now.clipped = held.solver->range().total - solved.reached;
+  held.now.clipped = held.total() - solved.reached;
   mSession.document().edit(
       labelOf(held.place),
       [&](scene::Scene& scene) {
@@ -120,7 +131,7 @@ void Equalizer::moveTo(double count) {
       },
       true);
   emit counted();
-  emit told(QString::fromStdString(held.words));
+  emit told(QString::fromStdString(solved.words));
 }
 
 void Equalizer::letGo() {
@@ -157,8 +168,7 @@ void Equalizer::findSeen(std::unique_ptr<Held> held) {
   search->held = std::move(held);
   double ratio = mViewport.devicePixelRatioF();
   glm::ivec2 size(std::lround(mViewport.width() * ratio), std::lround(mViewport.height() * ratio));
-  scene::Scene from = search->held->from;
-  from.camera = mSession.scene().camera;
+  scene::Scene from = mSession.scene();
   auto work = [search, from, size](Progress& progress) {
     const Held& of = *search->held;
     search->solved =

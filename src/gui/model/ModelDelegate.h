@@ -3,14 +3,9 @@
 #include <QStyledItemDelegate>
 
 #include "ModelTree.h"
+#include "kit/CountBar.h"
 
 namespace velum::gui {
-
-/// Where the parts of a row's bar end, in pixels from its left end.
-struct RowBar {
-  QRectF box;  ///< of all of it; empty: nothing is known of the row
-  double seen = 0.0, drawn = 0.0, all = 0.0;
-};
 
 /// Paints the rows of a ModelList: eye, colour, name, bar, number; and reads numbers that are typed.
 class ModelDelegate : public QStyledItemDelegate {
@@ -21,7 +16,7 @@ class ModelDelegate : public QStyledItemDelegate {
   QSize sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const override { return {40, mRowHeight}; }
   void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
   /// @param cell  of the column Bar
-  RowBar barOf(const TypeTree::Row& row, QRect cell) const;
+  CountBar barOf(const TypeTree::Row& row, QRect cell) const;
   /// The row under the pointer elsewhere, in the picture; -1: none.
   void setPointed(int type) { mPointed = type; }
 
@@ -34,8 +29,6 @@ class ModelDelegate : public QStyledItemDelegate {
   void typed(const QModelIndex& index, const QString& text) const;
 
  private:
-  void paintBar(QPainter& painter, const QStyleOptionViewItem& option, const TypeTree::Row& row) const;
-
   const ModelTree& mTree;
   int mRowHeight;
   int mPointed = -1;

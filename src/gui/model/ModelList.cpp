@@ -4,6 +4,7 @@
 #include <QHeaderView>
 #include <QMouseEvent>
 #include <QScrollBar>
+#include <QToolTip>
 #include <algorithm>
 #include <cmath>
 
@@ -13,6 +14,7 @@ namespace {
 
 constexpr int kRowHeight = 25;
 constexpr int kWidths[ModelTree::kColumns] = {26, 20, 0, 112, 50};
+constexpr int kWordsMs = 4000;
 constexpr double kGrip = 5.0;   // pixels about a knob
 constexpr double kStep = 0.05;  // of a row's instances, by the keyboard
 constexpr std::size_t kMostOpen = 80;  // types of a tree that is opened whole
@@ -44,7 +46,7 @@ ModelList::ModelList(ModelCommands& commands, Equalizer& equalizer, QWidget* par
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setVerticalScrollMode(ScrollPerPixel);
   verticalScrollBar()->setSingleStep(kRowHeight);
-  setMinimumHeight(8 * kRowHeight);
+  setMinimumHeight(12 * kRowHeight);
   header()->setStretchLastSection(false);
   header()->setMinimumSectionSize(10);
   for (int i = 0; i < ModelTree::kColumns; ++i) {
@@ -53,11 +55,19 @@ ModelList::ModelList(ModelCommands& commands, Equalizer& equalizer, QWidget* par
   }
   connect(mDelegate, &ModelDelegate::typed, this, &ModelList::setTyped);
   connect(&mEqualizer, &Equalizer::counted, this, &ModelList::showCounts);
+  connect(&mEqualizer, &Equalizer::told, this, &ModelList::sayWords);
 }
 
 void ModelList::showCounts() {
   mTree->showCounts();
   if (mEqualizer.counts().isExact() && !mEqualizer.isHeld() && !underMouse()) mOrder->look();
+}
+
+/// Beside the row: a banner would move the picture under it.
+void ModelList::sayWords(const QString& words) {
+  QModelIndex row = mHeldBar.isValid() ? QModelIndex(mHeldBar) : currentIndex();
+  QRect cell = visualRect(row.siblingAtColumn(ModelTree::Bar));
+  QToolTip::showText(viewport()->mapToGlobal(cell.bottomLeft()), words, viewport(), {}, kWordsMs);
 }
 
 void ModelList::setPercent(bool percent) {
@@ -138,7 +148,7 @@ QRect ModelList::cellOfType(int type, ModelTree::Column column) const {
   return visualRect(mOrder->mapFromSource(mTree->indexOfType(type, column)));
 }
 
-RowBar ModelList::barOf(int row) const {
+CountBar ModelList::barOf(int row) const {
   QModelIndex index = mOrder->mapFromSource(mTree->indexOfRow(row, ModelTree::Bar));
   return mDelegate->barOf(mTree->rows()[std::size_t(row)], visualRect(index));
 }
@@ -157,10 +167,10 @@ session::TypeNumbers ModelList::typesFor(const QModelIndex& shown) const {
 
 /// The handle that is nearest: of two at one place that which lies in the way that the pointer is off.
 Equalizer::Handle ModelList::handleAt(const QModelIndex& index, double x) const {
-  RowBar bar = mDelegate->barOf(rowOf(index), visualRect(index.siblingAtColumn(ModelTree::Bar)));
-  double at = x - bar.box.left(), toSeen = std::abs(at - bar.seen), toDrawn = std::abs(at - bar.drawn);
-  if (toSeen == toDrawn) return at < bar.seen ? Equalizer::Handle::Seen : Equalizer::Handle::Drawn;
-  return toSeen < toDrawn ? Equalizer::Handle::Seen : Equalizer::Handle::Drawn;
+  CountBar bar = mDelegate->barOf(rowOf(index), visualRect(index.siblingAtColumn(ModelTree::Bar)));
+  double at = x - bar.box.left(), toSeen = std::abs(at - bar.seen), toLeft = std::abs(at - bar.left);
+  if (toSeen == toLeft) return at < bar.seen ? Equalizer::Handle::Seen : Equalizer::Handle::Drawn;
+  return toSeen < toLeft ? Equalizer::Handle::Seen : Equalizer::Handle::Drawn;
 }
 
 bool ModelList::takeHandle(const QModelIndex& index, double x) {
@@ -170,8 +180,8 @@ bool ModelList::takeHandle(const QModelIndex& index, double x) {
     setCurrentIndex(index.siblingAtColumn(ModelTree::Name));
   mHeldBar = index;
   Equalizer::Handle handle = handleAt(index, x);
-  RowBar bar = mDelegate->barOf(row, visualRect(index));
-  double off = x - bar.box.left() - (handle == Equalizer::Handle::Seen ? bar.seen : bar.drawn);
+  CountBar bar = mDelegate->barOf(row, visualRect(index));
+  double off = x - bar.box.left() - (handle == Equalizer::Handle::Seen ? bar.seen : bar.left);
   mEqualizer.take(row.path, handle);
   // Whoever takes the knob moves it by what the pointer moves; whoever presses elsewhere brings it there.
   mGrip = std::abs(off) <= kGrip ? off : 0.0;
@@ -181,11 +191,10 @@ bool ModelList::takeHandle(const QModelIndex& index, double x) {
 
 void ModelList::dragHandle(double x) {
   const TypeTree::Row& row = rowOf(mHeldBar);
-  RowBar bar = mDelegate->barOf(row, visualRect(QModelIndex(mHeldBar).siblingAtColumn(ModelTree::Bar)));
+  CountBar bar = mDelegate->barOf(row, visualRect(QModelIndex(mHeldBar).siblingAtColumn(ModelTree::Bar)));
   if (bar.box.isEmpty()) return;
   double total = double(mTree->countOf(row).total());
-  double place = (x - mGrip - bar.box.left()) / bar.box.width();
-  mEqualizer.moveTo(std::round(mTree->scale().count(place, total)));
+  mEqualizer.moveTo(std::round(bar.countAt(x - mGrip, mTree->scale(), total)));
 }
 
 /// So many more or fewer, of the row that the keyboard is in.

@@ -31,7 +31,7 @@ class ModelList : public QTreeView {
   /// The type under the pointer in the picture; -1: none.
   void setPointed(int type);
   /// The ends of a row's bar, for tests. @param row  of the tree
-  RowBar barOf(int row) const;
+  CountBar barOf(int row) const;
   /// Where a column of a type's or a compartment's row is, for tests.
   QRect cellOfType(int type, ModelTree::Column column) const;
 
@@ -59,6 +59,7 @@ class ModelList : public QTreeView {
   bool pressCell(const QModelIndex& index, QMouseEvent* event);
   void openSome();
   void showCounts();
+  void sayWords(const QString& words);
   Equalizer::Handle handleAt(const QModelIndex& index, double x) const;
   bool takeHandle(const QModelIndex& index, double x);
   void dragHandle(double x);

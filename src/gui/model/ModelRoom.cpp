@@ -35,7 +35,6 @@ void ModelRoom::refresh(const session::Session& session) {
 
 void ModelRoom::connectEqualizer() {
   Viewport& viewport = mParts.views.viewport();
-  connect(mEqualizer, &Equalizer::told, this, [this](const QString& words) { mParts.messages.showNote(words); });
   connect(mCommands, &ModelCommands::hidingAsked, this, &ModelRoom::findHiding);
   connect(&mPanel->list(), &ModelList::refused, this, [this](const QString& why) { mParts.messages.showNote(why); });
   connect(&mPanel->list(), &ModelList::hovered, this, [this, &viewport](const session::TypeNumbers& types) {

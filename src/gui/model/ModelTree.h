@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "BarScale.h"
 #include "Equalizer.h"
+#include "kit/BarScale.h"
 #include "kit/TypeTree.h"
 #include "velum/scene/ModelLayer.h"
 

@@ -6,7 +6,9 @@
 #include <QMouseEvent>
 #include <QScrollBar>
 #include <QStyledItemDelegate>
+#include <QToolTip>
 #include <algorithm>
+#include <cmath>
 
 #include "StructureCommands.h"
 #include "kit/RowPaint.h"
@@ -16,12 +18,13 @@ namespace velum::gui {
 namespace {
 
 constexpr int kRowHeight = 25;
-constexpr int kWidths[StructureModel::kColumns] = {28, 22, 0, 46, 52, 24};
+constexpr int kWidths[StructureModel::kColumns] = {28, 22, 0, 46, 52, 24, 122};
+constexpr double kGrip = 5.0, kBarStep = 0.05;
 constexpr double kBarMargin = 5.0;
 
 class Delegate : public QStyledItemDelegate {
  public:
-  using QStyledItemDelegate::QStyledItemDelegate;
+  Delegate(const StructureModel& rows, QObject* parent) : QStyledItemDelegate(parent), mRows(rows) {}
 
   QSize sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const override { return {40, kRowHeight}; }
 
@@ -29,7 +32,7 @@ class Delegate : public QStyledItemDelegate {
     painter->save();
     painter->setRenderHint(QPainter::Antialiasing);
     int column = index.column();
-    paintRowGround(*painter, option, column == 0, column == StructureModel::kColumns - 1);
+    paintRowGround(*painter, option, column == 0, column >= StructureModel::Solo);
     bool visible = index.data(StructureModel::VisibleRole).toBool();
     QRectF box(option.rect);
     if (column == StructureModel::Eye) paintEye(*painter, box, rowTextColor(option, visible), visible);
@@ -37,6 +40,8 @@ class Delegate : public QStyledItemDelegate {
     if (column == StructureModel::Name) paintText(*painter, option, index, visible, Qt::AlignLeft);
     if (column == StructureModel::Size) paintText(*painter, option, index, false, Qt::AlignRight);
     if (column == StructureModel::Opacity) paintBar(*painter, option, index, visible);
+    if (column == StructureModel::Bar)
+      paintCountBar(*painter, option, mRows.barOf(index.data(StructureModel::IdRole).toInt(), option.rect), false);
     if (column == StructureModel::Solo) paintSolo(*painter, option, index.data(StructureModel::SoloRole).toBool());
     painter->restore();
   }
@@ -94,20 +99,23 @@ class Delegate : public QStyledItemDelegate {
     painter.setPen(color);
     painter.drawText(box, Qt::AlignCenter, "S");
   }
+
+  const StructureModel& mRows;
 };
 
 }  // namespace
 
-StructureList::StructureList(StructureCommands& commands, QWidget* parent)
+StructureList::StructureList(StructureCommands& commands, AreaMeter& areas, QWidget* parent)
     : QTreeView(parent),
       mCommands(commands),
-      mModel(new StructureModel(commands.meter(), this)),
+      mAreas(areas),
+      mModel(new StructureModel(commands.meter(), areas, this)),
       mOrder(new StructureOrder(this)) {
   setObjectName("structureList");
   setAccessibleName(tr("Structures"));
   mOrder->setSourceModel(mModel);
   setModel(mOrder);
-  setItemDelegate(new Delegate(this));
+  setItemDelegate(new Delegate(*mModel, this));
   setRootIsDecorated(false);
   setUniformRowHeights(true);
   setHeaderHidden(true);
@@ -125,7 +133,48 @@ StructureList::StructureList(StructureCommands& commands, QWidget* parent)
     header()->setSectionResizeMode(i, i == StructureModel::Name ? QHeaderView::Stretch : QHeaderView::Fixed);
     if (kWidths[i]) header()->resizeSection(i, kWidths[i]);
   }
+  setBars(false);
+  connect(&mAreas, &AreaMeter::measured, mModel, &StructureModel::areasChanged);
+  connect(&mAreas, &AreaMeter::told, this, [this](const QString& words) {
+    int id = mBarId ? mBarId : currentIndex().data(StructureModel::IdRole).toInt();
+    QToolTip::showText(viewport()->mapToGlobal(cellOf(id, StructureModel::Bar).bottomLeft()), words, viewport());
+  });
   connect(mModel, &StructureModel::renamed, &mCommands, &StructureCommands::rename);
+}
+
+void StructureList::setBars(bool shown) {
+  for (int column : {StructureModel::Size, StructureModel::Opacity, StructureModel::Solo})
+    setColumnHidden(column, shown);
+  setColumnHidden(StructureModel::Bar, !shown);
+}
+
+bool StructureList::takeBar(int id, double x) {
+  CountBar bar = barOf(id);
+  if (bar.box.isEmpty()) return false;
+  selectId(id);
+  mBarId = id;
+  if (!mAreas.take(id)) {
+    mBarId = 0;
+    return true;
+  }
+  // Whoever takes the knob moves it by what the pointer moves; whoever presses elsewhere brings it there.
+  double off = x - bar.box.left() - bar.left;
+  mGrip = std::abs(off) <= kGrip ? off : 0.0;
+  if (mGrip == 0.0) dragBar(x);
+  return true;
+}
+
+void StructureList::dragBar(double x) {
+  const session::StructureArea* area = mAreas.find(mBarId);
+  if (area) mAreas.moveTo(barOf(mBarId).countAt(x - mGrip, BarScale(), double(area->total())));
+}
+
+void StructureList::stepBar(int steps) {
+  int id = currentIndex().data(StructureModel::IdRole).toInt();
+  const session::StructureArea* area = mAreas.find(id);
+  if (!area || !mAreas.take(id)) return;
+  mAreas.moveTo(double(area->left()) + kBarStep * steps * double(area->total()));
+  mAreas.letGo();
 }
 
 std::vector<int> StructureList::selectedIds() const {
@@ -192,6 +241,8 @@ bool StructureList::pressCell(const QModelIndex& index, QMouseEvent* event) {
     case StructureModel::Solo:
       mCommands.toggleSolo(id);
       return true;
+    case StructureModel::Bar:
+      return takeBar(id, event->position().x());
     default:
       return false;
   }
@@ -204,11 +255,14 @@ void StructureList::mousePressEvent(QMouseEvent* event) {
 }
 
 void StructureList::mouseMoveEvent(QMouseEvent* event) {
+  if (mBarId) return dragBar(event->position().x());
   if (mOpacityId) return dragOpacity(int(event->position().x()));
   if (!mIsHeld) QTreeView::mouseMoveEvent(event);
 }
 
 void StructureList::mouseReleaseEvent(QMouseEvent* event) {
+  if (mBarId) mAreas.letGo();
+  mBarId = 0;
   if (mOpacityId) mCommands.document().endMerge();
   mOpacityId = 0;
   if (!mIsHeld) QTreeView::mouseReleaseEvent(event);
@@ -243,11 +297,20 @@ bool StructureList::event(QEvent* event) {
     constexpr int kOwn[] = {Qt::Key_Space, Qt::Key_F2, Qt::Key_Return, Qt::Key_Enter,
                             Qt::Key_Delete};  // Del would remove a cut that nobody thinks of here
     if (std::find(std::begin(kOwn), std::end(kOwn), key) != std::end(kOwn)) event->accept();
+    bool isStep = key == Qt::Key_Left || key == Qt::Key_Right;
+    if (isStep && static_cast<QKeyEvent*>(event)->modifiers() & Qt::ControlModifier) event->accept();
+    if (key == Qt::Key_Escape && mAreas.isHeld()) event->accept();
   }
   return QTreeView::event(event);
 }
 
 void StructureList::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Escape && mAreas.isHeld()) {
+    mBarId = 0;
+    return mAreas.giveUp();
+  }
+  if (event->modifiers() & Qt::ControlModifier && (event->key() == Qt::Key_Left || event->key() == Qt::Key_Right))
+    return stepBar(event->key() == Qt::Key_Right ? 1 : -1);
   std::vector<int> ids = selectedIds();
   if (!ids.empty() && event->key() == Qt::Key_Space) {
     bool visible = currentIndex().data(StructureModel::VisibleRole).toBool();

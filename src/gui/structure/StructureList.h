@@ -12,7 +12,10 @@ class StructureCommands;
 class StructureList : public QTreeView {
   Q_OBJECT
  public:
-  StructureList(StructureCommands& commands, QWidget* parent);
+  StructureList(StructureCommands& commands, AreaMeter& areas, QWidget* parent);
+  /// Bars of what is seen of them in the place of sizes and opacities.
+  void setBars(bool shown);
+  CountBar barOf(int id) const { return mModel->barOf(id, cellOf(id, StructureModel::Bar)); }
 
   StructureModel& rows() { return *mModel; }
   StructureOrder& order() { return *mOrder; }
@@ -46,9 +49,16 @@ class StructureList : public QTreeView {
   void dragOpacity(int x);
   void chooseColor(int id);
 
+  bool takeBar(int id, double x);
+  void dragBar(double x);
+  void stepBar(int steps);
+
   StructureCommands& mCommands;
+  AreaMeter& mAreas;
   StructureModel* mModel;
   StructureOrder* mOrder;
+  int mBarId = 0;        ///< Whose bar is dragged; 0: none's.
+  double mGrip = 0.0;    ///< How far the pointer is off its knob.
   int mOpacityId = 0;    ///< Whose opacity is dragged; 0: none's.
   bool mIsHeld = false;  ///< A press was taken by a cell: what follows is not for the selection.
   bool mIsQuiet = false;

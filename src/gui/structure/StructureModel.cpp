@@ -19,8 +19,8 @@ QString volumeText(double volume) {
 
 }  // namespace
 
-StructureModel::StructureModel(const StructureMeter& meter, QObject* parent)
-    : QAbstractTableModel(parent), mMeter(meter) {}
+StructureModel::StructureModel(const StructureMeter& meter, const AreaMeter& areas, QObject* parent)
+    : QAbstractTableModel(parent), mMeter(meter), mAreas(areas) {}
 
 void StructureModel::setRows(const std::vector<scene::Structure>& rows, std::optional<int> solo) {
   bool sameIds = std::equal(rows.begin(), rows.end(), mRows.begin(), mRows.end(),
@@ -62,6 +62,16 @@ void StructureModel::sizesChanged() {
   if (!mRows.empty()) emit dataChanged(index(0, Size), index(int(mRows.size()) - 1, Size));
 }
 
+void StructureModel::areasChanged() {
+  if (!mRows.empty()) emit dataChanged(index(0, Bar), index(int(mRows.size()) - 1, Bar));
+}
+
+CountBar StructureModel::barOf(int id, QRect cell) const {
+  const session::StructureArea* area = mAreas.find(id);
+  if (!area) return {};
+  return layCountBar(cell, BarScale(), double(area->visible), double(area->left()), double(area->total()));
+}
+
 int StructureModel::rowOf(int id) const {
   auto found = std::find_if(mRows.begin(), mRows.end(), [id](const auto& row) { return row.id == id; });
   return found == mRows.end() ? -1 : int(found - mRows.begin());
@@ -84,6 +94,16 @@ QString StructureModel::tipOf(const scene::Structure& structure, int column) con
       return tr("Click to choose another colour");
     case Opacity:
       return tr("Opacity %1 %: drag to change").arg(std::lround(structure.opacity * 100.0));
+    case Bar: {
+      const session::StructureArea* area = mAreas.find(structure.id);
+      if (!area || area->total() == 0) return tr("How much of it is seen, hidden and removed: it is not in the picture");
+      auto share = [&](std::uint64_t part) {
+        return QString::number(100.0 * double(part) / double(area->total()), 'f', 1);
+      };
+      return tr("Of where it would be in the picture, %1 % show it, on %2 % it is behind others, on %3 % cuts remove "
+                "it.\nDrag the knob to pull it out of the cuts (Ctrl+Right, Ctrl+Left)")
+          .arg(share(area->visible), share(area->hidden), share(area->clipped));
+    }
     case Solo:
       return mSolo == structure.id ? tr("Shown alone: click to show what was shown before") : tr("Show it alone");
     default:
@@ -137,7 +157,7 @@ QVariant StructureModel::data(const QModelIndex& index, int role) const {
 QVariant StructureModel::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
   const QString names[kColumns] = {tr("Shown"),   tr("Colour"), tr("Name"), tr("Size, %1").arg(volumeUnit()),
-                                   tr("Opacity"), tr("Solo")};
+                                   tr("Opacity"), tr("Solo"),   tr("Seen, hidden, removed")};
   return names[section];
 }
 

@@ -5,7 +5,9 @@
 #include <optional>
 #include <vector>
 
+#include "AreaMeter.h"
 #include "StructureMeter.h"
+#include "kit/CountBar.h"
 #include "velum/scene/Structure.h"
 
 namespace velum::gui {
@@ -15,10 +17,10 @@ namespace velum::gui {
 class StructureModel : public QAbstractTableModel {
   Q_OBJECT
  public:
-  enum Column { Eye, Swatch, Name, Size, Opacity, Solo, kColumns };
+  enum Column { Eye, Swatch, Name, Size, Opacity, Solo, Bar, kColumns };
   enum Role { IdRole = Qt::UserRole, VisibleRole, ColorRole, OpacityRole, SoloRole, VoxelsRole };
 
-  StructureModel(const StructureMeter& meter, QObject* parent);
+  StructureModel(const StructureMeter& meter, const AreaMeter& areas, QObject* parent);
 
   /// Takes the structures over, row by row where the ids are the same.
   /// @param solo  that is shown alone
@@ -27,6 +29,10 @@ class StructureModel : public QAbstractTableModel {
   void setLengthUnit(LengthUnit unit);
   /// The sizes are known, or no longer.
   void sizesChanged();
+  /// How much of the picture they take is known, or another.
+  void areasChanged();
+  /// The bar of a row in a cell.
+  CountBar barOf(int id, QRect cell) const;
   /// -1: no such row.
   int rowOf(int id) const;
 
@@ -47,6 +53,7 @@ class StructureModel : public QAbstractTableModel {
   QString tipOf(const scene::Structure& structure, int column) const;
 
   const StructureMeter& mMeter;
+  const AreaMeter& mAreas;
   LengthUnit mLengthUnit = LengthUnit::Millimetre;
   std::vector<scene::Structure> mRows;
   std::optional<int> mSolo;

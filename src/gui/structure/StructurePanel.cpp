@@ -30,8 +30,8 @@ QVBoxLayout* makeColumn(QWidget* widget, int spacing) {
 
 }  // namespace
 
-StructurePanel::StructurePanel(StructureCommands& commands, Selection& selection, QWidget* parent)
-    : QWidget(parent), mCommands(commands), mDocument(commands.document()), mSelection(selection) {
+StructurePanel::StructurePanel(StructureCommands& commands, AreaMeter& areas, Selection& selection, QWidget* parent)
+    : QWidget(parent), mCommands(commands), mAreas(areas), mDocument(commands.document()), mSelection(selection) {
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Expanding);
   auto* layout = makeColumn(this, 0);
   mEmpty = makeEmpty();
@@ -41,7 +41,7 @@ StructurePanel::StructurePanel(StructureCommands& commands, Selection& selection
   full->addWidget(makeLine(mFull));
   auto* list = new QWidget(mFull);
   auto* rows = makeColumn(list, 6);
-  mList = new StructureList(commands, list);
+  mList = new StructureList(commands, areas, list);
   rows->addWidget(makeSearch());
   rows->addWidget(mList, 1);
   rows->addWidget(makeFoot());
@@ -175,7 +175,19 @@ QWidget* StructurePanel::makeSearch() {
   sort->setMenu(menu);
   for (QWidget* part : {static_cast<QWidget*>(mSearch), static_cast<QWidget*>(sort)})
     part->setFixedHeight(kFieldHeight);
+  auto* bars = new QToolButton(bar);
+  bars->setObjectName("structureBars");
+  bars->setText(tr("Bars"));
+  bars->setCheckable(true);
+  bars->setToolTip(tr("How much of each structure is seen, hidden and removed in the picture; drag a bar to pull the "
+                      "structure out of the cuts"));
+  bars->setFixedHeight(kFieldHeight);
+  connect(bars, &QToolButton::toggled, this, [this](bool on) {
+    mList->setBars(on);
+    mAreas.setOn(on);
+  });
   row->addWidget(mSearch, 1);
+  row->addWidget(bars);
   row->addWidget(sort);
   connect(mSearch, &QLineEdit::textChanged, this, &StructurePanel::setSearch);
   connect(mSearch, &QLineEdit::returnPressed, this, [this] { mList->setFocus(); });

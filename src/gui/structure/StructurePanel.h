@@ -16,7 +16,7 @@ namespace velum::gui {
 class StructurePanel : public QWidget {
   Q_OBJECT
  public:
-  StructurePanel(StructureCommands& commands, Selection& selection, QWidget* parent);
+  StructurePanel(StructureCommands& commands, AreaMeter& areas, Selection& selection, QWidget* parent);
   /// Shows the document as it is now; does next to nothing when no label has changed.
   void refresh();
   std::vector<int> selectedIds() const { return mList->selectedIds(); }
@@ -41,6 +41,7 @@ class StructurePanel : public QWidget {
   void setSearch(const QString& text);
 
   StructureCommands& mCommands;
+  AreaMeter& mAreas;
   session::Document& mDocument;
   Selection& mSelection;
   StructureList* mList = nullptr;

@@ -3,10 +3,13 @@
 namespace velum::gui {
 
 StructureRoom::StructureRoom(const WindowParts& parts)
-    : Room(parts), mCommands(new StructureCommands(parts.document(), parts.selection, this)), mPanel(nullptr) {
+    : Room(parts),
+      mCommands(new StructureCommands(parts.document(), parts.selection, this)),
+      mAreas(new AreaMeter(parts.session, parts.views.viewport(), this)),
+      mPanel(nullptr) {
   // Before the panel hears of it: a list that is not shown cannot be edited.
   connect(mCommands, &StructureCommands::renameAsked, this, [this] { mParts.tabs.showPage(mPanel); });
-  mPanel = new StructurePanel(*mCommands, parts.selection, &parts.tabs);
+  mPanel = new StructurePanel(*mCommands, *mAreas, parts.selection, &parts.tabs);
   parts.tabs.addPage(mPanel, tr("Structures"), tr("Labelled structures: name, colour, opacity, what is shown"));
   connect(mPanel, &StructurePanel::openLabelsAsked, this, &StructureRoom::openLabelsAsked);
   connectViews();
@@ -19,6 +22,7 @@ void StructureRoom::refresh(const session::Session& session) {
   mIsModelAlone = scene.model.data && !scene.volume.data && !scene.labels.data;
   mParts.tabs.setPageShown(mPanel, !mIsModelAlone);
   mPanel->refresh();
+  mAreas->refresh();
 }
 
 void StructureRoom::connectViews() {

@@ -12,6 +12,7 @@ class StructureRoom : public Room {
   explicit StructureRoom(const WindowParts& parts);
   void refresh(const session::Session& session) override;
   StructureCommands& commands() { return *mCommands; }
+  AreaMeter& areas() { return *mAreas; }
   /// Of the rows that are selected in the list.
   std::vector<int> selectedIds() const { return mPanel->selectedIds(); }
 
@@ -26,6 +27,7 @@ class StructureRoom : public Room {
   void connectViews();
 
   StructureCommands* mCommands;
+  AreaMeter* mAreas;
   StructurePanel* mPanel;
   bool mIsModelAlone = false;  ///< Nothing is open that could have structures.
 };

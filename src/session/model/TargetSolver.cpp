@@ -388,12 +388,15 @@ Solved solveVisible(const scene::Scene& scene, const std::vector<int>& cuts, std
   return {std::move(report.scene), *of.wantedVisible, *of.visible, of.words};
 }
 
-std::vector<int> cutsToSet(scene::Scene& scene) {
-  std::vector<int> cuts = enabledCuts(scene);
-  if (!cuts.empty()) return cuts;
+int addCutEverywhere(scene::Scene& scene) {
   scene::Cut cut = makeCut(scene, scene::CutShape::Everywhere);
   cut.name = newCutName(scene, scene::CutShape::Everywhere);
-  return {scene::addCut(scene, std::move(cut))};
+  return scene::addCut(scene, std::move(cut));
+}
+
+std::vector<int> cutsToSet(scene::Scene& scene) {
+  std::vector<int> cuts = enabledCuts(scene);
+  return cuts.empty() ? std::vector<int>{addCutEverywhere(scene)} : cuts;
 }
 
 }  // namespace velum::session

@@ -85,6 +85,9 @@ Solved solveVisible(const scene::Scene& scene, const std::vector<int>& cuts, std
                     const CountPicture& picture, const render::SheetIndices& sheets = {},
                     double aspect = render::kUsualAspect);
 
+/// Adds a cut that is everywhere and removes nothing until shares say so. @return its id
+int addCutEverywhere(scene::Scene& scene);
+
 /// Adds a cut everywhere, which removes nothing until shares say so, where no cut is on whose share could be set.
 /// @return the ids of the cuts that are on
 std::vector<int> cutsToSet(scene::Scene& scene);

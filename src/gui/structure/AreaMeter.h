@@ -1,0 +1,63 @@
+#pragma once
+#include <QObject>
+#include <QTimer>
+#include <memory>
+#include <vector>
+
+#include "kit/Job.h"
+#include "velum/session/Session.h"
+#include "velum/session/extrusion/AreaSolver.h"
+#include "velum/session/structure/StructureAreas.h"
+#include "view/Viewport.h"
+
+namespace velum::gui {
+
+/// How much of the picture each structure takes: seen, hidden, removed. Counted in the background in a small picture,
+/// while somebody looks at the bars; and what their handles do: they set how far a structure stands out of the cuts.
+class AreaMeter : public QObject {
+  Q_OBJECT
+ public:
+  AreaMeter(session::Session& session, Viewport& viewport, QObject* parent);
+  ~AreaMeter() override;
+
+  void setOn(bool on);
+  bool isOn() const { return mIsOn; }
+  /// The session has changed.
+  void refresh();
+  bool isMeasuring() const { return mJob != nullptr || mPatience.isActive(); }
+  /// Null where nothing is known of it.
+  const session::StructureArea* find(int id) const;
+
+  /// Takes hold of the handle of a structure; says why where it cannot be. @return true where it is held
+  bool take(int id);
+  void moveTo(double pixels);
+  void letGo();
+  /// As it was before it was taken.
+  void giveUp();
+  bool isHeld() const { return bool(mHeld); }
+
+ signals:
+  void measured();
+  /// What a handle has come to, in words.
+  void told(const QString& words);
+
+ private:
+  struct Held;
+  struct Result {
+    std::vector<render::StructureHit> hits;
+    std::vector<session::StructureArea> areas;
+    std::vector<int> cuts;
+  };
+  void measure();
+
+  session::Session& mSession;
+  Viewport& mViewport;
+  bool mIsOn = false;
+  QTimer mPatience;
+  std::unique_ptr<Job> mJob;
+  scene::Scene mMeasured;  ///< what the result is of, or will be
+  Result mResult;
+  std::unique_ptr<Held> mHeld;
+};
+
+}  // namespace velum::gui

@@ -1,0 +1,84 @@
+#include "velum/session/model/HandleSolver.h"
+
+#include <gtest/gtest.h>
+
+#include "makeModel.h"
+#include "velum/session/cut/CutEdit.h"
+#include "velum/session/model/TypesAt.h"
+
+namespace velum::session {
+
+namespace {
+
+scene::Scene cutScene() {
+  scene::Scene scene;
+  scene.unit = LengthUnit::Angstrom;
+  scene.model.data = Shared<Model>(ModelMaker{.types = 4, .instances = 2000}.make());
+  scene::Cut cut = makeCut(scene, scene::CutShape::Sphere);
+  cut.centre = glm::dvec3(0.0);
+  cut.size = glm::dvec3(300.0);
+  scene::addCut(scene, cut);
+  return scene;
+}
+
+std::vector<std::uint8_t> keptOf(const scene::Scene& scene, std::string_view path) {
+  const Model& model = *scene.model.data;
+  std::vector<std::uint8_t> all = render::keptInstances(scene), kept;
+  for (std::uint32_t type : typesAt(model, path).types)
+    for (std::size_t i = 0; i < model.types[type].instanceCount; ++i)
+      kept.push_back(all[model.types[type].firstInstance + i]);
+  return kept;
+}
+
+std::uint64_t count(const std::vector<std::uint8_t>& kept) {
+  return std::uint64_t(std::count(kept.begin(), kept.end(), 1));
+}
+
+}  // namespace
+
+TEST(HandleSolver, GoesFromAllToNoneWhateverCutsThereAre) {
+  scene::Scene scene = cutScene();
+  for (const char* path : {"type1", "root.a", "root"}) {
+    HandleSolver solver(scene, path);
+    CountRange range = solver.range();
+    EXPECT_EQ(range.least, 0u);
+    EXPECT_EQ(range.most, range.total);
+    for (double share : {0.0, 0.1, 0.5, 0.9, 1.0}) {
+      auto wanted = std::uint64_t(std::llround(share * double(range.total)));
+      Solved solved = solver.solve(double(wanted));
+      EXPECT_EQ(solved.reached, wanted);
+      EXPECT_EQ(count(keptOf(solved.scene, path)), wanted) << path << " " << share;
+    }
+  }
+}
+
+TEST(HandleSolver, WhatLiesInRegionsGoesFirstAndComesBackLast) {
+  scene::Scene scene = cutScene();
+  HandleSolver solver(scene, "type1");
+  std::vector<std::uint8_t> outside = keptOf(scene, "type1"), last;
+  std::uint64_t least = count(outside);
+  for (std::uint64_t wanted = 0; wanted <= solver.range().total; wanted += 20) {
+    std::vector<std::uint8_t> kept = keptOf(solver.solve(double(wanted)).scene, "type1");
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+      if (wanted <= least) EXPECT_LE(kept[i], outside[i]) << "nothing of the region";
+      if (wanted >= least) EXPECT_GE(kept[i], outside[i]) << "all of the rest";
+      if (!last.empty()) EXPECT_GE(kept[i], last[i]) << "one that is there stays while more come";
+    }
+    last = kept;
+  }
+}
+
+TEST(HandleSolver, AddsACutEverywhereOnlyWhereItIsNeeded) {
+  scene::Scene scene = cutScene();
+  HandleSolver solver(scene, "type1");
+  std::uint64_t least = count(keptOf(scene, "type1"));
+  EXPECT_EQ(solver.solve(double(least) + 10.0).scene.cuts.size(), 1u);
+  scene::Scene thinned = solver.solve(double(least) - 10.0).scene;
+  EXPECT_EQ(thinned.cuts.size(), 2u);
+  EXPECT_EQ(count(keptOf(thinned, "type2")), count(keptOf(scene, "type2"))) << "other types stay as they are";
+  HandleSolver again(thinned, "type1");
+  EXPECT_EQ(again.solve(double(least) - 30.0).scene.cuts.size(), 2u) << "the one that is there is taken";
+  EXPECT_EQ(keptOf(again.solve(double(least)).scene, "type1"), keptOf(scene, "type1"));
+}
+
+}  // namespace velum::session

@@ -192,6 +192,18 @@ def models(folder):
     ]
 
 
+def equalizer(folder):
+    """What a cut can leave of a virion, the plain cut first: the panels of the golden picture, finer."""
+    case = json.loads((pathlib.Path(__file__).parent.parent / "tests" / "golden" / "ve-views" / "case.json").read_text())
+    panels = []
+    for panel in case["panels"]:
+        fields = {**case["set"], **panel["set"], "rayCast.samplesPerPixel": SAMPLES}
+        shape = fields.pop("cuts.0.shape")
+        panels.append([folder / "virion.cif", "--preset", case["preset"], "--view", case["view"],
+                       *sets(f"cuts.+.shape={shape}", *(f"{path}={json.dumps(value)}" for path, value in fields.items()))])
+    return panels
+
+
 def sheet(folder):
     seen = sets(*(f"labels.structures[{name}].visible=false" for name in HIDDEN), "labels.unlabelled=0")
     return [
@@ -223,9 +235,10 @@ PLATES = {
     "layers": (4, (400, 340), WHITE, layers),
     "turn": (4, (360, 300), DARK, turn),
     "models": (3, (400, 340), WHITE, models),
+    "equalizer": (3, (400, 340), WHITE, equalizer),
     "sheet": (3, (480, 400), DARK, sheet),
 }
-PHANTOMS = {"models": ("virion",), "situations": ("torso", "two-spheres", "seismic", "vessels"), "membrane": ("torso", "heart"), "pull": ("hand",), "sheet": ("torso", "vessels", "neurons", "seismic")}
+PHANTOMS = {"models": ("virion",), "equalizer": ("virion",), "situations": ("torso", "two-spheres", "seismic", "vessels"), "membrane": ("torso", "heart"), "pull": ("hand",), "sheet": ("torso", "vessels", "neurons", "seismic")}
 
 
 def run(*command):

@@ -266,6 +266,31 @@ TEST(AreaSolver, TheNthDepthLeavesNPixels) {
   EXPECT_LT(ties, solved / 20);
 }
 
+TEST(AreaSolver, OfPixelsThatComeTogetherTheNearerNumber) {
+  // A slab seen face on: a layer of voxels comes at once.
+  scene::Scene scene;
+  glm::ivec3 dims(8, 6, 8);
+  scene.labels.data = Shared<LabelVolume>(makeLabels(
+      dims, [](glm::ivec3 v) { return v.y > 2 ? 4 : 0; }, centredFrame(dims)));
+  scene::completeStructures(scene.labels);
+  scene.camera = scene::frameCamera(scene, scene::StandardView::Anterior, double(kSize.x) / kSize.y);
+  scene.camera.projection = scene::Projection::Orthographic;
+  scene::Cut cut;
+  cut.id = 1;
+  cut.centre = {0, 20, 0};
+  scene.cuts = {cut};
+  AreaSolver solver(scene, {1}, 4, hitsOf(scene, {1}));
+  AreaRange range = solver.range();
+  ASSERT_EQ(range.least, 0u);
+  ASSERT_GT(range.most, 20u);
+  EXPECT_EQ(solver.solve(0.4 * double(range.most)).reached, 0u);
+  EXPECT_EQ(solver.solve(0.4 * double(range.most)).distance, 0.0);
+  SolvedArea solved = solver.solve(0.6 * double(range.most));
+  EXPECT_EQ(solved.reached, range.most);
+  EXPECT_EQ(leftOf(solved.scene, 4), range.most);
+  EXPECT_NE(solved.words.find(", the nearest to "), std::string::npos);
+}
+
 TEST(AreaSolver, ChangesNothingButTheStructureInItsCuts) {
   scene::Scene scene = randomScene(3);
   int structure = scene.labels.structures.front().id;

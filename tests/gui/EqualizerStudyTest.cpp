@@ -89,7 +89,9 @@ class EqualizerStudy : public ModelWindow {
     EXPECT_EQ(session::clipState(scene()), session::ClipState::Thinned);
     EXPECT_EQ(drawn(spike), std::uint64_t(spikes)) << "stay as they were set";
     EXPECT_LE(mActions, kMostActions) << mLog.join("; ").toStdString();
-    EXPECT_EQ(mWindow->document().undoLabels().size(), 3u) << "a step for the cut, the spikes and the plasma";
+    std::vector<std::string> steps = mWindow->document().undoLabels();
+    std::erase(steps, "Move view");
+    EXPECT_EQ(steps.size(), 3u) << "one for the cut, the spikes and the plasma each";
   }
 
   int mActions = 0;

@@ -1,9 +1,12 @@
 // The list of structures in the real window, and what a click in the picture does with it.
 #include <QLineEdit>
 #include <QPushButton>
+#include <QToolButton>
+#include <cmath>
 
 #include "Shots.h"
 #include "StructureFixture.h"
+#include "velum/session/cut/CutEdit.h"
 
 namespace velum::gui {
 
@@ -143,6 +146,45 @@ TEST_F(StructureWindow, ADoubleClickGoesThere) {
   EXPECT_EQ(scene().sections.crosshair, middle);
   EXPECT_TRUE(wait([&] { return glm::length(scene().camera.target - middle) < 1e-9; }));
   EXPECT_FALSE(document().isModified());
+}
+
+TEST_F(StructureWindow, ABarPullsAStructureOutOfACutUntilSoMuchOfItIsLeft) {
+  openWithLabels();
+  document().edit("Cut", [](scene::Scene& scene) {
+    scene::Cut cut = session::makeCut(scene, scene::CutShape::Plane);
+    scene::addCut(scene, cut);
+  });
+  AreaMeter& areas = mWindow->areas();
+  child<QToolButton>("structureBars")->click();
+  ASSERT_TRUE(wait([&] { return !areas.isMeasuring() && areas.find(structures()[0].id); }));
+  int id = 0;
+  for (const scene::Structure& structure : structures())
+    if (const auto* area = areas.find(structure.id); area && area->clipped > 50 && area->left() > 50) id = structure.id;
+  ASSERT_NE(id, 0) << "the plane goes through one of them";
+  session::StructureArea before = *areas.find(id);
+  CountBar bar = list().barOf(id);
+  auto place = [&](double share) {
+    return QPointF(bar.box.left() + share * bar.box.width(), bar.box.center().y()).toPoint();
+  };
+  auto* area = list().viewport();
+  double from = double(before.left()) / double(before.total()), to = 0.5 + 0.5 * from;
+  QTest::mousePress(area, Qt::LeftButton, {}, place(from));
+  QMouseEvent move(QEvent::MouseMove, place(to), area->mapToGlobal(place(to)), Qt::NoButton, Qt::LeftButton, {});
+  QApplication::sendEvent(area, &move);
+  QTest::mouseRelease(area, Qt::LeftButton, {}, place(to));
+  ASSERT_EQ(scene().cuts[0].spares.size(), 1u);
+  EXPECT_EQ(scene().cuts[0].spares[0].structure, id);
+  EXPECT_TRUE(std::isfinite(scene().cuts[0].spares[0].distance));
+  ASSERT_TRUE(wait([&] { return !areas.isMeasuring(); }));
+  EXPECT_NEAR(double(areas.find(id)->left()) / double(before.total()), to, 0.03) << "measured anew";
+  takeShot(*mWindow, "structure-bars");
+  document().undo();
+  EXPECT_TRUE(scene().cuts[0].spares.empty()) << "one step";
+  list().selectId(id);
+  list().setFocus();
+  ASSERT_TRUE(wait([&] { return !areas.isMeasuring(); }));
+  QTest::keyClick(&list(), Qt::Key_Right, Qt::ControlModifier);
+  EXPECT_EQ(scene().cuts[0].spares.size(), 1u) << "by the keyboard, too";
 }
 
 }  // namespace velum::gui

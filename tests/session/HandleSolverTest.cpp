@@ -60,9 +60,15 @@ TEST(HandleSolver, WhatLiesInRegionsGoesFirstAndComesBackLast) {
   for (std::uint64_t wanted = 0; wanted <= solver.range().total; wanted += 20) {
     std::vector<std::uint8_t> kept = keptOf(solver.solve(double(wanted)).scene, "type1");
     for (std::size_t i = 0; i < kept.size(); ++i) {
-      if (wanted <= least) EXPECT_LE(kept[i], outside[i]) << "nothing of the region";
-      if (wanted >= least) EXPECT_GE(kept[i], outside[i]) << "all of the rest";
-      if (!last.empty()) EXPECT_GE(kept[i], last[i]) << "one that is there stays while more come";
+      if (wanted <= least) {
+        EXPECT_LE(kept[i], outside[i]) << "nothing of the region";
+      }
+      if (wanted >= least) {
+        EXPECT_GE(kept[i], outside[i]) << "all of the rest";
+      }
+      if (!last.empty()) {
+        EXPECT_GE(kept[i], last[i]) << "one that is there stays while more come";
+      }
     }
     last = kept;
   }

@@ -57,12 +57,14 @@ void Equalizer::hear(const render::InstanceBits& bits, bool isComplete) {
   const auto& model = mSession.scene().model.data;
   if (!model || bits.count % std::max<std::uint64_t>(1, model->instances.size()) != 0) return;
   mCounts.take(model, bits, isComplete);
+  if (isComplete) mToldPath.clear();
   emit counted();
 }
 
 void Equalizer::refresh() {
   const scene::ModelLayer& layer = mSession.scene().model;
   if (mCounts.model() == layer.data && layer.visible) return;
+  mToldPath.clear();
   if (!mCounts.model()) return;
   mCounts.clear();
   emit counted();
@@ -103,7 +105,8 @@ void Equalizer::take(const std::string& path, Handle handle) {
     held->ofCuts = std::make_unique<session::RenderedSolver>(held->from, held->cuts, whole, sheets, aspect, field);
   else
     held->solver = std::make_unique<session::HandleSolver>(held->from, whole, sheets, aspect);
-  held->start = held->now = countOf(path);
+  held->start = held->now = held->place.path == mToldPath ? mToldCount : countOf(path);
+  mToldPath.clear();
   mHeld = std::move(held);
 }
 
@@ -137,6 +140,7 @@ void Equalizer::moveTo(double count) {
 void Equalizer::letGo() {
   if (!mHeld) return;
   std::unique_ptr<Held> held = std::move(mHeld);
+  if (held->isMoved) mToldPath = held->place.path, mToldCount = held->now;
   if (held->isMoved && held->handle == Handle::Seen) return findSeen(std::move(held));
   mSession.document().endMerge();
 }
@@ -186,9 +190,9 @@ void Equalizer::findSeen(std::unique_ptr<Held> held) {
   mJobs.start(tr("Finding how many are to be drawn for %1 to be seen").arg(search->held->wanted), work, done);
 }
 
-std::string Equalizer::heldPath() const { return mHeld ? mHeld->place.path : std::string(); }
+std::string Equalizer::heldPath() const { return mHeld ? mHeld->place.path : mToldPath; }
 
-render::TypeCount Equalizer::heldCount() const { return mHeld ? mHeld->now : render::TypeCount(); }
+render::TypeCount Equalizer::heldCount() const { return mHeld ? mHeld->now : mToldCount; }
 
 void Equalizer::set(const std::string& path, Handle handle, double count) {
   take(path, handle);

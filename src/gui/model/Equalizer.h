@@ -36,7 +36,7 @@ class Equalizer : public QObject {
   /// As it was before it was taken.
   void giveUp();
   bool isHeld() const { return bool(mHeld); }
-  /// Whose, and what it has come to; empty while none is.
+  /// Whose, and what it has come to: until a complete picture tells it, of the last that was; else empty.
   std::string heldPath() const;
   render::TypeCount heldCount() const;
 
@@ -62,6 +62,8 @@ class Equalizer : public QObject {
   session::LiveCounts mCounts;
   std::vector<int> mChosen;
   std::unique_ptr<Held> mHeld;
+  std::string mToldPath;       ///< Of the handle that was let go and that no picture knows of yet.
+  render::TypeCount mToldCount;
 };
 
 }  // namespace velum::gui

@@ -13,7 +13,7 @@ namespace velum::gui {
 namespace {
 
 constexpr int kRowHeight = 25;
-constexpr int kWidths[ModelTree::kColumns] = {26, 20, 0, 112, 50};
+constexpr int kWidths[ModelTree::kColumns] = {26, 20, 0, 100, 46};
 constexpr int kWordsMs = 4000;
 constexpr double kGrip = 5.0;   // pixels about a knob
 constexpr double kStep = 0.05;  // of a row's instances, by the keyboard
@@ -36,7 +36,7 @@ ModelList::ModelList(ModelCommands& commands, Equalizer& equalizer, QWidget* par
   setModel(mOrder);
   setItemDelegate(mDelegate);
   setTreePosition(ModelTree::Name);
-  setIndentation(11);
+  setIndentation(8);
   setUniformRowHeights(true);
   setMouseTracking(true);
   setAllColumnsShowFocus(true);

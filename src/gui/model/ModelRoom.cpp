@@ -1,5 +1,7 @@
 #include "ModelRoom.h"
 
+#include <QDockWidget>
+#include <QMainWindow>
 #include <memory>
 #include <numeric>
 
@@ -27,10 +29,23 @@ void ModelRoom::refresh(const session::Session& session) {
   if (hasModel != mHadModel) {
     mHadModel = hasModel;
     mParts.tabs.setPageShown(mPanel, hasModel);
-    if (hasModel) mParts.tabs.showPage(mPanel);
+    if (hasModel) {
+      mParts.tabs.showPage(mPanel);
+      makeRoom();
+    }
   }
   mEqualizer->refresh();
   mPanel->refresh();
+}
+
+/// Names, bars and numbers of a model want more of a wide window than other pages do.
+void ModelRoom::makeRoom() {
+  constexpr int kWide = 1200, kWanted = 430;
+  QWidget& window = mParts.window;
+  auto* dock = window.findChild<QDockWidget*>("sideDock");
+  auto* main = qobject_cast<QMainWindow*>(&window);
+  if (dock && main && window.width() >= kWide && dock->width() < kWanted)
+    main->resizeDocks({dock}, {kWanted}, Qt::Horizontal);
 }
 
 void ModelRoom::connectEqualizer() {

@@ -29,6 +29,7 @@ class ModelRoom : public Room {
   void addActions();
   void showLegend(bool shown);
   void connectEqualizer();
+  void makeRoom();
   void findHiding(const QString& path);
 
   ModelCommands* mCommands;

@@ -55,6 +55,7 @@ class MainWindow : public QMainWindow {
   Toolbox& toolbox() { return mToolbox; }
   LookCommands& look() { return mLook->commands(); }
   StructureCommands& structures() { return mStructures->commands(); }
+  AreaMeter& areas() { return mStructures->areas(); }
   ModelRoom& models() { return *mModels; }
   Sketch& sketch() { return mCuts->membranes().sketch(); }
 

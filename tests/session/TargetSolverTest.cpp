@@ -107,6 +107,21 @@ TEST(VisibleSolver, SetsWhatStaysInTheViewWhereACutKeepsAnotherTypeInIt) {
   EXPECT_NEAR(double(solved.reached), double(wanted), 1.0) << solved.words;
 }
 
+TEST(VisibleSolver, GoesOnWithTheShareOfAllWhereTooManyShowBesideTheView) {
+  scene::Scene scene = ballScene();
+  scene.camera.target = {0, 0, 0};
+  scene.cuts.clear();
+  int cut = clearTheWay(scene, "type0");
+  std::uint64_t beside = countOf(scene, "type1", 20.0).visible;  // none of these hides it
+  ASSERT_GT(beside, 40u);
+  Solved solved = solveVisible(scene, {cut}, "type1", double(beside / 2), cells(20.0));
+  EXPECT_EQ(solved.reached, beside / 2) << solved.words;
+  const scene::TypeSpare* row = findTypeSpare(solved.scene.cuts[0], "root.b.type1");
+  ASSERT_NE(row, nullptr);
+  EXPECT_EQ(row->viewShare, 0.0);
+  EXPECT_LT(row->share, 1.0);
+}
+
 TEST(TargetSolver, MeetsSeveralAtOnceAndDrawnOnesExactly) {
   scene::Scene scene = ballScene();
   // Numbers that some shares give.

@@ -122,6 +122,7 @@ struct TargetSolver::Impl {
   std::vector<Reached> reached(const render::InstanceBits& bits) const;
   bool keepIfBest(const std::vector<Reached>& reached);
   void learn(const render::InstanceBits& bits);
+  bool leaveView(Goal& goal, Count visible, const render::InstanceBits& bits);
   Count stepOf(Goal& goal, Count visible, const render::InstanceBits& bits);
   std::string wordsOf(const Goal& goal, const TargetReport& report) const;
   bool looksAtPictures() const {
@@ -173,7 +174,8 @@ void TargetSolver::Impl::turn() {
     Count elsewhere = others.empty() ? 0 : countRendered(scene, others, sheets, aspect);
     CountRange range = rangeOf(dials);
     Count fixed = elsewhere + range.least;
-    turnDials(scene, cuts, dials, DialField::Share, *goal.rendered > fixed ? *goal.rendered - fixed : 0, sheets, aspect);
+    turnDials(scene, cuts, dials, DialField::Share, *goal.rendered > fixed ? *goal.rendered - fixed : 0, sheets,
+              aspect);
   }
 }
 
@@ -214,6 +216,25 @@ void TargetSolver::Impl::learn(const render::InstanceBits& bits) {
       for (std::size_t c = 0; c < goal.showed[i].size(); ++c)
         if (std::uint32_t instance = goal.dials[i].candidates[c].instance; !bits.isRemoved(instance))
           goal.showed[i][c] = bits.isShown(instance);
+}
+
+/// Where all that hides a focus is gone, and still too many show, the share of all in the region is left to be set.
+/// @return whether it is what is set from now on
+bool TargetSolver::Impl::leaveView(Goal& goal, Count visible, const render::InstanceBits& bits) {
+  if (goal.rendered || !goal.visible || goal.field != DialField::ViewShare) return false;
+  if (goal.staying > 0 || visible <= *goal.visible) return false;
+  std::vector<Dial> dials = makeDials(scene, cuts, goal.own, DialField::Share, sheets, aspect);
+  CountRange range = rangeOf(dials);
+  if (range.least == range.most) return false;
+  goal.field = DialField::Share;
+  goal.dials = std::move(dials);
+  goal.showed.clear();
+  goal.all = 0;
+  goal.tooFew.reset(), goal.tooMany.reset();
+  sortCandidates(goal);
+  for (const Dial& dial : goal.dials)
+    for (const Candidate& candidate : dial.candidates) goal.staying += !bits.isRemoved(candidate.instance);
+  return true;
 }
 
 /// How many candidates of a goal are to stay in the next round.
@@ -306,6 +327,8 @@ void TargetSolver::take(const render::InstanceBits& bits) {
   my.isDone =
       my.best.residual == 0 || my.best.pictures >= my.mostPictures || my.best.pictures - my.lastBetter >= kPatience;
   if (my.isDone) return;
+  for (std::size_t i = 0; i < my.goals.size(); ++i)
+    if (reached[i].visible && my.leaveView(my.goals[i], *reached[i].visible, bits)) my.tried.clear();
   my.learn(bits);
   for (std::size_t i = 0; i < my.goals.size(); ++i)
     if (Goal& goal = my.goals[i]; goal.visible && !goal.rendered)

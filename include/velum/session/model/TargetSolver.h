@@ -43,8 +43,9 @@ struct TargetsReport {
 /// gives: each round sets all numbers anew from what one picture says of each instance. Of a type its instances come in
 /// a fixed order, so that those of the last pictures which showed say how many are to be drawn for so many to show;
 /// what others hide or uncover meanwhile is made up for in the next round. The best round stands. Where a cut keeps
-/// something in view and the type hides it, the share of those that stay in the view is set, else that of all in the
-/// region. A type that has a target of its own does not count among those that its compartment's target moves.
+/// something in view and the type hides it, the share of those that stay in the view is set, and where too many show
+/// without them, too, or else at once, that of all in the region. A type that has a target of its own does not count
+/// among those that its compartment's target moves.
 ///
 /// A window asks for pictures as they come: next(), take(), next() ... @throw InputError as of typesAt(). Any thread.
 class TargetSolver {

@@ -270,6 +270,28 @@ TEST_F(EqualizerWindow, WhatHidesATypeIsSaidAndClearedInOneClick) {
   EXPECT_TRUE(scene().cuts.empty());
 }
 
+TEST_F(EqualizerWindow, FourStepsLeadToAPicture) {
+  openModel();
+  ASSERT_TRUE(settle());
+  auto step = [&](const char* name) { return child<QPushButton>(name); };
+  auto press = [&](const char* name) { QTest::mouseClick(step(name), Qt::LeftButton); };
+  EXPECT_TRUE(step("equalizeCut")->isChecked());
+  press("equalizeCut");
+  ASSERT_EQ(scene().cuts.size(), 1u);
+  EXPECT_TRUE(list().isVisible()) << "the page stays";
+  EXPECT_TRUE(step("equalizeBalance")->isChecked());
+  press("equalizeBalance");
+  EXPECT_TRUE(list().hasFocus());
+  equalizer().set(row(rowOfType(1)).path, Equalizer::Handle::Drawn, 70.0);
+  EXPECT_TRUE(step("equalizeClear")->isChecked());
+  press("equalizeClear");
+  EXPECT_FALSE(session::isKeptInView(scene(), row(rowOfType(2)).path)) << "nothing is selected";
+  mWindow->selection().setType(2);
+  press("equalizeClear");
+  EXPECT_TRUE(session::isKeptInView(scene(), row(rowOfType(2)).path));
+  EXPECT_TRUE(step("equalizeSave")->isChecked());
+}
+
 TEST_F(EqualizerWindow, TheCutsPageHasItsFocus) {
   openCut();
   mWindow->tabs().showPage("Cuts");

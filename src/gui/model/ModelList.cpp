@@ -121,6 +121,11 @@ session::TypeNumbers ModelList::selectedTypes() const {
   return types;
 }
 
+std::string ModelList::selectedPath() const {
+  if (!currentIndex().isValid() || rowOf(currentIndex()).parent < 0) return {};
+  return rowOf(currentIndex()).path;
+}
+
 session::TypeNumbers ModelList::listedTypes() const {
   session::TypeNumbers types;
   int count = mTree->model() ? int(mTree->model()->types.size()) : 0;

@@ -24,6 +24,8 @@ class ModelList : public QTreeView {
   /// Types of the rows that are selected, and of those that the search leaves.
   session::TypeNumbers selectedTypes() const;
   session::TypeNumbers listedTypes() const;
+  /// Of the row that the keyboard is in; empty: none, or that of all types.
+  std::string selectedPath() const;
   /// Selects a type's row and brings it into view; -1 selects nothing.
   void selectType(int type);
   /// Bars in percent of their rows; else numbers on a ruler that all share.

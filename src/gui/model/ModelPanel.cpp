@@ -38,6 +38,7 @@ ModelPanel::ModelPanel(ModelCommands& commands, Equalizer& equalizer, QWidget* p
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Expanding);
   auto* layout = makeColumn(this, 10);
   layout->addWidget(makeHead());
+  layout->addWidget(mSteps = new EqualizeSteps(this));
   auto* list = new QWidget(this);
   auto* rows = makeColumn(list, 6);
   mBar = new EqualizerBar(mDocument, equalizer, list);
@@ -307,6 +308,7 @@ void ModelPanel::refresh() {
   const scene::ModelLayer& layer = scene.model;
   if (layer.data) mLooks->refresh();  // follows more than this page shows
   mBar->refresh();
+  mSteps->showScene(scene);
   if (mIsMade && layer == mLayerShown && scene.lighting == mLightShown) return;
   bool isOther = !mIsMade || layer.data != mLayerShown.data;
   mIsMade = true;

@@ -6,6 +6,7 @@
 #include <QLineEdit>
 #include <functional>
 
+#include "EqualizeSteps.h"
 #include "EqualizerBar.h"
 #include "HidersBox.h"
 #include "ModelList.h"
@@ -23,6 +24,7 @@ class ModelPanel : public QWidget {
   void refresh();
   void startSearch();
   ModelList& list() { return *mList; }
+  EqualizeSteps& steps() { return *mSteps; }
   ModelLookGrid& looks() { return *mLooks; }
   /// The answer to "What hides this?".
   void showHiding(const session::Hiding& hiding);
@@ -52,6 +54,7 @@ class ModelPanel : public QWidget {
   QLabel *mName = nullptr, *mNotes = nullptr, *mCount = nullptr;
   QCheckBox* mLegend = nullptr;
   QLineEdit* mSearch = nullptr;
+  EqualizeSteps* mSteps = nullptr;
   EqualizerBar* mBar = nullptr;
   ModelList* mList = nullptr;
   HidersBox* mHiders = nullptr;

@@ -51,6 +51,7 @@ void ModelRoom::makeRoom() {
 void ModelRoom::connectEqualizer() {
   Viewport& viewport = mParts.views.viewport();
   connect(mCommands, &ModelCommands::hidingAsked, this, &ModelRoom::findHiding);
+  connect(&mPanel->steps(), &EqualizeSteps::asked, this, &ModelRoom::takeStep);
   connect(&mPanel->list(), &ModelList::refused, this, [this](const QString& why) { mParts.messages.showNote(why); });
   connect(&mPanel->list(), &ModelList::hovered, this, [this, &viewport](const session::TypeNumbers& types) {
     bool isAll = mParts.session.scene().model.data && types.size() == mParts.session.scene().model.data->types.size();
@@ -59,6 +60,26 @@ void ModelRoom::connectEqualizer() {
   connect(&viewport, &Viewport::pointedAt, this,
           [this](const render::Pick& pick) { mPanel->list().setPointed(pick.hit ? pick.type : -1); });
   connect(&viewport, &Viewport::pointedAtNothing, this, [this] { mPanel->list().setPointed(-1); });
+}
+
+void ModelRoom::takeStep(EqualizeSteps::Step step) {
+  switch (step) {
+    case EqualizeSteps::Step::Cut:
+      if (mParts.session.scene().cuts.empty()) mParts.actions.find("cut.addPlane")->trigger();
+      mParts.tabs.showPage(mPanel);
+      break;
+    case EqualizeSteps::Step::Balance:
+      mPanel->list().setFocus();
+      break;
+    case EqualizeSteps::Step::Clear: {
+      std::string path = mPanel->list().selectedPath();
+      if (path.empty()) return mParts.messages.showNote(tr("Select a type or compartment first: it is kept in view."));
+      mCommands->setInView(path, true);
+      break;
+    }
+    case EqualizeSteps::Step::Save:
+      mParts.actions.find("file.savePicture")->trigger();
+  }
 }
 
 /// In pictures beside the window: the answer comes a moment later.

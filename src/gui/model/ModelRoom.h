@@ -30,6 +30,7 @@ class ModelRoom : public Room {
   void showLegend(bool shown);
   void connectEqualizer();
   void makeRoom();
+  void takeStep(EqualizeSteps::Step step);
   void findHiding(const QString& path);
 
   ModelCommands* mCommands;

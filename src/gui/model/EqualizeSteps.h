@@ -1,0 +1,20 @@
+#pragma once
+#include "kit/StepStrip.h"
+#include "velum/scene/Scene.h"
+
+namespace velum::gui {
+
+/// The way from a model to a picture in which as much of each type is seen as should be ([VE] fig. 4).
+class EqualizeSteps : public StepStrip {
+  Q_OBJECT
+ public:
+  enum class Step { Cut, Balance, Clear, Save };
+
+  explicit EqualizeSteps(QWidget* parent);
+  void showScene(const scene::Scene& scene);
+
+ signals:
+  void asked(velum::gui::EqualizeSteps::Step step);
+};
+
+}  // namespace velum::gui

@@ -193,7 +193,7 @@ Run registerRender(CLI::App& verb) {
       "--animate", options->animate,
       "what moves in it: turn (once round), time (through the time steps; the default where there are "
       "some), pull (structures come out of the cuts one after the other), cut (the instances of a model go one by "
-      "one, then what the cuts leave comes back)");
+      "one, or cuts come in, then what they leave comes back)");
   verb.add_flag(
       "--layers", options->layers,
       "also alpha, normal, depth, structure id, position, of models type and (EXR) Cryptomatte, and of illustrative "

@@ -94,7 +94,7 @@ TEST_F(PictureDialog, OffersTheAnimationsThatTheSceneCanHave) {
   SavePictureDialog dialog({160, 120}, mScene, nullptr);
   auto* motion = child<QComboBox>(dialog, "pictureMotion");
   auto* frames = child<QSpinBox>(dialog, "pictureFrames");
-  ASSERT_EQ(motion->count(), 3);
+  ASSERT_EQ(motion->count(), 4) << "the cut, and what is pulled out of it";
   EXPECT_FALSE(frames->isEnabled());
   motion->setCurrentIndex(2);
   EXPECT_TRUE(frames->isEnabled());

@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "CutScene.h"
 #include "makeModel.h"
 #include "velum/render/section/KeptInstances.h"
+#include "velum/session/extrusion/Extrusion.h"
 #include "velum/session/picture/Animation.h"
 
 namespace velum::session {
@@ -110,7 +112,43 @@ TEST(CutPath, ACutEverywhereClearsTheViewBeforeItThinsOut) {
   EXPECT_EQ(count(statesAt(0.5), render::InstanceState::Removed), 0);
 }
 
-TEST(CutPath, IsAnAnimationOfModelsThatAreCut) {
+TEST(CutPath, WithoutAModelCutsComeInAndThenStructuresComeOut) {
+  scene::Scene scene = boxScene({400, 300});
+  for (scene::CutShape shape : {scene::CutShape::Plane, scene::CutShape::Membrane, scene::CutShape::Box,
+                                scene::CutShape::Sphere, scene::CutShape::Cylinder, scene::CutShape::Cone})
+    for (bool invert : {false, true}) {
+      if (invert && shape == scene::CutShape::Cone) continue;  // never holds a box
+      scene::Cut cut = tiltedCut(shape);
+      cut.invert = invert;
+      cut.spares = {{3, 20.0, 1.0}, {4, scene::Spare::kEndless, 1.0}};
+      scene.cuts.clear();
+      scene::addCut(scene, cut);
+      auto takes = [&](double at, glm::dvec3 place) {
+        scene::Scene now = cutPathAt(scene, at);
+        return !now.cuts.empty() && depthInCut(now.cuts[0], place) > 1e-6;
+      };
+      int atFirst = 0, before = 0, inTheEnd = 0;
+      for (int i = 0; i < 9 * 9 * 9; ++i) {
+        glm::dvec3 place = glm::dvec3(95, 195, 295) * glm::dvec3(i % 9, i / 9 % 9, i / 81) / 8.0;
+        atFirst += takes(1e-7, place);
+        inTheEnd += takes(0.5, place);
+        for (double at : {0.1, 0.3, 0.45}) {
+          before += takes(at, place);
+          EXPECT_LE(takes(at, place), takes(at + 0.05, place)) << "nothing that is gone comes back";
+        }
+        EXPECT_EQ(takes(0.5, place), takes(1.0, place));
+      }
+      EXPECT_EQ(atFirst, 0) << enumName(shape) << invert;
+      EXPECT_GT(inTheEnd, 0) << enumName(shape) << invert;
+      EXPECT_LT(before, 3 * inTheEnd) << enumName(shape) << invert;
+      EXPECT_EQ(extrusionOf(cutPathAt(scene, 0.4).cuts[0], 3), 0.0);
+      EXPECT_EQ(extrusionOf(cutPathAt(scene, 0.75).cuts[0], 3), 10.0);
+      EXPECT_EQ(extrusionOf(cutPathAt(scene, 0.2).cuts[0], 4), scene::Spare::kEndless);
+      EXPECT_EQ(cutPathAt(scene, 1.0), scene);
+    }
+}
+
+TEST(CutPath, IsAnAnimationOfScenesThatAreCut) {
   scene::Scene scene = cutScene();
   EXPECT_EQ(whyStill(scene, Motion::Cut), "");
   EXPECT_EQ(frameOf(scene, Motion::Cut, 8, 9), scene);
@@ -120,6 +158,8 @@ TEST(CutPath, IsAnAnimationOfModelsThatAreCut) {
   EXPECT_NE(whyStill(scene, Motion::Cut), "");
   scene.model.data = {};
   EXPECT_NE(whyStill(scene, Motion::Cut), "");
+  scene.cuts[0].enabled = true;
+  EXPECT_EQ(whyStill(scene, Motion::Cut), "");
 }
 
 }  // namespace velum::session

@@ -27,7 +27,6 @@ std::string whyStill(const scene::Scene& scene, Motion motion) {
   if (motion == Motion::Time && timeStepsOf(scene) < 2) return "the volume has no time steps";
   if (motion == Motion::Pull && extrusionsOf(scene).empty()) return "no structure is pulled out of a cut";
   if (motion != Motion::Cut) return {};
-  if (!scene.model.data) return "there is no model whose instances could go one by one";
   bool isCut = std::any_of(scene.cuts.begin(), scene.cuts.end(), [](const scene::Cut& cut) { return cut.enabled; });
   return isCut ? "" : "no cut is on";
 }

@@ -11,7 +11,8 @@
 namespace velum::session {
 
 /// What goes on in an animation: the eye goes once round the data, the volume through its time steps, or the camera
-/// stays and structures are pulled out of the cuts one after the other, or the instances of a model are cut one by one.
+/// stays and structures are pulled out of the cuts one after the other, or the cuts come and take the instances of a
+/// model one by one.
 enum class Motion { Turn, Time, Pull, Cut };
 
 /// Time where the volume has some, else a turn.

@@ -199,6 +199,16 @@ TEST(StructureAreas, RaysMeetWhatALookAtEveryVoxelFinds) {
   EXPECT_LT(unsure, checked / 20);
 }
 
+TEST(StructureAreas, ToldToStopRaysDo) {
+  Progress progress;
+  progress.cancel();
+  EXPECT_THROW(render::structureHits(randomScene(1), kSize, {}, progress), Cancelled);
+  scene::Scene hidden = randomScene(1);
+  EXPECT_FALSE(hitsOf(hidden, {}).empty());
+  hidden.labels.visible = false;
+  EXPECT_TRUE(hitsOf(hidden, {}).empty());
+}
+
 TEST(StructureAreas, EachPixelOfAStructureIsOneOfThree) {
   Random random(4);
   scene::Scene scene = randomScene(4);

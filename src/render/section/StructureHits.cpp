@@ -15,6 +15,7 @@ namespace velum::render {
 namespace {
 
 constexpr int kBrick = LabelVolume::kBrickSize;
+constexpr int kRowsAtATime = 32;  // enough for many cores, and cancelled soon
 static_assert(kLeftNever >= shared::kCutFar);
 
 /// What all rays share.
@@ -139,12 +140,14 @@ std::vector<StructureHit> structureHits(const scene::Scene& scene, glm::ivec2 si
   if (!scene.labels.data || !scene.labels.visible) return {};
   Walk walk(scene, cuts, sheets);
   std::vector<std::vector<StructureHit>> rows(std::size_t(size.y));
-  parallelFor(0, size.y, [&](int y) {
-    progress.throwIfCancelled();
-    for (int x = 0; x < size.x; ++x)
-      walkRay(walk, std::uint32_t(y) * std::uint32_t(size.x) + std::uint32_t(x),
-              scene::rayFromPixel(scene.camera, size, {x + 0.5, y + 0.5}), rows[std::size_t(y)]);
-  });
+  for (int first = 0; first < size.y; first += kRowsAtATime) {
+    progress.report(double(first) / size.y, "following rays");
+    parallelFor(first, std::min(size.y, first + kRowsAtATime), [&](int y) {
+      for (int x = 0; x < size.x; ++x)
+        walkRay(walk, std::uint32_t(y) * std::uint32_t(size.x) + std::uint32_t(x),
+                scene::rayFromPixel(scene.camera, size, {x + 0.5, y + 0.5}), rows[std::size_t(y)]);
+    });
+  }
   std::vector<StructureHit> hits;
   for (const auto& row : rows) hits.insert(hits.end(), row.begin(), row.end());
   return hits;

@@ -12,6 +12,7 @@
 #include "velum/session/model/ClipState.h"
 #include "velum/session/model/CountPictures.h"
 #include "velum/session/model/TypesAt.h"
+#include "window/ExportCommands.h"
 
 namespace velum::gui {
 
@@ -268,6 +269,23 @@ TEST_F(EqualizerWindow, WhatHidesATypeIsSaidAndClearedInOneClick) {
   takeShot(*mWindow, "equalizer-cleared");
   mWindow->models().commands().setInView(path, false);
   EXPECT_TRUE(scene().cuts.empty());
+}
+
+TEST_F(EqualizerWindow, BarsAndWhatIsLeftAreWritten) {
+  openCut();
+  auto* commands = mWindow->findChild<ExportCommands*>();
+  ASSERT_TRUE(commands);
+  for (const char* name : {"bars.csv", "bars.svg"}) {
+    commands->exportBarsTo(path(name));
+    ASSERT_TRUE(waitForJob());
+  }
+  render::TypeCount all = count(0);
+  QByteArray line = QString("compartment,root,root,%1,%2,%3,400").arg(all.visible).arg(all.hidden).arg(all.clipped).toUtf8();
+  EXPECT_TRUE(bytesOf(path("bars.csv")).contains(line)) << bytesOf(path("bars.csv")).toStdString();
+  EXPECT_TRUE(bytesOf(path("bars.svg")).startsWith("<svg"));
+  commands->exportModelTo(path("left.csv"));
+  ASSERT_TRUE(waitForJob());
+  EXPECT_EQ(bytesOf(path("left.csv")).count('\n'), int(all.rendered()) + 1) << "a line an instance, and their heads";
 }
 
 TEST_F(EqualizerWindow, FourStepsLeadToAPicture) {

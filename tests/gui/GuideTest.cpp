@@ -7,6 +7,9 @@
 #include <QTest>
 #include <cmath>
 
+#include "velum/io/phantoms/Virion.h"
+#include "velum/scene/ModelLooks.h"
+#include "velum/scene/Navigate.h"
 #include "velum/scene/Presets.h"
 #include "velum/scene/Project.h"
 #include "velum/session/extrusion/Extrusion.h"
@@ -55,6 +58,25 @@ class Guide : public testing::Test {
 TEST_F(Guide, Window) {
   openWelcome();
   keep("window");
+}
+
+// A virus that is cut open, with spikes brought back and its plasma thinned by the bars.
+TEST_F(Guide, Bars) {
+  Progress progress;
+  scene::Scene scene;
+  scene.unit = LengthUnit::Angstrom;
+  scene.model.data = Shared<Model>(io::makeVirion(progress));
+  scene::applyModelLook(scene, "plate");
+  mWindow->showScene(scene, "virion");
+  mWindow->actions().find("cut.addPlane")->trigger();
+  mWindow->tabs().showPage("Model");
+  Equalizer& equalizer = mWindow->models().equalizer();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return mWindow->isSettled(); }, 180000));
+  equalizer.set("root.virus.surface.spike", Equalizer::Handle::Drawn, 60.0);
+  equalizer.set("root.plasma", Equalizer::Handle::Drawn, 1500.0);
+  mWindow->selection().setCut(0);
+  mWindow->document().view([](scene::Scene& shown) { shown.camera = scene::zoom(shown.camera, 0.6); });
+  keep("bars");
 }
 
 // One drag: the skull, which has no label, out of a cut through the face.

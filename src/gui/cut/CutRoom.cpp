@@ -36,21 +36,26 @@ CutRoom::CutRoom(const WindowParts& parts)
 
 void CutRoom::refresh(const session::Session&) { mPanel->refresh(); }
 
+/// What was added is seen at once, in its page, too.
+void CutRoom::add(const std::function<void()>& make) {
+  make();
+  mParts.tabs.showPage(mPanel);
+}
+
 void CutRoom::addActions(QMenu* menu) {
   ActionTable& actions = mParts.actions;
-  QAction* add = actions.addForScene(menu, "cut.addPlane", tr("&Add plane"), tr("Cut away the half that faces you"),
-                                     [this] { mPanel->addPlane(); });
+  QAction* plane = actions.addForScene(menu, "cut.addPlane", tr("&Add plane"), tr("Cut away the half that faces you"),
+                                     [this] { add([this] { mPanel->addPlane(); }); });
   actions.addForScene(menu, "cut.alongView", tr("Cut along the &view"),
-                      tr("A plane through the middle that faces you exactly"), [this] { mPanel->addAlongView(); });
+                      tr("A plane through the middle that faces you exactly"),
+                      [this] { add([this] { mPanel->addAlongView(); }); });
   mParts.toolbox.bind(mThreePoints,
                       *actions.addForScene(menu, "cut.threePoints", tr("Plane through three &points"),
                                            tr("Click three points in the picture or on sections"), [] {}));
   QAction* sheet =
       actions.addForScene(menu, "cut.addMembrane", tr("Add &membrane"),
-                          tr("An elastic sheet that cuts around what matters instead of through it"), [this] {
-                            mPanel->addMembrane();
-                            mParts.tabs.showPage(mPanel);
-                          });
+                          tr("An elastic sheet that cuts around what matters instead of through it"),
+                          [this] { add([this] { mPanel->addMembrane(); }); });
   addShapes(menu);
   menu->addSeparator();
   mMembranes.addActions(menu);
@@ -61,9 +66,9 @@ void CutRoom::addActions(QMenu* menu) {
                       [this] { mPanel->duplicateSelected(); });
   actions.addForScene(menu, "cut.remove", tr("&Remove"), tr("Remove the selected cut"),
                       [this] { mPanel->removeSelected(); });
-  add->setIconText(tr("Add cut"));
+  plane->setIconText(tr("Add cut"));
   sheet->setIconText(tr("Membrane"));
-  mParts.bar.addAction(add);
+  mParts.bar.addAction(plane);
   mParts.bar.addAction(sheet);
 }
 
@@ -72,7 +77,7 @@ void CutRoom::addShapes(QMenu* menu) {
     if (shape.menuText)
       mParts.actions.addForScene(menu, QString("cut.add%1").arg(shape.title), tr(shape.menuText),
                                  tr("A third of the data in size, where it opens what you see"),
-                                 [this, shape = shape.shape] { mPanel->addShape(shape); });
+                                 [this, shape = shape.shape] { add([this, shape] { mPanel->addShape(shape); }); });
 }
 
 }  // namespace velum::gui

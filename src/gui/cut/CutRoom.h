@@ -1,4 +1,6 @@
 #pragma once
+#include <functional>
+
 #include "CutPanel.h"
 #include "PictureCutHandles.h"
 #include "SectionCutHandles.h"
@@ -17,6 +19,7 @@ class CutRoom : public Room {
   MembraneRoom& membranes() { return mMembranes; }
 
  private:
+  void add(const std::function<void()>& make);
   void addActions(QMenu* menu);
   void addShapes(QMenu* menu);
 

@@ -21,8 +21,8 @@ bool endsInKind(const QString& path) {
   return form.match(QFileInfo(path).fileName()).hasMatch();
 }
 
-/// Qt's own dialog takes double quotes for marks between several names. (No Q_OBJECT: Qt asks the system's dialog only
-/// for its own class.)
+/// Qt's own dialog takes double quotes for marks between several names, and a file that is selected in the list for what
+/// was typed. (No Q_OBJECT: Qt asks the system's dialog only for its own class.)
 class SaveDialog : public QFileDialog {
  public:
   SaveDialog(QWidget* parent, const QString& title, const QString& start, const QString& filters)
@@ -41,7 +41,7 @@ class SaveDialog : public QFileDialog {
   void accept() override {
     auto* edit = findChild<QLineEdit*>("fileNameEdit");
     QString text = edit ? edit->text() : QString();
-    if (!text.contains('"') || QFileInfo(directory().absoluteFilePath(text)).isDir()) return QFileDialog::accept();
+    if (text.isEmpty() || QFileInfo(directory().absoluteFilePath(text)).isDir()) return QFileDialog::accept();
     mTyped = directory().absoluteFilePath(text);
     bool mayWrite =
         !QFileInfo::exists(path()) ||

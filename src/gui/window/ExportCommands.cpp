@@ -2,12 +2,15 @@
 
 #include <QFileInfo>
 #include <QStandardPaths>
+#include <cmath>
 
 #include "ExportStructuresDialog.h"
 #include "SavePictureDialog.h"
 #include "kit/SavePath.h"
 #include "kit/SelectedCut.h"
 #include "velum/session/membrane/Membranes.h"
+#include "velum/session/model/CountPictures.h"
+#include "velum/session/model/ModelExport.h"
 #include "velum/session/picture/Export.h"
 
 namespace velum::gui {
@@ -25,6 +28,12 @@ QAction* ExportCommands::addActions(QMenu* menu) {
   mParts.actions.addForScene(menu, "file.exportStructures", tr("Export s&tructures..."),
                              tr("Write structures as surfaces (STL, PLY, glTF, OBJ) or labels (NRRD, NIfTI, DICOM)"),
                              [this] { emit exportStructuresAsked(); });
+  mParts.actions.addForScene(menu, "file.exportModel", tr("Export mo&del..."),
+                             tr("Write the instances that cuts leave of the model: mmCIF, glTF, CSV or PLY"),
+                             [this] { askExportModel(); });
+  mParts.actions.addForScene(menu, "file.exportBars", tr("Export &bars..."),
+                             tr("Write how many instances of each type are seen, hidden and removed: SVG or CSV"),
+                             [this] { askExportBars(); });
   picture->setIconText(tr("Save picture"));
   return picture;
 }
@@ -120,12 +129,41 @@ void ExportCommands::exportClippedTo(const QString& path) {
   });
 }
 
+void ExportCommands::exportModelTo(const QString& path) {
+  write(path, [path = path.toStdString()](const scene::Scene& settled, Progress& progress) {
+    return session::exportModel(settled, path, progress).losses;
+  });
+}
+
+void ExportCommands::exportBarsTo(const QString& path) {
+  const Viewport& viewport = mParts.views.viewport();
+  double ratio = viewport.devicePixelRatioF();
+  glm::ivec2 size(std::lround(viewport.width() * ratio), std::lround(viewport.height() * ratio));
+  write(path, [path = path.toStdString(), size](const scene::Scene& settled, Progress& progress) {
+    session::writeBars(settled, glm::max(size, 1), path, progress);
+    return std::vector<std::string>();
+  });
+}
+
 /// A file beside what is open. @param suffix  of the name that is proposed, with its ending, which is also the usual
 /// one
 QString ExportCommands::askPath(const QString& title, const char* suffix, const QString& filters) {
   QFileInfo open(QString::fromStdString(mParts.session.file().path()));
   QString start = open.path() + "/" + open.baseName() + suffix;
   return askSavePath(&mParts.window, title, start, filters);
+}
+
+void ExportCommands::askExportModel() {
+  if (!mParts.session.scene().model.data) return mParts.messages.showNote(tr("No model is open."));
+  QString path = askPath(tr("Export model"), "-model.cif",
+                         tr("mmCIF (*.cif *.cif.gz);;glTF (*.glb);;Table (*.csv);;PLY (*.ply)"));
+  if (!path.isEmpty()) exportModelTo(path);
+}
+
+void ExportCommands::askExportBars() {
+  if (!mParts.session.scene().model.data) return mParts.messages.showNote(tr("No model is open."));
+  QString path = askPath(tr("Export bars"), "-bars.svg", tr("SVG (*.svg);;Table (*.csv)"));
+  if (!path.isEmpty()) exportBarsTo(path);
 }
 
 void ExportCommands::askExportSheet() {

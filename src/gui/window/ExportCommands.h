@@ -25,6 +25,10 @@ class ExportCommands : public Room {
   void exportSheetTo(const QString& path);
   /// The volume without what the cuts take away.
   void exportClippedTo(const QString& path);
+  /// The instances that cuts leave of the model.
+  void exportModelTo(const QString& path);
+  /// How many of each type are seen, hidden and removed, in a picture as large as the view.
+  void exportBarsTo(const QString& path);
   /// Structures as surfaces or as labels.
   void exportStructuresTo(const QString& path, const session::StructureExport& what);
 
@@ -35,6 +39,8 @@ class ExportCommands : public Room {
  public slots:
   void askExportSheet();
   void askExportClipped();
+  void askExportModel();
+  void askExportBars();
   /// @param selected  ids of structures
   void askExportStructures(const std::vector<int>& selected);
 

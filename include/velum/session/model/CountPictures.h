@@ -1,4 +1,5 @@
 #pragma once
+#include <filesystem>
 #include <glm/glm.hpp>
 #include <string_view>
 #include <vector>
@@ -14,6 +15,10 @@ namespace velum::session {
 /// As solveVisible(). @param size  of the pictures, pixels  @throw Cancelled, gpu::GpuError, InputError
 Solved findVisible(const scene::Scene& scene, const std::vector<int>& cuts, std::string_view path, double wanted,
                    glm::ivec2 size, Progress& progress);
+
+/// Writes the bars of a picture: countsSvg() or countsCsv(), by extension. @throw the same; InputError where there is no
+/// model, or the extension is another
+void writeBars(const scene::Scene& scene, glm::ivec2 size, const std::filesystem::path& path, Progress& progress);
 
 /// As whatHides(). @throw the same
 Hiding findHiding(const scene::Scene& scene, std::string_view path, glm::ivec2 size, Progress& progress);

@@ -4,6 +4,7 @@
 #include <QScrollArea>
 #include <QStyle>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
 
 #include "PictureCard.h"
@@ -47,13 +48,15 @@ ProgressStrip::ProgressStrip(QWidget* parent) : QFrame(parent), mText(new QLabel
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(14, 6, 8, 6);
   layout->setSpacing(14);
-  mText->setMinimumWidth(320);
+  // What is said must not make the window wider.
+  mText->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  mBar->setMinimumWidth(60);
   mBar->setTextVisible(false);
   mBar->setRange(0, 1000);
   auto* cancel = new QPushButton(tr("Cancel"), this);
   cancel->setObjectName("cancel");
   cancel->setToolTip(tr("Stop this (Esc)"));
-  layout->addWidget(mText);
+  layout->addWidget(mText, 2);
   layout->addWidget(mBar, 1);
   layout->addWidget(cancel);
   connect(cancel, &QPushButton::clicked, this, &ProgressStrip::cancelled);
@@ -68,7 +71,7 @@ void ProgressStrip::begin(const QString& what) {
 
 void ProgressStrip::setProgress(double fraction, const QString& what) {
   QString text = what.isEmpty() ? mTask : QString("%1: %2").arg(mTask, what);
-  mText->setText(mText->fontMetrics().elidedText(text, Qt::ElideMiddle, 420));
+  mText->setText(mText->fontMetrics().elidedText(text, Qt::ElideMiddle, std::max(120, mText->width())));
   mText->setToolTip(text);
   mBar->setValue(int(std::lround(fraction * 1000.0)));
 }

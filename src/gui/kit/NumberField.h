@@ -36,6 +36,8 @@ class NumberField : public QDoubleSpinBox {
   QString textFromValue(double value) const override;
   double valueFromText(const QString& text) const override;
   QValidator::State validate(QString& text, int& position) const override;
+  /// Nothing is guessed: the base would take "1,234.5" for 1234.5.
+  void fixup(QString&) const override {}
 
  protected:
   void keyPressEvent(QKeyEvent* event) override;

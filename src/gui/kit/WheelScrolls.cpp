@@ -1,11 +1,13 @@
 #include "WheelScrolls.h"
 
+#include <QAbstractScrollArea>
 #include <QAbstractSpinBox>
 #include <QApplication>
 #include <QComboBox>
 #include <QEvent>
 #include <QSlider>
 #include <QTabBar>
+#include <QWheelEvent>
 
 namespace velum::gui {
 
@@ -14,6 +16,19 @@ namespace {
 bool isChangedByWheel(const QWidget* widget) {
   return qobject_cast<const QAbstractSpinBox*>(widget) || qobject_cast<const QSlider*>(widget) ||
          qobject_cast<const QComboBox*>(widget) || qobject_cast<const QTabBar*>(widget);
+}
+
+/// To what it stands in, if that scrolls.
+void giveToPage(QWidget& widget, QWheelEvent& event) {
+  QWidget* at = widget.parentWidget();
+  while (at && !qobject_cast<QAbstractScrollArea*>(at)) at = at->parentWidget();
+  if (!at) return event.ignore();
+  QWidget* page = static_cast<QAbstractScrollArea*>(at)->viewport();
+  QPointF place = page->mapFromGlobal(event.globalPosition());
+  QWheelEvent there(place, event.globalPosition(), event.pixelDelta(), event.angleDelta(), event.buttons(),
+                    event.modifiers(), event.phase(), event.inverted());
+  QApplication::sendEvent(page, &there);
+  event.accept();
 }
 
 }  // namespace
@@ -29,7 +44,7 @@ bool WheelScrolls::eventFilter(QObject* watched, QEvent* event) {
     return false;
   }
   if (widget->hasFocus()) return false;
-  event->ignore();  // for what it stands in
+  giveToPage(*widget, static_cast<QWheelEvent&>(*event));
   return true;
 }
 

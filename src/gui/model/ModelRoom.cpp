@@ -1,7 +1,5 @@
 #include "ModelRoom.h"
 
-#include <QDockWidget>
-#include <QMainWindow>
 #include <memory>
 #include <numeric>
 
@@ -29,23 +27,19 @@ void ModelRoom::refresh(const session::Session& session) {
   if (hasModel != mHadModel) {
     mHadModel = hasModel;
     mParts.tabs.setPageShown(mPanel, hasModel);
-    if (hasModel) {
-      mParts.tabs.showPage(mPanel);
-      makeRoom();
-    }
+    if (hasModel) mParts.tabs.showPage(mPanel);
+    makeRoom(hasModel);
   }
   mEqualizer->refresh();
   mPanel->refresh();
 }
 
 /// Names, bars and numbers of a model want more of a wide window than other pages do.
-void ModelRoom::makeRoom() {
-  constexpr int kWide = 1200, kWanted = 430;
-  QWidget& window = mParts.window;
-  auto* dock = window.findChild<QDockWidget*>("sideDock");
-  auto* main = qobject_cast<QMainWindow*>(&window);
-  if (dock && main && window.width() >= kWide && dock->width() < kWanted)
-    main->resizeDocks({dock}, {kWanted}, Qt::Horizontal);
+void ModelRoom::makeRoom(bool hasModel) {
+  constexpr int kWide = 1200, kForModels = 430;
+  auto* side = mParts.window.findChild<QWidget*>("sidePanel");
+  if (!mUsualWidth) mUsualWidth = side->minimumWidth();
+  side->setFixedWidth(hasModel && mParts.window.width() >= kWide ? kForModels : mUsualWidth);
 }
 
 void ModelRoom::connectEqualizer() {

@@ -29,7 +29,7 @@ class ModelRoom : public Room {
   void addActions();
   void showLegend(bool shown);
   void connectEqualizer();
-  void makeRoom();
+  void makeRoom(bool hasModel);
   void takeStep(EqualizeSteps::Step step);
   void findHiding(const QString& path);
 
@@ -40,6 +40,7 @@ class ModelRoom : public Room {
   TypeHighlight mHighlight;
   QAction* mLegendAction = nullptr;
   bool mHadModel = false;
+  int mUsualWidth = 0;  ///< Of the side panel; 0: not known yet.
 };
 
 }  // namespace velum::gui

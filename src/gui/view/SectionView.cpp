@@ -33,7 +33,7 @@ SectionView::SectionView(session::Document& document, Selection& selection, Tool
   setAccessibleName(tr("%1 section").arg(sectionName(kind)));
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
-  setMinimumSize(120, 90);
+  setMinimumSize(100, 80);
   setAttribute(Qt::WA_OpaquePaintEvent);
   mMenuButton = addButton("menu", tr("Interpolation, structures, crosshair, reset (right click)"), 1);
   mMenuButton->setIcon(makeViewIcon(ViewIcon::Menu, kOverPicture));

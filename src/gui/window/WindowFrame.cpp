@@ -49,15 +49,13 @@ void WindowFrame::buildSide(QMainWindow& window) {
   dock->setTitleBarWidget(new QWidget(dock));
   side = new QWidget(dock);
   side->setObjectName("sidePanel");
-  side->setMinimumWidth(kPanelWidth);
-  side->setMaximumWidth(2 * kPanelWidth);
+  side->setFixedWidth(kPanelWidth);
   auto* outer = new QVBoxLayout(side);
   outer->setContentsMargins(0, 0, 0, 0);
   tabs = new SideTabs(side);
   outer->addWidget(tabs);
   dock->setWidget(side);
   window.addDockWidget(Qt::RightDockWidgetArea, dock);
-  window.resizeDocks({dock}, {kPanelWidth}, Qt::Horizontal);
 }
 
 void WindowFrame::showViews(bool open) {

@@ -20,7 +20,7 @@ const std::vector<GuidedStep> kSteps{
     {"equalizeClear", QT_TRANSLATE_NOOP("velum::gui::EqualizeSteps", "3 Clear"),
      QT_TRANSLATE_NOOP("velum::gui::EqualizeSteps", "Keep the selected types in view: what stands before them goes"),
      QT_TRANSLATE_NOOP("velum::gui::EqualizeSteps",
-                       "Select what the picture is about and press Clear, or skip it: then nothing stands before it.")},
+                       "Select what the picture is about and press Clear: then nothing stands before it. Or go on without.")},
     {"equalizeSave", QT_TRANSLATE_NOOP("velum::gui::EqualizeSteps", "4 Save"),
      QT_TRANSLATE_NOOP("velum::gui::EqualizeSteps", "Save the picture, at any size"),
      QT_TRANSLATE_NOOP("velum::gui::EqualizeSteps", "Save the picture. It opens as its scene, to be changed again.")},

@@ -271,15 +271,34 @@ TEST_F(EqualizerWindow, WhatHidesATypeIsSaidAndClearedInOneClick) {
   EXPECT_TRUE(scene().cuts.empty());
 }
 
+TEST_F(EqualizerWindow, NumbersToBeSeenAreMetTogether) {
+  openDenseModel();
+  ASSERT_TRUE(settle());
+  render::TypeCount one = count(rowOfType(1)), two = count(rowOfType(2));
+  ModelCommands& commands = mWindow->models().commands();
+  commands.setTarget(row(rowOfType(1)).path, double(one.visible / 2));
+  commands.setTarget(row(rowOfType(2)).path, double(two.visible / 4));
+  ASSERT_EQ(scene().model.targets.size(), 2u);
+  emit commands.targetsAsked();
+  ASSERT_TRUE(waitForJob());
+  ASSERT_TRUE(settle());
+  EXPECT_NEAR(double(count(rowOfType(1)).visible), double(one.visible / 2), 4.0);
+  EXPECT_NEAR(double(count(rowOfType(2)).visible), double(two.visible / 4), 4.0);
+  mWindow->document().undo();
+  EXPECT_TRUE(scene().cuts.empty()) << "one step";
+  commands.setTarget(row(rowOfType(1)).path, std::nullopt);
+  EXPECT_EQ(scene().model.targets.size(), 1u);
+}
+
 TEST_F(EqualizerWindow, BarsAndWhatIsLeftAreWritten) {
   openCut();
+  render::TypeCount all = count(0);  // of the view as it is without the strip of a job
   auto* commands = mWindow->findChild<ExportCommands*>();
   ASSERT_TRUE(commands);
   for (const char* name : {"bars.csv", "bars.svg"}) {
     commands->exportBarsTo(path(name));
     ASSERT_TRUE(waitForJob());
   }
-  render::TypeCount all = count(0);
   QByteArray line = QString("compartment,root,root,%1,%2,%3,400").arg(all.visible).arg(all.hidden).arg(all.clipped).toUtf8();
   EXPECT_TRUE(bytesOf(path("bars.csv")).contains(line)) << bytesOf(path("bars.csv")).toStdString();
   EXPECT_TRUE(bytesOf(path("bars.svg")).startsWith("<svg"));

@@ -1,6 +1,10 @@
 #include "ModelCommands.h"
 
+#include <fmt/format.h>
+
 #include <QColorDialog>
+#include <QInputDialog>
+#include <QLocale>
 #include <algorithm>
 
 #include "kit/SelectedCut.h"
@@ -103,6 +107,22 @@ void ModelCommands::setGhosts(const Types& types, std::optional<scene::Ghosts> g
                  [&](scene::Scene& scene) { session::setTypesGhosts(scene, types, ghosts); });
 }
 
+void ModelCommands::setTarget(const std::string& path, std::optional<double> visible) {
+  mDocument.edit(fmt::format("Number of {} to be seen", session::shortName(path)),
+                 [&](scene::Scene& scene) { session::setVisibleTarget(scene, path, visible); });
+}
+
+void ModelCommands::askTarget(const std::string& path, QWidget* window) {
+  int now = int(session::visibleTarget(mDocument.scene(), path).value_or(0.0));
+  bool isGiven = false;
+  QString name = QString::fromStdString(std::string(session::shortName(path))).replace('_', ' ');
+  int wanted = QInputDialog::getInt(window, tr("Number to be seen"), tr("Instances of %1 that are to be seen:").arg(name),
+                                    now, 0, 1000000000, 1, &isGiven);
+  if (!isGiven) return;
+  setTarget(path, double(wanted));
+  emit targetsAsked();
+}
+
 /// What can be done about what stands before a type.
 void ModelCommands::fillViewMenu(QMenu& menu, const std::string& path) {
   if (path.empty() || path.find('.') == std::string::npos) return;  // nothing hides all there is
@@ -114,6 +134,12 @@ void ModelCommands::fillViewMenu(QMenu& menu, const std::string& path) {
   connect(keep, &QAction::triggered, this, [this, path](bool on) { setInView(path, on); });
   menu.addAction(tr("What hides this?"), this, [this, path] { emit hidingAsked(QString::fromStdString(path)); })
       ->setToolTip(tr("Says which types stand before it, and by how much"));
+  auto wanted = session::visibleTarget(mDocument.scene(), path);
+  menu.addAction(wanted ? tr("Number to be seen: %1...").arg(QLocale().toString(*wanted, 'f', 0))
+                        : tr("Number to be seen..."),
+                 this, [this, path, window = menu.parentWidget()] { askTarget(path, window); })
+      ->setToolTip(tr("So many are to be seen; with the numbers that other types have, as near as can be"));
+  if (wanted) menu.addAction(tr("Any number"), this, [this, path] { setTarget(path, std::nullopt); });
   menu.addSeparator();
 }
 

@@ -32,6 +32,10 @@ class ModelCommands : public QObject {
   void goToInstance(std::uint32_t instance);
   /// Cuts clear what stands before it, or no longer do. @param path  of a type or compartment
   void setInView(const std::string& path, bool kept);
+  /// How many of a type or compartment are to be seen; none: any number.
+  void setTarget(const std::string& path, std::optional<double> visible);
+  /// Asks how many.
+  void askTarget(const std::string& path, QWidget* window);
   void setGhosts(const Types& types, std::optional<scene::Ghosts> ghosts);
   /// The entries for one or several types. @param title  what they are  @param path  of the one type or compartment that
   /// they are; empty: several
@@ -43,6 +47,8 @@ class ModelCommands : public QObject {
  signals:
   /// What hides a type or compartment is to be said.
   void hidingAsked(const QString& path);
+  /// What is seen is to be as wanted.
+  void targetsAsked();
 
  private:
   void fillMembraneMenu(QMenu& menu, const Types& types);

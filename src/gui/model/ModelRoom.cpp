@@ -45,6 +45,7 @@ void ModelRoom::makeRoom(bool hasModel) {
 void ModelRoom::connectEqualizer() {
   Viewport& viewport = mParts.views.viewport();
   connect(mCommands, &ModelCommands::hidingAsked, this, &ModelRoom::findHiding);
+  connect(mCommands, &ModelCommands::targetsAsked, this, &ModelRoom::meetTargets);
   connect(&mPanel->steps(), &EqualizeSteps::asked, this, &ModelRoom::takeStep);
   connect(&mPanel->list(), &ModelList::refused, this, [this](const QString& why) { mParts.messages.showNote(why); });
   connect(&mPanel->list(), &ModelList::hovered, this, [this, &viewport](const session::TypeNumbers& types) {
@@ -115,6 +116,33 @@ void ModelRoom::connectViews() {
   });
 }
 
+/// All numbers that are wanted at once, in pictures beside the window; what cannot be is said.
+void ModelRoom::meetTargets() {
+  if (mParts.session.scene().model.targets.empty())
+    return mParts.messages.showNote(tr("No type has a number to be seen: give one in its menu."));
+  struct Search {
+    session::TargetsReport report;
+    std::vector<scene::Cut> cuts;
+  };
+  auto search = std::make_shared<Search>();
+  search->cuts = mParts.session.scene().cuts;
+  const Viewport& viewport = mParts.views.viewport();
+  glm::ivec2 size(glm::round(glm::dvec2(viewport.width(), viewport.height()) * viewport.devicePixelRatioF()));
+  auto work = [search, scene = mParts.session.scene(), size](Progress& progress) {
+    search->report = session::findTargets(scene, glm::max(size, 1), progress);
+  };
+  mParts.jobs.start(tr("Meeting the numbers to be seen"), work, [this, search] {
+    session::Document& document = mParts.document();
+    if (document.scene().cuts != search->cuts || !document.scene().model.data) return;  // somebody has gone on
+    document.edit("Meet numbers to be seen",
+                  [&](scene::Scene& scene) { scene.cuts = std::move(search->report.scene.cuts); });
+    std::vector<std::string> unmet;
+    for (const session::TargetReport& target : search->report.targets)
+      if (!target.isMet) unmet.push_back(target.words);
+    mParts.messages.showNote(unmet.empty() ? tr("All numbers are met.") : tr("As near as can be"), unmet);
+  });
+}
+
 void ModelRoom::findType() {
   if (!mParts.session.scene().model.data) return mParts.messages.showNote(tr("No model is open."));
   mParts.tabs.showPage(mPanel);
@@ -143,6 +171,9 @@ void ModelRoom::addActions() {
     std::iota(types.begin(), types.end(), 0u);
     mCommands->setVisible(types, true);
   });
+  actions.addForScene(menu, "model.meetTargets", tr("Meet num&bers to be seen"),
+                      tr("Set what cuts leave so that of each type as many are seen as is wanted"),
+                      [this, hasModel] { if (hasModel()) meetTargets(); });
   mLegendAction = actions.addForScene(menu, "model.legend", tr("Lege&nd"),
                                       tr("Colours and names of the types that are seen most, over the picture"),
                                       [this] { showLegend(mLegendAction->isChecked()); });

@@ -32,6 +32,7 @@ class ModelRoom : public Room {
   void makeRoom(bool hasModel);
   void takeStep(EqualizeSteps::Step step);
   void findHiding(const QString& path);
+  void meetTargets();
 
   ModelCommands* mCommands;
   Equalizer* mEqualizer;

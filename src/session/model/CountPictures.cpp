@@ -25,6 +25,20 @@ Solved findVisible(const scene::Scene& scene, const std::vector<int>& cuts, std:
   return solveVisible(scene, cuts, path, wanted, picture, {}, counter.aspect());
 }
 
+TargetsReport findTargets(scene::Scene scene, glm::ivec2 size, Progress& progress) {
+  auto context = gpu::Context::create(gpu::ContextKind::Auto);
+  render::Renderer renderer(*context);
+  Progress inPicture([&progress](double, const std::string&) { progress.throwIfCancelled(); });
+  PictureCounter counter(renderer, size, context->limits(), inPicture);
+  int pictures = 0;
+  auto picture = [&](const scene::Scene& of) {
+    progress.report(double(pictures++) / kMostPictures, "Counting what is seen");
+    return counter.count(of);
+  };
+  std::vector<int> cuts = cutsToSet(scene);
+  return solveTargets(scene, cuts, scene.model.targets, picture, {}, counter.aspect());
+}
+
 void writeBars(const scene::Scene& scene, glm::ivec2 size, const std::filesystem::path& path, Progress& progress) {
   if (!scene.model.data) throw InputError("there is no model to count in");
   std::string extension = path.extension().string();

@@ -98,6 +98,21 @@ void setTypesColor(scene::Scene& scene, const TypeNumbers& types, std::optional<
   changeLooks(scene, types, [&](scene::TypeLook& look) { look.color = color; });
 }
 
+void setVisibleTarget(scene::Scene& scene, std::string_view path, std::optional<double> visible) {
+  std::vector<scene::TypeTarget>& targets = scene.model.targets;
+  auto isIt = [path](const scene::TypeTarget& target) { return target.type == path; };
+  auto found = std::find_if(targets.begin(), targets.end(), isIt);
+  if (found == targets.end()) found = targets.insert(found, {std::string(path), std::nullopt, std::nullopt});
+  found->visible = visible;
+  if (!found->visible && !found->rendered) targets.erase(found);
+}
+
+std::optional<double> visibleTarget(const scene::Scene& scene, std::string_view path) {
+  for (const scene::TypeTarget& target : scene.model.targets)
+    if (target.type == path) return target.visible;
+  return std::nullopt;
+}
+
 void resetTypes(scene::Scene& scene, const TypeNumbers& types) {
   changeLooks(scene, types, [](scene::TypeLook& look) { look = {.type = look.type}; });
 }

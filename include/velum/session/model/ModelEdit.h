@@ -32,6 +32,10 @@ void setTypesVisible(scene::Scene& scene, const TypeNumbers& types, bool visible
 void setTypesColor(scene::Scene& scene, const TypeNumbers& types, std::optional<glm::vec3> color);
 /// How their instances show that cuts have removed. @param ghosts  none: as the layer says
 void setTypesGhosts(scene::Scene& scene, const TypeNumbers& types, std::optional<scene::Ghosts> ghosts);
+/// How many instances of a type or compartment are to be seen. @param visible  none: any number
+void setVisibleTarget(scene::Scene& scene, std::string_view path, std::optional<double> visible);
+/// The number that is wanted; none where any will do.
+std::optional<double> visibleTarget(const scene::Scene& scene, std::string_view path);
 /// Shown, in the palette's colours, as nothing is said of them.
 void resetTypes(scene::Scene& scene, const TypeNumbers& types);
 

@@ -24,8 +24,16 @@ std::span<const Preset> presets();
 /// @throw ArgumentError for an unknown name, listing the known ones
 void applyPreset(Scene& scene, std::string_view name);
 
+/// Whether a preset is one of projections: the largest value along a ray shows in its colour.
+bool isProjectionLook(std::string_view name);
+
+/// Gives a layer and the lighting the look in which new data is first seen: that of choosePreset(), unless what is
+/// around the object would hide it. Where more than three fifths of the box's faces would be opaque, background and
+/// noise are learnt from the volume's borders, and only what stands out from them shows.
+void applyFirstLook(Scene& scene);
+
 /// The preset that fits what the volume says of itself and, where it says nothing, its histogram. Never leaves the
-/// picture empty or solid.
+/// picture empty.
 std::string_view choosePreset(const Volume& volume);
 
 /// Gives each channel of a volume with several a look of its own, fitted to its values, where the layer has none yet.

@@ -151,6 +151,7 @@ TEST_F(EqualizerWindow, EscapeLetsAHandleGoWithoutChange) {
   QTest::keyClick(&list(), Qt::Key_Escape);
   EXPECT_FALSE(equalizer().isHeld());
   EXPECT_EQ(drawn({1}), before.rendered());
+  EXPECT_EQ(mWindow->document().undoLabel(), "Cut") << "no step is left";
   QTest::mouseRelease(area, Qt::LeftButton, {}, placeOf(number, 0.99));
   EXPECT_EQ(drawn({1}), before.rendered());
 }

@@ -46,6 +46,18 @@ TEST(Document, MergingStopsAtTheEndOfADragAndAtAnotherEdit) {
   EXPECT_EQ(document.scene().cuts[0].centre.y, 1.0);
 }
 
+TEST(Document, ADragThatComesBackLeavesNoStepAndIsNoModification) {
+  Document document;
+  document.edit("Move cut", moveCut(1));
+  document.markSaved();
+  for (double place : {2.0, 3.0, 1.0}) document.edit("Drag cut", moveCut(place), true);
+  EXPECT_EQ(document.undoLabels(), std::vector<std::string>{"Move cut"});
+  EXPECT_FALSE(document.isModified());
+  document.edit("Drag cut", moveCut(5), true);
+  EXPECT_EQ(document.undoLabel(), "Drag cut") << "and goes on as a step";
+  EXPECT_TRUE(document.isModified());
+}
+
 TEST(Document, MergingEditsOfDifferentLabelsAreStepsOfTheirOwn) {
   // Two sliders that are dragged one after the other, nobody having said that the first has been let go.
   Document document;

@@ -184,9 +184,12 @@ void Equalizer::findSeen(std::unique_ptr<Held> held) {
     document.edit(
         labelOf(search->held->place),
         [&](scene::Scene& scene) { scene.cuts = std::move(search->solved.scene.cuts); }, true);
-    document.endMerge();
     emit told(QString::fromStdString(search->solved.words));
   };
+  // One that cannot begin, is cancelled or fails leaves what the handle has come to.
+  if (mJobs.isBusy()) mSession.document().endMerge();
+  connect(
+      &mJobs, &JobRunner::ended, this, [this] { mSession.document().endMerge(); }, Qt::SingleShotConnection);
   mJobs.start(tr("Finding how many are to be drawn for %1 to be seen").arg(search->held->wanted), work, done);
 }
 

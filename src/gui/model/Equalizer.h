@@ -27,7 +27,7 @@ class Equalizer : public QObject {
   /// The cuts that are set; those that are on where none of these is. @param ids  none: all that are on
   void setCuts(std::vector<int> ids);
   std::vector<int> cuts() const;
-  bool setsAll() const { return mChosen.empty(); }
+  const std::vector<int>& chosenCuts() const { return mChosen; }
 
   /// Takes hold of a handle. @param path  of a type or compartment
   void take(const std::string& path, Handle handle);

@@ -90,20 +90,21 @@ void EqualizerBar::showState() {
 }
 
 void EqualizerBar::toggleCut(int id, bool on) {
-  std::erase(mChosen, id);
-  if (on) mChosen.push_back(id);
-  mEqualizer.setCuts(mChosen);
+  std::vector<int> chosen = mEqualizer.chosenCuts();
+  std::erase(chosen, id);
+  if (on) chosen.push_back(id);
+  mEqualizer.setCuts(chosen);
   refresh();
 }
 
 void EqualizerBar::fillCuts() {
   QMenu* menu = mCuts->menu();
   menu->clear();
+  const std::vector<int>& chosen = mEqualizer.chosenCuts();
   QAction* all = menu->addAction(tr("All cuts that are on"));
   all->setCheckable(true);
-  all->setChecked(mChosen.empty());
+  all->setChecked(chosen.empty());
   connect(all, &QAction::triggered, this, [this] {
-    mChosen.clear();
     mEqualizer.setCuts({});
     refresh();
   });
@@ -112,7 +113,7 @@ void EqualizerBar::fillCuts() {
     QAction* action = menu->addAction(QString::fromStdString(cut.name));
     action->setCheckable(true);
     action->setEnabled(cut.enabled);
-    action->setChecked(std::find(mChosen.begin(), mChosen.end(), cut.id) != mChosen.end());
+    action->setChecked(std::find(chosen.begin(), chosen.end(), cut.id) != chosen.end());
     connect(action, &QAction::triggered, this, [this, id = cut.id](bool on) { toggleCut(id, on); });
   }
   if (mDocument.scene().cuts.empty())
@@ -120,16 +121,13 @@ void EqualizerBar::fillCuts() {
 }
 
 void EqualizerBar::refresh() {
-  const auto& cuts = mDocument.scene().cuts;
-  std::size_t before = mChosen.size();
-  std::erase_if(mChosen, [&](int id) {
-    return std::none_of(cuts.begin(), cuts.end(), [id](const scene::Cut& cut) { return cut.id == id; });
-  });
-  if (mChosen.size() != before) mEqualizer.setCuts(mChosen);
-  QString text = mChosen.empty() ? tr("All cuts") : tr("%n cuts", nullptr, int(mChosen.size()));
-  if (mChosen.size() == 1)
-    for (const scene::Cut& cut : cuts)
-      if (cut.id == mChosen[0]) text = QString::fromStdString(cut.name);
+  const scene::Scene& scene = mDocument.scene();
+  if (mModel != scene.model.data) mThinned.clear();  // shares of another model
+  mModel = scene.model.data;
+  std::vector<int> chosen = mEqualizer.chosenCuts();
+  if (std::erase_if(chosen, [&](int id) { return !scene::findCut(scene, id); }) > 0) mEqualizer.setCuts(chosen);
+  QString text = chosen.empty() ? tr("All cuts") : tr("%n cuts", nullptr, int(chosen.size()));
+  if (chosen.size() == 1) text = QString::fromStdString(scene::findCut(scene, chosen[0])->name);
   mCuts->setText(mCuts->fontMetrics().elidedText(text, Qt::ElideRight, 84));
   mCuts->setAccessibleName(tr("Handles set: %1").arg(text));
   showState();

@@ -29,7 +29,7 @@ class EqualizerBar : public QWidget {
   Equalizer& mEqualizer;
   std::vector<QPushButton*> mStates;
   QToolButton *mCuts = nullptr, *mPercent = nullptr;
-  std::vector<int> mChosen;         ///< none: all that are on
+  Shared<Model> mModel;              ///< whose cuts these are
   std::vector<scene::Cut> mThinned;  ///< as they were before another state was looked at; passing state
 };
 

@@ -247,6 +247,12 @@ QWidget* StructurePanel::makeDetail() {
   return mDetail;
 }
 
+/// Bars were not counted while nobody saw them.
+void StructurePanel::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  mAreas.refresh();
+}
+
 void StructurePanel::startSearch() {
   mSearch->setFocus(Qt::ShortcutFocusReason);
   mSearch->selectAll();

@@ -28,6 +28,9 @@ class StructurePanel : public QWidget {
  signals:
   void openLabelsAsked();
 
+ protected:
+  void showEvent(QShowEvent* event) override;
+
  private:
   QWidget* makeEmpty();
   QWidget* makeHead();

@@ -22,7 +22,7 @@ void StructureRoom::refresh(const session::Session& session) {
   mIsModelAlone = scene.model.data && !scene.volume.data && !scene.labels.data;
   mParts.tabs.setPageShown(mPanel, !mIsModelAlone);
   mPanel->refresh();
-  mAreas->refresh();
+  if (mPanel->isVisible()) mAreas->refresh();
 }
 
 void StructureRoom::connectViews() {

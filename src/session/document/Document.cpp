@@ -14,11 +14,13 @@ void Document::edit(const std::string& label, const Change& change, bool merge) 
   scene::completeCuts(next);
   if (next == mScene) return;
   bool joins = merge && mMerging && canUndo() && mUndo.back().label == label;
+  bool isBack = joins && mUndo.back().scene == next;
   if (!joins) push({label, std::move(mScene), mEdit, false});
   mScene = std::move(next);
   mRedo.clear();
-  mMerging = merge;
-  mEdit = ++mLastEdit;
+  mMerging = merge && !isBack;
+  mEdit = isBack ? mUndo.back().edit : ++mLastEdit;
+  if (isBack) mUndo.pop_back();  // a drag that comes back to where it began leaves no step
   changed();
 }
 

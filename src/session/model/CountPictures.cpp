@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <functional>
+#include <memory>
+
 #include "velum/core/Error.h"
 #include "velum/core/ReplaceFile.h"
 #include "velum/gpu/Context.h"
@@ -11,32 +14,40 @@
 
 namespace velum::session {
 
+namespace {
+
+/// Counts in pictures with a driver of its own, and tells after each how many there have been of those that there may be.
+class Counting {
+ public:
+  Counting(glm::ivec2 size, int most, Progress& progress)
+      : mMost(most), mProgress(progress), mCounter(mRenderer, size, mContext->limits(), mInPicture) {}
+  render::InstanceBits operator()(const scene::Scene& scene) {
+    mProgress.report(double(mPictures++) / mMost, "Counting what is seen");
+    return mCounter.count(scene);
+  }
+  double aspect() const { return mCounter.aspect(); }
+
+ private:
+  int mMost, mPictures = 0;
+  Progress& mProgress;
+  Progress mInPicture{[this](double, const std::string&) { mProgress.throwIfCancelled(); }};
+  std::unique_ptr<gpu::Context> mContext = gpu::Context::create(gpu::ContextKind::Auto);
+  render::Renderer mRenderer{*mContext};
+  PictureCounter mCounter;
+};
+
+}  // namespace
+
 Solved findVisible(const scene::Scene& scene, const std::vector<int>& cuts, std::string_view path, double wanted,
                    glm::ivec2 size, Progress& progress) {
-  auto context = gpu::Context::create(gpu::ContextKind::Auto);
-  render::Renderer renderer(*context);
-  Progress inPicture([&progress](double, const std::string&) { progress.throwIfCancelled(); });
-  PictureCounter counter(renderer, size, context->limits(), inPicture);
-  int pictures = 0;
-  auto picture = [&](const scene::Scene& of) {
-    progress.report(double(pictures++) / kMostPicturesOfOne, "Counting what is seen");
-    return counter.count(of);
-  };
-  return solveVisible(scene, cuts, path, wanted, picture, {}, counter.aspect());
+  Counting counting(size, kMostPicturesOfOne, progress);
+  return solveVisible(scene, cuts, path, wanted, std::ref(counting), {}, counting.aspect());
 }
 
 TargetsReport findTargets(scene::Scene scene, glm::ivec2 size, Progress& progress) {
-  auto context = gpu::Context::create(gpu::ContextKind::Auto);
-  render::Renderer renderer(*context);
-  Progress inPicture([&progress](double, const std::string&) { progress.throwIfCancelled(); });
-  PictureCounter counter(renderer, size, context->limits(), inPicture);
-  int pictures = 0;
-  auto picture = [&](const scene::Scene& of) {
-    progress.report(double(pictures++) / kMostPictures, "Counting what is seen");
-    return counter.count(of);
-  };
+  Counting counting(size, kMostPictures, progress);
   std::vector<int> cuts = cutsToSet(scene);
-  return solveTargets(scene, cuts, scene.model.targets, picture, {}, counter.aspect());
+  return solveTargets(scene, cuts, scene.model.targets, std::ref(counting), {}, counting.aspect());
 }
 
 void writeBars(const scene::Scene& scene, glm::ivec2 size, const std::filesystem::path& path, Progress& progress) {

@@ -23,7 +23,7 @@ class Document {
   /// Changes the scene as one undo step. A change that throws, or that leaves the scene equal, adds nothing.
   /// @param label  what was done, for the Edit menu: "Move cut"
   /// @param merge  joins the step before where that has the same label and merges, too (a drag, a slider), until
-  ///               endMerge() or another edit comes between
+  ///               endMerge() or another edit comes between; one that comes back to where the step began takes it away
   void edit(const std::string& label, const Change& change, bool merge = false);
   /// The next merging edit begins a step of its own: a drag is over.
   void endMerge() { mMerging = false; }

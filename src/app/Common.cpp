@@ -20,6 +20,7 @@
 #include "velum/scene/Finishes.h"
 #include "velum/scene/Presets.h"
 #include "velum/scene/json/Json.h"
+#include "velum/session/document/Body.h"
 #include "velum/session/document/LitSphereFiles.h"
 #include "velum/session/document/Open.h"
 #include "velum/session/document/PaperFile.h"
@@ -82,6 +83,8 @@ void addInput(CLI::App& verb, InputOptions& input, bool withScene) {
   verb.add_option("--finish", input.finish, fmt::format("what an illustrator adds: {}", finishNames()));
   verb.add_option("--transfer", input.transfer,
                   "transfer function from a file: .velum-transfer.json, or 3D Slicer's .vp.json or .vp");
+  verb.add_flag("--hide-table", input.hidesTable,
+                "leave out what is not part of the largest body: the scanner's table, head rests, cables");
   verb.add_option("--view", input.view, "camera: anterior, posterior, left, right, superior, inferior, oblique");
 }
 
@@ -247,6 +250,8 @@ scene::Scene openScene(const InputOptions& input, double aspect) {
       (first.ends_with(".json") && !io::looksLikeModel(first)) || first.ends_with(".png") || first.ends_with(".exr");
   if (!input.preset.empty()) scene::applyPreset(scene, input.preset);
   if (!input.transfer.empty()) printWarnings(input.transfer, session::importLook(scene, input.transfer));
+  if (input.hidesTable) scene.volume.bodyOnly = true;
+  session::settleBody(scene, progress);  // before the camera looks at what is left
   if (!input.view.empty() || !isScene) {
     auto view = input.view.empty() ? scene::defaultView(scene) : enumValue<scene::StandardView>(input.view);
     if (!view)
@@ -256,6 +261,7 @@ scene::Scene openScene(const InputOptions& input, double aspect) {
   }
   if (!input.finish.empty()) scene::applyFinish(scene, input.finish);
   for (const auto& [path, value] : sets) scene::setField(scene, path, value);
+  session::settleBody(scene, progress);
   for (const std::string& note : session::settleGrowths(scene, progress)) log::warning(note);
   loadNamedPictures(scene, sets);
   return scene;

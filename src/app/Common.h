@@ -27,6 +27,7 @@ struct InputOptions {
   std::vector<std::string> inputs;
   std::vector<std::string> sets;  ///< path=value
   std::string series, preset, finish, transfer, view, labels;
+  bool hidesTable = false;
   std::vector<double> spacing;
   std::string raw;  ///< "XxYxZ:type[:be][:+header]"
 };

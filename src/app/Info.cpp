@@ -41,6 +41,13 @@ Json directionRows(const glm::dmat3& d) {
   return out;
 }
 
+/// {first, count} each.
+Json listOfGaps(const Volume& v) {
+  Json gaps = Json::array();
+  for (glm::ivec2 gap : v.gaps) gaps.push_back({gap[0], gap[1]});
+  return gaps;
+}
+
 Json describe(const Volume& v) {
   Json json = {{"kind", "volume"},
                {"name", v.name},
@@ -62,6 +69,7 @@ Json describe(const Volume& v) {
                {"spacingKnown", v.isSpacingKnown},
                {"orientationKnown", v.isOrientationKnown},
                {"channelNames", v.channelNames},
+               {"gaps", listOfGaps(v)},
                {"preset", std::string(scene::choosePreset(v))},
                {"warnings", v.warnings}};
   return json;

@@ -46,23 +46,6 @@ std::string lengths(const std::vector<double>& mm) {
   return fmt::format("{} {}", fmt::join(numbers, " x "), unit.symbol);
 }
 
-/// Not 1.986e+04 where 19860 is as short.
-std::string number(double value) {
-  double size = std::abs(value);
-  return size == 0 || (size >= 1e-4 && size < 1e7) ? fmt::format("{:.{}f}", value,
-                                                                 size >= 100 ? 0
-                                                                 : size >= 1 ? 2
-                                                                             : 5)
-                                                   : fmt::format("{:.4g}", value);
-}
-std::string tidy(double value) {
-  std::string text = number(value);
-  if (text.find('.') == text.npos || text.find('e') != text.npos) return text;
-  text.erase(text.find_last_not_of('0') + 1);
-  if (text.back() == '.') text.pop_back();
-  return text;
-}
-
 void printVoxels(const Json& json) {
   auto dims = json["dims"].get<std::vector<double>>();
   auto spacing = json["spacingMm"].get<std::vector<double>>();
@@ -79,8 +62,8 @@ void printVolume(const Json& json) {
   fmt::print("{}: {}\n", textIn(json, "name"), modality == "unknown" ? "volume" : modality + " volume");
   printVoxels(json);
   std::string unit = textIn(json, "unit");
-  line("values", fmt::format("{}, {} to {}{}{}", textIn(json, "type"), tidy(json["range"][0].get<double>()),
-                             tidy(json["range"][1].get<double>()), unit.empty() ? "" : " ", unit));
+  line("values", fmt::format("{}, {} to {}{}{}", textIn(json, "type"), tidyNumber(json["range"][0].get<double>()),
+                             tidyNumber(json["range"][1].get<double>()), unit.empty() ? "" : " ", unit));
   int channels = json["channels"].get<int>(), frames = json["frames"].get<int>();
   if (json["color"].get<bool>()) {
     line("channels", "colour");
@@ -91,7 +74,7 @@ void printVolume(const Json& json) {
   }
   double seconds = json["frameSeconds"].get<double>();
   if (frames > 1)
-    line("time steps", fmt::format("{}{}", frames, seconds > 0 ? fmt::format(", {} s apart", tidy(seconds)) : ""));
+    line("time steps", fmt::format("{}{}", frames, seconds > 0 ? fmt::format(", {} s apart", tidyNumber(seconds)) : ""));
   if (!json["orientationKnown"].get<bool>()) line("patient", "how it lay is not in the file");
   line("first look", textIn(json, "preset"));
 }
@@ -107,8 +90,8 @@ void printLabels(const Json& json) {
     const Json& s = structures[i];
     auto voxels = s["voxels"].get<std::uint64_t>();
     std::string size = voxels == 0 ? "does not occur"
-                                   : fmt::format("{:>9} ml  {:>9} cm2", tidy(s["volumeMl"].get<double>()),
-                                                 tidy(s["surfaceCm2"].get<double>()));
+                                   : fmt::format("{:>9} ml  {:>9} cm2", tidyNumber(s["volumeMl"].get<double>()),
+                                                 tidyNumber(s["surfaceCm2"].get<double>()));
     fmt::print("  {:>5}  {:<{}}  {}\n", s["id"].get<int>(), textIn(s, "name"), width, size);
   }
   if (structures.size() > rows) fmt::print("  and {} more\n", structures.size() - rows);

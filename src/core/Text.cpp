@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace velum {
@@ -75,6 +77,21 @@ std::optional<double> takeNumber(std::string_view& text) {
 std::optional<double> numberIn(std::string_view text) {
   auto value = takeNumber(text);
   return value && trimmed(text).empty() ? value : std::nullopt;
+}
+
+std::string tidyNumber(double value) {
+  double size = std::abs(value);
+  if (size < 1e-30) return "0";
+  bool isPlain = size >= 1e-4 && size < 1e7;
+  int digits = !isPlain ? 4 : size >= 100 ? 0 : size >= 1 ? 2 : 5;
+  char text[64];
+  auto format = isPlain ? std::chars_format::fixed : std::chars_format::general;
+  auto [end, error] = std::to_chars(std::begin(text), std::end(text), value, format, digits);
+  std::string number(text, error == std::errc() ? end : text);
+  if (!isPlain || number.find('.') == number.npos) return number;
+  number.erase(number.find_last_not_of('0') + 1);
+  if (number.back() == '.') number.pop_back();
+  return number;
 }
 
 std::string printable(std::string_view text) {

@@ -136,6 +136,8 @@ int run(int argc, char** argv) {
   QApplication::setDesktopFileName("io.github.velum.Velum");
   QApplication::setWindowIcon(QIcon(":/velum/velum.svg"));
   velum::gui::applyTheme(application, velum::gui::Preferences().theme());
+  int memory = velum::gui::Preferences().graphicsMemory();
+  if (memory > 0 && !qEnvironmentVariableIsSet("VELUM_GPU_MEMORY_MB")) qputenv("VELUM_GPU_MEMORY_MB", QByteArray::number(memory));
 
   QCommandLineParser parser;
   describeOptions(parser);

@@ -112,7 +112,8 @@ void completeChannels(VolumeLayer& layer) {
     look.transfer.unitDistance = (spacing.x + spacing.y + spacing.z) / 3.0;
     look.windowLevel = place(0.5);
     look.windowWidth = range.y - range.x;
-    colorChannel(look, kColors[std::size_t(c) % std::size(kColors)]);
+    bool hasColor = std::size_t(c) < volume.channelColors.size();
+    colorChannel(look, hasColor ? volume.channelColors[std::size_t(c)] : kColors[std::size_t(c) % std::size(kColors)]);
   }
 }
 

@@ -52,6 +52,17 @@ TEST(Text, NumbersBeyondADoubleAreZeroOrInfinite) {
   EXPECT_EQ(numberIn("1" + std::string(400, '0') + ".5"), kInfinity);
 }
 
+TEST(Text, ATidyNumberIsAsPeopleReadIt) {
+  EXPECT_EQ(tidyNumber(19860), "19860");
+  EXPECT_EQ(tidyNumber(-1024), "-1024");
+  EXPECT_EQ(tidyNumber(123.4), "123");
+  EXPECT_EQ(tidyNumber(1.5), "1.5");
+  EXPECT_EQ(tidyNumber(0.25), "0.25");
+  EXPECT_EQ(tidyNumber(0.0), "0");
+  EXPECT_EQ(tidyNumber(6.32e-41), "0");
+  EXPECT_EQ(tidyNumber(2e9), "2e+09");
+}
+
 TEST(Text, PrintableIsOneLineThatNoTerminalObeys) {
   EXPECT_EQ(printable("plain, näive, 體積 🧠"), "plain, näive, 體積 🧠");
   EXPECT_EQ(printable("a\nb\tc\rd"), "a\\nb\\tc\\x0dd");

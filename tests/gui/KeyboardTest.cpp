@@ -301,8 +301,8 @@ TEST_P(Keyboard, ReachesTheBars) {
 TEST_P(Keyboard, ReachesAllOfTheDialogs) {
   open({"phantom.nrrd"});
   SavePictureDialog picture({640, 480}, mWindow->document().scene(), mWindow.get());
-  PreferencesDialog preferences(mWindow.get());
-  CommandFinder finder(mWindow->actions(), mWindow.get());
+  PreferencesDialog preferences(mWindow->actions(), mWindow.get());
+  CommandFinder finder(findCommands(mWindow->actions()), mWindow.get());
   for (QDialog* dialog :
        {static_cast<QDialog*>(&picture), static_cast<QDialog*>(&preferences), static_cast<QDialog*>(&finder)}) {
     activate(*dialog);

@@ -136,7 +136,7 @@ TEST(CommandFinder, EnterDoesTheCommandThatIsOnTop) {
   int planes = 0, others = 0;
   actions.add(&menu, "test.other", "Flip", "Turn it round", [&] { ++others; });
   actions.add(&menu, "test.plane", "Add plane", "Cut away a half", [&] { ++planes; });
-  CommandFinder finder(actions, &window);
+  CommandFinder finder(findCommands(actions), &window);
   finder.show();
   QTest::keyClicks(finder.findChild<QLineEdit*>(), "adpl");
   takeShot(finder, "find-command");

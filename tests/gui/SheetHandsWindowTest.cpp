@@ -74,6 +74,37 @@ TEST_F(SheetHandsWindow, APinIsSetDraggedUndoneAndRemoved) {
   ASSERT_TRUE(settle());
 }
 
+TEST_F(SheetHandsWindow, PinsAndForcesAreSetWithoutAMouse) {
+  addMembrane();
+  viewport().setFocus();
+  press("membrane.pin");
+  auto key = [&](Qt::Key which, Qt::KeyboardModifiers keys = {}) { QTest::keyClick(&viewport(), which, keys); };
+  key(Qt::Key_Right, Qt::ShiftModifier);
+  key(Qt::Key_Up, Qt::ShiftModifier);
+  takeShot(*mWindow, "key-pointer");
+  key(Qt::Key_Return);
+  ASSERT_EQ(membrane().pins.size(), 1u);
+  QPoint middle(viewport().width() / 2 + 24, viewport().height() / 2 - 24);
+  EXPECT_LT(glm::length(glm::dvec2(pixelOf(membrane().pins[0].place).x() - middle.x(),
+                                   pixelOf(membrane().pins[0].place).y() - middle.y())),
+            3.0);
+  // A force: Space at its middle, arrows to its rim, Space.
+  press("membrane.push");
+  key(Qt::Key_Left, Qt::ShiftModifier);
+  key(Qt::Key_Space);
+  ASSERT_EQ(membrane().field.kernels.size(), 1u);
+  double before = membrane().field.kernels[0].radius;
+  for (int i = 0; i < 4; ++i) key(Qt::Key_Right, Qt::ShiftModifier);
+  key(Qt::Key_Space);
+  EXPECT_NE(membrane().field.kernels[0].radius, before);
+  EXPECT_FALSE(mWindow->toolbox().active()) << "laid down, as after a drag by mouse";
+  document().undo();
+  EXPECT_TRUE(membrane().field.kernels.empty()) << "one step";
+  // Without a tool the arrows are the view's own.
+  key(Qt::Key_Right);
+  EXPECT_EQ(document().scene().cuts.size(), 1u);
+}
+
 TEST_F(SheetHandsWindow, AKernelIsDraggedOnASectionAndEditedInTheList) {
   addMembrane(scene::Layout::FourUp);
   SectionView& view = mWindow->views().section(scene::SectionKind::Axial);
@@ -81,7 +112,7 @@ TEST_F(SheetHandsWindow, AKernelIsDraggedOnASectionAndEditedInTheList) {
   QPoint from(view.width() / 2 + 20, view.height() / 2 + 15), to = from + QPoint(30, 10);
   drag(view, from, to);
   ASSERT_EQ(membrane().field.kernels.size(), 1u);
-  EXPECT_EQ(document().undoLabel(), "Add push kernel");
+  EXPECT_EQ(document().undoLabel(), "Push sheet");
   auto kernel = membrane().field.kernels[0];
   scene::SectionPlane plane = view.plane();
   EXPECT_LT(glm::length(kernel.centre - scene::worldFromSectionPixel(plane, {from.x(), from.y()})), 1e-9);
@@ -89,12 +120,12 @@ TEST_F(SheetHandsWindow, AKernelIsDraggedOnASectionAndEditedInTheList) {
   EXPECT_GT(kernel.strength, 0.0);
   // Its rim sets the radius; Esc has laid the tool down already.
   drag(view, to, to + QPoint(15, 5));
-  EXPECT_EQ(document().undoLabel(), "Resize kernel");
+  EXPECT_EQ(document().undoLabel(), "Resize force");
   EXPECT_NEAR(membrane().field.kernels[0].radius, std::hypot(45, 15) * plane.lengthPerPixel, 1e-6);
   document().undo();
   EXPECT_EQ(membrane().field.kernels[0], kernel);
   drag(view, from, from + QPoint(-25, 0));
-  EXPECT_EQ(document().undoLabel(), "Move kernel");
+  EXPECT_EQ(document().undoLabel(), "Move force");
   // In the list.
   QDoubleSpinBox* strength = nullptr;
   for (auto* spin : mWindow->findChildren<QDoubleSpinBox*>())
@@ -106,7 +137,7 @@ TEST_F(SheetHandsWindow, AKernelIsDraggedOnASectionAndEditedInTheList) {
   ASSERT_TRUE(away);
   away->click();
   EXPECT_TRUE(membrane().field.kernels.empty());
-  EXPECT_EQ(document().undoLabel(), "Remove kernel");
+  EXPECT_EQ(document().undoLabel(), "Remove force");
   ASSERT_TRUE(settle());
 }
 

@@ -105,6 +105,8 @@ TEST(Dicom, MissingSliceIsFilledInWithAWarning) {
   EXPECT_EQ(v.dims.z, 6);
   for (int z = 0; z < 6; ++z) EXPECT_EQ(valueAt(v, {0, 0, z}), 10 * z);
   EXPECT_TRUE(warns(v, "1 missing"));
+  ASSERT_EQ(v.gaps.size(), 1u);
+  EXPECT_EQ(v.gaps[0][1], 1) << "and where it was stays known";
 }
 
 TEST(Dicom, MoreThanHalfMissingIsRefused) {

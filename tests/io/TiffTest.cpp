@@ -82,6 +82,23 @@ TEST(Tiff, ColourPagesAreColour) {
   EXPECT_EQ(valueAt(v, {1, 0, 1}, 2), 1000 + 5);
 }
 
+TEST(Tiff, OmeChannelsHaveTheirColours) {
+  TempFolder folder;
+  auto write = [&](const char* file, const std::string& first, const std::string& second) {
+    writePages(folder / file, 4, 3, 1, 2,
+               "<OME><Image><Pixels DimensionOrder=\"XYZCT\" Type=\"uint16\" SizeX=\"4\" SizeY=\"3\" SizeZ=\"1\" "
+               "SizeC=\"2\" SizeT=\"1\"><Channel Name=\"a\" " + first + "/><Channel Name=\"b\" " + second +
+                   "/><TiffData/></Pixels></Image></OME>");
+    return read(folder / file).channelColors;
+  };
+  // Red, green, blue, alpha from the highest byte down, of a signed number.
+  auto colors = write("red-green.ome.tif", "Color=\"-16776961\"", "Color=\"16711935\"");
+  EXPECT_EQ(colors, (std::vector<glm::vec3>{{1, 0, 0}, {0, 1, 0}}));
+  EXPECT_TRUE(write("white.ome.tif", "Color=\"-1\"", "Color=\"-1\"").empty()) << "these tell nothing apart";
+  EXPECT_TRUE(write("one.ome.tif", "Color=\"-16776961\"", "").empty());
+  EXPECT_TRUE(write("odd.ome.tif", "Color=\"red\"", "Color=\"1e300\"").empty());
+}
+
 TEST(Tiff, OmeChannelsFramesAndSpacing) {
   TempFolder folder;
   // Order XYZCT: z fastest, then channel, then time.

@@ -1,6 +1,7 @@
 // Membranes over time: the sheet follows what moves.
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "GlFixture.h"
 #include "makeVolume.h"
@@ -85,13 +86,11 @@ TEST_F(MembranesTimeGL, ASheetThatFollowsABeatCutsLittleInEachOfItsSteps) {
   EXPECT_LT(distance(active.shapes.front(), active.shapes.back()), 0.25 * activeWay) << "the beat goes round";
 }
 
-/// A ball that rises through the section, a layer and a half from one time step to the next.
-scene::Scene risingBall(scene::Repositioning repositioning) {
-  constexpr int kFrames = 7;
+/// A ball that moves through the section. @param heightOf  of its middle, voxels, by time step
+scene::Scene movingBall(scene::Repositioning repositioning, int frames, const std::function<double(int)>& heightOf) {
   glm::ivec3 dims(40, 40, 40);
-  auto heightOf = [](int frame) { return 15.0 + 1.5 * frame; };
   Volume volume;
-  for (int frame = 0; frame < kFrames; ++frame) {
+  for (int frame = 0; frame < frames; ++frame) {
     Volume step = makeVolume(
         dims, SampleType::Int16,
         [&](glm::ivec3 p) {
@@ -103,7 +102,7 @@ scene::Scene risingBall(scene::Repositioning repositioning) {
     else
       volume.voxels.insert(volume.voxels.end(), step.voxels.begin(), step.voxels.end());
   }
-  volume.timeSteps = kFrames;
+  volume.timeSteps = frames;
   scene::Scene scene;
   scene.volume.data = Shared<Volume>(std::move(volume));
   scene::Cut cut;
@@ -120,6 +119,16 @@ scene::Scene risingBall(scene::Repositioning repositioning) {
   return scene;
 }
 
+/// A layer and a half from one time step to the next.
+scene::Scene risingBall(scene::Repositioning repositioning) {
+  return movingBall(repositioning, 7, [](int frame) { return 15.0 + 1.5 * frame; });
+}
+
+/// Up through the section and down again, as what beats: the shorter way round it is above at first, then below.
+scene::Scene beatingBall(scene::Repositioning repositioning) {
+  return movingBall(repositioning, 8, [](int frame) { return 19.5 - 4.5 * std::cos(2.0 * M_PI * frame / 8.0); });
+}
+
 TEST_F(MembranesTimeGL, AnActiveSheetStaysOnItsSideOfWhatRises) {
   // It passes over the ball at first, as the shorter way. Later that is under it: a passive sheet changes over.
   for (auto repositioning : {scene::Repositioning::Passive, scene::Repositioning::Active}) {
@@ -134,6 +143,22 @@ TEST_F(MembranesTimeGL, AnActiveSheetStaysOnItsSideOfWhatRises) {
     }
     EXPECT_EQ(middle > 0, repositioning == scene::Repositioning::Active) << middle;
   }
+}
+
+TEST_F(MembranesTimeGL, AnActiveSheetKeepsItsSideOverTwoRoundsOfABeat) {
+  scene::Scene scene = beatingBall(scene::Repositioning::Active);
+  int steps = scene.volume.data->timeSteps;
+  std::vector<double> middles;
+  for (int step = 0; step < 2 * steps; ++step) {
+    scene.volume.timeStep = step % steps;
+    auto report = settleMembranes(scene, {true, false}, sProgress).at(0);
+    EXPECT_EQ(report.kept->cutAreaMembrane, 0) << "at step " << step;
+    middles.push_back(membrane::heightOf(scene.cuts[0].membrane->shape)({0, 0}));
+    EXPECT_GT(middles.back(), 1.0) << "at step " << step;
+  }
+  // The second round is as the first one; the very first step alone began from flat.
+  for (int step = 1; step < steps; ++step)
+    EXPECT_NEAR(middles[std::size_t(step)], middles[std::size_t(step + steps)], 1.0) << "at step " << step;
 }
 
 TEST_F(MembranesTimeGL, WindowsFollowAsPicturesDo) {

@@ -21,6 +21,10 @@ std::optional<double> takeNumber(std::string_view& text);
 /// The same of a text that is one number and nothing else.
 std::optional<double> numberIn(std::string_view text);
 
+/// A measured number as people read it: four digits or so, 19860 rather than 1.986e+04, and 0 for what is none but for
+/// rounding (below 1e-30).
+std::string tidyNumber(double value);
+
 /// On one line that no terminal takes for a command, whatever a file or a path holds: control characters and bytes that
 /// are not UTF-8 become \n, \t or \xNN.
 std::string printable(std::string_view text);

@@ -74,6 +74,8 @@ struct Volume {
   double timeStepSeconds = 0.0;           ///< Time between them; 0 when unknown.
   std::string name;                       ///< For people: series description or file name.
   std::vector<std::string> channelNames;  ///< Empty, or one per channel.
+  std::vector<glm::vec3> channelColors;   ///< As the file gives them, sRGB: empty, or one per channel.
+  std::vector<glm::ivec2> gaps;           ///< Planes along z that no slice gave, {first, count}; filled in linearly.
   std::vector<std::string> warnings;      ///< What the reader had to assume or mend, one line each.
 };
 

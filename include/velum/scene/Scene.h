@@ -25,7 +25,9 @@ namespace velum::scene {
 /// A volume and how it is shown.
 struct VolumeLayer {
   Source source;
-  Shared<Volume> data;  ///< not saved: read from `source`
+  Shared<Volume> data;    ///< not saved: read from `source`; where `bodyOnly`, the body of `given`
+  bool bodyOnly = false;  ///< what is not part of the largest body, as the table of a scanner, is air
+  Shared<Volume> given;   ///< not saved: what `source` holds, where `data` is but its body
   bool visible = true;
   int timeStep = 0;  ///< 0..timeSteps-1
   int channel =
@@ -37,6 +39,8 @@ struct VolumeLayer {
   bool operator==(const VolumeLayer&) const = default;
   static void fields(auto& o, auto& visit) {
     visit("source", o.source, FieldInfo{"", {}, "Where the volume comes from."});
+    visit("bodyOnly", o.bodyOnly,
+          FieldInfo{"", {}, "On: what is not part of the largest body, as the scanner's table, is left out."});
     visit("visible", o.visible, FieldInfo{"", {}, "Off: the volume is not drawn."});
     visit("timeStep", o.timeStep, FieldInfo{"", {0, 1e9}, "Time step."});
     visit("channel", o.channel, FieldInfo{"", {0, 1e9}, "Channel that is shown."});

@@ -1,9 +1,11 @@
 #include "ActionTable.h"
 
+#include <QDir>
 #include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QSaveFile>
 #include <QWidget>
 
 #include "Preferences.h"
@@ -12,7 +14,8 @@ namespace velum::gui {
 
 ActionTable::ActionTable(QWidget* window) : QObject(window), mWindow(window) {
   readKeys(":/velum/keys.json");
-  readKeys(Preferences::folder() + "/keys.json");
+  mUsual = mKeys;
+  readKeys(Preferences::keysPath());
 }
 
 /// An object of id: list of key sequences; an empty list takes a key away.
@@ -37,14 +40,51 @@ QAction* ActionTable::add(QMenu* menu, const QString& id, const QString& text, c
                           std::function<void()> slot) {
   QAction* action = menu->addAction(text);
   action->setObjectName(id);
-  action->setShortcuts(mKeys.value(id));
-  QString keys = action->shortcut().toString(QKeySequence::NativeText);
-  action->setToolTip(keys.isEmpty() ? tip : QString("%1 (%2)").arg(tip, keys));
   action->setStatusTip(tip);
+  showKeys(action);
   connect(action, &QAction::triggered, mWindow, [slot = std::move(slot)] { slot(); });
   mActions.insert(id, action);
   mOrder << action;
   return action;
+}
+
+void ActionTable::showKeys(QAction* action) {
+  action->setShortcuts(mKeys.value(action->objectName()));
+  QString keys = action->shortcut().toString(QKeySequence::NativeText), tip = action->statusTip();
+  action->setToolTip(keys.isEmpty() ? tip : QString("%1 (%2)").arg(tip, keys));
+}
+
+QAction* ActionTable::withKey(const QKeySequence& key) const {
+  for (QAction* action : mOrder)
+    if (mKeys.value(action->objectName()).contains(key)) return action;
+  return nullptr;
+}
+
+QString ActionTable::setKeys(const QString& id, const QList<QKeySequence>& keys) {
+  for (const QKeySequence& key : keys)
+    if (QAction* before = withKey(key); before && before->objectName() != id) {
+      mKeys[before->objectName()].removeAll(key);
+      showKeys(before);
+    }
+  mKeys[id] = keys;
+  if (QAction* action = find(id)) showKeys(action);
+  return writeOwnKeys();
+}
+
+/// What differs from the usual keys.
+QString ActionTable::writeOwnKeys() const {
+  QJsonObject table;
+  for (auto row = mKeys.begin(); row != mKeys.end(); ++row) {
+    if (row.value() == mUsual.value(row.key())) continue;
+    QJsonArray keys;
+    for (const QKeySequence& key : row.value()) keys << key.toString(QKeySequence::PortableText);
+    table.insert(row.key(), keys);
+  }
+  QDir().mkpath(Preferences::folder());
+  QSaveFile file(Preferences::keysPath());
+  QByteArray text = QJsonDocument(table).toJson();
+  bool isWritten = file.open(QIODevice::WriteOnly) && file.write(text) == text.size() && file.commit();
+  return isWritten ? QString() : tr("%1: %2; the keys hold until Velum ends").arg(file.fileName(), file.errorString());
 }
 
 QAction* ActionTable::addForScene(QMenu* menu, const QString& id, const QString& text, const QString& tip,

@@ -26,15 +26,24 @@ class ActionTable : public QObject {
   const QList<QAction*>& all() const { return mOrder; }
   /// Enables the commands that need something open.
   void setSceneOpen(bool open);
+  /// The keys that a command has without the user's own.
+  QList<QKeySequence> usualKeys(const QString& id) const { return mUsual.value(id); }
+  /// Gives a command keys, and takes them from others; kept in the user's keys.json. @return what went wrong with the
+  /// file, one line; empty when nothing did
+  QString setKeys(const QString& id, const QList<QKeySequence>& keys);
+  /// The command that has a key; null when none has.
+  QAction* withKey(const QKeySequence& key) const;
   /// What is wrong with the user's keys.json; empty when nothing is.
   QString warning() const { return mWarning; }
 
  private:
   void readKeys(const QString& path);
+  void showKeys(QAction* action);
+  QString writeOwnKeys() const;
 
   QWidget* mWindow;
   QHash<QString, QAction*> mActions;
-  QHash<QString, QList<QKeySequence>> mKeys;
+  QHash<QString, QList<QKeySequence>> mKeys, mUsual;  ///< By id: in force, and without the user's own.
   QList<QAction*> mOrder, mNeedScene;
   QString mWarning;
 };

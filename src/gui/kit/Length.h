@@ -34,6 +34,7 @@ class Length {
   double step() const;
 
  private:
+  void takeChosenUnit();
   scene::LengthFormat mFormat;
   double mFar;
 };

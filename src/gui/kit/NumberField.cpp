@@ -124,6 +124,14 @@ void NumberField::keyPressEvent(QKeyEvent* event) {
   QDoubleSpinBox::keyPressEvent(event);
 }
 
+void NumberField::enter(const QString& text) {
+  lineEdit()->setText(text);
+  keepUntaken([this] {
+    interpretText();
+    emit editingFinished();
+  });
+}
+
 void NumberField::focusOutEvent(QFocusEvent* event) {
   keepUntaken([&] { QDoubleSpinBox::focusOutEvent(event); });
 }

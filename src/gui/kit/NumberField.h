@@ -28,6 +28,8 @@ class NumberField : public QDoubleSpinBox {
   /// Of the number as it is shown.
   void setDecimals(int decimals);
   int decimals() const { return mDecimals; }
+  /// As if it was typed and entered.
+  void enter(const QString& text);
   /// What was typed was not taken.
   bool isMarked() const { return mIsMarked && !isTaken(); }
   /// "12.5 mm".

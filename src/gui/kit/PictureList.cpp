@@ -116,6 +116,12 @@ QStringList PictureList::names() const {
   return names;
 }
 
+QList<std::pair<QString, QString>> PictureList::titles() const {
+  QList<std::pair<QString, QString>> titles;
+  for (int i = 0; i < count(); ++i) titles.emplaceBack(item(i)->data(kName).toString(), item(i)->text());
+  return titles;
+}
+
 void PictureList::mark(const QString& name) {
   QListWidgetItem* now = find(name);
   if (now == currentItem() && (!now || now->isSelected())) return;

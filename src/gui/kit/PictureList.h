@@ -19,6 +19,8 @@ class PictureList : public QListWidget {
   void add(const QString& name, const QString& title, const QString& tip, const QPixmap& picture);
   void setPicture(const QString& name, const QPixmap& picture);
   QStringList names() const;
+  /// Name and title of each.
+  QList<std::pair<QString, QString>> titles() const;
   /// Marks a name; none where it is not in the list. Tells nobody.
   void mark(const QString& name);
   /// As wide as that, and as high as it takes.

@@ -1,5 +1,6 @@
 #include "ShowThisTool.h"
 
+#include "velum/core/Text.h"
 #include "velum/session/look/ShowThis.h"
 
 namespace velum::gui {
@@ -16,7 +17,7 @@ void ShowThisTool::click(const PointerEvent& event) {
   if (!tissue) return;
   QString unit = QString::fromStdString(volume->unit);
   mMessages.showNote((hide ? tr("Hidden: values around %1 %2") : tr("Shown: values around %1 %2"))
-                         .arg(QString::number(tissue->value, 'g', 4), unit)
+                         .arg(QString::fromStdString(tidyNumber(tissue->value)), unit)
                          .trimmed());
 }
 

@@ -32,7 +32,7 @@ bool HandTool::start() {
   for (const auto& cut : mDocument.scene().cuts)
     if (!selectedMembrane(mDocument, mSelection) && scene::isMembrane(cut)) mSelection.setCut(cut.id);
   if (selectedMembrane(mDocument, mSelection)) return true;
-  mMessages.showNote(tr("Add a membrane first: pins and kernels are put on its sheet."));
+  mMessages.showNote(tr("Add a membrane first: pins and forces are put on its sheet."));
   return false;
 }
 
@@ -64,7 +64,7 @@ bool HandTool::putKernel(const PointerEvent& event) {
     if (auto point = sheetUnder(event.at)) middle = point->place;
   if (!middle) return false;
   bool pushes = mKind == Kind::Push;
-  const char* label = pushes ? "Add push kernel" : "Add pull kernel";
+  const char* label = pushes ? "Push sheet" : "Pull sheet";
   double strength = pushes ? session::kKernelStrength : -session::kKernelStrength;
   double radius = session::defaultRadius(*selectedMembrane(mDocument, mSelection));
   Hand hand;

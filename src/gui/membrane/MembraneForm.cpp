@@ -116,7 +116,9 @@ QWidget* MembraneForm::makeFieldHead() {
   auto* head = new QWidget(this);
   auto* row = new QHBoxLayout(head);
   row->setContentsMargins(0, 0, 0, 0);
-  row->addWidget(makeTitle(tr("Protect"), head), 1);
+  mFieldTitle = makeTitle(tr("Protect"), head);
+  mFieldTitle->setObjectName("protectTitle");
+  row->addWidget(mFieldTitle, 1);
   mAttribute = new QComboBox(head);
   mAttribute->setObjectName("strengthBy");
   mAttribute->addItems({tr("By value"), tr("By gradient")});
@@ -144,7 +146,7 @@ QWidget* MembraneForm::makePlayer() {
   auto* tools = new QWidget(this);
   auto* row = new QHBoxLayout(tools);
   row->setContentsMargins(0, 0, 0, 0);
-  mPlay = addButton(row, "membranePlay", tr("Pause"), tr("Let the sheets of all membranes move, or hold them"));
+  mPlay = addButton(row, "membranePlay", tr("Hold"), tr("Let the sheets of all membranes move, or hold them"));
   mStep = addButton(row, "membraneStep", tr("Step"), tr("Hold the sheets and let them go five steps"));
   auto* flat = addButton(row, "membraneFlat", tr("Flat"), tr("Hang the sheet flat again and let it go anew"));
   mPlay->setCheckable(true);
@@ -160,7 +162,7 @@ QWidget* MembraneForm::makeLast() {
   auto* row = new QHBoxLayout(tools);
   row->setContentsMargins(0, 0, 0, 0);
   mMore =
-      addButton(row, "membraneMore", tr("Cloth and kernels"), tr("Show the numbers of the cloth and of the forces"));
+      addButton(row, "membraneMore", tr("Advanced"), tr("Show the numbers of the cloth and of the forces"));
   mMore->setProperty("role", "quiet");
   mMore->setCheckable(true);
   auto* files =
@@ -313,7 +315,13 @@ void MembraneForm::showCurve() {
   if (!layer.data) return;
   QString unit = QString::fromStdString(layer.data->unit);
   mCanvas->setUnit(byGradient() ? unit + "/" + Length(mDocument.scene()).sceneUnit() : unit);
-  if (mCounted != layer.data.id()) countHistogram();
+  // Of several channels the sheet goes by the one that is edited.
+  bool hasSeveral = layer.channels.size() > 1;
+  auto channel = std::size_t(std::clamp(layer.channel, 0, layer.data->channels - 1));
+  mFieldTitle->setText(hasSeveral ? tr("Protect in %1").arg(QString::fromStdString(layer.channels[channel].name))
+                                  : tr("Protect"));
+  mFieldTitle->setToolTip(hasSeveral ? tr("The channel that is chosen on the page Look: what the sheet goes by") : QString());
+  if (mCounted != std::pair(layer.data.id(), layer.channel)) countHistogram();
   session::AxisView view = byGradient() ? session::AxisView{0.0, mGradients.range.y}
                                         : session::AxisView{layer.data->range.x, layer.data->range.y};
   mCanvas->setHistogram(byGradient() ? mGradients : mValues, view);
@@ -332,12 +340,12 @@ void MembraneForm::countHistogram() {
         *gradients = session::gradientHistogram(*volume, channel, timeStep);
       },
       nullptr);
-  connect(mJob.get(), &Job::finished, this, [this, values, gradients, id = volume.id()](bool done) {
+  connect(mJob.get(), &Job::finished, this, [this, values, gradients, of = std::pair(volume.id(), layer.channel)](bool done) {
     mJob.release()->deleteLater();
     if (!done) return;
     mValues = std::move(*values);
     mGradients = std::move(*gradients);
-    mCounted = id;
+    mCounted = of;
     showCurve();
   });
   mJob->start();
@@ -381,7 +389,7 @@ void MembraneForm::followAdvice() {
 void MembraneForm::showStatus(const std::optional<session::MembraneStatus>& status, bool isPlaying) {
   using Phase = session::MembraneStatus::Phase;
   mPlay->setChecked(!isPlaying);
-  mPlay->setText(isPlaying ? tr("Pause") : tr("Play"));
+  mPlay->setText(isPlaying ? tr("Hold") : tr("Let move"));
   if (!status) return;
   // The figure stays until there is another, so that the panel does not jump.
   if (QString text = figureText(*status, Length(mDocument.scene())); !text.isEmpty()) mFigure->setText(text);
@@ -403,9 +411,9 @@ void MembraneForm::showStatus(const std::optional<session::MembraneStatus>& stat
                   : status->phase == Phase::Computing ? tr("Computing forces")
                   : status->phase == Phase::Paused    ? tr("Paused at step %1").arg(status->steps)
                                                       : tr("Settling, step %1").arg(status->steps);
-  mDoing->setText(status->error.empty() ? QString("%1. %2.").arg(doing, kernels)
-                                        : QString::fromStdString(status->error));
-  mDoing->setToolTip(tr("Forces took %1 ms, a step takes %2 ms; largest speed %3 %4/s")
+  mDoing->setText(status->error.empty() ? doing + "." : QString::fromStdString(status->error));
+  mDoing->setToolTip(kernels + "\n" +
+                     tr("Forces took %1 ms, a step takes %2 ms; largest speed %3 %4/s")
                          .arg(status->forcesMs, 0, 'f', 0)
                          .arg(status->stepMs, 0, 'f', 1)
                          .arg(status->speed, 0, 'g', 3)

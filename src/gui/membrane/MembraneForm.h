@@ -1,11 +1,13 @@
 #pragma once
 #include <QCheckBox>
 #include <QComboBox>
+#include <QLabel>
 #include <QGridLayout>
 #include <QPushButton>
 #include <QWidget>
 #include <functional>
 #include <memory>
+#include <utility>
 #include <optional>
 
 #include "NoiseForm.h"
@@ -75,6 +77,7 @@ class MembraneForm : public QWidget {
   QLabel *mFigure, *mDoing;
   QPushButton* mAdvice;
   std::optional<session::Advice> mAdvised;  ///< what it would do
+  QLabel* mFieldTitle = nullptr;
   QComboBox* mAttribute = nullptr;
   StrengthCanvas* mCanvas;
   SheetHandsForm* mHands = nullptr;
@@ -87,7 +90,7 @@ class MembraneForm : public QWidget {
   NumberRow *mLevel = nullptr, *mInlayOpacity = nullptr, *mEmphasis = nullptr, *mFalloff = nullptr, *mStretch = nullptr,
             *mBend = nullptr, *mRestoring = nullptr, *mReach = nullptr, *mParticles = nullptr, *mFinest = nullptr;
   std::vector<std::pair<QWidget*, QWidget*>> mInlayRows;  ///< label and control that only an inlay has
-  std::uint64_t mCounted = 0;                             ///< volume whose histograms are there
+  std::pair<std::uint64_t, int> mCounted{0, -1};  ///< Volume and channel whose values they are.
   Histogram mValues, mGradients;
   std::unique_ptr<Job> mJob;
 };

@@ -1,6 +1,7 @@
 #include "ProtectTool.h"
 
 #include "kit/SelectedCut.h"
+#include "velum/core/Text.h"
 #include "velum/session/membrane/MembraneEdit.h"
 #include "velum/session/structure/StructureEdit.h"
 
@@ -40,7 +41,7 @@ void ProtectTool::click(const PointerEvent& event) {
   else if (isStructure)
     what = QString::fromStdString(session::structureName(scene, structure));
   else if (tissue)
-    what = tr("values around %1").arg(tissue->value, 0, 'g', 4);
+    what = tr("values around %1").arg(QString::fromStdString(tidyNumber(tissue->value)));
   if (what.isEmpty()) return mMessages.showNote(tr("Nothing stands out here; click well inside of what you mean"));
   mMessages.showNote((mLetThrough ? tr("Let through: %1") : tr("Protected: %1")).arg(what));
   if (!(event.keys & Qt::ShiftModifier)) mToolbox.stop(*this);

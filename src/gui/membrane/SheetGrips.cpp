@@ -51,13 +51,13 @@ void SheetGrips::removeSelected() {
   if (!cut || !session::holds(*cut->membrane, mSelected)) return;
   Hand hand = mSelected;
   select({});
-  editSelectedMembrane(mDocument, mSelection, hand.kind == HandKind::Pin ? "Remove pin" : "Remove kernel",
+  editSelectedMembrane(mDocument, mSelection, hand.kind == HandKind::Pin ? "Remove pin" : "Remove force",
                        [hand](scene::Membrane& m) { session::removeHand(m, hand); });
 }
 
 void SheetGrips::turnSelected() {
   if (mSelected.kind != HandKind::Kernel) return;
-  editSelectedMembrane(mDocument, mSelection, "Turn kernel",
+  editSelectedMembrane(mDocument, mSelection, "Turn force",
                        [hand = mSelected](scene::Membrane& m) { session::turnKernel(m, hand); });
 }
 
@@ -158,7 +158,7 @@ void SheetGrips::showMenu(QPoint globalPlace) {
     connect(menu.addAction(pushes ? tr("&Pull the sheet instead") : tr("&Push the sheet instead")), &QAction::triggered,
             this, &SheetGrips::turnSelected);
   }
-  connect(menu.addAction(mSelected.kind == HandKind::Pin ? tr("&Remove pin\tDel") : tr("&Remove kernel\tDel")),
+  connect(menu.addAction(mSelected.kind == HandKind::Pin ? tr("&Remove pin\tDel") : tr("&Remove force\tDel")),
           &QAction::triggered, this, &SheetGrips::removeSelected);
   menu.exec(globalPlace);
 }

@@ -47,7 +47,7 @@ SheetHandsForm::SheetHandsForm(session::Document& document, Selection& selection
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(6);
-  layout->addWidget(makeTitle(tr("Pins and kernels"), this));
+  layout->addWidget(makeTitle(tr("Pins and forces"), this));
   auto* tools = new QHBoxLayout;
   layout->addLayout(tools);
   auto add = [&](const char* name, const QString& text, const QString& tip) {
@@ -59,9 +59,9 @@ SheetHandsForm::SheetHandsForm(session::Document& document, Selection& selection
   };
   mPin = add("pinTool", tr("Pin"),
              tr("Click the sheet in any view and hold it there, or drag it on. Shift: several. (P)"));
-  mPush = add("pushTool", tr("Push kernel"),
+  mPush = add("pushTool", tr("Push sheet"),
               tr("Drag a ball in a section, or click in the picture: the sheet goes around it (B)"));
-  mPull = add("pullTool", tr("Pull kernel"),
+  mPull = add("pullTool", tr("Pull sheet"),
               tr("Drag a ball in a section, or click in the picture: the sheet is drawn to its middle (Shift+B)"));
   mList = new QWidget(this);
   mRowLayout = new QVBoxLayout(mList);
@@ -82,7 +82,7 @@ void SheetHandsForm::edit(const char* label, const std::function<void(scene::Cut
 
 void SheetHandsForm::remove(Hand hand) {
   edit(
-      hand.kind == HandKind::Pin ? "Remove pin" : "Remove kernel",
+      hand.kind == HandKind::Pin ? "Remove pin" : "Remove force",
       [hand](scene::Cut& cut) { session::removeHand(*cut.membrane, hand); }, false);
 }
 
@@ -96,7 +96,7 @@ NumberField* SheetHandsForm::makeNumber(QWidget* row, double min, double max, in
   spin->setToolTip(name);
   connect(spin, &QDoubleSpinBox::valueChanged, this, [this, set = std::move(set)](double value) {
     edit(
-        "Change pins and kernels", [&](scene::Cut& cut) { set(cut, value); }, true);
+        "Change pins and forces", [&](scene::Cut& cut) { set(cut, value); }, true);
   });
   connect(spin, &QDoubleSpinBox::editingFinished, this, [this] { mDocument.endMerge(); });
   return spin;

@@ -12,6 +12,7 @@
 #include "kit/NumberField.h"
 #include "kit/RowPaint.h"
 #include "kit/Widgets.h"
+#include "velum/core/Text.h"
 #include "velum/session/membrane/MembraneEdit.h"
 
 namespace velum::gui {
@@ -28,7 +29,7 @@ class StrengthDelegate : public QStyledItemDelegate {
   using QStyledItemDelegate::QStyledItemDelegate;
   QString displayText(const QVariant& value, const QLocale&) const override {
     double number = value.toDouble();
-    return (number > 0 ? "+" : "") + QString::number(number, 'g', 4);
+    return (number > 0 ? "+" : "") + QString::fromStdString(tidyNumber(number));
   }
   QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem&, const QModelIndex&) const override {
     auto* spin = new NumberField(parent);

@@ -17,6 +17,8 @@ class StructureMeter : public QObject {
   /// Starts to count where the data is another one. Cheap otherwise.
   void measure(const Shared<LabelVolume>& labels);
   bool isMeasuring() const { return mJob != nullptr; }
+  /// Its table has it, and no voxel does. False while it is not known.
+  bool isAbsent(int id) const { return mLabels && !mJob && mSizes.count(id) == 0; }
   /// Null while it is not known, and for structures without voxels.
   const session::StructureSize* find(int id) const;
   const Shared<LabelVolume>& labels() const { return mLabels; }

@@ -149,6 +149,8 @@ QVariant StructureModel::data(const QModelIndex& index, int role) const {
       const session::StructureSize* size = mMeter.find(row.id);
       return qulonglong(size ? size->voxels : 0);
     }
+    case AbsentRole:
+      return mMeter.isAbsent(row.id);
     default:
       return {};
   }
@@ -189,9 +191,16 @@ void StructureOrder::setSearch(const QString& text) {
   invalidateFilter();
 }
 
+void StructureOrder::setAbsentShown(bool shown) {
+  if (mIsAbsentShown == shown) return;
+  mIsAbsentShown = shown;
+  invalidateFilter();
+}
+
 bool StructureOrder::filterAcceptsRow(int row, const QModelIndex& parent) const {
-  if (mWords.isEmpty()) return true;
   QModelIndex index = sourceModel()->index(row, StructureModel::Name, parent);
+  if (!mIsAbsentShown && index.data(StructureModel::AbsentRole).toBool()) return false;
+  if (mWords.isEmpty()) return true;
   if (mWords.size() == 1 && QString::number(index.data(StructureModel::IdRole).toInt()) == mWords[0]) return true;
   QString name = index.data().toString();
   return std::all_of(mWords.begin(), mWords.end(),

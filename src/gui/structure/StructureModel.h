@@ -18,7 +18,7 @@ class StructureModel : public QAbstractTableModel {
   Q_OBJECT
  public:
   enum Column { Eye, Swatch, Name, Size, Opacity, Solo, Bar, kColumns };
-  enum Role { IdRole = Qt::UserRole, VisibleRole, ColorRole, OpacityRole, SoloRole, VoxelsRole };
+  enum Role { IdRole = Qt::UserRole, VisibleRole, ColorRole, OpacityRole, SoloRole, VoxelsRole, AbsentRole };
 
   StructureModel(const StructureMeter& meter, const AreaMeter& areas, QObject* parent);
 
@@ -70,6 +70,8 @@ class StructureOrder : public QSortFilterProxyModel {
   /// Rows stay whose name holds every word, or whose number is the text.
   void setSearch(const QString& text);
   bool isSearching() const { return !mWords.isEmpty(); }
+  /// Rows of structures without voxels stay, too.
+  void setAbsentShown(bool shown);
 
  protected:
   bool filterAcceptsRow(int row, const QModelIndex& parent) const override;
@@ -78,6 +80,7 @@ class StructureOrder : public QSortFilterProxyModel {
  private:
   Key mKey = Key::Number;
   QStringList mWords;
+  bool mIsAbsentShown = false;
   QCollator mCollator;
 };
 

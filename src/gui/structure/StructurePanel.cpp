@@ -63,7 +63,8 @@ StructurePanel::StructurePanel(StructureCommands& commands, AreaMeter& areas, Se
   });
   connect(&mCommands.meter(), &StructureMeter::measured, this, [this] {
     mList->rows().sizesChanged();
-    if (mList->order().key() == StructureOrder::Key::Size) mList->order().invalidate();
+    mList->order().invalidate();
+    showCount();
   });
   refresh();
 }
@@ -172,6 +173,14 @@ QWidget* StructurePanel::makeSearch() {
     group->addAction(action);
     connect(action, &QAction::triggered, this, [this, key = key] { mList->order().setKey(key); });
   }
+  menu->addSeparator();
+  QAction* absent = menu->addAction(tr("List those without voxels, too"));
+  absent->setObjectName("structureAbsent");
+  absent->setCheckable(true);
+  connect(absent, &QAction::toggled, this, [this](bool on) {
+    mList->order().setAbsentShown(on);
+    showCount();
+  });
   sort->setMenu(menu);
   for (QWidget* part : {static_cast<QWidget*>(mSearch), static_cast<QWidget*>(sort)})
     part->setFixedHeight(kFieldHeight);

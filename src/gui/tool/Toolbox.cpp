@@ -68,6 +68,7 @@ void Toolbox::stop() {
   was->mIsActive = false;
   if (mHolder == was) mHolder = nullptr;
   was->stop();
+  mKeyPointer.letGo();
   showCursors();
   repaint();
   emit was->activeChanged(false);
@@ -159,6 +160,32 @@ void Toolbox::leave() {
   for (Manipulator* each : mManipulators) each->leave();
 }
 
+void Toolbox::pressAt(ToolView& view, QPointF place) {
+  if (mHolder || !mActive) return;
+  ViewPoint at(view, mDocument.scene(), place);
+  mHolder = mActive;
+  if (!mActive->press({at, Qt::LeftButton, Qt::NoModifier, view.widget().mapToGlobal(place).toPoint()})) mHolder = nullptr;
+}
+
+void Toolbox::dragAt(ToolView& view, QPointF place) {
+  ViewPoint at(view, mDocument.scene(), place);
+  if (mHolder) mHolder->drag({at, Qt::NoButton, Qt::NoModifier, view.widget().mapToGlobal(place).toPoint()});
+}
+
+void Toolbox::releaseAt(ToolView& view, QPointF place, bool isClick) {
+  ViewPoint at(view, mDocument.scene(), place);
+  PointerEvent event{at, Qt::LeftButton, Qt::NoModifier, view.widget().mapToGlobal(place).toPoint()};
+  if (mHolder)
+    std::exchange(mHolder, nullptr)->release(event);
+  else if (isClick && mActive)
+    mActive->click(event);
+}
+
+void Toolbox::hoverAt(ToolView& view, QPointF place) {
+  ViewPoint at(view, mDocument.scene(), place);
+  if (mActive && !mHolder) mActive->hover(at);
+}
+
 bool Toolbox::isInTheWay(const ViewPoint& at) const {
   return hasHandles(at.view()) && std::any_of(mManipulators.begin(), mManipulators.end(),
                                               [&](const Manipulator* each) { return each->isInTheWay(at); });
@@ -180,6 +207,14 @@ KeyAnswer Toolbox::answerTo(const KeyStroke& stroke) {
   return {};
 }
 
+ToolView* Toolbox::viewWithKeyboard(const QObject* watched) const {
+  for (const Place& place : mViews) {
+    const QWidget* widget = &place.view->widget();
+    if (widget == mWindow.focusWidget() || widget == watched) return place.view;
+  }
+  return nullptr;
+}
+
 /// Before commands of the window that have the same keys.
 bool Toolbox::eventFilter(QObject* watched, QEvent* event) {
   bool isKey = event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride;
@@ -187,10 +222,11 @@ bool Toolbox::eventFilter(QObject* watched, QEvent* event) {
   if (QApplication::activeModalWidget() || QApplication::activePopupWidget()) return false;
   const auto* key = static_cast<QKeyEvent*>(event);
   const QWidget* focus = mWindow.focusWidget();
-  auto isView = [&](const Place& place) { return &place.view->widget() == focus || &place.view->widget() == watched; };
-  KeyStroke stroke{key->key(), key->modifiers(), std::any_of(mViews.begin(), mViews.end(), isView),
+  KeyStroke stroke{key->key(), key->modifiers(), viewWithKeyboard(watched) != nullptr,
                    qobject_cast<const QLineEdit*>(focus) || qobject_cast<const QAbstractSpinBox*>(focus)};
   KeyAnswer answer = answerTo(stroke);
+  ToolView* view = viewWithKeyboard(watched);
+  if (!answer && mActive && view) answer = mKeyPointer.key(stroke, *view);
   if (!answer) return false;
   event->accept();
   if (event->type() == QEvent::KeyPress) answer();
@@ -218,6 +254,7 @@ void Toolbox::paint(ViewPainter& over) const {
     for (auto each = mManipulators.rbegin(); each != mManipulators.rend(); ++each) (*each)->paint(over);
   if (!mActive) return;
   mActive->paint(over);
+  mKeyPointer.paint(over);
   // In one view is enough: the first that is shown.
   auto first =
       std::find_if(mViews.begin(), mViews.end(), [](const Place& place) { return place.view->widget().isVisible(); });

@@ -6,6 +6,7 @@
 #include <QWheelEvent>
 #include <vector>
 
+#include "KeyPointer.h"
 #include "Tool.h"
 #include "velum/session/document/Document.h"
 
@@ -48,6 +49,13 @@ class Toolbox : public QObject {
   std::optional<Qt::CursorShape> hover(ToolView& view, QPointF place);
   void leave();
 
+  // From the keyboard, for the active tool alone: the left button at a place of a view.
+  void pressAt(ToolView& view, QPointF place);
+  void dragAt(ToolView& view, QPointF place);
+  /// @param isClick  it did not move meanwhile
+  void releaseAt(ToolView& view, QPointF place, bool isClick);
+  void hoverAt(ToolView& view, QPointF place);
+
   /// What is dragged wants the machine for its view.
   bool pausesOtherViews() const { return mHolder && mHolder->pausesOtherViews(); }
   /// Something stands here that tools which draw are to leave alone.
@@ -74,6 +82,7 @@ class Toolbox : public QObject {
   bool hasHandles(const ToolView& view) const;
   std::vector<Manipulator*> chainOf(const ToolView& view) const;
   KeyAnswer answerTo(const KeyStroke& stroke);
+  ToolView* viewWithKeyboard(const QObject* watched) const;
   void showCursors();
   bool isOurs(const QObject* watched) const;
 
@@ -83,6 +92,7 @@ class Toolbox : public QObject {
   std::vector<Manipulator*> mManipulators;
   Tool* mActive = nullptr;
   Manipulator* mHolder = nullptr;  ///< Has taken hold of the pointer.
+  KeyPointer mKeyPointer{*this};
 };
 
 }  // namespace velum::gui

@@ -4,6 +4,7 @@
 #include <QPainterPath>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "kit/Length.h"
 #include "kit/Points.h"
@@ -16,6 +17,7 @@ namespace velum::gui {
 namespace {
 
 constexpr double kMargin = 10.0;
+const QColor kGapColor(0xe0, 0x4a, 0x3a, 200);
 /// The crosshair leaves its middle free, so that what it points at can be seen.
 constexpr double kGap = 9.0;
 /// Views smaller than this keep title, letters and lines only.
@@ -133,6 +135,41 @@ QString windowText(const scene::Scene& scene) {
   return QString("W %1  L %2%3").arg(number(window.y), number(window.x), unit);
 }
 
+/// The part of a polygon where an affine function of the place is not below zero.
+QPolygonF clipped(const QPolygonF& polygon, const std::function<double(QPointF)>& side) {
+  QPolygonF out;
+  for (qsizetype i = 0; i < polygon.size(); ++i) {
+    QPointF a = polygon[i], b = polygon[(i + 1) % polygon.size()];
+    double sa = side(a), sb = side(b);
+    if (sa >= 0) out << a;
+    if ((sa < 0) != (sb < 0)) out << a + (b - a) * (sa / (sa - sb));
+  }
+  return out;
+}
+
+/// Where no slice was: hatched, so that nobody takes what is filled in for what was seen.
+void drawGaps(QPainter& painter, const Volume& volume, const scene::SectionPlane& plane) {
+  glm::dmat4 voxelFromWorld = glm::inverse(volume.worldFromVoxel);
+  auto voxelAt = [&](QPointF place) {
+    return glm::dvec3(voxelFromWorld *
+                      glm::dvec4(scene::worldFromSectionPixel(plane, {place.x(), place.y()}), 1.0));
+  };
+  QPolygonF view(QRectF(0, 0, plane.size.x, plane.size.y));
+  view.removeLast();
+  for (int axis = 0; axis < 2; ++axis) {
+    view = clipped(view, [&](QPointF place) { return voxelAt(place)[axis] + 0.5; });
+    view = clipped(view, [&](QPointF place) { return volume.dims[axis] - 0.5 - voxelAt(place)[axis]; });
+  }
+  for (glm::ivec2 gap : volume.gaps) {
+    QPolygonF part = clipped(view, [&](QPointF place) { return voxelAt(place).z - (gap[0] - 0.5); });
+    part = clipped(part, [&](QPointF place) { return gap[0] + gap[1] - 0.5 - voxelAt(place).z; });
+    if (part.isEmpty()) continue;
+    painter.setPen(QPen(kGapColor, 1.0));
+    painter.setBrush(QBrush(kGapColor, Qt::BDiagPattern));
+    painter.drawPolygon(part);
+  }
+}
+
 void drawTitle(QPainter& painter, const scene::Scene& scene, scene::SectionKind kind, bool hasFocus) {
   QColor color = kSectionColors[static_cast<int>(kind)];
   static constexpr const char* kAxes[] = {"XY", "XZ", "YZ"};
@@ -165,6 +202,7 @@ void paintSectionOverlay(QPainter& painter, const scene::Scene& scene, scene::Se
   painter.setRenderHint(QPainter::Antialiasing);
   const auto& volume = scene.volume.data;
   bool letters = !volume || volume->isOrientationKnown, lengths = !volume || volume->isSpacingKnown;
+  if (volume && !volume->gaps.empty()) drawGaps(painter, *volume, plane);
   if (scene.sections.showCrosshair) drawCrosshair(painter, scene, kind, plane, hints);
   if (letters) drawLetters(painter, plane);
   drawTitle(painter, scene, kind, hints.hasFocus);

@@ -9,6 +9,7 @@
 #include "SectionView.h"
 #include "ViewChange.h"
 #include "kit/Points.h"
+#include "kit/Preferences.h"
 #include "velum/session/section/SectionTool.h"
 
 namespace velum::gui {
@@ -172,7 +173,8 @@ void SectionView::wheelEvent(QWheelEvent* event) {
   double notches = event->angleDelta().y() / 120.0;
   if (notches == 0.0) return;
   glm::dvec2 place = toVec(event->position());
-  if (event->modifiers() & Qt::ControlModifier) {
+  bool hasControl = event->modifiers() & Qt::ControlModifier;
+  if (hasControl == Preferences::habits().wheelGoesThroughPlanes) {
     change(
         [&](scene::Scene& scene) { scene::zoomSection(scene, mKind, logicalSize(), place, std::pow(0.88, notches)); });
   } else {

@@ -52,7 +52,9 @@ Layout ViewGrid::layoutFor(const scene::Scene& scene) {
   glm::ivec3 dims = volume ? volume->dims : scene.labels.data ? scene.labels.data->dims() : glm::ivec3(0);
   if (dims == glm::ivec3(0)) return Layout::Volume;  // surfaces alone
   if (std::min(dims.x, std::min(dims.y, dims.z)) < 2) return Layout::Section;
-  std::string last = Preferences().value(kLayoutKey).toString().toStdString();
+  Preferences stored;
+  QString chosen = stored.firstLayout();
+  std::string last = (chosen.isEmpty() ? stored.value(kLayoutKey).toString() : chosen).toStdString();
   return enumValue<Layout>(last).value_or(Layout::FourUp);
 }
 

@@ -5,6 +5,7 @@
 
 #include "Viewport.h"
 #include "kit/Points.h"
+#include "kit/Preferences.h"
 #include "velum/scene/Navigate.h"
 
 namespace velum::gui {
@@ -20,12 +21,15 @@ double angleAbout(glm::dvec2 centre, glm::dvec2 p) { return std::atan2(p.y - cen
 
 void Viewport::beginDrag(QMouseEvent* event) {
   bool shift = event->modifiers() & Qt::ShiftModifier, control = event->modifiers() & Qt::ControlModifier;
-  if (event->button() == Qt::MiddleButton || (event->button() == Qt::LeftButton && shift))
-    mDrag = Drag::Pan;
+  bool leftTurns = Preferences::habits().leftTurns;
+  if (event->button() == Qt::MiddleButton)
+    mDrag = leftTurns ? Drag::Pan : Drag::Orbit;
+  else if (event->button() == Qt::LeftButton && shift)
+    mDrag = leftTurns ? Drag::Pan : Drag::Orbit;
   else if (event->button() == Qt::RightButton)
     mDrag = Drag::Zoom;
   else if (event->button() == Qt::LeftButton)
-    mDrag = control ? Drag::Roll : Drag::Orbit;
+    mDrag = control ? Drag::Roll : leftTurns ? Drag::Orbit : Drag::Pan;
 }
 
 void Viewport::mousePressEvent(QMouseEvent* event) {
@@ -80,7 +84,7 @@ void Viewport::mouseReleaseEvent(QMouseEvent* event) {
 
 void Viewport::mouseDoubleClickEvent(QMouseEvent* event) {
   mousePressEvent(event);
-  if (mDrag != Drag::Orbit) return;
+  if (mDrag != Drag::Orbit && mDrag != Drag::Pan) return;
   mDrag = Drag::None;
   auto pick = pickAt(event->position());
   pick && pick->hit && pick->type >= 0 ? emit instanceWanted(*pick) : emit maximiseWanted();
@@ -90,6 +94,7 @@ void Viewport::wheelEvent(QWheelEvent* event) {
   if (mToolbox.wheel(*this, *event)) return event->accept();
   double notches = event->angleDelta().y() / 120.0;
   if (notches == 0.0) return;
+  if (!Preferences::habits().wheelForwardComesNearer) notches = -notches;
   scene::Camera camera = scene::zoom(mDocument.scene().camera, std::pow(0.9, notches));
   mDocument.view([camera](scene::Scene& scene) { scene.camera = camera; });
   event->accept();

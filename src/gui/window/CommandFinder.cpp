@@ -1,8 +1,8 @@
 #include "CommandFinder.h"
 
 #include <QKeyEvent>
-#include <QMenu>
 #include <QPainter>
+#include <QRegularExpression>
 #include <QStyledItemDelegate>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -14,9 +14,9 @@ namespace velum::gui {
 namespace {
 
 constexpr int kMostShown = 200;
-constexpr int kKeysRole = Qt::UserRole + 1;
+enum Role { kBesideRole = Qt::UserRole + 1, kNumberRole };
 
-/// A row: the menus on the way said quietly, the command, its keys at the right.
+/// A row: the menus on the way said quietly, the name, its keys or its number at the right.
 class Delegate : public QStyledItemDelegate {
  public:
   using QStyledItemDelegate::QStyledItemDelegate;
@@ -34,10 +34,10 @@ class Delegate : public QStyledItemDelegate {
     if (!isOn) painter->setOpacity(0.6);
     QRect box = option.rect.adjusted(10, 0, -10, 0);
     QString name = index.data().toString(), way = name.left(name.lastIndexOf(kArrow) + 1);
-    QString keys = index.data(kKeysRole).toString();
+    QString beside = index.data(kBesideRole).toString();
     painter->setPen(quiet);
-    painter->drawText(box, Qt::AlignVCenter | Qt::AlignRight, keys);
-    box.setRight(box.right() - option.fontMetrics.horizontalAdvance(keys) - 12);
+    painter->drawText(box, Qt::AlignVCenter | Qt::AlignRight, beside);
+    box.setRight(box.right() - option.fontMetrics.horizontalAdvance(beside) - 12);
     if (!way.isEmpty()) {
       way += "  ";
       painter->drawText(box, Qt::AlignVCenter | Qt::AlignLeft, way);
@@ -52,20 +52,22 @@ class Delegate : public QStyledItemDelegate {
   static constexpr QChar kArrow = '>';
 };
 
-/// "Cut > Add plane": the menus on the way, without mnemonics.
-QString fullName(const QAction& action) {
-  QString name = action.text();
-  const QObject* owner = action.parent();
-  for (auto* menu = qobject_cast<const QMenu*>(owner); menu; menu = qobject_cast<const QMenu*>(menu->parent()))
-    if (!menu->title().isEmpty()) name = menu->title() + " > " + name;
-  return name.remove('&').remove("...");
+/// "shadows 80": the name, and the number that goes with it.
+struct Asked {
+  QString letters, number;
+};
+
+Asked split(const QString& text) {
+  static const QRegularExpression kNumber(R"(^(.*\S)\s+((?:[A-Za-z]\s+)?[-+]?[0-9.,][^\s]*(?:\s*\S+)?)$)");
+  QRegularExpressionMatch match = kNumber.match(text.trimmed());
+  return match.hasMatch() ? Asked{match.captured(1), match.captured(2)} : Asked{text, {}};
 }
 
 }  // namespace
 
-CommandFinder::CommandFinder(const ActionTable& actions, QWidget* parent)
+CommandFinder::CommandFinder(std::vector<Findable> all, QWidget* parent)
     : QDialog(parent, Qt::Dialog | Qt::FramelessWindowHint),
-      mActions(actions),
+      mAll(std::move(all)),
       mLetters(new QLineEdit(this)),
       mList(new QListWidget(this)) {
   setObjectName("commandFinder");
@@ -75,7 +77,9 @@ CommandFinder::CommandFinder(const ActionTable& actions, QWidget* parent)
   layout->setSpacing(8);
   mLetters->setPlaceholderText(tr("What do you want to do?"));
   mLetters->setAccessibleName(tr("Letters of the command"));
-  mLetters->setToolTip(tr("A few letters of its name; Up and Down choose, Enter does it, Esc leaves"));
+  mLetters->setToolTip(
+      tr("A few letters of a command, preset, structure or number, as \u201cshadows 80\u201d; Up and Down choose, Enter does "
+         "it, Esc leaves"));
   mLetters->installEventFilter(this);
   mList->setAccessibleName(tr("Commands"));
   mList->setItemDelegate(new Delegate(mList));
@@ -86,10 +90,10 @@ CommandFinder::CommandFinder(const ActionTable& actions, QWidget* parent)
   layout->addWidget(mList);
   resize(560, 380);
   if (parent) move(parent->mapToGlobal(QPoint((parent->width() - width()) / 2, parent->height() / 8)));
-  connect(mLetters, &QLineEdit::textChanged, this, &CommandFinder::fill);
+  connect(mLetters, &QLineEdit::textChanged, this, [this] { fill(); });
   connect(mLetters, &QLineEdit::returnPressed, this, &CommandFinder::doChosen);
   connect(mList, &QListWidget::itemClicked, this, &CommandFinder::doChosen);
-  fill({});
+  fill();
 }
 
 int CommandFinder::score(const QString& letters, const QString& name) {
@@ -112,38 +116,49 @@ int CommandFinder::score(const QString& letters, const QString& name) {
   return total;
 }
 
-void CommandFinder::fill(const QString& letters) {
+void CommandFinder::fill() {
+  Asked asked = split(mLetters->text());
   struct Row {
-    int score;
-    QString name;
-    QAction* action;
+    int score, index;
+    QString number;
   };
   std::vector<Row> rows;
-  for (QAction* action : mActions.all()) {
-    QString name = fullName(*action);
-    if (int found = score(letters, name); found > 0) rows.push_back({found, name, action});
+  for (int i = 0; i < int(mAll.size()); ++i) {
+    const Findable& one = mAll[std::size_t(i)];
+    // A name with a number in it is as good as a number behind a name.
+    int whole = score(mLetters->text(), one.name);
+    int part = one.takesNumber && !asked.number.isEmpty() ? score(asked.letters, one.name) : 0;
+    if (std::max(whole, part) > 0) rows.push_back({std::max(whole, part), i, part > whole ? asked.number : QString()});
   }
   std::stable_sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) { return a.score > b.score; });
   mList->clear();
   for (std::size_t i = 0; i < std::min<std::size_t>(rows.size(), kMostShown); ++i) {
-    const Row& row = rows[i];
-    QString keys = row.action->shortcut().toString(QKeySequence::NativeText);
-    auto* item = new QListWidgetItem(row.name, mList);
-    item->setData(kKeysRole, keys);
-    item->setData(Qt::AccessibleTextRole, keys.isEmpty() ? row.name : QString("%1, %2").arg(row.name, keys));
-    item->setData(Qt::UserRole, row.action->objectName());
-    item->setToolTip(row.action->toolTip());
-    if (!row.action->isEnabled()) item->setFlags(Qt::NoItemFlags);
+    const Findable& one = mAll[std::size_t(rows[i].index)];
+    QString beside = rows[i].number.isEmpty() ? one.beside : one.beside + " \u2192 " + rows[i].number;
+    auto* item = new QListWidgetItem(one.name, mList);
+    item->setData(kBesideRole, beside);
+    item->setData(kNumberRole, rows[i].number);
+    item->setData(Qt::AccessibleTextRole, beside.isEmpty() ? one.name : QString("%1, %2").arg(one.name, beside));
+    item->setData(Qt::UserRole, rows[i].index);
+    item->setToolTip(one.tip);
+    if (!one.isOn) item->setFlags(Qt::NoItemFlags);
   }
+  if (rows.empty()) sayNothingFound();
   mList->setCurrentRow(0);
+}
+
+void CommandFinder::sayNothingFound() {
+  auto* item = new QListWidgetItem(tr("Nothing has these letters in its name. Fewer letters find more."), mList);
+  item->setFlags(Qt::NoItemFlags);
 }
 
 void CommandFinder::doChosen() {
   QListWidgetItem* item = mList->currentItem();
   if (!item || !(item->flags() & Qt::ItemIsEnabled)) return;
-  QAction* action = mActions.find(item->data(Qt::UserRole).toString());
+  const Findable& chosen = mAll[std::size_t(item->data(Qt::UserRole).toInt())];
+  QString number = item->data(kNumberRole).toString();
   accept();
-  if (action) action->trigger();
+  chosen.act(number);
 }
 
 bool CommandFinder::eventFilter(QObject* watched, QEvent* event) {

@@ -3,15 +3,16 @@
 #include <QLineEdit>
 #include <QListWidget>
 
-#include "kit/ActionTable.h"
+#include "Findable.h"
 
 namespace velum::gui {
 
-/// Finds any command by a few letters of its name, and does it: type, arrows, Enter.
+/// Finds what the window can do by a few letters of its name, and does it: type, arrows, Enter. A number behind the name
+/// goes into the field of that name.
 class CommandFinder : public QDialog {
   Q_OBJECT
  public:
-  CommandFinder(const ActionTable& actions, QWidget* parent);
+  CommandFinder(std::vector<Findable> all, QWidget* parent);
 
   /// How well letters fit a name: all of them must come in order; beginnings of words and runs count more. 0: not at
   /// all.
@@ -21,10 +22,11 @@ class CommandFinder : public QDialog {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  void fill(const QString& letters);
+  void fill();
   void doChosen();
+  void sayNothingFound();
 
-  const ActionTable& mActions;
+  const std::vector<Findable> mAll;
   QLineEdit* mLetters;
   QListWidget* mList;
 };

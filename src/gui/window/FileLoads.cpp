@@ -7,9 +7,11 @@
 #include <QPushButton>
 #include <QStandardPaths>
 
+#include "RawDialog.h"
 #include "SeriesDialog.h"
 #include "kit/RecentFiles.h"
 #include "velum/scene/json/Json.h"
+#include "velum/session/document/RawFile.h"
 #include "velum/session/document/Recent.h"
 #include "velum/session/document/Showcase.h"
 #include "velum/session/look/Look.h"
@@ -62,7 +64,26 @@ void FileLoads::openPaths(const QStringList& paths, bool add) {
   if (paths.size() == 1 && session::isLookFile(paths.first().toStdString())) return emit lookOpened(paths.first());
   QString one = paths.size() == 1 && !add ? withoutSlash(paths.first()) : QString();
   bool mayHoldSeries = QFileInfo(one).isDir() || nameOf(one).compare("DICOMDIR", Qt::CaseInsensitive) == 0;
-  mayHoldSeries && !mUnattended ? askSeries(one) : readPaths(paths, add);
+  if (mUnattended) return readPaths(paths, add);
+  if (!one.isEmpty() && session::needsLayout(one.toStdString())) return askLayout(one);
+  mayHoldSeries ? askSeries(one) : readPaths(paths, add);
+}
+
+/// What the samples of a file without a header are.
+void FileLoads::askLayout(const QString& path) {
+  scene::Source source;
+  source.path = path.toStdString();
+  auto* dialog = new RawDialog(source, &mParts.window);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &QDialog::accepted, this, [this, dialog, path] {
+    start(
+        tr("Opening %1").arg(nameOf(path)),
+        [source = dialog->source(), policy = policy()](Progress& progress) {
+          return session::readAs(source, progress, policy);
+        },
+        false, path);
+  });
+  dialog->open();
 }
 
 /// Looks into a folder; of several series one is chosen.
@@ -181,7 +202,7 @@ void FileLoads::show(session::Loaded& loaded, const QString& path) {
     views.place(scene.sections);  // so that the camera fits the view as it will be
     scene.camera = views.viewport().frame(scene, scene::defaultView(scene));
   }
-  bool wasLost = loaded.lost != nullptr;
+  bool wasLost = loaded.lost != nullptr, isNew = !loaded.isScene && !wasLost;
   session::WorkFile& file = mParts.session.file();
   std::string name = loaded.path.empty() ? path.toStdString() : loaded.path;
   file.open(std::move(loaded), name);
@@ -189,7 +210,23 @@ void FileLoads::show(session::Loaded& loaded, const QString& path) {
   rememberFile(now);
   if (wasLost) emit lostWorkTaken();
   views.viewport().setFocus();
-  if (!notes.empty()) mParts.messages.showNote(nameOf(now), notes);
+  sayNotes(nameOf(now), notes);
+  if (isNew && !mUnattended) emit volumeOpened();
+}
+
+/// In red where slices are missing: what is seen there was not measured.
+void FileLoads::sayNotes(const QString& name, const std::vector<std::string>& notes) {
+  const auto& volume = mParts.session.scene().volume.data;
+  int missing = 0;
+  if (volume)
+    for (glm::ivec2 gap : volume->gaps) missing += gap[1];
+  if (missing > 0)
+    return mParts.messages.showError(
+        tr("%1: of %2 planes, %3 are missing; they are filled in from their neighbours, and hatched in the sections.")
+            .arg(name)
+            .arg(volume->dims.z)
+            .arg(missing));
+  if (!notes.empty()) mParts.messages.showNote(name, notes);
 }
 
 void FileLoads::rememberFile(const QString& path) {

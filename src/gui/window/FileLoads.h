@@ -39,17 +39,21 @@ class FileLoads : public QObject {
   void aboutToShow();
   /// It is a look, for what is open.
   void lookOpened(const QString& path);
+  /// A volume was opened from its own file: what that does not say may be asked.
+  void volumeOpened();
   /// Recovered work is safe again.
   void lostWorkTaken();
 
  private:
   void readPaths(const QStringList& paths, bool add);
+  void askLayout(const QString& path);
   void askSeries(const QString& path);
   void openSeries(const QString& path, const std::vector<session::Series>& series);
   using Read = std::function<session::Loaded(Progress&)>;
   void start(const QString& what, Read read, bool add, const QString& path);
   void finish(std::shared_ptr<session::Loaded> loaded, const QString& path);
   bool locateMissing(session::Loaded& loaded);
+  void sayNotes(const QString& name, const std::vector<std::string>& notes);
   session::DataPolicy policy() const;
 
   const WindowParts& mParts;

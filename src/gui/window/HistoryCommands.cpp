@@ -25,11 +25,17 @@ HistoryCommands::HistoryCommands(const WindowParts& parts) : Room(parts) {
   mUndo->setIconText(tr("Undo"));
   mRedo->setIconText(tr("Redo"));
   menu->addSeparator();
-  parts.actions.add(menu, "edit.preferences", tr("&Preferences..."), tr("Appearance, and where settings are stored"),
-                    [this] { PreferencesDialog(&mParts.window).exec(); });
+  parts.actions.add(menu, "edit.preferences", tr("&Preferences..."), tr("Appearance, units, mouse and wheel, keys, memory"),
+                    [this] { askPreferences(); });
   parts.bar.addAction(mUndo);
   parts.bar.addAction(mRedo);
   parts.bar.addSeparator();
+}
+
+void HistoryCommands::askPreferences() {
+  PreferencesDialog dialog(mParts.actions, &mParts.window);
+  connect(&dialog, &PreferencesDialog::changed, this, &HistoryCommands::preferencesChanged);
+  dialog.exec();
 }
 
 void HistoryCommands::refresh(const session::Session& session) {

@@ -10,7 +10,12 @@ class HistoryCommands : public Room {
   explicit HistoryCommands(const WindowParts& parts);
   void refresh(const session::Session& session) override;
 
+ signals:
+  /// How things are shown has changed.
+  void preferencesChanged();
+
  private:
+  void askPreferences();
   void fillHistory(QMenu& menu);
 
   QAction *mUndo, *mRedo;

@@ -9,6 +9,7 @@
 #include "StatusLine.h"
 #include "TimeCommands.h"
 #include "ViewCommands.h"
+#include "VolumeCommands.h"
 #include "extrusion/ExtrusionRoom.h"
 #include "kit/CallLater.h"
 #include "kit/KeyboardFocus.h"
@@ -58,9 +59,15 @@ void MainWindow::buildRooms() {
   mLost = new LostWork(parts, *mFrame.recovery, *mLoads);
   mExports = add(new ExportCommands(parts));
   mFiles = add(new FileCommands(parts, *mLoads, *mExports));
-  add(new HistoryCommands(parts));
+  auto* history = add(new HistoryCommands(parts));
+  // Every number says its unit anew.
+  connect(history, &HistoryCommands::preferencesChanged, this, [this] {
+    refresh();
+    for (QWidget* widget : findChildren<QWidget*>()) widget->update();
+  });
   add(new ViewCommands(parts));
   mLook = add(new LookRoom(parts));
+  add(new VolumeCommands(parts, *mLoads));
   mStructures = add(new StructureRoom(parts));
   mModels = add(new ModelRoom(parts));
   mCuts = add(new CutRoom(parts));

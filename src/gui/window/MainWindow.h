@@ -52,6 +52,7 @@ class MainWindow : public QMainWindow {
   SideTabs& tabs() { return *mFrame.tabs; }
   ActionTable& actions() { return mActions; }
   Selection& selection() { return mSelection; }
+  const WindowParts& parts() const { return mParts; }
   Toolbox& toolbox() { return mToolbox; }
   LookCommands& look() { return mLook->commands(); }
   StructureCommands& structures() { return mStructures->commands(); }

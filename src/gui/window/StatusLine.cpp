@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "kit/Length.h"
+#include "velum/core/Text.h"
 #include "velum/session/model/ModelEdit.h"
 
 namespace velum::gui {
@@ -21,8 +22,7 @@ QString instanceText(const scene::Scene& scene, const render::Pick& pick) {
   return text + StatusLine::tr(", %1 of %2").arg(place->ofType + 1).arg(type.instanceCount);
 }
 
-/// Millimetres with the digits that matter.
-QString shortNumber(double value) { return QString::number(value, 'g', 4); }
+QString shortNumber(double value) { return QString::fromStdString(tidyNumber(value)); }
 
 }  // namespace
 
@@ -63,14 +63,14 @@ void StatusLine::showProgress(double fraction, const QString& stage) {
 void StatusLine::refresh(const session::Session& session) {
   const scene::Scene& scene = session.scene();
   if (const auto& v = scene.volume.data) {
-    glm::dvec3 mm = spacingOf(*v);
+    glm::dvec3 shown = spacingOf(*v) * Length(scene).shownPerLength();
     QString times = QString::fromUtf8(" \u00d7 ");
     QString unit = v->unit.empty() ? QString() : " " + QString::fromStdString(v->unit);
     auto type = enumName(v->type);
     QStringList dims, spacing;
     for (int i = 0; i < 3; ++i) {
       dims << QString::number(v->dims[i]);
-      spacing << shortNumber(mm[i]);
+      spacing << shortNumber(shown[i]);
     }
     QString text = dims.join(times) + "    ";
     text += v->isSpacingKnown ? spacing.join(times) + Length(scene).suffix() : tr("spacing unknown");

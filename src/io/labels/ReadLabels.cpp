@@ -207,6 +207,7 @@ bool nameSaysLabels(const Path& path) {
 LabelVolume readLabels(const scene::Source& source, Progress& progress) {
   Path path = source.path;
   if (isDicomSeg(path)) return readDicomSeg(source, progress);
+  if (isRtStruct(path)) return readRtStruct(source, progress);
   return labelsFrom(readVolume(source, progress), path, progress);
 }
 
@@ -214,7 +215,7 @@ std::variant<Volume, LabelVolume> readVoxels(const scene::Source& source, Progre
   Path path = source.path;
   bool hasLayout = source.raw.dims.x > 0;
   if (hasLayout || !looksLikeLabels(path)) return readVolume(source, progress);
-  if (isDicomSeg(path) || !segmentsOf(path).empty()) return readLabels(source, progress);
+  if (isDicomSeg(path) || isRtStruct(path) || !segmentsOf(path).empty()) return readLabels(source, progress);
   Volume volume = readVolume(source, progress);
   if (!holdsAreasOfIds(volume)) return volume;
   return labelsFrom(volume, path, progress);
@@ -224,7 +225,7 @@ bool looksLikeLabels(const std::filesystem::path& path) {
   try {
     if (nameSaysLabels(path)) return true;
     if (!std::filesystem::is_regular_file(path)) return false;
-    if (isDicomSeg(path) || !segmentsOf(path).empty()) return true;
+    if (isDicomSeg(path) || isRtStruct(path) || !segmentsOf(path).empty()) return true;
     if (!isNifti(path)) return false;
     NiftiHeader header = readNiftiHeader(path);
     return header.intent == 1002 || !namesInNifti(header).empty();

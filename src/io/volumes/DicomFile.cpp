@@ -66,6 +66,15 @@ std::string dateOf(const DataSet& set) {
   return isDate ? text.substr(0, 4) + "-" + text.substr(4, 2) + "-" + text.substr(6, 2) : std::string();
 }
 
+/// What a structure set is of, and what it is called.
+void describeRtStruct(DicomFile& file, const DataSet& set, const std::string& charset) {
+  if (file.description.empty()) file.description = utf8(textOf(set, Tag(0x3006, 0x0002)), charset);
+  auto frame = firstItem(set, Tag(0x3006, 0x0010));
+  auto study = frame ? firstItem(*frame, Tag(0x3006, 0x0012)) : std::nullopt;
+  auto series = study ? firstItem(*study, Tag(0x3006, 0x0014)) : std::nullopt;
+  if (series) file.referencedSeries = textOf(*series, Tag(0x0020, 0x000e));
+}
+
 DicomFile fileOf(const DataSet& set, const gdcm::FileMetaInformation& meta, const Path& path) {
   DicomFile file;
   file.path = path;
@@ -80,6 +89,7 @@ DicomFile fileOf(const DataSet& set, const gdcm::FileMetaInformation& meta, cons
   file.date = dateOf(set);
   if (auto referenced = firstItem(set, Tag(0x0008, 0x1115)))
     file.referencedSeries = textOf(*referenced, Tag(0x0020, 0x000e));
+  if (file.isRtStruct()) describeRtStruct(file, set, charset);
   file.rows = binaryOf<std::uint16_t>(set, Tag(0x0028, 0x0010), 0);
   file.columns = binaryOf<std::uint16_t>(set, Tag(0x0028, 0x0011), 0);
   file.samplesPerPixel = binaryOf<std::uint16_t>(set, Tag(0x0028, 0x0002), 1);
@@ -178,7 +188,8 @@ std::vector<DicomFile> scanDicomFolder(const std::filesystem::path& folder, Dept
   std::vector<DicomFile> files;
   std::map<std::string, Path> known;  // media often hold images twice, in folders of their own
   for (auto& file : found) {
-    if (!file || !file->hasImage() || file->frames.empty()) continue;
+    bool isOfUse = file && (file->isRtStruct() || (file->hasImage() && !file->frames.empty()));
+    if (!isOfUse) continue;
     Path place = file->path.parent_path();
     bool isCopy = !file->instanceUid.empty() && known.try_emplace(file->instanceUid, place).first->second != place;
     if (!isCopy) files.push_back(std::move(*file));
@@ -213,6 +224,12 @@ bool isDicomSeg(const std::filesystem::path& path) {
   return file && file->isSegmentation();
 }
 
+bool isRtStruct(const std::filesystem::path& path) {
+  if (!std::filesystem::is_regular_file(path)) return false;
+  auto file = readDicomHeader(path);
+  return file && file->isRtStruct();
+}
+
 std::vector<SeriesInfo> listSeries(const std::filesystem::path& path, Progress& progress) {
   if (!std::filesystem::exists(path)) refuse(path, "there is no such file or folder");
   bool isFolder = std::filesystem::is_directory(path);
@@ -229,7 +246,7 @@ std::vector<SeriesInfo> listSeries(const std::filesystem::path& path, Progress& 
     if (at == series.end()) {
       SeriesInfo info{file.seriesUid, file.description, file.modality, 0, {file.columns, file.rows}};
       info.date = file.date;
-      info.isSegmentation = file.isSegmentation();
+      info.isSegmentation = file.holdsLabels();
       info.referencedSeries = file.referencedSeries;
       at = series.insert(series.end(), std::move(info));
       files.emplace_back();

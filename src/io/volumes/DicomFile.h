@@ -50,6 +50,9 @@ struct DicomFile {
     return modality == "SEG" || sopClass == "1.2.840.10008.5.1.4.1.1.66.4" ||
            sopClass == "1.2.840.10008.5.1.4.1.1.66.7";
   }
+  bool isRtStruct() const { return modality == "RTSTRUCT" || sopClass == "1.2.840.10008.5.1.4.1.1.481.3"; }
+  /// Of structures, not of values.
+  bool holdsLabels() const { return isSegmentation() || isRtStruct(); }
   bool isDose() const { return modality == "RTDOSE" || sopClass == "1.2.840.10008.5.1.4.1.1.481.2"; }
   /// White is zero, and the numbers have no meaning of their own that turning them round would spoil.
   bool isToBeInverted() const {
@@ -74,5 +77,7 @@ bool isDicomIndex(const std::filesystem::path& path);
 void checkDicomIndex(const std::filesystem::path& path);
 /// True when the file is a DICOM segmentation. Reads its header only; false for what is no DICOM file.
 bool isDicomSeg(const std::filesystem::path& path);
+/// The same of a radiotherapy structure set.
+bool isRtStruct(const std::filesystem::path& path);
 
 }  // namespace velum::io

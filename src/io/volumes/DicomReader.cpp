@@ -43,6 +43,7 @@ DicomFile namedFile(const Path& path) {
   auto file = readDicomHeader(path);
   if (!file) refuse(path, "is damaged, or no DICOM file");
   if (file->isSegmentation()) refuse(path, "is a DICOM segmentation; open it as labels");
+  if (file->isRtStruct()) refuse(path, "is a DICOM structure set; open it as labels");
   if (!file->hasImage()) refuse(path, fmt::format("holds no image (DICOM modality {})", inQuotes(file->modality)));
   if (file->frames.empty()) refuse(path, "its number of frames is not possible");
   return *file;
@@ -59,7 +60,7 @@ Series seriesOfFile(const Path& path, Progress& progress) {
   for (DicomFile& file : scanDicomFolder(path.parent_path(), Depth::Folder, progress)) {
     bool isNamed = file.path.filename() == path.filename();
     // Files of the series that differ from the named one in kind (scouts, dose pictures) are not of its stack.
-    if (file.seriesUid != named.seriesUid || file.frames.size() > 1 || file.isSegmentation()) continue;
+    if (file.seriesUid != named.seriesUid || file.frames.size() > 1 || file.holdsLabels()) continue;
     if (isNamed) series.preferred = int(series.files.size());
     series.files.push_back(std::move(file));
   }
@@ -70,7 +71,7 @@ Series seriesOfFile(const Path& path, Progress& progress) {
 Series seriesOfFolder(const Path& folder, const std::string& wanted, Progress& progress) {
   std::map<std::string, std::vector<DicomFile>> all;
   for (DicomFile& file : scanDicomFolder(folder, Depth::AllBelow, progress))
-    if (!file.isSegmentation()) all[file.seriesUid].push_back(std::move(file));
+    if (!file.holdsLabels()) all[file.seriesUid].push_back(std::move(file));
   if (all.empty()) refuse(folder, "the folder holds no DICOM images");
   auto count = [](const std::vector<DicomFile>& files) {
     std::size_t frames = 0;
@@ -193,6 +194,7 @@ void describe(Volume& v, const Series& series, const DicomStack& stack, const st
   v.worldFromVoxel = stack.worldFromVoxel;
   v.isOrientationKnown = stack.isOrientationKnown;
   v.isSpacingKnown = stack.isSpacingKnown;
+  v.gaps = stack.gaps;
   v.modality = modalityOf(file.modality);
   v.name = file.description;
   if (v.timeSteps > 1) v.timeStepSeconds = file.timeStepSeconds;

@@ -80,7 +80,22 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-/// Fills positions and gridPlanes. @return the step of the even grid along the normal, mm
+/// Planes of the grid that are farther than half a step from any that is there.
+std::vector<glm::ivec2> gapsOf(const std::vector<double>& positions, int gridPlanes) {
+  std::vector<glm::ivec2> gaps;
+  std::size_t next = 0;
+  for (int plane = 0; plane < gridPlanes; ++plane) {
+    while (next + 1 < positions.size() && positions[next + 1] <= plane) ++next;
+    double before = plane - positions[next];
+    double after = next + 1 < positions.size() ? positions[next + 1] - plane : before;
+    if (std::min(std::abs(before), std::abs(after)) < 0.5) continue;
+    bool goesOn = !gaps.empty() && gaps.back()[0] + gaps.back()[1] == plane;
+    goesOn ? void(++gaps.back()[1]) : gaps.push_back({plane, 1});
+  }
+  return gaps;
+}
+
+/// Fills positions, gaps and gridPlanes. @return the step of the even grid along the normal, mm
 double layOnGrid(DicomStack& stack, const std::vector<double>& distances, const Path& path) {
   std::size_t n = distances.size();
   std::vector<double> gaps;
@@ -102,6 +117,7 @@ double layOnGrid(DicomStack& stack, const std::vector<double>& distances, const 
   stack.gridPlanes = std::max(2, int(planes));
   step = length / double(stack.gridPlanes - 1);
   for (double d : distances) stack.positions.push_back((d - distances.front()) / step);
+  stack.gaps = gapsOf(stack.positions, stack.gridPlanes);
   stack.warnings.push_back(fmt::format(
       "distances between slices run from {:.3f} to {:.3f} mm ({} slices); resampled onto {} slices {:.3f} mm apart{}",
       *smallest, *largest, n, stack.gridPlanes, step,

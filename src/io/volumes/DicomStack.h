@@ -15,6 +15,7 @@ struct DicomStack {
   std::vector<double> positions;  ///< Of each plane in units of the even grid: 0, 1, 2 where nothing is missing.
   int gridPlanes = 0;             ///< Planes of the even grid; more than `planes` where some are missing.
   bool isEven = true;             ///< positions are 0, 1, 2, ...
+  std::vector<glm::ivec2> gaps;   ///< Planes of the even grid that no plane is near, {first, count}.
   glm::dmat4 worldFromVoxel{1.0};
   bool isOrientationKnown = true;
   bool isSpacingKnown = true;

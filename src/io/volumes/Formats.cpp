@@ -63,7 +63,7 @@ constexpr FormatRow kTable[] = {
     {{"TIFF", ".tif .tiff", true, false}, isTiff, readTiff, nullptr},
     {{"OpenVDB", ".vdb", true, true}, isVdb, readVdb, writeVdb},
     {{"InVesalius project", ".inv3", true, false}, nullptr, readInvesalius, nullptr},
-    {{"Raw", ".raw .bin .img .den", true, false}, nullptr, readRaw, nullptr},
+    {{"Raw", ".raw .bin .img .den .dat .vol .data .raw.gz", true, false}, nullptr, readRaw, nullptr},
 };
 
 bool isOtherThanDicom(const FileHead& head) {

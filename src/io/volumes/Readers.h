@@ -26,6 +26,9 @@ std::vector<std::string> writeNifti(const Volume& volume, ReplaceFile& file, Pro
 std::vector<std::string> writeNrrd(const Volume& volume, ReplaceFile& file, Progress& progress);
 // GDCM
 Volume readDicom(const scene::Source& source, Progress& progress);
+/// Contours of a radiotherapy structure set, filled on a grid of their own: half a millimetre along their planes, where
+/// they are of a patient's size.
+LabelVolume readRtStruct(const scene::Source& source, Progress& progress);
 LabelVolume readDicomSeg(const scene::Source& source, Progress& progress);
 // VTK
 Volume readVti(const scene::Source& source, Progress& progress);

@@ -94,6 +94,14 @@ void readOmeSpacing(std::string_view pixels, TiffLayout& out) {
   if (seconds > 0 && unit == "ms") out.timeStepSeconds = seconds * 1e-3;
 }
 
+/// OME's colour: red, green, blue, alpha from the highest byte to the lowest of a signed number.
+std::optional<glm::vec3> colorOf(std::string_view text) {
+  auto number = takeNumber(text);
+  if (!number || std::abs(*number) > 4294967295.0) return std::nullopt;
+  auto rgba = std::uint32_t(std::int64_t(*number));
+  return glm::vec3(float(rgba >> 24), float(rgba >> 16 & 255), float(rgba >> 8 & 255)) / 255.0f;
+}
+
 TiffLayout parseOme(std::string_view xml, std::string_view fileName) {
   TiffLayout out;
   std::size_t at = 0;
@@ -117,8 +125,12 @@ TiffLayout parseOme(std::string_view xml, std::string_view fileName) {
   while (auto channel = tag(xml, "Channel", place)) {
     if (out.channelNames.size() >= out.sizeC) break;
     out.channelNames.emplace_back(attribute(*channel, "Name").substr(0, 256));
+    if (auto color = colorOf(attribute(*channel, "Color"))) out.channelColors.push_back(*color);
   }
   if (out.channelNames.size() != out.sizeC) out.channelNames.clear();
+  const auto& colors = out.channelColors;
+  bool tellsApart = std::any_of(colors.begin(), colors.end(), [&](glm::vec3 color) { return color != colors[0]; });
+  if (colors.size() != out.sizeC || !tellsApart) out.channelColors.clear();
   place = at;
   // Which page is which plane, where the file says it.
   while (auto data = tag(xml, "TiffData", place)) {

@@ -238,6 +238,7 @@ Volume readFile(const Path& path, Progress& progress) {
                   std::any_of(layout.channelNames.begin(), layout.channelNames.end(),
                               [](const auto& name) { return !name.empty(); });
   if (hasNames) v.channelNames = layout.channelNames;
+  if (layout.channelColors.size() == std::size_t(v.channels)) v.channelColors = layout.channelColors;
   if (layout.kind != TiffLayout::Kind::Plain) v.modality = Modality::Microscopy;
   setSpacing(v, layout, file.pages[std::size_t(full[0])]);
   return v;

@@ -1,3 +1,4 @@
+#include "velum/session/document/Body.h"
 #include "velum/session/document/Open.h"
 
 #include <fmt/format.h>
@@ -306,6 +307,7 @@ void loadData(scene::Scene& scene, const fs::path& folder, Progress& progress, c
       scene::completeChannels(scene.volume);
     }
   }
+  settleBody(scene, progress);
   if (isPlaced(scene.labels.source, bool(scene.labels.data), "labels", "labels"))
     putLabels(scene, io::readLabels(scene.labels.source, progress));
   for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {

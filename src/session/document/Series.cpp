@@ -41,6 +41,10 @@ Image seriesPicture(const Series& series, int size, Progress& progress) {
   io::SeriesInfo info;
   info.middleFile = series.middleFile;
   Volume section = io::readSeriesImage(info, progress);
+  return planePicture(section, size);
+}
+
+Image planePicture(const Volume& section, int size) {
   Histogram histogram = computeHistogram(section);
   double low = quantile(histogram, kLeftOut), high = quantile(histogram, 1.0 - kLeftOut);
   double longer = std::max(section.dims.x, section.dims.y), step = std::max(1.0, longer / size);
@@ -60,11 +64,10 @@ Image seriesPicture(const Series& series, int size, Progress& progress) {
 
 Loaded readSeries(const std::string& path, const std::string& uid, const fs::path& labels, Progress& progress,
                   const DataPolicy& policy) {
-  Loaded loaded;
   scene::Source source;
   source.path = path;
   source.series = uid;
-  loaded.scene = open(source, progress, policy, &loaded.notes);
+  Loaded loaded = readAs(source, progress, policy);
   if (labels.empty()) return loaded;
   scene::Source segments;
   segments.path = labels.string();

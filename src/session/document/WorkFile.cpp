@@ -2,14 +2,19 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <utility>
 
 #include "velum/core/Error.h"
+#include "velum/scene/Presets.h"
+#include "velum/scene/Units.h"
 #include "velum/session/document/Open.h"
 
 namespace velum::session {
 
 namespace {
+
+constexpr double kEven = 1e-9;  ///< Shares by which edges may grow differently and still be said to grow alike.
 
 bool isSceneFile(const std::filesystem::path& path) {
   std::string ending = path.extension().string();
@@ -28,6 +33,42 @@ Loaded readPaths(const std::vector<std::string>& paths, Progress& progress, cons
   loaded.path = opened.path;
   loaded.isScene = readSceneText(loaded.path).has_value();
   return loaded;
+}
+
+Loaded readAs(const scene::Source& source, Progress& progress, const DataPolicy& policy) {
+  Loaded loaded;
+  loaded.scene = session::open(source, progress, policy, &loaded.notes);
+  loaded.path = source.path;
+  return loaded;
+}
+
+void rereadVolume(scene::Scene& scene, const scene::Source& source, Progress& progress) {
+  if (!scene.volume.data) throw ArgumentError("there is no volume to read anew");
+  Shared<Volume> before = scene.volume.given ? scene.volume.given : scene.volume.data;
+  glm::dvec3 ratio = glm::all(glm::greaterThan(source.spacing, glm::dvec3(0)))
+                         ? source.spacing / spacingOf(*before)
+                         : glm::dvec3(1.0);
+  double factor = std::cbrt(ratio.x * ratio.y * ratio.z);
+  bool isEven = glm::all(glm::lessThan(glm::abs(ratio / factor - 1.0), glm::dvec3(kEven)));
+  if (!scene.labels.growths.empty() && (!isEven || !(source.raw == scene.volume.source.raw)))
+    throw ArgumentError("structures were grown in this volume and would lie elsewhere; remove them first");
+  scene::scaleLengths(scene, factor);
+  bool sharesGrid = scene.labels.data && scene.labels.data->dims() == before->dims &&
+                    scene.labels.data->worldFromVoxel() == before->worldFromVoxel;
+  scene.volume.source = source;
+  scene.volume.data = scene.volume.given = {};
+  if (sharesGrid && !scene.labels.source.path.empty()) {
+    scene.labels.source.spacing = source.spacing;
+    scene.labels.data = scene.labels.given = {};
+  }
+  loadData(scene, {}, progress, {}, nullptr);
+  const Volume& now = *scene.volume.data;
+  if (now.dims == before->dims && now.type == before->type && now.range == before->range) return;
+  scene.volume.channel = scene.volume.timeStep = 0;
+  scene.volume.channels.clear();
+  scene::applyPreset(scene, scene::choosePreset(now));
+  scene::completeChannels(scene.volume);
+  scene::placeSections(scene);
 }
 
 Loaded readBeside(scene::Scene beside, const std::vector<std::string>& paths, Progress& progress) {

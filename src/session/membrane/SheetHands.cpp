@@ -297,7 +297,7 @@ double radiusOfDrag(const ViewSpace& view, glm::dvec3 centre, glm::dvec2 from, g
 
 const char* handLabel(Hand hand) {
   if (hand.kind == HandKind::Pin) return "Move pin";
-  return hand.kind == HandKind::Rim ? "Resize kernel" : "Move kernel";
+  return hand.kind == HandKind::Rim ? "Resize force" : "Move force";
 }
 
 }  // namespace velum::session

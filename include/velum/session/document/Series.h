@@ -34,6 +34,9 @@ std::vector<Series> seriesIn(const std::filesystem::path& path, Progress& progre
 /// @param size  most pixels along the longer side
 Image seriesPicture(const Series& series, int size, Progress& progress);
 
+/// A volume of one section in grey, from its dark to its light values. @param size  as of seriesPicture()
+Image planePicture(const Volume& section, int size);
+
 /// One series, with labels. @param path  what seriesIn() was given  @param labels  empty: none. As readPaths().
 Loaded readSeries(const std::string& path, const std::string& uid, const std::filesystem::path& labels,
                   Progress& progress, const DataPolicy& policy);

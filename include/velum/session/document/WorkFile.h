@@ -26,6 +26,12 @@ struct Loaded {
 
 /// Files and folders as one scene.
 Loaded readPaths(const std::vector<std::string>& paths, Progress& progress, const DataPolicy& policy);
+/// A file read as its source says: a series, a layout of raw samples, a voxel size.
+Loaded readAs(const scene::Source& source, Progress& progress, const DataPolicy& policy);
+/// The volume of a scene read anew as another source says: with another voxel size or layout. Cuts and camera
+/// grow with the voxels, labels on its grid go with it; what has another type or size gets the look that fits it.
+/// @throw ArgumentError where structures were grown in it and would lie elsewhere
+void rereadVolume(scene::Scene& scene, const scene::Source& source, Progress& progress);
 /// The same beside what is open. @param beside  the scene as it is
 Loaded readBeside(scene::Scene beside, const std::vector<std::string>& paths, Progress& progress);
 /// A file as labels of what is open, whatever it looks like.

@@ -1,0 +1,34 @@
+#pragma once
+#include <QKeySequenceEdit>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTreeWidget>
+
+#include "kit/ActionTable.h"
+
+namespace velum::gui {
+
+/// Every command with its keys, which are changed here: choose a command, press the keys. Keys that another command has
+/// are taken from it, and it is said.
+class KeysPage : public QWidget {
+  Q_OBJECT
+ public:
+  KeysPage(ActionTable& actions, QWidget* parent);
+
+ private:
+  void fill();
+  void filter(const QString& words);
+  void showChosen();
+  void take(const QList<QKeySequence>& keys);
+  QString chosen() const;
+
+  ActionTable& mActions;
+  QLineEdit* mWords;
+  QTreeWidget* mTable;
+  QKeySequenceEdit* mKeys;
+  QPushButton *mClear, *mUsual;
+  QLabel* mSaid;
+};
+
+}  // namespace velum::gui

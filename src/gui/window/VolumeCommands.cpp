@@ -1,0 +1,106 @@
+#include "VolumeCommands.h"
+
+#include "RawDialog.h"
+#include "VoxelSizeDialog.h"
+#include "kit/Length.h"
+#include "velum/session/document/WorkFile.h"
+#include "velum/session/document/Body.h"
+
+namespace velum::gui {
+
+namespace {
+
+/// Cubic millimetres of a millilitre.
+constexpr double kMillilitre = 1000.0;
+
+}  // namespace
+
+VolumeCommands::VolumeCommands(const WindowParts& parts, FileLoads& loads) : Room(parts) {
+  QMenu* edit = parts.menu(MenuId::Edit);
+  edit->addSeparator();
+  mVoxelSize = parts.actions.addForScene(
+      edit, "edit.voxelSize", tr("&Voxel size..."), tr("Say how large the voxels are, where the file does not or is wrong"),
+      [this] { askVoxelSize(tr("How large is a voxel?")); });
+  mLayout = parts.actions.addForScene(edit, "edit.layout", tr("&Samples of the file..."),
+                                      tr("Say what the samples of a file without a header are"), [this] { askLayout(); });
+  mTable = parts.actions.addForScene(parts.menu(MenuId::Look), "look.hideTable", tr("Hide the &table"),
+                                     tr("Leave out what is not part of the largest body: table, head rest, cables"),
+                                     [this] { hideTable(mTable->isChecked()); });
+  mTable->setCheckable(true);
+  connect(&loads, &FileLoads::volumeOpened, this, &VolumeCommands::askWhatIsUnknown);
+}
+
+void VolumeCommands::refresh(const session::Session& session) {
+  const scene::VolumeLayer& layer = session.scene().volume;
+  bool hasFile = layer.data && !layer.source.path.empty();
+  mVoxelSize->setEnabled(hasFile);
+  mLayout->setEnabled(hasFile && layer.source.raw.dims.x > 0);
+  mTable->setEnabled(layer.data && layer.data->channels == 1);
+  mTable->setChecked(layer.bodyOnly);
+}
+
+void VolumeCommands::reread(const QString& step, const scene::Source& source) {
+  auto after = std::make_shared<scene::Scene>(mParts.session.scene());
+  Shared<Volume> before = after->volume.data;
+  mParts.jobs.start(
+      step, [after, source](Progress& progress) { session::rereadVolume(*after, source, progress); },
+      [this, after, before, step] {
+        if (!(mParts.session.scene().volume.data == before)) return;  // another one was opened meanwhile
+        mParts.document().edit(step.toStdString(), [&](scene::Scene& scene) { scene = *after; });
+      });
+}
+
+void VolumeCommands::hideTable(bool hidden) {
+  auto after = std::make_shared<scene::Scene>(mParts.session.scene());
+  auto removed = std::make_shared<double>(0.0);
+  Shared<Volume> before = after->volume.data;
+  after->volume.bodyOnly = hidden;
+  QString step = hidden ? tr("Hide the table") : tr("Show the table");
+  mParts.jobs.start(
+      step, [after, removed](Progress& progress) { *removed = session::settleBody(*after, progress); },
+      [this, after, removed, before, hidden, step] {
+        if (!(mParts.session.scene().volume.data == before)) return;
+        mParts.document().edit(step.toStdString(), [&](scene::Scene& scene) {
+          scene.volume.data = after->volume.data;
+          scene.volume.given = after->volume.given;
+          scene.volume.bodyOnly = hidden;
+        });
+        double mm = millimetresPer(mParts.session.scene().unit), ml = *removed * mm * mm * mm / kMillilitre;
+        if (hidden && *removed <= 0.0) mParts.messages.showNote(tr("Nothing lies beside the body."));
+        if (*removed > 0.0)
+          mParts.messages.showNote(
+              tr("%1 ml that are not part of the largest body are hidden; Look > Hide the table shows them again.")
+                  .arg(QString::number(ml, 'g', 3)));
+      });
+  mTable->setChecked(mParts.session.scene().volume.bodyOnly);  // until it is done
+}
+
+void VolumeCommands::askVoxelSize(const QString& why) {
+  const scene::VolumeLayer& layer = mParts.session.scene().volume;
+  double millimetres = millimetresPer(mParts.session.scene().unit);
+  glm::dvec3 now = layer.data->isSpacingKnown ? spacingOf(*layer.data) * millimetres : VoxelSizeForm::lastAnswer();
+  auto* dialog = new VoxelSizeDialog(why, now, &mParts.window);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &QDialog::accepted, this, [this, dialog, millimetres] {
+    scene::Source source = mParts.session.scene().volume.source;
+    source.spacing = dialog->value() / millimetres;
+    reread(tr("Set voxel size"), source);
+  });
+  dialog->open();
+}
+
+void VolumeCommands::askLayout() {
+  auto* dialog = new RawDialog(mParts.session.scene().volume.source, &mParts.window);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &QDialog::accepted, this, [this, dialog] { reread(tr("Change samples of the file"), dialog->source()); });
+  dialog->open();
+}
+
+void VolumeCommands::askWhatIsUnknown() {
+  const auto& volume = mParts.session.scene().volume.data;
+  if (volume && !volume->isSpacingKnown)
+    askVoxelSize(tr("%1 does not say how large its voxels are. Lengths and proportions are right once you say it.")
+                     .arg(QString::fromStdString(volume->name)));
+}
+
+}  // namespace velum::gui

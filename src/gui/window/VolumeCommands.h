@@ -1,0 +1,29 @@
+#pragma once
+#include "FileLoads.h"
+#include "velum/scene/Source.h"
+#include "view/Room.h"
+
+namespace velum::gui {
+
+/// What can be done to the volume itself: how large its voxels are, how a file without a header is read, and whether
+/// the scanner's table belongs to it. Each is a job, and one undo step.
+class VolumeCommands : public Room {
+  Q_OBJECT
+ public:
+  VolumeCommands(const WindowParts& parts, FileLoads& loads);
+  void refresh(const session::Session& session) override;
+
+  /// Reads the volume anew as another source says.
+  void reread(const QString& step, const scene::Source& source);
+  /// Leaves out what is not part of the largest body, or shows it again.
+  void hideTable(bool hidden);
+
+ private:
+  void askVoxelSize(const QString& why);
+  void askLayout();
+  void askWhatIsUnknown();
+
+  QAction *mVoxelSize, *mLayout, *mTable;
+};
+
+}  // namespace velum::gui

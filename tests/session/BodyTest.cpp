@@ -10,16 +10,16 @@
 namespace velum::session {
 namespace {
 
-enum class Part { Air, Body, Lung, Table, FarTable, Cable };
+enum class Part { Air, Body, Lung, Table, Cable };
 
-/// A trunk with two lungs, on a curved table of 8 mm that it touches, and a cable in the air, millimetres from the
-/// middle.
-Part partAt(glm::dvec3 p) {
+/// A trunk with two lungs, on a curved table of 8 mm, and a cable in the air, millimetres from the middle.
+/// @param cushion  between back and table, millimetres
+Part partAt(glm::dvec3 p, double cushion) {
   auto inEllipse = [](double x, double y, double a, double b) { return x * x / (a * a) + y * y / (b * b) < 1; };
   if (inEllipse(p.x - 38, p.y, 26, 34) || inEllipse(p.x + 38, p.y, 26, 34)) return Part::Lung;
   if (inEllipse(p.x, p.y, 82, 55)) return Part::Body;
-  double plate = p.y - (54 - p.x * p.x / 900.0);
-  if (plate > 0 && plate < 8 && std::abs(p.x) < 110) return std::abs(p.x) < 75 ? Part::Table : Part::FarTable;
+  double plate = p.y - (55 + cushion - p.x * p.x / 900.0);
+  if (plate > 0 && plate < 8 && std::abs(p.x) < 110) return Part::Table;
   if (std::hypot(p.x + 60, p.y + 66) < 4) return Part::Cable;
   return Part::Air;
 }
@@ -28,6 +28,7 @@ struct Case {
   glm::dvec3 spacing;
   bool isHounsfield;
   double noise;  ///< Of the range between air and tissue.
+  double cushion = 12.0;
 };
 
 struct Trunk {
@@ -47,7 +48,7 @@ Trunk makeTrunk(const Case& one) {
   v.voxels.resize(voxelCount(v) * sampleSize(v.type));
   for (std::size_t i = 0; i < voxelCount(v); ++i) {
     glm::ivec3 voxel(int(i) % v.dims.x, int(i) / v.dims.x % v.dims.y, int(i) / v.dims.x / v.dims.y);
-    Part part = partAt((glm::dvec3(voxel) + 0.5) * one.spacing - glm::dvec3(120, 90, 30));
+    Part part = partAt((glm::dvec3(voxel) + 0.5) * one.spacing - glm::dvec3(120, 80, 30), one.cushion);
     trunk.parts.push_back(part);
     double share = part == Part::Air ? 0.0 : part == Part::Lung ? 0.15 : part == Part::Body ? 1.0 : 1.3;
     share += noise(random);
@@ -82,11 +83,33 @@ TEST(Body, KeepsTheTrunkWithItsLungsAndLeavesOutTableAndCable) {
     EXPECT_EQ(changed(trunk, body.volume, Part::Body), 0.0);
     EXPECT_EQ(changed(trunk, body.volume, Part::Lung), 0.0);
     EXPECT_GT(changed(trunk, body.volume, Part::Cable), 0.98);
-    EXPECT_GT(changed(trunk, body.volume, Part::FarTable), 0.99);
-    // Where it follows the back, what lies within the kept edge of it stays.
-    EXPECT_GT(changed(trunk, body.volume, Part::Table), 0.25);
-    EXPECT_GT(body.removedVolume, 0.4 * 8 * 220 * 60);
+    EXPECT_GT(changed(trunk, body.volume, Part::Table), 0.97);
+    EXPECT_GT(body.removedVolume, 0.9 * 8 * 220 * 60);
   }
+}
+
+TEST(Body, LosesNothingWhereTheTableTouches) {
+  Trunk trunk = makeTrunk({{2, 2, 2}, true, 0.05, 0.0});
+  Progress progress;
+  Body body = findBody(trunk.volume, progress);
+  EXPECT_EQ(changed(trunk, body.volume, Part::Body), 0.0);
+  EXPECT_EQ(changed(trunk, body.volume, Part::Lung), 0.0);
+}
+
+TEST(Body, RefusesWhereMostWouldBeHidden) {
+  // Three balls of one size: none of them is the body.
+  Volume volume;
+  volume.dims = {96, 32, 32};
+  volume.voxels.resize(voxelCount(volume));
+  for (std::size_t i = 0; i < voxelCount(volume); ++i) {
+    glm::dvec3 p(double(i % 96), double(i / 96 % 32), double(i / 96 / 32));
+    double nearest = 1e9;
+    for (double x : {16.0, 48.0, 80.0}) nearest = std::min(nearest, glm::length(p - glm::dvec3(x, 16, 16)));
+    volume.voxels[i] = std::byte(nearest < 12 ? 200 : 5);
+  }
+  computeRange(volume);
+  Progress progress;
+  EXPECT_THROW(findBody(volume, progress), InputError);
 }
 
 TEST(Body, GoesAndComesBackWithTheField) {

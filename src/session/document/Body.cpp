@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
-#include <numeric>
+#include <map>
+#include <set>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "velum/core/Error.h"
@@ -16,7 +17,8 @@ namespace {
 
 constexpr int kMostCells = 192;
 constexpr double kOpening = 6.0;  ///< Millimetres.
-constexpr double kRegrowthOfOpening = 2.5;  ///< How far thin parts grow back.
+constexpr double kBridge = 0.02;     ///< Of a piece's cells, by which it may touch the body and not be part of it.
+constexpr double kLeastBody = 0.6;   ///< Of all tissue: less is no body with something beside it.
 constexpr double kTwoKinds = 0.8;  ///< Share of the variance between two classes that are no single bell.
 constexpr int kKeptEdge = 1;              ///< Cells around the body that stay as they are.
 constexpr double kAirBelowHu = -300.0;    ///< Air, cushions and lungs are below, tissue is above.
@@ -151,15 +153,49 @@ std::vector<std::size_t> pieceAt(const Grid& grid, std::size_t first, std::vecto
   return piece;
 }
 
-Grid largestPiece(const Grid& grid) {
+/// The pieces of a grid by number, from 1; the largest is 1.
+std::vector<std::uint32_t> piecesOf(const Grid& grid) {
   std::vector<std::uint8_t> seen(grid.cells.size());
-  std::vector<std::size_t> largest;
-  for (std::size_t i = 0; i < grid.cells.size(); ++i)
-    if (grid.cells[i] && !seen[i])
-      if (auto piece = pieceAt(grid, i, seen); piece.size() > largest.size()) largest = std::move(piece);
-  Grid out{grid.dims, std::vector<std::uint8_t>(grid.cells.size())};
-  for (std::size_t i : largest) out.cells[i] = 1;
-  return out;
+  std::vector<std::uint32_t> pieces(grid.cells.size());
+  std::size_t largest = 0;
+  std::uint32_t count = 1, first = 0;
+  for (std::size_t i = 0; i < grid.cells.size(); ++i) {
+    if (!grid.cells[i] || seen[i]) continue;
+    auto piece = pieceAt(grid, i, seen);
+    ++count;
+    if (piece.size() > largest) {
+      largest = piece.size();
+      first = count;
+    }
+    for (std::size_t cell : piece) pieces[cell] = count;
+  }
+  for (std::uint32_t& piece : pieces)
+    if (piece == first && first != 0) piece = 1;
+  return pieces;
+}
+
+/// Lets pieces grow along cells, layer by layer and all at once, until they meet: each cell is that piece's which is
+/// nearest along what is there.
+void growAlong(std::vector<std::uint32_t>& pieces, const Grid& grid) {
+  std::vector<std::size_t> front, next;
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+    if (pieces[i]) front.push_back(i);
+  std::size_t row = std::size_t(grid.dims.x), plane = row * std::size_t(grid.dims.y);
+  for (; !front.empty(); front.swap(next), next.clear())
+    for (std::size_t at : front) {
+      std::size_t x = at % row, y = at / row % std::size_t(grid.dims.y), z = at / plane;
+      auto visit = [&](bool isInside, std::size_t other) {
+        if (!isInside || pieces[other] || !grid.cells[other]) return;
+        pieces[other] = pieces[at];
+        next.push_back(other);
+      };
+      visit(x > 0, at - 1);
+      visit(x + 1 < row, at + 1);
+      visit(y > 0, at - row);
+      visit(y + 1 < std::size_t(grid.dims.y), at + row);
+      visit(z > 0, at - plane);
+      visit(z + 1 < std::size_t(grid.dims.z), at + plane);
+    }
 }
 
 void keepBoth(Grid& grid, const Grid& other) {
@@ -186,22 +222,61 @@ void fillPlanes(Grid& grid) {
   });
 }
 
-/// Thin shells go first, as those of hollow tables, so that what is filled then is the body's alone; ears and noses
-/// that went with them grow back along what is tissue.
-Grid bodyOf(const Grid& tissue, glm::ivec3 opening, int regrowth) {
+/// Joins pieces to the first one, and to what is joined to it, that touch it along more than a bridge: a shell of bone
+/// falls apart where it is thin, and is one nevertheless.
+void joinTouching(std::vector<std::uint32_t>& pieces, const Grid& grid) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> contacts;
+  std::map<std::uint32_t, std::size_t> sizes;
+  std::size_t row = std::size_t(grid.dims.x), plane = row * std::size_t(grid.dims.y);
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (!pieces[i]) continue;
+    ++sizes[pieces[i]];
+    std::size_t x = i % row, y = i / row % std::size_t(grid.dims.y), z = i / plane;
+    auto visit = [&](bool isInside, std::size_t other) {
+      if (isInside && pieces[other] && pieces[other] != pieces[i]) ++contacts[std::minmax(pieces[i], pieces[other])];
+    };
+    visit(x + 1 < row, i + 1);
+    visit(y + 1 < std::size_t(grid.dims.y), i + row);
+    visit(z + 1 < std::size_t(grid.dims.z), i + plane);
+  }
+  std::set<std::uint32_t> joined{1};
+  for (bool goesOn = true; goesOn;) {
+    goesOn = false;
+    for (const auto& [pair, count] : contacts) {
+      bool hasFirst = joined.contains(pair.first), hasSecond = joined.contains(pair.second);
+      std::uint32_t other = hasFirst ? pair.second : pair.first;
+      if (hasFirst == hasSecond || double(count) < kBridge * double(sizes[other])) continue;
+      joined.insert(other);
+      goesOn = true;
+    }
+  }
+  for (std::uint32_t& piece : pieces)
+    if (joined.contains(piece)) piece = 1;
+}
+
+/// Thin shells go first, as those of hollow tables, so that what is filled then is the body's alone. What an opening
+/// parts are pieces; what it takes away, as ears, belongs to the piece that is nearest along tissue.
+Grid bodyOf(const Grid& tissue, glm::ivec3 opening) {
   Grid solid = spread(spread(tissue, glm::ivec3(1), false), glm::ivec3(1), true);
   keepBoth(solid, tissue);
   fillPlanes(solid);
-  Grid body = largestPiece(spread(solid, opening, false));
-  Grid allowed = solid;
-  for (std::size_t i = 0; i < allowed.cells.size(); ++i) allowed.cells[i] |= tissue.cells[i];
-  body = spread(body, opening + 1, true);
-  keepBoth(body, allowed);
-  for (int i = 0; i < regrowth; ++i) {
-    body = spread(body, glm::ivec3(1), true);
-    keepBoth(body, allowed);
-  }
+  auto pieces = piecesOf(spread(solid, opening, false));
+  for (std::size_t i = 0; i < solid.cells.size(); ++i) solid.cells[i] |= tissue.cells[i];
+  growAlong(pieces, solid);
+  joinTouching(pieces, solid);
+  Grid body{tissue.dims, std::vector<std::uint8_t>(tissue.cells.size())};
+  for (std::size_t i = 0; i < pieces.size(); ++i) body.cells[i] = pieces[i] == 1;
   return body;
+}
+
+/// Of all tissue.
+double shareOf(const Grid& body, const Grid& tissue) {
+  double all = 0, inside = 0;
+  for (std::size_t i = 0; i < tissue.cells.size(); ++i) {
+    all += tissue.cells[i];
+    inside += tissue.cells[i] && body.cells[i];
+  }
+  return all > 0 ? inside / all : 0.0;
 }
 
 /// Sums over what is outside of the body.
@@ -261,10 +336,8 @@ Body findBody(const Volume& volume, Progress& progress) {
   // Of specimens a twentieth of the whole is as thin as a table is beside a patient.
   glm::dvec3 extent = spacingOf(volume) * glm::dvec3(volume.dims) * millimetresPer(volume.lengthUnit);
   double opening = std::min(kOpening, std::max({extent.x, extent.y, extent.z}) / 50.0);
-  Grid body = bodyOf(tissue, glm::ivec3(glm::round(glm::dvec3(opening) / edge)),
-                     int(std::ceil(kRegrowthOfOpening * opening / std::min({edge.x, edge.y, edge.z}))));
-  if (std::find(body.cells.begin(), body.cells.end(), 1) == body.cells.end())
-    throw InputError("no body stands out from the air of this volume");
+  Grid body = bodyOf(tissue, glm::ivec3(glm::round(glm::dvec3(opening) / edge)));
+  if (shareOf(body, tissue) < kLeastBody) throw InputError("no single body stands out from the air of this volume");
   body = spread(body, glm::ivec3(kKeptEdge), true);
   progress.report(0.6, "Finding the body");
   Body out{volume, 0.0};

@@ -222,6 +222,57 @@ def sheet(folder):
     ]
 
 
+def first_plate(folder):
+    """The guide's first pictures, as its commands draw them: of a trunk the cut, what is pulled out of it, the plate."""
+    trunk = [*phantom(folder, "torso", "labels"), "--preset", "ct-skin", *OBLIQUE, *near(19),
+             *sets("camera.eye=210,-760,640", "camera.target=0,-5,-52", *(f"labels.structures[{name}].opacity=1" for name in HIDDEN)),
+             *cut(0, "axis=0,0,1", "centre=0,0,-45")]
+    spares = [{"structure": number, "distance": mm} for number, mm in ((27, 120), (9, 120), (29, 95), (33, 60), (34, 60), (35, 60))]
+    pulled = [*trunk, *sets("cuts.0.spares=" + json.dumps(spares))]
+    return [trunk, pulled, [*pulled, "--finish", "plate", *sets("finish.contourStructures=0")]]
+
+
+def first_ct(folder):
+    """A section; a plane; a membrane in the same place, which the program hangs."""
+    trunk, opened = phantom(folder, "torso"), folder / "opened-ct.json"
+    look = ["--preset", "ct-muscle", "--view", "anterior"]
+    run(sys.argv[1], "membrane", *trunk, "--protect", "200,3000", "--axis", "0,-1,0", "--position", "0.7", *look, "--save-scene", opened)
+    frame = json.loads(opened.read_text())["cuts"][0]
+    place = [f"{key}={','.join(str(number) for number in frame[key])}" for key in ("axis", "centre")]
+    return [
+        [*trunk, "--section", "axial", *sets("volume.windowLevel=40", "volume.windowWidth=400")],
+        [*trunk, *look, *cut(0, *place)],
+        [opened],
+    ]
+
+
+def first_cells(folder):
+    """Neurons; the section on a plane; two of them, grown and pulled out."""
+    neurons, first, both = folder / "neurons.nrrd", folder / "first.seg.nrrd", folder / "both.seg.nrrd"
+    run(sys.argv[1], "sample", "neurons", "-o", neurons, "--voxels", "128")  # the seeds are those of the guide
+    values = ["--range", "3600,8000"]
+    run(sys.argv[1], "grow", neurons, "--seed", "-0.0215,0.0375,-0.0065", *values, "-o", first)
+    run(sys.argv[1], "grow", neurons, "--labels", first, "--seed", "0.0215,0.0295,-0.0405", *values, "-o", both)
+    plane = [*OBLIQUE, *cut(0, "axis=0,-1,0", "centre=0,0.036,0", "face=section")]
+    spares = [{"structure": number, "distance": 0.1} for number in (1, 2)]
+    return [[neurons, *OBLIQUE], [neurons, *plane], [neurons, both, *plane, *sets("cuts.0.spares=" + json.dumps(spares))]]
+
+
+def first_virus(folder):
+    """A virion cut; spikes brought back and plasma thinned; the way to the capsid cleared."""
+    virion, opened = [folder / "virion.cif", "--view", "anterior"], folder / "opened.json"
+    run(sys.argv[1], "count", *virion, "--clear-the-way", "capsid_monomer", "-o", opened)
+    half = cut(0, "axis=0,-1,0")
+    spikes = folder / "spikes.json"
+    run(sys.argv[1], "count", *virion, *half, "--set-count", "spike=60", "-o", spikes)
+    thinned = cut(1, "shape=everywhere", 'typeSpares=[{"type":"root","share":1},{"type":"root.plasma","share":0.4}]')
+    return [
+        [*virion, *half],
+        [spikes, *thinned],
+        [opened, "--view", "anterior"],
+    ]
+
+
 # name: (columns, size of a panel, colour of the gaps, what gives the panels: the arguments of `velum-batch render`, or
 # these and the endings of the pictures that one render gives).
 PLATES = {
@@ -237,8 +288,12 @@ PLATES = {
     "models": (3, (400, 340), WHITE, models),
     "equalizer": (3, (400, 340), WHITE, equalizer),
     "sheet": (3, (480, 400), DARK, sheet),
+    "first-plate": (3, (400, 340), DARK, first_plate),
+    "first-ct": (3, (400, 340), DARK, first_ct),
+    "first-cells": (3, (400, 340), DARK, first_cells),
+    "first-virus": (3, (400, 340), WHITE, first_virus),
 }
-PHANTOMS = {"models": ("virion",), "equalizer": ("virion",), "situations": ("torso", "two-spheres", "seismic", "vessels"), "membrane": ("torso", "heart"), "pull": ("hand",), "sheet": ("torso", "vessels", "neurons", "seismic")}
+PHANTOMS = {"first-plate": ("torso",), "first-ct": ("torso",), "first-virus": ("virion",), "models": ("virion",), "equalizer": ("virion",), "situations": ("torso", "two-spheres", "seismic", "vessels"), "membrane": ("torso", "heart"), "pull": ("hand",), "sheet": ("torso", "vessels", "neurons", "seismic")}
 
 
 def run(*command):

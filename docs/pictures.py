@@ -95,7 +95,7 @@ def membrane(folder):
     heart = [*phantom(folder, "heart"), "--view", "anterior", *near(24), "--preset", "ct-muscle",
              *sets("volume.windowLevel=120", "volume.windowWidth=700")]
     return [
-        *three(trunk, protect(200, 2000), "axis=0,-1,0", "centre=0,-40,0", "size=384,384,120"),
+        *three(trunk, protect(200, 2000), "axis=0,-1,0", "centre=0,-54,0", "size=384,384,120"),
         *three(heart, protect(200, 600), "axis=0,-1,0", "centre=5,-30,-10", "size=166,166,80"),
     ]
 

@@ -197,6 +197,16 @@ class Guide(CliTest):
                 else:
                     self.assertIn(entry, titles_on_page(place))
 
+    def test_pictures_and_links_of_the_guide(self):
+        guide = (ROOT / "docs/USER-GUIDE.md").read_text()
+        carried = (ROOT / "docs/guide.qrc").read_text()
+        for picture in re.findall(r"\]\((images/[^)]+)\)", guide):
+            self.assertTrue((ROOT / "docs" / picture).exists(), picture)
+            self.assertIn(f"<file>{picture}</file>", carried)
+        headings = {re.sub(r"[^a-z0-9 -]", "", line.lower()).replace(" ", "-") for line in re.findall(r"^#+ (.*)", guide, re.M)}
+        for link in re.findall(r"\]\(#([^)]+)\)", guide):
+            self.assertIn(link, headings)
+
     def put_samples(self):
         """A trunk as a scan with labels, a heart, a head; all of a few voxels."""
         self.sample("torso", 32, "scan.nrrd")

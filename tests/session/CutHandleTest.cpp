@@ -50,6 +50,27 @@ TEST(CutHandle, EveryGripIsFoundWhereItIs) {
     }
 }
 
+TEST(CutHandle, AMembranesReachGrowsToBothSidesOfItsRestPlane) {
+  scene::Scene scene = boxScene(kSize);
+  scene::Cut start = tiltedCut(scene::CutShape::Membrane);
+  CutGizmo gizmo = makeCutGizmo(scene, start, kSize);
+  int found = 0;
+  for (const auto& grip : gizmo.grips) {
+    if (grip.handle != CutHandle::FaceZMin && grip.handle != CutHandle::FaceZMax) continue;
+    ++found;
+    EXPECT_NEAR(glm::length(grip.place - start.centre), 0.5 * start.size.z, 1e-9);
+    scene::Cut now = withFaceMoved(start, 2, grip.handle == CutHandle::FaceZMax ? 1 : -1, 3.0, 1.0);
+    EXPECT_EQ(now.centre, start.centre);
+    EXPECT_NEAR(now.size.z, start.size.z + 6.0, 1e-12);
+    EXPECT_NE(dragText(scene::lengthFormat(scene), start, now, grip.handle).find("\u00b1"), std::string::npos);
+  }
+  EXPECT_EQ(found, 2);
+  // And is drawn as a box: its twelve edges beside the rest plane.
+  scene::Cut box = start;
+  box.shape = scene::CutShape::Box;
+  EXPECT_EQ(gizmo.edges.size(), 1 + makeCutGizmo(scene, box, kSize).edges.size());
+}
+
 TEST(CutHandle, AHandleStaysUnderThePointer) {
   for (const auto& scene : manyViews())
     for (auto shape : everyCutShape()) {

@@ -50,6 +50,12 @@ std::vector<glm::dvec3> planeInBox(const scene::Bounds& bounds, glm::dvec3 point
 std::vector<std::vector<glm::dvec3>> edgesOf(const scene::Cut& cut) {
   glm::dmat4 worldFromCut = scene::worldFromCut(cut);
   auto edges = scene::shapeOutline(cut, {.corners = 48});
+  if (scene::isMembrane(cut)) {
+    // How far its sheet may go: a box about the rest plane.
+    scene::Cut reach = cut;
+    reach.shape = scene::CutShape::Box;
+    for (auto& line : scene::shapeOutline(reach, {.corners = 48})) edges.push_back(line);
+  }
   for (auto& line : edges)
     for (auto& p : line) p = glm::dvec3(worldFromCut * glm::dvec4(p, 1.0));
   return edges;

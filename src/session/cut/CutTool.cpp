@@ -151,6 +151,12 @@ double snappedAngle(double rad, const CutSnap& snap) {
 
 scene::Cut withFaceMoved(scene::Cut cut, int axis, int sign, double mm, double smallest) {
   double before = cut.size[axis];
+  // A membrane's reach grows to both sides: its rest plane stays.
+  bool isReach = scene::isMembrane(cut) && axis == 2;
+  if (isReach) {
+    cut.size[axis] = std::max(before + 2.0 * mm, std::min(smallest, before));
+    return cut;
+  }
   cut.size[axis] = std::max(before + mm, std::min(smallest, before));
   double moved = cut.size[axis] - before;
   // Where the centre lies between the two; an apex that is the centre takes all of the move, its base none.
@@ -238,6 +244,7 @@ std::string dragText(const scene::LengthFormat& lengths, const scene::Cut& start
   if (isCorner(handle)) return lengthNumber(lengths, now.size.x) + " \u00d7 " + lengthText(lengths, now.size.y);
   if (handle >= CutHandle::FaceXMin) {
     int axis = (static_cast<int>(handle) - static_cast<int>(CutHandle::FaceXMin)) / 2;
+    if (scene::isMembrane(now) && axis == 2) return "\u00b1 " + lengthText(lengths, 0.5 * now.size[axis]);
     return lengthText(lengths, now.size[axis]);
   }
   glm::dvec3 shift = now.centre - start.centre;

@@ -45,7 +45,7 @@ def cut(index, *assignments):
 BARE_HEAD = [WELCOME, *sets("cuts.0.enabled=false")]
 SKULL = [*BARE_HEAD, "--preset", "ct-bone"]
 XRAY = sets("rayCast.mode=mip", "volume.windowLevel=900", "volume.windowWidth=2200")
-REGIONS = [TEMPLATES + "ch2.nii.gz", TEMPLATES + "aal.nii.gz", *OBLIQUE, *near(21), *sets("camera.target=0,17,4")]
+REGIONS = [TEMPLATES + "ch2.nii.gz", TEMPLATES + "aal.nii.gz", *OBLIQUE]
 OPENED = cut(0, "axis=-0.55,-0.2,0.8", "centre=0,15,10")
 SPARED = [*OPENED, *sets("cuts.0.spares=" + ids(1, 116))]
 MACAQUE = [TEMPLATES + "inia19-t1-brain.nii.gz", TEMPLATES + "inia19-NeuroMaps.nii.gz"]
@@ -91,8 +91,8 @@ def membrane(folder):
     def three(data, protected, *frame):
         return [[*data, *cut(0, f"shape={shape}", *frame, *own)] for shape, own in
                 (("plane", ["face=section"]), ("membrane", [protected]), ("membrane", [protected, "membrane.use=inlay"]))]
-    trunk = [*phantom(folder, "torso"), "--view", "anterior", *near(21), "--preset", "ct-bone"]
-    heart = [*phantom(folder, "heart"), "--view", "anterior", *near(24), "--preset", "ct-muscle",
+    trunk = [*phantom(folder, "torso"), "--view", "anterior", "--preset", "ct-bone"]
+    heart = [*phantom(folder, "heart"), "--view", "anterior", "--preset", "ct-muscle",
              *sets("volume.windowLevel=120", "volume.windowWidth=700")]
     return [
         *three(trunk, protect(200, 2000), "axis=0,-1,0", "centre=0,-54,0", "size=384,384,120"),
@@ -147,7 +147,7 @@ def situations(folder):
 
 def pull(folder):
     """A cut, what is pulled out of it, and the same with a finish; without labels, and with."""
-    hand = [*phantom(folder, "hand", "labels"), *OBLIQUE, *near(20.5), "--preset", "ct-skin",
+    hand = [*phantom(folder, "hand", "labels"), *OBLIQUE, "--preset", "ct-skin",
             *sets(*(f"labels.structures[{name}].opacity=1" for name in ("skin", "subcutaneous fat", "muscle"))),
             *cut(0, "axis=0,-1,0", "centre=0,13,0")]
     info = subprocess.run([sys.argv[1], "info", folder / "hand_labels.seg.nrrd", "--json"], check=True, capture_output=True)
@@ -210,14 +210,14 @@ def sheet(folder):
     return [
         [WELCOME],
         [*REGIONS, *SPARED],
-        [*TRACTS, *OBLIQUE, *near(17.5), *cut(0, "axis=-1,-0.25,0.6", "centre=4,10,12", "spares=" + ids(1, 50))],
-        [*MACAQUE, *OBLIQUE, *near(15), *cut(0, "shape=box", "centre=-25,-25,25", "size=50,50,40")],
-        [TEMPLATES + "ch2better.nii.gz", *OBLIQUE, *near(17.5),
+        [*TRACTS, *OBLIQUE, *cut(0, "axis=-1,-0.25,0.6", "centre=4,10,12", "spares=" + ids(1, 50))],
+        [*MACAQUE, *OBLIQUE, *cut(0, "shape=box", "centre=-25,-25,25", "size=50,50,40")],
+        [TEMPLATES + "ch2better.nii.gz", *OBLIQUE,
          *cut(0, "shape=box", "centre=-50,-60,60", "size=100,120,100", "face=section")],
-        [*phantom(folder, "torso", "labels"), *OBLIQUE, *near(20), "--preset", "ct-muscle", *seen],
-        [*phantom(folder, "vessels", "labels"), *OBLIQUE, *near(19),
+        [*phantom(folder, "torso", "labels"), *OBLIQUE, "--preset", "ct-muscle", *seen],
+        [*phantom(folder, "vessels", "labels"), *OBLIQUE,
          *sets("labels.unlabelled=0", "lighting.shadow=0.3", "lighting.ambient=0.5")],
-        [*phantom(folder, "neurons", "labels"), *OBLIQUE, *near(23), *sets("labels.unlabelled=0")],
+        [*phantom(folder, "neurons", "labels"), *OBLIQUE, *sets("labels.unlabelled=0")],
         [*phantom(folder, "seismic"), *OBLIQUE, *near(24),
          *cut(0, "shape=box", "axis=0,0,1", "centre=-850000,-850000,450000", "size=1700000,1700000,900000", "face=section")],
     ]

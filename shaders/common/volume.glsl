@@ -125,26 +125,51 @@ float coverageExtinction(float coverage) { return smoothstep(kLeastCoverage, 0.6
 
 float labelExtinction(vec3 scenePoint) { return coverageExtinction(labelMaterial(scenePoint).a); }
 
-/// Gradient of the coverage, scene frame, of any length.
-vec3 labelGradientAt(vec3 p) {
-  float h = 0.9 / frame.voxelsPerLength;
-  return vec3(labelMaterial(p + vec3(h, 0, 0)).a - labelMaterial(p - vec3(h, 0, 0)).a,
-              labelMaterial(p + vec3(0, h, 0)).a - labelMaterial(p - vec3(0, h, 0)).a,
-              labelMaterial(p + vec3(0, 0, h)).a - labelMaterial(p - vec3(0, 0, h)).a);
+/// Gradient of the coverage, scene frame, of any length: differences of coverage that is smoothed by 1 4 6 4 1 along each
+/// axis, as steps from voxel to voxel would show as terraces. Interpolated between voxels, six of them along an axis count.
+vec3 labelGradientAt(vec3 scenePoint) {
+  vec3 p = (frame.labelFromScene * vec4(scenePoint, 1.0)).xyz;
+  ivec3 size = textureSize(labelTexture, 0);
+  vec3 base = floor(p);
+  vec3 f = p - base;
+  const float kSmooth[7] = float[7](0.0, 1.0, 4.0, 6.0, 4.0, 1.0, 0.0);
+  const float kSlope[7] = float[7](0.0, -1.0, -2.0, 0.0, 2.0, 1.0, 0.0);
+  vec3 sum = vec3(0.0);
+  for (int z = 0; z < 6; ++z) {
+    float smoothZ = mix(kSmooth[z + 1], kSmooth[z], f.z);
+    float slopeZ = mix(kSlope[z + 1], kSlope[z], f.z);
+    for (int y = 0; y < 6; ++y) {
+      float smoothY = mix(kSmooth[y + 1], kSmooth[y], f.y);
+      float slopeY = mix(kSlope[y + 1], kSlope[y], f.y);
+      vec2 along = vec2(0.0);  // the row, smoothed and its slope
+      for (int x = 0; x < 6; ++x) {
+        ivec3 voxel = ivec3(base) + ivec3(x, y, z) - 2;
+        if (any(lessThan(voxel, ivec3(0))) || any(greaterThanEqual(voxel, size))) continue;
+        uint label = texelFetch(labelTexture, voxel, 0).r;
+        float opacity = label == 0u ? 0.0 : structureRow(label).a;
+        along += opacity * vec2(mix(kSmooth[x + 1], kSmooth[x], f.x), mix(kSlope[x + 1], kSlope[x], f.x));
+      }
+      sum += vec3(along.y * smoothY * smoothZ, along.x * slopeY * smoothZ, along.x * smoothY * slopeZ);
+    }
+  }
+  return transpose(mat3(frame.labelFromScene)) * sum;
 }
 #endif
 
-/// Gradient of the data value per, scene frame, by central differences of one voxel. Software drivers look it up in a
-/// texture of the same differences (a fetch for six); others take them on demand.
+/// Gradient of the data value per, scene frame: differences over two voxels of values that are smoothed across by 1 2 1.
+/// Looked up in a texture of them, where there is room for one (`computeGradients`); else the same on demand.
 vec3 gradientAt(vec3 tex) {
 #if GRADIENTS
   vec4 texel = textureLod(gradientTexture, tex, 0.0);
   vec3 g = (texel.xyz - 128.0 / 255.0) * (texel.w * texel.w * frame.gradientUnit);
 #else
   vec3 h = 1.0 / frame.volumeSize.xyz;
-  vec3 g = vec3(texelAt(tex + vec3(h.x, 0, 0)) - texelAt(tex - vec3(h.x, 0, 0)),
-                texelAt(tex + vec3(0, h.y, 0)) - texelAt(tex - vec3(0, h.y, 0)),
-                texelAt(tex + vec3(0, 0, h.z)) - texelAt(tex - vec3(0, 0, h.z)));
+  vec3 g = vec3(0.0);
+  for (int i = 0; i < 27; ++i) {
+    vec3 at = vec3(i % 3, i / 3 % 3, i / 9) - 1.0;
+    vec3 across = 0.5 - 0.25 * abs(at);
+    g += texelAt(tex + at * h) * at * vec3(across.y * across.z, across.x * across.z, across.x * across.y);
+  }
 #endif
   return vec3(dot(frame.normalX.xyz, g), dot(frame.normalY.xyz, g), dot(frame.normalZ.xyz, g));
 }

@@ -99,6 +99,8 @@ void finishRay(inout Hit hit, Ray ray, Walk walk) {
   if (gBest >= 0.0) {
     float grey = hasFlag(kFlagInlays) ? gBest : greyAt(gBest * float(kTransferSize - 1));
     hit.color = vec4(vec3(grey), 1.0);
+    float best = gBest * float(kTransferSize - 1);
+    if (hasFlag(kFlagValueColors) && !hasFlag(kFlagInlays)) hit.color.rgb = colorBetween(best, best);
 #if COLOR
     hit.color.rgb = volumeColorAt(texAt(walk, hit.distance)) * (COLOR == 2 ? grey : 1.0);
 #endif

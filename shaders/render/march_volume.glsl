@@ -83,9 +83,7 @@ void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, float faceT,
     vec3 gradient = labelGradientAt(p);
     float steepness = 1.0;
 #else
-    // What is seen of opaque material is its front, and just within a thin plate the gradient already turns round.
-    float front = 0.75 * alpha / frame.voxelsPerLength;
-    vec3 gradient = gradientAt(texAt(walk, tm - front));
+    vec3 gradient = gradientAt(tex);
     if (hasFlag(kFlagGradientOpacity)) depth *= gradientFactor(gradient);
     // Where the value hardly changes the gradient is noise: less of it counts.
     float steepness = smoothstep(0.0, 1.0, length(gradient) * frame.tablePerValue * 60.0 / frame.voxelsPerLength);

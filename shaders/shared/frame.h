@@ -41,7 +41,8 @@ SHARED_CONST uint kFlagFinish = 2097152u;      // each sample is kept for the fi
 SHARED_CONST uint kFlagStructureLooks = 4194304u;  // structures say what their material looks like
 SHARED_CONST uint kFlagFaces = 8388608u;  // some cut shows the data on its face
 SHARED_CONST uint kFlagNoData = 16777216u;  // neither a volume nor labels are drawn
-SHARED_CONST uint kFlagLast = kFlagNoData;
+SHARED_CONST uint kFlagValueColors = 33554432u;  // the largest value shows in its colour of the transfer function
+SHARED_CONST uint kFlagLast = kFlagValueColors;
 
 /// Scene-local frame: world minus an origin near the scene, so that floats are enough anywhere. Lengths are in scene
 /// units. "Table" positions 0..1 run over the transfer table's domain of data values. Members lie in groups of 16

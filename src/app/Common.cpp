@@ -19,6 +19,7 @@
 #include "velum/io/models/ReadModel.h"
 #include "velum/scene/Finishes.h"
 #include "velum/scene/Presets.h"
+#include "velum/scene/VisibleFrame.h"
 #include "velum/scene/json/Json.h"
 #include "velum/session/document/Body.h"
 #include "velum/session/document/LitSphereFiles.h"
@@ -257,7 +258,7 @@ scene::Scene openScene(const InputOptions& input, double aspect) {
     if (!view)
       throw ArgumentError(
           fmt::format("--view {}: not one of {}", input.view, fmt::join(EnumNames<scene::StandardView>::kNames, ", ")));
-    scene.camera = scene::frameCamera(scene, *view, aspect);
+    scene.camera = scene::frameVisible(scene, *view, aspect);
   }
   if (!input.finish.empty()) scene::applyFinish(scene, input.finish);
   for (const auto& [path, value] : sets) scene::setField(scene, path, value);

@@ -8,6 +8,7 @@
 #include "velum/gpu/GpuError.h"
 #include "velum/render/Renderer.h"
 #include "velum/scene/Navigate.h"
+#include "velum/scene/VisibleFrame.h"
 #include "velum/session/picture/Picture.h"
 
 namespace velum::app {
@@ -60,7 +61,7 @@ void onScroll(GLFWwindow* window, double, double y) {
 void onKey(GLFWwindow* window, int key, int, int action, int) {
   if (action != GLFW_PRESS) return;
   Viewer& viewer = viewerOf(window);
-  auto view = [&](scene::StandardView side) { viewer.scene.camera = scene::frameCamera(viewer.scene, side, 1.6); };
+  auto view = [&](scene::StandardView side) { viewer.scene.camera = scene::frameVisible(viewer.scene, side, 1.6); };
   switch (key) {
     case GLFW_KEY_ESCAPE:
     case GLFW_KEY_Q:

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "velum/core/Vectors.h"
+#include "velum/scene/Presets.h"
 #include "velum/scene/Project.h"
 
 namespace velum::render {
@@ -179,6 +180,8 @@ shared::FrameParams makeFrameParams(const Frame& frame, const FrameGrid& grid, c
   bool mixes = scene::mixesChannels(scene.volume);
   flag(!mixes && !scene.volume.transfer.gradientOpacities.empty(), shared::kFlagGradientOpacity);
   flag(light.shaded && (light.shadow > 0 || light.occlusion > 0), shared::kFlagLightGrid);
+  flag(!mixes && scene.rayCast.mode == scene::RenderMode::Mip && scene::isProjectionLook(scene.volume.transfer.preset),
+       shared::kFlagValueColors);
   setSample(params, frame, 0);
   return params;
 }

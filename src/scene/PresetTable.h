@@ -1,5 +1,6 @@
 #pragma once
 #include <initializer_list>
+#include <optional>
 #include <span>
 
 #include "velum/scene/Presets.h"
@@ -20,7 +21,9 @@ struct PresetRow {
   double windowLevel, windowWidth;                ///< For sections.
   double specular;
   Ends ends = Ends::Background;
-  double brightShare = 0.01;  ///< So much of what is not background counts as fully bright.
+  double brightShare = 0.01;                 ///< So much of what is not background counts as fully bright.
+  bool isProjection = false;                 ///< The largest value along a ray shows, in its colour.
+  std::optional<glm::vec3> background = {};  ///< Of the picture; none: as it was.
 };
 
 /// In the order of menus.

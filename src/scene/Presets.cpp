@@ -45,16 +45,42 @@ glm::dvec2 relativeRange(const Volume& volume, int channel, Ends ends = Ends::Ba
   return {low, high};
 }
 
+const PresetRow* rowOf(std::string_view name) {
+  for (const PresetRow& row : presetTable())
+    if (row.preset.name == name) return &row;
+  return nullptr;
+}
+
 const PresetRow& findPreset(std::string_view name) {
+  if (const PresetRow* row = rowOf(name)) return *row;
   std::string known;
-  for (const PresetRow& row : presetTable()) {
-    if (row.preset.name == name) return row;
-    known += fmt::format("{}{}", known.empty() ? "" : ", ", row.preset.name);
-  }
+  for (const PresetRow& row : presetTable()) known += fmt::format("{}{}", known.empty() ? "" : ", ", row.preset.name);
   throw ArgumentError(fmt::format("no preset '{}'; there are {}", name, known));
 }
 
+/// A CT whose values somebody has squeezed into bytes: air and fat are all 0, and a little of the rest is bone, far
+/// above the many values of what is soft.
+bool looksLikeByteCt(const Volume& volume) {
+  if (volume.type != SampleType::UInt8 || volume.channels != 1 || !volume.isOrientationKnown) return false;
+  Histogram histogram = computeHistogram(volume, 256);
+  std::uint64_t total = 0, hard = 0;
+  for (std::size_t i = 0; i < histogram.counts.size(); ++i) {
+    total += histogram.counts[i];
+    if (i >= 154) hard += histogram.counts[i];
+  }
+  double empty = double(histogram.counts[0]) / double(std::max<std::uint64_t>(total, 1));
+  double share = double(hard) / std::max(1.0, double(total) * (1.0 - empty));
+  return volume.range.x == 0 && empty > 0.5 && share > 0.003 && share < 0.35;
+}
+
 }  // namespace
+
+bool isProjectionLook(std::string_view name) {
+  const PresetRow* row = rowOf(name);
+  return row && row->isProjection;
+}
+
+bool isAllMaterial(std::string_view preset) { return preset == "seismic" || preset == "seismic-velocity"; }
 
 void applyPreset(Scene& scene, std::string_view name) {
   if (isModelLook(name)) return applyModelLook(scene, name);
@@ -72,12 +98,22 @@ void applyPreset(Scene& scene, std::string_view name) {
   TransferFunction transfer{std::string(name), row.colors, row.opacities, {}, unit};
   for (auto& point : transfer.colors) point.value = place(point.value);
   for (auto& point : transfer.opacities) point.value = place(point.value);
-  currentTransfer(layer) = std::move(transfer);
+  std::string previous = std::exchange(currentTransfer(layer), std::move(transfer)).preset;
   setWindow(layer, place(row.windowLevel),
             row.preset.isAbsolute ? row.windowWidth : row.windowWidth * (range.y - range.x));
   if (mixesChannels(layer)) {
     ChannelLook& current = layer.channels[std::size_t(layer.channel)];
     colorChannel(current, current.color);
+  }
+  // A projection's picture is another one than a look's in light, and lies on ground of its own.
+  const PresetRow* before = rowOf(previous);
+  if (row.isProjection) scene.rayCast.mode = RenderMode::Mip;
+  if (row.background) scene.background.top = scene.background.bottom = *row.background;
+  if (before && before->isProjection && !row.isProjection) scene.rayCast.mode = RenderMode::Volume;
+  if (before && before->background && !row.background) {
+    bool isTransparent = scene.background.transparent;
+    scene.background = {};
+    scene.background.transparent = isTransparent;
   }
   scene.lighting.specular = row.specular;
   scene.lighting.occlusion = 0.7;
@@ -131,9 +167,12 @@ std::string_view choosePreset(const Volume& volume) {
       return "microscopy";
     case Modality::Seismic:
       return volume.range.x < 0 ? "seismic" : "seismic-velocity";
+    case Modality::PET:
+      return "pet-hot-metal";
     default:
       break;
   }
+  if (looksLikeByteCt(volume)) return "ct8-bone";
   // Optical sections: 16 bits without a sign, in files that know neither patient nor spacing.
   if (volume.type == SampleType::UInt16 && !volume.isOrientationKnown && volume.range.x >= 0 && volume.range.y > 4095)
     return "microscopy";

@@ -1,5 +1,6 @@
 #include "TestFiles.h"
 
+#include "makeVolume.h"
 #include "velum/io/labels/ReadLabels.h"
 
 namespace velum::io {
@@ -172,6 +173,38 @@ TEST(LooksLikeLabels, OnlyWholeWordsCount) {
   for (const char* name : {"ct_labels.nii.gz", "a.seg.nrrd", "Mask-1.nrrd", "totalseg.nii.gz"})
     EXPECT_TRUE(looksLikeLabels(name)) << name;
   for (const char* name : {"seismic.segy", "segmented.nrrd", "ct.nii.gz"}) EXPECT_FALSE(looksLikeLabels(name)) << name;
+}
+
+bool opensAsLabels(const Volume& volume) {
+  TempFolder folder;
+  write(volume, folder / "scan.nrrd");
+  Progress progress;
+  scene::Source source;
+  source.path = (folder / "scan.nrrd").string();
+  return std::holds_alternative<LabelVolume>(readVoxels(source, progress));
+}
+
+TEST(LooksLikeLabels, FewWholeNumbersInAreasAreIdsWhateverTheFileIsCalled) {
+  glm::ivec3 dims(48, 24, 24);
+  auto thirds = [](glm::ivec3 p) { return double(p.x < 4 ? 0 : p.x < 24 ? 1 : p.y < 12 ? 4 : 5); };
+  EXPECT_TRUE(opensAsLabels(makeVolume(dims, SampleType::UInt8, thirds)));
+  EXPECT_TRUE(opensAsLabels(makeVolume(dims, SampleType::UInt16, thirds)));
+}
+
+TEST(LooksLikeLabels, WhatIsMeasuredOrDrawnAsOneShapeIsNone) {
+  glm::ivec3 dims(24);
+  auto ball = [](glm::ivec3 p) { return glm::length(glm::dvec3(p) - 12.0) < 9.0 ? 200.0 : 0.0; };
+  EXPECT_FALSE(opensAsLabels(makeVolume(dims, SampleType::UInt8, ball))) << "one number alone";
+  EXPECT_FALSE(opensAsLabels(makeVolume(dims, SampleType::UInt8, [](glm::ivec3 p) { return double(p.x + 8 * p.y); })))
+      << "a slope";
+  EXPECT_FALSE(opensAsLabels(makeVolume(dims, SampleType::UInt8, [](glm::ivec3 p) {
+    return std::floor(20.0 + 10.0 * hashNoise(p));
+  }))) << "noise of few steps";
+  EXPECT_FALSE(opensAsLabels(makeVolume({48, 24, 24}, SampleType::UInt8, [](glm::ivec3 p) {
+    return p.x < 16 ? 0.0 : p.x < 32 ? 120.0 : 200.0;
+  }))) << "values of a drawing";
+  EXPECT_FALSE(opensAsLabels(makeVolume(dims, SampleType::Float32, [](glm::ivec3 p) { return double(p.x / 8); })))
+      << "not written as whole numbers";
 }
 
 }  // namespace

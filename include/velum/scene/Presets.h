@@ -24,8 +24,14 @@ std::span<const Preset> presets();
 /// @throw ArgumentError for an unknown name, listing the known ones
 void applyPreset(Scene& scene, std::string_view name);
 
+/// Whether a preset is one of projections: the largest value along a ray shows in its colour.
+bool isProjectionLook(std::string_view name);
+
+/// Whether a preset is one of data that is material all over, as the ground is: its box is the object.
+bool isAllMaterial(std::string_view preset);
+
 /// The preset that fits what the volume says of itself and, where it says nothing, its histogram. Never leaves the
-/// picture empty or solid.
+/// picture empty.
 std::string_view choosePreset(const Volume& volume);
 
 /// Gives each channel of a volume with several a look of its own, fitted to its values, where the layer has none yet.

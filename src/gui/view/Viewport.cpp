@@ -10,6 +10,7 @@
 #include "velum/core/Error.h"
 #include "velum/scene/Navigate.h"
 #include "velum/scene/Project.h"
+#include "velum/scene/VisibleFrame.h"
 
 namespace velum::gui {
 
@@ -288,7 +289,7 @@ void Viewport::tellProgress() {
 }
 
 scene::Camera Viewport::frame(const scene::Scene& scene, scene::StandardView view) const {
-  return scene::frameCamera(scene, view, logicalSize().x / logicalSize().y);
+  return scene::frameVisible(scene, view, logicalSize().x / logicalSize().y);
 }
 
 void Viewport::lookFrom(scene::StandardView view) {

@@ -186,6 +186,31 @@ bool holdsAreasOfIds(const Volume& v) {
   return isWhole && 2 * equal >= pairs;
 }
 
+/// Without any hint: few whole numbers, counted from one with hardly a gap, in areas with hardly an edge, and nothing
+/// that scanners write. What has only one number may as well be a shape that somebody has drawn.
+bool holdsNothingButIds(const Volume& v) {
+  constexpr int kMostIds = 64;
+  constexpr std::size_t kFewVoxels = 4096;
+  bool isWhole = v.type == SampleType::UInt8 || v.type == SampleType::UInt16;
+  if (!isWhole || v.channels != 1 || v.isColor || v.scale != 1 || v.offset != 0 || v.timeSteps != 1) return false;
+  if (v.modality != Modality::Unknown || voxelCount(v) < kFewVoxels) return false;
+  std::vector<bool> isUsed(65536, false);
+  int ids = 0;
+  std::size_t largest = 0;
+  std::size_t pairs = 0, equal = 0, row = std::size_t(v.dims.x), count = voxelCount(v);
+  visitSamples(v, [&](const auto* samples) {
+    for (std::size_t i = 0; i < count && ids <= kMostIds; ++i) {
+      auto id = std::size_t(samples[i]);
+      if (id != 0 && !isUsed[id]) isUsed[id] = true, ++ids;
+      largest = std::max(largest, id);
+      if (i % row == 0 || id == 0 || samples[i - 1] == 0) continue;
+      ++pairs;
+      equal += samples[i] == samples[i - 1];
+    }
+  });
+  return ids >= 2 && ids <= kMostIds && largest <= 2 * std::size_t(ids) && 20 * equal >= 19 * pairs;
+}
+
 /// The name has one of the words that people use.
 bool nameSaysLabels(const Path& path) {
   constexpr std::array<std::string_view, 9> kWords{"label",         "labels", "labelmap", "seg",     "segmentation",
@@ -214,7 +239,12 @@ LabelVolume readLabels(const scene::Source& source, Progress& progress) {
 std::variant<Volume, LabelVolume> readVoxels(const scene::Source& source, Progress& progress) {
   Path path = source.path;
   bool hasLayout = source.raw.dims.x > 0;
-  if (hasLayout || !looksLikeLabels(path)) return readVolume(source, progress);
+  if (hasLayout) return readVolume(source, progress);
+  if (!looksLikeLabels(path)) {
+    Volume volume = readVolume(source, progress);
+    if (!holdsNothingButIds(volume)) return volume;
+    return labelsFrom(volume, path, progress);
+  }
   if (isDicomSeg(path) || isRtStruct(path) || !segmentsOf(path).empty()) return readLabels(source, progress);
   Volume volume = readVolume(source, progress);
   if (!holdsAreasOfIds(volume)) return volume;

@@ -1,6 +1,7 @@
 #include "GradientTexels.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -10,51 +11,74 @@
 
 namespace velum::render {
 
+namespace {
+
+/// One row of differences, each of values smoothed across it.
+/// @param rowAt  rowAt(dy, dz): the row so many beside it
+/// @param near   three rows of scratch, two values longer than the row
+template <class RowAt>
+void differRow(int width, const RowAt& rowAt, std::array<std::vector<float>, 3>& near, glm::vec3* out) {
+  auto& [smooth, alongY, alongZ] = near;
+  const auto *below0 = rowAt(-1, -1), *below1 = rowAt(0, -1), *below2 = rowAt(1, -1), *here0 = rowAt(-1, 0),
+             *here1 = rowAt(0, 0), *here2 = rowAt(1, 0), *above0 = rowAt(-1, 1), *above1 = rowAt(0, 1),
+             *above2 = rowAt(1, 1);
+  // Across the row.
+  for (int x = 0; x < width; ++x) {
+    float b0 = float(below0[x]), b1 = float(below1[x]), b2 = float(below2[x]);
+    float h0 = float(here0[x]), h1 = float(here1[x]), h2 = float(here2[x]);
+    float a0 = float(above0[x]), a1 = float(above1[x]), a2 = float(above2[x]);
+    float below = b0 + 2.0f * b1 + b2, here = h0 + 2.0f * h1 + h2, above = a0 + 2.0f * a1 + a2;
+    smooth[std::size_t(x) + 1] = (below + 2.0f * here + above) / 16.0f;
+    alongY[std::size_t(x) + 1] = (b2 - b0 + 2.0f * (h2 - h0) + a2 - a0) / 16.0f;
+    alongZ[std::size_t(x) + 1] = (above - below) / 16.0f;
+  }
+  for (auto* row : {&smooth, &alongY, &alongZ}) row->front() = (*row)[1], row->back() = (*row)[std::size_t(width)];
+  // Along it.
+  for (std::size_t x = 0; x < std::size_t(width); ++x)
+    out[x] = {smooth[x + 2] - smooth[x], alongY[x] + 2.0f * alongY[x + 1] + alongY[x + 2],
+              alongZ[x] + 2.0f * alongZ[x + 1] + alongZ[x + 2]};
+}
+
+}  // namespace
+
 template <class Texel>
 std::vector<glm::u8vec4> computeGradients(const Texel* texels, glm::ivec3 dims, int firstPlane, int z0, int z1,
                                           double longestGradient) {
   auto width = std::size_t(dims.x), height = std::size_t(dims.y);
-  auto rowAt = [&](int y, int z) {
-    y = std::clamp(y, 0, dims.y - 1), z = std::clamp(z, 0, dims.z - 1);
-    return texels + (std::size_t(z - firstPlane) * height + std::size_t(y)) * width;
-  };
-  auto visitRow = [&](int y, int z, auto&& visit) {
-    const Texel *here = rowAt(y, z), *y0 = rowAt(y - 1, z), *y1 = rowAt(y + 1, z), *below = rowAt(y, z - 1),
-                *above = rowAt(y, z + 1);
-    auto at = [&](int x, int x0, int x1) {
-      visit(x, glm::vec3(float(here[x1]) - float(here[x0]), float(y1[x]) - float(y0[x]),
-                         float(above[x]) - float(below[x])));
-    };
-    at(0, 0, std::min(1, dims.x - 1));
-    for (int x = 1; x < dims.x - 1; ++x) at(x, x - 1, x + 1);
-    if (dims.x > 1) at(dims.x - 1, dims.x - 2, dims.x - 1);
-  };
   int low = std::max(0, z0 - 1), high = std::min(dims.z, z1 + 1);
-  std::vector<float> squares(width * height * std::size_t(high - low));
+  std::vector<glm::vec3> differences(width * height * std::size_t(high - low));
   parallelFor(0, (high - low) * dims.y, [&](int job) {
-    float* row = &squares[std::size_t(job) * width];
-    visitRow(job % dims.y, low + job / dims.y, [&](int x, glm::vec3 g) { row[x] = glm::dot(g, g); });
+    auto rowAt = [&](int dy, int dz) {
+      int y = std::clamp(job % dims.y + dy, 0, dims.y - 1), z = std::clamp(low + job / dims.y + dz, 0, dims.z - 1);
+      return texels + (std::size_t(z - firstPlane) * height + std::size_t(y)) * width;
+    };
+    std::array<std::vector<float>, 3> near;
+    for (auto& row : near) row.resize(width + 2);
+    differRow(dims.x, rowAt, near, &differences[std::size_t(job) * width]);
   });
   std::vector<glm::u8vec4> gradients(width * height * std::size_t(z1 - z0));
   float toShare =
       float(1.0 / (longestGradient * (std::is_same_v<Texel, float> ? 1.0 : double(std::numeric_limits<Texel>::max()))));
   parallelFor(0, (z1 - z0) * dims.y, [&](int job) {
     int z = z0 + job / dims.y, y = job % dims.y;
-    std::vector<float> largest(width + 2, 0.0f);  // of the nine rows around; one more at each end
+    auto differencesOf = [&](int b, int c) {
+      return &differences[(std::size_t(c - low) * height + std::size_t(b)) * width];
+    };
+    std::vector<float> largest(width + 2, 0.0f);  // squares, of the nine rows around; one more at each end
     for (int c = std::max(low, z - 1); c < std::min(high, z + 2); ++c)
       for (int b = std::max(0, y - 1); b < std::min(dims.y, y + 2); ++b) {
-        const float* row = &squares[(std::size_t(c - low) * height + std::size_t(b)) * width];
-        for (std::size_t x = 0; x < width; ++x) largest[x + 1] = std::max(largest[x + 1], row[x]);
+        const glm::vec3* row = differencesOf(b, c);
+        for (std::size_t x = 0; x < width; ++x) largest[x + 1] = std::max(largest[x + 1], glm::dot(row[x], row[x]));
       }
-    glm::u8vec4* row = &gradients[std::size_t(job) * width];
-    visitRow(y, z, [&](int x, glm::vec3 g) {
-      const float* around = &largest[std::size_t(x)];
-      float longest = std::sqrt(std::max(around[0], std::max(around[1], around[2])));
+    glm::u8vec4* out = &gradients[std::size_t(job) * width];
+    const glm::vec3* row = differencesOf(y, z);
+    for (std::size_t x = 0; x < width; ++x) {
+      float longest = std::sqrt(std::max(largest[x], std::max(largest[x + 1], largest[x + 2])));
       float toByte = longest > 0 ? 127.0f / longest : 0.0f;
-      row[x] = {std::uint8_t(g.x * toByte + 128.5f), std::uint8_t(g.y * toByte + 128.5f),
-                std::uint8_t(g.z * toByte + 128.5f),
+      glm::vec3 share = row[x] * toByte + 128.5f;
+      out[x] = {std::uint8_t(share.x), std::uint8_t(share.y), std::uint8_t(share.z),
                 std::uint8_t(255.0f * std::sqrt(std::min(1.0f, longest * toShare)) + 0.5f)};
-    });
+    }
   });
   return gradients;
 }

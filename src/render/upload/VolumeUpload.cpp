@@ -62,7 +62,7 @@ VolumeUpload::VolumeUpload(const scene::VolumeLayer& layer, const gpu::Limits& l
   m.plan = planFor(*volume, isMixed);
   // Take the best level whose sides and bytes the driver can hold beside pictures and tables.
   auto dimsAt = [&](int factor) { return (volume->dims + factor - 1) / factor; };
-  bool wantsGradients = limits.isSoftware && !isColor;
+  bool wantsGradients = limits.isSoftware;
   auto bytesAt = [&](int factor) { return product(dimsAt(factor)) * (texelBytes(m.plan) + (wantsGradients ? 4 : 0)); };
   source.isQuick = mostAlong > 0;
   if (source.isQuick) source.factor = std::max(1, (maxOf(volume->dims) + mostAlong - 1) / mostAlong);
@@ -82,6 +82,8 @@ VolumeUpload::VolumeUpload(const scene::VolumeLayer& layer, const gpu::Limits& l
   }
   GpuVolume& out = m.out;
   out.dims = source.dims = dimsAt(source.factor);
+  // A GPU takes differences on demand only where there is no room: 26 fetches for one.
+  if (!limits.isSoftware) wantsGradients = product(out.dims) * 4 <= limits.memoryBytes / 8;
   if (source.factor > 1) {
     bool tooLong = maxOf(volume->dims) > limits.texture3d;
     out.reduction =
@@ -113,8 +115,8 @@ VolumeUpload::VolumeUpload(const scene::VolumeLayer& layer, const gpu::Limits& l
   if (wantsGradients) {
     out.gradient = gpu::Texture::make3d("gradients", Format::Rgba8, out.dims);
     // No difference is longer than the data's whole range along all three axes.
-    m.longestGradient =
-        std::sqrt(3.0) * std::max(1e-30, (volume->range.y - volume->range.x) / std::abs(out.valueScale));
+    double range = isColor ? 1.0 : (volume->range.y - volume->range.x) / std::abs(out.valueScale);
+    m.longestGradient = std::sqrt(3.0) * std::max(1e-30, range);
     out.gradientScale = m.longestGradient * 255.0 / 127.0;
   }
   std::size_t layerBytes = std::size_t(out.dims.x) * std::size_t(out.dims.y) * std::size_t(out.cells.edge) *
@@ -145,15 +147,18 @@ void VolumeUpload::Impl::stepAs() {
   if (out.packing == Packing::None)
     out.texture.write({0, 0, z0}, {out.dims.x, out.dims.y, z1 - z0}, texels + planeSize * std::size_t(z0 - halo0));
   std::vector<glm::vec2> layerRanges;
+  auto finish = [&](const auto* values) {
+    layerRanges = computeCellRanges(values, out.dims, out.cells, cz0, cz1, halo0);
+    if (out.gradient)
+      out.gradient.write({0, 0, z0}, {out.dims.x, out.dims.y, z1 - z0},
+                         computeGradients(values, out.dims, halo0, z0, z1, longestGradient).data());
+  };
   if constexpr (std::is_same_v<Texel, glm::u8vec4>) {
     std::vector<std::uint8_t> grey(planeSize * std::size_t(halo1 - halo0));
     for (std::size_t i = 0; i < grey.size(); ++i) grey[i] = texels[i].a;
-    layerRanges = computeCellRanges(grey.data(), out.dims, out.cells, cz0, cz1, halo0);
+    finish(grey.data());
   } else {
-    layerRanges = computeCellRanges(texels, out.dims, out.cells, cz0, cz1, halo0);
-    if (out.gradient)
-      out.gradient.write({0, 0, z0}, {out.dims.x, out.dims.y, z1 - z0},
-                         computeGradients(texels, out.dims, halo0, z0, z1, longestGradient).data());
+    finish(texels);
   }
   out.cellRanges.insert(out.cellRanges.end(), layerRanges.begin(), layerRanges.end());
   nextCellZ = cz1;

@@ -21,8 +21,10 @@
 #include "velum/io/phantoms/Sample.h"
 #include "velum/io/volumes/ReadVolume.h"
 #include "velum/io/volumes/WriteVolume.h"
+#include "velum/scene/FirstLook.h"
 #include "velum/scene/ModelLooks.h"
 #include "velum/scene/Presets.h"
+#include "velum/scene/VisibleFrame.h"
 #include "velum/scene/json/Json.h"
 #include "velum/session/document/Folders.h"
 #include "velum/session/document/LitSphereFiles.h"
@@ -223,7 +225,7 @@ scene::Scene open(const scene::Source& source, Progress& progress, const DataPol
   scene::Scene scene;
   if (policy.beforeData) policy.beforeData(scene);
   add(scene, source, progress, notes);
-  scene.camera = scene::frameCamera(scene, scene::defaultView(scene), 4.0 / 3.0);
+  scene.camera = scene::frameVisible(scene, scene::defaultView(scene), 4.0 / 3.0);
   scene::placeSections(scene);
   return scene;
 }
@@ -263,7 +265,7 @@ void add(scene::Scene& scene, const scene::Source& source, Progress& progress, s
   putVolume(scene, std::move(volume));
   if (!(scene.volume.data->range.x < scene.volume.data->range.y))
     log::warning(fmt::format("{}: every voxel has the same value; there is nothing to see", source.path));
-  scene::applyPreset(scene, scene::choosePreset(*scene.volume.data));
+  scene::applyFirstLook(scene);
   scene::completeChannels(scene.volume);
 }
 
@@ -284,7 +286,7 @@ Opened openAll(std::vector<std::string> paths, Progress& progress, const DataPol
   for (const auto& note : refused) Notes{notes}.add(note);
   const scene::Scene& scene = opened.scene;
   if (paths.size() > 1 && (!scene.surfaces.empty() || scene.model.data))
-    opened.scene.camera = scene::frameCamera(scene, scene::defaultView(scene), 4.0 / 3.0);
+    opened.scene.camera = scene::frameVisible(scene, scene::defaultView(scene), 4.0 / 3.0);
   return opened;
 }
 
@@ -303,7 +305,7 @@ void loadData(scene::Scene& scene, const fs::path& folder, Progress& progress, c
   if (isPlaced(scene.volume.source, bool(scene.volume.data), "volume", "volume")) {
     putVolume(scene, io::readVolume(scene.volume.source, progress));
     if (scene.volume.transfer.opacities.empty()) {
-      scene::applyPreset(scene, scene::choosePreset(*scene.volume.data));
+      scene::applyFirstLook(scene);
       scene::completeChannels(scene.volume);
     }
   }

@@ -25,7 +25,8 @@ std::vector<LabelInfo> readLabelTable(const std::filesystem::path& path);
 bool looksLikeLabels(const std::filesystem::path& path);
 
 /// Reads what the file holds. DICOM SEG and .seg.nrrd are labels. What only a name or an intent calls labels is so if
-/// its values are, too: whole numbers in 0..65535, and most neighbours of one structure have the same.
+/// its values are, too: whole numbers in 0..65535, and most neighbours of one structure have the same. Without any such
+/// hint a few whole numbers in areas are labels.
 /// @throw InputError as readVolume and readLabels; Cancelled
 std::variant<Volume, LabelVolume> readVoxels(const scene::Source& source, Progress& progress);
 

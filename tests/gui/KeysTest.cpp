@@ -46,7 +46,7 @@ TEST_F(Keys, AreThoseOfTheGuide) {
       {"time.next", "step with %1 and "},
       {"time.previous", "and %1 (full stop and comma)"},
       {"help.guide", "%1 opens this guide"},
-      {"help.find", "%1 finds any command"},
+      {"help.find", "%1 finds by a few letters"},
       {"view.anterior", "| %1 | look from anterior |"},
       {"view.posterior", "| %1 | from posterior |"},
       {"view.left", "| %1 | from the left |"},

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/quaternion.hpp>
 
 #include "velum/core/Vectors.h"
 
@@ -74,6 +75,32 @@ Camera roll(const Camera& camera, double angleRad) {
   Basis basis = basisOf(camera);
   Camera out = camera;
   out.up = turn(basis.up, angleRad, basis.toEye);
+  return out;
+}
+
+Camera seenFrom(const Camera& camera, glm::dvec3 toEye) {
+  Camera out = camera;
+  toEye = glm::normalize(toEye);
+  out.eye = camera.target + toEye * glm::length(camera.eye - camera.target);
+  out.up = std::abs(toEye.z) > 0.999 ? glm::dvec3(0, -1, 0) : glm::dvec3(0, 0, 1);
+  return out;
+}
+
+Camera between(const Camera& from, const Camera& to, double t) {
+  if (t >= 1.0) return to;
+  auto turnOf = [](const Camera& camera) {
+    Basis basis = basisOf(camera);
+    return glm::quat_cast(glm::dmat3(basis.right, basis.up, basis.toEye));
+  };
+  glm::dmat3 axes = glm::mat3_cast(glm::slerp(turnOf(from), turnOf(to), t));
+  auto mixScale = [t](double a, double b) {
+    return a > 0 && b > 0 ? std::exp(glm::mix(std::log(a), std::log(b), t)) : b;
+  };
+  Camera out = to;
+  out.target = glm::mix(from.target, to.target, t);
+  out.eye = out.target + axes[2] * mixScale(glm::length(from.eye - from.target), glm::length(to.eye - to.target));
+  out.up = axes[1];
+  out.height = mixScale(from.height, to.height);
   return out;
 }
 

@@ -37,6 +37,34 @@ glm::dvec2 inPicture(const Camera& camera, glm::dvec3 world) {
   return {glm::dot(p, right) / height, -glm::dot(p, up) / height};
 }
 
+TEST(Navigate, SeenFromASideKeepsPlaceAndDistanceAndStandsUpright) {
+  std::mt19937 random(7);
+  for (glm::dvec3 side : {glm::dvec3(0, -1, 0), glm::dvec3(1, -1, 0), glm::dvec3(1, 1, -1), glm::dvec3(0, 0, 1)}) {
+    Camera before = someCamera(random), after = seenFrom(before, side);
+    EXPECT_EQ(after.target, before.target);
+    EXPECT_NEAR(distance(after), distance(before), kTiny);
+    EXPECT_LT(glm::length(glm::normalize(after.eye - after.target) - glm::normalize(side)), kTiny);
+    EXPECT_LT(inPicture(after, after.target + after.up).y, 0.0) << "up is up";
+  }
+}
+
+TEST(Navigate, TheWayBetweenTwoCamerasBeginsAndEndsWithThemAndGoesRoundTheTarget) {
+  std::mt19937 random(8);
+  for (int i = 0; i < 50; ++i) {
+    Camera from = someCamera(random), to = someCamera(random);
+    to.projection = from.projection;
+    EXPECT_EQ(between(from, to, 1.0), to);
+    EXPECT_LT(glm::length(between(from, to, 0.0).eye - from.eye), 1e-6);
+    double least = std::min(distance(from), distance(to)), most = std::max(distance(from), distance(to));
+    for (double t : {0.25, 0.5, 0.75}) {
+      EXPECT_GE(distance(between(from, to, t)), least - 1e-6);
+      EXPECT_LE(distance(between(from, to, t)), most + 1e-6);
+    }
+  }
+  Camera front = seenFrom(Camera(), {0, -1, 0}), back = seenFrom(Camera(), {0, 1, 0});
+  EXPECT_NEAR(distance(between(front, back, 0.5)), distance(front), 1e-6) << "not through what is looked at";
+}
+
 TEST(Navigate, TheOtherProjectionLeavesTheMiddleAsLargeAsItWas) {
   std::mt19937 random(7);
   for (int i = 0; i < 100; ++i) {

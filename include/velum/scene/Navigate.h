@@ -19,6 +19,14 @@ Camera turntable(const Camera& camera, double angleRad);
 /// Turns the picture about the line of sight, radians, clockwise.
 Camera roll(const Camera& camera, double angleRad);
 
+/// The same place as it is seen from another side, upright: up is superior; seen along it, anterior.
+/// @param toEye  direction from the target to the eye, any length over 0
+Camera seenFrom(const Camera& camera, glm::dvec3 toEye);
+
+/// On the way from one camera to another, by which the eye goes round and not through what is looked at.
+/// @param t  0: from, 1: to
+Camera between(const Camera& from, const Camera& to, double t);
+
 /// Seen the other way; what lies at the target keeps its size in the picture.
 Camera withProjection(const Camera& camera, Projection projection);
 

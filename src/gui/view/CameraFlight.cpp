@@ -1,6 +1,6 @@
 #include "CameraFlight.h"
 
-#include <cmath>
+#include "velum/scene/Navigate.h"
 
 namespace velum::gui {
 
@@ -15,14 +15,7 @@ CameraFlight::CameraFlight(session::Document& document, QObject* parent) : QObje
   mWay.setEasingCurve(QEasingCurve::InOutCubic);
   connect(&mWay, &QVariantAnimation::valueChanged, this, [this](const QVariant& value) {
     if (!(mDocument.scene().camera == mLast)) return mWay.stop();
-    double t = value.toDouble();
-    scene::Camera camera = t >= 1.0 ? mTo : mFrom;
-    if (t < 1.0) {
-      camera.target = glm::mix(mFrom.target, mTo.target, t);
-      camera.eye = glm::mix(mFrom.eye, mTo.eye, t);
-      camera.height = std::exp(glm::mix(std::log(mFrom.height), std::log(mTo.height), t));
-    }
-    mLast = camera;
+    scene::Camera camera = mLast = scene::between(mFrom, mTo, value.toDouble());
     mDocument.view([camera](scene::Scene& scene) { scene.camera = camera; });
   });
 }

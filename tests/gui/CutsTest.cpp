@@ -53,7 +53,7 @@ TEST_F(CutWindow, EveryShapeIsAddedNamedEditedAndMoved) {
     mWindow->actions().find(id)->trigger();
   ASSERT_EQ(scene().cuts.size(), 5u);
   EXPECT_EQ(scene().cuts[1].shape, scene::CutShape::Sphere);
-  EXPECT_EQ(scene().cuts[1].name, "Sphere 2");
+  EXPECT_EQ(scene().cuts[1].name, "Sphere 1");
   EXPECT_EQ(mWindow->selection().cut(), scene().cuts[4].id);
   auto* cuts = child<QListWidget>("cutList");
   cuts->setCurrentRow(0);

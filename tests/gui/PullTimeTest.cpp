@@ -83,7 +83,7 @@ TEST_F(PullTime, WhatIsOutStaysOutAtEveryTimeStepWhereverItIsThen) {
   press(",");
   expectOut(3);
   EXPECT_TRUE(tool()) << "the tool stays up";
-  EXPECT_EQ(document().undoLabel(), "Change time step");
+  EXPECT_EQ(document().undoLabel(), "Move view");
   document().undo();
   expectOut(0);
 }

@@ -97,7 +97,7 @@ TEST(CutEdit, ANewCutIsCalledByItsShapeAndANumberThatIsFree) {
   scene.cuts[0].name = "Plane 2";
   scene.cuts[1].name = "Plane 3";
   EXPECT_EQ(newCutName(scene, scene::CutShape::Plane), "Plane 4") << "the first one was removed";
-  EXPECT_EQ(newCutName(scene, scene::CutShape::Sphere), "Sphere 3");
+  EXPECT_EQ(newCutName(scene, scene::CutShape::Sphere), "Sphere 1") << "the first of its shape";
 }
 
 TEST(CutEdit, APlaneThroughThreePointsHoldsThemAndTakesTheSideOfTheEye) {

@@ -32,11 +32,8 @@ TimeBar::TimeBar(session::Document& document, QWidget* parent)
   mTimer.setInterval(kStepMs);
   connect(mPlay, &QPushButton::toggled, this, &TimeBar::setPlaying);
   connect(mSlider, &QSlider::valueChanged, this, [this](int timeStep) {
-    mDocument.edit(
-        "Change time step", [timeStep](scene::Scene& scene) { scene.volume.timeStep = timeStep; }, true);
-    if (!mSlider->isSliderDown()) mDocument.endMerge();
+    mDocument.view([timeStep](scene::Scene& scene) { scene.volume.timeStep = timeStep; });
   });
-  connect(mSlider, &QSlider::sliderReleased, this, [this] { mDocument.endMerge(); });
   connect(&mTimer, &QTimer::timeout, this, [this] {
     bool ready = true;
     emit askReady(ready);
@@ -57,7 +54,6 @@ void TimeBar::setPlaying(bool playing) {
     mTimer.start();
   else
     mTimer.stop();
-  if (!playing) mDocument.endMerge();
   const QSignalBlocker quiet(mPlay);
   mPlay->setChecked(playing);
   mPlay->setText(playing ? tr("Pause") : tr("Play"));
@@ -67,10 +63,9 @@ void TimeBar::step(int steps) {
   int count = timeSteps();
   if (count < 2) return;
   int next = ((mDocument.scene().volume.timeStep + steps) % count + count) % count;
-  // All of a play is one step to undo.
-  mDocument.edit(
-      "Change time step", [next](scene::Scene& scene) { scene.volume.timeStep = next; }, true);
-  if (!isPlaying()) mDocument.endMerge();
+  auto change = [next](scene::Scene& scene) { scene.volume.timeStep = next; };
+  // What plays goes on by itself: there is nothing to undo.
+  isPlaying() ? mDocument.complete(change) : mDocument.view(change);
 }
 
 void TimeBar::refresh() {

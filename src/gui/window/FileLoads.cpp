@@ -236,8 +236,9 @@ void FileLoads::rememberFile(const QString& path) {
 }
 
 void FileLoads::rememberPicture() {
-  mWantsPicture = false;
   const session::WorkFile& open = mParts.session.file();
+  if (open.isModified()) return;  // the file does not have what is seen
+  mWantsPicture = false;
   QFileInfo file(toText(open.path()));
   if (!open.isOpen() || open.path().empty() || !file.exists()) return;
   saveRecentPicture(file.absoluteFilePath().toStdString(), mParts.views.viewport().grabFramebuffer());

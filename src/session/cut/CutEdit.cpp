@@ -104,7 +104,9 @@ std::string newCutName(const scene::Scene& scene, scene::CutShape shape) {
   auto isTaken = [&](const std::string& name) {
     return std::any_of(scene.cuts.begin(), scene.cuts.end(), [&](const auto& cut) { return cut.name == name; });
   };
-  for (std::size_t number = scene.cuts.size() + 1;; ++number)
+  auto ofShape =
+      std::count_if(scene.cuts.begin(), scene.cuts.end(), [&](const auto& cut) { return cut.shape == shape; });
+  for (auto number = ofShape + 1;; ++number)
     if (auto name = fmt::format("{} {}", traitsOf(shape).title, number); !isTaken(name)) return name;
 }
 

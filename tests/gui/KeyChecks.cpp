@@ -193,6 +193,13 @@ std::map<QString, Keys::Check> Keys::checks() {
       EXPECT_EQ(keys.scene().cuts[2], before[1]);
     });
   };
+  all["cut.handles"] = [](Keys& keys, const Key& key) {
+    bool before = keys.mWindow->toolbox().handlesShown();
+    keys.press(key);
+    EXPECT_NE(keys.mWindow->toolbox().handlesShown(), before);
+    keys.press(key);
+    EXPECT_EQ(keys.mWindow->toolbox().handlesShown(), before);
+  };
   all["cut.flip"] = [](Keys& keys, const Key& key) {
     keys.checkCutRemains(key, [&](auto before) {
       before[0].invert = !before[0].invert;

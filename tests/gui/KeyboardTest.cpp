@@ -300,7 +300,7 @@ TEST_P(Keyboard, ReachesTheBars) {
 
 TEST_P(Keyboard, ReachesAllOfTheDialogs) {
   open({"phantom.nrrd"});
-  SavePictureDialog picture({640, 480}, mWindow->document().scene(), mWindow.get());
+  SavePictureDialog picture({640, 480}, {640, 480}, mWindow->document().scene(), mWindow.get());
   PreferencesDialog preferences(mWindow->actions(), mWindow.get());
   CommandFinder finder(findCommands(mWindow->actions()), mWindow.get());
   for (QDialog* dialog :
@@ -392,6 +392,31 @@ TEST_P(KeyboardUse, NoTwoEntriesOfAMenuHaveTheSameLetter) {
   expectDifferent(mWindow->menuBar()->actions(), "the bar");
   for (const QAction* menu : mWindow->menuBar()->actions()) expectDifferent(menu->menu()->actions(), menu->text());
   EXPECT_GT(entries, 40);
+}
+
+TEST_P(KeyboardUse, NoButtonHasTheLetterOfAMenuOrOfAnother) {
+  open({"phantom.nrrd"});
+  QMap<QString, QString> letters;
+  auto expectFree = [&](const QString& text, const QString& where) {
+    QString letter = QKeySequence::mnemonic(text).toString();
+    if (letter.isEmpty()) return;
+    EXPECT_FALSE(letters.contains(letter)) << (where + ": " + text + " and " + letters[letter]).toStdString();
+    letters[letter] = text;
+  };
+  auto expectFreeButtons = [&](const QWidget& owner) {
+    for (const auto* button : owner.findChildren<QAbstractButton*>())
+      if (button->window() == &owner) expectFree(button->text(), owner.windowTitle());
+    for (const auto* label : owner.findChildren<QLabel*>())
+      if (label->buddy() && label->window() == &owner) expectFree(label->text(), owner.windowTitle());
+  };
+  for (const QAction* menu : mWindow->menuBar()->actions()) expectFree(menu->text(), "the bar");
+  expectFreeButtons(*mWindow);
+  SavePictureDialog picture({640, 480}, {640, 480}, mWindow->document().scene(), mWindow.get());
+  PreferencesDialog preferences(mWindow->actions(), mWindow.get());
+  for (const QWidget* dialog : {static_cast<QWidget*>(&picture), static_cast<QWidget*>(&preferences)}) {
+    letters.clear();
+    expectFreeButtons(*dialog);
+  }
 }
 
 TEST_P(KeyboardUse, TheMouseMakesNoRing) {

@@ -67,6 +67,7 @@ TEST_F(Keys, AreThoseOfTheGuide) {
       {"cut.addMembrane", "Add one with *Membrane* (%1)"},
       {"cut.alongView", "| %1 | cut along the view |"},
       {"cut.duplicate", "| %1 | duplicate the selected cut |"},
+      {"cut.handles", "| %1 | put handles away, or show them again |"},
       {"cut.flip", "| %1 | flip the selected cut |"},
       {"cut.remove", "| %1 | remove the selected cut |"},
       {"extrusion.pull", "| %1 | pull structures out of a cut |"},

@@ -43,7 +43,7 @@ class PictureDialog : public testing::Test {
 };
 
 TEST_F(PictureDialog, CentimetresAtADpiArePixels) {
-  SavePictureDialog dialog({800, 400}, mScene, nullptr);
+  SavePictureDialog dialog({800, 400}, {800, 400}, mScene, nullptr);
   child<QComboBox>(dialog, "pictureUnit")->setCurrentIndex(1);
   child<QSpinBox>(dialog, "pictureDpi")->setValue(254);
   child<QDoubleSpinBox>(dialog, "pictureWidth")->setValue(10.0);
@@ -56,7 +56,7 @@ TEST_F(PictureDialog, CentimetresAtADpiArePixels) {
 }
 
 TEST_F(PictureDialog, ShowsThePictureSmallBeforeItIsMade) {
-  SavePictureDialog dialog({800, 600}, mScene, nullptr);
+  SavePictureDialog dialog({800, 600}, {800, 600}, mScene, nullptr);
   dialog.show();
   ASSERT_TRUE(QTest::qWaitFor([&] { return dialog.hasPreview(); }, 20000));
   QImage preview = dialog.grab().toImage();
@@ -65,7 +65,7 @@ TEST_F(PictureDialog, ShowsThePictureSmallBeforeItIsMade) {
 }
 
 TEST_F(PictureDialog, TheCopiedCommandMakesTheSamePicture) {
-  SavePictureDialog dialog({160, 120}, mScene, nullptr);
+  SavePictureDialog dialog({160, 120}, {160, 120}, mScene, nullptr);
   child<QComboBox>(dialog, "pictureBackground")->setCurrentIndex(2);
   child<QSpinBox>(dialog, "pictureSamples")->setValue(2);
   QStringList words = QProcess::splitCommand(dialog.command());
@@ -83,7 +83,7 @@ TEST_F(PictureDialog, TheCopiedCommandMakesTheSamePicture) {
 }
 
 TEST_F(PictureDialog, OffersTheAnimationsThatTheSceneCanHave) {
-  SavePictureDialog still({160, 120}, mScene, nullptr);
+  SavePictureDialog still({160, 120}, {160, 120}, mScene, nullptr);
   EXPECT_EQ(child<QComboBox>(still, "pictureMotion")->count(), 2) << "one picture, or once round";
   EXPECT_FALSE(still.motion());
   EXPECT_FALSE(still.command().contains("--frames"));
@@ -91,7 +91,7 @@ TEST_F(PictureDialog, OffersTheAnimationsThatTheSceneCanHave) {
   cut.axis = {0, -1, 0};
   cut.spares = {{1, 12.0, 1.0}};
   scene::addCut(mScene, cut);
-  SavePictureDialog dialog({160, 120}, mScene, nullptr);
+  SavePictureDialog dialog({160, 120}, {160, 120}, mScene, nullptr);
   auto* motion = child<QComboBox>(dialog, "pictureMotion");
   auto* frames = child<QSpinBox>(dialog, "pictureFrames");
   ASSERT_EQ(motion->count(), 4) << "the cut, and what is pulled out of it";

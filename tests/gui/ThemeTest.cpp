@@ -25,18 +25,25 @@ struct Pair {
 
 TEST(Theme, TextStandsOutFromItsGround) {
   constexpr double kText = 4.5, kSign = 3.0;  // WCAG 2.1 AA: 1.4.3 and 1.4.11
-  const Pair pairs[] = {
-      {"text", "ground", kText},       {"text", "panel", kText},         {"text", "popup", kText},
-      {"text", "tip", kText},          {"text", "button", kText},        {"text", "buttonHover", kText},
-      {"text", "hover", kText},        {"text", "edge", kText},          {"text", "errorFill", kText},
-      {"text", "noteFill", kText},     {"text", "emptyTop", kText},      {"text", "emptyBottom", kText},
-      {"soft", "ground", kText},       {"soft", "panel", kText},         {"muted", "panel", kText},
-      {"muted", "ground", kText},      {"muted", "popup", kText},        {"muted", "emptyTop", kText},
-      {"muted", "emptyBottom", kText}, {"muted", "noteFill", kText},     {"onChosen", "chosen", kText},
-      {"onChosen", "main", kText},     {"onChosen", "mainHover", kText}, {"alarm", "panel", kText},
-      {"alarm", "ground", kText},      {"accent", "panel", kSign},       {"accent", "ground", kSign},
-      {"accent", "popup", kSign},      {"accent", "emptyBottom", kSign}, {"control", "panel", kSign},
-      {"control", "ground", kSign}};
+  const Pair pairs[] = {{"text", "ground", kText},        {"text", "panel", kText},
+                        {"text", "popup", kText},         {"text", "tip", kText},
+                        {"text", "button", kText},        {"text", "buttonHover", kText},
+                        {"text", "hover", kText},         {"text", "edge", kText},
+                        {"text", "errorFill", kText},     {"text", "noteFill", kText},
+                        {"text", "emptyTop", kText},      {"text", "emptyBottom", kText},
+                        {"soft", "ground", kText},        {"soft", "panel", kText},
+                        {"muted", "panel", kText},        {"muted", "ground", kText},
+                        {"muted", "popup", kText},        {"muted", "emptyTop", kText},
+                        {"muted", "emptyBottom", kText},  {"muted", "noteFill", kText},
+                        {"onChosen", "chosen", kText},    {"onChosen", "main", kText},
+                        {"onChosen", "mainHover", kText}, {"alarm", "panel", kText},
+                        {"alarm", "ground", kText},       {"accent", "panel", kText},
+                        {"accent", "ground", kText},      {"accent", "popup", kText},
+                        {"accent", "emptyBottom", kSign}, {"control", "panel", kSign},
+                        {"control", "ground", kSign},     {"faint", "ground", kText},
+                        {"faint", "panel", kText},        {"faint", "popup", kText},
+                        {"faint", "buttonOff", kText},    {"text", "buttonOff", kText},
+                        {"soft", "errorFill", kText},     {"text", "tip", kText}};
   for (auto kind : {ThemeKind::Dark, ThemeKind::Light})
     for (const Pair& pair : pairs) {
       QColor front = themeColor(kind, pair.front), ground = themeColor(kind, pair.ground);

@@ -4,6 +4,7 @@
 #include <QSignalBlocker>
 #include <algorithm>
 
+#include "kit/FieldRow.h"
 #include "kit/Length.h"
 #include "kit/SelectedCut.h"
 #include "velum/session/cut/CutEdit.h"
@@ -63,19 +64,17 @@ NumberField* CutForm::makeSpin(QWidget* parent, double min, double max, const QS
   spin->setDecimals(1);
   spin->setSuffix(suffix);
   spin->setAlignment(Qt::AlignRight);
-  spin->setMinimumWidth(40);
-  spin->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   return spin;
 }
 
 /// Three numbers side by side. @param change  told which one, and its new value
 QWidget* CutForm::makeTriple(NumberField* (&spins)[3], const QString& name, std::function<void(int, double)> change) {
   auto* row = new QWidget(this);
-  auto* layout = makeTight(row);
+  auto* layout = new FieldRow(row);
   for (int i = 0; i < 3; ++i) {
     spins[i] = makeSpin(row, -kFar, kFar, {});
     spins[i]->setObjectName(QString("cut%1%2").arg(name).arg(i));
-    layout->addWidget(spins[i], 1);
+    layout->addWidget(spins[i]);
     connect(spins[i], &QDoubleSpinBox::valueChanged, this, [change, i](double value) { change(i, value); });
   }
   return row;
@@ -108,7 +107,7 @@ void CutForm::makePlace() {
 
 void CutForm::makeDirection() {
   auto* row = new QWidget(this);
-  auto* layout = makeTight(row);
+  auto* layout = new FieldRow(row);
   QString degrees = QString::fromUtf8("\u00b0");
   auto add = [&](double limit, const QString& prefix, const QString& tip, const char* name) {
     auto* spin = makeSpin(row, -limit, limit, degrees);
@@ -116,7 +115,7 @@ void CutForm::makeDirection() {
     spin->setToolTip(tip);
     spin->setAccessibleName(tip);
     spin->setObjectName(name);
-    layout->addWidget(spin, 1);
+    layout->addWidget(spin);
     return spin;
   };
   mAzimuth = add(180, tr("az "), tr("Azimuth of the axis, degrees: 0 anterior, 90 left, -90 right, 180 posterior"),

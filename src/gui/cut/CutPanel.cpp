@@ -40,8 +40,8 @@ CutPanel::CutPanel(session::Document& document, Selection& selection, QWidget* p
   mEmpty->setWordWrap(true);
   mEmpty->setProperty("role", "muted");
   layout->addWidget(mEmpty);
+  layout->addWidget(mTools = buildTools());  // over the list, which grows: a button stays under the pointer
   layout->addWidget(mList);
-  layout->addWidget(mTools = buildTools());
   layout->addWidget(mForm);
   layout->addWidget(mMembrane);
   layout->addWidget(mLine = makeLine(this));
@@ -50,6 +50,7 @@ CutPanel::CutPanel(session::Document& document, Selection& selection, QWidget* p
   layout->addStretch(1);  // holds all up where there is no list to fill the height
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Expanding);
   connect(mList, &QListWidget::currentRowChanged, this, [this](int row) { mSelection.setCut(mList->cutAt(row)); });
+  connect(mList, &QListWidget::itemClicked, this, &CutPanel::cutClicked);
   connect(&mSelection, &Selection::cutChanged, this, &CutPanel::refresh);
   connect(mList, &CutList::moveAsked, this, &CutPanel::moveSelected);
   connect(mList, &CutList::toggled, this, [this](int id, bool on) {

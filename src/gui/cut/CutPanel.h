@@ -44,6 +44,8 @@ class CutPanel : public QWidget {
 
  signals:
   void threePointsAsked();
+  /// A row of the list, the selected one, too.
+  void cutClicked();
   /// In words: why nothing was done.
   void refused(const QString& why);
 

@@ -45,17 +45,16 @@ void CutRoom::add(const std::function<void()>& make) {
 void CutRoom::addActions(QMenu* menu) {
   ActionTable& actions = mParts.actions;
   QAction* plane = actions.addForScene(menu, "cut.addPlane", tr("&Add plane"), tr("Cut away the half that faces you"),
-                                     [this] { add([this] { mPanel->addPlane(); }); });
+                                       [this] { add([this] { mPanel->addPlane(); }); });
   actions.addForScene(menu, "cut.alongView", tr("Cut along the &view"),
                       tr("A plane through the middle that faces you exactly"),
                       [this] { add([this] { mPanel->addAlongView(); }); });
   mParts.toolbox.bind(mThreePoints,
                       *actions.addForScene(menu, "cut.threePoints", tr("Plane through three &points"),
                                            tr("Click three points in the picture or on sections"), [] {}));
-  QAction* sheet =
-      actions.addForScene(menu, "cut.addMembrane", tr("Add &membrane"),
-                          tr("An elastic sheet that cuts around what matters instead of through it"),
-                          [this] { add([this] { mPanel->addMembrane(); }); });
+  QAction* sheet = actions.addForScene(menu, "cut.addMembrane", tr("Add &membrane"),
+                                       tr("An elastic sheet that cuts around what matters instead of through it"),
+                                       [this] { add([this] { mPanel->addMembrane(); }); });
   addShapes(menu);
   menu->addSeparator();
   mMembranes.addActions(menu);
@@ -66,10 +65,27 @@ void CutRoom::addActions(QMenu* menu) {
                       [this] { mPanel->duplicateSelected(); });
   actions.addForScene(menu, "cut.remove", tr("&Remove"), tr("Remove the selected cut"),
                       [this] { mPanel->removeSelected(); });
+  menu->addSeparator();
+  addHandles(menu);
   plane->setIconText(tr("Add cut"));
   sheet->setIconText(tr("Membrane"));
-  mParts.bar.addAction(plane);
-  mParts.bar.addAction(sheet);
+}
+
+/// Put away they leave the picture free; whoever turns to a cut again has them again.
+void CutRoom::addHandles(QMenu* menu) {
+  Toolbox& toolbox = mParts.toolbox;
+  QAction* handles =
+      mParts.actions.addForScene(menu, "cut.handles", tr("Show handle&s"),
+                                 tr("Handles over the views; a click beside the data puts them away, too"),
+                                 [&toolbox] { toolbox.setHandlesShown(!toolbox.handlesShown()); });
+  handles->setCheckable(true);
+  handles->setChecked(toolbox.handlesShown());
+  connect(&toolbox, &Toolbox::handlesShownChanged, handles, &QAction::setChecked);
+  connect(&mParts.selection, &Selection::cutChanged, &toolbox, [&toolbox] { toolbox.setHandlesShown(true); });
+  connect(mPanel, &CutPanel::cutClicked, &toolbox, [&toolbox] { toolbox.setHandlesShown(true); });
+  connect(&mParts.views.viewport(), &Viewport::clickedAt, &toolbox, [&toolbox](const render::Pick& pick) {
+    if (!pick.hit) toolbox.setHandlesShown(false);
+  });
 }
 
 void CutRoom::addShapes(QMenu* menu) {

@@ -21,6 +21,7 @@ class CutRoom : public Room {
  private:
   void add(const std::function<void()>& make);
   void addActions(QMenu* menu);
+  void addHandles(QMenu* menu);
   void addShapes(QMenu* menu);
 
   CutPanel* mPanel;

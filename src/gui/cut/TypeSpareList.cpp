@@ -4,6 +4,7 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include "kit/FieldRow.h"
 #include "kit/SelectedCut.h"
 #include "velum/session/cut/CutEdit.h"
 
@@ -142,17 +143,13 @@ void TypeSpareList::makeRows(QVBoxLayout* layout) {
 QWidget* TypeSpareList::makeRange(const QString& name, const QString& suffix, int decimals, double factor,
                                   double scene::Cut::*least, double scene::Cut::*most, NumberField* (&spins)[2]) {
   auto* row = new QWidget(this);
-  auto* layout = new QHBoxLayout(row);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(5);
+  auto* layout = new FieldRow(row);
   for (bool isMost : {false, true}) {
     auto* spin = spins[isMost] = new NumberField(row);
     spin->setRange(0.0, 1e9);
     spin->setDecimals(decimals);
     spin->setSuffix(suffix);
     spin->setAlignment(Qt::AlignRight);
-    spin->setMinimumWidth(40);
-    spin->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     spin->setPrefix(isMost ? tr("to ") : tr("from "));
     if (isMost) spin->setSpecialValueText(tr("to any"));
     QString tip = isMost ? tr("Types of a greater %1 are not left; 0: none is too great").arg(name)
@@ -160,7 +157,7 @@ QWidget* TypeSpareList::makeRange(const QString& name, const QString& suffix, in
     spin->setToolTip(tip);
     spin->setAccessibleName(tip);
     spin->setObjectName(QString("%1%2").arg(isMost ? "most" : "least", decimals ? "Mass" : "Copies"));
-    layout->addWidget(spin, 1);
+    layout->addWidget(spin);
     auto member = isMost ? most : least;
     connect(spin, &QDoubleSpinBox::valueChanged, this, [this, member, isMost, factor](double value) {
       double wanted = isMost && value == 0.0 ? scene::Spare::kEndless : value * factor;

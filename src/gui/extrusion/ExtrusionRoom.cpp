@@ -68,7 +68,6 @@ void ExtrusionRoom::addActions() {
   mParts.actions.addForScene(menu, "extrusion.allBack", tr("Put all bac&k"), tr("Everything goes back into the cuts"),
                              [this] { mPanel->putAllBack(); });
   pull->setIconText(tr("Pull out"));
-  mParts.bar.addAction(pull);
 }
 
 }  // namespace velum::gui

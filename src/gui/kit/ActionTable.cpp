@@ -8,6 +8,7 @@
 #include <QSaveFile>
 #include <QWidget>
 
+#include "Icons.h"
 #include "Preferences.h"
 
 namespace velum::gui {
@@ -40,6 +41,7 @@ QAction* ActionTable::add(QMenu* menu, const QString& id, const QString& text, c
                           std::function<void()> slot) {
   QAction* action = menu->addAction(text);
   action->setObjectName(id);
+  action->setIcon(makeIcon(id.section('.', 0, 1)));
   action->setStatusTip(tip);
   showKeys(action);
   connect(action, &QAction::triggered, mWindow, [slot = std::move(slot)] { slot(); });

@@ -8,8 +8,8 @@
 namespace velum::gui {
 
 /// Every command of the window by its id ("cut.addPlane"): what menus, tool bar, keys, the command finder and scripts
-/// trigger. Shortcuts are data: resources/keys.json, over which the user's own keys.json in the configuration folder
-/// goes.
+/// trigger. Icons are theirs by the first two parts of the id: resources/icons. Shortcuts are data:
+/// resources/keys.json, over which the user's own keys.json in the configuration folder goes.
 class ActionTable : public QObject {
   Q_OBJECT
  public:

@@ -9,7 +9,7 @@
 
 namespace velum::gui {
 
-/// One line at the top that says what went wrong, or what to know; it waits to be closed and stops nothing.
+/// One line over the views that says what went wrong, or what to know; it waits to be closed and stops nothing.
 class MessageBar : public QFrame {
   Q_OBJECT
  public:

@@ -4,6 +4,7 @@
 #include <QLineEdit>
 #include <QPainter>
 #include <QSignalBlocker>
+#include <QStyleOptionSpinBox>
 #include <QToolTip>
 #include <algorithm>
 #include <cmath>
@@ -14,6 +15,8 @@ namespace {
 
 constexpr int kMostDecimals = 15;
 constexpr double kRounding = 1e-9;  ///< of the range, by which an end may be missed
+constexpr double kLikely = 9999.9;  ///< as it is shown: units are such that larger ones are rare
+constexpr int kAround = 5;  ///< pixels beside the letters: two at each end that a line edit keeps free, and the cursor
 const QColor kRefused(0xd9, 0x4a, 0x3a);
 
 }  // namespace
@@ -61,6 +64,18 @@ void NumberField::setDecimals(int decimals) {
   mDecimals = decimals;
   int more = int(std::ceil(std::log10(mShownPerValue) - kRounding));
   QDoubleSpinBox::setDecimals(std::clamp(decimals + more, 0, kMostDecimals));
+  updateGeometry();
+}
+
+QSize NumberField::minimumSizeHint() const {
+  double likely = kLikely / mShownPerValue;
+  int width = fontMetrics().horizontalAdvance(specialValueText());
+  for (double number : {std::clamp(minimum(), -likely, likely), std::clamp(maximum(), -likely, likely), value()})
+    width = std::max(width, fontMetrics().horizontalAdvance(prefix() + textFromValue(number) + suffix()));
+  QStyleOptionSpinBox option;
+  initStyleOption(&option);
+  QSize contents(width + kAround, lineEdit()->minimumSizeHint().height());
+  return style()->sizeFromContents(QStyle::CT_SpinBox, &option, contents, this);
 }
 
 NumberKind NumberField::kind() const {

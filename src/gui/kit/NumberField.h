@@ -38,6 +38,9 @@ class NumberField : public QDoubleSpinBox {
   QString textFromValue(double value) const override;
   double valueFromText(const QString& text) const override;
   QValidator::State validate(QString& text, int& position) const override;
+  QSize sizeHint() const override { return minimumSizeHint(); }
+  /// Room for the number that is shown, and for the longest that is likely.
+  QSize minimumSizeHint() const override;
   /// Nothing is guessed: the base would take "1,234.5" for 1234.5.
   void fixup(QString&) const override {}
 

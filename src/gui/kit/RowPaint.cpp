@@ -102,11 +102,8 @@ void EyeButton::paintEvent(QPaintEvent*) {
 
 QColor rowTextColor(const QStyleOptionViewItem& option, bool isStrong) {
   bool selected = option.state & QStyle::State_Selected;
-  QColor color = option.palette.color(selected ? QPalette::HighlightedText : QPalette::Text);
-  if (!isStrong)
-    color = selected ? QColor(color.red(), color.green(), color.blue(), 170)
-                     : option.palette.color(QPalette::PlaceholderText);
-  return color;
+  if (selected) return option.palette.color(QPalette::HighlightedText);  // a paler one cannot be read on what is chosen
+  return option.palette.color(isStrong ? QPalette::Text : QPalette::PlaceholderText);
 }
 
 }  // namespace velum::gui

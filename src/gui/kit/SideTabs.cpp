@@ -8,6 +8,25 @@
 
 namespace velum::gui {
 
+namespace {
+
+constexpr int kMargin = 16, kMarginTop = 14;
+
+/// A page that scrolls where the window is low. Its bar stands in the margin: what is on the page stays where it is.
+class PageScroll : public QScrollArea {
+ public:
+  using QScrollArea::QScrollArea;
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override {
+    if (QLayout* page = widget() ? widget()->layout() : nullptr)
+      page->setContentsMargins(kMargin, kMarginTop, kMargin - (width() - viewport()->width()), kMarginTop);
+    QScrollArea::resizeEvent(event);
+  }
+};
+
+}  // namespace
+
 SideTabs::SideTabs(QWidget* parent) : QTabWidget(parent) {
   setObjectName("sideTabs");
   setDocumentMode(true);
@@ -15,7 +34,7 @@ SideTabs::SideTabs(QWidget* parent) : QTabWidget(parent) {
 }
 
 void SideTabs::addPage(QWidget* panel, const QString& title, const QString& tip) {
-  auto* scroll = new QScrollArea(this);
+  auto* scroll = new PageScroll(this);
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setFocusPolicy(Qt::NoFocus);  // it scrolls to what has the keyboard
   scroll->setWidgetResizable(true);
@@ -23,7 +42,7 @@ void SideTabs::addPage(QWidget* panel, const QString& title, const QString& tip)
   auto* contents = new QWidget(scroll);
   contents->setObjectName("sideContents");
   auto* layout = new QVBoxLayout(contents);
-  layout->setContentsMargins(16, 14, 16, 14);
+  layout->setContentsMargins(kMargin, kMarginTop, kMargin, kMarginTop);
   layout->setSpacing(14);
   layout->addWidget(panel);
   if (panel->sizePolicy().verticalPolicy() != QSizePolicy::Expanding) layout->addStretch(1);

@@ -7,6 +7,7 @@
 /// Outside of namespaces, as the macro wants it: the linker would drop the resources of a static library otherwise.
 static void useResources() {
   Q_INIT_RESOURCE(velum);
+  Q_INIT_RESOURCE(icons);
   Q_INIT_RESOURCE(guide);
 }
 
@@ -21,22 +22,22 @@ Colors colorsOf(ThemeKind kind) {
   if (kind == ThemeKind::Light)
     return {{"ground", "#ffffff"},      {"panel", "#f3f4f6"},       {"deep", "#d3d7dd"},      {"popup", "#ffffff"},
             {"tip", "#ffffff"},         {"line", "#d5d9df"},        {"edge", "#b9c0c9"},      {"hover", "#e4e8ed"},
-            {"text", "#1f242b"},        {"soft", "#454d57"},        {"muted", "#565f6b"},     {"faint", "#8b95a1"},
+            {"text", "#1f242b"},        {"soft", "#454d57"},        {"muted", "#565f6b"},     {"faint", "#626c78"},
             {"button", "#ffffff"},      {"buttonHover", "#eef1f5"}, {"buttonOff", "#eceef1"}, {"chosen", "#2f78b0"},
             {"chosenEdge", "#2a6b9e"},  {"onChosen", "#ffffff"},    {"main", "#2f78b0"},      {"mainHover", "#28699c"},
             {"accent", "#1f74b5"},      {"groove", "#cdd3da"},      {"white", "#2b3037"},     {"errorFill", "#fbe4e1"},
             {"errorEdge", "#e0a39b"},   {"noteFill", "#e1edf7"},    {"noteEdge", "#a9c7df"},  {"emptyTop", "#f7f8fa"},
-            {"emptyBottom", "#dfe3e8"}, {"alarm", "#8a5a00"},       {"control", "#828b97"},
-            {"seen", "#0f6b52"},        {"hidden", "#84cbb2"},      {"removed", "#d0d5db"}};
+            {"emptyBottom", "#dfe3e8"}, {"alarm", "#8a5a00"},       {"control", "#828b97"},   {"seen", "#0f6b52"},
+            {"hidden", "#84cbb2"},      {"removed", "#d0d5db"}};
   return {{"ground", "#1d2025"},      {"panel", "#25292f"},       {"deep", "#16181c"},      {"popup", "#282c33"},
           {"tip", "#30363e"},         {"line", "#3a4049"},        {"edge", "#444c57"},      {"hover", "#343a43"},
-          {"text", "#e3e7ec"},        {"soft", "#b4bdc8"},        {"muted", "#9ba5b1"},     {"faint", "#6d7681"},
+          {"text", "#e3e7ec"},        {"soft", "#b4bdc8"},        {"muted", "#9ba5b1"},     {"faint", "#8e98a4"},
           {"button", "#353b44"},      {"buttonHover", "#3e4650"}, {"buttonOff", "#2b3037"}, {"chosen", "#3b6f96"},
           {"chosenEdge", "#4f8ab5"},  {"onChosen", "#ffffff"},    {"main", "#34719f"},      {"mainHover", "#3b79a8"},
           {"accent", "#5fb0ea"},      {"groove", "#14161a"},      {"white", "#ffffff"},     {"errorFill", "#4a2a2a"},
           {"errorEdge", "#7d4540"},   {"noteFill", "#2c3a46"},    {"noteEdge", "#44637a"},  {"emptyTop", "#292e35"},
-          {"emptyBottom", "#141619"}, {"alarm", "#ffb85c"},       {"control", "#6d7681"},
-          {"seen", "#84d6b4"},        {"hidden", "#3d7d66"},      {"removed", "#434a54"}};
+          {"emptyBottom", "#141619"}, {"alarm", "#ffb85c"},       {"control", "#6d7681"},   {"seen", "#84d6b4"},
+          {"hidden", "#3d7d66"},      {"removed", "#434a54"}};
 }
 
 constexpr const char* kSheet = R"(
@@ -52,7 +53,8 @@ QMenu::item:disabled { color: @faint; }
 QMenu::separator { height: 1px; background: @line; margin: 4px 8px; }
 QToolBar { background: @panel; border: none; border-bottom: 1px solid @deep; padding: 4px 6px; spacing: 3px; }
 QToolBar::separator { background: @line; width: 1px; margin: 5px 6px; }
-QToolBar QToolButton { padding: 5px 10px; border: none; border-radius: 5px; color: @text; }
+QToolBar QToolButton { padding: 5px 7px; border: none; border-radius: 5px; color: @text; }
+QToolBar #qt_toolbar_ext_button { padding: 0; }
 QToolBar QToolButton:hover { background: @hover; }
 QToolBar QToolButton:pressed, QToolBar QToolButton:checked { background: @chosen; color: @onChosen; }
 QToolBar QToolButton:disabled { color: @faint; }
@@ -98,6 +100,7 @@ QSlider::sub-page:horizontal:disabled { background: @line; }
 QSlider::handle:horizontal { background: @text; width: 14px; height: 14px; margin: -5px 0; border-radius: 7px; }
 QSlider::handle:horizontal:hover { background: @white; }
 QSlider::handle:horizontal:disabled { background: @faint; }
+#sidePanel QDoubleSpinBox { padding: 4px 5px; }
 QPushButton[role="small"] { padding: 4px 2px; }
 #sidePanel QToolButton { background: @button; border: 1px solid @edge; border-radius: 5px; padding: 5px 9px; color: @text; }
 #sidePanel QToolButton:hover { background: @buttonHover; }
@@ -120,15 +123,15 @@ QProgressBar::chunk { background: @accent; border-radius: 3px; }
 QScrollBar:vertical { background: transparent; width: 10px; margin: 0; }
 QScrollBar::handle:vertical { background: @edge; border-radius: 4px; min-height: 24px; margin: 1px 2px; }
 QScrollBar::add-line, QScrollBar::sub-line { height: 0; }
-#messageBar[kind="error"] { background: @errorFill; border-bottom: 1px solid @errorEdge; }
-#messageBar[kind="note"] { background: @noteFill; border-bottom: 1px solid @noteEdge; }
-#recoveryBar { background: @noteFill; border-bottom: 1px solid @noteEdge; }
+#messageBar[kind="error"] { background: @errorFill; border: 1px solid @errorEdge; border-radius: 8px; }
+#messageBar[kind="note"] { background: @noteFill; border: 1px solid @noteEdge; border-radius: 8px; }
+#recoveryBar { background: @noteFill; border: 1px solid @noteEdge; border-radius: 8px; }
 #timeBar { background: @panel; border-top: 1px solid @deep; }
 #commandFinder { background: @popup; border: 1px solid @edge; }
 #commandFinder QLineEdit { font-size: 13pt; padding: 8px 10px; }
 QTextBrowser { background: @ground; border: none; padding: 10px 20px; }
 QScrollBar:horizontal { height: 0; }
-#progressStrip { background: @panel; border-top: 1px solid @deep; }
+#progressStrip { background: @panel; border: 1px solid @edge; border-radius: 8px; }
 #emptyState { background: qlineargradient(x1:0, y1:0, x2:0, y2:1, stop:0 @emptyTop, stop:1 @emptyBottom); }
 )";
 

@@ -29,7 +29,8 @@ NumberRow::NumberRow(double min, double max, int decimals, const QString& suffix
   layout->addWidget(mSpin);
   mSlider->setRange(0, kSliderSteps);
   mSlider->setMinimumWidth(60);
-  mSpin->setFixedWidth(92);
+  mSpin->setMinimumWidth(92);
+  mSpin->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
   mSpin->setAlignment(Qt::AlignRight);
   mSpin->setSuffix(suffix);
   setDecimals(decimals);

@@ -20,7 +20,7 @@ LookCommands::LookCommands(session::Document& document, Toolbox& toolbox, Messag
       mWindow(window),
       mShowThis(new ShowThisTool(document, messages, this)) {}
 
-void LookCommands::build(ActionTable& actions, QMenu* menu, QToolBar* bar) {
+void LookCommands::build(ActionTable& actions, QMenu* menu) {
   QAction* showThis = actions.addForScene(
       menu, "look.showThis", tr("Show &this"),
       tr("Click tissue to make it visible; with Shift beside what is shown, with Ctrl to hide it"), [] {});
@@ -31,7 +31,6 @@ void LookCommands::build(ActionTable& actions, QMenu* menu, QToolBar* bar) {
                       tr("Take colours and opacity from a file of ours or of 3D Slicer"), [this] { askImport(); });
   actions.addForScene(menu, "look.export", tr("&Export look..."),
                       tr("Write colours and opacity for other scenes, or for 3D Slicer"), [this] { askExport(); });
-  bar->addAction(showThis);
 }
 
 void LookCommands::importFrom(const QString& path) {

@@ -1,6 +1,5 @@
 #pragma once
 #include <QObject>
-#include <QToolBar>
 
 #include "ShowThisTool.h"
 #include "kit/ActionTable.h"
@@ -15,7 +14,7 @@ class LookCommands : public QObject {
  public:
   LookCommands(session::Document& document, Toolbox& toolbox, MessageBar& messages, QWidget* window);
   /// Adds the commands to a menu, and "show this" to the tool bar.
-  void build(ActionTable& actions, QMenu* menu, QToolBar* bar);
+  void build(ActionTable& actions, QMenu* menu);
 
   /// Gives the open scene the look of a file, as one undo step; what is wrong goes to the message bar.
   void importFrom(const QString& path);

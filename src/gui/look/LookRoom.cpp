@@ -11,8 +11,7 @@ LookRoom::LookRoom(const WindowParts& parts)
   parts.tabs.addPage(mFinish, tr("Finish"), tr("Contours, lit spheres, strokes and paper"));
   connect(&mFinish->spheres(), &LitSphereGrid::failed, &parts.messages, &MessageBar::showError);
   connect(mFinish, &FinishPanel::failed, &parts.messages, &MessageBar::showError);
-  mCommands->build(parts.actions, parts.menu(MenuId::Look), &parts.bar);
-  parts.bar.addSeparator();
+  mCommands->build(parts.actions, parts.menu(MenuId::Look));
   connect(&parts.views.viewport(), &Viewport::refined, mPanel, [this](double, const QString& stage) {
     if (stage.isEmpty()) mPanel->viewIsComplete();
   });

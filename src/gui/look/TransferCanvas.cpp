@@ -154,7 +154,7 @@ void TransferCanvas::paintHistogram(QPainter& painter) const {
     double y = std::round(session::yOf(f, opacity)) + 0.5;
     painter.setPen(faded(palette().color(QPalette::Text), 0.10));
     painter.drawLine(QPointF(f.topLeft.x - 3, y), QPointF(f.topLeft.x + f.size.x + 3, y));
-    painter.setPen(faded(palette().color(QPalette::Text), 0.35));
+    painter.setPen(palette().color(QPalette::PlaceholderText));
     painter.drawText(QRectF(f.topLeft.x + 1, y - 15, f.size.x - 2, 14), Qt::AlignLeft | Qt::AlignBottom,
                      QString("%1 %").arg(int(100 * opacity)));
   }

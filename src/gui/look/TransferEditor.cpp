@@ -17,9 +17,6 @@ constexpr std::size_t kMostCached = 64;  // a few megabytes of counts
 NumberField* makeSpin(QWidget* parent, const QString& name, const QString& tip) {
   auto* spin = new NumberField(parent);
   spin->setAlignment(Qt::AlignRight);
-  // Its own wish is the width of its largest number, wider than the panel.
-  spin->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-  spin->setMinimumWidth(70);
   spin->setAccessibleName(name);
   spin->setToolTip(tip);
   return spin;

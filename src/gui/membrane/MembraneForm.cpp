@@ -74,14 +74,17 @@ MembraneForm::MembraneForm(session::Document& document, Selection& selection, QW
   layout->addWidget(mSketch);
   mHands = new SheetHandsForm(document, selection, this);
   layout->addWidget(mHands);
+  layout->addWidget(makePlayer());  // over what changes while it plays
   layout->addWidget(mShares);
   layout->addWidget(mFigure);
   layout->addWidget(mAdvice);
   mAdvice->setObjectName("membraneAdvice");
   mAdvice->hide();
   connect(mAdvice, &QPushButton::clicked, this, &MembraneForm::followAdvice);
+  QSizePolicy room = mAdvice->sizePolicy();
+  room.setRetainSizeWhenHidden(true);
+  mAdvice->setSizePolicy(room);
   layout->addWidget(mDoing);
-  layout->addWidget(makePlayer());
   auto* picture = new QWidget(this);
   makePicture(makeGrid(picture));
   layout->addWidget(picture);

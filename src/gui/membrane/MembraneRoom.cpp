@@ -69,7 +69,7 @@ void MembraneRoom::addActions(QMenu* menu) {
   };
   add(mPin, "membrane.pin", tr("P&in the sheet"),
       tr("Click the sheet of the membrane and hold it there, or drag it on"));
-  add(mPush, "membrane.push", tr("Pu&sh sheet"),
+  add(mPush, "membrane.push", tr("P&ush sheet"),
       tr("Drag a ball in a section, or click in the picture: the sheet goes around it"));
   add(mPull, "membrane.pull", tr("Pu&ll sheet"),
       tr("Drag a ball in a section, or click in the picture: the sheet is drawn to its middle"));

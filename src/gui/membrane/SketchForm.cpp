@@ -108,6 +108,7 @@ void SketchForm::fillList() {
 
 /// The slider reaches some times further than the brush that suits the data.
 void SketchForm::showRadius(double radius) {
+  if (radius <= 0.0) return;  // nobody knows yet what suits the data
   double power = std::floor(std::log10(std::max(radius * mShownPerLength, 1e-9)));
   mRadius->setDecimals(std::clamp(1 - int(power), 0, 9));
   const auto* spin = mRadius->spin();

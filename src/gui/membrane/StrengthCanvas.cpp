@@ -256,7 +256,7 @@ void StrengthCanvas::paintPlot(QPainter& painter) const {
   QFont small = font();
   small.setPointSizeF(font().pointSizeF() * 0.82);
   painter.setFont(small);
-  painter.setPen(faded(palette().color(QPalette::Text), 0.5));
+  painter.setPen(palette().color(QPalette::PlaceholderText));
   painter.drawText(p, Qt::AlignLeft | Qt::AlignTop, tr("protects"));
   painter.drawText(p, Qt::AlignLeft | Qt::AlignBottom, tr("draws the sheet"));
   std::optional<scene::StrengthPoint> shown;

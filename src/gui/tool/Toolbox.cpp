@@ -79,6 +79,14 @@ void Toolbox::stop(const Tool& tool) {
   if (mActive == &tool) stop();
 }
 
+void Toolbox::setHandlesShown(bool shown) {
+  if (mHandlesShown == shown) return;
+  leave();
+  mHandlesShown = shown;
+  repaint();
+  emit handlesShownChanged(shown);
+}
+
 void Toolbox::showCursors() {
   for (const Place& place : mViews)
     place.view->widget().setCursor(mActive ? Qt::CrossCursor : place.view->restCursor());
@@ -87,7 +95,7 @@ void Toolbox::showCursors() {
 // The pointer: one chain for all.
 
 bool Toolbox::hasHandles(const ToolView& view) const {
-  return view.showsHandles() && !(mActive && mActive->hidesHandles());
+  return mHandlesShown && view.showsHandles() && !(mActive && mActive->hidesHandles());
 }
 
 std::vector<Manipulator*> Toolbox::chainOf(const ToolView& view) const {
@@ -202,6 +210,7 @@ KeyAnswer Toolbox::answerTo(const KeyStroke& stroke) {
   if (mActive)
     if (KeyAnswer answer = mActive->key(stroke)) return answer;
   if (mActive && stroke.key == Qt::Key_Escape) return [this] { stop(); };
+  if (!mHandlesShown) return {};
   for (Manipulator* each : mManipulators)
     if (KeyAnswer answer = each->key(stroke)) return answer;
   return {};

@@ -38,6 +38,10 @@ class Toolbox : public QObject {
   void stop();
   void stop(const Tool& tool);
 
+  /// Manipulators are shown over the views and can be taken hold of; put away, they leave the picture and their keys.
+  bool handlesShown() const { return mHandlesShown; }
+  void setHandlesShown(bool shown);
+
   // From views. True: the event was not for the view.
   bool press(ToolView& view, const QMouseEvent& event);
   bool drag(ToolView& view, const QMouseEvent& event);
@@ -70,6 +74,7 @@ class Toolbox : public QObject {
  signals:
   /// Another tool is active, or none.
   void activeChanged(velum::gui::Tool* active);
+  void handlesShownChanged(bool shown);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -90,6 +95,7 @@ class Toolbox : public QObject {
   QWidget& mWindow;
   std::vector<Place> mViews;
   std::vector<Manipulator*> mManipulators;
+  bool mHandlesShown = true;
   Tool* mActive = nullptr;
   Manipulator* mHolder = nullptr;  ///< Has taken hold of the pointer.
   KeyPointer mKeyPointer{*this};

@@ -1,6 +1,5 @@
 #pragma once
 #include <QMenu>
-#include <QToolBar>
 #include <array>
 
 #include "ViewGrid.h"
@@ -29,7 +28,6 @@ struct WindowParts {
   JobRunner& jobs;
   ActionTable& actions;
   SideTabs& tabs;
-  QToolBar& bar;
   Menus menus;
 
   QMenu* menu(MenuId id) const { return menus[std::size_t(id)]; }
@@ -37,7 +35,7 @@ struct WindowParts {
 };
 
 /// A part of the window that brings all that is its own: a page of the side panel, menu entries and their actions,
-/// buttons of the tool bar, tools. It builds them in its constructor. The window makes it, and tells it of every
+/// tools. It builds them in its constructor. The window makes it, and tells it of every
 /// change.
 class Room : public QObject {
   Q_OBJECT

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "ViewChange.h"
-#include "ViewIcons.h"
+#include "kit/Icons.h"
 #include "kit/Theme.h"
 #include "kit/Widgets.h"
 #include "velum/session/section/InstanceOutlines.h"
@@ -36,7 +36,7 @@ SectionView::SectionView(session::Document& document, Selection& selection, Tool
   setMinimumSize(100, 80);
   setAttribute(Qt::WA_OpaquePaintEvent);
   mMenuButton = addButton("menu", tr("Interpolation, structures, crosshair, reset (right click)"), 1);
-  mMenuButton->setIcon(makeViewIcon(ViewIcon::Menu, kOverPicture));
+  mMenuButton->setIcon(makeIcon("view.menu", kOverPicture));
   mMaximise = addButton("maximise", QString(), 2);
   setMaximised(false);
   connect(mMenuButton, &QToolButton::clicked, this,
@@ -68,7 +68,7 @@ QToolButton* SectionView::addButton(const char* name, const QString& tip, int fr
 }
 
 void SectionView::setMaximised(bool maximised) {
-  mMaximise->setIcon(makeViewIcon(maximised ? ViewIcon::Restore : ViewIcon::Maximise, kOverPicture));
+  mMaximise->setIcon(makeIcon(maximised ? "view.restore" : "view.maximise", kOverPicture));
   QString tip = maximised ? tr("Show the other views again (double click)") : tr("Fill the window (double click)");
   mMaximise->setToolTip(tip);
   mMaximise->setAccessibleName(tip);

@@ -14,9 +14,10 @@ namespace velum::gui {
 namespace {
 
 constexpr int kMostShown = 200;
+constexpr int kIcon = 20;
 enum Role { kBesideRole = Qt::UserRole + 1, kNumberRole };
 
-/// A row: the menus on the way said quietly, the name, its keys or its number at the right.
+/// A row: its icon, the menus on the way said quietly, the name, its keys or its number at the right.
 class Delegate : public QStyledItemDelegate {
  public:
   using QStyledItemDelegate::QStyledItemDelegate;
@@ -30,9 +31,18 @@ class Delegate : public QStyledItemDelegate {
     painter->setRenderHint(QPainter::Antialiasing);
     paintRowGround(*painter, option, true, true);
     bool isOn = option.state & QStyle::State_Enabled;
-    QColor quiet = rowTextColor(option, false), strong = isOn ? rowTextColor(option, true) : quiet;
-    if (!isOn) painter->setOpacity(0.6);
-    QRect box = option.rect.adjusted(10, 0, -10, 0);
+    QColor off = option.palette.color(QPalette::Disabled, QPalette::Text);
+    QColor quiet = isOn ? rowTextColor(option, false) : off, strong = isOn ? rowTextColor(option, true) : off;
+    QRect box = option.rect.adjusted(10, 0, -10, 0), sign(box.left(), 0, kIcon, kIcon);
+    sign.moveTop(box.center().y() - kIcon / 2);
+    bool isChosen = option.state & QStyle::State_Selected;
+    index.data(Qt::DecorationRole)
+        .value<QIcon>()
+        .paint(painter, sign, Qt::AlignCenter,
+               !isOn      ? QIcon::Disabled
+               : isChosen ? QIcon::Selected
+                          : QIcon::Normal);
+    box.setLeft(sign.right() + 10);
     QString name = index.data().toString(), way = name.left(name.lastIndexOf(kArrow) + 1);
     QString beside = index.data(kBesideRole).toString();
     painter->setPen(quiet);
@@ -135,7 +145,7 @@ void CommandFinder::fill() {
   for (std::size_t i = 0; i < std::min<std::size_t>(rows.size(), kMostShown); ++i) {
     const Findable& one = mAll[std::size_t(rows[i].index)];
     QString beside = rows[i].number.isEmpty() ? one.beside : one.beside + " \u2192 " + rows[i].number;
-    auto* item = new QListWidgetItem(one.name, mList);
+    auto* item = new QListWidgetItem(one.icon, one.name, mList);
     item->setData(kBesideRole, beside);
     item->setData(kNumberRole, rows[i].number);
     item->setData(Qt::AccessibleTextRole, beside.isEmpty() ? one.name : QString("%1, %2").arg(one.name, beside));

@@ -6,6 +6,7 @@
 
 #include "ExportStructuresDialog.h"
 #include "SavePictureDialog.h"
+#include "kit/Preferences.h"
 #include "kit/SavePath.h"
 #include "kit/SelectedCut.h"
 #include "velum/session/membrane/Membranes.h"
@@ -15,7 +16,19 @@
 
 namespace velum::gui {
 
-QAction* ExportCommands::addActions(QMenu* menu) {
+namespace {
+
+constexpr const char* kPictureSizeKey = "picture/size";
+
+/// That of the picture saved last; a slide's before there is one.
+glm::ivec2 usualPictureSize() {
+  QSize size = Preferences().value(kPictureSizeKey).toSize();
+  return size.isEmpty() ? glm::ivec2(1920, 1080) : glm::ivec2(size.width(), size.height());
+}
+
+}  // namespace
+
+void ExportCommands::addActions(QMenu* menu) {
   QAction* picture =
       mParts.actions.addForScene(menu, "file.savePicture", tr("Save p&icture..."),
                                  tr("Draw and save a picture of any size"), [this] { askSavePicture(); });
@@ -35,7 +48,6 @@ QAction* ExportCommands::addActions(QMenu* menu) {
                              tr("Write how many instances of each type are seen, hidden and removed: SVG or CSV"),
                              [this] { askExportBars(); });
   picture->setIconText(tr("Save picture"));
-  return picture;
 }
 
 // Pictures.
@@ -43,9 +55,10 @@ QAction* ExportCommands::addActions(QMenu* menu) {
 void ExportCommands::askSavePicture() {
   const Viewport& viewport = mParts.views.viewport();
   double ratio = viewport.devicePixelRatioF();
-  SavePictureDialog dialog({int(viewport.width() * ratio), int(viewport.height() * ratio)}, mParts.session.scene(),
-                           &mParts.window);
+  SavePictureDialog dialog({int(viewport.width() * ratio), int(viewport.height() * ratio)}, usualPictureSize(),
+                           mParts.session.scene(), &mParts.window);
   if (dialog.exec() != QDialog::Accepted) return;
+  Preferences().setValue(kPictureSizeKey, QSize(dialog.options().size.x, dialog.options().size.y));
   QString pictures = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
   QString start = (pictures.isEmpty() ? QString() : pictures + "/") +
                   QFileInfo(QString::fromStdString(mParts.session.file().path())).baseName() +
@@ -155,8 +168,8 @@ QString ExportCommands::askPath(const QString& title, const char* suffix, const 
 
 void ExportCommands::askExportModel() {
   if (!mParts.session.scene().model.data) return mParts.messages.showNote(tr("No model is open."));
-  QString path = askPath(tr("Export model"), "-model.cif",
-                         tr("mmCIF (*.cif *.cif.gz);;glTF (*.glb);;Table (*.csv);;PLY (*.ply)"));
+  QString path =
+      askPath(tr("Export model"), "-model.cif", tr("mmCIF (*.cif *.cif.gz);;glTF (*.glb);;Table (*.csv);;PLY (*.ply)"));
   if (!path.isEmpty()) exportModelTo(path);
 }
 

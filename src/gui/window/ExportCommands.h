@@ -14,8 +14,8 @@ class ExportCommands : public Room {
   Q_OBJECT
  public:
   explicit ExportCommands(const WindowParts& parts) : Room(parts) {}
-  /// Adds the commands where they stand in the File menu. @return the picture's, for the tool bar
-  QAction* addActions(QMenu* menu);
+  /// Adds the commands where they stand in the File menu.
+  void addActions(QMenu* menu);
 
   void savePictureTo(const QString& path, const session::PictureOptions& options, const scene::Scene& scene);
   /// Its frames, NAME-0000 and on.

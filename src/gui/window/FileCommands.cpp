@@ -62,7 +62,6 @@ void FileCommands::addOpening(QMenu* menu) {
                       [this] { askOpen(true); });
   addPhantoms(menu->addMenu(tr("Make a &phantom")));
   open->setIconText(tr("Open"));
-  mParts.bar.addAction(open);
 }
 
 void FileCommands::addPhantoms(QMenu* menu) {
@@ -80,8 +79,7 @@ void FileCommands::addSaving(QMenu* menu) {
                              [this] { askSaveScene(false); });
   mParts.actions.addForScene(menu, "file.saveSceneAs", tr("Sa&ve scene as..."), tr("Save the scene under another name"),
                              [this] { askSaveScene(true); });
-  mParts.bar.addAction(mExports.addActions(menu));
-  mParts.bar.addSeparator();
+  mExports.addActions(menu);
 }
 
 // Asking.

@@ -27,9 +27,6 @@ HistoryCommands::HistoryCommands(const WindowParts& parts) : Room(parts) {
   menu->addSeparator();
   parts.actions.add(menu, "edit.preferences", tr("&Preferences..."), tr("Appearance, units, mouse and wheel, keys, memory"),
                     [this] { askPreferences(); });
-  parts.bar.addAction(mUndo);
-  parts.bar.addAction(mRedo);
-  parts.bar.addSeparator();
 }
 
 void HistoryCommands::askPreferences() {

@@ -24,8 +24,8 @@ MainWindow::MainWindow()
       mToolbox(mSession.document(), *this),
       mViews(new ViewGrid(mSession, mSelection, mToolbox, mFrame.pages)),
       mJobs(mSession, *mFrame.progress, *mFrame.messages, this),
-      mParts{*this, mSession, mSelection,   mToolbox,    *mViews,     *mFrame.messages,
-             mJobs, mActions, *mFrame.tabs, *mFrame.bar, mFrame.menus} {
+      mParts{*this, mSession, mSelection,   mToolbox,    *mViews, *mFrame.messages,
+             mJobs, mActions, *mFrame.tabs, mFrame.menus} {
   session::giveWayToTheWindow();
   setAcceptDrops(true);
   mFrame.setViews(mViews);
@@ -48,7 +48,7 @@ MainWindow::~MainWindow() {
   delete centralWidget();  // the views know the session
 }
 
-/// In the order in which their pages and their buttons stand.
+/// In the order in which their pages stand.
 void MainWindow::buildRooms() {
   const WindowParts& parts = mParts;
   auto add = [this](auto* room) {
@@ -75,6 +75,7 @@ void MainWindow::buildRooms() {
   add(new TimeCommands(parts, *mFrame.time));
   add(new HelpCommands(parts));
   add(new StatusLine(parts, *statusBar()));
+  mFrame.bar->fill(mActions);
 }
 
 /// What one room asks and another does.

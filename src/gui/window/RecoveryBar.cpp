@@ -47,7 +47,7 @@ RecoveryBar::RecoveryBar(QWidget* parent) : QFrame(parent), mTitle(new QLabel(th
   layout->addLayout(texts, 1);
   mRestore = addButton(tr("&Restore"), tr("Open it as it was at the last change"), "main");
   auto* discard = addButton(tr("&Discard..."), tr("Delete this work for good"), "quiet");
-  mLater = addButton(tr("&Later"), tr("Keep it; it is offered again at the next start"), "quiet");
+  mLater = addButton(tr("L&ater"), tr("Keep it; it is offered again at the next start"), "quiet");
   connect(mRestore, &QPushButton::clicked, this, &RecoveryBar::restoreWanted);
   connect(discard, &QPushButton::clicked, this, &RecoveryBar::discardWanted);
   connect(mLater, &QPushButton::clicked, this, &RecoveryBar::next);

@@ -53,8 +53,8 @@ QImage toQImage(const Image& image) {
 
 }  // namespace
 
-SavePictureDialog::SavePictureDialog(glm::ivec2 viewSize, const scene::Scene& scene, QWidget* parent)
-    : QDialog(parent), mScene(scene), mAspect(double(viewSize.x) / std::max(1, viewSize.y)) {
+SavePictureDialog::SavePictureDialog(glm::ivec2 viewSize, glm::ivec2 size, const scene::Scene& scene, QWidget* parent)
+    : QDialog(parent), mScene(scene), mAspect(double(size.x) / std::max(1, size.y)) {
   setWindowTitle(tr("Save picture"));
   auto* outer = new QHBoxLayout;
   mPreview = new QLabel(this);
@@ -96,7 +96,7 @@ SavePictureDialog::SavePictureDialog(glm::ivec2 viewSize, const scene::Scene& sc
   mDrawTimer.setSingleShot(true);
   mDrawTimer.setInterval(kDrawDelayMs);
   connect(&mDrawTimer, &QTimer::timeout, this, &SavePictureDialog::drawPreview);
-  setPixels(viewSize);
+  setPixels(size);
 }
 
 SavePictureDialog::~SavePictureDialog() = default;
@@ -133,7 +133,7 @@ QWidget* SavePictureDialog::makeSize(glm::ivec2 viewSize) {
   mDpi->setSuffix(tr(" dpi"));
   mDpi->setAlignment(Qt::AlignRight);
   mDpi->setToolTip(tr("Pixels an inch in print; the file says it to programs that lay pages out"));
-  mKeepShape = new QCheckBox(tr("Keep the shape of the view"), box);
+  mKeepShape = new QCheckBox(tr("Keep the shape"), box);
   mKeepShape->setChecked(true);
   mKeepShape->setToolTip(tr("Width and height change together"));
   // Their places: width, height and unit in one row,

@@ -18,7 +18,8 @@ namespace velum::gui {
 class SavePictureDialog : public QDialog {
   Q_OBJECT
  public:
-  SavePictureDialog(glm::ivec2 viewSize, const scene::Scene& scene, QWidget* parent);
+  /// @param viewSize  of the 3D view, offered beside; @param size  that it begins with, both in pixels
+  SavePictureDialog(glm::ivec2 viewSize, glm::ivec2 size, const scene::Scene& scene, QWidget* parent);
   ~SavePictureDialog() override;
   session::PictureOptions options() const;
   /// The scene with the background that is chosen.

@@ -1,11 +1,18 @@
 #include "ViewCommands.h"
 
+#include "kit/Preferences.h"
 #include "view/ViewChange.h"
-#include "view/ViewIcons.h"
 
 namespace velum::gui {
 
-ViewCommands::ViewCommands(const WindowParts& parts) : Room(parts), mLayouts(new QActionGroup(this)) {
+namespace {
+
+constexpr const char* kCubeKey = "view/cube";
+
+}  // namespace
+
+ViewCommands::ViewCommands(const WindowParts& parts)
+    : Room(parts), mLayouts(new QActionGroup(this)), mCube(new ViewCube(parts.document(), parts.views.viewport())) {
   QMenu* menu = parts.menu(MenuId::View);
   addDirections(menu);
   menu->addSeparator();
@@ -18,36 +25,29 @@ ViewCommands::ViewCommands(const WindowParts& parts) : Room(parts), mLayouts(new
       menu, "view.reset", tr("&Reset view"), tr("See all of it from the front"),
       [this] { mParts.views.viewport().lookFrom(scene::defaultView(mParts.session.scene())); });
   reset->setIconText(tr("Reset"));
-  parts.bar.addAction(mProjection);
-  parts.bar.addAction(reset);
-  parts.bar.addSeparator();
+  addCube(menu);
   menu->addSeparator();
   addLayouts(menu);
   menu->addSeparator();
   addSections(menu);
-  parts.bar.addSeparator();
 }
 
 void ViewCommands::addDirections(QMenu* menu) {
   using scene::StandardView;
   struct Row {
-    const char *id, *name, *letter;
+    const char *id, *name;
     StandardView view;
   };
-  static constexpr Row kRows[] = {{"view.anterior", "&Anterior", "A", StandardView::Anterior},
-                                  {"view.posterior", "P&osterior", "P", StandardView::Posterior},
-                                  {"view.left", "&Left", "L", StandardView::Left},
-                                  {"view.right", "Ri&ght", "R", StandardView::Right},
-                                  {"view.superior", "&Superior", "S", StandardView::Superior},
-                                  {"view.inferior", "&Inferior", "I", StandardView::Inferior},
-                                  {"view.oblique", "O&blique", "", StandardView::Oblique}};
+  static constexpr Row kRows[] = {{"view.anterior", "&Anterior", StandardView::Anterior},
+                                  {"view.posterior", "P&osterior", StandardView::Posterior},
+                                  {"view.left", "&Left", StandardView::Left},
+                                  {"view.right", "Ri&ght", StandardView::Right},
+                                  {"view.superior", "&Superior", StandardView::Superior},
+                                  {"view.inferior", "&Inferior", StandardView::Inferior},
+                                  {"view.oblique", "O&blique", StandardView::Oblique}};
   for (const Row& row : kRows) {
-    QAction* action = mParts.actions.addForScene(menu, row.id, tr(row.name),
-                                                 tr("Look from: %1").arg(tr(row.name).remove('&').toLower()),
-                                                 [this, view = row.view] { mParts.views.viewport().lookFrom(view); });
-    if (!*row.letter) continue;
-    action->setIconText(row.letter);
-    mParts.bar.addAction(action);
+    mParts.actions.addForScene(menu, row.id, tr(row.name), tr("Look from: %1").arg(tr(row.name).remove('&').toLower()),
+                               [this, view = row.view] { mParts.views.viewport().lookFrom(view); });
   }
 }
 
@@ -55,24 +55,19 @@ void ViewCommands::addLayouts(QMenu* menu) {
   using scene::Layout;
   struct Row {
     const char *id, *name, *tip;
-    ViewIcon icon;
   };
   // In the order of scene::Layout.
-  static constexpr Row kRows[] = {
-      {"layout.four", "&Four views", "Axial, coronal, sagittal and 3D", ViewIcon::FourUp},
-      {"layout.volume", "3&D only", "The 3D view alone", ViewIcon::Volume},
-      {"layout.beside", "3D and one s&ection", "The 3D view and the current section", ViewIcon::VolumeAndSection},
-      {"layout.section", "One se&ction", "The current section alone", ViewIcon::Section}};
+  static constexpr Row kRows[] = {{"layout.four", "&Four views", "Axial, coronal, sagittal and 3D"},
+                                  {"layout.volume", "3&D only", "The 3D view alone"},
+                                  {"layout.beside", "3D and one s&ection", "The 3D view and the current section"},
+                                  {"layout.section", "One se&ction", "The current section alone"}};
   static_assert(std::size(kRows) == std::size(EnumNames<Layout>::kNames), "each layout has its row");
   for (const Row& row : kRows) {
     auto layout = static_cast<Layout>(&row - kRows);
     QAction* action = mParts.actions.addForScene(menu, row.id, tr(row.name), tr(row.tip),
                                                  [this, layout] { mParts.views.setLayout(layout); });
-    action->setIcon(makeViewIcon(row.icon));
-    action->setIconVisibleInMenu(false);
     action->setCheckable(true);
     mLayouts->addAction(action);
-    mParts.bar.addAction(action);
   }
 }
 
@@ -87,9 +82,23 @@ void ViewCommands::addSections(QMenu* menu) {
                       [this] { changeSections(mParts.document(), scene::resetSections); });
 }
 
+void ViewCommands::addCube(QMenu* menu) {
+  bool isShown = Preferences().value(kCubeKey, true).toBool();
+  mCube->setShown(isShown);
+  QAction* cube = mParts.actions.add(menu, "view.cube", tr("Orien&tation cube"),
+                                     tr("A cube in the corner of the 3D view: click a side to look from there"), [] {});
+  cube->setCheckable(true);
+  cube->setChecked(isShown);
+  connect(cube, &QAction::toggled, this, [this](bool shown) {
+    Preferences().setValue(kCubeKey, shown);
+    mCube->setShown(shown);
+  });
+}
+
 void ViewCommands::refresh(const session::Session& session) {
   const scene::Scene& scene = session.scene();
   mLayouts->actions()[int(scene.sections.layout)]->setChecked(true);
+  mCube->refresh();
   mProjection->setChecked(scene.camera.projection == scene::Projection::Orthographic);
 }
 

@@ -2,6 +2,7 @@
 #include <QActionGroup>
 
 #include "view/Room.h"
+#include "view/ViewCube.h"
 
 namespace velum::gui {
 
@@ -16,9 +17,11 @@ class ViewCommands : public Room {
   void addDirections(QMenu* menu);
   void addLayouts(QMenu* menu);
   void addSections(QMenu* menu);
+  void addCube(QMenu* menu);
 
   QAction* mProjection = nullptr;
   QActionGroup* mLayouts;
+  ViewCube* mCube;
 };
 
 }  // namespace velum::gui

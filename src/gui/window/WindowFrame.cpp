@@ -3,6 +3,7 @@
 #include <QMenuBar>
 #include <QVBoxLayout>
 
+#include "kit/FloatingBars.h"
 #include "kit/RecentFiles.h"
 
 namespace velum::gui {
@@ -25,17 +26,15 @@ WindowFrame::WindowFrame(QMainWindow& window, session::Document& document) {
   auto* layout = new QVBoxLayout(centre);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
-  layout->addWidget(recovery);
-  layout->addWidget(messages);
   layout->addWidget(pages, 1);
   layout->addWidget(time);
-  layout->addWidget(progress);
+  auto* bars = new FloatingBars(*pages);
+  bars->addToTop(*recovery);
+  bars->addToTop(*messages);
+  bars->addToBottom(*progress);
   window.setCentralWidget(centre);
   buildSide(window);
-  bar = new QToolBar(QMainWindow::tr("Tools"), &window);
-  bar->setObjectName("toolBar");
-  bar->setMovable(false);
-  bar->setContextMenuPolicy(Qt::PreventContextMenu);
+  bar = new ToolStrip(&window);
   window.addToolBar(bar);
   const char* titles[] = {"&File", "&Edit", "&View", "&Look", "&Cut", "&Structures", "&Time", "&Help"};
   static_assert(std::size(titles) == std::tuple_size_v<Menus>, "each menu has its title");

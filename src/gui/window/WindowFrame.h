@@ -3,10 +3,10 @@
 #include <QMainWindow>
 #include <QMenu>
 #include <QStackedWidget>
-#include <QToolBar>
 #include <array>
 
 #include "RecoveryBar.h"
+#include "ToolStrip.h"
 #include "kit/Bars.h"
 #include "kit/SideTabs.h"
 #include "view/Room.h"
@@ -14,7 +14,7 @@
 
 namespace velum::gui {
 
-/// Where things are in the window: menus, tool bar, the bars about the views, the side panel. It builds them, empty.
+/// Where things are in the window: menus, tool bar, the bars over the views, the side panel. It builds them, empty.
 struct WindowFrame {
   WindowFrame(QMainWindow& window, session::Document& document);
 
@@ -32,7 +32,7 @@ struct WindowFrame {
   QDockWidget* dock;  ///< Holds the side panel; away while nothing is open.
   QWidget* side;
   SideTabs* tabs;
-  QToolBar* bar;
+  ToolStrip* bar;
   Menus menus;
 
  private:

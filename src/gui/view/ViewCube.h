@@ -1,0 +1,61 @@
+#pragma once
+#include <QPolygonF>
+#include <QWidget>
+#include <optional>
+#include <vector>
+
+#include "CameraFlight.h"
+#include "velum/session/document/Document.h"
+
+namespace velum::gui {
+
+/// A cube in the corner of the 3D view that turns with the camera: it says from where one looks, and a click on a face,
+/// an edge or a corner flies there. A drag turns the camera. It is none of the picture's.
+class ViewCube : public QWidget {
+  Q_OBJECT
+ public:
+  /// @param view  the 3D view in whose corner it stands
+  ViewCube(session::Document& document, QWidget& view);
+
+  /// To be called after every change of the document.
+  void refresh();
+  void setShown(bool shown);
+  /// The side under a place: 1, 0 or -1 along each axis, towards the eye; nothing beside the cube.
+  std::optional<glm::ivec3> partAt(QPointF place) const;
+  /// "anterior, left"; of what is no patient "-y, +x".
+  QString nameOf(glm::ivec3 side) const;
+
+ protected:
+  bool event(QEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+
+ private:
+  /// A cell of a face, as it is seen; cells of one edge or corner are on several faces.
+  struct Cell {
+    glm::ivec3 side;
+    QPolygonF outline;
+  };
+  std::vector<Cell> cellsOf(glm::ivec3 face) const;
+  std::vector<glm::ivec3> facesSeen() const;
+  QPointF pointOf(glm::dvec3 place) const;
+  void paintFace(QPainter& painter, glm::ivec3 face) const;
+  void paintName(QPainter& painter, glm::ivec3 face) const;
+  void setHover(std::optional<glm::ivec3> side);
+  void place();
+
+  session::Document& mDocument;
+  QWidget& mView;
+  CameraFlight mFlight;
+  scene::Camera mCamera;  ///< as it is painted
+  bool mIsShown = true;
+  std::optional<glm::ivec3> mHover, mPressed;
+  QPointF mFrom, mLast;
+  bool mIsDragged = false;
+};
+
+}  // namespace velum::gui

@@ -1,0 +1,56 @@
+// What is proposed for a picture, and what is remembered of a file.
+#include "WindowFixture.h"
+
+#include <QTimer>
+
+#include "kit/Preferences.h"
+#include "kit/RecentFiles.h"
+#include "velum/session/document/Recent.h"
+#include "window/SavePictureDialog.h"
+
+namespace velum::gui {
+namespace {
+
+class SavedPicture : public Window {
+ protected:
+  /// The size with which the dialog comes up. @param accepted  the picture is then made: 0: of this size
+  glm::ivec2 proposedSize() {
+    glm::ivec2 size{0};
+    QTimer timer;
+    QObject::connect(&timer, &QTimer::timeout, [&] {
+      auto* dialog = qobject_cast<SavePictureDialog*>(QApplication::activeModalWidget());
+      if (!dialog) return;
+      size = dialog->options().size;
+      dialog->reject();
+    });
+    timer.start(20);
+    mWindow->actions().find("file.savePicture")->trigger();
+    return size;
+  }
+};
+
+TEST_F(SavedPicture, IsAsLargeAsASlideOrAsTheLastOne) {
+  openPhantom();
+  Preferences().setValue("picture/size", {});
+  EXPECT_EQ(proposedSize(), glm::ivec2(1920, 1080));
+  Preferences().setValue("picture/size", QSize(900, 1200));
+  EXPECT_EQ(proposedSize(), glm::ivec2(900, 1200));
+  Preferences().setValue("picture/size", {});
+}
+
+TEST_F(SavedPicture, OfARecentFileShowsTheFileAndNoCutsThatWereNeverSaved) {
+  openPhantom();
+  drawSoon();
+  ASSERT_TRUE(settle());
+  std::string file = path("phantom.nrrd").toStdString();
+  auto pictureOf = [&] { return bytesOf(QString::fromStdString(session::recentPicture(file).string())); };
+  QByteArray before = pictureOf();
+  ASSERT_FALSE(before.isEmpty());
+  mWindow->actions().find("cut.addPlane")->trigger();
+  ASSERT_TRUE(settle());
+  mWindow->newScene();
+  EXPECT_EQ(pictureOf(), before);
+}
+
+}  // namespace
+}  // namespace velum::gui

@@ -48,7 +48,8 @@ QString textOf(const QWidget& widget) {
   if (auto* label = qobject_cast<const QLabel*>(&widget)) return label->text();
   if (auto* button = qobject_cast<const QAbstractButton*>(&widget)) return button->text();
   if (auto* box = qobject_cast<const QComboBox*>(&widget)) return box->currentText();
-  if (auto* edit = qobject_cast<const QLineEdit*>(&widget)) return edit->text();
+  if (auto* edit = qobject_cast<const QLineEdit*>(&widget))
+    return edit->text().isEmpty() ? edit->placeholderText() : edit->text();
   return {};
 }
 

@@ -1,6 +1,8 @@
 // Every command has an icon of its own, that suits the theme.
 #include <QDir>
 #include <QImage>
+#include <QListWidget>
+#include <QMenuBar>
 #include <QSet>
 #include <QToolBar>
 #include <QToolButton>
@@ -9,6 +11,7 @@
 #include "WindowFixture.h"
 #include "kit/Icons.h"
 #include "kit/Theme.h"
+#include "window/CommandFinder.h"
 
 namespace velum::gui {
 namespace {
@@ -70,6 +73,23 @@ TEST_F(Icons, FollowTheTheme) {
   EXPECT_LT(toneOf(imageOf(icon)).lightness(), 110);
   EXPECT_GT(toneOf(imageOf(icon, QIcon::Normal, QIcon::On)).lightness(), 200) << "on what is chosen";
   EXPECT_NE(imageOf(icon, QIcon::Disabled), imageOf(icon));
+}
+
+TEST_F(Icons, StandInMenusAndInTheSearchForCommands) {
+  openPhantom();
+  for (auto kind : {ThemeKind::Light, ThemeKind::Dark}) {
+    applyTheme(*qApp, kind);
+    QString theme = kind == ThemeKind::Dark ? "dark" : "light";
+    for (QAction* entry : mWindow->menuBar()->actions()) {
+      entry->menu()->ensurePolished();
+      takeShot(*entry->menu(), "menu-" + entry->text().remove('&') + "-" + theme);
+    }
+    CommandFinder finder(mWindow->actions(), mWindow.get());
+    auto* list = finder.findChild<QListWidget*>();
+    ASSERT_GT(list->count(), 40);
+    for (int row = 0; row < list->count(); ++row) EXPECT_FALSE(list->item(row)->icon().isNull());
+    takeShot(finder, "finder-" + theme);
+  }
 }
 
 TEST_F(Icons, EachToolIsReachableInASmallWindow) {

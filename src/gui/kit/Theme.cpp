@@ -47,8 +47,10 @@ QMenuBar { background: @ground; padding: 2px 4px; }
 QMenuBar::item { padding: 4px 9px; border-radius: 4px; }
 QMenuBar::item:selected { background: @hover; }
 QMenu { background: @popup; border: 1px solid @line; padding: 4px; }
-QMenu::item { padding: 5px 26px 5px 22px; border-radius: 4px; }
+QMenu::item { padding: 5px 26px 5px 10px; border-radius: 4px; }
 QMenu::item:selected { background: @chosen; color: @onChosen; }
+QMenu::icon { padding: 2px; margin-left: 5px; }
+QMenu::icon:checked { background: @chosen; border-radius: 4px; }
 QMenu::item:disabled { color: @faint; }
 QMenu::separator { height: 1px; background: @line; margin: 4px 8px; }
 QToolBar { background: @panel; border: none; border-bottom: 1px solid @deep; padding: 4px 6px; spacing: 3px; }
@@ -86,7 +88,7 @@ QPushButton[role="row"] { background: transparent; border: 1px solid transparent
 QPushButton[role="row"]:hover { background: @hover; }
 QPushButton[role="row"]:checked { background: @hover; border-color: @chosenEdge; color: @text; }
 QComboBox, QDoubleSpinBox, QSpinBox, QLineEdit {
-  background: @ground; border: 1px solid @edge; border-radius: 5px; padding: 4px 7px; color: @text;
+  background: @ground; border: 1px solid @edge; border-radius: 5px; padding: 4px 7px;
   selection-background-color: @chosen; min-height: 17px; }
 QComboBox:focus, QDoubleSpinBox:focus, QSpinBox:focus, QLineEdit:focus { border-color: @accent; }
 QComboBox:disabled, QDoubleSpinBox:disabled, QSpinBox:disabled { color: @faint; border-color: @line; }

@@ -4,6 +4,7 @@
 #include <QListWidget>
 #include <QMenuBar>
 #include <QSet>
+#include <QTimer>
 #include <QToolBar>
 #include <QToolButton>
 
@@ -84,7 +85,14 @@ TEST_F(Icons, StandInMenusAndInTheSearchForCommands) {
       entry->menu()->ensurePolished();
       takeShot(*entry->menu(), "menu-" + entry->text().remove('&') + "-" + theme);
     }
-    CommandFinder finder(mWindow->actions(), mWindow.get());
+    QTimer::singleShot(200, [theme] {
+      QWidget* menu = QApplication::activePopupWidget();
+      ASSERT_TRUE(menu);
+      takeShot(*menu, "menu-ticks-" + theme);
+      menu->close();
+    });
+    mWindow->views().section(scene::SectionKind::Axial).findChild<QToolButton*>("menu")->click();
+    CommandFinder finder(findCommands(mWindow->actions()), mWindow.get());
     auto* list = finder.findChild<QListWidget*>();
     ASSERT_GT(list->count(), 40);
     for (int row = 0; row < list->count(); ++row) EXPECT_FALSE(list->item(row)->icon().isNull());

@@ -31,6 +31,7 @@
 #include "velum/io/phantoms/Sample.h"
 #include "velum/io/volumes/WriteVolume.h"
 #include "window/CommandFinder.h"
+#include "window/ExportStructuresDialog.h"
 #include "window/HelpWindow.h"
 #include "window/MainWindow.h"
 #include "window/PreferencesDialog.h"
@@ -413,7 +414,9 @@ TEST_P(KeyboardUse, NoButtonHasTheLetterOfAMenuOrOfAnother) {
   expectFreeButtons(*mWindow);
   SavePictureDialog picture({640, 480}, {640, 480}, mWindow->document().scene(), mWindow.get());
   PreferencesDialog preferences(mWindow->actions(), mWindow.get());
-  for (const QWidget* dialog : {static_cast<QWidget*>(&picture), static_cast<QWidget*>(&preferences)}) {
+  ExportStructuresDialog structures(mWindow->document().scene(), {}, mWindow.get());
+  for (const QWidget* dialog :
+       {static_cast<QWidget*>(&picture), static_cast<QWidget*>(&preferences), static_cast<QWidget*>(&structures)}) {
     letters.clear();
     expectFreeButtons(*dialog);
   }

@@ -88,7 +88,8 @@ CommandFinder::CommandFinder(std::vector<Findable> all, QWidget* parent)
   mLetters->setPlaceholderText(tr("What do you want to do?"));
   mLetters->setAccessibleName(tr("Letters of the command"));
   mLetters->setToolTip(
-      tr("A few letters of a command, preset, structure or number, as \u201cshadows 80\u201d; Up and Down choose, Enter does "
+      tr("A few letters of a command, preset, structure or number, as \u201cshadows 80\u201d; Up and Down choose, "
+         "Enter does "
          "it, Esc leaves"));
   mLetters->installEventFilter(this);
   mList->setAccessibleName(tr("Commands"));

@@ -37,7 +37,11 @@ void addPictures(SideTabs& tabs, int page, Findables& found) {
   for (PictureList* list : tabs.widget(page)->findChildren<PictureList*>()) {
     if (qobject_cast<PresetGrid*>(list->parentWidget()) || !list->isVisibleTo(tabs.widget(page))) continue;
     for (const auto& [name, title] : list->titles())
-      found.push_back({list->accessibleName() + " > " + title, {}, list->toolTip(), list->isEnabled(), false,
+      found.push_back({list->accessibleName() + " > " + title,
+                       {},
+                       list->toolTip(),
+                       list->isEnabled(),
+                       false,
                        [&tabs, list, name](const QString&) {
                          tabs.showPage(list);
                          emit list->chosen(name);
@@ -50,7 +54,11 @@ void addPresets(const WindowParts& parts, Findables& found) {
   if (!grid) return;
   bool isOn = grid->isEnabled();
   for (const auto& preset : scene::presets())
-    found.push_back({PresetGrid::tr("Preset") + " > " + toText(preset.title), {}, {}, isOn, false,
+    found.push_back({PresetGrid::tr("Preset") + " > " + toText(preset.title),
+                     {},
+                     {},
+                     isOn,
+                     false,
                      [&parts, grid, name = toText(preset.name)](const QString&) {
                        parts.tabs.showPage(grid);
                        grid->choose(name);
@@ -60,8 +68,12 @@ void addPresets(const WindowParts& parts, Findables& found) {
 void addStructures(const WindowParts& parts, Findables& found) {
   for (const auto& structure : parts.session.scene().labels.structures) {
     QString name = structure.name.empty() ? QString::number(structure.id) : QString::fromStdString(structure.name);
-    found.push_back({Room::tr("Structure") + " > " + name, {}, Room::tr("Go to this structure and select it"), true,
-                     false, [&parts, id = structure.id](const QString&) {
+    found.push_back({Room::tr("Structure") + " > " + name,
+                     {},
+                     Room::tr("Go to this structure and select it"),
+                     true,
+                     false,
+                     [&parts, id = structure.id](const QString&) {
                        parts.selection.setStructure(id);
                        parts.actions.find("structure.goTo")->trigger();
                      }});
@@ -71,8 +83,12 @@ void addStructures(const WindowParts& parts, Findables& found) {
 void addTypes(const WindowParts& parts, Findables& found) {
   const auto& model = parts.session.scene().model.data;
   for (int i = 0; model && i < int(model->types.size()); ++i)
-    found.push_back({Room::tr("Type") + " > " + QString::fromStdString(model->types[std::size_t(i)].name), {},
-                     Room::tr("Select this molecular type"), true, false, [&parts, i](const QString&) {
+    found.push_back({Room::tr("Type") + " > " + QString::fromStdString(model->types[std::size_t(i)].name),
+                     {},
+                     Room::tr("Select this molecular type"),
+                     true,
+                     false,
+                     [&parts, i](const QString&) {
                        parts.selection.setType(i);
                        parts.actions.find("model.list")->trigger();
                      }});
@@ -92,7 +108,7 @@ Findables findCommands(const ActionTable& actions) {
   Findables found;
   for (QAction* action : actions.all())
     found.push_back({fullName(*action), action->shortcut().toString(QKeySequence::NativeText), action->toolTip(),
-                     action->isEnabled(), false, [action](const QString&) { action->trigger(); }});
+                     action->isEnabled(), false, [action](const QString&) { action->trigger(); }, action->icon()});
   return found;
 }
 

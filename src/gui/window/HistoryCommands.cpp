@@ -25,8 +25,8 @@ HistoryCommands::HistoryCommands(const WindowParts& parts) : Room(parts) {
   mUndo->setIconText(tr("Undo"));
   mRedo->setIconText(tr("Redo"));
   menu->addSeparator();
-  parts.actions.add(menu, "edit.preferences", tr("&Preferences..."), tr("Appearance, units, mouse and wheel, keys, memory"),
-                    [this] { askPreferences(); });
+  parts.actions.add(menu, "edit.preferences", tr("&Preferences..."),
+                    tr("Appearance, units, mouse and wheel, keys, memory"), [this] { askPreferences(); });
 }
 
 void HistoryCommands::askPreferences() {

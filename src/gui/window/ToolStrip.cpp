@@ -10,7 +10,7 @@ namespace velum::gui {
 
 namespace {
 
-constexpr int kIcon = 22;
+constexpr int kIcon = 24;  // the grid that icons are drawn on
 
 /// What stands in it; an empty one is a gap.
 constexpr const char* kCommands[] = {"cut.addMembrane",

@@ -95,7 +95,7 @@ QWidget* PreferencesDialog::makeGeneral() {
     changeHabits([index](Habits& habits) { habits.lengthUnit = kUnits[index]; });
     emit changed();
   });
-  form->addRow(tr("&Unit of lengths"), unit);
+  form->addRow(tr("Unit of lengt&hs"), unit);
   return page;
 }
 

@@ -23,7 +23,7 @@ VolumeCommands::VolumeCommands(const WindowParts& parts, FileLoads& loads) : Roo
       [this] { askVoxelSize(tr("How large is a voxel?")); });
   mLayout = parts.actions.addForScene(edit, "edit.layout", tr("&Samples of the file..."),
                                       tr("Say what the samples of a file without a header are"), [this] { askLayout(); });
-  mTable = parts.actions.addForScene(parts.menu(MenuId::Look), "look.hideTable", tr("Hide the &table"),
+  mTable = parts.actions.addForScene(parts.menu(MenuId::Look), "look.hideTable", tr("Hi&de the table"),
                                      tr("Leave out what is not part of the largest body: table, head rest, cables"),
                                      [this] { hideTable(mTable->isChecked()); });
   mTable->setCheckable(true);

@@ -97,6 +97,19 @@ float gradientFactor(vec3 gradient) {
   return texelFetch(gradientTable, ivec2(int(x), 0), 0).r;
 }
 
+#if LABELS == 1
+/// The colour of material, by its structure. A surface may lie a little before the label of what it bounds, where it is
+/// chance whose a voxel is: in the midst of a structure, who is shown behind the surface lends his colour.
+/// @param outwards  from the surface, not longer than 1; shorter where there hardly is one, 0 on the face of a cut
+vec3 tinted(vec3 albedo, vec3 scenePoint, vec3 outwards, uint structure) {
+  vec3 across = outwards * (1.2 / frame.voxelsPerLength);
+  uint inner = labelAt(scenePoint - across);
+  bool lends = inner != structure && inner != 0u && structureRow(inner).a > 0.0;
+  if (!lends || labelAt(scenePoint + across) != structure) inner = structure;
+  return mix(albedo, structureRow(inner).rgb, structureTint(inner));
+}
+#endif
+
 #if LABELS == 2
 // A scene of labels alone: opacity and colour are the structures', weighted over the eight voxels around.
 vec4 labelMaterial(vec3 scenePoint) {

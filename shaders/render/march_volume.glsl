@@ -38,11 +38,28 @@ void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, float faceT,
   uint structure = 0u;
   float depth = segment.depth;
   float alpha = 1.0 - exp(-depth);
-  // Whose material it is, and of what colour.
+  // Whose material it is.
 #if LABELS != 0
   if (asksStructures() || sparedOnly) structure = labelAt(p);
 #endif
   if (hasFlag(kFlagSpares) && sparedOnly && !cutsKeep(p, structure)) return;
+  // Where its surface looks to.
+  bool asksGradient = hasFlag(kFlagShaded) || hasFlag(kFlagGradientOpacity);
+  vec3 gradient = vec3(0.0);
+  float steepness = 1.0;
+#if LABELS == 2
+  if (asksGradient) gradient = labelGradientAt(p);
+#else
+  if (asksGradient) {
+    gradient = gradientAt(tex);
+    // Where the value hardly changes the gradient is noise: less of it counts.
+    steepness = smoothstep(0.0, 1.0, length(gradient) * frame.tablePerValue * 60.0 / frame.voxelsPerLength);
+  }
+#endif
+  float len = length(gradient);
+  vec3 outwards = len > 0.0 ? -gradient / len : -ray.direction;
+  if (dot(outwards, ray.direction) > 0.0) outwards = -outwards;
+  // Of what colour it is.
 #if LABELS == 2
   vec4 material = labelMaterial(p);
   vec3 albedo = material.rgb / max(material.a, 1e-6);
@@ -54,9 +71,9 @@ void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, float faceT,
 #endif
 #if LABELS == 1
   if (hasFlag(kFlagStructureLooks)) {
-    vec4 row = structureRow(structure);
-    depth *= structure == 0u ? frame.unlabelledOpacity : row.a;
-    albedo = mix(albedo, row.rgb, structureTint(structure));
+    depth *= structure == 0u ? frame.unlabelledOpacity : structureRow(structure).a;
+    bool isByFace = faceT >= 0.0 && (tm - faceT) * frame.voxelsPerLength < 1.5;
+    albedo = tinted(albedo, p, isByFace || !asksGradient ? vec3(0.0) : outwards * steepness, structure);
   }
 #endif
 #endif
@@ -78,19 +95,10 @@ void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, float faceT,
   // The light on it.
   vec3 normal = -ray.direction;
   vec3 color = albedo;
-  if (hasFlag(kFlagShaded) || hasFlag(kFlagGradientOpacity)) {
-#if LABELS == 2
-    vec3 gradient = labelGradientAt(p);
-    float steepness = 1.0;
-#else
-    vec3 gradient = gradientAt(tex);
+  if (asksGradient) {
+#if LABELS != 2
     if (hasFlag(kFlagGradientOpacity)) depth *= gradientFactor(gradient);
-    // Where the value hardly changes the gradient is noise: less of it counts.
-    float steepness = smoothstep(0.0, 1.0, length(gradient) * frame.tablePerValue * 60.0 / frame.voxelsPerLength);
 #endif
-    float len = length(gradient);
-    vec3 outwards = len > 0.0 ? -gradient / len : -ray.direction;
-    if (dot(outwards, ray.direction) > 0.0) outwards = -outwards;
     normal = normalize(mix(-ray.direction, outwards, steepness) + 1e-6);
     // On a cut the surface is the cut's; a voxel and a half behind it the data's own again.
     if (hasFlag(kFlagCuts) && faceDepth < kFar)

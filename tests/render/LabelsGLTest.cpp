@@ -46,6 +46,39 @@ TEST_F(LabelsGL, TintTurnsTheColourIntoTheStructures) {
   }
 }
 
+/// Bone shows half a voxel before its label begins, where voxels are muscle's: its colour is its own all the same.
+TEST_F(LabelsGL, AtABorderWhoIsBehindTheSurfaceLendsTheColour) {
+  auto fromMiddle = [](glm::ivec3 p) { return glm::length(glm::dvec3(p) - 0.5 * glm::dvec3(kDims - 1)); };
+  scene::Scene scene = sceneOf(makeVolume(
+      kDims, SampleType::UInt8, [&](glm::ivec3 p) { return 100.0 * std::erfc(fromMiddle(p) - 10.0); },
+      centredFrame(kDims)));
+  scene.volume.transfer.colors = {{0, {1, 0, 0}}};
+  scene.volume.transfer.opacities = {{50, 0}, {60, 0.95}};
+  scene.volume.transfer.unitDistance = 0.1;
+  scene.rayCast.isoValue = 50;
+  scene.lighting.shaded = true;
+  scene.lighting.specular = 0;
+  LabelVolume labels = makeLabels(
+      kDims, [&](glm::ivec3 p) { return fromMiddle(p) < 10.0 ? 1 : 2; }, centredFrame(kDims));
+  labels.table = {{1, "bone", {0, 1, 0}, 1.0f}, {2, "muscle", {0, 0, 1}, 1.0f}};
+  scene.labels.data = Shared<LabelVolume>(std::move(labels));
+  scene::completeStructures(scene.labels);
+  for (auto mode : {scene::RenderMode::Volume, scene::RenderMode::Iso}) {
+    scene.rayCast.mode = mode;
+    Image image = draw(scene, kSize, kAllLayers);
+    int others = 0;
+    int shown = eachShown(
+        image,
+        [&](glm::ivec2 pixel, glm::vec3) {
+          glm::vec4 color = colorOf(image, pixel);
+          others += color.b > color.g;
+        },
+        0.9f);
+    EXPECT_GT(shown, 300) << enumName(mode);
+    EXPECT_LT(others, shown / 50) << enumName(mode);
+  }
+}
+
 TEST_F(LabelsGL, AStructureWithoutOpacityIsHidden) {
   for (bool byOpacity : {true, false})
     for (int mode = 0; mode < 3; ++mode) {

@@ -83,7 +83,7 @@ TEST_F(TransformGL, LeftHandedAndRightHandedGridsOfOneBodyLookTheSame) {
   // On silhouettes a rounded gradient faces the eye or not, and may light a few pixels otherwise. A gradient that is
   // mirrored with its grid would light half of the picture otherwise.
   for (glm::dvec3 spacing : {glm::dvec3(-1, 1, 1), glm::dvec3(1, -1, 1), glm::dvec3(1, 1, -1), glm::dvec3(-1, -1, -1)})
-    expectSame(draw(bodyScene(bodyVolume(kDims, centredFrame(kDims, spacing)))), image, 8.0, "a mirrored grid");
+    expectSame(draw(bodyScene(bodyVolume(kDims, centredFrame(kDims, spacing)))), image, 10.0, "a mirrored grid");
 }
 
 TEST_F(TransformGL, AnisotropicVoxelsKeepTheShape) {

@@ -14,47 +14,54 @@ namespace velum::render {
 namespace {
 
 /// One row of differences, each of values smoothed across it.
-/// @param rowAt  rowAt(dy, dz): the row so many beside it
-/// @param near   three rows of scratch, two values longer than the row
+/// @param rowAt   rowAt(dy, dz): the row so many voxels beside it
+/// @param stride  texels of a voxel along the row
+/// @param near    three rows of scratch, two voxels longer than the row
 template <class RowAt>
-void differRow(int width, const RowAt& rowAt, std::array<std::vector<float>, 3>& near, glm::vec3* out) {
+void differRow(int width, int stride, const RowAt& rowAt, std::array<std::vector<float>, 3>& near, glm::vec3* out) {
   auto& [smooth, alongY, alongZ] = near;
   const auto *below0 = rowAt(-1, -1), *below1 = rowAt(0, -1), *below2 = rowAt(1, -1), *here0 = rowAt(-1, 0),
              *here1 = rowAt(0, 0), *here2 = rowAt(1, 0), *above0 = rowAt(-1, 1), *above1 = rowAt(0, 1),
              *above2 = rowAt(1, 1);
+  auto before = std::size_t(stride), end = std::size_t(width) + before;
   // Across the row.
   for (int x = 0; x < width; ++x) {
     float b0 = float(below0[x]), b1 = float(below1[x]), b2 = float(below2[x]);
     float h0 = float(here0[x]), h1 = float(here1[x]), h2 = float(here2[x]);
     float a0 = float(above0[x]), a1 = float(above1[x]), a2 = float(above2[x]);
     float below = b0 + 2.0f * b1 + b2, here = h0 + 2.0f * h1 + h2, above = a0 + 2.0f * a1 + a2;
-    smooth[std::size_t(x) + 1] = (below + 2.0f * here + above) / 16.0f;
-    alongY[std::size_t(x) + 1] = (b2 - b0 + 2.0f * (h2 - h0) + a2 - a0) / 16.0f;
-    alongZ[std::size_t(x) + 1] = (above - below) / 16.0f;
+    smooth[std::size_t(x) + before] = (below + 2.0f * here + above) / 16.0f;
+    alongY[std::size_t(x) + before] = (b2 - b0 + 2.0f * (h2 - h0) + a2 - a0) / 16.0f;
+    alongZ[std::size_t(x) + before] = (above - below) / 16.0f;
   }
-  for (auto* row : {&smooth, &alongY, &alongZ}) row->front() = (*row)[1], row->back() = (*row)[std::size_t(width)];
+  for (auto* row : {&smooth, &alongY, &alongZ})
+    for (std::size_t i = 0; i < before; ++i) (*row)[i] = (*row)[before], (*row)[end + i] = (*row)[end - 1];
   // Along it.
   for (std::size_t x = 0; x < std::size_t(width); ++x)
-    out[x] = {smooth[x + 2] - smooth[x], alongY[x] + 2.0f * alongY[x + 1] + alongY[x + 2],
-              alongZ[x] + 2.0f * alongZ[x + 1] + alongZ[x + 2]};
+    out[x] = {smooth[x + 2 * before] - smooth[x], alongY[x] + 2.0f * alongY[x + before] + alongY[x + 2 * before],
+              alongZ[x] + 2.0f * alongZ[x + before] + alongZ[x + 2 * before]};
 }
 
 }  // namespace
 
 template <class Texel>
 std::vector<glm::u8vec4> computeGradients(const Texel* texels, glm::ivec3 dims, int firstPlane, int z0, int z1,
-                                          double longestGradient) {
+                                          double longestGradient, glm::ivec3 stride) {
   auto width = std::size_t(dims.x), height = std::size_t(dims.y);
   int low = std::max(0, z0 - 1), high = std::min(dims.z, z1 + 1);
   std::vector<glm::vec3> differences(width * height * std::size_t(high - low));
   parallelFor(0, (high - low) * dims.y, [&](int job) {
     auto rowAt = [&](int dy, int dz) {
-      int y = std::clamp(job % dims.y + dy, 0, dims.y - 1), z = std::clamp(low + job / dims.y + dz, 0, dims.z - 1);
+      int y = std::clamp(job % dims.y + dy * stride.y, 0, dims.y - 1);
+      int z = std::clamp(low + job / dims.y + dz * stride.z, 0, dims.z - 1);
       return texels + (std::size_t(z - firstPlane) * height + std::size_t(y)) * width;
     };
     std::array<std::vector<float>, 3> near;
-    for (auto& row : near) row.resize(width + 2);
-    differRow(dims.x, rowAt, near, &differences[std::size_t(job) * width]);
+    for (auto& row : near) row.resize(width + 2 * std::size_t(stride.x));
+    glm::vec3* row = &differences[std::size_t(job) * width];
+    differRow(dims.x, stride.x, rowAt, near, row);
+    if (stride != glm::ivec3(1))
+      for (std::size_t x = 0; x < width; ++x) row[x] /= glm::vec3(stride);
   });
   std::vector<glm::u8vec4> gradients(width * height * std::size_t(z1 - z0));
   float toShare =
@@ -83,8 +90,8 @@ std::vector<glm::u8vec4> computeGradients(const Texel* texels, glm::ivec3 dims, 
   return gradients;
 }
 
-template std::vector<glm::u8vec4> computeGradients(const std::uint8_t*, glm::ivec3, int, int, int, double);
-template std::vector<glm::u8vec4> computeGradients(const std::uint16_t*, glm::ivec3, int, int, int, double);
-template std::vector<glm::u8vec4> computeGradients(const float*, glm::ivec3, int, int, int, double);
+template std::vector<glm::u8vec4> computeGradients(const std::uint8_t*, glm::ivec3, int, int, int, double, glm::ivec3);
+template std::vector<glm::u8vec4> computeGradients(const std::uint16_t*, glm::ivec3, int, int, int, double, glm::ivec3);
+template std::vector<glm::u8vec4> computeGradients(const float*, glm::ivec3, int, int, int, double, glm::ivec3);
 
 }  // namespace velum::render

@@ -207,6 +207,10 @@ float skinDistance(Vec p) {
   float lips = ellipsoid(p, {0.0f, -86.0f, -63.0f}, {24.0f, 12.0f, 12.0f});
   float ears = ellipsoid(mirrored(p), {80.0f, 18.0f, -12.0f}, {6.0f, 17.0f, 28.0f});
   float d = smoothMin(smoothMin(scalp, face, 24.0f), neck, 24.0f);
+  // Cheeks over the arches and the jaw.
+  static const std::vector<Segment> kJaw = mandible();
+  d = smoothMin(d, archesDistance(p) - 6.0f, 14.0f);
+  d = smoothMin(d, tubesAt(kJaw, p) - 5.0f, 16.0f);
   return smoothMin(smoothMin(smoothMin(d, nose, 12.0f), lips, 10.0f), ears, 5.0f);
 }
 
@@ -224,7 +228,9 @@ void addSoftParts(std::vector<Layer>& layers) {
       layerOf(kSoftTissue, 55.0f, [](Vec p) { return skinDistance(p) + 5.0f + 1.5f * noise(p / 30.0f, 353); });
   muscle.texture = [](Vec p) { return 8.0f * noise(p / Vec(6.0f, 8.0f, 18.0f), 359); };
   layers.push_back(muscle);
-  layers.push_back(layerOf(kSoftTissue, -90.0f, [](Vec p) { return orbitDistance(p) + 1.0f; }));
+  layers.push_back(layerOf(kSoftTissue, -90.0f, [](Vec p) {
+    return std::max(orbitDistance(p) + 1.0f, skinDistance(p) + 2.2f);
+  }));
   layers.push_back(layerOf(kAirways, kAir, airwayDistance));
 }
 

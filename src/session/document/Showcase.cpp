@@ -12,6 +12,7 @@
 #include "velum/io/models/WriteModel.h"
 #include "velum/io/phantoms/Virion.h"
 #include "velum/scene/Presets.h"
+#include "velum/scene/VisibleFrame.h"
 #include "velum/scene/json/Json.h"
 #include "velum/session/document/Open.h"
 
@@ -34,13 +35,16 @@ struct Row {
 };
 
 constexpr std::pair<const char*, const char*> kHead[] = {
-    {"camera.fieldOfViewDeg", "24"},
     {"labels.tint", "0"},
+    {"volume.transfer.colors",
+     R"([{"value": -600, "color": [0.93, 0.76, 0.65]}, {"value": -100, "color": [0.91, 0.7, 0.58]},
+         {"value": 0, "color": [0.95, 0.9, 0.79]}, {"value": 1000, "color": [0.98, 0.95, 0.88]}])"},
     {"cuts.+.shape", "membrane"},
-    {"cuts.0.axis", "1,0,0"},
-    {"cuts.0.centre", "6,0,0"},
-    {"cuts.0.size", "230,230,44"},
-    {"cuts.0.membrane.field.byValue", R"([{"value": 300, "strength": 100}, {"value": 3100, "strength": 100}])"}};
+    {"cuts.0.axis", "-1,0,0"},
+    {"cuts.0.centre", "-10,0,0"},
+    {"cuts.0.size", "230,230,190"},
+    {"cuts.0.membrane.field.byValue",
+     R"([{"value": 300, "strength": 0}, {"value": 340, "strength": 300}, {"value": 3100, "strength": 300}])"}};
 constexpr std::pair<const char*, const char*> kTrunk[] = {
     {"camera.fieldOfViewDeg", "22"},
     {"camera.eye", "210,-760,640"},
@@ -62,7 +66,7 @@ constexpr std::pair<const char*, const char*> kVirus[] = {
     {"cuts.0.typeSpares", R"([{"type": "root", "share": 0.0, "falloff": 300}])"}};
 
 constexpr Row kRows[] = {
-    {{"head", "A head", "a membrane goes round the skull"}, "skull", 128, "ct-bone", scene::StandardView::Left, kHead},
+    {{"head", "A head", "a membrane goes round the skull"}, "skull", 128, "ct-skin", scene::StandardView::Oblique, kHead},
     {{"trunk", "A trunk", "organs pulled out of a cut"},
      "torso",
      128,
@@ -108,7 +112,7 @@ Loaded readShowcase(std::string_view name, const fs::path& folder, Progress& pro
   std::vector<std::string> notes;  // what was made up of a phantom is no news
   scene::Scene scene = openPhantom(*row, folder, progress, &notes);
   if (*row->preset) scene::applyPreset(scene, row->preset);
-  scene.camera = scene::frameCamera(scene, row->view, 4.0 / 3.0);
+  scene.camera = scene::frameVisible(scene, row->view, 4.0 / 3.0);
   for (auto [path, value] : row->fields) scene::setField(scene, path, value);
   scene.sections.layout = scene::Layout::Volume;
   loaded.scene = std::move(scene);

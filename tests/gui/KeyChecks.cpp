@@ -144,6 +144,20 @@ std::map<QString, Keys::Check> Keys::checks() {
     scene::Camera wanted = keys.mWindow->viewport().frame(keys.scene(), scene::defaultView(keys.scene()));
     EXPECT_LT(glm::length(keys.scene().camera.eye - wanted.eye), 1e-6);
     EXPECT_LT(glm::length(keys.scene().camera.target - wanted.target), 1e-6);
+    // All of what is bright lies in it.
+    const Volume& volume = *keys.scene().volume.data;
+    double bright = 0.5 * (volume.range.x + volume.range.y);
+    int outside = 0;
+    for (int z = 0; z < volume.dims.z; ++z)
+      for (int y = 0; y < volume.dims.y; ++y)
+        for (int x = 0; x < volume.dims.x; ++x) {
+          if (valueAt(volume, {x, y, z}) < bright) continue;
+          glm::dvec3 world(volume.worldFromVoxel * glm::dvec4(x, y, z, 1.0));
+          auto pixel = scene::pixelFromWorld(keys.scene().camera, keys.size(), world);
+          outside += !pixel || glm::any(glm::lessThan(*pixel, glm::dvec2(0))) ||
+                     glm::any(glm::greaterThan(*pixel, keys.size()));
+        }
+    EXPECT_EQ(outside, 0);
   };
   all["layout.four"] = laysOut(Layout::FourUp);
   all["layout.volume"] = laysOut(Layout::Volume);

@@ -40,12 +40,14 @@ void VolumeCommands::refresh(const session::Session& session) {
 }
 
 void VolumeCommands::reread(const QString& step, const scene::Source& source) {
-  auto after = std::make_shared<scene::Scene>(mParts.session.scene());
-  Shared<Volume> before = after->volume.data;
+  const scene::Scene before = mParts.session.scene();
+  auto after = std::make_shared<scene::Scene>(before);
   mParts.jobs.start(
       step, [after, source](Progress& progress) { session::rereadVolume(*after, source, progress); },
-      [this, after, before, step] {
-        if (!(mParts.session.scene().volume.data == before)) return;  // another one was opened meanwhile
+      [this, after, before, step, source] {
+        const scene::Scene& now = mParts.session.scene();
+        if (!(now.volume.data == before.volume.data)) return;  // another one was opened meanwhile
+        if (!(now == before)) return reread(step, source);     // what was done meanwhile is not to be lost
         mParts.document().edit(step.toStdString(), [&](scene::Scene& scene) { scene = *after; });
       });
 }

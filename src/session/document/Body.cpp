@@ -131,25 +131,29 @@ Grid spread(const Grid& grid, glm::ivec3 radius, bool grows) {
   return to;
 }
 
+/// Calls visit(cell) for those that share a face with one.
+template <class Visit>
+void eachNeighbour(const Grid& grid, std::size_t at, const Visit& visit) {
+  std::size_t row = std::size_t(grid.dims.x), plane = row * std::size_t(grid.dims.y);
+  std::size_t x = at % row, y = at / row % std::size_t(grid.dims.y), z = at / plane;
+  if (x > 0) visit(at - 1);
+  if (x + 1 < row) visit(at + 1);
+  if (y > 0) visit(at - row);
+  if (y + 1 < std::size_t(grid.dims.y)) visit(at + row);
+  if (z > 0) visit(at - plane);
+  if (z + 1 < std::size_t(grid.dims.z)) visit(at + plane);
+}
+
 /// The cells that hang together with one by their faces. @param seen  marks them
 std::vector<std::size_t> pieceAt(const Grid& grid, std::size_t first, std::vector<std::uint8_t>& seen) {
   std::vector<std::size_t> piece{first};
   seen[first] = 1;
-  std::size_t row = std::size_t(grid.dims.x), plane = row * std::size_t(grid.dims.y);
-  for (std::size_t i = 0; i < piece.size(); ++i) {
-    std::size_t at = piece[i], x = at % row, y = at / row % std::size_t(grid.dims.y), z = at / plane;
-    auto visit = [&](bool isInside, std::size_t other) {
-      if (!isInside || seen[other] || !grid.cells[other]) return;
+  for (std::size_t i = 0; i < piece.size(); ++i)
+    eachNeighbour(grid, piece[i], [&](std::size_t other) {
+      if (seen[other] || !grid.cells[other]) return;
       seen[other] = 1;
       piece.push_back(other);
-    };
-    visit(x > 0, at - 1);
-    visit(x + 1 < row, at + 1);
-    visit(y > 0, at - row);
-    visit(y + 1 < std::size_t(grid.dims.y), at + row);
-    visit(z > 0, at - plane);
-    visit(z + 1 < std::size_t(grid.dims.z), at + plane);
-  }
+    });
   return piece;
 }
 
@@ -180,22 +184,13 @@ void growAlong(std::vector<std::uint32_t>& pieces, const Grid& grid) {
   std::vector<std::size_t> front, next;
   for (std::size_t i = 0; i < pieces.size(); ++i)
     if (pieces[i]) front.push_back(i);
-  std::size_t row = std::size_t(grid.dims.x), plane = row * std::size_t(grid.dims.y);
   for (; !front.empty(); front.swap(next), next.clear())
-    for (std::size_t at : front) {
-      std::size_t x = at % row, y = at / row % std::size_t(grid.dims.y), z = at / plane;
-      auto visit = [&](bool isInside, std::size_t other) {
-        if (!isInside || pieces[other] || !grid.cells[other]) return;
+    for (std::size_t at : front)
+      eachNeighbour(grid, at, [&](std::size_t other) {
+        if (pieces[other] || !grid.cells[other]) return;
         pieces[other] = pieces[at];
         next.push_back(other);
-      };
-      visit(x > 0, at - 1);
-      visit(x + 1 < row, at + 1);
-      visit(y > 0, at - row);
-      visit(y + 1 < std::size_t(grid.dims.y), at + row);
-      visit(z > 0, at - plane);
-      visit(z + 1 < std::size_t(grid.dims.z), at + plane);
-    }
+      });
 }
 
 void keepBoth(Grid& grid, const Grid& other) {
@@ -227,17 +222,13 @@ void fillPlanes(Grid& grid) {
 void joinTouching(std::vector<std::uint32_t>& pieces, const Grid& grid) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> contacts;
   std::map<std::uint32_t, std::size_t> sizes;
-  std::size_t row = std::size_t(grid.dims.x), plane = row * std::size_t(grid.dims.y);
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     if (!pieces[i]) continue;
     ++sizes[pieces[i]];
-    std::size_t x = i % row, y = i / row % std::size_t(grid.dims.y), z = i / plane;
-    auto visit = [&](bool isInside, std::size_t other) {
-      if (isInside && pieces[other] && pieces[other] != pieces[i]) ++contacts[std::minmax(pieces[i], pieces[other])];
-    };
-    visit(x + 1 < row, i + 1);
-    visit(y + 1 < std::size_t(grid.dims.y), i + row);
-    visit(z + 1 < std::size_t(grid.dims.z), i + plane);
+    eachNeighbour(grid, i, [&](std::size_t other) {
+      // Each pair once.
+      if (other > i && pieces[other] && pieces[other] != pieces[i]) ++contacts[std::minmax(pieces[i], pieces[other])];
+    });
   }
   std::set<std::uint32_t> joined{1};
   for (bool goesOn = true; goesOn;) {

@@ -81,6 +81,9 @@ void addInput(CLI::App& verb, InputOptions& input, bool withScene) {
                   "read this file as labels, whatever it looks like; with no other input, alone");
   verb.get_option("input")->required(false);
   verb.add_option("--preset", input.preset, "look by name, e.g. ct-bone");
+  verb.add_flag_function(
+      "--smooth,!--no-smooth", [&input](std::int64_t count) { input.smooth = count > 0; },
+      "cubic between voxels, not linear; by itself where slices are over twice as thick as voxels are wide");
   verb.add_option("--finish", input.finish, fmt::format("what an illustrator adds: {}", finishNames()));
   verb.add_option("--transfer", input.transfer,
                   "transfer function from a file: .velum-transfer.json, or 3D Slicer's .vp.json or .vp");
@@ -250,6 +253,7 @@ scene::Scene openScene(const InputOptions& input, double aspect) {
   bool isScene =
       (first.ends_with(".json") && !io::looksLikeModel(first)) || first.ends_with(".png") || first.ends_with(".exr");
   if (!input.preset.empty()) scene::applyPreset(scene, input.preset);
+  if (input.smooth) scene.volume.smooth = *input.smooth;
   if (!input.transfer.empty()) printWarnings(input.transfer, session::importLook(scene, input.transfer));
   if (input.hidesTable) scene.volume.bodyOnly = true;
   session::settleBody(scene, progress);  // before the camera looks at what is left

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,7 @@ struct InputOptions {
   std::string series, preset, finish, transfer, view, labels;
   bool hidesTable = false;
   std::vector<double> spacing;
+  std::optional<bool> smooth;
   std::string raw;  ///< "XxYxZ:type[:be][:+header]"
 };
 

@@ -15,6 +15,7 @@ VolumeKey volumeKeyOf(const scene::VolumeLayer& layer) {
   if (!layer.data || !layer.visible) return key;
   key.id = layer.data.id();
   key.timeStep = layer.timeStep;
+  key.isSmooth = layer.smooth;
   if (!scene::mixesChannels(layer)) {
     key.channel = layer.channel;
     return key;

@@ -20,7 +20,8 @@ struct VolumeKey {
   std::uint64_t id = 0;  ///< Of the volume; 0: none.
   int channel = 0, timeStep = 0;
   std::vector<scene::TransferFunction>
-      mixed;             ///< Of the channels that are mixed, empty of hidden ones: they are in the texels.
+      mixed;  ///< Of the channels that are mixed, empty of hidden ones: they are in the texels.
+  bool isSmooth = false;
   bool isQuick = false;  ///< The small copy.
   bool operator==(const VolumeKey&) const = default;
 };

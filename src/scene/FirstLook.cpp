@@ -76,6 +76,14 @@ double veiledShare(const Borders& borders, const TransferFunction& transfer) {
   return double(veiled) / double(std::max<std::size_t>(borders.values.size(), 1));
 }
 
+/// One axis is over twice as coarse as the others.
+bool hasThickSlices(const Volume& volume) {
+  glm::dvec3 s = spacingOf(volume);
+  double finest = std::min(s.x, std::min(s.y, s.z)), coarsest = std::max(s.x, std::max(s.y, s.z));
+  double middle = s.x + s.y + s.z - finest - coarsest;
+  return coarsest > 2.0 * middle;
+}
+
 /// A single plane is shown as the picture that it is: nothing lies behind it, and light would only fall on its noise.
 void showPlane(Scene& scene) {
   glm::dvec2 range = scene.volume.data->range;
@@ -87,6 +95,7 @@ void showPlane(Scene& scene) {
 
 void applyFirstLook(Scene& scene) {
   const Volume& volume = *scene.volume.data;
+  scene.volume.smooth = hasThickSlices(volume);
   std::string_view chosen = choosePreset(volume);
   applyPreset(scene, chosen);
   if (volume.isColor || volume.channels > 1) return;

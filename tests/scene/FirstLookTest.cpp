@@ -92,6 +92,16 @@ TEST(FirstLook, OfASinglePlaneIsThePictureThatItIs) {
   for (double value : {-0.9, 0.0, 0.9}) EXPECT_GT(opacityAt(scene.volume.transfer.opacities, value), 0.9);
 }
 
+TEST(FirstLook, IsSmoothWhereSlicesAreOverTwiceAsThickAsVoxelsAreWide) {
+  for (double thickness : {0.3, 1.0, 1.9, 2.1, 7.0}) {
+    glm::dmat4 m(1.0);
+    m[1][1] = thickness;
+    Scene scene = firstLook(makeVolume(
+        {20, 20, 20}, SampleType::Int16, [](glm::ivec3 p) { return p.x * 100.0; }, m));
+    EXPECT_EQ(scene.volume.smooth, thickness > 2.0) << thickness;
+  }
+}
+
 TEST(FirstLook, LeavesAloneWhatStandsInAir) {
   Volume v = makeVolume({kSize, kSize, kSize}, SampleType::UInt16, [](glm::ivec3 p) {
     return radius(p, kSize) < 0.7 ? 600.0 + 50.0 * hashNoise(p) : 20.0 * std::abs(hashNoise(p));

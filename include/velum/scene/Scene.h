@@ -29,7 +29,8 @@ struct VolumeLayer {
   bool bodyOnly = false;  ///< what is not part of the largest body, as the table of a scanner, is air
   Shared<Volume> given;   ///< not saved: what `source` holds, where `data` is but its body
   bool visible = true;
-  int timeStep = 0;  ///< 0..timeSteps-1
+  bool smooth = false;  ///< cubic between voxels, not linear: thick slices without stairs
+  int timeStep = 0;     ///< 0..timeSteps-1
   int channel =
       0;  ///< 0..channels-1; colour volumes show their colours. The one that is edited where several are mixed
   TransferFunction transfer;
@@ -42,6 +43,7 @@ struct VolumeLayer {
     visit("bodyOnly", o.bodyOnly,
           FieldInfo{"", {}, "On: what is not part of the largest body, as the scanner's table, is left out."});
     visit("visible", o.visible, FieldInfo{"", {}, "Off: the volume is not drawn."});
+    visit("smooth", o.smooth, FieldInfo{"", {}, "Cubic between voxels, not linear: thick slices without stairs."});
     visit("timeStep", o.timeStep, FieldInfo{"", {0, 1e9}, "Time step."});
     visit("channel", o.channel, FieldInfo{"", {0, 1e9}, "Channel that is shown."});
     visit("transfer", o.transfer, FieldInfo{"", {}, "Colour and opacity by value."});

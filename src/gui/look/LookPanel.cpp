@@ -76,6 +76,14 @@ QWidget* LookPanel::makeLook() {
   rows->addWidget(mMode, 0, 1);
   rows->addWidget(mIsoLabel, 1, 0);
   rows->addWidget(mIso, 1, 1);
+  mSmooth = new QCheckBox(tr("Smooth"), section);
+  mSmooth->setObjectName("smooth");
+  mSmooth->setAccessibleName(tr("Smooth"));
+  mSmooth->setToolTip(tr("Cubic between voxels, not linear: no stairs where voxels are long. Takes more memory"));
+  rows->addWidget(mSmooth, 2, 1);
+  connect(mSmooth, &QCheckBox::clicked, this, [this](bool on) {
+    mDocument.edit("Change smoothing", [on](scene::Scene& scene) { scene.volume.smooth = on; });
+  });
   connect(mMode, &QComboBox::activated, this, &LookPanel::chooseMode);
   connect(mIso, &NumberRow::changed, this, [this](double value) {
     mDocument.edit(
@@ -167,6 +175,8 @@ void LookPanel::refresh() {
   mEditor->refresh();
   mMode->setCurrentIndex(static_cast<int>(scene.rayCast.mode));
   mMode->setEnabled(bool(volume));
+  mSmooth->setChecked(scene.volume.smooth);
+  mSmooth->setEnabled(volume && !volume->isColor && !scene::mixesChannels(scene.volume));
   bool iso = scene.rayCast.mode == scene::RenderMode::Iso && volume;
   mIsoLabel->setVisible(iso);
   mIso->setVisible(iso);

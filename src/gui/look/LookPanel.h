@@ -1,4 +1,5 @@
 #pragma once
+#include <QCheckBox>
 #include <QComboBox>
 #include <QWidget>
 
@@ -40,6 +41,7 @@ class LookPanel : public QWidget {
   PresetGrid* mPresets;
   TransferEditor* mEditor;
   QComboBox* mMode = nullptr;
+  QCheckBox* mSmooth = nullptr;
   QLabel* mIsoLabel = nullptr;
   NumberRow *mIso = nullptr, *mShadow = nullptr, *mOcclusion = nullptr;
   ColorButton *mTop = nullptr, *mBottom = nullptr;

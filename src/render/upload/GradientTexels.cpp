@@ -42,23 +42,27 @@ void differRow(int width, const RowAt& rowAt, std::array<std::vector<float>, 3>&
 }  // namespace
 
 template <class Texel>
-std::vector<glm::u8vec4> computeGradients(const Texel* texels, glm::ivec3 dims, int firstPlane, int z0, int z1,
-                                          double longestGradient) {
+std::vector<glm::vec3> takeDifferences(const Texel* texels, glm::ivec3 dims, int firstPlane, int z0, int z1) {
   auto width = std::size_t(dims.x), height = std::size_t(dims.y);
-  int low = std::max(0, z0 - 1), high = std::min(dims.z, z1 + 1);
-  std::vector<glm::vec3> differences(width * height * std::size_t(high - low));
-  parallelFor(0, (high - low) * dims.y, [&](int job) {
+  std::vector<glm::vec3> differences(width * height * std::size_t(z1 - z0));
+  parallelFor(0, (z1 - z0) * dims.y, [&](int job) {
     auto rowAt = [&](int dy, int dz) {
-      int y = std::clamp(job % dims.y + dy, 0, dims.y - 1), z = std::clamp(low + job / dims.y + dz, 0, dims.z - 1);
+      int y = std::clamp(job % dims.y + dy, 0, dims.y - 1), z = std::clamp(z0 + job / dims.y + dz, 0, dims.z - 1);
       return texels + (std::size_t(z - firstPlane) * height + std::size_t(y)) * width;
     };
     std::array<std::vector<float>, 3> near;
     for (auto& row : near) row.resize(width + 2);
     differRow(dims.x, rowAt, near, &differences[std::size_t(job) * width]);
   });
+  return differences;
+}
+
+std::vector<glm::u8vec4> packDifferences(const glm::vec3* differences, glm::ivec3 dims, int z0, int z1,
+                                         double longestGradient) {
+  auto width = std::size_t(dims.x), height = std::size_t(dims.y);
+  int low = std::max(0, z0 - 1), high = std::min(dims.z, z1 + 1);
   std::vector<glm::u8vec4> gradients(width * height * std::size_t(z1 - z0));
-  float toShare =
-      float(1.0 / (longestGradient * (std::is_same_v<Texel, float> ? 1.0 : double(std::numeric_limits<Texel>::max()))));
+  float toShare = float(1.0 / longestGradient);
   parallelFor(0, (z1 - z0) * dims.y, [&](int job) {
     int z = z0 + job / dims.y, y = job % dims.y;
     auto differencesOf = [&](int b, int c) {
@@ -83,6 +87,16 @@ std::vector<glm::u8vec4> computeGradients(const Texel* texels, glm::ivec3 dims, 
   return gradients;
 }
 
+template <class Texel>
+std::vector<glm::u8vec4> computeGradients(const Texel* texels, glm::ivec3 dims, int firstPlane, int z0, int z1,
+                                          double longestGradient) {
+  auto differences =
+      takeDifferences(texels, dims, firstPlane, std::max(0, z0 - 1), std::min(dims.z, z1 + 1));
+  double most = std::is_same_v<Texel, float> ? 1.0 : double(std::numeric_limits<Texel>::max());
+  return packDifferences(differences.data(), dims, z0, z1, longestGradient * most);
+}
+
+template std::vector<glm::vec3> takeDifferences(const float*, glm::ivec3, int, int, int);
 template std::vector<glm::u8vec4> computeGradients(const std::uint8_t*, glm::ivec3, int, int, int, double);
 template std::vector<glm::u8vec4> computeGradients(const std::uint16_t*, glm::ivec3, int, int, int, double);
 template std::vector<glm::u8vec4> computeGradients(const float*, glm::ivec3, int, int, int, double);

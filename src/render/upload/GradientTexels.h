@@ -18,4 +18,14 @@ template <class Texel>
 std::vector<glm::u8vec4> computeGradients(const Texel* texels, glm::ivec3 dims, int firstPlane, int z0, int z1,
                                           double longestGradient);
 
+/// The differences alone, of planes z0..z1, before they are packed.
+/// @param texels  planes z0 - 1 .. z1 + 1, as far as there are any
+template <class Texel>
+std::vector<glm::vec3> takeDifferences(const Texel* texels, glm::ivec3 dims, int firstPlane, int z0, int z1);
+
+/// Differences as computeGradients() returns them.
+/// @param differences  planes z0 - 1 .. z1 + 1, as far as there are any
+std::vector<glm::u8vec4> packDifferences(const glm::vec3* differences, glm::ivec3 dims, int z0, int z1,
+                                         double longestGradient);
+
 }  // namespace velum::render

@@ -10,6 +10,7 @@
 #include <type_traits>
 
 #include "GradientTexels.h"
+#include "SmoothTexels.h"
 #include "VolumeTexels.h"
 #include "velum/gpu/GpuError.h"
 
@@ -34,10 +35,29 @@ std::optional<TexelPlan> packedPlan(TexelPlan plan) {
   return plan;
 }
 
+/// Of a smooth volume with its gradients: texels close together are no gain beyond that.
+constexpr double kMostSmoothBytes = double(1u << 30);
+
+/// Texels per voxel of a smooth volume, fewer where there is no room.
+glm::ivec3 finestThatFits(const Volume& volume, double mostBytes, int mostAlong) {
+  constexpr double kTexelBytes = 8.0;  // a float and its gradient
+  glm::ivec3 finer = smoothFactors(volume);
+  auto fits = [&] {
+    return double(product(volume.dims * finer)) * kTexelBytes <= mostBytes && maxOf(volume.dims * finer) <= mostAlong;
+  };
+  while (finer != glm::ivec3(1) && !fits()) {
+    int most = finer.x >= finer.y && finer.x >= finer.z ? 0 : finer.y >= finer.z ? 1 : 2;
+    --finer[most];
+  }
+  return finer;
+}
+
 }  // namespace
 
 struct VolumeUpload::Impl {
   VolumeTexels source;
+  glm::ivec3 finer{1};  ///< Texels per voxel, where they are smooth.
+  std::optional<SmoothGradients> smoothGradients;
   TexelPlan plan;
   GpuVolume out;
   int nextCellZ = 0;
@@ -82,8 +102,17 @@ VolumeUpload::VolumeUpload(const scene::VolumeLayer& layer, const gpu::Limits& l
   }
   GpuVolume& out = m.out;
   out.dims = source.dims = dimsAt(source.factor);
+  if (layer.smooth && source.factor == 1 && !source.isQuick && !isColor) {
+    m.finer = finestThatFits(*volume, std::min(mostBytes, kMostSmoothBytes), limits.texture3d);
+    if (m.finer != glm::ivec3(1)) {
+      m.plan = kAsFloats;  // integers would show their steps where texels are close
+      m.smoothGradients.emplace(source, m.finer);
+    }
+    out.dims *= m.finer;
+  }
   // A GPU takes differences on demand only where there is no room: 26 fetches for one.
   if (!limits.isSoftware) wantsGradients = product(out.dims) * 4 <= limits.memoryBytes / 8;
+  if (m.smoothGradients) wantsGradients = true;  // on demand they would be of texels, not of voxels
   if (source.factor > 1) {
     bool tooLong = maxOf(volume->dims) > limits.texture3d;
     out.reduction =
@@ -100,7 +129,7 @@ VolumeUpload::VolumeUpload(const scene::VolumeLayer& layer, const gpu::Limits& l
   out.valueOffset = isMixed ? 0.0 : m.plan.offset * volume->scale + volume->offset;
   glm::dmat4 voxelFromTex(1.0);
   for (int axis = 0; axis < 3; ++axis) {
-    voxelFromTex[axis][axis] = double(out.dims[axis]) * source.factor;
+    voxelFromTex[axis][axis] = double(source.dims[axis]) * source.factor;
     voxelFromTex[3][axis] = -0.5;
   }
   out.worldFromTex = volume->worldFromVoxel * voxelFromTex;
@@ -132,10 +161,14 @@ template <class Texel>
 void VolumeUpload::Impl::stepAs() {
   int cz0 = nextCellZ, cz1 = std::min(out.cells.size.z, cz0 + cellLayersPerStep);
   int z0 = cz0 * out.cells.edge, z1 = std::min(out.dims.z, cz1 * out.cells.edge);
-  int halo = out.gradient ? 2 : 1;
+  int halo = out.gradient && !smoothGradients ? 2 : 1;
   int halo0 = std::max(0, z0 - halo), halo1 = std::min(out.dims.z, z1 + halo);
   std::vector<Texel> scratch;
-  const Texel* texels = source.planes<Texel>(halo0, halo1, scratch);
+  const Texel* texels = nullptr;
+  if constexpr (std::is_same_v<Texel, float>) {
+    if (smoothGradients) texels = (scratch = smoothPlanes(source, finer, halo0, halo1)).data();
+  }
+  if (!texels) texels = source.planes<Texel>(halo0, halo1, scratch);
   std::size_t planeSize = std::size_t(out.dims.x) * std::size_t(out.dims.y);
   if constexpr (std::is_same_v<Texel, std::uint8_t> || std::is_same_v<Texel, std::uint16_t>) {
     if (out.packing != Packing::None) {
@@ -149,9 +182,15 @@ void VolumeUpload::Impl::stepAs() {
   std::vector<glm::vec2> layerRanges;
   auto finish = [&](const auto* values) {
     layerRanges = computeCellRanges(values, out.dims, out.cells, cz0, cz1, halo0);
-    if (out.gradient)
-      out.gradient.write({0, 0, z0}, {out.dims.x, out.dims.y, z1 - z0},
-                         computeGradients(values, out.dims, halo0, z0, z1, longestGradient).data());
+    if (!out.gradient) return;
+    std::vector<glm::u8vec4> gradients;
+    if (smoothGradients) {
+      auto numbers = smoothGradients->planes(halo0, halo1);
+      gradients = packDifferences(reinterpret_cast<const glm::vec3*>(numbers.data()), out.dims, z0, z1, longestGradient);
+    } else {
+      gradients = computeGradients(values, out.dims, halo0, z0, z1, longestGradient);
+    }
+    out.gradient.write({0, 0, z0}, {out.dims.x, out.dims.y, z1 - z0}, gradients.data());
   };
   if constexpr (std::is_same_v<Texel, glm::u8vec4>) {
     std::vector<std::uint8_t> grey(planeSize * std::size_t(halo1 - halo0));

@@ -1,0 +1,79 @@
+// Texels finer than voxels: the spline through them.
+#include <gtest/gtest.h>
+
+#include "makeVolume.h"
+#include "upload/SmoothTexels.h"
+
+namespace velum::render {
+namespace {
+
+template <class ValueOf>
+VolumeTexels texelsOf(glm::ivec3 dims, ValueOf valueOf) {
+  VolumeTexels texels;
+  texels.volume = Shared<Volume>(makeVolume(dims, SampleType::Float32, valueOf));
+  texels.dims = dims;
+  return texels;
+}
+
+TEST(SmoothTexels, MakeACoarseAxisAsFineAsTheFinestOne) {
+  auto factors = [](glm::dvec3 spacing) {
+    glm::dmat4 m(1.0);
+    for (int axis = 0; axis < 3; ++axis) m[axis][axis] = spacing[axis];
+    return smoothFactors(makeVolume(
+        {8, 8, 8}, SampleType::UInt8, [](glm::ivec3) { return 0.0; }, m));
+  };
+  EXPECT_EQ(factors({0.8, 0.8, 5.0}), glm::ivec3(1, 1, 6));
+  EXPECT_EQ(factors({3.0, 1.0, 1.0}), glm::ivec3(3, 1, 1));
+  EXPECT_EQ(factors({1.0, 1.0, 100.0}), glm::ivec3(1, 1, 8));
+  EXPECT_EQ(factors({1.0, 1.0, 1.2}), glm::ivec3(2, 2, 2));
+}
+
+TEST(SmoothTexels, GoThroughTheVoxels) {
+  glm::ivec3 dims(9, 8, 11), finer(3, 1, 5), fine = dims * finer;
+  VolumeTexels source = texelsOf(dims, [](glm::ivec3 p) { return 10.0 + hashNoise(p); });
+  auto texels = smoothPlanes(source, finer, 0, fine.z);
+  for (int z = 0; z < dims.z; ++z)
+    for (int y = 0; y < dims.y; ++y)
+      for (int x = 0; x < dims.x; ++x) {
+        auto at = (std::size_t(z * 5 + 2) * std::size_t(fine.y) + std::size_t(y)) * std::size_t(fine.x) +
+                  std::size_t(x * 3 + 1);
+        // What lies farther than five voxels away is not asked.
+        EXPECT_NEAR(texels[at], valueAt(*source.volume, {x, y, z}), 0.01);
+      }
+}
+
+TEST(SmoothTexels, FollowAWaveOfSixVoxelsCloserThanLinesDo) {
+  glm::ivec3 dims(4, 4, 60), finer(1, 1, 6);
+  auto wave = [](double z) { return std::sin(2.0 * 3.14159265 * z / 6.0); };
+  VolumeTexels source = texelsOf(dims, [&](glm::ivec3 p) { return wave(p.z); });
+  auto texels = smoothPlanes(source, finer, 0, dims.z * finer.z);
+  double worst = 0.0, worstOfLines = 0.0;
+  for (int z = 60; z < 300; ++z) {
+    double place = (z + 0.5) / 6.0 - 0.5, low = std::floor(place), share = place - low;
+    worst = std::max(worst, std::abs(texels[std::size_t(z) * 16] - wave(place)));
+    double line = wave(low) * (1.0 - share) + wave(low + 1.0) * share;
+    worstOfLines = std::max(worstOfLines, std::abs(line - wave(place)));
+  }
+  EXPECT_LT(worst, 0.02);  // lines: 0.13
+  EXPECT_GT(worstOfLines, 0.1);
+}
+
+/// Halves of a plane come out as a whole one does; nothing swings over beside an edge.
+TEST(SmoothTexels, SlabsAreSeamlessAndEdgesDoNotRing) {
+  glm::ivec3 dims(5, 6, 20), finer(2, 2, 2), fine = dims * finer;
+  VolumeTexels source = texelsOf(dims, [](glm::ivec3 p) { return p.z < 10 ? -1000.0 : 40.0; });
+  auto whole = smoothPlanes(source, finer, 0, fine.z);
+  std::vector<float> parts;
+  for (int z = 0; z < fine.z; z += 7) {
+    auto slab = smoothPlanes(source, finer, z, std::min(fine.z, z + 7));
+    parts.insert(parts.end(), slab.begin(), slab.end());
+  }
+  EXPECT_EQ(whole, parts);
+  for (float value : whole) {
+    EXPECT_GE(value, -1000.0f);
+    EXPECT_LE(value, 40.0f);
+  }
+}
+
+}  // namespace
+}  // namespace velum::render

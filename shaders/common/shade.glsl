@@ -4,7 +4,7 @@
 layout(binding = kLightUnit) uniform sampler3D lightTexture;  // r: light that reaches a cell, g: openness of its surroundings
 
 /// Where the light on a surface is looked up, in texture coordinates of the light grid: a cell off the material.
-vec3 lightTexAt(vec3 scenePoint, vec3 normal) { return (frame.texFromScene * vec4(scenePoint + normal * frame.lightCell, 1.0)).xyz; }
+vec3 lightTexAt(vec3 scenePoint, vec3 normal) { return (frame.texFromScene * vec4(scenePoint + normal * (1.5 * frame.lightCell), 1.0)).xyz; }
 
 /// @param normal  unit, out of the material; towardsEye unit; tex as lightTexAt()
 vec3 shadeSurface(vec3 albedo, vec3 normal, vec3 towardsEye, vec3 tex) {

@@ -98,15 +98,30 @@ float gradientFactor(vec3 gradient) {
 }
 
 #if LABELS == 1
+float tableFrom(vec3 scenePoint) { return tableAt((frame.texFromScene * vec4(scenePoint, 1.0)).xyz); }
+
+/// The middle of the label voxel around a place.
+vec3 labelMiddleAt(vec3 scenePoint) {
+  vec3 voxel = labelVoxelAt(scenePoint);
+  return scenePoint + inverse(mat3(frame.labelFromScene)) * (floor(voxel) + 0.5 - voxel);
+}
+
 /// The colour of material, by its structure. A surface may lie a little before the label of what it bounds, where it is
-/// chance whose a voxel is: in the midst of a structure, who is shown behind the surface lends his colour.
+/// chance whose a voxel is: who is behind it lends his colour where the voxel's own value lies between what is before it
+/// and what is behind it, on the slope from one to the other. On a thin vessel or a thin skin it is the top.
 /// @param outwards  from the surface, not longer than 1; shorter where there hardly is one, 0 on the face of a cut
 vec3 tinted(vec3 albedo, vec3 scenePoint, vec3 outwards, uint structure) {
   vec3 across = outwards * (1.2 / frame.voxelsPerLength);
-  uint inner = labelAt(scenePoint - across);
-  bool lends = inner != structure && inner != 0u && structureRow(inner).a > 0.0;
-  if (!lends || labelAt(scenePoint + across) != structure) inner = structure;
-  return mix(albedo, structureRow(inner).rgb, structureTint(inner));
+  uint inner = labelAt(scenePoint - (structure == 0u ? 0.5 : 1.0) * across);
+  if (inner == structure) inner = labelAt(scenePoint - 1.5 * across);
+  if (inner != structure && inner != 0u && structureRow(inner).a > 0.0) {
+    float before = tableFrom(scenePoint + across);
+    float a = tableFrom(scenePoint - 0.5 * across), b = tableFrom(scenePoint - across);
+    float top = abs(a - before) > abs(b - before) ? a : b;
+    float down = (top - tableFrom(labelMiddleAt(scenePoint))) / (top - before);
+    if (down > 0.25 && down < 1.25) structure = inner;
+  }
+  return mix(albedo, structureRow(structure).rgb, structureTint(structure));
 }
 #endif
 
@@ -170,7 +185,7 @@ vec3 labelGradientAt(vec3 scenePoint) {
 #endif
 
 /// Gradient of the data value per, scene frame: differences over two voxels of values that are smoothed across by 1 2 1.
-/// Looked up in a texture of them, where there is room for one (`computeGradients`); else the same on demand.
+/// Looked up in a texture of them, where there is room for one (`GradientPlanes`, which smooth them further); else on demand.
 vec3 gradientAt(vec3 tex) {
 #if GRADIENTS
   vec4 texel = textureLod(gradientTexture, tex, 0.0);

@@ -45,7 +45,7 @@ Place placeAt(vec3 tex) {
   place.extinction = extinctionAt(tableAt(tex)) * factor;
 #endif
 #endif
-  place.extinction = shownExtinction(place.extinction, place.point, place.structure);
+  place.extinction = min(shownExtinction(place.extinction, place.point, place.structure), 2.0 / frame.lightCell);
   return place;
 }
 

@@ -44,7 +44,7 @@ void addSurface(inout Hit hit, Ray ray, Walk walk, float t, Face face, bool spar
   albedo = volumeColorAt(tex);
 #endif
 #if LABELS == 1
-  albedo = tinted(albedo, p, isOnFace(face) ? vec3(0.0) : normal, structure);
+  albedo = tinted(albedo, p, isOnFace(face) || sparedOnly ? vec3(0.0) : normal, structure);
   if (hasFlag(kFlagOverlaps) && sparedOnly && endFaceAt(p, structure).isShared) albedo = mix(albedo, kOverlapColor, kOverlapShare);
 #endif
   vec3 color = shadeSurface(albedo, normal, -ray.direction, lightTexAt(p, normal));

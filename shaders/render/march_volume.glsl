@@ -73,7 +73,8 @@ void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, float faceT,
   if (hasFlag(kFlagStructureLooks)) {
     depth *= structure == 0u ? frame.unlabelledOpacity : structureRow(structure).a;
     bool isByFace = faceT >= 0.0 && (tm - faceT) * frame.voxelsPerLength < 1.5;
-    albedo = tinted(albedo, p, isByFace || !asksGradient ? vec3(0.0) : outwards * steepness, structure);
+    // What is spared alone borders on what is not there.
+    albedo = tinted(albedo, p, isByFace || sparedOnly || !asksGradient ? vec3(0.0) : outwards * steepness, structure);
   }
 #endif
 #endif

@@ -74,7 +74,8 @@ void printVolume(const Json& json) {
   }
   double seconds = json["frameSeconds"].get<double>();
   if (frames > 1)
-    line("time steps", fmt::format("{}{}", frames, seconds > 0 ? fmt::format(", {} s apart", tidyNumber(seconds)) : ""));
+    line("time steps",
+         fmt::format("{}{}", frames, seconds > 0 ? fmt::format(", {} s apart", tidyNumber(seconds)) : ""));
   if (!json["orientationKnown"].get<bool>()) line("patient", "how it lay is not in the file");
   line("first look", textIn(json, "preset"));
 }

@@ -137,7 +137,8 @@ int run(int argc, char** argv) {
   QApplication::setWindowIcon(QIcon(":/velum/velum.svg"));
   velum::gui::applyTheme(application, velum::gui::Preferences().theme());
   int memory = velum::gui::Preferences().graphicsMemory();
-  if (memory > 0 && !qEnvironmentVariableIsSet("VELUM_GPU_MEMORY_MB")) qputenv("VELUM_GPU_MEMORY_MB", QByteArray::number(memory));
+  if (memory > 0 && !qEnvironmentVariableIsSet("VELUM_GPU_MEMORY_MB"))
+    qputenv("VELUM_GPU_MEMORY_MB", QByteArray::number(memory));
 
   QCommandLineParser parser;
   describeOptions(parser);

@@ -73,9 +73,8 @@ void drawCone(Lines& lines, glm::dvec3 half, OutlineDetail detail) {
 void drawMembrane(Lines& lines, glm::dvec3 half, OutlineDetail) { lines.push_back(rectangle(half, 0.0)); }
 
 /// In the order of CutShape.
-constexpr void (*kDraw[])(Lines&, glm::dvec3, OutlineDetail) = {drawNothing,  drawBox,  drawSphere,
-                                                                drawCylinder, drawCone, drawMembrane,
-                                                                drawNothing};
+constexpr void (*kDraw[])(Lines&, glm::dvec3, OutlineDetail) = {drawNothing, drawBox,      drawSphere, drawCylinder,
+                                                                drawCone,    drawMembrane, drawNothing};
 static_assert(std::size(kDraw) == std::size(EnumNames<CutShape>::kNames), "each shape has its outline");
 
 }  // namespace

@@ -127,7 +127,7 @@ const Offset kFinishOffsets[] = {VELUM_OFFSET(FinishParams, contourColor),  VELU
                                  VELUM_OFFSET(FinishParams, reach),         VELUM_OFFSET(FinishParams, sphereRows),
                                  VELUM_OFFSET(FinishParams, cellsX),        VELUM_OFFSET(FinishParams, cellsY),
                                  VELUM_OFFSET(FinishParams, firstCellX),    VELUM_OFFSET(FinishParams, firstCellY),
-                                 VELUM_OFFSET(FinishParams, stepLength),      VELUM_OFFSET(FinishParams, passesPits)};
+                                 VELUM_OFFSET(FinishParams, stepLength),    VELUM_OFFSET(FinishParams, passesPits)};
 
 TEST_F(ShaderGL, FinishParamsLieWhereTheDriverPutsThem) {
   auto members = membersOf("finish.h", "FinishParams");
@@ -142,29 +142,29 @@ TEST_F(ShaderGL, FinishParamsLieWhereTheDriverPutsThem) {
   EXPECT_EQ(sizeof(shared::FinishParams) % 16, 0u);
 }
 
-const Offset kInstanceViewOffsets[] = {
-    VELUM_OFFSET(InstanceView, eye),
-    VELUM_OFFSET(InstanceView, right),
-    VELUM_OFFSET(InstanceView, up),
-    VELUM_OFFSET(InstanceView, forward),
-    VELUM_OFFSET(InstanceView, copyStep), VELUM_OFFSET(InstanceView, copySphere),
-    VELUM_OFFSET(InstanceView, pictureSize),
-    VELUM_OFFSET(InstanceView, shift),
-    VELUM_OFFSET(InstanceView, size),
-    VELUM_OFFSET(InstanceView, tilesX),
-    VELUM_OFFSET(InstanceView, tilesY),
-    VELUM_OFFSET(InstanceView, copiesX),
-    VELUM_OFFSET(InstanceView, copiesY),
-    VELUM_OFFSET(InstanceView, copies),
-    VELUM_OFFSET(InstanceView, instanceCount),
-    VELUM_OFFSET(InstanceView, cutCount),
-    VELUM_OFFSET(InstanceView, isOrthographic),
-    VELUM_OFFSET(InstanceView, detail),
-    VELUM_OFFSET(InstanceView, largeRadius),
-    VELUM_OFFSET(InstanceView, wholeInstances),
-    VELUM_OFFSET(InstanceView, levelCount),
-    VELUM_OFFSET(InstanceView, stateWords),
-    VELUM_OFFSET(InstanceView, padding0)};
+const Offset kInstanceViewOffsets[] = {VELUM_OFFSET(InstanceView, eye),
+                                       VELUM_OFFSET(InstanceView, right),
+                                       VELUM_OFFSET(InstanceView, up),
+                                       VELUM_OFFSET(InstanceView, forward),
+                                       VELUM_OFFSET(InstanceView, copyStep),
+                                       VELUM_OFFSET(InstanceView, copySphere),
+                                       VELUM_OFFSET(InstanceView, pictureSize),
+                                       VELUM_OFFSET(InstanceView, shift),
+                                       VELUM_OFFSET(InstanceView, size),
+                                       VELUM_OFFSET(InstanceView, tilesX),
+                                       VELUM_OFFSET(InstanceView, tilesY),
+                                       VELUM_OFFSET(InstanceView, copiesX),
+                                       VELUM_OFFSET(InstanceView, copiesY),
+                                       VELUM_OFFSET(InstanceView, copies),
+                                       VELUM_OFFSET(InstanceView, instanceCount),
+                                       VELUM_OFFSET(InstanceView, cutCount),
+                                       VELUM_OFFSET(InstanceView, isOrthographic),
+                                       VELUM_OFFSET(InstanceView, detail),
+                                       VELUM_OFFSET(InstanceView, largeRadius),
+                                       VELUM_OFFSET(InstanceView, wholeInstances),
+                                       VELUM_OFFSET(InstanceView, levelCount),
+                                       VELUM_OFFSET(InstanceView, stateWords),
+                                       VELUM_OFFSET(InstanceView, padding0)};
 
 TEST_F(ShaderGL, InstanceViewsLieWhereTheDriverPutsThem) {
   auto members = membersOf("instance.h", "InstanceView");
@@ -182,11 +182,10 @@ TEST_F(ShaderGL, InstanceViewsLieWhereTheDriverPutsThem) {
 }
 
 const Offset kFocusViewOffsets[] = {
-    VELUM_OFFSET(FocusView, eye),           VELUM_OFFSET(FocusView, right), VELUM_OFFSET(FocusView, up),
-    VELUM_OFFSET(FocusView, forward),       VELUM_OFFSET(FocusView, size),  VELUM_OFFSET(FocusView, isOrthographic),
-    VELUM_OFFSET(FocusView, cut),           VELUM_OFFSET(FocusView, guidesDepth),
-    VELUM_OFFSET(FocusView, hasAperture),   VELUM_OFFSET(FocusView, padding0),
-    VELUM_OFFSET(FocusView, padding1)};
+    VELUM_OFFSET(FocusView, eye),      VELUM_OFFSET(FocusView, right),       VELUM_OFFSET(FocusView, up),
+    VELUM_OFFSET(FocusView, forward),  VELUM_OFFSET(FocusView, size),        VELUM_OFFSET(FocusView, isOrthographic),
+    VELUM_OFFSET(FocusView, cut),      VELUM_OFFSET(FocusView, guidesDepth), VELUM_OFFSET(FocusView, hasAperture),
+    VELUM_OFFSET(FocusView, padding0), VELUM_OFFSET(FocusView, padding1)};
 
 TEST_F(ShaderGL, FocusViewsLieWhereTheDriverPutsThem) {
   auto members = membersOf("instance.h", "FocusView");
@@ -204,22 +203,14 @@ TEST_F(ShaderGL, FocusViewsLieWhereTheDriverPutsThem) {
 }
 
 const Offset kInstanceShadeOffsets[] = {
-    VELUM_OFFSET(InstanceShade, fogTop),
-    VELUM_OFFSET(InstanceShade, fogBottom),
-    VELUM_OFFSET(InstanceShade, fog),
-    VELUM_OFFSET(InstanceShade, fogNear),
-    VELUM_OFFSET(InstanceShade, fogFar),
-    VELUM_OFFSET(InstanceShade, nearColors),
-    VELUM_OFFSET(InstanceShade, radius),
-    VELUM_OFFSET(InstanceShade, lightTexel),
-    VELUM_OFFSET(InstanceShade, noise),
-    VELUM_OFFSET(InstanceShade, occlusionTaps),
-    VELUM_OFFSET(InstanceShade, firstInstance),
-    VELUM_OFFSET(InstanceShade, firstType),
-    VELUM_OFFSET(InstanceShade, palette),
-    VELUM_OFFSET(InstanceShade, hasLight),
-    VELUM_OFFSET(InstanceShade, angstrom),
-    VELUM_OFFSET(InstanceShade, padding0),
+    VELUM_OFFSET(InstanceShade, fogTop),        VELUM_OFFSET(InstanceShade, fogBottom),
+    VELUM_OFFSET(InstanceShade, fog),           VELUM_OFFSET(InstanceShade, fogNear),
+    VELUM_OFFSET(InstanceShade, fogFar),        VELUM_OFFSET(InstanceShade, nearColors),
+    VELUM_OFFSET(InstanceShade, radius),        VELUM_OFFSET(InstanceShade, lightTexel),
+    VELUM_OFFSET(InstanceShade, noise),         VELUM_OFFSET(InstanceShade, occlusionTaps),
+    VELUM_OFFSET(InstanceShade, firstInstance), VELUM_OFFSET(InstanceShade, firstType),
+    VELUM_OFFSET(InstanceShade, palette),       VELUM_OFFSET(InstanceShade, hasLight),
+    VELUM_OFFSET(InstanceShade, angstrom),      VELUM_OFFSET(InstanceShade, padding0),
     VELUM_OFFSET(InstanceShade, openShift)};
 
 TEST_F(ShaderGL, InstanceShadesLieWhereTheDriverPutsThem) {

@@ -21,13 +21,15 @@ class EqualizerStudy : public ModelWindow {
     const Model& model = *scene().model.data;
     std::uint64_t sum = 0;
     for (std::uint32_t type : session::typesAt(model, path).types)
-      for (std::size_t i = 0; i < model.types[type].instanceCount; ++i) sum += kept[model.types[type].firstInstance + i];
+      for (std::size_t i = 0; i < model.types[type].instanceCount; ++i)
+        sum += kept[model.types[type].firstInstance + i];
     return sum;
   }
   int rowOf(const std::string& path) {
     const auto& rows = list().tree().rows();
     std::string whole = session::typesAt(*scene().model.data, path).path;
-    return int(std::find_if(rows.begin(), rows.end(), [&](const auto& row) { return row.path == whole; }) - rows.begin());
+    return int(std::find_if(rows.begin(), rows.end(), [&](const auto& row) { return row.path == whole; }) -
+               rows.begin());
   }
   void see(const QString& name) {
     ASSERT_TRUE(settle());
@@ -51,15 +53,16 @@ class EqualizerStudy : public ModelWindow {
     act("the page of the model");
     auto& tabs = mWindow->tabs();
     for (int i = 0; i < tabs.count(); ++i)
-      if (tabs.tabText(i) == "Model") QTest::mouseClick(tabs.tabBar(), Qt::LeftButton, {}, tabs.tabBar()->tabRect(i).center());
+      if (tabs.tabText(i) == "Model")
+        QTest::mouseClick(tabs.tabBar(), Qt::LeftButton, {}, tabs.tabBar()->tabRect(i).center());
     ASSERT_TRUE(QTest::qWaitFor([&] { return list().isVisible(); }, 5000));
 
     act("search the spikes");
     auto* search = child<QLineEdit>("modelSearch");
     QTest::mouseClick(search, Qt::LeftButton);
     QTest::keyClicks(search, QString::fromStdString(std::string(session::shortName(spike))).replace('_', ' '));
-    QRect number = list().visualRect(
-        list().order().mapFromSource(list().tree().indexOfRow(rowOf(spike), ModelTree::Count)));
+    QRect number =
+        list().visualRect(list().order().mapFromSource(list().tree().indexOfRow(rowOf(spike), ModelTree::Count)));
     ASSERT_TRUE(number.isValid());
 
     act("type their number");

@@ -37,7 +37,8 @@ class EqualizerWindow : public ModelWindow {
     const Model& model = *scene().model.data;
     std::uint64_t sum = 0;
     for (std::uint32_t type : types)
-      for (std::size_t i = 0; i < model.types[type].instanceCount; ++i) sum += kept[model.types[type].firstInstance + i];
+      for (std::size_t i = 0; i < model.types[type].instanceCount; ++i)
+        sum += kept[model.types[type].firstInstance + i];
     return sum;
   }
   QPoint placeOf(int number, double share) {
@@ -45,7 +46,9 @@ class EqualizerWindow : public ModelWindow {
     return QPointF(bar.box.left() + share * bar.box.width(), bar.box.center().y()).toPoint();
   }
   /// Takes the knob at a place of a row's bar and brings it to a share of it.
-  void dragBar(int number, double from, double to) { drag(*list().viewport(), placeOf(number, from), placeOf(number, to)); }
+  void dragBar(int number, double from, double to) {
+    drag(*list().viewport(), placeOf(number, from), placeOf(number, to));
+  }
   double shareOf(std::uint64_t part, const render::TypeCount& of) { return double(part) / double(of.total()); }
 };
 
@@ -300,7 +303,8 @@ TEST_F(EqualizerWindow, BarsAndWhatIsLeftAreWritten) {
     commands->exportBarsTo(path(name));
     ASSERT_TRUE(waitForJob());
   }
-  QByteArray line = QString("compartment,root,root,%1,%2,%3,400").arg(all.visible).arg(all.hidden).arg(all.clipped).toUtf8();
+  QByteArray line =
+      QString("compartment,root,root,%1,%2,%3,400").arg(all.visible).arg(all.hidden).arg(all.clipped).toUtf8();
   EXPECT_TRUE(bytesOf(path("bars.csv")).contains(line)) << bytesOf(path("bars.csv")).toStdString();
   EXPECT_TRUE(bytesOf(path("bars.svg")).startsWith("<svg"));
   commands->exportModelTo(path("left.csv"));

@@ -271,8 +271,8 @@ TEST_F(PullStudy, ARealScanGivesSpineAndRib) {
     SCOPED_TRACE(bone.name);
     auto place = placeOn(cut(), [&](const Seen& seen) {
       double away = aside(seen.pick.world);
-      return seen.pick.structure == 0 && seen.pick.value > 150.0 && seen.pick.value < 220.0 && away >= bone.from && away <= bone.to &&
-             std::abs(seen.pick.world.z - middle.z) < 60.0;  // in bone, not on a grain of its shell
+      return seen.pick.structure == 0 && seen.pick.value > 150.0 && seen.pick.value < 220.0 && away >= bone.from &&
+             away <= bone.to && std::abs(seen.pick.world.z - middle.z) < 60.0;  // in bone, not on a grain of its shell
     });
     ASSERT_TRUE(place);
     pull(place->pixel, place->pick.world, cut(), bone.distance);

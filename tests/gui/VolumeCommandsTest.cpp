@@ -1,5 +1,5 @@
-#include <QComboBox>
 #include <QCheckBox>
+#include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QSpinBox>
@@ -94,8 +94,8 @@ TEST_F(VolumeWays, TheVoxelSizeIsChangedLaterAndUndone) {
   ASSERT_TRUE(waitForJob());
   EXPECT_NEAR(spacingOf(*scene().volume.data).x, before.x * 0.001, 1e-9);
   EXPECT_EQ(scene().volume.source.spacing, before * 0.001);
-  EXPECT_NEAR(glm::length(scene().camera.eye - scene().camera.target),
-              glm::length(camera.eye - camera.target) * 0.001, 1e-6)
+  EXPECT_NEAR(glm::length(scene().camera.eye - scene().camera.target), glm::length(camera.eye - camera.target) * 0.001,
+              1e-6)
       << "the eye stays where it was, seen from the data";
   EXPECT_EQ(VoxelSizeForm::lastAnswer(), before * 0.001);
   mWindow->document().undo();

@@ -44,11 +44,12 @@ TEST(Painter, LeavesNothingOutByItsBoxesAndLeaps) {
       layer.solids.push_back({boxAround(ball.centre, Vec(ball.radius)),
                               [=](Vec p) { return stretch * sphere(p, ball.centre, ball.radius); }});
     Painted got = paintAll(grid, std::span(&layer, 1));
-    float edgeMm = layer.edge * (1.0f + 1.3f + 2.1f) / 3.0f;
+    float edgeMm = 0.75f * layer.edge * (1.0f + 1.3f + 2.1f) / 3.0f;
     for (int z = 0; z < grid.dims.z; ++z)
       for (int y = 0; y < grid.dims.y; ++y)
         for (int x = 0; x < grid.dims.x; ++x) {
-          float coverage = glm::clamp(0.5f - distanceTo(grid.at(x, y, z)) / edgeMm, 0.0f, 1.0f);
+          float depth = glm::clamp(0.5f - 0.5f * distanceTo(grid.at(x, y, z)) / edgeMm, 0.0f, 1.0f);
+          float coverage = depth * depth * (3.0f - 2.0f * depth);
           std::size_t i = grid.index(x, y, z);
           ASSERT_NEAR(got.values[i], 100.0f * coverage, 1e-3f) << x << " " << y << " " << z << ", " << stretch;
           ASSERT_EQ(got.labels[i], coverage >= 0.5f ? 3 : 0) << x << " " << y << " " << z << ", " << stretch;

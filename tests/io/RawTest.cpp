@@ -145,11 +145,12 @@ TEST(RawGuess, TheFirstGuessIsRightForUsualFiles) {
     SampleType type;
     glm::dvec2 range;
   };
-  const Kind kinds[] = {{SampleType::UInt8, {0, 255}},       {SampleType::Int8, {-128, 127}},
-                        {SampleType::UInt16, {0, 4095}},     {SampleType::UInt16, {0, 60000}},
-                        {SampleType::Int16, {-1024, 3071}},  {SampleType::Float32, {-0.2, 1.4}}};
+  const Kind kinds[] = {{SampleType::UInt8, {0, 255}},      {SampleType::Int8, {-128, 127}},
+                        {SampleType::UInt16, {0, 4095}},    {SampleType::UInt16, {0, 60000}},
+                        {SampleType::Int16, {-1024, 3071}}, {SampleType::Float32, {-0.2, 1.4}}};
   for (const Kind& kind : kinds)
-    for (glm::ivec3 dims : {glm::ivec3(64), glm::ivec3(128, 96, 24), glm::ivec3(256, 256, 12), glm::ivec3(100, 100, 37)})
+    for (glm::ivec3 dims :
+         {glm::ivec3(64), glm::ivec3(128, 96, 24), glm::ivec3(256, 256, 12), glm::ivec3(100, 100, 37)})
       for (bool bigEndian : {false, true})
         for (double noise : {0.0, 0.05}) {
           if (bigEndian ? sampleSize(kind.type) == 1 || noise == 0.0 : noise > 0.0 && dims.x != 128) continue;
@@ -178,7 +179,10 @@ TEST(RawGuess, WhatHasAHeaderNeedsNoLayout) {
 
 TEST(RawGuess, APlaneIsReadWhereItLies) {
   TempFolder folder;
-  writeText(folder / "a.raw", "hh" "abcdef" "ghijkl");
+  writeText(folder / "a.raw",
+            "hh"
+            "abcdef"
+            "ghijkl");
   scene::Source source;
   source.path = (folder / "a.raw").string();
   source.raw = {{3, 2, 2}, SampleType::UInt8, 1, false, 2};

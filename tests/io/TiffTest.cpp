@@ -87,8 +87,8 @@ TEST(Tiff, OmeChannelsHaveTheirColours) {
   auto write = [&](const char* file, const std::string& first, const std::string& second) {
     writePages(folder / file, 4, 3, 1, 2,
                "<OME><Image><Pixels DimensionOrder=\"XYZCT\" Type=\"uint16\" SizeX=\"4\" SizeY=\"3\" SizeZ=\"1\" "
-               "SizeC=\"2\" SizeT=\"1\"><Channel Name=\"a\" " + first + "/><Channel Name=\"b\" " + second +
-                   "/><TiffData/></Pixels></Image></OME>");
+               "SizeC=\"2\" SizeT=\"1\"><Channel Name=\"a\" " +
+                   first + "/><Channel Name=\"b\" " + second + "/><TiffData/></Pixels></Image></OME>");
     return read(folder / file).channelColors;
   };
   // Red, green, blue, alpha from the highest byte down, of a signed number.

@@ -229,7 +229,8 @@ float keptByWalks(const std::vector<shared::CutData>& cuts, glm::vec3 origin, gl
     shared::RunFold fold = shared::emptyRuns(t);
     float e = 1e-5f * std::max(1.0f, t);
     for (std::size_t i = 0; i < cuts.size(); ++i)
-      fold = shared::foldRun(fold, int(i), shared::cutPart(cuts[i]), shared::cutWalk(cuts[i], origin, direction, t, e, kRayEnd), t);
+      fold = shared::foldRun(fold, int(i), shared::cutPart(cuts[i]),
+                             shared::cutWalk(cuts[i], origin, direction, t, e, kRayEnd), t);
     shared::Stretch stretch = shared::stretchOf(fold, kRayEnd);
     if (stretch.kept) kept += stretch.end - t;
     t = std::max(stretch.end, t + 1e-6f);

@@ -149,7 +149,8 @@ TEST_P(DependencyGL, AChangedFieldOfAnIsosurfaceDrawsAsInAFreshRenderer) {
   scene.rayCast.mode = scene::RenderMode::Iso;
   scene.labels = {};
   scene.volume.transfer.gradientOpacities.clear();
-  // The sheet keeps nothing of an isosurface's, and software drivers take seconds to link each of these programs with it.
+  // The sheet keeps nothing of an isosurface's, and software drivers take seconds to link each of these programs with
+  // it.
   std::erase_if(scene.cuts, [](const scene::Cut& cut) { return cut.shape == scene::CutShape::Membrane; });
   int fields = 0;
   for (int n = GetParam();; n += kShares) {

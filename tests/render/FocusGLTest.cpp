@@ -157,7 +157,8 @@ TEST_F(FocusGL, TheProcessorFindsTheSame) {
     cut.typeSpares[0].viewShare = round % 2 ? unit(random) : 0.0;
     cut.typeSpares[0].aperture = round % 4 ? unit(random) : 1.0;
     cut.focus->guidesDepth = round % 5 == 0;
-    if (round % 3 == 2) cut.focus->lock = scene::ViewLock{scene::frameCamera(scene, scene::StandardView::Left, 1.0), 1.5};
+    if (round % 3 == 2)
+      cut.focus->lock = scene::ViewLock{scene::frameCamera(scene, scene::StandardView::Left, 1.0), 1.5};
     if (round % 4 == 3) {
       cut.shape = scene::CutShape::Sphere;
       cut.size = glm::dvec3(220.0);
@@ -248,7 +249,8 @@ TEST_F(FocusGL, DistancesInTheMaskAreExactToOneAndAHalfPixels) {
         double nearest = 1e9;
         for (std::size_t at = 0; at < mask.size(); ++at)
           if (mask[at] == 0)
-            nearest = std::min(nearest, std::hypot(double(int(at) % view.size.x - x), double(int(at) / view.size.x - y)));
+            nearest =
+                std::min(nearest, std::hypot(double(int(at) % view.size.x - x), double(int(at) / view.size.x - y)));
         double found = shared::focusDistance({x, y}, seeds[std::size_t(y * view.size.x + x)]);
         worst = std::max(worst, std::abs(found - nearest));
       }

@@ -8,6 +8,8 @@
 namespace velum {
 namespace {
 
+const glm::dvec3 kToCamera(0.5, -1.0, 0.3);
+
 enum class Form { Ball, Tube, Plate };
 constexpr const char* kNames[] = {"ball", "tube", "plate"};
 
@@ -15,6 +17,8 @@ constexpr const char* kNames[] = {"ball", "tube", "plate"};
 struct Thing {
   Form form = Form::Ball;
   double radius = 1;
+  bool isSharp = false;  ///< As sharp as voxels are.
+  double boneAt = 0.0;   ///< So far from its surface lies something flat that is five times as bright; 0: nothing.
   glm::ivec3 dims() const { return glm::ivec3(std::min(60, int(2.0 * radius) + 14)); }
   /// Off the lattice, so that no symmetry of it helps.
   glm::dvec3 centre() const { return 0.5 * glm::dvec3(dims() - 1) + glm::dvec3(0.13, 0.31, -0.22); }
@@ -29,7 +33,13 @@ struct Thing {
   }
   /// Share of a voxel that is inside, by an edge of 0.6 voxels.
   double valueAt(glm::dvec3 p) const {
-    return 0.5 * std::erfc((glm::length(outwards(p)) - radius) / (0.6 * std::sqrt(2.0)));
+    double value = shareInside(glm::length(outwards(p)) - radius);
+    if (boneAt == 0.0) return value;
+    glm::dvec3 side = glm::normalize(glm::cross(axis(), kToCamera));
+    return value + 5.0 * shareInside(radius + boneAt - glm::dot(p - centre(), side));
+  }
+  double shareInside(double distance) const {
+    return isSharp ? std::clamp(0.5 - distance, 0.0, 1.0) : 0.5 * std::erfc(distance / (0.6 * std::sqrt(2.0)));
   }
 };
 
@@ -53,7 +63,7 @@ class NormalsGL : public RenderTest {
     scene.camera.projection = scene::Projection::Orthographic;
     scene.camera.target = thing.centre();
     scene.camera.height = 2.0 * thing.radius + 1.0;
-    lookAlong(scene, {0.5, -1.0, 0.3}, 150);
+    lookAlong(scene, kToCamera, 150);
     return scene;
   }
   /// Degrees between what is drawn and the truth, ascending, where the surface is seen from no flat angle.
@@ -106,7 +116,7 @@ TEST_F(NormalsGL, OfBallsAndTubesInNoiseAreWithinFiveDegreesOfTheTruth) {
 }
 
 /// Without noise: rows and slices show as ridges where a filter is narrow. Differences of single rows are off by 3.0
-/// degrees in the median here and by 5.2 in the worst twentieth; these by 1.0 and 1.4, before they are bytes.
+/// degrees in the median here and by 5.2 in the worst twentieth; smoothed across by 1.0 and 1.6; these by half of that.
 TEST_F(NormalsGL, ShowNoSliceAsARidge) {
   Thing thing{Form::Ball, 24.0};
   scene::Scene scene = sceneOf(thing, 0.0);
@@ -115,8 +125,39 @@ TEST_F(NormalsGL, ShowNoSliceAsARidge) {
     auto toEye = glm::normalize(scene.camera.eye - scene.camera.target);
     auto errors = errorsOf(draw(scene, {48, 48}, kAllLayers), thing, toEye);
     ASSERT_GT(errors.size(), 500u);
-    EXPECT_LT(errors[errors.size() / 2], 1.5) << enumName(mode);
-    EXPECT_LT(errors[errors.size() * 95 / 100], 2.5) << enumName(mode);
+    EXPECT_LT(errors[errors.size() / 2], 1.0) << enumName(mode);
+    EXPECT_LT(errors[errors.size() * 95 / 100], 1.5) << enumName(mode);
+  }
+}
+
+/// Phantoms, means of finer voxels, slices without gaps: narrow differences of these are off by 1.4 degrees in the
+/// median and by 2.3 in the worst twentieth, and the pattern of it looks like wood.
+TEST_F(NormalsGL, ShowNoWoodWhereEdgesAreAsSharpAsVoxels) {
+  Thing thing{Form::Ball, 24.0, true};
+  scene::Scene scene = sceneOf(thing, 0.0);
+  scene.rayCast.mode = scene::RenderMode::Iso;
+  auto errors =
+      errorsOf(draw(scene, {48, 48}, kAllLayers), thing, glm::normalize(scene.camera.eye - scene.camera.target));
+  ASSERT_GT(errors.size(), 500u);
+  RecordProperty("degrees", fmt::format("{:.2f} {:.2f}", errors[errors.size() / 2], errors[errors.size() * 95 / 100]));
+  EXPECT_LT(errors[errors.size() / 2], 0.9);
+  EXPECT_LT(errors[errors.size() * 95 / 100], 1.5);
+}
+
+/// A filter that is wide everywhere takes the normal of a thin vessel from the bone beside it: off by 11 degrees in the
+/// median here and by 37 in the worst tenth.
+TEST_F(NormalsGL, OfAVesselAreNotTakenFromTheBoneBesideIt) {
+  for (double radius : {1.0, 1.5, 2.0}) {
+    Thing thing{Form::Tube, radius, false, 3.0};
+    scene::Scene scene = sceneOf(thing, 0.03);
+    scene.rayCast.mode = scene::RenderMode::Iso;
+    auto errors =
+        errorsOf(draw(scene, {48, 48}, kAllLayers), thing, glm::normalize(scene.camera.eye - scene.camera.target));
+    ASSERT_GT(errors.size(), 500u);
+    RecordProperty(fmt::format("radius {}", radius),
+                   fmt::format("{:.2f} {:.2f}", errors[errors.size() / 2], errors[errors.size() * 9 / 10]));
+    EXPECT_LT(errors[errors.size() / 2], 5.0) << radius;
+    EXPECT_LT(errors[errors.size() * 9 / 10], 10.0) << radius;
   }
 }
 

@@ -72,7 +72,8 @@ TEST_F(SmoothGL, ThickSlicesHaveNoStairs) {
     Errors smooth = errorsOf(draw(scene, {64, 64}, kAllLayers), toEye);
     RecordProperty(std::string(enumName(mode)), fmt::format("{:.2f} {:.2f} deg, {:.2f} {:.2f} mm", plain.angleDeg,
                                                             smooth.angleDeg, plain.radius, smooth.radius));
-    EXPECT_LT(smooth.angleDeg, 0.75 * plain.angleDeg) << enumName(mode);
+    EXPECT_LT(smooth.angleDeg, 0.9 * plain.angleDeg) << enumName(mode);
+    EXPECT_LT(smooth.angleDeg, 1.0) << enumName(mode);
     EXPECT_LT(smooth.radius, plain.radius) << enumName(mode);
   }
 }

@@ -134,13 +134,13 @@ constexpr const char* kFlesh[] = {"skin", "fat", "muscle", "tendon", "artery", "
 /// A little less than they give. In the hand flesh of a range that ended at -483 HU gave 0.643, at least 0.320. The
 /// torso's bones hang together with its vessels, and the upper arms with nothing.
 INSTANTIATE_TEST_SUITE_P(Phantoms, BoneRange,
-                         testing::Values(Bones{"hand", true, {std::begin(kFlesh), std::end(kFlesh)}, 0.66, 0.64},
-                                         Bones{"foot", true, {std::begin(kFlesh), std::end(kFlesh)}, 0.78, 0.77},
+                         testing::Values(Bones{"hand", true, {std::begin(kFlesh), std::end(kFlesh)}, 0.65, 0.64},
+                                         Bones{"foot", true, {std::begin(kFlesh), std::end(kFlesh)}, 0.77, 0.77},
                                          Bones{"torso",
                                                false,
                                                {"ribs", "sternum", "vertebrae", "sacrum", "hip bones", "scapulae",
                                                 "clavicles", "humeri"},
-                                               0.53,
+                                               0.52,
                                                0.33}),
                          PrintName());
 

@@ -12,7 +12,8 @@ namespace velum {
 /// Every program that the programs and benchmarks can ask for, as those who ask say.
 inline std::vector<gpu::ProgramSource> allPrograms() {
   std::vector<gpu::ProgramSource> all = render::allPrograms();
-  for (const auto& more : {membrane::allPrograms(), mesoscale::allPrograms()}) all.insert(all.end(), more.begin(), more.end());
+  for (const auto& more : {membrane::allPrograms(), mesoscale::allPrograms()})
+    all.insert(all.end(), more.begin(), more.end());
   all.push_back({{"bench/trilinear.comp"}, {}});
   return all;
 }

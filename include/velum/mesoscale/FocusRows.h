@@ -14,8 +14,8 @@ struct FocusRow {
 };
 std::vector<FocusRow> focusRows(const scene::Scene& scene);
 
-/// The steps of jump flooding over a picture, pixels: seeds are laid (0), then from half of its edge to 1, and once more 1.
-/// [JFA]; Differs: the last step is done twice, which mends most of its errors.
+/// The steps of jump flooding over a picture, pixels: seeds are laid (0), then from half of its edge to 1, and once
+/// more 1. [JFA]; Differs: the last step is done twice, which mends most of its errors.
 std::vector<int> floodSteps(glm::ivec2 size);
 
 }  // namespace velum::mesoscale

@@ -12,10 +12,10 @@ struct FocusView;
 
 namespace velum::mesoscale {
 
-/// What becomes of each instance in a frame, a bit each of three kinds one after the other: removed by cuts for where it
-/// stands (or of a hidden type), cleared as it hides what a cut keeps in view, shown by some pixel of the picture. Cost:
-/// a look at each instance for the first and for each focus; the pixels of spheres in the focus's mask; a look at each
-/// pixel for the last. GL thread.
+/// What becomes of each instance in a frame, a bit each of three kinds one after the other: removed by cuts for where
+/// it stands (or of a hidden type), cleared as it hides what a cut keeps in view, shown by some pixel of the picture.
+/// Cost: a look at each instance for the first and for each focus; the pixels of spheres in the focus's mask; a look at
+/// each pixel for the last. GL thread.
 ///
 /// The InstanceView of the frame, the frame's cuts and the set's rows are bound.
 class InstanceStates {
@@ -27,8 +27,8 @@ class InstanceStates {
   /// Nothing is removed, nothing shown.
   void begin();
   void clip(InstancePrograms& programs, bool hasMembranes, const InstancePart& part);
-  /// Begins with what a cut keeps in view ([VE] 6): drawFocus() of all parts, flood() where it has apertures, then clear()
-  /// of all parts.
+  /// Begins with what a cut keeps in view ([VE] 6): drawFocus() of all parts, flood() where it has apertures, then
+  /// clear() of all parts.
   void beginFocus(const shared::FocusView& view);
   void drawFocus(InstancePrograms& programs, bool hasMembranes, const InstancePart& part);
   void flood(InstancePrograms& programs);
@@ -38,7 +38,8 @@ class InstanceStates {
 
   void bind() const;
   const gpu::Buffer& bits() const { return mBits; }
-  /// The mask of a focus, bits of depths, and the seeds of its distances after flood(), x and y in 16 bits each. For tests.
+  /// The mask of a focus, bits of depths, and the seeds of its distances after flood(), x and y in 16 bits each. For
+  /// tests.
   gpu::Buffer& mask() { return mMask; }
   const gpu::Buffer& seeds() const { return mSeeds[0]; }
 

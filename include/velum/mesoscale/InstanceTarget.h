@@ -17,8 +17,8 @@ struct InstanceView;
 
 namespace velum::mesoscale {
 
-/// Which instances are drawn: what cuts leave, worked out as they are culled, with sheets among the cuts or without; what
-/// InstanceStates has left; what it has removed and shows as ghosts.
+/// Which instances are drawn: what cuts leave, worked out as they are culled, with sheets among the cuts or without;
+/// what InstanceStates has left; what it has removed and shows as ghosts.
 enum class CullBy { Cuts, Membranes, States, Ghosts };
 
 /// What the program is compiled for that culls: by what; of what was seen before, or of all else.
@@ -76,7 +76,8 @@ class InstanceTarget {
   glm::ivec2 size() const { return mSize; }
 
   void begin(const shared::InstanceView& view);
-  /// All parts of a phase; of SeenBefore they are of words of 32 instances over all copies. @param most  of one of them, about
+  /// All parts of a phase; of SeenBefore they are of words of 32 instances over all copies. @param most  of one of
+  /// them, about
   std::vector<InstancePart> partsOf(CullPhase phase, std::uint32_t most) const;
   /// The frame's cuts and spares, or its InstanceStates, are bound.
   void cull(InstancePrograms& programs, CullBy by, CullPhase phase, const InstancePart& part);

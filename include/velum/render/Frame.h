@@ -39,7 +39,7 @@ struct Frame {
   /// drawn as `Cut::membrane` says, or flat.
   std::map<int, FrameSheet> sheets;
   InlayParts parts;
-  bool marksOverlaps = false;  ///< colours what the spares of joined cuts share ([ACS] fig. 6), for who edits them
+  bool marksOverlaps = false;    ///< colours what the spares of joined cuts share ([ACS] fig. 6), for who edits them
   bool countsInstances = false;  ///< Renderer::bits() is wanted of the model's instances
   bool operator==(const Frame&) const = default;
 };

@@ -38,7 +38,7 @@ struct Pick {
   std::uint32_t instance = 0;
   int type = -1;                    ///< Of an instance of the model: in Model::types.
   std::uint32_t modelInstance = 0;  ///< Which, over all copies.
-  double value = 0;  ///< Data value there (nearest voxel).
+  double value = 0;                 ///< Data value there (nearest voxel).
 };
 
 /// Which layers to read back.
@@ -73,8 +73,9 @@ class Renderer {
 
   /// The last frame's window: R, G, B, A display-referred with straight alpha, then the layers asked for:
   /// "position.X/Y/Z" (world), "normal.X/Y/Z" (world), "Z" (distance from the eye, along the ray; infinity where
-  /// nothing is), "id" (structure), "instance" (as Pick; -1 where nothing is), "type" (of the model; -1 where there is none of it),
-  /// "ghosts.R/G/B/A" (what is blended over the picture of instances that cuts have removed, straight alpha).
+  /// nothing is), "id" (structure), "instance" (as Pick; -1 where nothing is), "type" (of the model; -1 where there is
+  /// none of it), "ghosts.R/G/B/A" (what is blended over the picture of instances that cuts have removed, straight
+  /// alpha).
   Image read(const Layers& layers = {});
 
   /// What the last frame shows at a pixel of its window. From the drawn layers, so it agrees with the picture.

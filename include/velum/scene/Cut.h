@@ -20,7 +20,8 @@ constexpr int kMostCutId = 1'000'000'000;
 
 /// One thing that removes material. What it removes: a plane, the side that `axis` points to; a closed shape, its
 /// inside; a membrane, the side of its sheet that `axis` points to (beyond its rest plane, of the rest plane); with
-/// `invert`, the other side; everywhere: the whole domain, for what it spares and what it keeps in view. A position is kept when no enabled cut removes it. World frame (LPS).
+/// `invert`, the other side; everywhere: the whole domain, for what it spares and what it keeps in view. A position is
+/// kept when no enabled cut removes it. World frame (LPS).
 struct Cut {
   int id = 0;  ///< by which everything knows the cut: from 1, unique in a scene, see addCut(); 0: it has none yet
   std::string name;
@@ -33,14 +34,14 @@ struct Cut {
   double spinDeg = 0.0;             ///< turn of a box about its axis
   glm::dvec3 size{100.0};  ///< box: edges along local x, y, z; sphere: diameter x; cylinder, cone: diameter x, length
                            ///< z; membrane: its rest plane's width x, height y, and reach to both sides z
-  CutFace face = CutFace::Shaded;    ///< how the cut surface looks
-  double faceOpacity = 1.0;          ///< section faces: 0..1
-  std::vector<Spare> spares;         ///< what this cut leaves of structures
+  CutFace face = CutFace::Shaded;     ///< how the cut surface looks
+  double faceOpacity = 1.0;           ///< section faces: 0..1
+  std::vector<Spare> spares;          ///< what this cut leaves of structures
   std::vector<TypeSpare> typeSpares;  ///< what it leaves of the instances of a model
   bool wholeInstances = false;        ///< instances are removed when all of their sphere is; else when its middle is
   double leastMass = 0.0, mostMass = Spare::kEndless;      ///< of an instance, dalton; types outside are not spared
   double leastCopies = 0.0, mostCopies = Spare::kEndless;  ///< instances of a type; types outside are not spared
-  std::optional<Focus> focus;  ///< types of a model that it keeps in view; none: it looks at no view
+  std::optional<Focus> focus;        ///< types of a model that it keeps in view; none: it looks at no view
   std::optional<Membrane> membrane;  ///< what a membrane is beside its rest plane; other shapes have none
   bool operator==(const Cut&) const = default;
   static void fields(auto& o, auto& visit) {
@@ -66,12 +67,12 @@ struct Cut {
     visit("faceOpacity", o.faceOpacity, FieldInfo{"", {0, 1}, "Opacity of a section face."});
     visit("spares", o.spares,
           FieldInfo{"", {}, "What this cut leaves of structures; the first of one structure counts."});
-    visit("typeSpares", o.typeSpares,
-          FieldInfo{"", {}, "What this cut leaves of the instances of a model.", true});
+    visit("typeSpares", o.typeSpares, FieldInfo{"", {}, "What this cut leaves of the instances of a model.", true});
     visit("wholeInstances", o.wholeInstances,
           FieldInfo{"", {}, "Instances are removed when all of their sphere is; else when its middle is.", true});
     visit("leastMass", o.leastMass, FieldInfo{"Da", {0}, "Lighter types are not spared.", true});
-    visit("mostMass", o.mostMass, FieldInfo{"Da", {0}, "Heavier types are not spared; null: none is too heavy.", true, true});
+    visit("mostMass", o.mostMass,
+          FieldInfo{"Da", {0}, "Heavier types are not spared; null: none is too heavy.", true, true});
     visit("leastCopies", o.leastCopies, FieldInfo{"", {0}, "Types of fewer instances are not spared.", true});
     visit("mostCopies", o.mostCopies,
           FieldInfo{"", {0}, "Types of more instances are not spared; null: none has too many.", true, true});
@@ -88,8 +89,7 @@ inline bool isInlay(const Cut& cut) { return isMembrane(cut) && cut.membrane->us
 
 template <>
 struct velum::EnumNames<velum::scene::CutShape> {
-  static constexpr std::string_view kNames[] = {"plane", "box", "sphere", "cylinder", "cone", "membrane",
-                                                "everywhere"};
+  static constexpr std::string_view kNames[] = {"plane", "box", "sphere", "cylinder", "cone", "membrane", "everywhere"};
 };
 template <>
 struct velum::EnumNames<velum::scene::CutFace> {

@@ -43,7 +43,7 @@ struct TypeLook {
 struct TypeTarget {
   static constexpr std::string_view kKey = "type";  ///< that a bare value stands for on the command line
 
-  std::string type;  ///< path of a type, or of a compartment for all types below it
+  std::string type;                ///< path of a type, or of a compartment for all types below it
   std::optional<double> rendered;  ///< that no cut removes
   std::optional<double> visible;   ///< that show in the picture
   bool operator==(const TypeTarget&) const = default;
@@ -67,9 +67,9 @@ struct ModelLayer {
   int copies = 1;                   ///< of the whole model, side by side in a block, 1..kMostCopies
   Palette palette = Palette::Type;  ///< by which instances have their colours
   double nearColors = 0.0;          ///< how far chains and elements show as shades of it where one is close, 0..1
-  double detail = 1.0;          ///< how much of a pixel drawn shapes may be off by, 0.1..16; smaller is finer, and slower
-  Ghosts ghosts = Ghosts::None;  ///< of instances that cuts have removed
-  double ghostOpacity = 0.25;    ///< 0..1
+  double detail = 1.0;  ///< how much of a pixel drawn shapes may be off by, 0.1..16; smaller is finer, and slower
+  Ghosts ghosts = Ghosts::None;     ///< of instances that cuts have removed
+  double ghostOpacity = 0.25;       ///< 0..1
   std::vector<TypeLook> types;      ///< of types that are shown otherwise, once each
   std::vector<TypeTarget> targets;  ///< how many instances of types are wanted
   bool operator==(const ModelLayer&) const = default;

@@ -42,12 +42,13 @@ FocusForm::FocusForm(session::Document& document, Selection& selection, QWidget*
   mViewShare = addShare(tr("Stay before"), "typeViewShare",
                         tr("Share of the selected types' instances that stay though they hide what is kept in view, %"),
                         "Change share before the view", &scene::TypeSpare::viewShare);
-  mAperture = addShare(tr("Aperture"), "typeAperture",
-                       tr("How far the view is opened for the selected types, from a hole in its middle to all of it, %"),
-                       "Change aperture", &scene::TypeSpare::aperture);
-  mDepth = makeCheck(tr("Leaves what stands about it"), "focusDepth",
-                     tr("Only what is before the nearest of what is kept in view goes, so that one sees how deep it lies"),
-                     this);
+  mAperture =
+      addShare(tr("Aperture"), "typeAperture",
+               tr("How far the view is opened for the selected types, from a hole in its middle to all of it, %"),
+               "Change aperture", &scene::TypeSpare::aperture);
+  mDepth = makeCheck(
+      tr("Leaves what stands about it"), "focusDepth",
+      tr("Only what is before the nearest of what is kept in view goes, so that one sees how deep it lies"), this);
   mLock = makeCheck(tr("As seen from here"), "focusLock",
                     tr("What is cleared stays so when you turn: to look at the opening from the side"), this);
   for (QCheckBox* check : {mDepth, mLock}) mGrid->addWidget(check, mGrid->rowCount(), 1);

@@ -9,7 +9,7 @@ namespace velum::gui {
 /// A stacked bar of a row ([VE] 7): what is seen, what is there but hidden, what is removed; with a knob at the end of
 /// each of the first two that can be dragged.
 struct CountBar {
-  QRectF box;  ///< of the whole ruler; empty: nothing is known of the row
+  QRectF box;                                ///< of the whole ruler; empty: nothing is known of the row
   double seen = 0.0, left = 0.0, all = 0.0;  ///< where the parts end, pixels from the box's left end
 
   /// The number at a place of the widget.

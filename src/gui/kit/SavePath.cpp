@@ -21,8 +21,8 @@ bool endsInKind(const QString& path) {
   return form.match(QFileInfo(path).fileName()).hasMatch();
 }
 
-/// Qt's own dialog takes double quotes for marks between several names, and a file that is selected in the list for what
-/// was typed. (No Q_OBJECT: Qt asks the system's dialog only for its own class.)
+/// Qt's own dialog takes double quotes for marks between several names, and a file that is selected in the list for
+/// what was typed. (No Q_OBJECT: Qt asks the system's dialog only for its own class.)
 class SaveDialog : public QFileDialog {
  public:
   SaveDialog(QWidget* parent, const QString& title, const QString& start, const QString& filters)

@@ -164,8 +164,7 @@ QWidget* MembraneForm::makeLast() {
   auto* tools = new QWidget(this);
   auto* row = new QHBoxLayout(tools);
   row->setContentsMargins(0, 0, 0, 0);
-  mMore =
-      addButton(row, "membraneMore", tr("Advanced"), tr("Show the numbers of the cloth and of the forces"));
+  mMore = addButton(row, "membraneMore", tr("Advanced"), tr("Show the numbers of the cloth and of the forces"));
   mMore->setProperty("role", "quiet");
   mMore->setCheckable(true);
   auto* files =
@@ -323,7 +322,8 @@ void MembraneForm::showCurve() {
   auto channel = std::size_t(std::clamp(layer.channel, 0, layer.data->channels - 1));
   mFieldTitle->setText(hasSeveral ? tr("Protect in %1").arg(QString::fromStdString(layer.channels[channel].name))
                                   : tr("Protect"));
-  mFieldTitle->setToolTip(hasSeveral ? tr("The channel that is chosen on the page Look: what the sheet goes by") : QString());
+  mFieldTitle->setToolTip(hasSeveral ? tr("The channel that is chosen on the page Look: what the sheet goes by")
+                                     : QString());
   if (mCounted != std::pair(layer.data.id(), layer.channel)) countHistogram();
   session::AxisView view = byGradient() ? session::AxisView{0.0, mGradients.range.y}
                                         : session::AxisView{layer.data->range.x, layer.data->range.y};
@@ -343,14 +343,15 @@ void MembraneForm::countHistogram() {
         *gradients = session::gradientHistogram(*volume, channel, timeStep);
       },
       nullptr);
-  connect(mJob.get(), &Job::finished, this, [this, values, gradients, of = std::pair(volume.id(), layer.channel)](bool done) {
-    mJob.release()->deleteLater();
-    if (!done) return;
-    mValues = std::move(*values);
-    mGradients = std::move(*gradients);
-    mCounted = of;
-    showCurve();
-  });
+  connect(mJob.get(), &Job::finished, this,
+          [this, values, gradients, of = std::pair(volume.id(), layer.channel)](bool done) {
+            mJob.release()->deleteLater();
+            if (!done) return;
+            mValues = std::move(*values);
+            mGradients = std::move(*gradients);
+            mCounted = of;
+            showCurve();
+          });
   mJob->start();
 }
 

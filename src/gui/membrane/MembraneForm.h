@@ -1,14 +1,14 @@
 #pragma once
 #include <QCheckBox>
 #include <QComboBox>
-#include <QLabel>
 #include <QGridLayout>
+#include <QLabel>
 #include <QPushButton>
 #include <QWidget>
 #include <functional>
 #include <memory>
-#include <utility>
 #include <optional>
+#include <utility>
 
 #include "NoiseForm.h"
 #include "ShareBar.h"
@@ -90,7 +90,7 @@ class MembraneForm : public QWidget {
   NumberRow *mLevel = nullptr, *mInlayOpacity = nullptr, *mEmphasis = nullptr, *mFalloff = nullptr, *mStretch = nullptr,
             *mBend = nullptr, *mRestoring = nullptr, *mReach = nullptr, *mParticles = nullptr, *mFinest = nullptr;
   std::vector<std::pair<QWidget*, QWidget*>> mInlayRows;  ///< label and control that only an inlay has
-  std::pair<std::uint64_t, int> mCounted{0, -1};  ///< Volume and channel whose values they are.
+  std::pair<std::uint64_t, int> mCounted{0, -1};          ///< Volume and channel whose values they are.
   Histogram mValues, mGradients;
   std::unique_ptr<Job> mJob;
 };

@@ -19,8 +19,9 @@ const std::vector<GuidedStep> kSteps{
                        "the way.")},
     {"equalizeClear", QT_TRANSLATE_NOOP("velum::gui::EqualizeSteps", "3 Clear"),
      QT_TRANSLATE_NOOP("velum::gui::EqualizeSteps", "Keep the selected types in view: what stands before them goes"),
-     QT_TRANSLATE_NOOP("velum::gui::EqualizeSteps",
-                       "Select what the picture is about and press Clear: then nothing stands before it. Or go on without.")},
+     QT_TRANSLATE_NOOP(
+         "velum::gui::EqualizeSteps",
+         "Select what the picture is about and press Clear: then nothing stands before it. Or go on without.")},
     {"equalizeSave", QT_TRANSLATE_NOOP("velum::gui::EqualizeSteps", "4 Save"),
      QT_TRANSLATE_NOOP("velum::gui::EqualizeSteps", "Save the picture, at any size"),
      QT_TRANSLATE_NOOP("velum::gui::EqualizeSteps", "Save the picture. It opens as its scene, to be changed again.")},
@@ -35,8 +36,8 @@ EqualizeSteps::EqualizeSteps(QWidget* parent) : StepStrip("velum::gui::EqualizeS
 void EqualizeSteps::showScene(const scene::Scene& scene) {
   session::ClipState state = session::clipState(scene);
   bool isCut = std::any_of(scene.cuts.begin(), scene.cuts.end(), [](const scene::Cut& cut) { return cut.enabled; });
-  bool isClear = std::any_of(scene.cuts.begin(), scene.cuts.end(),
-                             [](const scene::Cut& cut) { return cut.enabled && cut.focus; });
+  bool isClear =
+      std::any_of(scene.cuts.begin(), scene.cuts.end(), [](const scene::Cut& cut) { return cut.enabled && cut.focus; });
   setDone({isCut, state == session::ClipState::Thinned, isClear, false}, bool(scene.model.data));
 }
 

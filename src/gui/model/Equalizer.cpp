@@ -29,9 +29,9 @@ std::string labelOf(const session::TypesAt& place) {
 struct Equalizer::Held {
   session::TypesAt place;
   Handle handle = Handle::Drawn;
-  scene::Scene before, from;  ///< as it was; with what a handle needs
-  std::vector<int> cuts;  ///< that are set
-  std::unique_ptr<session::HandleSolver> solver;         ///< of all cuts
+  scene::Scene before, from;                        ///< as it was; with what a handle needs
+  std::vector<int> cuts;                            ///< that are set
+  std::unique_ptr<session::HandleSolver> solver;    ///< of all cuts
   std::unique_ptr<session::RenderedSolver> ofCuts;  ///< of those alone, instead
   render::TypeCount start, now;
   std::uint64_t wanted = 0;
@@ -175,15 +175,14 @@ void Equalizer::findSeen(std::unique_ptr<Held> held) {
   scene::Scene from = mSession.scene();
   auto work = [search, from, size](Progress& progress) {
     const Held& of = *search->held;
-    search->solved =
-        session::findVisible(from, of.cuts, of.place.path, double(of.wanted), glm::max(size, 1), progress);
+    search->solved = session::findVisible(from, of.cuts, of.place.path, double(of.wanted), glm::max(size, 1), progress);
   };
   auto done = [this, search] {
     session::Document& document = mSession.document();
     if (document.scene().cuts != search->cuts) return;  // somebody has gone on
     document.edit(
-        labelOf(search->held->place),
-        [&](scene::Scene& scene) { scene.cuts = std::move(search->solved.scene.cuts); }, true);
+        labelOf(search->held->place), [&](scene::Scene& scene) { scene.cuts = std::move(search->solved.scene.cuts); },
+        true);
     emit told(QString::fromStdString(search->solved.words));
   };
   // One that cannot begin, is cancelled or fails leaves what the handle has come to.

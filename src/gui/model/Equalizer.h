@@ -13,8 +13,8 @@
 namespace velum::gui {
 
 /// What the handles of the bars do ([VE] 7.2): they set how many instances of a type or compartment are drawn, or seen,
-/// by the shares of cuts. What is seen while a handle is held is as many as the last picture lets expect; when it is let
-/// go pictures are drawn beside the window until it is so many, or the nearest there is.
+/// by the shares of cuts. What is seen while a handle is held is as many as the last picture lets expect; when it is
+/// let go pictures are drawn beside the window until it is so many, or the nearest there is.
 class Equalizer : public QObject {
   Q_OBJECT
  public:
@@ -62,7 +62,7 @@ class Equalizer : public QObject {
   session::LiveCounts mCounts;
   std::vector<int> mChosen;
   std::unique_ptr<Held> mHeld;
-  std::string mToldPath;       ///< Of the handle that was let go and that no picture knows of yet.
+  std::string mToldPath;  ///< Of the handle that was let go and that no picture knows of yet.
   render::TypeCount mToldCount;
 };
 

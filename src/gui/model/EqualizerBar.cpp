@@ -33,7 +33,8 @@ EqualizerBar::EqualizerBar(session::Document& document, Equalizer& equalizer, QW
   mPercent->setText("%");
   mPercent->setCheckable(true);
   mPercent->setChecked(true);
-  mPercent->setToolTip(tr("On: bars in percent of their row. Off: numbers on a logarithmic ruler, so that rare types show"));
+  mPercent->setToolTip(
+      tr("On: bars in percent of their row. Off: numbers on a logarithmic ruler, so that rare types show"));
   mPercent->setAccessibleName(tr("Bars in percent"));
   connect(mPercent, &QToolButton::toggled, this, &EqualizerBar::percentAsked);
   for (QToolButton* button : {mCuts, mPercent}) {
@@ -51,9 +52,9 @@ QWidget* EqualizerBar::makeStates() {
   const std::pair<QString, QString> states[] = {
       {tr("Whole"), tr("No cut removes anything. Click to turn all cuts off")},
       {tr("Cut"), tr("Where an instance is decides whether it is drawn. Click to give up shares and falloffs")},
-      {tr("Thinned"),
-       tr("Of some types a share is left, drawn by lot: move the handles of the bars. Click to have the shares again that "
-          "were left by these buttons")}};
+      {tr("Thinned"), tr("Of some types a share is left, drawn by lot: move the handles of the bars. Click to have the "
+                         "shares again that "
+                         "were left by these buttons")}};
   for (const auto& [name, tip] : states) {
     auto* button = new QPushButton(name, group);
     button->setObjectName("state" + name);

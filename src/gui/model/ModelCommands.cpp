@@ -116,8 +116,9 @@ void ModelCommands::askTarget(const std::string& path, QWidget* window) {
   int now = int(session::visibleTarget(mDocument.scene(), path).value_or(0.0));
   bool isGiven = false;
   QString name = QString::fromStdString(std::string(session::shortName(path))).replace('_', ' ');
-  int wanted = QInputDialog::getInt(window, tr("Number to be seen"), tr("Instances of %1 that are to be seen:").arg(name),
-                                    now, 0, 1000000000, 1, &isGiven);
+  int wanted =
+      QInputDialog::getInt(window, tr("Number to be seen"), tr("Instances of %1 that are to be seen:").arg(name), now,
+                           0, 1000000000, 1, &isGiven);
   if (!isGiven) return;
   setTarget(path, double(wanted));
   emit targetsAsked();
@@ -135,9 +136,9 @@ void ModelCommands::fillViewMenu(QMenu& menu, const std::string& path) {
   menu.addAction(tr("What hides this?"), this, [this, path] { emit hidingAsked(QString::fromStdString(path)); })
       ->setToolTip(tr("Says which types stand before it, and by how much"));
   auto wanted = session::visibleTarget(mDocument.scene(), path);
-  menu.addAction(wanted ? tr("Number to be seen: %1...").arg(QLocale().toString(*wanted, 'f', 0))
-                        : tr("Number to be seen..."),
-                 this, [this, path, window = menu.parentWidget()] { askTarget(path, window); })
+  menu.addAction(
+          wanted ? tr("Number to be seen: %1...").arg(QLocale().toString(*wanted, 'f', 0)) : tr("Number to be seen..."),
+          this, [this, path, window = menu.parentWidget()] { askTarget(path, window); })
       ->setToolTip(tr("So many are to be seen; with the numbers that other types have, as near as can be"));
   if (wanted) menu.addAction(tr("Any number"), this, [this, path] { setTarget(path, std::nullopt); });
   menu.addSeparator();

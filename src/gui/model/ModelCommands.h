@@ -37,8 +37,8 @@ class ModelCommands : public QObject {
   /// Asks how many.
   void askTarget(const std::string& path, QWidget* window);
   void setGhosts(const Types& types, std::optional<scene::Ghosts> ghosts);
-  /// The entries for one or several types. @param title  what they are  @param path  of the one type or compartment that
-  /// they are; empty: several
+  /// The entries for one or several types. @param title  what they are  @param path  of the one type or compartment
+  /// that they are; empty: several
   void fillMenu(QMenu& menu, const Types& types, const QString& title, const std::string& path);
 
   session::Document& document() { return mDocument; }

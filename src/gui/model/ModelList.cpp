@@ -15,8 +15,8 @@ namespace {
 constexpr int kRowHeight = 25;
 constexpr int kWidths[ModelTree::kColumns] = {26, 20, 0, 100, 46};
 constexpr int kWordsMs = 4000;
-constexpr double kGrip = 5.0;   // pixels about a knob
-constexpr double kStep = 0.05;  // of a row's instances, by the keyboard
+constexpr double kGrip = 5.0;          // pixels about a knob
+constexpr double kStep = 0.05;         // of a row's instances, by the keyboard
 constexpr std::size_t kMostOpen = 80;  // types of a tree that is opened whole
 
 }  // namespace

@@ -9,8 +9,8 @@
 namespace velum::gui {
 
 /// The tree of compartments and types: an eye, a colour, the name, a bar of what is seen, hidden and removed ([VE] 7),
-/// whose handles set how much is, and a number. What is done to a selected row is done to all that are selected; what is
-/// done to a compartment, to all below it. A bar is its row's alone.
+/// whose handles set how much is, and a number. What is done to a selected row is done to all that are selected; what
+/// is done to a compartment, to all below it. A bar is its row's alone.
 class ModelList : public QTreeView {
   Q_OBJECT
  public:
@@ -75,7 +75,7 @@ class ModelList : public QTreeView {
   TypeOrder* mOrder;
   ModelDelegate* mDelegate;
   QPersistentModelIndex mHeldBar;  ///< Whose handle is dragged.
-  double mGrip = 0.0;  ///< How far the pointer is off the knob that it holds.
+  double mGrip = 0.0;              ///< How far the pointer is off the knob that it holds.
   int mHoveredRow = -1;
   bool mIsHeld = false;  ///< A press was taken by a cell: what follows is not for the selection.
   bool mIsQuiet = false;

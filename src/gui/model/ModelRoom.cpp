@@ -172,8 +172,9 @@ void ModelRoom::addActions() {
     mCommands->setVisible(types, true);
   });
   actions.addForScene(menu, "model.meetTargets", tr("Meet num&bers to be seen"),
-                      tr("Set what cuts leave so that of each type as many are seen as is wanted"),
-                      [this, hasModel] { if (hasModel()) meetTargets(); });
+                      tr("Set what cuts leave so that of each type as many are seen as is wanted"), [this, hasModel] {
+                        if (hasModel()) meetTargets();
+                      });
   mLegendAction = actions.addForScene(menu, "model.legend", tr("Lege&nd"),
                                       tr("Colours and names of the types that are seen most, over the picture"),
                                       [this] { showLegend(mLegendAction->isChecked()); });

@@ -96,7 +96,8 @@ QString StructureModel::tipOf(const scene::Structure& structure, int column) con
       return tr("Opacity %1 %: drag to change").arg(std::lround(structure.opacity * 100.0));
     case Bar: {
       const session::StructureArea* area = mAreas.find(structure.id);
-      if (!area || area->total() == 0) return tr("How much of it is seen, hidden and removed: it is not in the picture");
+      if (!area || area->total() == 0)
+        return tr("How much of it is seen, hidden and removed: it is not in the picture");
       auto share = [&](std::uint64_t part) {
         return QString::number(100.0 * double(part) / double(area->total()), 'f', 1);
       };
@@ -158,8 +159,13 @@ QVariant StructureModel::data(const QModelIndex& index, int role) const {
 
 QVariant StructureModel::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
-  const QString names[kColumns] = {tr("Shown"),   tr("Colour"), tr("Name"), tr("Size, %1").arg(volumeUnit()),
-                                   tr("Opacity"), tr("Solo"),   tr("Seen, hidden, removed")};
+  const QString names[kColumns] = {tr("Shown"),
+                                   tr("Colour"),
+                                   tr("Name"),
+                                   tr("Size, %1").arg(volumeUnit()),
+                                   tr("Opacity"),
+                                   tr("Solo"),
+                                   tr("Seen, hidden, removed")};
   return names[section];
 }
 

@@ -188,8 +188,9 @@ QWidget* StructurePanel::makeSearch() {
   bars->setObjectName("structureBars");
   bars->setText(tr("Bars"));
   bars->setCheckable(true);
-  bars->setToolTip(tr("How much of each structure is seen, hidden and removed in the picture; drag a bar to pull the "
-                      "structure out of the cuts"));
+  bars->setToolTip(
+      tr("How much of each structure is seen, hidden and removed in the picture; drag a bar to pull the "
+         "structure out of the cuts"));
   bars->setFixedHeight(kFieldHeight);
   connect(bars, &QToolButton::toggled, this, [this](bool on) {
     mList->setBars(on);

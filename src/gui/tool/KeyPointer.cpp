@@ -15,7 +15,8 @@ constexpr double kRadius = 9.0, kArm = 15.0;
 
 /// Which way an arrow goes on the screen.
 QPointF wayOf(int key) {
-  return {double(key == Qt::Key_Right) - double(key == Qt::Key_Left), double(key == Qt::Key_Down) - double(key == Qt::Key_Up)};
+  return {double(key == Qt::Key_Right) - double(key == Qt::Key_Left),
+          double(key == Qt::Key_Down) - double(key == Qt::Key_Up)};
 }
 
 }  // namespace

@@ -172,7 +172,8 @@ void Toolbox::pressAt(ToolView& view, QPointF place) {
   if (mHolder || !mActive) return;
   ViewPoint at(view, mDocument.scene(), place);
   mHolder = mActive;
-  if (!mActive->press({at, Qt::LeftButton, Qt::NoModifier, view.widget().mapToGlobal(place).toPoint()})) mHolder = nullptr;
+  if (!mActive->press({at, Qt::LeftButton, Qt::NoModifier, view.widget().mapToGlobal(place).toPoint()}))
+    mHolder = nullptr;
 }
 
 void Toolbox::dragAt(ToolView& view, QPointF place) {

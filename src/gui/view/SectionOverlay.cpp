@@ -151,8 +151,7 @@ QPolygonF clipped(const QPolygonF& polygon, const std::function<double(QPointF)>
 void drawGaps(QPainter& painter, const Volume& volume, const scene::SectionPlane& plane) {
   glm::dmat4 voxelFromWorld = glm::inverse(volume.worldFromVoxel);
   auto voxelAt = [&](QPointF place) {
-    return glm::dvec3(voxelFromWorld *
-                      glm::dvec4(scene::worldFromSectionPixel(plane, {place.x(), place.y()}), 1.0));
+    return glm::dvec3(voxelFromWorld * glm::dvec4(scene::worldFromSectionPixel(plane, {place.x(), place.y()}), 1.0));
   };
   QPolygonF view(QRectF(0, 0, plane.size.x, plane.size.y));
   view.removeLast();

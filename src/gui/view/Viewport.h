@@ -34,9 +34,7 @@ class Viewport : public QOpenGLWidget, public ToolView {
 
   /// What is on the screen is the scene as it is, its sheets at rest, if only a coarse picture of it.
   bool isCurrent() const { return !mPending && mHasPicture && !mSession.isOnItsWay(); }
-  bool isConverged() const {
-    return mStage == Stage::Idle && !mPending && !mAwaitsCounts && mSession.isSettled();
-  }
+  bool isConverged() const { return mStage == Stage::Idle && !mPending && !mAwaitsCounts && mSession.isSettled(); }
   /// Empty before the driver is known.
   render::Stats stats() const { return mRenderer ? mRenderer->stats() : render::Stats{}; }
   /// How many pictures it has painted; for tests and measurements.
@@ -143,10 +141,10 @@ class Viewport : public QOpenGLWidget, public ToolView {
   bool mSheetsWereSettled = true;
   scene::Scene mWanted;  ///< What the 3D view last heard that it should show.
   Stage mStage = Stage::Idle;
-  bool mPending = true;      ///< The scene has changed since mFrame was made.
+  bool mPending = true;        ///< The scene has changed since mFrame was made.
   bool mAwaitsCounts = false;  ///< Those of mFrame have not been heard.
-  bool mHasPicture = false;  ///< mFrame has a complete sample, so that it can be picked from.
-  double mCoarseScale = 0;   ///< Device pixels to one pixel of a coarse picture; 0: not known yet.
+  bool mHasPicture = false;    ///< mFrame has a complete sample, so that it can be picked from.
+  double mCoarseScale = 0;     ///< Device pixels to one pixel of a coarse picture; 0: not known yet.
   QTimer mSectionTimer, mRestTimer, mPickTimer, mPauseTimer;
   QElapsedTimer mSinceShown, mSinceTold;
   Stage mToldStage = Stage::Idle;

@@ -7,8 +7,8 @@
 
 namespace velum::gui {
 
-/// Finds what the window can do by a few letters of its name, and does it: type, arrows, Enter. A number behind the name
-/// goes into the field of that name.
+/// Finds what the window can do by a few letters of its name, and does it: type, arrows, Enter. A number behind the
+/// name goes into the field of that name.
 class CommandFinder : public QDialog {
   Q_OBJECT
  public:

@@ -11,7 +11,8 @@ HelpCommands::HelpCommands(const WindowParts& parts) : Room(parts) {
   QMenu* menu = parts.menu(MenuId::Help);
   parts.actions.add(menu, "help.guide", tr("User &guide"), tr("Read the guide; no network is needed"),
                     [this] { showGuide(); });
-  parts.actions.add(menu, "help.find", tr("&Find a command..."), tr("Find a command, preset, structure or number by a few letters"),
+  parts.actions.add(menu, "help.find", tr("&Find a command..."),
+                    tr("Find a command, preset, structure or number by a few letters"),
                     [this] { CommandFinder(findAll(mParts), &mParts.window).exec(); });
   menu->addSeparator();
   parts.actions.add(menu, "help.about", tr("&About Velum"), tr("Say what Velum is"), [this] { showAbout(); });

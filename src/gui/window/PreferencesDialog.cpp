@@ -81,10 +81,10 @@ QWidget* PreferencesDialog::makeGeneral() {
   form->addRow(tr("&Appearance"), theme);
   // The names are scene::Layout's.
   static const QStringList kLayouts = {"", "four-up", "volume", "volume-and-section", "section"};
-  auto* first = makeChoice(
-      page, "firstLayout",
-      {tr("As it was last"), tr("Four views"), tr("3D only"), tr("3D and one section"), tr("One section")},
-      std::max(0, int(kLayouts.indexOf(Preferences().firstLayout()))), tr("The views in which data opens"));
+  auto* first =
+      makeChoice(page, "firstLayout",
+                 {tr("As it was last"), tr("Four views"), tr("3D only"), tr("3D and one section"), tr("One section")},
+                 std::max(0, int(kLayouts.indexOf(Preferences().firstLayout()))), tr("The views in which data opens"));
   connect(first, &QComboBox::activated, this, [](int index) { Preferences().setFirstLayout(kLayouts[index]); });
   form->addRow(tr("&Views of new data"), first);
   static const QStringList kUnits = {"", "mm", QString::fromUtf8("\u00b5m"), "nm", QString::fromUtf8("\u00c5")};

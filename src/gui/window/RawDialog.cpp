@@ -59,9 +59,10 @@ RawDialog::RawDialog(const scene::Source& source, QWidget* parent) : QDialog(par
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(18, 18, 18, 14);
   layout->setSpacing(12);
-  auto* why = new QLabel(tr("%1 has no header that says what its samples are. The picture shows how they would be read.")
-                             .arg(file.fileName()),
-                         this);
+  auto* why =
+      new QLabel(tr("%1 has no header that says what its samples are. The picture shows how they would be read.")
+                     .arg(file.fileName()),
+                 this);
   why->setWordWrap(true);
   layout->addWidget(why);
   auto* halves = new QHBoxLayout;

@@ -3,8 +3,8 @@
 #include "RawDialog.h"
 #include "VoxelSizeDialog.h"
 #include "kit/Length.h"
-#include "velum/session/document/WorkFile.h"
 #include "velum/session/document/Body.h"
+#include "velum/session/document/WorkFile.h"
 
 namespace velum::gui {
 
@@ -18,11 +18,12 @@ constexpr double kMillilitre = 1000.0;
 VolumeCommands::VolumeCommands(const WindowParts& parts, FileLoads& loads) : Room(parts) {
   QMenu* edit = parts.menu(MenuId::Edit);
   edit->addSeparator();
-  mVoxelSize = parts.actions.addForScene(
-      edit, "edit.voxelSize", tr("&Voxel size..."), tr("Say how large the voxels are, where the file does not or is wrong"),
-      [this] { askVoxelSize(tr("How large is a voxel?")); });
-  mLayout = parts.actions.addForScene(edit, "edit.layout", tr("&Samples of the file..."),
-                                      tr("Say what the samples of a file without a header are"), [this] { askLayout(); });
+  mVoxelSize = parts.actions.addForScene(edit, "edit.voxelSize", tr("&Voxel size..."),
+                                         tr("Say how large the voxels are, where the file does not or is wrong"),
+                                         [this] { askVoxelSize(tr("How large is a voxel?")); });
+  mLayout =
+      parts.actions.addForScene(edit, "edit.layout", tr("&Samples of the file..."),
+                                tr("Say what the samples of a file without a header are"), [this] { askLayout(); });
   mTable = parts.actions.addForScene(parts.menu(MenuId::Look), "look.hideTable", tr("Hi&de the table"),
                                      tr("Leave out what is not part of the largest body: table, head rest, cables"),
                                      [this] { hideTable(mTable->isChecked()); });
@@ -94,7 +95,8 @@ void VolumeCommands::askVoxelSize(const QString& why) {
 void VolumeCommands::askLayout() {
   auto* dialog = new RawDialog(mParts.session.scene().volume.source, &mParts.window);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
-  connect(dialog, &QDialog::accepted, this, [this, dialog] { reread(tr("Change samples of the file"), dialog->source()); });
+  connect(dialog, &QDialog::accepted, this,
+          [this, dialog] { reread(tr("Change samples of the file"), dialog->source()); });
   dialog->open();
 }
 

@@ -27,7 +27,8 @@ constexpr Usual kUsual[] = {
     {QT_TRANSLATE_NOOP("VoxelSizeForm", "CT of a trunk, 0.7 \u00d7 0.7 \u00d7 1 mm"), {0.7, 0.7, 1.0}},
     {QT_TRANSLATE_NOOP("VoxelSizeForm", "MR of a head, 1 mm"), {1, 1, 1}},
     {QT_TRANSLATE_NOOP("VoxelSizeForm", "Micro-CT, 10 \u00b5m"), {0.01, 0.01, 0.01}},
-    {QT_TRANSLATE_NOOP("VoxelSizeForm", "Light sheet 5\u00d7, 1.3 \u00d7 1.3 \u00d7 5 \u00b5m"), {0.0013, 0.0013, 0.005}},
+    {QT_TRANSLATE_NOOP("VoxelSizeForm", "Light sheet 5\u00d7, 1.3 \u00d7 1.3 \u00d7 5 \u00b5m"),
+     {0.0013, 0.0013, 0.005}},
     {QT_TRANSLATE_NOOP("VoxelSizeForm", "Confocal 20\u00d7, 0.62 \u00d7 0.62 \u00d7 2 \u00b5m"),
      {0.00062, 0.00062, 0.002}},
     {QT_TRANSLATE_NOOP("VoxelSizeForm", "Confocal 40\u00d7, 0.31 \u00d7 0.31 \u00d7 1 \u00b5m"),
@@ -57,7 +58,8 @@ VoxelSizeForm::VoxelSizeForm(QWidget* parent)
     mEdges[i] = new NumberField(this);
     mEdges[i]->setObjectName(QString("voxelSize%1").arg(kAxes[i]));
     mEdges[i]->setAccessibleName(tr("Voxel size along %1").arg(kAxes[i]));
-    mEdges[i]->setToolTip(tr("Edge of a voxel along %1; other units may be typed, as \u201c0.3 um\u201d").arg(kAxes[i]));
+    mEdges[i]->setToolTip(
+        tr("Edge of a voxel along %1; other units may be typed, as \u201c0.3 um\u201d").arg(kAxes[i]));
     mEdges[i]->setAlignment(Qt::AlignRight);
     mEdges[i]->setMinimumWidth(96);
     grid->addWidget(mEdges[i], 0, i);

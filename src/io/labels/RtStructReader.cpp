@@ -22,9 +22,9 @@ namespace {
 using gdcm::DataSet;
 using gdcm::Tag;
 
-constexpr double kSamePlane = 0.01;   ///< mm
-constexpr double kParallel = 0.999;   ///< Cosine between normals that are one.
-constexpr double kPixel = 0.5;        ///< mm, where the contours are of a patient's size
+constexpr double kSamePlane = 0.01;                          ///< mm
+constexpr double kParallel = 0.999;                          ///< Cosine between normals that are one.
+constexpr double kPixel = 0.5;                               ///< mm, where the contours are of a patient's size
 constexpr double kMostPixels = 768.0, kLeastPixels = 128.0;  ///< Along the longer side.
 constexpr double kMostPlanes = 65535.0;
 
@@ -52,10 +52,10 @@ glm::dvec3 areaOf(const std::vector<glm::dvec3>& points) {
 std::vector<glm::dvec3> pointsOf(const DataSet& item) {
   std::vector<double> numbers = numbersOf(item, Tag(0x3006, 0x0050));
   std::vector<glm::dvec3> points;
-  for (std::size_t i = 0; i + 2 < numbers.size(); i += 3) points.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
-  bool isSound = std::all_of(points.begin(), points.end(), [](glm::dvec3 p) {
-    return std::isfinite(p.x + p.y + p.z) && glm::length(p) < 1e6;
-  });
+  for (std::size_t i = 0; i + 2 < numbers.size(); i += 3)
+    points.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
+  bool isSound = std::all_of(points.begin(), points.end(),
+                             [](glm::dvec3 p) { return std::isfinite(p.x + p.y + p.z) && glm::length(p) < 1e6; });
   return isSound ? points : std::vector<glm::dvec3>();
 }
 
@@ -275,10 +275,12 @@ LabelVolume readRtStruct(const scene::Source& source, Progress& progress) {
   for (const Region& region : regions) table.push_back(region.label);
   labels.name = file->description.empty() ? path.stem().string() : file->description;
   labels.table = completeTable(std::move(table), labels.idsInUse());
-  if (others > 0) labels.warnings.push_back(fmt::format("{} points and open lines of the structure set are left out", others));
+  if (others > 0)
+    labels.warnings.push_back(fmt::format("{} points and open lines of the structure set are left out", others));
   if (across > 0) labels.warnings.push_back(fmt::format("{} contours lie across the others and are left out", across));
   if (overlaps > 0)
-    labels.warnings.push_back(fmt::format("{} voxels belong to several structures; the smaller one has them", overlaps));
+    labels.warnings.push_back(
+        fmt::format("{} voxels belong to several structures; the smaller one has them", overlaps));
   return labels;
 }
 

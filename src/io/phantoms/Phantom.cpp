@@ -60,14 +60,15 @@ void addTube(const Slice& slice, Segment segment, Vec squash, const Rect& rect, 
   }
 }
 
-/// Mixes the layer's material into the slice by coverage.
+/// Mixes the layer's material into the slice by coverage, which goes from all to nothing within edgeMm of its surface.
+/// It is as smooth as a scanner's: a ramp with corners shows the voxels of a surface as wood grain.
 void cover(const Slice& slice, const Layer& layer, const Rect& rect, float edgeMm, const std::vector<float>& nearest) {
   const Grid& grid = slice.grid;
   for (int y = rect.y0; y < rect.y1; ++y)
     for (int x = rect.x0; x < rect.x1; ++x) {
       std::size_t i = std::size_t(y) * std::size_t(grid.dims.x) + std::size_t(x);
-      float coverage = 0.5f - nearest[i] / edgeMm;
-      if (coverage <= 0.0f) continue;
+      if (nearest[i] >= edgeMm) continue;
+      float coverage = glm::smoothstep(-edgeMm, edgeMm, -nearest[i]);
       auto& label = slice.labels[i];
       if (!layer.onto.empty() && std::find(layer.onto.begin(), layer.onto.end(), label) == layer.onto.end()) continue;
       float value = layer.value + (layer.texture ? layer.texture(grid.at(x, y, slice.z)) : 0.0f);
@@ -78,7 +79,7 @@ void cover(const Slice& slice, const Layer& layer, const Rect& rect, float edgeM
 
 void paintLayer(const Slice& slice, const Layer& layer, std::vector<float>& nearest) {
   const Grid& grid = slice.grid;
-  float edgeMm = layer.edge * (grid.spacing.x + grid.spacing.y + grid.spacing.z) / 3.0f;
+  float edgeMm = 0.75f * layer.edge * (grid.spacing.x + grid.spacing.y + grid.spacing.z) / 3.0f;
   auto rectOf = [&](const Box& box) { return clip(grid, slice.z, box, edgeMm); };
   // Find what the layer may touch, and clear that.
   Rect all;

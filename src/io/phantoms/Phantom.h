@@ -111,7 +111,7 @@ struct Layer {
   std::vector<std::uint16_t> onto = {};    ///< Paints on voxels of these labels only; empty paints everywhere.
   Vec squash{1.0f};                        ///< Tubes are evaluated in world * squash: oval sections.
   std::function<float(Vec)> texture = {};  ///< Added to `value`.
-  float edge = 1.3f;                       ///< Width of the soft edge, voxels.
+  float edge = 1.3f;                       ///< Width of a ramp as steep as the soft edge is in its middle, voxels.
 };
 
 /// An axis-aligned grid around the world's origin.

@@ -222,15 +222,14 @@ Layer layerOf(std::uint16_t label, float value, Distance distance, float edge = 
 }
 
 void addSoftParts(std::vector<Layer>& layers) {
-  layers.push_back(layerOf(kSkin, 45.0f, skinDistance));
+  layers.push_back(layerOf(kSkin, 45.0f, skinDistance, 1.7f));
   layers.push_back(layerOf(kSoftTissue, -95.0f, [](Vec p) { return skinDistance(p) + 2.2f; }));
   Layer muscle =
       layerOf(kSoftTissue, 55.0f, [](Vec p) { return skinDistance(p) + 5.0f + 1.5f * noise(p / 30.0f, 353); });
   muscle.texture = [](Vec p) { return 8.0f * noise(p / Vec(6.0f, 8.0f, 18.0f), 359); };
   layers.push_back(muscle);
-  layers.push_back(layerOf(kSoftTissue, -90.0f, [](Vec p) {
-    return std::max(orbitDistance(p) + 1.0f, skinDistance(p) + 2.2f);
-  }));
+  layers.push_back(
+      layerOf(kSoftTissue, -90.0f, [](Vec p) { return std::max(orbitDistance(p) + 1.0f, skinDistance(p) + 2.2f); }));
   layers.push_back(layerOf(kAirways, kAir, airwayDistance));
 }
 

@@ -141,7 +141,9 @@ float lungDistance(Vec p, float side) {
 }
 
 void addBodyWall(std::vector<Layer>& layers) {
-  layers.push_back(everywhere(kSkin, 40.0f, skinDistance));
+  Layer skin = everywhere(kSkin, 40.0f, skinDistance);
+  skin.edge = 1.7f;  // wide and even: each voxel would be seen
+  layers.push_back(skin);
   layers.push_back(everywhere(kFat, -100.0f, [](Vec p) { return skinDistance(p) + 2.6f; }));
   Layer muscle = everywhere(kMuscle, 55.0f, [](Vec p) { return skinDistance(p) + 2.6f + fatThickness(p); });
   muscle.texture = [](Vec p) { return 7.0f * noise(p / Vec(7.0f, 7.0f, 22.0f), 31); };

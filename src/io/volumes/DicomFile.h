@@ -65,7 +65,8 @@ struct DicomFile {
 
 /// Header of a DICOM file, without pixels; nothing when the file is no DICOM file or too damaged to read.
 std::optional<DicomFile> readDicomHeader(const std::filesystem::path& path);
-/// How far below a folder files are looked for. Links to folders are not followed; a hundred thousand files are the most.
+/// How far below a folder files are looked for. Links to folders are not followed; a hundred thousand files are the
+/// most.
 enum class Depth { Folder, AllBelow };
 /// Headers of all images in a folder by path, each image once. @throw InputError, Cancelled
 std::vector<DicomFile> scanDicomFolder(const std::filesystem::path& folder, Depth depth, Progress& progress);

@@ -17,19 +17,18 @@ namespace velum::io {
 namespace {
 
 constexpr int kLeastPlanes = 4, kMostPlanes = 8192;
-constexpr int kUsualSides[] = {64,  96,  100, 128, 150, 160, 180, 192, 200,  240,  250,  256,  300,
-                               320, 350, 384, 400, 448, 450, 480, 500, 512,  600,  640,  700,  720,
+constexpr int kUsualSides[] = {64,  96,  100, 128, 150, 160, 180, 192,  200,  240,  250,  256, 300,
+                               320, 350, 384, 400, 448, 450, 480, 500,  512,  600,  640,  700, 720,
                                750, 768, 800, 832, 896, 900, 960, 1000, 1024, 1280, 1536, 2048};
 /// Of usual programs; others are typed.
 constexpr int kUsualHeaders[] = {0, 6, 128, 256, 348, 352, 512, 1024, 2048, 4096};
-constexpr SampleType kTypes[] = {SampleType::UInt8,  SampleType::Int8,   SampleType::UInt16,
-                                 SampleType::Int16,  SampleType::Float32, SampleType::UInt32,
-                                 SampleType::Int32};
+constexpr SampleType kTypes[] = {SampleType::UInt8,   SampleType::Int8,   SampleType::UInt16, SampleType::Int16,
+                                 SampleType::Float32, SampleType::UInt32, SampleType::Int32};
 constexpr std::uint64_t kLooked = 96 * 1024;  ///< Bytes of the file that are looked at in one place.
 constexpr std::uint64_t kStride = 7919;       ///< From a sample to one that is no neighbour; prime.
 constexpr std::size_t kMostGuesses = 24;
-constexpr double kTiny = 1e-30, kHuge = 1e30;  ///< Floats beyond are none that anybody has measured.
-constexpr double kMostAbsurd = 1e-3;           ///< Share of them in samples that are floats.
+constexpr double kTiny = 1e-30, kHuge = 1e30;    ///< Floats beyond are none that anybody has measured.
+constexpr double kMostAbsurd = 1e-3;             ///< Share of them in samples that are floats.
 constexpr double kFloatSteps = double(1 << 20);  ///< Of floats, that what they differ by is told in.
 constexpr double kOblong = 1.02, kWithHeader = 1.04, kRareType = 1.3;
 

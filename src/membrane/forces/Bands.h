@@ -11,9 +11,9 @@ struct SheetRange {
   int low = 0, high = 0;
 };
 
-/// A lattice with two nodes along each axis made one, but for the first and the last, whose sheets are those of the fine
-/// one that have whole nodes on either side: each separates in both the same, up to 127 pairs between two nodes. The
-/// rest plane stays between two layers. Four nodes along an axis may stay as many.
+/// A lattice with two nodes along each axis made one, but for the first and the last, whose sheets are those of the
+/// fine one that have whole nodes on either side: each separates in both the same, up to 127 pairs between two nodes.
+/// The rest plane stays between two layers. Four nodes along an axis may stay as many.
 CutLattice coarsened(const CutLattice& lattice);
 
 /// A sheet of coarsened(lattice) as one of the lattice, see LeastCut::below.

@@ -12,8 +12,8 @@
 
 namespace velum::render {
 
-/// What became of the instances of a frame, on its way to the processor ([VE] 3). Limited by a look at each pixel and by
-/// three bits an instance that are read back; whoever counts does so there. GL thread.
+/// What became of the instances of a frame, on its way to the processor ([VE] 3). Limited by a look at each pixel and
+/// by three bits an instance that are read back; whoever counts does so there. GL thread.
 class CountPass : public Pass {
  public:
   CountPass(const Gbuffer& gbuffer, InstancePass& instances)
@@ -30,7 +30,7 @@ class CountPass : public Pass {
   const Gbuffer& mGbuffer;
   InstancePass& mInstances;
   gpu::Readback<std::uint32_t> mReadback{"states of instances"};
-  std::uint64_t mCount = 0;             ///< Instances that the last bits are of.
+  std::uint64_t mCount = 0;               ///< Instances that the last bits are of.
   std::vector<glm::ivec2> mPictureSizes;  ///< Of the pictures that bits were last asked of, the newest last.
 };
 

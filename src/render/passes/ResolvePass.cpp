@@ -15,8 +15,8 @@ ResolveVariant variantOf(const scene::Finish& finish, bool hasGhosts) {
 
 }  // namespace
 
-void ResolvePass::draw(const FrameData& data, const Gbuffer& gbuffer, const FinishPass& finish,
-                       const GhostPass& ghosts, const PictureProgress& progress) {
+void ResolvePass::draw(const FrameData& data, const Gbuffer& gbuffer, const FinishPass& finish, const GhostPass& ghosts,
+                       const PictureProgress& progress) {
   ResolveVariant variant = variantOf(data.frame.scene.finish, ghosts.samples() > 0);
   const gpu::Program& program =
       mPrograms.find(variant, [&] { return gpu::Program({"render/resolve.comp"}, definesOf(variant)); });

@@ -4,8 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
-#include <type_traits>
+#include <glm/gtc/type_ptr.hpp>
 
 #include "velum/core/Parallel.h"
 
@@ -17,7 +16,7 @@ namespace {
 /// @param rowAt  rowAt(dy, dz): the row so many beside it
 /// @param near   three rows of scratch, two values longer than the row
 template <class RowAt>
-void differRow(int width, const RowAt& rowAt, std::array<std::vector<float>, 3>& near, glm::vec3* out) {
+void differRow(int width, const RowAt& rowAt, std::array<std::vector<float>, 3>& near, float* out) {
   auto& [smooth, alongY, alongZ] = near;
   const auto *below0 = rowAt(-1, -1), *below1 = rowAt(0, -1), *below2 = rowAt(1, -1), *here0 = rowAt(-1, 0),
              *here1 = rowAt(0, 0), *here2 = rowAt(1, 0), *above0 = rowAt(-1, 1), *above1 = rowAt(0, 1),
@@ -34,17 +33,29 @@ void differRow(int width, const RowAt& rowAt, std::array<std::vector<float>, 3>&
   }
   for (auto* row : {&smooth, &alongY, &alongZ}) row->front() = (*row)[1], row->back() = (*row)[std::size_t(width)];
   // Along it.
-  for (std::size_t x = 0; x < std::size_t(width); ++x)
-    out[x] = {smooth[x + 2] - smooth[x], alongY[x] + 2.0f * alongY[x + 1] + alongY[x + 2],
-              alongZ[x] + 2.0f * alongZ[x + 1] + alongZ[x + 2]};
+  for (std::size_t x = 0; x < std::size_t(width); ++x) {
+    out[3 * x] = smooth[x + 2] - smooth[x];
+    out[3 * x + 1] = alongY[x] + 2.0f * alongY[x + 1] + alongY[x + 2];
+    out[3 * x + 2] = alongZ[x] + 2.0f * alongZ[x + 1] + alongZ[x + 2];
+  }
+}
+
+/// Where a byte is cut off, 0..1, other for each texel: bytes of one direction would show a round thing in facets.
+glm::vec3 dither(glm::ivec3 texel) {
+  auto bits = std::uint32_t(texel.x) * 0x9e3779b1u ^ std::uint32_t(texel.y) * 0x85ebca77u ^
+              std::uint32_t(texel.z) * 0xc2b2ae3du;
+  bits = (bits ^ bits >> 15) * 0x2c1b3c6du;
+  bits = (bits ^ bits >> 12) * 0x297a2d39u;
+  bits ^= bits >> 15;
+  return glm::vec3(bits & 1023u, bits >> 10 & 1023u, bits >> 20 & 1023u) / 1024.0f;
 }
 
 }  // namespace
 
 template <class Texel>
-std::vector<glm::vec3> takeDifferences(const Texel* texels, glm::ivec3 dims, int firstPlane, int z0, int z1) {
+std::vector<float> takeDifferences(const Texel* texels, glm::ivec3 dims, int firstPlane, int z0, int z1) {
   auto width = std::size_t(dims.x), height = std::size_t(dims.y);
-  std::vector<glm::vec3> differences(width * height * std::size_t(z1 - z0));
+  std::vector<float> differences(width * height * std::size_t(z1 - z0) * 3);
   parallelFor(0, (z1 - z0) * dims.y, [&](int job) {
     auto rowAt = [&](int dy, int dz) {
       int y = std::clamp(job % dims.y + dy, 0, dims.y - 1), z = std::clamp(z0 + job / dims.y + dz, 0, dims.z - 1);
@@ -52,13 +63,13 @@ std::vector<glm::vec3> takeDifferences(const Texel* texels, glm::ivec3 dims, int
     };
     std::array<std::vector<float>, 3> near;
     for (auto& row : near) row.resize(width + 2);
-    differRow(dims.x, rowAt, near, &differences[std::size_t(job) * width]);
+    differRow(dims.x, rowAt, near, &differences[std::size_t(job) * width * 3]);
   });
   return differences;
 }
 
-std::vector<glm::u8vec4> packDifferences(const glm::vec3* differences, glm::ivec3 dims, int z0, int z1,
-                                         double longestGradient) {
+std::vector<glm::u8vec4> packGradients(const std::vector<float>& differences, glm::ivec3 dims, int z0, int z1,
+                                       double longestGradient) {
   auto width = std::size_t(dims.x), height = std::size_t(dims.y);
   int low = std::max(0, z0 - 1), high = std::min(dims.z, z1 + 1);
   std::vector<glm::u8vec4> gradients(width * height * std::size_t(z1 - z0));
@@ -66,20 +77,23 @@ std::vector<glm::u8vec4> packDifferences(const glm::vec3* differences, glm::ivec
   parallelFor(0, (z1 - z0) * dims.y, [&](int job) {
     int z = z0 + job / dims.y, y = job % dims.y;
     auto differencesOf = [&](int b, int c) {
-      return &differences[(std::size_t(c - low) * height + std::size_t(b)) * width];
+      return &differences[(std::size_t(c - low) * height + std::size_t(b)) * width * 3];
     };
     std::vector<float> largest(width + 2, 0.0f);  // squares, of the nine rows around; one more at each end
     for (int c = std::max(low, z - 1); c < std::min(high, z + 2); ++c)
       for (int b = std::max(0, y - 1); b < std::min(dims.y, y + 2); ++b) {
-        const glm::vec3* row = differencesOf(b, c);
-        for (std::size_t x = 0; x < width; ++x) largest[x + 1] = std::max(largest[x + 1], glm::dot(row[x], row[x]));
+        const float* row = differencesOf(b, c);
+        for (std::size_t x = 0; x < width; ++x) {
+          glm::vec3 gradient = glm::make_vec3(row + 3 * x);
+          largest[x + 1] = std::max(largest[x + 1], glm::dot(gradient, gradient));
+        }
       }
     glm::u8vec4* out = &gradients[std::size_t(job) * width];
-    const glm::vec3* row = differencesOf(y, z);
+    const float* row = differencesOf(y, z);
     for (std::size_t x = 0; x < width; ++x) {
       float longest = std::sqrt(std::max(largest[x], std::max(largest[x + 1], largest[x + 2])));
       float toByte = longest > 0 ? 127.0f / longest : 0.0f;
-      glm::vec3 share = row[x] * toByte + 128.5f;
+      glm::vec3 share = glm::make_vec3(row + 3 * x) * toByte + 128.0f + dither({int(x), y, z});
       out[x] = {std::uint8_t(share.x), std::uint8_t(share.y), std::uint8_t(share.z),
                 std::uint8_t(255.0f * std::sqrt(std::min(1.0f, longest * toShare)) + 0.5f)};
     }
@@ -87,18 +101,7 @@ std::vector<glm::u8vec4> packDifferences(const glm::vec3* differences, glm::ivec
   return gradients;
 }
 
-template <class Texel>
-std::vector<glm::u8vec4> computeGradients(const Texel* texels, glm::ivec3 dims, int firstPlane, int z0, int z1,
-                                          double longestGradient) {
-  auto differences =
-      takeDifferences(texels, dims, firstPlane, std::max(0, z0 - 1), std::min(dims.z, z1 + 1));
-  double most = std::is_same_v<Texel, float> ? 1.0 : double(std::numeric_limits<Texel>::max());
-  return packDifferences(differences.data(), dims, z0, z1, longestGradient * most);
-}
-
-template std::vector<glm::vec3> takeDifferences(const float*, glm::ivec3, int, int, int);
-template std::vector<glm::u8vec4> computeGradients(const std::uint8_t*, glm::ivec3, int, int, int, double);
-template std::vector<glm::u8vec4> computeGradients(const std::uint16_t*, glm::ivec3, int, int, int, double);
-template std::vector<glm::u8vec4> computeGradients(const float*, glm::ivec3, int, int, int, double);
+template std::vector<float> takeDifferences(const std::uint8_t*, glm::ivec3, int, int, int);
+template std::vector<float> takeDifferences(const float*, glm::ivec3, int, int, int);
 
 }  // namespace velum::render

@@ -18,25 +18,4 @@ glm::ivec3 smoothFactors(const Volume& volume);
 /// @param finer   texels per voxel along each axis, 1 or more
 std::vector<float> smoothPlanes(const VolumeTexels& source, glm::ivec3 finer, int z0, int z1);
 
-/// Differences of those texels, as takeDifferences() has them: taken of voxels, made as wide along every axis as along
-/// the coarsest one by a Gaussian, and then cubic splines through the voxels as the values are. Narrower ones would
-/// follow the spline, which swings from slice to slice: the normals of a ball in slices of five voxels are 5.2 degrees
-/// off by its own derivative, 2.1 without splines and 1.4 so. They are as long as narrow ones are.
-class SmoothGradients {
- public:
-  /// @param source  outlives this
-  SmoothGradients(const VolumeTexels& source, glm::ivec3 finer) : mSource(&source), mFiner(finer) {}
-
-  /// Planes z0..z1, three numbers a texel, per texel. Cheap where calls go upwards.
-  std::vector<float> planes(int z0, int z1);
-
- private:
-  std::vector<float> widePlanes(int low, int high) const;
-
-  const VolumeTexels* mSource;
-  glm::ivec3 mFiner;
-  int mLow = 0, mHigh = 0;   ///< The planes of voxels that are kept.
-  std::vector<float> mWide;  ///< Three for each of their voxels, per texel.
-};
-
 }  // namespace velum::render

@@ -9,6 +9,7 @@
 #include <span>
 #include <type_traits>
 
+#include "GradientPlanes.h"
 #include "GradientTexels.h"
 #include "SmoothTexels.h"
 #include "VolumeTexels.h"
@@ -56,8 +57,8 @@ glm::ivec3 finestThatFits(const Volume& volume, double mostBytes, int mostAlong)
 
 struct VolumeUpload::Impl {
   VolumeTexels source;
-  glm::ivec3 finer{1};  ///< Texels per voxel, where they are smooth.
-  std::optional<SmoothGradients> smoothGradients;
+  glm::ivec3 finer{1};                      ///< Texels per voxel, where they are smooth.
+  std::optional<GradientPlanes> gradients;  ///< Of values; those of colours are narrow.
   TexelPlan plan;
   GpuVolume out;
   int nextCellZ = 0;
@@ -104,15 +105,13 @@ VolumeUpload::VolumeUpload(const scene::VolumeLayer& layer, const gpu::Limits& l
   out.dims = source.dims = dimsAt(source.factor);
   if (layer.smooth && source.factor == 1 && !source.isQuick && !isColor) {
     m.finer = finestThatFits(*volume, std::min(mostBytes, kMostSmoothBytes), limits.texture3d);
-    if (m.finer != glm::ivec3(1)) {
-      m.plan = kAsFloats;  // integers would show their steps where texels are close
-      m.smoothGradients.emplace(source, m.finer);
-    }
+    // Integers would show their steps where texels are close.
+    if (m.finer != glm::ivec3(1)) m.plan = kAsFloats;
     out.dims *= m.finer;
   }
   // A GPU takes differences on demand only where there is no room: 26 fetches for one.
   if (!limits.isSoftware) wantsGradients = product(out.dims) * 4 <= limits.memoryBytes / 8;
-  if (m.smoothGradients) wantsGradients = true;  // on demand they would be of texels, not of voxels
+  if (m.finer != glm::ivec3(1)) wantsGradients = true;  // on demand they would be of texels, not of voxels
   if (source.factor > 1) {
     bool tooLong = maxOf(volume->dims) > limits.texture3d;
     out.reduction =
@@ -143,6 +142,7 @@ VolumeUpload::VolumeUpload(const scene::VolumeLayer& layer, const gpu::Limits& l
   }
   if (wantsGradients) {
     out.gradient = gpu::Texture::make3d("gradients", Format::Rgba8, out.dims);
+    if (!isColor) m.gradients.emplace(source, m.finer);
     // No difference is longer than the data's whole range along all three axes.
     double range = isColor ? 1.0 : (volume->range.y - volume->range.x) / std::abs(out.valueScale);
     m.longestGradient = std::sqrt(3.0) * std::max(1e-30, range);
@@ -161,12 +161,12 @@ template <class Texel>
 void VolumeUpload::Impl::stepAs() {
   int cz0 = nextCellZ, cz1 = std::min(out.cells.size.z, cz0 + cellLayersPerStep);
   int z0 = cz0 * out.cells.edge, z1 = std::min(out.dims.z, cz1 * out.cells.edge);
-  int halo = out.gradient && !smoothGradients ? 2 : 1;
+  int halo = out.gradient && !gradients ? 2 : 1;
   int halo0 = std::max(0, z0 - halo), halo1 = std::min(out.dims.z, z1 + halo);
   std::vector<Texel> scratch;
   const Texel* texels = nullptr;
   if constexpr (std::is_same_v<Texel, float>) {
-    if (smoothGradients) texels = (scratch = smoothPlanes(source, finer, halo0, halo1)).data();
+    if (finer != glm::ivec3(1)) texels = (scratch = smoothPlanes(source, finer, halo0, halo1)).data();
   }
   if (!texels) texels = source.planes<Texel>(halo0, halo1, scratch);
   std::size_t planeSize = std::size_t(out.dims.x) * std::size_t(out.dims.y);
@@ -180,25 +180,22 @@ void VolumeUpload::Impl::stepAs() {
   if (out.packing == Packing::None)
     out.texture.write({0, 0, z0}, {out.dims.x, out.dims.y, z1 - z0}, texels + planeSize * std::size_t(z0 - halo0));
   std::vector<glm::vec2> layerRanges;
-  auto finish = [&](const auto* values) {
-    layerRanges = computeCellRanges(values, out.dims, out.cells, cz0, cz1, halo0);
-    if (!out.gradient) return;
-    std::vector<glm::u8vec4> gradients;
-    if (smoothGradients) {
-      auto numbers = smoothGradients->planes(halo0, halo1);
-      gradients = packDifferences(reinterpret_cast<const glm::vec3*>(numbers.data()), out.dims, z0, z1, longestGradient);
-    } else {
-      gradients = computeGradients(values, out.dims, halo0, z0, z1, longestGradient);
-    }
-    out.gradient.write({0, 0, z0}, {out.dims.x, out.dims.y, z1 - z0}, gradients.data());
-  };
+  int low = std::max(0, z0 - 1), high = std::min(out.dims.z, z1 + 1);
+  std::vector<float> differences;
+  double unit = plan.scale;  // of the differences
   if constexpr (std::is_same_v<Texel, glm::u8vec4>) {
     std::vector<std::uint8_t> grey(planeSize * std::size_t(halo1 - halo0));
     for (std::size_t i = 0; i < grey.size(); ++i) grey[i] = texels[i].a;
-    finish(grey.data());
+    layerRanges = computeCellRanges(grey.data(), out.dims, out.cells, cz0, cz1, halo0);
+    if (out.gradient) differences = takeDifferences(grey.data(), out.dims, halo0, low, high);
+    unit = 255.0;
   } else {
-    finish(texels);
+    layerRanges = computeCellRanges(texels, out.dims, out.cells, cz0, cz1, halo0);
+    if (out.gradient) differences = gradients->planes(low, high);
   }
+  if (out.gradient)
+    out.gradient.write({0, 0, z0}, {out.dims.x, out.dims.y, z1 - z0},
+                       packGradients(differences, out.dims, z0, z1, longestGradient * unit).data());
   out.cellRanges.insert(out.cellRanges.end(), layerRanges.begin(), layerRanges.end());
   nextCellZ = cz1;
 }

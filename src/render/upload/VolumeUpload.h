@@ -19,7 +19,7 @@ struct GpuVolume {
   gpu::Texture texture;  ///< 3D, or where values are packed that of the next.
   gpu::Buffer packed;
   Packing packing = Packing::None;
-  gpu::Texture gradient;              ///< Where there is room: as computeGradients() makes them.
+  gpu::Texture gradient;              ///< Where there is room: as packGradients() makes them.
   double gradientScale = 0;           ///< Length of a full-length gradient texel, texels times 255/127.
   std::vector<glm::vec2> cellRanges;  ///< By cell: smallest and largest texel, with a halo of one voxel;
   gpu::Buffer cellRange;              ///< the same on the GPU.

@@ -16,13 +16,13 @@ namespace velum::session {
 namespace {
 
 constexpr int kMostCells = 192;
-constexpr double kOpening = 6.0;  ///< Millimetres.
-constexpr double kBridge = 0.02;     ///< Of a piece's cells, by which it may touch the body and not be part of it.
-constexpr double kLeastBody = 0.6;   ///< Of all tissue: less is no body with something beside it.
-constexpr double kTwoKinds = 0.8;  ///< Share of the variance between two classes that are no single bell.
-constexpr int kKeptEdge = 1;              ///< Cells around the body that stay as they are.
-constexpr double kAirBelowHu = -300.0;    ///< Air, cushions and lungs are below, tissue is above.
-constexpr double kHounsfieldAir = -500.0; ///< A CT that reaches down to it is in Hounsfield units.
+constexpr double kOpening = 6.0;        ///< Millimetres.
+constexpr double kBridge = 0.02;        ///< Of a piece's cells, by which it may touch the body and not be part of it.
+constexpr double kLeastBody = 0.6;      ///< Of all tissue: less is no body with something beside it.
+constexpr double kTwoKinds = 0.8;       ///< Share of the variance between two classes that are no single bell.
+constexpr int kKeptEdge = 1;            ///< Cells around the body that stay as they are.
+constexpr double kAirBelowHu = -300.0;  ///< Air, cushions and lungs are below, tissue is above.
+constexpr double kHounsfieldAir = -500.0;  ///< A CT that reaches down to it is in Hounsfield units.
 
 /// A coarse grid of yes and no. [z][y][x]
 struct Grid {
@@ -96,8 +96,8 @@ Grid cellsAbove(const Volume& volume, glm::ivec3 cell, double threshold) {
           double sum = 0;
           for (int k = from.z; k < to.z; ++k)
             for (int j = from.y; j < to.y; ++j) {
-              auto* row = samples + (std::size_t(k) * std::size_t(volume.dims.y) + std::size_t(j)) *
-                                        std::size_t(volume.dims.x);
+              auto* row =
+                  samples + (std::size_t(k) * std::size_t(volume.dims.y) + std::size_t(j)) * std::size_t(volume.dims.x);
               for (int i = from.x; i < to.x; ++i) sum += double(row[i]);
             }
           double mean = sum / double((to.x - from.x) * (to.y - from.y) * (to.z - from.z));

@@ -1,5 +1,5 @@
-#include "velum/session/document/Body.h"
 #include "velum/session/document/Open.h"
+#include "velum/session/document/Body.h"
 
 #include <fmt/format.h>
 

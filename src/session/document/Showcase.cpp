@@ -66,7 +66,12 @@ constexpr std::pair<const char*, const char*> kVirus[] = {
     {"cuts.0.typeSpares", R"([{"type": "root", "share": 0.0, "falloff": 300}])"}};
 
 constexpr Row kRows[] = {
-    {{"head", "A head", "a membrane goes round the skull"}, "skull", 128, "ct-skin", scene::StandardView::Oblique, kHead},
+    {{"head", "A head", "a membrane goes round the skull"},
+     "skull",
+     128,
+     "ct-skin",
+     scene::StandardView::Oblique,
+     kHead},
     {{"trunk", "A trunk", "organs pulled out of a cut"},
      "torso",
      128,

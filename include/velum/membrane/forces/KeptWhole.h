@@ -21,7 +21,7 @@ struct KeptWhole {
   std::int64_t cutAreaPlane = 0;     ///< 6-neighbour pairs of protected voxels that the rest plane separates
   std::int64_t cutAreaMembrane = 0;  ///< that the sheet separates
   double ratio = 1.0;  ///< membrane / plane; 1 where neither cuts, the membrane's count where the plane cuts none
-  double meanDistance = 0.0;  ///< of the sheet from the rest plane
+  double meanDistance = 0.0;                    ///< of the sheet from the rest plane
   std::int64_t planeAbove = 0, planeBelow = 0;  ///< of the plane's pairs: those that lie above, below the sheet whole
 };
 

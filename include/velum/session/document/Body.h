@@ -13,8 +13,8 @@ struct Body {
 /// Finds the largest body and leaves out the rest: table, head rest, cables, cushions. What is denser than air is
 /// filled plane by plane along z, so that lungs and bowel stay, without its thin shells, and opened by 6 mm; of the
 /// pieces the largest is the body, and what was opened away belongs to the piece that is nearest along tissue; pieces
-/// that touch it along more than a bridge are part of it. Nothing of a body is lost: what lies on it flat stays with it. Works on a grid of at most 192
-/// voxels along an axis; the body's edge is kept one of them wide.
+/// that touch it along more than a bridge are part of it. Nothing of a body is lost: what lies on it flat stays with
+/// it. Works on a grid of at most 192 voxels along an axis; the body's edge is kept one of them wide.
 /// @param volume  one channel; its first time step says where the body is
 /// @throw InputError for colours and several channels, or where the largest body is less than 60 % of what is denser
 /// than air; Cancelled. Any thread.

@@ -12,8 +12,8 @@ struct MaterialRange {
   double low = 0.0, high = 0.0;
 };
 
-/// The values that a click means ([ACS] 4.2): those of the segment of the opacity curve that the material's middle at the
-/// place lies in, or where that is hidden the place's own value, from one valley of the curve to the next, but not
+/// The values that a click means ([ACS] 4.2): those of the segment of the opacity curve that the material's middle at
+/// the place lies in, or where that is hidden the place's own value, from one valley of the curve to the next, but not
 /// beyond halfway to a darker or brighter material beside the place. Where the curve hides both, or has one segment for
 /// all, the material beside alone says it.
 ///

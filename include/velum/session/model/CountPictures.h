@@ -16,12 +16,12 @@ namespace velum::session {
 Solved findVisible(const scene::Scene& scene, const std::vector<int>& cuts, std::string_view path, double wanted,
                    glm::ivec2 size, Progress& progress);
 
-/// As solveTargets(), of the numbers that a scene's model wants (scene::ModelLayer::targets), by all cuts that are on, or
-/// one everywhere where none is. @throw the same
+/// As solveTargets(), of the numbers that a scene's model wants (scene::ModelLayer::targets), by all cuts that are on,
+/// or one everywhere where none is. @throw the same
 TargetsReport findTargets(scene::Scene scene, glm::ivec2 size, Progress& progress);
 
-/// Writes the bars of a picture: countsSvg() or countsCsv(), by extension. @throw the same; InputError where there is no
-/// model, or the extension is another
+/// Writes the bars of a picture: countsSvg() or countsCsv(), by extension. @throw the same; InputError where there is
+/// no model, or the extension is another
 void writeBars(const scene::Scene& scene, glm::ivec2 size, const std::filesystem::path& path, Progress& progress);
 
 /// As whatHides(). @throw the same

@@ -8,9 +8,9 @@
 
 namespace velum::session {
 
-/// What the handle of a bar sets where nobody says which cuts: what lies in the regions of cuts goes first and comes back
-/// last, and only below what lies outside of all of them a cut that is everywhere thins the rest. It is added where there
-/// is none. So one motion goes from all to none of a type, whatever cuts there are. Costs and threads: as
+/// What the handle of a bar sets where nobody says which cuts: what lies in the regions of cuts goes first and comes
+/// back last, and only below what lies outside of all of them a cut that is everywhere thins the rest. It is added
+/// where there is none. So one motion goes from all to none of a type, whatever cuts there are. Costs and threads: as
 /// RenderedSolver, of which it is two.
 class HandleSolver {
  public:

@@ -1,0 +1,99 @@
+#include "GradientPlanes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/type_ptr.hpp>
+
+#include "GradientTexels.h"
+#include "Resample.h"
+#include "velum/core/Parallel.h"
+
+namespace velum::render {
+
+namespace {
+
+std::size_t planeSizeOf(glm::ivec3 dims) { return std::size_t(dims.x) * std::size_t(dims.y) * 3; }
+
+/// Widths of the Gaussian along each axis, voxels.
+glm::dvec3 widthsOf(const Volume& volume) {
+  constexpr double kWidth = 1.0;    // of the finest spacing
+  constexpr double kStretch = 0.4;  // of the coarsest one: wider shows fewer stairs and less of what lies in a slice
+  glm::dvec3 spacing = spacingOf(volume), widths(0.0);
+  double finest = std::min(spacing.x, std::min(spacing.y, spacing.z));
+  double coarsest = std::max(spacing.x, std::max(spacing.y, spacing.z));
+  for (int axis = 0; axis < 3; ++axis) {
+    double ratio = std::clamp(coarsest / spacing[axis], 1.0, 8.0);
+    double stretch = kStretch * std::sqrt(ratio * ratio - 1.0);
+    if (volume.dims[axis] > 1) widths[axis] = std::hypot(kWidth * finest / spacing[axis], stretch);
+  }
+  return widths;
+}
+
+/// A direction from the wide gradient, as long as the narrow one.
+glm::vec3 merged(glm::vec3 narrow, glm::vec3 wide) {
+  const float kApart = std::cos(glm::radians(20.0f)), kTogether = std::cos(glm::radians(10.0f));
+  float length = glm::length(narrow), wideLength = glm::length(wide);
+  if (length == 0.0f || wideLength == 0.0f) return narrow;
+  narrow /= length;
+  wide /= wideLength;
+  float share = glm::smoothstep(kApart, kTogether, glm::dot(narrow, wide));
+  return glm::normalize(glm::mix(narrow, wide, share)) * length;
+}
+
+}  // namespace
+
+template <class Make>
+const float* SlidingPlanes::slide(int askedLow, int askedHigh, std::size_t planeSize, const Make& make) {
+  int high = low + int(numbers.size() / planeSize);
+  int kept = askedLow < low ? 0 : std::max(0, high - askedLow);
+  numbers.erase(numbers.begin(), numbers.end() - std::ptrdiff_t(planeSize * std::size_t(kept)));
+  low = askedLow;
+  if (low + kept < askedHigh) {
+    std::vector<float> more = make(low + kept, askedHigh);
+    numbers.insert(numbers.end(), more.begin(), more.end());
+  }
+  return numbers.data();
+}
+
+std::vector<float> GradientPlanes::narrowPlanes(int low, int high) const {
+  glm::ivec3 dims = mSource->dims;
+  int first = std::max(0, low - 1);
+  std::vector<float> scratch;
+  const float* values = mSource->planes<float>(first, std::min(dims.z, high + 1), scratch);
+  return takeDifferences(values, dims, first, low, high);
+}
+
+std::vector<float> GradientPlanes::widePlanes(int low, int high) {
+  glm::ivec3 dims = mSource->dims;
+  glm::dvec3 widths = widthsOf(*mSource->volume);
+  std::size_t planeSize = planeSizeOf(dims);
+  auto tapsZ = gaussianTaps(widths.z, low, high);
+  Span held = askedBy(tapsZ, dims.z);
+  const float* narrow =
+      mNarrow.slide(held.low, held.high, planeSize, [&](int first, int last) { return narrowPlanes(first, last); });
+  const float* across = mAcross.slide(held.low, held.high, planeSize, [&](int first, int last) {
+    int planes = last - first;
+    auto rows = smoothRows(narrow + planeSize * std::size_t(first - held.low), 3, dims.x, dims.y * planes, widths.x);
+    return resample(rows.data(), std::size_t(dims.x) * 3, planes, {0, dims.y}, dims.y,
+                    gaussianTaps(widths.y, 0, dims.y));
+  });
+  auto wide = resample(across, planeSize, 1, held, dims.z, tapsZ);
+  const float* here = narrow + planeSize * std::size_t(low - held.low);
+  parallelFor(0, dims.y * (high - low), [&](int job) {
+    for (std::size_t i = std::size_t(job) * std::size_t(dims.x), end = i + std::size_t(dims.x); i < end; ++i) {
+      glm::vec3 gradient = merged(glm::make_vec3(here + i * 3), glm::make_vec3(&wide[i * 3])) / glm::vec3(mFiner);
+      std::copy_n(&gradient.x, 3, &wide[i * 3]);
+    }
+  });
+  return wide;
+}
+
+std::vector<float> GradientPlanes::planes(int z0, int z1) {
+  glm::ivec3 dims = mSource->dims;
+  Span asked = askedBy(splineTaps(mFiner.z, z0, z1), dims.z);
+  const float* wide = mWide.slide(asked.low, asked.high, planeSizeOf(dims),
+                                  [&](int first, int last) { return widePlanes(first, last); });
+  return refine(wide, 3, dims, asked, mFiner, z0, z1);
+}
+
+}  // namespace velum::render

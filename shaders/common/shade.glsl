@@ -3,8 +3,12 @@
 
 layout(binding = kLightUnit) uniform sampler3D lightTexture;  // r: light that reaches a cell, g: openness of its surroundings
 
-/// Where the light on a surface is looked up, in texture coordinates of the light grid: a cell off the material.
-vec3 lightTexAt(vec3 scenePoint, vec3 normal) { return (frame.texFromScene * vec4(scenePoint + normal * (1.5 * frame.lightCell), 1.0)).xyz; }
+/// Where the light on a surface is looked up, in texture coordinates of the light grid: off the material, so that no cell
+/// that is in part material is asked, whose share changes along a surface like wood grain.
+/// @param steepness  1: there is a surface, 0: fog
+vec3 lightTexAt(vec3 scenePoint, vec3 normal, float steepness) {
+  return (frame.texFromScene * vec4(scenePoint + normal * ((1.0 + 0.5 * steepness) * frame.lightCell), 1.0)).xyz;
+}
 
 /// @param normal  unit, out of the material; towardsEye unit; tex as lightTexAt()
 vec3 shadeSurface(vec3 albedo, vec3 normal, vec3 towardsEye, vec3 tex) {

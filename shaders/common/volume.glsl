@@ -98,7 +98,7 @@ float gradientFactor(vec3 gradient) {
 }
 
 #if LABELS == 1
-float tableFrom(vec3 scenePoint) { return tableAt((frame.texFromScene * vec4(scenePoint, 1.0)).xyz); }
+float rawTexelFrom(vec3 scenePoint) { return rawTexelAt((frame.texFromScene * vec4(scenePoint, 1.0)).xyz); }
 
 /// The middle of the label voxel around a place.
 vec3 labelMiddleAt(vec3 scenePoint) {
@@ -112,13 +112,14 @@ vec3 labelMiddleAt(vec3 scenePoint) {
 /// @param outwards  from the surface, not longer than 1; shorter where there hardly is one, 0 on the face of a cut
 vec3 tinted(vec3 albedo, vec3 scenePoint, vec3 outwards, uint structure) {
   vec3 across = outwards * (1.2 / frame.voxelsPerLength);
-  uint inner = labelAt(scenePoint - (structure == 0u ? 0.5 : 1.0) * across);
-  if (inner == structure) inner = labelAt(scenePoint - 1.5 * across);
+  float least = structure == 0u ? 0.5 : 1.0;
+  uint inner = labelAt(scenePoint - least * across);
+  if (inner == structure) inner = labelAt(scenePoint - (least + 0.5) * across);
   if (inner != structure && inner != 0u && structureRow(inner).a > 0.0) {
-    float before = tableFrom(scenePoint + across);
-    float a = tableFrom(scenePoint - 0.5 * across), b = tableFrom(scenePoint - across);
+    float before = rawTexelFrom(scenePoint + across);
+    float a = rawTexelFrom(scenePoint - 0.5 * across), b = rawTexelFrom(scenePoint - across);
     float top = abs(a - before) > abs(b - before) ? a : b;
-    float down = (top - tableFrom(labelMiddleAt(scenePoint))) / (top - before);
+    float down = (top - rawTexelFrom(labelMiddleAt(scenePoint))) / (top - before);
     if (down > 0.25 && down < 1.25) structure = inner;
   }
   return mix(albedo, structureRow(structure).rgb, structureTint(structure));

@@ -70,7 +70,7 @@ void addSheetAt(inout Hit hit, Ray ray, Mark mark) {
     SheetPlace place = sheetPlaceAt(mark.cut, mark.triangle, local, mat3(cut.localFromScene) * ray.direction, pixelSize);
     alpha = 0.7 * gridCover(cutSheet(cut), place);
   }
-  addSheet(hit, mark.t, shadeSurface(albedo, normal, -ray.direction, lightTexAt(p, normal)), alpha, normal);
+  addSheet(hit, mark.t, shadeSurface(albedo, normal, -ray.direction, lightTexAt(p, normal, 1.0)), alpha, normal);
 }
 
 /// A picture of parts is without this one.

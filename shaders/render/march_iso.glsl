@@ -47,7 +47,7 @@ void addSurface(inout Hit hit, Ray ray, Walk walk, float t, Face face, bool spar
   albedo = tinted(albedo, p, isOnFace(face) || sparedOnly ? vec3(0.0) : normal, structure);
   if (hasFlag(kFlagOverlaps) && sparedOnly && endFaceAt(p, structure).isShared) albedo = mix(albedo, kOverlapColor, kOverlapShare);
 #endif
-  vec3 color = shadeSurface(albedo, normal, -ray.direction, lightTexAt(p, normal));
+  vec3 color = shadeSurface(albedo, normal, -ray.direction, lightTexAt(p, normal, 1.0));
   if (isOnFace(face) && showsData(face)) color = vec3(greyAt(tableAt(tex)));
 #ifdef MEMBRANES
   float share = hasFlag(kFlagInlays) ? inlayShare(p, structure) : 1.0;

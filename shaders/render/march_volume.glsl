@@ -101,10 +101,17 @@ void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, float faceT,
     if (hasFlag(kFlagGradientOpacity)) depth *= gradientFactor(gradient);
 #endif
     normal = normalize(mix(-ray.direction, outwards, steepness) + 1e-6);
-    // On a cut the surface is the cut's; a voxel and a half behind it the data's own again.
-    if (hasFlag(kFlagCuts) && faceDepth < kFar)
-      normal = normalize(mix(faceNormal, normal, smoothstep(0.25, 1.5, faceDepth * frame.voxelsPerLength)) + 1e-6);
-    color = shadeSurface(albedo, normal, -ray.direction, lightTexAt(p, normal));
+    // On a cut the surface is the cut's; a voxel and a half behind it the data's own again, and so where a membrane lies
+    // along an edge of the data: it has steps as large as voxels.
+    if (hasFlag(kFlagCuts) && faceDepth < kFar) {
+      float own = smoothstep(0.25, 1.5, faceDepth * frame.voxelsPerLength);
+#if defined(MEMBRANES) && LABELS != 2
+      float edge = smoothstep(0.5, 1.5, len * frame.tablePerValue * 60.0 / frame.voxelsPerLength);
+      own = max(own, edge * smoothstep(0.6, 0.9, dot(outwards, faceNormal)));
+#endif
+      normal = normalize(mix(faceNormal, normal, own) + 1e-6);
+    }
+    color = shadeSurface(albedo, normal, -ray.direction, lightTexAt(p, normal, steepness));
   }
   if (hasFlag(kFlagGradientOpacity) || hasFlag(kFlagInlays) || LABELS == 1) alpha = 1.0 - exp(-depth);
   if (alpha > 0.0) addSample(hit, vec4(color * alpha, alpha), tm, normal, structure);

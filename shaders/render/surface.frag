@@ -20,7 +20,7 @@ void main() {
   vec3 normal = length(sceneNormal) > 0.0 ? sceneNormal : flatNormal;
   normal = length(normal) > 0.0 ? normalize(normal) : -toPoint;  // a line has none
   if (dot(normal, toPoint) > 0.0) normal = -normal;
-  color = vec4(albedo.a > 0.0 ? shadeSurface(albedo.rgb, normal, -toPoint, lightTexAt(scenePoint, normal)) : albedo.rgb, 1.0);
+  color = vec4(albedo.a > 0.0 ? shadeSurface(albedo.rgb, normal, -toPoint, lightTexAt(scenePoint, normal, 1.0)) : albedo.rgb, 1.0);
   id = uvec4(0u, uint(instance), uint(instance), 0u);
   aux = vec4(normal, dot(scenePoint - frame.eye.xyz, toPoint));
 }

@@ -40,16 +40,6 @@ void differRow(int width, const RowAt& rowAt, std::array<std::vector<float>, 3>&
   }
 }
 
-/// Where a byte is cut off, 0..1, other for each texel: bytes of one direction would show a round thing in facets.
-glm::vec3 dither(glm::ivec3 texel) {
-  auto bits = std::uint32_t(texel.x) * 0x9e3779b1u ^ std::uint32_t(texel.y) * 0x85ebca77u ^
-              std::uint32_t(texel.z) * 0xc2b2ae3du;
-  bits = (bits ^ bits >> 15) * 0x2c1b3c6du;
-  bits = (bits ^ bits >> 12) * 0x297a2d39u;
-  bits ^= bits >> 15;
-  return glm::vec3(bits & 1023u, bits >> 10 & 1023u, bits >> 20 & 1023u) / 1024.0f;
-}
-
 }  // namespace
 
 template <class Texel>
@@ -93,7 +83,7 @@ std::vector<glm::u8vec4> packGradients(const std::vector<float>& differences, gl
     for (std::size_t x = 0; x < width; ++x) {
       float longest = std::sqrt(std::max(largest[x], std::max(largest[x + 1], largest[x + 2])));
       float toByte = longest > 0 ? 127.0f / longest : 0.0f;
-      glm::vec3 share = glm::make_vec3(row + 3 * x) * toByte + 128.0f + dither({int(x), y, z});
+      glm::vec3 share = glm::make_vec3(row + 3 * x) * toByte + 128.5f;
       out[x] = {std::uint8_t(share.x), std::uint8_t(share.y), std::uint8_t(share.z),
                 std::uint8_t(255.0f * std::sqrt(std::min(1.0f, longest * toShare)) + 0.5f)};
     }

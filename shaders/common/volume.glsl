@@ -120,7 +120,9 @@ vec3 tinted(vec3 albedo, vec3 scenePoint, vec3 outwards, uint structure) {
     float a = rawTexelFrom(scenePoint - 0.5 * across), b = rawTexelFrom(scenePoint - across);
     float top = abs(a - before) > abs(b - before) ? a : b;
     float down = (top - rawTexelFrom(labelMiddleAt(scenePoint))) / (top - before);
-    if (down > 0.25 && down < 1.25) structure = inner;
+    // What has nothing before it is itself what the slope leads to, unless most of the voxel is air.
+    bool isOuter = structure != 0u && labelAt(scenePoint + across) == 0u;
+    if (down > (isOuter ? 0.5 : 0.25) && down < 1.25) structure = inner;
   }
   return mix(albedo, structureRow(structure).rgb, structureTint(structure));
 }

@@ -46,7 +46,8 @@ TEST_F(LabelsGL, TintTurnsTheColourIntoTheStructures) {
   }
 }
 
-/// Bone shows half a voxel before its label begins, where voxels are muscle's: its colour is its own all the same.
+/// Bone shows half a voxel before its label begins, where voxels are muscle's: its colour is its own all the same. And
+/// so is that of a skin less than two voxels thick, in air: it has none of the fat under it.
 TEST_F(LabelsGL, AtABorderWhoIsBehindTheSurfaceLendsTheColour) {
   auto fromMiddle = [](glm::ivec3 p) { return glm::length(glm::dvec3(p) - 0.5 * glm::dvec3(kDims - 1)); };
   scene::Scene scene = sceneOf(makeVolume(
@@ -58,12 +59,13 @@ TEST_F(LabelsGL, AtABorderWhoIsBehindTheSurfaceLendsTheColour) {
   scene.rayCast.isoValue = 50;
   scene.lighting.shaded = true;
   scene.lighting.specular = 0;
-  LabelVolume labels = makeLabels(
-      kDims, [&](glm::ivec3 p) { return fromMiddle(p) < 10.0 ? 1 : 2; }, centredFrame(kDims));
-  labels.table = {{1, "bone", {0, 1, 0}, 1.0f}, {2, "muscle", {0, 0, 1}, 1.0f}};
-  scene.labels.data = Shared<LabelVolume>(std::move(labels));
-  scene::completeStructures(scene.labels);
-  for (auto mode : {scene::RenderMode::Volume, scene::RenderMode::Iso}) {
+  auto boneInMuscle = [&](glm::ivec3 p) { return fromMiddle(p) < 10.0 ? 1 : 2; };
+  auto skinOnFat = [&](glm::ivec3 p) { return fromMiddle(p) < 8.3 ? 2 : fromMiddle(p) < 10.0 ? 1 : 0; };
+  auto countOthers = [&](auto labelOf, scene::RenderMode mode) {
+    LabelVolume labels = makeLabels(kDims, labelOf, centredFrame(kDims));
+    labels.table = {{1, "bone or skin", {0, 1, 0}, 1.0f}, {2, "muscle or fat", {0, 0, 1}, 1.0f}};
+    scene.labels.data = Shared<LabelVolume>(std::move(labels));
+    scene::completeStructures(scene.labels);
     scene.rayCast.mode = mode;
     Image image = draw(scene, kSize, kAllLayers);
     int others = 0;
@@ -76,6 +78,10 @@ TEST_F(LabelsGL, AtABorderWhoIsBehindTheSurfaceLendsTheColour) {
         0.9f);
     EXPECT_GT(shown, 300) << enumName(mode);
     EXPECT_LT(others, shown / 50) << enumName(mode);
+  };
+  for (auto mode : {scene::RenderMode::Volume, scene::RenderMode::Iso}) {
+    countOthers(boneInMuscle, mode);
+    countOthers(skinOnFat, mode);
   }
 }
 

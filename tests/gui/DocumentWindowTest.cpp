@@ -2,12 +2,15 @@
 // missing.
 #include <gtest/gtest.h>
 
+#include <QAbstractButton>
+#include <QElapsedTimer>
 #include <QFile>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QStandardPaths>
 #include <QTest>
 #include <QTimer>
 #include <filesystem>
@@ -23,6 +26,7 @@
 #include "velum/io/volumes/WriteVolume.h"
 #include "velum/session/document/Folders.h"
 #include "velum/session/document/Open.h"
+#include "velum/session/document/Showcase.h"
 #include "window/MainWindow.h"
 #include "window/RecoveryBar.h"
 
@@ -361,6 +365,30 @@ TEST_F(DocumentWindow, RecentFilesHavePicturesAndOpenByAClick) {
   QTest::mouseClick(cards[0], Qt::LeftButton);
   ASSERT_TRUE(waitForJob());
   EXPECT_TRUE(mWindow->document().scene().volume.data);
+}
+
+/// Each of the three systems, in one click, without anything that would have to be fetched.
+TEST_F(DocumentWindow, ASampleOpensByAClick) {
+  for (const session::Showcase& sample : session::showcases()) {
+    std::string name(sample.name);
+    std::filesystem::path cache(QStandardPaths::writableLocation(QStandardPaths::CacheLocation).toStdString());
+    std::filesystem::remove_all(cache / "samples");
+    mWindow->actions().find("file.new")->trigger();
+    auto* card = mWindow->findChild<QAbstractButton*>(QString::fromStdString("sample." + name));
+    ASSERT_TRUE(card) << name;
+    QElapsedTimer clock;
+    clock.start();
+    QTest::mouseClick(card, Qt::LeftButton);
+    ASSERT_TRUE(waitForJob()) << name;
+    RecordProperty(name + ", ms", std::to_string(clock.elapsed()));
+    const auto& scene = mWindow->document().scene();
+    EXPECT_TRUE(scene.volume.data || scene.model.data) << name;
+    EXPECT_FALSE(mWindow->document().isModified()) << name;
+    EXPECT_FALSE(scene.cuts.empty()) << name;
+    ASSERT_TRUE(QTest::qWaitFor([&] { return mWindow->isSettled(); }, 60000)) << name;
+    RecordProperty(name + ", until the picture is whole, ms", std::to_string(clock.elapsed()));
+    takeShot(*mWindow, ("sample-" + name).c_str());
+  }
 }
 
 TEST_F(DocumentWindow, HistoryGoesToAnyStep) {

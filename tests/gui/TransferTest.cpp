@@ -243,6 +243,20 @@ TEST_F(Transfer, PresetsShowTheData) {
   takeShot(*mWindow, "presets");
 }
 
+TEST_F(Transfer, SmoothIsOneClickAndOneUndoStep) {
+  openBall();
+  auto* smooth = child<QCheckBox>("smooth");
+  ASSERT_TRUE(smooth && smooth->isEnabled());
+  EXPECT_FALSE(smooth->isChecked());
+  smooth->click();
+  EXPECT_TRUE(scene().volume.smooth);
+  EXPECT_EQ(undoLabel(), "Change smoothing");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return mWindow->isSettled(); }, 60000));
+  mWindow->document().undo();
+  EXPECT_FALSE(scene().volume.smooth);
+  EXPECT_FALSE(smooth->isChecked());
+}
+
 TEST_F(Transfer, AClickOnTissueShowsIt) {
   openBall();
   ASSERT_TRUE(QTest::qWaitFor([&] { return mWindow->isSettled(); }, 60000));

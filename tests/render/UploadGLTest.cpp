@@ -175,6 +175,23 @@ TEST_F(UploadGL, ADriverWithSmallTexturesShowsLessDetailAndSaysSo) {
   small.reset();
 }
 
+TEST_F(UploadGL, WhereThereIsNoRoomToBeSmoothThatIsSaid) {
+  scene::Scene scene = sceneOf(makeVolume(kDims, SampleType::UInt8, valueOf, centredFrame(kDims)));
+  style(scene);
+  ::setenv("VELUM_MAX_TEXTURE_3D", "50", 1);
+  auto small = gpu::Context::createEgl();
+  ::unsetenv("VELUM_MAX_TEXTURE_3D");
+  {
+    render::Renderer other(*small);
+    drawWith(other, scene, {32, 32});
+    EXPECT_EQ(other.stats().reduction, "");
+    scene.volume.smooth = true;
+    drawWith(other, scene, {32, 32});
+    EXPECT_NE(other.stats().reduction.find("not as smooth"), std::string::npos) << other.stats().reduction;
+  }
+  small.reset();
+}
+
 TEST_F(UploadGL, ADriverWithLittleMemoryShowsLessDetailAndSaysSo) {
   glm::ivec3 dims(128, 128, 128);  // 8 MiB as float
   scene::Scene scene = sceneOf(makeVolume(

@@ -18,13 +18,15 @@ std::size_t planeSizeOf(glm::ivec3 dims) { return std::size_t(dims.x) * std::siz
 glm::dvec3 widthsOf(const Volume& volume) {
   constexpr double kWidth = 1.0;    // of the finest spacing
   constexpr double kStretch = 0.4;  // of the coarsest one: wider shows fewer stairs and less of what lies in a slice
+  // Of a turned grid the last digits differ: the same data has the same gradients however it lies.
   glm::dvec3 spacing = spacingOf(volume), widths(0.0);
   double finest = std::min(spacing.x, std::min(spacing.y, spacing.z));
   double coarsest = std::max(spacing.x, std::max(spacing.y, spacing.z));
   for (int axis = 0; axis < 3; ++axis) {
     double ratio = std::clamp(coarsest / spacing[axis], 1.0, 8.0);
     double stretch = kStretch * std::sqrt(ratio * ratio - 1.0);
-    if (volume.dims[axis] > 1) widths[axis] = std::hypot(kWidth * finest / spacing[axis], stretch);
+    if (volume.dims[axis] > 1)
+      widths[axis] = std::round(1e4 * std::hypot(kWidth * finest / spacing[axis], stretch)) / 1e4;
   }
   return widths;
 }

@@ -105,6 +105,9 @@ VolumeUpload::VolumeUpload(const scene::VolumeLayer& layer, const gpu::Limits& l
   out.dims = source.dims = dimsAt(source.factor);
   if (layer.smooth && source.factor == 1 && !source.isQuick && !isColor) {
     m.finer = finestThatFits(*volume, std::min(mostBytes, kMostSmoothBytes), limits.texture3d);
+    if (m.finer != smoothFactors(*volume))
+      out.reduction = fmt::format("not as smooth as asked for: that takes more than {} MiB or {} texels along a side",
+                                  std::size_t(std::min(mostBytes, kMostSmoothBytes)) >> 20, limits.texture3d);
     // Integers would show their steps where texels are close.
     if (m.finer != glm::ivec3(1)) m.plan = kAsFloats;
     out.dims *= m.finer;

@@ -13,6 +13,7 @@
 #include <sstream>
 
 #include "StandardInput.h"
+#include "WindowOption.h"
 #include "velum/core/Error.h"
 #include "velum/core/Log.h"
 #include "velum/core/Text.h"
@@ -87,6 +88,9 @@ void addInput(CLI::App& verb, InputOptions& input, bool withScene) {
   verb.add_option("--finish", input.finish, fmt::format("what an illustrator adds: {}", finishNames()));
   verb.add_option("--transfer", input.transfer,
                   "transfer function from a file: .velum-transfer.json, or 3D Slicer's .vp.json or .vp");
+  verb.add_option_function<std::string>(
+      "--window", [&input](const std::string& text) { input.sets.push_back(std::string(kWindowField) + "=" + text); },
+      fmt::format("grey window of sections: width,level in the values' unit (400,50), or one of {}", windowNames()));
   verb.add_flag("--hide-table", input.hidesTable,
                 "leave out what is not part of the largest body: the scanner's table, head rests, cables");
   verb.add_option("--view", input.view, "camera: anterior, posterior, left, right, superior, inferior, oblique");
@@ -265,7 +269,8 @@ scene::Scene openScene(const InputOptions& input, double aspect) {
     scene.camera = scene::frameVisible(scene, *view, aspect);
   }
   if (!input.finish.empty()) scene::applyFinish(scene, input.finish);
-  for (const auto& [path, value] : sets) scene::setField(scene, path, value);
+  for (const auto& [path, value] : sets)
+    path == kWindowField ? setGreyWindow(scene.volume, value) : scene::setField(scene, path, value);
   session::settleBody(scene, progress);
   for (const std::string& note : session::settleGrowths(scene, progress)) log::warning(note);
   loadNamedPictures(scene, sets);

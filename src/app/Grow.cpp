@@ -4,12 +4,15 @@
 #include <cmath>
 #include <sstream>
 
+#include "Text.h"
 #include "Verbs.h"
 #include "velum/core/Error.h"
+#include "velum/core/Text.h"
 #include "velum/extrusion/Grower.h"
 #include "velum/extrusion/LabelsFor.h"
 #include "velum/extrusion/SmoothRegion.h"
 #include "velum/io/labels/WriteLabels.h"
+#include "velum/scene/GreyWindows.h"
 #include "velum/session/extrusion/MaterialRange.h"
 #include "velum/session/growth/Growths.h"
 
@@ -150,6 +153,9 @@ Json reportOf(const scene::Growth& step, const extrusion::Grown& grown, std::siz
 void print(const extrusion::Grown& grown, const Json& report) {
   fmt::print("{} voxels in {} slabs, {:.2f} ms", report["voxels"].get<std::size_t>(), grown.slabs, grown.ms);
   if (report.contains("volumeMl")) fmt::print(", {:.6g} ml", report["volumeMl"].get<double>());
+  if (report.contains("values"))
+    fmt::print(", mean {} {}", tidyNumber(report["values"]["mean"].get<double>()),
+               report["valueUnit"].get<std::string>());
   fmt::print("\n");
   if (grown.leak)
     fmt::print("stopped at {:.6g}: the slab behind is {:.4g} wide, {:.4g} was to be expected at most\n", grown.distance,
@@ -189,6 +195,9 @@ int run(const GrowOptions& options) {
   warnings.insert(warnings.end(), lost.begin(), lost.end());
   consoleProgress().report(1.0, "");
   Json report = reportOf(step, grown, smoothed.voxels, volume);
+  auto values = session::measureValues(result, volume, step.channel, step.timeStep, consoleProgress());
+  if (auto found = values.find(step.structure); found != values.end()) report["values"] = valuesJson(found->second);
+  report["valueUnit"] = scene::valueUnit(volume);
   report["name"] = options.name;
   report["guarded"] = options.guard;
   report["output"] = options.output;

@@ -12,6 +12,7 @@
 #include "velum/io/models/ReadModel.h"
 #include "velum/io/volumes/Formats.h"
 #include "velum/io/volumes/ReadVolume.h"
+#include "velum/scene/GreyWindows.h"
 #include "velum/scene/Presets.h"
 #include "velum/session/document/Open.h"
 #include "velum/session/structure/StructureSizes.h"
@@ -110,6 +111,21 @@ Json describe(const LabelVolume& labels) {
           {"warnings", labels.warnings}};
 }
 
+/// Labels beside a scan, with what it measured in each structure.
+Json describeBeside(const Volume& scan, const std::string& path) {
+  scene::Source source;
+  source.path = path;
+  LabelVolume labels =
+      io::readLabels(source, consoleProgress(), io::LabelGrid{scan.dims, scan.worldFromVoxel, scan.lengthUnit});
+  auto values = session::measureValues(labels, scan, 0, 0, consoleProgress());
+  Json json = describe(labels);
+  json["valueUnit"] = scene::valueUnit(scan);
+  for (Json& structure : json["structures"])
+    if (auto found = values.find(structure["id"].get<int>()); found != values.end())
+      structure["values"] = valuesJson(found->second);
+  return json;
+}
+
 Json describe(const Mesh& mesh) {
   Json json = {{"kind", "surface"},
                {"name", mesh.name},
@@ -194,7 +210,27 @@ Json listTables(const InfoOptions& options) {
       json["presets"].push_back({{"name", std::string(preset.name)},
                                  {"title", std::string(preset.title)},
                                  {"modality", std::string(enumName(preset.modality))}});
+  if (options.presets)
+    for (const auto& window : scene::greyWindows())
+      json["windows"].push_back(
+          {{"name", std::string(window.name)},
+           {"title", fmt::format("{}: W {} L {} {}", window.title, window.width, window.level, window.unit)},
+           {"unit", std::string(window.unit)},
+           {"width", window.width},
+           {"level", window.level}});
   return json;
+}
+
+Json describeAll(const Volume& volume, const InfoOptions& options) {
+  Json json = describe(volume);
+  const auto& inputs = options.input.inputs;
+  if (inputs.size() > 1) json["labels"] = describeBeside(volume, inputs[1]);
+  return json;
+}
+
+Json describeAll(const LabelVolume& labels, const InfoOptions& options) {
+  if (options.input.inputs.size() > 1) throw ArgumentError("info: name a scan first, then labels of it");
+  return describe(labels);
 }
 
 int run(const InfoOptions& options) {
@@ -203,6 +239,7 @@ int run(const InfoOptions& options) {
     json = listTables(options);
   } else {
     if (options.input.inputs.empty()) throw ArgumentError("info: name a file, or --formats, or --presets");
+    if (options.input.inputs.size() > 2) throw ArgumentError("info: name one file, or a scan and labels of it");
     scene::Source source = firstSource(options.input);
     Progress& progress = consoleProgress();
     std::filesystem::path path(source.path);
@@ -222,7 +259,8 @@ int run(const InfoOptions& options) {
     else if (options.labels)
       json = describe(io::readLabels(source, progress));
     else
-      json = std::visit([](const auto& voxels) { return describe(voxels); }, io::readVoxels(source, progress));
+      json = std::visit([&](const auto& voxels) { return describeAll(voxels, options); },
+                        io::readVoxels(source, progress));
     auto series = io::listSeries(path, progress);
     progress.report(1.0, "");
     for (const auto& s : series)
@@ -248,7 +286,7 @@ Run registerInfo(CLI::App& verb) {
   verb.get_option("input")->required(false);
   verb.add_flag("--labels", options->labels, "read it as labels");
   verb.add_flag("--formats", options->formats, "list the file formats");
-  verb.add_flag("--presets", options->presets, "list the presets");
+  verb.add_flag("--presets", options->presets, "list the presets, and the grey windows of sections");
   return [options] { return run(*options); };
 }
 

@@ -93,6 +93,9 @@ void printLabels(const Json& json) {
     std::string size = voxels == 0 ? "does not occur"
                                    : fmt::format("{:>9} ml  {:>9} cm2", tidyNumber(s["volumeMl"].get<double>()),
                                                  tidyNumber(s["surfaceCm2"].get<double>()));
+    if (s.contains("values"))
+      size += fmt::format("  mean {:>8}  max {:>8} {}", tidyNumber(s["values"]["mean"].get<double>()),
+                          tidyNumber(s["values"]["max"].get<double>()), textIn(json, "valueUnit"));
     fmt::print("  {:>5}  {:<{}}  {}\n", s["id"].get<int>(), textIn(s, "name"), width, size);
   }
   if (structures.size() > rows) fmt::print("  and {} more\n", structures.size() - rows);
@@ -138,6 +141,14 @@ void printTables(const Json& json) {
 
 }  // namespace
 
+Json valuesJson(const session::StructureValues& values) {
+  return {{"voxels", values.voxels},
+          {"mean", values.mean},
+          {"deviation", values.deviation},
+          {"min", values.least},
+          {"max", values.most}};
+}
+
 void printForPeople(const Json& report) {
   std::string kind = textIn(report, "kind");
   if (kind.empty()) return printTables(report);
@@ -145,6 +156,7 @@ void printForPeople(const Json& report) {
   if (kind == "labels") printLabels(report);
   if (kind == "model") printModel(report);
   if (kind == "surface") printSurface(report);
+  if (report.contains("labels")) printLabels(report["labels"]);
   for (const Json& warning : report["warnings"]) line("note", printable(warning.get<std::string>()));
   if (!report.contains("series")) return;
   line("DICOM series", "one opens with --series UID");

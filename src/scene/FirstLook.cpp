@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "velum/scene/GreyWindows.h"
 #include "velum/scene/Presets.h"
 
 namespace velum::scene {
@@ -99,6 +100,7 @@ void applyFirstLook(Scene& scene) {
   std::string_view chosen = choosePreset(volume);
   applyPreset(scene, chosen);
   if (volume.isColor || volume.channels > 1) return;
+  if (glm::dvec2 window = firstWindow(volume); window.y > 0) setWindow(scene.volume, window.x, window.y);
   int thickness = std::min(volume.dims.x, std::min(volume.dims.y, volume.dims.z));
   if (thickness == 1) return showPlane(scene);
   if (isAllMaterial(chosen) || isProjectionLook(chosen)) return;

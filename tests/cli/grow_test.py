@@ -25,6 +25,9 @@ class Grow(CliTest):
         self.assertKeys(report, "voxels", "slabs", "ms", "volumeMl", "box", "structure", "range")
         self.assertEqual(report["voxels"], 30 * 16 + 10 * SIZE * SIZE)
         self.assertAlmostEqual(report["volumeMl"], report["voxels"] * 0.125 / 1000)
+        low, high = report["range"]
+        self.assertEqual(report["values"]["voxels"], report["voxels"])
+        self.assertTrue(low <= report["values"]["min"] <= report["values"]["mean"] <= report["values"]["max"] <= high)
         self.assertEqual(report["box"], {"first": [0, 0, 0], "last": [SIZE - 1] * 3})
         self.assertEqual((self.report("info", "l.seg.nrrd"))["kind"], "labels")
 

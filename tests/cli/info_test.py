@@ -41,6 +41,24 @@ class Info(CliTest):
             self.assertAlmostEqual(ball["volumeMl"], 73.6, delta=0.8)
             self.assertAlmostEqual(ball["surfaceCm2"], 84.9, delta=2.5)
 
+    def test_a_scan_with_labels_says_its_values_in_each_structure(self):
+        scan = self.sample("torso", 48)
+        report = self.report("info", scan, "torso_labels.seg.nrrd")
+        self.assertEqual(report["kind"], "volume")
+        labels = report["labels"]
+        self.assertEqual(labels["valueUnit"], "HU")
+        rows = {row["name"]: row for row in labels["structures"]}
+        liver, fat = rows["liver"]["values"], rows["subcutaneous fat"]["values"]
+        self.assertEqual(liver["voxels"], rows["liver"]["voxels"])
+        for values in (liver, fat):
+            self.assertLessEqual(values["min"], values["mean"])
+            self.assertLessEqual(values["mean"], values["max"])
+        self.assertLess(fat["mean"], 0)
+        self.assertGreater(liver["mean"], 20)
+        shown = self.run_batch("info", scan, "torso_labels.seg.nrrd").stdout.decode()
+        self.assertRegex(shown, r"liver .* ml .* cm2  mean .* max .* HU")
+        self.refuse("info", scan, "torso_labels.seg.nrrd", scan, code=1, words=["a scan and labels"])
+
     def test_a_scene_and_a_picture_give_their_scene(self):
         path = self.sample()
         self.run_batch("render", path, "-o", "a.png", "--size", "40x30", "--save-scene", "a.json")

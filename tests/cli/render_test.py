@@ -53,6 +53,17 @@ class Render(CliTest):
             self.run_batch("render", path, "-o", name, "--size", "64x48", *FAST)
         self.assertEqual((self.folder / "a.png").read_bytes(), (self.folder / "b.png").read_bytes())
 
+    def test_a_grey_window_has_a_name_or_numbers(self):
+        path = self.sample("torso", 48)
+        common = ["render", path, "--section", "axial", "--size", "70x50", "--save-scene", "s.json"]
+        for window, level, width in (("lung", -600, 1500), ("400,50", 50, 400), ("W 1500 L -600", -600, 1500)):
+            self.run_batch(*common, "-o", "a.png", "--window", window)
+            volume = json.loads((self.folder / "s.json").read_text())["volume"]
+            self.assertEqual((volume["windowLevel"], volume["windowWidth"]), (level, width))
+        self.refuse(*common, "-o", "b.png", "--window", "spleen", code=1, words=["spleen", "abdomen"])
+        self.refuse(*common, "-o", "b.png", "--window", "suv-5", code=1, words=["SUVbw", "HU"])
+        self.refuse(*common, "-o", "b.png", "--window", "0,50", code=1, words=["0,50", "width and level"])
+
     def test_a_section_is_a_picture_of_its_scene(self):
         path = self.sample()
         section_options = ["--section", "coronal", "--size", "70x50", "--set", "cuts.+.axis=0,0,1"]

@@ -6,8 +6,8 @@
 #include <functional>
 
 #include "../io/BinaryCifParts.h"
-#include "../io/DicomParts.h"
 #include "../io/SegyBytes.h"
+#include "../support/DicomParts.h"
 #include "velum/core/Error.h"
 #include "velum/core/ModelBuilder.h"
 #include "velum/io/images/ImageFile.h"

@@ -2,6 +2,7 @@
 #include "KeysFixture.h"
 #include "velum/scene/Navigate.h"
 #include "velum/session/extrusion/Extrusion.h"
+#include "view/GreyWindowCorner.h"
 #include "view/TimeBar.h"
 
 namespace velum::gui {
@@ -166,6 +167,26 @@ std::map<QString, Keys::Check> Keys::checks() {
   // The axial section is seen from the feet: what is nearer is lower.
   all["sections.next"] = scrolls(-1.0);
   all["sections.previous"] = scrolls(1.0);
+  for (const scene::GreyWindow& window : scene::greyWindows())
+    all["sections.window." + QString::fromStdString(std::string(window.name))] = [window](Keys& keys, const Key& key) {
+      keys.document().edit("Unit", [&](scene::Scene& s) {
+        Volume volume = *s.volume.data;
+        volume.unit = window.unit;
+        s.volume.data = Shared<Volume>(std::move(volume));
+      });
+      keys.press(key);
+      EXPECT_EQ(scene::effectiveWindow(keys.scene().volume), glm::dvec2(window.level, window.width));
+      EXPECT_EQ(keys.document().undoLabel(), "Change window");
+    };
+  all["sections.window.type"] = [](Keys& keys, const Key& key) {
+    keys.press(key);
+    auto* field = QApplication::focusWidget();
+    ASSERT_TRUE(field && field->objectName() == "greyWindow");
+    EXPECT_TRUE(field->isVisible());
+    QTest::keyClicks(field, "300 20");
+    QTest::keyClick(field, Qt::Key_Return);
+    EXPECT_EQ(scene::effectiveWindow(keys.scene().volume), glm::dvec2(20, 300));
+  };
   all["look.showThis"] = [](Keys& keys, const Key& key) {
     keys.mWindow->views().setLayout(Layout::Volume);
     ASSERT_TRUE(keys.settle());

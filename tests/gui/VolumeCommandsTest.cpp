@@ -4,6 +4,7 @@
 #include <QPushButton>
 #include <QSpinBox>
 #include <cstring>
+#include <glm/gtc/matrix_transform.hpp>
 
 #include "Shots.h"
 #include "WindowFixture.h"
@@ -97,7 +98,7 @@ TEST_F(VolumeWays, TheVoxelSizeIsChangedLaterAndUndone) {
   EXPECT_NEAR(glm::length(scene().camera.eye - scene().camera.target), glm::length(camera.eye - camera.target) * 0.001,
               1e-6)
       << "the eye stays where it was, seen from the data";
-  EXPECT_EQ(VoxelSizeForm::lastAnswer(), before * 0.001);
+  EXPECT_EQ(VoxelSizeForm::lastAnswer(), std::optional(before * 0.001));
   mWindow->document().undo();
   EXPECT_EQ(spacingOf(*scene().volume.data), before);
   EXPECT_EQ(scene().camera.eye, camera.eye);
@@ -118,7 +119,7 @@ TEST_F(VolumeWays, AnUnknownVoxelSizeIsAskedForAndMayWait) {
   EXPECT_FALSE(scene().volume.data->isSpacingKnown);
 }
 
-TEST_F(VolumeWays, EdgesKeepTheirLengthAsTheUnitChanges) {
+TEST_F(VolumeWays, KnownEdgesKeepTheirLengthAsTheUnitChanges) {
   VoxelSizeForm form(nullptr);
   form.setValue({0.0003, 0.0003, 0.001});
   auto* unit = form.findChild<QComboBox*>("voxelUnit");
@@ -130,6 +131,94 @@ TEST_F(VolumeWays, EdgesKeepTheirLengthAsTheUnitChanges) {
   EXPECT_NEAR(form.value().z, 0.001, 1e-15);
   form.findChild<QCheckBox*>("voxelSame")->setChecked(true);
   EXPECT_NEAR(form.value().z, 0.0003, 1e-15);
+}
+
+TEST_F(VolumeWays, NumbersThatNobodyKnewStayAsTheUnitChanges) {
+  VoxelSizeForm form(nullptr);
+  form.setGuess(glm::dvec3(1.0));
+  auto* unit = form.findChild<QComboBox*>("voxelUnit");
+  auto choose = [&](int index) {
+    unit->setCurrentIndex(index);
+    emit unit->activated(index);
+  };
+  const char* edges[] = {"voxelSizex", "voxelSizey", "voxelSizez"};
+  const char* typed[] = {"2", "2", "3"};
+  for (int i = 0; i < 3; ++i) form.findChild<NumberField*>(edges[i])->enter(typed[i]);
+  EXPECT_EQ(form.value(), glm::dvec3(2, 2, 3));
+  choose(1);
+  EXPECT_EQ(form.findChild<NumberField*>(edges[0])->text(), "2");
+  EXPECT_NEAR(form.value().x, 0.002, 1e-12);
+  EXPECT_NEAR(form.value().z, 0.003, 1e-12);
+  // Over lengths that were known, too, what is typed is a number of the unit that stands beside it.
+  form.setValue(glm::dvec3(1.0));
+  form.findChild<NumberField*>(edges[0])->enter("0.5");
+  choose(1);
+  EXPECT_NEAR(form.value().x, 0.0005, 1e-12);
+  // A unit that is typed is none of the form's: the length counts, to its last digit.
+  form.setGuess(glm::dvec3(1.0));
+  form.findChild<NumberField*>(edges[0])->enter("0.62 um");
+  EXPECT_NEAR(form.value().x, 0.00062, 1e-12);
+}
+
+TEST_F(VolumeWays, TheQuestionBeginsWithWhatMicroscopesWriteAndOffersNoAnswerThatNobodyGave) {
+  Preferences().setValue("voxelSizeMm", QVariant());
+  EXPECT_FALSE(VoxelSizeForm::lastAnswer());
+  EXPECT_EQ(VoxelSizeForm::firstGuess(true), glm::dvec3(1e-3));
+  EXPECT_EQ(VoxelSizeForm::firstGuess(false), glm::dvec3(1.0));
+  {
+    VoxelSizeForm form(nullptr);
+    auto* usual = form.findChild<QComboBox*>("voxelUsual");
+    EXPECT_EQ(usual->currentIndex(), -1);
+    for (int i = 0; i < usual->count(); ++i) EXPECT_FALSE(usual->itemText(i).contains("last")) << i;
+    form.setGuess(VoxelSizeForm::firstGuess(true));
+    EXPECT_EQ(form.findChild<QComboBox*>("voxelUnit")->currentText(), QString::fromUtf8("\u00b5m"));
+    form.setValue({0.0003, 0.0003, 0.001});
+    form.remember();
+  }
+  VoxelSizeForm form(nullptr);
+  EXPECT_TRUE(form.findChild<QComboBox*>("voxelUsual")->itemText(0).contains("0.3"));
+  EXPECT_NEAR(VoxelSizeForm::firstGuess(true).z, 0.001, 1e-12);
+  // An answer in millimetres is none for a microscope's file.
+  form.setValue(glm::dvec3(0.7));
+  form.remember();
+  EXPECT_EQ(VoxelSizeForm::firstGuess(true), glm::dvec3(1e-3));
+  EXPECT_EQ(VoxelSizeForm::firstGuess(false), glm::dvec3(0.7));
+}
+
+TEST_F(VolumeWays, TabGoesFromTheNumbersToTheirUnit) {
+  openPhantom();
+  mWindow->actions().find("edit.voxelSize")->trigger();
+  auto* dialog = waitForDialog<VoxelSizeDialog>();
+  ASSERT_TRUE(dialog);
+  dialog->activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(dialog));
+  QStringList names;
+  for (int i = 0; i < 5; ++i) {
+    ASSERT_TRUE(dialog->focusWidget());
+    names << dialog->focusWidget()->objectName();
+    QTest::keyClick(dialog->focusWidget(), Qt::Key_Tab);
+  }
+  EXPECT_EQ(names, QStringList({"voxelSizex", "voxelSizey", "voxelSizez", "voxelUnit", "voxelUsual"}));
+}
+
+TEST_F(VolumeWays, LabelsThatAreNotWhereTheScanIsAreSaidInRed) {
+  openPhantom();
+  LabelVolume labels({8, 8, 8}, glm::translate(glm::dmat4(1.0), glm::dvec3(5000, 0, 0)));
+  labels.write({1, 1, 1}, {4, 4, 4}, std::vector<std::uint16_t>(64, 3));
+  labels.table = {{3, "elsewhere", {1, 0, 0}, 1}};
+  Progress progress;
+  io::writeLabels(labels, path("elsewhere.seg.nrrd").toStdString(), progress);
+  mWindow->openPaths({path("elsewhere.seg.nrrd")}, true);
+  ASSERT_TRUE(waitForJob());
+  ASSERT_TRUE(scene().labels.data);
+  takeShot(*mWindow, "labels-elsewhere");
+  EXPECT_TRUE(mWindow->messages().text().contains("do not overlap the scan"))
+      << mWindow->messages().text().toStdString();
+  EXPECT_EQ(mWindow->messages().property("kind").toString(), "error");
+  // Those that are where it is say nothing.
+  mWindow->openPaths({path("phantom_labels.seg.nrrd")}, true);
+  ASSERT_TRUE(waitForJob());
+  EXPECT_FALSE(mWindow->messages().isVisible()) << mWindow->messages().text().toStdString();
 }
 
 TEST_F(VolumeWays, TheTableGoesWithOneClickAndComesBack) {

@@ -3,7 +3,9 @@
 #include <tuple>
 
 #include "DicomParts.h"
+#include "DicomSeries.h"
 #include "TestFiles.h"
+#include "makeVolume.h"
 
 /// Radiation dose and activity: scale, unit, places, times. Expected values are worked out by hand.
 namespace velum::io {
@@ -141,18 +143,32 @@ std::string uptakeOf(const DicomImage& image) {
 }
 
 bool saysFactor(const std::string& note, double factor) {
-  return note.find(fmt::format("times {:.6g} they are SUVbw", factor)) != std::string::npos;
+  return note.find(fmt::format("Bq/ml times {:.6g} (", factor)) != std::string::npos;
 }
 
-TEST(DicomPet, ValuesAreActivityAndTheFactorToUptakeIsSaid) {
+TEST(DicomPet, ValuesAreUptakeAndTheFactorFromActivityIsSaid) {
   TempFolder folder;
   ASSERT_TRUE(writeDicom(folder / "a.dcm", petImage()));
   Volume v = read(folder / "a.dcm");
-  EXPECT_EQ(v.unit, "Bq/ml");
+  EXPECT_EQ(v.unit, "SUVbw");
   EXPECT_EQ(v.modality, Modality::PET);
-  EXPECT_EQ(valueAt(v, {0, 0, 0}), 50);
-  // One half-life from injection to the series: 10 kg * 1000 g / 500 Bq.
+  // 50 Bq/ml; one half-life from injection to the series: 10 kg * 1000 g / 500 Bq.
+  EXPECT_DOUBLE_EQ(valueAt(v, {0, 0, 0}), 50 * 20);
+  EXPECT_DOUBLE_EQ(v.range.y, 50 * 20);
   EXPECT_TRUE(saysFactor(warningWith(v, "SUV"), 20)) << warningWith(v, "SUV");
+}
+
+TEST(DicomPet, WithoutWhatUptakeNeedsValuesStayActivity) {
+  for (Tag tag : {Tag(0x0010, 0x1030), Tag(0x0054, 0x1102), Tag(0x0008, 0x0031)}) {
+    TempFolder folder;
+    DicomImage image = petImage();
+    putText(image.set, tag, VR::LO, tag == Tag(0x0054, 0x1102) ? "NONE" : tag == Tag(0x0008, 0x0031) ? "093000" : "");
+    ASSERT_TRUE(writeDicom(folder / "a.dcm", image));
+    Volume v = read(folder / "a.dcm");
+    EXPECT_EQ(v.unit, "Bq/ml");
+    EXPECT_DOUBLE_EQ(valueAt(v, {0, 0, 0}), 50);
+    EXPECT_NE(warningWith(v, "cannot be had"), "");
+  }
 }
 
 TEST(DicomPet, TimesAreThoseOfTheStandardsPseudoCode) {
@@ -183,6 +199,27 @@ TEST(DicomPet, TimesAreThoseOfTheStandardsPseudoCode) {
                {seriesTime, VR::TM, "000000"},
                {Tag(0x0008, 0x0032), VR::TM, "0001"}});
   EXPECT_NE(note.find("840.0 minutes before the scan"), std::string::npos) << note;
+}
+
+TEST(DicomPet, ASeriesIsUptakePlaneByPlane) {
+  TempFolder folder;
+  PetDose dose;
+  Volume activity = makeVolume(
+      {6, 5, 4}, SampleType::Int16, [&](glm::ivec3 p) { return (p.x + 10 * p.z) * dose.activityOfOne(); },
+      glm::dmat4(1.0), dose.activityOfOne() / 50);
+  ASSERT_TRUE(writePetSeries(activity, folder / "pet", dose));
+  Volume v = read(folder / "pet");
+  EXPECT_EQ(v.unit, "SUVbw");
+  EXPECT_EQ(v.modality, Modality::PET);
+  ASSERT_EQ(v.dims, activity.dims);
+  for (int z = 0; z < 4; ++z)
+    for (int x = 0; x < 6; ++x) EXPECT_NEAR(valueAt(v, {x, 2, z}), x + 10 * z, 0.011) << "in steps of a fiftieth";
+  // Nobody knows how heavy: values stay, and it is said why.
+  dose.weightKg = 0;
+  ASSERT_TRUE(writePetSeries(activity, folder / "unknown", dose));
+  v = read(folder / "unknown");
+  EXPECT_EQ(v.unit, "Bq/ml");
+  EXPECT_NE(warningWith(v, "the patient's weight"), "");
 }
 
 TEST(DicomPet, WhatLacksForUptakeIsSaid) {

@@ -73,6 +73,42 @@ TEST(DicomSeg, FractionsAreCutAtHalfAndThatIsSaid) {
   EXPECT_TRUE(warns(labels, "half"));
 }
 
+TEST(DicomSeg, AFolderThatHoldsSegmentsAndNoImagesOpensAsThem) {
+  TempFolder folder;
+  std::filesystem::create_directories(folder / "study/segments");
+  DataSet set, larger;
+  putGroups(set, {10}, {3});
+  putGroups(larger, {10, 20, 30}, {1, 2, 2});
+  ASSERT_TRUE(writeDicom(folder / "study/segments/s.dcm", segmentation(set, "BINARY", 1, 1, std::string("\x81\0", 2))));
+  auto open = [&] {
+    Progress progress;
+    scene::Source source;
+    source.path = (folder / "study").string();
+    return readVoxels(source, progress);
+  };
+  auto alone = open();
+  ASSERT_TRUE(std::holds_alternative<LabelVolume>(alone));
+  EXPECT_EQ(std::get<LabelVolume>(alone).at({0, 0, 0}), 3);
+  EXPECT_TRUE(std::get<LabelVolume>(alone).warnings.empty());
+  EXPECT_TRUE(looksLikeLabels(folder / "study"));
+  EXPECT_EQ(readLabelsOf(folder / "study").at({3, 1, 0}), 3);
+  // Of several the largest, and that is said.
+  DicomImage second = segmentation(larger, "BINARY", 1, 3, std::string("\x01\x02\x81\0", 4));
+  second.series = "1.2.3.77";
+  ASSERT_TRUE(writeDicom(folder / "study/other.dcm", second));
+  LabelVolume largest = std::get<LabelVolume>(open());
+  EXPECT_EQ(largest.dims(), glm::ivec3(4, 2, 3));
+  EXPECT_TRUE(warns(largest, "2 files of segments"));
+  // Beside images it is of them: the images open.
+  DicomImage image;
+  image.pixels = pixelBytes(std::vector<std::int16_t>(8, 100));
+  image.series = "1.2.3.78";
+  putPlace(image.set, 0);
+  ASSERT_TRUE(writeDicom(folder / "study/image.dcm", image));
+  EXPECT_TRUE(std::holds_alternative<Volume>(open()));
+  EXPECT_FALSE(looksLikeLabels(folder / "study"));
+}
+
 TEST(DicomSeg, WhatDoesNotFitIsSaid) {
   TempFolder folder;
   DataSet set, uneven;

@@ -191,6 +191,15 @@ TEST(RtStruct, IsOfferedWithItsSeries) {
   EXPECT_EQ(read(folder.path()).dims, glm::ivec3(4, 2, 1));
 }
 
+TEST(RtStruct, AFolderThatHoldsItAloneOpens) {
+  TempFolder folder;
+  Line square{{{0, 0, 0}, {8, 0, 0}, {8, 8, 0}, {0, 8, 0}}}, above{{{0, 0, 2}, {8, 0, 2}, {8, 8, 2}, {0, 8, 2}}};
+  ASSERT_TRUE(writeRtStruct(folder / "set.dcm", {{1, "target", "255\\0\\0", {square, above}}}));
+  LabelVolume labels = readLabelsOf(folder.path());
+  ASSERT_EQ(labels.table.size(), 1u);
+  EXPECT_EQ(labels.table[0].name, "target");
+}
+
 TEST(RtStruct, WhatHasNoContoursIsRefused) {
   TempFolder folder;
   ASSERT_TRUE(writeRtStruct(folder / "empty.dcm", {}));

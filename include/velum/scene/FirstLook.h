@@ -6,7 +6,7 @@ namespace velum::scene {
 /// Gives a layer and the lighting the look in which new data is first seen: that of choosePreset(), unless what is
 /// around the object would hide it. Where more than three fifths of the box's faces would be opaque, background and
 /// noise are learnt from the volume's borders, and only what stands out from them shows. A single plane is unlit.
-/// Thick slices are smooth.
+/// Thick slices are smooth. The grey window is that of what is seen: firstWindow().
 void applyFirstLook(Scene& scene);
 
 }  // namespace velum::scene

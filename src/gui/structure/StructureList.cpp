@@ -18,7 +18,7 @@ namespace velum::gui {
 namespace {
 
 constexpr int kRowHeight = 25;
-constexpr int kWidths[StructureModel::kColumns] = {28, 22, 0, 46, 52, 24, 122};
+constexpr int kWidths[StructureModel::kColumns] = {28, 22, 0, 52, 64, 64, 52, 24, 122};
 constexpr double kGrip = 5.0, kBarStep = 0.05;
 constexpr double kBarMargin = 5.0;
 
@@ -38,6 +38,8 @@ class Delegate : public QStyledItemDelegate {
     if (column == StructureModel::Eye) paintEye(*painter, box, rowTextColor(option, visible), visible);
     if (column == StructureModel::Swatch) paintColor(*painter, option, index, visible);
     if (column == StructureModel::Name) paintText(*painter, option, index, visible, Qt::AlignLeft);
+    if (column == StructureModel::Mean || column == StructureModel::Most)
+      paintText(*painter, option, index, false, Qt::AlignRight);
     if (column == StructureModel::Size) paintText(*painter, option, index, false, Qt::AlignRight);
     if (column == StructureModel::Opacity) paintBar(*painter, option, index, visible);
     if (column == StructureModel::Bar)
@@ -133,7 +135,7 @@ StructureList::StructureList(StructureCommands& commands, AreaMeter& areas, QWid
     header()->setSectionResizeMode(i, i == StructureModel::Name ? QHeaderView::Stretch : QHeaderView::Fixed);
     if (kWidths[i]) header()->resizeSection(i, kWidths[i]);
   }
-  setBars(false);
+  setShown(Shown::Opacity);
   connect(&mAreas, &AreaMeter::measured, mModel, &StructureModel::areasChanged);
   connect(&mAreas, &AreaMeter::told, this, [this](const QString& words) {
     int id = mBarId ? mBarId : currentIndex().data(StructureModel::IdRole).toInt();
@@ -142,10 +144,12 @@ StructureList::StructureList(StructureCommands& commands, AreaMeter& areas, QWid
   connect(mModel, &StructureModel::renamed, &mCommands, &StructureCommands::rename);
 }
 
-void StructureList::setBars(bool shown) {
-  for (int column : {StructureModel::Size, StructureModel::Opacity, StructureModel::Solo})
-    setColumnHidden(column, shown);
-  setColumnHidden(StructureModel::Bar, !shown);
+void StructureList::setShown(Shown shown) {
+  for (int column : {StructureModel::Opacity, StructureModel::Solo}) setColumnHidden(column, shown != Shown::Opacity);
+  for (int column : {StructureModel::Mean, StructureModel::Most}) setColumnHidden(column, shown != Shown::Values);
+  setColumnHidden(StructureModel::Size, shown == Shown::Bars);
+  setColumnHidden(StructureModel::Bar, shown != Shown::Bars);
+  setHeaderHidden(shown != Shown::Values);  // numbers say what they are of
 }
 
 bool StructureList::takeBar(int id, double x) {

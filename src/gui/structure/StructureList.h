@@ -13,8 +13,9 @@ class StructureList : public QTreeView {
   Q_OBJECT
  public:
   StructureList(StructureCommands& commands, AreaMeter& areas, QWidget* parent);
-  /// Bars of what is seen of them in the place of sizes and opacities.
-  void setBars(bool shown);
+  /// What stands beside the names: sizes with opacities or with the scan's values, or bars of what is seen of them.
+  enum class Shown { Opacity, Values, Bars };
+  void setShown(Shown shown);
   CountBar barOf(int id) const { return mModel->barOf(id, cellOf(id, StructureModel::Bar)); }
 
   StructureModel& rows() { return *mModel; }

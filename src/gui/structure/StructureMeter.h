@@ -1,14 +1,18 @@
 #pragma once
 #include <QObject>
+#include <QString>
 #include <map>
 #include <memory>
 
 #include "kit/Job.h"
+#include "velum/scene/Scene.h"
 #include "velum/session/structure/StructureSizes.h"
+#include "velum/session/structure/StructureValues.h"
 
 namespace velum::gui {
 
-/// Counts the voxels of every structure in the background, once for a label volume.
+/// Counts the voxels of every structure in the background, once for a label volume, and what the scan measured in it,
+/// once for each scan, channel and time step.
 class StructureMeter : public QObject {
   Q_OBJECT
  public:
@@ -23,13 +27,33 @@ class StructureMeter : public QObject {
   const session::StructureSize* find(int id) const;
   const Shared<LabelVolume>& labels() const { return mLabels; }
 
+  /// Starts to measure the scan's values in the structures where they are others. Cheap otherwise.
+  void measureValues(const scene::Scene& scene);
+  bool isMeasuringValues() const { return mValueJob != nullptr; }
+  /// Null while they are not known, and for structures in which no voxel of the scan lies.
+  const session::StructureValues* findValues(int id) const;
+  /// Of the scan's values; empty: not known.
+  const QString& valueUnit() const { return mValueUnit; }
+
  signals:
   void measured();
+  void valuesMeasured();
 
  private:
   Shared<LabelVolume> mLabels;
   std::map<int, session::StructureSize> mSizes;
   std::unique_ptr<Job> mJob;
+  /// What values are of.
+  struct Measured {
+    Shared<LabelVolume> labels;
+    Shared<Volume> scan;
+    int channel = 0, timeStep = 0;
+    bool operator==(const Measured&) const = default;
+  };
+  Measured mMeasured;
+  QString mValueUnit;
+  std::map<int, session::StructureValues> mValues;
+  std::unique_ptr<Job> mValueJob;
 };
 
 }  // namespace velum::gui

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "velum/core/Text.h"
+
 namespace velum::gui {
 
 namespace {
@@ -62,6 +64,11 @@ void StructureModel::sizesChanged() {
   if (!mRows.empty()) emit dataChanged(index(0, Size), index(int(mRows.size()) - 1, Size));
 }
 
+void StructureModel::valuesChanged() {
+  emit headerDataChanged(Qt::Horizontal, Mean, Most);
+  if (!mRows.empty()) emit dataChanged(index(0, Mean), index(int(mRows.size()) - 1, Most));
+}
+
 void StructureModel::areasChanged() {
   if (!mRows.empty()) emit dataChanged(index(0, Bar), index(int(mRows.size()) - 1, Bar));
 }
@@ -83,6 +90,23 @@ int StructureModel::columnCount(const QModelIndex& parent) const { return parent
 QString StructureModel::sizeText(int id) const {
   const session::StructureSize* size = mMeter.find(id);
   return size ? volumeText(size->volume) : mMeter.isMeasuring() ? QString() : QString::fromUtf8("\u2013");
+}
+
+QString StructureModel::valueText(int id, Column column) const {
+  const session::StructureValues* values = mMeter.findValues(id);
+  if (!values) return mMeter.isMeasuringValues() ? QString() : QString::fromUtf8("\u2013");
+  return QString::fromStdString(tidyNumber(column == Mean ? values->mean : values->most));
+}
+
+/// What the scan measured in it; empty where nobody has asked.
+QString StructureModel::valuesTip(int id) const {
+  const session::StructureValues* values = mMeter.findValues(id);
+  if (!values) return {};
+  auto number = [](double value) { return QString::fromStdString(tidyNumber(value)); };
+  QString unit = mMeter.valueUnit().isEmpty() ? QString() : " " + mMeter.valueUnit();
+  return "\n" + tr("Values: mean %1%5, deviation %2%5, from %3%5 to %4%5, of %6 voxels of the scan")
+                    .arg(number(values->mean), number(values->deviation), number(values->least), number(values->most),
+                         unit, QLocale().toString(qulonglong(values->voxels)));
 }
 
 QString StructureModel::tipOf(const scene::Structure& structure, int column) const {
@@ -118,7 +142,7 @@ QString StructureModel::tipOf(const scene::Structure& structure, int column) con
                            volumeText(size->surface), surfaceUnit());
   else if (!mMeter.isMeasuring())
     tip += "\n" + tr("No voxel has this number");
-  return tip + "\n" + tr("Double click: go there. F2: rename");
+  return tip + valuesTip(structure.id) + "\n" + tr("Double click: go there. F2: rename");
 }
 
 QVariant StructureModel::data(const QModelIndex& index, int role) const {
@@ -127,6 +151,7 @@ QVariant StructureModel::data(const QModelIndex& index, int role) const {
     case Qt::DisplayRole:
     case Qt::EditRole:
       if (index.column() == Size) return sizeText(row.id);
+      if (index.column() == Mean || index.column() == Most) return valueText(row.id, Column(index.column()));
       if (index.column() != Name) return {};
       if (row.name.empty() && role == Qt::DisplayRole) return tr("structure %1").arg(row.id);
       return QString::fromStdString(row.name);
@@ -152,17 +177,32 @@ QVariant StructureModel::data(const QModelIndex& index, int role) const {
     }
     case AbsentRole:
       return mMeter.isAbsent(row.id);
+    case MeanRole:
+    case MostRole: {
+      const session::StructureValues* values = mMeter.findValues(row.id);
+      return values ? QVariant(role == MeanRole ? values->mean : values->most) : QVariant();
+    }
     default:
       return {};
   }
 }
 
 QVariant StructureModel::headerData(int section, Qt::Orientation orientation, int role) const {
-  if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
+  if (orientation != Qt::Horizontal) return {};
+  bool isText = section == Size || section == Mean || section == Most;
+  if (role == Qt::TextAlignmentRole) return int(Qt::AlignVCenter | (isText ? Qt::AlignRight : Qt::AlignLeft));
+  // Of narrow columns the names are for those who hear them.
+  bool isShown = role == Qt::DisplayRole && (isText || section == Name);
+  if (!isShown && role != Qt::AccessibleTextRole && role != Qt::ToolTipRole) return {};
+  QString unit = mMeter.valueUnit();
+  bool isUptake = unit.startsWith("SUV");
+  auto withUnit = [&](const QString& name) { return unit.isEmpty() ? name : QString("%1, %2").arg(name, unit); };
   const QString names[kColumns] = {tr("Shown"),
                                    tr("Colour"),
                                    tr("Name"),
                                    tr("Size, %1").arg(volumeUnit()),
+                                   isUptake ? tr("SUVmean") : withUnit(tr("Mean")),
+                                   isUptake ? tr("SUVmax") : withUnit(tr("Max")),
                                    tr("Opacity"),
                                    tr("Solo"),
                                    tr("Seen, hidden, removed")};
@@ -221,6 +261,12 @@ bool StructureOrder::lessThan(const QModelIndex& left, const QModelIndex& right)
   if (mKey == Key::Size) {
     auto voxels = [](const QModelIndex& index) { return index.data(StructureModel::VoxelsRole).toULongLong(); };
     if (voxels(left) != voxels(right)) return voxels(left) > voxels(right);  // the largest first
+  }
+  if (mKey == Key::Mean || mKey == Key::Most) {
+    int role = mKey == Key::Mean ? StructureModel::MeanRole : StructureModel::MostRole;
+    QVariant a = left.data(role), b = right.data(role);
+    if (a.isValid() != b.isValid()) return a.isValid();
+    if (a.toDouble() != b.toDouble()) return a.toDouble() > b.toDouble();  // the largest first
   }
   return left.data(StructureModel::IdRole).toInt() < right.data(StructureModel::IdRole).toInt();
 }

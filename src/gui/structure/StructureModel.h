@@ -17,8 +17,18 @@ namespace velum::gui {
 class StructureModel : public QAbstractTableModel {
   Q_OBJECT
  public:
-  enum Column { Eye, Swatch, Name, Size, Opacity, Solo, Bar, kColumns };
-  enum Role { IdRole = Qt::UserRole, VisibleRole, ColorRole, OpacityRole, SoloRole, VoxelsRole, AbsentRole };
+  enum Column { Eye, Swatch, Name, Size, Mean, Most, Opacity, Solo, Bar, kColumns };
+  enum Role {
+    IdRole = Qt::UserRole,
+    VisibleRole,
+    ColorRole,
+    OpacityRole,
+    SoloRole,
+    VoxelsRole,
+    AbsentRole,
+    MeanRole,  ///< Of the scan's values in it; invalid while it is not known, as the next.
+    MostRole
+  };
 
   StructureModel(const StructureMeter& meter, const AreaMeter& areas, QObject* parent);
 
@@ -29,6 +39,8 @@ class StructureModel : public QAbstractTableModel {
   void setLengthUnit(LengthUnit unit);
   /// The sizes are known, or no longer.
   void sizesChanged();
+  /// What the scan measured in them is known, or no longer.
+  void valuesChanged();
   /// How much of the picture they take is known, or another.
   void areasChanged();
   /// The bar of a row in a cell.
@@ -50,6 +62,8 @@ class StructureModel : public QAbstractTableModel {
   QString volumeUnit() const;
   QString surfaceUnit() const;
   QString sizeText(int id) const;
+  QString valueText(int id, Column column) const;
+  QString valuesTip(int id) const;
   QString tipOf(const scene::Structure& structure, int column) const;
 
   const StructureMeter& mMeter;
@@ -63,7 +77,7 @@ class StructureModel : public QAbstractTableModel {
 class StructureOrder : public QSortFilterProxyModel {
   Q_OBJECT
  public:
-  enum class Key { Number, Name, Size };
+  enum class Key { Number, Name, Size, Mean, Most };
   explicit StructureOrder(QObject* parent);
   void setKey(Key key);
   Key key() const { return mKey; }

@@ -61,6 +61,10 @@ StructurePanel::StructurePanel(StructureCommands& commands, AreaMeter& areas, Se
     mList->setFocus();
     mList->editName(id);
   });
+  connect(&mCommands.meter(), &StructureMeter::valuesMeasured, this, [this] {
+    mList->rows().valuesChanged();
+    mList->order().invalidate();
+  });
   connect(&mCommands.meter(), &StructureMeter::measured, this, [this] {
     mList->rows().sizesChanged();
     mList->order().invalidate();
@@ -165,13 +169,19 @@ QWidget* StructurePanel::makeSearch() {
   auto* menu = new QMenu(sort);
   auto* group = new QActionGroup(menu);
   using Key = StructureOrder::Key;
-  for (auto [name, key] :
-       {std::pair(tr("By number"), Key::Number), {tr("By name"), Key::Name}, {tr("By size"), Key::Size}}) {
+  for (auto [name, key] : {std::pair(tr("By number"), Key::Number),
+                           {tr("By name"), Key::Name},
+                           {tr("By size"), Key::Size},
+                           {tr("By mean value"), Key::Mean},
+                           {tr("By largest value"), Key::Most}}) {
     QAction* action = menu->addAction(name);
     action->setCheckable(true);
     action->setChecked(key == Key::Number);
     group->addAction(action);
-    connect(action, &QAction::triggered, this, [this, key = key] { mList->order().setKey(key); });
+    connect(action, &QAction::triggered, this, [this, key = key] {
+      mList->order().setKey(key);
+      measureValues();
+    });
   }
   menu->addSeparator();
   QAction* absent = menu->addAction(tr("List those without voxels, too"));
@@ -184,20 +194,24 @@ QWidget* StructurePanel::makeSearch() {
   sort->setMenu(menu);
   for (QWidget* part : {static_cast<QWidget*>(mSearch), static_cast<QWidget*>(sort)})
     part->setFixedHeight(kFieldHeight);
-  auto* bars = new QToolButton(bar);
-  bars->setObjectName("structureBars");
-  bars->setText(tr("Bars"));
-  bars->setCheckable(true);
-  bars->setToolTip(
-      tr("How much of each structure is seen, hidden and removed in the picture; drag a bar to pull the "
-         "structure out of the cuts"));
-  bars->setFixedHeight(kFieldHeight);
-  connect(bars, &QToolButton::toggled, this, [this](bool on) {
-    mList->setBars(on);
-    mAreas.setOn(on);
-  });
+  auto addSwitch = [&](const char* objectName, const QString& text, const QString& tip) {
+    auto* button = new QToolButton(bar);
+    button->setObjectName(objectName);
+    button->setText(text);
+    button->setCheckable(true);
+    button->setToolTip(tip);
+    button->setFixedHeight(kFieldHeight);
+    connect(button, &QToolButton::toggled, this, &StructurePanel::showColumns);
+    return button;
+  };
+  mValues = addSwitch("structureValues", tr("Values"),
+                      tr("The mean and the largest of the scan's values in each structure: HU of a CT, SUV of a PET"));
+  mBars = addSwitch("structureBars", tr("Bars"),
+                    tr("How much of each structure is seen, hidden and removed in the picture; drag a bar to pull the "
+                       "structure out of the cuts"));
   row->addWidget(mSearch, 1);
-  row->addWidget(bars);
+  row->addWidget(mValues);
+  row->addWidget(mBars);
   row->addWidget(sort);
   connect(mSearch, &QLineEdit::textChanged, this, &StructurePanel::setSearch);
   connect(mSearch, &QLineEdit::returnPressed, this, [this] { mList->setFocus(); });
@@ -257,10 +271,31 @@ QWidget* StructurePanel::makeDetail() {
   return mDetail;
 }
 
-/// Bars were not counted while nobody saw them.
+/// Values or bars: there is no room for both.
+void StructurePanel::showColumns(bool on) {
+  QToolButton* other = sender() == mBars ? mValues : mBars;
+  if (on && other->isChecked()) {
+    const QSignalBlocker quiet(other);
+    other->setChecked(false);
+  }
+  using Shown = StructureList::Shown;
+  mList->setShown(mBars->isChecked() ? Shown::Bars : mValues->isChecked() ? Shown::Values : Shown::Opacity);
+  mAreas.setOn(mBars->isChecked());
+  measureValues();
+}
+
+/// Only where somebody wants to see them.
+void StructurePanel::measureValues() {
+  using Key = StructureOrder::Key;
+  bool isOrder = mList->order().key() == Key::Mean || mList->order().key() == Key::Most;
+  if ((mValues->isChecked() || isOrder) && isVisible()) mCommands.meter().measureValues(mDocument.scene());
+}
+
+/// Bars and values were not counted while nobody saw them.
 void StructurePanel::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
   mAreas.refresh();
+  measureValues();
 }
 
 void StructurePanel::startSearch() {
@@ -300,6 +335,7 @@ void StructurePanel::showSelected() {
 void StructurePanel::refresh() {
   const scene::Scene& scene = mDocument.scene();
   const scene::LabelLayer& labels = scene.labels;
+  measureValues();
   if (mIsMade && labels == mShownLabels && scene.sections.labelOpacity == mShownOnSections) return;
   mIsMade = true;
   mShownLabels = labels;

@@ -2,6 +2,7 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QToolButton>
 #include <QWidget>
 
 #include "StructureCommands.h"
@@ -42,6 +43,8 @@ class StructurePanel : public QWidget {
   void showSelected();
   void showCount();
   void setSearch(const QString& text);
+  void showColumns(bool on);
+  void measureValues();
 
   StructureCommands& mCommands;
   AreaMeter& mAreas;
@@ -52,6 +55,7 @@ class StructurePanel : public QWidget {
   QLabel *mName = nullptr, *mCount = nullptr, *mDetailName = nullptr;
   EyeButton* mShown = nullptr;
   QLineEdit* mSearch = nullptr;
+  QToolButton *mValues = nullptr, *mBars = nullptr;
   NumberRow *mTint = nullptr, *mUnlabelled = nullptr, *mOnSections = nullptr, *mOpacity = nullptr;
   ColorButton* mColor = nullptr;
   scene::LabelLayer mShownLabels;  ///< What the rows were last made from.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 
+#include "GreyWindowCorner.h"
 #include "kit/Length.h"
 #include "kit/Points.h"
 #include "kit/Theme.h"
@@ -24,17 +25,6 @@ constexpr double kGap = 9.0;
 constexpr double kSmallWidth = 230.0, kSmallHeight = 150.0;
 
 QString tr(const char* text) { return QCoreApplication::translate("SectionView", text); }
-
-/// Over light and dark tissue: light, with a dark seam.
-void drawText(QPainter& painter, const QRectF& box, int flags, const QString& text, int alpha = 225) {
-  painter.setPen(QColor(0, 0, 0, alpha * 3 / 5));
-  for (QPointF off : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)})
-    painter.drawText(box.translated(off), flags, text);
-  QColor light = kOverPicture;
-  light.setAlpha(alpha);
-  painter.setPen(light);
-  painter.drawText(box, flags, text);
-}
 
 void drawTwice(QPainter& painter, const QPainterPath& path, QColor color, double width) {
   painter.setBrush(Qt::NoBrush);
@@ -78,10 +68,10 @@ void drawLetters(QPainter& painter, const scene::SectionPlane& plane) {
   font.setWeight(QFont::DemiBold);
   painter.setFont(font);
   QRectF box = QRectF(0, 0, plane.size.x, plane.size.y).adjusted(kMargin, kMargin, -kMargin, -kMargin);
-  drawText(painter, box, Qt::AlignRight | Qt::AlignVCenter, letters(plane.right));
-  drawText(painter, box, Qt::AlignLeft | Qt::AlignVCenter, letters(-plane.right));
-  drawText(painter, box, Qt::AlignHCenter | Qt::AlignTop, letters(plane.up));
-  drawText(painter, box, Qt::AlignHCenter | Qt::AlignBottom, letters(-plane.up));
+  drawOverTissue(painter, box, Qt::AlignRight | Qt::AlignVCenter, letters(plane.right));
+  drawOverTissue(painter, box, Qt::AlignLeft | Qt::AlignVCenter, letters(-plane.right));
+  drawOverTissue(painter, box, Qt::AlignHCenter | Qt::AlignTop, letters(plane.up));
+  drawOverTissue(painter, box, Qt::AlignHCenter | Qt::AlignBottom, letters(-plane.up));
   font.setWeight(QFont::Normal);
   painter.setFont(font);
 }
@@ -94,8 +84,8 @@ void drawRuler(QPainter& painter, const scene::SectionPlane& plane, const Length
   path.lineTo(kMargin + width, bottom);
   path.lineTo(kMargin + width, bottom - 5);
   drawTwice(painter, path, kOverPicture, 1.3);
-  drawText(painter, QRectF(kMargin + width + 7, bottom - 13, 120, 18), Qt::AlignLeft | Qt::AlignVCenter,
-           unit.roundText(length));
+  drawOverTissue(painter, QRectF(kMargin + width + 7, bottom - 13, 120, 18), Qt::AlignLeft | Qt::AlignVCenter,
+                 unit.roundText(length));
 }
 
 /// Where the section lies along its normal, then which plane of the data it is.
@@ -118,21 +108,6 @@ QStringList positionTexts(const scene::Scene& scene, scene::SectionKind kind, co
   if (auto index = scene::sectionIndex(scene, kind))
     parts << QString("%1 / %2").arg(index->index + 1).arg(index->count);
   return parts;
-}
-
-QString windowText(const scene::Scene& scene) {
-  const auto& volume = scene.volume;
-  if (!volume.data || volume.data->isColor) return {};
-  glm::dvec2 window = scene::effectiveWindow(volume);
-  QString unit = volume.data->unit.empty() ? QString() : " " + QString::fromStdString(volume.data->unit);
-  // Three digits of the width, and as many behind the point of the level.
-  int decimals = int(std::clamp(2.0 - std::floor(std::log10(window.y)), 0.0, 12.0));
-  auto number = [decimals](double value) {
-    QString text = QString::number(value, 'f', decimals);
-    while (decimals > 0 && text.contains('.') && (text.endsWith('0') || text.endsWith('.'))) text.chop(1);
-    return text;
-  };
-  return QString("W %1  L %2%3").arg(number(window.y), number(window.x), unit);
 }
 
 /// The part of a polygon where an affine function of the place is not below zero.
@@ -189,6 +164,13 @@ void drawTitle(QPainter& painter, const scene::Scene& scene, scene::SectionKind 
 
 }  // namespace
 
+double cornerRoom(glm::dvec2 size) {
+  // The letter in the middle of the lowest line keeps its room.
+  return size.x < kSmallWidth || size.y < kSmallHeight ? 0.0 : 0.5 * size.x - kMargin - 12.0;
+}
+
+QPointF lowerRight(glm::dvec2 size) { return {size.x - kMargin, size.y - kMargin}; }
+
 QString sectionName(scene::SectionKind kind) {
   static constexpr const char* kNames[] = {QT_TRANSLATE_NOOP("SectionView", "Axial"),
                                            QT_TRANSLATE_NOOP("SectionView", "Coronal"),
@@ -205,18 +187,14 @@ void paintSectionOverlay(QPainter& painter, const scene::Scene& scene, scene::Se
   if (scene.sections.showCrosshair) drawCrosshair(painter, scene, kind, plane, hints);
   if (letters) drawLetters(painter, plane);
   drawTitle(painter, scene, kind, hints.hasFocus);
-  if (plane.size.x < kSmallWidth || plane.size.y < kSmallHeight) return;
+  if (cornerRoom(plane.size) <= 0.0) return;
   double line = painter.fontMetrics().height() + 2.0;
   QRectF box = QRectF(0, 0, plane.size.x, plane.size.y).adjusted(kMargin, kMargin, -kMargin, -kMargin);
-  // The letter in the middle of the lowest line keeps its room.
-  double room = 0.5 * plane.size.x - kMargin - 12.0;
-  auto fits = [&](const QString& text) { return painter.fontMetrics().horizontalAdvance(text) < room; };
   QStringList parts = positionTexts(scene, kind, plane, letters);
   QString position = parts.join("    ");
-  drawText(painter, box, Qt::AlignLeft | Qt::AlignBottom, fits(position) ? position : parts.first());
+  bool fits = painter.fontMetrics().horizontalAdvance(position) < cornerRoom(plane.size);
+  drawOverTissue(painter, box, Qt::AlignLeft | Qt::AlignBottom, fits ? position : parts.first());
   if (lengths) drawRuler(painter, plane, Length(scene), box.bottom() - line - 6.0);
-  if (QString window = windowText(scene); fits(window))
-    drawText(painter, box, Qt::AlignRight | Qt::AlignBottom, window);
 }
 
 }  // namespace velum::gui

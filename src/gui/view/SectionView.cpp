@@ -7,6 +7,7 @@
 #include <QWidgetAction>
 #include <cmath>
 
+#include "GreyWindowCorner.h"
 #include "ViewChange.h"
 #include "kit/Icons.h"
 #include "kit/Theme.h"
@@ -23,6 +24,26 @@ constexpr int kMostCoarse = 4;
 constexpr int kButton = 24;
 constexpr std::size_t kMostOutlines = 40000, kMostMoving = 6000;  // circles: at rest, and while something moves
 constexpr double kDotPixels = 1.6;                                // smaller circles are dots
+
+/// Windows by name, the whole range, and one that is typed.
+void addWindowMenu(QMenu& menu, SectionView& view, session::Document& document) {
+  const auto& volume = document.scene().volume.data;
+  if (!volume || volume->isColor) return;
+  QMenu* windows = menu.addMenu(SectionView::tr("&Grey window"));
+  windows->setToolTipsVisible(true);
+  for (const scene::GreyWindow& window : scene::greyWindowsFor(*volume))
+    QObject::connect(windows->addAction(greyWindowTitle(window)), &QAction::triggered, &view,
+                     [&document, name = window.name] { setGreyWindow(document, name); });
+  if (!windows->isEmpty()) windows->addSeparator();
+  QAction* whole = windows->addAction(SectionView::tr("&Whole range"));
+  whole->setToolTip(SectionView::tr("From the smallest value to the largest"));
+  QObject::connect(whole, &QAction::triggered, &view, [&document] {
+    document.edit("Change window", [](scene::Scene& scene) { scene::setWindow(scene.volume, 0.0, 0.0); });
+  });
+  QAction* typed = windows->addAction(SectionView::tr("&Type it...\tW"));
+  typed->setToolTip(SectionView::tr("Width and level as numbers, or a name"));
+  QObject::connect(typed, &QAction::triggered, &view, [&view] { GreyWindowCorner::of(view).startTyping(); });
+}
 
 }  // namespace
 
@@ -42,6 +63,7 @@ SectionView::SectionView(session::Document& document, Selection& selection, Tool
   connect(mMenuButton, &QToolButton::clicked, this,
           [this] { showMenu(mMenuButton->mapToGlobal(QPoint(0, mMenuButton->height()))); });
   connect(mMaximise, &QToolButton::clicked, this, &SectionView::maximiseWanted);
+  new GreyWindowCorner(mDocument, this);
   mToolbox.addView(*this);
   mRestTimer.setSingleShot(true);
   mRestTimer.setInterval(kRestMs);
@@ -80,6 +102,7 @@ scene::SectionPlane SectionView::plane() const {
 
 void SectionView::refresh() {
   if (!isVisible()) return;  // showEvent makes up for it
+  GreyWindowCorner::of(*this).refresh();
   const scene::Scene& scene = mDocument.scene();
   scene::Scene wanted = scene::sectionScene(scene);
   wanted.background.transparent = false;  // a window has something behind
@@ -240,9 +263,7 @@ void SectionView::showMenu(QPoint globalPlace) {
   addCommand(tr("&Fit\tF"), tr("All of the data in this view"), [this] { fit(); });
   addCommand(tr("&Patient's axes\tR"), tr("Axial, coronal and sagittal again, crosshair in the middle"),
              [this] { change(scene::resetSections); });
-  addCommand(tr("&Whole range of grey"), tr("From the smallest value to the largest"), [this] {
-    mDocument.edit("Change window", [](scene::Scene& scene) { scene::setWindow(scene.volume, 0.0, 0.0); });
-  });
+  addWindowMenu(menu, *this, mDocument);
   menu.exec(globalPlace);
 }
 

@@ -11,6 +11,7 @@
 #include "SeriesDialog.h"
 #include "kit/RecentFiles.h"
 #include "velum/scene/json/Json.h"
+#include "velum/session/document/LabelPlace.h"
 #include "velum/session/document/RawFile.h"
 #include "velum/session/document/Recent.h"
 #include "velum/session/document/Showcase.h"
@@ -37,6 +38,13 @@ std::vector<std::string> notesOf(const session::Loaded& loaded, const scene::Sce
 QString withoutSlash(const QString& path) { return QDir::cleanPath(QFileInfo(path).absoluteFilePath()); }
 QString nameOf(const QString& path) { return QFileInfo(path).fileName(); }
 
+/// In red where labels are not where the scan is. @return false where they are
+bool sayMisplaced(const WindowParts& parts, const QString& name) {
+  std::string misplaced = session::misplacedLabels(parts.session.scene());
+  if (!misplaced.empty()) parts.messages.showError(QString("%1: %2").arg(name, toText(misplaced)));
+  return !misplaced.empty();
+}
+
 }  // namespace
 
 FileLoads::FileLoads(const WindowParts& parts) : QObject(&parts.window), mParts(parts) {
@@ -54,7 +62,10 @@ void FileLoads::start(const QString& what, Read read, bool add, const QString& p
       [this, loaded, add, path] {
         if (!add) return finish(loaded, path);
         auto notes = notesOf(*loaded, mParts.session.scene());
+        bool hasOtherLabels = !(loaded->scene.labels.data == mParts.session.scene().labels.data);
         mParts.session.file().add(*loaded);
+        if (hasOtherLabels) mParts.messages.hide();  // what it said may have been of those before
+        if (hasOtherLabels && sayMisplaced(mParts, nameOf(path))) return;
         if (!notes.empty()) mParts.messages.showNote(nameOf(path), notes);
       });
 }
@@ -216,6 +227,7 @@ void FileLoads::show(session::Loaded& loaded, const QString& path) {
 
 /// In red where slices are missing: what is seen there was not measured.
 void FileLoads::sayNotes(const QString& name, const std::vector<std::string>& notes) {
+  if (sayMisplaced(mParts, name)) return;
   const auto& volume = mParts.session.scene().volume.data;
   int missing = 0;
   if (volume)

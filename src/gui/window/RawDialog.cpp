@@ -138,6 +138,7 @@ QWidget* RawDialog::makeFields() {
   mHeader->setSuffix(tr(" bytes"));
   row(tr("&Header"), mHeader);
   mVoxel = new VoxelSizeForm(box);
+  if (glm::all(glm::greaterThan(mSource.spacing, glm::dvec3(0.0)))) mVoxel->setValue(mSource.spacing);
   row(tr("Voxel size"), mVoxel);
   connect(mGuess, &QComboBox::activated, this, [this](int index) {
     if (std::size_t(index) < mGuesses.size()) show(mGuesses[std::size_t(index)]);

@@ -5,6 +5,7 @@
 
 #include "kit/Length.h"
 #include "velum/core/Text.h"
+#include "velum/scene/GreyWindows.h"
 #include "velum/session/model/ModelEdit.h"
 
 namespace velum::gui {
@@ -65,7 +66,8 @@ void StatusLine::refresh(const session::Session& session) {
   if (const auto& v = scene.volume.data) {
     glm::dvec3 shown = spacingOf(*v) * Length(scene).shownPerLength();
     QString times = QString::fromUtf8(" \u00d7 ");
-    QString unit = v->unit.empty() ? QString() : " " + QString::fromStdString(v->unit);
+    std::string valueUnit = scene::valueUnit(*v);
+    QString unit = valueUnit.empty() ? QString() : " " + QString::fromStdString(valueUnit);
     auto type = enumName(v->type);
     QStringList dims, spacing;
     for (int i = 0; i < 3; ++i) {
@@ -99,7 +101,7 @@ void StatusLine::showPick(const render::Pick& pick) {
   QStringList values;
   for (double value : render::probe(scene, pick.world).values) values << shortNumber(value);
   if (const auto& v = scene.volume.data; v && !values.isEmpty())
-    text = QString("%1 %2    ").arg(values.join(", "), QString::fromStdString(v->unit));
+    text = QString("%1 %2    ").arg(values.join(", "), QString::fromStdString(scene::valueUnit(*v)));
   bool letters = hasPatientLetters(scene);
   Length length(scene);
   static constexpr const char* kPlus[] = {"L", "P", "S"};

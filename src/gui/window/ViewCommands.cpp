@@ -1,6 +1,8 @@
 #include "ViewCommands.h"
 
 #include "kit/Preferences.h"
+#include "velum/core/Assert.h"
+#include "view/GreyWindowCorner.h"
 #include "view/ViewChange.h"
 
 namespace velum::gui {
@@ -30,6 +32,7 @@ ViewCommands::ViewCommands(const WindowParts& parts)
   addLayouts(menu);
   menu->addSeparator();
   addSections(menu);
+  addGreyWindows(menu->addMenu(tr("Grey &window")));
 }
 
 void ViewCommands::addDirections(QMenu* menu) {
@@ -82,6 +85,27 @@ void ViewCommands::addSections(QMenu* menu) {
                       [this] { changeSections(mParts.document(), scene::resetSections); });
 }
 
+/// Each by its name, on while the values are of its unit.
+void ViewCommands::addGreyWindows(QMenu* menu) {
+  menu->setToolTipsVisible(true);
+  static constexpr const char* kNames[] = {"&Soft tissue", "&Abdomen",    "&Lung",        "&Bone",       "B&rain",
+                                           "An&giography", "SUV 0 to &5", "SUV 0 to 1&0", "SUV 0 to &20"};
+  auto windows = scene::greyWindows();
+  VELUM_ASSERT(std::size(kNames) == windows.size(), "each grey window has its letter");
+  for (std::size_t i = 0; i < windows.size(); ++i) {
+    const scene::GreyWindow& window = windows[i];
+    QString id = "sections.window." + QString::fromUtf8(window.name.data(), int(window.name.size()));
+    mWindows << mParts.actions.addForScene(menu, id, tr(kNames[i]),
+                                           tr("Grey window of sections: %1").arg(greyWindowTitle(window)),
+                                           [this, name = window.name] { setGreyWindow(mParts.document(), name); });
+  }
+  menu->addSeparator();
+  mTypeWindow =
+      mParts.actions.addForScene(menu, "sections.window.type", tr("&Type it..."),
+                                 tr("Type width and level of the grey window, or its name, in the section"),
+                                 [this] { GreyWindowCorner::of(mParts.views.currentSection()).startTyping(); });
+}
+
 void ViewCommands::addCube(QMenu* menu) {
   bool isShown = Preferences().value(kCubeKey, true).toBool();
   mCube->setShown(isShown);
@@ -99,6 +123,13 @@ void ViewCommands::refresh(const session::Session& session) {
   const scene::Scene& scene = session.scene();
   mLayouts->actions()[int(scene.sections.layout)]->setChecked(true);
   mCube->refresh();
+  const auto& volume = scene.volume.data;
+  auto windows = volume ? scene::greyWindowsFor(*volume) : std::span<const scene::GreyWindow>();
+  for (qsizetype i = 0; i < mWindows.size(); ++i) {
+    const scene::GreyWindow* window = &scene::greyWindows()[std::size_t(i)];
+    mWindows[i]->setEnabled(window >= windows.data() && window < windows.data() + windows.size());
+  }
+  mTypeWindow->setEnabled(volume && !volume->isColor && scene.sections.layout != scene::Layout::Volume);
   mProjection->setChecked(scene.camera.projection == scene::Projection::Orthographic);
 }
 

@@ -18,9 +18,12 @@ class ViewCommands : public Room {
   void addLayouts(QMenu* menu);
   void addSections(QMenu* menu);
   void addCube(QMenu* menu);
+  void addGreyWindows(QMenu* menu);
 
   QAction* mProjection = nullptr;
   QActionGroup* mLayouts;
+  QList<QAction*> mWindows;  ///< In the order of scene::greyWindows().
+  QAction* mTypeWindow = nullptr;
   ViewCube* mCube;
 };
 

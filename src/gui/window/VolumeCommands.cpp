@@ -1,9 +1,13 @@
 #include "VolumeCommands.h"
 
+#include <QDir>
+#include <QFileInfo>
+
 #include "RawDialog.h"
 #include "VoxelSizeDialog.h"
 #include "kit/Length.h"
 #include "velum/session/document/Body.h"
+#include "velum/session/document/LabelPlace.h"
 #include "velum/session/document/WorkFile.h"
 
 namespace velum::gui {
@@ -12,6 +16,16 @@ namespace {
 
 /// Cubic millimetres of a millilitre.
 constexpr double kMillilitre = 1000.0;
+
+/// TIFF is what microscopes write, as a file or plane by plane.
+bool isOfMicroscope(const std::string& path) {
+  QFileInfo file(QString::fromStdString(path));
+  auto isTiff = [](const QString& suffix) {
+    return suffix.compare("tif", Qt::CaseInsensitive) == 0 || suffix.compare("tiff", Qt::CaseInsensitive) == 0;
+  };
+  if (!file.isDir()) return isTiff(file.suffix());
+  return !QDir(file.filePath()).entryList({"*.tif", "*.tiff"}, QDir::Files).isEmpty();
+}
 
 }  // namespace
 
@@ -50,6 +64,8 @@ void VolumeCommands::reread(const QString& step, const scene::Source& source) {
         if (!(now.volume.data == before.volume.data)) return;  // another one was opened meanwhile
         if (!(now == before)) return reread(step, source);     // what was done meanwhile is not to be lost
         mParts.document().edit(step.toStdString(), [&](scene::Scene& scene) { scene = *after; });
+        std::string misplaced = session::misplacedLabels(mParts.session.scene());
+        if (!misplaced.empty()) mParts.messages.showError(QString::fromStdString(misplaced));
       });
 }
 
@@ -81,12 +97,17 @@ void VolumeCommands::hideTable(bool hidden) {
 void VolumeCommands::askVoxelSize(const QString& why) {
   const scene::VolumeLayer& layer = mParts.session.scene().volume;
   double millimetres = millimetresPer(mParts.session.scene().unit);
-  glm::dvec3 now = layer.data->isSpacingKnown ? spacingOf(*layer.data) * millimetres : VoxelSizeForm::lastAnswer();
-  auto* dialog = new VoxelSizeDialog(why, now, &mParts.window);
+  auto* dialog = new VoxelSizeDialog(why, &mParts.window);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
+  VoxelSizeForm& form = dialog->form();
+  bool isMap = mParts.session.scene().unit == LengthUnit::Angstrom;
+  if (layer.data->isSpacingKnown)
+    form.setValue(spacingOf(*layer.data) * millimetres);
+  else
+    form.setGuess(isMap ? glm::dvec3(millimetres) : VoxelSizeForm::firstGuess(isOfMicroscope(layer.source.path)));
   connect(dialog, &QDialog::accepted, this, [this, dialog, millimetres] {
     scene::Source source = mParts.session.scene().volume.source;
-    source.spacing = dialog->value() / millimetres;
+    source.spacing = dialog->form().value() / millimetres;
     reread(tr("Set voxel size"), source);
   });
   dialog->open();

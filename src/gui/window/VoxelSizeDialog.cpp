@@ -7,7 +7,7 @@
 
 namespace velum::gui {
 
-VoxelSizeDialog::VoxelSizeDialog(const QString& text, glm::dvec3 millimetres, QWidget* parent)
+VoxelSizeDialog::VoxelSizeDialog(const QString& text, QWidget* parent)
     : QDialog(parent), mForm(new VoxelSizeForm(this)) {
   setObjectName("voxelSizeDialog");
   setWindowTitle(tr("Voxel size"));
@@ -18,7 +18,6 @@ VoxelSizeDialog::VoxelSizeDialog(const QString& text, glm::dvec3 millimetres, QW
   why->setWordWrap(true);
   why->setMinimumWidth(420);
   layout->addWidget(why);
-  mForm->setValue(millimetres);
   layout->addWidget(mForm);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
   auto* take = new QPushButton(tr("&Set size"), buttons);
@@ -31,6 +30,7 @@ VoxelSizeDialog::VoxelSizeDialog(const QString& text, glm::dvec3 millimetres, QW
     accept();
   });
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  mForm->startTyping();
 }
 
 }  // namespace velum::gui

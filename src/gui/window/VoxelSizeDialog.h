@@ -10,8 +10,8 @@ class VoxelSizeDialog : public QDialog {
   Q_OBJECT
  public:
   /// @param text  why it is asked
-  VoxelSizeDialog(const QString& text, glm::dvec3 millimetres, QWidget* parent);
-  glm::dvec3 value() const { return mForm->value(); }
+  VoxelSizeDialog(const QString& text, QWidget* parent);
+  VoxelSizeForm& form() { return *mForm; }
 
  private:
   VoxelSizeForm* mForm;

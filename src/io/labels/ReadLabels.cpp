@@ -3,12 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
+#include "LabelGuess.h"
 #include "LabelTables.h"
 #include "read/ByteSource.h"
 #include "read/FileNames.h"
+#include "read/Placement.h"
 #include "velum/io/volumes/ReadVolume.h"
 #include "volumes/DicomFile.h"
 #include "volumes/FormatTable.h"
@@ -20,7 +21,6 @@ namespace velum::io {
 namespace {
 
 constexpr int kSlab = LabelVolume::kBrickSize;
-constexpr double kWhole = 1e-3;  ///< Values so near to a whole number are it: what scales in single precision leave.
 
 /// Segments of a 3D Slicer file; empty for any other.
 std::vector<SlicerSegment> segmentsOf(const Path& path) {
@@ -166,86 +166,85 @@ LabelVolume labelsFrom(const Volume& v, const Path& path, Progress& progress) {
   return labels;
 }
 
-/// Values that can be ids, and areas of one id: of two neighbours along a row, both of them something, most are the
-/// same. Of scans few are, as their values have noise.
-bool holdsAreasOfIds(const Volume& v) {
-  if (v.channels != 1 || v.range.x < 0 || v.range.y > 65535) return false;
-  bool isWhole = true;
-  std::size_t pairs = 0, equal = 0, row = std::size_t(v.dims.x), count = voxelCount(v);
-  visitSamples(v, [&](const auto* samples) {
-    double before = 0;
-    for (std::size_t i = 0; i < count && isWhole; ++i) {
-      double value = double(samples[i]) * v.scale + v.offset;
-      isWhole = std::abs(value - std::round(value)) < kWhole;
-      bool isPair = i % row != 0 && value != 0 && before != 0;
-      pairs += isPair;
-      equal += isPair && std::abs(value - before) < kWhole;
-      before = value;
-    }
-  });
-  return isWhole && 2 * equal >= pairs;
-}
-
-/// Without any hint: few whole numbers, counted from one with hardly a gap, in areas with hardly an edge, and nothing
-/// that scanners write. What has only one number may as well be a shape that somebody has drawn.
-bool holdsNothingButIds(const Volume& v) {
-  constexpr int kMostIds = 64;
-  constexpr std::size_t kFewVoxels = 4096;
-  bool isWhole = v.type == SampleType::UInt8 || v.type == SampleType::UInt16;
-  if (!isWhole || v.channels != 1 || v.isColor || v.scale != 1 || v.offset != 0 || v.timeSteps != 1) return false;
-  if (v.modality != Modality::Unknown || voxelCount(v) < kFewVoxels) return false;
-  std::vector<bool> isUsed(65536, false);
-  int ids = 0;
-  std::size_t largest = 0;
-  std::size_t pairs = 0, equal = 0, row = std::size_t(v.dims.x), count = voxelCount(v);
-  visitSamples(v, [&](const auto* samples) {
-    for (std::size_t i = 0; i < count && ids <= kMostIds; ++i) {
-      auto id = std::size_t(samples[i]);
-      if (id != 0 && !isUsed[id]) isUsed[id] = true, ++ids;
-      largest = std::max(largest, id);
-      if (i % row == 0 || id == 0 || samples[i - 1] == 0) continue;
-      ++pairs;
-      equal += samples[i] == samples[i - 1];
-    }
-  });
-  return ids >= 2 && ids <= kMostIds && largest <= 2 * std::size_t(ids) && 20 * equal >= 19 * pairs;
-}
-
-/// The name has one of the words that people use.
-bool nameSaysLabels(const Path& path) {
-  constexpr std::array<std::string_view, 9> kWords{"label",         "labels", "labelmap", "seg",     "segmentation",
-                                                   "segmentations", "mask",   "masks",    "totalseg"};
-  std::string name = lowerCase(path.filename().string()), word;
-  for (char c : name + ".") {
-    if (c >= 'a' && c <= 'z') {
-      word += c;
-      continue;
-    }
-    if (std::find(kWords.begin(), kWords.end(), word) != kWords.end()) return true;
-    word.clear();
+/// The file says nothing of where its voxels lie: no size, or one that is no more than a default, or the scan's, and
+/// neither axes of the patient nor an origin.
+bool hasNoPlace(const Volume& v, const LabelGrid& scan) {
+  if (!v.isSpacingKnown) return true;
+  if (v.isOrientationKnown || glm::dvec3(v.worldFromVoxel[3]) != glm::dvec3(0.0)) return false;
+  glm::dvec3 size = spacingOf(v) * millimetresPer(v.lengthUnit), ofScan;
+  for (int i = 0; i < 3; ++i) {
+    ofScan[i] = glm::length(glm::dvec3(scan.worldFromVoxel[i])) * millimetresPer(scan.unit);
+    bool isStraight = std::abs(v.worldFromVoxel[i][i]) == glm::length(glm::dvec3(v.worldFromVoxel[i]));
+    if (!isStraight) return false;
   }
-  return false;
+  constexpr double kRounding = 1e-3;  // of sizes that another program wrote in single precision or in few digits
+  return size == glm::dvec3(1.0) || glm::all(glm::lessThan(glm::abs(size / ofScan - 1.0), glm::dvec3(kRounding)));
+}
+
+/// The voxels of labels, in the place of the scan where the file has none of its own.
+Volume readOn(const LabelGrid& scan, const scene::Source& source, Progress& progress) {
+  scene::Source asItIs = source;
+  asItIs.spacing = glm::dvec3(0.0);
+  Volume v = readVolume(asItIs, progress);
+  if (v.dims == scan.dims && hasNoPlace(v, scan)) {
+    placeOn(v, scan.worldFromVoxel, scan.unit);
+    return v;
+  }
+  return source.spacing == glm::dvec3(0.0) ? v : readVolume(source, progress);
+}
+
+/// Files of segments where a folder, or a medium, holds no images; nothing for all else.
+std::vector<DicomFile> labelsAloneIn(const Path& path, Progress& progress) {
+  bool isFolder = std::filesystem::is_directory(path);
+  if (!isFolder && !isDicomIndex(path)) return {};
+  try {
+    return labelsWithoutImages(isFolder ? path : path.parent_path(), progress);
+  } catch (const InputError&) {
+    return {};  // of a folder that cannot be searched the volume's reader says why
+  }
+}
+
+/// Segments of DICOM: of a file, or the ones of a folder, or of a medium, that holds no images.
+std::optional<LabelVolume> readDicomLabels(const scene::Source& source, Progress& progress) {
+  Path path = source.path;
+  scene::Source one = source;
+  std::string note;
+  if (auto files = labelsAloneIn(path, progress); !files.empty()) {
+    auto weight = [&](const DicomFile& file) { return std::pair(file.seriesUid == source.series, file.frames.size()); };
+    auto chosen = std::max_element(files.begin(), files.end(),
+                                   [&](const auto& a, const auto& b) { return weight(a) < weight(b); });
+    one.path = chosen->path.string();
+    if (files.size() > 1)
+      note =
+          fmt::format("the folder holds no images and {} files of segments; {} was taken", files.size(),
+                      inQuotes(chosen->description.empty() ? chosen->path.filename().string() : chosen->description));
+  }
+  std::optional<LabelVolume> labels;
+  if (isDicomSeg(one.path)) labels = readDicomSeg(one, progress);
+  if (isRtStruct(one.path)) labels = readRtStruct(one, progress);
+  if (labels && !note.empty()) labels->warnings.push_back(note);
+  return labels;
 }
 
 }  // namespace
 
-LabelVolume readLabels(const scene::Source& source, Progress& progress) {
-  Path path = source.path;
-  if (isDicomSeg(path)) return readDicomSeg(source, progress);
-  if (isRtStruct(path)) return readRtStruct(source, progress);
-  return labelsFrom(readVolume(source, progress), path, progress);
+LabelVolume readLabels(const scene::Source& source, Progress& progress, const std::optional<LabelGrid>& scan) {
+  if (auto labels = readDicomLabels(source, progress)) return std::move(*labels);
+  Volume volume = scan ? readOn(*scan, source, progress) : readVolume(source, progress);
+  return labelsFrom(volume, source.path, progress);
 }
 
 std::variant<Volume, LabelVolume> readVoxels(const scene::Source& source, Progress& progress) {
   Path path = source.path;
   bool hasLayout = source.raw.dims.x > 0;
   if (hasLayout) return readVolume(source, progress);
+  if (auto labels = readDicomLabels(source, progress)) return std::move(*labels);
   if (!looksLikeLabels(path)) {
     Volume volume = readVolume(source, progress);
     if (!holdsNothingButIds(volume)) return volume;
     return labelsFrom(volume, path, progress);
   }
-  if (isDicomSeg(path) || isRtStruct(path) || !segmentsOf(path).empty()) return readLabels(source, progress);
+  if (!segmentsOf(path).empty()) return readLabels(source, progress);
   Volume volume = readVolume(source, progress);
   if (!holdsAreasOfIds(volume)) return volume;
   return labelsFrom(volume, path, progress);
@@ -254,6 +253,8 @@ std::variant<Volume, LabelVolume> readVoxels(const scene::Source& source, Progre
 bool looksLikeLabels(const std::filesystem::path& path) {
   try {
     if (nameSaysLabels(path)) return true;
+    Progress unseen;
+    if (!labelsAloneIn(path, unseen).empty()) return true;
     if (!std::filesystem::is_regular_file(path)) return false;
     if (isDicomSeg(path) || isRtStruct(path) || !segmentsOf(path).empty()) return true;
     if (!isNifti(path)) return false;

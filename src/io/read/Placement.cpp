@@ -8,7 +8,12 @@ namespace velum::io {
 
 namespace {
 constexpr double kFarthestOrigin = 1e15;  ///< in any unit: beyond it doubles tell no voxels apart
+
+std::string noSpacing(LengthUnit unit) {
+  return fmt::format("the file has no voxel spacing, 1 {0} is taken; give it as spacing in {0} (x, y, z)",
+                     symbolOf(unit));
 }
+}  // namespace
 
 bool isUsableSpacing(double length) { return length >= scene::kLeastSpacing && length <= scene::kMostSpacing; }
 
@@ -59,10 +64,15 @@ void applySpacing(Volume& volume, const scene::Source& source) {
     if (isUsableSpacing(wanted) && length > 0) column *= wanted / length;
   }
   if (glm::all(glm::greaterThan(source.spacing, glm::dvec3(0.0)))) volume.isSpacingKnown = true;
-  if (!volume.isSpacingKnown)
-    volume.warnings.push_back(
-        fmt::format("the file has no voxel spacing, 1 {0} is taken; give it as spacing in {0} (x, y, z)",
-                    symbolOf(volume.lengthUnit)));
+  if (!volume.isSpacingKnown) volume.warnings.push_back(noSpacing(volume.lengthUnit));
+}
+
+void placeOn(Volume& volume, const glm::dmat4& worldFromVoxel, LengthUnit unit) {
+  std::erase(volume.warnings, noSpacing(volume.lengthUnit));
+  std::erase(volume.warnings, kNoAxes);
+  volume.worldFromVoxel = worldFromVoxel;
+  volume.lengthUnit = unit;
+  volume.isSpacingKnown = true;
 }
 
 }  // namespace velum::io

@@ -20,6 +20,13 @@ bool isInvertible(const glm::dmat3& columns);
 void placeInWorld(Volume& volume, const glm::dmat3& columns, const glm::dvec3& origin,
                   const glm::dvec3& fallbackSpacing);
 
+/// Said where a file has no axes of the patient.
+inline constexpr const char* kNoAxes =
+    "the file does not say how the body lies in it; axes were taken as right, anterior, superior";
+
+/// Puts a volume whose file says nothing of its place onto the grid of another, and takes back what was said of that.
+void placeOn(Volume& volume, const glm::dmat4& worldFromVoxel, LengthUnit unit);
+
 /// Takes the user's spacing where positive, then warns when spacing is still unknown.
 void applySpacing(Volume& volume, const scene::Source& source);
 

@@ -205,6 +205,20 @@ bool holdsDicom(const std::filesystem::path& folder, Depth depth, Progress& prog
   return false;
 }
 
+std::vector<DicomFile> labelsWithoutImages(const std::filesystem::path& folder, Progress& progress) {
+  std::vector<DicomFile> labels;
+  for (const Path& path : filesOf(folder, Depth::AllBelow, progress)) {
+    progress.throwIfCancelled();
+    auto file = readDicomHeader(path);
+    if (!file) continue;
+    if (file->holdsLabels())
+      labels.push_back(std::move(*file));
+    else if (file->hasImage())
+      return {};
+  }
+  return labels;
+}
+
 bool isDicomIndex(const std::filesystem::path& path) {
   if (!std::filesystem::is_regular_file(path)) return false;
   auto file = readDicomHeader(path);

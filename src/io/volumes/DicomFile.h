@@ -72,6 +72,9 @@ enum class Depth { Folder, AllBelow };
 std::vector<DicomFile> scanDicomFolder(const std::filesystem::path& folder, Depth depth, Progress& progress);
 /// True when the folder holds a DICOM image; stops at the first. @throw InputError, Cancelled
 bool holdsDicom(const std::filesystem::path& folder, Depth depth, Progress& progress);
+/// Headers of the segmentations and structure sets in a folder and all below it, where no image is; empty where one is,
+/// for it stops there. @throw InputError, Cancelled
+std::vector<DicomFile> labelsWithoutImages(const std::filesystem::path& folder, Progress& progress);
 /// True when the file is the index of a DICOM medium, "DICOMDIR".
 bool isDicomIndex(const std::filesystem::path& path);
 /// @throw InputError where an index lists files and none of them is there

@@ -100,7 +100,7 @@ DicomPet petOf(const DataSet& set) {
   return pet;
 }
 
-std::string uptakeNote(std::span<const DicomPet* const> files) {
+Uptake uptakeOf(std::span<const DicomPet* const> files) {
   const DicomPet& pet = *files.front();
   if (pet.units != "BQML") return {};
   bool isAtStart = pet.decayCorrection == "START", isAtInjection = pet.decayCorrection == "ADMIN";
@@ -114,16 +114,18 @@ std::string uptakeNote(std::span<const DicomPet* const> files) {
   need(isAtInjection || pet.injectionTime.has_value(), "the time of injection");
   auto scan = lacks.empty() && isAtStart ? scanTimeOf(files) : std::nullopt;
   if (lacks.empty()) need(isAtInjection || scan.has_value(), "the time of the scan");
-  if (!lacks.empty()) return "uptake values (SUV) cannot be had of these Bq/ml: the file lacks " + lacks;
+  if (!lacks.empty()) return {0, "uptake values (SUV) cannot be had of these Bq/ml: the file lacks " + lacks};
   double minutes = scan ? (*scan - *pet.injectionTime) / 60 : 0;
   // Times that are shifted one by one, to hide who it was, make nonsense.
   if (minutes < 0 || minutes > 60 * 24)
-    return fmt::format(
-        "uptake values (SUV) cannot be had of these Bq/ml: the scan begins {:.0f} minutes after injection", minutes);
+    return {0, fmt::format("uptake values (SUV) cannot be had of these Bq/ml: the scan begins {:.0f} minutes after "
+                           "injection",
+                           minutes)};
   double dose = pet.doseBq * (scan ? std::exp2(-minutes * 60 / pet.halfLifeS) : 1.0);
-  return fmt::format("values are Bq/ml; times {:.6g} they are SUVbw ({:.4g} kg, {:.4g} MBq{})",
-                     pet.weightKg * 1000 / dose, pet.weightKg, pet.doseBq * 1e-6,
-                     scan ? fmt::format(" {:.1f} minutes before the scan", minutes) : "");
+  double factor = pet.weightKg * 1000 / dose;
+  return {factor,
+          fmt::format("values are SUVbw: the file's Bq/ml times {:.6g} ({:.4g} kg, {:.4g} MBq{})", factor, pet.weightKg,
+                      pet.doseBq * 1e-6, scan ? fmt::format(" {:.1f} minutes before the scan", minutes) : "")};
 }
 
 }  // namespace velum::io

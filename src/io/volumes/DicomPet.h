@@ -20,9 +20,15 @@ struct DicomPet {
 
 DicomPet petOf(const gdcm::DataSet& set);
 
-/// The factor from Bq/ml to the uptake value by body weight, as QIBA's vendor-neutral pseudo-code has it, in one line
-/// for people, or what the file lacks for it; empty when the values are no activity concentration.
+/// How activity becomes uptake.
+struct Uptake {
+  double perActivity = 0;  ///< SUVbw of a Bq/ml; 0: it cannot be had
+  std::string note;        ///< where the factor comes from, or what the file lacks for it, for people
+};
+
+/// The factor from Bq/ml to the standardised uptake value by body weight, as QIBA's vendor-neutral pseudo-code has it;
+/// nothing of both when the values are no activity concentration.
 /// @param files  of one series, at least one
-std::string uptakeNote(std::span<const DicomPet* const> files);
+Uptake uptakeOf(std::span<const DicomPet* const> files);
 
 }  // namespace velum::io

@@ -186,7 +186,12 @@ void describeValues(Volume& v, const Series& series, const DicomStack& stack, co
     for (const std::string& warning : file.warnings)
       if (std::find(v.warnings.begin(), v.warnings.end(), warning) == v.warnings.end()) v.warnings.push_back(warning);
   }
-  if (std::string note = uptakeNote(pets); !note.empty()) v.warnings.push_back(note);
+  Uptake uptake = uptakeOf(pets);
+  if (!uptake.note.empty()) v.warnings.push_back(uptake.note);
+  if (uptake.perActivity <= 0 || v.unit != "Bq/ml") return;
+  v.scale *= uptake.perActivity;
+  v.offset *= uptake.perActivity;
+  v.unit = "SUVbw";
 }
 
 void describe(Volume& v, const Series& series, const DicomStack& stack, const std::vector<DicomFrame>& frames) {

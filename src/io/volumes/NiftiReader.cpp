@@ -168,7 +168,7 @@ void place(Volume& v, const NiftiHeader& h) {
       spacing[i] = 1.0;
       v.isSpacingKnown = false;
     }
-  v.warnings.push_back("the file does not say how the body lies in it; axes were taken as right, anterior, superior");
+  v.warnings.push_back(kNoAxes);
   placeInWorld(v, lpsFromRas * glm::dmat3(spacing.x, 0, 0, 0, spacing.y, 0, 0, 0, spacing.z) * mm, glm::dvec3(0.0),
                spacing * mm);
 }

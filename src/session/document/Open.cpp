@@ -27,6 +27,7 @@
 #include "velum/scene/VisibleFrame.h"
 #include "velum/scene/json/Json.h"
 #include "velum/session/document/Folders.h"
+#include "velum/session/document/LabelPlace.h"
 #include "velum/session/document/LitSphereFiles.h"
 #include "velum/session/document/PaperFile.h"
 #include "velum/session/growth/Growths.h"
@@ -113,6 +114,23 @@ void putLabels(scene::Scene& scene, LabelVolume labels) {
   scene.labels.data = scene.labels.given = Shared<LabelVolume>(std::move(labels));
   scene.labels.grown.clear();
   scene::completeStructures(scene.labels);
+  if (std::string line = misplacedLabels(scene); !line.empty()) warnAll(scene.labels.source.path, {line});
+}
+
+/// That labels without a place of their own take; nothing where there is no volume.
+std::optional<io::LabelGrid> gridOfScan(const scene::Scene& scene) {
+  if (!scene.volume.data) return std::nullopt;
+  const Volume& scan = *scene.volume.data;
+  return io::LabelGrid{scan.dims, scan.worldFromVoxel, scan.lengthUnit};
+}
+
+/// Labels that were open before the scan that they are of, and have no place of their own, go where it is.
+void placeLabels(scene::Scene& scene, Progress& progress) {
+  const auto& labels = scene.labels.data;
+  if (!labels || labels->dims() != scene.volume.data->dims || scene.labels.source.path.empty()) return;
+  if (!scene.labels.growths.empty() || labels->worldFromVoxel() == scene.volume.data->worldFromVoxel) return;
+  if (std::error_code error; !fs::exists(scene.labels.source.path, error)) return;
+  putLabels(scene, io::readLabels(scene.labels.source, progress, gridOfScan(scene)));
 }
 
 /// In the place of what the scene has of them.
@@ -231,7 +249,7 @@ scene::Scene open(const scene::Source& source, Progress& progress, const DataPol
 }
 
 void addLabels(scene::Scene& scene, const scene::Source& source, Progress& progress) {
-  takeLabels(scene, source, io::readLabels(source, progress));
+  takeLabels(scene, source, io::readLabels(source, progress, gridOfScan(scene)));
 }
 
 void add(scene::Scene& scene, const scene::Source& source, Progress& progress, std::vector<std::string>* notes) {
@@ -267,6 +285,7 @@ void add(scene::Scene& scene, const scene::Source& source, Progress& progress, s
     log::warning(fmt::format("{}: every voxel has the same value; there is nothing to see", source.path));
   scene::applyFirstLook(scene);
   scene::completeChannels(scene.volume);
+  placeLabels(scene, progress);
 }
 
 Opened openAll(std::vector<std::string> paths, Progress& progress, const DataPolicy& policy,
@@ -275,7 +294,7 @@ Opened openAll(std::vector<std::string> paths, Progress& progress, const DataPol
   std::stable_partition(paths.begin(), paths.end(), [](const std::string& path) {
     if (isMesh(path)) return false;
     bool isScene = lowerExtension(path) == ".json" || isPicture(path);
-    return isScene || !fs::exists(path) || fs::is_directory(path) || !io::looksLikeLabels(path);
+    return isScene || !fs::exists(path) || !io::looksLikeLabels(path);
   });
   Opened opened;
   std::vector<std::string> refused = openEach(paths, [&](const scene::Source& source) {
@@ -304,6 +323,7 @@ void loadData(scene::Scene& scene, const fs::path& folder, Progress& progress, c
   };
   if (isPlaced(scene.volume.source, bool(scene.volume.data), "volume", "volume")) {
     putVolume(scene, io::readVolume(scene.volume.source, progress));
+    placeLabels(scene, progress);
     if (scene.volume.transfer.opacities.empty()) {
       scene::applyFirstLook(scene);
       scene::completeChannels(scene.volume);
@@ -311,7 +331,7 @@ void loadData(scene::Scene& scene, const fs::path& folder, Progress& progress, c
   }
   settleBody(scene, progress);
   if (isPlaced(scene.labels.source, bool(scene.labels.data), "labels", "labels"))
-    putLabels(scene, io::readLabels(scene.labels.source, progress));
+    putLabels(scene, io::readLabels(scene.labels.source, progress, gridOfScan(scene)));
   for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
     auto& surface = scene.surfaces[i];
     if (isPlaced(surface.source, bool(surface.data), fmt::format("surfaces.{}", i), "surface"))

@@ -28,10 +28,10 @@ struct MembraneOptions {
   std::vector<double> protect, axis, at;
   std::vector<int> structures;
   std::vector<std::string> types, sketch, avoid;
-  std::optional<double> position;
+  std::optional<double> position, reach;
   std::vector<std::string> kernels, pins;
   std::string rule, side, leastPiece, saveScene, sheet, clipped;
-  bool limit = false, denoise = false;
+  bool limit = false, denoise = false, move = false;
 };
 
 glm::dvec3 vectorOf(const std::vector<double>& v) { return {v[0], v[1], v[2]}; }
@@ -52,6 +52,7 @@ scene::Cut newMembrane(const scene::Scene& scene, const MembraneOptions& options
   glm::dvec3 middle = (bounds.min + bounds.max) * 0.5, z(scene::worldFromCut(cut)[2]);
   double deep = glm::dot(glm::abs(z), bounds.max - bounds.min);
   cut.centre = middle + z * (deep * (options.position.value_or(0.5) - 0.5));
+  if (options.reach) cut.size.z = *options.reach;
   return cut;
 }
 
@@ -171,6 +172,15 @@ void applyNoise(scene::Membrane& membrane, const MembraneOptions& options) {
   if (options.denoise) membrane.field.denoise = true;
 }
 
+/// The membranes that the scene brings, where another reach or place is asked for.
+void placeAnew(scene::Scene& scene, const MembraneOptions& options) {
+  for (auto& cut : scene.cuts) {
+    if (!scene::isMembrane(cut)) continue;
+    if (options.reach) cut.size.z = *options.reach;
+    if (options.move) cut = session::placedToKeep(scene, cut, consoleProgress(), !options.reach).value_or(cut);
+  }
+}
+
 /// What is left out of what is protected by value.
 Json jsonOf(const membrane::LeftOut& leftOut, double voxelSize) {
   return {{"leastPiece", leftOut.leastPiece},
@@ -178,6 +188,11 @@ Json jsonOf(const membrane::LeftOut& leftOut, double voxelSize) {
           {"pieces", leftOut.pieces},
           {"voxels", leftOut.voxels},
           {"share", double(leftOut.voxels) / double(std::max<std::size_t>(leftOut.protectedVoxels, 1))}};
+}
+
+/// What becomes of what is protected, in shares of its volume.
+Json jsonOf(const membrane::Fate& fate) {
+  return {{"kept", fate.kept}, {"removed", fate.removed}, {"cutOff", fate.cutOff}};
 }
 
 /// @param place  of the cut in the scene
@@ -203,12 +218,17 @@ Json jsonOf(const session::MembraneReport& report, const scene::Cut& cut, int pl
     json["meanDistance"] = report.kept->meanDistance;
     membrane::Shares shares = membrane::sharesOf(*report.kept, cut);
     json["shares"] = {{"kept", shares.kept}, {"removed", shares.removed}, {"cut", shares.cut}};
+    if (report.kept->fate.isOfSomething) json["protected"] = jsonOf(report.kept->fate);
   }
   if (report.leftOut) json["leftOut"] = jsonOf(*report.leftOut, voxelSize);
-  if (report.advice)
-    json["advice"] = {{"step", std::string(enumName(report.advice->step))},
-                      {"reason", std::string(session::reasonOf(report.advice->step))},
-                      {"cut", report.advice->cutShare}};
+  json["reach"] = cut.size.z;
+  for (const auto& advice : report.advice)
+    json["advice"].push_back({{"step", std::string(enumName(advice.step))},
+                              {"reason", std::string(session::reasonOf(advice.step))},
+                              {"centre", {advice.cut.centre.x, advice.cut.centre.y, advice.cut.centre.z}},
+                              {"reach", advice.cut.size.z},
+                              {"protected", jsonOf(advice.fate)},
+                              {"cut", advice.cutShare}});
   if (report.limit) {
     json["limit"] = report.limit->figure.ratio;
     json["limitMeanDistance"] = report.limit->figure.meanDistance;
@@ -220,10 +240,11 @@ Json jsonOf(const session::MembraneReport& report, const scene::Cut& cut, int pl
 std::string adviceInWords(const session::Advice& advice, const scene::Cut& cut, LengthUnit unit) {
   switch (advice.step) {
     case session::AdviceStep::DeepenReach:
-      return fmt::format("A frame {:.4g} {} deep", advice.cut.size.z, symbolOf(unit));
-    case session::AdviceStep::MoveInFront:
-      return fmt::format("The frame {:.4g} {} further along its axis",
-                         glm::dot(advice.cut.centre - cut.centre, glm::normalize(cut.axis)), symbolOf(unit));
+      return fmt::format("A reach of {:.4g} {} (--reach)", advice.cut.size.z, symbolOf(unit));
+    case session::AdviceStep::MoveToKeep:
+      return fmt::format("The frame {:.4g} {} further along its axis, with a reach of {:.4g} {} (--move)",
+                         glm::dot(advice.cut.centre - cut.centre, glm::normalize(cut.axis)), symbolOf(unit),
+                         advice.cut.size.z, symbolOf(unit));
     case session::AdviceStep::ProtectLess:
       return "Protecting half as much";
   }
@@ -239,6 +260,11 @@ void printReport(const session::MembraneReport& report, const scene::Cut& cut, L
     fmt::print("leaves out {} pieces of fewer than {} voxels ({:.4g} {}^3): {:.2g} % of what is protected by value\n",
                report.leftOut->pieces, report.leftOut->leastPiece, report.leftOut->leastPiece * voxelSize,
                symbolOf(unit), 100.0 * double(report.leftOut->voxels) / double(report.leftOut->protectedVoxels));
+  const membrane::Fate& fate = report.kept->fate;
+  if (fate.isOfSomething)
+    fmt::print(
+        "of all that is protected {:.1f} % is kept, {:.1f} % is removed whole, {:.1f} % is cut off (reach {:.4g} {})\n",
+        100.0 * fate.kept, 100.0 * fate.removed, 100.0 * fate.cutOff, cut.size.z, symbolOf(unit));
   membrane::Shares shares = membrane::sharesOf(*report.kept, cut);
   fmt::print("of what the plane would cut {:.0f} % stays whole, {:.0f} % is removed whole, {:.0f} % is cut\n",
              100.0 * shares.kept, 100.0 * shares.removed, 100.0 * shares.cut);
@@ -248,9 +274,10 @@ void printReport(const session::MembraneReport& report, const scene::Cut& cut, L
       "average\n",
       report.kept->cutAreaMembrane, report.kept->cutAreaPlane, report.kept->ratio, report.kept->meanDistance,
       symbolOf(unit));
-  if (report.advice)
-    fmt::print("{} {} would bring that down to about {:.0f} %\n", session::reasonOf(report.advice->step),
-               adviceInWords(*report.advice, cut, unit), 100.0 * report.advice->cutShare);
+  for (const auto& advice : report.advice)
+    fmt::print("{} {} would keep about {:.0f} % and cut {:.0f} % of what the plane cuts\n",
+               session::reasonOf(advice.step), adviceInWords(advice, cut, unit), 100.0 * advice.fate.kept,
+               100.0 * advice.cutShare);
   if (report.limit)
     fmt::print("no sheet on this rest plane with this reach can do better than {:.3f}, at {:.2f} {}\n",
                report.limit->figure.ratio, report.limit->figure.meanDistance, symbolOf(unit));
@@ -290,8 +317,10 @@ int run(const MembraneOptions& options) {
     if (!isAsked) cut.membrane->field = session::defaultField(scene);
     protectWhatIsAsked(scene, cut, options);
     applyNoise(*cut.membrane, options);
-    if (!options.position) cut.centre = session::firstPlaceOf(scene, cut, consoleProgress()).value_or(cut.centre);
+    if (!options.position) cut = session::placedToKeep(scene, cut, consoleProgress(), !options.reach).value_or(cut);
     scene::addCut(scene, cut);
+  } else {
+    placeAnew(scene, options);
   }
   putHandsOn(scene, options);
   applyRule(scene, options.rule, options.side);
@@ -356,9 +385,16 @@ Run registerMembrane(CLI::App& verb) {
   numbers("--axis", options->axis, 3,
           "normal of the new membrane's frame, towards what is removed; default: to the eye");
   verb.add_option("--position", options->position,
-                  "where along its axis the frame hangs, 0 to 1 of the data; else in front of what it protects")
+                  "where along its axis the frame hangs, 0 to 1 of the data; else where it keeps what it protects")
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
+  verb.add_option("--reach", options->reach,
+                  "how far the sheet may go, both sides together, in the scene's unit; default: of a new membrane the "
+                  "shortest that keeps what it protects, or, with --position, 0.22 of the frame's mean edge")
+      ->check(CLI::PositiveNumber);
+  verb.add_flag("--move", options->move,
+                "move the membranes that the scene has along their axes to where they keep what they protect, with the "
+                "reach that it takes");
   verb.add_option("--rule", options->rule, "how kernels push: sided, paper; default: as the scene says")
       ->check(CLI::IsMember({"sided", "paper"}));
   verb.add_option(

@@ -17,8 +17,28 @@ class Membrane(CliTest):
         self.assertEqual(report["ratio"], 0)
         self.assertAlmostEqual(sum(report["shares"].values()), 1)
         self.assertEqual(report["shares"]["cut"], 0)
+        # It hangs where both are kept; in the middle one is removed whole.
+        self.assertGreater(report["protected"]["kept"], 0.99)
+        self.assertAlmostEqual(sum(report["protected"].values()), 1)
+        self.assertNotIn("advice", report)
+
+    def test_says_what_is_removed_whole_and_what_would_keep_it(self):
+        path = self.sample("two-spheres", 64)
+        report = self.report("membrane", path, "--protect", "500,2000", "--axis", "0,0,1", "--position", "0.5", "--save-scene", "m.json")
         self.assertGreater(report["shares"]["kept"], 0.4)
-        self.assertGreater(report["shares"]["removed"], 0.4)
+        self.assertGreater(report["shares"]["removed"] + report["protected"]["removed"], 0)
+        self.run_batch("membrane", path, "--protect", "500,2000", "--axis", "0,0,1", "--position", "0.05", "--save-scene", "lost.json")
+        lost = self.report("membrane", "lost.json")
+        self.assertGreater(lost["protected"]["removed"], 0.9)
+        self.assertIn("moveToKeep", [step["step"] for step in lost["advice"]])
+        for step in lost["advice"]:
+            self.assertKeys(step, "step", "reason", "centre", "reach", "protected", "cut")
+        self.assertIn("is removed whole", str(self.run_batch("membrane", "lost.json").stdout))
+        moved = self.report("membrane", "lost.json", "--move", "--save-scene", "kept.json")
+        self.assertGreater(moved["protected"]["kept"], 0.9)
+        self.assertGreater(self.report("membrane", "kept.json")["protected"]["kept"], 0.9)
+        self.assertEqual(self.report("membrane", "kept.json", "--reach", "33")["reach"], 33)
+        self.refuse("membrane", "kept.json", "--reach", "0", code=1, words=["--reach"])
 
     def test_hangs_across_the_axis_that_is_asked_for(self):
         path = self.sample("two-spheres", 32)

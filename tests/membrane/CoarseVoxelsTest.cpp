@@ -59,5 +59,15 @@ TEST(CoarseVoxels, WithoutDataThereIsNothing) {
   EXPECT_TRUE(coarseVoxels(Potential(scene::Scene()), above(100), 8, progress).grid.mask.empty());
 }
 
+TEST(CoarseVoxels, MiddlesOfBlocksAtTheEndLieInTheData) {
+  scene::Scene scene;
+  scene.volume.data = Shared<Volume>(makeVolume(
+      {21, 9, 17}, SampleType::Int16, [](glm::ivec3) { return 200; }, glm::dmat4(1.0)));
+  Progress progress;
+  CoarseVoxels coarse = coarseVoxels(Potential(scene), above(100), 5, progress);
+  EXPECT_EQ(coarse.voxelOf(coarse.grid.box.end - 1), glm::ivec3(20, 8, 16));
+  EXPECT_EQ(coarse.voxelOf({0, 0, 0}), coarse.step / 2);
+}
+
 }  // namespace
 }  // namespace velum::membrane

@@ -134,6 +134,23 @@ TEST(CutEdit, AligningKeepsThePlaneOverTheMiddleOfTheData) {
               glm::dot(aligned.centre - glm::dvec3(45, 95, 145), glm::normalize(plane.axis)), 1e-9);
 }
 
+TEST(CutEdit, AnAlignedMembraneIsAsWideAndHighAsTheDataThere) {
+  scene::Scene scene = boxScene(kSize);
+  scene::Cut cut = tiltedCut(scene::CutShape::Membrane);
+  cut.membrane.emplace();
+  scene::Bounds bounds = scene::computeBounds(scene);
+  glm::dvec3 edges = bounds.max - bounds.min, middle = (bounds.min + bounds.max) * 0.5;
+  for (glm::dvec3 axis : {glm::dvec3(1, 0, 0), glm::dvec3(0, -1, 0), glm::dvec3(0, 0, 1)}) {
+    scene::Cut aligned = alignedCut(scene, cut, axis);
+    glm::dmat3 frame = cutFrame(aligned);
+    for (int i = 0; i < 2; ++i)
+      EXPECT_NEAR(aligned.size[i], glm::dot(glm::abs(frame[i]), edges), 1e-9) << axis.x << axis.y << axis.z;
+    // Its middle lies over that of the data.
+    glm::dvec3 off = aligned.centre - (cutPosition(scene, aligned).offset * frame[2] + middle);
+    EXPECT_LT(glm::length(off), 1e-9);
+  }
+}
+
 TEST(CutEdit, SparesStayAscendingAndWithoutRepeats) {
   scene::Cut cut;
   cut.spares = {{9}, {3, 2.5}};

@@ -3,9 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "makeVolume.h"
+#include "membrane/CoarseLook.h"
+#include "velum/session/cut/CutEdit.h"
 #include "velum/session/membrane/Advice.h"
 #include "velum/session/membrane/MembraneEdit.h"
 
@@ -38,10 +41,10 @@ scene::Cut membraneAt(glm::dvec3 centre, glm::dvec3 axis) {
 /// The face of the block that lies towards an axis.
 bool isInFront(const scene::Scene& scene, const scene::Cut& cut, double face, double away) {
   Progress progress;
-  auto place = firstPlaceOf(scene, cut, progress);
-  if (!place || glm::dvec2(*place) != glm::dvec2(cut.centre)) return false;  // along its axis only
-  double behind = (face - place->z) * away;
-  return behind > 0.0 && behind < kReach;
+  auto place = placedToKeep(scene, cut, progress);
+  if (!place || glm::dvec2(place->centre) != glm::dvec2(cut.centre)) return false;  // along its axis only
+  double behind = (face - place->centre.z) * away;
+  return behind > 0.0 && behind < kReach && place->size == cut.size;
 }
 
 TEST(FirstPlace, LiesBehindTheFrontByLessThanTheReach) {
@@ -64,17 +67,22 @@ TEST(FirstPlace, IsWhereTheSheetGetsRound) {
   scene::Scene scene;
   scene.volume.data = Shared<Volume>(makeVolume({64, 64, 96}, SampleType::Int16, isBright, glm::dmat4(1.0)));
   Progress progress;
-  auto place = firstPlaceOf(scene, membraneAt({32, 32, 48}, {0, 0, 1}), progress);
+  auto place = placedToKeep(scene, membraneAt({32, 32, 48}, {0, 0, 1}), progress);
   ASSERT_TRUE(place);
-  EXPECT_NEAR(place->z, 40.0, 9.0);
+  EXPECT_NEAR(place->centre.z, 40.0, 9.0);
 }
 
 template <class ValueAt>
-std::optional<Advice> adviceOn(ValueAt valueAt, glm::dvec3 centre) {
+std::vector<Advice> allAdviceOn(ValueAt valueAt, glm::dvec3 centre) {
   scene::Scene scene;
   scene.volume.data = Shared<Volume>(makeVolume({64, 64, 96}, SampleType::Int16, valueAt, glm::dmat4(1.0)));
   Progress progress;
   return adviseMembrane(membrane::Potential(scene), scene, membraneAt(centre, {0, 0, 1}), progress);
+}
+template <class ValueAt>
+std::optional<Advice> adviceOn(ValueAt valueAt, glm::dvec3 centre) {
+  auto all = allAdviceOn(valueAt, centre);
+  return all.empty() ? std::nullopt : std::optional(all.front());
 }
 
 double ball(glm::ivec3 p, glm::dvec3 centre, double radius) { return glm::length(glm::dvec3(p) - centre) < radius; }
@@ -96,7 +104,7 @@ TEST(Advice, AFrameThroughSolidMaterialMovesInFront) {
   };
   auto advice = adviceOn(bar, {32, 32, 58});
   ASSERT_TRUE(advice);
-  EXPECT_EQ(advice->step, AdviceStep::MoveInFront);
+  EXPECT_EQ(advice->step, AdviceStep::MoveToKeep);
   EXPECT_NE(advice->cut.centre.z, 58.0);
   EXPECT_LT(advice->cutShare, 0.5);
 }
@@ -113,7 +121,101 @@ TEST(Advice, WhereAllIsProtectedLessIsMore) {
 TEST(Advice, IsNotGivenWhereNothingHelps) {
   EXPECT_FALSE(adviceOn([](glm::ivec3) { return 0.0; }, {32, 32, 48})) << "nothing is protected";
   Progress progress;
-  EXPECT_FALSE(adviseMembrane(membrane::Potential({}), {}, membraneAt({0, 0, 0}, {0, 0, 1}), progress)) << "no data";
+  EXPECT_TRUE(adviseMembrane(membrane::Potential({}), {}, membraneAt({0, 0, 0}, {0, 0, 1}), progress).empty())
+      << "no data";
+}
+
+/// A skull: a shell about soft tissue in a skin, that runs out of the data below, as heads do.
+scene::Scene headScene() {
+  auto head = [](glm::ivec3 p) {
+    double r = glm::length((glm::dvec3(p) - glm::dvec3(36, 44, 40)) / glm::dvec3(0.8, 1.0, 1.1));
+    bool isNeck = p.z < 20 && glm::length(glm::dvec2(p) - glm::dvec2(36, 52)) < 7.0;
+    return isNeck || (r > 30.0 && r < 33.0) ? 900.0 : r < 38.0 ? 40.0 : -1000.0;
+  };
+  scene::Scene scene;
+  scene.volume.data = Shared<Volume>(makeVolume({72, 88, 84}, SampleType::Int16, head, glm::dmat4(1.0)));
+  scene.volume.transfer.opacities = {{-1000, 0}, {300, 0.0}, {900, 1.0}, {2000, 1.0}};
+  scene.camera.target = {36, 44, 42};
+  scene.camera.eye = {36, -900, 42};
+  scene::placeSections(scene);
+  return scene;
+}
+
+membrane::Fate fateOf(const scene::Scene& scene, const scene::Cut& cut) {
+  Progress progress;
+  return CoarseLook(membrane::Potential(scene), cut.membrane->field, progress).outlookOf(cut, progress).fate;
+}
+
+TEST(FirstPlace, ANewMembraneKeepsWhatItProtectsFromEachSide) {
+  scene::Scene scene = headScene();
+  Progress progress;
+  for (glm::dvec3 eye : {glm::dvec3(0, -1, 0), {0, 1, 0}, {1, 0, 0}, {-1, 0, 0}, {0, 0, 1}}) {
+    scene.camera.eye = scene.camera.target + 900.0 * eye;
+    scene::Cut cut = newMembrane(scene, progress);
+    EXPECT_FALSE(cut.membrane->field.byValue.empty());
+    EXPECT_GE(fateOf(scene, cut).kept, kEnoughKept) << eye.x << ' ' << eye.y << ' ' << eye.z;
+    // The plane in its place would cut it, so that it is no sheet before everything.
+    CoarseLook look(membrane::Potential(scene), cut.membrane->field, progress);
+    EXPECT_GT(look.outlookOf(cut, progress).planePairs, 20.0);
+  }
+}
+
+TEST(FirstPlace, DataThatWasOpenedHasItsCrosshairAtRest) {
+  scene::Scene scene = headScene();
+  Progress progress;
+  ASSERT_TRUE(scene.sections.isPlaced);
+  EXPECT_TRUE(isCrosshairAtRest(scene));
+  glm::dvec3 searched = newMembrane(scene, progress).centre;
+  EXPECT_GT(std::abs(searched.y - 43.5), 5.0) << "not in the middle of the data";
+  scene.sections.crosshair.y += 4.0;
+  EXPECT_FALSE(isCrosshairAtRest(scene));
+  scene::Cut put = newMembrane(scene, progress);
+  EXPECT_NEAR(put.centre.y, scene.sections.crosshair.y, 1e-9) << "where hands have put it";
+  EXPECT_GE(fateOf(scene, put).kept, kEnoughKept) << "with a reach that keeps it";
+}
+
+TEST(FirstPlace, AMaskThatSomebodyProtectsIsKept) {
+  // A rod that leans away from the eye, too deep for a usual reach.
+  scene::Scene scene = headScene();
+  auto rod = [](glm::ivec3 p) {
+    bool isRod = p.z >= 10 && p.z < 70 && glm::length(glm::dvec2(p.x - 30, p.y - p.z - 8)) < 4.0;
+    return std::uint16_t(isRod ? 3 : 0);
+  };
+  scene.labels.data = Shared<LabelVolume>(makeLabels({72, 88, 84}, rod));
+  Progress progress;
+  scene::Cut cut = newMembrane(scene, progress);
+  cut.membrane->field = {};
+  protectStructure(*cut.membrane, 3);
+  cut.centre = {36, 44, 42};
+  cut.size.z = 10;
+  ASSERT_LT(fateOf(scene, cut).kept, kEnoughKept);
+  membrane::KeptWhole figures;
+  figures.fate = fateOf(scene, cut);
+  ASSERT_TRUE(wantsAdvice(figures, cut));
+  auto all = adviseMembrane(membrane::Potential(scene), scene, cut, progress);
+  auto move = std::find_if(all.begin(), all.end(), [](auto& a) { return a.step == AdviceStep::MoveToKeep; });
+  ASSERT_NE(move, all.end());
+  EXPECT_GE(move->fate.kept, kEnoughKept);
+  EXPECT_GE(fateOf(scene, move->cut).kept, kEnoughKept);
+}
+
+TEST(Advice, WhatVanishesWholeCounts) {
+  // A ball wholly in front: the plane cuts nothing, and all of it goes.
+  glm::dvec3 middle(32, 32, 70);
+  auto ballAt = [&](glm::ivec3 p) { return 900.0 * ball(p, middle, 9.0); };
+  scene::Scene scene;
+  scene.volume.data = Shared<Volume>(makeVolume({64, 64, 96}, SampleType::Int16, ballAt, glm::dmat4(1.0)));
+  scene::Cut cut = membraneAt({32, 32, 40}, {0, 0, 1});
+  membrane::KeptWhole figures;
+  figures.fate = fateOf(scene, cut);
+  EXPECT_DOUBLE_EQ(figures.fate.removed, 1.0);
+  EXPECT_TRUE(wantsAdvice(figures, cut));
+  auto advice = adviceOn(ballAt, cut.centre);
+  ASSERT_TRUE(advice);
+  EXPECT_EQ(advice->step, AdviceStep::MoveToKeep);
+  EXPECT_GT(advice->fate.kept, 0.99);
+  cut.membrane->field.side = scene::MembraneSide::Remove;
+  EXPECT_FALSE(wantsAdvice(figures, cut)) << "that is what was asked for";
 }
 
 TEST(FirstPlace, IsNowhereWhereNothingIsProtected) {
@@ -121,8 +223,9 @@ TEST(FirstPlace, IsNowhereWhereNothingIsProtected) {
   Progress progress;
   scene::Cut cut = membraneAt({4, 5, 110}, {0, 0, 1});
   cut.membrane->field.byValue.clear();
-  EXPECT_FALSE(firstPlaceOf(scene, cut, progress));
-  EXPECT_FALSE(firstPlaceOf({}, cut, progress)) << "no data";
+  EXPECT_FALSE(placedToKeep(scene, cut, progress));
+  EXPECT_FALSE(placedToKeep({}, cut, progress)) << "no data";
+  EXPECT_EQ(deepenedToKeep(scene, cut, progress), cut);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "kit/SelectedCut.h"
 #include "velum/session/cut/CutEdit.h"
 #include "velum/session/cut/ShapeTraits.h"
+#include "velum/session/membrane/FirstPlace.h"
 
 namespace velum::gui {
 
@@ -169,7 +170,11 @@ QWidget* CutForm::makeAlign() {
 }
 
 void CutForm::align(glm::dvec3 axis) {
-  editCut("Align cut", [&](scene::Cut& cut) { cut = session::alignedCut(mDocument.scene(), cut, axis); });
+  editCut("Align cut", [&](scene::Cut& cut) {
+    cut = session::alignedCut(mDocument.scene(), cut, axis);
+    Progress progress;
+    if (scene::isMembrane(cut)) cut = session::placedToKeep(mDocument.scene(), cut, progress).value_or(cut);
+  });
 }
 
 void CutForm::makeSize() {

@@ -8,7 +8,6 @@
 #include "kit/SelectedCut.h"
 #include "velum/session/cut/CutEdit.h"
 #include "velum/session/cut/ShapeTraits.h"
-#include "velum/session/membrane/DefaultField.h"
 #include "velum/session/membrane/FirstPlace.h"
 #include "velum/session/structure/StructureEdit.h"
 
@@ -144,16 +143,11 @@ void CutPanel::addCut(scene::Cut cut, const char* label) {
 }
 
 void CutPanel::addShape(scene::CutShape shape) {
-  scene::Cut cut = session::makeCut(mDocument.scene(), shape);
-  bool isMembrane = scene::isMembrane(cut);
-  if (isMembrane) {
-    const scene::Scene& scene = mDocument.scene();
-    cut.membrane->field = session::defaultField(scene);
-    Progress progress;
-    // Where hands have put the crosshair is where they mean.
-    if (!scene.sections.isPlaced) cut.centre = session::firstPlaceOf(scene, cut, progress).value_or(cut.centre);
-  }
-  addCut(std::move(cut), isMembrane ? "Add membrane" : "Add cut");
+  if (!hasData() || !hasRoom()) return;
+  Progress progress;
+  bool isMembrane = shape == scene::CutShape::Membrane;
+  addCut(isMembrane ? session::newMembrane(mDocument.scene(), progress) : session::makeCut(mDocument.scene(), shape),
+         isMembrane ? "Add membrane" : "Add cut");
 }
 
 void CutPanel::addAlongView() { addCut(session::cutFacingCamera(mDocument.scene()), "Cut along the view"); }

@@ -34,7 +34,10 @@ CutRoom::CutRoom(const WindowParts& parts)
   addActions(parts.menu(MenuId::Cut));
 }
 
-void CutRoom::refresh(const session::Session&) { mPanel->refresh(); }
+void CutRoom::refresh(const session::Session& session) {
+  mPanel->refresh();
+  mMembranes.refresh(session);
+}
 
 /// What was added is seen at once, in its page, too.
 void CutRoom::add(const std::function<void()>& make) {

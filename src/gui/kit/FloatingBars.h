@@ -9,6 +9,8 @@ namespace velum::gui {
 class FloatingBars : public QObject {
  public:
   explicit FloatingBars(QWidget& page) : QObject(&page), mPage(page) { page.installEventFilter(this); }
+  /// Whose children the bars are.
+  QWidget* host() const { return mPage.parentWidget(); }
   /// A sibling of the page, below those that are there already.
   void addToTop(QWidget& bar) { add(bar, mTop); }
   /// Above those that are there already.

@@ -133,7 +133,7 @@ QScrollBar::add-line, QScrollBar::sub-line { height: 0; }
 #commandFinder QLineEdit { font-size: 13pt; padding: 8px 10px; }
 QTextBrowser { background: @ground; border: none; padding: 10px 20px; }
 QScrollBar:horizontal { height: 0; }
-#progressStrip { background: @panel; border: 1px solid @edge; border-radius: 8px; }
+#progressStrip, #keptBar { background: @panel; border: 1px solid @edge; border-radius: 8px; }
 #emptyState { background: qlineargradient(x1:0, y1:0, x2:0, y2:1, stop:0 @emptyTop, stop:1 @emptyBottom); }
 )";
 

@@ -44,7 +44,6 @@ MembraneForm::MembraneForm(session::Document& document, Selection& selection, QW
       mShares(new ShareBar(this)),
       mFigure(new QLabel(this)),
       mDoing(new QLabel(this)),
-      mAdvice(new QPushButton(this)),
       mCanvas(new StrengthCanvas(this)),
       mStructures(new StrengthTable(this)),
       mNoise(new NoiseForm(document, selection, this)),
@@ -65,7 +64,9 @@ MembraneForm::MembraneForm(session::Document& document, Selection& selection, QW
   mCanvas->setObjectName("strengthCanvas");
   mCanvas->setAccessibleName(tr("Force by value: above the line what the sheet protects"));
   mCanvas->setToolTip(tr(
-      "Force of each value, -1000 to 1000. Above the line: the sheet goes around it; below: the sheet is drawn to it.\n"
+      "Force of each value, -1000 to 1000. Above the line: the sheet goes around it, and where it must cut it cuts "
+      "what "
+      "is weaker; below: the sheet is drawn to it, to what is stronger from farther away.\n"
       "Click: add a point. Drag: move it. Right click or Del: remove it.\nKeys: PgUp and PgDn go from one to the next, "
       "arrows move, Ins adds."));
   layout->addWidget(mNoise);
@@ -77,13 +78,6 @@ MembraneForm::MembraneForm(session::Document& document, Selection& selection, QW
   layout->addWidget(makePlayer());  // over what changes while it plays
   layout->addWidget(mShares);
   layout->addWidget(mFigure);
-  layout->addWidget(mAdvice);
-  mAdvice->setObjectName("membraneAdvice");
-  mAdvice->hide();
-  connect(mAdvice, &QPushButton::clicked, this, &MembraneForm::followAdvice);
-  QSizePolicy room = mAdvice->sizePolicy();
-  room.setRetainSizeWhenHidden(true);
-  mAdvice->setSizePolicy(room);
   layout->addWidget(mDoing);
   auto* picture = new QWidget(this);
   makePicture(makeGrid(picture));
@@ -212,23 +206,28 @@ QComboBox* MembraneForm::addChoice(QGridLayout* grid, const QString& name, const
   return box;
 }
 
+void MembraneForm::addLastRow(const QGridLayout* grid, Rows& rows) {
+  int line = grid->rowCount() - 1;
+  rows.emplace_back(grid->itemAtPosition(line, 0)->widget(), grid->itemAtPosition(line, 1)->widget());
+}
+
 void MembraneForm::makePicture(QGridLayout* grid) {
   mUse = addChoice(grid, tr("Use"),
                    tr("Clip: takes away what lies before the sheet; inlay: a grey image, and what lies "
                       "between it and the sheet"),
                    {tr("Clip"), tr("Inlay")}, [](auto& m, int i) { m.use = static_cast<scene::MembraneUse>(i); });
   mUse->setObjectName("membraneUse");
-  int first = grid->rowCount();
   mInlayOpacity = addNumber(grid, tr("Inlay opacity"), tr("Opacity of the inlay's image, %"), 0, 100, 0, " %",
                             [](auto& m, double v) { m.inlayOpacity = v / 100.0; });
+  addLastRow(grid, mInlayRows);
   mEmphasis =
       addNumber(grid, tr("Emphasis"), tr("-1: only what lies behind the rest plane; 1: only what lies before it"), -1,
                 1, 2, {}, [](auto& m, double v) { m.emphasis = v; });
+  addLastRow(grid, mInlayRows);
   mFalloff =
       addNumber(grid, tr("Fade"), tr("Distance from the rest plane at which structures have faded; 0: the reach"), 0,
                 200, 1, {}, [](auto& m, double v) { m.falloff = v; });
-  for (int line = first; line < grid->rowCount(); ++line)
-    mInlayRows.emplace_back(grid->itemAtPosition(line, 0)->widget(), grid->itemAtPosition(line, 1)->widget());
+  addLastRow(grid, mInlayRows);
   mLook = addChoice(grid, tr("Sheet"), tr("How the sheet itself is drawn"), {tr("Hidden"), tr("Grid"), tr("Surface")},
                     [](auto& m, int i) { m.look = static_cast<scene::SheetLook>(i); });
   mLook->setObjectName("membraneLook");
@@ -256,24 +255,35 @@ void MembraneForm::makeCloth(QGridLayout* grid) {
                     {tr("Keep"), tr("Remove"), tr("Nearest side")},
                     [](auto& m, int i) { m.field.side = static_cast<scene::MembraneSide>(i); });
   mSide->setObjectName("membraneSide");
+  addLastRow(grid, mSidedRows);
   mLevel = addNumber(grid, tr("Kernels"),
                      tr("A kernel for so many times two voxels along each axis: 0 every voxel, 1 "
                         "every second, 2 every fourth"),
                      0, 6, 0, {}, [](auto& m, double v) { m.field.level = int(std::lround(v)); });
   mLevel->setObjectName("membraneLevel");
+  addLastRow(grid, mPaperRows);
   mReach = addNumber(grid, tr("Area of effect"), tr("Half-width of a kernel, in kernels"), 1, 4, 1, {},
                      [](auto& m, double v) { m.field.areaOfEffect = v; });
+  mReach->setObjectName("membraneArea");
+  addLastRow(grid, mPaperRows);
   mStretch = addNumber(grid, tr("Stiff"), tr("Stiffness of the mesh against stretching, 0 to 1"), 0, 1, 2, {},
                        [](auto& m, double v) { m.cloth.stretch = v; });
   mStretch->setObjectName("membraneStretch");
   mBend = addNumber(grid, tr("Bending"), tr("Stiffness of the mesh against folding, 0 to 1"), 0, 1, 2, {},
                     [](auto& m, double v) { m.cloth.bend = v; });
+  mBend->setObjectName("membraneBend");
+  addLastRow(grid, mPaperRows);
   mRestoring = addNumber(grid, tr("Pull back"), tr("Pull back to the rest plane, 1/s\u00b2"), 0, 2000, 0, {},
                          [](auto& m, double v) { m.cloth.restoring = v; });
-  mParticles = addNumber(grid, tr("Particles"), tr("Particles along each edge while the sheet moves"), 3, 260, 0, {},
+  mRestoring->setObjectName("membraneRestoring");
+  mParticles = addNumber(grid, tr("Particles"), tr("Particles of the sheet along each edge"), 3, 260, 0, {},
                          [](auto& m, double v) { m.cloth.particles = glm::ivec2(int(std::lround(v))); });
+  mParticles->setObjectName("membraneParticles");
+  addLastRow(grid, mPaperRows);
   mFinest = addNumber(grid, tr("Finest"), tr("At rest the sheet is refined up to so many particles along an edge"), 3,
                       1024, 0, {}, [](auto& m, double v) { m.cloth.finest = int(std::lround(v)); });
+  mFinest->setObjectName("membraneFinest");
+  addLastRow(grid, mSidedRows);
 }
 
 void MembraneForm::showCut(const scene::Cut& cut) {
@@ -286,10 +296,16 @@ void MembraneForm::showCut(const scene::Cut& cut) {
   mSketch->showLength(Length(mDocument.scene()));
   mSketch->showStrokes(m.field.strokes);
   mUse->setCurrentIndex(int(m.use));
-  for (auto [label, control] : mInlayRows) {
-    label->setVisible(m.use == scene::MembraneUse::Inlay);
-    control->setVisible(m.use == scene::MembraneUse::Inlay);
-  }
+  auto showRows = [](const Rows& rows, bool isShown) {
+    for (auto [label, control] : rows) {
+      label->setVisible(isShown);
+      control->setVisible(isShown);
+    }
+  };
+  showRows(mInlayRows, m.use == scene::MembraneUse::Inlay);
+  // What has no say in where a sheet rests is not offered.
+  showRows(mSidedRows, m.field.rule == scene::KernelRule::Sided);
+  showRows(mPaperRows, m.field.rule == scene::KernelRule::Paper);
   mInlayOpacity->setValue(m.inlayOpacity * 100.0);
   mEmphasis->setValue(m.emphasis);
   mFalloff->setLength(Length(mDocument.scene()));
@@ -299,7 +315,6 @@ void MembraneForm::showCut(const scene::Cut& cut) {
   mRepositioning->setCurrentIndex(int(m.repositioning));
   mRule->setCurrentIndex(int(m.field.rule));
   mSide->setCurrentIndex(int(m.field.side));
-  mSide->setEnabled(m.field.rule == scene::KernelRule::Sided);
   mLevel->setValue(m.field.level);
   mReach->setValue(m.field.areaOfEffect);
   mStretch->setValue(m.cloth.stretch);
@@ -362,32 +377,11 @@ QString MembraneForm::figureText(const session::MembraneStatus& status, const Le
   auto percent = [](double share) {
     return QLocale().toString(100.0 * share, 'f', share > 0 && share < 0.0995 ? 1 : 0);
   };
-  QString reason = status.advice ? tr(session::reasonOf(status.advice->step).data()) + " " : QString();
-  return reason + tr("Of what the plane would cut, %1 % stays whole, %2 % is removed whole, %3 % is cut. The sheet "
-                     "lies %4 from the "
-                     "rest plane on average.")
-                      .arg(percent(status.shares.kept), percent(status.shares.removed), percent(status.shares.cut),
-                           length.text(status.meanDistance));
-}
-
-void MembraneForm::showAdvice(const std::optional<session::Advice>& advice) {
-  using Step = session::AdviceStep;
-  mAdvised = advice;
-  mAdvice->setVisible(advice.has_value());
-  if (!advice) return;
-  mAdvice->setText(advice->step == Step::DeepenReach   ? tr("Double the reach")
-                   : advice->step == Step::MoveInFront ? tr("Move the frame in front")
-                                                       : tr("Protect less"));
-  mAdvice->setToolTip(tr("The sheet would cut about %1 % then").arg(100.0 * advice->cutShare, 0, 'f', 0));
-}
-
-void MembraneForm::followAdvice() {
-  if (!mAdvised) return;
-  editSelectedCut(mDocument, mSelection, mAdvice->text().toStdString(), [this](scene::Cut& cut) {
-    cut.centre = mAdvised->cut.centre;
-    cut.size = mAdvised->cut.size;
-    if (cut.membrane) cut.membrane->field = mAdvised->cut.membrane->field;
-  });
+  return tr("Of what the plane would cut, %1 % stays whole, %2 % is removed whole, %3 % is cut. The sheet "
+            "lies %4 from the "
+            "rest plane on average.")
+      .arg(percent(status.shares.kept), percent(status.shares.removed), percent(status.shares.cut),
+           length.text(status.meanDistance));
 }
 
 void MembraneForm::showStatus(const std::optional<session::MembraneStatus>& status, bool isPlaying) {
@@ -399,13 +393,11 @@ void MembraneForm::showStatus(const std::optional<session::MembraneStatus>& stat
   if (QString text = figureText(*status, Length(mDocument.scene())); !text.isEmpty()) mFigure->setText(text);
   mFigure->setEnabled(status->isMeasured);
   mShares->setEnabled(status->isMeasured);
-  mAdvice->setEnabled(status->isMeasured);
   if (status->isMeasured) {
     const auto& volume = mDocument.scene().volume.data;
     double voxelSize = volume ? std::abs(glm::determinant(glm::dmat3(volume->worldFromVoxel))) : 0.0;
     mNoise->showLeftOut(status->leftOut, voxelSize, Length(mDocument.scene()));
   }
-  if (status->isMeasured) showAdvice(status->advice);
   if (status->isMeasured) mShares->setShares(status->shares);
   QString kernels = tr("%1 kernels, %2 \u00d7 %3 particles")
                         .arg(QLocale().toString(qulonglong(status->kernels)))

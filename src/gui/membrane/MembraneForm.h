@@ -52,6 +52,7 @@ class MembraneForm : public QWidget {
 
  private:
   using Change = std::function<void(scene::Membrane&)>;
+  using Rows = std::vector<std::pair<QWidget*, QWidget*>>;  ///< labels and controls
   QWidget* makeFieldHead();
   QWidget* makeProtect();
   QWidget* makePlayer();
@@ -64,19 +65,17 @@ class MembraneForm : public QWidget {
                        std::function<void(scene::Membrane&, int)> set);
   void edit(const QString& label, const Change& change, bool merge = false);
   bool byGradient() const { return mAttribute->currentIndex() == 1; }
+  /// Notes the last row of a grid.
+  static void addLastRow(const QGridLayout* grid, Rows& rows);
   void showCurve();
   void countHistogram();
   void showWords();
-  void showAdvice(const std::optional<session::Advice>& advice);
-  void followAdvice();
 
   session::Document& mDocument;
   Selection& mSelection;
   scene::Membrane mShown;
   ShareBar* mShares;
   QLabel *mFigure, *mDoing;
-  QPushButton* mAdvice;
-  std::optional<session::Advice> mAdvised;  ///< what it would do
   QLabel* mFieldTitle = nullptr;
   QComboBox* mAttribute = nullptr;
   StrengthCanvas* mCanvas;
@@ -89,8 +88,9 @@ class MembraneForm : public QWidget {
   QComboBox *mUse = nullptr, *mLook = nullptr, *mRule = nullptr, *mSide = nullptr, *mRepositioning = nullptr;
   NumberRow *mLevel = nullptr, *mInlayOpacity = nullptr, *mEmphasis = nullptr, *mFalloff = nullptr, *mStretch = nullptr,
             *mBend = nullptr, *mRestoring = nullptr, *mReach = nullptr, *mParticles = nullptr, *mFinest = nullptr;
-  std::vector<std::pair<QWidget*, QWidget*>> mInlayRows;  ///< label and control that only an inlay has
-  std::pair<std::uint64_t, int> mCounted{0, -1};          ///< Volume and channel whose values they are.
+  Rows mInlayRows;                                ///< that only an inlay has
+  Rows mSidedRows, mPaperRows;                    ///< and that act by one of the rules only
+  std::pair<std::uint64_t, int> mCounted{0, -1};  ///< Volume and channel whose values they are.
   Histogram mValues, mGradients;
   std::unique_ptr<Job> mJob;
 };

@@ -1,5 +1,7 @@
 #include "MembraneRoom.h"
 
+#include "kit/SelectedCut.h"
+
 namespace velum::gui {
 
 MembraneRoom::MembraneRoom(const WindowParts& parts, MembraneForm& form)
@@ -12,7 +14,9 @@ MembraneRoom::MembraneRoom(const WindowParts& parts, MembraneForm& form)
       mKeep(false, parts, mSketch),
       mAvoid(true, parts, mSketch),
       mProtect(false, parts),
-      mLetThrough(true, parts) {
+      mLetThrough(true, parts),
+      mKept(new KeptBar(parts.floating.host())) {
+  parts.floating.addToBottom(*mKept);
   bindButtons(form);
   connect(&form.hands(), &SheetHandsForm::selectAsked, &mGrips, &SheetGrips::select);
   connect(&mGrips, &SheetGrips::selectedChanged, &form.hands(), &SheetHandsForm::showSelected);
@@ -45,13 +49,34 @@ void MembraneRoom::connectSheets(MembraneForm& form) {
   auto tell = [this, &form, &selection] {
     const session::MembranePlayer& sheets = mParts.session.membranes();
     if (selection.cut() != 0) form.showStatus(sheets.status(selection.cut()), sheets.isPlaying());
+    showKept();
   };
+  connect(&mParts.toolbox, &Toolbox::handlesShownChanged, this, &MembraneRoom::showKept);
+  connect(mKept, &KeptBar::adviceTaken, this, &MembraneRoom::take);
   connect(&viewport, &Viewport::sheetsTold, &form, tell);
   connect(&selection, &Selection::cutChanged, &form, tell);
   connect(&form, &MembraneForm::playAsked, &viewport, &Viewport::playMembranes);
   connect(&form, &MembraneForm::stepAsked, &viewport, &Viewport::stepMembranes);
   connect(&form, &MembraneForm::flatAsked, &viewport,
           [&viewport, &selection] { viewport.resetMembrane(selection.cut()); });
+}
+
+/// As long as the handles are over the views.
+void MembraneRoom::showKept() {
+  const scene::Cut* cut = selectedMembrane(mParts.document(), mParts.selection);
+  auto status = cut ? mParts.session.membranes().status(cut->id) : std::nullopt;
+  bool isSeen = status && cut->enabled && !scene::isInlay(*cut) && mParts.toolbox.handlesShown();
+  if (isSeen) mKept->showStatus(*status, Length(mParts.document().scene()), membrane::attracts(cut->membrane->field));
+  // Before anything is known there is nothing to be said.
+  mKept->setVisible(isSeen && (status->isMeasured || mKept->isVisible()));
+}
+
+void MembraneRoom::take(const session::Advice& advice, const QString& label) {
+  editSelectedCut(mParts.document(), mParts.selection, label.toStdString(), [&](scene::Cut& cut) {
+    cut.centre = advice.cut.centre;
+    cut.size = advice.cut.size;
+    if (cut.membrane) cut.membrane->field = advice.cut.membrane->field;
+  });
 }
 
 void MembraneRoom::connectSketch(SketchForm& form) {

@@ -1,6 +1,7 @@
 #pragma once
 #include "BrushTool.h"
 #include "HandTool.h"
+#include "KeptBar.h"
 #include "MembraneForm.h"
 #include "ProtectTool.h"
 #include "SheetGrips.h"
@@ -19,6 +20,7 @@ class MembraneRoom : public Room {
   /// Over what is in the toolbox already.
   void addManipulators();
   Sketch& sketch() { return mSketch; }
+  void refresh(const session::Session&) override { showKept(); }
 
  signals:
   void exportSheetAsked();
@@ -28,12 +30,15 @@ class MembraneRoom : public Room {
   void bindButtons(MembraneForm& form);
   void connectSheets(MembraneForm& form);
   void connectSketch(SketchForm& form);
+  void showKept();
+  void take(const session::Advice& advice, const QString& label);
 
   SheetGrips mGrips;
   Sketch mSketch;
   HandTool mPin, mPush, mPull;
   BrushTool mKeep, mAvoid;
   ProtectTool mProtect, mLetThrough;
+  KeptBar* mKept;
 };
 
 }  // namespace velum::gui

@@ -5,6 +5,7 @@
 #include "ViewGrid.h"
 #include "kit/ActionTable.h"
 #include "kit/Bars.h"
+#include "kit/FloatingBars.h"
 #include "kit/JobRunner.h"
 #include "kit/Selection.h"
 #include "kit/SideTabs.h"
@@ -25,6 +26,7 @@ struct WindowParts {
   Toolbox& toolbox;
   ViewGrid& views;
   MessageBar& messages;
+  FloatingBars& floating;
   JobRunner& jobs;
   ActionTable& actions;
   SideTabs& tabs;

@@ -24,7 +24,7 @@ MainWindow::MainWindow()
       mToolbox(mSession.document(), *this),
       mViews(new ViewGrid(mSession, mSelection, mToolbox, mFrame.pages)),
       mJobs(mSession, *mFrame.progress, *mFrame.messages, this),
-      mParts{*this, mSession, mSelection,   mToolbox,    *mViews, *mFrame.messages,
+      mParts{*this, mSession, mSelection,   mToolbox,    *mViews, *mFrame.messages, *mFrame.floating,
              mJobs, mActions, *mFrame.tabs, mFrame.menus} {
   session::giveWayToTheWindow();
   setAcceptDrops(true);

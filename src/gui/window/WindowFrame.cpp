@@ -3,7 +3,6 @@
 #include <QMenuBar>
 #include <QVBoxLayout>
 
-#include "kit/FloatingBars.h"
 #include "kit/RecentFiles.h"
 
 namespace velum::gui {
@@ -28,10 +27,10 @@ WindowFrame::WindowFrame(QMainWindow& window, session::Document& document) {
   layout->setSpacing(0);
   layout->addWidget(pages, 1);
   layout->addWidget(time);
-  auto* bars = new FloatingBars(*pages);
-  bars->addToTop(*recovery);
-  bars->addToTop(*messages);
-  bars->addToBottom(*progress);
+  floating = new FloatingBars(*pages);
+  floating->addToTop(*recovery);
+  floating->addToTop(*messages);
+  floating->addToBottom(*progress);
   window.setCentralWidget(centre);
   buildSide(window);
   bar = new ToolStrip(&window);

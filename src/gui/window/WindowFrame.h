@@ -8,6 +8,7 @@
 #include "RecoveryBar.h"
 #include "ToolStrip.h"
 #include "kit/Bars.h"
+#include "kit/FloatingBars.h"
 #include "kit/SideTabs.h"
 #include "view/Room.h"
 #include "view/TimeBar.h"
@@ -25,6 +26,7 @@ struct WindowFrame {
 
   RecoveryBar* recovery;
   MessageBar* messages;
+  FloatingBars* floating;  ///< these bars and others over the views
   QStackedWidget* pages;
   EmptyState* empty;
   TimeBar* time;

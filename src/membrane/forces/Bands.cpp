@@ -44,7 +44,7 @@ CutLattice coarsened(const CutLattice& lattice) {
     return glm::ivec3(blocks[0].of(node.x), blocks[1].of(node.y), blocks[2].of(node.z));
   };
   glm::ivec3 dims(blocks[0].count(), blocks[1].count(), blocks[2].count());
-  return buildLattice(dims, blocks[2].of(flat) - 0.5, [&](const auto& add) {
+  return buildLattice(dims, blocks[2].of(flat) - 0.5, lattice.unit, [&](const auto& add) {
     parallelFor(0, lattice.dims.y, [&](int y) {
       std::size_t column = std::size_t(y) * std::size_t(lattice.dims.x);
       for (int x = 0; x < lattice.dims.x; ++x, ++column)
@@ -57,6 +57,20 @@ CutLattice coarsened(const CutLattice& lattice) {
           }
     });
   });
+}
+
+std::vector<SheetRange> coarsenedRanges(const CutLattice& lattice, std::span<const SheetRange> ranges) {
+  Blocks across[2] = {Blocks(lattice.dims.x), Blocks(lattice.dims.y)};
+  Blocks layers(lattice.dims.z, flatCount(lattice));
+  std::vector<SheetRange> coarse(std::size_t(across[0].count()) * std::size_t(across[1].count()),
+                                 {std::numeric_limits<int>::max(), 0});
+  for (int y = 0; y < lattice.dims.y; ++y)
+    for (int x = 0; x < lattice.dims.x; ++x) {
+      SheetRange own = ranges[std::size_t(y) * std::size_t(lattice.dims.x) + std::size_t(x)];
+      SheetRange& block = coarse[std::size_t(across[1].of(y) * across[0].count() + across[0].of(x))];
+      block = {std::min(block.low, layers.of(own.low)), std::max(block.high, layers.of(own.high))};
+    }
+  return coarse;
 }
 
 std::vector<int> refined(const CutLattice& lattice, const LeastCut& coarse) {
@@ -110,6 +124,7 @@ CutLattice within(const CutLattice& lattice, std::span<const SheetRange> ranges)
   CutLattice part;
   part.dims = lattice.dims;
   part.restLayer = lattice.restLayer;
+  part.unit = lattice.unit;
   glm::ivec2 n(lattice.dims);
   auto rangeAt = [&](glm::ivec2 column) {
     return ranges[std::size_t(column.y) * std::size_t(n.x) + std::size_t(column.x)];

@@ -6,15 +6,13 @@
 
 namespace velum::membrane {
 
-/// How many nodes of a column may lie below the sheet: [low, high].
-struct SheetRange {
-  int low = 0, high = 0;
-};
-
 /// A lattice with two nodes along each axis made one, but for the first and the last, whose sheets are those of the
 /// fine one that have whole nodes on either side: each separates in both the same, up to 127 pairs between two nodes.
 /// The rest plane stays between two layers. Four nodes along an axis may stay as many.
 CutLattice coarsened(const CutLattice& lattice);
+
+/// Heights of the sheets of a lattice as those of coarsened(lattice), as many as one of the columns of each has.
+std::vector<SheetRange> coarsenedRanges(const CutLattice& lattice, std::span<const SheetRange> ranges);
 
 /// A sheet of coarsened(lattice) as one of the lattice, see LeastCut::below.
 std::vector<int> refined(const CutLattice& lattice, const LeastCut& coarse);

@@ -13,7 +13,10 @@
 
 namespace velum::membrane {
 
-constexpr int kMostHalves = 255;
+/// What fits between two nodes: halves of 127 pairs where all are as strong; else as much as flows have room for.
+constexpr int kMostHalves = 255, kMostUnits = 3276;
+/// Up a column there is more room.
+constexpr int kMostUp = 65535;
 
 inline std::size_t columnOf(glm::ivec3 dims, glm::ivec3 node) {
   return std::size_t(node.y) * std::size_t(dims.x) + std::size_t(node.x);
@@ -74,31 +77,34 @@ class NodeBits {
 };
 
 /// makeLattice() for those with much to hand out.
-/// @param pairs  called twice with add(lower node, axis, pairs in halves), which any threads may call at the same time
+/// @param unit   see CutLattice::unit
+/// @param pairs  called twice with add(lower node, axis, pairs in units), which any threads may call at the same time
 template <class Pairs>
-CutLattice buildLattice(glm::ivec3 dims, double restLayer, const Pairs& pairs) {
+CutLattice buildLattice(glm::ivec3 dims, double restLayer, int unit, const Pairs& pairs) {
   if (glm::any(glm::lessThan(dims, glm::ivec3(1)))) throw ArgumentError("a lattice needs one node along each axis");
   if (dims.z > std::numeric_limits<std::uint16_t>::max())
     throw ArgumentError("a lattice of " + std::to_string(dims.z) + " layers is too high");
   CutLattice lattice;
   lattice.dims = dims;
   lattice.restLayer = restLayer;
+  lattice.unit = unit;
   NodeBits bits(dims);
   auto upper = [](glm::ivec3 node, int axis) { return ++node[axis], node; };
   auto holds = [&](glm::ivec3 node, int axis) { return isWithin(dims, node) && node[axis] + 1 < dims[axis]; };
-  pairs([&](glm::ivec3 node, int axis, int halves) {
-    if (halves <= 0 || !holds(node, axis)) return;
+  pairs([&](glm::ivec3 node, int axis, int units) {
+    if (units <= 0 || !holds(node, axis)) return;
     bits.set(node);
     bits.set(upper(node, axis));
   });
   bits.number(lattice);
   for (auto& p : lattice.pairs) p.assign(lattice.layer.size(), 0);
-  pairs([&](glm::ivec3 node, int axis, int halves) {
-    if (halves <= 0 || !holds(node, axis)) return;
-    std::atomic_ref<std::uint8_t> sum(lattice.pairs[axis][bits.at(node)]);
-    std::uint8_t now = sum.load(std::memory_order_relaxed);
-    while (!sum.compare_exchange_weak(now, std::uint8_t(std::min(int(now) + halves, kMostHalves)),
-                                      std::memory_order_relaxed)) {
+  pairs([&](glm::ivec3 node, int axis, int units) {
+    if (units <= 0 || !holds(node, axis)) return;
+    int most = unit == CutLattice::kHalves ? kMostHalves : axis == 2 ? kMostUp : kMostUnits;
+    std::atomic_ref<std::uint16_t> sum(lattice.pairs[axis][bits.at(node)]);
+    std::uint16_t now = sum.load(std::memory_order_relaxed);
+    while (
+        !sum.compare_exchange_weak(now, std::uint16_t(std::min(int(now) + units, most)), std::memory_order_relaxed)) {
     }
   });
   return lattice;

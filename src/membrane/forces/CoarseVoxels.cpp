@@ -9,11 +9,14 @@ namespace {
 constexpr int kMostLayers = 4;
 }  // namespace
 
+scene::ForceField withoutGradients(scene::ForceField field) {
+  field.byGradient.clear();
+  return field;
+}
+
 CoarseVoxels coarseVoxels(const Potential& potential, const scene::ForceField& field, int along, Progress& progress) {
-  scene::ForceField seen = field;
-  seen.byGradient.clear();
   CoarseVoxels out;
-  glm::ivec3 dims = potential.dims();
+  glm::ivec3 dims = out.dims = potential.dims();
   out.step = glm::max((dims + along - 1) / along, glm::ivec3(1));
   glm::ivec3 blocks = (dims + out.step - 1) / out.step;
   out.grid.box.end = blocks;
@@ -29,7 +32,7 @@ CoarseVoxels coarseVoxels(const Potential& potential, const scene::ForceField& f
     int spare = std::max(end - first - kMostLayers, 0);
     first += spare / 2;
     end -= spare - spare / 2;
-    ProtectedVoxels layer = potential.computeProtected(seen, {{0, 0, first}, {dims.x, dims.y, end}}, progress);
+    ProtectedVoxels layer = potential.computeProtected(field, {{0, 0, first}, {dims.x, dims.y, end}}, progress);
     parallelFor(0, blocks.y, [&](int y) {
       std::vector<int> held(std::size_t(blocks.x), 0);
       int low = y * out.step.y, high = std::min(low + out.step.y, dims.y);

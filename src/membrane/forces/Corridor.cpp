@@ -144,6 +144,18 @@ Corridor corridorAround(const CutLattice& lattice, const LeastCut& cut) {
   return corridor;
 }
 
+HeightOver heightOf(const Corridor& corridor) {
+  return [dims = corridor.dims, origin = corridor.origin, step = corridor.step,
+          height = corridor.height](glm::dvec2 local) {
+    glm::dvec2 at = glm::clamp((local - origin) / step, glm::dvec2(0.0), glm::dvec2(dims - 1));
+    glm::ivec2 low = glm::min(glm::ivec2(at), glm::max(dims - 2, 0)), high = glm::min(low + 1, dims - 1);
+    glm::dvec2 part = at - glm::dvec2(low);
+    auto of = [&](int x, int y) { return double(height[std::size_t(y) * std::size_t(dims.x) + std::size_t(x)]); };
+    return std::lerp(std::lerp(of(low.x, low.y), of(high.x, low.y), part.x),
+                     std::lerp(of(low.x, high.y), of(high.x, high.y), part.x), part.y);
+  };
+}
+
 std::vector<glm::vec2> roomOf(const Corridor& corridor, std::span<const glm::vec3> places, glm::dvec2 pitch) {
   VELUM_ASSERT(corridor.room.size() == std::size_t(corridor.dims.x) * std::size_t(corridor.dims.y),
                "each column has its room");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "Attraction.h"
 #include "Corridor.h"
 #include "FrameBox.h"
 #include "Stakes.h"
@@ -17,6 +18,8 @@ namespace {
 
 /// Where more voxels are protected the least cut is looked for on a coarser lattice: a gigabyte.
 constexpr double kMostProtected = 48e6;
+/// And where something attracts, of which all nodes count, with so many nodes: a quarter of a gigabyte.
+constexpr double kMostDrawn = 32e6;
 /// So far the sheet may go from one time step to the next to follow what moves, in mean edges of the rest plane: 10
 /// over a heart, whose walls move up to 7 mm in an eighth of a beat; with half of it the sheet lost them.
 constexpr double kFollowShare = 1.0 / 16.0;
@@ -57,7 +60,6 @@ scene::Cut sidesPart(const scene::Cut& cut) {
   part.membrane->field.side = cut.membrane->field.side;
   part.membrane->field.kernels = cut.membrane->field.kernels;
   std::erase_if(part.membrane->field.kernels, [](const auto& kernel) { return kernel.strength <= 0.0; });
-  for (auto& kernel : part.membrane->field.kernels) kernel.strength = 1.0;  // what repels is protected, however weakly
   return part;
 }
 
@@ -111,13 +113,15 @@ void protectPlaced(ProtectedVoxels& voxels, const scene::ForceField& field) {
   glm::ivec3 size = voxels.box.end - voxels.box.min;
   for (const auto& kernel : field.kernels) {
     if (kernel.strength <= 0.0) continue;
+    std::uint8_t weight = weightOf(kernel.strength, strongestOf(field));
     parallelFor(0, size.z, [&](int z) {
       std::size_t i = std::size_t(z) * std::size_t(size.y) * std::size_t(size.x);
       for (int y = 0; y < size.y; ++y)
         for (int x = 0; x < size.x; ++x, ++i) {
           glm::dvec4 voxel(glm::dvec3(voxels.box.min + glm::ivec3(x, y, z)), 1.0);
-          if (glm::length(glm::dvec3(worldFromVoxel * voxel) - kernel.centre) < kernel.radius && !voxels.mask[i])
-            voxels.mask[i] = ProtectedVoxels::kPlaced;
+          if (glm::length(glm::dvec3(worldFromVoxel * voxel) - kernel.centre) >= kernel.radius) continue;
+          if (!voxels.mask[i]) voxels.mask[i] = ProtectedVoxels::kPlaced;
+          if (!voxels.weight.empty()) voxels.weight[i] = std::max(voxels.weight[i], weight);
         }
     });
   }
@@ -185,7 +189,8 @@ double liftOf(const PlacedKernel& kernel) {
   return kernel.centre.z * std::clamp(reaches, 0.0, 1.0) * kernel.pull / (kernel.pull - kHalfLift);
 }
 
-/// What repels pushes along the normal, away from the side that it is on; what attracts stays as it is.
+/// What repels pushes along the normal, away from the side that it is on; what of the data attracts has led the
+/// corridor to it already.
 void turnToSides(PushField& field, const Corridor& corridor) {
   glm::dmat4 localFromKernel = glm::inverse(field.kernelFromLocal);
   glm::dmat3 axes(localFromKernel);
@@ -196,6 +201,7 @@ void turnToSides(PushField& field, const Corridor& corridor) {
     for (int y = 0; y < field.dims.y; ++y)
       for (int x = 0; x < field.dims.x; ++x, ++i) {
         float strength = field.strengths[i].y;
+        field.strengths[i] = glm::vec2(0.0f);
         if (strength <= 0.0f) continue;
         double side = sides.at(glm::dvec3(localFromKernel * glm::dvec4(x, y, z, 1.0)));
         field.strengths[i] = {float(side) * strength, 0.0f};
@@ -259,15 +265,27 @@ Corridor ForceMaker::corridorOf(const scene::Cut& cut, const CurrentSheet& curre
   Sides& known = asked.membrane->field.kernels.empty() ? mDataSides : mSides;
   if (!current.height && known.cut && *known.cut == asked) return known.corridor;
   const ProtectedVoxels& data = voxelsOf(cut, progress);
-  std::optional<ProtectedVoxels> withPlaced;
-  if (!asked.membrane->field.kernels.empty()) {
-    withPlaced = data;
-    protectPlaced(*withPlaced, asked.membrane->field);
+  std::optional<ProtectedVoxels> changed;
+  const scene::ForceField& field = asked.membrane->field;
+  if (!field.kernels.empty() || !isAlike(field)) {
+    changed = data;
+    if (!isAlike(field)) changed->weight = mPotential.computeWeights(field, data.box, strongestOf(field), progress);
+    protectPlaced(*changed, field);
   }
-  const ProtectedVoxels& voxels = withPlaced ? *withPlaced : data;
+  const ProtectedVoxels& voxels = changed ? *changed : data;
   auto count = double(voxels.mask.size() - std::size_t(std::count(voxels.mask.begin(), voxels.mask.end(), 0)));
-  CutLattice lattice = gatherLattice(voxels, cut, std::max(1.0, std::ceil(std::cbrt(count / kMostProtected))));
-  auto around = [&](const LeastCut& least) {
+  double coarsening = std::max(1.0, std::ceil(std::cbrt(count / kMostProtected)));
+  CutLattice lattice = gatherLattice(voxels, cut, coarsening);
+  std::optional<Attraction> attraction;
+  if (attracts(field)) {
+    glm::dvec3 n(lattice.dims);
+    if (n.x * n.y * n.z > kMostDrawn)
+      lattice = gatherLattice(voxels, cut, coarsening * std::cbrt(n.x * n.y * n.z / kMostDrawn));
+    attraction.emplace(lattice, mPotential.computeStrengths(field, data.box, progress), data, cut);
+    if (!attraction->isAnywhere()) attraction.reset();
+  }
+  auto around = [&](LeastCut least) {
+    if (attraction) least = drawnCut(lattice, least, *attraction, progress);
     Corridor corridor = corridorAround(lattice, least);
     std::vector<int> flat(least.below.size(), flatCount(lattice));
     corridor.leastShare = least.cutPairs / std::max(countCutPairs(lattice, flat), 1.0);
@@ -275,6 +293,7 @@ Corridor ForceMaker::corridorOf(const scene::Cut& cut, const CurrentSheet& curre
     // What stakes say of each voxel need not be said of nodes, which lie up to half a layer off.
     auto off = corridor.stakes.empty() ? 0.0f : float(0.5 * lattice.step.z);
     for (auto& room : corridor.room) room += glm::vec2(-off, off);
+    if (attraction) leadTo(corridor, lattice, least, *attraction);
     ms = msSince(start);
     return corridor;
   };
@@ -294,7 +313,7 @@ Corridor ForceMaker::coarseCorridorOf(const scene::Cut& cut, double& ms, Progres
   auto start = Clock::now();
   scene::ForceField part = kernelPart(cut.membrane->field);
   if (!mCoarseField || !(*mCoarseField == part)) {
-    mCoarse = coarseVoxels(mPotential, part, kPreviewAlongEdge, progress);
+    mCoarse = coarseVoxels(mPotential, withoutGradients(part), kPreviewAlongEdge, progress);
     mCoarseField = part;
   }
   CutLattice lattice = gatherLattice(mCoarse.grid, cut);

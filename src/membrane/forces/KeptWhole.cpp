@@ -153,7 +153,7 @@ KeptWhole measureKeptWhole(const ProtectedVoxels& voxels, const scene::Cut& cut,
   });
   progress.throwIfCancelled();
   Areas areas = countPairs(sides);
-  KeptWhole result{areas.plane, areas.sheet, 1.0, meanDistance, areas.above, areas.below};
+  KeptWhole result{areas.plane, areas.sheet, 1.0, meanDistance, areas.above, areas.below, {}};
   if (areas.plane > 0 || areas.sheet > 0)
     result.ratio = double(areas.sheet) / double(std::max<std::int64_t>(areas.plane, 1));
   return result;
@@ -175,7 +175,9 @@ bool isWorseThanFlat(const KeptWhole& figure, const scene::Cut& cut) {
   return membrane.field.rule == scene::KernelRule::Sided && !isHeld && figure.cutAreaMembrane > figure.cutAreaPlane;
 }
 
-KeptWhole figureOfFlat(const KeptWhole& other) { return {other.cutAreaPlane, other.cutAreaPlane, 1.0, 0.0, 0, 0}; }
+KeptWhole figureOfFlat(const KeptWhole& other) {
+  return {other.cutAreaPlane, other.cutAreaPlane, 1.0, 0.0, 0, 0, other.fate};
+}
 
 double meanDistance(const scene::SheetShape& shape) {
   glm::ivec2 n = shape.particles;

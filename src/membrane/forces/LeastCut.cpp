@@ -84,11 +84,36 @@ LeastCut solve(const CutLattice& lattice, scene::MembraneSide side, std::span<co
   return sheetAt(lattice, belowOf(part, ranges, decideOpenParts(part, flow, side, progress)));
 }
 
+/// From coarse to fine. @param whole  the heights that there are
+LeastCut cutInBands(const CutLattice& lattice, scene::MembraneSide side, CutMetric metric,
+                    const std::vector<SheetRange>& whole, Progress& progress, std::size_t exactNodes) {
+  if (lattice.layer.size() <= exactNodes || glm::any(glm::lessThan(lattice.dims, glm::ivec3(5))))
+    return solve(lattice, side, whole, metric, progress);
+  progress.throwIfCancelled();
+  LeastCut coarse = cutInBands(coarsened(lattice), side, metric, coarsenedRanges(lattice, whole), progress, exactNodes);
+  std::vector<int> sheet = refined(lattice, coarse);
+  std::vector<SheetRange> ranges = clamped(bandAround(glm::ivec2(lattice.dims), sheet), whole);
+  LeastCut cut = solve(lattice, side, ranges, metric, progress);
+  // What a band finds at its edge may lie further on: bands around those places alone.
+  for (int round = 0; round < kMostRounds; ++round) {
+    std::vector<std::uint8_t> isNear = aroundEdges(glm::ivec2(lattice.dims), cut.below, ranges, whole);
+    if (isNear.empty()) break;
+    ranges = clamped(bandAround(glm::ivec2(lattice.dims), cut.below), whole);
+    for (std::size_t c = 0; c < ranges.size(); ++c)
+      if (!isNear[c]) ranges[c] = {cut.below[c], cut.below[c]};
+    double last = cut.cutPairs;
+    cut = solve(lattice, side, ranges, metric, progress);
+    if (cut.cutPairs > kWorthwhile * last) break;
+  }
+  return cut;
+}
+
 }  // namespace
 
 CutLattice makeLattice(glm::ivec3 dims, double restLayer, const PairSource& pairs) {
-  return buildLattice(dims, restLayer, [&](const auto& add) {
-    pairs([&](glm::ivec3 node, int axis, double count) { add(node, axis, int(std::lround(2.0 * count))); });
+  constexpr int kUnit = CutLattice::kHalves;
+  return buildLattice(dims, restLayer, kUnit, [&](const auto& add) {
+    pairs([&](glm::ivec3 node, int axis, double count) { add(node, axis, int(std::lround(kUnit * count))); });
   });
 }
 
@@ -119,7 +144,7 @@ std::optional<std::size_t> nodeAt(const CutLattice& lattice, glm::ivec3 node) {
 
 double pairsAt(const CutLattice& lattice, glm::ivec3 node, int axis) {
   auto found = nodeAt(lattice, node);
-  return found ? 0.5 * lattice.pairs[axis][*found] : 0.0;
+  return found ? double(lattice.pairs[axis][*found]) / lattice.unit : 0.0;
 }
 
 LeastCut computeLeastCut(const CutLattice& lattice, scene::MembraneSide side, CutMetric metric, Progress& progress) {
@@ -140,26 +165,15 @@ LeastCut computeLeastCutNear(const CutLattice& lattice, scene::MembraneSide side
 LeastCut computeCutInBands(const CutLattice& lattice, scene::MembraneSide side, CutMetric metric, Progress& progress,
                            std::size_t exactNodes) {
   check(lattice);
-  if (lattice.layer.size() <= exactNodes || glm::any(glm::lessThan(lattice.dims, glm::ivec3(5))))
-    return solve(lattice, side, wholeReach(lattice), metric, progress);
-  progress.throwIfCancelled();
-  LeastCut coarse = computeCutInBands(coarsened(lattice), side, metric, progress, exactNodes);
-  std::vector<int> sheet = refined(lattice, coarse);
-  std::vector<SheetRange> whole = wholeReach(lattice);
-  std::vector<SheetRange> ranges = clamped(bandAround(glm::ivec2(lattice.dims), sheet), whole);
-  LeastCut cut = solve(lattice, side, ranges, metric, progress);
-  // What a band finds at its edge may lie further on: bands around those places alone.
-  for (int round = 0; round < kMostRounds; ++round) {
-    std::vector<std::uint8_t> isNear = aroundEdges(glm::ivec2(lattice.dims), cut.below, ranges, whole);
-    if (isNear.empty()) break;
-    ranges = clamped(bandAround(glm::ivec2(lattice.dims), cut.below), whole);
-    for (std::size_t c = 0; c < ranges.size(); ++c)
-      if (!isNear[c]) ranges[c] = {cut.below[c], cut.below[c]};
-    double last = cut.cutPairs;
-    cut = solve(lattice, side, ranges, metric, progress);
-    if (cut.cutPairs > kWorthwhile * last) break;
-  }
-  return cut;
+  return cutInBands(lattice, side, metric, wholeReach(lattice), progress, exactNodes);
+}
+
+LeastCut computeCutWithin(const CutLattice& lattice, std::span<const SheetRange> ranges, Progress& progress,
+                          std::size_t exactNodes) {
+  check(lattice);
+  if (ranges.size() != columnCount(lattice)) throw ArgumentError("a sheet's columns do not match the lattice");
+  return cutInBands(lattice, scene::MembraneSide::Nearest, CutMetric::Pairs,
+                    clamped({ranges.begin(), ranges.end()}, wholeReach(lattice)), progress, exactNodes);
 }
 
 LeastCut sheetAt(const CutLattice& lattice, std::vector<int> below) {
@@ -179,15 +193,15 @@ double countCutPairs(const CutLattice& lattice, std::span<const int> below) {
   check(lattice);
   if (below.size() != columnCount(lattice)) throw ArgumentError("a sheet's columns do not match the lattice");
   std::size_t step[2] = {1, std::size_t(lattice.dims.x)};
-  std::int64_t halves = 0;
+  std::int64_t units = 0;
   for (std::size_t c = 0; c < below.size(); ++c)
     for (std::uint32_t v = lattice.first[c]; v < lattice.first[c + 1]; ++v) {
       int z = lattice.layer[v];
-      if (z == below[c] - 1) halves += lattice.pairs[2][v];
+      if (z == below[c] - 1) units += lattice.pairs[2][v];
       for (int axis = 0; axis < 2; ++axis)
-        if (lattice.pairs[axis][v] && (z < below[c]) != (z < below[c + step[axis]])) halves += lattice.pairs[axis][v];
+        if (lattice.pairs[axis][v] && (z < below[c]) != (z < below[c + step[axis]])) units += lattice.pairs[axis][v];
     }
-  return 0.5 * double(halves);
+  return double(units) / lattice.unit;
 }
 
 }  // namespace velum::membrane

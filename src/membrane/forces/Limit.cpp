@@ -77,7 +77,7 @@ void spreadPair(glm::ivec3 a, glm::ivec3 b, const Add& add) {
   if (axes > 1) addPath({0, 1, 2}, 1), addPath({2, 1, 0}, 1);
 }
 
-/// Calls add(node, axis, halves of pairs) for each protected pair with a voxel in the frame, from many threads.
+/// Calls add(node, axis, units of pairs) for each protected pair with a voxel in the frame, from many threads.
 template <class Add>
 void forEachPair(const ProtectedVoxels& voxels, const FrameBox& frame, const CutLattice& lattice, const Add& add) {
   glm::ivec3 size = voxels.box.end - voxels.box.min;
@@ -90,8 +90,9 @@ void forEachPair(const ProtectedVoxels& voxels, const FrameBox& frame, const Cut
     return p.x >= low.x && p.x <= high.x && p.y >= low.y && p.y <= high.y && p.z >= low.z && p.z <= high.z;
   };
   auto nodeOf = [](glm::dvec3 p) { return glm::ivec3(floorOf(p.x), floorOf(p.y), floorOf(p.z)); };
+  const std::uint8_t *first = voxels.mask.data(), *weights = voxels.weight.empty() ? nullptr : voxels.weight.data();
   parallelFor(0, size.z, [&](int z) {
-    const std::uint8_t* mask = voxels.mask.data() + step[2] * z;
+    const std::uint8_t* mask = first + step[2] * z;
     for (int y = 0; y < size.y; ++y) {
       glm::dvec3 row = inSteps(frame.local(glm::dvec3(voxels.box.min + glm::ivec3(0, y, z))));
       for (int x = 0; x < size.x; ++x, ++mask) {
@@ -101,7 +102,10 @@ void forEachPair(const ProtectedVoxels& voxels, const FrameBox& frame, const Cut
         bool isInside = holds(p);
         for (int axis = 0; axis < 3; ++axis) {
           if (at[axis] + 1 >= size[axis] || !mask[step[axis]]) continue;
-          if (isInside || holds(p + next[axis])) spreadPair(nodeOf(p), nodeOf(p + next[axis]), add);
+          if (!isInside && !holds(p + next[axis])) continue;
+          int weight = weights ? std::min(weights[mask - first], weights[mask - first + step[axis]]) : 1;
+          spreadPair(nodeOf(p), nodeOf(p + next[axis]),
+                     [&](glm::ivec3 node, int along, int halves) { add(node, along, weight * halves); });
         }
       }
     }
@@ -154,7 +158,8 @@ CutLattice gatherLattice(const ProtectedVoxels& voxels, const scene::Cut& cut, d
     place.origin[axis] = nodes[axis].first;
     place.step[axis] = nodes[axis].step;
   }
-  CutLattice lattice = buildLattice(dims, std::abs(restLayer - layer) < kHair ? layer : restLayer,
+  int unit = CutLattice::kHalves * (voxels.weight.empty() ? 1 : ProtectedVoxels::kStrongest);
+  CutLattice lattice = buildLattice(dims, std::abs(restLayer - layer) < kHair ? layer : restLayer, unit,
                                     [&](const auto& add) { forEachPair(voxels, frame, place, add); });
   lattice.origin = place.origin;
   lattice.step = place.step;

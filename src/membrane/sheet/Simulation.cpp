@@ -200,6 +200,7 @@ void Simulation::refine() {
   if (!hasAll && particles.x <= coarse.particles.x && particles.y <= coarse.particles.y)
     return void(mPhase = Phase::Rest);
   Fairing::Input input{xs, ys, heightOf(coarse), {}, corridor, half.z, pullLengthOf(mCut), {}};
+  if (corridor.isDrawn) input.rest = heightOf(corridor);
   if (isRaised()) input.rest = input.start, input.pullLength *= kRaisedShare;
   input.holds = [this](glm::ivec2 count, const std::vector<glm::vec3>& places) {
     return heldByPins(mCut, count, places);

@@ -60,6 +60,20 @@ glm::dvec3 nearestAxis(glm::dvec3 direction) {
   return axis;
 }
 
+namespace {
+
+/// As wide and high as the data across the cut's axis, about its middle; the reach goes with it.
+void fitFrame(const scene::Scene& scene, scene::Cut& cut) {
+  glm::dmat3 frame = cutFrame(cut);
+  DataBox data = dataOf(scene);
+  glm::dvec3 edges(0.0);
+  for (int i = 0; i < 3; ++i) edges[i] = glm::dot(glm::abs(frame[i]), data.edges);
+  cut.size = frameSize(edges.x, edges.y);
+  cut.centre = data.middle + frame[2] * glm::dot(cut.centre - data.middle, frame[2]);
+}
+
+}  // namespace
+
 scene::Cut alignedCut(const scene::Scene& scene, scene::Cut cut, glm::dvec3 axis) {
   if (cut.shape == scene::CutShape::Plane) {
     // The foot of the data's middle on the plane is what the plane shows the middle of.
@@ -69,6 +83,7 @@ scene::Cut alignedCut(const scene::Scene& scene, scene::Cut cut, glm::dvec3 axis
   }
   cut.axis = axis;
   cut.spinDeg = 0.0;
+  if (scene::isMembrane(cut)) fitFrame(scene, cut);
   return cut;
 }
 

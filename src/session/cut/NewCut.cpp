@@ -13,16 +13,6 @@ namespace velum::session {
 
 namespace {
 
-/// True while nobody has moved the crosshair from where data is opened with it.
-bool isCrosshairAtRest(const scene::Scene& scene) {
-  if (!scene.sections.isPlaced) return true;
-  scene::Scene opened = scene;
-  opened.sections.isPlaced = false;
-  scene::placeSections(opened);
-  glm::dvec3 off = opened.sections.crosshair - scene.sections.crosshair;
-  return glm::length(off) < 1e-6 * glm::length(dataOf(scene).edges);
-}
-
 /// True where there is material that is drawn; of colours and mixed channels nobody knows.
 bool shows(const scene::Scene& scene, glm::dvec3 world) {
   render::Probe there = render::probe(scene, world);
@@ -50,6 +40,15 @@ glm::dvec3 placeAtSide(const scene::Scene& scene, const DataBox& data, glm::dvec
 
 }  // namespace
 
+bool isCrosshairAtRest(const scene::Scene& scene) {
+  if (!scene.sections.isPlaced) return true;
+  scene::Scene opened = scene;
+  opened.sections.isPlaced = false;
+  scene::placeSections(opened);
+  glm::dvec3 off = opened.sections.crosshair - scene.sections.crosshair;
+  return glm::length(off) < 1e-6 * glm::length(dataOf(scene).edges);
+}
+
 glm::dvec3 cleaned(glm::dvec3 v) {
   for (int i = 0; i < 3; ++i)
     if (std::abs(v[i]) < 1e-9) v[i] = 0.0;
@@ -70,6 +69,8 @@ NewCut newCutIn(const scene::Scene& scene) {
   return {scene, data, toEye, placeAtSide(scene, data, toEye, third), third, glm::dot(glm::abs(toEye), data.edges)};
 }
 
+glm::dvec3 frameSize(double width, double height) { return {width, height, 0.22 * std::sqrt(width * height)}; }
+
 void hangMembrane(scene::Cut& cut, const NewCut& at) {
   glm::dmat3 axes(1.0);
   glm::dvec3 edges = at.data.edges, middle = at.data.middle;
@@ -85,7 +86,7 @@ void hangMembrane(scene::Cut& cut, const NewCut& at) {
   glm::dvec3 x = cleaned(axes[(k + 1) % 3]);
   setCutFrame(cut, glm::dmat3(x, glm::cross(z, x), z));
   cut.centre = middle + z * glm::dot(cut.centre - middle, z);
-  cut.size = {edges[(k + 1) % 3], edges[(k + 2) % 3], 0.22 * std::sqrt(edges[(k + 1) % 3] * edges[(k + 2) % 3])};
+  cut.size = frameSize(edges[(k + 1) % 3], edges[(k + 2) % 3]);
 }
 
 }  // namespace velum::session

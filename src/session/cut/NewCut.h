@@ -28,6 +28,9 @@ struct NewCut {
 };
 NewCut newCutIn(const scene::Scene& scene);
 
+/// Edges of the frame of a new membrane: of the rest plane, and the reach that is tried first.
+glm::dvec3 frameSize(double width, double height);
+
 /// A rest plane as wide and high as the data, along those of its axes that face the eye; through the cut's centre.
 void hangMembrane(scene::Cut& cut, const NewCut& at);
 

@@ -2,24 +2,31 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "CoarseLook.h"
 #include "velum/core/Volume.h"
+#include "velum/session/membrane/FirstPlace.h"
 #include "velum/session/membrane/MembraneEdit.h"
 
 namespace velum::session {
 
 namespace {
 
-/// A step has to bring the share that is cut down to so much of what it was.
+/// A step has to bring what is lost, or cut, down to so much of what it was.
 constexpr double kHelps = 0.8;
 /// Where so much of the data is protected, that is what is wrong: in front of all of it a sheet removes nothing.
 constexpr double kTooMuch = 0.4;
+/// Up to so many times the reach it is deepened rather than that the frame is moved.
+constexpr double kLittleDeeper = 2.01;
 
-double shareOf(const CoarseLook& look, const scene::Cut& cut, Progress& progress) {
-  CoarseLook::Pairs pairs = look.pairsOf(cut, progress);
-  return pairs.plane > 0.0 ? pairs.sheet / pairs.plane : 1.0;
+Advice adviceOf(AdviceStep step, const Placed& placed) {
+  return {step, placed.cut, placed.outlook.fate, placed.outlook.cutShare()};
+}
+
+bool helps(const Advice& advice, const CoarseLook::Outlook& now) {
+  return 1.0 - advice.fate.kept <= kHelps * (1.0 - now.fate.kept) || advice.cutShare <= kHelps * now.cutShare();
 }
 
 /// Without the structure that takes up most room; nothing where it is the only one.
@@ -61,40 +68,45 @@ std::string_view reasonOf(AdviceStep step) {
   switch (step) {
     case AdviceStep::DeepenReach:
       return "The reach is short.";
-    case AdviceStep::MoveInFront:
-      return "The frame goes through solid material.";
+    case AdviceStep::MoveToKeep:
+      return "The frame stands where it cannot keep more.";
     case AdviceStep::ProtectLess:
       return "Too much is protected.";
   }
   return {};
 }
 
-std::optional<Advice> adviseMembrane(const membrane::Potential& potential, const scene::Scene& scene,
-                                     const scene::Cut& cut, Progress& progress) {
-  if (!scene::hasData(scene)) return std::nullopt;
+bool wantsAdvice(const membrane::KeptWhole& figures, const scene::Cut& cut) {
+  bool isToBeKept = cut.membrane->field.side != scene::MembraneSide::Remove && !scene::isInlay(cut);
+  bool isLittle = figures.fate.isOfSomething && figures.fate.kept < kEnoughKept;
+  return (isToBeKept && isLittle) || membrane::sharesOf(figures, cut).cut > kMuchCut;
+}
+
+std::vector<Advice> adviseMembrane(const membrane::Potential& potential, const scene::Scene& scene,
+                                   const scene::Cut& cut, Progress& progress) {
+  if (!scene::hasData(scene)) return {};
   CoarseLook look(potential, cut.membrane->field, progress);
-  double now = shareOf(look, cut, progress);
+  CoarseLook::Outlook now = look.outlookOf(cut, progress);
   std::vector<Advice> steps;
-  scene::Cut deeper = cut;
-  deeper.size.z *= 2.0;
-  steps.push_back({AdviceStep::DeepenReach, deeper, shareOf(look, deeper, progress)});
-  if (auto place = firstPlaceOf(look, cut, progress)) {
-    scene::Cut moved = cut;
-    moved.centre = *place;
-    steps.push_back({AdviceStep::MoveInFront, moved, shareOf(look, moved, progress)});
-  }
   auto less = withoutLargest(*cut.membrane, potential, look);
   if (!less) less = withHalfTheValues(*cut.membrane, scene, look);
   if (less) {
-    scene::Cut spared = cut;
-    spared.membrane = *less;
-    steps.push_back({AdviceStep::ProtectLess, spared, shareOf({potential, less->field, progress}, spared, progress)});
+    Placed spared{cut, {}};
+    spared.cut.membrane = *less;
+    spared.outlook = CoarseLook(potential, less->field, progress).outlookOf(spared.cut, progress);
+    steps.push_back(adviceOf(AdviceStep::ProtectLess, spared));
+    if (look.share() > kTooMuch && steps.back().cutShare <= kHelps * now.cutShare()) return steps;
   }
-  bool isTooMuch = look.share() > kTooMuch && less && steps.back().cutShare <= kHelps * now;
-  if (isTooMuch) return steps.back();
-  auto best = std::min_element(steps.begin(), steps.end(), [](auto& a, auto& b) { return a.cutShare < b.cutShare; });
-  if (best->cutShare > kHelps * now) return std::nullopt;
-  return *best;
+  if (auto moved = placedToKeep(look, cut, progress))
+    steps.insert(steps.begin(), adviceOf(AdviceStep::MoveToKeep, *moved));
+  if (auto deeper = deepenedToKeep(look, cut, progress); deeper && deeper->cut.size.z > cut.size.z) {
+    bool isFirst = deeper->cut.size.z <= kLittleDeeper * cut.size.z || steps.empty();
+    steps.insert(steps.begin() + (isFirst ? 0 : 1), adviceOf(AdviceStep::DeepenReach, *deeper));
+  }
+  std::erase_if(steps, [&](const Advice& step) { return !helps(step, now); });
+  bool isOtherThanLess = !steps.empty() && steps.front().step != AdviceStep::ProtectLess;
+  if (isOtherThanLess) std::erase_if(steps, [](const Advice& one) { return one.step == AdviceStep::ProtectLess; });
+  return steps;
 }
 
 }  // namespace velum::session

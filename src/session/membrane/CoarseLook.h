@@ -1,6 +1,9 @@
 #pragma once
+#include <optional>
+
 #include "velum/core/Task.h"
 #include "velum/membrane/forces/CoarseVoxels.h"
+#include "velum/membrane/forces/Fate.h"
 #include "velum/scene/Scene.h"
 
 namespace velum::session {
@@ -14,8 +17,9 @@ class CoarseLook {
 
   /// The share of the places that are protected.
   double share() const;
-  /// How deep one place is along a direction of length 1, in the world.
+  /// How deep one place is along a direction of length 1, in the world; and all of them.
   double depthAlong(glm::dvec3 axis) const;
+  double wholeDepthAlong(glm::dvec3 axis) const;
   /// @param visit  gets the voxel of the data, and the point in the world, in the middle of each place that is
   /// protected
   template <class Visit>
@@ -28,17 +32,27 @@ class CoarseLook {
           if (*mask++) visit(mVoxels.voxelOf(at), glm::dvec3(mVoxels.grid.worldFromVoxel * glm::dvec4(at, 1.0)));
   }
 
-  struct Pairs {
-    double plane = 0, sheet = 0;  ///< that the rest plane cuts, and the least cut
+  struct Outlook {
+    double planePairs = 0, sheetPairs = 0;  ///< that the rest plane cuts, and the least cut
+    membrane::Fate fate;                    ///< of all that is protected, by the least cut
+    double cutShare() const { return planePairs > 0.0 ? sheetPairs / planePairs : 1.0; }
   };
   /// Of a membrane in this place with this reach. @throw Cancelled
-  Pairs pairsOf(const scene::Cut& cut, Progress& progress) const;
+  Outlook outlookOf(const scene::Cut& cut, Progress& progress) const;
 
  private:
   membrane::CoarseVoxels mVoxels;
 };
 
-/// firstPlaceOf() by a look that has been taken.
-std::optional<glm::dvec3> firstPlaceOf(const CoarseLook& look, const scene::Cut& cut, Progress& progress);
+/// A membrane in another place, or with another reach, and what comes of it.
+struct Placed {
+  scene::Cut cut;
+  CoarseLook::Outlook outlook;
+};
+/// placedToKeep() by a look that has been taken.
+std::optional<Placed> placedToKeep(const CoarseLook& look, const scene::Cut& cut, Progress& progress,
+                                   bool isReachFree = true);
+/// The shortest reach that keeps enough; nothing where none does.
+std::optional<Placed> deepenedToKeep(const CoarseLook& look, const scene::Cut& cut, Progress& progress);
 
 }  // namespace velum::session

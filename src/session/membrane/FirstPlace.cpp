@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 #include <vector>
 
 #include "CoarseLook.h"
 #include "velum/core/Vectors.h"
+#include "velum/session/cut/CutEdit.h"
+#include "velum/session/membrane/DefaultField.h"
 
 namespace velum::session {
 
@@ -20,41 +21,124 @@ constexpr double kBeforeFront = 0.02, kMostInFront = 0.6;
 constexpr double kWorthOfCut = 2.0;
 /// A place further in front is taken where it is nearly as good.
 constexpr double kNearlyAsGood = 0.8;
+/// And no place that spares less than this of what the best one does: before the tip of something little is cut, and
+/// little is shown.
+constexpr double kWorthShowing = 0.25;
+/// So much is to be kept by a coarse look, that it may promise a little more than the sheet keeps.
+constexpr double kSurelyKept = 0.95;
+/// Where nowhere so much is, a place that keeps less than the best by this is still as good.
+constexpr double kAboutAsMuch = 0.03;
+/// Reaches that are tried, by that which a new frame has; the data's own depth is enough to either side.
+constexpr double kReaches[] = {1.0, 1.5, 2.0, 3.0, 4.5};
 
-/// What the sheet would spare here of what the plane would cut, less what it must cut.
-double worthOf(const CoarseLook& look, const scene::Cut& cut, Progress& progress) {
-  CoarseLook::Pairs pairs = look.pairsOf(cut, progress);
-  return pairs.plane - pairs.sheet - kWorthOfCut * pairs.sheet;
+struct Tried {
+  Placed placed;
+  double worth = 0;  ///< pairs that the sheet spares of those that the plane cuts, less what it must cut
+  double kept() const { return placed.outlook.fate.kept; }
+};
+
+Tried tryIn(const CoarseLook& look, const scene::Cut& cut, Progress& progress) {
+  // What only just fits a coarse look may not fit the sheet: it is tried with a reach a place shorter.
+  scene::Cut there = cut;
+  there.size.z = std::max(cut.size.z - look.depthAlong(unitOr(cut.axis, {0, 0, 1})), 0.5 * cut.size.z);
+  CoarseLook::Outlook outlook = look.outlookOf(there, progress);
+  return {{cut, outlook}, outlook.planePairs - (1.0 + kWorthOfCut) * outlook.sheetPairs};
 }
 
-}  // namespace
-
-std::optional<glm::dvec3> firstPlaceOf(const scene::Scene& scene, const scene::Cut& cut, Progress& progress) {
-  if (!scene::hasData(scene)) return std::nullopt;
-  return firstPlaceOf(CoarseLook(membrane::Potential(scene), cut.membrane->field, progress), cut, progress);
+/// The reaches to try, shortest first.
+std::vector<double> reachesOf(const CoarseLook& look, const scene::Cut& cut) {
+  std::vector<double> reaches;
+  double most = std::max(2.0 * look.wholeDepthAlong(unitOr(cut.axis, {0, 0, 1})), cut.size.z);
+  for (double times : kReaches) {
+    double reach = std::min(times * cut.size.z, most);
+    if (reaches.empty() || reach > reaches.back()) reaches.push_back(reach);
+  }
+  return reaches;
 }
 
-std::optional<glm::dvec3> firstPlaceOf(const CoarseLook& look, const scene::Cut& cut, Progress& progress) {
+/// From the front inwards, along the axis.
+std::vector<glm::dvec3> placesOf(const CoarseLook& look, const scene::Cut& cut) {
   // What is removed is in front.
   glm::dvec3 axis = unitOr(cut.axis, {0, 0, 1}), front = cut.invert ? -axis : axis;
   std::vector<double> depths;
   look.forEachProtected([&](glm::ivec3, glm::dvec3 world) { depths.push_back(glm::dot(world, front)); });
   std::sort(depths.begin(), depths.end());
-  if (depths.empty()) return std::nullopt;
+  std::vector<glm::dvec3> places;
+  if (depths.empty()) return places;
   auto behind = [&](double share) { return depths[std::size_t((1.0 - share) * double(depths.size() - 1))]; };
   double from = behind(kBeforeFront), to = behind(kMostInFront);
-  // What only just fits a coarse look may not fit the sheet: it is tried with a reach a place shorter.
-  double depth = look.depthAlong(axis);
-  std::vector<std::pair<double, glm::dvec3>> tried;
-  for (int i = 0; i < kPlaces; ++i) {
-    scene::Cut there = cut;
-    there.size.z = std::max(cut.size.z - depth, 0.5 * cut.size.z);
-    there.centre += front * (std::lerp(from, to, i / double(kPlaces - 1)) - glm::dot(cut.centre, front));
-    tried.emplace_back(worthOf(look, there, progress), there.centre);
+  for (int i = 0; i < kPlaces; ++i)
+    places.push_back(cut.centre + front * (std::lerp(from, to, i / double(kPlaces - 1)) - glm::dot(cut.centre, front)));
+  return places;
+}
+
+/// The first place that is nearly as good as the best of those that count; null where none does.
+template <class Counts>
+const Tried* firstOf(const std::vector<Tried>& all, Counts counts) {
+  const Tried* best = nullptr;
+  for (const Tried& one : all)
+    if (counts(one) && (!best || one.worth > best->worth)) best = &one;
+  if (!best) return nullptr;
+  double enough = best->worth > 0.0 ? kNearlyAsGood * best->worth : best->worth;
+  return &*std::find_if(all.begin(), all.end(), [&](const Tried& one) { return counts(one) && one.worth >= enough; });
+}
+
+}  // namespace
+
+std::optional<Placed> placedToKeep(const CoarseLook& look, const scene::Cut& cut, Progress& progress,
+                                   bool isReachFree) {
+  std::vector<glm::dvec3> places = placesOf(look, cut);
+  if (places.empty()) return std::nullopt;
+  std::vector<Tried> known;
+  for (double reach : isReachFree ? reachesOf(look, cut) : std::vector<double>{cut.size.z}) {
+    std::vector<Tried> tried;
+    double best = -1e300;
+    for (glm::dvec3 place : places) {
+      scene::Cut there = cut;
+      there.centre = place;
+      there.size.z = reach;
+      tried.push_back(tryIn(look, there, progress));
+      best = std::max(best, tried.back().worth);
+    }
+    auto keeps = [&](const Tried& one) { return one.kept() >= kSurelyKept && one.worth >= kWorthShowing * best; };
+    if (const Tried* first = firstOf(tried, keeps)) return first->placed;
+    known.insert(known.end(), tried.begin(), tried.end());
   }
-  double best = std::max_element(tried.begin(), tried.end(), [](auto& a, auto& b) { return a.first < b.first; })->first;
-  double enough = best > 0.0 ? kNearlyAsGood * best : best;
-  return std::find_if(tried.begin(), tried.end(), [&](const auto& one) { return one.first >= enough; })->second;
+  // Nowhere is that much kept.
+  double most = 0.0;
+  for (const Tried& one : known) most = std::max(most, one.kept());
+  return firstOf(known, [&](const Tried& one) { return one.kept() >= most - kAboutAsMuch; })->placed;
+}
+
+std::optional<Placed> deepenedToKeep(const CoarseLook& look, const scene::Cut& cut, Progress& progress) {
+  for (double reach : reachesOf(look, cut)) {
+    scene::Cut there = cut;
+    there.size.z = reach;
+    if (Tried tried = tryIn(look, there, progress); tried.kept() >= kSurelyKept) return tried.placed;
+  }
+  return std::nullopt;
+}
+
+std::optional<scene::Cut> placedToKeep(const scene::Scene& scene, const scene::Cut& cut, Progress& progress,
+                                       bool isReachFree) {
+  if (!scene::hasData(scene)) return std::nullopt;
+  CoarseLook look(membrane::Potential(scene), cut.membrane->field, progress);
+  auto placed = placedToKeep(look, cut, progress, isReachFree);
+  return placed ? std::optional(placed->cut) : std::nullopt;
+}
+
+scene::Cut deepenedToKeep(const scene::Scene& scene, const scene::Cut& cut, Progress& progress) {
+  if (!scene::hasData(scene)) return cut;
+  auto placed = deepenedToKeep(CoarseLook(membrane::Potential(scene), cut.membrane->field, progress), cut, progress);
+  return placed ? placed->cut : cut;
+}
+
+scene::Cut newMembrane(const scene::Scene& scene, Progress& progress) {
+  scene::Cut cut = makeCut(scene, scene::CutShape::Membrane);
+  cut.membrane->field = defaultField(scene);
+  // Where hands have put the crosshair is where they mean.
+  if (!isCrosshairAtRest(scene)) return deepenedToKeep(scene, cut, progress);
+  return placedToKeep(scene, cut, progress).value_or(cut);
 }
 
 }  // namespace velum::session

@@ -240,11 +240,11 @@ bool LiveSheet::needsFigures() const {
   return mCut.enabled && !mNeedsForces && !isMoving() && !mFigures && mError.empty() && mIndexed == mShown;
 }
 
-void LiveSheet::takeFigures(const membrane::KeptWhole& figures, const std::optional<Advice>& advice,
+void LiveSheet::takeFigures(const membrane::KeptWhole& figures, std::vector<Advice> advice,
                             const membrane::LeftOut& leftOut, std::uint64_t wish) {
   if (wish != mWish || isMoving()) return;
   mFigures = figures;
-  mAdvice = advice;
+  mAdvice = std::move(advice);
   mLeftOut = leftOut;
   if (!membrane::isWorseThanFlat(figures, mCut)) return;
   mFigures = membrane::figureOfFlat(figures);
@@ -278,6 +278,8 @@ MembraneStatus LiveSheet::status(bool isPlaying, bool isComputing) const {
   if (!mFigures) return status;
   status.isMeasured = true;
   status.keptWhole = mFigures->ratio;
+  status.fate = mFigures->fate;
+  status.wantsAdvice = session::wantsAdvice(*mFigures, mCut);
   status.advice = mAdvice;
   status.leftOut = mLeftOut;
   status.shares = membrane::sharesOf(*mFigures, mCut);

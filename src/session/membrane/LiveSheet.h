@@ -59,8 +59,8 @@ class LiveSheet {
 
   /// What is to be measured: the sheet rests where it is wanted, and its figures are not known.
   bool needsFigures() const;
-  void takeFigures(const membrane::KeptWhole& figures, const std::optional<Advice>& advice,
-                   const membrane::LeftOut& leftOut, std::uint64_t wish);
+  void takeFigures(const membrane::KeptWhole& figures, std::vector<Advice> advice, const membrane::LeftOut& leftOut,
+                   std::uint64_t wish);
   void failFigures() { mFigures = membrane::KeptWhole{}; }
   MembraneStatus status(bool isPlaying, bool isComputing) const;
 
@@ -119,7 +119,7 @@ class LiveSheet {
   scene::SheetShape mWritten;  ///< that the scene holds
   std::optional<membrane::KeptWhole> mFigures;
   membrane::LeftOut mLeftOut;
-  std::optional<Advice> mAdvice;                               ///< that goes with them
+  std::vector<Advice> mAdvice;                                 ///< that goes with them
   std::vector<std::shared_ptr<membrane::ForceMaker>> mMakers;  ///< of this volume's time steps, the last one first
   // What is shown.
   std::shared_ptr<membrane::Sheet> mSheet;

@@ -106,7 +106,7 @@ MembranePlayer::Work MembranePlayer::measureWork(LiveSheet& sheet) {
     if (!maker) maker = std::make_shared<membrane::ForceMaker>(scene);
     const membrane::Potential& potential = maker->potential();
     membrane::KeptWhole figures;
-    std::optional<Advice> advice;
+    std::vector<Advice> advice;
     membrane::LeftOut leftOut;
     if (potential.dims().x > 0) {
       figures = measureMembrane(potential, cut, shape, progress);

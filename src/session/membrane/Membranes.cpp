@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <memory>
 #include <type_traits>
 
 #include "velum/core/Assert.h"
 #include "velum/core/Clock.h"
 #include "velum/core/Error.h"
+#include "velum/membrane/forces/CoarseVoxels.h"
+#include "velum/membrane/forces/Fate.h"
 #include "velum/membrane/forces/Limit.h"
 #include "velum/membrane/sheet/SheetIndex.h"
 #include "velum/membrane/sheet/Simulation.h"
@@ -20,11 +23,27 @@ namespace {
 bool isLive(const scene::Cut& cut) { return cut.enabled && scene::isMembrane(cut); }
 
 constexpr double kShareToWatch = 0.6;
+/// What becomes of all that is protected is counted by voxels, in larger data by blocks, so many along an edge at most.
+constexpr int kFateAlongEdge = 256;
 constexpr int kStepsAtOnce = 10;  ///< between two looks at the speed
 
 membrane::ProtectedVoxels protectedVoxels(const membrane::Potential& potential, const scene::Cut& cut,
                                           Progress& progress) {
   return potential.computeProtected(cut.membrane->field, membrane::voxelsInReach(potential, cut), progress);
+}
+
+membrane::SideOfPoints sideOf(const scene::Cut& cut, const scene::SheetShape& shape) {
+  auto index = std::make_shared<const membrane::SheetIndex>(membrane::makeSheetIndex(shape, glm::ivec2(2), cut.size));
+  return [index](std::span<const glm::vec3> local, std::span<std::uint8_t> above) {
+    for (std::size_t i = 0; i < local.size(); ++i) above[i] = membrane::isAbove(*index, local[i]) ? 1 : 0;
+  };
+}
+
+/// What measureMembrane() finds out, without what becomes of what lies far from the sheet.
+membrane::KeptWhole measurePairs(const membrane::Potential& potential, const scene::Cut& cut,
+                                 const scene::SheetShape& shape, Progress& progress) {
+  return membrane::measureKeptWhole(protectedVoxels(potential, cut, progress), cut, sideOf(cut, shape),
+                                    membrane::meanDistance(shape), progress);
 }
 
 MembraneReport settle(membrane::ForceMaker& maker, int timeStep, scene::Cut& cut, Progress& progress) {
@@ -57,7 +76,7 @@ MembraneReport settle(membrane::ForceMaker& maker, int timeStep, scene::Cut& cut
   if (membrane.repositioning == scene::Repositioning::Active) membrane::anchor(membrane.shape, cut, timeStep);
   // Only where so much must be cut can the sheet cut more than its plane.
   if (leastShare > kShareToWatch) {
-    membrane::KeptWhole kept = measureMembrane(maker.potential(), cut, membrane.shape, progress);
+    membrane::KeptWhole kept = measurePairs(maker.potential(), cut, membrane.shape, progress);
     if (membrane::isWorseThanFlat(kept, cut)) membrane.shape = membrane::flatShape(cut, membrane.shape.particles);
   }
   report.particles = membrane.shape.particles;
@@ -115,18 +134,18 @@ bool hasMembranes(const scene::Scene& scene) { return std::any_of(scene.cuts.beg
 
 membrane::KeptWhole measureMembrane(const membrane::Potential& potential, const scene::Cut& cut,
                                     const scene::SheetShape& shape, Progress& progress) {
-  membrane::SheetIndex index = membrane::makeSheetIndex(shape, glm::ivec2(2), cut.size);
-  auto side = [&](std::span<const glm::vec3> local, std::span<std::uint8_t> above) {
-    for (std::size_t i = 0; i < local.size(); ++i) above[i] = membrane::isAbove(index, local[i]) ? 1 : 0;
-  };
-  return membrane::measureKeptWhole(protectedVoxels(potential, cut, progress), cut, side, membrane::meanDistance(shape),
-                                    progress);
+  membrane::KeptWhole figures = measurePairs(potential, cut, shape, progress);
+  // Where it is worse than flat the flat sheet is taken.
+  bool isFlat = membrane::isWorseThanFlat(figures, cut);
+  figures.fate =
+      membrane::measureFate(membrane::coarseVoxels(potential, cut.membrane->field, kFateAlongEdge, progress).grid, cut,
+                            isFlat ? membrane::sideOfPlane() : sideOf(cut, shape), progress);
+  return figures;
 }
 
-std::optional<Advice> adviceFor(const membrane::KeptWhole& figures, const membrane::Potential& potential,
-                                const scene::Scene& scene, const scene::Cut& cut, Progress& progress) {
-  if (membrane::sharesOf(figures, cut).cut <= kMuchCut) return std::nullopt;
-  return adviseMembrane(potential, scene, cut, progress);
+std::vector<Advice> adviceFor(const membrane::KeptWhole& figures, const membrane::Potential& potential,
+                              const scene::Scene& scene, const scene::Cut& cut, Progress& progress) {
+  return wantsAdvice(figures, cut) ? adviseMembrane(potential, scene, cut, progress) : std::vector<Advice>();
 }
 
 std::vector<MembraneReport> settleMembranes(scene::Scene& scene, MembraneQuestions questions, Progress& progress) {

@@ -9,11 +9,15 @@ namespace velum::membrane {
 struct CoarseVoxels {
   glm::ivec3 step{1};    ///< voxels of a block along each axis
   ProtectedVoxels grid;  ///< of the blocks, whose middles are at integers
-  /// The voxel in the middle of a block.
-  glm::ivec3 voxelOf(glm::ivec3 block) const { return block * step + step / 2; }
+  glm::ivec3 dims{0};    ///< of the whole data
+  /// The voxel in the middle of a block, or the last one of those that hold fewer.
+  glm::ivec3 voxelOf(glm::ivec3 block) const { return glm::min(block * step + step / 2, dims - 1); }
 };
 
-/// By value and by label only: gradients take seconds, and are left out. All cores; memory for one layer of blocks.
+/// For looks that are to be quick: gradients take seconds the first time.
+scene::ForceField withoutGradients(scene::ForceField field);
+
+/// All cores; memory for one layer of blocks.
 /// @param along  blocks along an edge at most, where voxels are more  @throw Cancelled
 CoarseVoxels coarseVoxels(const Potential& potential, const scene::ForceField& field, int along, Progress& progress);
 

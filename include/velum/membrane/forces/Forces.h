@@ -30,6 +30,7 @@ struct Corridor {
   std::vector<glm::vec2> room;  ///< [y][x]: lowest, highest z
   std::vector<float> height;    ///< [y][x]: z of the least cut itself
   std::vector<Stake> stakes;    ///< between the middles of columns
+  bool isDrawn = false;         ///< `height` is where the sheet is drawn to, not only where it may pass
   double leastShare = 0.0;      ///< pairs that its sheet cuts, by those that the rest plane does
 };
 
@@ -63,7 +64,8 @@ class ForceMaker {
 
   /// By the paper's rule: kernels that push away from their centres ([IMC] eq. 2, 3). By the sided rule (Differs: not
   /// in the paper): the least cut over the rest plane says which protected material belongs below the sheet and which
-  /// above; kernels push along the normal to the other side, and the corridor is what lies between.
+  /// above; kernels push along the normal to the other side, and the corridor is what lies between. Where something has
+  /// to be cut it is what is weaker. Within the corridor the sheet is drawn to what attracts (see Attraction).
   /// @param current  active repositioning: material stays on the side of this sheet instead. Has it come to rest in
   /// another time step, the material has moved since: then it is the least cut of those near the sheet. Differs: the
   /// paper knows no time
@@ -105,6 +107,9 @@ class ForceMaker {
   CoarseVoxels mCoarse;      ///< of the data alone, for previews
   Sides mDataSides, mSides;  ///< of the data alone; with the last kernels that were put in
 };
+
+/// The heights of a corridor's own sheet.
+HeightOver heightOf(const Corridor& corridor);
 
 /// Room for each particle of a sheet: of the columns that are nearer to it than to others. Where no height suits them
 /// all, that of its nearest column. Empty without a corridor.

@@ -16,6 +16,15 @@ namespace velum::membrane {
 /// @param above  same length: 1 above (removed), 0 below
 using SideOfPoints = std::function<void(std::span<const glm::vec3> local, std::span<std::uint8_t> above)>;
 
+/// What becomes of all that a membrane protects, near its sheet and far from it, by volume. The three sum up to 1.
+struct Fate {
+  double kept = 1.0;           ///< lies on the side that stays
+  double removed = 0.0;        ///< is taken away whole: pieces, by voxels' faces, of which 2 % stay at most
+  double cutOff = 0.0;         ///< is taken away of pieces of which a part stays
+  bool isOfSomething = false;  ///< anything is protected at all
+  bool operator==(const Fate&) const = default;
+};
+
 /// How much of what is protected a clip leaves whole, and how far it strays to do so.
 struct KeptWhole {
   std::int64_t cutAreaPlane = 0;     ///< 6-neighbour pairs of protected voxels that the rest plane separates
@@ -23,6 +32,7 @@ struct KeptWhole {
   double ratio = 1.0;  ///< membrane / plane; 1 where neither cuts, the membrane's count where the plane cuts none
   double meanDistance = 0.0;                    ///< of the sheet from the rest plane
   std::int64_t planeAbove = 0, planeBelow = 0;  ///< of the plane's pairs: those that lie above, below the sheet whole
+  Fate fate;                                    ///< measureFate(), where somebody has asked it
 };
 
 /// What becomes of what the rest plane would cut; they sum up to 1.

@@ -32,7 +32,9 @@ struct ProtectedVoxels {
   VoxelBox box;
   std::vector<std::uint8_t> mask;  ///< [z][y][x] of the box: 0, kOfData or kPlaced
   static constexpr std::uint8_t kOfData = 1, kPlaced = 2;
-  glm::dmat4 worldFromVoxel{1.0};  ///< of the whole grid: voxel (0, 0, 0) need not lie in the box
+  glm::dmat4 worldFromVoxel{1.0};    ///< of the whole grid: voxel (0, 0, 0) need not lie in the box
+  std::vector<std::uint8_t> weight;  ///< [z][y][x]: how strong each is, 1 to kStrongest; empty: all alike
+  static constexpr int kStrongest = 64;
 };
 
 /// What of the voxels protected by value does not count, as it is in pieces that are too small
@@ -47,6 +49,16 @@ struct LeftOut {
 /// Piecewise linear curve: 0 before the first point and after the last; where two points share a value, the later one
 /// holds there. @param curve  ascending
 double strengthAt(std::span<const scene::StrengthPoint> curve, double value);
+
+/// The strongest force of a field that repels; 0: none does.
+double strongestOf(const scene::ForceField& field);
+/// All that repels does so with one strength.
+bool isAlike(const scene::ForceField& field);
+/// Some of the data attracts the sheet.
+bool attracts(const scene::ForceField& field);
+
+/// The weight of a strength among others, see ProtectedVoxels.
+std::uint8_t weightOf(double strength, double strongest);
 
 /// The potential field transfer function (PFTF) over a scene's data: strengths by value, by gradient magnitude and by
 /// structure, which add up ([IMC] 3.2). Its grid is the volume's; of the labels where there is no volume. Of a model
@@ -84,6 +96,10 @@ class Potential {
 
   /// Strength of each voxel of a box, [z][y][x]. @throw ArgumentError when the box leaves the grid
   std::vector<float> computeStrengths(const scene::ForceField& field, VoxelBox box, Progress& progress) const;
+  /// How strong the protected voxels of a box are, as ProtectedVoxels::weight. @param strongest  whose weight is
+  /// kStrongest  @throw ArgumentError when the box leaves the grid
+  std::vector<std::uint8_t> computeWeights(const scene::ForceField& field, VoxelBox box, double strongest,
+                                           Progress& progress) const;
   /// Which voxels of a box are protected. @throw ArgumentError when the box leaves the grid
   ProtectedVoxels computeProtected(const scene::ForceField& field, VoxelBox box, Progress& progress) const;
   /// What is too small to be protected by value. @throw Cancelled

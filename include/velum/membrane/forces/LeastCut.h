@@ -13,7 +13,7 @@ namespace velum::membrane {
 
 /// A regular lattice of nodes aligned with a membrane's rest plane, columns along +z, and how much protected material
 /// lies between neighbouring nodes. Frame-local position of a node: origin + node * step. Only nodes that hold
-/// something are kept: five bytes each, and four a column.
+/// something are kept: eight bytes each, and four a column.
 struct CutLattice {
   glm::ivec3 dims{0};
   double restLayer = 0.0;  ///< where the rest plane lies, in layers: 3.5 is between layers 3 and 4
@@ -22,8 +22,11 @@ struct CutLattice {
   std::vector<std::uint32_t> first;  ///< [y][x]: the lowest node of a column; one more at the end
   std::vector<std::uint16_t> layer;  ///< of each node, ascending within a column
   /// [axis][node]: protected 6-neighbour pairs of voxels that a sheet separates when it passes between the node and the
-  /// next one along the axis, in halves; at most 127 pairs.
-  std::vector<std::uint8_t> pairs[3];
+  /// next one along the axis, each of the strongest as `unit` and weaker ones as less; at most 127 of the former where
+  /// all are as strong.
+  std::vector<std::uint16_t> pairs[3];
+  int unit = kHalves;
+  static constexpr int kHalves = 2;  ///< where all are as strong, halves are counted
   /// [node] 1: put in by hand; the sheet passes it on the side that is nearest. Empty: nothing was.
   std::vector<std::uint8_t> isPlaced;
 };
@@ -87,10 +90,20 @@ LeastCut computeCutInBands(const CutLattice& lattice, scene::MembraneSide side, 
 LeastCut computeLeastCutNear(const CutLattice& lattice, scene::MembraneSide side, CutMetric metric,
                              std::span<const int> near, int band, Progress& progress);
 
+/// Heights that a sheet may have over a column: how many nodes lie below it, [low, high].
+struct SheetRange {
+  int low = 0, high = 0;
+};
+
+/// The least cut by pairs among the sheets within given heights, of all such the one nearest to the rest plane; in
+/// bands as computeCutInBands() does. @param ranges  [y][x]; the outermost columns hang on the rest plane as ever
+LeastCut computeCutWithin(const CutLattice& lattice, std::span<const SheetRange> ranges, Progress& progress,
+                          std::size_t exactNodes = kExactNodes);
+
 /// Another sheet of a lattice, with its gaps and what it separates. @param below  [y][x], as in LeastCut
 LeastCut sheetAt(const CutLattice& lattice, std::vector<int> below);
 
-/// The protected pairs that a sheet separates. @param below  [y][x], as in LeastCut
+/// The protected pairs that a sheet separates, weaker ones as parts of one. @param below  [y][x], as in LeastCut
 double countCutPairs(const CutLattice& lattice, std::span<const int> below);
 
 /// Which of the nodes one is that holds something; nothing where there is none.

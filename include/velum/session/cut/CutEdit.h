@@ -21,6 +21,9 @@ void setCutFrame(scene::Cut& cut, const glm::dmat3& frame);
 /// middle of the data, are brought towards the eye until they open its side.
 scene::Cut makeCut(const scene::Scene& scene, scene::CutShape shape);
 
+/// True while nobody has moved the crosshair from where data is opened with it.
+bool isCrosshairAtRest(const scene::Scene& scene);
+
 /// What a new cut is called: its shape with a number, that of its place at the end of the list or the next free one.
 std::string newCutName(const scene::Scene& scene, scene::CutShape shape);
 
@@ -34,7 +37,8 @@ std::optional<scene::Cut> cutThrough(const scene::Scene& scene, glm::dvec3 a, gl
 glm::dvec3 nearestAxis(glm::dvec3 direction);
 
 /// The cut with its axis along a direction. A plane stays where it crosses the middle of what it showed, and what it
-/// takes away lies on the side of the direction; the edges of a box come to lie along the patient's.
+/// takes away lies on the side of the direction; the edges of a box come to lie along the patient's. The frame of a
+/// membrane becomes as wide and high as the data is across the direction, about its middle.
 scene::Cut alignedCut(const scene::Scene& scene, scene::Cut cut, glm::dvec3 axis);
 
 /// A direction as two angles, degrees: azimuth about the body's long axis from anterior (0) over left (90) to right

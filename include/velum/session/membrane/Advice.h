@@ -1,36 +1,40 @@
 #pragma once
-#include <optional>
 #include <string_view>
+#include <vector>
 
 #include "velum/core/Fields.h"
 #include "velum/core/Task.h"
-#include "velum/membrane/forces/Kernels.h"
+#include "velum/membrane/forces/KeptWhole.h"
 #include "velum/scene/Scene.h"
 
 namespace velum::session {
 
-/// Why a sheet cuts much, and what would help.
+/// Why little is kept, and what would help.
 enum class AdviceStep {
   DeepenReach,  ///< the reach is short
-  MoveInFront,  ///< the frame goes through solid material
+  MoveToKeep,   ///< the frame stands where what is protected cannot be kept
   ProtectLess   ///< too much is protected
 };
 
-/// One step that lets a membrane cut less.
+/// One step that lets a membrane keep more. Its figures are those of a coarse look.
 struct Advice {
   AdviceStep step = AdviceStep::DeepenReach;
   scene::Cut cut;         ///< as it would be
-  double cutShare = 1.0;  ///< of what its plane would cut then, by a coarse look
+  membrane::Fate fate;    ///< of what is protected, then
+  double cutShare = 1.0;  ///< of what its plane would cut then
 };
 
-/// Where a sheet cuts more than this of what its plane would cut, it is worth asking for advice.
+/// Where a sheet cuts more than this of what its plane would cut, it is worth asking for advice; as it is where less
+/// than kEnoughKept of what is protected stays, but where that is what was asked for.
 inline constexpr double kMuchCut = 0.6;
+bool wantsAdvice(const membrane::KeptWhole& figures, const scene::Cut& cut);
 
-/// The step that helps most, among a reach twice as deep, the place that firstPlaceOf() finds, and protecting the half
-/// of it that differs most from the rest; nothing where none helps by a fifth. A few tenths of a second.
-/// @param potential  of the scene  @throw Cancelled. Any thread.
-std::optional<Advice> adviseMembrane(const membrane::Potential& potential, const scene::Scene& scene,
-                                     const scene::Cut& cut, Progress& progress);
+/// What helps, the best first: the shortest reach by which nine tenths are kept, the place along the axis (and the
+/// reach) where they are, and, where too much is protected or neither helps, protecting the half that differs most from
+/// the rest. A reach up to twice as deep comes before a move. Empty where nothing helps by a fifth of what is lost.
+/// A few tenths of a second. @param potential  of the scene  @throw Cancelled. Any thread.
+std::vector<Advice> adviseMembrane(const membrane::Potential& potential, const scene::Scene& scene,
+                                   const scene::Cut& cut, Progress& progress);
 
 /// Why, in a sentence: "The reach is short."
 std::string_view reasonOf(AdviceStep step);
@@ -39,5 +43,5 @@ std::string_view reasonOf(AdviceStep step);
 
 template <>
 struct velum::EnumNames<velum::session::AdviceStep> {
-  static constexpr std::string_view kNames[] = {"deepenReach", "moveInFront", "protectLess"};
+  static constexpr std::string_view kNames[] = {"deepenReach", "moveToKeep", "protectLess"};
 };

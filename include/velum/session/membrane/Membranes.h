@@ -27,7 +27,7 @@ struct MembraneReport {
   std::optional<membrane::KeptWhole> kept;        ///< when asked for
   std::optional<membrane::KeptWholeLimit> limit;  ///< when asked for
   std::optional<membrane::LeftOut> leftOut;       ///< with `kept`
-  std::optional<Advice> advice;                   ///< with `kept`, where it cuts more than kMuchCut
+  std::vector<Advice> advice;  ///< with `kept`, where it is wanted and something helps, the best first
 };
 
 /// What to find out beside settling.
@@ -64,11 +64,12 @@ Mesh sheetMesh(const scene::Cut& cut);
 /// data, membranes as their shapes are. Any thread. @throw Cancelled, ArgumentError without a volume
 Volume clippedVolume(const scene::Scene& scene, Progress& progress);
 
-/// What helps a membrane with these figures, where it cuts much. Any thread. @throw Cancelled
-std::optional<Advice> adviceFor(const membrane::KeptWhole& figures, const membrane::Potential& potential,
-                                const scene::Scene& scene, const scene::Cut& cut, Progress& progress);
+/// What helps a membrane with these figures, where it keeps little. Any thread. @throw Cancelled
+std::vector<Advice> adviceFor(const membrane::KeptWhole& figures, const membrane::Potential& potential,
+                              const scene::Scene& scene, const scene::Cut& cut, Progress& progress);
 
-/// How much of what a membrane protects its sheet keeps whole. Any thread. @throw Cancelled
+/// How much of what a membrane protects its sheet keeps whole, and what becomes of all of it. Any thread. @throw
+/// Cancelled
 membrane::KeptWhole measureMembrane(const membrane::Potential& potential, const scene::Cut& cut,
                                     const scene::SheetShape& shape, Progress& progress);
 

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "makeVolume.h"
+#include "velum/extrusion/GrowDomain.h"
 #include "velum/extrusion/Grower.h"
 #include "velum/extrusion/LabelsFor.h"
 
@@ -110,6 +111,41 @@ TEST(LeakGuard, ALesionDoesNotBecomeTheBoneThatItTouches) {
 TEST(LeakGuard, AVesselDoesNotBecomeTheBoneThatItTouches) {
   expectBetterWithGuard("vessel at bone", vesselAtBone(), pull({44, 52, 20}, {0, 0, 1}, 115), 0.6);
   expectBetterWithGuard("vessel at bone, oblique", vesselAtBone(), pull({44, 52, 20}, {0.2, -0.1, 1}, 110), 0.6);
+}
+
+TEST(LeakGuard, AThreadThatOpensIntoABlockRightAboveTheCutIsHeldAtTheCut) {
+  Phantom phantom{{90, 90, 60},
+                  [](glm::dvec3 p) {
+                    return glm::distance(glm::dvec2(p), {45, 45}) - 6.0;
+                  },
+                  [](glm::dvec3 p) {
+                    return std::max({20.5 - p.z, std::abs(p.x - 45) - 38, std::abs(p.y - 45) - 38});
+                  }};
+  // The section that counts is the one that was clicked on, below the plane.
+  Grown grown = grow(phantom, pull({45, 45, 20}, {0, 0, 1}, 30), true);
+  ASSERT_TRUE(grown.leak);
+  EXPECT_EQ(grown.distance, 0.0);
+  EXPECT_LE(grown.voxels, 1u) << "the seed";
+  EXPECT_LT(grown.leak->widestBefore, 10.0 * 3.1416 * 36.0) << "some times the thread, not the block";
+}
+
+TEST(LeakGuard, StopsAtTheSamePlaceWhereverInFrontOfTheDataThePlaneStands) {
+  Phantom phantom = vesselAtBone();
+  double slab = slabThickness(phantom.volume());
+  auto stopped = [&](int slabsBefore) {
+    scene::Growth step = pull({44, 52, 2}, {0, 0, 1}, 115.0 + slabsBefore * slab);
+    step.centre.z = -0.5 - slabsBefore * slab;
+    return grow(phantom, step, true);
+  };
+  Grown near = stopped(0);
+  ASSERT_TRUE(near.leak);
+  for (int slabs : {1, 20}) {
+    Grown far = stopped(slabs);
+    ASSERT_TRUE(far.leak) << slabs;
+    EXPECT_NEAR(far.distance - slabs * slab, near.distance, 1e-6) << slabs;
+    EXPECT_NEAR(far.leak->depth - slabs * slab, near.leak->depth, 1e-6) << slabs;
+    EXPECT_EQ(far.voxels, near.voxels) << slabs;
+  }
 }
 
 TEST(LeakGuard, LetsStructuresBeThatBecomeWiderByThemselves) {

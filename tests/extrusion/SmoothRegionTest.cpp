@@ -182,13 +182,27 @@ TEST(SmoothRegion, MarrowIsAHoleOfItsBoneHoweverFarThatIsPulled) {
   }
 }
 
-TEST(SmoothRegion, AWideClosingGoesOnlySoFar) {
-  // Two walls, further apart than any closing goes.
-  constexpr int kApart = 2 * int(kMostClosingVoxels) + 8;
-  Shared<Volume> volume(makeVolume({kApart + 2, 4, 4}, SampleType::UInt8, [](glm::ivec3) { return 1; }));
-  Shared<LabelVolume> labels(
-      makeLabels(volume->dims, [](glm::ivec3 v) { return v.x == 0 || v.x == kApart + 1 ? 1 : 0; }));
-  EXPECT_EQ(smoothRegion(volume, labels, stepOf(1e9, false), Progress()).voxels, 0u);
+TEST(SmoothRegion, AWideClosingGoesOnlySoFarAlongTheFinestAxis) {
+  // A hollow box, long along the axis with the finest voxels, and wider than any ball along the others: it is filled
+  // where no ball fits into it.
+  constexpr int kMost = int(kMostClosingVoxels);
+  for (int axis = 0; axis < 3; ++axis)
+    for (int hollow : {2 * kMost - 3, 2 * kMost + 3}) {
+      glm::dvec3 spacing(2.5);
+      spacing[axis] = 1.0;
+      glm::ivec3 dims(kMost + 1);
+      dims[axis] = hollow + 2;
+      Shared<Volume> volume(makeVolume(
+          dims, SampleType::UInt8, [](glm::ivec3) { return 1; }, centredFrame(dims, spacing)));
+      Shared<LabelVolume> labels(makeLabels(
+          dims,
+          [&](glm::ivec3 v) {
+            return glm::any(glm::equal(v, glm::ivec3(0))) || glm::any(glm::equal(v, dims - 1)) ? 1 : 0;
+          },
+          volume->worldFromVoxel));
+      Smoothed smoothed = smoothRegion(volume, labels, stepOf(1e9, false), Progress());
+      EXPECT_EQ(smoothed.labels->at(dims / 2), hollow < 2 * kMost ? 1 : 0) << "axis " << axis << ", " << hollow;
+    }
 }
 
 }  // namespace

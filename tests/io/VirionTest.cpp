@@ -5,6 +5,7 @@
 
 #include "GemmiAssembly.h"
 #include "ModelFiles.h"
+#include "models/Strands.h"
 #include "velum/io/models/WriteModel.h"
 
 namespace velum::io {
@@ -149,6 +150,24 @@ TEST(Virion, WhatIsWrittenIsReadBack) {
   const auto& spike = back.molecules[typeOf(back, ".spike").firstMolecule].atoms;
   EXPECT_TRUE(std::any_of(spike.begin(), spike.end(), [](const Atom& a) { return a.chain >= 6; })) << "chains too";
   EXPECT_EQ(back.fibres.size(), 1u) << "the strand is known again by its steps";
+}
+
+TEST(Strands, NucleotidesTurnToTheRightAboutTheirStrand) {
+  std::vector<glm::vec3> bow;
+  for (int i = 0; i <= 60; ++i) bow.push_back(300.0f * glm::vec3(std::cos(0.05f * i), std::sin(0.05f * i), 0.0f));
+  for (const auto& points : {std::vector<glm::vec3>{{0, 0, 0}, {0, 0, 90}, {0, 0, 200}},
+                             std::vector<glm::vec3>{{5, 8, 1}, {-40, 30, -100}}, bow}) {
+    std::vector<Pose> poses;
+    walkAlong(points, kNucleotide, [&](const Pose& pose) { poses.push_back(pose); });
+    ASSERT_GT(poses.size(), 30u);
+    for (std::size_t i = 1; i < poses.size(); ++i) {
+      auto axis = [&](std::size_t of, glm::vec3 own) { return poses[of].rotation * own; };
+      glm::vec3 z = axis(i, {0, 0, 1}), before = axis(i - 1, {1, 0, 0}), after = axis(i, {1, 0, 0});
+      EXPECT_GT(glm::dot(z, glm::normalize(poses[i].position - poses[i - 1].position)), 0.999f);
+      EXPECT_NEAR(std::atan2(glm::dot(glm::cross(before, after), z), glm::dot(before, after)), 0.59865f, 2e-3f) << i;
+      EXPECT_NEAR(glm::length(poses[i].position - poses[i - 1].position), 34.0f / 12.0f, 2e-3f) << i;
+    }
+  }
 }
 
 TEST(Virion, GemmiReadsItsAssembly) {

@@ -2,10 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string>
+#include <tuple>
 
 #include "makeModel.h"
 #include "shared/instance.h"
+#include "velum/mesoscale/FocusRows.h"
+#include "velum/mesoscale/InstanceTarget.h"
 
 namespace velum {
 namespace {
@@ -71,6 +76,42 @@ TEST(TypeSpares, TypesOutOfTheRangesOfMassAndNumberAreNotSpared) {
   cut.leastCopies = 16;
   EXPECT_EQ(shareOf(0), 1.0) << "16 of them";
   EXPECT_EQ(shareOf(1), 0.0) << "15 of them";
+}
+
+TEST(TypeSpares, ACutThatIsOffHasNoPlaceAmongThem) {
+  scene::Scene scene;
+  scene.model.data = Shared<Model>(ModelMaker{}.make());
+  for (int i = 0; i < 4; ++i) {
+    scene::Cut cut;
+    cut.typeSpares = {spareOf("root", 0.1 + 0.2 * i)};
+    cut.typeSpares[0].aperture = i % 2 ? 0.5 : 1.0;
+    cut.wholeInstances = i % 2 == 0;
+    cut.focus.emplace().types = {{i < 2 ? "root.a" : "root.b"}};
+    scene::addCut(scene, cut);
+  }
+  auto rowsOf = [](const scene::Scene& of) {
+    std::vector<std::pair<float, float>> rows;
+    for (const auto& row : mesoscale::makeTypeSpareRows(of)) rows.emplace_back(row.share, row.isFocus);
+    return rows;
+  };
+  auto focusOf = [](const scene::Scene& of) {
+    std::vector<std::tuple<int, std::string, bool>> rows;
+    for (const auto& row : mesoscale::focusRows(of))
+      rows.emplace_back(row.cut, row.focus->types[0].type, row.hasAperture);
+    return rows;
+  };
+  ASSERT_EQ(focusOf(scene).size(), 4u);
+  ASSERT_EQ(mesoscale::wholeInstanceBits(scene), 0b0101u);
+  for (std::size_t at = 0; at <= scene.cuts.size(); ++at) {
+    scene::Scene other = scene;
+    scene::Cut off = scene.cuts[at % 4];
+    off.enabled = false;
+    off.wholeInstances = true;
+    other.cuts.insert(other.cuts.begin() + std::ptrdiff_t(at), off);
+    EXPECT_EQ(rowsOf(other), rowsOf(scene)) << at;
+    EXPECT_EQ(focusOf(other), focusOf(scene)) << at;
+    EXPECT_EQ(mesoscale::wholeInstanceBits(other), mesoscale::wholeInstanceBits(scene)) << at;
+  }
 }
 
 TEST(TypeSpares, DepthsGiveTheProbabilityOfTheFormula) {
@@ -151,6 +192,24 @@ TEST(CopyGrid, HoldsAllCopiesInABlock) {
     EXPECT_LT((grid.counts.z - 1) * grid.counts.x * grid.counts.y, copies) << "no layer is empty";
     EXPECT_LE(std::max(grid.counts.x, grid.counts.z), 2 * int(std::cbrt(copies)) + 2);
   }
+}
+
+TEST(InstanceParts, HoldEachInstanceOfEachCopyOnceAndNoneIsLargerThanAsked) {
+  for (std::uint32_t instances : {1u, 63u, 64u, 1000u})
+    for (int copies : {1, 3, 8})
+      for (std::uint32_t most : {64u, 200u, 900u, 5000u}) {
+        std::vector<int> held(instances * std::uint32_t(copies), 0);
+        for (const auto& part : mesoscale::instanceParts(instances, copies, most)) {
+          EXPECT_LE(part.end - part.first, most);
+          if (part.copies > 1) {
+            EXPECT_LE((part.end - part.first) * std::uint32_t(part.copies), most);
+          }
+          for (int copy = part.firstCopy; copy < part.firstCopy + part.copies; ++copy)
+            for (std::uint32_t i = part.first; i < part.end; ++i) ++held.at(std::uint32_t(copy) * instances + i);
+        }
+        EXPECT_EQ(std::count(held.begin(), held.end(), 1), std::ptrdiff_t(held.size()))
+            << instances << " instances, " << copies << " copies, " << most;
+      }
 }
 
 }  // namespace

@@ -312,6 +312,44 @@ TEST_F(CutsGL, TheFaceOfAPlaneHasItsNormal) {
   }
 }
 
+TEST_F(CutsGL, TheFaceOfJoinedPlanesIsThatOfThePlaneThatAPlaceLiesOn) {
+  std::mt19937 random(17);
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  int onFirst = 0, onOthers = 0;
+  for (int round = 0; round < 8; ++round) {
+    scene::Scene scene = solidScene(0.0);
+    scene.lighting.shaded = true;
+    scene.lighting.shadow = scene.lighting.occlusion = 0;
+    for (int i = 0, count = 2 + round % 2; i < count; ++i) {
+      glm::dvec3 axis(0.8 * unit(random), -1.0, 0.8 * unit(random));
+      scene::Cut plane = cutOf(scene::CutShape::Plane, {6 * unit(random), -2, 6 * unit(random)}, axis, {1, 1, 1});
+      plane.joined = i > 0;
+      // The first has its voxels' grey on it, the others the material's colour.
+      plane.face = i == 0 ? scene::CutFace::Section : scene::CutFace::Shaded;
+      scene::addCut(scene, plane);
+    }
+    Image image = draw(scene, kSize, kAllLayers);
+    eachShown(image, [&](glm::ivec2 pixel, glm::vec3 position) {
+      glm::dvec3 p(position), inside = 0.5 * glm::dvec3(kDims) * glm::dvec3(1, 1.1, 0.9) - glm::abs(p);
+      if (std::min(inside.x, std::min(inside.y, inside.z)) < 1.0) return;
+      std::vector<double> off;
+      for (const auto& cut : scene.cuts) off.push_back(std::abs(glm::dot(p - cut.centre, glm::normalize(cut.axis))));
+      auto nearest = std::min_element(off.begin(), off.end());
+      // Where two planes meet it may be either's.
+      if (std::count_if(off.begin(), off.end(), [&](double d) { return d < *nearest + 1.0; }) > 1) return;
+      ASSERT_LT(*nearest, 0.3) << "what is seen within the block is a face";
+      auto at = std::size_t(nearest - off.begin());
+      glm::dvec3 normal(vectorOf(image, pixel, "normal"));
+      EXPECT_GT(glm::dot(normal, glm::normalize(scene.cuts[at].axis)), 0.999) << "round " << round << ", plane " << at;
+      glm::vec4 color = colorOf(image, pixel);
+      EXPECT_EQ(std::abs(color.r - color.b) < 0.02f, at == 0) << "round " << round << ", plane " << at;
+      ++(at == 0 ? onFirst : onOthers);
+    });
+  }
+  EXPECT_GT(onFirst, 800);
+  EXPECT_GT(onOthers, 800);
+}
+
 TEST_F(CutsGL, ASectionFaceShowsTheGreyOfItsVoxels) {
   // Values that change along x and z only, so that the section's depth does not matter.
   Volume v = makeVolume(

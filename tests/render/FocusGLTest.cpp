@@ -215,6 +215,32 @@ TEST_F(FocusGL, ALockHoldsWhatIsClearedWhileTheCameraMoves) {
   EXPECT_EQ(removedIn(moved), here);
 }
 
+TEST_F(FocusGL, ACutThatIsOffChangesNothingWhereverItStands) {
+  scene::Scene scene = focusScene(14);
+  scene.cuts[0].typeSpares[0].viewShare = 0.3;
+  scene::Cut plane;
+  plane.axis = {1, 1, 0};
+  plane.wholeInstances = true;
+  plane.typeSpares = {{"root.b", 0.5}};
+  scene::addCut(scene, plane);
+  plane.axis = {0, 0, 1};
+  plane.wholeInstances = false;
+  plane.typeSpares = {{"root.a", 0.2}};
+  scene::addCut(scene, plane);
+  std::set<std::size_t> removed = removedIn(scene);
+  auto states = render::instanceStates(scene);
+  EXPECT_GT(removed.size(), 30u);
+  for (std::size_t at = 0; at <= scene.cuts.size(); ++at) {
+    scene::Scene other = scene;
+    scene::Cut off = scene.cuts[(at + 1) % 3];
+    off.id = 99;
+    off.enabled = false;
+    other.cuts.insert(other.cuts.begin() + std::ptrdiff_t(at), off);
+    EXPECT_EQ(removedIn(other), removed) << at;
+    EXPECT_EQ(render::instanceStates(other), states) << at;
+  }
+}
+
 TEST_F(FocusGL, PiecesOfAPictureClearTheSame) {
   scene::Scene scene = focusScene(10);
   Image whole = draw(scene, kSize, kLayers);
@@ -291,6 +317,21 @@ TEST_F(FocusGL, CountsAreThoseOfTheIdLayer) {
   EXPECT_EQ(below, compartments[0]);
 }
 
+TEST_F(FocusGL, SurfacesBesideAModelChangeNoCounts) {
+  scene::Scene scene = focusScene(15);
+  render::InstanceBits alone = bitsOf(scene);
+  for (float z : {-900.0f, -800.0f, -700.0f}) {
+    Mesh mesh;
+    mesh.positions = {{0, 0, z}, {1, 0, z}, {0, 1, z}};
+    mesh.indices = {0, 1, 2};
+    scene.surfaces.emplace_back();
+    scene.surfaces.back().data = Shared<Mesh>(mesh);
+  }
+  render::InstanceBits beside = bitsOf(scene);
+  EXPECT_EQ(beside.shown, alone.shown);
+  EXPECT_EQ(beside.removed, alone.removed);
+}
+
 TEST_F(FocusGL, CountingChangesNoPicture) {
   scene::Scene scene = focusScene(12);
   scene.cuts[0].shape = scene::CutShape::Sphere;
@@ -361,6 +402,75 @@ TEST_F(FocusGL, GhostsShowWhatIsRemovedWhereNothingIsNearer) {
   EXPECT_LE(inked, 4);
   scene.model.types = {{"root.atom", true, {}, "", scene::Ghosts::None}};
   EXPECT_EQ(sampleOf(draw(scene, size, kLayers), {80, 50}, "ghosts.A"), 0.0f) << "not of this type";
+}
+
+TEST_F(FocusGL, GhostsAreAsStrongHoweverManySamplesThereAre) {
+  scene::Scene scene = focusScene(16, 60);
+  scene.model.ghosts = scene::Ghosts::Filled;
+  scene.model.ghostOpacity = 0.4;
+  scene.cuts[0].typeSpares[0].share = 0.0;
+  scene.cuts[0].focus.reset();
+  Image one = draw(scene, kSize, kLayers);
+  scene.rayCast.samplesPerPixel = 5;
+  Image five = draw(scene, kSize, kLayers);
+  double sums[2] = {0.0, 0.0}, colors[2] = {0.0, 0.0};
+  for (int y = 0; y < kSize.y; ++y)
+    for (int x = 0; x < kSize.x; ++x) {
+      sums[0] += double(sampleOf(one, {x, y}, "ghosts.A"));
+      sums[1] += double(sampleOf(five, {x, y}, "ghosts.A"));
+      colors[0] += double(sampleOf(one, {x, y}, "A"));
+      colors[1] += double(sampleOf(five, {x, y}, "A"));
+    }
+  EXPECT_GT(sums[0], 1000.0);
+  EXPECT_NEAR(sums[1] / sums[0], 1.0, 0.02) << "edges move by less than a pixel";
+  EXPECT_NEAR(colors[1] / colors[0], 1.0, 0.02) << "as they are blended into the picture";
+}
+
+TEST_F(FocusGL, GhostsAndSurfacesHideEachOtherAlongEachRay) {
+  // In a wide view: far off its axis depth and distance differ by a third.
+  std::vector<glm::vec3> places;
+  for (int z = -4; z <= 4; ++z)
+    for (int x = -4; x <= 4; ++x) places.emplace_back(6 * x, -10 + (x + z) % 5, 6 * z);
+  scene::Scene scene;
+  scene.unit = LengthUnit::Angstrom;
+  scene.model.data = Shared<Model>(modelOfAtoms(places, kResidue));
+  scene.model.detail = 0.1;
+  scene.model.ghosts = scene::Ghosts::Filled;
+  scene.model.ghostOpacity = 0.5;
+  scene::Cut all;
+  all.shape = scene::CutShape::Everywhere;
+  scene::addCut(scene, all);
+  Mesh mesh;
+  mesh.positions = {{-40, -10, -40}, {40, -10, -40}, {40, -10, 40}, {-40, -10, 40}};
+  mesh.indices = {0, 1, 2, 0, 2, 3};
+  scene::Surface surface;
+  surface.data = Shared<Mesh>(mesh);
+  scene.surfaces = {surface};
+  scene.lighting.shaded = false;
+  scene.rayCast.samplesPerPixel = 1;
+  scene.background.transparent = true;
+  scene.camera.target = {0, 0, 0};
+  scene.camera.projection = scene::Projection::Perspective;
+  scene.camera.fieldOfViewDeg = 80;
+  lookAlong(scene, {0, -1, 0}, 40);
+  // The surface is no model's: the cut leaves it.
+  scene.cuts[0].spares = {{0, scene::Spare::kEndless, 1.0}};
+  glm::ivec2 size(120, 120);
+  Image image = draw(scene, size, kLayers);
+  int before = 0, behind = 0;
+  for (int y = 0; y < size.y; ++y)
+    for (int x = 0; x < size.x; ++x) {
+      TestRay ray = rayThrough(scene.camera, size, {x + 0.5, y + 0.5});
+      double face = (-10.0 - ray.origin.y) / ray.direction.y, ghost = std::numeric_limits<double>::infinity();
+      for (const glm::vec3& place : places)
+        if (Meeting m = meet(ray, {glm::dvec3(place), double(radiusOf(kResidue))}, 0.0); m.isThere)
+          ghost = std::min(ghost, m.enters);
+      if (!std::isfinite(ghost) || std::abs(ghost - face) < 0.05) continue;
+      EXPECT_EQ(sampleOf(image, {x, y}, "ghosts.A") > 0.3f, ghost < face) << x << ", " << y;
+      ++(ghost < face ? before : behind);
+    }
+  EXPECT_GT(before, 1000);
+  EXPECT_GT(behind, 500);
 }
 
 }  // namespace

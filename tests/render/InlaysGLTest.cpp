@@ -150,6 +150,37 @@ TEST_F(InlaysGL, AShorterFallOffNeverShowsMore) {
   expectSame(draw(scene, kSize), reach, 0.0, "0 is the reach");
 }
 
+TEST_F(InlaysGL, WhatOneSparesDoesNotFadeBesideIt) {
+  scene::Scene scene = solidScene(0.0);
+  lookAlong(scene, {0, -1, 0}, 100);
+  const glm::dvec3 middle(1, -8, -1);  // before the inlay, farther off than its fall-off
+  const glm::dmat4 frame = scene.volume.data->worldFromVoxel;
+  scene.labels.data = Shared<LabelVolume>(makeLabels(
+      kDims, [&](glm::ivec3 p) { return glm::distance(glm::dvec3(frame * glm::dvec4(p, 1.0)), middle) < 6 ? 4 : 0; },
+      frame));
+  scene::completeStructures(scene.labels);
+  scene.cuts = {membraneOf(flatSheet(kParticles, kFrame), {0, -1, 0})};
+  scene.cuts[0].membrane->use = scene::MembraneUse::Inlay;
+  membrane(scene).inlayOpacity = 0.0;
+  membrane(scene).falloff = 2.0;
+  EXPECT_EQ(coverageOf(draw(scene, kSize)), 0.0) << "nothing lies between a flat sheet and its inlay";
+  scene.cuts[0].spares = {{4}};
+  Image image = draw(scene, kSize);
+  int through = 0;
+  for (int y = 0; y < kSize.y; ++y)
+    for (int x = 0; x < kSize.x; ++x) {
+      TestRay ray = rayThrough(scene.camera, kSize, {x + 0.5, y + 0.5});
+      double off = glm::length(glm::cross(middle - ray.origin, ray.direction));
+      if (off > 7.5) {
+        EXPECT_EQ(sampleOf(image, {x, y}, "A"), 0.0f) << x << ", " << y;
+      }
+      if (off > 4.5) continue;
+      ++through;
+      EXPECT_GT(sampleOf(image, {x, y}, "A"), 0.98f) << x << ", " << y;
+    }
+  EXPECT_GT(through, 60);
+}
+
 TEST_F(InlaysGL, SeveralAddUpAndOtherCutsTakeTheirImages) {
   scene::Scene one = sectionScene(0.9);
   lookAlong(one, {0.5, -1, 0.9}, 100);

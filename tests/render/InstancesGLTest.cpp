@@ -217,6 +217,35 @@ TEST_F(InstancesGL, CullingHidesNothing) {
   }
 }
 
+TEST_F(InstancesGL, WhatShowsOnlyInTheLastColumnsOrRowsIsFoundAgain) {
+  // A wall that ends before the last pixels, and an atom behind it that shows there and nowhere else: widths and
+  // heights that halve without and with a rest, tile by tile of four pixels.
+  const double pixel = 0.1, radius = double(radiusOf(6));
+  for (bool isTall : {false, true})
+    for (int tiles : {20, 21, 22, 23, 25, 27}) {
+      glm::ivec2 size(4 * tiles, 40);
+      if (isTall) std::swap(size.x, size.y);
+      glm::dvec3 along = isTall ? glm::dvec3(0, 0, -1) : glm::dvec3(1, 0, 0);
+      glm::dvec3 across = isTall ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 0, -1);
+      // The wall's rim is where the last four pixels begin.
+      double rim = pixel * (2 * tiles - 4);
+      std::vector<glm::vec3> places{glm::vec3(along * (rim - 1.0) + glm::dvec3(0, 30, 0))};
+      for (double u = 0.0; u < 2.0 * rim + 6.0; u += 0.4)
+        for (double v = -4.0; v <= 4.0; v += 0.1) places.emplace_back(along * (rim - radius - u) + across * v);
+      scene::Scene scene = sceneOfModel(modelOfAtoms(places));
+      scene.model.detail = 0.1;
+      scene.camera.projection = Projection::Orthographic;
+      scene.camera.height = pixel * size.y;
+      // All of the atom is behind the wall; then the eye moves to where its edge shows.
+      scene.camera.target = along * (-3.0);
+      lookAlong(scene, {0, -1, 0}, 100);
+      EXPECT_FALSE(shownIn(draw(scene, size, kLayers)).contains(0)) << tiles;
+      scene.camera.target = {0, 0, 0};
+      lookAlong(scene, {0, -1, 0}, 100);
+      EXPECT_TRUE(shownIn(draw(scene, size, kLayers)).contains(0)) << (isTall ? "rows" : "columns") << ", " << tiles;
+    }
+}
+
 TEST_F(InstancesGL, HiddenInstancesAreFoundByBruteForce) {
   // Whatever is culled: the picture of all balls is that of the nearest of all.
   ModelMaker maker;
@@ -339,6 +368,139 @@ TEST_F(InstancesGL, AModelAndAVolumeHideEachOtherByDepth) {
   EXPECT_EQ(pick.type, 0);
   EXPECT_EQ(pick.modelInstance, 2u);
   EXPECT_EQ(pick.structure, 0);
+}
+
+TEST_F(InstancesGL, AModelAVolumeAndASurfaceHideEachOtherAlongEachRay) {
+  // In a wide view: far off its axis depth and distance differ by a third.
+  glm::ivec3 dims(60, 20, 60);
+  std::mt19937 random(3);
+  std::uniform_real_distribution<float> unit(-1.0f, 1.0f);
+  std::vector<glm::vec3> places;
+  std::vector<glm::dvec4> spheres;
+  for (int i = 0; i < 60; ++i) {
+    places.emplace_back(28 * unit(random), -10 + 4 * unit(random), 28 * unit(random));
+    spheres.emplace_back(glm::dvec3(places.back()), radiusOf(kResidue));
+  }
+  for (bool isSurface : {false, true}) {
+    scene::Scene scene;
+    if (isSurface) {
+      Mesh mesh;
+      mesh.positions = {{-30, -10, -30}, {30, -10, -30}, {30, -10, 30}, {-30, -10, 30}};
+      mesh.indices = {0, 1, 2, 0, 2, 3};
+      scene::Surface surface;
+      surface.data = Shared<Mesh>(mesh);
+      scene.surfaces = {surface};
+      scene.lighting.shaded = false;
+      scene.rayCast.samplesPerPixel = 1;
+    } else {
+      scene = sceneOf(makeVolume(
+          dims, SampleType::UInt8, [](glm::ivec3) { return 200.0; }, centredFrame(dims)));
+      makeSolid(scene);
+    }
+    scene.background.transparent = true;
+    scene.unit = LengthUnit::Angstrom;
+    scene.model.data = Shared<Model>(modelOfAtoms(places, kResidue));
+    scene.model.detail = 0.1;
+    scene.camera.target = {0, 0, 0};
+    scene.camera.projection = Projection::Perspective;
+    scene.camera.fieldOfViewDeg = 80;
+    lookAlong(scene, {0, -1, 0}, 40);
+    glm::ivec2 size(120, 120);
+    Image image = draw(scene, size, kLayers);
+    int first = int(scene.surfaces.size()) + 1, atoms = 0, hidden = 0;
+    for (int y = 0; y < size.y; ++y)
+      for (int x = 0; x < size.x; ++x) {
+        TestRay ray = rayThrough(scene.camera, size, {x + 0.5, y + 0.5});
+        double sphere = firstSphere(ray, spheres), face = (-10.0 - ray.origin.y) / ray.direction.y;
+        if (glm::any(glm::greaterThan(glm::abs(ray.at(face)), glm::dvec3(29.5)))) continue;
+        // A block is opaque a little behind its face.
+        if (std::abs(sphere - face) < 0.3) continue;
+        bool isAtom = int(sampleOf(image, {x, y}, "instance")) >= first;
+        EXPECT_EQ(isAtom, sphere < face) << (isSurface ? "surface" : "volume") << ", " << x << ", " << y;
+        (isAtom ? atoms : hidden) += std::isfinite(sphere);
+      }
+    EXPECT_GT(atoms, 1000);
+    EXPECT_GT(hidden, 500);
+  }
+}
+
+TEST_F(InstancesGL, InFullFogTheDeepestIsTheBackgroundBehindIt) {
+  std::vector<glm::vec3> places{{0, -100, 0}};
+  for (int i = -4; i <= 4; ++i) places.emplace_back(10.0f, 100.0f, 10.0f * float(i));
+  scene::Scene scene = sceneOfModel(modelOfAtoms(places, kResidue));
+  scene.camera.target = {0, 0, 0};
+  scene.camera.projection = Projection::Orthographic;
+  scene.camera.height = 100;
+  lookAlong(scene, {0, -1, 0}, 400);
+  scene.background.transparent = false;
+  scene.background.top = {1, 0.2f, 0};
+  scene.background.bottom = {0, 0.2f, 1};
+  glm::ivec2 size(100, 100);
+  Image clear = draw(scene, size, kLayers);
+  scene.lighting.fog = 1.0;
+  Image image = draw(scene, size, kLayers);
+  int far = 0, near = 0;
+  for (int y = 0; y < size.y; ++y)
+    for (int x = 0; x < size.x; ++x) {
+      int instance = int(sampleOf(image, {x, y}, "instance"));
+      if (instance < 1) continue;
+      glm::vec3 behind = glm::mix(scene.background.top, scene.background.bottom, (float(y) + 0.5f) / 100.0f);
+      // Its front is not quite as deep as it reaches.
+      glm::vec3 wanted = instance == 1 ? glm::vec3(colorOf(clear, {x, y})) : behind;
+      EXPECT_LT(glm::length(glm::vec3(colorOf(image, {x, y})) - wanted), 0.03f) << x << ", " << y;
+      ++(instance == 1 ? near : far);
+    }
+  EXPECT_GT(near, 20);
+  EXPECT_GT(far, 200);
+}
+
+/// Atoms so close on a plane across y that it is nearly flat, in a rectangle of x and z.
+void addFloor(std::vector<glm::vec3>& places, float y, glm::vec2 low, glm::vec2 high) {
+  for (float x = low.x; x <= high.x; x += 2.0f)
+    for (float z = low.y; z <= high.y; z += 2.0f) places.emplace_back(x, y, z);
+}
+
+TEST_F(InstancesGL, AShadowFallsAwayFromTheLight) {
+  std::vector<glm::vec3> places;
+  addFloor(places, 0.0f, {-40, -40}, {40, 40});
+  for (int i = 0; i < 27; ++i) places.emplace_back(2 * (i % 3) - 2, -20 + 2 * (i / 3 % 3) - 2, 13 + 2 * (i / 9));
+  scene::Scene scene = sceneOfModel(modelOfAtoms(places, kResidue));
+  scene.camera.target = {0, 0, 0};
+  scene.camera.projection = Projection::Orthographic;
+  scene.camera.height = 90;
+  lookAlong(scene, {0, -1, 0}, 300);
+  scene.lighting.shaded = true;
+  scene.lighting.occlusion = scene.lighting.specular = 0.0;
+  scene.lighting.diffuse = 1.0;
+  scene.rayCast.samplesPerPixel = 4;
+  glm::ivec2 size(180, 180);
+  // What hangs 20 before the floor at x = 0, z = 15 throws its shadow as far to the side.
+  struct Case {
+    glm::dvec3 key;
+    glm::dvec2 shadow;
+  };
+  for (const Case& c : {Case{{-1, 0, 1}, {20, 15}}, Case{{1, 0, 1}, {-20, 15}}, Case{{0, 1, 1}, {0, -5}}}) {
+    scene.lighting.keyDirection = c.key;
+    scene.lighting.shadow = 0.0;
+    Image plain = draw(scene, size, kLayers);
+    scene.lighting.shadow = 1.0;
+    Image shadowed = draw(scene, size, kLayers);
+    double in = 0, beside = 0;
+    int countIn = 0, countBeside = 0;
+    for (int y = 0; y < size.y; ++y)
+      for (int x = 0; x < size.x; ++x) {
+        glm::dvec3 p(vectorOf(shadowed, {x, y}, "position"));
+        double off = glm::distance(glm::dvec2(p.x, p.z), c.shadow);
+        if (std::abs(p.y) > 4.0 || glm::length(glm::dvec2(p.x, p.z)) > 35) continue;
+        double dark = double(sampleOf(plain, {x, y}, "G") - sampleOf(shadowed, {x, y}, "G"));
+        if (off < 2.0) in += dark, ++countIn;
+        if (off > 9.0) beside += dark, ++countBeside;
+      }
+    ASSERT_GT(countIn, 20);
+    ASSERT_GT(countBeside, 1000);
+    EXPECT_GT(in / countIn, 4.0 * beside / countBeside + 0.05)
+        << "light from " << c.key.x << ", " << c.key.y << ": " << in / countIn << " and " << beside / countBeside;
+  }
 }
 
 TEST_F(InstancesGL, CopiesStandSideBySide) {

@@ -174,6 +174,7 @@ TEST_F(LabelsGL, AThinStructureIsAsThickAsItIs) {
 
 TEST_F(LabelsGL, LabelsOnAnotherGridLieByWorldPosition) {
   Image own = draw(halves(), kSize, kAllLayers);
+  ASSERT_NE(sampleOf(own, {16, 32}, "id"), sampleOf(own, {48, 32}, "id"));
   const std::pair<glm::dmat4, glm::ivec3> kGrids[] = {
       {centredFrame({64, 16, 20}, {0.5, 2, 1.6}), {64, 16, 20}},
       {centredFrame({40, 40, 40}, {-1, 1, -1}), {40, 40, 40}},

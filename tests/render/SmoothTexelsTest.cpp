@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "makeVolume.h"
+#include "upload/GradientPlanes.h"
 #include "upload/SmoothTexels.h"
 
 namespace velum::render {
@@ -72,6 +73,74 @@ TEST(SmoothTexels, SlabsAreSeamlessAndEdgesDoNotRing) {
   for (float value : whole) {
     EXPECT_GE(value, -1000.0f);
     EXPECT_LE(value, 40.0f);
+  }
+}
+
+/// Noise on a grid of its own, and its gradients, a vector a voxel, by voxel.
+class Gradients {
+ public:
+  /// @param voxelOf  from a voxel of this grid to one of the noise
+  template <class VoxelOf>
+  Gradients(glm::ivec3 dims, glm::dvec3 spacing, const VoxelOf& voxelOf) : mDims(dims) {
+    VolumeTexels source;
+    source.volume = Shared<Volume>(makeVolume(
+        dims, SampleType::Float32,
+        [&](glm::ivec3 p) { return 100.0 * hashNoise(voxelOf(p) / 2) + hashNoise(voxelOf(p)); },
+        centredFrame(dims, spacing)));
+    source.dims = dims;
+    mNumbers = GradientPlanes(source, glm::ivec3(1)).planes(0, dims.z);
+  }
+  glm::vec3 at(glm::ivec3 v) const {
+    auto i =
+        3 * ((std::size_t(v.z) * std::size_t(mDims.y) + std::size_t(v.y)) * std::size_t(mDims.x) + std::size_t(v.x));
+    return {mNumbers[i], mNumbers[i + 1], mNumbers[i + 2]};
+  }
+  template <class Visit>
+  void each(const Visit& visit) const {
+    for (int z = 0; z < mDims.z; ++z)
+      for (int y = 0; y < mDims.y; ++y)
+        for (int x = 0; x < mDims.x; ++x) visit(glm::ivec3(x, y, z));
+  }
+
+ private:
+  glm::ivec3 mDims;
+  std::vector<float> mNumbers;
+};
+
+constexpr float kRounding = 2e-3f;  // sums in another order, of gradients of some tens
+
+TEST(GradientPlanes, OfTurnedAxesAreTheTurnedGradients) {
+  // Thick slices along each axis in turn.
+  glm::ivec3 dims(13, 17, 9);
+  glm::dvec3 spacing(0.8, 1.1, 4.0);
+  Gradients plain(dims, spacing, [](glm::ivec3 p) { return p; });
+  for (int turn : {1, 2}) {
+    auto turned = [&](auto v) { return decltype(v)(v[turn % 3], v[(turn + 1) % 3], v[(turn + 2) % 3]); };
+    auto back = [&](glm::ivec3 v) { return glm::ivec3(v[(3 - turn) % 3], v[(4 - turn) % 3], v[(5 - turn) % 3]); };
+    Gradients other(turned(dims), turned(spacing), back);
+    plain.each([&](glm::ivec3 v) {
+      EXPECT_LT(glm::length(other.at(turned(v)) - turned(plain.at(v))), kRounding)
+          << turn << ": " << v.x << ", " << v.y << ", " << v.z;
+    });
+  }
+}
+
+TEST(GradientPlanes, OfAMirroredVolumeAreMirroredToItsEdges) {
+  glm::ivec3 dims(13, 17, 9);
+  glm::dvec3 spacing(0.8, 1.1, 4.0);
+  Gradients plain(dims, spacing, [](glm::ivec3 p) { return p; });
+  for (int axis = 0; axis < 3; ++axis) {
+    auto mirrored = [&](glm::ivec3 v) {
+      v[axis] = dims[axis] - 1 - v[axis];
+      return v;
+    };
+    Gradients other(dims, spacing, mirrored);
+    plain.each([&](glm::ivec3 v) {
+      glm::vec3 wanted = plain.at(v);
+      wanted[axis] = -wanted[axis];
+      EXPECT_LT(glm::length(other.at(mirrored(v)) - wanted), kRounding)
+          << "axis " << axis << ": " << v.x << ", " << v.y << ", " << v.z;
+    });
   }
 }
 

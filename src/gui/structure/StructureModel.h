@@ -47,8 +47,6 @@ class StructureModel : public QAbstractTableModel {
   void renamed(int id, const QString& name);
 
  private:
-  QString volumeUnit() const;
-  QString surfaceUnit() const;
   QString sizeText(int id) const;
   QString tipOf(const scene::Structure& structure, int column) const;
 

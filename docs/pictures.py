@@ -41,8 +41,9 @@ def cut(index, *assignments):
     return sets(f"cuts.+.{assignments[0]}", *(f"cuts.{index}.{one}" for one in assignments[1:]))
 
 
-# The head of the first scene, closed, without the headrest that two cuts of the scene hide.
-BARE_HEAD = [WELCOME, *sets("cuts.0.enabled=false")]
+# Without what it rests on.
+BARE_HEAD = [HEAD, "--hide-table", *sets("camera.eye=-150,-360,250", "camera.target=118,112,72", "camera.fieldOfViewDeg=21.5",
+                                         "lighting.ambient=0.42", "lighting.keyDirection=-0.6,0.35,0.72")]
 SKULL = [*BARE_HEAD, "--preset", "ct-bone"]
 XRAY = sets("rayCast.mode=mip", "volume.windowLevel=900", "volume.windowWidth=2200")
 REGIONS = [TEMPLATES + "ch2.nii.gz", TEMPLATES + "aal.nii.gz", *OBLIQUE]
@@ -52,11 +53,11 @@ MACAQUE = [TEMPLATES + "inia19-t1-brain.nii.gz", TEMPLATES + "inia19-NeuroMaps.n
 TRACTS = [TEMPLATES + "ch2better.nii.gz", TEMPLATES + "JHU-WhiteMatter-labels-1mm.nii.gz"]
 # The head's face is cut off, and the skull, which has no label, grown out of the cut.
 HEAD_CUT = [*BARE_HEAD, "--preset", "ct-skin", *sets("camera.eye=-190,-330,240"),
-            *cut(3, "axis=0,-1,0", "centre=100,75,100")]
+            *cut(0, "axis=0,-1,0", "centre=100,75,100")]
 SKULL_OUT = [*HEAD_CUT, *sets(
     'labels.growths.+={"structure":1,"seeds":[[84,70,30]],"low":260,"high":3100,"centre":[100,75,100],"axis":[0,-1,0],"distance":95}',
     'labels.structures.+={"id":1,"name":"Skull","color":[0.93,0.88,0.76],"litSphere":"bone"}',
-    'cuts.3.spares=[{"structure":1,"distance":95}]')]
+    'cuts.0.spares=[{"structure":1,"distance":95}]')]
 HIDDEN = ("skin", "subcutaneous fat", "visceral fat", "muscle")
 
 
@@ -76,11 +77,24 @@ def presets(_):
     ]
 
 
+def systems(folder):
+    """One picture for each of the three systems: a membrane; structures that stand out of cuts; a model of a virus, what is
+    before its inside cleared away."""
+    brain = [*REGIONS[:2], "--preset", "mr-head", "--view", "anterior", "--finish", "plate",
+             *cut(0, "axis=1,0,0", "centre=1,0,0"), *cut(1, "axis=0,0,1", "centre=0,0,-6", "joined=true"),
+             *sets("cuts.0.spares=" + ids(1, 116), "cuts.1.spares=" + ids(1, 116), "labels.tint=0.35", "lighting.ambient=0.5",
+                   "lighting.shadow=0.35", "camera.eye=440,-330,190", "camera.target=0,-17,10", "camera.fieldOfViewDeg=23")]
+    virus = [folder / "virion.cif", "--view", "anterior", "--preset", "soft", *near(12.6),
+             *cut(0, "shape=sphere", "centre=250,-520,200", "size=1100,1100,1100"),
+             *cut(1, "shape=everywhere", 'typeSpares=[{"type":"root","share":1},{"type":"root.plasma","share":0}]')]
+    return [[WELCOME], brain, virus]
+
+
 def cuts(_):
     return [
-        [*SKULL, *cut(3, "axis=-1,0,0", "centre=100,120,80")],
-        [*SKULL, *cut(3, "axis=-1,0,0", "centre=100,120,80", "face=section")],
-        [*SKULL, *cut(3, "shape=sphere", "centre=62,76,124", "size=112,112,112")],
+        [*SKULL, *cut(0, "axis=-1,0,0", "centre=100,120,80")],
+        [*SKULL, *cut(0, "axis=-1,0,0", "centre=100,120,80", "face=section")],
+        [*SKULL, *cut(0, "shape=sphere", "centre=62,76,124", "size=112,112,112")],
     ]
 
 
@@ -172,7 +186,7 @@ def layers(_):
 
 
 def turn(_):
-    return [([WELCOME, *near(24), "--frames", "4"], ("-0000", "-0001", "-0002", "-0003"))]
+    return [([WELCOME, *near(28), "--frames", "4"], ("-0000", "-0001", "-0002", "-0003"))]
 
 
 def models(folder):
@@ -208,7 +222,7 @@ def equalizer(folder):
 def sheet(folder):
     seen = sets(*(f"labels.structures[{name}].visible=false" for name in HIDDEN), "labels.unlabelled=0")
     return [
-        [WELCOME],
+        SKULL_OUT,
         [*REGIONS, *SPARED],
         [*TRACTS, *OBLIQUE, *cut(0, "axis=-1,-0.25,0.6", "centre=4,10,12", "spares=" + ids(1, 50))],
         [*MACAQUE, *OBLIQUE, *cut(0, "shape=box", "centre=-25,-25,25", "size=50,50,40")],
@@ -277,6 +291,7 @@ def first_virus(folder):
 # name: (columns, size of a panel, colour of the gaps, what gives the panels: the arguments of `velum-batch render`, or
 # these and the endings of the pictures that one render gives).
 PLATES = {
+    "systems": (3, (600, 540), DARK, systems),
     "presets": (3, (480, 400), DARK, presets),
     "cuts": (3, (480, 400), DARK, cuts),
     "labels": (3, (480, 400), DARK, labels),
@@ -294,7 +309,7 @@ PLATES = {
     "first-cells": (3, (400, 340), DARK, first_cells),
     "first-virus": (3, (400, 340), WHITE, first_virus),
 }
-PHANTOMS = {"first-plate": ("torso",), "first-ct": ("torso",), "first-virus": ("virion",), "models": ("virion",), "equalizer": ("virion",), "situations": ("torso", "two-spheres", "seismic", "vessels"), "membrane": ("torso", "heart"), "pull": ("hand",), "sheet": ("torso", "vessels", "neurons", "seismic")}
+PHANTOMS = {"systems": ("virion",), "first-plate": ("torso",), "first-ct": ("torso",), "first-virus": ("virion",), "models": ("virion",), "equalizer": ("virion",), "situations": ("torso", "two-spheres", "seismic", "vessels"), "membrane": ("torso", "heart"), "pull": ("hand",), "sheet": ("torso", "vessels", "neurons", "seismic")}
 
 
 def run(*command):

@@ -262,11 +262,11 @@ scene::Scene openScene(const InputOptions& input, double aspect) {
   if (input.hidesTable) scene.volume.bodyOnly = true;
   session::settleBody(scene, progress);  // before the camera looks at what is left
   if (!input.view.empty() || !isScene) {
-    auto view = input.view.empty() ? scene::defaultView(scene) : enumValue<scene::StandardView>(input.view);
-    if (!view)
+    auto view = enumValue<scene::StandardView>(input.view);
+    if (!view && !input.view.empty())
       throw ArgumentError(
           fmt::format("--view {}: not one of {}", input.view, fmt::join(EnumNames<scene::StandardView>::kNames, ", ")));
-    scene.camera = scene::frameVisible(scene, *view, aspect);
+    scene.camera = view ? scene::frameVisible(scene, *view, aspect) : scene::firstCamera(scene, aspect);
   }
   if (!input.finish.empty()) scene::applyFinish(scene, input.finish);
   for (const auto& [path, value] : sets)

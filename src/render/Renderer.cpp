@@ -48,13 +48,14 @@ struct Renderer::Impl {
   GhostPass ghosts;
   FinishPass finish;
   ResolvePass resolve;
-  Pass* const drawing[8] = {&skip,    &light,  &surfaces, &instances,
-                            &rayCast, &counts, &ghosts,   &finish};  ///< Whom the data's upload goes before.
+  Pass* const lighting[4] = {&skip, &light, &surfaces, &instances};  ///< Whom the data's upload goes before,
+  Pass* const casting[4] = {&rayCast, &counts, &ghosts, &finish};    ///< and those that need to know of their targets.
   WorkQueue queue;
   Stats stats;
 
   void begin(const Frame& frame);
   void setUp();
+  void addSamples();
   void bind() const;
   void noteStats();
   bool look();
@@ -75,12 +76,20 @@ void Renderer::Impl::begin(const Frame& frame) {
   queue.countAll();
 }
 
-/// The frame, second half, in its order.
+/// What the frame is made of. Before its program is compiled, whoever works by a budget may say so.
 void Renderer::Impl::setUp() {
   data = std::move(coming);
   upload.complete(data);
   completeFrameData(data);
-  for (Pass* pass : drawing) pass->prepare(data);
+  for (Pass* pass : lighting) pass->prepare(data);
+  if (!rayCast.isReady(data)) queue.rest();
+  queue.add("Setup", [this] { addSamples(); });
+  queue.countAll();
+}
+
+/// The frame, second half, in its order.
+void Renderer::Impl::addSamples() {
+  for (Pass* pass : casting) pass->prepare(data);
   inputs.write(data);
   isDrawn = true;
   bind();
@@ -106,7 +115,8 @@ void Renderer::Impl::setUp() {
 void Renderer::Impl::bind() const {
   inputs.bind();
   upload.bind(data);
-  for (const Pass* pass : drawing) pass->bind(data);
+  for (const Pass* pass : lighting) pass->bind(data);
+  for (const Pass* pass : casting) pass->bind(data);
 }
 
 void Renderer::Impl::noteStats() {

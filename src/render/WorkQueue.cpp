@@ -45,7 +45,7 @@ bool WorkQueue::work(double budgetMs) {
   Clock::time_point start = Clock::now();
   // Time between calls is nobody's.
   mSince = start;
-  while (!mSteps.empty()) {
+  for (mRests = false; !mSteps.empty() && !mRests;) {
     // A step may add others, or start the frame anew: it is not looked at where it lies.
     Step step = mSteps.front();
     {

@@ -33,6 +33,8 @@ class WorkQueue {
 
   bool isEmpty() const { return mSteps.empty(); }
   double fractionDone() const;
+  /// For a piece, about one that comes after it: work() returns before that, whatever is left of its time.
+  void rest() { mRests = true; }
   /// Works for about that long, at least one piece. @return true when there is no more to hand over
   bool work(double budgetMs);
   /// Waits until the driver has done all that was handed over.
@@ -61,6 +63,7 @@ class WorkQueue {
 
   std::deque<Step> mSteps;
   std::size_t mCount = 0;
+  bool mRests = false;
   std::deque<HandedOver> mHandedOver;
   int mFrame = 0;            ///< Counts restarts: what is still with the driver from before is not this frame's.
   Clock::time_point mSince;  ///< When the driver began with the first that is with it.

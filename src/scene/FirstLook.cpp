@@ -14,6 +14,11 @@ namespace {
 constexpr double kMostOfFaces = 0.6;  ///< that may be opaque
 constexpr int kFaceVoxels = 3;        ///< behind a place of a face, which make it opaque or not
 constexpr int kLeastSide = 16;        ///< voxels; what has a shorter side is a slab
+constexpr int kSolidCells = 64;       ///< along the longest side, in which it is asked whether something is solid
+constexpr double kSkin = 0.05;        ///< of the mean side, that cells and fibres are hardly thicker than to both sides
+constexpr double kSeen = 0.1;         ///< opacity of what is about a tenth as bright as what is brightest
+constexpr float kMostAbout = 0.8f;    ///< of the cells about one of something solid, that are seen
+constexpr double kSolid = 0.5;        ///< of what is seen, that is within something solid in tissue
 
 /// Values along short ways into the volume, from places all over the six faces of its box.
 struct Borders {
@@ -77,6 +82,69 @@ double veiledShare(const Borders& borders, const TransferFunction& transfer) {
   return double(veiled) / double(std::max<std::size_t>(borders.values.size(), 1));
 }
 
+/// A coarse grid over a volume. [z][y][x]
+struct Cells {
+  glm::ivec3 step, dims;  ///< step: voxels along a cell's edges
+  std::vector<float> values;
+  float& at(glm::ivec3 cell) {
+    return values[(std::size_t(cell.z) * std::size_t(dims.y) + std::size_t(cell.y)) * std::size_t(dims.x) +
+                  std::size_t(cell.x)];
+  }
+  template <class Visit>
+  void forAll(const Visit& visit) {
+    glm::ivec3 cell;
+    for (cell.z = 0; cell.z < dims.z; ++cell.z)
+      for (cell.y = 0; cell.y < dims.y; ++cell.y)
+        for (cell.x = 0; cell.x < dims.x; ++cell.x) visit(cell);
+  }
+};
+
+/// 1 where something is seen, by the mean of a few voxels: noise would be holes.
+Cells seenCells(const Volume& volume, const TransferFunction& transfer) {
+  int longest = std::max(volume.dims.x, std::max(volume.dims.y, volume.dims.z));
+  Cells cells;
+  cells.step = glm::max(glm::ivec3(1), glm::min(glm::ivec3((longest + kSolidCells - 1) / kSolidCells), volume.dims));
+  cells.dims = volume.dims / cells.step;
+  cells.values.resize(std::size_t(cells.dims.x) * std::size_t(cells.dims.y) * std::size_t(cells.dims.z));
+  cells.forAll([&](glm::ivec3 cell) {
+    glm::ivec3 middle = cell * cells.step + cells.step / 2;
+    double sum = 0;
+    for (int corner = 0; corner < 8; ++corner)
+      sum += valueAt(volume, glm::min(middle + glm::ivec3(corner & 1, corner >> 1 & 1, corner >> 2), volume.dims - 1));
+    cells.at(cell) = opacityAt(transfer.opacities, sum / 8.0) > kSeen ? 1.0f : 0.0f;
+  });
+  return cells;
+}
+
+/// Means along an axis, over so many cells to both sides.
+void smear(Cells& cells, int axis, int reach) {
+  Cells before = cells;
+  cells.forAll([&](glm::ivec3 cell) {
+    float sum = 0;
+    for (int d = -reach; d <= reach; ++d) {
+      glm::ivec3 beside = cell;
+      beside[axis] = std::clamp(cell[axis] + d, 0, cells.dims[axis] - 1);
+      sum += before.at(beside);
+    }
+    cells.at(cell) = sum / float(2 * reach + 1);
+  });
+}
+
+/// How much of what is seen lies within something solid, where most of what is about it is seen, too: most of tissue,
+/// less of cells, next to nothing of fibres.
+double solidShare(const Volume& volume, const TransferFunction& transfer) {
+  Cells seen = seenCells(volume, transfer), about = seen;
+  int reach = std::max(1, int(std::lround(kSkin * std::cbrt(double(seen.values.size())))));
+  for (int axis = 0; axis < 3; ++axis)
+    if (volume.dims[axis] >= kLeastSide) smear(about, axis, reach);  // a slab is a cut through it
+  double all = 0, solid = 0;
+  for (std::size_t i = 0; i < seen.values.size(); ++i) {
+    all += seen.values[i];
+    solid += seen.values[i] > 0 && about.values[i] > kMostAbout;
+  }
+  return all > 0 ? solid / all : 0.0;
+}
+
 /// One axis is over twice as coarse as the others.
 bool hasThickSlices(const Volume& volume) {
   glm::dvec3 s = spacingOf(volume);
@@ -107,8 +175,10 @@ void applyFirstLook(Scene& scene) {
   glm::dvec3 spacing = spacingOf(volume);
   double voxel = (spacing.x + spacing.y + spacing.z) / 3.0;
   Borders borders = bordersOf(volume);
-  // Optical sections of a haze: what is bright in it. Of a slab the faces are cuts through the object.
-  if (chosen == "microscopy" && thickness >= kLeastSide && veiledShare(borders, scene.volume.transfer) > 0.5)
+  // Optical sections of a haze: what is bright in it. Of a slab the faces are cuts through the object. And of cells and
+  // fibres on dark ground, which the look of tissue makes mud of.
+  bool isHaze = thickness >= kLeastSide && veiledShare(borders, scene.volume.transfer) > 0.5;
+  if (chosen == "microscopy" && (isHaze || solidShare(volume, scene.volume.transfer) < kSolid))
     applyPreset(scene, "fluorescence");
   // What is there but for the most of what lies on the faces.
   for (double left : {0.2, 0.1, 0.05, 0.02})

@@ -11,6 +11,7 @@
 
 #include "velum/core/Error.h"
 #include "velum/core/Vectors.h"
+#include "velum/scene/PatientDirections.h"
 
 namespace velum::scene {
 
@@ -129,11 +130,13 @@ Camera frameCamera(const Scene& scene, StandardView view, double aspect) {
 StandardView defaultView(const Scene& scene) {
   Bounds bounds = computeBounds(scene);
   glm::dvec3 edges = bounds.max - bounds.min;
-  if (edges.z < 0.2 * std::min(edges.x, edges.y)) return StandardView::Superior;
+  // A slab of an MR, mostly of vessels, is seen as it was taken: along its longest ways there would be a strip of it.
+  auto modality = scene.volume.data ? scene.volume.data->modality : Modality::Unknown;
+  bool isMr = modality == Modality::MR || modality == Modality::Angiography;
+  if (edges.z < (isMr ? 0.45 : 0.2) * std::min(edges.x, edges.y)) return StandardView::Superior;
   if (edges.x < 0.2 * std::min(edges.y, edges.z)) return StandardView::Left;
   if (edges.y < 0.2 * std::min(edges.x, edges.z)) return StandardView::Anterior;
-  bool isPatient = scene.volume.data ? scene.volume.data->isOrientationKnown : !scene.model.data;
-  return isPatient ? StandardView::Anterior : StandardView::Oblique;
+  return hasPatientDirections(scene) ? StandardView::Anterior : StandardView::Oblique;
 }
 
 const Cut* findCut(const Scene& scene, int id) {

@@ -47,6 +47,52 @@ TEST_F(CutWindow, ACutKeepsAStructureWholeFromListAndMenu) {
   EXPECT_EQ(kept->model()->index(1, 0).data(Qt::CheckStateRole).toInt(), int(Qt::Checked));
 }
 
+TEST_F(CutWindow, AClickAnywhereOnTheEyeOfACutTurnsItOnOrOffOnce) {
+  openWithLabels();
+  mWindow->actions().find("cut.addPlane")->trigger();
+  auto* cuts = child<QListWidget>("cutList");
+  QRect row = cuts->visualItemRect(cuts->item(0));
+  for (int x = 2; x < 27; x += 3)
+    for (int y = 2; y < row.height() - 1; y += 4) {
+      bool before = scene().cuts[0].enabled;
+      QTest::mouseClick(cuts->viewport(), Qt::LeftButton, {}, row.topLeft() + QPoint(x, y));
+      EXPECT_EQ(scene().cuts[0].enabled, !before) << x << ", " << y;
+      EXPECT_EQ(document().undoLabel(), before ? "Turn cut off" : "Turn cut on");
+      document().undo();
+      EXPECT_EQ(scene().cuts[0].enabled, before) << "and is one step";
+    }
+}
+
+TEST_F(CutWindow, UndoAfterEnterInAFieldTakesBackWhatWasEntered) {
+  openWithLabels();
+  mWindow->actions().find("cut.addBox")->trigger();
+  auto* field = child<QDoubleSpinBox>("cutSize1");
+  double before = scene().cuts[0].size.y;
+  auto type = [&](const char* text) {
+    field->setFocus();
+    field->selectAll();
+    QTest::keyClicks(field, text);
+  };
+  type("12.5");
+  QTest::keyClick(field, Qt::Key_Return);
+  EXPECT_EQ(scene().cuts[0].size.y, 12.5);
+  QTest::keyClick(field, Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(scene().cuts[0].size.y, before);
+  EXPECT_EQ(field->value(), before);
+  QTest::keyClick(field, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_EQ(scene().cuts[0].size.y, 12.5) << "and redo brings it back";
+  // The same number as it is shown: the text has its own memory of that.
+  type("12.5 mm");
+  QTest::keyClick(field, Qt::Key_Return);
+  QTest::keyClick(field, Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(scene().cuts[0].size.y, before);
+  // What is being typed is the field's.
+  type("7");
+  QTest::keyClick(field, Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(scene().cuts[0].size.y, before);
+  EXPECT_NE(field->text().trimmed(), "7");
+}
+
 TEST_F(CutWindow, EveryShapeIsAddedNamedEditedAndMoved) {
   openWithLabels();
   for (const char* id : {"cut.addBox", "cut.addSphere", "cut.addCylinder", "cut.addCone", "cut.alongView"})

@@ -6,6 +6,7 @@
 
 #include "Shots.h"
 #include "StructureFixture.h"
+#include "kit/Amounts.h"
 #include "velum/session/cut/CutEdit.h"
 
 namespace velum::gui {
@@ -133,6 +134,31 @@ TEST_F(StructureWindow, AClickInThePictureSelectsAndItsRowIsSeen) {
   QTest::mouseClick(&viewport(), Qt::LeftButton, {}, {3, 3});
   EXPECT_EQ(mWindow->selection().structure(), 0);
   EXPECT_FALSE(document().isModified());  // selecting is no edit
+}
+
+TEST_F(StructureWindow, EverySizeHasItsUnitAndHasRoom) {
+  openWithLabels();
+  ASSERT_TRUE(wait([&] { return !mWindow->structures().meter().isMeasuring(); }));
+  for (const auto& structure : structures()) {
+    QString text = list().rows().sizeText(structure.id);
+    EXPECT_TRUE(text.endsWith(" ml")) << text.toStdString();
+    int room = list().cellOf(structure.id, StructureModel::Size).width() - 8;
+    EXPECT_LE(list().fontMetrics().horizontalAdvance(text), room) << text.toStdString();
+  }
+  EXPECT_LE(list().fontMetrics().horizontalAdvance(QString::fromUtf8("9999 \u00b5m\u00b3")), 62);
+}
+
+TEST(Amounts, AreToldInTheUnitThatPeopleUseForSoMuch) {
+  auto mm = LengthUnit::Millimetre, angstrom = LengthUnit::Angstrom;
+  EXPECT_EQ(volumeText(699e3, mm), "699 ml");
+  EXPECT_EQ(volumeText(1.65e6, mm), "1650 ml");
+  EXPECT_EQ(volumeText(7.2e7, mm), "72.0 l");
+  EXPECT_EQ(volumeText(42.0, mm), QString::fromUtf8("42.0 mm\u00b3"));
+  EXPECT_EQ(volumeText(523e-9, mm), QString::fromUtf8("523 \u00b5m\u00b3")) << "a nucleus of 10 um";
+  EXPECT_EQ(volumeText(4.2e6, angstrom), QString::fromUtf8("4200 nm\u00b3"));
+  EXPECT_EQ(areaText(5.5e4, mm), QString::fromUtf8("550 cm\u00b2"));
+  EXPECT_EQ(areaText(314e-6, mm), QString::fromUtf8("314 \u00b5m\u00b2"));
+  EXPECT_EQ(areaText(2.5e4, angstrom), QString::fromUtf8("250 nm\u00b2"));
 }
 
 TEST_F(StructureWindow, ADoubleClickGoesThere) {

@@ -263,6 +263,7 @@ TEST_F(VolumeWays, PlanesThatNoSliceGaveAreHatchedInRed) {
   auto show = [&](std::vector<glm::ivec2> gaps) {
     Volume volume = sample.volume;
     volume.gaps = std::move(gaps);
+    volume.warnings = {"distances between slices run from 2.000 to 246.000 mm"};
     shown.volume.data = Shared<Volume>(std::move(volume));
     scene::applyPreset(shown, scene::choosePreset(*shown.volume.data));
     mWindow->showScene(shown, "gaps");
@@ -283,7 +284,8 @@ TEST_F(VolumeWays, PlanesThatNoSliceGaveAreHatchedInRed) {
   int without = reds(show({})), with = reds(show({{10, 4}}));
   takeShot(*mWindow, "gaps");
   EXPECT_GT(with, without + 100);
-  EXPECT_TRUE(mWindow->messages().text().contains("4 are missing")) << mWindow->messages().text().toStdString();
+  for (const char* words : {"4 are missing", "246.000 mm"})
+    EXPECT_TRUE(mWindow->messages().text().contains(words)) << mWindow->messages().text().toStdString();
 }
 
 }  // namespace

@@ -109,9 +109,41 @@ TEST(Dicom, MissingSliceIsFilledInWithAWarning) {
   EXPECT_EQ(v.gaps[0][1], 1) << "and where it was stays known";
 }
 
-TEST(Dicom, MoreThanHalfMissingIsRefused) {
+TEST(Dicom, NothingIsMadeUpBetweenSlicesThatAreFarApart) {
+  {  // Two parts of a body, 95 mm apart.
+    TempFolder folder;
+    writeSeries(folder, {0, 1, 2, 40, 41, 42});
+    Volume v = read(folder.path());
+    ASSERT_EQ(v.dims.z, 43);
+    for (int z = 0; z < 43; ++z) EXPECT_EQ(valueAt(v, {0, 0, z}), z <= 2 || z >= 40 ? 10 * z : 0) << z;
+    ASSERT_EQ(v.gaps.size(), 1u);
+    EXPECT_EQ(v.gaps[0], glm::ivec2(3, 37));
+    EXPECT_TRUE(warns(v, "37 left empty")) << v.warnings[0];
+    EXPECT_FALSE(warns(v, "linearly"));
+    EXPECT_NEAR(glm::dot(glm::dvec3(v.worldFromVoxel * glm::dvec4(0, 0, 42, 1)), glm::dvec3(0, 0, 1)), 30 + 42 * 2.5,
+                1e-6)
+        << "each slice is where it was";
+  }
+  {  // A few slices, each far from the next, are no body from the first to the last.
+    TempFolder folder;
+    writeSeries(folder, {0, 1, 2, 3}, {0, 0, 246});
+    Volume v = read(folder.path());
+    std::set<double> seen;
+    int shown = 0;
+    for (int z = 0; z < v.dims.z; ++z) {
+      seen.insert(valueAt(v, {1, 0, z}));
+      shown += valueAt(v, {1, 0, z}) != v.range.x;
+    }
+    EXPECT_LE(seen.size(), 4u) << "no value lies between those of the slices";
+    EXPECT_LT(shown, v.dims.z / 10);
+    EXPECT_NEAR(spacingOf(v).z * (v.dims.z - 1), 3 * 246.0, 1e-6);
+    EXPECT_TRUE(warns(v, "246.000")) << v.warnings[0];
+  }
+}
+
+TEST(Dicom, SlicesThatAreAllButMissingAreRefused) {
   TempFolder folder;
-  writeSeries(folder, {0, 1, 2, 40});
+  writeSeries(folder, {0, 1, 2, 40000});
   EXPECT_THROW(read(folder.path()), InputError);
 }
 

@@ -78,6 +78,18 @@ TEST(MetaImage, RowsOfTheMatrixAreTheDirectionsOfTheAxes) {
   EXPECT_EQ(valueAt(v, {0, 1, 0}), 'd');
 }
 
+TEST(MetaImage, DirectionsAreThePatientsWhereAxesAreNamedOrTurned) {
+  TempFolder folder;
+  for (auto [more, known] : {std::pair("TransformMatrix = 1 0 0 0 1 0 0 0 1\n", false),
+                             {"TransformMatrix = 1 0 0 0 1 0 0 0 1\nAnatomicalOrientation = RAI\n", true},
+                             {"TransformMatrix = 1 0 0 0 1 0 0 0 1\nAnatomicalOrientation = ???\n", false},
+                             {"AnatomicalOrientation = RAI\n", false},
+                             {"TransformMatrix = -1 0 0 0 -1 0 0 0 1\n", true}}) {
+    writeText(folder / "a.mha", header(kSmall + std::string(more)) + "abcdef");
+    EXPECT_EQ(read(folder / "a.mha").isOrientationKnown, known) << more;
+  }
+}
+
 TEST(MetaImage, EveryNameOfAFieldIsTheSameField) {
   TempFolder folder;
   for (const char* matrix : {"TransformMatrix", "Rotation", "Orientation"})

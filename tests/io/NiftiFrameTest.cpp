@@ -171,6 +171,16 @@ TEST(NiftiFrame, SecondsMillisecondsAndMicrosecondsAreSecondsHere) {
     }
 }
 
+TEST(NiftiFrame, TheUnitMatrixSaysNothingOfAPatient) {
+  for (double shift : {0.0, -90.0}) {
+    Header h;
+    h.sformCode = 2, h.qformCode = 0;
+    for (int i = 0; i < 3; ++i) h.sform[i][i] = 1.0;
+    h.sform[0][3] = shift;
+    EXPECT_EQ(readHeader(h).isOrientationKnown, shift != 0.0);
+  }
+}
+
 TEST(NiftiFrame, WithoutAFormSpacingIsKeptAndTheRestSaid) {
   Header h;
   h.qformCode = 0;

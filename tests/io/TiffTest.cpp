@@ -224,6 +224,7 @@ TEST(Tiff, PlanesOfAFolderAreSlicesInNaturalOrder) {
     EXPECT_NEAR(spacingOf(v).z, 0.05, 1e-12);
     EXPECT_TRUE(v.isSpacingKnown);
     EXPECT_FALSE(v.isOrientationKnown);
+    EXPECT_EQ(v.modality, Modality::Microscopy) << "of 16 bits: what else has such a camera";
     EXPECT_FALSE(read(folder / "planes").isSpacingKnown);
   }
 }

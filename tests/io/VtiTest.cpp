@@ -130,6 +130,15 @@ TEST(Vti, FieldDataThatIsNotOursIsPassedOver) {
   }
 }
 
+TEST(Vti, DirectionsAreThePatientsWhereTheyTurnSomething) {
+  File f;
+  f.array = kNumbers;
+  for (auto [direction, known] : {std::pair("1 0 0 0 1 0 0 0 1", false), {"-1 0 0 0 -1 0 0 0 1", true}}) {
+    f.image = "Origin=\"1 2 3\" Spacing=\"0.5 0.5 2\" Direction=\"" + std::string(direction) + "\"";
+    EXPECT_EQ(readText(textOf(f)).isOrientationKnown, known) << direction;
+  }
+}
+
 TEST(Vti, ADirectionInOnePlaneGivesWayToTheSpacing) {
   File f;
   f.array = kNumbers;

@@ -84,6 +84,29 @@ TEST(FirstLook, ShowsBrightStructuresWhereHazeIsThinToo) {
   EXPECT_EQ(scene.volume.transfer.preset, "fluorescence");
 }
 
+/// Nuclei of a culture as a camera of 12 bits sees them, blurred and noisy, or a whole brain of the same brightness.
+Volume opticalSections(bool isTissue) {
+  Volume v = makeVolume({kSize, kSize, kSize}, SampleType::UInt16, [&](glm::ivec3 p) {
+    double noise = 60.0 * hashNoise(p), r = isTissue ? radius(p, kSize) / 0.75 : 2.0;
+    for (int i = 0; i < 60 && !isTissue; ++i) {
+      glm::dvec3 middle((i * 37) % kSize, (i * 61 + 5) % kSize, (i * 23 + 11) % kSize);
+      r = std::min(r, glm::length(glm::dvec3(p) - middle) / 3.5);
+    }
+    return std::max(0.0, 120.0 + 2600.0 / (1.0 + std::exp(12.0 * (r - 1.0))) + noise);
+  });
+  v.isOrientationKnown = false;
+  v.modality = Modality::Microscopy;  // as the reader of TIFF says of 16 bits
+  return v;
+}
+
+TEST(FirstLook, CellsAreFluorescenceAndTissueIsTissue) {
+  EXPECT_EQ(firstLook(opticalSections(false)).volume.transfer.preset, "fluorescence");
+  EXPECT_EQ(firstLook(opticalSections(true)).volume.transfer.preset, "microscopy");
+  Scene cells = firstLook(opticalSections(false));
+  EXPECT_GT(opacityAt(cells.volume.transfer.opacities, 2600.0), 0.4) << "nuclei";
+  EXPECT_EQ(opacityAt(cells.volume.transfer.opacities, 150.0), 0.0) << "and not what is between them";
+}
+
 TEST(FirstLook, OfASinglePlaneIsThePictureThatItIs) {
   Volume line = makeVolume({1, 60, 80}, SampleType::Float32, [](glm::ivec3 p) { return std::sin(0.3 * p.z); });
   line.modality = Modality::Seismic;
@@ -175,6 +198,69 @@ TEST(VisibleFrame, WhatShowsFillsMostOfThePicture) {
         EXPECT_GT(fill, 0.7) << enumName(view) << ", " << aspect;
         EXPECT_LT(fill, 1.0) << enumName(view) << ", " << aspect;
       }
+}
+
+/// A tree in a pot: a wide flat base, a trunk, a crown of twigs. @param axis, sign  which way is up
+Volume potPlant(int axis, int sign) {
+  glm::ivec3 dims(64);
+  Volume v = makeVolume(dims, SampleType::UInt8, [&](glm::ivec3 p) {
+    double height = sign > 0 ? p[axis] : 63 - p[axis];
+    glm::dvec2 off(p[(axis + 1) % 3] - 32.0, p[(axis + 2) % 3] - 32.0);
+    bool isPot = height > 4 && height < 16 && glm::length(off) < 12.0 + 0.4 * height;
+    bool isTrunk = height >= 16 && height < 40 && glm::length(off) < 3.0;
+    double crown = glm::length(glm::dvec3(off, height - 44.0));
+    bool isTwig = crown < 18.0 && (p.x + 2 * p.y + 3 * p.z) % 5 == 0;
+    return isPot || isTrunk || isTwig ? 200.0 : 0.0;
+  });
+  v.isOrientationKnown = false;
+  return v;
+}
+
+TEST(FirstCamera, WhatStandsOnAFlatBaseStandsUprightHoweverItLiesInTheFile) {
+  for (int axis = 0; axis < 3; ++axis)
+    for (int sign : {1, -1}) {
+      Scene scene = firstLook(potPlant(axis, sign));
+      Camera camera = firstCamera(scene, 4.0 / 3.0);
+      glm::dvec3 up(0.0);
+      up[axis] = sign;
+      EXPECT_EQ(camera.up, up) << axis << ", " << sign;
+      glm::dvec3 toEye = glm::normalize(camera.eye - camera.target);
+      EXPECT_GT(glm::dot(toEye, up), 0.1) << "and is not seen from below";
+      EXPECT_LT(glm::dot(toEye, up), 0.6);
+      // A patient's scan says itself which side is up.
+      Volume patient = potPlant(axis, sign);
+      patient.isOrientationKnown = true;
+      camera = firstCamera(firstLook(patient), 4.0 / 3.0);
+      EXPECT_EQ(camera.up, glm::dvec3(0, 0, 1));
+      EXPECT_LT(glm::normalize(camera.eye - camera.target).y, -0.99);
+    }
+}
+
+/// The edges of a box: no end of it is flat.
+Volume boxOfWires(glm::ivec3 dims) {
+  Volume v = makeVolume(dims, SampleType::UInt8, [dims](glm::ivec3 p) {
+    int outer = 0;
+    for (int axis = 0; axis < 3; ++axis) outer += p[axis] < 2 || p[axis] >= dims[axis] - 2;
+    return outer >= 2 ? 200.0 : 0.0;
+  });
+  v.isOrientationKnown = false;
+  return v;
+}
+
+TEST(FirstCamera, WhatIsNoPatientIsSeenAcrossItsLongestWays) {
+  int sides[] = {20, 40, 60};
+  do {
+    glm::ivec3 dims(sides[0], sides[1], sides[2]);
+    Scene scene = firstLook(boxOfWires(dims));
+    Camera camera = firstCamera(scene, 4.0 / 3.0);
+    glm::dvec3 toEye = glm::abs(glm::normalize(camera.eye - camera.target));
+    EXPECT_EQ(camera.up, glm::dvec3(0, 0, 1));
+    for (int axis = 0; axis < 3; ++axis) {
+      SCOPED_TRACE(testing::Message() << dims.x << ", " << dims.y << ", " << dims.z << ": " << axis);
+      EXPECT_LT(toEye[axis], dims[axis] == 60 ? 0.5 : dims[axis] == 40 ? 0.75 : 1.0);
+      EXPECT_GT(toEye[axis], dims[axis] == 20 ? 0.5 : 0.0);
+    }
+  } while (std::next_permutation(sides, sides + 3));
 }
 
 TEST(VisibleFrame, IsThatOfTheBoxWhereNothingShows) {

@@ -93,6 +93,19 @@ TEST(DefaultView, AThinSlabIsSeenFromItsWideSide) {
   EXPECT_EQ(viewOf({20, 40, 30}, false), StandardView::Oblique);
 }
 
+/// An angiography is a slab about the skull's base: from the front there would be a strip of it.
+TEST(DefaultView, ASlabOfAnMrIsSeenAsItWasTaken) {
+  for (auto [modality, view] : {std::pair(Modality::MR, StandardView::Superior),
+                                {Modality::Angiography, StandardView::Superior},
+                                {Modality::CT, StandardView::Anterior}}) {
+    Scene scene;
+    Volume volume = makeVolume({40, 44, 14}, SampleType::Int16, [](glm::ivec3 v) { return v.x; });
+    volume.modality = modality;
+    scene.volume.data = Shared<Volume>(std::move(volume));
+    EXPECT_EQ(defaultView(scene), view) << enumName(modality);
+  }
+}
+
 TEST(FrameCamera, AnEmptySceneGivesAUsableCamera) {
   Camera camera = frameCamera(Scene{}, StandardView::Oblique, 1.5);
   EXPECT_GT(glm::length(camera.eye - camera.target), 0.0);

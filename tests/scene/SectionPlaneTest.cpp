@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "makeVolume.h"
+#include "velum/scene/PatientDirections.h"
 
 namespace velum::scene {
 
@@ -64,6 +65,33 @@ TEST(SectionPlane, ViewsAreRadiological) {
     EXPECT_EQ(patientLetters(plane.up), top);
     EXPECT_FALSE(isOblique(scene.sections, kind));
   }
+}
+
+TEST(SectionPlane, DirectionsOfAPatientAreThoseThatAFileHasSaid) {
+  Scene scene;
+  Volume volume = makeVolume({4, 4, 4}, SampleType::UInt8, [](glm::ivec3 v) { return v.x; });
+  for (bool known : {true, false}) {
+    volume.isOrientationKnown = known;
+    scene.volume.data = Shared<Volume>(volume);
+    EXPECT_EQ(hasPatientDirections(scene), known);
+  }
+  // Labels alone, as a TIFF holds them, and placed about a scanner's middle.
+  Scene labels;
+  glm::dmat4 plain = glm::dmat4(glm::dmat3(0.5));
+  labels.labels.data = Shared<LabelVolume>(makeLabels(
+      {4, 4, 4}, [](glm::ivec3 v) { return v.x; }, plain));
+  EXPECT_FALSE(hasPatientDirections(labels));
+  plain[3] = glm::dvec4(-90, -126, -72, 1);
+  labels.labels.data = Shared<LabelVolume>(makeLabels(
+      {4, 4, 4}, [](glm::ivec3 v) { return v.x; }, plain));
+  EXPECT_TRUE(hasPatientDirections(labels));
+  // No format of surfaces has them.
+  Scene surface;
+  surface.surfaces.emplace_back();
+  surface.surfaces[0].data = Shared<Mesh>(Mesh{});
+  EXPECT_FALSE(hasPatientDirections(surface));
+  surface.model.data = Shared<Model>(Model{});
+  EXPECT_FALSE(hasPatientDirections(surface));
 }
 
 TEST(SectionPlane, LettersNameTheStrongestPartFirst) {

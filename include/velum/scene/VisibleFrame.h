@@ -9,4 +9,9 @@ namespace velum::scene {
 /// million voxels, at most two of which are looked at.
 Camera frameVisible(const Scene& scene, StandardView view, double aspect);
 
+/// The camera by which new data is first seen. A patient is met from defaultView(). Of what is none nobody says which
+/// side is up: it stands on a flat base, if it has one at one end alone, or else as it lies in its box; and it is seen
+/// from a corner, across its longest ways. Cost as frameVisible().
+Camera firstCamera(const Scene& scene, double aspect);
+
 }  // namespace velum::scene

@@ -47,9 +47,12 @@ class Delegate : public QStyledItemDelegate {
 
   bool editorEvent(QEvent* event, QAbstractItemModel* model, const QStyleOptionViewItem& option,
                    const QModelIndex& index) override {
-    if (event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseButtonDblClick) {
+    bool presses = event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseButtonDblClick;
+    if (presses || event->type() == QEvent::MouseButtonRelease) {
       auto* mouse = static_cast<QMouseEvent*>(event);
       if (mouse->button() == Qt::LeftButton && eyeBox(option.rect).contains(mouse->position())) {
+        // The base would take the release over its own box, which lies in the eye, for a second click.
+        if (!presses) return true;
         bool enabled = index.data(Qt::CheckStateRole).toInt() == Qt::Checked;
         return model->setData(index, enabled ? Qt::Unchecked : Qt::Checked, Qt::CheckStateRole);
       }

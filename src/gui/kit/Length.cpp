@@ -5,12 +5,11 @@
 #include <utility>
 
 #include "Preferences.h"
+#include "velum/scene/PatientDirections.h"
 
 namespace velum::gui {
 
-bool hasPatientLetters(const scene::Scene& scene) {
-  return scene.volume.data ? scene.volume.data->isOrientationKnown : !scene.model.data;
-}
+bool hasPatientLetters(const scene::Scene& scene) { return scene::hasPatientDirections(scene); }
 
 Length::Length(const scene::Scene& scene) : mFormat(scene::lengthFormat(scene)) {
   takeChosenUnit();

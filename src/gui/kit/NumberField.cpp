@@ -131,7 +131,14 @@ void NumberField::keepUntaken(Base base) {
 
 void NumberField::keyPressEvent(QKeyEvent* event) {
   bool enters = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
-  if (enters) return keepUntaken([&] { QDoubleSpinBox::keyPressEvent(event); });
+  if (enters) {
+    keepUntaken([&] { QDoubleSpinBox::keyPressEvent(event); });
+    if (isMarked()) return;
+    // What has been entered is the scene's to take back, not the text's.
+    const QSignalBlocker quiet(lineEdit());
+    lineEdit()->setText(lineEdit()->text());
+    return selectAll();
+  }
   if (event->key() == Qt::Key_Escape && isMarked()) {
     mIsMarked = false;
     return setValue(value());  // says the number again

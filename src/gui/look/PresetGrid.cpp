@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "kit/CallLater.h"
+#include "kit/Length.h"
 #include "kit/Widgets.h"
 #include "velum/scene/Presets.h"
 #include "velum/session/picture/PresetPictures.h"
@@ -80,7 +81,7 @@ void PresetGrid::fill() {
   bool mixes = scene::mixesChannels(mDocument.scene().volume);
   Modality first = mixes ? Modality::Microscopy : mVolume ? kindOf(*mVolume) : Modality::Unknown;
   // A patient's scan of which nothing is known is an MR more often than anything else.
-  bool isPatient = mVolume && mVolume->isOrientationKnown;
+  bool isPatient = mVolume && hasPatientLetters(mDocument.scene());
   Modality second = first == Modality::Unknown && isPatient ? Modality::MR : first;
   std::string current = scene::currentTransfer(mDocument.scene().volume).preset;
   mList->clear();

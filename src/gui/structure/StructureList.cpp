@@ -18,7 +18,7 @@ namespace velum::gui {
 namespace {
 
 constexpr int kRowHeight = 25;
-constexpr int kWidths[StructureModel::kColumns] = {28, 22, 0, 52, 64, 64, 52, 24, 122};
+constexpr int kWidths[StructureModel::kColumns] = {28, 22, 0, 70, 64, 64, 52, 24, 122};
 constexpr double kGrip = 5.0, kBarStep = 0.05;
 constexpr double kBarMargin = 5.0;
 

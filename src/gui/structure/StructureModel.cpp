@@ -6,20 +6,10 @@
 #include <cmath>
 #include <utility>
 
+#include "kit/Amounts.h"
 #include "velum/core/Text.h"
 
 namespace velum::gui {
-
-namespace {
-
-/// Three digits that matter; nothing smaller than a microlitre.
-QString volumeText(double volume) {
-  if (volume >= 100.0) return QString::number(volume, 'f', 0);
-  if (volume >= 10.0) return QString::number(volume, 'f', 1);
-  return QString::number(volume, 'f', volume >= 0.095 ? 2 : 3);
-}
-
-}  // namespace
 
 StructureModel::StructureModel(const StructureMeter& meter, const AreaMeter& areas, QObject* parent)
     : QAbstractTableModel(parent), mMeter(meter), mAreas(areas) {}
@@ -47,16 +37,8 @@ void StructureModel::setRows(const std::vector<scene::Structure>& rows, std::opt
   if (first >= 0) emit dataChanged(index(first, 0), index(last, kColumns - 1));
 }
 
-QString StructureModel::volumeUnit() const {
-  return mLengthUnit == LengthUnit::Angstrom ? QString::fromUtf8("nm\u00b3") : QStringLiteral("ml");
-}
-
-QString StructureModel::surfaceUnit() const {
-  return QString::fromUtf8(mLengthUnit == LengthUnit::Angstrom ? "nm\u00b2" : "cm\u00b2");
-}
-
 void StructureModel::setLengthUnit(LengthUnit unit) {
-  if (std::exchange(mLengthUnit, unit) != unit) emit headerDataChanged(Qt::Horizontal, Size, Size);
+  if (std::exchange(mLengthUnit, unit) != unit) sizesChanged();
 }
 
 void StructureModel::sizesChanged() {
@@ -89,7 +71,9 @@ int StructureModel::columnCount(const QModelIndex& parent) const { return parent
 
 QString StructureModel::sizeText(int id) const {
   const session::StructureSize* size = mMeter.find(id);
-  return size ? volumeText(size->volume) : mMeter.isMeasuring() ? QString() : QString::fromUtf8("\u2013");
+  return size                   ? volumeText(1e3 * size->volume, mLengthUnit)
+         : mMeter.isMeasuring() ? QString()
+                                : QString::fromUtf8("\u2013");
 }
 
 QString StructureModel::valueText(int id, Column column) const {
@@ -137,9 +121,9 @@ QString StructureModel::tipOf(const scene::Structure& structure, int column) con
   QString tip = QString("%1\n%2").arg(data(index(rowOf(structure.id), Name), Qt::DisplayRole).toString(),
                                       tr("Number %1").arg(structure.id));
   if (const session::StructureSize* size = mMeter.find(structure.id))
-    tip += "\n" + tr("%1 voxels, %2 %3, surface %4 %5")
-                      .arg(QLocale().toString(qulonglong(size->voxels)), volumeText(size->volume), volumeUnit(),
-                           volumeText(size->surface), surfaceUnit());
+    tip += "\n" + tr("%1 voxels, %2, surface %3")
+                      .arg(QLocale().toString(qulonglong(size->voxels)), volumeText(1e3 * size->volume, mLengthUnit),
+                           areaText(1e2 * size->surface, mLengthUnit));
   else if (!mMeter.isMeasuring())
     tip += "\n" + tr("No voxel has this number");
   return tip + valuesTip(structure.id) + "\n" + tr("Double click: go there. F2: rename");
@@ -200,7 +184,7 @@ QVariant StructureModel::headerData(int section, Qt::Orientation orientation, in
   const QString names[kColumns] = {tr("Shown"),
                                    tr("Colour"),
                                    tr("Name"),
-                                   tr("Size, %1").arg(volumeUnit()),
+                                   tr("Size"),
                                    isUptake ? tr("SUVmean") : withUnit(tr("Mean")),
                                    isUptake ? tr("SUVmax") : withUnit(tr("Max")),
                                    tr("Opacity"),

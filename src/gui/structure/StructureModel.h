@@ -59,8 +59,6 @@ class StructureModel : public QAbstractTableModel {
   void renamed(int id, const QString& name);
 
  private:
-  QString volumeUnit() const;
-  QString surfaceUnit() const;
   QString sizeText(int id) const;
   QString valueText(int id, Column column) const;
   QString valuesTip(int id) const;

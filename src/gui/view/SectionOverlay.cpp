@@ -147,7 +147,7 @@ void drawGaps(QPainter& painter, const Volume& volume, const scene::SectionPlane
 void drawTitle(QPainter& painter, const scene::Scene& scene, scene::SectionKind kind, bool hasFocus) {
   QColor color = kSectionColors[static_cast<int>(kind)];
   static constexpr const char* kAxes[] = {"XY", "XZ", "YZ"};
-  bool known = !scene.volume.data || scene.volume.data->isOrientationKnown;
+  bool known = hasPatientLetters(scene);
   QString name = known ? sectionName(kind) : QString(kAxes[static_cast<int>(kind)]);
   if (scene::isOblique(scene.sections, kind)) name += tr(" (turned)");
   double width = painter.fontMetrics().horizontalAdvance(name) + 30.0;
@@ -182,7 +182,7 @@ void paintSectionOverlay(QPainter& painter, const scene::Scene& scene, scene::Se
                          const scene::SectionPlane& plane, const SectionHints& hints) {
   painter.setRenderHint(QPainter::Antialiasing);
   const auto& volume = scene.volume.data;
-  bool letters = !volume || volume->isOrientationKnown, lengths = !volume || volume->isSpacingKnown;
+  bool letters = hasPatientLetters(scene), lengths = !volume || volume->isSpacingKnown;
   if (volume && !volume->gaps.empty()) drawGaps(painter, *volume, plane);
   if (scene.sections.showCrosshair) drawCrosshair(painter, scene, kind, plane, hints);
   if (letters) drawLetters(painter, plane);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "CoarseScale.h"
+#include "PreparingVeil.h"
 #include "velum/core/Error.h"
 #include "velum/scene/Navigate.h"
 #include "velum/scene/Project.h"
@@ -22,11 +23,14 @@ constexpr int kRestMs = 140;            // a hand that pauses in a drag for less
 constexpr int kTellMs = 250;            // how often the status line is told: the window is composed anew for each word
 constexpr int kShowMs = 150;            // how often a growing picture is shown: showing costs a pass over it
 
+PreparingVeil& veilOf(QWidget& view) { return *view.findChild<PreparingVeil*>({}, Qt::FindDirectChildrenOnly); }
+
 }  // namespace
 
 Viewport::Viewport(session::Session& session, Toolbox& toolbox, QWidget* parent)
     : QOpenGLWidget(parent), mSession(session), mDocument(session.document()), mToolbox(toolbox) {
   mToolbox.addView(*this);
+  new PreparingVeil(*this);  // below what tools draw
   setAccessibleName(tr("3D view"));
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
@@ -82,6 +86,7 @@ void Viewport::release() {
   makeCurrent();
   mContext->makeCurrent();
   mShown.reset();
+  veilOf(*this).forget();
   mFrame = {};  // it holds sheets
   mSession.releaseGpu();
   mRenderer.reset();
@@ -167,6 +172,14 @@ void Viewport::startAnew() {
   mPending = true;
   mRestTimer.stop();
   mToolbox.repaint(*this);
+  if (mRenderer) {
+    veilOf(*this).await(mDocument.scene());
+    if (mToldStage == Stage::Idle && isVisible()) {
+      mToldStage = Stage::Coarse;
+      mSinceTold.start();
+      emit refined(0.0, tr("Preparing"));
+    }
+  }
   if (mRenderer && !mSectionTimer.isActive() && !mPauseTimer.isActive()) mSectionTimer.start();
 }
 
@@ -194,6 +207,7 @@ void Viewport::begin(Stage stage) {
 }
 
 void Viewport::section() {
+  if (veilOf(*this).awaitsPaint()) return;
   if (!bindContext()) return mSectionTimer.stop();
   try {
     bool moving = driveSheets();
@@ -203,6 +217,7 @@ void Viewport::section() {
   } catch (const Error& error) {
     mStage = Stage::Idle;
     mPending = false;
+    veilOf(*this).fail();
     mSectionTimer.stop();
     emit failed(QString::fromUtf8(error.what()));
   }
@@ -215,7 +230,12 @@ bool Viewport::drawSome() {
   // A coarse picture on its way is finished first: a steady drag would otherwise never show one.
   if (mPending && (mStage != Stage::Coarse || otherData)) begin(Stage::Coarse);
   if (mStage == Stage::Idle || mRestTimer.isActive()) return false;
-  bool done = mRenderer->work(mFrame, mStage == Stage::Coarse ? kCoarseWorkMs : kWorkMs);
+  double budgetMs = mStage == Stage::Coarse ? kCoarseWorkMs : kWorkMs;
+  QElapsedTimer clock;
+  clock.start();
+  bool done = mRenderer->work(mFrame, budgetMs);
+  // It rests before what is long: what that will replace is dimmed first.
+  if (!done && double(clock.nsecsElapsed()) * 1e-6 < budgetMs) veilOf(*this).awaitLong();
   bool grown = mStage == Stage::Full && mRenderer->stats().samples > 0 && mSinceShown.elapsed() > kShowMs;
   if (done || grown) show();
   return !done || finishStage();
@@ -226,6 +246,8 @@ void Viewport::show() {
   mHasPicture = mIsFresh = true;
   mRenderer->present(mShown->handle(), {mShown->width(), mShown->height()});
   mSinceShown.restart();
+  veilOf(*this).lift(mFrame.scene);
+  if (mPending) veilOf(*this).await(mDocument.scene());
   update();
 }
 
@@ -274,7 +296,13 @@ void Viewport::tellProgress() {
   mSinceTold.start();
   switch (mStage) {
     case Stage::Idle:
-      emit refined(1.0, {});
+      // A sheet or a region that is being computed will change the picture.
+      if (veilOf(*this).hasFailed())
+        emit refined(0.0, tr("No picture"));
+      else if (isVisible() && (mPending || mSession.isOnItsWay()))
+        emit refined(0.0, tr("Preparing"));
+      else
+        emit refined(1.0, {});
       break;
     case Stage::Coarse:
       emit refined(0.0, mRenderer->fractionDone() < 1.0 ? tr("Preparing") : tr("Preview"));

@@ -19,6 +19,7 @@ void Viewport::wakeSheets() {
 void Viewport::playersTold() {
   wakeSheets();
   tellSheets();
+  if (mRenderer) tellProgress();
   emit playersHeard();
 }
 

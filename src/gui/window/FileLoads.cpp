@@ -6,10 +6,12 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <QStandardPaths>
+#include <algorithm>
 
 #include "RawDialog.h"
 #include "SeriesDialog.h"
 #include "kit/RecentFiles.h"
+#include "velum/scene/VisibleFrame.h"
 #include "velum/scene/json/Json.h"
 #include "velum/session/document/LabelPlace.h"
 #include "velum/session/document/RawFile.h"
@@ -36,6 +38,7 @@ std::vector<std::string> notesOf(const session::Loaded& loaded, const scene::Sce
 }
 /// A folder's name is its last part, also where a slash follows.
 QString withoutSlash(const QString& path) { return QDir::cleanPath(QFileInfo(path).absoluteFilePath()); }
+double aspectOf(const QWidget& view) { return double(std::max(1, view.width())) / std::max(1, view.height()); }
 QString nameOf(const QString& path) { return QFileInfo(path).fileName(); }
 
 /// In red where labels are not where the scan is. @return false where they are
@@ -211,7 +214,7 @@ void FileLoads::show(session::Loaded& loaded, const QString& path) {
   if (!loaded.isScene && !loaded.lost) {
     scene.sections.layout = ViewGrid::layoutFor(scene);
     views.place(scene.sections);  // so that the camera fits the view as it will be
-    scene.camera = views.viewport().frame(scene, scene::defaultView(scene));
+    scene.camera = scene::firstCamera(scene, aspectOf(views.viewport()));
   }
   bool wasLost = loaded.lost != nullptr, isNew = !loaded.isScene && !wasLost;
   session::WorkFile& file = mParts.session.file();
@@ -225,20 +228,21 @@ void FileLoads::show(session::Loaded& loaded, const QString& path) {
   if (isNew && !mUnattended) emit volumeOpened();
 }
 
-/// In red where slices are missing: what is seen there was not measured.
+/// In red where slices are missing: what is seen there was not measured. All that is known of the data is said.
 void FileLoads::sayNotes(const QString& name, const std::vector<std::string>& notes) {
   if (sayMisplaced(mParts, name)) return;
   const auto& volume = mParts.session.scene().volume.data;
   int missing = 0;
   if (volume)
     for (glm::ivec2 gap : volume->gaps) missing += gap[1];
-  if (missing > 0)
-    return mParts.messages.showError(
-        tr("%1: of %2 planes, %3 are missing; they are filled in from their neighbours, and hatched in the sections.")
-            .arg(name)
-            .arg(volume->dims.z)
-            .arg(missing));
-  if (!notes.empty()) mParts.messages.showNote(name, notes);
+  if (missing == 0) {
+    if (!notes.empty()) mParts.messages.showNote(name, notes);
+    return;
+  }
+  QStringList lines{
+      tr("%1: of %2 planes, %3 are missing, and hatched in the sections").arg(name).arg(volume->dims.z).arg(missing)};
+  for (const std::string& note : notes) lines << toText(note);
+  mParts.messages.showError(lines.join("; "));
 }
 
 void FileLoads::rememberFile(const QString& path) {

@@ -12,6 +12,7 @@
 #include "VolumeCommands.h"
 #include "extrusion/ExtrusionRoom.h"
 #include "kit/CallLater.h"
+#include "kit/FieldUndo.h"
 #include "kit/KeyboardFocus.h"
 #include "kit/RecentFiles.h"
 #include "kit/WheelScrolls.h"
@@ -33,6 +34,7 @@ MainWindow::MainWindow()
   connectRooms();
   new KeyboardFocus(*this, [this] { return mSession.file().isOpen() ? &mViews->keyboardView() : nullptr; });
   new WheelScrolls(*this);
+  new FieldUndo(*this);
   mSession.setListener([this] { refresh(); });
   mSession.setWaker([this] { callLater(this, [this] { collect(); }); });
   refresh();

@@ -36,6 +36,7 @@ StatusLine::StatusLine(const WindowParts& parts, QStatusBar& bar)
       mDriver(new QLabel(&bar)) {
   bar.setSizeGripEnabled(false);
   mReduction->setProperty("role", "alarm");
+  mRefine->setObjectName("refined");
   mRefine->setToolTip(tr("How far the picture is refined"));
   mPick->setToolTip(tr("Under the pointer: value, position in patient coordinates (L, P, S), structure"));
   bar.addWidget(mData);

@@ -1,7 +1,10 @@
 #include "ViewCommands.h"
 
+#include <algorithm>
+
 #include "kit/Preferences.h"
 #include "velum/core/Assert.h"
+#include "velum/scene/VisibleFrame.h"
 #include "view/GreyWindowCorner.h"
 #include "view/ViewChange.h"
 
@@ -10,6 +13,12 @@ namespace velum::gui {
 namespace {
 
 constexpr const char* kCubeKey = "view/cube";
+
+void resetCamera(session::Document& document, const QWidget& view) {
+  double aspect = double(std::max(1, view.width())) / std::max(1, view.height());
+  document.view(
+      [camera = scene::firstCamera(document.scene(), aspect)](scene::Scene& scene) { scene.camera = camera; });
+}
 
 }  // namespace
 
@@ -23,9 +32,8 @@ ViewCommands::ViewCommands(const WindowParts& parts)
                                           [this] { mParts.views.viewport().toggleProjection(); });
   mProjection->setIconText(tr("Parallel"));
   mProjection->setCheckable(true);
-  QAction* reset = parts.actions.addForScene(
-      menu, "view.reset", tr("&Reset view"), tr("See all of it from the front"),
-      [this] { mParts.views.viewport().lookFrom(scene::defaultView(mParts.session.scene())); });
+  QAction* reset = parts.actions.addForScene(menu, "view.reset", tr("&Reset view"), tr("See all of it from the front"),
+                                             [this] { resetCamera(mParts.document(), mParts.views.viewport()); });
   reset->setIconText(tr("Reset"));
   addCube(menu);
   menu->addSeparator();

@@ -19,6 +19,8 @@ namespace velum::io {
 
 namespace {
 
+constexpr double kMostSpreadBytes = 2e9;  ///< That are mostly nothing.
+
 /// The files of one series, and which of them the user named.
 struct Series {
   std::vector<DicomFile> files;
@@ -143,26 +145,41 @@ void mixPlanes(const std::byte* a, const std::byte* b, double share, std::byte* 
   }
 }
 
-/// Planes at uneven places onto the even grid, linearly between neighbours.
+/// The raw value that shows least: air, or black.
+template <class T>
+T leastOf(const Volume& v, const T* samples) {
+  std::size_t count = v.voxels.size() / sizeof(T);
+  auto [low, high] = std::minmax_element(samples, samples + count);
+  return v.scale < 0 ? *high : *low;
+}
+
+/// Planes at uneven places onto the even grid, linearly between neighbours; nothing is made up between those that are
+/// far apart, which are as thick as a step.
 void resample(Volume& v, const DicomStack& stack) {
   if (stack.isEven) return;
   std::size_t slice = timeStepBytes(v) / std::size_t(v.dims.z), planes = std::size_t(v.dims.z),
               grid = std::size_t(stack.gridPlanes);
   Bytes result(slice * grid * std::size_t(v.timeSteps));
-  for (std::size_t t = 0; t < std::size_t(v.timeSteps); ++t)
-    parallelFor(std::size_t(0), grid, [&](std::size_t z) {
-      auto after = std::upper_bound(stack.positions.begin(), stack.positions.end(), double(z));
-      std::size_t high = std::clamp<std::size_t>(std::size_t(after - stack.positions.begin()), 1, planes - 1),
-                  low = high - 1;
-      double share =
-          std::clamp((double(z) - stack.positions[low]) / (stack.positions[high] - stack.positions[low]), 0.0, 1.0);
-      const std::byte* from = v.voxels.data() + slice * planes * t;
-      visitSamples(v, [&](auto* null) {
-        using T = std::remove_cvref_t<decltype(*null)>;
-        mixPlanes<T>(from + slice * low, from + slice * high, share, result.data() + slice * (grid * t + z),
-                     slice / sizeof(T));
+  visitSamples(v, [&](auto* samples) {
+    using T = std::remove_cvref_t<decltype(*samples)>;
+    T least = leastOf(v, samples);
+    for (std::size_t t = 0; t < std::size_t(v.timeSteps); ++t)
+      parallelFor(std::size_t(0), grid, [&](std::size_t z) {
+        auto after = std::upper_bound(stack.positions.begin(), stack.positions.end(), double(z));
+        std::size_t high = std::clamp<std::size_t>(std::size_t(after - stack.positions.begin()), 1, planes - 1),
+                    low = high - 1;
+        double apart = stack.positions[high] - stack.positions[low], past = double(z) - stack.positions[low],
+               share = std::clamp(past / apart, 0.0, 1.0);
+        std::byte* to = result.data() + slice * (grid * t + z);
+        if (apart > stack.farthest) {
+          if (std::min(past, apart - past) >= 0.5)
+            return void(std::fill_n(reinterpret_cast<T*>(to), slice / sizeof(T), least));
+          share = std::round(share);
+        }
+        const std::byte* from = v.voxels.data() + slice * planes * t;
+        mixPlanes<T>(from + slice * low, from + slice * high, share, to, slice / sizeof(T));
       });
-    });
+  });
   v.voxels = std::move(result);
   v.dims.z = stack.gridPlanes;
 }
@@ -219,6 +236,10 @@ Volume readDicom(const scene::Source& source, Progress& progress) {
   checkSizes(series);
   std::vector<DicomFrame> frames = framesOf(series);
   DicomStack stack = stackFrames(frames, series.preferred, path);
+  const DicomFile& file = series.files[frames[0].file];
+  double plane = double(file.rows) * file.columns * file.samplesPerPixel * std::max(file.bitsAllocated, 8) / 8.0;
+  if (stack.gridPlanes > 2 * stack.planes && plane * stack.gridPlanes * stack.timeSteps > kMostSpreadBytes)
+    refuse(path, fmt::format("its {} slices lie too far apart for a volume of this size", stack.planes));
   Volume v;
   decodeDicom(series.files, frames, stack, v, progress);
   resample(v, stack);

@@ -17,6 +17,11 @@ namespace {
 constexpr double kSamePlaceMm = 0.01;
 /// Distances that differ by less than this share are even: rounding of the file, not a missing plane.
 constexpr double kEvenShare = 0.02;
+/// Slices that are farther apart than so many steps say nothing of what lies between them, if it is not as near as the
+/// one, or farther than the other.
+constexpr double kMostSteps = 4.5, kNearMm = 10.0, kFarMm = 25.0;
+/// Planes of the grid that a few slices far apart are spread over, at most.
+constexpr double kMostSpread = 1024.0;
 /// Tilt below this is rounding of the direction cosines.
 constexpr double kTiltDeg = 0.1;
 
@@ -95,12 +100,34 @@ std::vector<glm::ivec2> gapsOf(const std::vector<double>& positions, int gridPla
   return gaps;
 }
 
+/// How far apart the planes of the grid are: as most slices are; where most are too far apart to be a volume, as thick
+/// as one of them is.
+double stepOf(const std::vector<double>& gaps, double thickness) {
+  double step = median(gaps), length = std::accumulate(gaps.begin(), gaps.end(), 0.0);
+  if (step <= kFarMm) return step;
+  double thin = thickness > 0 && thickness < kFarMm ? thickness : 0.25 * kFarMm;
+  return std::max(thin, length / kMostSpread);
+}
+
+std::string sayUneven(const DicomStack& stack, glm::dvec2 apart, std::size_t count, double step) {
+  int between = stack.gridPlanes - int(count), empty = 0;
+  for (std::size_t i = 1; i < stack.positions.size(); ++i)
+    if (double wide = stack.positions[i] - stack.positions[i - 1]; wide > stack.farthest) empty += int(wide + 0.5) - 1;
+  std::string text = fmt::format(
+      "distances between slices run from {:.3f} to {:.3f} mm ({} slices); resampled onto {} slices {:.3f} mm apart",
+      apart[0], apart[1], count, stack.gridPlanes, step);
+  if (between > empty) text += fmt::format(", {} missing ones filled in linearly", between - empty);
+  if (empty > 0)
+    text += fmt::format(", {} left empty where slices are more than {:.0f} mm apart", empty, stack.farthest * step);
+  return text;
+}
+
 /// Fills positions, gaps and gridPlanes. @return the step of the even grid along the normal, mm
-double layOnGrid(DicomStack& stack, const std::vector<double>& distances, const Path& path) {
+double layOnGrid(DicomStack& stack, const std::vector<double>& distances, double thickness, const Path& path) {
   std::size_t n = distances.size();
   std::vector<double> gaps;
   for (std::size_t i = 1; i < n; ++i) gaps.push_back(distances[i] - distances[i - 1]);
-  double step = median(gaps);
+  double step = stepOf(gaps, thickness);
   auto [smallest, largest] = std::minmax_element(gaps.begin(), gaps.end());
   double tolerance = std::max(kEvenShare * step, 2 * kSamePlaceMm);
   stack.isEven = *largest - step <= tolerance && step - *smallest <= tolerance;
@@ -111,17 +138,14 @@ double layOnGrid(DicomStack& stack, const std::vector<double>& distances, const 
     return length / double(n - 1);
   }
   double planes = std::round(length / step) + 1;
-  double missing = planes - double(n);
-  if (missing > double(n))
+  if (planes > std::max(2.0 * double(n), kMostSpread + 1.0))
     refuse(path, fmt::format("planes are missing: {} of {} are there, {:.3f} mm apart", n, planes, step));
   stack.gridPlanes = std::max(2, int(planes));
   step = length / double(stack.gridPlanes - 1);
+  stack.farthest = std::max(1.5, std::min(kFarMm, std::max(kMostSteps * step, kNearMm)) / step);
   for (double d : distances) stack.positions.push_back((d - distances.front()) / step);
   stack.gaps = gapsOf(stack.positions, stack.gridPlanes);
-  stack.warnings.push_back(fmt::format(
-      "distances between slices run from {:.3f} to {:.3f} mm ({} slices); resampled onto {} slices {:.3f} mm apart{}",
-      *smallest, *largest, n, stack.gridPlanes, step,
-      missing > 0 ? fmt::format(", {} missing ones filled in linearly", missing) : ""));
+  stack.warnings.push_back(sayUneven(stack, {*smallest, *largest}, n, step));
   return step;
 }
 
@@ -136,7 +160,7 @@ void placeStack(DicomStack& stack, const std::vector<const DicomFrame*>& planes,
   if (planes.size() > 1 && first.hasPlace) {
     std::vector<double> distances;
     for (const DicomFrame* f : planes) distances.push_back(glm::dot(f->position, normal));
-    along = layOnGrid(stack, distances, path);
+    along = layOnGrid(stack, distances, first.sliceSpacing, path);
     glm::dvec3 way = planes.back()->position - first.position;
     step = way / double(stack.gridPlanes - 1);
     double tilt = glm::degrees(std::acos(std::clamp(glm::dot(glm::normalize(step), normal), -1.0, 1.0)));

@@ -16,6 +16,7 @@ struct DicomStack {
   int gridPlanes = 0;             ///< Planes of the even grid; more than `planes` where some are missing.
   bool isEven = true;             ///< positions are 0, 1, 2, ...
   std::vector<glm::ivec2> gaps;   ///< Planes of the even grid that no plane is near, {first, count}.
+  double farthest = 0;            ///< Planes farther apart, in units of the even grid, have nothing between them.
   glm::dmat4 worldFromVoxel{1.0};
   bool isOrientationKnown = true;
   bool isSpacingKnown = true;
@@ -25,7 +26,9 @@ struct DicomStack {
 /// Orders frames by their place along the normal, never by name; finds repeats, gaps and tilt.
 /// @param frames   of equal orientation
 /// @param preferred  index of a file whose frames win over others at the same place; -1 for none
-/// @throw InputError, naming @p path, when more than half of the planes are missing
+/// Between planes that are more than a few steps or 25 mm apart nothing is known: these are parts of a body with
+/// nothing in between.
+/// @throw InputError, naming @p path, when nearly all of the planes are missing
 DicomStack stackFrames(const std::vector<DicomFrame>& frames, int preferred, const std::filesystem::path& path);
 
 }  // namespace velum::io

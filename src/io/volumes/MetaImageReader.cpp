@@ -152,7 +152,10 @@ void place(Volume& v, const MetaHeader& h, std::size_t dimensions) {
     if (matrix.size() == dimensions * dimensions)
       for (std::size_t j = 0; j < spatial; ++j) columns[int(i)][int(j)] = matrix[i * dimensions + j];
   }
-  v.isOrientationKnown = matrix.size() == dimensions * dimensions;
+  // A matrix that turns nothing is written of what was never placed, too; whoever knows of a patient names the axes.
+  std::string axes = h.field({"AnatomicalOrientation"});
+  bool isNamed = !axes.empty() && axes.find('?') == std::string::npos;
+  v.isOrientationKnown = matrix.size() == dimensions * dimensions && (isNamed || columns != glm::dmat3(1.0));
   for (int i = 0; i < 3; ++i) columns[i] *= spacing[i];
   placeInWorld(v, columns, origin, glm::abs(spacing));
 }

@@ -155,7 +155,9 @@ void place(Volume& v, const NiftiHeader& h) {
   glm::dvec3 spacing(std::abs(h.pixdim[1]), std::abs(h.pixdim[2]), std::abs(h.pixdim[3]));
   glm::dmat3 sform(h.sform[0], h.sform[1], h.sform[2]);
   v.isSpacingKnown = !h.saysNoSpacing;
-  v.isOrientationKnown = (h.sformCode > 0 || h.qformCode > 0) && !h.saysUnknown;
+  // The unit matrix is what programs write that know of no scanner.
+  bool isUnit = h.sformCode > 0 && sform == glm::dmat3(1.0) && h.sform[3] == glm::dvec3(0.0);
+  v.isOrientationKnown = (h.sformCode > 0 || h.qformCode > 0) && !h.saysUnknown && !isUnit;
   if (h.sformCode > 0 && isInvertible(sform))
     return placeInWorld(v, lpsFromRas * sform * mm, lpsFromRas * h.sform[3] * mm, spacing * mm);
   if (h.sformCode > 0) v.warnings.push_back("the file's sform matrix is singular and was left out");

@@ -295,6 +295,9 @@ Volume readTiff(const scene::Source& source, Progress& progress) {
   const Path path = source.path;
   Volume volume = std::filesystem::is_directory(path) ? readFolder(path, progress) : readFile(path, progress);
   volume.isOrientationKnown = false;
+  // Cameras of microscopes give 16 bits; scanners write other files.
+  bool isOfCamera = volume.type == SampleType::UInt16 && volume.channels == 1;
+  if (volume.modality == Modality::Unknown && isOfCamera) volume.modality = Modality::Microscopy;
   progress.report(1, "reading TIFF");
   return volume;
 }

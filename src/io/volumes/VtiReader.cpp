@@ -43,6 +43,8 @@ std::array<double, N> numbersOr(std::string_view text, const std::array<double, 
   return numbersIn<N>(text).value_or(damaged);
 }
 
+constexpr std::array<double, 9> kAlongAxes{1, 0, 0, 0, 1, 0, 0, 0, 1};
+
 /// First and last index along each axis, both of it.
 struct Extent {
   glm::i64vec3 first{0}, last{0};
@@ -194,7 +196,7 @@ void takeNotes(Volume& v, const VtkXml& xml) {
 void place(Volume& v, const XmlElement& image, const glm::dvec3& shift) {
   auto spacing = numbersOr<3>(image.attribute("Spacing"), {1, 1, 1});
   auto origin = numbersOr<3>(image.attribute("Origin"), {0, 0, 0});
-  auto turn = numbersOr<9>(image.attribute("Direction"), {1, 0, 0, 0, 1, 0, 0, 0, 1});
+  auto turn = numbersOr<9>(image.attribute("Direction"), kAlongAxes);
   glm::dmat3 axes;
   for (std::size_t column = 0; column < 3; ++column)
     for (std::size_t row = 0; row < 3; ++row) axes[int(column)][int(row)] = turn[row * 3 + column] * spacing[column];
@@ -226,7 +228,9 @@ Volume readVti(const scene::Source& source, Progress& progress) try {
   if (pieces[0].array.isWide()) v.warnings.push_back("64-bit integers are read as doubles");
   bool isNamed = !pieces[0].array.componentName(0).empty();
   for (int i = 0; isNamed && i < v.channels; ++i) v.channelNames.emplace_back(pieces[0].array.componentName(i));
-  v.isOrientationKnown = !xml.data().attribute("Direction").empty() && noteOf(xml, vti::kOriented, 1.0) != 0.0;
+  // VTK writes directions of everything: those along the axes say nothing, if nobody has noted that they do.
+  bool isTurned = numbersOr<9>(xml.data().attribute("Direction"), kAlongAxes) != kAlongAxes;
+  v.isOrientationKnown = noteOf(xml, vti::kOriented, isTurned ? 1.0 : 0.0) != 0.0;
   place(v, xml.data(), glm::dvec3(whole.first) + (ofCells ? 0.5 : 0.0));
   takeNotes(v, xml);
   return v;

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cstddef>
 #include <iterator>
 #include <list>
@@ -15,6 +16,9 @@ class ProgramCache {
  public:
   static constexpr std::size_t kMost = 16;
 
+  bool contains(const Variant& variant) const {
+    return std::any_of(mKept.begin(), mKept.end(), [&](const auto& kept) { return kept.first == variant; });
+  }
   /// @param make  compiles one that is not kept
   /// @return the program; it lives at least until the next call
   template <class Make>

@@ -23,6 +23,8 @@ struct PictureProgress {
 class RayCastPass : public Pass {
  public:
   RayCastPass(Gbuffer& target, bool isSoftware);
+  /// Its program is there: to compile one takes seconds with some drivers.
+  bool isReady(const FrameData& data) const;
   void prepare(FrameData& data) override;
   void addSteps(const FrameData& data, int sample, WorkQueue& queue) override;
   void bind(const FrameData& data) const override;

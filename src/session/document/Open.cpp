@@ -243,7 +243,7 @@ scene::Scene open(const scene::Source& source, Progress& progress, const DataPol
   scene::Scene scene;
   if (policy.beforeData) policy.beforeData(scene);
   add(scene, source, progress, notes);
-  scene.camera = scene::frameVisible(scene, scene::defaultView(scene), 4.0 / 3.0);
+  scene.camera = scene::firstCamera(scene, 4.0 / 3.0);
   scene::placeSections(scene);
   return scene;
 }
@@ -305,7 +305,7 @@ Opened openAll(std::vector<std::string> paths, Progress& progress, const DataPol
   for (const auto& note : refused) Notes{notes}.add(note);
   const scene::Scene& scene = opened.scene;
   if (paths.size() > 1 && (!scene.surfaces.empty() || scene.model.data))
-    opened.scene.camera = scene::frameVisible(scene, scene::defaultView(scene), 4.0 / 3.0);
+    opened.scene.camera = scene::firstCamera(scene, 4.0 / 3.0);
   return opened;
 }
 

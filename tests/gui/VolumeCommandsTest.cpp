@@ -8,6 +8,7 @@
 
 #include "Shots.h"
 #include "WindowFixture.h"
+#include "kit/Preferences.h"
 #include "velum/scene/Presets.h"
 #include "window/RawDialog.h"
 #include "window/VoxelSizeDialog.h"

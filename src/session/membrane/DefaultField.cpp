@@ -69,7 +69,8 @@ void protectBrightest(scene::ForceField& field, const std::vector<Bin>& bins) {
   std::size_t first = bins.size();
   while (first > 1 && sum + bins[first - 1].share <= 0.5 * kLargestShare) sum += bins[--first].share;
   if (first == bins.size()) --first;
-  protect(field.byValue, bins[first].value, bins.back().value, 0.0);
+  double half = bins.size() > 1 ? 0.5 * (bins[1].value - bins[0].value) : 0.5;
+  protect(field.byValue, bins[first].value - half, bins.back().value + 2.0 * half, 0.0);
 }
 
 void protectOpaque(scene::ForceField& field, const scene::VolumeLayer& layer) {
@@ -80,7 +81,9 @@ void protectOpaque(scene::ForceField& field, const scene::VolumeLayer& layer) {
     if (!(from > 0) || bins[i].opacity < from) continue;
     std::size_t first = i;
     while (i + 1 < bins.size() && bins[i + 1].opacity >= from) ++i;
-    protect(field.byValue, bins[first].value - 0.5 * width, bins[i].value + 0.5 * width, 0.0);
+    // A curve ends below its last value; the data's largest one belongs to it.
+    double beyond = i + 1 == bins.size() ? width : 0.5 * width;
+    protect(field.byValue, bins[first].value - 0.5 * width, bins[i].value + beyond, 0.0);
   }
   if (field.byValue.empty()) protectBrightest(field, bins);
 }

@@ -26,6 +26,8 @@ constexpr double kNearlyAsGood = 0.8;
 constexpr double kWorthShowing = 0.25;
 /// So much is to be kept by a coarse look, that it may promise a little more than the sheet keeps.
 constexpr double kSurelyKept = 0.95;
+/// What is cut is a scratch where it is less than this of what the plane cuts.
+constexpr double kScratch = 0.05;
 /// Where nowhere so much is, a place that keeps less than the best by this is still as good.
 constexpr double kAboutAsMuch = 0.03;
 /// Reaches that are tried, by that which a new frame has; the data's own depth is enough to either side.
@@ -111,12 +113,17 @@ std::optional<Placed> placedToKeep(const CoarseLook& look, const scene::Cut& cut
 }
 
 std::optional<Placed> deepenedToKeep(const CoarseLook& look, const scene::Cut& cut, Progress& progress) {
+  std::optional<Placed> first;
   for (double reach : reachesOf(look, cut)) {
     scene::Cut there = cut;
     there.size.z = reach;
-    if (Tried tried = tryIn(look, there, progress); tried.kept() >= kSurelyKept) return tried.placed;
+    Tried tried = tryIn(look, there, progress);
+    if (tried.kept() < kSurelyKept) continue;
+    // A little deeper it may be kept without a scratch.
+    if (tried.placed.outlook.sheetPairs <= kScratch * tried.placed.outlook.planePairs) return tried.placed;
+    if (!first) first = tried.placed;
   }
-  return std::nullopt;
+  return first;
 }
 
 std::optional<scene::Cut> placedToKeep(const scene::Scene& scene, const scene::Cut& cut, Progress& progress,

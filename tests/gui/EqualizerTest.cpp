@@ -159,6 +159,26 @@ TEST_F(EqualizerWindow, EscapeLetsAHandleGoWithoutChange) {
   EXPECT_EQ(drawn({1}), before.rendered());
 }
 
+TEST_F(EqualizerWindow, EscapeHidesAgainWhatAHandleHasShown) {
+  openCut();
+  clickEye(1);
+  ASSERT_TRUE(settle());
+  ASSERT_FALSE(shown()[1]);
+  scene::Scene before = scene();
+  int number = rowOfType(1);
+  auto* area = list().viewport();
+  QTest::mousePress(area, Qt::LeftButton, {}, placeOf(number, 0.0));
+  QMouseEvent move(QEvent::MouseMove, placeOf(number, 0.5), area->mapToGlobal(placeOf(number, 0.5)), Qt::NoButton,
+                   Qt::LeftButton, {});
+  QApplication::sendEvent(area, &move);
+  ASSERT_TRUE(shown()[1]) << "who asks for more of what is hidden wants to see it";
+  QTest::keyClick(&list(), Qt::Key_Escape);
+  EXPECT_EQ(scene().model.types, before.model.types);
+  EXPECT_EQ(scene().cuts, before.cuts);
+  QTest::mouseRelease(area, Qt::LeftButton, {}, placeOf(number, 0.5));
+  EXPECT_EQ(scene().model.types, before.model.types);
+}
+
 TEST_F(EqualizerWindow, WithoutACutTheFirstHandleAddsOneThatIsEverywhere) {
   openModel();
   ASSERT_TRUE(settle());
@@ -332,6 +352,16 @@ TEST_F(EqualizerWindow, FourStepsLeadToAPicture) {
   press("equalizeClear");
   EXPECT_TRUE(session::isKeptInView(scene(), row(rowOfType(2)).path));
   EXPECT_TRUE(step("equalizeSave")->isChecked());
+  // What a cut that is off keeps in view is not kept.
+  mWindow->document().edit("Off", [](scene::Scene& scene) {
+    for (scene::Cut& cut : scene.cuts) cut.enabled = !cut.focus;
+  });
+  EXPECT_TRUE(step("equalizeClear")->isChecked());
+  // Without any cut that is on one is to be made first.
+  mWindow->document().edit("Off", [](scene::Scene& scene) {
+    for (scene::Cut& cut : scene.cuts) cut.enabled = false;
+  });
+  EXPECT_TRUE(step("equalizeCut")->isChecked());
 }
 
 TEST_F(EqualizerWindow, TheCutsPageHasItsFocus) {

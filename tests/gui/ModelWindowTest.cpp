@@ -1,6 +1,7 @@
 // Models of molecules in the real window: their page, clicks in the picture, and what cuts leave of them.
 #include <QComboBox>
 #include <QTabBar>
+#include <map>
 
 #include "ModelFixture.h"
 #include "Shots.h"
@@ -95,6 +96,15 @@ TEST_F(ModelWindow, TheLegendNamesWhatIsSeenMost) {
   mWindow->actions().find("model.legend")->trigger();
   ASSERT_TRUE(settle());
   EXPECT_EQ(mWindow->models().legend().names().size(), 5u);
+  std::map<std::int32_t, int> pixels;
+  for (std::int32_t type : viewport().typesOfPixels().types)
+    if (type >= 0) --pixels[type];
+  std::vector<std::pair<int, std::int32_t>> mostFirst;
+  for (auto [type, count] : pixels) mostFirst.emplace_back(count, type);
+  std::sort(mostFirst.begin(), mostFirst.end());
+  ASSERT_EQ(mostFirst.size(), 5u);
+  for (std::size_t i = 0; i < 5; ++i)
+    EXPECT_EQ(mWindow->models().legend().names()[i], QString("type%1").arg(mostFirst[i].second)) << i;
   clickEye(0);
   ASSERT_TRUE(settle());
   const auto& names = mWindow->models().legend().names();

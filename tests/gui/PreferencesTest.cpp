@@ -133,8 +133,17 @@ TEST_F(PreferencesUse, DataOpensInTheChosenViews) {
 
 TEST_F(PreferencesUse, EveryPageCanBeLookedAt) {
   auto* pages = mDialog->findChild<QTabWidget*>("preferencePages");
+  EXPECT_GE(pages->count(), 2);
   for (int i = 0; i < pages->count(); ++i) {
     pages->setCurrentIndex(i);
+    int controls = 0;
+    for (auto* control : pages->currentWidget()->findChildren<QWidget*>())
+      if (control->isVisible() && control->focusPolicy() & Qt::TabFocus) {
+        QRect place(control->mapTo(mDialog.get(), QPoint()), control->size());
+        EXPECT_TRUE(mDialog->rect().contains(place)) << control->objectName().toStdString();
+        ++controls;
+      }
+    EXPECT_GT(controls, 0) << pages->tabText(i).toStdString();
     takeShot(*mDialog, QString("preferences-%1").arg(i).toUtf8().constData());
   }
 }

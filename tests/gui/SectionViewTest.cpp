@@ -223,13 +223,17 @@ TEST_F(Sections, TheWindowShowsWhatTheBatchDraws) {
 
 TEST_F(Sections, EveryLayoutSettlesInASmallWindow) {
   mWindow->resize(640, 420);
-  for (auto layout : {Layout::Section, Layout::VolumeAndSection, Layout::FourUp}) {
+  for (auto [layout, sections] : {std::pair(Layout::Section, 1), {Layout::VolumeAndSection, 1}, {Layout::FourUp, 3}}) {
     views().setLayout(layout);
     EXPECT_TRUE(settle());
+    int visible = 0;
     for (auto kind : {SectionKind::Axial, SectionKind::Coronal, SectionKind::Sagittal})
       if (section(kind).isVisible()) {
         EXPECT_TRUE(views().rect().contains(section(kind).geometry()));
+        EXPECT_GT(section(kind).width() * section(kind).height(), 5000);
+        ++visible;
       }
+    EXPECT_EQ(visible, sections) << enumName(layout);
   }
 }
 

@@ -12,6 +12,7 @@ namespace {
 const glm::dvec3 kSize(120, 90, 50);
 
 TEST(SheetCurve, EveryCornerLiesInThePlaneAndOpenOnesEndOnTheRim) {
+  int open = 0, closed = 0;
   for (const auto& [name, shape] : allSheets({31, 26}, kSize))
     for (glm::vec3 normal : {glm::vec3(1, 0, 0), glm::vec3(0.3f, -0.8f, 0.2f), glm::vec3(0.1f, 0.2f, 1)}) {
       normal = glm::normalize(normal);
@@ -22,8 +23,11 @@ TEST(SheetCurve, EveryCornerLiesInThePlaneAndOpenOnesEndOnTheRim) {
           if (!curve.isClosed) {
             EXPECT_TRUE(std::abs(std::abs(end.x) - 60) < 1e-3f || std::abs(std::abs(end.y) - 45) < 1e-3f) << name;
           }
+        ++(curve.isClosed ? closed : open);
       }
     }
+  EXPECT_GT(open, 8);
+  EXPECT_GT(closed, 0);
 }
 
 TEST(SheetCurve, AFlatSheetGivesOneStraightLine) {

@@ -114,6 +114,7 @@ TEST(Sheet, NoPlaceOnAnEdgeOrACornerIsLeftOut) {
   // is above and far below it is below.
   for (const auto& [name, shape] : allSheets(kParticles, kSize)) {
     TestSheet sheet(shape);
+    std::size_t asked = 0;
     for (std::size_t v = 0; v < shape.places.size(); ++v)
       for (std::size_t w : {v, v + 1, v + std::size_t(kParticles.x) + 1}) {
         if (w >= shape.places.size()) continue;
@@ -122,7 +123,9 @@ TEST(Sheet, NoPlaceOnAnEdgeOrACornerIsLeftOut) {
         shared::SheetColumn column =
             shared::sheetColumn(sheet.plan, p, shared::sheetCellOf(sheet.plan, p, sheet.rows()), sheet.rows());
         EXPECT_EQ(column.all % 2, 1) << name << " at " << p.x << " " << p.y;
+        ++asked;
       }
+    EXPECT_GT(asked, 2 * shape.places.size()) << name;
   }
 }
 

@@ -65,6 +65,75 @@ TEST_F(ContoursGL, NeighboursHaveOneLineBetweenThem) {
   EXPECT_LT(meanInk(intensity(scene, {200, 200}), {20, 20}, {180, 180}), 0.002);
 }
 
+TEST_F(ContoursGL, APartOfASurfaceBeforeAnotherPartOfItHasALine) {
+  scene::Scene scene;
+  scene::Surface surface;
+  Mesh mesh;
+  for (auto [y, half] : {std::pair(0.0f, 20.0f), std::pair(-3.0f, 8.0f)}) {
+    auto first = std::uint32_t(mesh.positions.size());
+    for (auto [x, z] : {std::pair(-1, -1), std::pair(1, -1), std::pair(1, 1), std::pair(-1, 1)})
+      mesh.positions.push_back({half * float(x), y, half * float(z)});
+    for (std::uint32_t i : {0u, 1u, 2u, 0u, 2u, 3u}) mesh.indices.push_back(first + i);
+  }
+  surface.data = Shared<Mesh>(mesh);
+  surface.color = glm::vec3(1.0f);
+  scene.surfaces = {surface};
+  scene.lighting.shaded = false;
+  scene.background = ball().background;
+  scene.camera.target = {0, 0, 0};
+  lookAlong(scene, {0, -1, 0});
+  seenFromFront(scene);
+  scene.finish.contours = 1.0;
+  scene.finish.contourWidth = 10.0;
+  scene.finish.contourCreases = 0.0;
+  Image left = intensity(scene, {200, 200});
+  for (glm::ivec2 way : {glm::ivec2(1, 0), glm::ivec2(-1, 0), glm::ivec2(0, 1), glm::ivec2(0, -1)}) {
+    Line line = lineAlong(left, {100, 100}, way);
+    EXPECT_EQ(line.runs, 2) << "at its own edge and at that of the part behind: " << way.x << ", " << way.y;
+    EXPECT_NEAR(line.ink, 4.0, 1.0) << way.x << ", " << way.y;
+  }
+  scene.finish.contourSteps = 0.0;
+  EXPECT_LT(meanInk(intensity(scene, {200, 200}), {30, 30}, {170, 170}), 0.002);
+}
+
+TEST_F(ContoursGL, AnOutlineHasTheSameLineHoweverSteepTheSurfaceIsThere) {
+  // A disc, and a cone over it with its tip towards the eye: whatever the outline, they have the same.
+  auto seen = [&](float height) {
+    constexpr int kCorners = 90;
+    Mesh mesh;
+    mesh.positions = {{0, -height, 0}};
+    for (int i = 0; i < kCorners; ++i) {
+      float turn = 6.2831853f * float(i) / kCorners;
+      mesh.positions.push_back({16 * std::cos(turn), 0, 16 * std::sin(turn)});
+      mesh.indices.insert(mesh.indices.end(), {0u, std::uint32_t(i + 1), std::uint32_t((i + 1) % kCorners + 1)});
+    }
+    scene::Scene scene;
+    scene::Surface surface;
+    surface.data = Shared<Mesh>(mesh);
+    surface.color = glm::vec3(1.0f);
+    scene.surfaces = {surface};
+    scene.lighting.shaded = false;
+    scene.background = ball().background;
+    scene.camera.target = {0, 0, 0};
+    lookAlong(scene, {0, -1, 0});
+    seenFromFront(scene);
+    scene.finish.contours = 1.0;
+    scene.finish.contourWidth = 10.0;
+    scene.finish.contourCreases = 0.0;
+    return intensity(scene, {200, 200});
+  };
+  Image flat = seen(0.0f), steep = seen(160.0f);
+  int inked = 0;
+  for (int y = 0; y < 200; ++y)
+    for (int x = 0; x < 200; ++x) {
+      // Of the tip there is a line, too.
+      if (glm::length(glm::dvec2(x, y) - 99.5) < 45.0) continue;
+      inked += sampleOf(flat, {x, y}, "G") < 0.9f;
+      EXPECT_NEAR(sampleOf(flat, {x, y}, "G"), sampleOf(steep, {x, y}, "G"), 0.02f) << x << ", " << y;
+    }
+  EXPECT_GT(inked, 300);
+}
+
 TEST_F(ContoursGL, NoiseMakesNoSpeckle) {
   scene::Scene scene = ball(60.0);
   scene.finish.contours = 1.0;

@@ -184,6 +184,43 @@ TEST_F(FinishGL, StrokesAreDenserWhereItIsDarker) {
   EXPECT_GT(meanInk(left, {180, 130}, {215, 170}), 2.0 * meanInk(left, {85, 130}, {120, 170}));
 }
 
+TEST_F(FinishGL, StrokesGoRoundACylinderHoweverItLies) {
+  for (double turnDeg : {0.0, 30.0, 60.0, 90.0, 120.0, 150.0}) {
+    double turn = glm::radians(turnDeg);
+    glm::dvec3 axis(std::cos(turn), 0.0, std::sin(turn));
+    scene::Scene scene = sceneOf(makeVolume(
+        kDims, SampleType::Float32,
+        [&](glm::ivec3 p) {
+          glm::dvec3 q = glm::dvec3(p) - 0.5 * (glm::dvec3(kDims) - 1.0);
+          return 500.0 + 100.0 * (14.0 - glm::length(q - axis * glm::dot(q, axis)));
+        },
+        centredFrame(kDims)));
+    scene.volume.transfer = ball().volume.transfer;
+    scene.volume.transfer.colors = {{0, glm::vec3(0.5f)}};  // one family of strokes
+    scene.background = ball().background;
+    scene.lighting.shaded = true;
+    scene.lighting.ambient = 1.0;
+    scene.lighting.diffuse = scene.lighting.specular = scene.lighting.shadow = scene.lighting.occlusion = 0.0;
+    seenFromFront(scene);
+    scene.finish.hatching = 1.0;
+    scene.finish.hatchWidth = 14.0;
+    Image left = intensity(scene, {300, 300});
+    // Which way the picture changes most, in the middle: across the strokes.
+    double xx = 0, xy = 0, yy = 0;
+    for (int y = 110; y < 190; ++y)
+      for (int x = 110; x < 190; ++x) {
+        double dx = sampleOf(left, {x + 1, y}, "G") - sampleOf(left, {x - 1, y}, "G");
+        double dy = sampleOf(left, {x, y + 1}, "G") - sampleOf(left, {x, y - 1}, "G");
+        xx += dx * dx, xy += dx * dy, yy += dy * dy;
+      }
+    EXPECT_GT(xx + yy, 50.0) << "there are strokes";
+    double change = 0.5 * std::atan2(2.0 * xy, xx - yy);
+    // Rows run downwards.
+    double along = std::abs(std::cos(change) * std::cos(turn) - std::sin(change) * std::sin(turn));
+    EXPECT_GT(along, std::cos(glm::radians(12.0))) << turnDeg << " degrees: it changes along " << -glm::degrees(change);
+  }
+}
+
 TEST_F(FinishGL, StructuresHaveTheirOwnSpheres) {
   scene::Scene scene = halves();
   scene.finish.litSphere = 1.0;

@@ -76,17 +76,20 @@ TEST(SmoothTexels, SlabsAreSeamlessAndEdgesDoNotRing) {
   }
 }
 
-/// Noise on a grid of its own, and its gradients, a vector a voxel, by voxel.
+/// Waves and a little noise on a grid, and their gradients, a vector a voxel.
 class Gradients {
  public:
-  /// @param voxelOf  from a voxel of this grid to one of the noise
+  /// @param voxelOf  from a voxel of this grid to one of the waves
   template <class VoxelOf>
   Gradients(glm::ivec3 dims, glm::dvec3 spacing, const VoxelOf& voxelOf) : mDims(dims) {
     VolumeTexels source;
+    auto valueOf = [](glm::ivec3 p) {
+      glm::dvec3 q(p);
+      return 100.0 * std::sin(0.35 * q.x) * std::cos(0.27 * q.y + 0.4) + 60.0 * std::sin(0.31 * q.z + 0.2 * q.x) +
+             3.0 * hashNoise(p);
+    };
     source.volume = Shared<Volume>(makeVolume(
-        dims, SampleType::Float32,
-        [&](glm::ivec3 p) { return 100.0 * hashNoise(voxelOf(p) / 2) + hashNoise(voxelOf(p)); },
-        centredFrame(dims, spacing)));
+        dims, SampleType::Float32, [&](glm::ivec3 p) { return valueOf(voxelOf(p)); }, centredFrame(dims, spacing)));
     source.dims = dims;
     mNumbers = GradientPlanes(source, glm::ivec3(1)).planes(0, dims.z);
   }

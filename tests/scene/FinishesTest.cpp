@@ -9,6 +9,7 @@
 
 #include "velum/core/Error.h"
 #include "velum/scene/LitSpheres.h"
+#include "velum/scene/ModelLooks.h"
 
 namespace velum::scene {
 namespace {
@@ -99,6 +100,46 @@ TEST(Finishes, EachIsFoundByItsNameAgain) {
   scene.finish.contourWidth = 3.25;
   EXPECT_EQ(finishName(scene.finish), "");
   EXPECT_THROW(applyFinish(scene, "crayon"), ArgumentError);
+}
+
+TEST(ModelLooks, EachIsFoundByItsNameAgainUntilOneOfItsValuesIsAnother) {
+  std::set<std::string_view> names;
+  for (const NamedModelLook& look : modelLooks()) {
+    Scene scene;
+    scene.finish.spheres.resize(1);
+    scene.finish.spheres[0].name = "mine";
+    applyModelLook(scene, look.name);
+    EXPECT_EQ(modelLookName(scene), look.name);
+    EXPECT_TRUE(isModelLook(look.name));
+    EXPECT_EQ(scene.finish.spheres.size(), 1u) << "the user's own stay";
+    names.insert(look.name);
+    auto with = [&](auto change) {
+      Scene other = scene;
+      change(other);
+      return modelLookName(other);
+    };
+    EXPECT_EQ(with([](Scene& s) {
+                s.lighting.occlusion *= 0.5;
+                s.lighting.occlusion += 0.01;
+              }),
+              "")
+        << look.name;
+    EXPECT_EQ(with([](Scene& s) {
+                s.background.top.r *= 0.5f;
+                s.background.top.g += 0.01f;
+              }),
+              "")
+        << look.name;
+    EXPECT_EQ(with([](Scene& s) { s.model.nearColors += 0.013; }), "") << look.name;
+    EXPECT_EQ(with([](Scene& s) { s.finish.contourWidth += 0.013; }), "") << look.name;
+    EXPECT_EQ(with([](Scene& s) { s.camera.height += 1.0; }), look.name) << "no part of it";
+  }
+  EXPECT_EQ(names.size(), modelLooks().size());
+  EXPECT_GE(names.size(), 3u);
+  EXPECT_TRUE(isModelLook(kFirstModelLook));
+  EXPECT_FALSE(isModelLook("crayon"));
+  Scene scene;
+  EXPECT_THROW(applyModelLook(scene, "crayon"), ArgumentError);
 }
 
 TEST(Finishes, SpheresThatNobodyHasAreNamed) {

@@ -162,11 +162,10 @@ TEST(ChoosePreset, ShowsSomethingOfEveryKindOfVolume) {
   volumes.push_back(makeVolume({kSize, kSize, kSize}, SampleType::UInt8,
                                [](glm::ivec3 p) { return p.x == 20 && p.y == 20 ? 255.0 : 4.0 * hashNoise(p); }));
   for (std::size_t i = 0, own = volumes.size(); i < own; ++i)
-    for (int modality = 1; modality < 8; ++modality)
-      if (i < 6 || modality == 0) {
-        volumes.push_back(volumes[i]);
-        volumes.back().modality = Modality(modality);
-      }
+    for (int modality = 1; modality < 8 && i < 6; ++modality) {
+      volumes.push_back(volumes[i]);
+      volumes.back().modality = Modality(modality);
+    }
   for (std::size_t i = 0; i < volumes.size(); ++i) {
     Scene scene;
     scene.volume.data = Shared<Volume>(volumes[i]);

@@ -109,6 +109,8 @@ TEST(Cryptomatte, AnExrHoldsThemBitByBitWithTheirNames) {
   Image back = io::readImage(folder / "a.exr");
   std::vector<io::ImageAttribute> attributes;
   Image wanted = withMattes(image, scene, attributes);
+  ASSERT_GE(attributes.size(), 4u) << "name, hash, conversion and manifest";
+  ASSERT_GT(wanted.channels.size(), image.channels.size() + 3);
   for (int pixel = 0; pixel < 4; ++pixel)
     for (const std::string& channel : wanted.channels) {
       if (channel.size() == 1) continue;  // colour is kept in another form

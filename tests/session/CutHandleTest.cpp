@@ -72,6 +72,7 @@ TEST(CutHandle, AMembranesReachGrowsToBothSidesOfItsRestPlane) {
 }
 
 TEST(CutHandle, AHandleStaysUnderThePointer) {
+  int asked = 0;
   for (const auto& scene : manyViews())
     for (auto shape : everyCutShape()) {
       scene::Cut start = tiltedCut(shape);
@@ -82,6 +83,7 @@ TEST(CutHandle, AHandleStaysUnderThePointer) {
         if (!isArrow && !isFree && !isResize(grip.handle)) continue;
         // Along its line where it has one; anywhere where it is free.
         glm::dvec2 from = pixelOf(scene, grip.place);
+        ++asked;
         glm::dvec2 to = isFree ? from + glm::dvec2(31, -17) : pixelOf(scene, grip.place + grip.direction * 11.0);
         scene::Cut now = dragCut(start, gizmo, grip.handle, scene.camera, kSize, from, to);
         glm::dvec3 place = isResize(grip.handle) ? handlePlace(makeCutGizmo(scene, now, kSize), grip.handle)
@@ -90,6 +92,7 @@ TEST(CutHandle, AHandleStaysUnderThePointer) {
             << enumName(shape) << " handle " << static_cast<int>(grip.handle);
       }
     }
+  EXPECT_GT(asked, 40);
 }
 
 TEST(CutHandle, GoingBackGivesTheCutThatWas) {
@@ -107,12 +110,14 @@ TEST(CutHandle, GoingBackGivesTheCutThatWas) {
 }
 
 TEST(CutHandle, ASecondDragTakesAResizeBack) {
+  int asked = 0;
   for (const auto& scene : manyViews())
     for (auto shape : everyCutShape()) {
       scene::Cut start = tiltedCut(shape);
       CutGizmo gizmo = makeCutGizmo(scene, start, kSize);
       for (const auto& grip : gizmo.grips) {
         if (!isResize(grip.handle)) continue;
+        ++asked;
         glm::dvec2 from = pixelOf(scene, grip.place), to = pixelOf(scene, grip.place + grip.direction * 8.0);
         scene::Cut larger = dragCut(start, gizmo, grip.handle, scene.camera, kSize, from, to);
         CutGizmo second = makeCutGizmo(scene, larger, kSize);
@@ -121,6 +126,7 @@ TEST(CutHandle, ASecondDragTakesAResizeBack) {
         EXPECT_LT(glm::length(back.centre - start.centre), 1e-6) << enumName(shape);
       }
     }
+  EXPECT_GT(asked, 20);
 }
 
 TEST(CutHandle, ResizingAFaceLeavesTheOppositeOneWhereItIs) {

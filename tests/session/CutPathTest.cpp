@@ -8,6 +8,7 @@
 
 #include "CutScene.h"
 #include "makeModel.h"
+#include "makeVolume.h"
 #include "velum/render/section/KeptInstances.h"
 #include "velum/session/extrusion/Extrusion.h"
 #include "velum/session/picture/Animation.h"
@@ -160,6 +161,58 @@ TEST(CutPath, IsAnAnimationOfScenesThatAreCut) {
   EXPECT_NE(whyStill(scene, Motion::Cut), "");
   scene.cuts[0].enabled = true;
   EXPECT_EQ(whyStill(scene, Motion::Cut), "");
+}
+
+TEST(Animation, FramesOfATurnAreEvenlyApartAlsoTheLastFromTheFirst) {
+  scene::Scene scene = cutScene();
+  scene.camera = scene::frameCamera(scene, scene::StandardView::Oblique, 1.5);
+  for (int frames : {2, 3, 7, 24}) {
+    auto eye = [&](int frame) {
+      scene::Camera camera = frameOf(scene, Motion::Turn, frame % frames, frames).camera;
+      return camera.eye - camera.target;
+    };
+    double step = glm::length(eye(1) - eye(0));
+    EXPECT_GT(step, 1.0) << frames;
+    for (int frame = 0; frame < frames; ++frame) {
+      EXPECT_NEAR(glm::length(eye(frame + 1) - eye(frame)), step, 1e-6 * step) << frame << " of " << frames;
+      for (int other = 0; other < frame; ++other)
+        EXPECT_GT(glm::length(eye(frame) - eye(other)), 0.5 * step) << frame << " and " << other << " of " << frames;
+    }
+    EXPECT_LT(glm::length(eye(0) - (scene.camera.eye - scene.camera.target)), 1e-6) << "it begins with the scene";
+  }
+}
+
+TEST(Animation, FilesStandInTheirOrderBesideTheNameThatWasAskedFor) {
+  std::vector<std::filesystem::path> paths = framePaths("folder/turn.it.png", 1200);
+  ASSERT_EQ(paths.size(), 1200u);
+  EXPECT_EQ(paths.front(), "folder/turn.it-0000.png");
+  EXPECT_TRUE(std::is_sorted(paths.begin(), paths.end()));
+  EXPECT_EQ(std::adjacent_find(paths.begin(), paths.end()), paths.end());
+}
+
+TEST(Animation, GoesThroughAllTimeStepsAlike) {
+  scene::Scene scene;
+  Volume volume = makeVolume({2, 2, 2}, SampleType::UInt8, [](glm::ivec3) { return 1; });
+  volume.timeSteps = 5;
+  volume.voxels.resize(5 * timeStepBytes(volume));
+  EXPECT_EQ(usualMotion(scene), Motion::Turn);
+  EXPECT_NE(whyStill(scene, Motion::Time), "");
+  scene.volume.data = Shared<Volume>(std::move(volume));
+  EXPECT_EQ(usualMotion(scene), Motion::Time);
+  EXPECT_EQ(whyStill(scene, Motion::Time), "");
+  for (int frames : {5, 10, 3, 12}) {
+    std::vector<int> shown(5, 0);
+    int before = 0;
+    for (int frame = 0; frame < frames; ++frame) {
+      int step = frameOf(scene, Motion::Time, frame, frames).volume.timeStep;
+      ASSERT_TRUE(step >= before && step < 5) << frame << " of " << frames;
+      ++shown[std::size_t(step)];
+      before = step;
+    }
+    EXPECT_GE(shown[0], 1) << frames;
+    auto [least, most] = std::minmax_element(shown.begin(), shown.end());
+    EXPECT_LE(*most - *least, 1) << frames << ": each is shown about as long";
+  }
 }
 
 }  // namespace velum::session

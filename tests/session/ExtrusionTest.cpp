@@ -291,4 +291,23 @@ TEST(Extrusion, StructuresComeOutOneAfterTheOther) {
   EXPECT_LT(distances(pulledOut(scene, 0.1 / 3))[0], 0.05 * 7.5);
 }
 
+TEST(Extrusion, ANewStructureHasANumberThatNobodyHasNorWillGrow) {
+  scene::Scene scene;
+  EXPECT_EQ(freeStructureId(scene), 1);
+  scene.labels.structures.resize(2);
+  scene.labels.structures[0].id = 4, scene.labels.structures[1].id = 2;
+  EXPECT_EQ(freeStructureId(scene), 5);
+  scene.labels.growths.resize(1);
+  scene.labels.growths[0].structure = 9;
+  EXPECT_EQ(freeStructureId(scene), 10) << "of a step that has not grown yet";
+  LabelVolume labels({2, 2, 2}, glm::dmat4(1.0));
+  labels.table = {{30, "of the file", glm::vec3(1.0f), 1.0f}};
+  scene.labels.data = Shared<LabelVolume>(std::move(labels));
+  EXPECT_EQ(freeStructureId(scene), 31);
+  scene.labels.structures[0].id = 65535;
+  EXPECT_EQ(freeStructureId(scene), 1) << "the least where the largest is taken";
+  scene.labels.structures[1].id = 1;
+  EXPECT_EQ(freeStructureId(scene), 2);
+}
+
 }  // namespace velum::session

@@ -57,6 +57,8 @@ TEST(HandleSolver, WhatLiesInRegionsGoesFirstAndComesBackLast) {
   HandleSolver solver(scene, "type1");
   std::vector<std::uint8_t> outside = keptOf(scene, "type1"), last;
   std::uint64_t least = count(outside);
+  ASSERT_GT(least, 40u);
+  ASSERT_GT(solver.range().total, least + 40);
   for (std::uint64_t wanted = 0; wanted <= solver.range().total; wanted += 20) {
     std::vector<std::uint8_t> kept = keptOf(solver.solve(double(wanted)).scene, "type1");
     for (std::size_t i = 0; i < kept.size(); ++i) {

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "makeModel.h"
+#include "velum/render/section/KeptInstances.h"
 #include "velum/session/cut/CutEdit.h"
 #include "velum/session/model/ClipState.h"
 
@@ -83,6 +86,39 @@ TEST(ClipState, IsThinnedWhereLotsDecide) {
   EXPECT_EQ(clipState(scene), ClipState::Thinned);
   scene.cuts[0].enabled = false;
   EXPECT_EQ(clipState(scene), ClipState::Whole);
+}
+
+TEST(ClipState, IsWholeExactlyWhereNothingIsRemovedWhateverARowOrACutSays) {
+  scene::Scene whole = modelScene();
+  scene::Cut ball = makeCut(whole, scene::CutShape::Sphere);
+  ball.size = glm::dvec3(300.0);
+  ball.typeSpares = {{.type = "root"}};
+  scene::addCut(whole, ball);
+  struct Change {
+    const char* what;
+    bool removes;
+    void (*to)(scene::Cut& cut, scene::TypeSpare& row);
+  };
+  const Change changes[] = {
+      {"nothing", false, [](auto&, auto&) {}},
+      {"share", true, [](auto&, auto& row) { row.share = 0.0; }},
+      {"distance", true, [](auto&, auto& row) { row.distance = 20.0; }},
+      {"share and falloff outside", true, [](auto&, auto& row) { row.share = 0.0, row.falloff = -60.0; }},
+      {"falloff outside alone", false, [](auto&, auto& row) { row.falloff = -60.0; }},
+      {"falloff inside alone", false, [](auto&, auto& row) { row.falloff = 60.0; }},
+      {"least mass", true, [](auto& cut, auto&) { cut.leastMass = 1e12; }},
+      {"most mass", true, [](auto& cut, auto&) { cut.mostMass = 1.0; }},
+      {"least copies", true, [](auto& cut, auto&) { cut.leastCopies = 1e6; }},
+      {"most copies", true, [](auto& cut, auto&) { cut.mostCopies = 3.0; }},
+      {"a row for some alone", true, [](auto&, auto& row) { row.type = "root.a"; }},
+  };
+  for (const Change& change : changes) {
+    scene::Scene scene = whole;
+    change.to(scene.cuts[0], scene.cuts[0].typeSpares[0]);
+    std::vector<std::uint8_t> kept = render::keptInstances(scene);
+    EXPECT_EQ(std::count(kept.begin(), kept.end(), 0) > 0, change.removes) << change.what;
+    EXPECT_EQ(clipState(scene) != ClipState::Whole, change.removes) << change.what;
+  }
 }
 
 TEST(ClipState, GoesToTheCutAndToTheWhole) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "makeModel.h"
 #include "velum/core/Units.h"
 #include "velum/session/cut/CutEdit.h"
@@ -102,6 +104,45 @@ TEST(ModelEdit, AnInstanceOfACopyStandsOneStepFurther) {
   EXPECT_FALSE(instancePlace(scene, 2 * count));
   scene.unit = LengthUnit::Millimetre;
   EXPECT_NEAR(instancePlace(scene, 7)->radius, first->radius * unitsPer(LengthUnit::Angstrom, scene.unit), 1e-15);
+}
+
+TEST(ModelEdit, TheBallAroundTypesHoldsAllOfTheirInstancesInAllCopies) {
+  scene::Scene scene = modelScene();
+  for (auto unit : {LengthUnit::Angstrom, LengthUnit::Millimetre})
+    for (int copies : {1, 2, 7})
+      for (const TypeNumbers& types : {TypeNumbers{3}, TypeNumbers{0, 4}}) {
+        scene.unit = unit;
+        scene.model.copies = copies;
+        InstancePlace ball = ballAround(scene, types);
+        ASSERT_GT(ball.radius, 0.0);
+        double reach = 0.0, all = double(copies) * double(scene.model.data->instances.size());
+        for (std::uint32_t i = 0; double(i) < all; ++i) {
+          InstancePlace place = instancePlace(scene, i).value();
+          if (std::find(types.begin(), types.end(), place.type) != types.end())
+            reach = std::max(reach, glm::distance(place.middle, ball.middle) + place.radius);
+        }
+        // With seven copies in blocks of eight there is room for one more.
+        EXPECT_LT(reach, ball.radius * (1.0 + 1e-6)) << copies;
+        EXPECT_GT(reach, 0.75 * ball.radius) << copies;
+      }
+  EXPECT_EQ(ballAround(scene, {}).radius, 0.0);
+}
+
+TEST(ModelEdit, ANumberToBeSeenStaysBesideTheOneToBeDrawnAndGoesAlone) {
+  scene::Scene scene = modelScene();
+  EXPECT_FALSE(visibleTarget(scene, "root.a"));
+  setVisibleTarget(scene, "root.a", 40.0);
+  setVisibleTarget(scene, "root.b", 7.0);
+  setVisibleTarget(scene, "root.a", 50.0);
+  EXPECT_EQ(visibleTarget(scene, "root.a"), 50.0);
+  EXPECT_EQ(scene.model.targets.size(), 2u);
+  scene.model.targets[0].rendered = 90.0;
+  setVisibleTarget(scene, "root.a", std::nullopt);
+  EXPECT_FALSE(visibleTarget(scene, "root.a"));
+  ASSERT_EQ(scene.model.targets.size(), 2u) << "so many are to be drawn";
+  setVisibleTarget(scene, "root.b", std::nullopt);
+  ASSERT_EQ(scene.model.targets.size(), 1u);
+  EXPECT_EQ(scene.model.targets[0].rendered, 90.0);
 }
 
 TEST(ModelEdit, ASmallPictureHasTheMiddleWithEveryTypeInItsPlace) {

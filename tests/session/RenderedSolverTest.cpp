@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "makeModel.h"
+#include "model/Dial.h"
 #include "velum/core/Error.h"
 #include "velum/render/section/KeptInstances.h"
 #include "velum/session/cut/CutEdit.h"
@@ -125,6 +126,23 @@ TEST(RenderedSolver, EveryNumberInTheRangeIsDrawnExactly) {
   EXPECT_GT(solved, 400);
 }
 
+TEST(RenderedSolver, EveryNumberOfThoseThatHideAViewIsDrawnExactly) {
+  scene::Scene scene = ballScene({.types = 3, .atoms = 8, .instances = 900});
+  scene.cuts[0].shape = scene::CutShape::Everywhere;
+  scene.cuts[0].typeSpares = {{.type = "root"}};
+  scene.cuts[0].focus.emplace().types = {{"root.a.type0"}};
+  scene.camera.target = {0, 0, 0};
+  RenderedSolver solver(scene, {7}, "type1", {}, render::kUsualAspect, DialField::ViewShare);
+  CountRange range = solver.range();
+  ASSERT_GT(range.most, range.least + 25);
+  EXPECT_EQ(range.least, countOf(scene, "type1"));
+  for (std::uint64_t wanted = range.least; wanted <= range.most; wanted += 1 + (range.most - range.least) / 40) {
+    Solved solved = solver.solve(double(wanted));
+    EXPECT_EQ(countOf(solved.scene, "type1"), wanted);
+    EXPECT_EQ(solved.reached, wanted);
+  }
+}
+
 TEST(RenderedSolver, LeavesOtherTypesAndAllElseOfTheRowInForce) {
   scene::Scene scene = ballScene();
   const Model& model = *scene.model.data;
@@ -203,6 +221,67 @@ TEST(RenderedSolver, TypesThatACutLeavesOutByTheirNumberFollowNoShare) {
   scene.cuts[0].leastCopies = 1000.0;
   CountRange range = RenderedSolver(scene, {7}, "type2").range();
   EXPECT_EQ(range.least, range.most);
+}
+
+/// Dials with so many candidates each, which begin to stay at random numbers; some at the same.
+std::vector<Dial> randomDials(Random& random) {
+  std::vector<Dial> dials(1 + random() % 5);
+  for (Dial& dial : dials) {
+    std::size_t count = random() % 60;
+    for (std::size_t i = 0; i < count; ++i) {
+      bool isTwin = i > 0 && oneOf(random, 4);
+      dial.candidates.push_back({isTwin ? dial.candidates.back().from : float(unit(random)), std::uint32_t(i)});
+    }
+  }
+  return dials;
+}
+
+TEST(Dials, ShareANumberInProportionByLargestRemainders) {
+  for (unsigned seed = 1; seed <= 200; ++seed) {
+    Random random(seed);
+    std::vector<Dial> dials = randomDials(random);
+    std::uint64_t all = 0;
+    for (const Dial& dial : dials) all += dial.candidates.size();
+    std::uint64_t count = random() % (all + 10), given = 0;
+    std::vector<std::uint64_t> parts = splitAmong(dials, count);
+    ASSERT_EQ(parts.size(), dials.size());
+    double leastMore = 1.0, mostLess = 0.0;  // remainders of those that got one more, and of those that did not
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      given += parts[i];
+      if (all == 0) continue;
+      double wanted = double(std::min(count, all)) * double(dials[i].candidates.size()) / double(all);
+      double rest = wanted - std::floor(wanted);
+      ASSERT_LE(parts[i], dials[i].candidates.size());
+      ASSERT_LT(std::abs(double(parts[i]) - wanted), 1.0) << "seed " << seed;
+      if (double(parts[i]) > wanted) leastMore = std::min(leastMore, rest);
+      if (double(parts[i]) < wanted) mostLess = std::max(mostLess, rest);
+    }
+    ASSERT_EQ(given, std::min(count, all)) << "seed " << seed;
+    ASSERT_GE(leastMore, mostLess - 1e-9) << "seed " << seed;
+  }
+}
+
+TEST(Dials, ANumberLeavesAsManyAsIsSaidAndNoneIsNearerToWhatIsWanted) {
+  int exact = 0, others = 0;
+  for (unsigned seed = 1; seed <= 60; ++seed) {
+    Random random(seed);
+    for (const Dial& dial : randomDials(random)) {
+      auto stayingAt = [&](double number) {
+        return std::uint64_t(std::count_if(dial.candidates.begin(), dial.candidates.end(),
+                                           [&](const Candidate& one) { return one.from < float(number); }));
+      };
+      for (std::uint64_t wanted = 0; wanted <= dial.candidates.size() + 1; ++wanted) {
+        DialSetting setting = settingFor(dial, wanted);
+        ASSERT_EQ(stayingAt(setting.number), setting.staying) << "seed " << seed;
+        auto off = [&](std::uint64_t staying) { return std::abs(double(staying) - double(wanted)); };
+        ASSERT_LE(off(setting.staying), off(stayingAt(1.0)));
+        for (const Candidate& one : dial.candidates) ASSERT_LE(off(setting.staying), off(stayingAt(double(one.from))));
+        ++(setting.staying == wanted ? exact : others);
+      }
+    }
+  }
+  EXPECT_GT(exact, 1000);
+  EXPECT_GT(others, 200) << "several that begin to stay at once";
 }
 
 TEST(TypesAt, FindsPathsAndEndsAndNamesTheNearest) {

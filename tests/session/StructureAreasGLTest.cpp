@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "GlFixture.h"
+#include "makeModel.h"
 #include "makeVolume.h"
 #include "velum/render/Renderer.h"
 #include "velum/session/extrusion/AreaSolver.h"
@@ -113,6 +114,25 @@ TEST_F(StructureAreasGL, APictureOfWhatWasSolvedShowsAsMuch) {
     EXPECT_GE(area.visible, before);
     before = area.visible;
   }
+}
+
+TEST_F(StructureAreasGL, InstancesAreCountedInWindowsAsInOnePicture) {
+  scene::Scene scene;
+  scene.unit = LengthUnit::Angstrom;
+  scene.model.data = Shared<Model>(ModelMaker{.instances = 600}.make());
+  scene.camera = scene::frameCamera(scene, scene::StandardView::Oblique, double(kSize.x) / kSize.y);
+  scene::Cut ball;
+  ball.shape = scene::CutShape::Sphere;
+  ball.size = glm::dvec3(250.0);
+  scene::addCut(scene, ball);
+  gpu::Limits limits = context().limits();
+  PictureCounter inOne(*mRenderer, kSize, limits, mProgress);
+  limits.texture2d = 40;  // three windows beside each other, two below each other
+  PictureCounter inWindows(*mRenderer, kSize, limits, mProgress);
+  const render::InstanceBits &one = inOne.count(scene), &several = inWindows.count(scene);
+  EXPECT_EQ(several.removed, one.removed);
+  EXPECT_EQ(several.shown, one.shown);
+  EXPECT_GT(std::count_if(one.shown.begin(), one.shown.end(), [](std::uint32_t word) { return word != 0; }), 10);
 }
 
 }  // namespace velum::session

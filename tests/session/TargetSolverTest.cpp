@@ -31,19 +31,26 @@ render::InstanceBits cellPicture(const scene::Scene& scene, double cell) {
   const Model& model = *scene.model.data;
   std::vector<std::uint8_t> kept = render::keptInstances(scene);
   std::vector<bool> shown = visibleTypes(scene.model);
+  scene::CopyGrid copies = scene::copyGrid(scene.model);
+  auto placeOf = [&](std::size_t i) {
+    int copy = int(i / model.instances.size()), line = copy / copies.counts.x;
+    glm::dvec3 block(copy % copies.counts.x, line % copies.counts.y, line / copies.counts.y);
+    return glm::dvec3(model.instances[i % model.instances.size()].position) + block * copies.step;
+  };
   render::InstanceBits bits;
   bits.count = kept.size();
   bits.removed.assign((kept.size() + 31) / 32, 0u), bits.shown = bits.removed;
   std::map<std::pair<int, int>, std::size_t> first;
   for (std::size_t i = 0; i < kept.size(); ++i) {
-    const Instance& instance = model.instances[i];
+    const Instance& instance = model.instances[i % model.instances.size()];
     if (!kept[i] || !shown[model.molecules[instance.molecule].type]) {
       bits.removed[i >> 5] |= 1u << (i & 31u);
       continue;
     }
-    std::pair at(int(std::floor(instance.position.x / cell)), int(std::floor(instance.position.y / cell)));
+    glm::dvec3 place = placeOf(i);
+    std::pair at(int(std::floor(place.x / cell)), int(std::floor(place.y / cell)));
     auto [found, isNew] = first.try_emplace(at, i);
-    if (!isNew && instance.position.z > model.instances[found->second].position.z) found->second = i;
+    if (!isNew && place.z > placeOf(found->second).z) found->second = i;
   }
   for (const auto& [at, i] : first) bits.shown[i >> 5] |= 1u << (i & 31u);
   return bits;
@@ -143,6 +150,33 @@ TEST(TargetSolver, MeetsSeveralAtOnceAndDrawnOnesExactly) {
     EXPECT_EQ(double(*target.visible), *targets[std::size_t(i)].visible) << target.words;
     EXPECT_EQ(countOf(report.scene, target.path, 20.0).visible, *target.visible);
   }
+}
+
+TEST(TargetSolver, CopiesCountLikeAllOtherInstances) {
+  scene::Scene scene = ballScene();
+  scene.model.copies = 2;
+  RenderedSolver drawn(scene, {7}, "type0");
+  double wantedDrawn = double(drawn.range().least + 30);
+  double wantedSeen = double(countOf(scene, "type1", 20.0).visible + 9);
+  TargetsReport report = solveTargets(
+      scene, {7}, {{"type0", wantedDrawn, std::nullopt}, {"type1", std::nullopt, wantedSeen}}, cells(20.0));
+  EXPECT_EQ(report.residual, 0u) << report.targets[0].words << "; " << report.targets[1].words;
+  EXPECT_EQ(double(countOf(report.scene, "type0", 20.0).rendered()), wantedDrawn);
+  EXPECT_EQ(double(countOf(report.scene, "type1", 20.0).visible), wantedSeen);
+  for (const TargetReport& target : report.targets) EXPECT_EQ(target.total, 600u) << target.words;
+}
+
+// A focus on type1 keeps type1 in view, and clears type11.
+TEST(VisibleSolver, NamesThatBeginAlikeAreTwoTypes) {
+  scene::Scene scene = ballScene(12, 3600);
+  scene.cuts.clear();
+  int cut = clearTheWay(scene, "root.b.type1");
+  auto isCleared = [&](std::uint32_t type) { return session::isCleared(scene, {cut}, {type}); };
+  EXPECT_FALSE(isCleared(1));
+  EXPECT_TRUE(isCleared(11));
+  EXPECT_TRUE(isCleared(3));
+  scene.cuts[0].focus->types = {{"root.b"}};
+  EXPECT_FALSE(isCleared(11)) << "what hangs in a compartment is meant with it";
 }
 
 TEST(TargetSolver, ACompartmentLeavesTypesAloneThatHaveTargetsOfTheirOwn) {

@@ -2,8 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "makeModel.h"
 #include "velum/core/Error.h"
+#include "velum/render/section/KeptInstances.h"
+#include "velum/scene/Navigate.h"
+#include "velum/session/cut/CutEdit.h"
 #include "velum/session/model/CountFiles.h"
 #include "velum/session/model/ModelEdit.h"
 
@@ -54,6 +59,41 @@ TEST(WhatHides, TheTypeStandsAlone) {
   EXPECT_THROW(aloneScene(scene, "nobody"), InputError);
 }
 
+TEST(WhatHides, WhatIsClearedForAViewIsNotAskedForWhateverThePicturesShape) {
+  scene::Scene scene = modelScene();
+  scene.model.data = Shared<Model>(ModelMaker{.types = 4, .atoms = 8, .instances = 800}.make());
+  scene.camera = scene::frameCamera(scene, scene::StandardView::Anterior, 1.0);
+  clearTheWay(scene, "type0");
+  const Model& model = *scene.model.data;
+  std::set<std::uint64_t> counts;
+  for (glm::ivec2 size : {glm::ivec2(40, 20), glm::ivec2(20, 40)}) {
+    auto states = render::instanceStates(scene, {}, double(size.x) / size.y);
+    // Each instance has a pixel of its own.
+    Image alone{size.x, size.y, {"R", "instance", "type"}, {}};
+    std::uint64_t wanted = 0;
+    for (std::size_t i = 0; i < model.instances.size(); ++i) {
+      bool isAsked = model.molecules[model.instances[i].molecule].type == 1;
+      alone.pixels.insert(alone.pixels.end(), {0.0f, isAsked ? float(i + 1) : -1.0f, isAsked ? 1.0f : -1.0f});
+      wanted += isAsked && states[i] != render::InstanceState::Cleared;
+    }
+    EXPECT_EQ(whatHides(scene, "type1", alone, alone).pixels, wanted) << size.x;
+    counts.insert(wanted);
+  }
+  EXPECT_EQ(counts.size(), 2u) << "a wide picture shows more of what hides than a tall one";
+}
+
+TEST(WhatHides, NothingIsClearedOfACompartmentThatHoldsTheFocusAndWhoHidesIt) {
+  scene::Scene scene = modelScene();
+  scene.camera = scene::frameCamera(scene, scene::StandardView::Anterior, 1.0);
+  clearTheWay(scene, "type0");
+  auto isCleared = [](const scene::Scene& of) {
+    auto states = render::instanceStates(of);
+    return std::count(states.begin(), states.end(), render::InstanceState::Cleared) > 0;
+  };
+  EXPECT_TRUE(isCleared(scene));
+  EXPECT_FALSE(isCleared(aloneScene(scene, "root.a"))) << "all of it is seen alone";
+}
+
 TEST(ClearTheWay, AddsOneCutThatRemovesNothingElse) {
   scene::Scene scene = modelScene();
   int id = clearTheWay(scene, "type1");
@@ -66,6 +106,35 @@ TEST(ClearTheWay, AddsOneCutThatRemovesNothingElse) {
   ASSERT_EQ(scene.cuts[0].typeSpares.size(), 1u);
   EXPECT_EQ(scene.cuts[0].typeSpares[0].type, "root");
   EXPECT_EQ(scene.cuts[0].typeSpares[0].share, 1.0);
+}
+
+TEST(ClearTheWay, EndsWithTheCutWhereThatDidNothingElse) {
+  scene::Scene scene = modelScene();
+  scene::addCut(scene, makeCut(scene, scene::CutShape::Sphere));
+  scene::Scene before = scene;
+  clearTheWay(scene, "type1");
+  clearTheWay(scene, "type2");
+  EXPECT_TRUE(isKeptInView(scene, "root.b.type1"));
+  EXPECT_FALSE(isKeptInView(scene, "root.b.type3"));
+  endKeepInView(scene, "root.b.type1");
+  EXPECT_FALSE(isKeptInView(scene, "root.b.type1"));
+  EXPECT_TRUE(isKeptInView(scene, "root.a.type2")) << "the other one stays";
+  scene::Scene thinned = scene;
+  endKeepInView(scene, "root.a.type2");
+  EXPECT_EQ(scene.cuts, before.cuts) << "nothing is left of it";
+  // Where it takes some of what there is it goes on with that.
+  setTypeShare(thinned.cuts.back(), "root.a", 0.5);
+  endKeepInView(thinned, "root.a.type2");
+  ASSERT_EQ(thinned.cuts.size(), 2u);
+  EXPECT_FALSE(thinned.cuts.back().focus);
+  // A cut with a shape cuts without a focus, too.
+  scene.cuts[0].focus.emplace().types = {{"root.b"}};
+  EXPECT_TRUE(isKeptInView(scene, "root.b"));
+  scene.cuts[0].enabled = false;
+  EXPECT_FALSE(isKeptInView(scene, "root.b")) << "a cut that is off keeps nothing";
+  endKeepInView(scene, "root.b");
+  ASSERT_EQ(scene.cuts.size(), 1u);
+  EXPECT_FALSE(scene.cuts[0].focus);
 }
 
 TEST(CountFiles, RowsAreTheTreeAndCompartmentsTheSumsOfIt) {

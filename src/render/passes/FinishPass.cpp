@@ -16,6 +16,7 @@ namespace {
 constexpr int kPiecePixels = 1 << 20;   // a few milliseconds
 constexpr double kStepVoxels = 2.5;     // noise moves surfaces by less
 constexpr double kStepAngstrom = 20.0;  // more than the folds of most proteins
+constexpr double kStepShare = 0.005;    // of the diameter of surfaces alone: as voxels of a scan of 500 would have it
 constexpr int kMostSpheres = 96;        // in a texture that every driver takes; what comes after looks like the first
 constexpr std::string_view kPlain = "porcelain";
 
@@ -97,7 +98,9 @@ void FinishPass::makeSpheres(const scene::Scene& scene) {
 
 /// From how long a jump of depth on there is a line.
 double FinishPass::stepLengthOf(const FrameData& data) {
-  return isModelAlone(data) ? kStepAngstrom * angstromOf(data) : kStepVoxels / double(data.params.voxelsPerLength);
+  if (isModelAlone(data)) return kStepAngstrom * angstromOf(data);
+  bool hasVoxels = data.volume || data.labelUse != LabelUse::None;
+  return hasVoxels ? kStepVoxels / double(data.params.voxelsPerLength) : kStepShare * diameterOf(data.grid);
 }
 
 void FinishPass::prepare(FrameData& data) {

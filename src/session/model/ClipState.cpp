@@ -12,7 +12,9 @@ bool hasFocus(const scene::Cut& cut) { return cut.focus && !cut.focus->types.emp
 
 /// Lots decide about some instances of the row's types.
 bool isThinned(const scene::Cut& cut, const scene::TypeSpare& spare) {
-  bool fades = spare.falloff != 0.0 && spare.amount > 0.0 && cut.shape != scene::CutShape::Everywhere;
+  // From the share, to either side: where all stay anyway there is nothing to fade.
+  bool fades =
+      spare.share < 1.0 && spare.falloff != 0.0 && spare.amount > 0.0 && cut.shape != scene::CutShape::Everywhere;
   return isBetween(spare.share) || fades || (hasFocus(cut) && isBetween(spare.viewShare));
 }
 
@@ -22,7 +24,7 @@ bool isActing(const scene::Cut& cut, std::string_view root) {
       cut.mostCopies != scene::Spare::kEndless)
     return true;
   auto takes = [](const scene::TypeSpare& spare) {
-    return spare.share < 1.0 || spare.distance != scene::Spare::kEndless || spare.falloff < 0.0;
+    return spare.share < 1.0 || spare.distance != scene::Spare::kEndless;
   };
   if (std::any_of(cut.typeSpares.begin(), cut.typeSpares.end(), takes)) return true;
   // What no row speaks of goes.

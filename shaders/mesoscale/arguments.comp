@@ -15,7 +15,7 @@ void main() {
   uint threads = list == uint(kDrawOne) ? 1u : list == uint(kDrawFew) ? uint(kFewSpheres) : uint(kInstanceGroup);
   uint inGroup = uint(kInstanceGroup) / threads;
   uint groups = (counts[list] + inGroup - 1u) / inGroup;
-  uint across = min(groups, 32768u);
+  uint across = min(groups, kGroupsAcross);
   uint parts = list == uint(kDrawLarge) ? uint(kLargeParts) : 1u;
   commands[list] = DispatchCommand(across, across == 0u ? 0u : (groups + across - 1u) / across, parts, 0u);
 }

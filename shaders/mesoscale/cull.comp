@@ -16,7 +16,7 @@ layout(binding = kTypeUnit) uniform samplerBuffer typeTexture;
 #include "mesoscale/hidden.glsl"
 
 layout(std430, binding = kSeenBinding) readonly buffer SeenBlock { uint seen[]; };
-layout(std430, binding = kDrawBinding) writeonly buffer DrawBlock { DrawRow draws[]; };
+layout(binding = kDrawImage, rg32ui) uniform writeonly uimageBuffer drawImage;  // DrawRow
 layout(std430, binding = kCountBinding) buffer CountBlock { uint counts[]; };
 layout(binding = kDepthUnit) uniform usamplerBuffer depthTexture;
 
@@ -109,12 +109,13 @@ void cullOne(uint instance, Place place) {
 #ifdef STATES
   if (isRemoved(instance)) return;
 #endif
-  vec3 middle = place.position + turned(place.rotation, molecule.sphere.xyz);
+  // Exactly: by which level it is drawn must not depend on whether it was seen before, which is another program.
+  precise vec3 middle = place.position + turned(place.rotation, molecule.sphere.xyz);
   float radius = molecule.reach;
   // The window.
-  vec3 q = middle - view.eye.xyz;
-  float depth = dot(q, view.forward.xyz);
-  float nearest = depth - radius;
+  precise vec3 q = middle - view.eye.xyz;
+  precise float depth = dot(q, view.forward.xyz);
+  precise float nearest = depth - radius;
   if (depth + radius <= 0.0 || isAside(q, depth, radius)) return;
   vec4 pixels = vec4(0.0, 0.0, vec2(view.size));
   if (nearest > 0.0 || view.isOrthographic != 0) {
@@ -126,7 +127,7 @@ void cullOne(uint instance, Place place) {
   if (!cutsLeave(instance, molecule.type, middle, molecule.sphere.w)) return;
 #endif
   // The coarsest level that is fine enough where the instance is nearest.
-  float perLength = pixelsPerLength(nearest);
+  precise float perLength = pixelsPerLength(nearest);
   uint level = molecule.firstLevel + molecule.levelCount - 1u;
   LevelRow row = levelAt(level);
   while (level > molecule.firstLevel && row.error * perLength > view.detail) row = levelAt(--level);
@@ -135,7 +136,7 @@ void cullOne(uint instance, Place place) {
   int list = row.count == 1u ? kDrawOne : row.count <= uint(kFewSpheres) ? kDrawFew : kDrawMany;
   if (row.radius * perLength > view.largeRadius) list = kDrawLarge;
   int slot = int(atomicAdd(counts[list], 1u));
-  draws[drawSlot(list, slot, view.instanceCount * view.copies)] = DrawRow(instance, level);
+  imageStore(drawImage, drawSlot(list, slot, view.instanceCount * view.copies), uvec4(instance, level, 0u, 0u));
 }
 
 void main() {

@@ -3,6 +3,7 @@ layout(local_size_x = 64) in;
 
 #include "shared/bindings.h"
 #include "shared/instance.h"
+#include "common/line.glsl"
 
 layout(std430, binding = kOwnerBinding) readonly buffer OwnerBlock { uint owners[]; };
 layout(std430, binding = kSeenBinding) buffer SeenBlock { uint seen[]; };
@@ -10,7 +11,7 @@ layout(std430, binding = kSeenBinding) buffer SeenBlock { uint seen[]; };
 layout(location = 0) uniform int pixelCount;
 
 void main() {
-  int at = int(gl_GlobalInvocationID.x);
+  int at = int(lineThread());
   if (at >= pixelCount) return;
   uint owner = owners[at];
   // Neighbours mostly show the same.

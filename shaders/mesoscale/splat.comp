@@ -6,6 +6,7 @@ layout(local_size_x = 64) in;
 
 #include "mesoscale/instances.glsl"
 #include "mesoscale/hidden.glsl"
+#include "common/line.glsl"
 
 layout(std430, binding = kDepthBinding) buffer DepthBlock { uint depths[]; };
 layout(std430, binding = kOwnerBinding) buffer OwnerBlock { uint owners[]; };
@@ -64,7 +65,7 @@ bool isHidden(ivec4 rect, uint least) { return hasPyramid != 0 && uintBitsToFloa
 
 void main() {
   int lane = int(gl_LocalInvocationIndex);
-  int group = firstGroup + int(gl_WorkGroupID.x + gl_WorkGroupID.y * gl_NumWorkGroups.x);
+  int group = firstGroup + int(lineGroup());
 #ifdef LARGE
   int threads = kInstanceGroup;
 #else

@@ -1,17 +1,14 @@
-// Triangles of a surface, pulled from a storage block.
+// Triangles of a surface, and lines.
 #include "common/frame.glsl"
 
-struct Vertex {
-  vec4 position;  // scene frame
-  vec4 normal;
-};
-layout(std430, binding = kMeshBinding) readonly buffer MeshBlock { Vertex vertices[]; };
+layout(location = 0) in vec3 position;  // scene frame
+layout(location = 1) in vec3 normal;
 
 layout(location = 0) out vec3 scenePoint;
 layout(location = 1) out vec3 sceneNormal;
 
 void main() {
-  scenePoint = vertices[gl_VertexID].position.xyz;
-  sceneNormal = vertices[gl_VertexID].normal.xyz;
+  scenePoint = position;
+  sceneNormal = normal;
   gl_Position = frame.clipFromScene * vec4(scenePoint, 1.0);
 }

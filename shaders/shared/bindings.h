@@ -74,8 +74,8 @@ SHARED_CONST uint kDepthBinding = 2u;
 SHARED_CONST uint kOwnerBinding = 3u;   // instance of each pixel,
 SHARED_CONST uint kBallBinding = 4u;    // and its ball
 SHARED_CONST uint kSeenBinding = 5u;    // a bit an instance: seen last time
-SHARED_CONST uint kDrawBinding = 6u;
 SHARED_CONST uint kCountBinding = 7u;   // of the lists of draws; then the dispatches that these make
+SHARED_CONST uint kDrawImage = 0u;      // the lists of draws while they are written: as texels, of which drivers take more than of a block
 SHARED_CONST uint kPyramidImage = 0u;
 SHARED_CONST uint kOpenImage = 0u;
 SHARED_CONST uint kGhostImage = 0u;
@@ -87,7 +87,6 @@ SHARED_CONST uint kSurfaceIdImage = 2u;
 SHARED_CONST uint kCutBinding = 1u;
 SHARED_CONST uint kCellBinding = 3u;
 SHARED_CONST uint kCutGridBinding = 4u;
-SHARED_CONST uint kMeshBinding = 5u;
 
 // Storage blocks while a sheet is indexed, which is between frames.
 SHARED_CONST uint kSheetBinding = 0u;        // its rows (SHARED_SHEET_BLOCK),

@@ -23,6 +23,9 @@ struct DrawIndexedCommand {
   uint padding2;
 };
 
+/// Groups that are many lie in rows of so many (shaders/common/line.glsl): OpenGL promises 65,535 along an axis.
+SHARED_CONST uint kGroupsAcross = 32768u;
+
 struct DispatchCommand {
   uint groupsX;
   uint groupsY;

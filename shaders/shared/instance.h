@@ -202,8 +202,9 @@ SHARED_FN int instanceAnswer(CutData cut, float depth, float reach, vec3 p SHARE
 /// A vector turned by a unit quaternion.
 SHARED_FN vec3 turned(vec4 q, vec3 v) {
   vec3 axis = vec3(q.x, q.y, q.z);
-  vec3 t = 2.0f * cross(axis, v);
-  return v + q.w * t + cross(axis, t);
+  SHARED_EXACT vec3 t = 2.0f * cross(axis, v);
+  SHARED_EXACT vec3 out_ = v + q.w * t + cross(axis, t);
+  return out_;
 }
 
 /// Half the width and the height of a picture at distance 1.

@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <optional>
+
 #include "Gl.h"
 #include "velum/core/Assert.h"
+#include "velum/gpu/Context.h"
 #include "velum/gpu/GpuError.h"
 
 namespace velum::gpu {
@@ -19,12 +22,16 @@ unsigned createBuffer() {
   return id;
 }
 
+constexpr std::size_t kMostUniformBytes = 16384;  // OpenGL 4.5, table 23.64
+
 /// Smaller ones always find room, and a driver with a thread of its own would be waited for.
 constexpr std::size_t kLargeBytes = std::size_t(1) << 20;
 }  // namespace
 
 Buffer::Buffer(std::string_view label, std::size_t bytes, const void* data) : Handle(createBuffer()), mBytes(bytes) {
   bool isLarge = bytes >= kLargeBytes;
+  std::optional<MayRefuse> mayRefuse;
+  if (isLarge) mayRefuse.emplace();
   while (isLarge && gl().GetError() != GL_NO_ERROR) {
   }
   gl().NamedBufferStorage(id(), GLsizeiptr(bytes ? bytes : 16), data, GL_DYNAMIC_STORAGE_BIT);
@@ -35,6 +42,7 @@ Buffer::Buffer(std::string_view label, std::size_t bytes, const void* data) : Ha
 }
 
 Buffer Buffer::makeReadable(std::string_view label, std::size_t bytes) {
+  MayRefuse mayRefuse;
   constexpr GLbitfield kAccess = GL_MAP_READ_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT;
   Buffer buffer;
   static_cast<Handle&>(buffer) = Handle(createBuffer());
@@ -62,7 +70,18 @@ void Buffer::clear() { gl().ClearNamedBufferData(id(), GL_R32UI, GL_RED_INTEGER,
 void Buffer::fill(std::uint32_t word) {
   gl().ClearNamedBufferData(id(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &word);
 }
-void Buffer::bindStorage(unsigned binding) const { gl().BindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, id()); }
-void Buffer::bindUniform(unsigned binding) const { gl().BindBufferBase(GL_UNIFORM_BUFFER, binding, id()); }
+void Buffer::bindStorage(unsigned binding) const {
+  // Shaders would see its beginning alone.
+  if (mBytes > gl().limits->storageBlock)
+    throw GpuError(
+        fmt::format("the driver's shaders reach {} MiB of a buffer, and {} MiB are needed: take fewer copies, or a "
+                    "smaller picture or volume",
+                    gl().limits->storageBlock >> 20, (mBytes + (1 << 20) - 1) >> 20));
+  gl().BindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, id());
+}
+void Buffer::bindUniform(unsigned binding) const {
+  VELUM_ASSERT(mBytes <= kMostUniformBytes, "a uniform block is as long as every driver takes");
+  gl().BindBufferBase(GL_UNIFORM_BUFFER, binding, id());
+}
 
 }  // namespace velum::gpu

@@ -4,6 +4,8 @@
 /// The GL functions in use, filled from any getProcAddress, so that EGL, OSMesa, Qt and GLFW are all alike.
 namespace velum::gpu {
 
+struct Limits;
+
 // clang-format off
 #define VELUM_GL_FUNCTIONS(X) \
   X(PFNGLATTACHSHADERPROC, AttachShader) \
@@ -22,6 +24,7 @@ namespace velum::gpu {
   X(PFNGLCLEARTEXIMAGEPROC, ClearTexImage) \
   X(PFNGLCLIENTWAITSYNCPROC, ClientWaitSync) \
   X(PFNGLCOMPILESHADERPROC, CompileShader) \
+  X(PFNGLCOPYIMAGESUBDATAPROC, CopyImageSubData) \
   X(PFNGLCOPYNAMEDBUFFERSUBDATAPROC, CopyNamedBufferSubData) \
   X(PFNGLCREATEBUFFERSPROC, CreateBuffers) \
   X(PFNGLCREATEFRAMEBUFFERSPROC, CreateFramebuffers) \
@@ -109,6 +112,7 @@ struct GlTable {
   /// Tells whose functions these are, where a window made the context, and what is current now.
   const void* (*current)() = nullptr;
   const void* context = nullptr;
+  const Limits* limits = nullptr;
   GLuint emptyVertexArray = 0;  ///< Core profile draws need one bound, also where vertices are made from their numbers.
 };
 
@@ -117,5 +121,15 @@ struct GlTable {
 const GlTable& gl();
 bool hasGl();
 void setGl(const GlTable* table);
+
+/// While one lives, its thread asks for what the driver may refuse, and who asks looks whether it has: what the driver
+/// says of it is no error of ours, and nobody is told twice.
+class MayRefuse {
+ public:
+  MayRefuse();
+  ~MayRefuse();
+  MayRefuse(const MayRefuse&) = delete;
+  MayRefuse& operator=(const MayRefuse&) = delete;
+};
 
 }  // namespace velum::gpu

@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "Gl.h"
 #include "ShaderLibrary.h"
 #include "shared/draw.h"
+#include "velum/core/Assert.h"
 #include "velum/gpu/GpuError.h"
 
 namespace velum::gpu {
@@ -27,6 +30,7 @@ GLenum stageOf(std::string_view file) {
 
 Shader compile(std::string_view file, const Defines& defines) {
   ShaderText source = expandShader(file, defines);
+  MayRefuse mayRefuse;
   Shader shader(gl().CreateShader(stageOf(file)));
   const char* text = source.text.c_str();
   gl().ShaderSource(shader.id(), 1, &text, nullptr);
@@ -49,6 +53,7 @@ Program::Program(std::initializer_list<std::string_view> files, const Defines& d
     shaders.push_back(compile(file, defines));
     gl().AttachShader(id(), shaders.back().id());
   }
+  MayRefuse mayRefuse;
   gl().LinkProgram(id());
   GLint ok = 0;
   gl().GetProgramiv(id(), GL_LINK_STATUS, &ok);
@@ -80,8 +85,16 @@ void Program::set(int location, glm::ivec4 v) const { gl().ProgramUniform4i(id()
 void Program::set(int location, glm::vec4 v) const { gl().ProgramUniform4f(id(), location, v.x, v.y, v.z, v.w); }
 
 void dispatch(const Program& program, glm::ivec3 groups) {
+  VELUM_ASSERT(std::min({groups.x, groups.y, groups.z}) >= 0 && std::max({groups.x, groups.y, groups.z}) <= kMostGroups,
+               "as many groups along each axis as every driver takes");
   program.use();
   gl().DispatchCompute(GLuint(groups.x), GLuint(groups.y), GLuint(groups.z));
+}
+
+void dispatchLine(const Program& program, std::uint32_t groups, int parts) {
+  if (groups == 0) return;
+  std::uint32_t across = std::min(groups, shared::kGroupsAcross);
+  dispatch(program, {int(across), int((groups + across - 1) / across), parts});
 }
 
 void dispatchIndirect(const Program& program, const Buffer& commands, int index) {

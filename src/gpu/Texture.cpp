@@ -7,6 +7,7 @@
 
 #include "Gl.h"
 #include "velum/core/Assert.h"
+#include "velum/gpu/Context.h"
 #include "velum/gpu/GpuError.h"
 
 namespace velum::gpu {
@@ -80,16 +81,22 @@ void deleteTexture(unsigned id) {
 
 Texture Texture::makeOfBuffer(std::string_view label, Format format, const Buffer& buffer) {
   VELUM_ASSERT(buffer.bytes() % row(format).bytes == 0, "a buffer of texels holds whole ones");
+  std::size_t texels = buffer.bytes() / row(format).bytes;
+  if (texels > gl().limits->textureBuffer)
+    throw GpuError(fmt::format(
+        "{}: {} texels are more than the {} that the driver takes in a buffer: use a smaller model, picture or volume",
+        label, texels, gl().limits->textureBuffer));
   unsigned id = 0;
   gl().CreateTextures(GL_TEXTURE_BUFFER, 1, &id);
   gl().ObjectLabel(GL_TEXTURE, id, GLsizei(label.size()), label.data());
   gl().TextureBuffer(id, row(format).internal, buffer.id());
-  return Texture(id, format, {int(buffer.bytes() / row(format).bytes), 1, 1}, false);
+  return Texture(id, format, {int(texels), 1, 1}, false);
 }
 
 Texture Texture::make2d(std::string_view label, Format format, glm::ivec2 size, Filter filter, int levels) {
   Texture texture(createTexture(GL_TEXTURE_2D, label, isInteger(format) ? Filter::Nearest : filter, levels), format,
                   {size, 1}, false, levels);
+  MayRefuse mayRefuse;
   drainErrors();
   gl().TextureStorage2D(texture.id(), levels, row(format).internal, size.x, size.y);
   checkMemory(label, texture.mSize, std::size_t(size.x) * std::size_t(size.y) * row(format).bytes);
@@ -99,6 +106,7 @@ Texture Texture::make2d(std::string_view label, Format format, glm::ivec2 size, 
 Texture Texture::make3d(std::string_view label, Format format, glm::ivec3 size, Filter filter, int levels) {
   Texture texture(createTexture(GL_TEXTURE_3D, label, isInteger(format) ? Filter::Nearest : filter, levels), format,
                   size, true, levels);
+  MayRefuse mayRefuse;
   drainErrors();
   gl().TextureStorage3D(texture.id(), levels, row(format).internal, size.x, size.y, size.z);
   checkMemory(label, size, std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z) * row(format).bytes);
@@ -128,7 +136,15 @@ void Texture::read(glm::ivec3 o, glm::ivec3 s, void* texels, std::size_t bytes, 
   const auto& r = row(mFormat);
   VELUM_ASSERT(glm::all(glm::greaterThanEqual(o, glm::ivec3(0))) && glm::all(glm::lessThanEqual(o + s, size(level))),
                "what is read lies in the texture");
+  if (o.z > 0) return alone(o, s, level).read({0, 0, 0}, s, texels, bytes);
   gl().GetTextureSubImage(id(), level, o.x, o.y, o.z, s.x, s.y, s.z, r.format, r.type, GLsizei(bytes), texels);
+}
+
+/// A box by itself. Where Mesa reads by a shader, as zink does for GPUs, it passes over the first layer that is asked for.
+Texture Texture::alone(glm::ivec3 o, glm::ivec3 s, int level) const {
+  Texture box = make3d("box", mFormat, s, Filter::Nearest);
+  gl().CopyImageSubData(id(), GL_TEXTURE_3D, level, o.x, o.y, o.z, box.id(), GL_TEXTURE_3D, 0, 0, 0, 0, s.x, s.y, s.z);
+  return box;
 }
 
 void Texture::copyTo(Buffer& target, glm::ivec3 o, glm::ivec3 s, int level) const {

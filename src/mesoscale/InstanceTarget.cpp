@@ -14,7 +14,6 @@ namespace {
 
 constexpr std::size_t kCountBytes = sizeof(std::uint32_t) * shared::kDrawLists;
 constexpr std::size_t kCommandBytes = sizeof(shared::DispatchCommand) * shared::kDrawLists;
-constexpr std::uint32_t kMostGroupsAcross = 32768;
 
 const gpu::Program& made(gpu::Program& program, std::string_view file, const gpu::Defines& defines = {}) {
   if (!program) program = gpu::Program({file}, defines);
@@ -46,7 +45,9 @@ gpu::Defines focusDefines(bool hasMembranes, bool isOfOccluders) {
 
 std::vector<InstancePart> instanceParts(std::uint32_t instances, int copies, std::uint32_t most) {
   std::vector<InstancePart> parts;
-  int atATime = std::clamp(int(most / std::max(1u, instances)), 1, copies);
+  // A thread an instance along x, a copy a row of groups.
+  most = std::min(most, std::uint32_t(gpu::kMostGroups * shared::kInstanceGroup));
+  int atATime = std::clamp(int(most / std::max(1u, instances)), 1, std::min(copies, gpu::kMostGroups));
   for (int copy = 0; copy < copies; copy += atATime)
     for (std::uint32_t first = 0; first < instances; first += std::min(most, instances - first))
       parts.push_back({first, std::min(instances, first + most), copy, std::min(atATime, copies - copy)});
@@ -147,7 +148,7 @@ std::vector<InstancePart> InstanceTarget::partsOf(CullPhase phase, std::uint32_t
 void InstanceTarget::cull(InstancePrograms& programs, CullBy by, CullPhase phase, const InstancePart& part) {
   const Lists& lists = listsOf(phase);
   bindLists(lists);
-  lists.draws.bindStorage(shared::kDrawBinding);
+  lists.drawTexels.bindImage(shared::kDrawImage, gpu::Access::Write);
   mSeen.bindStorage(shared::kSeenBinding);
   mPyramid.bindSampler(shared::kPyramidUnit);
   bindDepths(shared::kDepthUnit);
@@ -207,7 +208,7 @@ void InstanceTarget::drawGroups(InstancePrograms& programs, CullPhase phase, int
   program.set(2, int(first));
   program.set(3, hasPyramid(phase, owners));
   int parts = list == shared::kDrawLarge ? shared::kLargeParts : 1;
-  gpu::dispatch(program, {int(std::min(count, kMostGroupsAcross)), 1, parts});
+  gpu::dispatchLine(program, count, parts);
 }
 
 void InstanceTarget::makePyramid(InstancePrograms& programs) {
@@ -232,7 +233,7 @@ void InstanceTarget::noteSeen(InstancePrograms& programs) {
   mSeen.bindStorage(shared::kSeenBinding);
   const gpu::Program& program = programs.seen();
   program.set(0, mSize.x * mSize.y);
-  gpu::dispatch(program, {groupsOf(std::uint32_t(mSize.x) * std::uint32_t(mSize.y)), 1, 1});
+  gpu::dispatchLine(program, std::uint32_t(groupsOf(std::uint32_t(mSize.x) * std::uint32_t(mSize.y))));
   gpu::barrier();
 }
 

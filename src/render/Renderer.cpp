@@ -24,7 +24,7 @@ struct Renderer::Impl {
   Impl(gpu::Context& c, const Stats& known)
       : limits(c.limits()),
         upload(limits),
-        instances(surfaces, limits.isSoftware),
+        instances(surfaces, limits),
         rayCast(gbuffer, limits.isSoftware),
         counts(gbuffer, instances),
         ghosts(gbuffer, instances),

@@ -1,10 +1,15 @@
+#include <sys/wait.h>
+
+#include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <thread>
 #include <vector>
 
 #include "GlFixture.h"
 #include "velum/gpu/Buffer.h"
 #include "velum/gpu/GpuError.h"
+#include "velum/gpu/Texture.h"
 
 namespace velum::gpu {
 namespace {
@@ -18,7 +23,14 @@ TEST_F(ContextGL, SaysWhatTheDriverOffers) {
   EXPECT_GE(limits.texture3d, 2048);  // what OpenGL 4.5 promises
   EXPECT_GE(limits.texture2d, 16384);
   EXPECT_GE(limits.textureBuffer, 65536u);
+  EXPECT_GE(limits.storageBlock, std::size_t(1) << 27);
   EXPECT_GT(limits.memoryBytes, std::size_t(64) << 20);
+}
+
+TEST_F(ContextGL, IsTheDriverThatWasAskedFor) {
+  const char* wanted = std::getenv("VELUM_TEST_DRIVER");
+  if (!wanted) GTEST_SKIP() << "whichever the machine has: " << context().limits().renderer;
+  EXPECT_EQ(context().limits().renderer.rfind(wanted, 0), 0u) << context().limits().renderer;
 }
 
 TEST_F(ContextGL, LimitsCanBeLoweredForTests) {
@@ -44,7 +56,6 @@ TEST_F(ContextGL, TwoContextsTakeTurnsOnAThread) {
   context().makeCurrent();
   ours.read(0, sizeof(int), &out);
   EXPECT_EQ(out, 5);
-  EXPECT_EQ(other->errorCount(), 0);
 }
 
 TEST_F(ContextGL, WorksOnAnotherThread) {
@@ -54,9 +65,49 @@ TEST_F(ContextGL, WorksOnAnotherThread) {
     Buffer buffer("worker", sizeof(int), &five);
     buffer.read(0, sizeof(int), &out);
     EXPECT_EQ(out, 5);
-    EXPECT_EQ(own->errorCount(), 0);
   });
   worker.join();
+}
+
+/// What no driver lets pass: there is no such image unit.
+void makeDriverReport() {
+  Texture::make2d("test", Format::R8, {1, 1}).bindImage(1u << 20, Access::Read);
+}
+
+TEST_F(ContextGL, WhatIsRefusedAndSaidIsNoErrorOfTheDriver) {
+  int before = Context::errorCount();
+  EXPECT_THROW(Texture::make3d("too long", Format::R8, {context().limits().texture3d * 2, 1, 1}), GpuError);
+  EXPECT_EQ(Context::errorCount(), before);
+}
+
+/// Run by the next law alone.
+TEST_F(ContextGL, DISABLED_AnError) {
+  makeDriverReport();
+  EXPECT_GT(Context::errorCount(), 0);
+}
+
+TEST_F(ContextGL, ACaseInWhichTheDriverReportsAnErrorFails) {
+  FILE* pipe = ::popen((std::filesystem::read_symlink("/proc/self/exe").string() +
+                        " --gtest_also_run_disabled_tests --gtest_filter=ContextGL.DISABLED_AnError 2>&1")
+                           .c_str(),
+                       "r");
+  ASSERT_NE(pipe, nullptr);
+  std::string said;
+  char part[512];
+  while (std::fgets(part, sizeof part, pipe)) said += part;
+  EXPECT_EQ(WEXITSTATUS(::pclose(pipe)), 1) << said;
+  EXPECT_NE(said.find("the driver has reported errors"), std::string::npos) << said;
+  EXPECT_NE(said.find("warning: OpenGL: "), std::string::npos) << said;
+}
+
+TEST_F(ContextGL, AProgramEndsAtAnErrorOfTheDriverWhereThatIsAskedFor) {
+  testing::FLAGS_gtest_death_test_style = "threadsafe";  // drivers have threads
+  auto report = [] {
+    ::setenv("VELUM_DRIVER_ERRORS", "fatal", 1);
+    makeDriverReport();
+    std::exit(0);
+  };
+  EXPECT_EXIT(report(), testing::ExitedWithCode(3), "OpenGL: ");
 }
 
 TEST_F(ContextGL, OsMesaIsThereOrSaysWhyNot) {

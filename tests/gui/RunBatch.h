@@ -10,7 +10,7 @@ namespace velum::gui {
 /// Runs velum-batch and fails the test where that fails. Not by QProcess: its child shares this program's memory until
 /// it is another program, and the thread sanitizer then takes what it does for ours.
 inline void runBatch(const QStringList& words) {
-  std::string command = VELUM_BATCH, said;
+  std::string command = "VELUM_DRIVER_ERRORS=fatal " VELUM_BATCH, said;
   for (QString word : words) command += " '" + word.replace('\'', "'\\''").toStdString() + "'";
   FILE* pipe = ::popen((command + " 2>&1").c_str(), "r");
   ASSERT_NE(pipe, nullptr);

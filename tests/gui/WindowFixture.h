@@ -51,9 +51,6 @@ class Window : public testing::Test {
     ASSERT_TRUE(QTest::qWaitForWindowActive(mWindow.get()));
   }
   void TearDown() override {
-    if (mWindow) {
-      EXPECT_EQ(mWindow->viewport().glErrorCount(), 0);
-    }
     mWindow.reset();
     EXPECT_TRUE(warnings().isEmpty()) << warnings().join("\n").toStdString();
   }

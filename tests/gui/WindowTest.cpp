@@ -203,6 +203,7 @@ int main(int argc, char** argv) {
   QSurfaceFormat format;
   format.setVersion(4, 5);
   format.setProfile(QSurfaceFormat::CoreProfile);
+  format.setOption(QSurfaceFormat::DebugContext);  // the driver says all that it has to say
   QSurfaceFormat::setDefaultFormat(format);
   qInstallMessageHandler(velum::gui::onMessage);
   QApplication application(argc, argv);

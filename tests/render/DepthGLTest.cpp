@@ -1,4 +1,6 @@
 // Surfaces and volumes hide each other by depth, and cuts take from both.
+#include <cstdlib>
+
 #include "RenderFixture.h"
 
 namespace velum {
@@ -181,6 +183,30 @@ TEST_F(DepthGL, AMeshOutsideTheVolumesBoxIsDrawn) {
       Image image = draw(scene, kSize, kAllLayers);
       EXPECT_GT(colorOf(image, {48, 70}).g, 0.9f) << "at depth " << y;
     }
+  }
+}
+
+TEST_F(DepthGL, ASurfaceMayBeLongerThanTheBlocksOfADriver) {
+  // The square once more, in 128 x 128 parts: as a storage block it would have three megabytes.
+  constexpr int kParts = 128;
+  Mesh fine;
+  for (int z = 0; z <= kParts; ++z)
+    for (int x = 0; x <= kParts; ++x)
+      fine.positions.emplace_back(42.0f * float(x) / kParts - 21.0f, 0.0f, 42.0f * float(z) / kParts - 21.0f);
+  auto at = [](int x, int z) { return std::uint32_t(z * (kParts + 1) + x); };
+  for (int z = 0; z < kParts; ++z)
+    for (int x = 0; x < kParts; ++x)
+      for (std::uint32_t index : {at(x, z), at(x + 1, z), at(x + 1, z + 1), at(x, z), at(x + 1, z + 1), at(x, z + 1)})
+        fine.indices.push_back(index);
+  scene::Scene scene = ballsAndSquare();
+  Image coarse = draw(scene, kSize);
+  scene.surfaces[0].data = Shared<Mesh>(std::move(fine));
+  ::setenv("VELUM_MAX_STORAGE_BLOCK", "65536", 1);
+  auto small = gpu::Context::createEgl();
+  ::unsetenv("VELUM_MAX_STORAGE_BLOCK");
+  {
+    render::Renderer other(*small);
+    expectSame(drawWith(other, scene, kSize), coarse, 1.0);
   }
 }
 

@@ -1,10 +1,13 @@
 // Instances of a model: exact spheres, the cuts' fold instance by instance, culling that hides nothing.
+#include <cstdlib>
 #include <random>
 #include <set>
 
 #include "NaiveCuts.h"
 #include "RenderFixture.h"
 #include "makeModel.h"
+#include "velum/gpu/GpuError.h"
+#include "velum/gpu/Program.h"
 #include "velum/mesoscale/Levels.h"
 #include "velum/render/section/KeptInstances.h"
 
@@ -605,6 +608,37 @@ TEST_F(InstancesGL, WhatIsShownAloneHoldsWhatIsShown) {
   alone.camera = scene.camera;
   alone.model.palette = scene.model.palette = scene::Palette::Compartment;
   EXPECT_LT(differenceOf(draw(scene, {100, 100}), draw(alone, {100, 100})).mean, 3.0);
+}
+
+TEST_F(InstancesGL, APictureOfMorePixelsThanGroupsInARowRemembersWhatItSaw) {
+  // 64 pixels a group, and 65,535 groups along an axis are all that drivers promise.
+  scene::Scene scene = sceneOfModel(lattice(3, 10.0f));
+  glm::ivec2 size(2200, 2000);
+  ASSERT_GT(size.x * size.y, 64 * gpu::kMostGroups);
+  Image first = draw(scene, size);
+  EXPECT_GT(coverageOf(first), 0.01);
+  scene.background.top = {0.5f, 0.5f, 0.5f};  // which asks for a picture anew, of the same
+  expectIdentical(draw(scene, size), first, "what was seen before comes first");
+}
+
+TEST_F(InstancesGL, MoreThanTheDriverHasRoomForAreRefusedInOneLine) {
+  scene::Scene scene = sceneOfModel(lattice(3, 10.0f));
+  ::setenv("VELUM_MAX_TEXTURE_BUFFER", "65536", 1);
+  auto small = gpu::Context::createEgl();
+  ::unsetenv("VELUM_MAX_TEXTURE_BUFFER");
+  {
+    render::Renderer other(*small);
+    scene.model.copies = 3640;  // times nine, twice, are just fewer than 65,536
+    EXPECT_NO_THROW(drawWith(other, scene, {32, 32}));
+    scene.model.copies = 3641;
+    try {
+      drawWith(other, scene, {32, 32});
+      ADD_FAILURE() << "drawn";
+    } catch (const gpu::GpuError& error) {
+      EXPECT_NE(std::string(error.what()).find("32768 are the most: take fewer copies"), std::string::npos)
+          << error.what();
+    }
+  }
 }
 
 }  // namespace

@@ -154,7 +154,6 @@ TEST_F(RepeatGL, EglAndOsMesaDrawTheSame) {
       auto mesa = gpu::Context::createOsMesa();
       render::Renderer other(*mesa);
       osMesa = drawWith(other, scene, {80, 80});
-      EXPECT_EQ(mesa->errorCount(), 0);
     } catch (const gpu::GpuError& error) {
       whyNot = error.what();
     }

@@ -79,7 +79,6 @@ TEST_F(UploadGL, ADriverWithSmallBuffersShowsTheSame) {
   {
     render::Renderer other(*small);
     expectSame(drawWith(other, scene, {72, 72}), usual, 1.0, "small buffers");
-    EXPECT_EQ(small->errorCount(), 0);
   }
 }
 
@@ -170,7 +169,6 @@ TEST_F(UploadGL, ADriverWithSmallTexturesShowsLessDetailAndSaysSo) {
     EXPECT_LT(difference.mean, 12.0);
     EXPECT_GT(difference.mean, 0.0);
     EXPECT_NEAR(coverageOf(reduced), coverageOf(whole), 0.08);
-    EXPECT_EQ(small->errorCount(), 0);
   }
   small.reset();
 }

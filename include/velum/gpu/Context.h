@@ -14,6 +14,7 @@ struct Limits {
   int texture3d = 0;              ///< Largest side of a 3D texture, texels.
   int texture2d = 0;              ///< Largest side of a 2D texture, texels.
   std::size_t textureBuffer = 0;  ///< Most texels of a buffer's texture. VELUM_MAX_TEXTURE_BUFFER overrides.
+  std::size_t storageBlock = 0;   ///< Most bytes of a storage block. VELUM_MAX_STORAGE_BLOCK overrides.
   std::size_t memoryBytes = 0;  ///< What textures may take: the card's free memory, or half of the machine's where the
                                 ///< driver is software or does not say. VELUM_GPU_MEMORY_MB overrides.
   bool isSoftware = false;      ///< llvmpipe and the like: the processor draws. VELUM_SOFTWARE_DRIVER overrides: 0, 1.
@@ -48,8 +49,10 @@ class Context {
   /// Binds context and function table to this thread. For an adopted context the window must have made it current.
   virtual void makeCurrent();
   const Limits& limits() const { return mLimits; }
-  /// GL errors of high severity that the driver has reported so far; tests want 0.
-  int errorCount() const;
+  /// What drivers have reported so far in any context of the process: errors, what is undefined, whatever is of high
+  /// severity. Each is logged, too; tests want none (VELUM_DRIVER_ERRORS=fatal ends the program at the first). What is
+  /// refused and becomes a GpuError is none. Any thread.
+  static int errorCount();
 
  protected:
   Context();

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <glm/glm.hpp>
 #include <initializer_list>
 #include <string>
@@ -40,8 +41,15 @@ class Program : public Handle<deleteProgram> {
   void set(int location, glm::vec4 value) const;
 };
 
-/// Runs a compute program. Group counts, not threads.
+/// As many groups along an axis as every driver takes (OpenGL 4.5, table 23.75). Most take more along some axis: what
+/// works by that fails on another.
+inline constexpr int kMostGroups = 65535;
+
+/// Runs a compute program. Group counts, not threads, each up to kMostGroups. Every dispatch comes through here.
 void dispatch(const Program& program, glm::ivec3 groups);
+/// Runs groups that are numbered one after the other, however many: they lie in rows, and the shader asks
+/// shaders/common/line.glsl for their numbers. @param parts  groups of each number, gl_WorkGroupID.z
+void dispatchLine(const Program& program, std::uint32_t groups, int parts = 1);
 /// Runs it for as many groups as shared::DispatchCommand `index` of a buffer says when the GPU comes to it: for work
 /// whose amount a shader finds out. After gpu::barrier() where a shader wrote the command.
 void dispatchIndirect(const Program& program, const Buffer& commands, int index = 0);

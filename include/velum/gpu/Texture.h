@@ -78,6 +78,7 @@ class Texture : public Handle<deleteTexture> {
  private:
   Texture(unsigned id, Format format, glm::ivec3 size, bool is3d, int levels = 1)
       : Handle(id), mFormat(format), mSize(size), mIs3d(is3d), mLevels(levels) {}
+  Texture alone(glm::ivec3 origin, glm::ivec3 size, int level) const;
   Format mFormat = Format::R8;
   glm::ivec3 mSize{0};
   bool mIs3d = false;

@@ -20,11 +20,26 @@ thread_local const GlTable* tGl = nullptr;
 
 constexpr GLenum kMemoryFreeNvx = 0x9049;  // GL_GPU_MEMORY_INFO_CURRENT_AVAILABLE_VIDMEM_NVX, kibibytes
 
-void APIENTRY onMessage(GLenum, GLenum type, GLuint, GLenum severity, GLsizei length, const GLchar* text,
-                        const void* user) {
-  if (type != GL_DEBUG_TYPE_ERROR && severity != GL_DEBUG_SEVERITY_HIGH) return;
-  ++*static_cast<std::atomic<int>*>(const_cast<void*>(user));
+std::atomic<int> gErrors{0};       // of all contexts
+thread_local int tMayRefuse = 0;  // how many MayRefuse live
+
+/// What is wrong by the driver's word, whatever the severity: Mesa and NVIDIA report errors as severe, NVIDIA what is
+/// undefined as of medium severity. Hints for speed, of up to medium severity, are none.
+bool isError(GLenum type, GLenum severity) {
+  return type == GL_DEBUG_TYPE_ERROR || type == GL_DEBUG_TYPE_UNDEFINED_BEHAVIOR || severity == GL_DEBUG_SEVERITY_HIGH;
+}
+
+/// VELUM_DRIVER_ERRORS=fatal: for tests of whole programs, and to see in a debugger who did it.
+bool areErrorsFatal() {
+  const char* text = std::getenv("VELUM_DRIVER_ERRORS");
+  return text && std::string_view(text) == "fatal";
+}
+
+void APIENTRY onMessage(GLenum, GLenum type, GLuint, GLenum severity, GLsizei length, const GLchar* text, const void*) {
+  if (!isError(type, severity) || (tMayRefuse > 0 && type != GL_DEBUG_TYPE_UNDEFINED_BEHAVIOR)) return;
+  ++gErrors;
   log::warning(fmt::format("OpenGL: {}", std::string_view(text, length < 0 ? std::strlen(text) : std::size_t(length))));
+  if (areErrorsFatal()) std::_Exit(static_cast<int>(ExitCode::Gpu));
 }
 
 std::string glString(const GlTable& table, GLenum name) {
@@ -54,9 +69,11 @@ const GlTable& gl() {
 bool hasGl() { return tGl != nullptr; }
 void setGl(const GlTable* table) { tGl = table; }
 
+MayRefuse::MayRefuse() { ++tMayRefuse; }
+MayRefuse::~MayRefuse() { --tMayRefuse; }
+
 struct Context::Impl {
   GlTable table;
-  std::atomic<int> errors{0};
 };
 
 Context::Context() : mImpl(std::make_unique<Impl>()) {}
@@ -67,7 +84,7 @@ Context::~Context() {
 
 void Context::makeCurrent() { setGl(&mImpl->table); }
 
-int Context::errorCount() const { return mImpl->errors; }
+int Context::errorCount() { return gErrors; }
 
 void Context::load(ProcAddress procAddress, Current current) {
   GlTable& table = mImpl->table;
@@ -95,11 +112,16 @@ void Context::load(ProcAddress procAddress, Current current) {
   table.GetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &textureBuffer);
   if (const char* text = std::getenv("VELUM_MAX_TEXTURE_BUFFER")) textureBuffer = std::atoi(text);
   mLimits.textureBuffer = std::size_t(std::max(0, textureBuffer));
+  int storageBlock = 0;
+  table.GetIntegerv(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &storageBlock);
+  if (const char* text = std::getenv("VELUM_MAX_STORAGE_BLOCK")) storageBlock = std::atoi(text);
+  mLimits.storageBlock = std::size_t(std::max(0, storageBlock));
+  table.limits = &mLimits;
   if (const char* text = std::getenv("VELUM_MAX_TEXTURE_3D")) mLimits.texture3d = std::max(16, std::atoi(text));
   mLimits.memoryBytes = memoryFor(table, mLimits.isSoftware);
   table.Enable(GL_DEBUG_OUTPUT);
   table.Enable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
-  table.DebugMessageCallback(onMessage, &mImpl->errors);
+  table.DebugMessageCallback(onMessage, nullptr);
   table.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
   table.PixelStorei(GL_PACK_ALIGNMENT, 1);
   table.CreateVertexArrays(1, &table.emptyVertexArray);

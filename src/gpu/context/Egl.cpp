@@ -12,6 +12,12 @@ namespace velum::gpu {
 
 namespace {
 
+#ifdef NDEBUG
+constexpr bool kChecksAsserts = false;
+#else
+constexpr bool kChecksAsserts = true;
+#endif
+
 /// libEGL, opened at run time, so that a machine without it can still use OSMesa.
 struct EglLibrary {
   void* handle = dlopen("libEGL.so.1", RTLD_NOW | RTLD_LOCAL);
@@ -103,10 +109,21 @@ bool EglContext::open(EGLDisplay display) {
       configCount < 1)
     return false;
   if (!egl.find<PFNEGLBINDAPIPROC>("eglBindAPI")(EGL_OPENGL_API)) return false;
-  const EGLint contextAttributes[] = {
-      EGL_CONTEXT_MAJOR_VERSION,           4,       EGL_CONTEXT_MINOR_VERSION, 5, EGL_CONTEXT_OPENGL_PROFILE_MASK,
-      EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
-  mContext = egl.find<PFNEGLCREATECONTEXTPROC>("eglCreateContext")(display, config, EGL_NO_CONTEXT, contextAttributes);
+  auto create = [&](EGLint asksForWords) {
+    const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
+                                 4,
+                                 EGL_CONTEXT_MINOR_VERSION,
+                                 5,
+                                 EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                 EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                 asksForWords,
+                                 EGL_TRUE,
+                                 EGL_NONE};
+    return egl.find<PFNEGLCREATECONTEXTPROC>("eglCreateContext")(display, config, EGL_NO_CONTEXT, attributes);
+  };
+  // Where asserts are checked drivers say all that they have to say; not every EGL knows how to ask for it.
+  mContext = kChecksAsserts ? create(EGL_CONTEXT_OPENGL_DEBUG) : EGL_NO_CONTEXT;
+  if (mContext == EGL_NO_CONTEXT) mContext = create(EGL_NONE);
   mDisplay = display;
   return mContext != EGL_NO_CONTEXT;
 }

@@ -39,8 +39,6 @@ class Viewport : public QOpenGLWidget, public ToolView {
   render::Stats stats() const { return mRenderer ? mRenderer->stats() : render::Stats{}; }
   /// How many pictures it has painted; for tests and measurements.
   int shownCount() const { return mShownCount; }
-  /// GL errors that the driver has reported in this view so far; tests want 0.
-  int glErrorCount() const { return mContext ? mContext->errorCount() : 0; }
   /// Gives up everything on the GPU and makes it again, as after the driver has lost it.
   void loseContext();
   /// Jobs of players have ended: there may be something to do that no picture waits for.

@@ -198,7 +198,6 @@ void Solver::step(int steps) {
   mRoom.bindStorage(shared::kRoomBinding);
   mBend.bindStorage(shared::kBendBinding);
   mRest.clear();
-  mRest.bindStorage(shared::kRestBinding);
   Stages& stages = mPrograms->stages(mSetup.isAlongNormal);
   glm::ivec3 groups((mSetup.particles + shared::kClothGroup - 1) / shared::kClothGroup, 1);
   bool canBend = mPrograms->values.stretch[0].y > 0.0f;
@@ -216,6 +215,7 @@ void Solver::step(int steps) {
       std::swap(from, to);
     }
     from->bindStorage(shared::kFromBinding);
+    mRest.bindStorage(shared::kRestBinding);
     stages.finish.set(0, i == steps - 1 ? 1 : 0);
     stages.finish.set(1, glm::vec4(paceAt(mAge)));
     gpu::dispatch(stages.finish, groups);

@@ -18,10 +18,10 @@ namespace velum::render {
 
 namespace {
 
-constexpr std::uint32_t kSoftwareCulled = 1u << 17, kHardwareCulled = 1u << 24;  // instances that are culled at a time
+constexpr std::uint32_t kSoftwareCulled = 1u << 17, kHardwareCulled = 1u << 22;  // instances that are culled at a time
 constexpr int kSoftwareShaded = 1 << 17;                                         // pixels at a time: some 20 ms
 constexpr double kPieceMs = 16.0, kMostGroups = 32768.0;     // of a piece that a software driver draws
-constexpr std::uint32_t kMostInstances = 1u << 27;           // over all copies: what numbers and buffers have room for
+constexpr std::uint32_t kMostInstances = 1u << 27;           // over all copies: what numbers have room for
 constexpr int kLeastLightEdge = 128, kMostLightEdge = 1024;  // pixels of the light's view
 constexpr float kLightDetail = 2.0f;                         // shadows are soft
 constexpr float kPreviewDetail = 3.0f;
@@ -119,9 +119,11 @@ void InstancePass::prepare(FrameData& data) {
 void InstancePass::makeSet(const FrameData& data) {
   const scene::ModelLayer& layer = data.frame.scene.model;
   std::uint64_t count = std::uint64_t(layer.data->instances.size()) * std::uint64_t(std::max(1, layer.copies));
-  if (count > kMostInstances)
-    throw gpu::GpuError(
-        fmt::format("{} instances are too many; {} are the most: take fewer copies", count, kMostInstances));
+  // Lists of draws are buffers' texels, two an instance.
+  std::uint64_t most = std::min<std::uint64_t>(kMostInstances, mMostTexels / shared::kDrawRooms);
+  if (count > most)
+    throw gpu::GpuError(fmt::format("{} instances are too many for this driver; {} are the most: take fewer copies",
+                                    count, most));
   Shared<LevelSet> levels = layer.levels;
   if (!levels) {
     if (!mOwnLevels || mOwnLevelsOf != layer.data.id()) {

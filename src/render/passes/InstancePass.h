@@ -24,8 +24,8 @@ namespace velum::render {
 /// were seen last, which changes no picture.
 class InstancePass : public Pass {
  public:
-  InstancePass(const SurfacePass& surfaces, bool isSoftware)
-      : Pass("Instances"), mSurfaces(surfaces), mIsSoftware(isSoftware) {}
+  InstancePass(const SurfacePass& surfaces, const gpu::Limits& limits)
+      : Pass("Instances"), mSurfaces(surfaces), mIsSoftware(limits.isSoftware), mMostTexels(limits.textureBuffer) {}
   void prepare(FrameData& data) override;
   void addSteps(const FrameData& data, int sample, WorkQueue& queue) override;
   void bind(const FrameData& data) const override;
@@ -65,6 +65,7 @@ class InstancePass : public Pass {
 
   const SurfacePass& mSurfaces;
   const bool mIsSoftware;
+  const std::size_t mMostTexels;  ///< Of a buffer.
   mesoscale::InstancePrograms mPrograms;
   gpu::Program mOpenness, mShade;
   gpu::Texture mOpen;  ///< Openness, light and depth at one pixel of a few.

@@ -1,5 +1,7 @@
 #include "SurfacePass.h"
 
+#include <cstddef>
+#include <numeric>
 #include <set>
 #include <vector>
 
@@ -43,19 +45,29 @@ void SurfacePass::forgetMeshes(const FrameData& data) {
   std::erase_if(mMeshes, [&](const auto& kept) { return !wanted.contains(kept.first); });
 }
 
-const gpu::Buffer& SurfacePass::meshBuffer(const Shared<Mesh>& mesh, const FrameData& data) {
+SurfacePass::Vertices::Vertices(const char* label, std::span<const Vertex> v, std::span<const std::uint32_t> i)
+    : vertices(label, v), indices(label, i), count(int(i.size())) {
+  constexpr std::size_t kStride = sizeof(Vertex);
+  array = gpu::VertexArray(label,
+                           {{.location = 0, .buffer = &vertices, .components = 3, .stride = kStride},
+                            {.location = 1,
+                             .buffer = &vertices,
+                             .components = 3,
+                             .offset = offsetof(Vertex, normal),
+                             .stride = kStride}},
+                           &indices);
+}
+
+const SurfacePass::Vertices& SurfacePass::verticesOf(const Shared<Mesh>& mesh, const FrameData& data) {
   glm::dvec3 origin = sceneOrigin(data.grid);
-  auto& buffer = mMeshes[keyOf(mesh, data)];
-  if (buffer) return buffer;
+  Vertices& known = mMeshes[keyOf(mesh, data)];
+  if (known.array) return known;
   std::vector<Vertex> vertices;
-  vertices.reserve(mesh->indices.size());
-  for (auto index : mesh->indices) {
-    glm::vec3 normal = index < mesh->normals.size() ? mesh->normals[index] : glm::vec3(0.0f);
-    vertices.push_back(
-        {glm::vec4(glm::vec3(glm::dvec3(mesh->positions[index]) / data.unit - origin), 1.0f), glm::vec4(normal, 0.0f)});
-  }
-  buffer = gpu::Buffer("mesh", std::span<const Vertex>(vertices));
-  return buffer;
+  vertices.reserve(mesh->positions.size());
+  for (std::size_t i = 0; i < mesh->positions.size(); ++i)
+    vertices.push_back({glm::vec3(glm::dvec3(mesh->positions[i]) / data.unit - origin),
+                        i < mesh->normals.size() ? mesh->normals[i] : glm::vec3(0.0f)});
+  return known = Vertices("mesh", vertices, mesh->indices);
 }
 
 void SurfacePass::addSteps(const FrameData& data, int, WorkQueue& queue) {
@@ -73,10 +85,10 @@ void SurfacePass::draw(const FrameData& data) {
   const auto& surfaces = data.frame.scene.surfaces;
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     if (!isDrawn(surfaces[i])) continue;
-    meshBuffer(surfaces[i].data, data).bindStorage(shared::kMeshBinding);
     mProgram->set(0, glm::vec4(surfaces[i].color, 1.0f));
     mProgram->set(1, int(shared::kFirstSurfaceInstance + i));
-    gpu::draw(*mProgram, gpu::Primitive::Triangles, {int(surfaces[i].data->indices.size())});
+    const Vertices& mesh = verticesOf(surfaces[i].data, data);
+    gpu::drawIndexed(*mProgram, mesh.array, gpu::Primitive::Triangles, {mesh.count});
   }
   if (data.frame.scene.showBounds) drawOutlines(data);
   gpu::barrier();
@@ -85,12 +97,13 @@ void SurfacePass::draw(const FrameData& data) {
 void SurfacePass::drawOutlines(const FrameData& data) {
   std::vector<Vertex> vertices;
   for (const auto& p : outlines(data.frame.scene, data.grid.worldFromTex))
-    vertices.push_back({glm::vec4(glm::vec3(p - sceneOrigin(data.grid)), 1.0f), glm::vec4(0.0f)});
-  gpu::Buffer lines("outlines", std::span<const Vertex>(vertices));
-  lines.bindStorage(shared::kMeshBinding);
+    vertices.push_back({glm::vec3(p - sceneOrigin(data.grid)), glm::vec3(0.0f)});
+  std::vector<std::uint32_t> indices(vertices.size());
+  std::iota(indices.begin(), indices.end(), 0u);
+  Vertices lines("outlines", vertices, indices);
   mProgram->set(0, glm::vec4(0.62f, 0.66f, 0.70f, 0.0f));
   mProgram->set(1, int(shared::kDataInstance));
-  gpu::draw(*mProgram, gpu::Primitive::Lines, {int(vertices.size())});
+  gpu::drawIndexed(*mProgram, lines.array, gpu::Primitive::Lines, {lines.count});
 }
 
 void SurfacePass::bindImages() const {

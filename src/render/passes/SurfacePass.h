@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <map>
+#include <span>
 
 #include "FrameData.h"
 #include "Pass.h"
@@ -10,6 +11,7 @@
 #include "velum/gpu/Framebuffer.h"
 #include "velum/gpu/Program.h"
 #include "velum/gpu/Texture.h"
+#include "velum/gpu/VertexArray.h"
 
 namespace velum::render {
 
@@ -30,13 +32,21 @@ class SurfacePass : public Pass {
 
  private:
   struct Vertex {
-    glm::vec4 position, normal;
+    glm::vec3 position, normal;
+  };
+  /// A mesh, or lines, as vertex attributes: storage blocks of a vertex shader are not promised, nor long ones of any.
+  struct Vertices {
+    Vertices() = default;
+    Vertices(const char* label, std::span<const Vertex> vertices, std::span<const std::uint32_t> indices);
+    gpu::Buffer vertices, indices;
+    gpu::VertexArray array;
+    int count = 0;  ///< Indices.
   };
   void resize(glm::ivec2 size);
   using MeshKey = std::pair<std::uint64_t, std::array<double, 4>>;  ///< Id, the scene frame's origin and unit.
   static MeshKey keyOf(const Shared<Mesh>& mesh, const FrameData& data);
   void forgetMeshes(const FrameData& data);
-  const gpu::Buffer& meshBuffer(const Shared<Mesh>& mesh, const FrameData& data);
+  const Vertices& verticesOf(const Shared<Mesh>& mesh, const FrameData& data);
   void draw(const FrameData& data);
   void drawOutlines(const FrameData& data);
 
@@ -45,7 +55,7 @@ class SurfacePass : public Pass {
   gpu::Texture mColor, mAux, mIds, mDepth;
   gpu::Framebuffer mTarget;
   bool mIsBlank = false;  ///< Nothing is drawn in it.
-  std::map<MeshKey, gpu::Buffer> mMeshes;
+  std::map<MeshKey, Vertices> mMeshes;
 };
 
 }  // namespace velum::render

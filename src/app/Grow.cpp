@@ -8,6 +8,7 @@
 #include "Verbs.h"
 #include "velum/core/Error.h"
 #include "velum/core/Text.h"
+#include "velum/extrusion/FirstDoubt.h"
 #include "velum/extrusion/Grower.h"
 #include "velum/extrusion/LabelsFor.h"
 #include "velum/extrusion/SmoothRegion.h"
@@ -129,6 +130,24 @@ void setWithin(scene::Growth& step, const GrowOptions& options, const LabelVolum
     throw ArgumentError(fmt::format("--within {}: no voxel has that label", step.within));
 }
 
+/// What a guard asks of a range that nobody has typed. @throw ArgumentError
+void refuseDoubts(const scene::Growth& step, const GrowOptions& options, const Shared<Volume>& volume,
+                  const Shared<LabelVolume>& labels) {
+  if (!options.guard || !options.range.empty()) return;
+  const char* kHint = "give a --range, another --seed, or leave --guard out";
+  if (extrusion::reachesTheDarkest(*volume, step))
+    throw ArgumentError(fmt::format("--guard: the material at the seed, {:.6g} to {:.6g}, reaches the darkest values of "
+                                    "the data; {}",
+                                    step.low, step.high, kHint));
+  scene::Growth first = step;
+  first.distance = std::min(step.distance, extrusion::firstSlabEnd(*volume, step));
+  auto grown = extrusion::Grower().grow(volume, labels, first, {.guard = false, .begun = {}}, consoleProgress());
+  if (extrusion::isMostOfItsPlane(*volume, *grown.labels, first))
+    throw ArgumentError(fmt::format("--guard: the material at the seed, {:.6g} to {:.6g}, is most of what there is at "
+                                    "the plane; {}",
+                                    step.low, step.high, kHint));
+}
+
 Json pointOf(glm::ivec3 v) { return {v.x, v.y, v.z}; }
 
 Json reportOf(const scene::Growth& step, const extrusion::Grown& grown, std::size_t smoothed, const Volume& volume) {
@@ -158,7 +177,7 @@ void print(const extrusion::Grown& grown, const Json& report) {
                report["valueUnit"].get<std::string>());
   fmt::print("\n");
   if (grown.leak)
-    fmt::print("stopped at {:.6g}: the slab behind is {:.4g} wide, {:.4g} was to be expected at most\n", grown.distance,
+    fmt::print("stopped at {:.6g}: the slab behind is {:.4g} wide, {:.4g} was to be expected\n", grown.distance,
                grown.leak->area, grown.leak->widestBefore);
 }
 
@@ -180,6 +199,7 @@ int run(const GrowOptions& options) {
   addStrokes(step, options, volume);
   setPlane(step, options);
   setWithin(step, options, *labels);
+  refuseDoubts(step, options, scene.volume.data, labels);
   extrusion::Grown grown =
       extrusion::Grower().grow(scene.volume.data, labels, step, {options.guard}, consoleProgress());
   scene::Growth done = step;

@@ -28,6 +28,14 @@ void addSeeds(RegionGrow& region, const Volume& volume, const scene::Growth& ste
   if (begun) region.addSeeds(*begun, step.structure);
 }
 
+double voxelSize(const Volume& volume) { return std::abs(glm::determinant(glm::dmat3(volume.worldFromVoxel))); }
+
+/// Of a plane through the data across its axis, on the average.
+double planeArea(const Volume& volume, const GrowDomain& domain) {
+  glm::dvec2 range = depths(volume, domain);
+  return double(voxelCount(volume)) * voxelSize(volume) / (range.y - range.x + domain.layer());
+}
+
 /// Area of what is joined to the seeds in the layer that lies under the cut.
 double crossSection(const Shared<Volume>& volume, const Shared<LabelVolume>& labels, const scene::Growth& step,
                     const GrowDomain& domain, Progress& progress) {
@@ -35,8 +43,7 @@ double crossSection(const Shared<Volume>& volume, const Shared<LabelVolume>& lab
   addSeeds(region, *volume, step, {});
   GrowDomain layer = domain.between(-domain.layer(), 0.0);
   region.grow(layer, progress);
-  double voxelSize = std::abs(glm::determinant(glm::dmat3(volume->worldFromVoxel)));
-  return double(region.countIn(layer)) * voxelSize / domain.layer();
+  return double(region.countIn(layer)) * voxelSize(*volume) / domain.layer();
 }
 
 /// Grows slab by slab, and tells a guard of each.
@@ -46,7 +53,7 @@ class SlabGrowth {
       : mRegion(region),
         mDomain(domain),
         mThickness(slabThickness(volume)),
-        mVoxelSize(std::abs(glm::determinant(glm::dmat3(volume.worldFromVoxel)))),
+        mVoxelSize(voxelSize(volume)),
         mBegin(std::floor(std::max(depths(volume, domain).x, 0.0) / mThickness) * mThickness),
         mEnd(std::min(domain.distance(), depths(volume, domain).y)) {}
 
@@ -68,11 +75,17 @@ class SlabGrowth {
 
  private:
   std::optional<Leak> look(LeakGuard& guard, double end, std::size_t added) {
+    if (mSlabs == 1) guard.beginAs(areaOfFirstLayer());
     // What leaks comes back into the slabs before, too; what was there before the step has not joined in it.
     std::size_t voxels = std::max(added, mRegion.countIn(mDomain.between(end - mThickness, end)));
-    Leak leak{end, double(voxels) * mVoxelSize / mThickness, guard.widest()};
+    Leak leak{end, double(voxels) * mVoxelSize / mThickness, guard.expected()};
     bool leaks = guard.leaks(leak.area, added);
     return leaks ? std::optional(leak) : std::nullopt;
+  }
+
+  double areaOfFirstLayer() const {
+    std::size_t voxels = mRegion.countIn(mDomain.between(mBegin, mBegin + mDomain.layer()));
+    return double(voxels) * mVoxelSize / mDomain.layer();
   }
 
   RegionGrow& mRegion;
@@ -132,7 +145,8 @@ Grown Grower::grow(const Shared<Volume>& volume, const Shared<LabelVolume>& befo
       grown.slabs = 1;
     } else {
       bool isGuarded = options.guard;
-      LeakGuard guard(isGuarded ? crossSection(volume, before, step, domain, progress) : 0.0);
+      LeakGuard guard(isGuarded ? crossSection(volume, before, step, domain, progress) : 0.0,
+                      planeArea(*volume, domain));
       grown.leak = slabs.grow(isGuarded ? &guard : nullptr, progress);
       grown.slabs = slabs.slabs();
     }

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "makeVolume.h"
+#include "velum/extrusion/FirstDoubt.h"
 #include "velum/extrusion/GrowDomain.h"
 #include "velum/extrusion/Grower.h"
 #include "velum/extrusion/LabelsFor.h"
@@ -226,6 +227,80 @@ TEST(LeakGuard, ComparesWithWhatIsExpected) {
   EXPECT_FALSE(steady.leaks(700, 1000)) << "what leaks does not count";
   LeakGuard unknown;
   EXPECT_FALSE(unknown.leaks(1e6, 1000000)) << "nothing to tell from";
+}
+
+TEST(LeakGuard, WhatIsSmallBesideThePlaneMayChangeAsItLikes) {
+  LeakGuard guard(5.0, 20000.0), other(5.0);
+  for (double area : {40.0, 8.0, 90.0, 200.0, 900.0, 200.0, 200.0, 200.0}) EXPECT_FALSE(guard.leaks(area, 1000)) << "a thread into its tree";
+  EXPECT_TRUE(other.leaks(40.0, 1000)) << "of a plane that nobody knows nothing is small";
+  EXPECT_TRUE(guard.leaks(3000.0, 9000)) << "a tenth of the plane is not small";
+}
+
+TEST(LeakGuard, TheFirstSlabIsHeldAgainstHowItBegins) {
+  // One click joins few of the pieces of which a section through spongy bone consists; in the slab they are one.
+  LeakGuard guard(10.0);
+  guard.beginAs(300.0);
+  EXPECT_FALSE(guard.leaks(400.0, 1000));
+  LeakGuard leak(10.0);
+  leak.beginAs(12.0);
+  EXPECT_TRUE(leak.leaks(400.0, 1000));
+}
+
+TEST(LeakGuard, SaysHowWideItWasToBe) {
+  LeakGuard guard(100.0);
+  EXPECT_EQ(guard.expected(), 100.0);
+  EXPECT_FALSE(guard.leaks(150, 1000));
+  EXPECT_EQ(guard.expected(), 200.0) << "it goes on as steeply";
+  EXPECT_GT(guard.widest(), guard.expected());
+}
+
+/// A lattice of struts: few layers join those that stand on them, as in spongy bone.
+TEST(LeakGuard, SpongyBoneIsNotHeldAtItsCut) {
+  Phantom phantom{{64, 64, 60},
+                  [](glm::dvec3 p) {
+                    glm::ivec3 v(p);
+                    bool isIn = std::abs(p.x - 32) < 20 && std::abs(p.y - 32) < 20;
+                    int struts = (v.x % 4 == 0) + (v.y % 4 == 0) + (v.z % 6 == 4);
+                    return isIn && struts >= 2 ? -1.0 : 1.0;
+                  },
+                  nothing};
+  for (int z : {7, 8, 9, 13, 14}) {
+    Grown grown = grow(phantom, pull({32, 32, double(z)}, {0, 0, 1}, 30), true);
+    EXPECT_FALSE(grown.leak) << "at " << z;
+    EXPECT_GT(grown.voxels, 2000u);
+  }
+}
+
+TEST(FirstDoubt, IsOfWhatReachesTheDarkestOfTheData) {
+  Volume volume = lesionAtBone().volume();
+  scene::Growth step = pull({64, 64, 33}, {0, 0, 1}, 50);
+  EXPECT_FALSE(reachesTheDarkest(volume, step));
+  step.low = volume.range.x - 1.0;
+  EXPECT_TRUE(reachesTheDarkest(volume, step));
+  // A scan's circle is filled up with something far below its air.
+  auto* values = reinterpret_cast<std::int16_t*>(volume.voxels.data());
+  for (int i = 0; i < 500; ++i) values[i] = -2000;
+  computeRange(volume);
+  step.low = 40.0;
+  EXPECT_TRUE(reachesTheDarkest(volume, step));
+  step.low = 100.0;
+  EXPECT_FALSE(reachesTheDarkest(volume, step));
+}
+
+TEST(FirstDoubt, IsOfWhatIsMostOfItsPlane) {
+  Phantom lesion{{96, 96, 60}, lesionAtBone().structure, nothing};
+  Shared<Volume> volume(lesion.volume());
+  Progress progress;
+  auto isMost = [&](glm::dvec3 at, double low, double high, double distance) {
+    scene::Growth step = pull(at, {0, 0, 1}, distance);
+    step.low = low, step.high = high;
+    for (int i = 0; i < 9; ++i) step.seeds.push_back(at + glm::dvec3(i % 3, i / 3, 1));  // some are noise
+    auto labels = Grower().grow(volume, labelsFor(*volume, {}), step, {}, progress).labels;
+    return isMostOfItsPlane(*volume, *labels, step);
+  };
+  EXPECT_FALSE(isMost({64, 64, 33}, 150, 250, 10)) << "a lesion";
+  EXPECT_TRUE(isMost({10, 10, 33}, 46, 120, 30)) << "what it lies in";
+  EXPECT_TRUE(isMost({10, 10, 33}, 46, 120, 1.0)) << "a layer says it";
 }
 
 TEST(LeakGuard, ANeckIsNoLeak) {

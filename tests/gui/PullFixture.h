@@ -73,11 +73,13 @@ class PullFixture : public Window {
     ASSERT_TRUE(settle());
   }
   /// Alt and the wheel, a notch at a time.
-  void turnWheel(int notches) {
+  void turnWheel(int notches, Qt::KeyboardModifiers keys = Qt::AltModifier) {
     QPointF middle = viewport().rect().center();
     for (int i = 0; i < std::abs(notches); ++i) {
-      QWheelEvent event(middle, viewport().mapToGlobal(middle), {}, QPoint(notches > 0 ? 120 : -120, 0), Qt::NoButton,
-                        Qt::AltModifier, Qt::NoScrollPhase, false);
+      int turn = notches > 0 ? 120 : -120;  // with Alt, Qt takes it for a sideways one
+      QPoint angle = keys & Qt::AltModifier ? QPoint(turn, 0) : QPoint(0, turn);
+      QWheelEvent event(middle, viewport().mapToGlobal(middle), {}, angle, Qt::NoButton, keys, Qt::NoScrollPhase,
+                        false);
       QApplication::sendEvent(&viewport(), &event);
     }
   }

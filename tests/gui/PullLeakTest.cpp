@@ -1,6 +1,7 @@
 // What is about to flow into something else is held and said, with every way on that there is; Esc stops what grows.
 #include <QDoubleSpinBox>
 #include <QLabel>
+#include <map>
 
 #include "PullFixture.h"
 #include "velum/session/extrusion/Pull.h"
@@ -110,6 +111,39 @@ TEST_F(PullLeak, IsSaidBeforeThePictureIsFloodedAndMayStayAsFarAsHere) {
   EXPECT_NEAR(session::extrusionOf(cut(), mStructure), kFar, 1.0);
 }
 
+TEST_F(PullLeak, FieldsKeepTheirPlacesWhenItIsSaid) {
+  glm::dvec3 place(32, kPlane, 32);
+  openCut("leak.nrrd", place);
+  pull(pixelOf(place), place, cut(), 6.0);
+  ASSERT_TRUE(settle());
+  ASSERT_FALSE(isWarned());
+  std::map<QString, QPoint> before;
+  for (const char* name : {"pulledDistance", "growLow", "growHigh", "growSteepest", "putBack", "extrusionList"})
+    before[name] = child<QWidget>(name)->mapTo(mWindow.get(), QPoint());
+  glm::dvec3 out = place + 6.0 * session::pullDirection(cut(), place);
+  pull(pixelOf(out), out, cut(), kFar - 6.0);
+  ASSERT_TRUE(settle());
+  ASSERT_TRUE(isWarned());
+  for (const auto& [name, where] : before)
+    EXPECT_EQ(mWindow->findChild<QWidget*>(name)->mapTo(mWindow.get(), QPoint()), where) << name.toStdString();
+}
+
+TEST_F(PullLeak, WhatIsMostOfThePlaneIsHeldFirst) {
+  openCut("maze.nrrd", glm::dvec3(kMazeEdge / 2));
+  std::vector<Seen> face = look();
+  std::erase_if(face, [&](const Seen& seen) { return !isOnFace(seen, cut()); });
+  ASSERT_FALSE(face.empty());
+  pull(face[face.size() / 2].pixel, face[face.size() / 2].pick.world, cut(), 10.0);
+  ASSERT_TRUE(settle());
+  ASSERT_TRUE(isWarned());
+  EXPECT_TRUE(child<QLabel>("leakText")->text().contains("most of what there is"));
+  int structure = scene().labels.growths[0].structure;
+  EXPECT_LT(voxelsOf(structure), 4u * kMazeEdge * kMazeEdge) << "a slab at the most";
+  click("leakGoOn");
+  EXPECT_FALSE(isWarned());
+  EXPECT_GT(voxelsOf(structure), 8u * kMazeEdge * kMazeEdge / 2);
+}
+
 TEST_F(PullLeak, MayGoOn) {
   pullTheBar();
   ASSERT_TRUE(isWarned());
@@ -172,6 +206,9 @@ TEST_F(PullLeak, EscStopsWhatGrowsAndLeavesWhatThereIsWhileTheWindowAnswers) {
   ASSERT_FALSE(face.empty());
   const Seen& place = face[face.size() / 2];
   pull(place.pixel, place.pick.world, cut(), 90.0);
+  // The ways are all that there is.
+  ASSERT_TRUE(QTest::qWaitFor([&] { return isWarned(); }, 20000));
+  QTest::mouseClick(child<QPushButton>("leakGoOn"), Qt::LeftButton);
   ASSERT_EQ(scene().labels.growths.size(), 1u);
   int structure = scene().labels.growths[0].structure;
   auto isUnderWay = [&] { return growth().isGrowing() && !scene().labels.grown.empty(); };

@@ -1,5 +1,10 @@
 // Structures are pulled out of cuts with the pointer, in the real window.
+#include <QLineEdit>
+
 #include "PullFixture.h"
+#include "kit/Bars.h"
+#include "kit/Widgets.h"
+#include "velum/session/extrusion/PulledEnd.h"
 
 namespace velum::gui {
 
@@ -50,12 +55,104 @@ TEST_F(PullWindow, OneClickAndOneDragPullWhatHasNoLabelOutOfTheCut) {
   EXPECT_FALSE(scene().labels.data);
 }
 
-TEST_F(PullWindow, ADragBesideWhatCanBePulledTurnsTheCamera) {
+TEST_F(PullWindow, ADragOnTheEmptyGroundTurnsTheCamera) {
   openCut(false);
   scene::Camera before = scene().camera;
   drag({5, 5}, {60, 40});
   EXPECT_NE(scene().camera, before);
   EXPECT_TRUE(session::extrusionsOf(scene()).empty());
+}
+
+TEST_F(PullWindow, ADragBesideTheFaceSaysSoAndDoesNotTurnTheCamera) {
+  openCut(false);
+  std::vector<Seen> seen = look();
+  std::erase_if(seen, [&](const Seen& one) { return std::abs(session::depthInCut(cut(), one.pick.world)) < 2.0 * slack(); });
+  ASSERT_FALSE(seen.empty()) << "a sphere's side";
+  // The edge of the face: the last place to the left on which there is nothing.
+  QPoint beside = pixelOf(kPlace);
+  while (viewport().pickAt(beside) && viewport().pickAt(beside)->hit) beside -= QPoint(1, 0);
+  beside -= QPoint(12, 0);
+  ASSERT_FALSE(viewport().pickAt(beside)->hit);
+  scene::Camera before = scene().camera;
+  for (QPoint place : {seen.front().pixel, seen.back().pixel, beside}) {
+    mWindow->findChild<MessageBar*>()->hide();
+    drag(place, place + QPoint(30, 20));
+    EXPECT_EQ(scene().camera, before);
+    EXPECT_TRUE(session::extrusionsOf(scene()).empty());
+    EXPECT_TRUE(mWindow->findChild<MessageBar*>()->isVisible()) << "it says why";
+  }
+}
+
+TEST_F(PullWindow, ThePlaneIsMovedByAltOrCtrlAndTheWheelAndByBrackets) {
+  openCut(false);
+  mWindow->selection().setCut(cut().id);
+  double step = scene::sectionStep(scene());
+  glm::dvec3 begin = cut().centre;
+  auto moved = [&] { return glm::dot(cut().centre - begin, session::pullDirection(cut(), begin)) / step; };
+  turnWheel(1);
+  EXPECT_NEAR(moved(), 1.0, 1e-9);
+  turnWheel(2, Qt::ControlModifier);
+  EXPECT_NEAR(moved(), 3.0, 1e-9);
+  scene::Camera camera = scene().camera;
+  QTest::keyClick(&viewport(), Qt::Key_BracketLeft);
+  EXPECT_NEAR(moved(), 2.0, 1e-9);
+  QTest::keyClick(&viewport(), Qt::Key_BracketRight);
+  EXPECT_NEAR(moved(), 3.0, 1e-9);
+  EXPECT_EQ(scene().camera, camera) << "nor does the wheel come nearer";
+}
+
+TEST_F(PullWindow, ARowIsNamedAndColouredOnThePage) {
+  openCut(false);
+  pull(pixelOf(kPlace), kPlace, cut(), 6.0);
+  ASSERT_TRUE(settle());
+  auto* name = child<QLineEdit>("pulledName");
+  ASSERT_TRUE(name && name->isVisible());
+  EXPECT_EQ(name->text(), "Region 1");
+  name->setFocus();
+  name->selectAll();
+  QTest::keyClicks(name, "upper ball");
+  QTest::keyClick(name, Qt::Key_Return);
+  EXPECT_EQ(scene().labels.structures[0].name, "upper ball");
+  EXPECT_TRUE(child<QListWidget>("extrusionList")->item(0)->text().startsWith("upper ball"));
+  EXPECT_EQ(document().undoLabel(), "Rename Region 1");
+  emit child<ColorButton>("pulledColor")->picked({0.2f, 0.6f, 0.9f});
+  EXPECT_EQ(scene().labels.structures[0].color, glm::vec3(0.2f, 0.6f, 0.9f));
+  EXPECT_EQ(scene().labels.structures[0].tint, 1.0) << "it is seen";
+  document().undo();
+  document().undo();
+  EXPECT_EQ(scene().labels.structures[0].name, "Region 1");
+  EXPECT_EQ(name->text(), "Region 1");
+}
+
+TEST_F(PullWindow, NothingStandsOutFartherThanItGoes) {
+  openCut(true);
+  pull(pixelOf(kPlace), kPlace, cut(), 200.0);
+  ASSERT_TRUE(settle());
+  auto out = session::extrusionsOf(scene());
+  ASSERT_EQ(out.size(), 1u);
+  double end = session::pulledEnd(scene(), cut(), out[0].structure);
+  EXPECT_GT(end, 5.0);
+  EXPECT_LT(end, 60.0) << "of a ball";
+  EXPECT_EQ(out[0].distance, end);
+  EXPECT_EQ(child<NumberRow>("pulledDistance")->spin()->maximum(), child<NumberRow>("pulledDistance")->value());
+}
+
+TEST_F(PullWindow, WhatIsFoundOnTheWayEndsWhereItEnds) {
+  openCut(false);
+  QPoint from = pixelOf(kPlace), to = from + pixelOf(kPlace + 200.0 * session::pullDirection(cut(), kPlace)) - from;
+  QTest::mousePress(&viewport(), Qt::LeftButton, {}, from);
+  for (int i = 1; i <= 5; ++i) {
+    QPointF place(from + (to - from) * i / 5);
+    QMouseEvent move(QEvent::MouseMove, place, viewport().mapToGlobal(place), Qt::NoButton, Qt::LeftButton, {});
+    QApplication::sendEvent(&viewport(), &move);
+  }
+  ASSERT_TRUE(QTest::qWaitFor([&] { return session::isGrown(scene()); }, 20000));
+  QTest::mouseRelease(&viewport(), Qt::LeftButton, {}, to);
+  ASSERT_TRUE(settle());
+  auto out = session::extrusionsOf(scene());
+  ASSERT_EQ(out.size(), 1u);
+  EXPECT_EQ(out[0].distance, session::pulledEnd(scene(), cut(), out[0].structure));
+  EXPECT_LT(out[0].distance, 60.0);
 }
 
 TEST_F(PullWindow, LabelledStructuresArePulledTogetherWithShiftAndPutBack) {

@@ -106,11 +106,15 @@ TEST(Extrusion, WhatStandsOutIsAListByCutAndStructure) {
 TEST(Extrusion, AClickPullsOutOfTheFaceThatItIsOnAndOutOfEitherWhereTwoOverlap) {
   scene::Scene scene = boneScene();
   int first = scene.cuts[0].id;
+  scene.cuts[0].face = scene::CutFace::Section;
+  scene.cuts[0].faceOpacity = 0.5;
   auto second = addJoinedPlane(scene, first);
   ASSERT_TRUE(second);
   EXPECT_EQ(scene.cuts[1].id, *second);
   EXPECT_TRUE(scene.cuts[1].joined);
   EXPECT_EQ(scene.cuts[1].name, "Plane 2");
+  EXPECT_EQ(scene.cuts[1].face, scene::CutFace::Section) << "they are one face to the eye";
+  EXPECT_EQ(scene.cuts[1].faceOpacity, 0.5);
   glm::dvec3 a = pullDirection(scene.cuts[0], {}), b = pullDirection(scene.cuts[1], {});
   EXPECT_NEAR(glm::dot(a, b), 0.0, 1e-9) << "across each other";
   EXPECT_EQ(cutsUnder(scene, 20.0 * b, 0, 1.0), std::vector<int>{first}) << "on the first face, far before the second";
@@ -179,7 +183,7 @@ TEST(Pull, AStructureGrowsFromASpotThatNoiseHasPutOutOfItsRange) {
   Volume volume = *scene.volume.data;
   auto* values = reinterpret_cast<std::int16_t*>(volume.voxels.data());
   // All voxels on the way out of the face from the place, and one beside them that hangs together with nothing.
-  auto darken = [&](int x, int y, int z) { values[x + 40 * (y + 40 * z)] = 300; };
+  auto darken = [&](int x, int y, int z) { values[x + 40 * (y + 40 * z)] = 120; };
   for (int y = 14; y < 20; ++y) darken(20, y, 20);
   for (int axis : {0, 2})
     for (int step : {-1, 1}) darken(21 + (axis == 0 ? step : 0), 19, 20 + (axis == 2 ? step : 0));
@@ -187,7 +191,7 @@ TEST(Pull, AStructureGrowsFromASpotThatNoiseHasPutOutOfItsRange) {
   scene.volume.data = Shared<Volume>(std::move(volume));
   auto pull = beginPull(scene, scene.cuts[0].id, {1, 0, 1}, 0);
   ASSERT_TRUE(pull && pull->growth);
-  EXPECT_GT(pull->growth->low, 300.0);
+  EXPECT_GT(pull->growth->low, 120.0);
   EXPECT_GT(depthInCut(scene.cuts[0], pull->growth->seeds[0]), 0.0);
   pullTo(scene, *pull, 7.0);
   Progress progress;

@@ -153,6 +153,49 @@ TEST(GrowthPlayer, WhatLeaksIsHeldAndSaidAndMayGoOn) {
   EXPECT_EQ(differences(session.scene()), 0u);
 }
 
+/// Two halves: one of what is clicked on is most of what there is.
+TEST(GrowthPlayer, WhatIsMostOfThePlaneIsAskedForBeforeItGrows) {
+  Session session;
+  scene::Scene scene = growthScene(kEdge, 1, [](glm::ivec3 v, int) { return v.x < kEdge - 6 ? 150 : v.x < kEdge - 3 ? 90 : 20; });
+  session.document().replace(scene);
+  glm::dvec3 middle = session.scene().cuts[0].centre;
+  auto pull = beginPull(session.scene(), session.scene().cuts[0].id, middle, 0);
+  ASSERT_TRUE(pull);
+  for (double distance : {0.4, 2.0, 9.0}) {
+    session.document().edit(
+        "Pull", [&](scene::Scene& s) { pullTo(s, *pull, distance); }, true);
+    settle(session);
+  }
+  auto leak = session.growth().status().leak;
+  ASSERT_TRUE(leak);
+  EXPECT_EQ(leak->times, 0.0);
+  EXPECT_LT(leak->distance, 1.0) << "before it grows, however the hand began";
+  EXPECT_LT(voxelsOf(session.scene(), pull->structure), std::size_t(kEdge) * kEdge);
+  session.growth().trust(pull->structure);
+  session.document().edit("Grow on", [&](scene::Scene& s) { growOn(s, pull->structure); });
+  settle(session);
+  EXPECT_FALSE(session.growth().status().leak);
+  EXPECT_GT(voxelsOf(session.scene(), pull->structure), std::size_t(kEdge) * kEdge * 7);
+}
+
+TEST(GrowthPlayer, WhatReachesTheDarkestIsAskedForUnlessSomebodyHasTypedIt) {
+  Session session;
+  session.document().replace(leakScene());
+  auto pull = beginPull(session.scene(), session.scene().cuts[0].id, {32, 32, 32}, 0);
+  ASSERT_TRUE(pull && pull->growth);
+  pull->growth->low = 0.0;
+  session.document().edit("Pull", [&](scene::Scene& s) { pullTo(s, *pull, 8.0); });
+  settle(session);
+  ASSERT_TRUE(session.growth().status().leak);
+  EXPECT_EQ(session.growth().status().leak->distance, 0.0);
+  EXPECT_LE(voxelsOf(session.scene(), 1), 1u);
+  // The same values, typed.
+  session.document().edit("Values", [](scene::Scene& s) { changeGrowth(s, 1, [](scene::Growth& g) { g.high = 199.0; }); });
+  settle(session);
+  EXPECT_FALSE(session.growth().status().leak);
+  EXPECT_GT(voxelsOf(session.scene(), 1), 10000u);
+}
+
 /// Parts are of two slabs, and of more where they are quickly done: the leak lies anywhere in one.
 TEST(GrowthPlayer, WhatLeaksIsHeldWhereTheGuardSaysHoweverManySlabsAreGrownAtATime) {
   for (int deep = 6; deep <= 27; deep += 3) {

@@ -160,4 +160,50 @@ TEST(MaterialRange, WhatTheCurveHidesEndsHalfwayToWhatIsBesideIt) {
   EXPECT_NEAR(marrow->high, 495.0, 60.0) << "though it is brighter than nine tenths of the data";
 }
 
+/// Flesh with noise, and a wall of bone through its middle that is hardly thicker than a voxel: blurred, so that few of
+/// its voxels have all of its value.
+scene::VolumeLayer thinBone() {
+  constexpr glm::ivec3 kDims(48);
+  scene::VolumeLayer layer;
+  layer.data = Shared<Volume>(makeVolume(kDims, SampleType::Int16, [](glm::ivec3 p) {
+    double away = std::abs(double(p.x) - 24.0 - 3.0 * std::sin(p.y / 7.0)), bone = std::exp(-away * away / 2.4);
+    double thickness = 0.6 + 0.4 * std::sin(p.z / 3.0);
+    double noise = hashNoise(p, 1) + hashNoise(p, 2) + hashNoise(p, 3) - 1.5;
+    return 40.0 + 1500.0 * thickness * bone + 40.0 * noise;
+  }));
+  layer.transfer.opacities = {{350, 0}, {600, 0.8}, {2000, 1}};
+  return layer;
+}
+
+TEST(MaterialRange, LacksNothingThatTheCurveShowsWhereWhatLiesBesideIsHidden) {
+  scene::VolumeLayer layer = thinBone();
+  HistogramMemo histograms;
+  int clicks = 0;
+  for (int z = 8; z < 44; z += 3)
+    for (int y = 4; y < 44; y += 5) {
+      glm::ivec3 place(int(std::lround(24.0 + 3.0 * std::sin(y / 7.0))), y, z);
+      if (valueAt(*layer.data, place, 0, 0) < 400.0) continue;
+      auto range = materialRangeAt(layer, glm::dvec3(place), histograms);
+      ASSERT_TRUE(range);
+      EXPECT_LE(range->low, 350.0 + 0.01 * 250.0) << "the foot of the curve";
+      EXPECT_GT(range->low, 150.0) << "but no flesh";
+      EXPECT_GE(range->high, layer.data->range.y);
+      ++clicks;
+    }
+  EXPECT_GT(clicks, 60);
+}
+
+TEST(MaterialRange, BeginsAboveWhatIsDarkerAndShownByTheSameSegment) {
+  scene::VolumeLayer layer = thinBone();
+  layer.transfer.opacities = {{-300, 0}, {-100, 0.8}, {2000, 1}};
+  HistogramMemo histograms;
+  auto bone = materialRangeAt(layer, {24, 0, 24}, histograms), flesh = materialRangeAt(layer, {8, 24, 24}, histograms);
+  ASSERT_TRUE(bone && flesh);
+  EXPECT_GT(bone->low, 75.0) << "three of its noise's deviations of 12 above flesh";
+  EXPECT_LT(bone->low, 350.0) << "thin bone has few values above";
+  EXPECT_LT(flesh->low, 10.0);
+  EXPECT_GT(flesh->high, 75.0);
+  EXPECT_LT(flesh->high, 350.0) << "bone is another material";
+}
+
 }  // namespace velum::session

@@ -41,7 +41,7 @@ void BarrierTool::refresh() {
 }
 
 QString BarrierTool::hint() const {
-  return tr("Draw across the place where the structure leaks. Alt and the wheel change the width. Esc ends.");
+  return tr("Draw across the place where the structure leaks. [ and ] change the width. Esc ends.");
 }
 
 bool BarrierTool::press(const PointerEvent& event) {
@@ -93,10 +93,22 @@ void BarrierTool::leave() {
 
 bool BarrierTool::wheel(const PointerEvent& event, double notches) {
   if (!(event.keys & Qt::AltModifier)) return false;
+  widen(notches);
+  return true;
+}
+
+void BarrierTool::widen(double notches) {
   double step = scene::sectionStep(mDocument.scene());
   mRadius = std::clamp(mRadius * std::pow(kTurn, notches), 0.5 * step, 200.0 * step);
   mToolbox.repaint();
-  return true;
+}
+
+/// Window managers keep Alt and the wheel for themselves.
+KeyAnswer BarrierTool::key(const KeyStroke& stroke) {
+  if (stroke.isTyping) return {};
+  if (stroke.key == Qt::Key_BracketRight) return [this] { widen(1.0); };
+  if (stroke.key == Qt::Key_BracketLeft) return [this] { widen(-1.0); };
+  return {};
 }
 
 void BarrierTool::paint(ViewPainter& over) const {

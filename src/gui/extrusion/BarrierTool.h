@@ -20,6 +20,7 @@ class BarrierTool : public Tool {
   std::optional<Qt::CursorShape> hover(const ViewPoint& at) override;
   void leave() override;
   bool wheel(const PointerEvent& event, double notches) override;
+  KeyAnswer key(const KeyStroke& stroke) override;
   void refresh() override;
   QString hint() const override;
   void paint(ViewPainter& over) const override;
@@ -28,6 +29,7 @@ class BarrierTool : public Tool {
   bool isReady() const;
   void showBrush(const ViewPoint& at);
   void goOn(const ViewPoint& at);
+  void widen(double notches);
 
   session::Document& mDocument;
   Selection& mSelection;

@@ -14,6 +14,8 @@ namespace velum::gui {
 namespace {
 
 constexpr int kSwatch = 14;
+/// Whatever it holds, so that what stands below keeps its place.
+constexpr int kHeight = 150;
 
 /// Rows as wide as the list: what is longer is elided, not scrolled to.
 class Delegate : public QStyledItemDelegate {
@@ -49,7 +51,7 @@ ExtrusionList::ExtrusionList(QWidget* parent) : QListWidget(parent) {
   setItemDelegate(new Delegate(this));
   setTextElideMode(Qt::ElideMiddle);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  setMinimumHeight(120);
+  setFixedHeight(kHeight);
   connect(this, &QListWidget::currentRowChanged, this, [this](int row) {
     if (row >= 0 && row < int(mExtrusions.size())) emit chosen(mExtrusions[std::size_t(row)]);
   });

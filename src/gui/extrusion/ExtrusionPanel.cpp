@@ -5,7 +5,10 @@
 
 #include "kit/Length.h"
 #include "velum/session/extrusion/Pull.h"
+#include "velum/session/extrusion/PulledEnd.h"
+#include "velum/session/growth/Growths.h"
 #include "velum/session/structure/StructureEdit.h"
+#include "velum/session/structure/StructureRow.h"
 
 namespace velum::gui {
 
@@ -38,10 +41,12 @@ ExtrusionPanel::ExtrusionPanel(session::Session& session, Selection& selection, 
   head->addWidget(mPull);
   head->addWidget(mSecond);
   layout->addLayout(head);
-  layout->addWidget(mList = new ExtrusionList(this), 1);
-  layout->addWidget(mLeak = new LeakBox(session, this));
+  layout->addWidget(mList = new ExtrusionList(this));
   layout->addWidget(mForm = buildForm());
-  layout->addStretch(0);
+  // At the end, so that no field moves when it comes.
+  layout->addWidget(mLeak = new LeakBox(session, this));
+  layout->addStretch(1);
+  connect(mLeak, &LeakBox::held, this, &ExtrusionPanel::held);
   connect(mSecond, &QPushButton::clicked, this, &ExtrusionPanel::addPlane);
   connect(mList, &ExtrusionList::chosen, this, [this](const session::Extrusion& one) {
     mSelection.setCut(one.cut);
@@ -58,6 +63,7 @@ QWidget* ExtrusionPanel::buildForm() {
   auto* layout = new QVBoxLayout(form);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(kSpacing);
+  layout->addLayout(buildRow(form));
   auto* grid = new QGridLayout;
   grid->setColumnStretch(1, 1);
   grid->setHorizontalSpacing(10);
@@ -82,9 +88,46 @@ QWidget* ExtrusionPanel::buildForm() {
   return form;
 }
 
+/// Name and colour of the row that is selected.
+QLayout* ExtrusionPanel::buildRow(QWidget* form) {
+  auto* row = new QHBoxLayout;
+  row->setSpacing(10);
+  mColor = new ColorButton(tr("Colour of what is pulled out"), form);
+  mColor->setObjectName("pulledColor");
+  mColor->setToolTip(tr("Its own colour; until it has one, what has grown is coloured by its values"));
+  mColor->setFixedSize(40, 26);
+  mName = new QLineEdit(form);
+  mName->setObjectName("pulledName");
+  mName->setAccessibleName(tr("Name of what is pulled out"));
+  mName->setToolTip(tr("Its name, as in the list of structures"));
+  row->addWidget(mColor);
+  row->addWidget(mName, 1);
+  connect(mName, &QLineEdit::editingFinished, this, &ExtrusionPanel::rename);
+  connect(mColor, &ColorButton::picked, this, &ExtrusionPanel::setColor);
+  return row;
+}
+
+void ExtrusionPanel::rename() {
+  auto one = mList->current();
+  QString name = mName->text().trimmed();
+  mName->setModified(false);
+  const scene::Scene& scene = mDocument.scene();
+  if (!one || name.toStdString() == session::structureName(scene, one->structure)) return;
+  mDocument.edit(session::structureLabel(scene, "Rename", {one->structure}),
+                 [&](scene::Scene& s) { session::renameStructure(s, one->structure, name.toStdString()); });
+}
+
+void ExtrusionPanel::setColor(glm::vec3 color) {
+  auto one = mList->current();
+  if (!one) return;
+  mDocument.edit(session::structureLabel(mDocument.scene(), "Colour", {one->structure}),
+                 [&](scene::Scene& s) { session::colorStructures(s, {one->structure}, color); });
+}
+
 ExtrusionPanel::Shown ExtrusionPanel::shownOf(const scene::Scene& scene) const {
-  Shown shown{session::extrusionsOf(scene), scene.labels.structures, scene.labels.growths, {}, {}};
+  Shown shown{session::extrusionsOf(scene), scene.labels.structures, scene.labels.growths, {}, {}, {}};
   for (const auto& cut : scene.cuts) shown.cuts.emplace_back(cut.id, cut.name);
+  shown.isGrown = session::isGrown(scene);
   shown.data.push_back(scene.volume.data ? scene.volume.data.id() : scene.labels.data.id());
   for (const auto& surface : scene.surfaces) shown.data.push_back(surface.data.id());
   const scene::Cut* cut = scene::findCut(scene, mSelection.cut());
@@ -126,9 +169,15 @@ void ExtrusionPanel::showForm() {
   mBack->setEnabled(bool(one));
   mGrowth->showStructure(one ? one->structure : 0);
   if (!one) return;
-  scene::Bounds bounds = scene::computeBounds(scene);
+  const scene::Structure* row = session::findStructure(scene, one->structure);
+  mName->setEnabled(row);
+  mColor->setEnabled(row);
+  QString name = row ? QString::fromStdString(session::structureName(scene, one->structure)) : QString();
+  if (!mName->hasFocus() || !mName->isModified()) mName->setText(name);
+  mColor->setColor(row ? row->color : glm::vec3(0.6f));
+  const scene::Cut* cut = scene::findCut(scene, one->cut);
   mDistance->setLength(Length(scene));
-  mDistance->setRange(0.0, std::max(glm::length(bounds.max - bounds.min), one->distance));
+  mDistance->setRange(0.0, std::max(cut ? session::pulledEnd(scene, *cut, one->structure) : 0.0, one->distance));
   mDistance->setValue(one->distance);
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <QLineEdit>
 #include <QPushButton>
 #include <QWidget>
 #include <cstdint>
@@ -32,6 +33,8 @@ class ExtrusionPanel : public QWidget {
   void putAllBack();
 
  signals:
+  /// In words: why growing is held.
+  void held(const QString& why);
   /// In words: why nothing was done.
   void refused(const QString& why);
 
@@ -43,6 +46,7 @@ class ExtrusionPanel : public QWidget {
     std::vector<scene::Growth> growths;
     std::vector<std::pair<int, std::string>> cuts;  ///< ids and names, in their order
     std::vector<std::uint64_t> data;                ///< ids: its size is how far something may stand out
+    bool isGrown = false;                           ///< the labels hold all growths: what ends is known
     bool isPlane = false;                           ///< the selected cut
     int cut = -1, structure = -1;                   ///< selected
     bool operator==(const Shown&) const = default;
@@ -52,6 +56,9 @@ class ExtrusionPanel : public QWidget {
   void showRows();
   void showForm();
   void setDistance(double distance);
+  QLayout* buildRow(QWidget* form);
+  void rename();
+  void setColor(glm::vec3 color);
 
   session::Session& mSession;
   session::Document& mDocument;
@@ -61,6 +68,8 @@ class ExtrusionPanel : public QWidget {
   ExtrusionList* mList;
   LeakBox* mLeak;
   QWidget* mForm;
+  QLineEdit* mName = nullptr;
+  ColorButton* mColor = nullptr;
   NumberRow* mDistance = nullptr;
   GrowthForm* mGrowth = nullptr;
   Shown mShown;

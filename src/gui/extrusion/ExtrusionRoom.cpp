@@ -12,6 +12,8 @@ ExtrusionRoom::ExtrusionRoom(const WindowParts& parts)
   parts.toolbox.bind(mBarrier, mPanel->barrierButton());
   connect(mPanel, &ExtrusionPanel::refused, &parts.messages,
           [&bar = parts.messages](const QString& why) { bar.showNote(why); });
+  connect(mPanel, &ExtrusionPanel::held, &parts.messages,
+          [&bar = parts.messages](const QString& why) { bar.showNote(why); });
   connect(&mPanel->steps(), &PullSteps::asked, this, &ExtrusionRoom::takeStep);
   connect(&mPull, &PullTool::stopGrowingAsked, this, &ExtrusionRoom::stopGrowing);
   connect(&mPull, &Tool::activeChanged, this, [this](bool active) {

@@ -46,16 +46,35 @@ void LeakBox::goOn() {
   refresh();
 }
 
+/// What is said of it; then come the ways on.
+QString LeakBox::textOf(const session::Leak& leak) const {
+  const scene::Scene& scene = mSession.document().scene();
+  QString name = QString::fromStdString(session::structureName(scene, leak.structure));
+  if (leak.times == 0.0)
+    return tr("%1 takes most of what there is in the cut, or the darkest values, which are around everything. It has "
+              "not grown yet. Narrow its values; or:")
+        .arg(name);
+  return tr("%1 would flow into something else: %2 out its section becomes %3 times as large. It is held "
+            "there. Narrow its values, draw a barrier, or stop at edges; or:")
+      .arg(name, Length(scene).text(leak.distance))
+      .arg(leak.times, 0, 'f', 1);
+}
+
+/// The same for the view, whose hand may be far from the page.
+QString LeakBox::saidOf(const session::Leak& leak) const {
+  const scene::Scene& scene = mSession.document().scene();
+  QString name = QString::fromStdString(session::structureName(scene, leak.structure));
+  if (leak.times == 0.0) return tr("%1 is not grown yet: the page Pull out says why, and lets it.").arg(name);
+  return tr("%1 is held %2 out, where it would flow into something else: the page Pull out lets it go on.")
+      .arg(name, Length(scene).text(leak.distance));
+}
+
 void LeakBox::refresh() {
   auto leak = mSession.growth().status().leak;
   setVisible(bool(leak));
-  if (!leak) return;
-  const scene::Scene& scene = mSession.document().scene();
-  mText->setText(tr("%1 would flow into something else: %2 out its section becomes %3 times as large. It is held "
-                    "there. Narrow its values, draw a barrier, or stop at edges; or:")
-                     .arg(QString::fromStdString(session::structureName(scene, leak->structure)),
-                          Length(scene).text(leak->distance))
-                     .arg(leak->times, 0, 'f', 1));
+  if (leak) mText->setText(textOf(*leak));
+  if (leak && (!mSaid || mSaid->structure != leak->structure)) emit held(saidOf(*leak));
+  mSaid = leak;
 }
 
 }  // namespace velum::gui

@@ -1,6 +1,7 @@
 #pragma once
 #include <QLabel>
 #include <QWidget>
+#include <optional>
 
 #include "velum/session/Session.h"
 
@@ -13,11 +14,18 @@ class LeakBox : public QWidget {
   LeakBox(session::Session& session, QWidget* parent);
   void refresh();
 
+ signals:
+  /// In words, once: why something is held.
+  void held(const QString& why);
+
  private:
   void goOn();
+  QString textOf(const session::Leak& leak) const;
+  QString saidOf(const session::Leak& leak) const;
 
   session::Session& mSession;
   QLabel* mText;
+  std::optional<session::Leak> mSaid;
 };
 
 }  // namespace velum::gui

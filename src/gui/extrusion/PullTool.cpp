@@ -1,6 +1,5 @@
 #include "PullTool.h"
 
-#include <QLocale>
 #include <algorithm>
 #include <utility>
 
@@ -9,6 +8,7 @@
 #include "tool/HandlePaint.h"
 #include "velum/scene/SectionPlane.h"
 #include "velum/session/cut/CutEdit.h"
+#include "velum/session/extrusion/PulledEnd.h"
 #include "velum/session/growth/Growths.h"
 #include "velum/session/structure/StructureEdit.h"
 
@@ -19,6 +19,9 @@ namespace {
 /// A sample lies so many voxels off a face at most.
 constexpr double kSlackVoxels = 1.5;
 
+/// A press so many pixels beside what can be pulled was meant for it.
+constexpr double kBesidePixels = 40.0;
+
 double slackOf(const scene::Scene& scene) { return kSlackVoxels * scene::sectionStep(scene); }
 
 bool hasCutToPullFrom(const scene::Scene& scene) {
@@ -28,7 +31,16 @@ bool hasCutToPullFrom(const scene::Scene& scene) {
 }  // namespace
 
 PullTool::PullTool(const WindowParts& parts)
-    : mParts(parts), mDocument(parts.document()), mSelection(parts.selection), mToolbox(parts.toolbox) {}
+    : mParts(parts), mDocument(parts.document()), mSelection(parts.selection), mToolbox(parts.toolbox) {
+  connect(&mPreview, &PullPreview::drawn, this, [this] {
+    if (mView) mToolbox.repaint(*mView);
+  });
+  connect(&parts.views.viewport(), &Viewport::refined, this, [this] {
+    if (mPreview.isOn() || mPreview.image().isNull() || mParts.views.viewport().shownCount() == mShownCount) return;
+    mPreview.clear();
+    if (mView) mToolbox.repaint(*mView);
+  });
+}
 
 bool PullTool::start() {
   const scene::Scene& scene = mDocument.scene();
@@ -47,7 +59,8 @@ bool PullTool::start() {
 
 void PullTool::stop() {
   if (!mDragged.empty()) mDocument.endMerge();
-  mDragged.clear();
+  letGo();
+  mPreview.clear();
   mStroke.reset();
   mChosen.clear();
   mTarget.reset();
@@ -57,7 +70,27 @@ void PullTool::stop() {
 }
 
 void PullTool::refresh() {
-  if (!scene::hasData(mDocument.scene())) mToolbox.stop(*this);
+  if (!scene::hasData(mDocument.scene())) return mToolbox.stop(*this);
+  showPreview();
+}
+
+/// What has been found of what is dragged, as far as that is pulled.
+void PullTool::showPreview() {
+  if (mDragged.empty() || !mPreview.isOn()) return;
+  const scene::Scene& scene = mDocument.scene();
+  std::vector<session::Pulled> pulled;
+  for (const auto& [pull, drag, end, before] : mDragged)
+    if (const scene::Cut* cut = scene::findCut(scene, pull.cut))
+      pulled.push_back({pull.cut, pull.structure, session::extrusionOf(*cut, pull.structure), before});
+  mPreview.show(scene, pulled, {mView->widget().width(), mView->widget().height()});
+}
+
+/// The picture goes on; what lies over it stays until the next one stands.
+void PullTool::letGo() {
+  mDragged.clear();
+  mPreview.end();
+  mShownCount = mParts.views.viewport().shownCount();
+  mParts.views.viewport().pause(0);
 }
 
 QString PullTool::hint() const {
@@ -67,7 +100,7 @@ QString PullTool::hint() const {
   if (session::lastGrowth(mDocument.scene(), mSelection.structure()))
     return tr(
         "Drag a structure out of the cut. Shift takes several, a stroke with Ctrl adds to the selected one. Esc ends.");
-  return tr("Drag a structure out of the cut. Shift takes several, Alt and the wheel move the plane. Esc ends.");
+  return tr("Drag a structure out of the cut. Shift takes several, Ctrl and the wheel, or [ and ], move the plane. Esc ends.");
 }
 
 std::optional<PullTool::Target> PullTool::targetAt(const ViewPoint& at) const {
@@ -91,13 +124,28 @@ void PullTool::mean(const Target& target) {
 /// The cut out of which the next drag pulls, or this one does.
 int PullTool::supporting() const { return mDragged.empty() && mTarget ? mTarget->cuts.front() : mSelection.cut(); }
 
-/// With other buttons and keys the view does what it always does; beside what can be pulled, too.
+/// Something is seen there, or what can be pulled is near: no place from which somebody wants to turn the camera.
+bool PullTool::isBeside(const ViewPoint& at) const {
+  if (at.isOnSection()) return false;
+  if (at.pick() && at.pick()->hit) return true;
+  for (double away : {0.5 * kBesidePixels, kBesidePixels})
+    for (QPointF way : {QPointF(1, 0), QPointF(0, 1), QPointF(-1, 0), QPointF(0, -1)})
+      if (targetAt(ViewPoint(at.view(), mDocument.scene(), at.place() + away * way))) return true;
+  return false;
+}
+
+/// With other buttons and keys the view does what it always does; on the empty ground, too.
 bool PullTool::press(const PointerEvent& event) {
   bool isPlain = event.keys == Qt::NoModifier || event.keys == Qt::ShiftModifier;
   bool isStroke = event.keys == Qt::ControlModifier;
   if (event.button != Qt::LeftButton || (!isPlain && !isStroke)) return false;
   auto target = targetAt(event.at);
-  if (!target) return false;
+  if (!target && (isStroke || !isBeside(event.at))) return false;
+  if (!target) {
+    mParts.messages.showNote(
+        tr("Nothing here to pull: press on the cut's face. A drag on the empty ground turns the view."));
+    return true;
+  }
   if (!isStroke) return begin(*target, event.at, event.keys & Qt::ShiftModifier);
   beginStroke(event.at);
   return true;
@@ -127,71 +175,53 @@ bool PullTool::begin(const Target& target, const ViewPoint& at, bool goesOn) {
           tr("%1 is spared whole by this cut already: take that off in the list of cuts to pull it").arg(nameOf(one)));
       continue;
     }
-    mDragged.push_back({one, session::ExtrusionDrag(at.space(), at.pixel(), cut, target.world, distance)});
+    // Of what is to be found nobody knows yet where it ends.
+    double end = session::pulledEnd(scene, cut, one.added ? 0 : one.structure);
+    mDragged.push_back(
+        {one, session::ExtrusionDrag(at.space(), at.pixel(), cut, target.world, distance), end, distance});
   }
   mSelection.setCut(pull->cut);
   mSelection.setStructure(pull->structure);
   mView = &at.view();
+  if (!at.isOnSection() && !mDragged.empty()) mPreview.begin();
   return true;
 }
 
 void PullTool::pullTo(const ViewPoint& at) {
   if (mDragged.empty()) return;
+  std::vector<double> distances;
+  for (const auto& one : mDragged) distances.push_back(std::min(one.drag.distanceAt(at.pixel()), one.end));
+  setDistances(distances);
+  const Dragged& last = mDragged.back();
+  mTag = tr("%1: %2").arg(nameOf(last.pull), Length(mDocument.scene()).text(distances.back()));
+  if (distances.back() == last.end) mTag = tr("%1, its end").arg(mTag);
+}
+
+/// One step of undo with all of the drag.
+void PullTool::setDistances(const std::vector<double>& distances) {
   QString label = mDragged.size() == 1 ? tr("Pull out %1").arg(nameOf(mDragged.front().pull))
                                        : tr("Pull out %n structures", nullptr, int(mDragged.size()));
-  double distance = 0.0;
   mDocument.edit(
       label.toStdString(),
       [&](scene::Scene& scene) {
-        for (const auto& one : mDragged) {
-          distance = one.drag.distanceAt(at.pixel());
-          session::pullTo(scene, one.pull, distance);
-        }
+        for (std::size_t i = 0; i < mDragged.size(); ++i) session::pullTo(scene, mDragged[i].pull, distances[i]);
       },
       true);
-  mTag = tr("%1: %2").arg(nameOf(mDragged.back().pull), Length(mDocument.scene()).text(distance));
 }
 
-/// Only what was grown can grow from more places.
-void PullTool::beginStroke(const ViewPoint& at) {
-  int structure = mSelection.structure();
-  mTag.clear();
-  if (session::lastGrowth(mDocument.scene(), structure)) {
-    mStroke.emplace();
-    mView = &at.view();
-    return strokeTo(at);
+/// What has grown on the way may end before the hand does.
+void PullTool::endAtTheirEnds() {
+  const scene::Scene& scene = mDocument.scene();
+  std::vector<double> distances;
+  bool isFurther = false;
+  for (const auto& one : mDragged) {
+    const scene::Cut* cut = scene::findCut(scene, one.pull.cut);
+    double distance = cut ? session::extrusionOf(*cut, one.pull.structure) : 0.0;
+    double end = cut && distance > 0.0 ? session::pulledEnd(scene, *cut, one.pull.structure) : distance;
+    isFurther |= distance > end && end > 0.0;
+    distances.push_back(end > 0.0 ? std::min(distance, end) : distance);
   }
-  const scene::Structure* row = session::findStructure(mDocument.scene(), structure);
-  mParts.messages.showNote(
-      row ? tr("%1 has labels of its own: a stroke with Ctrl adds to what was found from its values")
-                .arg(QString::fromStdString(row->name))
-          : tr("Pull a structure out, or select one that was: a stroke with Ctrl adds to it"));
-}
-
-void PullTool::strokeTo(const ViewPoint& at) {
-  auto target = targetAt(at);
-  if (target)
-    mStroke->goOn(target->world, {target->structure, target->cuts.front()});
-  else
-    mStroke->lift();
-}
-
-/// What is joined to the places under the stroke becomes part of the structure, as far as that is pulled.
-void PullTool::endStroke() {
-  SeedStroke stroke = *std::exchange(mStroke, std::nullopt);
-  int structure = mSelection.structure();
-  const scene::Growth* last = session::lastGrowth(mDocument.scene(), structure);
-  if (!last) return;
-  QString name = QString::fromStdString(session::structureName(mDocument.scene(), structure));
-  glm::dvec2 range = mDocument.scene().volume.data->range;
-  double low = std::max(last->low, range.x), high = std::min(last->high, range.y);
-  std::size_t count = 0;
-  mDocument.edit(tr("Add to %1").arg(name).toStdString(), [&](scene::Scene& scene) {
-    count = session::addSeeds(scene, structure, stroke.places(*scene.volume.data));
-  });
-  if (count == 0)
-    mParts.messages.showNote(tr("Nothing was added to %1: nothing under the stroke has its values, %2 to %3")
-                                 .arg(name, QLocale().toString(low), QLocale().toString(high)));
+  if (isFurther) setDistances(distances);
 }
 
 void PullTool::drag(const PointerEvent& event) {
@@ -205,8 +235,9 @@ void PullTool::drag(const PointerEvent& event) {
 
 void PullTool::release(const PointerEvent& event) {
   if (mStroke) endStroke();
+  endAtTheirEnds();
   mDocument.endMerge();
-  mDragged.clear();
+  letGo();
   mTag.clear();
   mToolbox.repaint(event.at.view());
 }
@@ -259,20 +290,31 @@ KeyAnswer PullTool::key(const KeyStroke& stroke) {
   bool isTwo = mTarget && mTarget->cuts.size() > 1;
   if (stroke.key == Qt::Key_Space && stroke.keys == Qt::NoModifier && isTwo && mDragged.empty())
     return [this] { toggle(); };
+  if (stroke.key == Qt::Key_BracketRight) return [this] { movePlane(1.0); };
+  if (stroke.key == Qt::Key_BracketLeft) return [this] { movePlane(-1.0); };
   if (stroke.key == Qt::Key_Escape && mParts.session.growth().isGrowing()) return [this] { emit stopGrowingAsked(); };
   return {};
 }
 
-bool PullTool::wheel(const PointerEvent& event, double notches) {
+/// Along its normal, by the step of sections.
+bool PullTool::movePlane(double steps) {
   const scene::Cut* cut = scene::findCut(mDocument.scene(), mSelection.cut());
-  if (!(event.keys & Qt::AltModifier) || !cut || !session::canPullFrom(*cut)) return false;
-  glm::dvec3 step = session::pullDirection(*cut, cut->centre) * (notches * scene::sectionStep(mDocument.scene()));
+  if (!cut || !session::canPullFrom(*cut)) return false;
+  glm::dvec3 step = session::pullDirection(*cut, cut->centre) * (steps * scene::sectionStep(mDocument.scene()));
   mDocument.edit(
       "Move cut", [&](scene::Scene& scene) { scene::findCut(scene, mSelection.cut())->centre += step; }, true);
   return true;
 }
 
+/// Window managers keep Alt and the wheel for themselves; on sections Ctrl and the wheel zoom.
+bool PullTool::wheel(const PointerEvent& event, double notches) {
+  bool isMeant = event.keys & Qt::AltModifier || (event.keys & Qt::ControlModifier && !event.at.isOnSection());
+  return isMeant && movePlane(notches);
+}
+
 void PullTool::paint(ViewPainter& over) const {
+  if (!over.space.section() && !mPreview.image().isNull())
+    over.painter.drawImage(QRectF(QPointF(), over.size), mPreview.image());
   if (!over.space.section()) paintPlanes(over, mDocument.scene(), supporting());
   if (mStroke) mStroke->paint(over, 0.5 * scene::sectionStep(mDocument.scene()));
   if (&over.view == mView && !mTag.isEmpty()) drawTag(over.painter, mPointer, over.size, mTag);

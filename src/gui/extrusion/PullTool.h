@@ -2,6 +2,7 @@
 #include <optional>
 #include <vector>
 
+#include "PullPreview.h"
 #include "SeedStroke.h"
 #include "velum/session/extrusion/Extrusion.h"
 #include "velum/session/extrusion/Pull.h"
@@ -14,6 +15,9 @@ namespace velum::gui {
 /// along. Where two extrusions overlap the nearer plane is meant, until Space says the other, as long as the pointer
 /// stays there. With Ctrl a stroke gives the selected structure more places to grow from. Everywhere else the view has
 /// the pointer. Handles of cuts would lie over what is to be pulled.
+///
+/// While it is dragged the picture stands, and what is found is shown over it (PullPreview): the thread that moves the
+/// label neither grows nor draws. The picture follows when the hand lets go.
 class PullTool : public Tool {
   Q_OBJECT
  public:
@@ -31,11 +35,13 @@ class PullTool : public Tool {
   void refresh() override;
   QString hint() const override;
   void paint(ViewPainter& over) const override;
+  /// The picture stands, too: see Viewport::drawSome().
   bool pausesOtherViews() const override { return !mDragged.empty() || mStroke; }
   bool hidesHandles() const override { return true; }
   bool marksOverlaps() const override { return true; }
   /// What is said beside the pointer: a name, and how far it stands out.
   const QString& tag() const { return mTag; }
+  const PullPreview& preview() const { return mPreview; }
 
  signals:
   /// Esc: what grows is to stop where it is.
@@ -55,16 +61,23 @@ class PullTool : public Tool {
   struct Dragged {
     session::Pull pull;
     session::ExtrusionDrag drag;
+    double end, before;  ///< how far it can stand out, and did when it was pressed
   };
   std::optional<Target> targetAt(const ViewPoint& at) const;
   void mean(const Target& target);
   int supporting() const;
   bool begin(const Target& target, const ViewPoint& at, bool goesOn);
   void pullTo(const ViewPoint& at);
+  void setDistances(const std::vector<double>& distances);
+  void endAtTheirEnds();
+  void showPreview();
+  void letGo();
+  bool isBeside(const ViewPoint& at) const;
   void beginStroke(const ViewPoint& at);
   void strokeTo(const ViewPoint& at);
   void endStroke();
   void toggle();
+  bool movePlane(double steps);
   QString nameOf(const session::Pull& pull) const;
   QString tagOf(const Target& target) const;
 
@@ -77,6 +90,8 @@ class PullTool : public Tool {
   std::optional<SeedStroke> mStroke;   ///< while it is down with Ctrl
   std::optional<Target> mTarget;       ///< under the pointer
   Meant mMeant;
+  PullPreview mPreview;
+  int mShownCount = 0;  ///< of the picture's, when what is laid over it was let go of
   ToolView* mView = nullptr;
   QPointF mPointer;
   QString mTag;

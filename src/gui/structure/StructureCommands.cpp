@@ -7,6 +7,7 @@
 #include "velum/scene/LitSpheres.h"
 #include "velum/session/cut/CutEdit.h"
 #include "velum/session/membrane/MembraneEdit.h"
+#include "velum/session/structure/StructureRow.h"
 
 namespace velum::gui {
 
@@ -45,10 +46,7 @@ void StructureCommands::toggleSolo(int id) {
 
 void StructureCommands::setColor(const Ids& ids, glm::vec3 color) {
   mDocument.edit(session::structureLabel(mDocument.scene(), "Colour", ids), [&](scene::Scene& scene) {
-    session::changeStructures(scene, ids, [&](scene::Structure& s) {
-      s.color = color;
-      s.tint = 1.0;  // one that was grown has the material's colours until now
-    });
+    session::colorStructures(scene, ids, color);
   });
 }
 
@@ -63,7 +61,7 @@ void StructureCommands::dragOpacity(const Ids& ids, double opacity) {
 
 void StructureCommands::rename(int id, const QString& name) {
   mDocument.edit(session::structureLabel(mDocument.scene(), "Rename", {id}), [&](scene::Scene& scene) {
-    session::changeStructures(scene, {id}, [&](scene::Structure& s) { s.name = name.trimmed().toStdString(); });
+    session::renameStructure(scene, id, name.toStdString());
   });
 }
 

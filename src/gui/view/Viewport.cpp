@@ -24,6 +24,8 @@ constexpr int kTellMs = 250;            // how often the status line is told: th
 constexpr int kShowMs = 150;            // how often a growing picture is shown: showing costs a pass over it
 
 PreparingVeil& veilOf(QWidget& view) { return *view.findChild<PreparingVeil*>({}, Qt::FindDirectChildrenOnly); }
+/// While a tool drags something that wants the machine the picture stands, and the tool paints over it what changes.
+bool holdsPicture(const Toolbox& toolbox) { return toolbox.active() && toolbox.active()->pausesOtherViews(); }
 
 }  // namespace
 
@@ -40,6 +42,7 @@ Viewport::Viewport(session::Session& session, Toolbox& toolbox, QWidget* parent)
   mRestTimer.setSingleShot(true);
   mRestTimer.setInterval(kRestMs);
   connect(&mRestTimer, &QTimer::timeout, this, [this] {
+    if (holdsPicture(mToolbox)) return;
     begin(mCoarseScale > 2.5 ? Stage::Half : Stage::Full);
     if (!mPauseTimer.isActive()) mSectionTimer.start();
   });
@@ -226,6 +229,7 @@ void Viewport::section() {
 
 /// Works on the picture for a while. @return false when there is nothing to do until something happens
 bool Viewport::drawSome() {
+  if (mHasPicture && holdsPicture(mToolbox)) return false;
   bool otherData = mFrame.scene.volume.data != mDocument.scene().volume.data;
   // A coarse picture on its way is finished first: a steady drag would otherwise never show one.
   if (mPending && (mStage != Stage::Coarse || otherData)) begin(Stage::Coarse);

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "cut/DragAlong.h"
 #include "cut/SectionContour.h"
 #include "velum/scene/Project.h"
 #include "velum/session/cut/CutEdit.h"
+#include "velum/session/extrusion/PulledEnd.h"
 
 namespace velum::session {
 
@@ -51,12 +53,16 @@ void resetExtrusions(scene::Scene& scene) {
 }
 
 scene::Scene pulledOut(scene::Scene scene, double at) {
+  std::map<std::pair<int, int>, double> ends;
+  for (const auto& one : extrusionsOf(scene))
+    ends[{one.cut, one.structure}] = pulledEnd(scene, *scene::findCut(scene, one.cut), one.structure);
   double turn = at * double(extrusionsOf(scene).size());  // of the next one, from 0 to 1
   for (auto& cut : scene.cuts)
     for (auto& spare : cut.spares) {
       if (!isExtrusion(spare)) continue;
       double t = std::clamp(turn, 0.0, 1.0);
-      spare.distance *= t * t * (3.0 - 2.0 * t);
+      // What lies beyond the structure's end would be a time in which nothing moves.
+      if (t < 1.0) spare.distance = std::min(spare.distance, ends[{cut.id, spare.structure}]) * t * t * (3.0 - 2.0 * t);
       turn -= 1.0;
     }
   return scene;
@@ -135,6 +141,8 @@ std::optional<int> addJoinedPlane(scene::Scene& scene, int cut) {
   scene::Bounds bounds = scene::computeBounds(scene);
   second.centre = scene.sections.isPlaced ? scene.sections.crosshair : (bounds.min + bounds.max) * 0.5;
   second.size = first->size;
+  second.face = first->face;
+  second.faceOpacity = first->faceOpacity;
   int id = scene::addCut(scene, second);
   auto place = scene.cuts.begin() + scene::cutPlace(scene, cut) + 1;
   std::rotate(place, scene.cuts.end() - 1, scene.cuts.end());

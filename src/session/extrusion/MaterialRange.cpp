@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
+#include "extrusion/Populations.h"
 #include "velum/session/look/ShowThis.h"
 
 namespace velum::session {
@@ -16,6 +18,18 @@ constexpr double kHidden = 0.005, kValley = 0.5;
 constexpr double kSpreads = 3.0;
 /// Share of the data beyond which there is nothing else worth telling apart.
 constexpr double kEnd = 0.1;
+/// Voxels around the place within which materials lie beside it.
+constexpr int kNeighbourhood = 16;
+/// A material that is shown, too, is another one where it ends before this share of the way to the value, and is not as
+/// bright as this share of the data. Tuned, with the neighbourhood and the constants of populations, on the rows of
+/// RealPulls that say so, and held against the others.
+constexpr double kApart = 0.5, kBright = 0.03;
+/// Share of what is around from which on it is all one material.
+constexpr double kAlone = 0.9;
+/// Share of what is around from which on a material that is shown, too, is one of its own.
+constexpr double kLeastOther = 0.15;
+/// Of what is around: as much of brighter values is another material, and no tail of this one.
+constexpr double kLeastBrighter = 0.02;
 
 /// From a value on, point by point, until the curve is hidden or rises again out of a valley; that place.
 double endOfSegment(const std::vector<scene::OpacityPoint>& curve, double value, double limit) {
@@ -42,6 +56,77 @@ double endOfSegment(const std::vector<scene::OpacityPoint>& curve, double value,
   return limit;
 }
 
+/// The values of the voxels around a place, where they are numbers.
+std::vector<double> valuesAround(const scene::VolumeLayer& layer, glm::dvec3 world) {
+  const Volume& volume = *layer.data;
+  int channel = std::clamp(layer.channel, 0, volume.channels - 1);
+  int timeStep = std::clamp(layer.timeStep, 0, volume.timeSteps - 1);
+  glm::ivec3 middle(glm::floor(glm::dvec3(glm::inverse(volume.worldFromVoxel) * glm::dvec4(world, 1.0)) + 0.5));
+  glm::ivec3 first = glm::max(middle - kNeighbourhood, glm::ivec3(0));
+  glm::ivec3 last = glm::min(middle + kNeighbourhood, volume.dims - 1);
+  std::vector<double> values;
+  for (glm::ivec3 p = first; p.z <= last.z; ++p.z)
+    for (p.y = first.y; p.y <= last.y; ++p.y)
+      for (p.x = first.x; p.x <= last.x; ++p.x)
+        if (double value = valueAt(volume, p, channel, timeStep); std::isfinite(value)) values.push_back(value);
+  return values;
+}
+
+/// The material that a value is of, where that is a peak which the curve shows.
+const Population* ownOf(const std::vector<Population>& populations, double value, double foot) {
+  const Population* own = nullptr;
+  for (const auto& one : populations)
+    if (one.middle >= foot && one.holds(value)) own = &one;
+  return own;
+}
+
+/// True where a darker material is another one than that of a value, not the same, thinner.
+/// @param bright  what few of all values reach
+bool isApart(const Population& darker, double value, double bright) {
+  return darker.upperEnd() < glm::mix(darker.middle, value, kApart) && darker.middle < bright;
+}
+
+/// Where a material begins that the curve shows from a foot on: there, where it becomes visible; above what is darker,
+/// lies beside it and is shown, too; lower where all that lies beside it is one material that the curve hides, halfway
+/// to that, but not in its noise.
+double lowOf(const std::vector<Population>& populations, double foot, double value, double bright) {
+  double low = foot;
+  const Population* hidden = nullptr;
+  for (const auto& one : populations) {
+    bool isShown = one.middle + one.spread > foot;
+    if (one.middle < value && isShown && one.share > kLeastOther && isApart(one, value, bright)) low = std::max(low, one.upperEnd());
+    if (!isShown) hidden = &one;
+  }
+  bool isAlone = hidden && hidden->share > kAlone && low == foot;
+  if (!isAlone) return low;
+  return std::min(foot, std::max(0.5 * (hidden->middle + value), hidden->upperEnd() + hidden->spread));
+}
+
+/// Where a material ends that is a peak: before what is brighter and shown by the same segment.
+double highOf(double end, const Population& own, const std::vector<double>& around) {
+  auto brighter = std::count_if(around.begin(), around.end(),
+                                [&](double value) { return value > own.upperEnd() && value <= end; });
+  return double(brighter) > kLeastBrighter * double(around.size()) ? own.upperEnd() : end;
+}
+
+/// Of a segment of the curve, what belongs to the material of a value.
+/// @param all  values of the whole data
+MaterialRange withoutOthers(MaterialRange segment, double value, const Tissue& tissue,
+                            const std::vector<double>& around, const Histogram& all) {
+  std::vector<Population> beside = populationsOf(around);
+  const Population* own = ownOf(beside, value, segment.low);
+  MaterialRange range = segment;
+  range.low = lowOf(beside, segment.low, own ? own->middle : value, quantile(all, 1.0 - kBright));
+  // What is still brighter than the brightest tenth is more of it, as dense bone is of spongy.
+  bool isBrightest = value > quantile(all, 1.0 - kEnd);
+  if (own && !isBrightest) range.high = highOf(segment.high, *own, around);
+  // Both the middle of what was measured and the place belong to it, unless noise has put that out of the segment.
+  for (double each : {value, tissue.here})
+    if (each >= segment.low && each <= segment.high)
+      range.low = std::min(range.low, each), range.high = std::max(range.high, each);
+  return range;
+}
+
 }  // namespace
 
 std::optional<MaterialRange> segmentOf(const scene::TransferFunction& transfer, double value, glm::dvec2 range) {
@@ -60,24 +145,16 @@ std::optional<MaterialRange> materialRangeAt(const scene::VolumeLayer& layer, gl
   std::optional<Tissue> tissue = measureTissue(layer, world, histograms);
   if (!tissue) return std::nullopt;
   const Volume& volume = *layer.data;
+  const scene::TransferFunction& transfer = scene::currentTransfer(layer);
   const Histogram& histogram = histograms.of(layer);
-  double value = tissue->value;
-  auto segment = segmentOf(scene::currentTransfer(layer), value, volume.range);
-  if (!segment) {
-    // Beside borders the middle of what was measured may be hidden though the place itself is seen.
-    segment = segmentOf(scene::currentTransfer(layer), tissue->here, volume.range);
-    if (segment) value = tissue->here;
-  }
+  // Beside borders the middle of what was measured may be hidden though the place itself is seen.
+  for (double value : {tissue->value, tissue->here})
+    if (auto segment = segmentOf(transfer, value, volume.range))
+      return withoutOthers(*segment, value, *tissue, valuesAround(layer, world), histogram);
+  double value = tissue->value, around = kSpreads * tissue->spread;
   bool isBrightest = value > quantile(histogram, 1.0 - kEnd), isDarkest = value < quantile(histogram, kEnd);
-  double around = kSpreads * tissue->spread;
-  MaterialRange material{tissue->low.value_or(isDarkest ? volume.range.x : value - around),
-                         tissue->high.value_or(isBrightest ? volume.range.y : value + around)};
-  if (!segment) return material;
-  // What the curve tells apart is told apart; within its segment a material beside is left out.
-  MaterialRange out = *segment;
-  if (!isDarkest && tissue->low) out.low = std::max(out.low, *tissue->low);
-  if (!isBrightest && tissue->high) out.high = std::min(out.high, *tissue->high);
-  return out.low <= value && value <= out.high ? out : material;
+  return MaterialRange{tissue->low.value_or(isDarkest ? volume.range.x : value - around),
+                       tissue->high.value_or(isBrightest ? volume.range.y : value + around)};
 }
 
 }  // namespace velum::session

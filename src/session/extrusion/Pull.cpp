@@ -48,6 +48,14 @@ scene::Structure newStructure(const scene::Scene& scene, int id, double value) {
   return structure;
 }
 
+double valueNear(const scene::VolumeLayer& layer, glm::dvec3 world) {
+  const Volume& volume = *layer.data;
+  glm::ivec3 voxel(glm::round(glm::dvec3(glm::inverse(volume.worldFromVoxel) * glm::dvec4(world, 1.0))));
+  voxel = glm::clamp(voxel, glm::ivec3(0), volume.dims - 1);
+  return valueAt(volume, voxel, std::clamp(layer.channel, 0, volume.channels - 1),
+                 std::clamp(layer.timeStep, 0, volume.timeSteps - 1));
+}
+
 /// The voxel of a range nearest to a place on the face, of those that lie before it: that of the place itself may lie
 /// behind, or be one that noise has put out of the range. One with such a neighbour, or nothing would grow from it.
 glm::dvec3 seedBefore(const scene::Scene& scene, const scene::Cut& cut, glm::dvec3 world, const MaterialRange& range) {
@@ -97,8 +105,7 @@ std::optional<Pull> newPull(const scene::Scene& scene, const scene::Cut& cut, gl
   growth.channel = std::clamp(scene.volume.channel, 0, scene.volume.data->channels - 1);
   growth.timeStep = std::clamp(scene.volume.timeStep, 0, scene.volume.data->timeSteps - 1);
   setPlane(growth, cut, 0.0);
-  return Pull{cut.id, *id,
-              newStructure(scene, *id, 0.5 * (range->low + std::min(range->high, 2 * std::abs(range->low)))), growth};
+  return Pull{cut.id, *id, newStructure(scene, *id, valueNear(scene.volume, growth.seeds[0])), growth};
 }
 
 void addRow(scene::LabelLayer& labels, const scene::Structure& row) {

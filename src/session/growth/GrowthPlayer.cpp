@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <set>
 
 #include "velum/core/Clock.h"
+#include "velum/extrusion/FirstDoubt.h"
 #include "velum/extrusion/GrowDomain.h"
 #include "velum/extrusion/GrowOverTime.h"
 #include "velum/extrusion/LabelsFor.h"
@@ -78,7 +80,7 @@ struct GrowthPlayer::State {
   Shared<LabelVolume> given;
   Goal wanted, goal;  ///< of the scene; of the work
   Progressed now;
-  std::set<int> trusted;
+  std::set<int> trusted, typed;  ///< structures that may leak; whose values somebody has changed
   std::string error;
   bool isWorking = false, isObsolete = false, hasNews = false;
   extrusion::Grower grower;  ///< Of the work, while there is one.
@@ -88,15 +90,19 @@ struct GrowthPlayer::State {
     now.steps.clear();
     now.take(volume ? extrusion::labelsFor(*volume, given) : given);
   }
+  /// How closely a structure is watched.
+  enum class Watch { Not, Jumps, All };
+  std::function<Watch(int)> watches() const;
   Progressed growSome(const Shared<Volume>& of, const Shared<LabelVolume>& ground, Progressed to, const Goal& all,
-                      const std::set<int>& unguarded, Progress& progress);
+                      const std::function<Watch(int)>& watch, Progress& progress);
   double growPart(const Shared<Volume>& of, Progressed& to, const scene::Growth& step, double reached, double slabs,
-                  bool guard, Progress& progress);
+                  Watch watch, Progress& progress);
+  void forgetWhatIsGone(const Steps& next);
 };
 
 /// Goes on for about kWorkMs.
 Progressed GrowthPlayer::State::growSome(const Shared<Volume>& of, const Shared<LabelVolume>& ground, Progressed to,
-                                         const Goal& all, const std::set<int>& unguarded, Progress& progress) {
+                                         const Goal& all, const std::function<Watch(int)>& watch, Progress& progress) {
   auto start = Clock::now();
   double slabs = kFirstSlabs;
   while (to.steps != all.steps && slabs > 0.0 && msSince(start) < kWorkMs) {
@@ -113,20 +119,52 @@ Progressed GrowthPlayer::State::growSome(const Shared<Volume>& of, const Shared<
       to.steps.back() = step;
       to.take(overTime.labelsAt(step.timeStep, place + 1, of, ground, all.made, progress));
     } else {
-      slabs = growPart(of, to, step, reached, slabs, !unguarded.count(step.structure), progress);
+      slabs = growPart(of, to, step, reached, slabs, watch(step.structure), progress);
     }
   }
   return to;
 }
 
+/// As it is now, for a thread that goes on beside.
+std::function<GrowthPlayer::State::Watch(int)> GrowthPlayer::State::watches() const {
+  return [trusted = trusted, typed = typed](int structure) {
+    return trusted.count(structure) ? Watch::Not : typed.count(structure) ? Watch::Jumps : Watch::All;
+  };
+}
+
+/// Before what is wanted becomes something else: whose values somebody changes means what he types, and ids of
+/// structures that are gone may come back as others.
+void GrowthPlayer::State::forgetWhatIsGone(const Steps& next) {
+  auto isGone = [&](int id) {
+    return std::none_of(next.begin(), next.end(), [id](const auto& step) { return step.structure == id; });
+  };
+  std::erase_if(trusted, isGone);
+  std::erase_if(typed, isGone);
+  for (const auto& step : next)
+    for (const auto& before : wanted.steps)
+      if (before.structure == step.structure && (before.low != step.low || before.high != step.high))
+        typed.insert(step.structure);
+}
+
 /// So many slabs more of the last step. @return how many may be next; 0: none, it leaks
 double GrowthPlayer::State::growPart(const Shared<Volume>& of, Progressed& to, const scene::Growth& step,
-                                     double reached, double slabs, bool guard, Progress& progress) {
+                                     double reached, double slabs, Watch watch, Progress& progress) {
   scene::Growth part = step;
+  bool isFirst = watch == Watch::All && step.distance > 0.0 && reached < extrusion::firstSlabEnd(*of, step);
+  auto hold = [&] {
+    part.distance = reached;
+    to.rough = grower.grow(of, to.rough, part, {.guard = false, .begun = {}}, progress).labels;
+    to.labels = extrusion::smoothRegion(of, to.rough, part, progress).labels;
+    to.steps.back() = part;
+    to.leak = Leak{step.structure, reached, 0.0};
+    return 0.0;
+  };
+  if (isFirst && reached == 0.0 && extrusion::reachesTheDarkest(*of, step)) return hold();
   double next = reached + slabs * extrusion::slabThickness(*of);
   if (next < std::min(step.distance, deepest(*of, step))) part.distance = next;
   auto start = Clock::now();
-  extrusion::Grown grown = grower.grow(of, to.rough, part, {.guard = guard, .begun = {}}, progress);
+  extrusion::Grown grown = grower.grow(of, to.rough, part, {.guard = watch != Watch::Not, .begun = {}}, progress);
+  if (isFirst && extrusion::isMostOfItsPlane(*of, *grown.labels, part)) return hold();
   if (msSince(start) < kQuickMs) slabs *= 2.0;
   if (grown.leak) {
     part.distance = std::max(reached, grown.distance);
@@ -157,6 +195,7 @@ void GrowthPlayer::follow(const scene::Scene& scene) {
   bool isOtherTime = isSameData && !wanted.steps.empty() && !s.wanted.steps.empty() &&
                      wanted.steps.front().timeStep != s.wanted.steps.front().timeStep;
   if (isOtherTime) wanted.carried = wanted.steps.size();
+  s.forgetWhatIsGone(wanted.steps);
   s.wanted = wanted;
   s.volume = scene.volume.data;
   if (!s.wanted.steps.empty()) s.given = labels.given;
@@ -192,8 +231,8 @@ Player::Work GrowthPlayer::nextWork() {
   s.goal = s.wanted;
   if (!s.now.labels) s.restart();
   return [this, volume = s.volume, given = s.given, from = s.now, goal = s.wanted,
-          trusted = s.trusted](Progress& progress) -> Finish {
-    Progressed to = mState->growSome(volume, given, from, goal, trusted, progress);
+          watch = s.watches()](Progress& progress) -> Finish {
+    Progressed to = mState->growSome(volume, given, from, goal, watch, progress);
     return [this, to = std::move(to)] {
       State& now = *mState;
       if (now.isObsolete) return;

@@ -13,9 +13,11 @@ struct MaterialRange {
 };
 
 /// The values that a click means ([ACS] 4.2): those of the segment of the opacity curve that the material's middle at
-/// the place lies in, or where that is hidden the place's own value, from one valley of the curve to the next, but not
-/// beyond halfway to a darker or brighter material beside the place. Where the curve hides both, or has one segment for
-/// all, the material beside alone says it.
+/// the place lies in, or where that is hidden the place's own value, from one valley of the curve to the next. They
+/// begin at the segment's foot, where the material becomes visible, so that what is pulled has no holes that the
+/// picture does not have; lower where what lies beside is far away in value; higher where the segment shows what is
+/// darker beside, too; and end before what is brighter where the place's material is a peak of the values around.
+/// Where the curve hides the place they are those of its noise, and end halfway to what lies beside.
 ///
 /// Differs: the paper takes the curve's segment as it is; where skin and bone are one segment bone would take its flesh
 /// with it.

@@ -1,0 +1,19 @@
+#include "velum/session/structure/StructureRow.h"
+
+#include "velum/core/Text.h"
+#include "velum/session/structure/StructureEdit.h"
+
+namespace velum::session {
+
+void renameStructure(scene::Scene& scene, int id, const std::string& name) {
+  changeStructures(scene, {id}, [&](scene::Structure& s) { s.name = trimmed(name); });
+}
+
+void colorStructures(scene::Scene& scene, const std::vector<int>& ids, glm::vec3 color) {
+  changeStructures(scene, ids, [&](scene::Structure& s) {
+    s.color = color;
+    s.tint = 1.0;
+  });
+}
+
+}  // namespace velum::session

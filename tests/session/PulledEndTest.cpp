@@ -1,0 +1,80 @@
+// How far structures can stand out of cuts.
+#include "velum/session/extrusion/PulledEnd.h"
+
+#include <gtest/gtest.h>
+
+#include "GrowthScene.h"
+#include "makeVolume.h"
+#include "velum/session/extrusion/Extrusion.h"
+#include "velum/session/extrusion/Pull.h"
+#include "velum/session/growth/Growths.h"
+
+namespace velum::session {
+namespace {
+
+constexpr int kEdge = 48;
+constexpr double kRadius = 14.0;
+const glm::dvec3 kMiddle(23.5);
+
+/// A ball about the middle, and a plane through it.
+scene::Scene ballScene() {
+  return growthScene(kEdge, 1, [](glm::ivec3 v, int) { return glm::distance(glm::dvec3(v), kMiddle) < kRadius ? 150 : 20; });
+}
+
+scene::Scene labelledScene() {
+  scene::Scene scene = ballScene();
+  scene.labels.data = Shared<LabelVolume>(makeLabels(
+      glm::ivec3(kEdge), [](glm::ivec3 v) { return glm::distance(glm::dvec3(v), kMiddle) < kRadius ? 4 : 0; }));
+  scene.labels.structures = {{4, "ball"}};
+  return scene;
+}
+
+TEST(PulledEnd, IsThatOfTheFarthestVoxel) {
+  scene::Scene scene = labelledScene();
+  for (glm::dvec3 axis : {glm::dvec3(0, -1, 0), glm::dvec3(0, 0, 3), glm::dvec3(1, -2, 0.5)})
+    for (double off : {-10.0, 0.0, 8.0}) {
+      scene.cuts[0].axis = axis;
+      scene.cuts[0].centre = kMiddle + off * glm::normalize(axis);
+      EXPECT_NEAR(pulledEnd(scene, scene.cuts[0], 4), kRadius - off, 1.0);
+    }
+  scene.cuts[0].centre = kMiddle + 20.0 * glm::normalize(scene.cuts[0].axis);
+  EXPECT_EQ(pulledEnd(scene, scene.cuts[0], 4), 0.0) << "nothing of it lies there";
+}
+
+TEST(PulledEnd, IsThatOfTheDataWhereNobodyKnowsTheStructures) {
+  scene::Scene scene = ballScene();
+  EXPECT_NEAR(pulledEnd(scene, scene.cuts[0], 7), 0.5 * kEdge + 0.5, 1e-6);
+  scene = labelledScene();
+  EXPECT_NEAR(pulledEnd(scene, scene.cuts[0], 0), 0.5 * kEdge + 0.5, 1e-6) << "what has no label";
+}
+
+TEST(PulledEnd, OfWhatGrowsIsKnownWhenItHasCometoItsEnd) {
+  scene::Scene scene = ballScene();
+  auto pull = beginPull(scene, scene.cuts[0].id, kMiddle, 0);
+  ASSERT_TRUE(pull);
+  Progress progress;
+  auto endAt = [&](double distance) {
+    pullTo(scene, *pull, distance);
+    settleGrowths(scene, progress);
+    return pulledEnd(scene, scene.cuts[0], pull->structure);
+  };
+  double all = 0.5 * kEdge + 0.5;
+  EXPECT_NEAR(endAt(5.0), all, 1e-6) << "there may be more";
+  EXPECT_NEAR(endAt(20.0), kRadius, 1.0);
+}
+
+TEST(PulledEnd, AFilmDoesNotStandStillBeyondIt) {
+  scene::Scene scene = labelledScene();
+  setExtrusion(scene.cuts[0], 4, 400.0);
+  double end = pulledEnd(scene, scene.cuts[0], 4);
+  for (int i = 1; i < 10; ++i) {
+    scene::Scene now = pulledOut(scene, 0.1 * i);
+    ASSERT_EQ(extrusionsOf(now).size(), 1u);
+    double t = 0.1 * i;
+    EXPECT_NEAR(extrusionsOf(now)[0].distance, end * t * t * (3.0 - 2.0 * t), 1e-9);
+  }
+  EXPECT_EQ(pulledOut(scene, 1.0), scene) << "at its end the scene is as it was";
+}
+
+}  // namespace
+}  // namespace velum::session

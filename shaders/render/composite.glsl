@@ -4,8 +4,8 @@
 
 #if MODE != 1
 
-/// Puts a sample behind what there is.
-void addSample(inout Hit hit, vec4 premultiplied, float t, vec3 normal, uint structure) {
+/// Puts a sample behind what there is. @param solid  opacity of a voxel of it
+void addSample(inout Hit hit, vec4 premultiplied, float t, vec3 normal, uint structure, float solid) {
   float left = 1.0 - hit.color.a;
   // The layers (position, normal, id) are those of the sample that makes the ray half opaque, or of the first one.
   bool isHalfOpaque = hit.color.a < 0.5 && hit.color.a + left * premultiplied.a >= 0.5;
@@ -13,12 +13,16 @@ void addSample(inout Hit hit, vec4 premultiplied, float t, vec3 normal, uint str
     hit.distance = t;
     hit.normal = normal;
     hit.structure = structure;
+    hit.solid = solid;
   }
   hit.color += left * premultiplied;
 }
+void addSample(inout Hit hit, vec4 premultiplied, float t, vec3 normal, uint structure) {
+  addSample(hit, premultiplied, t, normal, structure, 1.0);
+}
 
-/// The image of an inlay.
-void addInlay(inout Hit hit, float t, vec3 color, float alpha, vec3 normal, uint structure) {
+/// An image, of an inlay or on a face.
+void addImage(inout Hit hit, float t, vec3 color, float alpha, vec3 normal, uint structure) {
   if (alpha > 0.0) addSample(hit, vec4(color, 1.0) * alpha, t, normal, structure);
 }
 

@@ -4,8 +4,12 @@
 
 layout(std140, binding = kFinishBinding) uniform FinishBlock { FinishParams finish; };
 
-/// How far something counts as a surface: what is thin has no edges.
-float solidity(Sample s) { return clamp(3.0 * s.opacity - 0.8, 0.0, 1.0); }
+// Opacity of a voxel: a haze has less, in which it is chance how deep a ray is half lost, a surface more.
+const float kHaze = 0.04;
+const float kSurface = 0.12;
+
+/// How far something counts as a surface: what is thin has no edges, nor has a haze, however deep.
+float solidity(Sample s) { return clamp(3.0 * s.opacity - 0.8, 0.0, 1.0) * smoothstep(kHaze, kSurface, s.solid); }
 
 bool isSame(Sample a, Sample b) { return a.ids == b.ids; }
 

@@ -6,6 +6,7 @@ struct Hit {
   float distance;  // kFar: nothing
   vec3 normal;
   uint structure;
+  float solid;     // opacity of a voxel of it: what is hit in a haze is no surface
 };
 
 /// A face that a stretch begins on.

@@ -13,21 +13,33 @@ layout(location = 2) uniform vec4 keyTex;       // step of one cell size towards
 layout(location = 3) uniform vec4 cellTex;      // one cell size along each texture axis, in grid texture coordinates
 layout(location = 4) uniform float reachCells;  // of occlusion
 
-float extinctionAt(vec3 tex) {
+/// Mean extinction of so many cells around a place: who takes long steps over single cells meets some of a row of them
+/// and misses others, and the shadow's edge is a saw.
+float extinctionAround(vec3 tex, float cells) {
   if (any(lessThan(tex, vec3(0.0))) || any(greaterThan(tex, vec3(1.0)))) return 0.0;
-  return textureLod(extinctionTexture, tex, 0.0).r;
+  return textureLod(extinctionTexture, tex, log2(max(cells, 1.0))).r;
+}
+float extinctionAt(vec3 tex) { return extinctionAround(tex, 1.0); }
+
+/// How many steps of a cell's size towards the key light it is from a place to where the box ends.
+float cellsToEnd(vec3 tex) {
+  vec3 d = mix(keyTex.xyz, vec3(1e-9), lessThan(abs(keyTex.xyz), vec3(1e-9)));
+  vec3 exit = (step(0.0, d) - tex) / d;
+  return min(exit.x, min(exit.y, exit.z));
 }
 
-/// Transmittance towards the key light; steps grow, so that a far blocker costs no more than a near one.
+/// Transmittance towards the key light, up to the end of the box; steps grow, so that a far blocker costs no more than a
+/// near one.
 float shadowAt(vec3 tex, int steps) {
+  float end = cellsToEnd(tex);
   float depth = 0.0;
-  float at = 1.5;
+  float from = 1.0;
   float stride = 1.0;
   for (int i = 0; i < steps; ++i) {
-    vec3 p = tex + at * keyTex.xyz;
-    if (any(lessThan(p, vec3(0.0))) || any(greaterThan(p, vec3(1.0))) || depth > 5.0) break;
-    depth += extinctionAt(p) * stride * frame.lightCell;
-    at += stride;
+    float to = min(from + stride, end);
+    if (to <= from || depth > 5.0) break;
+    depth += extinctionAround(tex + 0.5 * (from + to) * keyTex.xyz, to - from) * (to - from) * frame.lightCell;
+    from = to;
     stride = min(stride * 1.12, 4.0);
   }
   return exp(-depth);
@@ -41,7 +53,7 @@ float opennessAt(vec3 tex, int directions) {
                    : (vec3((i - 6) & 1, (i - 6) >> 1 & 1, (i - 6) >> 2) * 2.0 - 1.0) * 0.57735;
     float depth = 0.0;
     float stride = reachCells / 4.0;
-    for (int k = 0; k < 4; ++k) depth += extinctionAt(tex + d * cellTex.xyz * (stride * (float(k) + 0.6) + 0.7));
+    for (int k = 0; k < 4; ++k) depth += extinctionAround(tex + d * cellTex.xyz * (stride * (float(k) + 0.6) + 0.7), stride);
     sum += exp(-depth * stride * frame.lightCell);
   }
   return clamp(sum / 14.0 * 1.6, 0.0, 1.0);

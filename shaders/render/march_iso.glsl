@@ -48,23 +48,15 @@ void addSurface(inout Hit hit, Ray ray, Walk walk, float t, Face face, bool spar
   if (hasFlag(kFlagOverlaps) && sparedOnly && endFaceAt(p, structure).isShared) albedo = mix(albedo, kOverlapColor, kOverlapShare);
 #endif
   vec3 color = shadeSurface(albedo, normal, -ray.direction, lightTexAt(p, normal, 1.0));
-  if (isOnFace(face) && showsData(face)) color = vec3(greyAt(tableAt(tex)));
+  float share = 1.0;
 #ifdef MEMBRANES
-  float share = hasFlag(kFlagInlays) ? inlayShare(p, structure) : 1.0;
-  if (share > 0.0) addSample(hit, vec4(color, 1.0) * share, t, normal, structure);
-#else
-  hit = Hit(vec4(color, 1.0), t, normal, structure);
+  if (hasFlag(kFlagInlays)) share = inlayShare(p, structure);
 #endif
+  if (share > 0.0) addSample(hit, vec4(color, 1.0) * share, t, normal, structure);
 }
 
 /// True when nothing further along the ray can show.
-bool isDone(Hit hit) {
-#ifdef MEMBRANES
-  return hit.color.a >= frame.opaqueAlpha;
-#else
-  return hit.distance < kFar;
-#endif
-}
+bool isDone(Hit hit) { return hit.color.a >= frame.opaqueAlpha; }
 
 void finishRay(inout Hit hit, Ray ray, Walk walk) {}
 
@@ -75,6 +67,7 @@ void marchStretch(inout Hit hit, Ray ray, Walk walk, Span span) {
   float iso = frame.isoValue * float(kTransferSize - 1);
   float b = span.b;
   float t = span.a;
+  addFaceData(hit, ray, t, span.face);
   if ((isOnFace(span.face) || (hasFlag(kFlagSpares) && span.sparedOnly)) && shownValueAt(ray, walk, t, span.sparedOnly) >= iso)
     addSurface(hit, ray, walk, t, span.face, span.sparedOnly);
   float low;

@@ -1,5 +1,6 @@
-// The largest value along a ray. In front of the image of an inlay the larger of it and the values shows, so that what
-// stands out is seen on it, and what is behind an opaque one is not; sheets are drawn over all that.
+// The largest value along a ray. In front of an image, of an inlay or of the section on a cut's face, the larger of it and
+// the values shows, so that what stands out is seen on it, and what is behind an opaque one is not; sheets are drawn over
+// all that.
 #include "common/volume.glsl"
 #include "render/data_color.glsl"
 #include "render/hit.glsl"
@@ -7,20 +8,16 @@
 
 layout(std430, binding = kCellBinding) readonly buffer CellBlock { vec2 cellRange[]; };
 
-float gBest = -1.0;  // the largest value, table positions 0..1; where there are inlays how it shows, see gBehind
-
-#ifdef MEMBRANES
-vec2 gBehind = vec2(1.0, 0.0);         // how a grey value behind the inlays so far shows: x times it, and y
-vec4 gInlays = vec4(vec3(0.0), kFar);  // their images; a: where the first is
+float gBest = -1.0;  // the largest value, table positions 0..1; where there are images how it shows, see gBehind
+vec2 gBehind = vec2(1.0, 0.0);         // how a grey value behind the images so far shows: x times it, and y
+vec4 gImages = vec4(vec3(0.0), kFar);  // all of them; a: where the first is
 vec4 gSheets = vec4(0.0);
-#endif
+
+bool hasImages() { return hasFlag(kFlagInlays) || hasFlag(kFlagFaces); }
 
 /// A value as it is compared. Table positions 0..1, or what shows of their grey.
 float shownAs(float value, float share) {
-#ifdef MEMBRANES
-  if (hasFlag(kFlagInlays)) return gBehind.x * greyAt(value * float(kTransferSize - 1)) * share + gBehind.y;
-#endif
-  return value;
+  return hasImages() ? gBehind.x * greyAt(value * float(kTransferSize - 1)) * share + gBehind.y : value;
 }
 
 /// Largest table position, 0..1, that a cell's texel values reach.
@@ -65,10 +62,17 @@ void addValue(inout Hit hit, Ray ray, Walk walk, float t, bool sparedOnly) {
   hit.structure = better ? structure : hit.structure;
 }
 
+/// An image that the ray passes.
+void addImage(inout Hit hit, float t, vec3 color, float alpha, vec3 normal, uint structure) {
+  gImages = vec4(gImages.rgb + gBehind.x * alpha * color, min(gImages.a, t));
+  gBehind = vec2(gBehind.x * (1.0 - alpha), max(gImages.r, max(gImages.g, gImages.b)));
+}
+
 /// Keeps the largest value of one stretch. Leaping and sampling have loops of their own: see march_volume.glsl.
 void marchStretch(inout Hit hit, Ray ray, Walk walk, Span span) {
   const int kBlock = 16;
   float t = span.a;
+  addFaceData(hit, ray, t, span.face);
   bool more = true;
   do {
     if (hasFlag(kFlagSkipEmpty) && !span.sparedOnly) t = leapLower(walk, t, span.b);
@@ -84,11 +88,6 @@ void marchStretch(inout Hit hit, Ray ray, Walk walk, Span span) {
 bool isDone(Hit hit) { return false; }
 
 #ifdef MEMBRANES
-void addInlay(inout Hit hit, float t, vec3 color, float alpha, vec3 normal, uint structure) {
-  gInlays = vec4(gInlays.rgb + gBehind.x * alpha * color, min(gInlays.a, t));
-  gBehind = vec2(gBehind.x * (1.0 - alpha), max(gInlays.r, max(gInlays.g, gInlays.b)));
-}
-
 void addSheet(inout Hit hit, float t, vec3 color, float alpha, vec3 normal) {
   gSheets += (1.0 - gSheets.a) * vec4(color, 1.0) * alpha;
 }
@@ -97,10 +96,10 @@ void addSheet(inout Hit hit, float t, vec3 color, float alpha, vec3 normal) {
 /// From the largest value to a colour.
 void finishRay(inout Hit hit, Ray ray, Walk walk) {
   if (gBest >= 0.0) {
-    float grey = hasFlag(kFlagInlays) ? gBest : greyAt(gBest * float(kTransferSize - 1));
+    float grey = hasImages() ? gBest : greyAt(gBest * float(kTransferSize - 1));
     hit.color = vec4(vec3(grey), 1.0);
     float best = gBest * float(kTransferSize - 1);
-    if (hasFlag(kFlagValueColors) && !hasFlag(kFlagInlays)) hit.color.rgb = colorBetween(best, best);
+    if (hasFlag(kFlagValueColors) && !hasImages()) hit.color.rgb = colorBetween(best, best);
 #if COLOR
     hit.color.rgb = volumeColorAt(texAt(walk, hit.distance)) * (COLOR == 2 ? grey : 1.0);
 #endif
@@ -109,12 +108,10 @@ void finishRay(inout Hit hit, Ray ray, Walk walk) {
 #endif
     hit.color *= smoothstep(0.0, 0.02, grey);
   }
-#ifdef MEMBRANES
-  if (hasFlag(kFlagInlays) && gBest <= gBehind.y && gInlays.a < kFar) {
-    hit.color = vec4(gInlays.rgb, 1.0 - gBehind.x);
-    hit.distance = gInlays.a;
+  if (hasImages() && gBest <= gBehind.y && gImages.a < kFar) {
+    hit.color = vec4(gImages.rgb, 1.0 - gBehind.x);
+    hit.distance = gImages.a;
     hit.structure = structureAt(ray.origin + hit.distance * ray.direction);
   }
   hit.color = gSheets + (1.0 - gSheets.a) * hit.color;
-#endif
 }

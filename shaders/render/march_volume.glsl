@@ -20,15 +20,6 @@ bool asksStructures() {
   return hasFlag(kFlagInlays) || hasFlag(kFlagSheets) || (LABELS == 1 && hasFlag(kFlagStructureLooks));
 }
 
-/// The data on a cut's face, over everything behind it.
-void addFaceData(inout Hit hit, Ray ray, float t, int cut, vec3 normal) {
-  vec3 p = ray.origin + t * ray.direction;
-  uint structure = structureAt(p);
-  vec4 color = dataColor(p, structure);
-  float alpha = color.a * cuts[cut].face.x;
-  if (alpha > 0.0) addSample(hit, vec4(color.rgb * alpha, alpha), t, normal, structure);
-}
-
 /// Shades and composites one segment.
 /// @param faceT  where the face lies that the ray has come through last; < 0: none
 void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, float faceT, vec3 faceNormal, bool sparedOnly) {
@@ -114,7 +105,9 @@ void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, float faceT,
     color = shadeSurface(albedo, normal, -ray.direction, lightTexAt(p, normal, steepness));
   }
   if (hasFlag(kFlagGradientOpacity) || hasFlag(kFlagInlays) || LABELS == 1) alpha = 1.0 - exp(-depth);
-  if (alpha > 0.0) addSample(hit, vec4(color * alpha, alpha), tm, normal, structure);
+  float voxels = max((segment.t1 - segment.t0) * frame.voxelsPerLength, 1e-6);
+  float solid = hasFlag(kFlagFinish) ? 1.0 - exp(-depth / voxels) : 1.0;
+  if (alpha > 0.0) addSample(hit, vec4(color * alpha, alpha), tm, normal, structure, solid);
 }
 
 /// Segments between neighbouring samples of the lattice, cut off at a stretch's ends.
@@ -311,8 +304,7 @@ void marchBoth(inout Hit hit, Ray ray, Walk walk, float a, float keptFrom, float
 }
 
 void marchStretch(inout Hit hit, Ray ray, Walk walk, Span span) {
-  if (isOnFace(span.face) && showsData(span.face))
-    addFaceData(hit, ray, span.a, span.face.cut, faceNormalAt(span.face, ray.origin + span.a * ray.direction, ray.direction));
+  addFaceData(hit, ray, span.a, span.face);
   marchBoth(hit, ray, walk, span.a, span.sparedOnly ? span.b : span.a, span.b, span.face);
 }
 

@@ -1,5 +1,5 @@
 // One ray a pixel through the volume, from stretch to stretch between the cuts. How a stretch is marched is the mode's:
-// marchStretch(), isDone(), addInlay(), addSheet() and finishRay() of march_*.glsl.
+// marchStretch(), isDone(), addImage(), addSheet() and finishRay() of march_*.glsl.
 //
 // MODE 0 volume, 1 maximum, 2 isosurface; LABELS 0 none, 1 over a volume, 2 alone; COLOR 1 for colour volumes, 2 for mixed
 // channels; GRADIENTS 1 looks gradients up in a texture; MEMBRANES is there when some cut is a membrane.
@@ -81,7 +81,7 @@ void castStretches(inout Hit hit, Ray ray, Walk walk, float from, float tEnd) {
 
 /// Everything along one ray, up to an opaque surface at `stop`.
 Hit castRay(Ray ray, float jitter, float stop) {
-  Hit hit = Hit(vec4(0.0), kFar, -ray.direction, 0u);
+  Hit hit = Hit(vec4(0.0), kFar, -ray.direction, 0u, 1.0);
   if (hasFlag(kFlagNoData)) return hit;
   vec2 box = boxInterval(ray);
   float tEnd = min(box.y, stop);
@@ -134,6 +134,7 @@ void main() {
       hit.distance = surfaceAux.w;
       hit.normal = surfaceAux.xyz;
       hit.structure = ids.x;
+      hit.solid = 1.0;
     }
     hit.color += (1.0 - hit.color.a) * vec4(surface.rgb, 1.0) * surface.a;
   }

@@ -7,11 +7,13 @@ struct Sample {
   float depth;      // perspective: one over the distance along the line of sight; orthographic: that distance. Planes are straight
   uint ids;         // the structure; from bit 16 eight bits of what a line goes around
   float opacity;    // 0: nothing is seen
+  float solid;      // opacity of a voxel of what is seen
 };
 
 #ifdef FINISH
 Sample unpackSample(uvec4 words) {
-  return Sample(uintBitsToFloat(words.xy), uintBitsToFloat(words.z), words.w & 0xffffffu, max(float(words.w >> 24) - 1.0, 0.0) / 254.0);
+  float opacity = max(float(words.w >> 24) - 1.0, 0.0) / 254.0;
+  return Sample(unpackSnorm2x16(words.x), uintBitsToFloat(words.z), words.w & 0xffffffu, opacity, uintBitsToFloat(words.y));
 }
 #else
 /// @param group  what a line goes around: the instance, or several that are too small for one each
@@ -29,6 +31,6 @@ uvec4 packSample(Ray ray, Hit hit, uint group) {
   uint number = group < 256u ? group : group * 0x9e3779b1u >> 24;
   uint ids = hit.structure & 0xffffu | number << 16 | min(opacity, 255u) << 24;
   vec2 seen = vec2(dot(normal, right), dot(normal, up));
-  return found ? uvec4(floatBitsToUint(seen), floatBitsToUint(depth), ids) : uvec4(0u);
+  return found ? uvec4(packSnorm2x16(seen), floatBitsToUint(hit.solid), floatBitsToUint(depth), ids) : uvec4(0u);
 }
 #endif

@@ -16,10 +16,12 @@
 #include "WindowOption.h"
 #include "velum/core/Error.h"
 #include "velum/core/Log.h"
+#include "velum/core/ReplaceFile.h"
 #include "velum/core/Text.h"
 #include "velum/io/models/ReadModel.h"
 #include "velum/scene/Finishes.h"
 #include "velum/scene/Presets.h"
+#include "velum/scene/SurfaceLook.h"
 #include "velum/scene/VisibleFrame.h"
 #include "velum/scene/json/Json.h"
 #include "velum/session/document/Body.h"
@@ -85,6 +87,8 @@ void addInput(CLI::App& verb, InputOptions& input, bool withScene) {
   verb.add_flag_function(
       "--smooth,!--no-smooth", [&input](std::int64_t count) { input.smooth = count > 0; },
       "cubic between voxels, not linear; by itself where slices are over twice as thick as voxels are wide");
+  verb.add_flag("--surface", input.makesSurface,
+                "make a look that lets one see through one of surfaces, on which a finish draws its lines");
   verb.add_option("--finish", input.finish, fmt::format("what an illustrator adds: {}", finishNames()));
   verb.add_option("--transfer", input.transfer,
                   "transfer function from a file: .velum-transfer.json, or 3D Slicer's .vp.json or .vp");
@@ -231,6 +235,20 @@ scene::Source firstSource(const InputOptions& input) {
   return source;
 }
 
+namespace {
+
+/// Offers what the window offers beside a finish.
+void sayWhereLinesLie(const scene::Scene& scene) {
+  const auto& volume = scene.volume.data;
+  bool drawsLines = scene.finish.contours > 0 || scene.finish.hatching > 0;
+  if (!volume || volume->isColor || !drawsLines || scene.rayCast.mode != scene::RenderMode::Volume) return;
+  if (scene::isTranslucent(scene::currentTransfer(scene.volume), computeHistogram(*volume, 1024, scene.volume.channel)))
+    log::say(
+        "note: the look lets one see through, and lines lie on all that is seen; --surface makes it one of surfaces");
+}
+
+}  // namespace
+
 scene::Scene openScene(const InputOptions& input, double aspect) {
   Progress& progress = consoleProgress();
   if (input.inputs.empty() && input.labels.empty()) throw ArgumentError("name a file, folder or scene to open");
@@ -259,6 +277,7 @@ scene::Scene openScene(const InputOptions& input, double aspect) {
   if (!input.preset.empty()) scene::applyPreset(scene, input.preset);
   if (input.smooth) scene.volume.smooth = *input.smooth;
   if (!input.transfer.empty()) printWarnings(input.transfer, session::importLook(scene, input.transfer));
+  if (input.makesSurface) scene::makeSurface(scene);
   if (input.hidesTable) scene.volume.bodyOnly = true;
   session::settleBody(scene, progress);  // before the camera looks at what is left
   if (!input.view.empty() || !isScene) {
@@ -273,8 +292,15 @@ scene::Scene openScene(const InputOptions& input, double aspect) {
     path == kWindowField ? setGreyWindow(scene.volume, value) : scene::setField(scene, path, value);
   session::settleBody(scene, progress);
   for (const std::string& note : session::settleGrowths(scene, progress)) log::warning(note);
+  if (!input.finish.empty()) sayWhereLinesLie(scene);
   loadNamedPictures(scene, sets);
   return scene;
+}
+
+void expectOutput(const std::string& path, void (*expectFormat)(const std::filesystem::path&)) {
+  if (path.empty()) return;
+  if (expectFormat) expectFormat(path);
+  if (path != "-") expectReplaceable(path);
 }
 
 std::vector<double> numbersOf(const char* option, const std::string& text, std::size_t count, const char* form) {

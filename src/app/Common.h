@@ -1,6 +1,7 @@
 #pragma once
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -28,7 +29,7 @@ struct InputOptions {
   std::vector<std::string> inputs;
   std::vector<std::string> sets;  ///< path=value
   std::string series, preset, finish, transfer, view, labels;
-  bool hidesTable = false;
+  bool hidesTable = false, makesSurface = false;
   std::vector<double> spacing;
   std::optional<bool> smooth;
   std::string raw;  ///< "XxYxZ:type[:be][:+header]"
@@ -41,6 +42,9 @@ scene::Source firstSource(const InputOptions& input);
 /// Opens all inputs and applies preset, transfer function, view, finish and --set, in this order. Shows progress on a
 /// terminal.
 scene::Scene openScene(const InputOptions& input, double aspect);
+/// Refuses an output that cannot be written, before the work for it begins. @param path  empty: none is asked for; -:
+/// standard output  @param expectFormat  of its extension, as io::expectImageFormat()  @throw InputError
+void expectOutput(const std::string& path, void (*expectFormat)(const std::filesystem::path&) = nullptr);
 /// A progress that writes one line to a terminal's stderr, and is cancelled by stopOnSignals().
 Progress& consoleProgress();
 /// From now on SIGINT, SIGTERM and SIGHUP cancel the progress, so that what is half done is put away; the second ends

@@ -16,6 +16,7 @@ struct CompareOptions {
 };
 
 int run(const CompareOptions& options) {
+  expectOutput(options.diff, io::expectImageFormat);
   Image a = io::readImage(options.a), b = io::readImage(options.b);
   io::ImageDifference difference = io::compareImages(a, b, options.maxDiff);
   if (!options.diff.empty()) io::writeImage(io::differenceImage(a, b, options.maxDiff), options.diff);

@@ -73,7 +73,16 @@ std::variant<Volume, LabelVolume> readVoxels(const scene::Source& source, const 
   return voxels;
 }
 
+/// Which kind of data the input is shows when it is read; what no kind is written as is refused before. @param path  of
+/// the output
+void expectSomeFormat(const std::filesystem::path& path) {
+  bool isKnown = session::isLookFile(path) || session::isSurfaceFile(path) || session::isModelFile(path) ||
+                 io::isLabelFormat(path);
+  if (!isKnown) io::expectVolumeFormat(path);
+}
+
 int run(const ConvertOptions& options) {
+  expectOutput(options.output, expectSomeFormat);
   Progress& progress = consoleProgress();
   scene::Source source = firstSource(options.input);
   Json json = {{"output", options.output}};

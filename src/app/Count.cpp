@@ -127,6 +127,7 @@ int countInstances(scene::Scene scene, const CountOptions& options, session::Pic
 }
 
 int run(const CountOptions& options) {
+  for (const std::string& path : {options.csv, options.svg, options.instances, options.output}) expectOutput(path);
   glm::ivec2 size = session::parsePictureSize(sizeOf(options, true), 0);
   auto context = gpu::Context::create(options.common.context);
   render::Renderer renderer(*context);

@@ -182,6 +182,7 @@ void print(const extrusion::Grown& grown, const Json& report) {
 }
 
 int run(const GrowOptions& options) {
+  expectOutput(options.output, io::expectLabelFormat);
   scene::Scene scene = openScene(options.input, 1.0);
   if (!scene.volume.data) throw InputError("there is no volume to grow in: name a file that has one");
   const Volume& volume = *scene.volume.data;

@@ -6,6 +6,8 @@
 #include "Verbs.h"
 #include "velum/core/Error.h"
 #include "velum/core/Text.h"
+#include "velum/io/meshes/WriteMesh.h"
+#include "velum/io/volumes/WriteVolume.h"
 #include "velum/scene/Project.h"
 #include "velum/session/cut/CutEdit.h"
 #include "velum/session/document/Open.h"
@@ -16,6 +18,7 @@
 #include "velum/session/membrane/SheetHands.h"
 #include "velum/session/membrane/Sketch.h"
 #include "velum/session/membrane/StrokeSamples.h"
+#include "velum/session/model/TypesAt.h"
 #include "velum/session/picture/Export.h"
 
 namespace velum::app {
@@ -116,8 +119,11 @@ void protectWhatIsAsked(scene::Scene& scene, scene::Cut& cut, const MembraneOpti
     if (!session::protectsTypes(scene))
       throw ArgumentError("--protect-type: types are protected of a model that is alone in its scene");
     std::vector<int> ids = session::protectableTypes(*scene.model.data, path);
-    if (ids.empty())
-      throw ArgumentError(fmt::format("--protect-type {}: no type or compartment of the model is called so", path));
+    if (ids.empty()) {
+      std::string meant = session::nearestPath(*scene.model.data, path);
+      throw ArgumentError(fmt::format("--protect-type {}: no type or compartment of the model is called so{}", path,
+                                      meant.empty() ? "" : fmt::format(" (is {} meant?)", meant)));
+    }
     for (int id : ids) session::protectStructure(membrane, id);
   }
   if (!options.at.empty() && !session::protectTissue(membrane, scene.volume, vectorOf(options.at)))
@@ -303,6 +309,9 @@ std::vector<std::string> exportWhatIsAsked(const scene::Scene& settled,
 }
 
 int run(const MembraneOptions& options) {
+  expectOutput(options.sheet, io::expectMeshFormat);
+  expectOutput(options.clipped, io::expectVolumeFormat);
+  expectOutput(options.saveScene);
   auto context = gpu::Context::create(options.common.context);
   scene::Scene scene = openScene(options.input, 16.0 / 9.0);
   if (!options.axis.empty() && vectorOf(options.axis) == glm::dvec3(0.0))

@@ -10,7 +10,9 @@
 #include "velum/core/Clock.h"
 #include "velum/core/Error.h"
 #include "velum/core/Log.h"
+#include "velum/io/images/ImageFile.h"
 #include "velum/render/Renderer.h"
+#include "velum/session/cut/NothingLeft.h"
 #include "velum/session/document/Open.h"
 #include "velum/session/growth/Growths.h"
 #include "velum/session/membrane/Membranes.h"
@@ -37,6 +39,12 @@ std::vector<std::string> outputNames(const RenderOptions& options) {
   std::vector<std::string> names;
   for (const auto& path : session::framePaths(options.output, options.frames)) names.push_back(path.string());
   return names;
+}
+
+/// Refuses what cannot be written, before anything is read.
+void expectOutputs(const RenderOptions& options) {
+  expectOutput(outputNames(options).front(), io::expectImageFormat);
+  expectOutput(options.saveScene);
 }
 
 /// What moves in an animation; nothing for a single picture.
@@ -82,6 +90,11 @@ scene::SectionKind sectionKind(const std::string& name) {
       fmt::format("--section {}: not one of {}", name, fmt::join(EnumNames<scene::SectionKind>::kNames, ", ")));
 }
 
+/// Says so when a picture is empty for its cuts. @param drawn  with its sheets at rest
+void sayWhatCutsTake(const scene::Scene& drawn) {
+  if (session::cutsTakeAll(drawn, consoleProgress())) log::warning(session::kNothingLeft);
+}
+
 /// A section view instead of the 3D picture; needs no graphics driver, unless there are membranes.
 int runSection(const RenderOptions& options) {
   scene::SectionKind kind = sectionKind(options.section);
@@ -122,6 +135,7 @@ int run(const RenderOptions& options) {
   bool isFromStandardInput = std::find(inputs.begin(), inputs.end(), kStandardInput) != inputs.end();
   if (isFromStandardInput && !options.saveScene.empty())
     throw ArgumentError("--save-scene: data from standard input has no file that a scene could name; give its path");
+  expectOutputs(options);
   if (!options.section.empty()) return runSection(options);
   glm::ivec2 size = session::parsePictureSize(options.size, options.dpi);
   auto context = gpu::Context::create(options.common.context);
@@ -140,8 +154,9 @@ int run(const RenderOptions& options) {
   session::SheetsOverTime sheets;
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     scene::Scene step = frames.at(int(i));
-    Image image = session::drawPicture(renderer, sheets.settle(step, consoleProgress()), picture, context->limits(),
-                                       consoleProgress());
+    scene::Scene drawn = sheets.settle(step, consoleProgress());
+    Image image = session::drawPicture(renderer, drawn, picture, context->limits(), consoleProgress());
+    if (options.frames == 0) sayWhatCutsTake(drawn);
     consoleProgress().report(1.0, "");
     session::savePicture(image, step, picture, outputs[i]);
   }

@@ -45,10 +45,11 @@ int makeModel(const SampleOptions& options) {
 int run(const SampleOptions& options) {
   if (options.name == "virion") return makeModel(options);
   namespace fs = std::filesystem;
-  Progress& progress = consoleProgress();
-  io::Sample sample = io::makeSample(options.name, options.size, progress, options.timeSteps, options.contrast);
   fs::path path(options.output);
   if (!path.has_extension()) path = path / (options.name + ".nrrd");
+  io::expectVolumeFormat(path);
+  Progress& progress = consoleProgress();
+  io::Sample sample = io::makeSample(options.name, options.size, progress, options.timeSteps, options.contrast);
   if (path.has_parent_path()) fs::create_directories(path.parent_path());
   auto warnings = io::writeVolume(sample.volume, path, progress);
   printWarnings(path.string(), warnings);

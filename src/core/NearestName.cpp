@@ -26,12 +26,24 @@ std::size_t editsBetween(std::string_view a, std::string_view b) {
   return last[b.size()];
 }
 
+/// The shortest name that holds what was typed; the first of those. @param typed  in lower case
+std::string shortestWith(std::string_view typed, const std::vector<std::string>& names) {
+  constexpr std::size_t kLeast = 3;  // fewer letters are in names by chance
+  const std::string* found = nullptr;
+  for (const auto& name : names)
+    if (typed.size() >= kLeast && lowerCase(name).find(typed) != std::string::npos &&
+        (!found || name.size() < found->size()))
+      found = &name;
+  return found ? *found : std::string();
+}
+
 }  // namespace
 
 std::string nearestName(std::string_view typed, const std::vector<std::string>& names) {
   constexpr std::size_t kLongest = 64;  // no field is as long; a hostile file's may be
   if (typed.empty() || typed.size() > kLongest) return {};
-  std::string nearest;
+  std::string nearest = shortestWith(lowerCase(typed), names);
+  if (!nearest.empty()) return nearest;
   std::size_t fewest = std::max<std::size_t>(1, typed.size() / 3) + 1;
   for (const auto& name : names) {
     std::size_t edits = editsBetween(lowerCase(typed), lowerCase(name));

@@ -148,6 +148,8 @@ bool writeAll(int descriptor, std::span<const std::byte> bytes) {
   return true;
 }
 
+void expectReplaceable(const fs::path& target) { ReplaceFile trial(target); }
+
 void replaceFile(const fs::path& target, std::string_view text, ReplaceFile::Access access) {
   ReplaceFile file(target, access);
   file.write(text);

@@ -7,14 +7,14 @@
 #include <vector>
 
 #include "velum/scene/Presets.h"
+#include "velum/scene/ShownVoxels.h"
 
 namespace velum::scene {
 
 namespace {
 
 constexpr double kMostSamples = 2e6;
-constexpr double kVisible = 0.08;  ///< opacity of a unit of distance: less is a veil
-constexpr double kSpecks = 1e-3;   ///< of what shows, that may be outside of the picture
+constexpr double kSpecks = 1e-3;  ///< of what shows, that may be outside of the picture
 constexpr double kMargin = 1.08;
 constexpr std::size_t kFewPlaces = 50;
 // Of what is no patient.
@@ -24,73 +24,14 @@ constexpr double kOtherBase = 0.6;   ///< of a base, that no other end touches
 constexpr double kLonger = 1.15;     ///< a way across that is not about as long as the other
 constexpr double kFlat = 0.6;        ///< of its width, as high as which it is seen from above
 
-int strideFor(glm::ivec3 dims) {
-  double count = double(dims.x) * double(dims.y) * double(dims.z);
-  return std::max(1, int(std::ceil(std::cbrt(count / kMostSamples))));
-}
-
-/// Whether a value of the volume shows.
-class Shows {
- public:
-  Shows(const Scene& scene, const Volume& volume) : mScene(scene), mVolume(volume) {
-    mChannels = mixesChannels(scene.volume) ? volume.channels : 1;
-    mFirst = mixesChannels(scene.volume) ? 0 : std::clamp(scene.volume.channel, 0, volume.channels - 1);
-    mTime = std::clamp(scene.volume.timeStep, 0, volume.timeSteps - 1);
-  }
-  bool operator()(glm::ivec3 voxel) const {
-    for (int channel = mFirst; channel < mFirst + mChannels; ++channel)
-      if (isShown(valueAt(mVolume, voxel, channel, mTime), channel)) return true;
-    return false;
-  }
-
- private:
-  bool isShown(double value, int channel) const {
-    const VolumeLayer& layer = mScene.volume;
-    if (mScene.rayCast.mode == RenderMode::Iso) return value >= mScene.rayCast.isoValue;
-    if (mChannels > 1 || mixesChannels(layer)) {
-      const ChannelLook& look = layer.channels[std::size_t(channel)];
-      return look.visible && opacityAt(look.transfer.opacities, value) > kVisible;
-    }
-    if (mScene.rayCast.mode == RenderMode::Mip && layer.windowWidth > 0)
-      return value > layer.windowLevel - 0.3 * layer.windowWidth;
-    return layer.transfer.opacities.empty() || opacityAt(layer.transfer.opacities, value) > kVisible;
-  }
-  const Scene& mScene;
-  const Volume& mVolume;
-  int mChannels, mFirst, mTime;
-};
-
-/// Places, world, of every so manieth voxel that shows.
-std::vector<glm::dvec3> shownPlaces(const Scene& scene) {
+/// Places, world, of those that show.
+std::vector<glm::dvec3> placesOf(const ShownVoxels& voxels) {
   std::vector<glm::dvec3> places;
-  auto visit = [&](glm::ivec3 dims, const glm::dmat4& worldFromVoxel, auto&& shows) {
-    int stride = strideFor(dims);
-    glm::ivec3 p;
-    for (p.z = std::min(stride / 2, dims.z - 1); p.z < dims.z; p.z += stride)
-      for (p.y = std::min(stride / 2, dims.y - 1); p.y < dims.y; p.y += stride)
-        for (p.x = std::min(stride / 2, dims.x - 1); p.x < dims.x; p.x += stride)
-          if (shows(p)) places.emplace_back(worldFromVoxel * glm::dvec4(glm::dvec3(p), 1.0));
-  };
-  if (scene.volume.data) {
-    Shows shows(scene, *scene.volume.data);
-    visit(scene.volume.data->dims, scene.volume.data->worldFromVoxel, shows);
-  }
-  if (!scene.labels.data) return places;
-  std::vector<bool> isHidden(65536, false);
-  isHidden[0] = !scene.volume.data || scene.labels.unlabelled <= kVisible;
-  for (const Structure& structure : scene.labels.structures)
-    isHidden[std::size_t(structure.id)] = !structure.visible || structure.opacity <= kVisible;
-  const LabelVolume& labels = *scene.labels.data;
-  if (!scene.volume.data) {
-    visit(labels.dims(), labels.worldFromVoxel(), [&](glm::ivec3 p) { return !isHidden[labels.at(p)]; });
-    return places;
-  }
-  glm::dmat4 voxelFromWorld = glm::inverse(labels.worldFromVoxel());
-  std::erase_if(places, [&](const glm::dvec3& place) {
-    glm::ivec3 p(glm::round(glm::dvec3(voxelFromWorld * glm::dvec4(place, 1.0))));
-    bool isInside = glm::all(glm::greaterThanEqual(p, glm::ivec3(0))) && glm::all(glm::lessThan(p, labels.dims()));
-    return bool(isHidden[isInside ? labels.at(p) : 0]);
-  });
+  std::size_t i = 0;
+  for (int z = 0; z < voxels.dims.z; ++z)
+    for (int y = 0; y < voxels.dims.y; ++y)
+      for (int x = 0; x < voxels.dims.x; ++x, ++i)
+        if (voxels.shown[i]) places.emplace_back(voxels.worldFromVoxel * glm::dvec4(x, y, z, 1.0));
   return places;
 }
 
@@ -111,11 +52,14 @@ bool fitsWhatShows(const Scene& scene) {
   return isAlone && (scene.volume.data || scene.labels.data);
 }
 
-double longestVoxelEdge(const Scene& scene) {
-  double voxel = 0.0;
-  glm::dmat4 m = scene.volume.data ? scene.volume.data->worldFromVoxel : scene.labels.data->worldFromVoxel();
-  for (int axis = 0; axis < 3; ++axis) voxel = std::max(voxel, glm::length(glm::dvec3(m[axis])));
-  return voxel;
+double longestEdge(const glm::dmat4& worldFromVoxel) {
+  double edge = 0.0;
+  for (int axis = 0; axis < 3; ++axis) edge = std::max(edge, glm::length(glm::dvec3(worldFromVoxel[axis])));
+  return edge;
+}
+
+const glm::dmat4& gridOf(const Scene& scene) {
+  return scene.volume.data ? scene.volume.data->worldFromVoxel : scene.labels.data->worldFromVoxel();
 }
 
 /// The camera as near as all of the places let it come, from where it looks.
@@ -133,7 +77,7 @@ Camera fit(const Scene& scene, Camera camera, std::vector<glm::dvec3> places, do
   auto [bottom, top] = trimmed(along);
   auto [back, front] = trimmed(depths);
   glm::dvec3 middle(0.5 * (left + rightmost), 0.5 * (bottom + top), 0.5 * (back + front));
-  double voxel = longestVoxelEdge(scene);
+  double voxel = longestEdge(gridOf(scene));
   // So far that all of them are inside of the pyramid that the eye sees.
   double tangent = std::tan(glm::radians(camera.fieldOfViewDeg) * 0.5);
   std::vector<double>& distances = across;
@@ -219,7 +163,7 @@ void standUp(Camera& camera, const std::vector<glm::dvec3>& places, double apart
 Camera frameVisible(const Scene& scene, StandardView view, double aspect) {
   Camera camera = frameCamera(scene, view, aspect);
   if (!fitsWhatShows(scene)) return camera;
-  std::vector<glm::dvec3> places = shownPlaces(scene);
+  std::vector<glm::dvec3> places = placesOf(shownVoxels(scene, kMostSamples, kVeil));
   return places.size() < kFewPlaces ? camera : fit(scene, camera, std::move(places), aspect);
 }
 
@@ -227,10 +171,10 @@ Camera firstCamera(const Scene& scene, double aspect) {
   StandardView view = defaultView(scene);
   Camera camera = frameCamera(scene, view, aspect);
   if (!fitsWhatShows(scene)) return camera;
-  std::vector<glm::dvec3> places = shownPlaces(scene);
+  ShownVoxels shown = shownVoxels(scene, kMostSamples, kVeil);
+  std::vector<glm::dvec3> places = placesOf(shown);
   if (places.size() < kFewPlaces) return camera;
-  glm::ivec3 dims = scene.volume.data ? scene.volume.data->dims : scene.labels.data->dims();
-  if (view == StandardView::Oblique) standUp(camera, places, longestVoxelEdge(scene) * strideFor(dims));
+  if (view == StandardView::Oblique) standUp(camera, places, longestEdge(shown.worldFromVoxel));
   return fit(scene, camera, std::move(places), aspect);
 }
 

@@ -160,6 +160,35 @@ class Render(CliTest):
         self.refuse("render", path, "-o", "none/x.png", "--size", "16x16", code=2, words=["none"])
         self.refuse("render", path, "-o", "x.gif", "--size", "16x16", code=2, words=["x.gif"])
 
+    def test_an_output_that_cannot_be_written_is_refused_before_anything_is_read(self):
+        # What is named to be read is not there: so nobody has looked for it.
+        gone = "gone.nrrd"
+        (self.folder / "x.png").mkdir()
+        for arguments in (
+                ["render", gone, "-o", "x.bmp"], ["render", gone, "-o", "none/y.png"], ["render", gone, "-o", "x.png"],
+                ["render", gone, "-o", "x.bmp", "--frames", "3"], ["render", gone, "-o", "none/y.exr", "--frames", "3"],
+                ["render", gone, "-o", "x.bmp", "--section", "axial"], ["render", gone, "-o", "y.png", "--save-scene", "none/s.json"],
+                ["compare", "a.png", "b.png", "--diff", "x.bmp"], ["compare", "a.png", "b.png", "--diff", "none/d.png"],
+                ["convert", gone, "x.bmp"], ["convert", gone, "none/y.nrrd"], ["convert", gone, "none/y.stl"],
+                ["grow", gone, "--seed", "0,0,0", "-o", "x.bmp"], ["grow", gone, "--seed", "0,0,0", "-o", "none/y.nrrd"],
+                ["membrane", gone, "--sheet", "x.bmp"], ["membrane", gone, "--sheet", "none/y.ply"],
+                ["membrane", gone, "--clipped", "x.bmp"], ["membrane", gone, "--save-scene", "none/s.json"],
+                ["count", gone, "--csv", "none/y.csv"], ["count", gone, "--svg", "none/y.svg"], ["count", gone, "-o", "none/s.json"],
+                ["sample", "torso", "-o", "x.bmp", "--voxels", "1024"]):
+            with self.subTest(arguments=arguments):
+                output = next(word for word in arguments if word.startswith(("x.", "none/")))
+                said = self.refuse(*arguments, code=2, words=output.split("."))
+                self.assertNotIn(gone, said)
+        self.assertEqual([path.name for path in self.folder.iterdir()], ["x.png"], "leftovers")
+
+    def test_cuts_that_leave_nothing_say_so_in_one_line(self):
+        path = self.sample()
+        for z, lines in ((0, []), (-1000, [b"warning: The cuts leave nothing of what the scene shows: flip a cut, move it, or turn it off"])):
+            with self.subTest(z=z):
+                done = self.run_batch("render", path, "-o", "x.png", "--size", "16x16", *FAST,
+                                      "--set", "cuts.+.axis=0,0,1", "--set", f"cuts.0.centre=0,0,{z}")
+                self.assertEqual(done.stderr.splitlines(), lines)
+
     def test_a_picture_without_a_scene_exits_2(self):
         self.run_batch("render", self.sample(), "-o", "x.png", "--size", "16x16", *FAST)
         self.run_batch("compare", "x.png", "x.png", "--diff", "d.png")

@@ -73,6 +73,9 @@ TEST(ReplaceFile, WhereNothingCanBeWrittenIsSaidAtOnce) {
   TempFolder folder;
   EXPECT_THROW(ReplaceFile(folder / "missing" / "a.txt"), InputError);
   EXPECT_THROW(ReplaceFile(folder.path()), InputError);
+  EXPECT_THROW(expectReplaceable(folder / "missing" / "a.txt"), InputError);
+  EXPECT_THROW(expectReplaceable(folder.path()), InputError);
+  EXPECT_NO_THROW(expectReplaceable(folder / "a.txt"));
   EXPECT_EQ(filesIn(folder.path()), 0);
 }
 

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFile>
@@ -121,6 +122,39 @@ TEST_F(PictureDialog, OffersTheAnimationsThatTheSceneCanHave) {
   dialog.show();
   ASSERT_TRUE(QTest::qWaitFor([&] { return dialog.hasPreview(); }, 20000));
   takeShot(dialog, "save-animation");
+}
+
+TEST_F(PictureDialog, RemembersWhatWasChosenForThePictureBefore) {
+  scene::Cut cut;
+  cut.axis = {0, -1, 0};
+  cut.spares = {{1, 12.0, 1.0}};
+  scene::addCut(mScene, cut);
+  {
+    SavePictureDialog dialog({800, 400}, {800, 400}, mScene, nullptr);
+    child<QComboBox>(dialog, "pictureUnit")->setCurrentIndex(1);
+    child<QSpinBox>(dialog, "pictureDpi")->setValue(254);
+    child<QDoubleSpinBox>(dialog, "pictureWidth")->setValue(12.0);
+    child<QCheckBox>(dialog, "pictureLayers")->setChecked(true);
+    child<QComboBox>(dialog, "pictureMotion")->setCurrentIndex(2);
+    child<QSpinBox>(dialog, "pictureFrames")->setValue(17);
+    EXPECT_EQ(dialog.motion(), session::Motion::Pull);
+    dialog.remember();
+  }
+  SavePictureDialog again({800, 400}, {1200, 600}, mScene, nullptr);
+  again.recall();
+  EXPECT_EQ(child<QComboBox>(again, "pictureUnit")->currentText(), "cm");
+  EXPECT_EQ(child<QDoubleSpinBox>(again, "pictureWidth")->value(), 12.0);
+  EXPECT_EQ(again.options().size, glm::ivec2(1200, 600));
+  EXPECT_EQ(again.options().dpi, 254);
+  EXPECT_TRUE(again.options().layers);
+  EXPECT_EQ(again.motion(), session::Motion::Pull);
+  EXPECT_EQ(again.frames(), 17);
+  // A scene that cannot move so gets one picture.
+  mScene.cuts.clear();
+  SavePictureDialog still({800, 400}, {1200, 600}, mScene, nullptr);
+  still.recall();
+  EXPECT_FALSE(still.motion());
+  SavePictureDialog({800, 400}, {1920, 1080}, mScene, nullptr).remember();
 }
 
 TEST(CommandFinder, BeginningsOfWordsComeFirst) {

@@ -11,6 +11,7 @@
 #include <fstream>
 
 #include "RunBatch.h"
+#include "Shots.h"
 #include "WindowFixture.h"
 #include "kit/Theme.h"
 
@@ -155,6 +156,26 @@ TEST_F(Window, BadFileIsNamedInTheMessageBar) {
   EXPECT_TRUE(mWindow->messages().isVisible());
   EXPECT_TRUE(mWindow->messages().text().contains("bad.nrrd")) << mWindow->messages().text().toStdString();
   EXPECT_FALSE(scene().volume.data);
+}
+
+TEST_F(Window, CutsThatLeaveNothingSayItAndTakeItBack) {
+  openPhantom();
+  drawSoon();
+  mWindow->actions().find("cut.addPlane")->trigger();
+  auto moveTo = [&](double y) {
+    mWindow->document().edit("Move cut", [y](scene::Scene& scene) {
+      scene.cuts[0].axis = {0, -1, 0};
+      scene.cuts[0].centre = {0, y, 0};
+    });
+  };
+  auto isSaid = [&] { return mWindow->messages().isVisible() && mWindow->messages().text().contains("leave nothing"); };
+  moveTo(1000);
+  EXPECT_TRUE(QTest::qWaitFor(isSaid, 20000));
+  takeShot(*mWindow, "nothing-left");
+  moveTo(0);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !isSaid(); }, 20000));
+  mWindow->document().undo();
+  EXPECT_TRUE(QTest::qWaitFor(isSaid, 20000));
 }
 
 TEST_F(Window, LoadCanBeCancelledAndWhatWasOpenStays) {

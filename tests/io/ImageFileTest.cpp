@@ -45,6 +45,22 @@ TEST(ImageFile, EightBitsSurvivePngAndTiff) {
     }
 }
 
+TEST(ImageFile, SixteenBitsSurvivePngAndTiff) {
+  TempFolder folder;
+  for (const char* name : {"a.png", "a.tif"})
+    for (std::size_t count : {1u, 3u, 4u}) {
+      std::vector<std::string> all{"R", "G", "B", "A"};
+      Image image =
+          count == 1 ? noise(31, 17, {"Y"}, false) : noise(31, 17, {all.begin(), all.begin() + int(count)}, false);
+      for (std::size_t i = 0; i < image.pixels.size(); ++i) image.pixels[i] = float(i * 8191 % 65536) / 65535.0f;
+      writeImage(image, folder / name, {}, 300, {}, 16);
+      Image back = readImage(folder / name);
+      ASSERT_EQ(back.pixels.size(), image.pixels.size()) << name;
+      for (std::size_t i = 0; i < image.pixels.size(); ++i)
+        ASSERT_EQ(std::lround(back.pixels[i] * 65535.0f), long(i * 8191 % 65536)) << name << count << " at " << i;
+    }
+}
+
 TEST(ImageFile, ExrLayersAreFloatExact) {
   TempFolder folder;
   Image image = noise(13, 9, {"R", "G", "B", "A", "Z", "normal.X", "normal.Y", "normal.Z", "id"}, false);
@@ -165,6 +181,34 @@ TEST(ImageFile, AChunkOfPngThatLiesIsRefusedBeforeTheLibrarySeesIt) {
         EXPECT_NE(std::string(error.what()).find("cut short or damaged"), std::string::npos) << error.what();
       }
   }
+}
+
+TEST(ImageFile, TheLibrarySaysNothingOfItsOwnAboutDamage) {
+  TempFolder folder;
+  writeImage(noise(64, 64, {"R", "G", "B"}, true), folder / "a.png", longScene());
+  const std::string good = bytesOf(folder / "a.png");
+  for (const char* chunk : {"IHDR", "tEXt", "IDAT"}) {
+    std::string bytes = good;
+    bytes[bytes.find(chunk) + 9] ^= 0x55;  // what it holds; its check sum no longer fits
+    std::ofstream(folder / "a.png", std::ios::binary) << bytes;
+    for (auto read : {+[](const std::filesystem::path& path) { readImage(path); },
+                      +[](const std::filesystem::path& path) { readImageDescription(path); }}) {
+      std::string what;
+      testing::internal::CaptureStderr();
+      try {
+        read(folder / "a.png");
+      } catch (const InputError& error) {
+        what = error.what();
+      }
+      EXPECT_EQ(testing::internal::GetCapturedStderr(), "") << chunk;
+      EXPECT_EQ(what.find('\n'), std::string::npos) << what;
+    }
+  }
+}
+
+TEST(ImageFile, AnUnknownFormatIsRefusedBeforeThereIsAPicture) {
+  for (const char* name : {"a.png", "b.TIF", "c.tiff", "d.exr", "-"}) EXPECT_NO_THROW(expectImageFormat(name)) << name;
+  for (const char* name : {"a.bmp", "a.jpg", "a", ".png.gz"}) EXPECT_THROW(expectImageFormat(name), InputError) << name;
 }
 
 TEST(ImageFile, OnlyOurThreeFormatsAreReadWhateverTheNameSays) {

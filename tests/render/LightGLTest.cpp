@@ -233,6 +233,32 @@ TEST_F(BlockerGL, WhatStandsInTheLightThrowsAShadowAndNothingElseDoes) {
   }
 }
 
+TEST_F(BlockerGL, AThinBlockerThrowsItsShadowWholeHoweverFarOff) {
+  // A sheet of a millimetre, two cells, 30 mm over a floor that slopes, so that it is met after whole and broken steps.
+  constexpr double kSheet = 21.0, kHalf = 0.5, kEdge = 6.0, kMargin = 2.5;
+  auto depthAt = [](glm::dvec3 p) {
+    double floor = (-10.0 + 0.3 * p.y - p.z) / std::sqrt(1.09);
+    return std::max(floor, std::min(p.x - kEdge, kHalf - std::abs(p.z - kSheet)));
+  };
+  glm::dvec3 light = glm::normalize(glm::dvec3(0.5, 0.2, 0.84));
+  scene::Scene scene = sceneWith(depthAt, scene::RenderMode::Volume, 0.5);
+  lightFrom(scene, light);
+  Image image = draw(scene, kSize, kAllLayers);
+  double open = brightness(image, pixelOf(scene, {-20, 0, -10}));
+  int shadowed = 0, lit = 0, tooLight = 0, tooDark = 0;
+  eachShown(image, [&](glm::ivec2 pixel, glm::vec3 place) {
+    glm::dvec3 p(place);
+    if (std::abs(depthAt(p)) > 1.0 || p.z > 0.0 || std::max(std::abs(p.x), std::abs(p.y)) > 20.0) return;
+    double beyond = (p + light * ((kSheet - p.z) / light.z)).x - kEdge, bright = brightness(image, pixel);
+    shadowed += beyond > kMargin, tooLight += beyond > kMargin && bright > 0.4 * open;
+    lit += beyond < -kMargin, tooDark += beyond < -kMargin && bright < 0.85 * open;
+  });
+  EXPECT_GT(shadowed, 300);
+  EXPECT_GT(lit, 300);
+  EXPECT_EQ(tooLight, 0) << "of " << shadowed << " pixels in the shadow";
+  EXPECT_EQ(tooDark, 0) << "of " << lit << " pixels beside it";
+}
+
 TEST_F(BlockerGL, AVeilLetsThroughWhatBeersLawSays) {
   // Values below those of air, so that no border of it is solid.
   double sides[] = {12.0, 12.0, 4.0};

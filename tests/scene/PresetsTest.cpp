@@ -131,6 +131,20 @@ TEST(Presets, PointsAscendAndAreInRange) {
   }
 }
 
+TEST(Presets, UnderSkinBoneIsWhiteFromWhatIsHalfBoneOn) {
+  Scene scene;
+  applyPreset(scene, "ct-skin-white-bone");
+  auto colorOf = [&](double hounsfield) { return colorAt(scene.volume.transfer.colors, hounsfield); };
+  for (double bone : {90.0, 160.0, 250.0, 700.0, 2000.0}) {
+    glm::dvec3 color = colorOf(bone);
+    EXPECT_GT(color.b, 0.79) << bone << ": ivory, or white";
+    EXPECT_LT(color.r - color.b, 0.16) << bone;
+  }
+  for (double skin : {-500.0, -200.0, -50.0}) EXPECT_GT(colorOf(skin).r - colorOf(skin).b, 0.25) << skin;
+  EXPECT_LT(colorOf(30).b, colorOf(250).b - 0.1) << "on a plane bone stands out from what is soft";
+  EXPECT_GT(opacityAt(scene, -150), 0.85) << "skin hides what is beneath";
+}
+
 TEST(Presets, NamesAreUniqueAndAnUnknownOneListsThem) {
   Scene scene;
   Scene before = scene;

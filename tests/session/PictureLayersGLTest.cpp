@@ -1,4 +1,9 @@
 // The illustrative section as a picture with layers: put together again they are the picture.
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <map>
 #include <set>
 
 #include "GlFixture.h"
@@ -134,6 +139,66 @@ TEST_F(PictureLayersGL, OfAModelTheyHaveItsTypes) {
     ASSERT_EQ(model.molecules[model.instances.at(instance).molecule].type, std::uint32_t(type));
   }
   EXPECT_EQ(seen, (std::set<int>{-1, 0, 1, 2}));
+}
+
+/// Bits a sample and pixels a metre, as the header of a PNG says them.
+glm::ivec2 bitsAndResolutionOf(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  std::size_t at = bytes.find("pHYs");
+  EXPECT_NE(at, std::string::npos) << path;
+  if (at == std::string::npos) return {bytes[24], 0};
+  int perMetre = 0;
+  for (std::size_t i = 0; i < 4; ++i) perMetre = perMetre << 8 | int(static_cast<unsigned char>(bytes[at + 4 + i]));
+  return {bytes[24], perMetre};
+}
+
+TEST_F(PictureLayersGL, BesideAPngTheyHave16BitsAndItsResolution) {
+  TempFolder folder;
+  PictureOptions options{{64, 64}, 1, true, true, 254};
+  Image image = draw(*sScene);
+  savePicture(image, *sScene, options, folder / "x.png");
+  EXPECT_EQ(bitsAndResolutionOf(folder / "x.png"), glm::ivec2(8, 10000));
+  for (const char* layer : {"alpha", "depth", "id", "normal", "position", "front", "inlay", "behind"})
+    EXPECT_EQ(bitsAndResolutionOf(folder / (std::string("x.") + layer + ".png")), glm::ivec2(16, 10000)) << layer;
+  // All depths that differ by a ten thousandth of the whole are told apart.
+  Image depth = io::readImage(folder / "x.depth.png");
+  std::size_t z = column(image, "Z"), n = image.channels.size();
+  float nearest = INFINITY, farthest = 0;
+  for (std::size_t i = z; i < image.pixels.size(); i += n)
+    if (std::isfinite(image.pixels[i]))
+      nearest = std::min(nearest, image.pixels[i]), farthest = std::max(farthest, image.pixels[i]);
+  std::set<float> grey;
+  for (std::size_t i = 0; i < depth.pixels.size(); ++i) {
+    float mm = image.pixels[i * n + z];
+    float expected = std::isfinite(mm) ? 1.0f - 0.9f * (mm - nearest) / (farthest - nearest) : 0.0f;
+    ASSERT_NEAR(depth.pixels[i], expected, 1e-4f) << i;
+    grey.insert(depth.pixels[i]);
+  }
+  EXPECT_GT(grey.size(), 256u);
+}
+
+TEST_F(PictureLayersGL, IdsOfAModelTellItsInstancesApart) {
+  scene::Scene scene;
+  scene.unit = LengthUnit::Angstrom;
+  scene.model.data = Shared<Model>(ModelMaker{.types = 3, .instances = 60, .halfEdge = 80.0f}.make());
+  scene.camera = scene::frameCamera(scene, scene::StandardView::Oblique, 1.0);
+  TempFolder folder;
+  Image image = draw(scene);
+  savePicture(image, scene, {{64, 64}, 1, false, true, 300}, folder / "x.png");
+  Image ids = io::readImage(folder / "x.id.png");
+  std::map<int, std::array<float, 3>> colors;
+  std::set<std::array<float, 3>> different;
+  for (std::size_t i = 0; i < std::size_t(image.width) * std::size_t(image.height); ++i) {
+    int instance = int(image.pixels[i * image.channels.size() + column(image, "instance")]);
+    std::array<float, 3> color{ids.pixels[i * 3], ids.pixels[i * 3 + 1], ids.pixels[i * 3 + 2]};
+    auto [known, isNew] = colors.try_emplace(instance, color);
+    ASSERT_EQ(known->second, color) << "instance " << instance;
+    different.insert(color);
+  }
+  EXPECT_GT(colors.size(), 20u);
+  EXPECT_EQ(different.size(), colors.size());
+  EXPECT_EQ(colors.at(-1), (std::array<float, 3>{0, 0, 0})) << "where nothing is";
 }
 
 TEST_F(PictureLayersGL, AnExrHoldsThemAsItHoldsThePicture) {

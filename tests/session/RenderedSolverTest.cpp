@@ -290,13 +290,20 @@ TEST(TypesAt, FindsPathsAndEndsAndNamesTheNearest) {
   EXPECT_EQ(typesAt(model, "type3").path, "root.b.type3");
   EXPECT_EQ(typesAt(model, "a").types, (TypeNumbers{0, 2, 4}));
   EXPECT_TRUE(typesAt(model, "root").isCompartment);
-  for (const auto& [name, nearest] : {std::pair("typ3", "root.b.type3"), std::pair("root.b.tipe1", "root.b.type1")}) {
+  for (const auto& [name, nearest] : {std::pair("typ3", "root.b.type3"), std::pair("root.b.tipe1", "root.b.type1"),
+                                      std::pair("TYPE4", "root.a.type4"), std::pair("YPE2", "root.a.type2")}) {
     try {
       typesAt(model, name);
       FAIL() << name;
     } catch (const InputError& error) {
       EXPECT_NE(std::string(error.what()).find(nearest), std::string::npos) << error.what();
     }
+  }
+  try {
+    typesAt(model, "haemoglobin");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(std::string(error.what()).find("root."), std::string::npos) << "nothing is near: " << error.what();
   }
 }
 

@@ -62,6 +62,10 @@ class ReplaceFile {
 /// @return false when the system refuses; errno says why
 bool writeAll(int descriptor, std::span<const std::byte> bytes);
 
+/// Asks before the work that fills a file whether it could be replaced; leaves nothing. @throw InputError as
+/// ReplaceFile
+void expectReplaceable(const std::filesystem::path& target);
+
 /// Replaces a file by this text, on the disk at return. @throw InputError when the disk refuses
 void replaceFile(const std::filesystem::path& target, std::string_view text,
                  ReplaceFile::Access access = ReplaceFile::Access::Everybody);

@@ -12,7 +12,8 @@ CutRoom::CutRoom(const WindowParts& parts)
       mOverPicture(parts.document(), parts.selection, parts.toolbox, nullptr),
       mOnSections(parts.document(), parts.selection, parts.toolbox, nullptr),
       mThreePoints(parts.document(), parts.toolbox, nullptr),
-      mMembranes(parts, mPanel->membraneForm()) {
+      mMembranes(parts, mPanel->membraneForm()),
+      mNothingLeft(parts.session, parts.messages, nullptr) {
   parts.tabs.addPage(mPanel, tr("Cuts"), tr("What is cut away"));
   parts.toolbox.add(mOverPicture);
   parts.toolbox.add(mOnSections);
@@ -37,6 +38,7 @@ CutRoom::CutRoom(const WindowParts& parts)
 void CutRoom::refresh(const session::Session& session) {
   mPanel->refresh();
   mMembranes.refresh(session);
+  mNothingLeft.refresh();
 }
 
 /// What was added is seen at once, in its page, too.

@@ -2,6 +2,7 @@
 #include <functional>
 
 #include "CutPanel.h"
+#include "NothingLeftNote.h"
 #include "PictureCutHandles.h"
 #include "SectionCutHandles.h"
 #include "ThreePointTool.h"
@@ -29,6 +30,7 @@ class CutRoom : public Room {
   SectionCutHandles mOnSections;
   ThreePointTool mThreePoints;
   MembraneRoom mMembranes;
+  NothingLeftNote mNothingLeft;
 };
 
 }  // namespace velum::gui

@@ -5,6 +5,7 @@
 #include <QVBoxLayout>
 #include <exception>
 
+#include "velum/scene/SurfaceLook.h"
 #include "velum/session/document/PaperFile.h"
 
 namespace velum::gui {
@@ -19,10 +20,41 @@ FinishPanel::FinishPanel(session::Document& document, QWidget* parent)
   layout->setSpacing(14);
   layout->addWidget(makeTitle(tr("Finish"), this));
   layout->addWidget(mFinishes);
+  addOffer();
   addContours();
   addSpheres();
   addStrokes();
   addPaper();
+}
+
+/// Lines lie on surfaces: who chooses a finish for a haze is offered one.
+void FinishPanel::addOffer() {
+  mOffer = new QWidget(this);
+  auto* column = new QVBoxLayout(mOffer);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(6);
+  auto* text = new QLabel(tr("The look lets one see through, and lines lie on all that is seen."), mOffer);
+  text->setProperty("role", "muted");
+  text->setWordWrap(true);
+  column->addWidget(text);
+  auto* button = new QPushButton(tr("Make it a surface"), mOffer);
+  button->setObjectName("makeSurface");
+  button->setProperty("role", "quiet");
+  button->setToolTip(tr("Opacities become steep: what is nearly opaque is opaque, veils before it go; colours stay"));
+  column->addWidget(button, 0, Qt::AlignLeft);
+  layout()->addWidget(mOffer);
+  mOffer->hide();
+  connect(button, &QPushButton::clicked, this, [this] {
+    mDocument.edit("Make the look a surface", [](scene::Scene& scene) { scene::makeSurface(scene); });
+  });
+}
+
+void FinishPanel::refreshOffer() {
+  const scene::Scene& scene = mDocument.scene();
+  bool drawsLines = scene.finish.contours > 0 || scene.finish.hatching > 0;
+  bool isLook = scene.volume.data && !scene.volume.data->isColor && scene.rayCast.mode == scene::RenderMode::Volume;
+  mOffer->setVisible(drawsLines && isLook &&
+                     scene::isTranslucent(scene::currentTransfer(scene.volume), mHistogram.of(scene.volume)));
 }
 
 QGridLayout* FinishPanel::addSection(const QString& title) {
@@ -188,6 +220,7 @@ void FinishPanel::showPaper(const scene::Finish& finish) {
 void FinishPanel::refresh() {
   const scene::Scene& scene = mDocument.scene();
   mFinishes->refresh();
+  refreshOffer();
   mSpheres->refresh();
   bool hasData = scene::hasData(scene);
   for (const Slider& slider : mSliders) {

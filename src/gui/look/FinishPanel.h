@@ -9,6 +9,7 @@
 #include "LitSphereGrid.h"
 #include "kit/Widgets.h"
 #include "velum/session/document/Document.h"
+#include "velum/session/look/ValueHistogram.h"
 
 namespace velum::gui {
 
@@ -51,6 +52,8 @@ class FinishPanel : public QWidget {
   void addShare(QGridLayout* rows, const SliderText& text, double scene::Finish::*field);
   ColorButton* makeColor(const char* object, const QString& title, const QString& tip, const char* step,
                          glm::vec3 scene::Finish::*field);
+  void addOffer();
+  void refreshOffer();
   void addContours();
   void addSpheres();
   void addStrokes();
@@ -60,6 +63,8 @@ class FinishPanel : public QWidget {
 
   session::Document& mDocument;
   FinishGrid* mFinishes;
+  QWidget* mOffer = nullptr;  ///< To make a look that one sees through a surface.
+  session::HistogramMemo mHistogram;
   LitSphereGrid* mSpheres;
   std::vector<Slider> mSliders;
   ColorButton *mInk = nullptr, *mPaperColor = nullptr;

@@ -9,6 +9,7 @@
 #include "kit/Preferences.h"
 #include "kit/SavePath.h"
 #include "kit/SelectedCut.h"
+#include "velum/core/ReplaceFile.h"
 #include "velum/session/membrane/Membranes.h"
 #include "velum/session/model/CountPictures.h"
 #include "velum/session/model/ModelExport.h"
@@ -17,8 +18,6 @@
 namespace velum::gui {
 
 namespace {
-
-constexpr const char* kPictureSizeKey = "picture/size";
 
 /// That of the picture saved last; a slide's before there is one.
 glm::ivec2 usualPictureSize() {
@@ -57,8 +56,9 @@ void ExportCommands::askSavePicture() {
   double ratio = viewport.devicePixelRatioF();
   SavePictureDialog dialog({int(viewport.width() * ratio), int(viewport.height() * ratio)}, usualPictureSize(),
                            mParts.session.scene(), &mParts.window);
+  dialog.recall();
   if (dialog.exec() != QDialog::Accepted) return;
-  Preferences().setValue(kPictureSizeKey, QSize(dialog.options().size.x, dialog.options().size.y));
+  dialog.remember();
   QString pictures = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
   QString start = (pictures.isEmpty() ? QString() : pictures + "/") +
                   QFileInfo(QString::fromStdString(mParts.session.file().path())).baseName() +
@@ -122,7 +122,8 @@ void ExportCommands::write(const QString& path, Write work) {
   auto losses = std::make_shared<std::vector<std::string>>();
   mParts.jobs.start(
       tr("Writing %1").arg(QFileInfo(path).fileName()),
-      [losses, rest = sceneAtRest(), work = std::move(work)](Progress& progress) {
+      [losses, rest = sceneAtRest(), work = std::move(work), path = path.toStdString()](Progress& progress) {
+        expectReplaceable(path);
         *losses = work(rest(progress), progress);
       },
       [this, losses, path] { mParts.messages.showNote(tr("Saved %1").arg(path), *losses); });

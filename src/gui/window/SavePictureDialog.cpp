@@ -13,6 +13,7 @@
 #include <cmath>
 #include <exception>
 
+#include "kit/Preferences.h"
 #include "velum/session/document/Open.h"
 
 namespace velum::gui {
@@ -24,6 +25,9 @@ constexpr int kMostPixels = 65536;
 constexpr int kNameWidth = 82;     // of what stands before the fields, in both parts
 constexpr int kDrawDelayMs = 250;  // while numbers are being typed
 enum Unit { Pixels, Centimetres, Inches };
+
+constexpr const char *kShapeKey = "picture/keepShape", *kDpiKey = "picture/dpi", *kUnitKey = "picture/unit",
+                     *kLayersKey = "picture/layers", *kFramesKey = "picture/frames", *kMotionKey = "picture/motion";
 
 double unitsPerInch(int unit, int dpi) { return unit == Pixels ? dpi : unit == Centimetres ? 2.54 : 1.0; }
 
@@ -100,6 +104,28 @@ SavePictureDialog::SavePictureDialog(glm::ivec2 viewSize, glm::ivec2 size, const
 }
 
 SavePictureDialog::~SavePictureDialog() = default;
+
+void SavePictureDialog::recall() {
+  Preferences known;
+  mKeepShape->setChecked(known.value(kShapeKey, mKeepShape->isChecked()).toBool());
+  mDpi->setValue(known.value(kDpiKey, mDpi->value()).toInt());
+  mUnit->setCurrentIndex(std::clamp(known.value(kUnitKey, 0).toInt(), 0, mUnit->count() - 1));
+  mLayers->setChecked(known.value(kLayersKey, mLayers->isChecked()).toBool());
+  mFrames->setValue(known.value(kFramesKey, mFrames->value()).toInt());
+  auto motion = enumValue<session::Motion>(known.value(kMotionKey).toString().toStdString());
+  mMotion->setCurrentIndex(std::max(0, mMotion->findData(motion ? int(*motion) : -1)));
+}
+
+void SavePictureDialog::remember() const {
+  Preferences known;
+  known.setValue(kPictureSizeKey, QSize(mPixels.x, mPixels.y));
+  known.setValue(kShapeKey, mKeepShape->isChecked());
+  known.setValue(kDpiKey, mDpi->value());
+  known.setValue(kUnitKey, mUnit->currentIndex());
+  known.setValue(kLayersKey, mLayers->isChecked());
+  known.setValue(kFramesKey, mFrames->value());
+  known.setValue(kMotionKey, motion() ? QString::fromStdString(std::string(enumName(*motion()))) : QString());
+}
 
 QWidget* SavePictureDialog::makeSize(glm::ivec2 viewSize) {
   auto* box = new QWidget(this);

@@ -14,6 +14,9 @@
 
 namespace velum::gui {
 
+/// Of the size in pixels of the picture saved last, among the preferences.
+inline constexpr const char* kPictureSizeKey = "picture/size";
+
 /// Asks how large and how fine a picture is to be, and shows it small meanwhile, drawn as the picture will be.
 class SavePictureDialog : public QDialog {
   Q_OBJECT
@@ -21,6 +24,11 @@ class SavePictureDialog : public QDialog {
   /// @param viewSize  of the 3D view, offered beside; @param size  that it begins with, both in pixels
   SavePictureDialog(glm::ivec2 viewSize, glm::ivec2 size, const scene::Scene& scene, QWidget* parent);
   ~SavePictureDialog() override;
+  /// Chooses what was chosen for the picture before: unit, resolution, layers, animation, as far as this scene has it.
+  /// How many samples, and what is behind the picture, are the scene's.
+  void recall();
+  /// Keeps it, and the size, for the next one.
+  void remember() const;
   session::PictureOptions options() const;
   /// The scene with the background that is chosen.
   scene::Scene pictureScene() const;

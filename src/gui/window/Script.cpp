@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <QFileInfo>
+#include <QRegularExpression>
 #include <chrono>
 #include <cstdio>
 
@@ -29,6 +30,12 @@ int wholeNumber(const QString& text, int least, int most, const QString& what) {
     throw ArgumentError(
         fmt::format("'{}' is not {}, a whole number of {} to {}", text.toStdString(), what.toStdString(), least, most));
   return value;
+}
+
+/// How long the field of "FIELD VALUE" is: blanks within brackets are those of a name, which may hold brackets.
+qsizetype fieldLength(const QString& text) {
+  static const QRegularExpression form(R"(^(?:[^ \[]|\[.*?\](?=[. ]|$))*)");
+  return form.match(text).capturedLength();
 }
 
 QString wholePath(const QString& text) {
@@ -144,7 +151,8 @@ void Script::run(const QString& command, const QString& rest) {
 bool Script::runEdit(const QString& command, const QString& rest) {
   session::Document& document = mWindow.document();
   if (command == "set") {
-    std::string field = rest.section(' ', 0, 0).toStdString(), value = rest.section(' ', 1).trimmed().toStdString();
+    qsizetype length = fieldLength(rest);
+    std::string field = rest.left(length).toStdString(), value = rest.mid(length).trimmed().toStdString();
     if (field.empty() || value.empty()) throw ArgumentError("set wants a field and a value");
     document.edit("Set " + field, [&](scene::Scene& scene) { scene::setField(scene, field, value); });
   } else if (command == "do") {

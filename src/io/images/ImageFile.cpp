@@ -7,8 +7,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <cstdio>
+#include <cstring>
 #include <fstream>
 #include <functional>
 
@@ -91,13 +93,20 @@ Image displayChannels(const Image& image, const Path& path) {
   return pick(image, names);
 }
 
-std::vector<std::uint8_t> quantize(const std::vector<float>& pixels) {
-  std::vector<std::uint8_t> out(pixels.size());
+/// 0..1 in whole numbers of a type, from its least to its most.
+template <class T>
+std::vector<std::byte> quantized(const std::vector<float>& pixels) {
+  std::vector<std::byte> out(pixels.size() * sizeof(T));
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     float v = pixels[i];
-    out[i] = v > 0.0f ? std::uint8_t(std::min(v, 1.0f) * 255.0f + 0.5f) : std::uint8_t(0);  // NaN is black
+    T whole = v > 0.0f ? T(std::min(v, 1.0f) * float(T(-1)) + 0.5f) : T(0);  // NaN is black
+    std::memcpy(&out[i * sizeof(T)], &whole, sizeof(T));
   }
   return out;
+}
+
+OIIO::TypeDesc sampleType(bool isFloat, int bits) {
+  return isFloat ? OIIO::TypeDesc::FLOAT : bits == 16 ? OIIO::TypeDesc::UINT16 : OIIO::TypeDesc::UINT8;
 }
 
 /// Turns display-referred straight colour into OpenEXR's linear premultiplied one, or back: of the picture, and of each
@@ -235,14 +244,16 @@ void refuseTruncatedTiff(const Path& path) {
 
 }  // namespace
 
+void expectImageFormat(const Path& path) { formatOf(path); }
+
 void writeImage(const Image& image, const Path& path, const std::string& description, double dpi,
-                const std::vector<ImageAttribute>& attributes) {
+                const std::vector<ImageAttribute>& attributes, int bits) {
   check(image, path);
   std::string format = formatOf(path);
   auto out = OIIO::ImageOutput::create(format);
   if (!out) throw InputError(fmt::format("{}: this OpenImageIO cannot write {}", path.string(), format));
 
-  // Choose what the format holds: TIFF has 8 bits until there is more than colour in the picture.
+  // Choose what the format holds: TIFF has whole numbers until there is more than colour in the picture.
   Image shown = format == "openexr" ? image : format == "png" ? displayChannels(image, path) : image;
   bool isColorOnly = std::all_of(shown.channels.begin(), shown.channels.end(), [&](const std::string& name) {
     return shown.channels.size() == 1 || name == "R" || name == "G" || name == "B" || name == "A";
@@ -250,9 +261,11 @@ void writeImage(const Image& image, const Path& path, const std::string& descrip
   bool isFloat = format == "openexr" || (format == "tiff" && !isColorOnly);
   if (format == "tiff" && !isFloat) shown = displayChannels(image, path);
   if (format == "openexr") convertColor(shown, true);
-  auto bytes = isFloat ? std::vector<std::uint8_t>{} : quantize(shown.pixels);
-  const void* pixels = isFloat ? static_cast<const void*>(shown.pixels.data()) : bytes.data();
-  auto spec = specFor(shown, format, isFloat ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8, description, dpi);
+  auto whole = isFloat      ? std::vector<std::byte>{}
+               : bits == 16 ? quantized<std::uint16_t>(shown.pixels)
+                            : quantized<std::uint8_t>(shown.pixels);
+  const void* pixels = isFloat ? static_cast<const void*>(shown.pixels.data()) : whole.data();
+  auto spec = specFor(shown, format, sampleType(isFloat, bits), description, dpi);
 
   if (format == "openexr")
     for (const ImageAttribute& attribute : attributes) spec.attribute(attribute.name, attribute.value);
@@ -292,6 +305,7 @@ Image readImage(const Path& path) {
 }
 
 std::string readImageDescription(const Path& path) {
+  StderrQuiet quiet;
   auto in = openPicture(path);
   if (std::string_view(in->format_name()) != "tiff")
     return std::string(in->spec().get_string_attribute(kDescriptionKey));

@@ -137,9 +137,15 @@ const Row* chooseRow(const Path& path) {
 
 std::span<const LabelFormat> labelFormats() { return kFormats; }
 
+bool isLabelFormat(const Path& path) { return chooseRow(path) != nullptr; }
+
+void expectLabelFormat(const Path& path) {
+  if (!isLabelFormat(path)) refuse(path, "labels are written as .seg.nrrd, .nrrd, .nii, .nii.gz or .dcm");
+}
+
 std::vector<std::string> writeLabels(const LabelVolume& labels, const std::filesystem::path& path, Progress& progress) {
+  expectLabelFormat(path);
   const Row* row = chooseRow(path);
-  if (!row) refuse(path, "labels are written as .seg.nrrd, .nrrd, .nii, .nii.gz or .dcm");
   ReplaceFile file(path);
   auto losses = row->write(labels, file, progress);
   file.commit();

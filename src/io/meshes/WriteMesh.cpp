@@ -220,6 +220,13 @@ constexpr auto kFormats = [] {
   return formats;
 }();
 
+const Row* chooseRow(const Path& path) {
+  std::string extension = lowerExtension(path);
+  auto row = std::find_if(std::begin(kTable), std::end(kTable),
+                          [&](const Row& each) { return each.format.extension == extension; });
+  return row == std::end(kTable) ? nullptr : row;
+}
+
 std::vector<std::string> lossesOf(std::span<const Mesh> meshes, const Row& row) {
   Losses losses;
   losses.say(std::any_of(meshes.begin(), meshes.end(), hasNormals) && !row.keepsNormals,
@@ -236,21 +243,22 @@ std::vector<std::string> lossesOf(std::span<const Mesh> meshes, const Row& row) 
 
 std::span<const MeshFormat> meshFormats() { return kFormats; }
 
+void expectMeshFormat(const Path& path) {
+  if (!chooseRow(path)) refuse(path, "surfaces are written as .stl, .ply, .glb, .obj or .vtp");
+}
+
 std::vector<std::string> writeMeshes(std::span<const Mesh> meshes, const std::filesystem::path& path, LengthUnit unit) {
   bool isEmpty = std::any_of(meshes.begin(), meshes.end(), [](const Mesh& mesh) { return mesh.indices.empty(); });
   if (meshes.empty() || isEmpty) refuse(path, "an empty surface cannot be written");
   std::uint64_t points = 0;
   for (const Mesh& mesh : meshes) points += mesh.positions.size();
   if (points > std::numeric_limits<std::uint32_t>::max()) refuse(path, "has more points than 32 bits count");
-  std::string extension = lowerExtension(path);
-  for (const Row& row : kTable) {
-    if (row.format.extension != extension) continue;
-    ReplaceFile file(path);
-    row.write(meshes, unit, file);
-    file.commit();
-    return lossesOf(meshes, row);
-  }
-  refuse(path, "surfaces are written as .stl, .ply, .glb, .obj or .vtp");
+  expectMeshFormat(path);
+  const Row* row = chooseRow(path);
+  ReplaceFile file(path);
+  row->write(meshes, unit, file);
+  file.commit();
+  return lossesOf(meshes, *row);
 }
 
 std::vector<std::string> writeMesh(const Mesh& mesh, const std::filesystem::path& path, LengthUnit unit) {

@@ -31,9 +31,13 @@ void checkWhole(const Volume& v, const Path& path) {
 
 bool isNameLost(const Volume& volume, const Path& path) { return !volume.name.empty() && volume.name != titleOf(path); }
 
+void expectVolumeFormat(const Path& path) {
+  if (!chooseWriter(path)) refuse(path, fmt::format("volumes are written as {}", fmt::join(writtenExtensions(), ", ")));
+}
+
 std::vector<std::string> writeVolume(const Volume& volume, const std::filesystem::path& path, Progress& progress) {
+  expectVolumeFormat(path);
   const FormatRow* row = chooseWriter(path);
-  if (!row) refuse(path, fmt::format("volumes are written as {}", fmt::join(writtenExtensions(), ", ")));
   checkWhole(volume, path);
   ReplaceFile file(path);
   auto losses = row->write(volume, file, progress);

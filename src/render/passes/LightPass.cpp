@@ -9,7 +9,8 @@ namespace velum::render {
 
 namespace {
 
-constexpr int kLayers = 4;                                // of cells a step
+constexpr int kLevels = 4;  // of means of the extinction: shadows look at 4 cells at once, openness at up to 8
+constexpr int kLayers = 4;  // of cells a step
 constexpr int kSoftwareCells = 96, kHardwareCells = 160;  // at most, along the longest edge
 constexpr double kFinestCell = 0.5;                       // voxel: what is finer shows nothing that is there
 
@@ -75,7 +76,8 @@ void LightPass::resize(const FrameData& data) {
   glm::ivec3 size = glm::clamp(glm::ivec3(edges / mCell + 0.5), glm::ivec3(1), glm::ivec3(longest));
   if (size == mSize) return;
   mSize = size;
-  mExtinction = gpu::Texture::make3d("light extinction", gpu::Format::R32f, size);
+  mExtinction = gpu::Texture::make3d("light extinction", gpu::Format::R32f, size, gpu::Filter::Linear,
+                                     std::min(kLevels, gpu::levelCountOf(size)));
   mLight = gpu::Texture::make3d("light grid", gpu::Format::Rg8, size);
   mKey.reset();
 }
@@ -127,6 +129,7 @@ void LightPass::addExtinctionSteps(WorkQueue& queue) {
       gpu::dispatch(*mExtinctionProgram, (glm::ivec3(mSize.x, mSize.y, std::min(mSize.z - z, kLayers)) + 3) / 4);
       gpu::barrier();
     });
+  queue.add(*this, [this] { mExtinction.generateLevels(); });
 }
 
 void LightPass::addLightSteps(const FrameData& data, bool keepsOpenness, WorkQueue& queue) {

@@ -4,28 +4,14 @@
 
 #include <algorithm>
 #include <map>
+#include <vector>
 
 #include "velum/core/Error.h"
+#include "velum/core/NearestName.h"
 
 namespace velum::session {
 
 namespace {
-
-/// How many letters must be put in, taken out or changed to make one text of the other.
-std::size_t changesBetween(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      std::size_t above = row[j];
-      row[j] = std::min({above + 1, row[j - 1] + 1, diagonal + (a[i - 1] == b[j - 1] ? 0 : 1)});
-      diagonal = above;
-    }
-  }
-  return row[b.size()];
-}
 
 bool endsWithName(std::string_view path, std::string_view name) {
   return path.ends_with(name) && (path.size() == name.size() || path[path.size() - name.size() - 1] == '.');
@@ -71,16 +57,22 @@ TypesAt typesAt(const Model& model, std::string_view name) {
   if (name.empty()) throw InputError("name a type or a compartment of the model");
   if (const TypesAt* found = findIn(types, name)) return *found;
   if (const TypesAt* found = findIn(compartments, name)) return *found;
-  std::string nearest;
-  std::size_t least = ~std::size_t(0);
+  std::string meant = nearestPath(model, name);
+  throw InputError(fmt::format("{}: the model has no type or compartment of this name{}", name,
+                               meant.empty() ? "; info lists them" : fmt::format(" (is {} meant?)", meant)));
+}
+
+std::string nearestPath(const Model& model, std::string_view name) {
   bool isPath = name.find('.') != std::string_view::npos;
-  for (const Places* places : {&types, &compartments})
-    for (const auto& [path, at] : *places) {
-      std::size_t changes = changesBetween(name, isPath ? std::string_view(path) : shortName(path));
-      if (changes < least) least = changes, nearest = path;
+  std::vector<std::string> names, paths;
+  for (const Places& places : {typePlaces(model), compartmentPlaces(model)})
+    for (const auto& [path, at] : places) {
+      names.emplace_back(isPath ? std::string_view(path) : shortName(path));
+      paths.push_back(path);
     }
-  throw InputError(
-      fmt::format("{}: the model has no type or compartment of this name; the nearest is {}", name, nearest));
+  std::string nearest = nearestName(name, names);
+  if (nearest.empty()) return {};
+  return paths[std::size_t(std::find(names.begin(), names.end(), nearest) - names.begin())];
 }
 
 std::string_view shortName(std::string_view path) { return path.substr(path.rfind('.') + 1); }

@@ -61,11 +61,12 @@ std::vector<std::filesystem::path> framePaths(const std::filesystem::path& path,
 void renderAnimationFiles(const scene::Scene& scene, Motion motion, int frames, const PictureOptions& options,
                           const std::filesystem::path& path, Progress& progress) {
   if (std::string why = whyStill(scene, motion); !why.empty()) throw ArgumentError("no animation: " + why);
+  auto paths = framePaths(path, frames);
+  expectPictureFile(paths.front());
   auto context = gpu::Context::create(gpu::ContextKind::Auto);
   render::Renderer renderer(*context);
   extrusion::GrowOverTime growths;
   SheetsOverTime sheets;
-  auto paths = framePaths(path, frames);
   for (int i = 0; i < frames; ++i) {
     progress.report(double(i) / frames, fmt::format("Frame {} of {}", i + 1, frames));
     Progress quiet([&](double, const std::string&) { progress.throwIfCancelled(); });

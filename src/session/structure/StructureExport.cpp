@@ -7,6 +7,7 @@
 
 #include "velum/core/Error.h"
 #include "velum/core/FileName.h"
+#include "velum/core/NearestName.h"
 #include "velum/io/labels/WriteLabels.h"
 #include "velum/io/meshes/ExtractSurface.h"
 #include "velum/io/meshes/WriteMesh.h"
@@ -186,8 +187,13 @@ std::vector<int> findStructures(const std::vector<LabelInfo>& table, const std::
     auto found = std::find_if(table.begin(), table.end(), [&](const LabelInfo& label) {
       return std::to_string(label.id) == word || lowerCase(label.name) == lowerCase(word);
     });
-    if (found == table.end())
-      throw ArgumentError(fmt::format("there is no structure '{}'; name one, or give its number (see info)", word));
+    if (found == table.end()) {
+      std::vector<std::string> names;
+      for (const LabelInfo& label : table) names.push_back(label.name);
+      std::string meant = nearestName(word, names);
+      throw ArgumentError(fmt::format("there is no structure '{}'{}; name one, or give its number (see info)", word,
+                                      meant.empty() ? "" : fmt::format(" (is '{}' meant?)", meant)));
+    }
     ids.push_back(found->id);
   }
   return ids;

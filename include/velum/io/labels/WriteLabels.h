@@ -18,6 +18,11 @@ struct LabelFormat {
 /// For file dialogs, `--help` and the docs.
 std::span<const LabelFormat> labelFormats();
 
+/// Whether an extension is that of a format of labels.
+bool isLabelFormat(const std::filesystem::path& path);
+/// The format of labels that are to be written, before there are any. @throw InputError when the extension is unknown
+void expectLabelFormat(const std::filesystem::path& path);
+
 /// Writes labels with names, colours and opacities, by extension: .seg.nrrd or .nrrd (3D Slicer's segments), .nii.gz or
 /// .nii (Caret's table), both uint8 when ids fit, else uint16; .dcm (DICOM segmentation).
 /// @return what the format could not hold, one line each, for people

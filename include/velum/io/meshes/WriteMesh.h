@@ -19,6 +19,9 @@ struct MeshFormat {
 /// For file dialogs, `--help` and the docs.
 std::span<const MeshFormat> meshFormats();
 
+/// The format of surfaces that are to be written, before there are any. @throw InputError when the extension is unknown
+void expectMeshFormat(const std::filesystem::path& path);
+
 /// Writes .obj, .ply (binary), .vtp, .stl (binary) or .glb (glTF 2.0), by extension; to a temporary beside it, then
 /// renamed. LPS, in the unit that the mesh is in, which no format names; .glb holds how it lies in metres with y up.
 /// The name goes along for other programs, and the colour but to .vtp and .stl.

@@ -8,6 +8,9 @@
 
 namespace velum::io {
 
+/// The format of a volume that is to be written, before there is one. @throw InputError when the extension is unknown
+void expectVolumeFormat(const std::filesystem::path& path);
+
 /// Writes .nrrd, .nii, .nii.gz, .vti or .vdb, by extension; to a temporary beside it, then renamed. Orientation,
 /// spacing, scale and offset survive (VDB: values as floats, or as doubles where floats do not hold them; all else
 /// exactly the raw samples).

@@ -17,6 +17,10 @@ struct TypesAt {
 /// @throw InputError when nothing has it, with what is nearest, or when several have
 TypesAt typesAt(const Model& model, std::string_view name);
 
+/// The path of the type, or else of the compartment, that most likely is meant by a name that none has; empty: none is
+/// near.
+std::string nearestPath(const Model& model, std::string_view name);
+
 /// A path without what leads to it: "CA".
 std::string_view shortName(std::string_view path);
 

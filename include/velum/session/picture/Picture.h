@@ -15,9 +15,9 @@ struct PictureOptions {
   glm::ivec2 size{1280, 720};  ///< pixels, 1..65536
   int samples = 0;             ///< pictures that are averaged; 0: as the scene says
   bool transparent = false;    ///< no background, with alpha
-  /// Also alpha, depth, normal, structure id, position: in the EXR, or as files beside. Of a scene with inlays also
-  /// what lies before them, their images, what lies behind: front over inlay over behind is the picture. Of one with a
-  /// model also type, and in the EXR mattes by name (Cryptomatte.h).
+  /// Also alpha, depth, normal, structure id, position: in the EXR, or as files of 16 bits beside. Of a scene with
+  /// inlays also what lies before them, their images, what lies behind: front over inlay over behind is the picture. Of
+  /// one with a model also type, and in the EXR mattes by name (Cryptomatte.h).
   bool layers = false;
   double dpi = 0;  ///< pixels an inch in print, which the file says; 0: nothing is said
 };
@@ -41,6 +41,9 @@ Image drawPicture(render::Renderer& renderer, const scene::Scene& scene, const P
 
 /// An inlay view as a picture: R, G, B, A. Without a graphics context. Any thread.
 Image drawSectionPicture(const scene::Scene& scene, scene::SectionKind kind, const PictureOptions& options);
+
+/// Asks before a picture is drawn whether it could be written. @throw InputError for an unknown format, no folder
+void expectPictureFile(const std::filesystem::path& path);
 
 /// Writes what drawPicture or drawSectionPicture gave, with the scene inside: colour (and alpha where the background is
 /// transparent) to .png, .tif or .exr; layers into the .exr or as pictures beside ("name.depth.png").

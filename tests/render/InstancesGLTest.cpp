@@ -506,46 +506,6 @@ TEST_F(InstancesGL, AShadowFallsAwayFromTheLight) {
   }
 }
 
-TEST_F(InstancesGL, OcclusionLiesAsItsCausesDo) {
-  // A groove that is the same seen in a mirror, and the same picture of it.
-  std::vector<glm::vec3> places;
-  addFloor(places, 0.0f, {-13, -40}, {13, 40});
-  for (float y : {-16.0f, -12.0f, -8.0f, -4.0f, 0.0f}) {
-    addFloor(places, y, {-40, -40}, {-14, 40});
-    addFloor(places, y, {14, -40}, {40, 40});
-  }
-  scene::Scene scene = sceneOfModel(modelOfAtoms(places, kResidue));
-  scene.camera.target = {0, 0, 0};
-  scene.camera.projection = Projection::Orthographic;
-  scene.camera.height = 60;
-  lookAlong(scene, {0, -1, 0}, 300);
-  scene.lighting.shaded = true;
-  scene.lighting.ambient = 1.0;
-  scene.lighting.diffuse = scene.lighting.shadow = scene.lighting.specular = 0.0;
-  scene.lighting.occlusion = 1.0;
-  scene.lighting.occlusionRadius = 0.05;
-  glm::ivec2 size(120, 120);
-  for (int samples : {1, 16}) {
-    scene.rayCast.samplesPerPixel = samples;
-    Image image = draw(scene, size, kLayers);
-    scene.lighting.occlusion = 0.0;
-    Image open = draw(scene, size, kLayers);
-    scene.lighting.occlusion = 1.0;
-    // Of the floor beside the walls, two pixels to an angstrom.
-    double left = 0, right = 0;
-    for (int y = 10; y < 110; ++y)
-      for (int x = 10; x < 20; ++x) {
-        auto dark = [&](int column) {
-          return double(sampleOf(open, {column, y}, "G") - sampleOf(image, {column, y}, "G"));
-        };
-        left += dark(59 - x), right += dark(60 + x);
-      }
-    EXPECT_GT(left / 1000, 0.03) << "it is dark there";
-    std::printf("samples %d: left %.4f right %.4f, ratio %.4f\n", samples, left / 1000, right / 1000, left / right);
-    EXPECT_NEAR(left / right, 1.0, 0.02) << samples << " samples";
-  }
-}
-
 TEST_F(InstancesGL, CopiesStandSideBySide) {
   scene::Scene scene = sceneOfModel(lattice(3, 20.0f));
   scene.model.copies = 5;

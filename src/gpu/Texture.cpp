@@ -140,7 +140,8 @@ void Texture::read(glm::ivec3 o, glm::ivec3 s, void* texels, std::size_t bytes, 
   gl().GetTextureSubImage(id(), level, o.x, o.y, o.z, s.x, s.y, s.z, r.format, r.type, GLsizei(bytes), texels);
 }
 
-/// A box by itself. Where Mesa reads by a shader, as zink does for GPUs, it passes over the first layer that is asked for.
+/// A box by itself. Where Mesa reads by a shader, as zink does for GPUs, it passes over the first layer that is asked
+/// for.
 Texture Texture::alone(glm::ivec3 o, glm::ivec3 s, int level) const {
   Texture box = make3d("box", mFormat, s, Filter::Nearest);
   gl().CopyImageSubData(id(), GL_TEXTURE_3D, level, o.x, o.y, o.z, box.id(), GL_TEXTURE_3D, 0, 0, 0, 0, s.x, s.y, s.z);

@@ -70,9 +70,7 @@ TEST_F(ContextGL, WorksOnAnotherThread) {
 }
 
 /// What no driver lets pass: there is no such image unit.
-void makeDriverReport() {
-  Texture::make2d("test", Format::R8, {1, 1}).bindImage(1u << 20, Access::Read);
-}
+void makeDriverReport() { Texture::make2d("test", Format::R8, {1, 1}).bindImage(1u << 20, Access::Read); }
 
 TEST_F(ContextGL, WhatIsRefusedAndSaidIsNoErrorOfTheDriver) {
   int before = Context::errorCount();

@@ -57,9 +57,7 @@ TEST_F(DispatchGL, PartsRunOfEachGroup) {
   for (std::uint32_t i = 0; i < 40000; ++i) ASSERT_EQ(out[i], 3 * (i + 1) + 3000000) << i;
 }
 
-TEST_F(DispatchGL, NoGroupsRunNothing) {
-  EXPECT_EQ(run(makeCounting(1), 3, 0, 1), std::vector<std::uint32_t>(3));
-}
+TEST_F(DispatchGL, NoGroupsRunNothing) { EXPECT_EQ(run(makeCounting(1), 3, 0, 1), std::vector<std::uint32_t>(3)); }
 
 #ifndef NDEBUG
 TEST_F(DispatchGL, MoreGroupsAlongAnAxisThanDriversPromiseAreOurMistake) {

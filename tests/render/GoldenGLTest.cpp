@@ -138,8 +138,8 @@ Image draw(const Json& what, gpu::Context& context) {
   return joinRow(images);
 }
 
-/// How many times as many pixels may differ as on llvmpipe, which drew what was accepted. Drivers round differently, and
-/// where the folds of a sheet lie by the paper's rule depends on all that was rounded on its way (0.13 % on zink).
+/// How many times as many pixels may differ as on llvmpipe, which drew what was accepted. Drivers round differently,
+/// and where the folds of a sheet lie by the paper's rule depends on all that was rounded on its way (0.13 % on zink).
 double allowanceOf(const gpu::Context& context) {
   return context.limits().renderer.rfind("llvmpipe", 0) == 0 ? 1.0 : 2.0;
 }

@@ -20,7 +20,7 @@ thread_local const GlTable* tGl = nullptr;
 
 constexpr GLenum kMemoryFreeNvx = 0x9049;  // GL_GPU_MEMORY_INFO_CURRENT_AVAILABLE_VIDMEM_NVX, kibibytes
 
-std::atomic<int> gErrors{0};       // of all contexts
+std::atomic<int> gErrors{0};      // of all contexts
 thread_local int tMayRefuse = 0;  // how many MayRefuse live
 
 /// What is wrong by the driver's word, whatever the severity: Mesa and NVIDIA report errors as severe, NVIDIA what is

@@ -122,8 +122,8 @@ void InstancePass::makeSet(const FrameData& data) {
   // Lists of draws are buffers' texels, two an instance.
   std::uint64_t most = std::min<std::uint64_t>(kMostInstances, mMostTexels / shared::kDrawRooms);
   if (count > most)
-    throw gpu::GpuError(fmt::format("{} instances are too many for this driver; {} are the most: take fewer copies",
-                                    count, most));
+    throw gpu::GpuError(
+        fmt::format("{} instances are too many for this driver; {} are the most: take fewer copies", count, most));
   Shared<LevelSet> levels = layer.levels;
   if (!levels) {
     if (!mOwnLevels || mOwnLevelsOf != layer.data.id()) {

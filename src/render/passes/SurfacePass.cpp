@@ -48,14 +48,11 @@ void SurfacePass::forgetMeshes(const FrameData& data) {
 SurfacePass::Vertices::Vertices(const char* label, std::span<const Vertex> v, std::span<const std::uint32_t> i)
     : vertices(label, v), indices(label, i), count(int(i.size())) {
   constexpr std::size_t kStride = sizeof(Vertex);
-  array = gpu::VertexArray(label,
-                           {{.location = 0, .buffer = &vertices, .components = 3, .stride = kStride},
-                            {.location = 1,
-                             .buffer = &vertices,
-                             .components = 3,
-                             .offset = offsetof(Vertex, normal),
-                             .stride = kStride}},
-                           &indices);
+  array = gpu::VertexArray(
+      label,
+      {{.location = 0, .buffer = &vertices, .components = 3, .stride = kStride},
+       {.location = 1, .buffer = &vertices, .components = 3, .offset = offsetof(Vertex, normal), .stride = kStride}},
+      &indices);
 }
 
 const SurfacePass::Vertices& SurfacePass::verticesOf(const Shared<Mesh>& mesh, const FrameData& data) {

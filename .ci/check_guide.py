@@ -28,7 +28,8 @@ def names_of_window(root):
             # Literals side by side are one.
             text = re.sub(r'"\s*\n\s*"', "", path.read_text())
             for match in STRING.finditer(text):
-                names |= {plain(match[1]), plain(match[1].split(": ")[0])}  # "Spares: nothing", "Layers: depth, ..."
+                # "Spares: nothing", "Layers: depth, ..."; "Deepen the reach to %1".
+                names |= {plain(match[1]), plain(match[1].split(": ")[0]), plain(re.split(r"\s(?:to )?%\d", match[1])[0])}
     return names
 
 

@@ -40,9 +40,9 @@ struct Tried {
 };
 
 Tried tryIn(const CoarseLook& look, const scene::Cut& cut, Progress& progress) {
-  // What only just fits a coarse look may not fit the sheet: it is tried with a reach a place shorter.
+  // What only just fits a coarse look may not fit the sheet: it is tried with a reach a place shorter to either side.
   scene::Cut there = cut;
-  there.size.z = std::max(cut.size.z - look.depthAlong(unitOr(cut.axis, {0, 0, 1})), 0.5 * cut.size.z);
+  there.size.z = std::max(cut.size.z - 2.0 * look.depthAlong(unitOr(cut.axis, {0, 0, 1})), 0.5 * cut.size.z);
   CoarseLook::Outlook outlook = look.outlookOf(there, progress);
   return {{cut, outlook}, outlook.planePairs - (1.0 + kWorthOfCut) * outlook.sheetPairs};
 }

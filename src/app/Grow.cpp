@@ -136,16 +136,18 @@ void refuseDoubts(const scene::Growth& step, const GrowOptions& options, const S
   if (!options.guard || !options.range.empty()) return;
   const char* kHint = "give a --range, another --seed, or leave --guard out";
   if (extrusion::reachesTheDarkest(*volume, step))
-    throw ArgumentError(fmt::format("--guard: the material at the seed, {:.6g} to {:.6g}, reaches the darkest values of "
-                                    "the data; {}",
-                                    step.low, step.high, kHint));
+    throw ArgumentError(
+        fmt::format("--guard: the material at the seed, {:.6g} to {:.6g}, reaches the darkest values of "
+                    "the data; {}",
+                    step.low, step.high, kHint));
   scene::Growth first = step;
   first.distance = std::min(step.distance, extrusion::firstSlabEnd(*volume, step));
   auto grown = extrusion::Grower().grow(volume, labels, first, {.guard = false, .begun = {}}, consoleProgress());
   if (extrusion::isMostOfItsPlane(*volume, *grown.labels, first))
-    throw ArgumentError(fmt::format("--guard: the material at the seed, {:.6g} to {:.6g}, is most of what there is at "
-                                    "the plane; {}",
-                                    step.low, step.high, kHint));
+    throw ArgumentError(
+        fmt::format("--guard: the material at the seed, {:.6g} to {:.6g}, is most of what there is at "
+                    "the plane; {}",
+                    step.low, step.high, kHint));
 }
 
 Json pointOf(glm::ivec3 v) { return {v.x, v.y, v.z}; }

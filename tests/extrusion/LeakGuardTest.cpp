@@ -231,7 +231,8 @@ TEST(LeakGuard, ComparesWithWhatIsExpected) {
 
 TEST(LeakGuard, WhatIsSmallBesideThePlaneMayChangeAsItLikes) {
   LeakGuard guard(5.0, 20000.0), other(5.0);
-  for (double area : {40.0, 8.0, 90.0, 200.0, 900.0, 200.0, 200.0, 200.0}) EXPECT_FALSE(guard.leaks(area, 1000)) << "a thread into its tree";
+  for (double area : {40.0, 8.0, 90.0, 200.0, 900.0, 200.0, 200.0, 200.0})
+    EXPECT_FALSE(guard.leaks(area, 1000)) << "a thread into its tree";
   EXPECT_TRUE(other.leaks(40.0, 1000)) << "of a plane that nobody knows nothing is small";
   EXPECT_TRUE(guard.leaks(3000.0, 9000)) << "a tenth of the plane is not small";
 }

@@ -94,8 +94,8 @@ TEST_F(PullFollow, WhatIsFoundShowsOverThePictureThatStands) {
     moveTo(placeAt(distance));
     EXPECT_NEAR(session::extrusionOf(cut(), 1), distance, 0.5);
     EXPECT_TRUE(tool()->tag().contains("Region 1")) << "the label waits for nothing";
-    ASSERT_TRUE(QTest::qWaitFor(
-        [&] { return tool()->preview().drawnCount() > drawn && session::isGrown(scene()); }, 20000));
+    ASSERT_TRUE(
+        QTest::qWaitFor([&] { return tool()->preview().drawnCount() > drawn && session::isGrown(scene()); }, 20000));
     // Until the picture of what was found last is there.
     ASSERT_TRUE(QTest::qWaitFor(
         [&] {
@@ -145,7 +145,8 @@ TEST_F(PullFollow, WhatIsPushedBackIsDimmedAndEscEndsIt) {
   int dimmed = 0;
   const QImage& image = tool()->preview().image();
   for (int y = 0; y < image.height(); y += 2)
-    for (int x = 0; x < image.width(); x += 2) dimmed += qAlpha(image.pixel(x, y)) > 60 && qAlpha(image.pixel(x, y)) < 255;
+    for (int x = 0; x < image.width(); x += 2)
+      dimmed += qAlpha(image.pixel(x, y)) > 60 && qAlpha(image.pixel(x, y)) < 255;
   EXPECT_GT(dimmed, 50) << "what stood there";
   takeShot(*mWindow, "pull-back");
   EXPECT_EQ(viewport().shownCount(), shown);
@@ -175,14 +176,16 @@ TEST_F(PullFollow, AnswersWhileEveryCoreIsBusy) {
     move.start();
     int before = paints.count;
     moveTo(placeAt(distance));
-    while (paints.count == before && move.elapsed() < 5000) QApplication::processEvents(QEventLoop::WaitForMoreEvents, 5);
+    while (paints.count == before && move.elapsed() < 5000)
+      QApplication::processEvents(QEventLoop::WaitForMoreEvents, 5);
     double ms = double(move.nsecsElapsed()) * 1e-6;
     worstMs = std::max(worstMs, ms), sumMs += ms, ++moves;
     QTest::qWait(8);
   }
   int answers = tool()->preview().drawnCount();
-  std::printf("press %.0f ms; label %.1f ms, at most %.1f, of %d moves; %.1f answers a second; %lld voxels grown\n", pressMs,
-              sumMs / moves, worstMs, moves, answers / kSeconds, static_cast<long long>(growth().status().voxels));
+  std::printf("press %.0f ms; label %.1f ms, at most %.1f, of %d moves; %.1f answers a second; %lld voxels grown\n",
+              pressMs, sumMs / moves, worstMs, moves, answers / kSeconds,
+              static_cast<long long>(growth().status().voxels));
   EXPECT_EQ(viewport().shownCount(), shown) << "nothing is drawn anew";
   EXPECT_GT(answers, 0);
   EXPECT_GT(moves, 10);

@@ -66,7 +66,8 @@ TEST_F(PullWindow, ADragOnTheEmptyGroundTurnsTheCamera) {
 TEST_F(PullWindow, ADragBesideTheFaceSaysSoAndDoesNotTurnTheCamera) {
   openCut(false);
   std::vector<Seen> seen = look();
-  std::erase_if(seen, [&](const Seen& one) { return std::abs(session::depthInCut(cut(), one.pick.world)) < 2.0 * slack(); });
+  std::erase_if(seen,
+                [&](const Seen& one) { return std::abs(session::depthInCut(cut(), one.pick.world)) < 2.0 * slack(); });
   ASSERT_FALSE(seen.empty()) << "a sphere's side";
   // The edge of the face: the last place to the left on which there is nothing.
   QPoint beside = pixelOf(kPlace);

@@ -156,7 +156,9 @@ TEST(GrowthPlayer, WhatLeaksIsHeldAndSaidAndMayGoOn) {
 /// Two halves: one of what is clicked on is most of what there is.
 TEST(GrowthPlayer, WhatIsMostOfThePlaneIsAskedForBeforeItGrows) {
   Session session;
-  scene::Scene scene = growthScene(kEdge, 1, [](glm::ivec3 v, int) { return v.x < kEdge - 6 ? 150 : v.x < kEdge - 3 ? 90 : 20; });
+  scene::Scene scene = growthScene(kEdge, 1, [](glm::ivec3 v, int) {
+    return v.x < kEdge - 6 ? 150 : v.x < kEdge - 3 ? 90 : 20;
+  });
   session.document().replace(scene);
   glm::dvec3 middle = session.scene().cuts[0].centre;
   auto pull = beginPull(session.scene(), session.scene().cuts[0].id, middle, 0);
@@ -190,7 +192,8 @@ TEST(GrowthPlayer, WhatReachesTheDarkestIsAskedForUnlessSomebodyHasTypedIt) {
   EXPECT_EQ(session.growth().status().leak->distance, 0.0);
   EXPECT_LE(voxelsOf(session.scene(), 1), 1u);
   // The same values, typed.
-  session.document().edit("Values", [](scene::Scene& s) { changeGrowth(s, 1, [](scene::Growth& g) { g.high = 199.0; }); });
+  session.document().edit("Values",
+                          [](scene::Scene& s) { changeGrowth(s, 1, [](scene::Growth& g) { g.high = 199.0; }); });
   settle(session);
   EXPECT_FALSE(session.growth().status().leak);
   EXPECT_GT(voxelsOf(session.scene(), 1), 10000u);

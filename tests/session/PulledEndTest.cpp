@@ -18,7 +18,8 @@ const glm::dvec3 kMiddle(23.5);
 
 /// A ball about the middle, and a plane through it.
 scene::Scene ballScene() {
-  return growthScene(kEdge, 1, [](glm::ivec3 v, int) { return glm::distance(glm::dvec3(v), kMiddle) < kRadius ? 150 : 20; });
+  return growthScene(kEdge, 1,
+                     [](glm::ivec3 v, int) { return glm::distance(glm::dvec3(v), kMiddle) < kRadius ? 150 : 20; });
 }
 
 scene::Scene labelledScene() {

@@ -58,8 +58,26 @@ const Press kPresses[] = {
     {"enamel", "ct_tooth_u8.nrrd", nullptr, {52, 15, 117}, 2, 20, {168, 210}, 245, Held::No, false},
     {"mandible of a mouse", "ct_mouse_head.nii.gz", nullptr, {84, 112, 27}, -3, 10, {5, 20}, 80, Held::No, false},
     {"rib", "ct_torso_contrast_lidc2.mha", nullptr, {69, 64, 59}, 3, 12, {50, 120}, 255, Held::No, false},
-    {"arch of a vertebra", "ct_torso_contrast_lidc2.mha", nullptr, {117, 57, 61}, 3, 8, {50, 120}, 255, Held::No, false},
-    {"aorta of a torso", "ct_torso_contrast_lidc2.mha", nullptr, {134, 92, 60}, -3, 12, {50, 115}, 140, Held::No, false},
+    {"arch of a vertebra",
+     "ct_torso_contrast_lidc2.mha",
+     nullptr,
+     {117, 57, 61},
+     3,
+     8,
+     {50, 120},
+     255,
+     Held::No,
+     false},
+    {"aorta of a torso",
+     "ct_torso_contrast_lidc2.mha",
+     nullptr,
+     {134, 92, 60},
+     -3,
+     12,
+     {50, 115},
+     140,
+     Held::No,
+     false},
     {"lung", "ct_torso_contrast_lidc2.mha", nullptr, {75, 110, 60}, 3, 10, {-1, 1}, 1, Held::AtOnce, false},
     {"insert of an engine", "ct_engine.vti", nullptr, {109, 147, 60}, 3, 12, {150, 230}, 255, Held::No, false},
     {"engine block", "ct_engine.vti", nullptr, {117, 110, 60}, 3, 12, {20, 100}, 145, Held::No, false},
@@ -149,9 +167,10 @@ TEST_P(RealPulls, MeanWhatAPersonTypesAndAreHeldWhereTheyLeak) {
   std::printf("| %s | %.0f | %.0f to %.0f | %.0f to %.0f | %.0f to %.0f | %zu | %s |\n", press.name,
               valueAt(*mSession.scene().volume.data, press.voxel), press.typedLow.x, press.typedLow.y,
               segment ? segment->low : kNone, segment ? segment->high : kNone, range->low, range->high, voxels,
-              !leak               ? "goes on"
-              : leak->times == 0.0 ? "is held at once"
-                                   : fmt::format("is held {:.1f} out, {:.1f} times", leak->distance, leak->times).c_str());
+              !leak ? "goes on"
+              : leak->times == 0.0
+                  ? "is held at once"
+                  : fmt::format("is held {:.1f} out, {:.1f} times", leak->distance, leak->times).c_str());
   EXPECT_GE(range->low, press.typedLow.x);
   EXPECT_LE(range->low, press.typedLow.y);
   EXPECT_GE(range->high, press.leastHigh);

@@ -16,7 +16,7 @@ bool reachesTheDarkest(const Volume& volume, const scene::Growth& step);
 double firstSlabEnd(const Volume& volume, const scene::Growth& step);
 
 /// It is most of what there is before its plane, from the first slab on: of the data's box a good part, and more than
-/// half of what is brighter than halfway from the data's least value to the step's.
+/// three fifths of what is brighter than halfway from the data's least value to the step's.
 /// @param labels  with the structure grown so far, up to the step's distance
 bool isMostOfItsPlane(const Volume& volume, const LabelVolume& labels, const scene::Growth& step);
 

@@ -100,7 +100,9 @@ QString PullTool::hint() const {
   if (session::lastGrowth(mDocument.scene(), mSelection.structure()))
     return tr(
         "Drag a structure out of the cut. Shift takes several, a stroke with Ctrl adds to the selected one. Esc ends.");
-  return tr("Drag a structure out of the cut. Shift takes several, Ctrl and the wheel, or [ and ], move the plane. Esc ends.");
+  return tr(
+      "Drag a structure out of the cut. Shift takes several, Ctrl and the wheel, or [ and ], move the plane. Esc "
+      "ends.");
 }
 
 std::optional<PullTool::Target> PullTool::targetAt(const ViewPoint& at) const {

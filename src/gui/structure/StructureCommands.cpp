@@ -45,9 +45,8 @@ void StructureCommands::toggleSolo(int id) {
 }
 
 void StructureCommands::setColor(const Ids& ids, glm::vec3 color) {
-  mDocument.edit(session::structureLabel(mDocument.scene(), "Colour", ids), [&](scene::Scene& scene) {
-    session::colorStructures(scene, ids, color);
-  });
+  mDocument.edit(session::structureLabel(mDocument.scene(), "Colour", ids),
+                 [&](scene::Scene& scene) { session::colorStructures(scene, ids, color); });
 }
 
 void StructureCommands::dragOpacity(const Ids& ids, double opacity) {
@@ -60,9 +59,8 @@ void StructureCommands::dragOpacity(const Ids& ids, double opacity) {
 }
 
 void StructureCommands::rename(int id, const QString& name) {
-  mDocument.edit(session::structureLabel(mDocument.scene(), "Rename", {id}), [&](scene::Scene& scene) {
-    session::renameStructure(scene, id, name.toStdString());
-  });
+  mDocument.edit(session::structureLabel(mDocument.scene(), "Rename", {id}),
+                 [&](scene::Scene& scene) { session::renameStructure(scene, id, name.toStdString()); });
 }
 
 void StructureCommands::setLitSphere(const Ids& ids, const QString& name) {

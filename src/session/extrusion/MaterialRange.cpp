@@ -94,7 +94,8 @@ double lowOf(const std::vector<Population>& populations, double foot, double val
   const Population* hidden = nullptr;
   for (const auto& one : populations) {
     bool isShown = one.middle + one.spread > foot;
-    if (one.middle < value && isShown && one.share > kLeastOther && isApart(one, value, bright)) low = std::max(low, one.upperEnd());
+    if (one.middle < value && isShown && one.share > kLeastOther && isApart(one, value, bright))
+      low = std::max(low, one.upperEnd());
     if (!isShown) hidden = &one;
   }
   bool isAlone = hidden && hidden->share > kAlone && low == foot;
@@ -104,8 +105,8 @@ double lowOf(const std::vector<Population>& populations, double foot, double val
 
 /// Where a material ends that is a peak: before what is brighter and shown by the same segment.
 double highOf(double end, const Population& own, const std::vector<double>& around) {
-  auto brighter = std::count_if(around.begin(), around.end(),
-                                [&](double value) { return value > own.upperEnd() && value <= end; });
+  auto brighter =
+      std::count_if(around.begin(), around.end(), [&](double value) { return value > own.upperEnd() && value <= end; });
   return double(brighter) > kLeastBrighter * double(around.size()) ? own.upperEnd() : end;
 }
 

@@ -47,8 +47,8 @@ double deepestVoxel(const LabelVolume& labels, const scene::Cut& cut, int struct
         const auto& brick = labels.brick(b);
         if (std::find(brick.begin(), brick.end(), structure) == brick.end()) continue;
         glm::ivec3 first = b * kBrick, end = glm::min(first + kBrick, labels.dims());
-        double corner = isFlat(cut) ? deepestCorner(cut, worldFromVoxel, first, end - 1)
-                                    : std::numeric_limits<double>::infinity();
+        double corner =
+            isFlat(cut) ? deepestCorner(cut, worldFromVoxel, first, end - 1) : std::numeric_limits<double>::infinity();
         boxes.push_back({corner, first, end});
       }
   // The first of them mostly says it.

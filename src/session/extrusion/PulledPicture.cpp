@@ -72,7 +72,9 @@ class Canvas {
   glm::ivec2 size() const { return mSize; }
 
  private:
-  std::size_t index(glm::ivec2 pixel) const { return std::size_t(pixel.y) * std::size_t(mSize.x) + std::size_t(pixel.x); }
+  std::size_t index(glm::ivec2 pixel) const {
+    return std::size_t(pixel.y) * std::size_t(mSize.x) + std::size_t(pixel.x);
+  }
   glm::ivec2 mSize;
   std::vector<std::uint64_t> mCells;
 };
@@ -122,12 +124,12 @@ class Depths {
       mPerVoxel[axis] = ask(step) - mAtOrigin;
     }
   }
-  double at(glm::ivec3 voxel) const { return mIsFlat ? mAtOrigin + glm::dot(mPerVoxel, glm::dvec3(voxel)) : ask(voxel); }
+  double at(glm::ivec3 voxel) const {
+    return mIsFlat ? mAtOrigin + glm::dot(mPerVoxel, glm::dvec3(voxel)) : ask(voxel);
+  }
 
  private:
-  double ask(glm::ivec3 voxel) const {
-    return depthInCut(mCut, glm::dvec3(mWorldFromVoxel * glm::dvec4(voxel, 1.0)));
-  }
+  double ask(glm::ivec3 voxel) const { return depthInCut(mCut, glm::dvec3(mWorldFromVoxel * glm::dvec4(voxel, 1.0))); }
   const scene::Cut& mCut;
   const glm::dmat4& mWorldFromVoxel;
   bool mIsFlat;
@@ -164,7 +166,8 @@ class Pen {
     glm::ivec3 first = index * kBrick, end = glm::min(first + kBrick, mLabels.dims());
     for (glm::ivec3 v = first; v.z < end.z; ++v.z)
       for (v.y = first.y; v.y < end.y; ++v.y) {
-        const std::uint16_t* row = isUniform ? nullptr : &brick[std::size_t(kBrick * (v.y - first.y + kBrick * (v.z - first.z)))];
+        const std::uint16_t* row =
+            isUniform ? nullptr : &brick[std::size_t(kBrick * (v.y - first.y + kBrick * (v.z - first.z)))];
         for (v.x = first.x; v.x < end.x; ++v.x)
           if (!row || int(row[v.x - first.x]) == mPulled.structure) drawVoxel(v);
       }

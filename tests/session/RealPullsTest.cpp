@@ -33,7 +33,7 @@ struct Press {
   double voxels;        ///< as far
   glm::dvec2 typedLow;  ///< between these a person's smallest value lies
   double leastHigh;     ///< its largest value is no less
-  Held held;            ///< what the guard has to say
+  Held held;            ///< What the guard says today. Wrong are three: fibre and cranium are held, the vertebra of a CTA is not.
   bool isTuned;
 };
 

@@ -150,7 +150,10 @@ void GrowthPlayer::State::forgetWhatIsGone(const Steps& next) {
 double GrowthPlayer::State::growPart(const Shared<Volume>& of, Progressed& to, const scene::Growth& step,
                                      double reached, double slabs, Watch watch, Progress& progress) {
   scene::Growth part = step;
-  bool isFirst = watch == Watch::All && step.distance > 0.0 && reached < extrusion::firstSlabEnd(*of, step);
+  // Who gives a structure more seeds has seen what it is.
+  auto isOfIt = [&](const scene::Growth& other) { return other.structure == step.structure; };
+  bool isAlone = std::count_if(to.steps.begin(), to.steps.end(), isOfIt) <= 1;
+  bool isFirst = isAlone && watch == Watch::All && step.distance > 0.0 && reached < extrusion::firstSlabEnd(*of, step);
   auto hold = [&] {
     part.distance = reached;
     to.rough = grower.grow(of, to.rough, part, {.guard = false, .begun = {}}, progress).labels;

@@ -16,15 +16,18 @@ class Preparing : public Window {
   QString told() { return child<QLabel>("refined")->text(); }
   PreparingVeil::Kind veil() { return child<PreparingVeil>("preparingVeil")->kind(); }
   QImage seen() { return viewport().grab().toImage(); }
-  /// A scan of somebody: a ball to one side of its box.
-  static scene::Scene patient(const char* name, double x) {
+  /// A scan of somebody: a ball, or two that are far apart, with nothing where the one is.
+  static scene::Scene patient(const char* name, bool isPair) {
     Volume volume;
     volume.dims = glm::ivec3(40);
     volume.type = SampleType::UInt8;
     volume.voxels.resize(40 * 40 * 40);
     for (int i = 0; i < 40 * 40 * 40; ++i) {
       glm::dvec3 at(i % 40, i / 40 % 40, i / 1600);
-      volume.voxels[std::size_t(i)] = std::byte(glm::length(at - glm::dvec3(x, 20, 20)) < 9.0 ? 200 : 0);
+      double off = isPair
+                       ? std::min(glm::length(at - glm::dvec3(6, 20, 20)), glm::length(at - glm::dvec3(33, 20, 20))) + 4
+                       : glm::length(at - 20.0);
+      volume.voxels[std::size_t(i)] = std::byte(off < 9.0 ? 200 : 0);
     }
     computeRange(volume);
     scene::Scene scene;
@@ -61,12 +64,12 @@ class Preparing : public Window {
 };
 
 TEST_F(Preparing, APatientsPictureIsNeverSeenUnderAnothersName) {
-  show(patient("one.nrrd", 12), "one");
+  show(patient("one.nrrd", false), "one");
   ASSERT_TRUE(settle());
   EXPECT_EQ(told(), "Complete");
   EXPECT_EQ(veil(), PreparingVeil::Kind::None);
   QImage one = seen();
-  show(patient("two.nrrd", 28), "two");
+  show(patient("two.nrrd", true), "two");
   EXPECT_EQ(told(), "Preparing") << "at once";
   int looks = 0;
   for (QElapsedTimer clock = started(); clock.elapsed() < 60000; ++looks) {
@@ -84,7 +87,7 @@ TEST_F(Preparing, APatientsPictureIsNeverSeenUnderAnothersName) {
 }
 
 TEST_F(Preparing, NothingIsCompleteBetweenAnEditAndItsPicture) {
-  show(patient("one.nrrd", 12), "one");
+  show(patient("one.nrrd", false), "one");
   ASSERT_TRUE(settle());
   const std::pair<const char*, std::function<void(scene::Scene&)>> edits[] = {
       {"a finish", [](scene::Scene& scene) { scene::applyFinish(scene, "pencil"); }},
@@ -107,7 +110,7 @@ TEST_F(Preparing, NothingIsCompleteBetweenAnEditAndItsPicture) {
 
 /// A program that has to be compiled first holds the window up: the picture that goes is dimmed before that.
 TEST_F(Preparing, APictureIsDimmedBeforeTheNextOnesProgramIsCompiled) {
-  show(patient("one.nrrd", 12), "one");
+  show(patient("one.nrrd", false), "one");
   ASSERT_TRUE(settle());
   QImage bright = seen();
   // No program of this scene is known yet: iso surfaces with a finish.
@@ -130,14 +133,14 @@ TEST_F(Preparing, APictureIsDimmedBeforeTheNextOnesProgramIsCompiled) {
 
 TEST_F(Preparing, SectionsAreOfTheNewDataTheFirstTimeTheyAreSeen) {
   mWindow->resize(1000, 700);
-  auto showAll = [&](const char* name, double x) {
-    mWindow->showScene(patient(name, x), name);
+  auto showAll = [&](const char* name, bool isPair) {
+    mWindow->showScene(patient(name, isPair), name);
     mWindow->views().setLayout(scene::Layout::FourUp);
     QTest::qWait(1);
   };
-  showAll("one.nrrd", 12);
+  showAll("one.nrrd", false);
   ASSERT_TRUE(settle());
-  showAll("two.nrrd", 28);
+  showAll("two.nrrd", true);
   std::vector<QImage> first;
   for (auto kind : {scene::SectionKind::Axial, scene::SectionKind::Coronal})
     first.push_back(mWindow->views().section(kind).grab().toImage());

@@ -140,7 +140,8 @@ TEST_F(StructureWindow, EverySizeHasItsUnitAndHasRoom) {
   openWithLabels();
   ASSERT_TRUE(wait([&] { return !mWindow->structures().meter().isMeasuring(); }));
   for (const auto& structure : structures()) {
-    QString text = list().rows().sizeText(structure.id);
+    const StructureModel& rows = list().rows();
+    QString text = rows.data(rows.index(rows.rowOf(structure.id), StructureModel::Size), Qt::DisplayRole).toString();
     EXPECT_TRUE(text.endsWith(" ml")) << text.toStdString();
     int room = list().cellOf(structure.id, StructureModel::Size).width() - 8;
     EXPECT_LE(list().fontMetrics().horizontalAdvance(text), room) << text.toStdString();

@@ -142,7 +142,7 @@ INSTANTIATE_TEST_SUITE_P(Phantoms, BoneRange,
                                                false,
                                                {"ribs", "sternum", "vertebrae", "sacrum", "hip bones", "scapulae",
                                                 "clavicles", "humeri"},
-                                               0.52,
+                                               0.46,
                                                0.33}),
                          PrintName());
 

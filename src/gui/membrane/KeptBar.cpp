@@ -2,6 +2,7 @@
 
 #include <QHBoxLayout>
 #include <QLocale>
+#include <QVBoxLayout>
 
 #include "velum/session/membrane/FirstPlace.h"
 
@@ -32,7 +33,7 @@ QString textOf(const session::MembraneStatus& status, bool attracts) {
 
 KeptBar::KeptBar(QWidget* parent) : QFrame(parent), mText(new QLabel(this)) {
   setObjectName("keptBar");
-  auto* layout = new QHBoxLayout(this);
+  auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(14, 6, 8, 6);
   layout->setSpacing(8);
   mText->setObjectName("keptText");
@@ -40,14 +41,20 @@ KeptBar::KeptBar(QWidget* parent) : QFrame(parent), mText(new QLabel(this)) {
   mText->setTextFormat(Qt::PlainText);
   mText->setTextInteractionFlags(Qt::TextSelectableByMouse);
   mText->setToolTip(
-      tr("By volume, of all that is protected, near the sheet and far from it. Removed whole: pieces of which next to nothing "
+      tr("By volume, of all that is protected, near the sheet and far from it. Removed whole: pieces of which next to "
+         "nothing "
          "stays; cut off: what is taken of pieces of which a part stays."));
-  layout->addWidget(mText, 1);
+  layout->addWidget(mText);
+  // Under the text, which a narrow view would squeeze beside them.
+  auto* row = new QHBoxLayout;
+  row->setSpacing(8);
+  row->addStretch(1);
+  layout->addLayout(row);
   for (int i = 0; i < kMostAdvice; ++i) {
     mButtons[i] = new QPushButton(this);
     mButtons[i]->setObjectName(i == 0 ? "membraneAdvice" : "membraneOtherAdvice");
     mButtons[i]->hide();
-    layout->addWidget(mButtons[i]);
+    row->addWidget(mButtons[i]);
     connect(mButtons[i], &QPushButton::clicked, this, [this, i] {
       if (std::size_t(i) < mAdvice.size()) emit adviceTaken(mAdvice[std::size_t(i)], mButtons[i]->text());
     });

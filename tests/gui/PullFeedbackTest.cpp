@@ -89,6 +89,7 @@ TEST_F(PullFeedback, PartsOfPlanesThatBoundNothingArePale) {
   openWedge();
   takeUp();
   hover({3, 3});
+  ASSERT_TRUE(settle());
   QImage over = shot(), without = bare();
   auto brighter = [&](glm::dvec3 world) {
     QPoint pixel = pixelOf(world);
@@ -105,6 +106,7 @@ TEST_F(PullFeedback, TheBoxOfTheDataIsDrawnInThinLines) {
   openWedge();
   takeUp();
   hover({3, 3});
+  ASSERT_TRUE(settle());
   QImage over = shot(), without = bare();
   for (const auto& edge : session::boxEdges(scene())) {
     int seen = 0, count = 0;

@@ -19,6 +19,12 @@
 
 namespace velum::render {
 
+namespace {
+
+constexpr double kUploadShare = 0.05;  // of a picture's progress
+
+}  // namespace
+
 /// The passes, what they hand on to each other, and the work that is left of the frame in hand.
 struct Renderer::Impl {
   Impl(gpu::Context& c, const Stats& known)
@@ -84,7 +90,6 @@ void Renderer::Impl::setUp() {
   for (Pass* pass : lighting) pass->prepare(data);
   if (!rayCast.isReady(data)) queue.rest();
   queue.add("Setup", [this] { addSamples(); });
-  queue.countAll();
 }
 
 /// The frame, second half, in its order.
@@ -144,7 +149,11 @@ Renderer::Renderer(gpu::Context& context)
 Renderer::~Renderer() = default;
 
 const Stats& Renderer::stats() const { return mImpl->stats; }
-double Renderer::fractionDone() const { return mImpl->queue.fractionDone(); }
+double Renderer::fractionDone() const {
+  // How much there is to draw is known when all is uploaded.
+  double done = mImpl->queue.fractionDone();
+  return mImpl->isDrawn ? kUploadShare + (1.0 - kUploadShare) * done : kUploadShare * done;
+}
 
 void Renderer::clear() { mImpl = std::make_unique<Impl>(mContext, mImpl->stats); }
 

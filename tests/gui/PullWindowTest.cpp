@@ -10,11 +10,18 @@ namespace velum::gui {
 
 class PullWindow : public PullFixture {
  protected:
+  /// Beside the small phantom one that is fine enough for what lies between the spheres to part them by values.
+  static void SetUpTestSuite() {
+    PullFixture::SetUpTestSuite();
+    Progress progress;
+    io::writeVolume(io::makeSample("two-spheres", 64, progress).volume, *sFolder / "apart.nrrd", progress);
+  }
   /// Two spheres, and a plane through the middles of both.
   void openCut(bool withLabels) {
-    QStringList files{path("phantom.nrrd")};
-    if (withLabels) files << path("phantom_labels.seg.nrrd");
-    open(files);
+    if (withLabels)
+      open({path("phantom.nrrd"), path("phantom_labels.seg.nrrd")});
+    else
+      open({path("apart.nrrd")});
     document().edit("Add cut", [](scene::Scene& s) {
       scene::Cut cut;
       cut.axis = {0, -1, 0};

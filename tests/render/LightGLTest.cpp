@@ -235,7 +235,8 @@ TEST_F(BlockerGL, WhatStandsInTheLightThrowsAShadowAndNothingElseDoes) {
 
 TEST_F(BlockerGL, AThinBlockerThrowsItsShadowWholeHoweverFarOff) {
   // A sheet of a millimetre, two cells, 30 mm over a floor that slopes, so that it is met after whole and broken steps.
-  constexpr double kSheet = 21.0, kHalf = 0.5, kEdge = 6.0, kMargin = 2.5;
+  // It goes to the end of the data, and light comes in behind that.
+  constexpr double kSheet = 21.0, kHalf = 0.5, kEdge = 6.0, kMargin = 2.5, kSheetEnd = 0.5 * kDims.x - kMargin;
   auto depthAt = [](glm::dvec3 p) {
     double floor = (-10.0 + 0.3 * p.y - p.z) / std::sqrt(1.09);
     return std::max(floor, std::min(p.x - kEdge, kHalf - std::abs(p.z - kSheet)));
@@ -249,7 +250,9 @@ TEST_F(BlockerGL, AThinBlockerThrowsItsShadowWholeHoweverFarOff) {
   eachShown(image, [&](glm::ivec2 pixel, glm::vec3 place) {
     glm::dvec3 p(place);
     if (std::abs(depthAt(p)) > 1.0 || p.z > 0.0 || std::max(std::abs(p.x), std::abs(p.y)) > 20.0) return;
-    double beyond = (p + light * ((kSheet - p.z) / light.z)).x - kEdge, bright = brightness(image, pixel);
+    glm::dvec3 under = p + light * ((kSheet - p.z) / light.z);
+    if (std::max(under.x, under.y) > kSheetEnd) return;
+    double beyond = under.x - kEdge, bright = brightness(image, pixel);
     shadowed += beyond > kMargin, tooLight += beyond > kMargin && bright > 0.4 * open;
     lit += beyond < -kMargin, tooDark += beyond < -kMargin && bright < 0.85 * open;
   });

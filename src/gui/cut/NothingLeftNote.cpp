@@ -1,5 +1,7 @@
 #include "NothingLeftNote.h"
 
+#include <memory>
+
 #include "velum/session/cut/NothingLeft.h"
 
 namespace velum::gui {
@@ -17,35 +19,24 @@ bool leavesTheSame(const scene::Scene& a, const scene::Scene& b) {
 }  // namespace
 
 NothingLeftNote::NothingLeftNote(session::Session& session, MessageBar& messages, QObject* parent)
-    : QObject(parent), mSession(session), mMessages(messages) {
-  mPause.setSingleShot(true);
-  mPause.setInterval(kPauseMs);
-  connect(&mPause, &QTimer::timeout, this, &NothingLeftNote::look);
-}
-
-NothingLeftNote::~NothingLeftNote() = default;
+    : QObject(parent), mSession(session), mMessages(messages), mLook(kPauseMs, this) {}
 
 void NothingLeftNote::refresh() {
   const scene::Scene& scene = mSession.scene();
   if (leavesTheSame(scene, mLooked)) return;
   mLooked = scene;
-  mJob.reset();  // what it would say is old
   if (scene.cuts.empty()) {
-    mPause.stop();
+    mLook.stop();
     return tell(false);
   }
-  mPause.start();
-}
-
-void NothingLeftNote::look() {
   auto isNothingLeft = std::make_shared<bool>(false);
-  mJob = std::make_unique<Job>([isNothingLeft, scene = mSession.membranes().withShapes(mLooked)](
-                                   Progress& progress) { *isNothingLeft = session::cutsTakeAll(scene, progress); },
-                               nullptr);
-  connect(mJob.get(), &Job::finished, this, [this, isNothingLeft](bool done, const QString&) {
-    if (done) tell(*isNothingLeft);
-  });
-  mJob->start();
+  mLook.want(
+      [this, isNothingLeft]() -> Job::Work {
+        return [isNothingLeft, scene = mSession.membranes().withShapes(mLooked)](Progress& progress) {
+          *isNothingLeft = session::cutsTakeAll(scene, progress);
+        };
+      },
+      [this, isNothingLeft] { tell(*isNothingLeft); });
 }
 
 void NothingLeftNote::tell(bool isNothingLeft) {

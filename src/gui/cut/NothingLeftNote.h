@@ -1,9 +1,6 @@
 #pragma once
-#include <QTimer>
-#include <memory>
-
 #include "kit/Bars.h"
-#include "kit/Job.h"
+#include "kit/NewestJob.h"
 #include "velum/session/Session.h"
 
 namespace velum::gui {
@@ -14,18 +11,15 @@ class NothingLeftNote : public QObject {
   Q_OBJECT
  public:
   NothingLeftNote(session::Session& session, MessageBar& messages, QObject* parent);
-  ~NothingLeftNote() override;
   /// After every change.
   void refresh();
 
  private:
-  void look();
   void tell(bool isNothingLeft);
 
   session::Session& mSession;
   MessageBar& mMessages;
-  QTimer mPause;
-  std::unique_ptr<Job> mJob;
+  NewestJob mLook;
   scene::Scene mLooked;  ///< What was last looked at, or will be.
 };
 

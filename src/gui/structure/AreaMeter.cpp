@@ -25,19 +25,14 @@ struct AreaMeter::Held {
 };
 
 AreaMeter::AreaMeter(session::Session& session, Viewport& viewport, QObject* parent)
-    : QObject(parent), mSession(session), mViewport(viewport) {
-  mPatience.setSingleShot(true);
-  mPatience.setInterval(kPatienceMs);
-  connect(&mPatience, &QTimer::timeout, this, &AreaMeter::measure);
-}
+    : QObject(parent), mSession(session), mViewport(viewport), mCounting(kPatienceMs, this) {}
 
 AreaMeter::~AreaMeter() = default;
 
 void AreaMeter::setOn(bool on) {
   mIsOn = on;
   if (on) return refresh();
-  mPatience.stop();
-  mJob.reset();
+  mCounting.stop();
   mMeasured = {};
   mResult = {};
 }
@@ -45,21 +40,29 @@ void AreaMeter::setOn(bool on) {
 void AreaMeter::refresh() {
   if (!mIsOn || mHeld || mSession.scene() == mMeasured) return;
   mMeasured = mSession.scene();
-  if (mJob) mJob->cancel();
   if (!mMeasured.labels.data) {
+    mCounting.stop();
     mResult = {};
     emit measured();
     return;
   }
-  mPatience.start();
+  measure();
 }
 
+// Without a driver for pictures in the background there are no bars: the error has no place in the window.
 void AreaMeter::measure() {
-  if (mJob) return mPatience.start();  // until the one that was cancelled is over
   auto result = std::make_shared<Result>();
+  mCounting.want([this, result] { return counting(result); },
+                 [this, result] {
+                   mResult = std::move(*result);
+                   emit measured();
+                 });
+}
+
+Job::Work AreaMeter::counting(const std::shared_ptr<Result>& result) const {
   int height = std::max(1, int(std::lround(double(kWidth) * mViewport.height() / std::max(1, mViewport.width()))));
-  auto work = [result, scene = mMeasured, sheets = mSession.membranes().indices(),
-               size = glm::ivec2(kWidth, height)](Progress& progress) {
+  return [result, scene = mMeasured, sheets = mSession.membranes().indices(),
+          size = glm::ivec2(kWidth, height)](Progress& progress) {
     result->cuts = session::cutsToPullFrom(scene);
     result->hits = render::structureHits(scene, size, result->cuts, progress, sheets);
     auto context = gpu::Context::create(gpu::ContextKind::Auto);
@@ -67,15 +70,6 @@ void AreaMeter::measure() {
     session::PictureCounter counter(renderer, size, context->limits(), progress);
     result->areas = session::structureAreas(scene, result->hits, counter.structures(scene));
   };
-  mJob = std::make_unique<Job>(work, nullptr);
-  // Without a driver for pictures in the background there are no bars: the error has no place in the window.
-  connect(mJob.get(), &Job::finished, this, [this, result](bool done, const QString&) {
-    mJob.release()->deleteLater();
-    if (!done) return;
-    mResult = std::move(*result);
-    emit measured();
-  });
-  mJob->start();
 }
 
 const session::StructureArea* AreaMeter::find(int id) const {

@@ -1,10 +1,9 @@
 #pragma once
 #include <QObject>
-#include <QTimer>
 #include <memory>
 #include <vector>
 
-#include "kit/Job.h"
+#include "kit/NewestJob.h"
 #include "velum/session/Session.h"
 #include "velum/session/extrusion/AreaSolver.h"
 #include "velum/session/structure/StructureAreas.h"
@@ -24,7 +23,7 @@ class AreaMeter : public QObject {
   bool isOn() const { return mIsOn; }
   /// The session has changed.
   void refresh();
-  bool isMeasuring() const { return mJob != nullptr || mPatience.isActive(); }
+  bool isMeasuring() const { return mCounting.isBusy(); }
   /// Null where nothing is known of it.
   const session::StructureArea* find(int id) const;
 
@@ -49,12 +48,12 @@ class AreaMeter : public QObject {
     std::vector<int> cuts;
   };
   void measure();
+  Job::Work counting(const std::shared_ptr<Result>& result) const;
 
   session::Session& mSession;
   Viewport& mViewport;
   bool mIsOn = false;
-  QTimer mPatience;
-  std::unique_ptr<Job> mJob;
+  NewestJob mCounting;
   scene::Scene mMeasured;  ///< what the result is of, or will be
   Result mResult;
   std::unique_ptr<Held> mHeld;

@@ -1,25 +1,34 @@
 #include "StructureMeter.h"
 
+#include <memory>
+
 #include "velum/scene/GreyWindows.h"
 
 namespace velum::gui {
 
+namespace {
+
+constexpr int kPatienceMs = 200;  // labels that grow are not counted on their way
+
+}  // namespace
+
+StructureMeter::StructureMeter(QObject* parent)
+    : QObject(parent), mCounting(kPatienceMs, this), mMeasuring(kPatienceMs, this) {}
+
 void StructureMeter::measure(const Shared<LabelVolume>& labels) {
   if (labels == mLabels) return;
-  mJob.reset();  // cancels and waits: the counter looks after each layer of bricks
   mLabels = labels;
   mSizes.clear();
-  if (!labels) return;
+  if (!labels) return mCounting.stop();
   auto sizes = std::make_shared<std::map<int, session::StructureSize>>();
-  mJob = std::make_unique<Job>(
-      [labels, sizes](Progress& progress) { *sizes = session::measureStructures(*labels, progress); }, nullptr);
-  connect(mJob.get(), &Job::finished, this, [this, sizes, id = labels.id()](bool done, const QString&) {
-    if (!done || mLabels.id() != id) return;
-    mSizes = std::move(*sizes);
-    mJob.release()->deleteLater();
-    emit measured();
-  });
-  mJob->start();
+  mCounting.want(
+      [labels, sizes]() -> Job::Work {
+        return [=](Progress& progress) { *sizes = session::measureStructures(*labels, progress); };
+      },
+      [this, sizes] {
+        mSizes = std::move(*sizes);
+        emit measured();
+      });
 }
 
 const session::StructureSize* StructureMeter::find(int id) const {
@@ -31,25 +40,25 @@ void StructureMeter::measureValues(const scene::Scene& scene) {
   const scene::VolumeLayer& layer = scene.volume;
   Measured wanted{scene.labels.data, layer.data, layer.channel, layer.timeStep};
   if (wanted == mMeasured) return;
-  mValueJob.reset();  // cancels and waits: a few planes
   mMeasured = wanted;
   mValues.clear();
   bool hasValues = wanted.labels && wanted.scan && !wanted.scan->isColor;
   mValueUnit = hasValues ? QString::fromStdString(scene::valueUnit(*wanted.scan)) : QString();
-  if (!hasValues) return emit valuesMeasured();
+  if (!hasValues) {
+    mMeasuring.stop();
+    return emit valuesMeasured();
+  }
   auto values = std::make_shared<std::map<int, session::StructureValues>>();
-  mValueJob = std::make_unique<Job>(
-      [wanted, values](Progress& progress) {
-        *values = session::measureValues(*wanted.labels, *wanted.scan, wanted.channel, wanted.timeStep, progress);
+  mMeasuring.want(
+      [wanted, values]() -> Job::Work {
+        return [=](Progress& progress) {
+          *values = session::measureValues(*wanted.labels, *wanted.scan, wanted.channel, wanted.timeStep, progress);
+        };
       },
-      nullptr);
-  connect(mValueJob.get(), &Job::finished, this, [this, values, wanted](bool done, const QString&) {
-    if (!done || !(mMeasured == wanted)) return;
-    mValues = std::move(*values);
-    mValueJob.release()->deleteLater();
-    emit valuesMeasured();
-  });
-  mValueJob->start();
+      [this, values] {
+        mValues = std::move(*values);
+        emit valuesMeasured();
+      });
 }
 
 const session::StructureValues* StructureMeter::findValues(int id) const {

@@ -2,9 +2,8 @@
 #include <QObject>
 #include <QString>
 #include <map>
-#include <memory>
 
-#include "kit/Job.h"
+#include "kit/NewestJob.h"
 #include "velum/scene/Scene.h"
 #include "velum/session/structure/StructureSizes.h"
 #include "velum/session/structure/StructureValues.h"
@@ -16,20 +15,20 @@ namespace velum::gui {
 class StructureMeter : public QObject {
   Q_OBJECT
  public:
-  using QObject::QObject;
+  explicit StructureMeter(QObject* parent = nullptr);
 
   /// Starts to count where the data is another one. Cheap otherwise.
   void measure(const Shared<LabelVolume>& labels);
-  bool isMeasuring() const { return mJob != nullptr; }
+  bool isMeasuring() const { return mCounting.isBusy(); }
   /// Its table has it, and no voxel does. False while it is not known.
-  bool isAbsent(int id) const { return mLabels && !mJob && mSizes.count(id) == 0; }
+  bool isAbsent(int id) const { return mLabels && !mCounting.isBusy() && mSizes.count(id) == 0; }
   /// Null while it is not known, and for structures without voxels.
   const session::StructureSize* find(int id) const;
   const Shared<LabelVolume>& labels() const { return mLabels; }
 
   /// Starts to measure the scan's values in the structures where they are others. Cheap otherwise.
   void measureValues(const scene::Scene& scene);
-  bool isMeasuringValues() const { return mValueJob != nullptr; }
+  bool isMeasuringValues() const { return mMeasuring.isBusy(); }
   /// Null while they are not known, and for structures in which no voxel of the scan lies.
   const session::StructureValues* findValues(int id) const;
   /// Of the scan's values; empty: not known.
@@ -42,7 +41,7 @@ class StructureMeter : public QObject {
  private:
   Shared<LabelVolume> mLabels;
   std::map<int, session::StructureSize> mSizes;
-  std::unique_ptr<Job> mJob;
+  NewestJob mCounting;
   /// What values are of.
   struct Measured {
     Shared<LabelVolume> labels;
@@ -53,7 +52,7 @@ class StructureMeter : public QObject {
   Measured mMeasured;
   QString mValueUnit;
   std::map<int, session::StructureValues> mValues;
-  std::unique_ptr<Job> mValueJob;
+  NewestJob mMeasuring;
 };
 
 }  // namespace velum::gui

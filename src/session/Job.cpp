@@ -30,8 +30,9 @@ void giveWay() {
 
 void giveWayToTheWindow() { onHelpers(giveWay); }
 
-Job::Job(Work work, Progress::Listener progressed, Ended ended) : mProgress(std::move(progressed)) {
-  mThread = std::thread([this, work = std::move(work), ended = std::move(ended)] { run(work, ended); });
+Job::Job(Work work, Progress::Listener progressed, Ended ended, Urgency urgency) : mProgress(std::move(progressed)) {
+  mThread =
+      std::thread([this, work = std::move(work), ended = std::move(ended), urgency] { run(work, ended, urgency); });
 }
 
 Job::~Job() {
@@ -39,8 +40,8 @@ Job::~Job() {
   if (mThread.joinable()) mThread.join();
 }
 
-void Job::run(const Work& work, const Ended& ended) {
-  giveWay();
+void Job::run(const Work& work, const Ended& ended, Urgency urgency) {
+  if (urgency == Urgency::Background) giveWay();
   JobOutcome outcome;
   try {
     work(mProgress);

@@ -14,6 +14,9 @@ struct JobOutcome {
   std::string error;  ///< one line for the user; empty when it is done or was cancelled
 };
 
+/// Who waits for work: nobody in particular, so that it gives way to the window, or a hand that is moving.
+enum class Urgency { Background, Hand };
+
 /// Long work in a thread of its own: it tells how far it is, can be cancelled, and is cancelled and awaited when the
 /// object goes.
 class Job {
@@ -22,7 +25,7 @@ class Job {
   using Ended = std::function<void(const JobOutcome&)>;
 
   /// Begins at once. @param progressed, ended  called from the job's thread
-  Job(Work work, Progress::Listener progressed, Ended ended);
+  Job(Work work, Progress::Listener progressed, Ended ended, Urgency urgency = Urgency::Background);
   ~Job();
   Job(const Job&) = delete;
   Job& operator=(const Job&) = delete;
@@ -32,7 +35,7 @@ class Job {
   bool hasEnded() const { return mHasEnded; }
 
  private:
-  void run(const Work& work, const Ended& ended);
+  void run(const Work& work, const Ended& ended, Urgency urgency);
 
   Progress mProgress;
   std::atomic<bool> mHasEnded{false};

@@ -21,7 +21,7 @@ void PullPreview::start() {
       [wish = *std::exchange(mWish, std::nullopt), result](Progress& progress) {
         *result = session::drawPulled(wish.scene, wish.pulled, wish.size, progress);
       },
-      nullptr);
+      nullptr, session::Urgency::Hand);
   connect(mJob.get(), &Job::finished, this, [this, result](bool done, const QString&) {
     mJob.release()->deleteLater();
     if (done) finish(*result);

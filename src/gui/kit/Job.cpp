@@ -17,7 +17,8 @@ Progress::Listener throttled(std::function<void(double fraction, const QString& 
       };
 }
 
-Job::Job(Work work, QObject* parent) : QObject(parent), mWork(std::move(work)) {}
+Job::Job(Work work, QObject* parent, session::Urgency urgency)
+    : QObject(parent), mWork(std::move(work)), mUrgency(urgency) {}
 
 Job::~Job() {
   mJob.reset();  // cancels and waits, while there is somebody to hear it
@@ -30,7 +31,8 @@ void Job::start() {
       }),
       [this](const session::JobOutcome& outcome) {
         callLater(this, [this, outcome] { emit finished(outcome.done, QString::fromStdString(outcome.error)); });
-      });
+      },
+      mUrgency);
 }
 
 void Job::cancel() {

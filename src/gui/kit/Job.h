@@ -13,7 +13,7 @@ class Job : public QObject {
   Q_OBJECT
  public:
   using Work = session::Job::Work;
-  Job(Work work, QObject* parent);
+  Job(Work work, QObject* parent, session::Urgency urgency = session::Urgency::Background);
   ~Job() override;
 
   void start();
@@ -26,6 +26,7 @@ class Job : public QObject {
 
  private:
   Work mWork;
+  session::Urgency mUrgency;
   std::unique_ptr<session::Job> mJob;
 };
 

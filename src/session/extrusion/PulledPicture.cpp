@@ -1,12 +1,14 @@
 #include "velum/session/extrusion/PulledPicture.h"
 
 #include <algorithm>
-#include <atomic>
+#include <array>
 #include <bit>
 #include <cmath>
+#include <cstring>
 #include <limits>
+#include <memory>
+#include <optional>
 
-#include "velum/core/Parallel.h"
 #include "velum/scene/Project.h"
 #include "velum/session/extrusion/Extrusion.h"
 #include "velum/session/structure/StructureEdit.h"
@@ -19,6 +21,7 @@ namespace {
 constexpr float kAmbient = 0.3f;
 constexpr std::uint32_t kGone = 0x90202428;
 constexpr int kBrick = LabelVolume::kBrickSize;
+using Bits = std::uint64_t;
 
 /// Where voxels are in the picture.
 class Eye {
@@ -52,34 +55,34 @@ class Eye {
   double mScale;
 };
 
-/// The nearest colour of each pixel, whoever comes first. Distances are positive, so that their bits ascend with them.
+/// The nearest colour of each pixel. Distances are positive, so that their bits ascend with them.
 class Canvas {
  public:
-  explicit Canvas(glm::ivec2 size) : mSize(size), mCells(std::size_t(size.x) * std::size_t(size.y), ~0ull) {}
+  explicit Canvas(glm::ivec2 size) : mSize(size), mCells(std::size_t(size.x) * std::size_t(size.y), kEmpty) {}
 
-  void put(glm::ivec2 pixel, float distance, std::uint32_t color) {
+  void put(glm::ivec2 low, glm::ivec2 high, float distance, std::uint32_t color) {
     std::uint64_t cell = std::uint64_t(std::bit_cast<std::uint32_t>(distance)) << 32 | color;
-    std::atomic_ref<std::uint64_t> there(mCells[index(pixel)]);
-    std::uint64_t was = there.load(std::memory_order_relaxed);
-    while (cell < was && !there.compare_exchange_weak(was, cell, std::memory_order_relaxed)) {
+    for (int y = low.y; y <= high.y; ++y) {
+      std::uint64_t* row = mCells.data() + std::size_t(y) * std::size_t(mSize.x);
+      for (int x = low.x; x <= high.x; ++x) row[x] = std::min(row[x], cell);
     }
   }
   /// 0 where nobody has put one.
-  std::uint32_t color(glm::ivec2 pixel) const {
-    std::uint64_t cell = mCells[index(pixel)];
-    return cell == ~0ull ? 0u : std::uint32_t(cell);
+  std::vector<std::uint32_t> colors() const {
+    std::vector<std::uint32_t> colors(mCells.size());
+    std::transform(mCells.begin(), mCells.end(), colors.begin(),
+                   [](std::uint64_t cell) { return cell == kEmpty ? 0u : std::uint32_t(cell); });
+    return colors;
   }
   glm::ivec2 size() const { return mSize; }
 
  private:
-  std::size_t index(glm::ivec2 pixel) const {
-    return std::size_t(pixel.y) * std::size_t(mSize.x) + std::size_t(pixel.x);
-  }
+  static constexpr std::uint64_t kEmpty = ~0ull;
   glm::ivec2 mSize;
   std::vector<std::uint64_t> mCells;
 };
 
-std::uint32_t packed(glm::vec3 color) {
+std::uint32_t colorWord(glm::vec3 color) {
   glm::vec3 bytes = glm::round(255.0f * glm::clamp(color, 0.0f, 1.0f));
   return 0xff000000u | std::uint32_t(bytes.r) << 16 | std::uint32_t(bytes.g) << 8 | std::uint32_t(bytes.b);
 }
@@ -127,14 +130,53 @@ class Depths {
   double at(glm::ivec3 voxel) const {
     return mIsFlat ? mAtOrigin + glm::dot(mPerVoxel, glm::dvec3(voxel)) : ask(voxel);
   }
+  /// Of some voxels of a row those that lie no deeper. @param bits  bit i is `first` moved by i along x
+  Bits upTo(double depth, glm::ivec3 first, Bits bits) const {
+    if (bits == 0) return bits;
+    if (mIsFlat) return bits & flatUpTo(depth - at(first));
+    for (Bits left = bits; left != 0; left &= left - 1) {
+      int i = std::countr_zero(left);
+      if (at(first + glm::ivec3(i, 0, 0)) > depth) bits &= ~(Bits(1) << i);
+    }
+    return bits;
+  }
+  /// All of a box lies no deeper, or none of it does; nothing where it is neither, or not known.
+  std::optional<bool> boxIsUpTo(double depth, glm::ivec3 first, glm::ivec3 last) const {
+    if (!mIsFlat) return std::nullopt;
+    int shallow = 0;
+    for (int i = 0; i < 8; ++i) shallow += at(glm::mix(first, last, glm::bvec3(i & 1, i >> 1 & 1, i >> 2))) <= depth;
+    return shallow == 8 ? std::optional(true) : shallow == 0 ? std::optional(false) : std::nullopt;
+  }
 
  private:
+  /// Of a whole row, whose first voxel lies `left` less deep.
+  Bits flatUpTo(double left) const {
+    double step = mPerVoxel.x, count = std::floor(left / step);  // voxels behind the first one
+    if (!std::isfinite(count)) return left >= 0.0 ? ~Bits(0) : 0;
+    if (step > 0.0) return count < 0.0 ? 0 : count >= 63.0 ? ~Bits(0) : (Bits(2) << int(count)) - 1;
+    return count < 0.0 ? ~Bits(0) : count >= 63.0 ? 0 : ~Bits(0) << int(std::ceil(left / step));
+  }
   double ask(glm::ivec3 voxel) const { return depthInCut(mCut, glm::dvec3(mWorldFromVoxel * glm::dvec4(voxel, 1.0))); }
   const scene::Cut& mCut;
   const glm::dmat4& mWorldFromVoxel;
   bool mIsFlat;
   double mAtOrigin;
   glm::dvec3 mPerVoxel{0.0};
+};
+
+/// The rows of a brick, y fastest: a bit for each voxel.
+using BrickRows = std::array<std::uint32_t, std::size_t(kBrick* kBrick)>;
+static_assert(kBrick == 32);
+
+/// Voxels of a brick, and of the one layer around it, as bits of rows.
+struct BrickBits {
+  static constexpr int kWide = kBrick + 2;
+  glm::ivec3 first;  ///< voxel of the first bit of the first row
+  std::array<Bits, std::size_t(kWide* kWide)> rows{};
+
+  Bits& row(int y, int z) { return rows[std::size_t(z * kWide + y)]; }
+  Bits row(int y, int z) const { return rows[std::size_t(z * kWide + y)]; }
+  glm::ivec3 rowStart(int y, int z) const { return first + glm::ivec3(0, y, z); }
 };
 
 /// Draws one structure out of one cut.
@@ -151,7 +193,10 @@ class Pen {
         mEye(scene.camera, glm::dvec2(canvas.size()), mWorldFromVoxel),
         mDepths(cut, mWorldFromVoxel),
         mColors(scene, pulled.structure),
-        mEyeFromGradient(glm::transpose(glm::inverse(mEye.fromVoxel()))) {
+        mEyeFromGradient(glm::transpose(glm::inverse(mEye.fromVoxel()))),
+        mEyeFromGradientTransposed(glm::transpose(mEyeFromGradient)) {
+    glm::ivec3 grid = mLabels.brickGrid();
+    mRows.resize(std::size_t(grid.x) * std::size_t(grid.y) * std::size_t(grid.z));
     for (int axis = 0; axis < 3; ++axis) mVoxel = std::max(mVoxel, glm::length(glm::dvec3(mWorldFromVoxel[axis])));
     if (!mVolume) return;
     mHasGrid = mVolume->dims == mLabels.dims();
@@ -161,43 +206,116 @@ class Pen {
 
   void drawBrick(glm::ivec3 index) {
     const auto& brick = mLabels.brick(index);
-    bool isUniform = brick.size() == 1;
-    if (isUniform && int(brick[0]) != mPulled.structure) return;
-    glm::ivec3 first = index * kBrick, end = glm::min(first + kBrick, mLabels.dims());
-    for (glm::ivec3 v = first; v.z < end.z; ++v.z)
-      for (v.y = first.y; v.y < end.y; ++v.y) {
-        const std::uint16_t* row =
-            isUniform ? nullptr : &brick[std::size_t(kBrick * (v.y - first.y + kBrick * (v.z - first.z)))];
-        for (v.x = first.x; v.x < end.x; ++v.x)
-          if (!row || int(row[v.x - first.x]) == mPulled.structure) drawVoxel(v);
-      }
+    if (brick.size() == 1 && int(brick[0]) != mPulled.structure) return;
+    glm::ivec3 first = index * kBrick, last = first + kBrick - 1;
+    if (mDepths.boxIsUpTo(0.0, first, last) == true) return;
+    if (mDepths.boxIsUpTo(std::max(mPulled.distance, mPulled.before), first, last) == false) return;
+    BrickBits all = bitsOf(index);
+    BrickBits out = upTo(all, mPulled.distance), within = upTo(all, 0.0);
+    drawSurface(out, within, false);
+    if (mPulled.before > mPulled.distance) drawSurface(upTo(all, mPulled.before), out, true);
   }
 
  private:
-  bool isMine(glm::ivec3 voxel) const { return int(mLabels.at(voxel)) == mPulled.structure; }
-
-  /// A voxel of the structure, where it borders on something that is none of it.
-  void drawVoxel(glm::ivec3 voxel) {
-    double depth = mDepths.at(voxel), most = std::max(mPulled.distance, mPulled.before);
-    if (depth <= 0.0 || depth > most) return;
-    bool isGone = depth > mPulled.distance;
-    double end = isGone ? most : mPulled.distance;
-    glm::dvec3 outwards(0.0);
-    bool isSurface = false;
-    for (int axis = 0; axis < 3; ++axis)
-      for (int step : {-1, 1}) {
-        glm::ivec3 beside = voxel;
-        beside[axis] += step;
-        bool isOpen = !isMine(beside) || mDepths.at(beside) > end;
-        isSurface |= isOpen;
-        outwards[axis] += isOpen ? step : 0;
+  /// The structure in a brick and around it.
+  BrickBits bitsOf(glm::ivec3 index) {
+    constexpr int kLast = BrickBits::kWide - 1;
+    BrickBits bits{index * kBrick - 1, {}};
+    for (int z = 0; z <= kLast; ++z)
+      for (int y = 0; y <= kLast; ++y) {
+        glm::ivec3 of = index + glm::ivec3(0, besideOf(y), besideOf(z));
+        std::size_t row = std::size_t((z + kBrick - 1) % kBrick * kBrick + (y + kBrick - 1) % kBrick);
+        bits.row(y, z) = Bits(rowsOf(of)[row]) << 1 | Bits(rowsOf(of - glm::ivec3(1, 0, 0))[row]) >> (kBrick - 1) |
+                         (Bits(rowsOf(of + glm::ivec3(1, 0, 0))[row]) & 1) << (kBrick + 1);
       }
-    if (isSurface) splat(voxel, outwards, isGone);
+    return bits;
+  }
+  static int besideOf(int place) { return place == 0 ? -1 : place > kBrick ? 1 : 0; }
+
+  /// Of a brick, each row of which is a word; nothing of it outside of the grid.
+  const BrickRows& rowsOf(glm::ivec3 index) {
+    static const BrickRows kNone{}, kAll = [] {
+      BrickRows rows;
+      rows.fill(~0u);
+      return rows;
+    }();
+    glm::ivec3 grid = mLabels.brickGrid();
+    if (glm::any(glm::lessThan(index, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(index, grid))) return kNone;
+    const auto& brick = mLabels.brick(index);
+    bool isWhole = glm::all(glm::lessThanEqual((index + 1) * kBrick, mLabels.dims()));
+    if (brick.size() == 1 && (isWhole || int(brick[0]) != mPulled.structure))
+      return int(brick[0]) == mPulled.structure ? kAll : kNone;
+    auto& rows = mRows[std::size_t(index.x + grid.x * (index.y + grid.y * index.z))];
+    if (!rows) rows = std::make_unique<BrickRows>(packed(index));
+    return *rows;
+  }
+  BrickRows packed(glm::ivec3 index) const {
+    const auto& brick = mLabels.brick(index);
+    glm::ivec3 size = glm::min(mLabels.dims() - index * kBrick, glm::ivec3(kBrick));
+    auto id = std::uint16_t(mPulled.structure);
+    BrickRows rows{};
+    for (int z = 0; z < size.z; ++z)
+      for (int y = 0; y < size.y; ++y) {
+        std::size_t row = std::size_t(z * kBrick + y);
+        std::uint32_t bits = ~0u;
+        if (brick.size() > 1) bits = packed(&brick[row * kBrick], id);
+        rows[row] = size.x == kBrick ? bits : bits & ((1u << size.x) - 1);
+      }
+    return rows;
+  }
+  /// Which of 32 ids are this one: as bytes first, which a processor compares many at a time.
+  static std::uint32_t packed(const std::uint16_t* ids, std::uint16_t id) {
+    std::array<std::uint8_t, kBrick> is;
+    for (int i = 0; i < kBrick; ++i) is[std::size_t(i)] = ids[i] == id;
+    std::uint32_t bits = 0;
+    for (int i = 0; i < kBrick / 8; ++i) {
+      std::uint64_t eight;
+      std::memcpy(&eight, &is[std::size_t(8 * i)], 8);
+      bits |= std::uint32_t(eight * 0x0102040810204080u >> 56) << (8 * i);
+    }
+    return bits;
+  }
+  BrickBits upTo(BrickBits bits, double depth) const {
+    constexpr int kLast = BrickBits::kWide - 1;
+    auto isUpTo = mDepths.boxIsUpTo(depth, bits.first, bits.first + kLast);
+    if (isUpTo && !*isUpTo) bits.rows.fill(0);
+    if (isUpTo) return bits;
+    for (int z = 0; z <= kLast; ++z)
+      for (int y = 0; y <= kLast; ++y) bits.row(y, z) = mDepths.upTo(depth, bits.rowStart(y, z), bits.row(y, z));
+    return bits;
   }
 
-  void splat(glm::ivec3 voxel, glm::dvec3 outwards, bool isGone) {
+  /// What of `out` borders on what is none of it, but for what lies within the cut.
+  void drawSurface(const BrickBits& out, const BrickBits& within, bool isGone) {
+    constexpr Bits kInside = ((Bits(1) << kBrick) - 1) << 1;
+    for (int z = 1; z <= kBrick; ++z)
+      for (int y = 1; y <= kBrick; ++y) {
+        Bits row = out.row(y, z);
+        Bits beside[6] = {row << 1,          row >> 1,          out.row(y - 1, z),
+                          out.row(y + 1, z), out.row(y, z - 1), out.row(y, z + 1)};
+        Bits whole = ~Bits(0);
+        for (Bits one : beside) whole &= one;
+        for (Bits left = row & ~within.row(y, z) & ~whole & kInside; left != 0; left &= left - 1) {
+          int x = std::countr_zero(left);
+          glm::ivec3 open[2];  // towards lower and higher places of each axis
+          for (int i = 0; i < 6; ++i) open[i & 1][i >> 1] = (beside[i] >> x & 1) == 0;
+          draw(out.rowStart(y, z) + glm::ivec3(x, 0, 0), open[0], open[1], isGone);
+        }
+      }
+  }
+
+  /// Nothing where all of its open faces are seen from behind.
+  void draw(glm::ivec3 voxel, glm::ivec3 openBelow, glm::ivec3 openAbove, bool isGone) {
     glm::dvec3 place = mEye.place(glm::dvec3(voxel));
     if (mEye.isBehind(place)) return;
+    glm::dvec3 facing = mEyeFromGradientTransposed * mEye.towardsEye(place);
+    bool isSeen = false;
+    for (int axis = 0; axis < 3; ++axis)
+      isSeen |= facing[axis] > 0.0 ? openAbove[axis] != 0 : facing[axis] < 0.0 && openBelow[axis] != 0;
+    if (isSeen) splat(voxel, place, glm::dvec3(openAbove - openBelow), isGone);
+  }
+
+  void splat(glm::ivec3 voxel, glm::dvec3 place, glm::dvec3 outwards, bool isGone) {
     glm::dvec2 pixel = mEye.pixel(place);
     double radius = std::max(0.5, 0.7 * mVoxel * mEye.pixelsPerLength(place));
     glm::ivec2 low(glm::ceil(pixel - radius - 0.5)), high(glm::floor(pixel + radius - 0.5));
@@ -205,9 +323,8 @@ class Pen {
     if (low.x > high.x || low.y > high.y) return;
     // What has gone lies behind all that is there.
     double distance = isGone ? std::numeric_limits<float>::max() : mEye.distance(place);
-    std::uint32_t color = isGone ? kGone : packed(litColor(voxel, outwards, place));
-    for (glm::ivec2 p = low; p.y <= high.y; ++p.y)
-      for (p.x = low.x; p.x <= high.x; ++p.x) mCanvas.put(p, float(distance), color);
+    std::uint32_t color = isGone ? kGone : colorWord(litColor(voxel, outwards, place));
+    mCanvas.put(low, high, float(distance), color);
   }
 
   glm::vec3 litColor(glm::ivec3 voxel, glm::dvec3 outwards, glm::dvec3 place) const {
@@ -239,9 +356,10 @@ class Pen {
   Eye mEye;
   Depths mDepths;
   Colors mColors;
-  glm::dmat3 mEyeFromGradient;
+  glm::dmat3 mEyeFromGradient, mEyeFromGradientTransposed;
   double mVoxel = 0.0;
   bool mHasGrid = false;
+  std::vector<std::unique_ptr<BrickRows>> mRows;  ///< of bricks that have been looked at
 };
 
 /// From behind nothing shows: what a cut keeps lies before it.
@@ -257,10 +375,11 @@ void drawOne(const scene::Scene& scene, const Pulled& pulled, Canvas& canvas, co
   if (!cut || !scene.labels.data || !(std::max(pulled.distance, pulled.before) > 0.0) || !isSeen(scene, *cut)) return;
   Pen pen(scene, pulled, *cut, canvas);
   glm::ivec3 grid = scene.labels.data->brickGrid();
-  parallelFor(0, grid.y * grid.z, [&](int i) {
-    progress.throwIfCancelled();
-    for (int x = 0; x < grid.x; ++x) pen.drawBrick({x, i % grid.y, i / grid.y});
-  });
+  for (glm::ivec3 b(0); b.z < grid.z; ++b.z)
+    for (b.y = 0; b.y < grid.y; ++b.y) {
+      progress.throwIfCancelled();
+      for (b.x = 0; b.x < grid.x; ++b.x) pen.drawBrick(b);
+    }
 }
 
 }  // namespace
@@ -270,11 +389,7 @@ PulledPicture drawPulled(const scene::Scene& scene, const std::vector<Pulled>& p
   size = glm::max(size, glm::ivec2(1));
   Canvas canvas(size);
   for (const Pulled& one : pulled) drawOne(scene, one, canvas, progress);
-  PulledPicture picture{size.x, size.y, {}};
-  picture.pixels.reserve(std::size_t(size.x) * std::size_t(size.y));
-  for (glm::ivec2 p(0); p.y < size.y; ++p.y)
-    for (p.x = 0; p.x < size.x; ++p.x) picture.pixels.push_back(canvas.color(p));
-  return picture;
+  return {size.x, size.y, canvas.colors()};
 }
 
 }  // namespace velum::session

@@ -28,7 +28,7 @@ struct PulledPicture {
 /// colours, lit from the eye. What stood out farther before is dimmed. Made for speed, some milliseconds for a million
 /// voxels; the renderer draws the picture that stays. Nothing shows of a face that is seen from behind.
 ///
-/// No GL; all cores; any thread.
+/// No GL; any thread, and that one alone: others may be busy, and the slowest would be waited for.
 /// @param size  of the overlay, pixels; the whole picture
 /// @throw Cancelled
 PulledPicture drawPulled(const scene::Scene& scene, const std::vector<Pulled>& pulled, glm::ivec2 size,

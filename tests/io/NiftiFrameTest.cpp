@@ -129,6 +129,18 @@ TEST(NiftiFrame, AHalfTurnIsOneThoughItsQuaternionIsRounded) {
   expectPlace(readHeader(h), {2, 0, 0}, {-1, 0, 0}, 1e-5);
 }
 
+TEST(NiftiFrame, AnAlmostHalfTurnIsATurn) {
+  // What is left for the real part is rounding: it is none, and what the other three say is a half turn.
+  Header h;
+  h.isVersion2 = true;
+  h.quaternion = {0, 0.6, std::sqrt(1.0 - 0.36 - 9e-8)};
+  glm::dvec3 axis = glm::normalize(h.quaternion);
+  for (glm::dvec3 voxel : {glm::dvec3(2, 0, 0), {0, 3, 0}, {0, 0, 4}}) {
+    glm::dvec3 scaled = voxel * glm::dvec3(0.5, 0.75, 2.0);
+    expectPlace(readHeader(h), voxel, 2.0 * glm::dot(axis, scaled) * axis - scaled, 1e-9);
+  }
+}
+
 TEST(NiftiFrame, AnSformWinsOverTheQform) {
   Header h;
   h.quaternion = quaternionOf({0.3, 0.2, 0.1});

@@ -126,6 +126,29 @@ TEST(RtStruct, ContoursAreFilledWhereTheyLieWithNamesAndColours) {
   EXPECT_TRUE(labels.warnings.empty());
 }
 
+TEST(RtStruct, RegionsOfAnyNumbersAreRegionsOfTheirOwn) {
+  TempFolder folder;
+  std::vector<Roi> rois;
+  int place = 0;
+  for (int number : {0, 1, 70000, -3, 90000, 2}) {
+    Roi roi{number, fmt::format("region {}", number), "", {}};
+    for (double z : {0.0, 2.0, 4.0}) roi.lines.push_back(circle({60.0 * place, 0, z}, 20));
+    rois.push_back(roi);
+    ++place;
+  }
+  ASSERT_TRUE(writeRtStruct(folder / "plan.dcm", rois));
+  LabelVolume labels = readLabelsOf(folder / "plan.dcm");
+  ASSERT_EQ(labels.table.size(), rois.size());
+  for (std::size_t i = 0; i < rois.size(); ++i) {
+    std::uint16_t id = idAt(labels, {60.0 * double(i), 0, 2});
+    auto row = std::find_if(labels.table.begin(), labels.table.end(), [id](auto& label) { return label.id == id; });
+    ASSERT_NE(row, labels.table.end()) << rois[i].name;
+    EXPECT_EQ(row->name, rois[i].name);
+  }
+  EXPECT_EQ(idAt(labels, {60, 0, 2}), 1) << "a number that can be an id is one";
+  EXPECT_EQ(idAt(labels, {300, 0, 2}), 2);
+}
+
 TEST(RtStruct, AContourInAnotherIsAHoleAndSmallRegionsLieOverLargeOnes) {
   TempFolder folder;
   Roi body{1, "Body", "", {}}, ring{2, "Ring", "", {}};

@@ -118,6 +118,26 @@ TEST(Advice, WhereAllIsProtectedLessIsMore) {
   EXPECT_LT(advice->cutShare, 0.1);
 }
 
+TEST(Advice, IsThatOfTheMomentThatIsShown) {
+  glm::dvec3 middle(32, 32, 48);
+  auto solid = [&](glm::ivec3 p) { return ball(p, middle, 8.0) > 0 ? 900.0 : 600.0; };
+  Volume second = makeVolume({64, 64, 96}, SampleType::Int16, solid, glm::dmat4(1.0));
+  Volume series = makeVolume({64, 64, 96}, SampleType::Int16, [](glm::ivec3 p) { return p.x % 2; }, glm::dmat4(1.0));
+  series.voxels.insert(series.voxels.end(), second.voxels.begin(), second.voxels.end());
+  series.timeSteps = 2;
+  series.range = second.range;
+  scene::Scene scene;
+  scene.volume.data = Shared<Volume>(std::move(series));
+  scene.volume.timeStep = 1;
+  Progress progress;
+  auto ofSeries = adviseMembrane(membrane::Potential(scene), scene, membraneAt(middle, {0, 0, 1}), progress);
+  auto ofOne = allAdviceOn(solid, middle);
+  ASSERT_FALSE(ofOne.empty());
+  ASSERT_EQ(ofSeries.size(), ofOne.size());
+  EXPECT_EQ(ofSeries[0].step, AdviceStep::ProtectLess);
+  EXPECT_EQ(ofSeries[0].cut, ofOne[0].cut);
+}
+
 TEST(Advice, IsNotGivenWhereNothingHelps) {
   EXPECT_FALSE(adviceOn([](glm::ivec3) { return 0.0; }, {32, 32, 48})) << "nothing is protected";
   Progress progress;

@@ -64,6 +64,38 @@ TEST(PulledEnd, OfWhatGrowsIsKnownWhenItHasCometoItsEnd) {
   EXPECT_NEAR(endAt(20.0), kRadius, 1.0);
 }
 
+TEST(PulledEnd, OutOfAnotherCutThereMayBeMore) {
+  scene::Scene scene = ballScene();
+  scene::Cut other = scene.cuts[0];
+  other.axis = {0, 0, 1};
+  int id = scene::addCut(scene, other);
+  auto pull = beginPull(scene, scene.cuts[0].id, kMiddle, 0);
+  ASSERT_TRUE(pull);
+  Progress progress;
+  pullTo(scene, *pull, 20.0);
+  settleGrowths(scene, progress);
+  EXPECT_NEAR(pulledEnd(scene, scene.cuts[0], pull->structure), kRadius, 1.0);
+  EXPECT_NEAR(pulledEnd(scene, *scene::findCut(scene, id), pull->structure), 0.5 * kEdge, 1.0)
+      << "what the first one keeps has not been looked for";
+}
+
+TEST(PulledEnd, OutOfAMembraneIsThatOfTheDataUntilAllIsFound) {
+  scene::Scene scene = ballScene();
+  scene.cuts[0].shape = scene::CutShape::Membrane;
+  scene.cuts[0].membrane.emplace();
+  scene.cuts[0].size = {kEdge, kEdge, 12.0};
+  auto pull = beginPull(scene, scene.cuts[0].id, kMiddle, 0);
+  ASSERT_TRUE(pull);
+  Progress progress;
+  auto endAt = [&](double distance) {
+    pullTo(scene, *pull, distance);
+    settleGrowths(scene, progress);
+    return pulledEnd(scene, scene.cuts[0], pull->structure);
+  };
+  EXPECT_GT(endAt(3.0), kRadius + 2.0) << "there may be more";
+  EXPECT_NEAR(endAt(22.0), kRadius, 1.0);
+}
+
 TEST(PulledEnd, AFilmDoesNotStandStillBeyondIt) {
   scene::Scene scene = labelledScene();
   setExtrusion(scene.cuts[0], 4, 400.0);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <iterator>
 #include <optional>
 #include <set>
 #include <sstream>
@@ -70,17 +71,13 @@ std::optional<LabelInfo> parseColumns(const std::string& line) {
   return label;
 }
 
-/// Gives segments of other layers whose value is an id already the smallest that nobody has.
+/// Segments of other layers whose value is an id already get ids of their own.
 void numberApart(std::vector<SlicerSegment>& segments) {
-  std::set<std::uint16_t> values, taken;
-  for (const SlicerSegment& segment : segments) values.insert(segment.value);
-  std::uint16_t next = 1;
-  for (SlicerSegment& segment : segments) {
-    if (taken.insert(segment.value).second) continue;
-    while (next < 65535 && (values.contains(next) || taken.contains(next))) ++next;
-    segment.label.id = next;
-    taken.insert(next);
-  }
+  std::vector<int> values;
+  for (const SlicerSegment& segment : segments) values.push_back(segment.value);
+  std::vector<std::uint16_t> ids = idsApart(values);
+  for (std::size_t i = 0; i < segments.size(); ++i)
+    if (segments[i].value != 0) segments[i].label.id = ids[i];
 }
 
 /// Value of an XML attribute inside a tag; empty when there is none.
@@ -125,6 +122,23 @@ std::vector<LabelInfo> readLabelTable(const std::filesystem::path& path) {
   if (std::all_of(table.begin(), table.end(), [](const LabelInfo& l) { return l.opacity == 0.0f; }))
     for (LabelInfo& label : table) label.opacity = 1.0f;
   return completeTable(std::move(table), {});
+}
+
+std::vector<std::uint16_t> idsApart(const std::vector<int>& numbers) {
+  auto isId = [](int number) { return number >= 1 && number <= 65535; };
+  std::set<int> wanted, taken;
+  std::copy_if(numbers.begin(), numbers.end(), std::inserter(wanted, wanted.end()), isId);
+  std::vector<std::uint16_t> ids;
+  int next = 1;
+  for (int number : numbers) {
+    if (!isId(number) || taken.contains(number)) {
+      while (next < 65535 && (wanted.contains(next) || taken.contains(next))) ++next;
+      number = next;
+    }
+    taken.insert(number);
+    ids.push_back(std::uint16_t(number));
+  }
+  return ids;
 }
 
 std::vector<LabelInfo> parseCaretLabels(std::string_view xml) {

@@ -19,6 +19,9 @@ struct SlicerSegment {
 };
 /// The segments among the key/value pairs of a NRRD; empty when there are none.
 std::vector<SlicerSegment> parseSlicerSegments(const std::map<std::string, std::string>& keyValues);
+/// Ids of regions that a file numbers as it likes: the number where it is an id that none before has, else the smallest
+/// that nobody wants. Of more than 65535 regions the last share one.
+std::vector<std::uint16_t> idsApart(const std::vector<int>& numbers);
 /// Sorts by id, drops 0 and repeated ids, and makes up what @p inUse lacks.
 std::vector<LabelInfo> completeTable(std::vector<LabelInfo> table, const std::vector<std::uint16_t>& inUse);
 

@@ -37,6 +37,7 @@ struct Contour {
 /// A region of interest.
 struct Region {
   LabelInfo label;
+  std::optional<glm::vec3> color;  ///< Where the file has one.
   std::vector<Contour> contours;
   double gap = 0.0;   ///< Between planes that have contours of it.
   double area = 0.0;  ///< Of all contours: large regions lie under small ones.
@@ -87,21 +88,27 @@ std::vector<Contour> contoursOf(const DataSet& region, std::size_t& others) {
   return contours;
 }
 
+/// Numbers of regions may be any: also 0, which stands for nothing here.
 std::vector<Region> regionsOf(const DataSet& set, std::size_t& others) {
   std::vector<Region> regions;
+  std::vector<int> numbers;
   auto names = namesOf(set);
   auto items = sequenceOf(set, Tag(0x3006, 0x0039));
   for (std::size_t i = 1; items && i <= items->GetNumberOfItems(); ++i) {
     const DataSet& item = items->GetItem(i).GetNestedDataSet();
     Region region;
     int number = int(numberOf(item, Tag(0x3006, 0x0084), double(i)));
-    region.label.id = std::uint16_t(std::clamp(number, 1, 65535));
+    numbers.push_back(number);
     region.label.name = names.count(number) ? names[number] : std::string();
-    auto color = numbersOf(item, Tag(0x3006, 0x002a));
-    region.label.color = color.size() == 3 ? glm::clamp(glm::vec3(color[0], color[1], color[2]) / 255.0f, 0.0f, 1.0f)
-                                           : defaultLabelColor(region.label.id);
+    if (auto color = numbersOf(item, Tag(0x3006, 0x002a)); color.size() == 3)
+      region.color = glm::clamp(glm::vec3(color[0], color[1], color[2]) / 255.0f, 0.0f, 1.0f);
     region.contours = contoursOf(item, others);
     regions.push_back(std::move(region));
+  }
+  std::vector<std::uint16_t> ids = idsApart(numbers);
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    regions[i].label.id = ids[i];
+    regions[i].label.color = regions[i].color.value_or(defaultLabelColor(ids[i]));
   }
   return regions;
 }

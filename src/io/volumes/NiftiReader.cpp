@@ -115,6 +115,7 @@ glm::dmat3 qformColumns(const NiftiHeader& h) {
   double a = rest > 0 ? std::sqrt(rest) : 0.0;
   if (rest < 1e-7) {  // a half turn, written with rounding: normalise
     double length = std::sqrt(b * b + c * c + d * d);
+    a = 0.0;
     if (length > 0) b /= length, c /= length, d /= length;
   }
   glm::dmat3 m(a * a + b * b - c * c - d * d, 2 * (b * c + a * d), 2 * (b * d - a * c),   // first column

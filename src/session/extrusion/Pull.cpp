@@ -123,6 +123,12 @@ bool goesOn(const scene::Growth& step, scene::Growth wanted) {
 
 }  // namespace
 
+bool growsOutOf(const scene::Growth& growth, const scene::Cut& cut) {
+  scene::Growth other = growth;
+  setPlane(other, cut, growth.distance);
+  return other.centre == growth.centre && other.axis == growth.axis;
+}
+
 Pull pullAgain(const scene::Scene& scene, const Extrusion& extrusion) {
   Pull pull{extrusion.cut, extrusion.structure, {}, {}};
   const scene::Cut* cut = scene::findCut(scene, extrusion.cut);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "velum/session/extrusion/Extrusion.h"
+#include "velum/session/extrusion/Pull.h"
 #include "velum/session/growth/Growths.h"
 
 namespace velum::session {
@@ -65,6 +66,14 @@ double deepestVoxel(const LabelVolume& labels, const scene::Cut& cut, int struct
   return deepest;
 }
 
+/// What has grown up to its distance may go on behind it, and out of another cut there may be more.
+/// @param deepest  where it ends before the cut
+bool mayGoOn(const scene::Growth& last, const scene::Cut& cut, double deepest) {
+  if (last.axis == glm::dvec3(0.0)) return false;  // it grew everywhere
+  if (!growsOutOf(last, cut)) return true;
+  return deepest + glm::dot(cut.centre - last.centre, last.axis) >= last.distance;
+}
+
 }  // namespace
 
 double pulledEnd(const scene::Scene& scene, const scene::Cut& cut, int structure) {
@@ -78,9 +87,7 @@ double pulledEnd(const scene::Scene& scene, const scene::Cut& cut, int structure
     half += 0.5 * std::abs(glm::dot(out, glm::dvec3(labels->worldFromVoxel()[axis])));
   double deepest = deepestVoxel(*labels, cut, structure);
   if (deepest < 0.0) return 0.0;
-  // What has grown up to the distance may go on behind it.
-  bool mayGoOn = last && deepest + 2.0 * half >= last->distance;
-  return mayGoOn ? end : std::min(end, deepest + half);
+  return last && mayGoOn(*last, cut, deepest + 2.0 * half) ? end : std::min(end, deepest + half);
 }
 
 }  // namespace velum::session

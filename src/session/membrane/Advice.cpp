@@ -52,7 +52,9 @@ std::optional<scene::Membrane> withHalfTheValues(scene::Membrane membrane, const
   if (!scene.volume.data || membrane.field.byValue.empty()) return std::nullopt;
   const Volume& volume = *scene.volume.data;
   std::vector<double> values;
-  look.forEachProtected([&](glm::ivec3 voxel, glm::dvec3) { values.push_back(valueAt(volume, voxel)); });
+  look.forEachProtected([&](glm::ivec3 voxel, glm::dvec3) {
+    values.push_back(valueAt(volume, voxel, scene.volume.channel, scene.volume.timeStep));
+  });
   if (values.size() < 2) return std::nullopt;
   std::sort(values.begin(), values.end());
   double middle = values[values.size() / 2], low = values.front(), high = values.back();

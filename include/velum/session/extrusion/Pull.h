@@ -34,4 +34,7 @@ void pullTo(scene::Scene& scene, const Pull& pull, double distance);
 /// What pulls something on that stands out already: by a number rather than by a drag.
 Pull pullAgain(const scene::Scene& scene, const Extrusion& extrusion);
 
+/// True when a step of growth has been made by pulling out of a cut that lies where it did then.
+bool growsOutOf(const scene::Growth& growth, const scene::Cut& cut);
+
 }  // namespace velum::session

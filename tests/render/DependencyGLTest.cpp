@@ -75,8 +75,8 @@ class DependencyGL : public RenderTest, public testing::WithParamInterface<int> 
   void expectAsFresh(const scene::Scene& before, const scene::Scene& after, const std::string& what) {
     drawWith(renderer(), before, kSize);
     Image kept = drawWith(renderer(), after, kSize, kAllLayers);
-    drawWith(mReference, mOther, kSize);
-    expectIdentical(kept, drawWith(mReference, after, kSize, kAllLayers), what);
+    drawWith(reference(), mOther, kSize);
+    expectIdentical(kept, drawWith(reference(), after, kSize, kAllLayers), what);
   }
 
  private:
@@ -126,7 +126,11 @@ class DependencyGL : public RenderTest, public testing::WithParamInterface<int> 
     scene.cuts = {sphere, membrane};
   }
 
-  render::Renderer mReference{context()};
+  static render::Renderer& reference() {
+    static auto* one = new render::Renderer(context());
+    return *one;
+  }
+
   scene::Scene mOther = otherScene();
 };
 

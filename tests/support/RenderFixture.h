@@ -105,20 +105,16 @@ inline double coverageOf(const Image& image) {
   return count / (double(image.width) * image.height);
 }
 
-/// Draws small pictures of small scenes.
+/// Draws small pictures of small scenes. All tests of a program share a renderer, whose programs a driver that compiles
+/// for the processor takes seconds to make: what it keeps of a picture before changes none, see DependencyGL.
 class RenderTest : public GlTest {
  protected:
   static constexpr render::Layers kAllLayers{true, true, true, true, true};
 
-  void SetUp() override {
-    GlTest::SetUp();
-    mRenderer.emplace(context());
+  static render::Renderer& renderer() {
+    static auto* one = new render::Renderer(context());  // as long as its context
+    return *one;
   }
-  void TearDown() override {
-    mRenderer.reset();
-    GlTest::TearDown();
-  }
-  render::Renderer& renderer() { return *mRenderer; }
 
   /// A volume seen from the front, with plain colours: no light, no jitter, one sample, no background.
   static scene::Scene sceneOf(Volume volume) {
@@ -178,7 +174,6 @@ class RenderTest : public GlTest {
   }
 
  private:
-  std::optional<render::Renderer> mRenderer;
 };
 
 }  // namespace velum

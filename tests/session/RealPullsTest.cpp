@@ -51,6 +51,8 @@ const Press kPresses[] = {
     {"sacrum", "ct_abdomen_3mm.nii.gz", {59, 32, 43}, 2, 8, {80, 150}, 700, Held::No},
     {"vessel of a head", "ct_head_avm_angio.nii.gz", {175, 54, 52}, 3, 40, {20, 180}, 480, Held::No},
     {"lung", kTorso, {75, 110, 60}, 3, 10, {-1, 1}, 1, Held::AtOnce},
+    {"white matter", "mr_head_ch2.nii.gz", {40, 90, 100}, 3, 25, {90, 105}, 140, Held::No},
+    {"white matter in a fold", "mr_head_ch2.nii.gz", {62, 75, 100}, 3, 25, {90, 110}, 140, Held::No},
     // Not tuned on.
     {"bone of an iguana", "ct_iguana_head.nii.gz", {168, 140, 79}, 3, 25, {84, 115}, 200, Held::No},
     {"enamel", "ct_tooth_u8.nrrd", {52, 15, 117}, 2, 20, {168, 210}, 245, Held::No},

@@ -43,15 +43,23 @@ double solidShare(const RegionGrow& region, const Volume& volume, const GrowDoma
   return count == 0 ? 0.0 : double(countSolid(region, volume.dims, known, where)) / double(count);
 }
 
-/// What is joined to the seeds in the layer that lies under the cut.
-Section crossSection(const Shared<Volume>& volume, const Shared<LabelVolume>& labels, const scene::Growth& step,
-                     const GrowDomain& domain, Progress& progress) {
+/// What is joined to the seeds in a layer.
+Section sectionIn(const GrowDomain& layer, const Shared<Volume>& volume, const Shared<LabelVolume>& labels,
+                  const scene::Growth& step, Progress& progress) {
   RegionGrow region(volume, labels, 0, ruleOf(step));
   addSeeds(region, *volume, step, {});
-  GrowDomain layer = domain.between(-domain.layer(), 0.0);
   region.grow(layer, progress);
-  double area = double(region.countIn(layer)) * voxelSize(*volume) / domain.layer();
+  double area = double(region.countIn(layer)) * voxelSize(*volume) / layer.layer();
   return {area, area, area * solidShare(region, *volume, layer, layer)};
+}
+
+/// What is joined to the seeds in the layer that lies under the cut; where nothing of it does, in their own.
+Section crossSection(const Shared<Volume>& volume, const Shared<LabelVolume>& labels, const scene::Growth& step,
+                     const GrowDomain& domain, Progress& progress) {
+  Section section = sectionIn(domain.between(-domain.layer(), 0.0), volume, labels, step, progress);
+  if (section.area > 0.0 || step.seeds.empty()) return section;
+  double depth = domain.depth(voxelAt(*volume, step.seeds.front()));
+  return sectionIn(domain.between(depth - domain.layer(), depth), volume, labels, step, progress);
 }
 
 /// Grows slab by slab, and tells a guard of each.

@@ -131,6 +131,21 @@ TEST(LeakGuard, AThreadThatOpensIntoABlockWithinTheFirstSlabIsHeldAtTheCut) {
   EXPECT_LT(grown.leak->widestBefore, 10.0 * 3.1416 * 36.0) << "some times the thread, not the block";
 }
 
+TEST(LeakGuard, WhatBeginsBeforeTheCutIsHeldAgainstHowItBegins) {
+  Phantom phantom{{90, 90, 60},
+                  [](glm::dvec3 p) {
+                    return p.z > 20.5 ? glm::distance(glm::dvec2(p), {45, 45}) - 6.0 : 1.0;
+                  },
+                  [](glm::dvec3 p) {
+                    return std::max({22.5 - p.z, std::abs(p.x - 45) - 38, std::abs(p.y - 45) - 38});
+                  }};
+  scene::Growth step = pull({45, 45, 20}, {0, 0, 1}, 30);
+  step.seeds = {{45, 45, 21}};
+  Grown grown = grow(phantom, step, true);
+  ASSERT_TRUE(grown.leak) << "behind the cut there is nothing of it";
+  EXPECT_EQ(grown.distance, 0.0);
+}
+
 TEST(LeakGuard, StopsAtTheSamePlaceWhereverInFrontOfTheDataThePlaneStands) {
   Phantom phantom = vesselAtBone();
   double slab = slabThickness(phantom.volume());

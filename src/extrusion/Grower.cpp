@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "SolidPart.h"
 #include "WriteRegion.h"
 #include "velum/core/Clock.h"
 #include "velum/core/Error.h"
@@ -36,63 +37,94 @@ double planeArea(const Volume& volume, const GrowDomain& domain) {
   return double(voxelCount(volume)) * voxelSize(volume) / (range.y - range.x + domain.layer());
 }
 
-/// Area of what is joined to the seeds in the layer that lies under the cut.
-double crossSection(const Shared<Volume>& volume, const Shared<LabelVolume>& labels, const scene::Growth& step,
-                    const GrowDomain& domain, Progress& progress) {
+/// Of the voxels of a region in a domain, what share is inside of something solid.
+double solidShare(const RegionGrow& region, const Volume& volume, const GrowDomain& known, const GrowDomain& where) {
+  std::size_t count = region.countIn(where);
+  return count == 0 ? 0.0 : double(countSolid(region, volume.dims, known, where)) / double(count);
+}
+
+/// What is joined to the seeds in a layer.
+Section sectionIn(const GrowDomain& layer, const Shared<Volume>& volume, const Shared<LabelVolume>& labels,
+                  const scene::Growth& step, Progress& progress) {
   RegionGrow region(volume, labels, 0, ruleOf(step));
   addSeeds(region, *volume, step, {});
-  GrowDomain layer = domain.between(-domain.layer(), 0.0);
   region.grow(layer, progress);
-  return double(region.countIn(layer)) * voxelSize(*volume) / domain.layer();
+  double area = double(region.countIn(layer)) * voxelSize(*volume) / layer.layer();
+  return {area, area, area * solidShare(region, *volume, layer, layer)};
+}
+
+/// What is joined to the seeds in the layer that lies under the cut; where nothing of it does, in their own.
+Section crossSection(const Shared<Volume>& volume, const Shared<LabelVolume>& labels, const scene::Growth& step,
+                     const GrowDomain& domain, Progress& progress) {
+  Section section = sectionIn(domain.between(-domain.layer(), 0.0), volume, labels, step, progress);
+  if (section.area > 0.0 || step.seeds.empty()) return section;
+  double depth = domain.depth(voxelAt(*volume, step.seeds.front()));
+  return sectionIn(domain.between(depth - domain.layer(), depth), volume, labels, step, progress);
 }
 
 /// Grows slab by slab, and tells a guard of each.
 class SlabGrowth {
  public:
-  SlabGrowth(RegionGrow& region, const Volume& volume, const GrowDomain& domain)
+  /// @param done  depth to which it has grown from the same seeds; of what lies there the last slabs are looked at
+  /// again
+  SlabGrowth(RegionGrow& region, const Volume& volume, const GrowDomain& domain, double done)
       : mRegion(region),
+        mVolume(volume),
         mDomain(domain),
         mThickness(slabThickness(volume)),
         mVoxelSize(voxelSize(volume)),
         mBegin(std::floor(std::max(depths(volume, domain).x, 0.0) / mThickness) * mThickness),
-        mEnd(std::min(domain.distance(), depths(volume, domain).y)) {}
+        mEnd(std::min(domain.distance(), depths(volume, domain).y)),
+        mSlabs(std::max(int((std::min(done, mEnd) - mBegin) / mThickness) - int(LeakGuard::kSlabsBefore), 0)) {}
 
   /// @param guard  may be null  @return the leak before which it has stopped; then the region has leaked
   std::optional<Leak> grow(LeakGuard* guard, Progress& progress) {
     // The first has the seeds, even where the plane removes nothing.
-    for (mSlabs = 1;; ++mSlabs) {
+    while (true) {
+      ++mSlabs;
       double end = std::min(mBegin + mSlabs * mThickness, mEnd);
+      std::size_t before = guard ? mRegion.countIn(mDomain.between(safe(), end)) : 0;
       std::size_t added = mRegion.grow(mDomain.upTo(end), progress);
       if (guard)
-        if (auto leak = look(*guard, end, added)) return leak;
+        if (auto leak = look(*guard, end, added, before)) return leak;
       if (!(end < mEnd)) return std::nullopt;
       progress.report(std::clamp(end / mEnd, 0.0, 1.0), "Growing");
     }
   }
   int slabs() const { return mSlabs; }
+  bool beginsAtCut() const { return mSlabs == 0; }
   /// Where the slab before the last one ended.
   double safe() const { return mBegin + (mSlabs - 1) * mThickness; }
 
  private:
-  std::optional<Leak> look(LeakGuard& guard, double end, std::size_t added) {
-    if (mSlabs == 1) guard.beginAs(areaOfFirstLayer());
+  std::optional<Leak> look(LeakGuard& guard, double end, std::size_t added, std::size_t before) {
+    GrowDomain known = mDomain.upTo(end);
+    GrowDomain first = mDomain.between(mBegin, mBegin + mDomain.layer());
+    if (mSlabs == 1) guard.beginAs(sectionOf(first, mDomain.layer(), known));
+    GrowDomain slab = mDomain.between(safe(), end);
+    // A drag may have come to a part of it only. Its layers are counted up, as voxels are in one or the other.
+    double layers = std::ceil((end - safe()) / mDomain.layer() - 1e-9) * mDomain.layer();
+    Section section = sectionOf(slab, std::min(std::max(layers, mDomain.layer()), mThickness), known);
     // What leaks comes back into the slabs before, too; what was there before the step has not joined in it.
-    std::size_t voxels = std::max(added, mRegion.countIn(mDomain.between(end - mThickness, end)));
-    Leak leak{end, double(voxels) * mVoxelSize / mThickness, guard.expected()};
-    bool leaks = guard.leaks(leak.area, added);
-    return leaks ? std::optional(leak) : std::nullopt;
+    std::size_t forward = mRegion.countIn(slab) - before, back = added - std::min(added, forward);
+    double returned = double(back) * mVoxelSize / mThickness;
+    section.joined += returned;
+    if (returned > section.area) section.solid = section.area * solidShare(mRegion, mVolume, known, known);
+    Leak leak{end, guard.width(section), guard.expected()};
+    return guard.leaks(section, added) ? std::optional(leak) : std::nullopt;
   }
 
-  double areaOfFirstLayer() const {
-    std::size_t voxels = mRegion.countIn(mDomain.between(mBegin, mBegin + mDomain.layer()));
-    return double(voxels) * mVoxelSize / mDomain.layer();
+  Section sectionOf(const GrowDomain& slab, double thickness, const GrowDomain& known) const {
+    double area = double(mRegion.countIn(slab)) * mVoxelSize / thickness;
+    return {area, area, area * solidShare(mRegion, mVolume, known, slab)};
   }
 
   RegionGrow& mRegion;
+  const Volume& mVolume;
   const GrowDomain& mDomain;
   double mThickness, mVoxelSize;
   double mBegin, mEnd;  ///< no slab is empty because the plane is far from the data
-  int mSlabs = 0;
+  int mSlabs;           ///< looked at, or passed over
 };
 
 void check(const scene::Growth& step) {
@@ -112,6 +144,14 @@ void addToTable(LabelVolume& labels, int structure) {
 
 }  // namespace
 
+/// True when a step begins with what has been grown, and may go on from there.
+bool Grower::Kept::hasDone(const scene::Growth& step) const {
+  if (!last) return false;
+  scene::Growth done = *last;
+  done.distance = step.distance;
+  return done == step && last->distance <= step.distance;
+}
+
 std::list<Grower::Kept>::iterator Grower::keep(const Shared<Volume>& volume, const Shared<LabelVolume>& labels,
                                                const scene::Growth& step) {
   GrowRule rule = ruleOf(step);
@@ -123,7 +163,7 @@ std::list<Grower::Kept>::iterator Grower::keep(const Shared<Volume>& volume, con
     return mKept.begin();
   }
   if (kept != mKept.end()) mKept.erase(kept);
-  mKept.push_front({volume, step.structure, RegionGrow(volume, labels, step.structure, std::move(rule))});
+  mKept.push_front({volume, step.structure, RegionGrow(volume, labels, step.structure, std::move(rule)), {}});
   if (mKept.size() > kMostKept) mKept.pop_back();
   return mKept.begin();
 }
@@ -139,13 +179,15 @@ Grown Grower::grow(const Shared<Volume>& volume, const Shared<LabelVolume>& befo
   auto kept = keep(volume, before, step);
   try {
     addSeeds(kept->region, *volume, step, options.begun);
-    SlabGrowth slabs(kept->region, *volume, domain);
+    double done = kept->hasDone(step) && !options.begun ? kept->last->distance : 0.0;
+    SlabGrowth slabs(kept->region, *volume, domain, done);
     if (domain.isEverywhere()) {
       kept->region.grow(domain, progress);
       grown.slabs = 1;
     } else {
       bool isGuarded = options.guard;
-      LeakGuard guard(isGuarded ? crossSection(volume, before, step, domain, progress) : 0.0,
+      bool hasSection = isGuarded && slabs.beginsAtCut();
+      LeakGuard guard(hasSection ? crossSection(volume, before, step, domain, progress) : Section(),
                       planeArea(*volume, domain));
       grown.leak = slabs.grow(isGuarded ? &guard : nullptr, progress);
       grown.slabs = slabs.slabs();
@@ -157,6 +199,7 @@ Grown Grower::grow(const Shared<Volume>& volume, const Shared<LabelVolume>& befo
       addSeeds(kept->region, *volume, step, options.begun);
       kept->region.grow(domain.upTo(grown.distance), progress);
     }
+    kept->last = grown.leak ? std::nullopt : std::optional(step);
     kept->region.forgetSeeds();
     // Write what is new.
     LabelVolume labels = *before;

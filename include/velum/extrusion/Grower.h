@@ -49,6 +49,8 @@ class Grower {
     Shared<Volume> volume;
     int structure;
     RegionGrow region;
+    std::optional<scene::Growth> last;  ///< step that it has done whole
+    bool hasDone(const scene::Growth& step) const;
   };
   std::list<Kept>::iterator keep(const Shared<Volume>& volume, const Shared<LabelVolume>& labels,
                                  const scene::Growth& step);

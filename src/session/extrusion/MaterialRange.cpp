@@ -23,7 +23,7 @@ constexpr int kNeighbourhood = 16;
 /// A material that is shown, too, is another one where it ends before this share of the way to the value, and is not as
 /// bright as this share of the data. Tuned, with the neighbourhood and the constants of populations, on the rows of
 /// RealPulls that say so, and held against the others.
-constexpr double kApart = 0.5, kBright = 0.03;
+constexpr double kApart = 0.75, kBright = 0.03;
 /// Share of what is around from which on it is all one material.
 constexpr double kAlone = 0.9;
 /// Share of what is around from which on a material that is shown, too, is one of its own.

@@ -385,7 +385,7 @@ TEST_F(DocumentWindow, ASampleOpensByAClick) {
     EXPECT_TRUE(scene.volume.data || scene.model.data) << name;
     EXPECT_FALSE(mWindow->document().isModified()) << name;
     EXPECT_FALSE(scene.cuts.empty()) << name;
-    ASSERT_TRUE(QTest::qWaitFor([&] { return mWindow->isSettled(); }, 60000)) << name;
+    ASSERT_TRUE(QTest::qWaitFor([&] { return mWindow->isSettled(); }, 180000)) << name;
     RecordProperty(name + ", until the picture is whole, ms", std::to_string(clock.elapsed()));
     takeShot(*mWindow, ("sample-" + name).c_str());
   }

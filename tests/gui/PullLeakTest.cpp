@@ -10,7 +10,7 @@ namespace velum::gui {
 
 namespace {
 
-constexpr int kEdge = 64, kMazeEdge = 240;
+constexpr int kEdge = 64, kMazeEdge = 320;
 
 /// A bar along y that opens into a block at y < 16, which is a little brighter.
 int barAndBlock(int x, int y, int z) {

@@ -109,7 +109,7 @@ TEST_F(PullStroke, OfOtherValuesAddsNothingAndSaysSo) {
 TEST_F(PullStroke, WithoutAStructureThatWasGrownSaysWhatToDo) {
   pullTheFirst();
   mWindow->selection().setStructure(0);
-  EXPECT_FALSE(tool()->hint().contains("Ctrl"));
+  EXPECT_FALSE(tool()->hint().contains("stroke"));
   expectNothingAdded(onBar(1), onBar(1) + glm::dvec3(2, 0, 0), "select");
   document().edit("Row", [](scene::Scene& s) { s.labels.structures.push_back({.id = 40, .name = "given"}); });
   mWindow->selection().setStructure(40);

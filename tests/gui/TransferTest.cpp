@@ -335,22 +335,5 @@ TEST_F(Transfer, ChannelsAreShownColouredAndEditedOneByOne) {
   EXPECT_TRUE(scene().volume.channels[1].visible);
 }
 
-TEST_F(Transfer, AnEditIsCheap) {
-  openBall();
-  QPoint from = placeOf(200, 0.5);
-  QTest::mousePress(&canvas(), Qt::LeftButton, {}, from);
-  QElapsedTimer clock;
-  clock.start();
-  constexpr int kMoves = 50;
-  for (int i = 1; i <= kMoves; ++i) {
-    QMouseEvent move(QEvent::MouseMove, QPointF(from + QPoint(-i, 0)), canvas().mapToGlobal(QPointF(from)),
-                     Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
-    QApplication::sendEvent(&canvas(), &move);
-  }
-  // A copy of the scene and a few labels; the picture follows by itself. Two milliseconds would already be much.
-  EXPECT_LT(double(clock.elapsed()) / kMoves, 5.0);
-  QTest::mouseRelease(&canvas(), Qt::LeftButton, {}, from + QPoint(-kMoves, 0));
-}
-
 }  // namespace
 }  // namespace velum::gui

@@ -147,8 +147,8 @@ class PullStudy : public PullFixture {
     ASSERT_EQ(out.size(), targets.size());
     for (const Target& target : targets) {
       int id = idOf(target.name);
-      double out = std::min(target.distance, reachOf(id, cut(target.plane)));  // not beyond its end
-      EXPECT_NEAR(session::extrusionOf(cut(target.plane), id), out, 2.0) << target.name;
+      double far = std::min(target.distance, reachOf(id, cut(target.plane)));  // not beyond its end
+      EXPECT_NEAR(session::extrusionOf(cut(target.plane), id), far, 2.0) << target.name;
     }
     EXPECT_LE(mDrags, int(targets.size()));
   }

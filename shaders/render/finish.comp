@@ -54,6 +54,8 @@ Neighbour neighbourAt(ivec2 pixel, ivec2 last, Sample centre, float own) {
   return Neighbour(solid, same ? 0.0 : both * weight, both > 0.5 ? s.depth : centre.depth, both > 0.5 && same ? s.normal : centre.normal);
 }
 
+float middleOf(float x, float y, float z) { return max(min(x, y), min(max(x, y), z)); }
+
 /// The edges next to a pixel by Sobel's kernel: of the outline, between structures, of depth and normals; 0..1.
 float edgeAt(ivec2 pixel, Sample centre) {
   ivec2 last = textureSize(sampleTexture, 0) - 1;
@@ -70,8 +72,12 @@ float edgeAt(ivec2 pixel, Sample centre) {
   Neighbour h = neighbourAt(pixel + x + y, last, centre, own);
   vec2 outline = vec2(c.solid + 2.0 * e.solid + h.solid - a.solid - 2.0 * d.solid - f.solid, f.solid + 2.0 * g.solid + h.solid - a.solid - 2.0 * b.solid - c.solid);
   vec2 between = vec2(c.differs + 2.0 * e.differs + h.differs - a.differs - 2.0 * d.differs - f.differs, f.differs + 2.0 * g.differs + h.differs - a.differs - 2.0 * b.differs - c.differs);
-  vec2 before = vec2(d.depth, b.depth) - centre.depth;
-  vec2 after = vec2(e.depth, g.depth) - centre.depth;
+  // What one of the eight alone sees is smaller than the line: it would be inked eight times around itself.
+  vec2 others = vec2(abs(a.solid - own) + abs(b.solid - own) + abs(c.solid - own) + abs(d.solid - own) + abs(e.solid - own) + abs(f.solid - own) + abs(g.solid - own) + abs(h.solid - own),
+                     a.differs + b.differs + c.differs + d.differs + e.differs + f.differs + g.differs + h.differs);
+  vec2 isSeen = smoothstep(vec2(1.0, kWithinType), vec2(2.0, 2.0 * kWithinType), others);
+  vec2 before = vec2(middleOf(a.depth, d.depth, f.depth), middleOf(a.depth, b.depth, c.depth)) - centre.depth;
+  vec2 after = vec2(middleOf(c.depth, e.depth, h.depth), middleOf(f.depth, g.depth, h.depth)) - centre.depth;
   vec2 bend = finish.passesPits != 0 ? abs(before) - abs(after) : before + after;
   // How much the normal turns across the pixel, less what noise makes it turn along either side.
   vec2 across = c.normal + 2.0 * e.normal + h.normal - a.normal - 2.0 * d.normal - f.normal;
@@ -85,8 +91,8 @@ float edgeAt(ivec2 pixel, Sample centre) {
   // A jump next to the outline is the outline's.
   float outlined = dot(outline, outline);
   float jump = outlined > 0.0 ? 0.0 : own * jumpOf(bend, centre.depth);
-  float edge = finish.steps * max(0.25 * sqrt(outlined), jump);
-  edge = max(edge, finish.structures * 0.25 * length(between));
+  float edge = finish.steps * max(0.25 * isSeen.x * sqrt(outlined), jump);
+  edge = max(edge, finish.structures * 0.25 * isSeen.y * length(between));
   return min(max(edge, finish.creases * own * smoothstep(kLeastCrease, kFullCrease, turn)), 1.0);
 }
 

@@ -88,7 +88,7 @@ vec3 albedoOf(uint type, int ball, float nearest) {
 /// Openness and share of the key light, from the four places about a pixel where they are known: those count that lie as deep.
 vec2 lightOn(ivec2 pixel, float depth) {
   ivec2 last = textureSize(openTexture, 0) - 1;
-  vec2 place = (vec2(pixel - shade.openShift) + 0.5) / float(kOpenStep) - 0.5;
+  vec2 place = vec2(pixel - shade.openShift) / float(kOpenStep);
   ivec2 from = ivec2(floor(place));
   vec2 part = place - vec2(from);
   vec3 sum = vec3(0.0);

@@ -5,6 +5,8 @@
 #include <thread>
 #include <utility>
 
+#include "velum/core/Clock.h"
+
 namespace velum::session {
 
 namespace {
@@ -124,6 +126,12 @@ void Session::collectJob() {
   mJob.reset();
   auto ended = std::exchange(mJobEnded, {});
   if (ended) ended(std::exchange(mJobOutcome, {}));
+}
+
+void Session::awaitJob(double longestMs) {
+  auto start = Clock::now();
+  while (mJob && !mJob->hasEnded() && msSince(start) < longestMs) std::this_thread::sleep_for(kSettlePause);
+  collectJob();
 }
 
 void Session::cancelJob() {

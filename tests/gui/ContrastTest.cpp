@@ -103,6 +103,7 @@ TEST_F(Contrast, OfAllTextInTheWindowInBothThemes) {
     ASSERT_TRUE(waitForJob());
     mWindow->messages().showNote("what to know");
     mWindow->actions().find("cut.addMembrane")->trigger();
+    ASSERT_TRUE(waitForJob());
     auto& tabs = mWindow->tabs();
     for (int page = 0; page < tabs.count(); ++page) {
       if (!tabs.isTabVisible(page)) continue;

@@ -282,6 +282,7 @@ TEST_F(DocumentWindow, ASceneThatCannotBeSavedIsSaidStaysModifiedAndTheOldFileWh
 TEST_F(DocumentWindow, WhatCannotBeExportedIsSaidAndTheOldFileWhole) {
   ASSERT_TRUE(open("phantom.nrrd"));
   mWindow->actions().find("cut.addMembrane")->trigger();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !mWindow->isBusy(); }, 60000));
   ASSERT_TRUE(QTest::qWaitFor([&] { return mWindow->isSettled(); }, 60000));
   session::PictureOptions options;
   options.size = {64, 48};

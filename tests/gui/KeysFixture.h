@@ -141,6 +141,7 @@ class Keys : public Window {
   void hangSheet() {
     mWindow->views().setLayout(scene::Layout::Volume);
     mWindow->actions().find("cut.addMembrane")->trigger();
+    ASSERT_TRUE(waitForJob());
     ASSERT_EQ(scene().cuts.size(), 1u);
     ASSERT_TRUE(settle());
   }

@@ -32,6 +32,7 @@ class MembraneWindow : public Window {
     openPhantom();
     drawSoon();
     mWindow->actions().find("cut.addMembrane")->trigger();
+    ASSERT_TRUE(waitForJob());
     ASSERT_EQ(scene().cuts.size(), 1u);
     ASSERT_TRUE(settle());
   }
@@ -169,6 +170,7 @@ TEST_F(MembraneWindow, AlignedToAnAxisTheFrameFitsTheDataThereAndKeepsWhatItProt
   auto* superior = child<QPushButton>("alignS");
   ASSERT_TRUE(superior);
   superior->click();
+  ASSERT_TRUE(waitForJob());
   const scene::Cut& cut = scene().cuts[0];
   EXPECT_EQ(document().undoLabel(), "Align cut");
   EXPECT_EQ(cut.axis, glm::dvec3(0, 0, 1));

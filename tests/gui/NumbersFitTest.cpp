@@ -82,6 +82,7 @@ TEST_F(NumbersFit, InEveryPanelForEveryShapeInBothThemes) {
     applyTheme(*qApp, kind);
     for (const char* id : shapes) {
       mWindow->actions().find(id)->trigger();
+      ASSERT_TRUE(waitForJob());
       QTest::qWait(30);
       EXPECT_GT(expectAllPagesFit(*mWindow, id), 10);
       mWindow->tabs().showPage("Cuts");
@@ -96,6 +97,7 @@ TEST_F(NumbersFit, OfModels) {
   mWindow->resize(1024, 700);
   for (const char* id : {"cut.addPlane", "cut.addBox", "cut.addMembrane", "cut.addEverywhere"}) {
     mWindow->actions().find(id)->trigger();
+    ASSERT_TRUE(waitForJob());
     QTest::qWait(30);
     EXPECT_GT(expectAllPagesFit(*mWindow, id), 5);
     mWindow->document().undo();

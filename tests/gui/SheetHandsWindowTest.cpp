@@ -21,6 +21,7 @@ class SheetHandsWindow : public Window {
     mWindow->views().setLayout(layout);
     drawSoon();
     mWindow->actions().find("cut.addMembrane")->trigger();
+    ASSERT_TRUE(waitForJob());
     ASSERT_EQ(scene().cuts.size(), 1u);
     ASSERT_TRUE(settle());
   }

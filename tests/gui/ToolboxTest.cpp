@@ -41,6 +41,7 @@ class ToolWindow : public Window {
     openPhantom();
     drawSoon();
     mWindow->actions().find("cut.addMembrane")->trigger();
+    ASSERT_TRUE(waitForJob());
     // What tools say takes room from the views: from the beginning, so that places stay where they are.
     mWindow->messages().showNote("Ready");
     ASSERT_TRUE(settle());

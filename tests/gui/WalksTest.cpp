@@ -112,6 +112,7 @@ TEST_F(Walks, FromAHeadToAPlateWithAMembrane) {
   open({head});
   did("opens a scan, whose look is bone");
   press("M");
+  ASSERT_TRUE(waitForJob());
   did("hangs a membrane");
   ASSERT_EQ(scene().cuts.size(), 1u);
   auto status = viewport().membranes().status(cut().id);

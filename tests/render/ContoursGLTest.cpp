@@ -96,6 +96,35 @@ TEST_F(ContoursGL, APartOfASurfaceBeforeAnotherPartOfItHasALine) {
   EXPECT_LT(meanInk(intensity(scene, {200, 200}), {30, 30}, {170, 170}), 0.002);
 }
 
+TEST_F(ContoursGL, WhatIsSmallerThanALineIsNotInkedAroundItself) {
+  for (bool hasWall : {false, true}) {
+    scene::Scene scene;
+    scene::Surface surface;
+    Mesh mesh;
+    auto addSquare = [&](float y, float half) {
+      auto first = std::uint32_t(mesh.positions.size());
+      for (auto [x, z] : {std::pair(-1, -1), std::pair(1, -1), std::pair(1, 1), std::pair(-1, 1)})
+        mesh.positions.push_back({half * float(x), y, half * float(z)});
+      for (std::uint32_t i : {0u, 1u, 2u, 0u, 2u, 3u}) mesh.indices.push_back(first + i);
+    };
+    if (hasWall) addSquare(0.0f, 20.0f);
+    addSquare(-3.0f, 0.6f * float(kHeight) / 200.0f);  // a little more than a pixel
+    surface.data = Shared<Mesh>(mesh);
+    surface.color = glm::vec3(1.0f);
+    scene.surfaces = {surface};
+    scene.lighting.shaded = false;
+    scene.background = ball().background;
+    scene.camera.target = {0, 0, 0};
+    lookAlong(scene, {0, -1, 0});
+    seenFromFront(scene);
+    scene.finish.contours = 1.0;
+    scene.finish.contourWidth = 30.0;
+    scene.finish.contourCreases = 0.0;
+    EXPECT_LT(meanInk(intensity(scene, {200, 200}), {80, 80}, {120, 120}) * 40 * 40, 3.0)
+        << "pixels of ink" << (hasWall ? " before a wall" : "");
+  }
+}
+
 TEST_F(ContoursGL, AnOutlineHasTheSameLineHoweverSteepTheSurfaceIsThere) {
   // A disc, and a cone over it with its tip towards the eye: whatever the outline, they have the same.
   auto seen = [&](float height) {

@@ -506,6 +506,39 @@ TEST_F(InstancesGL, AShadowFallsAwayFromTheLight) {
   }
 }
 
+TEST_F(InstancesGL, WhatLiesOpenIsDarkWhereItIsCovered) {
+  // A block over the middle of a floor: its shade lies around it, not half a pixel to a side.
+  std::vector<glm::vec3> places;
+  addFloor(places, 0.0f, {-40, -40}, {40, 40});
+  for (int i = 0; i < 27; ++i) places.emplace_back(2 * (i % 3) - 2, -8 + 2 * (i / 3 % 3) - 2, 2 * (i / 9) - 2);
+  scene::Scene scene = sceneOfModel(modelOfAtoms(places, kResidue));
+  scene.camera.target = {0, 0, 0};
+  scene.camera.projection = Projection::Orthographic;
+  scene.camera.height = 90;
+  lookAlong(scene, {0, -1, 0}, 300);
+  scene.lighting.shaded = true;
+  scene.lighting.shadow = scene.lighting.specular = 0.0;
+  scene.rayCast.samplesPerPixel = 4;
+  glm::ivec2 size(120, 120);
+  scene.lighting.occlusion = 0.0;
+  Image open = draw(scene, size, kLayers);
+  scene.lighting.occlusion = 1.0;
+  Image covered = draw(scene, size, kLayers);
+  double sum = 0, x = 0, z = 0;
+  for (glm::ivec2 pixel(0); pixel.y < size.y; ++pixel.y)
+    for (pixel.x = 0; pixel.x < size.x; ++pixel.x) {
+      glm::dvec3 p(vectorOf(covered, pixel, "position"));
+      double off = glm::length(glm::dvec2(p.x, p.z));
+      if (std::abs(p.y) > 4.0 || off > 30.0) continue;
+      double dark = double(sampleOf(open, pixel, "G") - sampleOf(covered, pixel, "G"));
+      sum += dark, x += dark * p.x, z += dark * p.z;
+    }
+  ASSERT_GT(sum, 10.0);
+  double pixel = scene.camera.height / size.y;
+  EXPECT_NEAR(x / sum / pixel, 0.0, 0.2);
+  EXPECT_NEAR(z / sum / pixel, 0.0, 0.2);
+}
+
 TEST_F(InstancesGL, CopiesStandSideBySide) {
   scene::Scene scene = sceneOfModel(lattice(3, 20.0f));
   scene.model.copies = 5;

@@ -1,7 +1,6 @@
 // The areas of structures against pictures of them.
 #include <algorithm>
 #include <map>
-#include <optional>
 
 #include "GlFixture.h"
 #include "makeModel.h"
@@ -49,13 +48,9 @@ scene::Scene twoBalls() {
 
 class StructureAreasGL : public GlTest {
  protected:
-  void SetUp() override {
-    GlTest::SetUp();
-    mRenderer.emplace(context());
-  }
-  void TearDown() override {
-    mRenderer.reset();
-    GlTest::TearDown();
+  static render::Renderer& renderer() {
+    static auto* one = new render::Renderer(context());  // its programs take a driver for processors seconds to compile
+    return *one;
   }
   std::map<int, StructureArea> areasOf(const scene::Scene& scene, const Image& picture) {
     std::map<int, StructureArea> areas;
@@ -64,11 +59,10 @@ class StructureAreasGL : public GlTest {
     return areas;
   }
   Image draw(const scene::Scene& scene) {
-    return PictureCounter(*mRenderer, kSize, context().limits(), mProgress).structures(scene);
+    return PictureCounter(renderer(), kSize, context().limits(), mProgress).structures(scene);
   }
 
   Progress mProgress;
-  std::optional<render::Renderer> mRenderer;
 };
 
 }  // namespace
@@ -126,9 +120,9 @@ TEST_F(StructureAreasGL, InstancesAreCountedInWindowsAsInOnePicture) {
   ball.size = glm::dvec3(250.0);
   scene::addCut(scene, ball);
   gpu::Limits limits = context().limits();
-  PictureCounter inOne(*mRenderer, kSize, limits, mProgress);
+  PictureCounter inOne(renderer(), kSize, limits, mProgress);
   limits.texture2d = 40;  // three windows beside each other, two below each other
-  PictureCounter inWindows(*mRenderer, kSize, limits, mProgress);
+  PictureCounter inWindows(renderer(), kSize, limits, mProgress);
   const render::InstanceBits &one = inOne.count(scene), &several = inWindows.count(scene);
   EXPECT_EQ(several.removed, one.removed);
   EXPECT_EQ(several.shown, one.shown);

@@ -65,6 +65,8 @@ class Session {
   /// @return false while another one runs
   bool startJob(Job::Work work, Progress::Listener progressed, Job::Ended ended);
   void cancelJob();
+  /// Waits for the end of the job, which is told before this returns, no longer than so many milliseconds.
+  void awaitJob(double longestMs);
   /// Cancels, waits, and tells nobody.
   void dropJob();
   bool isBusy() const { return mJob != nullptr; }

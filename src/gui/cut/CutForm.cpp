@@ -3,6 +3,7 @@
 #include <QHBoxLayout>
 #include <QSignalBlocker>
 #include <algorithm>
+#include <memory>
 
 #include "kit/FieldRow.h"
 #include "kit/Length.h"
@@ -31,8 +32,8 @@ QHBoxLayout* makeTight(QWidget* widget) {
 
 }  // namespace
 
-CutForm::CutForm(session::Document& document, Selection& selection, QWidget* parent)
-    : QWidget(parent), mDocument(document), mSelection(selection), mGrid(new QGridLayout(this)) {
+CutForm::CutForm(session::Document& document, Selection& selection, JobRunner& jobs, QWidget* parent)
+    : QWidget(parent), mDocument(document), mSelection(selection), mJobs(jobs), mGrid(new QGridLayout(this)) {
   mGrid->setContentsMargins(0, 0, 0, 0);
   mGrid->setHorizontalSpacing(10);
   mGrid->setVerticalSpacing(8);
@@ -170,11 +171,19 @@ QWidget* CutForm::makeAlign() {
 }
 
 void CutForm::align(glm::dvec3 axis) {
-  editCut("Align cut", [&](scene::Cut& cut) {
-    cut = session::alignedCut(mDocument.scene(), cut, axis);
-    Progress progress;
-    if (scene::isMembrane(cut)) cut = session::placedToKeep(mDocument.scene(), cut, progress).value_or(cut);
-  });
+  auto aligned = [&](const scene::Cut& cut) { return session::alignedCut(mDocument.scene(), cut, axis); };
+  if (!scene::isMembrane(mShown)) return editCut("Align cut", [&](scene::Cut& cut) { cut = aligned(cut); });
+  auto placed = std::make_shared<scene::Cut>(aligned(mShown));
+  mJobs.startShort(
+      tr("Looking for where the membrane keeps what it protects"),
+      [placed, scene = mDocument.scene()](Progress& progress) {
+        *placed = session::placedToKeep(scene, *placed, progress).value_or(*placed);
+      },
+      [this, placed] {
+        mDocument.edit("Align cut", [&](scene::Scene& scene) {
+          if (scene::Cut* cut = scene::findCut(scene, placed->id)) *cut = *placed;
+        });
+      });
 }
 
 void CutForm::makeSize() {

@@ -7,6 +7,7 @@
 #include <functional>
 #include <vector>
 
+#include "kit/JobRunner.h"
 #include "kit/Selection.h"
 #include "kit/Widgets.h"
 #include "velum/session/document/Document.h"
@@ -17,7 +18,7 @@ namespace velum::gui {
 class CutForm : public QWidget {
   Q_OBJECT
  public:
-  CutForm(session::Document& document, Selection& selection, QWidget* parent);
+  CutForm(session::Document& document, Selection& selection, JobRunner& jobs, QWidget* parent);
   void showCut(const scene::Cut& cut);
 
  private:
@@ -36,6 +37,7 @@ class CutForm : public QWidget {
 
   session::Document& mDocument;
   Selection& mSelection;
+  JobRunner& mJobs;
   QGridLayout* mGrid = nullptr;
   NumberRow *mPosition = nullptr, *mFaceOpacity = nullptr;
   QLabel *mPositionLabel = nullptr, *mAxisLabel = nullptr, *mAlignLabel = nullptr, *mCentreLabel = nullptr,

@@ -3,6 +3,7 @@
 #include <QMenu>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <memory>
 
 #include "kit/CutTitle.h"
 #include "kit/SelectedCut.h"
@@ -21,12 +22,13 @@ QString shapeTitle(scene::CutShape shape) { return CutPanel::tr(session::traitsO
 
 }  // namespace
 
-CutPanel::CutPanel(session::Document& document, Selection& selection, QWidget* parent)
+CutPanel::CutPanel(session::Document& document, Selection& selection, JobRunner& jobs, QWidget* parent)
     : QWidget(parent),
       mDocument(document),
       mSelection(selection),
+      mJobs(jobs),
       mList(new CutList(this)),
-      mForm(new CutForm(document, selection, this)),
+      mForm(new CutForm(document, selection, jobs, this)),
       mMembrane(new MembraneForm(document, selection, this)),
       mSpares(new SpareList(this)),
       mTypeSpares(new TypeSpareList(document, selection, this)) {
@@ -144,10 +146,16 @@ void CutPanel::addCut(scene::Cut cut, const char* label) {
 
 void CutPanel::addShape(scene::CutShape shape) {
   if (!hasData() || !hasRoom()) return;
-  Progress progress;
-  bool isMembrane = shape == scene::CutShape::Membrane;
-  addCut(isMembrane ? session::newMembrane(mDocument.scene(), progress) : session::makeCut(mDocument.scene(), shape),
-         isMembrane ? "Add membrane" : "Add cut");
+  if (shape == scene::CutShape::Membrane) return searchMembrane();
+  addCut(session::makeCut(mDocument.scene(), shape), "Add cut");
+}
+
+void CutPanel::searchMembrane() {
+  auto membrane = std::make_shared<scene::Cut>();
+  mJobs.startShort(
+      tr("Looking for where the membrane keeps what it protects"),
+      [membrane, scene = mDocument.scene()](Progress& progress) { *membrane = session::newMembrane(scene, progress); },
+      [this, membrane] { addCut(*membrane, "Add membrane"); });
 }
 
 void CutPanel::addAlongView() { addCut(session::cutFacingCamera(mDocument.scene()), "Cut along the view"); }

@@ -8,6 +8,7 @@
 #include "CutList.h"
 #include "SpareList.h"
 #include "TypeSpareList.h"
+#include "kit/JobRunner.h"
 #include "kit/Selection.h"
 #include "membrane/MembraneForm.h"
 #include "velum/session/document/Document.h"
@@ -18,7 +19,7 @@ namespace velum::gui {
 class CutPanel : public QWidget {
   Q_OBJECT
  public:
-  CutPanel(session::Document& document, Selection& selection, QWidget* parent);
+  CutPanel(session::Document& document, Selection& selection, JobRunner& jobs, QWidget* parent);
   void refresh();
 
   /// What belongs to the selected membrane; hidden for other cuts.
@@ -54,12 +55,14 @@ class CutPanel : public QWidget {
   int place() const;
   void buildHead();
   QWidget* buildTools();
+  void searchMembrane();
   bool hasData() const;
   /// For one more cut; says so where there is none.
   bool hasRoom();
 
   session::Document& mDocument;
   Selection& mSelection;
+  JobRunner& mJobs;
   CutList* mList;
   CutForm* mForm;
   MembraneForm* mMembrane;

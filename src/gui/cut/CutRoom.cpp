@@ -8,7 +8,7 @@ namespace velum::gui {
 
 CutRoom::CutRoom(const WindowParts& parts)
     : Room(parts),
-      mPanel(new CutPanel(parts.document(), parts.selection, &parts.tabs)),
+      mPanel(new CutPanel(parts.document(), parts.selection, parts.jobs, &parts.tabs)),
       mOverPicture(parts.document(), parts.selection, parts.toolbox, nullptr),
       mOnSections(parts.document(), parts.selection, parts.toolbox, nullptr),
       mThreePoints(parts.document(), parts.toolbox, nullptr),

@@ -6,14 +6,30 @@
 
 namespace velum::gui {
 
+namespace {
+
+constexpr double kAtOnceMs = 200.0;  // longer, and a hand asks what has become of its click
+
+}  // namespace
+
 JobRunner::JobRunner(session::Session& session, ProgressStrip& strip, MessageBar& messages, QObject* parent)
     : QObject(parent), mSession(session), mStrip(strip), mMessages(messages) {
   connect(&strip, &ProgressStrip::cancelled, this, &JobRunner::cancel);
 }
 
 void JobRunner::start(const QString& what, session::Job::Work work, std::function<void()> whenDone) {
+  if (!isBusy()) mMessages.hide();
+  begin(what, std::move(work), std::move(whenDone));
+}
+
+void JobRunner::startShort(const QString& what, session::Job::Work work, std::function<void()> whenDone) {
+  bool wasBusy = isBusy();
+  begin(what, std::move(work), std::move(whenDone));
+  if (!wasBusy) mSession.awaitJob(kAtOnceMs);
+}
+
+void JobRunner::begin(const QString& what, session::Job::Work work, std::function<void()> whenDone) {
   if (isBusy()) return mMessages.showNote(tr("Still busy: wait, or cancel what is running first."));
-  mMessages.hide();
   mLastError.clear();
   mStrip.begin(what);
   auto report = [this](double fraction, const QString& part) {

@@ -16,6 +16,8 @@ class JobRunner : public QObject {
 
   /// Says so, and does nothing else, while another one runs. @param whenDone  in the window's thread
   void start(const QString& what, session::Job::Work work, std::function<void()> whenDone);
+  /// The same for work that is mostly over at once: then nothing is seen of it, and it is done when this returns.
+  void startShort(const QString& what, session::Job::Work work, std::function<void()> whenDone);
   void cancel();
   bool isBusy() const { return mSession.isBusy(); }
   /// What went wrong last; empty when nothing did.
@@ -29,6 +31,8 @@ class JobRunner : public QObject {
   void ended();
 
  private:
+  void begin(const QString& what, session::Job::Work work, std::function<void()> whenDone);
+
   session::Session& mSession;
   ProgressStrip& mStrip;
   MessageBar& mMessages;

@@ -23,7 +23,6 @@ constexpr int kRestMs = 140;            // a hand that pauses in a drag for less
 constexpr int kTellMs = 250;            // how often the status line is told: the window is composed anew for each word
 constexpr int kShowMs = 150;            // how often a growing picture is shown: showing costs a pass over it
 
-PreparingVeil& veilOf(QWidget& view) { return *view.findChild<PreparingVeil*>({}, Qt::FindDirectChildrenOnly); }
 /// While a tool drags something that wants the machine the picture stands, and the tool paints over it what changes.
 bool holdsPicture(const Toolbox& toolbox) { return toolbox.active() && toolbox.active()->pausesOtherViews(); }
 
@@ -32,7 +31,7 @@ bool holdsPicture(const Toolbox& toolbox) { return toolbox.active() && toolbox.a
 Viewport::Viewport(session::Session& session, Toolbox& toolbox, QWidget* parent)
     : QOpenGLWidget(parent), mSession(session), mDocument(session.document()), mToolbox(toolbox) {
   mToolbox.addView(*this);
-  new PreparingVeil(*this);  // below what tools draw
+  mVeil = new PreparingVeil(*this);  // below what tools draw
   setAccessibleName(tr("3D view"));
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
@@ -89,7 +88,7 @@ void Viewport::release() {
   makeCurrent();
   mContext->makeCurrent();
   mShown.reset();
-  veilOf(*this).forget();
+  mVeil->forget();
   mFrame = {};  // it holds sheets
   mSession.releaseGpu();
   mRenderer.reset();
@@ -176,7 +175,7 @@ void Viewport::startAnew() {
   mRestTimer.stop();
   mToolbox.repaint(*this);
   if (mRenderer) {
-    veilOf(*this).await(mDocument.scene());
+    mVeil->await(mDocument.scene());
     if (mToldStage == Stage::Idle && isVisible()) {
       mToldStage = Stage::Coarse;
       mSinceTold.start();
@@ -210,7 +209,7 @@ void Viewport::begin(Stage stage) {
 }
 
 void Viewport::section() {
-  if (veilOf(*this).awaitsPaint()) return;
+  if (mVeil->awaitsPaint()) return;
   if (!bindContext()) return mSectionTimer.stop();
   try {
     bool moving = driveSheets();
@@ -220,7 +219,7 @@ void Viewport::section() {
   } catch (const Error& error) {
     mStage = Stage::Idle;
     mPending = false;
-    veilOf(*this).fail();
+    mVeil->fail();
     mSectionTimer.stop();
     emit failed(QString::fromUtf8(error.what()));
   }
@@ -239,7 +238,7 @@ bool Viewport::drawSome() {
   clock.start();
   bool done = mRenderer->work(mFrame, budgetMs);
   // It rests before what is long: what that will replace is dimmed first.
-  if (!done && double(clock.nsecsElapsed()) * 1e-6 < budgetMs) veilOf(*this).awaitLong();
+  if (!done && double(clock.nsecsElapsed()) * 1e-6 < budgetMs) mVeil->awaitLong();
   bool grown = mStage == Stage::Full && mRenderer->stats().samples > 0 && mSinceShown.elapsed() > kShowMs;
   if (done || grown) show();
   return !done || finishStage();
@@ -250,8 +249,8 @@ void Viewport::show() {
   mHasPicture = mIsFresh = true;
   mRenderer->present(mShown->handle(), {mShown->width(), mShown->height()});
   mSinceShown.restart();
-  veilOf(*this).lift(mFrame.scene);
-  if (mPending) veilOf(*this).await(mDocument.scene());
+  mVeil->lift(mFrame.scene);
+  if (mPending) mVeil->await(mDocument.scene());
   update();
 }
 
@@ -301,7 +300,7 @@ void Viewport::tellProgress() {
   switch (mStage) {
     case Stage::Idle:
       // A sheet or a region that is being computed will change the picture.
-      if (veilOf(*this).hasFailed())
+      if (mVeil->hasFailed())
         emit refined(0.0, tr("No picture"));
       else if (isVisible() && (mPending || mSession.isOnItsWay()))
         emit refined(0.0, tr("Preparing"));

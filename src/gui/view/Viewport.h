@@ -13,6 +13,8 @@
 
 namespace velum::gui {
 
+class PreparingVeil;
+
 /// The progressive 3D view. While the scene changes it shows coarse pictures, sized so that each is ready at once; when
 /// the scene rests it refines in short sections between events, and when the picture is complete it does no work at
 /// all.
@@ -129,6 +131,7 @@ class Viewport : public QOpenGLWidget, public ToolView {
   session::Session& mSession;
   session::Document& mDocument;
   Toolbox& mToolbox;
+  PreparingVeil* mVeil;
   std::unique_ptr<gpu::Context> mContext;
   std::unique_ptr<render::Renderer> mRenderer;
   std::unique_ptr<QOpenGLFramebufferObject> mShown;  ///< The picture on the screen, kept while the next one is made.

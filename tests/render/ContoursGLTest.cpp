@@ -4,7 +4,33 @@
 namespace velum {
 namespace {
 
-using ContoursGL = FinishFixture;
+/// Squares that face the eye, one surface, white before white.
+class ContoursGL : public FinishFixture {
+ protected:
+  /// @param squares  their y, and half an edge of each
+  static scene::Scene squares(const std::vector<std::pair<float, float>>& squares) {
+    Mesh mesh;
+    for (auto [y, half] : squares) {
+      auto first = std::uint32_t(mesh.positions.size());
+      for (auto [x, z] : {std::pair(-1, -1), std::pair(1, -1), std::pair(1, 1), std::pair(-1, 1)})
+        mesh.positions.push_back({half * float(x), y, half * float(z)});
+      for (std::uint32_t i : {0u, 1u, 2u, 0u, 2u, 3u}) mesh.indices.push_back(first + i);
+    }
+    scene::Scene scene;
+    scene::Surface surface;
+    surface.data = Shared<Mesh>(std::move(mesh));
+    surface.color = glm::vec3(1.0f);
+    scene.surfaces = {surface};
+    scene.lighting.shaded = false;
+    scene.background = ball().background;
+    scene.camera.target = {0, 0, 0};
+    lookAlong(scene, {0, -1, 0});
+    seenFromFront(scene);
+    scene.finish.contours = 1.0;
+    scene.finish.contourCreases = 0.0;
+    return scene;
+  }
+};
 
 TEST_F(ContoursGL, StrengthIsTheShareOfTheLine) {
   scene::Scene scene = ball();
@@ -66,26 +92,8 @@ TEST_F(ContoursGL, NeighboursHaveOneLineBetweenThem) {
 }
 
 TEST_F(ContoursGL, APartOfASurfaceBeforeAnotherPartOfItHasALine) {
-  scene::Scene scene;
-  scene::Surface surface;
-  Mesh mesh;
-  for (auto [y, half] : {std::pair(0.0f, 20.0f), std::pair(-3.0f, 8.0f)}) {
-    auto first = std::uint32_t(mesh.positions.size());
-    for (auto [x, z] : {std::pair(-1, -1), std::pair(1, -1), std::pair(1, 1), std::pair(-1, 1)})
-      mesh.positions.push_back({half * float(x), y, half * float(z)});
-    for (std::uint32_t i : {0u, 1u, 2u, 0u, 2u, 3u}) mesh.indices.push_back(first + i);
-  }
-  surface.data = Shared<Mesh>(mesh);
-  surface.color = glm::vec3(1.0f);
-  scene.surfaces = {surface};
-  scene.lighting.shaded = false;
-  scene.background = ball().background;
-  scene.camera.target = {0, 0, 0};
-  lookAlong(scene, {0, -1, 0});
-  seenFromFront(scene);
-  scene.finish.contours = 1.0;
+  scene::Scene scene = squares({{0.0f, 20.0f}, {-3.0f, 8.0f}});
   scene.finish.contourWidth = 10.0;
-  scene.finish.contourCreases = 0.0;
   Image left = intensity(scene, {200, 200});
   for (glm::ivec2 way : {glm::ivec2(1, 0), glm::ivec2(-1, 0), glm::ivec2(0, 1), glm::ivec2(0, -1)}) {
     Line line = lineAlong(left, {100, 100}, way);
@@ -97,29 +105,10 @@ TEST_F(ContoursGL, APartOfASurfaceBeforeAnotherPartOfItHasALine) {
 }
 
 TEST_F(ContoursGL, WhatIsSmallerThanALineIsNotInkedAroundItself) {
+  const std::pair<float, float> wall(0.0f, 20.0f), speck(-3.0f, 0.6f * float(kHeight) / 200.0f);  // over a pixel
   for (bool hasWall : {false, true}) {
-    scene::Scene scene;
-    scene::Surface surface;
-    Mesh mesh;
-    auto addSquare = [&](float y, float half) {
-      auto first = std::uint32_t(mesh.positions.size());
-      for (auto [x, z] : {std::pair(-1, -1), std::pair(1, -1), std::pair(1, 1), std::pair(-1, 1)})
-        mesh.positions.push_back({half * float(x), y, half * float(z)});
-      for (std::uint32_t i : {0u, 1u, 2u, 0u, 2u, 3u}) mesh.indices.push_back(first + i);
-    };
-    if (hasWall) addSquare(0.0f, 20.0f);
-    addSquare(-3.0f, 0.6f * float(kHeight) / 200.0f);  // a little more than a pixel
-    surface.data = Shared<Mesh>(mesh);
-    surface.color = glm::vec3(1.0f);
-    scene.surfaces = {surface};
-    scene.lighting.shaded = false;
-    scene.background = ball().background;
-    scene.camera.target = {0, 0, 0};
-    lookAlong(scene, {0, -1, 0});
-    seenFromFront(scene);
-    scene.finish.contours = 1.0;
+    scene::Scene scene = hasWall ? squares({wall, speck}) : squares({speck});
     scene.finish.contourWidth = 30.0;
-    scene.finish.contourCreases = 0.0;
     EXPECT_LT(meanInk(intensity(scene, {200, 200}), {80, 80}, {120, 120}) * 40 * 40, 3.0)
         << "pixels of ink" << (hasWall ? " before a wall" : "");
   }

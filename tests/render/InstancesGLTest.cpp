@@ -31,6 +31,16 @@ class InstancesGL : public RenderTest {
     scene.camera = scene::frameCamera(scene, scene::StandardView::Anterior, 1.0);
     return scene;
   }
+  /// Atoms of and over a floor across y, lit, orthographic from the front.
+  static scene::Scene floorScene(const std::vector<glm::vec3>& places) {
+    scene::Scene scene = sceneOfModel(modelOfAtoms(places, kResidue));
+    scene.camera.target = {0, 0, 0};
+    scene.camera.projection = Projection::Orthographic;
+    scene.camera.height = 90;
+    lookAlong(scene, {0, -1, 0}, 300);
+    scene.lighting.shaded = true;
+    return scene;
+  }
   /// Instances of the model that a picture shows.
   static std::set<int> shownIn(const Image& image, int first = 1) {
     std::set<int> shown;
@@ -467,12 +477,7 @@ TEST_F(InstancesGL, AShadowFallsAwayFromTheLight) {
   std::vector<glm::vec3> places;
   addFloor(places, 0.0f, {-40, -40}, {40, 40});
   for (int i = 0; i < 27; ++i) places.emplace_back(2 * (i % 3) - 2, -20 + 2 * (i / 3 % 3) - 2, 13 + 2 * (i / 9));
-  scene::Scene scene = sceneOfModel(modelOfAtoms(places, kResidue));
-  scene.camera.target = {0, 0, 0};
-  scene.camera.projection = Projection::Orthographic;
-  scene.camera.height = 90;
-  lookAlong(scene, {0, -1, 0}, 300);
-  scene.lighting.shaded = true;
+  scene::Scene scene = floorScene(places);
   scene.lighting.occlusion = scene.lighting.specular = 0.0;
   scene.lighting.diffuse = 1.0;
   scene.rayCast.samplesPerPixel = 4;
@@ -511,12 +516,7 @@ TEST_F(InstancesGL, WhatLiesOpenIsDarkWhereItIsCovered) {
   std::vector<glm::vec3> places;
   addFloor(places, 0.0f, {-40, -40}, {40, 40});
   for (int i = 0; i < 27; ++i) places.emplace_back(2 * (i % 3) - 2, -8 + 2 * (i / 3 % 3) - 2, 2 * (i / 9) - 2);
-  scene::Scene scene = sceneOfModel(modelOfAtoms(places, kResidue));
-  scene.camera.target = {0, 0, 0};
-  scene.camera.projection = Projection::Orthographic;
-  scene.camera.height = 90;
-  lookAlong(scene, {0, -1, 0}, 300);
-  scene.lighting.shaded = true;
+  scene::Scene scene = floorScene(places);
   scene.lighting.shadow = scene.lighting.specular = 0.0;
   scene.rayCast.samplesPerPixel = 4;
   glm::ivec2 size(120, 120);

@@ -7,8 +7,8 @@ namespace velum::extrusion {
 /// What a region is in one slab, volumes by the slab's thickness: the scene's unit, squared.
 struct Section {
   double area = 0.0;  ///< of all that lies in it
-  double joined =
-      0.0;             ///< the same with what has joined meanwhile in the slabs before: what leaks comes back into them
+  /// The same with what has joined meanwhile in the slabs before: what leaks comes back into them.
+  double joined = 0.0;
   double solid = 0.0;  ///< of the area, as much as of what joined is inside of what is no thread, shell or strut
 };
 

@@ -172,17 +172,20 @@ QWidget* CutForm::makeAlign() {
 
 void CutForm::align(glm::dvec3 axis) {
   auto aligned = [&](const scene::Cut& cut) { return session::alignedCut(mDocument.scene(), cut, axis); };
-  if (!scene::isMembrane(mShown)) return editCut("Align cut", [&](scene::Cut& cut) { cut = aligned(cut); });
-  auto placed = std::make_shared<scene::Cut>(aligned(mShown));
+  const scene::Cut* cut = scene::findCut(mDocument.scene(), mSelection.cut());
+  if (!cut) return;
+  if (!scene::isMembrane(*cut)) return editCut("Align cut", [&](scene::Cut& one) { one = aligned(one); });
+  auto placed = std::make_shared<scene::Cut>(aligned(*cut));
   mJobs.startShort(
       tr("Looking for where the membrane keeps what it protects"),
       [placed, scene = mDocument.scene()](Progress& progress) {
         *placed = session::placedToKeep(scene, *placed, progress).value_or(*placed);
       },
-      [this, placed] {
-        mDocument.edit("Align cut", [&](scene::Scene& scene) {
-          if (scene::Cut* cut = scene::findCut(scene, placed->id)) *cut = *placed;
-        });
+      // A cut that somebody has changed meanwhile stays as he wants it.
+      [this, placed, before = *cut] {
+        const scene::Cut* now = scene::findCut(mDocument.scene(), before.id);
+        if (!now || *now != before) return;
+        mDocument.edit("Align cut", [&](scene::Scene& scene) { *scene::findCut(scene, before.id) = *placed; });
       });
 }
 

@@ -155,7 +155,9 @@ void CutPanel::searchMembrane() {
   mJobs.startShort(
       tr("Looking for where the membrane keeps what it protects"),
       [membrane, scene = mDocument.scene()](Progress& progress) { *membrane = session::newMembrane(scene, progress); },
-      [this, membrane] { addCut(*membrane, "Add membrane"); });
+      [this, membrane, data = mDocument.scene().volume.data] {
+        if (mDocument.scene().volume.data == data) addCut(*membrane, "Add membrane");  // not into what is open by now
+      });
 }
 
 void CutPanel::addAlongView() { addCut(session::cutFacingCamera(mDocument.scene()), "Cut along the view"); }

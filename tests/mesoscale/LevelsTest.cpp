@@ -86,6 +86,24 @@ TEST(Levels, OutlinesAreNoFurtherOffThanTheyClaim) {
   }
 }
 
+TEST(Levels, AreSeenAsLargeAsTheAtoms) {
+  Molecule molecule = moleculeOf(randomAtoms(200, 14.0f, 11));
+  auto levels = computeLevels(molecule);
+  constexpr float kPixel = 0.5f;
+  constexpr int kEdge = 96;
+  for (glm::vec3 side : {glm::vec3(0, 0, 1), glm::normalize(glm::vec3(1, -2, 0.5f))}) {
+    auto area = [&](const std::vector<Ball>& balls) {
+      auto bits = silhouette(balls, side, kPixel, kEdge);
+      return double(std::count(bits.begin(), bits.end(), true));
+    };
+    double whole = area(levels.front());
+    for (const auto& level : levels) {
+      EXPECT_GT(area(level), 0.7 * whole) << level.size() << " balls";
+      EXPECT_LT(area(level), 1.35 * whole) << level.size() << " balls";
+    }
+  }
+}
+
 TEST(Levels, ErrorsGrow) {
   std::vector<float> errors;
   computeLevels(moleculeOf(randomAtoms(2000, 40.0f, 9)), &errors);

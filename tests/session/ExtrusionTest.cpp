@@ -134,6 +134,9 @@ TEST(Extrusion, APlaneOfAWedgeIsPaleWhereTheOtherLeavesAll) {
   auto parts = partsLeftByOthers(scene, scene.cuts[0], square);
   ASSERT_EQ(parts.size(), 1u);
   for (const auto& corner : parts[0]) EXPECT_LE(glm::dot(corner, b), 1e-9);
+  scene.cuts[1].enabled = false;
+  EXPECT_TRUE(partsLeftByOthers(scene, scene.cuts[0], square).empty()) << "one that is off leaves and removes nothing";
+  scene.cuts[1].enabled = true;
   scene.cuts[1].joined = false;
   EXPECT_TRUE(partsLeftByOthers(scene, scene.cuts[0], square).empty());
 }
@@ -208,7 +211,9 @@ TEST(Pull, AClickOnWhatHasNoLabelMakesAStructureThatGrowsAsFarAsItIsPulled) {
   int cut = scene.cuts[0].id;
   auto pull = beginPull(scene, cut, {0, 0, 0}, 0);
   ASSERT_TRUE(pull && pull->added && pull->growth);
+  scene.labels.visible = false;
   for (double distance : {2.0, 7.0, 4.0}) pullTo(scene, *pull, distance);
+  EXPECT_TRUE(scene.labels.visible) << "what somebody pulls is to be seen";
   EXPECT_EQ(extrusionOf(scene.cuts[0], pull->structure), 4.0);
   ASSERT_EQ(scene.labels.growths.size(), 1u) << "one drag is one step";
   EXPECT_EQ(scene.labels.growths[0].distance, 7.0) << "what has grown stays";
@@ -242,6 +247,93 @@ TEST(Pull, AClickOnWhatHasNoLabelMakesAStructureThatGrowsAsFarAsItIsPulled) {
   settleGrowths(scene, progress);
   EXPECT_TRUE(scene.labels.growths.empty() && scene.labels.structures.empty() && extrusionsOf(scene).empty());
   EXPECT_FALSE(scene.labels.data) << "nothing was given";
+}
+
+TEST(Pull, WhatStandsOutOfAPlaneThatMovesStandsOutOfWhereItIsNow) {
+  scene::Scene scene = boneScene();
+  int cut = scene.cuts[0].id;
+  scene.cuts[0].centre.y = 4.0;
+  auto pull = beginPull(scene, cut, {0, 4, 0}, 0);
+  ASSERT_TRUE(pull && pull->growth);
+  pullTo(scene, *pull, 6.0);
+  scene::Scene begin = scene;
+  Progress progress;
+  auto moveTo = [&](double y) {
+    scene::Cut moved = scene.cuts[0];
+    moved.centre.y = y;
+    moveCut(scene, moved);
+  };
+  // Outwards, inwards, and through where it was; bone before the plane that stands out is all of it found.
+  for (double y : {2.0, -3.0, 9.0, 6.5}) {
+    moveTo(y);
+    EXPECT_EQ(extrusionOf(scene.cuts[0], pull->structure), 6.0);
+    EXPECT_LE(scene.labels.growths.size(), 2u) << "steps do not become more with each move";
+    settleGrowths(scene, progress);
+    int missing = 0, bone = 0;
+    for (int z = 0; z < 40; ++z)
+      for (int yy = 0; yy < 40; ++yy)
+        for (int x = 0; x < 40; ++x) {
+          double depth = y - (2.0 * yy - 39.0);
+          if (glm::length(glm::dvec3(x, yy, z) - 19.5) >= 8 || depth <= 0.0 || depth > 6.0) continue;
+          ++bone;
+          missing += scene.labels.data->at({x, yy, z}) != pull->structure;
+        }
+    EXPECT_GT(bone, 300);
+    EXPECT_EQ(missing, 0) << "the plane at " << y;
+  }
+  moveTo(4.0);
+  EXPECT_EQ(scene.labels.growths, begin.labels.growths) << "back where it was nothing has changed";
+}
+
+TEST(Pull, WhatWasHeldIsHeldWhereItWasWhenThePlaneMoves) {
+  scene::Scene scene = boneScene();
+  int cut = scene.cuts[0].id;
+  auto pull = beginPull(scene, cut, {0, 0, 0}, 0);
+  ASSERT_TRUE(pull && pull->growth);
+  pullTo(scene, *pull, 9.0);
+  holdGrowth(scene, {.structure = pull->structure, .distance = 5.0});
+  scene::Cut moved = scene.cuts[0];
+  moved.centre.y = -2.0;
+  moveCut(scene, moved);
+  EXPECT_EQ(scene.labels.growths.size(), 1u) << "nothing to be found";
+  moved.centre.y = 3.0;
+  moveCut(scene, moved);
+  ASSERT_EQ(scene.labels.growths.size(), 2u);
+  EXPECT_NEAR(3.0 - scene.labels.growths[1].distance, -5.0, 1e-12);
+  growOn(scene, pull->structure);
+  EXPECT_NEAR(3.0 - scene.labels.growths[1].distance, -6.0, 1e-12) << "as far as it stands out of where the plane is";
+}
+
+TEST(Pull, ThePlaneOfAnotherCutAndOtherChangesOfACutMoveNothing) {
+  scene::Scene scene = boneScene();
+  int cut = scene.cuts[0].id;
+  pullTo(scene, *beginPull(scene, cut, {0, 0, 0}, 0), 6.0);
+  auto steps = scene.labels.growths;
+  scene::Cut other = scene.cuts[0];
+  int second = scene::addCut(scene, other);
+  scene::Cut moved = *scene::findCut(scene, second);
+  moved.spares.clear();
+  moved.centre.y = 5.0;
+  moveCut(scene, moved);
+  scene::Cut faced = *scene::findCut(scene, cut);
+  faced.faceOpacity = 0.5;
+  moveCut(scene, faced);
+  EXPECT_EQ(scene.labels.growths, steps);
+}
+
+TEST(Pull, WhatIsHeldGoesOnAsFarAsItStandsOutOfASheetWhereverThatLies) {
+  scene::Scene scene = boneScene();
+  scene::Cut& cut = scene.cuts[0];
+  cut.shape = scene::CutShape::Membrane;
+  cut.size = {60, 60, 20};
+  auto pull = beginPull(scene, cut.id, {0, 0, 0}, 0);
+  ASSERT_TRUE(pull && pull->growth);
+  pullTo(scene, *pull, 6.0);
+  double whole = scene.labels.growths[0].distance;
+  EXPECT_NEAR(whole, 26.0, 1e-12) << "from the farthest behind to 6 before the farthest in front";
+  holdGrowth(scene, {.structure = pull->structure, .distance = 2.0});
+  growOn(scene, pull->structure);
+  EXPECT_NEAR(scene.labels.growths[0].distance, whole, 1e-12);
 }
 
 TEST(Pull, WhatHasALabelIsPulledAsItIs) {

@@ -42,6 +42,14 @@ TEST(PulledEnd, IsThatOfTheFarthestVoxel) {
   EXPECT_EQ(pulledEnd(scene, scene.cuts[0], 4), 0.0) << "nothing of it lies there";
 }
 
+TEST(PulledEnd, IsTheFarFaceOfTheLastVoxel) {
+  scene::Scene scene = labelledScene();
+  scene.cuts[0].axis = {0, -1, 0};
+  scene.cuts[0].centre = kMiddle;
+  // The first voxels of the ball along y have their middles at 10, their far faces at 9.5.
+  EXPECT_NEAR(pulledEnd(scene, scene.cuts[0], 4), kMiddle.y - 9.5, 1e-9);
+}
+
 TEST(PulledEnd, IsThatOfTheDataWhereNobodyKnowsTheStructures) {
   scene::Scene scene = ballScene();
   EXPECT_NEAR(pulledEnd(scene, scene.cuts[0], 7), 0.5 * kEdge + 0.5, 1e-6);

@@ -108,6 +108,49 @@ TEST_F(PulledPictures, DimWhatHasGoneBack) {
   EXPECT_GT(dimmed, 100);
 }
 
+TEST_F(PulledPictures, OfAWedgeShowWhatBothOfItsPlanesRemove) {
+  scene::Cut second;
+  second.axis = {1, 0, 0};
+  second.centre = kMiddle;
+  second.joined = true;
+  scene::addCut(mScene, second);
+  mScene.camera = scene::frameCamera(mScene, scene::StandardView::Anterior, double(kSize.x) / kSize.y);
+  auto seen = [&] {
+    PulledPicture picture = draw(30.0);
+    int left = 0, right = 0;
+    for (glm::ivec2 p(0); p.y < kSize.y; ++p.y)
+      for (p.x = 0; p.x < kSize.x; ++p.x) (p.x < kSize.x / 2 ? left : right) += at(picture, p) != 0;
+    return glm::ivec2(left, right);
+  };
+  glm::ivec2 wedge = seen();
+  mScene.cuts[1].enabled = false;
+  glm::ivec2 whole = seen();
+  EXPECT_GT(glm::min(whole.x, whole.y), 1000);
+  EXPECT_NEAR(whole.x, whole.y, 0.05 * whole.x);
+  EXPECT_LT(glm::min(wedge.x, wedge.y), 0.05 * whole.x) << "what the second plane keeps is in the picture that stands";
+  EXPECT_GT(glm::max(wedge.x, wedge.y), 0.95 * whole.x);
+}
+
+TEST_F(PulledPictures, AreLitAsSurfacesAndNotVoxelByVoxel) {
+  // Noise in the values; the end of what is pulled is flat.
+  std::uint32_t state = 1;
+  mScene.volume.data = Shared<Volume>(makeVolume(glm::ivec3(kEdge), SampleType::Int16, [&](glm::ivec3 v) {
+    state = state * 1664525u + 1013904223u;
+    return (isBall(glm::dvec3(v)) ? 900.0 : -900.0) + double(state >> 24) - 128.0;
+  }));
+  mScene.camera = scene::frameCamera(mScene, scene::StandardView::Anterior, double(kSize.x) / kSize.y);
+  PulledPicture picture = draw(4.0);
+  glm::ivec2 middle(glm::floor(*scene::pixelFromWorld(mScene.camera, glm::dvec2(kSize), kMiddle)));
+  int least = 255, most = 0;
+  for (int y = -10; y <= 10; ++y)
+    for (int x = -10; x <= 10; ++x) {
+      int red = at(picture, middle + glm::ivec2(x, y)) >> 16 & 255;
+      least = std::min(least, red), most = std::max(most, red);
+    }
+  EXPECT_GT(least, 150);
+  EXPECT_LT(most - least, 12);
+}
+
 TEST_F(PulledPictures, ShowNothingOfAFaceThatIsSeenFromBehind) {
   mScene.cuts[0].invert = true;
   for (auto projection : {scene::Projection::Perspective, scene::Projection::Orthographic}) {

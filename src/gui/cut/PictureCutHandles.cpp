@@ -6,6 +6,7 @@
 #include "kit/SelectedCut.h"
 #include "kit/Theme.h"
 #include "tool/HandlePaint.h"
+#include "velum/session/extrusion/Pull.h"
 
 namespace velum::gui {
 
@@ -124,7 +125,7 @@ void PictureCutHandles::drag(const PointerEvent& event) {
   mPointer = event.at.place();
   mTag = QString::fromStdString(session::dragText(scene::lengthFormat(mDocument.scene()), mStart, moved, mHandle));
   mDocument.edit(
-      session::dragLabel(mStart, mHandle), [&](scene::Scene& scene) { session::replaceCut(scene, std::move(moved)); },
+      session::dragLabel(mStart, mHandle), [&](scene::Scene& scene) { session::moveCut(scene, std::move(moved)); },
       true);
   mToolbox.repaint(event.at.view());
 }

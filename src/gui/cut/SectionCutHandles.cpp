@@ -7,6 +7,7 @@
 #include "kit/SelectedCut.h"
 #include "kit/Theme.h"
 #include "tool/HandlePaint.h"
+#include "velum/session/extrusion/Pull.h"
 #include "velum/session/membrane/SheetHands.h"
 
 namespace velum::gui {
@@ -151,7 +152,7 @@ void SectionCutHandles::drag(const PointerEvent& event) {
   auto like = session::likeInPicture(mHandle);
   mTag = QString::fromStdString(session::dragText(scene::lengthFormat(mDocument.scene()), mStart, now, like));
   mDocument.edit(
-      session::dragLabel(mStart, like), [&](scene::Scene& scene) { session::replaceCut(scene, std::move(now)); }, true);
+      session::dragLabel(mStart, like), [&](scene::Scene& scene) { session::moveCut(scene, std::move(now)); }, true);
   mToolbox.repaint(event.at.view());
 }
 

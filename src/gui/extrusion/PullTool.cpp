@@ -5,6 +5,7 @@
 
 #include "PullPaint.h"
 #include "kit/Length.h"
+#include "kit/SelectedCut.h"
 #include "tool/HandlePaint.h"
 #include "velum/scene/SectionPlane.h"
 #include "velum/session/cut/CutEdit.h"
@@ -23,6 +24,11 @@ constexpr double kSlackVoxels = 1.5;
 constexpr double kBesidePixels = 40.0;
 
 double slackOf(const scene::Scene& scene) { return kSlackVoxels * scene::sectionStep(scene); }
+
+QString wayText(glm::dvec2 way) {
+  if (way.x != 0.0) return way.x > 0.0 ? PullTool::tr("right") : PullTool::tr("left");
+  return way.y > 0.0 ? PullTool::tr("down") : PullTool::tr("up");
+}
 
 bool hasCutToPullFrom(const scene::Scene& scene) {
   return std::any_of(scene.cuts.begin(), scene.cuts.end(), session::canPullFrom);
@@ -196,7 +202,10 @@ void PullTool::pullTo(const ViewPoint& at) {
   setDistances(distances);
   const Dragged& last = mDragged.back();
   mTag = tr("%1: %2").arg(nameOf(last.pull), Length(mDocument.scene()).text(distances.back()));
-  if (distances.back() == last.end) mTag = tr("%1, its end").arg(mTag);
+  if (distances.back() == 0.0)
+    mTag = tr("%1, drag %2 to pull it out").arg(mTag, wayText(last.drag.wayOut()));
+  else if (distances.back() == last.end)
+    mTag = tr("%1, its end").arg(mTag);
 }
 
 /// One step of undo with all of the drag.
@@ -303,8 +312,8 @@ bool PullTool::movePlane(double steps) {
   const scene::Cut* cut = scene::findCut(mDocument.scene(), mSelection.cut());
   if (!cut || !session::canPullFrom(*cut)) return false;
   glm::dvec3 step = session::pullDirection(*cut, cut->centre) * (steps * scene::sectionStep(mDocument.scene()));
-  mDocument.edit(
-      "Move cut", [&](scene::Scene& scene) { scene::findCut(scene, mSelection.cut())->centre += step; }, true);
+  editSelectedCut(
+      mDocument, mSelection, "Move cut", [&](scene::Cut& one) { one.centre += step; }, true);
   return true;
 }
 

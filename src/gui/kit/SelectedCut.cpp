@@ -1,5 +1,7 @@
 #include "SelectedCut.h"
 
+#include "velum/session/extrusion/Pull.h"
+
 namespace velum::gui {
 
 const scene::Cut* selectedCut(const session::Document& document, const Selection& selection) {
@@ -15,7 +17,14 @@ void editSelectedCut(session::Document& document, const Selection& selection, co
                      const std::function<void(scene::Cut&)>& change, bool merge) {
   if (!selectedCut(document, selection)) return;
   document.edit(
-      label, [&](scene::Scene& scene) { change(*scene::findCut(scene, selection.cut())); }, merge);
+      label,
+      [&](scene::Scene& scene) {
+        scene::Cut& cut = *scene::findCut(scene, selection.cut());
+        scene::Cut before = cut;
+        change(cut);
+        session::carryPulled(scene, before);
+      },
+      merge);
 }
 
 void editSelectedMembrane(session::Document& document, const Selection& selection, const std::string& label,

@@ -119,6 +119,14 @@ double ExtrusionDrag::distanceAt(glm::dvec2 pixel) const {
   return std::max(0.0, mDistance + dragAlong(mSpace, mFrom, pixel, mPlace, mDirection));
 }
 
+glm::dvec2 ExtrusionDrag::wayOut() const {
+  constexpr double kStep = 10.0;  // pixels
+  auto along = [&](glm::dvec2 way) { return dragAlong(mSpace, mFrom, mFrom + kStep * way, mPlace, mDirection); };
+  double right = along({1, 0}), down = along({0, 1});
+  if (std::abs(right) > std::abs(down)) return {right > 0.0 ? 1.0 : -1.0, 0.0};
+  return {0.0, down < 0.0 ? -1.0 : 1.0};
+}
+
 std::optional<int> addJoinedPlane(scene::Scene& scene, int cut) {
   const scene::Cut* first = scene::findCut(scene, cut);
   if (!first || first->shape != scene::CutShape::Plane || scene.cuts.size() >= scene::kMostCuts) return std::nullopt;
@@ -186,7 +194,8 @@ std::vector<glm::dvec3> leftBy(const scene::Cut& cut, const std::vector<glm::dve
   return out;
 }
 
-/// Those that are joined with a cut, without itself.
+}  // namespace
+
 std::vector<const scene::Cut*> joinedWith(const scene::Scene& scene, const scene::Cut& cut) {
   std::vector<const scene::Cut*> group;
   bool isIn = false;
@@ -200,8 +209,6 @@ std::vector<const scene::Cut*> joinedWith(const scene::Scene& scene, const scene
   }
   return isIn ? group : std::vector<const scene::Cut*>{};
 }
-
-}  // namespace
 
 std::vector<std::vector<glm::dvec3>> partsLeftByOthers(const scene::Scene& scene, const scene::Cut& plane,
                                                        const std::vector<glm::dvec3>& outline) {

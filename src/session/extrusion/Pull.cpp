@@ -121,12 +121,55 @@ bool goesOn(const scene::Growth& step, scene::Growth wanted) {
   return step == wanted;
 }
 
+/// How far a plane lies before that of a step, along the step's axis.
+double depthOf(const scene::Growth& plane, const scene::Growth& step) {
+  return glm::dot(plane.centre - step.centre, step.axis);
+}
+
+/// Takes in what another step with the same axis reaches, and what lies between the two: so what grows from it has a way.
+void takeIn(scene::Growth& step, const scene::Growth& other) {
+  double first = depthOf(other, step);
+  double end = std::max(step.distance, first + other.distance);
+  first = std::min(first, 0.0);
+  step.centre += first * step.axis;
+  step.distance = end - first;
+}
+
+/// The steps that grow a structure out of a cut that has moved: those with seeds, and one that brings what they have found
+/// to where the cut is now. What was held, where it would have flowed into another, ends where it was held.
+void carry(std::vector<scene::Growth>& steps, const Extrusion& extrusion, const scene::Cut& before,
+           const scene::Cut& now) {
+  auto isMeant = [&](const scene::Growth& step) {
+    return step.structure == extrusion.structure && step.axis != glm::dvec3(0.0) && growsOutOf(step, before);
+  };
+  auto last = std::find_if(steps.rbegin(), steps.rend(), isMeant);
+  if (last == steps.rend()) return;
+  scene::Growth full = *last, step = *last;
+  setPlane(full, before, extrusion.distance);
+  setPlane(step, now, extrusion.distance);
+  step.seeds.clear();
+  double end = last->distance + depthOf(*last, step);
+  if (depthOf(*last, full) + last->distance < full.distance) step.distance = std::clamp(end, 0.0, step.distance);
+  std::erase_if(steps, [&](const auto& other) { return other.seeds.empty() && isMeant(other); });
+  auto base = std::find_if(steps.rbegin(), steps.rend(), [&](const scene::Growth& other) {
+    return other.structure == step.structure && other.axis == step.axis && !other.seeds.empty();
+  });
+  if (base != steps.rend()) {
+    bool isFound = depthOf(step, *base) >= 0.0 && depthOf(step, *base) + step.distance <= base->distance;
+    if (isFound) return;
+    takeIn(step, *base);
+  }
+  if (steps.size() < scene::kMostGrowths) steps.push_back(step);
+}
+
 }  // namespace
 
 bool growsOutOf(const scene::Growth& growth, const scene::Cut& cut) {
-  scene::Growth other = growth;
-  setPlane(other, cut, growth.distance);
-  return other.centre == growth.centre && other.axis == growth.axis;
+  scene::Growth plane = growth;
+  setPlane(plane, cut, 0.0);
+  double slack = 1e-9 * (glm::length(plane.centre) + glm::length(growth.centre));
+  double depth = depthOf(plane, growth);
+  return plane.axis == growth.axis && depth >= -slack && depth <= growth.distance + slack;
 }
 
 Pull pullAgain(const scene::Scene& scene, const Extrusion& extrusion) {
@@ -168,6 +211,23 @@ void pullTo(scene::Scene& scene, const Pull& pull, double distance) {
     steps.back().distance = std::max(steps.back().distance, step.distance);
   else if (steps.size() < scene::kMostGrowths)
     steps.push_back(step);
+}
+
+void carryPulled(scene::Scene& scene, const scene::Cut& before) {
+  const scene::Cut* now = scene::findCut(scene, before.id);
+  if (!now || (cutFrame(*now) == cutFrame(before) && now->centre == before.centre && now->size == before.size &&
+                  now->invert == before.invert && now->shape == before.shape))
+    return;
+  for (const auto& extrusion : extrusionsOf(scene))
+    if (extrusion.cut == before.id) carry(scene.labels.growths, extrusion, before, *now);
+}
+
+void moveCut(scene::Scene& scene, scene::Cut moved) {
+  const scene::Cut* cut = scene::findCut(scene, moved.id);
+  if (!cut) return;
+  scene::Cut before = *cut;
+  replaceCut(scene, std::move(moved));
+  carryPulled(scene, before);
 }
 
 }  // namespace velum::session

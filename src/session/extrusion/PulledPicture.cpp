@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 
+#include "PulledCanvas.h"
 #include "velum/scene/Project.h"
 #include "velum/session/extrusion/Extrusion.h"
 #include "velum/session/structure/StructureEdit.h"
@@ -17,9 +18,6 @@ namespace velum::session {
 
 namespace {
 
-/// Light on a surface that is seen along its side; what has gone back is as dark.
-constexpr float kAmbient = 0.3f;
-constexpr std::uint32_t kGone = 0x90202428;
 constexpr int kBrick = LabelVolume::kBrickSize;
 using Bits = std::uint64_t;
 
@@ -54,38 +52,6 @@ class Eye {
   glm::dvec3 mOrigin;
   double mScale;
 };
-
-/// The nearest colour of each pixel. Distances are positive, so that their bits ascend with them.
-class Canvas {
- public:
-  explicit Canvas(glm::ivec2 size) : mSize(size), mCells(std::size_t(size.x) * std::size_t(size.y), kEmpty) {}
-
-  void put(glm::ivec2 low, glm::ivec2 high, float distance, std::uint32_t color) {
-    std::uint64_t cell = std::uint64_t(std::bit_cast<std::uint32_t>(distance)) << 32 | color;
-    for (int y = low.y; y <= high.y; ++y) {
-      std::uint64_t* row = mCells.data() + std::size_t(y) * std::size_t(mSize.x);
-      for (int x = low.x; x <= high.x; ++x) row[x] = std::min(row[x], cell);
-    }
-  }
-  /// 0 where nobody has put one.
-  std::vector<std::uint32_t> colors() const {
-    std::vector<std::uint32_t> colors(mCells.size());
-    std::transform(mCells.begin(), mCells.end(), colors.begin(),
-                   [](std::uint64_t cell) { return cell == kEmpty ? 0u : std::uint32_t(cell); });
-    return colors;
-  }
-  glm::ivec2 size() const { return mSize; }
-
- private:
-  static constexpr std::uint64_t kEmpty = ~0ull;
-  glm::ivec2 mSize;
-  std::vector<std::uint64_t> mCells;
-};
-
-std::uint32_t colorWord(glm::vec3 color) {
-  glm::vec3 bytes = glm::round(255.0f * glm::clamp(color, 0.0f, 1.0f));
-  return 0xff000000u | std::uint32_t(bytes.r) << 16 | std::uint32_t(bytes.g) << 8 | std::uint32_t(bytes.b);
-}
 
 /// The colours of a structure by its values, as far as it does not take its own.
 class Colors {
@@ -182,7 +148,7 @@ struct BrickBits {
 /// Draws one structure out of one cut.
 class Pen {
  public:
-  Pen(const scene::Scene& scene, const Pulled& pulled, const scene::Cut& cut, Canvas& canvas)
+  Pen(const scene::Scene& scene, const Pulled& pulled, const scene::Cut& cut, PulledCanvas& canvas)
       : mLabels(*scene.labels.data),
         mVolume(scene.volume.data),
         mChannel(scene.volume.channel),
@@ -193,8 +159,8 @@ class Pen {
         mEye(scene.camera, glm::dvec2(canvas.size()), mWorldFromVoxel),
         mDepths(cut, mWorldFromVoxel),
         mColors(scene, pulled.structure),
-        mEyeFromGradient(glm::transpose(glm::inverse(mEye.fromVoxel()))),
-        mEyeFromGradientTransposed(glm::transpose(mEyeFromGradient)) {
+        mFacesFromEye(glm::inverse(mEye.fromVoxel())) {
+    for (const scene::Cut* other : joinedWith(scene, cut)) mJoined.emplace_back(*other, mWorldFromVoxel);
     glm::ivec3 grid = mLabels.brickGrid();
     mRows.resize(std::size_t(grid.x) * std::size_t(grid.y) * std::size_t(grid.z));
     for (int axis = 0; axis < 3; ++axis) mVoxel = std::max(mVoxel, glm::length(glm::dvec3(mWorldFromVoxel[axis])));
@@ -211,9 +177,16 @@ class Pen {
     if (mDepths.boxIsUpTo(0.0, first, last) == true) return;
     if (mDepths.boxIsUpTo(std::max(mPulled.distance, mPulled.before), first, last) == false) return;
     BrickBits all = bitsOf(index);
-    BrickBits out = upTo(all, mPulled.distance), within = upTo(all, 0.0);
+    BrickBits out = upTo(all, mDepths, mPulled.distance), within = upTo(all, mDepths, 0.0);
+    for (const Depths& joined : mJoined) {
+      BrickBits kept = upTo(all, joined, 0.0);
+      for (std::size_t i = 0; i < kept.rows.size(); ++i) within.rows[i] |= kept.rows[i];
+    }
     drawSurface(out, within, false);
-    if (mPulled.before > mPulled.distance) drawSurface(upTo(all, mPulled.before), out, true);
+    if (mPulled.before > mPulled.distance) {
+      for (std::size_t i = 0; i < out.rows.size(); ++i) within.rows[i] |= out.rows[i];
+      drawSurface(upTo(all, mDepths, mPulled.before), within, true);
+    }
   }
 
  private:
@@ -275,13 +248,13 @@ class Pen {
     }
     return bits;
   }
-  BrickBits upTo(BrickBits bits, double depth) const {
+  static BrickBits upTo(BrickBits bits, const Depths& depths, double depth) {
     constexpr int kLast = BrickBits::kWide - 1;
-    auto isUpTo = mDepths.boxIsUpTo(depth, bits.first, bits.first + kLast);
+    auto isUpTo = depths.boxIsUpTo(depth, bits.first, bits.first + kLast);
     if (isUpTo && !*isUpTo) bits.rows.fill(0);
     if (isUpTo) return bits;
     for (int z = 0; z <= kLast; ++z)
-      for (int y = 0; y <= kLast; ++y) bits.row(y, z) = mDepths.upTo(depth, bits.rowStart(y, z), bits.row(y, z));
+      for (int y = 0; y <= kLast; ++y) bits.row(y, z) = depths.upTo(depth, bits.rowStart(y, z), bits.row(y, z));
     return bits;
   }
 
@@ -308,55 +281,39 @@ class Pen {
   void draw(glm::ivec3 voxel, glm::ivec3 openBelow, glm::ivec3 openAbove, bool isGone) {
     glm::dvec3 place = mEye.place(glm::dvec3(voxel));
     if (mEye.isBehind(place)) return;
-    glm::dvec3 facing = mEyeFromGradientTransposed * mEye.towardsEye(place);
+    glm::dvec3 facing = mFacesFromEye * mEye.towardsEye(place);
     bool isSeen = false;
     for (int axis = 0; axis < 3; ++axis)
       isSeen |= facing[axis] > 0.0 ? openAbove[axis] != 0 : facing[axis] < 0.0 && openBelow[axis] != 0;
-    if (isSeen) splat(voxel, place, glm::dvec3(openAbove - openBelow), isGone);
+    if (isSeen) splat(voxel, place, isGone);
   }
 
-  void splat(glm::ivec3 voxel, glm::dvec3 place, glm::dvec3 outwards, bool isGone) {
+  void splat(glm::ivec3 voxel, glm::dvec3 place, bool isGone) {
     glm::dvec2 pixel = mEye.pixel(place);
     double radius = std::max(0.5, 0.7 * mVoxel * mEye.pixelsPerLength(place));
     glm::ivec2 low(glm::ceil(pixel - radius - 0.5)), high(glm::floor(pixel + radius - 0.5));
     low = glm::max(low, glm::ivec2(0)), high = glm::min(high, mCanvas.size() - 1);
     if (low.x > high.x || low.y > high.y) return;
-    // What has gone lies behind all that is there.
-    double distance = isGone ? std::numeric_limits<float>::max() : mEye.distance(place);
-    std::uint32_t color = isGone ? kGone : colorWord(litColor(voxel, outwards, place));
-    mCanvas.put(low, high, float(distance), color);
+    if (isGone) return mCanvas.putGone(low, high);
+    mCanvas.setScale(mVoxel, mEye.pixelsPerLength(place));
+    mCanvas.put(low, high, float(mEye.distance(place)), colorOf(voxel));
   }
 
-  glm::vec3 litColor(glm::ivec3 voxel, glm::dvec3 outwards, glm::dvec3 place) const {
-    glm::dvec3 gradient = mHasGrid ? gradientAt(voxel) : outwards;
-    double steep = glm::length(gradient);
-    glm::dvec3 normal = mEyeFromGradient * (steep > 0.0 ? gradient : outwards);
-    double length = glm::length(normal);
-    double light = length > 0.0 ? std::abs(glm::dot(normal, mEye.towardsEye(place))) / length : 1.0;
-    glm::vec3 color = mHasGrid ? mColors.at(valueAt(*mVolume, voxel, mChannel, mTimeStep)) : mColors.at(0.0);
-    return color * (kAmbient + (1.0f - kAmbient) * float(light));
-  }
-
-  glm::dvec3 gradientAt(glm::ivec3 voxel) const {
-    glm::dvec3 gradient(0.0);
-    for (int axis = 0; axis < 3; ++axis) {
-      glm::ivec3 a = voxel, b = voxel;
-      a[axis] = std::max(a[axis] - 1, 0), b[axis] = std::min(b[axis] + 1, mVolume->dims[axis] - 1);
-      gradient[axis] = valueAt(*mVolume, b, mChannel, mTimeStep) - valueAt(*mVolume, a, mChannel, mTimeStep);
-    }
-    return gradient;
+  glm::vec3 colorOf(glm::ivec3 voxel) const {
+    return mColors.at(mHasGrid ? valueAt(*mVolume, voxel, mChannel, mTimeStep) : 0.0);
   }
 
   const LabelVolume& mLabels;
   Shared<Volume> mVolume;
   int mChannel, mTimeStep;
   const Pulled& mPulled;
-  Canvas& mCanvas;
+  PulledCanvas& mCanvas;
   glm::dmat4 mWorldFromVoxel;
   Eye mEye;
   Depths mDepths;
+  std::vector<Depths> mJoined;  ///< cuts that keep some of what this one removes
   Colors mColors;
-  glm::dmat3 mEyeFromGradient, mEyeFromGradientTransposed;
+  glm::dmat3 mFacesFromEye;
   double mVoxel = 0.0;
   bool mHasGrid = false;
   std::vector<std::unique_ptr<BrickRows>> mRows;  ///< of bricks that have been looked at
@@ -370,7 +327,7 @@ bool isSeen(const scene::Scene& scene, const scene::Cut& cut) {
   return glm::dot(pullDirection(cut, cut.centre), scene::cameraBasis(scene.camera).forward) < 0.0;
 }
 
-void drawOne(const scene::Scene& scene, const Pulled& pulled, Canvas& canvas, const Progress& progress) {
+void drawOne(const scene::Scene& scene, const Pulled& pulled, PulledCanvas& canvas, const Progress& progress) {
   const scene::Cut* cut = scene::findCut(scene, pulled.cut);
   if (!cut || !scene.labels.data || !(std::max(pulled.distance, pulled.before) > 0.0) || !isSeen(scene, *cut)) return;
   Pen pen(scene, pulled, *cut, canvas);
@@ -387,9 +344,9 @@ void drawOne(const scene::Scene& scene, const Pulled& pulled, Canvas& canvas, co
 PulledPicture drawPulled(const scene::Scene& scene, const std::vector<Pulled>& pulled, glm::ivec2 size,
                          const Progress& progress) {
   size = glm::max(size, glm::ivec2(1));
-  Canvas canvas(size);
+  PulledCanvas canvas(size);
   for (const Pulled& one : pulled) drawOne(scene, one, canvas, progress);
-  return {size.x, size.y, canvas.colors()};
+  return {size.x, size.y, canvas.pixels()};
 }
 
 }  // namespace velum::session

@@ -118,15 +118,16 @@ void holdGrowth(scene::Scene& scene, const Leak& held) {
 }
 
 void growOn(scene::Scene& scene, int structure) {
-  double distance = 0.0;
+  auto& steps = scene.labels.growths;
+  auto last = std::find_if(steps.rbegin(), steps.rend(), [&](const auto& step) { return step.structure == structure; });
+  if (last == steps.rend()) return;
+  // A step's plane may lie behind that of its cut: where the cut was, or as deep as a membrane's sheet can lie.
   for (const auto& cut : scene.cuts)
-    for (const auto& spare : cut.spares)
-      if (spare.structure == structure)
-        distance = std::max(distance, spare.distance + (scene::isMembrane(cut) ? cut.size.z : 0.0));
-  for (auto& step : std::views::reverse(scene.labels.growths))
-    if (step.structure == structure) {
-      step.distance = std::max(step.distance, distance);
-      return;
+    for (const auto& spare : cut.spares) {
+      if (spare.structure != structure) continue;
+      double sheet = scene::isMembrane(cut) ? 0.5 * cut.size.z : 0.0;
+      double behind = glm::dot(cut.centre - last->centre, last->axis);
+      last->distance = std::max(last->distance, behind + sheet + spare.distance);
     }
 }
 

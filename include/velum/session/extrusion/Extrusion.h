@@ -54,6 +54,8 @@ class ExtrusionDrag {
   ExtrusionDrag(const ViewSpace& space, glm::dvec2 pixel, const scene::Cut& cut, glm::dvec3 world, double distance);
   /// How far it is pulled out with the pointer there; never below 0.
   double distanceAt(glm::dvec2 pixel) const;
+  /// Where to on the picture the pointer pulls it out: one of (1, 0), (-1, 0), (0, 1), downwards, and (0, -1).
+  glm::dvec2 wayOut() const;
 
  private:
   ViewSpace mSpace;
@@ -66,6 +68,9 @@ class ExtrusionDrag {
 /// the eye, out of whose both faces structures can be pulled ([ACS] fig. 6). It comes right behind the first.
 /// @return its id; nothing where the cut is no plane or the scene has no room for another
 std::optional<int> addJoinedPlane(scene::Scene& scene, int cut);
+
+/// Those of the cuts that are on with which a cut is joined, without itself: it removes only what they remove, too.
+std::vector<const scene::Cut*> joinedWith(const scene::Scene& scene, const scene::Cut& cut);
 
 /// The twelve edges of the data's box, two ends each. World.
 std::vector<std::vector<glm::dvec3>> boxEdges(const scene::Scene& scene);

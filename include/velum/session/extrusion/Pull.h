@@ -34,7 +34,15 @@ void pullTo(scene::Scene& scene, const Pull& pull, double distance);
 /// What pulls something on that stands out already: by a number rather than by a drag.
 Pull pullAgain(const scene::Scene& scene, const Extrusion& extrusion);
 
-/// True when a step of growth has been made by pulling out of a cut that lies where it did then.
+/// True when a step of growth reaches out of a cut as that lies: from its plane, or past it.
 bool growsOutOf(const scene::Growth& growth, const scene::Cut& cut);
+
+/// What stands out of a cut goes along when the cut is put elsewhere: what was grown out of it grows as far out of where it
+/// is now. What grew from places that somebody pressed stays; a part that was only carried is grown anew.
+/// @param before  the cut as it was; nothing happens where it lies as it did
+void carryPulled(scene::Scene& scene, const scene::Cut& before);
+
+/// Puts a cut elsewhere, with what stands out of it. Its membrane keeps the sheet's shape.
+void moveCut(scene::Scene& scene, scene::Cut moved);
 
 }  // namespace velum::session

@@ -69,13 +69,24 @@ void main() {
   if (any(greaterThanEqual(cell, grid))) return;
   vec3 tex = (vec3(cell) + 0.5) / vec3(grid);
   float near = 0.0;
-  for (int i = 0; i < 8; ++i) near += extinctionAt(tex + (vec3(i & 1, i >> 1 & 1, i >> 2) * 2.0 - 1.0) * 1.6 / vec3(grid));
+  vec3 lean = vec3(0.0);  // towards the material
+  for (int i = 0; i < 8; ++i) {
+    vec3 corner = vec3(i & 1, i >> 1 & 1, i >> 2) * 2.0 - 1.0;
+    float extinction = extinctionAt(tex + corner * 1.6 / vec3(grid));
+    near += extinction;
+    lean += corner * extinction;
+  }
+  // The cells along a slanting surface lie in steps. Light that starts next to the surface meets more of it on one step
+  // than on the next, which shows as rings; what starts a cell farther off meets as much on all of them. Between two
+  // surfaces there is nowhere to go, and fog has no surface.
+  vec3 away = -lean / max(near, 1e-6) * min(0.25 * near * frame.lightCell, 1.0);
+  vec3 from = tex + away / max(length(away), 1.0) * cellTex.xyz;
   // Counts of 0 instead of branches: a software driver runs both sides of a branch, but leaves a loop early.
   bool isShadowed = near > 0.0 && frame.shadowStrength > 0.0;
   bool isOccluded = near > 0.0 && frame.occlusionStrength > 0.0;
   bool isKept = keepsOpenness != 0;
-  float shadow = shadowAt(tex, isShadowed ? 40 : 0);
-  float openness = opennessAt(tex, isOccluded && !isKept ? 14 : 0);
+  float shadow = shadowAt(from, isShadowed ? 40 : 0);
+  float openness = opennessAt(from, isOccluded && !isKept ? 14 : 0);
   openness = isKept ? imageLoad(lightImage, cell).g : isOccluded ? openness : 1.0;
   imageStore(lightImage, cell, vec4(shadow, openness, 0.0, 0.0));
 }

@@ -78,6 +78,24 @@ TEST(TypeSpares, TypesOutOfTheRangesOfMassAndNumberAreNotSpared) {
   EXPECT_EQ(shareOf(1), 0.0) << "15 of them";
 }
 
+TEST(TypeSpares, AFocusOnACompartmentHoldsAllOfItsTypes) {
+  scene::Scene scene;
+  scene.model.data = Shared<Model>(ModelMaker{.types = 4}.make());
+  const Model& model = *scene.model.data;
+  for (std::string path : {"root", "root.a", "root.b", "root.a.type0", "root.a.type", "type0", ""}) {
+    scene::Cut cut;
+    cut.focus.emplace().types = {{path}};
+    scene.cuts = {cut};
+    auto rows = mesoscale::makeTypeSpareRows(scene);
+    ASSERT_EQ(rows.size(), model.types.size());
+    for (std::size_t type = 0; type < rows.size(); ++type) {
+      std::string own = pathOf(model, model.types[type]);
+      bool isIn = !path.empty() && (own == path || own.starts_with(path + "."));
+      EXPECT_EQ(rows[type].isFocus, isIn ? 1.0f : 0.0f) << own << " by " << path;
+    }
+  }
+}
+
 TEST(TypeSpares, ACutThatIsOffHasNoPlaceAmongThem) {
   scene::Scene scene;
   scene.model.data = Shared<Model>(ModelMaker{}.make());

@@ -108,6 +108,16 @@ TEST(GreyWindows, TheFirstOfACtIsOfWhatFillsIt) {
   EXPECT_EQ(firstWindow(ctBall(900, 1500, 0.5)), windowNamed("bone")) << "a bone without its flesh";
 }
 
+TEST(GreyWindows, SpongyBoneAroundDenseBoneIsNoContrastMedium) {
+  Volume ct = makeVolume({kSize, kSize, kSize}, SampleType::Int16, [](glm::ivec3 p) {
+    double r = radius(p);
+    return r > 0.9 ? -1000.0 : r > 0.65 ? 45.0 : r > 0.45 ? 420.0 : 1000.0;
+  });
+  ct.modality = Modality::CT;
+  ct.unit = "HU";
+  EXPECT_EQ(firstWindow(ct), windowNamed("abdomen"));
+}
+
 TEST(GreyWindows, TheFirstOfAPetIsOfTheBodyNotOfItsBladder) {
   for (double unit : {1.0, 5e3}) {
     glm::dvec2 window = firstWindow(pet(unit));

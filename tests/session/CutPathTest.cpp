@@ -128,10 +128,14 @@ TEST(CutPath, WithoutAModelCutsComeInAndThenStructuresComeOut) {
         scene::Scene now = cutPathAt(scene, at);
         return !now.cuts.empty() && depthInCut(now.cuts[0], place) > 1e-6;
       };
-      int atFirst = 0, before = 0, inTheEnd = 0;
+      int atFirst = 0, before = 0, inTheEnd = 0, underSheet = 0;
+      // As deep as a sheet may dip.
+      double reach = scene::isMembrane(cut) ? 0.5 * cut.size.z : 0.0;
+      scene::Cut atStart = cutPathAt(scene, 1e-7).cuts[0];
       for (int i = 0; i < 9 * 9 * 9; ++i) {
         glm::dvec3 place = glm::dvec3(95, 195, 295) * glm::dvec3(i % 9, i / 9 % 9, i / 81) / 8.0;
         atFirst += takes(1e-7, place);
+        underSheet += reach > 0.0 && depthInCut(atStart, place) > 1e-6 - reach;
         inTheEnd += takes(0.5, place);
         for (double at : {0.1, 0.3, 0.45}) {
           before += takes(at, place);
@@ -140,6 +144,7 @@ TEST(CutPath, WithoutAModelCutsComeInAndThenStructuresComeOut) {
         EXPECT_EQ(takes(0.5, place), takes(1.0, place));
       }
       EXPECT_EQ(atFirst, 0) << enumName(shape) << invert;
+      EXPECT_EQ(underSheet, 0) << "a sheet takes nothing where it dips" << invert;
       EXPECT_GT(inTheEnd, 0) << enumName(shape) << invert;
       EXPECT_LT(before, 3 * inTheEnd) << enumName(shape) << invert;
       EXPECT_EQ(extrusionOf(cutPathAt(scene, 0.4).cuts[0], 3), 0.0);

@@ -98,6 +98,23 @@ TEST_F(PictureLayersGL, FrontOverInlayOverBehindIsThePicture) {
   EXPECT_LT(differenceFromLayers(image), 2.5f / 255.0f);
 }
 
+TEST_F(PictureLayersGL, OfAFinishedPictureTheyAreNotFinished) {
+  // They are finished when they have been put together, once.
+  scene::Scene scene = *sScene;
+  Image plain = draw(scene);
+  scene.finish.contours = 1.5;
+  Image finished = draw(scene);
+  float most[2] = {0.0f, 0.0f};  // of the layers, of the picture
+  for (std::size_t i = 0; i < std::size_t(plain.width) * std::size_t(plain.height); ++i)
+    for (const char* layer : {"front.", "inlay.", "behind.", ""}) {
+      glm::vec4 away = glm::abs(colorAt(finished, i, layer) - colorAt(plain, i, layer));
+      float& sofar = most[*layer == 0];
+      sofar = std::max({sofar, away.r, away.g, away.b, away.a});
+    }
+  EXPECT_EQ(most[0], 0.0f);
+  EXPECT_GT(most[1], 0.1f);
+}
+
 TEST_F(PictureLayersGL, SheetsAndSurfacesHaveTheirPlaceInThem) {
   scene::Scene scene = *sScene;
   scene.cuts[0].membrane->look = scene::SheetLook::Surface;
@@ -176,6 +193,28 @@ TEST_F(PictureLayersGL, BesideAPngTheyHave16BitsAndItsResolution) {
     grey.insert(depth.pixels[i]);
   }
   EXPECT_GT(grey.size(), 256u);
+}
+
+TEST_F(PictureLayersGL, PlacesBesideAPngAreRedByXGreenByYAndBlueByZ) {
+  TempFolder folder;
+  Image image = draw(*sScene);
+  savePicture(image, *sScene, {{64, 64}, 1, true, true, 254}, folder / "x.png");
+  Image places = io::readImage(folder / "x.position.png");
+  std::size_t z = column(image, "Z"), n = image.channels.size(), there = 0;
+  glm::vec3 low(INFINITY), high(-INFINITY);
+  auto placeOf = [&](std::size_t i) {
+    const float* at = &image.pixels[i * n];
+    return glm::vec3(at[column(image, "position.X")], at[column(image, "position.Y")], at[column(image, "position.Z")]);
+  };
+  for (std::size_t i = 0; i * n < image.pixels.size(); ++i)
+    if (std::isfinite(image.pixels[i * n + z])) low = glm::min(low, placeOf(i)), high = glm::max(high, placeOf(i));
+  for (std::size_t i = 0; i * n < image.pixels.size(); ++i) {
+    if (!std::isfinite(image.pixels[i * n + z])) continue;
+    glm::vec3 expected = (placeOf(i) - low) / (high - low);
+    for (int axis = 0; axis < 3; ++axis) ASSERT_NEAR(places.pixels[i * 3 + std::size_t(axis)], expected[axis], 1e-4f);
+    ++there;
+  }
+  EXPECT_GT(there, 200u);
 }
 
 TEST_F(PictureLayersGL, IdsOfAModelTellItsInstancesApart) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "TempFolder.h"
+#include "makeVolume.h"
 #include "velum/core/Error.h"
 #include "velum/io/images/ImageFile.h"
 #include "velum/session/document/Open.h"
@@ -45,6 +46,23 @@ TEST(Picture, EveryFormatOpensAsItsScene) {
     ASSERT_EQ(back.cuts.size(), 1u) << name;
     EXPECT_EQ(back.cuts[0].name, "the cut") << name;
     EXPECT_TRUE(back.volume.data) << name;
+  }
+}
+
+TEST(Picture, OfASectionHasTheColoursOfItsStructures) {
+  scene::Scene scene;
+  glm::ivec3 dims(12);
+  scene.volume.data = Shared<Volume>(makeVolume(dims, SampleType::UInt8, [](glm::ivec3) { return 100.0; }));
+  scene.labels.data = Shared<LabelVolume>(makeLabels(dims, [](glm::ivec3) { return 1; }));
+  scene.sections.labelOpacity = 1.0;
+  for (glm::vec3 color : {glm::vec3(1.0f, 0.5f, 0.0f), glm::vec3(0.0f, 0.25f, 1.0f)}) {
+    scene.labels.structures = {{1, "all"}};
+    scene.labels.structures[0].color = color;
+    Image image = drawSectionPicture(scene, scene::SectionKind::Axial, {{40, 40}, 1, false, false, 300});
+    ASSERT_EQ(image.channels, (std::vector<std::string>{"R", "G", "B", "A"}));
+    const float* middle = &image.pixels[(20 * 40 + 20) * 4];
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(middle[c], color[c], 0.02f) << c;
+    EXPECT_EQ(middle[3], 1.0f);
   }
 }
 

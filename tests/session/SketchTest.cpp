@@ -118,6 +118,39 @@ TEST(Sketch, StrokesHoldTheVoxelsOfAPlainLoop) {
   }
 }
 
+TEST(Sketch, StrokesAreOfTheChannelAndTheMomentThatShow) {
+  constexpr glm::ivec3 dims(16, 14, 12);
+  constexpr int kChannels = 2, kMoments = 3;
+  auto valueOf = [](glm::ivec3 p, int channel, int moment) {
+    return std::floor(255.0 * hashNoise(p, std::uint32_t(1 + channel + kChannels * moment)));
+  };
+  Volume all = makeVolume(dims, SampleType::UInt8, [](glm::ivec3) { return 0.0; });
+  all.channels = kChannels, all.timeSteps = kMoments;
+  all.voxels.resize(voxelCount(all) * kChannels * kMoments);
+  auto* bytes = reinterpret_cast<std::uint8_t*>(all.voxels.data());
+  for (int moment = 0; moment < kMoments; ++moment)
+    for (int z = 0; z < dims.z; ++z)
+      for (int y = 0; y < dims.y; ++y)
+        for (int x = 0; x < dims.x; ++x)
+          for (int channel = 0; channel < kChannels; ++channel)
+            *bytes++ = std::uint8_t(valueOf({x, y, z}, channel, moment));
+  ASSERT_EQ(valueAt(all, {3, 4, 5}, 1, 2), valueOf({3, 4, 5}, 1, 2));
+  scene::VolumeLayer layer;
+  layer.data = Shared<Volume>(std::move(all));
+  std::vector<scene::Stroke> strokes{{{{2, 7, 6}, {13, 8, 6}}, 3.3, false}};
+  for (int moment = 0; moment < kMoments; ++moment)
+    for (int channel = 0; channel < kChannels; ++channel) {
+      scene::VolumeLayer one;
+      one.data = Shared<Volume>(
+          makeVolume(dims, SampleType::UInt8, [&](glm::ivec3 p) { return valueOf(p, channel, moment); }));
+      layer.channel = channel, layer.timeStep = moment;
+      Histogram whole = wholeHistogram(one);
+      EXPECT_EQ(strokeHistogram(layer, strokes, false, whole).counts,
+                strokeHistogram(one, strokes, false, whole).counts)
+          << "channel " << channel << ", moment " << moment;
+    }
+}
+
 TEST(Sketch, FloatsThatAreNoNumbersDoNotCount) {
   Volume v = makeVolume({20, 20, 20}, SampleType::Float32, [](glm::ivec3 p) {
     return p.x % 3 == 0 ? std::numeric_limits<double>::quiet_NaN() : 0.25 + p.y;

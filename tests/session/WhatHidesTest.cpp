@@ -82,6 +82,27 @@ TEST(WhatHides, WhatIsClearedForAViewIsNotAskedForWhateverThePicturesShape) {
   EXPECT_EQ(counts.size(), 2u) << "a wide picture shows more of what hides than a tall one";
 }
 
+TEST(WhatHides, AnInstanceIsLeftOutWhenItIsClearedAndNotItsNeighbour) {
+  scene::Scene scene = modelScene();
+  scene.model.data = Shared<Model>(ModelMaker{.types = 4, .atoms = 8, .instances = 800}.make());
+  scene.camera = scene::frameCamera(scene, scene::StandardView::Anterior, 1.0);
+  clearTheWay(scene, "type0");
+  const Model& model = *scene.model.data;
+  auto states = render::instanceStates(scene, {}, 1.0);
+  for (std::size_t surfaces : {0, 2}) {
+    scene.surfaces.resize(surfaces);
+    int asked[2] = {0, 0};
+    for (std::size_t i = 0; i < model.instances.size(); i += 7) {
+      if (model.molecules[model.instances[i].molecule].type != 1) continue;
+      Image alone{1, 1, {"R", "instance", "type"}, {0.0f, float(surfaces + i + 1), 1.0f}};
+      bool isCleared = states[i] == render::InstanceState::Cleared;
+      EXPECT_EQ(whatHides(scene, "type1", alone, alone).pixels, isCleared ? 0u : 1u) << i << " after " << surfaces;
+      ++asked[isCleared];
+    }
+    EXPECT_GT(std::min(asked[0], asked[1]), 2);
+  }
+}
+
 TEST(WhatHides, NothingIsClearedOfACompartmentThatHoldsTheFocusAndWhoHidesIt) {
   scene::Scene scene = modelScene();
   scene.camera = scene::frameCamera(scene, scene::StandardView::Anterior, 1.0);

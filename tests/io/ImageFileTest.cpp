@@ -1,5 +1,6 @@
 #include "velum/io/images/ImageFile.h"
 
+#include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -82,6 +83,27 @@ TEST(ImageFile, ExrLayersAreFloatExact) {
       else
         EXPECT_EQ(wrote, read) << image.channels[c];
     }
+  }
+}
+
+TEST(ImageFile, ColourInExrIsLinearAndPremultipliedInEachLayer) {
+  // As another program finds it.
+  TempFolder folder;
+  std::vector<std::string> channels{"R", "G", "B", "A", "front.R", "front.G", "front.B", "front.A", "normal.X"};
+  Image image{1, 1, channels, {0.5f, 0.25f, 1.0f, 0.5f, 0.75f, 0.5f, 0.25f, 0.25f, 0.5f}};
+  writeImage(image, folder / "a.exr");
+  auto in = OIIO::ImageInput::open((folder / "a.exr").string());
+  ASSERT_TRUE(in);
+  std::vector<std::string> names = in->spec().channelnames;
+  std::vector<float> values(names.size());
+  ASSERT_TRUE(in->read_image(0, 0, 0, int(names.size()), OIIO::TypeDesc::FLOAT, values.data()));
+  auto linear = [](double v) { return std::pow((v + 0.055) / 1.055, 2.4); };
+  std::vector<double> expected{linear(0.5) * 0.5,   linear(0.25) * 0.5, 0.5,  0.5, linear(0.75) * 0.25, linear(0.5) * 0.25,
+                               linear(0.25) * 0.25, 0.25,               0.5};
+  for (std::size_t c = 0; c < channels.size(); ++c) {
+    auto found = std::find(names.begin(), names.end(), channels[c]);
+    ASSERT_NE(found, names.end()) << channels[c];
+    EXPECT_NEAR(values[std::size_t(found - names.begin())], expected[c], 1e-5) << channels[c];
   }
 }
 

@@ -152,6 +152,30 @@ TEST_F(ContoursGL, AnOutlineHasTheSameLineHoweverSteepTheSurfaceIsThere) {
   EXPECT_GT(inked, 300);
 }
 
+TEST_F(ContoursGL, WithoutBackgroundTheyAreAsBeforeWhiteOnceItIsThere) {
+  scene::Scene scene = ball();
+  glm::ivec2 size(120, 120);
+  scene.background.transparent = true;
+  Image plain = draw(scene, size);
+  scene.finish.contours = 0.8;
+  scene.finish.contourWidth = 40.0;
+  scene.finish.contourColor = {0.5f, 0.2f, 0.1f};
+  Image alone = draw(scene, size);
+  scene.background.transparent = false;
+  Image white = draw(scene, size);
+  int outside = 0;
+  for (int y = 0; y < size.y; ++y)
+    for (int x = 0; x < size.x; ++x) {
+      glm::vec4 color = colorOf(alone, {x, y});
+      glm::vec3 laid = color.a * glm::vec3(color) + (1.0f - color.a);
+      // Bytes of three pictures' values: colour, alpha, and what they are laid on.
+      EXPECT_LT(glm::length(laid - glm::vec3(colorOf(white, {x, y}))), 1.5f * std::sqrt(3.0f) / 255.0f)
+          << x << ", " << y;
+      outside += sampleOf(plain, {x, y}, "A") == 0.0f && color.a > 0.4f;
+    }
+  EXPECT_GT(outside, 300) << "half of the line lies beside the ball";
+}
+
 TEST_F(ContoursGL, NoiseMakesNoSpeckle) {
   scene::Scene scene = ball(60.0);
   scene.finish.contours = 1.0;

@@ -1,8 +1,13 @@
 // What the finish adds to a picture: lit spheres, strokes, paper.
 #include <functional>
+#include <random>
 
 #include "ChangeFields.h"
 #include "FinishFixture.h"
+#include "shared/bindings.h"
+#include "shared/finish.h"
+#include "velum/gpu/Program.h"
+#include "velum/gpu/Texture.h"
 #include "velum/scene/LitSpheres.h"
 
 namespace velum {
@@ -87,6 +92,21 @@ TEST_F(FinishGL, WindowsOfAPictureFitTogether) {
   Image whole = render::renderPicture(renderer(), frame, {}, 4096, progress);
   for (int window : {101, 160})
     expectIdentical(whole, render::renderPicture(renderer(), frame, {}, window, progress), "in windows");
+}
+
+TEST_F(FinishGL, LinesAloneGoOnFromWindowToWindow) {
+  // Strokes look further around than lines do: without them windows are larger by the lines' own reach only.
+  scene::Scene scene = ball();
+  scene.finish.contours = 1.0;
+  scene.rayCast.samplesPerPixel = 1;
+  Progress progress;
+  for (double width : {6.0, 40.0}) {
+    scene.finish.contourWidth = width;
+    render::Frame frame = frameOf(scene, {100, 90});
+    Image whole = render::renderPicture(renderer(), frame, {}, 4096, progress);
+    for (int window : {50, 61, 77})
+      expectIdentical(whole, render::renderPicture(renderer(), frame, {}, window, progress), "in windows");
+  }
 }
 
 TEST_F(FinishGL, PreviewsShowIt) {
@@ -219,6 +239,55 @@ TEST_F(FinishGL, StrokesGoRoundACylinderHoweverItLies) {
     double along = std::abs(std::cos(change) * std::cos(turn) - std::sin(change) * std::sin(turn));
     EXPECT_GT(along, std::cos(glm::radians(12.0))) << turnDeg << " degrees: it changes along " << -glm::degrees(change);
   }
+}
+
+TEST_F(FinishGL, StrokesComeTogetherWhicheverWayTheirDirectionsAreCounted) {
+  // The same strokes: a direction turned about, and with it the phases that grow along it.
+  constexpr glm::ivec2 kCells(40, 30);
+  shared::FinishParams params{};
+  params.strokePixels = 5.0f;
+  params.cellPixels = params.strokePixels * shared::kCellPeriods;
+  params.cellsX = kCells.x;
+  params.cellsY = kCells.y;
+  gpu::UniformBuffer<shared::FinishParams> block("finish");
+  block.set(params);
+  gpu::Program align({"render/stroke_align.comp"}, {{"FINISH", "1"}});
+  auto aligned = [&](const std::vector<glm::vec4>& cells) {
+    auto from = gpu::Texture::make2d("from", gpu::Format::Rgba32f, kCells);
+    auto to = gpu::Texture::make2d("to", gpu::Format::Rgba32f, kCells);
+    from.write({0, 0, 0}, {kCells, 1}, cells.data());
+    block.bind(shared::kFinishBinding);
+    from.bindSampler(shared::kStrokeUnit);
+    to.bindImage(shared::kStrokeImage, gpu::Access::Write);
+    gpu::dispatch(align, {(kCells.x + 7) / 8, (kCells.y + 7) / 8, 1});
+    gpu::barrier();
+    std::vector<glm::vec4> found(cells.size());
+    to.read(found.data(), found.size() * sizeof(found[0]));
+    return found;
+  };
+  std::mt19937 random(5);
+  std::uniform_real_distribution<float> turn(-3.14159f, 3.14159f);
+  std::vector<glm::vec4> cells, turned;
+  std::vector<float> sides;
+  for (int i = 0; i < kCells.x * kCells.y; ++i) {
+    float along = turn(random);
+    cells.emplace_back(std::cos(along), std::sin(along), turn(random), turn(random));
+    sides.push_back(random() % 2 ? 1.0f : -1.0f);
+    turned.push_back(sides.back() * cells.back());
+  }
+  std::vector<glm::vec4> wanted = aligned(cells), found = aligned(turned);
+  double moved = 0.0, worst = 0.0;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    for (int c = 0; c < 2; ++c) EXPECT_EQ(found[i][c], sides[i] * wanted[i][c]) << i;
+    // Phases are the same a turn on.
+    for (int c = 2; c < 4; ++c) {
+      worst = std::max(worst, std::abs(std::sin(0.5 * double(found[i][c] - sides[i] * wanted[i][c]))));
+      moved += std::abs(std::sin(0.5 * double(wanted[i][c] - cells[i][c])));
+    }
+  }
+  EXPECT_GT(moved / double(cells.size()), 0.1) << "they come together";
+  // Where waves nearly cancel each other, the rounding of their sum turns the phase a little.
+  EXPECT_LT(worst, 0.01);
 }
 
 TEST_F(FinishGL, StructuresHaveTheirOwnSpheres) {

@@ -404,6 +404,39 @@ TEST_F(FocusGL, GhostsShowWhatIsRemovedWhereNothingIsNearer) {
   EXPECT_EQ(sampleOf(draw(scene, size, kLayers), {80, 50}, "ghosts.A"), 0.0f) << "not of this type";
 }
 
+TEST_F(FocusGL, LinesOfGhostsHaveOneColourHoweverStrongTheyAre) {
+  scene::Scene scene = focusScene(17, 60);
+  scene.model.ghosts = scene::Ghosts::Contour;
+  scene.cuts[0].typeSpares[0].share = 0.0;
+  scene.cuts[0].focus.reset();
+  glm::ivec2 size(100, 80);
+  scene.model.ghostOpacity = 0.9;
+  Image strong = draw(scene, size, kLayers);
+  scene.model.ghostOpacity = 0.1;
+  Image weak = draw(scene, size, kLayers);
+  // Before black nothing is brighter than the lines' own colour, as far as they cover it.
+  scene.background.transparent = false;
+  scene.background.top = scene.background.bottom = glm::vec3(0.0f);
+  Image before = draw(scene, size, kLayers);
+  int lined = 0, free = 0;
+  for (int y = 0; y < size.y; ++y)
+    for (int x = 0; x < size.x; ++x) {
+      float share = sampleOf(weak, {x, y}, "ghosts.A");
+      auto colorIn = [&](const Image& image) {
+        return glm::vec3(sampleOf(image, {x, y}, "ghosts.R"), sampleOf(image, {x, y}, "ghosts.G"),
+                         sampleOf(image, {x, y}, "ghosts.B"));
+      };
+      // Floats all the way: what is left is their rounding.
+      EXPECT_LT(glm::length(colorIn(weak) - colorIn(strong)), 1e-4f) << x << ", " << y;
+      // A grey level for the picture's bytes, half of one for the background's noise.
+      glm::vec3 wanted = share * colorIn(weak), found(colorOf(before, {x, y}));
+      EXPECT_LT(glm::length(found - wanted), 1.5f * std::sqrt(3.0f) / 255.0f) << x << ", " << y;
+      ++(share > 0.0f ? lined : free);
+    }
+  EXPECT_GT(lined, 200);
+  EXPECT_GT(free, 200);
+}
+
 TEST_F(FocusGL, GhostsAreAsStrongHoweverManySamplesThereAre) {
   scene::Scene scene = focusScene(16, 60);
   scene.model.ghosts = scene::Ghosts::Filled;

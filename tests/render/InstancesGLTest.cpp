@@ -549,6 +549,33 @@ TEST_F(InstancesGL, CopiesStandSideBySide) {
   EXPECT_EQ(*shown.rbegin(), 44);
 }
 
+TEST_F(InstancesGL, EachCopyStandsWhereTheGridOfCopiesHasIt) {
+  scene::Scene scene = sceneOfModel(lattice(3, 20.0f));
+  scene.model.detail = 0.1;
+  const Model& model = *scene.model.data;
+  int count = int(model.instances.size());
+  for (int copies : {2, 5, 12}) {
+    scene.model.copies = copies;
+    scene.camera = scene::frameCamera(scene, scene::StandardView::Oblique, 1.0);
+    scene.camera.projection = Projection::Orthographic;
+    Image image = draw(scene, {200, 200}, kLayers);
+    scene::CopyGrid grid = scene::copyGrid(scene.model);
+    std::set<int> shown;
+    double worst = 0.0;
+    eachShown(image, [&](glm::ivec2 pixel, glm::vec3 at) {
+      int instance = int(sampleOf(image, pixel, "instance")) - 1, copy = instance / count;
+      int line = copy / grid.counts.x;
+      glm::dvec3 block(copy % grid.counts.x, line % grid.counts.y, line / grid.counts.y);
+      glm::dvec3 middle = glm::dvec3(model.instances.at(std::size_t(instance % count)).position) + block * grid.step;
+      worst = std::max(worst, std::abs(glm::distance(glm::dvec3(at), middle) - double(radiusOf(kResidue))));
+      shown.insert(copy);
+    });
+    // Positions are as exact as depths are, see DepthsAreThoseOfTheSpheres.
+    EXPECT_LT(worst, 0.02) << copies << " copies";
+    EXPECT_EQ(int(shown.size()), copies);
+  }
+}
+
 TEST_F(InstancesGL, FarFromTheOriginThePictureIsTheSame) {
   // As files have them that keep the coordinates of a tomogram.
   auto drawAt = [&](glm::vec3 shift) {

@@ -168,6 +168,22 @@ TEST_F(MembranesGL, ALiveSheetShowsAsItsShapeWouldAndItsStepsMakeFramesDiffer) {
   expectSame(other, draw(saved), 0.0, "of another frame");
 }
 
+TEST_F(MembranesGL, ShadowsFollowASheetThatMoves) {
+  scene::Scene wavy = softScene();
+  wavy.lighting.shadow = wavy.lighting.occlusion = 1.0;
+  wavy.cuts = {membraneOf(wavySheet(kParticles, kFrame))};
+  scene::Scene flat = wavy;
+  for (glm::vec3& place : flat.cuts[0].membrane->shape.places) place.z = -0.3f * float(kFrame.z);
+  // After other data nothing is kept.
+  auto anew = [&](const scene::Scene& scene) {
+    draw(sceneOf(makeVolume({4, 5, 6}, SampleType::UInt8, [](glm::ivec3 p) { return 40.0 * p.x; })));
+    return draw(scene);
+  };
+  Image first = anew(wavy), moved = draw(flat);
+  EXPECT_GT(differenceOf(first, moved).mean, 0.5);
+  expectSame(moved, anew(flat), 0.0, "after the sheet has moved");
+}
+
 TEST_F(MembranesGL, ASheetIsShownWhereItIsAndCanBePicked) {
   for (auto look : {scene::SheetLook::Surface, scene::SheetLook::Grid}) {
     scene::Scene scene = softScene();

@@ -192,6 +192,15 @@ TEST_F(SkippingGL, MaximumAndIsosurface) {
   }
 }
 
+TEST_F(SkippingGL, AnIsosurfaceAtTheGreatestValue) {
+  scene::Scene box = sceneWith([](glm::ivec3 p) {
+    return glm::all(glm::greaterThan(p, glm::ivec3(9))) && glm::all(glm::lessThan(p, glm::ivec3(30))) ? 255.0 : 17.0;
+  });
+  box.rayCast.mode = scene::RenderMode::Iso;
+  box.rayCast.isoValue = 255.0;
+  expectSameAsBruteForce(box, "a box", 0.04);
+}
+
 TEST_F(SkippingGL, SectionsOfVoxels) {
   // One voxel thick along one axis, as a single section.
   for (int axis = 0; axis < 3; ++axis) {

@@ -81,18 +81,21 @@ TEST_F(Guide, Bars) {
 
 // One drag: the skull, which has no label, out of a cut through the face.
 TEST_F(Guide, PullOut) {
-  openWelcome();
+  open({kHead});
   session::Document& document = mWindow->document();
   mWindow->views().setLayout(scene::Layout::Volume);
+  mWindow->actions().find("look.hideTable")->trigger();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !mWindow->isBusy(); }, 60000));
   document.edit("Cut", [](scene::Scene& scene) {
-    scene::applyPreset(scene, "ct-skin");
-    scene.cuts[0].enabled = false;
+    scene::applyPreset(scene, "ct-skin-white-bone");
     scene::Cut plane;
     plane.axis = {0, -1, 0};
     plane.centre = {100, 75, 100};
     plane.size = {150, 150, 100};
     scene::addCut(scene, plane);
     scene.camera.eye = {-190, -330, 240};
+    scene.camera.target = {118, 112, 72};
+    scene.camera.fieldOfViewDeg = 26;
   });
   ASSERT_TRUE(QTest::qWaitFor([&] { return mWindow->isSettled(); }, 180000));
   mWindow->actions().find("extrusion.pull")->trigger();

@@ -98,8 +98,8 @@ TEST(ImageFile, ColourInExrIsLinearAndPremultipliedInEachLayer) {
   std::vector<float> values(names.size());
   ASSERT_TRUE(in->read_image(0, 0, 0, int(names.size()), OIIO::TypeDesc::FLOAT, values.data()));
   auto linear = [](double v) { return std::pow((v + 0.055) / 1.055, 2.4); };
-  std::vector<double> expected{linear(0.5) * 0.5,   linear(0.25) * 0.5, 0.5,  0.5, linear(0.75) * 0.25, linear(0.5) * 0.25,
-                               linear(0.25) * 0.25, 0.25,               0.5};
+  std::vector<double> expected{linear(0.5) * 0.5,  linear(0.25) * 0.5,  0.5,  0.5, linear(0.75) * 0.25,
+                               linear(0.5) * 0.25, linear(0.25) * 0.25, 0.25, 0.5};
   for (std::size_t c = 0; c < channels.size(); ++c) {
     auto found = std::find(names.begin(), names.end(), channels[c]);
     ASSERT_NE(found, names.end()) << channels[c];

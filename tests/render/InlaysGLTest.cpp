@@ -219,5 +219,33 @@ TEST_F(InlaysGL, AMaximumStandsOutOfTheInlayAndAnOpaqueInlayEndsIt) {
   EXPECT_GT(brighter, 10.0);
 }
 
+TEST_F(InlaysGL, AMaximumBehindTwoInlaysShowsAsBehindOneThatLetsThroughAsMuch) {
+  // Both inlays lie in material of one grey, what is brighter lies behind them.
+  scene::Scene scene = sceneOf(makeVolume(
+      kDims, SampleType::UInt8, [](glm::ivec3 p) { return p.y > 28 ? 250.0 : 100.0; }, centredFrame(kDims)));
+  scene.volume.windowLevel = 150;
+  scene.volume.windowWidth = 300;
+  scene.rayCast.mode = scene::RenderMode::Mip;
+  lookAlong(scene, {0, -1, 0}, 100);
+  scene::SheetShape flat = wavySheet(kParticles, kFrame);
+  for (glm::vec3& place : flat.places) place.z = 0.0f;
+  for (double y : {-6.0, 2.0}) {
+    scene::Cut cut = membraneOf(flat, {0, -1, 0});
+    cut.centre = {0, y, 0};
+    cut.membrane->use = scene::MembraneUse::Inlay;
+    cut.membrane->inlayOpacity = 0.5;
+    scene::addCut(scene, cut);
+  }
+  Image both = draw(scene, kSize);
+  scene.cuts[1].enabled = false;
+  membrane(scene).inlayOpacity = 0.75;
+  Image one = draw(scene, kSize);
+  for (glm::ivec2 p(28); p.y < 36; ++p.y)
+    for (p.x = 28; p.x < 36; ++p.x) {
+      EXPECT_NEAR(sampleOf(both, p, "R"), sampleOf(one, p, "R"), 1.5 / 255);
+      EXPECT_GT(sampleOf(both, p, "R"), 0.3f);
+    }
+}
+
 }  // namespace
 }  // namespace velum

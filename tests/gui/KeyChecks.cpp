@@ -207,6 +207,7 @@ std::map<QString, Keys::Check> Keys::checks() {
   all["cut.addMembrane"] = [](Keys& keys, const Key& key) {
     keys.mWindow->views().setLayout(Layout::Section);
     keys.press(key);
+    ASSERT_TRUE(keys.waitForJob());
     ASSERT_EQ(keys.scene().cuts.size(), 1u);
     EXPECT_TRUE(scene::isMembrane(keys.scene().cuts[0]));
   };

@@ -305,6 +305,7 @@ TEST_F(MembraneWindow, TheCurveIsDraggedAsOneStep) {
 TEST_F(MembraneWindow, AClickProtectsAStructureOrLetsTheSheetThrough) {
   openWithLabels();
   mWindow->actions().find("cut.addMembrane")->trigger();
+  ASSERT_TRUE(waitForJob());
   ASSERT_TRUE(settle());
   document().edit("Clear", [](scene::Scene& scene) { scene.cuts[0].membrane->field = {}; });
   ASSERT_TRUE(settle());

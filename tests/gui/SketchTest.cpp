@@ -27,6 +27,7 @@ class SketchWindow : public Window {
   void addMembrane() {
     drawSoon();
     mWindow->actions().find("cut.addMembrane")->trigger();
+    ASSERT_TRUE(waitForJob());
     ASSERT_EQ(scene().cuts.size(), 1u);
     mWindow->views().setLayout(scene::Layout::FourUp);
     ASSERT_TRUE(settle());

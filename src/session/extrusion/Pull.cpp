@@ -126,7 +126,8 @@ double depthOf(const scene::Growth& plane, const scene::Growth& step) {
   return glm::dot(plane.centre - step.centre, step.axis);
 }
 
-/// Takes in what another step with the same axis reaches, and what lies between the two: so what grows from it has a way.
+/// Takes in what another step with the same axis reaches, and what lies between the two: so what grows from it has a
+/// way.
 void takeIn(scene::Growth& step, const scene::Growth& other) {
   double first = depthOf(other, step);
   double end = std::max(step.distance, first + other.distance);
@@ -135,8 +136,8 @@ void takeIn(scene::Growth& step, const scene::Growth& other) {
   step.distance = end - first;
 }
 
-/// The steps that grow a structure out of a cut that has moved: those with seeds, and one that brings what they have found
-/// to where the cut is now. What was held, where it would have flowed into another, ends where it was held.
+/// The steps that grow a structure out of a cut that has moved: those with seeds, and one that brings what they have
+/// found to where the cut is now. What was held, where it would have flowed into another, ends where it was held.
 void carry(std::vector<scene::Growth>& steps, const Extrusion& extrusion, const scene::Cut& before,
            const scene::Cut& now) {
   auto isMeant = [&](const scene::Growth& step) {
@@ -216,7 +217,7 @@ void pullTo(scene::Scene& scene, const Pull& pull, double distance) {
 void carryPulled(scene::Scene& scene, const scene::Cut& before) {
   const scene::Cut* now = scene::findCut(scene, before.id);
   if (!now || (cutFrame(*now) == cutFrame(before) && now->centre == before.centre && now->size == before.size &&
-                  now->invert == before.invert && now->shape == before.shape))
+               now->invert == before.invert && now->shape == before.shape))
     return;
   for (const auto& extrusion : extrusionsOf(scene))
     if (extrusion.cut == before.id) carry(scene.labels.growths, extrusion, before, *now);

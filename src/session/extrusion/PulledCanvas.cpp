@@ -111,9 +111,7 @@ std::vector<std::uint32_t> PulledCanvas::pixels() const {
   std::vector<std::uint32_t> pixels(mCells.size(), 0u);
   if (mEnd.x <= mLow.x || mEnd.y <= mLow.y) return pixels;
   Seen seen(mEnd.x - mLow.x, mEnd.y - mLow.y);
-  auto cellAt = [&](int x, int y) {
-    return std::size_t(y + mLow.y) * std::size_t(mSize.x) + std::size_t(x + mLow.x);
-  };
+  auto cellAt = [&](int x, int y) { return std::size_t(y + mLow.y) * std::size_t(mSize.x) + std::size_t(x + mLow.x); };
   for (int y = 0; y < seen.high; ++y)
     for (int x = 0; x < seen.wide; ++x) {
       std::uint64_t cell = mCells[cellAt(x, y)];

@@ -5,8 +5,8 @@
 
 namespace velum::session {
 
-/// The squares of voxels that were put down, the nearest of each pixel, and the picture that they make: lit from the eye,
-/// as the surface that lies under the squares, not square by square.
+/// The squares of voxels that were put down, the nearest of each pixel, and the picture that they make: lit from the
+/// eye, as the surface that lies under the squares, not square by square.
 class PulledCanvas {
  public:
   explicit PulledCanvas(glm::ivec2 size);
@@ -28,8 +28,8 @@ class PulledCanvas {
   void putWord(glm::ivec2 low, glm::ivec2 high, float distance, std::uint32_t color);
 
   glm::ivec2 mSize;
-  glm::ivec2 mLow, mEnd{0};            ///< the box of what was put down
-  std::vector<std::uint64_t> mCells;   ///< the distance's bits, which ascend with it, over the colour
+  glm::ivec2 mLow, mEnd{0};           ///< the box of what was put down
+  std::vector<std::uint64_t> mCells;  ///< the distance's bits, which ascend with it, over the colour
   double mVoxel = 0.0, mPixelsPerLength = 0.0;
 };
 

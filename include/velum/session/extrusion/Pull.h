@@ -37,8 +37,8 @@ Pull pullAgain(const scene::Scene& scene, const Extrusion& extrusion);
 /// True when a step of growth reaches out of a cut as that lies: from its plane, or past it.
 bool growsOutOf(const scene::Growth& growth, const scene::Cut& cut);
 
-/// What stands out of a cut goes along when the cut is put elsewhere: what was grown out of it grows as far out of where it
-/// is now. What grew from places that somebody pressed stays; a part that was only carried is grown anew.
+/// What stands out of a cut goes along when the cut is put elsewhere: what was grown out of it grows as far out of
+/// where it is now. What grew from places that somebody pressed stays; a part that was only carried is grown anew.
 /// @param before  the cut as it was; nothing happens where it lies as it did
 void carryPulled(scene::Scene& scene, const scene::Cut& before);
 

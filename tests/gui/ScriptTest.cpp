@@ -79,11 +79,10 @@ TEST_F(ScriptTest, ErrorsNameTheLineAndTheKind) {
 }
 
 TEST_F(ScriptTest, NamesAndValuesMayHoldBlanks) {
-  EXPECT_EQ(
-      run(QString("open %1\ndo cut.addPlane\nset cuts.0.name  my 2nd cut\nset cuts[my 2nd cut].faceOpacity 0.25\n"
-                  "set cuts[my 2nd cut].centre [1, 2, 3]\n")
-              .arg(path("phantom.nrrd"))),
-      "");
+  EXPECT_EQ(run(QString("open %1\ndo cut.addPlane\nset cuts.0.name  my 2nd cut\nset cuts[my 2nd cut].faceOpacity 0.25\n"
+                        "set cuts[my 2nd cut].centre [1, 2, 3]\n")
+                    .arg(path("phantom.nrrd"))),
+            "");
   ASSERT_EQ(scene().cuts.size(), 1u);
   EXPECT_EQ(scene().cuts[0].name, "my 2nd cut");
   EXPECT_EQ(scene().cuts[0].faceOpacity, 0.25);

@@ -201,4 +201,23 @@ TEST(InstanceOutlines, AreTheCirclesOfThoseThatThePlaneMeets) {
   EXPECT_TRUE(outlineInstances(scene, plane, 1000000).circles.empty());
 }
 
+TEST(InstanceOutlines, AreTheSameInScenesOfAnotherUnit) {
+  scene::Scene scene = modelScene();
+  scene.model.copies = 3;
+  scene::SectionPlane plane;
+  plane.size = {400, 400};
+  auto circlesIn = [&](LengthUnit unit) {
+    scene.unit = unit;
+    plane.lengthPerPixel = unitsPer(LengthUnit::Angstrom, unit);
+    return outlineInstances(scene, plane, 1000000).circles;
+  };
+  auto wanted = circlesIn(LengthUnit::Angstrom), found = circlesIn(LengthUnit::Millimetre);
+  ASSERT_EQ(found.size(), wanted.size());
+  EXPECT_GT(wanted.size(), 5u);
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    EXPECT_LT(glm::distance(found[i].middle, wanted[i].middle), 1e-6);
+    EXPECT_NEAR(found[i].radius, wanted[i].radius, 1e-6);
+  }
+}
+
 }  // namespace velum::session

@@ -97,6 +97,7 @@ TEST(Levels, AreSeenAsLargeAsTheAtoms) {
       return double(std::count(bits.begin(), bits.end(), true));
     };
     double whole = area(levels.front());
+    // A ball is at least 0.72 as wide as the sphere around what it stands for, and a cluster's corners are empty.
     for (const auto& level : levels) {
       EXPECT_GT(area(level), 0.7 * whole) << level.size() << " balls";
       EXPECT_LT(area(level), 1.35 * whole) << level.size() << " balls";

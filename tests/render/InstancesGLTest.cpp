@@ -1,78 +1,16 @@
-// Instances of a model: exact spheres, the cuts' fold instance by instance, culling that hides nothing.
+// Instances of a model: exact spheres, the cuts' fold instance by instance, copies.
 #include <cstdlib>
 #include <random>
-#include <set>
 
+#include "InstancesFixture.h"
 #include "NaiveCuts.h"
-#include "RenderFixture.h"
-#include "makeModel.h"
 #include "velum/gpu/GpuError.h"
-#include "velum/gpu/Program.h"
-#include "velum/mesoscale/Levels.h"
 #include "velum/render/section/KeptInstances.h"
 
 namespace velum {
 namespace {
 
 using scene::Projection;
-
-class InstancesGL : public RenderTest {
- protected:
-  static constexpr render::Layers kLayers{true, true, true, true, true, true};
-
-  /// A model seen from the front: no light, one sample, no background.
-  static scene::Scene sceneOfModel(Model model) {
-    scene::Scene scene;
-    scene.unit = LengthUnit::Angstrom;
-    scene.model.data = Shared<Model>(std::move(model));
-    scene.lighting.shaded = false;
-    scene.rayCast.samplesPerPixel = 1;
-    scene.background.transparent = true;
-    scene.camera = scene::frameCamera(scene, scene::StandardView::Anterior, 1.0);
-    return scene;
-  }
-  /// Atoms of and over a floor across y, lit, orthographic from the front.
-  static scene::Scene floorScene(const std::vector<glm::vec3>& places) {
-    scene::Scene scene = sceneOfModel(modelOfAtoms(places, kResidue));
-    scene.camera.target = {0, 0, 0};
-    scene.camera.projection = Projection::Orthographic;
-    scene.camera.height = 90;
-    lookAlong(scene, {0, -1, 0}, 300);
-    scene.lighting.shaded = true;
-    return scene;
-  }
-  /// Instances of the model that a picture shows.
-  static std::set<int> shownIn(const Image& image, int first = 1) {
-    std::set<int> shown;
-    for (int y = 0; y < image.height; ++y)
-      for (int x = 0; x < image.width; ++x)
-        if (float instance = sampleOf(image, {x, y}, "instance"); instance >= float(first))
-          shown.insert(int(instance) - first);
-    return shown;
-  }
-  /// Atoms on a square lattice before the eye, so far apart that none hides another.
-  static Model lattice(int edge, float apart) {
-    std::vector<glm::vec3> places;
-    for (int z = 0; z < edge; ++z)
-      for (int x = 0; x < edge; ++x)
-        places.emplace_back((float(x) - 0.5f * float(edge - 1)) * apart, 3.0f * float((7 * x + 3 * z) % 11),
-                            (float(z) - 0.5f * float(edge - 1)) * apart);
-    return modelOfAtoms(places, kResidue);
-  }
-};
-
-/// Where a ray first meets one of some spheres; infinity: nowhere.
-double firstSphere(const TestRay& ray, const std::vector<glm::dvec4>& spheres) {
-  double nearest = std::numeric_limits<double>::infinity();
-  for (const auto& s : spheres) {
-    glm::dvec3 q = glm::dvec3(s) - ray.origin;
-    double b = glm::dot(q, ray.direction), left = s.w * s.w - (glm::dot(q, q) - b * b);
-    if (left < 0) continue;
-    double t = b - std::sqrt(left);
-    if (t > 0) nearest = std::min(nearest, t);
-  }
-  return nearest;
-}
 
 TEST_F(InstancesGL, DepthsAreThoseOfTheSpheres) {
   // Some of a fraction of a pixel, some of many: all of the ways in which they are drawn.
@@ -202,101 +140,6 @@ TEST_F(InstancesGL, AShareLeavesThatShareAndAlwaysTheSame) {
     lookAlong(turned, {0.2, -1, 0.1}, 3000);
     EXPECT_EQ(shownIn(draw(turned, {420, 420}, kLayers)), shown);
   }
-}
-
-TEST_F(InstancesGL, CullingHidesNothing) {
-  ModelMaker maker;
-  maker.instances = 6000;
-  maker.halfEdge = 150;
-  Model model = maker.make();
-  Shared<Model> shared(std::move(model));
-  Progress progress;
-  Shared<LevelSet> levels(mesoscale::computeLevels(*shared, progress));
-  scene::Scene scene = sceneOfModel(ModelMaker{}.make());
-  scene.model.data = shared;
-  scene.model.levels = levels;
-  scene.camera = scene::frameCamera(scene, scene::StandardView::Anterior, 1.0);
-  // One renderer remembers what was seen while the camera moves, far and near; the other one begins anew each time.
-  render::Renderer fresh(context());
-  for (int step = 0; step < 9; ++step) {
-    double turn = 0.7 * step;
-    lookAlong(scene, {std::sin(turn), -std::cos(turn), 0.3 * std::sin(2 * turn)},
-              step % 3 == 2 ? 130 : 500 + 60 * step);
-    scene.model.types.clear();
-    if (step % 4 == 3) scene.model.types = {{"root.a.type0", false, {}, ""}};
-    Image image = draw(scene, {120, 90}, kLayers);
-    fresh.clear();
-    expectIdentical(image, drawWith(fresh, scene, {120, 90}, kLayers), "step " + std::to_string(step));
-  }
-}
-
-TEST_F(InstancesGL, WhatShowsOnlyInTheLastColumnsOrRowsIsFoundAgain) {
-  // A wall that ends before the last pixels, and an atom behind it that shows there and nowhere else: widths and
-  // heights that halve without and with a rest, tile by tile of four pixels.
-  const double pixel = 0.1, radius = double(radiusOf(6));
-  for (bool isTall : {false, true})
-    for (int tiles : {20, 21, 22, 23, 25, 27}) {
-      glm::ivec2 size(4 * tiles, 40);
-      if (isTall) std::swap(size.x, size.y);
-      glm::dvec3 along = isTall ? glm::dvec3(0, 0, -1) : glm::dvec3(1, 0, 0);
-      glm::dvec3 across = isTall ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 0, -1);
-      // The wall's rim is where the last four pixels begin.
-      double rim = pixel * (2 * tiles - 4);
-      std::vector<glm::vec3> places{glm::vec3(along * (rim - 1.0) + glm::dvec3(0, 30, 0))};
-      for (double u = 0.0; u < 2.0 * rim + 6.0; u += 0.4)
-        for (double v = -4.0; v <= 4.0; v += 0.1) places.emplace_back(along * (rim - radius - u) + across * v);
-      scene::Scene scene = sceneOfModel(modelOfAtoms(places));
-      scene.model.detail = 0.1;
-      scene.camera.projection = Projection::Orthographic;
-      scene.camera.height = pixel * size.y;
-      // All of the atom is behind the wall; then the eye moves to where its edge shows.
-      scene.camera.target = along * (-3.0);
-      lookAlong(scene, {0, -1, 0}, 100);
-      EXPECT_FALSE(shownIn(draw(scene, size, kLayers)).contains(0)) << tiles;
-      scene.camera.target = {0, 0, 0};
-      lookAlong(scene, {0, -1, 0}, 100);
-      EXPECT_TRUE(shownIn(draw(scene, size, kLayers)).contains(0)) << (isTall ? "rows" : "columns") << ", " << tiles;
-    }
-}
-
-TEST_F(InstancesGL, HiddenInstancesAreFoundByBruteForce) {
-  // Whatever is culled: the picture of all balls is that of the nearest of all.
-  ModelMaker maker;
-  maker.instances = 1500;
-  maker.atoms = 12;
-  maker.halfEdge = 60;
-  Model model = maker.make();
-  std::vector<glm::dvec4> spheres;
-  std::vector<int> owner;
-  for (std::size_t i = 0; i < model.instances.size(); ++i)
-    for (const Atom& atom : model.molecules[model.instances[i].molecule].atoms) {
-      const Instance& instance = model.instances[i];
-      spheres.emplace_back(glm::dvec3(instance.position) + glm::dvec3(instance.rotation * atom.position),
-                           radiusOf(atom.element));
-      owner.push_back(int(i));
-    }
-  scene::Scene scene = sceneOfModel(std::move(model));
-  scene.model.detail = 0.1;
-  glm::ivec2 size(80, 80);
-  draw(scene, size);  // so that some were seen before
-  lookAlong(scene, {0.1, -1, 0.05}, glm::length(scene.camera.eye - scene.camera.target));
-  Image image = draw(scene, size, kLayers);
-  int wrong = 0, shown = 0;
-  for (int y = 0; y < size.y; ++y)
-    for (int x = 0; x < size.x; ++x) {
-      TestRay ray = rayThrough(scene.camera, size, {x + 0.5, y + 0.5});
-      double nearest = 1e30;
-      int who = -1;
-      for (std::size_t i = 0; i < spheres.size(); ++i) {
-        double t = firstSphere(ray, {spheres[i]});
-        if (t < nearest) nearest = t, who = owner[i];
-      }
-      shown += who >= 0;
-      wrong +=
-          int(sampleOf(image, {x, y}, "instance")) - 1 != who && (who >= 0 || sampleOf(image, {x, y}, "instance") >= 0);
-    }
-  EXPECT_GT(shown, 2000);
-  EXPECT_LE(wrong, shown / 500) << "rays that graze, and spheres that meet in a pixel";
 }
 
 TEST_F(InstancesGL, AtTheUsualDetailOutlinesAreWithinAPixel) {
@@ -437,108 +280,6 @@ TEST_F(InstancesGL, AModelAVolumeAndASurfaceHideEachOtherAlongEachRay) {
   }
 }
 
-TEST_F(InstancesGL, InFullFogTheDeepestIsTheBackgroundBehindIt) {
-  std::vector<glm::vec3> places{{0, -100, 0}};
-  for (int i = -4; i <= 4; ++i) places.emplace_back(10.0f, 100.0f, 10.0f * float(i));
-  scene::Scene scene = sceneOfModel(modelOfAtoms(places, kResidue));
-  scene.camera.target = {0, 0, 0};
-  scene.camera.projection = Projection::Orthographic;
-  scene.camera.height = 100;
-  lookAlong(scene, {0, -1, 0}, 400);
-  scene.background.transparent = false;
-  scene.background.top = {1, 0.2f, 0};
-  scene.background.bottom = {0, 0.2f, 1};
-  glm::ivec2 size(100, 100);
-  Image clear = draw(scene, size, kLayers);
-  scene.lighting.fog = 1.0;
-  Image image = draw(scene, size, kLayers);
-  int far = 0, near = 0;
-  for (int y = 0; y < size.y; ++y)
-    for (int x = 0; x < size.x; ++x) {
-      int instance = int(sampleOf(image, {x, y}, "instance"));
-      if (instance < 1) continue;
-      glm::vec3 behind = glm::mix(scene.background.top, scene.background.bottom, (float(y) + 0.5f) / 100.0f);
-      // Its front is not quite as deep as it reaches.
-      glm::vec3 wanted = instance == 1 ? glm::vec3(colorOf(clear, {x, y})) : behind;
-      EXPECT_LT(glm::length(glm::vec3(colorOf(image, {x, y})) - wanted), 0.03f) << x << ", " << y;
-      ++(instance == 1 ? near : far);
-    }
-  EXPECT_GT(near, 20);
-  EXPECT_GT(far, 200);
-}
-
-/// Atoms so close on a plane across y that it is nearly flat, in a rectangle of x and z.
-void addFloor(std::vector<glm::vec3>& places, float y, glm::vec2 low, glm::vec2 high) {
-  for (float x = low.x; x <= high.x; x += 2.0f)
-    for (float z = low.y; z <= high.y; z += 2.0f) places.emplace_back(x, y, z);
-}
-
-TEST_F(InstancesGL, AShadowFallsAwayFromTheLight) {
-  std::vector<glm::vec3> places;
-  addFloor(places, 0.0f, {-40, -40}, {40, 40});
-  for (int i = 0; i < 27; ++i) places.emplace_back(2 * (i % 3) - 2, -20 + 2 * (i / 3 % 3) - 2, 13 + 2 * (i / 9));
-  scene::Scene scene = floorScene(places);
-  scene.lighting.occlusion = scene.lighting.specular = 0.0;
-  scene.lighting.diffuse = 1.0;
-  scene.rayCast.samplesPerPixel = 4;
-  glm::ivec2 size(180, 180);
-  // What hangs 20 before the floor at x = 0, z = 15 throws its shadow as far to the side.
-  struct Case {
-    glm::dvec3 key;
-    glm::dvec2 shadow;
-  };
-  for (const Case& c : {Case{{-1, 0, 1}, {20, 15}}, Case{{1, 0, 1}, {-20, 15}}, Case{{0, 1, 1}, {0, -5}}}) {
-    scene.lighting.keyDirection = c.key;
-    scene.lighting.shadow = 0.0;
-    Image plain = draw(scene, size, kLayers);
-    scene.lighting.shadow = 1.0;
-    Image shadowed = draw(scene, size, kLayers);
-    double in = 0, beside = 0;
-    int countIn = 0, countBeside = 0;
-    for (int y = 0; y < size.y; ++y)
-      for (int x = 0; x < size.x; ++x) {
-        glm::dvec3 p(vectorOf(shadowed, {x, y}, "position"));
-        double off = glm::distance(glm::dvec2(p.x, p.z), c.shadow);
-        if (std::abs(p.y) > 4.0 || glm::length(glm::dvec2(p.x, p.z)) > 35) continue;
-        double dark = double(sampleOf(plain, {x, y}, "G") - sampleOf(shadowed, {x, y}, "G"));
-        if (off < 2.0) in += dark, ++countIn;
-        if (off > 9.0) beside += dark, ++countBeside;
-      }
-    ASSERT_GT(countIn, 20);
-    ASSERT_GT(countBeside, 1000);
-    EXPECT_GT(in / countIn, 4.0 * beside / countBeside + 0.05)
-        << "light from " << c.key.x << ", " << c.key.y << ": " << in / countIn << " and " << beside / countBeside;
-  }
-}
-
-TEST_F(InstancesGL, WhatLiesOpenIsDarkWhereItIsCovered) {
-  // A block over the middle of a floor: its shade lies around it, not half a pixel to a side.
-  std::vector<glm::vec3> places;
-  addFloor(places, 0.0f, {-40, -40}, {40, 40});
-  for (int i = 0; i < 27; ++i) places.emplace_back(2 * (i % 3) - 2, -8 + 2 * (i / 3 % 3) - 2, 2 * (i / 9) - 2);
-  scene::Scene scene = floorScene(places);
-  scene.lighting.shadow = scene.lighting.specular = 0.0;
-  scene.rayCast.samplesPerPixel = 4;
-  glm::ivec2 size(120, 120);
-  scene.lighting.occlusion = 0.0;
-  Image open = draw(scene, size, kLayers);
-  scene.lighting.occlusion = 1.0;
-  Image covered = draw(scene, size, kLayers);
-  double sum = 0, x = 0, z = 0;
-  for (glm::ivec2 pixel(0); pixel.y < size.y; ++pixel.y)
-    for (pixel.x = 0; pixel.x < size.x; ++pixel.x) {
-      glm::dvec3 p(vectorOf(covered, pixel, "position"));
-      double off = glm::length(glm::dvec2(p.x, p.z));
-      if (std::abs(p.y) > 4.0 || off > 30.0) continue;
-      double dark = double(sampleOf(open, pixel, "G") - sampleOf(covered, pixel, "G"));
-      sum += dark, x += dark * p.x, z += dark * p.z;
-    }
-  ASSERT_GT(sum, 10.0);
-  double pixel = scene.camera.height / size.y;
-  EXPECT_NEAR(x / sum / pixel, 0.0, 0.2);
-  EXPECT_NEAR(z / sum / pixel, 0.0, 0.2);
-}
-
 TEST_F(InstancesGL, CopiesStandSideBySide) {
   scene::Scene scene = sceneOfModel(lattice(3, 20.0f));
   scene.model.copies = 5;
@@ -628,17 +369,6 @@ TEST_F(InstancesGL, WhatIsShownAloneHoldsWhatIsShown) {
   alone.camera = scene.camera;
   alone.model.palette = scene.model.palette = scene::Palette::Compartment;
   EXPECT_LT(differenceOf(draw(scene, {100, 100}), draw(alone, {100, 100})).mean, 3.0);
-}
-
-TEST_F(InstancesGL, APictureOfMorePixelsThanGroupsInARowRemembersWhatItSaw) {
-  // 64 pixels a group, and 65,535 groups along an axis are all that drivers promise.
-  scene::Scene scene = sceneOfModel(lattice(3, 10.0f));
-  glm::ivec2 size(2200, 2000);
-  ASSERT_GT(size.x * size.y, 64 * gpu::kMostGroups);
-  Image first = draw(scene, size);
-  EXPECT_GT(coverageOf(first), 0.01);
-  scene.background.top = {0.5f, 0.5f, 0.5f};  // which asks for a picture anew, of the same
-  expectIdentical(draw(scene, size), first, "what was seen before comes first");
 }
 
 TEST_F(InstancesGL, MoreThanTheDriverHasRoomForAreRefusedInOneLine) {

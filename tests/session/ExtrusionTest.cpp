@@ -181,6 +181,20 @@ TEST(MaterialRange, AClickOnBoneMeansBone) {
   EXPECT_FALSE(materialRangeAt(scene.volume, {1000, 0, 0}));
 }
 
+TEST(Extrusion, TheWayOutIsWhereADragPullsMost) {
+  scene::Scene scene = boneScene();
+  for (auto side : {scene::StandardView::Anterior, scene::StandardView::Left, scene::StandardView::Right,
+                    scene::StandardView::Oblique, scene::StandardView::Superior}) {
+    scene.camera = scene::frameCamera(scene, side, kSize.x / kSize.y);
+    glm::dvec2 from = 0.5 * kSize;
+    ExtrusionDrag drag(ViewSpace(scene.camera, kSize), from, scene.cuts[0], {0, 0, 0}, 50.0);
+    double most = drag.distanceAt(from + 10.0 * drag.wayOut()) - 50.0;
+    EXPECT_GT(most, 0.0) << enumName(side);
+    for (glm::dvec2 way : {glm::dvec2(1, 0), glm::dvec2(-1, 0), glm::dvec2(0, 1), glm::dvec2(0, -1)})
+      EXPECT_LE(drag.distanceAt(from + 10.0 * way) - 50.0, most * 1.2) << enumName(side);
+  }
+}
+
 TEST(Pull, AStructureGrowsFromASpotThatNoiseHasPutOutOfItsRange) {
   scene::Scene scene = boneScene();
   Volume volume = *scene.volume.data;
@@ -319,6 +333,18 @@ TEST(Pull, ThePlaneOfAnotherCutAndOtherChangesOfACutMoveNothing) {
   faced.faceOpacity = 0.5;
   moveCut(scene, faced);
   EXPECT_EQ(scene.labels.growths, steps);
+}
+
+TEST(Pull, WhereAnotherCutLiesDoesNotSayHowFarItGrowsOn) {
+  scene::Scene scene = boneScene();
+  auto pull = beginPull(scene, scene.cuts[0].id, {0, 0, 0}, 0);
+  ASSERT_TRUE(pull && pull->growth);
+  pullTo(scene, *pull, 6.0);
+  scene::Cut across = planeOf({0, -30, 0}, {1, 0, 0});
+  across.spares = {{pull->structure, 4.0, 1.0}};
+  scene::addCut(scene, across);
+  growOn(scene, pull->structure);
+  EXPECT_EQ(scene.labels.growths[0].distance, 6.0);
 }
 
 TEST(Pull, WhatIsHeldGoesOnAsFarAsItStandsOutOfASheetWhereverThatLies) {

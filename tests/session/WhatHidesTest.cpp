@@ -23,6 +23,15 @@ scene::Scene modelScene() {
   return scene;
 }
 
+/// So many that some are cleared out of the view of the first type, and some are not.
+scene::Scene crowdedScene() {
+  scene::Scene scene = modelScene();
+  scene.model.data = Shared<Model>(ModelMaker{.types = 4, .atoms = 8, .instances = 800}.make());
+  scene.camera = scene::frameCamera(scene, scene::StandardView::Anterior, 1.0);
+  clearTheWay(scene, "type0");
+  return scene;
+}
+
 /// A row of pixels. @param types  -1: nothing
 Image pixels(const std::vector<int>& types) {
   Image image{int(types.size()), 1, {"R", "instance", "type"}, {}};
@@ -60,10 +69,7 @@ TEST(WhatHides, TheTypeStandsAlone) {
 }
 
 TEST(WhatHides, WhatIsClearedForAViewIsNotAskedForWhateverThePicturesShape) {
-  scene::Scene scene = modelScene();
-  scene.model.data = Shared<Model>(ModelMaker{.types = 4, .atoms = 8, .instances = 800}.make());
-  scene.camera = scene::frameCamera(scene, scene::StandardView::Anterior, 1.0);
-  clearTheWay(scene, "type0");
+  scene::Scene scene = crowdedScene();
   const Model& model = *scene.model.data;
   std::set<std::uint64_t> counts;
   for (glm::ivec2 size : {glm::ivec2(40, 20), glm::ivec2(20, 40)}) {
@@ -83,10 +89,7 @@ TEST(WhatHides, WhatIsClearedForAViewIsNotAskedForWhateverThePicturesShape) {
 }
 
 TEST(WhatHides, AnInstanceIsLeftOutWhenItIsClearedAndNotItsNeighbour) {
-  scene::Scene scene = modelScene();
-  scene.model.data = Shared<Model>(ModelMaker{.types = 4, .atoms = 8, .instances = 800}.make());
-  scene.camera = scene::frameCamera(scene, scene::StandardView::Anterior, 1.0);
-  clearTheWay(scene, "type0");
+  scene::Scene scene = crowdedScene();
   const Model& model = *scene.model.data;
   auto states = render::instanceStates(scene, {}, 1.0);
   for (std::size_t surfaces : {0, 2}) {

@@ -10,6 +10,7 @@
 #include "kit/SelectedCut.h"
 #include "velum/session/cut/CutEdit.h"
 #include "velum/session/cut/ShapeTraits.h"
+#include "velum/session/extrusion/Pull.h"
 #include "velum/session/membrane/FirstPlace.h"
 
 namespace velum::gui {
@@ -185,7 +186,7 @@ void CutForm::align(glm::dvec3 axis) {
       [this, placed, before = *cut] {
         const scene::Cut* now = scene::findCut(mDocument.scene(), before.id);
         if (!now || *now != before) return;
-        mDocument.edit("Align cut", [&](scene::Scene& scene) { *scene::findCut(scene, before.id) = *placed; });
+        mDocument.edit("Align cut", [&](scene::Scene& scene) { session::moveCut(scene, *placed); });
       });
 }
 

@@ -15,71 +15,100 @@ constexpr std::uint32_t kGone = 0x90202428;
 constexpr float kAmbient = 0.3f, kMost = 0.9f;
 /// Squares are evened out over so many voxels to each side, and no more pixels.
 constexpr double kReachVoxels = 1.5;
-constexpr int kMostReach = 8;
+constexpr int kMostReach = 8, kMostStep = 4;
 /// What lies so many voxels nearer or farther is another surface.
 constexpr double kSameVoxels = 2.5;
 /// Of a pixel where nothing is: farther off than anything that could be the same surface.
 constexpr float kNowhere = std::numeric_limits<float>::max();
 
-std::uint32_t colorWord(glm::vec3 color) {
-  glm::vec3 bytes = glm::round(255.0f * glm::clamp(color, 0.0f, 1.0f));
-  return 0xff000000u | std::uint32_t(bytes.r) << 16 | std::uint32_t(bytes.g) << 8 | std::uint32_t(bytes.b);
+std::uint32_t wordOf(glm::vec3 bytes) {
+  glm::uvec3 whole(bytes + 0.5f);
+  return 0xff000000u | whole.r << 16 | whole.g << 8 | whole.b;
 }
 
-/// What is seen, pixel by pixel: planes of numbers, so that a processor takes many pixels at a time.
-struct Seen {
-  static constexpr int kPlanes = 4;  // distance, red, green, blue
-  int wide, high;
-  std::vector<float> planes[kPlanes];
+float distanceOf(std::uint64_t cell) { return std::bit_cast<float>(std::uint32_t(cell >> 32)); }
 
-  Seen(int w, int h) : wide(w), high(h) {
-    for (auto& plane : planes) plane.assign(std::size_t(w) * std::size_t(h), 0.0f);
+}  // namespace
+
+/// Lines of pixels, one after the other.
+struct PulledCanvas::Lines {
+  int count, length;
+  std::vector<Seen> pixels;
+
+  Lines(int n, int l) : count(n), length(l), pixels(std::size_t(n) * std::size_t(l), Seen(kNowhere, 0, 0, 0)) {}
+  std::size_t indexOf(int line, int place) const {
+    return std::size_t(line) * std::size_t(length) + std::size_t(place);
   }
-  std::size_t at(int x, int y) const { return std::size_t(y) * std::size_t(wide) + std::size_t(x); }
+  Seen& at(int line, int place) { return pixels[indexOf(line, place)]; }
+  const Seen& at(int line, int place) const { return pixels[indexOf(line, place)]; }
 };
 
-/// Means over the same surface along a line. @param step  from a place to the next one; @param count  of places
-void meanAlong(const Seen& from, Seen& to, std::size_t first, std::size_t step, int count, int reach, float same) {
-  for (int i = 0; i < count; ++i) {
-    std::size_t here = first + std::size_t(i) * step;
-    float distance = from.planes[0][here];
-    if (distance == kNowhere) {
-      to.planes[0][here] = kNowhere;
-      continue;
+namespace {
+
+using Lines = PulledCanvas::Lines;
+using Seen = PulledCanvas::Seen;
+
+/// The lines across, whose pixels are means along the lines over what is one surface. By sums from its first pixel on:
+/// as fast for any reach.
+Lines evenedAcross(const Lines& from, int reach, float same) {
+  Lines across(from.length, from.count);
+  std::vector<Seen> sums(std::size_t(from.length) + 1);
+  for (int line = 0; line < from.count; ++line)
+    for (int first = 0, end = 0; first < from.length; first = end) {
+      Seen base(from.at(line, first).x, 0, 0, 0);
+      end = first + 1;
+      if (base.x == kNowhere) continue;
+      sums[0] = Seen(0.0f), sums[1] = from.at(line, first) - base;
+      for (; end < from.length && std::abs(from.at(line, end).x - from.at(line, end - 1).x) <= same; ++end)
+        sums[std::size_t(end - first) + 1] = sums[std::size_t(end - first)] + from.at(line, end) - base;
+      for (int place = first; place < end; ++place) {
+        int low = std::max(place - reach, first), high = std::min(place + reach + 1, end);
+        across.at(place, line) =
+            base + (sums[std::size_t(high - first)] - sums[std::size_t(low - first)]) / float(high - low);
+      }
     }
-    float sum[Seen::kPlanes] = {}, weight = 0.0f;
-    int low = std::max(i - reach, 0), high = std::min(i + reach, count - 1);
-    for (int k = low; k <= high; ++k) {
-      std::size_t there = first + std::size_t(k) * step;
-      if (std::abs(from.planes[0][there] - distance) > same) continue;
-      weight += 1.0f;
-      for (int plane = 0; plane < Seen::kPlanes; ++plane) sum[plane] += from.planes[plane][there];
-    }
-    for (int plane = 0; plane < Seen::kPlanes; ++plane) to.planes[plane][here] = sum[plane] / weight;
-  }
+  return across;
 }
 
-Seen evened(const Seen& seen, int reach, float same) {
-  Seen rows(seen.wide, seen.high), all(seen.wide, seen.high);
-  for (int y = 0; y < seen.high; ++y) meanAlong(seen, rows, seen.at(0, y), 1, seen.wide, reach, same);
-  for (int x = 0; x < seen.wide; ++x)
-    meanAlong(rows, all, seen.at(x, 0), std::size_t(seen.wide), seen.high, reach, same);
-  return all;
-}
-
-/// How distances change from pixel to pixel, along a line, where both sides, or one, are the same surface.
-float slope(const Seen& seen, std::size_t here, std::size_t step, int place, int count, int wide, float same) {
-  float distance = seen.planes[0][here], sum = 0.0f;
-  int sides = 0;
+/// How much farther what is seen gets from pixel to pixel, by the pixels so far off on both sides, or on the one that
+/// is the same surface.
+float riseAt(const Lines& seen, glm::ivec2 pixel, glm::ivec2 way, float same) {
+  float here = seen.at(pixel.y, pixel.x).x, sum = 0.0f;
+  int sides = 0, wide = way.x + way.y;
   for (int side : {-1, 1}) {
-    int there = place + side * wide;
-    if (there < 0 || there >= count) continue;
-    float other = seen.planes[0][here + std::size_t(std::ptrdiff_t(step) * side * wide)];
-    if (std::abs(other - distance) > same) continue;
-    sum += float(side) * (other - distance) / float(wide);
+    glm::ivec2 at = pixel + side * way;
+    if (at.x < 0 || at.y < 0 || at.x >= seen.length || at.y >= seen.count) continue;
+    float there = seen.at(at.y, at.x).x;
+    if (std::abs(there - here) > same) continue;
+    sum += float(side) * (there - here);
     ++sides;
   }
-  return sides > 0 ? sum / float(sides) : 0.0f;
+  return sides > 0 ? sum / float(sides * wide) : 0.0f;
+}
+
+/// Each pixel in the light that falls on its surface. @param wide  pixels, for its slope
+Lines litColors(const Lines& seen, int wide, float same, float perLength) {
+  Lines lit = seen;
+  for (int y = 0; y < seen.count; ++y)
+    for (int x = 0; x < seen.length; ++x) {
+      Seen& pixel = lit.at(y, x);
+      if (pixel.x == kNowhere) continue;
+      glm::vec2 rise(riseAt(seen, {x, y}, {wide, 0}, same), riseAt(seen, {x, y}, {0, wide}, same));
+      float light = 1.0f / std::sqrt(1.0f + glm::dot(rise, rise) * perLength * perLength);
+      float share = kAmbient + (kMost - kAmbient) * light;
+      pixel = Seen(pixel.x, share * pixel.y, share * pixel.z, share * pixel.w);
+    }
+  return lit;
+}
+
+/// The colour of a surface at a distance, there or beside; at an edge that nothing beside knows, its own, half lit.
+std::uint32_t wordNear(const Lines& lit, glm::ivec2 at, float distance, float same, std::uint32_t own) {
+  for (glm::ivec2 off : {glm::ivec2(0), glm::ivec2(1, 0), glm::ivec2(-1, 0), glm::ivec2(0, 1), glm::ivec2(0, -1)}) {
+    glm::ivec2 to = glm::clamp(at + off, glm::ivec2(0), glm::ivec2(lit.length, lit.count) - 1);
+    const Seen& seen = lit.at(to.y, to.x);
+    if (std::abs(seen.x - distance) <= same) return wordOf({seen.y, seen.z, seen.w});
+  }
+  return wordOf(0.5f * (kAmbient + kMost) * glm::vec3(own >> 16 & 255, own >> 8 & 255, own & 255));
 }
 
 }  // namespace
@@ -93,7 +122,7 @@ void PulledCanvas::setScale(double voxel, double pixelsPerLength) {
 }
 
 void PulledCanvas::put(glm::ivec2 low, glm::ivec2 high, float distance, glm::vec3 color) {
-  putWord(low, high, distance, colorWord(color));
+  putWord(low, high, distance, wordOf(255.0f * glm::clamp(color, 0.0f, 1.0f)));
 }
 
 void PulledCanvas::putGone(glm::ivec2 low, glm::ivec2 high) { putWord(low, high, kNowhere, kGone); }
@@ -107,36 +136,37 @@ void PulledCanvas::putWord(glm::ivec2 low, glm::ivec2 high, float distance, std:
   }
 }
 
+/// What is seen of every so manyth pixel of the box, as rows.
+Lines PulledCanvas::thinned(int step) const {
+  glm::ivec2 size = (mEnd - mLow + step - 1) / step;
+  Lines rows(size.y, size.x);
+  for (int y = 0; y < size.y; ++y)
+    for (int x = 0; x < size.x; ++x) {
+      glm::ivec2 at = glm::min(mLow + step * glm::ivec2(x, y) + step / 2, mEnd - 1);
+      std::uint64_t cell = mCells[indexOf(at)];
+      if (cell != kEmpty) rows.at(y, x) = Seen(distanceOf(cell), cell >> 16 & 255, cell >> 8 & 255, cell & 255);
+    }
+  return rows;
+}
+
 std::vector<std::uint32_t> PulledCanvas::pixels() const {
   std::vector<std::uint32_t> pixels(mCells.size(), 0u);
   if (mEnd.x <= mLow.x || mEnd.y <= mLow.y) return pixels;
-  Seen seen(mEnd.x - mLow.x, mEnd.y - mLow.y);
-  auto cellAt = [&](int x, int y) { return std::size_t(y + mLow.y) * std::size_t(mSize.x) + std::size_t(x + mLow.x); };
-  for (int y = 0; y < seen.high; ++y)
-    for (int x = 0; x < seen.wide; ++x) {
-      std::uint64_t cell = mCells[cellAt(x, y)];
-      float distance = cell == kEmpty ? kNowhere : std::bit_cast<float>(std::uint32_t(cell >> 32));
-      seen.planes[0][seen.at(x, y)] = distance;
-      if (distance == kNowhere) continue;
-      for (int plane = 1; plane < Seen::kPlanes; ++plane)
-        seen.planes[plane][seen.at(x, y)] = float(cell >> (24 - 8 * plane) & 255) / 255.0f;
-    }
-  int reach = std::clamp(int(std::ceil(kReachVoxels * mVoxel * mPixelsPerLength)), 1, kMostReach);
-  auto same = float(std::max(kSameVoxels * mVoxel, reach / std::max(mPixelsPerLength, 1e-12)));
-  Seen even = evened(seen, reach, same);
-  int wide = std::max(1, reach / 2);
-  for (int y = 0; y < seen.high; ++y)
-    for (int x = 0; x < seen.wide; ++x) {
-      std::size_t here = seen.at(x, y);
-      std::uint64_t cell = mCells[cellAt(x, y)];
+  // Of large squares a few pixels say all, so that the cost goes with the voxels that are seen.
+  double voxelPixels = mVoxel * mPixelsPerLength;
+  int step = std::clamp(int(0.5 * voxelPixels), 1, kMostStep);
+  int reach = std::clamp(int(std::ceil(kReachVoxels * voxelPixels / step)), 1, kMostReach);
+  auto perLength = float(mPixelsPerLength / step);
+  auto same = float(std::max(kSameVoxels * mVoxel, double(reach) / std::max(double(perLength), 1e-12)));
+  Lines lit = litColors(evenedAcross(evenedAcross(thinned(step), reach, same), reach, same), std::max(1, reach / 2),
+                        same, perLength);
+  for (glm::ivec2 at = mLow; at.y < mEnd.y; ++at.y)
+    for (at.x = mLow.x; at.x < mEnd.x; ++at.x) {
+      std::uint64_t cell = mCells[indexOf(at)];
       if (cell == kEmpty) continue;
-      std::uint32_t& pixel = pixels[cellAt(x, y)] = std::uint32_t(cell);
-      if (even.planes[0][here] == kNowhere) continue;
-      glm::vec2 rise(slope(even, here, 1, x, seen.wide, wide, same),
-                     slope(even, here, std::size_t(seen.wide), y, seen.high, wide, same));
-      float light = 1.0f / std::sqrt(1.0f + glm::dot(rise, rise) * float(mPixelsPerLength * mPixelsPerLength));
-      glm::vec3 color(even.planes[1][here], even.planes[2][here], even.planes[3][here]);
-      pixel = colorWord(color * (kAmbient + (kMost - kAmbient) * light));
+      float distance = distanceOf(cell);
+      glm::ivec2 in = (at - mLow) / step;
+      pixels[indexOf(at)] = distance == kNowhere ? kGone : wordNear(lit, in, distance, same, std::uint32_t(cell));
     }
   return pixels;
 }

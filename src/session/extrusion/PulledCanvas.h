@@ -19,12 +19,18 @@ class PulledCanvas {
   /// @param voxel  its edge, length
   void setScale(double voxel, double pixelsPerLength);
 
-  /// 0xAARRGGBB, premultiplied, shape [height][width]; 0 where nobody has put anything. Some milliseconds for a picture
-  /// full of voxels.
+  /// 0xAARRGGBB, premultiplied, shape [height][width]; 0 where nobody has put anything. Costs go with the pixels, some
+  /// nanoseconds each, and with the voxels that are seen.
   std::vector<std::uint32_t> pixels() const;
   glm::ivec2 size() const { return mSize; }
 
+  /// What a pixel shows: its distance, and the colour in bytes.
+  using Seen = glm::vec4;
+  struct Lines;
+
  private:
+  Lines thinned(int step) const;
+  std::size_t indexOf(glm::ivec2 at) const { return std::size_t(at.y) * std::size_t(mSize.x) + std::size_t(at.x); }
   void putWord(glm::ivec2 low, glm::ivec2 high, float distance, std::uint32_t color);
 
   glm::ivec2 mSize;

@@ -121,12 +121,13 @@ void growOn(scene::Scene& scene, int structure) {
   auto& steps = scene.labels.growths;
   auto last = std::find_if(steps.rbegin(), steps.rend(), [&](const auto& step) { return step.structure == structure; });
   if (last == steps.rend()) return;
-  // A step's plane may lie behind that of its cut: where the cut was, or as deep as a membrane's sheet can lie.
+  // The step's plane may lie behind that of its cut: where the cut was, or as deep as a membrane's sheet can lie.
   for (const auto& cut : scene.cuts)
     for (const auto& spare : cut.spares) {
       if (spare.structure != structure) continue;
       double sheet = scene::isMembrane(cut) ? 0.5 * cut.size.z : 0.0;
-      double behind = glm::dot(cut.centre - last->centre, last->axis);
+      bool isAlong = std::abs(glm::dot(glm::normalize(cut.axis), last->axis)) > 1.0 - 1e-9;
+      double behind = isAlong ? glm::dot(cut.centre - last->centre, last->axis) : 0.0;
       last->distance = std::max(last->distance, behind + sheet + spare.distance);
     }
 }

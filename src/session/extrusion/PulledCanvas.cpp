@@ -101,14 +101,14 @@ Lines litColors(const Lines& seen, int wide, float same, float perLength) {
   return lit;
 }
 
-/// The colour of a surface at a distance, there or beside; at an edge that nothing beside knows, its own, half lit.
+/// The colour of a surface at a distance, there or beside; where nothing beside knows it, its own, lit from the front.
 std::uint32_t wordNear(const Lines& lit, glm::ivec2 at, float distance, float same, std::uint32_t own) {
   for (glm::ivec2 off : {glm::ivec2(0), glm::ivec2(1, 0), glm::ivec2(-1, 0), glm::ivec2(0, 1), glm::ivec2(0, -1)}) {
     glm::ivec2 to = glm::clamp(at + off, glm::ivec2(0), glm::ivec2(lit.length, lit.count) - 1);
     const Seen& seen = lit.at(to.y, to.x);
     if (std::abs(seen.x - distance) <= same) return wordOf({seen.y, seen.z, seen.w});
   }
-  return wordOf(0.5f * (kAmbient + kMost) * glm::vec3(own >> 16 & 255, own >> 8 & 255, own & 255));
+  return wordOf(kMost * glm::vec3(own >> 16 & 255, own >> 8 & 255, own & 255));
 }
 
 }  // namespace
@@ -152,9 +152,9 @@ Lines PulledCanvas::thinned(int step) const {
 std::vector<std::uint32_t> PulledCanvas::pixels() const {
   std::vector<std::uint32_t> pixels(mCells.size(), 0u);
   if (mEnd.x <= mLow.x || mEnd.y <= mLow.y) return pixels;
-  // Of large squares a few pixels say all, so that the cost goes with the voxels that are seen.
+  // A pixel of each square says all of it, so that the cost goes with the voxels that are seen.
   double voxelPixels = mVoxel * mPixelsPerLength;
-  int step = std::clamp(int(0.5 * voxelPixels), 1, kMostStep);
+  int step = std::clamp(int(voxelPixels), 1, kMostStep);
   int reach = std::clamp(int(std::ceil(kReachVoxels * voxelPixels / step)), 1, kMostReach);
   auto perLength = float(mPixelsPerLength / step);
   auto same = float(std::max(kSameVoxels * mVoxel, double(reach) / std::max(double(perLength), 1e-12)));

@@ -158,9 +158,12 @@ vec3 shapeNormal(int cut, vec3 p) {
   return cutAt(cut).halfSize.w * planeAt(cut).xyz;
 #else
   float e = 0.01 * frame.step;
-  vec3 gradient = vec3(shapeDistance(cutAt(cut), p + vec3(e, 0, 0)) - shapeDistance(cutAt(cut), p - vec3(e, 0, 0)),
-                       shapeDistance(cutAt(cut), p + vec3(0, e, 0)) - shapeDistance(cutAt(cut), p - vec3(0, e, 0)),
-                       shapeDistance(cutAt(cut), p + vec3(0, 0, e)) - shapeDistance(cutAt(cut), p - vec3(0, 0, e)));
+  vec3 gradient = vec3(0.0);
+  for (int axis = 0; axis < 3; ++axis)
+    for (float side = -1.0; side < 2.0; side += 2.0) {
+      vec3 step3 = side * vec3(equal(ivec3(axis), ivec3(0, 1, 2)));
+      gradient += step3 * shapeDistance(cutAt(cut), p + e * step3);
+    }
   float len = length(gradient);
   return len > 0.0 ? -gradient / len : vec3(0.0, 0.0, 1.0);
 #endif

@@ -33,8 +33,9 @@ void addSurface(inout Hit hit, Ray ray, Walk walk, float t, Face face, bool spar
   vec3 normal = len > 0.0 ? -gradient / len : -ray.direction;
   if (dot(normal, ray.direction) > 0.0) normal = -normal;
   if (isOnFace(face)) normal = faceNormalAt(face, p, ray.direction);
+  EndFace end = EndFace(kCutFar, -1, false);
   if (hasFlag(kFlagSpareDepths) && sparedOnly) {
-    EndFace end = endFaceAt(p, structure);
+    end = endFaceAt(p, structure);
     bool isOnEnd = end.cut >= 0 && end.left * frame.voxelsPerLength < 0.25;
     vec3 endNormal = isOnEnd ? endNormalAt(end.cut, p) : normal;
     normal = dot(endNormal, ray.direction) < 0.0 ? endNormal : normal;
@@ -45,7 +46,7 @@ void addSurface(inout Hit hit, Ray ray, Walk walk, float t, Face face, bool spar
 #endif
 #if LABELS == 1
   albedo = tinted(albedo, p, isOnFace(face) || sparedOnly ? vec3(0.0) : normal, structure);
-  if (hasFlag(kFlagOverlaps) && sparedOnly && endFaceAt(p, structure).isShared) albedo = mix(albedo, kOverlapColor, kOverlapShare);
+  if (hasFlag(kFlagOverlaps) && end.isShared) albedo = mix(albedo, kOverlapColor, kOverlapShare);
 #endif
   vec3 color = shadeSurface(albedo, normal, -ray.direction, lightTexAt(p, normal, 1.0));
   float share = 1.0;
@@ -68,28 +69,35 @@ void marchStretch(inout Hit hit, Ray ray, Walk walk, Span span) {
   float b = span.b;
   float t = span.a;
   addFaceData(hit, ray, t, span.face);
-  if ((isOnFace(span.face) || (hasFlag(kFlagSpares) && span.sparedOnly)) && shownValueAt(ray, walk, t, span.sparedOnly) >= iso)
-    addSurface(hit, ray, walk, t, span.face, span.sparedOnly);
-  float low;
-  float high;
-  float x;
+  float low = t;
+  float high = t;
+  float x = iso;
   bool crosses = false;
+  bool enters = isOnFace(span.face) || (hasFlag(kFlagSpares) && span.sparedOnly);
+  bool isEntry = false;
   do {
-    // Go on to the next segment that crosses the value.
+    // Go on to the next segment that crosses the value. The first sample after a leap is asked for in the loop, as a segment
+    // without length: what is called in two places is compiled twice.
     do {
-      if (hasFlag(kFlagSkipEmpty)) t = leapEmpty(walk, t, b, walk.dt, 1.0 / walk.dt, span.sparedOnly);
-      x = shownValueAt(ray, walk, t, span.sparedOnly);
+      // A place to enter by lies within the material, where cells without a crossing count as empty. What has been found is
+      // found again when the turn is repeated.
+      isEntry = crosses ? isEntry : enters && t == span.a;
+      if (hasFlag(kFlagSkipEmpty)) t = isEntry ? t : leapEmpty(walk, t, b, walk.dt, 1.0 / walk.dt, span.sparedOnly);
+      bool isFirst = !crosses || isEntry;
       int n = 0;
       do {
         float next = nextSample(walk, t);
-        next = min(next > t ? next : t + walk.dt, b);
+        next = isFirst ? t : min(next > t ? next : t + walk.dt, b);
         float value = shownValueAt(ray, walk, next, span.sparedOnly);
+        x = !isFirst ? x : isEntry ? iso - 1.0 : value;
         crosses = (x < iso) != (value < iso);
         low = t;
         high = next;
+        isEntry = isEntry && isFirst;
+        isFirst = isFirst && crosses;
         x = crosses ? x : value;
         t = crosses ? t : next;
-      } while (!crosses && t < b && ++n < kBlock);
+      } while (!crosses && t < b && ++n <= kBlock);
     } while (!crosses && t < b);
     t = high;
     // Find the place in it.
@@ -101,6 +109,9 @@ void marchStretch(inout Hit hit, Ray ray, Walk walk, Span span) {
     }
     // Of what is spared the side that is.
     float place = span.sparedOnly ? (x < iso ? high : low) : 0.5 * (low + high);
-    if (crosses && !isDone(hit)) addSurface(hit, ray, walk, place, kNoFace, span.sparedOnly);
+    Face face = isEntry ? span.face : kNoFace;
+    if (crosses && !isDone(hit)) addSurface(hit, ray, walk, place, face, span.sparedOnly);
+    crosses = false;
+    enters = false;
   } while (!isDone(hit) && t < b);
 }

@@ -40,18 +40,18 @@ float leapLower(Walk walk, float t, float b) {
   return t;
 }
 
-/// Keeps the sample at t if it is the best.
-void addValue(inout Hit hit, Ray ray, Walk walk, float t, bool sparedOnly) {
+/// Keeps the sample at t if it is the best. What is removed ends before the face, whose place rounding may put on either side.
+void addValue(inout Hit hit, Ray ray, Walk walk, float t, Span span) {
   float value = tableAt(texAt(walk, t)) / float(kTransferSize - 1);
-  bool shown = true;
+  bool shown = !(span.sparedOnly && t >= span.b);
   uint structure = 0u;
   float share = 1.0;
   vec3 p = ray.origin + t * ray.direction;
 #if LABELS == 1
   structure = labelAt(p);
-  shown = structure == 0u ? frame.unlabelledOpacity > 0.0 : structureRow(structure).a > 0.0;
+  shown = shown && (structure == 0u ? frame.unlabelledOpacity > 0.0 : structureRow(structure).a > 0.0);
 #endif
-  if (hasFlag(kFlagSpares) && sparedOnly) shown = shown && cutsKeep(p, structure);
+  if (hasFlag(kFlagSpares) && span.sparedOnly) shown = shown && cutsKeep(p, structure);
 #ifdef MEMBRANES
   if (hasFlag(kFlagInlays)) share = inlayShare(p, structure);
 #endif
@@ -78,7 +78,7 @@ void marchStretch(inout Hit hit, Ray ray, Walk walk, Span span) {
     if (hasFlag(kFlagSkipEmpty) && !span.sparedOnly) t = leapLower(walk, t, span.b);
     int n = 0;
     do {
-      addValue(hit, ray, walk, t, span.sparedOnly);
+      addValue(hit, ray, walk, t, span);
       more = more && t < span.b;
       t = min(nextSample(walk, t), span.b);
     } while (more && ++n < kBlock);

@@ -54,27 +54,24 @@ void castStretches(inout Hit hit, Ray ray, Walk walk, float from, float tEnd) {
   if (hasFlag(kFlagWalks)) guard += 64;  // and a shape that is not convex
   do {
     Stretch stretch = stretchFrom(ray, t, tEnd);
-    if (hasFlag(kFlagSpares)) {
+#if MODE == 0
+    if (hasFlag(kFlagSpares) && !hasFlag(kFlagFaces)) {
       // What is removed and what is kept behind it take one turn: a software driver runs all of a turn for both.
       float from = t;
       face = stretch.kept ? kNoFace : Face(stretch.face, stretch.triangle);
       t = stretch.kept ? t : max(stretch.end, t + 1e-6 * max(1.0, abs(t)));
       stretch = stretchFrom(ray, t, tEnd);
       float end = stretch.kept ? stretch.end : t;
-#if MODE == 0
-      if (!hasFlag(kFlagFaces)) {
-        marchBoth(hit, ray, walk, from, t, end, face);
-      } else
-#endif
-      {
-        if (t > from) marchStretch(hit, ray, walk, Span(from, t, kNoFace, true));
-        if (end > t && !isDone(hit)) marchStretch(hit, ray, walk, Span(t, end, face, false));
-      }
+      marchBoth(hit, ray, walk, from, t, end, face);
       t = end;
-    } else {
-      if (stretch.kept && stretch.end > t) marchStretch(hit, ray, walk, Span(t, stretch.end, face, false));
+    } else
+#endif
+    {
+      float end = stretch.kept ? stretch.end : max(stretch.end, t + 1e-6 * max(1.0, abs(t)));
+      Span span = Span(t, end, stretch.kept ? face : kNoFace, !stretch.kept);
+      if (end > t && (stretch.kept || hasFlag(kFlagSpares))) marchStretch(hit, ray, walk, span);
       face = stretch.kept ? kNoFace : Face(stretch.face, stretch.triangle);
-      t = stretch.kept ? stretch.end : max(stretch.end, t + 1e-6 * max(1.0, abs(t)));
+      t = end;
     }
   } while (t < tEnd && --guard > 0 && !isDone(hit));
 }

@@ -66,6 +66,7 @@ struct Limits;
   X(PFNGLGETSHADERINFOLOGPROC, GetShaderInfoLog) \
   X(PFNGLGETSHADERIVPROC, GetShaderiv) \
   X(PFNGLGETSTRINGPROC, GetString) \
+  X(PFNGLGETSTRINGIPROC, GetStringi) \
   X(PFNGLGETTEXTUREIMAGEPROC, GetTextureImage) \
   X(PFNGLGETTEXTURESUBIMAGEPROC, GetTextureSubImage) \
   X(PFNGLLINKPROGRAMPROC, LinkProgram) \
@@ -113,6 +114,7 @@ struct GlTable {
   const void* (*current)() = nullptr;
   const void* context = nullptr;
   const Limits* limits = nullptr;
+  bool compilesBeside = false;  ///< Programs are compiled on threads of the driver's, and it says when they are done.
   GLuint emptyVertexArray = 0;  ///< Core profile draws need one bound, also where vertices are made from their numbers.
 };
 

@@ -8,6 +8,8 @@
 #include "ShaderLibrary.h"
 #include "shared/draw.h"
 #include "velum/core/Assert.h"
+#include "velum/core/Clock.h"
+#include "velum/core/Log.h"
 #include "velum/gpu/GpuError.h"
 
 namespace velum::gpu {
@@ -17,6 +19,9 @@ void deleteProgram(unsigned id) {
 }
 
 namespace {
+
+constexpr GLenum kCompletionStatus = 0x91B1;  ///< GL_COMPLETION_STATUS_KHR
+constexpr double kSlowMs = 50;                ///< What takes longer to compile is worth a word.
 
 void deleteShader(unsigned id) { gl().DeleteShader(id); }
 using Shader = Handle<deleteShader>;
@@ -28,61 +33,104 @@ GLenum stageOf(std::string_view file) {
   return file.ends_with(".vert") ? GL_VERTEX_SHADER : GL_FRAGMENT_SHADER;
 }
 
-Shader compile(std::string_view file, const Defines& defines) {
-  ShaderText source = expandShader(file, defines);
-  MayRefuse mayRefuse;
-  Shader shader(gl().CreateShader(stageOf(file)));
-  const char* text = source.text.c_str();
-  gl().ShaderSource(shader.id(), 1, &text, nullptr);
-  gl().CompileShader(shader.id());
+/// One of a program's files, as the driver has been given it.
+struct Stage {
+  std::string file;
+  ShaderText source;
+  Shader shader;
+};
+
+Stage startStage(std::string_view file, const Defines& defines) {
+  Stage stage{std::string(file), expandShader(file, defines), Shader(gl().CreateShader(stageOf(file)))};
+  const char* text = stage.source.text.c_str();
+  gl().ShaderSource(stage.shader.id(), 1, &text, nullptr);
+  gl().CompileShader(stage.shader.id());
+  return stage;
+}
+
+/// @throw GpuError where it does not compile
+void checkStage(const Stage& stage) {
   GLint ok = 0;
-  gl().GetShaderiv(shader.id(), GL_COMPILE_STATUS, &ok);
-  if (ok) return shader;
+  gl().GetShaderiv(stage.shader.id(), GL_COMPILE_STATUS, &ok);
+  if (ok) return;
   std::string log(16384, '\0');
   GLsizei length = 0;
-  gl().GetShaderInfoLog(shader.id(), GLsizei(log.size()), &length, log.data());
+  gl().GetShaderInfoLog(stage.shader.id(), GLsizei(log.size()), &length, log.data());
   log.resize(std::size_t(length));
-  throw GpuError(fmt::format("the shader {} does not compile:\n{}", file, explainLog(log, source)));
+  throw GpuError(fmt::format("the shader {} does not compile:\n{}", stage.file, explainLog(log, stage.source)));
 }
 
 }  // namespace
 
-Program::Program(std::initializer_list<std::string_view> files, const Defines& defines) : Handle(createProgram()) {
-  std::vector<Shader> shaders;
-  for (auto file : files) {
-    shaders.push_back(compile(file, defines));
-    gl().AttachShader(id(), shaders.back().id());
-  }
+struct Program::Making {
+  std::vector<Stage> stages;
+  Clock::time_point since = Clock::now();
+};
+
+Program::Program(std::initializer_list<std::string_view> files, const Defines& defines)
+    : Handle(createProgram()), mMaking(std::make_shared<Making>()) {
   MayRefuse mayRefuse;
+  for (auto file : files) {
+    mMaking->stages.push_back(startStage(file, defines));
+    gl().AttachShader(id(), mMaking->stages.back().shader.id());
+  }
   gl().LinkProgram(id());
+  gl().ObjectLabel(GL_PROGRAM, id(), GLsizei(files.begin()->size()), files.begin()->data());
+  if (isReady()) finish();
+}
+
+bool Program::isReady() const {
+  if (!mMaking || !gl().compilesBeside) return true;
+  GLint isDone = 0;
+  gl().GetProgramiv(id(), kCompletionStatus, &isDone);
+  return isDone != 0;
+}
+
+/// Asks the driver what became of it, and waits where it is still at work.
+void Program::finish() const {
+  std::shared_ptr<Making> making = std::move(mMaking);
+  if (!making) return;
+  MayRefuse mayRefuse;
   GLint ok = 0;
   gl().GetProgramiv(id(), GL_LINK_STATUS, &ok);
+  const std::string& file = making->stages.front().file;
   if (!ok) {
+    for (const Stage& stage : making->stages) checkStage(stage);
     std::string log(16384, '\0');
     GLsizei length = 0;
     gl().GetProgramInfoLog(id(), GLsizei(log.size()), &length, log.data());
     log.resize(std::size_t(length));
-    throw GpuError(fmt::format("the shader {} does not link: {}", *files.begin(), log));
+    throw GpuError(fmt::format("the shader {} does not link: {}", file, log));
   }
-  gl().ObjectLabel(GL_PROGRAM, id(), GLsizei(files.begin()->size()), files.begin()->data());
+  if (double ms = msSince(making->since); ms > kSlowMs)
+    log::info(fmt::format("{} was compiled in {:.0f} ms", file, ms));
+}
+
+unsigned Program::finishedId() const {
+  finish();
+  return id();
 }
 
 int Program::memberOffset(const std::string& block, const std::string& member) const {
-  GLuint index = gl().GetProgramResourceIndex(id(), GL_UNIFORM, (block + "." + member).c_str());
-  if (index == GL_INVALID_INDEX) index = gl().GetProgramResourceIndex(id(), GL_UNIFORM, member.c_str());
+  GLuint index = gl().GetProgramResourceIndex(finishedId(), GL_UNIFORM, (block + "." + member).c_str());
+  if (index == GL_INVALID_INDEX) index = gl().GetProgramResourceIndex(finishedId(), GL_UNIFORM, member.c_str());
   if (index == GL_INVALID_INDEX) return -1;
   const GLenum what = GL_OFFSET;
   GLint offset = -1;
-  gl().GetProgramResourceiv(id(), GL_UNIFORM, index, 1, &what, 1, nullptr, &offset);
+  gl().GetProgramResourceiv(finishedId(), GL_UNIFORM, index, 1, &what, 1, nullptr, &offset);
   return offset;
 }
 
-void Program::use() const { gl().UseProgram(id()); }
-void Program::set(int location, int value) const { gl().ProgramUniform1i(id(), location, value); }
-void Program::set(int location, float v) const { gl().ProgramUniform1f(id(), location, v); }
-void Program::set(int location, glm::ivec2 v) const { gl().ProgramUniform2i(id(), location, v.x, v.y); }
-void Program::set(int location, glm::ivec4 v) const { gl().ProgramUniform4i(id(), location, v.x, v.y, v.z, v.w); }
-void Program::set(int location, glm::vec4 v) const { gl().ProgramUniform4f(id(), location, v.x, v.y, v.z, v.w); }
+void Program::use() const { gl().UseProgram(finishedId()); }
+void Program::set(int location, int value) const { gl().ProgramUniform1i(finishedId(), location, value); }
+void Program::set(int location, float v) const { gl().ProgramUniform1f(finishedId(), location, v); }
+void Program::set(int location, glm::ivec2 v) const { gl().ProgramUniform2i(finishedId(), location, v.x, v.y); }
+void Program::set(int location, glm::ivec4 v) const {
+  gl().ProgramUniform4i(finishedId(), location, v.x, v.y, v.z, v.w);
+}
+void Program::set(int location, glm::vec4 v) const {
+  gl().ProgramUniform4f(finishedId(), location, v.x, v.y, v.z, v.w);
+}
 
 void dispatch(const Program& program, glm::ivec3 groups) {
   VELUM_ASSERT(std::min({groups.x, groups.y, groups.z}) >= 0 && std::max({groups.x, groups.y, groups.z}) <= kMostGroups,

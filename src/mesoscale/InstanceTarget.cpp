@@ -72,6 +72,13 @@ const gpu::Program& InstancePrograms::arguments() { return made(mArguments, "mes
 const gpu::Program& InstancePrograms::pyramid() { return made(mPyramid, "mesoscale/pyramid.comp"); }
 const gpu::Program& InstancePrograms::seen() { return made(mSeen, "mesoscale/seen.comp"); }
 
+bool InstancePrograms::compile(CullBy by, bool hasMembranes) {
+  std::vector<const gpu::Program*> needed{&cull(by, true), &cull(by, false), &splat(false), &splat(true),
+                                          &arguments(),    &pyramid(),       &seen()};
+  if (by == CullBy::States) needed.insert(needed.end(), {&clip(hasMembranes), &shown()});
+  return std::all_of(needed.begin(), needed.end(), [](const gpu::Program* program) { return program->isReady(); });
+}
+
 void InstanceTarget::resize(glm::ivec2 size, std::uint32_t instances, int copies) {
   std::uint32_t count = instances * std::uint32_t(copies);
   if (instances != mInstances) forget();

@@ -130,7 +130,6 @@ DataVariant dataVariantOf(const FrameData& data) {
   }
   variant.labels = data.labelUse;
   variant.hasMembranes = (data.params.flags & shared::kFlagMembranes) != 0;
-  if (!data.isSoftware) return variant;
   variant.flags = data.params.flags;
   bool arePlanes =
       std::all_of(data.cuts.begin(), data.cuts.end(), [](const auto& c) { return c.kind.x == shared::kCutPlane; });

@@ -35,14 +35,12 @@ std::vector<std::uint32_t> flagSets() {
   return sets;
 }
 
-/// True of what only drivers ask for whose programs are compiled for their frame's flags.
-bool isOfSoftware(const DataVariant& variant) { return variant.packing != Packing::None; }
-
 }  // namespace
 
 std::vector<gpu::ProgramSource> allPrograms() {
   std::vector<gpu::ProgramSource> all;
   all.push_back({{"render/light_grid.comp"}, {}});
+  all.push_back({{"render/light_means.comp"}, {}});
   for (const ResolveVariant& variant : allResolveVariants())
     all.push_back({{"render/resolve.comp"}, definesOf(variant)});
   for (std::size_t paper = 1; paper < std::size(EnumNames<scene::Paper>::kNames); ++paper)
@@ -57,14 +55,12 @@ std::vector<gpu::ProgramSource> allPrograms() {
   std::vector<std::uint32_t> sets = flagSets();
   std::size_t next = 0;
   for (DataVariant variant : allLightVariants()) {
-    if (!isOfSoftware(variant)) all.push_back({{"render/light_extinction.comp"}, definesOf(variant)});
     variant.flags = lightFlagsOf(sets[next++ % sets.size()]);
     all.push_back({{"render/light_extinction.comp"}, definesOf(variant)});
   }
   for (RayVariant variant : allRayVariants()) {
-    if (!isOfSoftware(variant.data)) all.push_back({{"render/ray_cast.comp"}, definesOf(variant)});
-    variant.data.flags = sets[next++ % sets.size()];
-    if (!variant.data.hasMembranes && (*variant.data.flags & shared::kFlagCuts))
+    std::uint32_t flags = variant.data.flags = sets[next++ % sets.size()];
+    if (!variant.data.hasMembranes && (flags & shared::kFlagCuts))
       variant.data.planes = int(next % std::size_t(shared::kMostPlanes + 1));
     all.push_back({{"render/ray_cast.comp"}, definesOf(variant)});
   }

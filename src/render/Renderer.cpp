@@ -1,7 +1,10 @@
 #include "velum/render/Renderer.h"
 
 #include <algorithm>
+#include <chrono>
+#include <iterator>
 #include <optional>
+#include <thread>
 
 #include "FrameData.h"
 #include "Gbuffer.h"
@@ -21,7 +24,8 @@ namespace velum::render {
 
 namespace {
 
-constexpr double kUploadShare = 0.05;  // of a picture's progress
+constexpr double kUploadShare = 0.05;                   // of a picture's progress
+constexpr std::chrono::milliseconds kProgramsPause{1};  // between two questions whether programs are compiled
 
 }  // namespace
 
@@ -61,6 +65,7 @@ struct Renderer::Impl {
 
   void begin(const Frame& frame);
   void setUp();
+  void makePrograms();
   void addSamples();
   void bind() const;
   void noteStats();
@@ -88,13 +93,27 @@ void Renderer::Impl::setUp() {
   upload.complete(data);
   completeFrameData(data);
   for (Pass* pass : lighting) pass->prepare(data);
-  if (!rayCast.isReady(data)) queue.rest();
+  if (!rayCast.isKnown(data)) queue.rest();
+  queue.add("Setup", [this] { makePrograms(); });
+}
+
+/// What drivers compile beside this thread is waited for without holding it up.
+void Renderer::Impl::makePrograms() {
+  for (Pass* pass : casting) pass->prepare(data);
+  queue.addUntilDone("Programs", [this] {
+    auto isReady = [](Pass* pass) { return pass->isReady(); };
+    if (std::all_of(std::begin(lighting), std::end(lighting), isReady) &&
+        std::all_of(std::begin(casting), std::end(casting), isReady))
+      return true;
+    std::this_thread::sleep_for(kProgramsPause);
+    queue.rest();
+    return false;
+  });
   queue.add("Setup", [this] { addSamples(); });
 }
 
 /// The frame, second half, in its order.
 void Renderer::Impl::addSamples() {
-  for (Pass* pass : casting) pass->prepare(data);
   inputs.write(data);
   isDrawn = true;
   bind();

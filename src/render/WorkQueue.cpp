@@ -33,7 +33,8 @@ void WorkQueue::addUntilDone(Pass& pass, RunAgain run, Share done) {
   mSteps.push_back({pass.name(), &pass, std::move(run), std::move(done)});
 }
 void WorkQueue::add(Pass& pass, Run run) { addUntilDone(pass, once(std::move(run))); }
-void WorkQueue::add(const char* name, Run run) { mSteps.push_back({name, nullptr, once(std::move(run)), {}}); }
+void WorkQueue::addUntilDone(const char* name, RunAgain run) { mSteps.push_back({name, nullptr, std::move(run), {}}); }
+void WorkQueue::add(const char* name, Run run) { addUntilDone(name, once(std::move(run))); }
 
 double WorkQueue::fractionDone() const {
   if (mCount == 0 || mSteps.empty()) return 1.0;

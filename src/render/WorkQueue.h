@@ -28,6 +28,7 @@ class WorkQueue {
   void addUntilDone(Pass& pass, RunAgain run, Share done = {});
   /// Work that is nobody's, by a literal name.
   void add(const char* name, Run run);
+  void addUntilDone(const char* name, RunAgain run);
   /// The share of a frame that is done is counted from here: all of its pieces are known.
   void countAll() { mCount = mSteps.size(); }
 

@@ -139,9 +139,11 @@ Image draw(const Json& what, gpu::Context& context) {
 }
 
 /// How many times as many pixels may differ as on llvmpipe, which drew what was accepted. Drivers round differently,
-/// and where the folds of a sheet lie by the paper's rule depends on all that was rounded on its way (0.13 % on zink).
+/// GPUs take places between voxels in 256 steps, and where the folds of a sheet lie by the paper's rule depends on all
+/// that was rounded on its way (0.13 % on zink, 0.45 % on a GPU).
 double allowanceOf(const gpu::Context& context) {
-  return context.limits().renderer.rfind("llvmpipe", 0) == 0 ? 1.0 : 2.0;
+  const std::string& renderer = context.limits().renderer;
+  return renderer.starts_with("llvmpipe") ? 1.0 : renderer.find("llvmpipe") != std::string::npos ? 2.0 : 5.0;
 }
 
 TEST_P(GoldenGL, LooksAsAccepted) {

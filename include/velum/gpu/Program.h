@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <initializer_list>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -23,14 +24,17 @@ struct ProgramSource {
   Defines defines;
 };
 
-/// A linked program from entry points under shaders/ (`render/ray_cast.comp`). Compile errors name file and line of the
-/// included text. GL thread.
+/// A program from entry points under shaders/ (`render/ray_cast.comp`). Drivers that can compile it beside this thread,
+/// as it may take seconds: whoever uses it before isReady() waits. Compile errors name file and line of the included
+/// text. GL thread. @throw GpuError with the driver's message, `file:line: text`, when it is made or, from drivers that
+/// compile beside, when it is used for the first time
 class Program : public Handle<deleteProgram> {
  public:
   Program() = default;
   /// @param files  one .comp, or a .vert and a .frag
-  /// @throw GpuError with the driver's message, `file:line: text`
   Program(std::initializer_list<std::string_view> files, const Defines& defines = {});
+  /// Nobody waits who uses it now.
+  bool isReady() const;
   /// Offset of a uniform block's member in bytes, -1 when there is none; for the layout tests.
   int memberOffset(const std::string& block, const std::string& member) const;
   void use() const;
@@ -39,6 +43,12 @@ class Program : public Handle<deleteProgram> {
   void set(int location, glm::ivec2 value) const;
   void set(int location, glm::ivec4 value) const;
   void set(int location, glm::vec4 value) const;
+
+ private:
+  struct Making;
+  void finish() const;
+  unsigned finishedId() const;
+  mutable std::shared_ptr<Making> mMaking;  ///< Until the driver has said what became of it.
 };
 
 /// As many groups along an axis as every driver takes (OpenGL 4.5, table 23.75). Most take more along some axis: what

@@ -47,6 +47,9 @@ class InstancePrograms {
   const gpu::Program& flood();
   const gpu::Program& shown();
 
+  /// Has those that a picture needs compiled side by side, see gpu::Program. @return true when all of them are
+  bool compile(CullBy by, bool hasMembranes);
+
  private:
   std::map<std::pair<CullBy, bool>, gpu::Program> mCull;
   std::map<bool, gpu::Program> mSplat, mClip;

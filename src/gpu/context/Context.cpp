@@ -20,6 +20,8 @@ thread_local const GlTable* tGl = nullptr;
 
 constexpr GLenum kMemoryFreeNvx = 0x9049;  // GL_GPU_MEMORY_INFO_CURRENT_AVAILABLE_VIDMEM_NVX, kibibytes
 
+constexpr const char* kParallelCompile = "GL_KHR_parallel_shader_compile";
+
 std::atomic<int> gErrors{0};      // of all contexts
 thread_local int tMayRefuse = 0;  // how many MayRefuse live
 
@@ -45,6 +47,19 @@ void APIENTRY onMessage(GLenum, GLenum type, GLuint, GLenum severity, GLsizei le
 std::string glString(const GlTable& table, GLenum name) {
   const auto* text = table.GetString(name);
   return text ? reinterpret_cast<const char*>(text) : "";
+}
+
+/// Has the driver compile on as many threads of its own as it likes. @return true where it can
+bool compileBeside(const GlTable& table, Context::ProcAddress procAddress) {
+  GLint count = 0;
+  table.GetIntegerv(GL_NUM_EXTENSIONS, &count);
+  bool can = false;
+  for (GLint i = 0; i < count && !can; ++i)
+    can = std::strcmp(reinterpret_cast<const char*>(table.GetStringi(GL_EXTENSIONS, GLuint(i))), kParallelCompile) == 0;
+  auto setThreads =
+      reinterpret_cast<void(APIENTRY*)(GLuint)>(can ? procAddress("glMaxShaderCompilerThreadsKHR") : nullptr);
+  if (setThreads) setThreads(0xffffffffu);
+  return setThreads != nullptr;
 }
 
 std::size_t memoryFor(const GlTable& table, bool isSoftware) {
@@ -117,6 +132,7 @@ void Context::load(ProcAddress procAddress, Current current) {
   if (const char* text = std::getenv("VELUM_MAX_STORAGE_BLOCK")) storageBlock = std::atoi(text);
   mLimits.storageBlock = std::size_t(std::max(0, storageBlock));
   table.limits = &mLimits;
+  table.compilesBeside = compileBeside(table, procAddress);
   if (const char* text = std::getenv("VELUM_MAX_TEXTURE_3D")) mLimits.texture3d = std::max(16, std::atoi(text));
   mLimits.memoryBytes = memoryFor(table, mLimits.isSoftware);
   table.Enable(GL_DEBUG_OUTPUT);

@@ -114,6 +114,18 @@ void InstancePass::prepare(FrameData& data) {
   mHandedOver.clear();
   if (!mOpenness) mOpenness = gpu::Program({"render/openness.comp"});
   if (!mShade) mShade = gpu::Program({"render/instances.comp"});
+  mHasMembranes = (data.params.flags & shared::kFlagMembranes) != 0;
+  mPrograms.compile(culledBy(), mHasMembranes);
+}
+
+bool InstancePass::isReady() {
+  return mCount == 0 || (mOpenness.isReady() && mShade.isReady() && mPrograms.compile(culledBy(), mHasMembranes));
+}
+
+mesoscale::CullBy InstancePass::culledBy() const {
+  return mHasStates      ? mesoscale::CullBy::States
+         : mHasMembranes ? mesoscale::CullBy::Membranes
+                         : mesoscale::CullBy::Cuts;
 }
 
 void InstancePass::makeSet(const FrameData& data) {
@@ -229,21 +241,19 @@ void InstancePass::addPhase(mesoscale::InstanceTarget& target, mesoscale::CullBy
 /// What becomes of each instance does not depend on where in a pixel its ray goes: once a frame.
 void InstancePass::addStates(const FrameData& data, WorkQueue& queue) {
   const scene::ModelLayer& model = data.frame.scene.model;
-  bool hasMembranes = (data.params.flags & shared::kFlagMembranes) != 0;
   queue.add(kClipping, [this] { mStates.begin(); });
   for (const auto& part :
        mesoscale::instanceParts(std::uint32_t(model.data->instances.size()), std::max(1, model.copies), atATime()))
-    queue.add(kClipping, [this, hasMembranes, part] {
+    queue.add(kClipping, [this, part] {
       bindRows();
       mEye.bindView();
-      mStates.clip(mPrograms, hasMembranes, part);
+      mStates.clip(mPrograms, mHasMembranes, part);
     });
   for (const mesoscale::FocusRow& row : mesoscale::focusRows(data.frame.scene)) addFocus(data, row, queue);
 }
 
 void InstancePass::addFocus(const FrameData& data, const mesoscale::FocusRow& row, WorkQueue& queue) {
   const Frame& frame = data.frame;
-  bool hasMembranes = (data.params.flags & shared::kFlagMembranes) != 0;
   double aspect = double(frame.pictureSize.x) / frame.pictureSize.y;
   shared::FocusView view = makeFocusView(frame.scene, row, aspect, sceneOrigin(data.grid), sceneRadius(data.grid));
   const scene::ModelLayer& model = frame.scene.model;
@@ -259,9 +269,9 @@ void InstancePass::addFocus(const FrameData& data, const mesoscale::FocusRow& ro
         look(part);
       });
   };
-  addLooks(inFocus, [this, hasMembranes](const auto& part) { mStates.drawFocus(mPrograms, hasMembranes, part); });
+  addLooks(inFocus, [this](const auto& part) { mStates.drawFocus(mPrograms, mHasMembranes, part); });
   if (row.hasAperture) queue.add(kFocus, [this] { mStates.flood(mPrograms); });
-  addLooks(all, [this, hasMembranes](const auto& part) { mStates.clear(mPrograms, hasMembranes, part); });
+  addLooks(all, [this](const auto& part) { mStates.clear(mPrograms, mHasMembranes, part); });
 }
 
 void InstancePass::addGhosts(mesoscale::InstanceTarget& target, const FrameData& data, int sample, WorkQueue& queue) {
@@ -315,10 +325,7 @@ void InstancePass::addSteps(const FrameData& data, int sample, WorkQueue& queue)
   if (mCount == 0) return;
   const scene::Lighting& lighting = data.frame.scene.lighting;
   shared::InstanceView view = viewOf(data, sample);
-  bool hasMembranes = (data.params.flags & shared::kFlagMembranes) != 0;
-  mesoscale::CullBy by = mHasStates     ? mesoscale::CullBy::States
-                         : hasMembranes ? mesoscale::CullBy::Membranes
-                                        : mesoscale::CullBy::Cuts;
+  mesoscale::CullBy by = culledBy();
   add(queue, [this, view] { mEye.begin(view); });
   if (sample == 0 && mHasStates) addStates(data, queue);
   bool wantsLight = lighting.shaded && lighting.shadow > 0 && !data.frame.isPreview;

@@ -20,7 +20,7 @@ bool hasLight(const scene::Lighting& lighting) {
 
 DataVariant variantOf(const FrameData& data) {
   DataVariant variant = dataVariantOf(data);
-  if (variant.flags) variant.flags = lightFlagsOf(*variant.flags);
+  variant.flags = lightFlagsOf(variant.flags);
   return variant;
 }
 
@@ -86,7 +86,13 @@ void LightPass::prepare(FrameData& data) {
   resize(data);
   data.params.lightGrid = glm::vec4(glm::vec3(mSize), 0.0f);
   data.params.lightCell = float(mCell);
-  if (!data.frame.isPreview || !hasLight(data.frame.scene.lighting)) return;
+  if (!hasLight(data.frame.scene.lighting)) return;
+  if (!data.frame.isPreview) {
+    DataVariant variant = variantOf(data);
+    mExtinctionProgram = &mExtinctionPrograms.find(
+        variant, [&] { return gpu::Program({"render/light_extinction.comp"}, definesOf(variant)); });
+    return;
+  }
   if (mKey && mLit && *mKey == keyOf(data, mSize))
     data.params.keyLight = glm::vec4(mLit->direction, 0.0f);
   else
@@ -110,8 +116,6 @@ void LightPass::addSteps(const FrameData& data, int, WorkQueue& queue) {
   if (!keepsOpenness) mOpen.reset();
   if (!sameMaterial) {
     mKey.reset();
-    mExtinctionProgram = &mExtinctionPrograms.find(
-        key.variant, [&] { return gpu::Program({"render/light_extinction.comp"}, definesOf(key.variant)); });
     addExtinctionSteps(queue);
   }
   addLightSteps(data, keepsOpenness, queue);
@@ -129,7 +133,14 @@ void LightPass::addExtinctionSteps(WorkQueue& queue) {
       gpu::dispatch(*mExtinctionProgram, (glm::ivec3(mSize.x, mSize.y, std::min(mSize.z - z, kLayers)) + 3) / 4);
       gpu::barrier();
     });
-  queue.add(*this, [this] { mExtinction.generateLevels(); });
+  for (int level = 1; level < mExtinction.levelCount(); ++level)
+    queue.add(*this, [this, level] {
+      mMeansProgram.set(0, level);
+      mExtinction.bindSampler(shared::kLightUnit);
+      mExtinction.bindImage(0, gpu::Access::Write, level);
+      gpu::dispatch(mMeansProgram, (mExtinction.size(level) + 3) / 4);
+      gpu::barrier();
+    });
 }
 
 void LightPass::addLightSteps(const FrameData& data, bool keepsOpenness, WorkQueue& queue) {

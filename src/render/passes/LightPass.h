@@ -20,8 +20,9 @@ namespace velum::render {
 /// have none.
 class LightPass : public Pass {
  public:
-  LightPass() : Pass("Light"), mLightProgram({"render/light_grid.comp"}) {}
+  LightPass() : Pass("Light"), mLightProgram({"render/light_grid.comp"}), mMeansProgram({"render/light_means.comp"}) {}
   void prepare(FrameData& data) override;
+  bool isReady() override { return !mExtinctionProgram || mExtinctionProgram->isReady(); }
   void addSteps(const FrameData& data, int sample, WorkQueue& queue) override;
   void bind(const FrameData& data) const override;
 
@@ -60,7 +61,7 @@ class LightPass : public Pass {
   void addLightSteps(const FrameData& data, bool keepsOpenness, WorkQueue& queue);
 
   ProgramCache<DataVariant> mExtinctionPrograms;
-  gpu::Program mLightProgram;
+  gpu::Program mLightProgram, mMeansProgram;
   const gpu::Program* mExtinctionProgram = nullptr;  ///< The frame's.
   gpu::Texture mExtinction, mLight;
   glm::ivec3 mSize{0};

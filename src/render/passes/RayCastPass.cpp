@@ -31,7 +31,7 @@ int threadCount() { return std::max(1, int(std::thread::hardware_concurrency()))
 RayCastPass::RayCastPass(Gbuffer& target, bool isSoftware)
     : Pass("RayCast"), mTarget(target), mFirst(isSoftware ? kFirstSoftware : kFirstHardware) {}
 
-bool RayCastPass::isReady(const FrameData& data) const { return mPrograms.contains(variantOf(data)); }
+bool RayCastPass::isKnown(const FrameData& data) const { return mPrograms.contains(variantOf(data)); }
 
 void RayCastPass::prepare(FrameData& data) {
   RayVariant variant = variantOf(data);

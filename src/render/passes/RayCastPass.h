@@ -23,9 +23,10 @@ struct PictureProgress {
 class RayCastPass : public Pass {
  public:
   RayCastPass(Gbuffer& target, bool isSoftware);
-  /// Its program is there: to compile one takes seconds with some drivers.
-  bool isReady(const FrameData& data) const;
+  /// Its program has been asked for before: to compile one takes seconds with some drivers.
+  bool isKnown(const FrameData& data) const;
   void prepare(FrameData& data) override;
+  bool isReady() override { return mProgram->isReady(); }
   void addSteps(const FrameData& data, int sample, WorkQueue& queue) override;
   void bind(const FrameData& data) const override;
   void took(double ms) override;

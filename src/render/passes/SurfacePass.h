@@ -22,6 +22,7 @@ class SurfacePass : public Pass {
  public:
   SurfacePass() : Pass("Surfaces") {}
   void prepare(FrameData& data) override;
+  bool isReady() override { return mProgram->isReady(); }
   void addSteps(const FrameData& data, int sample, WorkQueue& queue) override;
   void bind(const FrameData& data) const override;
   /// For passes that draw more of what rays stop at, after this one's steps, which clear it: the outputs of

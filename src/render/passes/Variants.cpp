@@ -23,13 +23,15 @@ gpu::Defines definesOf(const DataVariant& variant) {
                        {"PACKED", number(variant.packing)}};
   if (variant.hasMembranes) defines.push_back({"MEMBRANES", "1"});
   if (variant.planes > 0) defines.push_back({"PLANES", std::to_string(variant.planes)});
-  if (variant.flags) defines.push_back({"FLAGS", fmt::format("{}u", *variant.flags)});
+  defines.push_back({"FLAGS", fmt::format("{}u", variant.flags)});
   return defines;
 }
 
 gpu::Defines definesOf(const RayVariant& variant) {
   gpu::Defines defines = definesOf(variant.data);
   defines.push_back({"GRADIENTS", variant.hasGradients ? "1" : "0"});
+  // What has loops within loops within loops.
+  if (variant.data.hasMembranes || (variant.data.flags & shared::kFlagSpares)) defines.push_back({"UNROLLED", "0"});
   return defines;
 }
 

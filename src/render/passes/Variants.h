@@ -1,7 +1,6 @@
 #pragma once
 #include <compare>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "upload/PackedTexels.h"
@@ -16,15 +15,17 @@ enum class LabelUse { None, OverVolume, Alone };
 /// What a volume's texels hold. COLOR of the shaders.
 enum class TexelKind { Value, Color, Mixed };
 
-/// What a program that reads the data is compiled for.
+/// What a program that reads the data is compiled for: all that is the same for all rays of a frame. One that asks for
+/// it as it runs has the code of everything in it, thirty times what a plain picture needs: some drivers take minutes
+/// to compile that, and software ones run both sides of a branch.
 struct DataVariant {
   scene::RenderMode mode = scene::RenderMode::Volume;
   LabelUse labels = LabelUse::None;
   TexelKind texels = TexelKind::Value;
   Packing packing = Packing::None;  ///< Of values, on software drivers.
   bool hasMembranes = false;
-  std::optional<std::uint32_t> flags;  ///< kFlag*: software drivers' programs are compiled for their frame's,
-  int planes = 0;                      ///< and for so many cuts that are all planes; 0: for any others.
+  std::uint32_t flags = 0;  ///< kFlag*, the frame's.
+  int planes = 0;           ///< Cuts, where all of them are planes and few; 0: any others.
   auto operator<=>(const DataVariant&) const = default;
 };
 

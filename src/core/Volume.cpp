@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "velum/core/Assert.h"
+#include "velum/core/ChannelHistogram.h"
 #include "velum/core/Parallel.h"
 
 namespace velum {
@@ -103,15 +104,33 @@ void computeRange(Volume& volume) {
   volume.range = {std::min(a, b), std::max(a, b)};
 }
 
-Histogram computeHistogram(const Volume& volume, int bins, int channel, int timeStep) {
+namespace {
+
+glm::dvec2 rangeOfChannel(const Volume& volume, int channel) {
+  if (volume.channels == 1) return volume.range;
+  std::size_t count = voxelCount(volume) * std::size_t(volume.timeSteps), stride = std::size_t(volume.channels);
+  MinMax raw = visitSamples(volume, [&](auto* p) {
+    MinMax found;
+    for (std::size_t i = 0; i < count; ++i) {
+      auto value = double(p[i * stride + std::size_t(channel)]);
+      if (std::isfinite(value)) found = merge(found, {value, value});
+    }
+    return found;
+  });
+  if (raw.min > raw.max) return {0.0, 0.0};
+  double a = raw.min * volume.scale + volume.offset, b = raw.max * volume.scale + volume.offset;
+  return {std::min(a, b), std::max(a, b)};
+}
+
+Histogram histogramOver(const Volume& volume, glm::dvec2 range, int bins, int channel, int timeStep) {
   VELUM_ASSERT(bins > 0, "there are bins");
   VELUM_ASSERT(channel >= 0 && channel < volume.channels && timeStep >= 0 && timeStep < volume.timeSteps,
                "channel and time step exist");
-  Histogram histogram{std::vector<std::uint64_t>(std::size_t(bins)), volume.range};
-  double width = volume.range.y - volume.range.x;
+  Histogram histogram{std::vector<std::uint64_t>(std::size_t(bins)), range};
+  double width = range.y - range.x;
   if (!(width > 0)) return histogram;
   double factor = bins / width * volume.scale;
-  double base = (volume.offset - volume.range.x) * bins / width;
+  double base = (volume.offset - range.x) * bins / width;
   std::size_t count = voxelCount(volume);
   std::size_t stride = std::size_t(volume.channels);
   std::size_t first = std::size_t(timeStep) * count * stride + std::size_t(channel);
@@ -130,6 +149,16 @@ Histogram computeHistogram(const Volume& volume, int bins, int channel, int time
     }
   });
   return histogram;
+}
+
+}  // namespace
+
+Histogram computeHistogram(const Volume& volume, int bins, int channel, int timeStep) {
+  return histogramOver(volume, volume.range, bins, channel, timeStep);
+}
+
+Histogram computeChannelHistogram(const Volume& volume, int channel, int bins) {
+  return histogramOver(volume, rangeOfChannel(volume, channel), bins, channel, 0);
 }
 
 double quantile(const Histogram& histogram, double fraction) {

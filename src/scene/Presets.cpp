@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "PresetTable.h"
+#include "velum/core/ChannelHistogram.h"
 #include "velum/core/Error.h"
 #include "velum/scene/ModelLooks.h"
 
@@ -16,7 +17,7 @@ namespace {
 /// Where fractions 0 and 1 of a relative preset lie in this volume.
 /// @param brightShare  share of what is not background that counts as fully bright
 glm::dvec2 relativeRange(const Volume& volume, int channel, Ends ends = Ends::Background, double brightShare = 0.01) {
-  Histogram histogram = computeHistogram(volume, 4096, channel);
+  Histogram histogram = computeChannelHistogram(volume, channel);
   if (ends == Ends::BothTails) return {quantile(histogram, 0.004), quantile(histogram, 0.996)};
   // The background is the highest peak of the lower half; without a peak, the lowest hundredth.
   std::size_t half = histogram.counts.size() / 2;

@@ -143,6 +143,8 @@ TEST(SmoothRegion, IsWhatItsDefinitionSaysVoxelForVoxel) {
       step.distance = random.number(0, 15);
     }
     if (random.whole(0, 2) == 0) step.barriers = {{{world(random.voxel(dims)), world(random.voxel(dims))}, 1.3}};
+    // What the step asks of values and gradients is for growing.
+    if (random.whole(0, 1)) step.low = 100, step.high = 110, step.steepest = random.number(0.1, 5.0);
     Smoothed smoothed = smoothRegion(volume, labels, step, Progress());
     auto before = voxelsOf(*labels, 1), wanted = SmoothOracle(*volume, *labels, step).smoothed();
     ASSERT_EQ(voxelsOf(*smoothed.labels, 1), wanted) << "seed " << seed;

@@ -21,8 +21,9 @@ struct Slice {
   std::int16_t value = 0;  ///< All pixels, stored.
   double slope = 1, intercept = -1024;
   std::string photometric = "MONOCHROME2", modality = "CT";
-  std::string temporal;      ///< Temporal position identifier.
-  bool acrossStack = false;  ///< A scout: sagittal instead of axial.
+  std::string temporal;            ///< Temporal position identifier.
+  bool acrossStack = false;        ///< A scout: sagittal instead of axial.
+  std::string thickness, between;  ///< Of slices, and from one to the next, mm.
 };
 
 void writeSlice(const TempFolder& folder, const Slice& slice) {
@@ -53,6 +54,8 @@ void writeSlice(const TempFolder& folder, const Slice& slice) {
   putText(set, gdcm::Tag(0x0008, 0x0060), gdcm::VR::CS, slice.modality);
   putText(set, gdcm::Tag(0x0008, 0x103e), gdcm::VR::LO, "series " + slice.series);
   putText(set, gdcm::Tag(0x0020, 0x000e), gdcm::VR::UI, slice.series);
+  if (!slice.thickness.empty()) putText(set, gdcm::Tag(0x0018, 0x0050), gdcm::VR::DS, slice.thickness);
+  if (!slice.between.empty()) putText(set, gdcm::Tag(0x0018, 0x0088), gdcm::VR::DS, slice.between);
   if (!slice.temporal.empty()) putText(set, gdcm::Tag(0x0020, 0x0100), gdcm::VR::IS, slice.temporal);
   writer.SetFileName((folder / slice.name).c_str());
   ASSERT_TRUE(writer.Write());
@@ -244,6 +247,18 @@ TEST(Dicom, FoldersBelowAreSearchedAndAnIndexOpensThem) {
     Volume image = readSeriesImage(series[0], progress);
     EXPECT_EQ(image.dims, glm::ivec3(8, 8, 1));
     EXPECT_EQ(valueAt(image, {3, 3, 0}), 200 - 1024) << "the middle one of four";
+  }
+}
+
+TEST(Dicom, AnImageAloneIsAsThickAsItIsFarFromTheNext) {
+  for (auto [thickness, between, wanted] :
+       {std::tuple("5", "3", 3.0), std::tuple("5", "", 5.0), std::tuple("", "3", 3.0)}) {
+    TempFolder folder;
+    Slice slice;
+    slice.name = "one.dcm";
+    slice.thickness = thickness, slice.between = between;
+    writeSlice(folder, slice);
+    EXPECT_NEAR(spacingOf(read(folder / "one.dcm")).z, wanted, 1e-9) << thickness << ", " << between;
   }
 }
 

@@ -1,3 +1,6 @@
+#include <fstream>
+#include <glm/gtc/matrix_transform.hpp>
+
 #include "TestFiles.h"
 #include "makeVolume.h"
 
@@ -33,6 +36,26 @@ TEST_P(RoundTrip, VoxelsAndWorldSurviveForEveryTypeAndHandedness) {
       write(v, path);
       expectSame(v, read(path), toleranceOf(GetParam()));
     }
+}
+
+/// Other programs may go by the quaternion, which is written beside the matrix.
+TEST(NiftiWriter, TheQuaternionSaysTheSameAsTheMatrix) {
+  TempFolder folder;
+  auto path = folder / "a.nii";
+  // Such that each of the four parts is the largest once, with turns to either side.
+  for (glm::dvec3 axis : {glm::dvec3(1, 0.3, -0.2), {0.2, -1, 0.3}, {-0.3, 0.2, 1}})
+    for (double angle : {0.4, -0.7, 2.9, -2.6})
+      for (double mirror : {1.0, -1.0}) {
+        Volume v = rampVolume(SampleType::Int16, {7, 5, 3});
+        glm::dmat4 frame = glm::rotate(glm::translate(glm::dmat4(1.0), {4, -5, 6}), angle, glm::normalize(axis));
+        v.worldFromVoxel = glm::scale(frame, {0.5, 0.75, 2.0 * mirror});
+        write(v, path);
+        std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
+        file.seekp(254);
+        file.write("\0", 2);  // sform_code: there is none
+        file.close();
+        expectSameMatrix(v.worldFromVoxel, read(path).worldFromVoxel, 5e-5);
+      }
 }
 
 TEST_P(RoundTrip, ChannelsAndFramesSurvive) {

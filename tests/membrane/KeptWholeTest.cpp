@@ -242,5 +242,23 @@ TEST(KeptWhole, FramesBesideTheDataAreNoTrouble) {
     }
 }
 
+TEST(Limit, TheMeanDistanceIsOfTheMiddleBetweenTheLayersThatTheSheetPasses) {
+  CutLattice lattice;
+  lattice.dims = {2, 2, 9};
+  lattice.restLayer = 3.5;
+  lattice.origin = {0, 0, -7};
+  lattice.step = {1.5, 1, 2};
+  LeastCut least;
+  least.dims = {2, 2};
+  // One column lies on the rest plane, one a layer higher, one two lower, one four higher.
+  least.below = {4, 5, 2, 8};
+  ASSERT_EQ(flatCount(lattice), 4);
+  scene::Cut cut;
+  cut.size = {3, 2, 18};
+  EXPECT_NEAR(meanDistance(lattice, least, cut), (0.0 + 2.0 + 4.0 + 8.0) / 4.0, 1e-9);
+  cut.size = {6, 2, 18};
+  EXPECT_NEAR(meanDistance(lattice, least, cut), 14.0 / 8.0, 1e-9) << "beyond the data it is flat";
+}
+
 }  // namespace
 }  // namespace velum::membrane

@@ -201,5 +201,26 @@ TEST(ChoosePreset, AConstantVolumeDoesNoHarm) {
   }
 }
 
+TEST(Channels, EachHasTheCurveAndTheWindowOfItsOwnValues) {
+  auto lookOf = [](double first, double second) {
+    auto valueAt = [=](glm::ivec3 p) { return (p.x % 2 ? second : first) * (p.x / 2 + p.y * p.z % 7); };
+    Volume v = makeVolume({2 * kSize, kSize, kSize}, SampleType::UInt16, valueAt);
+    v.dims.x = kSize, v.channels = 2;
+    computeRange(v);
+    VolumeLayer layer;
+    layer.data = Shared<Volume>(std::move(v));
+    completeChannels(layer);
+    return layer;
+  };
+  VolumeLayer one = lookOf(3, 500), other = lookOf(500, 3);
+  ASSERT_EQ(one.channels.size(), 2u);
+  for (std::size_t c = 0; c < 2; ++c) {
+    EXPECT_EQ(one.channels[c].transfer.opacities, other.channels[1 - c].transfer.opacities) << c;
+    EXPECT_EQ(one.channels[c].windowLevel, other.channels[1 - c].windowLevel) << c;
+    EXPECT_EQ(one.channels[c].windowWidth, other.channels[1 - c].windowWidth) << c;
+  }
+  EXPECT_GT(one.channels[1].windowWidth, 50 * one.channels[0].windowWidth);
+}
+
 }  // namespace
 }  // namespace velum::scene

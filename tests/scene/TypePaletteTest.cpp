@@ -42,6 +42,27 @@ Model virusInPlasma() {
   return builder.build();
 }
 
+TEST(TypePalette, TheFirstColourIsOfWhatThereIsMostOfNotOfTheLargestMolecule) {
+  auto colorsOf = [](int few, int many) {
+    ModelBuilder builder("two");
+    for (int t : {0, 1}) {
+      MoleculeType type;
+      type.name = t == 0 ? "large" : "small";
+      type.compartment = builder.compartment(std::vector<std::string>{type.name});
+      std::uint32_t molecule = builder.addMolecule(builder.addType(type), randomAtoms(t == 0 ? 200 : 40, 10.0f, 5));
+      for (int i = 0; i < (t == 0 ? few : many); ++i)
+        builder.addInstance(molecule, glm::vec3(30.0f * float(i)), glm::quat(1, 0, 0, 0));
+    }
+    scene::ModelLayer layer;
+    layer.data = Shared<Model>(builder.build());
+    return scene::typeColors(layer);
+  };
+  // 200 atoms three times are more than 40 once, and less than 40 a hundred times.
+  std::vector<glm::vec3> largeFirst = colorsOf(3, 1), smallFirst = colorsOf(3, 100);
+  EXPECT_NE(largeFirst[0], largeFirst[1]);
+  EXPECT_EQ(smallFirst[1], largeFirst[0]);
+}
+
 TEST(TypePalette, WhatAllElseSwimsInStandsBackInManyHues) {
   scene::ModelLayer layer;
   layer.data = Shared<Model>(virusInPlasma());

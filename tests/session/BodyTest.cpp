@@ -88,6 +88,22 @@ TEST(Body, KeepsTheTrunkWithItsLungsAndLeavesOutTableAndCable) {
   }
 }
 
+TEST(Body, OfASeriesTheTableGoesFromEachMoment) {
+  Trunk trunk = makeTrunk({{2, 2, 2}, true, 0.01});
+  Volume series = trunk.volume;
+  series.voxels.insert(series.voxels.end(), trunk.volume.voxels.begin(), trunk.volume.voxels.end());
+  series.timeSteps = 2;
+  Progress progress;
+  Body one = findBody(trunk.volume, progress), both = findBody(series, progress);
+  auto sizeOf = [](const Volume& volume) { return std::ptrdiff_t(volume.voxels.size()); };
+  ASSERT_EQ(sizeOf(both.volume), 2 * sizeOf(one.volume));
+  ASSERT_NE(one.volume.voxels, trunk.volume.voxels) << "there is a table";
+  for (int moment = 0; moment < 2; ++moment)
+    EXPECT_TRUE(std::equal(one.volume.voxels.begin(), one.volume.voxels.end(),
+                           both.volume.voxels.begin() + moment * sizeOf(one.volume)))
+        << "moment " << moment;
+}
+
 TEST(Body, LosesNothingWhereTheTableTouches) {
   Trunk trunk = makeTrunk({{2, 2, 2}, true, 0.05, 0.0});
   Progress progress;

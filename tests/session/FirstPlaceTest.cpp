@@ -72,6 +72,30 @@ TEST(FirstPlace, IsWhereTheSheetGetsRound) {
   EXPECT_NEAR(place->centre.z, 40.0, 9.0);
 }
 
+TEST(FirstPlace, ReachesNoFartherThanKeepsEnoughWhereSomethingIsCutAtAnyReach) {
+  // A long body, which a sheet with reach enough gets round, and a rod that runs out of the data at both ends.
+  auto isBright = [](glm::ivec3 p) {
+    glm::dvec3 off = (glm::dvec3(p) - glm::dvec3(36, 36, 40)) / glm::dvec3(10, 10, 34);
+    bool isRod = p.x >= 8 && p.x < 12 && p.y >= 8 && p.y < 12;
+    return glm::length(off) < 1.0 || isRod ? 900.0 : 0.0;
+  };
+  scene::Scene scene;
+  scene.volume.data = Shared<Volume>(makeVolume({64, 64, 80}, SampleType::Int16, isBright, glm::dmat4(1.0)));
+  scene::Cut cut = membraneAt({32, 32, 40}, {0, 0, 1});
+  Progress progress;
+  double body = 0, longest = 0;
+  for (double reach : {40.0, 60.0, 72.0}) {
+    cut.size.z = reach;
+    scene::Cut deep = deepenedToKeep(scene, cut, progress);
+    EXPECT_EQ(deep.centre, cut.centre);
+    EXPECT_GE(deep.size.z, 68.0) << "it gets round the body";
+    EXPECT_LT(deep.size.z, 68.0 * 1.8) << "and no farther than the next reach that is tried";
+    body = std::max(body, deep.size.z);
+    longest = std::max(longest, 4.5 * reach);
+  }
+  EXPECT_LT(body, 0.6 * std::min(longest, 160.0));
+}
+
 template <class ValueAt>
 std::vector<Advice> allAdviceOn(ValueAt valueAt, glm::dvec3 centre) {
   scene::Scene scene;
@@ -122,7 +146,8 @@ TEST(Advice, IsThatOfTheMomentThatIsShown) {
   glm::dvec3 middle(32, 32, 48);
   auto solid = [&](glm::ivec3 p) { return ball(p, middle, 8.0) > 0 ? 900.0 : 600.0; };
   Volume second = makeVolume({64, 64, 96}, SampleType::Int16, solid, glm::dmat4(1.0));
-  Volume series = makeVolume({64, 64, 96}, SampleType::Int16, [](glm::ivec3 p) { return p.x % 2; }, glm::dmat4(1.0));
+  Volume series = makeVolume(
+      {64, 64, 96}, SampleType::Int16, [](glm::ivec3 p) { return p.x % 2; }, glm::dmat4(1.0));
   series.voxels.insert(series.voxels.end(), second.voxels.begin(), second.voxels.end());
   series.timeSteps = 2;
   series.range = second.range;

@@ -152,6 +152,19 @@ TEST(TargetSolver, MeetsSeveralAtOnceAndDrawnOnesExactly) {
   }
 }
 
+TEST(TargetSolver, ReportsStandInTheOrderOfTheTargets) {
+  scene::Scene scene = ballScene();
+  // Compartments are met first: one behind two types is a turn of three.
+  std::vector<scene::TypeTarget> targets{
+      {"type0", 250.0, std::nullopt}, {"type2", 240.0, std::nullopt}, {"root.b", 500.0, std::nullopt}};
+  TargetsReport report = solveTargets(scene, {7}, targets, cells(20.0));
+  ASSERT_EQ(report.targets.size(), targets.size());
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    EXPECT_TRUE(report.targets[i].path.ends_with(targets[i].type)) << report.targets[i].path;
+    EXPECT_EQ(double(report.targets[i].rendered), *targets[i].rendered) << report.targets[i].words;
+  }
+}
+
 TEST(TargetSolver, CopiesCountLikeAllOtherInstances) {
   scene::Scene scene = ballScene();
   scene.model.copies = 2;

@@ -178,6 +178,13 @@ TEST(CountFiles, RowsAreTheTreeAndCompartmentsTheSumsOfIt) {
   EXPECT_NE(csv.find("type,root.b.type1,type1,0,0,10,10\n"), std::string::npos) << csv;
 }
 
+TEST(CountFiles, NamesThatATableWouldTakeApartAreQuoted) {
+  auto csvOf = [](const char* name) { return countsCsv({{"root.a", name, false, 1, {1, 2, 3}}}); };
+  EXPECT_NE(csvOf("so \"called\"").find(",\"so \"\"called\"\"\","), std::string::npos) << csvOf("so \"called\"");
+  EXPECT_NE(csvOf("a, b").find(",\"a, b\","), std::string::npos);
+  EXPECT_NE(csvOf("plain").find(",plain,"), std::string::npos);
+}
+
 TEST(CountFiles, BarsAreAsLongAsTheirNumbers) {
   CountRow row{"root.<a>", "<a>", false, 1, {100, 300, 600}};
   std::string svg = countsSvg({row}, "A & B");

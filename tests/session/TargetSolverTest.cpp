@@ -6,6 +6,7 @@
 #include <map>
 
 #include "makeModel.h"
+#include "velum/core/Error.h"
 #include "velum/session/cut/CutEdit.h"
 #include "velum/session/model/TypesAt.h"
 #include "velum/session/model/WhatHides.h"
@@ -154,9 +155,9 @@ TEST(TargetSolver, MeetsSeveralAtOnceAndDrawnOnesExactly) {
 
 TEST(TargetSolver, ReportsStandInTheOrderOfTheTargets) {
   scene::Scene scene = ballScene();
-  // Compartments are met first: one behind two types is a turn of three.
+  // Types are met first: one compartment before two of them is a turn of three.
   std::vector<scene::TypeTarget> targets{
-      {"type0", 250.0, std::nullopt}, {"type2", 240.0, std::nullopt}, {"root.b", 500.0, std::nullopt}};
+      {"root.b", 500.0, std::nullopt}, {"type0", 250.0, std::nullopt}, {"type2", 240.0, std::nullopt}};
   TargetsReport report = solveTargets(scene, {7}, targets, cells(20.0));
   ASSERT_EQ(report.targets.size(), targets.size());
   for (std::size_t i = 0; i < targets.size(); ++i) {
@@ -190,6 +191,21 @@ TEST(VisibleSolver, NamesThatBeginAlikeAreTwoTypes) {
   EXPECT_TRUE(isCleared(3));
   scene.cuts[0].focus->types = {{"root.b"}};
   EXPECT_FALSE(isCleared(11)) << "what hangs in a compartment is meant with it";
+}
+
+TEST(TypesAt, ANameIsAWholeOne) {
+  ModelBuilder builder("capsid");
+  for (const char* name : {"NCA", "CA"}) {
+    MoleculeType type;
+    type.name = name;
+    type.compartment = builder.compartment(std::vector<std::string>{"capsid"});
+    builder.addInstance(builder.addMolecule(builder.addType(type), randomAtoms(8, 10.0f, 5)), glm::vec3(0.0f),
+                        glm::quat(1, 0, 0, 0));
+  }
+  Model model = builder.build();
+  EXPECT_TRUE(typesAt(model, "CA").path.ends_with(".CA"));
+  EXPECT_TRUE(typesAt(model, "capsid.CA").path.ends_with(".CA"));
+  EXPECT_THROW(typesAt(model, "A"), InputError) << "which is the end of both";
 }
 
 TEST(TargetSolver, ACompartmentLeavesTypesAloneThatHaveTargetsOfTheirOwn) {

@@ -3,7 +3,7 @@
 
 // NVIDIA's compiler unrolls loops whose ends it does not know, each of those within each other: half a minute for programs
 // that take four seconds without, and are hardly slower.
-#ifdef UNROLLED
+#ifdef NOT_UNROLLED
 #pragma optionNV(unroll none)
 #endif
 

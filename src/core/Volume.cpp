@@ -106,16 +106,21 @@ void computeRange(Volume& volume) {
 
 namespace {
 
+/// Of the first time step.
 glm::dvec2 rangeOfChannel(const Volume& volume, int channel) {
+  VELUM_ASSERT(channel >= 0 && channel < volume.channels, "the channel exists");
   if (volume.channels == 1) return volume.range;
-  std::size_t count = voxelCount(volume) * std::size_t(volume.timeSteps), stride = std::size_t(volume.channels);
+  auto stride = std::size_t(volume.channels), offset = std::size_t(channel);
   MinMax raw = visitSamples(volume, [&](auto* p) {
-    MinMax found;
-    for (std::size_t i = 0; i < count; ++i) {
-      auto value = double(p[i * stride + std::size_t(channel)]);
-      if (std::isfinite(value)) found = merge(found, {value, value});
-    }
-    return found;
+    return parallelReduce(
+        std::size_t(0), voxelCount(volume), std::size_t(1) << 18, MinMax{},
+        [=](std::size_t first, std::size_t end) {
+          MinMax found;
+          for (std::size_t i = first; i < end; ++i)
+            if (auto value = double(p[i * stride + offset]); std::isfinite(value)) found = merge(found, {value, value});
+          return found;
+        },
+        merge);
   });
   if (raw.min > raw.max) return {0.0, 0.0};
   double a = raw.min * volume.scale + volume.offset, b = raw.max * volume.scale + volume.offset;

@@ -23,7 +23,9 @@ namespace {
 constexpr GLenum kCompletionStatus = 0x91B1;  ///< GL_COMPLETION_STATUS_KHR
 constexpr double kSlowMs = 50;                ///< What takes longer to compile is worth a word.
 
-void deleteShader(unsigned id) { gl().DeleteShader(id); }
+void deleteShader(unsigned id) {
+  if (hasGl()) gl().DeleteShader(id);
+}
 using Shader = Handle<deleteShader>;
 
 unsigned createProgram() { return gl().CreateProgram(); }
@@ -76,34 +78,40 @@ Program::Program(std::initializer_list<std::string_view> files, const Defines& d
   }
   gl().LinkProgram(id());
   gl().ObjectLabel(GL_PROGRAM, id(), GLsizei(files.begin()->size()), files.begin()->data());
-  if (isReady()) finish();
+  isReady();
 }
 
 bool Program::isReady() const {
-  if (!mMaking || !gl().compilesBeside) return true;
-  GLint isDone = 0;
+  if (!mMaking) return true;
+  if (!gl().compilesBeside) {
+    finish();
+    return true;
+  }
+  MayRefuse mayRefuse;
+  GLint isDone = 1;
   gl().GetProgramiv(id(), kCompletionStatus, &isDone);
+  if (isDone) finish();
   return isDone != 0;
 }
 
-/// Asks the driver what became of it, and waits where it is still at work.
+/// Asks the driver what became of it, and waits where it is still at work. What has failed fails each time.
 void Program::finish() const {
-  std::shared_ptr<Making> making = std::move(mMaking);
-  if (!making) return;
+  if (!mMaking) return;
   MayRefuse mayRefuse;
   GLint ok = 0;
   gl().GetProgramiv(id(), GL_LINK_STATUS, &ok);
-  const std::string& file = making->stages.front().file;
+  const std::string& file = mMaking->stages.front().file;
   if (!ok) {
-    for (const Stage& stage : making->stages) checkStage(stage);
+    for (const Stage& stage : mMaking->stages) checkStage(stage);
     std::string log(16384, '\0');
     GLsizei length = 0;
     gl().GetProgramInfoLog(id(), GLsizei(log.size()), &length, log.data());
     log.resize(std::size_t(length));
     throw GpuError(fmt::format("the shader {} does not link: {}", file, log));
   }
-  if (double ms = msSince(making->since); ms > kSlowMs)
+  if (double ms = msSince(mMaking->since); ms > kSlowMs)
     log::info(fmt::format("{} was compiled in {:.0f} ms", file, ms));
+  mMaking.reset();
 }
 
 unsigned Program::finishedId() const {

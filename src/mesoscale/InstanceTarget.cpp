@@ -72,10 +72,13 @@ const gpu::Program& InstancePrograms::arguments() { return made(mArguments, "mes
 const gpu::Program& InstancePrograms::pyramid() { return made(mPyramid, "mesoscale/pyramid.comp"); }
 const gpu::Program& InstancePrograms::seen() { return made(mSeen, "mesoscale/seen.comp"); }
 
-bool InstancePrograms::compile(CullBy by, bool hasMembranes) {
-  std::vector<const gpu::Program*> needed{&cull(by, true), &cull(by, false), &splat(false), &splat(true),
-                                          &arguments(),    &pyramid(),       &seen()};
-  if (by == CullBy::States) needed.insert(needed.end(), {&clip(hasMembranes), &shown()});
+bool InstancePrograms::compile(const Need& need) {
+  std::vector<const gpu::Program*> needed{
+      &cull(need.by, true), &cull(need.by, false), &splat(false), &splat(true), &arguments(), &pyramid(), &seen()};
+  if (need.by == CullBy::States) needed.insert(needed.end(), {&clip(need.hasMembranes), &shown()});
+  if (need.hasFocus)
+    needed.insert(needed.end(), {&focus(need.hasMembranes, false), &focus(need.hasMembranes, true), &flood()});
+  if (need.hasGhosts) needed.push_back(&cull(CullBy::Ghosts, false));
   return std::all_of(needed.begin(), needed.end(), [](const gpu::Program* program) { return program->isReady(); });
 }
 

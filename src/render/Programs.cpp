@@ -54,11 +54,17 @@ std::vector<gpu::ProgramSource> allPrograms() {
   all.push_back({{"render/ghosts.comp"}, {}});
   std::vector<std::uint32_t> sets = flagSets();
   std::size_t next = 0;
+  // All that there is in one, which nobody asks for: other sets only take away.
+  std::uint32_t everything = (shared::kFlagLast * 2u - 1u) & ~shared::kFlagNoData;
   for (DataVariant variant : allLightVariants()) {
-    variant.flags = lightFlagsOf(sets[next++ % sets.size()]);
-    all.push_back({{"render/light_extinction.comp"}, definesOf(variant)});
+    for (std::uint32_t flags : {everything, sets[next++ % sets.size()]}) {
+      variant.flags = lightFlagsOf(flags);
+      all.push_back({{"render/light_extinction.comp"}, definesOf(variant)});
+    }
   }
   for (RayVariant variant : allRayVariants()) {
+    variant.data.flags = everything;
+    all.push_back({{"render/ray_cast.comp"}, definesOf(variant)});
     std::uint32_t flags = variant.data.flags = sets[next++ % sets.size()];
     if (!variant.data.hasMembranes && (flags & shared::kFlagCuts))
       variant.data.planes = int(next % std::size_t(shared::kMostPlanes + 1));

@@ -65,7 +65,8 @@ struct Renderer::Impl {
 
   void begin(const Frame& frame);
   void setUp();
-  void makePrograms();
+  void askForPrograms();
+  bool hasPrograms();
   void addSamples();
   void bind() const;
   void noteStats();
@@ -84,6 +85,9 @@ void Renderer::Impl::begin(const Frame& frame) {
   upload.prepare(coming);
   upload.addSteps(coming, 0, queue);
   queue.add("Setup", [this] { setUp(); });
+  queue.add("Programs", [this] { askForPrograms(); });
+  queue.addUntilDone("Programs", [this] { return hasPrograms(); });
+  queue.add("Setup", [this] { addSamples(); });
   queue.countAll();
 }
 
@@ -94,22 +98,22 @@ void Renderer::Impl::setUp() {
   completeFrameData(data);
   for (Pass* pass : lighting) pass->prepare(data);
   if (!rayCast.isKnown(data)) queue.rest();
-  queue.add("Setup", [this] { makePrograms(); });
+}
+
+void Renderer::Impl::askForPrograms() {
+  for (Pass* pass : lighting) pass->compile(data);
+  for (Pass* pass : casting) pass->prepare(data);
 }
 
 /// What drivers compile beside this thread is waited for without holding it up.
-void Renderer::Impl::makePrograms() {
-  for (Pass* pass : casting) pass->prepare(data);
-  queue.addUntilDone("Programs", [this] {
-    auto isReady = [](Pass* pass) { return pass->isReady(); };
-    if (std::all_of(std::begin(lighting), std::end(lighting), isReady) &&
-        std::all_of(std::begin(casting), std::end(casting), isReady))
-      return true;
-    std::this_thread::sleep_for(kProgramsPause);
-    queue.rest();
-    return false;
-  });
-  queue.add("Setup", [this] { addSamples(); });
+bool Renderer::Impl::hasPrograms() {
+  auto isReady = [](Pass* pass) { return pass->isReady(); };
+  if (std::all_of(std::begin(lighting), std::end(lighting), isReady) &&
+      std::all_of(std::begin(casting), std::end(casting), isReady))
+    return true;
+  std::this_thread::sleep_for(kProgramsPause);
+  queue.rest();
+  return false;
 }
 
 /// The frame, second half, in its order.
@@ -181,7 +185,13 @@ bool Renderer::work(const Frame& frame, double budgetMs) {
   if (!m.wanted || !(*m.wanted == frame)) m.begin(frame);
   if (m.queue.isEmpty()) return true;
   if (m.isDrawn) m.bind();
-  bool isDone = m.queue.work(budgetMs);
+  bool isDone = false;
+  try {
+    isDone = m.queue.work(budgetMs);
+  } catch (...) {
+    m.wanted.reset();  // a frame that has failed half way begins anew
+    throw;
+  }
   // Where the processor draws nothing goes on meanwhile, and the last piece counts, too.
   if (isDone && m.limits.isSoftware) m.queue.finish();
   m.noteStats();

@@ -6,7 +6,7 @@
 namespace velum {
 namespace {
 
-/// A driver that is taken for a GPU: texels as they are, gradients on demand, programs that ask for their flags. The
+/// A driver that is taken for a GPU: texels as they are, gradients on demand. The
 /// other context is current again whenever nobody draws with this one.
 class AsGpu {
  public:

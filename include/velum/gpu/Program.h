@@ -24,10 +24,10 @@ struct ProgramSource {
   Defines defines;
 };
 
-/// A program from entry points under shaders/ (`render/ray_cast.comp`). Drivers that can compile it beside this thread,
-/// as it may take seconds: whoever uses it before isReady() waits. Compile errors name file and line of the included
-/// text. GL thread. @throw GpuError with the driver's message, `file:line: text`, when it is made or, from drivers that
-/// compile beside, when it is used for the first time
+/// A program from entry points under shaders/ (`render/ray_cast.comp`). Many drivers compile it beside this thread, as
+/// it may take seconds: whoever uses it before isReady() waits. Compile errors name file and line of the included text.
+/// GL thread. @throw GpuError with the driver's message, `file:line: text`, when it is made or, from drivers that
+/// compile beside, by isReady() and whenever it is used
 class Program : public Handle<deleteProgram> {
  public:
   Program() = default;

@@ -47,8 +47,13 @@ class InstancePrograms {
   const gpu::Program& flood();
   const gpu::Program& shown();
 
-  /// Has those that a picture needs compiled side by side, see gpu::Program. @return true when all of them are
-  bool compile(CullBy by, bool hasMembranes);
+  /// What a picture shows.
+  struct Need {
+    CullBy by = CullBy::Cuts;
+    bool hasMembranes = false, hasFocus = false, hasGhosts = false;
+  };
+  /// Has the programs for it compiled side by side, see gpu::Program. @return true when all of them are
+  bool compile(const Need& need);
 
  private:
   std::map<std::pair<CullBy, bool>, gpu::Program> mCull;

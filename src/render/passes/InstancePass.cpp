@@ -112,14 +112,24 @@ void InstancePass::prepare(FrameData& data) {
     mStates.resize(std::uint32_t(data.frame.scene.model.data->instances.size()),
                    std::max(1, data.frame.scene.model.copies));
   mHandedOver.clear();
+  mHasMembranes = (data.params.flags & shared::kFlagMembranes) != 0;
+  mHasFocus = !mesoscale::focusRows(data.frame.scene).empty();
+  mHasGhosts = scene::hasGhosts(data.frame.scene.model);
+}
+
+void InstancePass::compile(const FrameData&) {
+  if (mCount == 0) return;
   if (!mOpenness) mOpenness = gpu::Program({"render/openness.comp"});
   if (!mShade) mShade = gpu::Program({"render/instances.comp"});
-  mHasMembranes = (data.params.flags & shared::kFlagMembranes) != 0;
-  mPrograms.compile(culledBy(), mHasMembranes);
+  mPrograms.compile(need());
 }
 
 bool InstancePass::isReady() {
-  return mCount == 0 || (mOpenness.isReady() && mShade.isReady() && mPrograms.compile(culledBy(), mHasMembranes));
+  return mCount == 0 || (mOpenness.isReady() && mShade.isReady() && mPrograms.compile(need()));
+}
+
+mesoscale::InstancePrograms::Need InstancePass::need() const {
+  return {culledBy(), mHasMembranes, mHasFocus, mHasGhosts};
 }
 
 mesoscale::CullBy InstancePass::culledBy() const {

@@ -27,6 +27,7 @@ class InstancePass : public Pass {
   InstancePass(const SurfacePass& surfaces, const gpu::Limits& limits)
       : Pass("Instances"), mSurfaces(surfaces), mIsSoftware(limits.isSoftware), mMostTexels(limits.textureBuffer) {}
   void prepare(FrameData& data) override;
+  void compile(const FrameData& data) override;
   bool isReady() override;
   void addSteps(const FrameData& data, int sample, WorkQueue& queue) override;
   void bind(const FrameData& data) const override;
@@ -42,6 +43,7 @@ class InstancePass : public Pass {
   void bindRows() const;
 
  private:
+  mesoscale::InstancePrograms::Need need() const;
   mesoscale::CullBy culledBy() const;
   using Phase = mesoscale::CullPhase;
   struct Key {
@@ -77,7 +79,7 @@ class InstancePass : public Pass {
   mesoscale::InstanceSet mSet;
   std::uint32_t mCount = 0;  ///< Instances of all copies.
   mesoscale::InstanceStates mStates;
-  bool mHasStates = false, mHasMembranes = false;
+  bool mHasStates = false, mHasMembranes = false, mHasFocus = false, mHasGhosts = false;
   mesoscale::InstanceTarget mEye{"eye's view of instances", true}, mLight{"light's view of instances", false};
   std::vector<shared::TypeSpareRow> mSpareRows;  ///< [types][enabled cuts]
   gpu::Buffer mTypes, mTypeSpares;

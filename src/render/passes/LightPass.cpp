@@ -86,17 +86,23 @@ void LightPass::prepare(FrameData& data) {
   resize(data);
   data.params.lightGrid = glm::vec4(glm::vec3(mSize), 0.0f);
   data.params.lightCell = float(mCell);
-  if (!hasLight(data.frame.scene.lighting)) return;
-  if (!data.frame.isPreview) {
-    DataVariant variant = variantOf(data);
-    mExtinctionProgram = &mExtinctionPrograms.find(
-        variant, [&] { return gpu::Program({"render/light_extinction.comp"}, definesOf(variant)); });
-    return;
-  }
+  if (!data.frame.isPreview || !hasLight(data.frame.scene.lighting)) return;
   if (mKey && mLit && *mKey == keyOf(data, mSize))
     data.params.keyLight = glm::vec4(mLit->direction, 0.0f);
   else
     data.params.flags &= ~shared::kFlagLightGrid;
+}
+
+void LightPass::compile(const FrameData& data) {
+  mExtinctionProgram = nullptr;
+  if (data.frame.isPreview || !hasLight(data.frame.scene.lighting)) return;
+  DataVariant variant = variantOf(data);
+  mExtinctionProgram = &mExtinctionPrograms.find(
+      variant, [&] { return gpu::Program({"render/light_extinction.comp"}, definesOf(variant)); });
+}
+
+bool LightPass::isReady() {
+  return !mExtinctionProgram || (mExtinctionProgram->isReady() && mLightProgram.isReady() && mMeansProgram.isReady());
 }
 
 void LightPass::addSteps(const FrameData& data, int, WorkQueue& queue) {

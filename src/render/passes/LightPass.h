@@ -22,7 +22,8 @@ class LightPass : public Pass {
  public:
   LightPass() : Pass("Light"), mLightProgram({"render/light_grid.comp"}), mMeansProgram({"render/light_means.comp"}) {}
   void prepare(FrameData& data) override;
-  bool isReady() override { return !mExtinctionProgram || mExtinctionProgram->isReady(); }
+  void compile(const FrameData& data) override;
+  bool isReady() override;
   void addSteps(const FrameData& data, int sample, WorkQueue& queue) override;
   void bind(const FrameData& data) const override;
 

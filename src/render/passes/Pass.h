@@ -21,7 +21,9 @@ class Pass {
   const char* name() const { return mName; }
   /// Before anything of a frame is drawn: programs, targets, and what of FrameData::params is the pass's to say.
   virtual void prepare(FrameData& data) = 0;
-  /// Once prepared: the programs of the frame that take long to compile are there.
+  /// Once the passes that light are prepared: asks for the programs of the frame that take long to compile.
+  virtual void compile(const FrameData& data) { static_cast<void>(data); }
+  /// They are there. @throw GpuError where one of them is none
   virtual bool isReady() { return true; }
   /// Adds the pass's work in pieces that take well under 50 ms; none where its key still holds. `data` stays where it
   /// is, and as it is, until the frame is done or given up.

@@ -13,11 +13,11 @@ namespace velum::render {
 
 void SurfacePass::prepare(FrameData& data) {
   bool hasMembranes = (data.params.flags & shared::kFlagMembranes) != 0;
-  auto [program, isNew] = mPrograms.try_emplace(hasMembranes);
-  if (isNew)
-    program->second = gpu::Program({"render/surface.vert", "render/surface.frag"},
-                                   hasMembranes ? gpu::Defines{{"MEMBRANES", "1"}} : gpu::Defines{});
-  mProgram = &program->second;
+  gpu::Program& program = mPrograms[hasMembranes];
+  if (!program)
+    program = gpu::Program({"render/surface.vert", "render/surface.frag"},
+                           hasMembranes ? gpu::Defines{{"MEMBRANES", "1"}} : gpu::Defines{});
+  mProgram = &program;
   forgetMeshes(data);
   resize(opaqueOf(data.frame.scene) != Opaque::None ? data.frame.windowSize : glm::ivec2(1));
 }

@@ -31,7 +31,7 @@ gpu::Defines definesOf(const RayVariant& variant) {
   gpu::Defines defines = definesOf(variant.data);
   defines.push_back({"GRADIENTS", variant.hasGradients ? "1" : "0"});
   // What has loops within loops within loops.
-  if (variant.data.hasMembranes || (variant.data.flags & shared::kFlagSpares)) defines.push_back({"UNROLLED", "0"});
+  if (variant.data.hasMembranes || (variant.data.flags & shared::kFlagSpares)) defines.push_back({"NOT_UNROLLED", "1"});
   return defines;
 }
 

@@ -1,8 +1,8 @@
 // The frame's uniforms and the rays of its pixels.
 #include "shared/frame.h"
 
-// NVIDIA's compiler unrolls loops whose ends it does not know, each of those within each other: half a minute for programs
-// that take four seconds without, and are hardly slower.
+// NVIDIA's compiler unrolls loops whose ends it does not know, each of those within each other, and takes two to four times
+// as long (see "On a GPU" in docs/PERFORMANCE.md).
 #ifdef NOT_UNROLLED
 #pragma optionNV(unroll none)
 #endif

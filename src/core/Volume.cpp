@@ -90,6 +90,17 @@ double valueAt(const Volume& volume, glm::ivec3 voxel, int channel, int timeStep
   return visitSamples(volume, [&](auto* p) { return double(p[index]) * volume.scale + volume.offset; });
 }
 
+namespace {
+
+/// Values of raw samples; {0, 0} where nothing finite is.
+glm::dvec2 rangeOf(MinMax raw, const Volume& volume) {
+  if (raw.min > raw.max) return {0.0, 0.0};
+  double a = raw.min * volume.scale + volume.offset, b = raw.max * volume.scale + volume.offset;
+  return {std::min(a, b), std::max(a, b)};
+}
+
+}  // namespace
+
 void computeRange(Volume& volume) {
   VELUM_ASSERT(volume.voxels.size() == timeStepBytes(volume) * std::size_t(volume.timeSteps), "every sample is there");
   std::size_t count = voxelCount(volume) * std::size_t(volume.channels) * std::size_t(volume.timeSteps);
@@ -98,10 +109,7 @@ void computeRange(Volume& volume) {
         std::size_t(0), count, std::size_t(1) << 18, MinMax{},
         [p](std::size_t first, std::size_t end) { return minMaxOf(p + first, p + end); }, merge);
   });
-  if (raw.min > raw.max) raw = {0.0, 0.0};
-  double a = raw.min * volume.scale + volume.offset;
-  double b = raw.max * volume.scale + volume.offset;
-  volume.range = {std::min(a, b), std::max(a, b)};
+  volume.range = rangeOf(raw, volume);
 }
 
 namespace {
@@ -122,9 +130,7 @@ glm::dvec2 rangeOfChannel(const Volume& volume, int channel) {
         },
         merge);
   });
-  if (raw.min > raw.max) return {0.0, 0.0};
-  double a = raw.min * volume.scale + volume.offset, b = raw.max * volume.scale + volume.offset;
-  return {std::min(a, b), std::max(a, b)};
+  return rangeOf(raw, volume);
 }
 
 Histogram histogramOver(const Volume& volume, glm::dvec2 range, int bins, int channel, int timeStep) {

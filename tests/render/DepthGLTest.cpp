@@ -2,19 +2,12 @@
 #include <cstdlib>
 
 #include "RenderFixture.h"
+#include "plateSurface.h"
 
 namespace velum {
 namespace {
 
 constexpr glm::ivec3 kDims(48, 48, 40);
-
-/// A square of two triangles at depth y, from (-half, -half) to (half, half) in x and z.
-Mesh square(float y, float half) {
-  Mesh mesh;
-  mesh.positions = {{-half, y, -half}, {half, y, -half}, {half, y, half}, {-half, y, half}};
-  mesh.indices = {0, 1, 2, 0, 2, 3};
-  return mesh;
-}
 
 class DepthGL : public RenderTest {
  protected:
@@ -33,8 +26,7 @@ class DepthGL : public RenderTest {
     scene.volume.transfer.colors = {{0, {1, 0, 0}}};
     scene.volume.transfer.opacities = {{80, 0}, {120, 0.999}};
     scene.volume.transfer.unitDistance = 0.1;
-    scene::Surface surface;
-    surface.data = Shared<Mesh>(square(0, 21));
+    scene::Surface surface = plateSurface(21, 0);
     surface.color = {0, 1, 0};
     scene.surfaces = {surface};
     scene.camera.projection = scene::Projection::Orthographic;
@@ -141,7 +133,7 @@ TEST_F(DepthGL, CutsClipSurfacesToo) {
 TEST_F(DepthGL, AnotherMeshInItsPlaceIsDrawn) {
   scene::Scene scene = ballsAndSquare();
   draw(scene, kSize);
-  scene.surfaces[0].data = Shared<Mesh>(square(-22, 21));
+  scene.surfaces[0].data = plateSurface(21, -22).data;
   Image image = draw(scene, kSize, kAllLayers);
   EXPECT_NEAR(vectorOf(image, kFront, "position").y, -22, 2e-3);
 }
@@ -176,7 +168,7 @@ TEST_F(DepthGL, OutlinesOfCutsAreDrawnBeyondTheVolumesBox) {
 TEST_F(DepthGL, AMeshOutsideTheVolumesBoxIsDrawn) {
   scene::Scene scene = ballsAndSquare();
   for (float y : {-60.0f, 60.0f}) {
-    scene.surfaces[0].data = Shared<Mesh>(square(y, 21));
+    scene.surfaces[0].data = plateSurface(21, y).data;
     for (auto projection : {scene::Projection::Orthographic, scene::Projection::Perspective}) {
       scene.camera.projection = projection;
       scene.camera.fieldOfViewDeg = kField;

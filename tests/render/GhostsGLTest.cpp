@@ -1,5 +1,6 @@
 // What cuts have removed, as ghosts: [VE] 8.3.
 #include "FocusFixture.h"
+#include "plateSurface.h"
 
 namespace velum {
 namespace {
@@ -114,12 +115,7 @@ TEST_F(FocusGL, GhostsAndSurfacesHideEachOtherAlongEachRay) {
   scene::Cut all;
   all.shape = scene::CutShape::Everywhere;
   scene::addCut(scene, all);
-  Mesh mesh;
-  mesh.positions = {{-40, -10, -40}, {40, -10, -40}, {40, -10, 40}, {-40, -10, 40}};
-  mesh.indices = {0, 1, 2, 0, 2, 3};
-  scene::Surface surface;
-  surface.data = Shared<Mesh>(mesh);
-  scene.surfaces = {surface};
+  scene.surfaces = {plateSurface(40, -10)};
   scene.lighting.shaded = false;
   scene.rayCast.samplesPerPixel = 1;
   scene.background.transparent = true;

@@ -4,6 +4,7 @@
 
 #include "InstancesFixture.h"
 #include "NaiveCuts.h"
+#include "plateSurface.h"
 #include "velum/gpu/GpuError.h"
 #include "velum/render/section/KeptInstances.h"
 
@@ -240,12 +241,7 @@ TEST_F(InstancesGL, AModelAVolumeAndASurfaceHideEachOtherAlongEachRay) {
   for (bool isSurface : {false, true}) {
     scene::Scene scene;
     if (isSurface) {
-      Mesh mesh;
-      mesh.positions = {{-30, -10, -30}, {30, -10, -30}, {30, -10, 30}, {-30, -10, 30}};
-      mesh.indices = {0, 1, 2, 0, 2, 3};
-      scene::Surface surface;
-      surface.data = Shared<Mesh>(mesh);
-      scene.surfaces = {surface};
+      scene.surfaces = {plateSurface(30, -10)};
       scene.lighting.shaded = false;
       scene.rayCast.samplesPerPixel = 1;
     } else {

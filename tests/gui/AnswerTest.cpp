@@ -1,6 +1,7 @@
 // The law of fifty milliseconds: whatever computes, a view answers the hand at once.
 #include "DragSection.h"
 #include "WindowFixture.h"
+#include "patience.h"
 
 namespace velum::gui {
 
@@ -38,7 +39,7 @@ class Answers : public Window {
 TEST_F(Answers, WhileTheVolumeGoesToTheDriver) { expectAtOnce("while uploading"); }
 
 TEST_F(Answers, WhileThe3dViewRefines) {
-  ASSERT_TRUE(QTest::qWaitFor([&] { return viewport().stats().samples > 0; }, 120000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return viewport().stats().samples > 0; }, kPatience));
   EXPECT_FALSE(viewport().isConverged());
   expectAtOnce("while refining");
   AnswerTimes camera = dragCamera(*mWindow, 30);

@@ -15,6 +15,7 @@
 #include "Shots.h"
 #include "TempFolder.h"
 #include "look/TransferCanvas.h"
+#include "patience.h"
 #include "structure/StructureCommands.h"
 #include "velum/io/labels/WriteLabels.h"
 #include "velum/io/phantoms/Sample.h"
@@ -53,13 +54,13 @@ class AsUsed : public testing::Test {
     return mWindow->findChild<T*>(name);
   }
   bool waitForJob(MainWindow& window) {
-    return QTest::qWaitFor([&] { return !window.isBusy(); }, 60000);
+    return QTest::qWaitFor([&] { return !window.isBusy(); }, kPatience);
   }
   /// The step is done: keeps a picture of it where they are wanted. @param guideName  as the guide shows it
   void shot(const char* name, const char* guideName = nullptr) {
     if (!wantsPictures()) return;
     QTest::qWait(300);
-    EXPECT_TRUE(QTest::qWaitFor([&] { return mWindow->isSettled(); }, 120000));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return mWindow->isSettled(); }, kPatience));
     takeShot(*mWindow, name);
     if (QString guide = qEnvironmentVariable("VELUM_GUIDE"); !guide.isEmpty() && guideName)
       mWindow->grab().save(guide + "/" + guideName + ".jpg", "jpg", 82);
@@ -91,7 +92,7 @@ class AsUsed : public testing::Test {
     ASSERT_TRUE(canvas);
     auto before = scene().volume.transfer;
     const auto& point = before.opacities[1];
-    ASSERT_TRUE(QTest::qWaitFor([&] { return canvas->view().high > canvas->view().low + 2; }, 10000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return canvas->view().high > canvas->view().low + 2; }, kPatience));
     auto frame = canvas->frame();
     QPoint from(int(std::lround(session::xOf(frame, point.value))),
                 int(std::lround(session::yOf(frame, point.opacity))));
@@ -162,7 +163,7 @@ TEST_F(AsUsed, BonesWithACutTakeOneClickAfterOpening) {
   EXPECT_EQ(scene().volume.transfer.preset, "ct-bone");
   mWindow->actions().find("cut.addPlane")->trigger();
   EXPECT_EQ(scene().cuts.size(), 1u);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return mWindow->views().isCurrent(); }, 60000));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return mWindow->views().isCurrent(); }, kPatience));
 }
 
 }  // namespace

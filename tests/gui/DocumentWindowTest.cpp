@@ -22,6 +22,7 @@
 #include "SmallDisk.h"
 #include "TempFolder.h"
 #include "kit/RecentFiles.h"
+#include "patience.h"
 #include "velum/io/phantoms/Sample.h"
 #include "velum/io/volumes/WriteVolume.h"
 #include "velum/session/document/Folders.h"
@@ -47,7 +48,7 @@ class DocumentWindow : public testing::Test {
     window->show();
     window->protectWork(mFolder / "recovery");
     EXPECT_TRUE(QTest::qWaitForWindowExposed(window.get()));
-    EXPECT_TRUE(QTest::qWaitFor([&] { return !window->isLookingForWork(); }, 10000));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !window->isLookingForWork(); }, kPatience));
     return window;
   }
   QString path(const char* name) const { return QString::fromStdString((mFolder / name).string()); }
@@ -56,7 +57,7 @@ class DocumentWindow : public testing::Test {
     return waitForJob();
   }
   bool waitForJob() {
-    return QTest::qWaitFor([&] { return !mWindow->isBusy(); }, 60000);
+    return QTest::qWaitFor([&] { return !mWindow->isBusy(); }, kPatience);
   }
   void edit(double level) {
     mWindow->document().edit("Window", [level](scene::Scene& scene) { scene.volume.windowLevel = level; });
@@ -241,9 +242,9 @@ TEST_F(DocumentWindow, ADiskThatIsFullIsSaidAndAgainWhenItIsNot) {
   {
     SmallDisk disk(100);
     edit(2);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return mWindow->messages().text().contains("not protected"); }, 10000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return mWindow->messages().text().contains("not protected"); }, kPatience));
   }
-  ASSERT_TRUE(QTest::qWaitFor([&] { return mWindow->messages().text().contains("is protected"); }, 20000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return mWindow->messages().text().contains("is protected"); }, kPatience));
   crash();
   mWindow = makeWindow();
   ASSERT_TRUE(bar().current());
@@ -282,8 +283,8 @@ TEST_F(DocumentWindow, ASceneThatCannotBeSavedIsSaidStaysModifiedAndTheOldFileWh
 TEST_F(DocumentWindow, WhatCannotBeExportedIsSaidAndTheOldFileWhole) {
   ASSERT_TRUE(open("phantom.nrrd"));
   mWindow->actions().find("cut.addMembrane")->trigger();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !mWindow->isBusy(); }, 60000));
-  ASSERT_TRUE(QTest::qWaitFor([&] { return mWindow->isSettled(); }, 60000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !mWindow->isBusy(); }, kPatience));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return mWindow->isSettled(); }, kPatience));
   session::PictureOptions options;
   options.size = {64, 48};
   options.samples = 1;
@@ -346,7 +347,7 @@ TEST_F(DocumentWindow, SavedWorkIsNotOffered) {
 
 TEST_F(DocumentWindow, RecentFilesHavePicturesAndOpenByAClick) {
   ASSERT_TRUE(open("phantom.nrrd"));
-  ASSERT_TRUE(QTest::qWaitFor([&] { return mWindow->isSettled(); }, 60000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return mWindow->isSettled(); }, kPatience));
   mWindow->saveSceneTo(path("c.json"));
   mWindow->actions().find("file.new")->trigger();
   auto cards = mWindow->findChildren<RecentCard*>();
@@ -386,7 +387,7 @@ TEST_F(DocumentWindow, ASampleOpensByAClick) {
     EXPECT_TRUE(scene.volume.data || scene.model.data) << name;
     EXPECT_FALSE(mWindow->document().isModified()) << name;
     EXPECT_FALSE(scene.cuts.empty()) << name;
-    ASSERT_TRUE(QTest::qWaitFor([&] { return mWindow->isSettled(); }, 180000)) << name;
+    ASSERT_TRUE(QTest::qWaitFor([&] { return mWindow->isSettled(); }, kPatience)) << name;
     RecordProperty(name + ", until the picture is whole, ms", std::to_string(clock.elapsed()));
     takeShot(*mWindow, ("sample-" + name).c_str());
   }
@@ -450,7 +451,7 @@ void typeName(const QString& name) {
     // What is selected in the list of files follows what is typed, not what is set.
     edit->window()->activateWindow();
     edit->setFocus();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return edit->hasFocus(); }, 10000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return edit->hasFocus(); }, kPatience));
     edit->setText(name);
     QTest::keyClick(edit, Qt::Key_Return);
   });

@@ -4,6 +4,7 @@
 
 #include "ModelFixture.h"
 #include "Shots.h"
+#include "patience.h"
 #include "velum/io/phantoms/Virion.h"
 #include "velum/render/section/KeptInstances.h"
 #include "velum/session/model/ClipState.h"
@@ -55,7 +56,7 @@ class EqualizerStudy : public ModelWindow {
     for (int i = 0; i < tabs.count(); ++i)
       if (tabs.tabText(i) == "Model")
         QTest::mouseClick(tabs.tabBar(), Qt::LeftButton, {}, tabs.tabBar()->tabRect(i).center());
-    ASSERT_TRUE(QTest::qWaitFor([&] { return list().isVisible(); }, 5000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return list().isVisible(); }, kPatience));
 
     act("search the spikes");
     auto* search = child<QLineEdit>("modelSearch");
@@ -73,7 +74,7 @@ class EqualizerStudy : public ModelWindow {
     field->selectAll();
     QTest::keyClicks(field, QString::number(spikes));
     QTest::keyClick(field, Qt::Key_Return);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return drawn(spike) == std::uint64_t(spikes); }, 5000)) << drawn(spike);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return drawn(spike) == std::uint64_t(spikes); }, kPatience)) << drawn(spike);
     see(name + "-2-spikes");
 
     act("all types again");

@@ -7,6 +7,7 @@
 #include "ModelFixture.h"
 #include "Shots.h"
 #include "cut/TypeSpareList.h"
+#include "patience.h"
 #include "velum/render/section/KeptInstances.h"
 #include "velum/session/cut/CutEdit.h"
 #include "velum/session/model/ClipState.h"
@@ -369,7 +370,7 @@ TEST_F(EqualizerWindow, TheCutsPageHasItsFocus) {
   mWindow->tabs().showPage("Cuts");
   mWindow->selection().setCut(scene().cuts[0].id);
   auto* view = child<TypeSpareView>("typeSpares");
-  ASSERT_TRUE(QTest::qWaitFor([&] { return view->isVisible(); }, 5000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return view->isVisible(); }, kPatience));
   view->setCurrentIndex(view->order().mapFromSource(view->tree().indexOfType(3, 0)));
   child<QCheckBox>("focusKept")->click();
   ASSERT_TRUE(scene().cuts[0].focus);

@@ -7,6 +7,7 @@
 #include "WindowFixture.h"
 #include "kit/PictureList.h"
 #include "look/FinishPanel.h"
+#include "patience.h"
 #include "structure/StructurePanel.h"
 #include "velum/io/images/ImageFile.h"
 #include "velum/scene/Finishes.h"
@@ -46,7 +47,7 @@ TEST_F(FinishPage, AFinishIsOneStep) {
 TEST_F(FinishPage, ItsPicturesShowTheData) {
   openPage();
   auto* panel = mWindow->findChild<FinishPanel*>();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return mWindow->isSettled() && panel->isComplete(); }, 90000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return mWindow->isSettled() && panel->isComplete(); }, kPatience));
   auto* list = child<QListWidget>("finish");
   for (int i = 0; i < list->count(); ++i)
     EXPECT_FALSE(list->item(i)->data(Qt::UserRole + 1).value<QPixmap>().isNull()) << i;

@@ -7,6 +7,7 @@
 #include <QTest>
 #include <cmath>
 
+#include "patience.h"
 #include "velum/io/phantoms/Virion.h"
 #include "velum/scene/ModelLooks.h"
 #include "velum/scene/Navigate.h"
@@ -36,7 +37,7 @@ class Guide : public testing::Test {
   }
   void open(const QStringList& paths) {
     mWindow->openPaths(paths);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !mWindow->isBusy(); }, 60000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !mWindow->isBusy(); }, kPatience));
     ASSERT_TRUE(mWindow->document().scene().volume.data);
   }
   /// A copy of the first scene, so that the journal of that file is left alone.
@@ -47,7 +48,7 @@ class Guide : public testing::Test {
   }
   void keep(const char* name) {
     QTest::qWait(1500);  // thumbnails come when the views are complete
-    ASSERT_TRUE(QTest::qWaitFor([&] { return mWindow->isSettled(); }, 180000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return mWindow->isSettled(); }, kPatience));
     QTest::qWait(1500);
     EXPECT_TRUE(mWindow->grab().save(qEnvironmentVariable("VELUM_GUIDE") + "/" + name + ".jpg", "jpg", 86));
   }
@@ -71,7 +72,7 @@ TEST_F(Guide, Bars) {
   mWindow->actions().find("cut.addPlane")->trigger();
   mWindow->tabs().showPage("Model");
   Equalizer& equalizer = mWindow->models().equalizer();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return mWindow->isSettled(); }, 180000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return mWindow->isSettled(); }, kPatience));
   equalizer.set("root.virus.surface.spike", Equalizer::Handle::Drawn, 60.0);
   equalizer.set("root.plasma", Equalizer::Handle::Drawn, 1500.0);
   mWindow->selection().setCut(0);
@@ -85,7 +86,7 @@ TEST_F(Guide, PullOut) {
   session::Document& document = mWindow->document();
   mWindow->views().setLayout(scene::Layout::Volume);
   mWindow->actions().find("look.hideTable")->trigger();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !mWindow->isBusy(); }, 60000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !mWindow->isBusy(); }, kPatience));
   document.edit("Cut", [](scene::Scene& scene) {
     scene::applyPreset(scene, "ct-skin-white-bone");
     scene::Cut plane;
@@ -97,7 +98,7 @@ TEST_F(Guide, PullOut) {
     scene.camera.target = {118, 112, 72};
     scene.camera.fieldOfViewDeg = 26;
   });
-  ASSERT_TRUE(QTest::qWaitFor([&] { return mWindow->isSettled(); }, 180000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return mWindow->isSettled(); }, kPatience));
   mWindow->actions().find("extrusion.pull")->trigger();
   Viewport& view = mWindow->viewport();
   auto pixelOf = [&](glm::dvec3 world) {
@@ -146,7 +147,7 @@ TEST_F(Guide, Sections) {
 TEST_F(Guide, Open) {
   for (const char* file : {kCortex, kBrain, kHead}) {
     open({file});
-    ASSERT_TRUE(QTest::qWaitFor([&] { return mWindow->isSettled(); }, 180000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return mWindow->isSettled(); }, kPatience));
   }
   mWindow->newScene();
   keep("open");

@@ -1,5 +1,6 @@
 // What each key of keys.json does.
 #include "KeysFixture.h"
+#include "patience.h"
 #include "velum/scene/Navigate.h"
 #include "velum/session/extrusion/Extrusion.h"
 #include "view/GreyWindowCorner.h"
@@ -102,7 +103,7 @@ std::map<QString, Keys::Check> Keys::checks() {
     keys.mWindow->views().setLayout(Layout::Section);  // soon drawn
     keys.mWindow->views().section(scene::SectionKind::Axial).setFocus();
     QTest::keySequence(&keys.mWindow->views().section(scene::SectionKind::Axial), key);
-    EXPECT_TRUE(QTest::qWaitFor([&] { return keys.scene().volume.timeStep > 0; }, 20000));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return keys.scene().volume.timeStep > 0; }, kPatience));
     QTest::keySequence(&keys.mWindow->views().section(scene::SectionKind::Axial), key);
     EXPECT_FALSE(bar->isPlaying()) << "and pauses";
   };
@@ -301,7 +302,7 @@ std::map<QString, Keys::Check> Keys::checks() {
     double before = glm::length(keys.scene().camera.eye - keys.scene().camera.target);
     keys.mWindow->selection().setStructure(id);
     keys.press(key);
-    EXPECT_TRUE(QTest::qWaitFor([&] { return atCrosshair() == id; }, 10000));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return atCrosshair() == id; }, kPatience));
     // It flies there.
     EXPECT_TRUE(QTest::qWaitFor(
         [&] { return glm::length(keys.scene().camera.target - keys.scene().sections.crosshair) < 1e-6; }, 10000));

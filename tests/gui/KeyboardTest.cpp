@@ -27,6 +27,7 @@
 #include "TempFolder.h"
 #include "kit/Theme.h"
 #include "look/TransferCanvas.h"
+#include "patience.h"
 #include "velum/io/labels/WriteLabels.h"
 #include "velum/io/phantoms/Sample.h"
 #include "velum/io/volumes/WriteVolume.h"
@@ -164,15 +165,15 @@ class Keyboard : public testing::TestWithParam<ThemeKind> {
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
     // Without a window manager nobody else gives it the keyboard.
     window.activateWindow();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return window.isActiveWindow(); }, 5000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window.isActiveWindow(); }, kPatience));
   }
   void open(const QStringList& names) {
     QStringList paths;
     for (const auto& name : names) paths << QString::fromStdString((*sFolder / name.toStdString()).string());
     mWindow->openPaths(paths);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !mWindow->isBusy(); }, 60000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !mWindow->isBusy(); }, kPatience));
     mWindow->document().view([](scene::Scene& scene) { scene.rayCast.samplesPerPixel = 1; });
-    ASSERT_TRUE(QTest::qWaitFor([&] { return mWindow->isSettled(); }, 60000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return mWindow->isSettled(); }, kPatience));
   }
   SideTabs& tabs() { return mWindow->tabs(); }
   QWidget& side() { return *mWindow->findChild<QWidget*>("sidePanel"); }
@@ -353,7 +354,7 @@ TEST_P(KeyboardUse, SpaceIsTheButtonsAndOtherwisePlays) {
   EXPECT_FALSE(mWindow->document().scene().volume.transfer.gradientOpacities.empty());
   EXPECT_EQ(mWindow->document().scene().volume.timeStep, 0);
   QTest::keyClick(&mWindow->viewport(), Qt::Key_Space);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return mWindow->document().scene().volume.timeStep == 1; }, 20000));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return mWindow->document().scene().volume.timeStep == 1; }, kPatience));
 }
 
 TEST_P(KeyboardUse, ACurveIsMadeWithoutAMouse) {

@@ -11,6 +11,7 @@
 #include "Shots.h"
 #include "TempFolder.h"
 #include "kit/Theme.h"
+#include "patience.h"
 #include "velum/io/phantoms/Sample.h"
 #include "velum/io/volumes/WriteVolume.h"
 #include "view/TimeBar.h"
@@ -42,11 +43,11 @@ class Manners : public testing::Test {
     window->show();
     EXPECT_TRUE(QTest::qWaitForWindowExposed(window.get()));
     window->openPaths({QString::fromStdString((mFolder / name).string())});
-    EXPECT_TRUE(QTest::qWaitFor([&] { return !window->isBusy(); }, 60000));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !window->isBusy(); }, kPatience));
     return window;
   }
   static bool settle(MainWindow& window) {
-    return QTest::qWaitFor([&] { return window.isSettled(); }, 60000);
+    return QTest::qWaitFor([&] { return window.isSettled(); }, kPatience);
   }
   TempFolder mFolder;
 };
@@ -71,13 +72,13 @@ TEST_F(Manners, TheViewDrawsAgainInAnotherWindow) {
   view.show();  // the stack of pages hides what leaves it
   other.show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(&other));
-  EXPECT_TRUE(QTest::qWaitFor([&] { return window->viewport().isConverged(); }, 60000));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return window->viewport().isConverged(); }, kPatience));
   auto pick = window->viewport().pickAt(QPointF(window->viewport().width() * 0.38, window->viewport().height() * 0.5));
   EXPECT_TRUE(pick);
   // And home again.
   other.takeCentralWidget()->setParent(home);
   view.show();
-  EXPECT_TRUE(QTest::qWaitFor([&] { return window->viewport().isConverged(); }, 60000));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return window->viewport().isConverged(); }, kPatience));
 }
 
 TEST_F(Manners, ALostContextIsMadeAgainAndNothingElseIsLost) {
@@ -104,7 +105,7 @@ TEST_F(Manners, TimeStepsAreShownAndPlayedAndAreNoEdit) {
   EXPECT_EQ(window->document().scene().volume.timeStep, 0);
   EXPECT_EQ(slider->value(), 0);
   bar->setPlaying(true);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return window->document().scene().volume.timeStep == 2; }, 20000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window->document().scene().volume.timeStep == 2; }, kPatience));
   bar->setPlaying(false);
   EXPECT_FALSE(window->document().canUndo()) << "what plays leaves no step";
   EXPECT_FALSE(window->document().isModified());

@@ -2,6 +2,7 @@
 #include "WindowFixture.h"
 #include "makeModel.h"
 #include "model/ModelList.h"
+#include "patience.h"
 
 namespace velum::gui {
 
@@ -18,7 +19,7 @@ class ModelWindow : public Window {
     mWindow->resize(1100, 860);
     mWindow->showScene(scene, "made");
     drawSoon();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return list().isVisible(); }, 10000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return list().isVisible(); }, kPatience));
   }
   ModelList& list() { return *child<ModelList>("modelList"); }
   void clickEye(int type, Qt::KeyboardModifiers keys = {}) {

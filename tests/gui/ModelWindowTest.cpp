@@ -6,6 +6,7 @@
 #include "ModelFixture.h"
 #include "Shots.h"
 #include "cut/TypeSpareList.h"
+#include "patience.h"
 #include "velum/session/cut/CutEdit.h"
 
 namespace velum::gui {
@@ -87,7 +88,7 @@ TEST_F(ModelWindow, AClickInThePictureSelectsTheRowAndADoubleClickGoesThere) {
   ASSERT_TRUE(place);
   EXPECT_LT(glm::distance(place->middle, found->second.world), place->radius * 1.05);
   QTest::mouseDClick(&viewport(), Qt::LeftButton, {}, found->first);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return glm::distance(scene().camera.target, place->middle) < 1e-3; }, 5000));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return glm::distance(scene().camera.target, place->middle) < 1e-3; }, kPatience));
   EXPECT_EQ(scene().sections.layout, scene::Layout::Volume);
 }
 
@@ -139,7 +140,7 @@ TEST_F(ModelWindow, ABarOfACutSaysHowMuchOfATypeItLeaves) {
   QTest::mouseClick(child<QPushButton>("addPlane"), Qt::LeftButton);
   ASSERT_EQ(scene().cuts.size(), 1u);
   auto* view = child<TypeSpareView>("typeSpares");
-  ASSERT_TRUE(QTest::qWaitFor([&] { return view->isVisible(); }, 5000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return view->isVisible(); }, kPatience));
   QRect bar = view->cellOfRow(0, TypeSpareTree::Bar);
   QTest::mouseClick(view->viewport(), Qt::LeftButton, {}, bar.center());
   ASSERT_EQ(scene().cuts[0].typeSpares.size(), 1u);

@@ -7,6 +7,7 @@
 #include "Shots.h"
 #include "WindowFixture.h"
 #include "makeVolume.h"
+#include "patience.h"
 #include "structure/StructureList.h"
 #include "structure/StructurePanel.h"
 #include "velum/scene/GreyWindows.h"
@@ -78,7 +79,7 @@ TEST_F(Pet, SaysUptakeUnderThePointerAndOfEachStructure) {
   auto text = [&](StructureModel::Column column) {
     return rows.data(rows.index(rows.rowOf(7), column), Qt::DisplayRole).toString();
   };
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !text(StructureModel::Most).isEmpty(); }, 20000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !text(StructureModel::Most).isEmpty(); }, kPatience));
   EXPECT_FALSE(list->isColumnHidden(StructureModel::Mean));
   EXPECT_FALSE(list->isHeaderHidden());
   EXPECT_EQ(rows.headerData(StructureModel::Most, Qt::Horizontal, Qt::DisplayRole).toString(), "SUVmax");

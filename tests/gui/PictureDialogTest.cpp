@@ -16,6 +16,7 @@
 #include "RunBatch.h"
 #include "Shots.h"
 #include "TempFolder.h"
+#include "patience.h"
 #include "velum/session/document/Open.h"
 #include "window/CommandFinder.h"
 #include "window/HelpWindow.h"
@@ -59,7 +60,7 @@ TEST_F(PictureDialog, CentimetresAtADpiArePixels) {
 TEST_F(PictureDialog, ShowsThePictureSmallBeforeItIsMade) {
   SavePictureDialog dialog({800, 600}, {800, 600}, mScene, nullptr);
   dialog.show();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return dialog.hasPreview(); }, 20000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return dialog.hasPreview(); }, kPatience));
   QImage preview = dialog.grab().toImage();
   EXPECT_NE(preview.pixelColor(190, 170), preview.pixelColor(30, 60)) << "the preview shows nothing";
   takeShot(dialog, "save-picture");
@@ -120,7 +121,7 @@ TEST_F(PictureDialog, OffersTheAnimationsThatTheSceneCanHave) {
   }
   EXPECT_NE(pixels("window-0000.png"), pixels("window-0002.png"));
   dialog.show();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return dialog.hasPreview(); }, 20000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return dialog.hasPreview(); }, kPatience));
   takeShot(dialog, "save-animation");
 }
 

@@ -3,6 +3,7 @@
 
 #include "Shots.h"
 #include "WindowFixture.h"
+#include "patience.h"
 #include "velum/scene/Finishes.h"
 #include "velum/scene/Presets.h"
 #include "velum/scene/VisibleFrame.h"
@@ -72,7 +73,7 @@ TEST_F(Preparing, APatientsPictureIsNeverSeenUnderAnothersName) {
   show(patient("two.nrrd", true), "two");
   EXPECT_EQ(told(), "Preparing") << "at once";
   int looks = 0;
-  for (QElapsedTimer clock = started(); clock.elapsed() < 60000; ++looks) {
+  for (QElapsedTimer clock = started(); clock.elapsed() < kPatience; ++looks) {
     QImage now = seen();
     if (looks == 0) takeShot(*mWindow, "preparing");
     EXPECT_GT(difference(one, now), 25.0) << "look " << looks << ", " << told().toStdString();
@@ -98,7 +99,7 @@ TEST_F(Preparing, NothingIsCompleteBetweenAnEditAndItsPicture) {
     SCOPED_TRACE(what);
     mWindow->document().edit("Change", edit);
     EXPECT_EQ(told(), "Preparing") << "at once";
-    for (QElapsedTimer clock = started(); clock.elapsed() < 60000;) {
+    for (QElapsedTimer clock = started(); clock.elapsed() < kPatience;) {
       EXPECT_TRUE(told() != "Complete" || viewport().isConverged());
       if (mWindow->isSettled()) break;
       QApplication::processEvents(QEventLoop::AllEvents, 5);
@@ -120,7 +121,7 @@ TEST_F(Preparing, APictureIsDimmedBeforeTheNextOnesProgramIsCompiled) {
     scene::applyFinish(scene, "pencil");
   });
   bool wasDim = false;
-  for (QElapsedTimer clock = started(); clock.elapsed() < 60000 && !mWindow->isSettled();) {
+  for (QElapsedTimer clock = started(); clock.elapsed() < kPatience && !mWindow->isSettled();) {
     if (veil() == PreparingVeil::Kind::Dim && !wasDim) {
       wasDim = true;
       EXPECT_GT(difference(bright, seen()), 40.0) << "and it is the old one that is dimmed";

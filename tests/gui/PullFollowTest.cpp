@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "PullFixture.h"
+#include "patience.h"
 #include "makeVolume.h"
 
 namespace velum::gui {
@@ -94,14 +95,14 @@ TEST_F(PullFollow, WhatIsFoundShowsOverThePictureThatStands) {
     EXPECT_NEAR(session::extrusionOf(cut(), 1), distance, 0.5);
     EXPECT_TRUE(tool()->tag().contains("Region 1")) << "the label waits for nothing";
     ASSERT_TRUE(
-        QTest::qWaitFor([&] { return tool()->preview().drawnCount() > drawn && session::isGrown(scene()); }, 20000));
+        QTest::qWaitFor([&] { return tool()->preview().drawnCount() > drawn && session::isGrown(scene()); }, kPatience));
     // Until the picture of what was found last is there.
     ASSERT_TRUE(QTest::qWaitFor(
         [&] {
           const QImage& image = tool()->preview().image();
           return !image.isNull() && qAlpha(image.pixel(placeAt(0.7 * distance))) == 255;
         },
-        20000));
+        kPatience));
     drawn = tool()->preview().drawnCount();
     // The press itself may finish a picture.
     if (shown < 0) shown = viewport().shownCount();

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "PullFixture.h"
+#include "patience.h"
 #include "velum/session/extrusion/Pull.h"
 
 namespace velum::gui {
@@ -207,18 +208,19 @@ TEST_F(PullLeak, EscStopsWhatGrowsAndLeavesWhatThereIsWhileTheWindowAnswers) {
   const Seen& place = face[face.size() / 2];
   pull(place.pixel, place.pick.world, cut(), 90.0);
   // The ways are all that there is.
-  ASSERT_TRUE(QTest::qWaitFor([&] { return isWarned(); }, 20000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return isWarned(); }, kPatience));
   QTest::mouseClick(child<QPushButton>("leakGoOn"), Qt::LeftButton);
   ASSERT_EQ(scene().labels.growths.size(), 1u);
   int structure = scene().labels.growths[0].structure;
   auto isUnderWay = [&] { return growth().isGrowing() && !scene().labels.grown.empty(); };
-  ASSERT_TRUE(QTest::qWaitFor([&] { return isUnderWay() && voxelsOf(structure) > 0; }, 20000)) << "the front is seen";
+  ASSERT_TRUE(QTest::qWaitFor([&] { return isUnderWay() && voxelsOf(structure) > 0; }, kPatience))
+      << "the front is seen";
   // The camera turns, and the front goes on meanwhile.
   scene::Camera start = scene().camera;
   int shown = viewport().shownCount();
   drag({8, 8}, {14, 8}, Qt::MiddleButton);
   EXPECT_NE(scene().camera, start);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return viewport().shownCount() > shown; }, 20000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return viewport().shownCount() > shown; }, kPatience));
   ASSERT_TRUE(growth().isGrowing()) << "the picture did not wait for its end";
   std::size_t before = voxelsOf(structure);
   QTest::keyClick(&viewport(), Qt::Key_Escape);

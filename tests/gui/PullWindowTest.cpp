@@ -4,6 +4,7 @@
 #include "PullFixture.h"
 #include "kit/Bars.h"
 #include "kit/Widgets.h"
+#include "patience.h"
 #include "velum/session/extrusion/PulledEnd.h"
 
 namespace velum::gui {
@@ -154,7 +155,7 @@ TEST_F(PullWindow, WhatIsFoundOnTheWayEndsWhereItEnds) {
     QMouseEvent move(QEvent::MouseMove, place, viewport().mapToGlobal(place), Qt::NoButton, Qt::LeftButton, {});
     QApplication::sendEvent(&viewport(), &move);
   }
-  ASSERT_TRUE(QTest::qWaitFor([&] { return session::isGrown(scene()); }, 20000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return session::isGrown(scene()); }, kPatience));
   QTest::mouseRelease(&viewport(), Qt::LeftButton, {}, to);
   ASSERT_TRUE(settle());
   auto out = session::extrusionsOf(scene());

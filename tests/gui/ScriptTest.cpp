@@ -6,6 +6,7 @@
 #include <QTest>
 
 #include "TempFolder.h"
+#include "patience.h"
 #include "velum/io/phantoms/Sample.h"
 #include "velum/io/volumes/WriteVolume.h"
 #include "window/MainWindow.h"
@@ -34,7 +35,7 @@ class ScriptTest : public testing::Test {
       said = QString("%1 (%2)").arg(error).arg(code);
     });
     script.start();
-    EXPECT_TRUE(QTest::qWaitFor([&] { return done; }, 60000)) << text.toStdString();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return done; }, kPatience)) << text.toStdString();
     return said;
   }
   const scene::Scene& scene() { return mWindow.document().scene(); }

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "TempFolder.h"
+#include "patience.h"
 #include "structure/StructurePanel.h"
 #include "velum/io/labels/WriteLabels.h"
 #include "velum/io/phantoms/Sample.h"
@@ -47,7 +48,7 @@ class StructureWindow : public testing::Test {
   T* child(const char* name) {
     return mWindow->findChild<T*>(name);
   }
-  bool wait(const std::function<bool()>& until) { return QTest::qWaitFor(until, 60000); }
+  bool wait(const std::function<bool()>& until) { return QTest::qWaitFor(until, kPatience); }
 
   void openWithLabels() {
     mWindow->openPaths({path("phantom.nrrd"), path("phantom_labels.seg.nrrd")});

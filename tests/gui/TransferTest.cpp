@@ -16,6 +16,7 @@
 #include "look/LookPanel.h"
 #include "look/TransferCanvas.h"
 #include "makeVolume.h"
+#include "patience.h"
 #include "velum/io/volumes/WriteVolume.h"
 #include "velum/scene/Presets.h"
 #include "velum/session/look/TransferTool.h"
@@ -62,9 +63,9 @@ class Transfer : public testing::Test {
     Progress progress;
     io::writeVolume(v, mFolder / name, progress);
     mWindow->openPaths({path(name)});
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !mWindow->isBusy(); }, 30000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !mWindow->isBusy(); }, kPatience));
     ASSERT_TRUE(scene().volume.data);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return canvas().view().high > canvas().view().low + 2; }, 10000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return canvas().view().high > canvas().view().low + 2; }, kPatience));
   }
   const scene::Scene& scene() { return mWindow->document().scene(); }
   const scene::TransferFunction& transfer() { return scene::currentTransfer(scene().volume); }
@@ -227,7 +228,7 @@ TEST_F(Transfer, TheGradientCurveBeginsWithoutChange) {
 TEST_F(Transfer, PresetsShowTheData) {
   openBall();
   auto* look = mWindow->findChild<LookPanel*>();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return mWindow->isSettled() && look->isComplete(); }, 60000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return mWindow->isSettled() && look->isComplete(); }, kPatience));
   auto* presets = child<QListWidget>("preset");
   ASSERT_GE(presets->count(), 6);
   for (int i = 0; i < presets->count(); ++i) {
@@ -248,7 +249,7 @@ TEST_F(Transfer, SmoothIsOneClickAndOneUndoStep) {
   smooth->click();
   EXPECT_TRUE(scene().volume.smooth);
   EXPECT_EQ(undoLabel(), "Change smoothing");
-  ASSERT_TRUE(QTest::qWaitFor([&] { return mWindow->isSettled(); }, 60000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return mWindow->isSettled(); }, kPatience));
   mWindow->document().undo();
   EXPECT_FALSE(scene().volume.smooth);
   EXPECT_FALSE(smooth->isChecked());
@@ -256,7 +257,7 @@ TEST_F(Transfer, SmoothIsOneClickAndOneUndoStep) {
 
 TEST_F(Transfer, AClickOnTissueShowsIt) {
   openBall();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return mWindow->isSettled(); }, 60000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return mWindow->isSettled(); }, kPatience));
   Viewport& view = mWindow->viewport();
   QPoint middle(view.width() / 2, view.height() / 2);
   QTest::mouseClick(&view, Qt::LeftButton, {}, middle);
@@ -268,7 +269,7 @@ TEST_F(Transfer, AClickOnTissueShowsIt) {
   EXPECT_GT(scene::opacityAt(transfer().opacities, 301), 0.5);
   EXPECT_LT(scene::opacityAt(transfer().opacities, 200), 0.1);
   EXPECT_TRUE(mWindow->messages().text().contains("around 30")) << mWindow->messages().text().toStdString();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return mWindow->isSettled(); }, 60000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return mWindow->isSettled(); }, kPatience));
   QTest::mouseClick(&view, Qt::LeftButton, Qt::ControlModifier, middle);
   EXPECT_EQ(undoLabel(), "Hide this tissue");
   EXPECT_LT(scene::opacityAt(transfer().opacities, 301), 1e-6);
@@ -317,8 +318,8 @@ TEST_F(Transfer, ChannelsAreShownColouredAndEditedOneByOne) {
   auto first = scene().volume.channels[0].transfer;
   QTest::mouseClick(child<QPushButton>("channelName1"), Qt::LeftButton);
   EXPECT_EQ(scene().volume.channel, 1);
-  ASSERT_TRUE(
-      QTest::qWaitFor([&] { return mWindow->findChild<LookPanel*>()->isComplete() && mWindow->isSettled(); }, 60000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return mWindow->findChild<LookPanel*>()->isComplete() && mWindow->isSettled(); },
+                              kPatience));
   takeShot(*mWindow, "channels");
   const auto& points = transfer().opacities;
   QPoint last = placeOf(points.back().value, points.back().opacity);

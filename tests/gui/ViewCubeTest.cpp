@@ -5,6 +5,7 @@
 
 #include "ModelFixture.h"
 #include "Shots.h"
+#include "patience.h"
 
 namespace velum::gui {
 namespace {
@@ -43,7 +44,8 @@ TEST_F(Cube, AClickOnEachFaceEdgeAndCornerLooksFromThere) {
         auto place = placeOf(side);
         ASSERT_TRUE(place) << x << " " << y << " " << z;
         QTest::mouseClick(&cube(), Qt::LeftButton, {}, *place);
-        EXPECT_TRUE(QTest::qWaitFor([&] { return glm::length(towardsEye() - wanted) < 1e-6; }, 5000)) << x << y << z;
+        EXPECT_TRUE(QTest::qWaitFor([&] { return glm::length(towardsEye() - wanted) < 1e-6; }, kPatience))
+            << x << y << z;
         EXPECT_EQ(scene().camera.target, target);
         ++clicked;
       }

@@ -9,6 +9,7 @@
 #include "Shots.h"
 #include "WindowFixture.h"
 #include "kit/Preferences.h"
+#include "patience.h"
 #include "velum/scene/Presets.h"
 #include "window/RawDialog.h"
 #include "window/VoxelSizeDialog.h"
@@ -57,7 +58,7 @@ TEST_F(VolumeWays, AFileWithoutAHeaderOpensByAGuessThatOneSees) {
   mWindow->openPaths({writeRaw("ball.raw")});
   auto* dialog = waitForDialog<RawDialog>();
   ASSERT_TRUE(dialog);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return dialog->hasGuessed(); }, 20000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return dialog->hasGuessed(); }, kPatience));
   takeShot(*dialog, "raw-dialog");
   scene::RawLayout layout = dialog->source().raw;
   EXPECT_EQ(layout.dims, glm::ivec3(64, 64, 24));
@@ -116,7 +117,7 @@ TEST_F(VolumeWays, AnUnknownVoxelSizeIsAskedForAndMayWait) {
   auto* dialog = waitForDialog<VoxelSizeDialog>();
   ASSERT_TRUE(dialog);
   QTest::keyClick(dialog, Qt::Key_Escape);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return !mWindow->findChild<VoxelSizeDialog*>(); }, 5000));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !mWindow->findChild<VoxelSizeDialog*>(); }, kPatience));
   EXPECT_FALSE(scene().volume.data->isSpacingKnown);
 }
 

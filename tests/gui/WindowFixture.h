@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "TempFolder.h"
+#include "patience.h"
 #include "velum/io/labels/WriteLabels.h"
 #include "velum/io/phantoms/Sample.h"
 #include "velum/io/volumes/WriteVolume.h"
@@ -60,10 +61,10 @@ class Window : public testing::Test {
   Viewport& viewport() { return mWindow->viewport(); }
   glm::dvec2 size() { return {viewport().width(), viewport().height()}; }
   bool waitForJob() {
-    return QTest::qWaitFor([&] { return !mWindow->isBusy(); }, 60000);
+    return QTest::qWaitFor([&] { return !mWindow->isBusy(); }, kPatience);
   }
   bool settle() {
-    return QTest::qWaitFor([&] { return mWindow->isSettled(); }, 90000);
+    return QTest::qWaitFor([&] { return mWindow->isSettled(); }, kPatience);
   }
   void openPhantom() {
     mWindow->openPaths({path("phantom.nrrd")});

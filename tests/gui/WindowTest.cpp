@@ -14,6 +14,7 @@
 #include "Shots.h"
 #include "WindowFixture.h"
 #include "kit/Theme.h"
+#include "patience.h"
 
 namespace velum::gui {
 
@@ -170,12 +171,12 @@ TEST_F(Window, CutsThatLeaveNothingSayItAndTakeItBack) {
   };
   auto isSaid = [&] { return mWindow->messages().isVisible() && mWindow->messages().text().contains("leave nothing"); };
   moveTo(1000);
-  EXPECT_TRUE(QTest::qWaitFor(isSaid, 20000));
+  EXPECT_TRUE(QTest::qWaitFor(isSaid, kPatience));
   takeShot(*mWindow, "nothing-left");
   moveTo(0);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return !isSaid(); }, 20000));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !isSaid(); }, kPatience));
   mWindow->document().undo();
-  EXPECT_TRUE(QTest::qWaitFor(isSaid, 20000));
+  EXPECT_TRUE(QTest::qWaitFor(isSaid, kPatience));
 }
 
 TEST_F(Window, LoadCanBeCancelledAndWhatWasOpenStays) {

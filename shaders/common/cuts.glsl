@@ -3,9 +3,9 @@
 #include "shared/cuts.h"
 
 layout(std430, binding = kCutBinding) readonly buffer CutBlock { CutData cuts[]; };
-// What cuts spare: for structures up to the largest that one spares, the row from 1, or 0; a row has a spare for each cut.
-layout(binding = kSpareIndexUnit) uniform usamplerBuffer spareRowTexture;
-layout(binding = kSpareUnit) uniform samplerBuffer spareTexture;
+// What cuts spare. First how many structures follow; for each of these where its spares begin, or 0; then spares, one for
+// each cut, as bits of floats.
+layout(binding = kSpareUnit) uniform usamplerBuffer spareTexture;
 
 layout(std430, binding = kCutGridBinding) readonly buffer CutGridBlock { uint cutGrid[]; };
 
@@ -62,15 +62,15 @@ int cutIn(int i) { return hasFlag(kFlagCutGrid) ? int(cutGrid[i]) : i; }
 
 /// Where a structure's spares begin; -1: no cut spares it.
 int sparesOf(uint structure) {
-  if (!hasFlag(kFlagSpares) || structure >= uint(textureSize(spareRowTexture))) return -1;
-  return (int(texelFetch(spareRowTexture, int(structure)).r) - 1) * kCuts;
+  if (!hasFlag(kFlagSpares) || structure >= texelFetch(spareTexture, 0).r) return -1;
+  return int(texelFetch(spareTexture, 1 + int(structure)).r) - 1;
 }
 
 /// How deep a cut leaves something in its removed side. @param first  sparesOf() its structure
 /// @param u  the random number of an instance; of material 0
 float sparedDepth(int first, int cut, float u) {
   if (!hasFlag(kFlagSpares) || first < 0) return 0.0;
-  vec2 spare = texelFetch(spareTexture, first + cut).rg;
+  vec2 spare = uintBitsToFloat(texelFetch(spareTexture, first + cut).rg);
   return spareDepth(CutSpare(spare.x, spare.y), u);
 }
 float sparedDepth(int first, int cut) { return sparedDepth(first, cut, 0.0); }

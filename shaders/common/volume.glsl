@@ -1,5 +1,7 @@
 // Samples of the volume and of its labels.
+#include "common/cuts.glsl"
 #include "common/frame.glsl"
+#include "shared/structure.h"
 
 // PACKED: see common/packed.glsl.
 #if PACKED != 0
@@ -12,6 +14,7 @@ layout(binding = kVolumeUnit) uniform sampler3D volumeTexture;
 layout(binding = kGradientUnit) uniform sampler3D gradientTexture;  // xyz: direction, w: root of the magnitude
 #endif
 layout(binding = kLabelUnit) uniform usampler3D labelTexture;
+layout(binding = kShareUnit) uniform sampler3D shareTexture;  // r: cover of a voxel, 0..1; g: share that cuts spare, a: that is shown
 // Running sums of the transfer table in fixed point: differences of unsigned sums are exact, however long the sum.
 layout(binding = kTransferUnit) uniform usamplerBuffer transferTexture;  // rgb: colour*sigma, a: sigma
 layout(binding = kExtinctionUnit) uniform usamplerBuffer extinctionTexture;  // sigma alone: r up to the entry, g to the next
@@ -46,11 +49,14 @@ float tableAt(vec3 tex) {
 /// A position among the label voxels, whose corners are at whole numbers.
 vec3 labelVoxelAt(vec3 scenePoint) { return (frame.labelFromScene * vec4(scenePoint, 1.0)).xyz + 0.5; }
 
-/// The label there; 0 outside the grid. A ray enters and leaves exactly on the grid's faces: they belong to it.
+/// True outside the grid. A ray enters and leaves exactly on the grid's faces: they belong to it.
+bool isBeyondLabels(vec3 p) {
+  return any(lessThan(p, vec3(-1e-3))) || any(greaterThan(p, vec3(textureSize(labelTexture, 0)) + 1e-3));
+}
+
+/// The label of the voxel there; 0 outside the grid.
 uint labelIn(vec3 p) {
-  ivec3 size = textureSize(labelTexture, 0);
-  if (any(lessThan(p, vec3(-1e-3))) || any(greaterThan(p, vec3(size) + 1e-3))) return 0u;
-  return texelFetch(labelTexture, clamp(ivec3(p), ivec3(0), size - 1), 0).r;
+  return isBeyondLabels(p) ? 0u : texelFetch(labelTexture, clamp(ivec3(p), ivec3(0), textureSize(labelTexture, 0) - 1), 0).r;
 }
 uint labelAt(vec3 scenePoint) { return labelIn(labelVoxelAt(scenePoint)); }
 
@@ -97,6 +103,75 @@ float gradientFactor(vec3 gradient) {
   return texelFetch(gradientTable, ivec2(int(x), 0), 0).r;
 }
 
+/// Who may own a place.
+const int kAnybody = 0;
+const int kShown = 1;   // structures that are not hidden
+const int kSpared = 2;  // those that cuts spare
+
+#if LABELS != 0
+/// Interpolated shares, see shareTexture. @param p  label voxels
+vec4 sharesIn(vec3 p) { return textureLod(shareTexture, p / vec3(textureSize(labelTexture, 0)), 0.0); }
+
+bool mayOwn(uint label, int who) {
+  if (who == kSpared && sparesOf(label) < 0) return false;
+  if (who == kAnybody || (LABELS == 1 && !hasFlag(kFlagHides))) return true;
+  return label == 0u ? LABELS == 1 && frame.unlabelledOpacity > 0.0 : structureRow(label).a > 0.0;
+}
+
+/// Whose a place is: shared/structure.h. Where nobody who may owns any of it, the voxel's own structure.
+Owner ownerAt(vec3 scenePoint, int who) {
+  vec3 p = labelVoxelAt(scenePoint);
+  ivec3 last = textureSize(labelTexture, 0) - 1;
+  uint nearest = labelIn(p);
+  vec3 q = clamp(p - 0.5, vec3(0.0), vec3(last));
+  ivec3 base = ivec3(q);
+  vec3 f = q - vec3(base);
+  if (isBeyondLabels(p) || (who == kAnybody && sharesIn(p).r > 0.9999)) return Owner(nearest, 1.0);
+  Votes votes = noVotes();
+  for (int corner = 0; corner < 8; ++corner) {
+    ivec3 step3 = ivec3(corner & 1, corner >> 1 & 1, corner >> 2);
+    ivec3 voxel = min(base + step3, last);
+    vec3 w = mix(1.0 - f, f, vec3(step3));
+    uint label = texelFetch(labelTexture, voxel, 0).r;
+    float weight = w.x * w.y * w.z * texelFetch(shareTexture, voxel, 0).r;
+    if (mayOwn(label, who)) votes = addVote(votes, label, weight);
+  }
+  Owner owner = ownerOf(votes);
+  if (owner.id == kNobody) owner = Owner(nearest, 1.0);
+  return owner;
+}
+
+/// Whether shares say what shows: some structures do not.
+bool usesShares() { return LABELS == 2 || hasFlag(kFlagSpares) || hasFlag(kFlagHides); }
+
+/// What part of a place shows: all that is not hidden, or of what is removed what cuts spare. Half of it is the border.
+float shareIn(vec3 p, bool sparedOnly) {
+  vec4 shares = isBeyondLabels(p) ? frame.sharesBeyond : sharesIn(p);
+  return sparedOnly ? shares.g : shares.a;
+}
+float shareAt(vec3 scenePoint, bool sparedOnly) { return shareIn(labelVoxelAt(scenePoint), sparedOnly); }
+
+/// The way out of what shows, scene frame, as long as the share falls over a voxel.
+vec3 shareSlopeAt(vec3 scenePoint, bool sparedOnly) {
+  vec3 p = labelVoxelAt(scenePoint);
+  vec3 rise = vec3(0.0);
+  for (int i = 0; i < 6; ++i) {
+    vec3 axis = vec3(equal(ivec3(i >> 1), ivec3(0, 1, 2))) * ((i & 1) == 0 ? 1.0 : -1.0);
+    vec4 shares = sharesIn(p + axis);
+    rise += 0.5 * (sparedOnly ? shares.g : shares.a) * axis;
+  }
+  vec3 out3 = -(transpose(mat3(frame.labelFromScene)) * rise);
+  float len = length(out3);
+  return len > 0.0 ? out3 * (length(rise) / len) : vec3(0.0);
+}
+
+/// Part of a stretch between two places that shows, by the shares there.
+float shownPart(float a, float b) {
+  float high = max(a, b);
+  return clamp((high - 0.5) / max(high - min(a, b), 1e-6), 0.0, 1.0);
+}
+#endif
+
 #if LABELS == 1
 float rawTexelFrom(vec3 scenePoint) { return rawTexelAt((frame.texFromScene * vec4(scenePoint, 1.0)).xyz); }
 
@@ -129,62 +204,8 @@ vec3 tinted(vec3 albedo, vec3 scenePoint, vec3 outwards, uint structure) {
 #endif
 
 #if LABELS == 2
-// A scene of labels alone: opacity and colour are the structures', weighted over the eight voxels around.
-vec4 labelMaterial(vec3 scenePoint) {
-  vec3 p = (frame.labelFromScene * vec4(scenePoint, 1.0)).xyz;
-  ivec3 size = textureSize(labelTexture, 0);
-  vec3 base = floor(p);
-  vec3 f = p - base;
-  vec4 sum = vec4(0.0);
-  for (int corner = 0; corner < 8; ++corner) {
-    ivec3 step3 = ivec3(corner & 1, corner >> 1 & 1, corner >> 2);
-    ivec3 voxel = ivec3(base) + step3;
-    if (any(lessThan(voxel, ivec3(0))) || any(greaterThanEqual(voxel, size))) continue;
-    uint label = texelFetch(labelTexture, voxel, 0).r;
-    if (label == 0u) continue;
-    vec4 row = structureRow(label);
-    vec3 w = mix(1.0 - f, f, vec3(step3));
-    float weight = w.x * w.y * w.z * row.a;
-    sum += vec4(row.rgb * weight, weight);
-  }
-  return sum;
-}
-
-/// Extinction of structures by their coverage. Half coverage is the surface; a narrow ramp keeps it smooth.
-const float kLeastCoverage = 0.35;
-float coverageExtinction(float coverage) { return smoothstep(kLeastCoverage, 0.65, coverage) * coverage * 6.0 * frame.voxelsPerLength; }
-
-float labelExtinction(vec3 scenePoint) { return coverageExtinction(labelMaterial(scenePoint).a); }
-
-/// Gradient of the coverage, scene frame, of any length: differences of coverage that is smoothed by 1 4 6 4 1 along each
-/// axis, as steps from voxel to voxel would show as terraces. Interpolated between voxels, six of them along an axis count.
-vec3 labelGradientAt(vec3 scenePoint) {
-  vec3 p = (frame.labelFromScene * vec4(scenePoint, 1.0)).xyz;
-  ivec3 size = textureSize(labelTexture, 0);
-  vec3 base = floor(p);
-  vec3 f = p - base;
-  const float kSmooth[7] = float[7](0.0, 1.0, 4.0, 6.0, 4.0, 1.0, 0.0);
-  const float kSlope[7] = float[7](0.0, -1.0, -2.0, 0.0, 2.0, 1.0, 0.0);
-  vec3 sum = vec3(0.0);
-  for (int z = 0; z < 6; ++z) {
-    float smoothZ = mix(kSmooth[z + 1], kSmooth[z], f.z);
-    float slopeZ = mix(kSlope[z + 1], kSlope[z], f.z);
-    for (int y = 0; y < 6; ++y) {
-      float smoothY = mix(kSmooth[y + 1], kSmooth[y], f.y);
-      float slopeY = mix(kSlope[y + 1], kSlope[y], f.y);
-      vec2 along = vec2(0.0);  // the row, smoothed and its slope
-      for (int x = 0; x < 6; ++x) {
-        ivec3 voxel = ivec3(base) + ivec3(x, y, z) - 2;
-        if (any(lessThan(voxel, ivec3(0))) || any(greaterThanEqual(voxel, size))) continue;
-        uint label = texelFetch(labelTexture, voxel, 0).r;
-        float opacity = label == 0u ? 0.0 : structureRow(label).a;
-        along += opacity * vec2(mix(kSmooth[x + 1], kSmooth[x], f.x), mix(kSlope[x + 1], kSlope[x], f.x));
-      }
-      sum += vec3(along.y * smoothY * smoothZ, along.x * slopeY * smoothZ, along.x * smoothY * slopeZ);
-    }
-  }
-  return transpose(mat3(frame.labelFromScene)) * sum;
-}
+/// Extinction of structures in a scene of labels alone. @param opacity  of the structure
+float solidExtinction(float opacity) { return 6.0 * opacity * opacity * frame.voxelsPerLength; }
 #endif
 
 /// Gradient of the data value per, scene frame: differences over two voxels of values that are smoothed across by 1 2 1.

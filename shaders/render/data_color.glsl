@@ -5,9 +5,10 @@
 
 float greyAt(float table) { return clamp(table / float(kTransferSize - 1) * frame.greyScale + frame.greyOffset, 0.0, 1.0); }
 
-uint structureAt(vec3 p) {
+/// @param who  of ownerAt()
+uint structureAt(vec3 p, int who) {
 #if LABELS != 0
-  return labelAt(p);
+  return ownerAt(p, who).id;
 #else
   return 0u;
 #endif
@@ -38,7 +39,7 @@ void addImage(inout Hit hit, float t, vec3 color, float alpha, vec3 normal, uint
 void addFaceData(inout Hit hit, Ray ray, float t, Face face) {
   if (!isOnFace(face) || !showsData(face)) return;
   vec3 p = ray.origin + t * ray.direction;
-  uint structure = structureAt(p);
+  uint structure = structureAt(p, kAnybody);
   vec4 color = dataColor(p, structure);
   addImage(hit, t, color.rgb, color.a * cuts[face.cut].face.x, faceNormalAt(face, p, ray.direction), structure);
 }

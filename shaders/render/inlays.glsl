@@ -8,7 +8,7 @@
 /// The image of an inlay.
 void addInlayAt(inout Hit hit, Ray ray, Mark mark) {
   vec3 p = ray.origin + mark.t * ray.direction;
-  uint structure = structureAt(p);
+  uint structure = structureAt(p, kAnybody);
   if (!inlayShows(p, structure)) return;
   vec3 normal = sheetNormalAt(mark.cut, -1, p, ray.direction);
   addImage(hit, mark.t, dataColor(p, structure).rgb, cuts[mark.cut].inlay.x, normal, structure);

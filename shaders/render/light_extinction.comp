@@ -32,7 +32,8 @@ Place placeAt(vec3 tex) {
   place.structure = 0u;
 #if LABELS == 2
   place.structure = labelAt(place.point);
-  place.extinction = labelExtinction(place.point);
+  float share = shareAt(place.point, false);
+  place.extinction = smoothstep(0.35, 0.65, share) * solidExtinction(place.structure == 0u ? 1.0 : structureRow(place.structure).a);
 #else
   float factor = 1.0;
 #if LABELS == 1

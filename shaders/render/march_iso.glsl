@@ -12,8 +12,11 @@ float shownValueAt(Ray ray, Walk walk, float t, bool sparedOnly) {
   float x = tableAt(texAt(walk, t));
   vec3 p = ray.origin + t * ray.direction;
   float iso = frame.isoValue * float(kTransferSize - 1);
-  if (hasFlag(kFlagSpares) && sparedOnly && x >= iso && !cutsKeep(p, structureAt(p))) return iso - 1.0;
-  return x;
+  bool isMissing = hasFlag(kFlagSpares) && sparedOnly && x >= iso && !cutsKeep(p, structureAt(p, kSpared));
+#if LABELS != 0
+  if (usesShares()) isMissing = isMissing || shareAt(p, sparedOnly) < 0.5;
+#endif
+  return isMissing ? min(x, iso - 1.0) : x;
 }
 
 /// What the surface looks like where the ray meets it; nothing when its structure is not shown.
@@ -23,15 +26,22 @@ void addSurface(inout Hit hit, Ray ray, Walk walk, float t, Face face, bool spar
   vec3 tex = texAt(walk, t);
   uint structure = 0u;
 #if LABELS == 1
-  structure = labelAt(p);
-  bool shown = structure == 0u ? frame.unlabelledOpacity > 0.0 : structureRow(structure).a > 0.0;
-  if (!shown) return;
+  structure = ownerAt(p, sparedOnly ? kSpared : kShown).id;
 #endif
   if (hasFlag(kFlagSpares) && sparedOnly && !cutsKeep(p, structure)) return;
   vec3 gradient = gradientAt(tex);
   float len = length(gradient);
   vec3 normal = len > 0.0 ? -gradient / len : -ray.direction;
   if (dot(normal, ray.direction) > 0.0) normal = -normal;
+#if LABELS == 1
+  if (usesShares()) {
+    // Where what shows ends before the value does the surface is the border's.
+    vec3 slope = shareSlopeAt(p, sparedOnly);
+    float onBorder = smoothstep(0.02, 0.12, length(slope)) * smoothstep(0.7, 0.55, shareAt(p, sparedOnly));
+    float isAlike = smoothstep(0.3, 0.8, dot(normal, normalize(slope + 1e-9)));
+    normal = normalize(mix(normal, normalize(slope + 1e-9), onBorder * (1.0 - isAlike)) + 1e-6);
+  }
+#endif
   if (isOnFace(face)) normal = faceNormalAt(face, p, ray.direction);
   EndFace end = EndFace(kCutFar, -1, false);
   if (hasFlag(kFlagSpareDepths) && sparedOnly) {

@@ -48,8 +48,8 @@ void addValue(inout Hit hit, Ray ray, Walk walk, float t, Span span) {
   float share = 1.0;
   vec3 p = ray.origin + t * ray.direction;
 #if LABELS == 1
-  structure = labelAt(p);
-  shown = shown && (structure == 0u ? frame.unlabelledOpacity > 0.0 : structureRow(structure).a > 0.0);
+  structure = ownerAt(p, span.sparedOnly ? kSpared : kShown).id;
+  if (usesShares()) shown = shown && shareAt(p, span.sparedOnly) >= 0.5;
 #endif
   if (hasFlag(kFlagSpares) && span.sparedOnly) shown = shown && cutsKeep(p, structure);
 #ifdef MEMBRANES
@@ -111,7 +111,7 @@ void finishRay(inout Hit hit, Ray ray, Walk walk) {
   if (hasImages() && gBest <= gBehind.y && gImages.a < kFar) {
     hit.color = vec4(gImages.rgb, 1.0 - gBehind.x);
     hit.distance = gImages.a;
-    hit.structure = structureAt(ray.origin + hit.distance * ray.direction);
+    hit.structure = structureAt(ray.origin + hit.distance * ray.direction, kAnybody);
   }
   hit.color = gSheets + (1.0 - gSheets.a) * hit.color;
 }

@@ -12,7 +12,9 @@ struct Segment {
   float t1;
   float x0;     // values at its ends, table positions
   float x1;
-  float depth;  // optical depth by the transfer function
+  float depth;  // optical depth by the transfer function, of the part that shows
+  float share0;  // shares of what shows at its ends
+  float share1;
 };
 
 /// Whether each sample asks whose it is. Where structures have no say in what is seen, only what is hit is asked in the end.
@@ -24,6 +26,13 @@ bool asksStructures() {
 /// @param faceT  where the face lies that the ray has come through last; < 0: none
 void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, float faceT, vec3 faceNormal, bool sparedOnly) {
   float tm = 0.5 * (segment.t0 + segment.t1);
+#if LABELS != 0
+  if (usesShares()) {
+    // The middle of the part that shows.
+    float missing = 0.5 * (segment.t1 - segment.t0) * (1.0 - shownPart(segment.share0, segment.share1));
+    tm += segment.share1 > segment.share0 ? missing : -missing;
+  }
+#endif
   vec3 p = ray.origin + tm * ray.direction;
   vec3 tex = texAt(walk, tm);
   uint structure = 0u;
@@ -31,7 +40,7 @@ void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, float faceT,
   float alpha = 1.0 - exp(-depth);
   // Whose material it is.
 #if LABELS != 0
-  if (asksStructures() || sparedOnly) structure = labelAt(p);
+  if (asksStructures() || sparedOnly || LABELS == 2) structure = ownerAt(p, sparedOnly ? kSpared : kShown).id;
 #endif
   if (hasFlag(kFlagSpares) && sparedOnly && !cutsKeep(p, structure)) return;
   // Where its surface looks to.
@@ -39,7 +48,7 @@ void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, float faceT,
   vec3 gradient = vec3(0.0);
   float steepness = 1.0;
 #if LABELS == 2
-  if (asksGradient) gradient = labelGradientAt(p);
+  if (asksGradient) gradient = -shareSlopeAt(p, sparedOnly);
 #else
   if (asksGradient) {
     gradient = gradientAt(tex);
@@ -50,10 +59,23 @@ void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, float faceT,
   float len = length(gradient);
   vec3 outwards = len > 0.0 ? -gradient / len : -ray.direction;
   if (dot(outwards, ray.direction) > 0.0) outwards = -outwards;
+#if LABELS == 1
+  if (asksGradient && usesShares()) {
+    // On the border of what shows the surface is the border's, unless the data has one that runs alike: that one is smoother.
+    vec3 slope = shareSlopeAt(p, sparedOnly);
+    float fall = length(slope);
+    float onBorder = smoothstep(0.02, 0.12, fall);
+    vec3 borderNormal = slope / max(fall, 1e-6);
+    float isAlike = steepness * smoothstep(0.3, 0.8, dot(outwards, borderNormal));
+    outwards = normalize(mix(outwards, borderNormal, onBorder * (1.0 - isAlike)) + 1e-6);
+    steepness = max(steepness, onBorder);
+  }
+#endif
   // Of what colour it is.
 #if LABELS == 2
-  vec4 material = labelMaterial(p);
-  vec3 albedo = material.rgb / max(material.a, 1e-6);
+  vec4 material = structureRow(structure);
+  vec3 albedo = material.rgb;
+  depth *= material.a * material.a;
 #else
 #if COLOR
   vec3 albedo = volumeColorAt(tex);
@@ -116,37 +138,50 @@ struct Group {
   float lattice;  // t of its first lattice point
   float from;
   float to;
-  float x[kGroup + 1];  // values, table positions; LABELS 2: coverages in the middle of the segments
+  float x[kGroup + 1];       // values, table positions
+  float shares[kGroup + 1];  // of what shows there
 };
 
 float timeIn(Group group, Walk walk, int i) { return clamp(group.lattice + float(i) * walk.dt, group.from, group.to); }
 
+float shownPartOf(Group group, int i) {
+#if LABELS != 0
+  if (usesShares()) return shownPart(group.shares[i], group.shares[i + 1]);
+#endif
+  return 1.0;
+}
+
 float middleOf(Group group, Walk walk, int i) { return 0.5 * (timeIn(group, walk, i) + timeIn(group, walk, i + 1)); }
 
-Group groupAt(Walk walk, Ray ray, float lattice, float from, float to) {
+Group groupAt(Walk walk, Ray ray, float lattice, float from, float to, bool sparedOnly) {
   Group group;
   group.lattice = lattice;
   group.from = from;
   group.to = to;
-#if LABELS == 2
-  for (int i = 0; i < kGroup; ++i) group.x[i] = labelMaterial(ray.origin + middleOf(group, walk, i) * ray.direction).a;
-#else
+#if LABELS != 2
   for (int i = 0; i <= kGroup; ++i) group.x[i] = tableAt(texAt(walk, timeIn(group, walk, i)));
+#endif
+#if LABELS != 0
+  if (usesShares()) {
+    vec3 first = labelVoxelAt(ray.origin);
+    vec3 perLength = mat3(frame.labelFromScene) * ray.direction;
+    for (int i = 0; i <= kGroup; ++i) group.shares[i] = shareIn(first + timeIn(group, walk, i) * perLength, sparedOnly);
+  }
 #endif
   return group;
 }
 
 /// False when the group holds no material. May err on the other side.
 bool mayShow(Group group) {
+#if LABELS == 2
+  return true;
+#else
   float low = group.x[0];
   float high = group.x[0];
   for (int i = 1; i < kGroup; ++i) {
     low = min(low, group.x[i]);
     high = max(high, group.x[i]);
   }
-#if LABELS == 2
-  return high > kLeastCoverage;
-#else
   low = min(low, group.x[kGroup]);
   high = max(high, group.x[kGroup]);
   return high >= frame.shownFrom && low < frame.shownTo;
@@ -191,15 +226,13 @@ bool isOfOneStructure(Group group, Walk walk, Ray ray) {
   return isOne;
 }
 
-/// Bit i: the i-th segment of a group is of a structure that some cut spares.
-uint sparedIn(Group group, Walk walk, Ray ray) {
+/// Bit i: a part of the i-th segment of a group shows, as far as structures have a say in it.
+uint shownIn(Group group, bool sparedOnly) {
   uint marks = 0u;
 #if LABELS != 0
-  vec3 from = labelVoxelAt(ray.origin);
-  vec3 perLength = mat3(frame.labelFromScene) * ray.direction;
-  for (int i = 0; i < kGroup; ++i) marks |= sparesOf(labelIn(from + middleOf(group, walk, i) * perLength)) >= 0 ? 1u << i : 0u;
+  for (int i = 0; i < kGroup; ++i) marks |= shownPartOf(group, i) > 0.0 ? 1u << i : 0u;
 #else
-  marks = sparesOf(0u) >= 0 ? 255u : 0u;
+  marks = !sparedOnly || sparesOf(0u) >= 0 ? 255u : 0u;
 #endif
   return marks;
 }
@@ -213,8 +246,9 @@ Depths depthsOf(Group group, Walk walk, Ray ray, uint asked, bool sparedOnly) {
 #endif
   for (int i = 0; i < kGroup; ++i) {
     float span = timeIn(group, walk, i + 1) - timeIn(group, walk, i);
+    span *= shownPartOf(group, i);
 #if LABELS == 2
-    depths.of[i] = coverageExtinction(group.x[i]) * span;
+    depths.of[i] = solidExtinction(1.0) * span;
 #else
     TableEnd after = tableEndAt(group.x[i + 1]);
     depths.of[i] = extinctionBetween(before, after) * span;
@@ -228,7 +262,7 @@ Depths depthsOf(Group group, Walk walk, Ray ray, uint asked, bool sparedOnly) {
   depths.isThin = depths.nearHalf + depths.farHalf < kThin;
   depths.isNearThin = depths.nearHalf < 2.0 * kThin;
   depths.isFarThin = depths.farHalf < 2.0 * kThin;
-  bool isJoined = LABELS == 0 || (LABELS == 1 && !sparedOnly);
+  bool isJoined = LABELS == 0 || (LABELS == 1 && !sparedOnly && !hasFlag(kFlagHides));
   if (asksStructures() && isJoined && depths.marks != 0u && (depths.isNearThin || depths.isFarThin))
     isJoined = isOfOneStructure(group, walk, ray);
   depths.isThin = isJoined && depths.isThin;
@@ -249,9 +283,21 @@ Segment segmentAt(Group group, Walk walk, Depths depths, int n) {
   depth = isHalf ? n < 4 ? depths.nearHalf : depths.farHalf : depth;
   depth = depths.isThin ? depths.nearHalf + depths.farHalf : depth;
   int m = n + count - 1;
-  float x0 = oneOf(group.x[0], group.x[1], group.x[2], group.x[3], group.x[4], group.x[5], group.x[6], group.x[7], n);
-  float x1 = oneOf(group.x[1], group.x[2], group.x[3], group.x[4], group.x[5], group.x[6], group.x[7], group.x[8], m);
-  return Segment(timeIn(group, walk, n), timeIn(group, walk, m + 1), x0, x1, depth);
+  float x0 = 0.0;
+  float x1 = 0.0;
+#if LABELS != 2
+  x0 = oneOf(group.x[0], group.x[1], group.x[2], group.x[3], group.x[4], group.x[5], group.x[6], group.x[7], n);
+  x1 = oneOf(group.x[1], group.x[2], group.x[3], group.x[4], group.x[5], group.x[6], group.x[7], group.x[8], m);
+#endif
+  float s0 = 1.0;
+  float s1 = 1.0;
+#if LABELS != 0
+  if (usesShares()) {
+    s0 = oneOf(group.shares[0], group.shares[1], group.shares[2], group.shares[3], group.shares[4], group.shares[5], group.shares[6], group.shares[7], n);
+    s1 = oneOf(group.shares[1], group.shares[2], group.shares[3], group.shares[4], group.shares[5], group.shares[6], group.shares[7], group.shares[8], m);
+  }
+#endif
+  return Segment(timeIn(group, walk, n), timeIn(group, walk, m + 1), x0, x1, depth, s0, s1);
 }
 
 /// Composites a stretch that is removed and one behind it that is kept, front to back; either may be empty. Rays of a SIMD group go in step, and a software driver runs both sides of
@@ -284,9 +330,9 @@ void marchBoth(inout Hit hit, Ray ray, Walk walk, float a, float keptFrom, float
       sparedOnly = hasFlag(kFlagSpares) && t < keptFrom;
       if (hasFlag(kFlagSkipEmpty)) t = leapEmpty(walk, t, sparedOnly ? keptFrom : b, groupLength, perGroup, sparedOnly);
       sparedOnly = hasFlag(kFlagSpares) && t < keptFrom;
-      group = groupAt(walk, ray, walk.first + floor((t - walk.first) * perGroup + 1e-4) * groupLength, t, sparedOnly ? keptFrom : b);
+      group = groupAt(walk, ray, walk.first + floor((t - walk.first) * perGroup + 1e-4) * groupLength, t, sparedOnly ? keptFrom : b, sparedOnly);
       asked = mayShow(group) ? 255u : 0u;
-      if (sparedOnly) asked &= sparedIn(group, walk, ray);
+      if (sparedOnly || (LABELS != 0 && usesShares())) asked &= shownIn(group, sparedOnly);
       found = asked != 0u;
       end = max(timeIn(group, walk, kGroup), afterAll(t));
       t = found ? t : end;
@@ -311,7 +357,7 @@ void marchStretch(inout Hit hit, Ray ray, Walk walk, Span span) {
 /// Whose it is that was hit.
 void finishRay(inout Hit hit, Ray ray, Walk walk) {
 #if LABELS != 0
-  if (!asksStructures() && hit.distance < kFar) hit.structure = labelAt(ray.origin + hit.distance * ray.direction);
+  if (!asksStructures() && hit.distance < kFar) hit.structure = ownerAt(ray.origin + hit.distance * ray.direction, kShown).id;
 #endif
 }
 

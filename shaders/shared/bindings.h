@@ -27,6 +27,7 @@ SHARED_CONST uint kGradientUnit = 10u;
 SHARED_CONST uint kSheetUnit = 11u;  // the rows of all sheets
 SHARED_CONST uint kSurfaceIdUnit = 12u;
 SHARED_CONST uint kStructureUnit = 13u;
+SHARED_CONST uint kShareUnit = 39u;
 
 // Those of the finish.
 SHARED_CONST uint kSampleUnit = 14u;     // what kSampleImage holds
@@ -36,9 +37,7 @@ SHARED_CONST uint kPaperUnit = 17u;
 SHARED_CONST uint kStrokeUnit = 18u;    // directions and phases of strokes, a texel a cell
 SHARED_CONST uint kOwnPaperUnit = 19u;  // the user's picture of paper
 
-// What cuts spare.
-SHARED_CONST uint kSpareIndexUnit = 20u;
-SHARED_CONST uint kSpareUnit = 21u;
+SHARED_CONST uint kSpareUnit = 20u;  // what cuts spare
 
 // Instances: what is the same for all views of a model, as texels, which software drivers fetch faster than blocks.
 SHARED_CONST uint kInstanceUnit = 22u;  // InstanceRow: two texels each
@@ -54,7 +53,7 @@ SHARED_CONST uint kDrawUnit = 28u;      // DrawRow
 SHARED_CONST uint kPyramidUnit = 29u;   // farthest depths
 SHARED_CONST uint kDepthUnit = 30u;     // bits of the nearest depth of each pixel
 SHARED_CONST uint kShadowUnit = 31u;    // the same as the light sees it
-SHARED_CONST uint kOpenUnit = 21u;      // openness and light of pixels; what cuts spare of structures is bound again after it
+SHARED_CONST uint kOpenUnit = 21u;      // openness and light of pixels
 
 // What a cut keeps in view: its mask and the seeds of distances in it; and what of the picture is looked through.
 SHARED_CONST uint kMaskUnit = 32u;

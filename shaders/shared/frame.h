@@ -42,7 +42,8 @@ SHARED_CONST uint kFlagStructureLooks = 4194304u;  // structures say what their 
 SHARED_CONST uint kFlagFaces = 8388608u;  // some cut shows the data on its face
 SHARED_CONST uint kFlagNoData = 16777216u;  // neither a volume nor labels are drawn
 SHARED_CONST uint kFlagValueColors = 33554432u;  // the largest value shows in its colour of the transfer function
-SHARED_CONST uint kFlagLast = kFlagValueColors;
+SHARED_CONST uint kFlagHides = 67108864u;  // some structure, or what has no label, is hidden
+SHARED_CONST uint kFlagLast = kFlagHides;
 
 /// Scene-local frame: world minus an origin near the scene, so that floats are enough anywhere. Lengths are in scene
 /// units. "Table" positions 0..1 run over the transfer table's domain of data values. Members lie in groups of 16
@@ -51,6 +52,7 @@ struct FrameParams {
   mat4 texFromScene;    ///< volume texture coordinates 0..1
   mat4 sceneFromTex;    ///< the way back
   mat4 labelFromScene;  ///< label voxel indices
+  vec4 sharesBeyond;    ///< what shareTexture would hold beyond the labels' grid
   mat4 clipFromScene;   ///< for what is rasterised; same rays
   vec4 eye;             ///< perspective: the eye; orthographic: middle of the picture plane
   vec4 right;           ///< from the middle of the picture to its right edge, at distance 1 (orthographic: a length)

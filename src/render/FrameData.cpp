@@ -85,6 +85,17 @@ void writePlanes(const std::vector<shared::CutData>& cuts, shared::FrameParams& 
 
 }  // namespace
 
+namespace {
+
+/// Shares of what has no label, see shareTexture.
+glm::vec4 sharesBeyond(const FrameData& data) {
+  bool isShown = data.labelUse == LabelUse::OverVolume && data.frame.scene.labels.unlabelled > 0.0;
+  bool isSpared = isShown && !data.spares.rowOf.empty() && data.spares.rowOf[0] != 0;
+  return {1.0f, isSpared ? 1.0f : 0.0f, 0.0f, isShown ? 1.0f : 0.0f};
+}
+
+}  // namespace
+
 void completeFrameData(FrameData& data) {
   data.unit = diameterOf(data.grid);
   scene::scaleLengths(data.frame.scene, 1.0 / data.unit);
@@ -117,6 +128,8 @@ void completeFrameData(FrameData& data) {
   if (needsSamples(scene.finish)) data.params.flags |= shared::kFlagFinish;
   if (data.cuts.size() >= kFewCuts) data.params.flags |= shared::kFlagCutGrid;
   if (!data.spares.isEmpty()) data.params.flags |= shared::kFlagSpares;
+  if (data.hidesStructures && data.labelUse == LabelUse::OverVolume) data.params.flags |= shared::kFlagHides;
+  data.params.sharesBeyond = sharesBeyond(data);
   if (data.frame.marksOverlaps && data.spares.hasDepths) data.params.flags |= shared::kFlagOverlaps;
   if (data.spares.hasDepths) data.params.flags |= shared::kFlagSpareDepths;
 }
@@ -169,10 +182,8 @@ void FrameInputs::write(const FrameData& data) {
   writeCuts(data);
   mStructures = bufferOf("structures", data.structures);
   mStructureTexels = gpu::Texture::makeOfBuffer("structures", gpu::Format::Rgba32f, mStructures);
-  mSpareIndex = bufferOf("index of spares", data.spares.rowOf);
-  mSpareIndexTexels = gpu::Texture::makeOfBuffer("index of spares", gpu::Format::R32ui, mSpareIndex);
-  mSpares = bufferOf("spares", data.spares.rows);
-  mSpareTexels = gpu::Texture::makeOfBuffer("spares", gpu::Format::Rg32f, mSpares);
+  mSpares = bufferOf("spares", spareTexels(data.spares));
+  mSpareTexels = gpu::Texture::makeOfBuffer("spares", gpu::Format::Rg32ui, mSpares);
   writeParams(data, 0);
 }
 
@@ -207,7 +218,6 @@ void FrameInputs::bind() const {
   mCutTexels.bindSampler(shared::kCutUnit);
   mCutGrid.bindStorage(shared::kCutGridBinding);
   mStructureTexels.bindSampler(shared::kStructureUnit);
-  mSpareIndexTexels.bindSampler(shared::kSpareIndexUnit);
   mSpareTexels.bindSampler(shared::kSpareUnit);
 }
 

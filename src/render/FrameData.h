@@ -59,6 +59,7 @@ struct FrameData {
   LabelKey labelKey;                       ///< id 0 where no labels are drawn.
   const LabelCells* labelCells = nullptr;  ///< nullptr where no labels are drawn.
   std::uint64_t labelCellsRevision = 0;    ///< Of the sets in them, see LabelUpload::cellsRevision().
+  bool hidesStructures = false;            ///< some, or what has no label
   FrameGrid grid;
   SheetPlans sheetPlans;
   SheetSources sheetSources;
@@ -92,12 +93,11 @@ class FrameInputs {
   gpu::UniformBuffer<shared::FrameParams> mParams;
   void writeCuts(const FrameData& data);
 
-  gpu::Buffer mTransfer, mExtinction, mCuts, mCutGrid, mStructures, mSpareIndex, mSpares;
+  gpu::Buffer mTransfer, mExtinction, mCuts, mCutGrid, mStructures, mSpares;
   std::vector<shared::CutData> mGridCuts;  ///< What mCutGrid was made of,
   glm::mat4 mGridBox{0.0f};
   bool mGridHasSpares = false;
-  gpu::Texture mCutTexels, mGradientFactors, mNoise, mTransferTexels, mExtinctionTexels, mStructureTexels,
-      mSpareIndexTexels, mSpareTexels;
+  gpu::Texture mCutTexels, mGradientFactors, mNoise, mTransferTexels, mExtinctionTexels, mStructureTexels, mSpareTexels;
 };
 
 }  // namespace velum::render

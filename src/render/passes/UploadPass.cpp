@@ -61,6 +61,8 @@ void UploadPass::startWhole(const scene::VolumeLayer& layer, const VolumeKey& ke
 
 void UploadPass::prepare(FrameData& data) {
   mMsBefore = mMs;
+  LabelUse labels = labelUseOf(data.frame.scene);
+  if (labels != LabelUse::None) mShares.begin(data.frame.scene, labels == LabelUse::Alone);
   const auto& layer = data.frame.scene.volume;
   VolumeKey key = volumeKeyOf(layer);
   if (key.id == 0 || (mWhole && mWhole->key == key)) return;
@@ -73,6 +75,7 @@ void UploadPass::prepare(FrameData& data) {
 }
 
 void UploadPass::addSteps(const FrameData& data, int, WorkQueue& queue) {
+  if (labelUseOf(data.frame.scene) != LabelUse::None) queue.addUntilDone(*this, [this] { return mShares.step(); });
   VolumeKey key = volumeKeyOf(data.frame.scene.volume);
   if (key.id == 0 || (mWhole && mWhole->key == key)) return;
   if (!data.frame.isPreview) {
@@ -107,6 +110,7 @@ void UploadPass::complete(FrameData& data) {
     mLabelBytes = mLabels.bytesSent();
     data.labelCells = &mLabels.cells();
     data.labelCellsRevision = mLabels.cellsRevision();
+    data.hidesStructures = mShares.hidesAny();
   }
   mSheets.prepare(data.frame);
   data.sheetPlans = mSheets.plans();
@@ -116,6 +120,8 @@ void UploadPass::complete(FrameData& data) {
   mNoVolume.clear();
   mNoLabels = gpu::Texture::make3d("no labels", gpu::Format::R8ui, glm::ivec3(1));
   mNoLabels.clear();
+  mNoShares = gpu::Texture::make3d("no shares", gpu::Format::Rgba8, glm::ivec3(1));
+  mNoShares.clear();
   mNoCells = gpu::Buffer("no cells", 16);
   mNoCells.clear();
 }
@@ -127,6 +133,7 @@ void UploadPass::bind(const FrameData& data) const {
   if (volume && volume->gradient) volume->gradient.bindSampler(shared::kGradientUnit);
   (volume ? volume->cellRange : mNoCells).bindStorage(shared::kCellBinding);
   (hasLabels ? mLabels.texture() : mNoLabels).bindSampler(shared::kLabelUnit);
+  (hasLabels ? mShares.texture() : mNoShares).bindSampler(shared::kShareUnit);
   mSheets.bind();
 }
 

@@ -6,6 +6,7 @@
 #include "Pass.h"
 #include "upload/CutSheets.h"
 #include "upload/LabelUpload.h"
+#include "upload/ShareUpload.h"
 #include "upload/VolumeUpload.h"
 #include "velum/gpu/Context.h"
 
@@ -15,7 +16,7 @@ namespace velum::render {
 /// Its key of a volume is VolumeKey; labels and sheets know theirs.
 class UploadPass : public Pass {
  public:
-  explicit UploadPass(const gpu::Limits& limits) : Pass("Upload"), mLimits(limits), mLabels(limits) {}
+  explicit UploadPass(const gpu::Limits& limits) : Pass("Upload"), mLimits(limits), mLabels(limits), mShares(limits) {}
 
   void prepare(FrameData& data) override;
   void addSteps(const FrameData& data, int sample, WorkQueue& queue) override;
@@ -43,9 +44,10 @@ class UploadPass : public Pass {
   std::unique_ptr<VolumeUpload> mUpload;
   VolumeKey mUploadKey;
   LabelUpload mLabels;
+  ShareUpload mShares;
   std::size_t mLabelBytes = 0;
   CutSheets mSheets;
-  gpu::Texture mNoVolume, mNoLabels;
+  gpu::Texture mNoVolume, mNoLabels, mNoShares;
   gpu::Buffer mNoCells;
   double mMs = 0, mMsBefore = 0;
 };

@@ -1,6 +1,7 @@
 #include "SpareTable.h"
 
 #include <algorithm>
+#include <bit>
 
 #include "velum/core/Assert.h"
 
@@ -46,6 +47,16 @@ SpareTable makeSpareTable(const scene::Scene& scene) {
     ++place;
   }
   return table;
+}
+
+std::vector<glm::uvec2> spareTexels(const SpareTable& table) {
+  std::vector<glm::uvec2> texels{{std::uint32_t(table.rowOf.size()), 0}};
+  auto first = std::uint32_t(1 + table.rowOf.size());
+  for (std::uint32_t row : table.rowOf)
+    texels.emplace_back(row == 0 ? 0 : first + (row - 1) * std::uint32_t(table.cuts) + 1, 0);
+  for (const shared::CutSpare& spare : table.rows)
+    texels.emplace_back(std::bit_cast<std::uint32_t>(spare.distance), std::bit_cast<std::uint32_t>(spare.share));
+  return texels;
 }
 
 }  // namespace velum::render

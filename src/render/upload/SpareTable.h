@@ -29,4 +29,8 @@ struct SpareTable {
 
 SpareTable makeSpareTable(const scene::Scene& scene);
 
+/// The table as shaders read it (spareTexture of common/cuts.glsl): how many structures it knows, for each of these the
+/// place after which its spares begin, or 0, then all spares as bits of floats.
+std::vector<glm::uvec2> spareTexels(const SpareTable& table);
+
 }  // namespace velum::render

@@ -1,0 +1,189 @@
+#include "ShareUpload.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "velum/core/Parallel.h"
+#include "velum/gpu/GpuError.h"
+#include "velum/scene/StructureBorders.h"
+
+namespace velum::render {
+
+namespace {
+
+constexpr int kSize = LabelVolume::kBrickSize, kWide = kSize + 2;
+constexpr std::size_t kPerStep = 64;  ///< bricks: some 20 ms on two cores
+
+glm::ivec3 placeOf(std::size_t index, glm::ivec3 grid) {
+  auto x = std::size_t(grid.x), y = std::size_t(grid.y);
+  return {int(index % x), int(index / x % y), int(index / (x * y))};
+}
+
+std::size_t countOf(glm::ivec3 v) { return std::size_t(v.x) * std::size_t(v.y) * std::size_t(v.z); }
+
+std::size_t inBrick(glm::ivec3 at) {
+  return (std::size_t(at.z) * kSize + std::size_t(at.y)) * kSize + std::size_t(at.x);
+}
+
+/// Shares of the voxels of a brick in a set of structures, 0..255.
+class BrickShares {
+ public:
+  /// @param ids  of the brick with a voxel around it
+  BrickShares(const LabelCover& labels, const StructureSets& sets, glm::ivec3 index, const LabelCover::Brick& cover,
+              std::vector<std::uint16_t> ids)
+      : mLabels(labels), mSets(sets), mIndex(index), mCover(cover), mIds(std::move(ids)) {}
+
+  /// @param stride  bytes from voxel to voxel
+  void write(std::uint8_t bit, glm::ivec3 size, std::uint8_t* out, std::size_t stride) {
+    LabelCover::Brick ofSet;
+    for (int z = 0; z < size.z; ++z)
+      for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x, out += stride) {
+          glm::ivec3 at(x, y, z);
+          Around around = look(at, bit);
+          if (around.isMixed && ofSet.empty())
+            ofSet = mLabels.brickOfSet(mIndex, [&](std::uint16_t id) { return (mSets.bits(id) & bit) != 0; });
+          int cover = around.isMixed ? valueIn(ofSet, at) : valueIn(mCover, at);
+          bool isIn = isInSet(at, bit);
+          int share = isIn ? 128 + cover / 2 : 127 - cover / 2;
+          *out = std::uint8_t(!around.hasBorder ? (isIn ? 255 : 0) : share);
+        }
+  }
+
+ private:
+  struct Around {
+    bool hasBorder = false;  ///< of the set
+    bool isMixed = false;    ///< and one that is none of the set's
+  };
+  static int valueIn(const LabelCover::Brick& brick, glm::ivec3 at) {
+    return brick.size() == 1 ? brick[0] : brick[inBrick(at)];
+  }
+  std::uint16_t id(glm::ivec3 at) const {
+    return mIds[(std::size_t(at.z + 1) * kWide + std::size_t(at.y + 1)) * kWide + std::size_t(at.x + 1)];
+  }
+  bool isInSet(glm::ivec3 at, std::uint8_t bit) const { return (mSets.bits(id(at)) & bit) != 0; }
+  Around look(glm::ivec3 at, std::uint8_t bit) const {
+    Around around;
+    if (valueIn(mCover, at) == 255 && mCover.size() == 1) return around;
+    bool isIn = isInSet(at, bit), hasInner = false;
+    for (int n = 0; n < 27; ++n) {
+      glm::ivec3 there = at + glm::ivec3(n % 3, n / 3 % 3, n / 9) - 1;
+      if (id(there) == id(at)) continue;
+      (isInSet(there, bit) == isIn ? hasInner : around.hasBorder) = true;
+    }
+    around.isMixed = around.hasBorder && hasInner;
+    return around;
+  }
+
+  const LabelCover& mLabels;
+  const StructureSets& mSets;
+  glm::ivec3 mIndex;
+  const LabelCover::Brick& mCover;
+  std::vector<std::uint16_t> mIds;
+};
+
+}  // namespace
+
+void ShareUpload::allocate(glm::ivec3 dims) {
+  mTexture = gpu::Texture();
+  gpu::Format format = mHides ? gpu::Format::Rgba8 : gpu::Format::Rg8;
+  if (std::max({dims.x, dims.y, dims.z}) > mLimits.texture3d ||
+      double(countOf(dims)) * double(gpu::texelBytes(format) + 2) > 0.7 * double(mLimits.memoryBytes))
+    throw gpu::GpuError(fmt::format(
+        "the labels ({} x {} x {}) are larger than the driver's 3D textures ({}) or memory; crop or reduce them",
+        dims.x, dims.y, dims.z, mLimits.texture3d));
+  mTexture = gpu::Texture::make3d("structure shares", format, dims, gpu::Filter::Linear);
+}
+
+void ShareUpload::markAll(Stale what) {
+  for (Stale& stale : mStale) stale = std::max(stale, what);
+  mNext = 0;
+}
+
+/// Bricks that are not those of before, and those around them.
+void ShareUpload::markChanged(const LabelVolume& labels) {
+  glm::ivec3 grid = labels.brickGrid();
+  for (std::size_t i = 0; i < mBrickIds.size(); ++i) {
+    glm::ivec3 at = placeOf(i, grid);
+    std::uint64_t id = labels.brickId(at);
+    if (mBrickIds[i] == id) continue;
+    mBrickIds[i] = id;
+    glm::ivec3 low = glm::max(at - 1, glm::ivec3(0)), high = glm::min(at + 1, grid - 1);
+    for (int z = low.z; z <= high.z; ++z)
+      for (int y = low.y; y <= high.y; ++y)
+        for (int x = low.x; x <= high.x; ++x)
+          mStale[(std::size_t(z) * std::size_t(grid.y) + std::size_t(y)) * std::size_t(grid.x) + std::size_t(x)] =
+              Stale::Cover;
+    mNext = 0;
+  }
+}
+
+void ShareUpload::begin(const scene::Scene& scene, bool isAlone) {
+  const scene::LabelLayer& layer = scene.labels;
+  StructureSets sets = makeStructureSets(scene, isAlone);
+  mHides = sets.hidesAny();
+  gpu::Format format = mHides ? gpu::Format::Rgba8 : gpu::Format::Rg8;
+  if (!mTexture || mTexture.size() != layer.data->dims()) {
+    allocate(layer.data->dims());
+    std::size_t count = countOf(layer.data->brickGrid());
+    mBrickIds.assign(count, 0);  // no brick has this id
+    mCovers.assign(count, {255});
+    mStale.assign(count, Stale::Cover);
+    mLabels = {};
+  } else if (mTexture.format() != format) {
+    allocate(layer.data->dims());
+    markAll(Stale::Shares);
+  }
+  if (mVolume != scene.volume.data || mGrown != layer.grown || mTimeStep != scene.volume.timeStep) {
+    mVolume = scene.volume.data;
+    mGrown = layer.grown;
+    mTimeStep = scene.volume.timeStep;
+    std::vector<ValueBorder> borders = scene::valueBordersOf(scene);
+    if (borders != mBorders) markAll(Stale::Cover);
+    mBorders = std::move(borders);
+  }
+  if (sets != mSets) markAll(Stale::Shares);
+  mSets = std::move(sets);
+  if (mLabels != layer.data) markChanged(*layer.data);
+  mLabels = layer.data;
+}
+
+/// A brick's texels, as many as lie in the grid, x fastest.
+void ShareUpload::writeTexels(const LabelCover& labels, glm::ivec3 index, const LabelCover::Brick& cover,
+                              std::vector<std::uint8_t>& texels) const {
+  glm::ivec3 corner = index * kSize, size = glm::min(mLabels->dims() - corner, glm::ivec3(kSize));
+  std::size_t bytes = gpu::texelBytes(mTexture.format()), i = 0;
+  texels.resize(countOf(size) * bytes);
+  for (int z = 0; z < size.z; ++z)
+    for (int y = 0; y < size.y; ++y)
+      for (int x = 0; x < size.x; ++x, i += bytes) {
+        texels[i] = cover.size() == 1 ? cover[0] : cover[inBrick({x, y, z})];
+        if (bytes == 4) texels[i + 2] = 0;
+      }
+  BrickShares shares(labels, mSets, index, cover, readAround(*mLabels, corner - 1, glm::ivec3(kWide)));
+  shares.write(StructureSets::kSpared, size, &texels[1], bytes);
+  if (bytes == 4) shares.write(StructureSets::kShown, size, &texels[3], bytes);
+}
+
+bool ShareUpload::step() {
+  glm::ivec3 grid = mLabels->brickGrid();
+  std::vector<std::size_t> now;
+  for (; mNext < mStale.size() && now.size() < kPerStep; ++mNext)
+    if (mStale[mNext] != Stale::No) now.push_back(mNext);
+  LabelCover cover(mLabels, mBorders);
+  std::vector<std::vector<std::uint8_t>> texels(now.size());
+  parallelFor(std::size_t(0), now.size(), [&](std::size_t i) {
+    glm::ivec3 at = placeOf(now[i], grid);
+    if (mStale[now[i]] == Stale::Cover) mCovers[now[i]] = cover.brick(at);
+    writeTexels(cover, at, mCovers[now[i]], texels[i]);
+  });
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    glm::ivec3 corner = placeOf(now[i], grid) * kSize;
+    mTexture.write(corner, glm::min(mLabels->dims() - corner, glm::ivec3(kSize)), texels[i].data());
+    mStale[now[i]] = Stale::No;
+  }
+  return mNext == mStale.size();
+}
+
+}  // namespace velum::render

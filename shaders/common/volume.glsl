@@ -108,6 +108,9 @@ const int kAnybody = 0;
 const int kShown = 1;   // structures that are not hidden
 const int kSpared = 2;  // those that cuts spare
 
+/// Whether shares say what shows: some structures do not.
+bool usesShares() { return LABELS == 2 || (LABELS == 1 && (hasFlag(kFlagSpares) || hasFlag(kFlagHides))); }
+
 #if LABELS != 0
 /// Interpolated shares, see shareTexture. @param p  label voxels
 vec4 sharesIn(vec3 p) { return textureLod(shareTexture, p / vec3(textureSize(labelTexture, 0)), 0.0); }
@@ -140,9 +143,6 @@ Owner ownerAt(vec3 scenePoint, int who) {
   if (owner.id == kNobody) owner = Owner(nearest, 1.0);
   return owner;
 }
-
-/// Whether shares say what shows: some structures do not.
-bool usesShares() { return LABELS == 2 || hasFlag(kFlagSpares) || hasFlag(kFlagHides); }
 
 /// What part of a place shows: all that is not hidden, or of what is removed what cuts spare. Half of it is the border.
 float shareIn(vec3 p, bool sparedOnly) {

@@ -332,7 +332,7 @@ void marchBoth(inout Hit hit, Ray ray, Walk walk, float a, float keptFrom, float
       sparedOnly = hasFlag(kFlagSpares) && t < keptFrom;
       group = groupAt(walk, ray, walk.first + floor((t - walk.first) * perGroup + 1e-4) * groupLength, t, sparedOnly ? keptFrom : b, sparedOnly);
       asked = mayShow(group) ? 255u : 0u;
-      if (sparedOnly || (LABELS != 0 && usesShares())) asked &= shownIn(group, sparedOnly);
+      if (sparedOnly || usesShares()) asked &= shownIn(group, sparedOnly);
       found = asked != 0u;
       end = max(timeIn(group, walk, kGroup), afterAll(t));
       t = found ? t : end;

@@ -15,6 +15,9 @@ constexpr float kSharpen = 2.5f;
 std::size_t inWide(glm::ivec3 at) {
   return (std::size_t(at.z) * kWide + std::size_t(at.y)) * kWide + std::size_t(at.x);
 }
+std::size_t indexIn(glm::ivec3 grid, glm::ivec3 at) {
+  return (std::size_t(at.z) * std::size_t(grid.y) + std::size_t(at.y)) * std::size_t(grid.x) + std::size_t(at.x);
+}
 std::size_t inBrick(glm::ivec3 at) {
   return (std::size_t(at.z) * kSize + std::size_t(at.y)) * kSize + std::size_t(at.x);
 }
@@ -271,21 +274,52 @@ LabelCover::Brick LabelCover::brickOfSet(glm::ivec3 index, const std::function<b
   return BrickWork(*mLabels, corner, std::move(ids), [](std::uint16_t) { return nullptr; }).run();
 }
 
-float StructureField::coverAt(glm::ivec3 voxel) {
-  glm::ivec3 index = voxel / kSize, grid = mCover.labels()->brickGrid();
-  std::size_t key =
-      (std::size_t(index.z) * std::size_t(grid.y) + std::size_t(index.y)) * std::size_t(grid.x) + std::size_t(index.x);
-  auto found = mBricks.find(key);
-  if (found == mBricks.end()) found = mBricks.emplace(key, mCover.brick(index)).first;
-  const LabelCover::Brick& brick = found->second;
-  return float(brick.size() == 1 ? brick[0] : brick[inBrick(voxel % kSize)]) * (1.0f / 255.0f);
+StructureField::StructureField(LabelCover cover, const StructureField* before) : mCover(std::move(cover)) {
+  const LabelVolume& labels = *mCover.labels();
+  glm::ivec3 grid = labels.brickGrid();
+  mEntries.resize(std::size_t(grid.x) * std::size_t(grid.y) * std::size_t(grid.z));
+  std::vector<bool> changed(mEntries.size(), true);
+  if (before && before->mCover.borders() == mCover.borders()) changed = changedCovers(*before->mCover.labels(), labels);
+  for (std::size_t i = 0; i < mEntries.size(); ++i)
+    mEntries[i] = changed[i] ? std::make_shared<Entry>() : before->mEntries[i];
 }
 
-StructurePlace StructureField::at(glm::dvec3 voxel) {
+const LabelCover::Brick& StructureField::brick(glm::ivec3 index) const {
+  Entry& entry = *mEntries[indexIn(mCover.labels()->brickGrid(), index)];
+  std::call_once(entry.isMade, [&] { entry.cover = mCover.brick(index); });
+  return entry.cover;
+}
+
+float StructureField::coverAt(glm::ivec3 voxel) const {
+  const LabelCover::Brick& cover = brick(voxel / kSize);
+  return float(cover.size() == 1 ? cover[0] : cover[inBrick(voxel % kSize)]) * (1.0f / 255.0f);
+}
+
+std::vector<bool> changedCovers(const LabelVolume& before, const LabelVolume& now) {
+  glm::ivec3 grid = now.brickGrid(), at;
+  bool isSame = before.dims() == now.dims();
+  std::vector<bool> changed(std::size_t(grid.x) * std::size_t(grid.y) * std::size_t(grid.z), !isSame);
+  if (!isSame) return changed;
+  for (at.z = 0; at.z < grid.z; ++at.z)
+    for (at.y = 0; at.y < grid.y; ++at.y)
+      for (at.x = 0; at.x < grid.x; ++at.x) {
+        if (before.brickId(at) == now.brickId(at)) continue;
+        glm::ivec3 low = glm::max(at - 1, glm::ivec3(0)), high = glm::min(at + 1, grid - 1);
+        for (int z = low.z; z <= high.z; ++z)
+          for (int y = low.y; y <= high.y; ++y)
+            for (int x = low.x; x <= high.x; ++x) changed[indexIn(grid, {x, y, z})] = true;
+      }
+  return changed;
+}
+
+StructurePlace StructureField::at(glm::dvec3 voxel) const {
   const LabelVolume& labels = *mCover.labels();
   glm::dvec3 last = glm::dvec3(labels.dims()) - 1.0;
   if (glm::any(glm::lessThan(voxel, glm::dvec3(-0.5))) || glm::any(glm::greaterThan(voxel, last + 0.5))) return {};
   voxel = glm::clamp(voxel, glm::dvec3(0.0), last);
+  // A voxel that is wholly inside has none of another structure around it, nor have the eight around the place.
+  glm::ivec3 nearest(glm::floor(voxel + 0.5));
+  if (coverAt(nearest) == 1.0f) return {labels.at(nearest), 1.0f};
   glm::ivec3 base = glm::min(glm::ivec3(voxel), glm::max(labels.dims() - 2, glm::ivec3(0)));
   glm::vec3 f(voxel - glm::dvec3(base));
   shared::Votes votes = shared::noVotes();

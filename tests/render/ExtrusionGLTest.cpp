@@ -6,6 +6,7 @@
 
 #include "NaiveCuts.h"
 #include "RenderFixture.h"
+#include "velum/scene/StructureAt.h"
 
 namespace velum {
 namespace {
@@ -40,8 +41,10 @@ class ExtrusionGL : public RenderTest {
     plane.joined = joined;
     scene::addCut(mScene, plane);
   }
+  /// Beyond the grid that of its outermost voxel.
   int structureAt(glm::dvec3 world) const {
-    return mScene.labels.data->at(glm::clamp(glm::ivec3(glm::floor(voxelAt(world) + 0.5)), glm::ivec3(0), kDims - 1));
+    glm::dvec3 voxel = glm::clamp(voxelAt(world), glm::dvec3(0.0), glm::dvec3(kDims) - 1.0);
+    return scene::structureAt(mScene, glm::dvec3(mScene.volume.data->worldFromVoxel * glm::dvec4(voxel, 1.0))).id;
   }
   glm::dvec3 voxelAt(glm::dvec3 world) const {
     return glm::dvec3(glm::inverse(mScene.volume.data->worldFromVoxel) * glm::dvec4(world, 1.0));

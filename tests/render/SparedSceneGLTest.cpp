@@ -4,6 +4,7 @@
 #include "upload/CutGrid.h"
 #include "velum/render/section/KeptVoxels.h"
 #include "velum/render/section/SectionImage.h"
+#include "velum/scene/StructureAt.h"
 
 namespace velum {
 namespace {
@@ -29,12 +30,7 @@ class SparedScene : public RenderTest {
     scene::addCut(mScene, plane);
   }
 
-  int structureAt(glm::dvec3 world) const {
-    glm::dvec3 voxel(glm::inverse(mScene.volume.data->worldFromVoxel) * glm::dvec4(world, 1.0));
-    return mScene.labels.visible
-               ? mScene.labels.data->at(glm::clamp(glm::ivec3(glm::floor(voxel + 0.5)), glm::ivec3(0), kDims - 1))
-               : 0;
-  }
+  int structureAt(glm::dvec3 world) const { return scene::structureAt(mScene, world).id; }
 
   /// Picture, sections, kept voxels (which exports write) and picking say the same as the naive fold.
   void expectSameEverywhere(const std::string& what) {

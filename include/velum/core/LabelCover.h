@@ -2,7 +2,8 @@
 #include <cstdint>
 #include <functional>
 #include <glm/glm.hpp>
-#include <unordered_map>
+#include <memory>
+#include <mutex>
 #include <vector>
 
 #include "velum/core/LabelVolume.h"
@@ -51,6 +52,7 @@ class LabelCover {
   Brick brickOfSet(glm::ivec3 index, const std::function<bool(std::uint16_t)>& isIn) const;
 
   const Shared<LabelVolume>& labels() const { return mLabels; }
+  const std::vector<ValueBorder>& borders() const { return mBorders; }
 
  private:
   const ValueBorder* borderOf(std::uint16_t structure) const;
@@ -64,17 +66,30 @@ struct StructurePlace {
   float coverage = 1.0f;  ///< 1/2 on the border, 1 wholly inside: shaders/shared/structure.h
 };
 
-/// Whose places are, asked one by one: keeps the covers of bricks that it has met, 32 KiB each. One thread.
+/// Whose the places among labels are. Makes the cover of a brick when it is first asked for and keeps it: a byte a
+/// voxel of bricks that have a border. Any thread.
 class StructureField {
  public:
-  explicit StructureField(LabelCover cover) : mCover(std::move(cover)) {}
+  /// @param before  bricks that have not changed since are taken from it
+  explicit StructureField(LabelCover cover, const StructureField* before = nullptr);
   /// @param voxel  indices of label voxels, whose middles lie at whole numbers
-  StructurePlace at(glm::dvec3 voxel);
+  StructurePlace at(glm::dvec3 voxel) const;
+  /// The cover of a brick.
+  const LabelCover::Brick& brick(glm::ivec3 index) const;
+  const LabelCover& cover() const { return mCover; }
 
  private:
-  float coverAt(glm::ivec3 voxel);
+  struct Entry {
+    std::once_flag isMade;
+    LabelCover::Brick cover;
+  };
+  float coverAt(glm::ivec3 voxel) const;
   LabelCover mCover;
-  std::unordered_map<std::size_t, LabelCover::Brick> mBricks;
+  std::vector<std::shared_ptr<Entry>> mEntries;  ///< [brick grid]
 };
+
+/// Bricks of labels, x fastest, whose cover may be another than that of labels of the same grid: those that differ, and
+/// those around them. All of them where the grids differ.
+std::vector<bool> changedCovers(const LabelVolume& before, const LabelVolume& now);
 
 }  // namespace velum

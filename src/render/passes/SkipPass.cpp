@@ -51,10 +51,11 @@ SkipPass::Key SkipPass::keyOf(const FrameData& data) {
       }
   }
   if (data.labelUse == LabelUse::None) return key;
-  if (data.labelUse == LabelUse::OverVolume && scene.labels.unlabelled > 0) key.visible |= bitOf(0);
+  (data.labelUse == LabelUse::OverVolume && scene.labels.unlabelled > 0 ? key.visible : key.hidden) |= bitOf(0);
   for (const auto& info : scene.labels.data->table)
-    if (std::size_t(info.id) >= data.structures.size() || data.structures[std::size_t(info.id)].color.a > 0.0f)
-      key.visible |= bitOf(info.id);
+    (std::size_t(info.id) >= data.structures.size() || data.structures[std::size_t(info.id)].color.a > 0.0f
+         ? key.visible
+         : key.hidden) |= bitOf(info.id);
   return key;
 }
 
@@ -71,8 +72,9 @@ bool SkipPass::hasContent(const Key& key, glm::vec2 texels) {
   return key.extinctionSums[std::size_t(a)] != key.extinctionSums[std::size_t(b)];
 }
 
-/// The same of what cuts spare: where they spare it no further there is a surface in the middle of material.
-bool SkipPass::hasSparedContent(const Key& key, glm::vec2 texels) {
+/// The same of what cuts spare, or borders on what is hidden: where it ends there is a surface in the middle of
+/// material.
+bool SkipPass::hasEnds(const Key& key, glm::vec2 texels) {
   if (key.content != Content::Iso) return hasContent(key, texels);
   glm::vec2 x = texels * key.tablePerTexel + key.tableOffset;
   return std::max(x.x, x.y) >= key.isoValue;
@@ -114,8 +116,8 @@ SkipPass::Found SkipPass::find(const Key& key, const FrameData& data) {
       bool isShown = !data.labelCells || (ids & key.visible) != 0;
       glm::vec2 texels = data.volume ? data.volume->cellRanges[cell] : glm::vec2(0.0f);
       std::uint64_t bit = std::uint64_t(1) << x;
-      if (isShown && hasContent(key, texels)) found.all.rows[row] |= bit;
-      if (!isShown || !(ids & key.spared) || !hasSparedContent(key, texels)) continue;
+      if (isShown && (ids & key.hidden ? hasEnds(key, texels) : hasContent(key, texels))) found.all.rows[row] |= bit;
+      if (!isShown || !(ids & key.spared) || !hasEnds(key, texels)) continue;
       glm::vec3 middle = glm::vec3(x, row % ny, row / ny) + 0.5f;
       Ball ball{glm::vec3(sceneFromCell * glm::vec4(middle, 1.0f)), radius};
       if (maySpare(key, ids & key.spared, ball)) found.spared.rows[row] |= bit;

@@ -29,7 +29,8 @@ class SkipPass : public Pass {
     Content content = Content::Opacity;
     VolumeKey volume;
     std::uint64_t labelCells = 0;           ///< Their revision; 0: no labels.
-    std::uint64_t visible = 0, spared = 0;  ///< Sets of ids, mod 64: that show, that some cut spares.
+    std::uint64_t visible = 0, spared = 0;  ///< Sets of ids, mod 64: that show, that some cut spares,
+    std::uint64_t hidden = 0;               ///< that do not show.
     // Where spares end: what says in which cells they do. Else empty.
     std::vector<shared::CutData> cuts;
     std::vector<float> deepest;  ///< [64][cuts]: how deep a cut spares the ids of a bit at most, scene frame.
@@ -51,7 +52,7 @@ class SkipPass : public Pass {
   };
   static Key keyOf(const FrameData& data);
   static bool hasContent(const Key& key, glm::vec2 texels);
-  static bool hasSparedContent(const Key& key, glm::vec2 texels);
+  static bool hasEnds(const Key& key, glm::vec2 texels);
   static bool maySpare(const Key& key, std::uint64_t ids, const Ball& ball);
   static Found find(const Key& key, const FrameData& data);
 

@@ -10,6 +10,7 @@
 
 #include "velum/core/Assert.h"
 #include "velum/core/Parallel.h"
+#include "velum/scene/StructureAt.h"
 
 namespace velum::render {
 
@@ -49,6 +50,7 @@ class SectionDrawing {
   const scene::SectionPlane& mFrame;
   glm::ivec2 mSize;
   std::optional<GridPath> mVolumePath, mLabelPath;
+  std::shared_ptr<const StructureField> mField;
   std::vector<std::uint16_t> mIds;     ///< Label of each pixel.
   std::vector<glm::vec4> mStructures;  ///< Colour and opacity on the section by id; nothing where it is not shown.
   bool mShowsLabels = false;
@@ -63,6 +65,7 @@ void SectionDrawing::prepareLabels() {
   bool spared = std::any_of(mScene.cuts.begin(), mScene.cuts.end(), [](const auto& c) { return !c.spares.empty(); });
   if (!mShowsLabels && !(spared && labels.visible)) return;
   mLabelPath.emplace(mFrame, labels.data->dims(), labels.data->worldFromVoxel());
+  mField = scene::structureFieldOf(mScene);
   mIds.assign(std::size_t(mSize.x) * std::size_t(mSize.y), 0);
   for (const auto& row : makeStructureRows(labels)) mStructures.push_back(row.color);
   for (auto& structure : mStructures) structure.a *= float(share);
@@ -70,12 +73,11 @@ void SectionDrawing::prepareLabels() {
 }
 
 void SectionDrawing::readIds(int y) {
-  const LabelVolume& labels = *mScene.labels.data;
   VELUM_ASSERT(mLabelPath, "the labels have a grid");
   GridRow row = mLabelPath->row(y, mSize.x);
   std::uint16_t* out = &mIds[std::size_t(y) * std::size_t(mSize.x)];
   for (int x = row.first; x < row.last; ++x) {
-    out[x] = labels.at(nearestVoxel(row.at, labels.dims()));
+    out[x] = mField->at(placeIn(row.at, mField->cover().labels()->dims())).id;
     for (std::size_t i = 0; i < 3; ++i) row.at[i] += row.step[i];
   }
 }
@@ -217,7 +219,7 @@ Probe probe(const scene::Scene& scene, glm::dvec3 world) {
   if (labels.data) {
     glm::dvec3 voxel = voxelOf(labels.data->worldFromVoxel());
     bool inside = isIn(voxel, labels.data->dims());
-    if (inside && labels.visible) out.structure = labels.data->at(glm::ivec3(voxel));
+    if (inside && labels.visible) out.structure = scene::structureAt(scene, world).id;
     out.inside = inside && !scene.volume.data;
   }
   if (!scene.volume.data) return out;

@@ -32,11 +32,10 @@ class GridPath {
 void sampleRow(const Volume& volume, int channel, int timeStep, const GridRow& row, bool interpolate, double scale,
                double offset, float* out);
 
-/// The nearest voxel at the row's position, inside the grid.
-inline glm::ivec3 nearestVoxel(const std::array<std::int64_t, 3>& at, glm::ivec3 dims) {
-  constexpr std::int64_t kHalf = std::int64_t(1) << 31;
-  glm::ivec3 voxel(int((at[0] + kHalf) >> 32), int((at[1] + kHalf) >> 32), int((at[2] + kHalf) >> 32));
-  return glm::clamp(voxel, glm::ivec3(0), dims - 1);
+/// The place of a pixel among voxels, whose middles lie at whole numbers; on the grid.
+inline glm::dvec3 placeIn(const std::array<std::int64_t, 3>& at, glm::ivec3 dims) {
+  constexpr double kOne = 4294967296.0;
+  return glm::clamp(glm::dvec3(at[0], at[1], at[2]) / kOne, glm::dvec3(0.0), glm::dvec3(dims - 1));
 }
 
 }  // namespace velum::render

@@ -6,7 +6,7 @@
 
 #include "velum/core/Parallel.h"
 #include "velum/gpu/GpuError.h"
-#include "velum/scene/StructureBorders.h"
+#include "velum/scene/StructureAt.h"
 
 namespace velum::render {
 
@@ -96,63 +96,31 @@ void ShareUpload::allocate(glm::ivec3 dims) {
   mTexture = gpu::Texture::make3d("structure shares", format, dims, gpu::Filter::Linear);
 }
 
-void ShareUpload::markAll(Stale what) {
-  for (Stale& stale : mStale) stale = std::max(stale, what);
-  mNext = 0;
-}
-
-/// Bricks that are not those of before, and those around them.
-void ShareUpload::markChanged(const LabelVolume& labels) {
-  glm::ivec3 grid = labels.brickGrid();
-  for (std::size_t i = 0; i < mBrickIds.size(); ++i) {
-    glm::ivec3 at = placeOf(i, grid);
-    std::uint64_t id = labels.brickId(at);
-    if (mBrickIds[i] == id) continue;
-    mBrickIds[i] = id;
-    glm::ivec3 low = glm::max(at - 1, glm::ivec3(0)), high = glm::min(at + 1, grid - 1);
-    for (int z = low.z; z <= high.z; ++z)
-      for (int y = low.y; y <= high.y; ++y)
-        for (int x = low.x; x <= high.x; ++x)
-          mStale[(std::size_t(z) * std::size_t(grid.y) + std::size_t(y)) * std::size_t(grid.x) + std::size_t(x)] =
-              Stale::Cover;
+void ShareUpload::begin(const scene::Scene& scene, bool isAlone) {
+  std::shared_ptr<const StructureField> field = scene::structureFieldOf(scene);
+  const LabelVolume& labels = *field->cover().labels();
+  StructureSets sets = makeStructureSets(scene, isAlone);
+  bool hides = sets.hidesAny();
+  bool isOther = !mTexture || mTexture.size() != labels.dims() || hides != mHides;
+  mHides = hides;
+  if (isOther) allocate(labels.dims());
+  if (isOther || sets != mSets || field->cover().borders() != mField->cover().borders()) {
+    mIsStale.assign(countOf(labels.brickGrid()), true);
+    mNext = 0;
+  } else if (field != mField) {
+    std::vector<bool> changed = changedCovers(*mField->cover().labels(), labels);
+    for (std::size_t i = 0; i < changed.size(); ++i) mIsStale[i] = mIsStale[i] || changed[i];
     mNext = 0;
   }
-}
-
-void ShareUpload::begin(const scene::Scene& scene, bool isAlone) {
-  const scene::LabelLayer& layer = scene.labels;
-  StructureSets sets = makeStructureSets(scene, isAlone);
-  mHides = sets.hidesAny();
-  gpu::Format format = mHides ? gpu::Format::Rgba8 : gpu::Format::Rg8;
-  if (!mTexture || mTexture.size() != layer.data->dims()) {
-    allocate(layer.data->dims());
-    std::size_t count = countOf(layer.data->brickGrid());
-    mBrickIds.assign(count, 0);  // no brick has this id
-    mCovers.assign(count, {255});
-    mStale.assign(count, Stale::Cover);
-    mLabels = {};
-  } else if (mTexture.format() != format) {
-    allocate(layer.data->dims());
-    markAll(Stale::Shares);
-  }
-  if (mVolume != scene.volume.data || mGrown != layer.grown || mTimeStep != scene.volume.timeStep) {
-    mVolume = scene.volume.data;
-    mGrown = layer.grown;
-    mTimeStep = scene.volume.timeStep;
-    std::vector<ValueBorder> borders = scene::valueBordersOf(scene);
-    if (borders != mBorders) markAll(Stale::Cover);
-    mBorders = std::move(borders);
-  }
-  if (sets != mSets) markAll(Stale::Shares);
   mSets = std::move(sets);
-  if (mLabels != layer.data) markChanged(*layer.data);
-  mLabels = layer.data;
+  mField = std::move(field);
 }
 
 /// A brick's texels, as many as lie in the grid, x fastest.
-void ShareUpload::writeTexels(const LabelCover& labels, glm::ivec3 index, const LabelCover::Brick& cover,
-                              std::vector<std::uint8_t>& texels) const {
-  glm::ivec3 corner = index * kSize, size = glm::min(mLabels->dims() - corner, glm::ivec3(kSize));
+void ShareUpload::writeTexels(glm::ivec3 index, std::vector<std::uint8_t>& texels) const {
+  const LabelVolume& labels = *mField->cover().labels();
+  const LabelCover::Brick& cover = mField->brick(index);
+  glm::ivec3 corner = index * kSize, size = glm::min(labels.dims() - corner, glm::ivec3(kSize));
   std::size_t bytes = gpu::texelBytes(mTexture.format()), i = 0;
   texels.resize(countOf(size) * bytes);
   for (int z = 0; z < size.z; ++z)
@@ -161,29 +129,25 @@ void ShareUpload::writeTexels(const LabelCover& labels, glm::ivec3 index, const 
         texels[i] = cover.size() == 1 ? cover[0] : cover[inBrick({x, y, z})];
         if (bytes == 4) texels[i + 2] = 0;
       }
-  BrickShares shares(labels, mSets, index, cover, readAround(*mLabels, corner - 1, glm::ivec3(kWide)));
+  BrickShares shares(mField->cover(), mSets, index, cover, readAround(labels, corner - 1, glm::ivec3(kWide)));
   shares.write(StructureSets::kSpared, size, &texels[1], bytes);
   if (bytes == 4) shares.write(StructureSets::kShown, size, &texels[3], bytes);
 }
 
 bool ShareUpload::step() {
-  glm::ivec3 grid = mLabels->brickGrid();
+  const LabelVolume& labels = *mField->cover().labels();
+  glm::ivec3 grid = labels.brickGrid();
   std::vector<std::size_t> now;
-  for (; mNext < mStale.size() && now.size() < kPerStep; ++mNext)
-    if (mStale[mNext] != Stale::No) now.push_back(mNext);
-  LabelCover cover(mLabels, mBorders);
+  for (; mNext < mIsStale.size() && now.size() < kPerStep; ++mNext)
+    if (mIsStale[mNext]) now.push_back(mNext);
   std::vector<std::vector<std::uint8_t>> texels(now.size());
-  parallelFor(std::size_t(0), now.size(), [&](std::size_t i) {
-    glm::ivec3 at = placeOf(now[i], grid);
-    if (mStale[now[i]] == Stale::Cover) mCovers[now[i]] = cover.brick(at);
-    writeTexels(cover, at, mCovers[now[i]], texels[i]);
-  });
+  parallelFor(std::size_t(0), now.size(), [&](std::size_t i) { writeTexels(placeOf(now[i], grid), texels[i]); });
   for (std::size_t i = 0; i < now.size(); ++i) {
     glm::ivec3 corner = placeOf(now[i], grid) * kSize;
-    mTexture.write(corner, glm::min(mLabels->dims() - corner, glm::ivec3(kSize)), texels[i].data());
-    mStale[now[i]] = Stale::No;
+    mTexture.write(corner, glm::min(labels.dims() - corner, glm::ivec3(kSize)), texels[i].data());
+    mIsStale[now[i]] = false;
   }
-  return mNext == mStale.size();
+  return mNext == mIsStale.size();
 }
 
 }  // namespace velum::render

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "StructureSets.h"
@@ -27,25 +28,15 @@ class ShareUpload {
   bool hidesAny() const { return mHides; }
 
  private:
-  enum class Stale : std::uint8_t { No, Shares, Cover };
   void allocate(glm::ivec3 dims);
-  void markChanged(const LabelVolume& labels);
-  void markAll(Stale what);
-  void writeTexels(const LabelCover& labels, glm::ivec3 index, const LabelCover::Brick& cover,
-                   std::vector<std::uint8_t>& texels) const;
+  void writeTexels(glm::ivec3 index, std::vector<std::uint8_t>& texels) const;
 
   gpu::Limits mLimits;
-  Shared<LabelVolume> mLabels;
-  Shared<Volume> mVolume;             ///< mBorders are of,
-  std::vector<scene::Growth> mGrown;  ///< with these steps,
-  int mTimeStep = 0;                  ///< at this time
-  std::vector<ValueBorder> mBorders;
+  std::shared_ptr<const StructureField> mField;  ///< of the texture, once nothing is stale
   StructureSets mSets;
   bool mHides = false;
-  std::vector<std::uint64_t> mBrickIds;  ///< of what the texture holds, or will
-  std::vector<LabelCover::Brick> mCovers;
-  std::vector<Stale> mStale;
-  std::size_t mNext = 0;  ///< no brick before it is stale
+  std::vector<bool> mIsStale;  ///< bricks, x fastest
+  std::size_t mNext = 0;       ///< no brick before it is stale
   gpu::Texture mTexture;
 };
 

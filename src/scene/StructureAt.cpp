@@ -1,8 +1,9 @@
-#include "velum/scene/StructureBorders.h"
+#include "velum/scene/StructureAt.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <mutex>
 #include <optional>
 
 namespace velum::scene {
@@ -71,6 +72,46 @@ std::vector<ValueBorder> valueBordersOf(const Scene& scene) {
                        step->low, step->high, scaleOf(*step, known->second)});
   }
   return borders;
+}
+
+namespace {
+
+/// The field that was asked for last, and what it is a function of.
+struct Kept {
+  Shared<LabelVolume> labels;
+  Shared<Volume> volume;
+  std::vector<Growth> grown;
+  int timeStep = 0;
+  std::vector<ValueBorder> borders;
+  std::shared_ptr<const StructureField> field;
+};
+
+}  // namespace
+
+std::shared_ptr<const StructureField> structureFieldOf(const Scene& scene) {
+  static std::mutex mutex;
+  static Kept kept;
+  std::lock_guard lock(mutex);
+  bool hasSameBorders = kept.field && kept.volume == scene.volume.data && kept.timeStep == scene.volume.timeStep &&
+                        kept.grown == scene.labels.grown;
+  if (!hasSameBorders) {
+    kept.volume = scene.volume.data;
+    kept.timeStep = scene.volume.timeStep;
+    kept.grown = scene.labels.grown;
+    std::vector<ValueBorder> borders = valueBordersOf(scene);
+    hasSameBorders = kept.field && borders == kept.borders;
+    kept.borders = std::move(borders);
+  }
+  if (hasSameBorders && kept.labels == scene.labels.data) return kept.field;
+  kept.labels = scene.labels.data;
+  kept.field = std::make_shared<const StructureField>(LabelCover(kept.labels, kept.borders), kept.field.get());
+  return kept.field;
+}
+
+StructurePlace structureAt(const Scene& scene, glm::dvec3 world) {
+  if (!scene.labels.data || !scene.labels.visible) return {};
+  glm::dmat4 voxelFromWorld = glm::inverse(scene.labels.data->worldFromVoxel());
+  return structureFieldOf(scene)->at(glm::dvec3(voxelFromWorld * glm::dvec4(world, 1.0)));
 }
 
 }  // namespace velum::scene

@@ -101,6 +101,18 @@ bool cutsKeep(vec3 scenePoint, uint structure, float u) {
 }
 bool cutsKeep(vec3 scenePoint, uint structure) { return cutsKeep(scenePoint, structure, 0.0); }
 
+/// The same of something that some cuts spare whole. @param spared  a bit for each
+bool cutsKeepSpared(vec3 scenePoint, uint spared) {
+  CutFold fold = emptyFold();
+  CutList list = cutsAt(scenePoint);
+  for (int i = list.begin; i < list.end && !fold.isRemoved; ++i) {
+    int cut = cutIn(i);
+    float depth = (spared >> cut & 1u) != 0u ? kCutFar : 0.0;
+    fold = foldCut(fold, cutAt(cut), partOf(cut), depth, false, scenePoint);
+  }
+  return foldKeeps(fold);
+}
+
 /// Marks what two extrusions share ([ACS] fig. 6).
 const vec3 kOverlapColor = vec3(0.25, 0.8, 0.35);
 const float kOverlapShare = 0.55;

@@ -14,11 +14,11 @@ layout(binding = kVolumeUnit) uniform sampler3D volumeTexture;
 layout(binding = kGradientUnit) uniform sampler3D gradientTexture;  // xyz: direction, w: root of the magnitude
 #endif
 layout(binding = kLabelUnit) uniform usampler3D labelTexture;
-layout(binding = kShareUnit) uniform sampler3D shareTexture;  // r: cover of a voxel, 0..1; g: share that cuts spare, a: that is shown
+layout(binding = kCoverUnit) uniform sampler3D coverTexture;  // cover of a voxel, 0..1
+layout(binding = kShareUnit) uniform sampler3D shareTexture;  // shares of a voxel: r, g: that cuts spare, by class; a: that is shown
 // Running sums of the transfer table in fixed point: differences of unsigned sums are exact, however long the sum.
-layout(binding = kTransferUnit) uniform usamplerBuffer transferTexture;  // rgb: colour*sigma, a: sigma
+layout(binding = kTransferUnit) uniform usamplerBuffer transferTexture;  // rgb: colour*sigma, a: sigma; then, in r, factors by gradient
 layout(binding = kExtinctionUnit) uniform usamplerBuffer extinctionTexture;  // sigma alone: r up to the entry, g to the next
-layout(binding = kGradientTableUnit) uniform sampler2D gradientTable;  // factor by gradient magnitude
 // By structure: StructureRow. A software driver fetches texels of eight rays at once, rows of a block ray by ray.
 layout(binding = kStructureUnit) uniform samplerBuffer structureTexture;
 
@@ -100,7 +100,7 @@ vec3 colorBetween(float a, float b) {
 
 float gradientFactor(vec3 gradient) {
   float x = clamp(length(gradient) * frame.gradientTableScale, 0.0, 1.0) * float(kTransferSize - 1);
-  return texelFetch(gradientTable, ivec2(int(x), 0), 0).r;
+  return uintBitsToFloat(texelFetch(transferTexture, kTransferSize + 1 + int(x)).r);
 }
 
 /// Who may own a place.
@@ -129,14 +129,14 @@ Owner ownerAt(vec3 scenePoint, int who) {
   vec3 q = clamp(p - 0.5, vec3(0.0), vec3(last));
   ivec3 base = ivec3(q);
   vec3 f = q - vec3(base);
-  if (isBeyondLabels(p) || (who == kAnybody && sharesIn(p).r > 0.9999)) return Owner(nearest, 1.0);
+  if (isBeyondLabels(p) || (who == kAnybody && textureLod(coverTexture, p / vec3(last + 1), 0.0).r > 0.9999)) return Owner(nearest, 1.0);
   Votes votes = noVotes();
   for (int corner = 0; corner < 8; ++corner) {
     ivec3 step3 = ivec3(corner & 1, corner >> 1 & 1, corner >> 2);
     ivec3 voxel = min(base + step3, last);
     vec3 w = mix(1.0 - f, f, vec3(step3));
     uint label = texelFetch(labelTexture, voxel, 0).r;
-    float weight = w.x * w.y * w.z * texelFetch(shareTexture, voxel, 0).r;
+    float weight = w.x * w.y * w.z * texelFetch(coverTexture, voxel, 0).r;
     if (mayOwn(label, who)) votes = addVote(votes, label, weight);
   }
   Owner owner = ownerOf(votes);
@@ -145,20 +145,34 @@ Owner ownerAt(vec3 scenePoint, int who) {
 }
 
 /// What part of a place shows: all that is not hidden, or of what is removed what cuts spare. Half of it is the border.
-float shareIn(vec3 p, bool sparedOnly) {
-  vec4 shares = isBeyondLabels(p) ? frame.sharesBeyond : sharesIn(p);
-  return sparedOnly ? shares.g : shares.a;
+/// @param classes  of spared structures, those that all cuts together leave: 1 or 0
+float shareOf(vec4 shares, bool sparedOnly, vec2 classes) {
+  if (!hasFlag(kFlagSpareClasses)) return sparedOnly ? shares.r : shares.a;
+  return sparedOnly ? min(dot(classes, shares.rg), 1.0) : shares.a;
 }
-float shareAt(vec3 scenePoint, bool sparedOnly) { return shareIn(labelVoxelAt(scenePoint), sparedOnly); }
+float shareIn(vec3 p, bool sparedOnly, vec2 classes) {
+  return shareOf(isBeyondLabels(p) ? frame.sharesBeyond : sharesIn(p), sparedOnly, classes);
+}
+
+/// Classes of spared structures that cuts leave in a place, however deep. Structures of a class are spared by the same cuts.
+vec2 classesAt(vec3 scenePoint) {
+  if (!hasFlag(kFlagSpareClasses)) return vec2(1.0, 0.0);
+  bool isFirst = cutsKeepSpared(scenePoint, uint(frame.spareClasses.x));
+  bool isSecond = cutsKeepSpared(scenePoint, uint(frame.spareClasses.y));
+  return vec2(isFirst ? 1.0 : 0.0, isSecond ? 1.0 : 0.0);
+}
+
+float shareAt(vec3 scenePoint, bool sparedOnly) {
+  return shareIn(labelVoxelAt(scenePoint), sparedOnly, sparedOnly ? classesAt(scenePoint) : vec2(1.0));
+}
 
 /// The way out of what shows, scene frame, as long as the share falls over a voxel.
-vec3 shareSlopeAt(vec3 scenePoint, bool sparedOnly) {
+vec3 shareSlopeAt(vec3 scenePoint, bool sparedOnly, vec2 classes) {
   vec3 p = labelVoxelAt(scenePoint);
   vec3 rise = vec3(0.0);
   for (int i = 0; i < 6; ++i) {
     vec3 axis = vec3(equal(ivec3(i >> 1), ivec3(0, 1, 2))) * ((i & 1) == 0 ? 1.0 : -1.0);
-    vec4 shares = sharesIn(p + axis);
-    rise += 0.5 * (sparedOnly ? shares.g : shares.a) * axis;
+    rise += 0.5 * shareOf(sharesIn(p + axis), sparedOnly, classes) * axis;
   }
   vec3 out3 = -(transpose(mat3(frame.labelFromScene)) * rise);
   float len = length(out3);

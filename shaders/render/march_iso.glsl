@@ -36,7 +36,7 @@ void addSurface(inout Hit hit, Ray ray, Walk walk, float t, Face face, bool spar
 #if LABELS == 1
   if (usesShares()) {
     // Where what shows ends before the value does the surface is the border's.
-    vec3 slope = shareSlopeAt(p, sparedOnly);
+    vec3 slope = shareSlopeAt(p, sparedOnly, sparedOnly ? classesAt(p) : vec2(1.0));
     float onBorder = smoothstep(0.02, 0.12, length(slope)) * smoothstep(0.7, 0.55, shareAt(p, sparedOnly));
     float isAlike = smoothstep(0.3, 0.8, dot(normal, normalize(slope + 1e-9)));
     normal = normalize(mix(normal, normalize(slope + 1e-9), onBorder * (1.0 - isAlike)) + 1e-6);

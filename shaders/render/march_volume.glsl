@@ -26,7 +26,16 @@ bool asksStructures() {
 /// @param faceT  where the face lies that the ray has come through last; < 0: none
 void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, float faceT, vec3 faceNormal, bool sparedOnly) {
   float tm = 0.5 * (segment.t0 + segment.t1);
+  vec2 classes = vec2(1.0, 0.0);
 #if LABELS != 0
+  if (hasFlag(kFlagSpareClasses) && sparedOnly) {
+    // What was asked for is what some cut spares: here it is known which of it all of them leave.
+    float part = shownPart(segment.share0, segment.share1);
+    classes = classesAt(ray.origin + tm * ray.direction);
+    segment.share0 = shareIn(labelVoxelAt(ray.origin + segment.t0 * ray.direction), true, classes);
+    segment.share1 = shareIn(labelVoxelAt(ray.origin + segment.t1 * ray.direction), true, classes);
+    segment.depth *= shownPart(segment.share0, segment.share1) / max(part, 1e-6);
+  }
   if (usesShares()) {
     // The middle of the part that shows.
     float missing = 0.5 * (segment.t1 - segment.t0) * (1.0 - shownPart(segment.share0, segment.share1));
@@ -48,7 +57,7 @@ void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, float faceT,
   vec3 gradient = vec3(0.0);
   float steepness = 1.0;
 #if LABELS == 2
-  if (asksGradient) gradient = -shareSlopeAt(p, sparedOnly);
+  if (asksGradient) gradient = -shareSlopeAt(p, sparedOnly, classes);
 #else
   if (asksGradient) {
     gradient = gradientAt(tex);
@@ -62,7 +71,7 @@ void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, float faceT,
 #if LABELS == 1
   if (asksGradient && usesShares()) {
     // On the border of what shows the surface is the border's, unless the data has one that runs alike: that one is smoother.
-    vec3 slope = shareSlopeAt(p, sparedOnly);
+    vec3 slope = shareSlopeAt(p, sparedOnly, classes);
     float fall = length(slope);
     float onBorder = smoothstep(0.02, 0.12, fall);
     vec3 borderNormal = slope / max(fall, 1e-6);
@@ -165,7 +174,7 @@ Group groupAt(Walk walk, Ray ray, float lattice, float from, float to, bool spar
   if (usesShares()) {
     vec3 first = labelVoxelAt(ray.origin);
     vec3 perLength = mat3(frame.labelFromScene) * ray.direction;
-    for (int i = 0; i <= kGroup; ++i) group.shares[i] = shareIn(first + timeIn(group, walk, i) * perLength, sparedOnly);
+    for (int i = 0; i <= kGroup; ++i) group.shares[i] = shareIn(first + timeIn(group, walk, i) * perLength, sparedOnly, vec2(1.0));
   }
 #endif
   return group;

@@ -22,12 +22,12 @@ SHARED_CONST uint kSurfaceColorUnit = 5u;
 SHARED_CONST uint kSurfaceAuxUnit = 6u;
 SHARED_CONST uint kTransferUnit = 7u;
 SHARED_CONST uint kExtinctionUnit = 8u;
-SHARED_CONST uint kGradientTableUnit = 9u;
 SHARED_CONST uint kGradientUnit = 10u;
 SHARED_CONST uint kSheetUnit = 11u;  // the rows of all sheets
 SHARED_CONST uint kSurfaceIdUnit = 12u;
 SHARED_CONST uint kStructureUnit = 13u;
 SHARED_CONST uint kShareUnit = 39u;
+SHARED_CONST uint kCoverUnit = 40u;
 
 // Those of the finish.
 SHARED_CONST uint kSampleUnit = 14u;     // what kSampleImage holds

@@ -5,7 +5,7 @@
 #include "shared/types.h"
 SHARED_BEGIN
 
-SHARED_CONST int kTransferSize = 4096;  // table positions 0 .. kTransferSize - 1; the sums have one entry more
+SHARED_CONST int kTransferSize = 4096;  // table positions 0 .. kTransferSize - 1; the sums have one entry more, gradients' factors follow
 SHARED_CONST int kTileGroup = 8;        // threads along x and y of a ray-cast group
 SHARED_CONST float kFar = 1e30f;
 SHARED_CONST int kMostPlanes = 3;       // so many cuts that are all planes have programs of their own: PLANES
@@ -43,7 +43,8 @@ SHARED_CONST uint kFlagFaces = 8388608u;  // some cut shows the data on its face
 SHARED_CONST uint kFlagNoData = 16777216u;  // neither a volume nor labels are drawn
 SHARED_CONST uint kFlagValueColors = 33554432u;  // the largest value shows in its colour of the transfer function
 SHARED_CONST uint kFlagHides = 67108864u;  // some structure, or what has no label, is hidden
-SHARED_CONST uint kFlagLast = kFlagHides;
+SHARED_CONST uint kFlagSpareClasses = 134217728u;  // there are two kinds of spared structures, see spareClasses
+SHARED_CONST uint kFlagLast = kFlagSpareClasses;
 
 /// Scene-local frame: world minus an origin near the scene, so that floats are enough anywhere. Lengths are in scene
 /// units. "Table" positions 0..1 run over the transfer table's domain of data values. Members lie in groups of 16
@@ -68,6 +69,7 @@ struct FrameParams {
   vec4 keyLight;     ///< unit, towards the key light, scene frame
   vec4 pictureUp;    ///< unit
   vec4 planes[kMostPlanes];  ///< with PLANES, all cuts: rows of localFromScene that give z
+  ivec4 spareClasses;        ///< x, y: bits of the cuts that spare structures of the first class, and of the second
   ivec4 planeBits;           ///< a bit each: x: those that are joined to the one before; y: those that remove the other side
   vec2 pictureSize;  ///< of the whole picture, pixels
   vec2 subpixel;     ///< place of the sample, from the middle of its pixel

@@ -1,6 +1,7 @@
 #include "FrameData.h"
 
 #include <algorithm>
+#include <bit>
 #include <span>
 
 #include "FinishSetup.h"
@@ -88,10 +89,9 @@ void writePlanes(const std::vector<shared::CutData>& cuts, shared::FrameParams& 
 namespace {
 
 /// Shares of what has no label, see shareTexture.
-glm::vec4 sharesBeyond(const FrameData& data) {
-  bool isShown = data.labelUse == LabelUse::OverVolume && data.frame.scene.labels.unlabelled > 0.0;
-  bool isSpared = isShown && !data.spares.rowOf.empty() && data.spares.rowOf[0] != 0;
-  return {1.0f, isSpared ? 1.0f : 0.0f, 0.0f, isShown ? 1.0f : 0.0f};
+glm::vec4 sharesBeyond(const StructureSets& sets) {
+  auto share = [&](std::uint8_t bit) { return sets.bits(0) & bit ? 1.0f : 0.0f; };
+  return {share(StructureSets::kSpared), share(StructureSets::kSparedToo), 0.0f, share(StructureSets::kShown)};
 }
 
 }  // namespace
@@ -128,8 +128,12 @@ void completeFrameData(FrameData& data) {
   if (needsSamples(scene.finish)) data.params.flags |= shared::kFlagFinish;
   if (data.cuts.size() >= kFewCuts) data.params.flags |= shared::kFlagCutGrid;
   if (!data.spares.isEmpty()) data.params.flags |= shared::kFlagSpares;
-  if (data.hidesStructures && data.labelUse == LabelUse::OverVolume) data.params.flags |= shared::kFlagHides;
-  data.params.sharesBeyond = sharesBeyond(data);
+  if (data.sets.hidesAny() && data.labelUse == LabelUse::OverVolume) data.params.flags |= shared::kFlagHides;
+  data.params.sharesBeyond = sharesBeyond(data.sets);
+  if (data.sets.spareClasses.size() == 2) {
+    data.params.flags |= shared::kFlagSpareClasses;
+    data.params.spareClasses = glm::ivec4(glm::uvec4(data.sets.spareClasses[0], data.sets.spareClasses[1], 0, 0));
+  }
   if (data.frame.marksOverlaps && data.spares.hasDepths) data.params.flags |= shared::kFlagOverlaps;
   if (data.spares.hasDepths) data.params.flags |= shared::kFlagSpareDepths;
 }
@@ -159,6 +163,13 @@ gpu::Buffer bufferOf(const char* label, const std::vector<T>& values) {
   return gpu::Buffer(label, values.empty() ? std::span<const T>(&none, 1) : std::span<const T>(values));
 }
 
+/// Sums, then gradients' factors.
+std::vector<glm::uvec4> transferTexels(const TransferTable& table) {
+  std::vector<glm::uvec4> texels = table.sums;
+  for (float factor : table.gradientFactors) texels.emplace_back(std::bit_cast<std::uint32_t>(factor), 0, 0, 0);
+  return texels;
+}
+
 /// Each but the last with its next: one fetch for both.
 std::vector<glm::uvec2> pairsOf(const std::vector<std::uint32_t>& values) {
   std::vector<glm::uvec2> pairs;
@@ -170,15 +181,13 @@ std::vector<glm::uvec2> pairsOf(const std::vector<std::uint32_t>& values) {
 
 void FrameInputs::write(const FrameData& data) {
   if (!mNoise) {
-    mGradientFactors = gpu::Texture::make2d("gradient factors", gpu::Format::R32f, {shared::kTransferSize, 1});
     mNoise = gpu::Texture::make2d("blue noise", gpu::Format::R32f, {kBlueNoiseSize, kBlueNoiseSize});
     mNoise.write({0, 0, 0}, mNoise.size(), makeBlueNoise().data());
   }
-  mTransfer = bufferOf("transfer table", data.table.sums);
+  mTransfer = bufferOf("transfer table", transferTexels(data.table));
   mTransferTexels = gpu::Texture::makeOfBuffer("transfer table", gpu::Format::Rgba32ui, mTransfer);
   mExtinction = bufferOf("extinction table", pairsOf(data.table.extinctionSums));
   mExtinctionTexels = gpu::Texture::makeOfBuffer("extinction table", gpu::Format::Rg32ui, mExtinction);
-  mGradientFactors.write({0, 0, 0}, mGradientFactors.size(), data.table.gradientFactors.data());
   writeCuts(data);
   mStructures = bufferOf("structures", data.structures);
   mStructureTexels = gpu::Texture::makeOfBuffer("structures", gpu::Format::Rgba32f, mStructures);
@@ -212,7 +221,6 @@ void FrameInputs::bind() const {
   mParams.bind(shared::kFrameBinding);
   mTransferTexels.bindSampler(shared::kTransferUnit);
   mExtinctionTexels.bindSampler(shared::kExtinctionUnit);
-  mGradientFactors.bindSampler(shared::kGradientTableUnit);
   mNoise.bindSampler(shared::kNoiseUnit);
   mCuts.bindStorage(shared::kCutBinding);
   mCutTexels.bindSampler(shared::kCutUnit);

@@ -9,6 +9,7 @@
 #include "upload/CutSheets.h"
 #include "upload/LabelCells.h"
 #include "upload/SpareTable.h"
+#include "upload/StructureSets.h"
 #include "upload/TransferTable.h"
 #include "velum/gpu/Buffer.h"
 #include "velum/gpu/Texture.h"
@@ -59,7 +60,7 @@ struct FrameData {
   LabelKey labelKey;                       ///< id 0 where no labels are drawn.
   const LabelCells* labelCells = nullptr;  ///< nullptr where no labels are drawn.
   std::uint64_t labelCellsRevision = 0;    ///< Of the sets in them, see LabelUpload::cellsRevision().
-  bool hidesStructures = false;            ///< some, or what has no label
+  StructureSets sets;                      ///< Of what the shares are.
   FrameGrid grid;
   SheetPlans sheetPlans;
   SheetSources sheetSources;
@@ -97,7 +98,7 @@ class FrameInputs {
   std::vector<shared::CutData> mGridCuts;  ///< What mCutGrid was made of,
   glm::mat4 mGridBox{0.0f};
   bool mGridHasSpares = false;
-  gpu::Texture mCutTexels, mGradientFactors, mNoise, mTransferTexels, mExtinctionTexels, mStructureTexels, mSpareTexels;
+  gpu::Texture mCutTexels, mNoise, mTransferTexels, mExtinctionTexels, mStructureTexels, mSpareTexels;
 };
 
 }  // namespace velum::render

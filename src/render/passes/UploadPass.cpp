@@ -110,7 +110,7 @@ void UploadPass::complete(FrameData& data) {
     mLabelBytes = mLabels.bytesSent();
     data.labelCells = &mLabels.cells();
     data.labelCellsRevision = mLabels.cellsRevision();
-    data.hidesStructures = mShares.hidesAny();
+    data.sets = mShares.sets();
   }
   mSheets.prepare(data.frame);
   data.sheetPlans = mSheets.plans();
@@ -133,7 +133,8 @@ void UploadPass::bind(const FrameData& data) const {
   if (volume && volume->gradient) volume->gradient.bindSampler(shared::kGradientUnit);
   (volume ? volume->cellRange : mNoCells).bindStorage(shared::kCellBinding);
   (hasLabels ? mLabels.texture() : mNoLabels).bindSampler(shared::kLabelUnit);
-  (hasLabels ? mShares.texture() : mNoShares).bindSampler(shared::kShareUnit);
+  (hasLabels ? mShares.covers() : mNoShares).bindSampler(shared::kCoverUnit);
+  (hasLabels ? mShares.shares() : mNoShares).bindSampler(shared::kShareUnit);
   mSheets.bind();
 }
 

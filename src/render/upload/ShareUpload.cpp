@@ -22,6 +22,12 @@ glm::ivec3 placeOf(std::size_t index, glm::ivec3 grid) {
 
 std::size_t countOf(glm::ivec3 v) { return std::size_t(v.x) * std::size_t(v.y) * std::size_t(v.z); }
 
+/// As few components as the sets need: what a texture lacks shaders read as 0, and alpha as 1.
+gpu::Format formatOf(const StructureSets& sets) {
+  if (sets.hidesAny()) return gpu::Format::Rgba8;
+  return sets.spareClasses.size() == 2 ? gpu::Format::Rg8 : gpu::Format::R8;
+}
+
 std::size_t inBrick(glm::ivec3 at) {
   return (std::size_t(at.z) * kSize + std::size_t(at.y)) * kSize + std::size_t(at.x);
 }
@@ -86,25 +92,27 @@ class BrickShares {
 }  // namespace
 
 void ShareUpload::allocate(glm::ivec3 dims) {
-  mTexture = gpu::Texture();
-  gpu::Format format = mHides ? gpu::Format::Rgba8 : gpu::Format::Rg8;
+  mShares = gpu::Texture();
+  mCovers = gpu::Texture();
+  gpu::Format format = formatOf(mSets);
   if (std::max({dims.x, dims.y, dims.z}) > mLimits.texture3d ||
-      double(countOf(dims)) * double(gpu::texelBytes(format) + 2) > 0.7 * double(mLimits.memoryBytes))
+      double(countOf(dims)) * double(gpu::texelBytes(format) + 3) > 0.7 * double(mLimits.memoryBytes))
     throw gpu::GpuError(fmt::format(
         "the labels ({} x {} x {}) are larger than the driver's 3D textures ({}) or memory; crop or reduce them",
         dims.x, dims.y, dims.z, mLimits.texture3d));
-  mTexture = gpu::Texture::make3d("structure shares", format, dims, gpu::Filter::Linear);
+  mShares = gpu::Texture::make3d("structure shares", format, dims, gpu::Filter::Linear);
+  mCovers = gpu::Texture::make3d("structure covers", gpu::Format::R8, dims, gpu::Filter::Linear);
 }
 
 void ShareUpload::begin(const scene::Scene& scene, bool isAlone) {
   std::shared_ptr<const StructureField> field = scene::structureFieldOf(scene);
   const LabelVolume& labels = *field->cover().labels();
   StructureSets sets = makeStructureSets(scene, isAlone);
-  bool hides = sets.hidesAny();
-  bool isOther = !mTexture || mTexture.size() != labels.dims() || hides != mHides;
-  mHides = hides;
+  bool isOther = !mShares || mShares.size() != labels.dims() || formatOf(sets) != mShares.format();
+  bool hasOtherSets = sets != mSets;
+  mSets = std::move(sets);
   if (isOther) allocate(labels.dims());
-  if (isOther || sets != mSets || field->cover().borders() != mField->cover().borders()) {
+  if (isOther || hasOtherSets || field->cover().borders() != mField->cover().borders()) {
     mIsStale.assign(countOf(labels.brickGrid()), true);
     mNext = 0;
   } else if (field != mField) {
@@ -112,26 +120,27 @@ void ShareUpload::begin(const scene::Scene& scene, bool isAlone) {
     for (std::size_t i = 0; i < changed.size(); ++i) mIsStale[i] = mIsStale[i] || changed[i];
     mNext = 0;
   }
-  mSets = std::move(sets);
   mField = std::move(field);
 }
 
 /// A brick's texels, as many as lie in the grid, x fastest.
-void ShareUpload::writeTexels(glm::ivec3 index, std::vector<std::uint8_t>& texels) const {
+ShareUpload::Texels ShareUpload::texelsOf(glm::ivec3 index) const {
   const LabelVolume& labels = *mField->cover().labels();
   const LabelCover::Brick& cover = mField->brick(index);
   glm::ivec3 corner = index * kSize, size = glm::min(labels.dims() - corner, glm::ivec3(kSize));
-  std::size_t bytes = gpu::texelBytes(mTexture.format()), i = 0;
-  texels.resize(countOf(size) * bytes);
+  std::size_t bytes = gpu::texelBytes(mShares.format());
+  Texels texels;
+  texels.covers.reserve(countOf(size));
   for (int z = 0; z < size.z; ++z)
     for (int y = 0; y < size.y; ++y)
-      for (int x = 0; x < size.x; ++x, i += bytes) {
-        texels[i] = cover.size() == 1 ? cover[0] : cover[inBrick({x, y, z})];
-        if (bytes == 4) texels[i + 2] = 0;
-      }
+      for (int x = 0; x < size.x; ++x)
+        texels.covers.push_back(cover.size() == 1 ? cover[0] : cover[inBrick({x, y, z})]);
+  texels.shares.resize(countOf(size) * bytes);
   BrickShares shares(mField->cover(), mSets, index, cover, readAround(labels, corner - 1, glm::ivec3(kWide)));
-  shares.write(StructureSets::kSpared, size, &texels[1], bytes);
-  if (bytes == 4) shares.write(StructureSets::kShown, size, &texels[3], bytes);
+  shares.write(StructureSets::kSpared, size, texels.shares.data(), bytes);
+  if (bytes > 1) shares.write(StructureSets::kSparedToo, size, &texels.shares[1], bytes);
+  if (bytes == 4) shares.write(StructureSets::kShown, size, &texels.shares[3], bytes);
+  return texels;
 }
 
 bool ShareUpload::step() {
@@ -140,11 +149,12 @@ bool ShareUpload::step() {
   std::vector<std::size_t> now;
   for (; mNext < mIsStale.size() && now.size() < kPerStep; ++mNext)
     if (mIsStale[mNext]) now.push_back(mNext);
-  std::vector<std::vector<std::uint8_t>> texels(now.size());
-  parallelFor(std::size_t(0), now.size(), [&](std::size_t i) { writeTexels(placeOf(now[i], grid), texels[i]); });
+  std::vector<Texels> texels(now.size());
+  parallelFor(std::size_t(0), now.size(), [&](std::size_t i) { texels[i] = texelsOf(placeOf(now[i], grid)); });
   for (std::size_t i = 0; i < now.size(); ++i) {
-    glm::ivec3 corner = placeOf(now[i], grid) * kSize;
-    mTexture.write(corner, glm::min(labels.dims() - corner, glm::ivec3(kSize)), texels[i].data());
+    glm::ivec3 corner = placeOf(now[i], grid) * kSize, size = glm::min(labels.dims() - corner, glm::ivec3(kSize));
+    mCovers.write(corner, size, texels[i].covers.data());
+    mShares.write(corner, size, texels[i].shares.data());
     mIsStale[now[i]] = false;
   }
   return mNext == mIsStale.size();

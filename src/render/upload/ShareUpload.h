@@ -10,10 +10,9 @@
 
 namespace velum::render {
 
-/// How far inside their structures places among labels lie, on the GPU, to be interpolated: r the cover of a voxel
-/// (LabelCover), g the share of it that cuts spare, a the share that is shown (1 everywhere where nothing is hidden;
-/// then two bytes a voxel, else four). Follows edits brick by brick; keeps the covers of bricks that have a border, a
-/// byte a voxel. GL thread; works on all cores.
+/// How far inside their structures places among labels lie, on the GPU, to be interpolated: covers of voxels
+/// (LabelCover), and shares of voxels in sets of structures (StructureSets). One byte a voxel for the covers, and one
+/// to four for the shares. Follows edits brick by brick. GL thread; works on all cores.
 class ShareUpload {
  public:
   explicit ShareUpload(const gpu::Limits& limits) : mLimits(limits) {}
@@ -22,22 +21,25 @@ class ShareUpload {
   /// Makes and sends some bricks. @return true when the texture is as the scene is
   bool step();
 
-  /// Rg8 or Rgba8, in the labels' own grid.
-  const gpu::Texture& texture() const { return mTexture; }
+  /// In the labels' own grid: R8; and R8, Rg8 or Rgba8: r, g: shares that cuts spare, by class, a: that is shown.
+  const gpu::Texture& covers() const { return mCovers; }
+  const gpu::Texture& shares() const { return mShares; }
   /// Of the frame that has begun.
-  bool hidesAny() const { return mHides; }
+  const StructureSets& sets() const { return mSets; }
 
  private:
+  struct Texels {
+    std::vector<std::uint8_t> covers, shares;
+  };
   void allocate(glm::ivec3 dims);
-  void writeTexels(glm::ivec3 index, std::vector<std::uint8_t>& texels) const;
+  Texels texelsOf(glm::ivec3 index) const;
 
   gpu::Limits mLimits;
-  std::shared_ptr<const StructureField> mField;  ///< of the texture, once nothing is stale
+  std::shared_ptr<const StructureField> mField;  ///< of the textures, once nothing is stale
   StructureSets mSets;
-  bool mHides = false;
   std::vector<bool> mIsStale;  ///< bricks, x fastest
   std::size_t mNext = 0;       ///< no brick before it is stale
-  gpu::Texture mTexture;
+  gpu::Texture mCovers, mShares;
 };
 
 }  // namespace velum::render

@@ -1,8 +1,28 @@
 #include "StructureSets.h"
 
 #include <algorithm>
+#include <map>
 
 namespace velum::render {
+
+namespace {
+
+/// By structure the enabled cuts that spare it, a bit each; empty bits where there are more cuts than bits.
+std::map<int, std::uint32_t> sparingCuts(const scene::Scene& scene) {
+  std::map<int, std::uint32_t> cuts;
+  auto enabled = std::count_if(scene.cuts.begin(), scene.cuts.end(), [](const auto& cut) { return cut.enabled; });
+  int place = 0;
+  for (const auto& cut : scene.cuts) {
+    if (!cut.enabled) continue;
+    for (const auto& spare : cut.spares)
+      if (spare.distance > 0.0 && spare.share > 0.0)
+        cuts[spare.structure] |= enabled <= 32 ? std::uint32_t(1) << place : 0;
+    ++place;
+  }
+  return cuts;
+}
+
+}  // namespace
 
 bool StructureSets::hidesAny() const {
   return std::any_of(of.begin(), of.end(), [](std::uint8_t bits) { return (bits & kShown) == 0; });
@@ -17,10 +37,16 @@ StructureSets makeStructureSets(const scene::Scene& scene, bool isAlone) {
   at(0) = isAlone || !(scene.labels.unlabelled > 0.0) ? 0 : StructureSets::kShown;
   for (const auto& structure : scene.labels.structures)
     if (!structure.visible || !(structure.opacity > 0.0)) at(structure.id) = 0;
-  for (const auto& cut : scene.cuts)
-    for (const auto& spare : cut.spares)
-      if (cut.enabled && spare.distance > 0.0 && spare.share > 0.0)
-        if (std::uint8_t& bits = at(spare.structure); bits != 0) bits |= StructureSets::kSpared;
+  std::map<int, std::uint32_t> sparing = sparingCuts(scene);
+  std::erase_if(sparing, [&](const auto& entry) { return at(entry.first) == 0; });
+  for (const auto& [structure, cuts] : sparing)
+    if (std::find(sets.spareClasses.begin(), sets.spareClasses.end(), cuts) == sets.spareClasses.end())
+      sets.spareClasses.push_back(cuts);
+  if (sets.spareClasses.size() > 2) sets.spareClasses = {0};
+  for (const auto& [structure, cuts] : sparing) {
+    bool isSecond = sets.spareClasses.size() == 2 && cuts == sets.spareClasses[1];
+    at(structure) |= isSecond ? StructureSets::kSparedToo : StructureSets::kSpared;
+  }
   return sets;
 }
 

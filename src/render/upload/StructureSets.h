@@ -8,10 +8,15 @@ namespace velum::render {
 
 /// What becomes of structures in a picture, a set of bits for each label.
 struct StructureSets {
-  static constexpr std::uint8_t kShown = 1;   ///< it is not hidden
-  static constexpr std::uint8_t kSpared = 2;  ///< it is shown, and some cut spares it
+  static constexpr std::uint8_t kShown = 1;      ///< it is not hidden
+  static constexpr std::uint8_t kSpared = 2;     ///< it is shown, and spared by cuts of the first class,
+  static constexpr std::uint8_t kSparedToo = 4;  ///< or of the second
 
   std::vector<std::uint8_t> of;  ///< by label; others are shown
+  /// Sets of enabled cuts, a bit each, that spare the same structures, however deep. One without bits where there are
+  /// more than two, or cuts than bits: all that some cut spares is in it.
+  std::vector<std::uint32_t> spareClasses;
+
   std::uint8_t bits(std::uint16_t label) const { return label < of.size() ? of[label] : kShown; }
   bool hidesAny() const;
   bool operator==(const StructureSets&) const = default;

@@ -65,10 +65,13 @@ vec4 structureRow(uint label) {
 }
 
 /// How far a structure takes its own colour rather than the transfer function's.
+vec4 structureLook(uint label) {
+  return label != 0u && label < uint(frame.structureCount) ? texelFetch(structureTexture, 2 * int(label) + 1) : vec4(1.0, 0.0, 0.0, 0.0);
+}
+
 float structureTint(uint label) {
   if (label == 0u) return 0.0;
-  if (!hasFlag(kFlagTints) || label >= uint(frame.structureCount)) return frame.labelTint;
-  return frame.labelTint * texelFetch(structureTexture, 2 * int(label) + 1).x;
+  return hasFlag(kFlagTints) ? frame.labelTint * structureLook(label).x : frame.labelTint;
 }
 
 /// A value as one end of a stretch of the transfer table.
@@ -103,35 +106,41 @@ float gradientFactor(vec3 gradient) {
   return uintBitsToFloat(texelFetch(transferTexture, kTransferSize + 1 + int(x)).r);
 }
 
-/// Who may own a place.
+/// Who may own a place: anybody, or those with all of these bits.
 const int kAnybody = 0;
 const int kShown = 1;   // structures that are not hidden
-const int kSpared = 2;  // those that cuts spare
+const int kSpared = 3;  // those of them that cuts spare
+const int kSolid = 5;   // that are shown as surfaces
 
-/// Whether shares say what shows: some structures do not.
-bool usesShares() { return LABELS == 2 || (LABELS == 1 && (hasFlag(kFlagSpares) || hasFlag(kFlagHides))); }
+/// Whether some structures are shown as surfaces, and whether shares say what shows: some structures do not.
+bool hasSolids() { return LABELS == 2 || (LABELS == 1 && (hasFlag(kFlagSolids) || hasFlag(kFlagVeils))); }
+bool usesShares() { return hasSolids() || (LABELS == 1 && (hasFlag(kFlagSpares) || hasFlag(kFlagHides))); }
 
 #if LABELS != 0
 /// Interpolated shares, see shareTexture. @param p  label voxels
 vec4 sharesIn(vec3 p) { return textureLod(shareTexture, p / vec3(textureSize(labelTexture, 0)), 0.0); }
 
 bool mayOwn(uint label, int who) {
-  if (who == kSpared && sparesOf(label) < 0) return false;
+  if ((who & kSpared & ~kShown) != 0 && sparesOf(label) < 0) return false;
+  if ((who & kSolid & ~kShown) != 0 && LABELS == 1 && structureLook(label).y == 0.0) return false;
   if (who == kAnybody || (LABELS == 1 && !hasFlag(kFlagHides))) return true;
   return label == 0u ? LABELS == 1 && frame.unlabelledOpacity > 0.0 : structureRow(label).a > 0.0;
 }
 
 /// Whose a place is: shared/structure.h. Where nobody who may owns any of it, the voxel's own structure.
 Owner ownerAt(vec3 scenePoint, int who) {
+  if (hasFlag(kFlagOneSpared) && who == kSpared) return Owner(uint(frame.spareClasses.z), 1.0);
   vec3 p = labelVoxelAt(scenePoint);
   ivec3 last = textureSize(labelTexture, 0) - 1;
   uint nearest = labelIn(p);
   vec3 q = clamp(p - 0.5, vec3(0.0), vec3(last));
   ivec3 base = ivec3(q);
   vec3 f = q - vec3(base);
-  if (isBeyondLabels(p) || (who == kAnybody && textureLod(coverTexture, p / vec3(last + 1), 0.0).r > 0.9999)) return Owner(nearest, 1.0);
+  if (isBeyondLabels(p)) return Owner(nearest, 1.0);
   Votes votes = noVotes();
-  for (int corner = 0; corner < 8; ++corner) {
+  // Of a voxel that is wholly inside all eight are its own.
+  int corners = textureLod(coverTexture, p / vec3(last + 1), 0.0).r > 0.9999 && mayOwn(nearest, who) ? 0 : 8;
+  for (int corner = 0; corner < corners; ++corner) {
     ivec3 step3 = ivec3(corner & 1, corner >> 1 & 1, corner >> 2);
     ivec3 voxel = min(base + step3, last);
     vec3 w = mix(1.0 - f, f, vec3(step3));
@@ -166,13 +175,35 @@ float shareAt(vec3 scenePoint, bool sparedOnly) {
   return shareIn(labelVoxelAt(scenePoint), sparedOnly, sparedOnly ? classesAt(scenePoint) : vec2(1.0));
 }
 
-/// The way out of what shows, scene frame, as long as the share falls over a voxel.
-vec3 shareSlopeAt(vec3 scenePoint, bool sparedOnly, vec2 classes) {
+/// What shares are of: all that shows, what is opaque of it, what has a surface.
+const int kOfAll = 0;
+const int kOfSolids = 1;
+const int kOfSurfaces = 2;
+
+/// Shares of what is solid (x) and of all that has a surface, that one can look through, too (y), of what shows.
+vec2 solidsOf(vec4 shares, float shown) {
+  float surfaces = hasFlag(kFlagVeils) ? shares.b + shares.g : shares.b;
+  return min(vec2(shares.b, surfaces), shown);
+}
+
+float shareOf(vec4 shares, int what, bool sparedOnly, vec2 classes) {
+  float shown = shareOf(shares, sparedOnly, classes);
+  if (!hasSolids() || what == kOfAll) return shown;
+  vec2 solids = solidsOf(shares, shown);
+  return what == kOfSolids ? solids.x : solids.y;
+}
+
+/// The way out of what shows, scene frame, about as long as the share falls over a voxel.
+vec3 shareSlopeAt(vec3 scenePoint, int what, bool sparedOnly, vec2 classes) {
   vec3 p = labelVoxelAt(scenePoint);
+  // Differences across a cube's corners: of those tried the nearest to the true normals of balls and tubes, along all three
+  // axes at once. A software driver runs a loop as often as one of its rays wants it, and once more.
+  const float kReach = 0.5;
   vec3 rise = vec3(0.0);
-  for (int i = 0; i < 6; ++i) {
-    vec3 axis = vec3(equal(ivec3(i >> 1), ivec3(0, 1, 2))) * ((i & 1) == 0 ? 1.0 : -1.0);
-    rise += 0.5 * shareOf(sharesIn(p + axis), sparedOnly, classes) * axis;
+  int taps = sparedOnly || hasSolids() || hasFlag(kFlagHides) ? 8 : 0;
+  for (int i = 0; i < taps; ++i) {
+    vec3 way = vec3((i & 1) == 0 ? 1.0 : -1.0, (i & 2) == 0 ? 1.0 : -1.0, (i & 4) == 0 ? 1.0 : -1.0);
+    rise += 0.25 * shareOf(sharesIn(p + kReach * way), what, sparedOnly, classes) * way;
   }
   vec3 out3 = -(transpose(mat3(frame.labelFromScene)) * rise);
   float len = length(out3);
@@ -183,6 +214,23 @@ vec3 shareSlopeAt(vec3 scenePoint, bool sparedOnly, vec2 classes) {
 float shownPart(float a, float b) {
   float high = max(a, b);
   return clamp((high - 0.5) / max(high - min(a, b), 1e-6), 0.0, 1.0);
+}
+
+/// How far a way has come through a surface whose share is interpolated: 0 before it, 1 behind it.
+float surfacePassed(float share) { return clamp(5.0 * (share - 0.5), 0.0, 1.0); }
+/// How much of a surface lies between two places: its opacity is the same however obliquely and finely it is passed.
+float surfaceBetween(float a, float b) { return abs(surfacePassed(a) - surfacePassed(b)); }
+
+/// Extinction within what is solid, which is seen where something takes its surface away.
+float solidExtinction() { return 6.0 * frame.voxelsPerLength; }
+const float kSurfaceDepth = 8.0;  // of an opaque surface
+
+/// Optical depth of a stretch of structures with surfaces. @param a, b  of solidsOf() at its ends, of what part is inside
+/// @param opacity  of the surface
+float solidDepth(vec2 a, vec2 b, float span, float opacity) {
+  float inside = shownPart(a.x, b.x) * span * solidExtinction();
+  float veil = -log(max(1.0 - opacity, 1e-4));
+  return opacity < 0.995 && hasFlag(kFlagVeils) ? veil * surfaceBetween(a.y, b.y) : kSurfaceDepth * surfaceBetween(a.x, b.x) + inside;
 }
 #endif
 
@@ -215,11 +263,6 @@ vec3 tinted(vec3 albedo, vec3 scenePoint, vec3 outwards, uint structure) {
   }
   return mix(albedo, structureRow(structure).rgb, structureTint(structure));
 }
-#endif
-
-#if LABELS == 2
-/// Extinction of structures in a scene of labels alone. @param opacity  of the structure
-float solidExtinction(float opacity) { return 6.0 * opacity * opacity * frame.voxelsPerLength; }
 #endif
 
 /// Gradient of the data value per, scene frame: differences over two voxels of values that are smoothed across by 1 2 1.

@@ -32,19 +32,23 @@ Place placeAt(vec3 tex) {
   place.structure = 0u;
 #if LABELS == 2
   place.structure = labelAt(place.point);
-  float share = shareAt(place.point, false);
-  place.extinction = smoothstep(0.35, 0.65, share) * solidExtinction(place.structure == 0u ? 1.0 : structureRow(place.structure).a);
+  place.extinction = smoothstep(0.35, 0.65, solidsOf(sharesIn(labelVoxelAt(place.point)), 1.0).x) * solidExtinction();
 #else
   float factor = 1.0;
 #if LABELS == 1
   place.structure = labelAt(place.point);
   factor = place.structure == 0u ? frame.unlabelledOpacity : structureRow(place.structure).a;
 #endif
+  bool isSolid = false;
+#if LABELS == 1
+  if (hasSolids()) isSolid = structureLook(place.structure).y > 0.0 && structureRow(place.structure).a > 0.0;
+#endif
 #if MODE == 2
   place.extinction = tableAt(tex) >= frame.isoValue * float(kTransferSize - 1) ? 4.0 * frame.voxelsPerLength : 0.0;
 #else
   place.extinction = extinctionAt(tableAt(tex)) * factor;
 #endif
+  if (isSolid) place.extinction = factor < 0.995 ? 0.0 : 4.0 * frame.voxelsPerLength;
 #endif
   place.extinction = min(shownExtinction(place.extinction, place.point, place.structure), 2.0 / frame.lightCell);
   return place;

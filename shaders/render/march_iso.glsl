@@ -6,6 +6,14 @@
 #include "render/hit.glsl"
 #include "render/walk.glsl"
 
+#if LABELS == 1
+/// Share of what is solid. @param shown  of what shows
+float solidAt(vec3 scenePoint, float shown) {
+  vec3 p = labelVoxelAt(scenePoint);
+  return solidsOf(isBeyondLabels(p) ? frame.sharesBeyond : sharesIn(p), shown).x;
+}
+#endif
+
 /// The value on a ray, a table position; below the surface's where only what cuts spare shows and they do not spare it, so
 /// that where an extrusion ends there is a surface, too.
 float shownValueAt(Ray ray, Walk walk, float t, bool sparedOnly) {
@@ -13,8 +21,13 @@ float shownValueAt(Ray ray, Walk walk, float t, bool sparedOnly) {
   vec3 p = ray.origin + t * ray.direction;
   float iso = frame.isoValue * float(kTransferSize - 1);
   bool isMissing = hasFlag(kFlagSpares) && sparedOnly && x >= iso && !cutsKeep(p, structureAt(p, kSpared));
-#if LABELS != 0
-  if (usesShares()) isMissing = isMissing || shareAt(p, sparedOnly) < 0.5;
+#if LABELS == 1
+  if (usesShares()) {
+    float shown = shareAt(p, sparedOnly);
+    // A structure's surface is one of the value, too.
+    if (hasSolids()) x = max(x, iso + 200.0 * (solidAt(p, shown) - 0.5));
+    isMissing = isMissing || shown < 0.5;
+  }
 #endif
   return isMissing ? min(x, iso - 1.0) : x;
 }
@@ -26,7 +39,9 @@ void addSurface(inout Hit hit, Ray ray, Walk walk, float t, Face face, bool spar
   vec3 tex = texAt(walk, t);
   uint structure = 0u;
 #if LABELS == 1
-  structure = ownerAt(p, sparedOnly ? kSpared : kShown).id;
+  bool isSolid = false;
+  if (hasSolids()) isSolid = solidAt(p, shareAt(p, sparedOnly)) > 0.49;
+  structure = ownerAt(p, (sparedOnly ? kSpared : kShown) | (isSolid ? kSolid : 0)).id;
 #endif
   if (hasFlag(kFlagSpares) && sparedOnly && !cutsKeep(p, structure)) return;
   vec3 gradient = gradientAt(tex);
@@ -36,9 +51,9 @@ void addSurface(inout Hit hit, Ray ray, Walk walk, float t, Face face, bool spar
 #if LABELS == 1
   if (usesShares()) {
     // Where what shows ends before the value does the surface is the border's.
-    vec3 slope = shareSlopeAt(p, sparedOnly, sparedOnly ? classesAt(p) : vec2(1.0));
-    float onBorder = smoothstep(0.02, 0.12, length(slope)) * smoothstep(0.7, 0.55, shareAt(p, sparedOnly));
-    float isAlike = smoothstep(0.3, 0.8, dot(normal, normalize(slope + 1e-9)));
+    vec3 slope = shareSlopeAt(p, isSolid ? kOfSolids : kOfAll, sparedOnly, sparedOnly ? classesAt(p) : vec2(1.0));
+    float onBorder = smoothstep(0.02, 0.12, length(slope)) * (isSolid ? 1.0 : smoothstep(0.7, 0.55, shareAt(p, sparedOnly)));
+    float isAlike = isSolid ? 0.0 : smoothstep(0.3, 0.8, dot(normal, normalize(slope + 1e-9)));
     normal = normalize(mix(normal, normalize(slope + 1e-9), onBorder * (1.0 - isAlike)) + 1e-6);
   }
 #endif
@@ -55,7 +70,8 @@ void addSurface(inout Hit hit, Ray ray, Walk walk, float t, Face face, bool spar
   albedo = volumeColorAt(tex);
 #endif
 #if LABELS == 1
-  albedo = tinted(albedo, p, isOnFace(face) || sparedOnly ? vec3(0.0) : normal, structure);
+  if (isSolid) albedo = structureRow(structure).rgb;
+  else albedo = tinted(albedo, p, isOnFace(face) || sparedOnly ? vec3(0.0) : normal, structure);
   if (hasFlag(kFlagOverlaps) && end.isShared) albedo = mix(albedo, kOverlapColor, kOverlapShare);
 #endif
   vec3 color = shadeSurface(albedo, normal, -ray.direction, lightTexAt(p, normal, 1.0));

@@ -15,12 +15,19 @@ struct Segment {
   float depth;  // optical depth by the transfer function, of the part that shows
   float share0;  // shares of what shows at its ends
   float share1;
+  vec2 solids0;  // of solidsOf() there
+  vec2 solids1;
 };
 
 /// Whether each sample asks whose it is. Where structures have no say in what is seen, only what is hit is asked in the end.
 bool asksStructures() {
   return hasFlag(kFlagInlays) || hasFlag(kFlagSheets) || (LABELS == 1 && hasFlag(kFlagStructureLooks));
 }
+
+#if LABELS != 0
+/// Whether anything between two places may belong to a surface.
+bool mayBeSolid(vec2 a, vec2 b) { return max(a.y, b.y) > 0.5; }
+#endif
 
 /// Shades and composites one segment.
 /// @param faceT  where the face lies that the ray has come through last; < 0: none
@@ -35,11 +42,17 @@ void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, float faceT,
     segment.share0 = shareIn(labelVoxelAt(ray.origin + segment.t0 * ray.direction), true, classes);
     segment.share1 = shareIn(labelVoxelAt(ray.origin + segment.t1 * ray.direction), true, classes);
     segment.depth *= shownPart(segment.share0, segment.share1) / max(part, 1e-6);
+    segment.solids0 = min(segment.solids0, segment.share0);
+    segment.solids1 = min(segment.solids1, segment.share1);
   }
+  bool isSolid = false;
+  if (hasSolids()) isSolid = mayBeSolid(segment.solids0, segment.solids1);
   if (usesShares()) {
     // The middle of the part that shows.
-    float missing = 0.5 * (segment.t1 - segment.t0) * (1.0 - shownPart(segment.share0, segment.share1));
-    tm += segment.share1 > segment.share0 ? missing : -missing;
+    float s0 = isSolid ? segment.solids0.y : segment.share0;
+    float s1 = isSolid ? segment.solids1.y : segment.share1;
+    float missing = 0.5 * (segment.t1 - segment.t0) * (1.0 - shownPart(s0, s1));
+    tm += s1 > s0 ? missing : -missing;
   }
 #endif
   vec3 p = ray.origin + tm * ray.direction;
@@ -49,7 +62,8 @@ void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, float faceT,
   float alpha = 1.0 - exp(-depth);
   // Whose material it is.
 #if LABELS != 0
-  if (asksStructures() || sparedOnly || LABELS == 2) structure = ownerAt(p, sparedOnly ? kSpared : kShown).id;
+  if (asksStructures() || sparedOnly || hasSolids())
+    structure = ownerAt(p, (sparedOnly ? kSpared : kShown) | (isSolid ? kSolid : 0)).id;
 #endif
   if (hasFlag(kFlagSpares) && sparedOnly && !cutsKeep(p, structure)) return;
   // Where its surface looks to.
@@ -57,7 +71,7 @@ void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, float faceT,
   vec3 gradient = vec3(0.0);
   float steepness = 1.0;
 #if LABELS == 2
-  if (asksGradient) gradient = -shareSlopeAt(p, sparedOnly, classes);
+  if (asksGradient) gradient = -shareSlopeAt(p, segment.solids0.x + segment.solids1.x > 0.5 ? kOfSolids : kOfSurfaces, sparedOnly, classes);
 #else
   if (asksGradient) {
     gradient = gradientAt(tex);
@@ -71,20 +85,21 @@ void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, float faceT,
 #if LABELS == 1
   if (asksGradient && usesShares()) {
     // On the border of what shows the surface is the border's, unless the data has one that runs alike: that one is smoother.
-    vec3 slope = shareSlopeAt(p, sparedOnly, classes);
+    int what = !isSolid ? kOfAll : segment.solids0.x + segment.solids1.x > 0.5 ? kOfSolids : kOfSurfaces;
+    vec3 slope = shareSlopeAt(p, what, sparedOnly, classes);
     float fall = length(slope);
     float onBorder = smoothstep(0.02, 0.12, fall);
     vec3 borderNormal = slope / max(fall, 1e-6);
-    float isAlike = steepness * smoothstep(0.3, 0.8, dot(outwards, borderNormal));
+    float isAlike = isSolid ? 0.0 : steepness * smoothstep(0.3, 0.8, dot(outwards, borderNormal));
     outwards = normalize(mix(outwards, borderNormal, onBorder * (1.0 - isAlike)) + 1e-6);
     steepness = max(steepness, onBorder);
   }
 #endif
   // Of what colour it is.
 #if LABELS == 2
-  vec4 material = structureRow(structure);
-  vec3 albedo = material.rgb;
-  depth *= material.a * material.a;
+  vec4 row = structureRow(structure);
+  vec3 albedo = row.rgb;
+  depth = solidDepth(segment.solids0, segment.solids1, segment.t1 - segment.t0, row.a);
 #else
 #if COLOR
   vec3 albedo = volumeColorAt(tex);
@@ -92,7 +107,15 @@ void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, float faceT,
   vec3 albedo = colorBetween(segment.x0, segment.x1);
 #endif
 #if LABELS == 1
-  if (hasFlag(kFlagStructureLooks)) {
+  if (hasFlag(kFlagGradientOpacity) && hasSolids()) depth *= gradientFactor(gradient);
+  if (isSolid) {
+    // What is before the surface, or behind it, belongs to nobody here.
+    vec4 row = structureRow(structure);
+    float surface = solidDepth(segment.solids0, segment.solids1, segment.t1 - segment.t0, row.a);
+    depth *= frame.unlabelledOpacity;
+    albedo = mix(albedo, row.rgb, surface / max(depth + surface, 1e-9));
+    depth += surface;
+  } else if (hasFlag(kFlagStructureLooks)) {
     depth *= structure == 0u ? frame.unlabelledOpacity : structureRow(structure).a;
     bool isByFace = faceT >= 0.0 && (tm - faceT) * frame.voxelsPerLength < 1.5;
     // What is spared alone borders on what is not there.
@@ -120,7 +143,7 @@ void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, float faceT,
   vec3 color = albedo;
   if (asksGradient) {
 #if LABELS != 2
-    if (hasFlag(kFlagGradientOpacity)) depth *= gradientFactor(gradient);
+    if (hasFlag(kFlagGradientOpacity) && !hasSolids()) depth *= gradientFactor(gradient);
 #endif
     normal = normalize(mix(-ray.direction, outwards, steepness) + 1e-6);
     // On a cut the surface is the cut's; a voxel and a half behind it the data's own again, and so where a membrane lies
@@ -135,7 +158,7 @@ void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, float faceT,
     }
     color = shadeSurface(albedo, normal, -ray.direction, lightTexAt(p, normal, steepness));
   }
-  if (hasFlag(kFlagGradientOpacity) || hasFlag(kFlagInlays) || LABELS == 1) alpha = 1.0 - exp(-depth);
+  if (hasFlag(kFlagGradientOpacity) || hasFlag(kFlagInlays) || LABELS != 0) alpha = 1.0 - exp(-depth);
   float voxels = max((segment.t1 - segment.t0) * frame.voxelsPerLength, 1e-6);
   float solid = hasFlag(kFlagFinish) ? 1.0 - exp(-depth / voxels) : 1.0;
   if (alpha > 0.0) addSample(hit, vec4(color * alpha, alpha), tm, normal, structure, solid);
@@ -149,6 +172,7 @@ struct Group {
   float to;
   float x[kGroup + 1];       // values, table positions
   float shares[kGroup + 1];  // of what shows there
+  vec2 solids[kGroup + 1];   // of solidsOf() there
 };
 
 float timeIn(Group group, Walk walk, int i) { return clamp(group.lattice + float(i) * walk.dt, group.from, group.to); }
@@ -174,7 +198,12 @@ Group groupAt(Walk walk, Ray ray, float lattice, float from, float to, bool spar
   if (usesShares()) {
     vec3 first = labelVoxelAt(ray.origin);
     vec3 perLength = mat3(frame.labelFromScene) * ray.direction;
-    for (int i = 0; i <= kGroup; ++i) group.shares[i] = shareIn(first + timeIn(group, walk, i) * perLength, sparedOnly, vec2(1.0));
+    for (int i = 0; i <= kGroup; ++i) {
+      vec3 at = first + timeIn(group, walk, i) * perLength;
+      vec4 shares = isBeyondLabels(at) ? frame.sharesBeyond : sharesIn(at);
+      group.shares[i] = shareOf(shares, sparedOnly, vec2(1.0));
+      if (hasSolids()) group.solids[i] = solidsOf(shares, group.shares[i]);
+    }
   }
 #endif
   return group;
@@ -185,6 +214,7 @@ bool mayShow(Group group) {
 #if LABELS == 2
   return true;
 #else
+  if (hasSolids()) return true;
   float low = group.x[0];
   float high = group.x[0];
   for (int i = 1; i < kGroup; ++i) {
@@ -250,20 +280,29 @@ uint shownIn(Group group, bool sparedOnly) {
 Depths depthsOf(Group group, Walk walk, Ray ray, uint asked, bool sparedOnly) {
   Depths depths;
   depths.marks = 0u;
+  bool hasSolid = false;
 #if LABELS != 2
   TableEnd before = tableEndAt(group.x[0]);
 #endif
   for (int i = 0; i < kGroup; ++i) {
     float span = timeIn(group, walk, i + 1) - timeIn(group, walk, i);
     span *= shownPartOf(group, i);
+    bool isSolid = false;
+#if LABELS != 0
+    if (hasSolids()) {
+      isSolid = mayBeSolid(group.solids[i], group.solids[i + 1]);
+      hasSolid = hasSolid || isSolid;
+      span *= 1.0 - shownPart(group.solids[i].y, group.solids[i + 1].y);
+    }
+#endif
 #if LABELS == 2
-    depths.of[i] = solidExtinction(1.0) * span;
+    depths.of[i] = 0.0;
 #else
     TableEnd after = tableEndAt(group.x[i + 1]);
     depths.of[i] = extinctionBetween(before, after) * span;
     before = after;
 #endif
-    depths.marks |= depths.of[i] > 0.0 ? 1u << i : 0u;
+    depths.marks |= depths.of[i] > 0.0 || isSolid ? 1u << i : 0u;
   }
   depths.marks &= asked;
   depths.nearHalf = depths.of[0] + depths.of[1] + depths.of[2] + depths.of[3];
@@ -271,7 +310,7 @@ Depths depthsOf(Group group, Walk walk, Ray ray, uint asked, bool sparedOnly) {
   depths.isThin = depths.nearHalf + depths.farHalf < kThin;
   depths.isNearThin = depths.nearHalf < 2.0 * kThin;
   depths.isFarThin = depths.farHalf < 2.0 * kThin;
-  bool isJoined = LABELS == 0 || (LABELS == 1 && !sparedOnly && !hasFlag(kFlagHides));
+  bool isJoined = !hasSolid && (LABELS == 0 || (LABELS == 1 && !sparedOnly && !hasFlag(kFlagHides)));
   if (asksStructures() && isJoined && depths.marks != 0u && (depths.isNearThin || depths.isFarThin))
     isJoined = isOfOneStructure(group, walk, ray);
   depths.isThin = isJoined && depths.isThin;
@@ -300,13 +339,22 @@ Segment segmentAt(Group group, Walk walk, Depths depths, int n) {
 #endif
   float s0 = 1.0;
   float s1 = 1.0;
+  vec2 solids0 = vec2(0.0);
+  vec2 solids1 = vec2(0.0);
 #if LABELS != 0
+  if (hasSolids()) {
+    // Surfaces are never joined.
+    for (int i = 0; i < kGroup; ++i) {
+      solids0 = i == n ? group.solids[i] : solids0;
+      solids1 = i == m ? group.solids[i + 1] : solids1;
+    }
+  }
   if (usesShares()) {
     s0 = oneOf(group.shares[0], group.shares[1], group.shares[2], group.shares[3], group.shares[4], group.shares[5], group.shares[6], group.shares[7], n);
     s1 = oneOf(group.shares[1], group.shares[2], group.shares[3], group.shares[4], group.shares[5], group.shares[6], group.shares[7], group.shares[8], m);
   }
 #endif
-  return Segment(timeIn(group, walk, n), timeIn(group, walk, m + 1), x0, x1, depth, s0, s1);
+  return Segment(timeIn(group, walk, n), timeIn(group, walk, m + 1), x0, x1, depth, s0, s1, solids0, solids1);
 }
 
 /// Composites a stretch that is removed and one behind it that is kept, front to back; either may be empty. Rays of a SIMD group go in step, and a software driver runs both sides of

@@ -44,7 +44,10 @@ SHARED_CONST uint kFlagNoData = 16777216u;  // neither a volume nor labels are d
 SHARED_CONST uint kFlagValueColors = 33554432u;  // the largest value shows in its colour of the transfer function
 SHARED_CONST uint kFlagHides = 67108864u;  // some structure, or what has no label, is hidden
 SHARED_CONST uint kFlagSpareClasses = 134217728u;  // there are two kinds of spared structures, see spareClasses
-SHARED_CONST uint kFlagLast = kFlagSpareClasses;
+SHARED_CONST uint kFlagSolids = 268435456u;  // some structure is shown as an opaque surface
+SHARED_CONST uint kFlagVeils = 536870912u;   // some structure is shown as a surface that one can look through
+SHARED_CONST uint kFlagOneSpared = 1073741824u;  // cuts spare one structure only: spareClasses.z
+SHARED_CONST uint kFlagLast = kFlagOneSpared;
 
 /// Scene-local frame: world minus an origin near the scene, so that floats are enough anywhere. Lengths are in scene
 /// units. "Table" positions 0..1 run over the transfer table's domain of data values. Members lie in groups of 16
@@ -69,7 +72,7 @@ struct FrameParams {
   vec4 keyLight;     ///< unit, towards the key light, scene frame
   vec4 pictureUp;    ///< unit
   vec4 planes[kMostPlanes];  ///< with PLANES, all cuts: rows of localFromScene that give z
-  ivec4 spareClasses;        ///< x, y: bits of the cuts that spare structures of the first class, and of the second
+  ivec4 spareClasses;        ///< x, y: bits of the cuts that spare structures of the first class, and of the second; z: the only one
   ivec4 planeBits;           ///< a bit each: x: those that are joined to the one before; y: those that remove the other side
   vec2 pictureSize;  ///< of the whole picture, pixels
   vec2 subpixel;     ///< place of the sample, from the middle of its pixel
@@ -107,7 +110,7 @@ struct FrameParams {
 /// One structure: index by label id.
 struct StructureRow {
   vec4 color;  ///< rgb, a: opacity factor (0 when not visible)
-  vec4 look;   ///< x: factor on labelTint
+  vec4 look;   ///< x: factor on labelTint; y: 1: shown as a surface
 };
 
 SHARED_END

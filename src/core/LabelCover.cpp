@@ -10,7 +10,7 @@ namespace velum {
 namespace {
 
 constexpr int kSize = LabelVolume::kBrickSize, kHalo = LabelCover::kHalo, kWide = kSize + 2 * kHalo;
-constexpr float kSharpen = 2.5f;
+constexpr float kSharpen = 2.65f;
 
 std::size_t inWide(glm::ivec3 at) {
   return (std::size_t(at.z) * kWide + std::size_t(at.y)) * kWide + std::size_t(at.x);

@@ -118,10 +118,10 @@ void completeFrameData(FrameData& data) {
     if (cut.kind.z & shared::kCutJoined) data.params.flags |= shared::kFlagJoined;
   }
   if (int(data.cuts.size()) <= shared::kMostPlanes) writePlanes(data.cuts, data.params);
-  bool hasLooks = scene.labels.tint > 0.0 || scene.labels.unlabelled != 1.0;
-  for (const auto& row : data.structures) {
-    if (row.look.x != 1.0f) data.params.flags |= shared::kFlagTints;
-    hasLooks = hasLooks || row.color.a != 1.0f;
+  bool hasLooks = scene.labels.unlabelled != 1.0;
+  for (const auto& structure : scene.labels.structures) {
+    if (structure.tint != 1.0) data.params.flags |= shared::kFlagTints;
+    hasLooks = hasLooks || !structure.visible || structure.opacity != 1.0 || scene.labels.tint * structure.tint > 0.0;
   }
   if (hasLooks) data.params.flags |= shared::kFlagStructureLooks;
   if (!data.volume && data.labelUse == LabelUse::None) data.params.flags |= shared::kFlagNoData;
@@ -129,10 +129,19 @@ void completeFrameData(FrameData& data) {
   if (data.cuts.size() >= kFewCuts) data.params.flags |= shared::kFlagCutGrid;
   if (!data.spares.isEmpty()) data.params.flags |= shared::kFlagSpares;
   if (data.sets.hidesAny() && data.labelUse == LabelUse::OverVolume) data.params.flags |= shared::kFlagHides;
+  if (data.labelUse != LabelUse::None) {
+    if (data.sets.hasAny(StructureSets::kSolid)) data.params.flags |= shared::kFlagSolids;
+    if (data.sets.hasAny(StructureSets::kVeil)) data.params.flags |= shared::kFlagVeils;
+  }
+  if (data.labelUse != LabelUse::None && data.sets.onlySpared >= 0) {
+    data.params.flags |= shared::kFlagOneSpared;
+    data.params.spareClasses.z = data.sets.onlySpared;
+  }
   data.params.sharesBeyond = sharesBeyond(data.sets);
   if (data.sets.spareClasses.size() == 2) {
     data.params.flags |= shared::kFlagSpareClasses;
-    data.params.spareClasses = glm::ivec4(glm::uvec4(data.sets.spareClasses[0], data.sets.spareClasses[1], 0, 0));
+    data.params.spareClasses.x = int(data.sets.spareClasses[0]);
+    data.params.spareClasses.y = int(data.sets.spareClasses[1]);
   }
   if (data.frame.marksOverlaps && data.spares.hasDepths) data.params.flags |= shared::kFlagOverlaps;
   if (data.spares.hasDepths) data.params.flags |= shared::kFlagSpareDepths;

@@ -287,7 +287,7 @@ std::vector<shared::StructureRow> makeStructureRows(const scene::LabelLayer& lab
   std::vector<shared::StructureRow> rows(std::size_t(largest) + 1, {glm::vec4(0.6f, 0.6f, 0.6f, 1.0f), kPlain});
   for (const auto& s : labels.structures)
     rows[std::size_t(s.id)] = {glm::vec4(s.color, s.visible ? float(s.opacity) : 0.0f),
-                               glm::vec4(float(s.tint), 0.0f, 0.0f, 0.0f)};
+                               glm::vec4(float(s.tint), s.showAs == scene::ShowAs::Solid ? 1.0f : 0.0f, 0.0f, 0.0f)};
   return rows;
 }
 

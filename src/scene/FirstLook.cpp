@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "velum/scene/AnatomyColors.h"
 #include "velum/scene/GreyWindows.h"
 #include "velum/scene/Presets.h"
 
@@ -184,6 +185,17 @@ void applyFirstLook(Scene& scene) {
   for (double left : {0.2, 0.1, 0.05, 0.02})
     if (opaqueShare(borders, scene.volume.transfer, voxel) > kMostOfFaces)
       raiseFloor(scene.volume.transfer, borders, left);
+}
+
+void applyFirstLook(LabelLayer& labels) {
+  // What writes names into NIfTI files has colours made by number; other formats hold those that somebody chose.
+  bool hasOwn = labels.source.path.find(".nii") == std::string::npos;
+  for (auto& structure : labels.structures) {
+    auto id = std::uint16_t(structure.id);
+    structure.showAs = ShowAs::Solid;
+    if (structure.color == defaultLabelColor(id) || (!hasOwn && anatomyColor(structure.name)))
+      structure.color = solidColor(id, structure.name);
+  }
 }
 
 }  // namespace velum::scene

@@ -41,7 +41,7 @@ TEST_F(CutWindow, ACutKeepsAStructureWholeFromListAndMenu) {
     texts << action->text();
     if (action->text().startsWith("Spare")) action->trigger();
   }
-  EXPECT_TRUE(texts.contains("Hide")) << texts.join(", ").toStdString();
+  EXPECT_TRUE(texts.contains("Hidden")) << texts.join(", ").toStdString();
   EXPECT_TRUE(texts.contains("Solo"));
   EXPECT_EQ(scene().cuts[0].spares, (std::vector<scene::Spare>{{first}, {second}}));
   EXPECT_EQ(kept->model()->index(1, 0).data(Qt::CheckStateRole).toInt(), int(Qt::Checked));

@@ -129,6 +129,20 @@ void setAll(Scene& scene, const nlohmann::ordered_json& value, const std::string
   }
 }
 
+TEST(SetField, AStarIsEachOfAList) {
+  Scene scene;
+  scene.labels.structures = {{2, "liver"}, {9, "aorta"}};
+  setField(scene, "labels.structures.*.showAs", "solid");
+  setField(scene, "labels.structures.*.color", "1,0.5,0");
+  for (const Structure& structure : scene.labels.structures) {
+    EXPECT_EQ(structure.showAs, ShowAs::Solid);
+    EXPECT_EQ(structure.color, glm::vec3(1.0f, 0.5f, 0.0f));
+  }
+  setField(scene, "cuts.*.enabled", "false");
+  EXPECT_TRUE(scene.cuts.empty()) << "of none there is none";
+  EXPECT_THROW(setField(scene, "labels.structures.*.showAs", "glass"), ArgumentError);
+}
+
 TEST(SetField, ReachesEveryFieldOfAScene) {
   Scene changed = changedScene(), scene;
   setAll(scene, nlohmann::ordered_json::parse(toJson(changed)), "");

@@ -432,4 +432,39 @@ TEST(Extrusion, ANewStructureHasANumberThatNobodyHasNorWillGrow) {
   EXPECT_EQ(freeStructureId(scene), 2);
 }
 
+TEST(Extrusion, OfALabelThePartThatIsJoinedToThePlaceIsPulledAlone) {
+  // One label, two blocks of it that stand apart before the cut and meet behind it.
+  scene::Scene scene = boneScene();
+  const Volume& volume = *scene.volume.data;
+  LabelVolume labels(volume.dims, volume.worldFromVoxel);
+  std::vector<std::uint16_t> ids;
+  for (int z = 0; z < 40; ++z)
+    for (int y = 0; y < 40; ++y)
+      for (int x = 0; x < 40; ++x) {
+        bool isLeft = x >= 8 && x < 16, isRight = x >= 24 && x < 32, isBehind = y >= 24;
+        ids.push_back(
+            z >= 12 && z < 28 && y >= 4 && y < 36 && (isLeft || isRight || (isBehind && x >= 8 && x < 32)) ? 5 : 0);
+      }
+  labels.write({0, 0, 0}, volume.dims, ids);
+  labels.table = {{5, "lungs", {0.9f, 0.6f, 0.6f}, 1.0f}};
+  scene.labels.data = Shared<LabelVolume>(std::move(labels));
+  scene::completeStructures(scene.labels);
+  scene.labels.structures[0].showAs = scene::ShowAs::Solid;
+
+  auto pull = beginPartPull(scene, scene.cuts[0].id, {-15, 0, 0}, 5);
+  ASSERT_TRUE(pull && pull->added && pull->growth);
+  EXPECT_EQ(pull->growth->within, 5);
+  EXPECT_EQ(pull->added->name, "lungs, a part");
+  EXPECT_EQ(pull->added->color, scene.labels.structures[0].color) << "it looks as the whole does";
+  EXPECT_EQ(pull->added->showAs, scene::ShowAs::Solid);
+  pullTo(scene, *pull, 20.0);
+  Progress progress;
+  settleGrowths(scene, progress);
+  const LabelVolume& grown = *scene.labels.data;
+  EXPECT_EQ(grown.at({12, 15, 20}), pull->structure) << "before the cut";
+  EXPECT_EQ(grown.at({28, 15, 20}), 5) << "the other block";
+  EXPECT_EQ(grown.at({12, 30, 20}), 5) << "behind the cut";
+  EXPECT_FALSE(beginPartPull(scene, scene.cuts[0].id, {0, 0, 35}, 5)) << "no such label there";
+}
+
 }  // namespace velum::session

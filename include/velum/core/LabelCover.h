@@ -36,7 +36,7 @@ std::vector<std::uint16_t> readAround(const LabelVolume& labels, glm::ivec3 orig
 /// half of its own, no voxel's middle changes sides, and what is one voxel thin stays whole.
 ///
 /// Borders of values: the cover grows with the distance of the value from the range's end, so that the border lies
-/// where the value is the end. Other borders: membership smoothed by G + 2.5 (G - G G), where G is 1 4 6 4 1 along
+/// where the value is the end. Other borders: membership smoothed by G + 2.65 (G - G G), where G is 1 4 6 4 1 along
 /// each axis; the second term gives back what smoothing takes from what is thin or round. A function of the labels
 /// and borders alone. Any thread.
 class LabelCover {

@@ -1,26 +1,35 @@
 #pragma once
 #include <glm/glm.hpp>
 #include <string>
+#include <string_view>
 
 #include "velum/core/Fields.h"
 
 namespace velum::scene {
+
+/// What a structure that is not hidden looks like beside a volume.
+enum class ShowAs { Material, Solid };
 
 /// How one labelled structure is shown.
 struct Structure {
   int id = 0;  ///< label, 1..65535
   std::string name;
   glm::vec3 color{1.0f};  ///< sRGB
-  double opacity = 1.0;   ///< multiplies the transfer function's; alone, in a scene without a volume
+  double opacity = 1.0;   ///< of material: multiplies the transfer function's; solid: of its surface
   bool visible = true;
-  double tint = 1.0;      ///< how far it takes its own colour, 0..1; multiplies LabelLayer::tint
-  std::string litSphere;  ///< of a finished picture; empty: as Finish::sphere says
+  double tint = 1.0;                 ///< how far it takes its own colour, 0..1; multiplies LabelLayer::tint
+  std::string litSphere;             ///< of a finished picture; empty: as Finish::sphere says
+  ShowAs showAs = ShowAs::Material;  ///< its values by the transfer function, or a closed surface of its colour; alone,
+                                     ///< in a scene without a volume, it is always a surface
   bool operator==(const Structure&) const = default;
   static void fields(auto& o, auto& visit) {
     visit("id", o.id, FieldInfo{"", {1, 65535}, "Label."});
     visit("name", o.name, FieldInfo{"", {}, "Name for people."});
     visit("color", o.color, FieldInfo{"", {0, 1}, "sRGB colour."});
-    visit("opacity", o.opacity, FieldInfo{"", {0, 1}, "Factor on the opacity."});
+    visit("showAs", o.showAs,
+          FieldInfo{
+              "", {}, "As material, its values by the transfer function, or solid, a surface of its colour.", true});
+    visit("opacity", o.opacity, FieldInfo{"", {0, 1}, "Material: a factor on its opacity; solid: its surface's."});
     visit("visible", o.visible, FieldInfo{"", {}, "Off: the structure is not drawn."});
     visit("tint", o.tint, FieldInfo{"", {0, 1}, "How far it takes its own colour; a factor on the labels' tint."});
     visit("litSphere", o.litSphere,
@@ -29,3 +38,8 @@ struct Structure {
 };
 
 }  // namespace velum::scene
+
+template <>
+struct velum::EnumNames<velum::scene::ShowAs> {
+  static constexpr std::string_view kNames[] = {"material", "solid"};
+};

@@ -106,6 +106,11 @@ QString PullTool::hint() const {
   if (session::lastGrowth(mDocument.scene(), mSelection.structure()))
     return tr(
         "Drag a structure out of the cut. Shift takes several, a stroke with Ctrl adds to the selected one. Esc ends.");
+  if (mTarget && mTarget->structure != 0)
+    return tr(
+        "Drag the structure out of the cut. Shift takes several, Ctrl and Shift only the part that is joined to the "
+        "place. "
+        "Esc ends.");
   return tr(
       "Drag a structure out of the cut. Shift takes several, Ctrl and the wheel, or [ and ], move the plane. Esc "
       "ends.");
@@ -146,7 +151,8 @@ bool PullTool::isBeside(const ViewPoint& at) const {
 bool PullTool::press(const PointerEvent& event) {
   bool isPlain = event.keys == Qt::NoModifier || event.keys == Qt::ShiftModifier;
   bool isStroke = event.keys == Qt::ControlModifier;
-  if (event.button != Qt::LeftButton || (!isPlain && !isStroke)) return false;
+  bool isPart = event.keys == (Qt::ControlModifier | Qt::ShiftModifier);
+  if (event.button != Qt::LeftButton || (!isPlain && !isStroke && !isPart)) return false;
   auto target = targetAt(event.at);
   if (!target && (isStroke || !isBeside(event.at))) return false;
   if (!target) {
@@ -154,15 +160,17 @@ bool PullTool::press(const PointerEvent& event) {
         tr("Nothing here to pull: press on the cut's face. A drag on the empty ground turns the view."));
     return true;
   }
-  if (!isStroke) return begin(*target, event.at, event.keys & Qt::ShiftModifier);
+  if (!isStroke) return begin(*target, event.at, isPlain && event.keys & Qt::ShiftModifier, isPart);
   beginStroke(event.at);
   return true;
 }
 
-bool PullTool::begin(const Target& target, const ViewPoint& at, bool goesOn) {
+/// @param isPart  of a label only what is joined to the place is taken
+bool PullTool::begin(const Target& target, const ViewPoint& at, bool goesOn, bool isPart) {
   const scene::Scene& scene = mDocument.scene();
-  auto pull =
-      session::beginPull(scene, target.cuts.front(), target.world, target.structure, mParts.session.histograms());
+  auto pull = isPart ? session::beginPartPull(scene, target.cuts.front(), target.world, target.structure)
+                     : session::beginPull(scene, target.cuts.front(), target.world, target.structure,
+                                          mParts.session.histograms());
   if (!pull) {
     mParts.messages.showNote(tr("Nothing stands out here; click well inside of what you mean"));
     return true;

@@ -66,7 +66,7 @@ class PullTool : public Tool {
   std::optional<Target> targetAt(const ViewPoint& at) const;
   void mean(const Target& target);
   int supporting() const;
-  bool begin(const Target& target, const ViewPoint& at, bool goesOn);
+  bool begin(const Target& target, const ViewPoint& at, bool goesOn, bool isPart);
   void pullTo(const ViewPoint& at);
   void setDistances(const std::vector<double>& distances);
   void endAtTheirEnds();

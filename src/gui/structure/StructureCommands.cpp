@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "kit/PictureList.h"
 #include "velum/scene/LitSpheres.h"
@@ -61,6 +62,17 @@ void StructureCommands::dragOpacity(const Ids& ids, double opacity) {
 void StructureCommands::rename(int id, const QString& name) {
   mDocument.edit(session::structureLabel(mDocument.scene(), "Rename", {id}),
                  [&](scene::Scene& scene) { session::renameStructure(scene, id, name.toStdString()); });
+}
+
+void StructureCommands::setShowAs(const Ids& ids, scene::ShowAs as) {
+  if (ids.empty()) return;
+  const char* verb = as == scene::ShowAs::Solid ? "Show solid:" : "Show as material:";
+  mDocument.edit(session::structureLabel(mDocument.scene(), verb, ids), [&](scene::Scene& scene) {
+    session::changeStructures(scene, ids, [&](scene::Structure& s) {
+      s.showAs = as;
+      s.visible = true;
+    });
+  });
 }
 
 void StructureCommands::setLitSphere(const Ids& ids, const QString& name) {
@@ -144,6 +156,34 @@ void StructureCommands::fillMembraneMenu(QMenu& menu, const Ids& ids) {
   add(tr("Draw membrane to it"), tr("The selected membrane's sheet is drawn to it"), -1.0);
 }
 
+/// The three ways to show a structure.
+void StructureCommands::fillShowMenu(QMenu& menu, const Ids& ids) {
+  auto add = [&](const QString& text, const QString& tip, bool isOn, const std::function<void()>& run) {
+    QAction* action = menu.addAction(text, this, run);
+    action->setToolTip(tip);
+    action->setCheckable(true);
+    action->setChecked(isOn);
+  };
+  auto isShownAs = [&](scene::ShowAs as) {
+    return std::all_of(ids.begin(), ids.end(), [&](int id) {
+      const scene::Structure* structure = session::findStructure(mDocument.scene(), id);
+      return structure && structure->visible && structure->showAs == as;
+    });
+  };
+  bool isAlone = !mDocument.scene().volume.data || !mDocument.scene().volume.visible;
+  if (!isAlone) {
+    add(tr("Solid"), tr("A closed surface of its colour, whatever the curve of opacity says"),
+        isShownAs(scene::ShowAs::Solid), [this, ids] { setShowAs(ids, scene::ShowAs::Solid); });
+    add(tr("Material"), tr("The values in it, by the curve of opacity, tinted with its colour"),
+        isShownAs(scene::ShowAs::Material), [this, ids] { setShowAs(ids, scene::ShowAs::Material); });
+  }
+  bool isHidden = std::none_of(ids.begin(), ids.end(), [&](int id) {
+    const scene::Structure* structure = session::findStructure(mDocument.scene(), id);
+    return structure && structure->visible;
+  });
+  add(tr("Hidden"), tr("It is not drawn"), isHidden, [this, ids, isHidden] { setVisible(ids, isHidden); });
+}
+
 void StructureCommands::fillSphereMenu(QMenu& menu, const Ids& ids) {
   QMenu* spheres = menu.addMenu(tr("Lit sphere"));
   spheres->setToolTip(tr("How the material looks in a finished picture"));
@@ -173,8 +213,8 @@ void StructureCommands::fillMenu(QMenu& menu, const Ids& ids) {
                                       : tr("%n structures", nullptr, int(ids.size())));
   title->setEnabled(false);
   menu.addSeparator();
-  bool visible = first->visible;
-  menu.addAction(visible ? tr("Hide") : tr("Show"), this, [this, ids, visible] { setVisible(ids, !visible); });
+  fillShowMenu(menu, ids);
+  menu.addSeparator();
   if (one) {
     bool solo = session::soloStructure(mDocument.scene()) == ids[0];
     menu.addAction(solo ? tr("End solo") : tr("Solo"), this, [this, ids] { toggleSolo(ids[0]); })

@@ -28,6 +28,7 @@ class StructureCommands : public QObject {
   /// Joins one undo step until endMerge() of the document.
   void dragOpacity(const Ids& ids, double opacity);
   /// Gives structures a lit sphere of their own in a finished picture; empty: that of the finish.
+  void setShowAs(const Ids& ids, scene::ShowAs as);
   void setLitSphere(const Ids& ids, const QString& name);
   void rename(int id, const QString& name);
   /// Whether the selected cut leaves structures whole; nothing without a cut.
@@ -57,6 +58,7 @@ class StructureCommands : public QObject {
   const scene::Cut* cut() const;
   const scene::Membrane* membrane() const;
   double strengthOf(int id) const;
+  void fillShowMenu(QMenu& menu, const Ids& ids);
   void fillSphereMenu(QMenu& menu, const Ids& ids);
   void fillMembraneMenu(QMenu& menu, const Ids& ids);
 

@@ -56,6 +56,8 @@ SkipPass::Key SkipPass::keyOf(const FrameData& data) {
     (std::size_t(info.id) >= data.structures.size() || data.structures[std::size_t(info.id)].color.a > 0.0f
          ? key.visible
          : key.hidden) |= bitOf(info.id);
+  for (std::size_t id = 0; id < data.sets.of.size(); ++id)
+    if (data.sets.of[id] & (StructureSets::kSolid | StructureSets::kVeil)) key.solid |= bitOf(int(id));
   return key;
 }
 
@@ -116,8 +118,10 @@ SkipPass::Found SkipPass::find(const Key& key, const FrameData& data) {
       bool isShown = !data.labelCells || (ids & key.visible) != 0;
       glm::vec2 texels = data.volume ? data.volume->cellRanges[cell] : glm::vec2(0.0f);
       std::uint64_t bit = std::uint64_t(1) << x;
-      if (isShown && (ids & key.hidden ? hasEnds(key, texels) : hasContent(key, texels))) found.all.rows[row] |= bit;
-      if (!isShown || !(ids & key.spared) || !hasEnds(key, texels)) continue;
+      bool isSolid = (ids & key.solid) != 0;
+      bool hasValues = ids & key.hidden ? hasEnds(key, texels) : hasContent(key, texels);
+      if (isShown && (isSolid || hasValues)) found.all.rows[row] |= bit;
+      if (!isShown || !(ids & key.spared) || !(isSolid || hasEnds(key, texels))) continue;
       glm::vec3 middle = glm::vec3(x, row % ny, row / ny) + 0.5f;
       Ball ball{glm::vec3(sceneFromCell * glm::vec4(middle, 1.0f)), radius};
       if (maySpare(key, ids & key.spared, ball)) found.spared.rows[row] |= bit;

@@ -30,7 +30,7 @@ class SkipPass : public Pass {
     VolumeKey volume;
     std::uint64_t labelCells = 0;           ///< Their revision; 0: no labels.
     std::uint64_t visible = 0, spared = 0;  ///< Sets of ids, mod 64: that show, that some cut spares,
-    std::uint64_t hidden = 0;               ///< that do not show.
+    std::uint64_t hidden = 0, solid = 0;    ///< that do not show, that show whatever their values.
     // Where spares end: what says in which cells they do. Else empty.
     std::vector<shared::CutData> cuts;
     std::vector<float> deepest;  ///< [64][cuts]: how deep a cut spares the ids of a bit at most, scene frame.

@@ -8,7 +8,7 @@ namespace velum::render {
 
 std::uint32_t lightFlagsOf(std::uint32_t flags) {
   return flags & (shared::kFlagSpares | shared::kFlagSpareDepths | shared::kFlagInlays | shared::kFlagCutGrid |
-                  shared::kFlagJoined);
+                  shared::kFlagSolids | shared::kFlagVeils | shared::kFlagJoined);
 }
 
 bool usesGradients(const DataVariant& variant) {

@@ -9,6 +9,7 @@
 #include "upload/SpareTable.h"
 #include "velum/core/Parallel.h"
 #include "velum/scene/Project.h"
+#include "velum/scene/StructureAt.h"
 
 namespace velum::render {
 
@@ -22,6 +23,7 @@ static_assert(kLeftNever >= shared::kCutFar);
 struct Walk {
   const scene::Scene& scene;
   const LabelVolume& labels;
+  std::shared_ptr<const StructureField> field;
   glm::dvec3 origin;  ///< of the cuts' frame, world
   glm::dmat4 voxelFromWorld;
   CpuSheets sheets;
@@ -32,6 +34,7 @@ struct Walk {
   Walk(const scene::Scene& of, const std::vector<int>& set, const SheetIndices& live)
       : scene(of),
         labels(*of.labels.data),
+        field(scene::structureFieldOf(of)),
         origin(labels.worldFromVoxel() * glm::dvec4(0.5 * glm::dvec3(labels.dims() - 1), 1.0)),
         voxelFromWorld(glm::inverse(labels.worldFromVoxel())),
         sheets(makeCpuSheets(of, live)),
@@ -118,7 +121,7 @@ void walkRay(const Walk& walk, std::uint32_t pixel, const scene::PictureRay& ray
       if (at < next) next = at, side = i;
     }
     next = std::clamp(next, t, end);
-    std::uint16_t id = isEmpty ? std::uint16_t(0) : labels.at(voxel);
+    std::uint16_t id = isEmpty ? std::uint16_t(0) : walk.field->at(o + 0.5 * (t + next) * d).id;
     if (id != 0 && next > t) {
       StructureHit& hit = hitOf(hits, first, pixel, id);
       bool isKnown = hit.isLeft && hit.depth == kLeftAlways;

@@ -24,7 +24,8 @@ std::size_t countOf(glm::ivec3 v) { return std::size_t(v.x) * std::size_t(v.y) *
 
 /// As few components as the sets need: what a texture lacks shaders read as 0, and alpha as 1.
 gpu::Format formatOf(const StructureSets& sets) {
-  if (sets.hidesAny()) return gpu::Format::Rgba8;
+  if (sets.hidesAny() || sets.hasAny(StructureSets::kSolid) || sets.hasAny(StructureSets::kVeil))
+    return gpu::Format::Rgba8;
   return sets.spareClasses.size() == 2 ? gpu::Format::Rg8 : gpu::Format::R8;
 }
 
@@ -138,7 +139,9 @@ ShareUpload::Texels ShareUpload::texelsOf(glm::ivec3 index) const {
   texels.shares.resize(countOf(size) * bytes);
   BrickShares shares(mField->cover(), mSets, index, cover, readAround(labels, corner - 1, glm::ivec3(kWide)));
   shares.write(StructureSets::kSpared, size, texels.shares.data(), bytes);
-  if (bytes > 1) shares.write(StructureSets::kSparedToo, size, &texels.shares[1], bytes);
+  std::uint8_t second = mSets.hasAny(StructureSets::kVeil) ? StructureSets::kVeil : StructureSets::kSparedToo;
+  if (bytes > 1) shares.write(second, size, &texels.shares[1], bytes);
+  if (bytes == 4) shares.write(StructureSets::kSolid, size, &texels.shares[2], bytes);
   if (bytes == 4) shares.write(StructureSets::kShown, size, &texels.shares[3], bytes);
   return texels;
 }

@@ -21,7 +21,8 @@ class ShareUpload {
   /// Makes and sends some bricks. @return true when the texture is as the scene is
   bool step();
 
-  /// In the labels' own grid: R8; and R8, Rg8 or Rgba8: r, g: shares that cuts spare, by class, a: that is shown.
+  /// In the labels' own grid: R8; and R8, Rg8 or Rgba8: r, g: shares that cuts spare, by class (g:
+  /// or of veils), b: of solid structures, a: that is shown.
   const gpu::Texture& covers() const { return mCovers; }
   const gpu::Texture& shares() const { return mShares; }
   /// Of the frame that has begun.

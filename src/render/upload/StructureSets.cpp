@@ -7,6 +7,8 @@ namespace velum::render {
 
 namespace {
 
+constexpr double kOpaque = 0.995;  ///< what is more opaque hides all that is behind it
+
 /// By structure the enabled cuts that spare it, a bit each; empty bits where there are more cuts than bits.
 std::map<int, std::uint32_t> sparingCuts(const scene::Scene& scene) {
   std::map<int, std::uint32_t> cuts;
@@ -28,6 +30,10 @@ bool StructureSets::hidesAny() const {
   return std::any_of(of.begin(), of.end(), [](std::uint8_t bits) { return (bits & kShown) == 0; });
 }
 
+bool StructureSets::hasAny(std::uint8_t bit) const {
+  return std::any_of(of.begin(), of.end(), [bit](std::uint8_t bits) { return (bits & bit) != 0; });
+}
+
 StructureSets makeStructureSets(const scene::Scene& scene, bool isAlone) {
   StructureSets sets;
   auto at = [&](int label) -> std::uint8_t& {
@@ -36,13 +42,17 @@ StructureSets makeStructureSets(const scene::Scene& scene, bool isAlone) {
   };
   at(0) = isAlone || !(scene.labels.unlabelled > 0.0) ? 0 : StructureSets::kShown;
   for (const auto& structure : scene.labels.structures)
-    if (!structure.visible || !(structure.opacity > 0.0)) at(structure.id) = 0;
+    if (!structure.visible || !(structure.opacity > 0.0))
+      at(structure.id) = 0;
+    else if (isAlone || structure.showAs == scene::ShowAs::Solid)
+      at(structure.id) |= structure.opacity < kOpaque ? StructureSets::kVeil : StructureSets::kSolid;
   std::map<int, std::uint32_t> sparing = sparingCuts(scene);
   std::erase_if(sparing, [&](const auto& entry) { return at(entry.first) == 0; });
+  if (sparing.size() == 1) sets.onlySpared = sparing.begin()->first;
   for (const auto& [structure, cuts] : sparing)
     if (std::find(sets.spareClasses.begin(), sets.spareClasses.end(), cuts) == sets.spareClasses.end())
       sets.spareClasses.push_back(cuts);
-  if (sets.spareClasses.size() > 2) sets.spareClasses = {0};
+  if (sets.spareClasses.size() > (sets.hasAny(StructureSets::kVeil) ? 1 : 2)) sets.spareClasses = {0};
   for (const auto& [structure, cuts] : sparing) {
     bool isSecond = sets.spareClasses.size() == 2 && cuts == sets.spareClasses[1];
     at(structure) |= isSecond ? StructureSets::kSparedToo : StructureSets::kSpared;

@@ -107,13 +107,26 @@ void putVolume(scene::Scene& scene, Volume volume) {
   scene.volume.data = Shared<Volume>(std::move(volume));
 }
 
+/// A scan that would hide solid structures is hardly there.
+void recede(scene::Scene& scene) {
+  auto& labels = scene.labels;
+  bool hasSolids = std::any_of(labels.structures.begin(), labels.structures.end(),
+                               [](const auto& structure) { return structure.showAs == scene::ShowAs::Solid; });
+  if (scene.volume.data && hasSolids && labels.unlabelled == 1.0) labels.unlabelled = scene::kReceded;
+}
+
 void putLabels(scene::Scene& scene, LabelVolume labels) {
   scene.labels.source.fingerprint = fingerprintOf(scene.labels.source.path);
   warnAll(scene.labels.source.path, labels.warnings);
   labels.setLengthUnit(scene.unit);
   scene.labels.data = scene.labels.given = Shared<LabelVolume>(std::move(labels));
   scene.labels.grown.clear();
+  bool isNew = scene.labels.structures.empty();
   scene::completeStructures(scene.labels);
+  if (isNew) {
+    scene::applyFirstLook(scene.labels);
+    recede(scene);
+  }
   if (std::string line = misplacedLabels(scene); !line.empty()) warnAll(scene.labels.source.path, {line});
 }
 
@@ -286,6 +299,7 @@ void add(scene::Scene& scene, const scene::Source& source, Progress& progress, s
   scene::applyFirstLook(scene);
   scene::completeChannels(scene.volume);
   placeLabels(scene, progress);
+  recede(scene);
 }
 
 Opened openAll(std::vector<std::string> paths, Progress& progress, const DataPolicy& policy,

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "velum/scene/SectionPlane.h"
+#include "velum/scene/StructureAt.h"
 #include "velum/session/cut/CutEdit.h"
 #include "velum/session/growth/Growths.h"
 #include "velum/session/structure/StructureEdit.h"
@@ -58,7 +59,9 @@ double valueNear(const scene::VolumeLayer& layer, glm::dvec3 world) {
 
 /// The voxel of a range nearest to a place on the face, of those that lie before it: that of the place itself may lie
 /// behind, or be one that noise has put out of the range. One with such a neighbour, or nothing would grow from it.
-glm::dvec3 seedBefore(const scene::Scene& scene, const scene::Cut& cut, glm::dvec3 world, const MaterialRange& range) {
+/// @param within  label that it has; 0: any
+std::optional<glm::dvec3> seedBefore(const scene::Scene& scene, const scene::Cut& cut, glm::dvec3 world,
+                                     const MaterialRange& range, int within) {
   constexpr int kFurthest = 2;  // voxels
   const Volume& volume = *scene.volume.data;
   auto isWanted = [&](glm::ivec3 voxel) {
@@ -66,7 +69,8 @@ glm::dvec3 seedBefore(const scene::Scene& scene, const scene::Cut& cut, glm::dve
       return false;
     double value = valueAt(volume, voxel, scene.volume.channel, scene.volume.timeStep);
     glm::dvec3 middle(volume.worldFromVoxel * glm::dvec4(voxel, 1.0));
-    return value >= range.low && value <= range.high && depthInCut(cut, middle) > 0.0;
+    return value >= range.low && value <= range.high && depthInCut(cut, middle) > 0.0 &&
+           (within == 0 || int(scene::structureAt(scene, middle).id) == within);
   };
   auto hasNeighbour = [&](glm::ivec3 voxel) {
     for (int axis = 0; axis < 3; ++axis)
@@ -78,7 +82,7 @@ glm::dvec3 seedBefore(const scene::Scene& scene, const scene::Cut& cut, glm::dve
     return false;
   };
   glm::ivec3 here(glm::round(glm::dvec3(glm::inverse(volume.worldFromVoxel) * glm::dvec4(world, 1.0))));
-  glm::dvec3 best = world;
+  std::optional<glm::dvec3> best;
   std::pair<bool, double> least(true, scene::Growth::kEndless);  // alone, how far off
   for (glm::ivec3 off(-kFurthest); off.z <= kFurthest; ++off.z)
     for (off.y = -kFurthest; off.y <= kFurthest; ++off.y)
@@ -92,16 +96,19 @@ glm::dvec3 seedBefore(const scene::Scene& scene, const scene::Cut& cut, glm::dve
   return best;
 }
 
+/// @param within  label of which a part is taken; 0: what has none
 std::optional<Pull> newPull(const scene::Scene& scene, const scene::Cut& cut, glm::dvec3 world,
-                            HistogramMemo& histograms) {
-  auto range = materialRangeAt(scene.volume, world, histograms);
+                            const std::optional<MaterialRange>& range, int within) {
   auto id = freeStructureId(scene);
   if (!range || !id || scene.labels.growths.size() >= scene::kMostGrowths) return std::nullopt;
+  auto seed = seedBefore(scene, cut, world, *range, within);
+  if (!seed && within != 0) return std::nullopt;
   scene::Growth growth;
   growth.structure = *id;
-  growth.seeds = {seedBefore(scene, cut, world, *range)};
+  growth.seeds = {seed.value_or(world)};
   growth.low = range->low;
   growth.high = range->high;
+  growth.within = within;
   growth.channel = std::clamp(scene.volume.channel, 0, scene.volume.data->channels - 1);
   growth.timeStep = std::clamp(scene.volume.timeStep, 0, scene.volume.data->timeSteps - 1);
   setPlane(growth, cut, 0.0);
@@ -193,8 +200,23 @@ std::optional<Pull> beginPull(const scene::Scene& scene, int cutId, glm::dvec3 w
                               HistogramMemo& histograms) {
   const scene::Cut* cut = scene::findCut(scene, cutId);
   if (!cut) return std::nullopt;
-  if (structure == 0) return scene.volume.data ? newPull(scene, *cut, world, histograms) : std::nullopt;
-  return pullAgain(scene, {cutId, structure, 0.0});
+  if (structure != 0) return pullAgain(scene, {cutId, structure, 0.0});
+  if (!scene.volume.data) return std::nullopt;
+  return newPull(scene, *cut, world, materialRangeAt(scene.volume, world, histograms), 0);
+}
+
+std::optional<Pull> beginPartPull(const scene::Scene& scene, int cutId, glm::dvec3 world, int structure) {
+  const scene::Cut* cut = scene::findCut(scene, cutId);
+  const scene::Structure* whole = findStructure(scene, structure);
+  if (!cut || !whole || !scene.volume.data) return std::nullopt;
+  MaterialRange all{scene.volume.data->range.x, scene.volume.data->range.y};
+  auto pull = newPull(scene, *cut, world, all, structure);
+  if (!pull || !pull->added) return std::nullopt;
+  scene::Structure part = *whole;
+  part.id = pull->added->id;
+  part.name = fmt::format("{}, a part", structureName(scene, structure));
+  pull->added = part;
+  return pull;
 }
 
 void pullTo(scene::Scene& scene, const Pull& pull, double distance) {

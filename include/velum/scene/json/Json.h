@@ -27,7 +27,8 @@ std::string transferToJson(const TransferFunction& transfer);
 /// value of the wrong kind or out of range
 TransferFunction transferFromJson(std::string_view text);
 
-/// Changes one field by its path: "rayCast.stepVoxels", "cuts.0.centre", "cuts.+" appends one.
+/// Changes one field by its path: "rayCast.stepVoxels", "cuts.0.centre", "cuts.+" appends one, "cuts.*.enabled" is of
+/// each.
 /// @param value  JSON, or a bare word or comma list: 0.5, true, mip, 1,2,3, "[{...}]"
 /// @throw ArgumentError naming the part of the path, or the value, that does not fit
 void setField(Scene& scene, std::string_view path, std::string_view value);

@@ -26,6 +26,11 @@ std::optional<Pull> beginPull(const scene::Scene& scene, int cut, glm::dvec3 wor
 /// The same, once.
 std::optional<Pull> beginPull(const scene::Scene& scene, int cut, glm::dvec3 world, int structure);
 
+/// What a click is about to pull of a label that was given: the part of it that is joined to the place, before the cut.
+/// Becomes a structure of its own, which looks as the whole does.
+/// @return nothing where there is no volume, no such label in front of the place, or no id left
+std::optional<Pull> beginPartPull(const scene::Scene& scene, int cut, glm::dvec3 world, int structure);
+
 /// Pulls it out so far: the spare, the new structure's row, and the step of growth, which goes as far as it has ever
 /// been pulled. Of a structure that has grown before it goes on where the last step ended, unless the cut has moved.
 /// Called again and again for one drag, on the scene with which it began or on its own last result.

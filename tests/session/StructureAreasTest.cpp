@@ -10,6 +10,7 @@
 #include "makeVolume.h"
 #include "velum/core/Error.h"
 #include "velum/scene/Project.h"
+#include "velum/scene/StructureAt.h"
 #include "velum/session/extrusion/AreaSolver.h"
 #include "velum/session/extrusion/Extrusion.h"
 
@@ -134,8 +135,6 @@ std::map<int, Met> meetAll(const scene::Scene& scene, const std::vector<int>& se
   for (v.z = 0; v.z < dims.z; ++v.z)
     for (v.y = 0; v.y < dims.y; ++v.y)
       for (v.x = 0; v.x < dims.x; ++v.x) {
-        int id = labels.at(v);
-        if (id == 0) continue;
         double from = 0.0, to = 1e300;
         for (int i = 0; i < 3; ++i) {
           double a = (v[i] - 0.5 - o[i]) / d[i], b = (v[i] + 0.5 - o[i]) / d[i];
@@ -143,6 +142,8 @@ std::map<int, Met> meetAll(const scene::Scene& scene, const std::vector<int>& se
         }
         if (to <= from) continue;
         glm::dvec3 world = ray.origin + 0.5 * (from + to) * ray.direction;
+        int id = scene::structureAt(scene, world).id;
+        if (id == 0) continue;
         double nearest = 1.0;
         Met& one = met[id];
         one.depth = std::min(one.depth, depthAt(scene, set, id, world, &nearest));

@@ -110,7 +110,7 @@ void walkRay(const Walk& walk, std::uint32_t pixel, const scene::PictureRay& ray
   while (t < end) {
     glm::ivec3 index = voxel / kBrick;
     const LabelVolume::Brick& brick = labels.brick(index);
-    bool isEmpty = brick.size() == 1 && brick[0] == 0;
+    bool isEmpty = brick.size() == 1 && brick[0] == 0 && walk.field->brick(index).size() == 1;
     glm::ivec3 low = isEmpty ? index * kBrick : voxel;
     glm::ivec3 high = isEmpty ? glm::min(low + kBrick, dims) - 1 : voxel;
     // Where it leaves them, and through which side.

@@ -66,7 +66,7 @@ vec4 structureRow(uint label) {
 
 /// How far a structure takes its own colour rather than the transfer function's.
 vec4 structureLook(uint label) {
-  return label != 0u && label < uint(frame.structureCount) ? texelFetch(structureTexture, 2 * int(label) + 1) : vec4(1.0, 0.0, 0.0, 0.0);
+  return label < uint(frame.structureCount) ? texelFetch(structureTexture, 2 * int(label) + 1) : vec4(1.0, 0.0, float(kSetShown), 0.0);
 }
 
 float structureTint(uint label) {
@@ -121,14 +121,16 @@ bool usesShares() { return hasSolids() || (LABELS == 1 && (hasFlag(kFlagSpares) 
 vec4 sharesIn(vec3 p) { return textureLod(shareTexture, p / vec3(textureSize(labelTexture, 0)), 0.0); }
 
 bool mayOwn(uint label, int who) {
-  if ((who & kSpared & ~kShown) != 0 && sparesOf(label) < 0) return false;
-  if ((who & kSolid & ~kShown) != 0 && LABELS == 1 && structureLook(label).y == 0.0) return false;
-  if (who == kAnybody || (LABELS == 1 && !hasFlag(kFlagHides))) return true;
-  return label == 0u ? LABELS == 1 && frame.unlabelledOpacity > 0.0 : structureRow(label).a > 0.0;
+  if (who == kAnybody) return true;
+  int sets = int(structureLook(label).z);
+  bool isSpared = (sets & kSetSpared) != 0 || (who & kSpared) != kSpared;
+  bool isSolid = (sets & kSetSolid) != 0 || (who & kSolid) != kSolid;
+  return (sets & kSetShown) != 0 && isSpared && isSolid;
 }
 
-/// Whose a place is: shared/structure.h. Where nobody who may owns any of it, the voxel's own structure.
-Owner ownerAt(vec3 scenePoint, int who) {
+/// Whose a place is: shared/structure.h. Where nobody who may owns any of it, or it is not worth while, the voxel's own
+/// structure.
+Owner ownerAt(vec3 scenePoint, int who, bool isWorthWhile) {
   if (hasFlag(kFlagOneSpared) && who == kSpared) return Owner(uint(frame.spareClasses.z), 1.0);
   vec3 p = labelVoxelAt(scenePoint);
   ivec3 last = textureSize(labelTexture, 0) - 1;
@@ -139,7 +141,7 @@ Owner ownerAt(vec3 scenePoint, int who) {
   if (isBeyondLabels(p)) return Owner(nearest, 1.0);
   Votes votes = noVotes();
   // Of a voxel that is wholly inside all eight are its own.
-  int corners = textureLod(coverTexture, p / vec3(last + 1), 0.0).r > 0.9999 && mayOwn(nearest, who) ? 0 : 8;
+  int corners = textureLod(coverTexture, p / vec3(last + 1), 0.0).r > 0.9999 && mayOwn(nearest, who) || !isWorthWhile ? 0 : 8;
   for (int corner = 0; corner < corners; ++corner) {
     ivec3 step3 = ivec3(corner & 1, corner >> 1 & 1, corner >> 2);
     ivec3 voxel = min(base + step3, last);
@@ -152,6 +154,8 @@ Owner ownerAt(vec3 scenePoint, int who) {
   if (owner.id == kNobody) owner = Owner(nearest, 1.0);
   return owner;
 }
+
+Owner ownerAt(vec3 scenePoint, int who) { return ownerAt(scenePoint, who, true); }
 
 /// What part of a place shows: all that is not hidden, or of what is removed what cuts spare. Half of it is the border.
 /// @param classes  of spared structures, those that all cuts together leave: 1 or 0
@@ -200,7 +204,7 @@ vec3 shareSlopeAt(vec3 scenePoint, int what, bool sparedOnly, vec2 classes) {
   // axes at once. A software driver runs a loop as often as one of its rays wants it, and once more.
   const float kReach = 0.5;
   vec3 rise = vec3(0.0);
-  int taps = sparedOnly || hasSolids() || hasFlag(kFlagHides) ? 8 : 0;
+  int taps = shareOf(sharesIn(p), what, sparedOnly, classes) < 0.98 ? 8 : 0;
   for (int i = 0; i < taps; ++i) {
     vec3 way = vec3((i & 1) == 0 ? 1.0 : -1.0, (i & 2) == 0 ? 1.0 : -1.0, (i & 4) == 0 ? 1.0 : -1.0);
     rise += 0.25 * shareOf(sharesIn(p + kReach * way), what, sparedOnly, classes) * way;

@@ -63,7 +63,7 @@ void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, float faceT,
   // Whose material it is.
 #if LABELS != 0
   if (asksStructures() || sparedOnly || hasSolids())
-    structure = ownerAt(p, (sparedOnly ? kSpared : kShown) | (isSolid ? kSolid : 0)).id;
+    structure = ownerAt(p, (sparedOnly ? kSpared : kShown) | (isSolid ? kSolid : 0), isSolid || alpha * (1.0 - hit.color.a) > 0.01).id;
 #endif
   if (hasFlag(kFlagSpares) && sparedOnly && !cutsKeep(p, structure)) return;
   // Where its surface looks to.
@@ -214,7 +214,6 @@ bool mayShow(Group group) {
 #if LABELS == 2
   return true;
 #else
-  if (hasSolids()) return true;
   float low = group.x[0];
   float high = group.x[0];
   for (int i = 1; i < kGroup; ++i) {
@@ -223,7 +222,12 @@ bool mayShow(Group group) {
   }
   low = min(low, group.x[kGroup]);
   high = max(high, group.x[kGroup]);
-  return high >= frame.shownFrom && low < frame.shownTo;
+  bool shows = high >= frame.shownFrom && low < frame.shownTo;
+#if LABELS == 1
+  if (hasSolids())
+    for (int i = 0; i < kGroup; ++i) shows = shows || mayBeSolid(group.solids[i], group.solids[i + 1]);
+#endif
+  return shows;
 #endif
 }
 

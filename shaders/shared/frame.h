@@ -107,10 +107,15 @@ struct FrameParams {
   uint flags;          ///< kFlag*
 };
 
+// What becomes of a structure, see StructureSets.
+SHARED_CONST int kSetShown = 1;
+SHARED_CONST int kSetSpared = 2 | 4;
+SHARED_CONST int kSetSolid = 8 | 16;
+
 /// One structure: index by label id.
 struct StructureRow {
   vec4 color;  ///< rgb, a: opacity factor (0 when not visible)
-  vec4 look;   ///< x: factor on labelTint; y: 1: shown as a surface
+  vec4 look;   ///< x: factor on labelTint; y: 1: shown as a surface; z: kSet*
 };
 
 SHARED_END

@@ -88,6 +88,13 @@ void writePlanes(const std::vector<shared::CutData>& cuts, shared::FrameParams& 
 
 namespace {
 
+/// Into the rows of structures, of which there are as many as the sets know.
+void writeSets(const StructureSets& sets, std::vector<shared::StructureRow>& rows) {
+  if (rows.size() < sets.of.size())
+    rows.resize(sets.of.size(), {glm::vec4(0.6f, 0.6f, 0.6f, 1.0f), glm::vec4(1, 0, 0, 0)});
+  for (std::size_t id = 0; id < rows.size(); ++id) rows[id].look.z = float(sets.bits(std::uint16_t(id)));
+}
+
 /// Shares of what has no label, see shareTexture.
 glm::vec4 sharesBeyond(const StructureSets& sets) {
   auto share = [&](std::uint8_t bit) { return sets.bits(0) & bit ? 1.0f : 0.0f; };
@@ -108,6 +115,7 @@ void completeFrameData(FrameData& data) {
   data.structures = makeStructureRows(scene.labels);
   data.spares = makeSpareTable(scene);
   data.params = makeFrameParams(data.frame, data.grid, data.table, data.unit);
+  writeSets(data.sets, data.structures);
   data.params.cutCount = int(data.cuts.size());
   data.params.structureCount = int(data.structures.size());
   data.params.flags |= membraneFlags(data.frame);

@@ -46,7 +46,9 @@ BARE_HEAD = [HEAD, "--hide-table", *sets("camera.eye=-150,-360,250", "camera.tar
                                          "lighting.ambient=0.42", "lighting.keyDirection=-0.6,0.35,0.72")]
 SKULL = [*BARE_HEAD, "--preset", "ct-bone"]
 XRAY = sets("rayCast.mode=mip", "volume.windowLevel=900", "volume.windowWidth=2200")
-REGIONS = [TEMPLATES + "ch2.nii.gz", TEMPLATES + "aal.nii.gz", *OBLIQUE]
+# The scan's own surface, coloured by region.
+AS_MATERIAL = sets("labels.structures.*.showAs=material", "labels.unlabelled=1")
+REGIONS = [TEMPLATES + "ch2.nii.gz", TEMPLATES + "aal.nii.gz", *OBLIQUE, *AS_MATERIAL]
 OPENED = cut(0, "axis=-0.55,-0.2,0.8", "centre=0,15,10")
 SPARED = [*OPENED, *sets("cuts.0.spares=" + ids(1, 116))]
 MACAQUE = [TEMPLATES + "inia19-t1-brain.nii.gz", TEMPLATES + "inia19-NeuroMaps.nii.gz"]

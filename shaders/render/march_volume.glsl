@@ -418,7 +418,8 @@ void marchStretch(inout Hit hit, Ray ray, Walk walk, Span span) {
 /// Whose it is that was hit.
 void finishRay(inout Hit hit, Ray ray, Walk walk) {
 #if LABELS != 0
-  if (!asksStructures() && hit.distance < kFar) hit.structure = ownerAt(ray.origin + hit.distance * ray.direction, kShown).id;
+  bool isKnown = asksStructures() || hit.structure != 0u;  // what cuts spare is
+  if (!isKnown && hit.distance < kFar) hit.structure = ownerAt(ray.origin + hit.distance * ray.direction, kShown).id;
 #endif
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 
 #include "shared/structure.h"
 
@@ -149,17 +150,20 @@ class BrickWork {
   }
 
   Answer insideOf(const ValueBorder& own, glm::ivec3 at) const {
-    float depth = depthIn(own, valueOf(own, at));
-    if (!(depth >= 0.0f)) return {};  // it was closed, or filled
-    bool ends = false, isByMask = false;
+    float value = valueOf(own, at);
+    if (!(depthIn(own, value) >= 0.0f)) return {};  // it was closed, or filled
+    // How far it is to the end of the range at which the values around leave it: to the other end it may be nearer.
+    bool isByMask = false;
+    float depth = std::numeric_limits<float>::infinity();
     forOthersAround(at, [&](glm::ivec3 there) {
-      bool goesOn = depthIn(own, valueOf(own, there)) >= 0.0f;
+      float other = valueOf(own, there);
+      bool goesOn = depthIn(own, other) >= 0.0f;
       isByMask = goesOn && id(there) != own.within;
-      ends = ends || !goesOn;
+      if (!goesOn) depth = std::min(depth, other < float(own.low) ? value - float(own.low) : float(own.high) - value);
       return !isByMask;
     });
     if (isByMask) return {};
-    return {ends ? depth / float(own.scale) : 1.0f, true, false};
+    return {std::min(depth / float(own.scale), 1.0f), true, false};
   }
 
   Answer besideOthers(glm::ivec3 at) const {

@@ -40,13 +40,17 @@ class Shows {
   int mChannels, mFirst, mTime;
 };
 
-/// Of each id whether its structure is hidden.
-std::vector<std::uint8_t> hiddenIds(const Scene& scene, double veil) {
-  std::vector<std::uint8_t> isHidden(65536, 0);
-  isHidden[0] = !scene.volume.data || scene.labels.unlabelled <= veil;
-  for (const Structure& structure : scene.labels.structures)
-    isHidden[std::size_t(structure.id)] = !structure.visible || structure.opacity <= veil;
-  return isHidden;
+/// Of each id how its structure shows: as its values do, not at all, or whatever its values.
+enum class Way : std::uint8_t { ByValues, Never, Always };
+std::vector<Way> waysOfIds(const Scene& scene, double veil) {
+  std::vector<Way> ways(65536, Way::ByValues);
+  if (!scene.volume.data || scene.labels.unlabelled <= veil) ways[0] = Way::Never;
+  for (const Structure& structure : scene.labels.structures) {
+    bool isSolid = !scene.volume.data || structure.showAs == ShowAs::Solid;
+    bool isHidden = !structure.visible || structure.opacity <= veil;
+    ways[std::size_t(structure.id)] = isHidden ? Way::Never : isSolid ? Way::Always : Way::ByValues;
+  }
+  return ways;
 }
 
 /// Every so manieth voxel of a grid, from the middle of the first block on. @param shows  (voxel of the whole grid)
@@ -72,18 +76,18 @@ ShownVoxels shownVoxels(const Scene& scene, double mostSamples, double veil) {
   const auto& volume = scene.volume.data;
   const auto& labels = scene.labels.data;
   if (!volume && !labels) return {};
-  std::vector<std::uint8_t> isHidden = hiddenIds(scene, veil);
+  std::vector<Way> ways = waysOfIds(scene, veil);
   if (!volume)
     return everyManieth(labels->dims(), labels->worldFromVoxel(), mostSamples,
-                        [&](glm::ivec3 p) { return !isHidden[labels->at(p)]; });
+                        [&](glm::ivec3 p) { return ways[labels->at(p)] != Way::Never; });
   Shows shows(scene, *volume, veil);
   if (!labels) return everyManieth(volume->dims, volume->worldFromVoxel, mostSamples, shows);
   glm::dmat4 labelFromVoxel = glm::inverse(labels->worldFromVoxel()) * volume->worldFromVoxel;
   return everyManieth(volume->dims, volume->worldFromVoxel, mostSamples, [&](glm::ivec3 voxel) {
-    if (!shows(voxel)) return false;
     glm::ivec3 p(glm::round(glm::dvec3(labelFromVoxel * glm::dvec4(glm::dvec3(voxel), 1.0))));
     bool isInside = glm::all(glm::greaterThanEqual(p, glm::ivec3(0))) && glm::all(glm::lessThan(p, labels->dims()));
-    return !isHidden[isInside ? labels->at(p) : 0];
+    Way way = ways[isInside ? labels->at(p) : 0];
+    return way == Way::Always || (way == Way::ByValues && shows(voxel));
   });
 }
 

@@ -219,6 +219,16 @@ TEST(LabelCover, WhatHasGrownEndsWhereItsValuesDo) {
   EXPECT_LE(fitOf(byValues, rays).rms, 0.03) << "of values that fall evenly";
 }
 
+TEST(LabelCover, ARangeThatHardlyHoldsTheStructureDoesNotMakeItThinner) {
+  // Its values lie just below the range's upper end, and what lies beside it below the lower one.
+  Shared<Volume> volume(makeVolume(glm::ivec3(20), SampleType::Int16, [](glm::ivec3 p) { return p.x > 8 ? 168 : 20; }));
+  auto labels = labelsOf(glm::ivec3(20), [](glm::dvec3 p) { return std::uint16_t(p.x > 8); });
+  StructureField field{LabelCover(labels, {{1, 0, volume, 0, 0, 60.0, 170.0, 150.0}})};
+  double where = 8.0 + (60.0 - 20.0) / (168.0 - 20.0);
+  EXPECT_EQ(field.at({where + 0.02, 9.5, 10.2}).id, 1);
+  EXPECT_EQ(field.at({where - 0.02, 9.5, 10.2}).id, 0);
+}
+
 TEST(LabelCover, WhatAPlaneHasEndedGoesOnUpToIt) {
   // Grown out of a plane that lies between voxels: its values go on in those behind the plane, and so does it.
   glm::ivec3 dims(20);

@@ -146,7 +146,7 @@ TEST_F(PullFeedback, WhatBothPlanesHoldIsGreenWhileTheToolIsUp) {
   ASSERT_GT(shared, 20);
   ASSERT_GT(alone, 20);
   EXPECT_GT(green, 0.75 * shared) << "through its soft rim one sees what lies behind";
-  EXPECT_LT(turnedGreen, 0.02 * alone);
+  EXPECT_LT(turnedGreen, 0.08 * alone) << "but for its own rim, behind which that lies";
 }
 
 TEST_F(PullFeedback, BesideThePointerStandsTheNameAndHowFar) {

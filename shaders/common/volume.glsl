@@ -66,7 +66,7 @@ vec4 structureRow(uint label) {
 
 /// How far a structure takes its own colour rather than the transfer function's.
 vec4 structureLook(uint label) {
-  return label < uint(frame.structureCount) ? texelFetch(structureTexture, 2 * int(label) + 1) : vec4(1.0, 0.0, float(kSetShown), 0.0);
+  return label < uint(frame.structureCount) ? texelFetch(structureTexture, 2 * int(label) + 1) : vec4(1.0, 0.0, float(LABELS == 2 ? kSetShown | kSetSolid : kSetShown), 0.0);
 }
 
 float structureTint(uint label) {
@@ -131,7 +131,7 @@ bool mayOwn(uint label, int who) {
 /// Whose a place is: shared/structure.h. Where nobody who may owns any of it, or it is not worth while, the voxel's own
 /// structure.
 Owner ownerAt(vec3 scenePoint, int who, bool isWorthWhile) {
-  if (hasFlag(kFlagOneSpared) && who == kSpared) return Owner(uint(frame.spareClasses.z), 1.0);
+  if (hasFlag(kFlagOneSpared) && (who & kSpared) == kSpared) return Owner(uint(frame.spareClasses.z), 1.0);
   vec3 p = labelVoxelAt(scenePoint);
   ivec3 last = textureSize(labelTexture, 0) - 1;
   uint nearest = labelIn(p);

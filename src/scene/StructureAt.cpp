@@ -76,36 +76,28 @@ std::vector<ValueBorder> valueBordersOf(const Scene& scene) {
 
 namespace {
 
-/// The field that was asked for last, and what it is a function of.
-struct Kept {
-  Shared<LabelVolume> labels;
-  Shared<Volume> volume;
+/// The field that was asked for last, and what it is a function of. Nobody's data lives longer for it.
+struct Known {
+  std::uint64_t labels = 0, volume = 0;  ///< ids
   std::vector<Growth> grown;
   int timeStep = 0;
-  std::vector<ValueBorder> borders;
-  std::shared_ptr<const StructureField> field;
+  std::weak_ptr<const StructureField> field;
 };
 
 }  // namespace
 
 std::shared_ptr<const StructureField> structureFieldOf(const Scene& scene) {
   static std::mutex mutex;
-  static Kept kept;
+  static Known known;
   std::lock_guard lock(mutex);
-  bool hasSameBorders = kept.field && kept.volume == scene.volume.data && kept.timeStep == scene.volume.timeStep &&
-                        kept.grown == scene.labels.grown;
-  if (!hasSameBorders) {
-    kept.volume = scene.volume.data;
-    kept.timeStep = scene.volume.timeStep;
-    kept.grown = scene.labels.grown;
-    std::vector<ValueBorder> borders = valueBordersOf(scene);
-    hasSameBorders = kept.field && borders == kept.borders;
-    kept.borders = std::move(borders);
-  }
-  if (hasSameBorders && kept.labels == scene.labels.data) return kept.field;
-  kept.labels = scene.labels.data;
-  kept.field = std::make_shared<const StructureField>(LabelCover(kept.labels, kept.borders), kept.field.get());
-  return kept.field;
+  std::shared_ptr<const StructureField> before = known.field.lock();
+  bool hasSameBorders = before && known.volume == scene.volume.data.id() && known.timeStep == scene.volume.timeStep &&
+                        known.grown == scene.labels.grown;
+  if (hasSameBorders && known.labels == scene.labels.data.id()) return before;
+  std::vector<ValueBorder> borders = hasSameBorders ? before->cover().borders() : valueBordersOf(scene);
+  auto field = std::make_shared<const StructureField>(LabelCover(scene.labels.data, std::move(borders)), before.get());
+  known = {scene.labels.data.id(), scene.volume.data.id(), scene.labels.grown, scene.volume.timeStep, field};
+  return field;
 }
 
 StructurePlace structureAt(const Scene& scene, glm::dvec3 world) {

@@ -118,8 +118,7 @@ class CountAreas(CliTest):
     def setUp(self):
         super().setUp()
         volume = self.sample("torso", 40)
-        self.scene = (volume, "torso_labels.seg.nrrd", "--view", "oblique", "--set", "cuts.+.axis=0.2,-1,0.3",
-                      "--set", "labels.structures.*.showAs=material", "--set", "labels.unlabelled=1")
+        self.scene = (volume, "torso_labels.seg.nrrd", "--view", "oblique", "--set", "cuts.+.axis=0.2,-1,0.3")
 
     def areas(self, *arguments):
         report = self.report("count", *self.scene, *arguments)

@@ -6,8 +6,8 @@
 #include <thread>
 
 #include "PullFixture.h"
-#include "patience.h"
 #include "makeVolume.h"
+#include "patience.h"
 
 namespace velum::gui {
 
@@ -94,8 +94,8 @@ TEST_F(PullFollow, WhatIsFoundShowsOverThePictureThatStands) {
     moveTo(placeAt(distance));
     EXPECT_NEAR(session::extrusionOf(cut(), 1), distance, 0.5);
     EXPECT_TRUE(tool()->tag().contains("Region 1")) << "the label waits for nothing";
-    ASSERT_TRUE(
-        QTest::qWaitFor([&] { return tool()->preview().drawnCount() > drawn && session::isGrown(scene()); }, kPatience));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return tool()->preview().drawnCount() > drawn && session::isGrown(scene()); },
+                                kPatience));
     // Until the picture of what was found last is there.
     ASSERT_TRUE(QTest::qWaitFor(
         [&] {

@@ -44,6 +44,7 @@ class ExtrusionGL : public RenderTest {
   /// Beyond the grid that of its outermost voxel.
   int structureAt(glm::dvec3 world) const {
     glm::dvec3 voxel = glm::clamp(voxelAt(world), glm::dvec3(0.0), glm::dvec3(kDims) - 1.0);
+    mField = scene::structureFieldOf(mScene);  // held: one is asked for each place
     return scene::structureAt(mScene, glm::dvec3(mScene.volume.data->worldFromVoxel * glm::dvec4(voxel, 1.0))).id;
   }
   glm::dvec3 voxelAt(glm::dvec3 world) const {
@@ -113,6 +114,7 @@ class ExtrusionGL : public RenderTest {
 
   static constexpr int kIds[] = {1, 2, 300, 65535};
   scene::Scene mScene;
+  mutable std::shared_ptr<const StructureField> mField;
 };
 
 TEST_F(ExtrusionGL, EveryRayShowsWhatThePropositionsLeave) {

@@ -30,7 +30,11 @@ class SparedScene : public RenderTest {
     scene::addCut(mScene, plane);
   }
 
-  int structureAt(glm::dvec3 world) const { return scene::structureAt(mScene, world).id; }
+  int structureAt(glm::dvec3 world) const {
+    if (!mScene.labels.visible) return 0;
+    mField = scene::structureFieldOf(mScene);  // held: one is asked for each place
+    return scene::structureAt(mScene, world).id;
+  }
 
   /// Picture, sections, kept voxels (which exports write) and picking say the same as the naive fold.
   void expectSameEverywhere(const std::string& what) {
@@ -108,6 +112,7 @@ class SparedScene : public RenderTest {
 
  protected:
   scene::Scene mScene;
+  mutable std::shared_ptr<const StructureField> mField;
 };
 
 TEST_F(SparedScene, AStructureIsSparedWholeOrSoDeep) {

@@ -132,6 +132,7 @@ std::map<int, Met> meetAll(const scene::Scene& scene, const std::vector<int>& se
   glm::dvec3 o(voxelFromWorld * glm::dvec4(ray.origin, 1.0)), d(voxelFromWorld * glm::dvec4(ray.direction, 0.0));
   std::map<int, Met> met;
   glm::ivec3 dims = labels.dims(), v;
+  auto field = scene::structureFieldOf(scene);
   for (v.z = 0; v.z < dims.z; ++v.z)
     for (v.y = 0; v.y < dims.y; ++v.y)
       for (v.x = 0; v.x < dims.x; ++v.x) {
@@ -141,14 +142,17 @@ std::map<int, Met> meetAll(const scene::Scene& scene, const std::vector<int>& se
           from = std::max(from, std::min(a, b)), to = std::min(to, std::max(a, b));
         }
         if (to <= from) continue;
-        glm::dvec3 world = ray.origin + 0.5 * (from + to) * ray.direction;
-        int id = scene::structureAt(scene, world).id;
-        if (id == 0) continue;
-        double nearest = 1.0;
-        Met& one = met[id];
-        one.depth = std::min(one.depth, depthAt(scene, set, id, world, &nearest));
-        one.now = std::min(one.now, depthAt(scene, {}, id, world, &nearest));
-        one.isUnsure = one.isUnsure || nearest < 1e-4 || to - from < 1e-9;
+        int places = field->hasBorder(v) ? 4 : 1;
+        for (int i = 0; i < places; ++i) {
+          glm::dvec3 world = ray.origin + (from + (i + 0.5) / places * (to - from)) * ray.direction;
+          int id = scene::structureAt(scene, world).id;
+          if (id == 0) continue;
+          double nearest = 1.0;
+          Met& one = met[id];
+          one.depth = std::min(one.depth, depthAt(scene, set, id, world, &nearest));
+          one.now = std::min(one.now, depthAt(scene, {}, id, world, &nearest));
+          one.isUnsure = one.isUnsure || nearest < 1e-4 || to - from < 1e-9;
+        }
       }
   return met;
 }

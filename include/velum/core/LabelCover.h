@@ -74,6 +74,8 @@ class StructureField {
   explicit StructureField(LabelCover cover, const StructureField* before = nullptr);
   /// @param voxel  indices of label voxels, whose middles lie at whole numbers
   StructurePlace at(glm::dvec3 voxel) const;
+  /// True of a voxel of the grid in which places may be of different structures.
+  bool hasBorder(glm::ivec3 voxel) const { return coverAt(voxel) < 1.0f; }
   /// The cover of a brick.
   const LabelCover::Brick& brick(glm::ivec3 index) const;
   const LabelCover& cover() const { return mCover; }

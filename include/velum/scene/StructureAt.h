@@ -11,8 +11,8 @@ namespace velum::scene {
 /// not up to a gradient. Looks at some of the volume's values: milliseconds. Any thread.
 std::vector<ValueBorder> valueBordersOf(const Scene& scene);
 
-/// Whose places are in a scene that has labels. Kept for the next who asks, and what has not changed since for the next
-/// scene. Any thread.
+/// Whose places are in a scene that has labels. As long as somebody holds the last one, whoever asks of the same labels
+/// gets it, and of others what has not changed since: who asks of many places holds it. Any thread.
 std::shared_ptr<const StructureField> structureFieldOf(const Scene& scene);
 
 /// Whose a place of the world is, and how far inside it lies: what the picture says, and everybody else. Nobody's where

@@ -16,7 +16,8 @@ namespace velum::render {
 namespace {
 
 constexpr int kBrick = LabelVolume::kBrickSize;
-constexpr int kRowsAtATime = 32;  // enough for many cores, and cancelled soon
+constexpr int kPlacesByBorder = 4;  // that are asked in a voxel in which structures meet
+constexpr int kRowsAtATime = 32;    // enough for many cores, and cancelled soon
 static_assert(kLeftNever >= shared::kCutFar);
 
 /// What all rays share.
@@ -121,11 +122,15 @@ void walkRay(const Walk& walk, std::uint32_t pixel, const scene::PictureRay& ray
       if (at < next) next = at, side = i;
     }
     next = std::clamp(next, t, end);
-    std::uint16_t id = isEmpty ? std::uint16_t(0) : walk.field->at(o + 0.5 * (t + next) * d).id;
-    if (id != 0 && next > t) {
+    // A ray that only touches a structure meets it in a part of a voxel.
+    int places = isEmpty || !(next > t) ? 0 : walk.field->hasBorder(voxel) ? kPlacesByBorder : 1;
+    for (int i = 0; i < places; ++i) {
+      double at = t + (i + 0.5) / places * (next - t);
+      std::uint16_t id = walk.field->at(o + at * d).id;
+      if (id == 0) continue;
       StructureHit& hit = hitOf(hits, first, pixel, id);
       bool isKnown = hit.isLeft && hit.depth == kLeftAlways;
-      if (!isKnown) walk.ask(hit, ray.origin + 0.5 * (t + next) * ray.direction);
+      if (!isKnown) walk.ask(hit, ray.origin + at * ray.direction);
     }
     t = next;
     voxel = isEmpty ? voxelAt(t, low, high) : voxel;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 
+#include "gridIndex.h"
 #include "velum/core/Parallel.h"
 
 namespace velum::render {
@@ -11,11 +12,6 @@ namespace {
 
 constexpr int kEdge = 8;  // label voxels along a block's edge
 constexpr int kPerBrick = LabelVolume::kBrickSize / kEdge;
-
-std::size_t indexIn(glm::ivec3 grid, glm::ivec3 at) {
-  return (std::size_t(at.z) * std::size_t(grid.y) + std::size_t(at.y)) * std::size_t(grid.x) + std::size_t(at.x);
-}
-std::size_t countOf(glm::ivec3 grid) { return std::size_t(grid.x) * std::size_t(grid.y) * std::size_t(grid.z); }
 
 glm::dmat3 absolute(glm::dmat3 m) {
   for (int i = 0; i < 3; ++i) m[i] = glm::abs(m[i]);

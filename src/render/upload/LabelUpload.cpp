@@ -4,24 +4,23 @@
 
 #include <algorithm>
 
+#include "gridIndex.h"
 #include "velum/gpu/GpuError.h"
 
 namespace velum::render {
 
-namespace {
-
-std::size_t countOf(glm::ivec3 v) { return std::size_t(v.x) * std::size_t(v.y) * std::size_t(v.z); }
-
-}  // namespace
+void checkLabelSize(glm::ivec3 dims, std::size_t bytes, const gpu::Limits& limits) {
+  if (std::max({dims.x, dims.y, dims.z}) > limits.texture3d ||
+      double(countOf(dims)) * double(bytes) > 0.7 * double(limits.memoryBytes))
+    throw gpu::GpuError(fmt::format(
+        "the labels ({} x {} x {}) are larger than the driver's 3D textures ({}) or memory; crop or reduce them",
+        dims.x, dims.y, dims.z, limits.texture3d));
+}
 
 void LabelUpload::allocate(glm::ivec3 dims) {
   mTexture = gpu::Texture();
   mCells.reset();
-  if (std::max({dims.x, dims.y, dims.z}) > mLimits.texture3d ||
-      double(countOf(dims)) * 2.0 > 0.7 * double(mLimits.memoryBytes))
-    throw gpu::GpuError(fmt::format(
-        "the labels ({} x {} x {}) are larger than the driver's 3D textures ({}) or memory; crop or reduce them",
-        dims.x, dims.y, dims.z, mLimits.texture3d));
+  checkLabelSize(dims, 2, mLimits);
   mTexture = gpu::Texture::make3d("labels", gpu::Format::R16ui, dims);
 }
 

@@ -10,6 +10,10 @@
 
 namespace velum::render {
 
+/// @param bytes  of a voxel of labels on the GPU
+/// @throw gpu::GpuError when labels of a size are larger than the driver's 3D textures or memory
+void checkLabelSize(glm::ivec3 dims, std::size_t bytes, const gpu::Limits& limits);
+
 /// Labels on the GPU and, cell by cell of a grid, which ids are there. Follows edits: bricks that two label volumes
 /// share have the same id, so what differs is known without looking at voxels, and only that is sent and counted. Ids
 /// are 16 bits wide whatever they are, so that one never seen before costs no more than another. GL thread.

@@ -1,11 +1,10 @@
 #include "ShareUpload.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
+#include "LabelUpload.h"
+#include "gridIndex.h"
 #include "velum/core/Parallel.h"
-#include "velum/gpu/GpuError.h"
 #include "velum/scene/StructureAt.h"
 
 namespace velum::render {
@@ -14,13 +13,6 @@ namespace {
 
 constexpr int kSize = LabelVolume::kBrickSize, kWide = kSize + 2;
 constexpr std::size_t kPerStep = 64;  ///< bricks: some 20 ms on two cores
-
-glm::ivec3 placeOf(std::size_t index, glm::ivec3 grid) {
-  auto x = std::size_t(grid.x), y = std::size_t(grid.y);
-  return {int(index % x), int(index / x % y), int(index / (x * y))};
-}
-
-std::size_t countOf(glm::ivec3 v) { return std::size_t(v.x) * std::size_t(v.y) * std::size_t(v.z); }
 
 /// As few components as the sets need: what a texture lacks shaders read as 0, and alpha as 1.
 gpu::Format formatOf(const StructureSets& sets) {
@@ -72,7 +64,7 @@ class BrickShares {
   bool isInSet(glm::ivec3 at, std::uint8_t bit) const { return (mSets.bits(id(at)) & bit) != 0; }
   Around look(glm::ivec3 at, std::uint8_t bit) const {
     Around around;
-    if (valueIn(mCover, at) == 255 && mCover.size() == 1) return around;
+    if (valueIn(mCover, at) == 255) return around;  // none of another structure around it counts
     bool isIn = isInSet(at, bit), hasInner = false;
     for (int n = 0; n < 27; ++n) {
       glm::ivec3 there = at + glm::ivec3(n % 3, n / 3 % 3, n / 9) - 1;
@@ -96,11 +88,7 @@ void ShareUpload::allocate(glm::ivec3 dims) {
   mShares = gpu::Texture();
   mCovers = gpu::Texture();
   gpu::Format format = formatOf(mSets);
-  if (std::max({dims.x, dims.y, dims.z}) > mLimits.texture3d ||
-      double(countOf(dims)) * double(gpu::texelBytes(format) + 3) > 0.7 * double(mLimits.memoryBytes))
-    throw gpu::GpuError(fmt::format(
-        "the labels ({} x {} x {}) are larger than the driver's 3D textures ({}) or memory; crop or reduce them",
-        dims.x, dims.y, dims.z, mLimits.texture3d));
+  checkLabelSize(dims, gpu::texelBytes(format) + 3, mLimits);
   mShares = gpu::Texture::make3d("structure shares", format, dims, gpu::Filter::Linear);
   mCovers = gpu::Texture::make3d("structure covers", gpu::Format::R8, dims, gpu::Filter::Linear);
 }
@@ -153,9 +141,9 @@ bool ShareUpload::step() {
   for (; mNext < mIsStale.size() && now.size() < kPerStep; ++mNext)
     if (mIsStale[mNext]) now.push_back(mNext);
   std::vector<Texels> texels(now.size());
-  parallelFor(std::size_t(0), now.size(), [&](std::size_t i) { texels[i] = texelsOf(placeOf(now[i], grid)); });
+  parallelFor(std::size_t(0), now.size(), [&](std::size_t i) { texels[i] = texelsOf(cellIn(grid, now[i])); });
   for (std::size_t i = 0; i < now.size(); ++i) {
-    glm::ivec3 corner = placeOf(now[i], grid) * kSize, size = glm::min(labels.dims() - corner, glm::ivec3(kSize));
+    glm::ivec3 corner = cellIn(grid, now[i]) * kSize, size = glm::min(labels.dims() - corner, glm::ivec3(kSize));
     mCovers.write(corner, size, texels[i].covers.data());
     mShares.write(corner, size, texels[i].shares.data());
     mIsStale[now[i]] = false;

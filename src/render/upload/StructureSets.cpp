@@ -31,13 +31,15 @@ bool StructureSets::hidesAny() const {
 }
 
 bool StructureSets::hasAny(std::uint8_t bit) const {
-  return std::any_of(of.begin(), of.end(), [bit](std::uint8_t bits) { return (bits & bit) != 0; });
+  return (ofOthers & bit) != 0 ||
+         std::any_of(of.begin(), of.end(), [bit](std::uint8_t bits) { return (bits & bit) != 0; });
 }
 
 StructureSets makeStructureSets(const scene::Scene& scene, bool isAlone) {
   StructureSets sets;
+  if (isAlone) sets.ofOthers |= StructureSets::kSolid;
   auto at = [&](int label) -> std::uint8_t& {
-    if (std::size_t(label) >= sets.of.size()) sets.of.resize(std::size_t(label) + 1, StructureSets::kShown);
+    if (std::size_t(label) >= sets.of.size()) sets.of.resize(std::size_t(label) + 1, sets.ofOthers);
     return sets.of[std::size_t(label)];
   };
   at(0) = isAlone || !(scene.labels.unlabelled > 0.0) ? 0 : StructureSets::kShown;
@@ -45,7 +47,8 @@ StructureSets makeStructureSets(const scene::Scene& scene, bool isAlone) {
     if (!structure.visible || !(structure.opacity > 0.0))
       at(structure.id) = 0;
     else if (isAlone || structure.showAs == scene::ShowAs::Solid)
-      at(structure.id) |= structure.opacity < kOpaque ? StructureSets::kVeil : StructureSets::kSolid;
+      at(structure.id) = std::uint8_t(StructureSets::kShown |
+                                      (structure.opacity < kOpaque ? StructureSets::kVeil : StructureSets::kSolid));
   std::map<int, std::uint32_t> sparing = sparingCuts(scene);
   std::erase_if(sparing, [&](const auto& entry) { return at(entry.first) == 0; });
   if (sparing.size() == 1) sets.onlySpared = sparing.begin()->first;

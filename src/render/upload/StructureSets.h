@@ -14,14 +14,15 @@ struct StructureSets {
   static constexpr std::uint8_t kSolid = 8;      ///< it is shown as a surface that is opaque,
   static constexpr std::uint8_t kVeil = 16;      ///< or as one that is not: then there is no second class
 
-  std::vector<std::uint8_t> of;  ///< by label; others are shown
+  std::vector<std::uint8_t> of;    ///< by label
+  std::uint8_t ofOthers = kShown;  ///< of labels that nobody says anything about
   /// Sets of enabled cuts, a bit each, that spare the same structures, however deep. One without bits where there are
   /// more than two, or cuts than bits: all that some cut spares is in it.
   std::vector<std::uint32_t> spareClasses;
 
   int onlySpared = -1;  ///< the one structure that is spared; -1: none, or several
 
-  std::uint8_t bits(std::uint16_t label) const { return label < of.size() ? of[label] : kShown; }
+  std::uint8_t bits(std::uint16_t label) const { return label < of.size() ? of[label] : ofOthers; }
   bool hidesAny() const;
   bool hasAny(std::uint8_t bit) const;
   bool operator==(const StructureSets&) const = default;

@@ -320,7 +320,8 @@ void assign(auto& target, std::string_view rest, std::string_view text, const st
     std::string_view head = rest.substr(0, rest.find('.'));
     std::string_view tail = head.size() == rest.size() ? "" : rest.substr(head.size() + 1);
     if (head == "*") {
-      for (std::size_t i = 0; i < target.size(); ++i) assign(target[i], tail, text, fmt::format("{}.{}", path, i), info);
+      for (std::size_t i = 0; i < target.size(); ++i)
+        assign(target[i], tail, text, fmt::format("{}.{}", path, i), info);
       return;
     }
     std::size_t index = target.size();
@@ -329,8 +330,8 @@ void assign(auto& target, std::string_view rest, std::string_view text, const st
       for (char c : head)
         index = c >= '0' && c <= '9' ? std::min(info.most, index * 10 + std::size_t(c - '0')) : info.most;
       if (head.empty() || index > target.size())
-        throw ArgumentError(
-            fmt::format("{} has {} items; '{}' is none of them (use + to append, * for each)", path, target.size(), head));
+        throw ArgumentError(fmt::format("{} has {} items; '{}' is none of them (use + to append, * for each)", path,
+                                        target.size(), head));
     }
     if (index >= info.most)
       throw ArgumentError(fmt::format("{} has {} items, and more it cannot have", path, info.most));

@@ -64,6 +64,7 @@ std::optional<glm::dvec3> seedBefore(const scene::Scene& scene, const scene::Cut
                                      const MaterialRange& range, int within) {
   constexpr int kFurthest = 2;  // voxels
   const Volume& volume = *scene.volume.data;
+  auto field = within != 0 ? scene::structureFieldOf(scene) : nullptr;  // held while it is asked
   auto isWanted = [&](glm::ivec3 voxel) {
     if (glm::any(glm::lessThan(voxel, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(voxel, volume.dims)))
       return false;

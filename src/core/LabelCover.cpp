@@ -1,6 +1,7 @@
 #include "velum/core/LabelCover.h"
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <limits>
 
@@ -288,8 +289,12 @@ StructureField::StructureField(LabelCover cover, const StructureField* before) :
     mEntries[i] = changed[i] ? std::make_shared<Entry>() : before->mEntries[i];
 }
 
+StructureField::Entry& StructureField::entryOf(glm::ivec3 index) const {
+  return *mEntries[indexIn(mCover.labels()->brickGrid(), index)];
+}
+
 const LabelCover::Brick& StructureField::brick(glm::ivec3 index) const {
-  Entry& entry = *mEntries[indexIn(mCover.labels()->brickGrid(), index)];
+  Entry& entry = entryOf(index);
   std::call_once(entry.isMade, [&] { entry.cover = mCover.brick(index); });
   return entry.cover;
 }
@@ -297,6 +302,17 @@ const LabelCover::Brick& StructureField::brick(glm::ivec3 index) const {
 float StructureField::coverAt(glm::ivec3 voxel) const {
   const LabelCover::Brick& cover = brick(voxel / kSize);
   return float(cover.size() == 1 ? cover[0] : cover[inBrick(voxel % kSize)]) * (1.0f / 255.0f);
+}
+
+/// What part of a voxel has a label.
+float StructureField::labelledShareAt(glm::ivec3 voxel) const {
+  glm::ivec3 index = voxel / kSize;
+  Entry& entry = entryOf(index);
+  std::call_once(entry.isLabelledMade,
+                 [&] { entry.labelled = mCover.brickOfSet(index, [](std::uint16_t id) { return id != 0; }); });
+  const LabelCover::Brick& cover = entry.labelled;
+  float share = float(cover.size() == 1 ? cover[0] : cover[inBrick(voxel % kSize)]) * (0.5f / 255.0f);
+  return mCover.labels()->at(voxel) != 0 ? 0.5f + share : 0.5f - share;
 }
 
 std::vector<bool> changedCovers(const LabelVolume& before, const LabelVolume& now) {
@@ -326,16 +342,28 @@ StructurePlace StructureField::at(glm::dvec3 voxel) const {
   if (coverAt(nearest) == 1.0f) return {labels.at(nearest), 1.0f};
   glm::ivec3 base = glm::min(glm::ivec3(voxel), glm::max(labels.dims() - 2, glm::ivec3(0)));
   glm::vec3 f(voxel - glm::dvec3(base));
-  shared::Votes votes = shared::noVotes();
-  for (int corner = 0; corner < 8; ++corner) {
-    glm::ivec3 step(corner & 1, corner >> 1 & 1, corner >> 2);
-    glm::vec3 w = glm::mix(1.0f - f, f, glm::vec3(step));
-    float weight = w.x * w.y * w.z;
-    if (!(weight > 0.0f)) continue;
-    glm::ivec3 at = base + step;
-    votes = shared::addVote(votes, labels.at(at), weight * coverAt(at));
+  // Of all, and of those that have a label.
+  shared::Votes votes = shared::noVotes(), labelled = shared::noVotes();
+  std::array<float, 8> weights{};
+  bool hasNobody = false;
+  auto voxelOf = [&](std::size_t corner) { return base + glm::ivec3(corner & 1, corner >> 1 & 1, corner >> 2); };
+  for (std::size_t corner = 0; corner < weights.size(); ++corner) {
+    glm::vec3 w = glm::mix(1.0f - f, f, glm::vec3(voxelOf(corner) - base));
+    weights[corner] = w.x * w.y * w.z;
+    if (!(weights[corner] > 0.0f)) continue;
+    std::uint16_t id = labels.at(voxelOf(corner));
+    float weight = weights[corner] * coverAt(voxelOf(corner));
+    votes = shared::addVote(votes, id, weight);
+    if (id != 0) labelled = shared::addVote(labelled, id, weight);
+    hasNobody = hasNobody || id == 0;
   }
   shared::Owner owner = shared::ownerOf(votes);
+  if (hasNobody && labelled.b != shared::kNobody) {
+    float share = 0.0f;
+    for (std::size_t corner = 0; corner < weights.size(); ++corner)
+      if (weights[corner] > 0.0f) share += weights[corner] * labelledShareAt(voxelOf(corner));
+    owner.id = share >= 0.5f ? shared::ownerOf(labelled).id : 0;
+  }
   return {std::uint16_t(owner.id), owner.coverage};
 }
 

@@ -66,8 +66,9 @@ struct StructurePlace {
   float coverage = 1.0f;  ///< 1/2 on the border, 1 wholly inside: shaders/shared/structure.h
 };
 
-/// Whose the places among labels are. Makes the cover of a brick when it is first asked for and keeps it: a byte a
-/// voxel of bricks that have a border. Any thread.
+/// Whose the places among labels are. Where several structures meet what has no label, how much all of them have
+/// decides first whether there is any, as in a picture that hides what has none. Makes the cover of a brick when it is
+/// first asked for and keeps it: a byte a voxel of bricks that have a border. Any thread.
 class StructureField {
  public:
   /// @param before  bricks that have not changed since are taken from it
@@ -82,10 +83,13 @@ class StructureField {
 
  private:
   struct Entry {
-    std::once_flag isMade;
-    LabelCover::Brick cover;
+    std::once_flag isMade, isLabelledMade;
+    LabelCover::Brick cover,
+        labelled;  ///< labelled: of all that has a label, made where several structures meet nothing
   };
+  Entry& entryOf(glm::ivec3 index) const;
   float coverAt(glm::ivec3 voxel) const;
+  float labelledShareAt(glm::ivec3 voxel) const;
   LabelCover mCover;
   std::vector<std::shared_ptr<Entry>> mEntries;  ///< [brick grid]
 };

@@ -31,14 +31,15 @@ struct ConvertOptions {
 
 using Lines = std::vector<std::string>;
 
-/// Labels, or those of a scene with its names and colours, as surfaces or as a label volume.
-Lines writeStructures(const LabelVolume& labels, const ConvertOptions& options, Json& json) {
+/// Labels of a scene with its names and colours, as surfaces or as a label volume.
+Lines writeStructures(const scene::Scene& scene, const ConvertOptions& options, Json& json) {
+  LabelVolume labels = session::labelsOf(scene);
   session::StructureExport what{session::findStructures(labels.table, options.structures), options.smoothness,
                                 options.apart};
   json["structures"] = what.structures.empty() ? labels.idsInUse().size() : what.structures.size();
   bool isWhole = what.structures.empty() && !what.apart && !session::isSurfaceFile(options.output);
   if (isWhole) return io::writeLabels(labels, options.output, consoleProgress());  // also where nothing is labelled
-  return session::exportStructures(labels, options.output, what, consoleProgress());
+  return session::exportStructures(scene, options.output, what, consoleProgress());
 }
 
 /// What shows of a scene's model. Membranes come to rest first, for which there must be a graphics driver.
@@ -104,12 +105,14 @@ int run(const ConvertOptions& options) {
     if (isOfModel(scene, options))
       tell(options.output, writeModel(std::move(scene), options, json));
     else
-      tell(options.output, writeStructures(session::labelsOf(scene), options, json));
+      tell(options.output, writeStructures(scene, options, json));
   } else {
     auto voxels = readVoxels(source, options, progress);
     std::visit([&](const auto& data) { tell(source.path, data.warnings); }, voxels);
-    if (const auto* labels = std::get_if<LabelVolume>(&voxels)) {
-      tell(options.output, writeStructures(*labels, options, json));
+    if (auto* labels = std::get_if<LabelVolume>(&voxels)) {
+      scene::Scene scene;
+      scene.labels.data = Shared<LabelVolume>(std::move(*labels));
+      tell(options.output, writeStructures(scene, options, json));
     } else {
       const Volume& volume = std::get<Volume>(voxels);
       tell(options.output, io::writeVolume(volume, options.output, progress));
@@ -140,7 +143,8 @@ Run registerConvert(CLI::App& verb) {
                   "of a model or scene: change a field, e.g. a cut, before it is written: path=value; repeatable");
   verb.add_flag("--labels", options->labels, "the input is labels");
   verb.add_option("--structure", options->structures, "of labels: only this one, by name or number; repeatable");
-  verb.add_option("--smooth", options->smoothness, "how round surfaces of structures are: 0 as voxels lie .. 1")
+  verb.add_option("--smooth", options->smoothness,
+                  "how far surfaces of structures are rounded off: 0 as pictures show them .. 1")
       ->check(CLI::Range(0.0, 1.0));
   verb.add_flag("--apart", options->apart, "a file for each structure: OUTPUT-aorta.stl");
   return [options] { return run(*options); };

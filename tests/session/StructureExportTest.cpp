@@ -7,6 +7,7 @@
 
 #include "SmallDisk.h"
 #include "TempFolder.h"
+#include "makeVolume.h"
 #include "velum/core/Error.h"
 #include "velum/io/labels/ReadLabels.h"
 #include "velum/io/meshes/ReadMesh.h"
@@ -121,7 +122,7 @@ scene::Scene threeStructures() {
 
 std::vector<std::string> exportTo(const fs::path& path, const StructureExport& what = {}) {
   Progress progress;
-  return exportStructures(labelsOf(threeStructures()), path, what, progress);
+  return exportStructures(threeStructures(), path, what, progress);
 }
 
 Mesh meshOf(const fs::path& path) {
@@ -165,6 +166,8 @@ TEST(StructureExport, OnlyWhatIsChosenIsInTheFile) {
   EXPECT_EQ(text.find("o left one"), std::string::npos);
   EXPECT_NE(text.find("o Right / one"), std::string::npos);
   EXPECT_NE(text.find("o structure 300"), std::string::npos);
+  exportTo(folder / "a.ply", {{9}});
+  EXPECT_LT(glm::length(meshOf(folder / "a.ply").color.value_or(glm::vec3(1)) - glm::vec3(0, 0, 1)), 0.01f);
 }
 
 TEST(StructureExport, ApartEachHasAFileWithItsName) {
@@ -180,6 +183,32 @@ TEST(StructureExport, ApartEachHasAFileWithItsName) {
   glm::dvec3 sum(0.0);
   for (const auto& p : mesh.positions) sum += glm::dvec3(p);
   EXPECT_LT(glm::length(sum / double(mesh.positions.size()) - glm::dvec3(14, 15, 15)), 0.2);
+}
+
+TEST(StructureExport, SurfacesOfWhatHasGrownEndWhereItsValuesDo) {
+  constexpr glm::ivec3 kDims(30);
+  glm::dmat4 frame = centredFrame(kDims, glm::dvec3(0.5, 0.5, 0.8), 0.3);
+  auto valueAt = [&](glm::ivec3 p) {
+    glm::dvec3 world(frame * glm::dvec4(p, 1.0));
+    return 500.0 + 200.0 * std::clamp(4.7 - glm::length(world), -1.5, 1.5);
+  };
+  scene::Scene scene;
+  scene.volume.data = Shared<Volume>(makeVolume(kDims, SampleType::Float32, valueAt, frame));
+  scene.labels.data = Shared<LabelVolume>(makeLabels(
+      kDims, [&](glm::ivec3 p) { return valueAt(p) >= 500.0 ? 1 : 0; }, frame));
+  scene::Growth step;
+  step.structure = 1, step.low = 500.0, step.high = 1000.0;
+  scene.labels.grown = {step};
+  scene::completeStructures(scene.labels);
+  TempFolder folder;
+  Progress progress;
+  exportStructures(scene, folder / "a.ply", {}, progress);
+  Mesh mesh = meshOf(folder / "a.ply");
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    glm::dvec3 p(mesh.positions[i]);
+    ASSERT_NEAR(glm::length(p), 4.7, 0.05);
+    ASSERT_GT(glm::dot(glm::dvec3(mesh.normals[i]), glm::normalize(p)), 0.99);
+  }
 }
 
 TEST(StructureExport, WhatHasNoVoxelsOrNoNameIsRefused) {
@@ -198,13 +227,13 @@ TEST(StructureExport, TellsHowFarItIsAndCanBeStopped) {
   double last = 0;
   Progress* running = nullptr;
   Progress told([&](double fraction, const std::string&) { last = std::max(last, fraction); });
-  exportStructures(labelsOf(threeStructures()), folder / "a.glb", {}, told);
+  exportStructures(threeStructures(), folder / "a.glb", {}, told);
   EXPECT_GT(last, 0.9);
   Progress stopped([&](double fraction, const std::string& what) {
     if (fraction > 0.3 && what.starts_with("Surface of")) running->cancel();
   });
   running = &stopped;
-  EXPECT_THROW(exportStructures(labelsOf(threeStructures()), folder / "b.glb", {}, stopped), Cancelled);
+  EXPECT_THROW(exportStructures(threeStructures(), folder / "b.glb", {}, stopped), Cancelled);
   EXPECT_FALSE(fs::exists(folder / "b.glb"));
 }
 

@@ -202,7 +202,7 @@ void ExportCommands::exportStructuresTo(const QString& path, const session::Stru
   mParts.jobs.start(
       tr("Writing %1").arg(QFileInfo(path).fileName()),
       [losses, what, scene = mParts.session.scene(), path = path.toStdString()](Progress& progress) {
-        *losses = session::exportStructures(session::labelsOf(scene), path, what, progress);
+        *losses = session::exportStructures(scene, path, what, progress);
       },
       [this, losses, path] { mParts.messages.showNote(tr("Saved %1").arg(path), *losses); });
 }

@@ -54,7 +54,7 @@ void ExportStructuresDialog::addShape(QLayout* layout) {
   mSmooth = new NumberRow(0, 100, 0, " %", this);
   mSmooth->setObjectName("exportSmooth");
   mSmooth->setName(tr("Smoothing of surfaces"));
-  mSmooth->setToolTip(tr("How round surfaces are made: 0 as voxels lie. Their volume stays that of the voxels"));
+  mSmooth->setToolTip(tr("How far surfaces are rounded off: 0 as the picture shows them. Their volume stays"));
   mSmooth->setValue(session::StructureExport().smoothness * 100.0);
   layout->addWidget(mApart);
   layout->addWidget(title);

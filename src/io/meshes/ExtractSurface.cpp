@@ -14,28 +14,27 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <vector>
 
+#include "BorderWay.h"
+#include "StructureShares.h"
+#include "SurfaceShape.h"
+#include "ThreeWayBorders.h"
 #include "read/VtkQuiet.h"
 #include "velum/core/Error.h"
+#include "velum/core/Parallel.h"
 
 namespace velum::io {
 
 namespace {
 
-/// How far smoothing may move a point, voxels, at a smoothness of 1: steps are half a voxel high, and what goes further
-/// is form. Small and thin structures would shrivel without.
+/// How far smoothing may move a point, voxels, at a smoothness of 1: small and thin structures would shrivel without.
 constexpr double kMostMoved = 1.4;
 
-/// In the world, in doubles: far from the origin floats would have steps of their own.
-struct Shape {
-  std::vector<glm::dvec3> positions;
-  std::vector<std::uint32_t> indices;
-};
-
-/// 1 in the structure, with a border of 0 all around.
+/// 1 in the structure, with a border of 0 all around. @throw InputError when it has no voxel
 vtkSmartPointer<vtkImageData> maskOf(const LabelVolume& labels, std::uint16_t structure, glm::ivec3 low,
-                                     glm::ivec3 size, std::uint64_t& voxels) {
+                                     glm::ivec3 size) {
   glm::ivec3 padded = size + 2;
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(padded.x, padded.y, padded.z);
@@ -44,34 +43,23 @@ vtkSmartPointer<vtkImageData> maskOf(const LabelVolume& labels, std::uint16_t st
   auto* to = static_cast<unsigned char*>(image->GetScalarPointer());
   std::fill(to, to + std::size_t(image->GetNumberOfPoints()), static_cast<unsigned char>(0));
   std::vector<std::uint16_t> plane(std::size_t(size.x) * std::size_t(size.y));
+  bool isEmpty = true;
   for (int z = 0; z < size.z; ++z) {
     labels.read({low.x, low.y, low.z + z}, {size.x, size.y, 1}, plane);
     for (int y = 0; y < size.y; ++y)
       for (int x = 0; x < size.x; ++x) {
         if (plane[std::size_t(y) * std::size_t(size.x) + std::size_t(x)] != structure) continue;
-        ++voxels;
+        isEmpty = false;
         to[(std::size_t(z + 1) * std::size_t(padded.y) + std::size_t(y + 1)) * std::size_t(padded.x) +
            std::size_t(x + 1)] = 1;
       }
   }
+  if (isEmpty) throw InputError(fmt::format("structure {} has no voxels, and so no surface", structure));
   return image;
 }
 
-/// Takes points back that have moved further than `most`.
-void keepNear(vtkPoints& from, vtkPoints& to, double most) {
-  for (vtkIdType i = 0; i < to.GetNumberOfPoints(); ++i) {
-    glm::dvec3 a, b;
-    from.GetPoint(i, &a.x);
-    to.GetPoint(i, &b.x);
-    double length = glm::length(b - a);
-    if (!(length > most)) continue;
-    b = a + (b - a) * (most / length);
-    to.SetPoint(i, &b.x);
-  }
-}
-
-/// In voxel space. The smoothing is linear, so that it does not matter in which space it is done.
-vtkSmartPointer<vtkPolyData> surfaceOf(vtkImageData* mask, double smoothness, Progress& progress) {
+/// Points midway between voxels in and out, joined to a closed surface.
+vtkSmartPointer<vtkPolyData> trianglesOf(vtkImageData* mask, Progress& progress) {
   VtkQuiet quiet;
   vtkNew<vtkDiscreteFlyingEdges3D> edges;
   quiet.listen(*edges, &progress);
@@ -83,52 +71,30 @@ vtkSmartPointer<vtkPolyData> surfaceOf(vtkImageData* mask, double smoothness, Pr
   edges->ComputeScalarsOff();
   edges->Update();
   progress.throwIfCancelled();
-  if (smoothness <= 0.0) return edges->GetOutput();
-  vtkNew<vtkWindowedSincPolyDataFilter> smooth;
-  quiet.listen(*smooth, &progress);
-  smooth->SetInputData(edges->GetOutput());
-  // The range that 3D Slicer's slider has, so that the same number means the same there.
-  smooth->SetNumberOfIterations(20 + int(std::lround(40.0 * smoothness)));
-  smooth->SetPassBand(std::pow(10.0, -4.0 * smoothness));
-  smooth->BoundarySmoothingOff();
-  smooth->FeatureEdgeSmoothingOff();
-  smooth->NonManifoldSmoothingOn();
-  smooth->NormalizeCoordinatesOn();
-  smooth->Update();
-  progress.throwIfCancelled();
-  keepNear(*edges->GetOutput()->GetPoints(), *smooth->GetOutput()->GetPoints(), kMostMoved * smoothness);
-  return smooth->GetOutput();
+  return edges->GetOutput();
 }
 
-Shape shapeOf(vtkPolyData* surface, const glm::dmat4& worldFromVoxel) {
-  Shape shape;
-  shape.positions.resize(std::size_t(surface->GetNumberOfPoints()));
-  for (std::size_t i = 0; i < shape.positions.size(); ++i) {
-    double p[3];
-    surface->GetPoint(vtkIdType(i), p);
-    shape.positions[i] = glm::dvec3(worldFromVoxel * glm::dvec4(p[0], p[1], p[2], 1.0));
-  }
-  bool isMirrored = glm::determinant(glm::dmat3(worldFromVoxel)) < 0;
+SurfaceShape shapeOf(vtkPolyData& surface) {
+  SurfaceShape shape;
+  shape.positions.resize(std::size_t(surface.GetNumberOfPoints()));
+  for (std::size_t i = 0; i < shape.positions.size(); ++i) surface.GetPoint(vtkIdType(i), &shape.positions[i].x);
   vtkNew<vtkIdList> corners;
-  vtkCellArray* cells = surface->GetPolys();
+  vtkCellArray* cells = surface.GetPolys();
   shape.indices.reserve(std::size_t(cells->GetNumberOfCells()) * 3);
   for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i) {
     cells->GetCellAtId(i, corners);
-    for (vtkIdType c : {0, isMirrored ? 2 : 1, isMirrored ? 1 : 2})
-      shape.indices.push_back(std::uint32_t(corners->GetId(c)));
+    for (vtkIdType c = 0; c < 3; ++c) shape.indices.push_back(std::uint32_t(corners->GetId(c)));
   }
   return shape;
 }
 
 /// What the shape gains when a point moves: a third of the areas around it, along their normals.
-std::vector<glm::dvec3> gains(const Shape& shape, double& volume) {
+std::vector<glm::dvec3> gains(const SurfaceShape& shape, double& volume) {
   std::vector<glm::dvec3> sums(shape.positions.size(), glm::dvec3(0.0));
   volume = 0.0;
-  glm::dvec3 near = shape.positions[0];  // or far from the origin digits would be lost
   for (std::size_t i = 0; i < shape.indices.size(); i += 3) {
     const std::uint32_t* corner = &shape.indices[i];
-    glm::dvec3 a = shape.positions[corner[0]] - near, b = shape.positions[corner[1]] - near,
-               c = shape.positions[corner[2]] - near;
+    glm::dvec3 a = shape.positions[corner[0]], b = shape.positions[corner[1]], c = shape.positions[corner[2]];
     glm::dvec3 third = glm::cross(b - a, c - a) / 6.0;
     volume += glm::dot(a, glm::cross(b, c)) / 6.0;
     for (int k = 0; k < 3; ++k) sums[corner[k]] += third;
@@ -141,9 +107,106 @@ glm::dvec3 unitOf(const glm::dvec3& v) {
   return length > 0 ? v / length : glm::dvec3(0, 0, 1);
 }
 
-/// Moves the points along their normals until the shape encloses a volume: between voxels the surface cuts corners, and
-/// smoothing takes from what is small. @param most  how far at most, in units of the world
-void keepVolume(Shape& shape, double wanted, double most) {
+std::vector<glm::dvec3> normalsOf(const SurfaceShape& shape) {
+  double volume = 0.0;
+  std::vector<glm::dvec3> normals = gains(shape, volume);
+  for (glm::dvec3& normal : normals) normal = unitOf(normal);
+  return normals;
+}
+
+/// The way between two voxels on whose middle a point lies.
+BorderWay wayOf(const glm::dvec3& halfway) {
+  glm::ivec3 from(glm::floor(halfway));
+  glm::dvec3 rest = halfway - glm::dvec3(from);
+  return {from, rest.x > 0 ? 0 : rest.y > 0 ? 1 : 2};
+}
+
+/// Points by the bricks of the labels in which their ways begin.
+std::vector<std::vector<std::uint32_t>> pointsByBrick(const SurfaceShape& shape, glm::ivec3 brickGrid) {
+  std::map<std::size_t, std::vector<std::uint32_t>> bricks;
+  for (std::size_t i = 0; i < shape.positions.size(); ++i) {
+    glm::ivec3 at = glm::max(wayOf(shape.positions[i]).from, glm::ivec3(0)) / LabelVolume::kBrickSize;
+    std::size_t brick = (std::size_t(at.z) * std::size_t(brickGrid.y) + std::size_t(at.y)) * std::size_t(brickGrid.x);
+    bricks[brick + std::size_t(at.x)].push_back(std::uint32_t(i));
+  }
+  std::vector<std::vector<std::uint32_t>> points;
+  for (auto& [brick, own] : bricks) points.push_back(std::move(own));
+  return points;
+}
+
+/// Moves some points from midway between voxels to the border, and gives them the normals that it has.
+/// @param hasThird  is told of each whether a third structure is near
+void moveToBorder(SurfaceShape& shape, const std::vector<std::uint32_t>& points, const StructureField& field,
+                  std::uint16_t structure, std::vector<std::uint8_t>& hasThird) {
+  glm::ivec3 low(std::numeric_limits<int>::max()), high(-1);
+  for (std::uint32_t i : points) {
+    glm::ivec3 from = wayOf(shape.positions[i]).from;
+    low = glm::min(low, from), high = glm::max(high, from);
+  }
+  StructureShares shares(field, structure, low, high);
+  for (std::uint32_t i : points) {
+    BorderWay way = wayOf(shape.positions[i]);
+    double part = shares.partOf(way);
+    hasThird[i] = shares.hasThird(way) ? 1 : 0;
+    glm::dvec3 normal = shares.normalAt(way, part);
+    if (normal != glm::dvec3(0.0)) shape.normals[i] = normal;
+    shape.positions[i] = way.at(part);
+  }
+}
+
+/// @return of each point whether a third structure is near
+std::vector<std::uint8_t> moveToBorder(SurfaceShape& shape, const StructureField& field, std::uint16_t structure,
+                                       Progress& progress) {
+  constexpr std::size_t kAtOnce = 32;  // bricks: some 20 ms on two cores
+  shape.normals = normalsOf(shape);    // what borders without a slope keep
+  std::vector<std::uint8_t> hasThird(shape.positions.size(), 0);
+  auto points = pointsByBrick(shape, field.cover().labels()->brickGrid());
+  for (std::size_t first = 0; first < points.size(); first += kAtOnce) {
+    progress.report(double(first) / double(points.size()), "Borders");
+    parallelFor(first, std::min(first + kAtOnce, points.size()),
+                [&](std::size_t i) { moveToBorder(shape, points[i], field, structure, hasThird); });
+  }
+  return hasThird;
+}
+
+/// True of points between voxels that lie in one face of a cell: what joins them goes round the cell, not through it.
+bool shareFace(const glm::dvec3& a, const glm::dvec3& b) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (a[axis] == b[axis] && a[axis] == std::floor(a[axis])) return true;
+  return false;
+}
+
+bool isByValues(const StructureField& field, std::uint16_t structure) {
+  const auto& borders = field.cover().borders();
+  return std::any_of(borders.begin(), borders.end(), [&](const auto& border) { return border.structure == structure; });
+}
+
+/// How far a point is moved outwards, of how far it lies before the middle of those next to it, so that balls of 4 to
+/// 25 voxels enclose what they do: values tell where points are; LabelCover has made up for most of it elsewhere.
+constexpr double kRoundByValues = 0.5, kRoundByLabels = 0.15;
+
+/// Moves points outwards by what triangles cut off from what is round. The four points next to one in the faces of
+/// cells, and so whichever way cells are divided, tell how round it is.
+/// @param halfway  the points before they moved to the border
+void roundOut(SurfaceShape& shape, const std::vector<glm::dvec3>& halfway, double part) {
+  constexpr double kMost = 0.05;  // voxels: a ball of three wants it; corners stay corners
+  std::vector<glm::dvec3> sums(halfway.size(), glm::dvec3(0.0));
+  std::vector<std::uint8_t> counts(halfway.size(), 0);
+  for (std::size_t i = 0; i < shape.indices.size(); ++i) {
+    std::size_t a = shape.indices[i], b = shape.indices[i % 3 == 2 ? i - 2 : i + 1];
+    if (!shareFace(halfway[a], halfway[b])) continue;
+    sums[a] += shape.positions[b] - shape.positions[a];
+    ++counts[a];
+  }
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    if (counts[i] == 0) continue;
+    double before = -glm::dot(sums[i], shape.normals[i]) / counts[i];
+    shape.positions[i] += std::clamp(part * before, -kMost, kMost) * shape.normals[i];
+  }
+}
+
+/// Moves the points along their normals until the shape encloses a volume. @param most  how far at most, voxels
+void keepVolume(SurfaceShape& shape, double wanted, double most) {
   constexpr int kSteps = 6;
   constexpr double kExact = 1e-6;  // of the volume
   double moved = 0.0;
@@ -158,28 +221,74 @@ void keepVolume(Shape& shape, double wanted, double most) {
   }
 }
 
+vtkSmartPointer<vtkPolyData> trianglesOf(const SurfaceShape& shape) {
+  vtkNew<vtkPoints> points;
+  points->SetNumberOfPoints(vtkIdType(shape.positions.size()));
+  for (std::size_t i = 0; i < shape.positions.size(); ++i) points->SetPoint(vtkIdType(i), &shape.positions[i].x);
+  vtkNew<vtkCellArray> cells;
+  for (std::size_t i = 0; i < shape.indices.size(); i += 3) {
+    vtkIdType corners[] = {shape.indices[i], shape.indices[i + 1], shape.indices[i + 2]};
+    cells->InsertNextCell(3, corners);
+  }
+  auto triangles = vtkSmartPointer<vtkPolyData>::New();
+  triangles->SetPoints(points);
+  triangles->SetPolys(cells);
+  return triangles;
+}
+
+/// Rounds the shape off, but moves no point by more than is said above, and keeps the volume that it had.
+void smoothShape(SurfaceShape& shape, double smoothness, Progress& progress) {
+  VtkQuiet quiet;
+  vtkNew<vtkWindowedSincPolyDataFilter> smooth;
+  quiet.listen(*smooth, &progress);
+  smooth->SetInputData(trianglesOf(shape));
+  // The range that 3D Slicer's slider has, so that the same number means the same there.
+  smooth->SetNumberOfIterations(20 + int(std::lround(40.0 * smoothness)));
+  smooth->SetPassBand(std::pow(10.0, -4.0 * smoothness));
+  smooth->BoundarySmoothingOff();
+  smooth->FeatureEdgeSmoothingOff();
+  smooth->NonManifoldSmoothingOn();
+  smooth->NormalizeCoordinatesOn();
+  smooth->Update();
+  progress.throwIfCancelled();
+  double wanted = 0.0, most = kMostMoved * smoothness;
+  gains(shape, wanted);
+  for (std::size_t i = 0; i < shape.positions.size(); ++i) {
+    glm::dvec3 to, &from = shape.positions[i];
+    smooth->GetOutput()->GetPoint(vtkIdType(i), &to.x);
+    double length = glm::length(to - from);
+    from = length > most ? from + (to - from) * (most / length) : to;
+  }
+  keepVolume(shape, wanted, most);
+  shape.normals = normalsOf(shape);
+}
+
+Mesh meshOf(const SurfaceShape& shape, const glm::dmat4& worldFromVoxel) {
+  Mesh mesh;
+  mesh.positions.reserve(shape.positions.size());
+  mesh.normals.reserve(shape.normals.size());
+  glm::dmat3 axes(worldFromVoxel), turn = glm::transpose(glm::inverse(axes));
+  for (const glm::dvec3& p : shape.positions) mesh.positions.emplace_back(worldFromVoxel * glm::dvec4(p, 1.0));
+  for (const glm::dvec3& n : shape.normals) mesh.normals.emplace_back(glm::normalize(turn * n));
+  mesh.indices = shape.indices;
+  if (glm::determinant(axes) < 0)
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) std::swap(mesh.indices[i + 1], mesh.indices[i + 2]);
+  return mesh;
+}
+
 }  // namespace
 
-Mesh extractSurface(const LabelVolume& labels, std::uint16_t structure, glm::ivec3 low, glm::ivec3 high,
+Mesh extractSurface(const StructureField& field, std::uint16_t structure, glm::ivec3 low, glm::ivec3 high,
                     double smoothness, Progress& progress) {
-  std::uint64_t voxels = 0;
-  auto mask = maskOf(labels, structure, low, high - low + 1, voxels);
-  if (voxels == 0) throw InputError(fmt::format("structure {} has no voxels, and so no surface", structure));
-  const glm::dmat4& m = labels.worldFromVoxel();
-  Shape shape = shapeOf(surfaceOf(mask, std::min(smoothness, 1.0), progress), m);
-  glm::dmat3 axes(m);
-  double longest = std::max({glm::length(axes[0]), glm::length(axes[1]), glm::length(axes[2])});
-  keepVolume(shape, double(voxels) * std::abs(glm::determinant(axes)), (0.5 + kMostMoved * smoothness) * longest);
-
-  Mesh mesh;
-  mesh.indices = std::move(shape.indices);
-  double volume = 0.0;
-  for (const glm::dvec3& sum : gains(Shape{shape.positions, mesh.indices}, volume))
-    mesh.normals.push_back(glm::vec3(unitOf(sum)));
-  for (const glm::dvec3& p : shape.positions) mesh.positions.push_back(glm::vec3(p));
-  for (const LabelInfo& label : labels.table)
-    if (label.id == structure) mesh.name = label.name, mesh.color = label.color;
-  return mesh;
+  const LabelVolume& labels = *field.cover().labels();
+  // Which voxels are the structure's says what is joined to what, so that the surface is closed whatever lies between.
+  SurfaceShape shape = shapeOf(*trianglesOf(maskOf(labels, structure, low, high - low + 1), progress));
+  std::vector<glm::dvec3> halfway = shape.positions;
+  auto hasThird = moveToBorder(shape, field, structure, progress);
+  roundOut(shape, halfway, isByValues(field, structure) ? kRoundByValues : kRoundByLabels);
+  joinWhereThreeMeet(shape, {halfway, hasThird}, field);
+  if (smoothness > 0.0) smoothShape(shape, std::min(smoothness, 1.0), progress);
+  return meshOf(shape, labels.worldFromVoxel());
 }
 
 }  // namespace velum::io

@@ -11,6 +11,7 @@
 #include "velum/io/labels/WriteLabels.h"
 #include "velum/io/meshes/ExtractSurface.h"
 #include "velum/io/meshes/WriteMesh.h"
+#include "velum/scene/StructureAt.h"
 #include "velum/session/structure/StructureSizes.h"
 
 namespace velum::session {
@@ -65,11 +66,18 @@ LabelVolume keepOnly(const LabelVolume& labels, const std::vector<int>& ids, Pro
   return kept;
 }
 
+/// What is written, with names and colours.
+struct Structures {
+  LabelVolume labels;
+  std::shared_ptr<const StructureField> field;  ///< their borders
+  std::map<int, StructureSize> sizes;
+};
+
 /// Told within a part of the whole. What is cancelled outside is cancelled in it.
-Mesh surfaceOf(const LabelVolume& labels, int id, const StructureSize& size, double smoothness, double from, double to,
-               Progress& progress) {
+Mesh surfaceOf(const Structures& of, int id, double smoothness, double from, double to, Progress& progress) {
   Progress* part = nullptr;
-  std::string what = "Surface of " + nameOf(labels.table, id);
+  std::string what = "Surface of " + nameOf(of.labels.table, id);
+  const StructureSize& size = of.sizes.at(id);
   Progress inner([&](double fraction, const std::string&) {
     if (progress.isCancelled())
       part->cancel();
@@ -78,9 +86,10 @@ Mesh surfaceOf(const LabelVolume& labels, int id, const StructureSize& size, dou
   });
   part = &inner;
   progress.report(from, what);
-  Mesh mesh = io::extractSurface(labels, std::uint16_t(id), size.low, size.high, smoothness, inner);
+  Mesh mesh = io::extractSurface(*of.field, std::uint16_t(id), size.low, size.high, smoothness, inner);
   progress.throwIfCancelled();
-  mesh.name = nameOf(labels.table, id);
+  mesh.name = nameOf(of.labels.table, id);
+  if (const LabelInfo* label = findLabel(of.labels.table, id)) mesh.color = label->color;
   return mesh;
 }
 
@@ -115,22 +124,21 @@ void addNew(Lines& to, const Lines& lines) {
     if (std::find(to.begin(), to.end(), line) == to.end()) to.push_back(line);
 }
 
-Lines writeSurfaces(const LabelVolume& labels, const std::map<int, StructureSize>& sizes, const std::vector<int>& ids,
-                    const Path& path, double smoothness, Progress& progress) {
+Lines writeSurfaces(const Structures& of, const std::vector<int>& ids, const Path& path, double smoothness,
+                    Progress& progress) {
   std::vector<Mesh> meshes;
   double step = 0.9 / double(ids.size());
   for (std::size_t i = 0; i < ids.size(); ++i)
-    meshes.push_back(surfaceOf(labels, ids[i], sizes.at(ids[i]), smoothness, 0.05 + step * double(i),
-                               0.05 + step * double(i + 1), progress));
+    meshes.push_back(surfaceOf(of, ids[i], smoothness, 0.05 + step * double(i), 0.05 + step * double(i + 1), progress));
   progress.report(0.95, "Writing " + path.filename().string());
-  return io::writeMeshes(meshes, path, labels.lengthUnit());
+  return io::writeMeshes(meshes, path, of.labels.lengthUnit());
 }
 
-Lines writeOnly(const LabelVolume& labels, const std::map<int, StructureSize>& sizes, const std::vector<int>& ids,
-                const Path& path, double smoothness, Progress& progress) {
-  if (isSurfaceFile(path)) return writeSurfaces(labels, sizes, ids, path, smoothness, progress);
-  if (ids.size() == sizes.size()) return io::writeLabels(labels, path, progress);
-  return io::writeLabels(keepOnly(labels, ids, progress), path, progress);
+Lines writeOnly(const Structures& of, const std::vector<int>& ids, const Path& path, double smoothness,
+                Progress& progress) {
+  if (isSurfaceFile(path)) return writeSurfaces(of, ids, path, smoothness, progress);
+  if (ids.size() == of.sizes.size()) return io::writeLabels(of.labels, path, progress);
+  return io::writeLabels(keepOnly(of.labels, ids, progress), path, progress);
 }
 
 }  // namespace
@@ -151,21 +159,23 @@ bool isSurfaceFile(const std::filesystem::path& path) {
   return std::any_of(formats.begin(), formats.end(), [&](const auto& f) { return f.extension == extension; });
 }
 
-std::vector<std::string> exportStructures(const LabelVolume& labels, const std::filesystem::path& path,
+std::vector<std::string> exportStructures(const scene::Scene& scene, const std::filesystem::path& path,
                                           const StructureExport& what, Progress& progress) {
-  auto sizes = countStructures(labels, progress);
-  auto ids = chosenOf(labels, sizes, what);
+  Structures of{labelsOf(scene), scene::structureFieldOf(scene), {}};
+  of.sizes = countStructures(of.labels, progress);
+  auto ids = chosenOf(of.labels, of.sizes, what);
+  LengthUnit unit = of.labels.lengthUnit();
   Lines losses;
-  if (isSurfaceFile(path) && labels.lengthUnit() != LengthUnit::Millimetre && lowerExtension(path) != ".glb")
-    losses.push_back(fmt::format("lengths are in {}, which no file of surfaces says", enumName(labels.lengthUnit())));
+  if (isSurfaceFile(path) && unit != LengthUnit::Millimetre && lowerExtension(path) != ".glb")
+    losses.push_back(fmt::format("lengths are in {}, which no file of surfaces says", enumName(unit)));
   if (!what.apart) {
-    addNew(losses, writeOnly(labels, sizes, ids, path, what.smoothness, progress));
+    addNew(losses, writeOnly(of, ids, path, what.smoothness, progress));
     return losses;
   }
   std::set<std::string> taken;
   for (int id : ids) {
-    Path file = fileOf(path, nameOf(labels.table, id), id, taken);
-    addNew(losses, writeOnly(labels, sizes, {id}, file, what.smoothness, progress));
+    Path file = fileOf(path, nameOf(of.labels.table, id), id, taken);
+    addNew(losses, writeOnly(of, {id}, file, what.smoothness, progress));
   }
   return losses;
 }

@@ -22,8 +22,11 @@ bool isLost(const Volume& volume, const scene::Growth& step, glm::dvec3 seed, in
 }
 
 bool losesSeeds(const Volume& volume, const scene::Growth& step, int timeStep) {
-  return std::any_of(step.seeds.begin(), step.seeds.end(),
-                     [&](glm::dvec3 seed) { return isLost(volume, step, seed, timeStep); });
+  auto isAnyLost = [&](const std::vector<glm::dvec3>& places) {
+    return std::any_of(places.begin(), places.end(),
+                       [&](glm::dvec3 place) { return isLost(volume, step, place, timeStep); });
+  };
+  return isAnyLost(step.seeds) || isAnyLost(step.others);
 }
 
 }  // namespace
@@ -62,25 +65,28 @@ Shared<LabelVolume> GrowOverTime::labelsAt(int timeStep, std::size_t count, Prog
   Shared<LabelVolume> before = labelsAt(timeStep, count - 1, progress);
   scene::Growth step = mSteps[count - 1];
   checkRule(ruleOf(step), *mVolume);
-  Shared<LabelVolume> begun = begunAt(timeStep, count, progress);
-  if (begun) std::erase_if(step.seeds, [&](glm::dvec3 seed) { return isLost(*mVolume, step, seed, timeStep); });
+  Known begun = begunAt(timeStep, count, progress);
+  if (begun.labels)
+    for (auto* places : {&step.seeds, &step.others})
+      std::erase_if(*places, [&](glm::dvec3 place) { return isLost(*mVolume, step, place, timeStep); });
   step.timeStep = timeStep;
-  Shared<LabelVolume> grown = mGrower.grow(mVolume, before, step, {.begun = begun}, progress).labels;
-  Shared<LabelVolume> labels = smoothRegion(mVolume, grown, step, progress).labels;
-  mKnown.push_back({timeStep, count, labels});
+  Grown grown = mGrower.grow(mVolume, before, step, {.begun = begun.labels, .othersBegun = begun.others}, progress);
+  Shared<LabelVolume> labels = smoothRegion(mVolume, grown.labels, step, progress, grown.others).labels;
+  mKnown.push_back({timeStep, count, labels, grown.others});
   if (mKnown.size() > kMostKnown) mKnown.pop_front();
   return labels;
 }
 
 /// What a carried step that loses seeds begins at; nothing where it needs none.
-Shared<LabelVolume> GrowOverTime::begunAt(int timeStep, std::size_t count, Progress& progress) {
+GrowOverTime::Known GrowOverTime::begunAt(int timeStep, std::size_t count, Progress& progress) {
   const scene::Growth& step = mSteps[count - 1];
   if (timeStep == step.timeStep || !losesSeeds(*mVolume, step, timeStep)) return {};
   // Back to where it needs nothing, then from there on, so that nothing waits for more than what is beside it.
   int towards = step.timeStep > timeStep ? 1 : -1, from = timeStep + towards;
   while (from != step.timeStep && !find(from, count) && losesSeeds(*mVolume, step, from)) from += towards;
   for (; from != timeStep + towards; from -= towards) labelsAt(from, count, progress);
-  return labelsAt(from, count, progress);
+  Shared<LabelVolume> labels = labelsAt(from, count, progress);
+  return {from, count, labels, find(from, count)->others};
 }
 
 Shared<LabelVolume> growLabels(const Shared<Volume>& volume, const Shared<LabelVolume>& given,

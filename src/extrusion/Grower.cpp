@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "OwnPart.h"
 #include "SolidPart.h"
 #include "WriteRegion.h"
 #include "velum/core/Clock.h"
@@ -168,6 +169,27 @@ std::list<Grower::Kept>::iterator Grower::keep(const Shared<Volume>& volume, con
   return mKept.begin();
 }
 
+/// All that it may take, then what of that is its own.
+void Grower::divide(const Shared<Volume>& volume, const Shared<LabelVolume>& before, const scene::Growth& step,
+                    const GrowOptions& options, Grown& grown, Progress& progress) const {
+  GrowDomain domain(*volume, step.centre, step.axis, step.distance);
+  RegionGrow region(volume, before, step.structure, ruleOf(step));
+  addSeeds(region, *volume, step, options.begun);
+  region.grow(domain, progress);
+  RegionGrow::Changed changed = region.takeChanged();
+  auto part = ownPartOf(region, *volume, *before, step, domain, options, progress);
+  if (part) grown.others = part->others;
+  auto row = [&](int y, int z) -> const std::uint64_t* { return part ? part->own.row(y, z) : region.row(y, z); };
+  LabelVolume labels = *before;
+  Written written = writeRegion(row, changed, std::uint16_t(step.structure), labels);
+  grown.slabs = 1;
+  grown.box = written.box;
+  grown.voxels = written.voxels;
+  if (grown.voxels == 0) return;
+  addToTable(labels, step.structure);
+  grown.labels = Shared<LabelVolume>(std::move(labels));
+}
+
 Grown Grower::grow(const Shared<Volume>& volume, const Shared<LabelVolume>& before, const scene::Growth& step,
                    const GrowOptions& options, Progress& progress) {
   check(step);
@@ -176,6 +198,11 @@ Grown Grower::grow(const Shared<Volume>& volume, const Shared<LabelVolume>& befo
   Grown grown;
   grown.labels = before;
   grown.distance = step.distance;
+  if (!step.others.empty() || options.othersBegun) {
+    divide(volume, before, step, options, grown, progress);
+    grown.ms = msSince(start);
+    return grown;
+  }
   auto kept = keep(volume, before, step);
   try {
     addSeeds(kept->region, *volume, step, options.begun);

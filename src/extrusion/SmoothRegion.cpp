@@ -109,6 +109,12 @@ void join(BitGrid& region, const BitGrid& more, const BitGrid& allowed) {
   });
 }
 
+void takeAway(const BitGrid& what, BitGrid& from) {
+  forRows(from.dims(), [&](int y, int z) {
+    for (int w = 0; w < from.words(); ++w) from.row(y, z)[w] &= ~what.row(y, z)[w];
+  });
+}
+
 /// No further than kMostClosingVoxels along any axis.
 double radiusOf(const scene::Growth& step, const glm::dmat3& worldFromVoxel) {
   double most = step.closing;
@@ -129,11 +135,12 @@ RegionGrow::Changed changeOf(const BitGrid& region) {
 bool isSmoothed(const scene::Growth& step) { return step.closing > 0.0 || step.fillHoles; }
 
 Smoothed smoothRegion(const Shared<Volume>& volume, const Shared<LabelVolume>& labels, const scene::Growth& step,
-                      const Progress& progress) {
+                      const Progress& progress, const Shared<LabelVolume>& others) {
   if (!isSmoothed(step)) return {labels, 0};
   BitGrid region = regionIn(*labels, step.structure);
   GrowDomain domain(*volume, step.centre, step.axis, step.distance);
   BitGrid allowed = allowedTo(step, domain, volume, labels);
+  if (others) takeAway(regionIn(*others, 1), allowed);
   glm::dmat3 worldFromVoxel(volume->worldFromVoxel);
   if (step.closing > 0.0) join(region, closed(region, worldFromVoxel, radiusOf(step, worldFromVoxel)), allowed);
   progress.throwIfCancelled();

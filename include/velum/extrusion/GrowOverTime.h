@@ -10,7 +10,8 @@ namespace velum::extrusion {
 /// Does all steps of a scene, with their ends, at any time step of the volume: what it knows from before only saves
 /// time. A step of another time step is *carried*: it begins at its seeds where these have values of its range; else
 /// at what the structure has one time step nearer to its own, where that may join, and so on back to the step's own. So
-/// what moves little by little is followed, and the labels are the same whatever was seen before.
+/// what moves little by little is followed, and the labels are the same whatever was seen before. Where one of its
+/// places that are not of it has lost its values, what went to those a time step nearer is theirs likewise.
 class GrowOverTime {
  public:
   /// Labels after the first `count` steps.
@@ -23,12 +24,12 @@ class GrowOverTime {
   struct Known {
     int timeStep;
     std::size_t count;
-    Shared<LabelVolume> labels;
+    Shared<LabelVolume> labels, others;  ///< see Grown::others
   };
   void follow(const Shared<Volume>& volume, const Shared<LabelVolume>& given, std::span<const scene::Growth> steps);
   const Known* find(int timeStep, std::size_t count) const;
   Shared<LabelVolume> labelsAt(int timeStep, std::size_t count, Progress& progress);
-  Shared<LabelVolume> begunAt(int timeStep, std::size_t count, Progress& progress);
+  Known begunAt(int timeStep, std::size_t count, Progress& progress);
 
   Shared<Volume> mVolume;
   Shared<LabelVolume> mGiven, mGround;

@@ -12,8 +12,10 @@
 namespace velum::extrusion {
 
 struct GrowOptions {
-  bool guard = false;         ///< stops before a slab in which the region leaks
+  bool guard = false;         ///< stops before a slab in which the region leaks; not of a step that has others
   Shared<LabelVolume> begun;  ///< it begins at what the structure has in these, too, where that may join
+  /// And its others at what has label 1 in these: Grown::others of what begun is from.
+  Shared<LabelVolume> othersBegun = {};
 };
 
 /// Where a guard has stopped a step.
@@ -31,11 +33,16 @@ struct Grown {
   double ms = 0.0;
   double distance = 0.0;  ///< to which it has grown: the step's, or what is safe
   std::optional<Leak> leak;
+  /// Label 1 where the step's others have it, of what it would have taken without them; nothing where they have none.
+  Shared<LabelVolume> others;
 };
 
 /// Does steps of growing one after the other, but for their end, see smoothRegion(). A step's result depends on the
 /// volume, the labels before it and the step alone; what a Grower keeps between steps only saves time. One thread at a
 /// time; a step works on all cores.
+///
+/// A step with others is done whole, whatever was grown of it before: where a border between the two kinds of seeds
+/// lies depends on all of the region. Nobody guards it, for who says what it is not has seen where it leaks.
 class Grower {
  public:
   /// @param before  on the volume's grid, see labelsFor()
@@ -52,6 +59,8 @@ class Grower {
     std::optional<scene::Growth> last;  ///< step that it has done whole
     bool hasDone(const scene::Growth& step) const;
   };
+  void divide(const Shared<Volume>& volume, const Shared<LabelVolume>& before, const scene::Growth& step,
+              const GrowOptions& options, Grown& grown, Progress& progress) const;
   std::list<Kept>::iterator keep(const Shared<Volume>& volume, const Shared<LabelVolume>& labels,
                                  const scene::Growth& step);
   std::list<Kept> mKept;  ///< the last one used comes first

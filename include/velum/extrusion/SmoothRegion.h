@@ -26,8 +26,8 @@ struct Smoothed {
 /// Closed is what no ball of the radius can reach that lies beside the structure. A hole is what is not joined by faces
 /// to the border of the volume through voxels of the step's domain that are not the structure's: where the cut and the
 /// distance end it a hollow structure counts as closed, so that marrow is a hole of its bone.
-/// @throw Cancelled
+/// @param others  Grown::others of the step: what has label 1 there does not join either  @throw Cancelled
 Smoothed smoothRegion(const Shared<Volume>& volume, const Shared<LabelVolume>& labels, const scene::Growth& step,
-                      const Progress& progress);
+                      const Progress& progress, const Shared<LabelVolume>& others = {});
 
 }  // namespace velum::extrusion

@@ -27,14 +27,16 @@ using Steps = std::vector<scene::Growth>;
 struct Progressed {
   Shared<LabelVolume> labels;
   Steps steps;
-  Shared<LabelVolume> rough;  ///< the same before the last step's end; nothing where that is not known
-  std::int64_t voxels = 0;    ///< of the last step
+  Shared<LabelVolume> rough;   ///< the same before the last step's end; nothing where that is not known
+  Shared<LabelVolume> before;  ///< without the last step; nothing where that is not known
+  std::int64_t voxels = 0;     ///< of the last step
   std::optional<Leak> leak;
 
   /// Labels that hold all steps to their ends.
   void take(const Shared<LabelVolume>& whole) {
     labels = whole;
     rough = steps.empty() || !extrusion::isSmoothed(steps.back()) ? whole : Shared<LabelVolume>();
+    before = {};
     voxels = 0;
   }
 };
@@ -64,7 +66,10 @@ bool isOnTheWay(const Steps& grown, const Steps& wanted) {
 
 bool isOnTheWay(const Progressed& now, const Steps& wanted) {
   if (!isOnTheWay(now.steps, wanted)) return false;
-  return now.steps.empty() || bool(now.rough) || now.steps.back() == wanted[now.steps.size() - 1];
+  // One with others begins anew from what was there before it.
+  bool isAnew = !now.steps.empty() && !now.steps.back().others.empty();
+  if (isAnew && !now.before && now.steps.back() != wanted[now.steps.size() - 1]) return false;
+  return now.steps.empty() || isAnew || bool(now.rough) || now.steps.back() == wanted[now.steps.size() - 1];
 }
 
 /// Beyond this depth nothing of the volume lies.
@@ -97,6 +102,7 @@ struct GrowthPlayer::State {
                       const std::function<Watch(int)>& watch, Progress& progress);
   double growPart(const Shared<Volume>& of, Progressed& to, const scene::Growth& step, double reached, double slabs,
                   Watch watch, Progress& progress);
+  void growWhole(const Shared<Volume>& of, Progressed& to, const scene::Growth& step, Progress& progress);
   void forgetWhatIsGone(const Steps& next);
 };
 
@@ -112,12 +118,14 @@ Progressed GrowthPlayer::State::growSome(const Shared<Volume>& of, const Shared<
     double reached = isNew ? 0.0 : to.steps.back().distance;
     if (isNew) {
       to.steps.push_back(step);
-      to.rough = to.labels;
+      to.rough = to.before = to.labels;
       to.voxels = 0;
     }
     if (all.isCarried(place)) {
       to.steps.back() = step;
       to.take(overTime.labelsAt(step.timeStep, place + 1, of, ground, all.made, progress));
+    } else if (!step.others.empty()) {
+      growWhole(of, to, step, progress);
     } else {
       slabs = growPart(of, to, step, reached, slabs, watch(step.structure), progress);
     }
@@ -178,6 +186,16 @@ double GrowthPlayer::State::growPart(const Shared<Volume>& of, Progressed& to, c
   to.steps.back() = part;
   if (grown.leak || part == step) to.labels = extrusion::smoothRegion(of, to.rough, part, progress).labels;
   return grown.leak ? 0.0 : slabs;
+}
+
+/// With others, as far as it goes: where their border lies depends on all of it.
+void GrowthPlayer::State::growWhole(const Shared<Volume>& of, Progressed& to, const scene::Growth& step,
+                                    Progress& progress) {
+  extrusion::Grown grown = grower.grow(of, to.before, step, {}, progress);
+  to.labels = extrusion::smoothRegion(of, grown.labels, step, progress, grown.others).labels;
+  to.rough = grown.labels;
+  to.voxels = std::int64_t(grown.voxels);
+  to.steps.back() = step;
 }
 
 GrowthPlayer::GrowthPlayer() : mState(std::make_unique<State>()) {}

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <ranges>
 #include <set>
 #include <tuple>
@@ -14,6 +15,31 @@ namespace {
 
 /// Places along one piece of a stroke.
 constexpr double kMostAlong = 1e5;
+/// Voxels beside a place at which something was meant.
+constexpr int kBeside = 2;
+
+/// The nearest to a voxel that has values of a step.
+std::optional<glm::ivec3> voxelNear(const Volume& volume, const scene::Growth& step, int timeStep, glm::ivec3 here) {
+  std::optional<glm::ivec3> best;
+  double least = scene::Growth::kEndless;
+  for (glm::ivec3 off(-kBeside); off.z <= kBeside; ++off.z)
+    for (off.y = -kBeside; off.y <= kBeside; ++off.y)
+      for (off.x = -kBeside; off.x <= kBeside; ++off.x) {
+        double away = glm::length(glm::dmat3(volume.worldFromVoxel) * glm::dvec3(off));
+        if (away >= least || !extrusion::isInside(volume, here + off)) continue;
+        double value = valueAt(volume, here + off, step.channel, timeStep);
+        if (value >= step.low && value <= step.high) least = away, best = here + off;
+      }
+  return best;
+}
+
+bool isSeed(const scene::Scene& scene, int structure, glm::ivec3 voxel) {
+  return std::any_of(scene.labels.growths.begin(), scene.labels.growths.end(), [&](const scene::Growth& step) {
+    return step.structure == structure && std::any_of(step.seeds.begin(), step.seeds.end(), [&](glm::dvec3 seed) {
+             return extrusion::voxelAt(*scene.volume.data, seed) == voxel;
+           });
+  });
+}
 
 }  // namespace
 
@@ -99,6 +125,25 @@ std::size_t addSeeds(scene::Scene& scene, int structure, std::span<const glm::dv
   if (step.seeds.empty()) return 0;
   steps.push_back(step);
   return steps.back().seeds.size();
+}
+
+std::size_t addOthers(scene::Scene& scene, int structure, std::span<const glm::dvec3> places) {
+  const scene::Growth* last = lastGrowth(scene, structure);
+  if (!last || !scene.volume.data) return 0;
+  const Volume& volume = *scene.volume.data;
+  int timeStep = std::clamp(scene.volume.timeStep, 0, volume.timeSteps - 1);
+  std::vector<glm::dvec3> others;
+  for (glm::dvec3 place : places) {
+    auto voxel = voxelNear(volume, *last, timeStep, extrusion::voxelAt(volume, place));
+    if (!voxel || isSeed(scene, structure, *voxel)) continue;
+    glm::dvec3 middle(volume.worldFromVoxel * glm::dvec4(*voxel, 1.0));
+    bool isKnown = std::find(last->others.begin(), last->others.end(), middle) != last->others.end();
+    if (!isKnown && std::find(others.begin(), others.end(), middle) == others.end()) others.push_back(middle);
+  }
+  if (others.empty()) return 0;
+  changeGrowth(scene, structure,
+               [&](scene::Growth& step) { step.others.insert(step.others.end(), others.begin(), others.end()); });
+  return others.size();
 }
 
 void removeGrown(scene::Scene& scene, int structure) {

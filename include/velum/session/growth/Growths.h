@@ -32,8 +32,8 @@ std::vector<std::string> settleGrowths(scene::Scene& scene, extrusion::GrowOverT
 
 /// The last step of a structure; null when it was not grown.
 const scene::Growth* lastGrowth(const scene::Scene& scene, int structure);
-/// A change of each step of a structure: another range, a gradient stop, barriers. It grows anew from its seeds, as far
-/// as it is pulled: what held it before may be mended.
+/// A change of each step of a structure: another range, a gradient stop, barriers, places that are not of it. It grows
+/// anew from its seeds, as far as it is pulled: what held it before may be mended.
 void changeGrowth(scene::Scene& scene, int structure, const std::function<void(scene::Growth&)>& change);
 /// The middles of the voxels along a stroke, each once, in its order. None outside the volume.
 std::vector<glm::dvec3> placesAlong(const Volume& volume, std::span<const glm::dvec3> path);
@@ -42,6 +42,12 @@ std::vector<glm::dvec3> placesAlong(const Volume& volume, std::span<const glm::d
 /// range are left out, and where none is left nothing changes.
 /// @return how many it goes on from
 std::size_t addSeeds(scene::Scene& scene, int structure, std::span<const glm::dvec3> places);
+/// Says of places that they are not of a structure that was grown: it gives up what is nearer to them by values and
+/// form, see scene::Growth::others. Each of its steps is told, as any of them may have leaked, and it grows anew, as
+/// far as it is pulled. Of a place whose voxel has none of its values the nearest one beside it counts; places that
+/// have none, and those that are its seeds, are left out, and where none is left nothing changes.
+/// @return how many were added
+std::size_t addOthers(scene::Scene& scene, int structure, std::span<const glm::dvec3> places);
 /// Forgets a structure that was grown: its steps, its row, and what cuts spare of it.
 void removeGrown(scene::Scene& scene, int structure);
 

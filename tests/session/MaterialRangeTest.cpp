@@ -224,4 +224,39 @@ TEST(MaterialRange, BeginsAboveWhatIsDarkerThoughNoiseNearlyMeets) {
   EXPECT_LT(white->low, 110.0);
 }
 
+/// A thin shell in flesh: from each place of its rim that the picture shows, be the voxel there flesh or bone.
+TEST(MaterialRange, AtTheRimOfAShellIsThatOfTheShell) {
+  constexpr glm::ivec3 kDims(48);
+  constexpr double kMiddle = 23.5, kRadius = 15.0, kFoot = 350.0;
+  auto valueOf = [](glm::dvec3 p) {
+    double away = glm::distance(p, glm::dvec3(kMiddle)) - kRadius;
+    return 40.0 + 1200.0 * std::exp(-away * away / 2.0);
+  };
+  scene::VolumeLayer layer;
+  layer.data = Shared<Volume>(makeVolume(kDims, SampleType::Int16, [&](glm::ivec3 v) {
+    return valueOf(glm::dvec3(v)) + 30.0 * (hashNoise(v, 1) + hashNoise(v, 2) - 1.0);
+  }));
+  layer.transfer.opacities = {{kFoot, 0}, {600, 0.8}, {2000, 1}};
+  const Volume& volume = *layer.data;
+  HistogramMemo histograms;
+  std::mt19937 random(9);
+  int clicks = 0, besideBone = 0;
+  while (clicks < 200) {
+    // Between two neighbours of which the curve shows one, just where it begins to show.
+    glm::ivec3 voxel(1 + int(random() % 46), 1 + int(random() % 46), 1 + int(random() % 46)), other = voxel;
+    other[int(random() % 3)] += random() % 2 ? 1 : -1;
+    double shown = valueAt(volume, voxel), hidden = valueAt(volume, other);
+    if (shown < kFoot + 40.0 || hidden >= kFoot) continue;
+    double part = 0.95 * (shown - kFoot - 10.0) / (shown - hidden);
+    auto range = materialRangeAt(layer, glm::mix(glm::dvec3(voxel), glm::dvec3(other), part), histograms);
+    ASSERT_TRUE(range);
+    EXPECT_LE(range->low, kFoot + 5.0) << "part " << part << " from " << shown << " to " << hidden;
+    EXPECT_GT(range->low, 100.0);
+    EXPECT_GE(range->high, 1100.0) << "part " << part << " from " << shown << " to " << hidden;
+    ++clicks;
+    besideBone += part > 0.5;
+  }
+  EXPECT_GT(besideBone, 30) << "whose own voxel is flesh";
+}
+
 }  // namespace velum::session

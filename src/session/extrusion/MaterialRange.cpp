@@ -128,6 +128,43 @@ MaterialRange withoutOthers(MaterialRange segment, double value, const Tissue& t
   return range;
 }
 
+bool isShown(const scene::TransferFunction& transfer, double value) {
+  return !(scene::opacityAt(transfer.opacities, value) < kHidden);
+}
+
+/// Calls body(voxel, weight) for the voxels between which the picture interpolates at a place in voxels.
+template <class Body>
+void forCorners(const Volume& volume, glm::dvec3 place, const Body& body) {
+  glm::dvec3 first = glm::floor(place), part = place - first;
+  for (int corner = 0; corner < 8; ++corner) {
+    glm::ivec3 step(corner & 1, corner >> 1 & 1, corner >> 2);
+    glm::dvec3 weight = glm::mix(1.0 - part, part, glm::dvec3(step));
+    glm::ivec3 voxel = glm::clamp(glm::ivec3(first) + step, glm::ivec3(0), volume.dims - 1);
+    body(voxel, weight.x * weight.y * weight.z);
+  }
+}
+
+/// What is seen at a place whose own voxel is hidden: of the voxels around it the nearest that the curve shows. A shell
+/// is clicked on at its rim, where the picture, which interpolates, shows it already, but half of the voxels are what
+/// lies beside it.
+/// @return the middle of that voxel, world; nothing where the picture shows nothing either
+std::optional<glm::dvec3> shownBeside(const scene::VolumeLayer& layer, glm::dvec3 world) {
+  const Volume& volume = *layer.data;
+  const scene::TransferFunction& transfer = scene::currentTransfer(layer);
+  int channel = std::clamp(layer.channel, 0, volume.channels - 1);
+  int timeStep = std::clamp(layer.timeStep, 0, volume.timeSteps - 1);
+  glm::dvec3 place(glm::inverse(volume.worldFromVoxel) * glm::dvec4(world, 1.0));
+  double seen = 0.0, most = 0.0;
+  std::optional<glm::ivec3> nearest;
+  forCorners(volume, place, [&](glm::ivec3 voxel, double weight) {
+    double value = valueAt(volume, voxel, channel, timeStep);
+    if (weight > 0.0) seen += weight * value;
+    if (weight > most && isShown(transfer, value)) most = weight, nearest = voxel;
+  });
+  if (!nearest || !isShown(transfer, seen)) return std::nullopt;
+  return glm::dvec3(volume.worldFromVoxel * glm::dvec4(*nearest, 1.0));
+}
+
 }  // namespace
 
 std::optional<MaterialRange> segmentOf(const scene::TransferFunction& transfer, double value, glm::dvec2 range) {
@@ -152,6 +189,8 @@ std::optional<MaterialRange> materialRangeAt(const scene::VolumeLayer& layer, gl
   for (double value : {tissue->value, tissue->here})
     if (auto segment = segmentOf(transfer, value, volume.range))
       return withoutOthers(*segment, value, *tissue, valuesAround(layer, world), histogram);
+  // Asked once more at most: that voxel is shown.
+  if (auto beside = shownBeside(layer, world)) return materialRangeAt(layer, *beside, histograms);
   double value = tissue->value, around = kSpreads * tissue->spread;
   bool isBrightest = value > quantile(histogram, 1.0 - kEnd), isDarkest = value < quantile(histogram, kEnd);
   return MaterialRange{tissue->low.value_or(isDarkest ? volume.range.x : value - around),

@@ -17,7 +17,9 @@ struct MaterialRange {
 /// begin at the segment's foot, where the material becomes visible, so that what is pulled has no holes that the
 /// picture does not have; lower where what lies beside is far away in value; higher where the segment shows what is
 /// darker beside, too; and end before what is brighter where the place's material is a peak of the values around.
-/// Where the curve hides the place they are those of its noise, and end halfway to what lies beside.
+/// Where the curve hides the place's voxel, but the picture shows something there, as at the rim of a shell, the
+/// nearest voxel that it shows is asked instead. Where it hides the place they are those of its noise, and end halfway
+/// to what lies beside.
 ///
 /// Differs: the paper takes the curve's segment as it is; where skin and bone are one segment bone would take its flesh
 /// with it.

@@ -24,7 +24,7 @@ namespace {
 struct GrowOptions {
   Common common;
   InputOptions input;
-  std::vector<std::string> seeds, strokes;
+  std::vector<std::string> seeds, strokes, others, otherStrokes;
   std::vector<double> range, plane;
   std::optional<double> distance, steepest, closing;
   int within = 0;
@@ -51,24 +51,46 @@ std::vector<glm::dvec3> seedsOf(const GrowOptions& options, const Volume& volume
   return seeds;
 }
 
-/// The voxels along strokes, each a polygon "x,y,z;x,y,z;...", that have values of a step's range.
-/// @throw ArgumentError where one has none
+bool hasValueOf(const scene::Growth& step, const Volume& volume, glm::dvec3 place) {
+  double value = valueAt(volume, extrusion::voxelAt(volume, place), step.channel, step.timeStep);
+  return value >= step.low && value <= step.high;
+}
+
+/// The voxels along a stroke, a polygon "x,y,z;x,y,z;...", that have values of a step's range.
+/// @throw ArgumentError where none has
+void addStroke(const char* option, const std::string& text, const scene::Growth& step, const Volume& volume,
+               std::vector<glm::dvec3>& places) {
+  std::vector<glm::dvec3> path;
+  std::istringstream in(text);
+  for (std::string point; std::getline(in, point, ';');) path.push_back(placeOf(option, point, volume));
+  std::size_t before = places.size();
+  for (glm::dvec3 place : session::placesAlong(volume, path))
+    if (hasValueOf(step, volume, place)) places.push_back(place);
+  if (places.size() == before)
+    throw ArgumentError(
+        fmt::format("{} {}: no value along it is from {:.6g} to {:.6g}; draw it elsewhere, or "
+                    "give --range",
+                    option, text, step.low, step.high));
+}
+
 void addStrokes(scene::Growth& step, const GrowOptions& options, const Volume& volume) {
-  for (const auto& text : options.strokes) {
-    std::vector<glm::dvec3> path;
-    std::istringstream in(text);
-    for (std::string point; std::getline(in, point, ';');) path.push_back(placeOf("--stroke", point, volume));
-    std::size_t before = step.seeds.size();
-    for (glm::dvec3 place : session::placesAlong(volume, path)) {
-      double value = valueAt(volume, extrusion::voxelAt(volume, place), step.channel, step.timeStep);
-      if (value >= step.low && value <= step.high) step.seeds.push_back(place);
-    }
-    if (step.seeds.size() == before)
+  for (const auto& text : options.strokes) addStroke("--stroke", text, step, volume, step.seeds);
+}
+
+/// Places that are not of it. @throw ArgumentError where one has no value of it, so that it would say nothing
+void addOthers(scene::Growth& step, const GrowOptions& options, const Volume& volume) {
+  for (const auto& text : options.others) {
+    glm::dvec3 place = placeOf("--not", text, volume);
+    if (!hasValueOf(step, volume, place))
       throw ArgumentError(
-          fmt::format("--stroke {}: no value along it is from {:.6g} to {:.6g}; draw it elsewhere, or "
-                      "give --range",
+          fmt::format("--not {}: the value there is not from {:.6g} to {:.6g}, so it does not grow "
+                      "there; choose a place that it takes",
                       text, step.low, step.high));
+    step.others.push_back(place);
   }
+  for (const auto& text : options.otherStrokes) addStroke("--not-stroke", text, step, volume, step.others);
+  if (options.guard && !step.others.empty())
+    throw ArgumentError("--guard and --not: what is told where it leaks is not guarded; leave one of them out");
 }
 
 /// Whose material is meant where no range is given.
@@ -200,6 +222,7 @@ int run(const GrowOptions& options) {
   step.fillHoles = options.fillHoles;
   setRange(step, options, scene.volume);
   addStrokes(step, options, volume);
+  addOthers(step, options, volume);
   setPlane(step, options);
   setWithin(step, options, *labels);
   refuseDoubts(step, options, scene.volume.data, labels);
@@ -207,7 +230,7 @@ int run(const GrowOptions& options) {
       extrusion::Grower().grow(scene.volume.data, labels, step, {options.guard}, consoleProgress());
   scene::Growth done = step;
   done.distance = grown.distance;
-  auto smoothed = extrusion::smoothRegion(scene.volume.data, grown.labels, done, consoleProgress());
+  auto smoothed = extrusion::smoothRegion(scene.volume.data, grown.labels, done, consoleProgress(), grown.others);
   LabelVolume result = *smoothed.labels;
   for (auto& info : result.table)
     if (info.id == step.structure) info.name = options.name;
@@ -239,6 +262,12 @@ Run registerGrow(CLI::App& verb) {
   verb.add_option("--seed", options->seeds, "a place on the structure, x,y,z; repeatable")->allow_extra_args(false);
   verb.add_option("--stroke", options->strokes,
                   "a line over the structure, x,y,z;x,y,z;...: it grows from all of it that has its values; repeatable")
+      ->allow_extra_args(false);
+  verb.add_option("--not", options->others,
+                  "a place that is not of it, x,y,z, where it leaks: it gives up what is nearer to that by values and "
+                  "form; repeatable")
+      ->allow_extra_args(false);
+  verb.add_option("--not-stroke", options->otherStrokes, "the same for a line, x,y,z;x,y,z;...; repeatable")
       ->allow_extra_args(false);
   verb.add_option("--range", options->range, "values that belong to it: A,B; default: the material at the first seed")
       ->delimiter(',')

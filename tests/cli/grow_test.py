@@ -93,6 +93,24 @@ class Grow(CliTest):
         both = self.report("grow", path, "--stroke", "1,6,5;11,6,5", "--seed", "16,6,5", "--range", "150,250", "-o", "l.nrrd")
         self.assertEqual(both["voxels"], 4 * bar)
 
+    def test_gives_up_what_it_is_told_that_it_is_not(self):
+        bar = self.bar()
+        common = ("grow", bar, "--seed", "6,11,5", "--range", "150,250", "-o", "l.nrrd")
+        leaked = self.report(*common)["voxels"]
+        told = self.report(*common, "--not", "15,15,17")
+        # The bar, but for what lies at its end; not the wall.
+        self.assertGreater(told["voxels"], 24 * 16)
+        self.assertLess(told["voxels"], 30 * 16 + 0.05 * (leaked - 30 * 16))
+        stroke = self.report(*common, "--not-stroke", "2,2,17;17,17,17")
+        self.assertLess(stroke["voxels"], told["voxels"] + 16)
+        self.assertGreater(stroke["voxels"], 24 * 16)
+        # Fields of a scene say the same.
+        step = {"structure": 1, "seeds": [[6, 11, 5]], "others": [[15, 15, 17]], "low": 150, "high": 250}
+        scene = {"velum": 2, "volume": {"source": {"path": str(bar)}}, "labels": {"growths": [step]}}
+        (self.folder / "s.json").write_text(json.dumps(scene))
+        self.run_batch("convert", "s.json", "m.seg.nrrd")
+        self.assertEqual(self.report("info", "m.seg.nrrd")["structures"][0]["voxels"], told["voxels"])
+
     def test_smooths_what_has_grown(self):
         # A box with a hole in its middle and a slit of one voxel from its face. Balls of a voxel fit into the hole but for its
         # edges, and into the slit's rim.
@@ -128,6 +146,10 @@ class Grow(CliTest):
         self.refuse("grow", bar, "--range", "150,250", *out, code=1, words=["--seed", "--stroke"])
         self.refuse("grow", bar, "--stroke", "6,11,5;6,60,5", *out, code=1, words=["--stroke", "6,60,5", "outside"])
         self.refuse("grow", bar, "--stroke", "1,1,1;2,1,1", "--range", "150,250", *out, code=1, words=["--stroke", "150"])
+        self.refuse("grow", bar, *at, "--not", "60,11,5", *out, code=1, words=["--not", "60,11,5", "outside"])
+        self.refuse("grow", bar, *at, "--not", "1,1,1", "--range", "150,250", *out, code=1, words=["--not", "1,1,1", "150"])
+        self.refuse("grow", bar, *at, "--not-stroke", "1,1,1;2,1,1", "--range", "150,250", *out, code=1, words=["--not-stroke"])
+        self.refuse("grow", bar, *at, "--not", "15,15,17", "--plane", "0,0,1,1", "--guard", *out, code=1, words=["--guard", "--not"])
         self.refuse("grow", bar, *at, "--closing", "-1", *out, code=1, words=["--closing"])
         self.refuse("grow", bar, *at, code=1, words=["--output"])
         self.refuse("grow", "none.nrrd", *at, *out, code=2, words=["none.nrrd"])

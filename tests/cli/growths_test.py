@@ -35,6 +35,8 @@ class Growths(CliTest):
         self.refuse_step({"seeds": [[0, 0]]}, "seeds.0", "3 numbers")
         self.refuse_step({"seeds": [[1e16, 0, 0]]}, "seeds.0", "1e+16")
         self.refuse_step({"seeds": [[0, 0, 0]] * (POINTS + 1)}, "seeds", "70001")
+        self.refuse_step({"others": [[0, 0]]}, "others.0", "3 numbers")
+        self.refuse_step({"others": [[0, 0, 0]] * (POINTS + 1)}, "others", "70001")
         self.refuse_step({"high": 1e301}, "high", "1e+301")
         self.refuse_step({"low": None}, "low", "number")
         self.refuse_step({"steepest": -1}, "steepest", "-1")
@@ -80,7 +82,7 @@ class Growths(CliTest):
 
     def test_the_largest_lists_and_numbers_end_in_time(self):
         line = [[i * 1e-3, 0, 0] for i in range(POINTS)]
-        for step in ({"seeds": line}, {"barriers": [{"path": line}]}, {"barriers": [{"path": line[:2]}] * POINTS},
+        for step in ({"seeds": line}, {"others": line}, {"barriers": [{"path": line}]}, {"barriers": [{"path": line[:2]}] * POINTS},
                      {"low": -1e300, "high": 1e300}, {"axis": [1e-300, 0, 0], "distance": 5},
                      {"axis": [1e15, 1e15, 0], "distance": 1e15}, {"axis": [0, 0, 1], "centre": [1e15, 0, -1e15]},
                      {"closing": 1e9, "fillHoles": True}, {"closing": 40}, {"steepest": 0}):

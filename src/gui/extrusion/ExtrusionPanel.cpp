@@ -47,6 +47,10 @@ ExtrusionPanel::ExtrusionPanel(session::Session& session, Selection& selection, 
   layout->addWidget(mLeak = new LeakBox(session, this));
   layout->addStretch(1);
   connect(mLeak, &LeakBox::held, this, &ExtrusionPanel::held);
+  connect(mLeak, &LeakBox::notThisAsked, this, [this](int structure) {
+    mSelection.setStructure(structure);
+    emit notThisAsked();
+  });
   connect(mSecond, &QPushButton::clicked, this, &ExtrusionPanel::addPlane);
   connect(mList, &ExtrusionList::chosen, this, [this](const session::Extrusion& one) {
     mSelection.setCut(one.cut);

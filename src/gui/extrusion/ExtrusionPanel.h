@@ -35,6 +35,8 @@ class ExtrusionPanel : public QWidget {
  signals:
   /// In words: why growing is held.
   void held(const QString& why);
+  /// Of the structure that is selected.
+  void notThisAsked();
   /// In words: why nothing was done.
   void refused(const QString& why);
 

@@ -14,6 +14,10 @@ ExtrusionRoom::ExtrusionRoom(const WindowParts& parts)
           [&bar = parts.messages](const QString& why) { bar.showNote(why); });
   connect(mPanel, &ExtrusionPanel::held, &parts.messages,
           [&bar = parts.messages](const QString& why) { bar.showNote(why); });
+  connect(mPanel, &ExtrusionPanel::notThisAsked, this, [this] {
+    mParts.toolbox.start(mPull);
+    mPull.askWhatIsNotOfIt();
+  });
   connect(&mPanel->steps(), &PullSteps::asked, this, &ExtrusionRoom::takeStep);
   connect(&mPull, &PullTool::stopGrowingAsked, this, &ExtrusionRoom::stopGrowing);
   connect(&mPull, &Tool::activeChanged, this, [this](bool active) {

@@ -11,6 +11,22 @@
 
 namespace velum::gui {
 
+namespace {
+
+/// What a hand has said of where it ends.
+QString limitsOf(const scene::Growth& grown) {
+  auto barriers = int(grown.barriers.size()), others = int(grown.others.size());
+  QStringList limits;
+  if (barriers > 0)
+    limits << (barriers == 1 ? GrowthForm::tr("a barrier") : GrowthForm::tr("%1 barriers").arg(barriers));
+  if (others > 0)
+    limits << (others == 1 ? GrowthForm::tr("a place that is not of it")
+                           : GrowthForm::tr("%1 places that are not of it").arg(others));
+  return limits.join(GrowthForm::tr(" and "));
+}
+
+}  // namespace
+
 GrowthForm::GrowthForm(session::Session& session, QWidget* parent) : QWidget(parent), mSession(session) {
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(0, 0, 0, 0);
@@ -127,14 +143,14 @@ void GrowthForm::showProgress() {
   if (!grown) return;
   session::GrowthStatus status = mSession.growth().status();
   bool isGrowing = status.isGrowing && status.structure == mStructure;
-  auto barriers = int(grown->barriers.size());
-  if (isGrowing)
+  if (isGrowing) {
     mText->setText(tr("Growing: %1 voxels so far. Esc stops it.").arg(QLocale().toString(qlonglong(status.voxels))));
-  else if (barriers == 0)
-    mText->setText(tr("Grown from its values."));
-  else
-    mText->setText(barriers == 1 ? tr("Grown from its values, with a barrier.")
-                                 : tr("Grown from its values, with %1 barriers.").arg(barriers));
+    return;
+  }
+  QString text = tr("Grown from its values.");
+  if (!grown->barriers.empty() || !grown->others.empty())
+    text = tr("Grown from its values, with %1.").arg(limitsOf(*grown));
+  mText->setText(text);
 }
 
 }  // namespace velum::gui

@@ -27,6 +27,9 @@ LeakBox::LeakBox(session::Session& session, QWidget* parent)
   };
   auto* here = button(tr("As far as here"), "leakHere", tr("It stays as it is, however far it is pulled"));
   auto* on = button(tr("Go on"), "leakGoOn", tr("It is no leak: the structure goes on there"));
+  auto* notThis = button(tr("Not this..."), "leakNotThis",
+                         tr("Click on what it would flow into, or draw over it: the structure goes on without that.\n"
+                            "In the views Ctrl+Shift+click says so at any time"));
   column->addLayout(row);
   hide();
   connect(here, &QPushButton::clicked, this, [this] {
@@ -34,6 +37,9 @@ LeakBox::LeakBox(session::Session& session, QWidget* parent)
     refresh();
   });
   connect(on, &QPushButton::clicked, this, &LeakBox::goOn);
+  connect(notThis, &QPushButton::clicked, this, [this] {
+    if (auto leak = mSession.growth().status().leak) emit notThisAsked(leak->structure);
+  });
 }
 
 void LeakBox::goOn() {
@@ -55,7 +61,7 @@ QString LeakBox::textOf(const session::Leak& leak) const {
               "not grown yet. Narrow its values; or:")
         .arg(name);
   return tr("%1 would flow into something else: %2 out its section becomes %3 times as large. It is held "
-            "there. Narrow its values, draw a barrier, or stop at edges; or:")
+            "there. Narrow its values, draw a barrier, stop at edges, or click on what it is not; or:")
       .arg(name, Length(scene).text(leak.distance))
       .arg(leak.times, 0, 'f', 1);
 }

@@ -17,6 +17,8 @@ class LeakBox : public QWidget {
  signals:
   /// In words, once: why something is held.
   void held(const QString& why);
+  /// The user is going to show what is not of a structure.
+  void notThisAsked(int structure);
 
  private:
   void goOn();

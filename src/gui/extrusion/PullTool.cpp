@@ -6,6 +6,7 @@
 #include "PullPaint.h"
 #include "kit/Length.h"
 #include "kit/SelectedCut.h"
+#include "kit/Theme.h"
 #include "tool/HandlePaint.h"
 #include "velum/scene/SectionPlane.h"
 #include "velum/session/cut/CutEdit.h"
@@ -68,6 +69,7 @@ void PullTool::stop() {
   letGo();
   mPreview.clear();
   mStroke.reset();
+  mIsAsking = false;
   mChosen.clear();
   mTarget.reset();
   mMeant = {};
@@ -101,11 +103,15 @@ void PullTool::letGo() {
 
 QString PullTool::hint() const {
   if (!hasCutToPullFrom(mDocument.scene())) return tr("Add a cut first: there is none to pull out of. Esc ends.");
+  if (mIsAsking)
+    return tr("Click on what is not of it, or draw over it: it gives up what is nearer to that. Esc takes this back.");
   if (mTarget && mTarget->cuts.size() > 1)
     return tr("Two planes hold this: Space changes the one that it is pulled out of. Esc ends.");
   if (session::lastGrowth(mDocument.scene(), mSelection.structure()))
     return tr(
-        "Drag a structure out of the cut. Shift takes several, a stroke with Ctrl adds to the selected one. Esc ends.");
+        "Drag a structure out of the cut. Shift takes several. A stroke with Ctrl adds to the selected one, a click or "
+        "a "
+        "stroke with Ctrl and Shift says what is not of it. Esc ends.");
   if (mTarget && mTarget->structure != 0)
     return tr(
         "Drag the structure out of the cut. Shift takes several, Ctrl and Shift only the part that is joined to the "
@@ -151,6 +157,10 @@ bool PullTool::isBeside(const ViewPoint& at) const {
 bool PullTool::press(const PointerEvent& event) {
   bool isPlain = event.keys == Qt::NoModifier || event.keys == Qt::ShiftModifier;
   bool isStroke = event.keys == Qt::ControlModifier;
+  if (event.button == Qt::LeftButton && saysNotThis(event)) {
+    beginStroke(event.at, Stroke::NotThis);
+    return true;
+  }
   bool isPart = event.keys == (Qt::ControlModifier | Qt::ShiftModifier);
   if (event.button != Qt::LeftButton || (!isPlain && !isStroke && !isPart)) return false;
   auto target = targetAt(event.at);
@@ -161,7 +171,7 @@ bool PullTool::press(const PointerEvent& event) {
     return true;
   }
   if (!isStroke) return begin(*target, event.at, isPlain && event.keys & Qt::ShiftModifier, isPart);
-  beginStroke(event.at);
+  beginStroke(event.at, Stroke::Add);
   return true;
 }
 
@@ -311,6 +321,7 @@ KeyAnswer PullTool::key(const KeyStroke& stroke) {
     return [this] { toggle(); };
   if (stroke.key == Qt::Key_BracketRight) return [this] { movePlane(1.0); };
   if (stroke.key == Qt::Key_BracketLeft) return [this] { movePlane(-1.0); };
+  if (stroke.key == Qt::Key_Escape && mIsAsking) return [this] { mIsAsking = false; };
   if (stroke.key == Qt::Key_Escape && mParts.session.growth().isGrowing()) return [this] { emit stopGrowingAsked(); };
   return {};
 }
@@ -335,7 +346,10 @@ void PullTool::paint(ViewPainter& over) const {
   if (!over.space.section() && !mPreview.image().isNull())
     over.painter.drawImage(QRectF(QPointF(), over.size), mPreview.image());
   if (!over.space.section()) paintPlanes(over, mDocument.scene(), supporting());
-  if (mStroke) mStroke->paint(over, 0.5 * scene::sectionStep(mDocument.scene()));
+  if (mStroke) {
+    bool isAdd = mStrokeKind == Stroke::Add;
+    mStroke->paint(over, 0.5 * scene::sectionStep(mDocument.scene()), isAdd ? kAccent : kAlarm);
+  }
   if (&over.view == mView && !mTag.isEmpty()) drawTag(over.painter, mPointer, over.size, mTag);
 }
 

@@ -13,8 +13,9 @@ namespace velum::gui {
 /// Pulls structures out of cuts ([ACS] 4.3): a press on a cut's face, or on what stands out of it, chooses the
 /// structure there, and the drag pulls it out as far as the pointer goes. With Shift what was chosen before comes
 /// along. Where two extrusions overlap the nearer plane is meant, until Space says the other, as long as the pointer
-/// stays there. With Ctrl a stroke gives the selected structure more places to grow from. Everywhere else the view has
-/// the pointer. Handles of cuts would lie over what is to be pulled.
+/// stays there. With Ctrl a stroke gives the selected structure more places to grow from; with Ctrl and Shift a click
+/// or a stroke says what is not of it. Everywhere else the view has the pointer. Handles of cuts would lie over what is
+/// to be pulled.
 ///
 /// While it is dragged the picture stands, and what is found is shown over it (PullPreview): the thread that moves the
 /// label neither grows nor draws. The picture follows when the hand lets go.
@@ -42,6 +43,8 @@ class PullTool : public Tool {
   /// What is said beside the pointer: a name, and how far it stands out.
   const QString& tag() const { return mTag; }
   const PullPreview& preview() const { return mPreview; }
+  /// The next press, without any keys, says what is not of the selected structure; Esc takes that back.
+  void askWhatIsNotOfIt();
 
  signals:
   /// Esc: what grows is to stop where it is.
@@ -73,9 +76,14 @@ class PullTool : public Tool {
   void showPreview();
   void letGo();
   bool isBeside(const ViewPoint& at) const;
-  void beginStroke(const ViewPoint& at);
+  /// What a stroke says of the selected structure.
+  enum class Stroke { Add, NotThis };
+  void beginStroke(const ViewPoint& at, Stroke stroke);
   void strokeTo(const ViewPoint& at);
   void endStroke();
+  void addPlaces(int structure, const std::vector<glm::dvec3>& places);
+  void takeAway(int structure, const std::vector<glm::dvec3>& places);
+  bool saysNotThis(const PointerEvent& event) const;
   void toggle();
   bool movePlane(double steps);
   QString nameOf(const session::Pull& pull) const;
@@ -88,7 +96,9 @@ class PullTool : public Tool {
   std::vector<session::Pull> mChosen;  ///< with the one that was last pressed on at the end
   std::vector<Dragged> mDragged;       ///< while the pointer is down
   std::optional<SeedStroke> mStroke;   ///< while it is down with Ctrl
-  std::optional<Target> mTarget;       ///< under the pointer
+  Stroke mStrokeKind = Stroke::Add;
+  bool mIsAsking = false;         ///< what is not of it
+  std::optional<Target> mTarget;  ///< under the pointer
   Meant mMeant;
   PullPreview mPreview;
   int mShownCount = 0;  ///< of the picture's, when what is laid over it was let go of

@@ -1,20 +1,43 @@
-// With Ctrl a stroke gives a structure that was pulled out more places to grow from.
+// With Ctrl a stroke gives a structure that was pulled out more places to grow from; with Ctrl and Shift it says what
+// is not of it.
 #include <QLocale>
 #include <algorithm>
 #include <utility>
 
 #include "PullTool.h"
+#include "velum/scene/SectionPlane.h"
 #include "velum/session/growth/Growths.h"
 #include "velum/session/structure/StructureEdit.h"
 
 namespace velum::gui {
 
-/// Only what was grown can grow from more places.
-void PullTool::beginStroke(const ViewPoint& at) {
+namespace {
+
+/// What is meant lies so many voxels behind a surface at most.
+constexpr double kBehindVoxels = 1.0;
+
+}  // namespace
+
+void PullTool::askWhatIsNotOfIt() { mIsAsking = true; }
+
+/// On the selected structure, or on what it could have leaked into. On another one that has labels the keys mean its
+/// part.
+bool PullTool::saysNotThis(const PointerEvent& event) const {
+  const scene::Growth* last = session::lastGrowth(mDocument.scene(), mSelection.structure());
+  if (!last) return false;
+  if (mIsAsking && event.keys == Qt::NoModifier) return bool(event.at.world());
+  if (event.keys != (Qt::ControlModifier | Qt::ShiftModifier) || !event.at.world()) return false;
+  int structure = event.at.structure();
+  return structure == 0 || structure == mSelection.structure();
+}
+
+/// Only what was grown can grow from more places, or from fewer.
+void PullTool::beginStroke(const ViewPoint& at, Stroke stroke) {
   int structure = mSelection.structure();
   mTag.clear();
   if (session::lastGrowth(mDocument.scene(), structure)) {
     mStroke.emplace();
+    mStrokeKind = stroke;
     mView = &at.view();
     return strokeTo(at);
   }
@@ -26,6 +49,14 @@ void PullTool::beginStroke(const ViewPoint& at) {
 }
 
 void PullTool::strokeTo(const ViewPoint& at) {
+  if (mStrokeKind == Stroke::NotThis) {
+    auto place = at.material(kBehindVoxels * scene::sectionStep(mDocument.scene()));
+    if (place)
+      mStroke->goOn(*place, {at.structure(), 0});
+    else
+      mStroke->lift();
+    return;
+  }
   auto target = targetAt(at);
   if (target)
     mStroke->goOn(target->world, {target->structure, target->cuts.front()});
@@ -33,22 +64,41 @@ void PullTool::strokeTo(const ViewPoint& at) {
     mStroke->lift();
 }
 
-/// What is joined to the places under the stroke becomes part of the structure, as far as that is pulled.
 void PullTool::endStroke() {
   SeedStroke stroke = *std::exchange(mStroke, std::nullopt);
   int structure = mSelection.structure();
+  if (!session::lastGrowth(mDocument.scene(), structure)) return;
+  auto places = stroke.places(*mDocument.scene().volume.data);
+  if (mStrokeKind == Stroke::Add) return addPlaces(structure, places);
+  mIsAsking = false;
+  takeAway(structure, places);
+}
+
+/// What is joined to the places under the stroke becomes part of the structure, as far as that is pulled.
+void PullTool::addPlaces(int structure, const std::vector<glm::dvec3>& places) {
   const scene::Growth* last = session::lastGrowth(mDocument.scene(), structure);
-  if (!last) return;
   QString name = QString::fromStdString(session::structureName(mDocument.scene(), structure));
   glm::dvec2 range = mDocument.scene().volume.data->range;
   double low = std::max(last->low, range.x), high = std::min(last->high, range.y);
   std::size_t count = 0;
-  mDocument.edit(tr("Add to %1").arg(name).toStdString(), [&](scene::Scene& scene) {
-    count = session::addSeeds(scene, structure, stroke.places(*scene.volume.data));
-  });
+  mDocument.edit(tr("Add to %1").arg(name).toStdString(),
+                 [&](scene::Scene& scene) { count = session::addSeeds(scene, structure, places); });
   if (count == 0)
     mParts.messages.showNote(tr("Nothing was added to %1: nothing under the stroke has its values, %2 to %3")
                                  .arg(name, QLocale().toString(low), QLocale().toString(high)));
+}
+
+/// The structure gives up what is nearer to the places than to its own.
+void PullTool::takeAway(int structure, const std::vector<glm::dvec3>& places) {
+  QString name = QString::fromStdString(session::structureName(mDocument.scene(), structure));
+  std::size_t count = 0;
+  mDocument.edit(tr("Not this: %1").arg(name).toStdString(),
+                 [&](scene::Scene& scene) { count = session::addOthers(scene, structure, places); });
+  if (count == 0)
+    mParts.messages.showNote(
+        tr("%1 gives up nothing: it could not grow there. Click on what it has leaked into, away from where it was "
+           "pressed on")
+            .arg(name));
 }
 
 }  // namespace velum::gui

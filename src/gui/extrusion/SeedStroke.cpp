@@ -1,6 +1,5 @@
 #include "SeedStroke.h"
 
-#include "kit/Theme.h"
 #include "tool/StrokePaint.h"
 #include "velum/session/growth/Growths.h"
 
@@ -21,8 +20,8 @@ std::vector<glm::dvec3> SeedStroke::places(const Volume& volume) const {
   return all;
 }
 
-void SeedStroke::paint(ViewPainter& over, double radius) const {
-  for (const auto& piece : mPieces) paintStroke(over, piece, radius, kAccent, false);
+void SeedStroke::paint(ViewPainter& over, double radius, const QColor& color) const {
+  for (const auto& piece : mPieces) paintStroke(over, piece, radius, color, false);
 }
 
 }  // namespace velum::gui

@@ -22,7 +22,7 @@ class SeedStroke {
   void lift() { mGround.reset(); }
   /// The middles of the voxels under it, see session::placesAlong().
   std::vector<glm::dvec3> places(const Volume& volume) const;
-  void paint(ViewPainter& over, double radius) const;
+  void paint(ViewPainter& over, double radius, const QColor& color) const;
 
  private:
   std::vector<std::vector<glm::dvec3>> mPieces;

@@ -106,38 +106,46 @@ float gradientFactor(vec3 gradient) {
   return uintBitsToFloat(texelFetch(transferTexture, kTransferSize + 1 + int(x)).r);
 }
 
-/// Who may own a place: anybody, or those with all of these bits.
+/// Who may own a place: anybody, or those that are in a set of each kind that is named.
 const int kAnybody = 0;
-const int kShown = 1;   // structures that are not hidden
-const int kSpared = 3;  // those of them that cuts spare
-const int kSolid = 5;   // that are shown as surfaces
+const int kShown = kSetShown;                // structures that are not hidden
+const int kSpared = kSetShown | kSetSpared;  // those of them that cuts spare
+const int kSolid = kSetShown | kSetSolid;    // that are shown as surfaces
 
 /// Whether some structures are shown as surfaces, and whether shares say what shows: some structures do not.
 bool hasSolids() { return LABELS == 2 || (LABELS == 1 && (hasFlag(kFlagSolids) || hasFlag(kFlagVeils))); }
-bool usesShares() { return hasSolids() || (LABELS == 1 && (hasFlag(kFlagSpares) || hasFlag(kFlagHides))); }
+bool usesShares(bool sparedOnly) { return hasSolids() || (LABELS == 1 && ((hasFlag(kFlagSpares) && sparedOnly) || hasFlag(kFlagHides))); }
 
 #if LABELS != 0
 /// Interpolated shares, see shareTexture. @param p  label voxels
 vec4 sharesIn(vec3 p) { return textureLod(shareTexture, p / vec3(textureSize(labelTexture, 0)), 0.0); }
 
 bool mayOwn(uint label, int who) {
-  if (who == kAnybody) return true;
-  int sets = int(structureLook(label).z);
-  bool isSpared = (sets & kSetSpared) != 0 || (who & kSpared) != kSpared;
-  bool isSolid = (sets & kSetSolid) != 0 || (who & kSolid) != kSolid;
-  return (sets & kSetShown) != 0 && isSpared && isSolid;
+  int sets = int(structureLook(label).z) & who;
+  bool isSpared = (sets & kSetSpared) != 0 || (who & kSetSpared) == 0;
+  bool isSolid = (sets & kSetSolid) != 0 || (who & kSetSolid) == 0;
+  return (sets & kSetShown) != 0 && isSpared && isSolid || who == kAnybody;
+}
+
+/// kSpared, of classes that cuts leave alone. @param classes  of classesAt()
+int sparedOf(vec2 classes) {
+  if (!hasFlag(kFlagSpareClasses)) return kSpared;
+  return kSetShown | (classes.x > 0.5 ? kSetSparedFirst : 0) | (classes.y > 0.5 ? kSetSparedSecond : 0);
 }
 
 /// Whose a place is: shared/structure.h. Where nobody who may owns any of it, or it is not worth while, the voxel's own
 /// structure.
-Owner ownerAt(vec3 scenePoint, int who, bool isWorthWhile) {
-  if (hasFlag(kFlagOneSpared) && (who & kSpared) == kSpared) return Owner(uint(frame.spareClasses.z), 1.0);
+/// @param lean  towards where the votes are weighed, label voxels, within the eight of the place: on a surface outwards, or
+///              what lies under a thin layer would show through it
+Owner ownerAt(vec3 scenePoint, int who, bool isWorthWhile, vec3 lean) {
+  if (hasFlag(kFlagOneSpared) && (who & kSetSpared) != 0) return Owner(uint(frame.spareClasses.z), 1.0);
   vec3 p = labelVoxelAt(scenePoint);
   ivec3 last = textureSize(labelTexture, 0) - 1;
   uint nearest = labelIn(p);
   vec3 q = clamp(p - 0.5, vec3(0.0), vec3(last));
   ivec3 base = ivec3(q);
   vec3 f = q - vec3(base);
+  f = clamp(f + lean, min(f, vec3(0.02)), max(f, vec3(0.98)));
   if (isBeyondLabels(p)) return Owner(nearest, 1.0);
   Votes votes = noVotes();
   // Of a voxel that is wholly inside all eight are its own.
@@ -155,7 +163,14 @@ Owner ownerAt(vec3 scenePoint, int who, bool isWorthWhile) {
   return owner;
 }
 
-Owner ownerAt(vec3 scenePoint, int who) { return ownerAt(scenePoint, who, true); }
+Owner ownerAt(vec3 scenePoint, int who) { return ownerAt(scenePoint, who, true, vec3(0.0)); }
+
+/// Where the votes of a place on a surface are weighed. @param slope  shareSlopeAt() there
+vec3 leanOutwards(vec3 slope) {
+  vec3 way = mat3(frame.labelFromScene) * slope;
+  float len = length(way);
+  return len > 0.0 ? way * (0.4 * smoothstep(0.02, 0.12, length(slope)) / len) : vec3(0.0);
+}
 
 /// What part of a place shows: all that is not hidden, or of what is removed what cuts spare. Half of it is the border.
 /// @param classes  of spared structures, those that all cuts together leave: 1 or 0
@@ -232,9 +247,12 @@ const float kSurfaceDepth = 8.0;  // of an opaque surface
 /// Optical depth of a stretch of structures with surfaces. @param a, b  of solidsOf() at its ends, of what part is inside
 /// @param opacity  of the surface
 float solidDepth(vec2 a, vec2 b, float span, float opacity) {
-  float inside = shownPart(a.x, b.x) * span * solidExtinction();
+  float inside = shownPart(a.x, b.x);
   float veil = -log(max(1.0 - opacity, 1e-4));
-  return opacity < 0.995 && hasFlag(kFlagVeils) ? veil * surfaceBetween(a.y, b.y) : kSurfaceDepth * surfaceBetween(a.x, b.x) + inside;
+  if (opacity < 0.995 && hasFlag(kFlagVeils)) return veil * surfaceBetween(a.y, b.y);
+  // What fades by its thickness is as thick as it is.
+  if (hasFlag(kFlagInlays)) return kSurfaceDepth * surfaceBetween(a.x, b.x) + inside * span * solidExtinction();
+  return inside > 0.0 ? kSurfaceDepth : 0.0;
 }
 #endif
 

@@ -22,7 +22,7 @@ float shownValueAt(Ray ray, Walk walk, float t, bool sparedOnly) {
   float iso = frame.isoValue * float(kTransferSize - 1);
   bool isMissing = hasFlag(kFlagSpares) && sparedOnly && x >= iso && !cutsKeep(p, structureAt(p, kSpared));
 #if LABELS == 1
-  if (usesShares()) {
+  if (usesShares(sparedOnly)) {
     float shown = shareAt(p, sparedOnly);
     // A structure's surface is one of the value, too.
     if (hasSolids()) x = max(x, iso + 200.0 * (solidAt(p, shown) - 0.5));
@@ -41,7 +41,7 @@ void addSurface(inout Hit hit, Ray ray, Walk walk, float t, Face face, bool spar
 #if LABELS == 1
   bool isSolid = false;
   if (hasSolids()) isSolid = solidAt(p, shareAt(p, sparedOnly)) > 0.49;
-  structure = ownerAt(p, (sparedOnly ? kSpared : kShown) | (isSolid ? kSolid : 0)).id;
+  structure = ownerAt(p, (sparedOnly ? sparedOf(classesAt(p)) : kShown) | (isSolid ? kSolid : 0)).id;
 #endif
   if (hasFlag(kFlagSpares) && sparedOnly && !cutsKeep(p, structure)) return;
   vec3 gradient = gradientAt(tex);
@@ -49,7 +49,7 @@ void addSurface(inout Hit hit, Ray ray, Walk walk, float t, Face face, bool spar
   vec3 normal = len > 0.0 ? -gradient / len : -ray.direction;
   if (dot(normal, ray.direction) > 0.0) normal = -normal;
 #if LABELS == 1
-  if (usesShares()) {
+  if (usesShares(sparedOnly)) {
     // Where what shows ends before the value does the surface is the border's.
     vec3 slope = shareSlopeAt(p, isSolid ? kOfSolids : kOfAll, sparedOnly, sparedOnly ? classesAt(p) : vec2(1.0));
     float onBorder = smoothstep(0.02, 0.12, length(slope)) * (isSolid ? 1.0 : smoothstep(0.7, 0.55, shareAt(p, sparedOnly)));

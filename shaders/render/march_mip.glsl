@@ -49,7 +49,7 @@ void addValue(inout Hit hit, Ray ray, Walk walk, float t, Span span) {
   vec3 p = ray.origin + t * ray.direction;
 #if LABELS == 1
   structure = ownerAt(p, span.sparedOnly ? kSpared : kShown).id;
-  if (usesShares()) shown = shown && shareAt(p, span.sparedOnly) >= 0.5;
+  if (usesShares(span.sparedOnly)) shown = shown && shareAt(p, span.sparedOnly) >= 0.5;
 #endif
   if (hasFlag(kFlagSpares) && span.sparedOnly) shown = shown && cutsKeep(p, structure);
 #ifdef MEMBRANES

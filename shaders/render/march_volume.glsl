@@ -47,12 +47,14 @@ void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, float faceT,
   }
   bool isSolid = false;
   if (hasSolids()) isSolid = mayBeSolid(segment.solids0, segment.solids1);
-  if (usesShares()) {
-    // The middle of the part that shows.
-    float s0 = isSolid ? segment.solids0.y : segment.share0;
-    float s1 = isSolid ? segment.solids1.y : segment.share1;
-    float missing = 0.5 * (segment.t1 - segment.t0) * (1.0 - shownPart(s0, s1));
-    tm += s1 > s0 ? missing : -missing;
+  if (usesShares(sparedOnly)) {
+    // The middle of the part that shows; of what is opaque where it begins.
+    bool isOpaque = isSolid && max(segment.solids0.x, segment.solids1.x) > 0.5;
+    float s0 = isOpaque ? segment.solids0.x : isSolid ? segment.solids0.y : segment.share0;
+    float s1 = isOpaque ? segment.solids1.x : isSolid ? segment.solids1.y : segment.share1;
+    float part = 0.5 * (segment.t1 - segment.t0) * shownPart(s0, s1);
+    tm = s1 > s0 ? segment.t1 - part : segment.t0 + part;
+    if (isOpaque) tm -= part;
   }
 #endif
   vec3 p = ray.origin + tm * ray.direction;
@@ -60,18 +62,23 @@ void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, float faceT,
   uint structure = 0u;
   float depth = segment.depth;
   float alpha = 1.0 - exp(-depth);
+  bool asksGradient = hasFlag(kFlagShaded) || hasFlag(kFlagGradientOpacity);
   // Whose material it is.
 #if LABELS != 0
-  if (asksStructures() || sparedOnly || hasSolids())
-    structure = ownerAt(p, (sparedOnly ? kSpared : kShown) | (isSolid ? kSolid : 0), isSolid || alpha * (1.0 - hit.color.a) > 0.01).id;
+  vec3 slope = vec3(0.0);
+  int what = !isSolid ? kOfAll : max(segment.solids0.x, segment.solids1.x) > 0.5 ? kOfSolids : kOfSurfaces;
+  if (asksGradient && usesShares(sparedOnly)) slope = shareSlopeAt(p, what, sparedOnly, classes);
+  if (asksStructures() || sparedOnly || hasSolids()) {
+    int who = (sparedOnly ? sparedOf(classes) : kShown) | (isSolid ? kSolid : 0);
+    structure = ownerAt(p, who, isSolid || alpha * (1.0 - hit.color.a) > 0.01, leanOutwards(slope)).id;
+  }
 #endif
   if (hasFlag(kFlagSpares) && sparedOnly && !cutsKeep(p, structure)) return;
   // Where its surface looks to.
-  bool asksGradient = hasFlag(kFlagShaded) || hasFlag(kFlagGradientOpacity);
   vec3 gradient = vec3(0.0);
   float steepness = 1.0;
 #if LABELS == 2
-  if (asksGradient) gradient = -shareSlopeAt(p, segment.solids0.x + segment.solids1.x > 0.5 ? kOfSolids : kOfSurfaces, sparedOnly, classes);
+  gradient = -slope;
 #else
   if (asksGradient) {
     gradient = gradientAt(tex);
@@ -83,10 +90,8 @@ void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, float faceT,
   vec3 outwards = len > 0.0 ? -gradient / len : -ray.direction;
   if (dot(outwards, ray.direction) > 0.0) outwards = -outwards;
 #if LABELS == 1
-  if (asksGradient && usesShares()) {
+  if (asksGradient && usesShares(sparedOnly)) {
     // On the border of what shows the surface is the border's, unless the data has one that runs alike: that one is smoother.
-    int what = !isSolid ? kOfAll : segment.solids0.x + segment.solids1.x > 0.5 ? kOfSolids : kOfSurfaces;
-    vec3 slope = shareSlopeAt(p, what, sparedOnly, classes);
     float fall = length(slope);
     float onBorder = smoothstep(0.02, 0.12, fall);
     vec3 borderNormal = slope / max(fall, 1e-6);
@@ -177,9 +182,9 @@ struct Group {
 
 float timeIn(Group group, Walk walk, int i) { return clamp(group.lattice + float(i) * walk.dt, group.from, group.to); }
 
-float shownPartOf(Group group, int i) {
+float shownPartOf(Group group, int i, bool sparedOnly) {
 #if LABELS != 0
-  if (usesShares()) return shownPart(group.shares[i], group.shares[i + 1]);
+  if (usesShares(sparedOnly)) return shownPart(group.shares[i], group.shares[i + 1]);
 #endif
   return 1.0;
 }
@@ -195,7 +200,7 @@ Group groupAt(Walk walk, Ray ray, float lattice, float from, float to, bool spar
   for (int i = 0; i <= kGroup; ++i) group.x[i] = tableAt(texAt(walk, timeIn(group, walk, i)));
 #endif
 #if LABELS != 0
-  if (usesShares()) {
+  if (usesShares(sparedOnly)) {
     vec3 first = labelVoxelAt(ray.origin);
     vec3 perLength = mat3(frame.labelFromScene) * ray.direction;
     for (int i = 0; i <= kGroup; ++i) {
@@ -259,21 +264,34 @@ struct Depths {
   uint marks;  // bit i: a segment begins with the i-th
 };
 
-/// True when all segments of a group are of one structure.
-bool isOfOneStructure(Group group, Walk walk, Ray ray) {
-  bool isOne = true;
+/// What all segments of a group have in common, as far as structures have a say in it.
+struct Whole {
+  bool isOne;     // they are all of one structure, and all of it shows
+  float opacity;  // that the structure gives its material
+};
+
+Whole wholeOf(Group group, Walk walk, Ray ray, bool sparedOnly) {
+  Whole whole = Whole(true, 1.0);
 #if LABELS == 1
-  uint first = labelAt(ray.origin + middleOf(group, walk, 0) * ray.direction);
-  for (int i = 1; i < kGroup; ++i) isOne = isOne && labelAt(ray.origin + middleOf(group, walk, i) * ray.direction) == first;
+  if (asksStructures()) {
+    uint first = labelAt(ray.origin + middleOf(group, walk, 0) * ray.direction);
+    for (int i = 1; i < kGroup; ++i)
+      whole.isOne = whole.isOne && labelAt(ray.origin + middleOf(group, walk, i) * ray.direction) == first;
+    if (hasFlag(kFlagStructureLooks)) whole.opacity = first == 0u ? frame.unlabelledOpacity : structureRow(first).a;
+  }
+  if (usesShares(sparedOnly))
+    for (int i = 0; i <= kGroup; ++i) whole.isOne = whole.isOne && group.shares[i] > 0.98;
+#elif LABELS == 2
+  whole.isOne = false;
 #endif
-  return isOne;
+  return whole;
 }
 
 /// Bit i: a part of the i-th segment of a group shows, as far as structures have a say in it.
 uint shownIn(Group group, bool sparedOnly) {
   uint marks = 0u;
 #if LABELS != 0
-  for (int i = 0; i < kGroup; ++i) marks |= shownPartOf(group, i) > 0.0 ? 1u << i : 0u;
+  for (int i = 0; i < kGroup; ++i) marks |= shownPartOf(group, i, sparedOnly) > 0.0 ? 1u << i : 0u;
 #else
   marks = !sparedOnly || sparesOf(0u) >= 0 ? 255u : 0u;
 #endif
@@ -290,11 +308,12 @@ Depths depthsOf(Group group, Walk walk, Ray ray, uint asked, bool sparedOnly) {
 #endif
   for (int i = 0; i < kGroup; ++i) {
     float span = timeIn(group, walk, i + 1) - timeIn(group, walk, i);
-    span *= shownPartOf(group, i);
+    bool isEmpty = !(span > 0.0);
+    span *= shownPartOf(group, i, sparedOnly);
     bool isSolid = false;
 #if LABELS != 0
     if (hasSolids()) {
-      isSolid = mayBeSolid(group.solids[i], group.solids[i + 1]);
+      isSolid = !isEmpty && mayBeSolid(group.solids[i], group.solids[i + 1]);
       hasSolid = hasSolid || isSolid;
       span *= 1.0 - shownPart(group.solids[i].y, group.solids[i + 1].y);
     }
@@ -311,12 +330,11 @@ Depths depthsOf(Group group, Walk walk, Ray ray, uint asked, bool sparedOnly) {
   depths.marks &= asked;
   depths.nearHalf = depths.of[0] + depths.of[1] + depths.of[2] + depths.of[3];
   depths.farHalf = depths.of[4] + depths.of[5] + depths.of[6] + depths.of[7];
-  depths.isThin = depths.nearHalf + depths.farHalf < kThin;
-  depths.isNearThin = depths.nearHalf < 2.0 * kThin;
-  depths.isFarThin = depths.farHalf < 2.0 * kThin;
-  bool isJoined = !hasSolid && (LABELS == 0 || (LABELS == 1 && !sparedOnly && !hasFlag(kFlagHides)));
-  if (asksStructures() && isJoined && depths.marks != 0u && (depths.isNearThin || depths.isFarThin))
-    isJoined = isOfOneStructure(group, walk, ray);
+  Whole whole = wholeOf(group, walk, ray, sparedOnly);
+  depths.isThin = (depths.nearHalf + depths.farHalf) * whole.opacity < kThin;
+  depths.isNearThin = depths.nearHalf * whole.opacity < 2.0 * kThin;
+  depths.isFarThin = depths.farHalf * whole.opacity < 2.0 * kThin;
+  bool isJoined = whole.isOne && !hasSolid;
   depths.isThin = isJoined && depths.isThin;
   depths.isNearThin = isJoined && depths.isNearThin;
   depths.isFarThin = isJoined && depths.isFarThin;
@@ -328,7 +346,7 @@ Depths depthsOf(Group group, Walk walk, Ray ray, uint asked, bool sparedOnly) {
 }
 
 /// The segment that begins with the n-th of a group.
-Segment segmentAt(Group group, Walk walk, Depths depths, int n) {
+Segment segmentAt(Group group, Walk walk, Depths depths, int n, bool sparedOnly) {
   bool isHalf = n < 4 ? depths.isNearThin : depths.isFarThin;
   int count = depths.isThin ? kGroup : isHalf ? 4 : 1;
   float depth = oneOf(depths.of[0], depths.of[1], depths.of[2], depths.of[3], depths.of[4], depths.of[5], depths.of[6], depths.of[7], n);
@@ -353,7 +371,7 @@ Segment segmentAt(Group group, Walk walk, Depths depths, int n) {
       solids1 = i == m ? group.solids[i + 1] : solids1;
     }
   }
-  if (usesShares()) {
+  if (usesShares(sparedOnly)) {
     s0 = oneOf(group.shares[0], group.shares[1], group.shares[2], group.shares[3], group.shares[4], group.shares[5], group.shares[6], group.shares[7], n);
     s1 = oneOf(group.shares[1], group.shares[2], group.shares[3], group.shares[4], group.shares[5], group.shares[6], group.shares[7], group.shares[8], m);
   }
@@ -361,19 +379,18 @@ Segment segmentAt(Group group, Walk walk, Depths depths, int n) {
   return Segment(timeIn(group, walk, n), timeIn(group, walk, m + 1), x0, x1, depth, s0, s1, solids0, solids1);
 }
 
-/// Composites a stretch that is removed and one behind it that is kept, front to back; either may be empty. Rays of a SIMD group go in step, and a software driver runs both sides of
-/// every branch and every loop once more than it is needed when the condition stands at its head. So each kind of work has
-/// a loop of its own, with the condition at its foot, in which nearly all rays have something to do: leaping over empty
-/// cells; fetching groups of samples until one holds material; shading its segments. Groups and leaps keep to the same
-/// lattice, so leaping changes no picture. A ray that has left a loop is still computed, though not stored, while others go
-/// on, and Mesa 22 takes what it computes last as the value after the loop: so nothing that is used after a loop may change
-/// when its last turn is repeated.
-/// @param keptFrom  where what is removed ends and what is kept begins, on the face
-void marchBoth(inout Hit hit, Ray ray, Walk walk, float a, float keptFrom, float b, Face face) {
+/// Composites a stretch front to back. Rays of a SIMD group go in step, and a software driver runs both sides of every
+/// branch and every loop once more than it is needed when the condition stands at its head. So each kind of work has a loop
+/// of its own, with the condition at its foot, in which nearly all rays have something to do: leaping over empty cells;
+/// fetching groups of samples until one holds material; shading its segments. Groups and leaps keep to the same lattice, so
+/// leaping changes no picture. A ray that has left a loop is still computed, though not stored, while others go on, and Mesa
+/// 22 takes what it computes last as the value after the loop: so nothing that is used after a loop may change when its last
+/// turn is repeated.
+void march(inout Hit hit, Ray ray, Walk walk, float a, float b, Face face, bool sparedOnly) {
   vec3 faceNormal = vec3(0.0);
   float faceT = -1.0;
   if (isOnFace(face)) {
-    faceT = keptFrom;
+    faceT = a;
     faceNormal = faceNormalAt(face, ray.origin + faceT * ray.direction, ray.direction);
   }
   float cutoff = hasFlag(kFlagStopOpaque) ? frame.opaqueAlpha : 2.0;
@@ -384,16 +401,13 @@ void marchBoth(inout Hit hit, Ray ray, Walk walk, float a, float keptFrom, float
     // Go on to the next group with material.
     Group group;
     bool found;
-    bool sparedOnly;
     uint asked;
     float end;
     do {
-      sparedOnly = hasFlag(kFlagSpares) && t < keptFrom;
-      if (hasFlag(kFlagSkipEmpty)) t = leapEmpty(walk, t, sparedOnly ? keptFrom : b, groupLength, perGroup, sparedOnly);
-      sparedOnly = hasFlag(kFlagSpares) && t < keptFrom;
-      group = groupAt(walk, ray, walk.first + floor((t - walk.first) * perGroup + 1e-4) * groupLength, t, sparedOnly ? keptFrom : b, sparedOnly);
+      if (hasFlag(kFlagSkipEmpty)) t = leapEmpty(walk, t, b, groupLength, perGroup, sparedOnly);
+      group = groupAt(walk, ray, walk.first + floor((t - walk.first) * perGroup + 1e-4) * groupLength, t, b, sparedOnly);
       asked = mayShow(group) ? 255u : 0u;
-      if (sparedOnly || usesShares()) asked &= shownIn(group, sparedOnly);
+      if (sparedOnly || usesShares(sparedOnly)) asked &= shownIn(group, sparedOnly);
       found = asked != 0u;
       end = max(timeIn(group, walk, kGroup), afterAll(t));
       t = found ? t : end;
@@ -403,8 +417,8 @@ void marchBoth(inout Hit hit, Ray ray, Walk walk, float a, float keptFrom, float
     Depths depths = depthsOf(group, walk, ray, asked, sparedOnly);
     uint marks = depths.marks;
     do {
-      Segment segment = segmentAt(group, walk, depths, max(findLSB(marks), 0));
-      if (marks != 0u) addSegment(hit, ray, walk, segment, sparedOnly ? -1.0 : faceT, faceNormal, sparedOnly);
+      Segment segment = segmentAt(group, walk, depths, max(findLSB(marks), 0), sparedOnly);
+      if (marks != 0u) addSegment(hit, ray, walk, segment, faceT, faceNormal, sparedOnly);
       marks &= marks - 1u;
     } while (marks != 0u && hit.color.a < cutoff);
   } while (t < b && hit.color.a < cutoff);
@@ -412,7 +426,7 @@ void marchBoth(inout Hit hit, Ray ray, Walk walk, float a, float keptFrom, float
 
 void marchStretch(inout Hit hit, Ray ray, Walk walk, Span span) {
   addFaceData(hit, ray, span.a, span.face);
-  marchBoth(hit, ray, walk, span.a, span.sparedOnly ? span.b : span.a, span.b, span.face);
+  march(hit, ray, walk, span.a, span.b, span.face, span.sparedOnly);
 }
 
 /// Whose it is that was hit.

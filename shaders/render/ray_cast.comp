@@ -62,7 +62,8 @@ void castStretches(inout Hit hit, Ray ray, Walk walk, float from, float tEnd) {
       t = stretch.kept ? t : max(stretch.end, t + 1e-6 * max(1.0, abs(t)));
       stretch = stretchFrom(ray, t, tEnd);
       float end = stretch.kept ? stretch.end : t;
-      marchBoth(hit, ray, walk, from, t, end, face);
+      march(hit, ray, walk, from, t, kNoFace, true);
+      march(hit, ray, walk, t, end, face, false);
       t = end;
     } else
 #endif

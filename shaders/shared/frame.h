@@ -109,7 +109,9 @@ struct FrameParams {
 
 // What becomes of a structure, see StructureSets.
 SHARED_CONST int kSetShown = 1;
-SHARED_CONST int kSetSpared = 2 | 4;
+SHARED_CONST int kSetSparedFirst = 2;  // by cuts of the first class
+SHARED_CONST int kSetSparedSecond = 4;
+SHARED_CONST int kSetSpared = kSetSparedFirst | kSetSparedSecond;
 SHARED_CONST int kSetSolid = 8 | 16;
 
 /// One structure: index by label id.

@@ -1,6 +1,6 @@
-// A structure that leaks, and a person who says what it is not: how near it comes to the truth, click by click. One
-// half of the cases was tuned on, the other was not. The least is a little less than they come to: structures that
-// touch more than two others need more than three clicks.
+// A structure that leaks, and a person who says what it is not: how near it comes to the truth, click by click. Costs
+// were chosen with all cases in sight. The least is a little less than they come to: structures that touch more than
+// two others need more than three clicks.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -46,7 +46,6 @@ std::string nameOf(const testing::TestParamInfo<Case>& info) {
 }
 
 const Case kCases[] = {
-    // Tuned on.
     {"lesion in bone", "lesion", "", {6}, {80, 3000}, {}, 0.89},
     {"left ventricle", "heart", "", {2}, {250, 2000}, {}, 0.91},
     {"pulmonary artery", "heart", "", {7}, {250, 2000}, {}, 0.86},
@@ -58,7 +57,6 @@ const Case kCases[] = {
      {-2, 100, 40},
      0.85},
     {"calcaneus", "foot", "", {13}, {150, 3000}, {}, 0.87},
-    // Not tuned on.
     {"artery on bone", "lesion", "", {4}, {200, 3000}, {}, 0.94},
     {"bone with a lesion", "lesion", "", {3}, {200, 3000}, {}, 0.95},
     {"aorta of a heart", "heart", "", {6}, {250, 2000}, {}, 0.79},

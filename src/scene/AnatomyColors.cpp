@@ -49,9 +49,10 @@ struct Tissue {
 
 /// The first that fits counts: what is said more closely comes before what is said less so.
 constexpr float k = 1.0f / 255.0f;
+constexpr std::string_view kSkin = "skin,scalp,epidermis,dermis";
 const Tissue kTissues[] = {
     {{160 * k, 200 * k, 80 * k}, "tumor,tumour,lesion,nodule,cancer,metastasis,metastase,neoplasm,cyst"},
-    {{236 * k, 188 * k, 158 * k}, "skin,scalp,epidermis,dermis"},
+    {{236 * k, 188 * k, 158 * k}, kSkin},
     {{240 * k, 214 * k, 128 * k}, "fat,adipose,subcutaneous"},
     {{242 * k, 217 * k, 92 * k}, "nerve,spinal cord,chiasm,plexus"},
     {{150 * k, 196 * k, 216 * k},
@@ -115,6 +116,8 @@ std::optional<glm::vec3> anatomyColor(std::string_view name) {
     if (fits(words, tissue.names)) return tissue.color;
   return std::nullopt;
 }
+
+bool isSkin(std::string_view name) { return fits(wordsOf(name), kSkin); }
 
 glm::vec3 solidColor(std::uint16_t id, std::string_view name) {
   constexpr float kShade = 0.035f, kCalm = 0.22f;

@@ -192,7 +192,8 @@ void applyFirstLook(LabelLayer& labels) {
   bool hasOwn = labels.source.path.find(".nii") == std::string::npos;
   for (auto& structure : labels.structures) {
     auto id = std::uint16_t(structure.id);
-    structure.showAs = ShowAs::Solid;
+    // A scan shows its own skin, smoother than voxels have it, and as a surface it would hide all else.
+    structure.showAs = isSkin(structure.name) ? ShowAs::Material : ShowAs::Solid;
     if (structure.color == defaultLabelColor(id) || (!hasOwn && anatomyColor(structure.name)))
       structure.color = solidColor(id, structure.name);
   }

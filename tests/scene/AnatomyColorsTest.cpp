@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "velum/scene/FirstLook.h"
+
 namespace velum::scene {
 
 namespace {
@@ -34,6 +36,14 @@ TEST(AnatomyColors, NamesOfManyProgramsAreKnown) {
     EXPECT_EQ(hueOf(name), Hue::Brown) << name;
   for (const char* name : {"", "structure 7", "Precentral_L", "nuclei", "grown", "42"})
     EXPECT_EQ(hueOf(name), Hue::None) << name;
+}
+
+TEST(AnatomyColors, TheSkinIsTheScansAndAllElseASurface) {
+  LabelLayer labels;
+  labels.structures = {{1, "skin"}, {2, "Scalp (left)"}, {3, "skull"}, {4, "subcutaneous fat"}, {5, ""}};
+  applyFirstLook(labels);
+  for (const Structure& structure : labels.structures)
+    EXPECT_EQ(structure.showAs, structure.id <= 2 ? ShowAs::Material : ShowAs::Solid) << structure.name;
 }
 
 TEST(AnatomyColors, NeighboursAreAShadeApartAndStrangersFarApart) {

@@ -11,6 +11,9 @@ namespace velum::scene {
 /// name that it does not know.
 std::optional<glm::vec3> anatomyColor(std::string_view name);
 
+/// True of a name of the skin.
+bool isSkin(std::string_view name);
+
 /// A colour for a structure of which a file says none: its anatomy's, neighbours in the list a shade apart; else a calm
 /// one of many, in which a shaded surface is read well. The same id and name give the same colour.
 glm::vec3 solidColor(std::uint16_t id, std::string_view name);

@@ -9,8 +9,8 @@ namespace velum::scene {
 /// Thick slices are smooth. The grey window is that of what is seen: firstWindow().
 void applyFirstLook(Scene& scene);
 
-/// Gives the structures of labels that have just been opened the look in which they are first seen: solid, in the
-/// colours of their anatomy where the file has none (solidColor()).
+/// Gives the structures of labels that have just been opened the look in which they are first seen: solid but
+/// for the skin, in the colours of their anatomy where the file has none (solidColor()).
 void applyFirstLook(LabelLayer& labels);
 
 /// How much of the opacity of a scan is left beside solid structures, so that they are seen in it.

@@ -42,9 +42,9 @@ class PassageCosts {
  private:
   /// In thousandths of the cost of becoming e times as thick. Of the differences of values half are less than an edge
   /// of 1, which is noise; their squares count, so that noise is cheap. Length says little, but where all else is the
-  /// same the middle is the border; a step counts more
-  /// the nearer to what is not of the region it goes, by the square of its depth in voxels, so that two balls of which
-  /// one would cover the neck between them have a border there. Chosen with all cases of NotThisTest in sight.
+  /// same the middle is the border. A step counts more the nearer to what is not of the region it goes, by the square
+  /// of its depth in voxels, so that two balls of which one would cover the neck between them have a border there.
+  /// Chosen with all cases of NotThisTest in sight.
   static constexpr float kMostEdge = 20.0f, kPerEdge = 60.0f;
   static constexpr int kPerLevel = 300, kPerStep = 2, kPerThinStep = 150;
 

@@ -50,8 +50,7 @@ constexpr std::uint16_t kFarAway = 60000;
 void spreadLengths(const RoomyBox& box, const glm::dmat3& worldFromVoxel, Lengths& lengths);
 
 /// How thick something is ([THICKNESS]): the radius of the largest ball within it that holds a voxel, in steps of
-/// kThicker. A ball is
-/// as thick everywhere, a tube, too, and where they meet the thickness jumps.
+/// kThicker. A ball is as thick everywhere, a tube, too, and where they meet the thickness jumps.
 constexpr double kThicker = 1.35;
 /// @param depths  from each voxel of it to what is not; 0 at all others
 /// @return levels: of radius kThicker^level or more; 0: less

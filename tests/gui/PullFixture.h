@@ -72,6 +72,25 @@ class PullFixture : public Window {
     ASSERT_TRUE(tool());
     ASSERT_TRUE(settle());
   }
+  /// Bright material with a plane that removes what lies before it, seen obliquely, and the tool up.
+  void openCut(const QString& file, glm::dvec3 centre) {
+    open({file});
+    document().edit("Look", [&](scene::Scene& s) {
+      s.volume.transfer.opacities = {{60, 0}, {80, 1}, {255, 1}};
+      scene::Cut cut;
+      cut.axis = {0, -1, 0};
+      cut.centre = centre;
+      scene::addCut(s, cut);
+      s.camera = scene::frameCamera(s, scene::StandardView::Oblique, 1.0);
+    });
+    takeUp();
+  }
+  void clickButton(const char* name) {
+    auto* button = child<QPushButton>(name);
+    ASSERT_TRUE(button && button->isVisible());
+    QTest::mouseClick(button, Qt::LeftButton);
+    ASSERT_TRUE(settle());
+  }
   /// Alt and the wheel, a notch at a time.
   void turnWheel(int notches, Qt::KeyboardModifiers keys = Qt::AltModifier) {
     QPointF middle = viewport().rect().center();

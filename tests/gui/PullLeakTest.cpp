@@ -38,35 +38,16 @@ class PullLeak : public PullFixture {
     writeVoxels(*sFolder / "maze.nrrd", kMazeEdge, maze);
   }
 
-  /// With a plane that removes what lies before it, seen obliquely.
-  void openCut(const char* file, glm::dvec3 centre) {
-    open({path(file)});
-    document().edit("Look", [&](scene::Scene& s) {
-      s.volume.transfer.opacities = {{60, 0}, {80, 1}, {255, 1}};
-      scene::Cut cut;
-      cut.axis = {0, -1, 0};
-      cut.centre = centre;
-      scene::addCut(s, cut);
-      s.camera = scene::frameCamera(s, scene::StandardView::Oblique, 1.0);
-    });
-    takeUp();
-  }
   /// The bar is pulled out beyond where it becomes the block.
   void pullTheBar() {
     glm::dvec3 place(32, kPlane, 32);
-    openCut("leak.nrrd", place);
+    openCut(path("leak.nrrd"), place);
     pull(pixelOf(place), place, cut(), kFar);
     ASSERT_TRUE(settle());
     ASSERT_EQ(scene().labels.growths.size(), 1u);
     mStructure = scene().labels.growths[0].structure;
   }
   bool isWarned() { return child<QLabel>("leakText")->isVisible(); }
-  void click(const char* name) {
-    auto* button = child<QPushButton>(name);
-    ASSERT_TRUE(button && button->isVisible());
-    QTest::mouseClick(button, Qt::LeftButton);
-    ASSERT_TRUE(settle());
-  }
   void type(const char* name, const QString& number) {
     auto* spin = child<QDoubleSpinBox>(name);
     ASSERT_TRUE(spin && spin->isVisible());
@@ -106,7 +87,7 @@ TEST_F(PullLeak, IsSaidBeforeThePictureIsFloodedAndMayStayAsFarAsHere) {
   EXPECT_EQ(voxelsInBlock(), 0u);
   std::size_t held = voxelsOf(mStructure);
   EXPECT_GT(held, 49u * 15) << "what there is of the bar stays";
-  click("leakHere");
+  clickButton("leakHere");
   EXPECT_FALSE(isWarned());
   EXPECT_EQ(voxelsOf(mStructure), held);
   EXPECT_NEAR(session::extrusionOf(cut(), mStructure), kFar, 1.0);
@@ -114,7 +95,7 @@ TEST_F(PullLeak, IsSaidBeforeThePictureIsFloodedAndMayStayAsFarAsHere) {
 
 TEST_F(PullLeak, FieldsKeepTheirPlacesWhenItIsSaid) {
   glm::dvec3 place(32, kPlane, 32);
-  openCut("leak.nrrd", place);
+  openCut(path("leak.nrrd"), place);
   pull(pixelOf(place), place, cut(), 6.0);
   ASSERT_TRUE(settle());
   ASSERT_FALSE(isWarned());
@@ -130,7 +111,7 @@ TEST_F(PullLeak, FieldsKeepTheirPlacesWhenItIsSaid) {
 }
 
 TEST_F(PullLeak, WhatIsMostOfThePlaneIsHeldFirst) {
-  openCut("maze.nrrd", glm::dvec3(kMazeEdge / 2));
+  openCut(path("maze.nrrd"), glm::dvec3(kMazeEdge / 2));
   std::vector<Seen> face = look();
   std::erase_if(face, [&](const Seen& seen) { return !isOnFace(seen, cut()); });
   ASSERT_FALSE(face.empty());
@@ -140,7 +121,7 @@ TEST_F(PullLeak, WhatIsMostOfThePlaneIsHeldFirst) {
   EXPECT_TRUE(child<QLabel>("leakText")->text().contains("most of what there is"));
   int structure = scene().labels.growths[0].structure;
   EXPECT_LT(voxelsOf(structure), 4u * kMazeEdge * kMazeEdge) << "a slab at the most";
-  click("leakGoOn");
+  clickButton("leakGoOn");
   EXPECT_FALSE(isWarned());
   EXPECT_GT(voxelsOf(structure), 8u * kMazeEdge * kMazeEdge / 2);
 }
@@ -148,7 +129,7 @@ TEST_F(PullLeak, WhatIsMostOfThePlaneIsHeldFirst) {
 TEST_F(PullLeak, MayGoOn) {
   pullTheBar();
   ASSERT_TRUE(isWarned());
-  click("leakGoOn");
+  clickButton("leakGoOn");
   EXPECT_FALSE(isWarned());
   EXPECT_GT(voxelsInBlock(), 59u * 59 * 10);
 }
@@ -172,7 +153,7 @@ TEST_F(PullLeak, IsHealedByAStopAtEdges) {
 TEST_F(PullLeak, IsHealedByABarrierThatIsDrawnAcrossIt) {
   pullTheBar();
   ASSERT_TRUE(isWarned());
-  click("barrierTool");
+  clickButton("barrierTool");
   // Across the bar before the place where it is held, wide enough for all of it.
   constexpr double kDepth = 16.0;
   std::vector<Seen> across = look(3);
@@ -203,7 +184,7 @@ TEST_F(PullLeak, IsHealedByABarrierThatIsDrawnAcrossIt) {
 
 TEST_F(PullLeak, EscStopsWhatGrowsAndLeavesWhatThereIsWhileTheWindowAnswers) {
   // Deep enough that it grows for many pictures, however slow the machine draws them.
-  openCut("maze.nrrd", {kMazeEdge / 2, kMazeEdge - 4, kMazeEdge / 2});
+  openCut(path("maze.nrrd"), {kMazeEdge / 2, kMazeEdge - 4, kMazeEdge / 2});
   constexpr double kDeep = kMazeEdge - 10;
   std::vector<Seen> face = look();
   std::erase_if(face, [&](const Seen& seen) { return !isOnFace(seen, cut()); });

@@ -31,16 +31,7 @@ class PullNotThis : public PullFixture {
   }
   void SetUp() override {
     PullFixture::SetUp();
-    open({path("not.nrrd")});
-    document().edit("Look", [&](scene::Scene& s) {
-      s.volume.transfer.opacities = {{60, 0}, {80, 1}, {255, 1}};
-      scene::Cut cut;
-      cut.axis = {0, -1, 0};
-      cut.centre = kOnBar;
-      scene::addCut(s, cut);
-      s.camera = scene::frameCamera(s, scene::StandardView::Oblique, 1.0);
-    });
-    takeUp();
+    openCut(path("not.nrrd"), kOnBar);
     pull(pixelOf(kOnBar), kOnBar, cut(), kFar);
     ASSERT_TRUE(settle());
     ASSERT_EQ(scene().labels.growths.size(), 1u);
@@ -48,12 +39,6 @@ class PullNotThis : public PullFixture {
     ASSERT_TRUE(leakText().isVisible());
   }
   QLabel& leakText() { return *child<QLabel>("leakText"); }
-  void clickButton(const char* name) {
-    auto* button = child<QPushButton>(name);
-    ASSERT_TRUE(button && button->isVisible());
-    QTest::mouseClick(button, Qt::LeftButton);
-    ASSERT_TRUE(settle());
-  }
   /// All of the block comes along.
   void flood() {
     clickButton("leakGoOn");

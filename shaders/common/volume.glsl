@@ -16,6 +16,7 @@ layout(binding = kGradientUnit) uniform sampler3D gradientTexture;  // xyz: dire
 layout(binding = kLabelUnit) uniform usampler3D labelTexture;
 layout(binding = kCoverUnit) uniform sampler3D coverTexture;  // cover of a voxel, 0..1
 layout(binding = kShareUnit) uniform sampler3D shareTexture;  // shares of a voxel: r, g: that cuts spare, by class; a: that is shown
+layout(binding = kCoarseShareUnit) uniform sampler3D coarseShareTexture;  // their means over 2 x 2 x 2 voxels
 // Running sums of the transfer table in fixed point: differences of unsigned sums are exact, however long the sum.
 layout(binding = kTransferUnit) uniform usamplerBuffer transferTexture;  // rgb: colour*sigma, a: sigma; then, in r, factors by gradient
 layout(binding = kExtinctionUnit) uniform usamplerBuffer extinctionTexture;  // sigma alone: r up to the entry, g to the next
@@ -119,6 +120,8 @@ bool usesShares(bool sparedOnly) { return hasSolids() || (LABELS == 1 && ((hasFl
 #if LABELS != 0
 /// Interpolated shares, see shareTexture. @param p  label voxels
 vec4 sharesIn(vec3 p) { return textureLod(shareTexture, p / vec3(textureSize(labelTexture, 0)), 0.0); }
+/// Means of them around a place.
+vec4 coarseSharesIn(vec3 p) { return textureLod(coarseShareTexture, p / (2.0 * vec3(textureSize(coarseShareTexture, 0))), 0.0); }
 
 bool mayOwn(uint label, int who) {
   int sets = int(structureLook(label).z) & who;
@@ -215,14 +218,18 @@ float shareOf(vec4 shares, int what, bool sparedOnly, vec2 classes) {
 /// The way out of what shows, scene frame, about as long as the share falls over a voxel.
 vec3 shareSlopeAt(vec3 scenePoint, int what, bool sparedOnly, vec2 classes) {
   vec3 p = labelVoxelAt(scenePoint);
-  // Differences across a cube's corners: of those tried the nearest to the true normals of balls and tubes, along all three
-  // axes at once. A software driver runs a loop as often as one of its rays wants it, and once more.
-  const float kReach = 0.5;
+  // Differences across a cube's corners, along all three axes at once. Most of it of means: a border that slants a little to
+  // the voxels goes down in steps of theirs, as terraces, and these hardly show in means. The rest of what lies near: the
+  // means alone would fill what is between two ribs. A software driver runs a loop as often as one of its rays wants it, and
+  // once more.
+  const float kOfMeans = 0.75;
   vec3 rise = vec3(0.0);
-  int taps = shareOf(sharesIn(p), what, sparedOnly, classes) < 0.98 ? 8 : 0;
-  for (int i = 0; i < taps; ++i) {
-    vec3 way = vec3((i & 1) == 0 ? 1.0 : -1.0, (i & 2) == 0 ? 1.0 : -1.0, (i & 4) == 0 ? 1.0 : -1.0);
-    rise += 0.25 * shareOf(sharesIn(p + kReach * way), what, sparedOnly, classes) * way;
+  int corners = shareOf(sharesIn(p), what, sparedOnly, classes) < 0.98 ? 4 : 0;
+  for (int i = 0; i < corners; ++i) {
+    vec3 way = vec3((i & 1) == 0 ? 1.0 : -1.0, (i & 2) == 0 ? 1.0 : -1.0, i == 0 || i == 3 ? 1.0 : -1.0);
+    float means = shareOf(coarseSharesIn(p + way), what, sparedOnly, classes) - shareOf(coarseSharesIn(p - way), what, sparedOnly, classes);
+    float near = shareOf(sharesIn(p + 0.5 * way), what, sparedOnly, classes) - shareOf(sharesIn(p - 0.5 * way), what, sparedOnly, classes);
+    rise += (0.125 * kOfMeans * means + 0.25 * (1.0 - kOfMeans) * near) * way;
   }
   vec3 out3 = -(transpose(mat3(frame.labelFromScene)) * rise);
   float len = length(out3);

@@ -28,6 +28,7 @@ SHARED_CONST uint kSurfaceIdUnit = 12u;
 SHARED_CONST uint kStructureUnit = 13u;
 SHARED_CONST uint kShareUnit = 39u;
 SHARED_CONST uint kCoverUnit = 40u;
+SHARED_CONST uint kCoarseShareUnit = 41u;
 
 // Those of the finish.
 SHARED_CONST uint kSampleUnit = 14u;     // what kSampleImage holds

@@ -163,6 +163,13 @@ void Texture::generateLevels() { gl().GenerateTextureMipmap(id()); }
 
 void Texture::bindSampler(unsigned unit) const { gl().BindTextureUnit(unit, id()); }
 
+void Texture::setComponents(const std::array<Component, 4>& components) {
+  static constexpr int kGl[] = {GL_RED, GL_GREEN, GL_BLUE, GL_ALPHA, GL_ZERO, GL_ONE};
+  static constexpr GLenum kOf[] = {GL_TEXTURE_SWIZZLE_R, GL_TEXTURE_SWIZZLE_G, GL_TEXTURE_SWIZZLE_B,
+                                   GL_TEXTURE_SWIZZLE_A};
+  for (std::size_t i = 0; i < 4; ++i) gl().TextureParameteri(id(), kOf[i], kGl[static_cast<int>(components[i])]);
+}
+
 void Texture::bindImage(unsigned unit, Access access, int level) const {
   static constexpr GLenum kAccess[] = {GL_READ_ONLY, GL_WRITE_ONLY, GL_READ_WRITE};
   gl().BindImageTexture(unit, id(), level, mIs3d ? GL_TRUE : GL_FALSE, 0, kAccess[static_cast<int>(access)],

@@ -119,7 +119,7 @@ TEST_P(BordersGL, RoundThingsAreRound) {
   std::printf("%s of %g, %s: silhouette %.3f voxel, normals %.1f degrees\n", kForms[int(form)], radius, kWays[int(way)],
               rms, median);
   EXPECT_LE(rms, 0.15);
-  EXPECT_LE(median, 5.0);
+  EXPECT_LE(median, 4.5);
 }
 
 std::vector<Case> allCases() {

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstddef>
 #include <glm/glm.hpp>
 #include <string_view>
@@ -28,6 +29,8 @@ enum class Format {
 };
 enum class Filter { Nearest, Linear };
 enum class Access { Read, Write, ReadWrite };
+/// What a shader gets as one component of a texel: one of the texture's, or a constant.
+enum class Component { Red, Green, Blue, Alpha, Zero, One };
 
 /// Bytes of one texel as uploaded and read back.
 std::size_t texelBytes(Format format);
@@ -72,6 +75,8 @@ class Texture : public Handle<deleteTexture> {
   /// Fills all levels but the first with means of the level before. Not for integer formats.
   void generateLevels();
   void bindSampler(unsigned unit) const;
+  /// What shaders get from now on as r, g, b and a of a texel that they sample.
+  void setComponents(const std::array<Component, 4>& components);
   /// One level for imageLoad and imageStore.
   void bindImage(unsigned unit, Access access, int level = 0) const;
 

@@ -135,6 +135,7 @@ void UploadPass::bind(const FrameData& data) const {
   (hasLabels ? mLabels.texture() : mNoLabels).bindSampler(shared::kLabelUnit);
   (hasLabels ? mShares.covers() : mNoShares).bindSampler(shared::kCoverUnit);
   (hasLabels ? mShares.shares() : mNoShares).bindSampler(shared::kShareUnit);
+  (hasLabels ? mShares.coarseShares() : mNoShares).bindSampler(shared::kCoarseShareUnit);
   mSheets.bind();
 }
 

@@ -14,15 +14,46 @@ namespace {
 constexpr int kSize = LabelVolume::kBrickSize, kWide = kSize + 2;
 constexpr std::size_t kPerStep = 64;  ///< bricks: some 20 ms on two cores
 
-/// As few components as the sets need: what a texture lacks shaders read as 0, and alpha as 1.
-gpu::Format formatOf(const StructureSets& sets) {
-  if (sets.hidesAny() || sets.hasAny(StructureSets::kSolid) || sets.hasAny(StructureSets::kVeil))
-    return gpu::Format::Rgba8;
-  return sets.spareClasses.size() == 2 ? gpu::Format::Rg8 : gpu::Format::R8;
+/// Of how many labels sets speak, and of those that they say nothing of.
+std::vector<bool> membersOf(const StructureSets& sets, std::uint8_t bit) {
+  std::vector<bool> members;
+  for (std::uint8_t bits : sets.of) members.push_back((bits & bit) != 0);
+  members.push_back((sets.ofOthers & bit) != 0);
+  return members;
 }
 
 std::size_t inBrick(glm::ivec3 at) {
   return (std::size_t(at.z) * kSize + std::size_t(at.y)) * kSize + std::size_t(at.x);
+}
+
+glm::ivec3 halved(glm::ivec3 size) { return (size + 1) / 2; }
+
+/// Means over 2 x 2 x 2 texels, of as many as there are.
+/// @param components  bytes a texel
+std::vector<std::uint8_t> meansOf(const std::vector<std::uint8_t>& texels, glm::ivec3 size, int components) {
+  glm::ivec3 coarse = halved(size);
+  std::vector<std::uint8_t> means;
+  means.reserve(countOf(coarse) * std::size_t(components));
+  for (std::size_t i = 0; i < countOf(coarse); ++i) {
+    glm::ivec3 from = 2 * cellIn(coarse, i), to = glm::min(from + 2, size);
+    glm::ivec4 sums(0);
+    for (int z = from.z; z < to.z; ++z)
+      for (int y = from.y; y < to.y; ++y)
+        for (int x = from.x; x < to.x; ++x)
+          for (int c = 0; c < components; ++c)
+            sums[c] += texels[indexIn(size, {x, y, z}) * std::size_t(components) + std::size_t(c)];
+    int count = int(countOf(to - from));
+    for (int c = 0; c < components; ++c) means.push_back(std::uint8_t((sums[c] + count / 2) / count));
+  }
+  return means;
+}
+
+/// Bytes as texels of 16 bits.
+std::vector<std::uint8_t> widened(const std::vector<std::uint8_t>& bytes) {
+  std::vector<std::uint8_t> twice;
+  twice.reserve(2 * bytes.size());
+  for (std::uint8_t byte : bytes) twice.insert(twice.end(), {byte, byte});
+  return twice;
 }
 
 /// Shares of the voxels of a brick in a set of structures, 0..255.
@@ -84,12 +115,40 @@ class BrickShares {
 
 }  // namespace
 
+/// As few components as the sets need.
+ShareUpload::Layout ShareUpload::layoutOf(const StructureSets& sets) {
+  Layout layout;
+  std::uint8_t second = sets.hasAny(StructureSets::kVeil) ? StructureSets::kVeil : StructureSets::kSparedToo;
+  const std::uint8_t known[] = {StructureSets::kSpared, second, StructureSets::kSolid, StructureSets::kShown};
+  for (std::size_t i = 0; i < 4; ++i) {
+    std::vector<bool> members = membersOf(sets, known[i]);
+    auto first = std::find(members.begin(), members.end(), !members.front());
+    std::size_t at = 0;
+    while (at < layout.sets.size() && membersOf(sets, layout.sets[at]) != members) ++at;
+    bool isSame = first == members.end();
+    if (!isSame && at == layout.sets.size()) layout.sets.push_back(known[i]);
+    layout.components[i] = !isSame           ? static_cast<gpu::Component>(at)
+                           : members.front() ? gpu::Component::One
+                                             : gpu::Component::Zero;
+  }
+  return layout;
+}
+
+gpu::Format ShareUpload::format() const {
+  if (mLayout.sets.size() > 2) return gpu::Format::Rgba8;
+  // Software drivers interpolate one component of 16 bits faster than one of 8.
+  return mLayout.sets.size() == 2 ? gpu::Format::Rg8 : gpu::Format::R16;
+}
+
 void ShareUpload::allocate(glm::ivec3 dims) {
   mShares = gpu::Texture();
+  mCoarseShares = gpu::Texture();
   mCovers = gpu::Texture();
-  gpu::Format format = formatOf(mSets);
-  checkLabelSize(dims, gpu::texelBytes(format) + 3, mLimits);
-  mShares = gpu::Texture::make3d("structure shares", format, dims, gpu::Filter::Linear);
+  checkLabelSize(dims, gpu::texelBytes(format()) + 4, mLimits);
+  mShares = gpu::Texture::make3d("structure shares", format(), dims, gpu::Filter::Linear);
+  mCoarseShares = gpu::Texture::make3d("means of structure shares", format(), halved(dims), gpu::Filter::Linear);
+  mShares.setComponents(mLayout.components);
+  mCoarseShares.setComponents(mLayout.components);
   mCovers = gpu::Texture::make3d("structure covers", gpu::Format::R8, dims, gpu::Filter::Linear);
 }
 
@@ -97,9 +156,11 @@ void ShareUpload::begin(const scene::Scene& scene, bool isAlone) {
   std::shared_ptr<const StructureField> field = scene::structureFieldOf(scene);
   const LabelVolume& labels = *field->cover().labels();
   StructureSets sets = makeStructureSets(scene, isAlone);
-  bool isOther = !mShares || mShares.size() != labels.dims() || formatOf(sets) != mShares.format();
+  Layout layout = layoutOf(sets);
+  bool isOther = !mShares || mShares.size() != labels.dims() || layout != mLayout;
   bool hasOtherSets = sets != mSets;
   mSets = std::move(sets);
+  mLayout = std::move(layout);
   if (isOther) allocate(labels.dims());
   if (isOther || hasOtherSets || field->cover().borders() != mField->cover().borders()) {
     mIsStale.assign(countOf(labels.brickGrid()), true);
@@ -117,20 +178,19 @@ ShareUpload::Texels ShareUpload::texelsOf(glm::ivec3 index) const {
   const LabelVolume& labels = *mField->cover().labels();
   const LabelCover::Brick& cover = mField->brick(index);
   glm::ivec3 corner = index * kSize, size = glm::min(labels.dims() - corner, glm::ivec3(kSize));
-  std::size_t bytes = gpu::texelBytes(mShares.format());
+  std::size_t components = mLayout.sets.size() > 2 ? 4 : std::max(mLayout.sets.size(), std::size_t(1));
   Texels texels;
   texels.covers.reserve(countOf(size));
   for (int z = 0; z < size.z; ++z)
     for (int y = 0; y < size.y; ++y)
       for (int x = 0; x < size.x; ++x)
         texels.covers.push_back(cover.size() == 1 ? cover[0] : cover[inBrick({x, y, z})]);
-  texels.shares.resize(countOf(size) * bytes);
+  texels.shares.resize(countOf(size) * components);
   BrickShares shares(mField->cover(), mSets, index, cover, readAround(labels, corner - 1, glm::ivec3(kWide)));
-  shares.write(StructureSets::kSpared, size, texels.shares.data(), bytes);
-  std::uint8_t second = mSets.hasAny(StructureSets::kVeil) ? StructureSets::kVeil : StructureSets::kSparedToo;
-  if (bytes > 1) shares.write(second, size, &texels.shares[1], bytes);
-  if (bytes == 4) shares.write(StructureSets::kSolid, size, &texels.shares[2], bytes);
-  if (bytes == 4) shares.write(StructureSets::kShown, size, &texels.shares[3], bytes);
+  for (std::size_t i = 0; i < mLayout.sets.size(); ++i)
+    shares.write(mLayout.sets[i], size, &texels.shares[i], components);
+  texels.coarseShares = meansOf(texels.shares, size, int(components));
+  if (components == 1) texels.shares = widened(texels.shares), texels.coarseShares = widened(texels.coarseShares);
   return texels;
 }
 
@@ -146,6 +206,7 @@ bool ShareUpload::step() {
     glm::ivec3 corner = cellIn(grid, now[i]) * kSize, size = glm::min(labels.dims() - corner, glm::ivec3(kSize));
     mCovers.write(corner, size, texels[i].covers.data());
     mShares.write(corner, size, texels[i].shares.data());
+    mCoarseShares.write(corner / 2, halved(size), texels[i].coarseShares.data());
     mIsStale[now[i]] = false;
   }
   return mNext == mIsStale.size();

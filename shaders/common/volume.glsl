@@ -120,8 +120,11 @@ bool usesShares(bool sparedOnly) { return hasSolids() || (LABELS == 1 && ((hasFl
 #if LABELS != 0
 /// Interpolated shares, see shareTexture. @param p  label voxels
 vec4 sharesIn(vec3 p) { return textureLod(shareTexture, p / vec3(textureSize(labelTexture, 0)), 0.0); }
-/// Means of them around a place.
-vec4 coarseSharesIn(vec3 p) { return textureLod(coarseShareTexture, p / (2.0 * vec3(textureSize(coarseShareTexture, 0))), 0.0); }
+/// Means of them around a place. @param endsHere  beyond the grid there is nothing; else what is at its end goes on
+vec4 coarseSharesIn(vec3 p, bool endsHere) {
+  vec4 means = textureLod(coarseShareTexture, p / (2.0 * vec3(textureSize(coarseShareTexture, 0))), 0.0);
+  return endsHere && isBeyondLabels(p) ? frame.sharesBeyond : means;
+}
 
 bool mayOwn(uint label, int who) {
   int sets = int(structureLook(label).z) & who;
@@ -172,7 +175,7 @@ Owner ownerAt(vec3 scenePoint, int who) { return ownerAt(scenePoint, who, true, 
 vec3 leanOutwards(vec3 slope) {
   vec3 way = mat3(frame.labelFromScene) * slope;
   float len = length(way);
-  return len > 0.0 ? way * (0.4 * smoothstep(0.02, 0.12, length(slope)) / len) : vec3(0.0);
+  return len > 0.0 ? way * (0.2 * smoothstep(0.02, 0.12, length(slope)) / len) : vec3(0.0);
 }
 
 /// What part of a place shows: all that is not hidden, or of what is removed what cuts spare. Half of it is the border.
@@ -223,13 +226,17 @@ vec3 shareSlopeAt(vec3 scenePoint, int what, bool sparedOnly, vec2 classes) {
   // means alone would fill what is between two ribs. A software driver runs a loop as often as one of its rays wants it, and
   // once more.
   const float kOfMeans = 0.75;
+  const float kReach = 1.0;
   vec3 rise = vec3(0.0);
-  int corners = shareOf(sharesIn(p), what, sparedOnly, classes) < 0.98 ? 4 : 0;
+  // Where the data ends that is solid its surface is the end's.
+  vec3 toEnd = min(p, vec3(textureSize(labelTexture, 0)) - p);
+  bool isAtEnd = min(toEnd.x, min(toEnd.y, toEnd.z)) < 0.3;
+  int corners = isAtEnd || shareOf(sharesIn(p), what, sparedOnly, classes) < 0.98 ? 4 : 0;
   for (int i = 0; i < corners; ++i) {
     vec3 way = vec3((i & 1) == 0 ? 1.0 : -1.0, (i & 2) == 0 ? 1.0 : -1.0, i == 0 || i == 3 ? 1.0 : -1.0);
-    float means = shareOf(coarseSharesIn(p + way), what, sparedOnly, classes) - shareOf(coarseSharesIn(p - way), what, sparedOnly, classes);
+    float means = shareOf(coarseSharesIn(p + kReach * way, isAtEnd), what, sparedOnly, classes) - shareOf(coarseSharesIn(p - kReach * way, isAtEnd), what, sparedOnly, classes);
     float near = shareOf(sharesIn(p + 0.5 * way), what, sparedOnly, classes) - shareOf(sharesIn(p - 0.5 * way), what, sparedOnly, classes);
-    rise += (0.125 * kOfMeans * means + 0.25 * (1.0 - kOfMeans) * near) * way;
+    rise += (0.125 / kReach * kOfMeans * means + 0.25 * (1.0 - kOfMeans) * near) * way;
   }
   vec3 out3 = -(transpose(mat3(frame.labelFromScene)) * rise);
   float len = length(out3);

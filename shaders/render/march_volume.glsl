@@ -88,7 +88,13 @@ void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, float faceT,
 #endif
   float len = length(gradient);
   vec3 outwards = len > 0.0 ? -gradient / len : -ray.direction;
-  if (dot(outwards, ray.direction) > 0.0) outwards = -outwards;
+  float away = dot(outwards, ray.direction);
+#if LABELS == 2
+  // At a rim it may look away a little: then it is seen from its side.
+  if (away > 0.0) outwards = normalize(outwards - (away + 1e-3) * ray.direction);
+#else
+  if (away > 0.0) outwards = -outwards;
+#endif
 #if LABELS == 1
   if (asksGradient && usesShares(sparedOnly)) {
     // On the border of what shows the surface is the border's, unless the data has one that runs alike: that one is smoother.
@@ -97,7 +103,7 @@ void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, float faceT,
     vec3 borderNormal = slope / max(fall, 1e-6);
     float isAlike = isSolid ? 0.0 : steepness * smoothstep(0.3, 0.8, dot(outwards, borderNormal));
     outwards = normalize(mix(outwards, borderNormal, onBorder * (1.0 - isAlike)) + 1e-6);
-    steepness = max(steepness, onBorder);
+    steepness = isSolid ? onBorder : max(steepness, onBorder);
   }
 #endif
   // Of what colour it is.

@@ -37,6 +37,8 @@ class Thing {
 
 }  // namespace
 
+class EndOfDataGL : public RenderTest {};
+
 class BordersGL : public RenderTest, public testing::WithParamInterface<Case> {
  protected:
   /// The world is the voxels'. Seen from everywhere but along an axis of the grid.
@@ -120,6 +122,40 @@ TEST_P(BordersGL, RoundThingsAreRound) {
               rms, median);
   EXPECT_LE(rms, 0.15);
   EXPECT_LE(median, 4.5);
+}
+
+/// What is solid where the data ends shows the end's own face, whatever noise the data has there.
+TEST_F(EndOfDataGL, SolidsEndInAPlane) {
+  constexpr glm::ivec3 kDims(24, 20, 16);
+  scene::Scene scene =
+      sceneOf(makeVolume(kDims, SampleType::Int16, [](glm::ivec3 p) { return 100.0 + 200.0 * hashNoise(p); }));
+  scene.labels.data = Shared<LabelVolume>(makeLabels(kDims, [](glm::ivec3) { return 1; }));
+  scene::completeStructures(scene.labels);
+  scene.labels.structures[0].showAs = scene::ShowAs::Solid;
+  scene.labels.unlabelled = 0.0;
+  scene.lighting.shaded = true;
+  lookAlong(scene, {0.5, -0.7, 0.6}, 60.0);
+  for (bool isAlone : {false, true}) {
+    if (isAlone) scene.volume.data = {};
+    int shown = 0, wrong = 0;
+    Image image = draw(scene, {96, 96}, kAllLayers);
+    eachShown(image, [&](glm::ivec2 pixel, glm::vec3 place) {
+      // The face that is seen; near the box's edges two meet.
+      glm::dvec3 low = glm::abs(glm::dvec3(place) + 0.5),
+                 high = glm::abs(glm::dvec3(place) - (glm::dvec3(kDims) - 0.5));
+      glm::dvec3 off = glm::min(low, high);
+      int face = off.x < off.y ? (off.x < off.z ? 0 : 2) : (off.y < off.z ? 1 : 2);
+      for (int axis = 0; axis < 3; ++axis)
+        if (axis != face && off[axis] < 1.5) return;
+      glm::dvec3 truth(0.0);
+      truth[face] = face == 1 ? -1.0 : 1.0;
+      ++shown;
+      wrong +=
+          glm::dot(glm::normalize(glm::dvec3(vectorOf(image, pixel, "normal"))), truth) < std::cos(glm::radians(8.0));
+    });
+    EXPECT_GT(shown, 1000);
+    EXPECT_LE(wrong, shown / 100) << (isAlone ? "alone" : "in a scan");
+  }
 }
 
 std::vector<Case> allCases() {

@@ -9,9 +9,9 @@
 
 layout(std140, binding = kFrameBinding) uniform FrameBlock { FrameParams frame; };
 
-// Programs that read the data are compiled for their frame's flags (see DataVariant).
+// Programs that read the data are compiled for their frame's flags, other than switches (see DataVariant).
 #ifdef FLAGS
-bool hasFlag(uint bit) { return (FLAGS & bit) != 0u; }
+bool hasFlag(uint bit) { return (((bit & kSwitches) != 0u ? frame.flags : FLAGS) & bit) != 0u; }
 #else
 bool hasFlag(uint bit) { return (frame.flags & bit) != 0u; }
 #endif

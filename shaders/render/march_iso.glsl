@@ -108,7 +108,7 @@ void marchStretch(inout Hit hit, Ray ray, Walk walk, Span span) {
       // A place to enter by lies within the material, where cells without a crossing count as empty. What has been found is
       // found again when the turn is repeated.
       isEntry = crosses ? isEntry : enters && t == span.a;
-      if (hasFlag(kFlagSkipEmpty)) t = isEntry ? t : leapEmpty(walk, t, b, walk.dt, 1.0 / walk.dt, span.sparedOnly);
+      t = isEntry ? t : leapEmpty(walk, t, b, walk.dt, 1.0 / walk.dt, span.sparedOnly);
       bool isFirst = !crosses || isEntry;
       int n = 0;
       do {

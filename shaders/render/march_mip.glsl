@@ -34,7 +34,7 @@ float leapLower(Walk walk, float t, float b) {
     float largest = largestIn(cellRange[(cell.z * int(frame.cellGrid.y) + cell.y) * int(frame.cellGrid.x) + cell.x]);
     float leave = leaveCube(walk, t, cell, 1u);
     float target = min(walk.first + floor((leave - walk.first) / walk.dt + 1.0 - 1e-4) * walk.dt, b);
-    leaping = shownAs(largest, 1.0) <= gBest && target > t;
+    leaping = hasFlag(kFlagSkipEmpty) && shownAs(largest, 1.0) <= gBest && target > t;
     t = leaping ? target : t;
   } while (leaping && t < b);
   return t;
@@ -75,7 +75,7 @@ void marchStretch(inout Hit hit, Ray ray, Walk walk, Span span) {
   addFaceData(hit, ray, t, span.face);
   bool more = true;
   do {
-    if (hasFlag(kFlagSkipEmpty) && !span.sparedOnly) t = leapLower(walk, t, span.b);
+    if (!span.sparedOnly) t = leapLower(walk, t, span.b);
     int n = 0;
     do {
       addValue(hit, ray, walk, t, span);

@@ -410,7 +410,7 @@ void march(inout Hit hit, Ray ray, Walk walk, float a, float b, Face face, bool 
     uint asked;
     float end;
     do {
-      if (hasFlag(kFlagSkipEmpty)) t = leapEmpty(walk, t, b, groupLength, perGroup, sparedOnly);
+      t = leapEmpty(walk, t, b, groupLength, perGroup, sparedOnly);
       group = groupAt(walk, ray, walk.first + floor((t - walk.first) * perGroup + 1e-4) * groupLength, t, b, sparedOnly);
       asked = mayShow(group) ? 255u : 0u;
       if (sparedOnly || usesShares(sparedOnly)) asked &= shownIn(group, sparedOnly);

@@ -85,7 +85,7 @@ float leapEmpty(Walk walk, float t, float b, float stride, float perStride, bool
     // To the last place that lies inside the empty cube: the segment that leaves it is still looked at.
     float leave = leaveCube(walk, t, cell, reach);
     float target = leave >= b ? b : walk.first + floor((leave - walk.first) * perStride - 1e-4) * stride;
-    leaping = reach > 0u && target > t;
+    leaping = hasFlag(kFlagSkipEmpty) && reach > 0u && target > t;
     t = leaping ? target : t;
   } while (leaping && t < b);
   return t;

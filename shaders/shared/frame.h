@@ -48,6 +48,8 @@ SHARED_CONST uint kFlagSolids = 268435456u;  // some structure is shown as an op
 SHARED_CONST uint kFlagVeils = 536870912u;   // some structure is shown as a surface that one can look through
 SHARED_CONST uint kFlagOneSpared = 1073741824u;  // cuts spare one structure only: spareClasses.z
 SHARED_CONST uint kFlagLast = kFlagOneSpared;
+// Those of them that programs ask for as they run: next to nothing hangs on them, and one program does for both.
+SHARED_CONST uint kSwitches = kFlagOrthographic | kFlagSkipEmpty | kFlagStopOpaque | kFlagJitter | kFlagHideFront | kFlagHideInlay | kFlagHideBehind | kFlagOverlaps | kFlagFinish | kFlagValueColors;
 
 /// Scene-local frame: world minus an origin near the scene, so that floats are enough anywhere. Lengths are in scene
 /// units. "Table" positions 0..1 run over the transfer table's domain of data values. Members lie in groups of 16

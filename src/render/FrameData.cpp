@@ -164,7 +164,7 @@ DataVariant dataVariantOf(const FrameData& data) {
   }
   variant.labels = data.labelUse;
   variant.hasMembranes = (data.params.flags & shared::kFlagMembranes) != 0;
-  variant.flags = data.params.flags;
+  variant.flags = data.params.flags & ~shared::kSwitches;
   bool arePlanes =
       std::all_of(data.cuts.begin(), data.cuts.end(), [](const auto& c) { return c.kind.x == shared::kCutPlane; });
   if (arePlanes && int(data.cuts.size()) <= shared::kMostPlanes) variant.planes = int(data.cuts.size());

@@ -9,13 +9,16 @@ namespace velum::render {
 
 namespace {
 
+/// All flags that a program can be compiled for.
+constexpr std::uint32_t kEverything = (shared::kFlagLast * 2u - 1u) & ~shared::kSwitches;
+
 /// Flags that come up together, one set after the other for one variant after the other.
 std::vector<std::uint32_t> flagSets() {
   using namespace shared;
-  std::uint32_t plain = kFlagShaded | kFlagSkipEmpty | kFlagStopOpaque | kFlagJitter;
+  std::uint32_t plain = kFlagShaded;
   std::uint32_t inlays = plain | kFlagCuts | kFlagMembranes | kFlagInlays;
   std::vector<std::uint32_t> sets{0u,
-                                  kFlagLast * 2u - 1u,
+                                  kEverything,
                                   plain,
                                   plain | kFlagLightGrid,
                                   plain | kFlagCuts | kFlagLightGrid,
@@ -29,9 +32,9 @@ std::vector<std::uint32_t> flagSets() {
                                   plain | kFlagCuts | kFlagMembranes | kFlagLightGrid,
                                   plain | kFlagCuts | kFlagMembranes | kFlagSheets,
                                   inlays,
-                                  inlays | kFlagSheets | kFlagLightGrid,
-                                  inlays | kFlagHideFront | kFlagHideInlay};
-  for (std::uint32_t flag = 1; flag <= kFlagLast; flag *= 2) sets.push_back(flag);
+                                  inlays | kFlagSheets | kFlagLightGrid};
+  for (std::uint32_t flag = 1; flag <= kFlagLast; flag *= 2)
+    if (!(flag & kSwitches)) sets.push_back(flag);
   return sets;
 }
 
@@ -55,7 +58,7 @@ std::vector<gpu::ProgramSource> allPrograms() {
   std::vector<std::uint32_t> sets = flagSets();
   std::size_t next = 0;
   // All that there is in one, which nobody asks for: other sets only take away.
-  std::uint32_t everything = (shared::kFlagLast * 2u - 1u) & ~shared::kFlagNoData;
+  std::uint32_t everything = kEverything & ~shared::kFlagNoData;
   for (DataVariant variant : allLightVariants()) {
     for (std::uint32_t flags : {everything, sets[next++ % sets.size()]}) {
       variant.flags = lightFlagsOf(flags);

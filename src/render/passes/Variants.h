@@ -24,7 +24,7 @@ struct DataVariant {
   TexelKind texels = TexelKind::Value;
   Packing packing = Packing::None;  ///< Of values, on software drivers.
   bool hasMembranes = false;
-  std::uint32_t flags = 0;  ///< kFlag*, the frame's.
+  std::uint32_t flags = 0;  ///< kFlag*, the frame's, without its kSwitches.
   int planes = 0;           ///< Cuts, where all of them are planes and few; 0: any others.
   auto operator<=>(const DataVariant&) const = default;
 };

@@ -5,8 +5,10 @@ Each picture is a plate of panels, each panel one call of `velum-batch render`, 
 openimageio-tools). The scans are those of the Debian packages invesalius-examples and mricron-data; all else is
 phantoms. usage: pictures.py BATCH FOLDER [NAME...]
 """
+import functools
 import json
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -14,6 +16,7 @@ import tempfile
 HEAD = "/usr/share/doc/invesalius-examples/examples/Cranium.inv3"
 TEMPLATES = "/usr/share/mricron/templates/"
 WELCOME = str(pathlib.Path(__file__).parent.parent / "resources" / "welcome.json")
+GOLDEN = pathlib.Path(__file__).parent.parent / "tests" / "golden"
 MOST_BYTES = 250_000
 GAP = 4  # pixels between panels
 DARK, WHITE = "0.035,0.04,0.045", "1,1,1"
@@ -48,6 +51,7 @@ SKULL = [*BARE_HEAD, "--preset", "ct-bone"]
 XRAY = sets("rayCast.mode=mip", "volume.windowLevel=900", "volume.windowWidth=2200")
 # The scan's own surface, coloured by region.
 AS_MATERIAL = sets("labels.structures.*.showAs=material", "labels.unlabelled=1")
+WHOLE = sets("labels.structures.*.opacity=1", "labels.structures.*.visible=true")
 REGIONS = [TEMPLATES + "ch2.nii.gz", TEMPLATES + "aal.nii.gz", *OBLIQUE, *AS_MATERIAL]
 OPENED = cut(0, "axis=-0.55,-0.2,0.8", "centre=0,15,10")
 SPARED = [*OPENED, *sets("cuts.0.spares=" + ids(1, 116))]
@@ -60,6 +64,8 @@ SKULL_OUT = [*HEAD_CUT, *sets(
     'labels.growths.+={"structure":1,"seeds":[[84,70,30]],"low":260,"high":3100,"centre":[100,75,100],"axis":[0,-1,0],"distance":95}',
     'labels.structures.+={"id":1,"name":"Skull","color":[0.93,0.88,0.76],"litSphere":"bone"}',
     'cuts.0.spares=[{"structure":1,"distance":95}]')]
+FLESH = {"skin": "0.87,0.68,0.56", "subcutaneous fat": "0.95,0.83,0.52", "muscle": "0.72,0.3,0.25", "artery": "0.8,0.17,0.15",
+         "vein": "0.28,0.42,0.75", "cartilage": "0.67,0.82,0.86"}
 HIDDEN = ("skin", "subcutaneous fat", "visceral fat", "muscle")
 
 
@@ -116,26 +122,35 @@ def membrane(folder):
     ]
 
 
+def golden(folder, name, *more, view=None, near_enough=False):
+    """A golden picture's case, finer. @param near_enough  the view comes as near as the case says, not as all of it lets it"""
+    case = json.loads((GOLDEN / name / "case.json").read_text())
+    fields = {**case["set"], **{k: v for one in more for k, v in one.items()}}
+    fields["rayCast.samplesPerPixel"] = SAMPLES
+    if not near_enough:
+        fields.pop("camera.fieldOfViewDeg", None)
+    if case.get("labels"):  # which are numbered by what a grid so coarse holds
+        name = f"{case['sample']}{case['voxels']}"
+        run(sys.argv[1], "sample", case["sample"], "-o", folder / f"{name}.nrrd", "--voxels", case["voxels"])
+        words = [*phantom(folder, name, "labels"), *AS_MATERIAL, *WHOLE]
+    else:
+        words = phantom(folder, case["sample"])
+    words += ["--preset", case["preset"], "--view", view or case["view"]]
+    if fields["cuts.0.shape"] == "plane":  # which has nothing of a membrane's own
+        fields = {path: v for path, v in fields.items() if not path.startswith("cuts.0.membrane.")}
+    # A cut begins with its shape.
+    fields = [(re.sub(r"^cuts\.\d+\.shape$", "cuts.+.shape", path), v) for path, v in fields.items()]
+    return [*words, *sets(*(f"{path}={json.dumps(v) if not isinstance(v, str) else v}" for path, v in fields))]
+
+
 def situations(folder):
     """The situations of the membrane paper's figures, row by row, each with plain clipping first. They are those of the
     golden pictures, finer."""
-    cases = pathlib.Path(__file__).parent.parent / "tests" / "golden"
-
-    def panel(name, *more, view=None):
-        case = json.loads((cases / name / "case.json").read_text())
-        fields = {**case["set"], **{k: v for one in more for k, v in one.items()}}
-        fields["rayCast.samplesPerPixel"] = SAMPLES
-        fields.pop("camera.fieldOfViewDeg", None)  # the view comes as near as all of it lets it
-        words = [folder / f"{case['sample']}.nrrd", "--preset", case["preset"], "--view", view or case["view"]]
-        shape = fields.pop("cuts.0.shape")
-        if shape == "plane":  # which has nothing of a membrane's own
-            fields = {path: v for path, v in fields.items() if not path.startswith("cuts.0.membrane.")}
-        return [*words, *sets(f"cuts.+.shape={shape}", *(f"{path}={json.dumps(v) if not isinstance(v, str) else v}"
-                                                        for path, v in fields.items()))]
+    panel = functools.partial(golden, folder)
 
     def active(name):
         """The frame comes down and drags its sheet along: a scene for each place."""
-        panels = json.loads((cases / name / "case.json").read_text())["panels"]
+        panels = json.loads((GOLDEN / name / "case.json").read_text())["panels"]
         scenes, scene = [], panel(name, panels[0]["set"])
         for i, place in enumerate(panels):
             out = folder / f"{name}{i}.json"
@@ -166,12 +181,42 @@ def pull(folder):
     hand = [*phantom(folder, "hand", "labels"), *OBLIQUE, "--preset", "ct-skin",
             *sets(*(f"labels.structures[{name}].opacity=1" for name in ("skin", "subcutaneous fat", "muscle"))),
             *cut(0, "axis=0,-1,0", "centre=0,13,0")]
-    info = subprocess.run([sys.argv[1], "info", folder / "hand_labels.seg.nrrd", "--json"], check=True, capture_output=True)
-    structures = {s["name"]: s["id"] for s in json.loads(info.stdout)["structures"]}
+    structures = named(folder / "hand_labels.seg.nrrd")
     soft = ("skin", "subcutaneous fat", "muscle", "flexor tendons", "extensor tendons")
     spares = [{"structure": id, "distance": 40} for name, id in structures.items() if name not in soft]
     pulled = [*hand, *sets("cuts.0.spares=" + json.dumps(spares))]
     return [HEAD_CUT, SKULL_OUT, [*SKULL_OUT, "--finish", "plate"], hand, pulled, [*pulled, "--finish", "watercolour"]]
+
+
+def named(file):
+    """Numbers of a file's structures by their names."""
+    info = subprocess.run([sys.argv[1], "info", file, "--json"], check=True, capture_output=True)
+    return {s["name"]: s["id"] for s in json.loads(info.stdout)["structures"]}
+
+
+def cross_sections(folder):
+    """The situations of the cross-section paper's figures 1, 7 and 9; below those of its study, figure 8: bones out of one
+    plane, and out of two that open a wedge."""
+    def study(name, planes, *bones):
+        numbers = named(folder / f"{name}_labels.seg.nrrd")
+        words = [*phantom(folder, name, "labels"), "--preset", "ct-skin", *OBLIQUE, *near(28), *AS_MATERIAL, *WHOLE, *sets(
+            "labels.structures[skin].showAs=solid", "labels.structures.*.color=0.93,0.88,0.76",
+            *(f"labels.structures[{of}].color={color}" for of, color in FLESH.items()))]
+        for i, plane in enumerate(planes):
+            spares = [{"structure": numbers[bone], "distance": mm} for bone, of, mm in bones if of == i]
+            words += cut(i, *plane, "spares=" + json.dumps(spares), *["joined=true"] if i else [])
+        return words
+    middle = "proximal phalanx of middle finger"
+    front = ("axis=0,-1,0", "centre=0,11,0")
+    return [
+        *(golden(folder, name, near_enough=True) for name in ("acs-fig1-torso", "acs-fig7-finish", "acs-fig9-ct")),
+        study("hand", [front], ("proximal phalanx of index finger", 0, 9), (middle, 0, 20), ("hamate", 0, 12), ("scaphoid", 0, 8)),
+        [*study("hand", [front, ("axis=1,0,0", "centre=-5,0,0")], ("radius", 0, 8), ("hamate", 0, 12),
+                ("fourth metacarpal", 0, 14), ("proximal phalanx of ring finger", 0, 10), ("third metacarpal", 1, 9), (middle, 1, 6)),
+         *sets("camera.eye=330,-380,140", "camera.target=0,0,0")],
+        study("foot", [("axis=-1,0,0", "centre=0,0,0")], ("calcaneus", 0, 14), ("tibia", 0, 9), ("cuboid", 0, 18),
+              ("lateral cuneiform", 0, 6)),
+    ]
 
 
 def finish(_):
@@ -211,7 +256,7 @@ def models(folder):
 
 def equalizer(folder):
     """What a cut can leave of a virion, the plain cut first: the panels of the golden picture, finer."""
-    case = json.loads((pathlib.Path(__file__).parent.parent / "tests" / "golden" / "ve-views" / "case.json").read_text())
+    case = json.loads((GOLDEN / "ve-views" / "case.json").read_text())
     panels = []
     for panel in case["panels"]:
         fields = {**case["set"], **panel["set"], "rayCast.samplesPerPixel": SAMPLES}
@@ -299,6 +344,7 @@ PLATES = {
     "labels": (3, (480, 400), DARK, labels),
     "membrane": (3, (480, 400), DARK, membrane),
     "pull": (3, (480, 400), DARK, pull),
+    "cross-sections": (3, (480, 440), DARK, cross_sections),
     "finish": (3, (480, 400), WHITE, finish),
     "situations": (4, (300, 240), DARK, situations),
     "layers": (4, (400, 340), WHITE, layers),
@@ -311,7 +357,7 @@ PLATES = {
     "first-cells": (3, (400, 340), DARK, first_cells),
     "first-virus": (3, (400, 340), WHITE, first_virus),
 }
-PHANTOMS = {"systems": ("virion",), "first-plate": ("torso",), "first-ct": ("torso",), "first-virus": ("virion",), "models": ("virion",), "equalizer": ("virion",), "situations": ("torso", "two-spheres", "seismic", "vessels"), "membrane": ("torso", "heart"), "pull": ("hand",), "sheet": ("torso", "vessels", "neurons", "seismic")}
+PHANTOMS = {"systems": ("virion",), "first-plate": ("torso",), "first-ct": ("torso",), "first-virus": ("virion",), "models": ("virion",), "equalizer": ("virion",), "situations": ("torso", "two-spheres", "seismic", "vessels"), "membrane": ("torso", "heart"), "pull": ("hand",), "cross-sections": ("torso", "hand", "foot"), "sheet": ("torso", "vessels", "neurons", "seismic")}
 
 
 def run(*command):

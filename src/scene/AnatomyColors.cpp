@@ -71,7 +71,9 @@ const Tissue kTissues[] = {
      "bone,skull,cranium,mandible,maxilla,vertebra,rib,sternum,clavicula,clavicle,scapula,humerus,radius,ulna,femur,"
      "tibia,"
      "fibula,patella,hip,sacrum,coccyx,pelvis,ilium,ischium,pubis,carpal,metacarpal,phalanx,phalange,tarsal,metatarsal,"
-     "calcaneus,talus,navicular,cuboid,hyoid,spine,zygomatic,occipital bone,skeleton"},
+     "scaphoid,lunate bone,triquetrum,triquetral,pisiform,trapezium,trapezoid,capitate,hamate,medial cuneiform,"
+     "intermediate cuneiform,lateral cuneiform,calcaneus,talus,navicular,cuboid,hyoid,spine,zygomatic,occipital "
+     "bone,skeleton"},
     {{170 * k, 66 * k, 58 * k},
      "muscle,gluteus,iliopsoas,autochthon,psoas,quadriceps,bicep,tricep,deltoid,pectoralis,rectus,diaphragm,masseter,"
      "temporalis,sartorius,trapezius,latissimus,soleus,gastrocnemius,hamstring"},

@@ -23,8 +23,8 @@ Hue hueOf(std::string_view name) {
 
 TEST(AnatomyColors, NamesOfManyProgramsAreKnown) {
   // TotalSegmentator, FreeSurfer, BodyParts, plain words.
-  for (const char* name :
-       {"vertebrae_L5", "rib_left_7", "hip_right", "skull", "Left femur", "sternum", "BONE", "clavicula_left"})
+  for (const char* name : {"vertebrae_L5", "rib_left_7", "hip_right", "skull", "Left femur", "sternum", "BONE",
+                           "clavicula_left", "scaphoid", "Lateral cuneiform of left foot", "hamate_right"})
     EXPECT_EQ(hueOf(name), Hue::Bone) << name;
   for (const char* name : {"aorta", "iliac_artery_left", "Descending aorta", "brachiocephalic_trunk",
                            "common_carotid_artery_left", "pulmonary_vein", "left renal artery"})
@@ -34,7 +34,7 @@ TEST(AnatomyColors, NamesOfManyProgramsAreKnown) {
     EXPECT_EQ(hueOf(name), Hue::Blue) << name;
   for (const char* name : {"liver", "kidney_left", "heart_ventricle_left", "gluteus_maximus_left", "spleen"})
     EXPECT_EQ(hueOf(name), Hue::Brown) << name;
-  for (const char* name : {"", "structure 7", "Precentral_L", "nuclei", "grown", "42"})
+  for (const char* name : {"", "structure 7", "Precentral_L", "nuclei", "lunate sulcus", "grown", "42"})
     EXPECT_EQ(hueOf(name), Hue::None) << name;
 }
 

@@ -89,7 +89,7 @@ def systems(folder):
     """One picture for each of the three systems: a membrane; structures that stand out of cuts; a model of a virus, what is
     before its inside cleared away."""
     brain = [*REGIONS[:2], "--preset", "mr-head", "--view", "anterior", "--finish", "plate",
-             *cut(0, "axis=1,0,0", "centre=1,0,0"), *cut(1, "axis=0,0,1", "centre=0,0,-6", "joined=true"),
+             *cut(0, "axis=1,0,0", "centre=1,0,0"), *cut(1, "axis=0,0,1", "centre=0,0,-6", "joined=true"), *AS_MATERIAL,
              *sets("cuts.0.spares=" + ids(1, 116), "cuts.1.spares=" + ids(1, 116), "labels.tint=0.35", "lighting.ambient=0.5",
                    "lighting.shadow=0.35", "camera.eye=440,-330,190", "camera.target=0,-17,10", "camera.fieldOfViewDeg=23")]
     virus = [folder / "virion.cif", "--view", "anterior", "--preset", "soft", *near(12.6),

@@ -121,12 +121,7 @@ void putLabels(scene::Scene& scene, LabelVolume labels) {
   labels.setLengthUnit(scene.unit);
   scene.labels.data = scene.labels.given = Shared<LabelVolume>(std::move(labels));
   scene.labels.grown.clear();
-  bool isNew = scene.labels.structures.empty();
   scene::completeStructures(scene.labels);
-  if (isNew) {
-    scene::applyFirstLook(scene.labels);
-    recede(scene);
-  }
   if (std::string line = misplacedLabels(scene); !line.empty()) warnAll(scene.labels.source.path, {line});
 }
 
@@ -152,6 +147,8 @@ void takeLabels(scene::Scene& scene, const scene::Source& source, LabelVolume la
   scene.labels.source = source;
   adoptUnit(scene, labels.lengthUnit());
   putLabels(scene, std::move(labels));
+  scene::applyFirstLook(scene.labels);
+  recede(scene);
 }
 
 void readSurfaceInto(scene::Surface& surface, Progress& progress) {

@@ -391,6 +391,9 @@ def draw_plate(batch, name, folder, out):
         arguments, endings = panel if isinstance(panel, tuple) else (panel, ("",))
         run(batch, "render", *arguments, "-o", folder / f"{name}{i}.png", "--size", f"{size[0]}x{size[1]}", "--samples", SAMPLES)
         panels += [folder / f"{name}{i}{ending}.png" for ending in endings]
+        if ".depth" in endings:  # which has one channel
+            depth = folder / f"{name}{i}.depth.png"
+            run("oiiotool", depth, "--ch", "0,0,0", "--chnames", "R,G,B", "-o", depth)
         if "--transparent" in arguments:
             put_on_white(panels[-len(endings)], size)
     mount(panels, columns, size, ground, out / f"{name}.jpg")

@@ -69,11 +69,10 @@ const Tissue kTissues[] = {
     {{244 * k, 240 * k, 224 * k}, "tooth,teeth,molar,incisor,canine,premolar,enamel"},
     {{232 * k, 218 * k, 184 * k},
      "bone,skull,cranium,mandible,maxilla,vertebra,rib,sternum,clavicula,clavicle,scapula,humerus,radius,ulna,femur,"
-     "tibia,"
-     "fibula,patella,hip,sacrum,coccyx,pelvis,ilium,ischium,pubis,carpal,metacarpal,phalanx,phalange,tarsal,metatarsal,"
-     "scaphoid,lunate bone,triquetrum,triquetral,pisiform,trapezium,trapezoid,capitate,hamate,medial cuneiform,"
-     "intermediate cuneiform,lateral cuneiform,calcaneus,talus,navicular,cuboid,hyoid,spine,zygomatic,occipital "
-     "bone,skeleton"},
+     "tibia,fibula,patella,hip,sacrum,coccyx,pelvis,ilium,ischium,pubis,hyoid,spine,zygomatic,occipital bone,skeleton,"
+     "carpal,scaphoid,lunate bone,triquetrum,triquetral,pisiform,trapezium,trapezoid,capitate,hamate,metacarpal,"
+     "phalanx,phalange,tarsal,calcaneus,talus,navicular,cuboid,medial cuneiform,intermediate cuneiform,"
+     "lateral cuneiform,metatarsal"},
     {{170 * k, 66 * k, 58 * k},
      "muscle,gluteus,iliopsoas,autochthon,psoas,quadriceps,bicep,tricep,deltoid,pectoralis,rectus,diaphragm,masseter,"
      "temporalis,sartorius,trapezius,latissimus,soleus,gastrocnemius,hamstring"},

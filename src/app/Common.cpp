@@ -28,6 +28,7 @@
 #include "velum/session/document/LitSphereFiles.h"
 #include "velum/session/document/Open.h"
 #include "velum/session/document/PaperFile.h"
+#include "velum/session/document/StructureShapes.h"
 #include "velum/session/growth/Growths.h"
 #include "velum/session/look/Look.h"
 
@@ -291,6 +292,7 @@ scene::Scene openScene(const InputOptions& input, double aspect) {
   for (const auto& [path, value] : sets)
     path == kWindowField ? setGreyWindow(scene.volume, value) : scene::setField(scene, path, value);
   session::settleBody(scene, progress);
+  session::settleShapes(scene, progress);
   for (const std::string& note : session::settleGrowths(scene, progress)) log::warning(note);
   if (!input.finish.empty()) sayWhereLinesLie(scene);
   loadNamedPictures(scene, sets);

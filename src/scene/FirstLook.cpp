@@ -187,7 +187,22 @@ void applyFirstLook(Scene& scene) {
       raiseFloor(scene.volume.transfer, borders, left);
 }
 
+namespace {
+/// How far a structure that is made of blocks is smoothed, so that they are not seen: by as much as they are large.
+double smoothingOf(const LabelVolume& labels, const BlockShape& shape) {
+  double largest = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+    if (shape.size[axis] > 1.0)
+      largest = std::max(largest, shape.size[axis] * glm::length(glm::dvec3(labels.worldFromVoxel()[axis])));
+  return largest;
+}
+}  // namespace
+
 void applyFirstLook(LabelLayer& labels) {
+  if (labels.data)
+    for (const BlockShape& shape : findBlocks(*labels.data))
+      for (auto& structure : labels.structures)
+        if (structure.id == shape.id) structure.smoothing = smoothingOf(*labels.data, shape);
   // What writes names into NIfTI files has colours made by number; other formats hold those that somebody chose.
   bool hasOwn = labels.source.path.find(".nii") == std::string::npos;
   for (auto& structure : labels.structures) {

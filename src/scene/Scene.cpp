@@ -277,12 +277,13 @@ Scene pictureScene(Scene scene) {
     for (auto& look : scene.volume.channels) look.windowLevel = look.windowWidth = 0.0;
   }
   for (auto& cut : scene.cuts) cut.name.clear();
-  for (auto& structure : scene.labels.structures) structure.name.clear();
+  for (auto& structure : scene.labels.structures) structure.name.clear(), structure.smoothing = 0.0;
   for (auto& look : scene.volume.channels) look.name.clear();
   // What was grown shows by the labels alone.
   scene.labels.growths.clear();
   scene.labels.grown.clear();
-  scene.labels.given = {};
+  scene.labels.given = scene.labels.unsmoothed = {};
+  scene.labels.smoothed.clear();
   return scene;
 }
 

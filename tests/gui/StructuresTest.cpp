@@ -59,6 +59,26 @@ TEST_F(StructureWindow, ADragOfTheOpacityIsOneStep) {
   EXPECT_FALSE(document().undoLabel().starts_with("Opacity")) << "a drag is one step";
 }
 
+TEST_F(StructureWindow, SmoothingGivesShapesThatUndoTakesBack) {
+  openWithLabels();
+  int id = structures()[1].id;
+  auto* smoothing = child<NumberRow>("structureSmoothing");
+  clickCell(id, StructureModel::Name);
+  ASSERT_TRUE(smoothing->isEnabled());
+  EXPECT_EQ(smoothing->value(), structures()[1].smoothing);
+  Shared<LabelVolume> file = scene().labels.unsmoothed ? scene().labels.unsmoothed : scene().labels.data;
+  Shared<LabelVolume> before = scene().labels.data;
+  smoothing->spin()->enter("2");
+  ASSERT_TRUE(wait([&] { return !mWindow->isBusy() && !(scene().labels.data == before); }));
+  EXPECT_EQ(structures()[1].smoothing, 2.0);
+  EXPECT_EQ(scene().labels.unsmoothed, file);
+  EXPECT_EQ(document().undoLabel(), "Smooth " + structures()[1].name);
+  takeShot(*mWindow, "structures-smoothed");
+  document().undo();
+  EXPECT_EQ(scene().labels.data, before);
+  EXPECT_EQ(smoothing->value(), structures()[1].smoothing);
+}
+
 TEST_F(StructureWindow, F2RenamesAndSpaceHides) {
   openWithLabels();
   int id = structures()[1].id;

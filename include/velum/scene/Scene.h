@@ -6,6 +6,7 @@
 #include "velum/core/LabelVolume.h"
 #include "velum/core/Mesh.h"
 #include "velum/core/Shared.h"
+#include "velum/core/SmoothLabels.h"
 #include "velum/core/Units.h"
 #include "velum/core/Volume.h"
 #include "velum/scene/Camera.h"
@@ -59,10 +60,12 @@ constexpr std::size_t kMostGrowths = 4096;
 /// Labelled structures beside the volume (same grid or another, overlaid by world position), or alone.
 struct LabelLayer {
   Source source;
-  Shared<LabelVolume> data;     ///< not saved: `given` with the growths that are in `grown`
-  std::vector<Growth> growths;  ///< what was grown out of the volume on demand, in its order
-  Shared<LabelVolume> given;    ///< not saved: what `source` holds, where there are growths
-  std::vector<Growth> grown;    ///< not saved: the growths that `data` holds, of its time step; others are on their way
+  Shared<LabelVolume> data;        ///< not saved: `given` with the growths that are in `grown`
+  std::vector<Growth> growths;     ///< what was grown out of the volume on demand, in its order
+  Shared<LabelVolume> given;       ///< not saved: `unsmoothed` with the shapes in `smoothed`, where there are growths
+  Shared<LabelVolume> unsmoothed;  ///< not saved: what `source` holds, where structures are smoothed
+  std::vector<ShapeSmoothing> smoothed;  ///< not saved: how `given` was made of it
+  std::vector<Growth> grown;  ///< not saved: the growths that `data` holds, of its time step; others are on their way
   bool visible = true;
   double tint = 1.0;        ///< how far structures take their own colour rather than the transfer function's, 0..1
   double unlabelled = 1.0;  ///< factor on the opacity of what has no label, 0..1

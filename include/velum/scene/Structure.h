@@ -21,6 +21,7 @@ struct Structure {
   std::string litSphere;             ///< of a finished picture; empty: as Finish::sphere says
   ShowAs showAs = ShowAs::Material;  ///< its values by the transfer function, or a closed surface of its colour; alone,
                                      ///< in a scene without a volume, it is always a surface
+  double smoothing = 0.0;  ///< of its shape in the file: standard deviation of a Gaussian, a length; 0: as it is there
   bool operator==(const Structure&) const = default;
   static void fields(auto& o, auto& visit) {
     visit("id", o.id, FieldInfo{"", {1, 65535}, "Label."});
@@ -32,6 +33,8 @@ struct Structure {
     visit("opacity", o.opacity, FieldInfo{"", {0, 1}, "Material: a factor on its opacity; solid: its surface's."});
     visit("visible", o.visible, FieldInfo{"", {}, "Off: the structure is not drawn."});
     visit("tint", o.tint, FieldInfo{"", {0, 1}, "How far it takes its own colour; a factor on the labels' tint."});
+    visit("smoothing", o.smoothing,
+          FieldInfo{kLength, {0, 1e6}, "How far its shape is smoothed: a Gaussian's standard deviation.", true});
     visit("litSphere", o.litSphere,
           FieldInfo{"", {}, "Lit sphere of a finished picture; empty: that of the finish.", true});
   }

@@ -7,6 +7,9 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "kit/Length.h"
+#include "velum/session/document/StructureShapes.h"
+
 namespace velum::gui {
 
 namespace {
@@ -263,6 +266,18 @@ QWidget* StructurePanel::makeDetail() {
   row->addWidget(mColor);
   row->addWidget(mOpacity, 1);
   layout->addLayout(row);
+  auto* shape = new QHBoxLayout;
+  shape->setSpacing(10);
+  auto* name = new QLabel(tr("Smoothing"), mDetail);
+  name->setMinimumWidth(72);
+  mSmoothing = new NumberRow(0, 1, 1, " mm", mDetail);
+  mSmoothing->setObjectName("structureSmoothing");
+  mSmoothing->setName(tr("Smoothing"));
+  shape->addWidget(name);
+  shape->addWidget(mSmoothing, 1);
+  layout->addLayout(shape);
+  connect(mSmoothing, &NumberRow::settled, this,
+          [this] { emit smoothingAsked(mList->selectedIds(), mSmoothing->value()); });
   connect(mColor, &ColorButton::picked, this,
           [this](glm::vec3 color) { mCommands.setColor(mList->selectedIds(), color); });
   connect(mOpacity, &NumberRow::changed, this,
@@ -330,6 +345,22 @@ void StructurePanel::showSelected() {
   mDetailName->setToolTip(name);
   mColor->setColor(first ? first->color : glm::vec3(0.5f));
   mOpacity->setValue(first ? first->opacity * 100.0 : 100.0);
+  showSmoothing(first);
+}
+
+void StructurePanel::showSmoothing(const scene::Structure* structure) {
+  const scene::Scene& scene = mDocument.scene();
+  Length length(scene);
+  bool isOfFile = structure && session::isOfFile(scene.labels, structure->id);
+  mSmoothing->setEnabled(isOfFile);
+  mSmoothing->setToolTip(
+      isOfFile || !structure
+          ? tr("How far the shape of the selected structures is smoothed, %1; 0 leaves it as the file has it")
+                .arg(length.unit())
+          : tr("What was grown follows the values of the scan; shapes of a file can be smoothed"));
+  mSmoothing->setLength(length);
+  mSmoothing->setRange(0.0, std::max(session::widestSmoothing(scene), 1e-9));
+  mSmoothing->setValue(structure ? structure->smoothing : 0.0);
 }
 
 void StructurePanel::refresh() {

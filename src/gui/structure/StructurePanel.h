@@ -28,6 +28,8 @@ class StructurePanel : public QWidget {
 
  signals:
   void openLabelsAsked();
+  /// The shapes of structures are to be smoothed. @param deviation  a length
+  void smoothingAsked(const std::vector<int>& ids, double deviation);
 
  protected:
   void showEvent(QShowEvent* event) override;
@@ -41,6 +43,7 @@ class StructurePanel : public QWidget {
   QWidget* makeDetail();
   void driveShare(NumberRow* row, const char* label, std::function<double&(scene::Scene&)> field);
   void showSelected();
+  void showSmoothing(const scene::Structure* structure);
   void showCount();
   void setSearch(const QString& text);
   void showColumns(bool on);
@@ -56,7 +59,8 @@ class StructurePanel : public QWidget {
   EyeButton* mShown = nullptr;
   QLineEdit* mSearch = nullptr;
   QToolButton *mValues = nullptr, *mBars = nullptr;
-  NumberRow *mTint = nullptr, *mUnlabelled = nullptr, *mOnSections = nullptr, *mOpacity = nullptr;
+  NumberRow *mTint = nullptr, *mUnlabelled = nullptr, *mOnSections = nullptr, *mOpacity = nullptr,
+            *mSmoothing = nullptr;
   ColorButton* mColor = nullptr;
   scene::LabelLayer mShownLabels;  ///< What the rows were last made from.
   double mShownOnSections = -1.0;

@@ -1,5 +1,7 @@
 #include "StructureRoom.h"
 
+#include "velum/session/document/StructureShapes.h"
+
 namespace velum::gui {
 
 StructureRoom::StructureRoom(const WindowParts& parts)
@@ -12,8 +14,22 @@ StructureRoom::StructureRoom(const WindowParts& parts)
   mPanel = new StructurePanel(*mCommands, *mAreas, parts.selection, &parts.tabs);
   parts.tabs.addPage(mPanel, tr("Structures"), tr("Labelled structures: name, colour, opacity, what is shown"));
   connect(mPanel, &StructurePanel::openLabelsAsked, this, &StructureRoom::openLabelsAsked);
+  connect(mPanel, &StructurePanel::smoothingAsked, this, &StructureRoom::smooth);
   connectViews();
   addActions();
+}
+
+void StructureRoom::smooth(const std::vector<int>& ids, double deviation) {
+  const scene::Scene& scene = mParts.session.scene();
+  auto after = std::make_shared<scene::Scene>(scene);
+  session::changeStructures(*after, ids, [&](scene::Structure& s) { s.smoothing = deviation; });
+  if (after->labels.structures == scene.labels.structures) return;
+  std::string step = session::structureLabel(scene, "Smooth", ids);
+  mParts.jobs.startShort(
+      QString::fromStdString(step), [after](Progress& progress) { session::settleShapes(*after, progress); },
+      [this, after, step, before = scene.labels] {
+        mParts.document().edit(step, [&](scene::Scene& now) { session::takeShapes(now, before, after->labels); });
+      });
 }
 
 void StructureRoom::refresh(const session::Session& session) {

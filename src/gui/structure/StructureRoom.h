@@ -25,6 +25,7 @@ class StructureRoom : public Room {
  private:
   void addActions();
   void connectViews();
+  void smooth(const std::vector<int>& ids, double deviation);
 
   StructureCommands* mCommands;
   AreaMeter* mAreas;

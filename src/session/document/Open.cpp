@@ -30,6 +30,7 @@
 #include "velum/session/document/LabelPlace.h"
 #include "velum/session/document/LitSphereFiles.h"
 #include "velum/session/document/PaperFile.h"
+#include "velum/session/document/StructureShapes.h"
 #include "velum/session/growth/Growths.h"
 #include "velum/session/model/LevelCache.h"
 
@@ -115,13 +116,16 @@ void recede(scene::Scene& scene) {
   if (scene.volume.data && hasSolids && labels.unlabelled == 1.0) labels.unlabelled = scene::kReceded;
 }
 
-void putLabels(scene::Scene& scene, LabelVolume labels) {
+void putLabels(scene::Scene& scene, LabelVolume labels, Progress& progress) {
   scene.labels.source.fingerprint = fingerprintOf(scene.labels.source.path);
   warnAll(scene.labels.source.path, labels.warnings);
   labels.setLengthUnit(scene.unit);
   scene.labels.data = scene.labels.given = Shared<LabelVolume>(std::move(labels));
   scene.labels.grown.clear();
+  scene.labels.unsmoothed = {};
+  scene.labels.smoothed.clear();
   scene::completeStructures(scene.labels);
+  settleShapes(scene, progress);
   if (std::string line = misplacedLabels(scene); !line.empty()) warnAll(scene.labels.source.path, {line});
 }
 
@@ -138,17 +142,24 @@ void placeLabels(scene::Scene& scene, Progress& progress) {
   if (!labels || labels->dims() != scene.volume.data->dims || scene.labels.source.path.empty()) return;
   if (!scene.labels.growths.empty() || labels->worldFromVoxel() == scene.volume.data->worldFromVoxel) return;
   if (std::error_code error; !fs::exists(scene.labels.source.path, error)) return;
-  putLabels(scene, io::readLabels(scene.labels.source, progress, gridOfScan(scene)));
+  putLabels(scene, io::readLabels(scene.labels.source, progress, gridOfScan(scene)), progress);
 }
 
 /// In the place of what the scene has of them.
-void takeLabels(scene::Scene& scene, const scene::Source& source, LabelVolume labels) {
+void takeLabels(scene::Scene& scene, const scene::Source& source, LabelVolume labels, Progress& progress) {
   scene.labels = {};
   scene.labels.source = source;
   adoptUnit(scene, labels.lengthUnit());
-  putLabels(scene, std::move(labels));
+  putLabels(scene, std::move(labels), progress);
   scene::applyFirstLook(scene.labels);
   recede(scene);
+  settleShapes(scene, progress);
+  std::string line = sayBlocks(scene);
+  if (line.empty()) return;
+  log::warning(fmt::format("{}: {}", source.path, line));
+  LabelVolume said = *scene.labels.data;
+  said.warnings.push_back(line);  // for whoever tells what was opened
+  scene.labels.data = scene.labels.given = Shared<LabelVolume>(std::move(said));
 }
 
 void readSurfaceInto(scene::Surface& surface, Progress& progress) {
@@ -259,7 +270,7 @@ scene::Scene open(const scene::Source& source, Progress& progress, const DataPol
 }
 
 void addLabels(scene::Scene& scene, const scene::Source& source, Progress& progress) {
-  takeLabels(scene, source, io::readLabels(source, progress, gridOfScan(scene)));
+  takeLabels(scene, source, io::readLabels(source, progress, gridOfScan(scene)), progress);
 }
 
 void add(scene::Scene& scene, const scene::Source& source, Progress& progress, std::vector<std::string>* notes) {
@@ -286,7 +297,7 @@ void add(scene::Scene& scene, const scene::Source& source, Progress& progress, s
   }
   if (scene.volume.data) return addLabels(scene, source, progress);
   auto voxels = io::readVoxels(source, progress);
-  if (auto* labels = std::get_if<LabelVolume>(&voxels)) return takeLabels(scene, source, std::move(*labels));
+  if (auto* labels = std::get_if<LabelVolume>(&voxels)) return takeLabels(scene, source, std::move(*labels), progress);
   auto& volume = std::get<Volume>(voxels);
   scene.volume.source = source;
   adoptUnit(scene, volume.lengthUnit);
@@ -342,7 +353,7 @@ void loadData(scene::Scene& scene, const fs::path& folder, Progress& progress, c
   }
   settleBody(scene, progress);
   if (isPlaced(scene.labels.source, bool(scene.labels.data), "labels", "labels"))
-    putLabels(scene, io::readLabels(scene.labels.source, progress, gridOfScan(scene)));
+    putLabels(scene, io::readLabels(scene.labels.source, progress, gridOfScan(scene)), progress);
   for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
     auto& surface = scene.surfaces[i];
     if (isPlaced(surface.source, bool(surface.data), fmt::format("surfaces.{}", i), "surface"))

@@ -58,7 +58,8 @@ void rereadVolume(scene::Scene& scene, const scene::Source& source, Progress& pr
   scene.volume.data = scene.volume.given = {};
   if (sharesGrid && !scene.labels.source.path.empty()) {
     scene.labels.source.spacing = source.spacing;
-    scene.labels.data = scene.labels.given = {};
+    scene.labels.data = scene.labels.given = scene.labels.unsmoothed = {};
+    scene.labels.smoothed.clear();
   }
   loadData(scene, {}, progress, {}, nullptr);
   const Volume& now = *scene.volume.data;

@@ -258,8 +258,6 @@ float oneOf(float v0, float v1, float v2, float v3, float v4, float v5, float v6
 /// Optical depth below which segments are shaded together: what hides less than this share of what is behind it needs no
 /// gradient at every half voxel.
 const float kThin = 0.08;
-/// The same of a scan that recedes behind its structures, as a multiple: nobody reads its shading, only its depth.
-const float kThinReceding = 4.0;
 
 /// The segments of a group that show anything, thin ones taken together by the half group or the whole.
 struct Depths {
@@ -339,10 +337,9 @@ Depths depthsOf(Group group, Walk walk, Ray ray, uint asked, bool sparedOnly) {
   depths.nearHalf = depths.of[0] + depths.of[1] + depths.of[2] + depths.of[3];
   depths.farHalf = depths.of[4] + depths.of[5] + depths.of[6] + depths.of[7];
   Whole whole = wholeOf(group, walk, ray, sparedOnly);
-  float thin = whole.opacity < 1.0 ? kThinReceding * kThin : kThin;
-  depths.isThin = (depths.nearHalf + depths.farHalf) * whole.opacity < thin;
-  depths.isNearThin = depths.nearHalf * whole.opacity < 2.0 * thin;
-  depths.isFarThin = depths.farHalf * whole.opacity < 2.0 * thin;
+  depths.isThin = (depths.nearHalf + depths.farHalf) * whole.opacity < kThin;
+  depths.isNearThin = depths.nearHalf * whole.opacity < 2.0 * kThin;
+  depths.isFarThin = depths.farHalf * whole.opacity < 2.0 * kThin;
   bool isJoined = whole.isOne && !hasSolid;
   depths.isThin = isJoined && depths.isThin;
   depths.isNearThin = isJoined && depths.isNearThin;

@@ -22,7 +22,7 @@ ROOMS = {  # module: {room: rooms of the module it may include (its own is impli
     "scene": {"json": ".", ".": ""},
     "gpu": {"context": ".", ".": ""},
     "io": {"read": "", "volumes": "read", "labels": "read volumes", "meshes": "read", "models": "read", "images": "read", "looks": "read",
-           "phantoms": "models"},
+           "phantoms": "models", "kinds": "images labels looks meshes models volumes"},
     "membrane": {"forces": "", "sheet": "forces"},
     # The module's own folder has both the frame, which all know, and the renderer, which knows all.
     "render": {"upload": ".", "passes": ". upload", "section": ". upload"},

@@ -18,7 +18,7 @@
 #include "velum/core/Log.h"
 #include "velum/core/ReplaceFile.h"
 #include "velum/core/Text.h"
-#include "velum/io/models/ReadModel.h"
+#include "velum/io/kinds/FileKind.h"
 #include "velum/scene/Finishes.h"
 #include "velum/scene/Presets.h"
 #include "velum/scene/SurfaceLook.h"
@@ -272,9 +272,7 @@ scene::Scene openScene(const InputOptions& input, double aspect) {
     session::addLabels(scene, source, progress);
   }
   progress.report(1.0, "");
-  std::string first = input.inputs.empty() ? "" : fileOfInput(input.inputs.front());
-  bool isScene =
-      (first.ends_with(".json") && !io::looksLikeModel(first)) || first.ends_with(".png") || first.ends_with(".exr");
+  bool isScene = !input.inputs.empty() && io::holdsScene(io::kindOf(firstSource(input)));
   if (!input.preset.empty()) scene::applyPreset(scene, input.preset);
   if (input.smooth) scene.volume.smooth = *input.smooth;
   if (!input.transfer.empty()) printWarnings(input.transfer, session::importLook(scene, input.transfer));

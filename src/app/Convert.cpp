@@ -4,9 +4,9 @@
 
 #include "Verbs.h"
 #include "velum/core/Error.h"
+#include "velum/io/kinds/FileKind.h"
 #include "velum/io/labels/ReadLabels.h"
 #include "velum/io/labels/WriteLabels.h"
-#include "velum/io/models/ReadModel.h"
 #include "velum/io/volumes/ReadVolume.h"
 #include "velum/io/volumes/WriteVolume.h"
 #include "velum/session/document/Open.h"
@@ -67,7 +67,7 @@ std::variant<Volume, LabelVolume> readVoxels(const scene::Source& source, const 
   if (options.labels) return io::readLabels(source, progress);
   bool needsLabels = session::isSurfaceFile(options.output);
   std::variant<Volume, LabelVolume> voxels;
-  if (!needsLabels || io::looksLikeLabels(source.path)) voxels = io::readVoxels(source, progress);
+  if (!needsLabels || io::kindOf(source) == io::FileKind::Labels) voxels = io::readVoxels(source, progress);
   if (needsLabels && !std::holds_alternative<LabelVolume>(voxels))
     throw ArgumentError(
         fmt::format("{} does not look like labels, of which surfaces are made; say --labels if it is", source.path));
@@ -93,7 +93,7 @@ int run(const ConvertOptions& options) {
     warnings.insert(warnings.end(), lines.begin(), lines.end());
   };
   bool isScene = !session::isLookFile(options.output) && session::readSceneText(source.path);
-  bool isModel = !isScene && !options.labels && source.raw.dims.x == 0 && io::looksLikeModel(source.path);
+  bool isModel = !isScene && !options.labels && io::kindOf(source) == io::FileKind::Model;
   if (!options.input.sets.empty() && !isScene && !isModel)
     throw ArgumentError("--set: changes what is written of scenes and models only; leave it out");
   if (isModel && !session::isLookFile(options.output)) {
@@ -133,11 +133,13 @@ Run registerConvert(CLI::App& verb) {
   addCommon(verb, options->common);
   addInput(verb, options->input, false);
   verb.get_option("input")->expected(1)->allow_extra_args(false);  // the second word is the output
-  verb.add_option("output", options->output,
-                  "file to write: .nrrd, .nii, .nii.gz, .vti, .vdb; of labels, or those of a scene, .seg.nrrd, .nrrd, "
-                  ".nii, .nii.gz, .dcm, or their surfaces: .stl, .ply, .glb, .obj, .vtp; what shows of a model, or "
-                  "that of a scene: .cif, .cif.gz, .glb, .csv, .ply; the transfer function of a "
-                  "scene or another file: .velum-transfer.json, .vp.json, .vp")
+  verb.add_option(
+          "output", options->output,
+          fmt::format("file to write: {}; of labels, or those of a scene, {}, or their surfaces: {}; what shows of "
+                      "a model, or that of a scene: {}; the transfer function of a scene or another file: {}",
+                      io::endingsOf(io::FileKind::Volume), io::endingsOf(io::FileKind::Labels),
+                      io::endingsOf(io::FileKind::Surface), io::endingsOf(io::FileKind::Model),
+                      io::endingsOf(io::FileKind::Look)))
       ->required();
   verb.add_option("--set", options->input.sets,
                   "of a model or scene: change a field, e.g. a cut, before it is written: path=value; repeatable");

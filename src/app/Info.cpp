@@ -7,6 +7,7 @@
 #include "Text.h"
 #include "Verbs.h"
 #include "velum/core/Error.h"
+#include "velum/io/kinds/FileKind.h"
 #include "velum/io/labels/ReadLabels.h"
 #include "velum/io/meshes/ReadMesh.h"
 #include "velum/io/models/ReadModel.h"
@@ -201,7 +202,7 @@ Json listTables(const InfoOptions& options) {
       json["formats"].push_back({{"name", std::string(format.name)},
                                  {"extensions", std::string(format.extensions)},
                                  {"read", format.canRead},
-                                 {"write", format.canWrite}});
+                                 {"write", !format.written.empty()}});
   if (options.formats)
     for (const auto& format : io::modelFormats())
       json["models"].push_back({{"name", std::string(format.name)}, {"extensions", std::string(format.extensions)}});
@@ -251,10 +252,10 @@ int run(const InfoOptions& options) {
       fmt::print("{}\n", json.dump(2));
       return 0;
     }
-    std::string extension = path.extension().string();
-    if (extension == ".stl" || extension == ".ply" || extension == ".obj" || extension == ".vtp")
+    io::FileKind kind = io::kindOf(source);
+    if (kind == io::FileKind::Surface)
       json = describe(io::readMesh(path, progress));
-    else if (source.raw.dims.x == 0 && !options.labels && io::looksLikeModel(path))
+    else if (kind == io::FileKind::Model && !options.labels)
       json = describe(io::readModel(path, progress));
     else if (options.labels)
       json = describe(io::readLabels(source, progress));

@@ -31,6 +31,22 @@ class Render(CliTest):
         self.assertTrue(with_report.stdout.startswith(PNG))
         self.assertKeys(json.loads(with_report.stderr), "renderer", "samples")
 
+    def test_pictures_of_every_format_keep_the_camera_of_their_scene(self):
+        small = ["--size", "48x48"]
+        self.run_batch("render", self.sample(), "-o", "a.png", "--view", "left", *small, *FAST)
+        for name in ("b.tif", "c.PNG", "d.exr"):
+            with self.subTest(name=name):
+                self.run_batch("render", "a.png", "-o", name, *small)
+                self.run_batch("render", name, "-o", "again.png", *small)
+                self.run_batch("compare", "a.png", "again.png", "--max-diff", "0", "--max-fraction", "0")
+
+    def test_layers_are_in_an_exr_whatever_the_case_of_its_ending(self):
+        path = self.sample()
+        for name in ("x.exr", "y.EXR"):
+            self.run_batch("render", path, "-o", name, "--layers", "--size", "48x48", *FAST)
+        # The header names the channels.
+        self.assertEqual((self.folder / "x.exr").read_bytes()[:400], (self.folder / "y.EXR").read_bytes()[:400])
+
     def test_a_finish_takes_ones_own_paper(self):
         path = self.sample()
         small = ["--size", "48x48", *FAST]

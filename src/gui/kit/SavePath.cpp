@@ -60,4 +60,17 @@ QString askSavePath(QWidget* parent, const QString& title, const QString& start,
   return dialog.exec() == QDialog::Accepted ? dialog.path() : QString();
 }
 
+QString patternsOf(const session::FilePatterns& format) {
+  QStringList patterns;
+  for (const std::string& pattern : format.patterns) patterns << QString::fromStdString(pattern);
+  return patterns.join(' ');
+}
+
+QString saveFilters(io::FileKind kind) {
+  QStringList filters;
+  for (const session::FilePatterns& format : session::writtenPatterns(kind))
+    filters << QString("%1 (%2)").arg(QString::fromStdString(format.name), patternsOf(format));
+  return filters.join(";;");
+}
+
 }  // namespace velum::gui

@@ -58,15 +58,17 @@ void LookCommands::exportTo(const QString& path) {
 }
 
 void LookCommands::askImport() {
+  QStringList patterns;  // each that is written is read, too
+  for (const auto& format : session::writtenPatterns(io::FileKind::Look)) patterns << patternsOf(format);
   QString path = QFileDialog::getOpenFileName(mWindow, tr("Import look"), mFolder,
-                                              tr("Looks (*.velum-transfer.json *.vp.json *.vp);;All files (*)"));
+                                              tr("Looks (%1);;All files (*)").arg(patterns.join(' ')));
   if (!path.isEmpty()) importFrom(path);
 }
 
 void LookCommands::askExport() {
   QString path =
       askSavePath(mWindow, tr("Export look"), mFolder + (mFolder.isEmpty() ? "" : "/") + "look.velum-transfer.json",
-                  tr("Velum (*.velum-transfer.json);;3D Slicer (*.vp.json);;3D Slicer, old (*.vp)"));
+                  saveFilters(io::FileKind::Look));
   if (path.isEmpty()) return;
   if (!session::isLookFile(path.toStdString())) path += ".velum-transfer.json";
   exportTo(path);

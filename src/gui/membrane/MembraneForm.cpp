@@ -167,9 +167,9 @@ QWidget* MembraneForm::makeLast() {
   auto* menu = new QMenu(files);
   menu->setToolTipsVisible(true);
   menu->addAction(tr("Sheet as a surface..."), this, &MembraneForm::exportSheetAsked)
-      ->setToolTip(tr("OBJ, PLY, VTP or STL"));
+      ->setToolTip(tr("The sheet as a surface, for other programs"));
   menu->addAction(tr("Clipped volume..."), this, &MembraneForm::exportClippedAsked)
-      ->setToolTip(tr("NRRD, NIfTI, VTI or OpenVDB: what the cuts take away is empty"));
+      ->setToolTip(tr("A volume for other programs: what the cuts take away is empty"));
   files->setMenu(menu);
   return tools;
 }

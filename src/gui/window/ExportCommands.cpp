@@ -32,17 +32,14 @@ void ExportCommands::addActions(QMenu* menu) {
       mParts.actions.addForScene(menu, "file.savePicture", tr("Save p&icture..."),
                                  tr("Draw and save a picture of any size"), [this] { askSavePicture(); });
   mParts.actions.addForScene(menu, "file.exportSheet", tr("Export s&heet..."),
-                             tr("Write the sheet of a membrane as a surface: OBJ, PLY, VTP or STL"),
-                             [this] { askExportSheet(); });
+                             tr("Write the sheet of a membrane as a surface"), [this] { askExportSheet(); });
   mParts.actions.addForScene(menu, "file.exportClipped", tr("Export clipped vol&ume..."),
-                             tr("Write the volume without what the cuts take away: NRRD, NIfTI, VTI or OpenVDB"),
-                             [this] { askExportClipped(); });
+                             tr("Write the volume without what the cuts take away"), [this] { askExportClipped(); });
   mParts.actions.addForScene(menu, "file.exportStructures", tr("Export s&tructures..."),
-                             tr("Write structures as surfaces (STL, PLY, glTF, OBJ) or labels (NRRD, NIfTI, DICOM)"),
+                             tr("Write structures as surfaces or as labels, for other programs"),
                              [this] { emit exportStructuresAsked(); });
   mParts.actions.addForScene(menu, "file.exportModel", tr("Export mo&del..."),
-                             tr("Write the instances that cuts leave of the model: mmCIF, glTF, CSV or PLY"),
-                             [this] { askExportModel(); });
+                             tr("Write the instances that cuts leave of the model"), [this] { askExportModel(); });
   mParts.actions.addForScene(menu, "file.exportBars", tr("Export &bars..."),
                              tr("Write how many instances of each type are seen, hidden and removed: SVG or CSV"),
                              [this] { askExportBars(); });
@@ -63,8 +60,7 @@ void ExportCommands::askSavePicture() {
   QString start = (pictures.isEmpty() ? QString() : pictures + "/") +
                   QFileInfo(QString::fromStdString(mParts.session.file().path())).baseName() +
                   (dialog.options().layers ? ".exr" : ".png");
-  QString path =
-      askSavePath(&mParts.window, tr("Save picture"), start, tr("PNG (*.png);;OpenEXR (*.exr);;TIFF (*.tif)"));
+  QString path = askSavePath(&mParts.window, tr("Save picture"), start, saveFilters(io::FileKind::Picture));
   if (path.isEmpty()) return;
   if (auto motion = dialog.motion())
     saveAnimationTo(path, dialog.options(), dialog.pictureScene(), *motion, dialog.frames());
@@ -169,8 +165,7 @@ QString ExportCommands::askPath(const QString& title, const char* suffix, const 
 
 void ExportCommands::askExportModel() {
   if (!mParts.session.scene().model.data) return mParts.messages.showNote(tr("No model is open."));
-  QString path =
-      askPath(tr("Export model"), "-model.cif", tr("mmCIF (*.cif *.cif.gz);;glTF (*.glb);;Table (*.csv);;PLY (*.ply)"));
+  QString path = askPath(tr("Export model"), "-model.cif", saveFilters(io::FileKind::Model));
   if (!path.isEmpty()) exportModelTo(path);
 }
 
@@ -182,15 +177,13 @@ void ExportCommands::askExportBars() {
 
 void ExportCommands::askExportSheet() {
   if (membraneToExport() == 0) return mParts.messages.showNote(tr("There is no membrane: add one first (M)."));
-  QString path = askPath(tr("Export sheet"), "-sheet.ply",
-                         tr("PLY (*.ply);;Wavefront OBJ (*.obj);;VTK PolyData (*.vtp);;STL (*.stl)"));
+  QString path = askPath(tr("Export sheet"), "-sheet.ply", saveFilters(io::FileKind::Surface));
   if (!path.isEmpty()) exportSheetTo(path);
 }
 
 void ExportCommands::askExportClipped() {
   if (!mParts.session.scene().volume.data) return mParts.messages.showNote(tr("There is no volume to clip."));
-  QString path = askPath(tr("Export clipped volume"), "-clipped.nrrd",
-                         tr("NRRD (*.nrrd);;NIfTI (*.nii.gz *.nii);;VTK ImageData (*.vti);;OpenVDB (*.vdb)"));
+  QString path = askPath(tr("Export clipped volume"), "-clipped.nrrd", saveFilters(io::FileKind::Volume));
   if (!path.isEmpty()) exportClippedTo(path);
 }
 
@@ -211,10 +204,8 @@ void ExportCommands::askExportStructures(const std::vector<int>& selected) {
   if (!mParts.session.scene().labels.data) return mParts.messages.showNote(tr("There are no structures to export."));
   ExportStructuresDialog dialog(mParts.session.scene(), selected, &mParts.window);
   if (dialog.exec() != QDialog::Accepted) return;
-  QStringList filters;
-  for (const auto& kind : session::exportKinds())
-    filters << QString("%1 (*%2)").arg(QString::fromStdString(kind.name), QString::fromStdString(kind.extension));
-  QString path = askPath(tr("Export structures"), "-structures.stl", filters.join(";;"));
+  QString filters = saveFilters(io::FileKind::Surface) + ";;" + saveFilters(io::FileKind::Labels);
+  QString path = askPath(tr("Export structures"), "-structures.stl", filters);
   if (!path.isEmpty()) exportStructuresTo(path, dialog.options());
 }
 

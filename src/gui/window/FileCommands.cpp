@@ -19,10 +19,8 @@ namespace {
 
 QString openFilter() {
   QString all, single;
-  for (const auto& kind : session::readableKinds()) {
-    QString patterns;
-    for (const auto& pattern : kind.patterns)
-      patterns += (patterns.isEmpty() ? "" : " ") + QString::fromStdString(pattern);
+  for (const auto& kind : session::readablePatterns()) {
+    QString patterns = patternsOf(kind);
     all += (all.isEmpty() ? "" : " ") + patterns;
     single += QString(";;%1 (%2)").arg(QString::fromStdString(kind.name), patterns);
   }
@@ -123,7 +121,7 @@ void FileCommands::askOpenFolder() {
 
 void FileCommands::askOpenLabels() {
   QStringList patterns;
-  for (const auto& kind : session::volumeKinds())
+  for (const auto& kind : session::volumePatterns())
     for (const auto& pattern : kind.patterns) patterns << QString::fromStdString(pattern);
   QString path = QFileDialog::getOpenFileName(&mParts.window, tr("Open labels beside what is open"), folder(),
                                               tr("Labels (%1)").arg(patterns.join(' ')) + ";;" + tr("All files (*)"));
@@ -136,7 +134,7 @@ void FileCommands::askSaveScene(bool asNew) {
   if (asNew || path.isEmpty()) {
     QFileInfo open(QString::fromStdString(file.path()));
     path = askSavePath(&mParts.window, tr("Save scene"), open.path() + "/" + open.baseName() + ".json",
-                       tr("Velum scene (*.json)"));
+                       saveFilters(io::FileKind::Scene));
     if (path.isEmpty()) return;
   }
   saveSceneTo(path);

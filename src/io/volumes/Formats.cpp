@@ -52,18 +52,18 @@ bool isDicom(const FileHead& head) {
 
 // First all contents are tried, in this order, then all extensions. A new format is one row.
 constexpr FormatRow kTable[] = {
-    {{"DICOM", ".dcm .ima .dicom DICOMDIR", true, false}, isDicom, readDicom, nullptr},
-    {{"NIfTI", ".nii .nii.gz .hdr .hdr.gz .img .img.gz", true, true}, isNifti, readNifti, writeNifti},
-    {{"NRRD", ".nrrd .nhdr", true, true}, isNrrd, readNrrd, writeNrrd},
-    {{"MetaImage", ".mha .mhd", true, false}, isMetaImage, readMetaImage, nullptr},
-    {{"MRC", ".mrc .map .rec .ccp4", true, false}, isMrc, readMrc, nullptr},
-    {{"VTK image data", ".vti", true, true}, isVti, readVti, writeVti},
-    {{"VTK legacy structured points", ".vtk", true, false}, isVtkLegacy, readVtkLegacy, nullptr},
-    {{"SEG-Y", ".sgy .segy", true, false}, nullptr, readSegy, nullptr},
-    {{"TIFF", ".tif .tiff", true, false}, isTiff, readTiff, nullptr},
-    {{"OpenVDB", ".vdb", true, true}, isVdb, readVdb, writeVdb},
-    {{"InVesalius project", ".inv3", true, false}, nullptr, readInvesalius, nullptr},
-    {{"Raw", ".raw .bin .img .den .dat .vol .data .raw.gz", true, false}, nullptr, readRaw, nullptr},
+    {{"DICOM", ".dcm .ima .dicom DICOMDIR", true, ""}, isDicom, readDicom, nullptr},
+    {{"NIfTI", ".nii .nii.gz .hdr .hdr.gz .img .img.gz", true, ".nii.gz .nii"}, isNifti, readNifti, writeNifti},
+    {{"NRRD", ".nrrd .nhdr", true, ".nrrd"}, isNrrd, readNrrd, writeNrrd},
+    {{"MetaImage", ".mha .mhd", true, ""}, isMetaImage, readMetaImage, nullptr},
+    {{"MRC", ".mrc .map .rec .ccp4", true, ""}, isMrc, readMrc, nullptr},
+    {{"VTK image data", ".vti", true, ".vti"}, isVti, readVti, writeVti},
+    {{"VTK legacy structured points", ".vtk", true, ""}, isVtkLegacy, readVtkLegacy, nullptr},
+    {{"SEG-Y", ".sgy .segy", true, ""}, nullptr, readSegy, nullptr},
+    {{"TIFF", ".tif .tiff", true, ""}, isTiff, readTiff, nullptr},
+    {{"OpenVDB", ".vdb", true, ".vdb"}, isVdb, readVdb, writeVdb},
+    {{"InVesalius project", ".inv3", true, ""}, nullptr, readInvesalius, nullptr},
+    {{"Raw", ".raw .bin .img .den .dat .vol .data .raw.gz", true, ""}, nullptr, readRaw, nullptr},
 };
 
 bool isOtherThanDicom(const FileHead& head) {
@@ -77,9 +77,9 @@ constexpr auto kFormats = [] {
   return formats;
 }();
 
-bool hasExtension(const Format& format, std::string_view extension) {
+bool isAmong(std::string_view extensions, std::string_view extension) {
   if (extension.empty()) return false;
-  std::string all = " " + lowerCase(format.extensions) + " ";
+  std::string all = " " + lowerCase(extensions) + " ";
   return all.find(" " + std::string(extension) + " ") != std::string::npos;
 }
 
@@ -98,13 +98,13 @@ const FormatRow* chooseReader(const FileHead& head) {
     if (row.matches && row.matches(head)) return &row;
   std::string extension = lowerCase(head.path.filename().string()) == "dicomdir" ? "dicomdir" : head.extension;
   for (const FormatRow& row : kTable)
-    if (hasExtension(row.format, extension)) return &row;
+    if (isAmong(row.format.extensions, extension)) return &row;
   return nullptr;
 }
 
 const FormatRow* chooseWriter(const Path& path) {
   for (const FormatRow& row : kTable)
-    if (row.write && hasExtension(row.format, lowerExtension(path))) return &row;
+    if (row.write && isAmong(row.format.written, lowerExtension(path))) return &row;
   return nullptr;
 }
 

@@ -18,7 +18,7 @@ namespace {
 std::vector<std::string_view> writtenExtensions() {
   std::vector<std::string_view> all;
   for (const FormatRow& row : formatTable())
-    if (row.write) all.push_back(row.format.extensions.substr(0, row.format.extensions.find(' ')));
+    if (row.write) all.push_back(row.format.written);
   return all;
 }
 

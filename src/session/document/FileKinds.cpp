@@ -10,11 +10,11 @@
 
 namespace velum::session {
 
-std::vector<FileKind> volumeKinds() {
-  std::vector<FileKind> kinds;
+std::vector<FilePatterns> volumePatterns() {
+  std::vector<FilePatterns> kinds;
   for (const auto& format : io::formats()) {
     if (!format.canRead) continue;
-    FileKind kind{std::string(format.name), {}};
+    FilePatterns kind{std::string(format.name), {}};
     std::istringstream words{std::string(format.extensions)};
     for (std::string word; words >> word;)
       if (word[0] == '.') kind.patterns.push_back("*" + word);
@@ -23,19 +23,28 @@ std::vector<FileKind> volumeKinds() {
   return kinds;
 }
 
-std::vector<FileKind> readableKinds() {
-  std::vector<FileKind> kinds{{"Velum scene", {"*.json"}}};
-  for (auto& kind : volumeKinds()) kinds.push_back(std::move(kind));
-  FileKind& model = kinds.emplace_back("Model of molecules");
+std::vector<FilePatterns> readablePatterns() {
+  std::vector<FilePatterns> kinds{{"Velum scene", {"*.json"}}};
+  for (auto& kind : volumePatterns()) kinds.push_back(std::move(kind));
+  FilePatterns& model = kinds.emplace_back("Model of molecules");
   for (const auto& format : io::modelFormats()) {
     std::istringstream words{std::string(format.extensions)};
     for (std::string word; words >> word;)
       if (word != ".json") model.patterns.push_back("*" + word);
   }
-  FileKind& surface = kinds.emplace_back("Surface");
+  FilePatterns& surface = kinds.emplace_back("Surface");
   for (std::string_view extension : io::meshExtensions()) surface.patterns.push_back(fmt::format("*{}", extension));
-  kinds.push_back({"Picture with a scene", {"*.png", "*.exr"}});
+  kinds.push_back({"Picture with a scene", {"*.png", "*.exr", "*.tif", "*.tiff"}});
   return kinds;
+}
+
+std::vector<FilePatterns> writtenPatterns(io::FileKind kind) {
+  std::vector<FilePatterns> all;
+  for (const io::WrittenFormat& format : io::writable(kind)) {
+    FilePatterns& one = all.emplace_back(FilePatterns{format.name, {}});
+    for (const std::string& ending : format.endings) one.patterns.push_back("*" + ending);
+  }
+  return all;
 }
 
 }  // namespace velum::session

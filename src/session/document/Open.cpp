@@ -14,6 +14,7 @@
 #include "velum/core/Log.h"
 #include "velum/core/ReplaceFile.h"
 #include "velum/io/images/ImageFile.h"
+#include "velum/io/kinds/FileKind.h"
 #include "velum/io/labels/ReadLabels.h"
 #include "velum/io/labels/WriteLabels.h"
 #include "velum/io/meshes/ReadMesh.h"
@@ -50,21 +51,6 @@ std::string readText(const fs::path& path) {
     throw InputError(fmt::format("{}: {} MiB is too much for a scene file", path.string(), size >> 20));
   std::ifstream in(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
-}
-
-bool isPicture(const fs::path& path) {
-  std::string extension = lowerExtension(path);
-  return extension == ".png" || extension == ".exr";
-}
-
-bool isTiff(const fs::path& path) {
-  std::string extension = lowerExtension(path);
-  return extension == ".tif" || extension == ".tiff";
-}
-
-bool isMesh(const fs::path& path) {
-  auto known = io::meshExtensions();
-  return std::find(known.begin(), known.end(), lowerExtension(path)) != known.end();
 }
 
 void warnAll(const std::string& path, const std::vector<std::string>& warnings) {
@@ -236,21 +222,9 @@ std::vector<std::string> openEach(const std::vector<std::string>& paths,
 }  // namespace
 
 std::optional<std::string> readSceneText(const fs::path& path) {
-  if (fs::is_directory(path)) return std::nullopt;
-  if (lowerExtension(path) == ".json") {
-    if (io::looksLikeModel(path)) return std::nullopt;
-    return readText(path);
-  }
-  if (isTiff(path)) {
-    // A volume, unless it carries a scene of ours.
-    try {
-      std::string text = io::readImageDescription(path);
-      return text.empty() ? std::nullopt : std::optional(text);
-    } catch (const InputError&) {
-      return std::nullopt;  // what is wrong with it the volume's reader says
-    }
-  }
-  if (!isPicture(path)) return std::nullopt;
+  io::FileKind kind = io::kindOf(path);
+  if (kind == io::FileKind::Scene) return readText(path);
+  if (kind != io::FileKind::Picture) return std::nullopt;
   std::string text = io::readImageDescription(path);
   if (text.empty()) throw InputError(fmt::format("{}: the picture holds no scene of ours", path.string()));
   return text;
@@ -276,7 +250,11 @@ void addLabels(scene::Scene& scene, const scene::Source& source, Progress& progr
 void add(scene::Scene& scene, const scene::Source& source, Progress& progress, std::vector<std::string>* notes) {
   fs::path path(source.path);
   if (!fs::exists(path)) throw InputError(fmt::format("{}: there is no such file or folder", source.path));
-  if (isMesh(path)) {
+  io::FileKind kind = io::kindOf(source);
+  if (kind == io::FileKind::Look)
+    throw InputError(
+        fmt::format("{}: a look, which is put on what is open: Look > Import look, or --transfer", source.path));
+  if (kind == io::FileKind::Surface) {
     scene::Surface surface;
     surface.source = source;
     readSurfaceInto(surface, progress);
@@ -284,8 +262,7 @@ void add(scene::Scene& scene, const scene::Source& source, Progress& progress, s
     scene.surfaces.push_back(std::move(surface));
     return;
   }
-  bool hasLayout = source.raw.dims.x > 0;
-  if (!hasLayout && io::looksLikeModel(path)) {
+  if (kind == io::FileKind::Model) {
     if (scene.model.data)
       throw InputError(fmt::format("{}: the scene has a model already; open it by itself", source.path));
     adoptUnit(scene, LengthUnit::Angstrom);
@@ -314,9 +291,8 @@ Opened openAll(std::vector<std::string> paths, Progress& progress, const DataPol
                std::vector<std::string>* notes) {
   if (paths.empty()) throw ArgumentError("nothing was named to open");
   std::stable_partition(paths.begin(), paths.end(), [](const std::string& path) {
-    if (isMesh(path)) return false;
-    bool isScene = lowerExtension(path) == ".json" || isPicture(path);
-    return isScene || !fs::exists(path) || !io::looksLikeLabels(path);
+    io::FileKind kind = fs::exists(path) ? io::kindOf(path) : io::FileKind::Volume;
+    return kind != io::FileKind::Surface && kind != io::FileKind::Labels;
   });
   Opened opened;
   std::vector<std::string> refused = openEach(paths, [&](const scene::Source& source) {

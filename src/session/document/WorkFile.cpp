@@ -1,11 +1,11 @@
 #include "velum/session/document/WorkFile.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <utility>
 
 #include "velum/core/Error.h"
+#include "velum/io/kinds/FileKind.h"
 #include "velum/scene/Presets.h"
 #include "velum/scene/Units.h"
 #include "velum/session/document/Open.h"
@@ -15,12 +15,6 @@ namespace velum::session {
 namespace {
 
 constexpr double kEven = 1e-9;  ///< Shares by which edges may grow differently and still be said to grow alike.
-
-bool isSceneFile(const std::filesystem::path& path) {
-  std::string ending = path.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-  return ending == ".json";
-}
 
 }  // namespace
 
@@ -115,7 +109,7 @@ void WorkFile::open(Loaded loaded, const std::string& path) {
   // Recovered work that was never saved goes by the name of its data.
   const std::string& source = loaded.scene.volume.source.path;
   if (loaded.lost && !std::filesystem::path(path).is_absolute() && !source.empty()) mPath = source;
-  mScenePath = isSceneFile(mPath) ? std::filesystem::absolute(mPath).string() : std::string();
+  mScenePath = io::kindOf(mPath) == io::FileKind::Scene ? std::filesystem::absolute(mPath).string() : std::string();
   mIsOpen = true;
   replace(std::move(loaded.scene));
   if (!loaded.lost) return;

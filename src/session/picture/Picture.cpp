@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "LayerPictures.h"
+#include "velum/core/FileName.h"
 #include "velum/core/ReplaceFile.h"
 #include "velum/core/Text.h"
 #include "velum/gpu/Context.h"
@@ -140,7 +141,7 @@ void savePicture(const Image& image, const scene::Scene& scene, const PictureOpt
                  const std::filesystem::path& path) {
   scene::Scene drawn = sceneForPicture(scene, options);
   std::string text = sceneTextFor(drawn, path == "-" ? "." : path);
-  bool isExr = path.extension() == ".exr";
+  bool isExr = lowerExtension(path) == ".exr";
   if (options.layers && !isExr && path != "-")
     writeLayerPictures(image, scene::typeColors(scene.model), options.dpi, path);
   std::vector<std::string> color{"R", "G", "B"};

@@ -143,16 +143,6 @@ Lines writeOnly(const Structures& of, const std::vector<int>& ids, const Path& p
 
 }  // namespace
 
-std::vector<ExportKind> exportKinds() {
-  std::vector<ExportKind> kinds;
-  for (const auto& format : io::meshFormats())
-    kinds.push_back({std::string(format.name), std::string(format.extension), true});
-  for (const auto& format : io::labelFormats())
-    kinds.push_back(
-        {std::string(format.name), std::string(format.extensions.substr(0, format.extensions.find(' '))), false});
-  return kinds;
-}
-
 bool isSurfaceFile(const std::filesystem::path& path) {
   auto formats = io::meshFormats();
   std::string extension = lowerExtension(path);

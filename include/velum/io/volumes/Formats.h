@@ -10,7 +10,7 @@ struct Format {
   std::string_view name;        ///< "NIfTI"
   std::string_view extensions;  ///< ".nii .nii.gz .hdr"
   bool canRead;
-  bool canWrite;
+  std::string_view written;  ///< ".nii.gz .nii", the usual one first; empty: it is not written
 };
 
 /// Every volume format, in the order in which they are tried. For file dialogs, `--help` and the docs.

@@ -16,13 +16,6 @@ struct StructureExport {
   bool apart = false;           ///< a file of its own for each: NAME-aorta.stl
 };
 
-/// A format that structures are exported in.
-struct ExportKind {
-  std::string name, extension;  ///< "glTF", ".glb"
-  bool isSurface = false;       ///< else a label volume
-};
-/// Surfaces first, each with its usual extension. For file dialogs and `--help`.
-std::vector<ExportKind> exportKinds();
 /// The extension is one of surfaces.
 bool isSurfaceFile(const std::filesystem::path& path);
 

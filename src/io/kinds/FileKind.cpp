@@ -1,0 +1,100 @@
+#include "velum/io/kinds/FileKind.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <sstream>
+#include <string_view>
+
+#include "velum/core/Error.h"
+#include "velum/core/FileName.h"
+#include "velum/io/images/ImageFile.h"
+#include "velum/io/labels/ReadLabels.h"
+#include "velum/io/labels/WriteLabels.h"
+#include "velum/io/looks/TransferFile.h"
+#include "velum/io/meshes/ReadMesh.h"
+#include "velum/io/meshes/WriteMesh.h"
+#include "velum/io/models/ReadModel.h"
+#include "velum/io/models/WriteModel.h"
+#include "velum/io/volumes/Formats.h"
+
+namespace velum::io {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+bool isSurface(std::string_view ending) {
+  auto known = meshExtensions();
+  return std::find(known.begin(), known.end(), ending) != known.end();
+}
+
+bool carriesScene(const fs::path& path) {
+  try {
+    return !readImageDescription(path).empty();
+  } catch (const InputError&) {
+    return false;  // what is wrong with it the volume's reader says
+  }
+}
+
+WrittenFormat formatOf(std::string_view name, std::string_view endings) {
+  WrittenFormat format{std::string(name), {}};
+  std::istringstream words{std::string(endings)};
+  for (std::string word; words >> word;) format.endings.push_back(word);
+  return format;
+}
+
+}  // namespace
+
+FileKind kindOf(const fs::path& path) {
+  std::error_code error;
+  if (fs::is_directory(path, error)) return looksLikeLabels(path) ? FileKind::Labels : FileKind::Volume;
+  std::string ending = lowerExtension(path);
+  if (isTransferFile(path)) return FileKind::Look;
+  if (isSurface(ending)) return FileKind::Surface;
+  if (looksLikeModel(path)) return FileKind::Model;
+  if (ending == ".json") return FileKind::Scene;
+  if (ending == ".png" || ending == ".exr") return FileKind::Picture;
+  if ((ending == ".tif" || ending == ".tiff") && carriesScene(path)) return FileKind::Picture;
+  return looksLikeLabels(path) ? FileKind::Labels : FileKind::Volume;
+}
+
+FileKind kindOf(const scene::Source& source) {
+  return source.raw.dims.x > 0 ? FileKind::Volume : kindOf(fs::path(source.path));
+}
+
+std::vector<WrittenFormat> writable(FileKind kind) {
+  std::vector<WrittenFormat> all;
+  switch (kind) {
+    case FileKind::Scene:
+      return {formatOf("Velum scene", ".json")};
+    case FileKind::Picture:
+      return {formatOf("PNG", ".png"), formatOf("OpenEXR", ".exr"), formatOf("TIFF", ".tif .tiff")};
+    case FileKind::Look:
+      return {formatOf("Velum", ".velum-transfer.json"), formatOf("3D Slicer", ".vp.json"),
+              formatOf("3D Slicer, old", ".vp")};
+    case FileKind::Model:
+      for (const auto& format : modelWriteFormats()) all.push_back(formatOf(format.name, format.extensions));
+      return all;
+    case FileKind::Surface:
+      for (const auto& format : meshFormats()) all.push_back(formatOf(format.name, format.extension));
+      return all;
+    case FileKind::Labels:
+      for (const auto& format : labelFormats()) all.push_back(formatOf(format.name, format.extensions));
+      return all;
+    case FileKind::Volume:
+      for (const auto& format : formats())
+        if (!format.written.empty()) all.push_back(formatOf(format.name, format.written));
+      return all;
+  }
+  return all;
+}
+
+std::string endingsOf(FileKind kind) {
+  std::string all;
+  for (const WrittenFormat& format : writable(kind))
+    for (const std::string& ending : format.endings) all += (all.empty() ? "" : ", ") + ending;
+  return all;
+}
+
+}  // namespace velum::io

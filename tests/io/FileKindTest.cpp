@@ -69,7 +69,7 @@ TEST_F(FileKinds, SamplesWithALayoutAreAVolumeWhateverTheyLookLike) {
 
 TEST_F(FileKinds, WhatIsNotThereIsToldByItsName) {
   EXPECT_EQ(kindOf(folder / "new.json"), FileKind::Scene);
-  EXPECT_EQ(kindOf(folder / "new.glb"), FileKind::Surface);
+  EXPECT_EQ(kindOf(folder / "new.stl"), FileKind::Surface);
   EXPECT_EQ(kindOf(folder / "new.tif"), FileKind::Volume);
 }
 

@@ -30,6 +30,10 @@ class SaveDialog : public QFileDialog {
     setAcceptMode(QFileDialog::AcceptSave);
     setFileMode(QFileDialog::AnyFile);
     selectFile(QFileInfo(start).fileName());
+    // The format of the name that is proposed is the one that a name without an ending gets.
+    QRegularExpression own("\\*" + QRegularExpression::escape(start.mid(start.lastIndexOf('.'))) + "[ )]");
+    for (const QString& filter : nameFilters())
+      if (filter.contains(own)) selectNameFilter(filter);
   }
   /// As it was typed, with its ending.
   QString path() const {

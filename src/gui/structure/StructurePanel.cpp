@@ -276,8 +276,10 @@ QWidget* StructurePanel::makeDetail() {
   shape->addWidget(name);
   shape->addWidget(mSmoothing, 1);
   layout->addLayout(shape);
-  connect(mSmoothing, &NumberRow::settled, this,
-          [this] { emit smoothingAsked(mList->selectedIds(), mSmoothing->value()); });
+  connect(mSmoothing, &NumberRow::settled, this, [this] {
+    emit smoothingAsked(mList->selectedIds(), mSmoothing->value());
+    showSelected();  // what is so, until it is done
+  });
   connect(mColor, &ColorButton::picked, this,
           [this](glm::vec3 color) { mCommands.setColor(mList->selectedIds(), color); });
   connect(mOpacity, &NumberRow::changed, this,

@@ -28,7 +28,9 @@ void StructureRoom::smooth(const std::vector<int>& ids, double deviation) {
   mParts.jobs.startShort(
       QString::fromStdString(step), [after](Progress& progress) { session::settleShapes(*after, progress); },
       [this, after, step, before = scene.labels] {
-        mParts.document().edit(step, [&](scene::Scene& now) { session::takeShapes(now, before, after->labels); });
+        scene::Scene now = mParts.session.scene();
+        if (session::takeShapes(now, before, after->labels))
+          mParts.document().edit(step, [&](scene::Scene& s) { s.labels = now.labels; });
       });
 }
 

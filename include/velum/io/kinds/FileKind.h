@@ -37,7 +37,7 @@ struct WrittenFormat {
 /// All formats in which a kind is written, the usual one first: for dialogs, help, messages.
 std::vector<WrittenFormat> writable(FileKind kind);
 
-/// Their endings: ".nrrd, .nii.gz, .nii, .vti, .vdb".
+/// Their endings: ".nii.gz, .nii, .nrrd, .vti, .vdb".
 std::string endingsOf(FileKind kind);
 
 }  // namespace velum::io

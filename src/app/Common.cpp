@@ -25,10 +25,8 @@
 #include "velum/scene/VisibleFrame.h"
 #include "velum/scene/json/Json.h"
 #include "velum/session/document/Body.h"
-#include "velum/session/document/LitSphereFiles.h"
 #include "velum/session/document/Open.h"
-#include "velum/session/document/PaperFile.h"
-#include "velum/session/document/StructureShapes.h"
+#include "velum/session/document/SetFields.h"
 #include "velum/session/growth/Growths.h"
 #include "velum/session/look/Look.h"
 
@@ -50,22 +48,6 @@ std::string finishNames() {
   for (const scene::NamedFinish& finish : scene::finishes())
     names += (names.empty() ? "" : ", ") + std::string(finish.name);
   return names;
-}
-
-/// The pictures that a finish names. Opening said already what was wrong with those of a scene file.
-void loadNamedPictures(scene::Scene& scene, const std::vector<std::pair<std::string, std::string>>& sets) {
-  bool hasSphere = false, hasPaper = false;
-  for (const auto& [path, value] : sets) {
-    hasSphere |= path.starts_with("finish") || path.find("litSphere") != std::string::npos;
-    hasPaper |= path == "finish.paper" || path.starts_with("finish.ownPaper");
-  }
-  if (hasSphere)
-    for (const std::string& note : session::loadLitSpheres(scene, {})) log::warning(note);
-  const scene::Finish& finish = scene.finish;
-  if (!hasPaper || finish.paper != scene::Paper::Own || finish.ownPaper.data) return;
-  if (finish.ownPaper.source.path.empty())
-    throw ArgumentError("--set finish.paper=own: no picture is named; give FILE");
-  session::takePaper(scene, finish.ownPaper.source.path);
 }
 
 }  // namespace
@@ -138,25 +120,13 @@ bool isSourceField(const std::string& path) {
   return path.find(".source.") != std::string::npos || path == "model.completes" || path == "model.copies";
 }
 
-/// Of the user's own, rather than the name of one of ours.
-bool isPaperFile(const std::string& value) {
-  if (enumValue<scene::Paper>(value)) return false;
-  return value.find_first_of("./") != std::string::npos || std::filesystem::exists(value);
-}
-
-/// "path=value" in two; a path of a file is one from here, not from the scene's folder.
-std::vector<std::pair<std::string, std::string>> splitSets(const std::vector<std::string>& sets) {
-  std::vector<std::pair<std::string, std::string>> out;
+/// "path=value" in two.
+std::vector<scene::FieldValue> splitSets(const std::vector<std::string>& sets) {
+  std::vector<scene::FieldValue> out;
   for (const auto& set : sets) {
     std::size_t equals = set.find('=');
     if (equals == std::string::npos) throw ArgumentError(fmt::format("--set {}: expected path=value", set));
-    std::string path = set.substr(0, equals), value = set.substr(equals + 1);
-    if (path == "finish.paper" && isPaperFile(value)) {
-      out.emplace_back(path, "own");
-      path = "finish.ownPaper.source.path";
-    }
-    if (path.ends_with(".source.path") && !value.empty()) value = std::filesystem::absolute(value).string();
-    out.emplace_back(std::move(path), std::move(value));
+    out.push_back({set.substr(0, equals), set.substr(equals + 1)});
   }
   return out;
 }
@@ -259,7 +229,7 @@ scene::Scene openScene(const InputOptions& input, double aspect) {
   // Where data lies must be known before it is read.
   policy.beforeData = [&](scene::Scene& opened) {
     for (const auto& [path, value] : sets)
-      if (isSourceField(path)) scene::setField(opened, path, value);
+      if (isSourceField(path)) session::setField(opened, path, value);
   };
   if (!input.inputs.empty()) scene = session::open(firstSource(input), progress, policy);
   scene::Source source;
@@ -287,13 +257,12 @@ scene::Scene openScene(const InputOptions& input, double aspect) {
     scene.camera = view ? scene::frameVisible(scene, *view, aspect) : scene::firstCamera(scene, aspect);
   }
   if (!input.finish.empty()) scene::applyFinish(scene, input.finish);
+  scene::Scene opened = scene;
   for (const auto& [path, value] : sets)
-    path == kWindowField ? setGreyWindow(scene.volume, value) : scene::setField(scene, path, value);
-  session::settleBody(scene, progress);
-  session::settleShapes(scene, progress);
+    path == kWindowField ? setGreyWindow(scene.volume, value) : session::setField(scene, path, value);
+  for (const std::string& note : session::followFields(scene, opened, progress)) log::warning(note);
   for (const std::string& note : session::settleGrowths(scene, progress)) log::warning(note);
   if (!input.finish.empty()) sayWhereLinesLie(scene);
-  loadNamedPictures(scene, sets);
   return scene;
 }
 

@@ -18,6 +18,8 @@ Run registerCompare(CLI::App& verb);
 Run registerSample(CLI::App& verb);
 Run registerConvert(CLI::App& verb);
 Run registerRecover(CLI::App& verb);
+Run registerRunScript(CLI::App& verb);
+Run registerHelp(CLI::App& verb);
 Run registerView(CLI::App& verb);
 Run registerCompletion(CLI::App& verb);
 

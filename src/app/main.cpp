@@ -58,6 +58,8 @@ int main(int argc, char** argv) {
       {"sample", "make a phantom with ground truth", app::registerSample},
       {"convert", "between formats of volumes and labels; labels to surfaces", app::registerConvert},
       {"recover", "unsaved work of sessions that have died", app::registerRecover},
+      {"run", "a script of commands", app::registerRunScript},
+      {"help", "the commands of scripts", app::registerHelp},
       {"view", "a bare window", app::registerView},
       {"completion", "what a shell needs to complete these words", app::registerCompletion}};
   Verbs verbs;

@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "velum/core/Clock.h"
+#include "velum/session/membrane/Membranes.h"
+#include "velum/session/picture/Picture.h"
 
 namespace velum::session {
 
@@ -26,6 +28,11 @@ Session::~Session() {
   mDocument.setListener({});
   dropJob();
   for (auto& playing : mPlaying) playing.job.reset();  // they know their players
+  if (mContext) {
+    mContext->makeCurrent();
+    releaseGpu();
+    mRenderer.reset();
+  }
 }
 
 void Session::changed() {
@@ -98,11 +105,26 @@ render::Frame Session::frame(glm::ivec2 size) {
   return frame;
 }
 
+void Session::bindContext() {
+  if (!mOwnsContext) return;
+  if (!mContext) mContext = gpu::Context::create(mContextKind);
+  mContext->makeCurrent();
+}
+
 void Session::settle(Progress& progress) {
+  if (isSettled()) return;
+  if (hasMembranes(scene())) bindContext();
   while (!isSettled()) {
     progress.throwIfCancelled();
     if (!advance(kSettleWorkMs)) std::this_thread::sleep_for(kSettlePause);  // for what is computed beside
   }
+}
+
+Image Session::picture(const PictureOptions& options, Progress& progress) {
+  settle(progress);
+  bindContext();
+  if (!mRenderer) mRenderer = std::make_unique<render::Renderer>(*mContext);
+  return drawPicture(*mRenderer, mMembranes.withShapes(scene()), options, mContext->limits(), progress);
 }
 
 void Session::releaseGpu() {

@@ -3,12 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <QFile>
+#include <QLineEdit>
+#include <QPlainTextEdit>
 #include <QTest>
 
 #include "TempFolder.h"
 #include "patience.h"
 #include "velum/io/phantoms/Sample.h"
 #include "velum/io/volumes/WriteVolume.h"
+#include "velum/scene/json/Json.h"
 #include "window/MainWindow.h"
 
 namespace velum::gui {
@@ -89,6 +92,39 @@ TEST_F(ScriptTest, NamesAndValuesMayHoldBlanks) {
   EXPECT_EQ(scene().cuts[0].faceOpacity, 0.25);
   EXPECT_EQ(scene().cuts[0].centre, glm::dvec3(1, 2, 3));
   EXPECT_TRUE(run("set cuts[no such cut].faceOpacity 0.5").contains("no such cut"));
+}
+
+TEST_F(ScriptTest, WhatFollowsFromAFieldIsDone) {
+  ASSERT_EQ(run("open " + path("phantom.nrrd")), "");
+  auto all = scene().volume.data;
+  EXPECT_EQ(run("set volume.bodyOnly true\nlook.mode mip\nset volume.source.spacing 2,2,2"), "");
+  EXPECT_TRUE(scene().volume.given);
+  EXPECT_FALSE(scene().volume.data == all);
+  EXPECT_EQ(spacingOf(*scene().volume.data), glm::dvec3(2.0));
+  EXPECT_EQ(scene().rayCast.mode, scene::RenderMode::Mip);
+  EXPECT_TRUE(run("set volume.source.path /nowhere/a.nrrd").endsWith("(2)"));
+  EXPECT_TRUE(run("structure.show nobody").endsWith("(1)"));
+}
+
+TEST_F(ScriptTest, TheCommandsSoFarAreShownTypedAndRunAgain) {
+  ASSERT_EQ(run(QString("open %1\ndo cut.addPlane\ndo edit.commands").arg(path("phantom.nrrd"))), "");
+  auto* window = mWindow.findChild<QWidget*>("commandsWindow");
+  ASSERT_TRUE(window && window->isVisible());
+  auto* typed = window->findChild<QLineEdit*>("commandTyped");
+  typed->setText("cut.flip");
+  QTest::keyClick(typed, Qt::Key_Return);
+  EXPECT_TRUE(scene().cuts.at(0).invert);
+  EXPECT_TRUE(typed->text().isEmpty());
+  typed->setText("cut.flop");
+  QTest::keyClick(typed, Qt::Key_Return);
+  EXPECT_EQ(typed->text(), "cut.flop") << "it can be mended";
+  auto* lines = window->findChild<QPlainTextEdit*>("commandLines");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return lines->toPlainText().endsWith("cut.flip\n"); }, kPatience));
+  std::string before = scene::toJson(scene());
+  QString text = lines->toPlainText();
+  EXPECT_EQ(run(text), "");
+  EXPECT_EQ(scene::toJson(scene()), before);
+  window->close();
 }
 
 TEST_F(ScriptTest, MissingDataIsAnErrorAndAsksNothing) {

@@ -1,4 +1,4 @@
-"""Kills the window with SIGKILL 50 times at random moments while a script edits; every restart must offer the work, and
+"""Kills the window with SIGKILL VELUM_KILLS times (50) at random moments while a script edits; every restart must offer the work, and
 no edit that is older than a second may be missing."""
 import json
 import os
@@ -14,7 +14,7 @@ import time
 import unittest
 
 VELUM, BATCH = os.environ["VELUM"], os.environ["VELUM_BATCH"]
-KILLS, LANES, LONGEST = 50, 2, 1.8
+KILLS, LANES, LONGEST = int(os.environ.get("VELUM_KILLS", "50")), 2, 1.8
 MOST_LOST_SECONDS = 1.0
 
 

@@ -3,6 +3,9 @@
 #include <memory>
 #include <vector>
 
+#include "velum/core/Image.h"
+#include "velum/gpu/Context.h"
+#include "velum/render/Renderer.h"
 #include "velum/session/Job.h"
 #include "velum/session/Player.h"
 #include "velum/session/document/Document.h"
@@ -13,8 +16,11 @@
 
 namespace velum::session {
 
+struct PictureOptions;
+
 /// What is open, and all that goes on beside it: the document with its file and journal, the players, the jobs. Both
-/// programs drive it; it knows of no widget. One thread, in which a context is current where it says GL thread.
+/// programs drive it; it knows of no widget. One thread, in which a context is current where it says GL thread; where
+/// nobody has lent it one, it makes one of its own when it first needs it.
 class Session {
  public:
   Session();
@@ -55,8 +61,15 @@ class Session {
   std::uint64_t shownCount() const;
   /// A picture of the scene with what the players have. GL thread. @param size  pixels
   render::Frame frame(glm::ivec2 size);
-  /// Lets all come to rest that is not paused. GL thread. @throw Cancelled
+  /// Lets all come to rest that is not paused. GL thread where there are membranes. @throw Cancelled, gpu::GpuError
   void settle(Progress& progress);
+  /// A picture of the scene with all at rest, as drawPicture() makes it. For sessions without a window: with a context
+  /// of its own, which is current afterwards. @throw Cancelled, gpu::GpuError
+  Image picture(const PictureOptions& options, Progress& progress);
+  /// How it makes a context of its own. @param kind  Auto unless told otherwise
+  void setContextKind(gpu::ContextKind kind) { mContextKind = kind; }
+  /// GL is somebody else's, whose context is current wherever it says GL thread.
+  void borrowContext() { mOwnsContext = false; }
   /// Gives up everything on the GPU; what moved starts anew. GL thread.
   void releaseGpu();
 
@@ -80,6 +93,8 @@ class Session {
     JobOutcome outcome;
   };
   void changed();
+  /// Makes its context the current one, where it has one of its own.
+  void bindContext();
   void collect(Playing& playing);
   void startWork(Playing& playing);
   void collectJob();
@@ -87,6 +102,11 @@ class Session {
     if (mWaker) mWaker();
   }
 
+  // What is on the GPU goes before its context.
+  gpu::ContextKind mContextKind = gpu::ContextKind::Auto;
+  bool mOwnsContext = true;
+  std::unique_ptr<gpu::Context> mContext;
+  std::unique_ptr<render::Renderer> mRenderer;
   Document mDocument;
   WorkFile mFile{mDocument};
   GrowthPlayer mGrowth;

@@ -7,6 +7,9 @@
 
 #include "kit/CutTitle.h"
 #include "kit/SelectedCut.h"
+#include "velum/session/command/Command.h"
+#include "velum/session/command/CutCommands.h"
+#include "velum/session/command/StructureCommands.h"
 #include "velum/session/cut/CutEdit.h"
 #include "velum/session/cut/ShapeTraits.h"
 #include "velum/session/membrane/FirstPlace.h"
@@ -55,20 +58,14 @@ CutPanel::CutPanel(session::Document& document, Selection& selection, JobRunner&
   connect(&mSelection, &Selection::cutChanged, this, &CutPanel::refresh);
   connect(mList, &CutList::moveAsked, this, &CutPanel::moveSelected);
   connect(mList, &CutList::toggled, this, [this](int id, bool on) {
-    mDocument.edit(on ? "Turn cut on" : "Turn cut off", [&](scene::Scene& scene) {
-      if (scene::Cut* cut = scene::findCut(scene, id)) cut->enabled = on;
-    });
+    session::edit(mDocument, session::EnableCut{key(id), on});
   });
   connect(mList, &CutList::renamed, this, [this](int id, const QString& name) {
-    mDocument.edit("Rename cut", [&](scene::Scene& scene) {
-      if (scene::Cut* cut = scene::findCut(scene, id)) cut->name = name.trimmed().toStdString();
-    });
+    session::edit(mDocument, session::RenameCut{key(id), name.trimmed().toStdString()});
   });
   connect(mSpares, &SpareList::changed, this, [this](const std::vector<int>& ids, bool whole) {
-    std::string label = session::structureLabel(mDocument.scene(), whole ? "Spare" : "Cut", ids);
-    editSelectedCut(mDocument, mSelection, label, [&](scene::Cut& cut) {
-      for (int id : ids) session::setSpared(cut, id, whole);
-    });
+    session::edit(mDocument, session::SpareStructures{session::structureNames(mDocument.scene(), ids), whole,
+                                                      key(mSelection.cut())});
   });
   refresh();
 }
@@ -144,10 +141,16 @@ void CutPanel::addCut(scene::Cut cut, const char* label) {
   mSelection.setCut(id);
 }
 
-void CutPanel::addShape(scene::CutShape shape) {
+void CutPanel::addAs(const session::Call& call) {
   if (!hasData() || !hasRoom()) return;
-  if (shape == scene::CutShape::Membrane) return searchMembrane();
-  addCut(session::makeCut(mDocument.scene(), shape), "Add cut");
+  int id = scene::nextCutId(mDocument.scene());
+  session::edit(mDocument, call);
+  mSelection.setCut(id);
+}
+
+void CutPanel::addShape(scene::CutShape shape) {
+  if (shape != scene::CutShape::Membrane) return addAs(session::AddCut{shape, {}});
+  if (hasData() && hasRoom()) searchMembrane();
 }
 
 void CutPanel::searchMembrane() {
@@ -160,33 +163,24 @@ void CutPanel::searchMembrane() {
       });
 }
 
-void CutPanel::addAlongView() { addCut(session::cutFacingCamera(mDocument.scene()), "Cut along the view"); }
+void CutPanel::addAlongView() { addAs(session::CutAlongView{}); }
+
+std::string CutPanel::key(int id) const { return session::cutKey(mDocument.scene(), id); }
 
 void CutPanel::removeSelected() {
-  if (place() < 0) return;
-  mDocument.edit("Remove cut", [&](scene::Scene& scene) { scene.cuts.erase(scene.cuts.begin() + place()); });
+  if (place() >= 0) session::edit(mDocument, session::RemoveCut{key(mSelection.cut())});
 }
 
 void CutPanel::flipSelected() {
-  editSelectedCut(mDocument, mSelection, "Flip cut", [](scene::Cut& cut) { cut.invert = !cut.invert; });
+  if (place() >= 0) session::edit(mDocument, session::FlipCut{key(mSelection.cut())});
 }
 
 void CutPanel::duplicateSelected() {
-  const scene::Scene& scene = mDocument.scene();
-  int index = place();
-  if (index < 0 || !hasRoom()) return;
-  scene::Cut copy = scene.cuts[std::size_t(index)];
-  copy.id = scene::nextCutId(scene);
-  copy.name = tr("%1 copy").arg(cutTitle(copy, index)).toStdString();
-  mDocument.edit("Duplicate cut", [&](scene::Scene& next) { next.cuts.insert(next.cuts.begin() + index + 1, copy); });
-  mSelection.setCut(copy.id);
+  if (place() >= 0) addAs(session::DuplicateCut{key(mSelection.cut())});
 }
 
 void CutPanel::moveSelected(int by) {
-  int from = place(), to = from + by;
-  if (from < 0 || to < 0 || to >= int(mDocument.scene().cuts.size())) return;
-  mDocument.edit("Move cut in the list",
-                 [&](scene::Scene& scene) { std::swap(scene.cuts[std::size_t(from)], scene.cuts[std::size_t(to)]); });
+  if (place() >= 0) session::edit(mDocument, session::MoveCutInList{key(mSelection.cut()), by});
 }
 
 int CutPanel::place() const { return scene::cutPlace(mDocument.scene(), mSelection.cut()); }

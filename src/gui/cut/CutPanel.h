@@ -56,6 +56,10 @@ class CutPanel : public QWidget {
   void buildHead();
   QWidget* buildTools();
   void searchMembrane();
+  /// Does what adds a cut, and selects it.
+  void addAs(const session::Call& call);
+  /// As commands name a cut.
+  std::string key(int id) const;
   bool hasData() const;
   /// For one more cut; says so where there is none.
   bool hasRoom();

@@ -4,6 +4,9 @@
 #include <QVBoxLayout>
 
 #include "kit/Length.h"
+#include "velum/session/command/Command.h"
+#include "velum/session/command/CutCommands.h"
+#include "velum/session/command/ExtrusionCommands.h"
 #include "velum/session/extrusion/Pull.h"
 #include "velum/session/extrusion/PulledEnd.h"
 #include "velum/session/growth/Growths.h"
@@ -208,15 +211,15 @@ void ExtrusionPanel::putBack() {
   auto chosen = mList->selected();
   if (chosen.empty()) return;
   std::vector<int> ids;
-  for (const auto& one : chosen) ids.push_back(one.structure);
-  mDocument.edit(session::structureLabel(mDocument.scene(), "Put back", ids), [&](scene::Scene& scene) {
-    for (const auto& one : chosen)
-      if (scene::Cut* cut = scene::findCut(scene, one.cut)) session::setExtrusion(*cut, one.structure, 0.0);
-  });
+  bool areOfOne = true;
+  for (const auto& one : chosen) {
+    ids.push_back(one.structure);
+    areOfOne &= one.cut == chosen.front().cut;
+  }
+  std::string cut = areOfOne ? session::cutKey(mDocument.scene(), chosen.front().cut) : std::string();
+  session::edit(mDocument, session::PutBack{session::structureNames(mDocument.scene(), ids), cut});
 }
 
-void ExtrusionPanel::putAllBack() {
-  mDocument.edit("Put all back", [](scene::Scene& scene) { session::resetExtrusions(scene); });
-}
+void ExtrusionPanel::putAllBack() { session::edit(mDocument, session::PutAllBack{}); }
 
 }  // namespace velum::gui

@@ -28,6 +28,29 @@ void JobRunner::startShort(const QString& what, session::Job::Work work, std::fu
   if (!wasBusy) mSession.awaitJob(kAtOnceMs);
 }
 
+void JobRunner::run(const session::Call& call, bool merge) {
+  try {
+    if (!call.command().act && session::isLong(mSession.scene(), call)) return runLong(call, merge);
+    Progress progress;
+    auto told = session::run(mSession, call, progress, merge);
+    if (!told.empty()) mMessages.showNote({}, told);
+  } catch (const std::exception& error) {
+    setError(QString::fromUtf8(error.what()));
+  }
+}
+
+void JobRunner::runLong(const session::Call& call, bool merge) {
+  auto edit = std::make_shared<session::Edit>();
+  startShort(
+      QString::fromStdString(call.command().step(mSession.scene(), call.arguments())),
+      [edit, call, scene = mSession.scene()](Progress& progress) { *edit = session::editOf(scene, call, progress); },
+      [this, edit, call, merge] {
+        if (!(mSession.scene() == edit->before)) return runLong(call, merge);  // what was done meanwhile stays
+        session::commit(mSession.document(), *edit, call, merge);
+        if (!edit->told.empty()) mMessages.showNote({}, edit->told);
+      });
+}
+
 void JobRunner::begin(const QString& what, session::Job::Work work, std::function<void()> whenDone) {
   if (isBusy()) return mMessages.showNote(tr("Still busy: wait, or cancel what is running first."));
   mLastError.clear();

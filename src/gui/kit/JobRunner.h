@@ -4,6 +4,7 @@
 
 #include "Bars.h"
 #include "velum/session/Session.h"
+#include "velum/session/command/Command.h"
 
 namespace velum::gui {
 
@@ -18,6 +19,9 @@ class JobRunner : public QObject {
   void start(const QString& what, session::Job::Work work, std::function<void()> whenDone);
   /// The same for work that is mostly over at once: then nothing is seen of it, and it is done when this returns.
   void startShort(const QString& what, session::Job::Work work, std::function<void()> whenDone);
+  /// Does a command: at once, or, where it is long, as startShort() does work; what was done meanwhile is not lost.
+  /// What there is to tell, and what goes wrong, is said in the message bar.
+  void run(const session::Call& call, bool merge = false);
   void cancel();
   bool isBusy() const { return mSession.isBusy(); }
   /// What went wrong last; empty when nothing did.
@@ -31,6 +35,7 @@ class JobRunner : public QObject {
   void ended();
 
  private:
+  void runLong(const session::Call& call, bool merge);
   void begin(const QString& what, session::Job::Work work, std::function<void()> whenDone);
 
   session::Session& mSession;

@@ -4,6 +4,8 @@
 
 #include "kit/CallLater.h"
 #include "velum/scene/Finishes.h"
+#include "velum/session/command/Command.h"
+#include "velum/session/command/LookCommands.h"
 #include "velum/session/picture/FinishPictures.h"
 
 namespace velum::gui {
@@ -26,9 +28,8 @@ FinishGrid::FinishGrid(session::Document& document, QWidget* parent)
   mList->setToolTip(tr("Contours, lit spheres, strokes and paper that belong together"));
   for (const scene::NamedFinish& finish : scene::finishes())
     mList->add(textOf(finish.name), textOf(finish.title), textOf(finish.tip), {});
-  connect(mList, &PictureList::chosen, this, [this](const QString& name) {
-    mDocument.edit("Choose finish", [&](scene::Scene& scene) { scene::applyFinish(scene, name.toStdString()); });
-  });
+  connect(mList, &PictureList::chosen, this,
+          [this](const QString& name) { session::edit(mDocument, session::ChooseFinish{name.toStdString()}); });
 }
 
 FinishGrid::~FinishGrid() { mJob.reset(); }

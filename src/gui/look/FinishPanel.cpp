@@ -6,6 +6,8 @@
 #include <exception>
 
 #include "velum/scene/SurfaceLook.h"
+#include "velum/session/command/Command.h"
+#include "velum/session/command/LookCommands.h"
 #include "velum/session/document/PaperFile.h"
 
 namespace velum::gui {
@@ -44,9 +46,7 @@ void FinishPanel::addOffer() {
   column->addWidget(button, 0, Qt::AlignLeft);
   layout()->addWidget(mOffer);
   mOffer->hide();
-  connect(button, &QPushButton::clicked, this, [this] {
-    mDocument.edit("Make the look a surface", [](scene::Scene& scene) { scene::makeSurface(scene); });
-  });
+  connect(button, &QPushButton::clicked, this, [this] { session::edit(mDocument, session::MakeSurface{}); });
 }
 
 void FinishPanel::refreshOffer() {

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "kit/SavePath.h"
+#include "velum/session/command/Command.h"
+#include "velum/session/command/LookCommands.h"
 #include "velum/session/look/Look.h"
 
 namespace velum::gui {
@@ -37,11 +39,12 @@ void LookCommands::importFrom(const QString& path) {
   if (!mDocument.scene().volume.data)
     return mMessages.showNote(tr("Open a volume first: %1 is a look for one.").arg(QFileInfo(path).fileName()));
   try {
-    std::vector<std::string> warnings;
-    mDocument.edit("Import look",
-                   [&](scene::Scene& scene) { warnings = session::importLook(scene, path.toStdString()); });
+    session::Call call(session::ImportLook{path.toStdString()});
+    Progress progress;
+    session::Edit edit = session::editOf(mDocument.scene(), call, progress);
+    session::commit(mDocument, edit, call);
     mFolder = QFileInfo(path).path();
-    if (!warnings.empty()) mMessages.showNote(QFileInfo(path).fileName(), warnings);
+    if (!edit.told.empty()) mMessages.showNote(QFileInfo(path).fileName(), edit.told);
   } catch (const std::exception& error) {
     mMessages.showError(QString::fromUtf8(error.what()));
   }

@@ -1,4 +1,6 @@
 #include "LookPanel.h"
+#include "velum/session/command/Command.h"
+#include "velum/session/command/LookCommands.h"
 
 #include <QGridLayout>
 #include <QSignalBlocker>
@@ -9,13 +11,6 @@
 namespace velum::gui {
 
 namespace {
-
-/// A first surface that shows something: where the material becomes visible in the volume picture.
-double firstIsoValue(const scene::VolumeLayer& layer) {
-  for (const auto& point : layer.transfer.opacities)
-    if (point.opacity >= 0.2) return point.value;
-  return layer.data ? 0.5 * (layer.data->range.x + layer.data->range.y) : 0.0;
-}
 
 /// Decimals with which a thousandth of a span can be told.
 int decimalsFor(double span) { return std::clamp(int(std::ceil(2.0 - std::log10(std::max(span, 1e-9)))), 0, 6); }
@@ -152,19 +147,11 @@ QWidget* LookPanel::makeBackground() {
 }
 
 void LookPanel::setBackground(glm::vec3 top, glm::vec3 bottom) {
-  mDocument.edit("Change background", [&](scene::Scene& scene) {
-    scene.background.top = top;
-    scene.background.bottom = bottom;
-  });
+  session::edit(mDocument, session::SetBackground{top, bottom});
 }
 
 void LookPanel::chooseMode(int index) {
-  mDocument.edit("Change rendering", [&](scene::Scene& scene) {
-    auto& rayCast = scene.rayCast;
-    rayCast.mode = static_cast<scene::RenderMode>(index);
-    if (rayCast.mode == scene::RenderMode::Iso && rayCast.isoValue == 0.0)
-      rayCast.isoValue = firstIsoValue(scene.volume);
-  });
+  session::edit(mDocument, session::ChooseMode{static_cast<scene::RenderMode>(index)});
 }
 
 void LookPanel::refresh() {

@@ -7,6 +7,8 @@
 #include "kit/Length.h"
 #include "kit/Widgets.h"
 #include "velum/scene/Presets.h"
+#include "velum/session/command/Command.h"
+#include "velum/session/command/LookCommands.h"
 #include "velum/session/picture/PresetPictures.h"
 
 namespace velum::gui {
@@ -72,9 +74,7 @@ PresetGrid::PresetGrid(session::Document& document, QWidget* parent)
 
 PresetGrid::~PresetGrid() { mJob.reset(); }
 
-void PresetGrid::choose(const QString& name) {
-  mDocument.edit("Choose preset", [&](scene::Scene& scene) { scene::applyPreset(scene, name.toStdString()); });
-}
+void PresetGrid::choose(const QString& name) { session::edit(mDocument, session::ChoosePreset{name.toStdString()}); }
 
 /// The presets for this kind of data and the one that is chosen; where they are wanted, all others.
 void PresetGrid::fill() {

@@ -8,6 +8,8 @@
 #include <algorithm>
 
 #include "kit/SelectedCut.h"
+#include "velum/session/command/Command.h"
+#include "velum/session/command/ModelCommands.h"
 #include "velum/session/membrane/MembraneEdit.h"
 #include "velum/session/model/TypesAt.h"
 #include "velum/session/model/WhatHides.h"
@@ -18,10 +20,12 @@ namespace velum::gui {
 ModelCommands::ModelCommands(session::Document& document, Selection& selection, QObject* parent)
     : QObject(parent), mDocument(document), mSelection(selection), mFlight(document, nullptr) {}
 
+std::vector<std::string> ModelCommands::named(const Types& types) const {
+  return session::typeNames(mDocument.scene(), types);
+}
+
 void ModelCommands::setVisible(const Types& types, bool visible) {
-  if (types.empty()) return;
-  mDocument.edit(session::typesLabel(mDocument.scene(), visible ? "Show" : "Hide", types),
-                 [&](scene::Scene& scene) { session::setTypesVisible(scene, types, visible); });
+  if (!types.empty()) session::edit(mDocument, session::ShowTypes{named(types), visible});
 }
 
 void ModelCommands::toggleSolo(const Types& types) {
@@ -34,9 +38,7 @@ void ModelCommands::toggleSolo(const Types& types) {
 }
 
 void ModelCommands::setColor(const Types& types, glm::vec3 color) {
-  if (types.empty()) return;
-  mDocument.edit(session::typesLabel(mDocument.scene(), "Colour", types),
-                 [&](scene::Scene& scene) { session::setTypesColor(scene, types, color); });
+  if (!types.empty()) session::edit(mDocument, session::ColorTypes{named(types), color});
 }
 
 void ModelCommands::chooseColor(const Types& types, QWidget* window) {
@@ -48,14 +50,10 @@ void ModelCommands::chooseColor(const Types& types, QWidget* window) {
 }
 
 void ModelCommands::resetColor(const Types& types) {
-  mDocument.edit(session::typesLabel(mDocument.scene(), "Palette's colour of", types),
-                 [&](scene::Scene& scene) { session::setTypesColor(scene, types, std::nullopt); });
+  session::edit(mDocument, session::TakePaletteColor{named(types)});
 }
 
-void ModelCommands::reset(const Types& types) {
-  mDocument.edit(session::typesLabel(mDocument.scene(), "Reset", types),
-                 [&](scene::Scene& scene) { session::resetTypes(scene, types); });
-}
+void ModelCommands::reset(const Types& types) { session::edit(mDocument, session::ResetTypes{named(types)}); }
 
 void ModelCommands::flyTo(const session::InstancePlace& place) {
   if (place.radius <= 0.0) return;
@@ -93,13 +91,7 @@ void ModelCommands::fillMembraneMenu(QMenu& menu, const Types& types) {
 }
 
 void ModelCommands::setInView(const std::string& path, bool kept) {
-  std::string name(session::shortName(path));
-  mDocument.edit(kept ? "Keep " + name + " in view" : "Let " + name + " be hidden", [&](scene::Scene& scene) {
-    if (kept)
-      session::clearTheWay(scene, path);
-    else
-      session::endKeepInView(scene, path);
-  });
+  session::edit(mDocument, session::KeepInView{path, kept});
 }
 
 void ModelCommands::setGhosts(const Types& types, std::optional<scene::Ghosts> ghosts) {

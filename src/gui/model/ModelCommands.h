@@ -51,6 +51,7 @@ class ModelCommands : public QObject {
   void targetsAsked();
 
  private:
+  std::vector<std::string> named(const Types& types) const;
   void fillMembraneMenu(QMenu& menu, const Types& types);
   void fillViewMenu(QMenu& menu, const std::string& path);
   void fillGhostMenu(QMenu& menu, const Types& types);

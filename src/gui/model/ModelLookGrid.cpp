@@ -5,6 +5,8 @@
 #include "kit/CallLater.h"
 #include "kit/Widgets.h"
 #include "velum/scene/ModelLooks.h"
+#include "velum/session/command/Command.h"
+#include "velum/session/command/LookCommands.h"
 #include "velum/session/picture/ModelPictures.h"
 
 namespace velum::gui {
@@ -39,7 +41,7 @@ ModelLookGrid::ModelLookGrid(session::Document& document, QWidget* parent)
 ModelLookGrid::~ModelLookGrid() { mJob.reset(); }
 
 void ModelLookGrid::choose(const QString& name) {
-  mDocument.edit("Choose look", [&](scene::Scene& scene) { scene::applyModelLook(scene, name.toStdString()); });
+  session::edit(mDocument, session::ChooseModelLook{name.toStdString()});
 }
 
 void ModelLookGrid::resizeEvent(QResizeEvent*) { mList->fit(width()); }

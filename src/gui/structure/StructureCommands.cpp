@@ -6,9 +6,11 @@
 
 #include "kit/PictureList.h"
 #include "velum/scene/LitSpheres.h"
+#include "velum/session/command/Command.h"
+#include "velum/session/command/CutCommands.h"
+#include "velum/session/command/StructureCommands.h"
 #include "velum/session/cut/CutEdit.h"
 #include "velum/session/membrane/MembraneEdit.h"
-#include "velum/session/structure/StructureRow.h"
 
 namespace velum::gui {
 
@@ -23,17 +25,16 @@ StructureCommands::StructureCommands(session::Document& document, Selection& sel
   });
 }
 
+std::vector<std::string> StructureCommands::named(const Ids& ids) const {
+  return session::structureNames(mDocument.scene(), ids);
+}
+
 void StructureCommands::setVisible(const Ids& ids, bool visible) {
-  if (ids.empty()) return;
-  mDocument.edit(session::structureLabel(mDocument.scene(), visible ? "Show" : "Hide", ids), [&](scene::Scene& scene) {
-    session::changeStructures(scene, ids, [&](scene::Structure& s) { s.visible = visible; });
-  });
+  if (!ids.empty()) session::edit(mDocument, session::ShowStructures{named(ids), visible});
 }
 
 void StructureCommands::invertVisible(const Ids& ids) {
-  mDocument.edit("Invert what is shown", [&](scene::Scene& scene) {
-    session::changeStructures(scene, ids, [](scene::Structure& s) { s.visible = !s.visible; });
-  });
+  session::edit(mDocument, session::InvertStructures{named(ids)});
 }
 
 void StructureCommands::toggleSolo(int id) {
@@ -46,43 +47,23 @@ void StructureCommands::toggleSolo(int id) {
 }
 
 void StructureCommands::setColor(const Ids& ids, glm::vec3 color) {
-  mDocument.edit(session::structureLabel(mDocument.scene(), "Colour", ids),
-                 [&](scene::Scene& scene) { session::colorStructures(scene, ids, color); });
+  session::edit(mDocument, session::ColorStructures{named(ids), color});
 }
 
 void StructureCommands::dragOpacity(const Ids& ids, double opacity) {
-  mDocument.edit(
-      session::structureLabel(mDocument.scene(), "Opacity of", ids),
-      [&](scene::Scene& scene) {
-        session::changeStructures(scene, ids, [&](scene::Structure& s) { s.opacity = std::clamp(opacity, 0.0, 1.0); });
-      },
-      true);
+  session::edit(mDocument, session::SetStructureOpacity{named(ids), std::clamp(opacity, 0.0, 1.0)}, true);
 }
 
 void StructureCommands::rename(int id, const QString& name) {
-  mDocument.edit(session::structureLabel(mDocument.scene(), "Rename", {id}),
-                 [&](scene::Scene& scene) { session::renameStructure(scene, id, name.toStdString()); });
+  session::edit(mDocument, session::RenameStructure{named({id})[0], name.toStdString()});
 }
 
 void StructureCommands::setShowAs(const Ids& ids, scene::ShowAs as) {
-  if (ids.empty()) return;
-  const char* verb = as == scene::ShowAs::Solid ? "Show solid:" : "Show as material:";
-  mDocument.edit(session::structureLabel(mDocument.scene(), verb, ids), [&](scene::Scene& scene) {
-    session::changeStructures(scene, ids, [&](scene::Structure& s) {
-      s.showAs = as;
-      s.visible = true;
-    });
-  });
+  if (!ids.empty()) session::edit(mDocument, session::ShowStructuresAs{named(ids), as});
 }
 
 void StructureCommands::setLitSphere(const Ids& ids, const QString& name) {
-  mDocument.edit(session::structureLabel(mDocument.scene(), "Lit sphere of", ids), [&](scene::Scene& scene) {
-    session::changeStructures(scene, ids, [&](scene::Structure& s) { s.litSphere = name.toStdString(); });
-    // Who chooses one wants to see it.
-    if (name.isEmpty()) return;
-    scene.finish.structureSpheres = true;
-    if (scene.finish.litSphere == 0.0) scene.finish.litSphere = 0.5;
-  });
+  session::edit(mDocument, session::SetStructureSphere{named(ids), name.toStdString()});
 }
 
 const scene::Cut* StructureCommands::cut() const { return scene::findCut(mDocument.scene(), mSelection.cut()); }
@@ -100,10 +81,9 @@ bool StructureCommands::isSpared(int id) const {
 }
 
 void StructureCommands::setSpared(const Ids& ids, bool whole) {
-  if (!cut()) return;
-  mDocument.edit(session::structureLabel(mDocument.scene(), whole ? "Spare" : "Cut", ids), [&](scene::Scene& scene) {
-    for (int id : ids) session::setSpared(*scene::findCut(scene, mSelection.cut()), id, whole);
-  });
+  if (const scene::Cut* selected = cut())
+    session::edit(mDocument,
+                  session::SpareStructures{named(ids), whole, session::cutKey(mDocument.scene(), selected->id)});
 }
 
 const scene::Membrane* StructureCommands::membrane() const {
@@ -120,11 +100,9 @@ double StructureCommands::strengthOf(int id) const {
 }
 
 void StructureCommands::setStrength(const Ids& ids, double strength) {
-  if (!membrane()) return;
-  const char* verb = strength > 0 ? "Protect by membrane:" : strength < 0 ? "Draw membrane to" : "No force of";
-  mDocument.edit(session::structureLabel(mDocument.scene(), verb, ids), [&](scene::Scene& scene) {
-    for (int id : ids) session::protectStructure(*scene::findCut(scene, mSelection.cut())->membrane, id, strength);
-  });
+  if (membrane())
+    session::edit(mDocument,
+                  session::ProtectStructures{named(ids), strength, session::cutKey(mDocument.scene(), cut()->id)});
 }
 
 void StructureCommands::goTo(int id) {

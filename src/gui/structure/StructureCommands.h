@@ -55,6 +55,7 @@ class StructureCommands : public QObject {
   void exportAsked(const std::vector<int>& ids);
 
  private:
+  std::vector<std::string> named(const Ids& ids) const;
   const scene::Cut* cut() const;
   const scene::Membrane* membrane() const;
   double strengthOf(int id) const;

@@ -1,6 +1,6 @@
 #include "StructureRoom.h"
 
-#include "velum/session/document/StructureShapes.h"
+#include "velum/session/command/StructureCommands.h"
 
 namespace velum::gui {
 
@@ -20,18 +20,7 @@ StructureRoom::StructureRoom(const WindowParts& parts)
 }
 
 void StructureRoom::smooth(const std::vector<int>& ids, double deviation) {
-  const scene::Scene& scene = mParts.session.scene();
-  auto after = std::make_shared<scene::Scene>(scene);
-  session::changeStructures(*after, ids, [&](scene::Structure& s) { s.smoothing = deviation; });
-  if (after->labels.structures == scene.labels.structures) return;
-  std::string step = session::structureLabel(scene, "Smooth", ids);
-  mParts.jobs.startShort(
-      QString::fromStdString(step), [after](Progress& progress) { session::settleShapes(*after, progress); },
-      [this, after, step, before = scene.labels] {
-        scene::Scene now = mParts.session.scene();
-        if (session::takeShapes(now, before, after->labels))
-          mParts.document().edit(step, [&](scene::Scene& s) { s.labels = now.labels; });
-      });
+  mParts.jobs.run(session::SmoothStructures{session::structureNames(mParts.session.scene(), ids), deviation});
 }
 
 void StructureRoom::refresh(const session::Session& session) {

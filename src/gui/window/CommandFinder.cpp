@@ -8,12 +8,14 @@
 #include <algorithm>
 
 #include "kit/RowPaint.h"
+#include "velum/session/command/Command.h"
 
 namespace velum::gui {
 
 namespace {
 
 constexpr int kMostShown = 200;
+constexpr int kTyped = -1;  ///< In the place of a number in the list of what can be found.
 constexpr int kIcon = 20;
 enum Role { kBesideRole = Qt::UserRole + 1, kNumberRole };
 
@@ -75,9 +77,10 @@ Asked split(const QString& text) {
 
 }  // namespace
 
-CommandFinder::CommandFinder(std::vector<Findable> all, QWidget* parent)
+CommandFinder::CommandFinder(std::vector<Findable> all, std::function<void(const QString&)> runLine, QWidget* parent)
     : QDialog(parent, Qt::Dialog | Qt::FramelessWindowHint),
       mAll(std::move(all)),
+      mRunLine(std::move(runLine)),
       mLetters(new QLineEdit(this)),
       mList(new QListWidget(this)) {
   setObjectName("commandFinder");
@@ -88,9 +91,8 @@ CommandFinder::CommandFinder(std::vector<Findable> all, QWidget* parent)
   mLetters->setPlaceholderText(tr("What do you want to do?"));
   mLetters->setAccessibleName(tr("Letters of the command"));
   mLetters->setToolTip(
-      tr("A few letters of a command, preset, structure or number, as \u201cshadows 80\u201d; Up and Down choose, "
-         "Enter does "
-         "it, Esc leaves"));
+      tr("A few letters of a command, preset, structure or number, as \u201cshadows 80\u201d, or a command as in a "
+         "script; Up and Down choose, Enter does it, Esc leaves"));
   mLetters->installEventFilter(this);
   mList->setAccessibleName(tr("Commands"));
   mList->setItemDelegate(new Delegate(mList));
@@ -143,6 +145,7 @@ void CommandFinder::fill() {
   }
   std::stable_sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) { return a.score > b.score; });
   mList->clear();
+  bool isTyped = addTyped();
   for (std::size_t i = 0; i < std::min<std::size_t>(rows.size(), kMostShown); ++i) {
     const Findable& one = mAll[std::size_t(rows[i].index)];
     QString beside = rows[i].number.isEmpty() ? one.beside : one.beside + " \u2192 " + rows[i].number;
@@ -154,8 +157,28 @@ void CommandFinder::fill() {
     item->setToolTip(one.tip);
     if (!one.isOn) item->setFlags(Qt::NoItemFlags);
   }
-  if (rows.empty()) sayNothingFound();
+  if (rows.empty() && !isTyped) sayNothingFound();
   mList->setCurrentRow(0);
+}
+
+/// A command as in a script, "structure.opacity aorta 0.2", comes first; one that does not fit says why.
+bool CommandFinder::addTyped() {
+  QString line = mLetters->text().trimmed();
+  std::string name = line.section(' ', 0, 0).toStdString();
+  auto all = session::commands();
+  if (std::none_of(all.begin(), all.end(), [&](const auto& one) { return one.name == name && one.change; }))
+    return false;
+  auto* item = new QListWidgetItem(mList);
+  item->setData(Qt::UserRole, kTyped);
+  try {
+    session::parseCall(line.toStdString());
+    item->setText(tr("Run > %1").arg(line));
+    item->setToolTip(QString::fromUtf8(session::findCommand(name).doc.data()));
+  } catch (const std::exception& error) {
+    item->setText(QString::fromUtf8(error.what()));
+    item->setFlags(Qt::NoItemFlags);
+  }
+  return true;
 }
 
 void CommandFinder::sayNothingFound() {
@@ -166,6 +189,11 @@ void CommandFinder::sayNothingFound() {
 void CommandFinder::doChosen() {
   QListWidgetItem* item = mList->currentItem();
   if (!item || !(item->flags() & Qt::ItemIsEnabled)) return;
+  if (item->data(Qt::UserRole).toInt() == kTyped) {
+    QString line = mLetters->text();
+    accept();
+    return mRunLine(line);
+  }
   const Findable& chosen = mAll[std::size_t(item->data(Qt::UserRole).toInt())];
   QString number = item->data(kNumberRole).toString();
   accept();

@@ -12,7 +12,8 @@ namespace velum::gui {
 class CommandFinder : public QDialog {
   Q_OBJECT
  public:
-  CommandFinder(std::vector<Findable> all, QWidget* parent);
+  /// @param runLine  does a command that was typed as in a script, with its arguments
+  CommandFinder(std::vector<Findable> all, std::function<void(const QString&)> runLine, QWidget* parent);
 
   /// How well letters fit a name: all of them must come in order; beginnings of words and runs count more. 0: not at
   /// all.
@@ -26,7 +27,10 @@ class CommandFinder : public QDialog {
   void doChosen();
   void sayNothingFound();
 
+  bool addTyped();
+
   const std::vector<Findable> mAll;
+  std::function<void(const QString&)> mRunLine;
   QLineEdit* mLetters;
   QListWidget* mList;
 };

@@ -12,8 +12,12 @@ HelpCommands::HelpCommands(const WindowParts& parts) : Room(parts) {
   parts.actions.add(menu, "help.guide", tr("User &guide"), tr("Read the guide; no network is needed"),
                     [this] { showGuide(); });
   parts.actions.add(menu, "help.find", tr("&Find a command..."),
-                    tr("Find a command, preset, structure or number by a few letters"),
-                    [this] { CommandFinder(findAll(mParts), &mParts.window).exec(); });
+                    tr("Find a command, preset, structure or number by a few letters"), [this] {
+                      auto runLine = [this](const QString& line) {
+                        mParts.jobs.run(session::parseCall(line.toStdString()));
+                      };
+                      CommandFinder(findAll(mParts), runLine, &mParts.window).exec();
+                    });
   menu->addSeparator();
   parts.actions.add(menu, "help.about", tr("&About Velum"), tr("Say what Velum is"), [this] { showAbout(); });
 }

@@ -1,5 +1,7 @@
 #include "HistoryCommands.h"
 
+#include <QClipboard>
+#include <QGuiApplication>
 #include <algorithm>
 
 #include "PreferencesDialog.h"
@@ -8,7 +10,7 @@ namespace velum::gui {
 
 namespace {
 
-constexpr int kHistoryRows = 30;
+constexpr int kHistoryRows = 30, kNoteLength = 90;
 
 /// A label in a menu, where & is a mark.
 QString menuText(const std::string& label) { return QString::fromStdString(label).replace('&', "&&"); }
@@ -22,6 +24,12 @@ HistoryCommands::HistoryCommands(const WindowParts& parts) : Room(parts) {
   mRedo = parts.actions.add(menu, "edit.redo", tr("&Redo"), tr("Do it again"), [this] { mParts.document().redo(); });
   QMenu* history = menu->addMenu(tr("&History"));
   connect(history, &QMenu::aboutToShow, this, [this, history] { fillHistory(*history); });
+  mCopy =
+      parts.actions.add(menu, "edit.copyCommand", tr("&Copy as command"),
+                        tr("Copy the last change as the line of a script that does it again"), [this] { copyLast(); });
+  parts.actions.add(menu, "edit.commands", tr("Co&mmands so far..."),
+                    tr("What has been done to what is open, as a script; and a line to type commands"),
+                    [this] { showCommands(); });
   mUndo->setIconText(tr("Undo"));
   mRedo->setIconText(tr("Redo"));
   menu->addSeparator();
@@ -35,7 +43,24 @@ void HistoryCommands::askPreferences() {
   dialog.exec();
 }
 
+void HistoryCommands::copyLast() {
+  QString text;
+  for (const std::string& line : mParts.document().lastCommandLines()) text += QString::fromStdString(line) + '\n';
+  QGuiApplication::clipboard()->setText(text);
+  QString first = text.section('\n', 0, 0).startsWith('#') ? text.section('\n', 1, 1) : text.section('\n', 0, 0);
+  mParts.messages.showNote(tr("Copied: %1").arg(first.size() > kNoteLength ? first.left(kNoteLength) + "..." : first));
+}
+
+void HistoryCommands::showCommands() {
+  if (!mCommands) mCommands = new CommandsWindow(mParts.session, mParts.jobs, &mParts.window);
+  mCommands->show();
+  mCommands->raise();
+  mCommands->activateWindow();
+}
+
 void HistoryCommands::refresh(const session::Session& session) {
+  if (mCommands) mCommands->refresh();
+  mCopy->setEnabled(session.document().canUndo());
   const session::Document& document = session.document();
   auto name = [](const QString& verb, const std::string& label) {
     return label.empty() ? verb : QString("%1 \"%2\"").arg(verb, QString::fromStdString(label));

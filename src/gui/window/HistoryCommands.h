@@ -1,9 +1,10 @@
 #pragma once
+#include "CommandsWindow.h"
 #include "view/Room.h"
 
 namespace velum::gui {
 
-/// Undo, redo, and the list of both; preferences.
+/// Undo, redo, and the list of both; what was done as commands; preferences.
 class HistoryCommands : public Room {
   Q_OBJECT
  public:
@@ -17,8 +18,11 @@ class HistoryCommands : public Room {
  private:
   void askPreferences();
   void fillHistory(QMenu& menu);
+  void copyLast();
+  void showCommands();
 
-  QAction *mUndo, *mRedo;
+  QAction *mUndo, *mRedo, *mCopy;
+  CommandsWindow* mCommands = nullptr;  ///< From when it is first shown.
 };
 
 }  // namespace velum::gui

@@ -52,6 +52,7 @@ class MainWindow : public QMainWindow {
   SideTabs& tabs() { return *mFrame.tabs; }
   ActionTable& actions() { return mActions; }
   Selection& selection() { return mSelection; }
+  JobRunner& jobs() { return mJobs; }
   const WindowParts& parts() const { return mParts; }
   Toolbox& toolbox() { return mToolbox; }
   LookCommands& look() { return mLook->commands(); }

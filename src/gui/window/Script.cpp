@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <QFileInfo>
-#include <QRegularExpression>
 #include <chrono>
 #include <cstdio>
 
@@ -11,7 +10,8 @@
 #include "kit/SaveImage.h"
 #include "velum/core/Error.h"
 #include "velum/core/Memory.h"
-#include "velum/scene/json/Json.h"
+#include "velum/session/command/Command.h"
+#include "velum/session/command/DocumentCommands.h"
 
 namespace velum::gui {
 
@@ -30,12 +30,6 @@ int wholeNumber(const QString& text, int least, int most, const QString& what) {
     throw ArgumentError(
         fmt::format("'{}' is not {}, a whole number of {} to {}", text.toStdString(), what.toStdString(), least, most));
   return value;
-}
-
-/// How long the field of "FIELD VALUE" is: blanks within brackets are those of a name, which may hold brackets.
-qsizetype fieldLength(const QString& text) {
-  static const QRegularExpression form(R"(^(?:[^ \[]|\[.*?\](?=[. ]|$))*)");
-  return form.match(text).capturedLength();
 }
 
 QString wholePath(const QString& text) {
@@ -126,7 +120,7 @@ void Script::waitFor(std::function<bool()> ready, int mostMs, const QString& wha
 }
 
 void Script::run(const QString& command, const QString& rest) {
-  if (runEdit(command, rest) || runFile(command, rest)) return;
+  if (runAction(command, rest) || runFile(command, rest)) return;
   if (command == "wait") {
     int ms = wholeNumber(rest, 0, kLongestWaitMs, tr("milliseconds"));
     waitFor([this, ms] { return mWaited.elapsed() >= ms; }, kLongestWaitMs + 1000, {});
@@ -141,55 +135,67 @@ void Script::run(const QString& command, const QString& rest) {
   } else if (command == "quit") {
     mWindow.leave(0);
   } else {
-    throw ArgumentError(fmt::format(
-        "'{}' is no command; there are open, add, recover, set, do, undo, redo, wait, settle, page, size, save, "
-        "picture, screenshot, quit",
-        command.toStdString()));
+    runCommand(rest.isEmpty() ? command : command + ' ' + rest);
   }
 }
 
-bool Script::runEdit(const QString& command, const QString& rest) {
-  session::Document& document = mWindow.document();
-  if (command == "set") {
-    qsizetype length = fieldLength(rest);
-    std::string field = rest.left(length).toStdString(), value = rest.mid(length).trimmed().toStdString();
-    if (field.empty() || value.empty()) throw ArgumentError("set wants a field and a value");
-    document.edit("Set " + field, [&](scene::Scene& scene) { scene::setField(scene, field, value); });
-  } else if (command == "do") {
-    QAction* action = mWindow.actions().find(rest);
-    if (!action) throw ArgumentError(fmt::format("'{}' is no command of the window", rest.toStdString()));
-    if (!action->isEnabled()) throw InputError(fmt::format("{}: cannot be done now", rest.toStdString()));
-    action->trigger();
-    waitFor([this] { return !mWindow.isBusy(); }, kMostMs, rest);
-  } else if (command == "undo" || command == "redo") {
-    bool back = command == "undo";
-    if (!(back ? document.canUndo() : document.canRedo()))
-      throw InputError(fmt::format("there is nothing to {}", command.toStdString()));
-    back ? document.undo() : document.redo();
-  } else {
-    return false;
-  }
+bool Script::runAction(const QString& command, const QString& rest) {
+  if (command != "do") return false;
+  QAction* action = mWindow.actions().find(rest);
+  if (!action) throw ArgumentError(fmt::format("'{}' is no command of the window", rest.toStdString()));
+  if (!action->isEnabled()) throw InputError(fmt::format("{}: cannot be done now", rest.toStdString()));
+  action->trigger();
+  waitFor([this] { return !mWindow.isBusy(); }, kMostMs, rest);
   return true;
 }
 
+/// A command that scripts have without a window, too. What is long is a job, here.
+void Script::runCommand(const QString& line) {
+  session::Call call = session::parseCall(line.toStdString());
+  bool isLong = !call.command().act && session::isLong(mWindow.document().scene(), call);
+  if (isLong) {
+    mWindow.jobs().run(call);
+    return waitFor([this] { return !mWindow.isBusy(); }, kMostMs, line);
+  }
+  Progress progress;
+  auto told = session::run(mWindow.session(), call, progress);
+  if (!call.command().answers && !told.empty()) return mWindow.messages().showNote({}, told);
+  for (const std::string& answer : told) fmt::print("{}\n", answer);
+  std::fflush(stdout);
+}
+
+/// What the window does in its own way: it shows what was read, and draws pictures beside.
 bool Script::runFile(const QString& command, const QString& rest) {
   auto waitForJob = [this](const QString& what) { waitFor([this] { return !mWindow.isBusy(); }, kMostMs, what); };
-  if (command == "open" || command == "add") {
-    QString path = wholePath(rest);
+  auto argumentsOf = [&]<class Arguments>(Arguments) {
+    return std::any_cast<Arguments>(session::parseCall((command + ' ' + rest).toStdString()).arguments());
+  };
+  auto open = [&](const std::string& name, bool add) {
+    QString path = wholePath(QString::fromStdString(name));
     if (!QFileInfo::exists(path))
       throw InputError(fmt::format("{}: there is no such file or folder", path.toStdString()));
-    mWindow.openPaths({path}, command == "add");
+    mWindow.openPaths({path}, add);
     waitForJob(path);
+  };
+  if (command == "open") {
+    auto file = argumentsOf(session::OpenFile{});
+    session::OpenFile plain;
+    plain.path = file.path;
+    if (!(plain == file)) return false;
+    open(file.path, false);
+  } else if (command == "add") {
+    auto file = argumentsOf(session::AddFile{});
+    if (file.asLabels) return false;
+    open(file.path, true);
   } else if (command == "recover") {
     if (!mWindow.restoreWork()) throw InputError("no unsaved work was left behind");
     waitForJob(tr("the recovered work"));
   } else if (command == "save") {
-    mWindow.saveSceneTo(wholePath(rest));
+    mWindow.saveSceneTo(wholePath(QString::fromStdString(argumentsOf(session::SaveScene{}).path)));
   } else if (command == "picture") {
-    session::PictureOptions options;
-    options.size = session::parsePictureSize(rest.section(' ', 0, 0).toStdString(), 0);
-    QString path = wholePath(rest.section(' ', 1).trimmed());
-    mWindow.exports().savePictureTo(path, options, mWindow.document().scene());
+    auto picture = argumentsOf(session::MakePicture{});
+    QString path = wholePath(QString::fromStdString(picture.path));
+    mWindow.exports().savePictureTo(path, session::optionsOf(picture), mWindow.document().scene());
     waitForJob(path);
   } else if (command == "screenshot") {
     saveImage(mWindow.grab().toImage(), wholePath(rest).toStdString());

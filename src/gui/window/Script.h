@@ -30,7 +30,8 @@ class Script : public QObject {
  private:
   void next();
   void run(const QString& command, const QString& rest);
-  bool runEdit(const QString& command, const QString& rest);
+  bool runAction(const QString& command, const QString& rest);
+  void runCommand(const QString& line);
   bool runFile(const QString& command, const QString& rest);
   void waitFor(std::function<bool()> ready, int mostMs, const QString& what);
   void check();

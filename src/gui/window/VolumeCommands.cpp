@@ -6,16 +6,13 @@
 #include "RawDialog.h"
 #include "VoxelSizeDialog.h"
 #include "kit/Length.h"
-#include "velum/session/document/Body.h"
+#include "velum/session/command/LookCommands.h"
 #include "velum/session/document/LabelPlace.h"
 #include "velum/session/document/WorkFile.h"
 
 namespace velum::gui {
 
 namespace {
-
-/// Cubic millimetres of a millilitre.
-constexpr double kMillilitre = 1000.0;
 
 /// TIFF is what microscopes write, as a file or plane by plane.
 bool isOfMicroscope(const std::string& path) {
@@ -70,27 +67,7 @@ void VolumeCommands::reread(const QString& step, const scene::Source& source) {
 }
 
 void VolumeCommands::hideTable(bool hidden) {
-  auto after = std::make_shared<scene::Scene>(mParts.session.scene());
-  auto removed = std::make_shared<double>(0.0);
-  Shared<Volume> before = after->volume.data;
-  after->volume.bodyOnly = hidden;
-  QString step = hidden ? tr("Hide the table") : tr("Show the table");
-  mParts.jobs.start(
-      step, [after, removed](Progress& progress) { *removed = session::settleBody(*after, progress); },
-      [this, after, removed, before, hidden, step] {
-        if (!(mParts.session.scene().volume.data == before)) return;
-        mParts.document().edit(step.toStdString(), [&](scene::Scene& scene) {
-          scene.volume.data = after->volume.data;
-          scene.volume.given = after->volume.given;
-          scene.volume.bodyOnly = hidden;
-        });
-        double mm = millimetresPer(mParts.session.scene().unit), ml = *removed * mm * mm * mm / kMillilitre;
-        if (hidden && *removed <= 0.0) mParts.messages.showNote(tr("Nothing lies beside the body."));
-        if (*removed > 0.0)
-          mParts.messages.showNote(
-              tr("%1 ml that are not part of the largest body are hidden; Look > Hide the table shows them again.")
-                  .arg(QString::number(ml, 'g', 3)));
-      });
+  mParts.jobs.run(session::HideTable{hidden});
   mTable->setChecked(mParts.session.scene().volume.bodyOnly);  // until it is done
 }
 

@@ -1,4 +1,4 @@
-#include "PathKey.h"
+#include "velum/scene/json/PathKey.h"
 
 #include <fmt/format.h>
 

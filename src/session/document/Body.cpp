@@ -346,9 +346,14 @@ Body findBody(const Volume& volume, Progress& progress) {
   return out;
 }
 
+bool bodyFits(const scene::Scene& scene) {
+  const scene::VolumeLayer& layer = scene.volume;
+  return !layer.data || layer.bodyOnly == bool(layer.given);
+}
+
 double settleBody(scene::Scene& scene, Progress& progress) {
+  if (bodyFits(scene)) return 0.0;
   scene::VolumeLayer& layer = scene.volume;
-  if (!layer.data || layer.bodyOnly == bool(layer.given)) return 0.0;
   if (!layer.bodyOnly) {
     layer.data = std::exchange(layer.given, {});
     return 0.0;

@@ -2,20 +2,23 @@
 
 #include <utility>
 
+#include "velum/scene/json/Json.h"
+
 namespace velum::session {
 
 namespace {
 constexpr const char* kMoveView = "Move view";
 }
 
-void Document::edit(const std::string& label, const Change& change, bool merge) {
+void Document::edit(const std::string& label, const Change& change, bool merge, const std::string& command) {
   scene::Scene next = mScene;
   change(next);  // may throw: nothing has changed yet
   scene::completeCuts(next);
   if (next == mScene) return;
   bool joins = merge && mMerging && canUndo() && mUndo.back().label == label;
   bool isBack = joins && mUndo.back().scene == next;
-  if (!joins) push({label, std::move(mScene), mEdit, false});
+  if (!joins) push({label, std::move(mScene), mEdit, false, {}});
+  mUndo.back().command = command;
   mScene = std::move(next);
   mRedo.clear();
   mMerging = merge && !isBack;
@@ -31,7 +34,7 @@ void Document::view(const Change& change) {
   if (canUndo() && mUndo.back().isView) {
     if (mUndo.back().scene == next) mUndo.pop_back();  // back where it was
   } else {
-    push({kMoveView, std::move(mScene), mEdit, true});
+    push({kMoveView, std::move(mScene), mEdit, true, {}});
   }
   mScene = std::move(next);
   moveRedoView(change);
@@ -56,15 +59,43 @@ void Document::moveRedoView(const Change& change) {
 
 void Document::push(Step step) {
   mUndo.push_back(std::move(step));
-  if (mUndo.size() > kMaxSteps) mUndo.erase(mUndo.begin());
+  if (mUndo.size() <= kMaxSteps) return;
+  auto lines = linesOf(mUndo[0], mUndo[1].scene);
+  mForgotten.insert(mForgotten.end(), lines.begin(), lines.end());
+  mUndo.erase(mUndo.begin());
+}
+
+std::vector<std::string> Document::linesOf(const Step& step, const scene::Scene& after) {
+  if (!step.command.empty()) return {step.command};
+  std::vector<std::string> lines{"# " + step.label};
+  for (const auto& change : scene::fieldChanges(step.scene, after))
+    lines.push_back("set " + change.path + " " + change.value);
+  return lines;
+}
+
+const scene::Scene& Document::sceneAfter(std::size_t place) const {
+  return place + 1 < mUndo.size() ? mUndo[place + 1].scene : mScene;
+}
+
+std::vector<std::string> Document::commandLines() const {
+  std::vector<std::string> all = mForgotten;
+  for (std::size_t i = 0; i < mUndo.size(); ++i) {
+    auto lines = linesOf(mUndo[i], sceneAfter(i));
+    all.insert(all.end(), lines.begin(), lines.end());
+  }
+  return all;
+}
+
+std::vector<std::string> Document::lastCommandLines() const {
+  return canUndo() ? linesOf(mUndo.back(), mScene) : std::vector<std::string>();
 }
 
 void Document::step(std::vector<Step>& from, std::vector<Step>& to) {
   if (from.empty()) return;
   Step step = std::move(from.back());
   from.pop_back();
-  to.push_back(
-      {step.label, std::exchange(mScene, std::move(step.scene)), std::exchange(mEdit, step.edit), step.isView});
+  to.push_back({step.label, std::exchange(mScene, std::move(step.scene)), std::exchange(mEdit, step.edit), step.isView,
+                step.command});
   mMerging = false;
   changed();
 }
@@ -78,8 +109,9 @@ std::vector<std::string> Document::labelsOf(const std::vector<Step>& steps) {
   return labels;
 }
 
-void Document::replace(scene::Scene scene) {
+void Document::replace(scene::Scene scene, std::vector<std::string> opening) {
   mScene = std::move(scene);
+  mForgotten = std::move(opening);
   scene::completeCuts(mScene);
   mUndo.clear();
   mRedo.clear();

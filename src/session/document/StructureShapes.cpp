@@ -28,12 +28,15 @@ std::vector<ShapeSmoothing> wantedSmoothing(const scene::LabelLayer& labels) {
 
 }  // namespace
 
+bool shapesFit(const scene::Scene& scene) {
+  return !labelsOfFile(scene.labels) || wantedSmoothing(scene.labels) == scene.labels.smoothed;
+}
+
 void settleShapes(scene::Scene& scene, Progress& progress) {
+  if (shapesFit(scene)) return;
   auto& labels = scene.labels;
   Shared<LabelVolume> file = labelsOfFile(labels);
-  if (!file) return;
   std::vector<ShapeSmoothing> wanted = wantedSmoothing(labels);
-  if (wanted == labels.smoothed) return;
   labels.given = wanted.empty() ? file : Shared<LabelVolume>(smoothLabels(*file, wanted, progress));
   labels.unsmoothed = wanted.empty() ? Shared<LabelVolume>() : file;
   labels.smoothed = std::move(wanted);

@@ -8,11 +8,47 @@
 #include "velum/io/kinds/FileKind.h"
 #include "velum/scene/Presets.h"
 #include "velum/scene/Units.h"
+#include "velum/scene/json/Json.h"
 #include "velum/session/document/Open.h"
 
 namespace velum::session {
 
 namespace {
+
+/// A line of a script that opens a source as it was opened. @param verb  open, add
+std::string lineOf(const char* verb, const scene::Source& source, const std::string& options = {}) {
+  std::string line = verb;
+  if (!source.series.empty()) line += " series=" + source.series;
+  scene::Scene plain, as;
+  as.volume.source = source;
+  for (const auto& [path, value] : scene::fieldChanges(plain, as)) {
+    std::string name = path.substr(path.rfind("source.") + 7);
+    if (name.starts_with("raw.") || name == "spacing") line += " " + name + "=" + value;
+  }
+  return line + options + " " + std::filesystem::absolute(source.path).lexically_normal().string();
+}
+
+/// What opens a scene that has come from no scene file, as lines of a script.
+std::vector<std::string> openingOf(const scene::Scene& scene, bool isRecovered) {
+  std::vector<std::string> lines;
+  auto add = [&](const scene::Source& source, const char* options) {
+    if (!source.path.empty()) lines.push_back(lineOf(lines.empty() ? "open" : "add", source, options));
+  };
+  add(scene.volume.source, "");
+  add(scene.labels.source, lines.empty() ? "" : " asLabels=true");
+  add(scene.model.source, "");
+  for (const auto& surface : scene.surfaces) add(surface.source, "");
+  scene::Scene fresh;
+  if (!isRecovered) {
+    // The rest is how data is first shown.
+    fresh = scene;
+    fresh.camera = {};
+    fresh.sections = {};
+  }
+  for (const auto& [path, value] : scene::fieldChanges(fresh, scene))
+    if (path.find("source.") == std::string::npos) lines.push_back("set " + path + " " + value);
+  return lines;
+}
 
 constexpr double kEven = 1e-9;  ///< Shares by which edges may grow differently and still be said to grow alike.
 
@@ -111,7 +147,11 @@ void WorkFile::open(Loaded loaded, const std::string& path) {
   if (loaded.lost && !std::filesystem::path(path).is_absolute() && !source.empty()) mPath = source;
   mScenePath = io::kindOf(mPath) == io::FileKind::Scene ? std::filesystem::absolute(mPath).string() : std::string();
   mIsOpen = true;
-  replace(std::move(loaded.scene));
+  bool isSceneFile = io::holdsScene(io::kindOf(mPath)) && !loaded.lost;
+  std::vector<std::string> opening =
+      isSceneFile ? std::vector<std::string>{"open " + std::filesystem::absolute(mPath).lexically_normal().string()}
+                  : openingOf(loaded.scene, bool(loaded.lost));
+  replace(std::move(loaded.scene), std::move(opening));
   if (!loaded.lost) return;
   // Only when it is safe in the new journal may the old one go; until then it is offered again should this one be lost.
   mDocument.markModified();
@@ -153,10 +193,10 @@ void WorkFile::save(const std::string& path) {
   describe();
 }
 
-void WorkFile::replace(scene::Scene scene) {
+void WorkFile::replace(scene::Scene scene, std::vector<std::string> opening) {
   discardJournal();
   mIsReplacing = true;
-  mDocument.replace(std::move(scene));
+  mDocument.replace(std::move(scene), std::move(opening));
   mIsReplacing = false;
   mJournaledChange = mDocument.changeCount();
   describe();

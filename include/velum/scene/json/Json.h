@@ -33,6 +33,19 @@ TransferFunction transferFromJson(std::string_view text);
 /// @throw ArgumentError naming the part of the path, or the value, that does not fit
 void setField(Scene& scene, std::string_view path, std::string_view value);
 
+/// The counterpart: a field, or a part with all of its fields, as setField() takes it. "cuts.*.enabled" gives a list.
+/// @param path  empty: the whole scene  @throw ArgumentError naming the part of the path that does not fit
+std::string getField(const Scene& scene, std::string_view path);
+
+/// A field and its value, as text that setField() takes.
+struct FieldValue {
+  std::string path, value;
+  bool operator==(const FieldValue&) const = default;
+};
+/// What to set, in this order, so that one scene becomes another; a list that grew or shrank is set whole. Not among
+/// them: where sheets came to rest.
+std::vector<FieldValue> fieldChanges(const Scene& before, const Scene& after);
+
 /// One row a field, for the documentation: path, type, unit, range, meaning, default.
 struct FieldRow {
   std::string path, type, unit, range, doc, defaultValue;

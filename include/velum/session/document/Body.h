@@ -21,6 +21,9 @@ struct Body {
 /// @note O(voxels); memory: a copy of the volume.
 Body findBody(const Volume& volume, Progress& progress);
 
+/// The volume's data is what `bodyOnly` says; settleBody() has nothing to do.
+bool bodyFits(const scene::Scene& scene);
+
 /// Makes the volume's data fit `bodyOnly`: its body alone, or all of it again. As findBody().
 /// @return what was left out, as findBody(); 0 where nothing had to be found
 double settleBody(scene::Scene& scene, Progress& progress);

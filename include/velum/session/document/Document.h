@@ -24,7 +24,9 @@ class Document {
   /// @param label  what was done, for the Edit menu: "Move cut"
   /// @param merge  joins the step before where that has the same label and merges, too (a drag, a slider), until
   ///               endMerge() or another edit comes between; one that comes back to where the step began takes it away
-  void edit(const std::string& label, const Change& change, bool merge = false);
+  /// @param command  line of a script that does the same, and, where edits join, what all of them do; empty: the fields
+  ///                 that have changed say it
+  void edit(const std::string& label, const Change& change, bool merge = false, const std::string& command = {});
   /// The next merging edit begins a step of its own: a drag is over.
   void endMerge() { mMerging = false; }
 
@@ -51,7 +53,14 @@ class Document {
   std::vector<std::string> redoLabels() const { return labelsOf(mRedo); }
 
   /// Takes another scene and forgets the history: a file was opened.
-  void replace(scene::Scene scene);
+  /// @param opening  lines of a script that do the same
+  void replace(scene::Scene scene, std::vector<std::string> opening = {});
+
+  /// All that was done since, as lines of a script: run again they lead to the same scene, sheets and growth at rest.
+  /// Of steps without a command there is a line `set FIELD VALUE` for each field, after one with the step's name.
+  std::vector<std::string> commandLines() const;
+  /// The same of the last step alone; empty when there is none.
+  std::vector<std::string> lastCommandLines() const;
 
   /// True when the scene is not the one of replace() or markSaved(); undoing to that one makes it false again. The view
   /// does not count.
@@ -72,9 +81,13 @@ class Document {
     scene::Scene scene;
     std::uint64_t edit = 0;  ///< names the state of what counts as modified
     bool isView = false;
+    std::string command;  ///< as of edit()
   };
   static std::vector<std::string> labelsOf(const std::vector<Step>& steps);
   void push(Step step);
+  /// The lines of a step. @param after  the scene that it led to
+  static std::vector<std::string> linesOf(const Step& step, const scene::Scene& after);
+  const scene::Scene& sceneAfter(std::size_t place) const;
   void step(std::vector<Step>& from, std::vector<Step>& to);
   void moveRedoView(const Change& change);
   void changed();
@@ -84,6 +97,7 @@ class Document {
 
   scene::Scene mScene;
   std::vector<Step> mUndo, mRedo;
+  std::vector<std::string> mForgotten;  ///< Lines of the opening, and of steps that cannot be undone any more.
   std::uint64_t mEdit = 0, mSavedEdit = 0, mLastEdit = 0, mChangeCount = 0;
   bool mMerging = false;
   std::function<void()> mListener;

@@ -6,6 +6,9 @@
 
 namespace velum::session {
 
+/// The labels have the shapes that the scene's structures say; settleShapes() has nothing to do.
+bool shapesFit(const scene::Scene& scene);
+
 /// Makes the labels fit what the scene's structures say of smoothing: the shapes of the file, or smoothed ones. What
 /// was grown is to be grown on them anew: settleGrowths(). Nothing where they fit already.
 /// @throw Cancelled. Any thread. As smoothLabels().

@@ -80,7 +80,7 @@ class WorkFile {
   void discardJournal(bool flush = false);
 
  private:
-  void replace(scene::Scene scene);
+  void replace(scene::Scene scene, std::vector<std::string> opening = {});
   void describe();
   void dropLost();
 

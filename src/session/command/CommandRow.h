@@ -1,0 +1,176 @@
+#pragma once
+#include <any>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "velum/scene/json/FieldPaths.h"
+#include "velum/scene/json/FieldTable.h"
+#include "velum/session/command/Command.h"
+
+/// How the rows of the table of commands are made, from a struct of arguments and functions of it.
+namespace velum::session::detail {
+
+/// A value of a line, with the name that is in front of it; without one where it stands at its place.
+struct Word {
+  std::string name, value;
+};
+/// The words of a line. @param names  of arguments  @param rest  the how-manyth word without a name, from 1, is all
+/// that is left of the line; 0: none is  @throw ArgumentError where a quote or bracket is not closed
+std::vector<Word> wordsOfLine(std::string_view text, const std::vector<std::string>& names, std::size_t rest);
+/// A value in quotes where it has to be.
+std::string quoted(const std::string& value);
+/// "aorta,left kidney" as a list of texts.
+std::string asTexts(std::string_view value);
+
+template <class Arguments>
+std::vector<std::string> namesOf() {
+  std::vector<std::string> names;
+  Arguments some{};
+  auto visit = [&](std::string_view name, auto&, const FieldInfo&) { names.emplace_back(name); };
+  Arguments::fields(some, visit);
+  return names;
+}
+
+/// The argument that takes what is left of a line, from 1; 0: none does.
+template <class Arguments>
+constexpr std::size_t restOf() {
+  if constexpr (requires { Arguments::kTakesRest; })
+    return Arguments::kTakesRest;
+  else
+    return 0;
+}
+
+template <class Arguments>
+std::any parseArguments(std::string_view text) {
+  std::vector<std::string> names = namesOf<Arguments>();
+  Arguments out{};
+  std::size_t place = 0;
+  for (Word& word : wordsOfLine(text, names, restOf<Arguments>())) {
+    if (word.name.empty() && place >= names.size())
+      throw ArgumentError(fmt::format("'{}' is one argument too many for {}", word.value, Arguments::kName));
+    std::string path = word.name.empty() ? names[place++] : word.name;
+    auto visit = [&](std::string_view name, auto& member, const FieldInfo&) {
+      using Member = std::remove_cvref_t<decltype(member)>;
+      if constexpr (std::is_same_v<Member, std::vector<std::string>>)
+        if (name == path) word.value = asTexts(word.value);
+    };
+    Arguments::fields(out, visit);
+    try {
+      scene::detail::assignMember(out, path, word.value, "");
+    } catch (const ArgumentError& error) {
+      std::string_view what = error.what();
+      if (what.starts_with("scene: ")) what.remove_prefix(7);
+      throw ArgumentError(fmt::format("{}: {}", Arguments::kName, what));
+    }
+  }
+  return out;
+}
+
+/// A value as a word of a line.
+template <class Value>
+std::string wordOf(const Value& value) {
+  if constexpr (std::is_same_v<Value, std::vector<std::string>>) {
+    bool isPlain = std::none_of(value.begin(), value.end(), [](const std::string& item) {
+      return item.empty() || item.find_first_of(",[\"") != std::string::npos;
+    });
+    return isPlain ? fmt::format("{}", fmt::join(value, ",")) : scene::detail::write(value).dump();
+  } else if constexpr (std::is_same_v<Value, std::string>) {
+    bool isOneLine = !value.empty() && value.find_first_of("\n\r") == std::string::npos && trimmed(value) == value;
+    return isOneLine && value.front() != '"' ? value : scene::detail::Json(value).dump();
+  } else {
+    return scene::detail::valueText(scene::detail::write(value));
+  }
+}
+
+template <class Arguments>
+std::string writeArguments(const std::any& arguments) {
+  static const Arguments kFresh{};
+  std::vector<const void*> fresh;
+  auto note = [&](std::string_view, const auto& member, const FieldInfo&) { fresh.push_back(&member); };
+  Arguments::fields(kFresh, note);
+  std::string named, placed;  // what takes the rest of a line comes last
+  std::size_t place = 0;
+  bool isInOrder = true;  // until one was left out
+  auto visit = [&](std::string_view name, const auto& member, const FieldInfo&) {
+    using Member = std::remove_cvref_t<decltype(member)>;
+    bool isAsByDefault = member == *static_cast<const Member*>(fresh[place++]);
+    bool isRest = place == restOf<Arguments>();
+    if (isAsByDefault) return void(isInOrder = false);
+    bool hasPlace = isInOrder && (restOf<Arguments>() == 0 || place <= restOf<Arguments>());
+    std::string& line = hasPlace ? placed : named;
+    if (!line.empty()) line += ' ';
+    if (!hasPlace) line += std::string(name) + "=";
+    line += isRest ? scene::detail::valueText(scene::detail::write(member)) : quoted(wordOf(member));
+  };
+  Arguments::fields(std::any_cast<const Arguments&>(arguments), visit);
+  bool isNamedFirst = restOf<Arguments>() > 0;
+  std::string blank = named.empty() || placed.empty() ? "" : " ";
+  return isNamedFirst ? named + blank + placed : placed + blank + named;
+}
+
+template <class Arguments>
+std::vector<scene::FieldRow> argumentRows() {
+  std::vector<scene::FieldRow> rows;
+  scene::detail::addRows(Arguments{}, "", rows);
+  return rows;
+}
+
+template <class Arguments>
+Command rowOf(std::string_view doc, std::string_view example) {
+  return {Arguments::kName,         doc, example, argumentRows<Arguments>, parseArguments<Arguments>,
+          writeArguments<Arguments>};
+}
+
+/// A command that changes the scene.
+/// @param step    std::string(const scene::Scene&, const Arguments&), or a text
+/// @param change  void(scene::Scene&, const Arguments&), or with a Progress& behind, which makes it a slow one; where
+///                there is something to tell, it gives the lines
+template <class Arguments, class Step, class Change>
+Command editRow(std::string_view doc, std::string_view example, Step step, Change change) {
+  Command row = rowOf<Arguments>(doc, example);
+  row.step = [step](const scene::Scene& scene, const std::any& arguments) -> std::string {
+    if constexpr (std::is_convertible_v<Step, std::string>)
+      return step;
+    else
+      return step(scene, std::any_cast<const Arguments&>(arguments));
+  };
+  constexpr bool isSlow = std::is_invocable_v<Change, scene::Scene&, const Arguments&, Progress&>;
+  row.isSlow = isSlow;
+  row.change = [change](scene::Scene& scene, const std::any& any, Progress& progress) -> std::vector<std::string> {
+    const auto& arguments = std::any_cast<const Arguments&>(any);
+    auto run = [&] {
+      if constexpr (isSlow)
+        return change(scene, arguments, progress);
+      else
+        return change(scene, arguments);
+    };
+    if constexpr (std::is_void_v<decltype(run())>)
+      return run(), std::vector<std::string>();
+    else
+      return run();
+  };
+  return row;
+}
+
+/// A command that acts on the session. @param act  std::vector<std::string>(Session&, const Arguments&, Progress&)
+template <class Arguments, class Act>
+Command actRow(std::string_view doc, std::string_view example, Act act) {
+  Command row = rowOf<Arguments>(doc, example);
+  row.act = [act](Session& session, const std::any& arguments, Progress& progress) {
+    return act(session, std::any_cast<const Arguments&>(arguments), progress);
+  };
+  return row;
+}
+
+// The rows, a file each.
+std::vector<Command> documentCommands();
+std::vector<Command> structureCommands();
+std::vector<Command> cutCommands();
+std::vector<Command> lookCommands();
+std::vector<Command> modelCommands();
+std::vector<Command> extrusionCommands();
+
+}  // namespace velum::session::detail

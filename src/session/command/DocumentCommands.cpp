@@ -1,0 +1,116 @@
+#include "velum/session/command/DocumentCommands.h"
+
+#include <filesystem>
+
+#include "CommandRow.h"
+#include "velum/session/Session.h"
+#include "velum/session/document/SetFields.h"
+#include "velum/session/picture/Picture.h"
+
+namespace velum::session {
+
+PictureOptions optionsOf(const MakePicture& arguments) {
+  return {parsePictureSize(arguments.size, arguments.dpi), arguments.samples, arguments.transparent, arguments.layers,
+          arguments.dpi};
+}
+
+namespace detail {
+
+namespace {
+
+using Lines = std::vector<std::string>;
+
+std::string wholePath(const std::string& path) {
+  if (path.empty()) throw ArgumentError("a path is missing");
+  return std::filesystem::absolute(path).lexically_normal().string();
+}
+
+Lines open(Session& session, const OpenFile& arguments, Progress& progress) {
+  scene::Source source;
+  source.path = wholePath(arguments.path);
+  source.series = arguments.series;
+  source.raw = arguments.raw;
+  source.spacing = arguments.spacing;
+  bool isPlain = source == scene::Source{source.path, {}, {}, glm::dvec3(0.0), {}};
+  Loaded loaded = isPlain ? readPaths({source.path}, progress, {}) : readAs(source, progress, {});
+  Lines notes = loaded.notes;
+  session.file().open(std::move(loaded), source.path);
+  return notes;
+}
+
+Lines add(Session& session, const AddFile& arguments, Progress& progress) {
+  std::string path = wholePath(arguments.path);
+  Loaded loaded =
+      arguments.asLabels ? readLabels(session.scene(), path, progress) : readBeside(session.scene(), {path}, progress);
+  session.file().add(loaded);
+  return loaded.notes;
+}
+
+Lines makePicture(Session& session, const MakePicture& arguments, Progress& progress) {
+  PictureOptions options = optionsOf(arguments);
+  std::string path = wholePath(arguments.path);
+  expectPictureFile(path);
+  session.settle(progress);
+  savePicture(session.picture(options, progress), session.scene(), options, path);
+  return {};
+}
+
+Command answering(Command row) {
+  row.answers = true;
+  return row;
+}
+
+void expectStep(bool isThere, const char* what) {
+  if (!isThere) throw InputError(fmt::format("there is nothing to {}", what));
+}
+
+}  // namespace
+
+std::vector<Command> documentCommands() {
+  return {
+      actRow<OpenFile>("Opens a file or folder in the place of what is open.", "open head.nii.gz", open),
+      actRow<AddFile>("Adds labels, a surface or a model beside what is open.", "add head_labels.seg.nrrd", add),
+      actRow<SaveScene>("Writes the scene: what is open, and how it is shown.", "save work.json",
+                        [](Session& session, const SaveScene& arguments, Progress&) {
+                          session.file().save(wholePath(arguments.path));
+                          return Lines();
+                        }),
+      actRow<MakePicture>("Makes a picture of the scene, with the scene inside.", "picture 1280x720 head.png",
+                          makePicture),
+      editRow<SetField>(
+          "Sets a field of the scene, with all that follows from it.", "set rayCast.mode mip",
+          [](const scene::Scene&, const SetField& arguments) { return "Set " + arguments.path; },
+          [](scene::Scene& scene, const SetField& arguments) {
+            if (arguments.path.empty() || arguments.value.empty()) throw ArgumentError("set wants a field and a value");
+            setField(scene, arguments.path, arguments.value);
+          }),
+      answering(actRow<GetField>("Tells what a field of the scene is, as set takes it.", "get camera.eye",
+                                 [](Session& session, const GetField& arguments, Progress&) {
+                                   return Lines{scene::getField(session.scene(), arguments.path)};
+                                 })),
+      actRow<Undo>("Takes the last change back.", "undo",
+                   [](Session& session, const Undo&, Progress&) {
+                     expectStep(session.document().canUndo(), "undo");
+                     session.document().undo();
+                     return Lines();
+                   }),
+      actRow<Redo>("Does again what was taken back.", "redo",
+                   [](Session& session, const Redo&, Progress&) {
+                     expectStep(session.document().canRedo(), "redo");
+                     session.document().redo();
+                     return Lines();
+                   }),
+      actRow<Settle>("Waits until sheets rest and all has grown.", "settle",
+                     [](Session& session, const Settle&, Progress& progress) {
+                       session.settle(progress);
+                       return Lines();
+                     }),
+      answering(actRow<ListCommands>(
+          "Tells the commands that lead to what is open, a line each: a script.", "commands",
+          [](Session& session, const ListCommands&, Progress&) { return session.document().commandLines(); })),
+  };
+}
+
+}  // namespace detail
+
+}  // namespace velum::session

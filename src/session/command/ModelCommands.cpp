@@ -1,0 +1,92 @@
+#include "velum/session/command/ModelCommands.h"
+
+#include <algorithm>
+
+#include "CommandRow.h"
+#include "velum/core/NearestName.h"
+#include "velum/session/model/TypesAt.h"
+#include "velum/session/model/WhatHides.h"
+
+namespace velum::session {
+
+std::vector<std::string> typeNames(const scene::Scene& scene, const TypeNumbers& types) {
+  std::vector<std::string> names;
+  if (!scene.model.data) return names;
+  const Model& model = *scene.model.data;
+  for (std::uint32_t type : types)
+    if (type < model.types.size()) names.push_back(pathOf(model, model.types[type]));
+  return names;
+}
+
+TypeNumbers typeNumbers(const scene::Scene& scene, const std::vector<std::string>& names) {
+  if (!scene.model.data) throw ArgumentError("there is no model whose types could be named");
+  const Model& model = *scene.model.data;
+  TypeNumbers numbers;
+  std::vector<std::string> paths;
+  for (const auto& type : model.types) paths.push_back(pathOf(model, type));
+  for (const auto& name : names) {
+    std::size_t before = numbers.size();
+    for (std::uint32_t i = 0; i < paths.size(); ++i)
+      if (paths[i] == name || paths[i].starts_with(name + ".")) numbers.push_back(i);
+    if (numbers.size() > before) continue;
+    std::string meant = nearestName(name, paths);
+    throw ArgumentError(fmt::format("the model has no type or compartment '{}'{}", name,
+                                    meant.empty() ? "" : fmt::format(" (is '{}' meant?)", meant)));
+  }
+  return numbers;
+}
+
+namespace detail {
+
+namespace {
+
+using scene::Scene;
+
+template <class Arguments>
+auto stepBy(const char* verb) {
+  return
+      [verb](const Scene& scene, const Arguments& a) { return typesLabel(scene, verb, typeNumbers(scene, a.types)); };
+}
+
+}  // namespace
+
+std::vector<Command> modelCommands() {
+  return {
+      editRow<ShowTypes>(
+          "Shows types of a model, or hides them.", "model.show root.blood false",
+          [](const Scene& scene, const ShowTypes& a) {
+            return typesLabel(scene, a.visible ? "Show" : "Hide", typeNumbers(scene, a.types));
+          },
+          [](Scene& scene, const ShowTypes& a) { setTypesVisible(scene, typeNumbers(scene, a.types), a.visible); }),
+      editRow<ColorTypes>(
+          "Gives types a colour of their own.", "model.color root.capsid 0.9,0.7,0.2", stepBy<ColorTypes>("Colour"),
+          [](Scene& scene, const ColorTypes& a) { setTypesColor(scene, typeNumbers(scene, a.types), a.color); }),
+      editRow<TakePaletteColor>(
+          "Gives types the palette's colours again.", "model.paletteColor root.capsid",
+          stepBy<TakePaletteColor>("Palette's colour of"),
+          [](Scene& scene, const TakePaletteColor& a) { setTypesColor(scene, typeNumbers(scene, a.types), {}); }),
+      editRow<ResetTypes>("Shows types as if nothing had been said of them.", "model.reset root",
+                          stepBy<ResetTypes>("Reset"),
+                          [](Scene& scene, const ResetTypes& a) { resetTypes(scene, typeNumbers(scene, a.types)); }),
+      editRow<SetTypeGhosts>(
+          "Says how instances of types show that cuts have removed.", "model.ghosts root.blood contour",
+          stepBy<SetTypeGhosts>("Ghosts of"),
+          [](Scene& scene, const SetTypeGhosts& a) { setTypesGhosts(scene, typeNumbers(scene, a.types), a.ghosts); }),
+      editRow<KeepInView>(
+          "Clears away what hides a type or compartment, or lets it be hidden again.", "model.keepInView root.capsid",
+          [](const Scene&, const KeepInView& a) {
+            std::string name(shortName(a.type));
+            return a.kept ? "Keep " + name + " in view" : "Let " + name + " be hidden";
+          },
+          [](Scene& scene, const KeepInView& a) {
+            if (a.kept)
+              clearTheWay(scene, a.type);
+            else
+              endKeepInView(scene, a.type);
+          }),
+  };
+}
+
+}  // namespace detail
+
+}  // namespace velum::session

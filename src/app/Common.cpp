@@ -23,7 +23,7 @@
 #include "velum/scene/Presets.h"
 #include "velum/scene/SurfaceLook.h"
 #include "velum/scene/VisibleFrame.h"
-#include "velum/scene/json/Json.h"
+#include "velum/scene/json/Paths.h"
 #include "velum/session/document/Body.h"
 #include "velum/session/document/Open.h"
 #include "velum/session/document/SetFields.h"

@@ -20,6 +20,7 @@
 #include "velum/scene/Presets.h"
 #include "velum/scene/json/ChangeLog.h"
 #include "velum/scene/json/Json.h"
+#include "velum/scene/json/Paths.h"
 
 namespace velum::io {
 namespace {

@@ -12,7 +12,9 @@ namespace {
 class Finder : public Window {
  protected:
   std::unique_ptr<CommandFinder> type(const QString& letters) {
-    auto finder = std::make_unique<CommandFinder>(findAll(mWindow->parts()), mWindow.get());
+    auto finder = std::make_unique<CommandFinder>(
+        findAll(mWindow->parts()), mWindow.get(),
+        [this](const QString& line) { mWindow->jobs().run(session::parseCall(line.toStdString())); });
     finder->show();
     QTest::keyClicks(finder->findChild<QLineEdit*>(), letters);
     return finder;
@@ -36,6 +38,18 @@ TEST_F(Finder, SetsANumberThatStandsBehindItsName) {
   mWindow->document().undo();
   mWindow->document().undo();
   EXPECT_NE(scene().lighting.shadow, 0.8) << "each is a step";
+}
+
+TEST_F(Finder, DoesACommandWithItsArguments) {
+  openPhantom();
+  enter("cut.add box");
+  ASSERT_EQ(scene().cuts.size(), 1u);
+  EXPECT_EQ(scene().cuts[0].shape, scene::CutShape::Box);
+  enter("cut.flip");
+  EXPECT_TRUE(scene().cuts[0].invert);
+  EXPECT_TRUE(top("cut.add cube").contains("not one of")) << "it says why it does not fit";
+  enter("cut.add cube");
+  EXPECT_EQ(scene().cuts.size(), 1u);
 }
 
 TEST_F(Finder, GivesTheKeyboardToAFieldWithoutANumber) {

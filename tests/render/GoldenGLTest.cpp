@@ -13,7 +13,7 @@
 #include "velum/mesoscale/Levels.h"
 #include "velum/render/RenderPicture.h"
 #include "velum/scene/Presets.h"
-#include "velum/scene/json/Json.h"
+#include "velum/scene/json/Paths.h"
 #include "velum/session/membrane/Membranes.h"
 
 namespace velum {

@@ -3,6 +3,7 @@
 
 #include "velum/core/Error.h"
 #include "velum/scene/json/Json.h"
+#include "velum/scene/json/Paths.h"
 
 namespace velum::scene {
 namespace {

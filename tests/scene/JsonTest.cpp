@@ -1,4 +1,6 @@
 #include "velum/scene/json/Json.h"
+#include "velum/scene/json/Paths.h"
+#include "velum/scene/json/Schema.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "velum/core/Error.h"
-#include "velum/scene/json/Json.h"
+#include "velum/scene/json/Paths.h"
 
 namespace velum::scene {
 namespace {

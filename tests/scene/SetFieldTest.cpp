@@ -5,6 +5,7 @@
 #include "ChangeFields.h"
 #include "velum/core/Error.h"
 #include "velum/scene/json/Json.h"
+#include "velum/scene/json/Paths.h"
 
 namespace velum::scene {
 namespace {

@@ -13,6 +13,7 @@
 #include "velum/io/labels/WriteLabels.h"
 #include "velum/io/phantoms/Sample.h"
 #include "velum/io/volumes/WriteVolume.h"
+#include "velum/scene/json/Json.h"
 #include "velum/session/Session.h"
 #include "velum/session/command/CutCommands.h"
 #include "velum/session/command/DocumentCommands.h"

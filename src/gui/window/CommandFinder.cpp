@@ -77,7 +77,7 @@ Asked split(const QString& text) {
 
 }  // namespace
 
-CommandFinder::CommandFinder(std::vector<Findable> all, std::function<void(const QString&)> runLine, QWidget* parent)
+CommandFinder::CommandFinder(std::vector<Findable> all, QWidget* parent, std::function<void(const QString&)> runLine)
     : QDialog(parent, Qt::Dialog | Qt::FramelessWindowHint),
       mAll(std::move(all)),
       mRunLine(std::move(runLine)),
@@ -163,6 +163,7 @@ void CommandFinder::fill() {
 
 /// A command as in a script, "structure.opacity aorta 0.2", comes first; one that does not fit says why.
 bool CommandFinder::addTyped() {
+  if (!mRunLine) return false;
   QString line = mLetters->text().trimmed();
   std::string name = line.section(' ', 0, 0).toStdString();
   auto all = session::commands();

@@ -12,8 +12,8 @@ namespace velum::gui {
 class CommandFinder : public QDialog {
   Q_OBJECT
  public:
-  /// @param runLine  does a command that was typed as in a script, with its arguments
-  CommandFinder(std::vector<Findable> all, std::function<void(const QString&)> runLine, QWidget* parent);
+  /// @param runLine  does a command that was typed as in a script, with its arguments; none are offered without it
+  CommandFinder(std::vector<Findable> all, QWidget* parent, std::function<void(const QString&)> runLine = {});
 
   /// How well letters fit a name: all of them must come in order; beginnings of words and runs count more. 0: not at
   /// all.

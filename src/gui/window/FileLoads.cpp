@@ -12,7 +12,7 @@
 #include "SeriesDialog.h"
 #include "kit/RecentFiles.h"
 #include "velum/scene/VisibleFrame.h"
-#include "velum/scene/json/Json.h"
+#include "velum/scene/json/Paths.h"
 #include "velum/session/document/LabelPlace.h"
 #include "velum/session/document/RawFile.h"
 #include "velum/session/document/Recent.h"

@@ -16,7 +16,7 @@ HelpCommands::HelpCommands(const WindowParts& parts) : Room(parts) {
                       auto runLine = [this](const QString& line) {
                         mParts.jobs.run(session::parseCall(line.toStdString()));
                       };
-                      CommandFinder(findAll(mParts), runLine, &mParts.window).exec();
+                      CommandFinder(findAll(mParts), &mParts.window, runLine).exec();
                     });
   menu->addSeparator();
   parts.actions.add(menu, "help.about", tr("&About Velum"), tr("Say what Velum is"), [this] { showAbout(); });

@@ -1,13 +1,12 @@
+#include "velum/scene/json/Schema.h"
+
+#include "velum/scene/Scene.h"
 #include "velum/scene/json/FieldTable.h"
+#include "velum/scene/json/Json.h"
 
 namespace velum::scene {
 
 namespace detail {
-
-std::string rangeText(const Range& range) {
-  if (std::isinf(range.min) && std::isinf(range.max)) return "";
-  return fmt::format("{} .. {}", range.min, range.max);
-}
 
 namespace {
 

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "velum/scene/json/Json.h"
+#include "velum/scene/json/Paths.h"
 
 namespace velum::session {
 

@@ -13,7 +13,7 @@
 #include "velum/io/phantoms/Virion.h"
 #include "velum/scene/Presets.h"
 #include "velum/scene/VisibleFrame.h"
-#include "velum/scene/json/Json.h"
+#include "velum/scene/json/Paths.h"
 #include "velum/session/document/Open.h"
 
 namespace velum::session {

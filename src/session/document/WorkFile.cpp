@@ -8,7 +8,7 @@
 #include "velum/io/kinds/FileKind.h"
 #include "velum/scene/Presets.h"
 #include "velum/scene/Units.h"
-#include "velum/scene/json/Json.h"
+#include "velum/scene/json/Paths.h"
 #include "velum/session/document/Open.h"
 
 namespace velum::session {

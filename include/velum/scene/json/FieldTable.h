@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "velum/scene/json/FieldJson.h"
-#include "velum/scene/json/Json.h"
+#include "velum/scene/json/Schema.h"
 
 /// Structs with fields() as rows of a table, for people.
 namespace velum::scene::detail {
@@ -30,7 +30,10 @@ std::string typeName() {
     return "object";
 }
 
-std::string rangeText(const Range& range);
+inline std::string rangeText(const Range& range) {
+  if (std::isinf(range.min) && std::isinf(range.max)) return "";
+  return fmt::format("{} .. {}", range.min, range.max);
+}
 
 template <Fielded T>
 void addRows(const T& defaults, const std::string& path, std::vector<FieldRow>& rows) {

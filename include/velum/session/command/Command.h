@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "velum/core/Task.h"
-#include "velum/scene/json/Json.h"
+#include "velum/scene/Scene.h"
+#include "velum/scene/json/Schema.h"
 
 namespace velum::session {
 

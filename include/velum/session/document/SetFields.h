@@ -4,7 +4,7 @@
 
 #include "velum/core/Task.h"
 #include "velum/scene/Scene.h"
-#include "velum/scene/json/Json.h"
+#include "velum/scene/json/Paths.h"
 
 /// The one place where fields of a scene are set by their paths: with all that must follow from them.
 namespace velum::session {

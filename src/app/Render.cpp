@@ -212,7 +212,7 @@ Run registerRender(CLI::App& verb) {
   verb.add_flag(
       "--layers", options->layers,
       "also alpha, normal, depth, structure id, position, of models type and (EXR) Cryptomatte, and of illustrative "
-      "sections front, section and behind: "
+      "sections front, inlay and behind: "
       "in the EXR, or as PNGs beside");
   verb.add_flag("--transparent", options->transparent, "no background, with alpha");
   verb.add_flag("--brute-force", options->bruteForce,

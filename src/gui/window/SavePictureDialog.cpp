@@ -227,7 +227,7 @@ QWidget* SavePictureDialog::makeQuality() {
   mLayers = new QCheckBox(tr("Layers: depth, normal, structure, position"), box);
   mLayers->setObjectName("pictureLayers");
   mLayers->setToolTip(tr(
-      "Inside an .exr file; as pictures beside a .png or .tif file.\nOf a membrane's section also what stands before "
+      "Inside an .exr file; as pictures beside a .png or .tif file.\nOf an inlay also what stands before "
       "it, its image, and what lies behind it, to be put together."));
   // Their places.
   grid->addWidget(new QLabel(tr("Background"), box), 0, 0);

@@ -110,7 +110,7 @@ OIIO::TypeDesc sampleType(bool isFloat, int bits) {
 }
 
 /// Turns display-referred straight colour into OpenEXR's linear premultiplied one, or back: of the picture, and of each
-/// of its layers that has colour ("slice.R" ...).
+/// of its layers that has colour ("inlay.R" ...).
 void convertColor(Image& image, bool toLinear) {
   for (const std::string& red : image.channels) {
     std::string layer = red.substr(0, red.size() - 1);

@@ -39,7 +39,7 @@ scene::Scene sceneForPicture(const scene::Scene& scene, const PictureOptions& op
 Image drawPicture(render::Renderer& renderer, const scene::Scene& scene, const PictureOptions& options,
                   const gpu::Limits& limits, Progress& progress);
 
-/// An inlay view as a picture: R, G, B, A. Without a graphics context. Any thread.
+/// A section view as a picture: R, G, B, A. Without a graphics context. Any thread.
 Image drawSectionPicture(const scene::Scene& scene, scene::SectionKind kind, const PictureOptions& options);
 
 /// Asks before a picture is drawn whether it could be written. @throw InputError for an unknown format, no folder

@@ -26,7 +26,7 @@ ROOMS = {  # module: {room: rooms of the module it may include (its own is impli
     "membrane": {"forces": "", "sheet": "forces"},
     # The module's own folder has both the frame, which all know, and the renderer, which knows all.
     "render": {"upload": ".", "passes": ". upload", "section": ". upload"},
-    "session": {"command": ". cut document extrusion look membrane model picture section structure", "document": "growth model", "model": "cut", "growth": ".", "section": "", "structure": "", "cut": ".", "look": "document",
+    "session": {"command": ". cut document extrusion growth look membrane model picture section structure", "document": "growth model", "model": "cut", "growth": ".", "section": "", "structure": "", "cut": ".", "look": "document",
                 "extrusion": ". cut growth look structure", "membrane": ". cut look structure",
                 "picture": "document extrusion growth membrane"},
     # A membrane is a cut: the panel of cuts holds its form.

@@ -100,8 +100,7 @@ void ModelCommands::setGhosts(const Types& types, std::optional<scene::Ghosts> g
 }
 
 void ModelCommands::setTarget(const std::string& path, std::optional<double> visible) {
-  mDocument.edit(fmt::format("Number of {} to be seen", session::shortName(path)),
-                 [&](scene::Scene& scene) { session::setVisibleTarget(scene, path, visible); });
+  session::edit(mDocument, session::SetTypeTarget{path, visible.value_or(0.0), !visible});
 }
 
 void ModelCommands::askTarget(const std::string& path, QWidget* window) {

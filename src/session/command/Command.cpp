@@ -17,8 +17,9 @@ namespace {
 
 std::vector<Command> allCommands() {
   std::vector<Command> all;
-  for (auto rows : {detail::documentCommands(), detail::cutCommands(), detail::structureCommands(),
-                    detail::extrusionCommands(), detail::lookCommands(), detail::modelCommands()})
+  for (auto rows : {detail::documentCommands(), detail::viewCommands(), detail::cutCommands(),
+                    detail::membraneCommands(), detail::extrusionCommands(), detail::growthCommands(),
+                    detail::structureCommands(), detail::lookCommands(), detail::modelCommands()})
     all.insert(all.end(), rows.begin(), rows.end());
   return all;
 }
@@ -77,6 +78,11 @@ bool isLong(const scene::Scene& scene, const Call& call) {
 }
 
 void commit(Document& document, const Edit& edit, const Call& call, bool merge) {
+  if (call.command().isView)
+    return document.view([&](scene::Scene& scene) {
+      scene.camera = edit.after.camera;
+      scene.sections = edit.after.sections;
+    });
   document.edit(
       edit.step, [&](scene::Scene& scene) { scene = edit.after; }, merge, call.line());
 }

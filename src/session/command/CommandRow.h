@@ -172,5 +172,8 @@ std::vector<Command> cutCommands();
 std::vector<Command> lookCommands();
 std::vector<Command> modelCommands();
 std::vector<Command> extrusionCommands();
+std::vector<Command> growthCommands();
+std::vector<Command> membraneCommands();
+std::vector<Command> viewCommands();
 
 }  // namespace velum::session::detail

@@ -4,6 +4,8 @@
 
 #include "CommandRow.h"
 #include "velum/core/NearestName.h"
+#include "velum/session/command/CutCommands.h"
+#include "velum/session/cut/CutEdit.h"
 #include "velum/session/model/TypesAt.h"
 #include "velum/session/model/WhatHides.h"
 
@@ -72,6 +74,23 @@ std::vector<Command> modelCommands() {
           "Says how instances of types show that cuts have removed.", "model.ghosts root.blood contour",
           stepBy<SetTypeGhosts>("Ghosts of"),
           [](Scene& scene, const SetTypeGhosts& a) { setTypesGhosts(scene, typeNumbers(scene, a.types), a.ghosts); }),
+      editRow<SetTypeTarget>(
+          "Says how many instances of a type or compartment are to be seen.", "model.target root.blood.albumin 400",
+          [](const Scene&, const SetTypeTarget& a) {
+            return fmt::format("Number of {} to be seen", shortName(a.type));
+          },
+          [](Scene& scene, const SetTypeTarget& a) {
+            setVisibleTarget(scene, a.type, a.isAny ? std::nullopt : std::optional(a.visible));
+          }),
+      editRow<LeaveTypes>(
+          "Lets a cut leave a share of the instances of types.", "model.leave root.blood 0.25",
+          [](const Scene& scene, const LeaveTypes& a) {
+            return typesLabel(scene, "Leave of", typeNumbers(scene, a.types));
+          },
+          [](Scene& scene, const LeaveTypes& a) {
+            typeNumbers(scene, a.types);  // says which are none
+            for (const auto& path : a.types) setTypeShare(cutOf(scene, a.cut), path, a.share);
+          }),
       editRow<KeepInView>(
           "Clears away what hides a type or compartment, or lets it be hidden again.", "model.keepInView root.capsid",
           [](const Scene&, const KeepInView& a) {

@@ -33,6 +33,7 @@ struct Command {
   /// @return what there is to tell, one line each  @throw ArgumentError, InputError, Cancelled
   std::function<std::string(const scene::Scene&, const std::any&)> step = {};
   std::function<std::vector<std::string>(scene::Scene&, const std::any&, Progress&)> change = {};
+  bool isView = false;  ///< It changes camera and sections alone, and goes into the history as Document::view().
   bool isSlow = false;  ///< The change may take longer than an eye blinks; else only what followFields() does.
   /// Of the others. The session's thread. @return what there is to tell, one line each
   std::function<std::vector<std::string>(Session&, const std::any&, Progress&)> act = {};

@@ -59,6 +59,30 @@ struct SetTypeGhosts {
   }
 };
 
+struct SetTypeTarget {
+  static constexpr std::string_view kName = "model.target";
+  std::string type;
+  double visible = 0.0;
+  bool isAny = false;
+  static void fields(auto& o, auto& visit) {
+    visit("type", o.type, FieldInfo{"", {}, "Path of a type or compartment."});
+    visit("visible", o.visible, FieldInfo{"", {0, 1e9}, "So many of its instances are to be seen."});
+    visit("isAny", o.isAny, FieldInfo{"", {}, "On: any number will do again."});
+  }
+};
+
+struct LeaveTypes {
+  static constexpr std::string_view kName = "model.leave";
+  std::vector<std::string> types;
+  double share = 1.0;
+  std::string cut;
+  static void fields(auto& o, auto& visit) {
+    visit("types", o.types, kTypesInfo);
+    visit("share", o.share, FieldInfo{"", {0, 1}, "Of their instances a cut leaves so much."});
+    visit("cut", o.cut, FieldInfo{"", {}, "Name or number of the cut; nothing: the only one."});
+  }
+};
+
 struct KeepInView {
   static constexpr std::string_view kName = "model.keepInView";
   std::string type;

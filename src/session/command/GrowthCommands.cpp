@@ -1,0 +1,75 @@
+#include "velum/session/command/GrowthCommands.h"
+
+#include <span>
+
+#include "CommandRow.h"
+#include "velum/scene/StructureAt.h"
+#include "velum/session/command/CutCommands.h"
+#include "velum/session/command/StructureCommands.h"
+#include "velum/session/extrusion/Pull.h"
+#include "velum/session/growth/Growths.h"
+#include "velum/session/structure/StructureEdit.h"
+
+namespace velum::session::detail {
+
+namespace {
+
+using scene::Scene;
+
+std::string textOf(glm::dvec3 place) { return fmt::format("{:g},{:g},{:g}", place.x, place.y, place.z); }
+
+/// @throw ArgumentError where it was not grown
+int grownOf(const Scene& scene, const std::string& structure) {
+  int id = structureIds(scene, {structure})[0];
+  if (!lastGrowth(scene, id)) throw ArgumentError(fmt::format("{} was not grown", structureName(scene, id)));
+  return id;
+}
+
+template <class Arguments>
+auto stepBy(const char* verb) {
+  return [verb](const Scene& scene, const Arguments& a) {
+    return structureLabel(scene, verb, structureIds(scene, {a.structure}));
+  };
+}
+
+void pullAt(Scene& scene, const PullAt& a) {
+  int cut = cutOf(std::as_const(scene), a.cut).id;
+  int structure = scene.labels.data && scene.labels.visible ? scene::structureAt(scene, a.place).id : 0;
+  auto pull = beginPull(scene, cut, a.place, structure);
+  if (!pull)
+    throw ArgumentError(fmt::format("growth.pullAt {}: there is nothing that could be pulled", textOf(a.place)));
+  pullTo(scene, *pull, a.distance);
+}
+
+void addSeed(Scene& scene, const AddSeed& a) {
+  int id = grownOf(scene, a.structure);
+  if (addSeeds(scene, id, std::span(&a.place, 1)) == 0)
+    throw ArgumentError(fmt::format("growth.addSeed {}: the value there is none of its range", textOf(a.place)));
+}
+
+void notThis(Scene& scene, const NotThis& a) {
+  int id = grownOf(scene, a.structure);
+  if (addOthers(scene, id, std::span(&a.place, 1)) == 0)
+    throw ArgumentError(fmt::format("growth.notThis {}: it does not grow there", textOf(a.place)));
+}
+
+}  // namespace
+
+std::vector<Command> growthCommands() {
+  return {
+      editRow<PullAt>("Pulls out of a cut what is in a place of its face; what has no label grows from there.",
+                      "growth.pullAt 12,-40,80 30", "Pull out", pullAt),
+      editRow<AddSeed>("Lets a structure that was grown go on from another place.",
+                       "growth.addSeed \"structure 1\" 12,-40,80", stepBy<AddSeed>("Add to"), addSeed),
+      editRow<NotThis>("Says of a place that it is not of a structure that was grown.",
+                       "growth.notThis \"structure 1\" 12,-40,80", stepBy<NotThis>("Not this:"), notThis),
+      editRow<GrowOn>("Lets a structure that was held grow as far as it is pulled.", "growth.growOn \"structure 1\"",
+                      stepBy<GrowOn>("Grow on:"),
+                      [](Scene& scene, const GrowOn& a) { growOn(scene, grownOf(scene, a.structure)); }),
+      editRow<ForgetGrown>("Forgets a structure that was grown.", "growth.forget \"structure 1\"",
+                           stepBy<ForgetGrown>("Forget"),
+                           [](Scene& scene, const ForgetGrown& a) { removeGrown(scene, grownOf(scene, a.structure)); }),
+  };
+}
+
+}  // namespace velum::session::detail

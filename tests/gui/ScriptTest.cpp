@@ -102,8 +102,8 @@ TEST_F(ScriptTest, WhatFollowsFromAFieldIsDone) {
   EXPECT_FALSE(scene().volume.data == all);
   EXPECT_EQ(spacingOf(*scene().volume.data), glm::dvec3(2.0));
   EXPECT_EQ(scene().rayCast.mode, scene::RenderMode::Mip);
-  EXPECT_TRUE(run("set volume.source.path /nowhere/a.nrrd").endsWith("(2)"));
   EXPECT_TRUE(run("structure.show nobody").endsWith("(1)"));
+  EXPECT_TRUE(run("set volume.source.path /nowhere/a.nrrd").endsWith("(2)"));
 }
 
 TEST_F(ScriptTest, TheCommandsSoFarAreShownTypedAndRunAgain) {

@@ -89,11 +89,15 @@ TEST(Commands, TheTableInTheDocsIsThisOne) {
          << path.string();
 }
 
-/// A scene on which the examples of commands mean something. @param shape  of its only cut
+/// A scene on which the examples of commands mean something. @param shape  of its only cut; everywhere: a plane and
+/// another cut
 scene::Scene exampleScene(scene::CutShape shape) {
+  bool isAlone = shape != scene::CutShape::Everywhere;
+  if (!isAlone) shape = scene::CutShape::Plane;
   scene::Scene scene;
   Volume volume;
   volume.dims = {40, 60, 90};
+  volume.unit = "HU";
   volume.type = SampleType::Int16;
   volume.voxels.resize(timeStepBytes(volume));
   auto* values = reinterpret_cast<std::int16_t*>(volume.voxels.data());
@@ -101,7 +105,7 @@ scene::Scene exampleScene(scene::CutShape shape) {
   volume.worldFromVoxel[3] = {0, -60, 0, 1};
   computeRange(volume);
   scene.volume.data = Shared<Volume>(std::move(volume));
-  scene::applyPreset(scene, "ct-bone");
+  scene::applyPreset(scene, "ct-skin");
   int id = 0;
   for (const char* name : {"aorta", "heart", "skin", "femur", "left kidney"})
     scene.labels.structures.push_back({.id = ++id, .name = name});
@@ -123,6 +127,12 @@ scene::Scene exampleScene(scene::CutShape shape) {
   scene::completeCuts(scene);
   setSpared(scene.cuts[0], 1, false);
   setExtrusion(scene.cuts[0], 1, 6.0);
+  setExtrusion(scene.cuts[0], 13, 30.0);
+  if (scene.cuts[0].membrane) scene.cuts[0].membrane->field.byValue = {{400, 100}, {600, 100}};
+  cut.shape = scene::CutShape::Box;
+  cut.name = "Box";
+  if (!isAlone) scene.cuts.insert(scene.cuts.begin(), cut);
+  scene::completeCuts(scene);
   return scene;
 }
 
@@ -135,7 +145,7 @@ TEST(Commands, EachEditIsOneStepThatUndoTakesBackAndRedoBringsAgain) {
     if (!command.change || kOfModels.count(command.name) || command.name == "look.import") continue;
     std::string why;
     bool isDone = false;
-    for (auto shape : {scene::CutShape::Plane, scene::CutShape::Membrane}) {
+    for (auto shape : {scene::CutShape::Plane, scene::CutShape::Membrane, scene::CutShape::Everywhere}) {
       Document document;
       document.replace(exampleScene(shape));
       scene::Scene before = document.scene();

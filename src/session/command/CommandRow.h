@@ -98,8 +98,9 @@ std::string writeArguments(const std::any& arguments) {
     using Member = std::remove_cvref_t<decltype(member)>;
     bool isAsByDefault = member == *static_cast<const Member*>(fresh[place++]);
     bool isRest = place == restOf<Arguments>();
-    if (isAsByDefault) return void(isInOrder = false);
     bool hasPlace = isInOrder && (restOf<Arguments>() == 0 || place <= restOf<Arguments>());
+    // What takes the rest of a line is found by its place.
+    if (isAsByDefault && place >= restOf<Arguments>()) return void(isInOrder = false);
     std::string& line = hasPlace ? placed : named;
     if (!line.empty()) line += ' ';
     if (!hasPlace) line += std::string(name) + "=";

@@ -87,7 +87,7 @@ auto changeCut(void (*change)(Cut&, const Arguments&)) {
 std::vector<Command> cutCommands() {
   return {
       editRow<AddCut>(
-          "Adds a cut where it is of use at once.", "cut.add plane",
+          "Adds a cut where it is of use at once.", "cut.add box",
           [](const Scene&, const AddCut& a) {
             return std::string(a.shape == scene::CutShape::Membrane ? "Add membrane" : "Add cut");
           },

@@ -26,7 +26,7 @@ std::vector<Command> viewCommands() {
                                      scene.sections.crosshair = a.place;
                                      scene.sections.isPlaced = true;
                                    })),
-      view(editRow<ChooseLayout>("Chooses which views there are.", "view.layout volume", "Move view",
+      view(editRow<ChooseLayout>("Chooses which views there are.", "view.layout section", "Move view",
                                  [](Scene& scene, const ChooseLayout& a) { scene.sections.layout = a.layout; })),
   };
 }

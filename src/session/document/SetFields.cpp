@@ -118,8 +118,12 @@ void setField(scene::Scene& scene, const std::string& path, const std::string& v
     scene::setField(scene, "finish.ownPaper.source.path", std::filesystem::absolute(value).string());
     return scene::setField(scene, path, "own");
   }
-  bool isPath = path.ends_with(".source.path") && !value.empty() && value != "\"\"";
-  scene::setField(scene, path, isPath ? std::filesystem::absolute(value).string() : value);
+  if (!path.ends_with(".source.path")) return scene::setField(scene, path, value);
+  bool isFile = !value.empty() && value != "\"\"";
+  scene::setField(scene, path, isFile ? std::filesystem::absolute(value).string() : value);
+  // Of another file nothing is known yet; by what was known of the one before, that would be found again.
+  std::string source = path.substr(0, path.size() - std::string_view("path").size());
+  scene::setField(scene, source + "fingerprint", "\"\"");
 }
 
 bool mustFollow(const scene::Scene& after, const scene::Scene& before) {

@@ -45,7 +45,7 @@ nlohmann::json childAnswers(int size) {
   }
   (void)QTest::qWaitFor([&] { return window.isSettled(); }, 120000);
   figures["at rest"] = figuresOf(gui::dragCrosshair(window, kMoves));
-  figures["a structure pulled out of a cut, grown as it comes"] = figuresOf(gui::dragStructure(window, kMoves));
+  figures["a structure pulled out of a cut, grown as it comes"] = figuresOf(gui::dragStructure(window, kMoves, 120000));
   return figures;
 }
 

@@ -53,4 +53,12 @@ TEST_F(Answers, WhileAJobHoldsEveryCore) {
   expectAtOnce("while a job holds every core");
 }
 
+TEST_F(Answers, WhileAStructureIsPulledAndGrows) {
+  AnswerTimes pull = dragStructure(*mWindow, 45, 120000);
+  std::printf("a structure that is pulled, and grows: median %.1f ms, worst %.1f ms\n", pull.median(), pull.worst());
+  EXPECT_FALSE(scene().labels.growths.empty());
+  EXPECT_LT(pull.median(), 150.0);
+  EXPECT_LT(pull.worst(), 500.0);
+}
+
 }  // namespace velum::gui

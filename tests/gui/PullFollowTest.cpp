@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <thread>
 
+#include "DragSection.h"
 #include "PullFixture.h"
 #include "makeVolume.h"
 #include "patience.h"
@@ -40,22 +41,6 @@ class BusyCore {
   std::atomic<bool> mEnds{false};
   std::atomic<double> mSink{0.0};
   std::thread mThread;
-};
-
-/// Counts how often widgets over a view are painted.
-class PaintCount : public QObject {
- public:
-  explicit PaintCount(QWidget& view) {
-    for (QWidget* widget : view.findChildren<QWidget*>()) widget->installEventFilter(this);
-  }
-  int count = 0;
-
- protected:
-  bool eventFilter(QObject* watched, QEvent* event) override {
-    count += event->type() == QEvent::Paint &&
-             static_cast<QWidget*>(watched)->testAttribute(Qt::WA_TransparentForMouseEvents);
-    return false;
-  }
 };
 
 }  // namespace

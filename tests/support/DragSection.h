@@ -105,9 +105,26 @@ inline AnswerTimes dragCrosshair(MainWindow& window, int moves) {
   });
 }
 
-/// A structure out of a cut through the middle, in the 3D view alone, grown as it is pulled; the answer is its next
-/// picture.
-inline AnswerTimes dragStructure(MainWindow& window, int moves) {
+/// Counts how often widgets over a view are painted.
+class PaintCount : public QObject {
+ public:
+  explicit PaintCount(QWidget& view) {
+    for (QWidget* widget : view.findChildren<QWidget*>()) widget->installEventFilter(this);
+  }
+  int count = 0;
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    count += event->type() == QEvent::Paint &&
+             static_cast<QWidget*>(watched)->testAttribute(Qt::WA_TransparentForMouseEvents);
+    return false;
+  }
+};
+
+/// A structure out of a cut through the middle, in the 3D view alone, grown as it is pulled; the answer is what is
+/// drawn over the picture: how far it is out, and what has grown so far.
+/// @param longestMs  so long it waits for the whole picture before the hand pulls
+inline AnswerTimes dragStructure(MainWindow& window, int moves, int longestMs) {
   window.views().setLayout(scene::Layout::Volume);
   window.document().edit("Add cut", [](scene::Scene& s) {
     scene::Cut cut;
@@ -116,9 +133,10 @@ inline AnswerTimes dragStructure(MainWindow& window, int moves) {
     s.camera = scene::frameCamera(s, scene::StandardView::Oblique, 1.6);
   });
   window.actions().find("extrusion.pull")->trigger();
-  (void)QTest::qWaitFor([&] { return window.isSettled(); }, 120000);
   Viewport& view = window.viewport();
-  return timeDrag(view, moves, [&] { return view.shownCount(); });
+  (void)QTest::qWaitFor([&] { return window.isSettled(); }, longestMs);
+  PaintCount painted(view);
+  return timeDrag(view, moves, [&] { return painted.count; });
 }
 
 /// The camera in the 3D view; the answer is its next picture.

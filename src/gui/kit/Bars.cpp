@@ -32,7 +32,9 @@ MessageBar::MessageBar(QWidget* parent) : QFrame(parent), mText(new QLabel(this)
 void MessageBar::showNote(const QString& text, const std::vector<std::string>& lines) {
   QStringList list;
   for (const std::string& line : lines) list << QString::fromStdString(line);
-  showNote(list.isEmpty() ? text : tr("%1: %2").arg(text, list.join("; ")));
+  QString said = list.join("; ");
+  if (text.isEmpty() && !said.isEmpty()) return showNote(said.left(1).toUpper() + said.mid(1));
+  showNote(list.isEmpty() ? text : tr("%1: %2").arg(text, said));
 }
 
 void MessageBar::showText(const char* kind, const QString& text) {

@@ -16,7 +16,7 @@ class MessageBar : public QFrame {
   explicit MessageBar(QWidget* parent);
   void showError(const QString& text) { showText("error", text); }
   void showNote(const QString& text) { showText("note", text); }
-  /// With what there is to know of it, one line each, behind a colon.
+  /// With what there is to know of it, one line each, behind a colon; no text: the lines alone.
   void showNote(const QString& text, const std::vector<std::string>& lines);
   QString text() const { return mText->text(); }
 

@@ -5,6 +5,7 @@
 #include <thread>
 #include <utility>
 
+#include "velum/core/Assert.h"
 #include "velum/core/Clock.h"
 #include "velum/session/membrane/Membranes.h"
 #include "velum/session/picture/Picture.h"
@@ -121,6 +122,7 @@ void Session::settle(Progress& progress) {
 }
 
 Image Session::picture(const PictureOptions& options, Progress& progress) {
+  VELUM_ASSERT(mOwnsContext, "a session that has borrowed a context leaves pictures to whoever lent it");
   settle(progress);
   bindContext();
   if (!mRenderer) mRenderer = std::make_unique<render::Renderer>(*mContext);

@@ -118,8 +118,14 @@ TEST_F(ScriptTest, TheCommandsSoFarAreShownTypedAndRunAgain) {
   typed->setText("cut.flop");
   QTest::keyClick(typed, Qt::Key_Return);
   EXPECT_EQ(typed->text(), "cut.flop") << "it can be mended";
+  typed->setText("cut.remove nobody");
+  QTest::keyClick(typed, Qt::Key_Return);
+  EXPECT_EQ(typed->text(), "cut.remove nobody");
+  typed->setText("look.mode mip");
+  QTest::keyClick(typed, Qt::Key_Return);
+  EXPECT_TRUE(typed->text().isEmpty()) << "what went wrong before is forgotten";
   auto* lines = window->findChild<QPlainTextEdit*>("commandLines");
-  ASSERT_TRUE(QTest::qWaitFor([&] { return lines->toPlainText().endsWith("cut.flip\n"); }, kPatience));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return lines->toPlainText().endsWith("look.mode mip\n"); }, kPatience));
   std::string before = scene::toJson(scene());
   QString text = lines->toPlainText();
   EXPECT_EQ(run(text), "");

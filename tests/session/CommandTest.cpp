@@ -58,6 +58,21 @@ TEST(Commands, ALineIsTheCallAgain) {
   EXPECT_EQ(std::any_cast<RenameCut>(parseCall(Call(rename).line()).arguments()).name, "42");
 }
 
+TEST(Commands, AStructureIsFoundAgainWhateverOthersAreCalled) {
+  scene::Scene scene;
+  scene.labels.structures = {{.id = 1, .name = "2"},     {.id = 2, .name = ""},   {.id = 3, .name = "twice"},
+                             {.id = 4, .name = "twice"}, {.id = 5, .name = "#7"}, {.id = 6, .name = "a, b\n "},
+                             {.id = 7, .name = "five"}};
+  for (const auto& structure : scene.labels.structures) {
+    auto names = structureNames(scene, {structure.id});
+    EXPECT_EQ(structureIds(scene, names), std::vector<int>{structure.id}) << names[0];
+    std::string line = Call(ShowStructures{names, false}).line();
+    EXPECT_EQ(line.find('\n'), std::string::npos);
+    auto again = std::any_cast<ShowStructures>(parseCall(line).arguments());
+    EXPECT_EQ(structureIds(scene, again.structures), std::vector<int>{structure.id}) << line;
+  }
+}
+
 TEST(Commands, WhatIsNoLineIsRefusedByName) {
   const std::pair<const char*, const char*> kRows[] = {{"structure.shwo a", "structure.show"},
                                                        {"structure.show a visible=7", "visible"},

@@ -21,6 +21,7 @@ class SessionGL : public GlTest {
     io::Sample sample = io::makeSample("two-spheres", 32, mProgress);
     io::writeVolume(sample.volume, mFolder / "phantom.nrrd", mProgress);
     mSession = std::make_unique<Session>();
+    mSession->borrowContext();
     mSession->file().open(readPaths({(mFolder / "phantom.nrrd").string()}, mProgress, {}), "phantom.nrrd");
   }
   void TearDown() override {

@@ -114,6 +114,18 @@ TEST_F(SetFields, AListThatIsSetWholeKeepsTheDataOfItsItems) {
   EXPECT_TRUE(mScene.finish.spheres[0].data == picture);
 }
 
+TEST_F(SetFields, SurfacesThatWereMadeInMemoryStayAsTheyAre) {
+  mScene.surfaces.resize(2);
+  for (auto& surface : mScene.surfaces) {
+    Mesh mesh;
+    mesh.positions.assign(3, glm::vec3(0.0f));
+    surface.data = Shared<Mesh>(std::move(mesh));
+  }
+  auto second = mScene.surfaces[1].data;
+  set("rayCast.mode", "mip");
+  EXPECT_TRUE(mScene.surfaces[1].data == second);
+}
+
 TEST_F(SetFields, WhatIsRefusedChangesNothing) {
   scene::Scene before = mScene;
   EXPECT_THROW(set("volume.source.path", path("gone.nrrd")), InputError);

@@ -29,6 +29,7 @@ void JobRunner::startShort(const QString& what, session::Job::Work work, std::fu
 }
 
 void JobRunner::run(const session::Call& call, bool merge) {
+  mLastError.clear();
   try {
     if (!call.command().act && session::isLong(mSession.scene(), call)) return runLong(call, merge);
     Progress progress;
@@ -45,7 +46,9 @@ void JobRunner::runLong(const session::Call& call, bool merge) {
       QString::fromStdString(call.command().step(mSession.scene(), call.arguments())),
       [edit, call, scene = mSession.scene()](Progress& progress) { *edit = session::editOf(scene, call, progress); },
       [this, edit, call, merge] {
-        if (!(mSession.scene() == edit->before)) return runLong(call, merge);  // what was done meanwhile stays
+        const scene::Scene& now = mSession.scene();
+        if (!(now.volume.data == edit->before.volume.data)) return;  // something else was opened meanwhile
+        if (!(now == edit->before)) return run(call, merge);         // what was done meanwhile stays
         session::commit(mSession.document(), *edit, call, merge);
         if (!edit->told.empty()) mMessages.showNote({}, edit->told);
       });

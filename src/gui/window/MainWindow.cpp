@@ -28,6 +28,7 @@ MainWindow::MainWindow()
       mParts{*this, mSession, mSelection,   mToolbox,    *mViews, *mFrame.messages, *mFrame.floating,
              mJobs, mActions, *mFrame.tabs, mFrame.menus} {
   session::giveWayToTheWindow();
+  mSession.borrowContext();  // that of the 3D view
   setAcceptDrops(true);
   mFrame.setViews(mViews);
   buildRooms();

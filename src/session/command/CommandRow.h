@@ -13,6 +13,30 @@
 /// How the rows of the table of commands are made, from a struct of arguments and functions of it.
 namespace velum::session::detail {
 
+/// An item of a list as commands name it: by its name where no other has it, else by its id; by "#12" where another
+/// item is called 12.
+template <class Item>
+std::string keyOf(const std::vector<Item>& list, int id) {
+  std::string number = std::to_string(id);
+  auto count = [&](const std::string& name) {
+    return std::count_if(list.begin(), list.end(), [&](const Item& item) { return item.name == name; });
+  };
+  for (const Item& item : list)
+    if (item.id == id && !item.name.empty() && item.name.front() != '#' && count(item.name) == 1) return item.name;
+  return (count(number) > 0 ? "#" : "") + number;
+}
+
+/// The counterpart: its place. @param what  of the list, for errors  @throw ArgumentError that says which there are
+template <class Item>
+std::size_t placeOf(const std::vector<Item>& list, const std::string& key, const std::string& what) {
+  for (std::size_t i = 0; i < list.size(); ++i)
+    if (key == "#" + std::to_string(list[i].id)) return i;
+  return scene::detail::findByKey(list, key, what);
+}
+
+/// A place of the world, for errors.
+inline std::string textOf(glm::dvec3 place) { return fmt::format("{:g},{:g},{:g}", place.x, place.y, place.z); }
+
 /// A value of a line, with the name that is in front of it; without one where it stands at its place.
 struct Word {
   std::string name, value;
@@ -74,7 +98,7 @@ template <class Value>
 std::string wordOf(const Value& value) {
   if constexpr (std::is_same_v<Value, std::vector<std::string>>) {
     bool isPlain = std::none_of(value.begin(), value.end(), [](const std::string& item) {
-      return item.empty() || item.find_first_of(",[\"") != std::string::npos;
+      return item.empty() || trimmed(item) != item || item.find_first_of(",[\"\n\r") != std::string::npos;
     });
     return isPlain ? fmt::format("{}", fmt::join(value, ",")) : scene::detail::write(value).dump();
   } else if constexpr (std::is_same_v<Value, std::string>) {

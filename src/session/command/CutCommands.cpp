@@ -9,15 +9,10 @@
 
 namespace velum::session {
 
-std::string cutKey(const scene::Scene& scene, int id) {
-  const scene::Cut* cut = scene::findCut(scene, id);
-  auto hasName = [&](const scene::Cut& other) { return other.name == cut->name; };
-  bool isNamed = cut && !cut->name.empty() && std::count_if(scene.cuts.begin(), scene.cuts.end(), hasName) == 1;
-  return isNamed ? cut->name : std::to_string(id);
-}
+std::string cutKey(const scene::Scene& scene, int id) { return detail::keyOf(scene.cuts, id); }
 
 const scene::Cut& cutOf(const scene::Scene& scene, const std::string& key) {
-  if (!key.empty()) return scene.cuts[scene::detail::findByKey(scene.cuts, key, "cuts")];
+  if (!key.empty()) return scene.cuts[detail::placeOf(scene.cuts, key, "cuts")];
   if (scene.cuts.size() == 1) return scene.cuts[0];
   throw ArgumentError(scene.cuts.empty() ? "there is no cut; cut.add adds one"
                                          : "there are several cuts; say which, by cut=NAME");

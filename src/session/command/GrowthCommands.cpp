@@ -16,8 +16,6 @@ namespace {
 
 using scene::Scene;
 
-std::string textOf(glm::dvec3 place) { return fmt::format("{:g},{:g},{:g}", place.x, place.y, place.z); }
-
 /// @throw ArgumentError where it was not grown
 int grownOf(const Scene& scene, const std::string& structure) {
   int id = structureIds(scene, {structure})[0];

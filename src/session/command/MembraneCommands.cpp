@@ -19,8 +19,6 @@ Cut& membraneOf(Scene& scene, const std::string& key) {
   return cut;
 }
 
-std::string textOf(glm::dvec3 place) { return fmt::format("{:g},{:g},{:g}", place.x, place.y, place.z); }
-
 /// @param avoided  of a strength that is not above 0
 template <class Arguments>
 auto stepByStrength(const char* kept, const char* avoided) {

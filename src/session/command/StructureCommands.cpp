@@ -13,20 +13,14 @@ namespace velum::session {
 
 std::vector<std::string> structureNames(const scene::Scene& scene, const std::vector<int>& ids) {
   std::vector<std::string> names;
-  const auto& all = scene.labels.structures;
-  for (int id : ids) {
-    const scene::Structure* found = findStructure(scene, id);
-    bool isNamed = found && !found->name.empty() &&
-                   std::count_if(all.begin(), all.end(), [&](const auto& s) { return s.name == found->name; }) == 1;
-    names.push_back(isNamed ? found->name : std::to_string(id));
-  }
+  for (int id : ids) names.push_back(detail::keyOf(scene.labels.structures, id));
   return names;
 }
 
 std::vector<int> structureIds(const scene::Scene& scene, const std::vector<std::string>& names) {
   std::vector<int> ids;
   const auto& all = scene.labels.structures;
-  for (const auto& name : names) ids.push_back(all[scene::detail::findByKey(all, name, "labels.structures")].id);
+  for (const auto& name : names) ids.push_back(all[detail::placeOf(all, name, "labels.structures")].id);
   return ids;
 }
 

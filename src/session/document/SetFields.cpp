@@ -38,6 +38,11 @@ template <class Item>
 bool keepData(std::vector<Item>& items, const std::vector<Item>& before) {
   bool isMissing = false;
   for (auto& item : items) {
+    // Several may have one source, or, made in memory, none.
+    bool isKept = std::any_of(before.begin(), before.end(), [&](const Item& other) {
+      return item.data == other.data && isSameData(item.source, other.source);
+    });
+    if (isKept && item.data) continue;
     auto known = std::find_if(before.begin(), before.end(),
                               [&](const Item& other) { return isSameData(item.source, other.source); });
     bool isNew = known == before.end();

@@ -6,9 +6,9 @@ import re
 import sys
 
 DOCUMENTS = ["README.md", "docs/ARCHITECTURE.md", "docs/ADDING.md", "docs/CONVENTIONS.md", "docs/STYLE.md", "docs/TESTING.md"]
-SOURCES = ["src/**/*", "include/**/*", "shaders/**/*", "tests/**/*.cpp", "tests/**/*.h", "tests/**/*.py", "tests/**/*.txt", "cmake/*", ".ci/**/*", "dev",
+SOURCES = ["src/**/*", "shaders/**/*", "tests/**/*.cpp", "tests/**/*.h", "tests/**/*.py", "tests/**/*.txt", "cmake/*", ".ci/**/*", "dev",
            "CMakeLists.txt", "CMakePresets.json", "docs/*.py"]
-HOMES = ["", "src", "include/velum", "include/velum/session", "src/session", "shaders", "tests", "docs"]  # from where paths are told
+HOMES = ["", "src", "src/session", "shaders", "tests", "docs"]  # from where paths are told
 OTHERS = {  # names of other people's: libraries, drivers, formats
     "LD_LIBRARY_PATH", "HOME", "DISPLAY", "XDG_CACHE_HOME", "XDG_STATE_HOME", "XDG_DATA_HOME", "XDG_CONFIG_HOME", "PascalCase", "camelCase", "mName", "kName",
     "VELUM_NAME", "Differs", "targetFromSource", "xCount", "timeS", "CompressedDataSize",
@@ -48,7 +48,7 @@ def strangers(root):
             if is_placeholder(name) or name in OTHERS:
                 continue
             if re.fullmatch(r"[\w.-]+(/[\w.-]+)+/?", name) and name.split("/")[0] in {
-                    "src", "include", "tests", "docs", "shaders", "cmake", ".ci", "resources", "core", "scene", "gpu", "io", "membrane", "mesoscale", "extrusion",
+                    "src", "include", "tests", "docs", "shaders", "cmake", ".ci", "resources", "core", "scene", "gpu", "io", "membrane", "model", "growth",
                     "render", "session", "gui", "app"}:
                 if not is_path(root, name):
                     yield f"{document}:{line}: there is no `{name}`"

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Fails when a file includes a module, a room of its own module, or a library that it may not use (tables below)."""
+"""Fails when a file includes a module, a room of its own module, or a library that it may not use (tables below), or a header of
+another module that is not in that module's list of HEADERS (CMakeLists.txt)."""
 import pathlib
 import re
 import sys
@@ -10,12 +11,12 @@ MAY_USE = {  # module: modules it may include (its own is implied)
     "gpu": "core",
     "io": "core scene",
     "membrane": "core scene gpu",
-    "mesoscale": "core scene gpu",
-    "extrusion": "core scene",
-    "render": "core scene gpu membrane mesoscale",
-    "session": "core scene gpu io membrane mesoscale extrusion render",
-    "app": "core scene gpu io extrusion render session",
-    "gui": "core scene gpu extrusion render session",
+    "model": "core scene gpu",
+    "growth": "core scene",
+    "render": "core scene gpu membrane model",
+    "session": "core scene gpu io membrane model growth render",
+    "app": "core scene gpu io growth render session",
+    "gui": "core scene gpu growth render session",
 }
 ROOMS = {  # module: {room: rooms of the module it may include (its own is implied); "." is the module's own folder}
     # A module's own folder may include each room unless it is listed.
@@ -25,14 +26,16 @@ ROOMS = {  # module: {room: rooms of the module it may include (its own is impli
            "phantoms": "models", "kinds": "images labels looks meshes models volumes"},
     "membrane": {"forces": "", "sheet": "forces"},
     # The module's own folder has both the frame, which all know, and the renderer, which knows all.
-    "render": {"upload": ".", "passes": ". upload", "section": ". upload"},
+    "render": {"upload": ".", "kept": ". upload", "passes": ". upload", "section": ". kept upload"},
     "session": {"command": ". cut document extrusion growth look membrane model picture section structure", "document": "growth model", "model": "cut", "growth": ".", "section": "", "structure": "", "cut": ".", "look": "document",
                 "extrusion": ". cut growth look structure", "membrane": ". cut look structure",
                 "picture": "document extrusion growth membrane"},
     # A membrane is a cut: the panel of cuts holds its form.
-    "gui": {"kit": "", "tool": "kit", "view": "kit tool", "look": "kit tool view", "structure": "kit tool view", "model": "kit tool view",
-            "membrane": "kit tool view", "cut": "kit tool view membrane", "extrusion": "kit tool view",
-            "window": "kit tool view look structure model cut membrane extrusion"},
+    "gui": {"kit": "", "rows": "kit", "service": "kit rows", "tool": "kit", "view": "kit rows service tool",
+            "look": "kit rows service tool view", "structure": "kit rows service tool view", "model": "kit rows service tool view",
+            "membrane": "kit rows service tool view", "cut": "kit rows service tool view membrane",
+            "extrusion": "kit rows service tool view",
+            "window": "kit rows service tool view look structure model cut membrane extrusion"},
 }
 ONLY_IN = {  # library header: modules that may name it
     r"<Q[A-Z]": "gui",
@@ -45,32 +48,32 @@ ONLY_IN = {  # library header: modules that may name it
 
 
 def home(root, path):
-    """Module and room of a file of ours; the room is "." in the module's own folder."""
-    parts = path.relative_to(root).parts
-    parts = parts[2:] if parts[0] == "include" else parts[1:]
+    """Module and room of a file under src; the room is "." in the module's own folder."""
+    parts = path.relative_to(root / "src").parts
     return parts[0], parts[1] if len(parts) > 2 else "."
 
 
-def target(root, path, include):
-    """Module and room that an include leads to; nothing when it is none of ours."""
-    if include.startswith("velum/"):
-        return home(root, root / "include" / include)
-    module, _ = home(root, path)
-    for folder in (path.parent, root / "src" / module):
-        if (folder / include).is_file():
-            return home(root, (folder / include).resolve())
-    return None
+def public_headers(root):
+    """What other modules may include: the HEADERS of each list of sources."""
+    for made in root.glob("src/*/**/CMakeLists.txt"):
+        for names in re.findall(r"HEADERS\s+((?:[\w/]+\.h\s*)+)", made.read_text()):
+            yield from (made.parent / name for name in names.split())
 
 
 def violations(root):
-    for path in sorted([*root.glob("include/velum/*/**/*.h"), *root.glob("src/*/**/*.[ch]*")]):
+    public = set(public_headers(root))
+    yield from (f"{path}: listed as a header, but not there" for path in sorted(public) if not path.is_file())
+    for path in sorted(root.glob("src/*/**/*.[ch]*")):
         module, room = home(root, path)
         rooms = ROOMS.get(module, {})
         if rooms and room not in rooms and room != ".":
             yield f"{path}: the room {room} of {module} is not in the table of {sys.argv[0]}"
         for number, line in enumerate(path.read_text(errors="replace").splitlines(), 1):
             quoted = re.match(r'\s*#\s*include\s*[<"]([^>"]+)[>"]', line)
-            there = target(root, path, quoted[1]) if quoted else None
+            included = root / "src" / quoted[1] if quoted else None
+            there = home(root, included) if included and included.is_file() else None
+            if there and there[0] != module and included not in public:
+                yield f"{path}:{number}: {quoted[1]} is not among the headers that {there[0]} lists for others"
             if there and there[0] != module and there[0] not in MAY_USE[module].split():
                 yield f"{path}:{number}: {module} may not include {there[0]}"
             if there and there[0] == module and there[1] != room and room in rooms:

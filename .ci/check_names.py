@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Fails when a source is not found by its header's name: X.cpp has its X.h in the same room (of src or include/velum), or is a
+"""Fails when a source is not found by its header's name: X.cpp has its X.h in the same room, or is a
 part of one (XMouse.cpp of X.h). A header without a source must hold all that it declares. ALONE lists the rest."""
 import fnmatch
 import pathlib
@@ -30,7 +30,7 @@ TABLES = {  # headers without a source of their name: why
     "src/io/volumes/NiftiHeader.h": "what NiftiReader.cpp reads first",
     "src/gpu/Gl.h": "the table that context/Context.cpp fills",
     "src/gpu/ShaderFiles.h": "made while building, by cmake/EmbedShaders.cmake",
-    "include/velum/gpu/Context.h": "src/gpu/context",
+    "src/gpu/Context.h": "src/gpu/context",
 }
 
 
@@ -47,9 +47,9 @@ def declares_only(path):
 
 
 def violations(root):
-    headers = sorted([*root.glob("include/velum/**/*.h"), *root.glob("src/**/*.h")])
+    headers = sorted([*root.glob("src/**/*.h"), *root.glob("src/**/*.h")])
     sources = sorted(root.glob("src/**/*.cpp"))
-    room = lambda path: path.parent.relative_to(root / ("include/velum" if "include" in path.relative_to(root).parts[:1] else "src"))
+    room = lambda path: path.parent
     header_names, source_names = {}, {}
     for path in headers:
         header_names.setdefault(room(path), set()).add(path.stem)

@@ -6,7 +6,7 @@ import re
 import sys
 
 KEY = r"\[([A-Z][A-Z0-9-]+)\]"
-SOURCES = {"include": "h", "src": "h cpp", "shaders": "h glsl comp vert frag", "tests": "h cpp"}  # folder: endings
+SOURCES = {"src": "h cpp", "shaders": "h glsl comp vert frag", "tests": "h cpp"}  # folder: endings
 
 
 def defined(root):

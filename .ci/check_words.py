@@ -24,7 +24,7 @@ def names_in(text):
 
 
 def cpp_names(root):
-    for path in sorted([*root.glob("include/**/*.h"), *root.glob("src/**/*.[ch]*")]):
+    for path in sorted(root.glob("src/**/*.[ch]*")):
         if path.name != "CMakeLists.txt":
             yield path, names_in(re.sub(r"#\s*include[^\n]*", "", without_comments(path.read_text())))
 
@@ -55,7 +55,7 @@ def without_io(root):
 PLACES = {  # name in the table: names or texts of that place, each a list of matches of a file
     "C++": cpp_names,
     "C++ but io": without_io,
-    "JSON": lambda root: strings_after(root, ["include/velum/scene"], r"\bvisit\("),
+    "JSON": lambda root: strings_after(root, ["src/scene"], r"\bvisit\("),
     "GLSL": glsl_names,
     "command line": lambda root: strings_after(root, ["src/app"], r"\badd_(?:option|flag)\("),
     "window": lambda root: texts_for_people(root, ["src/gui", "src/session/cut"]),

@@ -1,6 +1,6 @@
 # Script of velum_embed_shaders: ROOT, FILES ('|' between), OUTPUT.
 string(REPLACE "|" ";" FILES "${FILES}")
-set(text "// Made by cmake/EmbedShaders.cmake.\n#include \"ShaderFiles.h\"\nnamespace velum::gpu {\nconst ShaderFile kShaderFiles[] = {\n")
+set(text "// Made by cmake/EmbedShaders.cmake.\n#include \"gpu/ShaderFiles.h\"\nnamespace velum::gpu {\nconst ShaderFile kShaderFiles[] = {\n")
 foreach(file IN LISTS FILES)
   file(READ "${ROOT}/${file}" content)
   string(APPEND text "{\"${file}\", R\"~~~~(${content})~~~~\"},\n")

@@ -94,7 +94,7 @@ def systems(folder):
                    "lighting.shadow=0.35", "camera.eye=440,-330,190", "camera.target=0,-17,10", "camera.fieldOfViewDeg=23")]
     virus = [folder / "virion.cif", "--view", "anterior", "--preset", "soft", *near(12.6),
              *cut(0, "shape=sphere", "centre=250,-520,200", "size=1100,1100,1100"),
-             *cut(1, "shape=everywhere", 'typeSpares=[{"type":"root","share":1},{"type":"root.plasma","share":0}]')]
+             *cut(1, "shape=everywhere", 'model.spares=[{"type":"root","share":1},{"type":"root.plasma","share":0}]')]
     return [[WELCOME], brain, virus]
 
 
@@ -249,7 +249,7 @@ def models(folder):
         [*virion, "--preset", "technical", *near(6), *opened],
         [around, "--preset", "plate", "--view", "anterior", *near(12), *sets("cuts.0.size=3000,3000,900")],
         [*virion, "--preset", "plate", *near(21),
-         *cut(0, "shape=sphere", "centre=0,-600,0", "size=1700,1700,1700", "typeSpares=[{\"type\":\"root.plasma\",\"share\":0.04}]")],
+         *cut(0, "shape=sphere", "centre=0,-600,0", "size=1700,1700,1700", "model.spares=[{\"type\":\"root.plasma\",\"share\":0.04}]")],
         [*virion, "--preset", "plate", *near(5), *opened],
     ]
 
@@ -327,7 +327,7 @@ def first_virus(folder):
     half = cut(0, "axis=0,-1,0")
     spikes = folder / "spikes.json"
     run(sys.argv[1], "count", *virion, *half, "--set-count", "spike=60", "-o", spikes)
-    thinned = cut(1, "shape=everywhere", 'typeSpares=[{"type":"root","share":1},{"type":"root.plasma","share":0.4}]')
+    thinned = cut(1, "shape=everywhere", 'model.spares=[{"type":"root","share":1},{"type":"root.plasma","share":0.4}]')
     return [
         [*virion, *half],
         [spikes, *thinned],

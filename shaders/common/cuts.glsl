@@ -3,8 +3,8 @@
 #include "shared/cuts.h"
 
 layout(std430, binding = kCutBinding) readonly buffer CutBlock { CutData cuts[]; };
-// What cuts spare. First how many structures follow; for each of these where its spares begin, or 0; then spares, one for
-// each cut, as bits of floats.
+// What cuts spare. First how many structures follow; for each of these where its spares begin, or 0; then how deep each cut leaves
+// it, as bits of floats.
 layout(binding = kSpareUnit) uniform usamplerBuffer spareTexture;
 
 layout(std430, binding = kCutGridBinding) readonly buffer CutGridBlock { uint cutGrid[]; };
@@ -67,13 +67,10 @@ int sparesOf(uint structure) {
 }
 
 /// How deep a cut leaves something in its removed side. @param first  sparesOf() its structure
-/// @param u  the random number of an instance; of material 0
-float sparedDepth(int first, int cut, float u) {
+float sparedDepth(int first, int cut) {
   if (!hasFlag(kFlagSpares) || first < 0) return 0.0;
-  vec2 spare = uintBitsToFloat(texelFetch(spareTexture, first + cut).rg);
-  return spareDepth(CutSpare(spare.x, spare.y), u);
+  return uintBitsToFloat(texelFetch(spareTexture, first + cut).r);
 }
-float sparedDepth(int first, int cut) { return sparedDepth(first, cut, 0.0); }
 
 /// What a cut is to others, as cutPart() says.
 int partOf(int cut) {
@@ -88,18 +85,16 @@ int partOf(int cut) {
 bool isInlay(int cut) { return partOf(cut) == kFoldInlay; }
 
 /// True when no cut removes a position of a structure. Inlays add up: one of them that keeps it is enough.
-/// @param u  the random number of an instance; of material 0
-bool cutsKeep(vec3 scenePoint, uint structure, float u) {
+bool cutsKeep(vec3 scenePoint, uint structure) {
   CutFold fold = emptyFold();
   int first = sparesOf(structure);
   CutList list = cutsAt(scenePoint);
   for (int i = list.begin; i < list.end && !fold.isRemoved; ++i) {
     int cut = cutIn(i);
-    fold = foldCut(fold, cutAt(cut), partOf(cut), sparedDepth(first, cut, u), hasFlag(kFlagSpareDepths), scenePoint);
+    fold = foldCut(fold, cutAt(cut), partOf(cut), sparedDepth(first, cut), hasFlag(kFlagSpareDepths), scenePoint);
   }
   return foldKeeps(fold);
 }
-bool cutsKeep(vec3 scenePoint, uint structure) { return cutsKeep(scenePoint, structure, 0.0); }
 
 /// The same of something that some cuts spare whole. @param spared  a bit for each
 bool cutsKeepSpared(vec3 scenePoint, uint spared) {

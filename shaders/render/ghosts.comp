@@ -2,7 +2,7 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 
 #include "common/frame.glsl"
-#include "mesoscale/instances.glsl"
+#include "model/instances.glsl"
 
 layout(std430, binding = kOwnerBinding) readonly buffer OwnerBlock { uint owners[]; };
 layout(std430, binding = kBallBinding) readonly buffer BallBlock { uint balls[]; };

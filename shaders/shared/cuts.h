@@ -13,15 +13,6 @@ SHARED_BEGIN
 /// Cells along each edge of the grid that says which cuts matter where.
 SHARED_CONST int kCutGrid = 16;
 
-/// What a cut spares of a structure; both 0: nothing.
-struct CutSpare {
-  float distance;  ///< how deep in the cut's removed side it is left, scene frame; kCutFar: all of it
-  float share;     ///< of its instances, those with a random number below it
-};
-
-/// How deep a cut leaves a thing with a random number in its removed side. Material of a volume has the number 0.
-SHARED_FN float spareDepth(CutSpare spare, float u) { return u < spare.share ? spare.distance : 0.0f; }
-
 SHARED_FN bool cutIsInlay(CutData cut) { return cut.kind.x == kCutMembrane && cut.kind.w == kMembraneInlay; }
 
 /// What a cut is to others, of kFold*.
@@ -33,7 +24,8 @@ SHARED_FN int cutPart(CutData cut) {
   return (cut.kind.z & kCutJoined) != 0 ? kFoldJoined : kFoldAlone;
 }
 
-/// kCutKeeps or kCutRemoves: what a cut does with a point that it spares so deep.
+/// kCutKeeps or kCutRemoves: what a cut does with a point.
+/// @param depth  how deep in its removed side the cut leaves what is there, scene frame; 0: not at all; kCutFar: all of it
 /// @param hasDepths  false where no spare ends: what is spared is spared whole, and nobody has to know how deep it lies
 SHARED_FN int cutAnswer(CutData cut, float depth, bool hasDepths, vec3 p SHARED_SHEETS) {
   bool removes = cutRemoves(cut, p SHARED_PASS_SHEETS);
@@ -85,7 +77,7 @@ SHARED_FN CutFold foldAnswer(CutFold fold, int part, int answer) {
 
 SHARED_FN bool foldRemoves(CutFold fold) { return fold.isRemoved || fold.last == kCutRemoves; }
 
-/// Adds one more cut. @param depth  spareDepth() of what is at the point; other parameters as of cutAnswer()
+/// Adds one more cut. @param depth  how deep the cut leaves what is at the point, 0: not at all; other parameters as of cutAnswer()
 SHARED_FN CutFold foldCut(CutFold fold, CutData cut, int part, float depth, bool hasDepths, vec3 p SHARED_SHEETS) {
   return foldAnswer(fold, part, cutAnswer(cut, depth, hasDepths, p SHARED_PASS_SHEETS));
 }

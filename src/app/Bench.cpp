@@ -5,11 +5,11 @@
 #include <cmath>
 #include <numeric>
 
-#include "Verbs.h"
-#include "velum/render/Renderer.h"
-#include "velum/scene/Navigate.h"
-#include "velum/session/membrane/Membranes.h"
-#include "velum/session/picture/Picture.h"
+#include "app/Verbs.h"
+#include "render/Renderer.h"
+#include "scene/Navigate.h"
+#include "session/membrane/Membranes.h"
+#include "session/picture/Picture.h"
 
 namespace velum::app {
 

@@ -1,4 +1,4 @@
-#include "Common.h"
+#include "app/Common.h"
 
 #include <fmt/format.h>
 #include <sys/time.h>
@@ -12,23 +12,23 @@
 #include <filesystem>
 #include <sstream>
 
-#include "StandardInput.h"
-#include "WindowOption.h"
-#include "velum/core/Error.h"
-#include "velum/core/Log.h"
-#include "velum/core/ReplaceFile.h"
-#include "velum/core/Text.h"
-#include "velum/io/kinds/FileKind.h"
-#include "velum/scene/Finishes.h"
-#include "velum/scene/Presets.h"
-#include "velum/scene/SurfaceLook.h"
-#include "velum/scene/VisibleFrame.h"
-#include "velum/scene/json/Paths.h"
-#include "velum/session/document/Body.h"
-#include "velum/session/document/Open.h"
-#include "velum/session/document/SetFields.h"
-#include "velum/session/growth/Growths.h"
-#include "velum/session/look/Look.h"
+#include "app/StandardInput.h"
+#include "app/WindowOption.h"
+#include "core/Error.h"
+#include "core/Log.h"
+#include "core/ReplaceFile.h"
+#include "core/Text.h"
+#include "io/kinds/FileKind.h"
+#include "scene/Finishes.h"
+#include "scene/Presets.h"
+#include "scene/SurfaceLook.h"
+#include "scene/VisibleFrame.h"
+#include "scene/json/Paths.h"
+#include "session/document/Body.h"
+#include "session/document/Open.h"
+#include "session/document/SetFields.h"
+#include "session/growth/Growths.h"
+#include "session/look/Look.h"
 
 namespace velum::app {
 

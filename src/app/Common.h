@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "velum/core/Task.h"
-#include "velum/gpu/Context.h"
-#include "velum/scene/Scene.h"
+#include "core/Task.h"
+#include "gpu/Context.h"
+#include "scene/SceneFwd.h"
 
 /// What the verbs share: options that all of them take, opening what they name, progress and reports.
 namespace velum::app {

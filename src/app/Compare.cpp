@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
-#include "Verbs.h"
-#include "velum/core/Error.h"
-#include "velum/io/images/ImageCompare.h"
-#include "velum/io/images/ImageFile.h"
+#include "app/Verbs.h"
+#include "core/Error.h"
+#include "io/images/ImageCompare.h"
+#include "io/images/ImageFile.h"
 
 namespace velum::app {
 

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "Verbs.h"
+#include "app/Verbs.h"
 
 namespace velum::app {
 

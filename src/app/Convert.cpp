@@ -2,18 +2,18 @@
 
 #include <variant>
 
-#include "Verbs.h"
-#include "velum/core/Error.h"
-#include "velum/io/kinds/FileKind.h"
-#include "velum/io/labels/ReadLabels.h"
-#include "velum/io/labels/WriteLabels.h"
-#include "velum/io/volumes/ReadVolume.h"
-#include "velum/io/volumes/WriteVolume.h"
-#include "velum/session/document/Open.h"
-#include "velum/session/look/Look.h"
-#include "velum/session/membrane/Membranes.h"
-#include "velum/session/model/ModelExport.h"
-#include "velum/session/structure/StructureExport.h"
+#include "app/Verbs.h"
+#include "core/Error.h"
+#include "io/kinds/FileKind.h"
+#include "io/labels/ReadLabels.h"
+#include "io/labels/WriteLabels.h"
+#include "io/volumes/ReadVolume.h"
+#include "io/volumes/WriteVolume.h"
+#include "session/document/Open.h"
+#include "session/look/Look.h"
+#include "session/membrane/Membranes.h"
+#include "session/model/ModelExport.h"
+#include "session/structure/StructureExport.h"
 
 namespace velum::app {
 

@@ -3,18 +3,18 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "CountAreas.h"
-#include "Targets.h"
-#include "Verbs.h"
-#include "velum/core/Clock.h"
-#include "velum/core/Error.h"
-#include "velum/core/ReplaceFile.h"
-#include "velum/render/Renderer.h"
-#include "velum/session/document/Open.h"
-#include "velum/session/membrane/Membranes.h"
-#include "velum/session/model/CountFiles.h"
-#include "velum/session/model/WhatHides.h"
-#include "velum/session/picture/Picture.h"
+#include "app/CountAreas.h"
+#include "app/Targets.h"
+#include "app/Verbs.h"
+#include "core/Clock.h"
+#include "core/Error.h"
+#include "core/ReplaceFile.h"
+#include "render/Renderer.h"
+#include "session/document/Open.h"
+#include "session/membrane/Membranes.h"
+#include "session/model/CountFiles.h"
+#include "session/model/WhatHides.h"
+#include "session/picture/Picture.h"
 
 namespace velum::app {
 

@@ -1,23 +1,23 @@
-#include "CountAreas.h"
+#include "app/CountAreas.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "velum/core/Clock.h"
-#include "velum/core/Error.h"
-#include "velum/core/Log.h"
-#include "velum/core/ReplaceFile.h"
-#include "velum/core/Text.h"
-#include "velum/session/document/Open.h"
-#include "velum/session/extrusion/AreaSolver.h"
-#include "velum/session/growth/Growths.h"
-#include "velum/session/membrane/Membranes.h"
-#include "velum/session/model/CountFiles.h"
-#include "velum/session/structure/StructureAreas.h"
-#include "velum/session/structure/StructureEdit.h"
-#include "velum/session/structure/StructureExport.h"
+#include "core/Clock.h"
+#include "core/Error.h"
+#include "core/Log.h"
+#include "core/ReplaceFile.h"
+#include "core/Text.h"
+#include "session/document/Open.h"
+#include "session/extrusion/AreaSolver.h"
+#include "session/growth/Growths.h"
+#include "session/membrane/Membranes.h"
+#include "session/model/CountFiles.h"
+#include "session/structure/StructureAreas.h"
+#include "session/structure/StructureEdit.h"
+#include "session/structure/StructureExport.h"
 
 namespace velum::app {
 

@@ -2,8 +2,8 @@
 #include <string>
 #include <vector>
 
-#include "Common.h"
-#include "velum/session/model/PictureCounter.h"
+#include "app/Common.h"
+#include "session/model/PictureCounter.h"
 
 namespace velum::app {
 

@@ -4,18 +4,19 @@
 #include <cmath>
 #include <sstream>
 
-#include "Text.h"
-#include "Verbs.h"
-#include "velum/core/Error.h"
-#include "velum/core/Text.h"
-#include "velum/extrusion/FirstDoubt.h"
-#include "velum/extrusion/Grower.h"
-#include "velum/extrusion/LabelsFor.h"
-#include "velum/extrusion/SmoothRegion.h"
-#include "velum/io/labels/WriteLabels.h"
-#include "velum/scene/GreyWindows.h"
-#include "velum/session/extrusion/MaterialRange.h"
-#include "velum/session/growth/Growths.h"
+#include "app/Text.h"
+#include "app/Verbs.h"
+#include "core/Error.h"
+#include "core/Text.h"
+#include "growth/FirstDoubt.h"
+#include "growth/Grower.h"
+#include "growth/LabelsFor.h"
+#include "growth/SmoothRegion.h"
+#include "io/labels/WriteLabels.h"
+#include "scene/GreyWindows.h"
+#include "scene/Scene.h"
+#include "session/extrusion/MaterialRange.h"
+#include "session/growth/Growths.h"
 
 namespace velum::app {
 
@@ -38,7 +39,7 @@ std::string textOf(glm::dvec3 v) { return fmt::format("{},{},{}", v.x, v.y, v.z)
 glm::dvec3 placeOf(const char* option, const std::string& text, const Volume& volume) {
   auto n = numbersOf(option, text, 3, "x,y,z");
   glm::dvec3 place(n[0], n[1], n[2]);
-  if (!extrusion::isInside(volume, extrusion::voxelAt(volume, place)))
+  if (!growth::isInside(volume, growth::voxelAt(volume, place)))
     throw ArgumentError(fmt::format("{} {}: that is outside the volume", option, text));
   return place;
 }
@@ -52,7 +53,7 @@ std::vector<glm::dvec3> seedsOf(const GrowOptions& options, const Volume& volume
 }
 
 bool hasValueOf(const scene::Growth& step, const Volume& volume, glm::dvec3 place) {
-  double value = valueAt(volume, extrusion::voxelAt(volume, place), step.channel, step.timeStep);
+  double value = valueAt(volume, growth::voxelAt(volume, place), step.channel, step.timeStep);
   return value >= step.low && value <= step.high;
 }
 
@@ -112,7 +113,7 @@ void setRange(scene::Growth& step, const GrowOptions& options, const scene::Volu
     step.low = options.range[0], step.high = options.range[1];
   }
   for (const auto& seed : step.seeds) {
-    double value = valueAt(*layer.data, extrusion::voxelAt(*layer.data, seed), step.channel, step.timeStep);
+    double value = valueAt(*layer.data, growth::voxelAt(*layer.data, seed), step.channel, step.timeStep);
     if (!(value >= step.low && value <= step.high))
       throw ArgumentError(
           fmt::format("--seed {}: the value there is {:.6g}, not from {:.6g} to {:.6g}; choose another "
@@ -157,15 +158,15 @@ void refuseDoubts(const scene::Growth& step, const GrowOptions& options, const S
                   const Shared<LabelVolume>& labels) {
   if (!options.guard || !options.range.empty()) return;
   const char* kHint = "give a --range, another --seed, or leave --guard out";
-  if (extrusion::reachesTheDarkest(*volume, step))
+  if (growth::reachesTheDarkest(*volume, step))
     throw ArgumentError(
         fmt::format("--guard: the material at the seed, {:.6g} to {:.6g}, reaches the darkest values of "
                     "the data; {}",
                     step.low, step.high, kHint));
   scene::Growth first = step;
-  first.distance = std::min(step.distance, extrusion::firstSlabEnd(*volume, step));
-  auto grown = extrusion::Grower().grow(volume, labels, first, {.guard = false, .begun = {}}, consoleProgress());
-  if (extrusion::isMostOfItsPlane(*volume, *grown.labels, first))
+  first.distance = std::min(step.distance, growth::firstSlabEnd(*volume, step));
+  auto grown = growth::Grower().grow(volume, labels, first, {.guard = false, .begun = {}}, consoleProgress());
+  if (growth::isMostOfItsPlane(*volume, *grown.labels, first))
     throw ArgumentError(
         fmt::format("--guard: the material at the seed, {:.6g} to {:.6g}, is most of what there is at "
                     "the plane; {}",
@@ -174,7 +175,7 @@ void refuseDoubts(const scene::Growth& step, const GrowOptions& options, const S
 
 Json pointOf(glm::ivec3 v) { return {v.x, v.y, v.z}; }
 
-Json reportOf(const scene::Growth& step, const extrusion::Grown& grown, std::size_t smoothed, const Volume& volume) {
+Json reportOf(const scene::Growth& step, const growth::Grown& grown, std::size_t smoothed, const Volume& volume) {
   double voxelSize = std::abs(glm::determinant(glm::dmat3(volume.worldFromVoxel)));
   std::size_t voxels = grown.voxels + smoothed;
   Json json = {{"structure", step.structure},
@@ -193,7 +194,7 @@ Json reportOf(const scene::Growth& step, const extrusion::Grown& grown, std::siz
   return json;
 }
 
-void print(const extrusion::Grown& grown, const Json& report) {
+void print(const growth::Grown& grown, const Json& report) {
   fmt::print("{} voxels in {} slabs, {:.2f} ms", report["voxels"].get<std::size_t>(), grown.slabs, grown.ms);
   if (report.contains("volumeMl")) fmt::print(", {:.6g} ml", report["volumeMl"].get<double>());
   if (report.contains("values"))
@@ -211,7 +212,7 @@ int run(const GrowOptions& options) {
   if (!scene.volume.data) throw InputError("there is no volume to grow in: name a file that has one");
   const Volume& volume = *scene.volume.data;
   auto given = scene.labels.growths.empty() ? scene.labels.data : scene.labels.given;
-  Shared<LabelVolume> labels = extrusion::labelsFor(volume, given);
+  Shared<LabelVolume> labels = growth::labelsFor(volume, given);
   scene::Growth step;
   step.structure = freeLabel(*labels);
   step.seeds = seedsOf(options, volume);
@@ -226,11 +227,10 @@ int run(const GrowOptions& options) {
   setPlane(step, options);
   setWithin(step, options, *labels);
   refuseDoubts(step, options, scene.volume.data, labels);
-  extrusion::Grown grown =
-      extrusion::Grower().grow(scene.volume.data, labels, step, {options.guard}, consoleProgress());
+  growth::Grown grown = growth::Grower().grow(scene.volume.data, labels, step, {options.guard}, consoleProgress());
   scene::Growth done = step;
   done.distance = grown.distance;
-  auto smoothed = extrusion::smoothRegion(scene.volume.data, grown.labels, done, consoleProgress(), grown.others);
+  auto smoothed = growth::smoothRegion(scene.volume.data, grown.labels, done, consoleProgress(), grown.others);
   LabelVolume result = *smoothed.labels;
   for (auto& info : result.table)
     if (info.id == step.structure) info.name = options.name;

@@ -4,19 +4,19 @@
 
 #include <filesystem>
 
-#include "Text.h"
-#include "Verbs.h"
-#include "velum/core/Error.h"
-#include "velum/io/kinds/FileKind.h"
-#include "velum/io/labels/ReadLabels.h"
-#include "velum/io/meshes/ReadMesh.h"
-#include "velum/io/models/ReadModel.h"
-#include "velum/io/volumes/Formats.h"
-#include "velum/io/volumes/ReadVolume.h"
-#include "velum/scene/GreyWindows.h"
-#include "velum/scene/Presets.h"
-#include "velum/session/document/Open.h"
-#include "velum/session/structure/StructureSizes.h"
+#include "app/Text.h"
+#include "app/Verbs.h"
+#include "core/Error.h"
+#include "io/kinds/FileKind.h"
+#include "io/labels/ReadLabels.h"
+#include "io/meshes/ReadMesh.h"
+#include "io/models/ReadModel.h"
+#include "io/volumes/Formats.h"
+#include "io/volumes/ReadVolume.h"
+#include "scene/GreyWindows.h"
+#include "scene/Presets.h"
+#include "session/document/Open.h"
+#include "session/structure/StructureSizes.h"
 
 namespace velum::app {
 

@@ -3,12 +3,12 @@
 
 #include <filesystem>
 
-#include "Verbs.h"
-#include "velum/core/Error.h"
-#include "velum/core/Log.h"
-#include "velum/session/document/Folders.h"
-#include "velum/session/document/Open.h"
-#include "velum/session/document/Recovery.h"
+#include "app/Verbs.h"
+#include "core/Error.h"
+#include "core/Log.h"
+#include "session/document/Folders.h"
+#include "session/document/Open.h"
+#include "session/document/Recovery.h"
 
 namespace velum::app {
 

@@ -4,19 +4,19 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "StandardInput.h"
-#include "Targets.h"
-#include "Verbs.h"
-#include "velum/core/Clock.h"
-#include "velum/core/Error.h"
-#include "velum/core/Log.h"
-#include "velum/io/images/ImageFile.h"
-#include "velum/render/Renderer.h"
-#include "velum/session/cut/NothingLeft.h"
-#include "velum/session/document/Open.h"
-#include "velum/session/growth/Growths.h"
-#include "velum/session/membrane/Membranes.h"
-#include "velum/session/picture/Animation.h"
+#include "app/StandardInput.h"
+#include "app/Targets.h"
+#include "app/Verbs.h"
+#include "core/Clock.h"
+#include "core/Error.h"
+#include "core/Log.h"
+#include "io/images/ImageFile.h"
+#include "render/Renderer.h"
+#include "session/cut/NothingLeft.h"
+#include "session/document/Open.h"
+#include "session/growth/Growths.h"
+#include "session/membrane/Membranes.h"
+#include "session/picture/Animation.h"
 
 namespace velum::app {
 
@@ -81,7 +81,7 @@ class Frames {
   const scene::Scene& mScene;
   std::optional<session::Motion> mMotion;
   int mCount;
-  extrusion::GrowOverTime mGrowths;
+  growth::GrowOverTime mGrowths;
 };
 
 scene::SectionKind sectionKind(const std::string& name) {

@@ -5,12 +5,12 @@
 #include <fstream>
 #include <iterator>
 
-#include "StandardInput.h"
-#include "Verbs.h"
-#include "velum/core/Error.h"
-#include "velum/core/Log.h"
-#include "velum/session/Session.h"
-#include "velum/session/command/Command.h"
+#include "app/StandardInput.h"
+#include "app/Verbs.h"
+#include "core/Error.h"
+#include "core/Log.h"
+#include "session/Session.h"
+#include "session/command/Command.h"
 
 namespace velum::app {
 

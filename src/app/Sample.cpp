@@ -1,15 +1,15 @@
-#include "velum/io/phantoms/Sample.h"
+#include "io/phantoms/Sample.h"
 
 #include <fmt/format.h>
 
 #include <filesystem>
 
-#include "Verbs.h"
-#include "velum/core/Error.h"
-#include "velum/io/labels/WriteLabels.h"
-#include "velum/io/models/WriteModel.h"
-#include "velum/io/phantoms/Virion.h"
-#include "velum/io/volumes/WriteVolume.h"
+#include "app/Verbs.h"
+#include "core/Error.h"
+#include "io/labels/WriteLabels.h"
+#include "io/models/WriteModel.h"
+#include "io/phantoms/Virion.h"
+#include "io/volumes/WriteVolume.h"
 
 namespace velum::app {
 

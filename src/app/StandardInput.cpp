@@ -1,4 +1,4 @@
-#include "StandardInput.h"
+#include "app/StandardInput.h"
 
 #include <unistd.h>
 
@@ -9,7 +9,7 @@
 #include <string_view>
 #include <system_error>
 
-#include "velum/core/Error.h"
+#include "core/Error.h"
 
 namespace velum::app {
 

@@ -1,15 +1,15 @@
-#include "Targets.h"
+#include "app/Targets.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "velum/core/Error.h"
-#include "velum/core/Log.h"
-#include "velum/core/Text.h"
-#include "velum/session/membrane/Membranes.h"
-#include "velum/session/model/TypesAt.h"
+#include "core/Error.h"
+#include "core/Log.h"
+#include "core/Text.h"
+#include "session/membrane/Membranes.h"
+#include "session/model/TypesAt.h"
 
 namespace velum::app {
 

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "Common.h"
-#include "velum/session/model/PictureCounter.h"
-#include "velum/session/model/TargetSolver.h"
+#include "app/Common.h"
+#include "session/model/PictureCounter.h"
+#include "session/model/TargetSolver.h"
 
 namespace velum::app {
 

@@ -1,11 +1,11 @@
-#include "Text.h"
+#include "app/Text.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "velum/core/Text.h"
+#include "core/Text.h"
 
 namespace velum::app {
 

@@ -1,6 +1,6 @@
 #pragma once
-#include "Common.h"
-#include "velum/session/structure/StructureValues.h"
+#include "app/Common.h"
+#include "session/structure/StructureValues.h"
 
 namespace velum::app {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <functional>
 
-#include "Common.h"
+#include "app/Common.h"
 
 /// The verbs of velum-batch, one file each. A verb registers its options and returns what it does.
 namespace velum::app {

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "Verbs.h"
-#include "velum/gpu/GpuError.h"
-#include "velum/render/Renderer.h"
-#include "velum/scene/Navigate.h"
-#include "velum/scene/VisibleFrame.h"
-#include "velum/session/picture/Picture.h"
+#include "app/Verbs.h"
+#include "gpu/GpuError.h"
+#include "render/Renderer.h"
+#include "scene/Navigate.h"
+#include "scene/VisibleFrame.h"
+#include "session/picture/Picture.h"
 
 namespace velum::app {
 

@@ -1,12 +1,13 @@
-#include "WindowOption.h"
+#include "app/WindowOption.h"
 
 #include <fmt/format.h>
 
 #include <cctype>
 
-#include "velum/core/Error.h"
-#include "velum/scene/GreyWindows.h"
-#include "velum/session/section/TypedWindow.h"
+#include "core/Error.h"
+#include "scene/GreyWindows.h"
+#include "scene/Scene.h"
+#include "session/section/TypedWindow.h"
 
 namespace velum::app {
 

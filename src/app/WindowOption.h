@@ -2,7 +2,7 @@
 #include <string>
 #include <string_view>
 
-#include "velum/scene/Scene.h"
+#include "scene/SceneFwd.h"
 
 /// The option --window.
 namespace velum::app {

@@ -4,12 +4,13 @@
 #include <csignal>
 #include <cstdio>
 
-#include "Verbs.h"
-#include "velum/core/Error.h"
-#include "velum/core/GuardWrites.h"
-#include "velum/core/Log.h"
-#include "velum/core/NearestName.h"
-#include "velum/core/Text.h"
+#include "app/Verbs.h"
+#include "core/Error.h"
+#include "core/GuardWrites.h"
+#include "core/Log.h"
+#include "core/NearestName.h"
+#include "core/Text.h"
+#include "scene/Scene.h"
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "velum/core/Assert.h"
+#include "core/Assert.h"
 
 #include <cstdio>
 #include <cstdlib>

@@ -1,6 +1,6 @@
-#include "velum/core/Error.h"
+#include "core/Error.h"
 
-#include "velum/core/Text.h"
+#include "core/Text.h"
 
 namespace velum {
 

@@ -1,4 +1,4 @@
-#include "velum/core/FileName.h"
+#include "core/FileName.h"
 
 #include <algorithm>
 

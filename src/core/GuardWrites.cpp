@@ -1,4 +1,4 @@
-#include "velum/core/GuardWrites.h"
+#include "core/GuardWrites.h"
 
 #include <fcntl.h>
 #include <unistd.h>

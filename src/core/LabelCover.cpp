@@ -1,4 +1,4 @@
-#include "velum/core/LabelCover.h"
+#include "core/LabelCover.h"
 
 #include <algorithm>
 #include <array>

@@ -1,11 +1,11 @@
-#include "velum/core/LabelVolume.h"
+#include "core/LabelVolume.h"
 
 #include <algorithm>
 #include <bitset>
 #include <memory>
 
-#include "velum/core/Assert.h"
-#include "velum/core/Error.h"
+#include "core/Assert.h"
+#include "core/Error.h"
 
 namespace velum {
 

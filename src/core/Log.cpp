@@ -1,4 +1,4 @@
-#include "velum/core/Log.h"
+#include "core/Log.h"
 
 #include <spdlog/sinks/stdout_sinks.h>
 #include <spdlog/spdlog.h>
@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <string>
 
-#include "velum/core/Text.h"
+#include "core/Text.h"
 
 namespace velum::log {
 

@@ -1,4 +1,4 @@
-#include "velum/core/Memory.h"
+#include "core/Memory.h"
 
 #if defined(__GLIBC__)
 #include <malloc.h>

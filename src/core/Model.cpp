@@ -1,4 +1,4 @@
-#include "velum/core/Model.h"
+#include "core/Model.h"
 
 #include <array>
 

@@ -1,11 +1,11 @@
-#include "velum/core/ModelBuilder.h"
+#include "core/ModelBuilder.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
 
-#include "velum/core/Assert.h"
+#include "core/Assert.h"
 
 namespace velum {
 

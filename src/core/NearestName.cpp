@@ -1,8 +1,8 @@
-#include "velum/core/NearestName.h"
+#include "core/NearestName.h"
 
 #include <algorithm>
 
-#include "velum/core/FileName.h"
+#include "core/FileName.h"
 
 namespace velum {
 

@@ -1,4 +1,4 @@
-#include "velum/core/Parallel.h"
+#include "core/Parallel.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>

@@ -1,4 +1,4 @@
-#include "velum/core/ReplaceFile.h"
+#include "core/ReplaceFile.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -9,9 +9,9 @@
 #include <string>
 #include <utility>
 
-#include "TemporaryFile.h"
-#include "velum/core/Assert.h"
-#include "velum/core/Error.h"
+#include "core/Assert.h"
+#include "core/Error.h"
+#include "core/TemporaryFile.h"
 
 namespace velum {
 

@@ -1,4 +1,4 @@
-#include "velum/core/SmoothLabels.h"
+#include "core/SmoothLabels.h"
 
 #include <fmt/format.h>
 
@@ -10,9 +10,9 @@
 #include <map>
 #include <mutex>
 
-#include "velum/core/Error.h"
-#include "velum/core/LabelCover.h"
-#include "velum/core/Parallel.h"
+#include "core/Error.h"
+#include "core/LabelCover.h"
+#include "core/Parallel.h"
 
 namespace velum {
 

@@ -1,4 +1,4 @@
-#include "TemporaryFile.h"
+#include "core/TemporaryFile.h"
 
 #include <fcntl.h>
 #include <sys/file.h>

@@ -1,4 +1,4 @@
-#include "velum/core/Text.h"
+#include "core/Text.h"
 
 #include <algorithm>
 #include <charconv>

@@ -1,13 +1,13 @@
-#include "velum/core/Volume.h"
+#include "core/Volume.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <type_traits>
 
-#include "velum/core/Assert.h"
-#include "velum/core/ChannelHistogram.h"
-#include "velum/core/Parallel.h"
+#include "core/Assert.h"
+#include "core/ChannelHistogram.h"
+#include "core/Parallel.h"
 
 namespace velum {
 

@@ -1,13 +1,13 @@
-#include "velum/gpu/Buffer.h"
+#include "gpu/Buffer.h"
 
 #include <fmt/format.h>
 
 #include <optional>
 
-#include "Gl.h"
-#include "velum/core/Assert.h"
-#include "velum/gpu/Context.h"
-#include "velum/gpu/GpuError.h"
+#include "core/Assert.h"
+#include "gpu/Context.h"
+#include "gpu/Gl.h"
+#include "gpu/GpuError.h"
 
 namespace velum::gpu {
 

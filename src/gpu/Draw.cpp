@@ -1,6 +1,6 @@
-#include "velum/gpu/Draw.h"
+#include "gpu/Draw.h"
 
-#include "Gl.h"
+#include "gpu/Gl.h"
 #include "shared/draw.h"
 
 namespace velum::gpu {

@@ -1,8 +1,8 @@
-#include "velum/gpu/Fence.h"
+#include "gpu/Fence.h"
 
 #include <utility>
 
-#include "Gl.h"
+#include "gpu/Gl.h"
 
 namespace velum::gpu {
 

@@ -1,11 +1,11 @@
-#include "velum/gpu/Framebuffer.h"
+#include "gpu/Framebuffer.h"
 
 #include <fmt/format.h>
 
 #include <vector>
 
-#include "Gl.h"
-#include "velum/gpu/GpuError.h"
+#include "gpu/Gl.h"
+#include "gpu/GpuError.h"
 
 namespace velum::gpu {
 

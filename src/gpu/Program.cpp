@@ -1,16 +1,16 @@
-#include "velum/gpu/Program.h"
+#include "gpu/Program.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "Gl.h"
-#include "ShaderLibrary.h"
+#include "core/Assert.h"
+#include "core/Clock.h"
+#include "core/Log.h"
+#include "gpu/Gl.h"
+#include "gpu/GpuError.h"
+#include "gpu/ShaderLibrary.h"
 #include "shared/draw.h"
-#include "velum/core/Assert.h"
-#include "velum/core/Clock.h"
-#include "velum/core/Log.h"
-#include "velum/gpu/GpuError.h"
 
 namespace velum::gpu {
 

@@ -1,8 +1,8 @@
-#include "velum/gpu/Readback.h"
+#include "gpu/Readback.h"
 
 #include <algorithm>
 
-#include "velum/gpu/GpuError.h"
+#include "gpu/GpuError.h"
 
 namespace velum::gpu {
 

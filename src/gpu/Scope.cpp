@@ -1,6 +1,6 @@
-#include "velum/gpu/Scope.h"
+#include "gpu/Scope.h"
 
-#include "Gl.h"
+#include "gpu/Gl.h"
 
 namespace velum::gpu {
 

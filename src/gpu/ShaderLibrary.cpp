@@ -1,4 +1,4 @@
-#include "ShaderLibrary.h"
+#include "gpu/ShaderLibrary.h"
 
 #include <fmt/format.h>
 
@@ -8,8 +8,8 @@
 #include <set>
 #include <sstream>
 
-#include "ShaderFiles.h"
-#include "velum/gpu/GpuError.h"
+#include "gpu/GpuError.h"
+#include "gpu/ShaderFiles.h"
 
 namespace velum::gpu {
 

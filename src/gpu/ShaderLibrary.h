@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "velum/gpu/Program.h"
+#include "gpu/Program.h"
 
 namespace velum::gpu {
 

@@ -1,14 +1,14 @@
-#include "velum/gpu/Texture.h"
+#include "gpu/Texture.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <bit>
 
-#include "Gl.h"
-#include "velum/core/Assert.h"
-#include "velum/gpu/Context.h"
-#include "velum/gpu/GpuError.h"
+#include "core/Assert.h"
+#include "gpu/Context.h"
+#include "gpu/Gl.h"
+#include "gpu/GpuError.h"
 
 namespace velum::gpu {
 

@@ -1,6 +1,6 @@
-#include "velum/gpu/VertexArray.h"
+#include "gpu/VertexArray.h"
 
-#include "Gl.h"
+#include "gpu/Gl.h"
 
 namespace velum::gpu {
 

@@ -18,17 +18,17 @@
 #include <string_view>
 #include <vector>
 
-#include "kit/Preferences.h"
-#include "kit/SaveImage.h"
-#include "look/LookPanel.h"
-#include "velum/core/Error.h"
-#include "velum/core/GuardWrites.h"
-#include "velum/core/Log.h"
-#include "velum/session/document/Folders.h"
-#include "window/MainWindow.h"
-#include "window/QuitSignals.h"
-#include "window/Script.h"
-#include "window/Start.h"
+#include "core/Error.h"
+#include "core/GuardWrites.h"
+#include "core/Log.h"
+#include "gui/kit/Preferences.h"
+#include "gui/look/LookPanel.h"
+#include "gui/service/SaveImage.h"
+#include "gui/window/MainWindow.h"
+#include "gui/window/QuitSignals.h"
+#include "gui/window/Script.h"
+#include "gui/window/Start.h"
+#include "session/document/Folders.h"
 
 namespace {
 

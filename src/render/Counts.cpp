@@ -1,4 +1,4 @@
-#include "velum/render/Counts.h"
+#include "render/Counts.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,10 +1,10 @@
-#include "FinishSetup.h"
+#include "render/FinishSetup.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "velum/render/RenderPicture.h"
-#include "velum/scene/Finishes.h"
+#include "render/RenderPicture.h"
+#include "scene/Finishes.h"
 
 namespace velum::render {
 

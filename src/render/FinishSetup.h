@@ -1,5 +1,5 @@
 #pragma once
-#include "FrameSetup.h"
+#include "render/FrameSetup.h"
 #include "shared/finish.h"
 
 namespace velum::render {

@@ -1,13 +1,13 @@
-#include "FrameData.h"
+#include "render/FrameData.h"
 
 #include <algorithm>
 #include <bit>
 #include <span>
 
-#include "FinishSetup.h"
-#include "upload/BlueNoise.h"
-#include "upload/CutSheets.h"
-#include "velum/scene/Units.h"
+#include "render/FinishSetup.h"
+#include "render/upload/BlueNoise.h"
+#include "render/upload/CutSheets.h"
+#include "scene/Units.h"
 
 namespace velum::render {
 
@@ -209,7 +209,7 @@ void FrameInputs::write(const FrameData& data) {
   mStructures = bufferOf("structures", data.structures);
   mStructureTexels = gpu::Texture::makeOfBuffer("structures", gpu::Format::Rgba32f, mStructures);
   mSpares = bufferOf("spares", spareTexels(data.spares));
-  mSpareTexels = gpu::Texture::makeOfBuffer("spares", gpu::Format::Rg32ui, mSpares);
+  mSpareTexels = gpu::Texture::makeOfBuffer("spares", gpu::Format::R32ui, mSpares);
   writeParams(data, 0);
 }
 

@@ -3,16 +3,16 @@
 #include <optional>
 #include <vector>
 
-#include "FrameSetup.h"
-#include "passes/Variants.h"
-#include "upload/CutGrid.h"
-#include "upload/CutSheets.h"
-#include "upload/LabelCells.h"
-#include "upload/SpareTable.h"
-#include "upload/StructureSets.h"
-#include "upload/TransferTable.h"
-#include "velum/gpu/Buffer.h"
-#include "velum/gpu/Texture.h"
+#include "gpu/Buffer.h"
+#include "gpu/Texture.h"
+#include "render/FrameSetup.h"
+#include "render/passes/Variants.h"
+#include "render/upload/CutGrid.h"
+#include "render/upload/CutSheets.h"
+#include "render/upload/LabelCells.h"
+#include "render/upload/SpareTable.h"
+#include "render/upload/StructureSets.h"
+#include "render/upload/TransferTable.h"
 
 namespace velum::render {
 

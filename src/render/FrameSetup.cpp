@@ -1,12 +1,12 @@
-#include "FrameSetup.h"
+#include "render/FrameSetup.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "velum/core/Vectors.h"
-#include "velum/scene/Presets.h"
-#include "velum/scene/Project.h"
+#include "core/Vectors.h"
+#include "scene/Presets.h"
+#include "scene/Project.h"
 
 namespace velum::render {
 
@@ -74,8 +74,8 @@ EyeRays makeEyeRays(const scene::Camera& camera, double aspect, glm::dvec3 origi
   return rays;
 }
 
-shared::FocusView makeFocusView(const scene::Scene& scene, const mesoscale::FocusRow& row, double aspect,
-                                glm::dvec3 origin, double radius) {
+shared::FocusView makeFocusView(const scene::Scene& scene, const model::FocusRow& row, double aspect, glm::dvec3 origin,
+                                double radius) {
   const auto& lock = row.focus->lock;
   double wide = lock ? lock->aspect : aspect;
   EyeRays rays = makeEyeRays(lock ? lock->camera : scene.camera, wide, origin, radius);

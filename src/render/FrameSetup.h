@@ -2,14 +2,14 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "model/FocusRows.h"
+#include "render/Frame.h"
+#include "render/upload/CutSheets.h"
+#include "render/upload/TransferTable.h"
+#include "render/upload/VolumeUpload.h"
 #include "shared/cut.h"
 #include "shared/frame.h"
 #include "shared/instance.h"
-#include "upload/CutSheets.h"
-#include "upload/TransferTable.h"
-#include "upload/VolumeUpload.h"
-#include "velum/mesoscale/FocusRows.h"
-#include "velum/render/Frame.h"
 
 namespace velum::render {
 
@@ -39,8 +39,8 @@ struct EyeRays {
 EyeRays makeEyeRays(const scene::Camera& camera, double aspect, glm::dvec3 origin, double radius);
 
 /// The view that a focus is kept in: the picture's, or the one that it is locked to. @param aspect  the picture's
-shared::FocusView makeFocusView(const scene::Scene& scene, const mesoscale::FocusRow& row, double aspect,
-                                glm::dvec3 origin, double radius);
+shared::FocusView makeFocusView(const scene::Scene& scene, const model::FocusRow& row, double aspect, glm::dvec3 origin,
+                                double radius);
 
 /// Half the diagonal of the data's box, or more.
 double sceneRadius(const FrameGrid& grid);

@@ -1,4 +1,4 @@
-#include "Gbuffer.h"
+#include "render/Gbuffer.h"
 
 #include <limits>
 #include <vector>

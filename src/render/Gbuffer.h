@@ -1,11 +1,11 @@
 #pragma once
 #include <glm/glm.hpp>
 
-#include "FrameData.h"
-#include "velum/core/Image.h"
-#include "velum/gpu/Framebuffer.h"
-#include "velum/gpu/Texture.h"
-#include "velum/render/Renderer.h"
+#include "core/Image.h"
+#include "gpu/Framebuffer.h"
+#include "gpu/Texture.h"
+#include "render/FrameData.h"
+#include "render/Renderer.h"
 
 namespace velum::render {
 

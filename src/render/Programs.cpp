@@ -1,8 +1,8 @@
-#include "velum/render/Programs.h"
+#include "render/Programs.h"
 
 #include <iterator>
 
-#include "passes/Variants.h"
+#include "render/passes/Variants.h"
 #include "shared/frame.h"
 
 namespace velum::render {

@@ -1,4 +1,4 @@
-#include "velum/render/RenderPicture.h"
+#include "render/RenderPicture.h"
 
 #include <algorithm>
 

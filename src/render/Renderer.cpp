@@ -1,4 +1,4 @@
-#include "velum/render/Renderer.h"
+#include "render/Renderer.h"
 
 #include <algorithm>
 #include <chrono>
@@ -6,19 +6,19 @@
 #include <optional>
 #include <thread>
 
-#include "FrameData.h"
-#include "Gbuffer.h"
-#include "WorkQueue.h"
-#include "passes/CountPass.h"
-#include "passes/FinishPass.h"
-#include "passes/GhostPass.h"
-#include "passes/InstancePass.h"
-#include "passes/LightPass.h"
-#include "passes/RayCastPass.h"
-#include "passes/ResolvePass.h"
-#include "passes/SkipPass.h"
-#include "passes/SurfacePass.h"
-#include "passes/UploadPass.h"
+#include "render/FrameData.h"
+#include "render/Gbuffer.h"
+#include "render/WorkQueue.h"
+#include "render/passes/CountPass.h"
+#include "render/passes/FinishPass.h"
+#include "render/passes/GhostPass.h"
+#include "render/passes/InstancePass.h"
+#include "render/passes/LightPass.h"
+#include "render/passes/RayCastPass.h"
+#include "render/passes/ResolvePass.h"
+#include "render/passes/SkipPass.h"
+#include "render/passes/SurfacePass.h"
+#include "render/passes/UploadPass.h"
 
 namespace velum::render {
 

@@ -1,9 +1,9 @@
-#include "WorkQueue.h"
+#include "render/WorkQueue.h"
 
 #include <algorithm>
 
-#include "passes/Pass.h"
-#include "velum/gpu/Scope.h"
+#include "gpu/Scope.h"
+#include "render/passes/Pass.h"
 
 namespace velum::render {
 

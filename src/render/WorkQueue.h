@@ -5,8 +5,8 @@
 #include <map>
 #include <string>
 
-#include "velum/core/Clock.h"
-#include "velum/gpu/Fence.h"
+#include "core/Clock.h"
+#include "gpu/Fence.h"
 
 namespace velum::render {
 

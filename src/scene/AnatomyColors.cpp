@@ -1,11 +1,11 @@
-#include "velum/scene/AnatomyColors.h"
+#include "scene/AnatomyColors.h"
 
 #include <algorithm>
 #include <cctype>
 #include <string>
 #include <vector>
 
-#include "velum/core/LabelVolume.h"
+#include "core/LabelVolume.h"
 
 namespace velum::scene {
 

@@ -1,4 +1,4 @@
-#include "FinishTable.h"
+#include "scene/FinishTable.h"
 
 namespace velum::scene {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <span>
 
-#include "velum/scene/Finishes.h"
+#include "scene/Finishes.h"
 
 namespace velum::scene {
 

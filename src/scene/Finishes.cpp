@@ -1,12 +1,12 @@
-#include "velum/scene/Finishes.h"
+#include "scene/Finishes.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "FinishTable.h"
-#include "velum/core/Error.h"
-#include "velum/scene/LitSpheres.h"
+#include "core/Error.h"
+#include "scene/FinishTable.h"
+#include "scene/LitSpheres.h"
 
 namespace velum::scene {
 

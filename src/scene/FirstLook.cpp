@@ -1,12 +1,12 @@
-#include "velum/scene/FirstLook.h"
+#include "scene/FirstLook.h"
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "velum/scene/AnatomyColors.h"
-#include "velum/scene/GreyWindows.h"
-#include "velum/scene/Presets.h"
+#include "scene/AnatomyColors.h"
+#include "scene/GreyWindows.h"
+#include "scene/Presets.h"
 
 namespace velum::scene {
 

@@ -1,12 +1,12 @@
-#include "velum/scene/GreyWindows.h"
+#include "scene/GreyWindows.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "velum/core/Error.h"
-#include "velum/scene/Presets.h"
+#include "core/Error.h"
+#include "scene/Presets.h"
 
 namespace velum::scene {
 

@@ -1,4 +1,4 @@
-#include "LitSphereTable.h"
+#include "scene/LitSphereTable.h"
 
 namespace velum::scene {
 

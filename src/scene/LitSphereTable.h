@@ -2,7 +2,7 @@
 #include <glm/glm.hpp>
 #include <span>
 
-#include "velum/scene/LitSpheres.h"
+#include "scene/LitSpheres.h"
 
 namespace velum::scene {
 

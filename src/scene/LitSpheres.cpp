@@ -1,4 +1,4 @@
-#include "velum/scene/LitSpheres.h"
+#include "scene/LitSpheres.h"
 
 #include <fmt/format.h>
 
@@ -7,8 +7,8 @@
 #include <cmath>
 #include <vector>
 
-#include "LitSphereTable.h"
-#include "velum/core/Error.h"
+#include "core/Error.h"
+#include "scene/LitSphereTable.h"
 
 namespace velum::scene {
 

@@ -1,8 +1,8 @@
-#include "velum/scene/ModelLayer.h"
+#include "scene/ModelLayer.h"
 
 #include <algorithm>
 
-#include "TypePalette.h"
+#include "scene/TypePalette.h"
 
 namespace velum::scene {
 

@@ -1,4 +1,4 @@
-#include "velum/scene/ModelLooks.h"
+#include "scene/ModelLooks.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "velum/core/Error.h"
+#include "core/Error.h"
+#include "scene/Scene.h"
 
 namespace velum::scene {
 

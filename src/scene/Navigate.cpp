@@ -1,11 +1,11 @@
-#include "velum/scene/Navigate.h"
+#include "scene/Navigate.h"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 
-#include "velum/core/Vectors.h"
+#include "core/Vectors.h"
 
 namespace velum::scene {
 

@@ -1,9 +1,9 @@
-#include "velum/scene/PaperPicture.h"
+#include "scene/PaperPicture.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "velum/core/Error.h"
+#include "core/Error.h"
 
 namespace velum::scene {
 

@@ -1,4 +1,6 @@
-#include "velum/scene/PatientDirections.h"
+#include "scene/PatientDirections.h"
+
+#include "scene/Scene.h"
 
 namespace velum::scene {
 

@@ -1,4 +1,4 @@
-#include "PresetTable.h"
+#include "scene/PresetTable.h"
 
 #include <array>
 #include <iterator>

@@ -3,7 +3,7 @@
 #include <optional>
 #include <span>
 
-#include "velum/scene/Presets.h"
+#include "scene/Presets.h"
 
 namespace velum::scene {
 

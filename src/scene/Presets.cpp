@@ -1,14 +1,14 @@
-#include "velum/scene/Presets.h"
+#include "scene/Presets.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <utility>
 
-#include "PresetTable.h"
-#include "velum/core/ChannelHistogram.h"
-#include "velum/core/Error.h"
-#include "velum/scene/ModelLooks.h"
+#include "core/ChannelHistogram.h"
+#include "core/Error.h"
+#include "scene/ModelLooks.h"
+#include "scene/PresetTable.h"
 
 namespace velum::scene {
 

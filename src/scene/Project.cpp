@@ -1,9 +1,9 @@
-#include "velum/scene/Project.h"
+#include "scene/Project.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "velum/core/Vectors.h"
+#include "core/Vectors.h"
 
 namespace velum::scene {
 

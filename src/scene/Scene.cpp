@@ -1,4 +1,4 @@
-#include "velum/scene/Scene.h"
+#include "scene/Scene.h"
 
 #include <fmt/format.h>
 
@@ -9,9 +9,9 @@
 #include <unordered_set>
 #include <utility>
 
-#include "velum/core/Error.h"
-#include "velum/core/Vectors.h"
-#include "velum/scene/PatientDirections.h"
+#include "core/Error.h"
+#include "core/Vectors.h"
+#include "scene/PatientDirections.h"
 
 namespace velum::scene {
 

@@ -1,10 +1,10 @@
-#include "velum/scene/SectionPlane.h"
+#include "scene/SectionPlane.h"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "velum/core/Vectors.h"
+#include "core/Vectors.h"
 
 namespace velum::scene {
 

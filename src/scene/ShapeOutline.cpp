@@ -1,4 +1,4 @@
-#include "velum/scene/ShapeOutline.h"
+#include "scene/ShapeOutline.h"
 
 #include <cmath>
 #include <iterator>

@@ -1,8 +1,10 @@
-#include "velum/scene/ShownVoxels.h"
+#include "scene/ShownVoxels.h"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+
+#include "scene/Scene.h"
 
 namespace velum::scene {
 

@@ -1,10 +1,12 @@
-#include "velum/scene/StructureAt.h"
+#include "scene/StructureAt.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <mutex>
 #include <optional>
+
+#include "scene/Scene.h"
 
 namespace velum::scene {
 

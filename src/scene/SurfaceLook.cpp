@@ -1,6 +1,8 @@
-#include "velum/scene/SurfaceLook.h"
+#include "scene/SurfaceLook.h"
 
 #include <algorithm>
+
+#include "scene/Scene.h"
 
 namespace velum::scene {
 

@@ -1,4 +1,4 @@
-#include "velum/scene/TransferFunction.h"
+#include "scene/TransferFunction.h"
 
 #include <algorithm>
 

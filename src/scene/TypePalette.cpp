@@ -1,4 +1,4 @@
-#include "TypePalette.h"
+#include "scene/TypePalette.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "velum/scene/ModelLayer.h"
+#include "scene/ModelLayer.h"
 
 namespace velum::scene {
 

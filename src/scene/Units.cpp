@@ -1,4 +1,4 @@
-#include "velum/scene/Units.h"
+#include "scene/Units.h"
 
 #include <fmt/format.h>
 
@@ -8,8 +8,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "velum/core/Assert.h"
-#include "velum/scene/SectionPlane.h"
+#include "core/Assert.h"
+#include "scene/SectionPlane.h"
 
 namespace velum::scene {
 

@@ -1,4 +1,4 @@
-#include "velum/scene/VisibleFrame.h"
+#include "scene/VisibleFrame.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "velum/scene/Presets.h"
-#include "velum/scene/ShownVoxels.h"
+#include "scene/Presets.h"
+#include "scene/ShownVoxels.h"
 
 namespace velum::scene {
 

@@ -1,4 +1,4 @@
-#include "velum/session/Job.h"
+#include "session/Job.h"
 
 #if defined(__linux__)
 #include <sys/resource.h>
@@ -8,8 +8,8 @@
 
 #include <new>
 
-#include "velum/core/Error.h"
-#include "velum/core/Parallel.h"
+#include "core/Error.h"
+#include "core/Parallel.h"
 
 namespace velum::session {
 

@@ -1,14 +1,14 @@
-#include "velum/session/Session.h"
+#include "session/Session.h"
 
 #include <algorithm>
 #include <chrono>
 #include <thread>
 #include <utility>
 
-#include "velum/core/Assert.h"
-#include "velum/core/Clock.h"
-#include "velum/session/membrane/Membranes.h"
-#include "velum/session/picture/Picture.h"
+#include "core/Assert.h"
+#include "core/Clock.h"
+#include "session/membrane/Membranes.h"
+#include "session/picture/Picture.h"
 
 namespace velum::session {
 

@@ -1,9 +1,9 @@
-#include "velum/session/ViewSpace.h"
+#include "session/ViewSpace.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "velum/scene/Project.h"
+#include "scene/Project.h"
 
 namespace velum::session {
 

@@ -8,8 +8,8 @@
 #include "Data.h"
 #include "Sections.h"
 #include "VtkScene.h"
-#include "velum/io/images/ImageFile.h"
-#include "velum/render/Renderer.h"
+#include "io/images/ImageFile.h"
+#include "render/Renderer.h"
 
 namespace velum::bench {
 

@@ -7,7 +7,7 @@
 
 #include "Child.h"
 #include "DragSection.h"
-#include "kit/Theme.h"
+#include "gui/kit/Theme.h"
 
 namespace velum::bench {
 

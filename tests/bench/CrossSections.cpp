@@ -10,12 +10,12 @@
 
 #include "Data.h"
 #include "Sections.h"
-#include "velum/core/Clock.h"
-#include "velum/gpu/Program.h"
-#include "velum/io/phantoms/Sample.h"
-#include "velum/render/Renderer.h"
-#include "velum/scene/Presets.h"
-#include "velum/session/extrusion/Extrusion.h"
+#include "core/Clock.h"
+#include "gpu/Program.h"
+#include "io/phantoms/Sample.h"
+#include "render/Renderer.h"
+#include "scene/Presets.h"
+#include "session/extrusion/Extrusion.h"
 
 namespace velum::bench {
 

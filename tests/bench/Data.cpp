@@ -5,10 +5,10 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "velum/core/Parallel.h"
-#include "velum/io/phantoms/Sample.h"
-#include "velum/io/volumes/ReadVolume.h"
-#include "velum/scene/Presets.h"
+#include "core/Parallel.h"
+#include "io/phantoms/Sample.h"
+#include "io/volumes/ReadVolume.h"
+#include "scene/Presets.h"
 
 namespace velum::bench {
 

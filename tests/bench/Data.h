@@ -4,10 +4,10 @@
 #include <string_view>
 #include <vector>
 
-#include "velum/core/Shared.h"
-#include "velum/core/Volume.h"
-#include "velum/gpu/Context.h"
-#include "velum/scene/Scene.h"
+#include "core/Shared.h"
+#include "core/Volume.h"
+#include "gpu/Context.h"
+#include "scene/Scene.h"
 
 namespace velum::bench {
 

@@ -8,13 +8,13 @@
 
 #include "Data.h"
 #include "Sections.h"
+#include "core/Clock.h"
 #include "makeModel.h"
-#include "velum/core/Clock.h"
-#include "velum/render/Renderer.h"
-#include "velum/scene/Navigate.h"
-#include "velum/session/document/Open.h"
-#include "velum/session/model/RenderedSolver.h"
-#include "velum/session/model/TypesAt.h"
+#include "render/Renderer.h"
+#include "scene/Navigate.h"
+#include "session/document/Open.h"
+#include "session/model/RenderedSolver.h"
+#include "session/model/TypesAt.h"
 
 namespace velum::bench {
 
@@ -85,8 +85,8 @@ scene::Cut focusCut(const scene::Scene& scene, double aperture) {
   scene::TypeSpare row;
   row.type = scene.model.data->compartments.front().name;
   row.aperture = aperture;
-  cut.typeSpares = {row};
-  cut.focus.emplace().types = {{focusOf(scene)}};
+  cut.model.spares = {row};
+  cut.model.focus.emplace().types = {{focusOf(scene)}};
   return cut;
 }
 

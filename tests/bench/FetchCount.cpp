@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "velum/core/Parallel.h"
+#include "core/Parallel.h"
 
 namespace velum::bench {
 

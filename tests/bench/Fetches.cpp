@@ -5,9 +5,9 @@
 #include "Data.h"
 #include "FetchCount.h"
 #include "Sections.h"
-#include "velum/gpu/Program.h"
-#include "velum/gpu/Texture.h"
-#include "velum/render/Renderer.h"
+#include "gpu/Program.h"
+#include "gpu/Texture.h"
+#include "render/Renderer.h"
 
 namespace velum::bench {
 

@@ -4,13 +4,13 @@
 #include "Data.h"
 #include "Frames.h"
 #include "Sections.h"
-#include "velum/core/Clock.h"
-#include "velum/gpu/Program.h"
-#include "velum/io/phantoms/Sample.h"
-#include "velum/render/Renderer.h"
-#include "velum/scene/Presets.h"
-#include "velum/session/membrane/MembraneEdit.h"
-#include "velum/session/membrane/Membranes.h"
+#include "core/Clock.h"
+#include "gpu/Program.h"
+#include "io/phantoms/Sample.h"
+#include "render/Renderer.h"
+#include "scene/Presets.h"
+#include "session/membrane/MembraneEdit.h"
+#include "session/membrane/Membranes.h"
 
 namespace velum::bench {
 

@@ -2,8 +2,9 @@
 
 #include <cmath>
 
-#include "velum/core/LabelVolume.h"
-#include "velum/session/cut/CutEdit.h"
+#include "core/LabelVolume.h"
+#include "scene/Scene.h"
+#include "session/cut/CutEdit.h"
 
 namespace velum::bench {
 

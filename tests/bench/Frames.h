@@ -2,8 +2,8 @@
 #include <glm/glm.hpp>
 #include <optional>
 
-#include "velum/core/Volume.h"
-#include "velum/scene/Scene.h"
+#include "core/Volume.h"
+#include "scene/Scene.h"
 
 namespace velum::bench {
 

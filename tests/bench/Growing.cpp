@@ -8,19 +8,19 @@
 #include "Data.h"
 #include "ItkGrow.h"
 #include "Sections.h"
-#include "velum/core/Clock.h"
-#include "velum/core/Error.h"
-#include "velum/core/LabelVolume.h"
-#include "velum/core/Parallel.h"
-#include "velum/extrusion/Grower.h"
-#include "velum/io/volumes/ReadVolume.h"
+#include "core/Clock.h"
+#include "core/Error.h"
+#include "core/LabelVolume.h"
+#include "core/Parallel.h"
+#include "growth/Grower.h"
+#include "io/volumes/ReadVolume.h"
 
 namespace velum::bench {
 
 namespace {
 
-using extrusion::GrowDomain;
-using extrusion::RegionGrow;
+using growth::GrowDomain;
+using growth::RegionGrow;
 
 Shared<LabelVolume> noLabels(const Volume& volume) { return LabelVolume(volume.dims, volume.worldFromVoxel); }
 
@@ -178,7 +178,7 @@ Slabs growSlabs(const Shared<Volume>& volume, glm::dvec3 axis, double thickness,
 /// The same as steps of a drag, with the labels that they make.
 Slabs growSteps(const Shared<Volume>& volume, double thickness, int count) {
   Progress progress;
-  extrusion::Grower grower;
+  growth::Grower grower;
   Shared<LabelVolume> labels = noLabels(*volume);
   scene::Growth step;
   step.structure = 1;
@@ -227,7 +227,7 @@ void measureSlabs(Report& report) {
     report.figure(name, {{"voxels", slabs.voxels}, {"medianMs", median(slabs.ms)}, {"worstMs", worst}});
   };
   Shared<Volume> tube = makeTube();
-  double thickness = extrusion::slabThickness(*tube);
+  double thickness = growth::slabThickness(*tube);
   add("a slab of a tube", growSlabs(tube, {0, 0, 1}, thickness, 60), "8 to 12 ms");
   add("the same, oblique", growSlabs(tube, {0.3, 0.2, 1.0}, thickness, 50), "8 to 12 ms");
   add("a step of a drag, with its labels", growSteps(tube, thickness, 60), "8 to 12 ms");

@@ -6,8 +6,8 @@
 #include "Child.h"
 #include "Data.h"
 #include "Sections.h"
-#include "velum/core/Clock.h"
-#include "velum/render/Renderer.h"
+#include "core/Clock.h"
+#include "render/Renderer.h"
 
 namespace velum::bench {
 
@@ -143,7 +143,8 @@ void measureAnswers(const Options& options, Report& report) {
       "The crosshair is dragged through {}^3 uint8 in a window of 1440 x 900 with four views: from each move's event "
       "to "
       "the end of painting of the two sections that follow it, with the window's composition by the driver, ms. What "
-      "is pulled is a shell of some ten million voxels in the 3D view alone, from each move to what is drawn over the picture.",
+      "is pulled is a shell of some ten million voxels in the 3D view alone, from each move to what is drawn over the "
+      "picture.",
       n));
   report.table({"sections answer", "median", "nine of ten", "worst"}, rows);
 }

@@ -1,7 +1,7 @@
 #pragma once
 #include <glm/glm.hpp>
 
-#include "velum/core/Volume.h"
+#include "core/Volume.h"
 
 namespace velum::bench {
 

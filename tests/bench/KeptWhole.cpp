@@ -9,10 +9,10 @@
 #include "Data.h"
 #include "Frames.h"
 #include "Sections.h"
-#include "velum/io/phantoms/Sample.h"
-#include "velum/io/volumes/ReadVolume.h"
-#include "velum/session/membrane/MembraneEdit.h"
-#include "velum/session/membrane/Membranes.h"
+#include "io/phantoms/Sample.h"
+#include "io/volumes/ReadVolume.h"
+#include "session/membrane/MembraneEdit.h"
+#include "session/membrane/Membranes.h"
 
 namespace velum::bench {
 

@@ -5,10 +5,10 @@
 
 #include "Data.h"
 #include "Sections.h"
-#include "velum/core/Clock.h"
-#include "velum/core/LabelVolume.h"
-#include "velum/render/Renderer.h"
-#include "view/CoarseScale.h"
+#include "core/Clock.h"
+#include "core/LabelVolume.h"
+#include "gui/view/CoarseScale.h"
+#include "render/Renderer.h"
 
 namespace velum::bench {
 

@@ -8,9 +8,9 @@
 #include "Child.h"
 #include "Data.h"
 #include "Sections.h"
-#include "velum/io/phantoms/Sample.h"
-#include "velum/io/volumes/ReadVolume.h"
-#include "velum/io/volumes/WriteVolume.h"
+#include "io/phantoms/Sample.h"
+#include "io/volumes/ReadVolume.h"
+#include "io/volumes/WriteVolume.h"
 
 namespace velum::bench {
 

@@ -11,7 +11,7 @@
 #include "Child.h"
 #include "Data.h"
 #include "Sections.h"
-#include "velum/core/Error.h"
+#include "core/Error.h"
 
 namespace velum::bench {
 

@@ -8,10 +8,11 @@
 
 #include "Data.h"
 #include "Sections.h"
-#include "velum/core/Clock.h"
-#include "velum/gpu/Program.h"
-#include "velum/membrane/forces/Kernels.h"
-#include "velum/membrane/sheet/Solver.h"
+#include "core/Clock.h"
+#include "gpu/Program.h"
+#include "membrane/forces/Kernels.h"
+#include "membrane/sheet/Solver.h"
+#include "scene/Scene.h"
 
 namespace velum::bench {
 

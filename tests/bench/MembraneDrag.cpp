@@ -6,10 +6,10 @@
 #include "Data.h"
 #include "Frames.h"
 #include "Sections.h"
-#include "velum/core/Clock.h"
-#include "velum/session/membrane/MembraneEdit.h"
-#include "velum/session/membrane/MembranePlayer.h"
-#include "velum/session/membrane/Membranes.h"
+#include "core/Clock.h"
+#include "session/membrane/MembraneEdit.h"
+#include "session/membrane/MembranePlayer.h"
+#include "session/membrane/Membranes.h"
 
 namespace velum::bench {
 

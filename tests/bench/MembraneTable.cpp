@@ -7,13 +7,13 @@
 
 #include "Data.h"
 #include "Sections.h"
-#include "velum/gpu/Program.h"
-#include "velum/membrane/sheet/Sheet.h"
-#include "velum/membrane/sheet/Simulation.h"
-#include "velum/render/Renderer.h"
-#include "velum/scene/Presets.h"
-#include "velum/session/cut/CutEdit.h"
-#include "velum/session/membrane/MembraneEdit.h"
+#include "gpu/Program.h"
+#include "membrane/sheet/Sheet.h"
+#include "membrane/sheet/Simulation.h"
+#include "render/Renderer.h"
+#include "scene/Presets.h"
+#include "session/cut/CutEdit.h"
+#include "session/membrane/MembraneEdit.h"
 
 namespace velum::bench {
 

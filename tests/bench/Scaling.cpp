@@ -2,7 +2,7 @@
 
 #include "Data.h"
 #include "Sections.h"
-#include "velum/render/Renderer.h"
+#include "render/Renderer.h"
 
 namespace velum::bench {
 

@@ -3,8 +3,8 @@
 #include <memory>
 #include <string>
 
-#include "velum/core/Image.h"
-#include "velum/scene/Scene.h"
+#include "core/Image.h"
+#include "scene/Scene.h"
 
 namespace velum::bench {
 

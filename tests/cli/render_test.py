@@ -156,7 +156,7 @@ class Render(CliTest):
         by_name = {row["name"]: row for row in scene["labels"]["structures"]}
         self.assertFalse(by_name["lower sphere"]["visible"])
         self.assertEqual([row["opacity"] for row in by_name.values() if row["id"] == 1], [0.5])
-        self.assertEqual(scene["cuts"][0]["spares"], [{"structure": 2, "distance": None, "share": 1.0}])
+        self.assertEqual(scene["cuts"][0]["spares"], [{"structure": 2, "distance": None}])
         self.refuse("render", path, "two-spheres_labels.seg.nrrd", "-o", "x.png", "--set", "labels.structures[liver].visible=false",
                     code=1, words=["labels.structures", "liver", "lower sphere"])
 
@@ -238,7 +238,7 @@ class Render(CliTest):
     def test_a_model_is_cut_open_instance_by_instance(self):
         self.run_batch("sample", "virion", "-o", "v.cif")
         common = ("v.cif", "--size", "48x48", "--view", "anterior", *FAST)
-        cuts = ["--set", 'cuts.+={"axis": [0, -1, 0], "typeSpares": [{"type": "root.plasma", "share": 0.3}]}']
+        cuts = ["--set", 'cuts.+={"axis": [0, -1, 0], "model": {"spares": [{"type": "root.plasma", "share": 0.3}]}}']
         report = self.report("render", *common, *cuts, "-o", "cut.png", "--frames", "5", "--animate", "cut")
         self.assertEqual(len({(self.folder / name).read_bytes() for name in report["outputs"]}), 5)
         # It begins without cuts, passes what the cuts take plainly, and ends with the scene itself.

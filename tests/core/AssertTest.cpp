@@ -1,4 +1,4 @@
-#include "velum/core/Assert.h"
+#include "core/Assert.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
-#include "velum/core/Fields.h"
+#include "core/Fields.h"
 
 #include <gtest/gtest.h>
 
 #include <cctype>
 
-#include "velum/core/Volume.h"
+#include "core/Volume.h"
 
 namespace velum {
 namespace {

@@ -1,4 +1,4 @@
-#include "velum/core/GuardWrites.h"
+#include "core/GuardWrites.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 #include <string>
 
 #include "TempFolder.h"
-#include "velum/core/ReplaceFile.h"
+#include "core/ReplaceFile.h"
 
 namespace velum {
 

@@ -1,5 +1,5 @@
 // Borders between labels against shapes whose surfaces are known, and whose voxels are what lies in them.
-#include "velum/core/LabelCover.h"
+#include "core/LabelCover.h"
 
 #include <gtest/gtest.h>
 

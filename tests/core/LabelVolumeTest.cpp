@@ -1,10 +1,10 @@
-#include "velum/core/LabelVolume.h"
+#include "core/LabelVolume.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "velum/core/Error.h"
+#include "core/Error.h"
 
 namespace velum {
 namespace {

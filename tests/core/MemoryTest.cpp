@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "velum/core/Memory.h"
+#include "core/Memory.h"
 
 namespace velum {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <set>
 
-#include "velum/core/ModelBuilder.h"
+#include "core/ModelBuilder.h"
 
 namespace velum {
 namespace {

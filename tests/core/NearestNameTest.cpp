@@ -1,4 +1,4 @@
-#include "velum/core/NearestName.h"
+#include "core/NearestName.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "velum/core/Parallel.h"
+#include "core/Parallel.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -13,7 +13,7 @@
 #include <thread>
 #include <vector>
 
-#include "velum/core/Task.h"
+#include "core/Task.h"
 
 namespace velum {
 

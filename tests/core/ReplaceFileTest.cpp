@@ -1,4 +1,4 @@
-#include "velum/core/ReplaceFile.h"
+#include "core/ReplaceFile.h"
 
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -14,7 +14,7 @@
 
 #include "SmallDisk.h"
 #include "TempFolder.h"
-#include "velum/core/Error.h"
+#include "core/Error.h"
 
 namespace velum {
 namespace {

@@ -1,5 +1,5 @@
 // Labels that were brought onto a finer grid by the nearest voxel, against the shapes that they are of.
-#include "velum/core/SmoothLabels.h"
+#include "core/SmoothLabels.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <functional>
 
-#include "velum/core/Error.h"
+#include "core/Error.h"
 
 namespace velum {
 

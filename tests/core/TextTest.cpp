@@ -1,4 +1,4 @@
-#include "velum/core/Text.h"
+#include "core/Text.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <limits>
 #include <string>
 
-#include "velum/core/Error.h"
+#include "core/Error.h"
 
 namespace velum {
 namespace {

@@ -1,4 +1,4 @@
-#include "velum/core/Vectors.h"
+#include "core/Vectors.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "velum/core/Volume.h"
+#include "core/Volume.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "velum/core/Error.h"
-#include "velum/scene/json/ChangeLog.h"
-#include "velum/scene/json/Json.h"
+#include "core/Error.h"
+#include "scene/json/ChangeLog.h"
+#include "scene/json/Json.h"
 
 /// A text is a journal as far as it is sound: what is read of it is a scene that can be written and read again. The
 /// check sums keep a fuzzer out, so each line is tried as a patch, too.

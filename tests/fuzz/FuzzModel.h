@@ -1,7 +1,7 @@
 #pragma once
 #include "FuzzReader.h"
-#include "models/ModelReaders.h"
-#include "velum/core/Model.h"
+#include "core/Model.h"
+#include "io/models/ModelReaders.h"
 
 namespace velum::io {
 

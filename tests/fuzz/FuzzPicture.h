@@ -1,7 +1,8 @@
 #pragma once
 #include "FuzzReader.h"
-#include "velum/io/images/ImageFile.h"
-#include "velum/scene/json/Json.h"
+#include "io/images/ImageFile.h"
+#include "scene/Scene.h"
+#include "scene/json/Json.h"
 
 namespace velum::io {
 

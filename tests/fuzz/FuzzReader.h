@@ -5,10 +5,10 @@
 #include <string_view>
 
 #include "FuzzFile.h"
-#include "velum/core/Error.h"
-#include "velum/core/Mesh.h"
-#include "velum/core/Volume.h"
-#include "volumes/Readers.h"
+#include "core/Error.h"
+#include "core/Mesh.h"
+#include "core/Volume.h"
+#include "io/volumes/Readers.h"
 
 /// What is asked of every reader: it may refuse the bytes with an Error; anything else is a finding, and so is
 /// something that does not fit together.

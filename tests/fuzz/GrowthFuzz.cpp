@@ -2,10 +2,11 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "core/Error.h"
+#include "growth/GrowOverTime.h"
 #include "makeVolume.h"
-#include "velum/core/Error.h"
-#include "velum/extrusion/GrowOverTime.h"
-#include "velum/scene/json/Json.h"
+#include "scene/Scene.h"
+#include "scene/json/Json.h"
 
 namespace {
 
@@ -28,7 +29,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     scene::Scene scene = scene::fromJson(text);
     const auto& steps = scene.labels.growths;
     Progress progress;
-    auto labels = extrusion::growLabels(smallVolume(), {}, steps, 0, progress);
+    auto labels = growth::growLabels(smallVolume(), {}, steps, 0, progress);
     for (int id : labels->idsInUse())
       if (std::none_of(steps.begin(), steps.end(), [id](const auto& step) { return step.structure == id; }))
         std::abort();

@@ -3,9 +3,9 @@
 #include <string>
 
 #include "FuzzFile.h"
-#include "labels/LabelTables.h"
-#include "velum/core/Error.h"
-#include "velum/io/labels/ReadLabels.h"
+#include "core/Error.h"
+#include "io/labels/LabelTables.h"
+#include "io/labels/ReadLabels.h"
 
 namespace {
 

@@ -1,5 +1,5 @@
 #include "FuzzReader.h"
-#include "meshes/MeshReaders.h"
+#include "io/meshes/MeshReaders.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static velum::io::FuzzFile file("a.ply");

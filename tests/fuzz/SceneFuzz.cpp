@@ -1,9 +1,10 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "velum/core/Error.h"
-#include "velum/scene/json/Json.h"
-#include "velum/scene/json/Paths.h"
+#include "core/Error.h"
+#include "scene/Scene.h"
+#include "scene/json/Json.h"
+#include "scene/json/Paths.h"
 
 /// A text is a scene or is refused with an Error; what was read can be written and reads back as the same.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

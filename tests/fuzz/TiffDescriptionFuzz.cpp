@@ -3,9 +3,9 @@
 #include <sstream>
 #include <tuple>
 
-#include "read/TiffPages.h"
-#include "velum/core/Error.h"
-#include "volumes/TiffDescription.h"
+#include "core/Error.h"
+#include "io/read/TiffPages.h"
+#include "io/volumes/TiffDescription.h"
 
 /// The same bytes as a description and as a whole TIFF. Planes that are placed must be on their own pages and places.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -3,8 +3,8 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "velum/core/Error.h"
-#include "velum/io/looks/TransferFile.h"
+#include "core/Error.h"
+#include "io/looks/TransferFile.h"
 
 /// The same bytes as each kind of file that holds a transfer function: refused in words, or one that can be drawn and
 /// written again.

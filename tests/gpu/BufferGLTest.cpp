@@ -1,14 +1,14 @@
-#include "velum/gpu/Buffer.h"
+#include "gpu/Buffer.h"
 
 #include <cstdint>
 #include <numeric>
 #include <vector>
 
 #include "GlFixture.h"
-#include "velum/gpu/Framebuffer.h"
-#include "velum/gpu/GpuError.h"
-#include "velum/gpu/Program.h"
-#include "velum/gpu/Texture.h"
+#include "gpu/Framebuffer.h"
+#include "gpu/GpuError.h"
+#include "gpu/Program.h"
+#include "gpu/Texture.h"
 
 namespace velum::gpu {
 namespace {

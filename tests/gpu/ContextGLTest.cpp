@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "GlFixture.h"
-#include "velum/gpu/Buffer.h"
-#include "velum/gpu/GpuError.h"
-#include "velum/gpu/Texture.h"
+#include "gpu/Buffer.h"
+#include "gpu/GpuError.h"
+#include "gpu/Texture.h"
 
 namespace velum::gpu {
 namespace {

@@ -5,10 +5,10 @@
 
 #include "GlFixture.h"
 #include "ProbeShaders.h"
-#include "velum/gpu/Buffer.h"
-#include "velum/gpu/GpuError.h"
-#include "velum/gpu/Program.h"
-#include "velum/gpu/Texture.h"
+#include "gpu/Buffer.h"
+#include "gpu/GpuError.h"
+#include "gpu/Program.h"
+#include "gpu/Texture.h"
 
 namespace velum::gpu {
 namespace {

@@ -1,12 +1,12 @@
-#include "velum/gpu/Draw.h"
+#include "gpu/Draw.h"
 
 #include <map>
 #include <vector>
 
 #include "GlFixture.h"
 #include "ProbeShaders.h"
+#include "gpu/Framebuffer.h"
 #include "shared/draw.h"
-#include "velum/gpu/Framebuffer.h"
 
 namespace velum::gpu {
 namespace {

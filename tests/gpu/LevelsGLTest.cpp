@@ -4,7 +4,7 @@
 
 #include "GlFixture.h"
 #include "ProbeShaders.h"
-#include "velum/gpu/Texture.h"
+#include "gpu/Texture.h"
 
 namespace velum::gpu {
 namespace {

@@ -1,4 +1,4 @@
-#include "velum/gpu/Readback.h"
+#include "gpu/Readback.h"
 
 #include <chrono>
 #include <cstdint>
@@ -8,8 +8,8 @@
 
 #include "GlFixture.h"
 #include "ProbeShaders.h"
-#include "velum/gpu/Draw.h"
-#include "velum/gpu/Framebuffer.h"
+#include "gpu/Draw.h"
+#include "gpu/Framebuffer.h"
 
 namespace velum::gpu {
 namespace {

@@ -8,13 +8,13 @@
 #include "ProbeShaders.h"
 #include "SourceFolder.h"
 #include "TempFolder.h"
+#include "gpu/Buffer.h"
+#include "gpu/GpuError.h"
+#include "gpu/Program.h"
 #include "shared/cut.h"
 #include "shared/finish.h"
 #include "shared/frame.h"
 #include "shared/instance.h"
-#include "velum/gpu/Buffer.h"
-#include "velum/gpu/GpuError.h"
-#include "velum/gpu/Program.h"
 
 namespace velum::gpu {
 namespace {
@@ -147,7 +147,7 @@ const Offset kInstanceViewOffsets[] = {VELUM_OFFSET(InstanceView, eye),
 TEST_F(ShaderGL, InstanceViewsLieWhereTheDriverPutsThem) {
   auto members = membersOf("instance.h", "InstanceView");
   ASSERT_EQ(members.size(), std::size(kInstanceViewOffsets)) << "list the members of InstanceView here, too";
-  Program program({"mesoscale/cull.comp"}, {{"STATES", "1"}});
+  Program program({"model/cull.comp"}, {{"STATES", "1"}});
   for (std::size_t i = 0; i < members.size(); ++i) {
     EXPECT_EQ(members[i], kInstanceViewOffsets[i].member);
     int offset = program.memberOffset("InstanceViewBlock", "view." + members[i]);
@@ -168,7 +168,7 @@ const Offset kFocusViewOffsets[] = {
 TEST_F(ShaderGL, FocusViewsLieWhereTheDriverPutsThem) {
   auto members = membersOf("instance.h", "FocusView");
   ASSERT_EQ(members.size(), std::size(kFocusViewOffsets)) << "list the members of FocusView here, too";
-  Program program({"mesoscale/focus.comp"}, {{"OCCLUDERS", "1"}});
+  Program program({"model/focus.comp"}, {{"OCCLUDERS", "1"}});
   for (std::size_t i = 0; i < members.size(); ++i) {
     EXPECT_EQ(members[i], kFocusViewOffsets[i].member);
     int offset = program.memberOffset("FocusBlock", "focus." + members[i]);

@@ -1,4 +1,4 @@
-#include "velum/gpu/Texture.h"
+#include "gpu/Texture.h"
 
 #include <cstddef>
 #include <cstring>
@@ -6,10 +6,10 @@
 
 #include "GlFixture.h"
 #include "ProbeShaders.h"
-#include "velum/gpu/Buffer.h"
-#include "velum/gpu/Framebuffer.h"
-#include "velum/gpu/GpuError.h"
-#include "velum/gpu/Program.h"
+#include "gpu/Buffer.h"
+#include "gpu/Framebuffer.h"
+#include "gpu/GpuError.h"
+#include "gpu/Program.h"
 
 namespace velum::gpu {
 namespace {

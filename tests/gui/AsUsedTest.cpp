@@ -14,14 +14,14 @@
 #include "RunBatch.h"
 #include "Shots.h"
 #include "TempFolder.h"
-#include "look/TransferCanvas.h"
+#include "gui/look/TransferCanvas.h"
+#include "gui/structure/StructureCommands.h"
+#include "gui/window/MainWindow.h"
+#include "io/labels/WriteLabels.h"
+#include "io/phantoms/Sample.h"
+#include "io/volumes/WriteVolume.h"
 #include "patience.h"
-#include "structure/StructureCommands.h"
-#include "velum/io/labels/WriteLabels.h"
-#include "velum/io/phantoms/Sample.h"
-#include "velum/io/volumes/WriteVolume.h"
-#include "velum/session/look/TransferTool.h"
-#include "window/MainWindow.h"
+#include "session/look/TransferTool.h"
 
 namespace velum::gui {
 namespace {

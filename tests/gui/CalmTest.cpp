@@ -1,8 +1,9 @@
 // What comes and goes moves nothing that is under the pointer.
 #include "Shots.h"
 #include "WindowFixture.h"
-#include "kit/Bars.h"
-#include "window/RecoveryBar.h"
+#include "gui/kit/Messages.h"
+#include "gui/window/RecoveryBar.h"
+#include "scene/Scene.h"
 
 namespace velum::gui {
 namespace {

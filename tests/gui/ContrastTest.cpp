@@ -9,8 +9,8 @@
 
 #include "Shots.h"
 #include "WindowFixture.h"
-#include "kit/SideTabs.h"
-#include "kit/Theme.h"
+#include "gui/kit/SideTabs.h"
+#include "gui/kit/Theme.h"
 
 namespace velum::gui {
 namespace {

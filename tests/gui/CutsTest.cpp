@@ -6,11 +6,11 @@
 
 #include "Shots.h"
 #include "StructureFixture.h"
-#include "cut/CutPanel.h"
-#include "cut/ThreePointTool.h"
-#include "velum/scene/Project.h"
-#include "velum/scene/SectionPlane.h"
-#include "velum/session/cut/SectionCutTool.h"
+#include "gui/cut/CutPanel.h"
+#include "gui/cut/ThreePointTool.h"
+#include "scene/Project.h"
+#include "scene/SectionPlane.h"
+#include "session/cut/SectionCutTool.h"
 
 namespace velum::gui {
 

@@ -2,10 +2,10 @@
 #include <numbers>
 
 #include "WindowFixture.h"
-#include "velum/scene/Navigate.h"
-#include "velum/scene/SectionPlane.h"
-#include "velum/session/cut/CutTool.h"
-#include "velum/session/section/SectionTool.h"
+#include "scene/Navigate.h"
+#include "scene/SectionPlane.h"
+#include "session/cut/CutTool.h"
+#include "session/section/SectionTool.h"
 
 namespace velum::gui {
 

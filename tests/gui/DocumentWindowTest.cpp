@@ -21,15 +21,15 @@
 #include "Shots.h"
 #include "SmallDisk.h"
 #include "TempFolder.h"
-#include "kit/RecentFiles.h"
+#include "gui/service/RecentFiles.h"
+#include "gui/window/MainWindow.h"
+#include "gui/window/RecoveryBar.h"
+#include "io/phantoms/Sample.h"
+#include "io/volumes/WriteVolume.h"
 #include "patience.h"
-#include "velum/io/phantoms/Sample.h"
-#include "velum/io/volumes/WriteVolume.h"
-#include "velum/session/document/Folders.h"
-#include "velum/session/document/Open.h"
-#include "velum/session/document/Showcase.h"
-#include "window/MainWindow.h"
-#include "window/RecoveryBar.h"
+#include "session/document/Folders.h"
+#include "session/document/Open.h"
+#include "session/document/Showcase.h"
 
 namespace velum::gui {
 namespace {

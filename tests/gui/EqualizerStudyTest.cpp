@@ -4,11 +4,12 @@
 
 #include "ModelFixture.h"
 #include "Shots.h"
+#include "io/phantoms/Virion.h"
 #include "patience.h"
-#include "velum/io/phantoms/Virion.h"
-#include "velum/render/section/KeptInstances.h"
-#include "velum/session/model/ClipState.h"
-#include "velum/session/model/TypesAt.h"
+#include "render/kept/KeptInstances.h"
+#include "scene/Scene.h"
+#include "session/model/ClipState.h"
+#include "session/model/TypesAt.h"
 
 namespace velum::gui {
 

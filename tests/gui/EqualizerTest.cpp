@@ -6,14 +6,14 @@
 
 #include "ModelFixture.h"
 #include "Shots.h"
-#include "cut/TypeSpareList.h"
+#include "gui/cut/TypeSpareList.h"
+#include "gui/window/ExportCommands.h"
 #include "patience.h"
-#include "velum/render/section/KeptInstances.h"
-#include "velum/session/cut/CutEdit.h"
-#include "velum/session/model/ClipState.h"
-#include "velum/session/model/CountPictures.h"
-#include "velum/session/model/TypesAt.h"
-#include "window/ExportCommands.h"
+#include "render/kept/KeptInstances.h"
+#include "session/cut/CutEdit.h"
+#include "session/model/ClipState.h"
+#include "session/model/CountPictures.h"
+#include "session/model/TypesAt.h"
 
 namespace velum::gui {
 
@@ -201,12 +201,12 @@ TEST_F(EqualizerWindow, OnlyTheCutsThatAreChosenAreSet) {
     second = scene::addCut(scene, cut);
   });
   ASSERT_TRUE(settle());
-  std::vector<scene::TypeSpare> before = scene().cuts[0].typeSpares;
+  std::vector<scene::TypeSpare> before = scene().cuts[0].model.spares;
   equalizer().setCuts({second});
   int number = rowOfType(1);
   render::TypeCount now = count(number);
   dragBar(number, shareOf(now.rendered(), now), 0.2);
-  EXPECT_EQ(scene().cuts[0].typeSpares, before);
+  EXPECT_EQ(scene().cuts[0].model.spares, before);
   EXPECT_NEAR(double(drawn({1})), 16.0, 1.0);
 }
 
@@ -355,7 +355,7 @@ TEST_F(EqualizerWindow, FourStepsLeadToAPicture) {
   EXPECT_TRUE(step("equalizeSave")->isChecked());
   // What a cut that is off keeps in view is not kept.
   mWindow->document().edit("Off", [](scene::Scene& scene) {
-    for (scene::Cut& cut : scene.cuts) cut.enabled = !cut.focus;
+    for (scene::Cut& cut : scene.cuts) cut.enabled = !cut.model.focus;
   });
   EXPECT_TRUE(step("equalizeClear")->isChecked());
   // Without any cut that is on one is to be made first.
@@ -373,8 +373,8 @@ TEST_F(EqualizerWindow, TheCutsPageHasItsFocus) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return view->isVisible(); }, kPatience));
   view->setCurrentIndex(view->order().mapFromSource(view->tree().indexOfType(3, 0)));
   child<QCheckBox>("focusKept")->click();
-  ASSERT_TRUE(scene().cuts[0].focus);
-  EXPECT_EQ(scene().cuts[0].focus->types[0].type, row(rowOfType(3)).path);
+  ASSERT_TRUE(scene().cuts[0].model.focus);
+  EXPECT_EQ(scene().cuts[0].model.focus->types[0].type, row(rowOfType(3)).path);
   child<NumberRow>("typeAperture")->spin()->setValue(40.0);
   child<NumberRow>("typeViewShare")->spin()->setValue(20.0);
   const scene::TypeSpare* own = session::findTypeSpare(scene().cuts[0], row(rowOfType(3)).path);
@@ -383,13 +383,13 @@ TEST_F(EqualizerWindow, TheCutsPageHasItsFocus) {
   EXPECT_DOUBLE_EQ(own->viewShare, 0.2);
   child<QCheckBox>("focusDepth")->click();
   child<QCheckBox>("focusLock")->click();
-  EXPECT_TRUE(scene().cuts[0].focus->guidesDepth);
-  ASSERT_TRUE(scene().cuts[0].focus->lock);
-  EXPECT_EQ(scene().cuts[0].focus->lock->camera, scene().camera);
+  EXPECT_TRUE(scene().cuts[0].model.focus->guidesDepth);
+  ASSERT_TRUE(scene().cuts[0].model.focus->lock);
+  EXPECT_EQ(scene().cuts[0].model.focus->lock->camera, scene().camera);
   QApplication::processEvents();
   takeShot(*mWindow, "equalizer-focus");
   child<QCheckBox>("focusKept")->click();
-  EXPECT_FALSE(scene().cuts[0].focus);
+  EXPECT_FALSE(scene().cuts[0].model.focus);
 }
 
 TEST_F(EqualizerWindow, GhostsAreChosenForTheModelAndForAType) {

@@ -3,7 +3,7 @@
 
 #include "Shots.h"
 #include "WindowFixture.h"
-#include "window/CommandFinder.h"
+#include "gui/window/CommandFinder.h"
 
 namespace velum::gui {
 namespace {

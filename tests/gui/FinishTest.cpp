@@ -5,13 +5,13 @@
 
 #include "Shots.h"
 #include "WindowFixture.h"
-#include "kit/PictureList.h"
-#include "look/FinishPanel.h"
+#include "gui/look/FinishPanel.h"
+#include "gui/rows/PictureList.h"
+#include "gui/structure/StructurePanel.h"
+#include "io/images/ImageFile.h"
 #include "patience.h"
-#include "structure/StructurePanel.h"
-#include "velum/io/images/ImageFile.h"
-#include "velum/scene/Finishes.h"
-#include "velum/scene/LitSpheres.h"
+#include "scene/Finishes.h"
+#include "scene/LitSpheres.h"
 
 namespace velum::gui {
 namespace {

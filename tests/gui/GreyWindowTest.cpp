@@ -4,9 +4,9 @@
 
 #include "Shots.h"
 #include "WindowFixture.h"
-#include "velum/scene/GreyWindows.h"
-#include "velum/session/section/TypedWindow.h"
-#include "view/GreyWindowCorner.h"
+#include "gui/view/GreyWindowCorner.h"
+#include "scene/GreyWindows.h"
+#include "session/section/TypedWindow.h"
 
 namespace velum::gui {
 namespace {

@@ -1,12 +1,12 @@
 // The form of what was grown, without the main window.
-#include "extrusion/GrowthForm.h"
+#include "gui/extrusion/GrowthForm.h"
 
 #include <gtest/gtest.h>
 
 #include <QTest>
 
 #include "makeVolume.h"
-#include "velum/session/growth/Growths.h"
+#include "session/growth/Growths.h"
 
 namespace velum::gui {
 namespace {

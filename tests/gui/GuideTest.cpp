@@ -7,14 +7,14 @@
 #include <QTest>
 #include <cmath>
 
+#include "gui/window/MainWindow.h"
+#include "io/phantoms/Virion.h"
 #include "patience.h"
-#include "velum/io/phantoms/Virion.h"
-#include "velum/scene/ModelLooks.h"
-#include "velum/scene/Navigate.h"
-#include "velum/scene/Presets.h"
-#include "velum/scene/Project.h"
-#include "velum/session/extrusion/Extrusion.h"
-#include "window/MainWindow.h"
+#include "scene/ModelLooks.h"
+#include "scene/Navigate.h"
+#include "scene/Presets.h"
+#include "scene/Project.h"
+#include "session/extrusion/Extrusion.h"
 
 namespace velum::gui {
 namespace {

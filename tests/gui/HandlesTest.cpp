@@ -3,7 +3,7 @@
 
 #include <QListWidget>
 
-#include "velum/scene/Project.h"
+#include "scene/Project.h"
 
 namespace velum::gui {
 namespace {

@@ -10,9 +10,9 @@
 
 #include "Shots.h"
 #include "WindowFixture.h"
-#include "kit/Icons.h"
-#include "kit/Theme.h"
-#include "window/CommandFinder.h"
+#include "gui/kit/Icons.h"
+#include "gui/kit/Theme.h"
+#include "gui/window/CommandFinder.h"
 
 namespace velum::gui {
 namespace {

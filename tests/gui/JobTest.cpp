@@ -9,9 +9,9 @@
 #include <thread>
 #include <vector>
 
-#include "kit/CallLater.h"
-#include "kit/Job.h"
-#include "velum/core/Error.h"
+#include "core/Error.h"
+#include "gui/service/CallLater.h"
+#include "gui/service/Job.h"
 
 namespace velum::gui {
 

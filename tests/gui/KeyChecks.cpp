@@ -1,10 +1,10 @@
 // What each key of keys.json does.
 #include "KeysFixture.h"
+#include "gui/view/GreyWindowCorner.h"
+#include "gui/view/TimeBar.h"
 #include "patience.h"
-#include "velum/scene/Navigate.h"
-#include "velum/session/extrusion/Extrusion.h"
-#include "view/GreyWindowCorner.h"
-#include "view/TimeBar.h"
+#include "scene/Navigate.h"
+#include "session/extrusion/Extrusion.h"
 
 namespace velum::gui {
 

@@ -9,8 +9,8 @@
 
 #include "DicomSeries.h"
 #include "WindowFixture.h"
-#include "velum/scene/SectionPlane.h"
-#include "velum/session/cut/CutTool.h"
+#include "scene/SectionPlane.h"
+#include "session/cut/CutTool.h"
 
 namespace velum::gui {
 

@@ -10,12 +10,12 @@
 
 #include "Shots.h"
 #include "TempFolder.h"
-#include "kit/Theme.h"
+#include "gui/kit/Theme.h"
+#include "gui/view/TimeBar.h"
+#include "gui/window/MainWindow.h"
+#include "io/phantoms/Sample.h"
+#include "io/volumes/WriteVolume.h"
 #include "patience.h"
-#include "velum/io/phantoms/Sample.h"
-#include "velum/io/volumes/WriteVolume.h"
-#include "view/TimeBar.h"
-#include "window/MainWindow.h"
 
 namespace velum::gui {
 namespace {

@@ -10,8 +10,8 @@
 
 #include "Shots.h"
 #include "WindowFixture.h"
-#include "membrane/MembraneForm.h"
-#include "membrane/StrengthCanvas.h"
+#include "gui/membrane/MembraneForm.h"
+#include "gui/membrane/StrengthCanvas.h"
 
 namespace velum::gui {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include "WindowFixture.h"
+#include "gui/model/ModelList.h"
 #include "makeModel.h"
-#include "model/ModelList.h"
 #include "patience.h"
 
 namespace velum::gui {

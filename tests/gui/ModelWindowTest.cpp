@@ -5,9 +5,9 @@
 
 #include "ModelFixture.h"
 #include "Shots.h"
-#include "cut/TypeSpareList.h"
+#include "gui/cut/TypeSpareList.h"
 #include "patience.h"
-#include "velum/session/cut/CutEdit.h"
+#include "session/cut/CutEdit.h"
 
 namespace velum::gui {
 
@@ -143,16 +143,16 @@ TEST_F(ModelWindow, ABarOfACutSaysHowMuchOfATypeItLeaves) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return view->isVisible(); }, kPatience));
   QRect bar = view->cellOfRow(0, TypeSpareTree::Bar);
   QTest::mouseClick(view->viewport(), Qt::LeftButton, {}, bar.center());
-  ASSERT_EQ(scene().cuts[0].typeSpares.size(), 1u);
-  EXPECT_EQ(scene().cuts[0].typeSpares[0].type, "root");
-  EXPECT_NEAR(scene().cuts[0].typeSpares[0].share, 0.5, 0.04);  // a pixel is 2 %
+  ASSERT_EQ(scene().cuts[0].model.spares.size(), 1u);
+  EXPECT_EQ(scene().cuts[0].model.spares[0].type, "root");
+  EXPECT_NEAR(scene().cuts[0].model.spares[0].share, 0.5, 0.04);  // a pixel is 2 %
   EXPECT_EQ(mWindow->document().undoLabel(), "Leave of all types");
   child<NumberRow>("typeFalloff")->spin()->setValue(30.0);
-  EXPECT_DOUBLE_EQ(scene().cuts[0].typeSpares[0].falloff, 30.0);
+  EXPECT_DOUBLE_EQ(scene().cuts[0].model.spares[0].falloff, 30.0);
   child<QCheckBox>("wholeInstances")->click();
-  EXPECT_TRUE(scene().cuts[0].wholeInstances);
+  EXPECT_TRUE(scene().cuts[0].model.wholeInstances);
   child<QDoubleSpinBox>("leastMass")->setValue(2.5);
-  EXPECT_DOUBLE_EQ(scene().cuts[0].leastMass, 2500.0);
+  EXPECT_DOUBLE_EQ(scene().cuts[0].model.leastMass, 2500.0);
   QApplication::processEvents();
   takeShot(*mWindow, "model-cuts");
 }

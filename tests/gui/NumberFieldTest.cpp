@@ -1,5 +1,5 @@
 // Numbers as people type them, without the main window.
-#include "kit/NumberField.h"
+#include "gui/kit/NumberField.h"
 
 #include <gtest/gtest.h>
 
@@ -7,6 +7,7 @@
 #include <QTest>
 
 #include "makeVolume.h"
+#include "scene/Scene.h"
 
 namespace velum::gui {
 namespace {

@@ -8,9 +8,10 @@
 #include "ModelFixture.h"
 #include "Shots.h"
 #include "WindowFixture.h"
-#include "kit/NumberField.h"
-#include "kit/SideTabs.h"
-#include "kit/Theme.h"
+#include "gui/kit/NumberField.h"
+#include "gui/kit/SideTabs.h"
+#include "gui/kit/Theme.h"
+#include "scene/Scene.h"
 
 namespace velum::gui {
 namespace {

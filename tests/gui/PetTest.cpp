@@ -6,11 +6,11 @@
 #include "DicomSeries.h"
 #include "Shots.h"
 #include "WindowFixture.h"
+#include "gui/structure/StructureList.h"
+#include "gui/structure/StructurePanel.h"
 #include "makeVolume.h"
 #include "patience.h"
-#include "structure/StructureList.h"
-#include "structure/StructurePanel.h"
-#include "velum/scene/GreyWindows.h"
+#include "scene/GreyWindows.h"
 
 namespace velum::gui {
 namespace {

@@ -16,11 +16,11 @@
 #include "RunBatch.h"
 #include "Shots.h"
 #include "TempFolder.h"
+#include "gui/window/CommandFinder.h"
+#include "gui/window/HelpWindow.h"
+#include "gui/window/SavePictureDialog.h"
 #include "patience.h"
-#include "velum/session/document/Open.h"
-#include "window/CommandFinder.h"
-#include "window/HelpWindow.h"
-#include "window/SavePictureDialog.h"
+#include "session/document/Open.h"
 
 namespace velum::gui {
 namespace {
@@ -91,7 +91,7 @@ TEST_F(PictureDialog, OffersTheAnimationsThatTheSceneCanHave) {
   EXPECT_FALSE(still.command().contains("--frames"));
   scene::Cut cut;
   cut.axis = {0, -1, 0};
-  cut.spares = {{1, 12.0, 1.0}};
+  cut.spares = {{1, 12.0}};
   scene::addCut(mScene, cut);
   SavePictureDialog dialog({160, 120}, {160, 120}, mScene, nullptr);
   auto* motion = child<QComboBox>(dialog, "pictureMotion");
@@ -128,7 +128,7 @@ TEST_F(PictureDialog, OffersTheAnimationsThatTheSceneCanHave) {
 TEST_F(PictureDialog, RemembersWhatWasChosenForThePictureBefore) {
   scene::Cut cut;
   cut.axis = {0, -1, 0};
-  cut.spares = {{1, 12.0, 1.0}};
+  cut.spares = {{1, 12.0}};
   scene::addCut(mScene, cut);
   {
     SavePictureDialog dialog({800, 400}, {800, 400}, mScene, nullptr);

@@ -8,8 +8,8 @@
 
 #include "Shots.h"
 #include "WindowFixture.h"
-#include "kit/Preferences.h"
-#include "window/PreferencesDialog.h"
+#include "gui/kit/Preferences.h"
+#include "gui/window/PreferencesDialog.h"
 
 namespace velum::gui {
 namespace {

@@ -3,11 +3,11 @@
 
 #include "Shots.h"
 #include "WindowFixture.h"
+#include "gui/view/PreparingVeil.h"
 #include "patience.h"
-#include "velum/scene/Finishes.h"
-#include "velum/scene/Presets.h"
-#include "velum/scene/VisibleFrame.h"
-#include "view/PreparingVeil.h"
+#include "scene/Finishes.h"
+#include "scene/Presets.h"
+#include "scene/VisibleFrame.h"
 
 namespace velum::gui {
 namespace {

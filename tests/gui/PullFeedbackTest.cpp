@@ -1,7 +1,8 @@
 // What is drawn over the picture while structures are pulled ([ACS] 4.3), by its pixels.
 #include "PullFixture.h"
-#include "kit/Theme.h"
-#include "velum/session/cut/CutGizmo.h"
+#include "gui/kit/Theme.h"
+#include "scene/Scene.h"
+#include "session/cut/CutGizmo.h"
 
 namespace velum::gui {
 

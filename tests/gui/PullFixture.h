@@ -9,10 +9,10 @@
 
 #include "Shots.h"
 #include "WindowFixture.h"
-#include "extrusion/PullTool.h"
-#include "velum/scene/SectionPlane.h"
-#include "velum/session/extrusion/Extrusion.h"
-#include "velum/session/growth/Growths.h"
+#include "gui/extrusion/PullTool.h"
+#include "scene/SectionPlane.h"
+#include "session/extrusion/Extrusion.h"
+#include "session/growth/Growths.h"
 
 namespace velum::gui {
 

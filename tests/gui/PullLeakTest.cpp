@@ -5,7 +5,7 @@
 
 #include "PullFixture.h"
 #include "patience.h"
-#include "velum/session/extrusion/Pull.h"
+#include "session/extrusion/Pull.h"
 
 namespace velum::gui {
 

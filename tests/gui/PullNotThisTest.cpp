@@ -2,7 +2,7 @@
 #include <QLabel>
 
 #include "PullFixture.h"
-#include "view/SectionView.h"
+#include "gui/view/SectionView.h"
 
 namespace velum::gui {
 

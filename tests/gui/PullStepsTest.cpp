@@ -6,9 +6,9 @@
 
 #include "Shots.h"
 #include "WindowFixture.h"
-#include "extrusion/ExtrusionPanel.h"
-#include "velum/scene/Finishes.h"
-#include "velum/session/extrusion/Extrusion.h"
+#include "gui/extrusion/ExtrusionPanel.h"
+#include "scene/Finishes.h"
+#include "session/extrusion/Extrusion.h"
 
 namespace velum::gui {
 namespace {

@@ -1,6 +1,6 @@
 // A stroke with Ctrl gives a structure that was pulled out more places to grow from.
 #include "PullFixture.h"
-#include "extrusion/SeedStroke.h"
+#include "gui/extrusion/SeedStroke.h"
 
 namespace velum::gui {
 

@@ -2,10 +2,11 @@
 #include <QLineEdit>
 
 #include "PullFixture.h"
-#include "kit/Bars.h"
-#include "kit/Widgets.h"
+#include "gui/kit/Messages.h"
+#include "gui/kit/Widgets.h"
 #include "patience.h"
-#include "velum/session/extrusion/PulledEnd.h"
+#include "scene/Scene.h"
+#include "session/extrusion/PulledEnd.h"
 
 namespace velum::gui {
 

@@ -3,10 +3,10 @@
 
 #include <QTimer>
 
-#include "kit/Preferences.h"
-#include "kit/RecentFiles.h"
-#include "velum/session/document/Recent.h"
-#include "window/SavePictureDialog.h"
+#include "gui/kit/Preferences.h"
+#include "gui/service/RecentFiles.h"
+#include "gui/window/SavePictureDialog.h"
+#include "session/document/Recent.h"
 
 namespace velum::gui {
 namespace {

@@ -1,4 +1,4 @@
-#include "window/Script.h"
+#include "gui/window/Script.h"
 
 #include <gtest/gtest.h>
 
@@ -8,11 +8,11 @@
 #include <QTest>
 
 #include "TempFolder.h"
+#include "gui/window/MainWindow.h"
+#include "io/phantoms/Sample.h"
+#include "io/volumes/WriteVolume.h"
 #include "patience.h"
-#include "velum/io/phantoms/Sample.h"
-#include "velum/io/volumes/WriteVolume.h"
-#include "velum/scene/json/Json.h"
-#include "window/MainWindow.h"
+#include "scene/json/Json.h"
 
 namespace velum::gui {
 namespace {

@@ -3,7 +3,7 @@
 #include <QSignalSpy>
 
 #include "WindowFixture.h"
-#include "velum/session/section/SectionTool.h"
+#include "session/section/SectionTool.h"
 
 namespace velum::gui {
 

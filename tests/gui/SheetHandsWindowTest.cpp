@@ -5,8 +5,8 @@
 
 #include "Shots.h"
 #include "WindowFixture.h"
-#include "kit/Theme.h"
-#include "membrane/SheetGrips.h"
+#include "gui/kit/Theme.h"
+#include "gui/membrane/SheetGrips.h"
 
 namespace velum::gui {
 

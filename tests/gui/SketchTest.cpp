@@ -6,10 +6,10 @@
 
 #include "Shots.h"
 #include "WindowFixture.h"
-#include "membrane/BrushTool.h"
-#include "membrane/MembraneForm.h"
-#include "structure/StructureCommands.h"
-#include "velum/membrane/forces/Kernels.h"
+#include "gui/membrane/BrushTool.h"
+#include "gui/membrane/MembraneForm.h"
+#include "gui/structure/StructureCommands.h"
+#include "membrane/forces/Kernels.h"
 
 namespace velum::gui {
 

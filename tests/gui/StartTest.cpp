@@ -5,8 +5,8 @@
 #include <QMessageBox>
 #include <QTimer>
 
-#include "velum/gpu/GpuError.h"
-#include "window/Start.h"
+#include "gpu/GpuError.h"
+#include "gui/window/Start.h"
 
 namespace velum::gui {
 

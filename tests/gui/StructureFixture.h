@@ -8,12 +8,12 @@
 #include <optional>
 
 #include "TempFolder.h"
+#include "gui/structure/StructurePanel.h"
+#include "gui/window/MainWindow.h"
+#include "io/labels/WriteLabels.h"
+#include "io/phantoms/Sample.h"
+#include "io/volumes/WriteVolume.h"
 #include "patience.h"
-#include "structure/StructurePanel.h"
-#include "velum/io/labels/WriteLabels.h"
-#include "velum/io/phantoms/Sample.h"
-#include "velum/io/volumes/WriteVolume.h"
-#include "window/MainWindow.h"
 
 namespace velum::gui {
 

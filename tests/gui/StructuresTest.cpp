@@ -6,8 +6,9 @@
 
 #include "Shots.h"
 #include "StructureFixture.h"
-#include "kit/Amounts.h"
-#include "velum/session/cut/CutEdit.h"
+#include "gui/rows/Amounts.h"
+#include "scene/Scene.h"
+#include "session/cut/CutEdit.h"
 
 namespace velum::gui {
 

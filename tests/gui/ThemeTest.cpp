@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "kit/Theme.h"
+#include "gui/kit/Theme.h"
 
 namespace velum::gui {
 namespace {

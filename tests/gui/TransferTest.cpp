@@ -11,16 +11,16 @@
 
 #include "Shots.h"
 #include "TempFolder.h"
-#include "look/ChannelList.h"
-#include "look/LookCommands.h"
-#include "look/LookPanel.h"
-#include "look/TransferCanvas.h"
+#include "gui/look/ChannelList.h"
+#include "gui/look/LookCommands.h"
+#include "gui/look/LookPanel.h"
+#include "gui/look/TransferCanvas.h"
+#include "gui/window/MainWindow.h"
+#include "io/volumes/WriteVolume.h"
 #include "makeVolume.h"
 #include "patience.h"
-#include "velum/io/volumes/WriteVolume.h"
-#include "velum/scene/Presets.h"
-#include "velum/session/look/TransferTool.h"
-#include "window/MainWindow.h"
+#include "scene/Presets.h"
+#include "session/look/TransferTool.h"
 
 namespace velum::gui {
 namespace {

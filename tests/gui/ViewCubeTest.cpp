@@ -1,5 +1,5 @@
 // The cube in the corner of the 3D view.
-#include "view/ViewCube.h"
+#include "gui/view/ViewCube.h"
 
 #include <QSet>
 

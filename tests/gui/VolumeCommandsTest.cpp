@@ -8,12 +8,12 @@
 
 #include "Shots.h"
 #include "WindowFixture.h"
-#include "kit/Preferences.h"
+#include "gui/kit/Preferences.h"
+#include "gui/window/RawDialog.h"
+#include "gui/window/VoxelSizeDialog.h"
+#include "gui/window/VoxelSizeForm.h"
 #include "patience.h"
-#include "velum/scene/Presets.h"
-#include "window/RawDialog.h"
-#include "window/VoxelSizeDialog.h"
-#include "window/VoxelSizeForm.h"
+#include "scene/Presets.h"
 
 namespace velum::gui {
 namespace {

@@ -9,9 +9,9 @@
 #include <cstdio>
 
 #include "PullFixture.h"
-#include "kit/Preferences.h"
-#include "velum/scene/Finishes.h"
-#include "window/SavePictureDialog.h"
+#include "gui/kit/Preferences.h"
+#include "gui/window/SavePictureDialog.h"
+#include "scene/Finishes.h"
 
 namespace velum::gui {
 

@@ -6,7 +6,8 @@
 #include <QWheelEvent>
 
 #include "WindowFixture.h"
-#include "kit/NumberField.h"
+#include "gui/kit/NumberField.h"
+#include "scene/Scene.h"
 
 namespace velum::gui {
 namespace {

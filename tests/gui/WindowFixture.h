@@ -8,12 +8,12 @@
 #include <memory>
 
 #include "TempFolder.h"
+#include "gui/window/MainWindow.h"
+#include "io/labels/WriteLabels.h"
+#include "io/phantoms/Sample.h"
+#include "io/volumes/WriteVolume.h"
 #include "patience.h"
-#include "velum/io/labels/WriteLabels.h"
-#include "velum/io/phantoms/Sample.h"
-#include "velum/io/volumes/WriteVolume.h"
-#include "velum/scene/Project.h"
-#include "window/MainWindow.h"
+#include "scene/Project.h"
 
 namespace velum::gui {
 

@@ -13,7 +13,7 @@
 #include "RunBatch.h"
 #include "Shots.h"
 #include "WindowFixture.h"
-#include "kit/Theme.h"
+#include "gui/kit/Theme.h"
 #include "patience.h"
 
 namespace velum::gui {

@@ -5,7 +5,7 @@
 #include "Damage.h"
 #include "ModelFiles.h"
 #include "PeakMemory.h"
-#include "models/BinaryCif.h"
+#include "io/models/BinaryCif.h"
 
 namespace velum::io {
 namespace {

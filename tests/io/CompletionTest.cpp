@@ -1,5 +1,5 @@
 #include "ModelFiles.h"
-#include "models/Envelope.h"
+#include "io/models/Envelope.h"
 
 namespace velum::io {
 namespace {

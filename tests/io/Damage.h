@@ -6,7 +6,7 @@
 #include <string>
 
 #include "TestFiles.h"
-#include "velum/core/Error.h"
+#include "core/Error.h"
 
 namespace velum::io {
 

@@ -7,7 +7,7 @@
 
 #include "DicomParts.h"
 #include "TestFiles.h"
-#include "velum/io/labels/ReadLabels.h"
+#include "io/labels/ReadLabels.h"
 
 namespace velum::io {
 namespace {

@@ -1,4 +1,4 @@
-#include "velum/io/meshes/ExtractSurface.h"
+#include "io/meshes/ExtractSurface.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <random>
 
 #include "closedSurface.h"
+#include "core/Error.h"
 #include "makeVolume.h"
-#include "velum/core/Error.h"
 
 namespace velum::io {
 namespace {

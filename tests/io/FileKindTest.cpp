@@ -1,15 +1,15 @@
 // What a file is, whatever its name: asked at every door.
-#include "velum/io/kinds/FileKind.h"
+#include "io/kinds/FileKind.h"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
 
 #include "TempFolder.h"
-#include "velum/core/Error.h"
-#include "velum/io/images/ImageFile.h"
-#include "velum/io/labels/WriteLabels.h"
-#include "velum/io/volumes/WriteVolume.h"
+#include "core/Error.h"
+#include "io/images/ImageFile.h"
+#include "io/labels/WriteLabels.h"
+#include "io/volumes/WriteVolume.h"
 
 namespace velum::io {
 namespace {

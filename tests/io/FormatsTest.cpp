@@ -6,10 +6,10 @@
 #include <random>
 
 #include "TestFiles.h"
-#include "velum/core/Error.h"
-#include "velum/io/meshes/ReadMesh.h"
-#include "velum/io/volumes/WriteVolume.h"
-#include "volumes/Readers.h"
+#include "core/Error.h"
+#include "io/meshes/ReadMesh.h"
+#include "io/volumes/Readers.h"
+#include "io/volumes/WriteVolume.h"
 
 namespace velum::io {
 namespace {

@@ -6,14 +6,14 @@
 
 #include "SmallDisk.h"
 #include "TestFiles.h"
+#include "core/Error.h"
+#include "core/Mesh.h"
+#include "io/images/ImageFile.h"
+#include "io/looks/TransferFile.h"
+#include "io/meshes/WriteMesh.h"
+#include "io/models/WriteModel.h"
 #include "makeModel.h"
 #include "makeVolume.h"
-#include "velum/core/Error.h"
-#include "velum/core/Mesh.h"
-#include "velum/io/images/ImageFile.h"
-#include "velum/io/looks/TransferFile.h"
-#include "velum/io/meshes/WriteMesh.h"
-#include "velum/io/models/WriteModel.h"
 
 /// On a disk that fills up at any byte, each writer leaves the file that was there, says so in one line, and leaves
 /// nothing else.

@@ -1,4 +1,4 @@
-#include "velum/io/images/ImageFile.h"
+#include "io/images/ImageFile.h"
 
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
@@ -13,8 +13,8 @@
 
 #include "PeakMemory.h"
 #include "TestFiles.h"
-#include "velum/core/Error.h"
-#include "velum/io/images/ImageCompare.h"
+#include "core/Error.h"
+#include "io/images/ImageCompare.h"
 
 namespace velum::io {
 namespace {

@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "TestFiles.h"
-#include "volumes/Readers.h"
+#include "io/volumes/Readers.h"
 
 namespace velum::io {
 namespace {

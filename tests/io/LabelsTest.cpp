@@ -1,7 +1,7 @@
 #include "TestFiles.h"
 
+#include "io/labels/ReadLabels.h"
 #include "makeVolume.h"
-#include "velum/io/labels/ReadLabels.h"
 
 namespace velum::io {
 namespace {

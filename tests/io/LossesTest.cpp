@@ -2,9 +2,9 @@
 #include <limits>
 
 #include "TestFiles.h"
-#include "velum/io/looks/TransferFile.h"
-#include "velum/io/meshes/ReadMesh.h"
-#include "velum/io/meshes/WriteMesh.h"
+#include "io/looks/TransferFile.h"
+#include "io/meshes/ReadMesh.h"
+#include "io/meshes/WriteMesh.h"
 
 /// What writers cannot keep they say.
 namespace velum::io {

@@ -5,9 +5,9 @@
 #include "Damage.h"
 #include "PeakMemory.h"
 #include "TestFiles.h"
-#include "velum/core/Error.h"
-#include "velum/io/meshes/ReadMesh.h"
-#include "velum/io/meshes/WriteMesh.h"
+#include "core/Error.h"
+#include "io/meshes/ReadMesh.h"
+#include "io/meshes/WriteMesh.h"
 
 namespace velum::io {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "TestFiles.h"
-#include "velum/core/Error.h"
-#include "velum/io/models/ReadModel.h"
+#include "core/Error.h"
+#include "io/models/ReadModel.h"
 
 namespace velum::io {
 

@@ -1,8 +1,8 @@
-#include "phantoms/Phantom.h"
+#include "io/phantoms/Phantom.h"
 
 #include <gtest/gtest.h>
 
-#include "phantoms/Heart.h"
+#include "io/phantoms/Heart.h"
 
 /// What phantoms are made with. The painter leaves out what it can: here every voxel is asked.
 namespace velum::io::phantom {

@@ -9,8 +9,8 @@
 #include "Damage.h"
 #include "PeakMemory.h"
 #include "TestFiles.h"
-#include "velum/core/Error.h"
-#include "velum/io/meshes/ReadMesh.h"
+#include "core/Error.h"
+#include "io/meshes/ReadMesh.h"
 
 namespace velum::io {
 namespace {

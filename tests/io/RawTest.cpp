@@ -3,7 +3,7 @@
 #include <random>
 
 #include "TestFiles.h"
-#include "velum/io/volumes/RawGuess.h"
+#include "io/volumes/RawGuess.h"
 
 namespace velum::io {
 namespace {

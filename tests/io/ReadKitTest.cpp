@@ -5,13 +5,13 @@
 #include <limits>
 
 #include "TestFiles.h"
-#include "read/ByteSource.h"
-#include "read/FileBytes.h"
-#include "read/FileNames.h"
-#include "read/Placement.h"
-#include "read/SampleBytes.h"
-#include "velum/core/Error.h"
-#include "velum/io/volumes/ReadVolume.h"
+#include "core/Error.h"
+#include "io/read/ByteSource.h"
+#include "io/read/FileBytes.h"
+#include "io/read/FileNames.h"
+#include "io/read/Placement.h"
+#include "io/read/SampleBytes.h"
+#include "io/volumes/ReadVolume.h"
 
 namespace velum::io {
 namespace {

@@ -5,9 +5,9 @@
 #include <filesystem>
 
 #include "TempFolder.h"
-#include "velum/core/Error.h"
-#include "velum/io/volumes/ReadVolume.h"
-#include "volumes/Readers.h"
+#include "core/Error.h"
+#include "io/volumes/ReadVolume.h"
+#include "io/volumes/Readers.h"
 
 /// Against the tables in data/volumes/README.md and data/malformed/README.md; skipped where the data is not.
 namespace velum::io {

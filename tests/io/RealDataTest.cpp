@@ -1,6 +1,6 @@
 #include "TestFiles.h"
 
-#include "velum/io/labels/ReadLabels.h"
+#include "io/labels/ReadLabels.h"
 
 namespace velum::io {
 namespace {

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "velum/io/phantoms/Sample.h"
+#include "io/phantoms/Sample.h"
 
 /// What laws of phantoms ask of their parts.
 namespace velum {

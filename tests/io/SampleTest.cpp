@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "SampleParts.h"
-#include "velum/core/Error.h"
+#include "core/Error.h"
 
 namespace velum {
 namespace {

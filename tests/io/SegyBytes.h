@@ -4,9 +4,9 @@
 #include <fstream>
 
 #include "TempFolder.h"
-#include "velum/core/Error.h"
-#include "velum/io/volumes/ReadVolume.h"
-#include "volumes/Readers.h"
+#include "core/Error.h"
+#include "io/volumes/ReadVolume.h"
+#include "io/volumes/Readers.h"
 
 /// SEG-Y files made by hand.
 namespace velum::io {

@@ -1,7 +1,7 @@
 #include "Glb.h"
 #include "TestFiles.h"
-#include "velum/io/meshes/ReadMesh.h"
-#include "velum/io/meshes/WriteMesh.h"
+#include "io/meshes/ReadMesh.h"
+#include "io/meshes/WriteMesh.h"
 
 /// Several surfaces in one file.
 namespace velum::io {

@@ -6,8 +6,8 @@
 #include <random>
 
 #include "closedSurface.h"
+#include "io/meshes/ExtractSurface.h"
 #include "makeVolume.h"
-#include "velum/io/meshes/ExtractSurface.h"
 
 namespace velum::io {
 namespace {

@@ -10,10 +10,10 @@
 #include <string>
 
 #include "TempFolder.h"
-#include "velum/io/labels/ReadLabels.h"
-#include "velum/io/labels/WriteLabels.h"
-#include "velum/io/volumes/ReadVolume.h"
-#include "velum/io/volumes/WriteVolume.h"
+#include "io/labels/ReadLabels.h"
+#include "io/labels/WriteLabels.h"
+#include "io/volumes/ReadVolume.h"
+#include "io/volumes/WriteVolume.h"
 
 namespace velum::io {
 

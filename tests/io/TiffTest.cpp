@@ -4,11 +4,11 @@
 #include <fstream>
 
 #include "TempFolder.h"
-#include "read/FileNames.h"
-#include "velum/core/Error.h"
-#include "velum/io/volumes/ReadVolume.h"
-#include "volumes/Readers.h"
-#include "volumes/TiffDescription.h"
+#include "core/Error.h"
+#include "io/read/FileNames.h"
+#include "io/volumes/ReadVolume.h"
+#include "io/volumes/Readers.h"
+#include "io/volumes/TiffDescription.h"
 
 namespace velum::io {
 namespace {

@@ -1,4 +1,4 @@
-#include "velum/io/looks/TransferFile.h"
+#include "io/looks/TransferFile.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "TempFolder.h"
-#include "velum/core/Error.h"
+#include "core/Error.h"
 
 namespace velum::io {
 namespace {

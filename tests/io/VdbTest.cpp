@@ -11,7 +11,7 @@
 #include "Damage.h"
 #include "PeakMemory.h"
 #include "TestFiles.h"
-#include "velum/core/Error.h"
+#include "core/Error.h"
 
 namespace velum::io {
 namespace {

@@ -1,12 +1,12 @@
-#include "velum/io/phantoms/Virion.h"
+#include "io/phantoms/Virion.h"
 
 #include <set>
 #include <unordered_map>
 
 #include "GemmiAssembly.h"
 #include "ModelFiles.h"
-#include "models/Strands.h"
-#include "velum/io/models/WriteModel.h"
+#include "io/models/Strands.h"
+#include "io/models/WriteModel.h"
 
 namespace velum::io {
 namespace {

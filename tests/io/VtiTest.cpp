@@ -11,9 +11,9 @@
 #include "Damage.h"
 #include "PeakMemory.h"
 #include "TestFiles.h"
-#include "velum/core/Error.h"
-#include "velum/io/volumes/ReadVolume.h"
-#include "velum/io/volumes/WriteVolume.h"
+#include "core/Error.h"
+#include "io/volumes/ReadVolume.h"
+#include "io/volumes/WriteVolume.h"
 
 namespace velum::io {
 namespace {

@@ -1,4 +1,4 @@
-#include "velum/io/models/WriteModel.h"
+#include "io/models/WriteModel.h"
 
 #include <fstream>
 #include <map>

@@ -1,5 +1,5 @@
 // What draws a sheet: the cost, its minimum, and what it leaves alone.
-#include "forces/Attraction.h"
+#include "membrane/forces/Attraction.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,8 @@
 
 #include "LeastCutOracle.h"
 #include "makeVolume.h"
-#include "velum/membrane/forces/Limit.h"
+#include "membrane/forces/Limit.h"
+#include "scene/Scene.h"
 
 namespace velum::membrane {
 namespace {

@@ -3,7 +3,9 @@
 
 #include <cmath>
 
-#include "velum/membrane/sheet/Simulation.h"
+#include "membrane/sheet/Simulation.h"
+
+#include "scene/Scene.h"
 
 namespace velum::membrane {
 namespace {

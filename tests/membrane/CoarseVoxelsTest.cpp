@@ -1,8 +1,9 @@
-#include "velum/membrane/forces/CoarseVoxels.h"
+#include "membrane/forces/CoarseVoxels.h"
 
 #include <gtest/gtest.h>
 
 #include "makeVolume.h"
+#include "scene/Scene.h"
 
 namespace velum::membrane {
 namespace {

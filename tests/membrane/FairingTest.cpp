@@ -1,12 +1,13 @@
-#include "sheet/Fairing.h"
+#include "membrane/sheet/Fairing.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "velum/membrane/sheet/SheetIndex.h"
-#include "velum/membrane/sheet/Simulation.h"
+#include "membrane/sheet/SheetIndex.h"
+#include "membrane/sheet/Simulation.h"
+#include "scene/Scene.h"
 
 /// The refined sheet against closed forms of the obstacle problem.
 namespace velum::membrane {

@@ -1,5 +1,5 @@
 // What becomes of all that is protected, by volume.
-#include "velum/membrane/forces/Fate.h"
+#include "membrane/forces/Fate.h"
 
 #include <gtest/gtest.h>
 
@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "makeVolume.h"
+#include "scene/Scene.h"
 
 namespace velum::membrane {
 namespace {

@@ -1,4 +1,4 @@
-#include "velum/membrane/forces/KeptWhole.h"
+#include "membrane/forces/KeptWhole.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,8 @@
 
 #include "makeVolume.h"
 
-#include "velum/membrane/forces/Limit.h"
+#include "membrane/forces/Limit.h"
+#include "scene/Scene.h"
 
 namespace velum::membrane {
 namespace {

@@ -1,10 +1,11 @@
-#include "velum/membrane/forces/Kernels.h"
+#include "membrane/forces/Kernels.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "makeVolume.h"
+#include "scene/Scene.h"
 
 namespace velum::membrane {
 namespace {

@@ -2,7 +2,7 @@
 #include <functional>
 #include <vector>
 
-#include "velum/membrane/forces/LeastCut.h"
+#include "membrane/forces/LeastCut.h"
 
 /// Two other ways to the least cut of a lattice.
 namespace velum::membrane {

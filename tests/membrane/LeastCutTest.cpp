@@ -1,4 +1,4 @@
-#include "velum/membrane/forces/LeastCut.h"
+#include "membrane/forces/LeastCut.h"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,10 @@
 #include <random>
 
 #include "LeastCutOracle.h"
-#include "forces/Bands.h"
-#include "forces/Corridor.h"
 #include "makeVolume.h"
+#include "membrane/forces/Bands.h"
+#include "membrane/forces/Corridor.h"
+#include "scene/Scene.h"
 
 namespace velum::membrane {
 namespace {

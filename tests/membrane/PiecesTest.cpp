@@ -1,4 +1,4 @@
-#include "forces/Pieces.h"
+#include "membrane/forces/Pieces.h"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,10 @@
 #include <random>
 
 #include "makeVolume.h"
-#include "velum/membrane/forces/CoarseVoxels.h"
-#include "velum/membrane/forces/Denoise.h"
-#include "velum/membrane/forces/Kernels.h"
+#include "membrane/forces/CoarseVoxels.h"
+#include "membrane/forces/Denoise.h"
+#include "membrane/forces/Kernels.h"
+#include "scene/Scene.h"
 
 namespace velum::membrane {
 namespace {

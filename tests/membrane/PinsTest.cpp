@@ -1,12 +1,12 @@
 // Which particles pins hold, and where, against a look at all of them.
-#include "forces/Pins.h"
+#include "membrane/forces/Pins.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <random>
 
-#include "velum/scene/Scene.h"
+#include "scene/Scene.h"
 
 namespace velum::membrane {
 namespace {

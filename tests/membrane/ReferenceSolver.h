@@ -6,7 +6,7 @@
 #include <map>
 #include <vector>
 
-#include "velum/membrane/sheet/Solver.h"
+#include "membrane/sheet/Solver.h"
 
 namespace velum::membrane {
 

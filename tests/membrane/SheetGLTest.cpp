@@ -1,15 +1,15 @@
 // A sheet on the GPU is the one that the processor makes.
-#include "velum/membrane/sheet/Sheet.h"
+#include "membrane/sheet/Sheet.h"
 
 #include <gtest/gtest.h>
 
 #include "GlFixture.h"
 #include "ProbeShaders.h"
+#include "gpu/Program.h"
+#include "gpu/Texture.h"
+#include "membrane/sheet/SheetIndex.h"
 #include "shared/sheet.h"
 #include "sheetShapes.h"
-#include "velum/gpu/Program.h"
-#include "velum/gpu/Texture.h"
-#include "velum/membrane/sheet/SheetIndex.h"
 
 namespace velum {
 namespace {

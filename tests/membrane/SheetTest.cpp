@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <random>
 
+#include "membrane/sheet/SheetIndex.h"
 #include "shared/cut.h"
 #include "sheetShapes.h"
-#include "velum/membrane/sheet/SheetIndex.h"
 
 namespace velum {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "GlFixture.h"
 #include "ReferenceSolver.h"
+#include "gpu/Program.h"
 #include "makeVolume.h"
-#include "velum/gpu/Program.h"
 
 namespace velum::membrane {
 

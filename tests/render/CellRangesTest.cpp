@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "makeVolume.h"
-#include "upload/CellGrid.h"
+#include "render/upload/CellGrid.h"
 
 namespace velum::render {
 namespace {

@@ -3,8 +3,8 @@
 #include <functional>
 
 #include "RenderFixture.h"
-#include "upload/TransferTable.h"
-#include "velum/scene/Presets.h"
+#include "render/upload/TransferTable.h"
+#include "scene/Presets.h"
 
 namespace velum {
 namespace {

@@ -1,4 +1,4 @@
-#include "upload/CutGrid.h"
+#include "render/upload/CutGrid.h"
 
 #include <gtest/gtest.h>
 
@@ -6,10 +6,10 @@
 #include <cmath>
 #include <random>
 
-#include "FrameSetup.h"
 #include "cutShapes.h"
-#include "upload/CutSheets.h"
-#include "velum/scene/Scene.h"
+#include "render/FrameSetup.h"
+#include "render/upload/CutSheets.h"
+#include "scene/Scene.h"
 
 namespace velum::render {
 namespace {

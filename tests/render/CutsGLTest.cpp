@@ -6,11 +6,11 @@
 #include "CutsFixture.h"
 #include "ProbeShaders.h"
 #include "cutShapes.h"
+#include "gpu/Buffer.h"
+#include "gpu/Program.h"
 #include "shared/bindings.h"
 #include "shared/cuts.h"
 #include "shared/frame.h"
-#include "velum/gpu/Buffer.h"
-#include "velum/gpu/Program.h"
 
 namespace velum {
 namespace {

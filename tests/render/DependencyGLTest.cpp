@@ -1,7 +1,7 @@
 // What a renderer keeps from frame to frame it may keep only as long as nothing that it was made from changes.
 #include "ChangeFields.h"
 #include "RenderFixture.h"
-#include "velum/core/ModelBuilder.h"
+#include "core/ModelBuilder.h"
 
 namespace velum {
 namespace {
@@ -104,11 +104,11 @@ class DependencyGL : public RenderTest, public testing::WithParamInterface<int> 
     scene.model.nearColors = 0.5;
     scene.model.types = {{"root.a.ball", true, {}, "wax", scene::Ghosts::Filled}};
     scene.lighting.fog = 0.4;
-    scene.cuts[0].typeSpares = {{}};
-    scene.cuts[0].typeSpares[0].type = "root.a";
-    scene.cuts[0].typeSpares[0].share = 0.5;
-    scene.cuts[0].typeSpares[0].falloff = 3;
-    scene.cuts[0].focus.emplace().types = {{"root.b"}};
+    scene.cuts[0].model.spares = {{}};
+    scene.cuts[0].model.spares[0].type = "root.a";
+    scene.cuts[0].model.spares[0].share = 0.5;
+    scene.cuts[0].model.spares[0].falloff = 3;
+    scene.cuts[0].model.focus.emplace().types = {{"root.b"}};
   }
   static void addCuts(scene::Scene& scene) {
     scene::Cut sphere;

@@ -6,7 +6,8 @@
 
 #include "NaiveCuts.h"
 #include "RenderFixture.h"
-#include "velum/scene/StructureAt.h"
+#include "scene/Scene.h"
+#include "scene/StructureAt.h"
 
 namespace velum {
 namespace {
@@ -62,7 +63,7 @@ class ExtrusionGL : public RenderTest {
     return false;
   }
 
-  bool keeps(const TestRay& ray, double t) const { return naive(mScene, ray.at(t), structureAt(ray.at(t)), 0.0).keeps; }
+  bool keeps(const TestRay& ray, double t) const { return naive(mScene, ray.at(t), structureAt(ray.at(t))).keeps; }
   /// The first place along a ray that the propositions leave; nothing: they leave none. No place: it cannot be told.
   struct Found {
     std::optional<double> t;
@@ -70,7 +71,7 @@ class ExtrusionGL : public RenderTest {
   };
   Found findFirst(const TestRay& ray, glm::dvec2 box) const {
     for (double t = box.x + 1e-3; t < box.y; t += kStep) {
-      Naive at = naive(mScene, ray.at(t), structureAt(ray.at(t)), 0.0);
+      Naive at = naive(mScene, ray.at(t), structureAt(ray.at(t)));
       if (at.isDoubtful || isOnBorder(ray.at(t))) return {{}, true};
       if (!at.keeps) continue;
       // The march may pass over what is thinner than two of its steps.
@@ -99,7 +100,7 @@ class ExtrusionGL : public RenderTest {
         if (isShown && (!first.t || shown < *first.t - kStep) && keeps(ray, shown)) continue;
         EXPECT_EQ(isShown, first.t.has_value()) << where;
         if (!isShown || !first.t) continue;
-        out += !naive(hard(), ray.at(*first.t), 0, 0.0).keeps;
+        out += !naive(hard(), ray.at(*first.t), 0).keeps;
         EXPECT_NEAR(shown, *first.t, kNear) << where;
         EXPECT_EQ(int(sampleOf(image, {x, y}, "id")), structureAt(ray.at(*first.t + 0.5 * kStep))) << where;
       }
@@ -186,7 +187,7 @@ TEST_F(ExtrusionGL, WhereAnExtrusionEndsThereIsAFaceWithTheNormalOfThePlane) {
       if (std::abs(depth - 7.0) > 0.2) return;
       TestRay ray = rayThrough(mScene.camera, kSize, glm::dvec2(pixel) + 0.5);
       // A ray that comes along a wall meets that.
-      if (naive(mScene, glm::dvec3(position) - ray.direction * 0.6, structureAt(position), 0.0).keeps) return;
+      if (naive(mScene, glm::dvec3(position) - ray.direction * 0.6, structureAt(position)).keeps) return;
       ++faces;
       slanted += glm::dot(glm::dvec3(vectorOf(image, pixel, "normal")), normal) < 0.98;
     });

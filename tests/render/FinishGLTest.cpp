@@ -4,11 +4,11 @@
 
 #include "ChangeFields.h"
 #include "FinishFixture.h"
+#include "gpu/Program.h"
+#include "gpu/Texture.h"
+#include "scene/LitSpheres.h"
 #include "shared/bindings.h"
 #include "shared/finish.h"
-#include "velum/gpu/Program.h"
-#include "velum/gpu/Texture.h"
-#include "velum/scene/LitSpheres.h"
 
 namespace velum {
 namespace {

@@ -28,9 +28,9 @@ class FocusGL : public RenderTest {
     scene.camera = scene::frameCamera(scene, scene::StandardView::Oblique, double(kSize.x) / kSize.y);
     scene::Cut cut;
     cut.shape = scene::CutShape::Everywhere;
-    cut.typeSpares = {{}};
-    cut.typeSpares[0].type = "root";
-    cut.focus.emplace().types = {{"root.a.type0"}};
+    cut.model.spares = {{}};
+    cut.model.spares[0].type = "root";
+    cut.model.focus.emplace().types = {{"root.a.type0"}};
     scene::addCut(scene, cut);
     return scene;
   }

@@ -2,9 +2,10 @@
 #include <random>
 
 #include "FocusFixture.h"
+#include "model/InstanceStates.h"
+#include "render/kept/KeptInstances.h"
+#include "scene/Scene.h"
 #include "shared/instance.h"
-#include "velum/mesoscale/InstanceStates.h"
-#include "velum/render/section/KeptInstances.h"
 
 namespace velum {
 namespace {
@@ -16,7 +17,7 @@ TEST_F(FocusGL, ClearsWhatAPlainDepthBufferFindsBeforeTheFocus) {
     for (auto projection : {scene::Projection::Perspective, scene::Projection::Orthographic}) {
       scene::Scene scene = focusScene(guidesDepth ? 5 : 6);
       scene.camera.projection = projection;
-      scene.cuts[0].focus->guidesDepth = guidesDepth;
+      scene.cuts[0].model.focus->guidesDepth = guidesDepth;
       std::set<std::size_t> removed = removedIn(scene);
       const Model& model = *scene.model.data;
       glm::ivec2 mask(int(std::lround(shared::kFocusRows * double(kSize.x) / kSize.y)), shared::kFocusRows);
@@ -78,18 +79,18 @@ TEST_F(FocusGL, TheProcessorFindsTheSame) {
     scene::Scene scene = focusScene(20 + round);
     if (round % 3 == 1) scene.camera.projection = scene::Projection::Orthographic;
     scene::Cut& cut = scene.cuts[0];
-    cut.typeSpares[0].share = 0.5 + 0.5 * unit(random);
-    cut.typeSpares[0].viewShare = round % 2 ? unit(random) : 0.0;
-    cut.typeSpares[0].aperture = round % 4 ? unit(random) : 1.0;
-    cut.focus->guidesDepth = round % 5 == 0;
+    cut.model.spares[0].share = 0.5 + 0.5 * unit(random);
+    cut.model.spares[0].viewShare = round % 2 ? unit(random) : 0.0;
+    cut.model.spares[0].aperture = round % 4 ? unit(random) : 1.0;
+    cut.model.focus->guidesDepth = round % 5 == 0;
     if (round % 3 == 2)
-      cut.focus->lock = scene::ViewLock{scene::frameCamera(scene, scene::StandardView::Left, 1.0), 1.5};
+      cut.model.focus->lock = scene::ViewLock{scene::frameCamera(scene, scene::StandardView::Left, 1.0), 1.5};
     if (round % 4 == 3) {
       cut.shape = scene::CutShape::Sphere;
       cut.size = glm::dvec3(220.0);
       scene::Cut plane;
       plane.axis = {1, 1, 0};
-      plane.typeSpares = {{"root.b", 0.5}};
+      plane.model.spares = {{"root.b", 0.5}};
       scene::addCut(scene, plane);
     }
     std::set<std::size_t> removed = removedIn(scene);
@@ -106,7 +107,7 @@ TEST_F(FocusGL, TheProcessorFindsTheSame) {
 TEST_F(FocusGL, AShareOfThoseThatHideItStaysDrawnApartFromTheOtherShare) {
   scene::Scene scene = focusScene(7);
   std::set<std::size_t> all = removedIn(scene);
-  scene.cuts[0].typeSpares[0].viewShare = 0.4;
+  scene.cuts[0].model.spares[0].viewShare = 0.4;
   std::set<std::size_t> some = removedIn(scene);
   for (std::size_t i : all) EXPECT_EQ(some.contains(i), randomOf(std::uint32_t(i), 1) >= 0.4f) << i;
   for (std::size_t i : some) EXPECT_TRUE(all.contains(i));
@@ -117,7 +118,7 @@ TEST_F(FocusGL, ALargerApertureClearsMore) {
   scene::Scene scene = focusScene(8, 400);
   std::set<std::size_t> whole = removedIn(scene), before;
   for (double aperture : {0.0, 0.2, 0.5, 0.8, 1.0}) {
-    scene.cuts[0].typeSpares[0].aperture = aperture;
+    scene.cuts[0].model.spares[0].aperture = aperture;
     std::set<std::size_t> removed = removedIn(scene);
     EXPECT_TRUE(std::includes(removed.begin(), removed.end(), before.begin(), before.end())) << aperture;
     EXPECT_EQ(removed.empty(), aperture == 0.0) << aperture;
@@ -136,21 +137,21 @@ TEST_F(FocusGL, ALockHoldsWhatIsClearedWhileTheCameraMoves) {
   scene::Scene moved = scene;
   moved.camera = scene::frameCamera(scene, scene::StandardView::Left, double(kSize.x) / kSize.y);
   EXPECT_NE(removedIn(moved), here);
-  moved.cuts[0].focus->lock = scene::ViewLock{scene.camera, double(kSize.x) / kSize.y};
+  moved.cuts[0].model.focus->lock = scene::ViewLock{scene.camera, double(kSize.x) / kSize.y};
   EXPECT_EQ(removedIn(moved), here);
 }
 
 TEST_F(FocusGL, ACutThatIsOffChangesNothingWhereverItStands) {
   scene::Scene scene = focusScene(14);
-  scene.cuts[0].typeSpares[0].viewShare = 0.3;
+  scene.cuts[0].model.spares[0].viewShare = 0.3;
   scene::Cut plane;
   plane.axis = {1, 1, 0};
-  plane.wholeInstances = true;
-  plane.typeSpares = {{"root.b", 0.5}};
+  plane.model.wholeInstances = true;
+  plane.model.spares = {{"root.b", 0.5}};
   scene::addCut(scene, plane);
   plane.axis = {0, 0, 1};
-  plane.wholeInstances = false;
-  plane.typeSpares = {{"root.a", 0.2}};
+  plane.model.wholeInstances = false;
+  plane.model.spares = {{"root.a", 0.2}};
   scene::addCut(scene, plane);
   std::set<std::size_t> removed = removedIn(scene);
   auto states = render::instanceStates(scene);
@@ -178,8 +179,8 @@ TEST_F(FocusGL, PiecesOfAPictureClearTheSame) {
 }
 
 TEST_F(FocusGL, DistancesInTheMaskAreExactToOneAndAHalfPixels) {
-  mesoscale::InstancePrograms programs;
-  mesoscale::InstanceStates states;
+  model::InstancePrograms programs;
+  model::InstanceStates states;
   states.resize(1, 1);
   shared::FocusView view{};
   view.size = {150, 110};
@@ -260,9 +261,9 @@ TEST_F(FocusGL, SurfacesBesideAModelChangeNoCounts) {
 TEST_F(FocusGL, CountingChangesNoPicture) {
   scene::Scene scene = focusScene(12);
   scene.cuts[0].shape = scene::CutShape::Sphere;
-  scene.cuts[0].focus.reset();
+  scene.cuts[0].model.focus.reset();
   scene.cuts[0].size = glm::dvec3(200.0);
-  scene.cuts[0].typeSpares[0].share = 0.4;
+  scene.cuts[0].model.spares[0].share = 0.4;
   Image plain = draw(scene, kSize, kLayers);
   bitsOf(scene);
   EXPECT_EQ(differenceOf(plain, renderer().read(kLayers)).largest, 0.0);

@@ -49,8 +49,8 @@ TEST_F(FocusGL, GhostsShowWhatIsRemovedWhereNothingIsNearer) {
 TEST_F(FocusGL, LinesOfGhostsHaveOneColourHoweverStrongTheyAre) {
   scene::Scene scene = focusScene(17, 60);
   scene.model.ghosts = scene::Ghosts::Contour;
-  scene.cuts[0].typeSpares[0].share = 0.0;
-  scene.cuts[0].focus.reset();
+  scene.cuts[0].model.spares[0].share = 0.0;
+  scene.cuts[0].model.focus.reset();
   glm::ivec2 size(100, 80);
   scene.model.ghostOpacity = 0.9;
   Image strong = draw(scene, size, kLayers);
@@ -83,8 +83,8 @@ TEST_F(FocusGL, GhostsAreAsStrongHoweverManySamplesThereAre) {
   scene::Scene scene = focusScene(16, 60);
   scene.model.ghosts = scene::Ghosts::Filled;
   scene.model.ghostOpacity = 0.4;
-  scene.cuts[0].typeSpares[0].share = 0.0;
-  scene.cuts[0].focus.reset();
+  scene.cuts[0].model.spares[0].share = 0.0;
+  scene.cuts[0].model.focus.reset();
   Image one = draw(scene, kSize, kLayers);
   scene.rayCast.samplesPerPixel = 5;
   Image five = draw(scene, kSize, kLayers);

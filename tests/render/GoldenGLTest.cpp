@@ -6,15 +6,15 @@
 
 #include "GlFixture.h"
 #include "SourceFolder.h"
-#include "velum/io/images/ImageCompare.h"
-#include "velum/io/images/ImageFile.h"
-#include "velum/io/phantoms/Sample.h"
-#include "velum/io/phantoms/Virion.h"
-#include "velum/mesoscale/Levels.h"
-#include "velum/render/RenderPicture.h"
-#include "velum/scene/Presets.h"
-#include "velum/scene/json/Paths.h"
-#include "velum/session/membrane/Membranes.h"
+#include "io/images/ImageCompare.h"
+#include "io/images/ImageFile.h"
+#include "io/phantoms/Sample.h"
+#include "io/phantoms/Virion.h"
+#include "model/Levels.h"
+#include "render/RenderPicture.h"
+#include "scene/Presets.h"
+#include "scene/json/Paths.h"
+#include "session/membrane/Membranes.h"
 
 namespace velum {
 namespace {
@@ -37,7 +37,7 @@ scene::Scene modelOf(const Json& what) {
   scene::Scene scene;
   scene.unit = LengthUnit::Angstrom;
   scene.model.data = Shared<Model>(io::makeVirion(progress));
-  scene.model.levels = Shared<LevelSet>(mesoscale::computeLevels(*scene.model.data, progress));
+  scene.model.levels = Shared<LevelSet>(model::computeLevels(*scene.model.data, progress));
   scene::applyPreset(scene, what.at("preset").get<std::string>());
   return scene;
 }

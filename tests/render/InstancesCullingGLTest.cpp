@@ -2,8 +2,8 @@
 #include <random>
 
 #include "InstancesFixture.h"
-#include "velum/gpu/Program.h"
-#include "velum/mesoscale/Levels.h"
+#include "gpu/Program.h"
+#include "model/Levels.h"
 
 namespace velum {
 namespace {
@@ -17,7 +17,7 @@ TEST_F(InstancesGL, CullingHidesNothing) {
   Model model = maker.make();
   Shared<Model> shared(std::move(model));
   Progress progress;
-  Shared<LevelSet> levels(mesoscale::computeLevels(*shared, progress));
+  Shared<LevelSet> levels(model::computeLevels(*shared, progress));
   scene::Scene scene = sceneOfModel(ModelMaker{}.make());
   scene.model.data = shared;
   scene.model.levels = levels;

@@ -4,9 +4,10 @@
 
 #include "InstancesFixture.h"
 #include "NaiveCuts.h"
+#include "gpu/GpuError.h"
 #include "plateSurface.h"
-#include "velum/gpu/GpuError.h"
-#include "velum/render/section/KeptInstances.h"
+#include "render/kept/KeptInstances.h"
+#include "scene/Scene.h"
 
 namespace velum {
 namespace {
@@ -81,7 +82,7 @@ TEST_F(InstancesGL, CutsLeaveWhatThePlainEvaluationLeaves) {
       cut.shape = static_cast<scene::CutShape>(random() % 5);
       cut.invert = random() % 3 == 0;
       cut.joined = i > 0 && random() % 3 == 0;
-      cut.wholeInstances = random() % 3 == 0;
+      cut.model.wholeInstances = random() % 3 == 0;
       cut.centre = {between(-80, 80), between(-10, 40), between(-80, 80)};
       cut.axis = {between(-1, 1), between(-1, 1), between(-1, 1)};
       cut.spinDeg = between(-90, 90);
@@ -94,7 +95,7 @@ TEST_F(InstancesGL, CutsLeaveWhatThePlainEvaluationLeaves) {
         if (random() % 3 == 0) spare.distance = between(0, 50);
         spare.amount = unit(random);
         spare.exponent = between(0.4, 3);
-        cut.typeSpares = {spare};
+        cut.model.spares = {spare};
       }
       scene::addCut(scene, cut);
     }
@@ -106,11 +107,12 @@ TEST_F(InstancesGL, CutsLeaveWhatThePlainEvaluationLeaves) {
       EXPECT_EQ(shown.contains(i), kept[std::size_t(i)] != 0) << i << " round " << round;
     removedSomewhere += int(shown.size()) < kEdge * kEdge;
     // Plain cuts once more, by a text that shares nothing with the first.
-    bool isPlain = std::all_of(scene.cuts.begin(), scene.cuts.end(),
-                               [](const scene::Cut& cut) { return cut.typeSpares.empty() && !cut.wholeInstances; });
+    bool isPlain = std::all_of(scene.cuts.begin(), scene.cuts.end(), [](const scene::Cut& cut) {
+      return cut.model.spares.empty() && !cut.model.wholeInstances;
+    });
     if (!isPlain) continue;
     for (int i = 0; i < kEdge * kEdge; ++i) {
-      Naive answer = naive(scene, glm::dvec3(scene.model.data->instances[std::size_t(i)].position), 0, 0.0);
+      Naive answer = naive(scene, glm::dvec3(scene.model.data->instances[std::size_t(i)].position), 0);
       if (answer.isDoubtful) continue;
       EXPECT_EQ(kept[std::size_t(i)] != 0, answer.keeps) << i;
     }
@@ -125,12 +127,12 @@ TEST_F(InstancesGL, AShareLeavesThatShareAndAlwaysTheSame) {
   scene::Cut cut;
   cut.shape = scene::CutShape::Sphere;
   cut.size = glm::dvec3(5000);
-  cut.typeSpares = {{}};
-  cut.typeSpares[0].type = "root";
+  cut.model.spares = {{}};
+  cut.model.spares[0].type = "root";
   scene::addCut(scene, cut);
   std::set<int> before;
   for (double share : {0.0, 0.1, 0.3, 0.7, 1.0}) {
-    scene.cuts[0].typeSpares[0].share = share;
+    scene.cuts[0].model.spares[0].share = share;
     std::set<int> shown = shownIn(draw(scene, {420, 420}, kLayers));
     EXPECT_NEAR(double(shown.size()) / 1600.0, share, 0.04);
     EXPECT_TRUE(std::includes(shown.begin(), shown.end(), before.begin(), before.end()))

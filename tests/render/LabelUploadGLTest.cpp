@@ -1,12 +1,12 @@
 // Labels that are edited: only what differs is sent, and what is then on the GPU is what a fresh upload puts there.
-#include "upload/LabelUpload.h"
+#include "render/upload/LabelUpload.h"
 
 #include <fmt/format.h>
 
 #include <random>
 
 #include "RenderFixture.h"
-#include "velum/gpu/GpuError.h"
+#include "gpu/GpuError.h"
 
 namespace velum {
 namespace {

@@ -4,8 +4,8 @@
 #include <functional>
 
 #include "RenderFixture.h"
-#include "velum/core/Vectors.h"
-#include "velum/scene/Project.h"
+#include "core/Vectors.h"
+#include "scene/Project.h"
 
 namespace velum {
 namespace {

@@ -2,9 +2,9 @@
 #include <vector>
 
 #include "GlFixture.h"
+#include "gpu/Program.h"
+#include "gpu/Texture.h"
 #include "shared/frame.h"
-#include "velum/gpu/Program.h"
-#include "velum/gpu/Texture.h"
 
 namespace velum {
 namespace {

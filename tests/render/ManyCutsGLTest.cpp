@@ -2,9 +2,9 @@
 #include <map>
 
 #include "RenderFixture.h"
-#include "velum/render/section/KeptVoxels.h"
-#include "velum/render/section/SectionImage.h"
-#include "velum/scene/Project.h"
+#include "render/kept/KeptVoxels.h"
+#include "render/section/SectionImage.h"
+#include "scene/Project.h"
 
 namespace velum {
 namespace {

@@ -1,8 +1,8 @@
 #pragma once
 #include "CutsFixture.h"
-#include "FrameSetup.h"
+#include "render/FrameSetup.h"
+#include "render/upload/CutSheets.h"
 #include "sheetShapes.h"
-#include "upload/CutSheets.h"
 
 /// Scenes with a membrane, and the same asked on the processor, by shaders/shared/sheet.h.
 namespace velum {

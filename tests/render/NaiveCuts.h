@@ -1,8 +1,8 @@
 #pragma once
+#include "core/Vectors.h"
+#include "membrane/sheet/SheetIndex.h"
+#include "scene/Scene.h"
 #include "sheetShapes.h"
-#include "velum/core/Vectors.h"
-#include "velum/membrane/sheet/SheetIndex.h"
-#include "velum/scene/Scene.h"
 
 /// What cuts leave, written anew in doubles and one by one: by it the fold of the cuts is judged, which all else asks.
 namespace velum {
@@ -87,7 +87,7 @@ struct Naive {
   bool keeps = true, isDoubtful = false;
 };
 
-inline Naive naive(const scene::Scene& scene, glm::dvec3 world, int structure, double u) {
+inline Naive naive(const scene::Scene& scene, glm::dvec3 world, int structure) {
   bool isTaken = false, hasInlay = false, inInlay = false;
   bool group = false, isOpen = false;  // what the cuts that are joined take together; one of them is on
   Naive out;
@@ -100,7 +100,7 @@ inline Naive naive(const scene::Scene& scene, glm::dvec3 world, int structure, d
     if (!cut.enabled) continue;
     double depth = 0.0;
     for (auto spare = cut.spares.rbegin(); spare != cut.spares.rend(); ++spare)
-      if (spare->structure == structure) depth = u < spare->share ? spare->distance : 0.0;
+      if (spare->structure == structure) depth = spare->distance;
     Place place = placeOf(cut, world);
     out.isDoubtful = out.isDoubtful || place.doubt < kTooNear || std::abs(-place.distance - depth) < kTooNear;
     bool keeps = place.distance >= 0.0 || -place.distance <= depth;

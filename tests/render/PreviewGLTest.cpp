@@ -1,6 +1,6 @@
 // Previews are pictures at once: of a small copy while the volume is on its way, and in the light of the last picture.
 #include "RenderFixture.h"
-#include "velum/render/RenderPicture.h"
+#include "render/RenderPicture.h"
 
 namespace velum {
 namespace {

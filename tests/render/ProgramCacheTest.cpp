@@ -1,4 +1,4 @@
-#include "passes/ProgramCache.h"
+#include "render/passes/ProgramCache.h"
 
 #include <gtest/gtest.h>
 

@@ -3,10 +3,10 @@
 #include <map>
 #include <set>
 
-#include "Gl.h"
 #include "GlFixture.h"
 #include "allPrograms.h"
-#include "passes/Variants.h"
+#include "gpu/Gl.h"
+#include "render/passes/Variants.h"
 #include "shared/frame.h"
 
 namespace velum {

@@ -4,8 +4,8 @@
 #include <thread>
 
 #include "RenderFixture.h"
-#include "velum/gpu/GpuError.h"
-#include "velum/render/RenderPicture.h"
+#include "gpu/GpuError.h"
+#include "render/RenderPicture.h"
 
 namespace velum {
 namespace {

@@ -1,17 +1,17 @@
-#include "velum/render/section/SectionImage.h"
+#include "render/section/SectionImage.h"
 
 #include <gtest/gtest.h>
 
 #include <chrono>
 #include <cmath>
 
-#include "FrameSetup.h"
 #include "cutShapes.h"
 #include "makeVolume.h"
-#include "section/SectionCuts.h"
+#include "render/FrameSetup.h"
+#include "render/kept/RowCuts.h"
+#include "render/upload/CutSheets.h"
+#include "scene/Presets.h"
 #include "sheetShapes.h"
-#include "upload/CutSheets.h"
-#include "velum/scene/Presets.h"
 
 namespace velum::render {
 
@@ -276,7 +276,7 @@ TEST_F(SectionLabels, CutsDimWhatTheyRemoveAsTheirFunctionSays) {
   expectColor(kInNone, glm::ivec3(128));
 }
 
-TEST(SectionCuts, WalksMarkARowAsIntervalsDo) {
+TEST(RowCuts, WalksMarkARowAsIntervalsDo) {
   int crossed = 0, off = 0;
   for (auto shape : everyShapeButMembranes()) {
     if (!shared::cutIsConvex(static_cast<int>(shape))) continue;
@@ -285,10 +285,10 @@ TEST(SectionCuts, WalksMarkARowAsIntervalsDo) {
         scene::Scene scene;
         scene.cuts = {slanted(shape, invert)};
         auto data = makeCutData(scene, {0, 0, 0}, {});
-        SectionCuts::Row row{{-40, 0.7f * float(y), 3}, glm::normalize(glm::vec3(1, 0.1f, 0.2f)), 90, 0.9};
+        RowCuts::Row row{{-40, 0.7f * float(y), 3}, glm::normalize(glm::vec3(1, 0.1f, 0.2f)), 90, 0.9};
         std::vector<char> byInterval(90), byWalk(90);
-        SectionCuts::markConvex(data[0], row, byInterval);
-        SectionCuts::markWalked(data[0], row, byWalk);
+        RowCuts::markConvex(data[0], row, byInterval);
+        RowCuts::markWalked(data[0], row, byWalk);
         for (std::size_t x = 0; x < 90; ++x) off += byInterval[x] != byWalk[x];
         crossed += byWalk.front() != byWalk[45];
       }

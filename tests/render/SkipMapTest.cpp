@@ -1,4 +1,4 @@
-#include "upload/SkipMap.h"
+#include "render/upload/SkipMap.h"
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "makeVolume.h"
-#include "upload/GradientPlanes.h"
-#include "upload/SmoothTexels.h"
+#include "render/upload/GradientPlanes.h"
+#include "render/upload/SmoothTexels.h"
 
 namespace velum::render {
 namespace {

@@ -1,10 +1,10 @@
 // Picture, sections, kept voxels and picking leave the same of a structure that cuts spare.
 #include "NaiveCuts.h"
 #include "RenderFixture.h"
-#include "upload/CutGrid.h"
-#include "velum/render/section/KeptVoxels.h"
-#include "velum/render/section/SectionImage.h"
-#include "velum/scene/StructureAt.h"
+#include "render/kept/KeptVoxels.h"
+#include "render/section/SectionImage.h"
+#include "render/upload/CutGrid.h"
+#include "scene/StructureAt.h"
 
 namespace velum {
 namespace {
@@ -47,7 +47,7 @@ class SparedScene : public RenderTest {
       for (int y = 0; y < kDims.y; ++y)
         for (int x = 0; x < kDims.x; ++x, ++i) {
           glm::dvec3 world(mScene.volume.data->worldFromVoxel * glm::dvec4(x, y, z, 1.0));
-          Naive wanted = naive(mScene, world, structureAt(world), 0.0);
+          Naive wanted = naive(mScene, world, structureAt(world));
           keptCount += kept[i];
           if (wanted.isDoubtful) continue;
           ASSERT_EQ(kept[i] != 0, wanted.keeps) << x << ", " << y << ", " << z;
@@ -70,7 +70,7 @@ class SparedScene : public RenderTest {
             glm::any(glm::greaterThan(voxel, glm::dvec3(kDims) - 1.5)))
           continue;
         glm::dvec3 off = glm::abs(glm::fract(voxel + 0.5) - 0.5);
-        Naive wanted = naive(mScene, world, structureAt(world), 0.0);
+        Naive wanted = naive(mScene, world, structureAt(world));
         if (wanted.isDoubtful || std::max(off.x, std::max(off.y, off.z)) > 0.45) continue;  // on a label's border
         auto at = std::size_t(y * kSize.x + x);
         ASSERT_EQ(image.pixels[at] == whole.pixels[at], wanted.keeps) << "section at " << x << ", " << y;
@@ -92,7 +92,7 @@ class SparedScene : public RenderTest {
         double found = -1, since = -1;
         bool hasSliver = false;
         for (double t = box.x + 0.02; t < box.y && found < 0; t += 0.05) {
-          bool keeps = naive(mScene, ray.at(t), structureAt(ray.at(t)), 0.0).keeps;
+          bool keeps = naive(mScene, ray.at(t), structureAt(ray.at(t))).keeps;
           hasSliver = hasSliver || (since >= 0 && !keeps);
           since = !keeps ? -1 : since < 0 ? t : since;
           if (since >= 0 && t - since > 0.6) found = since;

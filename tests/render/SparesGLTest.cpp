@@ -1,12 +1,12 @@
 // What all cuts together leave of a structure is one function, on both sides, and the one that was meant.
 #include <random>
 
-#include "FrameSetup.h"
 #include "NaiveCuts.h"
 #include "ProbeShaders.h"
 #include "RenderFixture.h"
 #include "cutShapes.h"
-#include "upload/SpareTable.h"
+#include "render/FrameSetup.h"
+#include "render/upload/SpareTable.h"
 
 namespace velum {
 namespace {
@@ -66,7 +66,7 @@ class Random {
   Points points() {
     Points points;
     for (int i = 0; i < kPoints; ++i) {
-      points.places.emplace_back(vector(18), whole(0, 1) ? 0.0 : number(0, 0.999));
+      points.places.emplace_back(vector(18), 0.0);
       points.structures.push_back(std::uint32_t(whole(0, 9) == 0 ? 7 : kStructures[whole(0, 4)]));
     }
     return points;
@@ -80,8 +80,8 @@ bool keepsOnProcessor(const std::vector<shared::CutData>& cuts, const render::Sp
                       std::uint32_t structure, const shared::SheetRows& sheets) {
   shared::CutFold fold = shared::emptyFold();
   for (std::size_t i = 0; i < cuts.size(); ++i)
-    fold = shared::foldCut(fold, cuts[i], shared::cutPart(cuts[i]), shared::spareDepth(spares.of(structure, i), p.w),
-                           spares.hasDepths, glm::vec3(p), sheets);
+    fold = shared::foldCut(fold, cuts[i], shared::cutPart(cuts[i]), spares.depthOf(structure, i), spares.hasDepths,
+                           glm::vec3(p), sheets);
   return shared::foldKeeps(fold);
 }
 
@@ -90,7 +90,7 @@ constexpr const char* kProbe = R"(layout(local_size_x = 64) in;
 
 #include "common/cuts.glsl"
 
-layout(std430, binding = 2) readonly buffer PointBlock { vec4 points[]; };     // xyz: place, scene frame; w: random number
+layout(std430, binding = 2) readonly buffer PointBlock { vec4 points[]; };     // xyz: place, scene frame
 layout(std430, binding = 3) readonly buffer NameBlock { uint structureOf[]; };
 layout(std430, binding = 4) writeonly buffer AnswerBlock { ivec2 answers[]; };  // x: cutsKeep; y: cutsGuess
 
@@ -98,7 +98,7 @@ void main() {
   uint i = gl_GlobalInvocationID.x;
   if (i >= uint(points.length())) return;
   ivec2 answer;
-  answer.x = cutsKeep(points[i].xyz, structureOf[i], points[i].w) ? 1 : 0;
+  answer.x = cutsKeep(points[i].xyz, structureOf[i]) ? 1 : 0;
 #ifdef MEMBRANES
   answer.y = cutsGuess(points[i].xyz, structureOf[i]);
 #else
@@ -128,14 +128,14 @@ class SparesGL : public RenderTest {
     block.set(params);
     block.bind(shared::kFrameBinding);
     gpu::Buffer cutBuffer("cuts", std::span<const shared::CutData>(cuts));
-    std::vector<glm::uvec2> spareValues = render::spareTexels(spares);
-    gpu::Buffer rows("spares", std::span<const glm::uvec2>(spareValues));
+    std::vector<std::uint32_t> spareValues = render::spareTexels(spares);
+    gpu::Buffer rows("spares", std::span<const std::uint32_t>(spareValues));
     gpu::Buffer places("places", std::span<const glm::vec4>(points.places));
     gpu::Buffer structures("structures", std::span<const std::uint32_t>(points.structures));
     std::vector<glm::ivec2> answers(points.places.size());
     gpu::Buffer out("answers", answers.size() * sizeof(glm::ivec2));
     cutBuffer.bindStorage(shared::kCutBinding);
-    auto rowTexels = gpu::Texture::makeOfBuffer("spares", gpu::Format::Rg32ui, rows);
+    auto rowTexels = gpu::Texture::makeOfBuffer("spares", gpu::Format::R32ui, rows);
     rowTexels.bindSampler(shared::kSpareUnit);
     places.bindStorage(2);
     structures.bindStorage(3);
@@ -175,20 +175,20 @@ TEST_F(SparesGL, TheCutsTogetherLeaveWhatTheyLeaveOnTheProcessorAndOneByOne) {
     for (std::size_t i = 0; i < answers.size() && wrong < 5; ++i) {
       glm::vec4 p = points.places[i];
       int structure = int(points.structures[i]);
-      Naive wanted = naive(scene, glm::dvec3(p), structure, double(p.w));
+      Naive wanted = naive(scene, glm::dvec3(p), structure);
       doubtful += wanted.isDoubtful;
       if (wanted.isDoubtful) continue;
       (wanted.keeps ? kept : removed) += 1;
-      bySpare += wanted.keeps && !naive(hard, glm::dvec3(p), structure, double(p.w)).keeps;
+      bySpare += wanted.keeps && !naive(hard, glm::dvec3(p), structure).keeps;
       bool onGpu = answers[i].x == 1;
       bool onProcessor = keepsOnProcessor(cuts, spares, p, points.structures[i], sheets.view());
-      bool guessFits = p.w > 0.0f || answers[i].y == shared::kCutNear || (answers[i].y == shared::kCutKeeps) == onGpu;
-      near += p.w == 0.0f && answers[i].y == shared::kCutNear;
+      bool guessFits = answers[i].y == shared::kCutNear || (answers[i].y == shared::kCutKeeps) == onGpu;
+      near += answers[i].y == shared::kCutNear;
       if (onGpu == wanted.keeps && onProcessor == wanted.keeps && guessFits) continue;
       ++wrong;
       ADD_FAILURE() << "scene " << seed << ", point " << p.x << ", " << p.y << ", " << p.z << " of " << structure
-                    << ", u " << p.w << ": kept " << wanted.keeps << ", processor " << onProcessor << ", GPU " << onGpu
-                    << ", guess " << answers[i].y;
+                    << ": kept " << wanted.keeps << ", processor " << onProcessor << ", GPU " << onGpu << ", guess "
+                    << answers[i].y;
     }
   }
   EXPECT_GT(kept, 30000);

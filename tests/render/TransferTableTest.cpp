@@ -1,4 +1,4 @@
-#include "upload/TransferTable.h"
+#include "render/upload/TransferTable.h"
 
 #include <gtest/gtest.h>
 
@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "makeVolume.h"
+#include "scene/Scene.h"
 #include "shared/frame.h"
 
 namespace velum::render {

@@ -1,8 +1,9 @@
-#include "velum/scene/AnatomyColors.h"
+#include "scene/AnatomyColors.h"
 
 #include <gtest/gtest.h>
 
-#include "velum/scene/FirstLook.h"
+#include "scene/FirstLook.h"
+#include "scene/Scene.h"
 
 namespace velum::scene {
 

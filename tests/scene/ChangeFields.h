@@ -9,8 +9,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "velum/core/Fields.h"
-#include "velum/scene/Scene.h"
+#include "core/Fields.h"
+#include "scene/Scene.h"
 
 /// Walks over the fields of any saved struct, so that a field that is added tomorrow is tested tomorrow.
 namespace velum::scene {

@@ -1,4 +1,4 @@
-#include "velum/scene/json/ChangeLog.h"
+#include "scene/json/ChangeLog.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <random>
 
 #include "ChangeFields.h"
-#include "velum/core/Error.h"
-#include "velum/scene/json/Json.h"
+#include "core/Error.h"
+#include "scene/json/Json.h"
 
 namespace velum::scene {
 

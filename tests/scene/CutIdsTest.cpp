@@ -1,9 +1,10 @@
 // Cuts are known by their ids.
 #include <gtest/gtest.h>
 
-#include "velum/core/Error.h"
-#include "velum/scene/json/Json.h"
-#include "velum/scene/json/Paths.h"
+#include "core/Error.h"
+#include "scene/Scene.h"
+#include "scene/json/Json.h"
+#include "scene/json/Paths.h"
 
 namespace velum::scene {
 namespace {

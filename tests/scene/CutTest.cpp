@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "velum/scene/Cut.h"
+#include "scene/Cut.h"
 
 namespace velum {
 namespace {

@@ -1,5 +1,5 @@
 // Named finishes and the lit spheres that they use.
-#include "velum/scene/Finishes.h"
+#include "scene/Finishes.h"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 #include <set>
 #include <string>
 
-#include "velum/core/Error.h"
-#include "velum/scene/LitSpheres.h"
-#include "velum/scene/ModelLooks.h"
+#include "core/Error.h"
+#include "scene/LitSpheres.h"
+#include "scene/ModelLooks.h"
 
 namespace velum::scene {
 namespace {

@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "makeVolume.h"
-#include "velum/scene/FirstLook.h"
-#include "velum/scene/Presets.h"
-#include "velum/scene/VisibleFrame.h"
+#include "scene/FirstLook.h"
+#include "scene/Presets.h"
+#include "scene/VisibleFrame.h"
 
 namespace velum::scene {
 namespace {

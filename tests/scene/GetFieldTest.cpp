@@ -2,9 +2,10 @@
 #include <gtest/gtest.h>
 
 #include "ChangeFields.h"
-#include "velum/core/Error.h"
-#include "velum/scene/json/Json.h"
-#include "velum/scene/json/Paths.h"
+#include "core/Error.h"
+#include "scene/Scene.h"
+#include "scene/json/Json.h"
+#include "scene/json/Paths.h"
 
 namespace velum::scene {
 namespace {

@@ -1,13 +1,14 @@
-#include "velum/scene/GreyWindows.h"
+#include "scene/GreyWindows.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <set>
 
+#include "core/Error.h"
 #include "makeVolume.h"
-#include "velum/core/Error.h"
-#include "velum/scene/FirstLook.h"
+#include "scene/FirstLook.h"
+#include "scene/Scene.h"
 
 namespace velum::scene {
 namespace {

@@ -1,6 +1,6 @@
-#include "velum/scene/json/Json.h"
-#include "velum/scene/json/Paths.h"
-#include "velum/scene/json/Schema.h"
+#include "scene/json/Json.h"
+#include "scene/json/Paths.h"
+#include "scene/json/Schema.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,8 @@
 #include <set>
 
 #include "ChangeFields.h"
-#include "velum/core/Error.h"
+#include "core/Error.h"
+#include "scene/Scene.h"
 
 namespace velum::scene {
 namespace {
@@ -143,7 +144,7 @@ TEST(SceneJson, WrongKindsAndRangesAreRefusedWithTheirPath) {
       {R"("cuts": [{"spares": [{"structure": 1}, {"structure": 70000}]}])", "cuts.0.spares.1.structure"},
       {R"("cuts": [{"spares": 4}])", "cuts.0.spares"},
       {R"("cuts": [{"spares": [{"distance": -1}]}])", "cuts.0.spares.0.distance"},
-      {R"("cuts": [{"spares": [{"share": null}]}])", "cuts.0.spares.0.share"},
+      {R"("cuts": [{"spares": [{"structure": null}]}])", "cuts.0.spares.0.structure"},
       {R"("cuts": [{"exempt": [1, 70000]}])", "cuts.0.spares.1.structure"},
       {R"("cuts": [{"exempt": 4}])", "cuts.0.spares"},
       {R"("cuts": [{"name": 4}])", "cuts.0.name"},

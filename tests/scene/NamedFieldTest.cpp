@@ -1,7 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "velum/core/Error.h"
-#include "velum/scene/json/Paths.h"
+#include "core/Error.h"
+#include "scene/Scene.h"
+#include "scene/json/Paths.h"
 
 namespace velum::scene {
 namespace {

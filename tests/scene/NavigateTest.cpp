@@ -1,4 +1,4 @@
-#include "velum/scene/Navigate.h"
+#include "scene/Navigate.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <random>
 
-#include "velum/scene/Scene.h"
+#include "scene/Scene.h"
 
 namespace velum::scene {
 namespace {

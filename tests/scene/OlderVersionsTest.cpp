@@ -6,9 +6,9 @@
 
 #include "SceneKinds.h"
 #include "SourceFolder.h"
-#include "velum/core/Error.h"
-#include "velum/scene/json/ChangeLog.h"
-#include "velum/scene/json/Json.h"
+#include "core/Error.h"
+#include "scene/json/ChangeLog.h"
+#include "scene/json/Json.h"
 
 namespace velum::scene {
 namespace {
@@ -42,6 +42,34 @@ TEST(OlderVersions, OtherShapesThanMembranesLoseTheOneThatTheyNeverShowed) {
   EXPECT_FALSE(scene.cuts.at(0).membrane);
 }
 
+TEST(OlderVersions, WhatVersion2ToldOfAModelIsInOnePart) {
+  testing::internal::CaptureStderr();
+  Scene scene = fromJson(R"({"velum": 2, "cuts": [{"typeSpares": [{"type": "root", "share": 0.25, "falloff": 3}],
+      "wholeInstances": true, "leastMass": 10, "mostMass": 20, "leastCopies": 3, "mostCopies": null,
+      "focus": {"types": [{"type": "root.a"}], "guidesDepth": true}}, {"shape": "box"}]})");
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "") << "every field is known";
+  ModelCut wanted;
+  wanted.spares = {{.type = "root", .share = 0.25, .falloff = 3.0}};
+  wanted.wholeInstances = true;
+  wanted.leastMass = 10.0;
+  wanted.mostMass = 20.0;
+  wanted.leastCopies = 3.0;
+  wanted.focus.emplace().types = {{"root.a"}};
+  wanted.focus->guidesDepth = true;
+  EXPECT_TRUE(scene.cuts.at(0).model == wanted);
+  EXPECT_TRUE(scene.cuts.at(1).model == ModelCut{});
+  EXPECT_TRUE(fromJson(toJson(scene)) == scene);
+}
+
+/// It was all or nothing for the material of a volume.
+TEST(OlderVersions, TheShareOfAStructureIsAllOrNothing) {
+  testing::internal::CaptureStderr();
+  Scene scene = fromJson(R"({"velum": 2, "cuts": [{"spares": [{"structure": 1, "distance": 4, "share": 1.0},
+      {"structure": 2, "distance": null, "share": 0}, {"structure": 3, "distance": 5, "share": 0.5}]}]})");
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  EXPECT_EQ(scene.cuts.at(0).spares, (std::vector<Spare>{{1, 4.0}, {2, 0.0}, {3, 5.0}}));
+}
+
 TEST(OlderVersions, AJournalOfVersion1IsReplayed) {
   auto text = nlohmann::json::parse(v1Text("planes"));
   nlohmann::json first = {{{"op", "replace"}, {"path", ""}, {"value", text}}};
@@ -57,12 +85,12 @@ TEST(OlderVersions, AJournalOfVersion1IsReplayed) {
 TEST(OlderVersions, AFileOfAFutureVersionSaysSoInOneLine) {
   std::string message;
   try {
-    fromJson(R"({"velum": 3, "cuts": {}})");
+    fromJson(R"({"velum": 4, "cuts": {}})");
   } catch (const InputError& error) {
     message = error.what();
   }
   EXPECT_NE(message.find("newer Velum"), std::string::npos) << message;
-  EXPECT_NE(message.find("version 3"), std::string::npos) << message;
+  EXPECT_NE(message.find("version 4"), std::string::npos) << message;
   EXPECT_EQ(message.find('\n'), std::string::npos) << message;
 }
 

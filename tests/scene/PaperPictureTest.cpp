@@ -1,5 +1,5 @@
 // Pictures of paper that users bring.
-#include "velum/scene/PaperPicture.h"
+#include "scene/PaperPicture.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <functional>
 #include <random>
 
-#include "velum/core/Error.h"
+#include "core/Error.h"
 
 namespace velum::scene {
 namespace {

@@ -1,12 +1,12 @@
-#include "velum/scene/Presets.h"
+#include "scene/Presets.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "core/Error.h"
 #include "makeVolume.h"
-#include "velum/core/Error.h"
 
 namespace velum::scene {
 namespace {

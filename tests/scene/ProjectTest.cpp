@@ -1,8 +1,8 @@
-#include "velum/scene/Project.h"
+#include "scene/Project.h"
 
 #include <gtest/gtest.h>
 
-#include "velum/scene/Navigate.h"
+#include "scene/Navigate.h"
 
 namespace velum::scene {
 

@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "velum/scene/Scene.h"
+#include "scene/Scene.h"
 
 /// Scenes of every kind. The files in tests/scene/v1 hold them as version 1 of the format wrote them.
 namespace velum::scene::kinds {

@@ -1,4 +1,4 @@
-#include "velum/scene/Scene.h"
+#include "scene/Scene.h"
 
 #include <gtest/gtest.h>
 

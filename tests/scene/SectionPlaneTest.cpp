@@ -1,11 +1,11 @@
-#include "velum/scene/SectionPlane.h"
+#include "scene/SectionPlane.h"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 
 #include "makeVolume.h"
-#include "velum/scene/PatientDirections.h"
+#include "scene/PatientDirections.h"
 
 namespace velum::scene {
 

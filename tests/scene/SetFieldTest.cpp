@@ -3,9 +3,10 @@
 #include <nlohmann/json.hpp>
 
 #include "ChangeFields.h"
-#include "velum/core/Error.h"
-#include "velum/scene/json/Json.h"
-#include "velum/scene/json/Paths.h"
+#include "core/Error.h"
+#include "scene/Scene.h"
+#include "scene/json/Json.h"
+#include "scene/json/Paths.h"
 
 namespace velum::scene {
 namespace {

@@ -1,9 +1,9 @@
-#include "velum/scene/SurfaceLook.h"
+#include "scene/SurfaceLook.h"
 
 #include <gtest/gtest.h>
 
 #include "makeVolume.h"
-#include "velum/scene/Presets.h"
+#include "scene/Presets.h"
 
 namespace velum::scene {
 namespace {

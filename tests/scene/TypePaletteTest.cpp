@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "makeModel.h"
-#include "velum/scene/ModelLayer.h"
+#include "scene/ModelLayer.h"
 
 namespace velum {
 namespace {

@@ -1,6 +1,8 @@
-#include "velum/scene/Units.h"
+#include "scene/Units.h"
 
 #include <gtest/gtest.h>
+
+#include "scene/Scene.h"
 
 namespace velum::scene {
 namespace {

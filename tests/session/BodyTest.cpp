@@ -1,11 +1,12 @@
-#include "velum/session/document/Body.h"
+#include "session/document/Body.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-#include "velum/core/Error.h"
+#include "core/Error.h"
+#include "scene/Scene.h"
 
 namespace velum::session {
 namespace {

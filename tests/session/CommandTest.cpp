@@ -1,5 +1,5 @@
 // The table of commands, and their lines.
-#include "velum/session/command/Command.h"
+#include "session/command/Command.h"
 
 #include <gtest/gtest.h>
 
@@ -7,14 +7,14 @@
 #include <fstream>
 #include <set>
 
-#include "velum/core/Error.h"
-#include "velum/scene/Presets.h"
-#include "velum/session/command/CutCommands.h"
-#include "velum/session/command/DocumentCommands.h"
-#include "velum/session/command/StructureCommands.h"
-#include "velum/session/cut/CutEdit.h"
-#include "velum/session/document/Document.h"
-#include "velum/session/extrusion/Extrusion.h"
+#include "core/Error.h"
+#include "scene/Presets.h"
+#include "session/command/CutCommands.h"
+#include "session/command/DocumentCommands.h"
+#include "session/command/StructureCommands.h"
+#include "session/cut/CutEdit.h"
+#include "session/document/Document.h"
+#include "session/extrusion/Extrusion.h"
 
 namespace velum::session {
 namespace {

@@ -1,4 +1,4 @@
-#include "velum/session/picture/Cryptomatte.h"
+#include "session/picture/Cryptomatte.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 
 #include "TempFolder.h"
 #include "makeModel.h"
-#include "velum/session/picture/Picture.h"
+#include "session/picture/Picture.h"
 
 namespace velum::session {
 namespace {

@@ -1,8 +1,9 @@
-#include "velum/session/cut/CutEdit.h"
+#include "session/cut/CutEdit.h"
 
 #include <gtest/gtest.h>
 
 #include "CutScene.h"
+#include "scene/Scene.h"
 #include "shared/cut.h"
 
 namespace velum::session {

@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 
 #include "CutScene.h"
-#include "velum/scene/Navigate.h"
-#include "velum/scene/Project.h"
-#include "velum/session/cut/CutTool.h"
+#include "scene/Navigate.h"
+#include "scene/Project.h"
+#include "session/cut/CutTool.h"
 
 namespace velum::session {
 

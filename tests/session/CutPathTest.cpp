@@ -1,5 +1,5 @@
 // The way through no clipping, plain clipping and what types are left of it.
-#include "velum/session/picture/CutPath.h"
+#include "session/picture/CutPath.h"
 
 #include <gtest/gtest.h>
 
@@ -9,9 +9,9 @@
 #include "CutScene.h"
 #include "makeModel.h"
 #include "makeVolume.h"
-#include "velum/render/section/KeptInstances.h"
-#include "velum/session/extrusion/Extrusion.h"
-#include "velum/session/picture/Animation.h"
+#include "render/kept/KeptInstances.h"
+#include "session/extrusion/Extrusion.h"
+#include "session/picture/Animation.h"
 
 namespace velum::session {
 
@@ -28,16 +28,16 @@ scene::Scene cutScene() {
   ball.id = 7;
   ball.shape = scene::CutShape::Sphere;
   ball.size = glm::dvec3(460.0);
-  ball.typeSpares = {{.type = "root.a", .share = 0.5},
-                     {.type = pathOf(*scene.model.data, scene.model.data->types[0]), .share = 0.2, .falloff = 60.0},
-                     {.type = "root", .share = 0.05, .viewShare = 0.3}};
+  ball.model.spares = {{.type = "root.a", .share = 0.5},
+                       {.type = pathOf(*scene.model.data, scene.model.data->types[0]), .share = 0.2, .falloff = 60.0},
+                       {.type = "root", .share = 0.05, .viewShare = 0.3}};
   scene.cuts = {ball};
   return scene;
 }
 
 /// What every cut leaves when it spares nothing.
 scene::Scene plainlyCut(scene::Scene scene) {
-  for (scene::Cut& cut : scene.cuts) cut.typeSpares.clear();
+  for (scene::Cut& cut : scene.cuts) cut.model.spares.clear();
   return scene;
 }
 
@@ -83,7 +83,7 @@ TEST(CutPath, EachInstanceGoesOnceAndComesBackOnce) {
 
 TEST(CutPath, RangesOfMassTakeNothingBeforeItsTurn) {
   scene::Scene scene = cutScene();
-  scene.cuts[0].leastMass = 1e12;  // no type is spared
+  scene.cuts[0].model.leastMass = 1e12;  // no type is spared
   EXPECT_EQ(countOf(render::keptInstances(cutPathAt(scene, 1e-12))), scene.model.data->instances.size());
   EXPECT_EQ(render::keptInstances(cutPathAt(scene, 0.8)), render::keptInstances(plainlyCut(scene)));
 }
@@ -92,7 +92,7 @@ TEST(CutPath, ACutEverywhereClearsTheViewBeforeItThinsOut) {
   scene::Scene scene = cutScene();
   scene.cuts[0].shape = scene::CutShape::Everywhere;
   const Model& model = *scene.model.data;
-  scene.cuts[0].focus.emplace().types = {{pathOf(model, model.types[1])}};
+  scene.cuts[0].model.focus.emplace().types = {{pathOf(model, model.types[1])}};
   scene.camera = scene::frameCamera(scene, scene::StandardView::Anterior, 1.0);
   auto statesAt = [&](double at) { return render::instanceStates(cutPathAt(scene, at)); };
   auto count = [](const std::vector<render::InstanceState>& states, render::InstanceState state) {
@@ -108,7 +108,7 @@ TEST(CutPath, ACutEverywhereClearsTheViewBeforeItThinsOut) {
   EXPECT_GT(count(statesAt(0.75), render::InstanceState::Removed), 100);
   EXPECT_EQ(statesAt(1.0 - 1e-12), render::instanceStates(scene));
   // Without a row for all what has none of its own goes like the rest.
-  scene.cuts[0].typeSpares.pop_back();
+  scene.cuts[0].model.spares.pop_back();
   EXPECT_EQ(statesAt(1.0 - 1e-12), render::instanceStates(scene));
   EXPECT_EQ(count(statesAt(0.5), render::InstanceState::Removed), 0);
 }
@@ -121,7 +121,7 @@ TEST(CutPath, WithoutAModelCutsComeInAndThenStructuresComeOut) {
       if (invert && shape == scene::CutShape::Cone) continue;  // never holds a box
       scene::Cut cut = tiltedCut(shape);
       cut.invert = invert;
-      cut.spares = {{3, 20.0, 1.0}, {4, scene::Spare::kEndless, 1.0}};
+      cut.spares = {{3, 20.0}, {4, scene::Spare::kEndless}};
       scene.cuts.clear();
       scene::addCut(scene, cut);
       auto takes = [&](double at, glm::dvec3 place) {

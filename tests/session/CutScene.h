@@ -1,6 +1,6 @@
 #pragma once
 #include "cutShapes.h"
-#include "velum/scene/Scene.h"
+#include "scene/Scene.h"
 
 namespace velum::session {
 

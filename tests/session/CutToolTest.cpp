@@ -1,11 +1,11 @@
-#include "velum/session/cut/CutTool.h"
+#include "session/cut/CutTool.h"
 
 #include <gtest/gtest.h>
 
 #include "cutShapes.h"
+#include "scene/Navigate.h"
+#include "scene/Project.h"
 #include "shared/cut.h"
-#include "velum/scene/Navigate.h"
-#include "velum/scene/Project.h"
 
 namespace velum::session {
 

@@ -1,4 +1,4 @@
-#include "velum/session/document/Document.h"
+#include "session/document/Document.h"
 
 #include <gtest/gtest.h>
 

@@ -1,16 +1,16 @@
 // Pulling structures out of cuts: the drag, its values, and the steps of growth that it leaves.
-#include "velum/session/extrusion/Extrusion.h"
+#include "session/extrusion/Extrusion.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
 #include "CutScene.h"
-#include "velum/scene/Project.h"
-#include "velum/session/cut/CutEdit.h"
-#include "velum/session/extrusion/MaterialRange.h"
-#include "velum/session/extrusion/Pull.h"
-#include "velum/session/growth/Growths.h"
+#include "scene/Project.h"
+#include "session/cut/CutEdit.h"
+#include "session/extrusion/MaterialRange.h"
+#include "session/extrusion/Pull.h"
+#include "session/growth/Growths.h"
 
 namespace velum::session {
 
@@ -341,7 +341,7 @@ TEST(Pull, WhereAnotherCutLiesDoesNotSayHowFarItGrowsOn) {
   ASSERT_TRUE(pull && pull->growth);
   pullTo(scene, *pull, 6.0);
   scene::Cut across = planeOf({0, -30, 0}, {1, 0, 0});
-  across.spares = {{pull->structure, 4.0, 1.0}};
+  across.spares = {{pull->structure, 4.0}};
   scene::addCut(scene, across);
   growOn(scene, pull->structure);
   EXPECT_EQ(scene.labels.growths[0].distance, 6.0);
@@ -378,9 +378,8 @@ TEST(Pull, WhatHasALabelIsPulledAsItIs) {
 TEST(Extrusion, StructuresComeOutOneAfterTheOther) {
   scene::Scene scene = boneScene();
   scene::addCut(scene, planeOf({0, 0, 5}, {0, 0, 1}));
-  scene.cuts[0].spares = {
-      {2, 7.5, 1.0}, {3, scene::Spare::kEndless, 1.0}, {5, 3.25, 0.5}, {6, 0.0, 1.0}, {7, 4.0, 0.0}};
-  scene.cuts[1].spares = {{2, 11.0, 1.0}};
+  scene.cuts[0].spares = {{2, 7.5}, {3, scene::Spare::kEndless}, {5, 3.25}, {6, 0.0}};
+  scene.cuts[1].spares = {{2, 11.0}};
   ASSERT_EQ(extrusionsOf(scene).size(), 3u);
   EXPECT_TRUE(extrusionsOf(pulledOut(scene, 0.0)).empty());
   EXPECT_EQ(pulledOut(scene, 1.0), scene);

@@ -1,5 +1,5 @@
 // Where a new membrane hangs.
-#include "velum/session/membrane/FirstPlace.h"
+#include "session/membrane/FirstPlace.h"
 
 #include <gtest/gtest.h>
 
@@ -7,10 +7,11 @@
 #include <cmath>
 
 #include "makeVolume.h"
-#include "membrane/CoarseLook.h"
-#include "velum/session/cut/CutEdit.h"
-#include "velum/session/membrane/Advice.h"
-#include "velum/session/membrane/MembraneEdit.h"
+#include "scene/Scene.h"
+#include "session/cut/CutEdit.h"
+#include "session/membrane/Advice.h"
+#include "session/membrane/CoarseLook.h"
+#include "session/membrane/MembraneEdit.h"
 
 namespace velum::session {
 namespace {

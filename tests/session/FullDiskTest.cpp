@@ -7,10 +7,10 @@
 
 #include "JournalFolder.h"
 #include "SmallDisk.h"
-#include "velum/core/Error.h"
-#include "velum/scene/json/ChangeLog.h"
-#include "velum/session/Session.h"
-#include "velum/session/document/Open.h"
+#include "core/Error.h"
+#include "scene/json/ChangeLog.h"
+#include "session/Session.h"
+#include "session/document/Open.h"
 
 namespace velum::session {
 

@@ -1,5 +1,5 @@
 // Regions that grow beside the document.
-#include "velum/session/growth/GrowthPlayer.h"
+#include "session/growth/GrowthPlayer.h"
 
 #include <gtest/gtest.h>
 
@@ -8,11 +8,11 @@
 #include <thread>
 
 #include "GrowthScene.h"
-#include "velum/extrusion/Grower.h"
-#include "velum/extrusion/LabelsFor.h"
-#include "velum/session/Session.h"
-#include "velum/session/document/Open.h"
-#include "velum/session/extrusion/Pull.h"
+#include "growth/Grower.h"
+#include "growth/LabelsFor.h"
+#include "session/Session.h"
+#include "session/document/Open.h"
+#include "session/extrusion/Pull.h"
 
 namespace velum::session {
 
@@ -211,8 +211,8 @@ TEST(GrowthPlayer, WhatLeaksIsHeldWhereTheGuardSaysHoweverManySlabsAreGrownAtATi
     const scene::Growth whole = session.scene().labels.growths.back();
     const auto& volume = session.scene().volume.data;
     Progress progress;
-    extrusion::Grown guarded = extrusion::Grower().grow(volume, extrusion::labelsFor(*volume, {}), whole,
-                                                        {.guard = true, .begun = {}}, progress);
+    growth::Grown guarded =
+        growth::Grower().grow(volume, growth::labelsFor(*volume, {}), whole, {.guard = true, .begun = {}}, progress);
     ASSERT_TRUE(guarded.leak);
     settle(session);
     auto leak = session.growth().status().leak;

@@ -1,10 +1,10 @@
-#include "velum/session/model/HandleSolver.h"
+#include "session/model/HandleSolver.h"
 
 #include <gtest/gtest.h>
 
 #include "makeModel.h"
-#include "velum/session/cut/CutEdit.h"
-#include "velum/session/model/TypesAt.h"
+#include "session/cut/CutEdit.h"
+#include "session/model/TypesAt.h"
 
 namespace velum::session {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "TempFolder.h"
-#include "velum/session/document/Journal.h"
-#include "velum/session/document/Recovery.h"
+#include "session/document/Journal.h"
+#include "session/document/Recovery.h"
 
 /// What tests of journals and of recovery share.
 namespace velum::session {

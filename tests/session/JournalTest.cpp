@@ -1,4 +1,4 @@
-#include "velum/session/document/Journal.h"
+#include "session/document/Journal.h"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -9,10 +9,10 @@
 #include <random>
 
 #include "JournalFolder.h"
-#include "velum/core/Error.h"
-#include "velum/session/document/Document.h"
-#include "velum/session/document/Folders.h"
-#include "velum/session/document/Recovery.h"
+#include "core/Error.h"
+#include "session/document/Document.h"
+#include "session/document/Folders.h"
+#include "session/document/Recovery.h"
 
 namespace velum::session {
 

@@ -4,8 +4,9 @@
 #include <algorithm>
 
 #include "makeVolume.h"
-#include "velum/render/section/KeptVoxels.h"
-#include "velum/scene/StructureAt.h"
+#include "render/kept/KeptVoxels.h"
+#include "scene/Scene.h"
+#include "scene/StructureAt.h"
 
 namespace velum::session {
 namespace {

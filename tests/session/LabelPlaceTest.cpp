@@ -1,15 +1,15 @@
-#include "velum/session/document/LabelPlace.h"
+#include "session/document/LabelPlace.h"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
 
 #include "TempFolder.h"
+#include "io/labels/WriteLabels.h"
+#include "io/volumes/WriteVolume.h"
 #include "makeVolume.h"
-#include "velum/io/labels/WriteLabels.h"
-#include "velum/io/volumes/WriteVolume.h"
-#include "velum/session/document/Open.h"
-#include "velum/session/document/WorkFile.h"
+#include "session/document/Open.h"
+#include "session/document/WorkFile.h"
 
 namespace velum::session {
 namespace {

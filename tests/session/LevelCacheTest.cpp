@@ -1,4 +1,4 @@
-#include "velum/session/model/LevelCache.h"
+#include "session/model/LevelCache.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -8,9 +8,9 @@
 
 #include "SmallDisk.h"
 #include "TempFolder.h"
-#include "velum/core/Error.h"
-#include "velum/core/ModelBuilder.h"
-#include "velum/mesoscale/Levels.h"
+#include "core/Error.h"
+#include "core/ModelBuilder.h"
+#include "model/Levels.h"
 
 namespace velum::session {
 namespace {
@@ -50,7 +50,7 @@ std::size_t filesIn(const fs::path& folder) {
 
 LevelSet computed(const Model& model) {
   Progress progress;
-  return mesoscale::computeLevels(model, progress);
+  return model::computeLevels(model, progress);
 }
 LevelSet cached(const Model& model, const fs::path& folder, std::uint64_t most = kMostLevelCacheBytes) {
   Progress progress;

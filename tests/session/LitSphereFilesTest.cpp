@@ -1,16 +1,16 @@
 // Pictures of lit spheres that users bring.
-#include "velum/session/document/LitSphereFiles.h"
+#include "session/document/LitSphereFiles.h"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
 
 #include "TempFolder.h"
-#include "velum/core/Error.h"
-#include "velum/io/images/ImageFile.h"
-#include "velum/scene/LitSpheres.h"
-#include "velum/scene/json/Json.h"
-#include "velum/session/document/Open.h"
+#include "core/Error.h"
+#include "io/images/ImageFile.h"
+#include "scene/LitSpheres.h"
+#include "scene/json/Json.h"
+#include "session/document/Open.h"
 
 namespace velum::session {
 namespace {

@@ -1,13 +1,14 @@
-#include "velum/session/model/LiveCounts.h"
+#include "session/model/LiveCounts.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "makeModel.h"
-#include "velum/render/section/KeptInstances.h"
-#include "velum/session/cut/CutEdit.h"
-#include "velum/session/model/ClipState.h"
+#include "render/kept/KeptInstances.h"
+#include "scene/Scene.h"
+#include "session/cut/CutEdit.h"
+#include "session/model/ClipState.h"
 
 namespace velum::session {
 
@@ -82,7 +83,7 @@ TEST(ClipState, IsThinnedWhereLotsDecide) {
   setTypeShare(scene.cuts[0], "root.a", 0.4);
   EXPECT_EQ(clipState(scene), ClipState::Thinned);
   setTypeShare(scene.cuts[0], "root.a", 0.0);
-  scene.cuts[0].typeSpares[0].falloff = 30.0;
+  scene.cuts[0].model.spares[0].falloff = 30.0;
   EXPECT_EQ(clipState(scene), ClipState::Thinned);
   scene.cuts[0].enabled = false;
   EXPECT_EQ(clipState(scene), ClipState::Whole);
@@ -92,7 +93,7 @@ TEST(ClipState, IsWholeExactlyWhereNothingIsRemovedWhateverARowOrACutSays) {
   scene::Scene whole = modelScene();
   scene::Cut ball = makeCut(whole, scene::CutShape::Sphere);
   ball.size = glm::dvec3(300.0);
-  ball.typeSpares = {{.type = "root"}};
+  ball.model.spares = {{.type = "root"}};
   scene::addCut(whole, ball);
   struct Change {
     const char* what;
@@ -106,15 +107,15 @@ TEST(ClipState, IsWholeExactlyWhereNothingIsRemovedWhateverARowOrACutSays) {
       {"share and falloff outside", true, [](auto&, auto& row) { row.share = 0.0, row.falloff = -60.0; }},
       {"falloff outside alone", false, [](auto&, auto& row) { row.falloff = -60.0; }},
       {"falloff inside alone", false, [](auto&, auto& row) { row.falloff = 60.0; }},
-      {"least mass", true, [](auto& cut, auto&) { cut.leastMass = 1e12; }},
-      {"most mass", true, [](auto& cut, auto&) { cut.mostMass = 1.0; }},
-      {"least copies", true, [](auto& cut, auto&) { cut.leastCopies = 1e6; }},
-      {"most copies", true, [](auto& cut, auto&) { cut.mostCopies = 3.0; }},
+      {"least mass", true, [](auto& cut, auto&) { cut.model.leastMass = 1e12; }},
+      {"most mass", true, [](auto& cut, auto&) { cut.model.mostMass = 1.0; }},
+      {"least copies", true, [](auto& cut, auto&) { cut.model.leastCopies = 1e6; }},
+      {"most copies", true, [](auto& cut, auto&) { cut.model.mostCopies = 3.0; }},
       {"a row for some alone", true, [](auto&, auto& row) { row.type = "root.a"; }},
   };
   for (const Change& change : changes) {
     scene::Scene scene = whole;
-    change.to(scene.cuts[0], scene.cuts[0].typeSpares[0]);
+    change.to(scene.cuts[0], scene.cuts[0].model.spares[0]);
     std::vector<std::uint8_t> kept = render::keptInstances(scene);
     EXPECT_EQ(std::count(kept.begin(), kept.end(), 0) > 0, change.removes) << change.what;
     EXPECT_EQ(clipState(scene) != ClipState::Whole, change.removes) << change.what;
@@ -129,7 +130,7 @@ TEST(ClipState, GoesToTheCutAndToTheWhole) {
   ASSERT_EQ(clipState(scene), ClipState::Thinned);
   showCut(scene);
   EXPECT_EQ(clipState(scene), ClipState::Cut);
-  EXPECT_EQ(scene.cuts[0].typeSpares.back().share, 0.0);
+  EXPECT_EQ(scene.cuts[0].model.spares.back().share, 0.0);
   EXPECT_EQ(findTypeSpare(scene.cuts[1], "root.a.type0")->share, 1.0);
   showWhole(scene);
   EXPECT_EQ(clipState(scene), ClipState::Whole);

@@ -6,8 +6,8 @@
 #include <filesystem>
 
 #include "TempFolder.h"
-#include "velum/session/document/Journal.h"
-#include "velum/session/document/Recovery.h"
+#include "session/document/Journal.h"
+#include "session/document/Recovery.h"
 
 namespace velum::session {
 namespace {

@@ -1,5 +1,5 @@
 // The values that a click on a phantom's bone means, and what grows by them, against the phantom's truth.
-#include "velum/session/extrusion/MaterialRange.h"
+#include "session/extrusion/MaterialRange.h"
 
 #include <gtest/gtest.h>
 
@@ -10,11 +10,11 @@
 #include <set>
 #include <string>
 
+#include "growth/Grower.h"
+#include "growth/LabelsFor.h"
+#include "io/phantoms/Sample.h"
 #include "makeVolume.h"
-#include "velum/extrusion/Grower.h"
-#include "velum/extrusion/LabelsFor.h"
-#include "velum/io/phantoms/Sample.h"
-#include "velum/scene/Presets.h"
+#include "scene/Presets.h"
 
 namespace velum::session {
 
@@ -84,8 +84,7 @@ class BoneRange : public testing::TestWithParam<Bones> {
     step.seeds = {worldOf(place)};
     step.low = range.low, step.high = range.high;
     Progress progress;
-    auto labels =
-        extrusion::Grower().grow(mScene.volume.data, extrusion::labelsFor(volume(), {}), step, {}, progress).labels;
+    auto labels = growth::Grower().grow(mScene.volume.data, growth::labelsFor(volume(), {}), step, {}, progress).labels;
     std::size_t grown = 0, both = 0;
     for (glm::ivec3 v(0); v.z < mTruth.dims().z; ++v.z)
       for (v.y = 0; v.y < mTruth.dims().y; ++v.y)

@@ -1,8 +1,9 @@
-#include "velum/session/membrane/MembraneEdit.h"
+#include "session/membrane/MembraneEdit.h"
 
 #include <gtest/gtest.h>
 
-#include "velum/membrane/forces/Kernels.h"
+#include "membrane/forces/Kernels.h"
+#include "scene/Scene.h"
 
 namespace velum::session {
 namespace {

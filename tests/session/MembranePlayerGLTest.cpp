@@ -1,10 +1,10 @@
-#include "velum/session/membrane/MembranePlayer.h"
+#include "session/membrane/MembranePlayer.h"
 
 #include "GlFixture.h"
 #include "makeVolume.h"
-#include "velum/membrane/sheet/Simulation.h"
-#include "velum/session/cut/CutEdit.h"
-#include "velum/session/membrane/DefaultField.h"
+#include "membrane/sheet/Simulation.h"
+#include "session/cut/CutEdit.h"
+#include "session/membrane/DefaultField.h"
 
 namespace velum::session {
 namespace {

@@ -3,15 +3,15 @@
 
 #include "GlFixture.h"
 #include "TempFolder.h"
+#include "io/meshes/ReadMesh.h"
+#include "io/meshes/WriteMesh.h"
+#include "io/phantoms/Sample.h"
 #include "makeVolume.h"
-#include "velum/io/meshes/ReadMesh.h"
-#include "velum/io/meshes/WriteMesh.h"
-#include "velum/io/phantoms/Sample.h"
-#include "velum/membrane/sheet/SheetIndex.h"
-#include "velum/render/section/KeptVoxels.h"
-#include "velum/session/cut/CutEdit.h"
-#include "velum/session/membrane/MembraneEdit.h"
-#include "velum/session/membrane/Membranes.h"
+#include "membrane/sheet/SheetIndex.h"
+#include "render/kept/KeptVoxels.h"
+#include "session/cut/CutEdit.h"
+#include "session/membrane/MembraneEdit.h"
+#include "session/membrane/Membranes.h"
 
 namespace velum::session {
 

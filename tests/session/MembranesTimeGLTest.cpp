@@ -4,14 +4,14 @@
 #include <functional>
 
 #include "GlFixture.h"
+#include "io/phantoms/Sample.h"
 #include "makeVolume.h"
-#include "velum/io/phantoms/Sample.h"
-#include "velum/membrane/sheet/SheetIndex.h"
-#include "velum/membrane/sheet/Simulation.h"
-#include "velum/session/cut/CutEdit.h"
-#include "velum/session/membrane/MembraneEdit.h"
-#include "velum/session/membrane/MembranePlayer.h"
-#include "velum/session/membrane/Membranes.h"
+#include "membrane/sheet/SheetIndex.h"
+#include "membrane/sheet/Simulation.h"
+#include "session/cut/CutEdit.h"
+#include "session/membrane/MembraneEdit.h"
+#include "session/membrane/MembranePlayer.h"
+#include "session/membrane/Membranes.h"
 
 namespace velum::session {
 

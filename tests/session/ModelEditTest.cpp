@@ -1,14 +1,14 @@
-#include "velum/session/model/ModelEdit.h"
+#include "session/model/ModelEdit.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
+#include "core/Units.h"
 #include "makeModel.h"
-#include "velum/core/Units.h"
-#include "velum/session/cut/CutEdit.h"
-#include "velum/session/picture/ModelPictures.h"
-#include "velum/session/section/InstanceOutlines.h"
+#include "session/cut/CutEdit.h"
+#include "session/picture/ModelPictures.h"
+#include "session/section/InstanceOutlines.h"
 
 namespace velum::session {
 
@@ -165,7 +165,7 @@ TEST(TypeSpares, TheNearestAboveHoldsUntilThereIsOneOfItsOwn) {
   scene::Cut cut;
   EXPECT_EQ(typeSpareFor(cut, "root.a.x").share, 0.0);
   setTypeShare(cut, "root", 0.5);
-  cut.typeSpares[0].falloff = 20.0;
+  cut.model.spares[0].falloff = 20.0;
   EXPECT_EQ(typeSpareFor(cut, "root.a.x").share, 0.5);
   setTypeShare(cut, "root.a", 0.25);
   EXPECT_EQ(typeSpareFor(cut, "root.a.x").share, 0.25);
@@ -173,9 +173,9 @@ TEST(TypeSpares, TheNearestAboveHoldsUntilThereIsOneOfItsOwn) {
   EXPECT_EQ(typeSpareFor(cut, "root.ab").share, 0.5) << "a path is no prefix of letters";
   removeTypeSpare(cut, "root.a");
   EXPECT_EQ(typeSpareFor(cut, "root.a.x").share, 0.5);
-  EXPECT_EQ(cut.typeSpares.size(), 1u);
+  EXPECT_EQ(cut.model.spares.size(), 1u);
   setTypeShare(cut, "root", 7.0);
-  EXPECT_EQ(cut.typeSpares[0].share, 1.0);
+  EXPECT_EQ(cut.model.spares[0].share, 1.0);
 }
 
 TEST(InstanceOutlines, AreTheCirclesOfThoseThatThePlaneMeets) {

@@ -1,4 +1,4 @@
-#include "velum/session/model/ModelExport.h"
+#include "session/model/ModelExport.h"
 
 #include <gtest/gtest.h>
 
@@ -8,11 +8,12 @@
 #include "GemmiAssembly.h"
 #include "Glb.h"
 #include "TempFolder.h"
+#include "core/Error.h"
+#include "io/models/ReadModel.h"
 #include "makeModel.h"
-#include "velum/core/Error.h"
-#include "velum/io/models/ReadModel.h"
-#include "velum/mesoscale/Levels.h"
-#include "velum/render/section/KeptInstances.h"
+#include "model/Levels.h"
+#include "render/kept/KeptInstances.h"
+#include "scene/Scene.h"
 
 namespace velum::session {
 namespace {
@@ -25,7 +26,7 @@ scene::Scene cutScene() {
   scene::Scene scene;
   scene.unit = LengthUnit::Angstrom;
   Model model = ModelMaker{.types = 5, .instances = 500}.make();
-  scene.model.levels = Shared<LevelSet>(mesoscale::computeLevels(model, progress));
+  scene.model.levels = Shared<LevelSet>(model::computeLevels(model, progress));
   scene.model.data = Shared<Model>(std::move(model));
   scene.cuts.emplace_back().shape = scene::CutShape::Plane;
   scene::TypeLook look;

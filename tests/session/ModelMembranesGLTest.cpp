@@ -2,12 +2,12 @@
 #include <random>
 
 #include "GlFixture.h"
-#include "velum/core/ModelBuilder.h"
-#include "velum/render/section/KeptInstances.h"
-#include "velum/session/cut/CutEdit.h"
-#include "velum/session/membrane/DefaultField.h"
-#include "velum/session/membrane/MembraneEdit.h"
-#include "velum/session/membrane/Membranes.h"
+#include "core/ModelBuilder.h"
+#include "render/kept/KeptInstances.h"
+#include "session/cut/CutEdit.h"
+#include "session/membrane/DefaultField.h"
+#include "session/membrane/MembraneEdit.h"
+#include "session/membrane/Membranes.h"
 
 namespace velum::session {
 

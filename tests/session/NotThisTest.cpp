@@ -13,14 +13,14 @@
 #include <string>
 
 #include "GrowthScene.h"
-#include "velum/core/Clock.h"
-#include "velum/extrusion/GrowDomain.h"
-#include "velum/extrusion/GrowRule.h"
-#include "velum/io/labels/ReadLabels.h"
-#include "velum/io/phantoms/Sample.h"
-#include "velum/session/Session.h"
-#include "velum/session/document/Open.h"
-#include "velum/session/growth/Growths.h"
+#include "core/Clock.h"
+#include "growth/GrowDomain.h"
+#include "growth/GrowRule.h"
+#include "io/labels/ReadLabels.h"
+#include "io/phantoms/Sample.h"
+#include "session/Session.h"
+#include "session/document/Open.h"
+#include "session/growth/Growths.h"
 
 namespace velum::session {
 
@@ -168,7 +168,7 @@ class NotThis : public testing::TestWithParam<Case> {
     mStep.structure = 1;
     mStep.low = one.range.x, mStep.high = one.range.y;
     if (one.plane.x != 0.0) setPlane(volume, one.plane);
-    extrusion::GrowDomain domain(volume, mStep.centre, mStep.axis, mStep.distance);
+    growth::GrowDomain domain(volume, mStep.centre, mStep.axis, mStep.distance);
     for (glm::ivec3 v(0); v.z < volume.dims.z; ++v.z)
       for (v.y = 0; v.y < volume.dims.y; ++v.y)
         for (v.x = 0; v.x < volume.dims.x; ++v.x)

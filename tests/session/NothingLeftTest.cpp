@@ -1,9 +1,10 @@
-#include "velum/session/cut/NothingLeft.h"
+#include "session/cut/NothingLeft.h"
 
 #include <gtest/gtest.h>
 
 #include "makeModel.h"
 #include "makeVolume.h"
+#include "scene/Scene.h"
 
 namespace velum::session {
 namespace {
@@ -104,7 +105,7 @@ TEST(NothingLeft, InstancesAndLabelsAloneCount) {
   EXPECT_FALSE(takesAll(with(scene, plane(0))));
   EXPECT_TRUE(takesAll(with(scene, plane(-2000))));
   scene::Cut sparing = plane(-2000);
-  sparing.typeSpares = {{"root", 0.5}};
+  sparing.model.spares = {{"root", 0.5}};
   EXPECT_FALSE(takesAll(with(scene, sparing)));
   scene::Scene labels;
   labels.labels.data = Shared<LabelVolume>(makeLabels(

@@ -6,8 +6,8 @@
 #include <thread>
 
 #include "GrowthScene.h"
-#include "velum/session/Session.h"
-#include "velum/session/extrusion/Pull.h"
+#include "session/Session.h"
+#include "session/extrusion/Pull.h"
 
 namespace velum::session {
 

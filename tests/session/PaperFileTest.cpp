@@ -1,17 +1,17 @@
 // A picture of paper that a user brings.
-#include "velum/session/document/PaperFile.h"
+#include "session/document/PaperFile.h"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
 
 #include "TempFolder.h"
-#include "velum/core/Error.h"
-#include "velum/io/images/ImageFile.h"
-#include "velum/scene/Finishes.h"
-#include "velum/scene/LitSpheres.h"
-#include "velum/scene/json/Json.h"
-#include "velum/session/document/Open.h"
+#include "core/Error.h"
+#include "io/images/ImageFile.h"
+#include "scene/Finishes.h"
+#include "scene/LitSpheres.h"
+#include "scene/json/Json.h"
+#include "session/document/Open.h"
 
 namespace velum::session {
 namespace {

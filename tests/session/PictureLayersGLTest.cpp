@@ -8,16 +8,16 @@
 
 #include "GlFixture.h"
 #include "TempFolder.h"
+#include "core/Mesh.h"
+#include "io/images/ImageFile.h"
+#include "io/phantoms/Sample.h"
 #include "makeModel.h"
-#include "velum/core/Mesh.h"
-#include "velum/io/images/ImageFile.h"
-#include "velum/io/phantoms/Sample.h"
-#include "velum/scene/Navigate.h"
-#include "velum/scene/Presets.h"
-#include "velum/session/cut/CutEdit.h"
-#include "velum/session/membrane/MembraneEdit.h"
-#include "velum/session/membrane/Membranes.h"
-#include "velum/session/picture/Picture.h"
+#include "scene/Navigate.h"
+#include "scene/Presets.h"
+#include "session/cut/CutEdit.h"
+#include "session/membrane/MembraneEdit.h"
+#include "session/membrane/Membranes.h"
+#include "session/picture/Picture.h"
 
 namespace velum::session {
 

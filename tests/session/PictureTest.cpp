@@ -1,12 +1,12 @@
-#include "velum/session/picture/Picture.h"
+#include "session/picture/Picture.h"
 
 #include <gtest/gtest.h>
 
 #include "TempFolder.h"
+#include "core/Error.h"
+#include "io/images/ImageFile.h"
 #include "makeVolume.h"
-#include "velum/core/Error.h"
-#include "velum/io/images/ImageFile.h"
-#include "velum/session/document/Open.h"
+#include "session/document/Open.h"
 
 namespace velum::session {
 namespace {

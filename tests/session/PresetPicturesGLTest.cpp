@@ -1,10 +1,11 @@
-#include "velum/session/picture/PresetPictures.h"
+#include "session/picture/PresetPictures.h"
 
 #include <gtest/gtest.h>
 
 #include <map>
 
 #include "makeVolume.h"
+#include "scene/Scene.h"
 
 namespace velum::session {
 namespace {

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <optional>
 
-#include "velum/io/phantoms/Sample.h"
-#include "velum/membrane/forces/Kernels.h"
-#include "velum/session/membrane/MembraneEdit.h"
+#include "io/phantoms/Sample.h"
+#include "membrane/forces/Kernels.h"
+#include "scene/Scene.h"
+#include "session/membrane/MembraneEdit.h"
 
 namespace velum::session {
 namespace {

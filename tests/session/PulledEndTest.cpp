@@ -1,13 +1,13 @@
 // How far structures can stand out of cuts.
-#include "velum/session/extrusion/PulledEnd.h"
+#include "session/extrusion/PulledEnd.h"
 
 #include <gtest/gtest.h>
 
 #include "GrowthScene.h"
 #include "makeVolume.h"
-#include "velum/session/extrusion/Extrusion.h"
-#include "velum/session/extrusion/Pull.h"
-#include "velum/session/growth/Growths.h"
+#include "session/extrusion/Extrusion.h"
+#include "session/extrusion/Pull.h"
+#include "session/growth/Growths.h"
 
 namespace velum::session {
 namespace {

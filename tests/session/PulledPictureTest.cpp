@@ -1,12 +1,12 @@
 // What is laid over the picture that stands while a hand pulls, against rays through the labels.
-#include "velum/session/extrusion/PulledPicture.h"
+#include "session/extrusion/PulledPicture.h"
 
 #include <gtest/gtest.h>
 
 #include "makeVolume.h"
-#include "velum/scene/Project.h"
-#include "velum/session/cut/CutEdit.h"
-#include "velum/session/extrusion/Extrusion.h"
+#include "scene/Project.h"
+#include "session/cut/CutEdit.h"
+#include "session/extrusion/Extrusion.h"
 
 namespace velum::session {
 namespace {

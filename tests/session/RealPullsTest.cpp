@@ -12,10 +12,10 @@
 #include <string>
 #include <thread>
 
-#include "velum/session/Session.h"
-#include "velum/session/document/Open.h"
-#include "velum/session/extrusion/MaterialRange.h"
-#include "velum/session/extrusion/Pull.h"
+#include "session/Session.h"
+#include "session/document/Open.h"
+#include "session/extrusion/MaterialRange.h"
+#include "session/extrusion/Pull.h"
 
 namespace velum::session {
 

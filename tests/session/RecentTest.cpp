@@ -1,4 +1,4 @@
-#include "velum/session/document/Recent.h"
+#include "session/document/Recent.h"
 
 #include <gtest/gtest.h>
 

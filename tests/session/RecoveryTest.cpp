@@ -1,4 +1,4 @@
-#include "velum/session/document/Recovery.h"
+#include "session/document/Recovery.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -8,7 +8,7 @@
 #include <functional>
 
 #include "JournalFolder.h"
-#include "velum/core/Error.h"
+#include "core/Error.h"
 
 namespace velum::session {
 

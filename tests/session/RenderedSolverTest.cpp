@@ -1,16 +1,16 @@
-#include "velum/session/model/RenderedSolver.h"
+#include "session/model/RenderedSolver.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "core/Error.h"
 #include "makeModel.h"
-#include "model/Dial.h"
-#include "velum/core/Error.h"
-#include "velum/render/section/KeptInstances.h"
-#include "velum/session/cut/CutEdit.h"
-#include "velum/session/cut/ShapeTraits.h"
-#include "velum/session/model/TypesAt.h"
+#include "render/kept/KeptInstances.h"
+#include "session/cut/CutEdit.h"
+#include "session/cut/ShapeTraits.h"
+#include "session/model/Dial.h"
+#include "session/model/TypesAt.h"
 
 namespace velum::session {
 
@@ -50,11 +50,11 @@ scene::Cut randomCut(Random& random, const Model& model, int id) {
   cut.size = glm::dvec3(in(random, 150, 450));
   cut.invert = cut.shape != scene::CutShape::Everywhere && oneOf(random, 3);
   cut.joined = oneOf(random, 3);
-  cut.wholeInstances = oneOf(random, 3);
+  cut.model.wholeInstances = oneOf(random, 3);
   for (const MoleculeType& type : model.types)
-    if (oneOf(random, 2)) cut.typeSpares.push_back(randomSpare(random, pathOf(model, type)));
+    if (oneOf(random, 2)) cut.model.spares.push_back(randomSpare(random, pathOf(model, type)));
   for (std::uint32_t i = 0; i < model.compartments.size(); ++i)
-    if (oneOf(random, 2)) cut.typeSpares.push_back(randomSpare(random, compartmentPath(model, i)));
+    if (oneOf(random, 2)) cut.model.spares.push_back(randomSpare(random, compartmentPath(model, i)));
   return cut;
 }
 
@@ -129,8 +129,8 @@ TEST(RenderedSolver, EveryNumberInTheRangeIsDrawnExactly) {
 TEST(RenderedSolver, EveryNumberOfThoseThatHideAViewIsDrawnExactly) {
   scene::Scene scene = ballScene({.types = 3, .atoms = 8, .instances = 900});
   scene.cuts[0].shape = scene::CutShape::Everywhere;
-  scene.cuts[0].typeSpares = {{.type = "root"}};
-  scene.cuts[0].focus.emplace().types = {{"root.a.type0"}};
+  scene.cuts[0].model.spares = {{.type = "root"}};
+  scene.cuts[0].model.focus.emplace().types = {{"root.a.type0"}};
   scene.camera.target = {0, 0, 0};
   RenderedSolver solver(scene, {7}, "type1", {}, render::kUsualAspect, DialField::ViewShare);
   CountRange range = solver.range();
@@ -146,7 +146,8 @@ TEST(RenderedSolver, EveryNumberOfThoseThatHideAViewIsDrawnExactly) {
 TEST(RenderedSolver, LeavesOtherTypesAndAllElseOfTheRowInForce) {
   scene::Scene scene = ballScene();
   const Model& model = *scene.model.data;
-  scene.cuts[0].typeSpares.push_back({.type = "root.a", .share = 0.3, .falloff = 60.0, .amount = 0.4, .exponent = 2.0});
+  scene.cuts[0].model.spares.push_back(
+      {.type = "root.a", .share = 0.3, .falloff = 60.0, .amount = 0.4, .exponent = 2.0});
   std::vector<std::uint64_t> before = countsOf(scene);
   std::string path = pathOf(model, model.types[0]);
   scene::Scene after = solveRendered(scene, {7}, path, double(before[0] + 10)).scene;
@@ -154,10 +155,10 @@ TEST(RenderedSolver, LeavesOtherTypesAndAllElseOfTheRowInForce) {
   EXPECT_EQ(counts[0], before[0] + 10);
   counts[0] = before[0];
   EXPECT_EQ(counts, before);
-  scene::TypeSpare row = *findTypeSpare(after.cuts[0], path), expected = scene.cuts[0].typeSpares[0];
+  scene::TypeSpare row = *findTypeSpare(after.cuts[0], path), expected = scene.cuts[0].model.spares[0];
   expected.type = path, expected.share = row.share;
   EXPECT_EQ(row, expected);
-  after.cuts[0].typeSpares.pop_back();
+  after.cuts[0].model.spares.pop_back();
   EXPECT_EQ(after, scene);
 }
 
@@ -218,7 +219,7 @@ TEST(RenderedSolver, DrawsNothingOfWhatIsNotShown) {
 
 TEST(RenderedSolver, TypesThatACutLeavesOutByTheirNumberFollowNoShare) {
   scene::Scene scene = ballScene();
-  scene.cuts[0].leastCopies = 1000.0;
+  scene.cuts[0].model.leastCopies = 1000.0;
   CountRange range = RenderedSolver(scene, {7}, "type2").range();
   EXPECT_EQ(range.least, range.most);
 }

@@ -1,13 +1,13 @@
-#include "velum/session/cut/SectionCutTool.h"
+#include "session/cut/SectionCutTool.h"
 
 #include <gtest/gtest.h>
 
 #include "CutScene.h"
-#include "cut/SectionContour.h"
+#include "membrane/sheet/SheetIndex.h"
+#include "session/cut/SectionContour.h"
+#include "session/cut/ShapeTraits.h"
 #include "shared/cut.h"
 #include "sheetShapes.h"
-#include "velum/membrane/sheet/SheetIndex.h"
-#include "velum/session/cut/ShapeTraits.h"
 
 namespace velum::session {
 

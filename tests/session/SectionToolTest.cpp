@@ -1,4 +1,4 @@
-#include "velum/session/section/SectionTool.h"
+#include "session/section/SectionTool.h"
 
 #include <gtest/gtest.h>
 

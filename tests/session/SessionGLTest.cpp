@@ -1,15 +1,15 @@
 // What both programs drive, without a window: open, edit, let sheets settle, save, open again.
-#include "velum/session/Session.h"
+#include "session/Session.h"
 
 #include "GlFixture.h"
 #include "TempFolder.h"
-#include "velum/io/phantoms/Sample.h"
-#include "velum/io/volumes/WriteVolume.h"
-#include "velum/membrane/sheet/SheetIndex.h"
-#include "velum/render/Renderer.h"
-#include "velum/session/cut/CutEdit.h"
-#include "velum/session/membrane/DefaultField.h"
-#include "velum/session/membrane/Membranes.h"
+#include "io/phantoms/Sample.h"
+#include "io/volumes/WriteVolume.h"
+#include "membrane/sheet/SheetIndex.h"
+#include "render/Renderer.h"
+#include "session/cut/CutEdit.h"
+#include "session/membrane/DefaultField.h"
+#include "session/membrane/Membranes.h"
 
 namespace velum::session {
 namespace {

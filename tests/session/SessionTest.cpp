@@ -1,4 +1,4 @@
-#include "velum/session/Session.h"
+#include "session/Session.h"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@
 #include <thread>
 
 #include "TempFolder.h"
+#include "core/Error.h"
 #include "makeVolume.h"
-#include "velum/core/Error.h"
-#include "velum/session/document/Open.h"
+#include "session/document/Open.h"
 
 namespace velum::session {
 namespace {

@@ -1,15 +1,15 @@
 // Fields set by their paths, with all that follows: whoever sets them.
-#include "velum/session/document/SetFields.h"
+#include "session/document/SetFields.h"
 
 #include <gtest/gtest.h>
 
 #include "TempFolder.h"
-#include "velum/core/Error.h"
-#include "velum/io/images/ImageFile.h"
-#include "velum/io/labels/WriteLabels.h"
-#include "velum/io/phantoms/Sample.h"
-#include "velum/io/volumes/WriteVolume.h"
-#include "velum/session/document/Open.h"
+#include "core/Error.h"
+#include "io/images/ImageFile.h"
+#include "io/labels/WriteLabels.h"
+#include "io/phantoms/Sample.h"
+#include "io/volumes/WriteVolume.h"
+#include "session/document/Open.h"
 
 namespace velum::session {
 namespace {

@@ -3,13 +3,13 @@
 #include <random>
 
 #include "GlFixture.h"
+#include "io/phantoms/Sample.h"
 #include "makeVolume.h"
-#include "velum/io/phantoms/Sample.h"
-#include "velum/membrane/forces/Kernels.h"
-#include "velum/membrane/sheet/Simulation.h"
-#include "velum/session/cut/CutEdit.h"
-#include "velum/session/membrane/MembraneEdit.h"
-#include "velum/session/membrane/Membranes.h"
+#include "membrane/forces/Kernels.h"
+#include "membrane/sheet/Simulation.h"
+#include "session/cut/CutEdit.h"
+#include "session/membrane/MembraneEdit.h"
+#include "session/membrane/Membranes.h"
 
 namespace velum::session {
 

@@ -1,9 +1,9 @@
 // What hands put on a membrane: pins hold it, kernels push and pull it, by either rule.
 #include "GlFixture.h"
 #include "makeVolume.h"
-#include "velum/membrane/sheet/Simulation.h"
-#include "velum/session/membrane/MembraneEdit.h"
-#include "velum/session/membrane/Membranes.h"
+#include "membrane/sheet/Simulation.h"
+#include "session/membrane/MembraneEdit.h"
+#include "session/membrane/Membranes.h"
 
 namespace velum::session {
 namespace {

@@ -1,11 +1,11 @@
 // Pins and kernels under the pointer: where they are set, what a drag makes of them.
-#include "velum/session/membrane/SheetHands.h"
+#include "session/membrane/SheetHands.h"
 
 #include <gtest/gtest.h>
 
 #include "CutScene.h"
+#include "session/cut/CutEdit.h"
 #include "sheetShapes.h"
-#include "velum/session/cut/CutEdit.h"
 
 namespace velum::session {
 

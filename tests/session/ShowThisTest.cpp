@@ -1,10 +1,10 @@
-#include "velum/session/look/ShowThis.h"
+#include "session/look/ShowThis.h"
 
 #include <gtest/gtest.h>
 
 #include "makeVolume.h"
-#include "velum/scene/Presets.h"
-#include "velum/session/picture/PresetPictures.h"
+#include "scene/Presets.h"
+#include "session/picture/PresetPictures.h"
 
 namespace velum::session {
 namespace {

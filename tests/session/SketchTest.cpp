@@ -1,5 +1,5 @@
 // Sketch to PFTF: what lies under strokes, and the curve that is fitted to it.
-#include "velum/session/membrane/Sketch.h"
+#include "session/membrane/Sketch.h"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,10 @@
 #include <limits>
 
 #include "makeVolume.h"
-#include "velum/membrane/forces/Kernels.h"
-#include "velum/session/membrane/MembraneEdit.h"
-#include "velum/session/membrane/StrokeSamples.h"
+#include "membrane/forces/Kernels.h"
+#include "scene/Scene.h"
+#include "session/membrane/MembraneEdit.h"
+#include "session/membrane/StrokeSamples.h"
 
 namespace velum::session {
 namespace {

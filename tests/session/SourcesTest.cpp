@@ -1,14 +1,14 @@
-#include "velum/session/document/Sources.h"
+#include "session/document/Sources.h"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
 
 #include "TempFolder.h"
-#include "velum/core/Error.h"
-#include "velum/io/phantoms/Sample.h"
-#include "velum/io/volumes/WriteVolume.h"
-#include "velum/session/document/Open.h"
+#include "core/Error.h"
+#include "io/phantoms/Sample.h"
+#include "io/volumes/WriteVolume.h"
+#include "session/document/Open.h"
 
 namespace velum::session {
 

@@ -9,10 +9,10 @@
 
 #include "RenderFixture.h"
 #include "TempFolder.h"
-#include "velum/scene/Finishes.h"
-#include "velum/scene/VisibleFrame.h"
-#include "velum/session/document/Open.h"
-#include "velum/session/picture/Picture.h"
+#include "scene/Finishes.h"
+#include "scene/VisibleFrame.h"
+#include "session/document/Open.h"
+#include "session/picture/Picture.h"
 
 namespace velum::session {
 namespace {

@@ -5,10 +5,10 @@
 #include "GlFixture.h"
 #include "makeModel.h"
 #include "makeVolume.h"
-#include "velum/render/Renderer.h"
-#include "velum/session/extrusion/AreaSolver.h"
-#include "velum/session/model/PictureCounter.h"
-#include "velum/session/structure/StructureAreas.h"
+#include "render/Renderer.h"
+#include "session/extrusion/AreaSolver.h"
+#include "session/model/PictureCounter.h"
+#include "session/structure/StructureAreas.h"
 
 namespace velum::session {
 

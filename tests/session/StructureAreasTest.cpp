@@ -1,5 +1,5 @@
 // Bars of structures: what rays meet of them, what cuts leave of it, and how far one must be pulled out for an area.
-#include "velum/session/structure/StructureAreas.h"
+#include "session/structure/StructureAreas.h"
 
 #include <gtest/gtest.h>
 
@@ -7,12 +7,12 @@
 #include <map>
 #include <random>
 
+#include "core/Error.h"
 #include "makeVolume.h"
-#include "velum/core/Error.h"
-#include "velum/scene/Project.h"
-#include "velum/scene/StructureAt.h"
-#include "velum/session/extrusion/AreaSolver.h"
-#include "velum/session/extrusion/Extrusion.h"
+#include "scene/Project.h"
+#include "scene/StructureAt.h"
+#include "session/extrusion/AreaSolver.h"
+#include "session/extrusion/Extrusion.h"
 
 namespace velum::session {
 
@@ -314,10 +314,10 @@ TEST(AreaSolver, ChangesNothingButTheStructureInItsCuts) {
   ball.shape = scene::CutShape::Sphere;
   ball.centre = scene.camera.target;
   ball.size = glm::dvec3(1000.0);
-  ball.spares = {{structure, 3.0, 1.0}, {90, 4.0, 1.0}};
+  ball.spares = {{structure, 3.0}, {90, 4.0}};
   scene.cuts = {ball, ball};
   scene.cuts[1].id = 2;
-  scene.cuts[1].spares = {{structure, scene::Spare::kEndless, 1.0}};
+  scene.cuts[1].spares = {{structure, scene::Spare::kEndless}};
   AreaSolver solver(scene, {1}, structure, hitsOf(scene, {1}));
   ASSERT_GT(solver.range().most, solver.range().least);
   SolvedArea solved = solver.solve(0.5 * double(solver.range().least + solver.range().most));

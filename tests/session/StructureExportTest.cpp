@@ -1,4 +1,4 @@
-#include "velum/session/structure/StructureExport.h"
+#include "session/structure/StructureExport.h"
 
 #include <gtest/gtest.h>
 
@@ -7,12 +7,13 @@
 
 #include "SmallDisk.h"
 #include "TempFolder.h"
+#include "core/Error.h"
+#include "io/labels/ReadLabels.h"
+#include "io/meshes/ReadMesh.h"
 #include "makeVolume.h"
-#include "velum/core/Error.h"
-#include "velum/io/labels/ReadLabels.h"
-#include "velum/io/meshes/ReadMesh.h"
-#include "velum/session/structure/StructureSizes.h"
-#include "velum/session/structure/StructureSurface.h"
+#include "scene/Scene.h"
+#include "session/structure/StructureSizes.h"
+#include "session/structure/StructureSurface.h"
 
 namespace velum::session {
 namespace {

@@ -1,14 +1,14 @@
 // Shapes of structures that are smoothed, from the file through the scene and back.
-#include "velum/session/document/StructureShapes.h"
+#include "session/document/StructureShapes.h"
 
 #include <gtest/gtest.h>
 
 #include "TempFolder.h"
-#include "velum/io/labels/WriteLabels.h"
-#include "velum/io/volumes/WriteVolume.h"
-#include "velum/session/document/Open.h"
-#include "velum/session/growth/Growths.h"
-#include "velum/session/structure/StructureEdit.h"
+#include "io/labels/WriteLabels.h"
+#include "io/volumes/WriteVolume.h"
+#include "session/document/Open.h"
+#include "session/growth/Growths.h"
+#include "session/structure/StructureEdit.h"
 
 namespace velum::session {
 namespace {

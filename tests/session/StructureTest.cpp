@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
 
-#include "velum/core/Error.h"
-#include "velum/scene/Project.h"
-#include "velum/session/document/Document.h"
-#include "velum/session/structure/StructureEdit.h"
-#include "velum/session/structure/StructureSizes.h"
+#include "core/Error.h"
+#include "scene/Project.h"
+#include "session/document/Document.h"
+#include "session/structure/StructureEdit.h"
+#include "session/structure/StructureSizes.h"
 
 namespace velum::session {
 

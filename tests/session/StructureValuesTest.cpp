@@ -1,12 +1,12 @@
-#include "velum/session/structure/StructureValues.h"
+#include "session/structure/StructureValues.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
+#include "core/Error.h"
 #include "makeVolume.h"
-#include "velum/core/Error.h"
 
 namespace velum::session {
 namespace {

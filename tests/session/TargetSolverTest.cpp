@@ -1,15 +1,15 @@
-#include "velum/session/model/TargetSolver.h"
+#include "session/model/TargetSolver.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <map>
 
+#include "core/Error.h"
 #include "makeModel.h"
-#include "velum/core/Error.h"
-#include "velum/session/cut/CutEdit.h"
-#include "velum/session/model/TypesAt.h"
-#include "velum/session/model/WhatHides.h"
+#include "session/cut/CutEdit.h"
+#include "session/model/TypesAt.h"
+#include "session/model/WhatHides.h"
 
 namespace velum::session {
 
@@ -189,7 +189,7 @@ TEST(VisibleSolver, NamesThatBeginAlikeAreTwoTypes) {
   EXPECT_FALSE(isCleared(1));
   EXPECT_TRUE(isCleared(11));
   EXPECT_TRUE(isCleared(3));
-  scene.cuts[0].focus->types = {{"root.b"}};
+  scene.cuts[0].model.focus->types = {{"root.b"}};
   EXPECT_FALSE(isCleared(11)) << "what hangs in a compartment is meant with it";
 }
 

@@ -1,11 +1,12 @@
-#include "velum/session/look/TransferTool.h"
+#include "session/look/TransferTool.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "makeVolume.h"
-#include "velum/session/look/ValueHistogram.h"
+#include "scene/Scene.h"
+#include "session/look/ValueHistogram.h"
 
 namespace velum::session {
 namespace {

@@ -1,8 +1,9 @@
-#include "velum/session/section/TypedWindow.h"
+#include "session/section/TypedWindow.h"
 
 #include <gtest/gtest.h>
 
 #include "makeVolume.h"
+#include "scene/Scene.h"
 
 namespace velum::session {
 namespace {

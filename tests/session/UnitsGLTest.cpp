@@ -3,11 +3,11 @@
 
 #include "RenderFixture.h"
 #include "cutShapes.h"
-#include "velum/io/phantoms/Sample.h"
-#include "velum/scene/Units.h"
-#include "velum/session/cut/CutEdit.h"
-#include "velum/session/membrane/DefaultField.h"
-#include "velum/session/membrane/Membranes.h"
+#include "io/phantoms/Sample.h"
+#include "scene/Units.h"
+#include "session/cut/CutEdit.h"
+#include "session/membrane/DefaultField.h"
+#include "session/membrane/Membranes.h"
 
 namespace velum::session {
 namespace {

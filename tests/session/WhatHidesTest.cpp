@@ -1,16 +1,17 @@
-#include "velum/session/model/WhatHides.h"
+#include "session/model/WhatHides.h"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
+#include "core/Error.h"
 #include "makeModel.h"
-#include "velum/core/Error.h"
-#include "velum/render/section/KeptInstances.h"
-#include "velum/scene/Navigate.h"
-#include "velum/session/cut/CutEdit.h"
-#include "velum/session/model/CountFiles.h"
-#include "velum/session/model/ModelEdit.h"
+#include "render/kept/KeptInstances.h"
+#include "scene/Navigate.h"
+#include "scene/Scene.h"
+#include "session/cut/CutEdit.h"
+#include "session/model/CountFiles.h"
+#include "session/model/ModelEdit.h"
 
 namespace velum::session {
 
@@ -125,11 +126,11 @@ TEST(ClearTheWay, AddsOneCutThatRemovesNothingElse) {
   EXPECT_EQ(clearTheWay(scene, "type1"), id);
   ASSERT_EQ(scene.cuts.size(), 1u);
   EXPECT_EQ(scene.cuts[0].shape, scene::CutShape::Everywhere);
-  ASSERT_EQ(scene.cuts[0].focus->types.size(), 2u);
-  EXPECT_EQ(scene.cuts[0].focus->types[0].type, "root.b.type1");
-  ASSERT_EQ(scene.cuts[0].typeSpares.size(), 1u);
-  EXPECT_EQ(scene.cuts[0].typeSpares[0].type, "root");
-  EXPECT_EQ(scene.cuts[0].typeSpares[0].share, 1.0);
+  ASSERT_EQ(scene.cuts[0].model.focus->types.size(), 2u);
+  EXPECT_EQ(scene.cuts[0].model.focus->types[0].type, "root.b.type1");
+  ASSERT_EQ(scene.cuts[0].model.spares.size(), 1u);
+  EXPECT_EQ(scene.cuts[0].model.spares[0].type, "root");
+  EXPECT_EQ(scene.cuts[0].model.spares[0].share, 1.0);
 }
 
 TEST(ClearTheWay, EndsWithTheCutWhereThatDidNothingElse) {
@@ -150,15 +151,15 @@ TEST(ClearTheWay, EndsWithTheCutWhereThatDidNothingElse) {
   setTypeShare(thinned.cuts.back(), "root.a", 0.5);
   endKeepInView(thinned, "root.a.type2");
   ASSERT_EQ(thinned.cuts.size(), 2u);
-  EXPECT_FALSE(thinned.cuts.back().focus);
+  EXPECT_FALSE(thinned.cuts.back().model.focus);
   // A cut with a shape cuts without a focus, too.
-  scene.cuts[0].focus.emplace().types = {{"root.b"}};
+  scene.cuts[0].model.focus.emplace().types = {{"root.b"}};
   EXPECT_TRUE(isKeptInView(scene, "root.b"));
   scene.cuts[0].enabled = false;
   EXPECT_FALSE(isKeptInView(scene, "root.b")) << "a cut that is off keeps nothing";
   endKeepInView(scene, "root.b");
   ASSERT_EQ(scene.cuts.size(), 1u);
-  EXPECT_FALSE(scene.cuts[0].focus);
+  EXPECT_FALSE(scene.cuts[0].model.focus);
 }
 
 TEST(CountFiles, RowsAreTheTreeAndCompartmentsTheSumsOfIt) {

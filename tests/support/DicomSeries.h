@@ -9,7 +9,7 @@
 #include <string>
 
 #include "DicomParts.h"
-#include "velum/core/Volume.h"
+#include "core/Volume.h"
 
 namespace velum {
 

@@ -8,10 +8,10 @@
 #include <thread>
 #include <vector>
 
-#include "kit/Job.h"
-#include "velum/core/Parallel.h"
-#include "velum/scene/Presets.h"
-#include "window/MainWindow.h"
+#include "core/Parallel.h"
+#include "gui/service/Job.h"
+#include "gui/window/MainWindow.h"
+#include "scene/Presets.h"
 
 /// How soon section views answer the hand: for a test with generous bounds, and for the bench's figures.
 namespace velum::gui {

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "velum/gpu/Context.h"
+#include "gpu/Context.h"
 
 namespace velum {
 

@@ -7,7 +7,7 @@
 
 #include "SourceFolder.h"
 #include "TempFolder.h"
-#include "velum/gpu/Program.h"
+#include "gpu/Program.h"
 
 namespace velum {
 

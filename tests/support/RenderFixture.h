@@ -6,7 +6,7 @@
 
 #include "GlFixture.h"
 #include "makeVolume.h"
-#include "velum/render/RenderPicture.h"
+#include "render/RenderPicture.h"
 
 namespace velum {
 

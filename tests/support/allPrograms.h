@@ -2,17 +2,17 @@
 #include <string>
 #include <vector>
 
-#include "velum/gpu/Program.h"
-#include "velum/membrane/sheet/Programs.h"
-#include "velum/mesoscale/Programs.h"
-#include "velum/render/Programs.h"
+#include "gpu/Program.h"
+#include "membrane/sheet/Programs.h"
+#include "model/Programs.h"
+#include "render/Programs.h"
 
 namespace velum {
 
 /// Every program that the programs and benchmarks can ask for, as those who ask say.
 inline std::vector<gpu::ProgramSource> allPrograms() {
   std::vector<gpu::ProgramSource> all = render::allPrograms();
-  for (const auto& more : {membrane::allPrograms(), mesoscale::allPrograms()})
+  for (const auto& more : {membrane::allPrograms(), model::allPrograms()})
     all.insert(all.end(), more.begin(), more.end());
   all.push_back({{"bench/trilinear.comp"}, {}});
   return all;

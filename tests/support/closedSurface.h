@@ -6,7 +6,7 @@
 #include <limits>
 #include <map>
 
-#include "velum/core/Mesh.h"
+#include "core/Mesh.h"
 
 /// What can be asked of closed surfaces, by going through all triangles.
 namespace velum {

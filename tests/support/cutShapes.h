@@ -2,7 +2,7 @@
 #include <iterator>
 #include <vector>
 
-#include "velum/scene/Cut.h"
+#include "scene/Cut.h"
 
 namespace velum {
 

@@ -9,8 +9,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "velum/core/Clock.h"
-#include "velum/core/Volume.h"
+#include "core/Clock.h"
+#include "core/Volume.h"
 
 namespace velum {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "velum/core/ModelBuilder.h"
+#include "core/ModelBuilder.h"
 
 namespace velum {
 

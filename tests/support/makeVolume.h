@@ -4,8 +4,8 @@
 #include <glm/glm.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "velum/core/LabelVolume.h"
-#include "velum/core/Volume.h"
+#include "core/LabelVolume.h"
+#include "core/Volume.h"
 
 /// Small volumes made by a function, for tests.
 namespace velum {

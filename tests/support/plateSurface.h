@@ -1,5 +1,5 @@
 #pragma once
-#include "velum/scene/Scene.h"
+#include "scene/Scene.h"
 
 namespace velum {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "velum/scene/SheetShape.h"
+#include "scene/SheetShape.h"
 
 /// Sheets made by a formula, for tests.
 namespace velum {

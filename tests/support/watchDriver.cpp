@@ -1,7 +1,7 @@
 // A case in which a driver reports an error, or what is undefined, fails, in whichever context and thread.
 #include <gtest/gtest.h>
 
-#include "velum/gpu/Context.h"
+#include "gpu/Context.h"
 
 namespace velum {
 namespace {

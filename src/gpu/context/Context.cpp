@@ -1,4 +1,4 @@
-#include "velum/gpu/Context.h"
+#include "gpu/Context.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -7,10 +7,10 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "Gl.h"
-#include "velum/core/Assert.h"
-#include "velum/core/Log.h"
-#include "velum/gpu/GpuError.h"
+#include "core/Assert.h"
+#include "core/Log.h"
+#include "gpu/Gl.h"
+#include "gpu/GpuError.h"
 
 namespace velum::gpu {
 

@@ -5,8 +5,8 @@
 
 #include <vector>
 
-#include "velum/gpu/Context.h"
-#include "velum/gpu/GpuError.h"
+#include "gpu/Context.h"
+#include "gpu/GpuError.h"
 
 namespace velum::gpu {
 

@@ -1,17 +1,17 @@
-#include "CutForm.h"
+#include "gui/cut/CutForm.h"
 
 #include <QHBoxLayout>
 #include <QSignalBlocker>
 #include <algorithm>
 #include <memory>
 
-#include "kit/FieldRow.h"
-#include "kit/Length.h"
-#include "kit/SelectedCut.h"
-#include "velum/session/cut/CutEdit.h"
-#include "velum/session/cut/ShapeTraits.h"
-#include "velum/session/extrusion/Pull.h"
-#include "velum/session/membrane/FirstPlace.h"
+#include "gui/kit/Length.h"
+#include "gui/rows/FieldRow.h"
+#include "gui/service/SelectedCut.h"
+#include "session/cut/CutEdit.h"
+#include "session/cut/ShapeTraits.h"
+#include "session/extrusion/Pull.h"
+#include "session/membrane/FirstPlace.h"
 
 namespace velum::gui {
 

@@ -7,10 +7,10 @@
 #include <functional>
 #include <vector>
 
-#include "kit/JobRunner.h"
-#include "kit/Selection.h"
-#include "kit/Widgets.h"
-#include "velum/session/document/Document.h"
+#include "gui/kit/Widgets.h"
+#include "gui/service/JobRunner.h"
+#include "gui/service/Selection.h"
+#include "session/document/Document.h"
 
 namespace velum::gui {
 

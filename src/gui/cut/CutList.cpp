@@ -1,4 +1,4 @@
-#include "CutList.h"
+#include "gui/cut/CutList.h"
 
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -6,9 +6,10 @@
 #include <QStyledItemDelegate>
 #include <algorithm>
 
-#include "kit/CutTitle.h"
-#include "kit/RowPaint.h"
-#include "velum/session/cut/ShapeTraits.h"
+#include "gui/kit/CutTitle.h"
+#include "gui/rows/RowPaint.h"
+#include "scene/Scene.h"
+#include "session/cut/ShapeTraits.h"
 
 namespace velum::gui {
 

@@ -2,7 +2,7 @@
 #include <QListWidget>
 #include <vector>
 
-#include "velum/scene/Cut.h"
+#include "scene/Cut.h"
 
 namespace velum::gui {
 

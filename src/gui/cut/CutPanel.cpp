@@ -1,19 +1,19 @@
-#include "CutPanel.h"
+#include "gui/cut/CutPanel.h"
 
 #include <QMenu>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <memory>
 
-#include "kit/CutTitle.h"
-#include "kit/SelectedCut.h"
-#include "velum/session/command/Command.h"
-#include "velum/session/command/CutCommands.h"
-#include "velum/session/command/StructureCommands.h"
-#include "velum/session/cut/CutEdit.h"
-#include "velum/session/cut/ShapeTraits.h"
-#include "velum/session/membrane/FirstPlace.h"
-#include "velum/session/structure/StructureEdit.h"
+#include "gui/kit/CutTitle.h"
+#include "gui/service/SelectedCut.h"
+#include "session/command/Command.h"
+#include "session/command/CutCommands.h"
+#include "session/command/StructureCommands.h"
+#include "session/cut/CutEdit.h"
+#include "session/cut/ShapeTraits.h"
+#include "session/membrane/FirstPlace.h"
+#include "session/structure/StructureEdit.h"
 
 namespace velum::gui {
 

@@ -4,14 +4,14 @@
 #include <QToolButton>
 #include <QWidget>
 
-#include "CutForm.h"
-#include "CutList.h"
-#include "SpareList.h"
-#include "TypeSpareList.h"
-#include "kit/JobRunner.h"
-#include "kit/Selection.h"
-#include "membrane/MembraneForm.h"
-#include "velum/session/document/Document.h"
+#include "gui/cut/CutForm.h"
+#include "gui/cut/CutList.h"
+#include "gui/cut/SpareList.h"
+#include "gui/cut/TypeSpareList.h"
+#include "gui/membrane/MembraneForm.h"
+#include "gui/service/JobRunner.h"
+#include "gui/service/Selection.h"
+#include "session/document/Document.h"
 
 namespace velum::gui {
 

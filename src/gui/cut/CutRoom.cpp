@@ -1,8 +1,8 @@
-#include "CutRoom.h"
+#include "gui/cut/CutRoom.h"
 
 #include <algorithm>
 
-#include "velum/session/cut/ShapeTraits.h"
+#include "session/cut/ShapeTraits.h"
 
 namespace velum::gui {
 

@@ -1,13 +1,13 @@
 #pragma once
 #include <functional>
 
-#include "CutPanel.h"
-#include "NothingLeftNote.h"
-#include "PictureCutHandles.h"
-#include "SectionCutHandles.h"
-#include "ThreePointTool.h"
-#include "membrane/MembraneRoom.h"
-#include "view/Room.h"
+#include "gui/cut/CutPanel.h"
+#include "gui/cut/NothingLeftNote.h"
+#include "gui/cut/PictureCutHandles.h"
+#include "gui/cut/SectionCutHandles.h"
+#include "gui/cut/ThreePointTool.h"
+#include "gui/membrane/MembraneRoom.h"
+#include "gui/view/Room.h"
 
 namespace velum::gui {
 

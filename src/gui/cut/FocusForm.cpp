@@ -1,18 +1,18 @@
-#include "FocusForm.h"
+#include "gui/cut/FocusForm.h"
 
 #include <algorithm>
 
-#include "kit/SelectedCut.h"
-#include "velum/session/cut/CutEdit.h"
-#include "velum/session/model/TypesAt.h"
+#include "gui/service/SelectedCut.h"
+#include "session/cut/CutEdit.h"
+#include "session/model/TypesAt.h"
 
 namespace velum::gui {
 
 namespace {
 
 bool keeps(const scene::Cut& cut, const std::string& path) {
-  return cut.focus && std::any_of(cut.focus->types.begin(), cut.focus->types.end(),
-                                  [&](const scene::FocusType& type) { return type.type == path; });
+  return cut.model.focus && std::any_of(cut.model.focus->types.begin(), cut.model.focus->types.end(),
+                                        [&](const scene::FocusType& type) { return type.type == path; });
 }
 
 QCheckBox* makeCheck(const QString& text, const char* name, const QString& tip, QWidget* parent) {
@@ -58,7 +58,7 @@ FocusForm::FocusForm(session::Document& document, Selection& selection, QWidget*
   connect(mDepth, &QCheckBox::clicked, this, [this](bool on) {
     editSelectedCut(mDocument, mSelection, on ? "Leave what stands about the view" : "Clear what stands about the view",
                     [on](scene::Cut& cut) {
-                      if (cut.focus) cut.focus->guidesDepth = on;
+                      if (cut.model.focus) cut.model.focus->guidesDepth = on;
                     });
   });
 }
@@ -93,20 +93,20 @@ void FocusForm::changeSpares(const char* label, const std::function<void(scene::
 
 void FocusForm::keep(bool kept) {
   editSelectedCut(mDocument, mSelection, kept ? "Keep in view" : "Let be hidden", [&](scene::Cut& cut) {
-    if (!cut.focus) cut.focus.emplace();
+    if (!cut.model.focus) cut.model.focus.emplace();
     for (const std::string& path : mPaths) {
-      std::erase_if(cut.focus->types, [&](const scene::FocusType& type) { return type.type == path; });
-      if (kept) cut.focus->types.push_back({path});
+      std::erase_if(cut.model.focus->types, [&](const scene::FocusType& type) { return type.type == path; });
+      if (kept) cut.model.focus->types.push_back({path});
     }
-    if (cut.focus->types.empty()) cut.focus.reset();
+    if (cut.model.focus->types.empty()) cut.model.focus.reset();
   });
 }
 
 void FocusForm::lock(bool locked, double aspect) {
   editSelectedCut(mDocument, mSelection, locked ? "Lock the view" : "Follow the view", [&](scene::Cut& cut) {
-    if (!cut.focus) return;
-    cut.focus->lock.reset();
-    if (locked) cut.focus->lock = scene::ViewLock{mDocument.scene().camera, aspect};
+    if (!cut.model.focus) return;
+    cut.model.focus->lock.reset();
+    if (locked) cut.model.focus->lock = scene::ViewLock{mDocument.scene().camera, aspect};
   });
 }
 
@@ -115,11 +115,11 @@ void FocusForm::showCut(const scene::Cut& cut, const std::vector<std::string>& p
   mKept->setEnabled(!paths.empty());
   mKept->setChecked(!paths.empty() &&
                     std::all_of(paths.begin(), paths.end(), [&](const std::string& path) { return keeps(cut, path); }));
-  bool hasFocus = cut.focus && !cut.focus->types.empty();
+  bool hasFocus = cut.model.focus && !cut.model.focus->types.empty();
   for (QWidget* widget : mOfFocus) widget->setVisible(hasFocus);
   if (!hasFocus) return;
   QStringList names;
-  for (const scene::FocusType& type : cut.focus->types) {
+  for (const scene::FocusType& type : cut.model.focus->types) {
     std::string_view name = session::shortName(type.type);
     names << QString::fromUtf8(name.data(), int(name.size())).replace('_', ' ');
   }
@@ -129,8 +129,8 @@ void FocusForm::showCut(const scene::Cut& cut, const std::vector<std::string>& p
   mAperture->setValue(spare.aperture * 100.0);
   mViewShare->setEnabled(!paths.empty());
   mAperture->setEnabled(!paths.empty());
-  mDepth->setChecked(cut.focus->guidesDepth);
-  mLock->setChecked(cut.focus->lock.has_value());
+  mDepth->setChecked(cut.model.focus->guidesDepth);
+  mLock->setChecked(cut.model.focus->lock.has_value());
 }
 
 }  // namespace velum::gui

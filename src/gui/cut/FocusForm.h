@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "kit/Selection.h"
-#include "kit/Widgets.h"
-#include "velum/scene/Cut.h"
-#include "velum/session/document/Document.h"
+#include "gui/kit/Widgets.h"
+#include "gui/service/Selection.h"
+#include "scene/Cut.h"
+#include "session/document/Document.h"
 
 namespace velum::gui {
 

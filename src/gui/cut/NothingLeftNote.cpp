@@ -1,8 +1,8 @@
-#include "NothingLeftNote.h"
+#include "gui/cut/NothingLeftNote.h"
 
 #include <memory>
 
-#include "velum/session/cut/NothingLeft.h"
+#include "session/cut/NothingLeft.h"
 
 namespace velum::gui {
 

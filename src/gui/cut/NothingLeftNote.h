@@ -1,7 +1,7 @@
 #pragma once
-#include "kit/Bars.h"
-#include "kit/NewestJob.h"
-#include "velum/session/Session.h"
+#include "gui/kit/Messages.h"
+#include "gui/service/NewestJob.h"
+#include "session/Session.h"
 
 namespace velum::gui {
 

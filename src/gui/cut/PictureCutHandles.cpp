@@ -1,12 +1,12 @@
-#include "PictureCutHandles.h"
+#include "gui/cut/PictureCutHandles.h"
 
 #include <QPainterPath>
 #include <utility>
 
-#include "kit/SelectedCut.h"
-#include "kit/Theme.h"
-#include "tool/HandlePaint.h"
-#include "velum/session/extrusion/Pull.h"
+#include "gui/kit/Theme.h"
+#include "gui/service/SelectedCut.h"
+#include "gui/tool/HandlePaint.h"
+#include "session/extrusion/Pull.h"
 
 namespace velum::gui {
 

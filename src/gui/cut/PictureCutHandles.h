@@ -1,8 +1,8 @@
 #pragma once
-#include "kit/Selection.h"
-#include "tool/Toolbox.h"
-#include "velum/session/cut/CutTool.h"
-#include "velum/session/document/Document.h"
+#include "gui/service/Selection.h"
+#include "gui/tool/Toolbox.h"
+#include "session/cut/CutTool.h"
+#include "session/document/Document.h"
 
 namespace velum::gui {
 

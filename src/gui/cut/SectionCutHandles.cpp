@@ -1,14 +1,14 @@
-#include "SectionCutHandles.h"
+#include "gui/cut/SectionCutHandles.h"
 
 #include <QPainterPath>
 #include <utility>
 
-#include "kit/Points.h"
-#include "kit/SelectedCut.h"
-#include "kit/Theme.h"
-#include "tool/HandlePaint.h"
-#include "velum/session/extrusion/Pull.h"
-#include "velum/session/membrane/SheetHands.h"
+#include "gui/kit/Points.h"
+#include "gui/kit/Theme.h"
+#include "gui/service/SelectedCut.h"
+#include "gui/tool/HandlePaint.h"
+#include "session/extrusion/Pull.h"
+#include "session/membrane/SheetHands.h"
 
 namespace velum::gui {
 

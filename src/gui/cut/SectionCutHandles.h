@@ -1,11 +1,11 @@
 #pragma once
 #include <map>
 
-#include "kit/Selection.h"
-#include "tool/Toolbox.h"
-#include "velum/render/SheetIndices.h"
-#include "velum/session/cut/SectionCutTool.h"
-#include "velum/session/document/Document.h"
+#include "gui/service/Selection.h"
+#include "gui/tool/Toolbox.h"
+#include "render/SheetIndices.h"
+#include "session/cut/SectionCutTool.h"
+#include "session/document/Document.h"
 
 namespace velum::gui {
 

@@ -1,12 +1,13 @@
-#include "SpareList.h"
+#include "gui/cut/SpareList.h"
 
 #include <QHBoxLayout>
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "kit/Widgets.h"
-#include "velum/session/cut/CutEdit.h"
+#include "gui/kit/Widgets.h"
+#include "scene/Scene.h"
+#include "session/cut/CutEdit.h"
 
 namespace velum::gui {
 

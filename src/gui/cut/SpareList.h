@@ -7,8 +7,8 @@
 #include <QWidget>
 #include <vector>
 
-#include "velum/scene/Cut.h"
-#include "velum/scene/Structure.h"
+#include "scene/Cut.h"
+#include "scene/Structure.h"
 
 namespace velum::gui {
 

@@ -1,10 +1,10 @@
-#include "ThreePointTool.h"
+#include "gui/cut/ThreePointTool.h"
 
 #include <QPainterPath>
 
-#include "kit/Theme.h"
-#include "tool/HandlePaint.h"
-#include "velum/session/cut/CutEdit.h"
+#include "gui/kit/Theme.h"
+#include "gui/tool/HandlePaint.h"
+#include "session/cut/CutEdit.h"
 
 namespace velum::gui {
 

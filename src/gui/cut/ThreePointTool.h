@@ -2,8 +2,8 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "tool/Toolbox.h"
-#include "velum/session/document/Document.h"
+#include "gui/tool/Toolbox.h"
+#include "session/document/Document.h"
 
 namespace velum::gui {
 

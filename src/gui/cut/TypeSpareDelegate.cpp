@@ -1,9 +1,9 @@
-#include "TypeSpareDelegate.h"
+#include "gui/cut/TypeSpareDelegate.h"
 
 #include <algorithm>
 
-#include "TypeSpareView.h"
-#include "kit/RowPaint.h"
+#include "gui/cut/TypeSpareView.h"
+#include "gui/rows/RowPaint.h"
 
 namespace velum::gui {
 

@@ -1,12 +1,12 @@
-#include "TypeSpareList.h"
+#include "gui/cut/TypeSpareList.h"
 
 #include <QMenu>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
-#include "kit/FieldRow.h"
-#include "kit/SelectedCut.h"
-#include "velum/session/cut/CutEdit.h"
+#include "gui/rows/FieldRow.h"
+#include "gui/service/SelectedCut.h"
+#include "session/cut/CutEdit.h"
 
 namespace velum::gui {
 
@@ -127,21 +127,23 @@ void TypeSpareList::makeRows(QVBoxLayout* layout) {
   grid->addWidget(mWhole, grid->rowCount(), 0, 1, 2);
   connect(mWhole, &QCheckBox::clicked, this, [this](bool on) {
     editCut(on ? "Remove whole instances" : "Remove instances by their middle",
-            [on](scene::Cut& cut) { cut.wholeInstances = on; });
+            [on](scene::Cut& cut) { cut.model.wholeInstances = on; });
   });
   int line = grid->rowCount();
   grid->addWidget(new QLabel(tr("Mass, kDa"), this), line, 0);
-  grid->addWidget(makeRange(tr("mass"), {}, 1, kDaltonPerKilo, &scene::Cut::leastMass, &scene::Cut::mostMass, mMass),
-                  line, 1);
-  grid->addWidget(new QLabel(tr("Instances"), this), line + 1, 0);
   grid->addWidget(
-      makeRange(tr("number of instances"), {}, 0, 1.0, &scene::Cut::leastCopies, &scene::Cut::mostCopies, mCount),
-      line + 1, 1);
+      makeRange(tr("mass"), {}, 1, kDaltonPerKilo, &scene::ModelCut::leastMass, &scene::ModelCut::mostMass, mMass),
+      line, 1);
+  grid->addWidget(new QLabel(tr("Instances"), this), line + 1, 0);
+  grid->addWidget(makeRange(tr("number of instances"), {}, 0, 1.0, &scene::ModelCut::leastCopies,
+                            &scene::ModelCut::mostCopies, mCount),
+                  line + 1, 1);
 }
 
 /// From, to: of types outside nothing is left. 0 as the end means that there is none.
 QWidget* TypeSpareList::makeRange(const QString& name, const QString& suffix, int decimals, double factor,
-                                  double scene::Cut::*least, double scene::Cut::*most, NumberField* (&spins)[2]) {
+                                  double scene::ModelCut::*least, double scene::ModelCut::*most,
+                                  NumberField* (&spins)[2]) {
   auto* row = new QWidget(this);
   auto* layout = new FieldRow(row);
   for (bool isMost : {false, true}) {
@@ -161,7 +163,7 @@ QWidget* TypeSpareList::makeRange(const QString& name, const QString& suffix, in
     auto member = isMost ? most : least;
     connect(spin, &QDoubleSpinBox::valueChanged, this, [this, member, isMost, factor](double value) {
       double wanted = isMost && value == 0.0 ? scene::Spare::kEndless : value * factor;
-      editCut("Change range of types", [&](scene::Cut& cut) { cut.*member = wanted; });
+      editCut("Change range of types", [&](scene::Cut& cut) { cut.model.*member = wanted; });
     });
   }
   return row;
@@ -206,12 +208,12 @@ void TypeSpareList::showCut(const scene::Scene& scene, const scene::Cut& cut) {
   double reach = glm::length(bounds.max - bounds.min) * 0.5;
   mFalloff->setLength(Length(scene));
   mFalloff->setRange(-reach, reach);
-  mWhole->setChecked(cut.wholeInstances);
+  mWhole->setChecked(cut.model.wholeInstances);
   auto end = [](double most) { return most == scene::Spare::kEndless ? 0.0 : most; };
-  setQuietly(mMass[0], cut.leastMass / kDaltonPerKilo);
-  setQuietly(mMass[1], end(cut.mostMass) / kDaltonPerKilo);
-  setQuietly(mCount[0], cut.leastCopies);
-  setQuietly(mCount[1], end(cut.mostCopies));
+  setQuietly(mMass[0], cut.model.leastMass / kDaltonPerKilo);
+  setQuietly(mMass[1], end(cut.model.mostMass) / kDaltonPerKilo);
+  setQuietly(mCount[0], cut.model.leastCopies);
+  setQuietly(mCount[1], end(cut.model.mostCopies));
   showSelected();
 }
 

@@ -6,12 +6,12 @@
 #include <functional>
 #include <optional>
 
-#include "FocusForm.h"
-#include "TypeSpareView.h"
-#include "kit/Selection.h"
-#include "kit/Widgets.h"
-#include "velum/scene/Cut.h"
-#include "velum/session/document/Document.h"
+#include "gui/cut/FocusForm.h"
+#include "gui/cut/TypeSpareView.h"
+#include "gui/kit/Widgets.h"
+#include "gui/service/Selection.h"
+#include "scene/Cut.h"
+#include "session/document/Document.h"
 
 namespace velum::gui {
 

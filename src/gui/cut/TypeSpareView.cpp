@@ -1,4 +1,4 @@
-#include "TypeSpareView.h"
+#include "gui/cut/TypeSpareView.h"
 
 #include <QHeaderView>
 #include <QMouseEvent>
@@ -6,8 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "TypeSpareDelegate.h"
-#include "velum/session/cut/CutEdit.h"
+#include "gui/cut/TypeSpareDelegate.h"
+#include "scene/Scene.h"
+#include "session/cut/CutEdit.h"
 
 namespace velum::gui {
 
@@ -23,9 +24,9 @@ TypeSpareTree::TypeSpareTree(QObject* parent) : TypeTree(kColumns, Name, parent)
 
 void TypeSpareTree::showCut(const Shared<Model>& model, const scene::Cut& cut) {
   bool isOther = model != this->model();
-  if (!isOther && cut.typeSpares == mShown) return;
+  if (!isOther && cut.model.spares == mShown) return;
   setModel(model);
-  mShown = cut.typeSpares;
+  mShown = cut.model.spares;
   mShares.assign(rows().size(), 0.0);
   mOwn.assign(rows().size(), false);
   for (std::size_t i = 0; i < rows().size(); ++i) {

@@ -2,8 +2,8 @@
 #include <QTreeView>
 #include <vector>
 
-#include "kit/TypeTree.h"
-#include "velum/scene/Cut.h"
+#include "gui/rows/TypeTree.h"
+#include "scene/Cut.h"
 
 namespace velum::gui {
 

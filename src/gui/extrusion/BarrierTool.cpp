@@ -1,14 +1,14 @@
-#include "BarrierTool.h"
+#include "gui/extrusion/BarrierTool.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "kit/Theme.h"
-#include "tool/StrokePaint.h"
-#include "velum/scene/SectionPlane.h"
-#include "velum/session/extrusion/Pull.h"
-#include "velum/session/membrane/Sketch.h"
+#include "gui/kit/Theme.h"
+#include "gui/tool/StrokePaint.h"
+#include "scene/SectionPlane.h"
+#include "session/extrusion/Pull.h"
+#include "session/membrane/Sketch.h"
 
 namespace velum::gui {
 

@@ -1,8 +1,8 @@
 #pragma once
 #include <optional>
 
-#include "velum/scene/Growth.h"
-#include "view/Room.h"
+#include "gui/view/Room.h"
+#include "scene/Growth.h"
 
 namespace velum::gui {
 

@@ -1,13 +1,13 @@
-#include "ExtrusionList.h"
+#include "gui/extrusion/ExtrusionList.h"
 
 #include <QPainter>
 #include <QSignalBlocker>
 #include <QStyledItemDelegate>
 
-#include "kit/CutTitle.h"
-#include "kit/Length.h"
-#include "kit/RowPaint.h"
-#include "velum/session/structure/StructureEdit.h"
+#include "gui/kit/CutTitle.h"
+#include "gui/kit/Length.h"
+#include "gui/rows/RowPaint.h"
+#include "session/structure/StructureEdit.h"
 
 namespace velum::gui {
 

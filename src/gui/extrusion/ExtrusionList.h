@@ -2,7 +2,7 @@
 #include <QListWidget>
 #include <vector>
 
-#include "velum/session/extrusion/Extrusion.h"
+#include "session/extrusion/Extrusion.h"
 
 namespace velum::gui {
 

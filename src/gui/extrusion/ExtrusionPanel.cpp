@@ -1,17 +1,17 @@
-#include "ExtrusionPanel.h"
+#include "gui/extrusion/ExtrusionPanel.h"
 
 #include <QGridLayout>
 #include <QVBoxLayout>
 
-#include "kit/Length.h"
-#include "velum/session/command/Command.h"
-#include "velum/session/command/CutCommands.h"
-#include "velum/session/command/ExtrusionCommands.h"
-#include "velum/session/extrusion/Pull.h"
-#include "velum/session/extrusion/PulledEnd.h"
-#include "velum/session/growth/Growths.h"
-#include "velum/session/structure/StructureEdit.h"
-#include "velum/session/structure/StructureRow.h"
+#include "gui/kit/Length.h"
+#include "session/command/Command.h"
+#include "session/command/CutCommands.h"
+#include "session/command/ExtrusionCommands.h"
+#include "session/extrusion/Pull.h"
+#include "session/extrusion/PulledEnd.h"
+#include "session/growth/Growths.h"
+#include "session/structure/StructureEdit.h"
+#include "session/structure/StructureRow.h"
 
 namespace velum::gui {
 

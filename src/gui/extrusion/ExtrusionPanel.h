@@ -5,13 +5,13 @@
 #include <cstdint>
 #include <vector>
 
-#include "ExtrusionList.h"
-#include "GrowthForm.h"
-#include "LeakBox.h"
-#include "PullSteps.h"
-#include "kit/Selection.h"
-#include "kit/Widgets.h"
-#include "velum/session/Session.h"
+#include "gui/extrusion/ExtrusionList.h"
+#include "gui/extrusion/GrowthForm.h"
+#include "gui/extrusion/LeakBox.h"
+#include "gui/extrusion/PullSteps.h"
+#include "gui/kit/Widgets.h"
+#include "gui/service/Selection.h"
+#include "session/Session.h"
 
 namespace velum::gui {
 

@@ -1,4 +1,4 @@
-#include "ExtrusionRoom.h"
+#include "gui/extrusion/ExtrusionRoom.h"
 
 namespace velum::gui {
 

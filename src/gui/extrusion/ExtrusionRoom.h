@@ -1,8 +1,8 @@
 #pragma once
-#include "BarrierTool.h"
-#include "ExtrusionPanel.h"
-#include "PullTool.h"
-#include "view/Room.h"
+#include "gui/extrusion/BarrierTool.h"
+#include "gui/extrusion/ExtrusionPanel.h"
+#include "gui/extrusion/PullTool.h"
+#include "gui/view/Room.h"
 
 namespace velum::gui {
 

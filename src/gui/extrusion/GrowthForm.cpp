@@ -1,13 +1,13 @@
-#include "GrowthForm.h"
+#include "gui/extrusion/GrowthForm.h"
 
 #include <QLocale>
 #include <QSignalBlocker>
 #include <algorithm>
 #include <cmath>
 
-#include "kit/Length.h"
-#include "velum/scene/SectionPlane.h"
-#include "velum/session/growth/Growths.h"
+#include "gui/kit/Length.h"
+#include "scene/SectionPlane.h"
+#include "session/growth/Growths.h"
 
 namespace velum::gui {
 

@@ -6,8 +6,8 @@
 #include <QWidget>
 #include <functional>
 
-#include "kit/NumberField.h"
-#include "velum/session/Session.h"
+#include "gui/kit/NumberField.h"
+#include "session/Session.h"
 
 namespace velum::gui {
 

@@ -1,11 +1,11 @@
-#include "LeakBox.h"
+#include "gui/extrusion/LeakBox.h"
 
 #include <QHBoxLayout>
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "kit/Length.h"
-#include "velum/session/structure/StructureEdit.h"
+#include "gui/kit/Length.h"
+#include "session/structure/StructureEdit.h"
 
 namespace velum::gui {
 

@@ -3,7 +3,7 @@
 #include <QWidget>
 #include <optional>
 
-#include "velum/session/Session.h"
+#include "session/Session.h"
 
 namespace velum::gui {
 

@@ -1,12 +1,12 @@
-#include "PullPaint.h"
+#include "gui/extrusion/PullPaint.h"
 
 #include <QPainterPath>
 #include <vector>
 
-#include "kit/Theme.h"
-#include "tool/HandlePaint.h"
-#include "velum/session/cut/CutGizmo.h"
-#include "velum/session/extrusion/Extrusion.h"
+#include "gui/kit/Theme.h"
+#include "gui/tool/HandlePaint.h"
+#include "session/cut/CutGizmo.h"
+#include "session/extrusion/Extrusion.h"
 
 namespace velum::gui {
 

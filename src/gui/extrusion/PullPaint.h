@@ -1,5 +1,5 @@
 #pragma once
-#include "tool/Manipulator.h"
+#include "gui/tool/Manipulator.h"
 
 namespace velum::gui {
 

@@ -1,6 +1,8 @@
-#include "PullPreview.h"
+#include "gui/extrusion/PullPreview.h"
 
 #include <utility>
+
+#include "scene/Scene.h"
 
 namespace velum::gui {
 

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "kit/Job.h"
-#include "velum/session/extrusion/PulledPicture.h"
+#include "gui/service/Job.h"
+#include "session/extrusion/PulledPicture.h"
 
 namespace velum::gui {
 

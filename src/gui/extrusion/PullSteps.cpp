@@ -1,9 +1,9 @@
-#include "PullSteps.h"
+#include "gui/extrusion/PullSteps.h"
 
 #include <algorithm>
 
-#include "velum/scene/Finishes.h"
-#include "velum/session/extrusion/Extrusion.h"
+#include "scene/Finishes.h"
+#include "session/extrusion/Extrusion.h"
 
 namespace velum::gui {
 

@@ -1,18 +1,18 @@
-#include "PullTool.h"
+#include "gui/extrusion/PullTool.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "PullPaint.h"
-#include "kit/Length.h"
-#include "kit/SelectedCut.h"
-#include "kit/Theme.h"
-#include "tool/HandlePaint.h"
-#include "velum/scene/SectionPlane.h"
-#include "velum/session/cut/CutEdit.h"
-#include "velum/session/extrusion/PulledEnd.h"
-#include "velum/session/growth/Growths.h"
-#include "velum/session/structure/StructureEdit.h"
+#include "gui/extrusion/PullPaint.h"
+#include "gui/kit/Length.h"
+#include "gui/kit/Theme.h"
+#include "gui/service/SelectedCut.h"
+#include "gui/tool/HandlePaint.h"
+#include "scene/SectionPlane.h"
+#include "session/cut/CutEdit.h"
+#include "session/extrusion/PulledEnd.h"
+#include "session/growth/Growths.h"
+#include "session/structure/StructureEdit.h"
 
 namespace velum::gui {
 

@@ -2,11 +2,11 @@
 #include <optional>
 #include <vector>
 
-#include "PullPreview.h"
-#include "SeedStroke.h"
-#include "velum/session/extrusion/Extrusion.h"
-#include "velum/session/extrusion/Pull.h"
-#include "view/Room.h"
+#include "gui/extrusion/PullPreview.h"
+#include "gui/extrusion/SeedStroke.h"
+#include "gui/view/Room.h"
+#include "session/extrusion/Extrusion.h"
+#include "session/extrusion/Pull.h"
 
 namespace velum::gui {
 

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "PullTool.h"
-#include "velum/scene/SectionPlane.h"
-#include "velum/session/growth/Growths.h"
-#include "velum/session/structure/StructureEdit.h"
+#include "gui/extrusion/PullTool.h"
+#include "scene/SectionPlane.h"
+#include "session/growth/Growths.h"
+#include "session/structure/StructureEdit.h"
 
 namespace velum::gui {
 

@@ -1,7 +1,7 @@
-#include "SeedStroke.h"
+#include "gui/extrusion/SeedStroke.h"
 
-#include "tool/StrokePaint.h"
-#include "velum/session/growth/Growths.h"
+#include "gui/tool/StrokePaint.h"
+#include "session/growth/Growths.h"
 
 namespace velum::gui {
 

@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "tool/Manipulator.h"
-#include "velum/core/Volume.h"
+#include "core/Volume.h"
+#include "gui/tool/Manipulator.h"
 
 namespace velum::gui {
 

@@ -1,6 +1,8 @@
-#include "CutTitle.h"
+#include "gui/kit/CutTitle.h"
 
 #include <QCoreApplication>
+
+#include "scene/Scene.h"
 
 namespace velum::gui {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <QString>
 
-#include "velum/scene/Scene.h"
+#include "scene/SceneFwd.h"
 
 namespace velum::gui {
 

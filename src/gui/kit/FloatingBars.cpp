@@ -1,4 +1,4 @@
-#include "FloatingBars.h"
+#include "gui/kit/FloatingBars.h"
 
 #include <QEvent>
 #include <algorithm>

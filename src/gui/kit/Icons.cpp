@@ -1,4 +1,4 @@
-#include "Icons.h"
+#include "gui/kit/Icons.h"
 
 #include <QApplication>
 #include <QBuffer>

@@ -1,11 +1,12 @@
-#include "Length.h"
+#include "gui/kit/Length.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "Preferences.h"
-#include "velum/scene/PatientDirections.h"
+#include "gui/kit/Preferences.h"
+#include "scene/PatientDirections.h"
+#include "scene/Scene.h"
 
 namespace velum::gui {
 

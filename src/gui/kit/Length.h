@@ -1,7 +1,7 @@
 #pragma once
 #include <QString>
 
-#include "velum/scene/Units.h"
+#include "scene/Units.h"
 
 namespace velum::gui {
 

@@ -1,4 +1,4 @@
-#include "NumberField.h"
+#include "gui/kit/NumberField.h"
 
 #include <QKeyEvent>
 #include <QLineEdit>
@@ -8,6 +8,8 @@
 #include <QToolTip>
 #include <algorithm>
 #include <cmath>
+
+#include "scene/Scene.h"
 
 namespace velum::gui {
 

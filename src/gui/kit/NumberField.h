@@ -2,8 +2,8 @@
 #include <QDoubleSpinBox>
 #include <QString>
 
-#include "Length.h"
-#include "TypedNumber.h"
+#include "gui/kit/Length.h"
+#include "gui/kit/TypedNumber.h"
 
 namespace velum::gui {
 

@@ -1,4 +1,4 @@
-#include "Preferences.h"
+#include "gui/kit/Preferences.h"
 
 #include <QStandardPaths>
 

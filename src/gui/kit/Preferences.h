@@ -1,7 +1,7 @@
 #pragma once
 #include <QSettings>
 
-#include "Theme.h"
+#include "gui/kit/Theme.h"
 
 namespace velum::gui {
 

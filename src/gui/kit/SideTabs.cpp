@@ -1,10 +1,10 @@
-#include "SideTabs.h"
+#include "gui/kit/SideTabs.h"
 
 #include <QScrollArea>
 #include <QTabBar>
 #include <QVBoxLayout>
 
-#include "Widgets.h"
+#include "gui/kit/Widgets.h"
 
 namespace velum::gui {
 

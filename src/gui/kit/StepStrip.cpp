@@ -1,4 +1,4 @@
-#include "StepStrip.h"
+#include "gui/kit/StepStrip.h"
 
 #include <QCoreApplication>
 #include <QHBoxLayout>

@@ -1,4 +1,4 @@
-#include "Theme.h"
+#include "gui/kit/Theme.h"
 
 #include <QHash>
 #include <QPalette>

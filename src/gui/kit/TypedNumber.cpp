@@ -1,4 +1,4 @@
-#include "TypedNumber.h"
+#include "gui/kit/TypedNumber.h"
 
 #include <QRegularExpression>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "Widgets.h"
+#include "gui/kit/Widgets.h"
 
 #include <QColorDialog>
 #include <QHBoxLayout>
@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "Theme.h"
+#include "gui/kit/Theme.h"
 
 namespace velum::gui {
 

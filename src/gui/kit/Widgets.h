@@ -7,8 +7,8 @@
 #include <QWidget>
 #include <glm/glm.hpp>
 
-#include "Length.h"
-#include "NumberField.h"
+#include "gui/kit/Length.h"
+#include "gui/kit/NumberField.h"
 
 namespace velum::gui {
 

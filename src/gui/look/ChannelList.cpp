@@ -1,4 +1,4 @@
-#include "ChannelList.h"
+#include "gui/look/ChannelList.h"
 
 #include <QHBoxLayout>
 #include <QKeyEvent>
@@ -8,7 +8,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "velum/scene/Presets.h"
+#include "scene/Presets.h"
 
 namespace velum::gui {
 

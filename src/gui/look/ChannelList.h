@@ -2,9 +2,9 @@
 #include <QWidget>
 #include <vector>
 
-#include "kit/RowPaint.h"
-#include "kit/Widgets.h"
-#include "velum/session/document/Document.h"
+#include "gui/kit/Widgets.h"
+#include "gui/rows/RowPaint.h"
+#include "session/document/Document.h"
 
 namespace velum::gui {
 

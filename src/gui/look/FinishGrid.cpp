@@ -1,12 +1,12 @@
-#include "FinishGrid.h"
+#include "gui/look/FinishGrid.h"
 
 #include <QVBoxLayout>
 
-#include "kit/CallLater.h"
-#include "velum/scene/Finishes.h"
-#include "velum/session/command/Command.h"
-#include "velum/session/command/LookCommands.h"
-#include "velum/session/picture/FinishPictures.h"
+#include "gui/service/CallLater.h"
+#include "scene/Finishes.h"
+#include "session/command/Command.h"
+#include "session/command/LookCommands.h"
+#include "session/picture/FinishPictures.h"
 
 namespace velum::gui {
 

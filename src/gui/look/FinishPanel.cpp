@@ -1,14 +1,14 @@
-#include "FinishPanel.h"
+#include "gui/look/FinishPanel.h"
 
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QVBoxLayout>
 #include <exception>
 
-#include "velum/scene/SurfaceLook.h"
-#include "velum/session/command/Command.h"
-#include "velum/session/command/LookCommands.h"
-#include "velum/session/document/PaperFile.h"
+#include "scene/SurfaceLook.h"
+#include "session/command/Command.h"
+#include "session/command/LookCommands.h"
+#include "session/document/PaperFile.h"
 
 namespace velum::gui {
 

@@ -5,11 +5,11 @@
 #include <QWidget>
 #include <vector>
 
-#include "FinishGrid.h"
-#include "LitSphereGrid.h"
-#include "kit/Widgets.h"
-#include "velum/session/document/Document.h"
-#include "velum/session/look/ValueHistogram.h"
+#include "gui/kit/Widgets.h"
+#include "gui/look/FinishGrid.h"
+#include "gui/look/LitSphereGrid.h"
+#include "session/document/Document.h"
+#include "session/look/ValueHistogram.h"
 
 namespace velum::gui {
 

@@ -1,4 +1,4 @@
-#include "LitSphereGrid.h"
+#include "gui/look/LitSphereGrid.h"
 
 #include <QFileDialog>
 #include <QPainter>
@@ -6,8 +6,8 @@
 #include <QVBoxLayout>
 #include <exception>
 
-#include "velum/scene/LitSpheres.h"
-#include "velum/session/document/LitSphereFiles.h"
+#include "scene/LitSpheres.h"
+#include "session/document/LitSphereFiles.h"
 
 namespace velum::gui {
 

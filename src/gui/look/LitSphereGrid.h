@@ -2,8 +2,8 @@
 #include <QPushButton>
 #include <QWidget>
 
-#include "kit/PictureList.h"
-#include "velum/session/document/Document.h"
+#include "gui/rows/PictureList.h"
+#include "session/document/Document.h"
 
 namespace velum::gui {
 

@@ -1,4 +1,4 @@
-#include "LookCommands.h"
+#include "gui/look/LookCommands.h"
 
 #include <QFileDialog>
 #include <QFileInfo>
@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "kit/SavePath.h"
-#include "velum/session/command/Command.h"
-#include "velum/session/command/LookCommands.h"
-#include "velum/session/look/Look.h"
+#include "gui/service/SavePath.h"
+#include "session/command/Command.h"
+#include "session/command/LookCommands.h"
+#include "session/look/Look.h"
 
 namespace velum::gui {
 

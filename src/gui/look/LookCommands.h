@@ -1,10 +1,10 @@
 #pragma once
 #include <QObject>
 
-#include "ShowThisTool.h"
-#include "kit/ActionTable.h"
-#include "kit/Bars.h"
-#include "velum/session/document/Document.h"
+#include "gui/kit/Messages.h"
+#include "gui/look/ShowThisTool.h"
+#include "gui/service/ActionTable.h"
+#include "session/document/Document.h"
 
 namespace velum::gui {
 

@@ -1,6 +1,6 @@
-#include "LookPanel.h"
-#include "velum/session/command/Command.h"
-#include "velum/session/command/LookCommands.h"
+#include "gui/look/LookPanel.h"
+#include "session/command/Command.h"
+#include "session/command/LookCommands.h"
 
 #include <QGridLayout>
 #include <QSignalBlocker>

@@ -3,11 +3,11 @@
 #include <QComboBox>
 #include <QWidget>
 
-#include "ChannelList.h"
-#include "PresetGrid.h"
-#include "TransferEditor.h"
-#include "kit/Widgets.h"
-#include "velum/session/document/Document.h"
+#include "gui/kit/Widgets.h"
+#include "gui/look/ChannelList.h"
+#include "gui/look/PresetGrid.h"
+#include "gui/look/TransferEditor.h"
+#include "session/document/Document.h"
 
 namespace velum::gui {
 

@@ -1,4 +1,4 @@
-#include "LookRoom.h"
+#include "gui/look/LookRoom.h"
 
 namespace velum::gui {
 

@@ -1,8 +1,8 @@
 #pragma once
-#include "FinishPanel.h"
-#include "LookCommands.h"
-#include "LookPanel.h"
-#include "view/Room.h"
+#include "gui/look/FinishPanel.h"
+#include "gui/look/LookCommands.h"
+#include "gui/look/LookPanel.h"
+#include "gui/view/Room.h"
 
 namespace velum::gui {
 

@@ -1,15 +1,15 @@
-#include "PresetGrid.h"
+#include "gui/look/PresetGrid.h"
 
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "kit/CallLater.h"
-#include "kit/Length.h"
-#include "kit/Widgets.h"
-#include "velum/scene/Presets.h"
-#include "velum/session/command/Command.h"
-#include "velum/session/command/LookCommands.h"
-#include "velum/session/picture/PresetPictures.h"
+#include "gui/kit/Length.h"
+#include "gui/kit/Widgets.h"
+#include "gui/service/CallLater.h"
+#include "scene/Presets.h"
+#include "session/command/Command.h"
+#include "session/command/LookCommands.h"
+#include "session/picture/PresetPictures.h"
 
 namespace velum::gui {
 

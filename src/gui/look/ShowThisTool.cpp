@@ -1,7 +1,7 @@
-#include "ShowThisTool.h"
+#include "gui/look/ShowThisTool.h"
 
-#include "velum/core/Text.h"
-#include "velum/session/look/ShowThis.h"
+#include "core/Text.h"
+#include "session/look/ShowThis.h"
 
 namespace velum::gui {
 

@@ -1,7 +1,7 @@
 #pragma once
-#include "kit/Bars.h"
-#include "tool/Toolbox.h"
-#include "velum/session/document/Document.h"
+#include "gui/kit/Messages.h"
+#include "gui/tool/Toolbox.h"
+#include "session/document/Document.h"
 
 namespace velum::gui {
 

@@ -1,10 +1,12 @@
 // What a transfer function looks like; the hand on it is in TransferCanvasMouse.cpp.
-#include "TransferCanvas.h"
+#include "gui/look/TransferCanvas.h"
 
 #include <QPainter>
 #include <QPainterPath>
 #include <algorithm>
 #include <cmath>
+
+#include "scene/Scene.h"
 
 namespace velum::gui {
 

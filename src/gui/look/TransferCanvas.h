@@ -2,7 +2,7 @@
 #include <QWidget>
 #include <optional>
 
-#include "velum/session/look/ValueHistogram.h"
+#include "session/look/ValueHistogram.h"
 
 namespace velum::gui {
 

@@ -2,7 +2,9 @@
 #include <QKeyEvent>
 #include <algorithm>
 
-#include "TransferCanvas.h"
+#include "gui/look/TransferCanvas.h"
+
+#include "scene/Scene.h"
 
 namespace velum::gui {
 

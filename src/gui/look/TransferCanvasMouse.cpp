@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "TransferCanvas.h"
+#include "gui/look/TransferCanvas.h"
+
+#include "scene/Scene.h"
 
 namespace velum::gui {
 

@@ -1,5 +1,5 @@
-#include "TransferEditor.h"
-#include "kit/Length.h"
+#include "gui/look/TransferEditor.h"
+#include "gui/kit/Length.h"
 
 #include <QColorDialog>
 #include <QGridLayout>

@@ -6,10 +6,10 @@
 #include <memory>
 #include <tuple>
 
-#include "TransferCanvas.h"
-#include "kit/Job.h"
-#include "kit/Widgets.h"
-#include "velum/session/document/Document.h"
+#include "gui/kit/Widgets.h"
+#include "gui/look/TransferCanvas.h"
+#include "gui/service/Job.h"
+#include "session/document/Document.h"
 
 namespace velum::gui {
 

@@ -1,12 +1,12 @@
-#include "BrushTool.h"
+#include "gui/membrane/BrushTool.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "StrengthCanvas.h"
-#include "kit/SelectedCut.h"
-#include "tool/StrokePaint.h"
-#include "velum/session/membrane/Sketch.h"
+#include "gui/membrane/StrengthCanvas.h"
+#include "gui/service/SelectedCut.h"
+#include "gui/tool/StrokePaint.h"
+#include "session/membrane/Sketch.h"
 
 namespace velum::gui {
 

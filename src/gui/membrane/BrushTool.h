@@ -1,6 +1,6 @@
 #pragma once
-#include "Sketch.h"
-#include "view/Room.h"
+#include "gui/membrane/Sketch.h"
+#include "gui/view/Room.h"
 
 namespace velum::gui {
 

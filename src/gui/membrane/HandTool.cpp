@@ -1,8 +1,8 @@
-#include "HandTool.h"
+#include "gui/membrane/HandTool.h"
 
 #include <utility>
 
-#include "kit/SelectedCut.h"
+#include "gui/service/SelectedCut.h"
 
 namespace velum::gui {
 

@@ -1,6 +1,6 @@
 #pragma once
-#include "SheetGrips.h"
-#include "view/Room.h"
+#include "gui/membrane/SheetGrips.h"
+#include "gui/view/Room.h"
 
 namespace velum::gui {
 

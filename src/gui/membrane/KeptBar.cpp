@@ -1,10 +1,10 @@
-#include "KeptBar.h"
+#include "gui/membrane/KeptBar.h"
 
 #include <QHBoxLayout>
 #include <QLocale>
 #include <QVBoxLayout>
 
-#include "velum/session/membrane/FirstPlace.h"
+#include "session/membrane/FirstPlace.h"
 
 namespace velum::gui {
 

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "kit/Length.h"
-#include "velum/session/membrane/MembranePlayer.h"
+#include "gui/kit/Length.h"
+#include "session/membrane/MembranePlayer.h"
 
 namespace velum::gui {
 

@@ -1,4 +1,4 @@
-#include "MembraneForm.h"
+#include "gui/membrane/MembraneForm.h"
 
 #include <QHBoxLayout>
 #include <QMenu>
@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kit/Job.h"
-#include "kit/Length.h"
-#include "kit/SelectedCut.h"
-#include "velum/session/membrane/MembraneEdit.h"
-#include "velum/session/model/ModelEdit.h"
-#include "velum/session/structure/StructureEdit.h"
+#include "gui/kit/Length.h"
+#include "gui/service/Job.h"
+#include "gui/service/SelectedCut.h"
+#include "session/membrane/MembraneEdit.h"
+#include "session/model/ModelEdit.h"
+#include "session/structure/StructureEdit.h"
 
 namespace velum::gui {
 

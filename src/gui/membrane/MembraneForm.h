@@ -10,16 +10,16 @@
 #include <optional>
 #include <utility>
 
-#include "NoiseForm.h"
-#include "ShareBar.h"
-#include "SheetHandsForm.h"
-#include "SketchForm.h"
-#include "StrengthCanvas.h"
-#include "StrengthTable.h"
-#include "kit/Selection.h"
-#include "kit/Widgets.h"
-#include "velum/session/document/Document.h"
-#include "velum/session/membrane/MembranePlayer.h"
+#include "gui/kit/Widgets.h"
+#include "gui/membrane/NoiseForm.h"
+#include "gui/membrane/ShareBar.h"
+#include "gui/membrane/SheetHandsForm.h"
+#include "gui/membrane/SketchForm.h"
+#include "gui/membrane/StrengthCanvas.h"
+#include "gui/membrane/StrengthTable.h"
+#include "gui/service/Selection.h"
+#include "session/document/Document.h"
+#include "session/membrane/MembranePlayer.h"
 
 namespace velum::gui {
 

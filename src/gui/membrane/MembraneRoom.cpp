@@ -1,6 +1,6 @@
-#include "MembraneRoom.h"
+#include "gui/membrane/MembraneRoom.h"
 
-#include "kit/SelectedCut.h"
+#include "gui/service/SelectedCut.h"
 
 namespace velum::gui {
 

@@ -1,12 +1,12 @@
 #pragma once
-#include "BrushTool.h"
-#include "HandTool.h"
-#include "KeptBar.h"
-#include "MembraneForm.h"
-#include "ProtectTool.h"
-#include "SheetGrips.h"
-#include "Sketch.h"
-#include "view/Room.h"
+#include "gui/membrane/BrushTool.h"
+#include "gui/membrane/HandTool.h"
+#include "gui/membrane/KeptBar.h"
+#include "gui/membrane/MembraneForm.h"
+#include "gui/membrane/ProtectTool.h"
+#include "gui/membrane/SheetGrips.h"
+#include "gui/membrane/Sketch.h"
+#include "gui/view/Room.h"
 
 namespace velum::gui {
 

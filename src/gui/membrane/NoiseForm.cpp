@@ -1,11 +1,11 @@
-#include "NoiseForm.h"
+#include "gui/membrane/NoiseForm.h"
 
 #include <QGridLayout>
 #include <QLocale>
 #include <QSignalBlocker>
 #include <algorithm>
 
-#include "kit/SelectedCut.h"
+#include "gui/service/SelectedCut.h"
 
 namespace velum::gui {
 

@@ -4,10 +4,10 @@
 #include <QSpinBox>
 #include <QWidget>
 
-#include "kit/Length.h"
-#include "kit/Selection.h"
-#include "velum/session/document/Document.h"
-#include "velum/session/membrane/MembranePlayer.h"
+#include "gui/kit/Length.h"
+#include "gui/service/Selection.h"
+#include "session/document/Document.h"
+#include "session/membrane/MembranePlayer.h"
 
 namespace velum::gui {
 

@@ -1,9 +1,9 @@
-#include "ProtectTool.h"
+#include "gui/membrane/ProtectTool.h"
 
-#include "kit/SelectedCut.h"
-#include "velum/core/Text.h"
-#include "velum/session/membrane/MembraneEdit.h"
-#include "velum/session/structure/StructureEdit.h"
+#include "core/Text.h"
+#include "gui/service/SelectedCut.h"
+#include "session/membrane/MembraneEdit.h"
+#include "session/structure/StructureEdit.h"
 
 namespace velum::gui {
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "view/Room.h"
+#include "gui/view/Room.h"
 
 namespace velum::gui {
 

@@ -1,11 +1,11 @@
-#include "ShareBar.h"
+#include "gui/membrane/ShareBar.h"
 
 #include <QPainter>
 #include <QPainterPath>
 #include <initializer_list>
 #include <utility>
 
-#include "kit/Theme.h"
+#include "gui/kit/Theme.h"
 
 namespace velum::gui {
 

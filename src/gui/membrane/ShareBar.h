@@ -1,7 +1,7 @@
 #pragma once
 #include <QWidget>
 
-#include "velum/session/membrane/MembranePlayer.h"
+#include "session/membrane/MembranePlayer.h"
 
 namespace velum::gui {
 

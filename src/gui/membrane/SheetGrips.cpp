@@ -1,11 +1,11 @@
-#include "SheetGrips.h"
+#include "gui/membrane/SheetGrips.h"
 
 #include <QMenu>
 #include <utility>
 
-#include "kit/SelectedCut.h"
-#include "tool/HandlePaint.h"
-#include "velum/session/cut/CutEdit.h"
+#include "gui/service/SelectedCut.h"
+#include "gui/tool/HandlePaint.h"
+#include "session/cut/CutEdit.h"
 
 namespace velum::gui {
 

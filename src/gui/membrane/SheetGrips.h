@@ -3,10 +3,10 @@
 #include <functional>
 #include <optional>
 
-#include "SheetHandsPaint.h"
-#include "kit/Selection.h"
-#include "tool/Toolbox.h"
-#include "velum/session/document/Document.h"
+#include "gui/membrane/SheetHandsPaint.h"
+#include "gui/service/Selection.h"
+#include "gui/tool/Toolbox.h"
+#include "session/document/Document.h"
 
 namespace velum::gui {
 

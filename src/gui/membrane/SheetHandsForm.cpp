@@ -1,14 +1,14 @@
-#include "SheetHandsForm.h"
+#include "gui/membrane/SheetHandsForm.h"
 
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QPainter>
 #include <QSignalBlocker>
 
-#include "SheetHandsPaint.h"
-#include "kit/Length.h"
-#include "kit/SelectedCut.h"
-#include "kit/Widgets.h"
+#include "gui/kit/Length.h"
+#include "gui/kit/Widgets.h"
+#include "gui/membrane/SheetHandsPaint.h"
+#include "gui/service/SelectedCut.h"
 
 namespace velum::gui {
 

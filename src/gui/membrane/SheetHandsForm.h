@@ -6,10 +6,10 @@
 #include <functional>
 #include <vector>
 
-#include "kit/NumberField.h"
-#include "kit/Selection.h"
-#include "velum/session/document/Document.h"
-#include "velum/session/membrane/SheetHands.h"
+#include "gui/kit/NumberField.h"
+#include "gui/service/Selection.h"
+#include "session/document/Document.h"
+#include "session/membrane/SheetHands.h"
 
 namespace velum::gui {
 

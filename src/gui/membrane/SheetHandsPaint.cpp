@@ -1,12 +1,12 @@
-#include "SheetHandsPaint.h"
+#include "gui/membrane/SheetHandsPaint.h"
 
 #include <QPainterPath>
 
-#include "StrengthCanvas.h"
-#include "kit/Points.h"
-#include "kit/Theme.h"
-#include "tool/HandlePaint.h"
-#include "velum/session/cut/CutEdit.h"
+#include "gui/kit/Points.h"
+#include "gui/kit/Theme.h"
+#include "gui/membrane/StrengthCanvas.h"
+#include "gui/tool/HandlePaint.h"
+#include "session/cut/CutEdit.h"
 
 namespace velum::gui {
 

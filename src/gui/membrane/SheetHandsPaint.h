@@ -3,9 +3,9 @@
 #include <QPainter>
 #include <optional>
 
-#include "velum/scene/Cut.h"
-#include "velum/scene/SectionPlane.h"
-#include "velum/session/membrane/SheetHands.h"
+#include "scene/Cut.h"
+#include "scene/SectionPlane.h"
+#include "session/membrane/SheetHands.h"
 
 namespace velum::gui {
 

@@ -1,13 +1,13 @@
-#include "Sketch.h"
+#include "gui/membrane/Sketch.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "StrengthCanvas.h"
-#include "kit/SelectedCut.h"
-#include "tool/StrokePaint.h"
-#include "velum/session/membrane/Sketch.h"
-#include "velum/session/membrane/StrokeSamples.h"
+#include "gui/membrane/StrengthCanvas.h"
+#include "gui/service/SelectedCut.h"
+#include "gui/tool/StrokePaint.h"
+#include "session/membrane/Sketch.h"
+#include "session/membrane/StrokeSamples.h"
 
 namespace velum::gui {
 

@@ -4,11 +4,11 @@
 #include <tuple>
 #include <vector>
 
-#include "kit/Bars.h"
-#include "kit/Selection.h"
-#include "tool/Toolbox.h"
-#include "velum/core/Volume.h"
-#include "velum/session/document/Document.h"
+#include "core/Volume.h"
+#include "gui/kit/Messages.h"
+#include "gui/service/Selection.h"
+#include "gui/tool/Toolbox.h"
+#include "session/document/Document.h"
 
 namespace velum::gui {
 

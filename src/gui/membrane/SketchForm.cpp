@@ -1,4 +1,4 @@
-#include "SketchForm.h"
+#include "gui/membrane/SketchForm.h"
 
 #include <QHBoxLayout>
 #include <QKeyEvent>
@@ -8,7 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "StrengthCanvas.h"
+#include "gui/membrane/StrengthCanvas.h"
+#include "scene/Scene.h"
 
 namespace velum::gui {
 

@@ -4,8 +4,8 @@
 #include <QPushButton>
 #include <QWidget>
 
-#include "kit/Widgets.h"
-#include "velum/scene/Membrane.h"
+#include "gui/kit/Widgets.h"
+#include "scene/Membrane.h"
 
 namespace velum::gui {
 

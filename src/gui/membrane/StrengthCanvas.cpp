@@ -1,10 +1,12 @@
-#include "StrengthCanvas.h"
+#include "gui/membrane/StrengthCanvas.h"
 
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
 #include <algorithm>
 #include <cmath>
+
+#include "scene/Scene.h"
 
 namespace velum::gui {
 

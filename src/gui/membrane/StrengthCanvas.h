@@ -3,8 +3,8 @@
 #include <QWidget>
 #include <optional>
 
-#include "velum/scene/Membrane.h"
-#include "velum/session/look/ValueHistogram.h"
+#include "scene/Membrane.h"
+#include "session/look/ValueHistogram.h"
 
 namespace velum::gui {
 

@@ -1,4 +1,4 @@
-#include "StrengthTable.h"
+#include "gui/membrane/StrengthTable.h"
 
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -9,11 +9,12 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "kit/NumberField.h"
-#include "kit/RowPaint.h"
-#include "kit/Widgets.h"
-#include "velum/core/Text.h"
-#include "velum/session/membrane/MembraneEdit.h"
+#include "core/Text.h"
+#include "gui/kit/NumberField.h"
+#include "gui/kit/Widgets.h"
+#include "gui/rows/RowPaint.h"
+#include "scene/Scene.h"
+#include "session/membrane/MembraneEdit.h"
 
 namespace velum::gui {
 

@@ -4,8 +4,8 @@
 #include <QTableWidget>
 #include <QWidget>
 
-#include "velum/scene/Membrane.h"
-#include "velum/scene/Structure.h"
+#include "scene/Membrane.h"
+#include "scene/Structure.h"
 
 namespace velum::gui {
 

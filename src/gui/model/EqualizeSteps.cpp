@@ -1,8 +1,9 @@
-#include "EqualizeSteps.h"
+#include "gui/model/EqualizeSteps.h"
 
 #include <algorithm>
 
-#include "velum/session/model/ClipState.h"
+#include "scene/Scene.h"
+#include "session/model/ClipState.h"
 
 namespace velum::gui {
 
@@ -36,8 +37,8 @@ EqualizeSteps::EqualizeSteps(QWidget* parent) : StepStrip("velum::gui::EqualizeS
 void EqualizeSteps::showScene(const scene::Scene& scene) {
   session::ClipState state = session::clipState(scene);
   bool isCut = std::any_of(scene.cuts.begin(), scene.cuts.end(), [](const scene::Cut& cut) { return cut.enabled; });
-  bool isClear =
-      std::any_of(scene.cuts.begin(), scene.cuts.end(), [](const scene::Cut& cut) { return cut.enabled && cut.focus; });
+  bool isClear = std::any_of(scene.cuts.begin(), scene.cuts.end(),
+                             [](const scene::Cut& cut) { return cut.enabled && cut.model.focus; });
   setDone({isCut, state == session::ClipState::Thinned, isClear, false}, bool(scene.model.data));
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-#include "kit/StepStrip.h"
-#include "velum/scene/Scene.h"
+#include "gui/kit/StepStrip.h"
+#include "scene/SceneFwd.h"
 
 namespace velum::gui {
 

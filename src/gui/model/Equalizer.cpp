@@ -1,14 +1,14 @@
-#include "Equalizer.h"
+#include "gui/model/Equalizer.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "velum/core/Error.h"
-#include "velum/session/model/CountPictures.h"
-#include "velum/session/model/HandleSolver.h"
-#include "velum/session/model/ModelEdit.h"
-#include "velum/session/model/TargetSolver.h"
-#include "velum/session/model/TypesAt.h"
+#include "core/Error.h"
+#include "session/model/CountPictures.h"
+#include "session/model/HandleSolver.h"
+#include "session/model/ModelEdit.h"
+#include "session/model/TargetSolver.h"
+#include "session/model/TypesAt.h"
 
 namespace velum::gui {
 

@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "kit/JobRunner.h"
-#include "velum/session/Session.h"
-#include "velum/session/model/LiveCounts.h"
-#include "velum/session/model/RenderedSolver.h"
-#include "view/Viewport.h"
+#include "gui/service/JobRunner.h"
+#include "gui/view/Viewport.h"
+#include "session/Session.h"
+#include "session/model/LiveCounts.h"
+#include "session/model/RenderedSolver.h"
 
 namespace velum::gui {
 

@@ -1,10 +1,10 @@
-#include "EqualizerBar.h"
+#include "gui/model/EqualizerBar.h"
 
 #include <QHBoxLayout>
 #include <QMenu>
 #include <algorithm>
 
-#include "velum/session/model/ClipState.h"
+#include "session/model/ClipState.h"
 
 namespace velum::gui {
 

@@ -3,7 +3,7 @@
 #include <QToolButton>
 #include <vector>
 
-#include "Equalizer.h"
+#include "gui/model/Equalizer.h"
 
 namespace velum::gui {
 

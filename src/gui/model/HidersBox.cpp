@@ -1,11 +1,12 @@
-#include "HidersBox.h"
+#include "gui/model/HidersBox.h"
 
 #include <QPainter>
 #include <QPushButton>
 #include <algorithm>
 
-#include "velum/session/model/ModelEdit.h"
-#include "velum/session/model/TypesAt.h"
+#include "scene/Scene.h"
+#include "session/model/ModelEdit.h"
+#include "session/model/TypesAt.h"
 
 namespace velum::gui {
 

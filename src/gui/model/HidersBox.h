@@ -3,8 +3,8 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
-#include "velum/scene/ModelLayer.h"
-#include "velum/session/model/WhatHides.h"
+#include "scene/ModelLayer.h"
+#include "session/model/WhatHides.h"
 
 namespace velum::gui {
 

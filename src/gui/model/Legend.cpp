@@ -1,4 +1,4 @@
-#include "Legend.h"
+#include "gui/model/Legend.h"
 
 #include <algorithm>
 #include <numeric>

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "tool/Manipulator.h"
-#include "velum/scene/Scene.h"
-#include "view/Viewport.h"
+#include "gui/tool/Manipulator.h"
+#include "gui/view/Viewport.h"
+#include "scene/SceneFwd.h"
 
 namespace velum::gui {
 

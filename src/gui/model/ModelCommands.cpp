@@ -1,4 +1,4 @@
-#include "ModelCommands.h"
+#include "gui/model/ModelCommands.h"
 
 #include <fmt/format.h>
 
@@ -7,13 +7,13 @@
 #include <QLocale>
 #include <algorithm>
 
-#include "kit/SelectedCut.h"
-#include "velum/session/command/Command.h"
-#include "velum/session/command/ModelCommands.h"
-#include "velum/session/membrane/MembraneEdit.h"
-#include "velum/session/model/TypesAt.h"
-#include "velum/session/model/WhatHides.h"
-#include "velum/session/structure/StructureSizes.h"
+#include "gui/service/SelectedCut.h"
+#include "session/command/Command.h"
+#include "session/command/ModelCommands.h"
+#include "session/membrane/MembraneEdit.h"
+#include "session/model/TypesAt.h"
+#include "session/model/WhatHides.h"
+#include "session/structure/StructureSizes.h"
 
 namespace velum::gui {
 

@@ -2,10 +2,10 @@
 #include <QMenu>
 #include <QObject>
 
-#include "kit/Selection.h"
-#include "velum/session/document/Document.h"
-#include "velum/session/model/ModelEdit.h"
-#include "view/CameraFlight.h"
+#include "gui/service/Selection.h"
+#include "gui/view/CameraFlight.h"
+#include "session/document/Document.h"
+#include "session/model/ModelEdit.h"
 
 namespace velum::gui {
 

@@ -1,10 +1,10 @@
-#include "ModelDelegate.h"
+#include "gui/model/ModelDelegate.h"
 
 #include <QLineEdit>
 #include <QPainter>
 #include <QSortFilterProxyModel>
 
-#include "kit/RowPaint.h"
+#include "gui/rows/RowPaint.h"
 
 namespace velum::gui {
 

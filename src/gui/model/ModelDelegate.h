@@ -2,8 +2,8 @@
 #include <QHeaderView>
 #include <QStyledItemDelegate>
 
-#include "ModelTree.h"
-#include "kit/CountBar.h"
+#include "gui/model/ModelTree.h"
+#include "gui/rows/CountBar.h"
 
 namespace velum::gui {
 

@@ -1,4 +1,4 @@
-#include "ModelList.h"
+#include "gui/model/ModelList.h"
 
 #include <QContextMenuEvent>
 #include <QHeaderView>

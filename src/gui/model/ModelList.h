@@ -1,10 +1,10 @@
 #pragma once
 #include <QTreeView>
 
-#include "Equalizer.h"
-#include "ModelCommands.h"
-#include "ModelDelegate.h"
-#include "ModelTree.h"
+#include "gui/model/Equalizer.h"
+#include "gui/model/ModelCommands.h"
+#include "gui/model/ModelDelegate.h"
+#include "gui/model/ModelTree.h"
 
 namespace velum::gui {
 

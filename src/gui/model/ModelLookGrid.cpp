@@ -1,13 +1,13 @@
-#include "ModelLookGrid.h"
+#include "gui/model/ModelLookGrid.h"
 
 #include <QVBoxLayout>
 
-#include "kit/CallLater.h"
-#include "kit/Widgets.h"
-#include "velum/scene/ModelLooks.h"
-#include "velum/session/command/Command.h"
-#include "velum/session/command/LookCommands.h"
-#include "velum/session/picture/ModelPictures.h"
+#include "gui/kit/Widgets.h"
+#include "gui/service/CallLater.h"
+#include "scene/ModelLooks.h"
+#include "session/command/Command.h"
+#include "session/command/LookCommands.h"
+#include "session/picture/ModelPictures.h"
 
 namespace velum::gui {
 

@@ -4,9 +4,9 @@
 #include <QTimer>
 #include <memory>
 
-#include "kit/Job.h"
-#include "kit/PictureList.h"
-#include "velum/session/document/Document.h"
+#include "gui/rows/PictureList.h"
+#include "gui/service/Job.h"
+#include "session/document/Document.h"
 
 namespace velum::gui {
 

@@ -1,4 +1,4 @@
-#include "ModelPanel.h"
+#include "gui/model/ModelPanel.h"
 
 #include <QActionGroup>
 #include <QMenu>
@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "velum/session/model/TypesAt.h"
+#include "session/model/TypesAt.h"
 
 namespace velum::gui {
 

@@ -6,13 +6,13 @@
 #include <QLineEdit>
 #include <functional>
 
-#include "EqualizeSteps.h"
-#include "EqualizerBar.h"
-#include "HidersBox.h"
-#include "ModelList.h"
-#include "ModelLookGrid.h"
-#include "kit/RowPaint.h"
-#include "kit/Widgets.h"
+#include "gui/kit/Widgets.h"
+#include "gui/model/EqualizeSteps.h"
+#include "gui/model/EqualizerBar.h"
+#include "gui/model/HidersBox.h"
+#include "gui/model/ModelList.h"
+#include "gui/model/ModelLookGrid.h"
+#include "gui/rows/RowPaint.h"
 
 namespace velum::gui {
 

@@ -1,9 +1,9 @@
-#include "ModelRoom.h"
+#include "gui/model/ModelRoom.h"
 
 #include <memory>
 #include <numeric>
 
-#include "velum/session/model/CountPictures.h"
+#include "session/model/CountPictures.h"
 
 namespace velum::gui {
 

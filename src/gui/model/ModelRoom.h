@@ -1,9 +1,9 @@
 #pragma once
-#include "Equalizer.h"
-#include "Legend.h"
-#include "ModelPanel.h"
-#include "TypeHighlight.h"
-#include "view/Room.h"
+#include "gui/model/Equalizer.h"
+#include "gui/model/Legend.h"
+#include "gui/model/ModelPanel.h"
+#include "gui/model/TypeHighlight.h"
+#include "gui/view/Room.h"
 
 namespace velum::gui {
 

@@ -1,9 +1,9 @@
-#include "ModelTree.h"
+#include "gui/model/ModelTree.h"
 
 #include <QLocale>
 #include <algorithm>
 
-#include "velum/session/model/ModelEdit.h"
+#include "session/model/ModelEdit.h"
 
 namespace velum::gui {
 

@@ -3,10 +3,10 @@
 #include <optional>
 #include <vector>
 
-#include "Equalizer.h"
-#include "kit/BarScale.h"
-#include "kit/TypeTree.h"
-#include "velum/scene/ModelLayer.h"
+#include "gui/model/Equalizer.h"
+#include "gui/rows/BarScale.h"
+#include "gui/rows/TypeTree.h"
+#include "scene/ModelLayer.h"
 
 namespace velum::gui {
 

@@ -1,4 +1,4 @@
-#include "TypeHighlight.h"
+#include "gui/model/TypeHighlight.h"
 
 #include <algorithm>
 

@@ -1,9 +1,9 @@
 #pragma once
 #include <QImage>
 
-#include "tool/Manipulator.h"
-#include "velum/session/model/ModelEdit.h"
-#include "view/Viewport.h"
+#include "gui/tool/Manipulator.h"
+#include "gui/view/Viewport.h"
+#include "session/model/ModelEdit.h"
 
 namespace velum::gui {
 

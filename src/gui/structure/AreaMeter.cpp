@@ -1,12 +1,12 @@
-#include "AreaMeter.h"
+#include "gui/structure/AreaMeter.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "velum/gpu/Context.h"
-#include "velum/render/Renderer.h"
-#include "velum/session/model/PictureCounter.h"
-#include "velum/session/structure/StructureEdit.h"
+#include "gpu/Context.h"
+#include "render/Renderer.h"
+#include "session/model/PictureCounter.h"
+#include "session/structure/StructureEdit.h"
 
 namespace velum::gui {
 

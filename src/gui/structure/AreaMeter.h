@@ -3,11 +3,11 @@
 #include <memory>
 #include <vector>
 
-#include "kit/NewestJob.h"
-#include "velum/session/Session.h"
-#include "velum/session/extrusion/AreaSolver.h"
-#include "velum/session/structure/StructureAreas.h"
-#include "view/Viewport.h"
+#include "gui/service/NewestJob.h"
+#include "gui/view/Viewport.h"
+#include "session/Session.h"
+#include "session/extrusion/AreaSolver.h"
+#include "session/structure/StructureAreas.h"
 
 namespace velum::gui {
 

@@ -1,16 +1,16 @@
-#include "StructureCommands.h"
+#include "gui/structure/StructureCommands.h"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 
-#include "kit/PictureList.h"
-#include "velum/scene/LitSpheres.h"
-#include "velum/session/command/Command.h"
-#include "velum/session/command/CutCommands.h"
-#include "velum/session/command/StructureCommands.h"
-#include "velum/session/cut/CutEdit.h"
-#include "velum/session/membrane/MembraneEdit.h"
+#include "gui/rows/PictureList.h"
+#include "scene/LitSpheres.h"
+#include "session/command/Command.h"
+#include "session/command/CutCommands.h"
+#include "session/command/StructureCommands.h"
+#include "session/cut/CutEdit.h"
+#include "session/membrane/MembraneEdit.h"
 
 namespace velum::gui {
 

@@ -4,11 +4,11 @@
 #include <QObject>
 #include <vector>
 
-#include "StructureMeter.h"
-#include "kit/Selection.h"
-#include "velum/session/document/Document.h"
-#include "velum/session/structure/StructureEdit.h"
-#include "view/CameraFlight.h"
+#include "gui/service/Selection.h"
+#include "gui/structure/StructureMeter.h"
+#include "gui/view/CameraFlight.h"
+#include "session/document/Document.h"
+#include "session/structure/StructureEdit.h"
 
 namespace velum::gui {
 

@@ -1,4 +1,4 @@
-#include "StructureList.h"
+#include "gui/structure/StructureList.h"
 
 #include <QColorDialog>
 #include <QContextMenuEvent>
@@ -10,8 +10,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "StructureCommands.h"
-#include "kit/RowPaint.h"
+#include "gui/rows/RowPaint.h"
+#include "gui/structure/StructureCommands.h"
 
 namespace velum::gui {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <QTreeView>
 
-#include "StructureModel.h"
+#include "gui/structure/StructureModel.h"
 
 namespace velum::gui {
 

@@ -1,8 +1,9 @@
-#include "StructureMeter.h"
+#include "gui/structure/StructureMeter.h"
 
 #include <memory>
 
-#include "velum/scene/GreyWindows.h"
+#include "scene/GreyWindows.h"
+#include "scene/Scene.h"
 
 namespace velum::gui {
 

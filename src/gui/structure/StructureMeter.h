@@ -3,10 +3,10 @@
 #include <QString>
 #include <map>
 
-#include "kit/NewestJob.h"
-#include "velum/scene/Scene.h"
-#include "velum/session/structure/StructureSizes.h"
-#include "velum/session/structure/StructureValues.h"
+#include "gui/service/NewestJob.h"
+#include "scene/SceneFwd.h"
+#include "session/structure/StructureSizes.h"
+#include "session/structure/StructureValues.h"
 
 namespace velum::gui {
 

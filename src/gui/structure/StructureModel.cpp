@@ -1,4 +1,4 @@
-#include "StructureModel.h"
+#include "gui/structure/StructureModel.h"
 
 #include <QColor>
 #include <QLocale>
@@ -6,8 +6,8 @@
 #include <cmath>
 #include <utility>
 
-#include "kit/Amounts.h"
-#include "velum/core/Text.h"
+#include "core/Text.h"
+#include "gui/rows/Amounts.h"
 
 namespace velum::gui {
 

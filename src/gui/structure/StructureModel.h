@@ -5,10 +5,10 @@
 #include <optional>
 #include <vector>
 
-#include "AreaMeter.h"
-#include "StructureMeter.h"
-#include "kit/CountBar.h"
-#include "velum/scene/Structure.h"
+#include "gui/rows/CountBar.h"
+#include "gui/structure/AreaMeter.h"
+#include "gui/structure/StructureMeter.h"
+#include "scene/Structure.h"
 
 namespace velum::gui {
 

@@ -1,4 +1,4 @@
-#include "StructurePanel.h"
+#include "gui/structure/StructurePanel.h"
 
 #include <QActionGroup>
 #include <QGridLayout>
@@ -7,8 +7,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "kit/Length.h"
-#include "velum/session/document/StructureShapes.h"
+#include "gui/kit/Length.h"
+#include "session/document/StructureShapes.h"
 
 namespace velum::gui {
 

@@ -5,10 +5,10 @@
 #include <QToolButton>
 #include <QWidget>
 
-#include "StructureCommands.h"
-#include "StructureList.h"
-#include "kit/RowPaint.h"
-#include "kit/Widgets.h"
+#include "gui/kit/Widgets.h"
+#include "gui/rows/RowPaint.h"
+#include "gui/structure/StructureCommands.h"
+#include "gui/structure/StructureList.h"
 
 namespace velum::gui {
 

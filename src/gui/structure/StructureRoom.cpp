@@ -1,6 +1,6 @@
-#include "StructureRoom.h"
+#include "gui/structure/StructureRoom.h"
 
-#include "velum/session/command/StructureCommands.h"
+#include "session/command/StructureCommands.h"
 
 namespace velum::gui {
 

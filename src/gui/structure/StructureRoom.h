@@ -1,7 +1,7 @@
 #pragma once
-#include "StructureCommands.h"
-#include "StructurePanel.h"
-#include "view/Room.h"
+#include "gui/structure/StructureCommands.h"
+#include "gui/structure/StructurePanel.h"
+#include "gui/view/Room.h"
 
 namespace velum::gui {
 

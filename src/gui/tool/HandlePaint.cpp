@@ -1,11 +1,11 @@
-#include "HandlePaint.h"
+#include "gui/tool/HandlePaint.h"
 
 #include <QFontMetrics>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "kit/Theme.h"
+#include "gui/kit/Theme.h"
 
 namespace velum::gui {
 

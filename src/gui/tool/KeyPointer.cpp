@@ -1,10 +1,10 @@
-#include "KeyPointer.h"
+#include "gui/tool/KeyPointer.h"
 
 #include <QPainterPath>
 #include <algorithm>
 
-#include "HandlePaint.h"
-#include "Toolbox.h"
+#include "gui/tool/HandlePaint.h"
+#include "gui/tool/Toolbox.h"
 
 namespace velum::gui {
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "Manipulator.h"
+#include "gui/tool/Manipulator.h"
 
 namespace velum::gui {
 

@@ -3,7 +3,7 @@
 #include <functional>
 #include <optional>
 
-#include "ViewPoint.h"
+#include "gui/tool/ViewPoint.h"
 
 namespace velum::gui {
 

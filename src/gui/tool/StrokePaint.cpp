@@ -1,4 +1,4 @@
-#include "StrokePaint.h"
+#include "gui/tool/StrokePaint.h"
 
 #include <QImage>
 #include <QPainterPath>
@@ -6,8 +6,8 @@
 #include <cmath>
 #include <vector>
 
-#include "HandlePaint.h"
-#include "kit/Theme.h"
+#include "gui/kit/Theme.h"
+#include "gui/tool/HandlePaint.h"
 
 namespace velum::gui {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <span>
 
-#include "Manipulator.h"
+#include "gui/tool/Manipulator.h"
 
 namespace velum::gui {
 

@@ -2,7 +2,7 @@
 #include <QObject>
 #include <QString>
 
-#include "Manipulator.h"
+#include "gui/tool/Manipulator.h"
 
 namespace velum::gui {
 

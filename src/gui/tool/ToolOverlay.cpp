@@ -1,9 +1,9 @@
-#include "ToolOverlay.h"
+#include "gui/tool/ToolOverlay.h"
 
 #include <QEvent>
 #include <QPainter>
 
-#include "Toolbox.h"
+#include "gui/tool/Toolbox.h"
 
 namespace velum::gui {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <QWidget>
 
-#include "ToolView.h"
+#include "gui/tool/ToolView.h"
 
 namespace velum::gui {
 

@@ -2,8 +2,8 @@
 #include <QWidget>
 #include <optional>
 
-#include "velum/render/Renderer.h"
-#include "velum/session/ViewSpace.h"
+#include "render/Renderer.h"
+#include "session/ViewSpace.h"
 
 namespace velum::gui {
 

@@ -1,4 +1,4 @@
-#include "Toolbox.h"
+#include "gui/tool/Toolbox.h"
 
 #include <QAbstractSpinBox>
 #include <QApplication>
@@ -9,8 +9,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "HandlePaint.h"
-#include "ToolOverlay.h"
+#include "gui/tool/HandlePaint.h"
+#include "gui/tool/ToolOverlay.h"
 
 namespace velum::gui {
 

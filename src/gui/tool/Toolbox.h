@@ -6,9 +6,9 @@
 #include <QWheelEvent>
 #include <vector>
 
-#include "KeyPointer.h"
-#include "Tool.h"
-#include "velum/session/document/Document.h"
+#include "gui/tool/KeyPointer.h"
+#include "gui/tool/Tool.h"
+#include "session/document/Document.h"
 
 namespace velum::gui {
 

@@ -1,8 +1,8 @@
-#include "ViewPoint.h"
+#include "gui/tool/ViewPoint.h"
 
 #include <algorithm>
 
-#include "velum/core/Volume.h"
+#include "core/Volume.h"
 
 namespace velum::gui {
 

@@ -1,9 +1,9 @@
 #pragma once
 #include <limits>
 
-#include "ToolView.h"
-#include "kit/Points.h"
-#include "velum/scene/Scene.h"
+#include "gui/kit/Points.h"
+#include "gui/tool/ToolView.h"
+#include "scene/SceneFwd.h"
 
 namespace velum::gui {
 

@@ -1,6 +1,6 @@
-#include "CameraFlight.h"
+#include "gui/view/CameraFlight.h"
 
-#include "velum/scene/Navigate.h"
+#include "scene/Navigate.h"
 
 namespace velum::gui {
 

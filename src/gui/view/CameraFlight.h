@@ -1,7 +1,7 @@
 #pragma once
 #include <QVariantAnimation>
 
-#include "velum/session/document/Document.h"
+#include "session/document/Document.h"
 
 namespace velum::gui {
 

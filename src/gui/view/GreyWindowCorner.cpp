@@ -1,12 +1,12 @@
-#include "GreyWindowCorner.h"
+#include "gui/view/GreyWindowCorner.h"
 
 #include <QKeyEvent>
 #include <QToolTip>
 #include <algorithm>
 
-#include "kit/Theme.h"
-#include "velum/core/Assert.h"
-#include "velum/session/section/TypedWindow.h"
+#include "core/Assert.h"
+#include "gui/kit/Theme.h"
+#include "session/section/TypedWindow.h"
 
 namespace velum::gui {
 

@@ -4,8 +4,8 @@
 #include <QWidget>
 #include <string_view>
 
-#include "velum/scene/GreyWindows.h"
-#include "velum/session/document/Document.h"
+#include "scene/GreyWindows.h"
+#include "session/document/Document.h"
 
 namespace velum::gui {
 

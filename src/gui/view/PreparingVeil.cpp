@@ -1,10 +1,11 @@
-#include "PreparingVeil.h"
+#include "gui/view/PreparingVeil.h"
 
 #include <QEvent>
 #include <QGuiApplication>
 #include <QPainter>
 
-#include "kit/Theme.h"
+#include "gui/kit/Theme.h"
+#include "scene/Scene.h"
 
 namespace velum::gui {
 

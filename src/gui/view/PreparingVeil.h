@@ -4,7 +4,7 @@
 #include <QWidget>
 #include <string>
 
-#include "velum/scene/Scene.h"
+#include "scene/SceneFwd.h"
 
 namespace velum::gui {
 

@@ -2,15 +2,15 @@
 #include <QMenu>
 #include <array>
 
-#include "ViewGrid.h"
-#include "kit/ActionTable.h"
-#include "kit/Bars.h"
-#include "kit/FloatingBars.h"
-#include "kit/JobRunner.h"
-#include "kit/Selection.h"
-#include "kit/SideTabs.h"
-#include "tool/Toolbox.h"
-#include "velum/session/Session.h"
+#include "gui/kit/FloatingBars.h"
+#include "gui/kit/Messages.h"
+#include "gui/kit/SideTabs.h"
+#include "gui/service/ActionTable.h"
+#include "gui/service/JobRunner.h"
+#include "gui/service/Selection.h"
+#include "gui/tool/Toolbox.h"
+#include "gui/view/ViewGrid.h"
+#include "session/Session.h"
 
 namespace velum::gui {
 

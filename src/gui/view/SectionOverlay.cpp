@@ -1,4 +1,4 @@
-#include "SectionOverlay.h"
+#include "gui/view/SectionOverlay.h"
 
 #include <QCoreApplication>
 #include <QPainterPath>
@@ -6,12 +6,12 @@
 #include <cmath>
 #include <functional>
 
-#include "GreyWindowCorner.h"
-#include "kit/Length.h"
-#include "kit/Points.h"
-#include "kit/Theme.h"
-#include "velum/render/section/SectionImage.h"
-#include "velum/session/section/SectionTool.h"
+#include "gui/kit/Length.h"
+#include "gui/kit/Points.h"
+#include "gui/kit/Theme.h"
+#include "gui/view/GreyWindowCorner.h"
+#include "render/section/SectionImage.h"
+#include "session/section/SectionTool.h"
 
 namespace velum::gui {
 

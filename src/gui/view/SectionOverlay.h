@@ -1,7 +1,7 @@
 #pragma once
 #include <QPainter>
 
-#include "velum/scene/SectionPlane.h"
+#include "scene/SectionPlane.h"
 
 namespace velum::gui {
 

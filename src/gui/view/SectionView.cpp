@@ -1,4 +1,4 @@
-#include "SectionView.h"
+#include "gui/view/SectionView.h"
 
 #include <QHBoxLayout>
 #include <QLocale>
@@ -7,12 +7,12 @@
 #include <QWidgetAction>
 #include <cmath>
 
-#include "GreyWindowCorner.h"
-#include "ViewChange.h"
-#include "kit/Icons.h"
-#include "kit/Theme.h"
-#include "kit/Widgets.h"
-#include "velum/session/section/InstanceOutlines.h"
+#include "gui/kit/Icons.h"
+#include "gui/kit/Theme.h"
+#include "gui/kit/Widgets.h"
+#include "gui/view/GreyWindowCorner.h"
+#include "gui/view/ViewChange.h"
+#include "session/section/InstanceOutlines.h"
 
 namespace velum::gui {
 

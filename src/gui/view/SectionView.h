@@ -5,12 +5,12 @@
 #include <QToolButton>
 #include <QWidget>
 
-#include "SectionOverlay.h"
-#include "kit/Selection.h"
-#include "tool/Toolbox.h"
-#include "velum/render/Renderer.h"
-#include "velum/render/section/SectionImage.h"
-#include "velum/session/document/Document.h"
+#include "gui/service/Selection.h"
+#include "gui/tool/Toolbox.h"
+#include "gui/view/SectionOverlay.h"
+#include "render/Renderer.h"
+#include "render/section/SectionImage.h"
+#include "session/document/Document.h"
 
 namespace velum::gui {
 

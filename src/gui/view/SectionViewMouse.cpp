@@ -6,11 +6,11 @@
 #include <QMouseEvent>
 #include <cmath>
 
-#include "SectionView.h"
-#include "ViewChange.h"
-#include "kit/Points.h"
-#include "kit/Preferences.h"
-#include "velum/session/section/SectionTool.h"
+#include "gui/kit/Points.h"
+#include "gui/kit/Preferences.h"
+#include "gui/view/SectionView.h"
+#include "gui/view/ViewChange.h"
+#include "session/section/SectionTool.h"
 
 namespace velum::gui {
 

@@ -1,4 +1,4 @@
-#include "TimeBar.h"
+#include "gui/view/TimeBar.h"
 
 #include <QHBoxLayout>
 #include <QSignalBlocker>

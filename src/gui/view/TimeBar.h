@@ -5,7 +5,7 @@
 #include <QSlider>
 #include <QTimer>
 
-#include "velum/session/document/Document.h"
+#include "session/document/Document.h"
 
 namespace velum::gui {
 

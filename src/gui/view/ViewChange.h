@@ -1,5 +1,5 @@
 #pragma once
-#include "velum/session/document/Document.h"
+#include "session/document/Document.h"
 
 namespace velum::gui {
 

@@ -1,4 +1,4 @@
-#include "ViewCube.h"
+#include "gui/view/ViewCube.h"
 
 #include <QHelpEvent>
 #include <QMouseEvent>
@@ -8,10 +8,10 @@
 #include <QTransform>
 #include <algorithm>
 
-#include "kit/Length.h"
-#include "kit/Theme.h"
-#include "velum/scene/Navigate.h"
-#include "velum/scene/Project.h"
+#include "gui/kit/Length.h"
+#include "gui/kit/Theme.h"
+#include "scene/Navigate.h"
+#include "scene/Project.h"
 
 namespace velum::gui {
 

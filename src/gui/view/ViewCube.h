@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "CameraFlight.h"
-#include "velum/session/document/Document.h"
+#include "gui/view/CameraFlight.h"
+#include "session/document/Document.h"
 
 namespace velum::gui {
 

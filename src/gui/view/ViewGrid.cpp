@@ -1,11 +1,11 @@
-#include "ViewGrid.h"
+#include "gui/view/ViewGrid.h"
 
 #include <QMouseEvent>
 #include <QPainter>
 #include <cmath>
 
-#include "ViewChange.h"
-#include "kit/Preferences.h"
+#include "gui/kit/Preferences.h"
+#include "gui/view/ViewChange.h"
 
 namespace velum::gui {
 

@@ -3,8 +3,8 @@
 #include <array>
 #include <optional>
 
-#include "SectionView.h"
-#include "Viewport.h"
+#include "gui/view/SectionView.h"
+#include "gui/view/Viewport.h"
 
 namespace velum::gui {
 

@@ -1,4 +1,4 @@
-#include "Viewport.h"
+#include "gui/view/Viewport.h"
 
 #include <QMouseEvent>
 #include <QOpenGLContext>
@@ -6,12 +6,12 @@
 #include <cmath>
 #include <utility>
 
-#include "CoarseScale.h"
-#include "PreparingVeil.h"
-#include "velum/core/Error.h"
-#include "velum/scene/Navigate.h"
-#include "velum/scene/Project.h"
-#include "velum/scene/VisibleFrame.h"
+#include "core/Error.h"
+#include "gui/view/CoarseScale.h"
+#include "gui/view/PreparingVeil.h"
+#include "scene/Navigate.h"
+#include "scene/Project.h"
+#include "scene/VisibleFrame.h"
 
 namespace velum::gui {
 

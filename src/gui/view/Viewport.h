@@ -6,10 +6,10 @@
 #include <memory>
 #include <optional>
 
-#include "tool/Toolbox.h"
-#include "velum/gpu/Context.h"
-#include "velum/render/Renderer.h"
-#include "velum/session/Session.h"
+#include "gpu/Context.h"
+#include "gui/tool/Toolbox.h"
+#include "render/Renderer.h"
+#include "session/Session.h"
 
 namespace velum::gui {
 

@@ -3,10 +3,10 @@
 #include <QMouseEvent>
 #include <cmath>
 
-#include "Viewport.h"
-#include "kit/Points.h"
-#include "kit/Preferences.h"
-#include "velum/scene/Navigate.h"
+#include "gui/kit/Points.h"
+#include "gui/kit/Preferences.h"
+#include "gui/view/Viewport.h"
+#include "scene/Navigate.h"
 
 namespace velum::gui {
 

@@ -1,4 +1,4 @@
-#include "CommandFinder.h"
+#include "gui/window/CommandFinder.h"
 
 #include <QKeyEvent>
 #include <QPainter>
@@ -7,8 +7,8 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "kit/RowPaint.h"
-#include "velum/session/command/Command.h"
+#include "gui/rows/RowPaint.h"
+#include "session/command/Command.h"
 
 namespace velum::gui {
 

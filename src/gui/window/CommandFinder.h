@@ -3,7 +3,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 
-#include "Findable.h"
+#include "gui/window/Findable.h"
 
 namespace velum::gui {
 

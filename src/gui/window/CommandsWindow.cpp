@@ -1,4 +1,4 @@
-#include "CommandsWindow.h"
+#include "gui/window/CommandsWindow.h"
 
 #include <QClipboard>
 #include <QCompleter>
@@ -11,7 +11,7 @@
 #include <QShortcut>
 #include <QVBoxLayout>
 
-#include "velum/core/ReplaceFile.h"
+#include "core/ReplaceFile.h"
 
 namespace velum::gui {
 

@@ -5,7 +5,7 @@
 #include <QTimer>
 #include <QWidget>
 
-#include "kit/JobRunner.h"
+#include "gui/service/JobRunner.h"
 
 namespace velum::gui {
 

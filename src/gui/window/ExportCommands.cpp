@@ -1,19 +1,19 @@
-#include "ExportCommands.h"
+#include "gui/window/ExportCommands.h"
 
 #include <QFileInfo>
 #include <QStandardPaths>
 #include <cmath>
 
-#include "ExportStructuresDialog.h"
-#include "SavePictureDialog.h"
-#include "kit/Preferences.h"
-#include "kit/SavePath.h"
-#include "kit/SelectedCut.h"
-#include "velum/core/ReplaceFile.h"
-#include "velum/session/membrane/Membranes.h"
-#include "velum/session/model/CountPictures.h"
-#include "velum/session/model/ModelExport.h"
-#include "velum/session/picture/Export.h"
+#include "core/ReplaceFile.h"
+#include "gui/kit/Preferences.h"
+#include "gui/service/SavePath.h"
+#include "gui/service/SelectedCut.h"
+#include "gui/window/ExportStructuresDialog.h"
+#include "gui/window/SavePictureDialog.h"
+#include "session/membrane/Membranes.h"
+#include "session/model/CountPictures.h"
+#include "session/model/ModelExport.h"
+#include "session/picture/Export.h"
 
 namespace velum::gui {
 

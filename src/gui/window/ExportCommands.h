@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "velum/session/picture/Animation.h"
-#include "velum/session/structure/StructureExport.h"
-#include "view/Room.h"
+#include "gui/view/Room.h"
+#include "session/picture/Animation.h"
+#include "session/structure/StructureExport.h"
 
 namespace velum::gui {
 

@@ -1,11 +1,12 @@
-#include "ExportStructuresDialog.h"
+#include "gui/window/ExportStructuresDialog.h"
 
 #include <QDialogButtonBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "velum/session/structure/StructureEdit.h"
+#include "scene/Scene.h"
+#include "session/structure/StructureEdit.h"
 
 namespace velum::gui {
 

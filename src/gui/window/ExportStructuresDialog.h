@@ -3,8 +3,8 @@
 #include <QDialog>
 #include <QRadioButton>
 
-#include "kit/Widgets.h"
-#include "velum/session/structure/StructureExport.h"
+#include "gui/kit/Widgets.h"
+#include "session/structure/StructureExport.h"
 
 namespace velum::gui {
 

@@ -1,4 +1,4 @@
-#include "FileCommands.h"
+#include "gui/window/FileCommands.h"
 
 #include <QFileDialog>
 #include <QFileInfo>
@@ -6,12 +6,12 @@
 #include <QPushButton>
 #include <exception>
 
-#include "kit/RecentFiles.h"
-#include "kit/SavePath.h"
-#include "velum/core/Memory.h"
-#include "velum/session/document/FileKinds.h"
-#include "velum/session/document/Open.h"
-#include "velum/session/look/Look.h"
+#include "core/Memory.h"
+#include "gui/service/RecentFiles.h"
+#include "gui/service/SavePath.h"
+#include "session/document/FileKinds.h"
+#include "session/document/Open.h"
+#include "session/look/Look.h"
 
 namespace velum::gui {
 

@@ -1,7 +1,7 @@
 #pragma once
-#include "ExportCommands.h"
-#include "FileLoads.h"
-#include "view/Room.h"
+#include "gui/view/Room.h"
+#include "gui/window/ExportCommands.h"
+#include "gui/window/FileLoads.h"
 
 namespace velum::gui {
 

@@ -1,4 +1,4 @@
-#include "FileLoads.h"
+#include "gui/window/FileLoads.h"
 
 #include <QDir>
 #include <QFileDialog>
@@ -8,16 +8,16 @@
 #include <QStandardPaths>
 #include <algorithm>
 
-#include "RawDialog.h"
-#include "SeriesDialog.h"
-#include "kit/RecentFiles.h"
-#include "velum/scene/VisibleFrame.h"
-#include "velum/scene/json/Paths.h"
-#include "velum/session/document/LabelPlace.h"
-#include "velum/session/document/RawFile.h"
-#include "velum/session/document/Recent.h"
-#include "velum/session/document/Showcase.h"
-#include "velum/session/look/Look.h"
+#include "gui/service/RecentFiles.h"
+#include "gui/window/RawDialog.h"
+#include "gui/window/SeriesDialog.h"
+#include "scene/VisibleFrame.h"
+#include "scene/json/Paths.h"
+#include "session/document/LabelPlace.h"
+#include "session/document/RawFile.h"
+#include "session/document/Recent.h"
+#include "session/document/Showcase.h"
+#include "session/look/Look.h"
 
 namespace velum::gui {
 

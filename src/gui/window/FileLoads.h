@@ -2,8 +2,8 @@
 #include <QObject>
 #include <functional>
 
-#include "velum/session/document/Series.h"
-#include "view/Room.h"
+#include "gui/view/Room.h"
+#include "session/document/Series.h"
 
 namespace velum::gui {
 

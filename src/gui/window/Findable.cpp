@@ -1,12 +1,12 @@
-#include "Findable.h"
+#include "gui/window/Findable.h"
 
 #include <QLineEdit>
 #include <QScrollArea>
 
-#include "kit/NumberField.h"
-#include "kit/PictureList.h"
-#include "look/PresetGrid.h"
-#include "velum/scene/Presets.h"
+#include "gui/kit/NumberField.h"
+#include "gui/look/PresetGrid.h"
+#include "gui/rows/PictureList.h"
+#include "scene/Presets.h"
 
 namespace velum::gui {
 

@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "view/Room.h"
+#include "gui/view/Room.h"
 
 namespace velum::gui {
 

@@ -1,9 +1,9 @@
-#include "HelpCommands.h"
+#include "gui/window/HelpCommands.h"
 
 #include <QMessageBox>
 
-#include "CommandFinder.h"
-#include "HelpWindow.h"
+#include "gui/window/CommandFinder.h"
+#include "gui/window/HelpWindow.h"
 
 namespace velum::gui {
 

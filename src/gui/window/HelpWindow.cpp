@@ -1,4 +1,4 @@
-#include "HelpWindow.h"
+#include "gui/window/HelpWindow.h"
 
 #include <QDesktopServices>
 #include <QHBoxLayout>

@@ -1,10 +1,10 @@
-#include "HistoryCommands.h"
+#include "gui/window/HistoryCommands.h"
 
 #include <QClipboard>
 #include <QGuiApplication>
 #include <algorithm>
 
-#include "PreferencesDialog.h"
+#include "gui/window/PreferencesDialog.h"
 
 namespace velum::gui {
 

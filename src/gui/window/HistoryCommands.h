@@ -1,6 +1,6 @@
 #pragma once
-#include "CommandsWindow.h"
-#include "view/Room.h"
+#include "gui/view/Room.h"
+#include "gui/window/CommandsWindow.h"
 
 namespace velum::gui {
 

@@ -1,10 +1,10 @@
-#include "KeysPage.h"
+#include "gui/window/KeysPage.h"
 
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QVBoxLayout>
 
-#include "Findable.h"
+#include "gui/window/Findable.h"
 
 namespace velum::gui {
 

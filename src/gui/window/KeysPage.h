@@ -5,7 +5,7 @@
 #include <QPushButton>
 #include <QTreeWidget>
 
-#include "kit/ActionTable.h"
+#include "gui/service/ActionTable.h"
 
 namespace velum::gui {
 

@@ -1,4 +1,4 @@
-#include "LostWork.h"
+#include "gui/window/LostWork.h"
 
 #include <QMessageBox>
 #include <QPushButton>

@@ -1,9 +1,9 @@
 #pragma once
 #include <memory>
 
-#include "FileLoads.h"
-#include "RecoveryBar.h"
-#include "kit/Job.h"
+#include "gui/service/Job.h"
+#include "gui/window/FileLoads.h"
+#include "gui/window/RecoveryBar.h"
 
 namespace velum::gui {
 

@@ -1,21 +1,21 @@
-#include "MainWindow.h"
+#include "gui/window/MainWindow.h"
 
 #include <QCloseEvent>
 #include <QCoreApplication>
 #include <QMimeData>
 
-#include "HelpCommands.h"
-#include "HistoryCommands.h"
-#include "StatusLine.h"
-#include "TimeCommands.h"
-#include "ViewCommands.h"
-#include "VolumeCommands.h"
-#include "extrusion/ExtrusionRoom.h"
-#include "kit/CallLater.h"
-#include "kit/FieldUndo.h"
-#include "kit/KeyboardFocus.h"
-#include "kit/RecentFiles.h"
-#include "kit/WheelScrolls.h"
+#include "gui/extrusion/ExtrusionRoom.h"
+#include "gui/service/CallLater.h"
+#include "gui/service/FieldUndo.h"
+#include "gui/service/KeyboardFocus.h"
+#include "gui/service/RecentFiles.h"
+#include "gui/service/WheelScrolls.h"
+#include "gui/window/HelpCommands.h"
+#include "gui/window/HistoryCommands.h"
+#include "gui/window/StatusLine.h"
+#include "gui/window/TimeCommands.h"
+#include "gui/window/ViewCommands.h"
+#include "gui/window/VolumeCommands.h"
 
 namespace velum::gui {
 

@@ -3,13 +3,13 @@
 #include <filesystem>
 #include <vector>
 
-#include "FileCommands.h"
-#include "LostWork.h"
-#include "WindowFrame.h"
-#include "cut/CutRoom.h"
-#include "look/LookRoom.h"
-#include "model/ModelRoom.h"
-#include "structure/StructureRoom.h"
+#include "gui/cut/CutRoom.h"
+#include "gui/look/LookRoom.h"
+#include "gui/model/ModelRoom.h"
+#include "gui/structure/StructureRoom.h"
+#include "gui/window/FileCommands.h"
+#include "gui/window/LostWork.h"
+#include "gui/window/WindowFrame.h"
 
 namespace velum::gui {
 

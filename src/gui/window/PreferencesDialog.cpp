@@ -1,4 +1,4 @@
-#include "PreferencesDialog.h"
+#include "gui/window/PreferencesDialog.h"
 
 #include <QApplication>
 #include <QComboBox>
@@ -8,8 +8,8 @@
 #include <QTabWidget>
 #include <QVBoxLayout>
 
-#include "KeysPage.h"
-#include "kit/Preferences.h"
+#include "gui/kit/Preferences.h"
+#include "gui/window/KeysPage.h"
 
 namespace velum::gui {
 

@@ -2,7 +2,7 @@
 #include <QDialog>
 #include <QFormLayout>
 
-#include "kit/ActionTable.h"
+#include "gui/service/ActionTable.h"
 
 namespace velum::gui {
 

@@ -1,4 +1,4 @@
-#include "QuitSignals.h"
+#include "gui/window/QuitSignals.h"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -7,7 +7,7 @@
 #include <cerrno>
 #include <csignal>
 
-#include "velum/core/Assert.h"
+#include "core/Assert.h"
 
 namespace velum::gui {
 

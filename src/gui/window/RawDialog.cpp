@@ -1,4 +1,4 @@
-#include "RawDialog.h"
+#include "gui/window/RawDialog.h"
 
 #include <QDialogButtonBox>
 #include <QFileInfo>
@@ -11,10 +11,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kit/PictureList.h"
-#include "kit/Widgets.h"
-#include "velum/core/Error.h"
-#include "velum/session/document/RawFile.h"
+#include "core/Error.h"
+#include "gui/kit/Widgets.h"
+#include "gui/rows/PictureList.h"
+#include "scene/Scene.h"
+#include "session/document/RawFile.h"
 
 namespace velum::gui {
 

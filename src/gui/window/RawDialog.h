@@ -8,9 +8,9 @@
 #include <memory>
 #include <vector>
 
-#include "VoxelSizeForm.h"
-#include "kit/Job.h"
-#include "velum/scene/Source.h"
+#include "gui/service/Job.h"
+#include "gui/window/VoxelSizeForm.h"
+#include "scene/Source.h"
 
 namespace velum::gui {
 

@@ -1,9 +1,10 @@
-#include "RecoveryBar.h"
+#include "gui/window/RecoveryBar.h"
 
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 
-#include "kit/SayTime.h"
+#include "gui/service/SayTime.h"
+#include "scene/Scene.h"
 
 namespace velum::gui {
 

@@ -4,7 +4,7 @@
 #include <QPushButton>
 #include <vector>
 
-#include "velum/session/document/Recovery.h"
+#include "session/document/Recovery.h"
 
 namespace velum::gui {
 

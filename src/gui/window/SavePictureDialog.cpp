@@ -1,4 +1,4 @@
-#include "SavePictureDialog.h"
+#include "gui/window/SavePictureDialog.h"
 
 #include <QClipboard>
 #include <QCryptographicHash>
@@ -13,8 +13,8 @@
 #include <cmath>
 #include <exception>
 
-#include "kit/Preferences.h"
-#include "velum/session/document/Open.h"
+#include "gui/kit/Preferences.h"
+#include "session/document/Open.h"
 
 namespace velum::gui {
 
@@ -226,9 +226,9 @@ QWidget* SavePictureDialog::makeQuality() {
   mSamples->setToolTip(tr("Samples a pixel, 1 to 256"));
   mLayers = new QCheckBox(tr("Layers: depth, normal, structure, position"), box);
   mLayers->setObjectName("pictureLayers");
-  mLayers->setToolTip(tr(
-      "Inside an .exr file; as pictures beside a .png or .tif file.\nOf an inlay also what stands before "
-      "it, its image, and what lies behind it, to be put together."));
+  mLayers->setToolTip(
+      tr("Inside an .exr file; as pictures beside a .png or .tif file.\nOf an inlay also what stands before "
+         "it, its image, and what lies behind it, to be put together."));
   // Their places.
   grid->addWidget(new QLabel(tr("Background"), box), 0, 0);
   grid->addWidget(mBackground, 0, 1);

@@ -8,9 +8,9 @@
 #include <memory>
 #include <optional>
 
-#include "kit/Job.h"
-#include "kit/NumberField.h"
-#include "velum/session/picture/Animation.h"
+#include "gui/kit/NumberField.h"
+#include "gui/service/Job.h"
+#include "session/picture/Animation.h"
 
 namespace velum::gui {
 

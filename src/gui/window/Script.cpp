@@ -1,4 +1,4 @@
-#include "Script.h"
+#include "gui/window/Script.h"
 
 #include <fmt/format.h>
 
@@ -6,12 +6,12 @@
 #include <chrono>
 #include <cstdio>
 
-#include "MainWindow.h"
-#include "kit/SaveImage.h"
-#include "velum/core/Error.h"
-#include "velum/core/Memory.h"
-#include "velum/session/command/Command.h"
-#include "velum/session/command/DocumentCommands.h"
+#include "core/Error.h"
+#include "core/Memory.h"
+#include "gui/service/SaveImage.h"
+#include "gui/window/MainWindow.h"
+#include "session/command/Command.h"
+#include "session/command/DocumentCommands.h"
 
 namespace velum::gui {
 

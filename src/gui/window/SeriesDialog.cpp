@@ -1,4 +1,4 @@
-#include "SeriesDialog.h"
+#include "gui/window/SeriesDialog.h"
 
 #include <QDialogButtonBox>
 #include <QHBoxLayout>
@@ -8,8 +8,8 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "kit/PictureList.h"
-#include "velum/core/Error.h"
+#include "core/Error.h"
+#include "gui/rows/PictureList.h"
 
 namespace velum::gui {
 

@@ -3,9 +3,9 @@
 #include <QDialog>
 #include <QListWidget>
 
-#include "kit/Job.h"
-#include "velum/core/Image.h"
-#include "velum/session/document/Series.h"
+#include "core/Image.h"
+#include "gui/service/Job.h"
+#include "session/document/Series.h"
 
 namespace velum::gui {
 

@@ -1,4 +1,4 @@
-#include "Start.h"
+#include "gui/window/Start.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -14,9 +14,9 @@
 #include <cstdlib>
 #include <utility>
 
-#include "velum/core/Log.h"
-#include "velum/gpu/Context.h"
-#include "velum/gpu/GpuError.h"
+#include "core/Log.h"
+#include "gpu/Context.h"
+#include "gpu/GpuError.h"
 
 namespace velum::gui {
 

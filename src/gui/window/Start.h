@@ -2,7 +2,7 @@
 #include <QMessageLogContext>
 #include <QStringList>
 
-#include "velum/core/Error.h"
+#include "core/Error.h"
 
 /// What the program needs of the machine before there is a window.
 namespace velum::gui {

@@ -1,12 +1,12 @@
-#include "StatusLine.h"
+#include "gui/window/StatusLine.h"
 
 #include <QLocale>
 #include <cmath>
 
-#include "kit/Length.h"
-#include "velum/core/Text.h"
-#include "velum/scene/GreyWindows.h"
-#include "velum/session/model/ModelEdit.h"
+#include "core/Text.h"
+#include "gui/kit/Length.h"
+#include "scene/GreyWindows.h"
+#include "session/model/ModelEdit.h"
 
 namespace velum::gui {
 

@@ -2,7 +2,7 @@
 #include <QLabel>
 #include <QStatusBar>
 
-#include "view/Room.h"
+#include "gui/view/Room.h"
 
 namespace velum::gui {
 

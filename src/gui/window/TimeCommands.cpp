@@ -1,4 +1,4 @@
-#include "TimeCommands.h"
+#include "gui/window/TimeCommands.h"
 
 namespace velum::gui {
 

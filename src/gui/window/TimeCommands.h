@@ -1,6 +1,6 @@
 #pragma once
-#include "view/Room.h"
-#include "view/TimeBar.h"
+#include "gui/view/Room.h"
+#include "gui/view/TimeBar.h"
 
 namespace velum::gui {
 

@@ -1,10 +1,10 @@
-#include "ToolStrip.h"
+#include "gui/window/ToolStrip.h"
 
 #include <QEvent>
 #include <QLayout>
 #include <QToolButton>
 
-#include "kit/Icons.h"
+#include "gui/kit/Icons.h"
 
 namespace velum::gui {
 

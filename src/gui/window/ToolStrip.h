@@ -1,7 +1,7 @@
 #pragma once
 #include <QToolBar>
 
-#include "kit/ActionTable.h"
+#include "gui/service/ActionTable.h"
 
 namespace velum::gui {
 

@@ -1,12 +1,12 @@
-#include "ViewCommands.h"
+#include "gui/window/ViewCommands.h"
 
 #include <algorithm>
 
-#include "kit/Preferences.h"
-#include "velum/core/Assert.h"
-#include "velum/scene/VisibleFrame.h"
-#include "view/GreyWindowCorner.h"
-#include "view/ViewChange.h"
+#include "core/Assert.h"
+#include "gui/kit/Preferences.h"
+#include "gui/view/GreyWindowCorner.h"
+#include "gui/view/ViewChange.h"
+#include "scene/VisibleFrame.h"
 
 namespace velum::gui {
 

@@ -1,8 +1,8 @@
 #pragma once
 #include <QActionGroup>
 
-#include "view/Room.h"
-#include "view/ViewCube.h"
+#include "gui/view/Room.h"
+#include "gui/view/ViewCube.h"
 
 namespace velum::gui {
 

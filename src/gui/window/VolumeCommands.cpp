@@ -1,14 +1,14 @@
-#include "VolumeCommands.h"
+#include "gui/window/VolumeCommands.h"
 
 #include <QDir>
 #include <QFileInfo>
 
-#include "RawDialog.h"
-#include "VoxelSizeDialog.h"
-#include "kit/Length.h"
-#include "velum/session/command/LookCommands.h"
-#include "velum/session/document/LabelPlace.h"
-#include "velum/session/document/WorkFile.h"
+#include "gui/kit/Length.h"
+#include "gui/window/RawDialog.h"
+#include "gui/window/VoxelSizeDialog.h"
+#include "session/command/LookCommands.h"
+#include "session/document/LabelPlace.h"
+#include "session/document/WorkFile.h"
 
 namespace velum::gui {
 

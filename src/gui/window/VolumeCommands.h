@@ -1,7 +1,7 @@
 #pragma once
-#include "FileLoads.h"
-#include "velum/scene/Source.h"
-#include "view/Room.h"
+#include "gui/view/Room.h"
+#include "gui/window/FileLoads.h"
+#include "scene/Source.h"
 
 namespace velum::gui {
 

@@ -1,4 +1,4 @@
-#include "VoxelSizeDialog.h"
+#include "gui/window/VoxelSizeDialog.h"
 
 #include <QDialogButtonBox>
 #include <QLabel>

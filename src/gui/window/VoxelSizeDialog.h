@@ -1,7 +1,7 @@
 #pragma once
 #include <QDialog>
 
-#include "VoxelSizeForm.h"
+#include "gui/window/VoxelSizeForm.h"
 
 namespace velum::gui {
 

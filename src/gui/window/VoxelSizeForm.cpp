@@ -1,11 +1,12 @@
-#include "VoxelSizeForm.h"
+#include "gui/window/VoxelSizeForm.h"
 
 #include <QSignalBlocker>
 #include <algorithm>
 #include <cmath>
 
-#include "kit/Preferences.h"
-#include "velum/scene/Source.h"
+#include "gui/kit/Preferences.h"
+#include "scene/Scene.h"
+#include "scene/Source.h"
 
 namespace velum::gui {
 

@@ -6,7 +6,7 @@
 #include <glm/glm.hpp>
 #include <optional>
 
-#include "kit/NumberField.h"
+#include "gui/kit/NumberField.h"
 
 namespace velum::gui {
 

@@ -1,9 +1,9 @@
-#include "WindowFrame.h"
+#include "gui/window/WindowFrame.h"
 
 #include <QMenuBar>
 #include <QVBoxLayout>
 
-#include "kit/RecentFiles.h"
+#include "gui/service/RecentFiles.h"
 
 namespace velum::gui {
 

@@ -5,13 +5,14 @@
 #include <QStackedWidget>
 #include <array>
 
-#include "RecoveryBar.h"
-#include "ToolStrip.h"
-#include "kit/Bars.h"
-#include "kit/FloatingBars.h"
-#include "kit/SideTabs.h"
-#include "view/Room.h"
-#include "view/TimeBar.h"
+#include "gui/kit/FloatingBars.h"
+#include "gui/kit/Messages.h"
+#include "gui/kit/SideTabs.h"
+#include "gui/view/Room.h"
+#include "gui/view/TimeBar.h"
+#include "gui/window/EmptyState.h"
+#include "gui/window/RecoveryBar.h"
+#include "gui/window/ToolStrip.h"
 
 namespace velum::gui {
 

@@ -1,4 +1,4 @@
-#include "ExrHeader.h"
+#include "io/images/ExrHeader.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -1,11 +1,11 @@
-#include "velum/io/images/ImageCompare.h"
+#include "io/images/ImageCompare.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "velum/core/Error.h"
+#include "core/Error.h"
 
 namespace velum::io {
 

@@ -1,4 +1,4 @@
-#include "velum/io/images/ImageFile.h"
+#include "io/images/ImageFile.h"
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
@@ -14,15 +14,15 @@
 #include <fstream>
 #include <functional>
 
-#include "ExrHeader.h"
-#include "PngChunks.h"
-#include "read/ByteSource.h"
-#include "read/SinkStream.h"
-#include "read/StderrQuiet.h"
-#include "read/TiffPages.h"
-#include "velum/core/Error.h"
-#include "velum/core/FileName.h"
-#include "velum/core/ReplaceFile.h"
+#include "core/Error.h"
+#include "core/FileName.h"
+#include "core/ReplaceFile.h"
+#include "io/images/ExrHeader.h"
+#include "io/images/PngChunks.h"
+#include "io/read/ByteSource.h"
+#include "io/read/SinkStream.h"
+#include "io/read/StderrQuiet.h"
+#include "io/read/TiffPages.h"
 
 namespace velum::io {
 

@@ -1,4 +1,4 @@
-#include "PngChunks.h"
+#include "io/images/PngChunks.h"
 
 #include <array>
 #include <cstdint>

@@ -1,5 +1,5 @@
 #pragma once
-#include "read/FileBytes.h"
+#include "io/read/FileBytes.h"
 
 namespace velum::io {
 

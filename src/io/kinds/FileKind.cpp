@@ -1,4 +1,4 @@
-#include "velum/io/kinds/FileKind.h"
+#include "io/kinds/FileKind.h"
 
 #include <fmt/format.h>
 
@@ -6,17 +6,17 @@
 #include <sstream>
 #include <string_view>
 
-#include "velum/core/Error.h"
-#include "velum/core/FileName.h"
-#include "velum/io/images/ImageFile.h"
-#include "velum/io/labels/ReadLabels.h"
-#include "velum/io/labels/WriteLabels.h"
-#include "velum/io/looks/TransferFile.h"
-#include "velum/io/meshes/ReadMesh.h"
-#include "velum/io/meshes/WriteMesh.h"
-#include "velum/io/models/ReadModel.h"
-#include "velum/io/models/WriteModel.h"
-#include "velum/io/volumes/Formats.h"
+#include "core/Error.h"
+#include "core/FileName.h"
+#include "io/images/ImageFile.h"
+#include "io/labels/ReadLabels.h"
+#include "io/labels/WriteLabels.h"
+#include "io/looks/TransferFile.h"
+#include "io/meshes/ReadMesh.h"
+#include "io/meshes/WriteMesh.h"
+#include "io/models/ReadModel.h"
+#include "io/models/WriteModel.h"
+#include "io/volumes/Formats.h"
 
 namespace velum::io {
 

@@ -1,8 +1,8 @@
-#include "DicomCodes.h"
+#include "io/labels/DicomCodes.h"
 
 #include <string>
 
-#include "velum/core/FileName.h"
+#include "core/FileName.h"
 
 namespace velum::io {
 

@@ -1,4 +1,4 @@
-#include "DicomColor.h"
+#include "io/labels/DicomColor.h"
 
 #include <algorithm>
 #include <cmath>

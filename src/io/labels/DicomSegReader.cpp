@@ -8,14 +8,14 @@
 #include <map>
 #include <set>
 
-#include "DicomColor.h"
-#include "LabelTables.h"
-#include "read/Refuse.h"
-#include "volumes/DicomFile.h"
-#include "volumes/DicomSoundness.h"
-#include "volumes/DicomStack.h"
-#include "volumes/DicomTags.h"
-#include "volumes/Readers.h"
+#include "io/labels/DicomColor.h"
+#include "io/labels/LabelTables.h"
+#include "io/read/Refuse.h"
+#include "io/volumes/DicomFile.h"
+#include "io/volumes/DicomSoundness.h"
+#include "io/volumes/DicomStack.h"
+#include "io/volumes/DicomTags.h"
+#include "io/volumes/Readers.h"
 
 namespace velum::io {
 

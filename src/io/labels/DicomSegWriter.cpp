@@ -1,4 +1,4 @@
-#include "DicomSegWriter.h"
+#include "io/labels/DicomSegWriter.h"
 
 #include <fmt/format.h>
 #include <gdcmUIDGenerator.h>
@@ -10,12 +10,12 @@
 #include <limits>
 #include <sstream>
 
-#include "DicomCodes.h"
-#include "DicomColor.h"
-#include "DicomElements.h"
-#include "LabelTables.h"
-#include "read/Losses.h"
-#include "read/Refuse.h"
+#include "io/labels/DicomCodes.h"
+#include "io/labels/DicomColor.h"
+#include "io/labels/DicomElements.h"
+#include "io/labels/LabelTables.h"
+#include "io/read/Losses.h"
+#include "io/read/Refuse.h"
 
 namespace velum::io {
 

@@ -2,9 +2,9 @@
 #include <string>
 #include <vector>
 
-#include "velum/core/LabelVolume.h"
-#include "velum/core/ReplaceFile.h"
-#include "velum/core/Task.h"
+#include "core/LabelVolume.h"
+#include "core/ReplaceFile.h"
+#include "core/Task.h"
 
 namespace velum::io {
 

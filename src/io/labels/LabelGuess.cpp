@@ -1,4 +1,4 @@
-#include "LabelGuess.h"
+#include "io/labels/LabelGuess.h"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "read/FileNames.h"
+#include "io/read/FileNames.h"
 
 namespace velum::io {
 

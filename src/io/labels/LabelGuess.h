@@ -1,7 +1,7 @@
 #pragma once
 #include <filesystem>
 
-#include "velum/core/Volume.h"
+#include "core/Volume.h"
 
 /// Whether a file that does not say so holds labels.
 namespace velum::io {

@@ -1,4 +1,4 @@
-#include "LabelTables.h"
+#include "io/labels/LabelTables.h"
 
 #include <fmt/format.h>
 
@@ -10,9 +10,9 @@
 #include <set>
 #include <sstream>
 
-#include "read/FileBytes.h"
-#include "velum/core/Text.h"
-#include "velum/io/labels/ReadLabels.h"
+#include "core/Text.h"
+#include "io/labels/ReadLabels.h"
+#include "io/read/FileBytes.h"
 
 namespace velum::io {
 

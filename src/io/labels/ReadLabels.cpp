@@ -1,20 +1,20 @@
-#include "velum/io/labels/ReadLabels.h"
+#include "io/labels/ReadLabels.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "LabelGuess.h"
-#include "LabelTables.h"
-#include "read/ByteSource.h"
-#include "read/FileNames.h"
-#include "read/Placement.h"
-#include "velum/io/volumes/ReadVolume.h"
-#include "volumes/DicomFile.h"
-#include "volumes/FormatTable.h"
-#include "volumes/NiftiHeader.h"
-#include "volumes/NrrdHeader.h"
+#include "io/labels/LabelGuess.h"
+#include "io/labels/LabelTables.h"
+#include "io/read/ByteSource.h"
+#include "io/read/FileNames.h"
+#include "io/read/Placement.h"
+#include "io/volumes/DicomFile.h"
+#include "io/volumes/FormatTable.h"
+#include "io/volumes/NiftiHeader.h"
+#include "io/volumes/NrrdHeader.h"
+#include "io/volumes/ReadVolume.h"
 
 namespace velum::io {
 

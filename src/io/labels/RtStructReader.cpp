@@ -7,13 +7,13 @@
 #include <map>
 #include <optional>
 
-#include "LabelTables.h"
-#include "read/Refuse.h"
-#include "velum/core/Parallel.h"
-#include "volumes/DicomFile.h"
-#include "volumes/DicomSoundness.h"
-#include "volumes/DicomTags.h"
-#include "volumes/Readers.h"
+#include "core/Parallel.h"
+#include "io/labels/LabelTables.h"
+#include "io/read/Refuse.h"
+#include "io/volumes/DicomFile.h"
+#include "io/volumes/DicomSoundness.h"
+#include "io/volumes/DicomTags.h"
+#include "io/volumes/Readers.h"
 
 namespace velum::io {
 

@@ -1,4 +1,4 @@
-#include "velum/io/labels/WriteLabels.h"
+#include "io/labels/WriteLabels.h"
 
 #include <fmt/format.h>
 
@@ -6,12 +6,12 @@
 #include <array>
 #include <cstring>
 
-#include "DicomSegWriter.h"
-#include "read/FileNames.h"
-#include "read/Losses.h"
-#include "read/Refuse.h"
-#include "velum/core/ReplaceFile.h"
-#include "volumes/Writers.h"
+#include "core/ReplaceFile.h"
+#include "io/labels/DicomSegWriter.h"
+#include "io/read/FileNames.h"
+#include "io/read/Losses.h"
+#include "io/read/Refuse.h"
+#include "io/volumes/Writers.h"
 
 namespace velum::io {
 

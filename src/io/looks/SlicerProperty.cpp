@@ -1,4 +1,4 @@
-#include "SlicerProperty.h"
+#include "io/looks/SlicerProperty.h"
 
 #include <fmt/format.h>
 
@@ -6,10 +6,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "read/Losses.h"
-#include "read/Refuse.h"
-#include "velum/core/Error.h"
-#include "velum/core/Text.h"
+#include "core/Error.h"
+#include "core/Text.h"
+#include "io/read/Losses.h"
+#include "io/read/Refuse.h"
 
 namespace velum::io {
 

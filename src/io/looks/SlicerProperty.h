@@ -1,5 +1,5 @@
 #pragma once
-#include "velum/io/looks/TransferFile.h"
+#include "io/looks/TransferFile.h"
 
 /// The volume properties of 3D Slicer, text and JSON, as our transfer functions.
 namespace velum::io {

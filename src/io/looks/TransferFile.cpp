@@ -1,4 +1,4 @@
-#include "velum/io/looks/TransferFile.h"
+#include "io/looks/TransferFile.h"
 
 #include <fmt/format.h>
 
@@ -7,11 +7,12 @@
 #include <fstream>
 #include <optional>
 
-#include "SlicerProperty.h"
-#include "read/FileNames.h"
-#include "velum/core/Error.h"
-#include "velum/core/ReplaceFile.h"
-#include "velum/scene/json/Json.h"
+#include "core/Error.h"
+#include "core/ReplaceFile.h"
+#include "io/looks/SlicerProperty.h"
+#include "io/read/FileNames.h"
+#include "scene/Scene.h"
+#include "scene/json/Json.h"
 
 namespace velum::io {
 

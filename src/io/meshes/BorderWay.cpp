@@ -1,4 +1,4 @@
-#include "BorderWay.h"
+#include "io/meshes/BorderWay.h"
 
 namespace velum::io {
 

@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 
-#include "velum/core/LabelCover.h"
+#include "core/LabelCover.h"
 
 namespace velum::io {
 

@@ -1,4 +1,4 @@
-#include "velum/io/meshes/ExtractSurface.h"
+#include "io/meshes/ExtractSurface.h"
 
 #include <fmt/format.h>
 #include <vtkCellArray.h>
@@ -17,13 +17,13 @@
 #include <map>
 #include <vector>
 
-#include "BorderWay.h"
-#include "StructureShares.h"
-#include "SurfaceShape.h"
-#include "ThreeWayBorders.h"
-#include "read/VtkQuiet.h"
-#include "velum/core/Error.h"
-#include "velum/core/Parallel.h"
+#include "core/Error.h"
+#include "core/Parallel.h"
+#include "io/meshes/BorderWay.h"
+#include "io/meshes/StructureShares.h"
+#include "io/meshes/SurfaceShape.h"
+#include "io/meshes/ThreeWayBorders.h"
+#include "io/read/VtkQuiet.h"
 
 namespace velum::io {
 

@@ -1,4 +1,4 @@
-#include "GltfWriter.h"
+#include "io/meshes/GltfWriter.h"
 
 #include <array>
 #include <bit>
@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "read/Refuse.h"
+#include "io/read/Refuse.h"
 
 namespace velum::io {
 

@@ -1,9 +1,9 @@
 #pragma once
 #include <span>
 
-#include "velum/core/Mesh.h"
-#include "velum/core/ReplaceFile.h"
-#include "velum/core/Units.h"
+#include "core/Mesh.h"
+#include "core/ReplaceFile.h"
+#include "core/Units.h"
 
 namespace velum::io {
 

@@ -1,4 +1,4 @@
-#include "MeshParts.h"
+#include "io/meshes/MeshParts.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "read/FileBytes.h"
+#include "io/read/FileBytes.h"
 
 namespace velum::io {
 

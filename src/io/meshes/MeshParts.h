@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "read/Refuse.h"
-#include "velum/core/Mesh.h"
+#include "core/Mesh.h"
+#include "io/read/Refuse.h"
 
 /// What the readers of surfaces share.
 namespace velum::io {

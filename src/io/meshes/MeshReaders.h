@@ -1,7 +1,7 @@
 #pragma once
-#include "read/Refuse.h"
-#include "velum/core/Mesh.h"
-#include "velum/core/Task.h"
+#include "core/Mesh.h"
+#include "core/Task.h"
+#include "io/read/Refuse.h"
 
 /// The readers, each in the file of its name. The table in ReadMesh.cpp names them and chooses.
 /// Each compares every count with what is left of the file before it allocates, every index with the points, and

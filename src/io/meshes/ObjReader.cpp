@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "MeshParts.h"
-#include "MeshReaders.h"
-#include "velum/core/Text.h"
+#include "core/Text.h"
+#include "io/meshes/MeshParts.h"
+#include "io/meshes/MeshReaders.h"
 
 /// Wavefront OBJ: its points, normals and faces. What else it has (textures, materials, groups, curves) is passed over.
 namespace velum::io {

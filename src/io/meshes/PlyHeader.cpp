@@ -1,4 +1,4 @@
-#include "PlyHeader.h"
+#include "io/meshes/PlyHeader.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <charconv>
 #include <utility>
 
-#include "velum/core/Text.h"
+#include "core/Text.h"
 
 namespace velum::io {
 

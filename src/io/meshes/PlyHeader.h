@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "read/Refuse.h"
+#include "io/read/Refuse.h"
 
 namespace velum::io {
 

@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "MeshParts.h"
-#include "MeshReaders.h"
-#include "PlyHeader.h"
-#include "velum/core/Text.h"
+#include "core/Text.h"
+#include "io/meshes/MeshParts.h"
+#include "io/meshes/MeshReaders.h"
+#include "io/meshes/PlyHeader.h"
 
 /// Read by us and not by VTK, whose reader believes what it meets: it writes behind its buffers when a last newline or
 /// a list is missing.

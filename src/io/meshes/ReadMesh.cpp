@@ -1,4 +1,4 @@
-#include "velum/io/meshes/ReadMesh.h"
+#include "io/meshes/ReadMesh.h"
 
 #include <fmt/format.h>
 
@@ -8,10 +8,10 @@
 #include <new>
 #include <stdexcept>
 
-#include "MeshParts.h"
-#include "MeshReaders.h"
-#include "read/FileNames.h"
-#include "read/Refuse.h"
+#include "io/meshes/MeshParts.h"
+#include "io/meshes/MeshReaders.h"
+#include "io/read/FileNames.h"
+#include "io/read/Refuse.h"
 
 /// Surfaces. The files have no frame of their own; their numbers are taken as millimetres in LPS, as 3D Slicer and
 /// ITK-SNAP write them.

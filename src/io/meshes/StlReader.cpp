@@ -9,10 +9,10 @@
 #include <string_view>
 #include <vector>
 
-#include "MeshParts.h"
-#include "MeshReaders.h"
-#include "velum/core/FileName.h"
-#include "velum/core/Text.h"
+#include "core/FileName.h"
+#include "core/Text.h"
+#include "io/meshes/MeshParts.h"
+#include "io/meshes/MeshReaders.h"
 
 /// Triangles without neighbours, as text or binary: equal corners become one point again.
 namespace velum::io {

@@ -1,4 +1,4 @@
-#include "StructureShares.h"
+#include "io/meshes/StructureShares.h"
 
 #include <algorithm>
 #include <array>

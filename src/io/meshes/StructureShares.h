@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "BorderWay.h"
+#include "io/meshes/BorderWay.h"
 
 namespace velum::io {
 

@@ -1,4 +1,4 @@
-#include "ThreeWayBorders.h"
+#include "io/meshes/ThreeWayBorders.h"
 
 #include <algorithm>
 #include <array>
@@ -7,8 +7,8 @@
 #include <optional>
 #include <tuple>
 
-#include "BorderWay.h"
-#include "velum/core/Parallel.h"
+#include "core/Parallel.h"
+#include "io/meshes/BorderWay.h"
 
 namespace velum::io {
 

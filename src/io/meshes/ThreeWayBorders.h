@@ -1,6 +1,6 @@
 #pragma once
-#include "SurfaceShape.h"
-#include "velum/core/LabelCover.h"
+#include "core/LabelCover.h"
+#include "io/meshes/SurfaceShape.h"
 
 namespace velum::io {
 

@@ -9,11 +9,11 @@
 #include <string_view>
 #include <vector>
 
-#include "MeshParts.h"
-#include "MeshReaders.h"
-#include "read/FileBytes.h"
-#include "read/VtkXml.h"
-#include "velum/core/Text.h"
+#include "core/Text.h"
+#include "io/meshes/MeshParts.h"
+#include "io/meshes/MeshReaders.h"
+#include "io/read/FileBytes.h"
+#include "io/read/VtkXml.h"
 
 /// VTK poly data in XML: points, their normals, polygons and strips of each piece.
 namespace velum::io {

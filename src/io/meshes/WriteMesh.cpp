@@ -1,4 +1,4 @@
-#include "velum/io/meshes/WriteMesh.h"
+#include "io/meshes/WriteMesh.h"
 
 #include <fmt/format.h>
 #include <vtkCellArray.h>
@@ -23,14 +23,14 @@
 #include <utility>
 #include <vector>
 
-#include "GltfWriter.h"
-#include "read/FileNames.h"
-#include "read/LineSink.h"
-#include "read/Losses.h"
-#include "read/Refuse.h"
-#include "read/VtkQuiet.h"
-#include "velum/core/FileName.h"
-#include "velum/core/ReplaceFile.h"
+#include "core/FileName.h"
+#include "core/ReplaceFile.h"
+#include "io/meshes/GltfWriter.h"
+#include "io/read/FileNames.h"
+#include "io/read/LineSink.h"
+#include "io/read/Losses.h"
+#include "io/read/Refuse.h"
+#include "io/read/VtkQuiet.h"
 
 namespace velum::io {
 

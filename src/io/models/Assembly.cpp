@@ -1,11 +1,11 @@
-#include "Assembly.h"
+#include "io/models/Assembly.h"
 
 #include <fmt/format.h>
 
 #include <charconv>
 #include <optional>
 
-#include "velum/core/Text.h"
+#include "core/Text.h"
 
 namespace velum::io {
 

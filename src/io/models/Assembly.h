@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "CifTable.h"
-#include "ModelParts.h"
+#include "io/models/CifTable.h"
+#include "io/models/ModelParts.h"
 
 namespace velum::io {
 

@@ -1,4 +1,4 @@
-#include "BeadDetails.h"
+#include "io/models/BeadDetails.h"
 
 #include <fmt/format.h>
 
@@ -8,11 +8,11 @@
 #include <map>
 #include <optional>
 
-#include "StructureFiles.h"
-#include "read/FileNames.h"
-#include "velum/core/FileName.h"
-#include "velum/core/Parallel.h"
-#include "velum/core/Text.h"
+#include "core/FileName.h"
+#include "core/Parallel.h"
+#include "core/Text.h"
+#include "io/models/StructureFiles.h"
+#include "io/read/FileNames.h"
 
 namespace velum::io {
 

@@ -2,8 +2,8 @@
 #include <string>
 #include <vector>
 
-#include "ModelParts.h"
-#include "velum/core/Task.h"
+#include "core/Task.h"
+#include "io/models/ModelParts.h"
 
 namespace velum::io {
 

@@ -1,4 +1,4 @@
-#include "BinaryCif.h"
+#include "io/models/BinaryCif.h"
 
 #include <fmt/format.h>
 
@@ -10,9 +10,9 @@
 #include <span>
 #include <variant>
 
-#include "CifColumns.h"
-#include "JsonParts.h"
-#include "velum/core/FileName.h"
+#include "core/FileName.h"
+#include "io/models/CifColumns.h"
+#include "io/models/JsonParts.h"
 
 namespace velum::io {
 

@@ -8,14 +8,14 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "Completion.h"
-#include "JsonParts.h"
-#include "ModelReaders.h"
-#include "Recipe.h"
-#include "StructureFiles.h"
-#include "read/FileNames.h"
-#include "velum/core/FileName.h"
-#include "velum/core/Parallel.h"
+#include "core/FileName.h"
+#include "core/Parallel.h"
+#include "io/models/Completion.h"
+#include "io/models/JsonParts.h"
+#include "io/models/ModelReaders.h"
+#include "io/models/Recipe.h"
+#include "io/models/StructureFiles.h"
+#include "io/read/FileNames.h"
 
 /// Packings of cellPACKgpu and cellVIEW: places and rotations as bare 32-bit numbers, and beside them a recipe in JSON
 /// that names the types. They are left-handed: x is mirrored here, and so are the rotations.

@@ -4,12 +4,12 @@
 #include <map>
 #include <set>
 
-#include "Assembly.h"
-#include "BeadDetails.h"
-#include "CifAtoms.h"
-#include "CifModels.h"
-#include "read/FileNames.h"
-#include "velum/core/FileName.h"
+#include "core/FileName.h"
+#include "io/models/Assembly.h"
+#include "io/models/BeadDetails.h"
+#include "io/models/CifAtoms.h"
+#include "io/models/CifModels.h"
+#include "io/read/FileNames.h"
 
 /// The flavour of mmCIF of cellPACK and Mesoscope: entities are types, whose description is their path in the tree, and
 /// one assembly has all instances. An operator places all asyms of an entity together, but for lipids, of which each

@@ -5,15 +5,15 @@
 #include <nlohmann/json.hpp>
 #include <unordered_map>
 
-#include "Completion.h"
-#include "JsonParts.h"
-#include "ModelReaders.h"
-#include "RotationSense.h"
-#include "Strands.h"
-#include "StructureFiles.h"
-#include "read/FileNames.h"
-#include "velum/core/FileName.h"
-#include "velum/core/Parallel.h"
+#include "core/FileName.h"
+#include "core/Parallel.h"
+#include "io/models/Completion.h"
+#include "io/models/JsonParts.h"
+#include "io/models/ModelReaders.h"
+#include "io/models/RotationSense.h"
+#include "io/models/Strands.h"
+#include "io/models/StructureFiles.h"
+#include "io/read/FileNames.h"
 
 /// Results of cellPACK, as autoPACK and its successors to 2016 wrote them: JSON with a recipe and, for each ingredient,
 /// where its copies stand and how they are turned. Positions are in angstrom and right-handed, quaternions w, x, y, z.

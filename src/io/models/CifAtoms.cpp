@@ -1,11 +1,11 @@
-#include "CifAtoms.h"
+#include "io/models/CifAtoms.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "PdbFile.h"
+#include "io/models/PdbFile.h"
 
 namespace velum::io {
 

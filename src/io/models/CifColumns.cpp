@@ -1,4 +1,4 @@
-#include "CifColumns.h"
+#include "io/models/CifColumns.h"
 
 #include <fmt/format.h>
 

@@ -5,8 +5,8 @@
 #include <variant>
 #include <vector>
 
-#include "CifTable.h"
-#include "JsonParts.h"
+#include "io/models/CifTable.h"
+#include "io/models/JsonParts.h"
 
 namespace velum::io {
 

@@ -1,11 +1,11 @@
-#include "CifModels.h"
+#include "io/models/CifModels.h"
 
 #include <algorithm>
 
-#include "BinaryCif.h"
-#include "CifText.h"
-#include "ModelReaders.h"
-#include "velum/core/FileName.h"
+#include "core/FileName.h"
+#include "io/models/BinaryCif.h"
+#include "io/models/CifText.h"
+#include "io/models/ModelReaders.h"
 
 namespace velum::io {
 

@@ -1,10 +1,10 @@
 #pragma once
 #include <vector>
 
-#include "CifTable.h"
-#include "ModelParts.h"
-#include "velum/core/Task.h"
-#include "velum/io/models/ReadModel.h"
+#include "core/Task.h"
+#include "io/models/CifTable.h"
+#include "io/models/ModelParts.h"
+#include "io/models/ReadModel.h"
 
 /// Models out of CIF, whether text or binary: which flavour a block has is told by its categories.
 namespace velum::io {

@@ -1,11 +1,11 @@
-#include "CifTable.h"
+#include "io/models/CifTable.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <unordered_map>
 
-#include "velum/core/Text.h"
+#include "core/Text.h"
 
 namespace velum::io {
 

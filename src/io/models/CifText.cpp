@@ -1,13 +1,13 @@
-#include "CifText.h"
+#include "io/models/CifText.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <unordered_map>
 
-#include "GemmiCif.h"
-#include "velum/core/FileName.h"
-#include "velum/core/Text.h"
+#include "core/FileName.h"
+#include "core/Text.h"
+#include "io/models/GemmiCif.h"
 
 namespace velum::io {
 

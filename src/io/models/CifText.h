@@ -2,8 +2,8 @@
 #include <string>
 #include <vector>
 
-#include "CifTable.h"
-#include "ModelParts.h"
+#include "io/models/CifTable.h"
+#include "io/models/ModelParts.h"
 
 namespace velum::io {
 

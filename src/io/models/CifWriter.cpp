@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "ModelWriters.h"
-#include "read/ByteSink.h"
-#include "velum/core/FileName.h"
-#include "velum/core/ReplaceFile.h"
+#include "core/FileName.h"
+#include "core/ReplaceFile.h"
+#include "io/models/ModelWriters.h"
+#include "io/read/ByteSink.h"
 
 namespace velum::io {
 

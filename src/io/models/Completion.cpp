@@ -1,4 +1,4 @@
-#include "Completion.h"
+#include "io/models/Completion.h"
 
 #include <fmt/format.h>
 
@@ -7,12 +7,12 @@
 #include <numeric>
 #include <optional>
 
-#include "Envelope.h"
-#include "SphereGrid.h"
-#include "Strands.h"
-#include "read/FileNames.h"
-#include "velum/core/FileName.h"
-#include "velum/core/Text.h"
+#include "core/FileName.h"
+#include "core/Text.h"
+#include "io/models/Envelope.h"
+#include "io/models/SphereGrid.h"
+#include "io/models/Strands.h"
+#include "io/read/FileNames.h"
 
 namespace velum::io {
 

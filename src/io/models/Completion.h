@@ -1,5 +1,5 @@
 #pragma once
-#include "ModelParts.h"
+#include "io/models/ModelParts.h"
 
 namespace velum::io {
 

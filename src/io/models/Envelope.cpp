@@ -1,4 +1,4 @@
-#include "Envelope.h"
+#include "io/models/Envelope.h"
 
 #include <array>
 #include <cmath>

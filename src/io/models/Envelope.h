@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "velum/core/ModelBuilder.h"
+#include "core/ModelBuilder.h"
 
 namespace velum::io {
 

@@ -1,4 +1,4 @@
-#include "GemmiCif.h"
+#include "io/models/GemmiCif.h"
 
 #include <gemmi/cif.hpp>
 

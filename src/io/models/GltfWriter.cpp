@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-#include "ModelWriters.h"
-#include "read/Refuse.h"
+#include "io/models/ModelWriters.h"
+#include "io/read/Refuse.h"
 
 namespace velum::io {
 

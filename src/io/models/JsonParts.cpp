@@ -1,11 +1,11 @@
-#include "JsonParts.h"
+#include "io/models/JsonParts.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "velum/core/Text.h"
+#include "core/Text.h"
 
 namespace velum::io {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "ModelParts.h"
+#include "io/models/ModelParts.h"
 
 /// Values out of JSON by strangers.
 namespace velum::io {

@@ -1,11 +1,11 @@
-#include "ModelParts.h"
+#include "io/models/ModelParts.h"
 
 #include <fmt/format.h>
 
 #include <cctype>
 #include <cmath>
 
-#include "read/ByteSource.h"
+#include "io/read/ByteSource.h"
 
 namespace velum::io {
 

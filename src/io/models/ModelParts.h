@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "read/Refuse.h"
-#include "velum/core/ModelBuilder.h"
+#include "core/ModelBuilder.h"
+#include "io/read/Refuse.h"
 
 /// What the readers of models share.
 namespace velum::io {

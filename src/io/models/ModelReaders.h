@@ -1,8 +1,8 @@
 #pragma once
-#include "read/Refuse.h"
-#include "velum/core/Model.h"
-#include "velum/core/Task.h"
-#include "velum/io/models/ReadModel.h"
+#include "core/Model.h"
+#include "core/Task.h"
+#include "io/models/ReadModel.h"
+#include "io/read/Refuse.h"
 
 /// The readers, each in the file of its name. The table in ReadModel.cpp names them and chooses. They compare every
 /// count with what the file can hold before they allocate, refuse places that are no numbers, and throw InputError with

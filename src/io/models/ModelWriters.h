@@ -1,10 +1,10 @@
 #pragma once
 #include <glm/glm.hpp>
 
-#include "velum/core/Model.h"
-#include "velum/core/ReplaceFile.h"
-#include "velum/core/Task.h"
-#include "velum/io/models/WriteModel.h"
+#include "core/Model.h"
+#include "core/ReplaceFile.h"
+#include "core/Task.h"
+#include "io/models/WriteModel.h"
 
 /// The writers behind writeModel(), which gives them a model with instances, colours of all types, and commits.
 namespace velum::io {

@@ -1,4 +1,4 @@
-#include "PdbFile.h"
+#include "io/models/PdbFile.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-#include "velum/core/Text.h"
+#include "core/Text.h"
 
 namespace velum::io {
 

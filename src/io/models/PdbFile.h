@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "ModelParts.h"
+#include "io/models/ModelParts.h"
 
 /// Structures in the format of the Protein Data Bank. Read by us and not by gemmi, which looks through all chains at
 /// every change of chain, and refuses files that other programs wrote.

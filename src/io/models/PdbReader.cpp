@@ -3,10 +3,10 @@
 #include <map>
 #include <tuple>
 
-#include "ModelReaders.h"
-#include "PdbFile.h"
-#include "PlainModel.h"
-#include "velum/core/Text.h"
+#include "core/Text.h"
+#include "io/models/ModelReaders.h"
+#include "io/models/PdbFile.h"
+#include "io/models/PlainModel.h"
 
 namespace velum::io {
 

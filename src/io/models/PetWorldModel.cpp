@@ -2,10 +2,10 @@
 
 #include <map>
 
-#include "Assembly.h"
-#include "CifAtoms.h"
-#include "CifModels.h"
-#include "read/FileNames.h"
+#include "io/models/Assembly.h"
+#include "io/models/CifAtoms.h"
+#include "io/models/CifModels.h"
+#include "io/read/FileNames.h"
 
 /// Models of YASARA PetWorld: each model of the file is a type, and operators move all of it.
 namespace velum::io {

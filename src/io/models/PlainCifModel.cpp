@@ -4,10 +4,10 @@
 #include <map>
 #include <tuple>
 
-#include "Assembly.h"
-#include "CifAtoms.h"
-#include "CifModels.h"
-#include "PlainModel.h"
+#include "io/models/Assembly.h"
+#include "io/models/CifAtoms.h"
+#include "io/models/CifModels.h"
+#include "io/models/PlainModel.h"
 
 /// Entries of the Protein Data Bank and of prediction servers: entities are types, their asyms the molecules.
 namespace velum::io {

@@ -1,4 +1,4 @@
-#include "PlainModel.h"
+#include "io/models/PlainModel.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 
-#include "read/FileNames.h"
+#include "io/read/FileNames.h"
 
 namespace velum::io {
 

@@ -2,8 +2,8 @@
 #include <string>
 #include <vector>
 
-#include "ModelParts.h"
-#include "PdbFile.h"
+#include "io/models/ModelParts.h"
+#include "io/models/PdbFile.h"
 
 namespace velum::io {
 

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "ModelWriters.h"
-#include "read/LineSink.h"
+#include "io/models/ModelWriters.h"
+#include "io/read/LineSink.h"
 
 namespace velum::io {
 

@@ -1,4 +1,4 @@
-#include "velum/io/models/ReadModel.h"
+#include "io/models/ReadModel.h"
 
 #include <fmt/format.h>
 
@@ -7,13 +7,13 @@
 #include <new>
 #include <stdexcept>
 
-#include "ModelReaders.h"
-#include "Recipe.h"
-#include "read/ByteSource.h"
-#include "read/FileBytes.h"
-#include "read/FileNames.h"
-#include "velum/core/Error.h"
-#include "velum/core/FileName.h"
+#include "core/Error.h"
+#include "core/FileName.h"
+#include "io/models/ModelReaders.h"
+#include "io/models/Recipe.h"
+#include "io/read/ByteSource.h"
+#include "io/read/FileBytes.h"
+#include "io/read/FileNames.h"
 
 namespace velum::io {
 

@@ -1,4 +1,4 @@
-#include "Recipe.h"
+#include "io/models/Recipe.h"
 
 #include <fmt/format.h>
 
@@ -6,11 +6,11 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "JsonParts.h"
-#include "read/ByteSource.h"
-#include "read/FileNames.h"
-#include "velum/core/FileName.h"
-#include "velum/core/Text.h"
+#include "core/FileName.h"
+#include "core/Text.h"
+#include "io/models/JsonParts.h"
+#include "io/read/ByteSource.h"
+#include "io/read/FileNames.h"
 
 namespace velum::io {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "ModelParts.h"
+#include "io/models/ModelParts.h"
 
 namespace velum::io {
 

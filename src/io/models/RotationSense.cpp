@@ -1,4 +1,4 @@
-#include "RotationSense.h"
+#include "io/models/RotationSense.h"
 
 namespace velum::io {
 

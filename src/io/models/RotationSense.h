@@ -1,7 +1,7 @@
 #pragma once
 #include <span>
 
-#include "velum/core/Model.h"
+#include "core/Model.h"
 
 namespace velum::io {
 

@@ -1,4 +1,4 @@
-#include "SphereGrid.h"
+#include "io/models/SphereGrid.h"
 
 namespace velum::io {
 

@@ -1,4 +1,4 @@
-#include "Strands.h"
+#include "io/models/Strands.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #include <glm/glm.hpp>
 #include <span>
 
-#include "ModelParts.h"
+#include "io/models/ModelParts.h"
 
 namespace velum::io {
 

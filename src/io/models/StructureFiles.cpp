@@ -1,4 +1,4 @@
-#include "StructureFiles.h"
+#include "io/models/StructureFiles.h"
 
 #include <fmt/format.h>
 
@@ -7,9 +7,9 @@
 #include <cmath>
 #include <cstring>
 
-#include "PdbFile.h"
-#include "read/FileNames.h"
-#include "velum/core/FileName.h"
+#include "core/FileName.h"
+#include "io/models/PdbFile.h"
+#include "io/read/FileNames.h"
 
 namespace velum::io {
 

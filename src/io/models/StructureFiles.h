@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "ModelParts.h"
+#include "io/models/ModelParts.h"
 
 namespace velum::io {
 

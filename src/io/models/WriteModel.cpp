@@ -1,4 +1,4 @@
-#include "velum/io/models/WriteModel.h"
+#include "io/models/WriteModel.h"
 
 #include <fmt/format.h>
 
@@ -7,11 +7,11 @@
 #include <iterator>
 #include <set>
 
-#include "ModelWriters.h"
-#include "read/Losses.h"
-#include "read/Refuse.h"
-#include "velum/core/Assert.h"
-#include "velum/core/FileName.h"
+#include "core/Assert.h"
+#include "core/FileName.h"
+#include "io/models/ModelWriters.h"
+#include "io/read/Losses.h"
+#include "io/read/Refuse.h"
 
 namespace velum::io {
 

@@ -1,4 +1,4 @@
-#include "Foot.h"
+#include "io/phantoms/Foot.h"
 
 #include <algorithm>
 

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "Limb.h"
+#include "io/phantoms/Limb.h"
 
 /// The right foot of an adult who stands: world LPS in mm, so that the great toe's side is +x, the toes point to -y,
 /// the sole is at the bottom. Its own frame: to the great toe's side, forward from the ankle, up from the ground.

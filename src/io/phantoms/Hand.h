@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "Limb.h"
+#include "io/phantoms/Limb.h"
 
 /// The right hand of an adult that hangs down, palm forward: world LPS in mm, so that the thumb points to -x, the palm
 /// to -y, the fingers to -z. Its own frame: to the thumb, to the back, to the tips, from where the radius ends.

@@ -1,4 +1,4 @@
-#include "Hand.h"
+#include "io/phantoms/Hand.h"
 
 namespace velum::io::hand {
 

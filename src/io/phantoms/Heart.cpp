@@ -1,4 +1,4 @@
-#include "Heart.h"
+#include "io/phantoms/Heart.h"
 
 namespace velum::io {
 

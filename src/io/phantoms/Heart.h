@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "Phantom.h"
+#include "io/phantoms/Phantom.h"
 
 /// A heart that beats: world LPS in mm, origin in the middle of the scan. Shapes are given for the end of the filling
 /// and come to where the beat has moved them.

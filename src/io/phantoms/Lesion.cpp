@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <array>
 
-#include "Phantom.h"
+#include "io/phantoms/Phantom.h"
 
 namespace velum::io {
 

@@ -1,4 +1,4 @@
-#include "Limb.h"
+#include "io/phantoms/Limb.h"
 
 #include <fmt/format.h>
 

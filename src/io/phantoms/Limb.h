@@ -4,7 +4,7 @@
 #include <map>
 #include <vector>
 
-#include "Phantom.h"
+#include "io/phantoms/Phantom.h"
 
 /// What hand and foot are built of: bones with a shell and a spongy inside that leave a gap of cartilage between them,
 /// and the flesh around.

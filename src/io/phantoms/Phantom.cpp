@@ -1,9 +1,9 @@
-#include "Phantom.h"
+#include "io/phantoms/Phantom.h"
 
 #include <algorithm>
 #include <limits>
 
-#include "velum/core/Parallel.h"
+#include "core/Parallel.h"
 
 namespace velum::io::phantom {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "velum/io/phantoms/Sample.h"
+#include "io/phantoms/Sample.h"
 
 /// What the phantoms are made of: repeatable random numbers, signed distances (mm, negative inside), and a painter
 /// that turns layers of shapes into voxels with soft edges.

@@ -1,10 +1,10 @@
-#include "velum/io/phantoms/Sample.h"
+#include "io/phantoms/Sample.h"
 
 #include <array>
 
 #include <fmt/format.h>
 
-#include "Phantom.h"
+#include "io/phantoms/Phantom.h"
 
 namespace velum::io {
 

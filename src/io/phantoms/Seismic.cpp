@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "Phantom.h"
+#include "io/phantoms/Phantom.h"
 
 namespace velum::io {
 

@@ -1,4 +1,4 @@
-#include "Torso.h"
+#include "io/phantoms/Torso.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "Phantom.h"
+#include "io/phantoms/Phantom.h"
 
 /// The trunk of an adult lying on the back, arms raised: world LPS in mm, origin in the middle of the scan. The levels:
 /// first thoracic vertebra at z = 205, diaphragm's domes near 10, last lumbar vertebra down to -170, iliac crests at

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <array>
 
-#include "Torso.h"
+#include "io/phantoms/Torso.h"
 
 namespace velum::io::torso {
 

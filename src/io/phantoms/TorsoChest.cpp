@@ -1,7 +1,7 @@
 #include <algorithm>
 
-#include "Torso.h"
-#include "Tree.h"
+#include "io/phantoms/Torso.h"
+#include "io/phantoms/Tree.h"
 
 namespace velum::io::torso {
 

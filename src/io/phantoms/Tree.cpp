@@ -1,8 +1,8 @@
-#include "Tree.h"
+#include "io/phantoms/Tree.h"
 
 #include <algorithm>
 
-#include "velum/core/Parallel.h"
+#include "core/Parallel.h"
 
 namespace velum::io::phantom {
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "Phantom.h"
+#include "io/phantoms/Phantom.h"
 
 /// Trees of tubes that fill a region: vessels, bronchi.
 namespace velum::io::phantom {

@@ -1,4 +1,4 @@
-#include "Phantom.h"
+#include "io/phantoms/Phantom.h"
 
 namespace velum::io {
 

@@ -1,8 +1,8 @@
 
 #include <algorithm>
 
-#include "Phantom.h"
-#include "velum/core/Parallel.h"
+#include "core/Parallel.h"
+#include "io/phantoms/Phantom.h"
 
 namespace velum::io {
 

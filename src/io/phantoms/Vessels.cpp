@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "Tree.h"
+#include "io/phantoms/Tree.h"
 
 namespace velum::io {
 

@@ -1,14 +1,14 @@
-#include "velum/io/phantoms/Virion.h"
+#include "io/phantoms/Virion.h"
 
 #include <array>
 #include <cmath>
 #include <glm/gtx/quaternion.hpp>
 
-#include "Phantom.h"
-#include "models/Envelope.h"
-#include "models/SphereGrid.h"
-#include "models/Strands.h"
-#include "velum/core/ModelBuilder.h"
+#include "core/ModelBuilder.h"
+#include "io/models/Envelope.h"
+#include "io/models/SphereGrid.h"
+#include "io/models/Strands.h"
+#include "io/phantoms/Phantom.h"
 
 namespace velum::io {
 

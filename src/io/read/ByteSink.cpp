@@ -1,11 +1,11 @@
-#include "ByteSink.h"
+#include "io/read/ByteSink.h"
 
 #include <zlib.h>
 
 #include <algorithm>
 #include <vector>
 
-#include "Refuse.h"
+#include "io/read/Refuse.h"
 
 namespace velum::io {
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <string_view>
 
-#include "velum/core/ReplaceFile.h"
+#include "core/ReplaceFile.h"
 
 namespace velum::io {
 

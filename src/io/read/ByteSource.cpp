@@ -1,4 +1,4 @@
-#include "ByteSource.h"
+#include "io/read/ByteSource.h"
 
 #include <fmt/format.h>
 #include <zlib.h>
@@ -7,8 +7,8 @@
 #include <array>
 #include <vector>
 
-#include "FileBytes.h"
-#include "velum/core/Error.h"
+#include "core/Error.h"
+#include "io/read/FileBytes.h"
 
 namespace velum::io {
 

@@ -4,7 +4,7 @@
 #include <memory>
 #include <span>
 
-#include "Refuse.h"
+#include "io/read/Refuse.h"
 
 namespace velum::io {
 

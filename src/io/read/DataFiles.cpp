@@ -1,4 +1,4 @@
-#include "DataFiles.h"
+#include "io/read/DataFiles.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <optional>
 #include <sstream>
 
-#include "FileNames.h"
+#include "io/read/FileNames.h"
 
 namespace velum::io {
 

@@ -1,4 +1,4 @@
-#include "FileBytes.h"
+#include "io/read/FileBytes.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <span>
 
-#include "Refuse.h"
+#include "io/read/Refuse.h"
 
 namespace velum::io {
 

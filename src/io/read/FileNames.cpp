@@ -1,4 +1,4 @@
-#include "FileNames.h"
+#include "io/read/FileNames.h"
 
 #include <fmt/format.h>
 

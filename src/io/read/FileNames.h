@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "Refuse.h"
-#include "velum/core/FileName.h"
+#include "core/FileName.h"
+#include "io/read/Refuse.h"
 
 /// What readers ask of names of files and of folders.
 namespace velum::io {

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <string_view>
 
-#include "velum/core/Assert.h"
+#include "core/Assert.h"
 
 namespace velum::io {
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-#include "velum/core/ReplaceFile.h"
+#include "core/ReplaceFile.h"
 
 namespace velum::io {
 

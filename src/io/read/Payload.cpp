@@ -1,4 +1,4 @@
-#include "Payload.h"
+#include "io/read/Payload.h"
 
 #include <fmt/format.h>
 
@@ -11,10 +11,10 @@
 #include <string>
 #include <utility>
 
-#include "ByteSource.h"
-#include "FileBytes.h"
-#include "SampleBytes.h"
-#include "velum/core/Text.h"
+#include "core/Text.h"
+#include "io/read/ByteSource.h"
+#include "io/read/FileBytes.h"
+#include "io/read/SampleBytes.h"
 
 namespace velum::io {
 

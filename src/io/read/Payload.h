@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <span>
 
-#include "Refuse.h"
-#include "velum/core/Task.h"
-#include "velum/core/Volume.h"
+#include "core/Task.h"
+#include "core/Volume.h"
+#include "io/read/Refuse.h"
 
 /// What the readers of headers with samples behind them share: voxels out of the bytes of plain or deflated files.
 /// Samples go straight into the volume, piece by piece, so that a load can be cancelled, a cut or damaged stream is

@@ -1,4 +1,4 @@
-#include "Placement.h"
+#include "io/read/Placement.h"
 
 #include <fmt/format.h>
 

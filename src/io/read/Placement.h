@@ -1,6 +1,6 @@
 #pragma once
-#include "velum/core/Volume.h"
-#include "velum/scene/Source.h"
+#include "core/Volume.h"
+#include "scene/Source.h"
 
 /// Where a volume lies in the world. Lengths in its lengthUnit.
 namespace velum::io {

@@ -1,9 +1,9 @@
-#include "Refuse.h"
+#include "io/read/Refuse.h"
 
 #include <fmt/format.h>
 
-#include "velum/core/Error.h"
-#include "velum/core/Text.h"
+#include "core/Error.h"
+#include "core/Text.h"
 
 namespace velum::io {
 

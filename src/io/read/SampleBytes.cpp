@@ -1,4 +1,4 @@
-#include "SampleBytes.h"
+#include "io/read/SampleBytes.h"
 
 #include <fmt/format.h>
 

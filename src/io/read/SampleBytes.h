@@ -2,8 +2,8 @@
 #include <cstddef>
 #include <span>
 
-#include "Refuse.h"
-#include "velum/core/Volume.h"
+#include "core/Volume.h"
+#include "io/read/Refuse.h"
 
 namespace velum::io {
 

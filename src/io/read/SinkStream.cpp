@@ -1,4 +1,4 @@
-#include "SinkStream.h"
+#include "io/read/SinkStream.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -2,7 +2,7 @@
 #include <memory>
 #include <ostream>
 
-#include "velum/core/ReplaceFile.h"
+#include "core/ReplaceFile.h"
 
 namespace velum::io {
 

@@ -1,4 +1,4 @@
-#include "StderrQuiet.h"
+#include "io/read/StderrQuiet.h"
 
 #include <fcntl.h>
 #include <unistd.h>

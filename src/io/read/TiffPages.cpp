@@ -1,4 +1,4 @@
-#include "TiffPages.h"
+#include "io/read/TiffPages.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <istream>
 #include <unordered_set>
 
-#include "velum/core/Error.h"
+#include "core/Error.h"
 
 namespace velum::io {
 

@@ -1,4 +1,4 @@
-#include "VtkQuiet.h"
+#include "io/read/VtkQuiet.h"
 
 #include <vtkAlgorithm.h>
 #include <vtkCallbackCommand.h>
@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-#include "velum/core/Error.h"
+#include "core/Error.h"
 
 namespace velum::io {
 

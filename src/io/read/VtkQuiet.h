@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "velum/core/Task.h"
+#include "core/Task.h"
 
 class vtkAlgorithm;
 class vtkObject;

@@ -1,4 +1,4 @@
-#include "VtkXml.h"
+#include "io/read/VtkXml.h"
 
 #include <fmt/format.h>
 #include <vtkLZ4DataCompressor.h>
@@ -12,11 +12,11 @@
 #include <cstring>
 #include <vector>
 
-#include "ByteSource.h"
-#include "Payload.h"
-#include "SampleBytes.h"
-#include "VtkQuiet.h"
-#include "velum/core/Text.h"
+#include "core/Text.h"
+#include "io/read/ByteSource.h"
+#include "io/read/Payload.h"
+#include "io/read/SampleBytes.h"
+#include "io/read/VtkQuiet.h"
 
 namespace velum::io {
 

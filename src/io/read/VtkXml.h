@@ -5,10 +5,10 @@
 #include <string>
 #include <string_view>
 
-#include "FileBytes.h"
-#include "XmlTree.h"
-#include "velum/core/Task.h"
-#include "velum/core/Volume.h"
+#include "core/Task.h"
+#include "core/Volume.h"
+#include "io/read/FileBytes.h"
+#include "io/read/XmlTree.h"
 
 /// VTK's files in XML, read by us: VTK's readers allocate on a header's word, ask arrays that they could not make for
 /// their numbers, and cannot be stopped within a block.

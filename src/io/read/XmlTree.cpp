@@ -1,4 +1,4 @@
-#include "XmlTree.h"
+#include "io/read/XmlTree.h"
 
 #include <fmt/format.h>
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "FileBytes.h"
+#include "io/read/FileBytes.h"
 
 namespace velum::io {
 

@@ -1,4 +1,4 @@
-#include "DicomDecoder.h"
+#include "io/volumes/DicomDecoder.h"
 
 #include <fmt/format.h>
 
@@ -7,9 +7,9 @@
 #include <map>
 #include <mutex>
 
-#include "DicomPixels.h"
-#include "read/Refuse.h"
-#include "velum/core/Parallel.h"
+#include "core/Parallel.h"
+#include "io/read/Refuse.h"
+#include "io/volumes/DicomPixels.h"
 
 namespace velum::io {
 

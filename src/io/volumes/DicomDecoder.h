@@ -2,10 +2,10 @@
 #include <span>
 #include <vector>
 
-#include "DicomFile.h"
-#include "DicomStack.h"
-#include "velum/core/Task.h"
-#include "velum/core/Volume.h"
+#include "core/Task.h"
+#include "core/Volume.h"
+#include "io/volumes/DicomFile.h"
+#include "io/volumes/DicomStack.h"
 
 namespace velum::io {
 

@@ -1,4 +1,4 @@
-#include "DicomFile.h"
+#include "io/volumes/DicomFile.h"
 
 #include <fmt/format.h>
 #include <gdcmReader.h>
@@ -10,12 +10,12 @@
 #include <map>
 #include <mutex>
 
-#include "DicomFrames.h"
-#include "DicomSoundness.h"
-#include "DicomTags.h"
-#include "read/Refuse.h"
-#include "velum/core/Parallel.h"
-#include "velum/io/volumes/ReadVolume.h"
+#include "core/Parallel.h"
+#include "io/read/Refuse.h"
+#include "io/volumes/DicomFrames.h"
+#include "io/volumes/DicomSoundness.h"
+#include "io/volumes/DicomTags.h"
+#include "io/volumes/ReadVolume.h"
 
 namespace velum::io {
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "DicomPet.h"
-#include "DicomValues.h"
-#include "velum/core/Task.h"
+#include "core/Task.h"
+#include "io/volumes/DicomPet.h"
+#include "io/volumes/DicomValues.h"
 
 /// What the DICOM readers know of files before pixels are decoded.
 namespace velum::io {

@@ -1,12 +1,12 @@
-#include "DicomFrames.h"
+#include "io/volumes/DicomFrames.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "DicomTags.h"
-#include "DicomValues.h"
+#include "io/volumes/DicomTags.h"
+#include "io/volumes/DicomValues.h"
 
 namespace velum::io {
 

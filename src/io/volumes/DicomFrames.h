@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "DicomFile.h"
+#include "io/volumes/DicomFile.h"
 
 namespace velum::io {
 

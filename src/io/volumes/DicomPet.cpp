@@ -1,11 +1,11 @@
-#include "DicomPet.h"
+#include "io/volumes/DicomPet.h"
 
 #include <fmt/format.h>
 
 #include <chrono>
 #include <cmath>
 
-#include "DicomTags.h"
+#include "io/volumes/DicomTags.h"
 
 namespace velum::io {
 

@@ -1,4 +1,4 @@
-#include "DicomPixels.h"
+#include "io/volumes/DicomPixels.h"
 
 #include <fmt/format.h>
 #include <gdcmImage.h>
@@ -9,9 +9,9 @@
 #include <cstring>
 #include <fstream>
 
-#include "DicomTags.h"
-#include "read/FileBytes.h"
-#include "read/StderrQuiet.h"
+#include "io/read/FileBytes.h"
+#include "io/read/StderrQuiet.h"
+#include "io/volumes/DicomTags.h"
 
 namespace velum::io {
 

@@ -2,8 +2,8 @@
 #include <memory>
 #include <span>
 
-#include "DicomFile.h"
-#include "velum/core/Volume.h"
+#include "core/Volume.h"
+#include "io/volumes/DicomFile.h"
 
 namespace velum::io {
 

@@ -6,14 +6,14 @@
 #include <map>
 #include <set>
 
-#include "DicomDecoder.h"
-#include "DicomFile.h"
-#include "DicomSoundness.h"
-#include "DicomStack.h"
-#include "Readers.h"
-#include "read/ByteSource.h"
-#include "velum/core/Parallel.h"
-#include "velum/io/volumes/ReadVolume.h"
+#include "core/Parallel.h"
+#include "io/read/ByteSource.h"
+#include "io/volumes/DicomDecoder.h"
+#include "io/volumes/DicomFile.h"
+#include "io/volumes/DicomSoundness.h"
+#include "io/volumes/DicomStack.h"
+#include "io/volumes/ReadVolume.h"
+#include "io/volumes/Readers.h"
 
 namespace velum::io {
 

@@ -1,4 +1,4 @@
-#include "DicomSoundness.h"
+#include "io/volumes/DicomSoundness.h"
 
 #include <fcntl.h>
 #include <sys/mman.h>

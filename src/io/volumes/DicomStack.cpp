@@ -1,4 +1,4 @@
-#include "DicomStack.h"
+#include "io/volumes/DicomStack.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <map>
 #include <numeric>
 
-#include "read/Refuse.h"
+#include "io/read/Refuse.h"
 
 namespace velum::io {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "DicomFile.h"
+#include "io/volumes/DicomFile.h"
 
 namespace velum::io {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "velum/core/Text.h"
+#include "core/Text.h"
 
 /// Values out of a GDCM data set. Only the DICOM readers include this.
 namespace velum::io {

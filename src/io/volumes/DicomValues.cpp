@@ -1,4 +1,4 @@
-#include "DicomValues.h"
+#include "io/volumes/DicomValues.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-#include "DicomTags.h"
+#include "io/volumes/DicomTags.h"
 
 namespace velum::io {
 

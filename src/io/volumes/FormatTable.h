@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "Readers.h"
-#include "read/Refuse.h"
-#include "velum/io/volumes/Formats.h"
+#include "io/read/Refuse.h"
+#include "io/volumes/Formats.h"
+#include "io/volumes/Readers.h"
 
 namespace velum::io {
 

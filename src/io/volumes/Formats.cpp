@@ -1,14 +1,14 @@
-#include "velum/io/volumes/Formats.h"
+#include "io/volumes/Formats.h"
 
 #include <algorithm>
 #include <array>
 #include <cstring>
 
-#include "read/ByteSource.h"
-#include "read/FileBytes.h"
-#include "read/FileNames.h"
+#include "io/read/ByteSource.h"
+#include "io/read/FileBytes.h"
+#include "io/read/FileNames.h"
 
-#include "FormatTable.h"
+#include "io/volumes/FormatTable.h"
 
 namespace velum::io {
 

@@ -5,12 +5,12 @@
 #include <cmath>
 #include <optional>
 
-#include "Readers.h"
-#include "read/ByteSource.h"
-#include "read/Placement.h"
-#include "read/SampleBytes.h"
-#include "velum/core/Error.h"
-#include "velum/core/Text.h"
+#include "core/Error.h"
+#include "core/Text.h"
+#include "io/read/ByteSource.h"
+#include "io/read/Placement.h"
+#include "io/read/SampleBytes.h"
+#include "io/volumes/Readers.h"
 
 namespace velum::io {
 

@@ -6,13 +6,13 @@
 #include <map>
 #include <sstream>
 
-#include "Readers.h"
-#include "read/DataFiles.h"
-#include "read/FileBytes.h"
-#include "read/FileNames.h"
-#include "read/Payload.h"
-#include "read/Placement.h"
-#include "velum/core/Text.h"
+#include "core/Text.h"
+#include "io/read/DataFiles.h"
+#include "io/read/FileBytes.h"
+#include "io/read/FileNames.h"
+#include "io/read/Payload.h"
+#include "io/read/Placement.h"
+#include "io/volumes/Readers.h"
 
 namespace velum::io {
 

@@ -4,11 +4,11 @@
 #include <bit>
 #include <cmath>
 
-#include "Readers.h"
-#include "read/ByteSource.h"
-#include "read/HeaderFields.h"
-#include "read/Payload.h"
-#include "read/Placement.h"
+#include "io/read/ByteSource.h"
+#include "io/read/HeaderFields.h"
+#include "io/read/Payload.h"
+#include "io/read/Placement.h"
+#include "io/volumes/Readers.h"
 
 namespace velum::io {
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "velum/core/LabelVolume.h"
+#include "core/LabelVolume.h"
 
 namespace velum::io {
 

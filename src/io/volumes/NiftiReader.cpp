@@ -4,14 +4,14 @@
 #include <bit>
 #include <cmath>
 
-#include "NiftiHeader.h"
-#include "Readers.h"
-#include "read/ByteSource.h"
-#include "read/FileBytes.h"
-#include "read/FileNames.h"
-#include "read/HeaderFields.h"
-#include "read/Payload.h"
-#include "read/Placement.h"
+#include "io/read/ByteSource.h"
+#include "io/read/FileBytes.h"
+#include "io/read/FileNames.h"
+#include "io/read/HeaderFields.h"
+#include "io/read/Payload.h"
+#include "io/read/Placement.h"
+#include "io/volumes/NiftiHeader.h"
+#include "io/volumes/Readers.h"
 
 namespace velum::io {
 

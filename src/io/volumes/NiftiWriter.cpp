@@ -5,11 +5,11 @@
 #include <cmath>
 #include <cstring>
 
-#include "NiftiHeader.h"
-#include "Writers.h"
-#include "read/ByteSink.h"
-#include "read/FileNames.h"
-#include "read/Losses.h"
+#include "io/read/ByteSink.h"
+#include "io/read/FileNames.h"
+#include "io/read/Losses.h"
+#include "io/volumes/NiftiHeader.h"
+#include "io/volumes/Writers.h"
 
 namespace velum::io {
 

@@ -1,13 +1,13 @@
-#include "NrrdHeader.h"
+#include "io/volumes/NrrdHeader.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <fstream>
 
-#include "read/FileBytes.h"
-#include "read/FileNames.h"
-#include "velum/core/Text.h"
+#include "core/Text.h"
+#include "io/read/FileBytes.h"
+#include "io/read/FileNames.h"
 
 namespace velum::io {
 

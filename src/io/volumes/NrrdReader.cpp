@@ -6,14 +6,14 @@
 #include <fstream>
 #include <optional>
 
-#include "NrrdHeader.h"
-#include "Readers.h"
-#include "read/DataFiles.h"
-#include "read/FileBytes.h"
-#include "read/FileNames.h"
-#include "read/Payload.h"
-#include "read/Placement.h"
-#include "velum/core/Text.h"
+#include "core/Text.h"
+#include "io/read/DataFiles.h"
+#include "io/read/FileBytes.h"
+#include "io/read/FileNames.h"
+#include "io/read/Payload.h"
+#include "io/read/Placement.h"
+#include "io/volumes/NrrdHeader.h"
+#include "io/volumes/Readers.h"
 
 namespace velum::io {
 

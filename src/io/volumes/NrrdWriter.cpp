@@ -4,11 +4,11 @@
 #include <bit>
 #include <cmath>
 
-#include "Writers.h"
-#include "read/ByteSink.h"
-#include "read/FileNames.h"
-#include "read/Losses.h"
-#include "velum/core/Text.h"
+#include "core/Text.h"
+#include "io/read/ByteSink.h"
+#include "io/read/FileNames.h"
+#include "io/read/Losses.h"
+#include "io/volumes/Writers.h"
 
 namespace velum::io {
 

@@ -1,4 +1,4 @@
-#include "velum/io/volumes/RawGuess.h"
+#include "io/volumes/RawGuess.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,10 +7,10 @@
 #include <regex>
 #include <set>
 
-#include "FormatTable.h"
-#include "read/FileBytes.h"
-#include "read/FileNames.h"
-#include "read/SampleBytes.h"
+#include "io/read/FileBytes.h"
+#include "io/read/FileNames.h"
+#include "io/read/SampleBytes.h"
+#include "io/volumes/FormatTable.h"
 
 namespace velum::io {
 

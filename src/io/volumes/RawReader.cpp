@@ -2,12 +2,12 @@
 
 #include <string>
 
-#include "Readers.h"
-#include "read/ByteSource.h"
-#include "read/FileBytes.h"
-#include "read/FileNames.h"
-#include "read/SampleBytes.h"
-#include "velum/core/Error.h"
+#include "core/Error.h"
+#include "io/read/ByteSource.h"
+#include "io/read/FileBytes.h"
+#include "io/read/FileNames.h"
+#include "io/read/SampleBytes.h"
+#include "io/volumes/Readers.h"
 
 namespace velum::io {
 

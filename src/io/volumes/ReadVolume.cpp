@@ -1,16 +1,16 @@
-#include "velum/io/volumes/ReadVolume.h"
+#include "io/volumes/ReadVolume.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "DicomFile.h"
-#include "read/FileBytes.h"
-#include "read/FileNames.h"
+#include "io/read/FileBytes.h"
+#include "io/read/FileNames.h"
+#include "io/volumes/DicomFile.h"
 
-#include "read/Placement.h"
+#include "io/read/Placement.h"
 
-#include "FormatTable.h"
+#include "io/volumes/FormatTable.h"
 
 namespace velum::io {
 

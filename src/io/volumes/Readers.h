@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "velum/core/LabelVolume.h"
-#include "velum/core/ReplaceFile.h"
-#include "velum/core/Task.h"
-#include "velum/core/Volume.h"
-#include "velum/scene/Source.h"
+#include "core/LabelVolume.h"
+#include "core/ReplaceFile.h"
+#include "core/Task.h"
+#include "core/Volume.h"
+#include "scene/Source.h"
 
 /// The readers and writers, each in the file of its name. The table in Formats.cpp names them and chooses.
 /// Each reader checks the header against the file's size before it allocates, throws InputError with the file's name

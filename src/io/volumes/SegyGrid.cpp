@@ -1,4 +1,4 @@
-#include "SegyGrid.h"
+#include "io/volumes/SegyGrid.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "velum/core/Error.h"
+#include "core/Error.h"
 
 namespace velum::io {
 

@@ -1,4 +1,4 @@
-#include "SegyLayout.h"
+#include "io/volumes/SegyLayout.h"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include <optional>
 #include <string_view>
 
-#include "read/Refuse.h"
+#include "io/read/Refuse.h"
 
 namespace velum::io {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "read/FileBytes.h"
-#include "velum/core/Volume.h"
+#include "core/Volume.h"
+#include "io/read/FileBytes.h"
 
 namespace velum::io {
 

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <cstring>
 
-#include "Readers.h"
-#include "SegyGrid.h"
-#include "SegyLayout.h"
-#include "read/FileBytes.h"
-#include "read/Placement.h"
-#include "read/SampleBytes.h"
-#include "velum/core/Error.h"
+#include "core/Error.h"
+#include "io/read/FileBytes.h"
+#include "io/read/Placement.h"
+#include "io/read/SampleBytes.h"
+#include "io/volumes/Readers.h"
+#include "io/volumes/SegyGrid.h"
+#include "io/volumes/SegyLayout.h"
 
 /// SEG-Y, revisions 0 to 2 with traces of one length.
 ///

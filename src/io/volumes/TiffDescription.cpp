@@ -1,11 +1,11 @@
-#include "TiffDescription.h"
+#include "io/volumes/TiffDescription.h"
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <optional>
 
-#include "velum/core/Text.h"
+#include "core/Text.h"
 
 namespace velum::io {
 

@@ -5,14 +5,14 @@
 #include <bit>
 #include <fstream>
 
-#include "Readers.h"
-#include "TiffDescription.h"
-#include "read/FileBytes.h"
-#include "read/FileNames.h"
-#include "read/Placement.h"
-#include "read/SampleBytes.h"
-#include "read/TiffPages.h"
-#include "velum/core/Error.h"
+#include "core/Error.h"
+#include "io/read/FileBytes.h"
+#include "io/read/FileNames.h"
+#include "io/read/Placement.h"
+#include "io/read/SampleBytes.h"
+#include "io/read/TiffPages.h"
+#include "io/volumes/Readers.h"
+#include "io/volumes/TiffDescription.h"
 
 /// TIFF files and folders of planes. Spacing is taken from OME-XML, or from the resolution tags when an ImageJ
 /// description names their unit. Resolution tags alone are never taken: programs write 72 dpi there, or whatever their

@@ -11,14 +11,14 @@
 #include <optional>
 #include <string_view>
 
-#include "Readers.h"
-#include "VdbNotes.h"
-#include "VdbWalk.h"
-#include "read/FileBytes.h"
-#include "read/Placement.h"
-#include "read/SampleBytes.h"
-#include "velum/core/Error.h"
-#include "velum/core/Parallel.h"
+#include "core/Error.h"
+#include "core/Parallel.h"
+#include "io/read/FileBytes.h"
+#include "io/read/Placement.h"
+#include "io/read/SampleBytes.h"
+#include "io/volumes/Readers.h"
+#include "io/volumes/VdbNotes.h"
+#include "io/volumes/VdbWalk.h"
 
 /// OpenVDB. Its world units are taken as millimetres, and a grid has no patient axes, unless we wrote it.
 namespace velum::io {

@@ -1,4 +1,4 @@
-#include "VdbWalk.h"
+#include "io/volumes/VdbWalk.h"
 
 #include <fmt/format.h>
 

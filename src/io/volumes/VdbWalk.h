@@ -3,7 +3,7 @@
 #include <map>
 #include <string>
 
-#include "read/FileBytes.h"
+#include "io/read/FileBytes.h"
 
 namespace velum::io {
 

@@ -9,11 +9,11 @@
 #include <limits>
 #include <vector>
 
-#include "Readers.h"
-#include "VdbNotes.h"
-#include "read/Losses.h"
-#include "read/Refuse.h"
-#include "read/SinkStream.h"
+#include "io/read/Losses.h"
+#include "io/read/Refuse.h"
+#include "io/read/SinkStream.h"
+#include "io/volumes/Readers.h"
+#include "io/volumes/VdbNotes.h"
 
 namespace velum::io {
 

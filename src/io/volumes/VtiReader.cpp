@@ -9,13 +9,13 @@
 #include <stdexcept>
 #include <vector>
 
-#include "Readers.h"
-#include "VtiNotes.h"
-#include "read/FileBytes.h"
-#include "read/Placement.h"
-#include "read/SampleBytes.h"
-#include "read/VtkXml.h"
-#include "velum/core/Text.h"
+#include "core/Text.h"
+#include "io/read/FileBytes.h"
+#include "io/read/Placement.h"
+#include "io/read/SampleBytes.h"
+#include "io/read/VtkXml.h"
+#include "io/volumes/Readers.h"
+#include "io/volumes/VtiNotes.h"
 
 /// VTK image data in XML. VTK has no patient axes of its own; its world is taken as ours, millimetres in LPS, which is
 /// what ITK-based programs write. A file without a Direction matrix says nothing of the patient.

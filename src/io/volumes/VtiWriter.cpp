@@ -14,11 +14,11 @@
 #include <iterator>
 #include <utility>
 
-#include "Readers.h"
-#include "VtiNotes.h"
-#include "read/Losses.h"
-#include "read/Refuse.h"
-#include "read/VtkQuiet.h"
+#include "io/read/Losses.h"
+#include "io/read/Refuse.h"
+#include "io/read/VtkQuiet.h"
+#include "io/volumes/Readers.h"
+#include "io/volumes/VtiNotes.h"
 
 namespace velum::io {
 

@@ -7,12 +7,12 @@
 #include <cstring>
 #include <optional>
 
-#include "Readers.h"
-#include "read/FileBytes.h"
-#include "read/Placement.h"
-#include "read/SampleBytes.h"
-#include "velum/core/Error.h"
-#include "velum/core/Text.h"
+#include "core/Error.h"
+#include "core/Text.h"
+#include "io/read/FileBytes.h"
+#include "io/read/Placement.h"
+#include "io/read/SampleBytes.h"
+#include "io/volumes/Readers.h"
 
 /// Legacy .vtk files with STRUCTURED_POINTS. Read by us and not by VTK, whose reader allocates whatever the header says
 /// and holds the voxels twice; the format is a few lines of text and big-endian numbers.

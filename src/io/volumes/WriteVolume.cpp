@@ -1,15 +1,15 @@
-#include "velum/io/volumes/WriteVolume.h"
+#include "io/volumes/WriteVolume.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "FormatTable.h"
-#include "Writers.h"
-#include "read/FileNames.h"
-#include "read/Losses.h"
-#include "read/Refuse.h"
-#include "velum/core/ReplaceFile.h"
+#include "core/ReplaceFile.h"
+#include "io/read/FileNames.h"
+#include "io/read/Losses.h"
+#include "io/read/Refuse.h"
+#include "io/volumes/FormatTable.h"
+#include "io/volumes/Writers.h"
 
 namespace velum::io {
 

@@ -3,8 +3,8 @@
 #include <utility>
 #include <vector>
 
-#include "Readers.h"
-#include "read/Refuse.h"
+#include "io/read/Refuse.h"
+#include "io/volumes/Readers.h"
 
 namespace velum::io {
 

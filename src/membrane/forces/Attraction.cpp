@@ -1,13 +1,13 @@
-#include "Attraction.h"
+#include "membrane/forces/Attraction.h"
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 
-#include "BuildLattice.h"
-#include "FrameBox.h"
-#include "velum/core/Assert.h"
-#include "velum/core/Parallel.h"
+#include "core/Assert.h"
+#include "core/Parallel.h"
+#include "membrane/forces/BuildLattice.h"
+#include "membrane/forces/FrameBox.h"
 
 namespace velum::membrane {
 

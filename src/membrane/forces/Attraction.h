@@ -4,10 +4,10 @@
 #include <span>
 #include <vector>
 
-#include "velum/membrane/forces/Forces.h"
-#include "velum/membrane/forces/Kernels.h"
-#include "velum/membrane/forces/LeastCut.h"
-#include "velum/scene/Scene.h"
+#include "membrane/forces/Forces.h"
+#include "membrane/forces/Kernels.h"
+#include "membrane/forces/LeastCut.h"
+#include "scene/SceneFwd.h"
 
 namespace velum::membrane {
 

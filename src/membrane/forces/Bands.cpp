@@ -1,11 +1,11 @@
-#include "Bands.h"
+#include "membrane/forces/Bands.h"
 
 #include <algorithm>
 #include <limits>
 
-#include "BuildLattice.h"
-#include "velum/core/Assert.h"
-#include "velum/core/Parallel.h"
+#include "core/Assert.h"
+#include "core/Parallel.h"
+#include "membrane/forces/BuildLattice.h"
 
 namespace velum::membrane {
 

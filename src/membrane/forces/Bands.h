@@ -2,7 +2,7 @@
 #include <span>
 #include <vector>
 
-#include "velum/membrane/forces/LeastCut.h"
+#include "membrane/forces/LeastCut.h"
 
 namespace velum::membrane {
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "velum/core/Error.h"
-#include "velum/core/Parallel.h"
-#include "velum/membrane/forces/LeastCut.h"
+#include "core/Error.h"
+#include "core/Parallel.h"
+#include "membrane/forces/LeastCut.h"
 
 namespace velum::membrane {
 

@@ -1,6 +1,7 @@
-#include "velum/membrane/forces/CoarseVoxels.h"
+#include "membrane/forces/CoarseVoxels.h"
 
-#include "velum/core/Parallel.h"
+#include "core/Parallel.h"
+#include "scene/Scene.h"
 
 namespace velum::membrane {
 

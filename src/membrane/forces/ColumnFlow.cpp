@@ -1,10 +1,10 @@
-#include "ColumnFlow.h"
+#include "membrane/forces/ColumnFlow.h"
 
 #include <algorithm>
 #include <cmath>
 #include <mutex>
 
-#include "velum/core/Parallel.h"
+#include "core/Parallel.h"
 
 namespace velum::membrane {
 

@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "velum/membrane/forces/LeastCut.h"
+#include "membrane/forces/LeastCut.h"
 
 namespace velum::membrane {
 

@@ -1,10 +1,11 @@
-#include "Corridor.h"
+#include "membrane/forces/Corridor.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "velum/core/Assert.h"
-#include "velum/core/Parallel.h"
+#include "core/Assert.h"
+#include "core/Parallel.h"
+#include "scene/Scene.h"
 
 namespace velum::membrane {
 

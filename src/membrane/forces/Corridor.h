@@ -1,5 +1,5 @@
 #pragma once
-#include "velum/membrane/forces/Forces.h"
+#include "membrane/forces/Forces.h"
 
 namespace velum::membrane {
 

@@ -1,4 +1,4 @@
-#include "velum/membrane/forces/Denoise.h"
+#include "membrane/forces/Denoise.h"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 #include <cstring>
 #include <limits>
 
-#include "velum/core/Parallel.h"
+#include "core/Parallel.h"
 
 namespace velum::membrane {
 

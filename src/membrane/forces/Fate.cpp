@@ -1,11 +1,11 @@
-#include "velum/membrane/forces/Fate.h"
+#include "membrane/forces/Fate.h"
 
 #include <cstddef>
 #include <vector>
 
-#include "FrameBox.h"
-#include "velum/core/Assert.h"
-#include "velum/core/Parallel.h"
+#include "core/Assert.h"
+#include "core/Parallel.h"
+#include "membrane/forces/FrameBox.h"
 
 namespace velum::membrane {
 

@@ -1,16 +1,16 @@
-#include "velum/membrane/forces/Forces.h"
+#include "membrane/forces/Forces.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "Attraction.h"
-#include "Corridor.h"
-#include "FrameBox.h"
-#include "Stakes.h"
-#include "velum/core/Clock.h"
-#include "velum/core/Parallel.h"
-#include "velum/membrane/forces/KeptWhole.h"
-#include "velum/membrane/forces/Limit.h"
+#include "core/Clock.h"
+#include "core/Parallel.h"
+#include "membrane/forces/Attraction.h"
+#include "membrane/forces/Corridor.h"
+#include "membrane/forces/FrameBox.h"
+#include "membrane/forces/KeptWhole.h"
+#include "membrane/forces/Limit.h"
+#include "membrane/forces/Stakes.h"
 
 namespace velum::membrane {
 

@@ -1,8 +1,8 @@
 #pragma once
 #include <glm/glm.hpp>
 
-#include "velum/membrane/forces/Kernels.h"
-#include "velum/scene/Scene.h"
+#include "membrane/forces/Kernels.h"
+#include "scene/Scene.h"
 
 namespace velum::membrane {
 

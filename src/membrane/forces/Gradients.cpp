@@ -1,10 +1,10 @@
-#include "Gradients.h"
+#include "membrane/forces/Gradients.h"
 
 #include <algorithm>
 #include <cmath>
 #include <type_traits>
 
-#include "velum/core/Parallel.h"
+#include "core/Parallel.h"
 
 namespace velum::membrane {
 

@@ -2,8 +2,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "velum/core/Task.h"
-#include "velum/core/Volume.h"
+#include "core/Task.h"
+#include "core/Volume.h"
 
 namespace velum::membrane {
 

@@ -1,12 +1,12 @@
-#include "velum/membrane/forces/KeptWhole.h"
+#include "membrane/forces/KeptWhole.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "FrameBox.h"
+#include "membrane/forces/FrameBox.h"
 
-#include "velum/core/Assert.h"
-#include "velum/core/Parallel.h"
+#include "core/Assert.h"
+#include "core/Parallel.h"
 
 namespace velum::membrane {
 

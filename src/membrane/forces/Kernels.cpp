@@ -1,4 +1,4 @@
-#include "velum/membrane/forces/Kernels.h"
+#include "membrane/forces/Kernels.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,13 +6,14 @@
 #include <mutex>
 #include <optional>
 
-#include "Pieces.h"
-#include "StrengthRows.h"
-#include "TypeGrid.h"
+#include "membrane/forces/Pieces.h"
+#include "membrane/forces/StrengthRows.h"
+#include "membrane/forces/TypeGrid.h"
 
-#include "velum/core/Assert.h"
-#include "velum/core/Parallel.h"
-#include "velum/membrane/forces/Denoise.h"
+#include "core/Assert.h"
+#include "core/Parallel.h"
+#include "membrane/forces/Denoise.h"
+#include "scene/Scene.h"
 
 namespace velum::membrane {
 

@@ -1,14 +1,14 @@
-#include "velum/membrane/forces/LeastCut.h"
+#include "membrane/forces/LeastCut.h"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 
-#include "Bands.h"
-#include "BuildLattice.h"
-#include "ColumnFlow.h"
-#include "OpenParts.h"
-#include "velum/core/Assert.h"
+#include "core/Assert.h"
+#include "membrane/forces/Bands.h"
+#include "membrane/forces/BuildLattice.h"
+#include "membrane/forces/ColumnFlow.h"
+#include "membrane/forces/OpenParts.h"
 
 namespace velum::membrane {
 

@@ -1,14 +1,14 @@
 // The lattice of a frame, and the least cut of it as a figure.
-#include "velum/membrane/forces/Limit.h"
-#include "velum/core/Assert.h"
+#include "membrane/forces/Limit.h"
+#include "core/Assert.h"
 
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
 #include <memory>
 
-#include "BuildLattice.h"
-#include "FrameBox.h"
+#include "membrane/forces/BuildLattice.h"
+#include "membrane/forces/FrameBox.h"
 
 namespace velum::membrane {
 

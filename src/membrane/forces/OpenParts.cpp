@@ -1,4 +1,4 @@
-#include "OpenParts.h"
+#include "membrane/forces/OpenParts.h"
 
 #include <algorithm>
 #include <boost/graph/adjacency_list.hpp>

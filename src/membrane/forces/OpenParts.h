@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "ColumnFlow.h"
+#include "membrane/forces/ColumnFlow.h"
 
 namespace velum::membrane {
 

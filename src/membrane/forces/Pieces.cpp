@@ -1,11 +1,11 @@
-#include "Pieces.h"
+#include "membrane/forces/Pieces.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
 
-#include "velum/core/Parallel.h"
+#include "core/Parallel.h"
 
 namespace velum::membrane {
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "velum/core/Task.h"
+#include "core/Task.h"
 
 namespace velum::membrane {
 

@@ -1,10 +1,10 @@
-#include "Pins.h"
+#include "membrane/forces/Pins.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include "scene/Scene.h"
 #include "shared/cloth.h"
-#include "velum/scene/Scene.h"
 
 namespace velum::membrane {
 

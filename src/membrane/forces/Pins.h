@@ -2,8 +2,8 @@
 #include <span>
 #include <vector>
 
-#include "velum/membrane/forces/PushField.h"
-#include "velum/scene/Cut.h"
+#include "membrane/forces/PushField.h"
+#include "scene/Cut.h"
 
 namespace velum::membrane {
 

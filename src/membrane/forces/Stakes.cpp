@@ -1,10 +1,10 @@
-#include "Stakes.h"
+#include "membrane/forces/Stakes.h"
 
 #include <algorithm>
 
-#include "FrameBox.h"
-#include "velum/core/Assert.h"
-#include "velum/core/Parallel.h"
+#include "core/Assert.h"
+#include "core/Parallel.h"
+#include "membrane/forces/FrameBox.h"
 
 namespace velum::membrane {
 

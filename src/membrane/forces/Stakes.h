@@ -1,8 +1,8 @@
 #pragma once
 #include <vector>
 
-#include "velum/membrane/forces/Forces.h"
-#include "velum/membrane/forces/LeastCut.h"
+#include "membrane/forces/Forces.h"
+#include "membrane/forces/LeastCut.h"
 
 namespace velum::membrane {
 

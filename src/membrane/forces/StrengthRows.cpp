@@ -1,11 +1,12 @@
-#include "StrengthRows.h"
+#include "membrane/forces/StrengthRows.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <span>
 
-#include "velum/membrane/forces/Kernels.h"
+#include "membrane/forces/Kernels.h"
+#include "scene/Scene.h"
 
 namespace velum::membrane {
 

@@ -4,13 +4,13 @@
 #include <memory>
 #include <vector>
 
-#include "Gradients.h"
-#include "Pieces.h"
-#include "velum/core/LabelVolume.h"
-#include "velum/core/Model.h"
-#include "velum/core/Units.h"
-#include "velum/core/Volume.h"
-#include "velum/scene/Membrane.h"
+#include "core/LabelVolume.h"
+#include "core/Model.h"
+#include "core/Units.h"
+#include "core/Volume.h"
+#include "membrane/forces/Gradients.h"
+#include "membrane/forces/Pieces.h"
+#include "scene/Membrane.h"
 
 namespace velum::membrane {
 

@@ -1,4 +1,4 @@
-#include "TypeGrid.h"
+#include "membrane/forces/TypeGrid.h"
 
 #include <algorithm>
 #include <cmath>

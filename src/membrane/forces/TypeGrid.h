@@ -1,7 +1,7 @@
 #pragma once
-#include "velum/core/LabelVolume.h"
-#include "velum/core/Units.h"
-#include "velum/scene/ModelLayer.h"
+#include "core/LabelVolume.h"
+#include "core/Units.h"
+#include "scene/ModelLayer.h"
 
 namespace velum::membrane {
 

@@ -1,4 +1,4 @@
-#include "BendStencil.h"
+#include "membrane/sheet/BendStencil.h"
 
 #include <array>
 #include <map>

@@ -1,11 +1,12 @@
-#include "Fairing.h"
+#include "membrane/sheet/Fairing.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "velum/core/Assert.h"
-#include "velum/core/Parallel.h"
-#include "velum/membrane/sheet/Simulation.h"
+#include "core/Assert.h"
+#include "core/Parallel.h"
+#include "membrane/sheet/Simulation.h"
+#include "scene/Scene.h"
 
 namespace velum::membrane {
 

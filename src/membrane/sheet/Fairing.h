@@ -3,9 +3,9 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "velum/membrane/forces/Forces.h"
-#include "velum/membrane/forces/PushField.h"
-#include "velum/scene/SheetShape.h"
+#include "membrane/forces/Forces.h"
+#include "membrane/forces/PushField.h"
+#include "scene/SheetShape.h"
 
 namespace velum::membrane {
 

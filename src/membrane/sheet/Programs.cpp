@@ -1,4 +1,4 @@
-#include "velum/membrane/sheet/Programs.h"
+#include "membrane/sheet/Programs.h"
 
 namespace velum::membrane {
 

@@ -1,12 +1,12 @@
-#include "velum/membrane/sheet/Sheet.h"
+#include "membrane/sheet/Sheet.h"
 
 #include <span>
 #include <vector>
 
+#include "core/Vectors.h"
+#include "gpu/Program.h"
+#include "membrane/sheet/SheetIndex.h"
 #include "shared/sheet.h"
-#include "velum/core/Vectors.h"
-#include "velum/gpu/Program.h"
-#include "velum/membrane/sheet/SheetIndex.h"
 
 namespace velum::membrane {
 

@@ -1,4 +1,4 @@
-#include "velum/membrane/sheet/SheetCurve.h"
+#include "membrane/sheet/SheetCurve.h"
 
 #include <algorithm>
 #include <array>

@@ -1,11 +1,11 @@
-#include "velum/membrane/sheet/SheetIndex.h"
+#include "membrane/sheet/SheetIndex.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "core/Vectors.h"
 #include "shared/sheet.h"
-#include "velum/core/Vectors.h"
 
 namespace velum::membrane {
 

@@ -1,13 +1,14 @@
-#include "velum/membrane/sheet/Simulation.h"
+#include "membrane/sheet/Simulation.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "Fairing.h"
-#include "forces/Pins.h"
+#include "membrane/forces/Pins.h"
+#include "membrane/sheet/Fairing.h"
 
-#include "velum/core/Assert.h"
-#include "velum/core/Vectors.h"
+#include "core/Assert.h"
+#include "core/Vectors.h"
+#include "scene/Scene.h"
 
 namespace velum::membrane {
 

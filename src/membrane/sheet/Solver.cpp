@@ -1,15 +1,15 @@
-#include "velum/membrane/sheet/Solver.h"
+#include "membrane/sheet/Solver.h"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <optional>
 
-#include "BendStencil.h"
+#include "core/Assert.h"
+#include "gpu/Program.h"
+#include "gpu/Scope.h"
+#include "membrane/sheet/BendStencil.h"
 #include "shared/cloth.h"
-#include "velum/core/Assert.h"
-#include "velum/gpu/Program.h"
-#include "velum/gpu/Scope.h"
 
 namespace velum::membrane {
 

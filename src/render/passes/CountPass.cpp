@@ -1,6 +1,6 @@
-#include "CountPass.h"
+#include "render/passes/CountPass.h"
 
-#include "WorkQueue.h"
+#include "render/WorkQueue.h"
 
 namespace velum::render {
 
@@ -14,7 +14,7 @@ void CountPass::addSteps(const FrameData& data, int sample, WorkQueue& queue) {
   if (sample != 0 || !data.frame.countsInstances || !mInstances.hasStates()) return;
   queue.add(*this, [this, &data] {
     const scene::ModelLayer& model = data.frame.scene.model;
-    mesoscale::InstanceStates& states = mInstances.states();
+    model::InstanceStates& states = mInstances.states();
     states.noteShown(mInstances.programs(), mGbuffer.ids(), firstModelInstance(data.frame.scene));
     mCount = std::uint64_t(model.data->instances.size()) * std::uint64_t(model.copies);
     std::size_t words = std::size_t(states.words()) * 3;

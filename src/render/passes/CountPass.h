@@ -3,12 +3,12 @@
 #include <optional>
 #include <vector>
 
-#include "FrameData.h"
-#include "Gbuffer.h"
-#include "InstancePass.h"
-#include "Pass.h"
-#include "velum/gpu/Readback.h"
-#include "velum/render/Counts.h"
+#include "gpu/Readback.h"
+#include "render/Counts.h"
+#include "render/FrameData.h"
+#include "render/Gbuffer.h"
+#include "render/passes/InstancePass.h"
+#include "render/passes/Pass.h"
 
 namespace velum::render {
 

@@ -1,13 +1,13 @@
-#include "FinishPass.h"
+#include "render/passes/FinishPass.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "FinishSetup.h"
-#include "WorkQueue.h"
-#include "velum/scene/Finishes.h"
-#include "velum/scene/LitSpheres.h"
-#include "velum/scene/PaperPicture.h"
+#include "render/FinishSetup.h"
+#include "render/WorkQueue.h"
+#include "scene/Finishes.h"
+#include "scene/LitSpheres.h"
+#include "scene/PaperPicture.h"
 
 namespace velum::render {
 

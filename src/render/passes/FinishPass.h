@@ -4,14 +4,14 @@
 #include <string>
 #include <vector>
 
-#include "FrameData.h"
-#include "Gbuffer.h"
-#include "Pass.h"
-#include "ProgramCache.h"
+#include "gpu/Buffer.h"
+#include "gpu/Program.h"
+#include "gpu/Texture.h"
+#include "render/FrameData.h"
+#include "render/Gbuffer.h"
+#include "render/passes/Pass.h"
+#include "render/passes/ProgramCache.h"
 #include "shared/finish.h"
-#include "velum/gpu/Buffer.h"
-#include "velum/gpu/Program.h"
-#include "velum/gpu/Texture.h"
 
 namespace velum::render {
 

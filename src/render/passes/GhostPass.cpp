@@ -1,9 +1,9 @@
-#include "GhostPass.h"
+#include "render/passes/GhostPass.h"
 
 #include <algorithm>
 #include <vector>
 
-#include "WorkQueue.h"
+#include "render/WorkQueue.h"
 #include "shared/bindings.h"
 
 namespace velum::render {

@@ -1,12 +1,12 @@
 #pragma once
-#include "FrameData.h"
-#include "Gbuffer.h"
-#include "InstancePass.h"
-#include "Pass.h"
-#include "velum/core/Image.h"
-#include "velum/gpu/Program.h"
-#include "velum/gpu/Texture.h"
-#include "velum/mesoscale/InstanceTarget.h"
+#include "core/Image.h"
+#include "gpu/Program.h"
+#include "gpu/Texture.h"
+#include "model/InstanceTarget.h"
+#include "render/FrameData.h"
+#include "render/Gbuffer.h"
+#include "render/passes/InstancePass.h"
+#include "render/passes/Pass.h"
 
 namespace velum::render {
 
@@ -35,7 +35,7 @@ class GhostPass : public Pass {
 
   const Gbuffer& mGbuffer;
   InstancePass& mInstances;
-  mesoscale::InstanceTarget mTarget{"ghosts of instances", true};
+  model::InstanceTarget mTarget{"ghosts of instances", true};
   gpu::Program mShade;
   gpu::Texture mSums;  ///< Premultiplied.
   bool mIsOn = false;

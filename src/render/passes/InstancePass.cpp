@@ -1,4 +1,4 @@
-#include "InstancePass.h"
+#include "render/passes/InstancePass.h"
 
 #include <fmt/format.h>
 
@@ -6,13 +6,13 @@
 #include <cmath>
 #include <utility>
 
-#include "WorkQueue.h"
+#include "core/Vectors.h"
+#include "gpu/GpuError.h"
+#include "model/FocusRows.h"
+#include "model/InstanceRows.h"
+#include "model/Levels.h"
+#include "render/WorkQueue.h"
 #include "shared/instance.h"
-#include "velum/core/Vectors.h"
-#include "velum/gpu/GpuError.h"
-#include "velum/mesoscale/FocusRows.h"
-#include "velum/mesoscale/InstanceRows.h"
-#include "velum/mesoscale/Levels.h"
 
 namespace velum::render {
 
@@ -33,7 +33,7 @@ constexpr const char* kFocus = "Focus";
 
 /// Whether a frame asks what becomes of instances, rather than only draws what is left of them.
 bool wantsStates(const Frame& frame) {
-  return frame.countsInstances || scene::hasGhosts(frame.scene.model) || !mesoscale::focusRows(frame.scene).empty();
+  return frame.countsInstances || scene::hasGhosts(frame.scene.model) || !model::focusRows(frame.scene).empty();
 }
 
 /// Pixels along each edge of the light's view: about as many as the picture has.
@@ -73,9 +73,9 @@ shared::InstanceView lightViewOf(const FrameData& data, const shared::InstanceVi
 
 /// The instances of the types that a cut keeps in view, which follow each other type by type, some at a time.
 /// @param spares  [types][cuts]
-std::vector<mesoscale::InstancePart> focusParts(const scene::ModelLayer& layer,
-                                                const std::vector<shared::TypeSpareRow>& spares, std::size_t cuts,
-                                                std::size_t cut, std::uint32_t most) {
+std::vector<model::InstancePart> focusParts(const scene::ModelLayer& layer,
+                                            const std::vector<shared::TypeSpareRow>& spares, std::size_t cuts,
+                                            std::size_t cut, std::uint32_t most) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> runs;
   const std::vector<MoleculeType>& types = layer.data->types;
   for (std::size_t t = 0; t < types.size(); ++t) {
@@ -86,9 +86,9 @@ std::vector<mesoscale::InstancePart> focusParts(const scene::ModelLayer& layer,
     else
       runs.emplace_back(first, end);
   }
-  std::vector<mesoscale::InstancePart> parts;
+  std::vector<model::InstancePart> parts;
   for (const auto& [first, end] : runs)
-    for (mesoscale::InstancePart part : mesoscale::instanceParts(end - first, std::max(1, layer.copies), most)) {
+    for (model::InstancePart part : model::instanceParts(end - first, std::max(1, layer.copies), most)) {
       part.first += first, part.end += first;
       parts.push_back(part);
     }
@@ -113,7 +113,7 @@ void InstancePass::prepare(FrameData& data) {
                    std::max(1, data.frame.scene.model.copies));
   mHandedOver.clear();
   mHasMembranes = (data.params.flags & shared::kFlagMembranes) != 0;
-  mHasFocus = !mesoscale::focusRows(data.frame.scene).empty();
+  mHasFocus = !model::focusRows(data.frame.scene).empty();
   mHasGhosts = scene::hasGhosts(data.frame.scene.model);
 }
 
@@ -128,14 +128,10 @@ bool InstancePass::isReady() {
   return mCount == 0 || (mOpenness.isReady() && mShade.isReady() && mPrograms.compile(need()));
 }
 
-mesoscale::InstancePrograms::Need InstancePass::need() const {
-  return {culledBy(), mHasMembranes, mHasFocus, mHasGhosts};
-}
+model::InstancePrograms::Need InstancePass::need() const { return {culledBy(), mHasMembranes, mHasFocus, mHasGhosts}; }
 
-mesoscale::CullBy InstancePass::culledBy() const {
-  return mHasStates      ? mesoscale::CullBy::States
-         : mHasMembranes ? mesoscale::CullBy::Membranes
-                         : mesoscale::CullBy::Cuts;
+model::CullBy InstancePass::culledBy() const {
+  return mHasStates ? model::CullBy::States : mHasMembranes ? model::CullBy::Membranes : model::CullBy::Cuts;
 }
 
 void InstancePass::makeSet(const FrameData& data) {
@@ -150,7 +146,7 @@ void InstancePass::makeSet(const FrameData& data) {
   if (!levels) {
     if (!mOwnLevels || mOwnLevelsOf != layer.data.id()) {
       Progress progress;
-      mOwnLevels = Shared<LevelSet>(mesoscale::computeLevels(*layer.data, progress));
+      mOwnLevels = Shared<LevelSet>(model::computeLevels(*layer.data, progress));
       mOwnLevelsOf = layer.data.id();
     }
     levels = mOwnLevels;
@@ -159,7 +155,7 @@ void InstancePass::makeSet(const FrameData& data) {
   if (!mKey || !(*mKey == key)) {
     if (!mKey || mKey->model != key.model) mEye.forget();
     mSet = {};
-    mSet = mesoscale::InstanceSet(*layer.data, *levels, key.placement);
+    mSet = model::InstanceSet(*layer.data, *levels, key.placement);
     mKey = key;
   }
   mCount = std::uint32_t(count);
@@ -167,11 +163,11 @@ void InstancePass::makeSet(const FrameData& data) {
 }
 
 void InstancePass::writeRows(const FrameData& data) {
-  auto types = mesoscale::makeTypeRows(data.frame.scene.model);
+  auto types = model::makeTypeRows(data.frame.scene.model);
   types.resize(std::max<std::size_t>(1, types.size()));
   mTypes = gpu::Buffer("types", std::span<const shared::TypeRow>(types));
   mTypeTexels = gpu::Texture::makeOfBuffer("types", gpu::Format::Rgba32f, mTypes);
-  mSpareRows = mesoscale::makeTypeSpareRows(data.frame.scene);
+  mSpareRows = model::makeTypeSpareRows(data.frame.scene);
   mSpareRows.resize(std::max<std::size_t>(1, mSpareRows.size()));
   mTypeSpares = gpu::Buffer("spares of types", std::span<const shared::TypeSpareRow>(mSpareRows));
   mTypeSpareTexels = gpu::Texture::makeOfBuffer("spares of types", gpu::Format::Rgba32f, mTypeSpares);
@@ -210,7 +206,7 @@ shared::InstanceView InstancePass::viewOf(const FrameData& data, int sample) con
   view.isOrthographic = (params.flags & shared::kFlagOrthographic) ? 1 : 0;
   view.detail = float(frame.scene.model.detail) * (frame.isPreview ? kPreviewDetail : 1.0f);
   view.largeRadius = kLargeRadius;
-  view.wholeInstances = mesoscale::wholeInstanceBits(frame.scene);
+  view.wholeInstances = model::wholeInstanceBits(frame.scene);
   view.stateWords = mStates.words();
   return view;
 }
@@ -238,7 +234,7 @@ void InstancePass::add(WorkQueue& queue, Run run) {
 
 std::uint32_t InstancePass::atATime() const { return mIsSoftware ? kSoftwareCulled : kHardwareCulled; }
 
-void InstancePass::addPhase(mesoscale::InstanceTarget& target, mesoscale::CullBy by, Phase phase, WorkQueue& queue) {
+void InstancePass::addPhase(model::InstanceTarget& target, model::CullBy by, Phase phase, WorkQueue& queue) {
   for (const auto& part : target.partsOf(phase, atATime()))
     add(queue, [this, &target, by, phase, part] {
       bindRows();
@@ -253,25 +249,24 @@ void InstancePass::addStates(const FrameData& data, WorkQueue& queue) {
   const scene::ModelLayer& model = data.frame.scene.model;
   queue.add(kClipping, [this] { mStates.begin(); });
   for (const auto& part :
-       mesoscale::instanceParts(std::uint32_t(model.data->instances.size()), std::max(1, model.copies), atATime()))
+       model::instanceParts(std::uint32_t(model.data->instances.size()), std::max(1, model.copies), atATime()))
     queue.add(kClipping, [this, part] {
       bindRows();
       mEye.bindView();
       mStates.clip(mPrograms, mHasMembranes, part);
     });
-  for (const mesoscale::FocusRow& row : mesoscale::focusRows(data.frame.scene)) addFocus(data, row, queue);
+  for (const model::FocusRow& row : model::focusRows(data.frame.scene)) addFocus(data, row, queue);
 }
 
-void InstancePass::addFocus(const FrameData& data, const mesoscale::FocusRow& row, WorkQueue& queue) {
+void InstancePass::addFocus(const FrameData& data, const model::FocusRow& row, WorkQueue& queue) {
   const Frame& frame = data.frame;
   double aspect = double(frame.pictureSize.x) / frame.pictureSize.y;
   shared::FocusView view = makeFocusView(frame.scene, row, aspect, sceneOrigin(data.grid), sceneRadius(data.grid));
   const scene::ModelLayer& model = frame.scene.model;
   auto inFocus = focusParts(model, mSpareRows, data.cuts.size(), std::size_t(row.cut), atATime());
-  auto all =
-      mesoscale::instanceParts(std::uint32_t(model.data->instances.size()), std::max(1, model.copies), atATime());
+  auto all = model::instanceParts(std::uint32_t(model.data->instances.size()), std::max(1, model.copies), atATime());
   queue.add(kFocus, [this, view] { mStates.beginFocus(view); });
-  auto addLooks = [&](const std::vector<mesoscale::InstancePart>& parts, auto look) {
+  auto addLooks = [&](const std::vector<model::InstancePart>& parts, auto look) {
     for (const auto& part : parts)
       queue.add(kFocus, [this, look, part] {
         bindRows();
@@ -284,16 +279,16 @@ void InstancePass::addFocus(const FrameData& data, const mesoscale::FocusRow& ro
   addLooks(all, [this](const auto& part) { mStates.clear(mPrograms, mHasMembranes, part); });
 }
 
-void InstancePass::addGhosts(mesoscale::InstanceTarget& target, const FrameData& data, int sample, WorkQueue& queue) {
+void InstancePass::addGhosts(model::InstanceTarget& target, const FrameData& data, int sample, WorkQueue& queue) {
   shared::InstanceView view = viewOf(data, sample);
   add(queue, [&target, view] { target.begin(view); });
-  addPhase(target, mesoscale::CullBy::Ghosts, Phase::All, queue);
+  addPhase(target, model::CullBy::Ghosts, Phase::All, queue);
   addDraws(target, Phase::All, false, queue);
   add(queue, [this, &target] { target.makePyramid(mPrograms); });
   addDraws(target, Phase::All, true, queue);
 }
 
-void InstancePass::addDraws(mesoscale::InstanceTarget& target, Phase phase, bool owners, WorkQueue& queue) {
+void InstancePass::addDraws(model::InstanceTarget& target, Phase phase, bool owners, WorkQueue& queue) {
   if (mIsSoftware) {
     add(queue, [this] { mPlace = {}; });
     queue.addUntilDone(*this, [this, &target, phase, owners] { return drawNext(target, phase, owners); });
@@ -308,7 +303,7 @@ void InstancePass::addDraws(mesoscale::InstanceTarget& target, Phase phase, bool
 }
 
 /// The next piece of what a software driver draws. @return true when it was the last
-bool InstancePass::drawNext(mesoscale::InstanceTarget& target, Phase phase, bool owners) {
+bool InstancePass::drawNext(model::InstanceTarget& target, Phase phase, bool owners) {
   if (!mPlace.isKnown) {
     mPlace.groups = target.groupCounts(phase);
     mPlace.isKnown = true;
@@ -335,7 +330,7 @@ void InstancePass::addSteps(const FrameData& data, int sample, WorkQueue& queue)
   if (mCount == 0) return;
   const scene::Lighting& lighting = data.frame.scene.lighting;
   shared::InstanceView view = viewOf(data, sample);
-  mesoscale::CullBy by = culledBy();
+  model::CullBy by = culledBy();
   add(queue, [this, view] { mEye.begin(view); });
   if (sample == 0 && mHasStates) addStates(data, queue);
   bool wantsLight = lighting.shaded && lighting.shadow > 0 && !data.frame.isPreview;

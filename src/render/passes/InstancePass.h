@@ -5,20 +5,20 @@
 #include <optional>
 #include <vector>
 
-#include "FrameData.h"
-#include "Pass.h"
-#include "SurfacePass.h"
+#include "gpu/Buffer.h"
+#include "gpu/Program.h"
+#include "gpu/Texture.h"
+#include "model/InstanceSet.h"
+#include "model/InstanceStates.h"
+#include "model/InstanceTarget.h"
+#include "render/FrameData.h"
+#include "render/passes/Pass.h"
+#include "render/passes/SurfacePass.h"
 #include "shared/instance.h"
-#include "velum/gpu/Buffer.h"
-#include "velum/gpu/Program.h"
-#include "velum/gpu/Texture.h"
-#include "velum/mesoscale/InstanceSet.h"
-#include "velum/mesoscale/InstanceStates.h"
-#include "velum/mesoscale/InstanceTarget.h"
 
 namespace velum::render {
 
-/// The instances of a model, for rays to stop at: who is nearest in each pixel (mesoscale::InstanceTarget), then its
+/// The instances of a model, for rays to stop at: who is nearest in each pixel (model::InstanceTarget), then its
 /// colour, light and ids, drawn into the surfaces' target. Every instance is asked of the cuts in every sample of every
 /// frame; what is kept is the model on the GPU, with the model, its levels and its place for a key, and which instances
 /// were seen last, which changes no picture.
@@ -35,20 +35,20 @@ class InstancePass : public Pass {
 
   /// What of the model is in force in a frame that has some: of it the instances' states are known.
   bool hasStates() const { return mHasStates; }
-  mesoscale::InstanceStates& states() { return mStates; }
-  mesoscale::InstancePrograms& programs() { return mPrograms; }
+  model::InstanceStates& states() { return mStates; }
+  model::InstancePrograms& programs() { return mPrograms; }
   /// Draws what InstanceStates has removed into a target, as it is seen in a sample; others may, too.
-  void addGhosts(mesoscale::InstanceTarget& target, const FrameData& data, int sample, WorkQueue& queue);
+  void addGhosts(model::InstanceTarget& target, const FrameData& data, int sample, WorkQueue& queue);
   /// The rows of the set and of its types.
   void bindRows() const;
 
  private:
-  mesoscale::InstancePrograms::Need need() const;
-  mesoscale::CullBy culledBy() const;
-  using Phase = mesoscale::CullPhase;
+  model::InstancePrograms::Need need() const;
+  model::CullBy culledBy() const;
+  using Phase = model::CullPhase;
   struct Key {
     std::uint64_t model = 0, levels = 0;
-    mesoscale::Placement placement;
+    model::Placement placement;
     bool operator==(const Key&) const = default;
   };
   void makeSet(const FrameData& data);
@@ -58,11 +58,11 @@ class InstancePass : public Pass {
   void add(WorkQueue& queue, Run run);
   shared::InstanceView viewOf(const FrameData& data, int sample) const;
   void addStates(const FrameData& data, WorkQueue& queue);
-  void addFocus(const FrameData& data, const mesoscale::FocusRow& row, WorkQueue& queue);
-  void addPhase(mesoscale::InstanceTarget& target, mesoscale::CullBy by, Phase phase, WorkQueue& queue);
+  void addFocus(const FrameData& data, const model::FocusRow& row, WorkQueue& queue);
+  void addPhase(model::InstanceTarget& target, model::CullBy by, Phase phase, WorkQueue& queue);
   std::uint32_t atATime() const;
-  void addDraws(mesoscale::InstanceTarget& target, Phase phase, bool owners, WorkQueue& queue);
-  bool drawNext(mesoscale::InstanceTarget& target, Phase phase, bool owners);
+  void addDraws(model::InstanceTarget& target, Phase phase, bool owners, WorkQueue& queue);
+  bool drawNext(model::InstanceTarget& target, Phase phase, bool owners);
   void beginShading(const FrameData& data, int sample);
   void addStrips(const gpu::Program& program, glm::ivec2 size, WorkQueue& queue);
   void bindShading() const;
@@ -70,17 +70,17 @@ class InstancePass : public Pass {
   const SurfacePass& mSurfaces;
   const bool mIsSoftware;
   const std::size_t mMostTexels;  ///< Of a buffer.
-  mesoscale::InstancePrograms mPrograms;
+  model::InstancePrograms mPrograms;
   gpu::Program mOpenness, mShade;
   gpu::Texture mOpen;  ///< Openness, light and depth at one pixel of a few.
   std::optional<Key> mKey;
   Shared<LevelSet> mOwnLevels;  ///< Made here, of a model that came without.
   std::uint64_t mOwnLevelsOf = 0;
-  mesoscale::InstanceSet mSet;
+  model::InstanceSet mSet;
   std::uint32_t mCount = 0;  ///< Instances of all copies.
-  mesoscale::InstanceStates mStates;
+  model::InstanceStates mStates;
   bool mHasStates = false, mHasMembranes = false, mHasFocus = false, mHasGhosts = false;
-  mesoscale::InstanceTarget mEye{"eye's view of instances", true}, mLight{"light's view of instances", false};
+  model::InstanceTarget mEye{"eye's view of instances", true}, mLight{"light's view of instances", false};
   std::vector<shared::TypeSpareRow> mSpareRows;  ///< [types][enabled cuts]
   gpu::Buffer mTypes, mTypeSpares;
   gpu::Texture mTypeTexels, mTypeSpareTexels;

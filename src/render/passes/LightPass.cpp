@@ -1,9 +1,9 @@
-#include "LightPass.h"
+#include "render/passes/LightPass.h"
 
 #include <algorithm>
 #include <cstring>
 
-#include "WorkQueue.h"
+#include "render/WorkQueue.h"
 
 namespace velum::render {
 

@@ -4,11 +4,11 @@
 #include <optional>
 #include <vector>
 
-#include "FrameData.h"
-#include "Pass.h"
-#include "ProgramCache.h"
-#include "velum/gpu/Program.h"
-#include "velum/gpu/Texture.h"
+#include "gpu/Program.h"
+#include "gpu/Texture.h"
+#include "render/FrameData.h"
+#include "render/passes/Pass.h"
+#include "render/passes/ProgramCache.h"
 
 namespace velum::render {
 

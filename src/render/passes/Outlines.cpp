@@ -1,10 +1,11 @@
-#include "Outlines.h"
+#include "render/passes/Outlines.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "velum/gpu/Draw.h"
-#include "velum/scene/ShapeOutline.h"
+#include "gpu/Draw.h"
+#include "scene/Scene.h"
+#include "scene/ShapeOutline.h"
 
 namespace velum::render {
 

@@ -2,7 +2,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "velum/scene/Scene.h"
+#include "scene/SceneFwd.h"
 
 namespace velum::render {
 

@@ -5,7 +5,7 @@
 #include <list>
 #include <utility>
 
-#include "velum/gpu/Program.h"
+#include "gpu/Program.h"
 
 namespace velum::render {
 

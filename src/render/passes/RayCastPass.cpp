@@ -1,10 +1,10 @@
-#include "RayCastPass.h"
+#include "render/passes/RayCastPass.h"
 
 #include <algorithm>
 #include <numeric>
 #include <thread>
 
-#include "WorkQueue.h"
+#include "render/WorkQueue.h"
 
 namespace velum::render {
 

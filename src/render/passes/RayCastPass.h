@@ -2,11 +2,11 @@
 #include <deque>
 #include <glm/glm.hpp>
 
-#include "FrameData.h"
-#include "Gbuffer.h"
-#include "Pass.h"
-#include "ProgramCache.h"
-#include "velum/gpu/Program.h"
+#include "gpu/Program.h"
+#include "render/FrameData.h"
+#include "render/Gbuffer.h"
+#include "render/passes/Pass.h"
+#include "render/passes/ProgramCache.h"
 
 namespace velum::render {
 

@@ -1,9 +1,9 @@
-#include "ResolvePass.h"
+#include "render/passes/ResolvePass.h"
 
 #include <algorithm>
 #include <vector>
 
-#include "velum/scene/Finishes.h"
+#include "scene/Finishes.h"
 
 namespace velum::render {
 

@@ -1,13 +1,13 @@
 #pragma once
-#include "FinishPass.h"
-#include "FrameData.h"
-#include "Gbuffer.h"
-#include "GhostPass.h"
-#include "ProgramCache.h"
-#include "RayCastPass.h"
-#include "velum/gpu/Framebuffer.h"
-#include "velum/gpu/Program.h"
-#include "velum/gpu/Texture.h"
+#include "gpu/Framebuffer.h"
+#include "gpu/Program.h"
+#include "gpu/Texture.h"
+#include "render/FrameData.h"
+#include "render/Gbuffer.h"
+#include "render/passes/FinishPass.h"
+#include "render/passes/GhostPass.h"
+#include "render/passes/ProgramCache.h"
+#include "render/passes/RayCastPass.h"
 
 namespace velum::render {
 

@@ -1,12 +1,12 @@
-#include "SkipPass.h"
+#include "render/passes/SkipPass.h"
 
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "WorkQueue.h"
-#include "velum/core/Parallel.h"
+#include "core/Parallel.h"
+#include "render/WorkQueue.h"
 
 namespace velum::render {
 
@@ -47,7 +47,7 @@ SkipPass::Key SkipPass::keyOf(const FrameData& data) {
     for (std::size_t id = 0; id < data.spares.rowOf.size(); ++id)
       for (std::size_t cut = 0; cut < key.cuts.size(); ++cut) {
         float& deepest = key.deepest[id % 64 * key.cuts.size() + cut];
-        deepest = std::max(deepest, shared::spareDepth(data.spares.of(std::uint32_t(id), cut), 0.0f));
+        deepest = std::max(deepest, data.spares.depthOf(std::uint32_t(id), cut));
       }
   }
   if (data.labelUse == LabelUse::None) return key;

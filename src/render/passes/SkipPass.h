@@ -4,10 +4,10 @@
 #include <optional>
 #include <vector>
 
-#include "FrameData.h"
-#include "Pass.h"
-#include "upload/SkipMap.h"
-#include "velum/gpu/Texture.h"
+#include "gpu/Texture.h"
+#include "render/FrameData.h"
+#include "render/passes/Pass.h"
+#include "render/upload/SkipMap.h"
 
 namespace velum::render {
 

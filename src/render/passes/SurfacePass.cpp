@@ -1,13 +1,13 @@
-#include "SurfacePass.h"
+#include "render/passes/SurfacePass.h"
 
 #include <cstddef>
 #include <numeric>
 #include <set>
 #include <vector>
 
-#include "Outlines.h"
-#include "WorkQueue.h"
-#include "velum/gpu/Draw.h"
+#include "gpu/Draw.h"
+#include "render/WorkQueue.h"
+#include "render/passes/Outlines.h"
 
 namespace velum::render {
 

@@ -5,13 +5,13 @@
 #include <map>
 #include <span>
 
-#include "FrameData.h"
-#include "Pass.h"
-#include "velum/gpu/Buffer.h"
-#include "velum/gpu/Framebuffer.h"
-#include "velum/gpu/Program.h"
-#include "velum/gpu/Texture.h"
-#include "velum/gpu/VertexArray.h"
+#include "gpu/Buffer.h"
+#include "gpu/Framebuffer.h"
+#include "gpu/Program.h"
+#include "gpu/Texture.h"
+#include "gpu/VertexArray.h"
+#include "render/FrameData.h"
+#include "render/passes/Pass.h"
 
 namespace velum::render {
 

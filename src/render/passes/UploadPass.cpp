@@ -1,9 +1,9 @@
-#include "UploadPass.h"
+#include "render/passes/UploadPass.h"
 
 #include <algorithm>
 
-#include "WorkQueue.h"
-#include "velum/core/Vectors.h"
+#include "core/Vectors.h"
+#include "render/WorkQueue.h"
 
 namespace velum::render {
 

@@ -2,13 +2,13 @@
 #include <memory>
 #include <optional>
 
-#include "FrameData.h"
-#include "Pass.h"
-#include "upload/CutSheets.h"
-#include "upload/LabelUpload.h"
-#include "upload/ShareUpload.h"
-#include "upload/VolumeUpload.h"
-#include "velum/gpu/Context.h"
+#include "gpu/Context.h"
+#include "render/FrameData.h"
+#include "render/passes/Pass.h"
+#include "render/upload/CutSheets.h"
+#include "render/upload/LabelUpload.h"
+#include "render/upload/ShareUpload.h"
+#include "render/upload/VolumeUpload.h"
 
 namespace velum::render {
 

@@ -1,4 +1,4 @@
-#include "Variants.h"
+#include "render/passes/Variants.h"
 
 #include <fmt/format.h>
 

@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "upload/PackedTexels.h"
-#include "velum/gpu/Program.h"
-#include "velum/scene/Finish.h"
-#include "velum/scene/RayCast.h"
+#include "gpu/Program.h"
+#include "render/upload/PackedTexels.h"
+#include "scene/Finish.h"
+#include "scene/RayCast.h"
 
 namespace velum::render {
 

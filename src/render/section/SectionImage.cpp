@@ -1,16 +1,16 @@
-#include "velum/render/section/SectionImage.h"
+#include "render/section/SectionImage.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
-#include "FrameSetup.h"
-#include "SectionCuts.h"
-#include "SectionRow.h"
+#include "render/FrameSetup.h"
+#include "render/kept/RowCuts.h"
+#include "render/section/SectionRow.h"
 
-#include "velum/core/Assert.h"
-#include "velum/core/Parallel.h"
-#include "velum/scene/StructureAt.h"
+#include "core/Assert.h"
+#include "core/Parallel.h"
+#include "scene/StructureAt.h"
 
 namespace velum::render {
 
@@ -54,7 +54,7 @@ class SectionDrawing {
   std::vector<std::uint16_t> mIds;     ///< Label of each pixel.
   std::vector<glm::vec4> mStructures;  ///< Colour and opacity on the section by id; nothing where it is not shown.
   bool mShowsLabels = false;
-  std::optional<SectionCuts> mCuts;
+  std::optional<RowCuts> mCuts;
 };
 
 void SectionDrawing::prepareLabels() {

@@ -1,4 +1,4 @@
-#include "SectionRow.h"
+#include "render/section/SectionRow.h"
 
 #include <algorithm>
 #include <cmath>

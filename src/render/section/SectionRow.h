@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 
-#include "velum/core/Volume.h"
-#include "velum/scene/SectionPlane.h"
+#include "core/Volume.h"
+#include "scene/SectionPlane.h"
 
 namespace velum::render {
 

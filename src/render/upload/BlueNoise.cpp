@@ -1,4 +1,4 @@
-#include "BlueNoise.h"
+#include "render/upload/BlueNoise.h"
 
 #include <algorithm>
 #include <cmath>

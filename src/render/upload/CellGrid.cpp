@@ -1,9 +1,9 @@
-#include "CellGrid.h"
+#include "render/upload/CellGrid.h"
 
 #include <algorithm>
 #include <cstdint>
 
-#include "velum/core/Parallel.h"
+#include "core/Parallel.h"
 
 namespace velum::render {
 

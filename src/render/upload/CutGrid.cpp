@@ -1,4 +1,4 @@
-#include "CutGrid.h"
+#include "render/upload/CutGrid.h"
 
 #include <algorithm>
 #include <array>

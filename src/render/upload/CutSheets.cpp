@@ -1,4 +1,4 @@
-#include "CutSheets.h"
+#include "render/upload/CutSheets.h"
 
 #include "shared/sheet.h"
 

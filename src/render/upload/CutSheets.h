@@ -4,12 +4,12 @@
 #include <memory>
 #include <vector>
 
+#include "gpu/Buffer.h"
+#include "gpu/Texture.h"
+#include "membrane/sheet/SheetIndex.h"
+#include "render/Frame.h"
+#include "render/SheetIndices.h"
 #include "shared/types.h"
-#include "velum/gpu/Buffer.h"
-#include "velum/gpu/Texture.h"
-#include "velum/membrane/sheet/SheetIndex.h"
-#include "velum/render/Frame.h"
-#include "velum/render/SheetIndices.h"
 
 namespace velum::render {
 

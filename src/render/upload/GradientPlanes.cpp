@@ -1,12 +1,12 @@
-#include "GradientPlanes.h"
+#include "render/upload/GradientPlanes.h"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/type_ptr.hpp>
 
-#include "GradientTexels.h"
-#include "Resample.h"
-#include "velum/core/Parallel.h"
+#include "core/Parallel.h"
+#include "render/upload/GradientTexels.h"
+#include "render/upload/Resample.h"
 
 namespace velum::render {
 

@@ -1,4 +1,4 @@
-#include "GradientTexels.h"
+#include "render/upload/GradientTexels.h"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <glm/gtc/type_ptr.hpp>
 
-#include "velum/core/Parallel.h"
+#include "core/Parallel.h"
 
 namespace velum::render {
 

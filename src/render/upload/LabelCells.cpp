@@ -1,10 +1,10 @@
-#include "LabelCells.h"
+#include "render/upload/LabelCells.h"
 
 #include <algorithm>
 #include <atomic>
 
-#include "gridIndex.h"
-#include "velum/core/Parallel.h"
+#include "core/Parallel.h"
+#include "render/upload/gridIndex.h"
 
 namespace velum::render {
 

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "CellGrid.h"
-#include "velum/core/LabelVolume.h"
+#include "core/LabelVolume.h"
+#include "render/upload/CellGrid.h"
 
 namespace velum::render {
 

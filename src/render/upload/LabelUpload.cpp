@@ -1,11 +1,11 @@
-#include "LabelUpload.h"
+#include "render/upload/LabelUpload.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "gridIndex.h"
-#include "velum/gpu/GpuError.h"
+#include "gpu/GpuError.h"
+#include "render/upload/gridIndex.h"
 
 namespace velum::render {
 

@@ -3,10 +3,10 @@
 #include <optional>
 #include <vector>
 
-#include "LabelCells.h"
-#include "velum/core/Shared.h"
-#include "velum/gpu/Context.h"
-#include "velum/gpu/Texture.h"
+#include "core/Shared.h"
+#include "gpu/Context.h"
+#include "gpu/Texture.h"
+#include "render/upload/LabelCells.h"
 
 namespace velum::render {
 

@@ -1,9 +1,9 @@
-#include "PackedTexels.h"
+#include "render/upload/PackedTexels.h"
 
 #include <algorithm>
 #include <cstdint>
 
-#include "velum/core/Parallel.h"
+#include "core/Parallel.h"
 
 namespace velum::render {
 

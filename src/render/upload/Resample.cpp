@@ -1,11 +1,11 @@
-#include "Resample.h"
+#include "render/upload/Resample.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <span>
 
-#include "velum/core/Parallel.h"
+#include "core/Parallel.h"
 
 namespace velum::render {
 

@@ -1,11 +1,12 @@
-#include "ShareUpload.h"
+#include "render/upload/ShareUpload.h"
 
 #include <algorithm>
 
-#include "LabelUpload.h"
-#include "gridIndex.h"
-#include "velum/core/Parallel.h"
-#include "velum/scene/StructureAt.h"
+#include "core/Parallel.h"
+#include "render/upload/LabelUpload.h"
+#include "render/upload/gridIndex.h"
+#include "scene/Scene.h"
+#include "scene/StructureAt.h"
 
 namespace velum::render {
 

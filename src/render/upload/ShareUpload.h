@@ -4,10 +4,10 @@
 #include <memory>
 #include <vector>
 
-#include "StructureSets.h"
-#include "velum/core/LabelCover.h"
-#include "velum/gpu/Context.h"
-#include "velum/gpu/Texture.h"
+#include "core/LabelCover.h"
+#include "gpu/Context.h"
+#include "gpu/Texture.h"
+#include "render/upload/StructureSets.h"
 
 namespace velum::render {
 

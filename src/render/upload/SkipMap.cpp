@@ -1,9 +1,9 @@
-#include "SkipMap.h"
+#include "render/upload/SkipMap.h"
 
 #include <bit>
 
-#include "velum/core/Assert.h"
-#include "velum/core/Parallel.h"
+#include "core/Assert.h"
+#include "core/Parallel.h"
 
 namespace velum::render {
 

@@ -1,9 +1,9 @@
-#include "SmoothTexels.h"
+#include "render/upload/SmoothTexels.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "Resample.h"
+#include "render/upload/Resample.h"
 
 namespace velum::render {
 

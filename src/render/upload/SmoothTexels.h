@@ -2,7 +2,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "VolumeTexels.h"
+#include "render/upload/VolumeTexels.h"
 
 namespace velum::render {
 

@@ -1,24 +1,25 @@
-#include "SpareTable.h"
+#include "render/upload/SpareTable.h"
 
 #include <algorithm>
 #include <bit>
 
-#include "velum/core/Assert.h"
+#include "core/Assert.h"
+#include "scene/Scene.h"
 
 namespace velum::render {
 
 namespace {
 
-shared::CutSpare toShared(const scene::Spare& spare) {
-  return {spare.distance < double(shared::kCutFar) ? float(spare.distance) : shared::kCutFar, float(spare.share)};
+float depthOf(const scene::Spare& spare) {
+  return spare.distance < double(shared::kCutFar) ? float(spare.distance) : shared::kCutFar;
 }
 
 }  // namespace
 
-shared::CutSpare SpareTable::of(std::uint32_t structure, std::size_t cut) const {
+float SpareTable::depthOf(std::uint32_t structure, std::size_t cut) const {
   VELUM_ASSERT(cut < cuts, "rows have a place for each enabled cut, and for no other");
   std::uint32_t row = structure < rowOf.size() ? rowOf[structure] : 0;
-  return row == 0 ? shared::CutSpare{0.0f, 0.0f} : rows[(row - 1) * cuts + cut];
+  return row == 0 ? 0.0f : depths[(row - 1) * cuts + cut];
 }
 
 SpareTable makeSpareTable(const scene::Scene& scene) {
@@ -35,13 +36,13 @@ SpareTable makeSpareTable(const scene::Scene& scene) {
       if (structure >= table.rowOf.size()) table.rowOf.resize(structure + 1, 0);
       std::uint32_t& row = table.rowOf[structure];
       if (row == 0) {
-        table.rows.resize(table.rows.size() + table.cuts, {0.0f, 0.0f});
-        row = std::uint32_t(table.rows.size() / table.cuts);
+        table.depths.resize(table.depths.size() + table.cuts, 0.0f);
+        row = std::uint32_t(table.depths.size() / table.cuts);
         isKnown.push_back(false);
       }
       if (isKnown[row - 1]) continue;
       isKnown[row - 1] = true;
-      table.rows[(row - 1) * table.cuts + place] = toShared(spare);
+      table.depths[(row - 1) * table.cuts + place] = depthOf(spare);
       table.hasDepths = table.hasDepths || (spare.distance > 0.0 && spare.distance < double(shared::kCutFar));
     }
     ++place;
@@ -49,13 +50,12 @@ SpareTable makeSpareTable(const scene::Scene& scene) {
   return table;
 }
 
-std::vector<glm::uvec2> spareTexels(const SpareTable& table) {
-  std::vector<glm::uvec2> texels{{std::uint32_t(table.rowOf.size()), 0}};
+std::vector<std::uint32_t> spareTexels(const SpareTable& table) {
+  std::vector<std::uint32_t> texels{std::uint32_t(table.rowOf.size())};
   auto first = std::uint32_t(1 + table.rowOf.size());
   for (std::uint32_t row : table.rowOf)
-    texels.emplace_back(row == 0 ? 0 : first + (row - 1) * std::uint32_t(table.cuts) + 1, 0);
-  for (const shared::CutSpare& spare : table.rows)
-    texels.emplace_back(std::bit_cast<std::uint32_t>(spare.distance), std::bit_cast<std::uint32_t>(spare.share));
+    texels.push_back(row == 0 ? 0 : first + (row - 1) * std::uint32_t(table.cuts) + 1);
+  for (float depth : table.depths) texels.push_back(std::bit_cast<std::uint32_t>(depth));
   return texels;
 }
 

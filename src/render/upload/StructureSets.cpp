@@ -1,7 +1,9 @@
-#include "StructureSets.h"
+#include "render/upload/StructureSets.h"
 
 #include <algorithm>
 #include <map>
+
+#include "scene/Scene.h"
 
 namespace velum::render {
 
@@ -17,8 +19,7 @@ std::map<int, std::uint32_t> sparingCuts(const scene::Scene& scene) {
   for (const auto& cut : scene.cuts) {
     if (!cut.enabled) continue;
     for (const auto& spare : cut.spares)
-      if (spare.distance > 0.0 && spare.share > 0.0)
-        cuts[spare.structure] |= enabled <= 32 ? std::uint32_t(1) << place : 0;
+      if (spare.distance > 0.0) cuts[spare.structure] |= enabled <= 32 ? std::uint32_t(1) << place : 0;
     ++place;
   }
   return cuts;

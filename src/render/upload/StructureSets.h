@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "velum/scene/Scene.h"
+#include "scene/SceneFwd.h"
 
 namespace velum::render {
 

@@ -1,11 +1,12 @@
-#include "TransferTable.h"
+#include "render/upload/TransferTable.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "core/Assert.h"
+#include "scene/Scene.h"
 #include "shared/frame.h"
-#include "velum/core/Assert.h"
 
 namespace velum::render {
 

@@ -1,4 +1,4 @@
-#include "VolumeTexels.h"
+#include "render/upload/VolumeTexels.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <limits>
 #include <type_traits>
 
-#include "velum/core/Parallel.h"
+#include "core/Parallel.h"
 
 namespace velum::render {
 

@@ -1,11 +1,11 @@
 #pragma once
 #include <vector>
 
-#include "PackedTexels.h"
-#include "TransferTable.h"
-#include "velum/core/Shared.h"
-#include "velum/core/Volume.h"
-#include "velum/gpu/Texture.h"
+#include "core/Shared.h"
+#include "core/Volume.h"
+#include "gpu/Texture.h"
+#include "render/upload/PackedTexels.h"
+#include "render/upload/TransferTable.h"
 
 namespace velum::render {
 

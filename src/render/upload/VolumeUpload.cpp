@@ -1,4 +1,4 @@
-#include "VolumeUpload.h"
+#include "render/upload/VolumeUpload.h"
 
 #include <fmt/format.h>
 
@@ -9,11 +9,12 @@
 #include <span>
 #include <type_traits>
 
-#include "GradientPlanes.h"
-#include "GradientTexels.h"
-#include "SmoothTexels.h"
-#include "VolumeTexels.h"
-#include "velum/gpu/GpuError.h"
+#include "gpu/GpuError.h"
+#include "render/upload/GradientPlanes.h"
+#include "render/upload/GradientTexels.h"
+#include "render/upload/SmoothTexels.h"
+#include "render/upload/VolumeTexels.h"
+#include "scene/Scene.h"
 
 namespace velum::render {
 

@@ -4,13 +4,13 @@
 #include <string>
 #include <vector>
 
-#include "CellGrid.h"
-#include "PackedTexels.h"
-#include "velum/core/Volume.h"
-#include "velum/gpu/Buffer.h"
-#include "velum/gpu/Context.h"
-#include "velum/gpu/Texture.h"
-#include "velum/scene/Scene.h"
+#include "core/Volume.h"
+#include "gpu/Buffer.h"
+#include "gpu/Context.h"
+#include "gpu/Texture.h"
+#include "render/upload/CellGrid.h"
+#include "render/upload/PackedTexels.h"
+#include "scene/SceneFwd.h"
 
 namespace velum::render {
 

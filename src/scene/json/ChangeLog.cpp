@@ -1,4 +1,4 @@
-#include "velum/scene/json/ChangeLog.h"
+#include "scene/json/ChangeLog.h"
 
 #include <fmt/format.h>
 
@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "JsonText.h"
-#include "velum/core/Error.h"
-#include "velum/scene/json/Json.h"
+#include "core/Error.h"
+#include "scene/json/Json.h"
+#include "scene/json/JsonText.h"
 
 namespace velum::scene {
 

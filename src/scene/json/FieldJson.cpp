@@ -1,8 +1,8 @@
-#include "velum/scene/json/FieldJson.h"
+#include "scene/json/FieldJson.h"
 
-#include "velum/core/Error.h"
-#include "velum/core/Log.h"
-#include "velum/core/NearestName.h"
+#include "core/Error.h"
+#include "core/Log.h"
+#include "core/NearestName.h"
 
 namespace velum::scene::detail {
 

@@ -1,9 +1,9 @@
-#include "velum/scene/json/FieldPaths.h"
+#include "scene/json/FieldPaths.h"
 
 #include <algorithm>
 
-#include "velum/core/NearestName.h"
-#include "velum/core/Text.h"
+#include "core/NearestName.h"
+#include "core/Text.h"
 
 namespace velum::scene::detail {
 

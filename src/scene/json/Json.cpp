@@ -1,9 +1,10 @@
-#include "velum/scene/json/Json.h"
+#include "scene/json/Json.h"
 
-#include "JsonText.h"
-#include "OlderVersions.h"
-#include "velum/core/Error.h"
-#include "velum/scene/json/FieldJson.h"
+#include "core/Error.h"
+#include "scene/Scene.h"
+#include "scene/json/FieldJson.h"
+#include "scene/json/JsonText.h"
+#include "scene/json/OlderVersions.h"
 
 namespace velum::scene {
 

@@ -1,4 +1,4 @@
-#include "OlderVersions.h"
+#include "scene/json/OlderVersions.h"
 
 #include <nlohmann/json.hpp>
 #include <string_view>
@@ -17,6 +17,14 @@ Json sparesFromIds(Json ids) {
   return spares;
 }
 
+/// Version 2 had a share of a structure's instances, which was all or, at 0, nothing.
+Json spareWithoutShare(Json spare) {
+  if (!spare.is_object() || !spare.contains("share")) return spare;
+  if (spare["share"] == 0) spare["distance"] = 0;
+  spare.erase("share");
+  return spare;
+}
+
 Json renamed(Json value, std::string_view old, const char* now) { return value == old ? Json(now) : value; }
 Json faceOfSections(Json face) { return renamed(std::move(face), "slice", "section"); }
 Json inlayOfSlice(Json use) { return renamed(std::move(use), "slice", "inlay"); }
@@ -28,7 +36,8 @@ Json layoutOfSections(Json layout) {
 struct Change {
   int since;              ///< files of an older version have it as it was
   std::string_view path;  ///< where it was, under the new names of what it is in; "*": each item of a list
-  const char* name;       ///< what it is called now, in the same object
+  std::string_view
+      name;  ///< what it is called now, in the same object or, by a dot, in one that stands there; "": as before
   Json (*convert)(Json);  ///< its value as it is now; null: as it was
 };
 
@@ -63,17 +72,32 @@ constexpr Change kChanges[] = {
     {2, "sections.coronal.panMm", "pan", nullptr},
     {2, "sections.coronal.heightMm", "height", nullptr},
     {2, "sections.sagittal.panMm", "pan", nullptr},
+    {3, "cuts.*.spares.*", "", spareWithoutShare},
+    {3, "cuts.*.typeSpares", "model.spares", nullptr},
+    {3, "cuts.*.wholeInstances", "model.wholeInstances", nullptr},
+    {3, "cuts.*.leastMass", "model.leastMass", nullptr},
+    {3, "cuts.*.mostMass", "model.mostMass", nullptr},
+    {3, "cuts.*.leastCopies", "model.leastCopies", nullptr},
+    {3, "cuts.*.mostCopies", "model.mostCopies", nullptr},
+    {3, "cuts.*.focus", "model.focus", nullptr},
     {2, "sections.sagittal.heightMm", "height", nullptr},
 };
 
 /// Puts the new field in the place of the old one, so that fields keep their order.
 void change(Json& object, const std::string& old, const Change& by) {
   Json next = Json::object();
+  std::size_t dot = by.name.find('.');
+  std::string first(by.name.substr(0, dot));
   for (auto& [name, value] : object.items()) {
-    if (name != old)
+    if (name != old) {
       next[name] = std::move(value);
+      continue;
+    }
+    Json now = by.convert ? by.convert(std::move(value)) : std::move(value);
+    if (dot == by.name.npos)
+      next[first] = std::move(now);
     else
-      next[by.name] = by.convert ? by.convert(std::move(value)) : std::move(value);
+      next[first][std::string(by.name.substr(dot + 1))] = std::move(now);
   }
   object = std::move(next);
 }
@@ -82,8 +106,13 @@ void changeAt(Json& node, std::string_view path, const Change& by) {
   std::size_t dot = path.find('.');
   std::string head(path.substr(0, dot));
   if (head == "*") {
-    if (node.is_array())
-      for (auto& item : node) changeAt(item, path.substr(dot + 1), by);
+    if (!node.is_array()) return;
+    for (auto& item : node) {
+      if (dot == path.npos)
+        item = by.convert(std::move(item));
+      else
+        changeAt(item, path.substr(dot + 1), by);
+    }
   } else if (node.is_object() && node.contains(head)) {
     if (dot == path.npos)
       change(node, head, by);

@@ -1,11 +1,11 @@
-#include "velum/scene/json/PathKey.h"
+#include "scene/json/PathKey.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
 
-#include "velum/core/Error.h"
+#include "core/Error.h"
 
 namespace velum::scene::detail {
 

@@ -1,11 +1,12 @@
-#include "velum/scene/json/Paths.h"
+#include "scene/json/Paths.h"
 
 #include <algorithm>
 #include <optional>
 
-#include "velum/core/NearestName.h"
-#include "velum/core/Text.h"
-#include "velum/scene/json/FieldPaths.h"
+#include "core/NearestName.h"
+#include "core/Text.h"
+#include "scene/Scene.h"
+#include "scene/json/FieldPaths.h"
 
 namespace velum::scene {
 

@@ -1,8 +1,8 @@
-#include "velum/scene/json/Schema.h"
+#include "scene/json/Schema.h"
 
-#include "velum/scene/Scene.h"
-#include "velum/scene/json/FieldTable.h"
-#include "velum/scene/json/Json.h"
+#include "scene/Scene.h"
+#include "scene/json/FieldTable.h"
+#include "scene/json/Json.h"
 
 namespace velum::scene {
 

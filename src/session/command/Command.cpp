@@ -1,15 +1,15 @@
-#include "velum/session/command/Command.h"
+#include "session/command/Command.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "CommandRow.h"
-#include "velum/core/Error.h"
-#include "velum/core/NearestName.h"
-#include "velum/core/Text.h"
-#include "velum/session/Session.h"
-#include "velum/session/document/SetFields.h"
+#include "core/Error.h"
+#include "core/NearestName.h"
+#include "core/Text.h"
+#include "session/Session.h"
+#include "session/command/CommandRow.h"
+#include "session/document/SetFields.h"
 
 namespace velum::session {
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "CommandRow.h"
+#include "session/command/CommandRow.h"
 
 namespace velum::session::detail {
 

@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "velum/scene/json/FieldPaths.h"
-#include "velum/scene/json/FieldTable.h"
-#include "velum/session/command/Command.h"
+#include "scene/json/FieldPaths.h"
+#include "scene/json/FieldTable.h"
+#include "session/command/Command.h"
 
 /// How the rows of the table of commands are made, from a struct of arguments and functions of it.
 namespace velum::session::detail {

@@ -1,11 +1,11 @@
-#include "velum/session/command/CutCommands.h"
+#include "session/command/CutCommands.h"
 
 #include <algorithm>
 
-#include "CommandRow.h"
-#include "velum/session/cut/CutEdit.h"
-#include "velum/session/extrusion/Pull.h"
-#include "velum/session/membrane/FirstPlace.h"
+#include "session/command/CommandRow.h"
+#include "session/cut/CutEdit.h"
+#include "session/extrusion/Pull.h"
+#include "session/membrane/FirstPlace.h"
 
 namespace velum::session {
 

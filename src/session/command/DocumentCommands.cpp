@@ -1,11 +1,11 @@
-#include "velum/session/command/DocumentCommands.h"
+#include "session/command/DocumentCommands.h"
 
 #include <filesystem>
 
-#include "CommandRow.h"
-#include "velum/session/Session.h"
-#include "velum/session/document/SetFields.h"
-#include "velum/session/picture/Picture.h"
+#include "session/Session.h"
+#include "session/command/CommandRow.h"
+#include "session/document/SetFields.h"
+#include "session/picture/Picture.h"
 
 namespace velum::session {
 

@@ -1,10 +1,10 @@
-#include "velum/session/command/ExtrusionCommands.h"
+#include "session/command/ExtrusionCommands.h"
 
-#include "CommandRow.h"
-#include "velum/session/command/CutCommands.h"
-#include "velum/session/extrusion/Extrusion.h"
-#include "velum/session/extrusion/Pull.h"
-#include "velum/session/structure/StructureEdit.h"
+#include "session/command/CommandRow.h"
+#include "session/command/CutCommands.h"
+#include "session/extrusion/Extrusion.h"
+#include "session/extrusion/Pull.h"
+#include "session/structure/StructureEdit.h"
 
 namespace velum::session::detail {
 

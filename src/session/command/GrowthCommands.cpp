@@ -1,14 +1,14 @@
-#include "velum/session/command/GrowthCommands.h"
+#include "session/command/GrowthCommands.h"
 
 #include <span>
 
-#include "CommandRow.h"
-#include "velum/scene/StructureAt.h"
-#include "velum/session/command/CutCommands.h"
-#include "velum/session/command/StructureCommands.h"
-#include "velum/session/extrusion/Pull.h"
-#include "velum/session/growth/Growths.h"
-#include "velum/session/structure/StructureEdit.h"
+#include "scene/StructureAt.h"
+#include "session/command/CommandRow.h"
+#include "session/command/CutCommands.h"
+#include "session/command/StructureCommands.h"
+#include "session/extrusion/Pull.h"
+#include "session/growth/Growths.h"
+#include "session/structure/StructureEdit.h"
 
 namespace velum::session::detail {
 

@@ -1,15 +1,15 @@
-#include "velum/session/command/LookCommands.h"
+#include "session/command/LookCommands.h"
 
 #include <cctype>
 
-#include "CommandRow.h"
-#include "velum/scene/Finishes.h"
-#include "velum/scene/GreyWindows.h"
-#include "velum/scene/ModelLooks.h"
-#include "velum/scene/Presets.h"
-#include "velum/scene/SurfaceLook.h"
-#include "velum/session/look/Look.h"
-#include "velum/session/section/TypedWindow.h"
+#include "scene/Finishes.h"
+#include "scene/GreyWindows.h"
+#include "scene/ModelLooks.h"
+#include "scene/Presets.h"
+#include "scene/SurfaceLook.h"
+#include "session/command/CommandRow.h"
+#include "session/look/Look.h"
+#include "session/section/TypedWindow.h"
 
 namespace velum::session::detail {
 

@@ -1,10 +1,10 @@
-#include "velum/session/command/MembraneCommands.h"
+#include "session/command/MembraneCommands.h"
 
-#include "CommandRow.h"
-#include "velum/session/extrusion/Pull.h"
-#include "velum/session/membrane/FirstPlace.h"
-#include "velum/session/membrane/MembraneEdit.h"
-#include "velum/session/membrane/SheetHands.h"
+#include "session/command/CommandRow.h"
+#include "session/extrusion/Pull.h"
+#include "session/membrane/FirstPlace.h"
+#include "session/membrane/MembraneEdit.h"
+#include "session/membrane/SheetHands.h"
 
 namespace velum::session::detail {
 

@@ -1,13 +1,13 @@
-#include "velum/session/command/ModelCommands.h"
+#include "session/command/ModelCommands.h"
 
 #include <algorithm>
 
-#include "CommandRow.h"
-#include "velum/core/NearestName.h"
-#include "velum/session/command/CutCommands.h"
-#include "velum/session/cut/CutEdit.h"
-#include "velum/session/model/TypesAt.h"
-#include "velum/session/model/WhatHides.h"
+#include "core/NearestName.h"
+#include "session/command/CommandRow.h"
+#include "session/command/CutCommands.h"
+#include "session/cut/CutEdit.h"
+#include "session/model/TypesAt.h"
+#include "session/model/WhatHides.h"
 
 namespace velum::session {
 

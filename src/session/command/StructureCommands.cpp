@@ -1,13 +1,13 @@
-#include "velum/session/command/StructureCommands.h"
+#include "session/command/StructureCommands.h"
 
 #include <algorithm>
 
-#include "CommandRow.h"
-#include "velum/session/command/CutCommands.h"
-#include "velum/session/cut/CutEdit.h"
-#include "velum/session/membrane/MembraneEdit.h"
-#include "velum/session/structure/StructureEdit.h"
-#include "velum/session/structure/StructureRow.h"
+#include "session/command/CommandRow.h"
+#include "session/command/CutCommands.h"
+#include "session/cut/CutEdit.h"
+#include "session/membrane/MembraneEdit.h"
+#include "session/structure/StructureEdit.h"
+#include "session/structure/StructureRow.h"
 
 namespace velum::session {
 

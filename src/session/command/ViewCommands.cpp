@@ -1,7 +1,7 @@
-#include "velum/session/command/ViewCommands.h"
+#include "session/command/ViewCommands.h"
 
-#include "CommandRow.h"
-#include "velum/scene/VisibleFrame.h"
+#include "scene/VisibleFrame.h"
+#include "session/command/CommandRow.h"
 
 namespace velum::session::detail {
 

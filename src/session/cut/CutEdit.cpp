@@ -1,13 +1,14 @@
-#include "velum/session/cut/CutEdit.h"
+#include "session/cut/CutEdit.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "NewCut.h"
-#include "velum/core/Assert.h"
-#include "velum/session/cut/ShapeTraits.h"
+#include "core/Assert.h"
+#include "scene/Scene.h"
+#include "session/cut/NewCut.h"
+#include "session/cut/ShapeTraits.h"
 
 namespace velum::session {
 
@@ -146,9 +147,9 @@ bool isSpared(const scene::Cut& cut, int structure) {
 }
 
 const scene::TypeSpare* findTypeSpare(const scene::Cut& cut, std::string_view path) {
-  auto found = std::find_if(cut.typeSpares.begin(), cut.typeSpares.end(),
+  auto found = std::find_if(cut.model.spares.begin(), cut.model.spares.end(),
                             [path](const scene::TypeSpare& spare) { return spare.type == path; });
-  return found == cut.typeSpares.end() ? nullptr : &*found;
+  return found == cut.model.spares.end() ? nullptr : &*found;
 }
 
 scene::TypeSpare typeSpareFor(const scene::Cut& cut, std::string_view path) {
@@ -168,9 +169,9 @@ scene::TypeSpare typeSpareFor(const scene::Cut& cut, std::string_view path) {
 
 scene::TypeSpare& ownTypeSpare(scene::Cut& cut, std::string_view path) {
   auto isIt = [path](const scene::TypeSpare& spare) { return spare.type == path; };
-  auto found = std::find_if(cut.typeSpares.begin(), cut.typeSpares.end(), isIt);
-  if (found != cut.typeSpares.end()) return *found;
-  return cut.typeSpares.emplace_back(typeSpareFor(cut, path));
+  auto found = std::find_if(cut.model.spares.begin(), cut.model.spares.end(), isIt);
+  if (found != cut.model.spares.end()) return *found;
+  return cut.model.spares.emplace_back(typeSpareFor(cut, path));
 }
 
 void setTypeShare(scene::Cut& cut, std::string_view path, double share) {
@@ -178,7 +179,7 @@ void setTypeShare(scene::Cut& cut, std::string_view path, double share) {
 }
 
 void removeTypeSpare(scene::Cut& cut, std::string_view path) {
-  std::erase_if(cut.typeSpares, [path](const scene::TypeSpare& spare) { return spare.type == path; });
+  std::erase_if(cut.model.spares, [path](const scene::TypeSpare& spare) { return spare.type == path; });
 }
 
 }  // namespace velum::session

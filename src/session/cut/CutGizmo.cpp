@@ -1,15 +1,16 @@
 // How a cut looks in the 3D view, and what of it lies under the pointer.
-#include "velum/session/cut/CutGizmo.h"
+#include "session/cut/CutGizmo.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "velum/core/Vectors.h"
-#include "velum/scene/Project.h"
-#include "velum/scene/ShapeOutline.h"
-#include "velum/session/cut/CutEdit.h"
-#include "velum/session/cut/ShapeTraits.h"
+#include "core/Vectors.h"
+#include "scene/Project.h"
+#include "scene/Scene.h"
+#include "scene/ShapeOutline.h"
+#include "session/cut/CutEdit.h"
+#include "session/cut/ShapeTraits.h"
 
 namespace velum::session {
 

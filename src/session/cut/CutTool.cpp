@@ -1,5 +1,5 @@
 // What a drag of a handle makes of a cut.
-#include "velum/session/cut/CutTool.h"
+#include "session/cut/CutTool.h"
 
 #include <fmt/format.h>
 
@@ -8,9 +8,9 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
 
-#include "DragAlong.h"
-#include "velum/scene/Project.h"
-#include "velum/session/cut/ShapeTraits.h"
+#include "scene/Project.h"
+#include "session/cut/DragAlong.h"
+#include "session/cut/ShapeTraits.h"
 
 namespace velum::session {
 

@@ -1,6 +1,6 @@
-#include "DragAlong.h"
+#include "session/cut/DragAlong.h"
 
-#include "velum/scene/Project.h"
+#include "scene/Project.h"
 
 namespace velum::session {
 

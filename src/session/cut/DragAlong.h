@@ -1,7 +1,7 @@
 #pragma once
 #include <glm/glm.hpp>
 
-#include "velum/session/ViewSpace.h"
+#include "session/ViewSpace.h"
 
 namespace velum::session {
 

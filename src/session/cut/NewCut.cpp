@@ -1,13 +1,13 @@
-#include "NewCut.h"
+#include "session/cut/NewCut.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "velum/core/Vectors.h"
-#include "velum/render/section/SectionImage.h"
-#include "velum/scene/Project.h"
-#include "velum/scene/SectionPlane.h"
-#include "velum/session/cut/CutEdit.h"
+#include "core/Vectors.h"
+#include "render/section/SectionImage.h"
+#include "scene/Project.h"
+#include "scene/SectionPlane.h"
+#include "session/cut/CutEdit.h"
 
 namespace velum::session {
 

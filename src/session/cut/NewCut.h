@@ -1,7 +1,7 @@
 #pragma once
 #include <glm/glm.hpp>
 
-#include "velum/scene/Scene.h"
+#include "scene/SceneFwd.h"
 
 namespace velum::session {
 

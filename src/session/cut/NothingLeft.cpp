@@ -1,11 +1,12 @@
-#include "velum/session/cut/NothingLeft.h"
+#include "session/cut/NothingLeft.h"
 
 #include <algorithm>
 #include <vector>
 
-#include "velum/render/section/KeptInstances.h"
-#include "velum/render/section/KeptVoxels.h"
-#include "velum/scene/ShownVoxels.h"
+#include "render/kept/KeptInstances.h"
+#include "render/kept/KeptVoxels.h"
+#include "scene/Scene.h"
+#include "scene/ShownVoxels.h"
 
 namespace velum::session {
 

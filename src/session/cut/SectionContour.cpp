@@ -1,12 +1,12 @@
 // The outline of a shape on a section, from nothing but its distance: marching squares.
-#include "SectionContour.h"
+#include "session/cut/SectionContour.h"
 
 #include <array>
 #include <cmath>
 #include <map>
 
+#include "core/Vectors.h"
 #include "shared/cut.h"
-#include "velum/core/Vectors.h"
 
 namespace velum::session {
 

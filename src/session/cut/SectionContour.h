@@ -2,8 +2,8 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "velum/scene/Cut.h"
-#include "velum/scene/SectionPlane.h"
+#include "scene/Cut.h"
+#include "scene/SectionPlane.h"
 
 namespace velum::session {
 

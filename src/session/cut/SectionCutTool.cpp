@@ -1,15 +1,15 @@
 // Handles of a cut on a section, and what a drag of them makes of it.
-#include "velum/session/cut/SectionCutTool.h"
+#include "session/cut/SectionCutTool.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
-#include "SectionContour.h"
-#include "SectionGeometry.h"
-#include "SectionMembrane.h"
-#include "velum/core/Vectors.h"
-#include "velum/session/cut/ShapeTraits.h"
+#include "core/Vectors.h"
+#include "session/cut/SectionContour.h"
+#include "session/cut/SectionGeometry.h"
+#include "session/cut/SectionMembrane.h"
+#include "session/cut/ShapeTraits.h"
 
 namespace velum::session {
 

@@ -1,9 +1,9 @@
-#include "SectionGeometry.h"
+#include "session/cut/SectionGeometry.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "velum/session/cut/CutEdit.h"
+#include "session/cut/CutEdit.h"
 
 namespace velum::session {
 

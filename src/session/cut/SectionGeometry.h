@@ -3,8 +3,8 @@
 #include <optional>
 #include <utility>
 
-#include "velum/scene/Cut.h"
-#include "velum/scene/SectionPlane.h"
+#include "scene/Cut.h"
+#include "scene/SectionPlane.h"
 
 /// Lines in the plane of a section. In its pixels.
 namespace velum::session {

@@ -1,13 +1,13 @@
 // A membrane on a section: the line of its rest plane, the curve of its sheet, and what can be taken hold of there.
-#include "SectionMembrane.h"
+#include "session/cut/SectionMembrane.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "SectionGeometry.h"
-#include "velum/membrane/sheet/SheetCurve.h"
-#include "velum/membrane/sheet/SheetIndex.h"
-#include "velum/session/cut/CutEdit.h"
+#include "membrane/sheet/SheetCurve.h"
+#include "membrane/sheet/SheetIndex.h"
+#include "session/cut/CutEdit.h"
+#include "session/cut/SectionGeometry.h"
 
 namespace velum::session {
 

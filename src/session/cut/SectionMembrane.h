@@ -4,10 +4,10 @@
 #include <utility>
 #include <vector>
 
-#include "velum/scene/Cut.h"
-#include "velum/scene/SectionPlane.h"
-#include "velum/scene/SheetShape.h"
-#include "velum/session/cut/SectionCutTool.h"
+#include "scene/Cut.h"
+#include "scene/SectionPlane.h"
+#include "scene/SheetShape.h"
+#include "session/cut/SectionCutTool.h"
 
 /// What only a membrane has on a section. Pixels of the section's plane.
 namespace velum::session {

@@ -1,16 +1,16 @@
 // The lines of cuts on a section.
-#include "velum/session/cut/SectionOutline.h"
+#include "session/cut/SectionOutline.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
 
-#include "SectionContour.h"
-#include "SectionGeometry.h"
-#include "SectionMembrane.h"
-#include "velum/scene/ShapeOutline.h"
-#include "velum/session/cut/ShapeTraits.h"
+#include "scene/ShapeOutline.h"
+#include "session/cut/SectionContour.h"
+#include "session/cut/SectionGeometry.h"
+#include "session/cut/SectionMembrane.h"
+#include "session/cut/ShapeTraits.h"
 
 namespace velum::session {
 

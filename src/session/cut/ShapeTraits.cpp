@@ -1,9 +1,10 @@
-#include "velum/session/cut/ShapeTraits.h"
+#include "session/cut/ShapeTraits.h"
 
 #include <iterator>
 
-#include "NewCut.h"
-#include "velum/session/cut/CutEdit.h"
+#include "scene/Scene.h"
+#include "session/cut/CutEdit.h"
+#include "session/cut/NewCut.h"
 
 namespace velum::session {
 
@@ -39,8 +40,8 @@ void makeCone(Cut& cut, const NewCut& at) {
 void makeEverywhere(Cut& cut, const NewCut& at) {
   const auto& model = at.scene.model.data;
   if (!model || model->compartments.empty()) return;
-  cut.typeSpares.push_back({});
-  cut.typeSpares.back().type = model->compartments.front().name;
+  cut.model.spares.push_back({});
+  cut.model.spares.back().type = model->compartments.front().name;
 }
 
 /// In the order of CutShape, in which menus have them.

@@ -1,4 +1,4 @@
-#include "velum/session/document/Body.h"
+#include "session/document/Body.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "velum/core/Error.h"
-#include "velum/core/Parallel.h"
+#include "core/Error.h"
+#include "core/Parallel.h"
+#include "scene/Scene.h"
 
 namespace velum::session {
 

@@ -1,8 +1,8 @@
-#include "velum/session/document/Document.h"
+#include "session/document/Document.h"
 
 #include <utility>
 
-#include "velum/scene/json/Paths.h"
+#include "scene/json/Paths.h"
 
 namespace velum::session {
 

@@ -1,12 +1,12 @@
-#include "velum/session/document/FileKinds.h"
+#include "session/document/FileKinds.h"
 
 #include <fmt/format.h>
 
 #include <sstream>
 
-#include "velum/io/meshes/ReadMesh.h"
-#include "velum/io/models/ReadModel.h"
-#include "velum/io/volumes/Formats.h"
+#include "io/meshes/ReadMesh.h"
+#include "io/models/ReadModel.h"
+#include "io/volumes/Formats.h"
 
 namespace velum::session {
 

@@ -1,4 +1,4 @@
-#include "velum/session/document/Folders.h"
+#include "session/document/Folders.h"
 
 #include <pwd.h>
 #include <unistd.h>

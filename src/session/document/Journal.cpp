@@ -1,4 +1,4 @@
-#include "velum/session/document/Journal.h"
+#include "session/document/Journal.h"
 
 #include <fmt/format.h>
 #include <sys/stat.h>
@@ -13,11 +13,11 @@
 #include <span>
 #include <thread>
 
-#include "JournalFiles.h"
-#include "Syncer.h"
-#include "velum/core/Error.h"
-#include "velum/core/ReplaceFile.h"
-#include "velum/scene/json/ChangeLog.h"
+#include "core/Error.h"
+#include "core/ReplaceFile.h"
+#include "scene/json/ChangeLog.h"
+#include "session/document/JournalFiles.h"
+#include "session/document/Syncer.h"
 
 namespace velum::session {
 

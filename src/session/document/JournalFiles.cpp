@@ -1,4 +1,4 @@
-#include "JournalFiles.h"
+#include "session/document/JournalFiles.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -14,7 +14,7 @@
 #include <functional>
 #include <thread>
 
-#include "velum/core/Error.h"
+#include "core/Error.h"
 
 namespace velum::session {
 

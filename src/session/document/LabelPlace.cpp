@@ -1,10 +1,12 @@
-#include "velum/session/document/LabelPlace.h"
+#include "session/document/LabelPlace.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
+
+#include "scene/Scene.h"
 
 namespace velum::session {
 

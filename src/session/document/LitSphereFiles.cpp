@@ -1,12 +1,12 @@
-#include "velum/session/document/LitSphereFiles.h"
+#include "session/document/LitSphereFiles.h"
 
 #include <fmt/format.h>
 
-#include "velum/core/Error.h"
-#include "velum/io/images/ImageFile.h"
-#include "velum/scene/Finishes.h"
-#include "velum/scene/LitSpheres.h"
-#include "velum/session/document/Sources.h"
+#include "core/Error.h"
+#include "io/images/ImageFile.h"
+#include "scene/Finishes.h"
+#include "scene/LitSpheres.h"
+#include "session/document/Sources.h"
 
 namespace velum::session {
 

@@ -1,11 +1,12 @@
-#include "velum/session/document/PaperFile.h"
+#include "session/document/PaperFile.h"
 
 #include <fmt/format.h>
 
-#include "velum/core/Error.h"
-#include "velum/io/images/ImageFile.h"
-#include "velum/scene/PaperPicture.h"
-#include "velum/session/document/Sources.h"
+#include "core/Error.h"
+#include "io/images/ImageFile.h"
+#include "scene/PaperPicture.h"
+#include "scene/Scene.h"
+#include "session/document/Sources.h"
 
 namespace velum::session {
 

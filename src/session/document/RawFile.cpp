@@ -1,7 +1,7 @@
-#include "velum/session/document/RawFile.h"
+#include "session/document/RawFile.h"
 
-#include "velum/io/volumes/RawGuess.h"
-#include "velum/session/document/Series.h"
+#include "io/volumes/RawGuess.h"
+#include "session/document/Series.h"
 
 namespace velum::session {
 

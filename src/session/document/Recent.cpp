@@ -1,4 +1,4 @@
-#include "velum/session/document/Recent.h"
+#include "session/document/Recent.h"
 
 #include <fmt/format.h>
 
@@ -7,10 +7,10 @@
 #include <sstream>
 #include <string>
 
-#include "JournalFiles.h"
-#include "velum/core/Error.h"
-#include "velum/core/ReplaceFile.h"
-#include "velum/session/document/Folders.h"
+#include "core/Error.h"
+#include "core/ReplaceFile.h"
+#include "session/document/Folders.h"
+#include "session/document/JournalFiles.h"
 
 namespace velum::session {
 

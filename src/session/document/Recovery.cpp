@@ -1,4 +1,4 @@
-#include "velum/session/document/Recovery.h"
+#include "session/document/Recovery.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -9,9 +9,9 @@
 #include <thread>
 #include <tuple>
 
-#include "JournalFiles.h"
-#include "velum/core/Error.h"
-#include "velum/scene/json/ChangeLog.h"
+#include "core/Error.h"
+#include "scene/json/ChangeLog.h"
+#include "session/document/JournalFiles.h"
 
 namespace velum::session {
 

@@ -1,10 +1,10 @@
-#include "velum/session/document/Series.h"
+#include "session/document/Series.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "velum/io/volumes/ReadVolume.h"
-#include "velum/session/document/Open.h"
+#include "io/volumes/ReadVolume.h"
+#include "session/document/Open.h"
 
 namespace velum::session {
 

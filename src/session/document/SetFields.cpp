@@ -1,4 +1,4 @@
-#include "velum/session/document/SetFields.h"
+#include "session/document/SetFields.h"
 
 #include <fmt/format.h>
 
@@ -6,13 +6,13 @@
 #include <cmath>
 #include <filesystem>
 
-#include "velum/core/Error.h"
-#include "velum/session/document/Body.h"
-#include "velum/session/document/LitSphereFiles.h"
-#include "velum/session/document/Open.h"
-#include "velum/session/document/PaperFile.h"
-#include "velum/session/document/StructureShapes.h"
-#include "velum/session/document/WorkFile.h"
+#include "core/Error.h"
+#include "session/document/Body.h"
+#include "session/document/LitSphereFiles.h"
+#include "session/document/Open.h"
+#include "session/document/PaperFile.h"
+#include "session/document/StructureShapes.h"
+#include "session/document/WorkFile.h"
 
 namespace velum::session {
 

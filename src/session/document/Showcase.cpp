@@ -1,4 +1,4 @@
-#include "velum/session/document/Showcase.h"
+#include "session/document/Showcase.h"
 
 #include <fmt/format.h>
 
@@ -8,13 +8,13 @@
 #include <string>
 #include <utility>
 
-#include "velum/core/Error.h"
-#include "velum/io/models/WriteModel.h"
-#include "velum/io/phantoms/Virion.h"
-#include "velum/scene/Presets.h"
-#include "velum/scene/VisibleFrame.h"
-#include "velum/scene/json/Paths.h"
-#include "velum/session/document/Open.h"
+#include "core/Error.h"
+#include "io/models/WriteModel.h"
+#include "io/phantoms/Virion.h"
+#include "scene/Presets.h"
+#include "scene/VisibleFrame.h"
+#include "scene/json/Paths.h"
+#include "session/document/Open.h"
 
 namespace velum::session {
 
@@ -63,7 +63,7 @@ constexpr std::pair<const char*, const char*> kVirus[] = {
     {"cuts.+.shape", "sphere"},
     {"cuts.0.centre", "0,-900,0"},
     {"cuts.0.size", "1700,1700,1700"},
-    {"cuts.0.typeSpares", R"([{"type": "root", "share": 0.0, "falloff": 300}])"}};
+    {"cuts.0.model.spares", R"([{"type": "root", "share": 0.0, "falloff": 300}])"}};
 
 constexpr Row kRows[] = {
     {{"head", "A head", "a membrane goes round the skull"},

@@ -1,9 +1,11 @@
-#include "velum/session/document/Sources.h"
+#include "session/document/Sources.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <fstream>
+
+#include "scene/Scene.h"
 
 namespace velum::session {
 

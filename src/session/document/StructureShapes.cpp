@@ -1,11 +1,12 @@
-#include "velum/session/document/StructureShapes.h"
+#include "session/document/StructureShapes.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "velum/core/SmoothLabels.h"
-#include "velum/scene/Units.h"
+#include "core/SmoothLabels.h"
+#include "scene/Scene.h"
+#include "scene/Units.h"
 
 namespace velum::session {
 

@@ -1,4 +1,4 @@
-#include "Syncer.h"
+#include "session/document/Syncer.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -11,8 +11,8 @@
 #include <system_error>
 #include <utility>
 
-#include "JournalFiles.h"
-#include "velum/core/ReplaceFile.h"
+#include "core/ReplaceFile.h"
+#include "session/document/JournalFiles.h"
 
 namespace velum::session {
 

@@ -1,15 +1,15 @@
-#include "velum/session/document/WorkFile.h"
+#include "session/document/WorkFile.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "velum/core/Error.h"
-#include "velum/io/kinds/FileKind.h"
-#include "velum/scene/Presets.h"
-#include "velum/scene/Units.h"
-#include "velum/scene/json/Paths.h"
-#include "velum/session/document/Open.h"
+#include "core/Error.h"
+#include "io/kinds/FileKind.h"
+#include "scene/Presets.h"
+#include "scene/Units.h"
+#include "scene/json/Paths.h"
+#include "session/document/Open.h"
 
 namespace velum::session {
 

@@ -1,4 +1,4 @@
-#include "velum/session/extrusion/AreaSolver.h"
+#include "session/extrusion/AreaSolver.h"
 
 #include <fmt/format.h>
 
@@ -6,9 +6,9 @@
 #include <cmath>
 #include <limits>
 
-#include "velum/session/extrusion/Extrusion.h"
-#include "velum/session/structure/StructureAreas.h"
-#include "velum/session/structure/StructureEdit.h"
+#include "session/extrusion/Extrusion.h"
+#include "session/structure/StructureAreas.h"
+#include "session/structure/StructureEdit.h"
 
 namespace velum::session {
 

@@ -1,15 +1,15 @@
-#include "velum/session/extrusion/Extrusion.h"
+#include "session/extrusion/Extrusion.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
 
-#include "cut/DragAlong.h"
-#include "cut/SectionContour.h"
-#include "velum/scene/Project.h"
-#include "velum/session/cut/CutEdit.h"
-#include "velum/session/extrusion/PulledEnd.h"
+#include "scene/Project.h"
+#include "session/cut/CutEdit.h"
+#include "session/cut/DragAlong.h"
+#include "session/cut/SectionContour.h"
+#include "session/extrusion/PulledEnd.h"
 
 namespace velum::session {
 
@@ -17,7 +17,7 @@ namespace {
 
 bool isEnd(double distance) { return distance > 0.0 && std::isfinite(distance); }
 
-bool isExtrusion(const scene::Spare& spare) { return isEnd(spare.distance) && spare.share > 0.0; }
+bool isExtrusion(const scene::Spare& spare) { return isEnd(spare.distance); }
 
 auto spareOf(auto& cut, int structure) {
   return std::find_if(cut.spares.begin(), cut.spares.end(), [&](const auto& s) { return s.structure == structure; });
@@ -37,7 +37,7 @@ std::vector<Extrusion> extrusionsOf(const scene::Scene& scene) {
 
 double extrusionOf(const scene::Cut& cut, int structure) {
   auto found = spareOf(cut, structure);
-  return found == cut.spares.end() || found->share <= 0.0 ? 0.0 : found->distance;
+  return found == cut.spares.end() ? 0.0 : found->distance;
 }
 
 void setExtrusion(scene::Cut& cut, int structure, double distance) {

@@ -1,12 +1,13 @@
-#include "velum/session/extrusion/MaterialRange.h"
+#include "session/extrusion/MaterialRange.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <vector>
 
-#include "extrusion/Populations.h"
-#include "velum/session/look/ShowThis.h"
+#include "scene/Scene.h"
+#include "session/extrusion/Populations.h"
+#include "session/look/ShowThis.h"
 
 namespace velum::session {
 

@@ -1,4 +1,4 @@
-#include "extrusion/Populations.h"
+#include "session/extrusion/Populations.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "velum/session/extrusion/Pull.h"
+#include "session/extrusion/Pull.h"
 
 #include <fmt/format.h>
 
@@ -6,11 +6,11 @@
 #include <cmath>
 #include <utility>
 
-#include "velum/scene/SectionPlane.h"
-#include "velum/scene/StructureAt.h"
-#include "velum/session/cut/CutEdit.h"
-#include "velum/session/growth/Growths.h"
-#include "velum/session/structure/StructureEdit.h"
+#include "scene/SectionPlane.h"
+#include "scene/StructureAt.h"
+#include "session/cut/CutEdit.h"
+#include "session/growth/Growths.h"
+#include "session/structure/StructureEdit.h"
 
 namespace velum::session {
 

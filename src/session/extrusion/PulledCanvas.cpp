@@ -1,4 +1,4 @@
-#include "PulledCanvas.h"
+#include "session/extrusion/PulledCanvas.h"
 
 #include <algorithm>
 #include <bit>

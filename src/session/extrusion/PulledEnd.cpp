@@ -1,13 +1,13 @@
-#include "velum/session/extrusion/PulledEnd.h"
+#include "session/extrusion/PulledEnd.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
 
-#include "velum/session/extrusion/Extrusion.h"
-#include "velum/session/extrusion/Pull.h"
-#include "velum/session/growth/Growths.h"
+#include "session/extrusion/Extrusion.h"
+#include "session/extrusion/Pull.h"
+#include "session/growth/Growths.h"
 
 namespace velum::session {
 

@@ -1,4 +1,4 @@
-#include "velum/session/extrusion/PulledPicture.h"
+#include "session/extrusion/PulledPicture.h"
 
 #include <algorithm>
 #include <array>
@@ -9,10 +9,10 @@
 #include <memory>
 #include <optional>
 
-#include "PulledCanvas.h"
-#include "velum/scene/Project.h"
-#include "velum/session/extrusion/Extrusion.h"
-#include "velum/session/structure/StructureEdit.h"
+#include "scene/Project.h"
+#include "session/extrusion/Extrusion.h"
+#include "session/extrusion/PulledCanvas.h"
+#include "session/structure/StructureEdit.h"
 
 namespace velum::session {
 

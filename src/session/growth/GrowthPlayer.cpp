@@ -1,16 +1,16 @@
-#include "velum/session/growth/GrowthPlayer.h"
+#include "session/growth/GrowthPlayer.h"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <set>
 
-#include "velum/core/Clock.h"
-#include "velum/extrusion/FirstDoubt.h"
-#include "velum/extrusion/GrowDomain.h"
-#include "velum/extrusion/GrowOverTime.h"
-#include "velum/extrusion/LabelsFor.h"
-#include "velum/extrusion/SmoothRegion.h"
+#include "core/Clock.h"
+#include "growth/FirstDoubt.h"
+#include "growth/GrowDomain.h"
+#include "growth/GrowOverTime.h"
+#include "growth/LabelsFor.h"
+#include "growth/SmoothRegion.h"
 
 namespace velum::session {
 
@@ -35,7 +35,7 @@ struct Progressed {
   /// Labels that hold all steps to their ends.
   void take(const Shared<LabelVolume>& whole) {
     labels = whole;
-    rough = steps.empty() || !extrusion::isSmoothed(steps.back()) ? whole : Shared<LabelVolume>();
+    rough = steps.empty() || !growth::isSmoothed(steps.back()) ? whole : Shared<LabelVolume>();
     before = {};
     voxels = 0;
   }
@@ -74,7 +74,7 @@ bool isOnTheWay(const Progressed& now, const Steps& wanted) {
 
 /// Beyond this depth nothing of the volume lies.
 double deepest(const Volume& volume, const scene::Growth& step) {
-  extrusion::GrowDomain domain(volume, step.centre, step.axis, step.distance);
+  growth::GrowDomain domain(volume, step.centre, step.axis, step.distance);
   return domain.isEverywhere() ? scene::Growth::kEndless : domain.depthRange({0, 0, 0}, volume.dims - 1).y;
 }
 
@@ -88,12 +88,12 @@ struct GrowthPlayer::State {
   std::set<int> trusted, typed;  ///< structures that may leak; whose values somebody has changed
   std::string error;
   bool isWorking = false, isObsolete = false, hasNews = false;
-  extrusion::Grower grower;  ///< Of the work, while there is one.
-  extrusion::GrowOverTime overTime;
+  growth::Grower grower;  ///< Of the work, while there is one.
+  growth::GrowOverTime overTime;
 
   void restart() {
     now.steps.clear();
-    now.take(volume ? extrusion::labelsFor(*volume, given) : given);
+    now.take(volume ? growth::labelsFor(*volume, given) : given);
   }
   /// How closely a structure is watched.
   enum class Watch { Not, Jumps, All };
@@ -161,21 +161,21 @@ double GrowthPlayer::State::growPart(const Shared<Volume>& of, Progressed& to, c
   // Who gives a structure more seeds has seen what it is.
   auto isOfIt = [&](const scene::Growth& other) { return other.structure == step.structure; };
   bool isAlone = std::count_if(to.steps.begin(), to.steps.end(), isOfIt) <= 1;
-  bool isFirst = isAlone && watch == Watch::All && step.distance > 0.0 && reached < extrusion::firstSlabEnd(*of, step);
+  bool isFirst = isAlone && watch == Watch::All && step.distance > 0.0 && reached < growth::firstSlabEnd(*of, step);
   auto hold = [&] {
     part.distance = reached;
     to.rough = grower.grow(of, to.rough, part, {.guard = false, .begun = {}}, progress).labels;
-    to.labels = extrusion::smoothRegion(of, to.rough, part, progress).labels;
+    to.labels = growth::smoothRegion(of, to.rough, part, progress).labels;
     to.steps.back() = part;
     to.leak = Leak{step.structure, reached, 0.0};
     return 0.0;
   };
-  if (isFirst && reached == 0.0 && extrusion::reachesTheDarkest(*of, step)) return hold();
-  double next = reached + slabs * extrusion::slabThickness(*of);
+  if (isFirst && reached == 0.0 && growth::reachesTheDarkest(*of, step)) return hold();
+  double next = reached + slabs * growth::slabThickness(*of);
   if (next < std::min(step.distance, deepest(*of, step))) part.distance = next;
   auto start = Clock::now();
-  extrusion::Grown grown = grower.grow(of, to.rough, part, {.guard = watch != Watch::Not, .begun = {}}, progress);
-  if (isFirst && extrusion::isMostOfItsPlane(*of, *grown.labels, part)) return hold();
+  growth::Grown grown = grower.grow(of, to.rough, part, {.guard = watch != Watch::Not, .begun = {}}, progress);
+  if (isFirst && growth::isMostOfItsPlane(*of, *grown.labels, part)) return hold();
   if (msSince(start) < kQuickMs) slabs *= 2.0;
   if (grown.leak) {
     part.distance = std::max(reached, grown.distance);
@@ -184,15 +184,15 @@ double GrowthPlayer::State::growPart(const Shared<Volume>& of, Progressed& to, c
   to.labels = to.rough = grown.labels;
   to.voxels += std::int64_t(grown.voxels);
   to.steps.back() = part;
-  if (grown.leak || part == step) to.labels = extrusion::smoothRegion(of, to.rough, part, progress).labels;
+  if (grown.leak || part == step) to.labels = growth::smoothRegion(of, to.rough, part, progress).labels;
   return grown.leak ? 0.0 : slabs;
 }
 
 /// With others, as far as it goes: where their border lies depends on all of it.
 void GrowthPlayer::State::growWhole(const Shared<Volume>& of, Progressed& to, const scene::Growth& step,
                                     Progress& progress) {
-  extrusion::Grown grown = grower.grow(of, to.before, step, {}, progress);
-  to.labels = extrusion::smoothRegion(of, grown.labels, step, progress, grown.others).labels;
+  growth::Grown grown = grower.grow(of, to.before, step, {}, progress);
+  to.labels = growth::smoothRegion(of, grown.labels, step, progress, grown.others).labels;
   to.rough = grown.labels;
   to.voxels = std::int64_t(grown.voxels);
   to.steps.back() = step;

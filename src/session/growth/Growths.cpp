@@ -1,4 +1,4 @@
-#include "velum/session/growth/Growths.h"
+#include "session/growth/Growths.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,8 @@
 #include <set>
 #include <tuple>
 
-#include "velum/extrusion/GrowRule.h"
+#include "growth/GrowRule.h"
+#include "scene/Scene.h"
 
 namespace velum::session {
 
@@ -26,7 +27,7 @@ std::optional<glm::ivec3> voxelNear(const Volume& volume, const scene::Growth& s
     for (off.y = -kBeside; off.y <= kBeside; ++off.y)
       for (off.x = -kBeside; off.x <= kBeside; ++off.x) {
         double away = glm::length(glm::dmat3(volume.worldFromVoxel) * glm::dvec3(off));
-        if (away >= least || !extrusion::isInside(volume, here + off)) continue;
+        if (away >= least || !growth::isInside(volume, here + off)) continue;
         double value = valueAt(volume, here + off, step.channel, timeStep);
         if (value >= step.low && value <= step.high) least = away, best = here + off;
       }
@@ -36,7 +37,7 @@ std::optional<glm::ivec3> voxelNear(const Volume& volume, const scene::Growth& s
 bool isSeed(const scene::Scene& scene, int structure, glm::ivec3 voxel) {
   return std::any_of(scene.labels.growths.begin(), scene.labels.growths.end(), [&](const scene::Growth& step) {
     return step.structure == structure && std::any_of(step.seeds.begin(), step.seeds.end(), [&](glm::dvec3 seed) {
-             return extrusion::voxelAt(*scene.volume.data, seed) == voxel;
+             return growth::voxelAt(*scene.volume.data, seed) == voxel;
            });
   });
 }
@@ -57,11 +58,11 @@ void markGiven(scene::LabelLayer& labels) {
 }
 
 std::vector<std::string> settleGrowths(scene::Scene& scene, Progress& progress) {
-  extrusion::GrowOverTime known;
+  growth::GrowOverTime known;
   return settleGrowths(scene, known, progress);
 }
 
-std::vector<std::string> settleGrowths(scene::Scene& scene, extrusion::GrowOverTime& known, Progress& progress) {
+std::vector<std::string> settleGrowths(scene::Scene& scene, growth::GrowOverTime& known, Progress& progress) {
   auto& labels = scene.labels;
   if (isGrown(scene) || !scene.volume.data) return {};
   if (labels.grown.empty() && !labels.given) labels.given = labels.data;
@@ -95,8 +96,8 @@ std::vector<glm::dvec3> placesAlong(const Volume& volume, std::span<const glm::d
   std::set<std::tuple<int, int, int>> seen;
   std::vector<glm::dvec3> places;
   auto add = [&](glm::dvec3 place) {
-    glm::ivec3 voxel = extrusion::voxelAt(volume, place);
-    if (extrusion::isInside(volume, voxel) && seen.insert({voxel.x, voxel.y, voxel.z}).second)
+    glm::ivec3 voxel = growth::voxelAt(volume, place);
+    if (growth::isInside(volume, voxel) && seen.insert({voxel.x, voxel.y, voxel.z}).second)
       places.push_back(glm::dvec3(volume.worldFromVoxel * glm::dvec4(voxel, 1.0)));
   };
   for (std::size_t i = 0; i < path.size(); ++i) {
@@ -117,8 +118,8 @@ std::size_t addSeeds(scene::Scene& scene, int structure, std::span<const glm::dv
   step.timeStep = std::clamp(scene.volume.timeStep, 0, volume.timeSteps - 1);
   step.seeds.clear();
   for (glm::dvec3 place : places) {
-    glm::ivec3 voxel = extrusion::voxelAt(volume, place);
-    if (!extrusion::isInside(volume, voxel)) continue;
+    glm::ivec3 voxel = growth::voxelAt(volume, place);
+    if (!growth::isInside(volume, voxel)) continue;
     double value = valueAt(volume, voxel, step.channel, step.timeStep);
     if (value >= step.low && value <= step.high) step.seeds.push_back(place);
   }
@@ -134,7 +135,7 @@ std::size_t addOthers(scene::Scene& scene, int structure, std::span<const glm::d
   int timeStep = std::clamp(scene.volume.timeStep, 0, volume.timeSteps - 1);
   std::vector<glm::dvec3> others;
   for (glm::dvec3 place : places) {
-    auto voxel = voxelNear(volume, *last, timeStep, extrusion::voxelAt(volume, place));
+    auto voxel = voxelNear(volume, *last, timeStep, growth::voxelAt(volume, place));
     if (!voxel || isSeed(scene, structure, *voxel)) continue;
     glm::dvec3 middle(volume.worldFromVoxel * glm::dvec4(*voxel, 1.0));
     bool isKnown = std::find(last->others.begin(), last->others.end(), middle) != last->others.end();

@@ -1,11 +1,11 @@
-#include "velum/session/look/Look.h"
+#include "session/look/Look.h"
 
 #include <fmt/format.h>
 
-#include "velum/core/Error.h"
-#include "velum/io/looks/TransferFile.h"
-#include "velum/scene/json/Json.h"
-#include "velum/session/document/Open.h"
+#include "core/Error.h"
+#include "io/looks/TransferFile.h"
+#include "scene/json/Json.h"
+#include "session/document/Open.h"
 
 namespace velum::session {
 

@@ -1,9 +1,11 @@
-#include "velum/session/look/ShowThis.h"
+#include "session/look/ShowThis.h"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <vector>
+
+#include "scene/Scene.h"
 
 namespace velum::session {
 

@@ -1,11 +1,11 @@
-#include "velum/session/look/TransferTool.h"
+#include "session/look/TransferTool.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "velum/core/Vectors.h"
+#include "core/Vectors.h"
 
 namespace velum::session {
 

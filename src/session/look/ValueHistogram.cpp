@@ -1,7 +1,9 @@
-#include "velum/session/look/ValueHistogram.h"
+#include "session/look/ValueHistogram.h"
 
 #include <algorithm>
 #include <cmath>
+
+#include "scene/Scene.h"
 
 namespace velum::session {
 

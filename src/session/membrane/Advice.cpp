@@ -1,14 +1,15 @@
-#include "velum/session/membrane/Advice.h"
+#include "session/membrane/Advice.h"
 
 #include <algorithm>
 #include <map>
 #include <optional>
 #include <vector>
 
-#include "CoarseLook.h"
-#include "velum/core/Volume.h"
-#include "velum/session/membrane/FirstPlace.h"
-#include "velum/session/membrane/MembraneEdit.h"
+#include "core/Volume.h"
+#include "scene/Scene.h"
+#include "session/membrane/CoarseLook.h"
+#include "session/membrane/FirstPlace.h"
+#include "session/membrane/MembraneEdit.h"
 
 namespace velum::session {
 

@@ -1,8 +1,9 @@
-#include "CoarseLook.h"
+#include "session/membrane/CoarseLook.h"
 
 #include <algorithm>
 
-#include "velum/membrane/forces/Limit.h"
+#include "membrane/forces/Limit.h"
+#include "scene/Scene.h"
 
 namespace velum::session {
 

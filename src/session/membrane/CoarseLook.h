@@ -1,10 +1,12 @@
 #pragma once
 #include <optional>
 
-#include "velum/core/Task.h"
-#include "velum/membrane/forces/CoarseVoxels.h"
-#include "velum/membrane/forces/Fate.h"
-#include "velum/scene/Scene.h"
+#include "core/Task.h"
+#include "membrane/forces/CoarseVoxels.h"
+#include "membrane/forces/Fate.h"
+#include "scene/Cut.h"
+#include "scene/Membrane.h"
+#include "scene/SceneFwd.h"
 
 namespace velum::session {
 

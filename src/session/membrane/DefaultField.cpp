@@ -1,12 +1,13 @@
-#include "velum/session/membrane/DefaultField.h"
+#include "session/membrane/DefaultField.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 
-#include "velum/session/look/ValueHistogram.h"
-#include "velum/session/membrane/MembraneEdit.h"
-#include "velum/session/structure/StructureSizes.h"
+#include "scene/Scene.h"
+#include "session/look/ValueHistogram.h"
+#include "session/membrane/MembraneEdit.h"
+#include "session/structure/StructureSizes.h"
 
 namespace velum::session {
 

@@ -1,13 +1,14 @@
-#include "velum/session/membrane/FirstPlace.h"
+#include "session/membrane/FirstPlace.h"
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "CoarseLook.h"
-#include "velum/core/Vectors.h"
-#include "velum/session/cut/CutEdit.h"
-#include "velum/session/membrane/DefaultField.h"
+#include "core/Vectors.h"
+#include "scene/Scene.h"
+#include "session/cut/CutEdit.h"
+#include "session/membrane/CoarseLook.h"
+#include "session/membrane/DefaultField.h"
 
 namespace velum::session {
 

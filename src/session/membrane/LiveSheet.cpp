@@ -1,10 +1,10 @@
-#include "LiveSheet.h"
+#include "session/membrane/LiveSheet.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "velum/core/Clock.h"
-#include "velum/gpu/Program.h"
+#include "core/Clock.h"
+#include "gpu/Program.h"
 
 namespace velum::session {
 

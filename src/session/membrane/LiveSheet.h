@@ -3,13 +3,16 @@
 #include <memory>
 #include <optional>
 
-#include "velum/membrane/forces/Forces.h"
-#include "velum/membrane/forces/KeptWhole.h"
-#include "velum/membrane/sheet/Sheet.h"
-#include "velum/membrane/sheet/SheetIndex.h"
-#include "velum/membrane/sheet/Simulation.h"
-#include "velum/scene/Scene.h"
-#include "velum/session/membrane/MembranePlayer.h"
+#include "membrane/forces/Forces.h"
+#include "membrane/forces/KeptWhole.h"
+#include "membrane/sheet/Sheet.h"
+#include "membrane/sheet/SheetIndex.h"
+#include "membrane/sheet/Simulation.h"
+#include "scene/Cut.h"
+#include "scene/Membrane.h"
+#include "scene/SceneFwd.h"
+#include "scene/SheetShape.h"
+#include "session/membrane/MembranePlayer.h"
 
 namespace velum::session {
 

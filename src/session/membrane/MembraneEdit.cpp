@@ -1,13 +1,14 @@
-#include "velum/session/membrane/MembraneEdit.h"
+#include "session/membrane/MembraneEdit.h"
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "TissueInNoise.h"
+#include "session/membrane/TissueInNoise.h"
 
-#include "velum/membrane/forces/Kernels.h"
-#include "velum/session/look/ValueHistogram.h"
+#include "membrane/forces/Kernels.h"
+#include "scene/Scene.h"
+#include "session/look/ValueHistogram.h"
 
 namespace velum::session {
 

@@ -1,10 +1,10 @@
-#include "velum/session/membrane/MembranePlayer.h"
+#include "session/membrane/MembranePlayer.h"
 
 #include <algorithm>
 
-#include "LiveSheet.h"
-#include "velum/core/Assert.h"
-#include "velum/session/membrane/Membranes.h"
+#include "core/Assert.h"
+#include "session/membrane/LiveSheet.h"
+#include "session/membrane/Membranes.h"
 
 namespace velum::session {
 

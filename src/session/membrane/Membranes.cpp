@@ -1,4 +1,4 @@
-#include "velum/session/membrane/Membranes.h"
+#include "session/membrane/Membranes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,15 +6,15 @@
 #include <memory>
 #include <type_traits>
 
-#include "velum/core/Assert.h"
-#include "velum/core/Clock.h"
-#include "velum/core/Error.h"
-#include "velum/membrane/forces/CoarseVoxels.h"
-#include "velum/membrane/forces/Fate.h"
-#include "velum/membrane/forces/Limit.h"
-#include "velum/membrane/sheet/SheetIndex.h"
-#include "velum/membrane/sheet/Simulation.h"
-#include "velum/render/section/KeptVoxels.h"
+#include "core/Assert.h"
+#include "core/Clock.h"
+#include "core/Error.h"
+#include "membrane/forces/CoarseVoxels.h"
+#include "membrane/forces/Fate.h"
+#include "membrane/forces/Limit.h"
+#include "membrane/sheet/SheetIndex.h"
+#include "membrane/sheet/Simulation.h"
+#include "render/kept/KeptVoxels.h"
 
 namespace velum::session {
 

@@ -1,4 +1,4 @@
-#include "velum/session/membrane/SheetHands.h"
+#include "session/membrane/SheetHands.h"
 
 #include <fmt/format.h>
 
@@ -6,9 +6,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "cut/SectionMembrane.h"
-#include "velum/scene/Scene.h"
-#include "velum/session/cut/CutEdit.h"
+#include "scene/Scene.h"
+#include "session/cut/CutEdit.h"
+#include "session/cut/SectionMembrane.h"
 
 namespace velum::session {
 

@@ -1,12 +1,13 @@
 // From the values under strokes to a curve of strengths.
-#include "velum/session/membrane/Sketch.h"
+#include "session/membrane/Sketch.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
-#include "velum/session/membrane/MembraneEdit.h"
-#include "velum/session/membrane/StrokeSamples.h"
+#include "scene/Scene.h"
+#include "session/membrane/MembraneEdit.h"
+#include "session/membrane/StrokeSamples.h"
 
 namespace velum::session {
 

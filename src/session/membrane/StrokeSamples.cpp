@@ -1,11 +1,12 @@
 // The voxels under strokes, and what values they have.
-#include "velum/session/membrane/StrokeSamples.h"
+#include "session/membrane/StrokeSamples.h"
 
 #include <algorithm>
 #include <cmath>
 #include <type_traits>
 
-#include "velum/session/look/ValueHistogram.h"
+#include "scene/Scene.h"
+#include "session/look/ValueHistogram.h"
 
 namespace velum::session {
 

@@ -1,11 +1,12 @@
-#include "TissueInNoise.h"
+#include "session/membrane/TissueInNoise.h"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <vector>
 
-#include "velum/membrane/forces/Denoise.h"
+#include "membrane/forces/Denoise.h"
+#include "scene/Scene.h"
 
 namespace velum::session {
 

@@ -2,8 +2,8 @@
 #include <glm/glm.hpp>
 #include <optional>
 
-#include "velum/scene/Scene.h"
-#include "velum/session/look/ShowThis.h"
+#include "scene/SceneFwd.h"
+#include "session/look/ShowThis.h"
 
 namespace velum::session {
 

@@ -1,6 +1,8 @@
-#include "velum/session/model/ClipState.h"
+#include "session/model/ClipState.h"
 
 #include <algorithm>
+
+#include "scene/Scene.h"
 
 namespace velum::session {
 
@@ -8,7 +10,7 @@ namespace {
 
 bool isBetween(double share) { return share > 0.0 && share < 1.0; }
 
-bool hasFocus(const scene::Cut& cut) { return cut.focus && !cut.focus->types.empty(); }
+bool hasFocus(const scene::Cut& cut) { return cut.model.focus && !cut.model.focus->types.empty(); }
 
 /// Lots decide about some instances of the row's types.
 bool isThinned(const scene::Cut& cut, const scene::TypeSpare& spare) {
@@ -20,15 +22,15 @@ bool isThinned(const scene::Cut& cut, const scene::TypeSpare& spare) {
 
 /// Removes something, whatever is there.
 bool isActing(const scene::Cut& cut, std::string_view root) {
-  if (hasFocus(cut) || cut.leastMass > 0.0 || cut.leastCopies > 0.0 || cut.mostMass != scene::Spare::kEndless ||
-      cut.mostCopies != scene::Spare::kEndless)
+  if (hasFocus(cut) || cut.model.leastMass > 0.0 || cut.model.leastCopies > 0.0 ||
+      cut.model.mostMass != scene::Spare::kEndless || cut.model.mostCopies != scene::Spare::kEndless)
     return true;
   auto takes = [](const scene::TypeSpare& spare) {
     return spare.share < 1.0 || spare.distance != scene::Spare::kEndless;
   };
-  if (std::any_of(cut.typeSpares.begin(), cut.typeSpares.end(), takes)) return true;
+  if (std::any_of(cut.model.spares.begin(), cut.model.spares.end(), takes)) return true;
   // What no row speaks of goes.
-  return std::none_of(cut.typeSpares.begin(), cut.typeSpares.end(),
+  return std::none_of(cut.model.spares.begin(), cut.model.spares.end(),
                       [root](const scene::TypeSpare& spare) { return spare.type == root; });
 }
 
@@ -41,7 +43,7 @@ ClipState clipState(const scene::Scene& scene) {
   for (const scene::Cut& cut : scene.cuts) {
     if (!cut.enabled || !isActing(cut, root)) continue;
     state = ClipState::Cut;
-    if (std::any_of(cut.typeSpares.begin(), cut.typeSpares.end(),
+    if (std::any_of(cut.model.spares.begin(), cut.model.spares.end(),
                     [&](const scene::TypeSpare& spare) { return isThinned(cut, spare); }))
       return ClipState::Thinned;
   }
@@ -57,7 +59,7 @@ void showCut(scene::Scene& scene) {
   for (scene::Cut& cut : scene.cuts) {
     cut.enabled = cut.enabled || isOff;
     double share = cut.shape == scene::CutShape::Everywhere ? 1.0 : 0.0;
-    for (scene::TypeSpare& spare : cut.typeSpares) {
+    for (scene::TypeSpare& spare : cut.model.spares) {
       if (isBetween(spare.share)) spare.share = share;
       if (isBetween(spare.viewShare)) spare.viewShare = 0.0;
       spare.falloff = 0.0;

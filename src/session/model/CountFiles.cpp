@@ -1,12 +1,12 @@
-#include "velum/session/model/CountFiles.h"
+#include "session/model/CountFiles.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <functional>
 
-#include "Dial.h"
-#include "velum/session/model/ModelEdit.h"
+#include "session/model/Dial.h"
+#include "session/model/ModelEdit.h"
 
 namespace velum::session {
 

@@ -1,16 +1,16 @@
-#include "velum/session/model/CountPictures.h"
+#include "session/model/CountPictures.h"
 
 #include <fmt/format.h>
 
 #include <functional>
 #include <memory>
 
-#include "velum/core/Error.h"
-#include "velum/core/ReplaceFile.h"
-#include "velum/gpu/Context.h"
-#include "velum/render/Renderer.h"
-#include "velum/session/model/CountFiles.h"
-#include "velum/session/model/PictureCounter.h"
+#include "core/Error.h"
+#include "core/ReplaceFile.h"
+#include "gpu/Context.h"
+#include "render/Renderer.h"
+#include "session/model/CountFiles.h"
+#include "session/model/PictureCounter.h"
 
 namespace velum::session {
 

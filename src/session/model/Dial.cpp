@@ -1,4 +1,4 @@
-#include "Dial.h"
+#include "session/model/Dial.h"
 
 #include <fmt/format.h>
 
@@ -7,11 +7,11 @@
 #include <numeric>
 #include <unordered_map>
 
-#include "velum/core/Parallel.h"
-#include "velum/render/section/KeptInstances.h"
-#include "velum/render/section/StayingShares.h"
-#include "velum/session/cut/CutEdit.h"
-#include "velum/session/model/TypesAt.h"
+#include "core/Parallel.h"
+#include "render/kept/KeptInstances.h"
+#include "render/kept/StayingShares.h"
+#include "session/cut/CutEdit.h"
+#include "session/model/TypesAt.h"
 
 namespace velum::session {
 
@@ -74,17 +74,18 @@ double numberBetween(float below, float above) {
 }  // namespace
 
 bool hasFocus(const scene::Scene& scene) {
-  return std::any_of(scene.cuts.begin(), scene.cuts.end(),
-                     [](const scene::Cut& cut) { return cut.enabled && cut.focus && !cut.focus->types.empty(); });
+  return std::any_of(scene.cuts.begin(), scene.cuts.end(), [](const scene::Cut& cut) {
+    return cut.enabled && cut.model.focus && !cut.model.focus->types.empty();
+  });
 }
 
 bool isCleared(const scene::Scene& scene, const std::vector<int>& cuts, const TypeNumbers& types) {
   const Model& model = *scene.model.data;
   return std::any_of(scene.cuts.begin(), scene.cuts.end(), [&](const scene::Cut& cut) {
-    if (!isAmong(cuts, cut) || !cut.focus || cut.focus->types.empty()) return false;
+    if (!isAmong(cuts, cut) || !cut.model.focus || cut.model.focus->types.empty()) return false;
     return std::none_of(types.begin(), types.end(), [&](std::uint32_t type) {
       std::string path = pathOf(model, model.types[type]);
-      return std::any_of(cut.focus->types.begin(), cut.focus->types.end(),
+      return std::any_of(cut.model.focus->types.begin(), cut.model.focus->types.end(),
                          [&](const scene::FocusType& focus) { return leadsTo(focus.type, path); });
     });
   });

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "velum/render/SheetIndices.h"
-#include "velum/session/model/ModelEdit.h"
-#include "velum/session/model/RenderedSolver.h"
+#include "render/SheetIndices.h"
+#include "session/model/ModelEdit.h"
+#include "session/model/RenderedSolver.h"
 
 namespace velum::session {
 

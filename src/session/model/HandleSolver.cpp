@@ -1,11 +1,11 @@
-#include "velum/session/model/HandleSolver.h"
+#include "session/model/HandleSolver.h"
 
 #include <algorithm>
 
-#include "Dial.h"
-#include "velum/core/Error.h"
-#include "velum/session/model/TargetSolver.h"
-#include "velum/session/model/TypesAt.h"
+#include "core/Error.h"
+#include "session/model/Dial.h"
+#include "session/model/TargetSolver.h"
+#include "session/model/TypesAt.h"
 
 namespace velum::session {
 

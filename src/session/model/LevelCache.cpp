@@ -1,4 +1,4 @@
-#include "velum/session/model/LevelCache.h"
+#include "session/model/LevelCache.h"
 
 #include <fmt/format.h>
 
@@ -13,8 +13,8 @@
 #include <span>
 #include <vector>
 
-#include "velum/core/ReplaceFile.h"
-#include "velum/mesoscale/Levels.h"
+#include "core/ReplaceFile.h"
+#include "model/Levels.h"
 
 namespace velum::session {
 
@@ -48,7 +48,7 @@ class Sum {
 std::array<std::uint64_t, 2> keyOf(const Model& model) {
   Sum sum;
   sum.add(kFileVersion);
-  sum.add(mesoscale::kLevelsVersion);
+  sum.add(model::kLevelsVersion);
   for (const Molecule& molecule : model.molecules) {
     sum.add(std::uint32_t(molecule.atoms.size()));
     for (const Atom& atom : molecule.atoms) {
@@ -215,13 +215,13 @@ fs::path levelFile(const Model& model, const fs::path& folder) {
 }
 
 LevelSet cachedLevels(const Model& model, const fs::path& folder, Progress& progress, std::uint64_t mostBytes) {
-  if (folder.empty() || model.molecules.empty()) return mesoscale::computeLevels(model, progress);
+  if (folder.empty() || model.molecules.empty()) return model::computeLevels(model, progress);
   const fs::path path = levelFile(model, folder);
   try {
     if (auto set = read(path, model, mostBytes)) return std::move(*set);
   } catch (const std::exception&) {  // as if there were none
   }
-  LevelSet set = mesoscale::computeLevels(model, progress);
+  LevelSet set = model::computeLevels(model, progress);
   try {
     write(set, model, path, mostBytes);
   } catch (const std::exception&) {  // the next time it takes as long again

@@ -1,4 +1,4 @@
-#include "velum/session/model/LiveCounts.h"
+#include "session/model/LiveCounts.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "velum/session/model/ModelEdit.h"
+#include "session/model/ModelEdit.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,8 @@
 #include <limits>
 #include <unordered_map>
 
-#include "velum/core/Units.h"
+#include "core/Units.h"
+#include "scene/Scene.h"
 
 namespace velum::session {
 

@@ -1,15 +1,16 @@
-#include "velum/session/model/ModelExport.h"
+#include "session/model/ModelExport.h"
 
 #include <fmt/format.h>
 
 #include <cstdint>
 #include <utility>
 
-#include "velum/core/Assert.h"
-#include "velum/core/Error.h"
-#include "velum/io/models/WriteModel.h"
-#include "velum/mesoscale/Levels.h"
-#include "velum/render/section/KeptInstances.h"
+#include "core/Assert.h"
+#include "core/Error.h"
+#include "io/models/WriteModel.h"
+#include "model/Levels.h"
+#include "render/kept/KeptInstances.h"
+#include "scene/Scene.h"
 
 namespace velum::session {
 
@@ -73,7 +74,7 @@ ModelExport exportModel(const scene::Scene& scene, const std::filesystem::path& 
   if (shown.instances.empty())
     throw InputError("nothing of the model shows: cuts, or types that are hidden, leave no instance of it");
   LevelSet made;
-  if (!layer.levels) made = mesoscale::computeLevels(*layer.data, progress);
+  if (!layer.levels) made = model::computeLevels(*layer.data, progress);
   Along along = alongOf(layer, layer.levels ? *layer.levels : made, kept);
   VELUM_ASSERT(along.numbers.size() == shown.instances.size() && along.colors.size() == shown.types.size(),
                "both leave out the same");

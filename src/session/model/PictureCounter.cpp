@@ -1,8 +1,8 @@
-#include "velum/session/model/PictureCounter.h"
+#include "session/model/PictureCounter.h"
 
 #include <algorithm>
 
-#include "velum/render/RenderPicture.h"
+#include "render/RenderPicture.h"
 
 namespace velum::session {
 

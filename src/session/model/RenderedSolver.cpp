@@ -1,13 +1,13 @@
-#include "velum/session/model/RenderedSolver.h"
+#include "session/model/RenderedSolver.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "Dial.h"
-#include "velum/core/Error.h"
-#include "velum/session/model/TypesAt.h"
+#include "core/Error.h"
+#include "session/model/Dial.h"
+#include "session/model/TypesAt.h"
 
 namespace velum::session {
 

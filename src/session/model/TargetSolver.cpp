@@ -1,4 +1,4 @@
-#include "velum/session/model/TargetSolver.h"
+#include "session/model/TargetSolver.h"
 
 #include <fmt/format.h>
 
@@ -6,10 +6,10 @@
 #include <cmath>
 #include <set>
 
-#include "Dial.h"
-#include "velum/core/Error.h"
-#include "velum/session/cut/CutEdit.h"
-#include "velum/session/model/TypesAt.h"
+#include "core/Error.h"
+#include "session/cut/CutEdit.h"
+#include "session/model/Dial.h"
+#include "session/model/TypesAt.h"
 
 namespace velum::session {
 

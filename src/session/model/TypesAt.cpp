@@ -1,4 +1,4 @@
-#include "velum/session/model/TypesAt.h"
+#include "session/model/TypesAt.h"
 
 #include <fmt/format.h>
 
@@ -6,8 +6,8 @@
 #include <map>
 #include <vector>
 
-#include "velum/core/Error.h"
-#include "velum/core/NearestName.h"
+#include "core/Error.h"
+#include "core/NearestName.h"
 
 namespace velum::session {
 

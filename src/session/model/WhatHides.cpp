@@ -1,14 +1,15 @@
-#include "velum/session/model/WhatHides.h"
+#include "session/model/WhatHides.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <map>
 
-#include "velum/core/Error.h"
-#include "velum/render/section/KeptInstances.h"
-#include "velum/session/cut/CutEdit.h"
-#include "velum/session/model/TypesAt.h"
+#include "core/Error.h"
+#include "render/kept/KeptInstances.h"
+#include "scene/Scene.h"
+#include "session/cut/CutEdit.h"
+#include "session/model/TypesAt.h"
 
 namespace velum::session {
 
@@ -27,7 +28,7 @@ std::vector<std::int64_t> layerOf(const Image& image, const char* name) {
 /// Whether a scene's cuts clear each instance for a view; empty: none.
 std::vector<bool> clearedInstances(const scene::Scene& scene, double aspect) {
   bool hasFocus = std::any_of(scene.cuts.begin(), scene.cuts.end(),
-                              [](const scene::Cut& cut) { return cut.enabled && cut.focus.has_value(); });
+                              [](const scene::Cut& cut) { return cut.enabled && cut.model.focus.has_value(); });
   std::vector<bool> cleared;
   if (!hasFocus) return cleared;
   for (render::InstanceState state : render::instanceStates(scene, {}, aspect))
@@ -65,7 +66,7 @@ scene::Scene aloneScene(const scene::Scene& scene, std::string_view path) {
   scene::Scene alone = scene;
   alone.volume.visible = alone.labels.visible = false;
   for (scene::Surface& surface : alone.surfaces) surface.visible = false;
-  for (scene::Cut& cut : alone.cuts) cut.focus.reset();
+  for (scene::Cut& cut : alone.cuts) cut.model.focus.reset();
   TypeNumbers others;
   for (std::uint32_t type = 0; type < model.types.size(); ++type)
     if (!std::binary_search(place.types.begin(), place.types.end(), type)) others.push_back(type);
@@ -110,17 +111,17 @@ Hiding whatHides(const scene::Scene& scene, std::string_view path, const TypePic
 int clearTheWay(scene::Scene& scene, std::string_view path) {
   TypesAt place = typesAt(modelOf(scene), path);
   auto clears = [](const scene::Cut& cut) {
-    return cut.enabled && cut.shape == scene::CutShape::Everywhere && !cut.invert && !cut.joined && cut.focus;
+    return cut.enabled && cut.shape == scene::CutShape::Everywhere && !cut.invert && !cut.joined && cut.model.focus;
   };
   auto found = std::find_if(scene.cuts.begin(), scene.cuts.end(), clears);
   if (found == scene.cuts.end()) {
     scene::Cut cut = makeCut(scene, scene::CutShape::Everywhere);
     cut.name = fmt::format("Way to {}", shortName(place.path));
-    cut.focus.emplace();
+    cut.model.focus.emplace();
     int id = scene::addCut(scene, std::move(cut));
     found = scene.cuts.begin() + scene::cutPlace(scene, id);
   }
-  std::vector<scene::FocusType>& types = found->focus->types;
+  std::vector<scene::FocusType>& types = found->model.focus->types;
   if (std::none_of(types.begin(), types.end(), [&](const auto& type) { return type.type == place.path; }))
     types.push_back({place.path});
   return found->id;
@@ -128,20 +129,20 @@ int clearTheWay(scene::Scene& scene, std::string_view path) {
 
 bool isKeptInView(const scene::Scene& scene, std::string_view path) {
   return std::any_of(scene.cuts.begin(), scene.cuts.end(), [path](const scene::Cut& cut) {
-    return cut.enabled && cut.focus &&
-           std::any_of(cut.focus->types.begin(), cut.focus->types.end(),
+    return cut.enabled && cut.model.focus &&
+           std::any_of(cut.model.focus->types.begin(), cut.model.focus->types.end(),
                        [path](const scene::FocusType& type) { return type.type == path; });
   });
 }
 
 void endKeepInView(scene::Scene& scene, std::string_view path) {
   auto isIdle = [path](scene::Cut& cut) {
-    if (!cut.focus) return false;
-    std::erase_if(cut.focus->types, [path](const scene::FocusType& type) { return type.type == path; });
-    if (!cut.focus->types.empty()) return false;
-    cut.focus.reset();
+    if (!cut.model.focus) return false;
+    std::erase_if(cut.model.focus->types, [path](const scene::FocusType& type) { return type.type == path; });
+    if (!cut.model.focus->types.empty()) return false;
+    cut.model.focus.reset();
     return cut.shape == scene::CutShape::Everywhere &&
-           std::all_of(cut.typeSpares.begin(), cut.typeSpares.end(),
+           std::all_of(cut.model.spares.begin(), cut.model.spares.end(),
                        [](const scene::TypeSpare& spare) { return spare.share == 1.0; });
   };
   std::erase_if(scene.cuts, isIdle);

@@ -1,17 +1,17 @@
-#include "velum/session/picture/Animation.h"
+#include "session/picture/Animation.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <numbers>
 
-#include "velum/core/Error.h"
-#include "velum/gpu/Context.h"
-#include "velum/scene/Navigate.h"
-#include "velum/session/extrusion/Extrusion.h"
-#include "velum/session/growth/Growths.h"
-#include "velum/session/membrane/Membranes.h"
-#include "velum/session/picture/CutPath.h"
+#include "core/Error.h"
+#include "gpu/Context.h"
+#include "scene/Navigate.h"
+#include "session/extrusion/Extrusion.h"
+#include "session/growth/Growths.h"
+#include "session/membrane/Membranes.h"
+#include "session/picture/CutPath.h"
 
 namespace velum::session {
 
@@ -65,7 +65,7 @@ void renderAnimationFiles(const scene::Scene& scene, Motion motion, int frames, 
   expectPictureFile(paths.front());
   auto context = gpu::Context::create(gpu::ContextKind::Auto);
   render::Renderer renderer(*context);
-  extrusion::GrowOverTime growths;
+  growth::GrowOverTime growths;
   SheetsOverTime sheets;
   for (int i = 0; i < frames; ++i) {
     progress.report(double(i) / frames, fmt::format("Frame {} of {}", i + 1, frames));

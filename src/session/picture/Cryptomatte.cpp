@@ -1,4 +1,4 @@
-#include "velum/session/picture/Cryptomatte.h"
+#include "session/picture/Cryptomatte.h"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,8 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "velum/core/Assert.h"
+#include "core/Assert.h"
+#include "scene/Scene.h"
 
 namespace velum::session {
 

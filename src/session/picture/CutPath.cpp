@@ -1,8 +1,8 @@
-#include "velum/session/picture/CutPath.h"
+#include "session/picture/CutPath.h"
 
 #include <algorithm>
 
-#include "velum/session/extrusion/Extrusion.h"
+#include "session/extrusion/Extrusion.h"
 
 namespace velum::session {
 
@@ -20,15 +20,15 @@ scene::TypeSpare rowForAll(const Model& model, double share, double viewShare) {
 /// From S1 to S2.
 void takeAway(scene::Cut& cut, const Model& model, double at) {
   bool isEverywhere = cut.shape == scene::CutShape::Everywhere;
-  cut.typeSpares = {rowForAll(model, isEverywhere ? 1.0 : 1.0 - at, 1.0 - at)};
-  cut.leastMass = cut.leastCopies = 0.0;
-  cut.mostMass = cut.mostCopies = scene::Spare::kEndless;
+  cut.model.spares = {rowForAll(model, isEverywhere ? 1.0 : 1.0 - at, 1.0 - at)};
+  cut.model.leastMass = cut.model.leastCopies = 0.0;
+  cut.model.mostMass = cut.model.mostCopies = scene::Spare::kEndless;
 }
 
 /// From S2 to S3.
 void bringBack(scene::Cut& cut, const Model& model, double at) {
   bool isEverywhere = cut.shape == scene::CutShape::Everywhere;
-  for (scene::TypeSpare& row : cut.typeSpares) {
+  for (scene::TypeSpare& row : cut.model.spares) {
     row.share = isEverywhere ? 1.0 + (row.share - 1.0) * at : row.share * at;
     row.viewShare *= at;
     row.amount *= at;
@@ -37,9 +37,9 @@ void bringBack(scene::Cut& cut, const Model& model, double at) {
   if (!isEverywhere) return;
   // What it says nothing of goes, too.
   scene::TypeSpare rest = rowForAll(model, 1.0 - at, 0.0);
-  bool isKnown = std::any_of(cut.typeSpares.begin(), cut.typeSpares.end(),
+  bool isKnown = std::any_of(cut.model.spares.begin(), cut.model.spares.end(),
                              [&](const scene::TypeSpare& own) { return own.type == rest.type; });
-  if (!isKnown) cut.typeSpares.push_back(std::move(rest));
+  if (!isKnown) cut.model.spares.push_back(std::move(rest));
 }
 
 /// How far a flat cut has to go back for all of the data to lie on the side that it leaves.

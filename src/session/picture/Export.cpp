@@ -1,14 +1,14 @@
-#include "velum/session/picture/Export.h"
+#include "session/picture/Export.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "velum/core/Error.h"
-#include "velum/gpu/Context.h"
-#include "velum/io/meshes/WriteMesh.h"
-#include "velum/io/volumes/WriteVolume.h"
-#include "velum/session/membrane/Membranes.h"
+#include "core/Error.h"
+#include "gpu/Context.h"
+#include "io/meshes/WriteMesh.h"
+#include "io/volumes/WriteVolume.h"
+#include "session/membrane/Membranes.h"
 
 namespace velum::session {
 

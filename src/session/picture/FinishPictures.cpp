@@ -1,7 +1,7 @@
-#include "velum/session/picture/FinishPictures.h"
+#include "session/picture/FinishPictures.h"
 
-#include "SmallPictures.h"
-#include "velum/scene/Finishes.h"
+#include "scene/Finishes.h"
+#include "session/picture/SmallPictures.h"
 
 namespace velum::session {
 

@@ -1,4 +1,4 @@
-#include "LayerPictures.h"
+#include "session/picture/LayerPictures.h"
 
 #include <fmt/format.h>
 
@@ -6,8 +6,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include "velum/core/LabelVolume.h"
-#include "velum/io/images/ImageFile.h"
+#include "core/LabelVolume.h"
+#include "io/images/ImageFile.h"
 
 namespace velum::session {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "velum/core/Image.h"
+#include "core/Image.h"
 
 namespace velum::session {
 

@@ -1,11 +1,11 @@
-#include "velum/session/picture/ModelPictures.h"
+#include "session/picture/ModelPictures.h"
 
 #include <algorithm>
 
-#include "velum/gpu/Context.h"
-#include "velum/render/Renderer.h"
-#include "velum/scene/ModelLooks.h"
-#include "velum/session/picture/Picture.h"
+#include "gpu/Context.h"
+#include "render/Renderer.h"
+#include "scene/ModelLooks.h"
+#include "session/picture/Picture.h"
 
 namespace velum::session {
 

@@ -1,4 +1,4 @@
-#include "velum/session/picture/Picture.h"
+#include "session/picture/Picture.h"
 
 #include <fmt/format.h>
 
@@ -7,17 +7,17 @@
 #include <cmath>
 #include <iterator>
 
-#include "LayerPictures.h"
-#include "velum/core/FileName.h"
-#include "velum/core/ReplaceFile.h"
-#include "velum/core/Text.h"
-#include "velum/gpu/Context.h"
-#include "velum/io/images/ImageFile.h"
-#include "velum/render/RenderPicture.h"
-#include "velum/render/section/SectionImage.h"
-#include "velum/session/document/Open.h"
-#include "velum/session/membrane/Membranes.h"
-#include "velum/session/picture/Cryptomatte.h"
+#include "core/FileName.h"
+#include "core/ReplaceFile.h"
+#include "core/Text.h"
+#include "gpu/Context.h"
+#include "io/images/ImageFile.h"
+#include "render/RenderPicture.h"
+#include "render/section/SectionImage.h"
+#include "session/document/Open.h"
+#include "session/membrane/Membranes.h"
+#include "session/picture/Cryptomatte.h"
+#include "session/picture/LayerPictures.h"
 
 namespace velum::session {
 

@@ -1,12 +1,12 @@
-#include "velum/session/picture/PresetPictures.h"
+#include "session/picture/PresetPictures.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 
-#include "SmallPictures.h"
-#include "velum/core/Parallel.h"
-#include "velum/scene/Presets.h"
+#include "core/Parallel.h"
+#include "scene/Presets.h"
+#include "session/picture/SmallPictures.h"
 
 namespace velum::session {
 

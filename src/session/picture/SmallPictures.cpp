@@ -1,11 +1,11 @@
-#include "SmallPictures.h"
+#include "session/picture/SmallPictures.h"
 
 #include <algorithm>
 
-#include "velum/gpu/Context.h"
-#include "velum/render/Renderer.h"
-#include "velum/session/picture/Picture.h"
-#include "velum/session/picture/PresetPictures.h"
+#include "gpu/Context.h"
+#include "render/Renderer.h"
+#include "session/picture/Picture.h"
+#include "session/picture/PresetPictures.h"
 
 namespace velum::session {
 

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "velum/core/Image.h"
-#include "velum/core/Task.h"
-#include "velum/scene/Scene.h"
+#include "core/Image.h"
+#include "core/Task.h"
+#include "scene/Scene.h"
 
 /// Pictures by which something is chosen, drawn in the background.
 namespace velum::session {

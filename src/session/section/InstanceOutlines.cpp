@@ -1,10 +1,10 @@
-#include "velum/session/section/InstanceOutlines.h"
+#include "session/section/InstanceOutlines.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "velum/core/Parallel.h"
-#include "velum/core/Units.h"
+#include "core/Parallel.h"
+#include "core/Units.h"
 
 namespace velum::session {
 

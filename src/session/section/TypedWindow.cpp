@@ -1,4 +1,4 @@
-#include "velum/session/section/TypedWindow.h"
+#include "session/section/TypedWindow.h"
 
 #include <fmt/format.h>
 
@@ -6,8 +6,9 @@
 #include <cctype>
 #include <cmath>
 
-#include "velum/core/Text.h"
-#include "velum/scene/GreyWindows.h"
+#include "core/Text.h"
+#include "scene/GreyWindows.h"
+#include "scene/Scene.h"
 
 namespace velum::session {
 

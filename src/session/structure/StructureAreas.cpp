@@ -1,12 +1,13 @@
-#include "velum/session/structure/StructureAreas.h"
+#include "session/structure/StructureAreas.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <map>
 
-#include "velum/core/Assert.h"
-#include "velum/session/structure/StructureEdit.h"
+#include "core/Assert.h"
+#include "scene/Scene.h"
+#include "session/structure/StructureEdit.h"
 
 namespace velum::session {
 

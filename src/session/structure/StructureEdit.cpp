@@ -1,6 +1,8 @@
-#include "velum/session/structure/StructureEdit.h"
+#include "session/structure/StructureEdit.h"
 
 #include <fmt/format.h>
+
+#include "scene/Scene.h"
 
 namespace velum::session {
 

@@ -1,18 +1,19 @@
-#include "velum/session/structure/StructureExport.h"
+#include "session/structure/StructureExport.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <set>
 
-#include "velum/core/Error.h"
-#include "velum/core/FileName.h"
-#include "velum/core/NearestName.h"
-#include "velum/io/labels/WriteLabels.h"
-#include "velum/io/meshes/ExtractSurface.h"
-#include "velum/io/meshes/WriteMesh.h"
-#include "velum/scene/StructureAt.h"
-#include "velum/session/structure/StructureSizes.h"
+#include "core/Error.h"
+#include "core/FileName.h"
+#include "core/NearestName.h"
+#include "io/labels/WriteLabels.h"
+#include "io/meshes/ExtractSurface.h"
+#include "io/meshes/WriteMesh.h"
+#include "scene/Scene.h"
+#include "scene/StructureAt.h"
+#include "session/structure/StructureSizes.h"
 
 namespace velum::session {
 

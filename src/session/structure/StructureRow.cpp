@@ -1,7 +1,8 @@
-#include "velum/session/structure/StructureRow.h"
+#include "session/structure/StructureRow.h"
 
-#include "velum/core/Text.h"
-#include "velum/session/structure/StructureEdit.h"
+#include "core/Text.h"
+#include "scene/Scene.h"
+#include "session/structure/StructureEdit.h"
 
 namespace velum::session {
 

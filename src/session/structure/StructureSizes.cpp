@@ -1,11 +1,11 @@
-#include "velum/session/structure/StructureSizes.h"
+#include "session/structure/StructureSizes.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
 
-#include "velum/session/structure/StructureSurface.h"
+#include "session/structure/StructureSurface.h"
 
 namespace velum::session {
 

@@ -1,11 +1,11 @@
-#include "velum/session/structure/StructureSurface.h"
+#include "session/structure/StructureSurface.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
 
-#include "velum/core/Parallel.h"
+#include "core/Parallel.h"
 
 namespace velum::session {
 

@@ -1,11 +1,11 @@
-#include "velum/session/structure/StructureValues.h"
+#include "session/structure/StructureValues.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
 
-#include "velum/core/Parallel.h"
+#include "core/Parallel.h"
 
 namespace velum::session {
 

@@ -1,0 +1,17 @@
+// Which instances cuts remove by where these stand, once for all that asks in a frame. [VE] 3 and 5.
+layout(local_size_x = 64) in;
+
+#include "model/states.glsl"
+
+void main() {
+  int index = firstIndex + int(gl_GlobalInvocationID.x);
+  if (index >= endIndex) return;
+  int copy = firstCopy + int(gl_WorkGroupID.y);
+  uint instance = uint(copy * view.instanceCount + index);
+  Place place = placeIn(index, copyShift(copy));
+  MoleculeRow molecule = moleculeAt(place.molecule);
+  vec3 middle = place.position + turned(place.rotation, molecule.sphere.xyz);
+  bool isHidden = texelFetch(typeTexture, int(molecule.type)).a == kTypeHidden;
+  if (isHidden || !cutsLeave(instance, molecule.type, middle, molecule.sphere.w))
+    atomicOr(states[instance >> 5], stateBit(instance));
+}

@@ -1,0 +1,75 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/Shared.h"
+#include "core/Units.h"
+
+namespace velum {
+
+/// One named region of a label volume.
+struct LabelInfo {
+  std::uint16_t id = 0;
+  std::string name;
+  glm::vec3 color{1.0f};  ///< sRGB, 0..1
+  float opacity = 1.0f;   ///< 0..1
+  bool operator==(const LabelInfo&) const = default;
+};
+
+/// Structure ids on a grid of their own, 0 = nothing, up to 65,535 structures.
+///
+/// Stored in bricks of 32^3 that copies share: an edited copy costs the bricks that it touched, so undo is cheap.
+/// A brick of one id keeps only that id. Shape and frame as in Volume.
+class LabelVolume {
+ public:
+  static constexpr int kBrickSize = 32;
+  using Brick = std::vector<std::uint16_t>;  ///< kBrickSize^3 ids, x fastest; or one id for a uniform brick.
+
+  LabelVolume() = default;
+  /// All zero. @throw ArgumentError when a dimension is < 1
+  LabelVolume(glm::ivec3 dims, const glm::dmat4& worldFromVoxel, LengthUnit unit = LengthUnit::Millimetre);
+
+  glm::ivec3 dims() const { return mDims; }
+  const glm::dmat4& worldFromVoxel() const { return mWorldFromVoxel; }
+  /// Id at a voxel; 0 outside.
+  std::uint16_t at(glm::ivec3 voxel) const;
+  /// Writes a box of ids, shape [size.z][size.y][size.x], and keeps bricks small where they are uniform. Bricks that
+  /// hold the same as before stay the same.
+  /// @throw ArgumentError when the box leaves the grid or the span is short
+  void write(glm::ivec3 origin, glm::ivec3 size, std::span<const std::uint16_t> ids);
+  /// Copies a box out, the counterpart of write().
+  void read(glm::ivec3 origin, glm::ivec3 size, std::span<std::uint16_t> ids) const;
+
+  glm::ivec3 brickGrid() const { return mBrickGrid; }
+  const Brick& brick(glm::ivec3 index) const;
+  /// Never repeats: bricks of two label volumes that have the same id hold the same.
+  std::uint64_t brickId(glm::ivec3 index) const;
+  /// Bytes held by bricks that are not uniform.
+  std::size_t storedBytes() const;
+  /// Ids in use, ascending, without 0. O(voxels of the bricks that are not uniform).
+  std::vector<std::uint16_t> idsInUse() const;
+
+  std::vector<LabelInfo> table;  ///< Names and colours, ascending by id; made up where the file has none.
+  std::string name;
+  std::vector<std::string> warnings;
+
+  LengthUnit lengthUnit() const { return mLengthUnit; }
+  /// The same labels with their world in another unit.
+  void setLengthUnit(LengthUnit unit);
+
+ private:
+  std::size_t brickIndex(glm::ivec3 index) const;
+  glm::ivec3 mDims{0}, mBrickGrid{0};
+  glm::dmat4 mWorldFromVoxel{1.0};
+  LengthUnit mLengthUnit = LengthUnit::Millimetre;
+  std::vector<Shared<Brick>> mBricks;
+};
+
+/// A calm, colour-blind-friendly colour for an id that has none. The same id gives the same colour.
+glm::vec3 defaultLabelColor(std::uint16_t id);
+
+}  // namespace velum

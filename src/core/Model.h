@@ -1,0 +1,127 @@
+#pragma once
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/Fields.h"
+
+namespace velum {
+
+/// One atom in the frame of its molecule.
+struct Atom {
+  glm::vec3 position{0.0f};  ///< angstrom
+  std::uint8_t element = 6;  ///< Atomic number; kResidue: a whole residue, as files of C-alpha atoms have them.
+  std::uint16_t chain = 0;   ///< Chains of the molecule, counted from 0.
+  bool operator==(const Atom&) const = default;
+};
+constexpr std::uint8_t kResidue = 0;
+
+/// Van der Waals radius (A. Bondi, 1964), angstrom; of a residue that of a ball of its volume.
+float radiusOf(std::uint8_t element);
+/// Standard atomic weight, dalton; of a residue the mean one of proteins.
+double massOf(std::uint8_t element);
+
+/// What instances are copies of: atoms, or balls that stand for several atoms, or both.
+struct Molecule {
+  std::uint32_t type = 0;                     ///< in Model::types
+  std::vector<Atom> atoms;                    ///< Empty where only beads are known.
+  std::vector<std::vector<glm::vec4>> beads;  ///< Coarser and coarser: centre and radius, angstrom.
+  std::uint32_t firstInstance = 0, instanceCount = 0;
+  glm::vec3 centre{0.0f};  ///< Of a sphere around all of it.
+  float radius = 0.0f;
+};
+
+enum class MoleculeKind { Protein, Lipid, NucleicAcid, Other };
+template <>
+struct EnumNames<MoleculeKind> {
+  static constexpr std::string_view kNames[] = {"protein", "lipid", "nucleic acid", "other"};
+};
+
+/// Where a mass comes from.
+enum class MassSource { Unknown, File, Atoms, Beads };
+template <>
+struct EnumNames<MassSource> {
+  static constexpr std::string_view kNames[] = {"unknown", "file", "atoms", "beads"};
+};
+
+/// Where the instances of a type come from.
+enum class Origin {
+  File,    ///< The file has them.
+  Curves,  ///< The file has curves, along which they were put.
+  Added    ///< They were made to complete the model.
+};
+template <>
+struct EnumNames<Origin> {
+  static constexpr std::string_view kNames[] = {"file", "curves", "added"};
+};
+
+/// An ingredient. Lipids of one kind have many shapes: a type is one molecule or several.
+struct MoleculeType {
+  std::string name;
+  std::uint32_t compartment = 0;  ///< in Model::compartments
+  MoleculeKind kind = MoleculeKind::Protein;
+  std::string function;     ///< "DNA repair"; empty when unknown.
+  std::string description;  ///< For people; may be Markdown.
+  std::string structure;    ///< The entry or file that its atoms are from.
+  double mass = 0.0;        ///< Of one instance, dalton.
+  MassSource massSource = MassSource::Unknown;
+  std::optional<glm::vec3> color;  ///< sRGB, where the file gives one.
+  Origin origin = Origin::File;
+  std::uint32_t firstMolecule = 0, moleculeCount = 0;
+  std::uint32_t firstInstance = 0, instanceCount = 0;
+};
+
+/// A copy of a molecule: rotation * x + position.
+struct Instance {
+  glm::vec3 position{0.0f};  ///< angstrom, world
+  std::uint32_t molecule = 0;
+  glm::quat rotation{1.0f, 0.0f, 0.0f, 0.0f};  ///< unit
+  bool operator==(const Instance&) const = default;
+};
+
+/// A part of the tree that types hang in.
+struct Compartment {
+  std::string name;
+  std::int32_t parent = -1;  ///< Stands before its children; -1: the root, which is the first.
+};
+
+/// A strand: instances of one type along a curve.
+struct Fibre {
+  std::uint32_t type = 0;
+  std::vector<glm::vec3> points;  ///< As the file has them, angstrom.
+  std::uint32_t firstInstance = 0, instanceCount = 0;
+};
+
+/// Molecules and where their copies stand, as cells and viruses are described. World: angstrom, right-handed.
+///
+/// Instances are in the order of their molecules, and these in the order of their types: those of a type, and of a
+/// molecule, stand in a row. Made by a ModelBuilder, then held as `Shared<Model>` and never changed.
+struct Model {
+  std::vector<Compartment> compartments;
+  std::vector<MoleculeType> types;
+  std::vector<Molecule> molecules;
+  std::vector<Instance> instances;
+  std::vector<Fibre> fibres;
+  glm::vec3 low{0.0f}, high{0.0f};    ///< A box around the spheres of all instances.
+  std::string name;                   ///< For people.
+  std::vector<std::string> warnings;  ///< What the reader had to assume or leave out, one line each.
+  std::vector<std::string> added;     ///< What was made to complete the model, and how, one line each.
+};
+
+/// The names from the root to the type with dots between them: "root.capsid.surface.CA".
+std::string pathOf(const Model& model, const MoleculeType& type);
+
+/// 0 to before 1, fixed for each instance: what a share of its type is measured by.
+/// @param stream  several independent ones for each instance
+float randomOf(std::uint32_t instance, std::uint32_t stream = 0);
+
+/// Over all instances of a type; atoms and beads of the finest level are counted apart.
+std::uint64_t atomCount(const Model& model, const MoleculeType& type);
+std::uint64_t beadCount(const Model& model, const MoleculeType& type);
+/// Bytes that the model takes.
+std::uint64_t storedBytes(const Model& model);
+
+}  // namespace velum

@@ -1,0 +1,137 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/Fields.h"
+#include "core/Shared.h"
+#include "core/Units.h"
+
+namespace velum {
+
+enum class SampleType { UInt8, Int8, UInt16, Int16, UInt32, Int32, Float32, Float64 };
+template <>
+struct EnumNames<SampleType> {
+  static constexpr std::string_view kNames[] = {"uint8",  "int8",  "uint16",  "int16",
+                                                "uint32", "int32", "float32", "float64"};
+};
+
+/// Bytes of one sample.
+std::size_t sampleSize(SampleType type);
+
+/// What made the volume, as far as the file says; chooses the default preset.
+enum class Modality { Unknown, CT, MR, Angiography, Ultrasound, Microscopy, Seismic, PET };
+template <>
+struct EnumNames<Modality> {
+  static constexpr std::string_view kNames[] = {"unknown",    "CT",         "MR",      "angiography",
+                                                "ultrasound", "microscopy", "seismic", "PET"};
+};
+
+/// An allocator that leaves new bytes unset, so that a gigabyte is not written twice.
+template <class T>
+struct UnsetAllocator : std::allocator<T> {
+  template <class U>
+  struct rebind {
+    using other = UnsetAllocator<U>;
+  };
+  template <class U>
+  void construct(U* p) noexcept {
+    ::new (static_cast<void*>(p)) U;
+  }
+  template <class U, class... Args>
+  void construct(U* p, Args&&... args) {
+    ::new (static_cast<void*>(p)) U(std::forward<Args>(args)...);
+  }
+};
+using Bytes = std::vector<std::byte, UnsetAllocator<std::byte>>;
+
+/// A regular grid of samples with its place in the patient (or specimen, or earth).
+///
+/// World: in `lengthUnit`, DICOM patient axes (x to the Left, y to the Posterior, z to the Superior). Voxel centres are
+/// at integer indices. `value = raw * scale + offset`, in `unit`. Written once by a reader, then held as
+/// `Shared<Volume>` and never changed.
+struct Volume {
+  glm::ivec3 dims{0};                   ///< Voxels along x (fastest), y, z.
+  SampleType type = SampleType::UInt8;  ///< Type of one raw sample, machine byte order.
+  int channels = 1;                     ///< Samples per voxel, interleaved.
+  int timeSteps = 1;                    ///< Time steps, slowest axis.
+  bool isColor = false;                 ///< The channels are RGB or RGBA.
+  Bytes voxels;                         ///< Raw samples, shape [timeSteps][z][y][x][channels].
+  glm::dmat4 worldFromVoxel{1.0};       ///< in lengthUnit; rigid or not, left-handed allowed, never singular.
+  LengthUnit lengthUnit = LengthUnit::Millimetre;
+  double scale = 1.0;  ///< See `value` above.
+  double offset = 0.0;
+  glm::dvec2 range{0.0, 0.0};  ///< Smallest and largest finite value, over all time steps and channels.
+  std::string unit;            ///< "HU", "m/s", empty when unknown.
+  Modality modality = Modality::Unknown;
+  bool isSpacingKnown = true;             ///< False: the file had none and 1 was taken.
+  bool isOrientationKnown = true;         ///< False: patient letters must not be shown.
+  double timeStepSeconds = 0.0;           ///< Time between them; 0 when unknown.
+  std::string name;                       ///< For people: series description or file name.
+  std::vector<std::string> channelNames;  ///< Empty, or one per channel.
+  std::vector<glm::vec3> channelColors;   ///< As the file gives them, sRGB: empty, or one per channel.
+  std::vector<glm::ivec2> gaps;           ///< Planes along z that no slice gave, {first, count}; filled in linearly.
+  std::vector<std::string> warnings;      ///< What the reader had to assume or mend, one line each.
+};
+
+std::size_t voxelCount(const Volume& volume);     ///< dims.x * dims.y * dims.z
+std::size_t timeStepBytes(const Volume& volume);  ///< Bytes of one of them.
+glm::dvec3 spacingOf(const Volume& volume);       ///< Lengths of the columns of worldFromVoxel.
+/// worldFromVoxel in another unit.
+glm::dmat4 worldFromVoxelIn(LengthUnit unit, const Volume& volume);
+/// The same volume with its world in another unit.
+void setLengthUnit(Volume& volume, LengthUnit unit);
+glm::dmat3 direction(const Volume& volume);  ///< Unit columns of worldFromVoxel.
+
+/// One sample as a value (scale and offset applied). Any thread.
+/// @param voxel  indices inside dims; not checked
+double valueAt(const Volume& volume, glm::ivec3 voxel, int channel = 0, int timeStep = 0);
+
+/// Fills `range` from the voxels; NaN and infinities are left out; {0, 0} when nothing finite is there.
+/// O(samples), all cores.
+void computeRange(Volume& volume);
+
+/// Calls `body(const T* samples, T{})`-style code for the volume's type: `visitSamples(v, [&](auto* p) { ... })`,
+/// p pointing at time step 0.
+template <class Body>
+decltype(auto) visitSamples(const Volume& volume, Body&& body) {
+  const void* p = volume.voxels.data();
+  switch (volume.type) {
+    case SampleType::UInt8:
+      return body(static_cast<const std::uint8_t*>(p));
+    case SampleType::Int8:
+      return body(static_cast<const std::int8_t*>(p));
+    case SampleType::UInt16:
+      return body(static_cast<const std::uint16_t*>(p));
+    case SampleType::Int16:
+      return body(static_cast<const std::int16_t*>(p));
+    case SampleType::UInt32:
+      return body(static_cast<const std::uint32_t*>(p));
+    case SampleType::Int32:
+      return body(static_cast<const std::int32_t*>(p));
+    case SampleType::Float32:
+      return body(static_cast<const float*>(p));
+    case SampleType::Float64:
+      break;
+  }
+  return body(static_cast<const double*>(p));
+}
+
+/// Where `fraction` (0..1) of the finite values of channel 0, time step 0 lie at or below. From a 4096-bin histogram.
+struct Histogram {
+  std::vector<std::uint64_t> counts;  ///< Bins of equal width over `range`.
+  glm::dvec2 range{0.0};
+};
+Histogram computeHistogram(const Volume& volume, int bins = 4096, int channel = 0, int timeStep = 0);
+double quantile(const Histogram& histogram, double fraction);
+
+/// The box that holds all voxels, in voxel space: from -0.5 to dims - 0.5. Centre and radius of its sphere, world.
+glm::dvec3 centreOf(const Volume& volume);
+double radiusOf(const Volume& volume);
+
+}  // namespace velum

@@ -1,0 +1,42 @@
+#pragma once
+#include "gpu/Buffer.h"
+#include "gpu/Program.h"
+#include "gpu/VertexArray.h"
+
+namespace velum::gpu {
+
+enum class Primitive { Triangles, Lines };
+
+struct DrawState {
+  bool depthTest = true;
+  bool depthWrite = true;
+  bool blend = false;
+};
+
+/// How much one draw draws, and from where. Vertices of an indexed draw are indices.
+struct DrawRange {
+  int vertices = 0;
+  int instances = 1;
+  int firstVertex = 0;
+  int firstInstance = 0;  ///< For attributes by instance; gl_InstanceID counts from 0 all the same.
+  int baseVertex = 0;     ///< Indexed draws: added to each index.
+};
+
+/// Draws into the framebuffer that is bound. Vertices are made from gl_VertexID and gl_InstanceID, or are a vertex
+/// array's. GL thread, as all of these.
+void draw(const Program& program, Primitive primitive, const DrawRange& range, const DrawState& state = {});
+void draw(const Program& program, const VertexArray& vertices, Primitive primitive, const DrawRange& range,
+          const DrawState& state = {});
+/// Vertices in the order of the array's indices.
+void drawIndexed(const Program& program, const VertexArray& vertices, Primitive primitive, const DrawRange& range,
+                 const DrawState& state = {});
+/// Draws what the shared::DrawCommands of a buffer say when the GPU comes to them: for what a shader culls or chooses
+/// (shaders/shared/draw.h). After gpu::barrier() where a shader wrote them.
+/// @param count  commands, from the `first` on
+void drawIndirect(const Program& program, const VertexArray& vertices, Primitive primitive, const Buffer& commands,
+                  int first, int count, const DrawState& state = {});
+/// As drawIndirect(), by shared::DrawIndexedCommands.
+void drawIndexedIndirect(const Program& program, const VertexArray& vertices, Primitive primitive,
+                         const Buffer& commands, int first, int count, const DrawState& state = {});
+
+}  // namespace velum::gpu

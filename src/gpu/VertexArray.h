@@ -1,0 +1,34 @@
+#pragma once
+#include <cstddef>
+#include <initializer_list>
+#include <string_view>
+
+#include "gpu/Buffer.h"
+#include "gpu/Handle.h"
+
+namespace velum::gpu {
+
+void deleteVertexArray(unsigned id);
+
+/// One input of a vertex shader, from a buffer that must outlive the vertex array.
+struct Attribute {
+  enum class Type { Float, Uint };
+  unsigned location = 0;
+  const Buffer* buffer = nullptr;
+  int components = 4;  ///< 1..4, four bytes each
+  Type type = Type::Float;
+  std::size_t offset = 0;    ///< Bytes to the first vertex's.
+  std::size_t stride = 0;    ///< Bytes from one vertex to the next; 0: tightly packed.
+  bool perInstance = false;  ///< One for each instance, from the draw's first instance on. In OpenGL 4.5 this is how
+                             ///< the instances of an indirect draw know their numbers.
+};
+
+/// What indexed draws and draws with attributes read. GL thread.
+class VertexArray : public Handle<deleteVertexArray> {
+ public:
+  VertexArray() = default;
+  /// @param indices  32-bit indices for indexed draws, must outlive this; nullptr: none
+  VertexArray(std::string_view label, std::initializer_list<Attribute> attributes, const Buffer* indices = nullptr);
+};
+
+}  // namespace velum::gpu

@@ -1,0 +1,183 @@
+#include "growth/RowTile.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace velum::growth {
+
+namespace {
+
+/// Rows are visited in so many before somebody is asked whether to go on.
+constexpr std::size_t kVisitsUncancelled = 64;
+
+}  // namespace
+
+RowTile::RowTile(glm::ivec2 first, glm::ivec3 dims)
+    : mFirst(first),
+      mCount(glm::min(glm::ivec2(kEdge), glm::ivec2(dims.y, dims.z) - first)),
+      mWidth(dims.x),
+      mWords(wordsOf(dims.x)),
+      mBits(std::size_t(kEdge * mCount.y * 3) * std::size_t(mWords)),
+      mFlags(std::size_t(kEdge * mCount.y)),
+      mNew(static_cast<std::size_t>(mWords)) {}
+
+const Word* RowTile::open(int row, const Admission& admission) {
+  Word* open = words(row, kOpen);
+  if (is(row, kIsKnown)) return open;
+  glm::ivec2 place = placeOf(row);
+  admission.open(place.x, place.y, open);
+  mark(row, kIsKnown);
+  return open;
+}
+
+bool RowTile::offer(int row, const Word* neighbour, int firstWord, int endWord) {
+  const Word *open = words(row, kOpen), *region = words(row, kRegion);
+  Word* front = words(row, kFront);
+  Word any = 0, unknown = is(row, kIsKnown) ? 0 : ~Word(0);
+  for (int w = firstWord; w < endWord; ++w) {
+    Word offered = neighbour[w] & ~region[w] & (open[w] | unknown);
+    front[w] |= offered;
+    any |= offered;
+  }
+  return any != 0;
+}
+
+void RowTile::join(int row, int x) {
+  setBit(region(row), x);
+  clearBit(front(row), x);
+  noteGrown(row);
+}
+
+void RowTile::noteGrown(int row) {
+  if (is(row, kHasChanged)) return;
+  mark(row, kHasChanged);
+  mChanged.push_back(std::uint16_t(row));
+}
+
+void RowTile::enqueue(int row) {
+  if (is(row, kIsQueued)) return;
+  mark(row, kIsQueued);
+  mQueue.push_back(std::uint16_t(row));
+}
+
+void RowTile::wait(int row) {
+  if (is(row, kIsWaiting)) return;
+  mark(row, kIsWaiting);
+  mWaiting.push_back(std::uint16_t(row));
+}
+
+bool RowTile::wake(const GrowDomain& domain) {
+  glm::ivec2 last = mFirst + mCount - 1;
+  if (mWaiting.empty() || !domain.mayMeet({0, mFirst}, {mWidth - 1, last})) return !mQueue.empty();
+  for (int row : mWaiting) {
+    unmark(row, kIsWaiting);
+    enqueue(row);
+  }
+  mWaiting.clear();
+  return true;
+}
+
+void RowTile::rest() {
+  for (int row : mQueue) {
+    unmark(row, kIsQueued);
+    wait(row);
+  }
+  mQueue.clear();
+}
+
+void RowTile::clearBorder() {
+  for (int row : mBorder) unmark(row, kIsOnBorder);
+  mBorder.clear();
+}
+
+std::vector<std::uint16_t> RowTile::takeChanged() {
+  for (int row : mChanged) unmark(row, kHasChanged);
+  return std::exchange(mChanged, {});
+}
+
+void RowTile::forget(int row) {
+  unmark(row, kIsKnown);
+  std::fill_n(words(row, kFront), mWords, Word(0));
+}
+
+void RowTile::settle(const Admission& admission, const GrowDomain& domain, const Progress& progress) {
+  for (std::size_t head = 0; head < mQueue.size();) {
+    if (head % kVisitsUncancelled == 0 && progress.isCancelled()) {
+      mQueue.erase(mQueue.begin(), mQueue.begin() + std::ptrdiff_t(head));
+      return;
+    }
+    visit(mQueue[head++], admission, domain);
+  }
+  mQueue.clear();
+}
+
+/// False where nothing joins. What joins is in mNew, in the words of the span.
+bool RowTile::fill(int row, RowSpan span) {
+  const Word* open = words(row, kOpen);
+  Word *region = words(row, kRegion), *front = words(row, kFront), *added = mNew.data();
+  int from = span.first / kWordBits, end = wordsOf(span.end);
+  Word any = 0, carry = 0;
+  for (int w = from; w < end; ++w) {
+    Word inside = spanBits(w, span.first, span.end), may = open[w] & ~region[w] & inside;
+    Word seeds = front[w] & may;
+    front[w] &= ~inside;
+    any |= seeds;
+    added[w] = fillUp(may, seeds, carry);
+  }
+  if (any == 0) return false;
+  Word above = 0;
+  for (int w = end; w-- > from;) {
+    Word may = open[w] & ~region[w] & spanBits(w, span.first, span.end);
+    Word filled = fillDown(may, added[w] | (above & may));
+    added[w] = filled;
+    above = filled << (kWordBits - 1);
+    region[w] |= filled;
+    mAdded += std::size_t(countBits(filled));
+  }
+  // What goes on behind the ends of the domain waits there.
+  auto leave = [&](int inside, int x) {
+    if (x >= 0 && x < mWidth && bitAt(added, inside) && bitAt(open, x) && !bitAt(region, x)) setBit(front, x);
+  };
+  leave(span.first, span.first - 1);
+  leave(span.end - 1, span.end);
+  return true;
+}
+
+void RowTile::handOn(int row, int firstWord, int endWord) {
+  int y = row % kEdge, z = row / kEdge;
+  auto give = [&](int other) {
+    if (offer(other, mNew.data(), firstWord, endWord)) enqueue(other);
+  };
+  if (y > 0) give(row - 1);
+  if (y + 1 < mCount.x) give(row + 1);
+  if (z > 0) give(row - kEdge);
+  if (z + 1 < mCount.y) give(row + kEdge);
+  bool isAtEdge = y == 0 || z == 0 || y + 1 == mCount.x || z + 1 == mCount.y;
+  if (isAtEdge && !is(row, kIsOnBorder)) {
+    mark(row, kIsOnBorder);
+    mBorder.push_back(std::uint16_t(row));
+  }
+}
+
+void RowTile::visit(int row, const Admission& admission, const GrowDomain& domain) {
+  ++mVisits;
+  unmark(row, kIsQueued);
+  glm::ivec2 place = placeOf(row);
+  RowSpan span = domain.rowSpan(place.x, place.y, mWidth);
+  Word* front = words(row, kFront);
+  int from = span.first / kWordBits, end = wordsOf(span.end);
+  Word inside = 0, all = 0;
+  for (int w = from; w < end; ++w) inside |= front[w] & spanBits(w, span.first, span.end);
+  bool hasGrown = false;
+  if (inside != 0) {
+    open(row, admission);
+    hasGrown = fill(row, span);
+  }
+  for (int w = 0; w < mWords; ++w) all |= front[w];
+  if (all != 0) wait(row);
+  if (!hasGrown) return;
+  noteGrown(row);
+  handOn(row, from, end);
+}
+
+}  // namespace velum::growth

@@ -1,0 +1,36 @@
+#pragma once
+#include <QObject>
+#include <QString>
+#include <memory>
+
+#include "session/Job.h"
+
+namespace velum::gui {
+
+/// A session::Job that tells by signals, in this object's thread. With the object go those that are still under way:
+/// who gives a job up hears no more of it. To let it go when it says that it has finished, use deleteLater().
+class Job : public QObject {
+  Q_OBJECT
+ public:
+  using Work = session::Job::Work;
+  Job(Work work, QObject* parent, session::Urgency urgency = session::Urgency::Background);
+  ~Job() override;
+
+  void start();
+  void cancel();
+
+ signals:
+  void progressed(double fraction, const QString& what);
+  /// @param error  one line for the user; empty when the work is done or was cancelled
+  void finished(bool done, const QString& error);
+
+ private:
+  Work mWork;
+  session::Urgency mUrgency;
+  std::unique_ptr<session::Job> mJob;
+};
+
+/// Passes on at most thirty reports a second, so that a fast reader does not flood the event queue.
+Progress::Listener throttled(std::function<void(double fraction, const QString& what)> listener);
+
+}  // namespace velum::gui

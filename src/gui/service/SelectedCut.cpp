@@ -1,0 +1,37 @@
+#include "gui/service/SelectedCut.h"
+
+#include "session/extrusion/Pull.h"
+
+namespace velum::gui {
+
+const scene::Cut* selectedCut(const session::Document& document, const Selection& selection) {
+  return scene::findCut(document.scene(), selection.cut());
+}
+
+const scene::Cut* selectedMembrane(const session::Document& document, const Selection& selection) {
+  const scene::Cut* cut = selectedCut(document, selection);
+  return cut && scene::isMembrane(*cut) ? cut : nullptr;
+}
+
+void editSelectedCut(session::Document& document, const Selection& selection, const std::string& label,
+                     const std::function<void(scene::Cut&)>& change, bool merge) {
+  if (!selectedCut(document, selection)) return;
+  document.edit(
+      label,
+      [&](scene::Scene& scene) {
+        scene::Cut& cut = *scene::findCut(scene, selection.cut());
+        scene::Cut before = cut;
+        change(cut);
+        session::carryPulled(scene, before);
+      },
+      merge);
+}
+
+void editSelectedMembrane(session::Document& document, const Selection& selection, const std::string& label,
+                          const std::function<void(scene::Membrane&)>& change, bool merge) {
+  if (!selectedMembrane(document, selection)) return;
+  editSelectedCut(
+      document, selection, label, [&](scene::Cut& cut) { change(*cut.membrane); }, merge);
+}
+
+}  // namespace velum::gui

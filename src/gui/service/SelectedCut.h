@@ -1,0 +1,22 @@
+#pragma once
+#include <functional>
+#include <string>
+
+#include "gui/service/Selection.h"
+#include "session/document/Document.h"
+
+namespace velum::gui {
+
+/// The cut that is selected; null when none is.
+const scene::Cut* selectedCut(const session::Document& document, const Selection& selection);
+/// The same where it is a membrane.
+const scene::Cut* selectedMembrane(const session::Document& document, const Selection& selection);
+
+/// Changes the selected cut as Document::edit() does; nothing without one.
+void editSelectedCut(session::Document& document, const Selection& selection, const std::string& label,
+                     const std::function<void(scene::Cut&)>& change, bool merge = false);
+/// The same for what is its own of a membrane; nothing where another cut is selected.
+void editSelectedMembrane(session::Document& document, const Selection& selection, const std::string& label,
+                          const std::function<void(scene::Membrane&)>& change, bool merge = false);
+
+}  // namespace velum::gui

@@ -1,0 +1,70 @@
+// The players of the session in the 3D view's sections: how far they go at a time, who hears of it.
+#include "gui/view/Viewport.h"
+
+namespace velum::gui {
+
+namespace {
+
+constexpr double kSheetMs = 8.0;  // beside a coarse picture's 28: events are still answered within 50
+constexpr int kTellMs = 200;
+
+}  // namespace
+
+/// Something may be due that no picture waits for.
+void Viewport::wakeSheets() {
+  bool isDue = !mSession.isSettled() || membranes().indices() != mIndicesTold || mSession.shownCount() != mSheetsShown;
+  if (mRenderer && isDue && !mSectionTimer.isActive() && !mPauseTimer.isActive()) mSectionTimer.start();
+}
+
+void Viewport::playersTold() {
+  wakeSheets();
+  tellSheets();
+  if (mRenderer) tellProgress();
+  emit playersHeard();
+}
+
+/// A section of the sheets' work. @return true when more is due at once
+bool Viewport::driveSheets() {
+  bool isMoving = mSession.advance(kSheetMs);
+  if (mSession.shownCount() != mSheetsShown) {
+    mPending = true;
+    mRestTimer.stop();
+  }
+  tellSheets();
+  return isMoving;
+}
+
+void Viewport::tellSheets() {
+  if (auto indices = membranes().indices(); indices != mIndicesTold) {
+    mIndicesTold = std::move(indices);
+    emit sheetsMoved();
+  }
+  bool settled = membranes().isSettled();
+  if (settled && mSheetsWereSettled) return;
+  if (settled == mSheetsWereSettled && mSinceSheetsTold.isValid() && mSinceSheetsTold.elapsed() < kTellMs) return;
+  mSheetsWereSettled = settled;
+  mSinceSheetsTold.start();
+  emit sheetsTold();
+}
+
+void Viewport::playMembranes(bool play) {
+  mSession.membranes().setPlaying(play);
+  wakeSheets();
+  emit sheetsTold();
+}
+
+void Viewport::stepMembranes() {
+  if (!bindContext()) return;
+  mSession.membranes().setPlaying(false);
+  mSession.membranes().stepOnce();
+  wakeSheets();
+  emit sheetsTold();
+}
+
+void Viewport::resetMembrane(int cut) {
+  mSession.membranes().reset(cut);
+  wakeSheets();
+  emit sheetsTold();
+}
+
+}  // namespace velum::gui

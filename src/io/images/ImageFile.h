@@ -1,0 +1,38 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/Image.h"
+
+namespace velum::io {
+
+/// A line of metadata.
+struct ImageAttribute {
+  std::string name, value;
+};
+
+/// The format of a picture that is to be written, before there is one. @throw InputError when the extension is unknown
+void expectImageFormat(const std::filesystem::path& path);
+
+/// Writes a picture: .png (sRGB as given; channels R, G, B[, A] only, or one as grey), .tif (as PNG; all
+/// channels in float as soon as there are others than colour), .exr (all channels, float).
+/// `description` (a scene as JSON) rides along: PNG tEXt "velum:scene", EXR attribute "velum:scene", TIFF
+/// ImageDescription behind the line "velum:scene". The same picture and description give the same bytes.
+/// Written to a temporary, then renamed. A path of "-" writes PNG to stdout.
+/// @param image  channels R, G, B, A are display-referred sRGB in 0..1 with straight (not premultiplied) alpha; EXR
+///               stores them linear and premultiplied
+/// @param dpi  pixels an inch when it is printed, for programs that lay pages out; 0: says nothing
+/// @param attributes  more of the metadata, in .exr only
+/// @param bits  8 or 16, of a sample in .png, and in .tif where there is only colour
+/// @throw InputError when the extension is unknown or the disk refuses
+void writeImage(const Image& image, const std::filesystem::path& path, const std::string& description = {},
+                double dpi = 0.0, const std::vector<ImageAttribute>& attributes = {}, int bits = 8);
+
+/// Reads a picture back, the counterpart of writeImage (8-bit formats give 0..1). @throw InputError
+Image readImage(const std::filesystem::path& path);
+
+/// The scene text inside a picture of ours; empty when there is none. @throw InputError when it is no picture
+std::string readImageDescription(const std::filesystem::path& path);
+
+}  // namespace velum::io

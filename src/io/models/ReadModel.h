@@ -1,0 +1,37 @@
+#pragma once
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "core/Model.h"
+#include "core/Task.h"
+
+namespace velum::io {
+
+/// A row of the table of model formats.
+struct ModelFormat {
+  std::string_view name;        ///< "BinaryCIF"
+  std::string_view extensions;  ///< ".bcif .bcif.gz"
+};
+/// In the order in which they are tried. For file dialogs and `info --formats`.
+std::span<const ModelFormat> modelFormats();
+
+/// True when a reader of models takes the file, by its content or by its ending and what lies beside it.
+/// Any thread; reads the file's first bytes.
+bool looksLikeModel(const std::filesystem::path& path);
+
+struct ModelReading {
+  /// Make what the files say is there and do not hold: lipids of an envelope, the strand in a capsid.
+  bool completes = true;
+};
+
+/// Reads a model of any of modelFormats().
+///
+/// Right-handed, in angstrom. Structures that the file names are looked for in its folder, the folders in that, and
+/// folders of structures beside it, and nowhere else.
+/// @throw InputError for a file that is missing, damaged or of no such format, naming it and the reason; Cancelled
+/// @note Any thread.
+Model readModel(const std::filesystem::path& path, Progress& progress, const ModelReading& reading = {});
+
+}  // namespace velum::io

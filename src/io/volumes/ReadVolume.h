@@ -1,0 +1,43 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/Task.h"
+#include "core/Volume.h"
+#include "scene/Source.h"
+
+namespace velum::io {
+
+/// One DICOM series found in a folder.
+struct SeriesInfo {
+  std::string uid;
+  std::string description;
+  std::string modality;  ///< DICOM code: "CT", "MR", "SEG", ...
+  int imageCount = 0;    ///< Sections, or frames of a multi-frame file.
+  glm::ivec2 size{0};    ///< Columns, rows.
+  std::string date;      ///< "2024-03-15"; empty when unknown.
+  bool isSegmentation = false;
+  std::string referencedSeries;      ///< Of a segmentation: the series that it is of; empty when unknown.
+  std::filesystem::path middleFile;  ///< Its image half way through; of a multi-frame file that file.
+  bool operator==(const SeriesInfo&) const = default;
+};
+
+/// The DICOM series in a folder and all folders below it (or in the folder of a DICOM file; of an index, DICOMDIR, in
+/// all below its folder), largest first. Empty when there is none. Reads headers only. Any thread. @throw InputError
+/// when the path does not exist; Cancelled
+std::vector<SeriesInfo> listSeries(const std::filesystem::path& path, Progress& progress);
+
+/// One image of a series, as a volume of one section: to know it by. @throw InputError, Cancelled. Any thread.
+Volume readSeriesImage(const SeriesInfo& series, Progress& progress);
+
+/// Reads a volume of any of formats().
+///
+/// Orientation, spacing, rescale and modality are those of the file, in the frame of Volume. What the reader had to
+/// assume stands in Volume::warnings. Nothing is allocated that the file's own size cannot justify.
+/// @param source  path and how to read it; the path is used as it is
+/// @throw InputError for a file that is missing, damaged or not supported, naming the file and the reason; Cancelled
+/// @note Any thread. Peak memory at most 2.2 times the voxels.
+Volume readVolume(const scene::Source& source, Progress& progress);
+
+}  // namespace velum::io

@@ -1,0 +1,19 @@
+#pragma once
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "scene/SheetShape.h"
+
+namespace velum::membrane {
+
+/// Where a plane meets a sheet.
+struct SheetCurve {
+  std::vector<glm::vec3> places;  ///< corners of a line, in the frame of the sheet
+  bool isClosed = false;          ///< back to the first; open ones end on the rim
+};
+
+/// The lines in which the plane dot(normal, p) = distance crosses a sheet, in any order. A sheet that lies in the plane
+/// gives none. Any thread; cost: the triangles.
+std::vector<SheetCurve> crossPlane(const scene::SheetShape& shape, glm::vec3 normal, float distance);
+
+}  // namespace velum::membrane

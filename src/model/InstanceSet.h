@@ -1,0 +1,43 @@
+#pragma once
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "core/Model.h"
+#include "gpu/Buffer.h"
+#include "gpu/Texture.h"
+#include "model/Levels.h"
+
+namespace velum::model {
+
+/// Where a model lies in the scene frame: angstrom * scale - origin.
+struct Placement {
+  glm::dvec3 origin{0.0};
+  double scale = 1.0;
+  bool operator==(const Placement&) const = default;
+};
+
+/// A model on the GPU: its instances, molecules, levels and balls, once whatever the number of copies. GL thread.
+class InstanceSet {
+ public:
+  InstanceSet() = default;
+  /// @throw gpu::GpuError when the driver has no memory for it
+  InstanceSet(const Model& model, const LevelSet& levels, const Placement& placement);
+  /// For all shaders that put in model/instances.glsl.
+  void bind() const;
+  int instanceCount() const { return mInstanceCount; }
+  std::uint64_t bytes() const;
+
+ private:
+  struct Rows {
+    gpu::Buffer buffer;
+    gpu::Texture texels;
+  };
+  template <class T>
+  static Rows rowsOf(const char* label, gpu::Format format, const std::vector<T>& values);
+
+  int mInstanceCount = 0;
+  Rows mInstances, mMolecules, mLevels, mBalls, mKinds;
+};
+
+}  // namespace velum::model

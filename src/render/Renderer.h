@@ -1,0 +1,104 @@
+#pragma once
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/Image.h"
+#include "core/Task.h"
+#include "gpu/Context.h"
+#include "render/Counts.h"
+#include "render/Frame.h"
+
+namespace velum::render {
+
+/// What happened while drawing.
+struct Stats {
+  std::string renderer;                    ///< GL_RENDERER
+  double frameMs = 0;                      ///< Time of the last complete frame, all samples, without uploads.
+  double uploadMs = 0;                     ///< Time of the last upload of data.
+  double longestStepMs = 0;                ///< Longest single piece of GL work of this frame.
+  int samples = 0;                         ///< Samples per pixel that are complete.
+  std::map<std::string, double> passesMs;  ///< By pass, of the last complete frame.
+  std::size_t labelBytes = 0;              ///< What of the labels was sent to the GPU for this frame.
+  std::string reduction;  ///< In words, when the data is shown at a lower level than it has; else empty.
+};
+
+/// What is under a pixel.
+struct Pick {
+  bool hit = false;
+  glm::dvec3 world{0.0};
+  glm::vec3 normal{0.0f};  ///< World frame, unit.
+  int structure = 0;       ///< Label id, 0 when there is none.
+  /// 0: the volume, its labels and what cuts show of them; then the scene's surfaces, in their order; then the model's
+  /// instances, copy by copy.
+  std::uint32_t instance = 0;
+  int type = -1;                    ///< Of an instance of the model: in Model::types.
+  std::uint32_t modelInstance = 0;  ///< Which, over all copies.
+  double value = 0;                 ///< Data value there (nearest voxel).
+};
+
+/// Which layers to read back.
+struct Layers {
+  bool position = false;
+  bool normal = false;
+  bool depth = false;
+  bool structure = false;
+  bool instance = false;
+  bool type = false;
+  bool ghosts = false;
+};
+
+/// Draws scenes. A frame is a queue of small pieces of work (uploads, tables, light, tiles, sample by sample), so that
+/// the caller decides how long to work at a time. Holds no truth: everything here can be made again from the frame.
+/// GL thread of its context.
+class Renderer {
+ public:
+  explicit Renderer(gpu::Context& context);
+  ~Renderer();
+
+  /// Works on a frame for about `budgetMs`, at least one piece. A frame that differs from the last one starts anew.
+  /// @return true when the frame is complete
+  /// @throw gpu::GpuError when the driver runs out of memory
+  bool work(const Frame& frame, double budgetMs);
+
+  /// Works until the frame is complete. @throw Cancelled
+  void render(const Frame& frame, Progress& progress);
+
+  /// Shows what there is of the last frame in a window's framebuffer (GL name), upright, scaled to its size.
+  void present(unsigned framebuffer, glm::ivec2 size);
+
+  /// The last frame's window: R, G, B, A display-referred with straight alpha, then the layers asked for:
+  /// "position.X/Y/Z" (world), "normal.X/Y/Z" (world), "Z" (distance from the eye, along the ray; infinity where
+  /// nothing is), "id" (structure), "instance" (as Pick; -1 where nothing is), "type" (of the model; -1 where there is
+  /// none of it), "ghosts.R/G/B/A" (what is blended over the picture of instances that cuts have removed, straight
+  /// alpha).
+  Image read(const Layers& layers = {});
+
+  /// What the last frame shows at a pixel of its window. From the drawn layers, so it agrees with the picture.
+  Pick pick(glm::ivec2 pixel) const;
+
+  /// The type of the scene's model that each pixel of the last frame's window shows, row by row from the top; -1 where
+  /// there is none of it. Empty without a model. Reads the whole window back.
+  std::vector<std::int32_t> typesOfPixels() const;
+
+  /// What became of the instances in the newest frame of which that has arrived, of those with Frame::countsInstances:
+  /// once each, at most two frames after it was complete, without waiting. @param waits  for the frame drawn last
+  std::optional<InstanceBits> bits(bool waits = false);
+
+  const Stats& stats() const;
+  /// Draws a frame's share of progress, 0..1.
+  double fractionDone() const;
+  /// Forgets everything on the GPU. The next work() makes it again.
+  void clear();
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> mImpl;
+  gpu::Context& mContext;
+};
+
+}  // namespace velum::render

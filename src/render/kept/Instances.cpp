@@ -1,0 +1,36 @@
+#include "render/kept/Instances.h"
+
+#include <algorithm>
+
+#include "model/InstanceRows.h"
+#include "render/FrameSetup.h"
+
+namespace velum::render {
+
+Instances::Instances(const scene::Scene& of, const SheetIndices& live)
+    : scene(of),
+      model(*of.model.data),
+      copies(scene::copyGrid(of.model)),
+      sheets(makeCpuSheets(of, live)),
+      spares(model::makeTypeSpareRows(of)),
+      whole(model::wholeInstanceBits(of)),
+      states(model.instances.size() * std::size_t(std::max(1, of.model.copies)), InstanceState::Kept) {
+  scene::ModelBox box = scene::modelBox(of.model);
+  scale = unitsPer(LengthUnit::Angstrom, of.unit);
+  origin = 0.5 * (box.low + box.high) * scale;
+  radius = 0.5 * glm::length(box.high - box.low) * scale;
+  cuts = makeCutData(of, origin, sheets.plans);
+}
+
+glm::vec3 Instances::middleOf(std::size_t i) const {
+  std::size_t count = model.instances.size();
+  const Instance& instance = model.instances[i % count];
+  int copy = int(i / count);
+  glm::ivec3 at(copy % copies.counts.x, copy / copies.counts.x % copies.counts.y,
+                copy / (copies.counts.x * copies.counts.y));
+  glm::dvec3 middle = glm::dvec3(instance.position) + glm::dvec3(instance.rotation * moleculeOf(i).centre) +
+                      copies.step * glm::dvec3(at);
+  return glm::vec3(middle * scale - origin);
+}
+
+}  // namespace velum::render

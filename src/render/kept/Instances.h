@@ -1,0 +1,48 @@
+#pragma once
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "core/Parallel.h"
+#include "render/kept/KeptInstances.h"
+#include "render/upload/CutSheets.h"
+#include "shared/instance.h"
+
+namespace velum::render {
+
+/// What is asked of the instances of a scene, as the programs that draw them are told.
+struct Instances {
+  const scene::Scene& scene;
+  const Model& model;
+  double scale = 1.0;  ///< Of an angstrom, in the scene's unit.
+  glm::dvec3 origin{0.0};
+  double radius = 0.0;
+  scene::CopyGrid copies;
+  CpuSheets sheets;
+  std::vector<shared::CutData> cuts;
+  std::vector<shared::TypeSpareRow> spares;
+  std::uint32_t whole = 0;
+  std::vector<InstanceState> states;
+
+  Instances(const scene::Scene& of, const SheetIndices& live);
+  std::size_t count() const { return states.size(); }
+  const Molecule& moleculeOf(std::size_t i) const {
+    return model.molecules[model.instances[i % model.instances.size()].molecule];
+  }
+  float radiusOf(std::size_t i) const { return float(double(moleculeOf(i).radius) * scale); }
+  glm::vec3 middleOf(std::size_t i) const;
+  const shared::TypeSpareRow& spareOf(std::size_t i, std::size_t cut) const {
+    return spares[moleculeOf(i).type * cuts.size() + cut];
+  }
+  float reachOf(std::size_t i, std::size_t cut) const {
+    return cut < 32 && (whole >> cut & 1u) != 0 ? radiusOf(i) : 0.0f;
+  }
+  template <class Look>
+  void forAll(const Look& look) const {
+    parallelForRanges(std::size_t(0), count(), std::size_t(4096), [&](std::size_t first, std::size_t end) {
+      for (std::size_t i = first; i < end; ++i) look(i);
+    });
+  }
+};
+
+}  // namespace velum::render

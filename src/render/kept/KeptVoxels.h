@@ -1,0 +1,16 @@
+#pragma once
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "core/Task.h"
+#include "scene/SceneFwd.h"
+
+namespace velum::render {
+
+/// Which voxels of a grid the cuts of a scene leave, by the middle of each: 1 or 0, [z][y][x]. Membranes as their
+/// shapes are. By the function that draws them. All cores, no GL. Any thread. @throw Cancelled
+std::vector<std::uint8_t> keptVoxels(const scene::Scene& scene, glm::ivec3 dims, const glm::dmat4& worldFromVoxel,
+                                     Progress& progress);
+
+}  // namespace velum::render

@@ -1,0 +1,37 @@
+#pragma once
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "scene/Scene.h"
+
+namespace velum::scene {
+
+/// A finish by name.
+struct NamedFinish {
+  std::string_view name;   ///< "pencil"
+  std::string_view title;  ///< "Pencil"
+  std::string_view tip;    ///< what it is, for people
+};
+
+/// Every one, in the order of the window; the first, "none", adds nothing.
+std::span<const NamedFinish> finishes();
+
+/// Gives a scene a finish by name. The user's own lit spheres and paper, and the spheres that structures name, stay.
+/// @throw ArgumentError for an unknown name, listing the known ones
+void applyFinish(Scene& scene, std::string_view name);
+
+/// By which name a finish has its values; empty: they are the user's own.
+std::string_view finishName(const Finish& finish);
+
+/// True when a picture with it differs from one without.
+bool addsAnything(const Finish& finish);
+
+/// The user's own lit sphere of a name; nullptr: there is none.
+const LitSphere* ownLitSphere(const Finish& finish, std::string_view name);
+/// True of a name that one of ours or of the user's own has.
+bool isLitSphere(const Finish& finish, std::string_view name);
+/// Lit spheres that a scene names and nobody has.
+std::vector<std::string> unknownLitSpheres(const Scene& scene);
+
+}  // namespace velum::scene

@@ -1,0 +1,128 @@
+#pragma once
+#include <glm/glm.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/Fields.h"
+#include "core/Levels.h"
+#include "core/Model.h"
+#include "core/Shared.h"
+#include "scene/Source.h"
+
+namespace velum::scene {
+
+/// What instances of a model have their colours by.
+enum class Palette { Type, Compartment, Function, Element, Chain };
+
+/// How instances that cuts have removed still show.
+enum class Ghosts { None, Filled, Contour };
+
+/// How the instances of one type are shown, where that is not as the layer says.
+struct TypeLook {
+  static constexpr std::string_view kKey = "type";  ///< that a bare value stands for on the command line
+
+  std::string type;  ///< its path: "root.capsid.surface.CA"
+  bool visible = true;
+  std::optional<glm::vec3> color;  ///< sRGB; none: the palette's
+  std::string litSphere;           ///< of a finished picture; empty: as Finish::sphere says
+  std::optional<Ghosts> ghosts;    ///< of its instances; none: as the layer says
+  bool operator==(const TypeLook&) const = default;
+  static void fields(auto& o, auto& visit) {
+    visit("type", o.type, FieldInfo{"", {}, "Path of the type, its compartments with dots between them."});
+    visit("visible", o.visible, FieldInfo{"", {}, "Off: its instances are not drawn."});
+    visit("color", o.color, FieldInfo{"", {0, 1}, "sRGB colour; null: the palette's.", true});
+    visit("litSphere", o.litSphere,
+          FieldInfo{"", {}, "Lit sphere of a finished picture; empty: that of the finish.", true});
+    visit("ghosts", o.ghosts, FieldInfo{"", {}, "How removed instances show; null: as the layer says.", true});
+  }
+};
+
+/// How many instances of a type are wanted: what solvers set the shares of cuts by.
+struct TypeTarget {
+  static constexpr std::string_view kKey = "type";  ///< that a bare value stands for on the command line
+
+  std::string type;                ///< path of a type, or of a compartment for all types below it
+  std::optional<double> rendered;  ///< that no cut removes
+  std::optional<double> visible;   ///< that show in the picture
+  bool operator==(const TypeTarget&) const = default;
+  static void fields(auto& o, auto& visit) {
+    visit("type", o.type, FieldInfo{"", {}, "Path of a type, or of a compartment for all types below it."});
+    visit("rendered", o.rendered, FieldInfo{"", {0, 1e9}, "Instances that no cut removes; null: any number.", true});
+    visit("visible", o.visible, FieldInfo{"", {0, 1e9}, "Instances that show in the picture; null: any number.", true});
+  }
+};
+
+/// Copies of a model side by side.
+constexpr int kMostCopies = 4096;
+
+/// A model of molecules and how it is shown.
+struct ModelLayer {
+  Source source;
+  Shared<Model> data;       ///< not saved: read from `source`
+  Shared<LevelSet> levels;  ///< not saved: made of `data`; who draws makes them where there are none
+  bool visible = true;
+  bool completes = true;            ///< lipids and strands that the file leaves out are made
+  int copies = 1;                   ///< of the whole model, side by side in a block, 1..kMostCopies
+  Palette palette = Palette::Type;  ///< by which instances have their colours
+  double nearColors = 0.0;          ///< how far chains and elements show as shades of it where one is close, 0..1
+  double detail = 1.0;  ///< how much of a pixel drawn shapes may be off by, 0.1..16; smaller is finer, and slower
+  Ghosts ghosts = Ghosts::None;     ///< of instances that cuts have removed
+  double ghostOpacity = 0.25;       ///< 0..1
+  std::vector<TypeLook> types;      ///< of types that are shown otherwise, once each
+  std::vector<TypeTarget> targets;  ///< how many instances of types are wanted
+  bool operator==(const ModelLayer&) const = default;
+  static void fields(auto& o, auto& visit) {
+    visit("source", o.source, FieldInfo{"", {}, "Where the model comes from."});
+    visit("visible", o.visible, FieldInfo{"", {}, "Off: the model is not drawn."});
+    visit("completes", o.completes, FieldInfo{"", {}, "Lipids and strands that the file leaves out are made."});
+    visit("copies", o.copies, FieldInfo{"", {1, kMostCopies}, "Copies of the whole model, side by side in a block."});
+    visit("palette", o.palette, FieldInfo{"", {}, "What instances have their colours by."});
+    visit("nearColors", o.nearColors,
+          FieldInfo{"", {0, 1}, "How far chains and elements show as shades of it where one is close."});
+    visit("detail", o.detail,
+          FieldInfo{"pixel", {0.1, 16}, "How much drawn shapes may be off; smaller is finer, and slower."});
+    visit("ghosts", o.ghosts, FieldInfo{"", {}, "How instances that cuts have removed still show.", true});
+    visit("ghostOpacity", o.ghostOpacity, FieldInfo{"", {0, 1}, "Opacity of these.", true});
+    visit("types", o.types, FieldInfo{"", {}, "Types that are shown otherwise."});
+    visit("targets", o.targets, FieldInfo{"", {}, "How many instances of types are wanted.", true});
+  }
+};
+
+/// The colour of each type of a layer's model: what the user says, else the palette's. Of the palettes that tell parts
+/// of a molecule apart it is the colour that these are shades of. sRGB, by the type's place in the model.
+std::vector<glm::vec3> typeColors(const ModelLayer& layer);
+
+/// How the removed instances of a type show. @param look  of the type, see typeLook()
+inline Ghosts ghostsOf(const ModelLayer& layer, const TypeLook& look) { return look.ghosts.value_or(layer.ghosts); }
+/// Whether removed instances of any type show.
+bool hasGhosts(const ModelLayer& layer);
+
+/// How one type is shown: as the layer lists it, or as nothing is said of it.
+TypeLook typeLook(const ModelLayer& layer, std::string_view path);
+
+/// From one copy of the model to the next along each axis, and how many there are along each. Of ModelLayer::copies, in
+/// the model's own unit (angstrom).
+struct CopyGrid {
+  glm::ivec3 counts{1};
+  glm::dvec3 step{0.0};
+};
+CopyGrid copyGrid(const ModelLayer& layer);
+
+/// A box around the spheres of all instances of all copies, the model's unit.
+struct ModelBox {
+  glm::dvec3 low{0.0}, high{0.0};
+};
+ModelBox modelBox(const ModelLayer& layer);
+
+}  // namespace velum::scene
+
+template <>
+struct velum::EnumNames<velum::scene::Palette> {
+  static constexpr std::string_view kNames[] = {"type", "compartment", "function", "element", "chain"};
+};
+template <>
+struct velum::EnumNames<velum::scene::Ghosts> {
+  static constexpr std::string_view kNames[] = {"none", "filled", "contour"};
+};

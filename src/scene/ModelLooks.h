@@ -1,0 +1,32 @@
+#pragma once
+#include <span>
+#include <string_view>
+
+#include "scene/SceneFwd.h"
+
+namespace velum::scene {
+
+/// A look of models by name: palette, light, contours, background.
+struct NamedModelLook {
+  std::string_view name;   ///< "plate"
+  std::string_view title;  ///< "Plate"
+  std::string_view tip;    ///< what it is, for people
+};
+
+/// What a model has that is opened.
+constexpr std::string_view kFirstModelLook = "plate";
+
+/// Every one, in the order of the window.
+std::span<const NamedModelLook> modelLooks();
+
+/// Gives a scene a look by name. Colours that types have of their own, and the user's own lit spheres and paper, stay.
+/// @throw ArgumentError for an unknown name, listing the known ones
+void applyModelLook(Scene& scene, std::string_view name);
+
+/// True of a name in the list.
+bool isModelLook(std::string_view name);
+
+/// By which name a scene has its look; empty: it is the user's own.
+std::string_view modelLookName(const Scene& scene);
+
+}  // namespace velum::scene

@@ -1,0 +1,44 @@
+#pragma once
+#include <span>
+#include <string_view>
+
+#include "core/Volume.h"
+#include "scene/Scene.h"
+
+namespace velum::scene {
+
+/// A named look. Values are data values (Hounsfield units) when `isAbsolute`, else fractions of the way from the
+/// background of this volume (0) to its brightest thousandth (1).
+struct Preset {
+  std::string_view name;   ///< "ct-bone"
+  std::string_view title;  ///< "CT: bone"
+  Modality modality;
+  bool isAbsolute;
+};
+
+/// Every preset, in the order of menus.
+std::span<const Preset> presets();
+
+/// Gives a layer and the lighting the look of a preset, fitted to the layer's volume; where channels are mixed, the
+/// current one, which keeps its colour.
+/// @throw ArgumentError for an unknown name, listing the known ones
+void applyPreset(Scene& scene, std::string_view name);
+
+/// Whether a preset is one of projections: the largest value along a ray shows in its colour.
+bool isProjectionLook(std::string_view name);
+
+/// Whether a preset is one of data that is material all over, as the ground is: its box is the object.
+bool isAllMaterial(std::string_view preset);
+
+/// The preset that fits what the volume says of itself and, where it says nothing, its histogram. Never leaves the
+/// picture empty.
+std::string_view choosePreset(const Volume& volume);
+
+/// Gives each channel of a volume with several a look of its own, fitted to its values, where the layer has none yet.
+/// Colours that the colour-blind can tell apart come first.
+void completeChannels(VolumeLayer& layer);
+
+/// Gives a channel a colour: on sections, and the ramp from dark to it in the 3D picture.
+void colorChannel(ChannelLook& look, glm::vec3 color);
+
+}  // namespace velum::scene

@@ -1,0 +1,16 @@
+#pragma once
+
+/// For headers that take a scene, or a part of one, by reference: whoever touches what is in it includes Scene.h.
+namespace velum::scene {
+
+struct Camera;
+struct Cut;
+struct LabelLayer;
+struct ModelLayer;
+struct Scene;
+struct Source;
+struct Structure;
+struct Surface;
+struct VolumeLayer;
+
+}  // namespace velum::scene

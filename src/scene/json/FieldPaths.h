@@ -1,0 +1,107 @@
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/Error.h"
+#include "scene/json/FieldJson.h"
+#include "scene/json/PathKey.h"
+
+/// Single fields of structs by their paths: "rayCast.stepVoxels", "cuts.0.centre", "cuts[Plane 1].enabled".
+namespace velum::scene::detail {
+
+/// JSON as it stands; else a comma list of numbers; else a bare word.
+Json parseValue(std::string_view text);
+
+/// The counterpart, without quotes and brackets where none are needed: mip, 1,2,3. One line.
+std::string valueText(const Json& value);
+
+/// The first part of a path, and what follows it: "rayCast" and "mode", "cuts" and "[Plane 1].enabled".
+struct PathPart {
+  std::string_view head, tail;
+};
+PathPart takePart(std::string_view path);
+/// @throw ArgumentError that names the fields there are @param path  of the struct; empty: the scene
+[[noreturn]] void failNoField(std::string_view name, const std::string& path, const std::vector<std::string>& known);
+
+/// On the command line a bare value stands for an object with its key field alone: spares=3,4.
+template <class T>
+Json expanded(Json value) {
+  if constexpr (List<T>) {
+    if (!value.is_array()) value = Json::array({value});
+    for (auto& item : value) item = expanded<typename ListTraits<T>::Item>(std::move(item));
+  } else if constexpr (requires { T::kKey; }) {
+    if (!value.is_object()) return {{std::string(T::kKey), std::move(value)}};
+  }
+  return value;
+}
+
+void assign(auto& target, std::string_view rest, std::string_view text, const std::string& path, const FieldInfo& info);
+
+template <Fielded T>
+void assignMember(T& target, std::string_view rest, std::string_view text, const std::string& path) {
+  PathPart part = takePart(rest);
+  bool found = false;
+  std::vector<std::string> known;
+  auto visit = [&](std::string_view name, auto& member, const FieldInfo& info) {
+    known.emplace_back(name);
+    if (name != part.head) return;
+    found = true;
+    assign(member, part.tail, text, path.empty() ? std::string(name) : fmt::format("{}.{}", path, name), info);
+  };
+  T::fields(target, visit);
+  if (!found) failNoField(part.head, path, known);
+}
+
+void assign(auto& target, std::string_view rest, std::string_view text, const std::string& path,
+            const FieldInfo& info) {
+  using T = std::remove_cvref_t<decltype(target)>;
+  if (rest.empty()) {
+    try {
+      Json value = parseValue(text);
+      if constexpr (std::is_same_v<T, std::string>) {
+        if (!value.is_string()) value = std::string(text);
+      }
+      read(target, expanded<T>(std::move(value)), path, info);
+    } catch (const InputError& error) {
+      throw ArgumentError(error.what());
+    }
+    return;
+  }
+  if constexpr (Maybe<T>) {
+    if (!target) target.emplace();
+    assign(*target, rest, text, path, info);
+  } else if constexpr (List<T>) {
+    if (rest.starts_with('[')) {
+      PathKey key = takeKey(rest, path);
+      std::size_t found = findByKey(target, key.name, path);
+      return assign(target[found], key.rest, text, fmt::format("{}[{}]", path, key.name), info);
+    }
+    std::string_view head = rest.substr(0, rest.find('.'));
+    std::string_view tail = head.size() == rest.size() ? "" : rest.substr(head.size() + 1);
+    if (head == "*") {
+      for (std::size_t i = 0; i < target.size(); ++i)
+        assign(target[i], tail, text, fmt::format("{}.{}", path, i), info);
+      return;
+    }
+    std::size_t index = target.size();
+    if (head != "+") {
+      index = 0;
+      for (char c : head)
+        index = c >= '0' && c <= '9' ? std::min(info.most, index * 10 + std::size_t(c - '0')) : info.most;
+      if (head.empty() || index > target.size())
+        throw ArgumentError(fmt::format("{} has {} items; '{}' is none of them (use + to append, * for each)", path,
+                                        target.size(), head));
+    }
+    if (index >= info.most)
+      throw ArgumentError(fmt::format("{} has {} items, and more it cannot have", path, info.most));
+    if (index == target.size()) target.emplace_back();
+    assign(target[index], tail, text, fmt::format("{}.{}", path, index), info);
+  } else if constexpr (Fielded<T>) {
+    assignMember(target, rest, text, path);
+  } else {
+    throw ArgumentError(fmt::format("{} has no part '{}'", path, rest));
+  }
+}
+
+}  // namespace velum::scene::detail

@@ -1,0 +1,57 @@
+#pragma once
+#include <glm/glm.hpp>
+#include <string>
+#include <string_view>
+
+#include "core/Fields.h"
+
+/// The arguments of commands of growing: what is pulled where nothing is labelled, and how it is corrected.
+namespace velum::session {
+
+inline constexpr FieldInfo kGrownInfo{"", {}, "Name or number of a structure that was grown."};
+
+struct PullAt {
+  static constexpr std::string_view kName = "growth.pullAt";
+  glm::dvec3 place{0.0};
+  double distance = 0.0;
+  std::string cut;
+  static void fields(auto& o, auto& visit) {
+    visit("place", o.place, FieldInfo{kLength, {}, "On the cut's face: where a hand would press, world."});
+    visit("distance", o.distance, FieldInfo{kLength, {0, 1e6}, "How far out of the cut's face."});
+    visit("cut", o.cut, FieldInfo{"", {}, "Name or number of the cut it is pulled out of; nothing: the only one."});
+  }
+};
+
+struct AddSeed {
+  static constexpr std::string_view kName = "growth.addSeed";
+  std::string structure;
+  glm::dvec3 place{0.0};
+  static void fields(auto& o, auto& visit) {
+    visit("structure", o.structure, kGrownInfo);
+    visit("place", o.place, FieldInfo{kLength, {}, "From where it goes on, world."});
+  }
+};
+
+struct NotThis {
+  static constexpr std::string_view kName = "growth.notThis";
+  std::string structure;
+  glm::dvec3 place{0.0};
+  static void fields(auto& o, auto& visit) {
+    visit("structure", o.structure, kGrownInfo);
+    visit("place", o.place, FieldInfo{kLength, {}, "In what it has leaked into, world."});
+  }
+};
+
+struct GrowOn {
+  static constexpr std::string_view kName = "growth.growOn";
+  std::string structure;
+  static void fields(auto& o, auto& visit) { visit("structure", o.structure, kGrownInfo); }
+};
+
+struct ForgetGrown {
+  static constexpr std::string_view kName = "growth.forget";
+  std::string structure;
+  static void fields(auto& o, auto& visit) { visit("structure", o.structure, kGrownInfo); }
+};
+
+}  // namespace velum::session

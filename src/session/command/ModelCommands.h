@@ -1,0 +1,97 @@
+#pragma once
+#include <glm/glm.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scene/ModelLayer.h"
+#include "scene/SceneFwd.h"
+#include "session/model/ModelEdit.h"
+
+/// The arguments of commands of the types of a model. Types and compartments are named by their paths.
+namespace velum::session {
+
+/// Types as commands name them: by their paths.
+std::vector<std::string> typeNames(const scene::Scene& scene, const TypeNumbers& types);
+/// The counterpart; a compartment stands for all types in it. @throw ArgumentError that says which was likely meant
+TypeNumbers typeNumbers(const scene::Scene& scene, const std::vector<std::string>& names);
+
+inline constexpr FieldInfo kTypesInfo{"", {}, "Paths of types or compartments, with commas between them."};
+
+struct ShowTypes {
+  static constexpr std::string_view kName = "model.show";
+  std::vector<std::string> types;
+  bool visible = true;
+  static void fields(auto& o, auto& visit) {
+    visit("types", o.types, kTypesInfo);
+    visit("visible", o.visible, FieldInfo{"", {}, "Off: they are hidden."});
+  }
+};
+
+struct ColorTypes {
+  static constexpr std::string_view kName = "model.color";
+  std::vector<std::string> types;
+  glm::vec3 color{1.0f};
+  static void fields(auto& o, auto& visit) {
+    visit("types", o.types, kTypesInfo);
+    visit("color", o.color, FieldInfo{"", {0, 1}, "sRGB."});
+  }
+};
+
+struct TakePaletteColor {
+  static constexpr std::string_view kName = "model.paletteColor";
+  std::vector<std::string> types;
+  static void fields(auto& o, auto& visit) { visit("types", o.types, kTypesInfo); }
+};
+
+struct ResetTypes {
+  static constexpr std::string_view kName = "model.reset";
+  std::vector<std::string> types;
+  static void fields(auto& o, auto& visit) { visit("types", o.types, kTypesInfo); }
+};
+
+struct SetTypeGhosts {
+  static constexpr std::string_view kName = "model.ghosts";
+  std::vector<std::string> types;
+  scene::Ghosts ghosts = scene::Ghosts::None;
+  static void fields(auto& o, auto& visit) {
+    visit("types", o.types, kTypesInfo);
+    visit("ghosts", o.ghosts, FieldInfo{"", {}, "How instances show that cuts have removed."});
+  }
+};
+
+struct SetTypeTarget {
+  static constexpr std::string_view kName = "model.target";
+  std::string type;
+  double visible = 0.0;
+  bool isAny = false;
+  static void fields(auto& o, auto& visit) {
+    visit("type", o.type, FieldInfo{"", {}, "Path of a type or compartment."});
+    visit("visible", o.visible, FieldInfo{"", {0, 1e9}, "So many of its instances are to be seen."});
+    visit("isAny", o.isAny, FieldInfo{"", {}, "On: any number will do again."});
+  }
+};
+
+struct LeaveTypes {
+  static constexpr std::string_view kName = "model.leave";
+  std::vector<std::string> types;
+  double share = 1.0;
+  std::string cut;
+  static void fields(auto& o, auto& visit) {
+    visit("types", o.types, kTypesInfo);
+    visit("share", o.share, FieldInfo{"", {0, 1}, "Of their instances a cut leaves so much."});
+    visit("cut", o.cut, FieldInfo{"", {}, "Name or number of the cut; nothing: the only one."});
+  }
+};
+
+struct KeepInView {
+  static constexpr std::string_view kName = "model.keepInView";
+  std::string type;
+  bool kept = true;
+  static void fields(auto& o, auto& visit) {
+    visit("type", o.type, FieldInfo{"", {}, "Path of a type or compartment."});
+    visit("kept", o.kept, FieldInfo{"", {}, "Off: it may be hidden again."});
+  }
+};
+
+}  // namespace velum::session

@@ -1,0 +1,43 @@
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/Task.h"
+#include "scene/SceneFwd.h"
+
+/// Where a scene's data is: remembered by path and fingerprint, looked for when it has moved.
+namespace velum::session {
+
+/// What tells one file from another without reading all of it: its size and a hash of its first and last 64 KiB; of a
+/// folder the number of its files and a hash of their names and sizes. Empty when it cannot be read. Any thread.
+std::string fingerprintOf(const std::filesystem::path& path);
+
+/// Looks for data that is not where the scene says: by its name beside the scene file, in the tree of folders there
+/// (bounded), and in other folders; where the scene knows its fingerprint, it must fit, and another name will do.
+/// @throw Cancelled. Any thread.
+std::optional<std::filesystem::path> findMoved(const scene::Source& source, const std::filesystem::path& sceneFolder,
+                                               const std::vector<std::filesystem::path>& otherFolders,
+                                               Progress& progress);
+
+/// How to open a scene whose data may have moved.
+struct DataPolicy {
+  std::vector<std::filesystem::path> folders;          ///< where to look, too: those of recent files
+  bool keepsWithoutData = false;                       ///< what is not found is left out, instead of an error
+  std::function<void(scene::Scene&)> beforeData = {};  ///< applied to a scene file before its data is read
+};
+
+/// Data that a scene names and does not hold.
+struct MissingData {
+  std::string field;  ///< "volume.source.path", "surfaces.2.source.path"
+  std::string what;   ///< for people: "volume", "labels", "surface"
+  std::string path;
+};
+std::vector<MissingData> missingData(const scene::Scene& scene);
+
+/// One line for the user: what is missing, and what to do.
+std::string sayMissing(const MissingData& missing);
+
+}  // namespace velum::session

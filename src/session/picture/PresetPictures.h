@@ -1,0 +1,32 @@
+#pragma once
+#include <functional>
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+
+#include "core/Image.h"
+#include "core/Task.h"
+#include "scene/SceneFwd.h"
+
+namespace velum::session {
+
+/// One channel of one time step of a volume with at most `mostAlong` voxels along its longest side: means of blocks.
+/// Keeps place, unit, modality and range. O(voxels), all cores. @throw Cancelled
+Volume reduceVolume(const Volume& volume, int channel, int timeStep, int mostAlong, const Progress& progress);
+
+/// The small volume from which previews are drawn.
+constexpr int kPreviewVoxels = 96;
+
+/// A scene that shows a preset on the small copy of a volume: seen from the front, no cuts, no labels, no shadows.
+/// @param scene  with the whole volume, to which the preset is fitted
+scene::Scene presetScene(const scene::Scene& scene, const Shared<Volume>& small, const std::string& preset,
+                         double aspect);
+
+/// Draws presets on the scene's volume, one after another, on a headless context of its own. Any thread that has no
+/// current context of ours.
+/// @param done  called with each picture (R, G, B), from this thread
+/// @throw Cancelled, gpu::GpuError
+void drawPresetPictures(const scene::Scene& scene, const std::vector<std::string>& presets, glm::ivec2 size,
+                        const std::function<void(const std::string&, const Image&)>& done, Progress& progress);
+
+}  // namespace velum::session

@@ -1,0 +1,15 @@
+#pragma once
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+
+#include "scene/SceneFwd.h"
+
+namespace velum::session {
+
+/// Gives a structure a name, without blanks at its ends.
+void renameStructure(scene::Scene& scene, int id, const std::string& name);
+/// Gives structures a colour of their own: one that was grown has the material's colours until then.
+void colorStructures(scene::Scene& scene, const std::vector<int>& ids, glm::vec3 color);
+
+}  // namespace velum::session

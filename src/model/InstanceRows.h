@@ -1,7 +1,9 @@
 #pragma once
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
+#include "core/Model.h"
 #include "scene/SceneFwd.h"
 #include "scene/Spare.h"
 

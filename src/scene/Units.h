@@ -2,6 +2,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/Units.h"
 #include "scene/SceneFwd.h"
 
 namespace velum::scene {

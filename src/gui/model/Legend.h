@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/Model.h"
+#include "core/Shared.h"
 #include "gui/tool/Manipulator.h"
 #include "gui/view/Viewport.h"
 #include "scene/SceneFwd.h"

@@ -3,6 +3,9 @@
 #include <QString>
 #include <map>
 
+#include "core/LabelVolume.h"
+#include "core/Shared.h"
+#include "core/Volume.h"
 #include "gui/service/NewestJob.h"
 #include "scene/SceneFwd.h"
 #include "session/structure/StructureSizes.h"

@@ -1,5 +1,7 @@
 #pragma once
+#include <glm/glm.hpp>
 #include <limits>
+#include <optional>
 
 #include "gui/kit/Points.h"
 #include "gui/tool/ToolView.h"

@@ -1,9 +1,12 @@
 #pragma once
 #include <cstddef>
+#include <cstdint>
+#include <glm/glm.hpp>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "core/Task.h"
 #include "membrane/forces/Forces.h"
 #include "membrane/forces/Kernels.h"
 #include "membrane/forces/LeastCut.h"

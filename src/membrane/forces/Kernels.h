@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "core/LabelVolume.h"
+#include "core/Shared.h"
 #include "core/Task.h"
 #include "scene/Membrane.h"
 #include "scene/SceneFwd.h"

@@ -1,5 +1,6 @@
 #pragma once
 #include "core/Task.h"
+#include "core/Volume.h"
 #include "scene/SceneFwd.h"
 
 namespace velum::session {

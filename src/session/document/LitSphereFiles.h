@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "core/Image.h"
+#include "core/Shared.h"
 #include "scene/SceneFwd.h"
 
 namespace velum::session {

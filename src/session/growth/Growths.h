@@ -1,10 +1,12 @@
 #pragma once
 #include <functional>
+#include <glm/glm.hpp>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "core/Task.h"
+#include "core/Volume.h"
 #include "growth/GrowOverTime.h"
 #include "scene/Growth.h"
 #include "scene/SceneFwd.h"

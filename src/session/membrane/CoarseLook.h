@@ -1,4 +1,6 @@
 #pragma once
+#include <cstdint>
+#include <glm/glm.hpp>
 #include <optional>
 
 #include "core/Task.h"

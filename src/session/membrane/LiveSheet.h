@@ -2,6 +2,8 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "membrane/forces/Forces.h"
 #include "membrane/forces/KeptWhole.h"

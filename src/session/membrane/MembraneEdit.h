@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/Model.h"
 #include "scene/Membrane.h"
 #include "scene/SceneFwd.h"
 #include "scene/Structure.h"

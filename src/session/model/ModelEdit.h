@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/Model.h"
 #include "scene/ModelLayer.h"
 #include "scene/SceneFwd.h"
 

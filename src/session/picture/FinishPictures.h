@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "core/Image.h"
+#include "core/Shared.h"
 #include "core/Task.h"
+#include "core/Volume.h"
 #include "scene/SceneFwd.h"
 
 namespace velum::session {

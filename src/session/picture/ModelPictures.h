@@ -1,9 +1,12 @@
 #pragma once
 #include <functional>
+#include <glm/glm.hpp>
 #include <string>
 #include <vector>
 
 #include "core/Image.h"
+#include "core/Model.h"
+#include "core/Shared.h"
 #include "core/Task.h"
 #include "scene/SceneFwd.h"
 

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/LabelVolume.h"
 #include "core/Task.h"
 #include "scene/SceneFwd.h"
 

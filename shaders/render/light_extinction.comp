@@ -5,7 +5,7 @@ layout(local_size_x = 4, local_size_y = 4, local_size_z = 4) in;
 #include "common/cuts.glsl"
 #include "common/volume.glsl"
 
-layout(binding = 0, r32f) uniform writeonly image3D extinctionImage;
+layout(binding = kLightImage, r32f) uniform writeonly image3D extinctionImage;
 
 layout(location = 0) uniform int firstLayer;  // z of the first cells
 

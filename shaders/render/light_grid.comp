@@ -4,8 +4,8 @@ layout(local_size_x = 4, local_size_y = 4, local_size_z = 4) in;
 
 #include "common/frame.glsl"
 
-layout(binding = kLightUnit) uniform sampler3D extinctionTexture;
-layout(binding = 0, rg8) uniform image3D lightImage;
+layout(binding = kLightExtinctionUnit) uniform sampler3D extinctionTexture;
+layout(binding = kLightImage, rg8) uniform image3D lightImage;
 
 layout(location = 0) uniform int firstLayer;    // z of the first cells
 layout(location = 1) uniform int keepsOpenness; // 1: no turn of the light changes it

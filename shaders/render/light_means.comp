@@ -4,8 +4,8 @@ layout(local_size_x = 4, local_size_y = 4, local_size_z = 4) in;
 
 #include "shared/frame.h"
 
-layout(binding = kLightUnit) uniform sampler3D extinctionTexture;
-layout(binding = 0, r32f) uniform writeonly image3D meanImage;
+layout(binding = kLightExtinctionUnit) uniform sampler3D extinctionTexture;
+layout(binding = kLightImage, r32f) uniform writeonly image3D meanImage;
 
 layout(location = 0) uniform int level;  // that is made
 

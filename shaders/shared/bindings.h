@@ -1,4 +1,5 @@
-// Where everything is bound: one list, so that no two things of a frame want the same place.
+// Where everything is bound: a texture unit, a uniform block and a storage block below kFirstLent are one thing's alone, while image
+// units and the storage blocks from there on are lent to one dispatch at a time, which binds all of its own right before.
 #ifndef VELUM_SHARED_BINDINGS_H
 #define VELUM_SHARED_BINDINGS_H
 #include "shared/types.h"
@@ -17,6 +18,7 @@ SHARED_CONST uint kVolumeUnit = 0u;
 SHARED_CONST uint kLabelUnit = 1u;
 SHARED_CONST uint kSkipUnit = 2u;
 SHARED_CONST uint kLightUnit = 3u;
+SHARED_CONST uint kLightExtinctionUnit = 9u;  // while the light grid is made
 SHARED_CONST uint kNoiseUnit = 4u;
 SHARED_CONST uint kSurfaceColorUnit = 5u;
 SHARED_CONST uint kSurfaceAuxUnit = 6u;
@@ -63,37 +65,31 @@ SHARED_CONST uint kPictureIdUnit = 34u;
 SHARED_CONST uint kPictureSurfaceUnit = 35u;
 SHARED_CONST uint kGhostUnit = 36u;  // the sum of ghosts, for the picture
 
-// Storage blocks while it is found out what becomes of instances.
-SHARED_CONST uint kStateBinding = 2u;  // bits of instances, also while they are culled
-SHARED_CONST uint kMaskBinding = 3u;
-SHARED_CONST uint kSeedBinding = 4u;
-SHARED_CONST uint kReachBinding = 6u;  // the longest distance in the mask
+// Storage blocks of a frame. OpenGL promises eight places to all blocks together.
+SHARED_CONST uint kCutBinding = 0u;
+SHARED_CONST uint kCellBinding = 1u;
+SHARED_CONST uint kCutGridBinding = 2u;
+SHARED_CONST uint kFirstLent = 3u;
 
 // Storage blocks of a view of instances.
-SHARED_CONST uint kDepthBinding = 2u;
-SHARED_CONST uint kOwnerBinding = 3u;   // instance of each pixel,
-SHARED_CONST uint kBallBinding = 4u;    // and its ball
-SHARED_CONST uint kSeenBinding = 5u;    // a bit an instance: seen last time
-SHARED_CONST uint kCountBinding = 7u;   // of the lists of draws; then the dispatches that these make
-SHARED_CONST uint kDrawImage = 0u;      // the lists of draws while they are written: as texels, of which drivers take more than of a block
-SHARED_CONST uint kPyramidImage = 0u;
-SHARED_CONST uint kOpenImage = 0u;
-SHARED_CONST uint kGhostImage = 0u;
-SHARED_CONST uint kSurfaceColorImage = 0u;  // what surfaces are drawn into, for who adds to it
-SHARED_CONST uint kSurfaceAuxImage = 1u;
-SHARED_CONST uint kSurfaceIdImage = 2u;
+SHARED_CONST uint kDepthBinding = 3u;
+SHARED_CONST uint kOwnerBinding = 4u;  // instance of each pixel,
+SHARED_CONST uint kBallBinding = 5u;   // and its ball
+SHARED_CONST uint kSeenBinding = 6u;   // a bit an instance: seen last time
+SHARED_CONST uint kCountBinding = 7u;  // of the lists of draws; then the dispatches that these make
 
-// Storage blocks of a frame.
-SHARED_CONST uint kCutBinding = 1u;
-SHARED_CONST uint kCellBinding = 3u;
-SHARED_CONST uint kCutGridBinding = 4u;
+// Those while it is found out what becomes of instances.
+SHARED_CONST uint kStateBinding = 3u;  // bits of instances, also while they are culled
+SHARED_CONST uint kMaskBinding = 4u;
+SHARED_CONST uint kSeedBinding = 5u;
+SHARED_CONST uint kReachBinding = 6u;  // the longest distance in the mask
 
-// Storage blocks while a sheet is indexed, which is between frames.
-SHARED_CONST uint kSheetBinding = 0u;        // its rows (SHARED_SHEET_BLOCK),
-SHARED_CONST uint kSheetValuesBinding = 1u;  // the same as single floats,
-SHARED_CONST uint kSheetCountsBinding = 2u;  // and a count a cell, then 1 when the lists had no room for all
+// Those while a sheet is indexed.
+SHARED_CONST uint kSheetBinding = 3u;        // its rows (SHARED_SHEET_BLOCK),
+SHARED_CONST uint kSheetValuesBinding = 4u;  // the same as single floats,
+SHARED_CONST uint kSheetCountsBinding = 5u;  // and a count a cell, then 1 when the lists had no room for all
 
-// Images, of a dispatch each. The ray caster's are the Gbuffer's.
+// Images. The ray caster's are the Gbuffer's.
 SHARED_CONST uint kColorImage = 0u;
 SHARED_CONST uint kSurfaceImage = 1u;
 SHARED_CONST uint kIdImage = 2u;
@@ -102,6 +98,14 @@ SHARED_CONST uint kPictureImage = 1u;  // where that of colours becomes one to s
 SHARED_CONST uint kFinishImage = 2u;   // sums of what the finish adds
 SHARED_CONST uint kPaperImage = 0u;
 SHARED_CONST uint kStrokeImage = 0u;
+SHARED_CONST uint kDrawImage = 0u;  // the lists of draws while they are written: as texels, of which drivers take more than of a block
+SHARED_CONST uint kPyramidImage = 0u;
+SHARED_CONST uint kOpenImage = 0u;
+SHARED_CONST uint kGhostImage = 0u;
+SHARED_CONST uint kSurfaceColorImage = 0u;  // what surfaces are drawn into, for who adds to it
+SHARED_CONST uint kSurfaceAuxImage = 1u;
+SHARED_CONST uint kSurfaceIdImage = 2u;
+SHARED_CONST uint kLightImage = 0u;  // a level of the light grid, or of its extinction
 
 SHARED_END
 #endif

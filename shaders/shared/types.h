@@ -42,7 +42,7 @@ struct SheetRows {
 #define SHARED_SHAPE(kind) (kind)
 #endif
 #ifdef WRITES_SHEET
-#define SHARED_SHEET_BLOCK(unit) layout(std430, binding = 0) buffer SheetBlock { vec4 sheetRows[]; };
+#define SHARED_SHEET_BLOCK(unit) layout(std430, binding = kSheetBinding) buffer SheetBlock { vec4 sheetRows[]; };
 #define SHARED_SHEET_ROW(i) sheetRows[i]
 #else
 #define SHARED_SHEET_BLOCK(unit) layout(binding = unit) uniform samplerBuffer sheetRows;

@@ -31,8 +31,8 @@ TEST_F(LightMeansGL, KeepASlopeInItsPlaceWhateverTheGridsSize) {
     grid.write({0, 0, 0}, size, valuesOf(0).data());
     for (int level = 1; level < levels; ++level) {
       program.set(0, level);
-      grid.bindSampler(shared::kLightUnit);
-      grid.bindImage(0, gpu::Access::Write, level);
+      grid.bindSampler(shared::kLightExtinctionUnit);
+      grid.bindImage(shared::kLightImage, gpu::Access::Write, level);
       gpu::dispatch(program, (grid.size(level) + 3) / 4);
       gpu::barrier();
       std::vector<float> wanted = valuesOf(level), seen(wanted.size());

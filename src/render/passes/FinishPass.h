@@ -23,7 +23,6 @@ class FinishPass : public Pass {
   explicit FinishPass(const Gbuffer& gbuffer);
   void prepare(FrameData& data) override;
   void addSteps(const FrameData& data, int sample, WorkQueue& queue) override;
-  void bind(const FrameData&) const override {}
   /// Nothing of the next picture is there yet.
   void restart() {
     mSamples = mRowsDone = 0;

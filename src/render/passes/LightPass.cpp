@@ -135,15 +135,15 @@ void LightPass::addExtinctionSteps(WorkQueue& queue) {
   for (int z = 0; z < mSize.z; z += kLayers)
     queue.add(*this, [this, z] {
       mExtinctionProgram->set(0, z);
-      mExtinction.bindImage(0, gpu::Access::Write);
+      mExtinction.bindImage(shared::kLightImage, gpu::Access::Write);
       gpu::dispatch(*mExtinctionProgram, (glm::ivec3(mSize.x, mSize.y, std::min(mSize.z - z, kLayers)) + 3) / 4);
       gpu::barrier();
     });
   for (int level = 1; level < mExtinction.levelCount(); ++level)
     queue.add(*this, [this, level] {
       mMeansProgram.set(0, level);
-      mExtinction.bindSampler(shared::kLightUnit);
-      mExtinction.bindImage(0, gpu::Access::Write, level);
+      mExtinction.bindSampler(shared::kLightExtinctionUnit);
+      mExtinction.bindImage(shared::kLightImage, gpu::Access::Write, level);
       gpu::dispatch(mMeansProgram, (mExtinction.size(level) + 3) / 4);
       gpu::barrier();
     });
@@ -167,11 +167,10 @@ void LightPass::addLightSteps(const FrameData& data, bool keepsOpenness, WorkQue
       mLightProgram.set(2, glm::vec4(keyTex, 0.0f));
       mLightProgram.set(3, glm::vec4(cellTex, 0.0f));
       mLightProgram.set(4, float(reachCells));
-      mExtinction.bindSampler(shared::kLightUnit);
-      mLight.bindImage(0, gpu::Access::ReadWrite);
+      mExtinction.bindSampler(shared::kLightExtinctionUnit);
+      mLight.bindImage(shared::kLightImage, gpu::Access::ReadWrite);
       gpu::dispatch(mLightProgram, (glm::ivec3(mSize.x, mSize.y, std::min(mSize.z - z, kLayers)) + 3) / 4);
       gpu::barrier();
-      mLight.bindSampler(shared::kLightUnit);
     });
 }
 

@@ -29,8 +29,9 @@ class Pass {
   /// is, and as it is, until the frame is done or given up.
   /// @param sample  which sample of the picture; passes whose work serves all of them are asked for 0 only
   virtual void addSteps(const FrameData& data, int sample, WorkQueue& queue) = 0;
-  /// Binds what the passes after it read. Other GL work may have come between.
-  virtual void bind(const FrameData& data) const = 0;
+  /// Binds what all steps of a frame may read of it, as shaders/shared/bindings.h says. Before the frame's first step,
+  /// and whenever other GL work may have come between.
+  virtual void bind(const FrameData& data) const { static_cast<void>(data); }
   /// How long a piece took, until the driver said that it was done.
   virtual void took(double ms) { static_cast<void>(ms); }
 

@@ -127,6 +127,4 @@ void RayCastPass::castTile(const FrameData& data, glm::ivec4 rect) {
   gpu::barrier();
 }
 
-void RayCastPass::bind(const FrameData&) const { mTarget.bindImages(); }
-
 }  // namespace velum::render

@@ -28,7 +28,6 @@ class RayCastPass : public Pass {
   void prepare(FrameData& data) override;
   bool isReady() override { return mProgram->isReady(); }
   void addSteps(const FrameData& data, int sample, WorkQueue& queue) override;
-  void bind(const FrameData& data) const override;
   void took(double ms) override;
 
   const PictureProgress& progress() const { return mProgress; }

@@ -73,7 +73,6 @@ void SurfacePass::addSteps(const FrameData& data, int, WorkQueue& queue) {
     if (isDrawn || !mIsBlank) mTarget.clear(glm::vec4(0.0f), 1.0f);
     if (isDrawn) draw(data);
     mIsBlank = !isDrawn;
-    bind(data);
   });
 }
 

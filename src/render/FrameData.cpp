@@ -5,6 +5,7 @@
 #include <span>
 
 #include "render/FinishSetup.h"
+#include "render/FrameParams.h"
 #include "render/upload/BlueNoise.h"
 #include "render/upload/CutSheets.h"
 #include "scene/Units.h"

@@ -5,7 +5,6 @@
 #include "model/FocusRows.h"
 #include "render/Frame.h"
 #include "render/upload/CutSheets.h"
-#include "render/upload/TransferTable.h"
 #include "render/upload/VolumeUpload.h"
 #include "shared/cut.h"
 #include "shared/frame.h"
@@ -44,11 +43,6 @@ shared::FocusView makeFocusView(const scene::Scene& scene, const model::FocusRow
 
 /// Half the diagonal of the data's box, or more.
 double sceneRadius(const FrameGrid& grid);
-
-/// Everything of FrameParams that does not change from sample to sample.
-/// @param unit  of the frame's and the grid's lengths, in that of the world that labels lie in
-shared::FrameParams makeFrameParams(const Frame& frame, const FrameGrid& grid, const TransferTable& table,
-                                    double unit = 1.0);
 
 /// Moves the rays of sample n within their pixel and along themselves: the [R2] sequence and the golden ratio.
 void setSample(shared::FrameParams& params, const Frame& frame, int sample);

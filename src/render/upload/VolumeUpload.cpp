@@ -57,106 +57,161 @@ glm::ivec3 finestThatFits(const Volume& volume, double mostBytes, int mostAlong)
 }  // namespace
 
 struct VolumeUpload::Impl {
+  gpu::Limits limits;
   VolumeTexels source;
   glm::ivec3 finer{1};                      ///< Texels per voxel, where they are smooth.
   std::optional<GradientPlanes> gradients;  ///< Of values; those of colours are narrow.
   TexelPlan plan;
+  bool wantsGradients = limits.isSoftware;
   GpuVolume out;
   int nextCellZ = 0;
   int cellLayersPerStep = 1;
   double longestGradient = 1;  ///< Texels.
 
+  bool isMixed() const { return source.isMixed; }
+  bool isColor() const { return source.volume->isColor || source.isMixed; }
+  glm::ivec3 dimsAt(int factor) const { return (source.volume->dims + factor - 1) / factor; }
+  std::size_t bytesAt(int factor) const;
+  double mostBytes() const { return 0.7 * double(limits.memoryBytes); }
+  // In the order of an upload's beginning.
+  void choose(const scene::VolumeLayer& layer);
+  void reduce(int mostAlong);
+  void suitSoftware();
+  void smoothen(bool isWanted);
+  void chooseGradients();
+  void tellReduction();
+  void place();
+  void allocate();
+  void allocateGradients();
+
   template <class Texel>
   void stepAs();
 };
 
-VolumeUpload::VolumeUpload(const scene::VolumeLayer& layer, const gpu::Limits& limits, int mostAlong)
-    : mImpl(std::make_unique<Impl>()) {
-  Impl& m = *mImpl;
+std::size_t VolumeUpload::Impl::bytesAt(int factor) const {
+  return product(dimsAt(factor)) * (texelBytes(plan) + (wantsGradients ? 4 : 0));
+}
+
+/// Which values, and how they would lie best.
+void VolumeUpload::Impl::choose(const scene::VolumeLayer& layer) {
   const Shared<Volume>& volume = layer.data;
-  VolumeTexels& source = m.source;
   source.volume = volume;
   source.channel = std::clamp(layer.channel, 0, volume->channels - 1);
   source.timeStep = std::clamp(layer.timeStep, 0, volume->timeSteps - 1);
-  bool isMixed = scene::mixesChannels(layer), isColor = volume->isColor || isMixed;
-  source.isMixed = isMixed;
-  if (isMixed) source.mix = makeMixTable(layer);
-  m.plan = planFor(*volume, isMixed);
-  // Take the best level whose sides and bytes the driver can hold beside pictures and tables.
-  auto dimsAt = [&](int factor) { return (volume->dims + factor - 1) / factor; };
-  bool wantsGradients = limits.isSoftware;
-  auto bytesAt = [&](int factor) { return product(dimsAt(factor)) * (texelBytes(m.plan) + (wantsGradients ? 4 : 0)); };
+  source.isMixed = scene::mixesChannels(layer);
+  if (source.isMixed) source.mix = makeMixTable(layer);
+  plan = planFor(*volume, source.isMixed);
+}
+
+/// Takes the best level whose sides and bytes the driver can hold beside pictures and tables.
+void VolumeUpload::Impl::reduce(int mostAlong) {
   source.isQuick = mostAlong > 0;
-  if (source.isQuick) source.factor = std::max(1, (maxOf(volume->dims) + mostAlong - 1) / mostAlong);
-  double mostBytes = 0.7 * double(limits.memoryBytes);
-  while (maxOf(dimsAt(source.factor)) > limits.texture3d || double(bytesAt(source.factor)) > mostBytes) ++source.factor;
-  // A software driver loads the eight texels of each fetch one by one and unpacks them: two of packed ones take half as
-  // long, and floats are fetched nearly twice as fast as bytes. Means of many voxels are not rounded to integers.
-  if (TexelPlan narrow = m.plan; limits.isSoftware && !isColor) {
-    auto take = [&](const TexelPlan& plan) {
-      m.plan = plan;
-      return double(bytesAt(source.factor)) <= mostBytes;
-    };
-    auto packed = packedPlan(narrow);
-    bool canPack =
-        packed && (source.factor == 1 || source.isQuick) && product(dimsAt(source.factor)) <= limits.textureBuffer;
-    if (!(canPack && take(*packed)) && !take(kAsFloats)) m.plan = narrow;
-  }
-  GpuVolume& out = m.out;
+  if (source.isQuick) source.factor = std::max(1, (maxOf(source.volume->dims) + mostAlong - 1) / mostAlong);
+  while (maxOf(dimsAt(source.factor)) > limits.texture3d || double(bytesAt(source.factor)) > mostBytes())
+    ++source.factor;
+}
+
+/// A software driver loads the eight texels of each fetch one by one and unpacks them: two of packed ones take half as
+/// long, and floats are fetched nearly twice as fast as bytes. Means of many voxels are not rounded to integers.
+void VolumeUpload::Impl::suitSoftware() {
+  if (!limits.isSoftware || isColor()) return;
+  TexelPlan narrow = plan;
+  auto take = [&](const TexelPlan& other) {
+    plan = other;
+    return double(bytesAt(source.factor)) <= mostBytes();
+  };
+  auto packed = packedPlan(narrow);
+  bool canPack =
+      packed && (source.factor == 1 || source.isQuick) && product(dimsAt(source.factor)) <= limits.textureBuffer;
+  if (!(canPack && take(*packed)) && !take(kAsFloats)) plan = narrow;
+}
+
+void VolumeUpload::Impl::smoothen(bool isWanted) {
+  const Volume& volume = *source.volume;
   out.dims = source.dims = dimsAt(source.factor);
-  if (layer.smooth && source.factor == 1 && !source.isQuick && !isColor) {
-    m.finer = finestThatFits(*volume, std::min(mostBytes, kMostSmoothBytes), limits.texture3d);
-    if (m.finer != smoothFactors(*volume))
-      out.reduction = fmt::format("not as smooth as asked for: that takes more than {} MiB or {} texels along a side",
-                                  std::size_t(std::min(mostBytes, kMostSmoothBytes)) >> 20, limits.texture3d);
-    // Integers would show their steps where texels are close.
-    if (m.finer != glm::ivec3(1)) m.plan = kAsFloats;
-    out.dims *= m.finer;
-  }
-  // A GPU takes differences on demand only where there is no room: 26 fetches for one.
-  if (!limits.isSoftware) wantsGradients = product(out.dims) * 4 <= limits.memoryBytes / 8;
-  if (m.finer != glm::ivec3(1)) wantsGradients = true;  // on demand they would be of texels, not of voxels
-  if (source.factor > 1) {
-    bool tooLong = maxOf(volume->dims) > limits.texture3d;
-    out.reduction =
-        fmt::format("shown at 1/{} of its resolution ({} x {} x {} of {} x {} x {} voxels): {}", source.factor,
-                    out.dims.x, out.dims.y, out.dims.z, volume->dims.x, volume->dims.y, volume->dims.z,
-                    tooLong ? fmt::format("the driver's 3D textures end at {} texels", limits.texture3d)
-                            : fmt::format("it needs {} MiB of the {} MiB that the driver has", bytesAt(1) >> 20,
-                                          limits.memoryBytes >> 20));
-  }
+  if (!isWanted || source.factor != 1 || source.isQuick || isColor()) return;
+  double most = std::min(mostBytes(), kMostSmoothBytes);
+  finer = finestThatFits(volume, most, limits.texture3d);
+  if (finer != smoothFactors(volume))
+    out.reduction = fmt::format("not as smooth as asked for: that takes more than {} MiB or {} texels along a side",
+                                std::size_t(most) >> 20, limits.texture3d);
+  // Integers would show their steps where texels are close.
+  if (finer != glm::ivec3(1)) plan = kAsFloats;
+  out.dims *= finer;
+}
+
+/// A GPU takes differences on demand only where there is no room: 26 fetches for one. Of smooth texels they would be of
+/// texels, not of voxels.
+void VolumeUpload::Impl::chooseGradients() {
+  wantsGradients = limits.isSoftware || product(out.dims) * 4 <= limits.memoryBytes / 8 || finer != glm::ivec3(1);
+}
+
+void VolumeUpload::Impl::tellReduction() {
+  if (source.factor == 1) return;
+  glm::ivec3 whole = source.volume->dims;
+  out.reduction = fmt::format("shown at 1/{} of its resolution ({} x {} x {} of {} x {} x {} voxels): {}",
+                              source.factor, out.dims.x, out.dims.y, out.dims.z, whole.x, whole.y, whole.z,
+                              maxOf(whole) > limits.texture3d
+                                  ? fmt::format("the driver's 3D textures end at {} texels", limits.texture3d)
+                                  : fmt::format("it needs {} MiB of the {} MiB that the driver has", bytesAt(1) >> 20,
+                                                limits.memoryBytes >> 20));
+}
+
+/// What texels are in space, and as values.
+void VolumeUpload::Impl::place() {
+  const Volume& volume = *source.volume;
   out.cells = cellGridFor(out.dims);
-  out.isColor = volume->isColor;
-  out.isMixed = isMixed;
-  out.valueScale = isMixed ? 1.0 : m.plan.scale * volume->scale;
-  out.valueOffset = isMixed ? 0.0 : m.plan.offset * volume->scale + volume->offset;
+  out.isColor = volume.isColor;
+  out.isMixed = isMixed();
+  out.valueScale = isMixed() ? 1.0 : plan.scale * volume.scale;
+  out.valueOffset = isMixed() ? 0.0 : plan.offset * volume.scale + volume.offset;
   glm::dmat4 voxelFromTex(1.0);
   for (int axis = 0; axis < 3; ++axis) {
     voxelFromTex[axis][axis] = double(source.dims[axis]) * source.factor;
     voxelFromTex[3][axis] = -0.5;
   }
-  out.worldFromTex = volume->worldFromVoxel * voxelFromTex;
-  out.packing = m.plan.packing;
+  out.worldFromTex = volume.worldFromVoxel * voxelFromTex;
+  out.packing = plan.packing;
+}
+
+void VolumeUpload::Impl::allocate() {
   if (out.packing != Packing::None) {
-    out.packed = gpu::Buffer("volume", product(out.dims) * texelBytes(m.plan));
+    out.packed = gpu::Buffer("volume", product(out.dims) * texelBytes(plan));
     out.texture = gpu::Texture::makeOfBuffer("volume", out.packing == Packing::Bytes ? Format::R32ui : Format::Rg32ui,
                                              out.packed);
   } else {
-    out.texture = gpu::Texture::make3d("volume", m.plan.format, out.dims);
-  }
-  if (wantsGradients) {
-    out.gradient = gpu::Texture::make3d("gradients", Format::Rgba8, out.dims);
-    if (!isColor) m.gradients.emplace(source, m.finer);
-    // No difference is longer than the data's whole range along all three axes.
-    double range = isColor ? 1.0 : (volume->range.y - volume->range.x) / std::abs(out.valueScale);
-    m.longestGradient = std::sqrt(3.0) * std::max(1e-30, range);
-    out.gradientScale = m.longestGradient * 255.0 / 127.0;
+    out.texture = gpu::Texture::make3d("volume", plan.format, out.dims);
   }
   std::size_t layerBytes = std::size_t(out.dims.x) * std::size_t(out.dims.y) * std::size_t(out.cells.edge) *
-                           texelBytes(m.plan) * (source.isQuick ? 1 : std::size_t(source.factor));
+                           texelBytes(plan) * (source.isQuick ? 1 : std::size_t(source.factor));
   constexpr std::size_t kStepBytes = 4u << 20;
-  m.cellLayersPerStep = int(std::max<std::size_t>(1, kStepBytes / std::max<std::size_t>(1, layerBytes)));
+  cellLayersPerStep = int(std::max<std::size_t>(1, kStepBytes / std::max<std::size_t>(1, layerBytes)));
   out.cellRanges.reserve(product(out.cells.size));
+}
+
+void VolumeUpload::Impl::allocateGradients() {
+  if (!wantsGradients) return;
+  out.gradient = gpu::Texture::make3d("gradients", Format::Rgba8, out.dims);
+  if (!isColor()) gradients.emplace(source, finer);
+  // No difference is longer than the data's whole range along all three axes.
+  glm::dvec2 values = source.volume->range;
+  double range = isColor() ? 1.0 : (values.y - values.x) / std::abs(out.valueScale);
+  longestGradient = std::sqrt(3.0) * std::max(1e-30, range);
+  out.gradientScale = longestGradient * 255.0 / 127.0;
+}
+
+VolumeUpload::VolumeUpload(const scene::VolumeLayer& layer, const gpu::Limits& limits, int mostAlong)
+    : mImpl(new Impl{.limits = limits}) {
+  Impl& m = *mImpl;
+  m.choose(layer);
+  m.reduce(mostAlong);
+  m.suitSoftware();
+  m.smoothen(layer.smooth);
+  m.chooseGradients();
+  m.tellReduction();
+  m.place();
+  m.allocate();
+  m.allocateGradients();
 }
 
 VolumeUpload::~VolumeUpload() = default;

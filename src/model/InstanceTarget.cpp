@@ -138,7 +138,7 @@ void InstanceTarget::begin(const shared::InstanceView& view) {
   mNearest.clear();
 }
 
-void InstanceTarget::bindView() const { mView.bindUniform(shared::kInstanceViewBinding); }
+void InstanceTarget::bindView(unsigned binding) const { mView.bindUniform(binding); }
 
 void InstanceTarget::bindOwners() const {
   mOwners.bindStorage(shared::kOwnerBinding);
@@ -146,7 +146,7 @@ void InstanceTarget::bindOwners() const {
 }
 
 void InstanceTarget::bindLists(const Lists& lists) const {
-  bindView();
+  bindView(shared::kInstanceViewBinding);
   lists.counts.bindStorage(shared::kCountBinding);
 }
 
@@ -223,7 +223,7 @@ void InstanceTarget::drawGroups(InstancePrograms& programs, CullPhase phase, int
 
 void InstanceTarget::makePyramid(InstancePrograms& programs) {
   gpu::barrier();
-  bindView();
+  bindView(shared::kInstanceViewBinding);
   bindDepths(shared::kDepthUnit);
   mPyramid.bindSampler(shared::kPyramidUnit);
   const gpu::Program& program = programs.pyramid();

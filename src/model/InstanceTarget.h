@@ -102,7 +102,7 @@ class InstanceTarget {
   void noteSeen(InstancePrograms& programs);
 
   /// For who reads the result: the view, depths as texels, owners and balls as blocks.
-  void bindView() const;
+  void bindView(unsigned binding) const;
   void bindDepths(unsigned unit) const { mDepthTexels.bindSampler(unit); }
   void bindOwners() const;
   const gpu::Buffer& depths() const { return mDepths; }

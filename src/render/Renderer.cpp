@@ -14,9 +14,11 @@
 #include "render/passes/GhostPass.h"
 #include "render/passes/InstancePass.h"
 #include "render/passes/LightPass.h"
+#include "render/passes/ModelPass.h"
 #include "render/passes/RayCastPass.h"
 #include "render/passes/ResolvePass.h"
 #include "render/passes/SkipPass.h"
+#include "render/passes/StatePass.h"
 #include "render/passes/SurfacePass.h"
 #include "render/passes/UploadPass.h"
 
@@ -34,10 +36,12 @@ struct Renderer::Impl {
   Impl(gpu::Context& c, const Stats& known)
       : limits(c.limits()),
         upload(limits),
-        instances(surfaces, limits),
+        model(limits),
+        states(model),
+        instances(model, states, surfaces),
         rayCast(gbuffer, limits.isSoftware),
-        counts(gbuffer, instances),
-        ghosts(gbuffer, instances),
+        counts(gbuffer, model, states),
+        ghosts(gbuffer, instances.draw()),
         finish(gbuffer),
         stats(known) {}
 
@@ -52,14 +56,18 @@ struct Renderer::Impl {
   SkipPass skip;
   LightPass light;
   SurfacePass surfaces;
+  ModelPass model;
+  StatePass states;
   InstancePass instances;
   RayCastPass rayCast;
   CountPass counts;
   GhostPass ghosts;
   FinishPass finish;
   ResolvePass resolve;
-  Pass* const lighting[4] = {&skip, &light, &surfaces, &instances};  ///< Whom the data's upload goes before,
-  Pass* const casting[4] = {&rayCast, &counts, &ghosts, &finish};    ///< and those that need to know of their targets.
+  /// Whom the data's upload goes before,
+  Pass* const lighting[6] = {&skip, &light, &surfaces, &model, &states, &instances};
+  /// and those that need to know of their targets.
+  Pass* const casting[4] = {&rayCast, &counts, &ghosts, &finish};
   WorkQueue queue;
   Stats stats;
 
@@ -124,22 +132,21 @@ void Renderer::Impl::addSamples() {
   // What all samples of the picture share.
   skip.addSteps(data, 0, queue);
   light.addSteps(data, 0, queue);
+  states.addSteps(data, 0, queue);
   // Each sample: its rays, what is rasterised, what is cast up to there, what an illustrator makes of it.
   for (int sample = 0; sample < std::max(1, data.frame.scene.rayCast.samplesPerPixel); ++sample) {
     queue.add("Setup", [this, sample] { inputs.writeParams(data, sample); });
     surfaces.addSteps(data, sample, queue);
     instances.addSteps(data, sample, queue);
-    if (isModelDrawn(data.frame.scene)) queue.add("Setup", [this] { bind(); });  // instances have blocks of their own
     rayCast.addSteps(data, sample, queue);
     counts.addSteps(data, sample, queue);
     ghosts.addSteps(data, sample, queue);
-    if (instances.hasStates()) queue.add("Setup", [this] { bind(); });
     finish.addSteps(data, sample, queue);
   }
   queue.countAll();
 }
 
-/// Whoever drew in between has bound things of his own.
+/// For all steps that follow; those of other GL work, in between, bind things of their own.
 void Renderer::Impl::bind() const {
   inputs.bind();
   upload.bind(data);

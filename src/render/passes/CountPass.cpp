@@ -11,11 +11,11 @@ constexpr std::size_t kRemembered = 8;  // more pictures than can be on their wa
 }  // namespace
 
 void CountPass::addSteps(const FrameData& data, int sample, WorkQueue& queue) {
-  if (sample != 0 || !data.frame.countsInstances || !mInstances.hasStates()) return;
+  if (sample != 0 || !data.frame.countsInstances || !mModel.hasStates()) return;
   queue.add(*this, [this, &data] {
     const scene::ModelLayer& model = data.frame.scene.model;
-    model::InstanceStates& states = mInstances.states();
-    states.noteShown(mInstances.programs(), mGbuffer.ids(), firstModelInstance(data.frame.scene));
+    model::InstanceStates& states = mStates.states();
+    states.noteShown(mModel.programs(), mGbuffer.ids(), firstModelInstance(data.frame.scene));
     mCount = std::uint64_t(model.data->instances.size()) * std::uint64_t(model.copies);
     std::size_t words = std::size_t(states.words()) * 3;
     auto start = [&] {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "render/WorkQueue.h"
+#include "render/passes/InstanceViews.h"
 #include "shared/bindings.h"
 
 namespace velum::render {
@@ -20,13 +21,17 @@ void GhostPass::prepare(FrameData& data) {
 
 void GhostPass::addSteps(const FrameData& data, int sample, WorkQueue& queue) {
   if (!mIsOn) return;
-  mInstances.addGhosts(mTarget, data, sample, queue);
+  using Phase = model::CullPhase;
+  mDraw.add(queue, [this, view = eyeViewOf(data, sample)] { mTarget.begin(view); });
+  mDraw.addCull(mTarget, model::CullBy::Ghosts, Phase::All, queue);
+  mDraw.addDraws(mTarget, Phase::All, false, queue);
+  mDraw.addPyramid(mTarget, queue);
+  mDraw.addDraws(mTarget, Phase::All, true, queue);
   queue.add(*this, [this, &data] { shade(data); });
 }
 
 void GhostPass::shade(const FrameData& data) {
-  mInstances.bindRows();
-  mTarget.bindView();
+  mTarget.bindView(shared::kInstanceViewBinding);
   mTarget.bindOwners();
   mTarget.bindDepths(shared::kDepthUnit);
   mGbuffer.bindSamplers();

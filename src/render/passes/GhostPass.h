@@ -5,7 +5,7 @@
 #include "model/InstanceTarget.h"
 #include "render/FrameData.h"
 #include "render/Gbuffer.h"
-#include "render/passes/InstancePass.h"
+#include "render/passes/InstanceDraw.h"
 #include "render/passes/Pass.h"
 
 namespace velum::render {
@@ -15,11 +15,10 @@ namespace velum::render {
 /// where there are none. GL thread.
 class GhostPass : public Pass {
  public:
-  GhostPass(const Gbuffer& gbuffer, InstancePass& instances)
-      : Pass("Ghosts"), mGbuffer(gbuffer), mInstances(instances) {}
+  /// @param draw  in whose pass's steps they are found, as others are
+  GhostPass(const Gbuffer& gbuffer, InstanceDraw& draw) : Pass("Ghosts"), mGbuffer(gbuffer), mDraw(draw) {}
   void prepare(FrameData& data) override;
   void addSteps(const FrameData& data, int sample, WorkQueue& queue) override;
-  void bind(const FrameData&) const override {}
   /// Nothing of the next picture is there yet.
   void restart() { mSamples = 0; }
 
@@ -34,7 +33,7 @@ class GhostPass : public Pass {
   void shade(const FrameData& data);
 
   const Gbuffer& mGbuffer;
-  InstancePass& mInstances;
+  InstanceDraw& mDraw;
   model::InstanceTarget mTarget{"ghosts of instances", true};
   gpu::Program mShade;
   gpu::Texture mSums;  ///< Premultiplied.

@@ -1,0 +1,65 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "gpu/Buffer.h"
+#include "gpu/Context.h"
+#include "gpu/Texture.h"
+#include "model/InstanceSet.h"
+#include "model/InstanceTarget.h"
+#include "render/FrameData.h"
+#include "render/passes/Pass.h"
+#include "shared/instance.h"
+
+namespace velum::render {
+
+/// What the passes that work on a model's instances share: the model on the GPU, with the model, its levels and its
+/// place for a key; the rows of its types, of each frame; the programs. Draws nothing itself.
+class ModelPass : public Pass {
+ public:
+  explicit ModelPass(const gpu::Limits& limits)
+      : Pass("Model"), mIsSoftware(limits.isSoftware), mMostTexels(limits.textureBuffer) {}
+  void prepare(FrameData& data) override;
+  void compile(const FrameData& data) override;
+  bool isReady() override;
+  void addSteps(const FrameData&, int, WorkQueue&) override {}
+  void bind(const FrameData& data) const override;
+
+  /// The frame has a model.
+  bool isDrawn() const { return mKey.has_value(); }
+  /// What of it is in force: by what instances are culled, whether some cut is a membrane or keeps some in view.
+  const model::InstancePrograms::Need& need() const { return mNeed; }
+  /// The frame asks what becomes of instances: StatePass finds out.
+  bool hasStates() const { return isDrawn() && mNeed.by == model::CullBy::States; }
+  model::InstancePrograms& programs() { return mPrograms; }
+  /// [types][enabled cuts]
+  const std::vector<shared::TypeSpareRow>& spareRows() const { return mSpareRows; }
+  bool isSoftware() const { return mIsSoftware; }
+  /// Instances that a dispatch looks at, about.
+  std::uint32_t atATime() const;
+
+ private:
+  struct Key {
+    std::uint64_t model = 0, levels = 0;
+    model::Placement placement;
+    bool operator==(const Key&) const = default;
+  };
+  void checkCount(const scene::ModelLayer& layer) const;
+  Shared<LevelSet> levelsOf(const scene::ModelLayer& layer);
+  void writeRows(const FrameData& data);
+
+  const bool mIsSoftware;
+  const std::size_t mMostTexels;  ///< Of a buffer.
+  model::InstancePrograms mPrograms;
+  model::InstancePrograms::Need mNeed;
+  std::optional<Key> mKey;
+  Shared<LevelSet> mOwnLevels;  ///< Made here, of a model that came without.
+  std::uint64_t mOwnLevelsOf = 0;
+  model::InstanceSet mSet;
+  std::vector<shared::TypeSpareRow> mSpareRows;
+  gpu::Buffer mTypes, mTypeSpares;
+  gpu::Texture mTypeTexels, mTypeSpareTexels;
+};
+
+}  // namespace velum::render

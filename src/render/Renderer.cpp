@@ -146,7 +146,7 @@ void Renderer::Impl::addSamples() {
   queue.countAll();
 }
 
-/// For all steps that follow; those of other GL work, in between, bind things of their own.
+/// For all steps that follow. Other GL work that comes in between binds things of its own.
 void Renderer::Impl::bind() const {
   inputs.bind();
   upload.bind(data);

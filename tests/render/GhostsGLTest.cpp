@@ -124,7 +124,7 @@ TEST_F(FocusGL, GhostsAndSurfacesHideEachOtherAlongEachRay) {
   scene.camera.fieldOfViewDeg = 80;
   lookAlong(scene, {0, -1, 0}, 40);
   // The surface is no model's: the cut leaves it.
-  scene.cuts[0].spares = {{0, scene::Spare::kEndless, 1.0}};
+  scene.cuts[0].spares = {{0, scene::Spare::kEndless}};
   glm::ivec2 size(120, 120);
   Image image = draw(scene, size, kLayers);
   int before = 0, behind = 0;

@@ -120,8 +120,6 @@ TEST_F(SparedScene, AStructureIsSparedWholeOrSoDeep) {
   expectSameEverywhere("whole");
   mScene.cuts[0].spares = {{4, 5.2}};
   expectSameEverywhere("so deep");
-  mScene.cuts[0].spares = {{4, scene::Spare::kEndless, 0.0}};
-  expectSameEverywhere("none of its instances");
 }
 
 TEST_F(SparedScene, WhatHasNoLabelIsSparedAlikeEverywhere) {

@@ -47,7 +47,7 @@ class Random {
     }
     for (int i = whole(0, 4); i > 0; --i) {
       double distance = whole(0, 2) == 0 ? scene::Spare::kEndless : number(0, 9);
-      cut.spares.push_back({kStructures[whole(0, 4)], distance, whole(0, 1) ? 1.0 : number(0, 1)});
+      cut.spares.push_back({kStructures[whole(0, 4)], distance});
     }
     return cut;
   }

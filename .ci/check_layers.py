@@ -29,7 +29,7 @@ ROOMS = {  # module: {room: rooms of the module it may include (its own is impli
     "render": {"upload": ".", "kept": ". upload", "passes": ". upload", "section": ". kept upload"},
     "session": {"command": ". cut document extrusion growth look membrane model picture section structure", "document": "growth model", "model": "cut", "growth": ".", "section": "", "structure": "", "cut": ".", "look": "document",
                 "extrusion": ". cut growth look structure", "membrane": ". cut look structure",
-                "picture": "document extrusion growth membrane"},
+                "picture": ". document extrusion growth membrane"},
     # A membrane is a cut: the panel of cuts holds its form.
     "gui": {"kit": "", "rows": "kit", "service": "kit rows", "tool": "kit", "view": "kit rows service tool",
             "look": "kit rows service tool view", "structure": "kit rows service tool view", "model": "kit rows service tool view",

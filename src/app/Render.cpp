@@ -16,7 +16,7 @@
 #include "session/document/Open.h"
 #include "session/growth/Growths.h"
 #include "session/membrane/Membranes.h"
-#include "session/picture/Animation.h"
+#include "session/picture/Film.h"
 
 namespace velum::app {
 

@@ -379,7 +379,7 @@ void SavePictureDialog::drawPreview() {
   auto image = std::make_shared<Image>();
   mJob =
       std::make_unique<Job>([image, small, scene = pictureScene()](
-                                Progress& progress) { *image = session::drawPictureHeadless(scene, small, progress); },
+                                Progress& progress) { *image = session::Session(scene).picture(small, progress); },
                             nullptr);
   connect(mJob.get(), &Job::finished, this, [this, image](bool done, const QString& error) {
     if (!error.isEmpty()) mPreview->setText(error);

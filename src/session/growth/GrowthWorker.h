@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "session/Player.h"
+#include "session/Worker.h"
 #include "session/growth/Growths.h"
 
 namespace velum::session {
@@ -22,21 +22,17 @@ struct GrowthStatus {
 /// the front as it comes. What has grown is written into the scene's labels as it is found. Undo and edits of steps are
 /// followed: what goes on from where it stands goes on, anything else begins again from the labels that were given. At
 /// another time step of the volume structures are shown when all have been carried there, see growth::GrowOverTime.
-class GrowthPlayer : public Player {
+class GrowthWorker : public Worker {
  public:
-  GrowthPlayer();
-  ~GrowthPlayer() override;
+  GrowthWorker();
+  ~GrowthWorker() override;
 
   void follow(const scene::Scene& scene) override;
   Work nextWork() override;
   bool wantsCancel() const override;
   void endWork(const Finish& finish, const std::string& error) override;
-  bool advance(double) override { return false; }
-  bool isMoving() const override { return false; }
   bool isOnItsWay() const override { return isDue(); }
   bool isSettled() const override { return !isDue(); }
-  std::uint64_t shownCount() const override { return 0; }
-  void show(render::Frame&) override {}
   bool hasRests() const override;
   void complete(scene::Scene& scene) override;
 

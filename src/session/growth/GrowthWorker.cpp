@@ -1,4 +1,4 @@
-#include "session/growth/GrowthPlayer.h"
+#include "session/growth/GrowthWorker.h"
 
 #include <algorithm>
 #include <cmath>
@@ -80,7 +80,7 @@ double deepest(const Volume& volume, const scene::Growth& step) {
 
 }  // namespace
 
-struct GrowthPlayer::State {
+struct GrowthWorker::State {
   Shared<Volume> volume;
   Shared<LabelVolume> given;
   Goal wanted, goal;  ///< of the scene; of the work
@@ -107,7 +107,7 @@ struct GrowthPlayer::State {
 };
 
 /// Goes on for about kWorkMs.
-Progressed GrowthPlayer::State::growSome(const Shared<Volume>& of, const Shared<LabelVolume>& ground, Progressed to,
+Progressed GrowthWorker::State::growSome(const Shared<Volume>& of, const Shared<LabelVolume>& ground, Progressed to,
                                          const Goal& all, const std::function<Watch(int)>& watch, Progress& progress) {
   auto start = Clock::now();
   double slabs = kFirstSlabs;
@@ -134,7 +134,7 @@ Progressed GrowthPlayer::State::growSome(const Shared<Volume>& of, const Shared<
 }
 
 /// As it is now, for a thread that goes on beside.
-std::function<GrowthPlayer::State::Watch(int)> GrowthPlayer::State::watches() const {
+std::function<GrowthWorker::State::Watch(int)> GrowthWorker::State::watches() const {
   return [trusted = trusted, typed = typed](int structure) {
     return trusted.count(structure) ? Watch::Not : typed.count(structure) ? Watch::Jumps : Watch::All;
   };
@@ -142,7 +142,7 @@ std::function<GrowthPlayer::State::Watch(int)> GrowthPlayer::State::watches() co
 
 /// Before what is wanted becomes something else: whose values somebody changes means what he types, and ids of
 /// structures that are gone may come back as others.
-void GrowthPlayer::State::forgetWhatIsGone(const Steps& next) {
+void GrowthWorker::State::forgetWhatIsGone(const Steps& next) {
   auto isGone = [&](int id) {
     return std::none_of(next.begin(), next.end(), [id](const auto& step) { return step.structure == id; });
   };
@@ -155,7 +155,7 @@ void GrowthPlayer::State::forgetWhatIsGone(const Steps& next) {
 }
 
 /// So many slabs more of the last step. @return how many may be next; 0: none, it leaks
-double GrowthPlayer::State::growPart(const Shared<Volume>& of, Progressed& to, const scene::Growth& step,
+double GrowthWorker::State::growPart(const Shared<Volume>& of, Progressed& to, const scene::Growth& step,
                                      double reached, double slabs, Watch watch, Progress& progress) {
   scene::Growth part = step;
   // Who gives a structure more seeds has seen what it is.
@@ -189,7 +189,7 @@ double GrowthPlayer::State::growPart(const Shared<Volume>& of, Progressed& to, c
 }
 
 /// With others, as far as it goes: where their border lies depends on all of it.
-void GrowthPlayer::State::growWhole(const Shared<Volume>& of, Progressed& to, const scene::Growth& step,
+void GrowthWorker::State::growWhole(const Shared<Volume>& of, Progressed& to, const scene::Growth& step,
                                     Progress& progress) {
   growth::Grown grown = grower.grow(of, to.before, step, {}, progress);
   to.labels = growth::smoothRegion(of, grown.labels, step, progress, grown.others).labels;
@@ -198,15 +198,15 @@ void GrowthPlayer::State::growWhole(const Shared<Volume>& of, Progressed& to, co
   to.steps.back() = step;
 }
 
-GrowthPlayer::GrowthPlayer() : mState(std::make_unique<State>()) {}
-GrowthPlayer::~GrowthPlayer() = default;
+GrowthWorker::GrowthWorker() : mState(std::make_unique<State>()) {}
+GrowthWorker::~GrowthWorker() = default;
 
-bool GrowthPlayer::isDue() const {
+bool GrowthWorker::isDue() const {
   const State& s = *mState;
   return s.volume && s.error.empty() && s.now.steps != s.wanted.steps;
 }
 
-void GrowthPlayer::follow(const scene::Scene& scene) {
+void GrowthWorker::follow(const scene::Scene& scene) {
   State& s = *mState;
   const auto& labels = scene.labels;
   bool isSameData = s.volume == scene.volume.data && (s.given == labels.given || labels.growths.empty());
@@ -244,7 +244,7 @@ void GrowthPlayer::follow(const scene::Scene& scene) {
   s.hasNews = s.wanted.steps.empty() && !labels.grown.empty();
 }
 
-Player::Work GrowthPlayer::nextWork() {
+Worker::Work GrowthWorker::nextWork() {
   State& s = *mState;
   if (s.isWorking || s.hasNews || !isDue()) return {};
   s.isWorking = true;
@@ -264,9 +264,9 @@ Player::Work GrowthPlayer::nextWork() {
   };
 }
 
-bool GrowthPlayer::wantsCancel() const { return mState->isObsolete; }
+bool GrowthWorker::wantsCancel() const { return mState->isObsolete; }
 
-void GrowthPlayer::endWork(const Finish& finish, const std::string& error) {
+void GrowthWorker::endWork(const Finish& finish, const std::string& error) {
   State& s = *mState;
   s.isWorking = false;
   if (finish)
@@ -276,9 +276,9 @@ void GrowthPlayer::endWork(const Finish& finish, const std::string& error) {
   s.isObsolete = false;
 }
 
-bool GrowthPlayer::hasRests() const { return mState->hasNews; }
+bool GrowthWorker::hasRests() const { return mState->hasNews; }
 
-void GrowthPlayer::complete(scene::Scene& scene) {
+void GrowthWorker::complete(scene::Scene& scene) {
   State& s = *mState;
   s.hasNews = false;
   auto& labels = scene.labels;
@@ -289,22 +289,22 @@ void GrowthPlayer::complete(scene::Scene& scene) {
     holdGrowth(scene, *s.now.leak);
 }
 
-GrowthStatus GrowthPlayer::status() const {
+GrowthStatus GrowthWorker::status() const {
   const State& s = *mState;
   int structure = s.now.steps.empty() ? 0 : s.now.steps.back().structure;
   return {isDue(), structure, s.now.voxels, s.now.leak, s.error};
 }
 
-std::optional<Leak> GrowthPlayer::stop() const {
+std::optional<Leak> GrowthWorker::stop() const {
   const State& s = *mState;
   if (!isDue()) return std::nullopt;
   if (s.now.steps.empty()) return Leak{s.wanted.steps.back().structure, 0.0, 0.0};
   return Leak{s.now.steps.back().structure, s.now.steps.back().distance, 0.0};
 }
 
-void GrowthPlayer::acceptLeak() { mState->now.leak.reset(); }
+void GrowthWorker::acceptLeak() { mState->now.leak.reset(); }
 
-void GrowthPlayer::trust(int structure) {
+void GrowthWorker::trust(int structure) {
   mState->trusted.insert(structure);
   mState->now.leak.reset();
 }

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/Model.h"
 #include "render/SheetIndices.h"
 #include "scene/SceneFwd.h"
 

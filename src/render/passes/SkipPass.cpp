@@ -39,7 +39,7 @@ SkipPass::Key SkipPass::keyOf(const FrameData& data) {
   }
   for (const auto& cut : scene.cuts)
     for (const auto& spare : cut.spares)
-      if (cut.enabled && spare.distance > 0.0 && spare.share > 0.0) key.spared |= bitOf(spare.structure);
+      if (cut.enabled && spare.distance > 0.0) key.spared |= bitOf(spare.structure);
   if (data.spares.hasDepths && data.cuts.size() < kFewCuts) {
     key.cuts = data.cuts;
     key.sceneFromTex = data.params.sceneFromTex;

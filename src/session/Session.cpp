@@ -104,9 +104,8 @@ bool Session::isOnItsWay() const {
 }
 
 bool Session::isSettled() const {
-  return std::all_of(mWorking.begin(), mWorking.end(), [](const Working& working) {
-    return working.worker->isSettled() && !working.worker->hasRests();
-  });
+  return std::all_of(mWorking.begin(), mWorking.end(),
+                     [](const Working& working) { return working.worker->isSettled() && !working.worker->hasRests(); });
 }
 
 bool Session::isStill() const { return mMembranes.isSettled() && !mMembranes.hasRests(); }
@@ -147,6 +146,14 @@ void Session::settle(Progress& progress) {
     for (auto& working : mWorking) bringToRest(working, progress);
 }
 
+std::vector<std::string> Session::grow(Progress& progress) {
+  Shared<LabelVolume> before = scene().labels.data;
+  bringToRest(mWorking.front(), progress);
+  const scene::LabelLayer& labels = scene().labels;
+  bool hasNews = !labels.growths.empty() && !(labels.data == before);
+  return hasNews ? labels.data->warnings : std::vector<std::string>();
+}
+
 scene::Scene Session::settled(Progress& progress) {
   settle(progress);
   return mMembranes.withShapes(scene());
@@ -172,7 +179,8 @@ std::vector<std::filesystem::path> Session::film(const FilmOptions& options, con
   if (!options.section) renderer();
   Film film(scene(), options);
   for (int i = 0; i < int(paths.size()); ++i) {
-    if (options.motion) progress.report(double(i) / double(paths.size()), fmt::format("Frame {} of {}", i + 1, paths.size()));
+    if (options.motion)
+      progress.report(double(i) / double(paths.size()), fmt::format("Frame {} of {}", i + 1, paths.size()));
     Progress quiet([&](double, const std::string&) { progress.throwIfCancelled(); });
     Progress& heard = options.motion ? quiet : progress;
     bool hasMotion = options.motion.has_value();

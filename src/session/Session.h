@@ -22,9 +22,9 @@ namespace velum::session {
 struct FilmOptions;
 struct PictureOptions;
 
-/// What is open, and all that goes on beside it: the document with its file and journal, what workers compute and movers
-/// move, jobs, and, where nobody lends one, a GL context. The window, `velum-batch`, scripts and tests drive it alike; it
-/// knows of no widget. One thread, in which a context is current where it says GL thread.
+/// What is open, and all that goes on beside it: the document with its file and journal, what workers compute and
+/// movers move, jobs, and, where nobody lends one, a GL context. The window, `velum-batch`, scripts and tests drive it
+/// alike; it knows of no widget. One thread, in which a context is current where it says GL thread.
 ///
 /// A window lends its context, calls collect() when it is woken and advance() while it draws. Whoever has none calls
 /// settle(), picture() and film(), which take as long as they take; a context is made when the first of them needs one.
@@ -82,13 +82,16 @@ class Session {
   void setContextKind(gpu::ContextKind kind) { mContextKind = kind; }
   /// Lets all come to rest that is not paused. @throw Cancelled, gpu::GpuError, InputError where forces cannot be made
   void settle(Progress& progress);
+  /// Lets all grow that the scene asks for. Needs no context. @return what there is to tell of it, one line each
+  /// @throw Cancelled, and what growing throws
+  std::vector<std::string> grow(Progress& progress);
   /// The scene with all at rest, the shapes of its sheets in it. @throw as settle()
   scene::Scene settled(Progress& progress);
   /// A picture of the scene with all at rest, as drawPicture() makes it. @throw Cancelled, gpu::GpuError
   Image picture(const PictureOptions& options, Progress& progress);
   /// Draws and writes one picture or several, with the scene in them, all at rest in each. @param path  "-": standard
-  /// output, of one  @return the files  @throw Cancelled, gpu::GpuError, InputError when the disk refuses, ArgumentError
-  /// where whyStill() says why there is no animation
+  /// output, of one  @return the files  @throw Cancelled, gpu::GpuError, InputError when the disk refuses,
+  /// ArgumentError where whyStill() says why there is no animation
   std::vector<std::filesystem::path> film(const FilmOptions& options, const std::filesystem::path& path,
                                           Progress& progress);
   /// What became of the membranes that are on, at rest. @throw Cancelled, gpu::GpuError

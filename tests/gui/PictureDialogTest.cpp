@@ -20,6 +20,7 @@
 #include "gui/window/HelpWindow.h"
 #include "gui/window/SavePictureDialog.h"
 #include "patience.h"
+#include "session/Session.h"
 #include "session/document/Open.h"
 
 namespace velum::gui {
@@ -109,7 +110,8 @@ TEST_F(PictureDialog, OffersTheAnimationsThatTheSceneCanHave) {
   words[words.indexOf("picture.png")] = QString::fromStdString((mFolder.path() / "command.png").string());
   runBatch(words);
   Progress progress;
-  session::Session(dialog.pictureScene()).film({dialog.options(), session::Motion::Pull, 3}, mFolder.path() / "window.png", progress);
+  session::Session(dialog.pictureScene())
+      .film({dialog.options(), session::Motion::Pull, 3}, mFolder.path() / "window.png", progress);
   auto pixels = [&](const char* name) {
     return QImage(QString::fromStdString((mFolder.path() / name).string())).convertToFormat(QImage::Format_RGBA8888);
   };

@@ -10,6 +10,7 @@
 #include "gui/service/SelectedCut.h"
 #include "gui/window/ExportStructuresDialog.h"
 #include "gui/window/SavePictureDialog.h"
+#include "session/Session.h"
 #include "session/membrane/Membranes.h"
 #include "session/model/CountPictures.h"
 #include "session/model/ModelExport.h"

@@ -76,7 +76,8 @@ Film::Frame Film::at(int frame, Progress& progress) {
   out.drawn = out.scene;
   if (!hasMembranes(out.scene)) return out;
   mMembranes.follow(out.scene);
-  bringToRest(mMembranes, [this] { mMembranes.takeRests(); }, progress);
+  bringToRest(
+      mMembranes, [this] { mMembranes.takeRests(); }, progress);
   out.drawn = mMembranes.withShapes(std::move(out.drawn));
   return out;
 }

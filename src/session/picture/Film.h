@@ -35,8 +35,8 @@ std::vector<std::filesystem::path> framePaths(const std::filesystem::path& path,
 /// Which pictures to make of a scene: one, or those of an animation; of the 3D view or of a section.
 struct FilmOptions {
   PictureOptions picture;
-  std::optional<Motion> motion = {};              ///< none: one picture, of the scene as it is
-  int frames = 1;                                 ///< of an animation
+  std::optional<Motion> motion = {};               ///< none: one picture, of the scene as it is
+  int frames = 1;                                  ///< of an animation
   std::optional<scene::SectionKind> section = {};  ///< none: the 3D picture
 };
 

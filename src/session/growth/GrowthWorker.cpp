@@ -31,6 +31,7 @@ struct Progressed {
   Shared<LabelVolume> before;  ///< without the last step; nothing where that is not known
   std::int64_t voxels = 0;     ///< of the last step
   std::optional<Leak> leak;
+  GrowthFigures figures;  ///< of the last step
 
   /// Labels that hold all steps to their ends.
   void take(const Shared<LabelVolume>& whole) {
@@ -72,10 +73,10 @@ bool isOnTheWay(const Progressed& now, const Steps& wanted) {
   return now.steps.empty() || isAnew || bool(now.rough) || now.steps.back() == wanted[now.steps.size() - 1];
 }
 
-/// Beyond this depth nothing of the volume lies.
+/// Beyond this depth nothing of the volume lies; 0 where a step has no plane, and grows at once.
 double deepest(const Volume& volume, const scene::Growth& step) {
   growth::GrowDomain domain(volume, step.centre, step.axis, step.distance);
-  return domain.isEverywhere() ? scene::Growth::kEndless : domain.depthRange({0, 0, 0}, volume.dims - 1).y;
+  return domain.isEverywhere() ? 0.0 : domain.depthRange({0, 0, 0}, volume.dims - 1).y;
 }
 
 }  // namespace
@@ -120,6 +121,7 @@ Progressed GrowthWorker::State::growSome(const Shared<Volume>& of, const Shared<
       to.steps.push_back(step);
       to.rough = to.before = to.labels;
       to.voxels = 0;
+      to.figures = {};
     }
     if (all.isCarried(place)) {
       to.steps.back() = step;
@@ -177,14 +179,23 @@ double GrowthWorker::State::growPart(const Shared<Volume>& of, Progressed& to, c
   growth::Grown grown = grower.grow(of, to.rough, part, {.guard = watch != Watch::Not, .begun = {}}, progress);
   if (isFirst && growth::isMostOfItsPlane(*of, *grown.labels, part)) return hold();
   if (msSince(start) < kQuickMs) slabs *= 2.0;
+  to.figures.slabs += grown.slabs;
+  to.figures.ms += grown.ms;
   if (grown.leak) {
+    to.figures.leakDepth = grown.leak->depth;
+    to.figures.leakArea = grown.leak->area;
+    to.figures.widestBefore = grown.leak->widestBefore;
     part.distance = std::max(reached, grown.distance);
     to.leak = Leak{step.structure, part.distance, grown.leak->area / std::max(grown.leak->widestBefore, 1e-12)};
   }
   to.labels = to.rough = grown.labels;
   to.voxels += std::int64_t(grown.voxels);
   to.steps.back() = part;
-  if (grown.leak || part == step) to.labels = growth::smoothRegion(of, to.rough, part, progress).labels;
+  if (grown.leak || part == step) {
+    growth::Smoothed smoothed = growth::smoothRegion(of, to.rough, part, progress);
+    to.labels = smoothed.labels;
+    to.figures.smoothed = smoothed.voxels;
+  }
   return grown.leak ? 0.0 : slabs;
 }
 
@@ -192,7 +203,9 @@ double GrowthWorker::State::growPart(const Shared<Volume>& of, Progressed& to, c
 void GrowthWorker::State::growWhole(const Shared<Volume>& of, Progressed& to, const scene::Growth& step,
                                     Progress& progress) {
   growth::Grown grown = grower.grow(of, to.before, step, {}, progress);
-  to.labels = growth::smoothRegion(of, grown.labels, step, progress, grown.others).labels;
+  growth::Smoothed smoothed = growth::smoothRegion(of, grown.labels, step, progress, grown.others);
+  to.labels = smoothed.labels;
+  to.figures = {.slabs = grown.slabs, .ms = grown.ms, .smoothed = smoothed.voxels};
   to.rough = grown.labels;
   to.voxels = std::int64_t(grown.voxels);
   to.steps.back() = step;
@@ -292,7 +305,7 @@ void GrowthWorker::complete(scene::Scene& scene) {
 GrowthStatus GrowthWorker::status() const {
   const State& s = *mState;
   int structure = s.now.steps.empty() ? 0 : s.now.steps.back().structure;
-  return {isDue(), structure, s.now.voxels, s.now.leak, s.error};
+  return {isDue(), structure, s.now.voxels, s.now.leak, s.error, s.now.figures};
 }
 
 std::optional<Leak> GrowthWorker::stop() const {
@@ -303,6 +316,8 @@ std::optional<Leak> GrowthWorker::stop() const {
 }
 
 void GrowthWorker::acceptLeak() { mState->now.leak.reset(); }
+
+void GrowthWorker::takeTypedRange(int structure) { mState->typed.insert(structure); }
 
 void GrowthWorker::trust(int structure) {
   mState->trusted.insert(structure);

@@ -9,6 +9,14 @@
 
 namespace velum::session {
 
+/// What the last step of growing has taken.
+struct GrowthFigures {
+  int slabs = 0;
+  double ms = 0.0;                                             ///< of growing, on the wall
+  std::size_t smoothed = 0;                                    ///< voxels that joined at the step's end
+  double leakDepth = 0.0, leakArea = 0.0, widestBefore = 0.0;  ///< of the slab that leaks, see growth::Leak
+};
+
 /// What growing is doing, for people.
 struct GrowthStatus {
   bool isGrowing = false;
@@ -16,6 +24,7 @@ struct GrowthStatus {
   std::int64_t voxels = 0;   ///< that it has got since its step began
   std::optional<Leak> leak;  ///< that holds it
   std::string error;         ///< one line; empty: nothing is wrong
+  GrowthFigures figures = {};
 };
 
 /// Grows what a scene's growths ask for ([ACS] 4.2): beside, a little at a time, so that the window answers and shows
@@ -44,6 +53,8 @@ class GrowthWorker : public Worker {
   void acceptLeak();
   /// No leak of this structure is minded any more.
   void trust(int structure);
+  /// Somebody has typed the values of this structure: they are meant, and it is only watched for leaks.
+  void takeTypedRange(int structure);
 
  private:
   struct State;

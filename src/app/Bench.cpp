@@ -8,7 +8,6 @@
 #include "app/Verbs.h"
 #include "render/Renderer.h"
 #include "scene/Navigate.h"
-#include "session/membrane/Membranes.h"
 #include "session/picture/Picture.h"
 
 namespace velum::app {
@@ -28,16 +27,17 @@ struct BenchOptions {
 
 int run(const BenchOptions& options) {
   glm::ivec2 size = session::parsePictureSize(options.size, 0);
-  auto context = gpu::Context::create(options.common.context);
-  render::Renderer renderer(*context);
+  session::Session session;
+  session.setContextKind(options.common.context);
+  render::Renderer& renderer = session.renderer();
+  openInputs(session, options.input, double(size.x) / size.y);
   render::Frame frame;
-  frame.scene = openScene(options.input, double(size.x) / size.y);
+  frame.scene = session.settled(consoleProgress());
   frame.scene.rayCast.samplesPerPixel = 1;
   // As the window draws while the camera moves: fewer pixels, which the screen makes larger.
   frame.pictureSize = glm::max(glm::ivec2(glm::dvec2(size) / options.coarse), 1);
   frame.isPreview = options.coarse > 1.0;
   Progress& progress = consoleProgress();
-  session::settleMembranes(frame.scene, {}, progress);
   renderer.render(frame, progress);  // uploads, shaders
   double uploadMs = renderer.stats().uploadMs;
   // What a first picture finds empty, such as who was seen before, has the driver compile once more.

@@ -13,22 +13,21 @@
 #include <sstream>
 
 #include "app/StandardInput.h"
-#include "app/WindowOption.h"
 #include "core/Error.h"
 #include "core/Log.h"
 #include "core/ReplaceFile.h"
 #include "core/Text.h"
 #include "io/kinds/FileKind.h"
 #include "scene/Finishes.h"
+#include "scene/GreyWindows.h"
 #include "scene/Presets.h"
 #include "scene/SurfaceLook.h"
-#include "scene/VisibleFrame.h"
 #include "scene/json/Paths.h"
-#include "session/document/Body.h"
+#include "session/command/DocumentCommands.h"
+#include "session/command/LookCommands.h"
+#include "session/command/ViewCommands.h"
 #include "session/document/Open.h"
 #include "session/document/SetFields.h"
-#include "session/growth/Growths.h"
-#include "session/look/Look.h"
 
 namespace velum::app {
 
@@ -42,6 +41,17 @@ void addCommon(CLI::App& verb, Common& common) {
 }
 
 namespace {
+
+/// What --window sets, among what --set does: level and width together.
+constexpr std::string_view kWindowField = "volume.window";
+
+/// Names of grey windows with their units, for the help.
+std::string windowNames() {
+  std::string names;
+  for (const scene::GreyWindow& window : scene::greyWindows())
+    names += (names.empty() ? "" : ", ") + fmt::format("{} ({})", window.name, window.unit);
+  return names;
+}
 
 std::string finishNames() {
   std::string names;
@@ -220,50 +230,81 @@ void sayWhereLinesLie(const scene::Scene& scene) {
 
 }  // namespace
 
-scene::Scene openScene(const InputOptions& input, double aspect) {
-  Progress& progress = consoleProgress();
-  if (input.inputs.empty() && input.labels.empty()) throw ArgumentError("name a file, folder or scene to open");
-  scene::Scene scene;
-  auto sets = splitSets(input.sets);
+void run(session::Session& session, const session::Call& call, Words options) {
+  try {
+    for (const std::string& note : session::run(session, call, consoleProgress())) log::warning(note);
+  } catch (const ArgumentError& error) {
+    std::string_view text = error.what();
+    for (const auto& [words, option] : options)
+      if (text.starts_with(words)) throw ArgumentError(option + std::string(text.substr(words.size())));
+    throw;
+  }
+}
+
+namespace {
+
+/// What decides where data lies is known before the data is read.
+session::DataPolicy policyOf(const std::vector<scene::FieldValue>& sets) {
   session::DataPolicy policy;
-  // Where data lies must be known before it is read.
-  policy.beforeData = [&](scene::Scene& opened) {
+  policy.refusesOne = true;
+  policy.beforeData = [&sets](scene::Scene& opened) {
     for (const auto& [path, value] : sets)
       if (isSourceField(path)) session::setField(opened, path, value);
   };
-  if (!input.inputs.empty()) scene = session::open(firstSource(input), progress, policy);
-  scene::Source source;
-  for (std::size_t i = 1; i < input.inputs.size(); ++i) {
-    source.path = fileOfInput(input.inputs[i]);
-    session::add(scene, source, progress);
+  return policy;
+}
+
+void openFiles(session::Session& session, const InputOptions& input, const std::vector<scene::FieldValue>& sets) {
+  std::vector<scene::Source> sources;
+  for (std::size_t i = 0; i < input.inputs.size(); ++i) {
+    sources.push_back(i == 0 ? firstSource(input) : scene::Source{});
+    if (i > 0) sources.back().path = fileOfInput(input.inputs[i]);
   }
-  if (!input.labels.empty()) {
-    source.path = fileOfInput(input.labels);
-    session::addLabels(scene, source, progress);
+  std::string labels = input.labels.empty() ? std::string() : fileOfInput(input.labels);
+  if (sources.empty()) {
+    session::Loaded loaded = session::readLabels({}, labels, consoleProgress());
+    return session.file().open(std::move(loaded), labels);
   }
-  progress.report(1.0, "");
-  bool isScene = !input.inputs.empty() && io::holdsScene(io::kindOf(firstSource(input)));
-  if (!input.preset.empty()) scene::applyPreset(scene, input.preset);
-  if (input.smooth) scene.volume.smooth = *input.smooth;
-  if (!input.transfer.empty()) printWarnings(input.transfer, session::importLook(scene, input.transfer));
-  if (input.makesSurface) scene::makeSurface(scene);
-  if (input.hidesTable) scene.volume.bodyOnly = true;
-  session::settleBody(scene, progress);  // before the camera looks at what is left
-  if (!input.view.empty() || !isScene) {
-    auto view = enumValue<scene::StandardView>(input.view);
-    if (!view && !input.view.empty())
-      throw ArgumentError(
-          fmt::format("--view {}: not one of {}", input.view, fmt::join(EnumNames<scene::StandardView>::kNames, ", ")));
-    scene.camera = view ? scene::frameVisible(scene, *view, aspect) : scene::firstCamera(scene, aspect);
+  session::Loaded loaded = session::read(sources, consoleProgress(), policyOf(sets));
+  for (const std::string& note : loaded.notes) log::warning(note);
+  std::string path = loaded.path;
+  session.file().open(std::move(loaded), path);
+  if (!labels.empty()) run(session, session::AddFile{labels, true});
+}
+
+/// Of the scene's own, or as data is first seen, or from the side that is asked for.
+void placeCamera(session::Session& session, const InputOptions& input, double aspect) {
+  bool isScene = !input.inputs.empty() && io::holdsScene(io::kindOf(session.file().path()));
+  if (input.view.empty() && isScene) return;
+  auto side = enumValue<scene::StandardView>(input.view);
+  if (!side && !input.view.empty())
+    throw ArgumentError(
+        fmt::format("--view {}: not one of {}", input.view, fmt::join(EnumNames<scene::StandardView>::kNames, ", ")));
+  side ? run(session, session::LookFrom{*side, aspect}) : run(session, session::LookFirst{aspect});
+}
+
+}  // namespace
+
+void openInputs(session::Session& session, const InputOptions& input, double aspect) {
+  if (input.inputs.empty() && input.labels.empty()) throw ArgumentError("name a file, folder or scene to open");
+  auto sets = splitSets(input.sets);
+  openFiles(session, input, sets);
+  consoleProgress().report(1.0, "");
+  if (!input.preset.empty()) run(session, session::ChoosePreset{input.preset});
+  if (input.smooth) run(session, session::SetField{"volume.smooth", *input.smooth ? "true" : "false"});
+  if (!input.transfer.empty()) run(session, session::ImportLook{input.transfer});
+  if (input.makesSurface) run(session, session::MakeSurface{});
+  if (input.hidesTable) run(session, session::HideTable{true});
+  placeCamera(session, input, aspect);
+  if (!input.finish.empty()) run(session, session::ChooseFinish{input.finish});
+  for (const auto& [path, value] : sets) {
+    if (path == kWindowField)
+      run(session, session::ChooseWindow{value}, {{"look.window", "--window"}});
+    else
+      run(session, session::SetField{path, value.empty() ? "\"\"" : value});
   }
-  if (!input.finish.empty()) scene::applyFinish(scene, input.finish);
-  scene::Scene opened = scene;
-  for (const auto& [path, value] : sets)
-    path == kWindowField ? setGreyWindow(scene.volume, value) : session::setField(scene, path, value);
-  for (const std::string& note : session::followFields(scene, opened, progress)) log::warning(note);
-  for (const std::string& note : session::settleGrowths(scene, progress)) log::warning(note);
-  if (!input.finish.empty()) sayWhereLinesLie(scene);
-  return scene;
+  for (const std::string& note : session.grow(consoleProgress())) log::warning(note);
+  if (!input.finish.empty()) sayWhereLinesLie(session.scene());
 }
 
 void expectOutput(const std::string& path, void (*expectFormat)(const std::filesystem::path&)) {

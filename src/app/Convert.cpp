@@ -11,7 +11,6 @@
 #include "io/volumes/WriteVolume.h"
 #include "session/document/Open.h"
 #include "session/look/Look.h"
-#include "session/membrane/Membranes.h"
 #include "session/model/ModelExport.h"
 #include "session/structure/StructureExport.h"
 
@@ -43,11 +42,8 @@ Lines writeStructures(const scene::Scene& scene, const ConvertOptions& options, 
 }
 
 /// What shows of a scene's model. Membranes come to rest first, for which there must be a graphics driver.
-Lines writeModel(scene::Scene scene, const ConvertOptions& options, Json& json) {
-  if (session::hasMembranes(scene)) {
-    auto context = gpu::Context::create(options.common.context);
-    session::settleMembranes(scene, {}, consoleProgress());
-  }
+Lines writeModel(session::Session& session, const ConvertOptions& options, Json& json) {
+  scene::Scene scene = session.settled(consoleProgress());
   session::ModelExport written = session::exportModel(scene, options.output, consoleProgress());
   json["kind"] = "model";
   json["types"] = written.types;
@@ -96,16 +92,19 @@ int run(const ConvertOptions& options) {
   bool isModel = !isScene && !options.labels && io::kindOf(source) == io::FileKind::Model;
   if (!options.input.sets.empty() && !isScene && !isModel)
     throw ArgumentError("--set: changes what is written of scenes and models only; leave it out");
+  session::Session session;
+  session.setContextKind(options.common.context);
   if (isModel && !session::isLookFile(options.output)) {
-    tell(options.output, writeModel(openScene(options.input, 1.0), options, json));
+    openInputs(session, options.input, 1.0);
+    tell(options.output, writeModel(session, options, json));
   } else if (session::isLookFile(options.output)) {
     tell(options.output, session::convertLook(source.path, options.output));
   } else if (isScene) {
-    scene::Scene scene = openScene(options.input, 1.0);
-    if (isOfModel(scene, options))
-      tell(options.output, writeModel(std::move(scene), options, json));
+    openInputs(session, options.input, 1.0);
+    if (isOfModel(session.scene(), options))
+      tell(options.output, writeModel(session, options, json));
     else
-      tell(options.output, writeStructures(scene, options, json));
+      tell(options.output, writeStructures(session.scene(), options, json));
   } else {
     auto voxels = readVoxels(source, options, progress);
     std::visit([&](const auto& data) { tell(source.path, data.warnings); }, voxels);

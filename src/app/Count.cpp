@@ -10,8 +10,8 @@
 #include "core/Error.h"
 #include "core/ReplaceFile.h"
 #include "render/Renderer.h"
+#include "session/command/ModelCommands.h"
 #include "session/document/Open.h"
-#include "session/membrane/Membranes.h"
 #include "session/model/CountFiles.h"
 #include "session/model/WhatHides.h"
 #include "session/picture/Picture.h"
@@ -78,15 +78,15 @@ std::string sizeOf(const CountOptions& options, bool hasModel) {
   return options.size.empty() ? hasModel ? "1280x720" : "320x180" : options.size;
 }
 
-int countInstances(scene::Scene scene, const CountOptions& options, session::PictureCounter& counter,
-                   const render::Renderer& renderer) {
-  if (!options.clearTheWay.empty()) session::clearTheWay(scene, options.clearTheWay);
-  const Model& model = *scene.model.data;
+int countInstances(session::Session& session, const CountOptions& options, session::PictureCounter& counter) {
+  if (!options.clearTheWay.empty()) run(session, session::KeepInView{options.clearTheWay});
   Progress& progress = consoleProgress();
-  if (session::hasMembranes(scene)) session::settleMembranes(scene, {}, progress);
+  session.settle(progress);
 
   auto start = Clock::now();
-  auto settled = settleTargets(scene, options.targets, counter.aspect(), &counter);
+  auto settled = settleTargets(session, options.targets, counter.aspect(), &counter);
+  scene::Scene scene = session.settled(progress);
+  const Model& model = *scene.model.data;
   render::InstanceBits bits = counter.count(scene);
   std::vector<session::CountRow> rows = session::countRows(model, render::countTypes(model, bits));
   std::optional<session::Hiding> hiding;
@@ -99,9 +99,9 @@ int countInstances(scene::Scene scene, const CountOptions& options, session::Pic
   if (!options.csv.empty()) replaceFile(options.csv, session::countsCsv(rows));
   if (!options.svg.empty()) replaceFile(options.svg, session::countsSvg(rows, title));
   if (!options.instances.empty()) replaceFile(options.instances, session::instancesCsv(model, bits));
-  if (!options.output.empty()) session::saveScene(scene, options.output);
+  if (!options.output.empty()) session::saveScene(session.scene(), options.output);
   if (options.common.json) {
-    Json json = {{"renderer", renderer.stats().renderer},
+    Json json = {{"renderer", session.renderer().stats().renderer},
                  {"size", {counter.size().x, counter.size().y}},
                  {"ms", ms},
                  {"all", countJson(rows.front().count)},
@@ -129,9 +129,11 @@ int countInstances(scene::Scene scene, const CountOptions& options, session::Pic
 int run(const CountOptions& options) {
   for (const std::string& path : {options.csv, options.svg, options.instances, options.output}) expectOutput(path);
   glm::ivec2 size = session::parsePictureSize(sizeOf(options, true), 0);
-  auto context = gpu::Context::create(options.common.context);
-  render::Renderer renderer(*context);
-  scene::Scene scene = openScene(options.input, double(size.x) / size.y);
+  session::Session session;
+  session.setContextKind(options.common.context);
+  session.renderer();  // before data is read: without a driver nothing is counted
+  openInputs(session, options.input, double(size.x) / size.y);
+  const scene::Scene& scene = session.scene();
   bool hasModel(scene.model.data), hasLabels = scene.labels.data || !scene.labels.growths.empty();
   if (!hasModel && (!hasLabels || wantsModel(options)))
     throw InputError(hasLabels ? "there is no model, and of structures pixels are counted: see --set-area"
@@ -139,10 +141,10 @@ int run(const CountOptions& options) {
   if (hasModel && !options.areas.empty())
     throw InputError("--set-area is of structures, and what is counted is a model: see --set-count");
   size = session::parsePictureSize(sizeOf(options, hasModel), 0);
-  session::PictureCounter counter(renderer, size, context->limits(), consoleProgress());
-  if (hasModel) return countInstances(std::move(scene), options, counter, renderer);
+  session::PictureCounter counter = session.counter(size, consoleProgress());
+  if (hasModel) return countInstances(session, options, counter);
   AreaOptions areas{options.areas, options.csv, options.svg, options.output, options.common.json};
-  return countAreas(std::move(scene), areas, counter, renderer);
+  return countAreas(session, areas, counter);
 }
 
 }  // namespace

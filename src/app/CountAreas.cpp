@@ -12,8 +12,6 @@
 #include "core/Text.h"
 #include "session/document/Open.h"
 #include "session/extrusion/AreaSolver.h"
-#include "session/growth/Growths.h"
-#include "session/membrane/Membranes.h"
 #include "session/model/CountFiles.h"
 #include "session/structure/StructureAreas.h"
 #include "session/structure/StructureEdit.h"
@@ -101,13 +99,11 @@ Json targetJson(const WantedArea& wanted, const session::SolvedArea& solved) {
 
 }  // namespace
 
-int countAreas(scene::Scene scene, const AreaOptions& options, session::PictureCounter& counter,
-               const render::Renderer& renderer) {
+int countAreas(session::Session& session, const AreaOptions& options, session::PictureCounter& counter) {
   std::vector<WantedArea> wanted;
-  for (const std::string& text : options.areas) wanted.push_back(wantedOf(scene, text));
+  for (const std::string& text : options.areas) wanted.push_back(wantedOf(session.scene(), text));
   Progress& progress = consoleProgress();
-  session::settleGrowths(scene, progress);
-  if (session::hasMembranes(scene)) session::settleMembranes(scene, {}, progress);
+  scene::Scene scene = session.settled(progress);
 
   auto start = Clock::now();
   std::vector<int> cuts = session::cutsToPullFrom(scene);
@@ -126,7 +122,7 @@ int countAreas(scene::Scene scene, const AreaOptions& options, session::PictureC
   if (!options.svg.empty()) replaceFile(options.svg, session::countsSvg(rows, title));
   if (!options.output.empty()) session::saveScene(scene, options.output);
   if (options.json) {
-    Json json = {{"renderer", renderer.stats().renderer},
+    Json json = {{"renderer", session.renderer().stats().renderer},
                  {"size", {size.x, size.y}},
                  {"ms", ms},
                  {"perStructure", Json::array()}};

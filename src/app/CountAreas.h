@@ -16,7 +16,6 @@ struct AreaOptions {
 
 /// Sets the areas that are wanted, and says what of a scene's structures its picture shows, hides and has lost to cuts,
 /// in pixels. What is not met is said on stderr.
-int countAreas(scene::Scene scene, const AreaOptions& options, session::PictureCounter& counter,
-               const render::Renderer& renderer);
+int countAreas(session::Session& session, const AreaOptions& options, session::PictureCounter& counter);
 
 }  // namespace velum::app

@@ -5,20 +5,12 @@
 
 #include "app/Verbs.h"
 #include "core/Error.h"
-#include "core/Text.h"
 #include "io/meshes/WriteMesh.h"
 #include "io/volumes/WriteVolume.h"
-#include "scene/Project.h"
-#include "session/cut/CutEdit.h"
+#include "session/command/DocumentCommands.h"
+#include "session/command/MembraneCommands.h"
 #include "session/document/Open.h"
-#include "session/membrane/DefaultField.h"
-#include "session/membrane/FirstPlace.h"
-#include "session/membrane/MembraneEdit.h"
-#include "session/membrane/Membranes.h"
-#include "session/membrane/SheetHands.h"
-#include "session/membrane/Sketch.h"
-#include "session/membrane/StrokeSamples.h"
-#include "session/model/TypesAt.h"
+#include "session/membrane/HangMembrane.h"
 #include "session/picture/Export.h"
 
 namespace velum::app {
@@ -37,154 +29,104 @@ struct MembraneOptions {
   bool limit = false, denoise = false, move = false;
 };
 
-glm::dvec3 vectorOf(const std::vector<double>& v) { return {v[0], v[1], v[2]}; }
+/// "#3": a cut by its id, for commands.
+std::string keyOf(const scene::Cut& cut) { return fmt::format("#{}", cut.id); }
 
-/// The frame as the window would hang it, its axis and its place as asked for.
-scene::Cut newMembrane(const scene::Scene& scene, const MembraneOptions& options) {
-  scene::Scene seen = scene;
-  if (!options.axis.empty()) {
-    // The frame hangs across the direction in which one looks.
-    seen.camera = scene::frameCamera(scene, scene::StandardView::Anterior, 1.0);
-    seen.camera.eye = seen.camera.target + vectorOf(options.axis) * 1000.0;
-  }
-  scene::Cut cut = session::makeCut(seen, scene::CutShape::Membrane);
-  cut.name = "Membrane";
-  // Made along the data's nearest axis, as one that is put in by hand.
-  if (!options.axis.empty()) cut.axis = glm::normalize(vectorOf(options.axis));
-  scene::Bounds bounds = scene::computeBounds(scene);
-  glm::dvec3 middle = (bounds.min + bounds.max) * 0.5, z(scene::worldFromCut(cut)[2]);
-  double deep = glm::dot(glm::abs(z), bounds.max - bounds.min);
-  cut.centre = middle + z * (deep * (options.position.value_or(0.5) - 0.5));
-  if (options.reach) cut.size.z = *options.reach;
-  return cut;
+std::vector<scene::Cut> membranesOf(const scene::Scene& scene) {
+  std::vector<scene::Cut> membranes;
+  for (const scene::Cut& cut : scene.cuts)
+    if (cut.membrane) membranes.push_back(cut);
+  return membranes;
 }
 
-/// "x,y,z:x,y,z@radius": the points of a path. @param name  of the option
-scene::Stroke parseStroke(const std::string& text, const char* name) {
-  auto refuse = [&](const char* why) {
-    throw ArgumentError(fmt::format("{} {}: {}; expected points and a radius, x,y,z:x,y,z@radius", name, text, why));
-  };
-  scene::Stroke stroke;
-  std::string_view rest = text;
-  auto number = [&] {
-    double value = takeNumber(rest).value_or(std::nan(""));
-    if (!std::isfinite(value)) refuse("a number is missing");
-    return value;
-  };
-  auto take = [&](char mark) {
-    bool isNext = rest.starts_with(mark);
-    if (isNext) rest.remove_prefix(1);
-    return isNext;
-  };
-  do {
-    glm::dvec3 point(0.0);
-    for (int axis = 0; axis < 3; ++axis) {
-      if (axis > 0 && !take(',')) refuse("a point has three numbers");
-      point[axis] = number();
-    }
-    stroke.path.push_back(point);
-  } while (take(':'));
-  if (take('@')) {
-    stroke.radius = number();
-    if (!(stroke.radius > 0)) refuse("the radius must be more than 0");
-  }
-  if (!rest.empty()) refuse("it goes on after its end");
-  return stroke;
+/// Which options the fields of a new membrane are.
+const Words kOptions{{"membrane.hang values", "--protect"},
+                     {"membrane.hang place", "--protect-at"},
+                     {"membrane.hang structures", "--protect-structure"},
+                     {"membrane.hang types", "--protect-type"},
+                     {"membrane.hang sketch: it fits the curve to its strokes: leave values and place out",
+                      "--sketch fits the curve to its strokes: leave --protect and --protect-at out"},
+                     {"membrane.hang sketch", "--sketch"},
+                     {"membrane.hang avoid", "--avoid"},
+                     {"membrane.hang axis", "--axis"},
+                     {"membrane.hang leastPiece", "--least-piece"}};
+
+session::HangMembrane newMembrane(const MembraneOptions& options) {
+  session::HangMembrane asked;
+  asked.values = options.protect;
+  asked.place = options.at;
+  asked.structures = options.structures;
+  asked.types = options.types;
+  asked.sketch = options.sketch;
+  asked.avoid = options.avoid;
+  asked.axis = options.axis;
+  asked.position = options.position.value_or(-1.0);
+  asked.reach = options.reach.value_or(0.0);
+  asked.leastPiece = options.leastPiece;
+  asked.denoise = options.denoise;
+  return asked;
 }
 
-/// Fits the curve to the strokes, as the window does.
-void sketchWhatIsAsked(const scene::VolumeLayer& layer, scene::ForceField& field, const MembraneOptions& options) {
-  std::vector<scene::Stroke> strokes;
-  for (const auto& text : options.sketch) strokes.push_back(parseStroke(text, "--sketch"));
-  for (const auto& text : options.avoid) {
-    strokes.push_back(parseStroke(text, "--avoid"));
-    strokes.back().avoid = true;
+/// The membranes that the scene brings, where another reach or place is asked for.
+void placeAnew(session::Session& session, const MembraneOptions& options) {
+  for (const scene::Cut& cut : membranesOf(session.scene())) {
+    std::string size = fmt::format("cuts.{}.size", scene::cutPlace(session.scene(), cut.id));
+    if (options.reach)
+      run(session, session::SetField{size, fmt::format("{},{},{}", cut.size.x, cut.size.y, *options.reach)});
+    if (options.move) run(session, session::MoveToKeep{options.reach.has_value(), keyOf(cut)});
   }
-  if (strokes.empty()) return;
-  if (!layer.data) throw ArgumentError("--sketch, --avoid: there is no volume under the strokes");
-  session::setStrokes(field, strokes, layer, session::wholeHistogram(layer));
-  if (field.byValue.empty() && !options.sketch.empty())
-    throw ArgumentError(
-        "--sketch: the strokes lie outside the volume, or nothing under them differs from the rest by its values");
 }
 
-void protectWhatIsAsked(scene::Scene& scene, scene::Cut& cut, const MembraneOptions& options) {
-  auto& membrane = *cut.membrane;
-  if (!options.protect.empty()) {
-    if (options.protect[0] >= options.protect[1]) throw ArgumentError("--protect A,B: A must be less than B");
-    session::protectValues(membrane, options.protect[0], options.protect[1]);
+/// @throw ArgumentError in the words of the option
+void expectLeastPiece(const std::string& text) {
+  try {
+    session::leastPieceOf(text);
+  } catch (const ArgumentError& error) {
+    throw ArgumentError("--least-piece" + std::string(error.what()).substr(std::string_view("leastPiece").size()));
   }
-  for (int id : options.structures) session::protectStructure(membrane, id);
-  for (const auto& path : options.types) {
-    if (!session::protectsTypes(scene))
-      throw ArgumentError("--protect-type: types are protected of a model that is alone in its scene");
-    std::vector<int> ids = session::protectableTypes(*scene.model.data, path);
-    if (ids.empty()) {
-      std::string meant = session::nearestPath(*scene.model.data, path);
-      throw ArgumentError(fmt::format("--protect-type {}: no type or compartment of the model is called so{}", path,
-                                      meant.empty() ? "" : fmt::format(" (is {} meant?)", meant)));
-    }
-    for (int id : ids) session::protectStructure(membrane, id);
-  }
-  if (!options.at.empty() && !session::protectTissue(membrane, scene.volume, vectorOf(options.at)))
-    throw ArgumentError(
-        fmt::format("--protect-at {},{},{}: that is outside the volume", options.at[0], options.at[1], options.at[2]));
-  sketchWhatIsAsked(scene.volume, membrane.field, options);
 }
 
-/// Pins and kernels, on every membrane of the scene whose frame is there.
-void putHandsOn(scene::Scene& scene, const MembraneOptions& options) {
-  for (auto& cut : scene.cuts) {
-    if (!scene::isMembrane(cut)) continue;
+/// Pins, kernels, rule, side and noise, on every membrane of the scene.
+void putHandsOn(session::Session& session, const MembraneOptions& options) {
+  for (const scene::Cut& cut : membranesOf(session.scene())) {
     for (const auto& text : options.kernels) {
       auto n = numbersOf("--kernel", text, 5, "x,y,z,radius,strength");
       if (!(n[3] > 0.0) || !(std::abs(n[4]) <= 1000.0))
         throw ArgumentError(
             fmt::format("--kernel {}: the radius must be more than 0, the strength within -1000 to 1000", text));
-      session::addKernel(*cut.membrane, vectorOf(n), n[3], n[4]);
+      run(session, session::PushSheet{{n[0], n[1], n[2]}, n[3], n[4], keyOf(cut)});
     }
     for (const auto& text : options.pins) {
-      auto pin = session::pinOver(cut, vectorOf(numbersOf("--pin", text, 3, "x,y,z")));
-      if (!pin) throw ArgumentError(fmt::format("--pin {}: that is beside the frame of the membrane", text));
-      cut.membrane->pins.push_back(*pin);
+      auto n = numbersOf("--pin", text, 3, "x,y,z");
+      run(session, session::PinSheet{{n[0], n[1], n[2]}, keyOf(cut)}, {{"membrane.pin", "--pin"}});
     }
+    if (auto rule = enumValue<scene::KernelRule>(options.rule)) run(session, session::ChooseRule{*rule, keyOf(cut)});
+    std::string field = fmt::format("cuts.{}.membrane.field.", scene::cutPlace(session.scene(), cut.id));
+    if (!options.side.empty()) run(session, session::SetField{field + "side", options.side});
+    if (options.denoise) run(session, session::SetField{field + "denoise", "true"});
+    if (!options.leastPiece.empty())
+      run(session, session::SetField{field + "leastPiece", std::to_string(session::leastPieceOf(options.leastPiece))});
   }
 }
 
 bool asksForMembrane(const MembraneOptions& options) {
-  bool byCurve = !options.protect.empty() || !options.at.empty();
-  if (byCurve && !options.sketch.empty())
-    throw ArgumentError("--sketch fits the curve to its strokes: leave --protect and --protect-at out");
-  return byCurve || !options.structures.empty() || !options.types.empty() || !options.sketch.empty();
+  return !options.protect.empty() || !options.at.empty() || !options.structures.empty() || !options.types.empty() ||
+         !options.sketch.empty();
 }
 
-void applyRule(scene::Scene& scene, const std::string& rule, const std::string& side) {
-  for (auto& cut : scene.cuts) {
-    if (!cut.membrane) continue;
-    if (auto wanted = enumValue<scene::KernelRule>(rule)) session::setRule(*cut.membrane, *wanted);
-    if (auto wanted = enumValue<scene::MembraneSide>(side)) cut.membrane->field.side = *wanted;
-  }
-}
-
-void applyNoise(scene::Membrane& membrane, const MembraneOptions& options) {
-  std::optional<int> least;
-  if (options.leastPiece == "auto") least = -1;
-  if (auto voxels = numberIn(options.leastPiece); voxels && *voxels >= 1 && *voxels <= 1e9 && *voxels == int(*voxels))
-    least = int(*voxels);
-  if (!least && !options.leastPiece.empty())
+void hangWhatIsAsked(session::Session& session, const MembraneOptions& options) {
+  bool isAsked = asksForMembrane(options), isThere = session::hasMembranes(session.scene());
+  if (!isAsked && !options.avoid.empty() && isThere)
     throw ArgumentError(
-        fmt::format("--least-piece {}: give a number of voxels, 1 or more, or auto", options.leastPiece));
-  if (least) membrane.field.leastPiece = *least;
-  if (options.denoise) membrane.field.denoise = true;
-}
-
-/// The membranes that the scene brings, where another reach or place is asked for.
-void placeAnew(scene::Scene& scene, const MembraneOptions& options) {
-  for (auto& cut : scene.cuts) {
-    if (!scene::isMembrane(cut)) continue;
-    if (options.reach) cut.size.z = *options.reach;
-    if (options.move) cut = session::placedToKeep(scene, cut, consoleProgress(), !options.reach).value_or(cut);
-  }
+        "--avoid takes from what a new membrane keeps whole, and the scene has one: say what another is to keep with "
+        "--sketch or --protect");
+  if (!options.axis.empty() && glm::dvec3(options.axis[0], options.axis[1], options.axis[2]) == glm::dvec3(0.0))
+    throw ArgumentError("--axis 0,0,0 has no direction");
+  if (isAsked || !isThere)
+    run(session, newMembrane(options), kOptions);
+  else
+    placeAnew(session, options);
+  putHandsOn(session, options);
 }
 
 /// What is left out of what is protected by value.
@@ -312,41 +254,19 @@ int run(const MembraneOptions& options) {
   expectOutput(options.sheet, io::expectMeshFormat);
   expectOutput(options.clipped, io::expectVolumeFormat);
   expectOutput(options.saveScene);
-  auto context = gpu::Context::create(options.common.context);
-  scene::Scene scene = openScene(options.input, 16.0 / 9.0);
-  if (!options.axis.empty() && vectorOf(options.axis) == glm::dvec3(0.0))
-    throw ArgumentError("--axis 0,0,0 has no direction");
-  bool isAsked = asksForMembrane(options);
-  if (!isAsked && !options.avoid.empty() && session::hasMembranes(scene))
-    throw ArgumentError(
-        "--avoid takes from what a new membrane keeps whole, and the scene has one: say what another is to keep with "
-        "--sketch or --protect");
-  if (isAsked || !session::hasMembranes(scene)) {
-    scene::Cut cut = newMembrane(scene, options);
-    if (!isAsked) cut.membrane->field = session::defaultField(scene);
-    protectWhatIsAsked(scene, cut, options);
-    applyNoise(*cut.membrane, options);
-    if (!options.position) cut = session::placedToKeep(scene, cut, consoleProgress(), !options.reach).value_or(cut);
-    scene::addCut(scene, cut);
-  } else {
-    placeAnew(scene, options);
-  }
-  putHandsOn(scene, options);
-  applyRule(scene, options.rule, options.side);
-  for (auto& cut : scene.cuts)
-    if (cut.membrane) applyNoise(*cut.membrane, options);
+  if (!options.leastPiece.empty()) expectLeastPiece(options.leastPiece);
+  session::Session session;
+  session.setContextKind(options.common.context);
+  session.renderer();  // before data is read: without a driver no sheet moves
+  openInputs(session, options.input, 16.0 / 9.0);
+  hangWhatIsAsked(session, options);
+  Progress& progress = consoleProgress();
+  auto reports = session.membraneReports({true, options.limit}, progress);
+  progress.report(1.0, "");
+  scene::Scene settled = session.settled(progress);
   double voxelSize =
-      scene.volume.data ? std::abs(glm::determinant(glm::dmat3(scene.volume.data->worldFromVoxel))) : 0.0;
-  scene::Scene settled = scene;
-  auto reports = session::settleMembranes(settled, {true, options.limit}, consoleProgress());
-  consoleProgress().report(1.0, "");
-  if (!options.saveScene.empty()) {
-    // Where an active sheet rests is where it goes on from.
-    for (auto& cut : scene.cuts)
-      if (cut.membrane && cut.membrane->repositioning == scene::Repositioning::Active)
-        cut.membrane->shape = scene::findCut(settled, cut.id)->membrane->shape;
-    session::saveScene(scene, options.saveScene);
-  }
+      settled.volume.data ? std::abs(glm::determinant(glm::dmat3(settled.volume.data->worldFromVoxel))) : 0.0;
+  if (!options.saveScene.empty()) session::saveScene(session.scene(), options.saveScene);
   auto warnings = exportWhatIsAsked(settled, reports, options);
   Json list = Json::array();
   for (const auto& report : reports) {

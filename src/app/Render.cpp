@@ -12,11 +12,10 @@
 #include "core/Log.h"
 #include "io/images/ImageFile.h"
 #include "render/Renderer.h"
+#include "session/command/DocumentCommands.h"
 #include "session/cut/NothingLeft.h"
 #include "session/document/Open.h"
-#include "session/growth/Growths.h"
-#include "session/membrane/Membranes.h"
-#include "session/picture/Animation.h"
+#include "session/picture/Film.h"
 
 namespace velum::app {
 
@@ -32,18 +31,17 @@ struct RenderOptions {
   bool layers = false, transparent = false, bruteForce = false;
 };
 
-/// name.png, or name-0000.png ... for an animation.
-std::vector<std::string> outputNames(const RenderOptions& options) {
-  if (options.frames == 0) return {options.output};
-  if (options.output == "-") throw ArgumentError("--frames writes several files; name one with -o, e.g. turn.png");
-  std::vector<std::string> names;
-  for (const auto& path : session::framePaths(options.output, options.frames)) names.push_back(path.string());
-  return names;
-}
-
 /// Refuses what cannot be written, before anything is read.
 void expectOutputs(const RenderOptions& options) {
-  expectOutput(outputNames(options).front(), io::expectImageFormat);
+  const auto& inputs = options.input.inputs;
+  bool isFromStandardInput = std::find(inputs.begin(), inputs.end(), kStandardInput) != inputs.end();
+  if (isFromStandardInput && !options.saveScene.empty())
+    throw ArgumentError("--save-scene: data from standard input has no file that a scene could name; give its path");
+  bool isSeveral = options.frames > 0;
+  if (isSeveral && options.output == "-")
+    throw ArgumentError("--frames writes several files; name one with -o, e.g. turn.png");
+  expectOutput(isSeveral ? session::framePaths(options.output, 1).front().string() : options.output,
+               io::expectImageFormat);
   expectOutput(options.saveScene);
 }
 
@@ -64,124 +62,82 @@ std::optional<session::Motion> motionOf(const RenderOptions& options, const scen
   return motion;
 }
 
-/// The scenes of its pictures, with all that has grown, in their order.
-class Frames {
- public:
-  Frames(const RenderOptions& options, const scene::Scene& scene)
-      : mScene(scene), mMotion(motionOf(options, scene)), mCount(options.frames) {}
-
-  scene::Scene at(int frame) {
-    if (!mMotion) return mScene;
-    scene::Scene step = session::frameOf(mScene, *mMotion, frame, mCount);
-    session::settleGrowths(step, mGrowths, consoleProgress());
-    return step;
-  }
-
- private:
-  const scene::Scene& mScene;
-  std::optional<session::Motion> mMotion;
-  int mCount;
-  growth::GrowOverTime mGrowths;
-};
-
 scene::SectionKind sectionKind(const std::string& name) {
   if (auto kind = enumValue<scene::SectionKind>(name)) return *kind;
   throw ArgumentError(
       fmt::format("--section {}: not one of {}", name, fmt::join(EnumNames<scene::SectionKind>::kNames, ", ")));
 }
 
-/// Says so when a picture is empty for its cuts. @param drawn  with its sheets at rest
-void sayWhatCutsTake(const scene::Scene& drawn) {
-  if (session::cutsTakeAll(drawn, consoleProgress())) log::warning(session::kNothingLeft);
+session::FilmOptions filmOf(const RenderOptions& options, const scene::Scene& scene, glm::ivec2 size) {
+  session::FilmOptions film{{size, options.samples, options.transparent, options.layers, options.dpi},
+                            motionOf(options, scene),
+                            std::max(options.frames, 1),
+                            {}};
+  if (!options.section.empty()) film.section = sectionKind(options.section);
+  return film;
 }
 
-/// A section view instead of the 3D picture; needs no graphics driver, unless there are membranes.
-int runSection(const RenderOptions& options) {
-  scene::SectionKind kind = sectionKind(options.section);
-  glm::ivec2 size = session::parsePictureSize(options.size, options.dpi);
-  if (options.layers) throw ArgumentError("--layers: a section has none; leave it out with --section");
-  double aspect = double(size.x) / size.y;
-  scene::Scene scene = openScene(options.input, aspect);
-  settleTargets(scene, options.targets, aspect, nullptr);
-  Frames frames(options, scene);
-  session::PictureOptions picture{size, 0, options.transparent, false, options.dpi};
-  std::vector<std::string> outputs = outputNames(options);
-  std::unique_ptr<gpu::Context> context;
-  if (session::hasMembranes(scene)) context = gpu::Context::create(options.common.context);
-  session::SheetsOverTime sheets;
-  double ms = 0;
-  for (std::size_t i = 0; i < outputs.size(); ++i) {
-    scene::Scene step = frames.at(int(i));
-    auto start = Clock::now();
-    Image image = session::drawSectionPicture(context ? sheets.settle(step, consoleProgress()) : step, kind, picture);
-    ms = msSince(start);
-    session::savePicture(image, step, picture, outputs[i]);
+/// What there is to say of the pictures; they may have gone to stdout.
+Json reportOf(const RenderOptions& options, session::Session& session, glm::ivec2 size, double ms) {
+  if (!options.section.empty()) {
+    glm::dvec3 at = session.scene().sections.crosshair;
+    return {{"section", options.section},
+            {"crosshair", {at.x, at.y, at.z}},
+            {"size", {size.x, size.y}},
+            {"frameMs", ms / std::max(options.frames, 1)},
+            {"output", options.output}};
   }
-  if (!options.saveScene.empty()) session::saveScene(session::sceneForPicture(scene, picture), options.saveScene);
-  if (!options.common.json) return 0;
-  glm::dvec3 at = scene.sections.crosshair;
-  Json json = {{"section", options.section},
-               {"crosshair", {at.x, at.y, at.z}},
-               {"size", {size.x, size.y}},
-               {"frameMs", ms},
-               {"output", options.output}};
-  if (options.frames > 0) json["outputs"] = outputs;
-  printJson(json, options.output == "-" ? stderr : stdout);
-  return 0;
+  const render::Stats& stats = session.renderer().stats();
+  return {{"renderer", stats.renderer},
+          {"size", {size.x, size.y}},
+          {"frameMs", stats.frameMs},
+          {"uploadMs", stats.uploadMs},
+          {"totalMs", ms},
+          {"samples", stats.samples},
+          {"longestStepMs", stats.longestStepMs},
+          {"passes", stats.passesMs},
+          {"reduction", stats.reduction},
+          {"output", options.output}};
 }
 
 int run(const RenderOptions& options) {
-  const auto& inputs = options.input.inputs;
-  bool isFromStandardInput = std::find(inputs.begin(), inputs.end(), kStandardInput) != inputs.end();
-  if (isFromStandardInput && !options.saveScene.empty())
-    throw ArgumentError("--save-scene: data from standard input has no file that a scene could name; give its path");
   expectOutputs(options);
-  if (!options.section.empty()) return runSection(options);
+  bool isSection = !options.section.empty();
+  if (isSection) sectionKind(options.section);
+  if (isSection && options.layers) throw ArgumentError("--layers: a section has none; leave it out with --section");
   glm::ivec2 size = session::parsePictureSize(options.size, options.dpi);
-  auto context = gpu::Context::create(options.common.context);
-  render::Renderer renderer(*context);
   double aspect = double(size.x) / size.y;
-  scene::Scene scene = openScene(options.input, aspect);
-  session::PictureCounter counter(renderer, size, context->limits(), consoleProgress());
-  auto settled = settleTargets(scene, options.targets, aspect, &counter);
-  if (options.bruteForce) scene.rayCast.skipEmpty = scene.rayCast.stopOpaque = false;
-  session::PictureOptions picture{size, options.samples, options.transparent, options.layers, options.dpi};
+  session::Session session;
+  session.setContextKind(options.common.context);
+  Progress& progress = consoleProgress();
+  if (!isSection) session.renderer();  // before data is read: without a driver there is no picture
+  openInputs(session, options.input, aspect);
+  std::optional<session::PictureCounter> counter;
+  if (!isSection) counter.emplace(session.counter(size, progress));
+  auto settled = settleTargets(session, options.targets, aspect, counter ? &*counter : nullptr);
+  if (options.bruteForce)
+    for (const char* field : {"rayCast.skipEmpty", "rayCast.stopOpaque"})
+      app::run(session, session::SetField{field, "false"});
 
-  // Picture by picture: an animation is several.
-  Frames frames(options, scene);
   auto start = Clock::now();
-  std::vector<std::string> outputs = outputNames(options);
-  session::SheetsOverTime sheets;
-  for (std::size_t i = 0; i < outputs.size(); ++i) {
-    scene::Scene step = frames.at(int(i));
-    scene::Scene drawn = sheets.settle(step, consoleProgress());
-    Image image = session::drawPicture(renderer, drawn, picture, context->limits(), consoleProgress());
-    if (options.frames == 0) sayWhatCutsTake(drawn);
-    consoleProgress().report(1.0, "");
-    session::savePicture(image, step, picture, outputs[i]);
-  }
+  session::FilmOptions film = filmOf(options, session.scene(), size);
+  auto files = session.film(film, options.output, progress);
   double ms = msSince(start);
-  if (!options.saveScene.empty()) session::saveScene(session::sceneForPicture(scene, picture), options.saveScene);
+  bool isEmpty = !isSection && !film.motion && session::cutsTakeAll(session.settled(progress), progress);
+  if (isEmpty) log::warning(session::kNothingLeft);
+  progress.report(1.0, "");
+  if (!options.saveScene.empty())
+    session::saveScene(session::sceneForPicture(session.scene(), film.picture), options.saveScene);
 
-  // What there is to say of it; the picture itself may have gone to stdout.
-  const render::Stats& stats = renderer.stats();
-  if (!stats.reduction.empty()) log::say("note: " + stats.reduction);
-  if (options.common.json) {
-    Json json = {{"renderer", stats.renderer},
-                 {"size", {size.x, size.y}},
-                 {"frameMs", stats.frameMs},
-                 {"uploadMs", stats.uploadMs},
-                 {"totalMs", ms},
-                 {"samples", stats.samples},
-                 {"longestStepMs", stats.longestStepMs},
-                 {"passes", stats.passesMs},
-                 {"reduction", stats.reduction},
-                 {"output", options.output}};
-    if (options.frames > 0) json["outputs"] = outputs;
-    if (settled)
-      for (const auto& target : settled->targets) json["targets"].push_back(targetJson(target));
-    printJson(json, options.output == "-" ? stderr : stdout);
-  }
+  if (std::string note = isSection ? "" : session.renderer().stats().reduction; !note.empty())
+    log::say("note: " + note);
+  if (!options.common.json) return 0;
+  Json json = reportOf(options, session, size, ms);
+  if (film.motion)
+    for (const auto& file : files) json["outputs"].push_back(file.string());
+  if (settled && !isSection)
+    for (const auto& target : settled->targets) json["targets"].push_back(targetJson(target));
+  printJson(json, options.output == "-" ? stderr : stdout);
   return 0;
 }
 

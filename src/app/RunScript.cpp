@@ -40,10 +40,9 @@ int run(const ScriptOptions& options) {
   session.setContextKind(options.common.context);
   Progress& progress = consoleProgress();
   if (!options.inputs.empty()) {
-    session::Loaded loaded = session::readPaths(options.inputs, progress, {});
-    for (const auto& note : loaded.notes) log::warning(note);
-    std::string path = loaded.path;
-    session.file().open(std::move(loaded), path);
+    InputOptions input;
+    input.inputs = options.inputs;
+    openInputs(session, input, 16.0 / 9.0);
   }
   session::runScript(session, text, options.script, progress, [](const session::Call& call, const std::string& line) {
     call.command().answers ? fmt::print("{}\n", line) : log::warning(line);

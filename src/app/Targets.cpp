@@ -8,7 +8,7 @@
 #include "core/Error.h"
 #include "core/Log.h"
 #include "core/Text.h"
-#include "session/membrane/Membranes.h"
+#include "scene/Scene.h"
 #include "session/model/TypesAt.h"
 
 namespace velum::app {
@@ -40,24 +40,29 @@ void addTargets(CLI::App& verb, TargetOptions& options) {
       ->allow_extra_args(false);
 }
 
-std::optional<session::TargetsReport> settleTargets(scene::Scene& scene, const TargetOptions& options, double aspect,
-                                                    session::PictureCounter* counter) {
+std::optional<session::TargetsReport> settleTargets(session::Session& session, const TargetOptions& options,
+                                                    double aspect, session::PictureCounter* counter) {
+  scene::Scene wanted = session.scene();
   double number = 0.0;
   for (const std::string& text : options.counts)
-    if (scene::TypeTarget& target = targetOf(scene, "--set-count", text, number); true) target.rendered = number;
+    if (scene::TypeTarget& target = targetOf(wanted, "--set-count", text, number); true) target.rendered = number;
   for (const std::string& text : options.visibles)
-    if (scene::TypeTarget& target = targetOf(scene, "--set-visible", text, number); true) target.visible = number;
-  if (!scene.model.data || scene.model.targets.empty()) return std::nullopt;
-  std::vector<scene::TypeTarget> targets = scene.model.targets;
+    if (scene::TypeTarget& target = targetOf(wanted, "--set-visible", text, number); true) target.visible = number;
+  if (!wanted.model.data || wanted.model.targets.empty()) return std::nullopt;
+  std::vector<scene::TypeTarget> targets = wanted.model.targets;
   if (!counter)
     for (scene::TypeTarget& target : targets) target.visible.reset();
-  std::vector<int> cuts = session::cutsToSet(scene);
+  std::vector<int> cuts = session::cutsToSet(wanted);
+  constexpr const char* kStep = "Meet numbers";
+  session.document().edit(kStep, [&](scene::Scene& scene) { scene = wanted; });
   Progress& progress = consoleProgress();
-  if (counter && session::hasMembranes(scene)) session::settleMembranes(scene, {}, progress);
+  if (counter) wanted = session.settled(progress);
   auto picture = [counter](const scene::Scene& of) { return counter->count(of); };
-  session::TargetsReport report = session::solveTargets(scene, cuts, targets, picture, {}, aspect);
+  session::TargetsReport report = session::solveTargets(wanted, cuts, targets, picture, {}, aspect);
   progress.report(1.0, "");
-  scene = report.scene;
+  session.document().edit(kStep, [&](scene::Scene& scene) {
+    for (scene::Cut& cut : scene.cuts) cut.model = scene::findCut(report.scene, cut.id)->model;
+  });
   for (const session::TargetReport& target : report.targets)
     if (!target.isMet) log::warning(target.words);
   return report;

@@ -19,8 +19,8 @@ void addTargets(CLI::App& verb, TargetOptions& options);
 /// Puts the options into the scene's targets, and sets the shares of its cuts so that all are met as far as they can
 /// be, membranes at rest; nothing where there are no targets. What is not met is said on stderr.
 /// @param counter  null: there is no picture, so that none can say how many show
-std::optional<session::TargetsReport> settleTargets(scene::Scene& scene, const TargetOptions& options, double aspect,
-                                                    session::PictureCounter* counter);
+std::optional<session::TargetsReport> settleTargets(session::Session& session, const TargetOptions& options,
+                                                    double aspect, session::PictureCounter* counter);
 
 /// A target as verbs report it.
 Json targetJson(const session::TargetReport& target);

@@ -112,7 +112,12 @@ struct Glfw {
 int run(const ViewOptions& options) {
   glm::ivec2 size = session::parsePictureSize(options.size, 0);
   Viewer viewer;
-  viewer.scene = openScene(options.input, double(size.x) / size.y);
+  {
+    session::Session session;  // its context, where it needs one, goes before the window's is made
+    session.setContextKind(options.common.context);
+    openInputs(session, options.input, double(size.x) / size.y);
+    viewer.scene = session.settled(consoleProgress());
+  }
   consoleProgress().report(1.0, "");
   // A window with a context.
   Glfw glfw;

@@ -1,5 +1,7 @@
 #include "session/Session.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <thread>
@@ -7,28 +9,29 @@
 
 #include "core/Assert.h"
 #include "core/Clock.h"
-#include "session/membrane/Membranes.h"
-#include "session/picture/Picture.h"
+#include "session/Rest.h"
+#include "session/picture/Film.h"
 
 namespace velum::session {
 
 namespace {
 
-constexpr double kSettleWorkMs = 50.0;
-constexpr auto kSettlePause = std::chrono::milliseconds(1);
+constexpr auto kPause = std::chrono::milliseconds(1);
 
 }  // namespace
 
-Session::Session() {
-  mPlaying.push_back({&mGrowth, nullptr, {}, {}});
-  mPlaying.push_back({&mMembranes, nullptr, {}, {}});
+Session::Session(scene::Scene scene) {
+  mWorking.push_back({&mGrowth, nullptr, nullptr, {}, {}});
+  mWorking.push_back({&mMembranes, &mMembranes, nullptr, {}, {}});
+  mDocument.replace(std::move(scene));
+  for (auto& working : mWorking) working.worker->follow(mDocument.scene());
   mDocument.setListener([this] { changed(); });
 }
 
 Session::~Session() {
   mDocument.setListener({});
   dropJob();
-  for (auto& playing : mPlaying) playing.job.reset();  // they know their players
+  for (auto& working : mWorking) working.job.reset();  // they know their workers
   if (mContext) {
     mContext->makeCurrent();
     releaseGpu();
@@ -37,73 +40,87 @@ Session::~Session() {
 }
 
 void Session::changed() {
-  for (auto& playing : mPlaying) playing.player->follow(mDocument.scene());
+  for (auto& working : mWorking) working.worker->follow(mDocument.scene());
   mFile.journalChange();
   if (mListener) mListener();
+  bool isDue = std::any_of(mWorking.begin(), mWorking.end(), [](const Working& working) {
+    return !working.mover && (!working.worker->isSettled() || working.worker->hasRests());
+  });
+  if (isDue) wake();
 }
 
-// Players.
+// What goes on beside the document.
 
 void Session::collect() {
   collectJob();
-  for (auto& playing : mPlaying) collect(playing);
+  for (auto& working : mWorking) {
+    collect(working);
+    if (working.mover) continue;
+    complete(working);
+    startWork(working);
+  }
 }
 
-void Session::collect(Playing& playing) {
-  if (!playing.job || !playing.job->hasEnded()) return;
-  playing.job.reset();  // waits for its last word
-  playing.player->endWork(std::exchange(playing.finish, {}), playing.outcome.error);
+void Session::collect(Working& working) {
+  if (!working.job || !working.job->hasEnded()) return;
+  working.job.reset();  // waits for its last word
+  working.worker->endWork(std::exchange(working.finish, {}), working.outcome.error);
 }
 
-void Session::startWork(Playing& playing) {
-  if (playing.job && playing.player->wantsCancel()) playing.job->cancel();
-  if (playing.job) return;
-  Player::Work work = playing.player->nextWork();
+void Session::complete(Working& working) {
+  if (working.worker->hasRests()) mDocument.complete([&](scene::Scene& scene) { working.worker->complete(scene); });
+}
+
+void Session::startWork(Working& working) {
+  if (working.job && working.worker->wantsCancel()) working.job->cancel();
+  if (working.job) return;
+  Worker::Work work = working.worker->nextWork();
   if (!work) return;
-  playing.job = std::make_unique<Job>(
-      [&playing, work = std::move(work)](Progress& progress) { playing.finish = work(progress); }, nullptr,
-      [this, &playing](const JobOutcome& outcome) {
-        playing.outcome = outcome;
+  working.job = std::make_unique<Job>(
+      [&working, work = std::move(work)](Progress& progress) { working.finish = work(progress); }, nullptr,
+      [this, &working](const JobOutcome& outcome) {
+        working.outcome = outcome;
         wake();
       });
 }
 
 bool Session::advance(double budgetMs) {
   bool isMoving = false;
-  auto moving = std::count_if(mPlaying.begin(), mPlaying.end(), [](const Playing& p) { return p.player->isMoving(); });
-  for (auto& playing : mPlaying) {
-    collect(playing);
-    startWork(playing);
-    playing.player->advance(budgetMs / double(std::max<std::ptrdiff_t>(moving, 1)));
-    if (playing.player->hasRests()) mDocument.complete([&](scene::Scene& scene) { playing.player->complete(scene); });
-    startWork(playing);  // what is asked of what has just come to rest
-    isMoving = isMoving || playing.player->isMoving();
+  for (auto& working : mWorking) {
+    if (!working.mover) continue;
+    collect(working);
+    startWork(working);
+    working.mover->advance(budgetMs);
+    complete(working);
+    startWork(working);  // what is asked of what has just come to rest
+    isMoving = isMoving || working.mover->isMoving();
   }
   return isMoving;
 }
 
 bool Session::isOnItsWay() const {
-  return std::any_of(mPlaying.begin(), mPlaying.end(),
-                     [](const Playing& playing) { return playing.player->isOnItsWay(); });
+  return std::any_of(mWorking.begin(), mWorking.end(),
+                     [](const Working& working) { return working.worker->isOnItsWay(); });
 }
 
 bool Session::isSettled() const {
-  return std::all_of(mPlaying.begin(), mPlaying.end(),
-                     [](const Playing& playing) { return playing.player->isSettled() && !playing.player->hasRests(); });
+  return std::all_of(mWorking.begin(), mWorking.end(),
+                     [](const Working& working) { return working.worker->isSettled() && !working.worker->hasRests(); });
 }
 
-std::uint64_t Session::shownCount() const {
-  std::uint64_t count = 0;
-  for (const auto& playing : mPlaying) count += playing.player->shownCount();
-  return count;
-}
+bool Session::isStill() const { return mMembranes.isSettled() && !mMembranes.hasRests(); }
 
 render::Frame Session::frame(glm::ivec2 size) {
   render::Frame frame;
   frame.scene = scene();
   frame.pictureSize = size;
-  for (auto& playing : mPlaying) playing.player->show(frame);
+  mMembranes.show(frame);
   return frame;
+}
+
+void Session::borrowContext() {
+  mOwnsContext = false;
+  mMembranes.setPurpose(MembraneMover::Purpose::Show);
 }
 
 void Session::bindContext() {
@@ -112,25 +129,81 @@ void Session::bindContext() {
   mContext->makeCurrent();
 }
 
+// For those who wait.
+
+void Session::bringToRest(Working& working, Progress& progress) {
+  while (working.job && !working.job->hasEnded()) std::this_thread::sleep_for(kPause);
+  collect(working);
+  auto write = [&] { complete(working); };
+  if (!working.mover) return session::bringToRest(*working.worker, write, progress);
+  if (working.worker->isSettled() && !working.worker->hasRests()) return;
+  bindContext();
+  session::bringToRest(*working.mover, write, progress);
+}
+
 void Session::settle(Progress& progress) {
-  if (isSettled()) return;
-  if (hasMembranes(scene())) bindContext();
-  while (!isSettled()) {
-    progress.throwIfCancelled();
-    if (!advance(kSettleWorkMs)) std::this_thread::sleep_for(kSettlePause);  // for what is computed beside
-  }
+  while (!isSettled())
+    for (auto& working : mWorking) bringToRest(working, progress);
+}
+
+std::vector<std::string> Session::grow(Progress& progress) {
+  Shared<LabelVolume> before = scene().labels.data;
+  bringToRest(mWorking.front(), progress);
+  const scene::LabelLayer& labels = scene().labels;
+  bool hasNews = !labels.growths.empty() && !(labels.data == before);
+  return hasNews ? labels.data->warnings : std::vector<std::string>();
+}
+
+scene::Scene Session::settled(Progress& progress) {
+  settle(progress);
+  return mMembranes.withShapes(scene());
+}
+
+render::Renderer& Session::renderer() {
+  VELUM_ASSERT(mOwnsContext, "a session that has borrowed a context leaves drawing to whoever lent it");
+  bindContext();
+  if (!mRenderer) mRenderer = std::make_unique<render::Renderer>(*mContext);
+  return *mRenderer;
 }
 
 Image Session::picture(const PictureOptions& options, Progress& progress) {
-  VELUM_ASSERT(mOwnsContext, "a session that has borrowed a context leaves pictures to whoever lent it");
-  settle(progress);
-  bindContext();
-  if (!mRenderer) mRenderer = std::make_unique<render::Renderer>(*mContext);
-  return drawPicture(*mRenderer, mMembranes.withShapes(scene()), options, mContext->limits(), progress);
+  scene::Scene drawn = settled(progress);
+  return drawPicture(renderer(), drawn, options, mContext->limits(), progress);
 }
 
-void Session::releaseGpu() {
-  for (auto& playing : mPlaying) playing.player->releaseGpu();
+std::vector<std::filesystem::path> Session::film(const FilmOptions& options, const std::filesystem::path& path,
+                                                 Progress& progress) {
+  auto paths = filmPaths(options, path);
+  if (path != "-") expectPictureFile(paths.front());
+  scene::Scene whole = settled(progress);
+  if (!options.section) renderer();
+  Film film(scene(), options);
+  for (int i = 0; i < int(paths.size()); ++i) {
+    if (options.motion)
+      progress.report(double(i) / double(paths.size()), fmt::format("Frame {} of {}", i + 1, paths.size()));
+    Progress quiet([&](double, const std::string&) { progress.throwIfCancelled(); });
+    Progress& heard = options.motion ? quiet : progress;
+    bool hasMotion = options.motion.has_value();
+    if (hasMotion && hasMembranes(scene())) bindContext();
+    Film::Frame frame = hasMotion ? film.at(i, heard) : Film::Frame{scene(), whole};
+    Image image = options.section ? drawSectionPicture(frame.drawn, *options.section, options.picture)
+                                  : drawPicture(*mRenderer, frame.drawn, options.picture, mContext->limits(), heard);
+    savePicture(image, frame.scene, options.picture, paths[std::size_t(i)]);
+  }
+  return paths;
+}
+
+std::vector<MembraneReport> Session::membraneReports(MembraneQuestions questions, Progress& progress) {
+  mMembranes.setMeasures(questions.kept || questions.limit);
+  settle(progress);
+  std::vector<MembraneReport> reports = mMembranes.reports();
+  if (questions.limit && scene().volume.data)
+    for (MembraneReport& report : reports) report.limit = mMembranes.limit(report.cut, progress);
+  return reports;
+}
+
+PictureCounter Session::counter(glm::ivec2 size, Progress& progress) {
+  return {renderer(), size, mContext->limits(), progress};
 }
 
 // The job on whose end the user waits.
@@ -154,7 +227,7 @@ void Session::collectJob() {
 
 void Session::awaitJob(double longestMs) {
   auto start = Clock::now();
-  while (mJob && !mJob->hasEnded() && msSince(start) < longestMs) std::this_thread::sleep_for(kSettlePause);
+  while (mJob && !mJob->hasEnded() && msSince(start) < longestMs) std::this_thread::sleep_for(kPause);
   collectJob();
 }
 

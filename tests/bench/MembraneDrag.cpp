@@ -8,7 +8,7 @@
 #include "Sections.h"
 #include "core/Clock.h"
 #include "session/membrane/MembraneEdit.h"
-#include "session/membrane/MembranePlayer.h"
+#include "session/membrane/MembraneMover.h"
 #include "session/membrane/Membranes.h"
 
 namespace velum::bench {
@@ -19,7 +19,7 @@ constexpr int kMoves = 20;
 
 /// Makes the forces that are wanted, and lets the sheet move until that is seen.
 /// @return ms
-double answer(session::MembranePlayer& player) {
+double answer(session::MembraneMover& player) {
   Progress progress;
   auto start = Clock::now();
   std::uint64_t shown = player.shownCount();
@@ -48,7 +48,7 @@ std::vector<std::string> rowOf(const Data& data, Report& report) {
   scene::addCut(scene, membraneAcross(scene, glm::normalize(glm::dvec3(1, 0.6, 0.35)), 0.4));
   session::protectValues(*scene.cuts[0].membrane, data.low, data.high);
   double atRest = settleMs(scene);
-  session::MembranePlayer player;
+  session::MembraneMover player;
   player.follow(scene);
   double first = answer(player), exact = answer(player);
   std::vector<double> moves;

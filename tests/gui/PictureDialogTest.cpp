@@ -20,6 +20,7 @@
 #include "gui/window/HelpWindow.h"
 #include "gui/window/SavePictureDialog.h"
 #include "patience.h"
+#include "session/Session.h"
 #include "session/document/Open.h"
 
 namespace velum::gui {
@@ -78,7 +79,7 @@ TEST_F(PictureDialog, TheCopiedCommandMakesTheSamePicture) {
   runBatch(words);
   Progress progress;
   auto saved = mFolder.path() / "window.png";
-  session::renderPictureFile(dialog.pictureScene(), dialog.options(), saved, progress);
+  session::Session(dialog.pictureScene()).film({dialog.options()}, saved, progress);
   auto pixels = [](const QString& path) { return QImage(path).convertToFormat(QImage::Format_RGBA8888); };
   ASSERT_FALSE(bytesOf(made).isEmpty());
   EXPECT_EQ(pixels(made), pixels(QString::fromStdString(saved.string())));
@@ -109,8 +110,8 @@ TEST_F(PictureDialog, OffersTheAnimationsThatTheSceneCanHave) {
   words[words.indexOf("picture.png")] = QString::fromStdString((mFolder.path() / "command.png").string());
   runBatch(words);
   Progress progress;
-  session::renderAnimationFiles(dialog.pictureScene(), session::Motion::Pull, 3, dialog.options(),
-                                mFolder.path() / "window.png", progress);
+  session::Session(dialog.pictureScene())
+      .film({dialog.options(), session::Motion::Pull, 3}, mFolder.path() / "window.png", progress);
   auto pixels = [&](const char* name) {
     return QImage(QString::fromStdString((mFolder.path() / name).string())).convertToFormat(QImage::Format_RGBA8888);
   };

@@ -52,7 +52,7 @@ class PullFixture : public Window {
     mWindow->resize(900, 640);
   }
   session::Document& document() { return mWindow->document(); }
-  const session::GrowthPlayer& growth() { return mWindow->session().growth(); }
+  const session::GrowthWorker& growth() { return mWindow->session().growth(); }
   const scene::Cut& cut(int place = 0) { return scene().cuts[std::size_t(place)]; }
   /// Nothing when it is not up.
   PullTool* tool() { return dynamic_cast<PullTool*>(mWindow->toolbox().active()); }

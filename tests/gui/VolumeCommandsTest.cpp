@@ -112,7 +112,7 @@ TEST_F(VolumeWays, AnUnknownVoxelSizeIsAskedForAndMayWait) {
   source.path = raw.toStdString();
   source.raw = {{64, 64, 24}, SampleType::UInt16, 1, true, 0};
   Progress progress;
-  session::Loaded loaded = session::readAs(source, progress, {});
+  session::Loaded loaded = session::read({source}, progress, {});
   mWindow->showScene(loaded.scene, "again");
   auto* dialog = waitForDialog<VoxelSizeDialog>();
   ASSERT_TRUE(dialog);

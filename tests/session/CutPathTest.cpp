@@ -11,7 +11,7 @@
 #include "makeVolume.h"
 #include "render/kept/KeptInstances.h"
 #include "session/extrusion/Extrusion.h"
-#include "session/picture/Animation.h"
+#include "session/picture/Film.h"
 
 namespace velum::session {
 

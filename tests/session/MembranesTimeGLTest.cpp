@@ -10,7 +10,7 @@
 #include "membrane/sheet/Simulation.h"
 #include "session/cut/CutEdit.h"
 #include "session/membrane/MembraneEdit.h"
-#include "session/membrane/MembranePlayer.h"
+#include "session/membrane/MembraneMover.h"
 #include "session/membrane/Membranes.h"
 
 namespace velum::session {
@@ -164,7 +164,7 @@ TEST_F(MembranesTimeGL, AnActiveSheetKeepsItsSideOverTwoRoundsOfABeat) {
 TEST_F(MembranesTimeGL, WindowsFollowAsPicturesDo) {
   for (auto repositioning : {scene::Repositioning::Passive, scene::Repositioning::Active}) {
     scene::Scene picture = risingBall(repositioning), window = picture;
-    MembranePlayer player;
+    MembraneMover player;
     for (int step = 0; step < 4; ++step) {
       picture.volume.timeStep = window.volume.timeStep = step;
       settleMembranes(picture, {}, sProgress);
@@ -190,7 +190,7 @@ TEST_F(MembranesTimeGL, WindowsFollowAsPicturesDo) {
 
 TEST_F(MembranesTimeGL, ATimeStepThatHasBeenSeenNeedsNoKernelsAgain) {
   scene::Scene scene = heart(scene::Repositioning::Passive);
-  MembranePlayer player;
+  MembraneMover player;
   std::vector<double> ms;
   for (int step : {0, 1, 2, 0, 1}) {
     scene.volume.timeStep = step;
@@ -214,11 +214,11 @@ TEST_F(MembranesTimeGL, ASavedSheetGoesOnFromItsTimeStep) {
   scene::Scene scene = risingBall(scene::Repositioning::Active);
   settleMembranes(scene, {}, sProgress);
   scene.volume.timeStep = 1;
-  MembranePlayer player;
+  MembraneMover player;
   player.follow(scene);
   EXPECT_TRUE(player.isOnItsWay()) << "the shape is of another step";
   scene.volume.timeStep = 0;
-  MembranePlayer same;
+  MembraneMover same;
   same.follow(scene);
   EXPECT_FALSE(same.isOnItsWay()) << "it rests where it was saved";
 }

@@ -84,7 +84,7 @@ class SpecksGL : public RenderTest, public testing::WithParamInterface<Case> {
       if (!folder) GTEST_SKIP() << "VELUM_TEST_DATA names no folder of data";
       std::string at = std::string(folder) + "/volumes/";
       std::vector<std::string> notes;
-      mScene = openAll({at + one.data, at + one.labels}, progress, {}, &notes).scene;
+      mScene = openAll(sourcesOf({at + one.data, at + one.labels}), progress, {}, &notes).scene;
     }
     scene::Cut cut;
     cut.axis = one.axis;

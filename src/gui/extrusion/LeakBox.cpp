@@ -43,7 +43,7 @@ LeakBox::LeakBox(session::Session& session, QWidget* parent)
 }
 
 void LeakBox::goOn() {
-  session::GrowthPlayer& player = mSession.growth();
+  session::GrowthWorker& player = mSession.growth();
   if (auto leak = player.status().leak) {
     player.trust(leak->structure);
     mSession.document().edit(tr("Grow on").toStdString(),

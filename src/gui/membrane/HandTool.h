@@ -27,7 +27,7 @@ class HandTool : public Tool {
   Kind mKind;
   session::Document& mDocument;
   Selection& mSelection;
-  const session::MembranePlayer& mSheets;
+  const session::MembraneMover& mSheets;
   SheetGrips& mGrips;
   Toolbox& mToolbox;
   MessageBar& mMessages;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "gui/kit/Length.h"
-#include "session/membrane/MembranePlayer.h"
+#include "session/membrane/MembraneMover.h"
 
 namespace velum::gui {
 

@@ -19,7 +19,7 @@
 #include "gui/membrane/StrengthTable.h"
 #include "gui/service/Selection.h"
 #include "session/document/Document.h"
-#include "session/membrane/MembranePlayer.h"
+#include "session/membrane/MembraneMover.h"
 
 namespace velum::gui {
 

@@ -47,7 +47,7 @@ void MembraneRoom::connectSheets(MembraneForm& form) {
   Viewport& viewport = mParts.views.viewport();
   Selection& selection = mParts.selection;
   auto tell = [this, &form, &selection] {
-    const session::MembranePlayer& sheets = mParts.session.membranes();
+    const session::MembraneMover& sheets = mParts.session.membranes();
     if (selection.cut() != 0) form.showStatus(sheets.status(selection.cut()), sheets.isPlaying());
     showKept();
   };

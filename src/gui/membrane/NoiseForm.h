@@ -7,7 +7,7 @@
 #include "gui/kit/Length.h"
 #include "gui/service/Selection.h"
 #include "session/document/Document.h"
-#include "session/membrane/MembranePlayer.h"
+#include "session/membrane/MembraneMover.h"
 
 namespace velum::gui {
 

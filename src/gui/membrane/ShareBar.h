@@ -1,7 +1,7 @@
 #pragma once
 #include <QWidget>
 
-#include "session/membrane/MembranePlayer.h"
+#include "session/membrane/MembraneMover.h"
 
 namespace velum::gui {
 

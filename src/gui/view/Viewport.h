@@ -45,7 +45,7 @@ class Viewport : public QOpenGLWidget, public ToolView {
   void loseContext();
   /// Jobs of players have ended: there may be something to do that no picture waits for.
   void playersTold();
-  const session::MembranePlayer& membranes() const { return mSession.membranes(); }
+  const session::MembraneMover& membranes() const { return mSession.membranes(); }
   void playMembranes(bool play);
   void stepMembranes();
   void resetMembrane(int cut);

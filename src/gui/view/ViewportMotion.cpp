@@ -12,7 +12,7 @@ constexpr int kTellMs = 200;
 
 /// Something may be due that no picture waits for.
 void Viewport::wakeSheets() {
-  bool isDue = !mSession.isSettled() || membranes().indices() != mIndicesTold || mSession.shownCount() != mSheetsShown;
+  bool isDue = !mSession.isStill() || membranes().indices() != mIndicesTold || mSession.shownCount() != mSheetsShown;
   if (mRenderer && isDue && !mSectionTimer.isActive() && !mPauseTimer.isActive()) mSectionTimer.start();
 }
 

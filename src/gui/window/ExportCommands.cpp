@@ -10,6 +10,7 @@
 #include "gui/service/SelectedCut.h"
 #include "gui/window/ExportStructuresDialog.h"
 #include "gui/window/SavePictureDialog.h"
+#include "session/Session.h"
 #include "session/membrane/Membranes.h"
 #include "session/model/CountPictures.h"
 #include "session/model/ModelExport.h"
@@ -73,7 +74,7 @@ void ExportCommands::savePictureTo(const QString& path, const session::PictureOp
   mParts.jobs.start(
       tr("Drawing %1").arg(QFileInfo(path).fileName()),
       [scene, options, path = path.toStdString()](Progress& progress) {
-        session::renderPictureFile(scene, options, path, progress);
+        session::Session(scene).film({options}, path, progress);
       },
       [this, path] { mParts.messages.showNote(tr("Saved %1").arg(path)); });
 }
@@ -83,7 +84,7 @@ void ExportCommands::saveAnimationTo(const QString& path, const session::Picture
   mParts.jobs.start(
       tr("Drawing %n frames", nullptr, frames),
       [scene, options, motion, frames, path = path.toStdString()](Progress& progress) {
-        session::renderAnimationFiles(scene, motion, frames, options, path, progress);
+        session::Session(scene).film({options, motion, frames}, path, progress);
       },
       [this, path, frames] {
         auto first = session::framePaths(path.toStdString(), 1).front();
@@ -106,12 +107,12 @@ int ExportCommands::membraneToExport() const {
 /// The sheets as the window shows them where they rest or are held; else where they will come to rest, as the same
 /// scene always gives the same sheets. To be called in a worker.
 std::function<scene::Scene(Progress&)> ExportCommands::sceneAtRest() const {
-  const session::MembranePlayer& player = mParts.session.membranes();
+  const session::MembraneMover& player = mParts.session.membranes();
   scene::Scene scene = mParts.session.scene();
   bool isShown = player.isSettled() || !player.isPlaying();
   if (isShown || !session::hasMembranes(scene))
     return [shown = player.withShapes(std::move(scene))](Progress&) { return shown; };
-  return [scene = std::move(scene)](Progress& progress) { return session::settledHeadless(scene, progress); };
+  return [scene = std::move(scene)](Progress& progress) { return session::Session(scene).settled(progress); };
 }
 
 void ExportCommands::write(const QString& path, Write work) {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "gui/view/Room.h"
-#include "session/picture/Animation.h"
+#include "session/picture/Film.h"
 #include "session/structure/StructureExport.h"
 
 namespace velum::gui {

@@ -93,7 +93,7 @@ void FileLoads::askLayout(const QString& path) {
     start(
         tr("Opening %1").arg(nameOf(path)),
         [source = dialog->source(), policy = policy()](Progress& progress) {
-          return session::readAs(source, progress, policy);
+          return session::read({source}, progress, policy);
         },
         false, path);
   });

@@ -14,6 +14,7 @@
 #include <exception>
 
 #include "gui/kit/Preferences.h"
+#include "session/Session.h"
 #include "session/document/Open.h"
 
 namespace velum::gui {
@@ -377,10 +378,9 @@ void SavePictureDialog::drawPreview() {
   small.samples = 2;
   small.layers = false;
   auto image = std::make_shared<Image>();
-  mJob =
-      std::make_unique<Job>([image, small, scene = pictureScene()](
-                                Progress& progress) { *image = session::drawPictureHeadless(scene, small, progress); },
-                            nullptr);
+  mJob = std::make_unique<Job>([image, small, scene = pictureScene()](
+                                   Progress& progress) { *image = session::Session(scene).picture(small, progress); },
+                               nullptr);
   connect(mJob.get(), &Job::finished, this, [this, image](bool done, const QString& error) {
     if (!error.isEmpty()) mPreview->setText(error);
     if (!done) return;

@@ -10,7 +10,7 @@
 
 #include "gui/kit/NumberField.h"
 #include "gui/service/Job.h"
-#include "session/picture/Animation.h"
+#include "session/picture/Film.h"
 
 namespace velum::gui {
 

@@ -31,8 +31,7 @@ Lines open(Session& session, const OpenFile& arguments, Progress& progress) {
   source.series = arguments.series;
   source.raw = arguments.raw;
   source.spacing = arguments.spacing;
-  bool isPlain = source == scene::Source{source.path, {}, {}, glm::dvec3(0.0), {}};
-  Loaded loaded = isPlain ? readPaths({source.path}, progress, {}) : readAs(source, progress, {});
+  Loaded loaded = read({source}, progress, {});
   Lines notes = loaded.notes;
   session.file().open(std::move(loaded), source.path);
   return notes;

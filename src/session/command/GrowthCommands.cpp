@@ -3,9 +3,11 @@
 #include <span>
 
 #include "scene/StructureAt.h"
+#include "session/Session.h"
 #include "session/command/CommandRow.h"
 #include "session/command/CutCommands.h"
 #include "session/command/StructureCommands.h"
+#include "session/extrusion/GrowStructure.h"
 #include "session/extrusion/Pull.h"
 #include "session/growth/Growths.h"
 #include "session/structure/StructureEdit.h"
@@ -39,6 +41,20 @@ void pullAt(Scene& scene, const PullAt& a) {
   pullTo(scene, *pull, a.distance);
 }
 
+std::vector<std::string> grow(Session& session, const GrowStructure& a, Progress&) {
+  try {
+    scene::Growth step = stepOf(session.scene(), a);
+    if (!a.guard) session.growth().trust(step.structure);
+    if (!a.range.empty()) session.growth().takeTypedRange(step.structure);
+    session.document().edit(
+        "Grow " + (a.name.empty() ? std::string("structure") : a.name),
+        [&](Scene& scene) { addGrowth(scene, step, a.name); }, false, Call(a).line());
+  } catch (const ArgumentError& error) {
+    throw ArgumentError(fmt::format("{} {}", GrowStructure::kName, error.what()));
+  }
+  return {};
+}
+
 void addSeed(Scene& scene, const AddSeed& a) {
   int id = grownOf(scene, a.structure);
   if (addSeeds(scene, id, std::span(&a.place, 1)) == 0)
@@ -55,6 +71,8 @@ void notThis(Scene& scene, const NotThis& a) {
 
 std::vector<Command> growthCommands() {
   return {
+      actRow<GrowStructure>("Grows a structure out of the volume, from places on it.",
+                            "growth.grow seeds=[[12,-40,80]] range=200,3000 name=bone", grow),
       editRow<PullAt>("Pulls out of a cut what is in a place of its face; what has no label grows from there.",
                       "growth.pullAt 12,-40,80 30", "Pull out", pullAt),
       editRow<AddSeed>("Lets a structure that was grown go on from another place.",

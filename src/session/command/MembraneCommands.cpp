@@ -3,6 +3,7 @@
 #include "session/command/CommandRow.h"
 #include "session/extrusion/Pull.h"
 #include "session/membrane/FirstPlace.h"
+#include "session/membrane/HangMembrane.h"
 #include "session/membrane/MembraneEdit.h"
 #include "session/membrane/SheetHands.h"
 
@@ -59,6 +60,17 @@ void moveToKeep(Scene& scene, const MoveToKeep& a, Progress& progress) {
 
 std::vector<Command> membraneCommands() {
   return {
+      editRow<HangMembrane>("Adds a membrane that leaves whole what is said, where it can.",
+                            "membrane.hang values=200,3000 axis=0,-1,0", "Add membrane",
+                            [](Scene& scene, const HangMembrane& a, Progress& progress) {
+                              if (scene.cuts.size() >= scene::kMostCuts)
+                                throw ArgumentError(fmt::format("a scene has at most {} cuts", scene::kMostCuts));
+                              try {
+                                scene::addCut(scene, hungMembrane(scene, a, progress));
+                              } catch (const ArgumentError& error) {
+                                throw ArgumentError(fmt::format("{} {}", HangMembrane::kName, error.what()));
+                              }
+                            }),
       editRow<ProtectValues>("Lets a membrane's sheet go around all values of a range.",
                              "membrane.protectValues 200 3000", "Protect values", protectValuesOf),
       editRow<ProtectAt>("Lets the sheet go around material like that in a place: what a click does.",

@@ -21,6 +21,9 @@ std::vector<Command> viewCommands() {
       view(editRow<LookFrom>(
           "Looks at all that is seen from one side.", "view.from left", "Move view",
           [](Scene& scene, const LookFrom& a) { scene.camera = scene::frameVisible(scene, a.side, a.aspect); })),
+      view(editRow<LookFirst>(
+          "Looks at all that is seen as when data is opened.", "view.first", "Move view",
+          [](Scene& scene, const LookFirst& a) { scene.camera = scene::firstCamera(scene, a.aspect); })),
       view(editRow<PlaceCrosshair>("Puts the crosshair in a place.", "view.crosshair 12,-40,80", "Move view",
                                    [](Scene& scene, const PlaceCrosshair& a) {
                                      scene.sections.crosshair = a.place;

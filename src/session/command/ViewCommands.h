@@ -19,6 +19,14 @@ struct LookFrom {
   }
 };
 
+struct LookFirst {
+  static constexpr std::string_view kName = "view.first";
+  double aspect = 16.0 / 9.0;
+  static void fields(auto& o, auto& visit) {
+    visit("aspect", o.aspect, FieldInfo{"", {0.01, 100}, "Width by height of the picture that is to hold all."});
+  }
+};
+
 struct PlaceCrosshair {
   static constexpr std::string_view kName = "view.crosshair";
   glm::dvec3 place{0.0};

@@ -40,10 +40,12 @@ struct Opened {
 };
 
 /// Opens several inputs as one scene: what carries the voxels first, then labels and surfaces, in whatever order they
-/// were named. What cannot be read is noted, and the others open. @throw ArgumentError when there is none; InputError
-/// when none can be read; Cancelled
-Opened openAll(std::vector<std::string> paths, Progress& progress, const DataPolicy& policy = {},
+/// were named. What cannot be read is noted, and the others open, unless the policy refuses that. @throw ArgumentError
+/// when there is none; InputError when none can be read; Cancelled
+Opened openAll(std::vector<scene::Source> sources, Progress& progress, const DataPolicy& policy = {},
                std::vector<std::string>* notes = nullptr);
+/// Files and folders that are read as they say themselves.
+std::vector<scene::Source> sourcesOf(const std::vector<std::string>& paths);
 
 /// Adds several inputs to a scene as openAll() does. @throw InputError when none can be read; Cancelled
 void addAll(scene::Scene& scene, const std::vector<std::string>& paths, Progress& progress,

@@ -25,6 +25,7 @@ std::optional<std::filesystem::path> findMoved(const scene::Source& source, cons
 /// How to open a scene whose data may have moved.
 struct DataPolicy {
   std::vector<std::filesystem::path> folders;          ///< where to look, too: those of recent files
+  bool refusesOne = false;                             ///< of several files one that cannot be read is an error
   bool keepsWithoutData = false;                       ///< what is not found is left out, instead of an error
   std::function<void(scene::Scene&)> beforeData = {};  ///< applied to a scene file before its data is read
 };

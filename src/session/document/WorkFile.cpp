@@ -56,20 +56,17 @@ constexpr double kEven = 1e-9;  ///< Shares by which edges may grow differently 
 
 // Reading.
 
-Loaded readPaths(const std::vector<std::string>& paths, Progress& progress, const DataPolicy& policy) {
+Loaded read(const std::vector<scene::Source>& sources, Progress& progress, const DataPolicy& policy) {
   Loaded loaded;
-  Opened opened = openAll(paths, progress, policy, &loaded.notes);
+  Opened opened = openAll(sources, progress, policy, &loaded.notes);
   loaded.scene = std::move(opened.scene);
   loaded.path = opened.path;
-  loaded.isScene = readSceneText(loaded.path).has_value();
+  loaded.isScene = io::holdsScene(io::kindOf(loaded.path));
   return loaded;
 }
 
-Loaded readAs(const scene::Source& source, Progress& progress, const DataPolicy& policy) {
-  Loaded loaded;
-  loaded.scene = session::open(source, progress, policy, &loaded.notes);
-  loaded.path = source.path;
-  return loaded;
+Loaded readPaths(const std::vector<std::string>& paths, Progress& progress, const DataPolicy& policy) {
+  return read(sourcesOf(paths), progress, policy);
 }
 
 void rereadVolume(scene::Scene& scene, const scene::Source& source, Progress& progress) {

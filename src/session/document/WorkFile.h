@@ -24,10 +24,10 @@ struct Loaded {
 
 // Reading, for jobs: any thread. @throw InputError, Cancelled
 
-/// Files and folders as one scene.
+/// Files and folders as one scene, each as its source says: a series, a layout of raw samples, a voxel size.
+Loaded read(const std::vector<scene::Source>& sources, Progress& progress, const DataPolicy& policy);
+/// The same of files that are read as they say themselves.
 Loaded readPaths(const std::vector<std::string>& paths, Progress& progress, const DataPolicy& policy);
-/// A file read as its source says: a series, a layout of raw samples, a voxel size.
-Loaded readAs(const scene::Source& source, Progress& progress, const DataPolicy& policy);
 /// The volume of a scene read anew as another source says: with another voxel size or layout. Cuts and camera
 /// grow with the voxels, labels on its grid go with it; what has another type or size gets the look that fits it.
 /// @throw ArgumentError where structures were grown in it and would lie elsewhere

@@ -37,18 +37,6 @@ glm::vec3 colorAt(const scene::TransferFunction& transfer, double value) {
   return glm::mix(before.color, after->color, float((value - before.value) / (after->value - before.value)));
 }
 
-/// A new structure keeps the transfer function's colours until it gets one of its own.
-scene::Structure newStructure(const scene::Scene& scene, int id, double value) {
-  std::size_t count = 1;
-  for (const auto& structure : scene.labels.structures) count += structure.name.starts_with("Region ");
-  scene::Structure structure;
-  structure.id = id;
-  structure.name = fmt::format("Region {}", count);
-  structure.color = colorAt(scene::currentTransfer(scene.volume), value);
-  structure.tint = 0.0;
-  return structure;
-}
-
 double valueNear(const scene::VolumeLayer& layer, glm::dvec3 world) {
   const Volume& volume = *layer.data;
   glm::ivec3 voxel(glm::round(glm::dvec3(glm::inverse(volume.worldFromVoxel) * glm::dvec4(world, 1.0))));
@@ -190,6 +178,17 @@ Pull pullAgain(const scene::Scene& scene, const Extrusion& extrusion) {
   pull.growth->seeds.clear();
   setPlane(*pull.growth, *cut, 0.0);
   return pull;
+}
+
+scene::Structure newStructure(const scene::Scene& scene, int id, double value) {
+  std::size_t count = 1;
+  for (const auto& structure : scene.labels.structures) count += structure.name.starts_with("Region ");
+  scene::Structure structure;
+  structure.id = id;
+  structure.name = fmt::format("Region {}", count);
+  structure.color = colorAt(scene::currentTransfer(scene.volume), value);
+  structure.tint = 0.0;
+  return structure;
 }
 
 std::optional<Pull> beginPull(const scene::Scene& scene, int cutId, glm::dvec3 world, int structure) {

@@ -19,6 +19,10 @@ struct Pull {
   std::optional<scene::Growth> growth;    ///< what makes its labels as it is pulled; nothing where labels were given
 };
 
+/// The row of a structure that is grown: it keeps the transfer function's colours until it gets one of its own.
+/// @param value  of its material, the volume's unit
+scene::Structure newStructure(const scene::Scene& scene, int id, double value);
+
 /// What a click on a place of a cut's face, or of what stands out of it, is about to pull. Measures the material there
 /// where it has no label ([ACS] 4.2).
 /// @param structure  label there; 0: none

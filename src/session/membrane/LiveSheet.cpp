@@ -3,28 +3,17 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/Clock.h"
 #include "gpu/Program.h"
+#include "scene/Scene.h"
 
 namespace velum::session {
 
 namespace {
 
-/// A passive sheet that starts anew is shown from this step on: until then it lies nearly flat, and a drag would
-/// flicker.
-constexpr int kWarmSteps = 40;
-/// Most steps at a time: without asking the GPU nobody knows how long it takes.
-constexpr int kMostSteps = 20;
 /// Voxels of the time steps whose kernels are kept, at one to three bytes; and the most time steps.
 constexpr double kVoxelsKept = 2e8, kMostMakers = 64;
-
-scene::Cut withFrameOf(scene::Cut cut, const scene::Cut& frame) {
-  cut.centre = frame.centre;
-  cut.axis = frame.axis;
-  cut.spinDeg = frame.spinDeg;
-  cut.size = frame.size;
-  return cut;
-}
+/// Only where so much must be cut can the sheet cut more than its plane.
+constexpr double kShareToWatch = 0.6;
 
 /// Only pins, or kernels that hands have put in, are others.
 bool isHandsOnly(scene::Membrane a, scene::Membrane b) {
@@ -35,11 +24,6 @@ bool isHandsOnly(scene::Membrane a, scene::Membrane b) {
     membrane->shape = {};
   }
   return isChanged && a == b;
-}
-
-scene::SheetShape carried(const scene::SheetShape& shape, const scene::Cut& from, const scene::Cut& to) {
-  if (shape.places.empty() || haveSameFrame(from, to)) return shape;
-  return membrane::fitShape(membrane::carryOver(shape, from, to), shape.particles, to.size);
 }
 
 }  // namespace
@@ -53,35 +37,35 @@ DataKey dataKeyOf(const scene::Scene& scene) {
           .copies = scene.model.copies};
 }
 
-bool haveSameFrame(const scene::Cut& a, const scene::Cut& b) {
-  return a.centre == b.centre && a.axis == b.axis && a.spinDeg == b.spinDeg && a.size == b.size;
-}
-
-LiveSheet::LiveSheet(std::uint64_t id, const scene::Cut& cut, DataKey data) : mId(id), mCut(cut), mData(data) {
-  mWantsLook = !isActive();
+LiveSheet::LiveSheet(std::uint64_t id, const scene::Cut& cut, DataKey data, MembraneMover::Purpose purpose)
+    : mId(id), mPurpose(purpose), mCut(cut), mData(data) {
+  mAsked.isLook = isForEyes() && !isActive();
   if (isActive() && !cut.membrane->shape.places.empty()) adopt(cut.membrane->shape);
 }
 
-/// Takes a shape as where the sheet rests.
-void LiveSheet::adopt(const scene::SheetShape& shape) {
-  mWritten = shape;
-  mKept = membrane::fitShape(shape, mCut.membrane->cloth.particles, mCut.size);
-  mKeptCut = mCut;
-  if (glm::length(shape.axis) > 0.0) {
-    mKeptCut.centre = mKept.centre = shape.centre;
-    mKeptCut.axis = mKept.axis = shape.axis;
-    mKeptCut.spinDeg = mKept.spinDeg = shape.spinDeg;
-  }
-  mBegin = false;
-  mMotion = Motion::None;
+/// Takes a saved shape as where the sheet rests.
+void LiveSheet::adopt(const scene::SheetShape& saved) {
+  mWritten = saved;
+  mPlace = placeOf(saved, mCut);
+  mBegins = false;
+  mMotion.end();
   // Saved before it had come to rest: it goes on.
-  bool isOfNow = shape.timeStep < 0 || shape.timeStep == mData.timeStep;
-  mKept.timeStep = mKeptStep = shape.timeStep;
-  mNeedsForces = mKeepSides = !haveSameFrame(mKeptCut, mCut) || !isOfNow;
+  bool isOfNow = saved.timeStep < 0 || saved.timeStep == mData.timeStep;
+  mAsked.isDue = mAsked.keepsSides = !haveSameFrame(mPlace.cut, mCut) || !isOfNow;
   mForces.reset();
   mFigures.reset();
-  ++mWish;  // what is on its way is not for this
-  ++mShown;
+  ++mAsked.wish;  // what is on its way is not for this
+  ++mShown.count;
+}
+
+/// The sheet is of other data: nothing that is known of it holds.
+void LiveSheet::forget() {
+  mMakers.clear();
+  mPlace.shape = {};
+  mForces.reset();
+  mBegins = false;
+  mMotion.end();
+  ++mShown.count;
 }
 
 void LiveSheet::follow(const scene::Cut& cut, DataKey data) {
@@ -90,26 +74,19 @@ void LiveSheet::follow(const scene::Cut& cut, DataKey data) {
   bool isOtherVolume = mData.volume != data.volume || mData.model != data.model;
   bool sameData = std::exchange(mData, data) == data, sameFrame = haveSameFrame(before, mCut);
   bool wasActive = was.repositioning == scene::Repositioning::Active;
-  if (!sameData) ++mDataChange;
+  if (!sameData) ++mAsked.dataChange;
   bool isUndone = sameData && now.shape != was.shape && now.shape != mWritten;
   // An undone step brings the shape back in which the sheet rested then; another document its own.
   if (isActive() && !now.shape.places.empty() && (isUndone || isOtherVolume)) return adopt(now.shape);
-  if (isOtherVolume) {
-    mMakers.clear();
-    mKept = {};
-    mForces.reset();
-    mBegin = false;
-    mMotion = Motion::None;
-    ++mShown;
-  }
-  if (!sameFrame) ++mShown;
-  mGoesOn = sameData && sameFrame && !isActive() && (mGoesOn || isHandsOnly(was, now));
+  if (isOtherVolume) forget();
+  if (!sameFrame) ++mShown.count;
+  mAsked.byHands = isForEyes() && sameData && sameFrame && !isActive() && (mAsked.byHands || isHandsOnly(was, now));
   if (!sameData || !sameFrame || was.field != now.field) {
     // Another curve protects other material: sides are found anew.
-    mKeepSides = isActive() && was.field == now.field && (mKeepSides || !mNeedsForces);
-    mNeedsForces = true;
-    mWantsLook = !isActive();
-    ++mWish;
+    mAsked.keepsSides = isActive() && was.field == now.field && (mAsked.keepsSides || !mAsked.isDue);
+    mAsked.isDue = true;
+    mAsked.isLook = isForEyes() && !isActive();
+    ++mAsked.wish;
     mFigures.reset();
     return;
   }
@@ -117,26 +94,31 @@ void LiveSheet::follow(const scene::Cut& cut, DataKey data) {
   if (!isOther) return;
   mFigures.reset();
   if (mForces)
-    mBegin = true;
+    mBegins = true;
   else
-    mNeedsForces = true;
+    mAsked.isDue = true;
 }
 
+// Forces.
+
 membrane::CurrentSheet LiveSheet::current() const {
-  if (!mKeepSides || mCut.membrane->field.rule != scene::KernelRule::Sided) return {};
-  scene::SheetShape now = shape();
-  if (now.places.empty()) return {};
-  return {membrane::heightOf(now), movesInSight() ? mMovingStep : mKeptStep};
+  if (!mAsked.keepsSides || mCut.membrane->field.rule != scene::KernelRule::Sided) return {};
+  return seenPlace().sidesIn(mCut);
 }
 
 void LiveSheet::takeForces(std::shared_ptr<const MadeForces> made, std::uint64_t wish) {
   mForces = std::move(made);
-  mBegin = true;
-  mError.clear();
-  if (wish != mWish) return;
+  mBegins = true;
+  mAsked.error.clear();
+  if (wish != mAsked.wish) return;
   // After a hand's preview it first settles, see advance(); after a look exact forces come at once.
-  mNeedsForces = mForces->forces.isPreview && !mGoesOn;
-  mWantsLook = false;
+  mAsked.isDue = mForces->forces.isPreview && !mAsked.byHands;
+  mAsked.isLook = false;
+}
+
+void LiveSheet::failForces(const std::string& error) {
+  mAsked.error = error;
+  mAsked.isDue = false;
 }
 
 std::shared_ptr<membrane::ForceMaker> LiveSheet::makerOf(const scene::Scene& scene) const {
@@ -152,113 +134,94 @@ void LiveSheet::keepMaker(std::shared_ptr<membrane::ForceMaker> maker) {
   if (mMakers.size() > most) mMakers.resize(most);
 }
 
-void LiveSheet::failForces(const std::string& error) {
-  mError = error;
-  mNeedsForces = false;
-}
+// Motion.
 
-bool LiveSheet::isMoving() const { return mCut.enabled && (mBegin || !isAtRest()); }
+bool LiveSheet::isMoving() const { return mCut.enabled && (mBegins || !mMotion.isAtRest()); }
 
-/// Where the sheet was when it was last looked at. Asks the GPU where it moves, once for each place: what is held can
-/// be exported from a menu, where the context is not current.
-scene::SheetShape LiveSheet::known() const {
-  if (!movesInSight()) return mKept;
-  if (std::exchange(mReadAt, mShown) != mShown) mRead = mSimulation->shape();
-  return mRead;
-}
+void LiveSheet::keepPlace() { mPlace = mMotion.fittedPlace(isActive()); }
 
-scene::SheetShape LiveSheet::shape() const { return carried(known(), movesInSight() ? mMovingCut : mKeptCut, mCut); }
-
-void LiveSheet::keepShape() {
-  // As drawing would fit it, so that a shape that has been written down is the one that was drawn.
-  mKept = membrane::fitShape(mSimulation->shape(), mMovingCut.membrane->cloth.particles, mMovingCut.size);
-  mKeptStep = mMovingStep;
-  if (isActive()) membrane::anchor(mKept, mMovingCut, mMovingStep);
-  mKeptCut = mMovingCut;
-}
-
+/// Where a sheet starts: an active one, and one that hands drag or a look shows, from where it is; else flat.
 void LiveSheet::begin() {
-  mBegin = false;
-  if (movesInSight()) keepShape();
-  scene::Cut moving = withFrameOf(mCut, mForces->cut);
-  moving.membrane->field.rule = mForces->cut.membrane->field.rule;
-  scene::SheetShape start;
-  bool isLook = mForces->forces.isPreview && !mGoesOn;
-  if (isActive() || mGoesOn || isLook) start = carried(mKept, mKeptCut, moving);
-  mSimulation->begin(moving, mForces->forces, start);
-  mMovingCut = moving;
-  mMovingStep = mForces->timeStep;
-  bool hasPast = mGoesOn && (!start.places.empty() || mForces->forces.isPreview);
-  bool isSeen = isActive() || mGoesOn || isLook || mKept.places.empty();
-  mMotion = hasPast ? Motion::Dragged : isSeen ? Motion::Shown : Motion::Unseen;
+  mBegins = false;
+  if (mMotion.isInSight()) keepPlace();
+  bool isPreview = mForces->forces.isPreview, isLook = isPreview && !mAsked.byHands;
+  bool goesOn = isActive() || mAsked.byHands || isLook;
+  bool hasPast = mAsked.byHands && (!mPlace.isFlat() || isPreview);
+  bool isSeen = goesOn || mPlace.isFlat();
+  using State = SheetMotion::State;
+  mMotion.begin(mCut, *mForces, goesOn ? mPlace : SheetPlace{},
+                hasPast  ? State::Dragged
+                : isSeen ? State::Shown
+                         : State::Unseen);
 }
 
 /// From flat, unseen at first: a passive sheet rests where its scene says, whatever was dragged about before.
 void LiveSheet::beginAgain() {
-  keepShape();
-  mGoesOn = false;
-  mMotion = Motion::Shown;
-  mNeedsForces = mForces->forces.isPreview;
-  if (mNeedsForces) return;  // it stays as it is until exact ones are there
-  mMotion = Motion::None;
-  mBegin = true;
+  keepPlace();
+  mAsked.byHands = false;
+  mAsked.isDue = mForces->forces.isPreview;
+  if (mAsked.isDue) return mMotion.hold();  // it stays as it is until exact forces are there
+  mMotion.end();
+  mBegins = true;
 }
 
 bool LiveSheet::advance(double budgetMs) {
   if (!isMoving()) return false;
-  if (mBegin) begin();
-  auto start = Clock::now();
-  int steps = 0;
-  do mSimulation->advance(1);
-  while (++steps < kMostSteps && !mSimulation->isAtRest() && msSince(start) < budgetMs);
-  gpu::finish();
-  double stepMs = msSince(start) / steps;
-  mStepMs = mStepMs > 0 ? 0.8 * mStepMs + 0.2 * stepMs : stepMs;
-  if (mMotion == Motion::Unseen && (mSimulation->steps() >= kWarmSteps || mSimulation->isAtRest()))
-    mMotion = Motion::Shown;
-  if (mMotion != Motion::Unseen) ++mShown;
-  if (mMotion == Motion::Dragged && !mNeedsForces && mSimulation->isFinest())
+  if (mBegins) begin();
+  mMotion.advance(budgetMs);
+  if (mMotion.state() != SheetMotion::State::Unseen) ++mShown.count;
+  if (mMotion.state() == SheetMotion::State::Dragged && !mAsked.isDue && mMotion.isFinest())
     beginAgain();  // it has settled as far as the eye can follow
-  else if (mSimulation->isAtRest())
-    keepShape();
+  else if (mMotion.isAtRest())
+    keepPlace();
   return true;
 }
 
 void LiveSheet::reset() {
-  mKept = {};
+  mPlace.shape = {};
   mFigures.reset();
-  ++mShown;
-  mMotion = Motion::None;
-  mGoesOn = mKeepSides = false;
+  ++mShown.count;
+  mMotion.end();
+  mAsked.byHands = mAsked.keepsSides = false;
   if (mForces && !isActive())
-    mBegin = true;
+    mBegins = true;
   else
-    mNeedsForces = true, ++mWish;
+    mAsked.isDue = true, ++mAsked.wish;
 }
 
-bool LiveSheet::needsFigures() const {
-  return mCut.enabled && !mNeedsForces && !isMoving() && !mFigures && mError.empty() && mIndexed == mShown;
+void LiveSheet::releaseGpu() {
+  bool wasMoving = isMoving();
+  if (mMotion.isInSight()) keepPlace();
+  mMotion.releaseGpu();
+  mBegins = wasMoving && mForces;
+  mShown.sheet.reset();
+  mShown.uploaded = 0;
 }
 
-void LiveSheet::takeFigures(const membrane::KeptWhole& figures, std::vector<Advice> advice,
-                            const membrane::LeftOut& leftOut, std::uint64_t wish) {
-  if (wish != mWish || isMoving()) return;
-  mFigures = figures;
-  mAdvice = std::move(advice);
-  mLeftOut = leftOut;
-  if (!membrane::isWorseThanFlat(figures, mCut)) return;
-  mFigures = membrane::figureOfFlat(figures);
-  glm::ivec2 particles = mKept.places.empty() ? mCut.membrane->cloth.particles : mKept.particles;
-  mKept = membrane::flatShape(mCut, particles);
-  if (isActive()) membrane::anchor(mKept, mCut, mKeptStep);
-  mKeptCut = mCut;
-  ++mShown;
+// Figures.
+
+bool LiveSheet::needsFigures(bool whole) const {
+  bool isAtRest =
+      mCut.enabled && !mAsked.isDue && !isMoving() && mAsked.error.empty() && mShown.indexed == mShown.count;
+  if (!isAtRest) return false;
+  if (mFigures) return whole && !mFigures->isWhole;
+  return whole || (mForces && mForces->forces.corridor.leastShare > kShareToWatch);
+}
+
+void LiveSheet::takeFigures(SheetFigures figures, std::uint64_t wish) {
+  if (wish != mAsked.wish || isMoving()) return;
+  bool isWorse = membrane::isWorseThanFlat(figures.kept, mCut);
+  mFigures = std::move(figures);
+  if (!isWorse) return;
+  mFigures->kept = membrane::figureOfFlat(mFigures->kept);
+  mPlace = flatPlace(mCut, mPlace.isFlat() ? mCut.membrane->cloth.particles : mPlace.shape.particles, mPlace.timeStep);
+  ++mShown.count;
 }
 
 MembraneStatus LiveSheet::status(bool isPlaying, bool isComputing) const {
   using Phase = MembraneStatus::Phase;
   MembraneStatus status;
-  if (mNeedsForces || isComputing)
+  if (mAsked.isDue || isComputing)
     status.phase = Phase::Computing;
   else if (isMoving())
     status.phase = isPlaying ? Phase::Settling : Phase::Paused;
@@ -266,76 +229,95 @@ MembraneStatus LiveSheet::status(bool isPlaying, bool isComputing) const {
     status.kernels = mForces->forces.kernels;
     status.forcesMs = mForces->forces.kernelsMs + mForces->forces.leastCutMs;
   }
-  status.particles = mCut.membrane->cloth.particles;
-  if (!mKept.places.empty()) status.particles = mKept.particles;
-  if (mMotion != Motion::None) {
-    status.particles = mSimulation->particles();
-    status.steps = mSimulation->steps();
-    status.speed = mSimulation->speed();
+  status.particles = mPlace.isFlat() ? mCut.membrane->cloth.particles : mPlace.shape.particles;
+  if (mMotion.state() != SheetMotion::State::None) {
+    const membrane::Simulation& simulation = mMotion.simulation();
+    status.particles = simulation.particles();
+    status.steps = simulation.steps();
+    status.speed = simulation.speed();
   }
-  status.stepMs = mStepMs;
-  status.error = mError;
+  status.stepMs = mMotion.stepMs();
+  status.error = mAsked.error;
   if (!mFigures) return status;
+  const membrane::KeptWhole& kept = mFigures->kept;
   status.isMeasured = true;
-  status.keptWhole = mFigures->ratio;
-  status.fate = mFigures->fate;
-  status.wantsAdvice = session::wantsAdvice(*mFigures, mCut);
-  status.advice = mAdvice;
-  status.leftOut = mLeftOut;
-  status.shares = membrane::sharesOf(*mFigures, mCut);
-  status.planePairs = mFigures->cutAreaPlane;
-  status.sheetPairs = mFigures->cutAreaMembrane;
-  status.meanDistance = mFigures->meanDistance;
+  status.keptWhole = kept.ratio;
+  status.fate = kept.fate;
+  status.wantsAdvice = session::wantsAdvice(kept, mCut);
+  status.advice = mFigures->advice;
+  status.leftOut = mFigures->leftOut;
+  status.shares = membrane::sharesOf(kept, mCut);
+  status.planePairs = kept.cutAreaPlane;
+  status.sheetPairs = kept.cutAreaMembrane;
+  status.meanDistance = kept.meanDistance;
   return status;
 }
 
+MembraneReport LiveSheet::report() const {
+  MembraneReport report{.cut = mCut.id, .name = mCut.name, .particles = shape().particles, .atRest = !isMoving()};
+  if (mForces) {
+    report.kernels = mForces->forces.kernels;
+    report.kernelsMs = mForces->forces.kernelsMs;
+    report.leastCutMs = mForces->forces.leastCutMs;
+    report.totalMs = mForces->ms + mMotion.ms();
+  }
+  if (mMotion.state() != SheetMotion::State::None) report.steps = mMotion.simulation().steps();
+  if (report.steps > 0) report.stepMs = mMotion.ms() / report.steps;
+  if (!mFigures || !mFigures->isWhole) return report;
+  report.kept = mFigures->kept;
+  report.advice = mFigures->advice;
+  report.leftOut = mFigures->leftOut;
+  return report;
+}
+
+// What is shown.
+
+/// Where the sheet is seen. Asks the GPU where it moves, once for each place: what is held can be exported from a menu,
+/// where no context is current.
+const SheetPlace& LiveSheet::seenPlace() const {
+  if (!mMotion.isInSight()) return mPlace;
+  if (std::exchange(mShown.readAt, mShown.count) != mShown.count) mShown.read = mMotion.place();
+  return mShown.read;
+}
+
 render::FrameSheet LiveSheet::frameSheet() {
-  bool isLive = movesInSight() && haveSameFrame(mMovingCut, mCut);
-  if (mUploaded != mShown || !mSheet) {
+  bool isLive = mMotion.isInSight() && haveSameFrame(mMotion.cut(), mCut);
+  auto& sheet = mShown.sheet;
+  if (mShown.uploaded != mShown.count || !sheet) {
     glm::ivec2 flat = glm::max(mCut.membrane->cloth.particles, glm::ivec2(3));
-    glm::ivec2 count = isLive ? mSimulation->particles() : glm::ivec2(0);
-    bool fits = mSheet && mSheet->particles() == count && mSheet->size() == mCut.size;
+    glm::ivec2 count = isLive ? mMotion.simulation().particles() : glm::ivec2(0);
+    bool fits = sheet && sheet->particles() == count && sheet->size() == mCut.size;
     if (isLive && fits) {
       // From the solver to the picture without a detour.
-      mSimulation->places().copyTo(mSheet->rows(), 0);
+      mMotion.simulation().places().copyTo(sheet->rows(), 0);
       gpu::barrier();
-      mSheet->index();
-    } else if (mSheet) {
-      mSheet->setShape(shape(), flat, mCut.size);
+      sheet->index();
+    } else if (sheet) {
+      sheet->setShape(shape(), flat, mCut.size);
     } else {
-      mSheet = std::make_shared<membrane::Sheet>(shape(), flat, mCut.size);
+      sheet = std::make_shared<membrane::Sheet>(shape(), flat, mCut.size);
     }
-    if (isAtRest()) mSheet->grow();
-    mUploaded = mShown;
+    if (mMotion.isAtRest()) sheet->grow();
+    mShown.uploaded = mShown.count;
   }
-  return {mSheet, mSheet->revision()};
+  return {sheet, sheet->revision()};
 }
 
 void LiveSheet::makeIndex() {
   glm::ivec2 flat = glm::max(mCut.membrane->cloth.particles, glm::ivec2(3));
-  mIndex = std::make_shared<const membrane::SheetIndex>(membrane::makeSheetIndex(shape(), flat, mCut.size));
-  mIndexed = mShown;
+  mShown.index = std::make_shared<const membrane::SheetIndex>(membrane::makeSheetIndex(shape(), flat, mCut.size));
+  mShown.indexed = mShown.count;
 }
 
 bool LiveSheet::hasRest() const {
-  if (!isActive() || !mCut.enabled || mNeedsForces || isMoving() || mKept.places.empty()) return false;
-  return haveSameFrame(mKeptCut, mCut) && mKept != mWritten;
+  if (!isActive() || !mCut.enabled || mAsked.isDue || isMoving() || mPlace.isFlat()) return false;
+  return haveSameFrame(mPlace.cut, mCut) && mPlace.shape != mWritten;
 }
 
 std::optional<scene::SheetShape> LiveSheet::takeRest() {
   if (!hasRest()) return std::nullopt;
-  mWritten = mKept;
+  mWritten = mPlace.shape;
   return mWritten;
-}
-
-void LiveSheet::releaseGpu() {
-  bool wasMoving = isMoving();
-  if (movesInSight()) keepShape();
-  mSimulation.emplace();
-  mMotion = Motion::None;
-  mBegin = wasMoving && mForces;
-  mSheet.reset();
-  mUploaded = 0;
 }
 
 }  // namespace velum::session

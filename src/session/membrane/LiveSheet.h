@@ -9,12 +9,12 @@
 #include "membrane/forces/KeptWhole.h"
 #include "membrane/sheet/Sheet.h"
 #include "membrane/sheet/SheetIndex.h"
-#include "membrane/sheet/Simulation.h"
 #include "scene/Cut.h"
-#include "scene/Membrane.h"
 #include "scene/SceneFwd.h"
 #include "scene/SheetShape.h"
-#include "session/membrane/MembranePlayer.h"
+#include "session/membrane/MembraneMover.h"
+#include "session/membrane/SheetMotion.h"
+#include "session/membrane/SheetPlace.h"
 
 namespace velum::session {
 
@@ -26,17 +26,19 @@ struct DataKey {
 };
 DataKey dataKeyOf(const scene::Scene& scene);
 
-/// Forces, the cut for whose frame they were made, and the time step whose data they are of.
-struct MadeForces {
-  membrane::Forces forces;
-  scene::Cut cut;
-  int timeStep = 0;
+/// What was measured of a sheet at rest.
+struct SheetFigures {
+  membrane::KeptWhole kept;
+  std::vector<Advice> advice;
+  membrane::LeftOut leftOut;
+  bool isWhole = true;  ///< false: only how much the sheet cuts, which says whether it is worse than flat
 };
 
-/// One membrane of a MembranePlayer: what is wanted of it, its forces, its simulation, what is shown of it.
+/// One membrane of a MembraneMover. Four things, each with its owner: what forces are asked for (Asked), how the sheet
+/// moves (SheetMotion), where it last was (SheetPlace), and what is shown of it (Shown). GL thread where it says so.
 class LiveSheet {
  public:
-  LiveSheet(std::uint64_t id, const scene::Cut& cut, DataKey data);
+  LiveSheet(std::uint64_t id, const scene::Cut& cut, DataKey data, MembraneMover::Purpose purpose);
 
   std::uint64_t id() const { return mId; }
   const scene::Cut& cut() const { return mCut; }
@@ -44,13 +46,14 @@ class LiveSheet {
   /// The cut, or the data, as the scene has it now.
   void follow(const scene::Cut& cut, DataKey data);
 
-  bool needsForces() const { return mCut.enabled && mNeedsForces; }
+  // Forces.
+  bool needsForces() const { return mCut.enabled && mAsked.isDue; }
   /// Hands drag: forces are to come soon rather than exactly, see ForceMaker::preview().
-  bool wantsPreview() const { return mGoesOn || mWantsLook; }
+  bool wantsPreview() const { return mAsked.byHands || mAsked.isLook; }
   /// Another number with every change of what forces depend on; and of the data alone.
-  std::uint64_t wish() const { return mWish; }
-  std::uint64_t dataChange() const { return mDataChange; }
-  /// The sheet whose sides are kept, in the frame that is wanted; nothing: by the least cut.
+  std::uint64_t wish() const { return mAsked.wish; }
+  std::uint64_t dataChange() const { return mAsked.dataChange; }
+  /// The sheet whose sides are kept, in the frame that is wanted; nothing: by the least cut. GL thread.
   membrane::CurrentSheet current() const;
   void takeForces(std::shared_ptr<const MadeForces> made, std::uint64_t wish);
   void failForces(const std::string& error);
@@ -58,84 +61,76 @@ class LiveSheet {
   std::shared_ptr<membrane::ForceMaker> makerOf(const scene::Scene& scene) const;
   void keepMaker(std::shared_ptr<membrane::ForceMaker> maker);
 
+  // Motion. GL thread.
   bool isMoving() const;
   bool advance(double budgetMs);
   void reset();
+  void releaseGpu();
 
-  /// What is to be measured: the sheet rests where it is wanted, and its figures are not known.
-  bool needsFigures() const;
-  void takeFigures(const membrane::KeptWhole& figures, std::vector<Advice> advice, const membrane::LeftOut& leftOut,
-                   std::uint64_t wish);
-  void failFigures() { mFigures = membrane::KeptWhole{}; }
+  // Figures.
+  /// The sheet rests where it is wanted, and figures of it are asked for that are not known.
+  /// @param whole  all of them; else only where they may say that a flat sheet is better
+  bool needsFigures(bool whole) const;
+  void takeFigures(SheetFigures figures, std::uint64_t wish);
+  void failFigures() { mFigures = SheetFigures{}; }
   MembraneStatus status(bool isPlaying, bool isComputing) const;
+  /// Of a sheet at rest; figures where they are known.
+  MembraneReport report() const;
 
-  /// As it stands in the frame that is wanted.
-  scene::SheetShape shape() const;
+  // What is shown.
+  /// As it stands in the frame that is wanted. GL thread while it moves.
+  scene::SheetShape shape() const { return seenPlace().in(mCut); }
   render::FrameSheet frameSheet();
-  const std::shared_ptr<const membrane::SheetIndex>& index() const { return mIndex; }
+  const std::shared_ptr<const membrane::SheetIndex>& index() const { return mShown.index; }
   /// Another number when the sheet stands otherwise in its frame.
-  std::uint64_t shownCount() const { return mShown; }
-  bool isIndexStale() const { return mCut.enabled && mIndexed != mShown; }
+  std::uint64_t shownCount() const { return mShown.count; }
+  bool isIndexStale() const { return mCut.enabled && mShown.indexed != mShown.count; }
   void makeIndex();
   /// The shape to be written into the scene, once.
   std::optional<scene::SheetShape> takeRest();
   bool hasRest() const;
-  void releaseGpu();
 
  private:
-  /// What the simulation is doing.
-  enum class Motion {
-    None,     ///< There is none.
-    Unseen,   ///< It has begun from flat, and lies too nearly flat yet to be shown.
-    Shown,    ///< It is what is shown.
-    Dragged,  ///< So, and where it rests depends on how it came there: a passive sheet will start from flat once more.
+  /// What forces are asked for, and what those that come are for.
+  struct Asked {
+    bool isDue = true;
+    bool isLook = false;      ///< a passive sheet hangs elsewhere: where data is large, a preview comes first
+    bool byHands = false;     ///< hands drag pins or kernels: the sheet goes on from where it is, under previews
+    bool keepsSides = false;  ///< material stays on its side of the sheet
+    std::uint64_t wish = 1, dataChange = 1;
+    std::string error;  ///< why there are none; empty: nothing is wrong
+  };
+  /// What is shown, and what was made for showing.
+  struct Shown {
+    std::uint64_t count = 1;  ///< counts places that differ
+    std::shared_ptr<membrane::Sheet> sheet;
+    std::shared_ptr<const membrane::SheetIndex> index;
+    std::uint64_t uploaded = 0, indexed = 0;  ///< counts of these
+    mutable SheetPlace read;                  ///< where the simulation was when the count was readAt
+    mutable std::uint64_t readAt = 0;
   };
   bool isActive() const { return mCut.membrane->repositioning == scene::Repositioning::Active; }
-  bool isAtRest() const { return mMotion == Motion::None || mSimulation->isAtRest(); }
-  /// The simulation is what is shown; otherwise it is mKept.
-  bool movesInSight() const { return mMotion != Motion::Unseen && !isAtRest(); }
-  void adopt(const scene::SheetShape& shape);
+  bool isForEyes() const { return mPurpose == MembraneMover::Purpose::Show; }
+  const SheetPlace& seenPlace() const;
+  void adopt(const scene::SheetShape& saved);
+  void forget();
   void begin();
+  void keepPlace();
   void beginAgain();
-  void keepShape();
-  scene::SheetShape known() const;
 
   std::uint64_t mId;
+  MembraneMover::Purpose mPurpose;
   scene::Cut mCut;  ///< as it is wanted
   DataKey mData;
-  std::uint64_t mWish = 1, mDataChange = 1;
-  bool mNeedsForces = true;
-  std::string mError;
+  Asked mAsked;
   std::shared_ptr<const MadeForces> mForces;
-  bool mBegin = false;      ///< the simulation is to begin with mForces
-  bool mGoesOn = false;     ///< from where the sheet is: hands drag something, and see what comes of it at once
-  bool mWantsLook = false;  ///< a passive sheet hangs elsewhere: where data is large, a preview comes first
-  bool mKeepSides = false;  ///< the next forces leave material on its side of the sheet
-  // What moves.
-  std::optional<membrane::Simulation> mSimulation{std::in_place};
-  Motion mMotion = Motion::None;
-  scene::Cut mMovingCut;
-  int mMovingStep = 0;  ///< time step of its forces
-  double mStepMs = 0;
-  // What is known of it here, where it last was, in the frame of mKeptCut. Empty: flat.
-  scene::SheetShape mKept;
-  scene::Cut mKeptCut;
-  int mKeptStep = -1;          ///< time step of its forces; -1: not known
+  bool mBegins = false;  ///< a motion is to begin, under mForces
+  SheetMotion mMotion;
+  SheetPlace mPlace;           ///< where it last was; where it rests, when it rests
   scene::SheetShape mWritten;  ///< that the scene holds
-  std::optional<membrane::KeptWhole> mFigures;
-  membrane::LeftOut mLeftOut;
-  std::vector<Advice> mAdvice;                                 ///< that goes with them
+  std::optional<SheetFigures> mFigures;
   std::vector<std::shared_ptr<membrane::ForceMaker>> mMakers;  ///< of this volume's time steps, the last one first
-  // What is shown.
-  std::shared_ptr<membrane::Sheet> mSheet;
-  std::shared_ptr<const membrane::SheetIndex> mIndex;
-  std::uint64_t mShown = 1;  ///< counts places that differ
-  std::uint64_t mIndexed = 0, mUploaded = 0;
-  mutable scene::SheetShape mRead;  ///< where the simulation was when mShown was mReadAt
-  mutable std::uint64_t mReadAt = 0;
+  Shown mShown;
 };
-
-/// The cuts stand in the same place of the world.
-bool haveSameFrame(const scene::Cut& a, const scene::Cut& b);
 
 }  // namespace velum::session

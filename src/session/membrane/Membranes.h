@@ -1,34 +1,14 @@
 #pragma once
-#include <map>
-#include <optional>
-#include <string>
 #include <vector>
 
 #include "core/Mesh.h"
 #include "core/Task.h"
 #include "core/Volume.h"
-#include "membrane/forces/KeptWhole.h"
-#include "membrane/forces/Limit.h"
+#include "membrane/forces/Kernels.h"
 #include "scene/Scene.h"
-#include "session/membrane/Advice.h"
+#include "session/membrane/MembraneReport.h"
 
 namespace velum::session {
-
-/// What became of one membrane.
-struct MembraneReport {
-  int cut = 0;  ///< its id
-  std::string name;
-  std::size_t kernels = 0;  ///< of the whole volume
-  glm::ivec2 particles{0};  ///< of the sheet at rest
-  int steps = 0;
-  bool atRest = false;
-  double stepMs = 0;  ///< mean time of a step with all its iterations, on the wall
-  double kernelsMs = 0, leastCutMs = 0, totalMs = 0;
-  std::optional<membrane::KeptWhole> kept;        ///< when asked for
-  std::optional<membrane::KeptWholeLimit> limit;  ///< when asked for
-  std::optional<membrane::LeftOut> leftOut;       ///< with `kept`
-  std::vector<Advice> advice;  ///< with `kept`, where it is wanted and something helps, the best first
-};
 
 /// What to find out beside settling.
 struct MembraneQuestions {
@@ -37,25 +17,13 @@ struct MembraneQuestions {
 };
 
 /// Lets the sheets of all enabled membranes come to rest, and puts them into the scene: passive ones from the flat
-/// sheet, active ones from their shape where they have one. The same scene gives the same sheets on one driver. On the
-/// context that is current, GL thread; seconds on a software driver. @throw Cancelled
+/// sheet; active ones rest where their shape says that they have come to rest, and go on from there where their frame
+/// or the time step is another one. The same scene gives the same sheets on one driver, as in a session. On the context
+/// that is current, GL thread; seconds on a software driver. @throw Cancelled
 std::vector<MembraneReport> settleMembranes(scene::Scene& scene, MembraneQuestions questions, Progress& progress);
 
 /// True when a picture of the scene needs settleMembranes() first.
 bool hasMembranes(const scene::Scene& scene);
-
-/// Settles the sheets of picture after picture of an animation: anew where the data or a cut is another one than in the
-/// picture before, and active ones from where they were in it. GL thread.
-class SheetsOverTime {
- public:
-  /// The scene with its sheets at rest. On the current context. @throw Cancelled
-  scene::Scene settle(const scene::Scene& step, Progress& progress);
-
- private:
-  scene::Scene withShapes(scene::Scene step) const;
-  std::optional<scene::Scene> mWanted;
-  std::map<int, scene::SheetShape> mShapes;  ///< by the id of the cut
-};
 
 /// The sheet of a membrane as a surface, world: of its shape, flat when that is empty. Any thread.
 Mesh sheetMesh(const scene::Cut& cut);
@@ -68,9 +36,14 @@ Volume clippedVolume(const scene::Scene& scene, Progress& progress);
 std::vector<Advice> adviceFor(const membrane::KeptWhole& figures, const membrane::Potential& potential,
                               const scene::Scene& scene, const scene::Cut& cut, Progress& progress);
 
-/// How much of what a membrane protects its sheet keeps whole, and what becomes of all of it. Any thread. @throw
-/// Cancelled
+/// How much of what a membrane protects its sheet cuts, and how much its plane. Any thread. @throw Cancelled
+membrane::KeptWhole measureCut(const membrane::Potential& potential, const scene::Cut& cut,
+                               const scene::SheetShape& shape, Progress& progress);
+/// The same, and what becomes of all that is protected. Any thread. @throw Cancelled
 membrane::KeptWhole measureMembrane(const membrane::Potential& potential, const scene::Cut& cut,
                                     const scene::SheetShape& shape, Progress& progress);
+
+/// The least that any sheet in a membrane's frame must cut. Any thread. @throw Cancelled
+membrane::KeptWholeLimit limitOf(const membrane::Potential& potential, const scene::Cut& cut, Progress& progress);
 
 }  // namespace velum::session

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "core/Error.h"
-#include "gpu/Context.h"
 #include "io/meshes/WriteMesh.h"
 #include "io/volumes/WriteVolume.h"
 #include "session/membrane/Membranes.h"
@@ -35,14 +34,6 @@ std::vector<std::string> exportClippedVolume(const scene::Scene& settled, const 
   if (int count = settled.volume.data->timeSteps; count > 1)
     losses.push_back(fmt::format("of {} time steps the one that is shown is written", count));
   return losses;
-}
-
-scene::Scene settledHeadless(const scene::Scene& scene, Progress& progress) {
-  scene::Scene settled = scene;
-  if (!hasMembranes(scene)) return settled;
-  auto context = gpu::Context::create(gpu::ContextKind::Auto);
-  settleMembranes(settled, {}, progress);
-  return settled;
 }
 
 }  // namespace velum::session

@@ -21,8 +21,4 @@ std::vector<std::string> exportSheets(const scene::Scene& settled, const std::ve
 std::vector<std::string> exportClippedVolume(const scene::Scene& settled, const std::filesystem::path& path,
                                              Progress& progress);
 
-/// The scene with its membranes at rest, settled on a headless context of its own where there are any. Any thread that
-/// has no current context of ours. @throw Cancelled, gpu::GpuError
-scene::Scene settledHeadless(const scene::Scene& scene, Progress& progress);
-
 }  // namespace velum::session

@@ -10,12 +10,10 @@
 #include "core/FileName.h"
 #include "core/ReplaceFile.h"
 #include "core/Text.h"
-#include "gpu/Context.h"
 #include "io/images/ImageFile.h"
 #include "render/RenderPicture.h"
 #include "render/section/SectionImage.h"
 #include "session/document/Open.h"
-#include "session/membrane/Membranes.h"
 #include "session/picture/Cryptomatte.h"
 #include "session/picture/LayerPictures.h"
 
@@ -151,20 +149,6 @@ void savePicture(const Image& image, const scene::Scene& scene, const PictureOpt
   bool hasTypes =
       scene.model.data && std::find(image.channels.begin(), image.channels.end(), "type") != image.channels.end();
   io::writeImage(hasTypes ? withMattes(image, scene, attributes) : image, path, text, options.dpi, attributes);
-}
-
-Image drawPictureHeadless(const scene::Scene& scene, const PictureOptions& options, Progress& progress) {
-  auto context = gpu::Context::create(gpu::ContextKind::Auto);
-  render::Renderer renderer(*context);
-  scene::Scene settled = scene;
-  settleMembranes(settled, {}, progress);
-  return drawPicture(renderer, settled, options, context->limits(), progress);
-}
-
-void renderPictureFile(const scene::Scene& scene, const PictureOptions& options, const std::filesystem::path& path,
-                       Progress& progress) {
-  expectPictureFile(path);
-  savePicture(drawPictureHeadless(scene, options, progress), scene, options, path);
 }
 
 }  // namespace velum::session

@@ -53,12 +53,4 @@ void expectPictureFile(const std::filesystem::path& path);
 void savePicture(const Image& image, const scene::Scene& scene, const PictureOptions& options,
                  const std::filesystem::path& path);
 
-/// Draws it on a headless context of its own, membranes at rest. Any thread that has no current context of ours. @throw
-/// Cancelled, gpu::GpuError
-Image drawPictureHeadless(const scene::Scene& scene, const PictureOptions& options, Progress& progress);
-
-/// Draws and saves on a headless context of its own. Any thread that has no current context of ours.
-void renderPictureFile(const scene::Scene& scene, const PictureOptions& options, const std::filesystem::path& path,
-                       Progress& progress);
-
 }  // namespace velum::session

@@ -1,5 +1,5 @@
 // Regions that grow beside the document.
-#include "session/growth/GrowthPlayer.h"
+#include "session/growth/GrowthWorker.h"
 
 #include <gtest/gtest.h>
 
@@ -65,7 +65,7 @@ std::size_t voxelsOf(const scene::Scene& scene, int structure) {
 
 }  // namespace
 
-TEST(GrowthPlayer, HoweverTheHandGoesTheLabelsAreThoseOfTheSteps) {
+TEST(GrowthWorker, HoweverTheHandGoesTheLabelsAreThoseOfTheSteps) {
   std::mt19937 random(7);
   Session session;
   session.document().replace(combScene());
@@ -90,7 +90,7 @@ TEST(GrowthPlayer, HoweverTheHandGoesTheLabelsAreThoseOfTheSteps) {
   EXPECT_GT(voxelsOf(session.scene(), 1), 10u);
 }
 
-TEST(GrowthPlayer, UndoTakesBackWhatHasGrownAndRedoBringsIt) {
+TEST(GrowthWorker, UndoTakesBackWhatHasGrownAndRedoBringsIt) {
   Session session;
   session.document().replace(combScene());
   auto pull = beginPull(session.scene(), session.scene().cuts[0].id, {8, 32, 8}, 0);
@@ -116,7 +116,7 @@ TEST(GrowthPlayer, UndoTakesBackWhatHasGrownAndRedoBringsIt) {
   EXPECT_EQ(differences(session.scene()), 0u);
 }
 
-TEST(GrowthPlayer, AnotherRangeGrowsAnewFromTheSeeds) {
+TEST(GrowthWorker, AnotherRangeGrowsAnewFromTheSeeds) {
   Session session;
   session.document().replace(combScene());
   auto pull = beginPull(session.scene(), session.scene().cuts[0].id, {8, 32, 8}, 0);
@@ -130,7 +130,7 @@ TEST(GrowthPlayer, AnotherRangeGrowsAnewFromTheSeeds) {
   EXPECT_EQ(differences(session.scene()), 0u);
 }
 
-TEST(GrowthPlayer, WhatLeaksIsHeldAndSaidAndMayGoOn) {
+TEST(GrowthWorker, WhatLeaksIsHeldAndSaidAndMayGoOn) {
   Session session;
   session.document().replace(leakScene());
   auto pull = beginPull(session.scene(), session.scene().cuts[0].id, {32, 32, 32}, 0);
@@ -154,7 +154,7 @@ TEST(GrowthPlayer, WhatLeaksIsHeldAndSaidAndMayGoOn) {
 }
 
 /// Two halves: one of what is clicked on is most of what there is.
-TEST(GrowthPlayer, WhatIsMostOfThePlaneIsAskedForBeforeItGrows) {
+TEST(GrowthWorker, WhatIsMostOfThePlaneIsAskedForBeforeItGrows) {
   Session session;
   scene::Scene scene = growthScene(kEdge, 1, [](glm::ivec3 v, int) {
     return v.x < kEdge - 6 ? 150 : v.x < kEdge - 3 ? 90 : 20;
@@ -180,7 +180,7 @@ TEST(GrowthPlayer, WhatIsMostOfThePlaneIsAskedForBeforeItGrows) {
   EXPECT_GT(voxelsOf(session.scene(), pull->structure), std::size_t(kEdge) * kEdge * 7);
 }
 
-TEST(GrowthPlayer, WhatReachesTheDarkestIsAskedForUnlessSomebodyHasTypedIt) {
+TEST(GrowthWorker, WhatReachesTheDarkestIsAskedForUnlessSomebodyHasTypedIt) {
   Session session;
   session.document().replace(leakScene());
   auto pull = beginPull(session.scene(), session.scene().cuts[0].id, {32, 32, 32}, 0);
@@ -200,7 +200,7 @@ TEST(GrowthPlayer, WhatReachesTheDarkestIsAskedForUnlessSomebodyHasTypedIt) {
 }
 
 /// Parts are of two slabs, and of more where they are quickly done: the leak lies anywhere in one.
-TEST(GrowthPlayer, WhatLeaksIsHeldWhereTheGuardSaysHoweverManySlabsAreGrownAtATime) {
+TEST(GrowthWorker, WhatLeaksIsHeldWhereTheGuardSaysHoweverManySlabsAreGrownAtATime) {
   for (int deep = 6; deep <= 27; deep += 3) {
     SCOPED_TRACE(deep);
     Session session;
@@ -222,7 +222,7 @@ TEST(GrowthPlayer, WhatLeaksIsHeldWhereTheGuardSaysHoweverManySlabsAreGrownAtATi
   }
 }
 
-TEST(GrowthPlayer, WhatIsStoppedStaysAsItIs) {
+TEST(GrowthWorker, WhatIsStoppedStaysAsItIs) {
   Session session;
   session.document().replace(growthScene(kEdge, 1, [](glm::ivec3, int) { return 150; }));
   auto pull = beginPull(session.scene(), session.scene().cuts[0].id, {32, 32, 32}, 0);
@@ -236,7 +236,7 @@ TEST(GrowthPlayer, WhatIsStoppedStaysAsItIs) {
   EXPECT_EQ(differences(session.scene()), 0u);
 }
 
-TEST(GrowthPlayer, ASceneThatIsLoadedHasGrownWhatItsStepsSay) {
+TEST(GrowthWorker, ASceneThatIsLoadedHasGrownWhatItsStepsSay) {
   scene::Scene scene = combScene();
   Progress progress;
   pullTo(scene, *beginPull(scene, scene.cuts[0].id, {8, 32, 8}, 0), 29.0);

@@ -1,4 +1,4 @@
-#include "session/growth/GrowthPlayer.h"
+#include "session/growth/GrowthWorker.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,6 +31,7 @@ struct Progressed {
   Shared<LabelVolume> before;  ///< without the last step; nothing where that is not known
   std::int64_t voxels = 0;     ///< of the last step
   std::optional<Leak> leak;
+  GrowthFigures figures;  ///< of the last step
 
   /// Labels that hold all steps to their ends.
   void take(const Shared<LabelVolume>& whole) {
@@ -72,15 +73,15 @@ bool isOnTheWay(const Progressed& now, const Steps& wanted) {
   return now.steps.empty() || isAnew || bool(now.rough) || now.steps.back() == wanted[now.steps.size() - 1];
 }
 
-/// Beyond this depth nothing of the volume lies.
+/// Beyond this depth nothing of the volume lies; 0 where a step has no plane, and grows at once.
 double deepest(const Volume& volume, const scene::Growth& step) {
   growth::GrowDomain domain(volume, step.centre, step.axis, step.distance);
-  return domain.isEverywhere() ? scene::Growth::kEndless : domain.depthRange({0, 0, 0}, volume.dims - 1).y;
+  return domain.isEverywhere() ? 0.0 : domain.depthRange({0, 0, 0}, volume.dims - 1).y;
 }
 
 }  // namespace
 
-struct GrowthPlayer::State {
+struct GrowthWorker::State {
   Shared<Volume> volume;
   Shared<LabelVolume> given;
   Goal wanted, goal;  ///< of the scene; of the work
@@ -107,7 +108,7 @@ struct GrowthPlayer::State {
 };
 
 /// Goes on for about kWorkMs.
-Progressed GrowthPlayer::State::growSome(const Shared<Volume>& of, const Shared<LabelVolume>& ground, Progressed to,
+Progressed GrowthWorker::State::growSome(const Shared<Volume>& of, const Shared<LabelVolume>& ground, Progressed to,
                                          const Goal& all, const std::function<Watch(int)>& watch, Progress& progress) {
   auto start = Clock::now();
   double slabs = kFirstSlabs;
@@ -120,6 +121,7 @@ Progressed GrowthPlayer::State::growSome(const Shared<Volume>& of, const Shared<
       to.steps.push_back(step);
       to.rough = to.before = to.labels;
       to.voxels = 0;
+      to.figures = {};
     }
     if (all.isCarried(place)) {
       to.steps.back() = step;
@@ -134,7 +136,7 @@ Progressed GrowthPlayer::State::growSome(const Shared<Volume>& of, const Shared<
 }
 
 /// As it is now, for a thread that goes on beside.
-std::function<GrowthPlayer::State::Watch(int)> GrowthPlayer::State::watches() const {
+std::function<GrowthWorker::State::Watch(int)> GrowthWorker::State::watches() const {
   return [trusted = trusted, typed = typed](int structure) {
     return trusted.count(structure) ? Watch::Not : typed.count(structure) ? Watch::Jumps : Watch::All;
   };
@@ -142,7 +144,7 @@ std::function<GrowthPlayer::State::Watch(int)> GrowthPlayer::State::watches() co
 
 /// Before what is wanted becomes something else: whose values somebody changes means what he types, and ids of
 /// structures that are gone may come back as others.
-void GrowthPlayer::State::forgetWhatIsGone(const Steps& next) {
+void GrowthWorker::State::forgetWhatIsGone(const Steps& next) {
   auto isGone = [&](int id) {
     return std::none_of(next.begin(), next.end(), [id](const auto& step) { return step.structure == id; });
   };
@@ -155,7 +157,7 @@ void GrowthPlayer::State::forgetWhatIsGone(const Steps& next) {
 }
 
 /// So many slabs more of the last step. @return how many may be next; 0: none, it leaks
-double GrowthPlayer::State::growPart(const Shared<Volume>& of, Progressed& to, const scene::Growth& step,
+double GrowthWorker::State::growPart(const Shared<Volume>& of, Progressed& to, const scene::Growth& step,
                                      double reached, double slabs, Watch watch, Progress& progress) {
   scene::Growth part = step;
   // Who gives a structure more seeds has seen what it is.
@@ -177,36 +179,47 @@ double GrowthPlayer::State::growPart(const Shared<Volume>& of, Progressed& to, c
   growth::Grown grown = grower.grow(of, to.rough, part, {.guard = watch != Watch::Not, .begun = {}}, progress);
   if (isFirst && growth::isMostOfItsPlane(*of, *grown.labels, part)) return hold();
   if (msSince(start) < kQuickMs) slabs *= 2.0;
+  to.figures.slabs += grown.slabs;
+  to.figures.ms += grown.ms;
   if (grown.leak) {
+    to.figures.leakDepth = grown.leak->depth;
+    to.figures.leakArea = grown.leak->area;
+    to.figures.widestBefore = grown.leak->widestBefore;
     part.distance = std::max(reached, grown.distance);
     to.leak = Leak{step.structure, part.distance, grown.leak->area / std::max(grown.leak->widestBefore, 1e-12)};
   }
   to.labels = to.rough = grown.labels;
   to.voxels += std::int64_t(grown.voxels);
   to.steps.back() = part;
-  if (grown.leak || part == step) to.labels = growth::smoothRegion(of, to.rough, part, progress).labels;
+  if (grown.leak || part == step) {
+    growth::Smoothed smoothed = growth::smoothRegion(of, to.rough, part, progress);
+    to.labels = smoothed.labels;
+    to.figures.smoothed = smoothed.voxels;
+  }
   return grown.leak ? 0.0 : slabs;
 }
 
 /// With others, as far as it goes: where their border lies depends on all of it.
-void GrowthPlayer::State::growWhole(const Shared<Volume>& of, Progressed& to, const scene::Growth& step,
+void GrowthWorker::State::growWhole(const Shared<Volume>& of, Progressed& to, const scene::Growth& step,
                                     Progress& progress) {
   growth::Grown grown = grower.grow(of, to.before, step, {}, progress);
-  to.labels = growth::smoothRegion(of, grown.labels, step, progress, grown.others).labels;
+  growth::Smoothed smoothed = growth::smoothRegion(of, grown.labels, step, progress, grown.others);
+  to.labels = smoothed.labels;
+  to.figures = {.slabs = grown.slabs, .ms = grown.ms, .smoothed = smoothed.voxels};
   to.rough = grown.labels;
   to.voxels = std::int64_t(grown.voxels);
   to.steps.back() = step;
 }
 
-GrowthPlayer::GrowthPlayer() : mState(std::make_unique<State>()) {}
-GrowthPlayer::~GrowthPlayer() = default;
+GrowthWorker::GrowthWorker() : mState(std::make_unique<State>()) {}
+GrowthWorker::~GrowthWorker() = default;
 
-bool GrowthPlayer::isDue() const {
+bool GrowthWorker::isDue() const {
   const State& s = *mState;
   return s.volume && s.error.empty() && s.now.steps != s.wanted.steps;
 }
 
-void GrowthPlayer::follow(const scene::Scene& scene) {
+void GrowthWorker::follow(const scene::Scene& scene) {
   State& s = *mState;
   const auto& labels = scene.labels;
   bool isSameData = s.volume == scene.volume.data && (s.given == labels.given || labels.growths.empty());
@@ -244,7 +257,7 @@ void GrowthPlayer::follow(const scene::Scene& scene) {
   s.hasNews = s.wanted.steps.empty() && !labels.grown.empty();
 }
 
-Player::Work GrowthPlayer::nextWork() {
+Worker::Work GrowthWorker::nextWork() {
   State& s = *mState;
   if (s.isWorking || s.hasNews || !isDue()) return {};
   s.isWorking = true;
@@ -264,9 +277,9 @@ Player::Work GrowthPlayer::nextWork() {
   };
 }
 
-bool GrowthPlayer::wantsCancel() const { return mState->isObsolete; }
+bool GrowthWorker::wantsCancel() const { return mState->isObsolete; }
 
-void GrowthPlayer::endWork(const Finish& finish, const std::string& error) {
+void GrowthWorker::endWork(const Finish& finish, const std::string& error) {
   State& s = *mState;
   s.isWorking = false;
   if (finish)
@@ -276,9 +289,9 @@ void GrowthPlayer::endWork(const Finish& finish, const std::string& error) {
   s.isObsolete = false;
 }
 
-bool GrowthPlayer::hasRests() const { return mState->hasNews; }
+bool GrowthWorker::hasRests() const { return mState->hasNews; }
 
-void GrowthPlayer::complete(scene::Scene& scene) {
+void GrowthWorker::complete(scene::Scene& scene) {
   State& s = *mState;
   s.hasNews = false;
   auto& labels = scene.labels;
@@ -289,22 +302,24 @@ void GrowthPlayer::complete(scene::Scene& scene) {
     holdGrowth(scene, *s.now.leak);
 }
 
-GrowthStatus GrowthPlayer::status() const {
+GrowthStatus GrowthWorker::status() const {
   const State& s = *mState;
   int structure = s.now.steps.empty() ? 0 : s.now.steps.back().structure;
-  return {isDue(), structure, s.now.voxels, s.now.leak, s.error};
+  return {isDue(), structure, s.now.voxels, s.now.leak, s.error, s.now.figures};
 }
 
-std::optional<Leak> GrowthPlayer::stop() const {
+std::optional<Leak> GrowthWorker::stop() const {
   const State& s = *mState;
   if (!isDue()) return std::nullopt;
   if (s.now.steps.empty()) return Leak{s.wanted.steps.back().structure, 0.0, 0.0};
   return Leak{s.now.steps.back().structure, s.now.steps.back().distance, 0.0};
 }
 
-void GrowthPlayer::acceptLeak() { mState->now.leak.reset(); }
+void GrowthWorker::acceptLeak() { mState->now.leak.reset(); }
 
-void GrowthPlayer::trust(int structure) {
+void GrowthWorker::takeTypedRange(int structure) { mState->typed.insert(structure); }
+
+void GrowthWorker::trust(int structure) {
   mState->trusted.insert(structure);
   mState->now.leak.reset();
 }

@@ -1,4 +1,4 @@
-#include "session/membrane/MembranePlayer.h"
+#include "session/membrane/MembraneMover.h"
 
 #include "GlFixture.h"
 #include "makeVolume.h"
@@ -33,14 +33,14 @@ scene::Scene ballScene(int finer = 1) {
   return scene;
 }
 
-class MembranePlayerGL : public GlTest {
+class MembraneMoverGL : public GlTest {
  protected:
   void work() {
     Progress progress;
     if (auto work = mPlayer.nextWork()) mPlayer.endWork(work(progress));
   }
   void settle(double budgetMs = 8.0) { settle(mPlayer, budgetMs); }
-  static void settle(MembranePlayer& player, double budgetMs) {
+  static void settle(MembraneMover& player, double budgetMs) {
     Progress progress;
     for (int i = 0; i < 3000 && !player.isSettled(); ++i) {
       if (auto work = player.nextWork()) player.endWork(work(progress));
@@ -48,17 +48,17 @@ class MembranePlayerGL : public GlTest {
     }
     ASSERT_TRUE(player.isSettled());
   }
-  static scene::SheetShape shapeOf(const MembranePlayer& player, const scene::Scene& scene) {
+  static scene::SheetShape shapeOf(const MembraneMover& player, const scene::Scene& scene) {
     return player.withShapes(scene).cuts[0].membrane->shape;
   }
   void TearDown() override {
     mPlayer.releaseGpu();
     GlTest::TearDown();
   }
-  MembranePlayer mPlayer;
+  MembraneMover mPlayer;
 };
 
-TEST_F(MembranePlayerGL, ComesToRestAndKeepsWholeWhatThePlaneCuts) {
+TEST_F(MembraneMoverGL, ComesToRestAndKeepsWholeWhatThePlaneCuts) {
   mPlayer.follow(ballScene());
   settle();
   MembraneStatus status = *mPlayer.status(1);
@@ -70,7 +70,7 @@ TEST_F(MembranePlayerGL, ComesToRestAndKeepsWholeWhatThePlaneCuts) {
   EXPECT_GT(status.meanDistance, 0.1);
 }
 
-TEST_F(MembranePlayerGL, AtRestThereIsNothingToDo) {
+TEST_F(MembraneMoverGL, AtRestThereIsNothingToDo) {
   scene::Scene scene = ballScene();
   mPlayer.follow(scene);
   settle();
@@ -92,18 +92,18 @@ TEST_F(MembranePlayerGL, AtRestThereIsNothingToDo) {
   EXPECT_EQ(mPlayer.sheets(), sheets);
 }
 
-TEST_F(MembranePlayerGL, WhereItRestsDoesNotDependOnHowLongAPieceOfWorkIs) {
+TEST_F(MembraneMoverGL, WhereItRestsDoesNotDependOnHowLongAPieceOfWorkIs) {
   scene::Scene scene = ballScene();
   mPlayer.follow(scene);
   settle(0.0);
-  MembranePlayer other;
+  MembraneMover other;
   other.follow(scene);
   settle(other, 100.0);
   EXPECT_EQ(shapeOf(mPlayer, scene), shapeOf(other, scene));
   other.releaseGpu();
 }
 
-TEST_F(MembranePlayerGL, APassiveSheetRestsWhereItWouldHaveFromTheStart) {
+TEST_F(MembraneMoverGL, APassiveSheetRestsWhereItWouldHaveFromTheStart) {
   scene::Scene scene = ballScene();
   mPlayer.follow(scene);
   settle();
@@ -116,14 +116,14 @@ TEST_F(MembranePlayerGL, APassiveSheetRestsWhereItWouldHaveFromTheStart) {
   EXPECT_NEAR(between.places[middle].z, before.places[middle].z - 2.0, 0.3);
   EXPECT_EQ(between.places[0].z, 0.0f);
   settle();
-  MembranePlayer fresh;
+  MembraneMover fresh;
   fresh.follow(scene);
   settle(fresh, 8.0);
   EXPECT_EQ(shapeOf(mPlayer, scene), shapeOf(fresh, scene));
   fresh.releaseGpu();
 }
 
-TEST_F(MembranePlayerGL, ASteadyDragSeesTheForcesOfPlacesOnItsWay) {
+TEST_F(MembraneMoverGL, ASteadyDragSeesTheForcesOfPlacesOnItsWay) {
   scene::Scene scene = ballScene();
   mPlayer.follow(scene);
   settle();
@@ -144,7 +144,7 @@ TEST_F(MembranePlayerGL, ASteadyDragSeesTheForcesOfPlacesOnItsWay) {
   EXPECT_TRUE(mPlayer.nextWork()) << "and the newest next";
 }
 
-TEST_F(MembranePlayerGL, InLargeDataALookComesBeforeExactForces) {
+TEST_F(MembraneMoverGL, InLargeDataALookComesBeforeExactForces) {
   scene::Scene scene = ballScene(5);
   ASSERT_GT(40.0 * 40.0 * 32.0 * 125.0, membrane::ForceMaker::kLargeVoxels);
   mPlayer.follow(scene);
@@ -161,7 +161,7 @@ TEST_F(MembranePlayerGL, InLargeDataALookComesBeforeExactForces) {
   EXPECT_TRUE(mPlayer.wantsCancel()) << "a drag does not wait for exact forces";
   mPlayer.endWork({});
   settle();
-  MembranePlayer fresh;
+  MembraneMover fresh;
   fresh.follow(scene);
   settle(fresh, 8.0);
   EXPECT_EQ(shapeOf(mPlayer, scene), shapeOf(fresh, scene));
@@ -169,7 +169,7 @@ TEST_F(MembranePlayerGL, InLargeDataALookComesBeforeExactForces) {
 }
 
 /// Drags a pin or a kernel, and looks at what is shown meanwhile.
-TEST_F(MembranePlayerGL, TheSheetFollowsAHandAndRestsWhereItWouldHaveFromTheStart) {
+TEST_F(MembraneMoverGL, TheSheetFollowsAHandAndRestsWhereItWouldHaveFromTheStart) {
   scene::Scene scene = ballScene();
   mPlayer.follow(scene);
   settle();
@@ -192,7 +192,7 @@ TEST_F(MembranePlayerGL, TheSheetFollowsAHandAndRestsWhereItWouldHaveFromTheStar
     }
     EXPECT_GT(seen, 1.0) << "a steady drag is followed, not only its end";
     settle();
-    MembranePlayer fresh;
+    MembraneMover fresh;
     fresh.follow(dragged);
     settle(fresh, 8.0);
     EXPECT_EQ(shapeOf(mPlayer, dragged), shapeOf(fresh, dragged));
@@ -202,7 +202,7 @@ TEST_F(MembranePlayerGL, TheSheetFollowsAHandAndRestsWhereItWouldHaveFromTheStar
   }
 }
 
-TEST_F(MembranePlayerGL, WorkForDataThatIsGoneIsCancelled) {
+TEST_F(MembraneMoverGL, WorkForDataThatIsGoneIsCancelled) {
   scene::Scene scene = ballScene();
   mPlayer.follow(scene);
   ASSERT_TRUE(mPlayer.nextWork());
@@ -216,7 +216,7 @@ TEST_F(MembranePlayerGL, WorkForDataThatIsGoneIsCancelled) {
   EXPECT_TRUE(mPlayer.wantsCancel());
 }
 
-TEST_F(MembranePlayerGL, AnActiveSheetIsWrittenDownOnceAndComesBackWithoutWork) {
+TEST_F(MembraneMoverGL, AnActiveSheetIsWrittenDownOnceAndComesBackWithoutWork) {
   scene::Scene scene = ballScene();
   scene.cuts[0].membrane->repositioning = scene::Repositioning::Active;
   mPlayer.follow(scene);
@@ -228,7 +228,7 @@ TEST_F(MembranePlayerGL, AnActiveSheetIsWrittenDownOnceAndComesBackWithoutWork) 
   scene.cuts[0].membrane->shape = rests[0].shape;
   mPlayer.follow(scene);
   EXPECT_TRUE(mPlayer.isSettled());
-  MembranePlayer reopened;
+  MembraneMover reopened;
   reopened.follow(scene);
   EXPECT_FALSE(reopened.advance(8.0));
   EXPECT_FALSE(reopened.isMoving());
@@ -237,7 +237,7 @@ TEST_F(MembranePlayerGL, AnActiveSheetIsWrittenDownOnceAndComesBackWithoutWork) 
   reopened.releaseGpu();
 }
 
-TEST_F(MembranePlayerGL, AnActiveSheetStaysBehindOnWhatHoldsIt) {
+TEST_F(MembraneMoverGL, AnActiveSheetStaysBehindOnWhatHoldsIt) {
   scene::Scene scene = ballScene();
   scene.cuts[0].membrane->repositioning = scene::Repositioning::Active;
   mPlayer.follow(scene);
@@ -260,7 +260,7 @@ TEST_F(MembranePlayerGL, AnActiveSheetStaysBehindOnWhatHoldsIt) {
   EXPECT_FALSE(mPlayer.status(1)->phase == MembraneStatus::Phase::Settling);
 }
 
-TEST_F(MembranePlayerGL, PausedItStandsAndStepsByHand) {
+TEST_F(MembraneMoverGL, PausedItStandsAndStepsByHand) {
   mPlayer.follow(ballScene());
   work();
   mPlayer.setPlaying(false);
@@ -276,7 +276,7 @@ TEST_F(MembranePlayerGL, PausedItStandsAndStepsByHand) {
   settle();
 }
 
-TEST_F(MembranePlayerGL, WhatTheDriverLosesIsMadeAgain) {
+TEST_F(MembraneMoverGL, WhatTheDriverLosesIsMadeAgain) {
   scene::Scene scene = ballScene();
   mPlayer.follow(scene);
   settle();
@@ -298,7 +298,7 @@ TEST_F(MembranePlayerGL, WhatTheDriverLosesIsMadeAgain) {
   EXPECT_LT(mPlayer.status(1)->keptWhole, 0.5);
 }
 
-TEST_F(MembranePlayerGL, SheetsAreOfTheEnabledMembranesByTheIdsOfTheirCuts) {
+TEST_F(MembraneMoverGL, SheetsAreOfTheEnabledMembranesByTheIdsOfTheirCuts) {
   scene::Scene scene = ballScene();
   scene::Cut plane, flat = scene.cuts[0];
   flat.membrane->field = {};

@@ -1,4 +1,4 @@
-#include "session/picture/Animation.h"
+#include "session/picture/Film.h"
 
 #include <fmt/format.h>
 
@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "core/Error.h"
-#include "gpu/Context.h"
 #include "scene/Navigate.h"
+#include "session/Rest.h"
 #include "session/extrusion/Extrusion.h"
 #include "session/growth/Growths.h"
 #include "session/membrane/Membranes.h"
@@ -58,23 +58,28 @@ std::vector<std::filesystem::path> framePaths(const std::filesystem::path& path,
   return paths;
 }
 
-void renderAnimationFiles(const scene::Scene& scene, Motion motion, int frames, const PictureOptions& options,
-                          const std::filesystem::path& path, Progress& progress) {
-  if (std::string why = whyStill(scene, motion); !why.empty()) throw ArgumentError("no animation: " + why);
-  auto paths = framePaths(path, frames);
-  expectPictureFile(paths.front());
-  auto context = gpu::Context::create(gpu::ContextKind::Auto);
-  render::Renderer renderer(*context);
-  growth::GrowOverTime growths;
-  SheetsOverTime sheets;
-  for (int i = 0; i < frames; ++i) {
-    progress.report(double(i) / frames, fmt::format("Frame {} of {}", i + 1, frames));
-    Progress quiet([&](double, const std::string&) { progress.throwIfCancelled(); });
-    scene::Scene step = frameOf(scene, motion, i, frames);
-    settleGrowths(step, growths, quiet);
-    Image image = drawPicture(renderer, sheets.settle(step, quiet), options, context->limits(), quiet);
-    savePicture(image, step, options, paths[std::size_t(i)]);
-  }
+std::vector<std::filesystem::path> filmPaths(const FilmOptions& options, const std::filesystem::path& path) {
+  if (!options.motion) return {path};
+  if (path == "-") throw ArgumentError("an animation is several files; name one, e.g. turn.png");
+  return framePaths(path, options.frames);
+}
+
+Film::Film(scene::Scene scene, const FilmOptions& options)
+    : mScene(std::move(scene)), mMotion(options.motion), mFrames(options.frames) {
+  if (!mMotion) return;
+  if (std::string why = whyStill(mScene, *mMotion); !why.empty()) throw ArgumentError("no animation: " + why);
+}
+
+Film::Frame Film::at(int frame, Progress& progress) {
+  Frame out{mMotion ? frameOf(mScene, *mMotion, frame, mFrames) : mScene, {}};
+  settleGrowths(out.scene, mGrowths, progress);
+  out.drawn = out.scene;
+  if (!hasMembranes(out.scene)) return out;
+  mMembranes.follow(out.scene);
+  bringToRest(
+      mMembranes, [this] { mMembranes.takeRests(); }, progress);
+  out.drawn = mMembranes.withShapes(std::move(out.drawn));
+  return out;
 }
 
 }  // namespace velum::session

@@ -8,42 +8,13 @@
 #include <vector>
 
 #include "core/Clock.h"
-#include "membrane/forces/KeptWhole.h"
 #include "membrane/sheet/SheetIndex.h"
 #include "render/SheetIndices.h"
 #include "scene/Scene.h"
-#include "session/Player.h"
-#include "session/membrane/Advice.h"
+#include "session/Worker.h"
+#include "session/membrane/MembraneReport.h"
 
 namespace velum::session {
-
-/// What a membrane is doing, for people.
-struct MembraneStatus {
-  enum class Phase {
-    Computing,  ///< forces are on their way; the sheet keeps those that it has
-    Settling,
-    Paused,
-    Resting
-  };
-  Phase phase = Phase::Resting;
-  std::size_t kernels = 0;      ///< of the whole volume
-  double forcesMs = 0;          ///< that it took to make the forces
-  glm::ivec2 particles{0};      ///< of the sheet as it is
-  int steps = 0;                ///< since it began to move
-  double speed = 0;             ///< largest speed, length/s
-  double stepMs = 0;            ///< that a step takes
-  bool isMeasured = false;      ///< the figures below are those of the sheet as it rests
-  double keptWhole = 1.0;       ///< cut area of the sheet by that of the plane: 0 cuts nothing
-  membrane::Shares shares;      ///< of what the plane would cut
-  membrane::Fate fate;          ///< of all that is protected
-  bool wantsAdvice = false;     ///< little is kept
-  std::vector<Advice> advice;   ///< where something helps then, the best first
-  membrane::LeftOut leftOut;    ///< of what is protected by value: specks
-  std::int64_t planePairs = 0;  ///< cut area: pairs of neighbouring protected voxels that the plane separates
-  std::int64_t sheetPairs = 0;  ///< and that the sheet does
-  double meanDistance = 0;      ///< of the sheet from the rest plane
-  std::string error;            ///< why there are no forces; empty: nothing is wrong
-};
 
 class LiveSheet;
 
@@ -55,10 +26,15 @@ class LiveSheet;
 /// from flat, unseen for as long as they hardly move; active ones go on from where they are.
 ///
 /// GL thread, but for what nextWork() hands out.
-class MembranePlayer : public Player {
+class MembraneMover : public Mover {
  public:
-  MembranePlayer();
-  ~MembranePlayer() override;
+  /// Whom it plays for: eyes and hands, which want previews and figures soon; or the places alone where sheets rest,
+  /// which are the same.
+  enum class Purpose { Show, Rest };
+  explicit MembraneMover(Purpose purpose = Purpose::Show);
+  /// To be called before it follows membranes.
+  void setPurpose(Purpose purpose);
+  ~MembraneMover() override;
 
   void follow(const scene::Scene& scene) override;
   Work nextWork() override;
@@ -88,6 +64,12 @@ class MembranePlayer : public Player {
 
   /// Of a cut; nothing when it is no membrane.
   std::optional<MembraneStatus> status(int cut) const;
+  /// Whether all figures are measured of sheets that rest; else only those that may say that a flat one is better.
+  void setMeasures(bool measures) { mMeasures = measures; }
+  /// Of the enabled membranes, in the order of the cuts, when they rest; figures where they were measured.
+  std::vector<MembraneReport> reports() const;
+  /// The least that any sheet in the frame of a cut must cut. Seconds. Any thread. @throw Cancelled
+  membrane::KeptWholeLimit limit(int cut, Progress& progress) const;
 
   bool isPlaying() const { return mPlaying; }
   void setPlaying(bool playing) { mPlaying = playing; }
@@ -124,6 +106,8 @@ class MembranePlayer : public Player {
     bool isMeasure = false, isPreview = false;
   };
   Out mOut;
+  Purpose mPurpose = Purpose::Show;
+  bool mMeasures = true;
   bool mPlaying = true;
   Clock::time_point mIndexedAt{};
 };

@@ -1,8 +1,9 @@
-#include "session/membrane/MembranePlayer.h"
+#include "session/membrane/MembraneMover.h"
 
 #include <algorithm>
 
 #include "core/Assert.h"
+#include "core/Clock.h"
 #include "session/membrane/LiveSheet.h"
 #include "session/membrane/Membranes.h"
 
@@ -26,21 +27,27 @@ scene::Scene forcesScene(const scene::Scene& scene) {
 
 }  // namespace
 
-MembranePlayer::MembranePlayer() = default;
-MembranePlayer::~MembranePlayer() = default;
+MembraneMover::MembraneMover(Purpose purpose) { setPurpose(purpose); }
+MembraneMover::~MembraneMover() = default;
 
-LiveSheet* MembranePlayer::find(std::uint64_t id) {
+void MembraneMover::setPurpose(Purpose purpose) {
+  VELUM_ASSERT(mSheets.empty(), "whom it plays for is said before there are sheets");
+  mPurpose = purpose;
+  mMeasures = purpose == Purpose::Show;
+}
+
+LiveSheet* MembraneMover::find(std::uint64_t id) {
   auto found = std::find_if(mSheets.begin(), mSheets.end(), [id](const auto& sheet) { return sheet->id() == id; });
   return found == mSheets.end() ? nullptr : found->get();
 }
 
-LiveSheet* MembranePlayer::sheetOf(int cut) const {
+LiveSheet* MembraneMover::sheetOf(int cut) const {
   auto found =
       std::find_if(mSheets.begin(), mSheets.end(), [cut](const auto& sheet) { return sheet->cut().id == cut; });
   return found == mSheets.end() ? nullptr : found->get();
 }
 
-void MembranePlayer::follow(const scene::Scene& scene) {
+void MembraneMover::follow(const scene::Scene& scene) {
   DataKey data = dataKeyOf(scene);
   bool sameData = data == dataKeyOf(mScene);
   bool same = sameData && scene.cuts == mScene.cuts;
@@ -54,7 +61,7 @@ void MembranePlayer::follow(const scene::Scene& scene) {
     auto known =
         std::find_if(old.begin(), old.end(), [&](const auto& sheet) { return sheet && sheet->cut().id == cut.id; });
     if (known == old.end()) {
-      mSheets.push_back(std::make_unique<LiveSheet>(mNextId++, cut, data));
+      mSheets.push_back(std::make_unique<LiveSheet>(mNextId++, cut, data, mPurpose));
     } else {
       (*known)->follow(cut, data);
       mSheets.push_back(std::move(*known));
@@ -67,28 +74,30 @@ void MembranePlayer::follow(const scene::Scene& scene) {
   }
 }
 
-MembranePlayer::Work MembranePlayer::nextWork() {
+MembraneMover::Work MembraneMover::nextWork() {
   if (mOut.id) return {};
   for (const auto& sheet : mSheets)
     if (sheet->needsForces()) return forcesWork(*sheet);
   for (const auto& sheet : mSheets)
-    if (sheet->needsFigures()) return measureWork(*sheet);
+    if (sheet->needsFigures(mMeasures)) return measureWork(*sheet);
   return {};
 }
 
 /// The data is still the same, but for the time step.
-bool MembranePlayer::isOf(const scene::Scene& scene) const {
+bool MembraneMover::isOf(const scene::Scene& scene) const {
   return scene.volume.data.id() == mScene.volume.data.id() && scene.labels.data.id() == mScene.labels.data.id() &&
          scene.model.data.id() == mScene.model.data.id();
 }
 
-MembranePlayer::Work MembranePlayer::forcesWork(LiveSheet& sheet) {
+MembraneMover::Work MembraneMover::forcesWork(LiveSheet& sheet) {
   mOut = {sheet.id(), sheet.dataChange(), sheet.wish(), false, sheet.wantsPreview()};
   return [this, out = mOut, scene = forcesScene(mScene), cut = sheet.cut(), current = sheet.current(),
           maker = sheet.makerOf(mScene)](Progress& progress) mutable -> Finish {
     if (!maker) maker = std::make_shared<membrane::ForceMaker>(scene);
+    auto start = Clock::now();
     auto forces = out.isPreview ? maker->preview(cut, progress) : maker->compute(cut, current, progress);
-    auto made = std::make_shared<const MadeForces>(MadeForces{std::move(forces), cut, scene.volume.timeStep});
+    auto made =
+        std::make_shared<const MadeForces>(MadeForces{std::move(forces), cut, scene.volume.timeStep, msSince(start)});
     return [this, out, maker, made, scene] {
       LiveSheet* found = find(out.id);
       if (!found) return;
@@ -99,39 +108,39 @@ MembranePlayer::Work MembranePlayer::forcesWork(LiveSheet& sheet) {
   };
 }
 
-MembranePlayer::Work MembranePlayer::measureWork(LiveSheet& sheet) {
+MembraneMover::Work MembraneMover::measureWork(LiveSheet& sheet) {
   mOut = {sheet.id(), sheet.dataChange(), sheet.wish(), true};
   return [this, out = mOut, scene = forcesScene(mScene), cut = sheet.cut(), shape = sheet.shape(),
-          maker = sheet.makerOf(mScene)](Progress& progress) mutable -> Finish {
+          maker = sheet.makerOf(mScene), whole = mMeasures](Progress& progress) mutable -> Finish {
     if (!maker) maker = std::make_shared<membrane::ForceMaker>(scene);
     const membrane::Potential& potential = maker->potential();
-    membrane::KeptWhole figures;
-    std::vector<Advice> advice;
-    membrane::LeftOut leftOut;
-    if (potential.dims().x > 0) {
-      figures = measureMembrane(potential, cut, shape, progress);
-      advice = adviceFor(figures, potential, scene, cut, progress);
-      leftOut = potential.computeLeftOut(cut.membrane->field, progress);
+    SheetFigures figures;
+    figures.isWhole = whole;
+    if (potential.dims().x > 0 && !whole) figures.kept = measureCut(potential, cut, shape, progress);
+    if (potential.dims().x > 0 && whole) {
+      figures.kept = measureMembrane(potential, cut, shape, progress);
+      figures.advice = adviceFor(figures.kept, potential, scene, cut, progress);
+      figures.leftOut = potential.computeLeftOut(cut.membrane->field, progress);
     }
-    return [this, out, maker, figures, advice, leftOut, scene] {
+    return [this, out, maker, figures, scene] {
       LiveSheet* found = find(out.id);
       if (!found) return;
       if (isOf(scene)) found->keepMaker(maker);
-      found->takeFigures(figures, advice, leftOut, out.wish);
+      found->takeFigures(figures, out.wish);
     };
   };
 }
 
-bool MembranePlayer::wantsCancel() const {
+bool MembraneMover::wantsCancel() const {
   if (!mOut.id) return false;
-  const LiveSheet* sheet = const_cast<MembranePlayer*>(this)->find(mOut.id);
+  const LiveSheet* sheet = const_cast<MembraneMover*>(this)->find(mOut.id);
   if (!sheet || !sheet->cut().enabled || sheet->dataChange() != mOut.data) return true;
   // A hand that takes hold of something does not wait for exact forces.
   if (!mOut.isMeasure && !mOut.isPreview && sheet->wantsPreview() && sheet->wish() != mOut.wish) return true;
   return mOut.isMeasure && (sheet->wish() != mOut.wish || sheet->isMoving());
 }
 
-void MembranePlayer::endWork(const Finish& finish, const std::string& error) {
+void MembraneMover::endWork(const Finish& finish, const std::string& error) {
   Out out = std::exchange(mOut, {});
   if (finish) return finish();
   LiveSheet* sheet = find(out.id);
@@ -139,23 +148,23 @@ void MembranePlayer::endWork(const Finish& finish, const std::string& error) {
   out.isMeasure ? sheet->failFigures() : sheet->failForces(error);
 }
 
-bool MembranePlayer::isMoving() const {
+bool MembraneMover::isMoving() const {
   return std::any_of(mSheets.begin(), mSheets.end(),
                      [this](const auto& sheet) { return (mPlaying && sheet->isMoving()) || sheet->isIndexStale(); });
 }
 
-bool MembranePlayer::isOnItsWay() const {
+bool MembraneMover::isOnItsWay() const {
   return std::any_of(mSheets.begin(), mSheets.end(),
                      [this](const auto& sheet) { return mPlaying && (sheet->needsForces() || sheet->isMoving()); });
 }
 
-bool MembranePlayer::isSettled() const {
-  return !mOut.id && !isMoving() && std::none_of(mSheets.begin(), mSheets.end(), [](const auto& sheet) {
-    return sheet->needsForces() || sheet->needsFigures();
+bool MembraneMover::isSettled() const {
+  return !mOut.id && !isMoving() && std::none_of(mSheets.begin(), mSheets.end(), [this](const auto& sheet) {
+    return sheet->needsForces() || sheet->needsFigures(mMeasures);
   });
 }
 
-bool MembranePlayer::advance(double budgetMs) {
+bool MembraneMover::advance(double budgetMs) {
   mGone.clear();
   auto count = std::count_if(mSheets.begin(), mSheets.end(), [](const auto& sheet) { return sheet->isMoving(); });
   if (mPlaying)
@@ -164,7 +173,7 @@ bool MembranePlayer::advance(double budgetMs) {
   return mPlaying && count > 0;
 }
 
-bool MembranePlayer::stepOnce() {
+bool MembraneMover::stepOnce() {
   bool moved = false;
   for (const auto& sheet : mSheets)
     for (int i = 0; i < kStepOnce; ++i) moved = sheet->advance(0.0) || moved;
@@ -172,7 +181,7 @@ bool MembranePlayer::stepOnce() {
   return moved;
 }
 
-void MembranePlayer::refreshIndices() {
+void MembraneMover::refreshIndices() {
   bool isDue = msSince(mIndexedAt) > kIndexEveryMs;
   for (const auto& sheet : mSheets) {
     bool isStill = !mPlaying || !sheet->isMoving();
@@ -182,44 +191,59 @@ void MembranePlayer::refreshIndices() {
   }
 }
 
-std::map<int, render::FrameSheet> MembranePlayer::sheets() {
+std::map<int, render::FrameSheet> MembraneMover::sheets() {
   std::map<int, render::FrameSheet> sheets;
   for (const auto& sheet : mSheets)
     if (sheet->cut().enabled) sheets[sheet->cut().id] = sheet->frameSheet();
   return sheets;
 }
 
-render::SheetIndices MembranePlayer::indices() const {
+render::SheetIndices MembraneMover::indices() const {
   render::SheetIndices indices;
   for (const auto& sheet : mSheets)
     if (sheet->cut().enabled) indices[sheet->cut().id] = sheet->index();
   return indices;
 }
 
-std::shared_ptr<const membrane::SheetIndex> MembranePlayer::index(int cut) const {
+std::shared_ptr<const membrane::SheetIndex> MembraneMover::index(int cut) const {
   LiveSheet* sheet = sheetOf(cut);
   if (!sheet) return nullptr;
   if (!sheet->index()) sheet->makeIndex();
   return sheet->index();
 }
 
-std::uint64_t MembranePlayer::shownCount() const {
+std::uint64_t MembraneMover::shownCount() const {
   std::uint64_t count = mGoneCount;
   for (const auto& sheet : mSheets) count += sheet->shownCount();
   return count;
 }
 
-std::optional<MembraneStatus> MembranePlayer::status(int cut) const {
+std::optional<MembraneStatus> MembraneMover::status(int cut) const {
   const LiveSheet* sheet = sheetOf(cut);
   if (!sheet) return std::nullopt;
   return sheet->status(mPlaying, mOut.id == sheet->id() && !mOut.isMeasure);
 }
 
-void MembranePlayer::reset(int cut) {
+std::vector<MembraneReport> MembraneMover::reports() const {
+  std::vector<MembraneReport> reports;
+  for (const auto& sheet : mSheets)
+    if (sheet->cut().enabled) reports.push_back(sheet->report());
+  return reports;
+}
+
+membrane::KeptWholeLimit MembraneMover::limit(int cut, Progress& progress) const {
+  const LiveSheet* sheet = sheetOf(cut);
+  VELUM_ASSERT(sheet, "the limit is of a membrane of the scene");
+  auto maker = sheet->makerOf(mScene);
+  if (!maker) maker = std::make_shared<membrane::ForceMaker>(mScene);
+  return limitOf(maker->potential(), sheet->cut(), progress);
+}
+
+void MembraneMover::reset(int cut) {
   if (LiveSheet* sheet = sheetOf(cut)) sheet->reset();
 }
 
-std::vector<MembranePlayer::Rest> MembranePlayer::takeRests() {
+std::vector<MembraneMover::Rest> MembraneMover::takeRests() {
   std::vector<Rest> rests;
   for (const auto& sheet : mSheets)
     if (auto shape = sheet->takeRest()) {
@@ -229,24 +253,24 @@ std::vector<MembranePlayer::Rest> MembranePlayer::takeRests() {
   return rests;
 }
 
-void MembranePlayer::complete(scene::Scene& scene) {
+void MembraneMover::complete(scene::Scene& scene) {
   for (auto& rest : takeRests())
     if (scene::Cut* cut = scene::findCut(scene, rest.cut); cut && cut->membrane)
       cut->membrane->shape = std::move(rest.shape);
 }
 
-bool MembranePlayer::hasRests() const {
+bool MembraneMover::hasRests() const {
   return std::any_of(mSheets.begin(), mSheets.end(), [](const auto& sheet) { return sheet->hasRest(); });
 }
 
-scene::Scene MembranePlayer::withShapes(scene::Scene scene) const {
+scene::Scene MembraneMover::withShapes(scene::Scene scene) const {
   for (const auto& sheet : mSheets)
     if (scene::Cut* cut = scene::findCut(scene, sheet->cut().id); cut && scene::isMembrane(*cut))
       cut->membrane->shape = sheet->shape();
   return scene;
 }
 
-void MembranePlayer::releaseGpu() {
+void MembraneMover::releaseGpu() {
   mGone.clear();
   for (const auto& sheet : mSheets) sheet->releaseGpu();
 }

@@ -1,6 +1,7 @@
 #pragma once
-#include <cstdint>
+#include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace velum {
@@ -12,5 +13,11 @@ struct Image {
   std::vector<std::string> channels;  ///< "R", "G", "B", "A", "Z", "normal.X", ...
   std::vector<float> pixels;
 };
+
+/// Which of the channels has a name; -1: none has.
+std::ptrdiff_t channelIndex(const Image& image, std::string_view name);
+
+/// The channels named, in that order; those that the picture has not are left out.
+Image channelsOf(const Image& image, const std::vector<std::string>& names);
 
 }  // namespace velum

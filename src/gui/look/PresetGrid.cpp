@@ -7,6 +7,7 @@
 #include "gui/kit/Widgets.h"
 #include "gui/service/CallLater.h"
 #include "scene/Presets.h"
+#include "scene/Shown.h"
 #include "session/command/Command.h"
 #include "session/command/LookCommands.h"
 #include "session/picture/PresetPictures.h"
@@ -100,7 +101,7 @@ void PresetGrid::resizeEvent(QResizeEvent*) { mList->fit(width()); }
 void PresetGrid::refresh() {
   const scene::VolumeLayer& layer = mDocument.scene().volume;
   setEnabled(bool(layer.data));
-  int channel = layer.data ? std::clamp(layer.channel, 0, layer.data->channels - 1) : -1;
+  int channel = layer.data ? scene::shownChannel(layer) : -1;
   if (!(mVolume == layer.data) || mChannel != channel) {
     if (mJob) mJob->cancel();
     mVolume = layer.data;

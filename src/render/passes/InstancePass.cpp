@@ -12,6 +12,7 @@
 #include "model/InstanceRows.h"
 #include "model/Levels.h"
 #include "render/WorkQueue.h"
+#include "scene/Shown.h"
 #include "shared/instance.h"
 
 namespace velum::render {
@@ -88,7 +89,7 @@ std::vector<model::InstancePart> focusParts(const scene::ModelLayer& layer,
   }
   std::vector<model::InstancePart> parts;
   for (const auto& [first, end] : runs)
-    for (model::InstancePart part : model::instanceParts(end - first, std::max(1, layer.copies), most)) {
+    for (model::InstancePart part : model::instanceParts(end - first, scene::copyCount(layer), most)) {
       part.first += first, part.end += first;
       parts.push_back(part);
     }
@@ -110,7 +111,7 @@ void InstancePass::prepare(FrameData& data) {
   mHasStates = wantsStates(data.frame);
   if (mHasStates)
     mStates.resize(std::uint32_t(data.frame.scene.model.data->instances.size()),
-                   std::max(1, data.frame.scene.model.copies));
+                   scene::copyCount(data.frame.scene.model));
   mHandedOver.clear();
   mHasMembranes = (data.params.flags & shared::kFlagMembranes) != 0;
   mHasFocus = !model::focusRows(data.frame.scene).empty();
@@ -136,7 +137,7 @@ model::CullBy InstancePass::culledBy() const {
 
 void InstancePass::makeSet(const FrameData& data) {
   const scene::ModelLayer& layer = data.frame.scene.model;
-  std::uint64_t count = std::uint64_t(layer.data->instances.size()) * std::uint64_t(std::max(1, layer.copies));
+  std::uint64_t count = scene::instanceCount(layer);
   // Lists of draws are buffers' texels, two an instance.
   std::uint64_t most = std::min<std::uint64_t>(kMostInstances, mMostTexels / shared::kDrawRooms);
   if (count > most)
@@ -159,7 +160,7 @@ void InstancePass::makeSet(const FrameData& data) {
     mKey = key;
   }
   mCount = std::uint32_t(count);
-  mEye.resize(data.frame.windowSize, std::uint32_t(layer.data->instances.size()), std::max(1, layer.copies));
+  mEye.resize(data.frame.windowSize, std::uint32_t(layer.data->instances.size()), scene::copyCount(layer));
 }
 
 void InstancePass::writeRows(const FrameData& data) {
@@ -200,7 +201,7 @@ shared::InstanceView InstancePass::viewOf(const FrameData& data, int sample) con
       glm::vec4(glm::vec3(0.5 * (low + high) - sceneOrigin(data.grid)), 0.55f * float(glm::length(high - low)));
   view.copiesX = copies.counts.x;
   view.copiesY = copies.counts.y;
-  view.copies = std::max(1, frame.scene.model.copies);
+  view.copies = scene::copyCount(frame.scene.model);
   view.instanceCount = int(frame.scene.model.data->instances.size());
   view.cutCount = int(data.cuts.size());
   view.isOrthographic = (params.flags & shared::kFlagOrthographic) ? 1 : 0;
@@ -249,7 +250,7 @@ void InstancePass::addStates(const FrameData& data, WorkQueue& queue) {
   const scene::ModelLayer& model = data.frame.scene.model;
   queue.add(kClipping, [this] { mStates.begin(); });
   for (const auto& part :
-       model::instanceParts(std::uint32_t(model.data->instances.size()), std::max(1, model.copies), atATime()))
+       model::instanceParts(std::uint32_t(model.data->instances.size()), scene::copyCount(model), atATime()))
     queue.add(kClipping, [this, part] {
       bindRows();
       mEye.bindView();
@@ -264,7 +265,7 @@ void InstancePass::addFocus(const FrameData& data, const model::FocusRow& row, W
   shared::FocusView view = makeFocusView(frame.scene, row, aspect, sceneOrigin(data.grid), sceneRadius(data.grid));
   const scene::ModelLayer& model = frame.scene.model;
   auto inFocus = focusParts(model, mSpareRows, data.cuts.size(), std::size_t(row.cut), atATime());
-  auto all = model::instanceParts(std::uint32_t(model.data->instances.size()), std::max(1, model.copies), atATime());
+  auto all = model::instanceParts(std::uint32_t(model.data->instances.size()), scene::copyCount(model), atATime());
   queue.add(kFocus, [this, view] { mStates.beginFocus(view); });
   auto addLooks = [&](const std::vector<model::InstancePart>& parts, auto look) {
     for (const auto& part : parts)

@@ -15,6 +15,7 @@
 #include "render/upload/SmoothTexels.h"
 #include "render/upload/VolumeTexels.h"
 #include "scene/Scene.h"
+#include "scene/Shown.h"
 
 namespace velum::render {
 
@@ -76,8 +77,8 @@ VolumeUpload::VolumeUpload(const scene::VolumeLayer& layer, const gpu::Limits& l
   const Shared<Volume>& volume = layer.data;
   VolumeTexels& source = m.source;
   source.volume = volume;
-  source.channel = std::clamp(layer.channel, 0, volume->channels - 1);
-  source.timeStep = std::clamp(layer.timeStep, 0, volume->timeSteps - 1);
+  source.channel = scene::shownChannel(layer);
+  source.timeStep = scene::shownTimeStep(layer);
   bool isMixed = scene::mixesChannels(layer), isColor = volume->isColor || isMixed;
   source.isMixed = isMixed;
   if (isMixed) source.mix = makeMixTable(layer);

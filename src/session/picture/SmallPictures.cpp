@@ -4,6 +4,7 @@
 
 #include "gpu/Context.h"
 #include "render/Renderer.h"
+#include "scene/Shown.h"
 #include "session/picture/Picture.h"
 #include "session/picture/PresetPictures.h"
 
@@ -28,8 +29,8 @@ void drawSmallPictures(const scene::Scene& scene, const std::vector<std::string>
                        const std::function<void(const std::string&, const Image&)>& done, Progress& progress) {
   if (!scene.volume.data) return;
   const Volume& volume = *scene.volume.data;
-  int channel = std::clamp(scene.volume.channel, 0, volume.channels - 1);
-  int timeStep = std::clamp(scene.volume.timeStep, 0, volume.timeSteps - 1);
+  int channel = scene::shownChannel(scene.volume);
+  int timeStep = scene::shownTimeStep(scene.volume);
   Shared<Volume> small(reduceVolume(volume, channel, timeStep, kPreviewVoxels, progress));
   auto context = gpu::Context::create(gpu::ContextKind::Auto);
   render::Renderer renderer(*context);

@@ -14,9 +14,9 @@ namespace velum::session {
 namespace {
 
 std::size_t columnOf(const Image& image, const char* name) {
-  auto found = std::find(image.channels.begin(), image.channels.end(), name);
-  VELUM_ASSERT(found != image.channels.end(), "the picture has the layers structure and instance");
-  return std::size_t(found - image.channels.begin());
+  std::ptrdiff_t column = channelIndex(image, name);
+  VELUM_ASSERT(column >= 0, "the picture has the layers structure and instance");
+  return std::size_t(column);
 }
 
 /// The structure that each pixel shows; 0: none.

@@ -1,7 +1,6 @@
 #pragma once
-#include <cstddef>
+#include <cstdint>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace velum {
@@ -13,11 +12,5 @@ struct Image {
   std::vector<std::string> channels;  ///< "R", "G", "B", "A", "Z", "normal.X", ...
   std::vector<float> pixels;
 };
-
-/// Which of the channels has a name; -1: none has.
-std::ptrdiff_t channelIndex(const Image& image, std::string_view name);
-
-/// The channels named, in that order; those that the picture has not are left out.
-Image channelsOf(const Image& image, const std::vector<std::string>& names);
 
 }  // namespace velum

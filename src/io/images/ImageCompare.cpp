@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/Error.h"
+#include "core/ImageChannels.h"
 
 namespace velum::io {
 

@@ -16,6 +16,7 @@
 #include "core/Color.h"
 #include "core/Error.h"
 #include "core/FileName.h"
+#include "core/ImageChannels.h"
 #include "core/ReplaceFile.h"
 #include "io/images/ExrHeader.h"
 #include "io/images/PngChunks.h"

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "core/Error.h"
+#include "core/ImageChannels.h"
 #include "render/kept/KeptInstances.h"
 #include "scene/Scene.h"
 #include "scene/Shown.h"

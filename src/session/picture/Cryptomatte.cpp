@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/Assert.h"
+#include "core/ImageChannels.h"
 #include "scene/Scene.h"
 
 namespace velum::session {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/ImageChannels.h"
 #include "core/LabelVolume.h"
 #include "io/images/ImageFile.h"
 

@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "core/FileName.h"
+#include "core/ImageChannels.h"
 #include "core/ReplaceFile.h"
 #include "core/Text.h"
 #include "gpu/Context.h"

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "core/Assert.h"
+#include "core/ImageChannels.h"
 #include "scene/Scene.h"
 #include "session/structure/StructureEdit.h"
 

@@ -1,11 +1,11 @@
-#include "core/Image.h"
+#include "core/ImageChannels.h"
 
 #include <gtest/gtest.h>
 
 namespace velum {
 namespace {
 
-TEST(Image, ChannelsComeInTheOrderNamedAndThoseThatAreNotThereDoNot) {
+TEST(ImageChannels, ChannelsComeInTheOrderNamedAndThoseThatAreNotThereDoNot) {
   Image image{2, 1, {"R", "G", "A"}, {1, 2, 3, 4, 5, 6}};
   Image picked = channelsOf(image, {"A", "Z", "R"});
   EXPECT_EQ(picked.channels, (std::vector<std::string>{"A", "R"}));

@@ -1,4 +1,4 @@
-#include "core/Image.h"
+#include "core/ImageChannels.h"
 
 #include <algorithm>
 

@@ -8,6 +8,7 @@
 #include <unordered_map>
 
 #include "core/Parallel.h"
+#include "core/Text.h"
 #include "render/kept/KeptInstances.h"
 #include "render/kept/StayingShares.h"
 #include "scene/Shown.h"
@@ -303,10 +304,6 @@ std::uint64_t turnDials(scene::Scene& scene, const std::vector<int>& cuts, const
   return std::accumulate(counts.begin(), counts.end(), std::uint64_t(0));
 }
 
-std::string countText(std::uint64_t count) {
-  std::string text = fmt::format("{}", count);
-  for (std::size_t at = text.size(); at > 3; at -= 3) text.insert(at - 3, ",");
-  return text;
-}
+std::string countText(std::uint64_t count) { return grouped(count, ","); }
 
 }  // namespace velum::session

@@ -7,6 +7,7 @@
 
 #include "core/Assert.h"
 #include "core/ImageChannels.h"
+#include "core/Text.h"
 #include "scene/Scene.h"
 #include "session/structure/StructureEdit.h"
 
@@ -67,12 +68,9 @@ std::vector<StructureArea> structureAreas(const scene::Scene& scene, const std::
 
 std::string areasCsv(const std::vector<StructureArea>& areas) {
   std::string csv = "structure,name,visible,hidden,clipped,total\n";
-  for (const StructureArea& area : areas) {
-    std::string name;
-    for (char c : area.name) name += c == '"' ? std::string("\"\"") : std::string(1, c);
-    csv += fmt::format("{},\"{}\",{},{},{},{}\n", area.structure, name, area.visible, area.hidden, area.clipped,
-                       area.total());
-  }
+  for (const StructureArea& area : areas)
+    csv += fmt::format("{},{},{},{},{},{}\n", area.structure, csvQuoted(area.name), area.visible, area.hidden,
+                       area.clipped, area.total());
   return csv;
 }
 

@@ -18,12 +18,7 @@ void line(const std::string& name, const std::string& text) {
 }
 
 /// "12 345".
-std::string counted(std::uint64_t count) {
-  std::string digits = fmt::format("{}", count), text;
-  for (std::size_t i = 0; i < digits.size(); ++i)
-    text += (i > 0 && (digits.size() - i) % 3 == 0 ? " " : "") + std::string(1, digits[i]);
-  return text;
-}
+std::string counted(std::uint64_t count) { return grouped(count, " "); }
 
 std::string textIn(const Json& json, const char* name) {
   return json.contains(name) && json[name].is_string() ? printable(json[name].get<std::string>()) : std::string();

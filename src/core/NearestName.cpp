@@ -52,4 +52,9 @@ std::string nearestName(std::string_view typed, const std::vector<std::string>& 
   return nearest;
 }
 
+std::string meantText(std::string_view typed, const std::vector<std::string>& names) {
+  std::string nearest = nearestName(typed, names);
+  return nearest.empty() ? "" : " (is '" + nearest + "' meant?)";
+}
+
 }  // namespace velum

@@ -9,5 +9,7 @@ namespace velum {
 /// capitals or not, the shortest of those; else one with letters left out, added, changed or swapped, up to a third of
 /// them. @return empty when none is that near
 std::string nearestName(std::string_view typed, const std::vector<std::string>& names);
+/// It as a question within a message, " (is 'bone' meant?)"; empty when none is that near.
+std::string meantText(std::string_view typed, const std::vector<std::string>& names);
 
 }  // namespace velum

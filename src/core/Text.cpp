@@ -94,6 +94,18 @@ std::string tidyNumber(double value) {
   return number;
 }
 
+std::string grouped(std::uint64_t count, std::string_view separator) {
+  std::string text = std::to_string(count);
+  for (std::size_t at = text.size(); at > 3; at -= 3) text.insert(at - 3, separator);
+  return text;
+}
+
+std::string csvQuoted(std::string_view text) {
+  std::string out = "\"";
+  for (char c : text) out.append(c == '"' ? 2u : 1u, c);
+  return out + "\"";
+}
+
 std::string printable(std::string_view text) {
   constexpr char kDigits[] = "0123456789abcdef";
   std::string out;

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -24,6 +25,12 @@ std::optional<double> numberIn(std::string_view text);
 /// A measured number as people read it: four digits or so, 19860 rather than 1.986e+04, and 0 for what is none but for
 /// rounding (below 1e-30).
 std::string tidyNumber(double value);
+
+/// A count in groups of three digits: "12 345". @param separator  what stands between them
+std::string grouped(std::uint64_t count, std::string_view separator);
+
+/// A field of CSV in quotes (RFC 4180).
+std::string csvQuoted(std::string_view text);
 
 /// On one line that no terminal takes for a command, whatever a file or a path holds: control characters and bytes that
 /// are not UTF-8 become \n, \t or \xNN.

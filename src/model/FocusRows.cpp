@@ -3,14 +3,14 @@
 #include <algorithm>
 
 #include "scene/Scene.h"
+#include "scene/Shown.h"
 
 namespace velum::model {
 
 std::vector<FocusRow> focusRows(const scene::Scene& scene) {
   std::vector<FocusRow> rows;
   int place = 0;
-  for (const scene::Cut& cut : scene.cuts) {
-    if (!cut.enabled) continue;
+  for (const scene::Cut& cut : scene::enabledOf(scene.cuts)) {
     if (cut.model.focus && !cut.model.focus->types.empty()) {
       bool hasAperture = std::any_of(cut.model.spares.begin(), cut.model.spares.end(),
                                      [](const scene::TypeSpare& spare) { return spare.aperture < 1.0; });

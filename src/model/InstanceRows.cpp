@@ -4,6 +4,7 @@
 #include <unordered_map>
 
 #include "scene/Scene.h"
+#include "scene/Shown.h"
 #include "shared/instance.h"
 
 namespace velum::model {
@@ -91,8 +92,7 @@ std::vector<shared::TypeSpareRow> makeTypeSpareRows(const scene::Scene& scene) {
   if (!scene.model.data) return rows;
   const Model& model = *scene.model.data;
   std::vector<RowsByPath> cuts;
-  for (const scene::Cut& cut : scene.cuts)
-    if (cut.enabled) cuts.emplace_back(cut);
+  for (const scene::Cut& cut : scene::enabledOf(scene.cuts)) cuts.emplace_back(cut);
   for (const MoleculeType& type : model.types) {
     std::string path = pathOf(model, type);
     for (const RowsByPath& cut : cuts) {
@@ -106,8 +106,7 @@ std::vector<shared::TypeSpareRow> makeTypeSpareRows(const scene::Scene& scene) {
 std::uint32_t wholeInstanceBits(const scene::Scene& scene) {
   std::uint32_t bits = 0;
   int place = 0;
-  for (const scene::Cut& cut : scene.cuts) {
-    if (!cut.enabled) continue;
+  for (const scene::Cut& cut : scene::enabledOf(scene.cuts)) {
     if (cut.model.wholeInstances && place < 32) bits |= 1u << place;
     ++place;
   }

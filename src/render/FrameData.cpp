@@ -8,6 +8,7 @@
 #include "render/FrameParams.h"
 #include "render/upload/BlueNoise.h"
 #include "render/upload/CutSheets.h"
+#include "scene/Shown.h"
 #include "scene/Units.h"
 
 namespace velum::render {
@@ -45,9 +46,8 @@ Opaque opaqueOf(const scene::Scene& scene) {
   if (std::any_of(scene.surfaces.begin(), scene.surfaces.end(), isDrawn)) return Opaque::Anywhere;
   if (!scene.showBounds) return isModelDrawn(scene) ? Opaque::InBox : Opaque::None;
   // Outlines of cuts stand where the cuts do; planes are outlined on the box.
-  bool hasShapes = std::any_of(scene.cuts.begin(), scene.cuts.end(), [](const scene::Cut& cut) {
-    return cut.enabled && cut.shape != scene::CutShape::Plane;
-  });
+  bool hasShapes = std::ranges::any_of(scene::enabledOf(scene.cuts),
+                                       [](const scene::Cut& cut) { return cut.shape != scene::CutShape::Plane; });
   return hasShapes ? Opaque::Anywhere : Opaque::InBox;
 }
 

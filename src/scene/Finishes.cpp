@@ -1,41 +1,17 @@
 #include "scene/Finishes.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
-#include "core/Error.h"
 #include "scene/FinishTable.h"
-#include "scene/LitSpheres.h"
+#include "scene/LitSphereTable.h"
 
 namespace velum::scene {
 
 namespace {
 
-const FinishRow& findFinish(std::string_view name) {
-  std::string known;
-  for (const FinishRow& row : finishTable()) {
-    if (row.finish.name == name) return row;
-    known += fmt::format("{}{}", known.empty() ? "" : ", ", row.finish.name);
-  }
-  throw ArgumentError(fmt::format("no finish '{}'; there are {}", name, known));
-}
-
 /// @param own  whose own lit spheres and paper it has
 Finish finishOf(const FinishRow& row, const Finish& own) {
-  Finish finish;
-  finish.contours = row.contours;
-  finish.contourWidth = row.contourWidth;
-  finish.contourColor = row.contourColor;
-  finish.contourCreases = row.creases;
-  finish.litSphere = row.litSphere;
-  finish.sphere = row.sphere;
-  finish.structureSpheres = row.structureSpheres;
-  finish.hatching = row.hatching;
-  finish.hatchWidth = row.hatchWidth;
-  finish.paper = row.paper;
-  finish.paperColor = row.paperColor;
-  finish.paperGrain = row.paperGrain;
+  Finish finish = row.finish;
   finish.ownPaper = own.ownPaper;
   finish.spheres = own.spheres;
   return finish;
@@ -43,20 +19,13 @@ Finish finishOf(const FinishRow& row, const Finish& own) {
 
 }  // namespace
 
-std::span<const NamedFinish> finishes() {
-  static const std::vector<NamedFinish> names = [] {
-    std::vector<NamedFinish> all;
-    for (const FinishRow& row : finishTable()) all.push_back(row.finish);
-    return all;
-  }();
-  return names;
-}
+std::span<const NamedFinish> finishes() { return finishTable().names(); }
 
-void applyFinish(Scene& scene, std::string_view name) { scene.finish = finishOf(findFinish(name), scene.finish); }
+void applyFinish(Scene& scene, std::string_view name) { scene.finish = finishOf(finishTable().at(name), scene.finish); }
 
 std::string_view finishName(const Finish& finish) {
-  for (const FinishRow& row : finishTable())
-    if (finishOf(row, finish) == finish) return row.finish.name;
+  for (const FinishRow& row : finishTable().rows())
+    if (finishOf(row, finish) == finish) return row.named.name;
   return {};
 }
 
@@ -71,9 +40,7 @@ const LitSphere* ownLitSphere(const Finish& finish, std::string_view name) {
 }
 
 bool isLitSphere(const Finish& finish, std::string_view name) {
-  auto ours = litSpheres();
-  return ownLitSphere(finish, name) ||
-         std::any_of(ours.begin(), ours.end(), [&](const LitSphereName& sphere) { return sphere.name == name; });
+  return ownLitSphere(finish, name) || litSphereTable().find(name);
 }
 
 std::vector<std::string> unknownLitSpheres(const Scene& scene) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/Error.h"
+#include "scene/NamedTable.h"
 #include "scene/Presets.h"
 
 namespace velum::scene {
@@ -26,12 +27,6 @@ constexpr GreyWindow kTable[] = {{"soft-tissue", "Soft tissue", "HU", 50, 350},
 const GreyWindow* find(std::string_view name) {
   auto found = std::find_if(std::begin(kTable), std::end(kTable), [&](const auto& row) { return row.name == name; });
   return found == std::end(kTable) ? nullptr : &*found;
-}
-
-std::string namesOf(std::span<const GreyWindow> windows) {
-  std::string names;
-  for (const GreyWindow& window : windows) names += (names.empty() ? "" : ", ") + std::string(window.name);
-  return names;
 }
 
 /// How many values of a histogram lie from one to another.
@@ -105,7 +100,11 @@ std::string valueUnit(const Volume& volume) {
 
 void applyGreyWindow(VolumeLayer& layer, std::string_view name) {
   const GreyWindow* row = find(name);
-  if (!row) throw ArgumentError(fmt::format("no window '{}'; there are {}", name, namesOf(kTable)));
+  if (!row) {
+    std::vector<std::string> known;
+    for (const GreyWindow& window : kTable) known.emplace_back(window.name);
+    failNoName("window", name, known);
+  }
   std::string unit = layer.data ? valueUnit(*layer.data) : std::string(row->unit);
   if (unit != row->unit)
     throw ArgumentError(fmt::format("the window '{}' is in {}, the values are {}; give level and width instead", name,

@@ -292,6 +292,9 @@ constexpr LitSphereRow kTable[] = {
 
 }  // namespace
 
-std::span<const LitSphereRow> litSphereTable() { return kTable; }
+const NamedTable<LitSphereRow, LitSphereName>& litSphereTable() {
+  static const NamedTable all("lit sphere", std::span<const LitSphereRow>(kTable), &LitSphereRow::sphere);
+  return all;
+}
 
 }  // namespace velum::scene

@@ -1,8 +1,8 @@
 #pragma once
 #include <glm/glm.hpp>
-#include <span>
 
 #include "scene/LitSpheres.h"
+#include "scene/NamedTable.h"
 
 namespace velum::scene {
 
@@ -22,6 +22,6 @@ struct LitSphereRow {
 };
 
 /// In the order of the window.
-std::span<const LitSphereRow> litSphereTable();
+const NamedTable<LitSphereRow, LitSphereName>& litSphereTable();
 
 }  // namespace velum::scene

@@ -1,7 +1,5 @@
 #include "scene/LitSpheres.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,15 +16,6 @@ namespace {
 const glm::vec3 kTowardsLight = glm::normalize(glm::vec3(-0.50f, 0.62f, 0.72f));
 const glm::vec3 kTowardsBounce = glm::normalize(glm::vec3(0.62f, -0.70f, 0.10f));
 const glm::vec3 kTowardsEye(0.0f, 0.0f, 1.0f);
-
-const LitSphereRow& findSphere(std::string_view name) {
-  std::string known;
-  for (const LitSphereRow& row : litSphereTable()) {
-    if (row.sphere.name == name) return row;
-    known += fmt::format("{}{}", known.empty() ? "" : ", ", row.sphere.name);
-  }
-  throw ArgumentError(fmt::format("no lit sphere '{}'; there are {}", name, known));
-}
 
 glm::vec3 rampAt(const LitSphereRow& row, float shade) {
   if (row.steps > 0) {
@@ -84,19 +73,12 @@ Image makeImage(int size, ColorAt colorAt) {
 
 }  // namespace
 
-std::span<const LitSphereName> litSpheres() {
-  static const std::vector<LitSphereName> names = [] {
-    std::vector<LitSphereName> all;
-    for (const LitSphereRow& row : litSphereTable()) all.push_back(row.sphere);
-    return all;
-  }();
-  return names;
-}
+std::span<const LitSphereName> litSpheres() { return litSphereTable().names(); }
 
-glm::vec3 litSphereColor(std::string_view name, glm::vec3 n) { return colorOf(findSphere(name), n); }
+glm::vec3 litSphereColor(std::string_view name, glm::vec3 n) { return colorOf(litSphereTable().at(name), n); }
 
 Image makeLitSphere(std::string_view name, int size) {
-  const LitSphereRow& row = findSphere(name);
+  const LitSphereRow& row = litSphereTable().at(name);
   return makeImage(size, [&](int x, int y) {
     glm::vec2 at = (glm::vec2(float(x), float(y)) + 0.5f) * 2.0f / float(size) - 1.0f;
     return colorOf(row, normalAt({at.x, -at.y}));

@@ -1,8 +1,5 @@
 #include "scene/PresetTable.h"
 
-#include <array>
-#include <iterator>
-
 namespace velum::scene {
 
 namespace {
@@ -205,15 +202,11 @@ constexpr PresetRow kTable[] = {
 
 }  // namespace
 
-std::span<const PresetRow> presetTable() { return kTable; }
-
-std::span<const Preset> presets() {
-  static constexpr auto kPresets = [] {
-    std::array<Preset, std::size(kTable)> all{};
-    for (std::size_t i = 0; i < all.size(); ++i) all[i] = kTable[i].preset;
-    return all;
-  }();
-  return kPresets;
+const NamedTable<PresetRow, Preset>& presetTable() {
+  static const NamedTable all("preset", std::span<const PresetRow>(kTable), &PresetRow::preset);
+  return all;
 }
+
+std::span<const Preset> presets() { return presetTable().names(); }
 
 }  // namespace velum::scene

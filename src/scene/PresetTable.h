@@ -1,8 +1,8 @@
 #pragma once
 #include <initializer_list>
 #include <optional>
-#include <span>
 
+#include "scene/NamedTable.h"
 #include "scene/Presets.h"
 
 namespace velum::scene {
@@ -27,6 +27,6 @@ struct PresetRow {
 };
 
 /// In the order of menus.
-std::span<const PresetRow> presetTable();
+const NamedTable<PresetRow, Preset>& presetTable();
 
 }  // namespace velum::scene

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "core/ChannelHistogram.h"
-#include "core/Error.h"
 #include "scene/ModelLooks.h"
 #include "scene/PresetTable.h"
 
@@ -46,19 +45,6 @@ glm::dvec2 relativeRange(const Volume& volume, int channel, Ends ends = Ends::Ba
   return {low, high};
 }
 
-const PresetRow* rowOf(std::string_view name) {
-  for (const PresetRow& row : presetTable())
-    if (row.preset.name == name) return &row;
-  return nullptr;
-}
-
-const PresetRow& findPreset(std::string_view name) {
-  if (const PresetRow* row = rowOf(name)) return *row;
-  std::string known;
-  for (const PresetRow& row : presetTable()) known += fmt::format("{}{}", known.empty() ? "" : ", ", row.preset.name);
-  throw ArgumentError(fmt::format("no preset '{}'; there are {}", name, known));
-}
-
 /// A CT whose values somebody has squeezed into bytes: air and fat are all 0, and a little of the rest is bone, far
 /// above the many values of what is soft.
 bool looksLikeByteCt(const Volume& volume) {
@@ -77,7 +63,7 @@ bool looksLikeByteCt(const Volume& volume) {
 }  // namespace
 
 bool isProjectionLook(std::string_view name) {
-  const PresetRow* row = rowOf(name);
+  const PresetRow* row = presetTable().find(name);
   return row && row->isProjection;
 }
 
@@ -85,7 +71,7 @@ bool isAllMaterial(std::string_view preset) { return preset == "seismic" || pres
 
 void applyPreset(Scene& scene, std::string_view name) {
   if (isModelLook(name)) return applyModelLook(scene, name);
-  const PresetRow& row = findPreset(name);
+  const PresetRow& row = presetTable().at(name);
   VolumeLayer& layer = scene.volume;
   glm::dvec2 range(0, 1);
   double unit = 1.0;
@@ -107,7 +93,7 @@ void applyPreset(Scene& scene, std::string_view name) {
     colorChannel(current, current.color);
   }
   // A projection's picture is another one than a look's in light, and lies on ground of its own.
-  const PresetRow* before = rowOf(previous);
+  const PresetRow* before = presetTable().find(previous);
   if (row.isProjection) scene.rayCast.mode = RenderMode::Mip;
   if (row.background) scene.background.top = scene.background.bottom = *row.background;
   if (before && before->isProjection && !row.isProjection) scene.rayCast.mode = RenderMode::Volume;

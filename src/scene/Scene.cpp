@@ -12,6 +12,7 @@
 #include "core/Error.h"
 #include "core/Vectors.h"
 #include "scene/PatientDirections.h"
+#include "scene/Shown.h"
 
 namespace velum::scene {
 
@@ -253,8 +254,7 @@ bool showsGrey(const Cut& cut) { return isInlay(cut) || cut.face == CutFace::Sec
 }  // namespace
 
 bool usesWindow(const Scene& scene) {
-  bool hasGrey =
-      std::any_of(scene.cuts.begin(), scene.cuts.end(), [](const Cut& cut) { return cut.enabled && showsGrey(cut); });
+  bool hasGrey = std::ranges::any_of(enabledOf(scene.cuts), showsGrey);
   return hasGrey || scene.rayCast.mode == RenderMode::Mip;
 }
 

@@ -5,6 +5,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "scene/Scene.h"
+#include "scene/Shown.h"
 
 namespace velum::scene {
 
@@ -15,8 +16,8 @@ class Shows {
  public:
   Shows(const Scene& scene, const Volume& volume, double veil) : mScene(scene), mVolume(volume), mVeil(veil) {
     mChannels = mixesChannels(scene.volume) ? volume.channels : 1;
-    mFirst = mixesChannels(scene.volume) ? 0 : std::clamp(scene.volume.channel, 0, volume.channels - 1);
-    mTime = std::clamp(scene.volume.timeStep, 0, volume.timeSteps - 1);
+    mFirst = mixesChannels(scene.volume) ? 0 : shownChannel(scene.volume);
+    mTime = shownTimeStep(scene.volume);
   }
   bool operator()(glm::ivec3 voxel) const {
     for (int channel = mFirst; channel < mFirst + mChannels; ++channel)

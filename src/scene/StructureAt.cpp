@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "scene/Scene.h"
+#include "scene/Shown.h"
 
 namespace velum::scene {
 
@@ -65,7 +66,7 @@ std::vector<ValueBorder> valueBordersOf(const Scene& scene) {
     if (!isNew && known->second && !hasSameBorder(*known->second, step)) known->second = nullptr;
   }
   std::map<int, glm::dvec2> usual;  // by channel
-  int timeStep = std::clamp(scene.volume.timeStep, 0, volume->timeSteps - 1);
+  int timeStep = shownTimeStep(scene.volume);
   for (auto [structure, step] : steps) {
     if (!step || !isByValues(*step, *volume)) continue;
     auto known = usual.find(step->channel);

@@ -7,6 +7,8 @@
 #include <string>
 #include <utility>
 
+#include "core/Color.h"
+
 namespace velum::scene {
 
 namespace {
@@ -27,10 +29,7 @@ glm::vec3 colorOf(const Tone& tone) {
                     -1.2684380046 * cones.x + 2.6097574011 * cones.y - 0.3413193965 * cones.z,
                     -0.0041960863 * cones.x - 0.7034186147 * cones.y + 1.7076147010 * cones.z);
   glm::vec3 out;
-  for (int i = 0; i < 3; ++i) {
-    double c = std::clamp(linear[i], 0.0, 1.0);
-    out[i] = float(c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1.0 / 2.4) - 0.055);
-  }
+  for (int i = 0; i < 3; ++i) out[i] = float(srgbFromLinear(std::clamp(linear[i], 0.0, 1.0)));
   return out;
 }
 

@@ -19,6 +19,11 @@ TEST(NearestName, MistypedLettersAreForgivenUpToAThird) {
   EXPECT_EQ(nearestName("haemoglobin", kNames), "");
 }
 
+TEST(NearestName, OneThatIsNearIsAskedFor) {
+  EXPECT_EQ(meantText("rendre", kNames), " (is 'render' meant?)");
+  EXPECT_EQ(meantText("haemoglobin", kNames), "");
+}
+
 TEST(NearestName, TwoLettersAreInNamesByChance) { EXPECT_EQ(nearestName("an", kNames), ""); }
 
 }  // namespace

@@ -63,6 +63,15 @@ TEST(Text, ATidyNumberIsAsPeopleReadIt) {
   EXPECT_EQ(tidyNumber(2e9), "2e+09");
 }
 
+TEST(Text, CountsAreInGroupsOfThree) {
+  EXPECT_EQ(grouped(0, ","), "0");
+  EXPECT_EQ(grouped(999, ","), "999");
+  EXPECT_EQ(grouped(1000, " "), "1 000");
+  EXPECT_EQ(grouped(1234567, ","), "1,234,567");
+}
+
+TEST(Text, QuotesInAFieldOfATableAreDoubled) { EXPECT_EQ(csvQuoted("a \"b\", c"), "\"a \"\"b\"\", c\""); }
+
 TEST(Text, PrintableIsOneLineThatNoTerminalObeys) {
   EXPECT_EQ(printable("plain, näive, 體積 🧠"), "plain, näive, 體積 🧠");
   EXPECT_EQ(printable("a\nb\tc\rd"), "a\\nb\\tc\\x0dd");

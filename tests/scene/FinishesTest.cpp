@@ -10,6 +10,7 @@
 #include "core/Error.h"
 #include "scene/LitSpheres.h"
 #include "scene/ModelLooks.h"
+#include "scene/Presets.h"
 
 namespace velum::scene {
 namespace {
@@ -140,6 +141,26 @@ TEST(ModelLooks, EachIsFoundByItsNameAgainUntilOneOfItsValuesIsAnother) {
   EXPECT_FALSE(isModelLook("crayon"));
   Scene scene;
   EXPECT_THROW(applyModelLook(scene, "crayon"), ArgumentError);
+}
+
+TEST(NamedTable, WhoMistypesANameIsToldTheNearestAndAll) {
+  Scene scene;
+  auto refusal = [](auto apply) -> std::string {
+    try {
+      apply();
+    } catch (const ArgumentError& error) {
+      return error.what();
+    }
+    return {};
+  };
+  std::string text = refusal([&] { applyFinish(scene, "pencl"); });
+  EXPECT_TRUE(text.starts_with("no finish 'pencl' (is 'pencil' meant?); there are none, plate, ")) << text;
+  EXPECT_TRUE(text.ends_with(", x-ray")) << text;
+  EXPECT_EQ(refusal([&] { applyModelLook(scene, "sofd"); }),
+            "no look of models 'sofd' (is 'soft' meant?); there are plate, soft, technical");
+  EXPECT_TRUE(
+      refusal([&] { applyPreset(scene, "ct-bones"); }).starts_with("no preset 'ct-bones' (is 'ct-bone' meant?)"));
+  EXPECT_TRUE(refusal([&] { makeLitSphere("qqqqqq"); }).starts_with("no lit sphere 'qqqqqq'; there are pencil, "));
 }
 
 TEST(Finishes, SpheresThatNobodyHasAreNamed) {

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "makeVolume.h"
+#include "scene/Shown.h"
 
 namespace velum::scene {
 namespace {
@@ -110,6 +111,19 @@ TEST(FrameCamera, AnEmptySceneGivesAUsableCamera) {
   Camera camera = frameCamera(Scene{}, StandardView::Oblique, 1.5);
   EXPECT_GT(glm::length(camera.eye - camera.target), 0.0);
   EXPECT_TRUE(std::isfinite(camera.eye.x) && camera.height > 0);
+}
+
+TEST(Shown, FieldsOutOfRangeShowTheNearestThatThereIs) {
+  Scene scene = sceneOf(glm::dmat4(1.0));
+  scene.volume.timeStep = 7, scene.volume.channel = -2, scene.model.copies = 0;
+  EXPECT_EQ(shownTimeStep(scene.volume), 0);
+  EXPECT_EQ(shownChannel(scene.volume), 0);
+  EXPECT_EQ(copyCount(scene.model), 1);
+  scene.cuts.resize(3);
+  scene.cuts[1].enabled = false;
+  std::vector<const Cut*> on;
+  for (const Cut& cut : enabledOf(scene.cuts)) on.push_back(&cut);
+  EXPECT_EQ(on, (std::vector<const Cut*>{&scene.cuts[0], &scene.cuts[2]}));
 }
 
 TEST(WorldFromCut, IsRigidAndStandsOnItsAxis) {

@@ -15,8 +15,6 @@ namespace {
 
 constexpr int kColumns = 5, kPictureHeight = 52;
 
-QString textOf(std::string_view text) { return QString::fromUtf8(text.data(), int(text.size())); }
-
 /// The sphere alone, round.
 QPixmap roundPicture(const Image& image) {
   QPixmap picture(image.width, image.height);

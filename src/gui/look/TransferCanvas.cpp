@@ -12,16 +12,11 @@ namespace velum::gui {
 
 namespace {
 
-constexpr int kMargin = 9, kPlotHeight = 136, kLowPlotHeight = 62, kBarHeight = 13, kStopHeight = 12, kAxisHeight = 18;
+constexpr int kPlotHeight = 136, kLowPlotHeight = 62, kBarGap = 6, kBarHeight = 13, kStopHeight = 12;
 
 QColor qColor(glm::dvec3 color) {
   color = glm::clamp(color, 0.0, 1.0);
   return QColor::fromRgbF(float(color.r), float(color.g), float(color.b));
-}
-
-QColor faded(QColor color, double alpha) {
-  color.setAlphaF(float(alpha));
-  return color;
 }
 
 QString percent(double share) {
@@ -44,37 +39,23 @@ QPainterPath pathOf(const std::vector<glm::dvec2>& points) {
   return path;
 }
 
-QFont smallFont(const QFont& font) {
-  QFont small = font;
-  small.setPointSizeF(font.pointSizeF() * 0.82);
-  return small;
-}
-
 }  // namespace
 
-TransferCanvas::TransferCanvas(Kind kind, QWidget* parent) : QWidget(parent), mKind(kind) {
-  int height = kMargin + (hasColors() ? kPlotHeight + 6 + kBarHeight + kStopHeight : kLowPlotHeight) + kAxisHeight;
-  setFixedHeight(height);
-  setMinimumWidth(200);
-  setMouseTracking(true);
-  setFocusPolicy(Qt::StrongFocus);
-  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-}
+TransferCanvas::TransferCanvas(Kind kind, QWidget* parent)
+    : CurveCanvas(kind == Kind::Values ? kPlotHeight : kLowPlotHeight,
+                  kind == Kind::Values ? kBarGap + kBarHeight + kStopHeight : 0, parent),
+      mKind(kind) {}
 
 session::CurveFrame TransferCanvas::frame() const {
   // The faint end of opacities has room; factors are told evenly.
-  return {{kMargin, kMargin},
-          {std::max(1, width() - 2 * kMargin), hasColors() ? kPlotHeight : kLowPlotHeight},
-          mView,
-          hasColors() ? 0.5 : 1.0};
+  QRectF p = plot();
+  return {{p.left(), p.top()}, {p.width(), p.height()}, view(), hasColors() ? 0.5 : 1.0};
 }
 
 QRectF TransferCanvas::barRect() const {
   if (!hasColors()) return {};
-  return {double(kMargin), double(kMargin + kPlotHeight + 6), double(width() - 2 * kMargin), double(kBarHeight)};
+  return {plot().left(), plot().bottom() + kBarGap, plot().width(), double(kBarHeight)};
 }
-
-QRectF TransferCanvas::axisRect() const { return QRectF(0, height() - kAxisHeight, width(), kAxisHeight); }
 
 void TransferCanvas::setTransfer(const scene::TransferFunction& transfer) {
   if (transfer == mTransfer) return;
@@ -85,27 +66,14 @@ void TransferCanvas::setTransfer(const scene::TransferFunction& transfer) {
   emit selectionChanged();  // its numbers may have changed
 }
 
-void TransferCanvas::setHistogram(const Histogram& histogram) {
-  mHistogram = histogram;
-  update();
-}
-
 void TransferCanvas::setWhole(session::AxisView whole) {
   mWhole = whole.high > whole.low ? whole : session::AxisView{whole.low, whole.low + 1.0};
 }
 
-void TransferCanvas::setView(session::AxisView view) {
-  mView = view.high > view.low ? view : mWhole;
-  update();
-}
+void TransferCanvas::setView(session::AxisView view) { setAxis(view.high > view.low ? view : mWhole); }
 
 void TransferCanvas::setLogarithmic(bool logarithmic) {
   mLogarithmic = logarithmic;
-  update();
-}
-
-void TransferCanvas::setUnit(const QString& unit) {
-  mUnit = unit;
   update();
 }
 
@@ -117,38 +85,20 @@ void TransferCanvas::setProbe(std::optional<double> value) {
 
 void TransferCanvas::paintEvent(QPaintEvent*) {
   QPainter painter(this);
-  painter.setRenderHint(QPainter::Antialiasing);
   if (!isEnabled()) painter.setOpacity(0.45);
-  session::CurveFrame f = frame();
-  QRectF plot(f.topLeft.x, f.topLeft.y, f.size.x, f.size.y);
-  QPainterPath ground;
-  ground.addRoundedRect(plot.adjusted(-3, -3, 3, 3), 5, 5);
-  painter.fillPath(ground, palette().color(QPalette::Base));
-  painter.save();
-  painter.setClipPath(ground);
-  paintHistogram(painter);
-  paintCurve(painter);
-  paintReadings(painter);
-  painter.restore();
-  if (hasFocus()) {
-    painter.setPen(QPen(faded(palette().color(QPalette::Link), 0.7), 1.0));
-    painter.drawPath(ground);
-  }
+  paintGround(painter, [&] {
+    paintHistogram(painter);
+    paintCurve(painter);
+    paintReadings(painter);
+  });
   paintPoints(painter);
   if (hasColors()) paintColors(painter);
-  paintAxis(painter);
+  paintAxis(painter, true);
 }
 
 void TransferCanvas::paintHistogram(QPainter& painter) const {
   session::CurveFrame f = frame();
-  int columns = std::max(1, int(f.size.x));
-  auto heights = session::histogramHeights(mHistogram, mView, columns, mLogarithmic);
-  double bottom = f.topLeft.y + f.size.y + 3;
-  QPainterPath path(QPointF(f.topLeft.x, bottom));
-  for (int i = 0; i < columns; ++i)
-    path.lineTo(f.topLeft.x + i + 0.5, bottom - heights[std::size_t(i)] * 0.94 * f.size.y);
-  path.lineTo(f.topLeft.x + f.size.x, bottom);
-  painter.fillPath(path, faded(palette().color(QPalette::PlaceholderText), 0.30));
+  paintBars(painter, 0.94, mLogarithmic);
   // Heights that can be named.
   painter.setFont(smallFont(font()));
   for (double opacity : {0.01, 0.1, 0.5}) {
@@ -188,18 +138,10 @@ void TransferCanvas::paintPoints(QPainter& painter) const {
   session::CurveFrame f = frame();
   for (std::size_t i = 0; i < curve().size(); ++i) {
     const auto& point = curve()[i];
-    if (point.value < mView.low || point.value > mView.high) continue;
-    bool chosen = mSelection == Selection{Selection::Part::Point, int(i)};
-    QPointF place(session::xOf(f, point.value), session::yOf(f, point.opacity));
-    if (chosen) {
-      painter.setPen(QPen(palette().color(QPalette::Link), 2.0));
-      painter.setBrush(Qt::NoBrush);
-      painter.drawEllipse(place, 7.5, 7.5);
-    }
-    painter.setPen(QPen(palette().color(QPalette::Text), 1.3));
-    painter.setBrush(hasColors() ? qColor(scene::colorAt(mTransfer.colors, point.value))
-                                 : palette().color(QPalette::Base));
-    painter.drawEllipse(place, 4.5, 4.5);
+    if (point.value < view().low || point.value > view().high) continue;
+    paintPoint(painter, {session::xOf(f, point.value), session::yOf(f, point.opacity)},
+               hasColors() ? qColor(scene::colorAt(mTransfer.colors, point.value)) : palette().color(QPalette::Base),
+               mSelection == Selection{Selection::Part::Point, int(i)});
   }
 }
 
@@ -214,7 +156,7 @@ void TransferCanvas::paintColors(QPainter& painter) const {
   painter.restore();
   for (std::size_t i = 0; i < mTransfer.colors.size(); ++i) {
     const auto& stop = mTransfer.colors[i];
-    if (stop.value < mView.low || stop.value > mView.high) continue;
+    if (stop.value < view().low || stop.value > view().high) continue;
     bool chosen = mSelection == Selection{Selection::Part::Stop, int(i)};
     double x = session::xOf(f, stop.value), top = bar.bottom() - 3;
     QPainterPath pin(QPointF(x, top));
@@ -230,43 +172,23 @@ void TransferCanvas::paintColors(QPainter& painter) const {
   }
 }
 
-void TransferCanvas::paintAxis(QPainter& painter) const {
-  session::CurveFrame f = frame();
-  QRectF axis = axisRect();
-  painter.setFont(smallFont(font()));
-  painter.setPen(palette().color(QPalette::PlaceholderText));
-  QString unit = mUnit.isEmpty() ? QString() : " " + mUnit;
-  QFontMetricsF metrics(painter.font());
-  auto ticks = session::axisTicks(mView, std::clamp(int(f.size.x / 50), 2, 8));
-  double free = -1e9;
-  for (std::size_t i = 0; i < ticks.size(); ++i) {
-    QString text = QString::fromStdString(session::axisNumber(ticks[i], mView)) + (i + 1 == ticks.size() ? unit : "");
-    double wide = metrics.horizontalAdvance(text), x = session::xOf(f, ticks[i]);
-    double left = std::clamp(x - 0.5 * wide, 1.0, width() - wide - 1.0);
-    if (left < free) continue;
-    painter.drawLine(QPointF(x, axis.top()), QPointF(x, axis.top() + 3));
-    painter.drawText(QPointF(left, axis.bottom() - 3), text);
-    free = left + wide + 6;
-  }
-}
-
 /// The value under the pointer of a view, and value and opacity under the pointer here.
 void TransferCanvas::paintReadings(QPainter& painter) const {
   session::CurveFrame f = frame();
   double top = f.topLeft.y - 3, bottom = f.topLeft.y + f.size.y + 3;
   painter.setFont(smallFont(font()));
-  QString unit = mUnit.isEmpty() ? QString() : " " + mUnit;
-  if (mProbe && *mProbe >= mView.low && *mProbe <= mView.high) {
+  QString name = unit().isEmpty() ? QString() : " " + unit();
+  if (mProbe && *mProbe >= view().low && *mProbe <= view().high) {
     double x = session::xOf(f, *mProbe);
     painter.setPen(QPen(palette().color(QPalette::Link), 1.0));
     painter.drawLine(QPointF(x, top), QPointF(x, bottom));
   }
   std::optional<double> value = mProbe;
-  if (mHover && mDrag != Drag::Axis && mHover->y() < bottom + kBarHeight + kStopHeight)
-    value = session::valueAtX(f, mHover->x());
+  if (hover() && mDrag != Drag::Axis && hover()->y() < bottom + kBarHeight + kStopHeight)
+    value = session::valueAtX(f, hover()->x());
   if (!value || curve().empty()) return;
   QString text = QString("%1%2   %3")
-                     .arg(QString::fromStdString(session::axisNumber(*value, mView)), unit,
+                     .arg(QString::fromStdString(session::axisNumber(*value, view())), name,
                           percent(scene::opacityAt(curve(), *value)));
   QRectF box(f.topLeft.x + 1, top + 3, QFontMetricsF(painter.font()).horizontalAdvance(text) + 8, 16);
   painter.setPen(Qt::NoPen);

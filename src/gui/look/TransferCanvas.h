@@ -1,14 +1,13 @@
 #pragma once
-#include <QWidget>
 #include <optional>
 
-#include "session/look/ValueHistogram.h"
+#include "gui/kit/CurveCanvas.h"
 
 namespace velum::gui {
 
 /// The picture of a transfer function over a histogram, and the hand on it: points of the opacity curve, stops in the
 /// colour bar, the value axis. It changes nothing itself: it says what the function would become.
-class TransferCanvas : public QWidget {
+class TransferCanvas : public CurveCanvas {
   Q_OBJECT
  public:
   /// Values: opacity and colour by value. Gradients: the factor by gradient length alone, lower and without colours.
@@ -23,20 +22,17 @@ class TransferCanvas : public QWidget {
 
   void setTransfer(const scene::TransferFunction& transfer);
   const scene::TransferFunction& transfer() const { return mTransfer; }
-  void setHistogram(const Histogram& histogram);
   /// All that the axis can show.
   void setWhole(session::AxisView whole);
   /// What the axis shows; until then all.
   void setView(session::AxisView view);
-  session::AxisView view() const { return mView; }
   void setLogarithmic(bool logarithmic);
-  void setUnit(const QString& unit);
   /// A thin line at the value under the pointer of another view; nothing takes it away.
   void setProbe(std::optional<double> value);
 
   void select(Selection selection);
   Selection selection() const { return mSelection; }
-  void removeSelected();
+  void removeSelected() override;
   /// Sets the selected point's or stop's value, and the point's opacity.
   void moveSelected(double value, double opacity);
   void colorSelected(glm::vec3 color);
@@ -44,12 +40,11 @@ class TransferCanvas : public QWidget {
   /// Where things are, widget pixels; for tests.
   session::CurveFrame frame() const;
   QRectF barRect() const;
-  QRectF axisRect() const;
+  QRectF axisRect() const { return axis(); }
 
  signals:
   /// The user makes this of it. @param merge  part of a drag, which ends with settled()
   void edited(const QString& label, const velum::scene::TransferFunction& next, bool merge);
-  void settled();
   void selectionChanged();
   /// A stop wants another colour: it was double clicked.
   void colorWanted();
@@ -65,8 +60,10 @@ class TransferCanvas : public QWidget {
   void wheelEvent(QWheelEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void keyReleaseEvent(QKeyEvent* event) override;
-  void leaveEvent(QEvent* event) override;
-  bool event(QEvent* event) override;
+  bool isOwnKey(int key) const override;
+  void step(int sideways, int up, bool wide) override;
+  void selectNext(int by) override;
+  void addBeside() override;
 
  private:
   /// Line: pressed on the curve; becomes Whole when it moves, a new point when it does not.
@@ -85,24 +82,18 @@ class TransferCanvas : public QWidget {
   void removeAt(QPointF place);
   void addPointAt(QPointF place);
   void chooseCursor(QPointF place, Qt::KeyboardModifiers keys);
-  void step(int sideways, int up, bool wide);
-  void selectNext(int by);
-  void addBeside();
   void zoom(double about, double factor);
 
   void paintHistogram(QPainter& painter) const;
   void paintCurve(QPainter& painter) const;
   void paintPoints(QPainter& painter) const;
   void paintColors(QPainter& painter) const;
-  void paintAxis(QPainter& painter) const;
   void paintReadings(QPainter& painter) const;
 
   Kind mKind;
   scene::TransferFunction mTransfer;
-  Histogram mHistogram;
-  session::AxisView mView, mWhole;
+  session::AxisView mWhole;
   bool mLogarithmic = true;
-  QString mUnit;
   std::optional<double> mProbe;
   Selection mSelection;
   // The hand.
@@ -110,8 +101,7 @@ class TransferCanvas : public QWidget {
   scene::TransferFunction mStart;  ///< As it was when the drag began.
   session::AxisView mStartView;
   QPointF mStartPlace;
-  QString mStopLabel;  ///< What the drag of a stop is called.
-  std::optional<QPointF> mHover;
+  QString mStopLabel;       ///< What the drag of a stop is called.
   bool mJustAdded = false;  ///< By the first click of what may become a double click.
 };
 

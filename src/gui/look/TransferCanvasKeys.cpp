@@ -48,20 +48,15 @@ void TransferCanvas::colorSelected(glm::vec3 color) {
 }
 
 void TransferCanvas::zoom(double about, double factor) {
-  setView(session::zoomAxis(mView, about, factor, mWhole));
+  setView(session::zoomAxis(view(), about, factor, mWhole));
   emit viewChanged();
 }
 
-/// Keys that the window has other uses for are the canvas' while it has the keyboard; those that change what is
-/// selected, while something is.
-bool TransferCanvas::event(QEvent* event) {
-  if (event->type() == QEvent::ShortcutOverride) {
-    int key = static_cast<QKeyEvent*>(event)->key();
-    bool selects = key == Qt::Key_PageUp || key == Qt::Key_PageDown || key == Qt::Key_Insert;
-    bool changes = key == Qt::Key_Delete || key == Qt::Key_Backspace || (key >= Qt::Key_Left && key <= Qt::Key_Down);
-    if (selects || (changes && mSelection.part != Selection::Part::None)) event->accept();
-  }
-  return QWidget::event(event);
+/// Those that change what is selected, while something is.
+bool TransferCanvas::isOwnKey(int key) const {
+  bool selects = key == Qt::Key_PageUp || key == Qt::Key_PageDown || key == Qt::Key_Insert;
+  bool changes = key == Qt::Key_Delete || key == Qt::Key_Backspace || (key >= Qt::Key_Left && key <= Qt::Key_Down);
+  return selects || (changes && mSelection.part != Selection::Part::None);
 }
 
 /// All points, then all colours.
@@ -92,7 +87,7 @@ void TransferCanvas::addBeside() {
 void TransferCanvas::step(int sideways, int up, bool wide) {
   if (mSelection.part == Selection::Part::None) return;
   double factor = wide ? 10.0 : 1.0;
-  double pixel = (mView.high - mView.low) / frame().size.x;
+  double pixel = (view().high - view().low) / frame().size.x;
   bool isStop = mSelection.part == Selection::Part::Stop;
   auto index = std::size_t(mSelection.index);
   double value = isStop ? mTransfer.colors[index].value : curve()[index].value;
@@ -101,35 +96,19 @@ void TransferCanvas::step(int sideways, int up, bool wide) {
 }
 
 void TransferCanvas::keyPressEvent(QKeyEvent* event) {
-  bool wide = event->modifiers() & Qt::ShiftModifier;
   switch (event->key()) {
-    case Qt::Key_Left:
-      return step(-1, 0, wide);
-    case Qt::Key_Right:
-      return step(1, 0, wide);
-    case Qt::Key_Up:
-      return step(0, 1, wide);
-    case Qt::Key_Down:
-      return step(0, -1, wide);
-    case Qt::Key_PageUp:
-      return selectNext(-1);
-    case Qt::Key_PageDown:
-      return selectNext(1);
-    case Qt::Key_Insert:
-      return addBeside();
     case Qt::Key_Return:
     case Qt::Key_Enter:
       if (mSelection.part == Selection::Part::Stop) emit colorWanted();
       return;
-    case Qt::Key_Delete:
     case Qt::Key_Backspace:
       return removeSelected();
     case Qt::Key_Plus:
-      return zoom(0.5 * (mView.low + mView.high), 0.8);
+      return zoom(0.5 * (view().low + view().high), 0.8);
     case Qt::Key_Minus:
-      return zoom(0.5 * (mView.low + mView.high), 1.25);
+      return zoom(0.5 * (view().low + view().high), 1.25);
     default:
-      QWidget::keyPressEvent(event);
+      CurveCanvas::keyPressEvent(event);
   }
 }
 

@@ -35,7 +35,7 @@ void TransferCanvas::mousePressEvent(QMouseEvent* event) {
   if (mDrag != Drag::None) return;
   mStartPlace = event->position();
   mStart = mTransfer;
-  mStartView = mView;
+  mStartView = view();
   mJustAdded = false;
   bool onAxis = axisRect().contains(mStartPlace);
   bool onColors = hasColors() && !onAxis && mStartPlace.y() >= barRect().top() - 2;
@@ -82,7 +82,7 @@ void TransferCanvas::pressColors(QPointF place) {
 }
 
 void TransferCanvas::mouseMoveEvent(QMouseEvent* event) {
-  mHover = event->position();
+  setHover(event->position());
   if (mDrag == Drag::None)
     chooseCursor(event->position(), event->modifiers());
   else
@@ -214,11 +214,6 @@ void TransferCanvas::wheelEvent(QWheelEvent* event) {
   double notches = event->angleDelta().y() / 120.0;
   if (notches != 0.0) zoom(session::valueAtX(frame(), event->position().x()), std::pow(0.8, notches));
   event->accept();
-}
-
-void TransferCanvas::leaveEvent(QEvent*) {
-  mHover.reset();
-  update();
 }
 
 }  // namespace velum::gui

@@ -1,5 +1,6 @@
 #include "gui/look/TransferEditor.h"
 #include "gui/kit/Length.h"
+#include "scene/Shown.h"
 
 #include <QColorDialog>
 #include <QGridLayout>
@@ -171,8 +172,7 @@ void TransferEditor::useGradients(bool use) {
 TransferEditor::Key TransferEditor::shownKey() const {
   const auto& layer = mDocument.scene().volume;
   if (!layer.data) return {0, 0, 0};
-  return {layer.data.id(), std::clamp(layer.channel, 0, layer.data->channels - 1),
-          std::clamp(layer.timeStep, 0, layer.data->timeSteps - 1)};
+  return {layer.data.id(), scene::shownChannel(layer), scene::shownTimeStep(layer)};
 }
 
 void TransferEditor::refresh() {

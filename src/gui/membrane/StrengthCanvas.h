@@ -1,10 +1,8 @@
 #pragma once
 #include <QColor>
-#include <QWidget>
-#include <optional>
 
+#include "gui/kit/CurveCanvas.h"
 #include "scene/Membrane.h"
-#include "session/look/ValueHistogram.h"
 
 namespace velum::gui {
 
@@ -15,14 +13,13 @@ using StrengthCurve = std::vector<scene::StrengthPoint>;
 
 /// The signed curve from values to forces over a histogram, and the hand on its points: above the line what the sheet
 /// leaves whole, below it what draws the sheet. It changes nothing itself: it says what the curve would become.
-class StrengthCanvas : public QWidget {
+class StrengthCanvas : public CurveCanvas {
   Q_OBJECT
  public:
   explicit StrengthCanvas(QWidget* parent);
 
   void setCurve(const StrengthCurve& curve);
   void setHistogram(const Histogram& histogram, session::AxisView view);
-  void setUnit(const QString& unit);
 
   /// Where a point is, widget pixels; for tests.
   QPointF placeOf(scene::StrengthPoint point) const;
@@ -31,34 +28,28 @@ class StrengthCanvas : public QWidget {
  signals:
   /// @param merge  part of a drag, which ends with settled()
   void edited(const QString& label, const std::vector<velum::scene::StrengthPoint>& next, bool merge);
-  void settled();
 
  protected:
   void paintEvent(QPaintEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
-  void keyPressEvent(QKeyEvent* event) override;
-  void leaveEvent(QEvent* event) override;
-  bool event(QEvent* event) override;
+  bool isOwnKey(int key) const override;
+  void step(int sideways, int up, bool wide) override;
+  void selectNext(int by) override;
+  void addBeside() override;
+  void removeSelected() override;
 
  private:
-  QRectF plot() const;
   scene::StrengthPoint pointAt(QPointF place) const;
   int hit(QPointF place) const;
   void addAt(QPointF place);
-  void removeSelected();
   void moveSelected(scene::StrengthPoint to, const StrengthCurve& start, bool merge);
   void paintPlot(QPainter& painter) const;
-  void paintAxis(QPainter& painter) const;
 
   StrengthCurve mCurve, mStart;
-  Histogram mHistogram;
-  session::AxisView mView;
-  QString mUnit;
   int mSelected = -1;
   bool mDragging = false;
-  std::optional<QPointF> mHover;
 };
 
 }  // namespace velum::gui

@@ -3,6 +3,7 @@
 #include <QLocale>
 #include <algorithm>
 
+#include "scene/Shown.h"
 #include "session/model/ModelEdit.h"
 
 namespace velum::gui {
@@ -40,7 +41,7 @@ void ModelTree::showLayer(const scene::ModelLayer& layer) {
     mColors.push_back(QColor::fromRgbF(color.r, color.g, color.b));
   }
   setModel(layer.data);
-  if (!rows().empty()) mScale.most = double(rows().front().instances) * std::max(1, layer.copies);
+  if (!rows().empty()) mScale.most = double(rows().front().instances) * scene::copyCount(layer);
   if (!isOther) tellCells(Eye, Count, {VisibleRole, ColorRole, Qt::AccessibleTextRole});
 }
 
@@ -60,7 +61,7 @@ render::TypeCount ModelTree::countOf(const Row& row) const {
 
 QString ModelTree::numberOf(const Row& row) const {
   render::TypeCount count = countOf(row);
-  if (count.total() == 0) return shortCount(row.instances * std::uint64_t(std::max(1, mLayer.copies)));
+  if (count.total() == 0) return shortCount(row.instances * std::uint64_t(scene::copyCount(mLayer)));
   if (!mScale.isPercent) return shortCount(count.rendered());
   double percent = 100.0 * double(count.rendered()) / double(count.total());
   // What is a little is not nothing, and what is nearly all is not all.

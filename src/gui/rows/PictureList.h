@@ -1,10 +1,14 @@
 #pragma once
 #include <QListWidget>
 #include <QPixmap>
+#include <string_view>
 
 #include "core/Image.h"
 
 namespace velum::gui {
+
+/// A word of our tables as Qt has it.
+inline QString textOf(std::string_view text) { return QString::fromUtf8(text.data(), int(text.size())); }
 
 /// A picture of ours as Qt has it; without its alpha.
 QImage toQImage(const Image& image);

@@ -6,6 +6,7 @@
 #include "core/Text.h"
 #include "gui/kit/Length.h"
 #include "scene/GreyWindows.h"
+#include "scene/Shown.h"
 #include "session/model/ModelEdit.h"
 
 namespace velum::gui {
@@ -86,7 +87,7 @@ void StatusLine::refresh(const session::Session& session) {
   } else if (scene.labels.data) {
     mData->setText(tr("%n structure(s)", nullptr, int(scene.labels.structures.size())));
   } else if (const auto& model = scene.model.data) {
-    auto instances = std::uint64_t(model->instances.size()) * std::uint64_t(std::max(1, scene.model.copies));
+    std::uint64_t instances = scene::instanceCount(scene.model);
     mData->setText(
         tr("%1 instances of %2 types").arg(QLocale().toString(qulonglong(instances))).arg(model->types.size()));
     mData->setToolTip(QString::fromStdString(model->name));

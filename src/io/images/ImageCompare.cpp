@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/Error.h"
+#include "core/ImageChannels.h"
 
 namespace velum::io {
 
@@ -20,8 +21,8 @@ std::vector<std::size_t> matchChannels(const Image& a, const Image& b) {
     throw InputError(fmt::format("the pictures have {} and {} channels", a.channels.size(), b.channels.size()));
   std::vector<std::size_t> match;
   for (const auto& name : a.channels) {
-    auto found = std::find(b.channels.begin(), b.channels.end(), name);
-    if (found != b.channels.end()) match.push_back(std::size_t(found - b.channels.begin()));
+    std::ptrdiff_t found = channelIndex(b, name);
+    if (found >= 0) match.push_back(std::size_t(found));
   }
   if (match.size() != a.channels.size())
     for (match.clear(); match.size() < a.channels.size();) match.push_back(match.size());

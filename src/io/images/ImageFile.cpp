@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -14,8 +13,10 @@
 #include <fstream>
 #include <functional>
 
+#include "core/Color.h"
 #include "core/Error.h"
 #include "core/FileName.h"
+#include "core/ImageChannels.h"
 #include "core/ReplaceFile.h"
 #include "io/images/ExrHeader.h"
 #include "io/images/PngChunks.h"
@@ -34,16 +35,6 @@ constexpr const char* kDescriptionKey = "velum:scene";
 constexpr std::string_view kTiffPrefix = "velum:scene\n";
 constexpr int kMaxSide = 65535;
 
-float linearFromSrgb(float v) {
-  float a = std::abs(v);
-  return std::copysign(a <= 0.04045f ? a / 12.92f : std::pow((a + 0.055f) / 1.055f, 2.4f), v);
-}
-
-float srgbFromLinear(float v) {
-  float a = std::abs(v);
-  return std::copysign(a <= 0.0031308f ? a * 12.92f : 1.055f * std::pow(a, 1.0f / 2.4f) - 0.055f, v);
-}
-
 /// OpenImageIO's name of the format that a path asks for.
 std::string formatOf(const Path& path) {
   if (path == "-") return "png";
@@ -52,11 +43,6 @@ std::string formatOf(const Path& path) {
   if (e == ".tif" || e == ".tiff") return "tiff";
   if (e == ".exr") return "openexr";
   throw InputError(fmt::format("{}: pictures are written as .png, .tif or .exr, not '{}'", path.string(), e));
-}
-
-std::ptrdiff_t channelIndex(const Image& image, std::string_view name) {
-  auto found = std::find(image.channels.begin(), image.channels.end(), name);
-  return found == image.channels.end() ? -1 : found - image.channels.begin();
 }
 
 void check(const Image& image, const Path& path) {
@@ -69,19 +55,6 @@ void check(const Image& image, const Path& path) {
                                  path.string(), image.width, image.height, image.channels.size(), image.pixels.size()));
 }
 
-/// The channels named, in that order.
-Image pick(const Image& image, const std::vector<std::string>& names) {
-  Image out{image.width, image.height, names, {}};
-  std::size_t count = std::size_t(image.width) * std::size_t(image.height);
-  out.pixels.resize(count * names.size());
-  for (std::size_t c = 0; c < names.size(); ++c) {
-    auto from = std::size_t(channelIndex(image, names[c]));
-    for (std::size_t i = 0; i < count; ++i)
-      out.pixels[i * names.size() + c] = image.pixels[i * image.channels.size() + from];
-  }
-  return out;
-}
-
 /// What an 8-bit format can hold: R, G, B and A where there, else a single channel as grey.
 Image displayChannels(const Image& image, const Path& path) {
   if (image.channels.size() == 1) return image;
@@ -90,7 +63,7 @@ Image displayChannels(const Image& image, const Path& path) {
     if (channelIndex(image, name) >= 0) names.push_back(name);
   if (names.size() < 3 || names[2] != "B")
     throw InputError(fmt::format("{}: the picture has no channels R, G and B; write it as .exr", path.string()));
-  return pick(image, names);
+  return channelsOf(image, names);
 }
 
 /// 0..1 in whole numbers of a type, from its least to its most.

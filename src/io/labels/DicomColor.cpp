@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/Color.h"
+
 namespace velum::io {
 
 namespace {
@@ -26,17 +28,13 @@ glm::vec3 srgbFromDicomLab(const DicomLab& lab) {
   glm::dvec3 xyz(kWhiteX * unfold(fy + a / 500), unfold(fy), kWhiteZ * unfold(fy - b / 200));
   glm::dvec3 linear = glm::clamp(kLinearFromXyz * xyz, 0.0, 1.0);
   glm::vec3 color;
-  for (int i = 0; i < 3; ++i)
-    color[i] = float(linear[i] <= 0.0031308 ? 12.92 * linear[i] : 1.055 * std::pow(linear[i], 1 / 2.4) - 0.055);
+  for (int i = 0; i < 3; ++i) color[i] = float(srgbFromLinear(linear[i]));
   return color;
 }
 
 DicomLab dicomLabFromSrgb(const glm::vec3& srgb) {
   glm::dvec3 linear;
-  for (int i = 0; i < 3; ++i) {
-    double c = std::clamp(double(srgb[i]), 0.0, 1.0);
-    linear[i] = c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
-  }
+  for (int i = 0; i < 3; ++i) linear[i] = linearFromSrgb(std::clamp(double(srgb[i]), 0.0, 1.0));
   glm::dvec3 xyz = glm::inverse(kLinearFromXyz) * linear;
   double fx = fold(xyz.x / kWhiteX), fy = fold(xyz.y), fz = fold(xyz.z / kWhiteZ);
   return {word((116 * fy - 16) / 100), word((500 * (fx - fy) + 128) / 255), word((200 * (fy - fz) + 128) / 255)};

@@ -1,28 +1,21 @@
 // A model as glTF 2.0, binary, with EXT_mesh_gpu_instancing.
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <map>
-#include <nlohmann/json.hpp>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "io/models/ModelWriters.h"
-#include "io/read/Refuse.h"
+#include "io/read/GltfFile.h"
 
 namespace velum::io {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using namespace gltf;
 
-constexpr std::uint32_t kMagic = 0x46546c67, kVersion = 2, kJsonChunk = 0x4e4f534a, kBinaryChunk = 0x004e4942;
-constexpr int kFloat = 5126, kUInt16 = 5123, kVertices = 34962, kIndices = 34963, kNoTarget = 0;
 constexpr const char* kInstancing = "EXT_mesh_gpu_instancing";
 constexpr std::size_t kRoundBalls = 100;  // Of a shape with more of them each is an icosahedron.
 
@@ -134,36 +127,6 @@ std::vector<std::uint16_t> cornersOf(const Shape& shape) {
   return corners;
 }
 
-/// Views of the binary chunk and accessors on them, in the order of the bytes.
-class Buffers {
- public:
-  explicit Buffers(Json& gltf) : mGltf(gltf) {}
-  /// @return number of the accessor
-  std::size_t add(std::size_t bytes, std::size_t count, const char* type, int component, int target) {
-    Json view = {{"buffer", 0}, {"byteOffset", mSize}, {"byteLength", bytes}};
-    if (target != kNoTarget) view["target"] = target;
-    mGltf["bufferViews"].push_back(view);
-    mSize += bytes;  // always whole groups of four
-    mGltf["accessors"].push_back({{"bufferView", mGltf["bufferViews"].size() - 1},
-                                  {"componentType", component},
-                                  {"count", count},
-                                  {"type", type}});
-    return mGltf["accessors"].size() - 1;
-  }
-  std::uint64_t size() const { return mSize; }
-
- private:
-  Json& mGltf;
-  std::uint64_t mSize = 0;
-};
-
-Json listOf(const glm::vec3& v) { return {v.x, v.y, v.z}; }
-
-/// glTF's colours are linear.
-double linear(float srgb) {
-  return srgb <= 0.04045f ? double(srgb) / 12.92 : std::pow((double(srgb) + 0.055) / 1.055, 2.4);
-}
-
 Json headOf(const Model& model) {
   double half = std::sqrt(0.5), nanometres = 0.1;
   return {{"asset",
@@ -188,12 +151,7 @@ Json headOf(const Model& model) {
 std::size_t addMolecule(Json& gltf, Buffers& buffers, const Molecule& molecule, const Shape& shape,
                         const std::string& name, std::size_t material) {
   std::vector<glm::vec3> points = pointsOf(shape);
-  glm::vec3 low = points.front(), high = low;
-  for (const glm::vec3& p : points) low = glm::min(low, p), high = glm::max(high, p);
-  std::size_t count = points.size();
-  std::size_t positions = buffers.add(count * 12, count, "VEC3", kFloat, kVertices);
-  gltf["accessors"][positions]["min"] = listOf(low);
-  gltf["accessors"][positions]["max"] = listOf(high);
+  std::size_t count = points.size(), positions = buffers.addPositions(points);
   std::size_t normals = buffers.add(count * 12, count, "VEC3", kFloat, kVertices);
   std::size_t corners = shape.cornerCount();
   std::size_t indices = buffers.add(corners * 2, corners, "SCALAR", kUInt16, kIndices);
@@ -215,11 +173,7 @@ void addType(Json& gltf, Buffers& buffers, const Model& model, const Shapes& sha
              const glm::vec3& color) {
   const MoleculeType& type = model.types[number];
   std::string path = pathOf(model, type);
-  gltf["materials"].push_back({{"name", path},
-                               {"pbrMetallicRoughness",
-                                {{"baseColorFactor", {linear(color.r), linear(color.g), linear(color.b), 1.0}},
-                                 {"metallicFactor", 0.0},
-                                 {"roughnessFactor", 0.8}}}});
+  gltf["materials"].push_back(materialOf(path, color, 0.8));
   std::vector<std::size_t> nodes;
   for (std::uint32_t m = 0; m < type.moleculeCount; ++m) {
     std::uint32_t molecule = type.firstMolecule + m;
@@ -238,17 +192,6 @@ void addType(Json& gltf, Buffers& buffers, const Model& model, const Shapes& sha
   gltf["nodes"][0]["children"].push_back(node);
 }
 
-template <class... Words>
-void writeWords(ReplaceFile& file, Words... words) {
-  std::array<std::uint32_t, sizeof...(words)> all{std::uint32_t(words)...};
-  file.write(std::as_bytes(std::span(all)));
-}
-
-template <class T>
-void writeAll(ReplaceFile& file, const std::vector<T>& values) {
-  file.write(std::as_bytes(std::span(values)));
-}
-
 void writeInstances(const Model& model, const Molecule& molecule, ReplaceFile& file) {
   std::vector<glm::vec3> places;
   std::vector<glm::vec4> rotations;
@@ -264,7 +207,6 @@ void writeInstances(const Model& model, const Molecule& molecule, ReplaceFile& f
 }  // namespace
 
 void writeModelGltf(const Model& model, const ModelWriting& how, ReplaceFile& file, Progress& progress) {
-  static_assert(std::endian::native == std::endian::little, "glTF is little-endian");
   Shapes shapes(model, how);
   Json gltf = headOf(model);
   Buffers buffers(gltf);
@@ -272,15 +214,7 @@ void writeModelGltf(const Model& model, const ModelWriting& how, ReplaceFile& fi
     progress.throwIfCancelled();
     addType(gltf, buffers, model, shapes, t, how.colors[t]);
   }
-  gltf["buffers"] = Json::array({{{"byteLength", buffers.size()}}});
-  std::string text = gltf.dump(-1, ' ', false, Json::error_handler_t::replace);
-  text.resize((text.size() + 3) / 4 * 4, ' ');
-  std::uint64_t total = 12 + 8 + text.size() + 8 + buffers.size();
-  if (total > std::numeric_limits<std::uint32_t>::max())
-    refuse(file.target(), "the model does not fit into the 4 GB of a glTF file; hide some of its types");
-  writeWords(file, kMagic, kVersion, total, text.size(), kJsonChunk);
-  file.write(text);
-  writeWords(file, buffers.size(), kBinaryChunk);
+  writeHead(gltf, buffers, file, "the model does not fit into the 4 GB of a glTF file; hide some of its types");
   for (std::size_t m = 0; m < model.molecules.size(); ++m) {
     progress.report(double(m) / double(model.molecules.size()), "writing model");
     progress.throwIfCancelled();

@@ -9,22 +9,13 @@
 #include <string>
 #include <vector>
 
+#include "core/Text.h"
 #include "io/models/ModelWriters.h"
 #include "io/read/LineSink.h"
 
 namespace velum::io {
 
 namespace {
-
-/// A field of CSV (RFC 4180), always in quotes.
-std::string inQuotes(const std::string& text) {
-  std::string out = "\"";
-  for (char c : text) {
-    if (c == '"') out += '"';
-    out += static_cast<unsigned char>(c) < 32 ? ' ' : c;
-  }
-  return out + "\"";
-}
 
 std::string oneLine(std::string text) {
   std::replace_if(
@@ -65,7 +56,7 @@ void writeModelCsv(const Model& model, const ModelWriting& how, ReplaceFile& fil
     std::string path = pathOf(model, type), compartment = path.substr(0, path.size() - type.name.size());
     if (!compartment.empty()) compartment.pop_back();
     auto color = bytesOf(how.colors[t]);
-    std::string head = inQuotes(type.name) + "," + inQuotes(compartment);
+    std::string head = csvQuoted(oneLine(type.name)) + "," + csvQuoted(oneLine(compartment));
     for (std::size_t i = type.firstInstance; i < std::size_t(type.firstInstance) + type.instanceCount; ++i) {
       tellProgress(model, i, progress);
       const Instance& instance = model.instances[i];

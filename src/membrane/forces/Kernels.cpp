@@ -14,6 +14,7 @@
 #include "core/Parallel.h"
 #include "membrane/forces/Denoise.h"
 #include "scene/Scene.h"
+#include "scene/Shown.h"
 
 namespace velum::membrane {
 
@@ -211,8 +212,8 @@ PotentialSource sourceOf(const scene::Scene& scene) {
   source.volume = scene.volume.data;
   source.labels = scene.labels.data;
   if (source.volume) {
-    source.timeStep = std::clamp(scene.volume.timeStep, 0, source.volume->timeSteps - 1);
-    source.channel = std::clamp(scene.volume.channel, 0, source.volume->channels - 1);
+    source.timeStep = scene::shownTimeStep(scene.volume);
+    source.channel = scene::shownChannel(scene.volume);
     source.dims = source.volume->dims;
     source.worldFromVoxel = source.volume->worldFromVoxel;
   } else if (source.labels) {

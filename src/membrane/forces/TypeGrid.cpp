@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 #include <vector>
+#include "scene/Shown.h"
 
 namespace velum::membrane {
 
@@ -117,7 +118,7 @@ LabelVolume makeTypeGrid(const scene::ModelLayer& layer, LengthUnit unit) {
   glm::dvec3 edges = box.high - box.low;
   double voxel = std::max(kLeastVoxel, std::max(edges.x, std::max(edges.y, edges.z)) / kVoxelsAlongEdge);
   glm::ivec3 dims = glm::max(glm::ivec3(glm::ceil(edges / voxel)), glm::ivec3(1));
-  std::vector<glm::vec3> shifts = shiftsOf(scene::copyGrid(layer), std::max(1, layer.copies));
+  std::vector<glm::vec3> shifts = shiftsOf(scene::copyGrid(layer), scene::copyCount(layer));
   Filling filling(dims, float(voxel * voxel * voxel));
   std::size_t most = std::numeric_limits<std::uint16_t>::max();
   for (std::size_t t = 0; t < std::min(model.types.size(), most); ++t) {

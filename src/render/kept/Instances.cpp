@@ -4,6 +4,7 @@
 
 #include "model/InstanceRows.h"
 #include "render/FrameSetup.h"
+#include "scene/Shown.h"
 
 namespace velum::render {
 
@@ -14,7 +15,7 @@ Instances::Instances(const scene::Scene& of, const SheetIndices& live)
       sheets(makeCpuSheets(of, live)),
       spares(model::makeTypeSpareRows(of)),
       whole(model::wholeInstanceBits(of)),
-      states(model.instances.size() * std::size_t(std::max(1, of.model.copies)), InstanceState::Kept) {
+      states(model.instances.size() * std::size_t(scene::copyCount(of.model)), InstanceState::Kept) {
   scene::ModelBox box = scene::modelBox(of.model);
   scale = unitsPer(LengthUnit::Angstrom, of.unit);
   origin = 0.5 * (box.low + box.high) * scale;

@@ -4,6 +4,7 @@
 
 #include "core/Parallel.h"
 #include "render/kept/RowCuts.h"
+#include "scene/Shown.h"
 #include "scene/StructureAt.h"
 
 namespace velum::render {
@@ -23,8 +24,7 @@ void readIds(const StructureField& field, const glm::dmat4& labelFromVoxel, int 
 }
 
 bool sparesAny(const scene::Scene& scene) {
-  return std::any_of(scene.cuts.begin(), scene.cuts.end(),
-                     [](const scene::Cut& cut) { return cut.enabled && !cut.spares.empty(); });
+  return std::ranges::any_of(scene::enabledOf(scene.cuts), [](const scene::Cut& cut) { return !cut.spares.empty(); });
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include "render/kept/Instances.h"
 #include "render/kept/ThresholdFold.h"
+#include "scene/Shown.h"
 
 namespace velum::render {
 
@@ -58,8 +59,8 @@ std::vector<std::vector<float>> stayingShares(const scene::Scene& scene, const s
   if (!scene.model.data) return {};
   Instances all(scene, sheets);
   std::vector<bool> isSet;
-  for (const scene::Cut& cut : scene.cuts)
-    if (cut.enabled) isSet.push_back(std::find(cuts.begin(), cuts.end(), cut.id) != cuts.end());
+  for (const scene::Cut& cut : scene::enabledOf(scene.cuts))
+    isSet.push_back(std::find(cuts.begin(), cuts.end(), cut.id) != cuts.end());
   std::size_t instances = all.model.instances.size(), copies = all.count() / std::max<std::size_t>(1, instances);
   std::vector<std::vector<float>> shares;
   for (std::uint32_t type : types) {

@@ -9,6 +9,7 @@
 #include "render/upload/CutSheets.h"
 #include "render/upload/SpareTable.h"
 #include "scene/Project.h"
+#include "scene/Shown.h"
 #include "scene/StructureAt.h"
 
 namespace velum::render {
@@ -41,8 +42,8 @@ struct Walk {
         sheets(makeCpuSheets(of, live)),
         cuts(makeCutData(of, origin, sheets.plans)),
         spares(makeSpareTable(of)) {
-    for (const scene::Cut& cut : of.cuts)
-      if (cut.enabled) isSet.push_back(std::find(set.begin(), set.end(), cut.id) != set.end());
+    for (const scene::Cut& cut : scene::enabledOf(of.cuts))
+      isSet.push_back(std::find(set.begin(), set.end(), cut.id) != set.end());
   }
 
   void ask(StructureHit& hit, glm::dvec3 world) const;

@@ -5,6 +5,7 @@
 
 #include "render/WorkQueue.h"
 #include "render/passes/InstanceViews.h"
+#include "scene/Shown.h"
 #include "shared/bindings.h"
 
 namespace velum::render {
@@ -14,7 +15,7 @@ void GhostPass::prepare(FrameData& data) {
   mIsOn = isModelDrawn(data.frame.scene) && scene::hasGhosts(model) && !data.cuts.empty();
   if (!mIsOn) return;
   if (!mShade) mShade = gpu::Program({"render/ghosts.comp"});
-  mTarget.resize(data.frame.windowSize, std::uint32_t(model.data->instances.size()), std::max(1, model.copies));
+  mTarget.resize(data.frame.windowSize, std::uint32_t(model.data->instances.size()), scene::copyCount(model));
   if (!mSums || glm::ivec2(mSums.size()) != data.frame.windowSize)
     mSums = gpu::Texture::make2d("ghosts", gpu::Format::Rgba32f, data.frame.windowSize);
 }

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "render/passes/InstanceViews.h"
+#include "scene/Shown.h"
 
 namespace velum::render {
 
@@ -14,7 +15,7 @@ void InstancePass::prepare(FrameData& data) {
   const scene::ModelLayer& model = data.frame.scene.model;
   mDraw.restart();
   if (std::exchange(mSeenOf, model.data.id()) != model.data.id()) mEye.forget();
-  mEye.resize(data.frame.windowSize, std::uint32_t(model.data->instances.size()), std::max(1, model.copies));
+  mEye.resize(data.frame.windowSize, std::uint32_t(model.data->instances.size()), scene::copyCount(model));
 }
 
 void InstancePass::compile(const FrameData&) {

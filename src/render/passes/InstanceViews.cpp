@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "model/InstanceRows.h"
+#include "scene/Shown.h"
 
 namespace velum::render {
 
@@ -44,7 +45,7 @@ shared::InstanceView eyeViewOf(const FrameData& data, int sample) {
       glm::vec4(glm::vec3(0.5 * (low + high) - sceneOrigin(data.grid)), 0.55f * float(glm::length(high - low)));
   view.copiesX = copies.counts.x;
   view.copiesY = copies.counts.y;
-  view.copies = std::max(1, model.copies);
+  view.copies = scene::copyCount(model);
   view.instanceCount = int(model.data->instances.size());
   view.cutCount = int(data.cuts.size());
   view.isOrthographic = (params.flags & shared::kFlagOrthographic) ? 1 : 0;

@@ -9,6 +9,7 @@
 #include "model/FocusRows.h"
 #include "model/InstanceRows.h"
 #include "model/Levels.h"
+#include "scene/Shown.h"
 #include "shared/bindings.h"
 
 namespace velum::render {
@@ -61,7 +62,7 @@ bool ModelPass::isReady() { return !isDrawn() || mPrograms.compile(mNeed); }
 std::uint32_t ModelPass::atATime() const { return mIsSoftware ? kSoftwareLooks : kHardwareLooks; }
 
 void ModelPass::checkCount(const scene::ModelLayer& layer) const {
-  std::uint64_t count = std::uint64_t(layer.data->instances.size()) * std::uint64_t(std::max(1, layer.copies));
+  std::uint64_t count = scene::instanceCount(layer);
   // Lists of draws are buffers' texels, two an instance.
   std::uint64_t most = std::min<std::uint64_t>(kMostInstances, mMostTexels / shared::kDrawRooms);
   if (count > most)

@@ -6,6 +6,7 @@
 #include "gpu/Draw.h"
 #include "scene/Scene.h"
 #include "scene/ShapeOutline.h"
+#include "scene/Shown.h"
 
 namespace velum::render {
 
@@ -62,8 +63,7 @@ void addCut(std::vector<glm::dvec3>& lines, const scene::Cut& cut, const glm::dm
 std::vector<glm::dvec3> outlines(const scene::Scene& scene, const glm::dmat4& worldFromTex) {
   std::vector<glm::dvec3> lines;
   addBox(lines, worldFromTex);
-  for (const auto& cut : scene.cuts)
-    if (cut.enabled) addCut(lines, cut, worldFromTex);
+  for (const auto& cut : scene::enabledOf(scene.cuts)) addCut(lines, cut, worldFromTex);
   return lines;
 }
 

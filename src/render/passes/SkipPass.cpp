@@ -7,6 +7,7 @@
 
 #include "core/Parallel.h"
 #include "render/WorkQueue.h"
+#include "scene/Shown.h"
 
 namespace velum::render {
 
@@ -37,9 +38,9 @@ SkipPass::Key SkipPass::keyOf(const FrameData& data) {
     else
       key.extinctionSums = data.table.extinctionSums;
   }
-  for (const auto& cut : scene.cuts)
+  for (const auto& cut : scene::enabledOf(scene.cuts))
     for (const auto& spare : cut.spares)
-      if (cut.enabled && spare.distance > 0.0) key.spared |= bitOf(spare.structure);
+      if (spare.distance > 0.0) key.spared |= bitOf(spare.structure);
   if (data.spares.hasDepths && data.cuts.size() < kFewCuts) {
     key.cuts = data.cuts;
     key.sceneFromTex = data.params.sceneFromTex;

@@ -7,6 +7,7 @@
 #include "model/InstanceRows.h"
 #include "render/WorkQueue.h"
 #include "render/passes/InstanceViews.h"
+#include "scene/Shown.h"
 #include "shared/bindings.h"
 
 namespace velum::render {
@@ -17,7 +18,7 @@ constexpr const char* kClipping = "Clipping";
 constexpr const char* kFocus = "Focus";
 
 std::vector<model::InstancePart> allParts(const scene::ModelLayer& layer, std::uint32_t most) {
-  return model::instanceParts(std::uint32_t(layer.data->instances.size()), std::max(1, layer.copies), most);
+  return model::instanceParts(std::uint32_t(layer.data->instances.size()), scene::copyCount(layer), most);
 }
 
 /// The instances of the types that a cut keeps in view, which follow each other type by type, some at a time.
@@ -37,7 +38,7 @@ std::vector<model::InstancePart> focusParts(const scene::ModelLayer& layer,
   }
   std::vector<model::InstancePart> parts;
   for (const auto& [first, end] : runs)
-    for (model::InstancePart part : model::instanceParts(end - first, std::max(1, layer.copies), most)) {
+    for (model::InstancePart part : model::instanceParts(end - first, scene::copyCount(layer), most)) {
       part.first += first, part.end += first;
       parts.push_back(part);
     }
@@ -48,7 +49,7 @@ std::vector<model::InstancePart> focusParts(const scene::ModelLayer& layer,
 
 void StatePass::prepare(FrameData& data) {
   const scene::ModelLayer& model = data.frame.scene.model;
-  if (mModel.hasStates()) mStates.resize(std::uint32_t(model.data->instances.size()), std::max(1, model.copies));
+  if (mModel.hasStates()) mStates.resize(std::uint32_t(model.data->instances.size()), scene::copyCount(model));
 }
 
 template <class Look>

@@ -10,6 +10,7 @@
 
 #include "core/Assert.h"
 #include "core/Parallel.h"
+#include "scene/Shown.h"
 #include "scene/StructureAt.h"
 
 namespace velum::render {
@@ -86,7 +87,7 @@ void SectionDrawing::readIds(int y) {
 void SectionDrawing::addChannels(const GridRow& row, Row& colors, std::vector<float>& samples) const {
   const auto& layer = mScene.volume;
   const Volume& v = *layer.data;
-  int timeStep = std::clamp(layer.timeStep, 0, v.timeSteps - 1);
+  int timeStep = scene::shownTimeStep(layer);
   bool mixes = scene::mixesChannels(layer);
   std::fill(colors.begin() + row.first, colors.begin() + row.last, glm::vec3(0.0f));
   for (int channel = 0; channel < (mixes ? v.channels : 3); ++channel) {
@@ -120,8 +121,8 @@ GridRow SectionDrawing::addVolume(int y, Row& colors, std::vector<float>& sample
     return row;
   }
   glm::dvec2 window = scene::effectiveWindow(layer);
-  sampleRow(v, std::clamp(layer.channel, 0, v.channels - 1), std::clamp(layer.timeStep, 0, v.timeSteps - 1), row,
-            mScene.sections.interpolate, v.scale / window.y, (v.offset - window.x) / window.y + 0.5, samples.data());
+  sampleRow(v, scene::shownChannel(layer), scene::shownTimeStep(layer), row, mScene.sections.interpolate,
+            v.scale / window.y, (v.offset - window.x) / window.y + 0.5, samples.data());
   for (int x = row.first; x < row.last; ++x) colors[std::size_t(x)] = glm::vec3(samples[std::size_t(x)]);
   return row;
 }
@@ -228,8 +229,8 @@ Probe probe(const scene::Scene& scene, glm::dvec3 world) {
   out.inside = isIn(voxel, v.dims);
   if (!out.inside) return out;
   bool all = v.isColor || scene::mixesChannels(scene.volume);
-  int first = all ? 0 : std::clamp(scene.volume.channel, 0, v.channels - 1);
-  int last = all ? v.channels : first + 1, timeStep = std::clamp(scene.volume.timeStep, 0, v.timeSteps - 1);
+  int first = all ? 0 : scene::shownChannel(scene.volume);
+  int last = all ? v.channels : first + 1, timeStep = scene::shownTimeStep(scene.volume);
   for (int channel = first; channel < last; ++channel)
     out.values.push_back(valueAt(v, glm::ivec3(voxel), channel, timeStep));
   return out;

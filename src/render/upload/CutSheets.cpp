@@ -1,5 +1,6 @@
 #include "render/upload/CutSheets.h"
 
+#include "scene/Shown.h"
 #include "shared/sheet.h"
 
 namespace velum::render {
@@ -14,8 +15,8 @@ membrane::SheetIndex indexOf(const scene::Cut& cut) {
 
 std::vector<const scene::Cut*> membranesOf(const scene::Scene& scene) {
   std::vector<const scene::Cut*> membranes;
-  for (const auto& cut : scene.cuts)
-    if (cut.enabled && scene::isMembrane(cut)) membranes.push_back(&cut);
+  for (const auto& cut : scene::enabledOf(scene.cuts))
+    if (scene::isMembrane(cut)) membranes.push_back(&cut);
   return membranes;
 }
 

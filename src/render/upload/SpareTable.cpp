@@ -5,6 +5,7 @@
 
 #include "core/Assert.h"
 #include "scene/Scene.h"
+#include "scene/Shown.h"
 
 namespace velum::render {
 
@@ -24,12 +25,10 @@ float SpareTable::depthOf(std::uint32_t structure, std::size_t cut) const {
 
 SpareTable makeSpareTable(const scene::Scene& scene) {
   SpareTable table;
-  table.cuts =
-      std::size_t(std::count_if(scene.cuts.begin(), scene.cuts.end(), [](const auto& c) { return c.enabled; }));
+  table.cuts = std::size_t(std::ranges::distance(scene::enabledOf(scene.cuts)));
   std::size_t place = 0;
   std::vector<bool> isKnown;  // of the rows, for the cut at hand
-  for (const auto& cut : scene.cuts) {
-    if (!cut.enabled) continue;
+  for (const auto& cut : scene::enabledOf(scene.cuts)) {
     isKnown.assign(isKnown.size(), false);
     for (const auto& spare : cut.spares) {
       auto structure = std::size_t(spare.structure);

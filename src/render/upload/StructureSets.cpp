@@ -4,6 +4,7 @@
 #include <map>
 
 #include "scene/Scene.h"
+#include "scene/Shown.h"
 
 namespace velum::render {
 
@@ -14,10 +15,9 @@ constexpr double kOpaque = 0.995;  ///< what is more opaque hides all that is be
 /// By structure the enabled cuts that spare it, a bit each; empty bits where there are more cuts than bits.
 std::map<int, std::uint32_t> sparingCuts(const scene::Scene& scene) {
   std::map<int, std::uint32_t> cuts;
-  auto enabled = std::count_if(scene.cuts.begin(), scene.cuts.end(), [](const auto& cut) { return cut.enabled; });
+  auto enabled = std::ranges::distance(scene::enabledOf(scene.cuts));
   int place = 0;
-  for (const auto& cut : scene.cuts) {
-    if (!cut.enabled) continue;
+  for (const auto& cut : scene::enabledOf(scene.cuts)) {
     for (const auto& spare : cut.spares)
       if (spare.distance > 0.0) cuts[spare.structure] |= enabled <= 32 ? std::uint32_t(1) << place : 0;
     ++place;

@@ -15,6 +15,7 @@
 #include "render/upload/SmoothTexels.h"
 #include "render/upload/VolumeTexels.h"
 #include "scene/Scene.h"
+#include "scene/Shown.h"
 
 namespace velum::render {
 
@@ -96,8 +97,8 @@ std::size_t VolumeUpload::Impl::bytesAt(int factor) const {
 void VolumeUpload::Impl::choose(const scene::VolumeLayer& layer) {
   const Shared<Volume>& volume = layer.data;
   source.volume = volume;
-  source.channel = std::clamp(layer.channel, 0, volume->channels - 1);
-  source.timeStep = std::clamp(layer.timeStep, 0, volume->timeSteps - 1);
+  source.channel = scene::shownChannel(layer);
+  source.timeStep = scene::shownTimeStep(layer);
   source.isMixed = scene::mixesChannels(layer);
   if (source.isMixed) source.mix = makeMixTable(layer);
   plan = planFor(*volume, source.isMixed);

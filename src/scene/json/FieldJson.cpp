@@ -17,9 +17,7 @@ void warnOfUnknown(const Json& json, const std::string& path, const std::vector<
   for (const auto& [key, value] : json.items()) {
     bool isVersion = path.empty() && key == "velum";
     if (isVersion || std::find(names.begin(), names.end(), key) != names.end() || ++unknown > kMostNamed) continue;
-    std::string meant = nearestName(key, names);
-    text += fmt::format("{}'{}'{}", text.empty() ? "" : ", ", printable(key),
-                        meant.empty() ? "" : fmt::format(" (is '{}' meant?)", meant));
+    text += fmt::format("{}'{}'{}", text.empty() ? "" : ", ", printable(key), meantText(key, names));
   }
   if (unknown > kMostNamed) text += fmt::format(" and {} more", unknown - kMostNamed);
   if (unknown > 0)

@@ -25,10 +25,8 @@ PathPart takePart(std::string_view path) {
 }
 
 void failNoField(std::string_view name, const std::string& path, const std::vector<std::string>& known) {
-  std::string meant = nearestName(name, known);
   throw ArgumentError(fmt::format("no field '{}' in {}{}; there are {}", name, path.empty() ? "a scene" : path,
-                                  meant.empty() ? "" : fmt::format(" (is '{}' meant?)", meant),
-                                  fmt::join(known, ", ")));
+                                  meantText(name, known), fmt::join(known, ", ")));
 }
 
 namespace {

@@ -6,6 +6,7 @@
 #include "render/kept/KeptInstances.h"
 #include "render/kept/KeptVoxels.h"
 #include "scene/Scene.h"
+#include "scene/Shown.h"
 #include "scene/ShownVoxels.h"
 
 namespace velum::session {
@@ -20,8 +21,8 @@ enum class Left { Nothing, Something, NothingShows };
 
 /// Of the volume, or of labels alone.
 Left voxelsLeft(const scene::Scene& scene, Progress& progress) {
-  bool hasFace = std::any_of(scene.cuts.begin(), scene.cuts.end(),
-                             [](const scene::Cut& cut) { return cut.enabled && cut.face == scene::CutFace::Section; });
+  bool hasFace = std::ranges::any_of(scene::enabledOf(scene.cuts),
+                                     [](const scene::Cut& cut) { return cut.face == scene::CutFace::Section; });
   Left left = Left::NothingShows;
   std::size_t before = 0;
   for (double samples : kSamples) {
@@ -58,11 +59,8 @@ Left instancesLeft(const scene::Scene& scene) {
 }  // namespace
 
 bool cutsTakeAll(const scene::Scene& scene, Progress& progress) {
-  bool isCut = false, hasInlay = false;
-  for (const scene::Cut& cut : scene.cuts) {
-    isCut |= cut.enabled;
-    hasInlay |= cut.enabled && scene::isInlay(cut);
-  }
+  bool isCut = !scene::enabledOf(scene.cuts).empty(),
+       hasInlay = std::ranges::any_of(scene::enabledOf(scene.cuts), scene::isInlay);
   // An inlay shows its image; a surface beside the data is seldom cut, and nobody asks each of its points.
   bool hasSurface = std::any_of(scene.surfaces.begin(), scene.surfaces.end(),
                                 [](const scene::Surface& surface) { return surface.visible && surface.data; });

@@ -11,6 +11,7 @@
 #include "growth/GrowRule.h"
 #include "growth/LabelsFor.h"
 #include "scene/Scene.h"
+#include "scene/Shown.h"
 #include "session/extrusion/MaterialRange.h"
 #include "session/extrusion/Pull.h"
 #include "session/growth/Growths.h"
@@ -144,8 +145,8 @@ scene::Growth stepOf(const scene::Scene& scene, const GrowStructure& asked) {
   step.structure = *id;
   for (glm::dvec3 seed : asked.seeds) expectInside(volume, "seeds", seed, textOf(seed));
   step.seeds = asked.seeds;
-  step.channel = std::clamp(scene.volume.channel, 0, volume.channels - 1);
-  step.timeStep = std::clamp(scene.volume.timeStep, 0, volume.timeSteps - 1);
+  step.channel = scene::shownChannel(scene.volume);
+  step.timeStep = scene::shownTimeStep(scene.volume);
   step.steepest = asked.steepest;
   step.closing = asked.closing;
   step.fillHoles = asked.fillHoles;

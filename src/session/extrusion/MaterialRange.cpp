@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "scene/Scene.h"
+#include "scene/Shown.h"
 #include "session/extrusion/Populations.h"
 #include "session/look/ShowThis.h"
 
@@ -60,8 +61,8 @@ double endOfSegment(const std::vector<scene::OpacityPoint>& curve, double value,
 /// The values of the voxels around a place, where they are numbers.
 std::vector<double> valuesAround(const scene::VolumeLayer& layer, glm::dvec3 world) {
   const Volume& volume = *layer.data;
-  int channel = std::clamp(layer.channel, 0, volume.channels - 1);
-  int timeStep = std::clamp(layer.timeStep, 0, volume.timeSteps - 1);
+  int channel = scene::shownChannel(layer);
+  int timeStep = scene::shownTimeStep(layer);
   glm::ivec3 middle(glm::floor(glm::dvec3(glm::inverse(volume.worldFromVoxel) * glm::dvec4(world, 1.0)) + 0.5));
   glm::ivec3 first = glm::max(middle - kNeighbourhood, glm::ivec3(0));
   glm::ivec3 last = glm::min(middle + kNeighbourhood, volume.dims - 1);
@@ -152,8 +153,8 @@ void forCorners(const Volume& volume, glm::dvec3 place, const Body& body) {
 std::optional<glm::dvec3> shownBeside(const scene::VolumeLayer& layer, glm::dvec3 world) {
   const Volume& volume = *layer.data;
   const scene::TransferFunction& transfer = scene::currentTransfer(layer);
-  int channel = std::clamp(layer.channel, 0, volume.channels - 1);
-  int timeStep = std::clamp(layer.timeStep, 0, volume.timeSteps - 1);
+  int channel = scene::shownChannel(layer);
+  int timeStep = scene::shownTimeStep(layer);
   glm::dvec3 place(glm::inverse(volume.worldFromVoxel) * glm::dvec4(world, 1.0));
   double seen = 0.0, most = 0.0;
   std::optional<glm::ivec3> nearest;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "scene/SectionPlane.h"
+#include "scene/Shown.h"
 #include "scene/StructureAt.h"
 #include "session/cut/CutEdit.h"
 #include "session/growth/Growths.h"
@@ -41,8 +42,7 @@ double valueNear(const scene::VolumeLayer& layer, glm::dvec3 world) {
   const Volume& volume = *layer.data;
   glm::ivec3 voxel(glm::round(glm::dvec3(glm::inverse(volume.worldFromVoxel) * glm::dvec4(world, 1.0))));
   voxel = glm::clamp(voxel, glm::ivec3(0), volume.dims - 1);
-  return valueAt(volume, voxel, std::clamp(layer.channel, 0, volume.channels - 1),
-                 std::clamp(layer.timeStep, 0, volume.timeSteps - 1));
+  return valueAt(volume, voxel, scene::shownChannel(layer), scene::shownTimeStep(layer));
 }
 
 /// The voxel of a range nearest to a place on the face, of those that lie before it: that of the place itself may lie
@@ -98,8 +98,8 @@ std::optional<Pull> newPull(const scene::Scene& scene, const scene::Cut& cut, gl
   growth.low = range->low;
   growth.high = range->high;
   growth.within = within;
-  growth.channel = std::clamp(scene.volume.channel, 0, scene.volume.data->channels - 1);
-  growth.timeStep = std::clamp(scene.volume.timeStep, 0, scene.volume.data->timeSteps - 1);
+  growth.channel = scene::shownChannel(scene.volume);
+  growth.timeStep = scene::shownTimeStep(scene.volume);
   setPlane(growth, cut, 0.0);
   return Pull{cut.id, *id, newStructure(scene, *id, valueNear(scene.volume, growth.seeds[0])), growth};
 }

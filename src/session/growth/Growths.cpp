@@ -9,6 +9,7 @@
 
 #include "growth/GrowRule.h"
 #include "scene/Scene.h"
+#include "scene/Shown.h"
 
 namespace velum::session {
 
@@ -47,7 +48,7 @@ bool isSeed(const scene::Scene& scene, int structure, glm::ivec3 voxel) {
 std::vector<scene::Growth> growthsNow(const scene::Scene& scene) {
   std::vector<scene::Growth> steps = scene.labels.growths;
   if (const auto& volume = scene.volume.data)
-    for (auto& step : steps) step.timeStep = std::clamp(scene.volume.timeStep, 0, volume->timeSteps - 1);
+    for (auto& step : steps) step.timeStep = scene::shownTimeStep(scene.volume);
   return steps;
 }
 
@@ -115,7 +116,7 @@ std::size_t addSeeds(scene::Scene& scene, int structure, std::span<const glm::dv
   if (!last || !scene.volume.data || steps.size() >= scene::kMostGrowths) return 0;
   const Volume& volume = *scene.volume.data;
   scene::Growth step = *last;
-  step.timeStep = std::clamp(scene.volume.timeStep, 0, volume.timeSteps - 1);
+  step.timeStep = scene::shownTimeStep(scene.volume);
   step.seeds.clear();
   for (glm::dvec3 place : places) {
     glm::ivec3 voxel = growth::voxelAt(volume, place);
@@ -132,7 +133,7 @@ std::size_t addOthers(scene::Scene& scene, int structure, std::span<const glm::d
   const scene::Growth* last = lastGrowth(scene, structure);
   if (!last || !scene.volume.data) return 0;
   const Volume& volume = *scene.volume.data;
-  int timeStep = std::clamp(scene.volume.timeStep, 0, volume.timeSteps - 1);
+  int timeStep = scene::shownTimeStep(scene.volume);
   std::vector<glm::dvec3> others;
   for (glm::dvec3 place : places) {
     auto voxel = voxelNear(volume, *last, timeStep, growth::voxelAt(volume, place));

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "scene/Scene.h"
+#include "scene/Shown.h"
 
 namespace velum::session {
 
@@ -38,8 +39,8 @@ struct Sample {
 /// The finite voxels within `radius` of one.
 std::vector<Sample> voxelsAround(const scene::VolumeLayer& layer, glm::ivec3 middle, int radius) {
   const Volume& volume = *layer.data;
-  int channel = std::clamp(layer.channel, 0, volume.channels - 1);
-  int timeStep = std::clamp(layer.timeStep, 0, volume.timeSteps - 1);
+  int channel = scene::shownChannel(layer);
+  int timeStep = scene::shownTimeStep(layer);
   glm::ivec3 last = volume.dims - 1;
   auto at = [&](glm::ivec3 p) { return shownValue(volume, glm::clamp(p, glm::ivec3(0), last), channel, timeStep); };
   glm::ivec3 first = glm::max(middle - radius, glm::ivec3(0)), end = glm::min(middle + radius, last);
@@ -86,8 +87,8 @@ Tissue tissueOf(std::vector<double> values, double wanted) {
 /// Values along a line of voxels from a place, without the place itself.
 std::vector<double> valuesAlong(const scene::VolumeLayer& layer, glm::ivec3 from, glm::dvec3 direction) {
   const Volume& volume = *layer.data;
-  int channel = std::clamp(layer.channel, 0, volume.channels - 1);
-  int timeStep = std::clamp(layer.timeStep, 0, volume.timeSteps - 1);
+  int channel = scene::shownChannel(layer);
+  int timeStep = scene::shownTimeStep(layer);
   std::vector<double> values;
   for (int i = 1; i <= kBeside; ++i) {
     glm::ivec3 at(glm::floor(glm::dvec3(from) + direction * double(i) + 0.5));

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "scene/Scene.h"
+#include "scene/Shown.h"
 
 namespace velum::session {
 
@@ -38,8 +39,7 @@ Histogram valueHistogram(const Volume& volume, int channel, int timeStep) {
 
 const Histogram& HistogramMemo::of(const scene::VolumeLayer& layer) {
   const Volume& volume = *layer.data;
-  Key key{layer.data.id(), std::clamp(layer.channel, 0, volume.channels - 1),
-          std::clamp(layer.timeStep, 0, volume.timeSteps - 1)};
+  Key key{layer.data.id(), scene::shownChannel(layer), scene::shownTimeStep(layer)};
   if (!(key == mKey)) mHistogram = valueHistogram(volume, key.channel, key.timeStep);
   mKey = key;
   return mHistogram;

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "scene/Scene.h"
+#include "scene/Shown.h"
 #include "session/look/ValueHistogram.h"
 #include "session/membrane/MembraneEdit.h"
 #include "session/structure/StructureSizes.h"
@@ -26,8 +27,7 @@ struct Bin {
 
 std::vector<Bin> binsOf(const scene::VolumeLayer& layer) {
   const Volume& volume = *layer.data;
-  int channel = std::clamp(layer.channel, 0, volume.channels - 1),
-      timeStep = std::clamp(layer.timeStep, 0, volume.timeSteps - 1);
+  int channel = scene::shownChannel(layer), timeStep = scene::shownTimeStep(layer);
   Histogram histogram = valueHistogram(volume, channel, timeStep);
   const scene::TransferFunction& transfer = scene::currentTransfer(layer);
   double total = 0;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "scene/Shown.h"
 #include "session/membrane/TissueInNoise.h"
 
 #include "membrane/forces/Kernels.h"
@@ -46,8 +47,8 @@ struct ValueRange {
 ValueRange valuesOf(const Tissue& tissue, const scene::VolumeLayer& layer) {
   double low = tissue.value - kSpreads * tissue.spread, high = tissue.value + kSpreads * tissue.spread;
   const Volume& volume = *layer.data;
-  int channel = std::clamp(layer.channel, 0, volume.channels - 1);
-  Histogram histogram = valueHistogram(volume, channel, std::clamp(layer.timeStep, 0, volume.timeSteps - 1));
+  int channel = scene::shownChannel(layer);
+  Histogram histogram = valueHistogram(volume, channel, scene::shownTimeStep(layer));
   // At an end of the data's values thin and blurred parts count too, as far as halfway to what is beside.
   if (tissue.value > quantile(histogram, 1.0 - kEnd)) {
     high = volume.range.y;

@@ -13,6 +13,7 @@
 #include "membrane/sheet/SheetIndex.h"
 #include "render/kept/KeptVoxels.h"
 #include "scene/Scene.h"
+#include "scene/Shown.h"
 #include "session/Rest.h"
 #include "session/membrane/MembraneMover.h"
 
@@ -64,7 +65,7 @@ Volume clippedVolume(const scene::Scene& scene, Progress& progress) {
   Volume out = volume;
   out.timeSteps = 1;
   std::size_t bytes = timeStepBytes(volume), sample = sampleSize(volume.type) * std::size_t(volume.channels);
-  auto first = std::ptrdiff_t(bytes * std::size_t(std::clamp(scene.volume.timeStep, 0, volume.timeSteps - 1)));
+  auto first = std::ptrdiff_t(bytes * std::size_t(scene::shownTimeStep(scene.volume)));
   out.voxels.assign(volume.voxels.begin() + first, volume.voxels.begin() + first + std::ptrdiff_t(bytes));
   std::vector<std::uint8_t> kept = render::keptVoxels(scene, volume.dims, volume.worldFromVoxel, progress);
   // A voxel with the smallest value, as raw bytes: colours become black.

@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "scene/Scene.h"
+#include "scene/Shown.h"
 #include "session/look/ValueHistogram.h"
 
 namespace velum::session {
@@ -124,8 +125,7 @@ std::vector<Run> runsUnder(const Volume& volume, std::span<const scene::Stroke> 
 Histogram wholeHistogram(const scene::VolumeLayer& layer) {
   if (!layer.data) return {};
   const Volume& volume = *layer.data;
-  return valueHistogram(volume, std::clamp(layer.channel, 0, volume.channels - 1),
-                        std::clamp(layer.timeStep, 0, volume.timeSteps - 1));
+  return valueHistogram(volume, scene::shownChannel(layer), scene::shownTimeStep(layer));
 }
 
 Histogram strokeHistogram(const scene::VolumeLayer& layer, std::span<const scene::Stroke> strokes, bool avoid,
@@ -137,8 +137,8 @@ Histogram strokeHistogram(const scene::VolumeLayer& layer, std::span<const scene
   int bins = int(like.counts.size());
   double factor = bins / width * volume.scale, base = (volume.offset - like.range.x) * bins / width;
   std::size_t stride = std::size_t(volume.channels), line = std::size_t(volume.dims.x);
-  std::size_t first = std::size_t(std::clamp(layer.timeStep, 0, volume.timeSteps - 1)) * voxelCount(volume) * stride +
-                      std::size_t(std::clamp(layer.channel, 0, volume.channels - 1));
+  std::size_t first =
+      std::size_t(scene::shownTimeStep(layer)) * voxelCount(volume) * stride + std::size_t(scene::shownChannel(layer));
   std::vector<Run> runs = runsUnder(volume, strokes, avoid);
   visitSamples(volume, [&](auto* p) {
     using T = std::remove_cvref_t<decltype(*p)>;

@@ -7,6 +7,7 @@
 
 #include "membrane/forces/Denoise.h"
 #include "scene/Scene.h"
+#include "scene/Shown.h"
 
 namespace velum::session {
 
@@ -22,8 +23,7 @@ constexpr double kEnd = 0.1;             ///< share of the data beyond which the
 /// The voxels of a box, its noise taken out.
 scene::VolumeLayer calmBox(const scene::VolumeLayer& layer, glm::ivec3 first, glm::ivec3 end, double noise) {
   const Volume& volume = *layer.data;
-  int channel = std::clamp(layer.channel, 0, volume.channels - 1),
-      timeStep = std::clamp(layer.timeStep, 0, volume.timeSteps - 1);
+  int channel = scene::shownChannel(layer), timeStep = scene::shownTimeStep(layer);
   Volume box;
   box.dims = end - first;
   box.type = SampleType::Float32;
@@ -119,8 +119,7 @@ std::optional<Tissue> measureTissueInNoise(const scene::VolumeLayer& layer, glm:
   glm::ivec3 voxel(glm::floor(place + 0.5));
   if (glm::any(glm::lessThan(voxel, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(voxel, volume.dims)))
     return std::nullopt;
-  double noise = membrane::noiseOf(volume, std::clamp(layer.channel, 0, volume.channels - 1),
-                                   std::clamp(layer.timeStep, 0, volume.timeSteps - 1));
+  double noise = membrane::noiseOf(volume, scene::shownChannel(layer), scene::shownTimeStep(layer));
   if (!(noise > 0.0)) return std::nullopt;
   glm::ivec3 first = glm::max(voxel - kAround, glm::ivec3(0)), end = glm::min(voxel + kAround + 1, volume.dims);
   auto tissue = measureTissue(calmBox(layer, first, end, noise), world);

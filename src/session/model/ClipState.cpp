@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "scene/Scene.h"
+#include "scene/Shown.h"
 
 namespace velum::session {
 
@@ -40,8 +41,8 @@ ClipState clipState(const scene::Scene& scene) {
   const auto& model = scene.model.data;
   std::string_view root = model && !model->compartments.empty() ? std::string_view(model->compartments[0].name) : "";
   ClipState state = ClipState::Whole;
-  for (const scene::Cut& cut : scene.cuts) {
-    if (!cut.enabled || !isActing(cut, root)) continue;
+  for (const scene::Cut& cut : scene::enabledOf(scene.cuts)) {
+    if (!isActing(cut, root)) continue;
     state = ClipState::Cut;
     if (std::any_of(cut.model.spares.begin(), cut.model.spares.end(),
                     [&](const scene::TypeSpare& spare) { return isThinned(cut, spare); }))
@@ -55,7 +56,7 @@ void showWhole(scene::Scene& scene) {
 }
 
 void showCut(scene::Scene& scene) {
-  bool isOff = std::none_of(scene.cuts.begin(), scene.cuts.end(), [](const scene::Cut& cut) { return cut.enabled; });
+  bool isOff = scene::enabledOf(scene.cuts).empty();
   for (scene::Cut& cut : scene.cuts) {
     cut.enabled = cut.enabled || isOff;
     double share = cut.shape == scene::CutShape::Everywhere ? 1.0 : 0.0;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "core/Text.h"
 #include "session/model/Dial.h"
 #include "session/model/ModelEdit.h"
 
@@ -14,10 +15,7 @@ namespace {
 
 /// With quotes where it holds what else separates.
 std::string csvField(const std::string& text) {
-  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-  std::string out = "\"";
-  for (char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return out + "\"";
+  return text.find_first_of(",\"\n\r") == std::string::npos ? text : csvQuoted(text);
 }
 
 std::string xmlText(std::string_view text) {

@@ -8,8 +8,10 @@
 #include <unordered_map>
 
 #include "core/Parallel.h"
+#include "core/Text.h"
 #include "render/kept/KeptInstances.h"
 #include "render/kept/StayingShares.h"
+#include "scene/Shown.h"
 #include "session/cut/CutEdit.h"
 #include "session/model/TypesAt.h"
 
@@ -30,7 +32,7 @@ bool leadsTo(std::string_view path, std::string_view to) {
 template <class Visit>
 void forInstances(const scene::ModelLayer& layer, std::uint32_t type, Visit&& visit) {
   const MoleculeType& of = layer.data->types[type];
-  for (std::size_t copy = 0; copy < std::size_t(std::max(1, layer.copies)); ++copy)
+  for (std::size_t copy = 0; copy < std::size_t(scene::copyCount(layer)); ++copy)
     for (std::size_t i = 0; i < of.instanceCount; ++i)
       visit(std::uint32_t(copy * layer.data->instances.size() + of.firstInstance + i));
 }
@@ -74,9 +76,8 @@ double numberBetween(float below, float above) {
 }  // namespace
 
 bool hasFocus(const scene::Scene& scene) {
-  return std::any_of(scene.cuts.begin(), scene.cuts.end(), [](const scene::Cut& cut) {
-    return cut.enabled && cut.model.focus && !cut.model.focus->types.empty();
-  });
+  return std::ranges::any_of(scene::enabledOf(scene.cuts),
+                             [](const scene::Cut& cut) { return cut.model.focus && !cut.model.focus->types.empty(); });
 }
 
 bool isCleared(const scene::Scene& scene, const std::vector<int>& cuts, const TypeNumbers& types) {
@@ -117,7 +118,7 @@ std::vector<Dial> makeDials(const scene::Scene& scene, const std::vector<int>& c
     if (isNew) dials.push_back(Dial{path, {}, 0, 0, {}}), rows.emplace_back();
     Dial& dial = dials[place->second];
     dial.types.push_back(type);
-    dial.total += std::uint64_t(model.types[type].instanceCount) * std::uint64_t(std::max(1, scene.model.copies));
+    dial.total += std::uint64_t(model.types[type].instanceCount) * std::uint64_t(scene::copyCount(scene.model));
     rows[place->second].push_back(i);
   }
   parallelFor(std::size_t(0), dials.size(), [&](std::size_t d) {
@@ -303,10 +304,6 @@ std::uint64_t turnDials(scene::Scene& scene, const std::vector<int>& cuts, const
   return std::accumulate(counts.begin(), counts.end(), std::uint64_t(0));
 }
 
-std::string countText(std::uint64_t count) {
-  std::string text = fmt::format("{}", count);
-  for (std::size_t at = text.size(); at > 3; at -= 3) text.insert(at - 3, ",");
-  return text;
-}
+std::string countText(std::uint64_t count) { return grouped(count, ","); }
 
 }  // namespace velum::session

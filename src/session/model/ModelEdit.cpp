@@ -8,6 +8,7 @@
 
 #include "core/Units.h"
 #include "scene/Scene.h"
+#include "scene/Shown.h"
 
 namespace velum::session {
 
@@ -151,7 +152,7 @@ std::optional<InstancePlace> instancePlace(const scene::Scene& scene, std::uint3
   scene::CopyGrid grid = scene::copyGrid(layer);
   InstancePlace place;
   place.copy = instance / count;
-  if (place.copy >= std::uint32_t(std::max(1, layer.copies))) return std::nullopt;
+  if (place.copy >= std::uint32_t(scene::copyCount(layer))) return std::nullopt;
   const Instance& one = model.instances[instance % count];
   const Molecule& molecule = model.molecules[one.molecule];
   int copy = int(place.copy);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "render/RenderPicture.h"
+#include "scene/Shown.h"
 
 namespace velum::session {
 
@@ -26,7 +27,7 @@ const render::InstanceBits& PictureCounter::count(const scene::Scene& scene) {
   if (mBits.count > 0 && frame.scene == mLast) return mBits;
   const scene::ModelLayer& model = scene.model;
   render::InstanceBits all;
-  if (model.data) all.count = std::uint64_t(model.data->instances.size()) * std::uint64_t(std::max(1, model.copies));
+  if (model.data) all.count = scene::instanceCount(model);
   std::size_t words = std::size_t((all.count + 31) / 32);
   all.removed.assign(words, ~0u), all.shown.assign(words, 0u);
   frame.pictureSize = mSize;

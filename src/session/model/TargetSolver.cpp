@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/Error.h"
+#include "scene/Shown.h"
 #include "session/cut/CutEdit.h"
 #include "session/model/Dial.h"
 #include "session/model/TypesAt.h"
@@ -52,14 +53,14 @@ void sortCandidates(Goal& goal) {
 Count totalOf(const scene::Scene& scene, const TypeNumbers& types) {
   Count total = 0;
   for (std::uint32_t type : types)
-    total += Count(scene.model.data->types[type].instanceCount) * Count(std::max(1, scene.model.copies));
+    total += Count(scene.model.data->types[type].instanceCount) * Count(scene::copyCount(scene.model));
   return total;
 }
 
 /// Calls visit(instance) for all of some types.
 template <class Visit>
 void forInstancesOf(const scene::ModelLayer& layer, const TypeNumbers& types, Visit&& visit) {
-  for (std::size_t copy = 0; copy < std::size_t(std::max(1, layer.copies)); ++copy)
+  for (std::size_t copy = 0; copy < std::size_t(scene::copyCount(layer)); ++copy)
     for (std::uint32_t type : types) {
       std::size_t first = copy * layer.data->instances.size() + layer.data->types[type].firstInstance;
       for (std::size_t i = first; i < first + layer.data->types[type].instanceCount; ++i) visit(i);

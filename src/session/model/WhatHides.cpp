@@ -6,8 +6,10 @@
 #include <map>
 
 #include "core/Error.h"
+#include "core/ImageChannels.h"
 #include "render/kept/KeptInstances.h"
 #include "scene/Scene.h"
+#include "scene/Shown.h"
 #include "session/cut/CutEdit.h"
 #include "session/model/TypesAt.h"
 
@@ -17,18 +19,18 @@ namespace {
 
 /// A layer of numbers, pixel by pixel; -1 where there is nothing.
 std::vector<std::int64_t> layerOf(const Image& image, const char* name) {
-  auto found = std::find(image.channels.begin(), image.channels.end(), name);
-  if (found == image.channels.end()) throw ArgumentError(fmt::format("the picture has no layer {}", name));
+  std::ptrdiff_t column = channelIndex(image, name);
+  if (column < 0) throw ArgumentError(fmt::format("the picture has no layer {}", name));
   std::vector<std::int64_t> numbers;
-  for (auto i = std::size_t(found - image.channels.begin()); i < image.pixels.size(); i += image.channels.size())
+  for (auto i = std::size_t(column); i < image.pixels.size(); i += image.channels.size())
     numbers.push_back(std::int64_t(image.pixels[i]));
   return numbers;
 }
 
 /// Whether a scene's cuts clear each instance for a view; empty: none.
 std::vector<bool> clearedInstances(const scene::Scene& scene, double aspect) {
-  bool hasFocus = std::any_of(scene.cuts.begin(), scene.cuts.end(),
-                              [](const scene::Cut& cut) { return cut.enabled && cut.model.focus.has_value(); });
+  bool hasFocus = std::ranges::any_of(scene::enabledOf(scene.cuts),
+                                      [](const scene::Cut& cut) { return cut.model.focus.has_value(); });
   std::vector<bool> cleared;
   if (!hasFocus) return cleared;
   for (render::InstanceState state : render::instanceStates(scene, {}, aspect))
@@ -128,10 +130,9 @@ int clearTheWay(scene::Scene& scene, std::string_view path) {
 }
 
 bool isKeptInView(const scene::Scene& scene, std::string_view path) {
-  return std::any_of(scene.cuts.begin(), scene.cuts.end(), [path](const scene::Cut& cut) {
-    return cut.enabled && cut.model.focus &&
-           std::any_of(cut.model.focus->types.begin(), cut.model.focus->types.end(),
-                       [path](const scene::FocusType& type) { return type.type == path; });
+  return std::ranges::any_of(scene::enabledOf(scene.cuts), [path](const scene::Cut& cut) {
+    return cut.model.focus && std::any_of(cut.model.focus->types.begin(), cut.model.focus->types.end(),
+                                          [path](const scene::FocusType& type) { return type.type == path; });
   });
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/Assert.h"
+#include "core/ImageChannels.h"
 #include "scene/Scene.h"
 
 namespace velum::session {
@@ -46,9 +47,9 @@ struct Matte {
 };
 
 std::size_t columnOf(const Image& image, std::string_view name) {
-  auto found = std::find(image.channels.begin(), image.channels.end(), name);
-  VELUM_ASSERT(found != image.channels.end(), "the picture has the layers that mattes are made of");
-  return std::size_t(found - image.channels.begin());
+  std::ptrdiff_t column = channelIndex(image, name);
+  VELUM_ASSERT(column >= 0, "the picture has the layers that mattes are made of");
+  return std::size_t(column);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "core/Error.h"
 #include "scene/Navigate.h"
+#include "scene/Shown.h"
 #include "session/Rest.h"
 #include "session/extrusion/Extrusion.h"
 #include "session/growth/Growths.h"
@@ -27,7 +28,7 @@ std::string whyStill(const scene::Scene& scene, Motion motion) {
   if (motion == Motion::Time && timeStepsOf(scene) < 2) return "the volume has no time steps";
   if (motion == Motion::Pull && extrusionsOf(scene).empty()) return "no structure is pulled out of a cut";
   if (motion != Motion::Cut) return {};
-  bool isCut = std::any_of(scene.cuts.begin(), scene.cuts.end(), [](const scene::Cut& cut) { return cut.enabled; });
+  bool isCut = !scene::enabledOf(scene.cuts).empty();
   return isCut ? "" : "no cut is on";
 }
 

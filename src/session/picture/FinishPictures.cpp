@@ -28,10 +28,10 @@ scene::Scene finishScene(const scene::Scene& scene, const Shared<Volume>& small,
 
 void drawFinishPictures(const scene::Scene& scene, const std::vector<std::string>& finishes, glm::ivec2 size,
                         const std::function<void(const std::string&, const Image&)>& done, Progress& progress) {
-  auto sceneOf = [&](const Shared<Volume>& small, const std::string& finish) {
-    return finishScene(scene, small, finish);
-  };
-  drawSmallPictures(scene, finishes, size, sceneOf, done, progress);
+  Shared<Volume> small = smallVolume(scene.volume, progress);
+  if (!small) return;
+  auto sceneOf = [&](const std::string& finish) { return finishScene(scene, small, finish); };
+  drawSmallPictures(finishes, size, sceneOf, done, progress);
 }
 
 }  // namespace velum::session

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/ImageChannels.h"
 #include "core/LabelVolume.h"
 #include "io/images/ImageFile.h"
 
@@ -70,21 +71,6 @@ Image idPicture(const Image& image) {
 }
 
 }  // namespace
-
-Image channelsOf(const Image& image, const std::vector<std::string>& names) {
-  Image out{image.width, image.height, {}, {}};
-  std::vector<std::size_t> columns;
-  for (const auto& name : names) {
-    auto found = std::find(image.channels.begin(), image.channels.end(), name);
-    if (found == image.channels.end()) continue;
-    out.channels.push_back(name);
-    columns.push_back(std::size_t(found - image.channels.begin()));
-  }
-  out.pixels.reserve(pixelCount(image) * columns.size());
-  for (std::size_t i = 0; i < pixelCount(image); ++i)
-    for (auto c : columns) out.pixels.push_back(image.pixels[i * image.channels.size() + c]);
-  return out;
-}
 
 std::vector<std::string> colorChannels(const std::string& layer) {
   return {layer + ".R", layer + ".G", layer + ".B", layer + ".A"};

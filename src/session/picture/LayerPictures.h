@@ -8,9 +8,6 @@
 
 namespace velum::session {
 
-/// The channels named, in that order; those that the picture has not are left out.
-Image channelsOf(const Image& image, const std::vector<std::string>& names);
-
 /// Layers of a scene with inlays, from front to back.
 inline constexpr const char* kInlayLayers[] = {"front", "inlay", "behind"};
 

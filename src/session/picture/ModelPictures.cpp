@@ -2,10 +2,8 @@
 
 #include <algorithm>
 
-#include "gpu/Context.h"
-#include "render/Renderer.h"
 #include "scene/ModelLooks.h"
-#include "session/picture/Picture.h"
+#include "session/picture/SmallPictures.h"
 
 namespace velum::session {
 
@@ -77,15 +75,8 @@ void drawModelPictures(const scene::Scene& scene, const std::vector<std::string>
                        const std::function<void(const std::string&, const Image&)>& done, Progress& progress) {
   if (!scene.model.data) return;
   Shared<Model> small = middleOfModel(scene.model.data, kPreviewInstances);
-  auto context = gpu::Context::create(gpu::ContextKind::Auto);
-  render::Renderer renderer(*context);
-  PictureOptions options;
-  options.size = size;
-  for (std::size_t i = 0; i < looks.size(); ++i) {
-    progress.report(double(i) / double(looks.size()), looks[i]);
-    scene::Scene shown = modelLookScene(scene, small, looks[i], double(size.x) / size.y);
-    done(looks[i], drawPicture(renderer, shown, options, context->limits(), progress));
-  }
+  auto sceneOf = [&](const std::string& look) { return modelLookScene(scene, small, look, double(size.x) / size.y); };
+  drawSmallPictures(looks, size, sceneOf, done, progress);
 }
 
 }  // namespace velum::session

@@ -8,11 +8,13 @@
 #include <iterator>
 
 #include "core/FileName.h"
+#include "core/ImageChannels.h"
 #include "core/ReplaceFile.h"
 #include "core/Text.h"
 #include "io/images/ImageFile.h"
 #include "render/RenderPicture.h"
 #include "render/section/SectionImage.h"
+#include "scene/Shown.h"
 #include "session/document/Open.h"
 #include "session/picture/Cryptomatte.h"
 #include "session/picture/LayerPictures.h"
@@ -27,8 +29,7 @@ constexpr render::InlayParts kInlayParts[] = {{true, false, false}, {false, true
 /// Maxima cannot be put together from layers.
 bool hasInlayLayers(const scene::Scene& scene) {
   return scene.rayCast.mode != scene::RenderMode::Mip &&
-         std::any_of(scene.cuts.begin(), scene.cuts.end(),
-                     [](const scene::Cut& cut) { return cut.enabled && scene::isInlay(cut); });
+         std::ranges::any_of(scene::enabledOf(scene.cuts), scene::isInlay);
 }
 
 /// The image with the channels of another one of its size behind its own.
@@ -146,8 +147,7 @@ void savePicture(const Image& image, const scene::Scene& scene, const PictureOpt
   if (drawn.background.transparent) color.push_back("A");
   if (!options.layers || !isExr) return io::writeImage(channelsOf(image, color), path, text, options.dpi);
   std::vector<io::ImageAttribute> attributes;
-  bool hasTypes =
-      scene.model.data && std::find(image.channels.begin(), image.channels.end(), "type") != image.channels.end();
+  bool hasTypes = scene.model.data && channelIndex(image, "type") >= 0;
   io::writeImage(hasTypes ? withMattes(image, scene, attributes) : image, path, text, options.dpi, attributes);
 }
 

@@ -102,10 +102,10 @@ scene::Scene presetScene(const scene::Scene& scene, const Shared<Volume>& small,
 
 void drawPresetPictures(const scene::Scene& scene, const std::vector<std::string>& presets, glm::ivec2 size,
                         const std::function<void(const std::string&, const Image&)>& done, Progress& progress) {
-  auto sceneOf = [&](const Shared<Volume>& small, const std::string& preset) {
-    return presetScene(scene, small, preset, double(size.x) / size.y);
-  };
-  drawSmallPictures(scene, presets, size, sceneOf, done, progress);
+  Shared<Volume> small = smallVolume(scene.volume, progress);
+  if (!small) return;
+  auto sceneOf = [&](const std::string& preset) { return presetScene(scene, small, preset, double(size.x) / size.y); };
+  drawSmallPictures(presets, size, sceneOf, done, progress);
 }
 
 }  // namespace velum::session

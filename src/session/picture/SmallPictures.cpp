@@ -4,6 +4,7 @@
 
 #include "gpu/Context.h"
 #include "render/Renderer.h"
+#include "scene/Shown.h"
 #include "session/picture/Picture.h"
 #include "session/picture/PresetPictures.h"
 
@@ -23,21 +24,22 @@ scene::Scene smallScene(const scene::Scene& look, const Shared<Volume>& small) {
   return shown;
 }
 
-void drawSmallPictures(const scene::Scene& scene, const std::vector<std::string>& names, glm::ivec2 size,
-                       const std::function<scene::Scene(const Shared<Volume>& small, const std::string& name)>& sceneOf,
+Shared<Volume> smallVolume(const scene::VolumeLayer& layer, Progress& progress) {
+  if (!layer.data) return {};
+  int channel = scene::shownChannel(layer), timeStep = scene::shownTimeStep(layer);
+  return Shared<Volume>(reduceVolume(*layer.data, channel, timeStep, kPreviewVoxels, progress));
+}
+
+void drawSmallPictures(const std::vector<std::string>& names, glm::ivec2 size,
+                       const std::function<scene::Scene(const std::string& name)>& sceneOf,
                        const std::function<void(const std::string&, const Image&)>& done, Progress& progress) {
-  if (!scene.volume.data) return;
-  const Volume& volume = *scene.volume.data;
-  int channel = std::clamp(scene.volume.channel, 0, volume.channels - 1);
-  int timeStep = std::clamp(scene.volume.timeStep, 0, volume.timeSteps - 1);
-  Shared<Volume> small(reduceVolume(volume, channel, timeStep, kPreviewVoxels, progress));
   auto context = gpu::Context::create(gpu::ContextKind::Auto);
   render::Renderer renderer(*context);
   PictureOptions options;
   options.size = size;
   for (std::size_t i = 0; i < names.size(); ++i) {
     progress.report(double(i) / double(names.size()), names[i]);
-    done(names[i], drawPicture(renderer, sceneOf(small, names[i]), options, context->limits(), progress));
+    done(names[i], drawPicture(renderer, sceneOf(names[i]), options, context->limits(), progress));
   }
 }
 

@@ -6,6 +6,8 @@
 #include <map>
 
 #include "core/Assert.h"
+#include "core/ImageChannels.h"
+#include "core/Text.h"
 #include "scene/Scene.h"
 #include "session/structure/StructureEdit.h"
 
@@ -14,9 +16,9 @@ namespace velum::session {
 namespace {
 
 std::size_t columnOf(const Image& image, const char* name) {
-  auto found = std::find(image.channels.begin(), image.channels.end(), name);
-  VELUM_ASSERT(found != image.channels.end(), "the picture has the layers structure and instance");
-  return std::size_t(found - image.channels.begin());
+  std::ptrdiff_t column = channelIndex(image, name);
+  VELUM_ASSERT(column >= 0, "the picture has the layers structure and instance");
+  return std::size_t(column);
 }
 
 /// The structure that each pixel shows; 0: none.
@@ -66,12 +68,9 @@ std::vector<StructureArea> structureAreas(const scene::Scene& scene, const std::
 
 std::string areasCsv(const std::vector<StructureArea>& areas) {
   std::string csv = "structure,name,visible,hidden,clipped,total\n";
-  for (const StructureArea& area : areas) {
-    std::string name;
-    for (char c : area.name) name += c == '"' ? std::string("\"\"") : std::string(1, c);
-    csv += fmt::format("{},\"{}\",{},{},{},{}\n", area.structure, name, area.visible, area.hidden, area.clipped,
-                       area.total());
-  }
+  for (const StructureArea& area : areas)
+    csv += fmt::format("{},{},{},{},{},{}\n", area.structure, csvQuoted(area.name), area.visible, area.hidden,
+                       area.clipped, area.total());
   return csv;
 }
 

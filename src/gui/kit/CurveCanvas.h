@@ -1,0 +1,66 @@
+#pragma once
+#include <QWidget>
+#include <functional>
+#include <optional>
+
+#include "session/look/ValueHistogram.h"
+
+namespace velum::gui {
+
+QColor faded(QColor color, double alpha);
+QFont smallFont(const QFont& font);
+
+/// A curve of points over a histogram: where values are, what is drawn of each such canvas, and the keys. What the
+/// curve is, and what a hand makes of it, is the business of who derives from it. It changes nothing itself: it says
+/// what the curve would become.
+class CurveCanvas : public QWidget {
+  Q_OBJECT
+ public:
+  void setHistogram(const Histogram& histogram);
+  void setUnit(const QString& unit);
+  session::AxisView view() const { return mView; }
+
+ signals:
+  /// What was changed step by step is done.
+  void settled();
+
+ protected:
+  /// @param below  pixels between the plot and the axis
+  CurveCanvas(int plotHeight, int below, QWidget* parent);
+  /// Where things are, widget pixels.
+  QRectF plot() const;
+  QRectF axis() const;
+  double xOf(double value) const;
+  void setAxis(session::AxisView view);
+  const QString& unit() const { return mUnit; }
+  const std::optional<QPointF>& hover() const { return mHover; }
+  void setHover(QPointF place) { mHover = place; }
+
+  /// @param inside  paints what is clipped to the ground
+  void paintGround(QPainter& painter, const std::function<void()>& inside) const;
+  /// @param share  of the plot that the highest bar takes
+  void paintBars(QPainter& painter, double share, bool logarithmic) const;
+  void paintPoint(QPainter& painter, QPointF place, const QColor& color, bool isSelected) const;
+  /// @param asScale  with a mark at each number, and with the unit
+  void paintAxis(QPainter& painter, bool asScale) const;
+
+  /// Of the keys that the window has other uses for, those that are the canvas' while it has the keyboard.
+  virtual bool isOwnKey(int key) const = 0;
+  virtual void step(int sideways, int up, bool wide) = 0;
+  virtual void selectNext(int by) = 0;
+  virtual void addBeside() = 0;
+  virtual void removeSelected() = 0;
+
+  bool event(QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+
+ private:
+  const int mPlotHeight;
+  Histogram mHistogram;
+  session::AxisView mView;
+  QString mUnit;
+  std::optional<QPointF> mHover;
+};
+
+}  // namespace velum::gui

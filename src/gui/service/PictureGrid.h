@@ -1,0 +1,69 @@
+#pragma once
+#include <QHash>
+#include <QPixmap>
+#include <QSet>
+#include <QTimer>
+#include <QVBoxLayout>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "gui/rows/PictureList.h"
+#include "gui/service/Job.h"
+#include "session/document/Document.h"
+
+namespace velum::gui {
+
+/// Small pictures of what is open to choose from, drawn in the background when the view has nothing to do. Without a
+/// driver for that the names alone must do.
+class PictureGrid : public QWidget {
+  Q_OBJECT
+ public:
+  /// Draws the pictures named of a scene, telling each as it is done; another thread's.
+  using Draw = std::function<void(const scene::Scene& scene, const std::vector<std::string>& names, glm::ivec2 size,
+                                  const std::function<void(const std::string&, const Image&)>& done, Progress&)>;
+  struct Kind {
+    int columns = 3, pictureHeight = 64;
+    Draw draw;
+    int patienceMs = 0;        ///< Longer a busy view does not keep the pictures away; 0: always.
+    bool keepsOld = false;     ///< Old pictures stay until the new ones come.
+    bool onlyVisible = false;  ///< Nothing is drawn while nobody sees it.
+  };
+  PictureGrid(session::Document& document, Kind kind, QWidget* parent);
+  ~PictureGrid() override;
+  /// All pictures are drawn, or will not be.
+  bool isComplete() const;
+
+ public slots:
+  /// Draws the pictures that are missing; to be called when the machine is free.
+  void drawPictures();
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+  void showEvent(QShowEvent* event) override;
+  PictureList& list() { return *mList; }
+  QVBoxLayout& column() { return *mColumn; }
+  session::Document& document() const { return mDocument; }
+  /// The one of a name; none while it is not drawn.
+  QPixmap picture(const QString& name) const { return mPictures.value(name); }
+  /// The pictures are to be of something else than before. @param isOpen  whether there is anything to draw
+  void renew(bool isOpen);
+
+ private:
+  bool mayDraw() const { return mIsOpen && (!mKind.onlyVisible || isVisible()); }
+  QStringList missing() const;
+  void takePicture(const QString& name, const QImage& picture);
+
+  session::Document& mDocument;
+  const Kind mKind;
+  QVBoxLayout* mColumn;
+  PictureList* mList;
+  QTimer mPatience;
+  bool mIsOpen = false;
+  int mTurn = 0;  ///< Counts what the pictures are of.
+  QSet<QString> mTried;
+  QHash<QString, QPixmap> mPictures;
+  std::unique_ptr<Job> mJob;
+};
+
+}  // namespace velum::gui

@@ -85,7 +85,7 @@ void ModelList::setTyped(const QModelIndex& index, const QString& text) {
   const TypeTree::Row& row = rowOf(index);
   auto number = ModelTree::readNumber(text, double(mTree->countOf(row).total()));
   if (!number) return emit refused(tr("\"%1\" is no number of instances and no share, such as 50 or 20 %").arg(text));
-  mEqualizer.set(row.path, Equalizer::Handle::Drawn, *number);
+  mEqualizer.set(row.path, Equalizer::Handle::Left, *number);
 }
 
 /// All of a small tree; of a large one what is left of the search, or its first two floors.
@@ -173,9 +173,9 @@ session::TypeNumbers ModelList::typesFor(const QModelIndex& shown) const {
 /// The handle that is nearest: of two at one place that which lies in the way that the pointer is off.
 Equalizer::Handle ModelList::handleAt(const QModelIndex& index, double x) const {
   CountBar bar = mDelegate->barOf(rowOf(index), visualRect(index.siblingAtColumn(ModelTree::Bar)));
-  double at = x - bar.box.left(), toSeen = std::abs(at - bar.seen), toLeft = std::abs(at - bar.left);
-  if (toSeen == toLeft) return at < bar.seen ? Equalizer::Handle::Seen : Equalizer::Handle::Drawn;
-  return toSeen < toLeft ? Equalizer::Handle::Seen : Equalizer::Handle::Drawn;
+  double at = x - bar.box.left(), toSeen = std::abs(at - bar.seen()), toLeft = std::abs(at - bar.left);
+  if (toSeen == toLeft) return at < bar.seen() ? Equalizer::Handle::Seen : Equalizer::Handle::Left;
+  return toSeen < toLeft ? Equalizer::Handle::Seen : Equalizer::Handle::Left;
 }
 
 bool ModelList::takeHandle(const QModelIndex& index, double x) {
@@ -186,7 +186,7 @@ bool ModelList::takeHandle(const QModelIndex& index, double x) {
   mHeldBar = index;
   Equalizer::Handle handle = handleAt(index, x);
   CountBar bar = mDelegate->barOf(row, visualRect(index));
-  double off = x - bar.box.left() - (handle == Equalizer::Handle::Seen ? bar.seen : bar.left);
+  double off = x - bar.box.left() - (handle == Equalizer::Handle::Seen ? bar.seen() : bar.left);
   mEqualizer.take(row.path, handle);
   // Whoever takes the knob moves it by what the pointer moves; whoever presses elsewhere brings it there.
   mGrip = std::abs(off) <= kGrip ? off : 0.0;
@@ -206,10 +206,10 @@ void ModelList::dragHandle(double x) {
 void ModelList::stepHandle(Equalizer::Handle handle, int steps) {
   if (!currentIndex().isValid()) return;
   const TypeTree::Row& row = rowOf(currentIndex());
-  render::TypeCount count = mTree->countOf(row);
+  Counts count = mTree->countOf(row);
   if (count.total() == 0) return;
   double by = std::max(1.0, std::round(kStep * double(count.total()))) * steps;
-  auto now = double(handle == Equalizer::Handle::Drawn ? count.rendered() : count.visible);
+  auto now = double(handle == Equalizer::Handle::Left ? count.left() : count.visible());
   mEqualizer.set(row.path, handle, std::clamp(now + by, 0.0, double(count.total())));
 }
 
@@ -294,7 +294,7 @@ void ModelList::keyPressEvent(QKeyEvent* event) {
     return edit(currentIndex().siblingAtColumn(ModelTree::Count));
   if (event->modifiers() & Qt::ControlModifier && (event->key() == Qt::Key_Left || event->key() == Qt::Key_Right)) {
     bool isSeen = event->modifiers() & Qt::ShiftModifier;
-    return stepHandle(isSeen ? Equalizer::Handle::Seen : Equalizer::Handle::Drawn,
+    return stepHandle(isSeen ? Equalizer::Handle::Seen : Equalizer::Handle::Left,
                       event->key() == Qt::Key_Right ? 1 : -1);
   }
   session::TypeNumbers types = selectedTypes();

@@ -2,6 +2,7 @@
 
 #include <QVBoxLayout>
 
+#include "gui/kit/Text.h"
 #include "gui/kit/Widgets.h"
 #include "gui/service/CallLater.h"
 #include "scene/ModelLooks.h"
@@ -15,8 +16,6 @@ namespace {
 
 constexpr int kColumns = 3, kPictureHeight = 72;
 constexpr int kPatienceMs = 6000;  // a view that is busy for longer does not keep the pictures away
-
-QString toText(std::string_view text) { return QString::fromUtf8(text.data(), int(text.size())); }
 
 }  // namespace
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gui/kit/Text.h"
 #include "session/model/TypesAt.h"
 
 namespace velum::gui {
@@ -132,12 +133,11 @@ QMenu* ModelPanel::makeOrderMenu(QWidget* parent) {
   using Key = TypeOrder::Key;
   menu->addSection(tr("Sort"));
   auto* keys = new QActionGroup(menu);
-  for (auto [name, key] : {std::pair(tr("By number of instances"), Key::Count),
-                           {tr("By name"), Key::Name},
-                           {tr("By mass"), Key::Mass},
-                           {tr("By share that is seen"), Key::Seen},
-                           {tr("By share that is hidden"), Key::Hidden},
-                           {tr("By share that is removed"), Key::Removed}})
+  std::vector<std::pair<QString, Key>> orders = {
+      {tr("By number of instances"), Key::Count}, {tr("By name"), Key::Name}, {tr("By mass"), Key::Mass}};
+  for (std::size_t i = 0; i < kCountKinds.size(); ++i)
+    orders.emplace_back(tr("By share that is %1").arg(toText(kCountKinds[i].adjective)), TypeOrder::keyOf(CountOf(i)));
+  for (const auto& [name, key] : orders)
     connect(add(keys, name, key == Key::Count), &QAction::triggered, this,
             [this, key = key] { mList->order().setKey(key); });
   using Only = TypeOrder::Only;

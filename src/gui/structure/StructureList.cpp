@@ -169,13 +169,13 @@ bool StructureList::takeBar(int id, double x) {
 }
 
 void StructureList::dragBar(double x) {
-  const session::StructureArea* area = mAreas.find(mBarId);
+  const Counts* area = mAreas.find(mBarId);
   if (area) mAreas.moveTo(barOf(mBarId).countAt(x - mGrip, BarScale(), double(area->total())));
 }
 
 void StructureList::stepBar(int steps) {
   int id = currentIndex().data(StructureModel::IdRole).toInt();
-  const session::StructureArea* area = mAreas.find(id);
+  const Counts* area = mAreas.find(id);
   if (!area || !mAreas.take(id)) return;
   mAreas.moveTo(double(area->left()) + kBarStep * steps * double(area->total()));
   mAreas.letGo();

@@ -9,7 +9,6 @@
 #include "render/kept/KeptInstances.h"
 #include "session/cut/CutEdit.h"
 #include "session/cut/ShapeTraits.h"
-#include "session/model/TypeDials.h"
 #include "session/model/TypesAt.h"
 
 namespace velum::session {

@@ -235,10 +235,8 @@ TEST(StructureAreas, EachPixelOfAStructureIsOneOfThree) {
   for (const scene::Structure& structure : scene.labels.structures)
     expected[structure.id] = {structure.id, structure.name};
   for (const render::StructureHit& hit : hits) {
-    StructureArea& area = expected[hit.structure];
-    ++area.count[shown[hit.pixel] == hit.structure ? CountOf::Visible
-                 : hit.isLeft                      ? CountOf::Hidden
-                                                   : CountOf::Clipped];
+    CountOf left = hit.isLeft ? CountOf::Hidden : CountOf::Clipped;
+    ++expected[hit.structure].count[shown[hit.pixel] == hit.structure ? CountOf::Visible : left];
   }
   std::vector<StructureArea> areas = structureAreas(scene, hits, picture);
   ASSERT_EQ(areas.size(), expected.size());

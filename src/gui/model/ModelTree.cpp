@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "gui/kit/Text.h"
+#include "gui/rows/CountBar.h"
 #include "session/model/ModelEdit.h"
 
 namespace velum::gui {

@@ -60,8 +60,7 @@ scene::Cut randomCut(Random& random, int id) {
   cut.enabled = !oneOf(random, 6);
   for (int structure : {0, 2, 5, 8})
     if (oneOf(random, 3))
-      cut.spares.push_back(
-          {structure, oneOf(random, 2) ? scene::Spare::kEndless : in(random, 0.5, 10), oneOf(random, 5) ? 0.0 : 1.0});
+      cut.spares.push_back({structure, oneOf(random, 2) ? scene::Spare::kEndless : in(random, 0.5, 10)});
   return cut;
 }
 

@@ -8,6 +8,8 @@
 #include <cmath>
 
 #include "gui/kit/Text.h"
+#include "session/command/Command.h"
+#include "session/command/ModelCommands.h"
 #include "session/model/TypesAt.h"
 
 namespace velum::gui {
@@ -89,9 +91,7 @@ QWidget* ModelPanel::makeHead() {
   mNotes->setWordWrap(true);
   layout->addWidget(mNotes);
   connect(mLegend, &QCheckBox::clicked, this, &ModelPanel::legendAsked);
-  connect(mShown, &EyeButton::clicked, this, [this](bool on) {
-    mDocument.edit(on ? "Show model" : "Hide model", [on](scene::Scene& scene) { scene.model.visible = on; });
-  });
+  connect(mShown, &EyeButton::clicked, this, [this](bool on) { session::edit(mDocument, session::ShowModel{on}); });
   return head;
 }
 

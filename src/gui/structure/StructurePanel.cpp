@@ -8,6 +8,8 @@
 #include <QVBoxLayout>
 
 #include "gui/kit/Length.h"
+#include "session/command/Command.h"
+#include "session/command/StructureCommands.h"
 #include "session/document/StructureShapes.h"
 
 namespace velum::gui {
@@ -114,9 +116,7 @@ QWidget* StructurePanel::makeHead() {
   layout->addLayout(row);
   layout->addLayout(makeShares(head));
   connect(open, &QPushButton::clicked, this, &StructurePanel::openLabelsAsked);
-  connect(mShown, &EyeButton::clicked, this, [this](bool on) {
-    mDocument.edit(on ? "Show labels" : "Hide labels", [on](scene::Scene& scene) { scene.labels.visible = on; });
-  });
+  connect(mShown, &EyeButton::clicked, this, [this](bool on) { session::edit(mDocument, session::ShowLabels{on}); });
   return head;
 }
 
